@@ -564,10 +564,13 @@ START_TEST(the_first_inverse_has_exceptions) {
 END_TEST
 
 /* What divides is zero nowhere, by its sign or on admissible motions by the velocities; or it is zero on an orbit of a
-   family.  sin(t_b) is neither: nothing says that t_b is not pi. */
+   family, or where a family ends since z_1' only touches V.  sin(t_b) is neither: nothing says that t_b is not pi. */
 START_TEST(values_of_formulas) {
 #define ALONG(low, high)                                                                                               \
   "  at: chi = 15/64, eta = 2, V = 1, e1 = 2.7294, e2 = 0.4475\n  vary: e2 from " low " to " high "\n"
+#define TOUCHING(low, high)                                                                                            \
+  "  at: chi = 1/2, eta = 4, V = 1, e1 = 5/2, e2 = 1.11\n  vary: e2 from " low " to " high "\n"
+#define SHORT "  at: chi = 3/4, eta = 2/5, V = 1, e1 = 1/3, e2 = 0.4125\n  vary: e2 from 0.412 to 0.4125\n"
   static const struct {
     const char *statements, *attributes, *condition;
     enum verdict want;
@@ -587,7 +590,12 @@ START_TEST(values_of_formulas) {
       {"  z_10 = 1/det(N_1 - I) + 1/t_b\n", ALONG("0.448", "0.447"), "det(N_1 - I) and t_b are not zero",
        VERDICT_CONDITIONAL},
       {"  z_10 = 1/det(N_1 - I)\n", ALONG("0.4475", "0.448"), NULL, VERDICT_UNKNOWN}, /* the same sign at both ends */
-      {"  z_10 = 1/(e_2 - 0.4476)\n", ALONG("0.447", "0.448"), "(e_2 - 0.4476) is not zero", VERDICT_CONDITIONAL},
+      {"  z_10 = 1/(chi*z_2c - z_1c)\n", TOUCHING("1.109", "1.11"), "chi*z_2c - z_1c is not zero", VERDICT_CONDITIONAL},
+      {"  z_10 = V/(z_1c - chi*z_2c)^2\n", TOUCHING("1.11", "1.12"), NULL, VERDICT_UNKNOWN}, /* no touch there */
+      {"  z_10 = 1/(z_1c + chi*z_2c)\n", TOUCHING("1.109", "1.11"), NULL, VERDICT_UNKNOWN},
+      {"  z_10 = 1/(z_1c - chi*z_2c)\n", SHORT, NULL, VERDICT_UNKNOWN}, /* t_a < 0 there */
+      {"  z_10 = 1/(z_1c - chi*z_2c)\n", "  over: orbits\n" SHORT, "z_1c - chi*z_2c is not zero", VERDICT_CONDITIONAL},
+      {"  z_10 = 1/(e_2 - 0.4476)\n", ALONG("0.447", "0.448"), "e_2 - 0.4476 is not zero", VERDICT_CONDITIONAL},
   };
   struct model m;
   struct text t;
@@ -607,6 +615,8 @@ START_TEST(values_of_formulas) {
   audit_result_clear(&r);
   text_clear(&t);
   model_clear(&m);
+#undef SHORT
+#undef TOUCHING
 #undef ALONG
 }
 END_TEST
@@ -728,7 +738,7 @@ Suite *argument_suite(void) {
   tcase_add_loop_test(c, formulas_without_a_degree, 0, 7);
   LOOP(units_of_one_record, units);
   tcase_add_loop_test(c, ranks_by_hand, 0, 13);
-  tcase_add_loop_test(c, values_of_formulas, 0, 15);
+  tcase_add_loop_test(c, values_of_formulas, 0, 20);
   tcase_add_test(c, the_first_inverse_has_exceptions);
   LOOP(hostile_attributes_are_shown_where_they_are, hostile);
   tcase_add_test(c, every_number_of_the_paper_is_covered);

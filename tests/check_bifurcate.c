@@ -335,6 +335,54 @@ START_TEST(each_change_does_what_it_says) {
 }
 END_TEST
 
+/* Where z_1'' = 0 at t_c, which the three equations single out; numbers by mpmath's findroot on the five equations of
+   tests/referee/claims.py (eq_36d).  z_1' < V up to there, but not up to a time at which V has been passed. */
+START_TEST(touch_of_the_oracle) {
+  const char *const params[] = {"0.5", "4", "1", "2.5", "0"};
+  static const double times[] = {2.020230011293395, 2.546157337644011, 1.515139986608597, 0.848453690491598};
+  struct line l;
+  struct dyn_bifurcations list;
+  fmpq_t value;
+  fmpq_init(value);
+  set_decimal(value, "1.109697612188447494143523204199");
+  line_init(&l, params, P_E2, "1.1", "1.12");
+  ck_assert_int_eq(find(&list, &l, 25), SS_OK);
+  int hits = 0;
+  for (slong i = 0; i < list.n; i++) {
+    const struct dyn_orbit *o = &list.at[i].touch;
+    if (list.at[i].what != CHANGE_TC) continue;
+    hits++;
+    ck_assert(list.at[i].crosses && inside(&list.at[i], value));
+    ck_assert_int_eq(o->admissible, TRUTH_TRUE);
+    for (int ph = 0; ph < N_PHASES; ph++) {
+      ck_assert_int_eq(o->first[ph], TRUTH_TRUE);
+      ck_assert_double_eq_tol(num_arb.get_d(o->t[ph]), times[ph], 1e-14);
+    }
+  }
+  ck_assert_int_eq(hits, 1);
+  for (int late = 0; late < 2; late++) { /* the example: its t_c is 1.4898... */
+    struct ball_params m;
+    struct ball_pass s;
+    fmpq at[N_PARAMS];
+    const char *const example[] = {"0.8", "1", "1", "2.7844", "0.8587"};
+    struct calc c = calc_begin(num_ctx_arb(96));
+    for (int i = 0; i < N_PARAMS; i++) {
+      fmpq_init(&at[i]);
+      set_decimal(&at[i], example[i]);
+    }
+    ball_params_init(&m, &c, at);
+    ball_pass_slip(&s, &c, &m, calc_d(&c, 2.00532), calc_d(&c, late ? 2.5 : 1.48));
+    ck_assert_int_eq(ball_touches(&c, &m, &s, 10000), late ? TRUTH_UNKNOWN : TRUTH_TRUE);
+    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&at[i]);
+    calc_clear(&c);
+  }
+  dyn_bifurcations_clear(&list);
+  line_clear(&l);
+  fmpq_clear(value);
+  flint_cleanup();
+}
+END_TEST
+
 /* The third order at a flip, against tests/oracle/equality.tsv: c_2^2 + c_3 = 0.206... there is positive. */
 START_TEST(third_order_of_the_oracle) {
   FILE *f = fopen("tests/oracle/equality.tsv", "r");
@@ -451,6 +499,7 @@ Suite *bifurcate_suite(void) {
   tcase_add_test(c, more_digits_narrower_brackets);
   tcase_add_loop_test(c, each_change_does_what_it_says, 0, N_LINES);
   tcase_add_test(c, third_order_of_the_oracle);
+  tcase_add_test(c, touch_of_the_oracle);
   tcase_add_test(c, friction_that_is_just_enough);
   tcase_add_test(c, ends_outside_the_domain);
   suite_add_tcase(s, c);

@@ -205,7 +205,7 @@ START_TEST(what_falls_with_a_formula) {
                 "eq-12c text-45-used-up text-45-suffices text-two-relations text-six-equations "
                 "text-16-included text-18-rank "
                 "text-two-equations text-depends-on-e"},
-               {"eq-40", "eq-40b eq-41",
+               {"eq-40", "text-36-cancels eq-40b eq-41",
                 "eq-43 text-singular text-charpoly text-criterion text-eigenvalues-outside text-eigenvalues-inside"},
                {"eq-32b", "",
                 "eq-32 eq-41 eq-43 eq-43b text-singular text-charpoly text-criterion text-eigenvalues-outside "

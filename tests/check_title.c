@@ -63,8 +63,8 @@ static const struct {
     {"text-h-rises", "h' > 0 is equivalent to chi (V - z_1') > 0 in the slip-stick phase, where z_2' = V"},
     {"text-57-first-range",
      "z_1' < V throughout the slip-stick phase exactly if t_b <= 2 (pi - arctan(e_1/((1 - chi) V)))"},
-    {"text-57-upper-range", "h < e_2 throughout the slip-stick phase, where t_b <= 2 pi, exactly if t_b <= 2 (pi - "
-                            "arctan(e_1/((1 - chi) V)))"},
+    {"text-57-upper-range", "h < e_2 throughout the slip-stick phase exactly if t_b modulo 2 pi <= 2 (pi - "
+                            "arctan(e_1/((1 - chi) V))) and the left side ends above its crests"},
     {"text-58-upper-range", "h(t_a) < e_2 for every t_b > 0"},
     {"text-59-second-range", "z_2' < V throughout the stick-slip phase exactly if z_20 < z_10 and omega t_d <= pi"},
     {"text-52-first-range", "z_10 - chi z_20 < e_1 exactly if t_a > 0"},

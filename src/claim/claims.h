@@ -59,7 +59,8 @@
      statements, absent    (reach) records, and the symbols that they must not contain
      statements, over      (defined) records whose quotients, roots, cotangents and inverses must have a value on every
                  admissible (default) or every (orbits) periodic solution, or for all parameters (parameters);
-                 at, vary: a family of orbits along which one of the divisors changes its sign
+                 at, vary: a family of orbits along which one of the divisors changes its sign, or at whose end z_1'
+                 only touches V and it is zero
      unknowns, rank        (rank) of the statement's equations, and how many of them are functionally independent: the
                  rank of their derivative on an open and dense set
      frequency, factor, even, odd, drift  (range) formulas of the closed form that the margin of the conclusion has, with

@@ -38,6 +38,7 @@ static void bifurcation_init(struct dyn_bifurcation *b, const struct crossing *c
   arb_set_d(b->tc, c->x[2]);
   arb_indeterminate(b->trace);
   arb_indeterminate(b->third);
+  dyn_orbit_init(&b->touch);
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < 2; k++) dyn_orbit_init(&b->beside[i].orbit[k]);
 }
@@ -47,6 +48,7 @@ static void bifurcation_clear(struct dyn_bifurcation *b) {
   fmpq_clear(&b->high);
   arb_ptr all[] = {b->tb, b->tc, b->trace, b->third};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_clear(all[i]);
+  dyn_orbit_clear(&b->touch);
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < 2; k++) dyn_orbit_clear(&b->beside[i].orbit[k]);
 }
@@ -200,6 +202,19 @@ static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, ar
 
 /* --- Where the curve turns back. --- */
 
+/* The orbit at a proved zero of z_1'' at t_c. */
+static void judge_touch(struct dyn_orbit *o, const struct curve *curve, arb_srcptr x, slong prec) {
+  struct tube t;
+  truth word;
+  tube_init(&t);
+  for (int i = 0; i < N_PARAMS; i++) arb_set(&t.p[i], i == curve->vary ? x : &curve->p[i]);
+  for (int k = 0; k < 2; k++) arb_set(&t.x[k], x + 1 + k);
+  t.up = curve->up;
+  if (tube_orbit(o, &word, &t, prec, dyn_limits_default.max_steps) == SS_OK)
+    o->first[PHASE_H] = tube_touches(&t, prec, dyn_limits_default.max_steps);
+  tube_clear(&t);
+}
+
 /* The tangent at a proved zero x, its first component being 0 there, and p'' along it. */
 static int turning(arb_ptr tangent, arb_t bend, const struct curve *curve, enum dyn_change what, arb_srcptr x,
                    slong prec) {
@@ -271,6 +286,7 @@ static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, 
     arb_set(b->tb, x + 1);
     arb_set(b->tc, x + 2);
     if (b->what == CHANGE_FOLD) arb_one(b->trace);
+    if (b->what == CHANGE_TC) judge_touch(&b->touch, curve, x, prec);
   }
   if (ok && turning(tangent, bend, curve, b->what, x, prec) == SS_OK && !arb_contains_zero(bend)) {
     b->sense = arb_is_positive(bend) ? 1 : -1;

@@ -62,6 +62,8 @@ struct dyn_bifurcation {
   truth
       word; /* t_b and t_c are first roots over the whole bracket; UNKNOWN where the branch ends, and always for fold */
   int sense; /* 1: the function rises with the parameter, -1: it falls (fold, t_c: the orbits exist above, below) */
+  struct dyn_orbit
+      touch; /* t_c: the orbit at the zero, where first[PHASE_H] says that z_1' < V up to t_c; else nothing */
   arb_t
       third; /* flip: c_2^2 + c_3 of the return map over the bracket; the orbit at tr J = -1 is stable when it is > 0 */
   struct dyn_beside beside[2]; /* at low and at high */

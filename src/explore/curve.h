@@ -27,6 +27,9 @@ double tube_reach(const struct tube *t, int param, slong prec);
 /* What is known about the orbits of the tube, over all of its parameters; word as dyn_orbit_judge returns it. */
 int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec, long max_steps);
 
+/* Of a tube at whose orbit z_1'' = 0 at t_c: whether z_1' < V up to t_c. */
+truth tube_touches(const struct tube *t, slong prec, long max_steps);
+
 /* The same numbers, some of them narrower, by mean value forms over the parameters. */
 void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec);
 

@@ -261,3 +261,16 @@ int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong pre
   calc_clear(&c);
   return status;
 }
+
+truth tube_touches(const struct tube *t, slong prec, long max_steps) {
+  struct ball_params m;
+  struct ball_pass s;
+  val p[N_PARAMS];
+  struct calc c = calc_begin(num_ctx_arb(prec));
+  for (int i = 0; i < N_PARAMS; i++) p[i] = &t->p[i];
+  ball_params_make(&m, &c, p);
+  ball_pass_slip(&s, &c, &m, &t->x[0], &t->x[1]);
+  truth below = c.status ? TRUTH_UNKNOWN : ball_touches(&c, &m, &s, max_steps);
+  calc_clear(&c);
+  return below;
+}

@@ -151,6 +151,26 @@ struct route_result events_prove_modes(struct behaviour *b, const struct frictio
       "in between, at a rate that is bounded in a bounded time, since the frictions are. " STICKS_ON);
 }
 
+/* With its slip friction for that sign of V - x', does the mass accelerate to that side? */
+static bool driven(const struct friction *f, struct law_state *s, int mass, int slips, int sign) {
+  return friction_apply(f, s, mass, slips) && law_sign(s, friction_acceleration(f, s, mass)) == sign;
+}
+
+/* Beyond a limit a mass passes the belt's velocity, from faster to slower for side 1, and its friction changes by
+   2 u_s. */
+static bool passes_by_two_slides(const struct friction *f, int mass, int side) {
+  struct law_state s;
+  law_state_open(&s);
+  law_state_in(&s, (struct law_cell){mass, 0, PULL_BEYOND, side});
+  bool ok = driven(f, &s, mass, -side, -side);
+  val before = s.u[mass];
+  ok = ok && driven(f, &s, mass, side, -side);
+  val jump = calc_sub(&s.c, s.u[mass], before), two = calc_mul(&s.c, calc_d(&s.c, 2 * side), s.slide[mass]);
+  ok = ok && law_sign(&s, calc_sub(&s.c, jump, two)) == 0;
+  law_state_close(&s);
+  return ok;
+}
+
 /* Do friction and acceleration go on without a jump where a mass breaks loose? */
 static bool goes_on(const struct friction *f, int mass) {
   bool smooth = false;
@@ -167,7 +187,8 @@ bool behaviour_jumps(struct behaviour *b) {
   if (ok) {
     bool all = true, smooth = goes_on(&f, 0) || goes_on(&f, 1);
     for (int i = 0; i < 2; i++)
-      all = all && sticks_inside(&f, i) && slips_by_sliding_friction(&f, i) && falls_by_e(&f, i);
+      all = all && sticks_inside(&f, i) && slips_by_sliding_friction(&f, i) && falls_by_e(&f, i) &&
+            passes_by_two_slides(&f, i, 1) && passes_by_two_slides(&f, i, -1);
     behaviour_decide(
         b,
         smooth ? ROUTE_DIFFERS
@@ -177,7 +198,9 @@ bool behaviour_jumps(struct behaviour *b) {
         : all  ? "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its "
                  "friction falls from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta "
                  "for m_2); x'' of the other mass does not jump. Where a mass is caught, |f_i| < u_ri, its "
-                 "friction jumps from eps u_si to f_i and x''_i to 0, unless f_i = eps u_si. In each branch "
+                 "friction jumps from eps u_si to f_i and x''_i to 0, unless f_i = eps u_si. Where a mass passes the "
+                 "belt's velocity without sticking, eps f_i > u_ri, its friction turns from -eps u_si to eps u_si, "
+                 "and x''_i, which keeps its sign, changes by 2 u_si (times eta for m_2). In each branch "
                  "(1) and (2) bound x''_i by the positions, so that positions and velocities are continuous"
                : "the jumps at the switches are not known in every case");
   }

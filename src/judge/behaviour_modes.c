@@ -189,10 +189,10 @@ bool behaviour_configurations(struct behaviour *b) {
   const char *note = result_str(
       b->j->out,
       "of %ld motions that start with both masses sticking, as in (11), %ld leave the four configurations, since a "
-      "mass becomes faster than the belt, whereas (3), (5) and (7) suppose z'_i < V; of %ld admissible periodic "
-      "solutions %s%s",
-      w.motions, v.outside, orbits[0] + orbits[1],
-      orbits[1] ? result_str(b->j->out, "%ld leave them", orbits[1]) : "none does", from_rest(b));
+      "mass becomes faster than the belt, whereas (3), (5) and (7) suppose z'_i < V; %s of %ld admissible periodic "
+      "solutions %s them%s",
+      w.motions, v.outside, orbits[1] ? result_str(b->j->out, "%ld", orbits[1]) : "none", orbits[0] + orbits[1],
+      orbits[1] ? "leave" : "leaves", from_rest(b));
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(v.inside, found, 0);
   behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note, NULL);

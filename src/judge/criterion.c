@@ -301,7 +301,7 @@ static void state_orbit(struct finding *f, struct judge *j, const struct dyn_orb
                            "periodic solution %ld of the %ld found%s, with t_a = %s, t_b = %s, t_c = %s, t_d = %s",
                            (long)i + 1, (long)list->n, which, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
                            ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
-                result_str(j->out, "tr J = %s: %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
+                result_str(j->out, "tr J = %s, %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
                            o->admissible == TRUTH_TRUE    ? "admissible"
                            : o->admissible == TRUTH_FALSE ? "not admissible"
                                                           : "admissibility undecided"));

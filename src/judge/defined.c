@@ -1,10 +1,13 @@
 /* Whether formulas have a value on every periodic solution: what they divide by, invert and take roots of is collected
    from their trees, and each of it is shown to be zero nowhere, or to be zero on some orbit.  The latter follows from a
-   family of orbits, one for each value of a parameter and proved so in balls, along which it changes its sign. */
+   family of orbits, one for each value of a parameter and proved so in balls, along which it changes its sign.  Where the
+   first mass only touches the belt's velocity a family ends: what is zero there is so on that orbit, which is enclosed
+   itself. */
 #include <string.h>
 
 #include "behaviour.h"
 #include "certificate.h"
+#include "explore/bifurcate.h"
 #include "explore/box.h"
 #include "judge.h"
 #include "motion/complete.h"
@@ -112,7 +115,56 @@ static bool has_zero(struct defined *y, const struct divisor *q, const struct dy
   return false;
 }
 
-/* How many of the divisors that may be zero change their sign along the family. */
+/* --- Where the first mass only touches the belt's velocity --- */
+
+enum { TOUCH_DIGITS = 18, TOUCH_STARTS = 3 };
+
+static bool is_touch(const struct dyn_bifurcation *t, bool admissible) {
+  bool first = t->what == CHANGE_TC && t->crosses;
+  for (int ph = 0; ph < N_PHASES; ph++) first = first && t->touch.first[ph] == TRUTH_TRUE;
+  return first && (!admissible || t->touch.admissible == TRUTH_TRUE);
+}
+
+/* The certificate, and "chi = 1/2, ..., e_2 = 1.10969761218845". */
+static void say_where(struct defined *y, const struct family *f, const struct dyn_bifurcation *t) {
+  struct judge *j = y->b->j;
+  struct certificate c = {.n = 0};
+  arb_t value;
+  arb_init(value);
+  arb_set_fmpq(value, &t->low, t->prec);
+  for (int i = 0; i < N_PARAMS; i++)
+    if (i == f->vary)
+      certify_ball(&c, j, name_param[i], value);
+    else
+      certify_exact(&c, j, name_param[i], &f->base->q[i]);
+  for (int i = 0; i < c.n; i++) text_printf(&y->zero, "%s%s = %s", i ? ", " : "", c.at[i].name, c.at[i].value);
+  certify_orbit(&c, j, &t->touch);
+  if (y->b->f->certificate.n == 0) y->b->f->certificate = c;
+  arb_clear(value);
+}
+
+/* The divisor, which is zero there, on the first such orbit of the family. */
+static bool touches(struct defined *y, const struct divisor *q, const struct family *f) {
+  const fmpq *none[2] = {NULL, NULL};
+  struct dyn_bifurcations list;
+  bool found = false;
+  dyn_bifurcations_find(&list, f->base->q, f->vary, f->from, f->to, none, TOUCH_DIGITS, TOUCH_STARTS);
+  for (slong i = 0; i < list.n && !found; i++) {
+    if (!is_touch(&list.at[i], y->admissible)) continue;
+    found = true;
+    text_printf(&y->zero, "%s%s is zero on the %speriodic solution with ", y->zero.len ? "; " : "",
+                text_str(&q->formula), list.at[i].touch.admissible == TRUTH_TRUE ? "admissible " : "");
+    say_where(y, f, &list.at[i]);
+    text_add(&y->zero, ", on which z_1' = V and z_1'' = 0 at the end of the global slip phase and z_1' < V before it "
+                       "(Krawczyk's operator on the equations of the periodic solution together with z_1'' = 0)");
+  }
+  dyn_bifurcations_clear(&list);
+  return found;
+}
+
+/* --- Along the family --- */
+
+/* How many of the divisors that may be zero are so on one of its orbits. */
 static long zeros_along(struct defined *y, const struct family *f) {
   struct point end[2];
   struct dyn_box box;
@@ -124,7 +176,9 @@ static long zeros_along(struct defined *y, const struct family *f) {
   }
   int s = dyn_box_find(&box, end[0].q, end[1].q);
   for (int i = 0; s == SS_OK && i < y->n; i++)
-    if (!y->reason[i]) zeros += has_zero(y, &y->divisor[i], &box, end);
+    if (!y->reason[i])
+      zeros += zero_at_touch(&y->divisor[i], y->b->view) ? touches(y, &y->divisor[i], f)
+                                                         : has_zero(y, &y->divisor[i], &box, end);
   dyn_box_clear(&box);
   for (int i = 0; i < 2; i++) point_clear(&end[i]);
   return zeros;

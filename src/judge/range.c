@@ -21,8 +21,8 @@ struct range {
   struct range_form form;
   bool uses_friction; /* the premise */
   bool proved;
-  long same[2], other, open, beyond[2]; /* orbits where the condition fails, holds; beyond: of rate, x > 2 pi */
-  const char *where;                    /* the first of the others */
+  long same[2], late[2], other, open; /* orbits where the condition fails, holds; late: of rate, x > 2 pi */
+  const char *where;                  /* the first of the others */
 };
 
 /* --- Reading --- */
@@ -73,39 +73,56 @@ static bool numbers_at(arb_ptr v, struct range *r, const struct point *p) {
   return expression_value(v, &r->parts, p, FIRST_PREC, r->j->cache) == SS_OK;
 }
 
-/* 2 (pi - arctan(odd/even)) - x, and 2 pi - x, of the whole phase. */
-static void distances(arb_t limit, arb_t turn, arb_srcptr v) {
-  arb_t x;
-  arb_init(x);
+/* even (x - sin x) + odd (1 - cos x) */
+static void integral(arb_t z, arb_srcptr v, const arb_t x) {
+  arb_ptr w = _arb_vec_init(2);
+  arb_sin_cos(w, w + 1, x, FIRST_PREC);
+  arb_sub(w, x, w, FIRST_PREC);
+  arb_sub_si(w + 1, w + 1, 1, FIRST_PREC);
+  arb_mul(z, v + RANGE_EVEN, w, FIRST_PREC);
+  arb_submul(z, v + RANGE_ODD, w + 1, FIRST_PREC);
+  _arb_vec_clear(w, 2);
+}
+
+/* 2 (pi - arctan(odd/even)) - x of the whole phase; of rate, with x modulo 2 pi, and how far the integral at its end lies
+   over its last crest.  Returns how many crests it has had. */
+static slong distances(arb_t limit, arb_t above, arb_srcptr v, bool rate) {
+  arb_ptr w = _arb_vec_init(3), x = w, turn = w + 1, crest = w + 2;
   arb_mul(x, v + RANGE_FREQUENCY, v + LENGTH, FIRST_PREC);
-  arb_const_pi(limit, FIRST_PREC);
-  arb_mul_2exp_si(turn, limit, 1);
-  arb_sub(turn, turn, x, FIRST_PREC);
   arb_const_pi(limit, FIRST_PREC); /* pi - arctan(odd/even) = arg(-even + i odd), pi/2 without even */
+  arb_mul_2exp_si(turn, limit, 1);
+  slong k = rate ? (slong)floor(num_arb.get_d(x) / num_arb.get_d(turn)) : 0;
   if (!arb_is_zero(v + RANGE_EVEN)) {
     arb_neg(limit, v + RANGE_EVEN);
     arb_atan2(limit, v + RANGE_ODD, limit, FIRST_PREC);
     arb_mul_2exp_si(limit, limit, 1);
   }
+  integral(above, v, x);
+  arb_set(crest, limit);
+  arb_addmul_si(crest, turn, k - 1, FIRST_PREC);
+  integral(crest, v, crest);
+  arb_sub(above, above, crest, FIRST_PREC);
+  arb_submul_si(x, turn, k, FIRST_PREC);
   arb_sub(limit, limit, x, FIRST_PREC);
-  arb_clear(x);
+  _arb_vec_clear(w, 3);
+  return k;
 }
 
 static truth sign(const arb_t x) {
   return arb_is_nonnegative(x) ? TRUTH_TRUE : arb_is_negative(x) ? TRUTH_FALSE : TRUTH_UNKNOWN;
 }
 
-/* What the range says of the phase; *beyond: nothing. */
-static truth expected(bool *beyond, struct range *r, arb_srcptr v, const struct point *p) {
+/* What the range says of the phase, and whether it has had a crest. */
+static truth expected(bool *late, struct range *r, arb_srcptr v, const struct point *p) {
   double where;
   arb_ptr w = _arb_vec_init(3);
   truth holds = TRUTH_TRUE;
-  *beyond = false;
+  *late = false;
   if (r->premise.n) holds = condition_holds(&where, w, &r->premise.at[0], p, FIRST_PREC, r->j->cache);
   if (r->form.there[RANGE_ODD]) {
-    distances(w + 1, w + 2, v);
+    *late = distances(w + 1, w + 2, v, r->form.rate) > 0;
     holds = truth_and(holds, sign(w + 1));
-    *beyond = r->form.rate && !arb_is_nonnegative(w + 2);
+    if (*late) holds = truth_and(holds, sign(w + 2));
   }
   _arb_vec_clear(w, 3);
   return holds;
@@ -173,8 +190,8 @@ static void choose_friction(struct range *r, struct point *p, const struct dyn_o
   }
 }
 
-static void book(struct range *r, truth form, truth said, truth found, bool beyond, const struct point *p) {
-  bool differs = form == TRUTH_FALSE || (!beyond && said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN && said != found);
+static void book(struct range *r, truth form, truth said, truth found, bool late, const struct point *p) {
+  bool differs = form == TRUTH_FALSE || (said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN && said != found);
   if (differs) {
     r->other++;
     if (r->where) return;
@@ -185,32 +202,32 @@ static void book(struct range *r, truth form, truth said, truth found, bool beyo
   } else if (form == TRUTH_UNKNOWN || said == TRUTH_UNKNOWN || found == TRUTH_UNKNOWN) {
     r->open++;
   } else {
-    ++*(beyond ? &r->beyond[found] : &r->same[found]);
+    ++*(late ? &r->late[found] : &r->same[found]);
   }
 }
 
 /* Whether enough like it have been tried, where there is a proof already. */
-static bool is_enough(const struct range *r, truth said, bool beyond) {
-  return r->proved && said != TRUTH_UNKNOWN && (beyond ? r->beyond : r->same)[said] >= EACH;
+static bool is_enough(const struct range *r, truth said, bool late) {
+  return r->proved && said != TRUTH_UNKNOWN && (late ? r->late : r->same)[said] >= EACH;
 }
 
 static void try_orbit(struct range *r, const struct pool_item *item, slong index, int side) {
   struct point p;
   double where;
-  bool beyond;
+  bool late;
   arb_ptr v = _arb_vec_init(N_NUMBERS + 1);
   const struct dyn_orbit *o = &item->list.orbit[index];
   point_init(&p);
   pool_point(&p, item, index);
   choose_friction(r, &p, o, side);
   if (!o->grazing && numbers_at(v, r, &p)) {
-    truth said = expected(&beyond, r, v, &p);
-    if (!is_enough(r, said, beyond)) {
+    truth said = expected(&late, r, v, &p);
+    if (!is_enough(r, said, late)) {
       p.known = NULL; /* enclosed as narrowly as asked for */
       truth form = r->form.rate ? TRUTH_TRUE : numbers_at(v, r, &p) ? is_of_form(r, v, &p) : TRUTH_UNKNOWN;
-      said = expected(&beyond, r, v, &p);
+      said = expected(&late, r, v, &p);
       truth found = condition_holds(&where, v + N_NUMBERS, &r->goal.at[0], &p, FIRST_PREC, r->j->cache);
-      book(r, form, said, found, beyond, &p);
+      book(r, form, said, found, late, &p);
     }
   }
   point_clear(&p);
@@ -235,9 +252,9 @@ static const char *describe(struct range *r) {
       "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise on "
       "%ld, open on %ld",
       r->same[1], r->same[0], r->other, r->open);
-  if (r->beyond[0] + r->beyond[1])
-    text_printf(&t, "; where the phase takes more than 2 pi it holds on %ld and fails on %ld", r->beyond[1],
-                r->beyond[0]);
+  if (r->form.rate)
+    text_printf(&t, "; where the phase takes more than 2 pi, it holds on %ld and fails on %ld, as the range says",
+                r->late[1], r->late[0]);
   return result_take(r->j->out, &t);
 }
 
@@ -281,13 +298,22 @@ static const char *proof_note(const struct range *r) {
           claim_get(r->c, "odd"), claim_get(r->c, "even"));
     else
       text_add(&t, "; the sine is positive up to pi, and negative from there to 2*pi");
+    if (r->form.rate && r->form.there[RANGE_EVEN])
+      text_printf(
+          &t,
+          ", so that its integral (%s)*(x - sin(x)) + (%s)*(1 - cos(x)) has crests, each higher than the one before, "
+          "at x = 2*(k*pi - arctan((%s)/(%s))), k = 1, 2, ..., where it is 2 times (%s)*(k*pi - arctan((%s)/(%s))) + "
+          "(%s)",
+          claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "odd"), claim_get(r->c, "even"),
+          claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "even"), claim_get(r->c, "odd"));
   }
   return result_take(r->j->out, &t);
 }
 
 static void conclude(struct finding *f, struct range *r) {
-  struct route_result w = {"balls", outcome_of_counts(r->same[0] + r->same[1], r->other, r->open), true,
-                           r->same[0] + r->same[1] + r->other + r->open};
+  struct route_result w = {"balls",
+                           outcome_of_counts(r->same[0] + r->same[1] + r->late[0] + r->late[1], r->other, r->open),
+                           true, r->same[0] + r->same[1] + r->late[0] + r->late[1] + r->other + r->open};
   finding_add_route(f, r->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, r->where, describe(r));
   if (r->proved) {
     struct evidence *e = finding_add(f, r->j->out);

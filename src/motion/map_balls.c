@@ -179,13 +179,14 @@ static void velocity_at(val *f, val *rate, struct calc *c, const struct ball_par
   *rate = calc_neg(c, force);
 }
 
-/* An upper bound of |f''|: the sum of om^2 hypot(a, b). */
-static double bend_bound(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass) {
+/* An upper bound of that derivative of f: the sum of om^order hypot(a, b). */
+static double rate_bound(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
+                         int order) {
   val sum = m->zero;
   for (int k = 0; k < 2; k++) {
-    val a = modes->a[mass][k], b = modes->b[mass][k], om = m->spectrum.om[k];
-    val amplitude = calc_sqrt(c, calc_dot(c, a, a, b, b));
-    sum = calc_add(c, sum, calc_mul(c, calc_mul(c, om, om), amplitude));
+    val a = modes->a[mass][k], b = modes->b[mass][k], part = calc_sqrt(c, calc_dot(c, a, a, b, b));
+    for (int i = 0; i < order; i++) part = calc_mul(c, m->spectrum.om[k], part);
+    sum = calc_add(c, sum, part);
   }
   return upper(sum) * (1 + 1e-9);
 }
@@ -212,7 +213,7 @@ enum walk_end { WALK_PASSED, WALK_STANDS, WALK_TIRED };
 static enum walk_end walk_below(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes,
                                 int mass, val start, double last, long max_steps) {
   slong mark = calc_mark(c);
-  double bound = bend_bound(c, m, modes, mass);
+  double bound = rate_bound(c, m, modes, mass, 2);
   enum walk_end end = WALK_TIRED;
   *t = 0;
   for (long i = 0; i < max_steps && !c->status && end == WALK_TIRED; i++) {
@@ -241,7 +242,7 @@ truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball
   if (root_at_end) { /* f' > 0 from there to the root: f rises to zero */
     val f, rate;
     velocity_at(&f, &rate, c, m, modes, mass, start, end);
-    last -= fmax(lower(rate), 0) / bend_bound(c, m, modes, mass) * (1 - 1e-9);
+    last -= fmax(lower(rate), 0) / rate_bound(c, m, modes, mass, 2) * (1 - 1e-9);
     last = nextafter(last, -INFINITY); /* the walk may end at last itself */
   }
   enum walk_end at = walk_below(&t, c, m, modes, mass, start, last, max_steps);
@@ -249,6 +250,16 @@ truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball
   if (at == WALK_STANDS && rises_above(c, m, modes, mass, start, t, lower(end))) answer = TRUTH_FALSE;
   calc_release(c, mark);
   return answer;
+}
+
+truth ball_touches(struct calc *c, const struct ball_params *m, const struct ball_pass *s, long max_steps) {
+  slong mark = calc_mark(c);
+  val fall = calc_sub(c, m->a, calc_mul(c, m->p[P_CHI], s->qc)); /* -z_1''' = z_1' - chi z_2' with z_1' = V */
+  double t, back = fmax(lower(fall), 0) / rate_bound(c, m, &s->modes, 0, 3) * (1 - 1e-9);
+  double last = nextafter(lower(s->tc) - back, -INFINITY);
+  bool below = last > 0 && walk_below(&t, c, m, &s->modes, 0, s->pb, last, max_steps) == WALK_PASSED;
+  calc_release(c, mark);
+  return below ? TRUTH_TRUE : TRUTH_UNKNOWN;
 }
 
 bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,

@@ -41,6 +41,9 @@ truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct 
    it is a root.  At most max_steps. */
 truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
                   val end, bool root_at_end, long max_steps);
+/* Where z_1' = V and z_1'' = 0 at t_c: whether z_1' < V for 0 < t < t_c.  It is so near t_c, as far back as z_1''' < 0;
+   TRUE or UNKNOWN. */
+truth ball_touches(struct calc *c, const struct ball_params *m, const struct ball_pass *s, long max_steps);
 /* A time near the first root of z'_mass - V, from the same start, found by the same steps; false where none is up to
    t_max. */
 bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,

@@ -194,19 +194,19 @@ static bool has_word(const struct job *b) {
 }
 
 /* How the states follow from each other, in the order of the attempts. */
-static int anchors(int list[5], const struct job *b) {
+static int anchors(int list[6], const struct job *b) {
   list[0] = b->value && b->value[0] == 'S' ? 0 : 4; /* the paper patches its states from the start */
   if (!has_word(b) || list[0] == 0) return 1;
-  bool back = b->spec.kind == POINT_ORBIT && reads_last_state(&b->s->tape);
-  for (int n = 1; n < 5; n++) list[n] = back ? ANCHOR_BACK : 4 - n;
-  return back ? 2 : 5;
+  bool orbit = b->spec.kind == POINT_ORBIT, last = orbit && reads_last_state(&b->s->tape);
+  for (int n = 1; n < 6; n++) list[n] = last ? ANCHOR_BACK : 4 - n;
+  return last ? 2 : orbit ? 6 : 5;
 }
 
 /* From little to all of what holds on motions. */
 static void try_all(struct job *b) {
   bool word = has_word(b);
   struct exact_attempt a = {.modes = has_root(&b->s->tape)};
-  int anchor[5], n = anchors(anchor, b);
+  int anchor[6], n = anchors(anchor, b);
   for (int i = 0; i < n; i++)
     for (int k = 0; k < (word ? N_EXACT_TANGENTS : 1); k++)
       for (int time = b->sharp ? TIME_START : TIME_INSIDE; time <= (b->sharp ? TIME_END : TIME_INSIDE); time++) {

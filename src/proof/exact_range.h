@@ -9,6 +9,10 @@
 
      even (1 - cos x) + odd sin x = 2 sin(x/2) (even sin(x/2) + odd cos(x/2)) is positive on (0, X) exactly if
        X <= 2 (pi - arctan(odd/even)); odd sin x exactly if X <= pi and odd > 0;
+     its integral even (x - sin x) + odd (1 - cos x) rises up to there and has, with the period 2 pi, its crests at x =
+       2 (k pi - arctan(odd/even)), k = 1, 2, ..., each even * 2 pi higher than the one before, of the height
+       2 (even (k pi - arctan(odd/even)) + odd): its greatest value on [0, X] is that at X, and no other, exactly if
+       X - 2 k pi <= 2 (pi - arctan(odd/even)) for k = floor(X/(2 pi)) and it is higher there than at the crest before;
      even (1 - cos x) + drift (x - sin x) is positive for every x > 0, so that with a level the margin is positive on
        (0, X) exactly if level >= 0. */
 #ifndef STICKSLIP_EXACT_RANGE_H
@@ -25,7 +29,7 @@ struct range_form {
                                              what is positive on the whole domain */
   bool from_end;                   /* x counts the time to the end of the phase */
   bool rate;                       /* the form, with odd, is that of minus the margin's rate, and the margin is
-                                             zero where the phase ends: then the limit holds for X <= 2 pi */
+                                             zero where the phase ends: the integral must be greatest at X */
 };
 
 /* Is the margin of that form on every motion of the phase that begins and ends with its events, and have the parts

@@ -14,6 +14,7 @@
 static bool add_divisor(struct divisor *list, int *n, const struct statement_record *r, const char *wrap,
                         const struct expr *e, bool root) {
   struct text t;
+  while (e->kind == EXPR_PAREN) e = e->args[0];
   text_init(&t);
   text_add(&t, wrap);
   expr_print(&t, e);
@@ -227,25 +228,40 @@ const char *second_mass_is_slower(void) {
             : NULL;
 }
 
-/* Is the velocity V - z_i' at that state the divisor times something without a pole, but for factors that are never
-   zero? */
+/* Is y the first times something without a pole, but for factors that are never zero?  y is lost. */
+static bool divides(const element *x, element *y, struct exact_motion *m) {
+  if (motion_op(num_exact.div, y, m, y, x) != SS_OK) return false;
+  fmpz_mpoly_set(&y->num, &y->den, num_exact_ctx());
+  fmpz_mpoly_one(&y->den, num_exact_ctx());
+  return motion_op(num_exact.mul, y, m, y, y) == SS_OK && sign_of(y, m) > 0;
+}
+
+/* The velocity V - z_i' at that state has the divisor as a factor. */
 static bool is_factor(const struct tape *t, int state, int component, int anchor) {
   struct exact_motion m;
   struct num_vec z, x;
   exact_motion_free(&m, false, anchor, t);
-  m.first_state = anchor == ANCHOR_BACK ? 0 : m.first_state;
   vec_init(&x, 2);
   int s = value_of(at(&x, 0), &m, t) | motion_state(&z, &m, state);
   if (s == SS_OK) s = motion_op(num_exact.sub, at(&x, 1), &m, at(&m.params, P_V), at(&z, component));
   if (s == SS_OK && exact_is_zero(m.field, at(&x, 0))) s = SS_DOMAIN;
-  if (s == SS_OK) s = motion_op(num_exact.div, at(&x, 1), &m, at(&x, 1), at(&x, 0));
-  bool yes = false;
-  if (s == SS_OK) {
-    fmpz_mpoly_set(&at(&x, 0)->num, &at(&x, 1)->den, num_exact_ctx());
-    fmpz_mpoly_one(&at(&x, 0)->den, num_exact_ctx());
-    yes = motion_op(num_exact.mul, at(&x, 0), &m, at(&x, 0), at(&x, 0)) == SS_OK && sign_of(at(&x, 0), &m) > 0;
-  }
+  bool yes = s == SS_OK && divides(at(&x, 0), at(&x, 1), &m);
   num_vec_clear(&x);
+  exact_motion_clear(&m);
+  return yes;
+}
+
+/* z_1'' at the end of phase H is a factor of the divisor. */
+static bool has_touch(const struct tape *t) {
+  struct exact_motion m;
+  struct num_vec f, x;
+  exact_motion_free(&m, false, 4, t);
+  vec_init(&f, 4);
+  vec_init(&x, 1);
+  int s = value_of(at(&x, 0), &m, t) | rate_at(&f, &m, 3, PHASE_H);
+  bool yes = s == SS_OK && !exact_is_zero(m.field, at(&f, DZ_1)) && divides(at(&f, DZ_1), at(&x, 0), &m);
+  num_vec_clear(&x);
+  num_vec_clear(&f);
   exact_motion_clear(&m);
   return yes;
 }
@@ -261,19 +277,31 @@ static const char *why(const struct tape *t, bool root, bool admissible) {
   return NULL;
 }
 
-const char *nonzero_because(const struct divisor *q, struct view view, bool admissible) {
+/* The quantity as a tape; false where it is no scalar. */
+static bool divisor_tape(struct tape *t, const struct divisor *q, struct view view) {
   struct model plain;
   struct elaboration el;
   struct matrix m;
-  struct tape t;
   struct diag d;
   view = view_without_stable(&view, &plain);
   diag_init(&d);
   elaboration_init(&el, view, NULL, 0);
   const char *formula = text_str(&q->formula);
-  bool ok = elaborate_tape(&t, &m, &el, formula, formula, q->section, &d) && t.n_outputs == 1;
-  const char *reason = ok ? why(&t, q->root, admissible) : NULL;
-  tape_clear(&t);
+  bool ok = elaborate_tape(t, &m, &el, formula, formula, q->section, &d) && t->n_outputs == 1;
   elaboration_clear(&el);
+  return ok;
+}
+
+const char *nonzero_because(const struct divisor *q, struct view view, bool admissible) {
+  struct tape t;
+  const char *reason = divisor_tape(&t, q, view) ? why(&t, q->root, admissible) : NULL;
+  tape_clear(&t);
   return reason;
+}
+
+bool zero_at_touch(const struct divisor *q, struct view view) {
+  struct tape t;
+  bool yes = divisor_tape(&t, q, view) && has_touch(&t);
+  tape_clear(&t);
+  return yes;
 }

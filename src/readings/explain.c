@@ -11,7 +11,7 @@ static const struct reading_number *number_in(const struct example_reading *r, c
   return NULL;
 }
 
-/* "takes t_b = 2, t_c = 1.5, t_d = 2.34 as exact data and satisfies all equations except (45), row 2: ..." */
+/* "takes t_b = 2, t_c = 1.5, t_d = 2.34 as exact data and satisfies all equations except the second of (45), ..." */
 static void add_assumptions(struct text *t, const struct example_reading *r) {
   text_add(t, "takes ");
   for (int i = 0; i < r->n_inputs; i++) text_printf(t, "%s%s", i ? ", " : "", r->inputs[i]);

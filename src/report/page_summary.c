@@ -71,18 +71,18 @@ static void add_mended_numbers(const struct page *p, const struct finding *f) {
   add_numbers(p, f, false, " The periodic solution nearest to the printed numbers has ");
 }
 
-/* What was computed for the orbit meant, before the list: "tr J = x: so by the criterion; admissible". */
+/* What was computed for the orbit meant, before the list: "tr J = x, so by the criterion; admissible". */
 static void add_meant(const struct page *p, const struct finding *f) {
-  static const char meant[] = ", the nearest to the printed numbers", unstable[] = ": unstable";
+  static const char meant[] = ", the nearest to the printed numbers", unstable[] = ", unstable";
   for (int i = 0; i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
-    const char *colon = e->note ? strstr(e->note, ": ") : NULL, *end = colon ? strchr(colon, ';') : NULL;
+    const char *comma = e->note ? strstr(e->note, ", ") : NULL, *end = comma ? strchr(comma, ';') : NULL;
     if (!e->worst || !strstr(e->worst, meant) || !end) continue;
     text_printf(p->out, "<strong>%s: the periodic solution nearest to the printed numbers is ",
-                strncmp(colon, unstable, strlen(unstable)) == 0 ? "No" : "Yes");
-    html_prose_n(p->out, colon + 2, (size_t)(end - colon - 2));
+                strncmp(comma, unstable, strlen(unstable)) == 0 ? "No" : "Yes");
+    html_prose_n(p->out, comma + 2, (size_t)(end - comma - 2));
     text_add(p->out, "</strong>, with ");
-    html_prose_n(p->out, e->note, (size_t)(colon - e->note));
+    html_prose_n(p->out, e->note, (size_t)(comma - e->note));
     text_add(p->out, ". ");
     return;
   }

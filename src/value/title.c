@@ -362,16 +362,16 @@ static bool range_where(struct text *out, const struct title *t, struct title_pa
     text_printf(out, " for every %s > 0", name_time[ph]);
     return true;
   }
-  if (claim_get(t->c, "rate")) {
-    text_add(out, ", where ");
-    if (!range_angle(out, t, ph)) return false;
-    text_add(out, " <= 2 pi,");
-  }
   text_add(out, " exactly if ");
   if (premise && !title_parts_write(out, p, t, "premises")) return false;
   if (!limited) return true;
   text_add(out, premise ? " and " : "");
-  return range_angle(out, t, ph) && range_limit(out, t);
+  if (!range_angle(out, t, ph)) return false;
+  bool rate = claim_get(t->c, "rate") != NULL;
+  text_add(out, rate ? " modulo 2 pi" : "");
+  if (!range_limit(out, t)) return false;
+  text_add(out, rate ? " and the left side ends above its crests" : "");
+  return true;
 }
 
 static bool make_range(struct text *out, const struct title *t) {

@@ -3,7 +3,7 @@
 None is longer than 20 lines; none knows a formula of the program."""
 import re
 
-from mpmath import cos, cot, matrix, mpf, sin, sqrt
+from mpmath import cos, cot, findroot, matrix, mpf, sin, sqrt
 
 from model import Passage, coulomb, derivative, ends, first_zero, flow, orbit, passage, sides, stick, system
 
@@ -217,6 +217,28 @@ def text_inverses(c):
         if not (p.closes() and p.is_motion() and d.near(values[-1], "value")):
             return False
     return values[0] * values[1] < 0
+
+
+def touching(c, e_2, r, t_b, t_c, t_d):
+    """The equations of a periodic solution with z_1c - chi z_2c = 0, and its states from t_a on."""
+    chi, v, z = c["chi"], c["V"], [stick(c, c["e_1"], r)]
+    for phase, t in zip("GHC", (t_b, t_c, t_d)):
+        z.append(flow(c, phase, t) * z[-1])
+    return [chi * (z[1][1] - z[1][0]) - e_2, z[2][2] - v, z[2][0] - chi * z[2][1], z[3][3] - v, z[3][1] - z[3][0] - r], z
+
+
+def eq_36d(c):
+    """The equations are solved anew; no mass is faster than the belt, m_1 sticks when it touches, t_a > 0."""
+    names = "t_a", "t_b", "t_c", "t_d", "e_2", "z_10", "z_20"
+    of = {name: c[name] for name in names}
+    start = of["e_2"], of["z_20"] - of["z_10"], of["t_b"], of["t_c"], of["t_d"]
+    x = list(findroot(lambda *x: touching(c, *x)[0], start))
+    z, t = touching(c, *x)[1], x[2:]
+    t_a = (c["e_1"] - z[3][0] + c["chi"] * z[3][1]) / (c["V"] * (1 - c["chi"]))
+    slower = all((flow(c, "GHC"[k], t[k] * i / 64) * z[k])[m] < c["V"]
+                 for k, masses in enumerate(([2], [2, 3], [3])) for m in masses for i in range(1, 64))
+    same = all(c.near(value, name) for value, name in zip([t_a, *t, x[0], z[3][0], z[3][1]], names))
+    return same and slower and min(t_a, *t) > 0
 
 
 # --- Symbols: the certificate is the paper's own text

@@ -263,6 +263,10 @@ equation eq-36d
   place: 9679-9704
   [x_c; y_c; v_c] = J_c*[x_b; u_b]
 
+equation text-36-cancels
+  note: ktilde_1, ktilde_2 and ktilde_3 are V, z'_2c and the third entry over z_1c - chi*z_2c
+  J_f*[0; z'_2c; chi*eta*(z_1c - z_2c)] = -J_f*[V; 0; 0]
+
 equation eq-37
   equation: 37
   tex: Z(t) = C(t - t_a - dt_a - t_b - dt_b - t_c - dt_c)(Z_c + dZ_c)
