@@ -1,4 +1,5 @@
 /* Double precision: the names and orders are the program's own. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -73,5 +74,10 @@ int ss_return_jacobian(double j[4], double *err, const double params[SS_PARAMS],
                        const double guess[4]) {
   if (!j || !params || !start || !isfinite(start[0]) || !isfinite(start[1]))
     return library_argument(__func__, "no parameters, no finite start or no place for the matrix");
-  return in_domain(params) ? dyn_return_jacobian_d(j, err, params, start, guess) : SS_DOMAIN;
+  if (!in_domain(params)) return SS_DOMAIN;
+  int status = dyn_return_jacobian_from(j, params, start, guess);
+  if (status || !err) return status;
+  *err = 0;
+  for (int i = 0; i < 4; i++) *err = fmax(*err, DBL_EPSILON / 2 * fabs(j[i]));
+  return SS_OK;
 }

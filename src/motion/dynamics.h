@@ -44,9 +44,9 @@ int dyn_propagator(struct num_vec *p, enum phase ph, const struct num_vec *param
 
 /* --- Closed form in (w, r), with the suite's own modal analysis. ---
 
-   In double precision these, and dyn_local_jacobian, are worked out in balls and rounded once: each number is within
-   2^-53 of itself, whatever the point.  SS_UNABLE where one is not zero and outside the range of normal doubles, or not
-   known at 4096 bits.  A call takes some microseconds. */
+   In double precision these, and dyn_local_jacobian and dyn_return_jacobian, are worked out in balls and rounded once:
+   each number is within 2^-53 of itself, whatever the point.  SS_UNABLE where one is not zero and outside the range of
+   normal doubles, or not known at 4096 bits.  A call takes some microseconds. */
 
 /* Z after time t in the phase.  out may alias in. */
 int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in, const void *t);
@@ -105,8 +105,11 @@ int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *p
 int dyn_local_jacobian_fd(struct num_vec *j, void *err, enum phase ph, const struct num_vec *params,
                           const struct num_vec *in, double t0);
 /* The 2x2 derivative of (z10, z20) -> (z1f, z2f) along an arc: the product of the four local ones, and by central
-   differences of the whole map. */
+   differences of the whole map.  From a start in double precision: the events are found there, the pass and its
+   derivative made in balls near them and rounded once, so that each entry is within 2^-53 of itself; some tens of
+   microseconds.  guess may be NULL, as in dyn_arc_run. */
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
+int dyn_return_jacobian_from(double j[4], const double params[N_PARAMS], const double start[2], const double guess[4]);
 /* The Taylor polynomial, n coefficients in ascending order, of the return map of r alone at the arc's start: c[0] is r
    at the arc's end, c[1] the slope (the trace of the return Jacobian), and so on.  In balls: params and arc are of
    num_arb, and c encloses the coefficients at every point of the arc's enclosures. */
