@@ -16,6 +16,7 @@
 #include "motion/polish.h"
 #include "motion/return_map_double.h"
 #include "motion/trig_sum.h"
+#include "motion/warm.h"
 #include "suites.h"
 
 /* A multiple of 1/64 in [low, high]/64. */
@@ -623,6 +624,31 @@ START_TEST(a_return_jacobian_of_doubles_takes_one_pass) {
 }
 END_TEST
 
+/* Outputs and limits that nobody asked for. */
+START_TEST(what_is_not_wanted_may_be_null) {
+  static const char *const text[N_PARAMS] = {"4/5", "1", "1", "27844/10000", "8587/10000"};
+  static const double pd[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587}, start[N_STATE] = {2.7032, 2.6158, 1, 1};
+  static const double guess[2] = {2.0053, 1.4899}, along[1][N_STATE] = {{1, 0, 0, 0}};
+  double out[16], column[N_STATE], err, t, r;
+  struct dyn_orbit o;
+  fmpq p[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(p + i);
+    ck_assert_int_eq(fmpq_set_str(p + i, text[i], 10), 0);
+  }
+  ck_assert_int_eq(dyn_orbit_near(&o, NULL, p, guess[0], guess[1], false, 64, NULL), SS_OK);
+  dyn_orbit_clear(&o);
+  ck_assert_int_eq(dyn_orbit_warm(out, NULL, NULL, pd, guess), SS_OK);
+  ck_assert_int_eq(dyn_return_map_d(&r, NULL, NULL, pd, -3, NULL), SS_OK);
+  ck_assert_int_eq(dyn_first_event_d(&t, NULL, PHASE_D, pd, start, NULL), SS_OK);
+  ck_assert_int_eq(dyn_return_jacobian_d(out, NULL, pd, start, NULL), SS_OK);
+  ck_assert_int_eq(dyn_local_differences_d(out, NULL, PHASE_D, pd, start, t, along, 1), SS_OK);
+  ck_assert_int_eq(dyn_local_differences_d(column, &err, PHASE_D, pd, start, t, along, 1), SS_OK);
+  for (int i = 0; i < N_STATE; i++) ck_assert_double_eq(out[i], column[i]);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
+}
+END_TEST
+
 /* --- Orbits. --- */
 
 /* A list of orbits with the parameters it belongs to. */
@@ -1129,6 +1155,7 @@ Suite *dynamics_suite(void) {
   tcase_add_loop_test(c, a_pinned_velocity_is_not_displaced, 0, 30);
   tcase_add_loop_test(c, the_return_jacobian_of_doubles_is_rounded_once, 0, 60);
   tcase_add_test(c, a_return_jacobian_of_doubles_takes_one_pass);
+  tcase_add_test(c, what_is_not_wanted_may_be_null);
   suite_add_tcase(s, c);
   c = tcase_create("orbit");
   tcase_set_timeout(c, 60);

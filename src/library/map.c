@@ -30,16 +30,14 @@ int ss_return_map(double *r_end, double *slope, double t[4], int *grazing, const
 }
 
 int ss_return_map_plain(double *r_end, double *slope, double t[4], const double params[SS_PARAMS], double r) {
-  double unused[N_PHASES];
   if (!r_end || !params) return library_argument(__func__, "no parameters, or no place for r");
-  return dyn_return_map_d(r_end, slope, t ? t : unused, params, r, NULL);
+  return dyn_return_map_d(r_end, slope, t, params, r, NULL);
 }
 
 int ss_orbit_warm(double out[SS_OUTPUTS], unsigned *violations, unsigned *unsure, const double params[SS_PARAMS],
                   const double guess[2]) {
-  unsigned broken, open;
   if (!out || !params || !guess) return library_argument(__func__, "no parameters, guess or place for the orbit");
-  return dyn_orbit_warm(out, violations ? violations : &broken, unsure ? unsure : &open, params, guess);
+  return dyn_orbit_warm(out, violations, unsure, params, guess);
 }
 
 int ss_orbit_bare(double out[SS_OUTPUTS], const double params[SS_PARAMS], const double guess[2]) {

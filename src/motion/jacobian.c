@@ -339,7 +339,11 @@ static int differentiate_doubles(double *out, double *err, const struct event_ma
   for (slong i = 0; i < map->n; i++) scale = fmax(scale, fabs(x[i]));
   struct double_map doubles = {run_doubles, map, (int)map->n, (int)map->n, scale, 4 * DBL_EPSILON, jitter};
   int status = SS_OK;
-  for (int k = 0; k < n_dir && !status; k++) status = differences_along(out + map->n * k, err + k, &doubles, x, dir[k]);
+  for (int k = 0; k < n_dir && !status; k++) {
+    double accuracy;
+    status = differences_along(out + map->n * k, &accuracy, &doubles, x, dir[k]);
+    if (err) err[k] = accuracy;
+  }
   return status;
 }
 
