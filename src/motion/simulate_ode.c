@@ -278,16 +278,24 @@ static enum move ode_move(void *self, struct coulomb_run *run) {
   }
 }
 
+static double size_of(const double params[N_COULOMB], const double start[N_STATE]) {
+  double size = params[COULOMB_V] + params[COULOMB_UR1] + params[COULOMB_UR2];
+  for (int i = 0; i < N_STATE; i++) size += fabs(start[i]);
+  return size;
+}
+
+double coulomb_event_floor(const double params[N_COULOMB], const double start[N_STATE]) {
+  double tol = 4 * coulomb_plan_default.tolerance * size_of(params, start);
+  return tol / ((1 - params[COULOMB_CHI]) * params[COULOMB_V]);
+}
+
 int coulomb_simulate_ode(struct coulomb_result *result, const double params[N_COULOMB], const double start[N_STATE],
                          const struct coulomb_plan *plan, const struct coulomb_sink *sink) {
   *result = (struct coulomb_result){.end = COULOMB_FAILED};
   if (!run_domain(params, start, plan) || !(plan->tolerance >= 1e-13 && plan->tolerance <= 1e-3)) return SS_DOMAIN;
   struct ode o = {.p = params};
-  double size = params[COULOMB_V] + params[COULOMB_UR1] + params[COULOMB_UR2];
-  for (int i = 0; i < N_STATE; i++) {
-    o.y[i] = start[i];
-    size += fabs(start[i]);
-  }
+  double size = size_of(params, start);
+  memcpy(o.y, start, sizeof o.y);
   o.tol = 4 * plan->tolerance * size;
   o.longest = 0.5 / sqrt(1 + params[COULOMB_CHI] * params[COULOMB_ETA]);
   o.hint = o.longest / 8;
