@@ -684,6 +684,62 @@ START_TEST(nonsense_is_refused) {
 }
 END_TEST
 
+/* A belt far faster than the forces are large: an answer while the law can be told, else a refusal at once, after no
+   step at all. */
+START_TEST(a_law_below_rounding_is_refused) {
+  static const double speed[] = {1e35, 1e100, 1e300};
+  double p[N_COULOMB], x[N_STATE];
+  struct coulomb_result r;
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.duration = 400;
+  memcpy(p, paper, sizeof p);
+  for (int route = 0; route < 2; route++) {
+    paper_start(x, 0.978, -2.125);
+    for (int i = 0; i < 3; i++) {
+      p[COULOMB_V] = x[DZ_1] = x[DZ_2] = speed[i];
+      ck_assert_int_eq(simulate(&r, route, p, x, &plan, NULL), SS_UNABLE);
+      ck_assert(r.end == COULOMB_BLURRED && r.steps == 0 && r.at.t == 0 && r.at.v[0] == speed[i]);
+    }
+    p[COULOMB_V] = x[DZ_1] = x[DZ_2] = 1e10;
+    ck_assert_int_eq(simulate(&r, route, p, x, &plan, NULL), SS_OK);
+    ck_assert(r.end == COULOMB_DONE && r.at.t == 400);
+    p[COULOMB_V] = 1; /* far from rest, friction is as nothing, and no mass comes to rest on the belt */
+    x[Z_1] = 1e99;
+    ck_assert_int_eq(simulate(&r, route, p, x, &plan, NULL), SS_OK);
+  }
+}
+END_TEST
+
+/* A belt that hardly moves.  The masses stick until f_1 = u_r1, after (u_r1 - f_1)/((1 - chi) V); then m1 jumps, as if
+   the belt stood still: f_1 swings from u_r1 about u_s1 to 2 u_s1 - u_r1, while m2, with friction enough, stays. */
+START_TEST(a_slow_belt_takes_few_steps) {
+  static const double speed[] = {1e-6, 1e-10, 1e-14, 1e-100, 1e-300};
+  double p[N_COULOMB], x[N_STATE];
+  struct coulomb_result r;
+  struct coulomb_log log;
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.returns = 1;
+  memcpy(p, paper, sizeof p);
+  p[COULOMB_UR2] = 100;
+  for (int route = 0; route < 2; route++)
+    for (int i = 0; i < 5; i++) {
+      double chi = p[COULOMB_CHI], V = speed[i];
+      paper_start(x, 0.978, -2.125);
+      p[COULOMB_V] = x[DZ_1] = x[DZ_2] = V;
+      double wait = (p[COULOMB_UR1] - (x[Z_1] - chi * x[Z_2])) / ((1 - chi) * V), there = x[Z_2] + V * wait;
+      coulomb_log_init(&log);
+      struct coulomb_sink sink = coulomb_log_sink(&log);
+      ck_assert_int_eq(simulate(&r, route, p, x, &plan, &sink), SS_OK);
+      ck_assert_int_lt(r.steps, 2000);
+      ck_assert_uint_eq(log.n, 2);
+      ck_assert_double_eq_tol(log.event[0].at.t, wait, 1e-11 * wait);
+      ck_assert_double_eq_tol(r.at.x[1], there, 1e-5);
+      ck_assert_double_eq_tol(r.at.x[0], 2 * p[COULOMB_US1] - p[COULOMB_UR1] + chi * there, 1e-5);
+      coulomb_log_clear(&log);
+    }
+}
+END_TEST
+
 START_TEST(parameters_from_the_models) {
   static const double model[N_PARAMS] = {0.5, 2, 1, 0.75, 1.25}, limits[2] = {1.75, 1.5}, low[2] = {0.5, 2};
   struct num_ctx ctx = num_ctx_mpfr(64);
@@ -866,6 +922,8 @@ Suite *coulomb_suite(void) {
   tcase_add_loop_test(runs, samples_of_the_routes_agree, 0, 20);
   tcase_add_test(runs, every_limit_ends_a_run);
   tcase_add_test(runs, nonsense_is_refused);
+  tcase_add_test(runs, a_law_below_rounding_is_refused);
+  tcase_add_test(runs, a_slow_belt_takes_few_steps);
   tcase_add_test(runs, parameters_from_the_models);
   tcase_add_test(runs, csv_row);
   tcase_add_test(orbit, the_orbit_in_mpfr_to_the_oracles_digits);

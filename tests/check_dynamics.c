@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "effort.h"
 #include "explore/family.h"
 #include "laws_num.h"
 #include "motion/dynamics.h"
@@ -15,6 +16,7 @@
 #include "motion/polish.h"
 #include "motion/return_map_double.h"
 #include "motion/trig_sum.h"
+#include "motion/warm.h"
 #include "suites.h"
 
 /* A multiple of 1/64 in [low, high]/64. */
@@ -495,6 +497,155 @@ START_TEST(local_jacobians_match_differences) {
     num_vec_clear(&fd);
     num_vec_clear(&err);
   }
+}
+END_TEST
+
+/* The velocity that ends a phase has no displacement there: an exact zero in every number type. */
+START_TEST(a_pinned_velocity_is_not_displaced) {
+  static const struct num_type *const types[] = {&num_double, &num_mpfr, &num_arb};
+  struct rng r = {(uint64_t)_i};
+  double pd[N_PARAMS], zd[N_STATE], t0;
+  bool grazing;
+  random_params(pd, &r);
+  for (int ph = PHASE_H; ph < N_PHASES; ph++) {
+    random_state(zd, &r);
+    if (dyn_first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
+    for (int k = 0; k < 3; k++) {
+      struct num_ctx ctx = {types[k], 96};
+      struct num_vec p = vec_of(pd, N_PARAMS, ctx), z = vec_of(zd, N_STATE, ctx), t = vec_of(&t0, 1, ctx), j;
+      num_vec_init(&j, 16, ctx);
+      ck_assert_int_eq(dyn_local_jacobian(&j, (enum phase)ph, &p, &z, num_vec_at(&t, 0)), SS_OK);
+      int row = ph == PHASE_H ? DZ_1 : DZ_2;
+      for (int col = 0; col < N_STATE; col++) {
+        arb_t x;
+        arb_init(x);
+        ctx.type->get_arb(x, num_vec_at(&j, N_STATE * row + col));
+        ck_assert_msg(arb_is_zero(x), "%s phase %d: %s, column %d", show(pd), ph, ctx.type->name, col);
+        arb_clear(x);
+      }
+      num_vec_clear(&p);
+      num_vec_clear(&z);
+      num_vec_clear(&t);
+      num_vec_clear(&j);
+    }
+  }
+}
+END_TEST
+
+/* The arc of first events in double precision from a start of the word. */
+static bool random_arc(struct dyn_arc *arc, double pd[N_PARAMS], struct rng *r) {
+  double rise = dyadic(r, 16, 256), r0, start[2];
+  random_params(pd, r);
+  r0 = pd[P_E2] / pd[P_CHI] - rise;
+  start[1] = (pd[P_E1] + r0) / (1 - pd[P_CHI]);
+  start[0] = start[1] - r0;
+  struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_double());
+  int status = dyn_arc_run(arc, &p, start, start + 1, NULL);
+  num_vec_clear(&p);
+  return status == SS_OK;
+}
+
+/* Balls at the same doubles know the Jacobian of the arc; in double precision each entry is that, rounded once. */
+START_TEST(the_return_jacobian_of_doubles_is_rounded_once) {
+  struct rng r = {(uint64_t)_i};
+  double pd[N_PARAMS];
+  struct dyn_arc arc, balls;
+  struct num_ctx ctx = num_ctx_arb(400);
+  dyn_arc_init(&arc, num_ctx_double());
+  if (!random_arc(&arc, pd, &r)) {
+    dyn_arc_clear(&arc);
+    return;
+  }
+  dyn_arc_init(&balls, ctx);
+  for (slong i = 0; i < arc.t.len; i++) arb_set_d(num_vec_at(&balls.t, i), entry_d(&arc.t, i));
+  for (slong i = 0; i < arc.z.len; i++) arb_set_d(num_vec_at(&balls.z, i), entry_d(&arc.z, i));
+  struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_double()), pb = vec_of(pd, N_PARAMS, ctx), j, jb;
+  num_vec_init(&j, 4, p.ctx);
+  num_vec_init(&jb, 4, ctx);
+  ck_assert_int_eq(dyn_return_jacobian(&j, &p, &arc), SS_OK);
+  ck_assert_int_eq(dyn_return_jacobian(&jb, &pb, &balls), SS_OK);
+  for (slong i = 0; i < 4; i++) {
+    arb_t off, most;
+    arb_init(off);
+    arb_init(most);
+    arb_set_d(off, entry_d(&j, i));
+    arb_sub(off, off, num_vec_at(&jb, i), 400);
+    arb_abs(most, num_vec_at(&jb, i));
+    arb_mul_2exp_si(most, most, -53);
+    arb_abs(off, off);
+    ck_assert_msg(arb_le(off, most), "%s: entry %ld", show(pd), i);
+    arb_clear(most);
+    arb_clear(off);
+  }
+  num_vec_clear(&jb);
+  num_vec_clear(&j);
+  num_vec_clear(&pb);
+  num_vec_clear(&p);
+  dyn_arc_clear(&balls);
+  dyn_arc_clear(&arc);
+}
+END_TEST
+
+/* The Jacobian of one arc, again and again. */
+struct jacobian_work {
+  struct num_vec params, j;
+  struct dyn_arc arc;
+};
+
+static void make_jacobians(void *self) {
+  struct jacobian_work *w = self;
+  for (int i = 0; i < 20; i++) ck_assert_int_eq(dyn_return_jacobian(&w->j, &w->params, &w->arc), SS_OK);
+}
+
+static void jacobian_work_init(struct jacobian_work *w, struct num_ctx ctx) {
+  const double pd[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587}, start[2] = {2.7032, 2.6158};
+  struct num_vec z = vec_of(start, 2, ctx);
+  w->params = vec_of(pd, N_PARAMS, ctx);
+  num_vec_init(&w->j, 4, ctx);
+  dyn_arc_init(&w->arc, ctx);
+  ck_assert_int_eq(dyn_arc_run(&w->arc, &w->params, num_vec_at(&z, 0), num_vec_at(&z, 1), NULL), SS_OK);
+  num_vec_clear(&z);
+}
+
+static void jacobian_work_clear(struct jacobian_work *w) {
+  dyn_arc_clear(&w->arc);
+  num_vec_clear(&w->j);
+  num_vec_clear(&w->params);
+}
+
+/* What is zero is not sought at ever more bits: a double costs about as much as 64 bits of MPFR. */
+START_TEST(a_return_jacobian_of_doubles_takes_one_pass) {
+  struct jacobian_work doubles, bits;
+  jacobian_work_init(&doubles, num_ctx_double());
+  jacobian_work_init(&bits, num_ctx_mpfr(64));
+  ck_assert(costs_less(&(struct effort){make_jacobians, &doubles}, 4, &(struct effort){make_jacobians, &bits}));
+  jacobian_work_clear(&bits);
+  jacobian_work_clear(&doubles);
+}
+END_TEST
+
+/* Outputs and limits that nobody asked for. */
+START_TEST(what_is_not_wanted_may_be_null) {
+  static const char *const text[N_PARAMS] = {"4/5", "1", "1", "27844/10000", "8587/10000"};
+  static const double pd[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587}, start[N_STATE] = {2.7032, 2.6158, 1, 1};
+  static const double guess[2] = {2.0053, 1.4899}, along[1][N_STATE] = {{1, 0, 0, 0}};
+  double out[16], column[N_STATE], err, t, r;
+  struct dyn_orbit o;
+  fmpq p[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(p + i);
+    ck_assert_int_eq(fmpq_set_str(p + i, text[i], 10), 0);
+  }
+  ck_assert_int_eq(dyn_orbit_near(&o, NULL, p, guess[0], guess[1], false, 64, NULL), SS_OK);
+  dyn_orbit_clear(&o);
+  ck_assert_int_eq(dyn_orbit_warm(out, NULL, NULL, pd, guess), SS_OK);
+  ck_assert_int_eq(dyn_return_map_d(&r, NULL, NULL, pd, -3, NULL), SS_OK);
+  ck_assert_int_eq(dyn_first_event_d(&t, NULL, PHASE_D, pd, start, NULL), SS_OK);
+  ck_assert_int_eq(dyn_return_jacobian_d(out, NULL, pd, start, NULL), SS_OK);
+  ck_assert_int_eq(dyn_local_differences_d(out, NULL, PHASE_D, pd, start, t, along, 1), SS_OK);
+  ck_assert_int_eq(dyn_local_differences_d(column, &err, PHASE_D, pd, start, t, along, 1), SS_OK);
+  for (int i = 0; i < N_STATE; i++) ck_assert_double_eq(out[i], column[i]);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
 }
 END_TEST
 
@@ -1001,6 +1152,10 @@ Suite *dynamics_suite(void) {
   tcase_add_test(c, an_event_of_balls_holds_the_events_of_its_points);
   tcase_add_test(c, a_double_root_is_not_proved);
   tcase_add_loop_test(c, local_jacobians_match_differences, 0, 30);
+  tcase_add_loop_test(c, a_pinned_velocity_is_not_displaced, 0, 30);
+  tcase_add_loop_test(c, the_return_jacobian_of_doubles_is_rounded_once, 0, 60);
+  tcase_add_test(c, a_return_jacobian_of_doubles_takes_one_pass);
+  tcase_add_test(c, what_is_not_wanted_may_be_null);
   suite_add_tcase(s, c);
   c = tcase_create("orbit");
   tcase_set_timeout(c, 60);

@@ -350,6 +350,63 @@ START_TEST(routes_leave_an_unstable_orbit_at_its_rate) {
 }
 END_TEST
 
+/* An orbit of the paper's forces at chi, the one that breaks no condition. */
+static void setup_near_one(struct coulomb_setup *sim, const char *chi) {
+  const char *const text[N_PARAMS] = {chi, "1", "1", "27844/10000", "8587/10000"};
+  struct dyn_orbits list;
+  fmpq params[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(params + i);
+    ck_assert_int_eq(fmpq_set_str(params + i, text[i], 10), 0);
+    fmpq_canonicalise(params + i);
+  }
+  ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
+  int status = SS_UNABLE;
+  for (slong k = 0; k < list.n && status; k++)
+    if (list.orbit[k].admissible == TRUTH_TRUE)
+      status = coulomb_setup_on_orbit(sim, params, &list.orbit[k], OWN_FRICTION);
+  ck_assert_int_eq(status, SS_OK);
+  dyn_orbits_clear(&list);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
+}
+
+/* Where positions are large, a run that has left its orbit is not taken for one beside it: within reach the rate is that
+   of the trace, which the stretch beyond misses by a third. */
+START_TEST(a_growth_ends_where_the_orbit_is_left) {
+  struct coulomb_setup sim;
+  struct long_run run;
+  struct long_growth g;
+  setup_near_one(&sim, "999/1000");
+  double want = log(fabs(sim.trace));
+  ck_assert(long_run_has_room(sim.params, sim.start));
+  ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, 326, 1e4, 0, 160), SS_OK);
+  run.reach = long_run_reach(sim.params, sim.start);
+  for (int k = 1; k < N_LONG_PAIRS; k++) {
+    ck_assert(long_run_growth(&g, &run, pairs[k]));
+    ck_assert_msg(fabs(g.log - want) < 0.05 * want, "%g", exp(g.log));
+  }
+  long_run_clear(&run);
+}
+END_TEST
+
+/* Differences of the integration keep their word where it can be kept, and say beforehand where it cannot. */
+START_TEST(the_integration_near_chi_1) {
+  struct coulomb_setup sim;
+  double j[4], err;
+  setup_near_one(&sim, "4/5");
+  ck_assert(coulomb_return_jacobian_floor(sim.params, sim.start) < 1e-8);
+  ck_assert(coulomb_event_floor(sim.params, sim.start) < 1e-9);
+  setup_near_one(&sim, "999/1000");
+  ck_assert(coulomb_return_jacobian_floor(sim.params, sim.start) < 1e-3);
+  ck_assert_int_eq(coulomb_return_jacobian(j, &err, sim.params, sim.start), SS_OK);
+  ck_assert_msg(fabs(j[0] + j[3] - sim.trace) <= 2 * err && err < 1e-2 * fabs(j[0]), "off by %g, stated %g",
+                fabs(j[0] + j[3] - sim.trace), err);
+  setup_near_one(&sim, "99999/100000");
+  ck_assert(coulomb_return_jacobian_floor(sim.params, sim.start) > 1e-2);
+  ck_assert(coulomb_event_floor(sim.params, sim.start) > 1e-3);
+}
+END_TEST
+
 START_TEST(routes_stay_on_a_stable_orbit) {
   struct coulomb_setup sim;
   struct long_run run;
@@ -460,6 +517,8 @@ Suite *routes_suite(void) {
   tcase_add_loop_test(c, routes_leave_an_unstable_orbit_at_its_rate, PAPER, STABLE);
   tcase_add_loop_test(c, routes_leave_an_unstable_orbit_at_its_rate, FLIPPING, N_BESIDE);
   tcase_add_test(c, routes_stay_on_a_stable_orbit);
+  tcase_add_test(c, a_growth_ends_where_the_orbit_is_left);
+  tcase_add_test(c, the_integration_near_chi_1);
   tcase_add_test(c, a_run_outside_the_domain);
   suite_add_tcase(s, c);
   c = tcase_create("report");

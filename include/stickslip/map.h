@@ -72,9 +72,9 @@ SS_API int ss_orbit_bare(double out[SS_OUTPUTS], const double params[SS_PARAMS],
 SS_API int ss_orbits_batch(double *const out[SS_OUTPUTS], unsigned *violations, int *status,
                            const double *const params[SS_PARAMS], const double *const guess[2], size_t n);
 
-/* The 2x2 Jacobian, row by row, of (z10, z20) -> one pass of the word, by central differences that are extrapolated;
-   about eleven digits, about two milliseconds.  guess: times t_a, t_b, t_c, t_d near which the events are taken, or
-   NULL for the first ones. *err (or NULL): an estimate of the worst entry's error. */
+/* The 2x2 Jacobian, row by row, of (z10, z20) -> one pass of the word, by implicit differentiation in balls around the
+   numbers given: each entry is within 2^-53 of itself; some tens of microseconds.  guess: times t_a, t_b, t_c, t_d near
+   which the events are taken, or NULL for the first ones. *err (or NULL): a bound of the worst entry's error. */
 SS_API int ss_return_jacobian(double j[4], double *err, const double params[SS_PARAMS], const double start[2],
                               const double guess[4]);
 

@@ -1,4 +1,5 @@
 /* Double precision: the names and orders are the program's own. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -29,16 +30,14 @@ int ss_return_map(double *r_end, double *slope, double t[4], int *grazing, const
 }
 
 int ss_return_map_plain(double *r_end, double *slope, double t[4], const double params[SS_PARAMS], double r) {
-  double unused[N_PHASES];
   if (!r_end || !params) return library_argument(__func__, "no parameters, or no place for r");
-  return dyn_return_map_d(r_end, slope, t ? t : unused, params, r, NULL);
+  return dyn_return_map_d(r_end, slope, t, params, r, NULL);
 }
 
 int ss_orbit_warm(double out[SS_OUTPUTS], unsigned *violations, unsigned *unsure, const double params[SS_PARAMS],
                   const double guess[2]) {
-  unsigned broken, open;
   if (!out || !params || !guess) return library_argument(__func__, "no parameters, guess or place for the orbit");
-  return dyn_orbit_warm(out, violations ? violations : &broken, unsure ? unsure : &open, params, guess);
+  return dyn_orbit_warm(out, violations, unsure, params, guess);
 }
 
 int ss_orbit_bare(double out[SS_OUTPUTS], const double params[SS_PARAMS], const double guess[2]) {
@@ -73,5 +72,10 @@ int ss_return_jacobian(double j[4], double *err, const double params[SS_PARAMS],
                        const double guess[4]) {
   if (!j || !params || !start || !isfinite(start[0]) || !isfinite(start[1]))
     return library_argument(__func__, "no parameters, no finite start or no place for the matrix");
-  return in_domain(params) ? dyn_return_jacobian_d(j, err, params, start, guess) : SS_DOMAIN;
+  if (!in_domain(params)) return SS_DOMAIN;
+  int status = dyn_return_jacobian_from(j, params, start, guess);
+  if (status || !err) return status;
+  *err = 0;
+  for (int i = 0; i < 4; i++) *err = fmax(*err, DBL_EPSILON / 2 * fabs(j[i]));
+  return SS_OK;
 }

@@ -13,10 +13,18 @@
 #include "coulomb_impl.h"
 #include "flow.h"
 
-enum { MOST_IDLE = 16 };
+enum { MOST_IDLE = 16, MOST_UNCHANGED = 1000 };
 
 const char *const coulomb_mode_name[N_MODES] = {"stick", "below", "above"};
-const char *const coulomb_end_name[] = {"done", "stopped", "quiet", "events", "steps", "stuck", "failed"};
+const char *const coulomb_end_name[] = {
+    "done",
+    "stopped",
+    "quiet",
+    "events",
+    "steps",
+    "stuck",
+    "blurred: the static friction exceeds the sliding friction by less than the rounding of the state",
+    "failed"};
 const struct coulomb_plan coulomb_plan_default = {INFINITY, 0, 0, 1000000, 1000000, 1e-13};
 
 char coulomb_letter(const enum coulomb_mode mode[2]) {
@@ -79,6 +87,13 @@ bool run_domain(const double p[N_COULOMB], const double start[N_STATE], const st
   return isfinite(plan->duration) || plan->returns > 0;
 }
 
+void run_init(struct coulomb_run *run, const double p[N_COULOMB], double tol) {
+  for (int i = 0; i < 2; i++) {
+    run->us[i] = p[COULOMB_US1 + i];
+    run->blurred[i] = isfinite(tol) && p[COULOMB_UR1 + i] - p[COULOMB_US1 + i] <= tol;
+  }
+}
+
 static void fill_row(struct coulomb_run *run, struct coulomb_row *row, double t) {
   run->route.row(run->route.self, row, t);
   for (int i = 0; i < 2; i++) {
@@ -99,12 +114,20 @@ bool run_samples(struct coulomb_run *run, double t, bool last) {
   return true;
 }
 
-/* Lets the law decide and reports what changes. */
-static bool change_modes(struct coulomb_run *run) {
-  struct coulomb_signs signs;
+/* Lets the law decide, where it can be told. */
+static bool decide(struct coulomb_run *run) {
+  struct coulomb_signs s;
+  run->route.signs(run->route.self, &s);
+  for (int i = 0; i < 2; i++)
+    if (run->blurred[i] && s.speed[i] == 0 && s.excess[i] == 0) return false;
+  coulomb_law(run->mode, &s);
+  return true;
+}
+
+/* Reports what the law changes.  COULOMB_DONE: nothing speaks against going on. */
+static enum coulomb_end change_modes(struct coulomb_run *run) {
   enum coulomb_mode before[2] = {run->mode[0], run->mode[1]};
-  run->route.signs(run->route.self, &signs);
-  coulomb_law(run->mode, &signs);
+  if (!decide(run)) return COULOMB_BLURRED;
   bool both = run->mode[0] != before[0] && run->mode[1] != before[1], sticks = true, stuck = true;
   for (int i = 0; i < 2; i++) {
     sticks = sticks && run->mode[i] == MODE_STICK;
@@ -117,9 +140,9 @@ static bool change_modes(struct coulomb_run *run) {
         .mass = i, .from = before[i], .to = run->mode[i], .simultaneous = both, .grazing = run->grazing[i]};
     run->result->events++;
     fill_row(run, &e.at, run->route.time(run->route.self));
-    if (run->sink && run->sink->event && !run->sink->event(run->sink->self, &e)) return false;
+    if (run->sink && run->sink->event && !run->sink->event(run->sink->self, &e)) return COULOMB_STOPPED;
   }
-  return true;
+  return COULOMB_DONE;
 }
 
 static enum coulomb_end run_loop(struct coulomb_run *run) {
@@ -128,18 +151,19 @@ static enum coulomb_end run_loop(struct coulomb_run *run) {
       [MOVE_FAILED] = COULOMB_FAILED, [MOVE_STOPPED] = COULOMB_STOPPED,
   };
   const struct coulomb_plan *plan = run->plan;
-  struct coulomb_signs signs;
-  run->route.signs(run->route.self, &signs);
-  coulomb_law(run->mode, &signs);
-  for (int idle = 0; idle <= MOST_IDLE;) {
+  if (!decide(run)) return COULOMB_BLURRED;
+  for (int idle = 0, unchanged = 0; idle <= MOST_IDLE && unchanged <= MOST_UNCHANGED;) {
+    long events = run->result->events;
     double before = run->route.time(run->route.self);
     run->grazing[0] = run->grazing[1] = false;
     enum move move = run->route.move(run->route.self, run);
     if (move != MOVE_EVENT) return after[move];
-    if (!change_modes(run)) return COULOMB_STOPPED;
+    enum coulomb_end changed = change_modes(run);
+    if (changed != COULOMB_DONE) return changed;
     if (plan->returns > 0 && run->result->returns >= plan->returns) return COULOMB_DONE;
     if (run->result->events >= plan->max_events) return COULOMB_EVENTS;
     idle = run->route.time(run->route.self) > before ? 0 : idle + 1;
+    unchanged = run->result->events > events ? 0 : unchanged + 1;
   }
   return COULOMB_STUCK;
 }

@@ -95,7 +95,9 @@ enum coulomb_end {
   COULOMB_QUIET,   /* duration infinite, and no event will ever come */
   COULOMB_EVENTS,  /* max_events */
   COULOMB_STEPS,   /* max_steps */
-  COULOMB_STUCK,   /* more than 16 instants without progress of time; a guard, no known motion does it */
+  COULOMB_STUCK,   /* more than 16 instants without progress of time, or 1000 at which no mode changes; a guard, no
+                      known motion does it */
+  COULOMB_BLURRED, /* |f_i| of a mass at V is within tol of u_ri, which is within tol of u_si */
   COULOMB_FAILED   /* the integrator, or a number that cannot be held */
 };
 extern const char *const coulomb_end_name[COULOMB_FAILED + 1]; /* "done", "stopped", ... */
@@ -112,7 +114,8 @@ struct coulomb_result {
 
    What counts as equal.  A speed or force within tol of its limit is at it, so that events closer than rounding are one
    instant: tol is (2^(4-prec) by closed forms, 4 tolerance by the ODE route) times the size of the starting state,
-   |x_1| + |x_2| + |x_1'| + |x_2'| + V + u_r1 + u_r2.  An event within tol of the duration falls on either side of it.
+   |x_1| + |x_2| + |x_1'| + |x_2'| + V + u_r1 + u_r2.  Where that covers the step from u_si to u_ri, as on a belt
+   1e12 times as fast as forces are large, the law of a mass that comes to rest on the belt cannot be told: BLURRED.  An event within tol of the duration falls on either side of it.
 
    Measured on the paper's orbit over 200 periods, against mpfr: events within 7e-12 (ODE route) and 1e-11 (double),
    half of it the rounding of t itself; 10 ms and 5 ms, mpfr at 256 bits 40 ms, at 3400 bits 1 s.
@@ -120,7 +123,8 @@ struct coulomb_result {
    sink may be NULL. */
 
 /* Runge-Kutta-Prince-Dormand 8(7) with adaptive steps; a step is at most half of the shortest time of the free system,
-   1/(2 sqrt(1 + chi eta)).  Events are located by repeating the last step with other lengths; bounds on the second and
+   1/(2 sqrt(1 + chi eta)), and while both masses stick, when all is straight, at most as long as they have stuck if
+   that is longer.  Events are located by repeating the last step with other lengths; bounds on the second and
    third derivatives, from the state and the equations, show that none is stepped over. */
 int coulomb_simulate_ode(struct coulomb_result *result, const double params[N_COULOMB], const double start[N_STATE],
                          const struct coulomb_plan *plan, const struct coulomb_sink *sink);
@@ -151,6 +155,12 @@ int coulomb_start_set_d(double start[N_STATE], const double params[N_COULOMB], d
    promises the least error.  err: an estimate of the worst entry's error, truncation and noise.  SS_DOMAIN when nearby
    motions do not follow the word. */
 int coulomb_return_jacobian(double j[4], double *err, const double params[N_COULOMB], const double start[N_STATE]);
+/* What counts as equal to the ODE route, over the rate at which the force on m1 rises while both masses stick: how well
+   the end of that phase can be told. */
+double coulomb_event_floor(const double params[N_COULOMB], const double start[N_STATE]);
+/* The relative error of that derivative at least: rounding over the longest displacement of one position that leaves the
+   forces at the start below their limits.  Near chi = 1 positions grow as 1/(1 - chi), and that displacement shrinks. */
+double coulomb_return_jacobian_floor(const double params[N_COULOMB], const double start[N_STATE]);
 /* The same for one phase of that word, which starts at the state start and lasts about t: the derivatives of the state
    at the event that ends it along n_dir directions (N_STATE numbers each; velocities that the belt imposes must not be
    moved), and the accuracy of each.  SS_DOMAIN when nearby motions have another first event. */

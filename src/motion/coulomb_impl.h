@@ -28,9 +28,12 @@ struct coulomb_run {
   enum coulomb_mode mode[2];
   bool grazing[2]; /* set by move for the event at hand */
   double next;     /* the number of the next sample */
+  bool blurred[2]; /* u_si counts as equal to u_ri */
 };
 
 bool run_domain(const double params[N_COULOMB], const double start[N_STATE], const struct coulomb_plan *plan);
+/* What the run keeps of the parameters; tol: what counts as equal. */
+void run_init(struct coulomb_run *run, const double params[N_COULOMB], double tol);
 /* Runs to the end and fills the result. */
 int run_all(struct coulomb_run *run);
 /* Every sample due before t; with last, also one at t.  false: the sink has had enough. */

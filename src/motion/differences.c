@@ -10,7 +10,7 @@
 
 #include "differences.h"
 
-enum { LEVELS = 28, NEIGHBOURS = 9, ORDER = 4 };
+enum { LEVELS = 40, NEIGHBOURS = 9, ORDER = 4 };
 
 static int shifted(double *out, const struct double_map *map, const double *x, const double *dir, double by) {
   double moved[N_STATE];

@@ -44,9 +44,9 @@ int dyn_propagator(struct num_vec *p, enum phase ph, const struct num_vec *param
 
 /* --- Closed form in (w, r), with the suite's own modal analysis. ---
 
-   In double precision these, and dyn_local_jacobian, are worked out in balls and rounded once: each number is within
-   2^-53 of itself, whatever the point.  SS_UNABLE where one is not zero and outside the range of normal doubles, or not
-   known at 4096 bits.  A call takes some microseconds. */
+   In double precision these, and dyn_local_jacobian and dyn_return_jacobian, are worked out in balls and rounded once:
+   each number is within 2^-53 of itself, whatever the point.  SS_UNABLE where one is not zero and outside the range of
+   normal doubles, or not known at 4096 bits.  A call takes some microseconds. */
 
 /* Z after time t in the phase.  out may alias in. */
 int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in, const void *t);
@@ -71,7 +71,7 @@ extern const struct dyn_limits dyn_limits_default;
    crest, so that no root is stepped over; *grazing is set when the root found is double within rounding, or when a
    touching that could not be told from a crossing lies before it.  PHASE_D: t of any sign.  Returns SS_OK, SS_DOMAIN
    (proved by periodicity that there is none) or SS_UNABLE (none up to the limits, or up to a time at which the rounding
-   of t leaves nothing of an angle). */
+   of t leaves nothing of an angle).  grazing and lim may be NULL. */
 int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
                       const struct dyn_limits *lim);
 /* The root near t0, in the context of t: Newton in mpfr (working precision doubled up to prec); in balls an enclosure
@@ -105,8 +105,11 @@ int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *p
 int dyn_local_jacobian_fd(struct num_vec *j, void *err, enum phase ph, const struct num_vec *params,
                           const struct num_vec *in, double t0);
 /* The 2x2 derivative of (z10, z20) -> (z1f, z2f) along an arc: the product of the four local ones, and by central
-   differences of the whole map. */
+   differences of the whole map.  From a start in double precision: the events are found there, the pass and its
+   derivative made in balls near them and rounded once, so that each entry is within 2^-53 of itself; some tens of
+   microseconds.  guess may be NULL, as in dyn_arc_run. */
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
+int dyn_return_jacobian_from(double j[4], const double params[N_PARAMS], const double start[2], const double guess[4]);
 /* The Taylor polynomial, n coefficients in ascending order, of the return map of r alone at the arc's start: c[0] is r
    at the arc's end, c[1] the slope (the trace of the return Jacobian), and so on.  In balls: params and arc are of
    num_arb, and c encloses the coefficients at every point of the arc's enclosures. */
@@ -120,7 +123,7 @@ int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct 
 int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
 /* The same two by central differences in double precision, extrapolated from two steps; the step is chosen by the least
    estimated error.  The local one gives its derivatives along n_dir directions at the start, N_STATE numbers for each;
-   err has an element for each direction, and one (or NULL), of the worst entry, for the whole map: truncation (from the
+   err (or NULL) has an element for each direction, and one, of the worst entry, for the whole map: truncation (from the
    change between steps, about 15 times too large) plus rounding (from measured noise). */
 int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
                             const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir);
@@ -201,7 +204,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
 void dyn_orbits_clear(struct dyn_orbits *list);
 
 /* The one-dimensional return map in double precision: r at the end of phase C from r at the stick phase, and its slope
-   (NULL if not wanted).  In plain double precision, for guesses: return_map.h says what it errs by, and has one that
+   (slope and t may be NULL).  In plain double precision, for guesses: return_map.h says what it errs by, and has one that
    does not. */
 int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
                      const struct dyn_limits *lim);

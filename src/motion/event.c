@@ -24,7 +24,7 @@ int event_first_d(double *t, bool *grazing, enum phase ph, const double params[N
                   const struct dyn_limits *lim) {
   struct return_map_double k;
   const double all[] = {z->w, z->r, z->dw, z->rise, z->v[0], z->v[1], z->over[0], z->over[1], z->slip};
-  *grazing = false;
+  if (grazing) *grazing = false;
   *t = 0;
   if (return_map_double_init(&k, params)) return SS_DOMAIN;
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
@@ -38,7 +38,7 @@ int event_first_d(double *t, bool *grazing, enum phase ph, const double params[N
   struct trig_sum_root root;
   int status = trig_sum_first_root(&root, &wave, NULL, lim ? lim : &dyn_limits_default);
   *t = root.t;
-  *grazing = root.grazing;
+  if (grazing) *grazing = root.grazing;
   return status;
 }
 

@@ -14,17 +14,19 @@
 #include "num/calc.h"
 #include "rounded.h"
 
-/* f = Z' at the state z. */
+enum { NEAR_MOST = 256 };
+
+/* f = Z' at the state z; NULL where it is zero for all states. */
 static void vector_field(val f[N_STATE], struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
-  val zero = calc_d(c, 0);
   f[Z_1] = z[DZ_1];
   f[Z_2] = z[DZ_2];
-  f[DZ_1] = ph == PHASE_GAMMA || ph == PHASE_H ? flow_switching_rate(c, PHASE_H, p, z) : zero;
-  f[DZ_2] = ph == PHASE_H || ph == PHASE_C ? flow_switching_rate(c, PHASE_C, p, z) : zero;
+  f[DZ_1] = ph == PHASE_GAMMA || ph == PHASE_H ? flow_switching_rate(c, PHASE_H, p, z) : NULL;
+  f[DZ_2] = ph == PHASE_H || ph == PHASE_C ? flow_switching_rate(c, PHASE_C, p, z) : NULL;
 }
 
+/* NULL where it is zero. */
 static void switching_gradient(val n[N_STATE], struct calc *c, enum phase ph, val chi) {
-  for (int i = 0; i < N_STATE; i++) n[i] = calc_d(c, 0);
+  for (int i = 0; i < N_STATE; i++) n[i] = NULL;
   switch (ph) {
   case PHASE_D:
     n[Z_1] = calc_d(c, 1);
@@ -68,20 +70,35 @@ static struct phase_end phase_end(struct calc *c, enum phase ph, const struct nu
   return e;
 }
 
+/* A displacement at the start of a phase, as it is at the event that ends it.  The velocity that the event sets to V has
+   none: exactly zero, which a difference of equal products would not be. */
+static void carry(val column[N_STATE], struct calc *c, enum phase ph, const struct phase_end *e) {
+  val end[N_STATE];
+  flow_apply(end, c, &e->b, column);
+  val lead = calc_d(c, 0);
+  for (int k = 0; k < N_STATE; k++)
+    if (e->n[k]) lead = calc_add(c, lead, calc_mul(c, e->n[k], end[k]));
+  val delay = calc_div(c, lead, e->rate); /* minus the derivative of the time */
+  for (int k = 0; k < N_STATE; k++) column[k] = e->f[k] ? calc_sub(c, end[k], calc_mul(c, e->f[k], delay)) : end[k];
+  if (ph == PHASE_H) column[DZ_1] = calc_d(c, 0);
+  if (ph == PHASE_C) column[DZ_2] = calc_d(c, 0);
+}
+
+static void unit_column(val column[N_STATE], struct calc *c, int k) {
+  for (int i = 0; i < N_STATE; i++) column[i] = calc_d(c, i == k);
+}
+
 static int local_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
                      const void *t) {
-  val from[N_STATE], out[N_STATE][N_STATE];
+  val from[N_STATE], column[N_STATE][N_STATE];
   struct calc c = calc_begin(j->ctx);
   flow_vals(from, in, 0, N_STATE);
   const struct phase_end e = phase_end(&c, ph, params, from, t);
-  for (int col = 0; col < N_STATE; col++) {
-    val lead = calc_d(&c, 0);
-    for (int k = 0; k < N_STATE; k++) lead = calc_add(&c, lead, calc_mul(&c, e.n[k], entry(&e.b, k, col)));
-    val delay = calc_div(&c, lead, e.rate); /* minus the derivative of the time */
-    for (int row = 0; row < N_STATE; row++)
-      out[row][col] = calc_sub(&c, entry(&e.b, row, col), calc_mul(&c, e.f[row], delay));
+  for (int k = 0; k < N_STATE; k++) {
+    unit_column(column[k], &c, k);
+    carry(column[k], &c, ph, &e);
   }
-  for (int i = 0; i < N_STATE * N_STATE; i++) j->ctx.type->set(num_vec_at(j, i), out[i / N_STATE][i % N_STATE]);
+  for (int i = 0; i < N_STATE * N_STATE; i++) j->ctx.type->set(num_vec_at(j, i), column[i % N_STATE][i / N_STATE]);
   calc_clear(&c);
   return c.status;
 }
@@ -91,19 +108,70 @@ int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *p
   return rounded_run(j, local_run, ph, params, in, t);
 }
 
-int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
-  struct num_ctx ctx = params->ctx;
-  int status = SS_OK;
-  struct calc c = calc_begin(ctx);
-  struct num_vec local = calc_vec(&c, N_STATE * N_STATE), product = calc_vec(&c, N_STATE * 2);
-  for (slong i = 0; i < 2; i++) status |= ctx.type->set_d(num_vec_at(&product, 3 * i), 1, ctx.prec);
-  for (int ph = PHASE_D; ph < N_PHASES; ph++) {
-    struct num_vec in = {ctx, N_STATE, num_vec_at(&arc->z, ph * N_STATE)};
-    status |= dyn_local_jacobian(&local, (enum phase)ph, params, &in, num_vec_at(&arc->t, ph));
-    status |= num_mat_mul(&product, &local, &product, N_STATE, N_STATE, 2);
+/* Along an arc: its four times, then the states at which its phases start. */
+enum { ARC_T, ARC_Z = N_PHASES, N_ARC = ARC_Z + N_PHASES * N_STATE };
+
+static int word_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                    const void *t) {
+  val from[N_STATE], column[2][N_STATE];
+  struct calc c = calc_begin(j->ctx);
+  (void)ph, (void)t;
+  for (int k = 0; k < 2; k++) unit_column(column[k], &c, k);
+  for (int at = PHASE_D; at < N_PHASES; at++) {
+    flow_vals(from, in, ARC_Z + at * N_STATE, N_STATE);
+    const struct phase_end e = phase_end(&c, (enum phase)at, params, from, num_vec_at(in, ARC_T + at));
+    for (int k = 0; k < 2; k++) carry(column[k], &c, (enum phase)at, &e);
   }
-  for (slong i = 0; i < 4; i++) ctx.type->set(num_vec_at(j, i), num_vec_at(&product, i));
+  for (int i = 0; i < 4; i++) j->ctx.type->set(num_vec_at(j, i), column[i % 2][i / 2]);
   calc_clear(&c);
+  return c.status;
+}
+
+int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
+  struct num_vec in;
+  num_vec_init(&in, N_ARC, params->ctx);
+  for (slong i = 0; i < N_PHASES; i++) params->ctx.type->set(num_vec_at(&in, ARC_T + i), num_vec_at(&arc->t, i));
+  for (slong i = 0; i < N_ARC - ARC_Z; i++) params->ctx.type->set(num_vec_at(&in, ARC_Z + i), num_vec_at(&arc->z, i));
+  int status = rounded_run(j, word_run, PHASE_D, params, &in, NULL);
+  num_vec_clear(&in);
+  return status;
+}
+
+/* A start z10, z20 and the times near which its events are. */
+enum { START_Z, START_T = 2, N_START = START_T + N_PHASES };
+
+static int start_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                     const void *t) {
+  struct dyn_arc arc;
+  double guess[N_PHASES];
+  (void)ph, (void)t;
+  for (int i = 0; i < N_PHASES; i++) guess[i] = num_arb.get_d(num_vec_at(in, START_T + i));
+  dyn_arc_init(&arc, params->ctx);
+  int status = arc_run_from(&arc, params, num_vec_at(in, START_Z), num_vec_at(in, START_Z + 1), guess);
+  if (!status)
+    status = dyn_return_jacobian(j, params, &arc);
+  else if (params->ctx.prec >= NEAR_MOST)
+    status = SS_DOMAIN; /* the guess is not near: no precision helps */
+  dyn_arc_clear(&arc);
+  return status;
+}
+
+int dyn_return_jacobian_from(double j[4], const double params[N_PARAMS], const double start[2], const double guess[4]) {
+  const struct num_ctx d = num_ctx_double();
+  double in[N_START] = {start[0], start[1]}, given[N_PARAMS];
+  struct num_vec p = {d, N_PARAMS, (char *)given}, from = {d, N_START, (char *)in}, out = {d, 4, (char *)j};
+  int status = SS_OK;
+  memcpy(given, params, sizeof given);
+  if (guess) {
+    memcpy(in + START_T, guess, N_PHASES * sizeof *guess);
+  } else {
+    struct dyn_arc arc;
+    dyn_arc_init(&arc, d);
+    status = dyn_arc_run(&arc, &p, start, start + 1, NULL);
+    if (!status) memcpy(in + START_T, arc.t.data, N_PHASES * sizeof *in);
+    dyn_arc_clear(&arc);
+  }
+  if (!status && rounded_run(&out, start_run, PHASE_D, &p, &from, NULL)) status = SS_UNABLE;
   return status;
 }
 
@@ -198,8 +266,9 @@ static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *par
   flow_vals(in, from, 0, N_STATE);
   const struct phase_end e = phase_end(&c, ph, params, in, t);
   for (int k = 0; k < N_STATE; k++) {
-    for (int i = 0; i < N_STATE; i++) terms += fabs(size(calc_mul(&c, e.n[k], calc_mul(&c, entry(&e.b, k, i), in[i]))));
-    speed = fmax(speed, fabs(size(e.f[k])));
+    for (int i = 0; e.n[k] && i < N_STATE; i++)
+      terms += fabs(size(calc_mul(&c, e.n[k], calc_mul(&c, entry(&e.b, k, i), in[i]))));
+    if (e.f[k]) speed = fmax(speed, fabs(size(e.f[k])));
   }
   *jitter = 4 * DBL_EPSILON * terms / fabs(size(e.rate)) * speed;
   int status = c.status;
@@ -270,7 +339,11 @@ static int differentiate_doubles(double *out, double *err, const struct event_ma
   for (slong i = 0; i < map->n; i++) scale = fmax(scale, fabs(x[i]));
   struct double_map doubles = {run_doubles, map, (int)map->n, (int)map->n, scale, 4 * DBL_EPSILON, jitter};
   int status = SS_OK;
-  for (int k = 0; k < n_dir && !status; k++) status = differences_along(out + map->n * k, err + k, &doubles, x, dir[k]);
+  for (int k = 0; k < n_dir && !status; k++) {
+    double accuracy;
+    status = differences_along(out + map->n * k, &accuracy, &doubles, x, dir[k]);
+    if (err) err[k] = accuracy;
+  }
   return status;
 }
 

@@ -84,6 +84,14 @@ int coulomb_return_jacobian(double j[4], double *err, const double params[N_COUL
   return s;
 }
 
+double coulomb_return_jacobian_floor(const double params[N_COULOMB], const double start[N_STATE]) {
+  const double rungs = 16; /* the ladder of steps takes four, each half of the one before */
+  double chi = params[COULOMB_CHI], size = fabs(start[Z_1]) + fabs(start[Z_2]) + params[COULOMB_V];
+  double room[2] = {params[COULOMB_UR1] - fabs(start[Z_1] - chi * start[Z_2]),
+                    (params[COULOMB_UR2] - chi * fabs(start[Z_2] - start[Z_1])) / chi};
+  return 3 * rungs * integration_error * size / fmin(room[0], room[1]);
+}
+
 int coulomb_local_differences(double *out, double *err, enum phase ph, const double params[N_COULOMB],
                               const double start[N_STATE], double t, const double (*dir)[N_STATE], int n_dir) {
   if (!(t > 0)) return SS_DOMAIN;

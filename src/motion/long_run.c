@@ -8,9 +8,24 @@
 
 #include "base/arena.h"
 
-enum { MOST_EVENTS = 200000, KEPT = 3 }; /* kept of a return of MPFR: t, x_1, x_2 */
+enum { MOST_EVENTS = 200000, KEPT = 3 };                /* kept of a return of MPFR: t, x_1, x_2 */
+static const double ROUNDING = 1e-11, SATURATED = 1e-6; /* of the scale */
 
 const char *const long_route_name[N_LONG_ROUTES] = {"ode", "closed", "mpfr"};
+
+static double scale_of(const double params[N_COULOMB], const double start[N_STATE]) {
+  return fabs(start[Z_1]) + fabs(start[Z_2]) + params[COULOMB_V];
+}
+
+double long_run_reach(const double params[N_COULOMB], const double start[N_STATE]) {
+  double chi = params[COULOMB_CHI];
+  return 0.01 * (params[COULOMB_UR1] - (start[Z_1] - chi * start[Z_2])) / (1 - chi);
+}
+
+bool long_run_has_room(const double params[N_COULOMB], const double start[N_STATE]) {
+  const double decades = 1e4;
+  return long_run_reach(params, start) >= decades * ROUNDING * scale_of(params, start);
+}
 
 /* What listens to one route. */
 struct listener {
@@ -92,7 +107,7 @@ int long_run_make(struct long_run *run, const double params[N_COULOMB], const do
                   double duration, double displaced, slong prec) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct num_vec kept;
-  *run = (struct long_run){.scale = fabs(start[Z_1]) + fabs(start[Z_2]) + params[COULOMB_V]};
+  *run = (struct long_run){.scale = scale_of(params, start), .reach = INFINITY, .from = {start[Z_1], start[Z_2]}};
   plan.returns = returns;
   plan.duration = duration;
   plan.max_events = MOST_EVENTS;
@@ -160,12 +175,18 @@ static double slope(const struct long_run *run, struct long_pair p, long first, 
   return top / bottom;
 }
 
+/* Above rounding, below saturation, and where the orbit's own multiplier holds. */
+static bool is_linear(const struct long_run *run, struct long_pair p, long i) {
+  const struct long_return *b = &run->at[p.b][i];
+  double apart = long_run_apart(run, p, i), away = fmax(fabs(b->x[0] - run->from[0]), fabs(b->x[1] - run->from[1]));
+  return apart >= ROUNDING * run->scale && apart <= SATURATED * run->scale && fmax(apart, away) <= run->reach;
+}
+
 bool long_run_growth(struct long_growth *growth, const struct long_run *run, struct long_pair p) {
   enum { FEWEST = 3 };
   long n = long_run_length(run, p), first = 0;
   for (long i = 1; i <= n + 1; i++) {
-    double d = i <= n ? long_run_apart(run, p, i - 1) / run->scale : 0;
-    if (d >= 1e-11 && d <= 1e-6) {
+    if (i <= n && is_linear(run, p, i - 1)) {
       if (first == 0) first = i;
     } else if (first > 0 && i - first >= FEWEST) {
       *growth = (struct long_growth){first, i - 1, slope(run, p, first, i - 1)};
@@ -181,7 +202,7 @@ bool long_run_displaced(struct long_growth *growth, const double params[N_COULOM
                         double multiplier, double duration) {
   enum { RETURNS = 64 };
   struct long_run run;
-  double scale = fabs(start[Z_1]) + fabs(start[Z_2]) + params[COULOMB_V];
+  double scale = scale_of(params, start);
   double displaced = ldexp(scale, fabs(multiplier) < 1 ? -21 : -34);
   bool ok = long_run_make(&run, params, start, RETURNS, duration, displaced, 0) != SS_DOMAIN &&
             long_run_growth(growth, &run, (struct long_pair){LONG_ODE, LONG_CLOSED});

@@ -30,8 +30,17 @@ struct long_run {
   struct long_return *at[N_LONG_ROUTES];
   long n[N_LONG_ROUTES];
   enum coulomb_end end[N_LONG_ROUTES];
-  double scale; /* |x_1| + |x_2| + V of the start */
+  double from[2], scale; /* x_1 and x_2 of the start, and |x_1| + |x_2| + V */
+  double
+      reach; /* how far from the start's positions the start's own multiplier holds; infinite until the caller knows */
 };
+
+/* The start of an orbit: displaced by V t_a = (u_r1 - f_1)/(1 - chi) the masses would not stick, and its derivative
+   tells of displacements that are small against that: a hundredth. */
+double long_run_reach(const double params[N_COULOMB], const double start[N_STATE]);
+/* Whether that leaves a growth four decades above rounding.  Positions have the size 1/(1 - chi), and their rounding
+   with them: near chi = 1 it does not. */
+bool long_run_has_room(const double params[N_COULOMB], const double start[N_STATE]);
 
 /* Runs the three routes over the given number of returns, or for the given time (finite) where they do not come.  The
    ODE route starts further in x_1 by displaced; with prec 0 MPFR is left out.  SS_DOMAIN outside the domain of
@@ -53,7 +62,8 @@ long long_run_parting(const struct long_run *run, struct long_pair p, double by)
 
 /* The growth of that distance from one return to the next: the slope of its logarithm, by least squares over the first
    stretch of at least three returns on which it keeps between 1e-11 and 1e-6 of the scale, above rounding and below
-   saturation.  false when there is no such stretch. */
+   saturation, and on which it and the second route's distance from the start keep within reach.  false when there is no
+   such stretch. */
 struct long_growth {
   long first, last; /* returns, from 1 */
   double log;

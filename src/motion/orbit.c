@@ -271,10 +271,11 @@ int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double
   arb_set_d(s.x[1], tc);
   s.up = up;
   s.grazing = false;
-  *first = TRUTH_UNKNOWN;
+  truth proved = TRUTH_UNKNOWN;
   long raises;
   int status = solve(&s, params, plan(params, tb, tc, up, prec));
-  if (!status) status = finish(o, first, &raises, params, &s, prec, lim);
+  if (!status) status = finish(o, &proved, &raises, params, &s, prec, lim);
+  if (first) *first = proved;
   solution_clear(&s);
   return status;
 }

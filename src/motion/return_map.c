@@ -224,6 +224,6 @@ int dyn_return_map_d(double *r_out, double *slope, double t[4], const double par
   if (status) return status;
   *r_out = x.r_end;
   if (slope) *slope = x.slope;
-  for (int i = 0; i < N_PHASES; i++) t[i] = x.t[i];
+  if (t) memcpy(t, x.t, sizeof x.t);
   return SS_OK;
 }

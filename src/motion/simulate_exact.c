@@ -216,7 +216,7 @@ static void exact_signs(void *self, struct coulomb_signs *s) {
     s->excess[i] = sign_of(c, calc_sub(c, calc_abs(c, f), e->p[COULOMB_UR1 + i]), e->tol);
   }
   val lead = calc_sub(c, e->law.gap, calc_mul(c, e->p[COULOMB_CHI], element(&e->now, P_1 + 1)));
-  s->lead = sign_of(c, lead, e->tol);
+  s->lead = s->speed[1] == 0 ? 1 : sign_of(c, lead, e->tol); /* chi V < V */
   s->drag = sign_of(c, calc_add(c, element(&e->now, F_1 + 1), e->p[COULOMB_US2]), e->tol);
   calc_release(c, mark);
 }
@@ -303,7 +303,7 @@ int coulomb_simulate_exact(struct coulomb_result *result, struct num_vec *end, c
   exact_begin(&e, params, start);
   struct coulomb_run run = {.plan = plan, .sink = sink, .result = result};
   run.route = (struct route){&e, exact_signs, exact_move, exact_row, exact_time};
-  for (int i = 0; i < 2; i++) run.us[i] = p[COULOMB_US1 + i];
+  run_init(&run, p, as_double(&e.c, e.tol));
   int status = run_all(&run);
   for (int i = 0; end && i < N_STATE; i++) end->ctx.type->set(num_vec_at(end, i), num_vec_at(&e.row, 1 + i));
   calc_clear(&e.c);

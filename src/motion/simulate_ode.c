@@ -5,6 +5,7 @@
    extrapolated.  Each condition is a margin that is negative while it holds; its derivatives follow from the equations,
    their bounds from the state, and a stretch is halved until the bounds show that the margin has no root in it, or at
    most one. */
+#include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
@@ -103,7 +104,12 @@ struct bounds {
   double second, third;
 };
 
+static bool both_stick(const struct ode *o) {
+  return o->mode[0] == MODE_STICK && o->mode[1] == MODE_STICK;
+}
+
 static struct bounds step_bounds(const struct ode *o, int mass, double h) {
+  if (both_stick(o)) return (struct bounds){0, 0}; /* straight, however long the step */
   double a[2], chi = o->p[COULOMB_CHI], change[2] = {2, 2 * chi * o->p[COULOMB_ETA]};
   accelerations(a, o, o->step_from);
   double speed = fmax(fabs(o->step_from[DZ_1]), fabs(o->step_from[DZ_2])), rate = fmax(fabs(a[0]), fabs(a[1]));
@@ -215,7 +221,6 @@ static void ode_signs(void *self, struct coulomb_signs *s) {
   struct ode *o = self;
   double f[2], belt = o->p[COULOMB_V];
   forces(f, o->p, o->y);
-  s->lead = sign(belt - o->p[COULOMB_CHI] * o->y[DZ_2], o->tol);
   s->drag = sign(f[1] + o->p[COULOMB_US2], o->tol);
   for (int i = 0; i < 2; i++) {
     s->speed[i] = sign(o->y[DZ_1 + i] - belt, o->tol);
@@ -223,6 +228,7 @@ static void ode_signs(void *self, struct coulomb_signs *s) {
     s->pull[i] = sign(f[i], 0);
     s->excess[i] = sign(fabs(f[i]) - o->p[COULOMB_UR1 + i], o->tol);
   }
+  s->lead = s->speed[1] == 0 ? 1 : sign(belt - o->p[COULOMB_CHI] * o->y[DZ_2], o->tol); /* chi V < V */
 }
 
 static bool all_finite(const double y[N_STATE]) {
@@ -246,7 +252,8 @@ static enum move ode_move(void *self, struct coulomb_run *run) {
   o->since = 0;
   gsl_odeiv2_evolve_reset(o->evolve);
   for (;;) {
-    double to = fmin(o->since + o->longest, duration - o->began), s;
+    double longest = both_stick(o) ? fmax(o->longest, o->since) : o->longest;
+    double to = fmin(o->since + longest, duration - o->began), s;
     if (!(to > o->since)) {
       o->began = duration;
       o->since = 0;
@@ -271,26 +278,35 @@ static enum move ode_move(void *self, struct coulomb_run *run) {
   }
 }
 
+static double size_of(const double params[N_COULOMB], const double start[N_STATE]) {
+  double size = params[COULOMB_V] + params[COULOMB_UR1] + params[COULOMB_UR2];
+  for (int i = 0; i < N_STATE; i++) size += fabs(start[i]);
+  return size;
+}
+
+double coulomb_event_floor(const double params[N_COULOMB], const double start[N_STATE]) {
+  double tol = 4 * coulomb_plan_default.tolerance * size_of(params, start);
+  return tol / ((1 - params[COULOMB_CHI]) * params[COULOMB_V]);
+}
+
 int coulomb_simulate_ode(struct coulomb_result *result, const double params[N_COULOMB], const double start[N_STATE],
                          const struct coulomb_plan *plan, const struct coulomb_sink *sink) {
   *result = (struct coulomb_result){.end = COULOMB_FAILED};
   if (!run_domain(params, start, plan) || !(plan->tolerance >= 1e-13 && plan->tolerance <= 1e-3)) return SS_DOMAIN;
   struct ode o = {.p = params};
-  double size = params[COULOMB_V] + params[COULOMB_UR1] + params[COULOMB_UR2];
-  for (int i = 0; i < N_STATE; i++) {
-    o.y[i] = start[i];
-    size += fabs(start[i]);
-  }
+  double size = size_of(params, start);
+  memcpy(o.y, start, sizeof o.y);
   o.tol = 4 * plan->tolerance * size;
   o.longest = 0.5 / sqrt(1 + params[COULOMB_CHI] * params[COULOMB_ETA]);
   o.hint = o.longest / 8;
   o.system = (gsl_odeiv2_system){right_side, NULL, N_STATE, &o};
   o.step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, N_STATE);
-  o.control = gsl_odeiv2_control_standard_new(plan->tolerance * params[COULOMB_V], plan->tolerance, 1, 0);
+  double least = fmax(plan->tolerance * params[COULOMB_V], 2 * DBL_EPSILON * size); /* no step can do better */
+  o.control = gsl_odeiv2_control_standard_new(least, plan->tolerance, 1, 0);
   o.evolve = gsl_odeiv2_evolve_alloc(N_STATE);
   struct coulomb_run run = {.plan = plan, .sink = sink, .result = result};
   run.route = (struct route){&o, ode_signs, ode_move, ode_row, ode_time};
-  for (int i = 0; i < 2; i++) run.us[i] = params[COULOMB_US1 + i];
+  run_init(&run, params, o.tol);
   int status = run_all(&run);
   gsl_odeiv2_evolve_free(o.evolve);
   gsl_odeiv2_control_free(o.control);

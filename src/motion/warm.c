@@ -148,7 +148,8 @@ int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure
   struct slip k;
   struct point x;
   struct verdicts v = {0, 0};
-  *violations = *unsure = 0;
+  if (violations) *violations = 0;
+  if (unsure) *unsure = 0;
   if (!slip_init(&k, params)) return SS_DOMAIN;
   if (!(converge(&x, &k, guess) && polish(out, params, x.tb, x.tc))) return SS_UNABLE;
   /* before the first crest of the rise z_1' < V in phase Gamma, and t_b is a first root */
@@ -161,7 +162,7 @@ int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure
   judge(&v, COND_H_V2, slow);
   judge(&v, COND_C_V2, x.n.q < 0 ? TRUTH_TRUE : TRUTH_FALSE);
   judge(&v, COND_C_W, exceeds(k.e1 - most_force(&k, &x, wf, out[DYN_OUT_TD]), SLIP_DOUBT * force));
-  *violations = v.broken;
-  *unsure = v.open;
+  if (violations) *violations = v.broken;
+  if (unsure) *unsure = v.open;
   return SS_OK;
 }

@@ -52,8 +52,13 @@ static double periods_to_part(double multiplier) {
 }
 
 /* Why nothing can be measured at this multiplier; NULL when it can. */
-static const char *hopeless(double multiplier) {
+static const char *hopeless(const struct coulomb_setup *sim) {
   enum { MOST_PERIODS = 1500 };
+  double multiplier = sim->trace;
+  if (!long_run_has_room(sim->params, sim->start))
+    return "between the rounding of positions, which grow as 1/(1 - chi), and the length of the stick phase there is "
+           "no "
+           "room for a growth to show";
   if (fabs(multiplier) < 0.1) return "a displacement is gone before its rate can be measured";
   return fabs(periods_to_part(multiplier)) > MOST_PERIODS ? "tr J is too near to 1 or -1 for a growth to show" : NULL;
 }
@@ -64,6 +69,7 @@ static void run_beside(struct long_result *r, const struct coulomb_setup *sim) {
   struct long_growth g;
   double duration = SLACK * (double)r->periods * sim->period;
   int status = long_run_make(&run, sim->params, sim->start, r->periods, duration, 0, BITS);
+  run.reach = long_run_reach(sim->params, sim->start);
   r->obeys = status != SS_DOMAIN && obeys(&run, sim->trace, r);
   bool grows = long_run_displaced(&g, sim->params, sim->start, sim->trace, duration);
   r->machine_displaced = grows ? exp(g.log) : (double)NAN;
@@ -76,7 +82,7 @@ static void add_run(struct judge *j, const fmpq params[N_PARAMS], const struct d
   struct audit_result *out = j->out;
   struct coulomb_setup sim;
   int status = coulomb_setup_on_orbit(&sim, params, o, OWN_FRICTION);
-  const char *why = status ? "Coulomb's law does not follow it" : hopeless(sim.trace);
+  const char *why = status ? "Coulomb's law does not follow it" : hopeless(&sim);
   if (why) {
     audit_leave_out(out, result_str(out, "long runs beside %s", name), why);
     return;

@@ -320,6 +320,27 @@ static int (*const compute[N_ROUTE_ROWS])(arb_ptr out, struct study *s) = {
     [ROUTE_J_SYSTEM] = jacobian_system,
 };
 
+/* What the integration's rounding must cost here, by the start alone, whatever the route finds: of times, relative to
+   the longest; of the Jacobian, to its largest entry.  0 for other routes. */
+static double floor_of(const struct study *s, enum route_row row) {
+  struct coulomb_setup sim;
+  if (row != ROUTE_E_INTEGRATION && row != ROUTE_J_INTEGRATION) return 0;
+  if (coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION)) return 0;
+  return row == ROUTE_J_INTEGRATION ? coulomb_return_jacobian_floor(sim.params, sim.start)
+                                    : coulomb_event_floor(sim.params, sim.start) / fmax(1, sim.period);
+}
+
+/* Left out where that is more than half of the digits that the route states. */
+static bool out_of_reach(struct study *s, enum route_row row) {
+  struct text what;
+  if (floor_of(s, row) <= pow(10, -0.5 * route_table[row].digits)) return false;
+  text_init(&what);
+  text_printf(&what, "the %s by integration at ", route_quantity_name[route_table[row].quantity]);
+  point_print(&what, &s->site.p);
+  audit_leave_out(s->j->out, result_take(s->j->out, &what), "rounding would leave it fewer than half of its digits");
+  return true;
+}
+
 /* Coulomb's law follows an orbit only where it breaks no condition, and the engine for any system knows orbits alone; the
    paper's formulas may be beyond reading. */
 static bool applies(const struct study *s, enum route_row row) {
@@ -393,8 +414,11 @@ static void compare_at(struct study *s, enum route_quantity q) {
   bool asked[N_ROUTE_ROWS];
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
     asked[i] = route_table[i].quantity == q && applies(s, (enum route_row)i);
+    asked[i] = asked[i] && !out_of_reach(s, (enum route_row)i);
     if (asked[i]) status[i] = compute[i](value + i * MOST_ENTRIES, s);
     if (asked[i]) own[i] = take_estimate(value + i * MOST_ENTRIES, entries[q], (enum route_row)i);
+    if (asked[i] && i == ROUTE_E_INTEGRATION)
+      own[i] = log2(floor_of(s, ROUTE_E_INTEGRATION) * fmax(1, num_arb.get_d(s->site.orbit->period)));
   }
   for (int i = 0; i < N_ROUTE_ROWS; i++)
     for (int k = i + 1; k < N_ROUTE_ROWS; k++) {
