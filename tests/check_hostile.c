@@ -407,6 +407,17 @@ static bool make_text(struct text *out, const char *recipe, const struct place *
     text_add_n(out, p->good, strlen(p->good) - 1);
   } else if (strcmp(recipe, "crlf") == 0) {
     for (const char *c = p->good; *c; c++) text_printf(out, *c == '\n' ? "\r%c" : "%c", *c);
+  } else if (strcmp(recipe, "cr") == 0) {
+    for (const char *c = p->good; *c; c++) text_add_char(out, *c == '\n' ? '\r' : *c);
+  } else if (strcmp(recipe, "escape") == 0) {
+    text_printf(out, "# \x1B[2J\n%s", p->good);
+  } else if (strcmp(recipe, "c1") == 0) {
+    text_printf(out,
+                "# \xC2\x9B"
+                "2J\n%s",
+                p->good);
+  } else if (strcmp(recipe, "bidi") == 0) {
+    text_printf(out, "# \xE2\x80\xAE\n%s", p->good);
   } else if (strcmp(recipe, "bom") == 0) {
     text_printf(out, "\xEF\xBB\xBF%s", p->good);
   } else {
