@@ -3,6 +3,7 @@
    its sentences are those of the roots, its numbers those of the result record. */
 #include <string.h>
 
+#include "escape.h"
 #include "finding.h"
 #include "report.h"
 #include "sheet.h"
@@ -371,7 +372,9 @@ static void write_sheet(const struct sheet *s, const struct audit_result *r) {
 
 void report_errata(struct text *out, const struct audit_result *r) {
   struct sheet s = {out, false};
+  size_t begin = out->len;
   write_sheet(&s, r);
+  escape_tags(out, begin);
 }
 
 void report_errata_tex(struct text *out, const struct audit_result *r) {
