@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -74,6 +75,7 @@ int main(int argc, char **argv) {
   signal(SIGABRT, on_abort);
   signal(SIGCHLD, SIG_DFL); /* a caller that ignores it would hide how processes end */
   own_memory();
+  atexit(files_settle);
   if (argc < 2) return name_the_commands();
   if (asks_for_help(argv[1])) return finish(help(argc - 2, argv + 2));
   if (strcmp(argv[1], "--version") == 0) {

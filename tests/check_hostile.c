@@ -623,6 +623,25 @@ START_TEST(a_full_disk) {
 }
 END_TEST
 
+/* What is asked for in a folder that is not there, fails, and leaves no folder. */
+START_TEST(a_new_folder_goes_again) {
+  static const char *const others[] = {"plot paper --out", "stability nosuch --quick --jobs 1 --out",
+                                       "bench --quick --job propagator --inputs"};
+  const char *words = _i < N_WRITING ? writing[_i].words : others[_i - N_WRITING];
+  if (_i < N_WRITING && !writing[_i].file) return;
+  struct job j;
+  job_init(&j, words);
+  add_word(&j, scratch_path("new/a//b"));
+  j.file_size = 600;
+  j.out = "/dev/null";
+  run(&j);
+  ck_assert_msg(j.status == 3, "%s: %d, %.600s", shown(&j), j.status, text_str(&j.err));
+  bool figure = access(scratch_path("new/a/b/propagator.svg"), F_OK) == 0; /* gnuplot's own */
+  ck_assert_msg(figure || access(scratch_path("new"), F_OK) != 0, "%s leaves a folder", shown(&j));
+  job_clear(&j);
+}
+END_TEST
+
 static bool can_preload(void) {
   return !SANITIZED && access(beside("faults.so"), R_OK) == 0;
 }
@@ -860,6 +879,7 @@ Suite *hostile_suite(void) {
   tcase_add_test(tc, a_difference_that_cannot_be_said);
   tcase_add_loop_test(tc, a_read_only_folder, 0, N_WRITING);
   tcase_add_loop_test(tc, a_full_disk, 0, N_WRITING);
+  tcase_add_loop_test(tc, a_new_folder_goes_again, 0, N_WRITING + 3);
   tcase_add_loop_test(tc, a_signal_while_files_are_written, 0, N_ENDINGS);
   tcase_add_loop_test(tc, a_signal_between_two_renames, 0, N_ENDINGS);
   suite_add_tcase(s, tc);

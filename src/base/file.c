@@ -132,6 +132,19 @@ int files_in_place(void) {
   return sets_in_place;
 }
 
+/* Folders that folder_make has made, in that order. */
+enum { MOST_MADE = 64 };
+static struct {
+  char *path[MOST_MADE];
+  volatile sig_atomic_t n;
+} made;
+
+static void remember_folder(const char *path) {
+  if (made.n == MOST_MADE) return;
+  made.path[made.n] = ss_strdup(path);
+  made.n++;
+}
+
 /* The folder knows, to the instruction, whether the first rename has happened. */
 void files_settle(void) {
   struct stat st;
@@ -142,6 +155,7 @@ void files_settle(void) {
     under_way.beside[i] = NULL;
   }
   if (forwards) sets_in_place++;
+  while (made.n > 0) rmdir(made.path[--made.n]); /* unless something is in it */
 }
 
 static void settle_and_end(int number) {
@@ -254,7 +268,11 @@ bool folder_make(const char *path, struct diag *d) {
   bool ok = true;
   for (const char *p = path; ok && *p; p++) {
     text_add_char(&t, *p);
-    if (*p != '/' && (p[1] == '/' || p[1] == '\0') && mkdir(t.data, 0777) != 0 && errno != EEXIST) ok = false;
+    if (*p == '/' || (p[1] != '/' && p[1] != '\0')) continue;
+    if (mkdir(t.data, 0777) == 0)
+      remember_folder(t.data);
+    else
+      ok = errno == EEXIST;
   }
   int err = errno;
   struct stat st;

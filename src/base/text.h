@@ -118,9 +118,9 @@ bool files_write(const struct file_item *item, int n, struct diag *d);
 /* The signals that end a run from outside: Ctrl-C, SIGTERM, SIGHUP, and the clock. */
 enum { N_ENDING_SIGNALS = 4 };
 extern const int ending_signals[N_ENDING_SIGNALS];
-/* For handlers of signals that end the process: what files_write was about is undone, or brought to its end when the
-   first file stands in its place already, so that files are all old or all new and no temporary one stays.  Where a
-   signal has no handler, files_write sees to it. */
+/* For the end of the process, handlers of signals too: what files_write was about is undone, or brought to its end when
+   the first file stands in its place already, so that files are all old or all new and no temporary one stays; nor a
+   folder that folder_make has made for nothing.  Where a signal has no handler, files_write sees to it. */
 void files_settle(void);
 /* How often, in this process, files_write or files_settle has put all files of a call in their places. */
 int files_in_place(void);
