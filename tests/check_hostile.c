@@ -588,7 +588,7 @@ static void old_one_stays(const struct job *j, int i, const char *path) {
   snprintf(folder, sizeof folder, "out%d", i);
   list = scratch_list(scratch_path(folder));
   text_reset(&t);
-  text_printf(&t, "%s %s.part", name, name);
+  text_printf(&t, "%s %s.part %s.part.sum", name, name, name);
   bool part = strcmp(j->argv[1], "sweep") == 0 && strcmp(list, text_str(&t)) == 0;
   text_reset(&t);
   text_printf(&t, "%s propagator.svg", name); /* gnuplot's own, before the report */
