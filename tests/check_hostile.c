@@ -726,6 +726,23 @@ END_TEST
 
 /* --- Memory that ends --- */
 
+/* A stack that cannot be had is said; one that can is taken. */
+START_TEST(a_small_stack) {
+  int status;
+  if (SANITIZED) return;
+  char *out = shell_output(&status, "ulimit -c 0; ulimit -s 64; exec %s verify --only eq-3 --out %s 2>&1", program(),
+                           scratch_path("r"));
+  ck_assert_msg(status == 5 && strncmp(out, "stickslip: error: the stack is too small", 40) == 0 &&
+                    strchr(out, '\n')[1] == '\0',
+                "%d: %s", status, out);
+  free(out);
+  out = shell_output(&status, "ulimit -c 0; ulimit -S -s 64; exec %s verify --only eq-3 --out %s 2>&1", program(),
+                     scratch_path("r"));
+  ck_assert_msg(status == 0, "%d: %s", status, out);
+  free(out);
+}
+END_TEST
+
 static const char *const allocating[] = {
     "list",
     "check verify/errata.eq verify/claims/1-model.claim verify/scenes/paper.scene",
@@ -880,6 +897,7 @@ Suite *hostile_suite(void) {
   tcase_add_loop_test(tc, a_read_only_folder, 0, N_WRITING);
   tcase_add_loop_test(tc, a_full_disk, 0, N_WRITING);
   tcase_add_loop_test(tc, a_new_folder_goes_again, 0, N_WRITING + 3);
+  tcase_add_test(tc, a_small_stack);
   tcase_add_loop_test(tc, a_signal_while_files_are_written, 0, N_ENDINGS);
   tcase_add_loop_test(tc, a_signal_between_two_renames, 0, N_ENDINGS);
   suite_add_tcase(s, tc);
