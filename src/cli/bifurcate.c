@@ -31,15 +31,10 @@ static const char *ending_word(enum dyn_branch_end end, enum dyn_change change) 
 /* --- JSON --- */
 
 static void json_known(struct json *j, const char *key, const arb_t x, slong digits) {
-  struct text t;
-  text_init(&t);
-  if (arb_is_finite(x) && (arb_is_exact(x) || arb_rel_accuracy_bits(x) > 4)) {
-    print_known(&t, x, digits);
-    json_string(j, key, text_str(&t));
-  } else {
+  if (arb_is_finite(x) && (arb_is_exact(x) || arb_rel_accuracy_bits(x) > 4))
+    json_number(j, key, x, digits);
+  else
     json_null(j, key);
-  }
-  text_clear(&t);
 }
 
 static void print_end(struct text *out, const fmpq_t q, slong digits) {

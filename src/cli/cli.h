@@ -155,6 +155,8 @@ bool load_model(struct model *m, const char *data, const struct options *o, stru
 
 /* As many of the digits as are known; a ball in which not even the first is: 0. */
 void print_known(struct text *out, const arb_struct *x, slong digits);
+/* The same as a member or, without a key, an element. */
+void json_number(struct json *j, const char *key, const arb_struct *x, slong digits);
 /* The radius to two digits, rounded up; 0 when it is. */
 void print_accuracy(struct text *out, const arb_struct *worst);
 /* "orbit:2" or "printed". */

@@ -192,14 +192,6 @@ static void add_eigenvalues(struct text *out, const struct jacobian_phases *p, s
 
 /* --- JSON --- */
 
-static void json_number(struct json *w, const char *key, const arb_struct *x, slong digits) {
-  struct text t;
-  text_init(&t);
-  print_known(&t, x, digits);
-  json_string(w, key, text_str(&t));
-  text_clear(&t);
-}
-
 static void json_accuracy(struct json *w, const char *key, const arb_struct *worst) {
   struct text t;
   text_init(&t);

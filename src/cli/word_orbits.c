@@ -15,14 +15,6 @@ slong word_bits(slong digits) {
 
 /* --- Numbers. --- */
 
-static void json_number(struct json *j, const char *key, arb_srcptr x, slong digits) {
-  struct text t;
-  text_init(&t);
-  print_known(&t, x, digits);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
-}
-
 static void largest_radius(arb_t worst, const struct word_orbit *o) {
   mag_t most;
   mag_init(most);

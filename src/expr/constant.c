@@ -6,6 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+bool constant_is_given(const struct stmt *s) {
+  return s->kind == STMT_RELATION && s->n_sides == 2 && s->ops[0] == REL_EQ && s->sides[0]->kind == EXPR_SYM &&
+         !s->range_var;
+}
+
 bool constant_complain(const struct constant *c, const struct expr *e, const char *what) {
   diag_at(c->d, c->src, e->span.begin, "%s", what);
   return false;

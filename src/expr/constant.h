@@ -20,6 +20,8 @@ struct constant {
   const char *names; /* what names stand for, "the scene's other parameters" */
   void *arg;
 };
+/* Is the statement NAME = VALUE, without a range? */
+bool constant_is_given(const struct stmt *s);
 bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e);
 /* Reports at the expression; false. */
 bool constant_complain(const struct constant *c, const struct expr *e, const char *what);

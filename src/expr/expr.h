@@ -123,6 +123,8 @@ void stmt_print(struct text *out, const struct stmt *s);
    the relations alone: without its range and without sides that are first_order(...); "name = ..." of a definition. */
 void expr_plain(struct text *out, const struct expr *e);
 void stmt_plain(struct text *out, const struct stmt *s);
+/* The literal 0, perhaps in parentheses. */
+bool expr_is_zero(const struct expr *e);
 /* Equality of shape, names and literals; places do not count. */
 bool expr_same(const struct expr *a, const struct expr *b);
 /* The same of two nodes, apart from their operands. */

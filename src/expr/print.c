@@ -297,6 +297,11 @@ bool expr_same_node(const struct expr *a, const struct expr *b) {
          !memcmp(a->index_range, b->index_range, sizeof a->index_range) && a->n_args == b->n_args;
 }
 
+bool expr_is_zero(const struct expr *e) {
+  while (e->kind == EXPR_PAREN) e = e->args[0];
+  return e->kind == EXPR_NUM && strcmp(e->name, "0") == 0;
+}
+
 /* Pairs still to be compared are on the heap.  Shared nodes are passed over when both sides share them. */
 bool expr_same(const struct expr *a, const struct expr *b) {
   const struct expr **todo = NULL;

@@ -56,49 +56,60 @@ static void value_of(arb_t z, const arb_mat_t row, const arb_mat_t y, slong prec
   arb_dot(z, NULL, 0, row->entries, 1, y->entries, 1, arb_mat_ncols(row), prec);
 }
 
+/* Negative: the condition holds. */
+static truth by_sign(const arb_t g) {
+  return arb_is_negative(g) ? TRUTH_TRUE : arb_is_positive(g) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
+/* The bounds of a condition on a step: g, g' at its start and g'' on it; g' on it, (g - g(a))/s and g on it. */
+struct bounds {
+  arb_t g, rate, curve, slope, quotient, range;
+};
+
+static void bounds_make(struct bounds *b, const struct march *m, const struct watch *w, const arb_mat_t along) {
+  slong prec = m->e->prec;
+  arb_ptr all[] = {b->g, b->rate, b->curve, b->slope, b->quotient, b->range};
+  arb_t s;
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_init(all[i]);
+  arb_init(s);
+  value_of(b->g, w->row[0], m->y, prec);
+  value_of(b->rate, w->row[1], m->y, prec);
+  value_of(b->curve, w->row[2], along, prec);
+  up_to(s, m->step);
+  arb_mul(b->quotient, b->curve, s, prec);
+  arb_add(b->slope, b->quotient, b->rate, prec);
+  arb_mul_2exp_si(b->quotient, b->quotient, -1);
+  arb_add(b->quotient, b->quotient, b->rate, prec);
+  arb_mul(b->range, b->quotient, s, prec);
+  arb_add(b->range, b->range, b->g, prec);
+  arb_clear(s);
+}
+
+static void bounds_clear(struct bounds *b) {
+  arb_ptr all[] = {b->g, b->rate, b->curve, b->slope, b->quotient, b->range};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_clear(all[i]);
+}
+
 /* One condition on the step: TRUTH_TRUE: it holds on it; FALSE: it is broken at one of its ends; UNKNOWN: neither is shown.
    after: the state at the end of the step, or NULL where the phase may end before. */
 static truth on_step(const struct march *m, const struct watch *w, const arb_mat_t along, const arb_mat_struct *after,
                      bool last) {
-  slong prec = m->e->prec;
-  bool first = arb_is_zero(m->at);
-  truth out = TRUTH_UNKNOWN;
-  arb_t g[3], s, slope;
-  for (int i = 0; i < 3; i++) {
-    arb_init(g[i]);
-    value_of(g[i], w->row[i], i < 2 ? m->y : along, prec);
-  }
-  arb_init(s);
-  arb_init(slope);
-  up_to(s, m->step);
-  arb_mul(slope, g[2], s, prec);
-  arb_mul_2exp_si(g[2], g[2], -1);
-  int zeros = first ? w->zeros : 0;
-  if (zeros == 2) {
-    out = arb_is_negative(g[2]) ? TRUTH_TRUE : arb_is_positive(g[2]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-  } else {
-    arb_add(slope, slope, g[1], prec); /* g' on the step */
-    arb_t range;
-    arb_init(range);
-    arb_mul(range, g[2], s, prec);
-    arb_add(range, range, g[1], prec); /* (g - g(a))/s */
-    if (zeros == 1) {
-      out = arb_is_negative(range) ? TRUTH_TRUE : arb_is_positive(g[1]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-    } else {
-      arb_mul(range, range, s, prec);
-      arb_add(range, range, g[0], prec);
-      bool meets = last && w->fact->ends && arb_is_positive(slope);
-      out = meets || arb_is_negative(range) ? TRUTH_TRUE : arb_is_positive(g[0]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-    }
-    arb_clear(range);
-  }
+  struct bounds b;
+  bounds_make(&b, m, w, along);
+  int zeros = arb_is_zero(m->at) ? w->zeros : 0;
+  bool meets = zeros == 0 && last && w->fact->ends && arb_is_positive(b.slope);
+  truth out;
+  if (zeros == 2)
+    out = by_sign(b.curve);
+  else if (meets || arb_is_negative(zeros ? b.quotient : b.range))
+    out = TRUTH_TRUE;
+  else
+    out = arb_is_positive(zeros ? b.rate : b.g) ? TRUTH_FALSE : TRUTH_UNKNOWN;
   if (out == TRUTH_UNKNOWN && after) {
-    value_of(s, w->row[0], after, prec);
-    if (arb_is_positive(s)) out = TRUTH_FALSE;
+    value_of(b.g, w->row[0], after, m->e->prec);
+    if (arb_is_positive(b.g)) out = TRUTH_FALSE;
   }
-  arb_clear(slope);
-  arb_clear(s);
-  for (int i = 0; i < 3; i++) arb_clear(g[i]);
+  bounds_clear(&b);
   return out;
 }
 
@@ -225,9 +236,7 @@ static void judge_passing(struct mech_orbit *o, const struct mech_equations *e, 
   mech_condition(row, e->m, mass, 's', next[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER);
   arb_mat_set_fmpq_mat(c, row, e->prec);
   value_of(g, c, e->state[phase + 1], e->prec);
-  add_fact(o, phase, mass, MECH_BEYOND)->holds = arb_is_positive(g)   ? TRUTH_TRUE
-                                                 : arb_is_negative(g) ? TRUTH_FALSE
-                                                                      : TRUTH_UNKNOWN;
+  add_fact(o, phase, mass, MECH_BEYOND)->holds = truth_not(by_sign(g));
   arb_mat_clear(c);
   fmpq_mat_clear(row);
   arb_clear(g);

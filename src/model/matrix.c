@@ -42,18 +42,12 @@ static struct matrix matrix_zeros(struct elaboration *el, int rows, int cols) {
   return m;
 }
 
-/* The literal 0 as written: it takes whatever shape its neighbours have. */
-static bool is_zero_literal(const struct expr *e) {
-  while (e->kind == EXPR_PAREN) e = e->args[0];
-  return e->kind == EXPR_NUM && strcmp(e->name, "0") == 0;
-}
-
-/* Gives a literal zero on one side the shape of the other. */
+/* Gives a literal zero on one side the shape of the other: as written it has none of its own. */
 void matrix_shape_zero(struct matrix *a, struct matrix *b, struct elaboration *el, const struct expr *ta,
                        const struct expr *tb) {
-  if (is_zero_literal(ta) && !matrix_is_scalar(b))
+  if (expr_is_zero(ta) && !matrix_is_scalar(b))
     *a = matrix_zeros(el, b->rows, b->cols);
-  else if (is_zero_literal(tb) && !matrix_is_scalar(a))
+  else if (expr_is_zero(tb) && !matrix_is_scalar(a))
     *b = matrix_zeros(el, a->rows, a->cols);
 }
 
@@ -229,7 +223,7 @@ static bool block_shape(int *height, int *width, const struct matrix *block, con
     for (int j = 0; j < e->cols; j++) {
       const struct matrix *b = &block[i * e->cols + j];
       const struct expr *tree = e->args[i * e->cols + j];
-      if (is_zero_literal(tree)) continue;
+      if (expr_is_zero(tree)) continue;
       if ((height[i] && height[i] != b->rows) || (width[j] && width[j] != b->cols))
         return form_mistake(sc, tree, d, "a block that does not fit its row or column", b, NULL);
       height[i] = b->rows;
@@ -257,7 +251,7 @@ bool matrix_of_blocks(struct matrix *out, const struct matrix *block, struct ela
     int left = 0;
     for (int j = 0; j < e->cols; left += width[j++]) {
       const struct matrix *b = &block[i * e->cols + j];
-      if (is_zero_literal(e->args[i * e->cols + j])) continue;
+      if (expr_is_zero(e->args[i * e->cols + j])) continue;
       for (int k = 0; k < b->rows; k++)
         for (int l = 0; l < b->cols; l++) out->e[(top + k) * cols + left + l] = matrix_at(b, k, l);
     }

@@ -151,19 +151,15 @@ static bool mistake(const struct comparison *c, size_t typed, size_t tex, const 
   return false;
 }
 
-static bool is_zero(const struct expr *e) {
-  return e->kind == EXPR_NUM && strcmp(e->name, "0") == 0;
-}
-
 /* A matrix of zeros, which papers write 0 as a side of an equation. */
 static bool is_zero_matrix(const struct expr *e) {
   bool zero = e->kind == EXPR_MATRIX;
-  for (int i = 0; i < e->n_args; i++) zero = zero && is_zero(e->args[i]);
+  for (int i = 0; i < e->n_args; i++) zero = zero && expr_is_zero(e->args[i]);
   return zero;
 }
 
 static bool same_side(const struct comparison *c, const struct expr *typed, const struct expr *tex) {
-  if ((is_zero(tex) && is_zero_matrix(typed)) || !find_difference(&typed, &tex)) return true;
+  if ((expr_is_zero(tex) && is_zero_matrix(typed)) || !find_difference(&typed, &tex)) return true;
   struct text here, there;
   text_init(&here);
   text_init(&there);

@@ -258,9 +258,7 @@ static int key_of(const char *name, size_t len) {
 /* NAME = value, without a range. */
 static const struct stmt *parse_parameter(struct reader *r, const struct source *src, struct span where) {
   const struct stmt *st = stmt_parse(&r->arena, src, where, r->d);
-  if (st && st->kind == STMT_RELATION && st->n_sides == 2 && st->ops[0] == REL_EQ && st->sides[0]->kind == EXPR_SYM &&
-      !st->range_var)
-    return st;
+  if (st && constant_is_given(st)) return st;
   diag_at(r->d, src, where.begin, "a scene line reads \"NAME = value\" or \"word: text\"");
   return NULL;
 }
