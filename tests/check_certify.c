@@ -129,8 +129,9 @@ enum { VERIFIED = 0, REJECTED = 1, BAD_FILE = 3 };
 
 static void verified(const struct study *s) {
   ck_assert_msg(checker(text_str(&s->json)) == VERIFIED, "%s", said);
-  char line[40];
-  snprintf(line, sizeof line, "verified: %ld orbit%s\n", (long)s->list.n, s->list.n == 1 ? "" : "s");
+  char line[80];
+  snprintf(line, sizeof line, "verified: %ld orbit%s; whether there are others is not checked\n", (long)s->list.n,
+           s->list.n == 1 ? "" : "s");
   ck_assert_str_eq(said, line);
 }
 
@@ -648,7 +649,68 @@ START_TEST(entries_are_different_orbits) {
 }
 END_TEST
 
+/* Sliding friction is positive: u_ri is, and above e_i; else nothing in the certificate is about the system. */
+START_TEST(static_friction_has_a_range) {
+  static const struct {
+    const char *u[2], *says;
+    int status;
+  } rows[] = {{{"3", "3"}, "verified: 2 orbits", VERIFIED},
+              {{"11/4", "3"}, "u_r1 is out of its range", REJECTED},
+              {{"6961/2500", "3"}, "u_r1 is out of its range", REJECTED},
+              {{"-1", "3"}, "u_r1 is out of its range", REJECTED},
+              {{"3", "8587/10000"}, "u_r2 is out of its range", REJECTED},
+              {{"3", "0"}, "u_r2 is out of its range", REJECTED}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct study s;
+    study_open(&s, paper_data, QUANTITY_E1, QUANTITY_E2, rows[i].u, 128);
+    int status = checker(text_str(&s.json));
+    ck_assert_msg(status == rows[i].status && strstr(said, rows[i].says), "%s, %s: %s", rows[i].u[0], rows[i].u[1],
+                  said);
+    study_close(&s);
+  }
+  static const char *const times[N_PARAMS] = {"0.8", "1", "1", "2", "1.5"}, *const u[2] = {"-1", "100"};
+  struct study s;
+  study_open(&s, times, QUANTITY_TB, QUANTITY_TC, u, 128);
+  ck_assert_msg(checker(text_str(&s.json)) == REJECTED && strstr(said, "u_r1 is out of its range"), "%s", said);
+  study_close(&s);
+}
+END_TEST
+
+/* Nobody takes the answer, or the memory ends: no verdict, and a status of its own. */
+START_TEST(no_answer) {
+  struct study s;
+  study_paper(&s);
+  const char *path = scratch_put("certificate.json", text_str(&s.json));
+  static const char *const out[] = {"> /dev/full", ">&-"};
+  int status;
+  for (int i = 0; i < 2; i++) {
+    char *text = shell_output(&status, "%s-checker '%s' 2>&1 %s", program(), path, out[i]);
+    ck_assert_msg(status == 4 && strstr(text, "standard output cannot be written"), "%s: %d %s", out[i], status, text);
+    free(text);
+  }
+#ifndef __SANITIZE_ADDRESS__ /* has memory of its own */
+  char *text = shell_output(
+      &status,
+      "for v in $(seq 15000 50 60000); do (ulimit -c 0; ulimit -v $v; exec %s-checker '%s' > /dev/null 2>&1);"
+      "s=$?; [ $s = 127 ] || echo $s; [ $s != 0 ] || break; done | uniq | tr '\\n' ' '",
+      program(), path);
+  ck_assert_str_eq(text, "4 0 ");
+  free(text);
+#endif
+  study_close(&s);
+}
+END_TEST
+
 /* --- Files that are no certificates --- */
+
+START_TEST(a_byte_order_mark_is_skipped) {
+  struct study s;
+  study_paper(&s);
+  ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF"), VERIFIED);
+  ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF\xEF\xBB\xBF"), BAD_FILE);
+  study_close(&s);
+}
+END_TEST
 
 START_TEST(bad_files) {
   struct study s;
@@ -822,6 +884,9 @@ Suite *certify_suite(void) {
   tcase_add_test(lies, later_events_are_no_orbits);
   tcase_add_test(lies, a_box_without_its_orbit_is_rejected);
   tcase_add_test(lies, entries_are_different_orbits);
+  tcase_add_test(lies, static_friction_has_a_range);
+  tcase_add_test(lies, no_answer);
+  tcase_add_test(lies, a_byte_order_mark_is_skipped);
   tcase_add_test(lies, bad_files);
   suite_add_tcase(s, proofs);
   suite_add_tcase(s, lies);

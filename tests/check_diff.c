@@ -34,7 +34,7 @@ START_TEST(what_json_is) {
                                      "{\n}",
                                      "[[],{}]",
                                      "{\"a\":1,\"b\":[1,2,3]}",
-                                     "\"\\u20aC\\\"\\\\\\/\\b\\f\\n\\r\\t\"",
+                                     "\"\\u20aC\\\"\\\\\\/\\n\\t\"",
                                      "\"\xe2\x82\xac\"",
                                      "\"\\ud834\\udd1e\"",
                                      "[1e999]",
@@ -88,6 +88,10 @@ START_TEST(what_json_is_not) {
              {"\"\\ud834\\u0041\"", "surrogate"},
              {"\"\\udd1e\"", "surrogate"},
              {"\"a\nb\"", "1:3: error: a control character"},
+             {"\"\\u001b[2J\"", "1:12: error: a control character"},
+             {"\"\\u009b2J\"", "a control character"},
+             {"\"\\u202e\"", "a control character"},
+             {"\"a\\rb\"", "a control character"},
              {"'a'", "a value"},
              {"[1] // x", "something follows"},
              {"\n\n  {\"a\": tru}", "3:9: error: a value"}};
@@ -294,9 +298,10 @@ START_TEST(what_is_no_audit) {
 END_TEST
 
 START_TEST(hostile_names_reach_no_terminal) {
-  const char *b = HEAD("") CLAIM("\\u001b[31m\\n", "pro\\u0007ved", "") "]}";
+  const char *b = HEAD("") CLAIM("[31m\\n", "pro\\tved", "") "]}";
   ck_assert_int_eq(diff(HEAD("") "]}", b, ""), 1);
-  ck_assert(printed("out", "added    ?[31m?: pro?ved\n"));
+  ck_assert(printed("out", "added    [31m?: pro?ved\n"));
+  ck_assert_int_eq(diff(HEAD("") "]}", HEAD("") CLAIM("\\u001b[31m", "proved", "") "]}", ""), 3);
 }
 END_TEST
 

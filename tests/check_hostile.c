@@ -407,6 +407,17 @@ static bool make_text(struct text *out, const char *recipe, const struct place *
     text_add_n(out, p->good, strlen(p->good) - 1);
   } else if (strcmp(recipe, "crlf") == 0) {
     for (const char *c = p->good; *c; c++) text_printf(out, *c == '\n' ? "\r%c" : "%c", *c);
+  } else if (strcmp(recipe, "cr") == 0) {
+    for (const char *c = p->good; *c; c++) text_add_char(out, *c == '\n' ? '\r' : *c);
+  } else if (strcmp(recipe, "escape") == 0) {
+    text_printf(out, "# \x1B[2J\n%s", p->good);
+  } else if (strcmp(recipe, "c1") == 0) {
+    text_printf(out,
+                "# \xC2\x9B"
+                "2J\n%s",
+                p->good);
+  } else if (strcmp(recipe, "bidi") == 0) {
+    text_printf(out, "# \xE2\x80\xAE\n%s", p->good);
   } else if (strcmp(recipe, "bom") == 0) {
     text_printf(out, "\xEF\xBB\xBF%s", p->good);
   } else {
@@ -577,7 +588,7 @@ static void old_one_stays(const struct job *j, int i, const char *path) {
   snprintf(folder, sizeof folder, "out%d", i);
   list = scratch_list(scratch_path(folder));
   text_reset(&t);
-  text_printf(&t, "%s %s.part", name, name);
+  text_printf(&t, "%s %s.part %s.part.sum", name, name, name);
   bool part = strcmp(j->argv[1], "sweep") == 0 && strcmp(list, text_str(&t)) == 0;
   text_reset(&t);
   text_printf(&t, "%s propagator.svg", name); /* gnuplot's own, before the report */
@@ -608,6 +619,25 @@ START_TEST(a_full_disk) {
   ck_assert_msg(j.status == 3 && strstr(text_str(&j.err), "File too large"), "%s: %d, %.600s", shown(&j), j.status,
                 text_str(&j.err));
   old_one_stays(&j, _i, path);
+  job_clear(&j);
+}
+END_TEST
+
+/* What is asked for in a folder that is not there, fails, and leaves no folder. */
+START_TEST(a_new_folder_goes_again) {
+  static const char *const others[] = {"plot paper --out", "stability nosuch --quick --jobs 1 --out",
+                                       "bench --quick --job propagator --inputs"};
+  const char *words = _i < N_WRITING ? writing[_i].words : others[_i - N_WRITING];
+  if (_i < N_WRITING && !writing[_i].file) return;
+  struct job j;
+  job_init(&j, words);
+  add_word(&j, scratch_path("new/a//b"));
+  j.file_size = 600;
+  j.out = "/dev/null";
+  run(&j);
+  ck_assert_msg(j.status == 3, "%s: %d, %.600s", shown(&j), j.status, text_str(&j.err));
+  bool figure = access(scratch_path("new/a/b/propagator.svg"), F_OK) == 0; /* gnuplot's own */
+  ck_assert_msg(figure || access(scratch_path("new"), F_OK) != 0, "%s leaves a folder", shown(&j));
   job_clear(&j);
 }
 END_TEST
@@ -695,6 +725,23 @@ START_TEST(a_signal_between_two_renames) {
 END_TEST
 
 /* --- Memory that ends --- */
+
+/* A stack that cannot be had is said; one that can is taken. */
+START_TEST(a_small_stack) {
+  int status;
+  if (SANITIZED) return;
+  char *out = shell_output(&status, "ulimit -c 0; ulimit -s 64; exec %s verify --only eq-3 --out %s 2>&1", program(),
+                           scratch_path("r"));
+  ck_assert_msg(status == 5 && strncmp(out, "stickslip: error: the stack is too small", 40) == 0 &&
+                    strchr(out, '\n')[1] == '\0',
+                "%d: %s", status, out);
+  free(out);
+  out = shell_output(&status, "ulimit -c 0; ulimit -S -s 64; exec %s verify --only eq-3 --out %s 2>&1", program(),
+                     scratch_path("r"));
+  ck_assert_msg(status == 0, "%d: %s", status, out);
+  free(out);
+}
+END_TEST
 
 static const char *const allocating[] = {
     "list",
@@ -849,6 +896,8 @@ Suite *hostile_suite(void) {
   tcase_add_test(tc, a_difference_that_cannot_be_said);
   tcase_add_loop_test(tc, a_read_only_folder, 0, N_WRITING);
   tcase_add_loop_test(tc, a_full_disk, 0, N_WRITING);
+  tcase_add_loop_test(tc, a_new_folder_goes_again, 0, N_WRITING + 3);
+  tcase_add_test(tc, a_small_stack);
   tcase_add_loop_test(tc, a_signal_while_files_are_written, 0, N_ENDINGS);
   tcase_add_loop_test(tc, a_signal_between_two_renames, 0, N_ENDINGS);
   suite_add_tcase(s, tc);

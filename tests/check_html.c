@@ -307,6 +307,13 @@ static void put(const char *name, void (*writer)(struct text *, const struct aud
   text_clear(&once);
 }
 
+static char *written(void (*writer)(struct text *, const struct audit_result *), const struct audit_result *r) {
+  struct text t;
+  text_init(&t);
+  writer(&t, r);
+  return t.data;
+}
+
 static void put_all(const struct audit_result *r) {
   put("audit.json", report_json, r);
   put("index.html", report_html, r);
@@ -442,6 +449,11 @@ START_TEST(nothing_quoted_breaks_a_page) {
                                       " ",
                                       "$ $",
                                       "$<script>$",
+                                      "<script>alert(1)</script>",
+                                      "<img src=x onerror=alert(1)>",
+                                      "`<b",
+                                      "<!-- a",
+                                      "<?a",
                                       "$\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}$",
                                       "$\\left. x \\right|$",
                                       "x_1 $x'_1$, y",
@@ -468,6 +480,12 @@ START_TEST(nothing_quoted_breaks_a_page) {
   hostile(&r, &t, traps, sizeof traps / sizeof *traps);
   put_all(&r);
   ck_assert_int_eq(check_folder(""), 0);
+  static const char *const html[] = {"<script", "<img", "<b", "<!", "<?", "</"};
+  char *pages[] = {written(report_markdown, &r), written(report_errata, &r)};
+  for (size_t i = 0; i < sizeof html / sizeof *html; i++)
+    for (size_t k = 0; k < 2; k++)
+      ck_assert_msg(!strstr(pages[k], html[i]), "%s: %s", html[i], strstr(pages[k], html[i]));
+  for (size_t k = 0; k < 2; k++) free(pages[k]);
 }
 END_TEST
 
@@ -512,13 +530,6 @@ END_TEST
 static struct finding small_finding(const char *id, enum verdict v, enum verdict recorded) {
   return (struct finding){
       .id = id, .section = "model", .title = id, .verdict = v, .reproduce = "again", .recorded = recorded};
-}
-
-static char *written(void (*writer)(struct text *, const struct audit_result *), const struct audit_result *r) {
-  struct text t;
-  text_init(&t);
-  writer(&t, r);
-  return t.data;
 }
 
 START_TEST(what_stands_where) {
@@ -741,6 +752,30 @@ START_TEST(csv_quotes) {
 }
 END_TEST
 
+/* A spreadsheet computes nothing, and numbers stay numbers. */
+START_TEST(csv_is_no_formula) {
+  static const char *const cells[][2] = {{"=1+2", "\"'=1+2\""},
+                                         {"@SUM(A1)", "\"'@SUM(A1)\""},
+                                         {"+cmd|' /C calc'!A0", "\"'+cmd|' /C calc'!A0\""},
+                                         {"-2+3+cmd|' /C calc'!A0", "\"'-2+3+cmd|' /C calc'!A0\""},
+                                         {"-HYPERLINK(A1)", "\"'-HYPERLINK(A1)\""},
+                                         {"-a.b(A1)", "\"'-a.b(A1)\""},
+                                         {"-1&\"x\"", "\"'-1&\"\"x\"\"\""},
+                                         {"-2.1958", "\"-2.1958\""},
+                                         {"+1e-3", "\"+1e-3\""},
+                                         {"-1 < \\left(t\\right) < 1", "\"-1 < \\left(t\\right) < 1\""},
+                                         {"-u_r1 < chi (x_2 - x_1)", "\"-u_r1 < chi (x_2 - x_1)\""},
+                                         {"a=1", "\"a=1\""}};
+  for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
+    struct text t;
+    text_init(&t);
+    escape_csv(&t, cells[i][0]);
+    ck_assert_str_eq(text_str(&t), cells[i][1]);
+    text_clear(&t);
+  }
+}
+END_TEST
+
 /* Boxes stand to the right of what they rest on, circles side by side. */
 START_TEST(levels_of_the_graph) {
   struct finding f[4];
@@ -786,6 +821,7 @@ Suite *html_suite(void) {
   tcase_add_test(c, what_is_asked_first);
   tcase_add_test(c, junit_fails_where_the_record_differs);
   tcase_add_test(c, csv_quotes);
+  tcase_add_test(c, csv_is_no_formula);
   tcase_add_test(c, levels_of_the_graph);
   suite_add_tcase(s, c);
   return s;

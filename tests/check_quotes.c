@@ -251,7 +251,7 @@ START_TEST(differences_are_told) {
       {"note.md", "s/^# /# * 7 /", 1,
        "8 pieces of quotations stand 1 token later than their places, from token 2 to token 179\n"},
       {"note.md", "s/(2)/(3)/", 1, "eq-2 tex: at token 179, but no equation (2) ends there\n"},
-      {"note.md", "s/state goes/stat\x1b goes/", 1, "stat>>?<< goes"},
+      {"note.md", "s/state goes/stat\x1b goes/", 3, "note.md:3:34: error: a control character (U+001B)"},
       {"claims/note.claim", "s/= 1 + t.$/&,./", 0, "quotations: 7 of 7 found"},
       {"claims/note.claim", "s/57-70/83-96/", 3, "rising from piece to piece; the quotation has 2 pieces"},
       /* the same words stand nearer than where all else has gone */

@@ -496,6 +496,18 @@ START_TEST(rows_say_what_was_found) {
 }
 END_TEST
 
+/* NAME.part and the sum over it, FNV-1a. */
+static void put_part(const char *name, const char *bytes, size_t len) {
+  char file[40], sum[60];
+  unsigned long long hash = 14695981039346656037ULL;
+  for (size_t i = 0; i < len; i++) hash = (hash ^ (unsigned char)bytes[i]) * 1099511628211ULL;
+  snprintf(file, sizeof file, "%s.part", name);
+  scratch_put_n(file, bytes, len);
+  snprintf(file, sizeof file, "%s.part.sum", name);
+  snprintf(sum, sizeof sum, "%zu %llx\n", len, hash);
+  scratch_put(file, sum);
+}
+
 /* Whatever an interrupted run left: nothing but the head, a cut row, a whole unit and more. */
 START_TEST(resumed_files_are_those_of_one_run) {
   size_t len;
@@ -505,9 +517,9 @@ START_TEST(resumed_files_are_those_of_one_run) {
   head += strcspn(whole + head + 1, "\n") + 2;
   const size_t cuts[] = {head, head + 1, head + 100, unit, unit + 1, unit + 3, len / 2, len - 1, len};
   for (size_t i = 0; i < sizeof cuts / sizeof *cuts; i++) {
-    scratch_put_n("cut.part", whole, cuts[i]);
-    shell_well("\"$P\" " PLANE
-               " --csv \"$D/cut\" --resume && cmp \"$D/whole\" \"$D/cut\" && test ! -e \"$D/cut.part\"");
+    put_part("cut", whole, cuts[i]);
+    shell_well("\"$P\" " PLANE " --csv \"$D/cut\" --resume && cmp \"$D/whole\" \"$D/cut\" && test ! -e \"$D/cut.part\" "
+               "&& test ! -e \"$D/cut.part.sum\"");
   }
   shell_well("\"$P\" " PLANE " --csv \"$D/fresh\" --resume && cmp \"$D/whole\" \"$D/fresh\"");
   free(whole);
@@ -518,7 +530,7 @@ START_TEST(wrong_parts_are_refused) {
   size_t len;
   shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
   char *whole = contents("whole", &len);
-  scratch_put_n("cut.part", whole, len / 2);
+  put_part("cut", whole, len / 2);
   ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" 2> \"$D/err\""), 3);
   says("err", "cut.part: error: exists, from a run that was interrupted or still goes on; --resume continues it");
   ck_assert_int_eq(shell("\"$P\" " PLANE " --all --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
@@ -528,23 +540,56 @@ START_TEST(wrong_parts_are_refused) {
   shell_well("test ! -e \"$D/cut\" && cmp -n $(wc -c < \"$D/cut.part\") \"$D/whole\" \"$D/cut.part\"");
   char *row = strstr(whole, "\n100,");
   row[1] = '3'; /* the points 99, 300 and 101 follow each other */
-  scratch_put_n("cut.part", whole, len / 2);
+  put_part("cut", whole, len / 2);
   ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
   says("err", "error: not a row of this sweep");
-  scratch_put("cut.part", "# stickslip");
+  put_part("cut", "# stickslip", 11);
   ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
   says("err", "ends within its head");
   size_t head = (size_t)(strstr(whole, "\npoint,") - whole);
   head += strcspn(whole + head + 1, "\n") + 2;
   char *row_end = memset(ss_malloc(len + 100000), '1', len + 100000);
   memcpy(row_end, whole, head);
-  scratch_put_n("cut.part", row_end, len + 100000);
+  put_part("cut", row_end, len + 100000);
   free(row_end);
   ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
   says("err", "error: not a row of this sweep");
   shell_well("mkfifo \"$D/pipe.part\"");
   ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/pipe\" --resume 2> \"$D/err\""), 3);
   says("err", "pipe.part: error: not a regular file");
+  free(whole);
+}
+END_TEST
+
+/* What was changed since it was written is not gone on with, nor is what stands elsewhere. */
+START_TEST(damaged_parts_are_refused) {
+  static const char *const damage[] = {
+      "sed -i '/^100,/{h;G}' \"$D/cut.part\"",        /* a row doubled */
+      "sed -i '/^100,/s/,0\\./,1./' \"$D/cut.part\"", /* a digit changed */
+      "sed -i '/^100,/d' \"$D/cut.part\"",            /* a row less */
+      "head -c 5000 \"$D/old\" > \"$D/cut.part\"",    /* an end less */
+      "rm \"$D/cut.part.sum\"",
+      "echo x > \"$D/cut.part.sum\"" /* no sum */
+  };
+  size_t len;
+  shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
+  char *whole = contents("whole", &len);
+  for (size_t i = 0; i < sizeof damage / sizeof *damage; i++) {
+    put_part("cut", whole, len / 2);
+    shell_well("cp \"$D/cut.part\" \"$D/old\"");
+    shell_well(damage[i]);
+    ck_assert_msg(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\"") == 3, "%s", damage[i]);
+    says("err", "cut.part: error: not as it was written, by ");
+  }
+  put_part("far", whole, len / 2);
+  shell_well("ln -s far.part \"$D/link.part\" && cp \"$D/far.part.sum\" \"$D/link.part.sum\" && cp \"$D/far.part\" "
+             "\"$D/old\"");
+  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/link\" --resume 2> \"$D/err\""), 3);
+  says("err", "link.part: error: cannot be written: ");
+  shell_well("rm \"$D/link.part\" && ln \"$D/far.part\" \"$D/link.part\"");
+  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/link\" --resume 2> \"$D/err\""), 3);
+  says("err", "link.part: error: not a regular file of one name");
+  shell_well("cmp \"$D/old\" \"$D/far.part\"");
   free(whole);
 }
 END_TEST
@@ -557,7 +602,11 @@ START_TEST(long_heads_are_resumed) {
   char scene[sizeof before + MANY + 1];
   int len = snprintf(scene, sizeof scene, "%s%0*d\n", before, MANY, 1);
   scratch_put_n("digits.scene", scene, (size_t)len);
-  shell_well(DIGITS " && cp \"$D/digits\" \"$D/whole\" && mv \"$D/digits\" \"$D/digits.part\"");
+  shell_well(DIGITS " && mv \"$D/digits\" \"$D/whole\"");
+  size_t all;
+  char *whole = contents("whole", &all);
+  put_part("digits", whole, all);
+  free(whole);
   shell_well(DIGITS " --resume && cmp \"$D/digits\" \"$D/whole\"");
 }
 END_TEST
@@ -864,6 +913,7 @@ Suite *sweep_suite(void) {
   tcase_add_test(program_case, a_signal_ends_what_goes_to_no_file);
   tcase_add_test(program_case, resumed_files_are_those_of_one_run);
   tcase_add_test(program_case, wrong_parts_are_refused);
+  tcase_add_test(program_case, damaged_parts_are_refused);
   tcase_add_test(program_case, one_run_writes_a_file);
   tcase_add_test(program_case, one_run_continues_a_file);
   tcase_add_test(program_case, long_heads_are_resumed);

@@ -71,8 +71,8 @@ SS_API const char *ss_orbit_violation(const ss_orbits *o, size_t k, size_t i);
 SS_API int ss_orbit_certified(const ss_orbits *o, size_t k);
 /* What of that is open, joined by ", "; "" when nothing is. */
 SS_API int ss_orbit_open(char **out, const ss_orbits *o, size_t k);
-/* The certificates of those that are certified, as the JSON that stickslip-checker verifies on its own.  SS_UNABLE:
-   none is. */
+/* The certificates of those that are certified, as the JSON that stickslip-checker verifies on its own, each of
+   them, not that there is no other.  SS_UNABLE: none is. */
 SS_API int ss_orbits_certificate(char **out, const ss_orbits *o);
 
 #ifdef __cplusplus

@@ -17,18 +17,30 @@ const char *path_base(const char *path) {
   return slash ? slash + 1 : path;
 }
 
-static bool check_text(const struct source *s, struct diag *d) {
+/* The code point of a character of well-formed UTF-8. */
+static unsigned code_point(const char *s) {
+  const unsigned char *c = (const unsigned char *)s;
+  return c[0] < 0x80   ? c[0]
+         : c[0] < 0xE0 ? (c[0] & 0x1FU) << 6 | (c[1] & 0x3FU)
+                       : (c[0] & 0x0FU) << 12 | (c[1] & 0x3FU) << 6 | (c[2] & 0x3FU);
+}
+
+bool source_check(const struct source *s, struct diag *d) {
   const char *nul = memchr(s->text, '\0', s->len);
-  if (nul) {
+  size_t good = text_plain_prefix(s->text, s->len, true), len = strlen(s->name);
+  if (text_plain_prefix(s->name, len, false) < len)
+    diag_set(d, "%.300s: error: a control character in this name, or it is not UTF-8 text", s->name);
+  else if (nul)
     diag_set(d, "%.300s: error: not a text file (a NUL byte at offset %zu)", s->name, (size_t)(nul - s->text));
-    return false;
-  }
-  size_t good = text_valid_prefix(s->text, s->len);
-  if (good < s->len) {
+  else if (good < s->len && text_valid_prefix(s->text + good, s->len - good) == 0)
     diag_at(d, s, good, "not UTF-8 text (byte 0x%02x)", (unsigned)(unsigned char)s->text[good]);
-    return false;
-  }
-  return true;
+  else if (good < s->len && s->text[good] == '\r')
+    diag_at(d, s, good, "a carriage return inside a line; lines end in LF or CR LF");
+  else if (good < s->len)
+    diag_at(d, s, good, "a control character (U+%04X), which text does not hold", code_point(s->text + good));
+  else
+    return true;
+  return false;
 }
 
 static bool read_descriptor(int fd, struct source *s, size_t max, struct diag *d) {
@@ -72,7 +84,7 @@ bool source_read(struct source *s, const char *path, size_t max, struct diag *d)
   int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   bool ok = fd >= 0;
   if (!ok) diag_set(d, "%.300s: error: %s", path, strerror(errno));
-  ok = ok && read_descriptor(fd, s, max, d) && check_text(s, d);
+  ok = ok && read_descriptor(fd, s, max, d) && source_check(s, d);
   if (fd >= 0) close(fd);
   if (!ok) source_clear(s);
   return ok;
@@ -120,6 +132,19 @@ int files_in_place(void) {
   return sets_in_place;
 }
 
+/* Folders that folder_make has made, in that order. */
+enum { MOST_MADE = 64 };
+static struct {
+  char *path[MOST_MADE];
+  volatile sig_atomic_t n;
+} made;
+
+static void remember_folder(const char *path) {
+  if (made.n == MOST_MADE) return;
+  made.path[made.n] = ss_strdup(path);
+  made.n++;
+}
+
 /* The folder knows, to the instruction, whether the first rename has happened. */
 void files_settle(void) {
   struct stat st;
@@ -130,6 +155,7 @@ void files_settle(void) {
     under_way.beside[i] = NULL;
   }
   if (forwards) sets_in_place++;
+  while (made.n > 0) rmdir(made.path[--made.n]); /* unless something is in it */
 }
 
 static void settle_and_end(int number) {
@@ -242,7 +268,11 @@ bool folder_make(const char *path, struct diag *d) {
   bool ok = true;
   for (const char *p = path; ok && *p; p++) {
     text_add_char(&t, *p);
-    if (*p != '/' && (p[1] == '/' || p[1] == '\0') && mkdir(t.data, 0777) != 0 && errno != EEXIST) ok = false;
+    if (*p == '/' || (p[1] != '/' && p[1] != '\0')) continue;
+    if (mkdir(t.data, 0777) == 0)
+      remember_folder(t.data);
+    else
+      ok = errno == EEXIST;
   }
   int err = errno;
   struct stat st;

@@ -1,5 +1,5 @@
 /* JSON.  Writing: two-space indent, keys in the order in which they are given, strings escaped.  Reading: RFC 8259 to
-   the letter, into a tree. */
+   the letter, into a tree, but for strings that hold what text does not (text_plain_prefix). */
 #ifndef STICKSLIP_BASE_JSON_H
 #define STICKSLIP_BASE_JSON_H
 
@@ -52,7 +52,7 @@ struct json_value {
   const struct json_value *next;  /* the one behind this one in its container */
 };
 
-/* The source as one value.  Keys of an object are distinct, no string holds NUL; memory is in the arena, at most some
+/* The source as one value.  Keys of an object are distinct, strings are text_plain_prefix, with lines; memory is in the arena, at most some
    fifty times the source's length.  false with d set, at the place, otherwise. */
 bool json_parse(struct json_value *out, struct arena *a, const struct source *s, struct diag *d);
 /* The member of that name; NULL when there is none or v is no object. */

@@ -1,5 +1,5 @@
 /* A reader by descent.  What it takes is what RFC 8259 allows and nothing else; keys that occur twice are refused,
-   since readers disagree about what they mean. */
+   since readers disagree about what they mean, and escapes of characters that no text file may hold. */
 #include <string.h>
 
 #include "json.h"
@@ -100,6 +100,8 @@ static bool read_string(struct reader *r, const char **out) {
       r->at++;
     }
   }
+  if (text_plain_prefix(text_str(&r->word), r->word.len, true) < r->word.len)
+    return fail(r, "a control character in the string that ends here");
   *out = arena_strndup(r->a, text_str(&r->word), r->word.len);
   return true;
 }

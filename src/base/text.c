@@ -82,6 +82,25 @@ size_t text_valid_prefix(const char *text, size_t len) {
   return len;
 }
 
+/* Of characters that control: those below the blank, U+007F to U+009F, and U+2028 to U+202E and U+2066 to U+2069, which
+   end lines or turn the direction of writing. */
+static bool is_control(const unsigned char *s) {
+  if (s[0] < ' ' || s[0] == 0x7F) return true;
+  if (s[0] == 0xC2) return s[1] < 0xA0;
+  return s[0] == 0xE2 &&
+         ((s[1] == 0x80 && s[2] >= 0xA8 && s[2] <= 0xAE) || (s[1] == 0x81 && s[2] >= 0xA6 && s[2] <= 0xA9));
+}
+
+static bool ends_line(const char *s) {
+  return s[0] == '\n' || (s[0] == '\r' && s[1] == '\n');
+}
+
+size_t text_plain_prefix(const char *s, size_t len, bool lines) {
+  size_t good = text_valid_prefix(s, len), i = 0;
+  while (i < good && (!is_control((const unsigned char *)s + i) || (lines && (s[i] == '\t' || ends_line(s + i))))) i++;
+  return i;
+}
+
 int word_find(const char *word, const char *const *list, int n) {
   int i = 0;
   while (i < n && strcmp(list[i], word) != 0) i++;
@@ -115,9 +134,11 @@ static void cut_at_character(char *s, size_t size) {
    that controls become "?"; newlines too, unless there may be lines. */
 static void make_visible(char *s, bool lines) {
   size_t n = strlen(s);
-  for (size_t i = text_valid_prefix(s, n); i < n; i += text_valid_prefix(s + i, n - i)) s[i] = '?';
-  for (size_t i = 0; i < n; i++)
-    if (((unsigned char)s[i] < ' ' && !(lines && s[i] == '\n')) || s[i] == 0x7F) s[i] = '?';
+  for (size_t i = text_plain_prefix(s, n, false); i < n; i += text_plain_prefix(s + i, n - i, false))
+    if (lines && s[i] == '\n')
+      i++;
+    else
+      s[i] = '?';
 }
 
 /* What quotes something long, a path of a million characters, keeps its beginning and its end, which says what is

@@ -44,6 +44,10 @@ void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
 const char *text_str(const struct text *t); /* "" when nothing was added */
 /* The length of the longest prefix that is well-formed UTF-8: no overlong forms, no surrogates, nothing cut off. */
 size_t text_valid_prefix(const char *s, size_t len);
+/* The length of the longest prefix that is besides without characters that control a terminal, end a line or turn the
+   direction of writing: U+0000 to U+001F, U+007F to U+009F, U+2028 to U+202E, U+2066 to U+2069.  lines: where there may be
+   lines, LF, CR LF and TAB are none of them. */
+size_t text_plain_prefix(const char *s, size_t len, bool lines);
 
 /* A place in a source: byte offsets, end exclusive. */
 struct span {
@@ -80,11 +84,14 @@ void diag_at(struct diag *d, const struct source *s, size_t offset, const char *
 /* Records again, lines and all, what another diag has: one of another process, or of an attempt. */
 void diag_again(struct diag *d, const char *message);
 
-/* Reads a regular file of at most max bytes; refuses directories, devices, NUL bytes and text that is not UTF-8.
+/* Reads a regular file of at most max bytes; refuses directories, devices, and what source_check does.
    A byte-order mark is dropped.  false with d set on failure. */
 bool source_read(struct source *s, const char *path, size_t max, struct diag *d);
-/* The same from memory; copies both. */
+/* The same from memory; copies both, whatever they are. */
 void source_from_string(struct source *s, const char *name, const char *text);
+/* Whether all of the text is text_plain_prefix, its name too, without lines; so that what quotes them, in any language of
+   the outputs or on a terminal, quotes no line end and no control sequence.  false with d set. */
+bool source_check(const struct source *s, struct diag *d);
 void source_clear(struct source *s);
 /* Line and column of a place, counted as diag_at counts them. */
 void source_place(size_t *line, size_t *column, const struct source *s, size_t offset);
@@ -111,9 +118,9 @@ bool files_write(const struct file_item *item, int n, struct diag *d);
 /* The signals that end a run from outside: Ctrl-C, SIGTERM, SIGHUP, and the clock. */
 enum { N_ENDING_SIGNALS = 4 };
 extern const int ending_signals[N_ENDING_SIGNALS];
-/* For handlers of signals that end the process: what files_write was about is undone, or brought to its end when the
-   first file stands in its place already, so that files are all old or all new and no temporary one stays.  Where a
-   signal has no handler, files_write sees to it. */
+/* For the end of the process, handlers of signals too: what files_write was about is undone, or brought to its end when
+   the first file stands in its place already, so that files are all old or all new and no temporary one stays; nor a
+   folder that folder_make has made for nothing.  Where a signal has no handler, files_write sees to it. */
 void files_settle(void);
 /* How often, in this process, files_write or files_settle has put all files of a call in their places. */
 int files_in_place(void);

@@ -300,7 +300,7 @@ static int measure(const struct options *o, const char *data, struct diag *d) {
   int status = EXIT_AS_RECORDED;
   const char *peers = option(o, OPT_PEERS), *folder = option(o, OPT_OUT);
   bool ok = inputs_load(&in, data, o, d) && (!peers || bench_peers_read(&r.peers, peers, d)) &&
-            (!folder || folder_make(folder, d));
+            (!folder || folder_possible(folder, d));
   if (ok) {
     status = run_jobs(&r, o, &(struct bench_env){&in.model, &in.claims, &in.controls, &in.scene, data});
     ok = deliver(&r, o, d);

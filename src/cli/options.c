@@ -87,6 +87,9 @@ static const struct option_row *find_option(const char *command, const char *wor
 int parse_options(struct options *o, const char *command, int argc, char **argv) {
   *o = (struct options){.operands.n = 0};
   int status = EXIT_AS_RECORDED;
+  for (int i = 0; i < argc; i++) /* outputs show them, and commands to type */
+    if (text_plain_prefix(argv[i], strlen(argv[i]), false) < strlen(argv[i]))
+      return usage("a control character in %.200s, or it is not UTF-8 text", argv[i]);
   for (int i = 0; i < argc && !status; i++) {
     char *arg = argv[i];
     if (arg[0] != '-' || arg[1] == '\0') {

@@ -147,7 +147,7 @@ static bool study(const struct model *m, const struct stability_options *q, cons
   struct text body;
   stability_result_init(&r);
   text_init(&body);
-  bool ok = (!folder || folder_make(folder, d)) && audit_stability(&r, m, q, d);
+  bool ok = (!folder || folder_possible(folder, d)) && audit_stability(&r, m, q, d);
   if (q->progress) fputs("\r\033[K", stderr);
   set_sources(&r, o);
   ok = ok && (!folder || write_files(folder, &r, d));

@@ -16,11 +16,6 @@ static void say_quotation(struct text *out, const struct quotation *item) {
   text_printf(out, ": %s%s%s", item->id, *item->id ? " " : "", kind_name[item->kind]);
 }
 
-static void say_token(struct text *out, const struct quote_token *t) {
-  for (size_t i = 0; i < t->len; i++)
-    text_add_char(out, (unsigned char)t->s[i] < ' ' || t->s[i] == 0x7F ? '?' : t->s[i]);
-}
-
 /* The tokens around the one with index i, which is marked; blanks where something is dropped. */
 static void say_around(struct text *out, const struct quote_tokens *t, size_t i) {
   enum { BEFORE = 24, BEHIND = 16 };
@@ -29,7 +24,7 @@ static void say_around(struct text *out, const struct quote_tokens *t, size_t i)
   for (size_t k = first; k < last; k++) {
     if (k > first && t->token[k].s != t->token[k - 1].s + t->token[k - 1].len) text_add_char(out, ' ');
     if (k == i) text_add(out, ">>");
-    say_token(out, &t->token[k]);
+    text_add_n(out, t->token[k].s, t->token[k].len);
     if (k == i) text_add(out, "<<");
   }
   text_add(out, i >= t->n ? " >>nothing more<<\n" : last < t->n ? " ...\n" : "\n");

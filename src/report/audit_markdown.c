@@ -325,6 +325,7 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
 /* --- The whole --- */
 
 void report_markdown(struct text *out, const struct audit_result *r) {
+  size_t begin = out->len;
   text_printf(out, "# Audit: %s\n\nData: %s.\n\n", r->scene, r->title);
   add_roots(out, r);
   add_counts(out, r);
@@ -352,6 +353,7 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_skipped; i++) text_printf(out, "- %s: %s\n", r->skipped[i].what, r->skipped[i].why);
   if (r->n_skipped) text_add_char(out, '\n');
   add_section(out, r, "The other claims", is_rest);
+  escape_tags(out, begin);
 }
 
 static void add_line_counts(struct text *out, const struct audit_result *r, enum claimant of) {

@@ -1,6 +1,8 @@
 /* One function for each format. */
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "escape.h"
 
 /* --- HTML and XML --- */
@@ -55,6 +57,26 @@ void escape_markdown(struct text *out, const char *s, size_t len) {
     if (strchr("\\`*_[]<>#|~&$", s[i])) text_add_char(out, '\\');
     text_add_char(out, (unsigned char)s[i] < ' ' ? ' ' : s[i]);
   }
+}
+
+/* An element, as CommonMark knows it, or a comment, declaration or instruction; x_i<V is none. */
+static bool is_tag(const char *s) {
+  s += s[0] == '/';
+  if (s[0] == '!' || s[0] == '?') return true;
+  if (!char_is_letter(s[0])) return false;
+  while (char_is_letter(*s) || char_is_digit(*s) || *s == '-') s++;
+  return strchr(" \t\n/>", *s) != NULL;
+}
+
+void escape_tags(struct text *out, size_t from) {
+  char *all = ss_strdup(text_str(out));
+  out->len = from;
+  for (const char *s = all + from; *s; s++)
+    if (*s == '<' && is_tag(s + 1))
+      text_add(out, "&lt;");
+    else
+      text_add_char(out, *s);
+  free(all);
 }
 
 void escape_cell(struct text *out, const char *s) {
@@ -127,9 +149,22 @@ void escape_tex(struct text *out, const char *s, size_t len) {
 
 /* --- CSV, Graphviz --- */
 
+/* What a spreadsheet would compute.  A sign begins a number, or an inequality, unless something is called (NAME followed
+   by a bracket; of TeX, \left is no name), quoted or taken from elsewhere. */
+static bool is_computed(const char *s) {
+  if (*s == '=' || *s == '@') return true;
+  if (*s != '+' && *s != '-') return false;
+  const char *word = s + 1;
+  for (const char *p = word; *p; p++) {
+    if (strchr("|!\"", *p) || (*p == '(' && p > word && word[-1] != '\\')) return true;
+    if (!char_is_word(*p) && *p != '.') word = p + 1;
+  }
+  return false;
+}
+
 void escape_csv(struct text *out, const char *s) {
   if (!s || !*s) return;
-  text_add_char(out, '"');
+  text_add(out, is_computed(s) ? "\"'" : "\"");
   for (; *s; s++) {
     if (*s == '"') text_add_char(out, '"');
     bool control = ((unsigned char)*s < ' ' && *s != '\n') || *s == 0x7F;

@@ -71,6 +71,12 @@ const char *failure_size(const struct audit_result *r, const struct finding *f) 
   return audit_result_consequence(r, f->id) ? f->size : f->effect;
 }
 
+void audit_recheck(struct text *out, const struct audit_result *r) {
+  const char *one = r->n_findings ? finding_recheck(&r->findings[0]) : "stickslip verify", *end = NULL;
+  for (const char *p = one; (p = strstr(p, " --only ")) != NULL; p++) end = p; /* the last: a path may hold another */
+  text_add_n(out, one, end ? (size_t)(end - one) : strlen(one));
+}
+
 size_t controls_noticed(const struct audit_result *r) {
   size_t n = 0;
   for (size_t i = 0; i < r->n_controls; i++) n += r->controls[i].noticed;

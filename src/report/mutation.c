@@ -2,6 +2,7 @@
    argument. */
 #include "mutation.h"
 #include "base/json.h"
+#include "escape.h"
 
 /* --- JSON --- */
 
@@ -271,6 +272,7 @@ static const char explanation[] =
     "nothing shows in a claim that counts equations. The text of every survivor is in mutation.json.\n\n";
 
 void report_mutation_markdown(struct text *out, const struct mutation_result *r) {
+  size_t begin = out->len;
   text_add(out, "# Would the audit have noticed?\n\n");
   add_summary(out, r);
   text_printf(out, ".\n\n%ld of %ld damages, scene %s, seed %llu. ", r->tried, r->population, r->scene, r->seed);
@@ -284,6 +286,7 @@ void report_mutation_markdown(struct text *out, const struct mutation_result *r)
   for (int k = 0; k < N_DAMAGE_CLASSES; k++) list_damaged(out, r, k);
   for (int c = 0; c < 2; c++)
     for (int i = 0; i < N_SURVIVOR_FATES; i++) add_survivors(out, r, survivor_order[i], c);
+  escape_tags(out, begin);
 }
 
 /* Name, noticed, how many: left out are those that say the same or need the text. */

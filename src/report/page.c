@@ -1,5 +1,6 @@
 /* index.html: one file that shows what the result record holds.  It is read without a network and without its script,
    which filters and sorts; it is HTML and well-formed XML at once, so that any tool can read it. */
+#include "page.h"
 #include "escape.h"
 #include "html.h"
 #include "report.h"
@@ -50,9 +51,8 @@ static void add_opening(const struct page *p) {
 
 static void add_closing(const struct page *p) {
   text_add(p->out, "</main>\n<footer><p>Written by ");
-  text_add(p->out, "<code>stickslip verify ");
-  escape_html(p->out, p->r->scene);
-  text_add(p->out, "</code> from the result that <a href=\"audit.json\">audit.json</a> holds. Beside it: "
+  page_recheck(p);
+  text_add(p->out, " from the result that <a href=\"audit.json\">audit.json</a> holds. Beside it: "
                    "<a href=\"audit.md\">audit.md</a>, <a href=\"errata.md\">errata.md</a> for the authors, "
                    "<a href=\"audit.csv\">audit.csv</a>, <a href=\"junit.xml\">junit.xml</a>, "
                    "<a href=\"claims.dot\">claims.dot</a>.</p></footer>\n<script>\n");

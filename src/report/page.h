@@ -24,6 +24,9 @@ void page_section_name(const struct page *p, const char *section);
 /* What the routes of a finding say, as a list; only those with this result, or all when it is NULL. */
 void page_statements(const struct page *p, const struct finding *f, const char *result);
 
+/* The command that repeats the audit. */
+void page_recheck(const struct page *p);
+
 /* Begins a link to where the id stands under that prefix: "c-" the row of a claim, "f-" what is said of a failure. */
 void page_begin_link(const struct page *p, const char *prefix, const char *id);
 /* Begins a section with its heading; the ids are s-NAME and h-NAME. */

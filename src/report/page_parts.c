@@ -114,3 +114,11 @@ void page_text_cell(const struct page *p, const struct column *column, const cha
   html_text(p->out, text, NULL);
   text_add(p->out, "</td>");
 }
+
+void page_recheck(const struct page *p) {
+  struct text command;
+  text_init(&command);
+  audit_recheck(&command, p->r);
+  html_code(p->out, text_str(&command));
+  text_clear(&command);
+}

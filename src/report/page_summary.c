@@ -208,9 +208,9 @@ static void add_recheck(const struct page *p) {
            "<dt>How can this be rechecked?</dt>\n<dd><p>The program, called <code>stickslip</code> on this page, is "
            "<code>build/stickslip</code> in a copy of the project.</p>\n<ul>\n"
            "<li>The whole audit: <code>make deps verify</code> installs what is needed, builds the program and "
-           "repeats the audit; once built, <code>stickslip verify ");
-  escape_html(p->out, p->r->scene);
-  text_add(p->out, "</code> repeats it.</li>\n");
+           "repeats the audit; once built, ");
+  page_recheck(p);
+  text_add(p->out, " repeats it.</li>\n");
   if (f) add_recheck_one(p, f);
   text_add(p->out, "</ul></dd>\n");
 }

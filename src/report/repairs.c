@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "escape.h"
 #include "mutation.h"
 
 static void write_repair(struct json *j, const struct repair *r) {
@@ -69,6 +70,7 @@ static void add_summary(struct text *out, const struct repairs *c) {
 }
 
 void report_repairs_markdown(struct text *out, const struct repair_result *r) {
+  size_t begin = out->len;
   text_printf(
       out,
       "# Repairs\n\nEvery one-token edit of the printed text of a refuted claim is tried; where none helps, or not the "
@@ -93,6 +95,7 @@ void report_repairs_markdown(struct text *out, const struct repair_result *r) {
     }
     if (c->n) text_add_char(out, '\n');
   }
+  escape_tags(out, begin);
 }
 
 void report_repairs_text(struct text *out, const struct repair_result *r) {

@@ -7,19 +7,9 @@
 #include "base/arena.h"
 #include "scene_impl.h"
 
-/* What no line of text and no terminal should hold becomes "?". */
-static char *shown(const char *text) {
-  char *out = ss_strdup(text);
-  size_t n = strlen(out);
-  for (size_t i = text_valid_prefix(out, n); i < n; i += text_valid_prefix(out + i, n - i)) out[i] = '?';
-  for (char *p = out; *p; p++)
-    if ((unsigned char)*p < ' ' || *p == 0x7F) *p = '?';
-  return out;
-}
-
 /* The name of a scene is its file's, without folder and suffix; a folder can bear it. */
 static char *name_of(const char *path) {
-  char *name = shown(path_base(path));
+  char *name = ss_strdup(path_base(path));
   char *dot = strrchr(name, '.');
   if (dot && strcmp(dot, ".scene") == 0 && dot > name) *dot = '\0';
   if (name[0] == '.') name[0] = '_';
@@ -129,14 +119,10 @@ void scene_set_names(struct scene *s, const char *spec, const char *data, const 
   text_printf(&scenes, "%s/scenes", data);
   s->on_file = stands_in(s->path, text_str(&scenes));
   for (int i = 0; o && i < o->n; i++) {
-    char *item = shown(o->item[i]);
     text_printf(&suffix, " %s ", o->option);
-    add_quoted(&suffix, item);
-    free(item);
+    add_quoted(&suffix, o->item[i]);
   }
-  char *whose = shown(spec);
-  add_quoted(&command, whose);
-  free(whose);
+  add_quoted(&command, spec);
   text_add(&command, text_str(&suffix));
   text_printf(&name, "%s%s", s->file, text_str(&suffix));
   s->name = ss_strdup(text_str(&name));

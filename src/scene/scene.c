@@ -366,14 +366,12 @@ static const struct source *keep_source(struct scene *s, const struct source *sr
 
 /* The same demands on a text as source_read makes on a file. */
 static bool take_text(struct source *src, struct reader *r) {
-  size_t len = strlen(r->text);
-  if (len > MAX_SCENE_FILE)
-    diag_set(r->d, "%.300s: error: longer than %d bytes", r->s->path, MAX_SCENE_FILE);
-  else if (text_valid_prefix(r->text, len) < len)
-    diag_set(r->d, "%.300s: error: not UTF-8 text", r->s->path);
-  else
-    source_from_string(src, r->s->path, r->text);
-  return !r->d->set;
+  bool ok = strlen(r->text) <= MAX_SCENE_FILE;
+  source_from_string(src, r->s->path, ok ? r->text : "");
+  if (!ok) diag_set(r->d, "%.300s: error: longer than %d bytes", r->s->path, MAX_SCENE_FILE);
+  ok = ok && source_check(src, r->d);
+  if (!ok) source_clear(src);
+  return ok;
 }
 
 static bool read_file(struct reader *r) {
@@ -406,11 +404,12 @@ static bool split_override(struct reader *r, struct override *o, const char *ite
   struct source src;
   source_from_string(&src, option, item);
   o->src = keep_source(r->s, &src);
-  size_t good = text_valid_prefix(item, o->src->len);
+  size_t good = text_plain_prefix(item, o->src->len, false);
   const char *equals = strchr(item, '=');
   if (good < o->src->len || !equals) {
     diag_at(r->d, o->src, good < o->src->len ? good : 0,
-            equals ? "not UTF-8 text; write plain text" : "%s takes NAME=VALUE, as in e2=1/2", option);
+            equals ? "a control character, or not UTF-8 text; write plain text" : "%s takes NAME=VALUE, as in e2=1/2",
+            option);
     return false;
   }
   o->name = (struct span){0, (size_t)(equals - item)};
