@@ -1,5 +1,5 @@
-/* Papers of somebody else's: tests/another is about the program's system and says so, tests/row is about another and has
-   symbols of its own.  Nothing that the program does not know is refuted, and no slip of the one who types is charged to
+/* Papers of somebody else's: tests/another is about the program's system and says so, tests/row and examples/den-hartog are
+   about others and have symbols of their own.  Nothing that the program does not know is refuted, and no slip of the one who types is charged to
    the paper.  Each case damages a copy of a folder; what must be said stands beside it, written by hand. */
 #include <check.h>
 #include <stdio.h>
@@ -16,11 +16,26 @@ struct audit {
   const char *says;
 };
 
+#define HARTOG "../examples/den-hartog"
+
 static const struct audit audits[] = {
     {"row", "stable.eq", "1s/$/ Indeed./", "", 0,
      "paper: 6 statements: 3 proved, 1 refuted, 2 unknown; 4 of 4 controls noticed; as recorded"},
     {"another", "stable.eq", "1s/$/ Indeed./", "", 0,
      "paper: 2 statements: 1 proved, 1 refuted; 4 of 4 controls noticed; as recorded"},
+    {HARTOG, "stable.eq", "1s/$/ Indeed./", "", 0,
+     "paper: 9 statements: 9 proved; 9 of 9 controls noticed; as recorded"},
+    /* the sign of a phase, the friction in an amplitude and in a motion, a power in a limit, the end of a half cycle */
+    {HARTOG, "paper/note.eq", "/^  tex: u =/d; s/v := -(x_f/v := (x_f/", "eq-1", 1,
+     "eq-1: refuted, recorded as proved"},
+    {HARTOG, "paper/note.eq", "/^  tex: x_0 = a/d; s/(x_f.a)^2\\*S^2/(x_f\\/a)^2*V^2/", "eq-9", 1,
+     "eq-9: refuted, recorded as proved"},
+    {HARTOG, "paper/note.eq", "/^  tex: x(t) =/d; s/x_f\\*(1 - cos(omega_n/x_f*(2 - cos(omega_n/", "eq-8", 1,
+     "eq-8: refuted, recorded as proved"},
+    {HARTOG, "paper/note.eq", "/^  tex: F_l =/d; s/beta^4))$/beta^2))/", "eq-15", 1,
+     "eq-15: refuted, recorded as proved"},
+    {HARTOG, "paper/note.eq", "/^  tex: y(t) =/d; s/t - pi.omega)/t - pi\\/omega_n)/", "eq-10", 1,
+     "eq-10: refuted, recorded as proved"},
     /* a name is the model's only where the paper is about its system */
     {"row", "paper/note.eq", "/tex: K =/d; s/  K := .*/  K := [2*kappa, -kappa; -kappa, kappa]/", "eq-1", 0,
      "1 statement: 1 unknown"},
