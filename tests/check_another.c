@@ -110,6 +110,49 @@ START_TEST(papers_of_others) {
 }
 END_TEST
 
+/* |name - value| < 1e-32, said as d - |name - value| being its own absolute value, which balls refute where it is wrong
+   and else leave unproved. */
+static int near_value(char *out, size_t size, const char *name, const char *value, const char *shift) {
+  return snprintf(out, size, "  abs(1e-32 - abs(%s - %s%s)) = 1e-32 - abs(%s - %s%s)\n", name, value, shift, name,
+                  value, shift);
+}
+
+/* Den Hartog's amplitude and phase are those of motions that tests/oracle/den_hartog.py found without them; (9) makes
+   room for these equations, and the row's data for the symbols. */
+START_TEST(amplitudes_and_phases_of_motions) {
+  static const char *const shift[] = {"", " + 2e-32"};
+  char row[256] = "", *field[4], cosine[128], sine[128], text[2048], command[2048];
+  FILE *in = fopen("tests/oracle/den_hartog.tsv", "r");
+  ck_assert_ptr_nonnull(in);
+  for (int i = 0; i <= _i / 4; i++) ck_assert_ptr_nonnull(fgets(row, sizeof row, in));
+  fclose(in);
+  row[strcspn(row, "\n")] = '\0';
+  ck_assert_int_eq(split_tabs(field, 4, row), 4);
+  snprintf(cosine, sizeof cosine, "cos(%s)", field[3]);
+  snprintf(sine, sizeof sine, "sin(%s)", field[3]);
+  const char *const held[][2] = {{"x_0", field[2]}, {"u", cosine}, {"v", sine}};
+  int status, n = 0, wrong = _i % 4; /* 0: none */
+  for (int k = 0; k < 3; k++)
+    n += near_value(text + n, sizeof text - (size_t)n, held[k][0], held[k][1], shift[k + 1 == wrong]);
+  scratch_put("values", text);
+  snprintf(text, sizeof text, "\ndefine data\n  m := 1\n  k := 1\n  P := 1\n  omega := %s\n  F := %s\n", field[0],
+           field[1]);
+  scratch_put("data", text);
+  snprintf(command, sizeof command,
+           "cp -R examples/den-hartog %s && cd %s && for s in m k P F omega; do sed -i \"/^symbol $s\\$/,/domain/d\" "
+           "hartog/paper/note.eq; done && sed -i -e '/tex: u^2 + v/d; /^  u^2 + v^2 = 1/d; /^equation eq-9$/r values' "
+           "-e '$r data' hartog/paper/note.eq",
+           scratch_path("hartog"), scratch_path(""));
+  free(shell_output(&status, "%s", command));
+  ck_assert_int_eq(status, 0);
+  char *out = shell_output(&status, "STICKSLIP_DATA=%s %s verify --only eq-9 --out %s 2>&1", scratch_path("hartog"),
+                           program(), scratch_path("out"));
+  ck_assert_msg(status == 1 && strstr(out, wrong ? "eq-9: refuted" : "eq-9: unknown"), "beta = %s, %d: %s", field[0],
+                wrong, out);
+  free(out);
+}
+END_TEST
+
 /* check reads a file with the data folder around it, and one that bears another paper's title alone. */
 START_TEST(files_are_checked_with_their_own_paper) {
   static const struct {
@@ -142,6 +185,7 @@ Suite *another_suite(void) {
   tcase_set_timeout(t, 120);
   tcase_add_checked_fixture(t, scratch_open, scratch_close);
   tcase_add_loop_test(t, papers_of_others, 0, sizeof audits / sizeof *audits);
+  tcase_add_loop_test(t, amplitudes_and_phases_of_motions, 0, 40);
   tcase_add_loop_test(t, files_are_checked_with_their_own_paper, 0, 4);
   suite_add_tcase(s, t);
   return s;
