@@ -15,7 +15,7 @@
                  quarter above what they ask), "patched [PHASE] N" (any state, carried by the linear systems of the four
                  phases over any times, and any perturbations), joined by ","; the time t lies in that phase
      perturbation  finite: dZ_0, dZ_a, ... are differences of two motions; else the first order of them
-     routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle; without points or
+     routes      what is asked besides balls: taylor gsl ode newton saltation system fd exponential oracle; without points or
                  routes those of kinds.h
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
@@ -33,6 +33,7 @@
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
      side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
+     systems     (patching) scenes of systems of more masses, names in the folder of the claim's own data
      states      (dimension, fixed-points) the conditions of the four phases, as in premises
      range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps
                  (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need

@@ -53,7 +53,7 @@ static void states_json(struct json *j, const struct mech_orbit *o, slong digits
   json_array(j, "states");
   for (int k = 0; k < o->word.n; k++) {
     json_array(j, NULL);
-    for (int i = 0; i < 2 * o->n; i++) json_number(j, NULL, o->state + k * 2 * o->n + i, digits);
+    for (int i = 0; i < 2 * o->n; i++) json_number(j, NULL, o->state + k * o->states + i, digits);
     json_end_array(j);
   }
   json_end_array(j);
@@ -64,7 +64,7 @@ static void radius_of(struct text *out, const struct mech_orbit *o) {
   arb_t worst;
   arb_init(worst);
   for (int k = 0; k < o->word.n; k++) mag_max(arb_radref(worst), arb_radref(worst), arb_radref(o->t + k));
-  for (int i = 0; i < o->word.n * 2 * o->n; i++)
+  for (int i = 0; i < o->word.n * o->states; i++)
     mag_max(arb_radref(worst), arb_radref(worst), arb_radref(o->state + i));
   arb_get_rad_arb(worst, worst);
   print_accuracy(out, worst);
@@ -85,6 +85,10 @@ static void orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   json_end_array(j);
   states_json(j, o, digits);
   json_number(j, "period", o->period, digits);
+  if (o->turns) {
+    json_number(j, "load_angle", o->angle, digits);
+    json_long(j, "load_turns", o->turns);
+  }
   multipliers_json(j, o, digits);
   json_truth(j, "stable", o->stable);
   json_truth(j, "admissible", o->admissible);
@@ -153,6 +157,8 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
     snprintf(name, sizeof name, "x_%d%s", i % o->n + 1, i < o->n ? "" : "'");
     add_line(out, name, o->state + i, digits);
   }
+  if (o->turns) add_line(out, "load angle", o->angle, digits);
+  if (o->turns) text_printf(out, "  %-12s %ld\n", "load turns", (long)o->turns);
   multipliers_text(out, o, digits);
   text_add(out, o->certified ? "  certified; enclosed within "
                              : "  not certified: a condition or the stability is undecided");
@@ -195,7 +201,7 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   if (ok) {
     struct text out;
     text_init(&out);
-    mech_orbits_find(&list, &m, w.n ? &w : NULL, word_bits(digits) + 64);
+    mech_orbits_find(&list, &m, w.n ? &w : NULL, false, word_bits(digits) + 64);
     (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, &m, s, digits);
     if (option(o, OPT_JSON))
       fputs(text_str(&out), stdout);

@@ -26,6 +26,7 @@ static const struct route routes[] = {{"balls", VARIANT_CLOSED, NULL, 0, 1000000
                                       {"newton", VARIANT_CLOSED, NULL, 0, 1000000},
                                       {"ode", VARIANT_CLOSED, NULL, 0, 8},
                                       {"saltation", VARIANT_SALTATION, NULL, 0, 8},
+                                      {"system", VARIANT_SYSTEM, NULL, 0, 4},
                                       {"fd", VARIANT_FD, &num_mpfr, -0.5 * FD_PREC, 4},
                                       {"taylor", VARIANT_CLOSED, &num_mpfr, -200, 8},
                                       {"gsl", VARIANT_CLOSED, &num_double, -30, 8}};

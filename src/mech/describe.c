@@ -42,7 +42,19 @@ static void add_factor(const struct printer *p, const fmpq_t q) {
   fmpq_clear(size);
 }
 
+/* The frequency of the loads, then t. */
+static void add_angle(const struct printer *p) {
+  add_factor(p, p->m->load[0].frequency);
+  text_add_char(p->out, 't');
+}
+
 static void add_state(const struct printer *p, int j) {
+  if (j >= 2 * p->m->n) {
+    text_printf(p->out, "%s%s(", p->latex ? "\\" : "", j == 2 * p->m->n ? "cos" : "sin");
+    add_angle(p);
+    text_add_char(p->out, ')');
+    return;
+  }
   bool rate = j >= p->m->n;
   int i = rate ? j - p->m->n : j;
   text_printf(p->out, p->latex ? "x_{%d}%s" : "x_%d%s", i + 1, rate ? "'" : "");
@@ -60,16 +72,16 @@ static void add_constant(const struct printer *p, const fmpq_t q) {
   fmpq_clear(size);
 }
 
-/* row y, y = (x, x', 1). */
+/* row y, y as in mech.h. */
 static void add_form(const struct printer *p, const fmpq *row) {
-  int n = p->m->n;
+  int one = p->m->states;
   bool any = false;
-  for (int j = 0; j <= 2 * n; j++) {
+  for (int j = 0; j <= one; j++) {
     if (fmpq_is_zero(row + j)) continue;
     bool minus = fmpq_sgn(row + j) < 0;
     text_add(p->out, any ? minus ? " - " : " + " : minus ? "-" : "");
     any = true;
-    if (j == 2 * n) {
+    if (j == one) {
       add_constant(p, row + j);
       continue;
     }
@@ -99,16 +111,16 @@ static void heading(const struct printer *p, const char *what) {
     text_printf(p->out, "%s\n", what);
 }
 
-/* f_i = K x + C x', as the condition "f_i - r_i" has it. */
+/* f_i = K x + C x' less the loads, as the condition "f_i - r_i" has it. */
 static void add_forces(const struct printer *p) {
   const struct mech *m = p->m;
   fmpq_mat_t row;
-  fmpq_mat_init(row, 1, 2 * m->n + 1);
+  fmpq_mat_init(row, 1, m->states + 1);
   heading(p, "Equations of motion");
   for (int i = 0; i < m->n; i++) {
     const struct mech_mass *mass = &m->mass[i];
     mech_condition(row, m, i, 's', MECH_BREAKS_SLOWER);
-    fmpq_zero(fmpq_mat_entry(row, 0, 2 * m->n));
+    fmpq_zero(fmpq_mat_entry(row, 0, m->states));
     begin_line(p, mass->name);
     add_factor(p, mass->inertia);
     text_printf(p->out, p->latex ? "x_{%d}'' = " : "x_%d'' = ", i + 1);
@@ -167,24 +179,24 @@ static void add_eigenvalue(const struct printer *p, acb_srcptr z) {
 /* Of the first-order system, those in the upper half plane: +-i w without dampers. */
 static void add_modes(const struct printer *p) {
   const struct mech *m = p->m;
-  slong side = 2 * m->n, prec = 4 * p->digits + 64;
+  slong side = m->states + 1, moving = 2 * m->n, prec = 4 * p->digits + 64;
   char phase[MECH_MASSES + 1] = "";
   for (int i = 0; i < m->n; i++) phase[i] = '.';
   fmpq_mat_t rate;
   arb_mat_t a, states;
-  fmpq_mat_init(rate, side + 1, side + 1);
-  arb_mat_init(a, side + 1, side + 1);
-  acb_ptr z = _acb_vec_init(side);
+  fmpq_mat_init(rate, side, side);
+  arb_mat_init(a, side, side);
+  acb_ptr z = _acb_vec_init(moving);
   mech_rate(rate, m, phase);
   arb_mat_set_fmpq_mat(a, rate, prec);
-  arb_mat_window_init(states, a, 0, 0, side, side);
+  arb_mat_window_init(states, a, 0, 0, moving, moving);
   bool ok = mech_eigenvalues(z, states, prec);
   heading(p, m->n_dampers > 0 ? "Eigenvalues while every mass slips or is free"
                               : "Natural frequencies while every mass slips or is free");
   begin_line(p, "");
-  qsort(z, (size_t)side, sizeof *z, by_imaginary);
+  qsort(z, (size_t)moving, sizeof *z, by_imaginary);
   bool any = false;
-  for (slong i = 0; ok && i < side; i++) {
+  for (slong i = 0; ok && i < moving; i++) {
     if (arb_is_negative(acb_imagref(z + i))) continue;
     text_add(p->out, any ? ", " : "");
     add_eigenvalue(p, z + i);
@@ -192,7 +204,7 @@ static void add_modes(const struct printer *p) {
   }
   if (!ok) text_add(p->out, p->latex ? "\\text{not told apart}" : "not told apart");
   end_line(p);
-  _acb_vec_clear(z, side);
+  _acb_vec_clear(z, moving);
   arb_mat_window_clear(states);
   arb_mat_clear(a);
   fmpq_mat_clear(rate);
@@ -203,9 +215,9 @@ void mech_describe(struct text *out, const struct mech *m, bool latex, slong dig
   if (latex)
     text_add(out, "\\begin{aligned}\n");
   else
-    text_printf(out, "%s: %d mass%s, %d spring%s, %d damper%s\n", *m->title ? m->title : "a system", m->n,
+    text_printf(out, "%s: %d mass%s, %d spring%s, %d damper%s, %d load%s\n", *m->title ? m->title : "a system", m->n,
                 m->n == 1 ? "" : "es", m->n_springs, m->n_springs == 1 ? "" : "s", m->n_dampers,
-                m->n_dampers == 1 ? "" : "s");
+                m->n_dampers == 1 ? "" : "s", m->n_loads, m->n_loads == 1 ? "" : "s");
   add_forces(&p);
   add_frictions(&p);
   add_modes(&p);

@@ -4,24 +4,25 @@
 #include <string.h>
 
 /* The entry of the first phase, exactly: see orbit.h. */
-static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech_word *w, const int *free, int n_free) {
-  int n = m->n;
+static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech_word *w, const int *free,
+                       int n_plain) {
+  int n = m->n, one = (int)fmpq_mat_ncols(entry) - 1;
   enum mech_end end;
   int changed = mech_event(&end, w->phase[w->n - 1], w->phase[0]);
   fmpq_mat_zero(entry);
-  for (int l = 0; l < n_free; l++) fmpq_one(fmpq_mat_entry(entry, free[l], l));
+  for (int l = 0; l < n_plain; l++) fmpq_one(fmpq_mat_entry(entry, free[l], l));
+  for (int l = 0; l <= m->states - 2 * n; l++) fmpq_one(fmpq_mat_entry(entry, 2 * n + l, n_plain + l));
   for (int i = 0; i < n; i++)
-    if (w->phase[0][i] == 's' || i == changed) fmpq_set(fmpq_mat_entry(entry, n + i, n_free), m->mass[i].surface);
-  fmpq_one(fmpq_mat_entry(entry, 2 * n, n_free));
+    if (w->phase[0][i] == 's' || i == changed) fmpq_set(fmpq_mat_entry(entry, n + i, one), m->mass[i].surface);
   if (end == MECH_REACHES) return;
   /* the position of the mass that broke loose, from its force */
   fmpq_mat_t row, at;
-  fmpq_mat_init(row, 1, 2 * n + 1);
-  fmpq_mat_init(at, 1, n_free + 1);
+  fmpq_mat_init(row, 1, m->states + 1);
+  fmpq_mat_init(at, 1, one + 1);
   mech_condition(row, m, changed, 's', end);
   fmpq *own = fmpq_mat_entry(row, 0, changed);
   fmpq_mat_mul(at, row, entry); /* x of that mass is still zero in it */
-  for (int l = 0; l <= n_free; l++) {
+  for (int l = 0; l <= one; l++) {
     fmpq *to = fmpq_mat_entry(entry, changed, l);
     fmpq_div(to, fmpq_mat_entry(at, 0, l), own);
     fmpq_neg(to, to);
@@ -30,24 +31,27 @@ static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech
   fmpq_mat_clear(row);
 }
 
-int mech_free(int free[2 * MECH_MASSES], const struct mech *m, const struct mech_word *w) {
+int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_word *w) {
   enum mech_end end;
   int n = m->n, count = 0, changed = mech_event(&end, w->phase[w->n - 1], w->phase[0]);
   for (int i = 0; i < n; i++)
     if (i != changed || end == MECH_REACHES) free[count++] = i;
   for (int i = 0; i < n; i++)
     if (i != changed && w->phase[0][i] != 's') free[count++] = n + i;
+  if (m->n_loads) free[count++] = 2 * n;
   return count;
 }
 
-void mech_equations_init(struct mech_equations *e, const struct mech *m, const struct mech_word *w, slong prec) {
-  *e = (struct mech_equations){.m = m, .w = w, .side = 2 * m->n + 1, .prec = prec};
+void mech_equations_init(struct mech_equations *e, const struct mech *m, const struct mech_word *w, slong turns,
+                         slong prec) {
+  *e = (struct mech_equations){.m = m, .w = w, .side = m->states + 1, .turns = turns, .prec = prec};
   e->n_free = mech_free(e->free, m, w);
-  slong unknowns = w->n + e->n_free;
+  slong unknowns = w->n + e->n_free, n_plain = e->n_free - (m->n_loads > 0);
+  slong columns = n_plain + m->states - 2 * m->n + 1;
   fmpq_mat_t rate, row, entry;
   fmpq_mat_init(rate, e->side, e->side);
   fmpq_mat_init(row, 1, e->side);
-  fmpq_mat_init(entry, e->side, e->n_free + 1);
+  fmpq_mat_init(entry, e->side, columns);
   for (int k = 0; k < w->n; k++) {
     enum mech_end end;
     int mass = mech_event(&end, w->phase[k], w->phase[(k + 1) % w->n]);
@@ -58,8 +62,8 @@ void mech_equations_init(struct mech_equations *e, const struct mech *m, const s
     mech_condition(row, m, mass, w->phase[k][mass], end);
     arb_mat_set_fmpq_mat(e->event[k], row, prec);
   }
-  make_entry(entry, m, w, e->free, e->n_free);
-  arb_mat_init(e->entry, e->side, e->n_free + 1);
+  make_entry(entry, m, w, e->free, (int)n_plain);
+  arb_mat_init(e->entry, e->side, columns);
   arb_mat_set_fmpq_mat(e->entry, entry, prec);
   for (int k = 0; k <= w->n; k++) arb_mat_init(e->state[k], e->side, 1);
   arb_mat_init(e->change, e->side, unknowns);
@@ -84,15 +88,30 @@ void mech_equations_clear(struct mech_equations *e) {
 
 /* The state at the first entry, and its derivatives: those of the lengths are zero. */
 static void start(struct mech_equations *e, arb_srcptr x) {
-  arb_mat_t q;
-  arb_mat_init(q, e->n_free + 1, 1);
-  for (int l = 0; l < e->n_free; l++) arb_set(arb_mat_entry(q, l, 0), x + e->w->n + l);
-  arb_one(arb_mat_entry(q, e->n_free, 0));
+  slong columns = arb_mat_ncols(e->entry);
+  arb_mat_t q, dq, from;
+  arb_mat_init(q, columns, 1);
+  arb_mat_init(dq, columns, e->n_free);
+  arb_mat_init(from, e->side, e->n_free);
+  for (int l = 0; l < e->n_free; l++) {
+    if (e->free[l] == 2 * e->m->n) { /* theta */
+      arb_ptr c = arb_mat_entry(q, l, 0), s = arb_mat_entry(q, l + 1, 0);
+      arb_sin_cos(s, c, x + e->w->n + l, e->prec);
+      arb_neg(arb_mat_entry(dq, l, l), s);
+      arb_set(arb_mat_entry(dq, l + 1, l), c);
+    } else {
+      arb_set(arb_mat_entry(q, l, 0), x + e->w->n + l);
+      arb_one(arb_mat_entry(dq, l, l));
+    }
+  }
+  arb_one(arb_mat_entry(q, columns - 1, 0));
   arb_mat_mul(e->state[0], e->entry, q, e->prec);
+  arb_mat_mul(from, e->entry, dq, e->prec);
   arb_mat_zero(e->change);
   for (int i = 0; i < e->side; i++)
-    for (int l = 0; l < e->n_free; l++)
-      arb_set(arb_mat_entry(e->change, i, e->w->n + l), arb_mat_entry(e->entry, i, l));
+    for (int l = 0; l < e->n_free; l++) arb_set(arb_mat_entry(e->change, i, e->w->n + l), arb_mat_entry(from, i, l));
+  arb_mat_clear(from);
+  arb_mat_clear(dq);
   arb_mat_clear(q);
 }
 
@@ -123,6 +142,19 @@ static void meet(struct mech_equations *e, int k) {
             e->side, e->prec);
 }
 
+/* The angle returns: Omega times the period is that many turns. */
+static void turn(struct mech_equations *e, int row, arb_srcptr x) {
+  arb_ptr value = arb_mat_entry(e->value, row, 0);
+  arb_const_pi(value, e->prec);
+  arb_mul_si(value, value, -2 * e->turns, e->prec);
+  for (slong j = 0; j < arb_mat_ncols(e->change); j++) arb_zero(arb_mat_entry(e->slope, row, j));
+  for (int k = 0; k < e->w->n; k++) {
+    arb_ptr slope = arb_mat_entry(e->slope, row, k);
+    arb_set_fmpq(slope, e->m->load[0].frequency, e->prec);
+    arb_addmul(value, slope, x + k, e->prec);
+  }
+}
+
 void mech_equations_at(struct mech_equations *e, arb_srcptr x) {
   int phases = e->w->n;
   start(e, x);
@@ -132,6 +164,10 @@ void mech_equations_at(struct mech_equations *e, arb_srcptr x) {
   }
   for (int l = 0; l < e->n_free; l++) {
     int at = e->free[l], row = phases + l;
+    if (at == 2 * e->m->n) {
+      turn(e, row, x);
+      continue;
+    }
     arb_sub(arb_mat_entry(e->value, row, 0), arb_mat_entry(e->state[phases], at, 0), x + row, e->prec);
     for (slong j = 0; j < arb_mat_ncols(e->change); j++)
       arb_set(arb_mat_entry(e->slope, row, j), arb_mat_entry(e->change, at, j));

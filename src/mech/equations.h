@@ -8,14 +8,17 @@
 struct mech_equations {
   const struct mech *m;
   const struct mech_word *w;
-  int side, n_free, free[2 * MECH_MASSES]; /* side = 2n + 1 */
+  int side, n_free, free[MECH_STATES]; /* side = states + 1 */
+  slong turns;                         /* of the loads in a period */
   slong prec;
   arb_mat_t rate[MECH_PHASES], event[MECH_PHASES]; /* A of each phase; the row that is zero at its end */
-  arb_mat_t entry;        /* (2n + 1) by (n_free + 1): y = entry (free, 1) at the entry of the first phase */
+  arb_mat_t
+      entry; /* y = entry (free x and x', cos theta and sin theta with loads, 1) at the entry of the first phase */
   arb_mat_t value, slope; /* of the last evaluation: the defects, and their derivatives by (t, free) */
   arb_mat_t state[MECH_PHASES + 1], change; /* y at the entry of each phase and at the end; dy/d(t, free) at the end */
 };
-void mech_equations_init(struct mech_equations *e, const struct mech *m, const struct mech_word *w, slong prec);
+void mech_equations_init(struct mech_equations *e, const struct mech *m, const struct mech_word *w, slong turns,
+                         slong prec);
 void mech_equations_clear(struct mech_equations *e);
 /* At unknowns (t, free), points or balls. */
 void mech_equations_at(struct mech_equations *e, arb_srcptr x);

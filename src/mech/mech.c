@@ -11,6 +11,7 @@ void mech_init(struct mech *m) {
   m->title = ss_strdup("");
   fmpq_mat_init(m->stiffness, 0, 0);
   fmpq_mat_init(m->damping, 0, 0);
+  fmpq_mat_init(m->loading, 0, 0);
 }
 
 static void links_clear(struct mech_link *link, int n) {
@@ -27,8 +28,15 @@ void mech_clear(struct mech *m) {
   }
   links_clear(m->spring, m->n_springs);
   links_clear(m->damper, m->n_dampers);
+  for (int l = 0; l < m->n_loads; l++) {
+    fmpq_clear(m->load[l].frequency);
+    fmpq_clear(m->load[l].cosine);
+    fmpq_clear(m->load[l].sine);
+  }
+  free(m->load);
   fmpq_mat_clear(m->stiffness);
   fmpq_mat_clear(m->damping);
+  fmpq_mat_clear(m->loading);
   free(m->title);
 }
 
@@ -63,7 +71,19 @@ struct mech_link *mech_add_link(struct mech *m, bool spring, const char *name) {
   return link;
 }
 
-/* --- K and C --- */
+struct mech_load *mech_add_load(struct mech *m, const char *name) {
+  if (m->n_loads == MECH_LINKS) return NULL;
+  m->load = ss_realloc(m->load, (size_t)(m->n_loads + 1) * sizeof *m->load);
+  struct mech_load *load = &m->load[m->n_loads++];
+  load->mass = 0;
+  set_name(load->name, name);
+  fmpq_init(load->frequency);
+  fmpq_init(load->cosine);
+  fmpq_init(load->sine);
+  return load;
+}
+
+/* --- K, C and P --- */
 
 static void add_to(fmpq_mat_t k, int i, int j, const fmpq_t x, bool minus) {
   fmpq *entry = fmpq_mat_entry(k, i, j);
@@ -84,6 +104,15 @@ static void make_matrix(fmpq_mat_t k, int n, const struct mech_link *link, int n
       add_to(k, a, b, link[l].size, true);
       add_to(k, b, a, link[l].size, true);
     }
+  }
+}
+
+static void make_loading(struct mech *m) {
+  fmpq_mat_clear(m->loading);
+  fmpq_mat_init(m->loading, m->n, 2);
+  for (int l = 0; l < m->n_loads; l++) {
+    add_to(m->loading, m->load[l].mass, 0, m->load[l].cosine, false);
+    add_to(m->loading, m->load[l].mass, 1, m->load[l].sine, false);
   }
 }
 
@@ -114,6 +143,12 @@ static const char *wrong_with_link(const struct mech_link *link) {
   return fmpq_sgn(link->size) > 0 ? NULL : "a stiffness, and a damper's constant, is positive";
 }
 
+static const char *wrong_with_load(const struct mech_load *load, const struct mech_load *first) {
+  if (fmpq_sgn(load->frequency) <= 0) return "a frequency is positive";
+  if (!fmpq_equal(load->frequency, first->frequency)) return "all loads have one frequency";
+  return fmpq_is_zero(load->cosine) && fmpq_is_zero(load->sine) ? "a load without any force" : NULL;
+}
+
 bool mech_finish(struct mech *m, const char **why, const char **name) {
   *why = m->n ? NULL : "a system has at least one mass";
   *name = "";
@@ -123,6 +158,8 @@ bool mech_finish(struct mech *m, const char **why, const char **name) {
     const struct mech_link *link = l < m->n_springs ? &m->spring[l] : &m->damper[l - m->n_springs];
     if ((*why = wrong_with_link(link))) *name = link->name;
   }
+  for (int l = 0; !*why && l < m->n_loads; l++)
+    if ((*why = wrong_with_load(&m->load[l], &m->load[0]))) *name = m->load[l].name;
   int loose = *why ? m->n : first_loose(m);
   if (loose < m->n) {
     *why = "no chain of springs ties it to the ground, so that nothing brings it back";
@@ -130,6 +167,8 @@ bool mech_finish(struct mech *m, const char **why, const char **name) {
   }
   make_matrix(m->stiffness, m->n, m->spring, m->n_springs);
   make_matrix(m->damping, m->n, m->damper, m->n_dampers);
+  make_loading(m);
+  m->states = 2 * m->n + (m->n_loads ? 2 : 0);
   return !*why;
 }
 
@@ -137,42 +176,45 @@ bool mech_finish(struct mech *m, const char **why, const char **name) {
 
 /* row += sign f_i */
 static void add_force(fmpq *row, const struct mech *m, int i, int sign) {
-  for (int j = 0; j < m->n; j++)
-    for (int part = 0; part < 2; part++) {
-      const fmpq *entry = fmpq_mat_entry(part ? m->damping : m->stiffness, i, j);
-      fmpq *to = row + part * m->n + j;
-      if (sign > 0)
-        fmpq_add(to, to, entry);
-      else
-        fmpq_sub(to, to, entry);
-    }
+  for (int j = 0; j < m->states; j++) {
+    const fmpq *entry = j < m->n       ? fmpq_mat_entry(m->stiffness, i, j)
+                        : j < 2 * m->n ? fmpq_mat_entry(m->damping, i, j - m->n)
+                                       : fmpq_mat_entry(m->loading, i, j - 2 * m->n);
+    if ((sign > 0) == (j < 2 * m->n))
+      fmpq_add(row + j, row + j, entry);
+    else
+      fmpq_sub(row + j, row + j, entry);
+  }
 }
 
 void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase) {
-  int n = m->n;
+  int n = m->n, one = m->states;
   fmpq_mat_zero(a);
+  if (m->n_loads) {
+    fmpq_neg(fmpq_mat_entry(a, 2 * n, 2 * n + 1), m->load[0].frequency);
+    fmpq_set(fmpq_mat_entry(a, 2 * n + 1, 2 * n), m->load[0].frequency);
+  }
   for (int i = 0; i < n; i++) {
     fmpq_one(fmpq_mat_entry(a, i, n + i));
     if (phase[i] == 's') continue;
     fmpq *row = fmpq_mat_entry(a, n + i, 0);
     add_force(row, m, i, -1);
-    if (phase[i] == '-') fmpq_add(row + 2 * n, row + 2 * n, m->mass[i].sliding);
-    if (phase[i] == '+') fmpq_sub(row + 2 * n, row + 2 * n, m->mass[i].sliding);
-    for (int j = 0; j <= 2 * n; j++) fmpq_div(row + j, row + j, m->mass[i].inertia);
+    if (phase[i] == '-') fmpq_add(row + one, row + one, m->mass[i].sliding);
+    if (phase[i] == '+') fmpq_sub(row + one, row + one, m->mass[i].sliding);
+    for (int j = 0; j <= one; j++) fmpq_div(row + j, row + j, m->mass[i].inertia);
   }
 }
 
 void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end) {
-  int n = m->n;
-  fmpq *c = fmpq_mat_entry(row, 0, 0);
+  fmpq *c = fmpq_mat_entry(row, 0, 0), *constant = c + m->states;
   fmpq_mat_zero(row);
   if (end == MECH_REACHES) {
-    fmpq_set_si(c + n + mass, mode == '-' ? 1 : -1, 1);
-    fmpq_set(c + 2 * n, m->mass[mass].surface);
-    if (mode == '-') fmpq_neg(c + 2 * n, c + 2 * n);
+    fmpq_set_si(c + m->n + mass, mode == '-' ? 1 : -1, 1);
+    fmpq_set(constant, m->mass[mass].surface);
+    if (mode == '-') fmpq_neg(constant, constant);
   } else {
     add_force(c, m, mass, end == MECH_BREAKS_SLOWER ? 1 : -1);
-    fmpq_neg(c + 2 * n, m->mass[mass].limit);
+    fmpq_neg(constant, m->mass[mass].limit);
   }
 }
 

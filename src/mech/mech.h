@@ -1,8 +1,9 @@
-/* Masses in a row of their own each, springs and dampers between any two of them or to the ground, surfaces that rub:
+/* Masses in a row of their own each, springs and dampers between any two of them or to the ground, surfaces that rub,
+   harmonic loads:
 
-     m_i x_i'' = u_i - f_i          f = K x + C x'
+     m_i x_i'' = u_i - f_i          f = K x + C x' - P (cos theta, sin theta)          theta' = Omega
 
-   K and C are made from the springs and dampers.  A mass that a surface of velocity V_i rubs has a sliding friction s_i
+   K and C are made from the springs and dampers, P from the loads, which have one frequency Omega.  A mass that a surface of velocity V_i rubs has a sliding friction s_i
    and a static limit r_i, 0 <= s_i <= r_i, and moves in one of three modes; one that nothing rubs is free:
 
      's' sticks    x_i' = V_i, u_i = f_i, as long as |f_i| < r_i
@@ -14,8 +15,8 @@
    cyclic sequence of phases.  A sticking mass breaks loose at f_i = r_i to the slower side, at f_i = -r_i to the faster
    one; a slipping one that reaches V_i sticks where |f_i| < r_i and passes through elsewhere.
 
-   Within a phase the state y = (x_1 ... x_n, x_1' ... x_n', 1) obeys y' = A y with a constant matrix A, and every
-   condition of a phase is a row c with c y < 0 (mech_rate, mech_condition): both exact, and the one place where the
+   Within a phase the state y = (x_1 ... x_n, x_1' ... x_n', 1), with cos theta, sin theta before the 1 where there are
+   loads, obeys y' = A y with a constant matrix A, and every condition of a phase is a row c with c y < 0 (mech_rate, mech_condition): both exact, and the one place where the
    equations of motion are stated.  With two masses and springs 1 - chi and chi it is the paper's system. */
 #ifndef STICKSLIP_MECH_MECH_H
 #define STICKSLIP_MECH_MECH_H
@@ -25,7 +26,7 @@
 #include "base/text.h"
 #include "num/num.h"
 
-enum { MECH_MASSES = 24, MECH_LINKS = 600, MECH_NAME = 32, MECH_PHASES = 48 };
+enum { MECH_MASSES = 24, MECH_STATES = 2 * MECH_MASSES + 2, MECH_LINKS = 600, MECH_NAME = 32, MECH_PHASES = 48 };
 
 struct mech_mass {
   char name[MECH_NAME];
@@ -38,12 +39,20 @@ struct mech_link {
   int end[2];
   fmpq_t size;
 };
+/* cosine cos(theta) + sine sin(theta), theta' = frequency */
+struct mech_load {
+  char name[MECH_NAME];
+  int mass;
+  fmpq_t frequency, cosine, sine;
+};
 struct mech {
   char *title;
-  int n, n_springs, n_dampers;
+  int n, n_springs, n_dampers, n_loads;
+  int states; /* the elements of y but the last: 2n, and two more with loads */
   struct mech_mass mass[MECH_MASSES];
   struct mech_link *spring, *damper;
-  fmpq_mat_t stiffness, damping; /* K and C, n by n */
+  struct mech_load *load;
+  fmpq_mat_t stiffness, damping, loading; /* K and C, n by n; P, n by 2 */
 };
 
 /* A system without masses; the matrices are made by mech_finish. */
@@ -52,7 +61,9 @@ void mech_clear(struct mech *m);
 /* A mass, spring or damper more, zero and free, between the ground and the ground; NULL when there is no room. */
 struct mech_mass *mech_add_mass(struct mech *m, const char *name);
 struct mech_link *mech_add_link(struct mech *m, bool spring, const char *name);
-/* Makes K and C.  What is physically wrong is said in why (a mass that is not positive, a static limit below the sliding
+/* A load more, zero, on the first mass. */
+struct mech_load *mech_add_load(struct mech *m, const char *name);
+/* Makes K, C and P.  What is physically wrong is said in why (a mass that is not positive, a static limit below the sliding
    friction, masses that no chain of springs ties to the ground, ...), with the mass or link it is about in *name. */
 bool mech_finish(struct mech *m, const char **why, const char **name);
 
@@ -78,7 +89,7 @@ void mech_word_turn(struct mech_word *out, const struct mech_word *in, int by);
 /* The same word, from whichever phase; *by: how far b is turned. */
 bool mech_word_same(int *by, const struct mech_word *a, const struct mech_word *b);
 
-/* A of a phase, 2n + 1 by 2n + 1. */
+/* A of a phase, a square matrix of side states + 1. */
 void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase);
 /* What ends a mode of a mass. */
 enum mech_end {
@@ -86,7 +97,7 @@ enum mech_end {
   MECH_BREAKS_FASTER, /* sticking: -f_i - r_i */
   MECH_REACHES        /* slipping: x_i' - V_i where slower, V_i - x_i' where faster */
 };
-/* The row c of length 2n + 1 with c y < 0 while the mass goes on in that mode. */
+/* The row c of length states + 1 with c y < 0 while the mass goes on in that mode. */
 void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end);
 /* The mass that changes between two phases, and what ends its mode; -1 when none or more than one does. */
 int mech_event(enum mech_end *end, const char *from, const char *to);

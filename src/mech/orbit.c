@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "equations.h"
+#include "num/pi.h"
 #include "num/solve.h"
 
 enum { MOST_STEPS = 60 };
@@ -131,19 +132,22 @@ static truth all_inside(acb_srcptr z, int n) {
 /* --- An orbit --- */
 
 static void orbit_init(struct mech_orbit *o, const struct mech *m, const struct mech_word *w) {
-  *o = (struct mech_orbit){.word = *w, .n = m->n, .multipliers = false};
+  *o = (struct mech_orbit){
+      .word = *w, .n = m->n, .states = m->states, .own = TRUTH_UNKNOWN, .admissible = TRUTH_UNKNOWN};
   o->n_free = mech_free(o->free, m, w);
   o->t = _arb_vec_init(w->n);
-  o->state = _arb_vec_init((slong)w->n * 2 * m->n);
+  o->state = _arb_vec_init((slong)w->n * m->states);
   arb_init(o->period);
+  arb_init(o->angle);
   arb_mat_init(o->jacobian, o->n_free, o->n_free);
   o->multiplier = _acb_vec_init(o->n_free);
 }
 
 void mech_orbit_clear(struct mech_orbit *o) {
   _arb_vec_clear(o->t, o->word.n);
-  _arb_vec_clear(o->state, (slong)o->word.n * 2 * o->n);
+  _arb_vec_clear(o->state, (slong)o->word.n * o->states);
   arb_clear(o->period);
+  arb_clear(o->angle);
   arb_mat_clear(o->jacobian);
   _acb_vec_clear(o->multiplier, o->n_free);
   free(o->fact);
@@ -155,8 +159,10 @@ static void describe(struct mech_orbit *o, struct mech_equations *e, arb_srcptr 
   for (int k = 0; k < o->word.n; k++) {
     arb_set(o->t + k, x + k);
     arb_add(o->period, o->period, x + k, e->prec);
-    for (int i = 0; i < 2 * o->n; i++) arb_set(o->state + k * 2 * o->n + i, arb_mat_entry(e->state[k], i, 0));
+    for (int i = 0; i < o->states; i++) arb_set(o->state + k * o->states + i, arb_mat_entry(e->state[k], i, 0));
   }
+  if (o->states > 2 * o->n) arb_set(o->angle, x + o->word.n + o->n_free - 1);
+  o->turns = e->turns;
   o->multipliers = return_jacobian(o->jacobian, e) && mech_eigenvalues(o->multiplier, o->jacobian, e->prec);
   o->stable = o->multipliers ? all_inside(o->multiplier, o->n_free) : TRUTH_UNKNOWN;
 }
@@ -174,32 +180,30 @@ static void conclude(struct mech_orbit *o) {
   o->certified = settled && o->stable != TRUTH_UNKNOWN;
 }
 
-/* The word turned so that the fewest coordinates are free; *by: how far. */
-static void turn_best(struct mech_word *out, int *by, const struct mech *m, const struct mech_word *w) {
-  int free[2 * MECH_MASSES], least = mech_free(free, m, w);
-  *by = 0;
-  *out = *w;
+/* How far the word is turned so that the fewest coordinates are free. */
+static int best_turn(const struct mech *m, const struct mech_word *w) {
+  int free[MECH_STATES], least = mech_free(free, m, w), by = 0;
   for (int k = 1; k < w->n; k++) {
     struct mech_word turned;
     mech_word_turn(&turned, w, k);
     int n = mech_free(free, m, &turned);
     if (n >= least) continue;
     least = n;
-    *by = k;
-    *out = turned;
+    by = k;
   }
+  return by;
 }
 
 /* The state at the entry of phase `by`, in double precision: by the flow of the phases before. */
 static void carry(double *z, const struct mech *m, const struct mech_word *w, const double *t, int by) {
-  int side = 2 * m->n + 1;
+  int states = m->states, side = states + 1;
   fmpq_mat_t rate;
   arb_mat_t flow, y;
   fmpq_mat_init(rate, side, side);
   arb_mat_init(flow, side, side);
   arb_mat_init(y, side, 1);
-  for (int i = 0; i < 2 * m->n; i++) arb_set_d(arb_mat_entry(y, i, 0), z[i]);
-  arb_one(arb_mat_entry(y, 2 * m->n, 0));
+  for (int i = 0; i < states; i++) arb_set_d(arb_mat_entry(y, i, 0), z[i]);
+  arb_one(arb_mat_entry(y, states, 0));
   for (int k = 0; k < by; k++) {
     arb_t length;
     arb_init(length);
@@ -211,37 +215,60 @@ static void carry(double *z, const struct mech *m, const struct mech_word *w, co
     arb_mat_mul(y, flow, y, 64);
     arb_clear(length);
   }
-  for (int i = 0; i < 2 * m->n; i++) z[i] = arf_get_d(arb_midref(arb_mat_entry(y, i, 0)), ARF_RND_NEAR);
+  for (int i = 0; i < states; i++) z[i] = arf_get_d(arb_midref(arb_mat_entry(y, i, 0)), ARF_RND_NEAR);
   arb_mat_clear(y);
   arb_mat_clear(flow);
   fmpq_mat_clear(rate);
 }
 
+void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech *m) {
+  double lengths[MECH_PHASES];
+  int by = best_turn(m, w);
+  carry(z, m, w, t, by);
+  memcpy(lengths, t, (size_t)w->n * sizeof *t);
+  for (int k = 0; k < w->n; k++) t[k] = lengths[(k + by) % w->n];
+  mech_word_turn(w, w, by);
+}
+
+/* How often the loads turn in about the sum of the lengths. */
+static slong turns_in(const struct mech *m, const double *t, int n) {
+  double sum = 0;
+  for (int k = 0; k < n; k++) sum += t[k];
+  return m->n_loads ? lround(fmin(fabs(sum * fmpq_get_d(m->load[0].frequency)) / (2 * PI), 1e9)) : 0;
+}
+
 int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                     const double *z, slong prec) {
-  struct mech_word best;
   struct mech_equations e;
   struct num_vec x;
-  double at[2 * MECH_MASSES];
-  int by;
-  turn_best(&best, &by, m, w);
-  memcpy(at, z, 2 * (size_t)m->n * sizeof *z);
-  carry(at, m, w, t, by);
-  mech_equations_init(&e, m, &best, prec);
-  int status = best.n + e.n_free <= SOLVE_MOST ? SS_OK : SS_UNABLE;
-  num_vec_init(&x, best.n + e.n_free, num_ctx_arb(prec));
-  for (int k = 0; k < best.n; k++) arb_set_d(num_vec_at(&x, k), t[(k + by) % best.n]);
-  for (int l = 0; l < e.n_free; l++) arb_set_d(num_vec_at(&x, best.n + l), at[e.free[l]]);
+  mech_equations_init(&e, m, w, turns_in(m, t, w->n), prec);
+  int status = w->n + e.n_free <= SOLVE_MOST && (e.turns > 0 || !m->n_loads) ? SS_OK : SS_UNABLE;
+  num_vec_init(&x, w->n + e.n_free, num_ctx_arb(prec));
+  for (int k = 0; k < w->n; k++) arb_set_d(num_vec_at(&x, k), t[k]);
+  for (int l = 0; l < e.n_free; l++)
+    arb_set_d(num_vec_at(&x, w->n + l), e.free[l] < 2 * m->n ? z[e.free[l]] : atan2(z[2 * m->n + 1], z[2 * m->n]));
   for (slong i = 0; i < x.len; i++)
     if (!arb_is_finite(num_vec_at(&x, i))) status = SS_UNABLE;
   if (!status) status = enclose(&x, &e);
   if (!status) {
-    orbit_init(o, m, &best);
+    orbit_init(o, m, w);
     describe(o, &e, num_vec_at(&x, 0));
-    mech_judge(o, &e);
-    conclude(o);
   }
   num_vec_clear(&x);
   mech_equations_clear(&e);
   return status;
+}
+
+void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec) {
+  struct mech_equations e;
+  arb_ptr x = _arb_vec_init(o->word.n + o->n_free);
+  mech_equations_init(&e, m, &o->word, o->turns, prec);
+  _arb_vec_set(x, o->t, o->word.n);
+  for (int l = 0; l < o->n_free; l++)
+    arb_set(x + o->word.n + l, o->free[l] < 2 * o->n ? o->state + o->free[l] : o->angle);
+  mech_equations_at(&e, x);
+  mech_judge(o, &e);
+  conclude(o);
+  mech_equations_clear(&e);
+  _arb_vec_clear(x, o->word.n + o->n_free);
 }

@@ -2,8 +2,9 @@
 
    Unknown are the lengths t_1 ... t_K of the phases and the coordinates of the state at the entry of the first phase that
    are free there: not the velocity of a sticking mass or of the one that has just changed, nor the position of one that has
-   just broken loose, since its force is at the limit.  The equations are the K events and the return of those coordinates.
-   A word is turned so that they are fewest.
+   just broken loose, since its force is at the limit; with loads their angle theta is one more.  The equations are the K
+   events and the return of those coordinates, that of the angle after a given number of turns.
+   A word may be turned so that they are fewest.
 
    What is proved: by Krawczyk's operator in balls that a box holds exactly one solution; along each phase, by Taylor's
    formula in steps, that each condition of the phase holds up to its end, so that every event is the first one; the
@@ -33,14 +34,15 @@ struct mech_fact {
 };
 
 struct mech_orbit {
-  struct mech_word word;                /* turned so that the free coordinates are fewest */
-  int n, n_free, free[2 * MECH_MASSES]; /* masses; places in x_1 ... x_n, x_1' ... x_n' */
-  arb_ptr t, state;                     /* word.n lengths; 2n coordinates at the entry of each phase */
-  arb_t period;
-  arb_mat_t jacobian; /* of the first return of the free coordinates */
-  acb_ptr multiplier; /* its eigenvalues, by decreasing modulus; n_free */
-  bool multipliers;   /* they are enclosed */
-  struct mech_fact *fact;
+  struct mech_word word;
+  int n, states, n_free, free[MECH_STATES]; /* masses; see mech.h; places in x_1 ... x_n, x_1' ... x_n', theta */
+  arb_ptr t, state;                         /* word.n lengths; the states at the entry of each phase */
+  arb_t period, angle;                      /* theta at the entry of the first phase; 0 without loads */
+  slong turns;                              /* of theta in a period */
+  arb_mat_t jacobian;                       /* of the first return of the free coordinates */
+  acb_ptr multiplier;                       /* its eigenvalues, by decreasing modulus; n_free */
+  bool multipliers;                         /* they are enclosed */
+  struct mech_fact *fact;                   /* from here on by mech_orbit_judge; before, unknown */
   int n_facts;
   truth own;        /* every phase has a positive length and ends with its first event */
   truth admissible; /* all facts: Coulomb's law */
@@ -49,11 +51,16 @@ struct mech_orbit {
 };
 
 /* How many coordinates are free at the entry of the first phase of a word, and which. */
-int mech_free(int free[2 * MECH_MASSES], const struct mech *m, const struct mech_word *w);
-/* The orbit near the lengths t and the state z (2n numbers) at the entry of the word's first phase, to prec bits where its
-   conditioning allows.  SS_UNABLE: none is proved there, and the orbit needs no clearing. */
+int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_word *w);
+/* Turns a word so that the fewest coordinates are free, with its lengths t, and the state z at the entry of its first
+   phase (m->states numbers). */
+void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech *m);
+/* The orbit near such lengths and such a state, to prec bits where its conditioning allows; its conditions are not looked
+   at.  SS_UNABLE: none is proved there, and the orbit needs no clearing. */
 int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                     const double *z, slong prec);
+/* Its conditions: Coulomb's law. */
+void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec);
 void mech_orbit_clear(struct mech_orbit *o);
 /* The eigenvalues of a real square matrix, by decreasing modulus; false when they cannot be enclosed. */
 bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec);
@@ -66,8 +73,8 @@ struct mech_orbits {
 };
 /* Orbits that simulated motions come near, by increasing period; of one word, or of all when w is NULL.  Motions from
    random starts (a fixed sequence) are searched for stretches that nearly return; unstable orbits are met only as motions
-   pass them.  None found is no proof. */
-void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, slong prec);
+   pass them.  None found is no proof.  any: the first motion that leads to an orbit is the last one. */
+void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec);
 void mech_orbits_clear(struct mech_orbits *list);
 
 #endif

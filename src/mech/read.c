@@ -14,9 +14,15 @@
      damper d1
        between: m1, m2
        constant: 1/100
+     load P
+       on: m1
+       frequency: 3/2
+       cosine: 1
+       sine: 0
 
    Lines NAME = VALUE before the first record are parameters, free in name; a value is a constant expression
-   (expr/constant.h) and may use the parameters above it.  A mass is free of friction without the last three lines. */
+   (expr/constant.h) and may use the parameters above it.  A mass is free of friction without the last three lines; a load
+   is cosine cos(frequency t) + sine sin(frequency t), the two amplitudes 0 where not given. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -104,7 +110,8 @@ static bool need_value(fmpq_t z, struct reader *r, const struct record *of, cons
 
 static const char *const of_mass[] = {"inertia", "sliding", "static", "surface", NULL},
                          *const of_spring[] = {"between", "stiffness", NULL},
-                         *const of_damper[] = {"between", "constant", NULL};
+                         *const of_damper[] = {"between", "constant", NULL},
+                         *const of_load[] = {"on", "frequency", "cosine", "sine", NULL};
 
 static bool unknown_field(struct reader *r, const struct record *of, const struct field *f, const char *const *keys) {
   struct text known;
@@ -148,6 +155,11 @@ static bool read_mass(struct reader *r, const struct record *of) {
          wrong(r, of->kind.begin, "friction has three lines: sliding, static, and surface, the velocity of what rubs");
 }
 
+static bool no_mass(struct reader *r, const struct field *f, const char *name, size_t len) {
+  diag_at(r->d, r->src, f->value.begin, "there is no mass %.*s above this line", (int)(len < 60 ? len : 60), name);
+  return false;
+}
+
 /* "A, B": masses, or ground. */
 static bool read_ends(struct mech_link *link, struct reader *r, const struct record *of) {
   const struct field *f = record_field(of, "between");
@@ -158,10 +170,7 @@ static bool read_ends(struct mech_link *link, struct reader *r, const struct rec
     if (!(s = list_item(&len, s))) return wrong(r, f->value.begin, "two ends are needed: \"between: ground, m1\"");
     int i = mass_named(r->m, s, len);
     bool ground = len == strlen("ground") && strncmp(s, "ground", len) == 0;
-    if (i == r->m->n && !ground) {
-      diag_at(r->d, r->src, f->value.begin, "there is no mass %.*s above this line", (int)(len < 60 ? len : 60), s);
-      return false;
-    }
+    if (i == r->m->n && !ground) return no_mass(r, f, s, len);
     link->end[side] = ground ? -1 : i;
     s += len;
   }
@@ -176,12 +185,27 @@ static bool read_link(struct reader *r, const struct record *of, bool spring) {
   return read_ends(link, r, of) && need_value(link->size, r, of, spring ? "stiffness" : "constant");
 }
 
+static bool read_load(struct reader *r, const struct record *of) {
+  if (!known_fields(r, of, of_load)) return false;
+  const struct field *on = record_field(of, "on");
+  if (!on) return wrong(r, of->kind.begin, "the mass that it acts on is missing: \"on: m1\"");
+  int i = mass_named(r->m, on->text, strlen(on->text));
+  if (i == r->m->n) return no_mass(r, on, on->text, strlen(on->text));
+  struct mech_load *load = mech_add_load(r->m, of->id_name);
+  if (!load) return wrong(r, of->kind.begin, "a system has at most 600 loads");
+  load->mass = i;
+  bool given;
+  return need_value(load->frequency, r, of, "frequency") && read_value(load->cosine, &given, r, of, "cosine") &&
+         read_value(load->sine, &given, r, of, "sine");
+}
+
 static bool read_record(struct reader *r, const struct record *of) {
   if (strlen(of->id_name) >= MECH_NAME) return wrong(r, of->id.begin, "a name of more than 31 characters");
   if (strcmp(of->kind_name, "mass") == 0) return read_mass(r, of);
   if (strcmp(of->kind_name, "spring") == 0) return read_link(r, of, true);
   if (strcmp(of->kind_name, "damper") == 0) return read_link(r, of, false);
-  return wrong(r, of->kind.begin, "a system is made of the records mass, spring and damper");
+  if (strcmp(of->kind_name, "load") == 0) return read_load(r, of);
+  return wrong(r, of->kind.begin, "a system is made of the records mass, spring, damper and load");
 }
 
 static bool read_head(struct reader *r, const struct record *head) {

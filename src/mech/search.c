@@ -5,6 +5,7 @@
 
 #include "base/arena.h"
 #include "base/random.h"
+#include "num/pi.h"
 #include "orbit.h"
 #include "walk.h"
 
@@ -14,7 +15,7 @@ static const double near = 0.2, periods = 300; /* relative distance of the ends;
 /* A stretch of a motion from an event to another one with the same phase behind it. */
 struct stretch {
   struct mech_word word;
-  double t[MECH_PHASES], z[2 * MECH_MASSES], gap; /* the relative distance of its ends */
+  double t[MECH_PHASES], z[MECH_STATES], gap; /* the relative distance of its ends */
 };
 struct stretches {
   struct stretch *at;
@@ -26,21 +27,30 @@ static double uniform(uint64_t *stream) {
   return 2 * ldexp((double)(random_next(stream) >> 11), -53) - 1;
 }
 
-/* Positions about as far out as the forces of friction can hold them, velocities about those of the surfaces. */
+/* Positions about as far out as friction and loads can hold them, velocities about those of the surfaces. */
 static void random_start(double *z, const struct mech *m, uint64_t *stream) {
   for (int i = 0; i < m->n; i++) {
     const struct mech_mass *mass = &m->mass[i];
-    double stiffness = fmpq_get_d(fmpq_mat_entry(m->stiffness, i, i)), force = fmpq_get_d(mass->limit);
-    z[i] = uniform(stream) * 2 * (mass->rubbed ? force : 1) / stiffness;
+    double stiffness = fmpq_get_d(fmpq_mat_entry(m->stiffness, i, i)),
+           force = mass->rubbed ? fmpq_get_d(mass->limit) : 1;
+    for (int j = 0; j < 2; j++) force += fabs(fmpq_get_d(fmpq_mat_entry(m->loading, i, j)));
+    z[i] = uniform(stream) * 2 * force / stiffness;
     z[m->n + i] = fmpq_get_d(mass->surface) * (random_next(stream) % 2 ? 1 : uniform(stream));
+  }
+  if (m->n_loads) {
+    double angle = PI * uniform(stream);
+    z[2 * m->n] = cos(angle);
+    z[2 * m->n + 1] = sin(angle);
   }
 }
 
-static double gap_between(const double *a, const double *b, int n) {
+/* Positions, velocities and the angle of the loads each apart. */
+static double gap_between(const double *a, const double *b, const struct mech *m) {
   double apart = 0, size = 0;
-  for (int part = 0; part < 2; part++) {
+  const int ends[] = {0, m->n, 2 * m->n, m->states};
+  for (int part = 0; part < 3; part++) {
     double d = 0, s = 0;
-    for (int i = part * n; i < part * n + n; i++) {
+    for (int i = ends[part]; i < ends[part + 1]; i++) {
       d = fmax(d, fabs(a[i] - b[i]));
       s = fmax(s, fmax(fabs(a[i]), fabs(b[i])));
     }
@@ -52,7 +62,7 @@ static double gap_between(const double *a, const double *b, int n) {
 
 /* The stretch from moment i over k phases; false when its word is a shorter one's, repeated, or not the one wanted. */
 static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i, int k, const struct mech_word *wanted,
-                         int n) {
+                         const struct mech *m) {
   const struct mech_moment *a = &x->moment[i];
   struct mech_word w = {.n = k};
   int by;
@@ -63,7 +73,7 @@ static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i
     if (k % l == 0 && memcmp(turned.phase, w.phase, (size_t)k * sizeof *w.phase) == 0) return false;
   }
   if (!mech_word_good(&w) || (wanted && !mech_word_same(&by, wanted, &w))) return false;
-  *out = (struct stretch){.word = w, .gap = gap_between(a[0].z, a[k].z, n)};
+  *out = (struct stretch){.word = w, .gap = gap_between(a[0].z, a[k].z, m)};
   for (int l = 0; l < k; l++) out->t[l] = a[l + 1].t - a[l].t;
   memcpy(out->z, a[0].z, sizeof out->z);
   return true;
@@ -85,13 +95,14 @@ static void keep(struct stretches *list, const struct stretch *s) {
   list->at[list->n++] = *s;
 }
 
-static void look_through(struct stretches *list, const struct mech_motion *x, const struct mech_word *wanted, int n) {
+static void look_through(struct stretches *list, const struct mech_motion *x, const struct mech_word *wanted,
+                         const struct mech *m) {
   for (int i = x->n_moments / 4 + 1; i < x->n_moments; i++)
     for (int k = 2; k <= MECH_PHASES && i + k < x->n_moments; k++) {
       struct stretch s;
       if (strcmp(x->moment[i].phase, x->moment[i + k].phase) != 0 || x->moment[i].mass != x->moment[i + k].mass)
         continue;
-      if (!make_stretch(&s, x, i, k, wanted, n) || !(s.gap < near)) continue;
+      if (!make_stretch(&s, x, i, k, wanted, m) || !(s.gap < near)) continue;
       keep(list, &s);
       break; /* longer ones hold this one */
     }
@@ -116,8 +127,8 @@ static bool is_known(const struct mech_orbits *list, const struct mech_orbit *o)
     for (int k = 0; k < a->word.n; k++) {
       int l = (k + by) % a->word.n;
       same = same && arb_overlaps(a->t + k, o->t + l);
-      for (int c = 0; c < 2 * a->n; c++)
-        same = same && arb_overlaps(a->state + k * 2 * a->n + c, o->state + l * 2 * a->n + c);
+      for (int c = 0; c < a->states; c++)
+        same = same && arb_overlaps(a->state + k * a->states + c, o->state + l * a->states + c);
     }
     if (same) return true;
   }
@@ -135,24 +146,14 @@ static int by_period(const void *x, const void *y) {
   return arf_cmp(arb_midref(a->period), arb_midref(b->period));
 }
 
-void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, slong prec) {
-  struct stretches found = {.n = 0};
-  uint64_t stream = random_seed("motions of a system");
-  *list = (struct mech_orbits){.n = 0};
-  for (int i = 0; i < SIMULATIONS; i++) {
-    struct mech_motion x;
-    double z[2 * MECH_MASSES];
-    random_start(z, m, &stream);
-    int status = mech_simulate(&x, MECH_PATCHED, m, z, fmin(1e6, periods / slowest(m)), MOMENTS);
-    if (status == SS_OK) look_through(&found, &x, w, m->n);
-    list->simulations++;
-    mech_motion_clear(&x);
-  }
-  if (found.n > 1) qsort(found.at, (size_t)found.n, sizeof *found.at, by_gap);
-  for (int i = 0; i < found.n && i < MOST_CANDIDATES; i++) {
+/* Newton's iteration from what was found. */
+static void solve(struct mech_orbits *list, struct stretches *found, const struct mech *m, slong prec) {
+  if (found->n > 1) qsort(found->at, (size_t)found->n, sizeof *found->at, by_gap);
+  for (int i = 0; i < found->n && i < MOST_CANDIDATES; i++) {
     struct mech_orbit o;
-    const struct stretch *s = &found.at[i];
+    struct stretch *s = &found->at[i];
     list->candidates++;
+    mech_word_best(&s->word, s->t, s->z, m);
     if (mech_orbit_near(&o, m, &s->word, s->t, s->z, prec) != SS_OK) {
       list->failed++;
       continue;
@@ -161,8 +162,25 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
       mech_orbit_clear(&o);
       continue;
     }
+    mech_orbit_judge(&o, m, prec);
     list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
     list->orbit[list->n++] = o;
+  }
+}
+
+void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec) {
+  struct stretches found = {.n = 0};
+  uint64_t stream = random_seed("motions of a system");
+  *list = (struct mech_orbits){.n = 0};
+  while (list->simulations < SIMULATIONS && list->n == 0) {
+    struct mech_motion x;
+    double z[MECH_STATES];
+    random_start(z, m, &stream);
+    int status = mech_simulate(&x, MECH_PATCHED, m, z, fmin(1e6, periods / slowest(m)), MOMENTS);
+    if (status == SS_OK) look_through(&found, &x, w, m);
+    mech_motion_clear(&x);
+    if (++list->simulations == SIMULATIONS || any) solve(list, &found, m, prec);
+    if (any) found.n = 0;
   }
   if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_period);
   free(found.at);

@@ -11,17 +11,18 @@
 #include "base/work.h"
 #include "motion/dynamics.h"
 
-enum { STATE = 2 * MECH_MASSES, SIDE = STATE + 1 };
+enum { SIDE = MECH_STATES + 1 };
 enum { UNITS_OF_LOOK = 15, HALVINGS = 200 }; /* of work; of the search for a root */
 
 struct walk {
   const struct mech *m;
   enum mech_route route;
-  int n;
+  int n, states;
   char phase[MECH_MASSES + 1];
   int fresh; /* the mass that has just begun to slip from its surface, or -1: its condition starts at zero */
-  double look, z[STATE];
+  double look, z[MECH_STATES];
   double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
+  double loading[2 * MECH_MASSES], frequency;
   double inertia[MECH_MASSES], sliding[MECH_MASSES], limit[MECH_MASSES], surface[MECH_MASSES];
   double rate[SIDE * SIDE];   /* A of the present phase */
   double stride[SIDE * SIDE]; /* exp(A look) */
@@ -32,6 +33,7 @@ struct walk {
 static double force(const struct walk *w, const double *z, int i) {
   double f = 0;
   for (int j = 0; j < w->n; j++) f += w->stiffness[i * w->n + j] * z[j] + w->damping[i * w->n + j] * z[w->n + j];
+  for (int j = 2 * w->n; j < w->states; j++) f -= w->loading[2 * i + j - 2 * w->n] * z[j];
   return f;
 }
 
@@ -43,12 +45,16 @@ static int right_side(double t, const double z[], double dz[], void *self) {
     dz[i] = z[w->n + i];
     dz[w->n + i] = w->phase[i] == 's' ? 0 : (u - force(w, z, i)) / w->inertia[i];
   }
+  if (w->states > 2 * w->n) {
+    dz[2 * w->n] = -w->frequency * z[2 * w->n + 1];
+    dz[2 * w->n + 1] = w->frequency * z[2 * w->n];
+  }
   return GSL_SUCCESS;
 }
 
 /* exp(A h). */
 static bool exponential(double *out, const struct walk *w, double h) {
-  int side = 2 * w->n + 1;
+  int side = w->states + 1;
   double a[SIDE * SIDE];
   for (int i = 0; i < side * side; i++) a[i] = h * w->rate[i];
   gsl_matrix_view in = gsl_matrix_view_array(a, (size_t)side, (size_t)side);
@@ -59,11 +65,11 @@ static bool exponential(double *out, const struct walk *w, double h) {
   return true;
 }
 
-static void apply(double *to, const double *matrix, const double *from, int n) {
-  int side = 2 * n + 1;
-  for (int i = 0; i < 2 * n; i++) {
-    to[i] = matrix[i * side + 2 * n];
-    for (int k = 0; k < 2 * n; k++) to[i] += matrix[i * side + k] * from[k];
+static void apply(double *to, const double *matrix, const double *from, int states) {
+  int side = states + 1;
+  for (int i = 0; i < states; i++) {
+    to[i] = matrix[i * side + states];
+    for (int k = 0; k < states; k++) to[i] += matrix[i * side + k] * from[k];
   }
 }
 
@@ -72,7 +78,7 @@ static bool carry(double *to, struct walk *w, double h) {
   if (w->route == MECH_PATCHED) {
     double matrix[SIDE * SIDE];
     if (h != w->look && !exponential(matrix, w, h)) return false;
-    apply(to, h == w->look ? w->stride : matrix, w->z, w->n);
+    apply(to, h == w->look ? w->stride : matrix, w->z, w->states);
     return true;
   }
   double t = 0;
@@ -91,7 +97,7 @@ static double condition(const struct walk *w, const double *z, int i) {
 
 /* The first root of mass i's condition, which changes sign within (0, h]: regula falsi of Illinois. */
 static bool locate(double *s, struct walk *w, int i, double h, double at_end) {
-  double a = 0, b = h, fa = condition(w, w->z, i), fb = at_end, z[STATE];
+  double a = 0, b = h, fa = condition(w, w->z, i), fb = at_end, z[MECH_STATES];
   if (i == w->fresh || fa > 0) { /* it leaves zero: begin where it is well below */
     for (a = h / 2; a > 1e-9 * h; a /= 2) {
       if (!carry(z, w, a)) return false;
@@ -129,7 +135,7 @@ static void change(struct walk *w, int i) {
 }
 
 static bool begin(struct walk *w) {
-  int side = 2 * w->n + 1;
+  int side = w->states + 1;
   fmpq_mat_t rate;
   if (w->route != MECH_PATCHED) return true;
   fmpq_mat_init(rate, side, side);
@@ -149,7 +155,7 @@ static void note(struct mech_motion *out, const struct walk *w, double t, int ma
 
 /* One look ahead: to the first event in it, or to its end. */
 static int advance(double *gone, struct walk *w, struct mech_motion *out, double t, double h) {
-  double z[STATE], first = h;
+  double z[MECH_STATES], first = h;
   int mass = -1;
   if (!carry(z, w, h)) return SS_UNABLE;
   for (int i = 0; i < w->n; i++) {
@@ -181,6 +187,7 @@ static void take_system(struct walk *w) {
       w->stiffness[i * w->n + j] = fmpq_get_d(fmpq_mat_entry(m->stiffness, i, j));
       w->damping[i * w->n + j] = fmpq_get_d(fmpq_mat_entry(m->damping, i, j));
     }
+    for (int j = 0; j < 2; j++) w->loading[2 * i + j] = fmpq_get_d(fmpq_mat_entry(m->loading, i, j));
     w->inertia[i] = fmpq_get_d(m->mass[i].inertia);
     w->sliding[i] = fmpq_get_d(m->mass[i].sliding);
     w->limit[i] = fmpq_get_d(m->mass[i].limit);
@@ -189,11 +196,13 @@ static void take_system(struct walk *w) {
     fastest = fmax(fastest, sqrt(2 * w->stiffness[i * w->n + i] / w->inertia[i]));
     fastest = fmax(fastest, 2 * w->damping[i * w->n + i] / w->inertia[i]);
   }
+  w->frequency = m->n_loads ? fmpq_get_d(m->load[0].frequency) : 0;
+  fastest = fmax(fastest, w->frequency);
   w->look = (w->route == MECH_PATCHED ? 1.0 / 16 : 1.0 / 23) / fastest;
 }
 
 static void take_start(struct walk *w, const double *start) {
-  memcpy(w->z, start, 2 * (size_t)w->n * sizeof *start);
+  memcpy(w->z, start, (size_t)w->states * sizeof *start);
   for (int i = 0; i < w->n; i++) {
     double lead = start[w->n + i] - w->surface[i], f = force(w, start, i);
     w->phase[i] = !w->m->mass[i].rubbed                          ? '.'
@@ -205,14 +214,14 @@ static void take_start(struct walk *w, const double *start) {
 
 static bool in_domain(const struct walk *w, const double *start, double duration) {
   bool ok = duration >= 0 && duration <= 1e6 && isfinite(w->look) && w->look > 0;
-  for (int i = 0; i < 2 * w->n; i++) ok = ok && isfinite(start[i]);
+  for (int i = 0; i < w->states; i++) ok = ok && isfinite(start[i]);
   return ok;
 }
 
 int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,
                   double duration, int most) {
   struct walk *w = ss_malloc(sizeof *w);
-  *w = (struct walk){.m = m, .route = route, .n = m->n, .fresh = -1};
+  *w = (struct walk){.m = m, .route = route, .n = m->n, .states = m->states, .fresh = -1};
   take_system(w);
   *out = (struct mech_motion){.most = most, .moment = ss_malloc(((size_t)most + 1) * sizeof *out->moment)};
   int s = in_domain(w, start, duration) ? SS_OK : SS_DOMAIN;
@@ -220,7 +229,7 @@ int mech_simulate(struct mech_motion *out, enum mech_route route, const struct m
     take_start(w, start);
     note(out, w, 0, -1);
     gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
-    w->system = (gsl_odeiv2_system){right_side, NULL, 2 * (size_t)w->n, w};
+    w->system = (gsl_odeiv2_system){right_side, NULL, (size_t)w->states, w};
     w->driver = gsl_odeiv2_driver_alloc_y_new(&w->system, gsl_odeiv2_step_rk8pd, w->look, 1e-13, 1e-13);
     s = begin(w) ? SS_OK : SS_UNABLE;
     for (double t = 0, gone; s == SS_OK && duration - t > 1e-12 && out->n_moments < most; t += gone) {

@@ -15,14 +15,14 @@ struct mech_moment {
   double t;
   int mass; /* that has changed; -1 at the start */
   char phase[MECH_MASSES + 1];
-  double z[2 * MECH_MASSES]; /* x_1 ... x_n, x_1' ... x_n' */
+  double z[MECH_STATES]; /* y without its last element, see mech.h */
 };
 struct mech_motion {
   struct mech_moment *moment; /* the start, then the events */
   int n_moments, most;
-  double z[2 * MECH_MASSES]; /* at the end */
+  double z[MECH_STATES]; /* at the end */
 };
-/* start: n positions, n velocities, finite.  Ends at the time `duration` or after the event that makes `most` moments.
+/* start: n positions, n velocities, with loads the cosine and sine of their angle; finite.  Ends at the time `duration` or after the event that makes `most` moments.
    SS_DOMAIN for a duration above 10^6 or a number that is not finite, SS_UNABLE when the integrator fails or an exponential
    cannot be held. */
 int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,

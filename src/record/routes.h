@@ -30,6 +30,7 @@
   X(RETURN_MAP, "the one-dimensional return map in double")                                                            \
   X(MATRICES, "the model's matrices in place of the paper's")                                                          \
   X(SPRINGS, "the springs and masses of Fig. 1")                                                                       \
+  X(SHOOTING, "one set of equations for times and states together")                                                    \
   X(ALGEBRA, "exact algebra over the symbols")
 
 enum route_mean {
@@ -72,11 +73,13 @@ enum route_row {
   ROUTE_E_EXPONENTIAL,
   ROUTE_E_SIMULATION,
   ROUTE_E_INTEGRATION,
+  ROUTE_E_SYSTEM,
   ROUTE_J_PAPER,
   ROUTE_J_IMPLICIT,
   ROUTE_J_SALTATION,
   ROUTE_J_FD,
   ROUTE_J_INTEGRATION,
+  ROUTE_J_SYSTEM,
   ROUTE_K_SYSTEM,
   ROUTE_K_NEWTON,
   ROUTE_S_PAPER,

@@ -17,6 +17,7 @@
 #include "value/expression.h"
 #include "value/printed.h"
 #include "value/sentence.h"
+#include "value/system_orbit.h"
 
 enum { PREC = FD_PREC, N_POINTS = 8, N_ADMISSIBLE = 12, N_FREE = 4, MOST_DRAWS = 400 };
 enum { MOST_ENTRIES = 2 * N_STATE * N_STATE, MATRIX = N_STATE * N_STATE };
@@ -163,6 +164,17 @@ static int events_exponential(arb_ptr out, struct study *s) {
   return events_of_model(out, s, VARIANT_EXPONENTIAL);
 }
 
+static int events_system(arb_ptr out, struct study *s) {
+  arb_ptr t = _arb_vec_init(N_PHASES), z = _arb_vec_init((N_PHASES + 1) * N_STATE);
+  int status = system_orbit(t, z, NULL, s->site.p.q + Q_CHI, s->site.orbit, PREC);
+  arb_set(out, t);
+  for (int ph = 1; ph < N_PHASES; ph++) arb_add(out + ph, out + ph - 1, t + ph, PREC);
+  _arb_vec_set(out + N_PHASES, z + N_STATE, N_PHASES * N_STATE);
+  _arb_vec_clear(z, (N_PHASES + 1) * N_STATE);
+  _arb_vec_clear(t, N_PHASES);
+  return status;
+}
+
 /* A sink that writes the first events of a motion of the word G H C D, positions relative to the given shift of the
    origin. */
 struct catcher {
@@ -269,6 +281,10 @@ static int jacobian_fd(arb_ptr out, struct study *s) {
   return jacobian_by(out, s, METHOD_FD);
 }
 
+static int jacobian_system(arb_ptr out, struct study *s) {
+  return system_orbit(NULL, NULL, out, s->site.p.q + Q_CHI, s->site.orbit, PREC);
+}
+
 static int jacobian_integration(arb_ptr out, struct study *s) {
   struct coulomb_setup sim;
   double value[4] = {0}, err = 0;
@@ -295,17 +311,21 @@ static int (*const compute[N_ROUTE_ROWS])(arb_ptr out, struct study *s) = {
     [ROUTE_E_EXPONENTIAL] = events_exponential,
     [ROUTE_E_SIMULATION] = events_simulation,
     [ROUTE_E_INTEGRATION] = events_integration,
+    [ROUTE_E_SYSTEM] = events_system,
     [ROUTE_J_PAPER] = jacobian_paper,
     [ROUTE_J_IMPLICIT] = jacobian_implicit,
     [ROUTE_J_SALTATION] = jacobian_saltation,
     [ROUTE_J_FD] = jacobian_fd,
     [ROUTE_J_INTEGRATION] = jacobian_integration,
+    [ROUTE_J_SYSTEM] = jacobian_system,
 };
 
-/* Coulomb's law follows an orbit only where it breaks no condition; the paper's formulas may be beyond reading. */
+/* Coulomb's law follows an orbit only where it breaks no condition, and the engine for any system knows orbits alone; the
+   paper's formulas may be beyond reading. */
 static bool applies(const struct study *s, enum route_row row) {
   unsigned means = route_table[row].means;
   if (means & MEANS_PAPER && !s->readable) return false;
+  if (means & MEANS_SHOOTING) return s->site.orbit != NULL;
   return !(means & MEANS_COULOMB) || (s->site.orbit && s->site.orbit->admissible == TRUTH_TRUE);
 }
 

@@ -38,6 +38,10 @@ static int eval_local(struct num_vec *out, struct values *v, int ph) {
 /* (41): (x, y) -> (x_f, y_f), the whole map and not the product of the four. */
 static int eval_j(struct num_vec *out, struct values *v, int which) {
   (void)which;
+  if (v->variant == VARIANT_SYSTEM) {
+    num_vec_set(out, &v->return_jacobian);
+    return SS_OK;
+  }
   if (v->variant == VARIANT_SALTATION) return dyn_return_jacobian_saltation(out, &v->params, &v->arc);
   if (v->variant != VARIANT_FD) return dyn_return_jacobian(out, &v->params, &v->arc);
   double guess[4];

@@ -549,7 +549,9 @@ static const struct {
      "of the motions that result from arbitrarily small perturbations of a stable orbit some stay near it and others "
      "do not"},
     {"long-run", NULL, "what becomes of the printed initial state over many returns"},
-    {"patching", NULL, "patched solutions of chains of three and four masses agree with direct integration"}};
+    {"patching", NULL,
+     "chains of more than two masses have periodic motions patched from the solutions of their phases, as direct "
+     "integration confirms"}};
 
 static bool make_behaviour(struct text *out, const struct title *t) {
   const char *check = claim_get(t->c, "check"), *transition = claim_get(t->c, "transition");

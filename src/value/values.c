@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/work.h"
+#include "system_orbit.h"
 
 /* Z(t) after time tau of the phase from z0, and its derivative. */
 static int flow_from(struct values *v, const struct num_vec *z0, const void *tau) {
@@ -152,10 +153,19 @@ static int take_forces(struct values *v, const struct dyn_orbit *o) {
   return s;
 }
 
+/* The orbit once more, by the engine for any system. */
+static int take_system(struct values *v, const struct dyn_orbit *o) {
+  if (v->ctx.type != &num_arb || v->point->kind != POINT_ORBIT || v->point->scene || v->point->finite) return SS_DOMAIN;
+  return system_orbit(num_vec_at(&v->arc.t, 0), num_vec_at(&v->arc.z, 0), num_vec_at(&v->return_jacobian, 0),
+                      v->point->q + Q_CHI, o, v->ctx.prec);
+}
+
 static int init_arc(struct values *v, struct orbit_cache *cache) {
   int s = SS_OK;
   if (v->point->kind == POINT_ARC) {
-    s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&v->q, Q_Z1), num_vec_at(&v->q, Q_Z2), NULL);
+    s |= v->variant == VARIANT_SYSTEM
+             ? SS_DOMAIN
+             : dyn_arc_run(&v->arc, &v->params, num_vec_at(&v->q, Q_Z1), num_vec_at(&v->q, Q_Z2), NULL);
   } else {
     const struct dyn_orbit *o = orbit_of(v->point, cache, v->ctx.prec);
     if (!o || o->grazing) {
@@ -163,7 +173,7 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
     } else {
       if (v->point->scene) s |= set_limits(v, o);
       if (v->point->kind == POINT_GIVEN) s |= take_forces(v, o);
-      s |= orbit_arc(&v->arc, cache, o, &v->params);
+      s |= v->variant == VARIANT_SYSTEM ? take_system(v, o) : orbit_arc(&v->arc, cache, o, &v->params);
     }
   }
   if (s == SS_OK && v->point->finite) s |= init_perturbed(v);
@@ -202,6 +212,7 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
   num_vec_init(&v->zt, 4, ctx);
   num_vec_init(&v->azt, 4, ctx);
   num_vec_init(&v->local, 64, ctx);
+  num_vec_init(&v->return_jacobian, 4, ctx);
   num_vec_init(&v->phi, 16 * N_PHASES, ctx);
   num_vec_init(&v->tangent, 20, ctx);
   dyn_arc_init(&v->arc, ctx);
@@ -224,6 +235,7 @@ void values_clear(struct values *v) {
   num_vec_clear(&v->zt);
   num_vec_clear(&v->azt);
   num_vec_clear(&v->local);
+  num_vec_clear(&v->return_jacobian);
   num_vec_clear(&v->phi);
   for (size_t i = 0; i < v->n_matrices; i++) num_vec_clear(&v->matrices[i].entry);
   free(v->matrices);

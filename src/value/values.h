@@ -6,8 +6,9 @@
 #include "point.h"
 
 /* How they are got: closed form and implicit differentiation; states carried by matrix exponentials; tangents by finite
-   differences; the return Jacobian by saltation matrices. */
-enum variant { VARIANT_CLOSED, VARIANT_EXPONENTIAL, VARIANT_FD, VARIANT_SALTATION };
+   differences; the return Jacobian by saltation matrices; orbits and their return Jacobian by the engine for any system,
+   in balls alone. */
+enum variant { VARIANT_CLOSED, VARIANT_EXPONENTIAL, VARIANT_FD, VARIANT_SALTATION, VARIANT_SYSTEM };
 
 struct values {
   struct num_ctx ctx;
@@ -22,7 +23,8 @@ struct values {
   bool have_t;
   struct num_vec phi; /* the matrix exponentials over the arc's four phases, 16 each; each made when first asked for */
   bool have_phi[N_PHASES];
-  struct num_vec local; /* four local Jacobians, 16 each; each made when first asked for */
+  struct num_vec return_jacobian; /* VARIANT_SYSTEM: J, 4 */
+  struct num_vec local;           /* four local Jacobians, 16 each; each made when first asked for */
   bool have_local[N_PHASES];
   struct num_vec tangent; /* dZ_0, dZ_a, dZ_b, dZ_c, dZ_f, 4 each */
   struct num_vec dt;      /* dt_a, dt_b, dt_c, dt_d */

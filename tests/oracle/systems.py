@@ -1,7 +1,7 @@
 """systems.py PROGRAM SCENE [SCENE...]: every orbit that `PROGRAM orbit SCENE --json` gives of a system file, recomputed.
 
 It reads the system file itself and knows nothing of the program but its JSON: from the equations of motion
-m x'' = u - K x - C x' it carries each state through its phase in 40 digits (matrix exponential by mpmath) and holds the
+m x'' = u - K x - C x' + loads it carries each state through its phase in 40 digits (matrix exponential by mpmath) and holds the
 next state against it; looks at the event and at the law at 60 times of each phase; and makes the multipliers from central
 differences of the first return.  Prints what it found; status 1 where something disagrees.
 """
@@ -24,11 +24,11 @@ def value(text, names):
 
 
 def read(path):
-    """Masses, and the matrices K and C."""
-    names, masses, links, here = {}, {}, [], None
+    """Masses, the matrices K and C, and the loads."""
+    names, masses, links, loads, here = {}, {}, [], [], None
     for line in open(path, encoding="utf-8"):
-        line = line.rstrip()
-        if not line.strip() or line.lstrip().startswith("#"):
+        line = line.split("#")[0].rstrip()
+        if not line.strip():
             continue
         if line[0] != " ":
             head = line.split()
@@ -41,10 +41,10 @@ def read(path):
                 if head[0] == "mass":
                     masses[head[1]] = here
                 else:
-                    links.append(here)
+                    (loads if head[0] == "load" else links).append(here)
             continue
         key, text = line.strip().split(":", 1)
-        here[key] = text.strip() if key == "between" else value(text, names)
+        here[key] = text.strip() if key in ("between", "on") else value(text, names)
     order = list(masses)
     n = len(order)
     k, c = ([[Fraction(0)] * n for _ in range(n)] for _ in range(2))
@@ -56,7 +56,9 @@ def read(path):
             for j in ends:
                 if i is not None and j is not None:
                     matrix[i][j] += size if i == j else -size
-    return [masses[name] for name in order], k, c
+    for load in loads:
+        load["on"] = order.index(load["on"])
+    return [masses[name] for name in order], k, c, loads
 
 
 def mpf(q):
@@ -65,15 +67,22 @@ def mpf(q):
 
 class System:
     def __init__(self, path):
-        self.mass, self.k, self.c = read(path)
+        self.mass, self.k, self.c, self.loads = read(path)
         self.n = len(self.mass)
+        self.omega = mpf(self.loads[0]["frequency"]) if self.loads else None
+        self.states = 2 * self.n + 2 * bool(self.loads)
 
     def force(self, y, i):
-        return sum(mpf(self.k[i][j]) * y[j] + mpf(self.c[i][j]) * y[self.n + j] for j in range(self.n))
+        n = self.n
+        pull = sum((mpf(l.get("cosine", 0)) * y[2 * n] + mpf(l.get("sine", 0)) * y[2 * n + 1]
+                    for l in self.loads if l["on"] == i), mp.mpf(0))
+        return sum(mpf(self.k[i][j]) * y[j] + mpf(self.c[i][j]) * y[n + j] for j in range(n)) - pull
 
     def rate(self, phase):
         n = self.n
-        a = mp.zeros(2 * n + 1)
+        a = mp.zeros(self.states + 1)
+        if self.loads:
+            a[2 * n, 2 * n + 1], a[2 * n + 1, 2 * n] = -self.omega, self.omega
         for i, m in enumerate(self.mass):
             a[i, n + i] = 1
             if phase[i] == "s":
@@ -81,13 +90,17 @@ class System:
             for j in range(n):
                 a[n + i, j] = -mpf(self.k[i][j]) / mpf(m["inertia"])
                 a[n + i, n + j] = -mpf(self.c[i][j]) / mpf(m["inertia"])
+            for l in self.loads:
+                if l["on"] == i:
+                    a[n + i, 2 * n] += mpf(l.get("cosine", 0)) / mpf(m["inertia"])
+                    a[n + i, 2 * n + 1] += mpf(l.get("sine", 0)) / mpf(m["inertia"])
             u = {"-": 1, "+": -1, ".": 0}[phase[i]]
-            a[n + i, 2 * n] = u * mpf(m.get("sliding", 0)) / mpf(m["inertia"])
+            a[n + i, self.states] = u * mpf(m.get("sliding", 0)) / mpf(m["inertia"])
         return a
 
     def carry(self, phase, y, t):
         out = mp.expm(self.rate(phase) * t) * mp.matrix(list(y) + [1])
-        return [out[i] for i in range(2 * self.n)]
+        return [out[i] for i in range(self.states)]
 
     def event(self, phase, after, y):
         """What is zero where the first phase gives way to the second, and its mass."""
@@ -114,7 +127,7 @@ class System:
         for _ in range(30):
             z = self.carry(phase, y, t)
             a = self.rate(phase)
-            dz = [x for x in a * mp.matrix(list(z) + [1])][:2 * self.n]
+            dz = [x for x in a * mp.matrix(list(z) + [1])][:self.states]
             f, i = self.event(phase, after, z)
             slope = dz[self.n + i] if phase[i] != "s" else self.force(dz, i)
             t -= f / slope
@@ -132,12 +145,22 @@ class System:
         return y
 
     def free(self, word):
-        """Coordinates of the start that can be varied, and the one that follows from the others, if any."""
+        """Coordinates of the start that can be varied (2n: the loads' angle), and the one that follows from the others, if any."""
         before, now, n = word[-1], word[0], self.n
         (i,) = [i for i in range(n) if before[i] != now[i]]
         loose = i if before[i] == "s" else None
-        return ([j for j in range(n) if j != loose] + [n + j for j in range(n) if j != i and now[j] != "s"], loose,
-                1 if now[i] == "-" else -1)
+        return ([j for j in range(n) if j != loose] + [n + j for j in range(n) if j != i and now[j] != "s"]
+                + [2 * n] * bool(self.loads), loose, 1 if now[i] == "-" else -1)
+
+    def angle(self, theta):
+        return [mp.cos(theta), mp.sin(theta)]
+
+    def angle_of(self, z):
+        return mp.atan2(z[2 * self.n + 1], z[2 * self.n])
+
+    def apart(self, a, b):
+        c, s = 2 * self.n, 2 * self.n + 1
+        return mp.asin(a[s] * b[c] - a[c] * b[s])
 
     def multipliers(self, word, times, y):
         free, loose, side = self.free(word)
@@ -147,11 +170,14 @@ class System:
             ends = []
             for sign in (1, -1):
                 z = list(y)
-                z[l] += sign * h
+                if l == 2 * self.n:
+                    z[l:] = self.angle(self.angle_of(z) + sign * h)
+                else:
+                    z[l] += sign * h
                 if loose is not None:  # its force stays at the limit
                     z[loose] -= (self.force(z, loose) - side * mpf(self.mass[loose]["static"])) / mpf(self.k[loose][loose])
                 ends.append(self.first_return(word, times, z))
-            columns.append([(ends[0][r] - ends[1][r]) / (2 * h) for r in free])
+            columns.append([(self.apart(*ends) if r == 2 * self.n else ends[0][r] - ends[1][r]) / (2 * h) for r in free])
         if len(free) == 1:
             return [columns[0][0]]
         return list(mp.eig(mp.matrix(columns).T, left=False, right=False))
@@ -160,7 +186,14 @@ class System:
 def check(system, orbit):
     word, times = orbit["word"], [mp.mpf(t) for t in orbit["times"]]
     states = [[mp.mpf(x) for x in s] for s in orbit["states"]]
-    n, out = system.n, []
+    out = []
+    if system.loads:
+        angle = mp.mpf(orbit["load_angle"])
+        for k, s in enumerate(states):
+            s += system.angle(angle + system.omega * sum(times[:k]))
+        turns = system.omega * sum(times) / (2 * mp.pi)
+        if abs(turns - orbit["load_turns"]) > CLOSE:
+            out.append(f"{mp.nstr(turns, 20)} turns of the loads, not {orbit['load_turns']}")
     broken = False
     for k, phase in enumerate(word):
         after, then = word[(k + 1) % len(word)], states[(k + 1) % len(word)]

@@ -1,0 +1,49 @@
+/* The paper's orbits from the general engine. */
+#include "system_orbit.h"
+
+#include <stdlib.h>
+
+void two_masses(struct mech *m, const fmpq params[N_PARAMS], slong sliding) {
+  const char *why, *name;
+  mech_init(m);
+  for (int i = 0; i < 2; i++) {
+    struct mech_link *spring = mech_add_link(m, true, i ? "middle" : "wall");
+    struct mech_mass *mass = mech_add_mass(m, i ? "m2" : "m1");
+    spring->end[0] = i - 1;
+    spring->end[1] = i;
+    mass->rubbed = true;
+    fmpq_set(mass->surface, params + P_V);
+    fmpq_set_si(mass->sliding, sliding, 1);
+    fmpq_add(mass->limit, mass->sliding, params + P_E1 + i);
+  }
+  fmpq_one(m->spring[0].size);
+  fmpq_sub(m->spring[0].size, m->spring[0].size, params + P_CHI);
+  fmpq_set(m->spring[1].size, params + P_CHI);
+  fmpq_one(m->mass[0].inertia);
+  fmpq_inv(m->mass[1].inertia, params + P_ETA);
+  if (!mech_finish(m, &why, &name)) abort();
+}
+
+/* Without sliding friction z is x. */
+int system_orbit(arb_ptr t, arb_ptr z, arb_ptr j, const fmpq params[N_PARAMS], const struct dyn_orbit *near,
+                 slong prec) {
+  static const struct mech_word word = {N_PHASES, {"ss", "-s", "--", "s-"}};
+  struct mech m;
+  struct mech_orbit o;
+  double start[N_STATE];
+  two_masses(&m, params, 0);
+  for (int i = 0; i < 2; i++) {
+    start[i] = arf_get_d(arb_midref(i ? near->z20 : near->z10), ARF_RND_NEAR);
+    start[2 + i] = fmpq_get_d(params + P_V);
+  }
+  int status = mech_orbit_near(&o, &m, &word, near->guess, start, prec);
+  if (!status) {
+    if (t) _arb_vec_set(t, o.t, N_PHASES);
+    if (z) _arb_vec_set(z, o.state, N_PHASES * N_STATE);
+    if (z) _arb_vec_set(z + N_PHASES * N_STATE, o.state, N_STATE);
+    for (int i = 0; j && i < 4; i++) arb_set(j + i, arb_mat_entry(o.jacobian, i / 2, i % 2));
+    mech_orbit_clear(&o);
+  }
+  mech_clear(&m);
+  return status;
+}
