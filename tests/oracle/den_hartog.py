@@ -108,19 +108,19 @@ class Oscillator:
         return last, stood
 
     def returned(self, x, phi):
-        """From an upper extreme to the next by two half periods, whatever the forces; their times too."""
+        """From an upper extreme to the next by two half periods, whatever the forces there."""
         w = [x, mpf(0), mpf(1), cos(phi), sin(phi)]
-        down, w = self.phase(w, DOWN)
+        _, w = self.phase(w, DOWN)
         w[1] = mpf(0)
-        up, w = self.phase(w, UP)
-        return w[0], atan2(w[4], w[3]), down, up
+        _, w = self.phase(w, UP)
+        return w[0], atan2(w[4], w[3])
 
     def improved(self, x, phi):
         """x_0 and phi of the motion that repeats after one period of the load, near these."""
         h = mpf(10) ** (-mp.dps // 2)
 
         def residual(x, phi):
-            new, after, _, _ = self.returned(x, phi)
+            new, after = self.returned(x, phi)
             turns = (after - phi) / (2 * pi)
             return new - x, 2 * pi * (turns - floor(turns + mpf(1) / 2))
 
