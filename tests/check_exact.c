@@ -266,6 +266,62 @@ START_TEST(derivatives_by_the_rules) {
 }
 END_TEST
 
+/* What angles with whole multiples of pi and roots of quotients are known to be, whatever the signs of these. */
+START_TEST(half_turns_and_roots_of_quotients) {
+  static const struct {
+    const char *left, *right;
+    bool equal;
+  } rows[] = {{"cos(pi)", "-1", true},
+              {"sin(5*pi)", "0", true},
+              {"cos(V*pi/V)", "-1", true},
+              {"sin(t - pi)", "-sin(t)", true},
+              {"cos(2*pi - t)", "cos(t)", true},
+              {"sin(V*(t + (3*pi)/V))", "-sin(V*t)", true},
+              {"cot(t + pi)", "cot(t)", true},
+              {"cos(pi/2)", "-1", false},
+              {"sin(chi*pi)", "0", false},
+              {"cos(t + pi^2)", "-cos(t)", false},
+              {"sqrt(chi/V)^2", "chi/V", true},
+              {"sqrt(chi/(1 - V^2))*sqrt(chi/(1 - V^2))*(1 - V)", "chi/(1 + V)", true},
+              {"V/sqrt(chi/V)", "(V/chi)*sqrt(chi/V)*V", true},
+              {"sqrt(chi/V)*V", "sqrt(chi*V)", false}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct exact_field *f = exact_field_new(NULL, 0);
+    element x, y;
+    exact_init(&x, f);
+    exact_init(&y, f);
+    ck_assert(value_in(&x, f, rows[i].left) == SS_OK && value_in(&y, f, rows[i].right) == SS_OK);
+    ck_assert_msg(exact_equal(f, &x, &y) == rows[i].equal, "%s and %s", rows[i].left, rows[i].right);
+    exact_clear(&y, f);
+    exact_clear(&x, f);
+    exact_field_free(f);
+  }
+}
+END_TEST
+
+/* A witness of the root of a quotient says twice what that is, and no number below zero. */
+START_TEST(witnesses_of_roots_of_quotients) {
+  static const char *const rows[][2] = {{"sqrt((4*chi)/V)", "sqrt((4*chi)/(V)) = %31[^,]"},
+                                        {"sqrt((chi - 9)/(V - 9))", "sqrt((chi-9)/(V-9)) = %31[^,]"}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct exact_field *f = exact_field_new(NULL, 0);
+    struct text t;
+    element x;
+    char whole[32], root[32];
+    text_init(&t);
+    exact_init(&x, f);
+    ck_assert(value_in(&x, f, rows[i][0]) == SS_OK && exact_independent(f) && exact_witness(&t, f, &x));
+    const char *at = strstr(text_str(&t), "sqrt(");
+    ck_assert_msg(at && sscanf(text_str(&t), "%31s", whole) == 1 && sscanf(at, rows[i][1], root) == 1, "%s",
+                  text_str(&t));
+    ck_assert_msg(strcmp(whole, root) == 0 && *root != '-', "%s", text_str(&t));
+    exact_clear(&x, f);
+    text_clear(&t);
+    exact_field_free(f);
+  }
+}
+END_TEST
+
 /* When a difference is one of functions, and at which rational point; and when that cannot be told. */
 START_TEST(differences_with_a_rational_point) {
   static const struct {
@@ -279,6 +335,7 @@ START_TEST(differences_with_a_rational_point) {
               {"sin(2*t) - sin(t)", false, false},
               {"sin(t + chi) - sin(t)", false, false},
               {"sqrt(chi) - sqrt(eta)", false, false},
+              {"sqrt(chi/eta) - 3", true, false},
               {"sqrt(chi^2) - chi", false, false}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     struct exact_field *f = exact_field_new(NULL, 0);
@@ -939,6 +996,8 @@ Suite *exact_suite(void) {
   tcase_add_unchecked_fixture(c, open_paper, close_paper);
   tcase_add_test(c, a_field_and_its_values);
   tcase_add_test(c, derivatives_by_the_rules);
+  tcase_add_test(c, half_turns_and_roots_of_quotients);
+  tcase_add_test(c, witnesses_of_roots_of_quotients);
   tcase_add_test(c, differences_with_a_rational_point);
   tcase_add_test(c, the_budget_ends_it);
   suite_add_tcase(s, c);

@@ -1,10 +1,12 @@
 /* Sines and cosines in a field.  The sine of an angle is a generator, and its cosine another one whose square is 1 -
-   sin^2; the sign of the angle is taken off first, since sin(-u) = -sin(u) and cos(-u) = cos(u).  Where the field was
-   given angles, the sine of a sum of their multiples is made of theirs by the addition theorems, so that sin(2 u) is no
-   new unknown beside sin(u). */
+   sin^2; the sign of the angle is taken off first, since sin(-u) = -sin(u) and cos(-u) = cos(u), and so is a whole
+   multiple of pi.  Where the field was given angles, the sine of a sum of their multiples is made of theirs by the
+   addition theorems, so that sin(2 u) is no new unknown beside sin(u). */
 #include <stdlib.h>
+#include <string.h>
 
 #include "exact_impl.h"
+#include "expr/expr.h"
 
 /* The sine of an argument, then the cosine, whose square is 1 - sin^2. */
 static slong make_angle(struct exact_field *f, const fmpz_mpoly_q_struct *arg) {
@@ -21,20 +23,49 @@ static slong make_angle(struct exact_field *f, const fmpz_mpoly_q_struct *arg) {
   return s;
 }
 
+/* x without the whole multiple of pi in it; whether that is an odd one, of which sine and cosine change their signs. */
+static bool take_half_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f) {
+  slong i = 0;
+  while (i < f->n && !(f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, expr_pi) == 0)) i++;
+  if (i == f->n) return false;
+  fmpz_mpoly_t rate;
+  fmpz_mpoly_q_struct turns;
+  fmpz_t k;
+  fmpz_init(k);
+  exact_init(&turns, f);
+  fmpz_mpoly_init(rate, ring());
+  fmpz_mpoly_derivative(rate, &x->num, variable(i), ring());
+  if (fmpz_mpoly_divides(rate, rate, &x->den, ring()) && fmpz_mpoly_is_fmpz(rate, ring())) {
+    fmpz_mpoly_get_fmpz(k, rate, ring());
+    fmpz_mpoly_q_gen(&turns, variable(i), ring());
+    fmpz_mpoly_q_mul_fmpz(&turns, &turns, k, ring());
+    fmpz_mpoly_q_sub(x, x, &turns, ring());
+  }
+  bool odd = fmpz_is_odd(k);
+  fmpz_mpoly_clear(rate, ring());
+  exact_clear(&turns, f);
+  fmpz_clear(k);
+  return odd;
+}
+
 static int own_angle(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f,
                      const fmpz_mpoly_q_struct *x) {
-  if (fmpz_mpoly_q_is_zero(x, ring())) {
+  fmpz_mpoly_q_struct arg;
+  int status = SS_OK;
+  bool negative = false;
+  exact_init(&arg, f);
+  fmpz_mpoly_q_set(&arg, x, ring());
+  bool odd = take_half_turns(&arg, f);
+  if (fmpz_mpoly_q_is_zero(&arg, ring())) {
     fmpz_mpoly_q_zero(s, ring());
     fmpz_mpoly_q_set_si(c, 1, ring());
-    return SS_OK;
+  } else {
+    negative = exact_take_sign(&arg, &arg);
+    status = exact_set_generator(s, make_angle(f, &arg));
+    if (status == SS_OK) status = exact_set_generator(c, exact_generator(f, TAPE_cos, NULL, &arg, 1, 0));
   }
-  fmpz_mpoly_q_struct arg;
-  exact_init(&arg, f);
-  bool negative = exact_take_sign(&arg, x);
-  slong i = make_angle(f, &arg);
-  int status = exact_set_generator(s, i);
-  if (status == SS_OK) status = exact_set_generator(c, exact_generator(f, TAPE_cos, NULL, &arg, 1, 0));
-  if (negative) fmpz_mpoly_q_neg(s, s, ring());
+  if (negative != odd) fmpz_mpoly_q_neg(s, s, ring());
+  if (odd) fmpz_mpoly_q_neg(c, c, ring());
   exact_clear(&arg, f);
   return status;
 }

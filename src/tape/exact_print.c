@@ -52,11 +52,19 @@ static bool square_root(fmpq_t z, const fmpq_t x) {
   return true;
 }
 
+/* n where the generator stands for n sqrt(p/n), else 1; false where it is zero. */
+static bool scale_of(fmpq_t z, const struct generator *g, const fmpq *value) {
+  fmpq_one(z);
+  if (g->op == TAPE_sqrt) num_exact_polynomial_at(z, &g->args[0].den, value);
+  return !fmpq_is_zero(z);
+}
+
 /* Small rationals, distinct for the generators; sines by half-angle tangents.  false when a root is irrational
    there. */
 static bool draw_values(fmpq *value, const struct exact_field *f, ulong *state) {
-  fmpq_t square;
+  fmpq_t square, scale;
   fmpq_init(square);
+  fmpq_init(scale);
   bool ok = true;
   for (slong i = 0; ok && i < f->n; i++) {
     const struct generator *g = &f->gen[i];
@@ -69,9 +77,11 @@ static bool draw_values(fmpq *value, const struct exact_field *f, ulong *state) 
       fmpq_set_si(z, a, (ulong)b);
     else {
       num_exact_polynomial_at(square, g->square, value);
-      ok = square_root(z, square);
+      ok = square_root(z, square) && scale_of(scale, g, value);
+      if (fmpq_sgn(scale) < 0) fmpq_neg(z, z);
     }
   }
+  fmpq_clear(scale);
   fmpq_clear(square);
   return ok;
 }
@@ -79,6 +89,8 @@ static bool draw_values(fmpq *value, const struct exact_field *f, ulong *state) 
 static void print_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x,
                           const fmpq *value, const fmpq_t there) {
   int used[EXACT_GENERATORS];
+  fmpq_t z;
+  fmpq_init(z);
   fmpz_mpoly_q_used_vars(used, x, ring());
   num_print_q(out, there);
   const char *sep = " at ";
@@ -87,9 +99,11 @@ static void print_witness(struct text *out, const struct exact_field *f, const f
     text_add(out, sep);
     print_generator(out, f, i);
     text_add(out, " = ");
-    num_print_q(out, &value[variable(i)]);
+    if (scale_of(z, &f->gen[i], value)) fmpq_div(z, &value[variable(i)], z);
+    num_print_q(out, z);
     sep = ", ";
   }
+  fmpq_clear(z);
 }
 
 bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x) {

@@ -1,6 +1,6 @@
 /* Square roots, absolute values and roots of polynomials in a field.  Each is a generator; the square of a square root
-   of a polynomial, or of an absolute value, is known, and the field rewrites by it.  A root that is among the elements
-   which the field was given, as positive ones or as roots in increasing order, is that element. */
+   or of an absolute value is known, and the field rewrites by it.  A root that is among the elements which the field was
+   given, as positive ones or as roots in increasing order, is that element. */
 #include <stdlib.h>
 
 #include "exact_impl.h"
@@ -43,6 +43,23 @@ static bool is_positive(const struct exact_field *f, const fmpz_mpoly_q_struct *
   return positive;
 }
 
+/* The square of a new generator of sqrt(p/n), which stands for n sqrt(p/n); left out where it is too large. */
+static void square_of_root(struct exact_field *f, slong i) {
+  struct generator *g = &f->gen[i];
+  fmpz_mpoly_q_struct num, den;
+  exact_init(&num, f);
+  exact_init(&den, f);
+  fmpz_mpoly_set(&num.num, &g->args[0].num, ring());
+  fmpz_mpoly_set(&den.num, &g->args[0].den, ring());
+  g->squared = exact_apply(num_exact.mul, &num, f, &num, &den) == SS_OK;
+  if (g->squared) {
+    fmpz_mpoly_init(g->square, ring());
+    fmpz_mpoly_swap(g->square, &num.num, ring());
+  }
+  exact_clear(&den, f);
+  exact_clear(&num, f);
+}
+
 int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   const fmpz_mpoly_q_struct *known = known_square_root(f, x);
   if (known) {
@@ -50,13 +67,16 @@ int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q
     return SS_OK;
   }
   if (!fmpz_mpoly_is_one(&x->den, ring()) && is_positive(f, x)) return root_over(z, f, x);
-  slong i = exact_generator(f, TAPE_sqrt, NULL, x, 1, 0);
-  if (i >= 0 && !f->gen[i].squared && fmpz_mpoly_is_one(&x->den, ring())) {
-    f->gen[i].squared = true;
-    fmpz_mpoly_init(f->gen[i].square, ring());
-    fmpz_mpoly_set(f->gen[i].square, &x->num, ring());
-  }
-  return exact_set_generator(z, i);
+  slong before = f->n, i = exact_generator(f, TAPE_sqrt, NULL, x, 1, 0);
+  if (f->n > before) square_of_root(f, i);
+  int s = exact_set_generator(z, i);
+  if (s != SS_OK || fmpz_mpoly_is_one(&f->gen[i].args[0].den, ring())) return s;
+  fmpz_mpoly_q_struct den;
+  exact_init(&den, f);
+  fmpz_mpoly_set(&den.num, &f->gen[i].args[0].den, ring());
+  s = exact_apply(num_exact.div, z, f, z, &den);
+  exact_clear(&den, f);
+  return s;
 }
 
 int exact_hypot(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x,

@@ -1,0 +1,1 @@
+# No formula of the note was found wrong.

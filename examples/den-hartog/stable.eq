@@ -1,0 +1,1 @@
+# No form of the note needs another one.
