@@ -319,13 +319,62 @@ START_TEST(the_papers_orbits_at_random_data) {
 END_TEST
 
 /* By a program that has nothing in common with src/mech. */
-static const char *const scenes_of_systems[] = {"chain3", "chain4", "den-hartog", "driven", "beside-wall"};
+static const char *const scenes_of_systems[] = {"chain3", "den-hartog", "driven", "beside-wall", "chain4", "chain5"};
+enum { QUICK_SCENES = 4 };
 START_TEST(orbits_recomputed) {
   int status;
   char *out =
       shell_output(&status, "%s tests/oracle/systems.py %s %s 2>&1", python(), program(), scenes_of_systems[_i]);
   ck_assert_msg(status == 0, "%s", out);
   free(out);
+}
+END_TEST
+
+static void check_decimal(arb_srcptr x, const char *want) {
+  arb_t w;
+  arb_init(w);
+  arb_set_str(w, want, 128);
+  arb_add_error_2exp_si(w, -103); /* 1e-31 */
+  ck_assert_msg(arb_overlaps(x, w) && arb_rel_accuracy_bits(x) > 103, "%s", want);
+  arb_clear(w);
+}
+
+/* Amplitude and phase of Den Hartog's oscillator, of tests/oracle/den_hartog.py: at an upper extreme, where the mass
+   begins to move down. */
+START_TEST(den_hartogs_motions) {
+  char row[256] = "", text[512], beta[20], force[20], x0[60], phi[60];
+  struct mech_orbits list;
+  struct mech_word w = {2, {"-", "+"}};
+  arb_t angle, part[2];
+  FILE *in = fopen("tests/oracle/den_hartog.tsv", "r");
+  ck_assert_ptr_nonnull(in);
+  for (int i = 0; i <= _i; i++) ck_assert_ptr_nonnull(fgets(row, sizeof row, in));
+  fclose(in);
+  ck_assert_int_eq(sscanf(row, "%19s %19s %59s %59s", beta, force, x0, phi), 4);
+  snprintf(text, sizeof text,
+           "mass m\n  inertia: 1\n  sliding: %s\n  static: %s\n  surface: 0\nspring k\n  between: ground, m\n"
+           "  stiffness: 1\nload p\n  on: m\n  frequency: %s\n  cosine: 1\n",
+           force, force, beta);
+  read_text(text);
+  mech_orbits_find(&list, &file, &w, true, 160);
+  ck_assert_int_eq(list.n, 1);
+  const struct mech_orbit *o = &list.orbit[0];
+  arb_srcptr state = o->state + (o->word.phase[0][0] == '-' ? 0 : o->states);
+  ck_assert(o->certified && o->admissible == TRUTH_TRUE && o->turns == 1 && o->states == 4);
+  check_decimal(state, x0);
+  arb_init(angle);
+  for (int i = 0; i < 2; i++) arb_init(part[i]);
+  arb_set_str(angle, phi, 160);
+  arb_sin_cos(part[1], part[0], angle, 160);
+  for (int i = 0; i < 2; i++) {
+    arb_sub(part[i], part[i], state + 2 + i, 160);
+    arb_add_error_2exp_si(part[i], -103);
+    ck_assert(arb_contains_zero(part[i]) && arb_rel_accuracy_bits(state + 2 + i) > 103);
+    arb_clear(part[i]);
+  }
+  arb_clear(angle);
+  mech_orbits_clear(&list);
+  mech_clear(&file);
 }
 END_TEST
 
@@ -557,13 +606,15 @@ Suite *mech_suite(void) {
   suite_add_tcase(s, c);
   c = tcase_create("orbits");
   tcase_add_test(c, the_papers_orbits_on_every_scene);
-  tcase_add_loop_test(c, orbits_recomputed, 0, COUNT(scenes_of_systems));
+  tcase_add_loop_test(c, orbits_recomputed, 0, QUICK_SCENES);
+  tcase_add_loop_test(c, den_hartogs_motions, 0, 10);
   tcase_add_test(c, one_mass_in_closed_form);
   tcase_add_test(c, static_equal_to_sliding);
   suite_add_tcase(s, c);
   c = tcase_create("random orbits");
   tcase_set_tags(c, "long");
   tcase_add_loop_test(c, the_papers_orbits_at_random_data, 0, 200);
+  tcase_add_loop_test(c, orbits_recomputed, QUICK_SCENES, COUNT(scenes_of_systems));
   suite_add_tcase(s, c);
   c = tcase_create("files");
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
