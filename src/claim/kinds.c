@@ -36,13 +36,19 @@ const char *claim_points_asked(const struct claim *c) {
   return kind == KIND_MATRIX ? "params 24" : kind == KIND_IDENTITY ? "arcs 12, orbits 6" : NULL;
 }
 
+static bool on_orbits_alone(const struct claim *c) {
+  const char *points = claim_get(c, "points");
+  return points && strncmp(points, "orbits", 6) == 0 && !strchr(points, ',');
+}
+
 const char *claim_routes_asked(const struct claim *c) {
   const char *own = claim_get(c, "routes");
   if (own) return own;
   enum kind kind = claim_kind(c);
   if (kind == KIND_MATRIX) return "taylor, gsl, ode";
   if (kind != KIND_IDENTITY) return NULL;
-  return claim_get(c, "oracle") ? "oracle" : "exponential";
+  if (!claim_get(c, "oracle")) return "exponential";
+  return on_orbits_alone(c) ? "oracle, system" : "oracle";
 }
 
 enum asked claim_asked(const struct claim *c) {

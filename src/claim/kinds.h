@@ -106,8 +106,8 @@ enum kind claim_kind(const struct claim *c);
 const struct claim_kind *claim_kind_of(const struct claim *c);
 bool claim_tried_at_points(const struct claim *c);
 /* Where it is tried and by what besides balls, in the words of its attributes points and routes; without these, of a
-   matrix params 24 by taylor, gsl and ode, of an identity arcs 12 and orbits 6 by exponential, or by oracle where it has
-   that attribute; NULL: its kind is not tried so. */
+   matrix params 24 by taylor, gsl and ode, of an identity arcs 12 and orbits 6 by exponential, or where it has that
+   attribute by oracle, on orbits alone by system too; NULL: its kind is not tried so. */
 const char *claim_points_asked(const struct claim *c);
 const char *claim_routes_asked(const struct claim *c);
 enum asked claim_asked(const struct claim *c);

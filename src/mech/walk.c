@@ -2,7 +2,6 @@
 #include "walk.h"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
 #include <stdio.h>
@@ -13,7 +12,7 @@
 #include "motion/dynamics.h"
 
 enum { SIDE = MECH_STATES + 1 };
-enum { UNITS_OF_LOOK = 15, HALVINGS = 200 }; /* of work; of the search for a root */
+enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14 }; /* of work; of the search for a root */
 
 /* What a mass may meet: the end of its mode; an obstacle below, above. */
 enum meeting { OWN, BELOW, ABOVE, N_MEETINGS };
@@ -29,8 +28,7 @@ struct walk {
   double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
   double loading[2 * MECH_MASSES], frequency, stop[MECH_MASSES][2], restitution[MECH_MASSES][2];
   double inertia[MECH_MASSES], sliding[MECH_MASSES], limit[MECH_MASSES], surface[MECH_MASSES];
-  double rate[SIDE * SIDE];   /* A of the present phase */
-  double stride[SIDE * SIDE]; /* exp(A look) */
+  double rate[SIDE * SIDE]; /* A of the present phase */
   gsl_odeiv2_system system;
   gsl_odeiv2_driver *driver;
 };
@@ -57,35 +55,30 @@ static int right_side(double t, const double z[], double dz[], void *self) {
   return GSL_SUCCESS;
 }
 
-/* exp(A h). */
-static bool exponential(double *out, const struct walk *w, double h) {
-  int side = w->states + 1;
-  double a[SIDE * SIDE];
-  for (int i = 0; i < side * side; i++) a[i] = h * w->rate[i];
-  gsl_matrix_view in = gsl_matrix_view_array(a, (size_t)side, (size_t)side);
-  gsl_matrix_view to = gsl_matrix_view_array(out, (size_t)side, (size_t)side);
-  gsl_linalg_exponential_ss(&in.matrix, &to.matrix, GSL_PREC_DOUBLE);
-  for (int i = 0; i < side * side; i++)
-    if (!isfinite(out[i])) return false;
-  return true;
-}
-
-static void apply(double *to, const double *matrix, const double *from, int states) {
-  int side = states + 1;
-  for (int i = 0; i < states; i++) {
-    to[i] = matrix[i * side + states];
-    for (int k = 0; k < states; k++) to[i] += matrix[i * side + k] * from[k];
+/* exp(A h) (z, 1) by its series; h is at most a look, so that its terms fall like (1/16)^k/k!. */
+static bool add_series(double *to, const struct walk *w, double h) {
+  double term[SIDE], next[SIDE];
+  int states = w->states, side = states + 1;
+  bool finite = true;
+  memcpy(term, w->z, (size_t)states * sizeof *term);
+  memcpy(to, w->z, (size_t)states * sizeof *to);
+  term[states] = 1;
+  for (int k = 1; k <= TERMS; k++) {
+    for (int i = 0; i < side; i++) {
+      next[i] = 0;
+      for (int j = 0; j < side; j++) next[i] += w->rate[i * side + j] * term[j];
+      next[i] *= h / k;
+    }
+    memcpy(term, next, (size_t)side * sizeof *term);
+    for (int i = 0; i < states; i++) to[i] += term[i];
   }
+  for (int i = 0; i < states; i++) finite = finite && isfinite(to[i]);
+  return finite;
 }
 
 /* The state h after w->z in the present phase. */
 static bool carry(double *to, struct walk *w, double h) {
-  if (w->route == MECH_PATCHED) {
-    double matrix[SIDE * SIDE];
-    if (h != w->look && !exponential(matrix, w, h)) return false;
-    apply(to, h == w->look ? w->stride : matrix, w->z, w->states);
-    return true;
-  }
+  if (w->route == MECH_PATCHED) return add_series(to, w, h);
   double t = 0;
   memcpy(to, w->z, sizeof w->z);
   gsl_odeiv2_driver_reset(w->driver);
@@ -151,16 +144,14 @@ static void change(struct walk *w, int i, enum meeting part) {
   if (w->phase[i] == 's') w->fresh = -1;
 }
 
-static bool begin(struct walk *w) {
+static void begin(struct walk *w) {
   int side = w->states + 1;
   fmpq_mat_t rate;
-  if (w->route != MECH_PATCHED) return true;
   fmpq_mat_init(rate, side, side);
   mech_rate(rate, w->m, w->phase);
   for (int i = 0; i < side; i++)
     for (int j = 0; j < side; j++) w->rate[i * side + j] = fmpq_get_d(fmpq_mat_entry(rate, i, j));
   fmpq_mat_clear(rate);
-  return exponential(w->stride, w, w->look);
 }
 
 static void note(struct mech_motion *out, const struct walk *w, double t, int mass) {
@@ -193,7 +184,8 @@ static int advance(double *gone, struct walk *w, struct mech_motion *out, double
   if (event < 0) return SS_OK;
   change(w, event / N_MEETINGS, (enum meeting)(event % N_MEETINGS));
   note(out, w, t + first, event / N_MEETINGS);
-  return begin(w) ? SS_OK : SS_UNABLE;
+  begin(w);
+  return SS_OK;
 }
 
 /* --- From the start --- */
@@ -256,7 +248,7 @@ int mech_simulate(struct mech_motion *out, enum mech_route route, const struct m
     gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
     w->system = (gsl_odeiv2_system){right_side, NULL, (size_t)w->states, w};
     w->driver = gsl_odeiv2_driver_alloc_y_new(&w->system, gsl_odeiv2_step_rk8pd, w->look, 1e-13, 1e-13);
-    s = begin(w) ? SS_OK : SS_UNABLE;
+    begin(w);
     for (double t = 0, gone; s == SS_OK && duration - t > 1e-12 && out->n_moments < most; t += gone) {
       work_add(UNITS_OF_LOOK);
       s = advance(&gone, w, out, t, fmin(w->look, duration - t));

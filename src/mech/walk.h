@@ -1,5 +1,5 @@
 /* The motion of a system in double precision, by two routes: solutions of the successive phases patched together, each by
-   the matrix exponential of its affine system, and GSL's integration of the equations of motion.  They share the law and
+   the series of its affine system's exponential, and GSL's integration of the equations of motion.  They share the law and
    the search for events, each in steps of its own length, so that an excursion between two looks that one of them misses
    shows as a disagreement.  Generic starts: simultaneous events and contacts that are flat within rounding are not
    resolved. */
@@ -22,9 +22,9 @@ struct mech_motion {
   int n_moments, most;
   double z[MECH_STATES]; /* at the end */
 };
-/* start: n positions, n velocities, with loads the cosine and sine of their angle; finite.  Ends at the time `duration` or after the event that makes `most` moments.
-   SS_DOMAIN for a duration above 10^6, a number that is not finite, or a start beyond an obstacle, SS_UNABLE when the integrator fails or an exponential
-   cannot be held. */
+/* start: n positions, n velocities, with loads the cosine and sine of their angle; finite.  Ends at the time `duration` or
+   after the event that makes `most` moments.  SS_DOMAIN for a duration above 10^6, a number that is not finite, or a start
+   beyond an obstacle; SS_UNABLE when the integrator fails or a state is too large for a double. */
 int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,
                   double duration, int most);
 void mech_motion_clear(struct mech_motion *out);
