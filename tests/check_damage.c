@@ -153,7 +153,7 @@ static const struct {
     {DAMAGE_POINTS, 200, "eq-55", "arcs D 1, orbits D 6"},
     {DAMAGE_POINTS, 200, "eq-55", "points: orbits D 6\n"},
     {DAMAGE_POINTS, 200, "eq-13", "arcs H 12, orbits Gamma 6"},
-    {DAMAGE_ROUTES, 70, "eq-41", "routes: saltation\n"},
+    {DAMAGE_ROUTES, 70, "eq-41", "routes: saltation, system\n"},
     {DAMAGE_TOLERANCE, 30, "num-u_r1", "relation: <"},
     {DAMAGE_DOMAIN, 100, "text-start-at-rest", "t_b = 3"},
     {DAMAGE_CORRECTION, 20, "eq-36b", "repaired-range: 1 5"},
