@@ -524,7 +524,10 @@ static const struct {
     {"-->3 --", "a rebound is written behind the letters", 0},
     {"--> --", "a rebound is written behind the letters", 0},
     {"-->2x --", "a rebound is written behind the letters", 0},
-    {"ss>2 --", "one mass changes its mode at a time", 0},
+    {"s->2 -s", "one mass changes its mode at a time", 0},
+    {"ss>2 --", "a mass that rebounds does not stick at once", 0},
+    {"-->02 s-", "a rebound is written behind the letters", 0},
+    {"-->4294967298 s-", "a rebound is written behind the letters", 0},
 };
 
 START_TEST(words_of_two_masses) {

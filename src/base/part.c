@@ -83,7 +83,11 @@ static bool sum_holds(struct part *p) {
 
 static bool sum_open(struct part *p, int more, struct diag *d) {
   p->sum_fd = open(text_str(&p->sum_path), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | more, 0644);
-  return p->sum_fd >= 0 || failed(&p->sum_path, d);
+  if (p->sum_fd < 0) return failed(&p->sum_path, d);
+  struct stat st;
+  if (fstat(p->sum_fd, &st) == 0 && S_ISREG(st.st_mode) && st.st_nlink == 1) return true;
+  diag_set(d, "%s: error: not a regular file of one name", text_str(&p->sum_path));
+  return false;
 }
 
 /* --- The file --- */

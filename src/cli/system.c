@@ -177,6 +177,9 @@ static void orbits_text(struct text *out, const struct mech_orbits *list, const 
   text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, list->n, list->n == 1 ? "" : "s", s->system);
   text_printf(out, "not proved complete: %s (%d motions, %d starts of Newton's iteration, %d without an orbit)\n",
               not_complete, list->simulations, list->candidates, list->failed);
+  if (list->unfinished)
+    text_printf(out, "%d of these motions were given up: too many steps, or numbers out of the range of a double\n",
+                list->unfinished);
   for (int i = 0; i < list->n; i++) {
     text_printf(out, "orbit %d: ", i + 1);
     orbit_text(out, &list->orbit[i], m, digits);

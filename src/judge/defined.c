@@ -137,7 +137,8 @@ static void say_where(struct defined *y, const struct family *f, const struct dy
       certify_ball(&c, j, name_param[i], value);
     else
       certify_exact(&c, j, name_param[i], &f->base->q[i]);
-  for (int i = 0; i < c.n; i++) text_printf(&y->zero, "%s%s = %s", i ? ", " : "", c.at[i].name, c.at[i].value);
+  for (int i = 0; i < c.n; i++)
+    text_printf(&y->zero, "%s%s %s %s", i ? ", " : "", c.at[i].name, i == f->vary ? "near" : "=", c.at[i].value);
   certify_orbit(&c, j, &t->touch);
   if (y->b->f->certificate.n == 0) y->b->f->certificate = c;
   arb_clear(value);

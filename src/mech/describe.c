@@ -197,6 +197,7 @@ static int by_imaginary(const void *a, const void *b) {
 static void add_eigenvalue(const struct printer *p, acb_srcptr z) {
   if (p->m->n_dampers > 0) {
     num_print_ball(p->out, acb_realref(z), p->digits);
+    if (arb_is_zero(acb_imagref(z))) return;
     text_add(p->out, p->latex ? " \\pm i \\, " : " +- i ");
   }
   num_print_ball(p->out, acb_imagref(z), p->digits);

@@ -1,6 +1,7 @@
 /* Systems in memory: what is made from masses and links, and the matrices of a phase. */
 #include "mech.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -286,10 +287,13 @@ static const char *wrong_with_phase(const char *s, size_t len, const struct mech
       return m->mass[i].rubbed ? "a mass that a surface rubs is not free (.)" : "a mass that nothing rubs is free (.)";
   }
   if (letters == len) return NULL;
-  int mass = atoi(s + letters + 1);
-  size_t digits = strspn(s + letters + 1, "0123456789");
-  if (len > MECH_PHASE || digits == 0 || letters + 1 + digits != len || mass < 1 || mass > m->n)
-    return "a rebound is written behind the letters of its phase, <1 or >1 with the number of the mass";
+  int mass = 1;
+  char number[16];
+  while (mass <= m->n && (snprintf(number, sizeof number, "%d", mass),
+                          len != letters + 1 + strlen(number) || strncmp(s + letters + 1, number, len - letters - 1)))
+    mass++;
+  if (mass > m->n) return "a rebound is written behind the letters of its phase, <1 or >1 with the number of the mass";
+  if (s[mass - 1] == 's') return "a mass that rebounds does not stick at once";
   if (!m->mass[mass - 1].stop[s[letters] == '>'].given) return "there is no obstacle at that side of this mass";
   return NULL;
 }

@@ -144,6 +144,10 @@ static void orbit_init(struct mech_orbit *o, const struct mech *m, const struct 
   o->multiplier = _acb_vec_init(o->n_free);
 }
 
+bool mech_orbit_is_motion(const struct mech_orbit *o) {
+  return o->certified && o->admissible == TRUTH_TRUE;
+}
+
 void mech_orbit_clear(struct mech_orbit *o) {
   _arb_vec_clear(o->t, o->word.n);
   _arb_vec_clear(o->state, (slong)o->word.n * o->states);

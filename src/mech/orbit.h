@@ -62,6 +62,8 @@ int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mec
                     const double *z, slong prec);
 /* Its conditions: Coulomb's law. */
 void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec);
+/* Certified and admissible. */
+bool mech_orbit_is_motion(const struct mech_orbit *o);
 void mech_orbit_clear(struct mech_orbit *o);
 /* The eigenvalues of a real square matrix, by decreasing modulus; false when they cannot be enclosed. */
 bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec);
@@ -69,12 +71,13 @@ bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec);
 struct mech_orbits {
   struct mech_orbit *orbit;
   int n;
-  int simulations, candidates,
-      failed; /* motions simulated; starts of Newton's iteration; of these without a proved orbit */
+  int simulations, unfinished; /* motions simulated; of these not to their end (mech_simulate) */
+  int candidates, failed;      /* starts of Newton's iteration; of these without a proved orbit */
 };
 /* Orbits that simulated motions come near, by increasing period; of one word, or of all when w is NULL.  Motions from
    random starts (a fixed sequence) are searched for stretches that nearly return; unstable orbits are met only as motions
-   pass them.  None found is no proof.  any: the first motion that leads to an orbit is the last one. */
+   pass them.  None found is no proof.  any: the first motion that leads to a
+   certified admissible orbit is the last one. */
 void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec);
 void mech_orbits_clear(struct mech_orbits *list);
 

@@ -174,15 +174,18 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
   struct stretches found = {.n = 0};
   uint64_t stream = random_seed("motions of a system");
   *list = (struct mech_orbits){.n = 0};
-  while (list->simulations < SIMULATIONS && list->n == 0) {
+  bool done = false;
+  while (list->simulations < SIMULATIONS && !done) {
     struct mech_motion x;
     double z[MECH_STATES];
     random_start(z, m, &stream);
     int status = mech_simulate(&x, MECH_PATCHED, m, z, fmin(1e6, periods / slowest(m)), MOMENTS);
-    if (status == SS_OK) look_through(&found, &x, w, m);
+    if (status != SS_DOMAIN) look_through(&found, &x, w, m);
+    list->unfinished += status != SS_OK;
     mech_motion_clear(&x);
     if (++list->simulations == SIMULATIONS || any) solve(list, &found, m, prec);
     if (any) found.n = 0;
+    for (int i = 0; any && i < list->n; i++) done = done || mech_orbit_is_motion(&list->orbit[i]);
   }
   if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_period);
   free(found.at);

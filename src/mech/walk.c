@@ -12,7 +12,7 @@
 #include "motion/dynamics.h"
 
 enum { SIDE = MECH_STATES + 1 };
-enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14 }; /* of work; of the search for a root */
+enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14, MOST_LOOKS = 200000 }; /* of work; of the search for a root */
 
 /* What a mass may meet: the end of its mode; an obstacle below, above. */
 enum meeting { OWN, BELOW, ABOVE, N_MEETINGS };
@@ -57,7 +57,7 @@ static int right_side(double t, const double z[], double dz[], void *self) {
 
 /* exp(A h) (z, 1) by its series; h is at most a look, so that its terms fall like (1/16)^k/k!. */
 static bool add_series(double *to, const struct walk *w, double h) {
-  double term[SIDE], next[SIDE];
+  double term[SIDE], next[SIDE] = {0};
   int states = w->states, side = states + 1;
   bool finite = true;
   memcpy(term, w->z, (size_t)states * sizeof *term);
@@ -65,9 +65,9 @@ static bool add_series(double *to, const struct walk *w, double h) {
   term[states] = 1;
   for (int k = 1; k <= TERMS; k++) {
     for (int i = 0; i < side; i++) {
-      next[i] = 0;
-      for (int j = 0; j < side; j++) next[i] += w->rate[i * side + j] * term[j];
-      next[i] *= h / k;
+      double sum = 0;
+      for (int j = 0; j < side; j++) sum += w->rate[i * side + j] * term[j];
+      next[i] = sum * h / k;
     }
     memcpy(term, next, (size_t)side * sizeof *term);
     for (int i = 0; i < states; i++) to[i] += term[i];
@@ -249,7 +249,12 @@ int mech_simulate(struct mech_motion *out, enum mech_route route, const struct m
     w->system = (gsl_odeiv2_system){right_side, NULL, (size_t)w->states, w};
     w->driver = gsl_odeiv2_driver_alloc_y_new(&w->system, gsl_odeiv2_step_rk8pd, w->look, 1e-13, 1e-13);
     begin(w);
+    long looks = 0;
     for (double t = 0, gone; s == SS_OK && duration - t > 1e-12 && out->n_moments < most; t += gone) {
+      if (looks++ == MOST_LOOKS) {
+        s = SS_UNABLE;
+        break;
+      }
       work_add(UNITS_OF_LOOK);
       s = advance(&gone, w, out, t, fmin(w->look, duration - t));
     }

@@ -24,7 +24,8 @@ struct mech_motion {
 };
 /* start: n positions, n velocities, with loads the cosine and sine of their angle; finite.  Ends at the time `duration` or
    after the event that makes `most` moments.  SS_DOMAIN for a duration above 10^6, a number that is not finite, or a start
-   beyond an obstacle; SS_UNABLE when the integrator fails or a state is too large for a double. */
+   beyond an obstacle; SS_UNABLE when the integrator fails, a state is too large for a double, or 200000 steps
+   of 1/16 of the fastest motion do not reach the end. */
 int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,
                   double duration, int most);
 void mech_motion_clear(struct mech_motion *out);

@@ -435,7 +435,7 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
     enum kind kind;
     const char *why;
   } reasons[] = {
-      {KIND_BEHAVIOUR, "about simulated motions"},
+      {KIND_BEHAVIOUR, "a sentence about motions, which exact algebra does not reach"},
       {KIND_SEQUENCE, "an event is not proved to be the first of its phase, or a condition not throughout it"},
       {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
       {KIND_CONSTRAINTS, "the list is not shown to be what (2) asks, by exact algebra"},

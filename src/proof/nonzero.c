@@ -258,7 +258,8 @@ static bool has_touch(const struct tape *t) {
   exact_motion_free(&m, false, 4, t);
   vec_init(&f, 4);
   vec_init(&x, 1);
-  int s = value_of(at(&x, 0), &m, t) | rate_at(&f, &m, 3, PHASE_H);
+  int s = value_of(at(&x, 0), &m, t);
+  s |= rate_at(&f, &m, 3, PHASE_H);
   bool yes = s == SS_OK && !exact_is_zero(m.field, at(&f, DZ_1)) && divides(at(&f, DZ_1), at(&x, 0), &m);
   num_vec_clear(&x);
   num_vec_clear(&f);

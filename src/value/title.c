@@ -550,8 +550,7 @@ static const struct {
      "do not"},
     {"long-run", NULL, "what becomes of the printed initial state over many returns"},
     {"patching", NULL,
-     "chains of more than two masses have periodic motions patched from the solutions of their phases, as direct "
-     "integration confirms"}};
+     "some chains of more than two masses have periodic motions that are patched from the solutions of their phases"}};
 
 static bool make_behaviour(struct text *out, const struct title *t) {
   const char *check = claim_get(t->c, "check"), *transition = claim_get(t->c, "transition");
