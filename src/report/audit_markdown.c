@@ -1,4 +1,5 @@
 /* audit.md: the same record for people.  Formulas stand between dollar signs, as common viewers render them. */
+#include <ctype.h>
 #include <string.h>
 
 #include "escape.h"
@@ -151,16 +152,23 @@ static void add_controls(struct text *out, const struct audit_result *r) {
 
 /* --- Routes --- */
 
+static void add_capitalized(struct text *out, const char *words) {
+  if (!*words) return;
+  text_add_char(out, (char)toupper((unsigned char)*words));
+  text_add(out, words + 1);
+}
+
 static void add_route_pairs(struct text *out, const struct audit_result *r, bool disagreeing) {
   const char *quantity = "";
   for (size_t i = 0; i < r->n_pairs; i++) {
     const struct route_pair *p = &r->pairs[i];
     if (disagreeing && p->within) continue;
-    if (strcmp(quantity, p->quantity) != 0)
-      text_printf(out,
-                  "%s%c%s:\n\n| routes | both use | comparisons | tolerance | largest disagreement | at |\n"
-                  "| --- | --- | ---: | --- | --- | --- |\n",
-                  *quantity ? "\n" : "", p->quantity[0] - 'a' + 'A', p->quantity + 1);
+    if (strcmp(quantity, p->quantity) != 0) {
+      if (*quantity) text_add_char(out, '\n');
+      add_capitalized(out, p->quantity);
+      text_add(out, ":\n\n| routes | both use | comparisons | tolerance | largest disagreement | at |\n"
+                    "| --- | --- | ---: | --- | --- | --- |\n");
+    }
     quantity = p->quantity;
     text_printf(out, "| %s, %s | %s | %ld | %s | ", p->first, p->second, p->shared, p->comparisons, p->stated);
     text_printf(out, "%s%s | ", p->within ? "" : "**beyond**: ", p->largest ? p->largest : p->within ? "within" : "-");
