@@ -430,6 +430,13 @@ static void hostile(struct audit_result *r, struct traps *t, const char *const *
                              .readings = &t->readings};
 }
 
+/* The words where no backslash stands before them. */
+static const char *unescaped(const char *page, const char *words) {
+  const char *s = strstr(page, words);
+  while (s && s > page && s[-1] == '\\') s = strstr(s + 1, words);
+  return s;
+}
+
 START_TEST(nothing_quoted_breaks_a_page) {
   static const char *const traps[] = {"</title></style><script>alert(1)</script>",
                                       "a & b &amp; c &#x3c;",
@@ -480,11 +487,11 @@ START_TEST(nothing_quoted_breaks_a_page) {
   hostile(&r, &t, traps, sizeof traps / sizeof *traps);
   put_all(&r);
   ck_assert_int_eq(check_folder(""), 0);
-  static const char *const html[] = {"<script", "<img", "<b", "<!", "<?", "</"};
+  static const char *const html[] = {"<script>", "<img ", "<b>", "<!", "<?", "</"};
   char *pages[] = {written(report_markdown, &r), written(report_errata, &r)};
   for (size_t i = 0; i < sizeof html / sizeof *html; i++)
     for (size_t k = 0; k < 2; k++)
-      ck_assert_msg(!strstr(pages[k], html[i]), "%s: %s", html[i], strstr(pages[k], html[i]));
+      ck_assert_msg(!unescaped(pages[k], html[i]), "%s: %.300s", html[i], unescaped(pages[k], html[i]));
   for (size_t k = 0; k < 2; k++) free(pages[k]);
 }
 END_TEST

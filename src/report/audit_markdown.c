@@ -1,5 +1,4 @@
 /* audit.md: the same record for people.  Formulas stand between dollar signs, as common viewers render them. */
-#include <ctype.h>
 #include <string.h>
 
 #include "escape.h"
@@ -153,9 +152,9 @@ static void add_controls(struct text *out, const struct audit_result *r) {
 /* --- Routes --- */
 
 static void add_capitalized(struct text *out, const char *words) {
-  if (!*words) return;
-  text_add_char(out, (char)toupper((unsigned char)*words));
-  text_add(out, words + 1);
+  bool small = *words >= 'a' && *words <= 'z';
+  if (small) text_add_char(out, (char)(*words - 'a' + 'A'));
+  escape_cell(out, words + small);
 }
 
 static void add_route_pairs(struct text *out, const struct audit_result *r, bool disagreeing) {
