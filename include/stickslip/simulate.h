@@ -60,8 +60,8 @@ enum ss_route {
    distance of samples, at 0, sample, 2 sample, ...; 0: none.  Functions may be NULL.  end (or NULL) is the last
    moment.  Measured on the paper's orbit over 200 periods: events within 1e-11 of multiprecision, by either route, in
    about 10 ms. SS_STOPPED: a function said so.  SS_UNABLE: 10^6 events or 10^7 steps, no event will ever come, the
-   integrator gave up, or u_ri and u_si are nearer to each other than the rounding of the state; ss_error() says which, and the moment is valid.  SS_DOMAIN: parameters that cannot be simulated,
-   or a plan without end. */
+   integrator gave up, or u_ri and u_si are nearer to each other than the rounding of the state; ss_error() says which,
+   and the moment is valid.  SS_DOMAIN: parameters that cannot be simulated, or a plan without end. */
 SS_API int ss_motion_run(ss_moment *end, const ss_motion *m, int route, double duration, long returns, double sample,
                          ss_on_event event, ss_on_sample moment, void *self);
 

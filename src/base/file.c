@@ -17,6 +17,12 @@ const char *path_base(const char *path) {
   return slash ? slash + 1 : path;
 }
 
+void path_folder(struct text *out, const char *path) {
+  const char *slash = strrchr(path, '/');
+  text_reset(out);
+  text_add_n(out, slash ? path : ".", slash && slash > path ? (size_t)(slash - path) : 1);
+}
+
 /* The code point of a character of well-formed UTF-8. */
 static unsigned code_point(const char *s) {
   const unsigned char *c = (const unsigned char *)s;

@@ -52,8 +52,8 @@ struct json_value {
   const struct json_value *next;  /* the one behind this one in its container */
 };
 
-/* The source as one value.  Keys of an object are distinct, strings are text_plain_prefix, with lines; memory is in the arena, at most some
-   fifty times the source's length.  false with d set, at the place, otherwise. */
+/* The source as one value.  Keys of an object are distinct, strings are text_plain_prefix, with lines; memory is in the
+   arena, at most some fifty times the source's length.  false with d set, at the place, otherwise. */
 bool json_parse(struct json_value *out, struct arena *a, const struct source *s, struct diag *d);
 /* The member of that name; NULL when there is none or v is no object. */
 const struct json_value *json_member(const struct json_value *v, const char *key);

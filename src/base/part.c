@@ -1,5 +1,5 @@
-/* Files that grow beside and are renamed when whole.  A lock keeps two runs from writing the same one, a sum over all that
-   was written tells what happened to them in the meantime. */
+/* Files that grow beside and are renamed when whole.  A lock keeps two runs from writing the same one, a sum over all
+   that was written tells what happened to them in the meantime. */
 #include "part.h"
 
 #include <errno.h>

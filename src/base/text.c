@@ -46,6 +46,12 @@ void text_add_char(struct text *t, char c) {
   text_add_n(t, &c, 1);
 }
 
+void text_add_capital(struct text *t, const char *words) {
+  bool small = *words >= 'a' && *words <= 'z';
+  if (small) text_add_char(t, (char)(*words - 'a' + 'A'));
+  text_add(t, words + small);
+}
+
 void text_printf(struct text *t, const char *fmt, ...) {
   va_list ap, again;
   va_start(ap, fmt);

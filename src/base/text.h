@@ -40,13 +40,15 @@ void text_reset(struct text *t); /* empties, keeps the memory */
 void text_add(struct text *t, const char *s);
 void text_add_n(struct text *t, const char *s, size_t len);
 void text_add_char(struct text *t, char c);
+/* The words, with a capital where they begin with a small letter. */
+void text_add_capital(struct text *t, const char *words);
 void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
 const char *text_str(const struct text *t); /* "" when nothing was added */
 /* The length of the longest prefix that is well-formed UTF-8: no overlong forms, no surrogates, nothing cut off. */
 size_t text_valid_prefix(const char *s, size_t len);
 /* The length of the longest prefix that is besides without characters that control a terminal, end a line or turn the
-   direction of writing: U+0000 to U+001F, U+007F to U+009F, U+2028 to U+202E, U+2066 to U+2069.  lines: where there may be
-   lines, LF, CR LF and TAB are none of them. */
+   direction of writing: U+0000 to U+001F, U+007F to U+009F, U+2028 to U+202E, U+2066 to U+2069.  lines: where there may
+   be lines, LF, CR LF and TAB are none of them. */
 size_t text_plain_prefix(const char *s, size_t len, bool lines);
 
 /* A place in a source: byte offsets, end exclusive. */
@@ -89,8 +91,8 @@ void diag_again(struct diag *d, const char *message);
 bool source_read(struct source *s, const char *path, size_t max, struct diag *d);
 /* The same from memory; copies both, whatever they are. */
 void source_from_string(struct source *s, const char *name, const char *text);
-/* Whether all of the text is text_plain_prefix, its name too, without lines; so that what quotes them, in any language of
-   the outputs or on a terminal, quotes no line end and no control sequence.  false with d set. */
+/* Whether all of the text is text_plain_prefix, its name too, without lines; so that what quotes them, in any language
+   of the outputs or on a terminal, quotes no line end and no control sequence.  false with d set. */
 bool source_check(const struct source *s, struct diag *d);
 void source_clear(struct source *s);
 /* Line and column of a place, counted as diag_at counts them. */
@@ -98,6 +100,8 @@ void source_place(size_t *line, size_t *column, const struct source *s, size_t o
 
 /* The name of a file without its folders. */
 const char *path_base(const char *path);
+/* The folder part of a path, "." without one; out is emptied first. */
+void path_folder(struct text *out, const char *path);
 
 /* Writes len bytes to a descriptor, whatever it takes at a time; false, with errno set, when it takes no more. */
 bool write_all(int fd, const char *data, size_t len);

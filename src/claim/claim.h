@@ -138,8 +138,8 @@ bool statements_claim(const struct claims *statements, const char *id);
      by-hand      one way to see it; may be missing
      claims       those that fail for it */
 bool root_check(const struct claim *root, struct diag *d);
-/* All together: the claims that they name are there, each at one root, and a claim on record as refuted or conditional has
-   one. */
+/* All together: the claims that they name are there, each at one root, and a claim on record as refuted or conditional
+   has one. */
 bool roots_keep_rules(const struct claims *claims, const struct claims *roots, struct diag *d);
 /* Says of each finding whose it is and, where it fails, of what root; adds the roots that have such findings. */
 void roots_attach(struct audit_result *out, const struct claims *statements, const struct claims *roots);

@@ -1,5 +1,5 @@
-/* "Even in the case of multi degrees of freedom": periodic motions of longer chains, patched from the solutions of their
-   phases and proved, and the same by direct integration. */
+/* "Even in the case of multi degrees of freedom": periodic motions of longer chains, patched from the solutions of
+   their phases and proved, and the same by direct integration. */
 #include <math.h>
 #include <string.h>
 
@@ -13,17 +13,15 @@ enum { PREC = 128, MOST_SYSTEMS = 16 };
 
 /* The data folder that a claim's file stands in, folder/claims/x.claim. */
 static void data_folder(struct text *out, const struct claim *c) {
-  const char *path = c->file->src.name;
-  size_t len = strlen(path);
-  for (int up = 0; up < 2; up++) {
-    while (len > 0 && path[len - 1] != '/') len--;
-    len -= len > 0;
-  }
-  text_add_n(out, len ? path : ".", len ? len : 1);
+  struct text claims;
+  text_init(&claims);
+  path_folder(&claims, c->file->src.name);
+  path_folder(out, text_str(&claims));
+  text_clear(&claims);
 }
 
-/* Integrated over a period from the start of the orbit, does the system pass the same phases at the same times, and come
-   back?  An event at the very start, where a mass is just at its limit, is that of the phase before. */
+/* Integrated over a period from the start of the orbit, does the system pass the same phases at the same times, and
+   come back?  An event at the very start, where a mass is just at its limit, is that of the phase before. */
 static bool integration_follows(const struct mech *m, const struct mech_orbit *o) {
   static const double tolerance = 1e-6;
   struct mech_motion x;

@@ -2,8 +2,8 @@
    of each are the first ones, whether each is a motion of the system.
 
    The list is that of motion/branches.h, every root of every switching function, or with "kept: yes" that of the word's
-   orbits, whatever their t_c: along a phase in which the constraints hold no switching function vanishes, so that what keeps
-   them has first events.  The paper's equations and constraints are tried on every solution in balls. */
+   orbits, whatever their t_c: along a phase in which the constraints hold no switching function vanishes, so that what
+   keeps them has first events.  The paper's equations and constraints are tried on every solution in balls. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -220,8 +220,8 @@ static const char *summed_up(struct solutions *x) {
 
 /* --- Under Coulomb's law --- */
 
-/* Of the solutions with first roots, or those that keep the constraints too, one on which every condition of the model holds
-   and one on which it does not: does the integrated motion close after one period? */
+/* Of the solutions with first roots, or those that keep the constraints too, one on which every condition of the model
+   holds and one on which it does not: does the integrated motion close after one period? */
 static struct route_result integrate(struct finding *f, struct solutions *x, bool constrained) {
   long closed = 0, parted = 0, open = 0;
   bool tried[2] = {false};

@@ -2,10 +2,10 @@
 
    A condition is g(s) = c y(s) < 0 with y' = A y.  On a step from a of length h, with Y an enclosure of y there,
        g(a + s) = c y(a) + s c A y(a) + s^2/2 c A^2 Y,       g'(a + s) = c A y(a) + s c A^2 Y,
-   and g is negative on the step where the first is, or where g is exactly zero at one end and g' has one sign: at the start
-   of a phase for the mass that has just rebounded or begun to slip (there g' is zero, too, where its static limit is its sliding
-   friction, and g'' decides), at the end for the event.  A step on which some condition is open is halved; after
-   20000 steps of a phase its conditions are left undecided. */
+   and g is negative on the step where the first is, or where g is exactly zero at one end and g' has one sign: at the
+   start of a phase for the mass that has just rebounded or begun to slip (there g' is zero, too, where its static limit
+   is its sliding friction, and g'' decides), at the end for the event.  A step on which some condition is open is
+   halved; after 20000 steps of a phase its conditions are left undecided. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -90,8 +90,8 @@ static void bounds_clear(struct bounds *b) {
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_clear(all[i]);
 }
 
-/* One condition on the step: TRUTH_TRUE: it holds on it; FALSE: it is broken at one of its ends; UNKNOWN: neither is shown.
-   after: the state at the end of the step, or NULL where the phase may end before. */
+/* One condition on the step: TRUTH_TRUE: it holds on it; FALSE: it is broken at one of its ends; UNKNOWN: neither is
+   shown. after: the state at the end of the step, or NULL where the phase may end before. */
 static truth on_step(const struct march *m, const struct watch *w, const arb_mat_t along, const arb_mat_struct *after,
                      bool last) {
   struct bounds b;

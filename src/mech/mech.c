@@ -1,7 +1,6 @@
 /* Systems in memory: what is made from masses and links, and the matrices of a phase. */
 #include "mech.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -260,6 +259,14 @@ bool mech_is_hit(enum mech_end end) {
   return end == MECH_HITS_BELOW || end == MECH_HITS_ABOVE;
 }
 
+void mech_mark(char *to, int mass, bool above) {
+  int number = mass + 1;
+  *to++ = marks[above];
+  if (number >= 10) *to++ = (char)('0' + number / 10);
+  *to++ = (char)('0' + number % 10);
+  *to = '\0';
+}
+
 int mech_event(enum mech_end *end, const char *from, const char *to) {
   size_t letters = strcspn(to, marks);
   int mass = to[letters] ? atoi(to + letters + 1) - 1 : -1;
@@ -277,6 +284,12 @@ int mech_event(enum mech_end *end, const char *from, const char *to) {
 
 /* --- Words --- */
 
+static bool is_mark(const char *s, size_t len, int mass) {
+  char mark[MECH_PHASE - MECH_MASSES + 1];
+  mech_mark(mark, mass, s[0] == '>');
+  return strlen(mark) == len && strncmp(s, mark, len) == 0;
+}
+
 static const char *wrong_with_phase(const char *s, size_t len, const struct mech *m) {
   size_t letters = strcspn(s, marks) < len ? strcspn(s, marks) : len;
   if (letters != (size_t)m->n) return "a phase has one letter for each mass";
@@ -287,14 +300,11 @@ static const char *wrong_with_phase(const char *s, size_t len, const struct mech
       return m->mass[i].rubbed ? "a mass that a surface rubs is not free (.)" : "a mass that nothing rubs is free (.)";
   }
   if (letters == len) return NULL;
-  int mass = 1;
-  char number[16];
-  while (mass <= m->n && (snprintf(number, sizeof number, "%d", mass),
-                          len != letters + 1 + strlen(number) || strncmp(s + letters + 1, number, len - letters - 1)))
-    mass++;
-  if (mass > m->n) return "a rebound is written behind the letters of its phase, <1 or >1 with the number of the mass";
-  if (s[mass - 1] == 's') return "a mass that rebounds does not stick at once";
-  if (!m->mass[mass - 1].stop[s[letters] == '>'].given) return "there is no obstacle at that side of this mass";
+  int mass = 0;
+  while (mass < m->n && !is_mark(s + letters, len - letters, mass)) mass++;
+  if (mass == m->n) return "a rebound is written behind the letters of its phase, <1 or >1 with the number of the mass";
+  if (s[mass] == 's') return "a mass that rebounds does not stick at once";
+  if (!m->mass[mass].stop[s[letters] == '>'].given) return "there is no obstacle at that side of this mass";
   return NULL;
 }
 

@@ -3,8 +3,9 @@
 
      m_i x_i'' = u_i - f_i          f = K x + C x' - P (cos theta, sin theta)          theta' = Omega
 
-   K and C are made from the springs and dampers, P from the loads, which have one frequency Omega.  A mass that a surface of velocity V_i rubs has a sliding friction s_i
-   and a static limit r_i, 0 <= s_i <= r_i, and moves in one of three modes; one that nothing rubs is free:
+   K and C are made from the springs and dampers, P from the loads, which have one frequency Omega.  A mass that a
+   surface of velocity V_i rubs has a sliding friction s_i and a static limit r_i, 0 <= s_i <= r_i, and moves in one of
+   three modes; one that nothing rubs is free:
 
      's' sticks    x_i' = V_i, u_i = f_i, as long as |f_i| < r_i
      '-' slower    x_i' < V_i, u_i = +s_i
@@ -14,12 +15,14 @@
    An obstacle keeps x_i <= X or x_i >= X; a mass that reaches it rebounds, x_i' becomes -e x_i', 0 < e <= 1.
 
    A phase is a letter for each mass, "s-" the first of two sticking and the second slower than its surface; one that
-   begins with a rebound of the second mass ends in >2 (x_2 <= X) or <2 (x_2 >= X).  A word is a cyclic sequence of phases.  A sticking mass breaks loose at f_i = r_i to the slower side, at f_i = -r_i to the faster
-   one; a slipping one that reaches V_i sticks where |f_i| < r_i and passes through elsewhere.
+   begins with a rebound of the second mass ends in >2 (x_2 <= X) or <2 (x_2 >= X).  A word is a cyclic sequence of
+   phases.  A sticking mass breaks loose at f_i = r_i to the slower side, at f_i = -r_i to the faster one; a slipping
+   one that reaches V_i sticks where |f_i| < r_i and passes through elsewhere.
 
    Within a phase the state y = (x_1 ... x_n, x_1' ... x_n', 1), with cos theta, sin theta before the 1 where there are
-   loads, obeys y' = A y with a constant matrix A, and every condition of a phase is a row c with c y < 0 (mech_rate, mech_condition): both exact, and the one place where the
-   equations of motion are stated.  With two masses and springs 1 - chi and chi it is the paper's system. */
+   loads, obeys y' = A y with a constant matrix A, and every condition of a phase is a row c with c y < 0 (mech_rate,
+   mech_condition): both exact, and the one place where the equations of motion are stated.  With two masses and springs
+   1 - chi and chi it is the paper's system. */
 #ifndef STICKSLIP_MECH_MECH_H
 #define STICKSLIP_MECH_MECH_H
 
@@ -81,8 +84,9 @@ struct mech_link *mech_add_link(struct mech *m, bool spring, const char *name);
 struct mech_load *mech_add_load(struct mech *m, const char *name);
 /* An obstacle for a mass, which has none on that side. */
 struct mech_stop *mech_add_stop(struct mech_mass *mass, bool above, const char *name);
-/* Makes K, C and P.  What is physically wrong is said in why (a mass that is not positive, a static limit below the sliding
-   friction, masses that no chain of springs ties to the ground, ...), with the mass or link it is about in *name. */
+/* Makes K, C and P.  What is physically wrong is said in why (a mass that is not positive, a static limit below the
+   sliding friction, masses that no chain of springs ties to the ground, ...), with the mass or link it is about in
+   *name. */
 bool mech_finish(struct mech *m, const char **why, const char **name);
 
 /* Reads a system file (read.c says what stands in one).  false with d set. */
@@ -96,8 +100,8 @@ struct mech_word {
   int n;
   char phase[MECH_PHASES][MECH_PHASE + 1];
 };
-/* "ss -s -- s-"; false with *why set, and *at to the offset of what is wrong: no phase of this system, a phase that equals
-   the next one, two masses that change at once, a rebound where there is no obstacle. */
+/* "ss -s -- s-"; false with *why set, and *at to the offset of what is wrong: no phase of this system, a phase that
+   equals the next one, two masses that change at once, a rebound where there is no obstacle. */
 bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, const struct mech *m);
 /* Whether each phase differs from the next by one mass. */
 bool mech_word_good(const struct mech_word *w);
@@ -118,6 +122,8 @@ enum mech_end {
   MECH_HITS_ABOVE     /* x_i - X */
 };
 bool mech_is_hit(enum mech_end end);
+/* Behind the letters of a phase: ">2" of the mass number 1, from the obstacle above it. */
+void mech_mark(char *to, int mass, bool above);
 /* The row c of length states + 1 with c y < 0 while the mass goes on in that mode. */
 void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end);
 /* The mass that changes or rebounds between two phases, and how; -1 when none or more than one does. */

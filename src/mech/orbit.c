@@ -199,45 +199,26 @@ static int best_turn(const struct mech *m, const struct mech_word *w) {
   return by;
 }
 
-/* The state at the entry of phase `by`, in double precision: by the flow of the phases before. */
-static void carry(double *z, const struct mech *m, const struct mech_word *w, const double *t, int by) {
-  int states = m->states, side = states + 1;
-  fmpq_mat_t rate;
-  arb_mat_t flow, y;
-  fmpq_mat_init(rate, side, side);
-  arb_mat_init(flow, side, side);
-  arb_mat_init(y, side, 1);
-  for (int i = 0; i < states; i++) arb_set_d(arb_mat_entry(y, i, 0), z[i]);
-  arb_one(arb_mat_entry(y, states, 0));
-  for (int k = 0; k < by; k++) {
-    arb_t length;
-    arb_init(length);
-    arb_set_d(length, t[k]);
-    mech_rate(rate, m, w->phase[k]);
-    arb_mat_set_fmpq_mat(flow, rate, 64);
-    arb_mat_scalar_mul_arb(flow, flow, length, 64);
-    arb_mat_exp(flow, flow, 64);
-    arb_mat_mul(y, flow, y, 64);
-    enum mech_end end;
-    int mass = mech_event(&end, w->phase[k], w->phase[(k + 1) % w->n]);
-    if (mech_is_hit(end)) {
-      arb_ptr v = arb_mat_entry(y, m->n + mass, 0);
-      arb_set_fmpq(length, m->mass[mass].stop[end == MECH_HITS_ABOVE].restitution, 64);
-      arb_mul(v, v, length, 64);
-      arb_neg(v, v);
-    }
-    arb_clear(length);
-  }
-  for (int i = 0; i < states; i++) z[i] = arf_get_d(arb_midref(arb_mat_entry(y, i, 0)), ARF_RND_NEAR);
-  arb_mat_clear(y);
-  arb_mat_clear(flow);
-  fmpq_mat_clear(rate);
+/* The unknowns of the equations at such lengths and such a state. */
+static void set_unknowns(arb_ptr x, const struct mech_equations *e, const double *t, const double *z) {
+  int angle = 2 * e->m->n;
+  for (int k = 0; k < e->w->n; k++) arb_set_d(x + k, t[k]);
+  for (int l = 0; l < e->n_free; l++)
+    arb_set_d(x + e->w->n + l, e->free[l] < angle ? z[e->free[l]] : atan2(z[angle + 1], z[angle]));
 }
 
 void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech *m) {
+  struct mech_equations e;
   double lengths[MECH_PHASES];
   int by = best_turn(m, w);
-  carry(z, m, w, t, by);
+  if (by == 0) return;
+  mech_equations_init(&e, m, w, 0, 64);
+  arb_ptr x = _arb_vec_init(w->n + e.n_free);
+  set_unknowns(x, &e, t, z);
+  mech_equations_at(&e, x);
+  for (int i = 0; i < m->states; i++) z[i] = arf_get_d(arb_midref(arb_mat_entry(e.state[by], i, 0)), ARF_RND_NEAR);
+  _arb_vec_clear(x, w->n + e.n_free);
+  mech_equations_clear(&e);
   memcpy(lengths, t, (size_t)w->n * sizeof *t);
   for (int k = 0; k < w->n; k++) t[k] = lengths[(k + by) % w->n];
   mech_word_turn(w, w, by);
@@ -257,9 +238,7 @@ int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mec
   mech_equations_init(&e, m, w, turns_in(m, t, w->n), prec);
   int status = w->n + e.n_free <= SOLVE_MOST && (e.turns > 0 || !m->n_loads) ? SS_OK : SS_UNABLE;
   num_vec_init(&x, w->n + e.n_free, num_ctx_arb(prec));
-  for (int k = 0; k < w->n; k++) arb_set_d(num_vec_at(&x, k), t[k]);
-  for (int l = 0; l < e.n_free; l++)
-    arb_set_d(num_vec_at(&x, w->n + l), e.free[l] < 2 * m->n ? z[e.free[l]] : atan2(z[2 * m->n + 1], z[2 * m->n]));
+  set_unknowns(num_vec_at(&x, 0), &e, t, z);
   for (slong i = 0; i < x.len; i++)
     if (!arb_is_finite(num_vec_at(&x, i))) status = SS_UNABLE;
   if (!status) status = enclose(&x, &e);

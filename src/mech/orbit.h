@@ -1,15 +1,15 @@
 /* Periodic motions of a system with a given word of phases, enclosed with proof.
 
    Unknown are the lengths t_1 ... t_K of the phases and the coordinates of the state at the entry of the first phase that
-   are free there: not the velocity of a sticking mass or of the one that has just changed its mode, nor the position of one
-   that has just broken loose, since its force is at the limit, or has just rebounded; with loads their angle theta is one
-   more.  The equations are the K events and the return of those coordinates, that of the angle after a given number of
-   turns.  A word may be turned so that they are fewest.
+   are free there: not the velocity of a sticking mass or of the one that has just changed its mode, nor the position of
+   one that has just broken loose, since its force is at the limit, or has just rebounded; with loads their angle theta
+   is one more.  The equations are the K events and the return of those coordinates, that of the angle after a given
+   number of turns.  A word may be turned so that they are fewest.
 
    What is proved: by Krawczyk's operator in balls that a box holds exactly one solution; along each phase, by Taylor's
    formula in steps, that each condition of the phase holds up to its end, so that every event is the first one; the
-   multipliers are those of the first return of the free coordinates, in balls.  Together, a certified admissible orbit is a
-   motion under Coulomb's law.  Nothing is said about how many orbits there are. */
+   multipliers are those of the first return of the free coordinates, in balls.  Together, a certified admissible orbit
+   is a motion under Coulomb's law.  Nothing is said about how many orbits there are. */
 #ifndef STICKSLIP_MECH_ORBIT_H
 #define STICKSLIP_MECH_ORBIT_H
 

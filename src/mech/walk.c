@@ -4,7 +4,6 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -134,7 +133,7 @@ static void change(struct walk *w, int i, enum meeting part) {
     w->z[i] = w->stop[i][part == ABOVE];
     w->z[w->n + i] *= -w->restitution[i][part == ABOVE];
     if (w->phase[i] != '.') w->phase[i] = w->z[w->n + i] < w->surface[i] ? '-' : '+';
-    snprintf(w->phase + w->n, sizeof w->phase - (size_t)w->n, "%c%d", part == ABOVE ? '>' : '<', i + 1);
+    mech_mark(w->phase + w->n, i, part == ABOVE);
     return;
   }
   double f = force(w, w->z, i);

@@ -14,9 +14,9 @@
 
    with the attributes section, equation (the paper's number), tex (in the paper's own files a quotation to the letter),
    place (where it stands, quote/quote.h), reads (how the TeX departs from what it says to the letter, "PIECE as TEX";
-   perhaps several), note and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined nor a
-   symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one without
-   a section, then that of another section, if there is only one.
+   perhaps several), note and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined
+   nor a symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one
+   without a section, then that of another section, if there is only one.
 
    Layers.  printed = the paper's files and, when given, the user's overlay; corrected = printed under errata.eq; stable
    = corrected under stable.eq, whose forms equal the corrected ones (proof/stable_forms.h) and keep their digits in

@@ -115,7 +115,8 @@ struct coulomb_result {
    What counts as equal.  A speed or force within tol of its limit is at it, so that events closer than rounding are one
    instant: tol is (2^(4-prec) by closed forms, 4 tolerance by the ODE route) times the size of the starting state,
    |x_1| + |x_2| + |x_1'| + |x_2'| + V + u_r1 + u_r2.  Where that covers the step from u_si to u_ri, as on a belt
-   1e12 times as fast as forces are large, the law of a mass that comes to rest on the belt cannot be told: BLURRED.  An event within tol of the duration falls on either side of it.
+   1e12 times as fast as forces are large, the law of a mass that comes to rest on the belt cannot be told: BLURRED.  An
+   event within tol of the duration falls on either side of it.
 
    Measured on the paper's orbit over 200 periods, against mpfr: events within 7e-12 (ODE route) and 1e-11 (double),
    half of it the rounding of t itself; 10 ms and 5 ms, mpfr at 256 bits 40 ms, at 3400 bits 1 s.

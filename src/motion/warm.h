@@ -30,11 +30,11 @@ enum dyn_output {
 };
 
 /* The orbit near guess = (t_b, t_c).  Bit i of *violations is set when condition i of dyn_condition_id is surely
-   broken; of *unsure when double precision cannot tell.  Both zero: the orbit is admissible; both may be NULL.  SS_OK: out is an orbit of
-   the word, t_b, t_c and t_d proved to be first roots up to rounding. SS_DOMAIN: outside the domain of dynamics.h.
-   SS_UNABLE: no convergence near the guess (a time moved by half of itself); t_b or t_c is not a first root; too near a
-   grazing event, a fold or another double zero; t_b later than the first crest of the rise, where m1 outruns the belt
-   in phase Gamma.  Such an orbit can exist all the same. */
+   broken; of *unsure when double precision cannot tell.  Both zero: the orbit is admissible; both may be NULL.  SS_OK:
+   out is an orbit of the word, t_b, t_c and t_d proved to be first roots up to rounding. SS_DOMAIN: outside the domain
+   of dynamics.h. SS_UNABLE: no convergence near the guess (a time moved by half of itself); t_b or t_c is not a first
+   root; too near a grazing event, a fold or another double zero; t_b later than the first crest of the rise, where m1
+   outruns the belt in phase Gamma.  Such an orbit can exist all the same. */
 int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure, const double params[N_PARAMS],
                    const double guess[2]);
 
@@ -48,7 +48,8 @@ int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const d
 /* The orbit near (t_b, t_c) enclosed, each of its numbers to prec relative bits where its conditioning allows, and
    everything about it decided, as dyn_orbits_find does; some tens of microseconds.  up: phase C ends above (z_20 >
    z_10), else below. *first: whether t_b and t_c are proved to be first roots and phase C to go that way.  SS_UNABLE:
-   no single solution is proved near there.  The orbit is to be cleared whatever the status is.  first and lim may be NULL. */
+   no single solution is proved near there.  The orbit is to be cleared whatever the status is.  first and lim may be
+   NULL. */
 int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
                    const struct dyn_limits *lim);
 void dyn_orbit_clear(struct dyn_orbit *o);

@@ -43,7 +43,9 @@ struct damages {
      title          a number, a name, a phase or a direction for another
 
    Two items of a list exchanged say the same; such a damage names the rule.  Other parameters to try, a route that is as
-   independent, or a control that is wrong by another digit or sign say the same where nothing notices them; and so does another fault class where the report has the same one (damage_study.h).  Only those of the named files, records or classes ("4-stability", "eq-40", "title") when n_only > 0. */
+   independent, or a control that is wrong by another digit or sign say the same where nothing notices them; and so does
+   another fault class where the report has the same one (damage_study.h).  Only those of the named files, records or
+   classes ("4-stability", "eq-40", "title") when n_only > 0. */
 void damages_init(struct damages *out, const struct material *m, const char *const *only, int n_only);
 void damages_clear(struct damages *d);
 /* Is some of them in the file or record, or of the class, of that name? */

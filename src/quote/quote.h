@@ -1,8 +1,9 @@
 /* Quotations held against a copy of the paper's text, token by token.
 
    What is quoted: `paper`, the title, and `tex` of the paper's own equation files; `quote` of the claims and of the
-   list of the paper's statements; and the numbers that scenes call printed, and the data beside them that claims are about, each of which must be the one that ends the quotation of the claim about it (kind
-   number, `number: NAME`).  Errata, stable forms, overlays and controls quote nothing.
+   list of the paper's statements; and the numbers that scenes call printed, and the data beside them that claims are
+   about, each of which must be the one that ends the quotation of the claim about it (kind number, `number: NAME`).
+   Errata, stable forms, overlays and controls quote nothing.
 
    A text is Markdown with mathematics in TeX.  It counts as its tokens, which are
 
@@ -23,9 +24,9 @@
    the marks . , ; : that close it.  Each piece stands in the text at a place of its own, the numbers of its first and its
    last token, counted from 1 at the beginning of the text: `place: 812-840` beside the quotation, `place: 812-840
    4410-4417` for two pieces, in the order of the text.  A place as long as its piece is asked for without a text too, so
-   that no word is lost.  A piece counts as found at its place only, and where it neither begins nor ends inside a word nor
-   right before the ) or } of a bracket that it opens.  Where the record that quotes names an equation,
-   the number printed next behind the first piece's place, or last before it, must be that one.
+   that no word is lost.  A piece counts as found at its place only, and where it neither begins nor ends inside a word
+   nor right before the ) or } of a bracket that it opens.  Where the record that quotes names an equation, the number
+   printed next behind the first piece's place, or last before it, must be that one.
 
    Time and memory grow with the text, which is looked through once for each piece that is not at its place. */
 #ifndef STICKSLIP_QUOTE_QUOTE_H

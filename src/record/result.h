@@ -82,8 +82,8 @@ struct finding {
   struct certificate certificate;
 };
 
-/* What is wrong in the paper, with the claims that fail for it in this run.  Texts have mathematics, as TeX, between dollar
-   signs; by_hand: one way to see it, or NULL. */
+/* What is wrong in the paper, with the claims that fail for it in this run.  Texts have mathematics, as TeX, between
+   dollar signs; by_hand: one way to see it, or NULL. */
 struct root_cause {
   const char *id, *title;
   enum severity severity;
@@ -339,8 +339,8 @@ long audit_result_count(long count[N_VERDICTS], const struct audit_result *r, en
 bool finding_miscorrected(const struct finding *f);
 /* A control that is farther from what it damages than it says. */
 bool control_is_far(const struct control_result *c);
-/* Findings whose verdict differs from what is recorded, corrections that are wrong, controls that went unnoticed or are far, and
-   routes that disagree. */
+/* Findings whose verdict differs from what is recorded, corrections that are wrong, controls that went unnoticed or are
+   far, and routes that disagree. */
 long audit_result_unexpected(const struct audit_result *r);
 
 #endif

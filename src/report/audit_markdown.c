@@ -151,20 +151,18 @@ static void add_controls(struct text *out, const struct audit_result *r) {
 
 /* --- Routes --- */
 
-static void add_capitalized(struct text *out, const char *words) {
-  bool small = *words >= 'a' && *words <= 'z';
-  if (small) text_add_char(out, (char)(*words - 'a' + 'A'));
-  escape_cell(out, words + small);
-}
-
 static void add_route_pairs(struct text *out, const struct audit_result *r, bool disagreeing) {
   const char *quantity = "";
+  struct text heading;
+  text_init(&heading);
   for (size_t i = 0; i < r->n_pairs; i++) {
     const struct route_pair *p = &r->pairs[i];
     if (disagreeing && p->within) continue;
     if (strcmp(quantity, p->quantity) != 0) {
       if (*quantity) text_add_char(out, '\n');
-      add_capitalized(out, p->quantity);
+      text_reset(&heading);
+      text_add_capital(&heading, p->quantity);
+      escape_cell(out, text_str(&heading));
       text_add(out, ":\n\n| routes | both use | comparisons | tolerance | largest disagreement | at |\n"
                     "| --- | --- | ---: | --- | --- | --- |\n");
     }
@@ -175,6 +173,7 @@ static void add_route_pairs(struct text *out, const struct audit_result *r, bool
     text_add(out, " |\n");
   }
   if (*quantity) text_add_char(out, '\n');
+  text_clear(&heading);
 }
 
 static void add_routes(struct text *out, const struct audit_result *r) {

@@ -66,8 +66,7 @@ static void strong(const struct sheet *s, const char *words) {
 static void sheet_sentence(const struct sheet *s, const char *text) {
   struct text t;
   text_init(&t);
-  text_add_char(&t, *text >= 'a' && *text <= 'z' ? (char)(*text - 'a' + 'A') : *text);
-  text_add(&t, *text ? text + 1 : "");
+  text_add_capital(&t, text);
   sheet_prose(s, text_str(&t));
   stop(s);
   text_clear(&t);
@@ -221,8 +220,8 @@ static void add_equation(const struct sheet *s, const char *text) {
   text_clear(&t);
 }
 
-/* How the printed numbers arose, by the reading that assumes least: which were data, what was not solved, where the start
-   comes from. */
+/* How the printed numbers arose, by the reading that assumes least: which were data, what was not solved, where the
+   start comes from. */
 static void add_origin(const struct sheet *s, const struct audit_result *r) {
   if (!r->readings || !r->readings->n_found) return;
   const struct example_reading *f = &r->readings->found[0];

@@ -331,9 +331,9 @@ static double floor_of(const struct study *s, enum route_row row) {
 }
 
 /* Left out where that is more than half of the digits that the route states. */
-static bool out_of_reach(struct study *s, enum route_row row) {
+static bool out_of_reach(struct study *s, enum route_row row, double floor) {
   struct text what;
-  if (floor_of(s, row) <= pow(10, -0.5 * route_table[row].digits)) return false;
+  if (floor <= pow(10, -0.5 * route_table[row].digits)) return false;
   text_init(&what);
   text_printf(&what, "the %s by integration at ", route_quantity_name[route_table[row].quantity]);
   point_print(&what, &s->site.p);
@@ -341,8 +341,8 @@ static bool out_of_reach(struct study *s, enum route_row row) {
   return true;
 }
 
-/* Coulomb's law follows an orbit only where it breaks no condition, and the engine for any system knows orbits alone; the
-   paper's formulas may be beyond reading. */
+/* Coulomb's law follows an orbit only where it breaks no condition, and the engine for any system knows orbits alone;
+   the paper's formulas may be beyond reading. */
 static bool applies(const struct study *s, enum route_row row) {
   unsigned means = route_table[row].means;
   if (means & MEANS_PAPER && !s->readable) return false;
@@ -414,11 +414,11 @@ static void compare_at(struct study *s, enum route_quantity q) {
   bool asked[N_ROUTE_ROWS];
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
     asked[i] = route_table[i].quantity == q && applies(s, (enum route_row)i);
-    asked[i] = asked[i] && !out_of_reach(s, (enum route_row)i);
+    double floor = asked[i] ? floor_of(s, (enum route_row)i) : 0;
+    asked[i] = asked[i] && !out_of_reach(s, (enum route_row)i, floor);
     if (asked[i]) status[i] = compute[i](value + i * MOST_ENTRIES, s);
     if (asked[i]) own[i] = take_estimate(value + i * MOST_ENTRIES, entries[q], (enum route_row)i);
-    if (asked[i] && i == ROUTE_E_INTEGRATION)
-      own[i] = log2(floor_of(s, ROUTE_E_INTEGRATION) * fmax(1, num_arb.get_d(s->site.orbit->period)));
+    if (asked[i] && i == ROUTE_E_INTEGRATION) own[i] = log2(floor * fmax(1, num_arb.get_d(s->site.orbit->period)));
   }
   for (int i = 0; i < N_ROUTE_ROWS; i++)
     for (int k = i + 1; k < N_ROUTE_ROWS; k++) {

@@ -28,13 +28,6 @@ static bool holds_paper(const char *folder) {
   return n > 0;
 }
 
-/* The folder part of a path, "." without one. */
-static void folder_of(struct text *out, const char *path) {
-  const char *slash = strrchr(path, '/');
-  text_reset(out);
-  text_add_n(out, slash ? path : ".", slash && slash > path ? (size_t)(slash - path) : 1);
-}
-
 /* The data folder that a file stands in, itself or in its paper/, claims/, controls/ or scenes/; false: in none. */
 static bool data_around(struct text *out, const char *path) {
   static const char *const parts[] = {"paper", "claims", "controls", "scenes"};
@@ -42,11 +35,11 @@ static bool data_around(struct text *out, const char *path) {
   struct text folder;
   text_init(&folder);
   if (strchr(path, '/') || !getcwd(here, sizeof here))
-    folder_of(&folder, path);
+    path_folder(&folder, path);
   else
     text_add(&folder, here);
   if (word_find(path_base(text_str(&folder)), parts, 4) < 4)
-    folder_of(out, text_str(&folder));
+    path_folder(out, text_str(&folder));
   else
     text_printf(out, "%s", text_str(&folder));
   text_clear(&folder);

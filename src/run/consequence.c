@@ -279,8 +279,8 @@ static enum verdict judge_as_is(struct judge *j, const struct claim *c) {
   return now ? now->verdict : judge_again(j, c, claim_own(c));
 }
 
-/* Or nothing that another formula's failure would change: what a formula divides by is its own, and the solutions that are
-   counted are those of the model, on which the formulas are tried. */
+/* Or nothing that another formula's failure would change: what a formula divides by is its own, and the solutions that
+   are counted are those of the model, on which the formulas are tried. */
 static bool asserts_nothing(const struct claim *c) {
   static const char *const kinds[] = {"definition", "report", "defined", "solutions"};
   const char *kind = claim_get(c, "kind");

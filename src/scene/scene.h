@@ -25,7 +25,8 @@
    A scene of another system than the paper's names a system file (mech/mech.h), system: chain3, with a word in that
    system's letters if it likes; its parameters stand in the system file.
 
-   Limits: a file of 1 MiB; values as in expr/constant.h, the parameters sharing its depth and work; exponents as in expr.h, of four digits; MAX_SCENE_LIST items of a list. */
+   Limits: a file of 1 MiB; values as in expr/constant.h, the parameters sharing its depth and work; exponents as in
+   expr.h, of four digits; MAX_SCENE_LIST items of a list. */
 #ifndef STICKSLIP_SCENE_SCENE_H
 #define STICKSLIP_SCENE_SCENE_H
 
@@ -167,8 +168,8 @@ struct scene {
   size_t n_sources, cap_sources;
 };
 
-/* Which scenes are welcome: those of exact parameters and the paper's word; with intervals and other words, too; and those
-   of another system, which have no parameters. */
+/* Which scenes are welcome: those of exact parameters and the paper's word; with intervals and other words, too; and
+   those of another system, which have no parameters. */
 enum scene_welcome { SCENE_EXACT, SCENE_OF_TWO_MASSES, SCENE_OF_ANY_SYSTEM };
 /* spec: a path (when it contains a slash or ends in .scene), else a name in data/scenes.  o may be NULL. */
 bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o,

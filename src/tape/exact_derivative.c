@@ -1,5 +1,6 @@
 /* The derivative of an element by a free symbol: the chain rule over the generators.  The symbol's own generator has
-   the rate 1, sin u has cos u u', cos u has -sin u u' and exp u has exp u u'.  A root that depends on the symbol is refused. */
+   the rate 1, sin u has cos u u', cos u has -sin u u' and exp u has exp u u'.  A root that depends on the symbol is
+   refused. */
 #include <string.h>
 
 #include "exact_impl.h"

@@ -16,8 +16,8 @@ bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong
 /* From a start of one's own, "x1,x2,v1,v2" as constant expressions; friction as at printed numbers. */
 bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d);
 
-/* Does the motion close after one period of the word D-Gamma-H-C?  UNKNOWN between closed and clearly not.  A start in the
-   stick phase is needed. */
+/* Does the motion close after one period of the word D-Gamma-H-C?  UNKNOWN between closed and clearly not.  A start in
+   the stick phase is needed. */
 truth coulomb_setup_closes(const struct coulomb_setup *sim);
 
 /* audit_coulomb_setup on an orbit, by its number in the list of audit_orbits as it is, by which claims count. */

@@ -1,5 +1,5 @@
-/* Periodic orbits of the paper's word by the engine for any system (mech/orbit.h), which knows masses, springs, a belt and
-   friction, and none of the formulas of src/motion. */
+/* Periodic orbits of the paper's word by the engine for any system (mech/orbit.h), which knows masses, springs, a belt
+   and friction, and none of the formulas of src/motion. */
 #ifndef STICKSLIP_SYSTEM_ORBIT_H
 #define STICKSLIP_SYSTEM_ORBIT_H
 
@@ -10,8 +10,9 @@
    friction is what it is given as, on both masses, and the static limits are e_1 and e_2 above it. */
 void two_masses(struct mech *m, const fmpq params[N_PARAMS], slong sliding);
 
-/* At exact parameters the orbit near `near`, in balls of prec bits: the four times, the states (z_1, z_2, z_1', z_2') at the
-   beginnings of the phases and at the end, and J, row by row; t, z or j may be NULL.  SS_UNABLE when none is proved there. */
+/* At exact parameters the orbit near `near`, in balls of prec bits: the four times, the states (z_1, z_2, z_1', z_2')
+   at the beginnings of the phases and at the end, and J, row by row; t, z or j may be NULL.  SS_UNABLE when none is
+   proved there. */
 int system_orbit(arb_ptr t, arb_ptr z, arb_ptr j, const fmpq params[N_PARAMS], const struct dyn_orbit *near,
                  slong prec);
 

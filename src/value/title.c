@@ -30,7 +30,8 @@ static const struct statement_record *record_named(const struct title *t, const 
 /* --- Statements --- */
 
 /* What a record states, by its formulas where these take most characters at most; else by its number, or by its first
-   formula where the number is not its own.  *verb says that it holds, and is empty for formulas, which say it themselves. */
+   formula where the number is not its own.  *verb says that it holds, and is empty for formulas, which say it
+   themselves. */
 static void stated(struct text *out, const char **verb, const struct title *t, const struct statement_record *r,
                    size_t most) {
   struct text formulas;
