@@ -1,4 +1,4 @@
-/* Stability: what is proved with one certified orbit and signs of (1) and (2). */
+/* Stability: what is proved by signs of (1) and (2), with one certified orbit on which it is so. */
 #include <string.h>
 
 #include "friction.h"
@@ -56,7 +56,7 @@ static bool keeps_volume(const struct friction *f) {
 }
 
 static const char attracts[] =
-    "; at the start of its stick phase r = z_2 - z_1 alone fixes what follows, the return map of r is analytic there, "
+    "at the start of its stick phase r = z_2 - z_1 alone fixes what follows, the return map of r is analytic there, "
     "since its events are simple roots (implicit function theorem), and its slope is tr J: starts beside it in the "
     "stick phase come back to it";
 
@@ -72,7 +72,7 @@ struct route_result stable_prove_linearization(struct behaviour *b, const struct
           "exact: in each phase x''_i does not depend on x'_i, so that the linearized system has the trace 0 and "
           "its propagator the determinant 1 (Liouville's formula); the product of the phases' propagators has it "
           "too, and the product of its multipliers is 1: linearizing the phases alone calls no periodic solution "
-          "asymptotically stable, not even where that is so of starts in the stick phase: %s%s",
+          "asymptotically stable, not even where that is so of starts in the stick phase: %s; %s",
           orbit, attracts));
 }
 
@@ -95,11 +95,12 @@ struct route_result stable_prove_conditional(struct behaviour *b, const struct f
       b, ROUTE_AGREES,
       result_str(
           b->j->out,
-          "%s%s. Other perturbations, however small, do not: in the stick phase, which has t_a > 0, f_1 = x_1 - "
-          "chi x_2 rises to u_r1 > u_s1; where u_s1 < f_1 < u_r1 and x'_1 is lowered from V to V - delta, (2) has "
-          "the slip motion of m_1, x''_1 = u_s1 - f_1 < 0, so that m_1 slips at once, before f_1 has reached u_r1, "
-          "whatever delta > 0 is. As delta goes to 0 that motion goes to the slip motion from the orbit's own "
-          "state, which meets the orbit no more for some time (states of the orbit with x'_1 near V and x'_2 = V "
-          "either stick or have f_1 near u_r1): the distance from the orbit does not go to 0 with delta",
-          orbit, attracts));
+          "on every admissible orbit with t_a > 0, simple roots as events and |tr J| < 1: %s. Other perturbations, "
+          "however small, do not: in the stick phase f_1 = x_1 - chi x_2 rises to u_r1 > u_s1; where u_s1 < f_1 < "
+          "u_r1 and x'_1 is lowered from V to V - delta, (2) has the slip motion of m_1, x''_1 = u_s1 - f_1 < 0, so "
+          "that m_1 slips at once, before f_1 has reached u_r1, whatever delta > 0 is. As delta goes to 0 that motion "
+          "goes to the slip motion from the orbit's own state, which meets the orbit no more for some time (states of "
+          "the orbit with x'_1 near V and x'_2 = V either stick or have f_1 near u_r1): the distance from the orbit "
+          "does not go to 0 with delta. There are such orbits: %s",
+          attracts, orbit));
 }

@@ -165,8 +165,8 @@ static bool touches(struct defined *y, const struct divisor *q, const struct fam
 
 /* --- Along the family --- */
 
-/* How many of the divisors that may be zero are so on one of its orbits. */
-static long zeros_along(struct defined *y, const struct family *f) {
+/* Those whose sign at its two ends tells; the number of them. */
+static long zeros_between(struct defined *y, const struct family *f) {
   struct point end[2];
   struct dyn_box box;
   long zeros = 0;
@@ -177,12 +177,22 @@ static long zeros_along(struct defined *y, const struct family *f) {
   }
   int s = dyn_box_find(&box, end[0].q, end[1].q);
   for (int i = 0; s == SS_OK && i < y->n; i++)
-    if (!y->reason[i])
-      zeros += zero_at_touch(&y->divisor[i], y->b->view) ? touches(y, &y->divisor[i], f)
-                                                         : has_zero(y, &y->divisor[i], &box, end);
+    if (!y->reason[i] && !zero_at_touch(&y->divisor[i], y->b->view)) zeros += has_zero(y, &y->divisor[i], &box, end);
   dyn_box_clear(&box);
   for (int i = 0; i < 2; i++) point_clear(&end[i]);
   return zeros;
+}
+
+/* How many of the divisors that may be zero are so on one of its orbits. */
+static long zeros_along(struct defined *y, const struct family *f) {
+  long zeros = 0;
+  bool between = false;
+  for (int i = 0; i < y->n; i++) {
+    bool touch = !y->reason[i] && zero_at_touch(&y->divisor[i], y->b->view);
+    if (touch) zeros += touches(y, &y->divisor[i], f);
+    between = between || (!y->reason[i] && !touch);
+  }
+  return between ? zeros + zeros_between(y, f) : zeros;
 }
 
 static bool look_for_zeros(struct defined *y, long *zeros, const char *at, const char *vary) {
