@@ -1333,7 +1333,7 @@ START_TEST(a_box_of_parameters) {
   run_well(&j, "verify", box, "--only", "eq-27,num-t_a,text-periodic,text-start-at-rest", "--out", scratch_path("box"),
            NULL);
   ck_assert(strstr(j.out, "nothing recorded") || strstr(j.out, "as recorded"));
-  ck_assert(!strstr(j.out, "NOT as recorded") && strstr(j.out, "3 skipped"));
+  ck_assert(!strstr(j.out, "NOT as recorded") && strstr(j.out, "2 skipped") && strstr(j.out, "1 skipped"));
   discard(&j);
   char *json = slurp(scratch_path("box/audit.json"));
   ck_assert(strstr(json, "the scene gives intervals, and this is about one set of parameters"));

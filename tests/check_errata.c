@@ -450,10 +450,11 @@ START_TEST(worst_first) {
   for (size_t i = 0; i < sizeof never / sizeof *never; i++)
     ck_assert_msg(strstr(t.data, never[i]) == NULL, "%s: %.200s", never[i], strstr(t.data, never[i]));
   static const char *const order[] = {"## What changes a result",
-                                      "1. **(10)**",
-                                      "2. **(40)**",
-                                      "3. **Numerical validation",
-                                      "4. **(53)",
+                                      "1. **Numerical validation",
+                                      "$t_{a} = 0.5323$, $t_{b} = 2.0053$",
+                                      "2. **(53)",
+                                      "3. **(10)**",
+                                      "4. **(40)**",
                                       "## Remarks",
                                       "## Slips of notation",
                                       "**(29) and (30)**",

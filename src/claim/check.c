@@ -23,7 +23,8 @@ static bool known_attribute(const char *key) {
                                       "converse-of",  "repaired-as",    "of",           "near",
                                       "heading",      "count",          "every",        "kept",
                                       "until",        "even",           "odd",          "drift",
-                                      "factor",       "frequency",      "rate",         "systems"};
+                                      "factor",       "frequency",      "rate",         "systems",
+                                      "defined"};
   enum { N_KNOWN = sizeof known / sizeof *known };
   return word_find(key, known, N_KNOWN) < N_KNOWN;
 }

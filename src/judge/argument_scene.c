@@ -95,7 +95,7 @@ static const char *describe(struct argument *a, const struct argument_decision *
     return result_str(a->j->out, "%s fails in the %s phase, after the fraction %.10g of it: its margin is %s", c->text,
                       phase_words[c->phase], d->where, ball_text(a->j, d->value, 6));
   if (!a->uses_friction) return NULL;
-  return result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, the smallest multiples of 1/1024 that the premises allow",
+  return result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, for which the premises hold",
                     argument_rational(a, &p->q[Q_US1]), argument_rational(a, &p->q[Q_US2]));
 }
 

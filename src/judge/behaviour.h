@@ -119,4 +119,8 @@ bool behaviour_perturb(struct behaviour *b);
 bool behaviour_long_run(struct behaviour *b);
 bool behaviour_patching(struct behaviour *b);
 
+/* Is, on some orbit, zero what the formulas of `by`, a claim of kind defined, divide by?  The route that shows it, and
+   in the finding the condition that excludes it. */
+bool defined_fails(struct route_result *w, struct behaviour *b, const struct claim *by);
+
 #endif

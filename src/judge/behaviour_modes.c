@@ -75,7 +75,7 @@ struct visits {
   long rows[N_MOTION_ROUTES],
       bad[N_MOTION_ROUTES]; /* samples in one of the nine pairs of modes, as (2) has them, or not */
   double fastest;           /* largest lead over the belt, in belt speeds */
-  const char *where;        /* the motion that has it */
+  const char *where, *told; /* the motion that has it; and in words */
   struct certificate certificate;
 };
 
@@ -93,6 +93,14 @@ static void certify(struct visits *v, const struct motion *m, const struct coulo
   certify_number(v, "t", row->t);
   certify_number(v, "mass", mass + 1);
   certificate_add(&v->certificate, v->b->j->out, "velocity", result_str(v->b->j->out, "%.6f", row->v[mass]));
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < N_COULOMB; i++) text_printf(&t, "%s%s = %.12g", i ? ", " : "for ", parameter[i], m->params[i]);
+  text_printf(&t,
+              " the motion that starts with both masses sticking at x_1 = %.12g and x_2 = %.12g has x'_%d = %.2f > V ",
+              m->start[0], m->start[1], mass + 1, row->v[mass]);
+  text_printf(&t, "at t = %.12g; (3), (5) and (7) suppose z'_i < V. ", row->t);
+  v->told = result_take(v->b->j->out, &t);
 }
 
 static void watch_visits(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
@@ -174,7 +182,7 @@ static const char *from_rest(struct behaviour *b) {
   else
     note = result_str(
         b->j->out,
-        "; in the motion from rest with unstretched springs, for the data of the example, no mass overruns the belt");
+        "; for the data of the example no mass overruns the belt in the motion from rest with unstretched springs");
   text_clear(&word);
   trajectory_clear(&t);
   return note;
@@ -186,13 +194,13 @@ bool behaviour_configurations(struct behaviour *b) {
   struct watched w = behaviour_watch(b, 96, true, 24, 0.125, watch_visits, &v);
   watch_orbits(orbits, b);
   bool found = v.fastest > 0.1;
-  const char *note = result_str(
-      b->j->out,
-      "of %ld motions that start with both masses sticking, as in (11), %ld leave the four configurations, since a "
-      "mass becomes faster than the belt, whereas (3), (5) and (7) suppose z'_i < V; %s of %ld admissible periodic "
-      "solutions %s them%s",
-      w.motions, v.outside, orbits[1] ? result_str(b->j->out, "%ld", orbits[1]) : "none", orbits[0] + orbits[1],
-      orbits[1] ? "leave" : "leaves", from_rest(b));
+  const char *note =
+      result_str(b->j->out,
+                 "%s%s %ld motions that were tried and start with both masses sticking, as in (11), %ld leave the four "
+                 "configurations; %s of %ld admissible periodic solutions %s them%s",
+                 v.told ? v.told : "", v.told ? "Of" : "of", w.motions, v.outside,
+                 orbits[1] ? result_str(b->j->out, "%ld", orbits[1]) : "none", orbits[0] + orbits[1],
+                 orbits[1] ? "leave" : "leaves", from_rest(b));
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(v.inside, found, 0);
   behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note, NULL);

@@ -176,8 +176,9 @@ static struct route_result add_theorem(struct behaviour *b, const struct lineari
 
 /* theorem: of the sentence, unless points have refuted it already. */
 static void conclude(struct behaviour *b, const struct tried *t, const struct linearized *theorem) {
-  struct route_result w[4];
+  struct route_result w[5];
   int n = 0;
+  const char *defined = claim_get(b->c, "defined");
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
   struct text note;
   text_init(&note);
@@ -219,9 +220,15 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   if (theorem->note) w[n] = add_theorem(b, theorem);
   n += theorem->proved;
   b->f->verdict = verdict_of(w, n, theorem->proved);
+  /* the theorem speaks of orbits at which J has a value; of a correction the inequality alone is asked */
+  if (theorem->proved && defined && !b->j->instead && defined_fails(&w[n], b, claim_named(b->j->claims, defined)))
+    b->f->verdict = verdict_under_condition(verdict_of(&w[n], 1, true), b->f->verdict);
 }
 
 static bool read_side(int *only, struct judge *j, const struct claim *c) {
+  const struct claim *defined = claim_get(c, "defined") ? claim_named(j->claims, claim_get(c, "defined")) : c;
+  if (!defined || (defined != c && claim_kind(defined) != KIND_DEFINED))
+    return claim_error(j, c, "defined", "a claim of kind defined");
   const char *side = claim_get(c, "side");
   *only = !side ? N_SIDES : strcmp(side, "inside") == 0 ? INSIDE : OUTSIDE;
   return !side || *only == INSIDE || strcmp(side, "outside") == 0 ||
@@ -297,10 +304,8 @@ static void state_orbit(struct finding *f, struct judge *j, const struct dyn_orb
   static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
   const struct dyn_orbit *o = &list->orbit[i];
   finding_state(f, j->out, "balls", "model", FD_PREC, 1,
-                result_str(j->out,
-                           "periodic solution %ld of the %ld found%s, with t_a = %s, t_b = %s, t_c = %s, t_d = %s",
-                           (long)i + 1, (long)list->n, which, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
-                           ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
+                result_str(j->out, "%s, with t_a = %s, t_b = %s, t_c = %s, t_d = %s", which, ball_text(j, o->t[0], 6),
+                           ball_text(j, o->t[1], 6), ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
                 result_str(j->out, "tr J = %s, %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
                            o->admissible == TRUTH_TRUE    ? "admissible"
                            : o->admissible == TRUTH_FALSE ? "not admissible"
@@ -316,16 +321,17 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
   struct point p;
   point_init(&p);
   slong nearest = j->scene->n_printed && nearest_orbit_point(&p, j->scene, j->cache) ? p.orbit : -1;
-  if (nearest >= 0) state_orbit(f, j, list, nearest, ", the nearest to the printed numbers");
+  if (nearest >= 0) state_orbit(f, j, list, nearest, "the periodic solution nearest to the printed numbers");
   for (slong i = 0; i < list->n; i++)
-    if (i != nearest) state_orbit(f, j, list, i, "");
+    if (i != nearest) state_orbit(f, j, list, i, nearest >= 0 ? "another periodic solution" : "a periodic solution");
   for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {
     struct view v = {view.model, (enum layer)layer, NULL, view.control};
     arb_ptr tr = _arb_vec_init(16);
     int n;
     if (expression_at(tr, &n, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
-      finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, "the printed numbers, taken exactly",
-                    result_str(j->out, "the formulas of the paper give tr J = %s", ball_text(j, tr, 8)));
+      finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, NULL,
+                    result_str(j->out, "with the printed numbers put in, the %s formulas give tr J = %s",
+                               layer == LAYER_PRINTED ? "printed" : "corrected", ball_text(j, tr, 8)));
     }
     _arb_vec_clear(tr, 16);
   }

@@ -221,6 +221,16 @@ static void look_for_reasons(struct defined *y, long *open) {
   }
 }
 
+static struct route_result zero_route(struct defined *y) {
+  struct behaviour *b = y->b;
+  return behaviour_route(b, "balls", "model", ROUTE_DIFFERS, true, 1, NULL,
+                         result_str(b->j->out, "%s", text_str(&y->zero)));
+}
+
+static const char *without_zeros(struct defined *y, long open) {
+  return result_str(y->b->j->out, "%s %s not zero", text_str(&y->open), open > 1 ? "are" : "is");
+}
+
 static void conclude(struct defined *y, long open, long zeros) {
   struct behaviour *b = y->b;
   struct route_result w[2] = {{"exact", open ? ROUTE_UNDECIDED : ROUTE_AGREES, true, 1}};
@@ -234,12 +244,9 @@ static void conclude(struct defined *y, long open, long zeros) {
                        y->shown.len ? text_str(&y->shown)
                        : open       ? ""
                                     : "there is no divisor");
-  if (zeros)
-    w[n++] = behaviour_route(b, "balls", "model", ROUTE_DIFFERS, true, 1, NULL,
-                             result_str(b->j->out, "%s", text_str(&y->zero)));
+  if (zeros) w[n++] = zero_route(y);
   b->f->verdict = verdict_of(w, n, open == 0);
-  if (b->f->verdict == VERDICT_REFUTED)
-    b->f->condition = result_str(b->j->out, "%s %s not zero", text_str(&y->open), open > 1 ? "are" : "is");
+  if (b->f->verdict == VERDICT_REFUTED) b->f->condition = without_zeros(y, open);
 }
 
 static bool read_divisors(struct defined *y, struct judge *j, const struct claim *c, struct view view) {
@@ -258,22 +265,43 @@ static bool read_divisors(struct defined *y, struct judge *j, const struct claim
   return true;
 }
 
+static bool look(struct defined *y, long *open, long *zeros) {
+  struct judge *j = y->b->j;
+  const struct claim *c = y->b->c;
+  const char *at = claim_get(c, "at"), *vary = claim_get(c, "vary");
+  text_init(&y->shown);
+  text_init(&y->open);
+  text_init(&y->zero);
+  bool ok = read_divisors(y, j, c, y->b->view);
+  if (ok && !at != !vary) ok = claim_error(j, c, at ? "at" : "vary", "a family has both at and vary");
+  if (ok) look_for_reasons(y, open);
+  return ok && (*open == 0 || !at || look_for_zeros(y, zeros, at, vary));
+}
+
+static void defined_clear(struct defined *y) {
+  text_clear(&y->zero);
+  text_clear(&y->open);
+  text_clear(&y->shown);
+  divisors_clear(y->divisor, y->n);
+}
+
 bool judge_defined(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct behaviour b = {f, j, c, view};
   struct defined y = {.b = &b};
-  const char *at = claim_get(c, "at"), *vary = claim_get(c, "vary");
   long open = 0, zeros = 0;
-  text_init(&y.shown);
-  text_init(&y.open);
-  text_init(&y.zero);
-  bool ok = read_divisors(&y, j, c, view);
-  if (ok && !at != !vary) ok = claim_error(j, c, at ? "at" : "vary", "a family has both at and vary");
-  if (ok) look_for_reasons(&y, &open);
-  if (ok && open && at) ok = look_for_zeros(&y, &zeros, at, vary);
+  bool ok = look(&y, &open, &zeros);
   if (ok) conclude(&y, open, zeros);
-  text_clear(&y.zero);
-  text_clear(&y.open);
-  text_clear(&y.shown);
-  divisors_clear(y.divisor, y.n);
+  defined_clear(&y);
   return ok;
+}
+
+bool defined_fails(struct route_result *w, struct behaviour *b, const struct claim *by) {
+  struct behaviour other = {b->f, b->j, by, b->view};
+  struct defined y = {.b = &other};
+  long open = 0, zeros = 0;
+  bool fails = look(&y, &open, &zeros) && zeros > 0;
+  if (fails) *w = zero_route(&y);
+  if (fails) b->f->condition = without_zeros(&y, open);
+  defined_clear(&y);
+  return fails;
 }

@@ -178,8 +178,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     enum reading how;
     slong used = bits, nearest = p.orbit;
     t = printed_fits(x, n->p, &how);
-    where = result_str(j->out, "periodic solution %ld of the %ld found", (long)p.orbit + 1,
-                       (long)scene_orbits(j->scene, j->cache)->n);
+    where = "the periodic solution nearest to the printed numbers";
     text_add(&note, "On the periodic solution nearest to the printed numbers ");
     add_value(&note, n, x, 10, t, how);
     if (t == TRUTH_FALSE) {
@@ -191,7 +190,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
                              as_given(n), ball_text(j, x, 10), units_off(j, x, n->p), unit_name(n));
     for (p.orbit = 0; p.orbit < scene_orbits(j->scene, j->cache)->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
-        text_printf(&note, " On periodic solution %ld it is %s.", (long)p.orbit + 1, ball_text(j, x, 6));
+        text_printf(&note, " On another one it is %s.", ball_text(j, x, 6));
     bits = used;
   } else {
     text_add(&note, "no periodic solution was found, or the quantity could not be evaluated on it");

@@ -180,8 +180,10 @@ static const char *entry_name(struct audit_result *out, const struct sentence *s
 /* The first failure of a route. */
 static void book_failure(struct point_trials *r, struct tally *t, const struct trial *tr, const char *where) {
   struct audit_result *out = r->j->out;
-  t->certificate = result_str(out, "%sthe left side is %s and the right side %s, at %s",
-                              entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where);
+  bool matrix = claim_kind(r->c) == KIND_MATRIX; /* the paper's and the model's */
+  t->certificate = result_str(
+      out, matrix ? "%sit has %s where %s is right, at %s" : "%sthe left side is %s and the right side %s, at %s",
+      entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where);
   t->certified[0] = (struct named_value){"entry", entry_place(out, t->sentence.n, t->sentence.cols, tr->entry)};
   t->certified[1] = (struct named_value){"left", result_str(out, "%s", tr->lhs)};
   t->certified[2] = (struct named_value){"right", result_str(out, "%s", tr->rhs)};

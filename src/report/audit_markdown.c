@@ -68,7 +68,7 @@ static void add_roots(struct text *out, const struct audit_result *r) {
     text_add(out, " *It should read:* ");
     sheet_text(&s, root->correct);
     if (out->data[out->len - 1] != '.') text_add_char(out, '.');
-    if (root->severity == SEVERITY_SUBSTANCE) {
+    if (root->severity != SEVERITY_NOTATION) {
       text_add(out, " *Consequence:* ");
       sheet_text(&s, root->consequence);
     }
@@ -301,11 +301,18 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
   text_add(
       out,
       "## Consequences of each error\n\nIn each case the formula in question is taken as printed and all others as "
-      "corrected. A result whose formula does not contain it cannot change.\n\n");
+      "corrected, and the results are evaluated at the times and the state of the true periodic solution. One whose "
+      "formula does not contain the error has the same value there; what becomes of it when the equations themselves "
+      "are solved as printed is said where it was computed.\n\n");
   for (size_t i = 0; i < r->n_consequences; i++) {
     const struct consequence *q = &r->consequences[i];
     if (is_idle(q)) continue;
     text_printf(out, "### %s\n\n", q->failure);
+    if (q->solved) {
+      text_add(out, "- the equations solved with it: ");
+      sheet_prose(&s, q->solved);
+      text_add_char(out, '\n');
+    }
     add_ids(out, "- statements that no longer hold: ", &q->falls);
     add_ids(out, "- statements that use it and still hold: ", &q->survives);
     add_ids(out, "- statements that use it, undecided: ", &q->open);

@@ -18,13 +18,14 @@ static void add_title(const struct page *p, const struct root_cause *root) {
   html_stop(p->out);
 }
 
-/* Links to what was computed for each of its claims. */
+/* Links to what was computed for each of its claims, by their names. */
 static void add_certificates(const struct page *p, const struct root_cause *root) {
   text_add(p->out, " <span class=\"k\">(Evidence: ");
   for (int i = 0; i < root->n_claims; i++) {
     text_add(p->out, i ? ", " : "");
     page_begin_link(p, "f-", root->claims[i]);
-    text_printf(p->out, "%d</a>", i + 1);
+    escape_html(p->out, root->claims[i]);
+    text_add(p->out, "</a>");
   }
   text_add(p->out, ")</span>");
 }
@@ -39,8 +40,8 @@ static void add_root(const struct page *p, const struct root_cause *root) {
   html_text(p->out, root->wrong, NULL);
   html_stop(p->out);
   add_labelled(p, "It should read", root->correct);
-  if (substance) add_labelled(p, "Consequence", root->consequence);
-  if (substance && root->by_hand) add_labelled(p, "By hand", root->by_hand);
+  if (root->severity != SEVERITY_NOTATION) add_labelled(p, "Consequence", root->consequence);
+  if (substance && root->by_hand) add_labelled(p, "To see it", root->by_hand);
   add_certificates(p, root);
   text_add(p->out, "</li>\n");
 }

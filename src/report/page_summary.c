@@ -233,7 +233,7 @@ static void add_questions(const struct page *p) {
   text_add(p->out, "</dl>\n");
 }
 
-/* The verdict in two sentences: causes, not claims, are counted; then what was decided of what the paper asserts. */
+/* The verdict in two sentences: causes are counted, not claims; then what was decided of what the paper asserts. */
 static void add_lead(const struct page *p, const long count[N_VERDICTS], long total) {
   size_t substance = audit_result_roots(p->r, true), slips = audit_result_roots(p->r, false);
   long asserted = total - count[VERDICT_DEFINITION], wrong = count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL];
@@ -244,8 +244,8 @@ static void add_lead(const struct page *p, const long count[N_VERDICTS], long to
   if (slips) text_printf(p->out, "; there are also %zu remark%s and slips of notation", slips, slips == 1 ? "" : "s");
   text_printf(p->out, ".</p>\n<p>Of the %ld statements of the paper that assert something, %ld have been proved",
               asserted, count[VERDICT_PROVED]);
-  text_printf(p->out, " and %ld do not hold as printed", wrong);
-  if (asserted > 0) text_printf(p->out, ", so that %ld %% are decided", 100 * decided / asserted);
+  if (wrong) text_add(p->out, "; the others fail for these reasons, several of them for the same one");
+  if (asserted > 0) text_printf(p->out, " (%ld %% are decided)", 100 * decided / asserted);
   if (count[VERDICT_SUPPORTED])
     text_printf(p->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
   if (count[VERDICT_UNKNOWN]) text_printf(p->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);

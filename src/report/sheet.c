@@ -65,6 +65,10 @@ static size_t add_name(const struct sheet *s, const char *p) {
   for (i = letters; p[i] == '\'';) i++;
   size_t primes = i - letters, gap = p[i] == '_';
   while (char_is_letter(p[i + gap + index]) || char_is_digit(p[i + gap + index])) index++;
+  if (letters == 4 && strncmp(p, "hbar", 4) == 0 && !index) {
+    add_math(s, "\\bar{h}", strlen("\\bar{h}"));
+    return letters;
+  }
   bool greek = is_greek(p, letters), digits = letters == 1 && !primes && char_is_digit(p[i]);
   bool lowered = index && index <= 3 && (gap || digits) && letters <= 2;
   bool alone = letters == 1 && !gap && !index && !strchr("aAI", *p);

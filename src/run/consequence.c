@@ -287,6 +287,12 @@ static bool asserts_nothing(const struct claim *c) {
   return !kind || word_find(kind, kinds, 4) < 4;
 }
 
+/* Is the claim conditional, and on something else than the one that failed? */
+static bool has_own_condition(const struct audit_result *out, const char *id, const char *failed) {
+  const struct finding *own = audit_result_finding(out, id), *other = audit_result_finding(out, failed);
+  return own && own->condition && !(other && other->condition && strcmp(own->condition, other->condition) == 0);
+}
+
 /* What rests on a printed number fails with it when it fails at all; what reaches a corrected formula is judged with
    the printed one; what rests on a notation keeps its own formula, and its verdict. */
 static void judge_downstream(struct consequence *q, struct memory *m, struct failure *f, size_t at) {
@@ -299,9 +305,10 @@ static void judge_downstream(struct consequence *q, struct memory *m, struct fai
     if (i == at || asserts_nothing(c) || !(touched || rests)) continue;
     enum verdict v = touched ? judge_again_once(m, j, i, own) : judge_as_is(j, c);
     bool fails_anyway = touched ? verdict_fails(judge_as_is(j, c)) : !f->number;
-    if (verdict_fails(v) && fails_anyway) continue; /* for a reason of its own */
-    bool holds = v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
-    add_id(j->out, verdict_fails(v) ? &q->falls : holds ? &q->survives : &q->open, c->id);
+    bool as_before = fails_anyway && v == VERDICT_CONDITIONAL && has_own_condition(j->out, c->id, f->c->id);
+    if (verdict_fails(v) && fails_anyway && !as_before) continue; /* for a reason of its own */
+    bool holds = v == VERDICT_PROVED || v == VERDICT_SUPPORTED || as_before;
+    add_id(j->out, holds ? &q->survives : verdict_fails(v) ? &q->falls : &q->open, c->id);
   }
 }
 
@@ -310,11 +317,11 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
   const struct {
     enum change change;
     const char *words;
-  } rows[] = {
-      {CHANGE_CHANGES, q->solved ? "On that solution the following change as well: " : "Derived results that change: "},
-      {CHANGE_AGREES, "Derived results that are unchanged at every point tried: "},
-      {CHANGE_UNDEFINED, "Derived results that become meaningless: "},
-      {CHANGE_UNDECIDED, "Derived results left undecided: "}};
+  } rows[] = {{CHANGE_CHANGES, q->solved ? "With the times of the true solution put in, these change: "
+                                         : "Derived results that change: "},
+              {CHANGE_AGREES, "Derived results that are unchanged at every point tried: "},
+              {CHANGE_UNDEFINED, "Derived results that become meaningless: "},
+              {CHANGE_UNDECIDED, "Derived results left undecided: "}};
   bool proved = true;
   for (int i = 0; i < q->n_derived; i++)
     proved = proved && (q->derived[i].change != CHANGE_AGREES || strncmp(q->derived[i].verdict, "proved", 6) == 0);

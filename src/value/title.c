@@ -405,14 +405,14 @@ static bool make_criterion(struct text *out, const struct title *t) {
   const char *f = text_str(&formulas);
   if (!side)
     text_printf(out,
-                "admissible periodic solutions at which J has a value are conditionally stable where %s and unstable "
+                "admissible periodic solutions are conditionally stable where %s and unstable "
                 "where one of the inequalities is reversed",
                 f);
   else
     text_printf(out,
                 strcmp(side, "inside") == 0
-                    ? "admissible periodic solutions at which J has a value are conditionally stable where %s"
-                    : "admissible periodic solutions at which J has a value are unstable where one inequality of %s is "
+                    ? "admissible periodic solutions are conditionally stable where %s"
+                    : "admissible periodic solutions are unstable where one inequality of %s is "
                       "reversed",
                 f);
   text_clear(&formulas);
@@ -431,7 +431,7 @@ static bool make_law(struct text *out, const struct title *t) {
 
 static bool make_sequence(struct text *out, const struct title *t) {
   if (!claim_get(t->c, "word")) return missing(t);
-  text_add(out, "one period consists of ");
+  text_add(out, "on the example one period consists of ");
   title_phases_listed(out, claim_get(t->c, "word"));
   text_add(out, ", in this order");
   return true;
@@ -512,11 +512,16 @@ static bool make_scaling(struct text *out, const struct title *t) {
   struct title_list l;
   title_list_init(&l);
   size_t len;
-  for (const char *p = list_item(&len, scaled); p; p = list_item(&len, p + len))
-    text_add_n(title_list_next(&l), p, len);
-  text_add(out, " is dimensionally homogeneous if the quantities whose symbols begin with ");
+  for (const char *p = list_item(&len, scaled); p; p = list_item(&len, p + len)) {
+    struct text *name = title_list_next(&l);
+    text_add_n(name, p, len);
+    if (p[len - 1] == '_') text_add_char(name, 'i');
+  }
+  text_add(out, " is dimensionally homogeneous if ");
   title_list_write(out, &l);
-  text_add(out, " have one dimension and all others none");
+  text_add(out, l.n == 1 ? " has" : " have");
+  text_add(out, l.n == 1 ? " a dimension and all other quantities are numbers"
+                         : " one dimension and all other quantities are numbers");
   title_list_clear(&l);
   return true;
 }

@@ -241,6 +241,24 @@ def eq_36d(c):
     return same and slower and min(t_a, *t) > 0
 
 
+def reach(c, delta):
+    """By how much the first mass comes nearest to the belt's velocity in the global slip phase, from r + delta on."""
+    z, t = stick(c, c["e_1"], c["z_20"] - c["z_10"] + delta), c["t_b"]
+    t = findroot(lambda t: (lambda x: c["chi"] * (x[1] - x[0]) - c["e_2"])(flow(c, "G", t) * z), t)
+    z = flow(c, "G", t) * z
+    t = findroot(lambda t: (lambda x: x[0] - c["chi"] * x[1])(flow(c, "H", t) * z), c["t_c"])
+    return (flow(c, "H", t) * z)[2] - c["V"]
+
+
+def text_criterion(c):
+    """On the solution of eq-36d J_c has no value, and on one side of it the first mass misses the belt's velocity."""
+    delta = mpf(1) / 10**6
+    return eq_36d(c) and reach(c, -delta) > 0 > reach(c, delta)
+
+
+text_eigenvalues_outside = text_eigenvalues_inside = text_criterion
+
+
 # --- Symbols: the certificate is the paper's own text
 
 def quoted(*parts):
