@@ -26,6 +26,9 @@ static void finish(struct mech *m) {
 
 static struct mech file;
 
+/* Duration and the most moments. */
+#define PLAN(time, moments) ((struct mech_plan){.duration = (time), .most = (moments)})
+
 static void read_text(const char *text) {
   struct source src;
   struct diag d;
@@ -94,7 +97,7 @@ START_TEST(a_chain_of_two_moves_as_the_papers_system) {
   ck_assert_int_eq(coulomb_simulate_d(&end, p, x, &plan, &sink), SS_OK);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, 12, 1000), SS_OK);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, &PLAN(12, 1000)), SS_OK);
     ck_assert_msg(z.n_moments == (int)log.n + 1, "trial %d route %d: %d events, not %zu", _i, route, z.n_moments - 1,
                   log.n);
     for (size_t k = 0; k < log.n; k++) {
@@ -157,7 +160,7 @@ START_TEST(longer_chains_are_those_of_tiny_steps) {
   crude_chain(crude, &m, x, 4);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, 4, 1000), SS_OK);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, &PLAN(4, 1000)), SS_OK);
     for (int i = 0; i < 2 * n; i++)
       ck_assert_msg(fabs(z.z[i] - crude[i]) < 5e-3, "trial %d route %d: element %d is %g, not %g", _i, route, i, z.z[i],
                     crude[i]);
@@ -175,7 +178,7 @@ START_TEST(a_load_in_closed_form) {
             "load p\n  on: m\n  frequency: 1/2\n  cosine: 1/3\nload q\n  on: m\n  frequency: 1/2\n  cosine: 2/3\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, t, 10), SS_OK);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(t, 10)), SS_OK);
     ck_assert_double_eq_tol(z.z[0], 4.0 / 3 * (cos(angle + t / 2) - cos(angle) * cos(t) + sin(angle) / 2 * sin(t)),
                             1e-11);
     ck_assert_double_eq_tol(z.z[3], sin(angle + t / 2), 1e-11);
@@ -192,14 +195,14 @@ START_TEST(rebounds_in_closed_form) {
             "obstacle o\n  stops: m\n  above: 0\n  restitution: 1/2\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, 2 * acos(-1), 10), SS_OK);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(2 * acos(-1), 10)), SS_OK);
     ck_assert_int_eq(z.n_moments, 3);
     ck_assert_double_eq_tol(z.moment[2].t, 1.5 * acos(-1), 1e-11);
     ck_assert_str_eq(z.moment[2].phase, ".>1");
     ck_assert_double_eq_tol(z.z[0], -0.25, 1e-11);
     ck_assert_double_eq_tol(z.z[1], 0, 1e-11);
     mech_motion_clear(&z);
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, beyond, 1, 10), SS_DOMAIN);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, beyond, &PLAN(1, 10)), SS_DOMAIN);
     mech_motion_clear(&z);
   }
   mech_clear(&file);
@@ -215,14 +218,14 @@ START_TEST(motions_outside_the_domain) {
   random_chain(&m, x, 3, &r);
   finish(&m);
   for (size_t i = 0; i < sizeof durations / sizeof *durations; i++) {
-    ck_assert_int_eq(mech_simulate(&z, MECH_INTEGRATED, &m, x, durations[i], 10), SS_DOMAIN);
+    ck_assert_int_eq(mech_simulate(&z, MECH_INTEGRATED, &m, x, &PLAN(durations[i], 10)), SS_DOMAIN);
     mech_motion_clear(&z);
   }
-  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, 0, 10), SS_OK);
+  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, &PLAN(0, 10)), SS_OK);
   ck_assert_double_eq(z.z[1], x[1]);
   mech_motion_clear(&z);
   x[2] = NAN;
-  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, 1, 10), SS_DOMAIN);
+  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, &PLAN(1, 10)), SS_DOMAIN);
   mech_motion_clear(&z);
   mech_clear(&m);
 }
