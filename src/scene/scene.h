@@ -169,8 +169,8 @@ struct scene {
 };
 
 /* Which scenes are welcome: those of exact parameters and the paper's word; with intervals and other words, too; and
-   those of another system, which have no parameters. */
-enum scene_welcome { SCENE_EXACT, SCENE_OF_TWO_MASSES, SCENE_OF_ANY_SYSTEM };
+   those of another system, which have no parameters, beside the first kind or all. */
+enum scene_welcome { SCENE_EXACT, SCENE_OF_TWO_MASSES, SCENE_EXACT_OR_SYSTEM, SCENE_OF_ANY_SYSTEM };
 /* spec: a path (when it contains a slash or ends in .scene), else a name in data/scenes.  o may be NULL. */
 bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o,
                      enum scene_welcome any, struct diag *d);
