@@ -6,7 +6,7 @@
 #include "simulated.h"
 #include "word_orbits.h"
 
-enum { MOST_EVENTS = 100000, MOST_LOOKS = 1000000, WORK = 200000000, MOST_DURATION = 1000000, NO_ORBIT_TIME = 100 };
+enum { MOST_EVENTS = 100000, MOST_LOOKS = 1000000, WORK = 100000000, MOST_DURATION = 1000000, NO_ORBIT_TIME = 100 };
 
 struct system_simulation {
   struct mech m;

@@ -15,7 +15,7 @@ enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14 }; /* of work; of the sear
 enum { MOST_LOOKS = 200000, LOOKS_OF_EVENT = 15, MOST_STEPS = 10000 /* of GSL in a look */ };
 
 const char *const mech_outcome_name[] = {"done", "its budget of steps is used up",
-                                         "a mass comes to rest at an obstacle, which is not modelled",
+                                         "a mass comes to rest at an obstacle (which is not modelled)",
                                          "the integrator gives up, or a number is too large"};
 
 /* What a mass may meet: the end of its mode; an obstacle below, above. */
@@ -68,10 +68,9 @@ static int right_side(double t, const double z[], double dz[], void *self) {
 }
 
 /* exp(A h) (z, 1) by its series; h is at most a look, so that its terms fall like (1/16)^k/k!. */
-static bool add_series(double *to, const struct walk *w, double h) {
+static void add_series(double *to, const struct walk *w, double h) {
   double term[SIDE], next[SIDE] = {0};
   int states = w->states, side = states + 1;
-  bool finite = true;
   memcpy(term, w->z, (size_t)states * sizeof *term);
   memcpy(to, w->z, (size_t)states * sizeof *to);
   term[states] = 1;
@@ -84,17 +83,21 @@ static bool add_series(double *to, const struct walk *w, double h) {
     memcpy(term, next, (size_t)side * sizeof *term);
     for (int i = 0; i < states; i++) to[i] += term[i];
   }
-  for (int i = 0; i < states; i++) finite = finite && isfinite(to[i]);
-  return finite;
 }
 
 /* The state h after w->z in the present phase. */
 static bool carry(double *to, struct walk *w, double h) {
-  if (w->route == MECH_PATCHED) return add_series(to, w, h);
   double t = 0;
-  memcpy(to, w->z, sizeof w->z);
-  gsl_odeiv2_driver_reset(w->driver);
-  return h == 0 || gsl_odeiv2_driver_apply(w->driver, &t, h, to) == GSL_SUCCESS;
+  bool ok = true;
+  if (w->route == MECH_PATCHED) {
+    add_series(to, w, h);
+  } else {
+    memcpy(to, w->z, sizeof w->z);
+    gsl_odeiv2_driver_reset(w->driver);
+    ok = h == 0 || gsl_odeiv2_driver_apply(w->driver, &t, h, to) == GSL_SUCCESS;
+  }
+  for (int i = 0; i < w->states; i++) ok = ok && isfinite(to[i]);
+  return ok;
 }
 
 /* Negative while mass i goes on as it does. */
