@@ -1,6 +1,7 @@
 /* The simulation of walk.h. */
 #include "walk.h"
 
+#include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
@@ -15,7 +16,7 @@ enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14 }; /* of work; of the sear
 enum { MOST_LOOKS = 200000, LOOKS_OF_EVENT = 15, MOST_STEPS = 10000 /* of GSL in a look */ };
 
 const char *const mech_outcome_name[] = {"done", "its budget of steps is used up",
-                                         "a mass comes to rest at an obstacle (which is not modelled)",
+                                         "a mass comes to rest at an obstacle, or nearly, which is not modelled",
                                          "the integrator gives up, or a number is too large"};
 
 /* What a mass may meet: the end of its mode; an obstacle below, above. */
@@ -102,7 +103,8 @@ static bool carry(double *to, struct walk *w, double h) {
 
 /* Negative while mass i goes on as it does. */
 static double condition(const struct walk *w, const double *z, int i, enum meeting part) {
-  if (part != OWN && !w->m->mass[i].stop[part == ABOVE].given) return -1;
+  bool still = w->phase[i] == 's' && w->surface[i] == 0;
+  if (part != OWN && (still || !w->m->mass[i].stop[part == ABOVE].given)) return -1;
   if (part != OWN) return part == ABOVE ? z[i] - w->stop[i][1] : w->stop[i][0] - z[i];
   double lead = z[w->n + i] - w->surface[i];
   if (w->phase[i] == '.') return -1;
@@ -140,14 +142,15 @@ static bool locate(double *s, struct walk *w, int i, enum meeting part, double h
   return true;
 }
 
-/* After a rebound of mass i: does what pushes it back bring it to rest there before anything else happens? */
+/* After a rebound of mass i: does what pushes it back bring it to rest there at once, or are its hops too short, or too
+   low for its position, to be followed? */
 static bool comes_to_rest(const struct walk *w, int i, enum meeting part) {
-  static const double shortest = 1e-8, rest = 1e-6; /* a hop and all hops that follow, in looks */
+  static const double shortest = 1e-8, rest = 1e-6; /* a hop, and all hops that follow, in looks */
   double f = force(w, w->z, i), u = friction(w, w->z, i), e = w->restitution[i][part == ABOVE];
-  double pull = (part == ABOVE ? u - f : f - u) / w->inertia[i];
+  double pull = (part == ABOVE ? u - f : f - u) / w->inertia[i], v = fabs(w->z[w->n + i]);
   if (!(pull > 0) || (w->phase[i] != '.' && w->surface[i] == 0 && fabs(f) < w->limit[i])) return false;
-  double hop = 2 * fabs(w->z[w->n + i]) / pull;
-  return hop < shortest * w->look || hop < (1 - e) * rest * w->look;
+  double hop = 2 * v / pull, height = v * v / (2 * pull);
+  return hop < shortest * w->look || hop < (1 - e) * rest * w->look || height < 16 * DBL_EPSILON * fabs(w->z[i]);
 }
 
 /* The law for the mass that has the event, which is at its surface's velocity, at its limit or at an obstacle. */

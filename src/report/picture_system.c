@@ -9,7 +9,7 @@
 enum { WHAT, PHASE, MARK, TIME, FIRST, PANEL = 240 }; /* x_1, x'_1, x_2, x'_2, ... follow */
 
 static size_t masses(const struct rows *t) {
-  return (t->columns - FIRST) / 2;
+  return t->columns > FIRST ? (t->columns - FIRST) / 2 : 0;
 }
 
 /* The number of the orbit that a row is of; 0 for none. */
@@ -79,7 +79,7 @@ static void draw_planes(struct plot *p, const struct rows *t) {
   static const char *const key[][2] = {{"aid", "surface"}, {"gap", "obstacle"}, {"c0", "orbit 1"},
                                        {"c1", "orbit 2"},  {"c2", "orbit 3"},   {"c3", "orbit 4, ..."}};
   int n = orbits(t);
-  double top = plot_key(p, key, 2 + (n < 4 ? n : 4));
+  double top = p->bottom = plot_key(p, key, 2 + (n < 4 ? n : 4));
   for (size_t mass = 0; mass < masses(t); mass++) draw_plane(p, t, mass, top + 18 + (double)mass * PANEL);
 }
 
