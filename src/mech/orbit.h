@@ -33,6 +33,8 @@ struct mech_fact {
   bool ends; /* its zero is the event that ends the phase: that it is the first one */
   truth holds;
 };
+/* "3-m2-break" of the third phase. */
+void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f);
 
 struct mech_orbit {
   struct mech_word word;
@@ -82,5 +84,9 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
 /* Where the first of these motions starts, in a double for each element of the state. */
 void mech_first_start(double *z, const struct mech *m);
 void mech_orbits_clear(struct mech_orbits *list);
+/* Is one of them of the same word, with enclosures of all lengths and states that meet those of o? */
+bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o);
+/* Takes o over. */
+void mech_orbits_add(struct mech_orbits *list, const struct mech_orbit *o);
 
 #endif

@@ -75,7 +75,7 @@ extern const char *const scene_takes_text[TAKES_BUDGET + 1];
   K(WORD, "word", TAKES_WORD, "phases of one period; without it the paper's, D Gamma H C",                             \
     "orbit, jacobian; refused by verify, simulate, bifurcate, readings, sweep, plot")                                  \
   K(SYSTEM, "system", TAKES_SYSTEM, "a system file in place of the paper's two masses",                                \
-    "orbit; refused by verify, jacobian, simulate, bifurcate, words, readings, sweep, plot")                           \
+    "orbit, simulate, bifurcate, plot; refused by verify, jacobian, words, readings, sweep")                             \
   K(TITLE, "title", TAKES_TEXT, "what the scene is, in one line", "verify, list")                                      \
   K(PRINTED, "printed", TAKES_PRINTED, "a number as printed, to be tested, never an input",                            \
     "verify, jacobian, simulate, readings, plot")                                                                      \
@@ -190,6 +190,8 @@ bool scene_is_box(const struct scene *s);
 /* Is it the scene on file of that name, with the parameters and printed numbers of the file? */
 bool scene_is(const struct scene *s, const char *name);
 void scene_clear(struct scene *s);
+/* The path of the system file that a scene names. */
+void scene_system_path(struct text *out, const struct scene *s, const char *data);
 /* Of a scene with a system: that system, to be cleared in any case, and the scene's word in it, or one of no phases. */
 bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, struct diag *d);
 /* false, with the message for those who cannot take a box, when it is one. */
