@@ -6,7 +6,7 @@
 #include "simulated.h"
 #include "word_orbits.h"
 
-enum { MOST_EVENTS = 100000, MOST_LOOKS = 1000000, WORK = 100000000, MOST_DURATION = 1000000, NO_ORBIT_TIME = 100 };
+enum { MOST_LOOKS = 1000000, WORK = 100000000, MOST_DURATION = 1000000, NO_ORBIT_TIME = 100 };
 
 struct system_simulation {
   struct mech m;
@@ -86,7 +86,7 @@ static bool set_plan(struct system_simulation *run, const struct scene *s, const
   int side = run->m.states + 1;
   double orbits = run->orbit ? ((double)asked->periods + 1e-6) * run->period : NO_ORBIT_TIME;
   run->plan.duration = asked->time > 0 ? asked->time : orbits;
-  run->plan.most = MOST_EVENTS;
+  run->plan.most = MOST_LOOKS; /* more than the steps allow */
   run->plan.looks = WORK / (side * side) < MOST_LOOKS ? WORK / (side * side) : MOST_LOOKS;
   if (csv) run->plan.sample = (run->orbit ? run->period : run->plan.duration) / (double)asked->samples;
   if (run->plan.duration <= MOST_DURATION) return true;
