@@ -756,17 +756,6 @@ START_TEST(parameters_from_the_models) {
 }
 END_TEST
 
-START_TEST(csv_row) {
-  struct coulomb_row row = {0.5, {1, -2}, {1, 0.25}, {0.125, -3}, {MODE_STICK, MODE_ABOVE}, NULL};
-  struct text t;
-  text_init(&t);
-  coulomb_csv_row(&t, &row);
-  ck_assert_str_eq(text_str(&t), "0.5,1,-2,1,0.25,stick,above,0.125,-3\n");
-  ck_assert_str_eq(coulomb_csv_header, "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n");
-  text_clear(&t);
-}
-END_TEST
-
 /* --- The paper's orbit: orbit 1 of set paper in tests/oracle/orbits.tsv. --- */
 
 static const char *const orbit_z[2] = {"0.978188144190098574451142940838784644240642700934563377954489",
@@ -925,7 +914,6 @@ Suite *coulomb_suite(void) {
   tcase_add_test(runs, a_law_below_rounding_is_refused);
   tcase_add_test(runs, a_slow_belt_takes_few_steps);
   tcase_add_test(runs, parameters_from_the_models);
-  tcase_add_test(runs, csv_row);
   tcase_add_test(orbit, the_orbit_in_mpfr_to_the_oracles_digits);
   tcase_add_test(orbit, a_perturbation_grows_by_the_multiplier);
   tcase_add_test(orbit, the_orbit_by_every_route);

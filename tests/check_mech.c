@@ -13,7 +13,8 @@
 #include "laws_num.h"
 #include "mech/describe.h"
 #include "mech/follow.h"
-#include "mech/walk.h"
+#include "mech/moments.h"
+#include "mech/orbit.h"
 #include "motion/coulomb.h"
 #include "paper_model.h"
 #include "scratch.h"
@@ -26,6 +27,9 @@ static void finish(struct mech *m) {
 }
 
 static struct mech file;
+
+/* Duration and the most moments. */
+#define PLAN(time, moments) ((struct mech_plan){.duration = (time), .most = (moments)})
 
 static void read_text(const char *text) {
   struct source src;
@@ -95,7 +99,7 @@ START_TEST(a_chain_of_two_moves_as_the_papers_system) {
   ck_assert_int_eq(coulomb_simulate_d(&end, p, x, &plan, &sink), SS_OK);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, 12, 1000), SS_OK);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, &PLAN(12, 1000)), SS_OK);
     ck_assert_msg(z.n_moments == (int)log.n + 1, "trial %d route %d: %d events, not %zu", _i, route, z.n_moments - 1,
                   log.n);
     for (size_t k = 0; k < log.n; k++) {
@@ -158,7 +162,7 @@ START_TEST(longer_chains_are_those_of_tiny_steps) {
   crude_chain(crude, &m, x, 4);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, 4, 1000), SS_OK);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, &PLAN(4, 1000)), SS_OK);
     for (int i = 0; i < 2 * n; i++)
       ck_assert_msg(fabs(z.z[i] - crude[i]) < 5e-3, "trial %d route %d: element %d is %g, not %g", _i, route, i, z.z[i],
                     crude[i]);
@@ -176,7 +180,7 @@ START_TEST(a_load_in_closed_form) {
             "load p\n  on: m\n  frequency: 1/2\n  cosine: 1/3\nload q\n  on: m\n  frequency: 1/2\n  cosine: 2/3\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, t, 10), SS_OK);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(t, 10)), SS_OK);
     ck_assert_double_eq_tol(z.z[0], 4.0 / 3 * (cos(angle + t / 2) - cos(angle) * cos(t) + sin(angle) / 2 * sin(t)),
                             1e-11);
     ck_assert_double_eq_tol(z.z[3], sin(angle + t / 2), 1e-11);
@@ -193,14 +197,14 @@ START_TEST(rebounds_in_closed_form) {
             "obstacle o\n  stops: m\n  above: 0\n  restitution: 1/2\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, 2 * acos(-1), 10), SS_OK);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(2 * acos(-1), 10)), SS_OK);
     ck_assert_int_eq(z.n_moments, 3);
     ck_assert_double_eq_tol(z.moment[2].t, 1.5 * acos(-1), 1e-11);
     ck_assert_str_eq(z.moment[2].phase, ".>1");
     ck_assert_double_eq_tol(z.z[0], -0.25, 1e-11);
     ck_assert_double_eq_tol(z.z[1], 0, 1e-11);
     mech_motion_clear(&z);
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, beyond, 1, 10), SS_DOMAIN);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, beyond, &PLAN(1, 10)), SS_DOMAIN);
     mech_motion_clear(&z);
   }
   mech_clear(&file);
@@ -216,20 +220,162 @@ START_TEST(motions_outside_the_domain) {
   random_chain(&m, x, 3, &r);
   finish(&m);
   for (size_t i = 0; i < sizeof durations / sizeof *durations; i++) {
-    ck_assert_int_eq(mech_simulate(&z, MECH_INTEGRATED, &m, x, durations[i], 10), SS_DOMAIN);
+    ck_assert_int_eq(mech_simulate(&z, MECH_INTEGRATED, &m, x, &PLAN(durations[i], 10)), SS_DOMAIN);
     mech_motion_clear(&z);
   }
-  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, 0, 10), SS_OK);
+  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, &PLAN(0, 10)), SS_OK);
   ck_assert_double_eq(z.z[1], x[1]);
   mech_motion_clear(&z);
   x[2] = NAN;
-  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, 1, 10), SS_DOMAIN);
+  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, &PLAN(1, 10)), SS_DOMAIN);
   mech_motion_clear(&z);
   mech_clear(&m);
 }
 END_TEST
 
+#define MASS_AND_SPRING           "mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
+#define STOPS(name, of, place, e) "obstacle " name "\n  stops: " of "\n  " place "\n  restitution: " e "\n"
+
+/* x = 2 sin t up to x = 1 at pi/6; rebounds without loss, from wall to wall pi/3 later each. */
+START_TEST(between_two_stops_in_closed_form) {
+  const double start[] = {0, 2}, pi = acos(-1);
+  struct mech_word w;
+  double period, gap;
+  read_text(MASS_AND_SPRING STOPS("a", "m", "above: 1", "1") STOPS("b", "m", "below: -1", "1"));
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    struct mech_motion z;
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(10, 1000)), SS_OK);
+    ck_assert_int_eq(z.n_moments, 1 + (int)((10 - pi / 6) / (pi / 3) + 1));
+    for (int k = 1; k < z.n_moments; k++) {
+      ck_assert_double_eq_tol(z.moment[k].t, pi / 6 + (k - 1) * pi / 3, 1e-11);
+      ck_assert_str_eq(z.moment[k].phase, k % 2 ? ".>1" : ".<1");
+      ck_assert_double_eq_tol(z.moment[k].z[1], k % 2 ? -sqrt(3) : sqrt(3), 1e-11);
+    }
+    ck_assert(mech_settles(&w, &period, &gap, &z, 1, 2));
+    ck_assert_int_eq(w.n, 2);
+    ck_assert_double_eq_tol(period, 2 * pi / 3, 1e-11);
+    mech_motion_clear(&z);
+  }
+  mech_clear(&file);
+}
+END_TEST
+
+struct energies {
+  const struct mech *m;
+  double first;
+  long n, events;
+};
+
+/* (x' M x' + x K x)/2, and the times of samples. */
+static bool watch_energy(void *self, const struct mech_moment *at) {
+  struct energies *e = self;
+  int n = e->m->n;
+  double sum = 0;
+  for (int i = 0; i < n; i++) {
+    sum += fmpq_get_d(e->m->mass[i].inertia) * at->z[n + i] * at->z[n + i] / 2;
+    for (int j = 0; j < n; j++) sum += fmpq_get_d(fmpq_mat_entry(e->m->stiffness, i, j)) * at->z[i] * at->z[j] / 2;
+  }
+  if (at->mass >= 0) {
+    e->events++;
+  } else {
+    ck_assert_double_eq(at->t, (double)e->n++ * 0.3);
+  }
+  if (e->first == 0) e->first = sum;
+  ck_assert_msg(fabs(sum - e->first) < 1e-10 * e->first, "at %g: %.17g, not %.17g", at->t, sum, e->first);
+  return true;
+}
+
+START_TEST(energy_stays) {
+  const double start[] = {0.5, -0.25, 1.5, -1};
+  read_text("mass m\n  inertia: 1\nmass n\n  inertia: 2\nspring k\n  between: ground, m\n  stiffness: 1\n"
+            "spring l\n  between: m, n\n  stiffness: 3\n" STOPS("a", "m", "above: 3/4", "1")
+                STOPS("b", "n", "below: -1/2", "1"));
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    struct mech_motion z;
+    struct energies e = {.m = &file};
+    struct mech_plan plan = {.duration = 30, .most = 1000, .sample = 0.3, .self = &e, .told = watch_energy};
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &plan), SS_OK);
+    ck_assert(e.n >= 100 && e.n <= 101 && e.events > 10 && e.events == z.n_moments - 1);
+    mech_motion_clear(&z);
+  }
+  mech_clear(&file);
+}
+END_TEST
+
+/* What no simulation can go through ends, and says why. */
+static const struct {
+  const char *file;
+  double start[4];
+  enum mech_outcome end;
+} ends[] = {
+    {MASS_AND_SPRING STOPS("o", "m", "above: -1", "1/2"), {-2, 0}, MECH_RESTING},
+    {MASS_AND_SPRING STOPS("o", "m", "above: -1", "1/2"), {-1, 0}, MECH_RESTING},
+    {MASS_AND_SPRING STOPS("o", "m", "below: 1", "99/100"), {2, 0}, MECH_RESTING},
+    {MASS_AND_SPRING STOPS("a", "m", "above: 1e-9", "1") STOPS("b", "m", "below: -1e-9", "1"), {0, 1}, MECH_LOOKS},
+    {MASS_AND_SPRING "load p\n  on: m\n  frequency: 1e300\n  cosine: 1\n", {0, 0, 1, 0}, MECH_LOOKS},
+    {MASS_AND_SPRING "damper d\n  between: m, ground\n  constant: 1e12\n", {0, 1}, MECH_LOOKS},
+    {MASS_AND_SPRING, {1.7e308, 1.7e308}, MECH_LOST},
+    {"mass m\n  inertia: 1\n  sliding: 0\n  static: 1e-300\n  surface: 1\nspring k\n  between: ground, m\n"
+     "  stiffness: 1\n",
+     {0, 1},
+     MECH_DONE},
+    /* the belt holds it at the obstacle before it could come to rest there */
+    {"mass m\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 0\nspring k\n  between: ground, m\n"
+     "  stiffness: 1\n" STOPS("o", "m", "above: -1", "1/2"),
+     {-1, 1e-9},
+     MECH_DONE},
+};
+
+START_TEST(simulations_that_end) {
+  read_text(ends[_i].file);
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    struct mech_motion z;
+    struct mech_plan plan = {.duration = 500, .most = 100000, .looks = 100000};
+    int status = mech_simulate(&z, (enum mech_route)route, &file, ends[_i].start, &plan);
+    ck_assert_msg(z.end == ends[_i].end, "%d, route %d: %s at %g", _i, route, mech_outcome_name[z.end], z.t);
+    ck_assert_int_eq(status, z.end == MECH_DONE ? SS_OK : SS_UNABLE);
+    mech_motion_clear(&z);
+  }
+  mech_clear(&file);
+}
+END_TEST
+
+START_TEST(csv_rows) {
+  const struct mech_moment at = {0.5, -1, "s+", {1, -2, 1, 0.25}, {0.125, -3}};
+  struct text t;
+  text_init(&t);
+  mech_csv_heading(&t, 2);
+  mech_csv_row(&t, 2, &at);
+  ck_assert_str_eq(text_str(&t), "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n0.5,1,-2,1,0.25,stick,above,0.125,-3\n");
+  text_clear(&t);
+}
+END_TEST
+
 /* --- Orbits --- */
+
+/* Twice around from the entry of a phase: the events and states that the orbit encloses. */
+static void follow(const struct mech_orbit *o, enum mech_route route, int first) {
+  struct mech_motion z;
+  struct mech_word w;
+  double start[MECH_STATES], period = arf_get_d(arb_midref(o->period), ARF_RND_NEAR), t = 0, gap;
+  int by;
+  for (int i = 0; i < o->states; i++) start[i] = arf_get_d(arb_midref(o->state + first * o->states + i), ARF_RND_NEAR);
+  struct mech_plan plan = {.duration = 2.000001 * period, .most = 1000, .phase = o->word.phase[first]};
+  ck_assert_int_eq(mech_simulate(&z, route, &file, start, &plan), SS_OK);
+  ck_assert_int_eq(z.n_moments, 2 * o->word.n + 1);
+  for (int k = 0; k < z.n_moments; k++) {
+    int at = (first + k) % o->word.n;
+    ck_assert_str_eq(z.moment[k].phase, o->word.phase[at]);
+    ck_assert_double_eq_tol(z.moment[k].t, t, 1e-9);
+    for (int i = 0; i < o->states; i++)
+      ck_assert_double_eq_tol(z.moment[k].z[i], arf_get_d(arb_midref(o->state + at * o->states + i), ARF_RND_NEAR),
+                              1e-9);
+    t += arf_get_d(arb_midref(o->t + at), ARF_RND_NEAR);
+  }
+  ck_assert(mech_settles(&w, &t, &gap, &z, o->n, o->states) && mech_word_same(&by, &w, &o->word));
+  ck_assert_double_eq_tol(t, period, 1e-9);
+  mech_motion_clear(&z);
+}
 
 /* x = z + d with K d = u_s: in double, for a guess. */
 static void state_of(double x[4], const struct dyn_orbit *o, const struct mech *m, const fmpq *params) {
@@ -328,6 +474,24 @@ START_TEST(orbits_recomputed) {
       shell_output(&status, "%s tests/oracle/systems.py %s %s 2>&1", python(), program(), scenes_of_systems[_i]);
   ck_assert_msg(status == 0, "%s", out);
   free(out);
+}
+END_TEST
+
+START_TEST(simulations_follow_the_orbits) {
+  char path[100];
+  struct diag d;
+  struct mech_orbits list;
+  snprintf(path, sizeof path, "verify/systems/%s.system", scenes_of_systems[_i]);
+  diag_init(&d);
+  ck_assert_msg(mech_load(&file, path, &d), "%s", d.message);
+  mech_orbits_find(&list, &file, NULL, true, 128);
+  ck_assert_int_ge(list.n, 1);
+  for (int k = 0; k < list.n; k++)
+    for (int from = 0; from < N_MECH_ROUTES * list.orbit[k].word.n; from++)
+      if (mech_orbit_is_motion(&list.orbit[k]))
+        follow(&list.orbit[k], (enum mech_route)(from % N_MECH_ROUTES), from / N_MECH_ROUTES);
+  mech_orbits_clear(&list);
+  mech_clear(&file);
 }
 END_TEST
 
@@ -641,14 +805,36 @@ static const struct {
     {"orbit chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},
     {"orbit chain3 --set chi=1", "chi is of the paper's two masses", 3},
     {"orbit chain3 --set ask=eq-27", "ask is of the paper's two masses", 3},
-    {"verify chain3", "of the commands orbit and bifurcate take such a scene", 3},
-    {"simulate chain3", "of the commands orbit and bifurcate take such a scene", 3},
+    {"verify chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
+    {"simulate chain3 --compare", "--compare is of the paper's two masses", 2},
+    {"simulate chain3 --at printed", "--at printed is of the paper's two masses", 2},
+    {"simulate chain3 --at orbit:7", "there is no orbit 7", 3},
+    {"simulate chain3 --start 1,2,3", "--start takes 6 constant expressions, x1,...,x3,v1,...,v3", 3},
+    {"simulate chain3 --start 1,2,3,0,0,0,0", "--start takes 6 constant expressions", 3},
+    {"simulate chain3 --start 1,2,3,0,0,nan", "nan", 3},
+    {"simulate chain3 --start 1,2,3,0,0,1e300", "numbers of at most 1e100", 3},
+    {"simulate chain3 --start 1,2,3,0,0,0 --periods 2", "give --time", 2},
+    {"simulate chain3 --time 0", "--time takes a time as a decimal", 2},
+    {"simulate chain3 --time 2 --periods 2", "--time and --periods exclude each other", 2},
+    {"simulate chain3 --json --csv", "--json goes with neither --csv nor --samples", 2},
+    {"simulate chain3 --set system=nothing", "nothing.system", 3},
+    {"simulate chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},
+    {"simulate beside-wall --periods 100000", "longer than", 3},
+    {"simulate chain3 --start 0,0,0,0,0,0 --time 1000000", "budget of steps is used up", 5},
+    {"simulate chain3 --start -1e99,0,0,0,0,0 --time 40", "ended: done at t = 40", 0},
+    {"simulate driven --start 1,2,0,0 --time 4",
+     "--start takes 5 constant expressions, x1,...,x2,v1,...,v2 and the angle", 3},
+    {"simulate driven --start 0,0,0,0,1/2 --time 4", "load angle 0.5", 0},
+    {"simulate beside-wall --start 1,4,0,0", "m2 starts at 4, beyond the obstacle wall at 3.2", 3},
+    {"simulate beside-wall", "settles on: -- -->2 s-, period 10.14233771", 0},
+    {"simulate chain3 --set 'word=-ss sss' --time 2", "from the first start of the search, which finds no orbit", 0},
+    {"plot chain3 --set 'word=-ss sss'", "nothing to draw: no orbit is found", 3},
     {"bifurcate chain3 --along W=1:2", "the system has no parameter W; it has V", 3},
     {"bifurcate chain3 --along V=1:1", "the ends of --along V=1:1 are equal", 2},
     {"bifurcate chain3 --along V", "--along takes NAME=A:B", 2},
     {"bifurcate two-masses.system --along V=1:2", "two-masses.system", 3},
-    {"words chain3", "of the commands orbit and bifurcate take such a scene", 3},
-    {"jacobian chain3", "of the commands orbit and bifurcate take such a scene", 3},
+    {"words chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
+    {"jacobian chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
     {"check verify/systems/chain3.system verify/scenes/chain3.scene", "chain3.scene: ok", 0},
 };
 
@@ -656,6 +842,69 @@ START_TEST(commands_on_systems) {
   int status;
   char *out = shell_output(&status, "%s %s 2>&1", program(), commands[_i].command);
   ck_assert_msg(status == commands[_i].status && strstr(out, commands[_i].says), "%d: %s", status, out);
+  free(out);
+}
+END_TEST
+
+/* Events of a table, without the column of phases that a system file's has: time, mass, change, the four coordinates. */
+struct line {
+  double number[5];
+  char change[40];
+};
+static int read_lines(struct line *to, int most, char *table) {
+  int n = 0;
+  for (char *at = strtok(table, "\n"); at && n < most; at = strtok(NULL, "\n")) {
+    struct line *l = &to[n];
+    char from[10], into[10], phase[10];
+    int mass;
+    double *x = l->number;
+    bool own = sscanf(at, "%lf m%d %9s > %9s %9s %lf %lf %lf %lf", x, &mass, from, into, phase, x + 1, x + 2, x + 3,
+                      x + 4) == 9 &&
+               strspn(phase, "s+-") == 2;
+    if (!own && sscanf(at, "%lf m%d %9s > %9s %lf %lf %lf %lf", x, &mass, from, into, x + 1, x + 2, x + 3, x + 4) != 8)
+      continue;
+    snprintf(l->change, sizeof l->change, "m%d %s > %s", mass, from, into);
+    n++;
+  }
+  return n;
+}
+
+START_TEST(the_papers_system_from_a_file) {
+  enum { MOST = 100 };
+  static const char *const starts[] = {"2,3/2,1,1", "0,0,0,0", "6,5,-1,2"};
+  static struct line lines[2][MOST];
+  char system[400], paper[400];
+  int n[2];
+  snprintf(system, sizeof system, "%s", scratch_put("system.scene", "system: two-masses\n"));
+  snprintf(paper, sizeof paper, "%s",
+           scratch_put("same.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 3.7844\nu_r2 = "
+                                     "1.8587\n"));
+  for (int k = 0; k < 2; k++) {
+    int status;
+    char *out =
+        shell_output(&status, "%s simulate '%s' --start %s --time 60 2>&1", program(), k ? paper : system, starts[_i]);
+    ck_assert_msg(status == 0, "%s", out);
+    n[k] = read_lines(lines[k], MOST, out);
+    free(out);
+  }
+  ck_assert_int_eq(n[0], n[1]);
+  ck_assert_int_ge(n[0], 6);
+  for (int i = 0; i < n[0]; i++) {
+    ck_assert_str_eq(lines[0][i].change, lines[1][i].change);
+    for (int k = 0; k < 5; k++) ck_assert_double_eq_tol(lines[0][i].number[k], lines[1][i].number[k], 2e-6);
+  }
+}
+END_TEST
+
+START_TEST(json_of_simulations) {
+  static const char *const commands_of[] = {
+      "chain3", "beside-wall --periods 2",        "driven --start 0,0,0,0,0 --time 3",
+      "paper",  "paper --at printed --periods 3", "paper --start 1,2,0,0 --time 0.5"};
+  int status;
+  char *out = shell_output(
+      &status, "%s simulate %s --json > %s && %s tests/oracle/validate.py schema/simulate.schema.json %s 2>&1",
+      program(), commands_of[_i], scratch_path("j"), python(), scratch_path("j"));
+  ck_assert_msg(status == 0, "%s", out);
   free(out);
 }
 END_TEST
@@ -670,10 +919,15 @@ Suite *mech_suite(void) {
   tcase_add_test(c, a_load_in_closed_form);
   tcase_add_test(c, rebounds_in_closed_form);
   tcase_add_test(c, motions_outside_the_domain);
+  tcase_add_test(c, between_two_stops_in_closed_form);
+  tcase_add_test(c, energy_stays);
+  tcase_add_loop_test(c, simulations_that_end, 0, COUNT(ends));
+  tcase_add_test(c, csv_rows);
   suite_add_tcase(s, c);
   c = tcase_create("orbits");
   tcase_add_test(c, the_papers_orbits_on_every_scene);
   tcase_add_loop_test(c, orbits_recomputed, 0, QUICK_SCENES);
+  tcase_add_loop_test(c, simulations_follow_the_orbits, 0, COUNT(scenes_of_systems));
   tcase_add_loop_test(c, den_hartogs_motions, 0, 10);
   tcase_add_test(c, one_mass_in_closed_form);
   tcase_add_test(c, static_equal_to_sliding);
@@ -691,6 +945,8 @@ Suite *mech_suite(void) {
   tcase_add_test(c, a_system_in_formulas);
   tcase_add_test(c, changes_along_the_papers_line);
   tcase_add_loop_test(c, commands_on_systems, 0, COUNT(commands));
+  tcase_add_loop_test(c, the_papers_system_from_a_file, 0, 3);
+  tcase_add_loop_test(c, json_of_simulations, 0, 6);
   suite_add_tcase(s, c);
   return s;
 }

@@ -1,12 +1,14 @@
 /* The tables and pictures of stickslip plot: numbers against tests/oracle/pictures.py, which has its own equations of
    motion and reads the data of the other independent programs; what may come in; the same bytes twice. */
 #include <check.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 
+#include "mech/walk.h"
 #include "report/plot.h"
 #include "report/report.h"
 #include "run/tables.h"
@@ -58,8 +60,10 @@ END_TEST
 /* A picture drawn again from nothing but the table's file is the one that was written. */
 START_TEST(pictures_come_from_their_tables_alone) {
   char command[3000], name[200];
-  snprintf(command, sizeof command, "paper --out %s", scratch_path("one"));
-  ck_assert_int_eq(plot(command), 0);
+  for (int k = 0; k < 2; k++) {
+    snprintf(command, sizeof command, "%s --out %s", k ? "beside-wall" : "paper", scratch_path("one"));
+    ck_assert_int_eq(plot(command), 0);
+  }
   for (int i = 0; i < report_pictures(); i++) {
     struct source table, svg;
     struct diag d;
@@ -148,8 +152,9 @@ END_TEST
 
 /* Whatever stands in a table, a picture ends, and is well-formed. */
 START_TEST(hostile_tables) {
-  static const char *const tables[] = {"figure-3.tsv",   "figure-4.tsv", "margins.tsv",
-                                       "return-map.tsv", "long-run.tsv", "differences.tsv"};
+  static const char *const tables[] = {"figure-3.tsv", "figure-4.tsv",    "margins.tsv",     "return-map.tsv",
+                                       "long-run.tsv", "differences.tsv", "phase-planes.tsv"};
+  enum { N = sizeof tables / sizeof *tables };
   static const char *const bodies[] = {
       "a\tb\tc\td\te\tf\tg\n",
       "a\nx\n",
@@ -160,15 +165,17 @@ START_TEST(hostile_tables) {
       "a\tb\tc\td\te\tf\tg\nmap\t1\t1\t2\t3\nnear\t1\t1\t2\t3\niterate\t0\t1\tnan\t3\norbit\t<&\"\t1\t1\t9\n",
       "a\tb\tc\n<script>\t1\t2\nformal &\t1\t2\nprinted\t1\tinf\n1\t2\t3\n4\t2\t3\n5\t2\t3\n6\t2\t3\n7\t2\t3\n",
       "a\tb\tc\n1\t2\t3\n2\t2\t3\n3\t2\t3\n4\t2\t3\n5\t2\t3\n6\t2\t3\n7\t2\t3\n8\t2\t3\n9\t2\t3\n",
+      "a\tb\tc\td\te\tf\norbit 1\t<&\to\t1e308\t-1e308\t1e308\norbit 2147483648\tD\to\t1e308\t1e308\t-1e308\n"
+      "surface\t-\t-\t-\t-\t1e308\nabove\t-\t-\t-\tinf\t-\n",
       "0.5\t1\t2\t3\n-1\t-2\t-3\t-4\n-1e15\t-1e15\t1\t2\n\n\n-3\n"};
   struct text all;
   text_init(&all);
   text_add(&all, "<all>");
   for (size_t b = 0; b < sizeof bodies / sizeof *bodies; b++)
     for (int k = 0; k < report_pictures(); k++) {
-      struct data_table data[6];
-      for (int i = 0; i < 6; i++) data[i] = (struct data_table){tables[i], bodies[b]};
-      const struct audit_result r = {.tables = data, .n_tables = 6};
+      struct data_table data[N];
+      for (int i = 0; i < N; i++) data[i] = (struct data_table){tables[i], bodies[b]};
+      const struct audit_result r = {.tables = data, .n_tables = N};
       struct text one;
       text_init(&one);
       report_picture(&one, &r, k);
@@ -182,6 +189,52 @@ START_TEST(hostile_tables) {
            scratch_put_n("all.xml", all.data, all.len));
   ck_assert_int_eq(shell(command), 0);
   text_clear(&all);
+}
+END_TEST
+
+/* Each row of the table is a state of the motion that GSL integrates from the first one, but for rounding to six decimals;
+   where a mass rebounds its velocity is that of either side. */
+START_TEST(phase_planes_are_motions) {
+  static const char *const files[] = {"chain3", "beside-wall", "driven"};
+  struct audit_result r;
+  struct diag d;
+  struct rows t;
+  struct mech m;
+  struct mech_orbits list;
+  char path[100];
+  snprintf(path, sizeof path, "verify/systems/%s.system", files[_i]);
+  diag_init(&d);
+  audit_result_init(&r);
+  ck_assert(mech_load(&m, path, &d));
+  mech_orbits_find(&list, &m, NULL, false, 128);
+  const struct mech_orbit *o = &list.orbit[0];
+  table_of_system(&r, &m, &list);
+  ck_assert(rows_read(&t, &r, "phase-planes.tsv"));
+  double start[MECH_STATES], last = 0;
+  size_t n = (size_t)m.n, rows = 0, entries = 0;
+  for (int i = 0; i < m.states; i++) start[i] = arf_get_d(arb_midref(o->state + i), ARF_RND_NEAR);
+  for (size_t i = 0; i < t.n && rows_is(&t, i, 0, "orbit 1"); i++, rows++) {
+    struct mech_motion z;
+    struct mech_plan plan = {.duration = rows_number(&t, i, 3), .most = 1000, .phase = o->word.phase[0]};
+    bool jumps = (i + 1 < t.n && rows_is(&t, i + 1, 2, "o")) || rows_is(&t, i, 2, "o");
+    entries += rows_is(&t, i, 2, "o");
+    last = plan.duration;
+    ck_assert_int_eq(mech_simulate(&z, MECH_INTEGRATED, &m, start, &plan), SS_OK);
+    for (size_t k = 0; k < 2 * n; k++)
+      if (k < n || !jumps)
+        ck_assert_msg(fabs(rows_number(&t, i, 4 + k % n * 2 + k / n) - z.z[k]) < 1e-5, "%s: row %zu, t = %g: %g",
+                      files[_i], i, last, z.z[k]);
+    mech_motion_clear(&z);
+  }
+  ck_assert(rows > 200 && (int)entries == o->word.n);
+  ck_assert_double_eq_tol(last, arf_get_d(arb_midref(o->period), ARF_RND_NEAR), 1e-6);
+  for (size_t i = 0; i < n; i++)
+    ck_assert_double_eq(rows_number(&t, t.n - 3, 5 + 2 * i), fmpq_get_d(m.mass[i].surface));
+  if (_i == 1) ck_assert_double_eq(rows_number(&t, t.n - 2, 6), 3.2);
+  rows_clear(&t);
+  audit_result_clear(&r);
+  mech_orbits_clear(&list);
+  mech_clear(&m);
 }
 END_TEST
 
@@ -226,6 +279,7 @@ Suite *pictures_suite(void) {
   tcase_add_test(c, the_gap_is_that_of_the_claim);
   tcase_add_test(c, what_cannot_be_drawn);
   tcase_add_test(c, hostile_tables);
+  tcase_add_loop_test(c, phase_planes_are_motions, 0, 3);
   tcase_add_test(c, numbers_in_tables);
   suite_add_tcase(s, c);
   return s;

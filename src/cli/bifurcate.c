@@ -219,10 +219,10 @@ int run_bifurcate(const struct options *o, const char *data) {
   if (o->operands.n != 1) return usage("bifurcate takes one %s", "SCENE");
   if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along %s", "NAME=A:B");
   diag_init(&d);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d);
   if (ok && s.system)
     status = run_system_bifurcate(o, &s, data, digits, &d);
-  else if (ok && scene_one_point(&s, &d) && scene_papers_word(&s, &d))
+  else if (ok)
     status = with_line(o, &s, digits, &d);
   else
     status = bad_input(&d);

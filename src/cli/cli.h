@@ -22,7 +22,8 @@ enum {
   MAX_OVER = 2,
   MAX_SET = 64,
   MAX_JOBS = 64,
-  MAX_WORDS = 256 /* of one option, or operands */
+  MOST_SECONDS = 10000000, /* of --timeout */
+  MAX_WORDS = 256          /* of one option, or operands */
 };
 
 /* --- The command line, by the rows of options.def --- */
@@ -90,8 +91,8 @@ int parse_digits(slong *digits, const struct options *o);
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most);
 /* --jobs; all processors (at most 64) without it. */
 int parse_jobs(int *jobs, const struct options *o);
-/* --timeout; 0 without it. */
-int parse_timeout(double *seconds, const struct options *o);
+/* --timeout or --time, from 0.000001 to most; 0 without it. */
+int parse_decimal(double *x, const struct options *o, enum option id, long most);
 /* --at orbit:K (as K - 1; the first without --at) or printed. */
 int parse_start(slong *orbit, bool *printed, const struct options *o);
 
@@ -194,7 +195,7 @@ int run_word_jacobian(const struct options *o, const struct scene *s, const stru
 /* simulate --compare, over at most the given time. */
 int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);
 /* Says that a simulation ended before it was to; the exit status. */
-int ended_early(enum coulomb_end end, const char *route, double t);
+int ended_early(const char *why, const char *route, double t);
 int run_simulate(const struct options *o, const char *data);
 int run_bifurcate(const struct options *o, const char *data);
 int run_bench(const struct options *o, const char *data);

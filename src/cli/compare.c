@@ -55,7 +55,8 @@ int compare_routes(const struct coulomb_setup *setup, const struct scene *s, lon
       if (i < run.n[k]) print_return(&run, (enum long_route)k, i);
   for (int k = 0; k < N_LONG_ROUTES; k++)
     if (run.end[k] != COULOMB_DONE)
-      status = ended_early(run.end[k], long_route_name[k], run.n[k] > 0 ? run.at[k][run.n[k] - 1].t : 0);
+      status =
+          ended_early(coulomb_end_name[run.end[k]], long_route_name[k], run.n[k] > 0 ? run.at[k][run.n[k] - 1].t : 0);
   static const struct long_pair pairs[] = {{LONG_ODE, LONG_CLOSED}, {LONG_ODE, LONG_MPFR}, {LONG_CLOSED, LONG_MPFR}};
   for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) print_pair(&run, pairs[i], 1e-6);
   if (isfinite(setup->trace)) print_multiplier(setup, duration);

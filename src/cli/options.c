@@ -127,17 +127,18 @@ int parse_jobs(int *jobs, const struct options *o) {
   return EXIT_AS_RECORDED;
 }
 
-int parse_timeout(double *seconds, const struct options *o) {
-  enum { MOST_SECONDS = 10000000 };
-  const char *text = option(o, OPT_TIMEOUT);
+int parse_decimal(double *x, const struct options *o, enum option id, long most) {
+  const char *text = option(o, id);
   char *end;
-  *seconds = 0;
+  *x = 0;
   if (!text) return EXIT_AS_RECORDED;
   bool plain = text[strspn(text, "0123456789.")] == '\0' && strlen(text) < 40;
-  *seconds = plain ? strtod(text, &end) : 0;
-  if (!plain || *end || !(*seconds >= 1e-6 && *seconds <= MOST_SECONDS))
-    return usage("--timeout takes seconds as a decimal from 0.000001 to 10000000, not %.200s", text);
-  return EXIT_AS_RECORDED;
+  *x = plain ? strtod(text, &end) : 0;
+  if (plain && !*end && *x >= 1e-6 && *x <= (double)most) return EXIT_AS_RECORDED;
+  char says[100];
+  snprintf(says, sizeof says, "%s takes %s as a decimal from 0.000001 to %ld, not %%.200s",
+           id == OPT_TIMEOUT ? "--timeout" : "--time", id == OPT_TIMEOUT ? "seconds" : "a time", most);
+  return usage(says, text);
 }
 
 int parse_digits(slong *digits, const struct options *o) {

@@ -1,7 +1,9 @@
 /* stickslip plot: the pictures of a scene's orbits alone, and the tables they are drawn from. */
 #include "cli.h"
+#include "mech/orbit.h"
 #include "report/report.h"
 #include "run/tables.h"
+#include "word_orbits.h"
 
 /* Tables, then pictures, and says which. */
 static bool write_pictures(const char *folder, const struct audit_result *r, struct diag *d) {
@@ -22,6 +24,21 @@ static bool write_pictures(const char *folder, const struct audit_result *r, str
   return ok;
 }
 
+/* The table of a scene that names a system file; *why: there is nothing in it. */
+static bool system_tables(struct audit_result *r, const char **why, const struct scene *s, const char *data,
+                          struct diag *d) {
+  struct mech m;
+  struct mech_word w;
+  struct mech_orbits list = {.n = 0};
+  bool ok = scene_load_system(&m, &w, s, data, d);
+  if (ok) mech_orbits_find(&list, &m, w.n ? &w : NULL, false, word_bits(DEFAULT_DIGITS) + 64);
+  if (ok && list.n) table_of_system(r, &m, &list);
+  *why = ok && !list.n ? "no orbit is found" : NULL;
+  mech_orbits_clear(&list);
+  mech_clear(&m);
+  return ok;
+}
+
 int run_plot(const struct options *o, const char *data) {
   const char *out = option(o, OPT_OUT);
   if (o->operands.n != 1) return usage("plot takes one scene%s", "");
@@ -32,9 +49,13 @@ int run_plot(const struct options *o, const char *data) {
   diag_init(&d);
   text_init(&folder);
   audit_result_init(&r);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d) && scene_four_phases(&s, &d) &&
-            (!out || folder_possible(out, &d));
-  const char *why = ok ? audit_tables(&r, &s) : NULL;
+  const char *why = NULL;
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d) &&
+            (s.system || scene_four_phases(&s, &d)) && (!out || folder_possible(out, &d));
+  if (ok && s.system)
+    ok = system_tables(&r, &why, &s, data, &d);
+  else if (ok)
+    why = audit_tables(&r, &s);
   if (why) diag_set(&d, "%s: error: nothing to draw: %s", s.path, why);
   if (ok && out)
     text_add(&folder, out);

@@ -1,12 +1,14 @@
-/* stickslip simulate: the two masses under Coulomb's law from a start on an orbit, at the printed numbers or of one's
-   own, integrated by GSL; in the table, held against the closed forms event by event. */
+/* stickslip simulate: the masses under Coulomb's law from a start on an orbit, at the printed numbers or of one's own,
+   integrated by GSL; in the table and in JSON, held against the closed forms event by event. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli.h"
+#include "mech/moments.h"
 #include "motion/coulomb.h"
+#include "simulated.h"
 
 enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100, MAX_COMPARED = 10000 };
 enum { MAX_STEPS = 10000000 }; /* of an integrator: many periods need more than a proof does */
@@ -30,20 +32,129 @@ static int parse_count(long *n, const char *text, long most, const char *option)
 
 /* --- Output --- */
 
+const char *start_name(const struct options *o) {
+  const char *at = option(o, OPT_AT);
+  return option(o, OPT_START) ? "start" : at ? at : "orbit:1";
+}
+
+void csv_heading(int n) {
+  struct text line;
+  text_init(&line);
+  mech_csv_heading(&line, n);
+  fputs(text_str(&line), stdout);
+  text_clear(&line);
+}
+
+void moment_csv(int n, const struct mech_moment *at) {
+  struct text line;
+  text_init(&line);
+  mech_csv_row(&line, n, at);
+  fputs(text_str(&line), stdout);
+  text_clear(&line);
+}
+
+void events_table(const struct simulated *run, const bool *grazing) {
+  struct text out;
+  text_init(&out);
+  mech_table_heading(&out, run->n, run->system != NULL);
+  for (int i = 1; i < run->main->n_moments; i++) {
+    const struct mech_moment *at = &run->main->moment[i];
+    mech_table_line(&out, run->n, run->system != NULL, at, at[-1].phase[at->mass]);
+    text_add(&out, grazing && grazing[i - 1] ? "  grazing\n" : "\n");
+  }
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
+}
+
+void routes_line(const struct simulated *run) {
+  int shared;
+  double worst = mech_compare(&shared, run->main, run->other, run->n);
+  printf("closed forms: the first %d of %d events are the same, times and states within %.1e\n", shared,
+         run->main->n_moments - 1, worst);
+}
+
+void simulated_json(const struct simulated *run, const char *ended) {
+  struct text out;
+  struct json j;
+  struct mech_word word;
+  double period, gap;
+  int shared;
+  text_init(&out);
+  json_init(&j, &out);
+  json_object(&j, NULL);
+  json_string(&j, "scene", run->scene);
+  json_string(&j, "system", run->system);
+  json_string(&j, "at", run->at);
+  json_array(&j, "start");
+  for (int i = 0; i < run->states; i++) mech_double_json(&j, NULL, run->main->moment[0].z[i]);
+  json_end_array(&j);
+  mech_events_json(&j, run->n, run->main);
+  json_string(&j, "ended", ended);
+  mech_double_json(&j, "t", run->main->t);
+  bool settled = mech_settles(&word, &period, &gap, run->main, run->n, run->states);
+  if (settled) {
+    json_array(&j, "word");
+    for (int k = 0; k < word.n; k++) json_string(&j, NULL, word.phase[k]);
+    json_end_array(&j);
+    mech_double_json(&j, "period", period);
+  } else {
+    json_null(&j, "word");
+    json_null(&j, "period");
+  }
+  double apart = mech_compare(&shared, run->main, run->other, run->n);
+  json_long(&j, "shared", shared);
+  mech_double_json(&j, "apart", apart);
+  json_end_object(&j);
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
+}
+
+int ended_early(const char *why, const char *route, double t) {
+  fprintf(stderr, "simulate: error: the route %s ended early, at t = %.10g: %s\n", route, t, why);
+  return EXIT_INTERNAL;
+}
+
+/* --- The paper's two masses --- */
+
+static const char letter_of[N_MODES] = {[MODE_STICK] = 's', [MODE_BELOW] = '-', [MODE_ABOVE] = '+'};
+
+static struct mech_moment moment_of(const struct coulomb_row *r) {
+  struct mech_moment at = {.t = r->t, .mass = -1};
+  for (int i = 0; i < 2; i++) {
+    at.z[i] = r->x[i];
+    at.z[2 + i] = r->v[i];
+    at.u[i] = r->u[i];
+    at.phase[i] = letter_of[r->mode[i]];
+  }
+  return at;
+}
+
+/* Events at one instant share their row; here each changes one mass. */
+static void motion_of(struct mech_motion *out, const struct coulomb_setup *setup, const struct coulomb_log *log) {
+  enum coulomb_mode mode[2];
+  *out = (struct mech_motion){.moment = ss_malloc((log->n + 1) * sizeof *out->moment), .n_moments = (int)log->n + 1};
+  coulomb_law_d(mode, setup->params, setup->start);
+  out->moment[0] = (struct mech_moment){.mass = -1, .phase = {letter_of[mode[0]], letter_of[mode[1]]}};
+  memcpy(out->moment[0].z, setup->start, sizeof setup->start);
+  for (size_t i = 0; i < log->n; i++) {
+    const struct coulomb_event *e = &log->event[i];
+    struct mech_moment *at = &out->moment[i + 1];
+    *at = moment_of(&e->at);
+    at->mass = e->mass;
+    memcpy(at->phase, at[-1].phase, sizeof at->phase);
+    at->phase[e->mass] = letter_of[e->to];
+  }
+}
+
 static bool print_csv_row(void *self, const struct coulomb_row *r) {
-  struct text *line = self;
-  text_reset(line);
-  coulomb_csv_row(line, r);
-  return fputs(text_str(line), stdout) >= 0;
+  (void)self;
+  struct mech_moment at = moment_of(r);
+  moment_csv(2, &at);
+  return !ferror(stdout);
 }
 
 static bool print_csv_event(void *self, const struct coulomb_event *e) {
   return print_csv_row(self, &e->at);
-}
-
-int ended_early(enum coulomb_end end, const char *route, double t) {
-  fprintf(stderr, "simulate: error: the route %s ended early, at t = %.10g: %s\n", route, t, coulomb_end_name[end]);
-  return EXIT_INTERNAL;
 }
 
 /* A sink that stops does so because standard output is closed, which the end of the program reports. */
@@ -51,86 +162,122 @@ static bool is_early(enum coulomb_end end) {
   return end != COULOMB_DONE && end != COULOMB_STOPPED;
 }
 
-static int simulate_csv(const struct simulation *run) {
-  struct coulomb_result r = {.end = COULOMB_FAILED};
-  struct text line;
-  text_init(&line);
-  struct coulomb_sink sink = {&line, print_csv_event, print_csv_row};
-  fputs(coulomb_csv_header, stdout);
-  coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
-  text_clear(&line);
-  return is_early(r.end) ? ended_early(r.end, "ode", r.at.t) : EXIT_AS_RECORDED;
+static int early_status(const struct coulomb_result *r) {
+  return is_early(r->end) ? ended_early(coulomb_end_name[r->end], "ode", r->at.t) : EXIT_AS_RECORDED;
 }
 
-static int simulate_table(const struct simulation *run, const struct scene *s) {
-  struct coulomb_log ode, exact;
-  struct coulomb_result r = {.end = COULOMB_FAILED}, r_exact;
+static int simulate_csv(const struct simulation *run) {
+  struct coulomb_result r = {.end = COULOMB_FAILED};
+  struct coulomb_sink sink = {NULL, print_csv_event, print_csv_row};
+  csv_heading(2);
+  coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
+  return early_status(&r);
+}
+
+static void print_table(const struct simulated *shown, const struct simulation *run, const struct coulomb_log *log,
+                        const struct coulomb_result *r) {
   struct text word, folded;
-  coulomb_log_init(&ode);
-  coulomb_log_init(&exact);
   text_init(&word);
   text_init(&folded);
-  struct coulomb_sink sink = coulomb_log_sink(&ode), sink_exact = coulomb_log_sink(&exact);
-  coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
-  coulomb_simulate_d(&r_exact, run->setup.params, run->setup.start, &run->plan, &sink_exact);
-  printf("%s: u_r1 = %.10g, u_r2 = %.10g\n%s", s->name, run->setup.params[COULOMB_UR1], run->setup.params[COULOMB_UR2],
+  bool *grazing = ss_malloc((log->n + 1) * sizeof *grazing);
+  for (size_t i = 0; i < log->n; i++) grazing[i] = log->event[i].grazing;
+  printf("%s: u_r1 = %.10g, u_r2 = %.10g\n%s", shown->scene, run->setup.params[COULOMB_UR1],
+         run->setup.params[COULOMB_UR2],
          run->setup.own_friction ? "(where the scene gives none: 5/4 of what the orbits need)\n" : "");
-  printf("%11s %-4s %-13s %12s %12s %10s %10s\n", "t", "mass", "change", "x1", "x2", "v1", "v2");
-  for (size_t i = 0; i < ode.n; i++) {
-    const struct coulomb_event *e = &ode.event[i];
-    printf("%11.7f m%-3d %-5s > %-5s %12.8f %12.8f %10.6f %10.6f%s\n", e->at.t, e->mass + 1, coulomb_mode_name[e->from],
-           coulomb_mode_name[e->to], e->at.x[0], e->at.x[1], e->at.v[0], e->at.v[1], e->grazing ? "  grazing" : "");
-  }
+  events_table(shown, grazing);
   puts("all without dimensions; stick: with the belt; below, above: slower, faster than it");
-  coulomb_log_word(&word, &ode);
+  coulomb_log_word(&word, log);
   coulomb_word_fold(&folded, text_str(&word));
   puts("word: the phases in order, G for Gamma; ^3: three times over");
   printf("word %s\nended: %s at t = %.10f after %ld returns to the global stick phase\n", text_str(&folded),
-         coulomb_end_name[r.end], r.at.t, r.returns);
-  size_t shared;
-  double worst = coulomb_log_compare(&shared, &ode, &exact);
-  printf("closed forms: the first %zu of %zu events are the same, times and states within %.1e\n", shared, ode.n,
-         worst);
+         coulomb_end_name[r->end], r->at.t, r->returns);
+  routes_line(shown);
+  free(grazing);
   text_clear(&folded);
   text_clear(&word);
+}
+
+static int simulate_events(const struct simulation *run, const struct scene *s, const char *at, bool json) {
+  struct coulomb_log ode, exact;
+  struct coulomb_result r = {.end = COULOMB_FAILED}, r_exact;
+  struct mech_motion main, other;
+  coulomb_log_init(&ode);
+  coulomb_log_init(&exact);
+  struct coulomb_sink sink = coulomb_log_sink(&ode), sink_exact = coulomb_log_sink(&exact);
+  coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
+  coulomb_simulate_d(&r_exact, run->setup.params, run->setup.start, &run->plan, &sink_exact);
+  motion_of(&main, &run->setup, &ode);
+  motion_of(&other, &run->setup, &exact);
+  main.t = r.at.t;
+  struct simulated shown = {s->name, NULL, at, 2, N_STATE, &main, &other};
+  if (json)
+    simulated_json(&shown, coulomb_end_name[r.end]);
+  else
+    print_table(&shown, run, &ode, &r);
+  mech_motion_clear(&main);
+  mech_motion_clear(&other);
   coulomb_log_clear(&exact);
   coulomb_log_clear(&ode);
-  return is_early(r.end) ? ended_early(r.end, "ode", r.at.t) : EXIT_AS_RECORDED;
+  return early_status(&r);
+}
+
+/* --- The command --- */
+
+static int usage_of(const struct options *o, long *periods, long *samples, double *time) {
+  enum { MOST_TIME = 1000000 };
+  *periods = 1;
+  *samples = DEFAULT_SAMPLES;
+  int status = parse_count(periods, option(o, OPT_PERIODS), MAX_PERIODS, "--periods");
+  if (!status) status = parse_count(samples, option(o, OPT_SAMPLES), MAX_SAMPLES, "--samples");
+  if (!status) status = parse_decimal(time, o, OPT_TIME, MOST_TIME);
+  if (status) return status;
+  if (option(o, OPT_AT) && option(o, OPT_START)) return usage("%s", "--at and --start exclude each other");
+  if (option(o, OPT_TIME) && option(o, OPT_PERIODS)) return usage("%s", "--time and --periods exclude each other");
+  if (option(o, OPT_JSON) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
+    return usage("--json goes with neither %s", "--csv nor --samples");
+  if (option(o, OPT_COMPARE) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
+    return usage("--compare goes with neither %s", "--csv nor --samples");
+  if (option(o, OPT_COMPARE) && (option(o, OPT_JSON) || option(o, OPT_TIME)))
+    return usage("--compare goes with neither %s", "--json nor --time");
+  if (option(o, OPT_COMPARE) && *periods > MAX_COMPARED)
+    return usage("--periods takes at most 10000 with %s", "--compare");
+  return o->operands.n == 1 ? EXIT_AS_RECORDED : usage("simulate takes one %s", "SCENE");
 }
 
 int run_simulate(const struct options *o, const char *data) {
   const char *start = option(o, OPT_START);
   enum { SLACK = 4 };
-  long periods = 1, samples = DEFAULT_SAMPLES;
+  long periods, samples;
+  double time;
   slong orbit;
   bool printed;
-  int status = parse_count(&periods, option(o, OPT_PERIODS), MAX_PERIODS, "--periods");
-  if (!status) status = parse_count(&samples, option(o, OPT_SAMPLES), MAX_SAMPLES, "--samples");
+  int status = usage_of(o, &periods, &samples, &time);
   if (!status) status = parse_start(&orbit, &printed, o);
-  if (!status && option(o, OPT_AT) && start) status = usage("%s", "--at and --start exclude each other");
   if (status) return status;
-  if (option(o, OPT_COMPARE) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
-    return usage("--compare goes with neither %s", "--csv nor --samples");
-  if (option(o, OPT_COMPARE) && periods > MAX_COMPARED)
-    return usage("--periods takes at most 10000 with %s", "--compare");
-  if (o->operands.n != 1) return usage("simulate takes one %s", "SCENE");
   struct diag d;
   struct scene s;
   struct simulation run = {.plan = coulomb_plan_default};
   diag_init(&d);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d);
+  if (ok && s.system) {
+    status = run_system_simulate(o, &s, data, &(struct system_run){orbit, periods, samples, time});
+    scene_clear(&s);
+    return status;
+  }
   ok = ok && (start ? audit_coulomb_setup_from(&run.setup, &s, start, &d)
                     : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
   if (ok) {
     double period = run.setup.period > 0 ? run.setup.period : 100;
-    run.plan.returns = periods;
+    run.plan.returns = time > 0 ? 0 : periods;
     run.plan.max_steps = MAX_STEPS;
-    run.plan.duration = SLACK * (double)periods * period; /* a motion that never sticks again ends all the same */
+    /* a motion that never sticks again ends all the same */
+    run.plan.duration = time > 0 ? time : SLACK * (double)periods * period;
     if (option(o, OPT_CSV)) run.plan.sample = period / (double)samples;
     if (option(o, OPT_COMPARE))
       status = compare_routes(&run.setup, &s, periods, run.plan.duration);
     else
-      status = option(o, OPT_CSV) ? simulate_csv(&run) : simulate_table(&run, &s);
+      status = option(o, OPT_CSV) ? simulate_csv(&run)
+                                  : simulate_events(&run, &s, start_name(o), option(o, OPT_JSON) != NULL);
   } else {
     status = bad_input(&d);
   }

@@ -215,7 +215,7 @@ int run_verify(const struct options *o, const char *data) {
   struct verify_data v = {.claims = {.n = 0}};
   int status = parse_digits(&v.digits, o);
   if (!status) status = parse_jobs(&jobs, o);
-  if (!status) status = parse_timeout(&seconds, o);
+  if (!status) status = parse_decimal(&seconds, o, OPT_TIMEOUT, MOST_SECONDS);
   if (status) return status;
   if (option(o, OPT_JSON) && !plan)
     return usage("%s", "verify takes --json with --plan alone; audit.json is always written");

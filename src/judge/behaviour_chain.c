@@ -28,8 +28,8 @@ static bool integration_follows(const struct mech *m, const struct mech_orbit *o
   double start[MECH_STATES], t = 0;
   int k = 0;
   for (int i = 0; i < o->states; i++) start[i] = arf_get_d(arb_midref(o->state + i), ARF_RND_NEAR);
-  int status =
-      mech_simulate(&x, MECH_INTEGRATED, m, start, arf_get_d(arb_midref(o->period), ARF_RND_NEAR), 3 * MECH_PHASES);
+  struct mech_plan plan = {.duration = arf_get_d(arb_midref(o->period), ARF_RND_NEAR), .most = 3 * MECH_PHASES};
+  int status = mech_simulate(&x, MECH_INTEGRATED, m, start, &plan);
   bool same = status == SS_OK;
   for (int i = 1; same && i < x.n_moments; i++) {
     if (x.moment[i].t < tolerance) continue;

@@ -81,6 +81,8 @@ struct mech_orbits {
    pass them.  None found is no proof.  any: the first motion that leads to a
    certified admissible orbit is the last one. */
 void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec);
+/* Where the first of these motions starts, in a double for each element of the state. */
+void mech_first_start(double *z, const struct mech *m);
 void mech_orbits_clear(struct mech_orbits *list);
 /* Is one of them of the same word, with enclosures of all lengths and states that meet those of o? */
 bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o);

@@ -5,11 +5,12 @@
 
 #include "base/arena.h"
 #include "base/random.h"
+#include "moments.h"
 #include "num/pi.h"
 #include "orbit.h"
-#include "walk.h"
 
 enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60 };
+static const char seed[] = "motions of a system";
 static const double near = 0.2, periods = 300; /* relative distance of the ends; of the slowest mass alone */
 
 /* A stretch of a motion from an event to another one with the same phase behind it. */
@@ -46,22 +47,6 @@ static void random_start(double *z, const struct mech *m, uint64_t *stream) {
   }
 }
 
-/* Positions, velocities and the angle of the loads each apart. */
-static double gap_between(const double *a, const double *b, const struct mech *m) {
-  double apart = 0, size = 0;
-  const int ends[] = {0, m->n, 2 * m->n, m->states};
-  for (int part = 0; part < 3; part++) {
-    double d = 0, s = 0;
-    for (int i = ends[part]; i < ends[part + 1]; i++) {
-      d = fmax(d, fabs(a[i] - b[i]));
-      s = fmax(s, fmax(fabs(a[i]), fabs(b[i])));
-    }
-    apart = fmax(apart, s > 0 ? d / s : 0);
-    size = fmax(size, s);
-  }
-  return size > 0 ? apart : HUGE_VAL;
-}
-
 /* The stretch from moment i over k phases; false when its word is a shorter one's, repeated, or not the one wanted. */
 static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i, int k, const struct mech_word *wanted,
                          const struct mech *m) {
@@ -75,7 +60,7 @@ static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i
     if (k % l == 0 && memcmp(turned.phase, w.phase, (size_t)k * sizeof *w.phase) == 0) return false;
   }
   if (!mech_word_good(&w) || (wanted && !mech_word_same(&by, wanted, &w))) return false;
-  *out = (struct stretch){.word = w, .gap = gap_between(a[0].z, a[k].z, m)};
+  *out = (struct stretch){.word = w, .gap = mech_gap(a[0].z, a[k].z, m->n, m->states)};
   for (int l = 0; l < k; l++) out->t[l] = a[l + 1].t - a[l].t;
   memcpy(out->z, a[0].z, sizeof out->z);
   return true;
@@ -118,6 +103,11 @@ static double slowest(const struct mech *m) {
 }
 
 /* --- Orbits --- */
+
+void mech_first_start(double *z, const struct mech *m) {
+  uint64_t stream = random_seed(seed);
+  random_start(z, m, &stream);
+}
 
 bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o) {
   for (int i = 0; i < list->n; i++) {
@@ -175,14 +165,15 @@ static void solve(struct mech_orbits *list, struct stretches *found, const struc
 
 void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec) {
   struct stretches found = {.n = 0};
-  uint64_t stream = random_seed("motions of a system");
+  uint64_t stream = random_seed(seed);
   *list = (struct mech_orbits){.n = 0};
   bool done = false;
   while (list->simulations < SIMULATIONS && !done) {
     struct mech_motion x;
     double z[MECH_STATES];
     random_start(z, m, &stream);
-    int status = mech_simulate(&x, MECH_PATCHED, m, z, fmin(1e6, periods / slowest(m)), MOMENTS);
+    struct mech_plan plan = {.duration = fmin(1e6, periods / slowest(m)), .most = MOMENTS};
+    int status = mech_simulate(&x, MECH_PATCHED, m, z, &plan);
     if (status != SS_DOMAIN) look_through(&found, &x, w, m);
     list->unfinished += status != SS_OK;
     mech_motion_clear(&x);

@@ -1,6 +1,7 @@
 /* The simulation of walk.h. */
 #include "walk.h"
 
+#include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
@@ -11,18 +12,27 @@
 #include "motion/dynamics.h"
 
 enum { SIDE = MECH_STATES + 1 };
-enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14, MOST_LOOKS = 200000 }; /* of work; of the search for a root */
+enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14 }; /* of work; of the search for a root */
+enum { MOST_LOOKS = 200000, LOOKS_OF_EVENT = 15, MOST_STEPS = 10000 /* of GSL in a look */ };
+
+const char *const mech_outcome_name[] = {"done", "its budget of steps is used up",
+                                         "a mass comes to rest at an obstacle, or nearly, which is not modelled",
+                                         "the integrator gives up, or a number is too large"};
 
 /* What a mass may meet: the end of its mode; an obstacle below, above. */
 enum meeting { OWN, BELOW, ABOVE, N_MEETINGS };
 
 struct walk {
   const struct mech *m;
+  const struct mech_plan *plan;
   enum mech_route route;
+  enum mech_outcome end;
   int n, states;
+  size_t cap; /* of the moments */
   char phase[MECH_PHASE + 1];
   int fresh;               /* the mass that has just begun to slip or rebounded, or -1: its condition starts at zero */
   enum meeting fresh_part; /* which */
+  bool enough;             /* who is told says so */
   double look, z[MECH_STATES];
   double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
   double loading[2 * MECH_MASSES], frequency, stop[MECH_MASSES][2], restitution[MECH_MASSES][2];
@@ -39,13 +49,17 @@ static double force(const struct walk *w, const double *z, int i) {
   return f;
 }
 
+static double friction(const struct walk *w, const double *z, int i) {
+  char mode = w->phase[i];
+  return mode == 's' ? force(w, z, i) : mode == '-' ? w->sliding[i] : mode == '+' ? -w->sliding[i] : 0;
+}
+
 static int right_side(double t, const double z[], double dz[], void *self) {
   (void)t;
   const struct walk *w = self;
   for (int i = 0; i < w->n; i++) {
-    double u = w->phase[i] == '-' ? w->sliding[i] : w->phase[i] == '+' ? -w->sliding[i] : 0;
     dz[i] = z[w->n + i];
-    dz[w->n + i] = w->phase[i] == 's' ? 0 : (u - force(w, z, i)) / w->inertia[i];
+    dz[w->n + i] = w->phase[i] == 's' ? 0 : (friction(w, z, i) - force(w, z, i)) / w->inertia[i];
   }
   if (w->states > 2 * w->n) {
     dz[2 * w->n] = -w->frequency * z[2 * w->n + 1];
@@ -55,10 +69,9 @@ static int right_side(double t, const double z[], double dz[], void *self) {
 }
 
 /* exp(A h) (z, 1) by its series; h is at most a look, so that its terms fall like (1/16)^k/k!. */
-static bool add_series(double *to, const struct walk *w, double h) {
+static void add_series(double *to, const struct walk *w, double h) {
   double term[SIDE], next[SIDE] = {0};
   int states = w->states, side = states + 1;
-  bool finite = true;
   memcpy(term, w->z, (size_t)states * sizeof *term);
   memcpy(to, w->z, (size_t)states * sizeof *to);
   term[states] = 1;
@@ -71,22 +84,27 @@ static bool add_series(double *to, const struct walk *w, double h) {
     memcpy(term, next, (size_t)side * sizeof *term);
     for (int i = 0; i < states; i++) to[i] += term[i];
   }
-  for (int i = 0; i < states; i++) finite = finite && isfinite(to[i]);
-  return finite;
 }
 
 /* The state h after w->z in the present phase. */
 static bool carry(double *to, struct walk *w, double h) {
-  if (w->route == MECH_PATCHED) return add_series(to, w, h);
   double t = 0;
-  memcpy(to, w->z, sizeof w->z);
-  gsl_odeiv2_driver_reset(w->driver);
-  return h == 0 || gsl_odeiv2_driver_apply(w->driver, &t, h, to) == GSL_SUCCESS;
+  bool ok = true;
+  if (w->route == MECH_PATCHED) {
+    add_series(to, w, h);
+  } else {
+    memcpy(to, w->z, sizeof w->z);
+    gsl_odeiv2_driver_reset(w->driver);
+    ok = h == 0 || gsl_odeiv2_driver_apply(w->driver, &t, h, to) == GSL_SUCCESS;
+  }
+  for (int i = 0; i < w->states; i++) ok = ok && isfinite(to[i]);
+  return ok;
 }
 
 /* Negative while mass i goes on as it does. */
 static double condition(const struct walk *w, const double *z, int i, enum meeting part) {
-  if (part != OWN && !w->m->mass[i].stop[part == ABOVE].given) return -1;
+  bool still = w->phase[i] == 's' && w->surface[i] == 0;
+  if (part != OWN && (still || !w->m->mass[i].stop[part == ABOVE].given)) return -1;
   if (part != OWN) return part == ABOVE ? z[i] - w->stop[i][1] : w->stop[i][0] - z[i];
   double lead = z[w->n + i] - w->surface[i];
   if (w->phase[i] == '.') return -1;
@@ -124,7 +142,18 @@ static bool locate(double *s, struct walk *w, int i, enum meeting part, double h
   return true;
 }
 
-/* The law for the mass that has the event, which is at its surface's velocity or at its limit. */
+/* After a rebound of mass i: does what pushes it back bring it to rest there at once, or are its hops too short, or too
+   low for its position, to be followed? */
+static bool comes_to_rest(const struct walk *w, int i, enum meeting part) {
+  static const double shortest = 1e-8, rest = 1e-6; /* a hop, and all hops that follow, in looks */
+  double f = force(w, w->z, i), u = friction(w, w->z, i), e = w->restitution[i][part == ABOVE];
+  double pull = (part == ABOVE ? u - f : f - u) / w->inertia[i], v = fabs(w->z[w->n + i]);
+  if (!(pull > 0) || (w->phase[i] != '.' && w->surface[i] == 0 && fabs(f) < w->limit[i])) return false;
+  double hop = 2 * v / pull, height = v * v / (2 * pull);
+  return hop < shortest * w->look || hop < (1 - e) * rest * w->look || height < 16 * DBL_EPSILON * fabs(w->z[i]);
+}
+
+/* The law for the mass that has the event, which is at its surface's velocity, at its limit or at an obstacle. */
 static void change(struct walk *w, int i, enum meeting part) {
   memset(w->phase + w->n, 0, sizeof w->phase - (size_t)w->n); /* no mark of an earlier rebound */
   w->fresh = i;
@@ -134,6 +163,7 @@ static void change(struct walk *w, int i, enum meeting part) {
     w->z[w->n + i] *= -w->restitution[i][part == ABOVE];
     if (w->phase[i] != '.') w->phase[i] = w->z[w->n + i] < w->surface[i] ? '-' : '+';
     mech_mark(w->phase + w->n, i, part == ABOVE);
+    if (comes_to_rest(w, i, part)) w->end = MECH_RESTING;
     return;
   }
   double f = force(w, w->z, i);
@@ -153,38 +183,47 @@ static void begin(struct walk *w) {
   fmpq_mat_clear(rate);
 }
 
-static void note(struct mech_motion *out, const struct walk *w, double t, int mass) {
-  struct mech_moment *at = &out->moment[out->n_moments++];
+/* Tells of the present moment, an event where it has a mass. */
+static void tell(struct walk *w, struct mech_moment *at, double t, int mass) {
   *at = (struct mech_moment){.t = t, .mass = mass};
   memcpy(at->phase, w->phase, sizeof at->phase);
   memcpy(at->z, w->z, sizeof at->z);
+  for (int i = 0; i < w->n; i++) at->u[i] = friction(w, w->z, i);
+  w->enough = w->enough || (w->plan->told && !w->plan->told(w->plan->self, at));
+}
+
+static void note(struct mech_motion *out, struct walk *w, double t, int mass) {
+  out->moment = ss_grow(out->moment, (size_t)out->n_moments, &w->cap, sizeof *out->moment);
+  tell(w, &out->moment[out->n_moments++], t, mass);
 }
 
 /* One look ahead: to the first event in it, or to its end. */
-static int advance(double *gone, struct walk *w, struct mech_motion *out, double t, double h) {
+static void advance(double *gone, struct walk *w, struct mech_motion *out, double t, double h) {
   double z[MECH_STATES], first = h;
   int event = -1; /* a mass and what it meets */
-  if (!carry(z, w, h)) return SS_UNABLE;
-  for (int k = 0; k < N_MEETINGS * w->n; k++) {
+  bool ok = carry(z, w, h);
+  for (int k = 0; ok && k < N_MEETINGS * w->n; k++) {
     int i = k / N_MEETINGS;
     enum meeting part = (enum meeting)(k % N_MEETINGS);
     double s, at_end = condition(w, z, i, part);
     if (at_end < 0) continue;
-    if (!locate(&s, w, i, part, h, at_end)) return SS_UNABLE;
-    if (s < first || event < 0) {
+    ok = locate(&s, w, i, part, h, at_end);
+    if (ok && (s < first || event < 0)) {
       first = s;
       event = k;
     }
   }
-  if (event >= 0 && !carry(z, w, first)) return SS_UNABLE;
+  if (!ok || (event >= 0 && !carry(z, w, first))) {
+    w->end = MECH_LOST;
+    return;
+  }
   memcpy(w->z, z, sizeof w->z);
   w->fresh = -1;
   *gone = first;
-  if (event < 0) return SS_OK;
+  if (event < 0) return;
   change(w, event / N_MEETINGS, (enum meeting)(event % N_MEETINGS));
   note(out, w, t + first, event / N_MEETINGS);
   begin(w);
-  return SS_OK;
 }
 
 /* --- From the start --- */
@@ -216,50 +255,84 @@ static void take_system(struct walk *w) {
 }
 
 static void take_start(struct walk *w, const double *start) {
+  const char *given = w->plan->phase;
   memcpy(w->z, start, (size_t)w->states * sizeof *start);
+  if (given) memcpy(w->phase, given, strlen(given) + 1);
   for (int i = 0; i < w->n; i++) {
     double lead = start[w->n + i] - w->surface[i], f = force(w, start, i);
-    w->phase[i] = !w->m->mass[i].rubbed                          ? '.'
-                  : lead < 0 || (lead == 0 && f >= w->limit[i])  ? '-'
-                  : lead > 0 || (lead == 0 && f <= -w->limit[i]) ? '+'
-                                                                 : 's';
+    char mode = !w->m->mass[i].rubbed                          ? '.'
+                : lead < 0 || (lead == 0 && f >= w->limit[i])  ? '-'
+                : lead > 0 || (lead == 0 && f <= -w->limit[i]) ? '+'
+                                                               : 's';
+    if (!given) {
+      w->phase[i] = mode;
+      continue;
+    }
+    if (w->phase[i] == 's') w->z[w->n + i] = w->surface[i];
+    if (w->phase[i] != mode && w->phase[i] != 's') w->fresh = i;
+    for (int k = 0; k < 2; k++)
+      if (w->m->mass[i].stop[k].given && (k ? w->z[i] > w->stop[i][k] : w->z[i] < w->stop[i][k]))
+        w->z[i] = w->stop[i][k];
   }
 }
 
-static bool in_domain(const struct walk *w, const double *start, double duration) {
+static bool in_domain(const struct walk *w) {
+  double duration = w->plan->duration;
   bool ok = duration >= 0 && duration <= 1e6 && isfinite(w->look) && w->look > 0;
-  for (int i = 0; i < w->states; i++) ok = ok && isfinite(start[i]);
+  for (int i = 0; i < w->states; i++) ok = ok && isfinite(w->z[i]);
+  for (int i = 0; i < w->n; i++) ok = ok && isfinite(force(w, w->z, i) + w->limit[i] + w->surface[i]);
   for (int k = 0; ok && k < N_MEETINGS * w->n; k++)
-    ok = k % N_MEETINGS == OWN || condition(w, start, k / N_MEETINGS, (enum meeting)(k % N_MEETINGS)) <= 0;
+    ok = k % N_MEETINGS == OWN || condition(w, w->z, k / N_MEETINGS, (enum meeting)(k % N_MEETINGS)) <= 0;
   return ok;
 }
 
+/* Look by look, each up to a sample at most. */
+static void go(struct walk *w, struct mech_motion *out) {
+  const struct mech_plan *plan = w->plan;
+  long looks = 0, samples = 1, most = plan->looks ? plan->looks : MOST_LOOKS;
+  while (!w->end && !w->enough && plan->duration - out->t > 1e-12 && out->n_moments < plan->most) {
+    double next = plan->sample > 0 ? (double)samples * plan->sample : INFINITY, gone = 0;
+    bool sampled = next - out->t <= w->look && next <= plan->duration;
+    double h = fmin(w->look, (sampled ? next : plan->duration) - out->t);
+    int before = out->n_moments;
+    looks += !sampled;
+    if (looks > most) {
+      w->end = MECH_LOOKS;
+      break;
+    }
+    work_add(UNITS_OF_LOOK);
+    if (h > 0) advance(&gone, w, out, out->t, h);
+    bool event = out->n_moments > before;
+    out->t = sampled && !event ? next : out->t + gone;
+    if (event) looks += LOOKS_OF_EVENT;
+    if (w->end || !sampled || event) continue;
+    struct mech_moment at;
+    tell(w, &at, next, -1);
+    samples++;
+  }
+}
+
 int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,
-                  double duration, int most) {
+                  const struct mech_plan *plan) {
   struct walk *w = ss_malloc(sizeof *w);
-  *w = (struct walk){.m = m, .route = route, .n = m->n, .states = m->states, .fresh = -1};
+  *w = (struct walk){.m = m, .plan = plan, .route = route, .n = m->n, .states = m->states, .fresh = -1};
   take_system(w);
-  *out = (struct mech_motion){.most = most, .moment = ss_malloc(((size_t)most + 1) * sizeof *out->moment)};
-  int s = in_domain(w, start, duration) ? SS_OK : SS_DOMAIN;
+  take_start(w, start);
+  *out = (struct mech_motion){.n_moments = 0};
+  int s = in_domain(w) ? SS_OK : SS_DOMAIN;
   if (s == SS_OK) {
-    take_start(w, start);
     note(out, w, 0, -1);
     gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
     w->system = (gsl_odeiv2_system){right_side, NULL, (size_t)w->states, w};
     w->driver = gsl_odeiv2_driver_alloc_y_new(&w->system, gsl_odeiv2_step_rk8pd, w->look, 1e-13, 1e-13);
+    gsl_odeiv2_driver_set_nmax(w->driver, MOST_STEPS);
     begin(w);
-    long looks = 0;
-    for (double t = 0, gone; s == SS_OK && duration - t > 1e-12 && out->n_moments < most; t += gone) {
-      if (looks++ == MOST_LOOKS) {
-        s = SS_UNABLE;
-        break;
-      }
-      work_add(UNITS_OF_LOOK);
-      s = advance(&gone, w, out, t, fmin(w->look, duration - t));
-    }
+    go(w, out);
     memcpy(out->z, w->z, sizeof out->z);
+    out->end = w->end;
     gsl_odeiv2_driver_free(w->driver);
     gsl_set_error_handler(old);
+    if (out->end != MECH_DONE) s = SS_UNABLE;
   }
   free(w);
   return s;

@@ -10,24 +10,42 @@
 
 enum mech_route { MECH_PATCHED, MECH_INTEGRATED, N_MECH_ROUTES };
 
-/* The moment just after an event; before any, the start. */
+/* The moment just after an event, or at a sample; before any, the start. */
 struct mech_moment {
   double t;
-  int mass; /* that has changed; -1 at the start */
+  int mass; /* that has changed; -1 at the start and at a sample */
   char phase[MECH_PHASE + 1];
-  double z[MECH_STATES]; /* y without its last element, see mech.h */
+  double z[MECH_STATES], u[MECH_MASSES]; /* y without its last element, see mech.h; the friction forces */
 };
+/* How far, and who is told.  All but the first two may be zero. */
+struct mech_plan {
+  double duration;   /* 0 to 10^6 */
+  int most;          /* moments that are kept, the start among them; the event that is the last of them ends it */
+  long looks;        /* steps of 1/16 of the fastest motion, an event counts as 16; 0: 200000 */
+  const char *phase; /* of the start, where it is an orbit's entry, whose rounding changes nothing; NULL: by the law */
+  double sample;     /* distance of samples, at 0, sample, 2 sample, ...; a step that ends at one is not counted */
+  void *self;
+  bool (*told)(void *self, const struct mech_moment *at); /* each event and sample, in order; false: enough */
+};
+enum mech_outcome {
+  MECH_DONE,    /* the time or the last moment is reached, or told has enough */
+  MECH_LOOKS,   /* so many steps do not reach the end */
+  MECH_RESTING, /* a mass comes to rest at an obstacle, or rebounds in hops too short to be followed */
+  MECH_LOST     /* the integrator fails, or a state is too large for a double */
+};
+extern const char *const mech_outcome_name[MECH_LOST + 1];
+
 struct mech_motion {
   struct mech_moment *moment; /* the start, then the events */
-  int n_moments, most;
-  double z[MECH_STATES]; /* at the end */
+  int n_moments;
+  enum mech_outcome end;
+  double t, z[MECH_STATES]; /* at the end */
 };
-/* start: n positions, n velocities, with loads the cosine and sine of their angle; finite.  Ends at the time `duration`
-   or after the event that makes `most` moments.  SS_DOMAIN for a duration above 10^6, a number that is not finite, or a
-   start beyond an obstacle; SS_UNABLE when the integrator fails, a state is too large for a double, or 200000 steps of
-   1/16 of the fastest motion do not reach the end. */
+/* start: n positions, n velocities, with loads the cosine and sine of their angle.  SS_DOMAIN for a duration out of its
+   range, a number of the start or of the system that no double holds, or a start beyond an obstacle; SS_UNABLE for an
+   end that is not MECH_DONE. */
 int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,
-                  double duration, int most);
+                  const struct mech_plan *plan);
 void mech_motion_clear(struct mech_motion *out);
 
 #endif

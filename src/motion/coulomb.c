@@ -246,10 +246,3 @@ void coulomb_log_word(struct text *word, const struct coulomb_log *log) {
     if (!empty) text_add_char(word, coulomb_letter(log->event[i].at.mode));
   }
 }
-
-const char coulomb_csv_header[] = "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n";
-
-void coulomb_csv_row(struct text *out, const struct coulomb_row *row) {
-  text_printf(out, "%.17g,%.17g,%.17g,%.17g,%.17g,%s,%s,%.17g,%.17g\n", row->t, row->x[0], row->x[1], row->v[0],
-              row->v[1], coulomb_mode_name[row->mode[0]], coulomb_mode_name[row->mode[1]], row->u[0], row->u[1]);
-}

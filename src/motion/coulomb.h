@@ -186,8 +186,4 @@ void coulomb_word_fold(struct text *out, const char *word);
    positions and velocities. */
 double coulomb_log_compare(size_t *shared, const struct coulomb_log *a, const struct coulomb_log *b);
 
-/* CSV: t, x1, x2, v1, v2 and u1, u2 with 17 significant digits, the modes as the words of coulomb_mode_name. */
-extern const char coulomb_csv_header[]; /* "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n" */
-void coulomb_csv_row(struct text *out, const struct coulomb_row *row);
-
 #endif

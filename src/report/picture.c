@@ -6,7 +6,8 @@
 #include "sections.h"
 
 static const struct picture *const pictures[] = {&picture_history,    &picture_margins,  &picture_portrait,
-                                                 &picture_return_map, &picture_long_run, &picture_steps};
+                                                 &picture_return_map, &picture_long_run, &picture_steps,
+                                                 &picture_planes};
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
 const char *const picture_style =

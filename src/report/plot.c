@@ -91,13 +91,13 @@ void plot_text(struct plot *p, double x, double y, const char *anchor, const cha
       if (!leaning) back = NULL;
       leaning = !leaning;
     } else if (*c == '_' || (*c == '^' && c[1] == '{')) {
-      bool below = *c == '_';
-      size_t n = below ? 1 : strcspn(c + 2, "}");
+      bool below = *c == '_', braced = c[1] == '{';
+      size_t n = braced ? strcspn(c + 2, "}") : 1;
       text_printf(p->out, "<tspan dy=\"%s\" font-size=\"9\">", below ? "3" : "-4");
-      escape_html_n(p->out, below ? c + 1 : c + 2, n);
+      escape_html_n(p->out, c + 1 + braced, n);
       text_add(p->out, "</tspan>");
       back = below ? "\"-3\"" : "\"4\"";
-      c += below ? 1 : n + 2;
+      c += braced ? n + 2 : 1;
     } else {
       size_t n = strcspn(c, "*_^");
       if (n == 0) n = 1;

@@ -58,7 +58,7 @@ double plot_x(const struct plot *p, double x);
 double plot_y(const struct plot *p, double y);
 /* Room beyond what is held, in parts of its range. */
 void plot_widen(struct plot *p, int axis, double below, double above);
-/* Text at pixels: _1 is a subscript, ^{..} a superscript, *z* leans.  anchor: start, middle, end. */
+/* Text at pixels: _1 and _{..} are subscripts, ^{..} a superscript, *z* leans.  anchor: start, middle, end. */
 void plot_text(struct plot *p, double x, double y, const char *anchor, const char *text);
 /* A key of n curves, in lines from the top of the picture; class and text of each.  Its height. */
 double plot_key(struct plot *p, const char *const (*entry)[2], int n);

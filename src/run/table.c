@@ -32,8 +32,7 @@ void table_number(struct text *out, const arb_t x, int decimals) {
   arb_clear(unit);
 }
 
-void table_finish(struct table_source *s, const char *name, const struct text *body) {
-  struct audit_result *out = s->j->out;
+void table_finish(struct audit_result *out, const char *name, const struct text *body) {
   out->tables = ss_grow(out->tables, out->n_tables, &out->cap_tables, sizeof *out->tables);
   out->tables[out->n_tables++] = (struct data_table){name, result_str(out, "%s", text_str(body))};
 }

@@ -115,6 +115,6 @@ void table_of_differences(struct table_source *s) {
       "log10_h\tbits_53\tbits_113\tbits_256\n");
   if (fine_init(&f, s) == SS_OK) add_rows(&body, &f);
   num_vec_clear(&f.params);
-  table_finish(s, "differences.tsv", &body);
+  table_finish(s->j->out, "differences.tsv", &body);
   text_clear(&body);
 }

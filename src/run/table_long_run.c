@@ -132,6 +132,6 @@ void table_of_long_runs(struct table_source *s) {
       "run\tn\tlog10\n");
   for (slong k = 0; k < s->list->n; k++) add_beside(&body, s, k);
   if (s->printed[0]) add_printed(&body, s);
-  table_finish(s, "long-run.tsv", &body);
+  table_finish(s->j->out, "long-run.tsv", &body);
   text_clear(&body);
 }

@@ -127,9 +127,9 @@ void tables_of_motion(struct table_source *s) {
   add_headings(&t);
   if (orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK) add_motion(&t, s, "orbit", &arc);
   if (s->printed[0] && run_printed(&arc, s) == SS_OK) add_motion(&t, s, "printed", &arc);
-  table_finish(s, "figure-3.tsv", &t.history);
-  table_finish(s, "figure-4.tsv", &t.portrait);
-  table_finish(s, "margins.tsv", &t.margins);
+  table_finish(s->j->out, "figure-3.tsv", &t.history);
+  table_finish(s->j->out, "figure-4.tsv", &t.portrait);
+  table_finish(s->j->out, "margins.tsv", &t.margins);
   dyn_arc_clear(&arc);
   text_clear(&t.margins);
   text_clear(&t.portrait);

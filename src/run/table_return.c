@@ -182,7 +182,7 @@ void table_of_return_map(struct table_source *s) {
       "dimensions.\n"
       "curve\tpiece\tr\tr'\tslope\n");
   add_curves(&t);
-  table_finish(s, "return-map.tsv", &t.body);
+  table_finish(s->j->out, "return-map.tsv", &t.body);
   num_vec_clear(&t.out);
   num_vec_clear(&t.r);
   text_clear(&t.body);

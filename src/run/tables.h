@@ -6,6 +6,7 @@
 #define STICKSLIP_AUDIT_TABLES_H
 
 #include "judge/behaviour.h"
+#include "mech/orbit.h"
 
 /* What a table is made from. */
 struct table_source {
@@ -23,7 +24,7 @@ const char *study_tables(struct judge *j);
 /* Appends a tab, and x to so many decimals; "-" where they are not known. */
 void table_number(struct text *out, const arb_t x, int decimals);
 /* Adds a table to the result. */
-void table_finish(struct table_source *s, const char *name, const struct text *body);
+void table_finish(struct audit_result *out, const char *name, const struct text *body);
 
 /* From what dyn_return_near returned at r to the next period: r becomes its middle, so that enclosures do not grow by
    themselves, and error, how far that may be from the true iterate, by little more than the slope; false once that
@@ -38,6 +39,9 @@ void table_of_return_map(struct table_source *s);
 void table_of_long_runs(struct table_source *s);
 /* differences.tsv: the error of tr J by central differences against their step. */
 void table_of_differences(struct table_source *s);
+
+/* phase-planes.tsv: the orbits of a system file. */
+void table_of_system(struct audit_result *out, const struct mech *m, const struct mech_orbits *list);
 
 /* The tables that pictures of the scene's orbits are drawn from, into out->tables; NULL, or why there are none. */
 const char *audit_tables(struct audit_result *out, const struct scene *scene);

@@ -482,11 +482,12 @@ static bool load(struct scene *s, const char *spec, const char *text, const char
   arena_init(&r.arena);
   bool ok = read_all(&r, o);
   arena_clear(&r.arena);
-  if (ok && s->system && any != SCENE_OF_ANY_SYSTEM) {
-    diag_set(d, "%s: error: a scene of the system file %s; of the commands orbit and bifurcate take such a scene", s->path, s->system);
-    return false;
-  }
-  return ok && (any || (scene_one_point(s, d) && scene_papers_word(s, d)));
+  bool exact = any == SCENE_EXACT || any == SCENE_EXACT_OR_SYSTEM, system = any >= SCENE_EXACT_OR_SYSTEM;
+  if (!ok || !s->system) return ok && (!exact || (scene_one_point(s, d) && scene_papers_word(s, d)));
+  if (!system)
+    diag_set(d, "%s: error: a scene of the system file %s; only orbit, simulate, plot and bifurcate take such a scene",
+             s->path, s->system);
+  return system;
 }
 
 bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o,

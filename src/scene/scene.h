@@ -75,7 +75,7 @@ extern const char *const scene_takes_text[TAKES_BUDGET + 1];
   K(WORD, "word", TAKES_WORD, "phases of one period; without it the paper's, D Gamma H C",                             \
     "orbit, jacobian; refused by verify, simulate, bifurcate, readings, sweep, plot")                                  \
   K(SYSTEM, "system", TAKES_SYSTEM, "a system file in place of the paper's two masses",                                \
-    "orbit; refused by verify, jacobian, simulate, bifurcate, words, readings, sweep, plot")                           \
+    "orbit, simulate, bifurcate, plot; refused by verify, jacobian, words, readings, sweep")                             \
   K(TITLE, "title", TAKES_TEXT, "what the scene is, in one line", "verify, list")                                      \
   K(PRINTED, "printed", TAKES_PRINTED, "a number as printed, to be tested, never an input",                            \
     "verify, jacobian, simulate, readings, plot")                                                                      \
@@ -169,8 +169,8 @@ struct scene {
 };
 
 /* Which scenes are welcome: those of exact parameters and the paper's word; with intervals and other words, too; and
-   those of another system, which have no parameters. */
-enum scene_welcome { SCENE_EXACT, SCENE_OF_TWO_MASSES, SCENE_OF_ANY_SYSTEM };
+   those of another system, which have no parameters, beside the first kind or all. */
+enum scene_welcome { SCENE_EXACT, SCENE_OF_TWO_MASSES, SCENE_EXACT_OR_SYSTEM, SCENE_OF_ANY_SYSTEM };
 /* spec: a path (when it contains a slash or ends in .scene), else a name in data/scenes.  o may be NULL. */
 bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o,
                      enum scene_welcome any, struct diag *d);

@@ -91,11 +91,33 @@ bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slon
   return ok;
 }
 
-bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d) {
-  struct dyn_orbits list;
+bool coulomb_start_read(double *z, int n, const char *start, const char *takes, struct diag *d) {
   fmpq_t x;
   bool ok = true;
   fmpq_init(x);
+  for (int i = 0; ok && i < n; i++) {
+    size_t len = strcspn(start, ",");
+    bool last = i + 1 == n;
+    if ((start[len] == '\0') != last) {
+      diag_set(d, "error: --start takes %s", takes);
+      ok = false;
+    } else {
+      ok = scene_constant(x, start, len, "--start", d);
+    }
+    z[i] = fmpq_get_d(x);
+    if (ok && !(fabs(z[i]) <= 1e100)) {
+      diag_set(d, "error: --start takes numbers of at most 1e100");
+      ok = false;
+    }
+    start += len + !last;
+  }
+  fmpq_clear(x);
+  return ok;
+}
+
+bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d) {
+  struct dyn_orbits list;
+  bool ok = true;
   audit_orbits(&list, s, SETUP_PREC);
   const struct dyn_orbit *o = list.n ? &list.orbit[0] : NULL;
   if (!o && !scene_has_forces(s)) {
@@ -103,24 +125,8 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
     ok = false;
   }
   set_params(sim, s, &list, o, true);
-  for (int i = 0; ok && i < N_STATE; i++) {
-    size_t n = strcspn(start, ",");
-    bool last = i + 1 == N_STATE;
-    if ((start[n] == '\0') != last) {
-      diag_set(d, "error: --start takes four constant expressions, x1,x2,v1,v2");
-      ok = false;
-    } else {
-      ok = scene_constant(x, start, n, "--start", d);
-    }
-    sim->start[i] = fmpq_get_d(x);
-    if (ok && !(fabs(sim->start[i]) <= 1e100)) {
-      diag_set(d, "error: --start takes numbers of at most 1e100");
-      ok = false;
-    }
-    start += n + !last;
-  }
+  ok = ok && coulomb_start_read(sim->start, N_STATE, start, "four constant expressions, x1,x2,v1,v2", d);
   dyn_orbits_clear(&list);
-  fmpq_clear(x);
   return ok;
 }
 

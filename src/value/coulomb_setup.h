@@ -15,6 +15,8 @@ struct coulomb_setup {
 bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d);
 /* From a start of one's own, "x1,x2,v1,v2" as constant expressions; friction as at printed numbers. */
 bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d);
+/* n such numbers; takes: what is said where there are more or fewer. */
+bool coulomb_start_read(double *z, int n, const char *start, const char *takes, struct diag *d);
 
 /* Does the motion close after one period of the word D-Gamma-H-C?  UNKNOWN between closed and clearly not.  A start in
    the stick phase is needed. */

@@ -1,0 +1,33 @@
+/* A simulated motion as simulate prints it, of the paper's two masses or of a system file. */
+#ifndef STICKSLIP_CLI_SIMULATED_H
+#define STICKSLIP_CLI_SIMULATED_H
+
+#include "cli.h"
+#include "mech/moments.h"
+
+struct simulated {
+  const char *scene, *system, *at; /* system: NULL for the paper's; at: "orbit:K", "printed", "start" or "search" */
+  int n, states;
+  const struct mech_motion *main, *other; /* by integration, by closed forms */
+};
+/* "orbit:K", "printed" or "start", as the options say. */
+const char *start_name(const struct options *o);
+void csv_heading(int n);
+void moment_csv(int n, const struct mech_moment *at);
+/* The lines of the table; grazing, of each event, may be NULL. */
+void events_table(const struct simulated *run, const bool *grazing);
+/* How far both routes agree. */
+void routes_line(const struct simulated *run);
+void simulated_json(const struct simulated *run, const char *ended);
+
+/* simulate on a scene that names a system file: from the orbit of that number, counted from 0; time is 0 where it is not
+   given. */
+struct system_run {
+  slong orbit;
+  long periods, samples;
+  double time;
+};
+int run_system_simulate(const struct options *o, const struct scene *s, const char *data,
+                        const struct system_run *asked);
+
+#endif

@@ -1,0 +1,135 @@
+/* Motions as text. */
+#include "moments.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *mode_name(char letter) {
+  return letter == 's' ? "stick" : letter == '-' ? "below" : letter == '+' ? "above" : "free";
+}
+
+static bool is_rebound(const struct mech_moment *at, int n) {
+  return at->mass >= 0 && at->phase[n] != '\0';
+}
+
+/* --- The table --- */
+
+enum { PHASE_WIDTH = 5 };
+
+static int phase_width(int n) {
+  return n + 2 < PHASE_WIDTH ? PHASE_WIDTH : n + 2;
+}
+
+void mech_table_heading(struct text *out, int n, bool phases) {
+  text_printf(out, "%11s %-4s %-13s", "t", "mass", "change");
+  if (phases) text_printf(out, " %-*s", phase_width(n), "phase");
+  for (int i = 0; i < 2 * n; i++) {
+    char name[16];
+    snprintf(name, sizeof name, "%c%d", i < n ? 'x' : 'v', i % n + 1);
+    text_printf(out, i < n ? " %12s" : " %10s", name);
+  }
+  text_add_char(out, '\n');
+}
+
+/* As many digits before the point as anybody reads. */
+static void add_number(struct text *out, double x, int width, int places) {
+  text_printf(out, fabs(x) < 1e15 ? " %*.*f" : " %*.*e", width, places, x);
+}
+
+void mech_table_line(struct text *out, int n, bool phases, const struct mech_moment *at, char from) {
+  text_printf(out, "%11.7f m%-3d ", at->t, at->mass + 1);
+  if (is_rebound(at, n))
+    text_printf(out, "%-13s", "rebound");
+  else
+    text_printf(out, "%-5s > %-5s", mode_name(from), mode_name(at->phase[at->mass]));
+  if (phases) text_printf(out, " %-*s", phase_width(n), at->phase);
+  for (int i = 0; i < 2 * n; i++) add_number(out, at->z[i], i < n ? 12 : 10, i < n ? 8 : 6);
+}
+
+/* --- CSV and JSON --- */
+
+void mech_csv_heading(struct text *out, int n) {
+  static const char *const parts[] = {"x", "v", "mode", "u"};
+  text_add_char(out, 't');
+  for (int k = 0; k < 4 * n; k++) text_printf(out, ",%s%d", parts[k / n], k % n + 1);
+  text_add_char(out, '\n');
+}
+
+void mech_csv_row(struct text *out, int n, const struct mech_moment *at) {
+  text_printf(out, "%.17g", at->t);
+  for (int i = 0; i < 2 * n; i++) text_printf(out, ",%.17g", at->z[i]);
+  for (int i = 0; i < n; i++) text_printf(out, ",%s", mode_name(at->phase[i]));
+  for (int i = 0; i < n; i++) text_printf(out, ",%.17g", at->u[i]);
+  text_add_char(out, '\n');
+}
+
+void mech_double_json(struct json *j, const char *key, double x) {
+  char number[40];
+  snprintf(number, sizeof number, "%.17g", x);
+  json_string(j, key, number);
+}
+
+void mech_events_json(struct json *j, int n, const struct mech_motion *x) {
+  json_array(j, "events");
+  for (int k = 1; k < x->n_moments; k++) {
+    const struct mech_moment *at = &x->moment[k];
+    json_object(j, NULL);
+    mech_double_json(j, "t", at->t);
+    json_long(j, "mass", at->mass + 1);
+    json_string(j, "from", mode_name(x->moment[k - 1].phase[at->mass]));
+    json_string(j, "to", mode_name(at->phase[at->mass]));
+    json_string(j, "phase", at->phase);
+    for (int part = 0; part < 2; part++) {
+      json_array(j, part ? "v" : "x");
+      for (int i = 0; i < n; i++) mech_double_json(j, NULL, at->z[part * n + i]);
+      json_end_array(j);
+    }
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+/* --- Motions compared --- */
+
+double mech_gap(const double *a, const double *b, int n, int states) {
+  double apart = 0, size = 0;
+  const int ends[] = {0, n, 2 * n, states};
+  for (int part = 0; part < 3; part++) {
+    double d = 0, s = 0;
+    for (int i = ends[part]; i < ends[part + 1]; i++) {
+      d = fmax(d, fabs(a[i] - b[i]));
+      s = fmax(s, fmax(fabs(a[i]), fabs(b[i])));
+    }
+    apart = fmax(apart, s > 0 ? d / s : 0);
+    size = fmax(size, s);
+  }
+  return size > 0 ? apart : HUGE_VAL;
+}
+
+bool mech_settles(struct mech_word *w, double *period, double *gap, const struct mech_motion *x, int n, int states) {
+  static const double same = 1e-6;
+  const struct mech_moment *last = x->moment + x->n_moments - 1;
+  *w = (struct mech_word){.n = 0};
+  for (int k = 1; k <= MECH_PHASES && k < x->n_moments; k++) {
+    const struct mech_moment *at = last - k;
+    *gap = mech_gap(at->z, last->z, n, states);
+    if (strcmp(at->phase, last->phase) != 0 || !(*gap < same)) continue;
+    *period = last->t - at->t;
+    w->n = k;
+    for (int l = 0; l < k; l++) memcpy(w->phase[l], at[l].phase, sizeof at->phase);
+    return *period > 0;
+  }
+  return false;
+}
+
+double mech_compare(int *shared, const struct mech_motion *a, const struct mech_motion *b, int n) {
+  double worst = 0;
+  for (*shared = 0; *shared + 1 < a->n_moments && *shared + 1 < b->n_moments; ++*shared) {
+    const struct mech_moment *p = &a->moment[*shared + 1], *q = &b->moment[*shared + 1];
+    if (p->mass != q->mass || strcmp(p->phase, q->phase) != 0) break;
+    worst = fmax(worst, fabs(p->t - q->t));
+    for (int i = 0; i < 2 * n; i++) worst = fmax(worst, fabs(p->z[i] - q->z[i]));
+  }
+  return worst;
+}

@@ -1,0 +1,92 @@
+/* The orbits of a system file, sampled: what their phase planes are drawn from.  A phase is sampled at equal times, its
+   ends included, in balls. */
+#include <math.h>
+
+#include "tables.h"
+
+enum { DECIMALS = 6, SAMPLES = 200, LEAST_SAMPLES = 6 };
+
+static void add_row(struct text *out, const char *what, const struct mech *m, const char *phase, const char *mark,
+                    arb_srcptr time, const arb_mat_t y) {
+  text_printf(out, "%s\t%s\t%s", what, phase, mark);
+  table_number(out, time, DECIMALS);
+  for (int k = 0; k < 2 * m->n; k++) table_number(out, arb_mat_entry(y, k % 2 * m->n + k / 2, 0), DECIMALS);
+  text_add_char(out, '\n');
+}
+
+static void add_phase(struct text *out, const char *what, const struct mech *m, const struct mech_orbit *o, int k,
+                      arb_t time) {
+  slong side = m->states + 1;
+  fmpq_mat_t exact;
+  arb_mat_t flow, y;
+  arb_t step;
+  fmpq_mat_init(exact, side, side);
+  arb_mat_init(flow, side, side);
+  arb_mat_init(y, side, 1);
+  arb_init(step);
+  double share = arf_get_d(arb_midref(o->t + k), ARF_RND_NEAR) / arf_get_d(arb_midref(o->period), ARF_RND_NEAR);
+  slong n = (slong)fmin(SAMPLES, fmax(LEAST_SAMPLES, ceil(SAMPLES * share)));
+  arb_div_si(step, o->t + k, n, FIRST_PREC);
+  mech_rate(exact, m, o->word.phase[k]);
+  arb_mat_set_fmpq_mat(flow, exact, FIRST_PREC);
+  arb_mat_scalar_mul_arb(flow, flow, step, FIRST_PREC);
+  arb_mat_exp(flow, flow, FIRST_PREC);
+  for (int i = 0; i < m->states; i++) arb_set(arb_mat_entry(y, i, 0), o->state + k * o->states + i);
+  arb_one(arb_mat_entry(y, m->states, 0));
+  for (slong i = 0; i <= n; i++) {
+    add_row(out, what, m, o->word.phase[k], i ? "-" : "o", time, y);
+    if (i == n) break;
+    arb_mat_mul(y, flow, y, FIRST_PREC);
+    arb_add(time, time, step, FIRST_PREC);
+  }
+  arb_clear(step);
+  arb_mat_clear(y);
+  arb_mat_clear(flow);
+  fmpq_mat_clear(exact);
+}
+
+/* The velocities of the surfaces, or the places of the obstacles on one side. */
+static void add_limits(struct text *out, const char *what, const struct mech *m) {
+  arb_t x;
+  arb_init(x);
+  text_printf(out, "%s\t-\t-\t-", what);
+  for (int i = 0; i < m->n; i++) {
+    const struct mech_mass *mass = &m->mass[i];
+    bool surface = what[0] == 's';
+    const struct mech_stop *stop = &mass->stop[what[0] == 'a'];
+    arb_set_fmpq(x, surface ? mass->surface : stop->position, FIRST_PREC);
+    for (int k = 0; k < 2; k++) {
+      if (surface ? k && mass->rubbed : !k && stop->given)
+        table_number(out, x, DECIMALS);
+      else
+        text_add(out, "\t-");
+    }
+  }
+  text_add_char(out, '\n');
+  arb_clear(x);
+}
+
+void table_of_system(struct audit_result *out, const struct mech *m, const struct mech_orbits *list) {
+  struct text t;
+  arb_t time;
+  text_init(&t);
+  arb_init(time);
+  text_add(
+      &t,
+      "# Phase planes of the orbits of a system.\n"
+      "# what orbit K: the K-th orbit, its phases in order, mark o where one begins; surface: the velocities of the "
+      "surfaces; above, below: the places of the obstacles.  No dimensions.\nwhat\tphase\tmark\tt");
+  for (int i = 1; i <= m->n; i++) text_printf(&t, "\tx_%d\tx'_%d", i, i);
+  text_add_char(&t, '\n');
+  for (int k = 0; k < list->n; k++) {
+    char what[32];
+    snprintf(what, sizeof what, "orbit %d", k + 1);
+    arb_zero(time);
+    for (int ph = 0; ph < list->orbit[k].word.n; ph++) add_phase(&t, what, m, &list->orbit[k], ph, time);
+  }
+  static const char *const limits[] = {"surface", "above", "below"};
+  for (int i = 0; i < 3; i++) add_limits(&t, limits[i], m);
+  table_finish(out, "phase-planes.tsv", &t);
+  arb_clear(time);
+  text_clear(&t);
+}
