@@ -1442,6 +1442,14 @@ static const struct {
     {{NULL}, 2, "a command is needed"},
     {{"audit"}, 2, "unknown command audit"},
     {{"--digits"}, 2, "unknown command --digits"},
+    {{"orbt"}, 2, "unknown command orbt (did you mean orbit?)"},
+    {{"help", "simlate"}, 2, "unknown command simlate (did you mean simulate?)"},
+    {{"orbit", "paper", "--digit", "5"}, 2, "unknown option --digit (did you mean --digits?)"},
+    {{"orbit", "paper", "--stric"}, 2, "unknown option --stric;"}, /* verify's */
+    {{"orbit", "papr"}, 3, "scenes/papr.scene: error: No such file or directory (did you mean paper?)"},
+    {{"orbit", "paper", "--set", "ch=1"}, 3, "unknown name ch (did you mean chi?)"},
+    {{"sweep", "paper", "--over", "chii=1:2:3"}, 2, "varies chi, eta, V, e1 or e2, not chii (did you mean chi?)"},
+    {{"bifurcate", "paper", "--along", "Eta=1:2"}, 2, "not Eta (did you mean eta?)"},
     {{"help", "audit"}, 2, "unknown command audit"},
     {{"help", "orbit", "plot"}, 2, "help takes one command, not plot too"},
     {{"orbit"}, 2, "orbit takes one SCENE"},
@@ -1494,7 +1502,7 @@ static const struct {
     {{"verify", "--digits", "0"}, 2, "not 0"},
     {{"verify", "--only"}, 2, "--only needs a value"},
     {{"verify", "--only", ","}, 2, "--only takes"},
-    {{"verify", "--only", "eq-270"}, 3, "no claim is named eq-270"},
+    {{"verify", "--only", "eq-270"}, 3, "no claim is named eq-270 (did you mean "},
     {{"verify", "--only", "eq-27,eq-999"}, 3, "no claim is named eq-999"},
     {{"verify", "--overlay", "no-such.eq"}, 3, "no-such.eq: error: "},
     {{"verify", "--paper", "schema"}, 3, "schema: error: no .eq file in this folder"},
@@ -1532,7 +1540,10 @@ static const struct {
     {{"verify", "--only", "eq-40,"}, 2, "--only takes 1 to 256"},
     {{"simulate", "paper", "--periods", "1000000"}, 2, "--periods takes a whole number from 1 to 100000"},
     {{"explain"}, 2, "explain takes one claim id"},
-    {{"explain", "eq-270"}, 3, "no claim is named eq-270"},
+    {{"explain", "eq-270"}, 3, "no claim is named eq-270 (did you mean eq-20, eq-27 or eq-27b?); \"stickslip list\""},
+    {{"explain", "text-periodc", "--receipt"}, 3, "no claim is named text-periodc (did you mean text-periodic?)"},
+    {{"explain", "eq-27", "--at", "W=2"}, 3, "not W=2; names are chi, eta, V, e1, e2, "},
+    {{"explain", "eq-27", "--at", "V=2,LAMDA=1"}, 3, "not LAMDA=1 (did you mean lambda?); names are "},
     {{"explain", "eq-27", "--at", "chi"}, 3, "--at takes NAME=VALUE"},
     {{"explain", "eq-27", "--at", "chi=2"}, 3, "--at leaves the domain"},
     {{"explain", "num-t_a", "--at", "chi=1/2"}, 3, "num-t_a is not tried at points"},
@@ -1730,6 +1741,20 @@ START_TEST(a_full_disk_is_noticed) {
 }
 END_TEST
 
+/* A reader who has read enough, as behind "| head", is no error. */
+START_TEST(a_reader_may_stop) {
+  static const char *const commands[] = {"list", "simulate paper --csv --periods 2000", "help orbit",
+                                         "sweep paper --over e2=0.5:3:2000 --over e1=2:3:500"};
+  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+    int status;
+    char *out = shell_output(&status, "bash -c '{ %s %s; echo $? >&2; } 2>%s | true; cat %s'", program(), commands[i],
+                             scratch_path("said"), scratch_path("said"));
+    ck_assert_msg(strcmp(out, "0\n") == 0, "%s: %s", commands[i], out);
+    free(out);
+  }
+}
+END_TEST
+
 /* A copy of the program beside which there is none of the folders. */
 START_TEST(no_data_folder_is_noticed) {
   struct job j;
@@ -1894,6 +1919,9 @@ static void check_page(const struct rows *r, const char *command) {
   int n_options = 0, n_examples = 0;
   run_well(&page, command, "--help", NULL);
   run_well(&same, "help", command, NULL);
+  ck_assert_str_eq(page.out, same.out);
+  discard(&same);
+  run_well(&same, command, "-h", NULL);
   ck_assert_str_eq(page.out, same.out);
   lines_fit(command, page.out, 100);
   flat = squeezed(page.out);
@@ -2061,6 +2089,7 @@ Suite *cli_suite(void) {
   tcase_add_test(c, scenes_on_file_are_proved);
   tcase_add_test(c, one_bad_file_among_good_ones);
   tcase_add_test(c, a_full_disk_is_noticed);
+  tcase_add_test(c, a_reader_may_stop);
   tcase_add_test(c, no_data_folder_is_noticed);
   tcase_add_test(c, a_missing_data_folder_is_noticed);
   suite_add_tcase(s, c);

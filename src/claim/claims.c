@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/suggest.h"
 #include "claim.h"
 #include "claims.h"
 #include "model/model.h"
@@ -170,12 +171,23 @@ bool claims_selects(const char *const *only, int n_only, const struct claim *c) 
   return false;
 }
 
+void claims_unknown(const struct claims *claims, const char *id, struct diag *d) {
+  struct suggestion meant;
+  struct text says;
+  text_init(&says);
+  suggest_begin(&meant, id, strlen(id));
+  for (size_t i = 0; i < claims->n; i++) suggest_try(&meant, claims->claim[i].id);
+  suggest_print(&says, &meant);
+  diag_set(d, "error: no claim is named %.200s%s; \"stickslip list\" names them all", id, text_str(&says));
+  text_clear(&says);
+}
+
 bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d) {
   for (int i = 0; i < n_only; i++) {
     bool any = false;
     for (size_t k = 0; k < claims->n; k++) any = any || selects(only[i], &claims->claim[k]);
     if (!any) {
-      diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", only[i]);
+      claims_unknown(claims, only[i], d);
       return false;
     }
   }

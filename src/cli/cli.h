@@ -3,6 +3,7 @@
 #define STICKSLIP_CLI_H
 
 #include "base/json.h"
+#include "base/suggest.h"
 #include "claim/claim.h"
 #include "motion/certify.h"
 #include "motion/dynamics.h"
@@ -79,6 +80,8 @@ const char *option(const struct options *o, enum option id);
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
 int usage(const char *fmt, const char *what);
+/* The same of a word that is none of those tried, with what may have been meant. */
+int usage_unknown(const char *fmt, const struct suggestion *s);
 /* Prints the diagnostic and returns EXIT_INPUT. */
 int bad_input(const struct diag *d);
 

@@ -28,12 +28,20 @@ int range_parse(struct range *r, const char *option, const char *shape, const ch
   const char *end = text + len, *equals = memchr(text, '=', len);
   const char *colon = equals ? memchr(equals, ':', (size_t)(end - equals)) : NULL;
   if (!equals || !colon || memchr(colon + 1, ':', (size_t)(end - colon - 1))) return complain(shape, option, text);
+  struct suggestion meant;
+  suggest_begin(&meant, text, (size_t)(equals - text));
   r->vary = -1;
-  for (int i = 0; i < N_SCENE_PARAMS; i++)
+  for (int i = 0; i < N_SCENE_PARAMS; i++) {
     if (strlen(scene_key_name[i]) == (size_t)(equals - text) &&
         strncmp(text, scene_key_name[i], (size_t)(equals - text)) == 0)
       r->vary = i;
-  if (r->vary < 0) return complain("%s varies chi, eta, V, e1 or e2, not %.200s", option, text);
+    suggest_try(&meant, scene_key_name[i]);
+  }
+  if (r->vary < 0) {
+    char message[400];
+    snprintf(message, sizeof message, "%s varies chi, eta, V, e1 or e2, not %%s", option);
+    return usage_unknown(message, &meant);
+  }
   struct diag d;
   diag_init(&d);
   if (!scene_constant(r->from, equals + 1, (size_t)(colon - equals - 1), option, &d) ||

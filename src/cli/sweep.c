@@ -86,7 +86,7 @@ static int write_all_rows(const struct sweep *q, const struct options *o, int jo
   struct sink s;
   struct diag d;
   diag_init(&d);
-  int status = sink_open(&s, q, o, &d) ? sweep_carry_out(q, &s, jobs) : bad_input(&d);
+  int status = sink_open(&s, q, o, &d) ? sweep_carry_out(q, &s, jobs) : sink_failed(&d);
   sink_clear(&s);
   return status;
 }

@@ -179,7 +179,7 @@ static int loop(struct sweep_course *r) {
   if (r->terminal) fputs("\r\033[K", stderr);
   if (ok && r->written < r->q->units) return say_interrupted(r, lost && !stopped);
   ok = ok && sink_finish(r->sink, r->q, &r->d);
-  return ok ? EXIT_AS_RECORDED : bad_input(&r->d);
+  return ok ? EXIT_AS_RECORDED : sink_failed(&r->d);
 }
 
 static bool do_unit(struct text *rows, size_t unit, int place, void *arg) {

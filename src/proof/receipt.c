@@ -249,7 +249,7 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
   const struct restriction *r;
   const struct claim *c = find(claims, id, &r);
   if (!c) {
-    diag_set(d, "error: no claim is named %.200s; \"stickslip list\" names them all", id);
+    claims_unknown(claims, id, d);
     return false;
   }
   enum kind kind = claim_kind(c);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "audit.h"
+#include "claim/claim.h"
 #include "claim/kinds.h"
 #include "proof/stable_forms.h"
 #include "value/sentence.h"
@@ -113,7 +114,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
   for (size_t i = 0; i < claims->n; i++)
     if (strcmp(claims->claim[i].id, id) == 0) c = &claims->claim[i];
   if (!c) {
-    diag_set(d, "error: no claim is named %.200s; \"stickslip list\" names them all", id);
+    claims_unknown(claims, id, d);
     return false;
   }
   const struct claims no_controls = {.n = 0};
