@@ -95,7 +95,7 @@ bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned lo
 int parse_jobs(int *jobs, const struct options *o);
 /* --timeout; 0 without it. */
 int parse_timeout(double *seconds, const struct options *o);
-/* --at orbit:K (as K - 1; the first without --at) or printed. */
+/* --at orbit:K (as K - 1; -1 without --at) or printed. */
 int parse_start(slong *orbit, bool *printed, const struct options *o);
 
 /* The command of that name; NULL after a message. */
@@ -186,8 +186,9 @@ int run_word_orbit(const struct options *o, const struct scene *s, slong digits,
 int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d);
 int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
                       struct diag *d);
-/* simulate --compare, over at most the given time. */
-int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);
+/* simulate --compare, from the start of that name, over at most the given time. */
+int compare_routes(const struct coulomb_setup *setup, const struct scene *s, const char *from, long periods,
+                   double duration);
 /* Says that a simulation ended before it was to; the exit status. */
 int ended_early(enum coulomb_end end, const char *route, double t);
 int run_simulate(const struct options *o, const char *data);

@@ -172,7 +172,7 @@ int parse_digits(slong *digits, const struct options *o) {
 
 int parse_start(slong *orbit, bool *printed, const struct options *o) {
   const char *at = option(o, OPT_AT);
-  *orbit = 0;
+  *orbit = at ? 0 : -1;
   *printed = at && strcmp(at, "printed") == 0;
   if (!at || *printed) return EXIT_AS_RECORDED;
   char *end = NULL;

@@ -7,6 +7,7 @@
 
 #include "cli.h"
 #include "motion/coulomb.h"
+#include "value/printed.h"
 
 enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100, MAX_COMPARED = 10000 };
 enum { MAX_STEPS = 10000000 }; /* of an integrator: many periods need more than a proof does */
@@ -15,6 +16,7 @@ enum { MAX_STEPS = 10000000 }; /* of an integrator: many periods need more than 
 struct simulation {
   struct coulomb_setup setup;
   struct coulomb_plan plan;
+  char from[32]; /* orbit:2, printed, or --start */
 };
 
 static int parse_count(long *n, const char *text, long most, const char *option) {
@@ -73,7 +75,8 @@ static int simulate_table(const struct simulation *run, const struct scene *s) {
   struct coulomb_sink sink = coulomb_log_sink(&ode), sink_exact = coulomb_log_sink(&exact);
   coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
   coulomb_simulate_d(&r_exact, run->setup.params, run->setup.start, &run->plan, &sink_exact);
-  printf("%s: u_r1 = %.10g, u_r2 = %.10g\n%s", s->name, run->setup.params[COULOMB_UR1], run->setup.params[COULOMB_UR2],
+  printf("%s, %s: u_r1 = %.10g, u_r2 = %.10g\n%s", s->name, run->from, run->setup.params[COULOMB_UR1],
+         run->setup.params[COULOMB_UR2],
          run->setup.own_friction ? "(where the scene gives none: 5/4 of what the orbits need)\n" : "");
   printf("%11s %-4s %-13s %12s %12s %10s %10s\n", "t", "mass", "change", "x1", "x2", "v1", "v2");
   for (size_t i = 0; i < ode.n; i++) {
@@ -119,6 +122,11 @@ int run_simulate(const struct options *o, const char *data) {
   struct simulation run = {.plan = coulomb_plan_default};
   diag_init(&d);
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d);
+  if (ok && orbit < 0) orbit = scene_usual_orbit(&s);
+  if (start || printed)
+    snprintf(run.from, sizeof run.from, "%s", start ? "--start" : "printed");
+  else
+    snprintf(run.from, sizeof run.from, "orbit:%ld", (long)orbit + 1);
   ok = ok && (start ? audit_coulomb_setup_from(&run.setup, &s, start, &d)
                     : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
   if (ok) {
@@ -128,7 +136,7 @@ int run_simulate(const struct options *o, const char *data) {
     run.plan.duration = SLACK * (double)periods * period; /* a motion that never sticks again ends all the same */
     if (option(o, OPT_CSV)) run.plan.sample = period / (double)samples;
     if (option(o, OPT_COMPARE))
-      status = compare_routes(&run.setup, &s, periods, run.plan.duration);
+      status = compare_routes(&run.setup, &s, run.from, periods, run.plan.duration);
     else
       status = option(o, OPT_CSV) ? simulate_csv(&run) : simulate_table(&run, &s);
   } else {

@@ -6,6 +6,7 @@
 #include "claim/claim.h"
 #include "claim/kinds.h"
 #include "proof/stable_forms.h"
+#include "value/printed.h"
 #include "value/sentence.h"
 
 static void add_line(struct text *out, const char *label, const char *value) {
@@ -91,6 +92,8 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   scene_point(&p, &drawn, j->scene, j->cache);
   if (at) p.scene = NULL; /* other data than the scene's */
   ok = ok && point_set(&p, at, j->d);
+  if (ok && p.kind == POINT_ORBIT && !p.admissible)
+    p.orbit = usual_orbit(point_orbits(&p, j->cache, FIRST_PREC), p.scene);
   if (ok && point_settle(&p, j->cache)) {
     struct text where;
     text_init(&where);
