@@ -1574,6 +1574,8 @@ static const struct {
     {{"simulate", "paper", "--periods", "1000000"}, 2, "--periods takes a whole number from 1 to 100000"},
     {{"explain"}, 2, "explain takes one claim id"},
     {{"explain", "eq-270"}, 3, "no claim is named eq-270 (did you mean eq-20, eq-27 or eq-27b?); \"stickslip list\""},
+    {{"explain", "99"}, 3, "no claim is named 99; "},
+    {{"explain", "stick-matrix", "--receipt"}, 3, "--receipt are of a claim, and stick-matrix is none"},
     {{"explain", "text-periodc", "--receipt"}, 3, "no claim is named text-periodc (did you mean text-periodic?)"},
     {{"explain", "eq-27", "--at", "W=2"}, 3, "not W=2; names are chi, eta, V, e1, e2, "},
     {{"explain", "eq-27", "--at", "V=2,LAMDA=1"}, 3, "not LAMDA=1 (did you mean lambda?); names are "},
@@ -1852,12 +1854,82 @@ START_TEST(explain_shows_both_sides) {
       ck_assert(*row == (k ? ' ' : *left) && shown_number(row, k ? "" : left, k + 1) == 1);
     ck_assert(strncmp(row, right, strlen(right)) == 0);
   }
+  ck_assert(strstr(j.out, "double left  1.0000000000000000  0  6.0000000000000000*  0\n"));
+  ck_assert(strstr(j.out, "\nas read     D(t) := [I, V*t*I; 0, I]\n") &&
+            strstr(j.out, "\n*           the two sides differ here\n"));
   discard(&j);
   run_well(&j, "explain", "eq-3", "--at", "chi=1/2,eta=3", "--tape", NULL); /* K from (3) */
   static const double k[] = {1, -0.5, -1.5, 1.5};
   for (int i = 0; i < 4; i++)
     ck_assert(shown_number(j.out, "double left ", i + 1) == k[i] && shown_number(j.out, "double right", i + 1) == k[i]);
   ck_assert(strstr(j.out, "%0 = ") != NULL);
+  discard(&j);
+}
+END_TEST
+
+/* What the page shows by an id can be explained, be it a claim, one that a restriction makes, a root or a control; and
+   there are as many claims in the list as in the report. */
+START_TEST(what_the_page_shows_can_be_explained) {
+  char *page = slurp("reports/paper/index.html"), *audit = slurp("reports/paper/audit.json");
+  struct job j;
+  int roots = 0, controls = 0, claims = 0, lines = 0;
+  ck_assert(page && audit);
+  for (char *p = page; (p = strstr(p, " id=\"r-")) != NULL; roots++) {
+    char id[40];
+    ck_assert(sscanf(p, " id=\"r-%39[^\"]", id) == 1);
+    p++;
+    run_well(&j, "explain", id, NULL);
+    ck_assert_msg(strncmp(j.out, id, strlen(id)) == 0 && strstr(j.out, "\nwrong       ") &&
+                      strstr(j.out, "\nclaims      "),
+                  "%s", j.out);
+    discard(&j);
+  }
+  ck_assert_int_gt(roots, 15);
+  const char *end = strstr(audit, "\n  \"consequences\"");
+  for (const char *p = strstr(audit, "\n  \"claims\": ["); p && (p = strstr(p + 1, "\n      \"id\": ")) && p < end;)
+    claims++;
+  for (const char *p = strstr(audit, "\n  \"controls\": ["); p && (p = strstr(p + 1, "\n      \"id\": ")) != NULL;) {
+    char id[60];
+    if (controls++ % 24) continue;
+    ck_assert(sscanf(p, "\n      \"id\": \"%59[^\"]", id) == 1);
+    run_well(&j, "explain", id, NULL);
+    ck_assert_msg(strstr(j.out, ", a control, ") && strstr(j.out, "\nclaim       "), "%s: %s", id, j.out);
+    discard(&j);
+  }
+  ck_assert_int_gt(controls, 100);
+  run_well(&j, "list", NULL);
+  for (const char *p = j.out; *p; p = strchr(p, '\n') + 1) lines++;
+  ck_assert_int_eq(lines, claims);
+  discard(&j);
+  run_well(&j, "explain", "eq-10d", NULL);
+  ck_assert(strstr(j.out, "eq-10d, the claim: Z(t) = D(t) Z_0 in the global stick phase, when V = 1\n") == j.out &&
+            strstr(j.out, "\nverdict     proved (on record: proved)\ncondition   V = 1\n"));
+  discard(&j);
+  free(audit);
+  free(page);
+}
+END_TEST
+
+/* A number alone is that of an equation: its claims, or the only one. */
+START_TEST(an_equation_is_explained) {
+  struct job j, other;
+  run_well(&j, "explain", "40", NULL);
+  ck_assert(strncmp(j.out, "(40): ", 6) == 0);
+  static const char *const ids[] = {"eq-40", "eq-40b", "eq-40c", "eq-40d"};
+  for (int i = 0; i < 4; i++) {
+    char row[24];
+    snprintf(row, sizeof row, "\n%-18s ", ids[i]);
+    ck_assert_msg(strstr(j.out, row) != NULL, "%s", j.out);
+  }
+  run_well(&other, "explain", "(40)", NULL);
+  ck_assert_str_eq(j.out, other.out);
+  discard(&other);
+  discard(&j);
+  run_well(&j, "explain", "(13)", NULL);
+  run_well(&other, "explain", "eq-13", NULL);
+  ck_assert(strncmp(j.out, "eq-13, the claim: ", 18) == 0);
+  ck_assert_str_eq(j.out, other.out);
+  discard(&other);
   discard(&j);
 }
 END_TEST
@@ -2131,6 +2203,8 @@ Suite *cli_suite(void) {
   tcase_set_timeout(c, TIME_LIMIT);
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, explain_shows_both_sides);
+  tcase_add_test(c, what_the_page_shows_can_be_explained);
+  tcase_add_test(c, an_equation_is_explained);
   suite_add_tcase(s, c);
   c = tcase_create("help");
   tcase_set_timeout(c, TIME_LIMIT);

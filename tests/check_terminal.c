@@ -85,6 +85,25 @@ START_TEST(colours_change_no_character) {
 }
 END_TEST
 
+/* What explain marks is coloured like the verdicts of verify, and nothing else. */
+START_TEST(explain_has_colours) {
+  static const char command[] = "explain eq-10 --at V=2,t=3";
+  int status;
+  char *plain = shell_output(&status, "%s %s", program(), command);
+  for (int k = 0; k < 2; k++) {
+    char *out = shell_output(&status, "%s tests/oracle/terminal.py TERM=xterm NO_COLOR=%s -- %s %s", python(),
+                             k ? "1" : "", program(), command);
+    ck_assert_int_eq(status, 0);
+    if (k) ck_assert_str_eq(out, plain);
+    if (!k) ck_assert(strstr(out, "\nverdict     \033[1;31mconditional\033[0m (on record"));
+    if (!k) ck_assert(strstr(out, "\ndouble left  1.0000000000000000  0  \033[1;31m6.0000000000000000*\033[0m  0\n"));
+    free(out);
+  }
+  ck_assert(!strpbrk(plain, "\001\002\003\004\005\033"));
+  free(plain);
+}
+END_TEST
+
 /* The counts of the table add up: down the columns to its last row, and along each row. */
 START_TEST(the_table_adds_up) {
   int status, sum[8] = {0};
@@ -175,8 +194,8 @@ START_TEST(lines_fit_the_terminal) {
     int status;
     char *wide = shell_output(&status, "%s %s", program(), cases[i].command);
     ck_assert_int_eq(status, 0);
-    char *out = shell_output(&status, "%s tests/oracle/terminal.py COLUMNS=%d -- %s %s 2>&1", python(), cases[i].width,
-                             program(), cases[i].command);
+    char *out = shell_output(&status, "%s tests/oracle/terminal.py NO_COLOR=1 COLUMNS=%d -- %s %s 2>&1", python(),
+                             cases[i].width, program(), cases[i].command);
     ck_assert_int_eq(status, 0);
     int lines = 0;
     ck_assert_msg(!strstr(out, " \n"), "%s: blanks at the end of a line", cases[i].command);
@@ -430,6 +449,7 @@ Suite *terminal_suite(void) {
   tcase_set_timeout(c, 300);
   tcase_add_test(c, colours_only_where_they_are_wanted);
   tcase_add_test(c, colours_change_no_character);
+  tcase_add_test(c, explain_has_colours);
   tcase_add_test(c, the_table_adds_up);
   tcase_add_test(c, orbits_and_motions_are_tables);
   tcase_add_test(c, lines_fit_the_terminal);

@@ -131,6 +131,8 @@ void text_fit(struct text *out, const char *line, size_t len, size_t width, size
 /* Prints lines, with those that are wider than the terminal broken at blanks; as they are where there is no
    terminal. */
 void terminal_print(const char *s);
+/* The same with the marks of audit_explain as colours, where the terminal has them. */
+void terminal_print_marked(const char *s);
 enum paint { PAINT_NONE, PAINT_GOOD, PAINT_BAD, PAINT_DOUBT, PAINT_HEAD };
 /* The word at the right end of so many columns, with a negative width at the left. */
 void paint(struct text *out, bool colours, enum paint p, const char *word, int width);
@@ -149,6 +151,9 @@ bool find_data(struct text *data, struct diag *d);
 /* The scene of that name or path, with what --set changes.  scene_clear it all the same. */
 bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, enum scene_welcome any,
                 struct diag *d);
+/* The row of a claim in the list, and those of the claims that its restrictions make, as reports have them; false with d
+   set. */
+bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
 /* list --scene-keys */
 int list_scene_keys(bool as_json);
 /* folder/name into out. */

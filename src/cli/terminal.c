@@ -51,18 +51,53 @@ void text_fit(struct text *out, const char *line, size_t len, size_t width, size
   text_add_n(out, line, len);
 }
 
-void terminal_print(const char *s) {
+/* Lines broken where the terminal ends; as they are where there is none. */
+static void fit_terminal(struct text *out, const char *s) {
   enum { NARROWEST = 40 };
   int width = terminal_width();
-  struct text out;
-  text_init(&out);
+  if (width < NARROWEST) text_add(out, s);
   for (size_t len; width >= NARROWEST && *s; s += len + (s[len] == '\n')) {
     len = strcspn(s, "\n");
-    text_fit(&out, s, len, (size_t)width, hanging(s, len, (size_t)width));
-    if (s[len]) text_add_char(&out, '\n');
+    text_fit(out, s, len, (size_t)width, hanging(s, len, (size_t)width));
+    if (s[len]) text_add_char(out, '\n');
   }
-  fputs(width >= NARROWEST ? text_str(&out) : s, stdout);
+}
+
+void terminal_print(const char *s) {
+  struct text out;
+  text_init(&out);
+  fit_terminal(&out, s);
+  fputs(text_str(&out), stdout);
   text_clear(&out);
+}
+
+void terminal_print_marked(const char *s) {
+  static const enum paint painted[] = {[EXPLAIN_PLAIN] = PAINT_NONE,
+                                       [EXPLAIN_GOOD] = PAINT_GOOD,
+                                       [EXPLAIN_BAD] = PAINT_BAD,
+                                       [EXPLAIN_DOUBT] = PAINT_DOUBT};
+  static const char marks[] = {EXPLAIN_PLAIN, EXPLAIN_GOOD, EXPLAIN_BAD, EXPLAIN_DOUBT, '\0'};
+  struct text fitted, out, word;
+  bool colours = terminal_has_colours();
+  text_init(&fitted);
+  text_init(&out);
+  text_init(&word);
+  fit_terminal(&fitted, s);
+  for (const char *p = text_str(&fitted); *p;) {
+    size_t plain = strcspn(p, marks);
+    text_add_n(&out, p, plain);
+    p += plain;
+    if (!*p) break;
+    size_t len = strcspn(p + 1, (const char[]){EXPLAIN_END, '\0'});
+    text_reset(&word);
+    text_add_n(&word, p + 1, len);
+    paint(&out, colours, painted[(int)*p], text_str(&word), 0);
+    p += 1 + len + (p[1 + len] == EXPLAIN_END);
+  }
+  fputs(text_str(&out), stdout);
+  text_clear(&word);
+  text_clear(&out);
+  text_clear(&fitted);
 }
 
 void paint(struct text *out, bool colours, enum paint p, const char *word, int width) {
