@@ -1481,8 +1481,8 @@ static const struct {
     {{"orbit", "paper", "--stric"}, 2, "unknown option --stric;"}, /* verify's */
     {{"orbit", "papr"}, 3, "scenes/papr.scene: error: No such file or directory (did you mean paper?)"},
     {{"orbit", "paper", "--set", "ch=1"}, 3, "unknown name ch (did you mean chi?)"},
-    {{"sweep", "paper", "--over", "chii=1:2:3"}, 2, "varies chi, eta, V, e1 or e2, not chii (did you mean chi?)"},
-    {{"bifurcate", "paper", "--along", "Eta=1:2"}, 2, "not Eta (did you mean eta?)"},
+    {{"sweep", "paper", "--over", "chii=1:2:3"}, 2, "varies chi, eta, V, e1 or e2, not chii=1:2:3 (did you mean chi?)"},
+    {{"bifurcate", "paper", "--along", "Eta=1:2"}, 2, "not Eta=1:2 (did you mean eta?)"},
     {{"help", "audit"}, 2, "unknown command audit"},
     {{"help", "orbit", "plot"}, 2, "help takes one command, not plot too"},
     {{"orbit"}, 2, "orbit takes one SCENE"},

@@ -128,6 +128,14 @@ int terminal_width(void);
 /* One line of len bytes, broken at single blanks where it is wider; it goes on at that column.  A longer word stays
    whole. */
 void text_fit(struct text *out, const char *line, size_t len, size_t width, size_t indent);
+/* How far a command is, on one line of standard error, where that is a terminal; once there is something to judge it by,
+   how long the rest takes.  begin: the time runs; show: so many of all, which are the given part of the work; count: the
+   same with items that are equal; end: the line is wiped. */
+void progress_begin(void);
+bool progress_wanted(void);
+void progress_show(size_t done, size_t of, double share);
+void progress_count(size_t done, size_t of);
+void progress_end(void);
 /* Prints lines, with those that are wider than the terminal broken at blanks; as they are where there is no
    terminal. */
 void terminal_print(const char *s);
@@ -136,8 +144,11 @@ void terminal_print_marked(const char *s);
 enum paint { PAINT_NONE, PAINT_GOOD, PAINT_BAD, PAINT_DOUBT, PAINT_HEAD };
 /* The word at the right end of so many columns, with a negative width at the left. */
 void paint(struct text *out, bool colours, enum paint p, const char *word, int width);
-/* What verify prints last: failures and counts by section; and the line of the contract. */
-void verify_tables(const struct audit_result *r);
+/* Says where files were written: a folder, or a file; nothing where the standard output is JSON. */
+void say_written(const struct options *o, const char *where);
+/* What verify prints last: failures, worst first, with what shows and mends them when proofs is true, and counts by
+   section; and the line of the contract. */
+void verify_tables(const struct audit_result *r, bool proofs);
 void verify_line(const struct audit_result *r);
 
 /* The score of the whole study of damages beside a report's folder, when it was made of the same paper, overlay and

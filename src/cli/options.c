@@ -24,6 +24,10 @@ int usage_unknown(const char *fmt, const struct suggestion *s) {
   return status;
 }
 
+void say_written(const struct options *o, const char *where) {
+  if (!option(o, OPT_JSON)) printf("written to %s\n", where);
+}
+
 int bad_input(const struct diag *d) {
   fprintf(stderr, "%s%s\n", strncmp(d->message, "error:", 6) == 0 ? "stickslip: " : "", d->message);
   return EXIT_INPUT;

@@ -38,9 +38,13 @@ int range_parse(struct range *r, const char *option, const char *shape, const ch
     suggest_try(&meant, scene_key_name[i]);
   }
   if (r->vary < 0) {
-    char message[400];
-    snprintf(message, sizeof message, "%s varies chi, eta, V, e1 or e2, not %%s", option);
-    return usage_unknown(message, &meant);
+    struct text says;
+    text_init(&says);
+    text_printf(&says, "%s varies chi, eta, V, e1 or e2, not %.200s", option, text);
+    suggest_print(&says, &meant);
+    int status = usage("%s", text_str(&says));
+    text_clear(&says);
+    return status;
   }
   struct diag d;
   diag_init(&d);

@@ -1,8 +1,10 @@
 /* What a terminal is given besides plain text: colours, where it has them and nobody asked for none (no-color.org). */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "cli.h"
@@ -21,6 +23,49 @@ int terminal_width(void) {
   struct winsize size;
   return isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
+
+/* --- Progress --- */
+
+static struct timespec began, shown;
+
+static double since(const struct timespec *then) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)(now.tv_sec - then->tv_sec) + 1e-9 * (double)(now.tv_nsec - then->tv_nsec);
+}
+
+bool progress_wanted(void) {
+  return isatty(STDERR_FILENO);
+}
+
+void progress_begin(void) {
+  clock_gettime(CLOCK_MONOTONIC, &began);
+  shown = (struct timespec){0, 0};
+}
+
+void progress_show(size_t done, size_t of, double share) {
+  const double often = 0.1, least = 0.02, settled = 0.2; /* seconds, a part of the work, seconds */
+  double taken = since(&began);
+  if (!progress_wanted() || since(&shown) < often) return;
+  clock_gettime(CLOCK_MONOTONIC, &shown);
+  fprintf(stderr, "\r\033[K[%zu/%zu]", done, of);
+  if (share < least || taken < settled) return;
+  long rest = (long)ceil(taken * (1 - share) / share);
+  if (rest < 60)
+    fprintf(stderr, " about %ld s left", rest);
+  else
+    fprintf(stderr, " about %ld:%02ld:%02ld left", rest / 3600, rest / 60 % 60, rest % 60);
+}
+
+void progress_count(size_t done, size_t of) {
+  progress_show(done, of, of ? (double)done / (double)of : 0);
+}
+
+void progress_end(void) {
+  if (progress_wanted()) fputs("\r\033[K", stderr);
+}
+
+/* --- Lines --- */
 
 /* Where a line that is too long goes on: under its last column, which stands behind two blanks, or two blanks further
    in. */
