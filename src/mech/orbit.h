@@ -33,6 +33,8 @@ struct mech_fact {
   bool ends; /* its zero is the event that ends the phase: that it is the first one */
   truth holds;
 };
+/* "3-m2-break" of the third phase. */
+void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f);
 
 struct mech_orbit {
   struct mech_word word;
@@ -80,5 +82,9 @@ struct mech_orbits {
    certified admissible orbit is the last one. */
 void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec);
 void mech_orbits_clear(struct mech_orbits *list);
+/* Is one of them of the same word, with enclosures of all lengths and states that meet those of o? */
+bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o);
+/* Takes o over. */
+void mech_orbits_add(struct mech_orbits *list, const struct mech_orbit *o);
 
 #endif
