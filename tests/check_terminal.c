@@ -369,12 +369,51 @@ START_TEST(bash_completes) {
                {"help st", "stability\n"},
                {"bench --job m", "map\n"},
                {"orbit verify/scenes/near-t", "verify/scenes/near-ta.scene\n"},
+               {"orbit paper --set e", "eta=\ne1=\ne2=\n"},
+               {"orbit paper --set u_", "u_r1=\nu_r2=\n"},
+               {"sweep paper --over ", "chi=\neta=\nV=\ne1=\ne2=\n"},
                {"nonsense --x", "\n"}};
   if (system("command -v bash >/dev/null") != 0) return;
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     char *out = offered(cases[i].line);
     ck_assert_msg(strcmp(out, cases[i].words) == 0, "%s: %s", cases[i].line, out);
     free(out);
+  }
+}
+END_TEST
+
+/* zsh and fish ask the same file as a command; where they are installed, they are tried. */
+START_TEST(other_shells_complete) {
+  static const struct {
+    const char *line, *words;
+  } cases[] = {{"orb", "orbit\n"}, {"orbit paper --set et", "eta=\n"}, {"verify --only eq-60", "eq-60\neq-60b\n"}};
+  static const char in_zsh[] =
+      "compadd() { while [[ $1 != -- ]]; do shift; done; shift; (( $# )) && print -l -- $@; }\n"
+      "words=(${(s: :)LINE}) CURRENT=$#words\nsource $SCRIPT\n";
+  if (system("command -v bash >/dev/null") != 0) return;
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    int status;
+    char *out = shell_output(&status, "bash tools/completion.bash %s %s 2>&1", program(), cases[i].line);
+    ck_assert_msg(strcmp(out, cases[i].words) == 0, "%s: %s", cases[i].line, out);
+    free(out);
+    if (system("command -v zsh >/dev/null") == 0) {
+      out = shell_output(&status,
+                         "sed \"s|@COMPDIR@/stickslip|$PWD/tools/completion.bash|\" tools/completion.zsh >%s; "
+                         "LINE='%s %s' SCRIPT=%s zsh -f %s 2>&1",
+                         scratch_path("c.zsh"), program(), cases[i].line, scratch_path("c.zsh"),
+                         scratch_put("try.zsh", in_zsh));
+      ck_assert_msg(strcmp(out, cases[i].words) == 0, "zsh, %s: %s", cases[i].line, out);
+      free(out);
+    }
+    if (system("command -v fish >/dev/null") == 0) {
+      out = shell_output(
+          &status,
+          "sed \"s|@COMPDIR@/stickslip|$PWD/tools/completion.bash|\" tools/completion.fish >%s; "
+          "PATH=$(realpath $(dirname %s)):$PATH fish --no-config -c 'source %s; complete -C \"stickslip %s\"' 2>&1",
+          scratch_path("c.fish"), program(), scratch_path("c.fish"), cases[i].line);
+      ck_assert_msg(strcmp(out, cases[i].words) == 0, "fish, %s: %s", cases[i].line, out);
+      free(out);
+    }
   }
 }
 END_TEST
@@ -543,6 +582,7 @@ Suite *terminal_suite(void) {
   tcase_add_test(c, scenes_are_listed);
   tcase_add_test(c, bash_completes);
   tcase_add_test(c, what_is_offered_is_known);
+  tcase_add_test(c, other_shells_complete);
   tcase_add_test(c, documents_hold_what_the_program_reads);
   tcase_add_test(c, documents_show_what_happens);
   tcase_add_test(c, another_paper_is_audited);
