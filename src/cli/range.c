@@ -55,11 +55,15 @@ static int no_parameter(const char *name, const char *option, const char *text) 
 }
 
 int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len) {
+  const char *equals = memchr(text, '=', len);
+  bool shaped = equals && memchr(equals, ':', (size_t)(text + len - equals));
   struct text name;
   text_init(&name);
-  int status = range_parse_named(r, &name, option, shape, text, len);
+  text_add_n(&name, text, equals ? (size_t)(equals - text) : 0);
   r->vary = word_find(text_str(&name), scene_key_name, N_SCENE_PARAMS);
-  if (!status && r->vary == N_SCENE_PARAMS) status = no_parameter(text_str(&name), option, text);
+  int status = shaped && r->vary == N_SCENE_PARAMS ? no_parameter(text_str(&name), option, text) : EXIT_AS_RECORDED;
+  text_reset(&name);
+  if (!status) status = range_parse_named(r, &name, option, shape, text, len);
   text_clear(&name);
   if (status) return status;
   if (!in_domain(r->from, r->vary) || !in_domain(r->to, r->vary))
