@@ -13,6 +13,8 @@ MPI      ?=
 MPICC    ?= mpicc
 DATADIR  ?= $(PREFIX)/share/stickslip
 COMPDIR  ?= $(PREFIX)/share/bash-completion/completions
+ZSHDIR   ?= $(PREFIX)/share/zsh/site-functions
+FISHDIR  ?= $(PREFIX)/share/fish/vendor_completions.d
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
 STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC -pthread -fvisibility=hidden
@@ -198,7 +200,7 @@ format: ## rewrite the sources in the project's format
 	clang-format -i $$(git ls-files '*.c' '*.h')
 
 install: all ## install program, library, headers, man pages, completion and data (PREFIX, DESTDIR)
-	install -d $(addprefix $(DESTDIR),$(BINDIR) $(LIBDIR)/pkgconfig $(INCDIR)/stickslip $(MANDIR)/man1 $(MANDIR)/man5 $(DATADIR) $(COMPDIR))
+	install -d $(addprefix $(DESTDIR),$(BINDIR) $(LIBDIR)/pkgconfig $(INCDIR)/stickslip $(MANDIR)/man1 $(MANDIR)/man5 $(DATADIR) $(COMPDIR) $(ZSHDIR) $(FISHDIR))
 	install $(B)/$(if $(MPI),mpi/)stickslip $(B)/stickslip-checker $(DESTDIR)$(BINDIR)/
 	install -m 644 $(B)/libstickslip.a $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(B)/$(SO) $(DESTDIR)$(LIBDIR)/
@@ -208,6 +210,8 @@ install: all ## install program, library, headers, man pages, completion and dat
 	install -m 644 man/stickslip.1 $(DESTDIR)$(MANDIR)/man1/
 	install -m 644 $(wildcard man/*.5) $(DESTDIR)$(MANDIR)/man5/
 	install -m 644 tools/completion.bash $(DESTDIR)$(COMPDIR)/stickslip
+	sed 's|@COMPDIR@|$(COMPDIR)|' tools/completion.zsh > $(DESTDIR)$(ZSHDIR)/_stickslip
+	sed 's|@COMPDIR@|$(COMPDIR)|' tools/completion.fish > $(DESTDIR)$(FISHDIR)/stickslip.fish
 	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@VERSION@|$(VERSION)|' tools/stickslip.pc.in \
 	  | sed 's|@PRIVATE@|$(CALCIUM) $(ARB) -lflint -lgmp -ldl|' \
 	  > $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc
@@ -216,7 +220,7 @@ install: all ## install program, library, headers, man pages, completion and dat
 uninstall: ## remove what install put there
 	rm -f $(addprefix $(DESTDIR)$(BINDIR)/,stickslip stickslip-checker) $(DESTDIR)$(LIBDIR)/libstickslip.a $(DESTDIR)$(LIBDIR)/$(SO) \
 	  $(DESTDIR)$(LIBDIR)/libstickslip.so $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc $(DESTDIR)$(MANDIR)/man1/stickslip.1 \
-	  $(patsubst man/%,$(DESTDIR)$(MANDIR)/man5/%,$(wildcard man/*.5)) $(DESTDIR)$(COMPDIR)/stickslip
+	  $(patsubst man/%,$(DESTDIR)$(MANDIR)/man5/%,$(wildcard man/*.5)) $(addprefix $(DESTDIR),$(COMPDIR)/stickslip $(ZSHDIR)/_stickslip $(FISHDIR)/stickslip.fish)
 	rm -rf $(DESTDIR)$(INCDIR)/stickslip $(DESTDIR)$(INCDIR)/stickslip.h $(DESTDIR)$(DATADIR)
 
 clean: ## remove build/

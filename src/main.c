@@ -2,6 +2,7 @@
    progress to stderr. */
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,9 +43,15 @@ static bool asks_for_help(const char *word) {
   return strcmp(word, "help") == 0 || strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
 }
 
-/* What was printed must have reached its reader. */
+/* Whether standard output is a pipe that nobody reads any more, as behind "| head". */
+static bool reader_has_gone(void) {
+  struct pollfd out = {.fd = STDOUT_FILENO};
+  return poll(&out, 1, 0) > 0 && (out.revents & (POLLERR | POLLHUP)) != 0;
+}
+
+/* What was printed must have reached its reader; one that has read enough is none the worse. */
 static int finish(int status) {
-  if (fflush(stdout) != 0 || ferror(stdout)) {
+  if ((fflush(stdout) != 0 || ferror(stdout)) && !reader_has_gone()) {
     fprintf(stderr, "stickslip: error: standard output cannot be written: %s\n", strerror(errno));
     if (status == EXIT_AS_RECORDED || status == EXIT_DIFFERS || status == EXIT_STRICT) status = EXIT_INPUT;
   }

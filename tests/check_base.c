@@ -15,6 +15,7 @@
 #include "base/json.h"
 #include "base/record.h"
 #include "base/status.h"
+#include "base/suggest.h"
 #include "scratch.h"
 #include "suites.h"
 
@@ -803,6 +804,69 @@ END_TEST
 
 /* ---- truth */
 
+/* ---- What was meant */
+
+/* The definition: the least over the last edit, without a table. */
+static size_t edits_by_definition(const char *a, size_t n, const char *b, size_t m) {
+  if (n == 0 || m == 0) return n + m;
+  size_t best = edits_by_definition(a, n - 1, b, m - 1) + (a[n - 1] != b[m - 1]);
+  size_t other = 1 + edits_by_definition(a, n - 1, b, m);
+  if (other < best) best = other;
+  other = 1 + edits_by_definition(a, n, b, m - 1);
+  if (other < best) best = other;
+  if (n > 1 && m > 1 && a[n - 1] == b[m - 2] && a[n - 2] == b[m - 1]) {
+    other = 1 + edits_by_definition(a, n - 2, b, m - 2);
+    if (other < best) best = other;
+  }
+  return best;
+}
+
+START_TEST(edits_between_words) {
+  char a[8], b[8];
+  rng = 7;
+  for (int trial = 0; trial < 2000; trial++) {
+    size_t n = rnd() % 6, m = rnd() % 6;
+    for (size_t i = 0; i < 6; i++) a[i] = (char)('a' + rnd() % 3), b[i] = (char)('a' + rnd() % 3);
+    ck_assert_msg(word_edits(a, n, b, m) == edits_by_definition(a, n, b, m), "%.*s, %.*s: %zu", (int)n, a, (int)m, b,
+                  word_edits(a, n, b, m));
+  }
+  ck_assert_uint_eq(word_edits("Orbit", 5, "oRBIT", 5), 0);
+}
+END_TEST
+
+static void suggests(const char *word, const char *const *known, const char *says) {
+  struct suggestion s;
+  struct text t;
+  text_init(&t);
+  suggest_begin(&s, word, strlen(word));
+  for (; *known; known++) suggest_try(&s, *known);
+  suggest_print(&t, &s);
+  ck_assert_msg(strcmp(text_str(&t), says) == 0, "%.80s: %s", word, text_str(&t));
+  text_clear(&t);
+}
+
+/* One edit in words of 3 to 7 characters, two in longer ones, none in shorter ones; the nearest alone, at most three. */
+START_TEST(what_was_meant) {
+  static const char *const known[] = {"orbit", "simulate", "sweep", "e1",    "V",
+                                      "eq-40", "eq-41",    "eq-42", "eq-43", NULL};
+  static const char long_word[] =
+      "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa";
+  suggests("orbt", known, " (did you mean orbit?)");
+  suggests("obrit", known, " (did you mean orbit?)");
+  suggests("obrt", known, "");
+  suggests("smiulat", known, " (did you mean simulate?)");
+  suggests("smilat", known, "");
+  suggests("W", known, "");
+  suggests("e2", known, "");
+  suggests("E1", known, " (did you mean e1?)");
+  suggests("v", known, " (did you mean V?)");
+  suggests("eq-4", known, " (did you mean eq-40, eq-41 or eq-42?)");
+  suggests("eq-430", known, " (did you mean eq-40 or eq-43?)");
+  suggests("", known, "");
+  suggests(long_word, known, "");
+}
+END_TEST
+
 /* Kleene's logic is the order FALSE < UNKNOWN < TRUE: and is the minimum, or the maximum, not turns it round. */
 START_TEST(kleene) {
   static const truth order[] = {TRUTH_FALSE, TRUTH_UNKNOWN, TRUTH_TRUE};
@@ -920,6 +984,8 @@ Suite *base_suite(void) {
   tcase_add_test(tc, json_nesting);
   tcase_add_test(tc, json_strings);
   tcase_add_test(tc, json_broken_nesting_aborts);
+  tcase_add_test(tc, edits_between_words);
+  tcase_add_test(tc, what_was_meant);
   tcase_add_test(tc, kleene);
   tcase_add_test(tc, arena_pieces);
   tcase_add_test(tc, grown_arrays);

@@ -597,7 +597,7 @@ START_TEST(layers_differ_in_the_entries_not_in_the_trace) {
     ck_assert_str_eq(member(printed.out, "trace"), member(corrected.out, "trace"));
     ck_assert_str_eq(member(printed.out, "layer"), "printed");
     ck_assert_str_eq(member(corrected.out, "layer"), "corrected");
-    ck_assert_str_eq(member(printed.out, "at"), "orbit:1");
+    ck_assert_str_eq(member(printed.out, "at"), i == 0 ? "orbit:2" : "orbit:1"); /* orbits.tsv: the first admissible */
     discard(&corrected);
     discard(&printed);
   }
@@ -883,6 +883,39 @@ START_TEST(the_printed_start_runs_on) {
   ck_assert(p && sscanf(p, "closed forms: the first %zu of %zu", &same, &all) == 2);
   ck_assert(same == all && all > 400);
   ck_assert(strstr(j.out, "after 120 returns") != NULL);
+  discard(&j);
+}
+END_TEST
+
+/* Which orbit is meant where nobody says which: the nearest to the printed numbers, else the first that is admissible;
+   of the two at the paper's parameters the second is (orbits.tsv). */
+START_TEST(the_usual_orbit_is_named) {
+  static const char bare[] = "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\n";
+  static const struct {
+    const char *printed, *want;
+  } cases[] = {{"", "orbit:2"},
+               {"printed: z10 = -5.46\nprinted: t_b = 1.4\n", "orbit:1"},
+               {"printed: t_a = 0.6784\n", "orbit:2"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char text[300], head[60];
+    struct job j;
+    snprintf(text, sizeof text, "%s%s", bare, cases[i].printed);
+    const char *scene = scratch_put("usual.scene", text);
+    static const char *const commands[] = {"simulate", "jacobian"};
+    for (int k = 0; k < 2; k++) {
+      run_well(&j, commands[k], scene, NULL);
+      snprintf(head, sizeof head, "usual, %s%s", cases[i].want, k ? ", method analytic" : ": u_r1 = ");
+      ck_assert_msg(strncmp(j.out, head, strlen(head)) == 0, "%s", j.out);
+      discard(&j);
+    }
+    run_well(&j, "simulate", scene, "--compare", NULL);
+    snprintf(head, sizeof head, "usual, %s: ode ", cases[i].want);
+    ck_assert_msg(strncmp(j.out, head, strlen(head)) == 0, "%s", j.out);
+    discard(&j);
+  }
+  struct job j;
+  run_well(&j, "explain", "eq-40", NULL);
+  ck_assert(strstr(j.out, "e2 = 8587/10000, orbit 2\n"));
   discard(&j);
 }
 END_TEST
@@ -1442,6 +1475,14 @@ static const struct {
     {{NULL}, 2, "a command is needed"},
     {{"audit"}, 2, "unknown command audit"},
     {{"--digits"}, 2, "unknown command --digits"},
+    {{"orbt"}, 2, "unknown command orbt (did you mean orbit?)"},
+    {{"help", "simlate"}, 2, "unknown command simlate (did you mean simulate?)"},
+    {{"orbit", "paper", "--digit", "5"}, 2, "unknown option --digit (did you mean --digits?)"},
+    {{"orbit", "paper", "--stric"}, 2, "unknown option --stric;"}, /* verify's */
+    {{"orbit", "papr"}, 3, "scenes/papr.scene: error: No such file or directory (did you mean paper?)"},
+    {{"orbit", "paper", "--set", "ch=1"}, 3, "unknown name ch (did you mean chi?)"},
+    {{"sweep", "paper", "--over", "chii=1:2:3"}, 2, "varies chi, eta, V, e1 or e2, not chii=1:2:3 (did you mean chi?)"},
+    {{"bifurcate", "paper", "--along", "Eta=1:2"}, 2, "not Eta=1:2 (did you mean eta?)"},
     {{"help", "audit"}, 2, "unknown command audit"},
     {{"help", "orbit", "plot"}, 2, "help takes one command, not plot too"},
     {{"orbit"}, 2, "orbit takes one SCENE"},
@@ -1494,7 +1535,7 @@ static const struct {
     {{"verify", "--digits", "0"}, 2, "not 0"},
     {{"verify", "--only"}, 2, "--only needs a value"},
     {{"verify", "--only", ","}, 2, "--only takes"},
-    {{"verify", "--only", "eq-270"}, 3, "no claim is named eq-270"},
+    {{"verify", "--only", "eq-270"}, 3, "no claim is named eq-270 (did you mean "},
     {{"verify", "--only", "eq-27,eq-999"}, 3, "no claim is named eq-999"},
     {{"verify", "--overlay", "no-such.eq"}, 3, "no-such.eq: error: "},
     {{"verify", "--paper", "schema"}, 3, "schema: error: no .eq file in this folder"},
@@ -1532,7 +1573,12 @@ static const struct {
     {{"verify", "--only", "eq-40,"}, 2, "--only takes 1 to 256"},
     {{"simulate", "paper", "--periods", "1000000"}, 2, "--periods takes a whole number from 1 to 100000"},
     {{"explain"}, 2, "explain takes one claim id"},
-    {{"explain", "eq-270"}, 3, "no claim is named eq-270"},
+    {{"explain", "eq-270"}, 3, "no claim is named eq-270 (did you mean eq-20, eq-27 or eq-27b?); \"stickslip list\""},
+    {{"explain", "99"}, 3, "no claim is named 99; "},
+    {{"explain", "stick-matrix", "--receipt"}, 3, "--receipt are of a claim, and stick-matrix is none"},
+    {{"explain", "text-periodc", "--receipt"}, 3, "no claim is named text-periodc (did you mean text-periodic?)"},
+    {{"explain", "eq-27", "--at", "W=2"}, 3, "not W=2; names are chi, eta, V, e1, e2, "},
+    {{"explain", "eq-27", "--at", "V=2,LAMDA=1"}, 3, "not LAMDA=1 (did you mean lambda?); names are "},
     {{"explain", "eq-27", "--at", "chi"}, 3, "--at takes NAME=VALUE"},
     {{"explain", "eq-27", "--at", "chi=2"}, 3, "--at leaves the domain"},
     {{"explain", "num-t_a", "--at", "chi=1/2"}, 3, "num-t_a is not tried at points"},
@@ -1730,6 +1776,20 @@ START_TEST(a_full_disk_is_noticed) {
 }
 END_TEST
 
+/* A reader who has read enough, as behind "| head", is no error. */
+START_TEST(a_reader_may_stop) {
+  static const char *const commands[] = {"list", "simulate paper --csv --periods 2000", "help orbit",
+                                         "sweep paper --over e2=0.5:3:2000 --over e1=2:3:500"};
+  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+    int status;
+    char *out = shell_output(&status, "bash -c '{ %s %s; echo $? >&2; } 2>%s | true; cat %s'", program(), commands[i],
+                             scratch_path("said"), scratch_path("said"));
+    ck_assert_msg(strcmp(out, "0\n") == 0, "%s: %s", commands[i], out);
+    free(out);
+  }
+}
+END_TEST
+
 /* A copy of the program beside which there is none of the folders. */
 START_TEST(no_data_folder_is_noticed) {
   struct job j;
@@ -1794,12 +1854,82 @@ START_TEST(explain_shows_both_sides) {
       ck_assert(*row == (k ? ' ' : *left) && shown_number(row, k ? "" : left, k + 1) == 1);
     ck_assert(strncmp(row, right, strlen(right)) == 0);
   }
+  ck_assert(strstr(j.out, "double left  1.0000000000000000  0  6.0000000000000000*  0\n"));
+  ck_assert(strstr(j.out, "\nas read     D(t) := [I, V*t*I; 0, I]\n") &&
+            strstr(j.out, "\n*           the two sides differ here\n"));
   discard(&j);
   run_well(&j, "explain", "eq-3", "--at", "chi=1/2,eta=3", "--tape", NULL); /* K from (3) */
   static const double k[] = {1, -0.5, -1.5, 1.5};
   for (int i = 0; i < 4; i++)
     ck_assert(shown_number(j.out, "double left ", i + 1) == k[i] && shown_number(j.out, "double right", i + 1) == k[i]);
   ck_assert(strstr(j.out, "%0 = ") != NULL);
+  discard(&j);
+}
+END_TEST
+
+/* What the page shows by an id can be explained, be it a claim, one that a restriction makes, a root or a control; and
+   there are as many claims in the list as in the report. */
+START_TEST(what_the_page_shows_can_be_explained) {
+  char *page = slurp("reports/paper/index.html"), *audit = slurp("reports/paper/audit.json");
+  struct job j;
+  int roots = 0, controls = 0, claims = 0, lines = 0;
+  ck_assert(page && audit);
+  for (char *p = page; (p = strstr(p, " id=\"r-")) != NULL; roots++) {
+    char id[40];
+    ck_assert(sscanf(p, " id=\"r-%39[^\"]", id) == 1);
+    p++;
+    run_well(&j, "explain", id, NULL);
+    ck_assert_msg(strncmp(j.out, id, strlen(id)) == 0 && strstr(j.out, "\nwrong       ") &&
+                      strstr(j.out, "\nclaims      "),
+                  "%s", j.out);
+    discard(&j);
+  }
+  ck_assert_int_gt(roots, 15);
+  const char *end = strstr(audit, "\n  \"consequences\"");
+  for (const char *p = strstr(audit, "\n  \"claims\": ["); p && (p = strstr(p + 1, "\n      \"id\": ")) && p < end;)
+    claims++;
+  for (const char *p = strstr(audit, "\n  \"controls\": ["); p && (p = strstr(p + 1, "\n      \"id\": ")) != NULL;) {
+    char id[60];
+    if (controls++ % 24) continue;
+    ck_assert(sscanf(p, "\n      \"id\": \"%59[^\"]", id) == 1);
+    run_well(&j, "explain", id, NULL);
+    ck_assert_msg(strstr(j.out, ", a control, ") && strstr(j.out, "\nclaim       "), "%s: %s", id, j.out);
+    discard(&j);
+  }
+  ck_assert_int_gt(controls, 100);
+  run_well(&j, "list", NULL);
+  for (const char *p = j.out; *p; p = strchr(p, '\n') + 1) lines++;
+  ck_assert_int_eq(lines, claims);
+  discard(&j);
+  run_well(&j, "explain", "eq-10d", NULL);
+  ck_assert(strstr(j.out, "eq-10d, the claim: Z(t) = D(t) Z_0 in the global stick phase, when V = 1\n") == j.out &&
+            strstr(j.out, "\nverdict     proved (on record: proved)\ncondition   V = 1\n"));
+  discard(&j);
+  free(audit);
+  free(page);
+}
+END_TEST
+
+/* A number alone is that of an equation: its claims, or the only one. */
+START_TEST(an_equation_is_explained) {
+  struct job j, other;
+  run_well(&j, "explain", "40", NULL);
+  ck_assert(strncmp(j.out, "(40): ", 6) == 0);
+  static const char *const ids[] = {"eq-40", "eq-40b", "eq-40c", "eq-40d"};
+  for (int i = 0; i < 4; i++) {
+    char row[24];
+    snprintf(row, sizeof row, "\n%-18s ", ids[i]);
+    ck_assert_msg(strstr(j.out, row) != NULL, "%s", j.out);
+  }
+  run_well(&other, "explain", "(40)", NULL);
+  ck_assert_str_eq(j.out, other.out);
+  discard(&other);
+  discard(&j);
+  run_well(&j, "explain", "(13)", NULL);
+  run_well(&other, "explain", "eq-13", NULL);
+  ck_assert(strncmp(j.out, "eq-13, the claim: ", 18) == 0);
+  ck_assert_str_eq(j.out, other.out);
+  discard(&other);
   discard(&j);
 }
 END_TEST
@@ -1894,6 +2024,9 @@ static void check_page(const struct rows *r, const char *command) {
   int n_options = 0, n_examples = 0;
   run_well(&page, command, "--help", NULL);
   run_well(&same, "help", command, NULL);
+  ck_assert_str_eq(page.out, same.out);
+  discard(&same);
+  run_well(&same, command, "-h", NULL);
   ck_assert_str_eq(page.out, same.out);
   lines_fit(command, page.out, 100);
   flat = squeezed(page.out);
@@ -2028,6 +2161,7 @@ Suite *cli_suite(void) {
   tcase_add_test(c, simulation_follows_admissible_orbits);
   tcase_add_test(c, csv_has_a_row_for_each_sample_and_event);
   tcase_add_test(c, the_printed_start_runs_on);
+  tcase_add_test(c, the_usual_orbit_is_named);
   tcase_add_test(c, what_cannot_be_simulated);
   tcase_add_test(c, a_simulation_that_ends_early_says_so);
   tcase_add_test(c, routes_compared_over_many_periods);
@@ -2061,6 +2195,7 @@ Suite *cli_suite(void) {
   tcase_add_test(c, scenes_on_file_are_proved);
   tcase_add_test(c, one_bad_file_among_good_ones);
   tcase_add_test(c, a_full_disk_is_noticed);
+  tcase_add_test(c, a_reader_may_stop);
   tcase_add_test(c, no_data_folder_is_noticed);
   tcase_add_test(c, a_missing_data_folder_is_noticed);
   suite_add_tcase(s, c);
@@ -2068,6 +2203,8 @@ Suite *cli_suite(void) {
   tcase_set_timeout(c, TIME_LIMIT);
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, explain_shows_both_sides);
+  tcase_add_test(c, what_the_page_shows_can_be_explained);
+  tcase_add_test(c, an_equation_is_explained);
   suite_add_tcase(s, c);
   c = tcase_create("help");
   tcase_set_timeout(c, TIME_LIMIT);

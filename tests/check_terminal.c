@@ -85,6 +85,81 @@ START_TEST(colours_change_no_character) {
 }
 END_TEST
 
+/* verify --only shows what is wrong, what shows it and what mends it, in order of consequence (paper.roots), and where the
+   report is; the numbers are those of the certificate in audit.json. */
+START_TEST(what_fails_is_shown_worst_first) {
+  static const char *const in_order[] = {"conditional eq-40   J_f is",
+                                         "\n                    holds when  V = 1\n",
+                                         "entry = [1,3], left = 0.5160091821, right = 0.6530741211\n",
+                                         "correction  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100)) (proved)\n",
+                                         "refuted     num-t_a t_a = 0.6784",
+                                         "printed = 0.6784, unit = 1/10000",
+                                         "correction  t_a = 0.5323 (proved)\n",
+                                         "refuted     eq-36b  the indices",
+                                         "wrong       a slip of notation",
+                                         "\nsection "};
+  int status;
+  char *out = shell_output(&status, "%s verify --only eq-36b,eq-40,num-t_a --out %s", program(), scratch_path("r"));
+  const char *at = out;
+  ck_assert_int_eq(status, 0);
+  for (size_t i = 0; i < sizeof in_order / sizeof *in_order; i++) {
+    at = strstr(at, in_order[i]);
+    ck_assert_msg(at != NULL, "%s, in\n%s", in_order[i], out);
+  }
+  char where[300];
+  snprintf(where, sizeof where, "\nwritten to %s\npaper: ", scratch_path("r"));
+  ck_assert_msg(strstr(at, where) != NULL, "%s", out);
+  free(out);
+  out = shell_output(&status, "%s verify --out %s", program(), scratch_path("r"));
+  ck_assert(!strstr(out, "certificate"));
+  const char *first = strstr(out, " eq-10 "), *later = strstr(out, " eq-40 "), *last = strstr(out, " text-time-name ");
+  ck_assert_msg(first && later && last && first < later && later < last, "%s", out);
+  free(out);
+}
+END_TEST
+
+/* What writes says where, last; but where its output is JSON. */
+START_TEST(where_it_is_written_is_said) {
+  static const struct {
+    const char *command, *to;
+  } cases[] = {{"orbit paper --certificate", "c.json"},           {"sweep paper --over e2=0.8:0.9:5 --csv", "rows.csv"},
+               {"mutate --count 3 --only 1-model.eq --out", "m"}, {"stability lambda_2 --quick --out", "s"},
+               {"bench --job map --quick --inputs", "b"},         {"repair eq-36b --out", "p"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    int status;
+    char want[300];
+    snprintf(want, sizeof want, "written to %s\n", scratch_path(cases[i].to));
+    char *out = shell_output(&status, "%s %s %s 2>/dev/null", program(), cases[i].command, scratch_path(cases[i].to));
+    size_t n = strlen(out), m = strlen(want);
+    ck_assert_msg(status == 0 && n >= m && strcmp(out + n - m, want) == 0, "%s: %d, %s", cases[i].command, status, out);
+    free(out);
+  }
+  int status;
+  char *out = shell_output(&status, "%s repair eq-36b --json --out %s", program(), scratch_path("p"));
+  ck_assert(status == 0 && *out == '{' && !strstr(out, "written to"));
+  free(out);
+}
+END_TEST
+
+/* What explain marks is coloured like the verdicts of verify, and nothing else. */
+START_TEST(explain_has_colours) {
+  static const char command[] = "explain eq-10 --at V=2,t=3";
+  int status;
+  char *plain = shell_output(&status, "%s %s", program(), command);
+  for (int k = 0; k < 2; k++) {
+    char *out = shell_output(&status, "%s tests/oracle/terminal.py TERM=xterm NO_COLOR=%s -- %s %s", python(),
+                             k ? "1" : "", program(), command);
+    ck_assert_int_eq(status, 0);
+    if (k) ck_assert_str_eq(out, plain);
+    if (!k) ck_assert(strstr(out, "\nverdict     \033[1;31mconditional\033[0m (on record"));
+    if (!k) ck_assert(strstr(out, "\ndouble left  1.0000000000000000  0  \033[1;31m6.0000000000000000*\033[0m  0\n"));
+    free(out);
+  }
+  ck_assert(!strpbrk(plain, "\001\002\003\004\005\033"));
+  free(plain);
+}
+END_TEST
+
 /* The counts of the table add up: down the columns to its last row, and along each row. */
 START_TEST(the_table_adds_up) {
   int status, sum[8] = {0};
@@ -175,8 +250,8 @@ START_TEST(lines_fit_the_terminal) {
     int status;
     char *wide = shell_output(&status, "%s %s", program(), cases[i].command);
     ck_assert_int_eq(status, 0);
-    char *out = shell_output(&status, "%s tests/oracle/terminal.py COLUMNS=%d -- %s %s 2>&1", python(), cases[i].width,
-                             program(), cases[i].command);
+    char *out = shell_output(&status, "%s tests/oracle/terminal.py NO_COLOR=1 COLUMNS=%d -- %s %s 2>&1", python(),
+                             cases[i].width, program(), cases[i].command);
     ck_assert_int_eq(status, 0);
     int lines = 0;
     ck_assert_msg(!strstr(out, " \n"), "%s: blanks at the end of a line", cases[i].command);
@@ -208,6 +283,33 @@ START_TEST(a_sweep_tells_how_long) {
   const char *first = strstr(out, "\r\033[K["), *left = strstr(out, " left\r\033[K");
   ck_assert_msg(first && left && left - first > 10, "%.300s", out);
   free(out);
+}
+END_TEST
+
+/* So is who waits for other commands: by one total from the beginning to the end, never more than it, and nothing where
+   standard error is no terminal. */
+START_TEST(progress_has_one_total) {
+  static const char *const commands[] = {"mutate --count 2 --only 4-stability.eq --out", "repair eq-10 eq-40 --out",
+                                         "stability lambda_2 H --quick --out",
+                                         "verify --only eq-40,eq-10,num-t_a --out"};
+  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+    int status, shown = 0;
+    size_t done, of, last = 0, total = 0;
+    char *out = shell_output(&status, "%s tests/oracle/terminal.py TERM=xterm -- %s %s %s", python(), program(),
+                             commands[i], scratch_path("p"));
+    ck_assert_int_eq(status, 0);
+    for (const char *p = out; (p = strstr(p, "\r\033[K[")) != NULL; p++, shown++) {
+      ck_assert(sscanf(p, "\r\033[K[%zu/%zu]", &done, &of) == 2);
+      ck_assert_msg(done <= of && done >= last && (of == total || !shown), "%s: %.40s", commands[i], p + 4);
+      last = done;
+      total = of;
+    }
+    ck_assert_msg(shown > 0, "%s", commands[i]);
+    free(out);
+    out = shell_output(&status, "%s %s %s 2>&1 >/dev/null", program(), commands[i], scratch_path("p"));
+    ck_assert_msg(status == 0 && !*out, "%s: %s", commands[i], out);
+    free(out);
+  }
 }
 END_TEST
 
@@ -267,12 +369,51 @@ START_TEST(bash_completes) {
                {"help st", "stability\n"},
                {"bench --job m", "map\n"},
                {"orbit verify/scenes/near-t", "verify/scenes/near-ta.scene\n"},
+               {"orbit paper --set e", "eta=\ne1=\ne2=\n"},
+               {"orbit paper --set u_", "u_r1=\nu_r2=\n"},
+               {"sweep paper --over ", "chi=\neta=\nV=\ne1=\ne2=\n"},
                {"nonsense --x", "\n"}};
   if (system("command -v bash >/dev/null") != 0) return;
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     char *out = offered(cases[i].line);
     ck_assert_msg(strcmp(out, cases[i].words) == 0, "%s: %s", cases[i].line, out);
     free(out);
+  }
+}
+END_TEST
+
+/* zsh and fish ask the same file as a command; where they are installed, they are tried. */
+START_TEST(other_shells_complete) {
+  static const struct {
+    const char *line, *words;
+  } cases[] = {{"orb", "orbit\n"}, {"orbit paper --set et", "eta=\n"}, {"verify --only eq-60", "eq-60\neq-60b\n"}};
+  static const char in_zsh[] =
+      "compadd() { while [[ $1 != -- ]]; do shift; done; shift; (( $# )) && print -l -- $@; }\n"
+      "words=(${(s: :)LINE}) CURRENT=$#words\nsource $SCRIPT\n";
+  if (system("command -v bash >/dev/null") != 0) return;
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    int status;
+    char *out = shell_output(&status, "bash tools/completion.bash %s %s 2>&1", program(), cases[i].line);
+    ck_assert_msg(strcmp(out, cases[i].words) == 0, "%s: %s", cases[i].line, out);
+    free(out);
+    if (system("command -v zsh >/dev/null") == 0) {
+      out = shell_output(&status,
+                         "sed \"s|@COMPDIR@/stickslip|$PWD/tools/completion.bash|\" tools/completion.zsh >%s; "
+                         "LINE='%s %s' SCRIPT=%s zsh -f %s 2>&1",
+                         scratch_path("c.zsh"), program(), cases[i].line, scratch_path("c.zsh"),
+                         scratch_put("try.zsh", in_zsh));
+      ck_assert_msg(strcmp(out, cases[i].words) == 0, "zsh, %s: %s", cases[i].line, out);
+      free(out);
+    }
+    if (system("command -v fish >/dev/null") == 0) {
+      out = shell_output(
+          &status,
+          "sed \"s|@COMPDIR@/stickslip|$PWD/tools/completion.bash|\" tools/completion.fish >%s; "
+          "PATH=$(realpath $(dirname %s)):$PATH fish --no-config -c 'source %s; complete -C \"stickslip %s\"' 2>&1",
+          scratch_path("c.fish"), program(), scratch_path("c.fish"), cases[i].line);
+      ck_assert_msg(strcmp(out, cases[i].words) == 0, "fish, %s: %s", cases[i].line, out);
+      free(out);
+    }
   }
 }
 END_TEST
@@ -430,13 +571,18 @@ Suite *terminal_suite(void) {
   tcase_set_timeout(c, 300);
   tcase_add_test(c, colours_only_where_they_are_wanted);
   tcase_add_test(c, colours_change_no_character);
+  tcase_add_test(c, explain_has_colours);
+  tcase_add_test(c, what_fails_is_shown_worst_first);
+  tcase_add_test(c, where_it_is_written_is_said);
   tcase_add_test(c, the_table_adds_up);
   tcase_add_test(c, orbits_and_motions_are_tables);
   tcase_add_test(c, lines_fit_the_terminal);
   tcase_add_test(c, a_sweep_tells_how_long);
+  tcase_add_test(c, progress_has_one_total);
   tcase_add_test(c, scenes_are_listed);
   tcase_add_test(c, bash_completes);
   tcase_add_test(c, what_is_offered_is_known);
+  tcase_add_test(c, other_shells_complete);
   tcase_add_test(c, documents_hold_what_the_program_reads);
   tcase_add_test(c, documents_show_what_happens);
   tcase_add_test(c, another_paper_is_audited);

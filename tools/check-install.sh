@@ -62,7 +62,10 @@ rm "$dir/bin/orbit" "$dir/bin/sweep" "$dir/bin/audit"
 (cd "$dir" && bin/stickslip verify --only eq-27 --out "$dir/report" --quiet >/dev/null) || fail "the installed program fails"
 [ -f "$dir/share/man/man1/stickslip.1" ] || fail "no man page"
 [ -f "$dir/share/man/man5/stickslip-eq.5" ] || fail "no man page of the formats"
-[ -f "$dir/share/bash-completion/completions/stickslip" ] || fail "no completion"
+for completion in bash-completion/completions/stickslip zsh/site-functions/_stickslip fish/vendor_completions.d/stickslip.fish; do
+  [ -f "$dir/share/$completion" ] || fail "no completion: $completion"
+done
+[ "$(bash "$dir/share/bash-completion/completions/stickslip" "$dir/bin/stickslip" orb)" = orbit ] || fail "nothing is completed"
 make -s uninstall PREFIX="$dir"
 left=$(find "$dir/bin" "$dir/lib" "$dir/include" "$dir/share" ! -type d)
 [ -z "$left" ] || fail "left behind: $left"

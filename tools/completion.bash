@@ -1,5 +1,6 @@
-# Completion of stickslip in bash (not zsh, which has no mapfile).  It knows no command, option, scene or claim of its own: the
-# program that is being typed says them, by help --table, list and list scenes.
+# Completion of stickslip in bash.  It knows no command, option, scene, claim or parameter of its own: the program that is being
+# typed says them, by help --table, list, list scenes and list --scene-keys.  Run as a command, with the words of a command line as
+# arguments, it prints what the last of them may become, a line each: so do completion.zsh and completion.fish ask.
 
 # Fields $4 (from 1) of the rows of help --table whose first two fields are $2 and $3; "*" is any.
 _stickslip_rows() {
@@ -19,6 +20,11 @@ _stickslip_claims() {
 
 _stickslip_scenes() {
   "$1" list scenes 2>/dev/null | awk '{ print $1 }'
+}
+
+# Names of parameters, and of other lines of a scene: those before "=" alone for another option than --set.
+_stickslip_parameters() {
+  "$1" list --scene-keys 2>/dev/null | if [[ $2 == --set ]]; then sed 's/ *[=:].*/=/'; else sed -n 's/ *=.*\[low, high\].*/=/p'; fi
 }
 
 _stickslip() {
@@ -43,6 +49,9 @@ _stickslip() {
     words=$(_stickslip_claims "$program" | sed "s/^/$before/")
   elif [[ $previous == --* && -n $(_stickslip_choice "$program" "$command" "$previous") ]]; then
     words=$(_stickslip_choice "$program" "$command" "$previous")
+  elif [[ $(_stickslip_rows "$program" "$command" "$previous" 3) == NAME=* && $word != *=* ]]; then
+    words=$(_stickslip_parameters "$program" "$previous")
+    compopt -o nospace 2>/dev/null
   elif [[ $word == -* ]]; then
     words=$(_stickslip_rows "$program" "$command" "*" 2 | grep '^--')
   elif [[ $previous == --* && $(_stickslip_rows "$program" "$command" "$previous" 3) == @(FILE|DIR) ||
@@ -66,4 +75,11 @@ _stickslip() {
   fi
 }
 
-complete -F _stickslip stickslip
+if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
+  COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMP_LINE="$*" COMP_WORDBREAKS=
+  COMP_POINT=${#COMP_LINE}
+  _stickslip
+  ((${#COMPREPLY[@]} == 0)) || printf '%s\n' "${COMPREPLY[@]}"
+else
+  complete -F _stickslip stickslip
+fi

@@ -263,8 +263,8 @@ static bool make_one(struct text *bytes, size_t item, int place, void *arg) {
   return true;
 }
 
-bool crew_results(void *results, size_t size, size_t n, int jobs, crew_make *make, void *arg,
-                  void (*done)(size_t n, size_t of), struct diag *d) {
+bool crew_results(void *results, size_t size, size_t n, int jobs, crew_make *make, void *arg, struct crew_tally *tally,
+                  struct diag *d) {
   struct making m = {make, arg, ss_malloc(size), size};
   struct crew *c = crew_open(make_one, &m, jobs, false, d);
   enum crew_news news = c ? CREW_NOTHING : CREW_LOST;
@@ -278,7 +278,8 @@ bool crew_results(void *results, size_t size, size_t n, int jobs, crew_make *mak
     if (news != CREW_ITEM) continue;
     memcpy((char *)results + item * size, bytes.data, size);
     ready++;
-    if (done) done(ready, n);
+    if (tally) tally->done++;
+    if (tally && tally->tell) tally->tell(tally->done, tally->of);
   }
   if (c) crew_close(c);
   text_clear(&bytes);

@@ -46,11 +46,16 @@ enum crew_news {
 /* The next news within so many milliseconds; -1: however long it takes. */
 enum crew_news crew_take(struct crew *c, size_t *item, struct text *bytes, int wait);
 
-/* Results of one size, n of them, made by `jobs` processes: make writes result i.  done, when given, is told how many
-   are ready.  false with d set when no process can be made, or one ends before its work is done; no process is left
+/* Who is told how far a command is whose work is done in several calls: so many of all its items are done. */
+struct crew_tally {
+  void (*tell)(size_t done, size_t of); /* or NULL */
+  size_t done, of;
+};
+
+/* Results of one size, n of them, made by `jobs` processes: make writes result i.  The tally, or NULL, counts them.  false with d set when no process can be made, or one ends before its work is done; no process is left
    behind. */
 typedef void crew_make(void *result, size_t i, void *arg);
-bool crew_results(void *results, size_t size, size_t n, int jobs, crew_make *make, void *arg,
-                  void (*done)(size_t n, size_t of), struct diag *d);
+bool crew_results(void *results, size_t size, size_t n, int jobs, crew_make *make, void *arg, struct crew_tally *tally,
+                  struct diag *d);
 
 #endif

@@ -12,6 +12,8 @@
    select some claim? */
 bool claims_selects(const char *const *only, int n_only, const struct claim *c);
 bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d);
+/* The error that no claim has the id, with those that may have been meant. */
+void claims_unknown(const struct claims *claims, const char *id, struct diag *d);
 
 enum { CLAIM_NAME = 32 };
 /* Items of a list separated by commas or blanks, at most max; how many there are. */
@@ -36,6 +38,17 @@ bool claim_deduces(const struct claim *c);
 const struct claim *claim_named(const struct claims *claims, const char *id);
 /* Is the id that of a claim which a restriction of this one makes? */
 bool claim_makes(const struct claim *c, const char *id);
+/* A claim that is made where a condition holds: an item of the attribute restricted. */
+struct made_claim {
+  char condition[32], record[16], id[CLAIM_NAME];
+};
+/* The first item of the list; where the rest begins, or NULL where there is none. */
+const char *claim_next_made(struct made_claim *out, const char *list);
+/* The claim of that id, or the one that makes it, or NULL. */
+const struct claim *claim_answering(const struct claims *claims, const char *id);
+/* Appends, behind the prefix and a line each, the formulas that the claim is about as it reads them, in the notation of
+   the files; how many. */
+int claim_formulas(struct text *out, const struct model *m, const struct claim *c, const char *prefix);
 /* How a claim is read: its own text as printed, the rest corrected. */
 struct view claim_view(const struct model *m, const struct claim *c);
 /* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/suggest.h"
 #include "claim.h"
 #include "claims.h"
 #include "model/model.h"
@@ -133,12 +134,25 @@ bool claim_error(struct judge *j, const struct claim *c, const char *key, const 
   return claim_mistake(c, key, j->d, what);
 }
 
+const char *claim_next_made(struct made_claim *out, const char *list) {
+  int n = 0;
+  if (!list || sscanf(list, " %31[^:]: %15[a-z]: %31[a-z0-9-]%n", out->condition, out->record, out->id, &n) != 3)
+    return NULL;
+  return list + n + strspn(list + n, "; ");
+}
+
 bool claim_makes(const struct claim *c, const char *id) {
-  const char *list = claim_get(c, "restricted");
-  size_t n = strlen(id);
-  for (const char *p = list ? strstr(list, id) : NULL; p; p = strstr(p + 1, id))
-    if (p > list && p[-1] == ' ' && (p[n] == '\0' || p[n] == ';')) return true;
+  struct made_claim made;
+  for (const char *p = claim_get(c, "restricted"); (p = claim_next_made(&made, p)) != NULL;)
+    if (strcmp(made.id, id) == 0) return true;
   return false;
+}
+
+const struct claim *claim_answering(const struct claims *claims, const char *id) {
+  const struct claim *c = claim_named(claims, id);
+  for (size_t i = 0; !c && i < claims->n; i++)
+    if (claim_makes(&claims->claim[i], id)) c = &claims->claim[i];
+  return c;
 }
 
 const struct claim *claim_named(const struct claims *claims, const char *id) {
@@ -153,6 +167,21 @@ bool claim_is_about(const struct statement_record *r, const struct claim *c) {
   if (r->rank > RANK_USER) return false;
   if (statement) return strcmp(r->id, statement) == 0;
   return value && equation && strcmp(r->record->kind_name, "define") == 0 && strcmp(r->equation, equation) == 0;
+}
+
+int claim_formulas(struct text *out, const struct model *m, const struct claim *c, const char *prefix) {
+  struct view v = claim_view(m, c);
+  int n = 0;
+  for (size_t i = 0; i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    const struct statement_record *seen = claim_is_about(r, c) ? view_record(&v, r->id) : NULL;
+    for (int k = 0; seen && k < seen->n_stmts; k++, n++) {
+      text_add(out, prefix);
+      stmt_print(out, seen->stmts[k]);
+      text_add_char(out, '\n');
+    }
+  }
+  return n;
 }
 
 struct view claim_view(const struct model *m, const struct claim *c) {
@@ -170,12 +199,23 @@ bool claims_selects(const char *const *only, int n_only, const struct claim *c) 
   return false;
 }
 
+void claims_unknown(const struct claims *claims, const char *id, struct diag *d) {
+  struct suggestion meant;
+  struct text says;
+  text_init(&says);
+  suggest_begin(&meant, id, strlen(id));
+  for (size_t i = 0; i < claims->n; i++) suggest_try(&meant, claims->claim[i].id);
+  suggest_print(&says, &meant);
+  diag_set(d, "error: no claim is named %.200s%s; \"stickslip list\" names them all", id, text_str(&says));
+  text_clear(&says);
+}
+
 bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d) {
   for (int i = 0; i < n_only; i++) {
     bool any = false;
     for (size_t k = 0; k < claims->n; k++) any = any || selects(only[i], &claims->claim[k]);
     if (!any) {
-      diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", only[i]);
+      claims_unknown(claims, only[i], d);
       return false;
     }
   }

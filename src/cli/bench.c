@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/arena.h"
 #include "bench/bench.h"
@@ -206,13 +205,22 @@ static int no_inputs(const struct bench_job *job) {
   return EXIT_INTERNAL;
 }
 
+/* How many jobs and studies. */
+static size_t count_asked(const struct options *o) {
+  size_t n = asked_for(o, verdicts);
+  for (int i = 0; i < n_bench_jobs; i++) n += asked_for(o, bench_jobs[i]->id);
+  for (int i = 0; i < n_bench_studies; i++) n += study_asked_for(o, bench_studies[i]);
+  return n;
+}
+
 static int run_jobs(struct bench_result *r, const struct options *o, const struct bench_env *env) {
-  bool terminal = isatty(STDERR_FILENO);
+  size_t done = 0, of = count_asked(o);
+  progress_begin();
   r->table = ss_malloc((size_t)n_bench_jobs * sizeof *r->table);
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < n_bench_jobs; i++) {
     if (!asked_for(o, bench_jobs[i]->id)) continue;
-    if (terminal) fprintf(stderr, "\r\033[K%s", bench_jobs[i]->title);
+    progress_count(done++, of);
     struct bench_table *t = &r->table[r->n++];
     if (!bench_run(t, bench_jobs[i], env, r->quick)) status = no_inputs(bench_jobs[i]);
     bench_peers_add(t, &r->peers);
@@ -221,14 +229,17 @@ static int run_jobs(struct bench_result *r, const struct options *o, const struc
   for (int i = 0; i < n_bench_studies; i++) {
     const struct study *study = bench_studies[i];
     if (!study_asked_for(o, study)) continue;
-    if (terminal) fprintf(stderr, "\r\033[K%s", study->title);
+    progress_count(done++, of);
     if (!study_run(&r->page[r->n_pages++], study, env, r->quick)) {
       fprintf(stderr, "stickslip: the study %s could not be made\n", study->id);
       status = EXIT_INTERNAL;
     }
   }
-  if (terminal) fputs("\r\033[K", stderr);
-  if (asked_for(o, verdicts)) bench_verdicts(&r->verdicts, env, r->quick);
+  if (asked_for(o, verdicts)) {
+    progress_count(done, of);
+    bench_verdicts(&r->verdicts, env, r->quick);
+  }
+  progress_end();
   bench_ratios(r);
   bench_profiles(r, env);
   return status;
@@ -249,6 +260,7 @@ static bool deliver(const struct bench_result *r, const struct options *o, struc
   }
   for (int i = 0; i < r->n_pages && !option(o, OPT_JSON); i++) bench_study_markdown(&body, &r->page[i], false);
   fputs(text_str(&body), stdout);
+  if (folder) say_written(o, folder);
   text_clear(&body);
   return true;
 }
@@ -291,6 +303,7 @@ static int write_inputs(const struct options *o, struct diag *d) {
   }
   text_clear(&body);
   text_clear(&f.written);
+  if (f.ok) say_written(o, folder);
   return f.ok ? status : bad_input(d);
 }
 

@@ -3,6 +3,7 @@
 #define STICKSLIP_CLI_H
 
 #include "base/json.h"
+#include "base/suggest.h"
 #include "claim/claim.h"
 #include "motion/certify.h"
 #include "motion/dynamics.h"
@@ -80,6 +81,8 @@ const char *option(const struct options *o, enum option id);
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
 int usage(const char *fmt, const char *what);
+/* The same of a word that is none of those tried, with what may have been meant. */
+int usage_unknown(const char *fmt, const struct suggestion *s);
 /* Prints the diagnostic and returns EXIT_INPUT. */
 int bad_input(const struct diag *d);
 
@@ -93,7 +96,7 @@ bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned lo
 int parse_jobs(int *jobs, const struct options *o);
 /* --timeout or --time, from 0.000001 to most; 0 without it. */
 int parse_decimal(double *x, const struct options *o, enum option id, long most);
-/* --at orbit:K (as K - 1; the first without --at) or printed. */
+/* --at orbit:K (as K - 1; -1 without --at) or printed. */
 int parse_start(slong *orbit, bool *printed, const struct options *o);
 
 /* The command of that name; NULL after a message. */
@@ -130,14 +133,27 @@ int terminal_width(void);
 /* One line of len bytes, broken at single blanks where it is wider; it goes on at that column.  A longer word stays
    whole. */
 void text_fit(struct text *out, const char *line, size_t len, size_t width, size_t indent);
+/* How far a command is, on one line of standard error, where that is a terminal; once there is something to judge it by,
+   how long the rest takes.  begin: the time runs; show: so many of all, which are the given part of the work; count: the
+   same with items that are equal; end: the line is wiped. */
+void progress_begin(void);
+bool progress_wanted(void);
+void progress_show(size_t done, size_t of, double share);
+void progress_count(size_t done, size_t of);
+void progress_end(void);
 /* Prints lines, with those that are wider than the terminal broken at blanks; as they are where there is no
    terminal. */
 void terminal_print(const char *s);
+/* The same with the marks of audit_explain as colours, where the terminal has them. */
+void terminal_print_marked(const char *s);
 enum paint { PAINT_NONE, PAINT_GOOD, PAINT_BAD, PAINT_DOUBT, PAINT_HEAD };
 /* The word at the right end of so many columns, with a negative width at the left. */
 void paint(struct text *out, bool colours, enum paint p, const char *word, int width);
-/* What verify prints last: failures and counts by section; and the line of the contract. */
-void verify_tables(const struct audit_result *r);
+/* Says where files were written: a folder, or a file; nothing where the standard output is JSON. */
+void say_written(const struct options *o, const char *where);
+/* What verify prints last: failures, worst first, with what shows and mends them when proofs is true, and counts by
+   section; and the line of the contract. */
+void verify_tables(const struct audit_result *r, bool proofs);
 void verify_line(const struct audit_result *r);
 
 /* The score of the whole study of damages beside a report's folder, when it was made of the same paper, overlay and
@@ -151,6 +167,9 @@ bool find_data(struct text *data, struct diag *d);
 /* The scene of that name or path, with what --set changes.  scene_clear it all the same. */
 bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, enum scene_welcome any,
                 struct diag *d);
+/* The row of a claim in the list, and those of the claims that its restrictions make, as reports have them; false with d
+   set. */
+bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
 /* list --scene-keys */
 int list_scene_keys(bool as_json);
 /* folder/name into out. */
@@ -192,8 +211,9 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
 int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d);
 int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
                       struct diag *d);
-/* simulate --compare, over at most the given time. */
-int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);
+/* simulate --compare, from the start of that name, over at most the given time. */
+int compare_routes(const struct coulomb_setup *setup, const struct scene *s, const char *from, long periods,
+                   double duration);
 /* Says that a simulation ended before it was to; the exit status. */
 int ended_early(const char *why, const char *route, double t);
 int run_simulate(const struct options *o, const char *data);

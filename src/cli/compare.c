@@ -39,16 +39,17 @@ static void print_multiplier(const struct coulomb_setup *setup, double duration)
   putchar('\n');
 }
 
-int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration) {
+int compare_routes(const struct coulomb_setup *setup, const struct scene *s, const char *from, long periods,
+                   double duration) {
   enum { BITS = 160, MOST_BITS = 4096 };
   struct long_run run;
   double bits = isfinite(setup->trace) ? log2(fmax(1, fabs(setup->trace))) * (double)periods : (double)periods;
   slong prec = BITS + (slong)fmin(bits, MOST_BITS);
   int status = EXIT_AS_RECORDED;
   long_run_make(&run, setup->params, setup->start, periods, duration, 0, prec);
-  printf(
-      "%s: ode (GSL's integration) and closed (closed forms), both in double, from one start beside mpfr (%ld bits)\n",
-      s->name, (long)prec);
+  printf("%s, %s: ode (GSL's integration) and closed (closed forms), both in double, from one start beside mpfr (%ld "
+         "bits)\n",
+         s->name, from, (long)prec);
   printf("%6s  %-6s %15s %15s  %8s  %s\n", "period", "route", "x1", "x2", "off mpfr", "events at");
   for (long i = 0; i < run.n[LONG_MPFR]; i++)
     for (int k = 0; k < N_LONG_ROUTES; k++)

@@ -153,9 +153,13 @@ static void print_table(void) {
 }
 
 const struct command *find_command(const char *name) {
-  for (int i = 0; i < n_commands; i++)
+  struct suggestion meant;
+  suggest_begin(&meant, name, strlen(name));
+  for (int i = 0; i < n_commands; i++) {
     if (strcmp(command_table[i].name, name) == 0) return &command_table[i];
-  usage("unknown command %.200s", name);
+    suggest_try(&meant, command_table[i].name);
+  }
+  usage_unknown("unknown command %s", &meant);
   return NULL;
 }
 

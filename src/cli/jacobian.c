@@ -3,6 +3,7 @@
 
 #include "base/json.h"
 #include "cli.h"
+#include "value/printed.h"
 
 static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
   const char *method = option(o, OPT_METHOD), *layer = option(o, OPT_LAYER);
@@ -124,6 +125,7 @@ int run_jacobian(const struct options *o, const char *data) {
   diag_init(&d);
   model_init(&m);
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_TWO_MASSES, &d) && scene_one_point(&s, &d);
+  if (ok && q.orbit < 0) q.orbit = scene_other_word(&s) ? 0 : scene_usual_orbit(&s);
   if (ok && scene_other_word(&s))
     status = run_word_jacobian(o, &s, &q, &d);
   else if (!ok || !load_model(&m, data, o, &d) ||

@@ -1,7 +1,6 @@
 /* stickslip mutate and repair: damage to formulas and to what stands beside them, and edits that undo it. */
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "cli.h"
 #include "power/power.h"
@@ -9,10 +8,6 @@
 #include "value/title.h"
 
 enum { DEFAULT_COUNT = 400, MAX_COUNT = 1000000 };
-
-static void show_progress(size_t n, size_t of) {
-  fprintf(stderr, "\r\033[K[%zu/%zu]", n, of);
-}
 
 static int parse_mutation(struct mutation_options *q, const struct options *o) {
   const char *seed = option(o, OPT_SEED), *count = option(o, OPT_COUNT);
@@ -47,6 +42,7 @@ static bool deliver(const struct text body[3], const char *const name[2], const 
   const char *folder = option(o, OPT_OUT);
   if (folder && !write_pair(folder, name, body, d)) return false;
   fputs(text_str(&body[option(o, OPT_JSON) ? 0 : 2]), stdout);
+  if (folder) say_written(o, folder);
   return true;
 }
 
@@ -107,13 +103,13 @@ int run_mutate(const struct options *o, const char *data) {
   mutation_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
   const struct audit_data all = {&in.model, &in.claims, &in.controls, &in.statements, NULL};
-  bool terminal = isatty(STDERR_FILENO);
-  q.progress = terminal ? show_progress : NULL;
+  q.progress = progress_count;
+  progress_begin();
   struct paper_text text = {.tokens = {.n = 0}};
   q.text = option(o, OPT_TEXT) ? &text : NULL;
   bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
             (!q.text || load_text(&text, option(o, OPT_TEXT), &all, &d)) && audit_mutate(&r, &all, &in.scene, &q, &d);
-  if (terminal) fputs("\r\033[K", stderr);
+  progress_end();
   if (ok) {
     report_mutation_json(&body[0], &r);
     report_mutation_markdown(&body[1], &r);
@@ -141,9 +137,12 @@ int run_repair(const struct options *o, const char *data) {
   diag_init(&d);
   repair_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
-  struct repair_options opt = {.only = o->operands.word, .n_only = o->operands.n, .jobs = jobs};
+  struct repair_options opt = {
+      .only = o->operands.word, .n_only = o->operands.n, .jobs = jobs, .progress = progress_count};
+  progress_begin();
   bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
             audit_repairs(&r, &in.model, &in.claims, &in.scene, &opt, &d);
+  progress_end();
   if (ok) {
     report_repairs_json(&body[0], &r);
     report_repairs_markdown(&body[1], &r);

@@ -14,6 +14,20 @@ int usage(const char *fmt, const char *what) {
   return EXIT_USAGE;
 }
 
+int usage_unknown(const char *fmt, const struct suggestion *s) {
+  struct text what;
+  text_init(&what);
+  text_printf(&what, "%.*s", (int)(s->len < 200 ? s->len : 200), s->word);
+  suggest_print(&what, s);
+  int status = usage(fmt, text_str(&what));
+  text_clear(&what);
+  return status;
+}
+
+void say_written(const struct options *o, const char *where) {
+  if (!option(o, OPT_JSON)) printf("written to %s\n", where);
+}
+
 int bad_input(const struct diag *d) {
   fprintf(stderr, "%s%s\n", strncmp(d->message, "error:", 6) == 0 ? "stickslip: " : "", d->message);
   return EXIT_INPUT;
@@ -71,16 +85,23 @@ static int add_value(struct words *w, const struct option_row *row, char *value)
   return EXIT_AS_RECORDED;
 }
 
-/* The row of the option that len bytes of the word name; NULL after a message. */
+/* The row of the option that len bytes of the word name, -h for --help; NULL after a message. */
 static const struct option_row *find_option(const char *command, const char *word, size_t len) {
+  if (strcmp(word, "-h") == 0) return find_option(command, "--help", strlen("--help"));
   bool known = false; /* as an option of other commands */
+  struct suggestion meant;
+  suggest_begin(&meant, word, len);
   for (int k = 0; k < n_option_rows; k++) {
     const struct option_row *row = &option_table[k];
-    if (strlen(row->name) != len || strncmp(row->name, word, len) != 0) continue;
-    if (option_belongs(row, command)) return row;
-    known = true;
+    bool same = strlen(row->name) == len && strncmp(row->name, word, len) == 0, mine = option_belongs(row, command);
+    if (same && mine) return row;
+    known |= same;
+    if (mine) suggest_try(&meant, row->name);
   }
-  usage(known ? "the option %.200s does not belong to this command" : "unknown option %.200s", word);
+  if (known)
+    usage("the option %.200s does not belong to this command", word);
+  else
+    usage_unknown("unknown option %s", &meant);
   return NULL;
 }
 
@@ -156,7 +177,7 @@ int parse_digits(slong *digits, const struct options *o) {
 
 int parse_start(slong *orbit, bool *printed, const struct options *o) {
   const char *at = option(o, OPT_AT);
-  *orbit = 0;
+  *orbit = at ? 0 : -1;
   *printed = at && strcmp(at, "printed") == 0;
   if (!at || *printed) return EXIT_AS_RECORDED;
   char *end = NULL;

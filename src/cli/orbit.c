@@ -237,6 +237,7 @@ static int show_orbits(const struct options *o, const struct scene *s, slong dig
     status = bad_input(d);
   else
     print_orbits(o, &z, s, digits);
+  if (status == EXIT_AS_RECORDED && certificate) say_written(o, certificate);
   solved_clear(&z);
   return status;
 }

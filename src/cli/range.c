@@ -40,14 +40,32 @@ int range_parse_named(struct range *r, struct text *name, const char *option, co
   return EXIT_AS_RECORDED;
 }
 
+/* The name is none of a parameter's: which may have been meant. */
+static int no_parameter(const char *name, const char *option, const char *text) {
+  struct suggestion meant;
+  struct text says;
+  text_init(&says);
+  suggest_begin(&meant, name, strlen(name));
+  for (int i = 0; i < N_SCENE_PARAMS; i++) suggest_try(&meant, scene_key_name[i]);
+  text_printf(&says, "%s varies chi, eta, V, e1 or e2, not %.200s", option, text);
+  suggest_print(&says, &meant);
+  int status = usage("%s", text_str(&says));
+  text_clear(&says);
+  return status;
+}
+
 int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len) {
+  const char *equals = memchr(text, '=', len);
+  bool shaped = equals && memchr(equals, ':', (size_t)(text + len - equals));
   struct text name;
   text_init(&name);
-  int status = range_parse_named(r, &name, option, shape, text, len);
+  text_add_n(&name, text, equals ? (size_t)(equals - text) : 0);
   r->vary = word_find(text_str(&name), scene_key_name, N_SCENE_PARAMS);
+  int status = shaped && r->vary == N_SCENE_PARAMS ? no_parameter(text_str(&name), option, text) : EXIT_AS_RECORDED;
+  text_reset(&name);
+  if (!status) status = range_parse_named(r, &name, option, shape, text, len);
   text_clear(&name);
   if (status) return status;
-  if (r->vary == N_SCENE_PARAMS) return complain("%s varies chi, eta, V, e1 or e2, not %.200s", option, text);
   if (!in_domain(r->from, r->vary) || !in_domain(r->to, r->vary))
     return complain(r->vary == P_CHI ? "both ends of %s %.200s must lie between 0 and 1"
                                      : "both ends of %s %.200s must be positive",

@@ -61,6 +61,7 @@ int run_report(const struct options *o, const char *data) {
   struct mutation_score score;
   if (ok) output_add_views(&out, &r, score_beside(&score, o->operands.word[0], &r) ? &score : NULL);
   ok = ok && output_write(&out, &d);
+  if (ok) say_written(o, o->operands.word[0]);
   if (ok) verify_line(&r);
   output_clear(&out);
   audit_result_clear(&r);

@@ -9,6 +9,7 @@
 #include "mech/moments.h"
 #include "motion/coulomb.h"
 #include "simulated.h"
+#include "value/printed.h"
 
 enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100, MAX_COMPARED = 10000 };
 enum { MAX_STEPS = 10000000 }; /* of an integrator: many periods need more than a proof does */
@@ -17,6 +18,7 @@ enum { MAX_STEPS = 10000000 }; /* of an integrator: many periods need more than 
 struct simulation {
   struct coulomb_setup setup;
   struct coulomb_plan plan;
+  char from[32]; /* orbit:2, printed, or start */
 };
 
 static int parse_count(long *n, const char *text, long most, const char *option) {
@@ -31,11 +33,6 @@ static int parse_count(long *n, const char *text, long most, const char *option)
 }
 
 /* --- Output --- */
-
-const char *start_name(const struct options *o) {
-  const char *at = option(o, OPT_AT);
-  return option(o, OPT_START) ? "start" : at ? at : "orbit:1";
-}
 
 void csv_heading(int n) {
   struct text line;
@@ -181,7 +178,7 @@ static void print_table(const struct simulated *shown, const struct simulation *
   text_init(&folded);
   bool *grazing = ss_malloc((log->n + 1) * sizeof *grazing);
   for (size_t i = 0; i < log->n; i++) grazing[i] = log->event[i].grazing;
-  printf("%s: u_r1 = %.10g, u_r2 = %.10g\n%s", shown->scene, run->setup.params[COULOMB_UR1],
+  printf("%s, %s: u_r1 = %.10g, u_r2 = %.10g\n%s", shown->scene, run->from, run->setup.params[COULOMB_UR1],
          run->setup.params[COULOMB_UR2],
          run->setup.own_friction ? "(where the scene gives none: 5/4 of what the orbits need)\n" : "");
   events_table(shown, grazing);
@@ -197,7 +194,7 @@ static void print_table(const struct simulated *shown, const struct simulation *
   text_clear(&word);
 }
 
-static int simulate_events(const struct simulation *run, const struct scene *s, const char *at, bool json) {
+static int simulate_events(const struct simulation *run, const struct scene *s, bool json) {
   struct coulomb_log ode, exact;
   struct coulomb_result r = {.end = COULOMB_FAILED}, r_exact;
   struct mech_motion main, other;
@@ -209,7 +206,7 @@ static int simulate_events(const struct simulation *run, const struct scene *s, 
   motion_of(&main, &run->setup, &ode);
   motion_of(&other, &run->setup, &exact);
   main.t = r.at.t;
-  struct simulated shown = {s->name, NULL, at, 2, N_STATE, &main, &other};
+  struct simulated shown = {s->name, NULL, run->from, 2, N_STATE, &main, &other};
   if (json)
     simulated_json(&shown, coulomb_end_name[r.end]);
   else
@@ -260,10 +257,15 @@ int run_simulate(const struct options *o, const char *data) {
   diag_init(&d);
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d);
   if (ok && s.system) {
-    status = run_system_simulate(o, &s, data, &(struct system_run){orbit, periods, samples, time});
+    status = run_system_simulate(o, &s, data, &(struct system_run){orbit < 0 ? 0 : orbit, periods, samples, time});
     scene_clear(&s);
     return status;
   }
+  if (ok && orbit < 0) orbit = scene_usual_orbit(&s);
+  if (start || printed)
+    snprintf(run.from, sizeof run.from, "%s", start ? "start" : "printed");
+  else
+    snprintf(run.from, sizeof run.from, "orbit:%ld", (long)orbit + 1);
   ok = ok && (start ? audit_coulomb_setup_from(&run.setup, &s, start, &d)
                     : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
   if (ok) {
@@ -274,10 +276,9 @@ int run_simulate(const struct options *o, const char *data) {
     run.plan.duration = time > 0 ? time : SLACK * (double)periods * period;
     if (option(o, OPT_CSV)) run.plan.sample = period / (double)samples;
     if (option(o, OPT_COMPARE))
-      status = compare_routes(&run.setup, &s, periods, run.plan.duration);
+      status = compare_routes(&run.setup, &s, run.from, periods, run.plan.duration);
     else
-      status = option(o, OPT_CSV) ? simulate_csv(&run)
-                                  : simulate_events(&run, &s, start_name(o), option(o, OPT_JSON) != NULL);
+      status = option(o, OPT_CSV) ? simulate_csv(&run) : simulate_events(&run, &s, option(o, OPT_JSON) != NULL);
   } else {
     status = bad_input(&d);
   }

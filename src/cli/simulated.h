@@ -10,8 +10,6 @@ struct simulated {
   int n, states;
   const struct mech_motion *main, *other; /* by integration, by closed forms */
 };
-/* "orbit:K", "printed" or "start", as the options say. */
-const char *start_name(const struct options *o);
 void csv_heading(int n);
 void moment_csv(int n, const struct mech_moment *at);
 /* The lines of the table; grazing, of each event, may be NULL. */

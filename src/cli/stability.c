@@ -3,16 +3,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "bench/bench.h"
 #include "cli.h"
 #include "report/stability.h"
 #include "stability/digits.h"
-
-static void show_progress(size_t n, size_t of) {
-  fprintf(stderr, "\r\033[K[%zu/%zu]", n, of);
-}
 
 static int parse_layer(int *layer, const char *option, const char *name) {
   for (*layer = 0; *layer < N_LAYERS; ++*layer)
@@ -43,7 +38,7 @@ static int parse_study(struct stability_options *q, const struct options *o) {
                                   .only = o->operands.word,
                                   .n_only = o->operands.n,
                                   .quick = option(o, OPT_QUICK),
-                                  .progress = isatty(STDERR_FILENO) ? show_progress : NULL};
+                                  .progress = progress_count};
   return status ? status : parse_jobs(&q->jobs, o);
 }
 
@@ -147,13 +142,15 @@ static bool study(const struct model *m, const struct stability_options *q, cons
   struct text body;
   stability_result_init(&r);
   text_init(&body);
+  progress_begin();
   bool ok = (!folder || folder_possible(folder, d)) && audit_stability(&r, m, q, d);
-  if (q->progress) fputs("\r\033[K", stderr);
+  progress_end();
   set_sources(&r, o);
   ok = ok && (!folder || write_files(folder, &r, d));
   if (ok && option(o, OPT_JSON)) report_stability_json(&body, &r);
   if (ok && !option(o, OPT_JSON)) report_stability_text(&body, &r);
   if (ok) fputs(text_str(&body), stdout);
+  if (ok && folder) say_written(o, folder);
   text_clear(&body);
   stability_result_clear(&r);
   return ok;

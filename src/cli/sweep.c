@@ -86,7 +86,8 @@ static int write_all_rows(const struct sweep *q, const struct options *o, int jo
   struct sink s;
   struct diag d;
   diag_init(&d);
-  int status = sink_open(&s, q, o, &d) ? sweep_carry_out(q, &s, jobs) : bad_input(&d);
+  int status = sink_open(&s, q, o, &d) ? sweep_carry_out(q, &s, jobs) : sink_failed(&d);
+  if (status == EXIT_AS_RECORDED && s.to_file) say_written(o, option(o, OPT_CSV));
   sink_clear(&s);
   return status;
 }

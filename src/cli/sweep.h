@@ -49,6 +49,8 @@ struct sink {
 bool sink_open(struct sink *s, const struct sweep *q, const struct options *o, struct diag *d);
 bool sink_write(struct sink *s, const struct text *rows, struct diag *d);
 bool sink_finish(struct sink *s, const struct sweep *q, struct diag *d);
+/* The exit status where one of these was false; a reader who has read enough, as behind "| head", is no error. */
+int sink_failed(const struct diag *d);
 void sink_clear(struct sink *s);
 
 /* --- sweep_run.c --- */

@@ -150,8 +150,12 @@ bool sink_write(struct sink *s, const struct text *rows, struct diag *d) {
   if (rows->len == 0) return true;
   if (s->to_file) return part_write(&s->part, rows->data, rows->len, d);
   if (write_all(STDOUT_FILENO, rows->data, rows->len)) return true;
-  diag_set(d, "error: standard output cannot be written: %s", strerror(errno));
+  if (errno != EPIPE) diag_set(d, "error: standard output cannot be written: %s", strerror(errno));
   return false;
+}
+
+int sink_failed(const struct diag *d) {
+  return d->set ? bad_input(d) : EXIT_AS_RECORDED;
 }
 
 bool sink_finish(struct sink *s, const struct sweep *q, struct diag *d) {

@@ -50,31 +50,11 @@ struct sweep_course {
   struct waiting ring[AHEAD];
   size_t held; /* bytes in the ring */
   struct diag d;
-  bool terminal;
-  struct timespec begun, shown;
-  slong begun_at;
+  slong begun_at; /* units that were there before */
 #ifdef STICKSLIP_MPI
   struct helpers *helpers;
 #endif
 };
-
-/* --- Progress. --- */
-
-static double seconds(const struct timespec *from, const struct timespec *to) {
-  return (double)(to->tv_sec - from->tv_sec) + 1e-9 * (double)(to->tv_nsec - from->tv_nsec);
-}
-
-static void show_progress(struct sweep_course *r) {
-  struct timespec now;
-  if (!r->terminal) return;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  if (seconds(&r->shown, &now) < 0.2) return;
-  r->shown = now;
-  double done = (double)(r->written - r->begun_at), left = (double)(r->q->units - r->written);
-  long rest = done > 0 ? (long)(seconds(&r->begun, &now) / done * left + 0.5) : -1;
-  fprintf(stderr, "\r\033[K[%ld/%ld]", (long)r->written, (long)r->q->units);
-  if (rest >= 0) fprintf(stderr, " %ld:%02ld:%02ld left", rest / 3600, rest / 60 % 60, rest % 60);
-}
 
 /* --- Handing out, taking in. --- */
 
@@ -173,13 +153,14 @@ static int loop(struct sweep_course *r) {
     give(r);
     lost = !take(r, &rows);
     ok = write_ready(r);
-    show_progress(r);
+    double done = (double)(r->written - r->begun_at), all = (double)(r->q->units - r->begun_at);
+    progress_show((size_t)r->written, (size_t)r->q->units, done / all);
   }
   text_clear(&rows);
-  if (r->terminal) fputs("\r\033[K", stderr);
+  progress_end();
   if (ok && r->written < r->q->units) return say_interrupted(r, lost && !stopped);
   ok = ok && sink_finish(r->sink, r->q, &r->d);
-  return ok ? EXIT_AS_RECORDED : bad_input(&r->d);
+  return ok ? EXIT_AS_RECORDED : sink_failed(&r->d);
 }
 
 static bool do_unit(struct text *rows, size_t unit, int place, void *arg) {
@@ -197,8 +178,7 @@ int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs) {
   *r = (struct sweep_course){
       .q = q, .sink = s, .room = jobs + 1, .next = s->done, .written = s->done, .begun_at = s->done};
   diag_init(&r->d);
-  r->terminal = isatty(STDERR_FILENO);
-  clock_gettime(CLOCK_MONOTONIC, &r->begun);
+  progress_begin();
   r->crew = sweep_crew(q, jobs, &r->d);
 #ifdef STICKSLIP_MPI
   r->helpers = helpers_open(q);

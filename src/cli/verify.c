@@ -1,11 +1,9 @@
 /* stickslip verify: load, audit, write, say. */
 #include <gsl/gsl_version.h>
-#include <math.h>
 #include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "claim/claim.h"
 #include "claim/near.h"
@@ -20,11 +18,9 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* The time left, once there is something to judge it by. */
 static void show_progress(void *arg, size_t done, size_t total, double share) {
-  double taken = now() - *(const double *)arg;
-  fprintf(stderr, "\r\033[K[%zu/%zu]", done, total);
-  if (share > 0.05 && taken > 0.2) fprintf(stderr, " about %.0f s left", ceil(taken * (1 - share) / share));
+  (void)arg;
+  progress_show(done, total, share);
 }
 
 /* What is trusted beneath, with the versions that run. */
@@ -72,9 +68,12 @@ static void print_surprises(const struct audit_result *r) {
              r->controls[i].near);
 }
 
-static void print_result(const struct audit_result *r, bool quiet) {
-  if (!quiet) verify_tables(r);
+/* The last line is the contract's, so that where it is written stands before it. */
+static void print_result(const struct audit_result *r, const struct options *o, const char *folder) {
+  bool quiet = option(o, OPT_QUIET);
+  if (!quiet) verify_tables(r, option(o, OPT_ONLY));
   print_surprises(r);
+  if (!quiet) say_written(o, folder);
   verify_line(r);
 }
 
@@ -99,11 +98,11 @@ static int audit_scene(const struct verify_data *v, const struct scene *s, const
   struct audit_result r;
   audit_result_init(&r);
   bool ok = audit_run(&r, &v->model, &v->claims, &v->controls, s, opt, d);
-  if (opt->progress) fputs("\r\033[K", stderr);
+  if (opt->progress) progress_end();
   ok = ok && write_reports(folder, &r, now() - start, d);
   int status = ok ? EXIT_AS_RECORDED : bad_input(d);
   if (ok) {
-    print_result(&r, option(o, OPT_QUIET));
+    print_result(&r, o, folder);
     if (audit_result_unexpected(&r))
       status = EXIT_DIFFERS;
     else if (option(o, OPT_STRICT) && remains(&r))
@@ -129,11 +128,11 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
   text_init(&folder);
   double start = now();
   interrupt_next();
-  bool terminal = isatty(STDERR_FILENO) && !option(o, OPT_QUIET);
+  bool terminal = progress_wanted() && !option(o, OPT_QUIET);
+  progress_begin();
   struct audit_options opt = {.only = o->given[OPT_ONLY].word,
                               .n_only = o->given[OPT_ONLY].n,
                               .progress = terminal ? show_progress : NULL,
-                              .arg = &start,
                               .readings = true,
                               .jobs = jobs,
                               .costs = &v->costs,

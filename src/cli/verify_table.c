@@ -1,9 +1,10 @@
-/* What verify says at its end: what fails and why it matters, the verdicts by section, and the one line of the
+/* What verify says at its end: what fails, worst first, and what shows it, the verdicts by section, and the one line of the
    contract. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli.h"
+#include "report/finding.h"
 #include "report/report.h"
 
 static enum paint paint_of(enum verdict v) {
@@ -44,20 +45,53 @@ static void add_wrapped(struct text *out, const char *s, int column, int width) 
   }
 }
 
-static void add_failures(struct text *out, const struct audit_result *r, bool colours) {
+/* In the order of the roots, which is that of consequence, then what has none, what is unknown last. */
+static size_t rank_of(const struct audit_result *r, const struct finding *f) {
+  const struct root_cause *root = f->root ? audit_result_root(r, f->root) : NULL;
+  return root ? (size_t)(root - r->roots) : r->n_roots + (f->verdict == VERDICT_UNKNOWN);
+}
+
+static void add_labelled(struct text *out, int column, const char *label, const char *s) {
+  enum { LABEL = 12 };
+  text_printf(out, "%*s%-*s", column, "", LABEL, label);
+  add_wrapped(out, s, column + LABEL, terminal_width());
+  text_add_char(out, '\n');
+}
+
+/* What shows the failure, and what mends it. */
+static void add_proof(struct text *out, const struct finding *f, int column) {
+  struct text t;
+  text_init(&t);
+  add_labelled(out, column, "wrong", finding_fails(f) ? failure_words(f) : "nothing decides it");
+  if (f->condition) add_labelled(out, column, "holds when", f->condition);
+  for (int i = 0; i < f->certificate.n; i++)
+    text_printf(&t, "%s%s = %s", i ? ", " : "", f->certificate.at[i].name, f->certificate.at[i].value);
+  if (t.len) add_labelled(out, column, "certificate", text_str(&t));
+  text_reset(&t);
+  if (f->correction) text_printf(&t, "%s (%s)", f->correction, verdict_name[f->correction_verdict]);
+  if (t.len) add_labelled(out, column, "correction", text_str(&t));
+  text_clear(&t);
+}
+
+static void add_failure(struct text *out, const struct finding *f, size_t widest, bool colours, bool proofs) {
+  int column = (int)widest + 13;
+  paint(out, colours, paint_of(f->verdict), verdict_name[f->verdict], -11);
+  text_printf(out, " %-*s ", (int)widest, f->id);
+  add_wrapped(out, f->title, column, terminal_width());
+  text_add_char(out, '\n');
+  if (proofs) add_proof(out, f, column);
+}
+
+static void add_failures(struct text *out, const struct audit_result *r, bool colours, bool proofs) {
   size_t widest = 0;
   for (size_t i = 0; i < r->n_findings; i++) {
     size_t n = strlen(r->findings[i].id);
     if (needs_attention(&r->findings[i]) && n > widest) widest = n;
   }
-  for (size_t i = 0; i < r->n_findings; i++) {
-    const struct finding *f = &r->findings[i];
-    if (!needs_attention(f)) continue;
-    paint(out, colours, paint_of(f->verdict), verdict_name[f->verdict], -11);
-    text_printf(out, " %-*s ", (int)widest, f->id);
-    add_wrapped(out, f->title, (int)widest + 13, terminal_width());
-    text_add_char(out, '\n');
-  }
+  for (size_t rank = 0; rank <= r->n_roots + 1; rank++)
+    for (size_t i = 0; i < r->n_findings; i++)
+      if (needs_attention(&r->findings[i]) && rank_of(r, &r->findings[i]) == rank)
+        add_failure(out, &r->findings[i], widest, colours, proofs);
 }
 
 /* --- Verdicts by section --- */
@@ -111,11 +145,11 @@ static void add_sections(struct text *out, const struct audit_result *r, bool co
   add_row(out, r, NULL, shown, colours);
 }
 
-void verify_tables(const struct audit_result *r) {
+void verify_tables(const struct audit_result *r, bool proofs) {
   struct text out;
   bool colours = terminal_has_colours();
   text_init(&out);
-  add_failures(&out, r, colours);
+  add_failures(&out, r, colours, proofs);
   text_add(&out, out.len ? "\n" : "");
   if (r->n_findings) add_sections(&out, r, colours);
   text_add_char(&out, '\n');

@@ -452,13 +452,11 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
 /* The item "V = 1: supported: eq-10b" of the attribute restricted: the verdict on record and the id of the claim that
    the restriction makes.  Without one, nothing is on record and the id is the claim's with the restriction's text. */
 static enum verdict recorded_restriction(const char **id, struct judge *j, const struct claim *c, const char *text) {
-  const char *list = claim_get(c, "restricted");
-  const char *p = list ? strstr(list, text) : NULL;
-  char word[16], name[32];
-  *id = NULL;
-  if (p && sscanf(p + strlen(text), ": %15[a-z]: %31[a-z0-9-]", word, name) == 2) {
-    *id = result_str(j->out, "%s", name);
-    return verdict_parse(word);
+  struct made_claim made;
+  for (const char *p = claim_get(c, "restricted"); (p = claim_next_made(&made, p)) != NULL;) {
+    if (strcmp(made.condition, text) != 0) continue;
+    *id = result_str(j->out, "%s", made.id);
+    return verdict_parse(made.record);
   }
   struct text t;
   text_init(&t);

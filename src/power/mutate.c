@@ -371,12 +371,13 @@ static void run_clear(struct mutation_study *r) {
 }
 
 static bool mutate_formulas(struct mutation_result *out, struct mutation_study *r, const struct mutation_options *opt,
-                            struct diag *d) {
+                            struct crew_tally *tally, struct diag *d) {
   unsigned long long state = opt->seed;
   r->drawn = draw_some(&r->n_drawn, r->mutants.n, (size_t)opt->count, &state);
+  tally->of += r->n_drawn;
   enum mutant_fate *fate = ss_malloc((r->n_drawn + 1) * sizeof *fate);
-  bool ok = r->n_drawn == 0 || (read_all(r, d) && crew_results(fate, sizeof *fate, r->n_drawn, opt->jobs, try_mutant, r,
-                                                               opt->progress, d));
+  bool ok = r->n_drawn == 0 ||
+            (read_all(r, d) && crew_results(fate, sizeof *fate, r->n_drawn, opt->jobs, try_mutant, r, tally, d));
   if (ok) report(out, r, fate);
   free(fate);
   return ok;
@@ -422,8 +423,9 @@ bool audit_mutate(struct mutation_result *out, const struct audit_data *data, co
   struct diag none;
   diag_init(&none);
   r.sound = material_check(data, &none);
-  bool ok = check_selection(&r, &damages, &material, opt, d) && mutate_formulas(out, &r, opt, d) &&
-            mutate_data(out, &material, &damages, opt, d);
+  struct crew_tally tally = {.tell = opt->progress, .of = mutate_data_count(&damages, opt)};
+  bool ok = check_selection(&r, &damages, &material, opt, d) && mutate_formulas(out, &r, opt, &tally, d) &&
+            mutate_data(out, &material, &damages, opt, &tally, d);
   damages_clear(&damages);
   material_clear(&material);
   run_clear(&r);

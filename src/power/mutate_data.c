@@ -48,6 +48,13 @@ static void draw_classes(struct data_run *r, const struct mutation_options *opt)
   }
 }
 
+size_t mutate_data_count(const struct damages *damages, const struct mutation_options *opt) {
+  struct data_run r = {.damages = damages};
+  draw_classes(&r, opt);
+  free(r.drawn);
+  return r.n_drawn;
+}
+
 static void try_one(void *result, size_t i, void *arg) {
   struct data_run *r = arg;
   damage_try(result, r->study, &r->damages->damage[r->drawn[i]]);
@@ -117,11 +124,11 @@ static void report(struct mutation_result *out, const struct data_run *r, const 
 }
 
 bool mutate_data(struct mutation_result *out, const struct material *m, const struct damages *damages,
-                 const struct mutation_options *opt, struct diag *d) {
+                 const struct mutation_options *opt, struct crew_tally *tally, struct diag *d) {
   struct data_run r = {.m = m, .damages = damages, .study = damage_study_new(m, opt->text)};
   draw_classes(&r, opt);
   struct damage_said *said = ss_malloc((r.n_drawn + 1) * sizeof *said);
-  bool ok = crew_results(said, sizeof *said, r.n_drawn, opt->jobs, try_one, &r, opt->progress, d);
+  bool ok = crew_results(said, sizeof *said, r.n_drawn, opt->jobs, try_one, &r, tally, d);
   if (ok) report(out, &r, said);
   free(said);
   free(r.drawn);

@@ -16,7 +16,7 @@ struct mutation_options {
   const char *const *only; /* files, records or classes of data */
   int n_only;
   const struct paper_text *text; /* of the paper, against which damaged quotations are held; NULL: none is at hand */
-  void (*progress)(size_t n, size_t of); /* or NULL */
+  void (*progress)(size_t done, size_t of); /* or NULL */
 };
 
 /* Damages the formulas of the paper one token at a time (edit.h), each as an overlay of one statement, and asks the
@@ -32,7 +32,8 @@ bool audit_mutate(struct mutation_result *out, const struct audit_data *data, co
 struct repair_options {
   const char *const *only; /* claims; none: all that are refuted and about formulas */
   int n_only;
-  int jobs; /* processes, 1 to 64 */
+  int jobs;                                 /* processes, 1 to 64 */
+  void (*progress)(size_t done, size_t of); /* claims; or NULL */
 };
 
 /* Searches repairs of the refuted claims about formulas (all, or those selected): the claim's printed text with every

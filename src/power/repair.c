@@ -431,6 +431,12 @@ static bool add_claim(struct repair_result *out, struct search *base, const stru
   return ok;
 }
 
+/* Whether there will be something to search, as far as the record tells. */
+static bool is_work(const struct claim *c, const struct repair_options *opt) {
+  const char *record = claim_get(c, "record");
+  return claims_selects(opt->only, opt->n_only, c) && (!record || !no_search(c, verdict_parse(record)));
+}
+
 bool audit_repairs(struct repair_result *out, const struct model *m, const struct claims *claims,
                    const struct scene *scene, const struct repair_options *opt, struct diag *d) {
   struct search base = {.model = m, .claims = claims, .scene = scene};
@@ -440,9 +446,14 @@ bool audit_repairs(struct repair_result *out, const struct model *m, const struc
   overlay_init(&base.overlay, m);
   out->scene = arena_strndup(&out->arena, scene->name, strlen(scene->name));
   bool ok = true;
-  for (size_t i = 0; ok && i < claims->n; i++)
-    if (claims_selects(opt->only, opt->n_only, &claims->claim[i]))
-      ok = add_claim(out, &base, &claims->claim[i], opt->n_only > 0, opt->jobs, d);
+  size_t done = 0, of = 0;
+  for (size_t i = 0; i < claims->n; i++) of += is_work(&claims->claim[i], opt);
+  for (size_t i = 0; ok && i < claims->n; i++) {
+    if (!claims_selects(opt->only, opt->n_only, &claims->claim[i])) continue;
+    ok = add_claim(out, &base, &claims->claim[i], opt->n_only > 0, opt->jobs, d);
+    done += is_work(&claims->claim[i], opt);
+    if (opt->progress) opt->progress(done, of);
+  }
   overlay_clear(&base.overlay);
   facts_free(base.facts);
   orbit_cache_free(base.cache);

@@ -166,19 +166,13 @@ static bool add_parts(struct text *out, const struct exact_proof *p, struct view
 
 /* The claim, or the one that makes it under a restriction. */
 static const struct claim *find(const struct claims *claims, const char *id, const struct restriction **r) {
+  const struct claim *c = claim_answering(claims, id);
+  struct made_claim made;
   *r = NULL;
-  for (size_t i = 0; i < claims->n; i++) {
-    const struct claim *c = &claims->claim[i];
-    if (strcmp(c->id, id) == 0) return c;
-    if (!claim_makes(c, id)) continue;
-    const char *list = claim_get(c, "restricted"), *at = strstr(list, id);
-    for (int k = 0; k < n_restrictions; k++) {
-      const char *p = strstr(list, restrictions[k].text);
-      if (p && p < at) *r = &restrictions[k];
-    }
-    return c;
-  }
-  return NULL;
+  for (const char *p = c ? claim_get(c, "restricted") : NULL; (p = claim_next_made(&made, p)) != NULL;)
+    for (int k = 0; strcmp(made.id, id) == 0 && k < n_restrictions; k++)
+      if (strcmp(made.condition, restrictions[k].text) == 0) *r = &restrictions[k];
+  return c;
 }
 
 static bool add_head(struct text *out, struct judge *j, const struct claim *c, const char *id, bool corrected) {
@@ -186,18 +180,9 @@ static bool add_head(struct text *out, struct judge *j, const struct claim *c, c
   text_printf(out, "#!/usr/bin/env python3\n# %s%s: ", id, corrected ? ", as corrected" : "");
   bool ok = claim_title(out, m, c, j->d);
   text_add(out, "\n#\n# Needs SymPy and nothing else.  As read:\n");
-  struct view v = {m, LAYER_CORRECTED, claim_own(c), NULL};
   if (corrected) text_add(out, "#   ");
   if (corrected && erratum_text(out, m, c)) text_add_char(out, '\n');
-  for (size_t i = 0; !corrected && i < m->n_records; i++) {
-    const struct statement_record *r = &m->records[i];
-    const struct statement_record *seen = claim_is_about(r, c) ? view_record(&v, r->id) : NULL;
-    for (int k = 0; seen && k < seen->n_stmts; k++) {
-      text_add(out, "#   ");
-      stmt_print(out, seen->stmts[k]);
-      text_add_char(out, '\n');
-    }
-  }
+  if (!corrected) claim_formulas(out, m, c, "#   ");
   text_printf(out,
               "import re\nimport sys\n\nfrom sympy import QQ, ring\n\nCLAIM = \"%s%s\"\nPARTS, MATRICES = [], []\n", id,
               corrected ? " as corrected" : "");
@@ -249,7 +234,7 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
   const struct restriction *r;
   const struct claim *c = find(claims, id, &r);
   if (!c) {
-    diag_set(d, "error: no claim is named %.200s; \"stickslip list\" names them all", id);
+    claims_unknown(claims, id, d);
     return false;
   }
   enum kind kind = claim_kind(c);

@@ -298,6 +298,14 @@ static void print_row(struct text *out, const struct mutation_row *r) {
   text_add_char(out, '\n');
 }
 
+/* Where each of those that were asked for (--count) went. */
+static void account_for_formulas(struct text *out, const struct mutation_result *r) {
+  const struct mutation_row *f = &r->formulas;
+  long errata = mutation_row_total(&r->errata), noticed = mutation_row_noticed(f), counted = mutation_row_counted(f);
+  text_printf(out, "%ld damages of formulas: %ld noticed, %ld not noticed, %ld left out, %ld of errata.eq\n",
+              mutation_row_total(f) + errata, noticed, counted - noticed, mutation_row_total(f) - counted, errata);
+}
+
 void report_mutation_text(struct text *out, const struct mutation_result *r) {
   for (int i = N_SURVIVOR_FATES; i-- > 0;) {
     enum mutant_fate f = survivor_order[i];
@@ -309,6 +317,7 @@ void report_mutation_text(struct text *out, const struct mutation_result *r) {
   for (size_t i = 0; i < r->n_kinds; i++) print_row(out, &r->kind[i]);
   print_row(out, &r->errata);
   for (int k = 0; k < N_DAMAGE_CLASSES; k++) print_row(out, &r->data[k]);
+  account_for_formulas(out, r);
   add_summary(out, r);
   text_add_char(out, '\n');
 }

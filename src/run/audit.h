@@ -55,9 +55,12 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
 /* Kills the processes that a run has made; for a signal's handler that ends the program. */
 void audit_abandon(void);
 
-/* One claim for a reader: the paper's text, the formula as read (LaTeX), where and how it is tried, its verdict and
-   evidence now, both sides in each number type at the scene's parameters changed by at ("chi=1/2,V=2", or NULL), and
-   the tape when asked for. */
+/* What may be coloured stands between one of these characters and the last. */
+enum explain_mark { EXPLAIN_PLAIN = 1, EXPLAIN_GOOD, EXPLAIN_BAD, EXPLAIN_DOUBT, EXPLAIN_END };
+
+/* One claim for a reader, with marks: the paper's text, the formula as read, in the notation of the files, where and how
+   it is tried, its verdict and evidence now, both sides in each number type at the scene's parameters changed by at
+   ("chi=1/2,V=2", or NULL), with a star behind entries that are proved to differ, and the tape when asked for. */
 bool audit_explain(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
                    const char *id, const char *at, bool tape, struct diag *d);
 

@@ -3,8 +3,10 @@
 #include <string.h>
 
 #include "audit.h"
+#include "claim/claim.h"
 #include "claim/kinds.h"
 #include "proof/stable_forms.h"
+#include "value/printed.h"
 #include "value/sentence.h"
 
 static void add_line(struct text *out, const char *label, const char *value) {
@@ -12,7 +14,11 @@ static void add_line(struct text *out, const char *label, const char *value) {
 }
 
 static void add_verdict(struct text *out, const struct finding *f) {
-  text_printf(out, "%-11s %s", "verdict", verdict_name[f->verdict]);
+  char mark = verdict_fails(f->verdict)                                           ? EXPLAIN_BAD
+              : f->verdict == VERDICT_UNKNOWN                                     ? EXPLAIN_DOUBT
+              : f->verdict == VERDICT_DEFINITION || f->verdict == VERDICT_SKIPPED ? EXPLAIN_PLAIN
+                                                                                  : EXPLAIN_GOOD;
+  text_printf(out, "%-11s %c%s%c", "verdict", mark, verdict_name[f->verdict], EXPLAIN_END);
   if (f->recorded != N_VERDICTS) text_printf(out, " (on record: %s)", verdict_name[f->recorded]);
   text_add_char(out, '\n');
   add_line(out, "condition", f->condition);
@@ -30,24 +36,49 @@ static void add_verdict(struct text *out, const struct finding *f) {
   }
 }
 
-/* One side at the point in one number type. */
-/* A row of a matrix on each line, what is no matrix on one. */
-static void add_side(struct text *out, const struct num_vec *v, int cols) {
+/* --- Both sides at a point --- */
+
+enum { MOST_ENTRIES = 64 };
+
+/* Of each entry, whether its sides are proved to differ there; false, and none, where they have no value. */
+static bool find_differences(bool differs[MOST_ENTRIES], struct sentence *s, const struct point *p,
+                             struct orbit_cache *cache) {
+  struct num_vec lhs, rhs;
+  const struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
+  num_vec_init(&lhs, s->n, ctx);
+  num_vec_init(&rhs, s->n, ctx);
+  bool ok = s->n <= MOST_ENTRIES && sentence_values(&lhs, &rhs, s, p, VARIANT_CLOSED, cache) == SS_OK;
+  for (slong i = 0; ok && i < s->n; i++) {
+    const void *x = num_vec_at(&lhs, i), *y = num_vec_at(&rhs, i);
+    differs[i] = s->ops[i] == REL_EQ ? !arb_overlaps(x, y) : inequality_holds(ctx.type, s->ops[i], x, y) == TRUTH_FALSE;
+  }
+  num_vec_clear(&rhs);
+  num_vec_clear(&lhs);
+  return ok;
+}
+
+/* One side in one number type: a row of a matrix on each line, what is no matrix on one. */
+static void add_side(struct text *out, const struct num_vec *v, int cols, const bool differs[MOST_ENTRIES]) {
   arb_t x;
   arb_init(x);
   for (slong i = 0; i < v->len; i++) {
+    bool marked = i < MOST_ENTRIES && differs[i];
     text_add(out, i == 0 ? " " : cols > 1 && i % cols == 0 ? "\n             " : "  ");
+    if (marked) text_add_char(out, EXPLAIN_BAD);
     v->ctx.type->get_arb(x, num_vec_at(v, i));
     if (v->ctx.type->rigorous)
       num_print_ball(out, x, 20);
     else if (num_print(out, x, v->ctx.type == &num_double ? 17 : 30) != SS_OK)
       text_add(out, "undefined");
+    if (marked) text_printf(out, "*%c", EXPLAIN_END);
   }
   text_add_char(out, '\n');
 }
 
 static void add_values(struct text *out, struct sentence *s, const struct point *p, struct orbit_cache *cache) {
   const struct num_ctx types[] = {num_ctx_double(), num_ctx_mpfr(128), num_ctx_arb(128)};
+  bool differs[MOST_ENTRIES] = {false}, any = false;
+  find_differences(differs, s, p, cache);
   for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
     struct num_vec lhs, rhs;
     num_vec_init(&lhs, s->n, types[i]);
@@ -58,13 +89,24 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
                   status & SS_DOMAIN ? "undefined" : "cannot be told");
     } else {
       text_printf(out, "%-6s left ", types[i].type->name);
-      add_side(out, &lhs, s->cols);
+      add_side(out, &lhs, s->cols, differs);
       text_printf(out, "%-6s right", types[i].type->name);
-      add_side(out, &rhs, s->cols);
+      add_side(out, &rhs, s->cols, differs);
     }
     num_vec_clear(&rhs);
     num_vec_clear(&lhs);
   }
+  for (int i = 0; i < MOST_ENTRIES; i++) any |= differs[i];
+  if (any) add_line(out, "*", "the two sides differ here");
+}
+
+/* As the files write it, or what is no formula as it is printed. */
+static void add_formulas(struct text *out, const struct model *m, const struct claim *c, const struct finding *f) {
+  size_t begin = out->len;
+  if (claim_formulas(out, m, c, "            ") > 0)
+    memcpy(out->data + begin, "as read", strlen("as read"));
+  else
+    add_line(out, "as read", f->printed);
 }
 
 /* The sentence at a point: like the claim's own points, at the scene's parameters, changed by --at. */
@@ -90,6 +132,8 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   scene_point(&p, &drawn, j->scene, j->cache);
   if (at) p.scene = NULL; /* other data than the scene's */
   ok = ok && point_set(&p, at, j->d);
+  if (ok && p.kind == POINT_ORBIT && !p.admissible)
+    p.orbit = usual_orbit(point_orbits(&p, j->cache, FIRST_PREC), p.scene);
   if (ok && point_settle(&p, j->cache)) {
     struct text where;
     text_init(&where);
@@ -109,11 +153,9 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
 
 bool audit_explain(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
                    const char *id, const char *at, bool tape, struct diag *d) {
-  const struct claim *c = NULL;
-  for (size_t i = 0; i < claims->n; i++)
-    if (strcmp(claims->claim[i].id, id) == 0) c = &claims->claim[i];
+  const struct claim *c = claim_answering(claims, id);
   if (!c) {
-    diag_set(d, "error: no claim is named %.200s; \"stickslip list\" names them all", id);
+    claims_unknown(claims, id, d);
     return false;
   }
   const struct claims no_controls = {.n = 0};
@@ -129,7 +171,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     add_line(out, "equation", f->equation);
     add_line(out, "section", f->section);
     add_line(out, "paper", f->quote);
-    add_line(out, "as read", f->printed);
+    add_formulas(out, m, c, f);
     add_line(out, "kind", claim_get(c, "kind"));
     add_line(out, "tried at", claim_points_asked(c));
     add_line(out, "routes", claim_routes_asked(c));

@@ -257,15 +257,17 @@ static bool take(struct audit_result *out, struct audit_work *r, const struct pi
   return true;
 }
 
+/* The total is that of the claims, studies and controls, which is known from the start: consequences, which are not,
+   are counted as a part of the controls. */
 struct teller {
   const struct audit_options *opt;
-  size_t total, before;
-  double from, weight; /* of the whole cost: done before, and that of these tasks */
+  size_t total, before, items, tasks; /* so many tasks stand for so many items */
+  double from, weight;                /* of the whole cost: done before, and that of these tasks */
 };
 
 static void tell_share(void *arg, size_t done, double share) {
   const struct teller *t = arg;
-  t->opt->progress(t->opt->arg, t->before + done, t->total, t->from + t->weight * share);
+  t->opt->progress(t->opt->arg, t->before + done * t->items / t->tasks, t->total, t->from + t->weight * share);
 }
 
 /* What came after the claims on other runs: what is known of controls, and a fifth of the rest for consequences. */
@@ -309,7 +311,7 @@ static bool run_pieces(struct audit_result *out, struct audit_work *r, struct pi
                        unsigned *touched, struct diag *d) {
   double all = expected(first, r->opt->costs), controls = expected(second, r->opt->costs);
   double share = all > 0 ? all / (1.2 * all + controls) : 1;
-  struct teller teller = {r->opt, first->n + second->n, 0, 0, share};
+  struct teller teller = {r->opt, first->n + second->n, 0, first->n, first->n, 0, share};
   struct task_result *t = do_pieces(out, r, first, &teller, touched), *u = NULL;
   bool ok = take(out, r, first, t, PIECE_CLAIM, PIECE_CLAIM, d);
   for (size_t i = 0; ok && i < first->n; i++) {
@@ -326,7 +328,7 @@ static bool run_pieces(struct audit_result *out, struct audit_work *r, struct pi
       q->claim = second->item[i].claim;
       q->control = second->item[i].control;
     }
-    teller = (struct teller){r->opt, first->n + both.n, first->n, share, 1 - share};
+    teller = (struct teller){r->opt, teller.total, first->n, second->n, both.n, share, 1 - share};
     u = do_pieces(out, r, &both, &teller, touched);
     ok = take(out, r, &both, u, PIECE_CONSEQUENCE, PIECE_CONTROL, d);
     pieces_clear(&both);

@@ -1,10 +1,13 @@
 /* What a scene is called: in outputs, in commands that can be typed, and as a folder. */
+#include <errno.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/arena.h"
+#include "base/suggest.h"
 #include "scene_impl.h"
 
 /* The name of a scene is its file's, without folder and suffix; a folder can bear it. */
@@ -104,13 +107,36 @@ char *scene_folder(const char *spec, const struct scene_overrides *o) {
   return out;
 }
 
-void scene_set_names(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o) {
+static bool is_path(const char *spec) {
   size_t len = strlen(spec);
-  bool is_path = strchr(spec, '/') || (len > 6 && strcmp(spec + len - 6, ".scene") == 0);
+  return strchr(spec, '/') || (len > 6 && strcmp(spec + len - 6, ".scene") == 0);
+}
+
+bool scene_is_there(const struct scene *s, const char *spec, const char *data, struct diag *d) {
+  if (is_path(spec) || access(s->path, F_OK) == 0) return true;
+  int err = errno;
+  struct suggestion meant;
+  struct arena a;
+  struct text says;
+  size_t n;
+  arena_init(&a);
+  text_init(&says);
+  char **name = scene_names(&n, data, &a, NULL);
+  suggest_begin(&meant, spec, strlen(spec));
+  for (size_t i = 0; i < n; i++) suggest_try(&meant, name[i]);
+  suggest_print(&says, &meant);
+  diag_set(d, "%.300s: error: %s%s", s->path, strerror(err), text_str(&says));
+  free(name);
+  text_clear(&says);
+  arena_clear(&a);
+  return false;
+}
+
+void scene_set_names(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o) {
   struct text path, suffix, command, name, scenes;
   struct text *const all[] = {&path, &suffix, &command, &name, &scenes};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) text_init(all[i]);
-  if (is_path)
+  if (is_path(spec))
     text_add(&path, spec);
   else
     text_printf(&path, "%s/scenes/%s.scene", data, spec);

@@ -9,6 +9,7 @@
 
 #include "base/arena.h"
 #include "base/record.h"
+#include "base/suggest.h"
 #include "scene_impl.h"
 
 const struct scene_key_info scene_keys[N_SCENE_KEYS] = {
@@ -237,13 +238,19 @@ static void print_keys(struct text *out, int from, int to) {
 }
 
 static bool unknown_key(struct reader *r, const struct source *src, size_t at, const char *what, const char *name) {
-  struct text parameters, others;
+  struct text parameters, others, says;
+  struct suggestion meant;
   text_init(&parameters);
   text_init(&others);
+  text_init(&says);
+  suggest_begin(&meant, name, strlen(name));
+  for (int k = 0; k < N_SCENE_KEYS; k++) suggest_try(&meant, scene_keys[k].name);
+  suggest_print(&says, &meant);
   print_keys(&parameters, 0, N_KEYS);
   print_keys(&others, N_KEYS, N_SCENE_KEYS);
-  diag_at(r->d, src, at, "unknown %s %.100s; a scene has the parameters %s and the lines %s", what, name,
-          text_str(&parameters), text_str(&others));
+  diag_at(r->d, src, at, "unknown %s %.100s%s; a scene has the parameters %s and the lines %s", what, name,
+          text_str(&says), text_str(&parameters), text_str(&others));
+  text_clear(&says);
   text_clear(&others);
   text_clear(&parameters);
   return false;
@@ -480,7 +487,7 @@ static bool load(struct scene *s, const char *spec, const char *text, const char
   s->title = ss_strdup("");
   struct reader r = {.s = s, .d = d, .text = text};
   arena_init(&r.arena);
-  bool ok = read_all(&r, o);
+  bool ok = (text || scene_is_there(s, spec, data, d)) && read_all(&r, o);
   arena_clear(&r.arena);
   bool exact = any == SCENE_EXACT || any == SCENE_EXACT_OR_SYSTEM, system = any >= SCENE_EXACT_OR_SYSTEM;
   if (!ok || !s->system) return ok && (!exact || (scene_one_point(s, d) && scene_papers_word(s, d)));

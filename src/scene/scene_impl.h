@@ -12,6 +12,10 @@ static inline bool scene_blank(char c) {
 /* name, file, command, folder and path. */
 void scene_set_names(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o);
 
+/* Whether the file of a scene that is not named by a path is there; false with d set, with the names that may have been
+   meant. */
+bool scene_is_there(const struct scene *s, const char *spec, const char *data, struct diag *d);
+
 /* A line of a scene, from its file or an override. */
 struct scene_line {
   enum scene_key key;

@@ -12,7 +12,7 @@ struct stability_options {
   int n_only;
   bool quick;
   int jobs;                              /* processes, 1 to 64 */
-  void (*progress)(size_t n, size_t of); /* or NULL */
+  void (*progress)(size_t done, size_t of); /* or NULL */
 };
 
 /* Where the paper's formulas lose digits in double precision, by how many, and why (stability.h).  Everything is the

@@ -6,7 +6,7 @@
 #include "base/crew.h"
 #include "stability.h"
 
-enum { MAPS = 4, SCALE = 16, LOOKS = 17 };
+enum { SCALE = 16, LOOKS = 17 };
 
 struct map_plan {
   size_t formula;
@@ -143,13 +143,13 @@ static void describe_map(struct stability_map *z, struct digits_study *st, const
 }
 
 bool digits_draw_maps(struct digits_study *st, const struct digits_found *found, const struct stability_options *opt,
-                      struct diag *d) {
+                      struct crew_tally *tally, struct diag *d) {
   struct map_work mw = {.st = st};
   struct stability_result *r = st->out;
   int n = plan_maps(&mw, found);
   if (n == 0) return true;
   struct map_line *line = ss_malloc((size_t)(n * STABILITY_MAP) * sizeof *line);
-  bool ok = crew_results(line, sizeof *line, (size_t)(n * STABILITY_MAP), opt->jobs, map_item, &mw, opt->progress, d);
+  bool ok = crew_results(line, sizeof *line, (size_t)(n * STABILITY_MAP), opt->jobs, map_item, &mw, tally, d);
   r->map = arena_alloc(&r->arena, (size_t)n * sizeof *r->map);
   for (int i = 0; ok && i < n; i++) describe_map(&r->map[i], st, &mw.plan[i], line + i * STABILITY_MAP);
   r->n_maps = ok ? n : 0;

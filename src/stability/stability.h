@@ -2,6 +2,7 @@
 #ifndef STICKSLIP_STABILITY_IMPL_H
 #define STICKSLIP_STABILITY_IMPL_H
 
+#include "base/crew.h"
 #include "base/random.h"
 #include "digits.h"
 #include "proof/stable_forms.h"
@@ -313,8 +314,9 @@ void digits_describe_pair(struct stability_pair *z, struct digits_study *st, siz
 
 /* --- Maps (map.c) --- */
 
-/* Of the worst formulas, around the points found[i], where i is the row of their worst. */
+/* Of the worst formulas, at most MAPS, around the points found[i], where i is the row of their worst. */
+enum { MAPS = 4 };
 bool digits_draw_maps(struct digits_study *st, const struct digits_found *found, const struct stability_options *opt,
-                      struct diag *d);
+                      struct crew_tally *tally, struct diag *d);
 
 #endif

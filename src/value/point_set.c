@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "base/suggest.h"
+
 /* Quantities that --at can set, and the point's quantity they are. */
 static const struct {
   const char *name;
@@ -10,6 +12,8 @@ static const struct {
 } settable[] = {{"chi", Q_CHI},  {"eta", Q_ETA}, {"V", Q_V},     {"e1", Q_E1},   {"e2", Q_E2},    {"u_s1", Q_US1},
                 {"u_s2", Q_US2}, {"t", Q_T},     {"s", Q_S},     {"x", Q_X},     {"y", Q_Y},      {"lambda", Q_LAMBDA},
                 {"z_1", Q_Z1},   {"z_2", Q_Z2},  {"z_10", Q_Z1}, {"z_20", Q_Z2}, {"z_1'", Q_DZ1}, {"z_2'", Q_DZ2}};
+
+enum { N_SETTABLE = sizeof settable / sizeof *settable };
 
 /* p/q or a decimal with a sign. */
 static bool parse_value(fmpq *z, const char *s, size_t len) {
@@ -37,12 +41,33 @@ static bool in_domain(const struct point *p) {
   return ok;
 }
 
+/* The error of an item of which len bytes may be a name; of one that is not known, which there are. */
+static bool complain(const char *item, size_t len, struct diag *d) {
+  struct suggestion meant;
+  struct text says;
+  bool known = item[len] != '=';
+  size_t whole = strcspn(item, ",");
+  text_init(&says);
+  suggest_begin(&meant, item, len);
+  for (size_t i = 0; i < N_SETTABLE; i++) {
+    known |= strlen(settable[i].name) == len && strncmp(settable[i].name, item, len) == 0;
+    suggest_try(&meant, settable[i].name);
+  }
+  if (!known) suggest_print(&says, &meant);
+  for (size_t i = 0; !known && i < N_SETTABLE; i++)
+    text_printf(&says, "%s %s", i ? "," : "; names are", settable[i].name);
+  diag_set(d, "error: --at takes NAME=VALUE,..., values like 1/2 or 0.8, not %.*s%s", (int)(whole > 80 ? 80 : whole),
+           item, text_str(&says));
+  text_clear(&says);
+  return false;
+}
+
 bool point_set(struct point *p, const char *at, struct diag *d) {
-  bool given[sizeof settable / sizeof *settable] = {false};
+  bool given[N_SETTABLE] = {false};
   for (const char *s = at; s && *s;) {
     size_t n = strcspn(s, ","), name = strcspn(s, "=");
     bool ok = false;
-    for (size_t i = 0; name < n && i < sizeof settable / sizeof *settable; i++)
+    for (size_t i = 0; name < n && i < N_SETTABLE; i++)
       if (strlen(settable[i].name) == name && strncmp(settable[i].name, s, name) == 0) {
         if (given[i]) {
           diag_set(d, "error: --at gives %s twice", settable[i].name);
@@ -51,10 +76,7 @@ bool point_set(struct point *p, const char *at, struct diag *d) {
         given[i] = true;
         ok = parse_value(&p->q[settable[i].q], s + name + 1, n - name - 1);
       }
-    if (!ok) {
-      diag_set(d, "error: --at takes NAME=VALUE,..., values like 1/2 or 0.8, not %.*s", (int)(n > 80 ? 80 : n), s);
-      return false;
-    }
+    if (!ok) return complain(s, name < n ? name : n, d);
     s += n;
     if (*s == ',') s++;
   }

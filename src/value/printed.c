@@ -2,6 +2,7 @@
    A printed decimal is read in two ways, rounded and cut off; each is a bracket one unit wide, the unit of the last
    decimal to which the scene's numbers are given (struct printed_number). */
 #include "printed.h"
+#include "orbits.h"
 #include "record/result.h"
 #include <math.h>
 #include <stdlib.h>
@@ -121,7 +122,7 @@ bool printed_point(struct point *out, const struct scene *s) {
   return true;
 }
 
-/* Relative squared distance of an orbit from the printed numbers. */
+/* Relative squared distance of an orbit from the printed numbers; 0 where none are printed. */
 static double distance(const struct dyn_orbit *o, const struct scene *s) {
   const struct {
     const char *name;
@@ -138,19 +139,36 @@ static double distance(const struct dyn_orbit *o, const struct scene *s) {
   return sum;
 }
 
+slong usual_orbit(const struct dyn_orbits *list, const struct scene *s) {
+  slong nearest = 0, admissible = list->n;
+  double least = INFINITY, most = 0;
+  for (slong i = 0; i < list->n; i++) {
+    double off = s ? distance(&list->orbit[i], s) : 0;
+    if (off < least) {
+      least = off;
+      nearest = i;
+    }
+    most = fmax(most, off);
+    if (admissible == list->n && list->orbit[i].admissible == TRUTH_TRUE) admissible = i;
+  }
+  return most > 0 || admissible == list->n ? nearest : admissible;
+}
+
+slong scene_usual_orbit(const struct scene *s) {
+  struct dyn_orbits list;
+  audit_orbits(&list, s, FIRST_PREC);
+  audit_orbits_complete(&list, s, FIRST_PREC);
+  slong k = usual_orbit(&list, s);
+  dyn_orbits_clear(&list);
+  return k;
+}
+
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache) {
   const struct dyn_orbits *list = scene_orbits(s, cache);
   out->kind = POINT_ORBIT;
   out->scene = s;
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
-  double best = INFINITY;
-  for (slong i = 0; i < list->n; i++) {
-    double dist = distance(&list->orbit[i], s);
-    if (dist < best) {
-      best = dist;
-      out->orbit = i;
-    }
-  }
+  out->orbit = usual_orbit(list, s);
   return list->n > 0;
 }
 

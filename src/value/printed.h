@@ -11,7 +11,12 @@ const fmpq *scene_number(const struct scene *s, enum scene_key key);
 /* The printed state and times of the scene as a point, with what the scene gives in place of what it does not print;
    false when some are neither printed nor given. */
 bool printed_point(struct point *out, const struct scene *s);
-/* The scene's orbit nearest to its printed numbers (the first without any); false when it has none. */
+/* Which orbit of the list is meant where nobody says which: the nearest to the scene's printed numbers; without any (or
+   without a scene) the first that is admissible, else the first. */
+slong usual_orbit(const struct dyn_orbits *list, const struct scene *s);
+/* The same of the list that `orbit` shows. */
+slong scene_usual_orbit(const struct scene *s);
+/* That orbit as a point; false when the scene has none. */
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache);
 
 /* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to
