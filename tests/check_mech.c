@@ -9,9 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "explore/bifurcate.h"
 #include "laws_num.h"
 #include "mech/describe.h"
-#include "mech/orbit.h"
+#include "mech/follow.h"
 #include "mech/walk.h"
 #include "motion/coulomb.h"
 #include "paper_model.h"
@@ -567,6 +568,65 @@ START_TEST(a_system_in_formulas) {
 }
 END_TEST
 
+/* --- Along a line --- */
+
+static const char along_e2[] = "title: the paper's masses, with e_2 to vary\n"
+                               "e2 = 2\nmass m1\n  inertia: 1\n  sliding: 1\n  static: 1 + 2.7844\n  surface: 1\n"
+                               "mass m2\n  inertia: 1\n  sliding: 1\n  static: 1 + e2\n  surface: 1\n"
+                               "spring wall\n  between: ground, m1\n  stiffness: 1 - 0.8\n"
+                               "spring middle\n  between: m1, m2\n  stiffness: 0.8\n";
+
+/* From e2 = 19/10 on, where its orbit is stable, to `to`: one change, of that kind. */
+static void follow_to(struct mech_follow *f, slong to, enum mech_turn what) {
+  struct diag d;
+  static const struct mech_word papers = {N_PHASES, {"ss", "-s", "--", "s-"}};
+  struct mech_line l = {scratch_put("line.system", along_e2), "e2", {{19, 10}}, {{to, 10}}, 12, 128};
+  diag_init(&d);
+  ck_assert_msg(mech_follow(f, &l, &papers, &d), "%s", d.message);
+  ck_assert_int_eq(f->n_changes, 1);
+  ck_assert(!f->spent && f->change[0].what == what && f->change[0].side[0].found && f->change[0].side[1].found);
+}
+
+static bool brackets_meet(const struct mech_change *c, const struct dyn_bifurcation *b) {
+  int first = fmpq_cmp(c->side[0].at, c->side[1].at) > 0;
+  return fmpq_cmp(c->side[first].at, &b->high) <= 0 && fmpq_cmp(&b->low, c->side[!first].at) <= 0;
+}
+
+/* The brackets that motion/ and explore/bifurcate.c prove for the paper's two masses with formulas of their own. */
+START_TEST(changes_along_the_papers_line) {
+  struct mech_follow f[2];
+  struct dyn_bifurcations list;
+  const fmpq *none[2] = {NULL, NULL};
+  fmpq params[N_PARAMS], from, to;
+  static const slong given[N_PARAMS][2] = {{4, 5}, {1, 1}, {1, 1}, {27844, 10000}, {2, 1}};
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(&params[i]);
+    fmpq_set_si(&params[i], given[i][0], (ulong)given[i][1]);
+  }
+  fmpq_init(&from);
+  fmpq_init(&to);
+  fmpq_set_si(&from, 7, 10);
+  fmpq_set_si(&to, 24, 10);
+  follow_to(&f[0], 7, MECH_FLIP);
+  follow_to(&f[1], 24, MECH_CONDITION);
+  ck_assert(f[0].change[0].side[0].stable == TRUTH_TRUE && f[0].change[0].side[1].stable == TRUTH_FALSE);
+  ck_assert(f[1].change[0].n_facts == 1 && f[1].change[0].fact[0].rule == MECH_LENGTH);
+  ck_assert(f[1].change[0].side[1].own == TRUTH_FALSE);
+  ck_assert_int_eq(dyn_bifurcations_find(&list, params, P_E2, &from, &to, none, 12, 65), SS_OK);
+  bool met[2] = {false, false};
+  for (slong i = 0; i < list.n; i++) {
+    met[0] = met[0] || (list.at[i].what == CHANGE_FLIP && brackets_meet(&f[0].change[0], &list.at[i]));
+    met[1] = met[1] || (list.at[i].what == CHANGE_TA && brackets_meet(&f[1].change[0], &list.at[i]));
+  }
+  ck_assert(met[0] && met[1]);
+  for (int i = 0; i < 2; i++) mech_follow_clear(&f[i]);
+  dyn_bifurcations_clear(&list);
+  fmpq_clear(&to);
+  fmpq_clear(&from);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&params[i]);
+}
+END_TEST
+
 /* --- Commands --- */
 
 static const struct {
@@ -582,10 +642,14 @@ static const struct {
     {"orbit chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},
     {"orbit chain3 --set chi=1", "chi is of the paper's two masses", 3},
     {"orbit chain3 --set ask=eq-27", "ask is of the paper's two masses", 3},
-    {"verify chain3", "only orbit takes such a scene", 3},
-    {"simulate chain3", "only orbit takes such a scene", 3},
-    {"words chain3", "only orbit takes such a scene", 3},
-    {"jacobian chain3", "only orbit takes such a scene", 3},
+    {"verify chain3", "of the commands orbit and bifurcate take such a scene", 3},
+    {"simulate chain3", "of the commands orbit and bifurcate take such a scene", 3},
+    {"bifurcate chain3 --along W=1:2", "the system has no parameter W; it has V", 3},
+    {"bifurcate chain3 --along V=1:1", "the ends of --along V=1:1 are equal", 2},
+    {"bifurcate chain3 --along V", "--along takes NAME=A:B", 2},
+    {"bifurcate two-masses.system --along V=1:2", "two-masses.system", 3},
+    {"words chain3", "of the commands orbit and bifurcate take such a scene", 3},
+    {"jacobian chain3", "of the commands orbit and bifurcate take such a scene", 3},
     {"check verify/systems/chain3.system verify/scenes/chain3.scene", "chain3.scene: ok", 0},
 };
 
@@ -626,6 +690,7 @@ Suite *mech_suite(void) {
   tcase_add_test(c, a_thousand_masses);
   tcase_add_loop_test(c, words_of_two_masses, 0, COUNT(words));
   tcase_add_test(c, a_system_in_formulas);
+  tcase_add_test(c, changes_along_the_papers_line);
   tcase_add_loop_test(c, commands_on_systems, 0, COUNT(commands));
   suite_add_tcase(s, c);
   return s;

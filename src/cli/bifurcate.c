@@ -8,12 +8,7 @@
 #include "cli.h"
 
 enum { STARTS = 257, MOST_DIGITS = 1000 };
-
-static int parse_along(struct range *a, const char *text) {
-  int status = range_parse(a, "--along", "%s takes NAME=A:B, as in e2=0.5:3, not %.200s", text, strlen(text));
-  if (!status && fmpq_cmp(a->from, a->to) == 0) return usage("the ends of --along %.200s are equal", text);
-  return status;
-}
+const char along_shape[] = "%s takes NAME=A:B, as in e2=0.5:3, not %.200s";
 
 /* --- What is known of the orbits beside a change. --- */
 
@@ -35,22 +30,6 @@ static void json_known(struct json *j, const char *key, const arb_t x, slong dig
     json_number(j, key, x, digits);
   else
     json_null(j, key);
-}
-
-static void print_end(struct text *out, const fmpq_t q, slong digits) {
-  arb_t x;
-  arb_init(x);
-  arb_set_fmpq(x, q, (slong)((double)digits * 3.33) + 128);
-  if (num_print(out, x, digits) != SS_OK) num_print_q(out, q);
-  arb_clear(x);
-}
-
-static void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits) {
-  struct text t;
-  text_init(&t);
-  print_end(&t, q, digits);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
 }
 
 static void json_double(struct json *j, const char *key, double x) {
@@ -145,9 +124,9 @@ static void side_text(struct text *out, const struct dyn_beside *side, const str
 static void change_text(struct text *out, const struct dyn_bifurcation *b, const struct scene *s, slong digits) {
   size_t begin = out->len, width = 2 * (size_t)digits + 9;
   text_add(out, "  [");
-  print_end(out, &b->low, b->digits);
+  num_print_rational(out, &b->low, b->digits);
   text_add(out, ", ");
-  print_end(out, &b->high, b->digits);
+  num_print_rational(out, &b->high, b->digits);
   text_add_char(out, ']');
   while (out->len - begin < width) text_add_char(out, ' ');
   text_printf(out, "  %-9s %6ld  ", dyn_change_id[b->what], (long)b->branch + 1);
@@ -213,36 +192,40 @@ static int show(const struct scene *s, const struct range *a, const struct optio
   return EXIT_AS_RECORDED;
 }
 
-static int with_line(const struct options *o, const char *data, struct range *a, slong digits) {
+/* On the paper's two masses. */
+static int with_line(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
   const char *along = option(o, OPT_ALONG);
-  int status = parse_along(a, along);
-  if (status) return status;
-  struct scene s;
-  struct diag d;
-  diag_init(&d);
-  if (!load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d)) {
-    status = bad_input(&d);
-  } else if (!scene_has_forces(&s)) {
-    diag_set(&d, "%s: error: bifurcate needs a scene that gives e1 and e2", s.path);
-    status = bad_input(&d);
-  } else {
-    status = range_check_friction(a, &s, "--along", along);
-    if (!status) status = show(&s, a, o, digits);
+  struct range a;
+  range_init(&a);
+  int status = range_parse(&a, "--along", along_shape, along, strlen(along));
+  if (!status && fmpq_cmp(a.from, a.to) == 0) status = usage("the ends of --along %.200s are equal", along);
+  if (!status && !scene_has_forces(s)) {
+    diag_set(d, "%s: error: bifurcate needs a scene that gives e1 and e2", s->path);
+    status = bad_input(d);
   }
-  scene_clear(&s);
+  if (!status) status = range_check_friction(&a, s, "--along", along);
+  if (!status) status = show(s, &a, o, digits);
+  range_clear(&a);
   return status;
 }
 
 int run_bifurcate(const struct options *o, const char *data) {
   slong digits;
-  struct range a;
+  struct scene s;
+  struct diag d;
   int status = parse_digits(&digits, o);
   if (status) return status;
   if (digits > MOST_DIGITS) return usage("bifurcate takes at most 1000 --digits, not %.200s", option(o, OPT_DIGITS));
   if (o->operands.n != 1) return usage("bifurcate takes one %s", "SCENE");
   if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along %s", "NAME=A:B");
-  range_init(&a);
-  status = with_line(o, data, &a, digits);
-  range_clear(&a);
+  diag_init(&d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d);
+  if (ok && s.system)
+    status = run_system_bifurcate(o, &s, data, digits, &d);
+  else if (ok && scene_one_point(&s, &d) && scene_papers_word(&s, &d))
+    status = with_line(o, &s, digits, &d);
+  else
+    status = bad_input(&d);
+  scene_clear(&s);
   return status;
 }

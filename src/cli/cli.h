@@ -113,6 +113,10 @@ void range_clear(struct range *r);
 /* NAME=A:B in len bytes; an exit status, after a message that names the option.  shape: what is said when text has
    another form, with a %s for the option and a %.200s for the text. */
 int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len);
+extern const char along_shape[]; /* what --along takes */
+/* The same with any NAME, which is added to name, and any values. */
+int range_parse_named(struct range *r, struct text *name, const char *option, const char *shape, const char *text,
+                      size_t len);
 /* The values must keep u_r above e, as a scene does. */
 int range_check_friction(const struct range *r, const struct scene *s, const char *option, const char *text);
 
@@ -157,6 +161,8 @@ bool load_model(struct model *m, const char *data, const struct options *o, stru
 void print_known(struct text *out, const arb_struct *x, slong digits);
 /* The same as a member or, without a key, an element. */
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits);
+/* An exact number to so many digits. */
+void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits);
 /* The radius to two digits, rounded up; 0 when it is. */
 void print_accuracy(struct text *out, const arb_struct *worst);
 /* "orbit:2" or "printed". */
@@ -179,7 +185,9 @@ int run_orbit_paper(const struct options *o, const char *data);
 int show_box(const struct options *o, const struct scene *s, slong digits);
 /* orbit and jacobian on a scene that names another word than the paper's. */
 int run_word_orbit(const struct options *o, const struct scene *s, slong digits, struct diag *d);
-/* stickslip orbit on a scene that names a system file. */
+/* orbit and bifurcate on a scene that names a system file. */
+int run_system_bifurcate(const struct options *o, const struct scene *s, const char *data, slong digits,
+                         struct diag *d);
 int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d);
 int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
                       struct diag *d);

@@ -47,6 +47,14 @@ void print_known(struct text *out, const arb_struct *x, slong digits) {
   if (n > 0 && n < digits) show_as_power(out, from, n);
 }
 
+void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits) {
+  struct text t;
+  text_init(&t);
+  num_print_rational(&t, q, digits);
+  json_string(j, key, text_str(&t));
+  text_clear(&t);
+}
+
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits) {
   struct text t;
   text_init(&t);

@@ -24,23 +24,30 @@ static int complain(const char *fmt, const char *option, const char *text) {
   return usage("%s", message);
 }
 
-int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len) {
+int range_parse_named(struct range *r, struct text *name, const char *option, const char *shape, const char *text,
+                      size_t len) {
   const char *end = text + len, *equals = memchr(text, '=', len);
   const char *colon = equals ? memchr(equals, ':', (size_t)(end - equals)) : NULL;
   if (!equals || !colon || memchr(colon + 1, ':', (size_t)(end - colon - 1))) return complain(shape, option, text);
-  r->vary = -1;
-  for (int i = 0; i < N_SCENE_PARAMS; i++)
-    if (strlen(scene_key_name[i]) == (size_t)(equals - text) &&
-        strncmp(text, scene_key_name[i], (size_t)(equals - text)) == 0)
-      r->vary = i;
-  if (r->vary < 0) return complain("%s varies chi, eta, V, e1 or e2, not %.200s", option, text);
   struct diag d;
   diag_init(&d);
+  text_add_n(name, text, (size_t)(equals - text));
   if (!scene_constant(r->from, equals + 1, (size_t)(colon - equals - 1), option, &d) ||
       !scene_constant(r->to, colon + 1, (size_t)(end - colon - 1), option, &d)) {
     fprintf(stderr, "%s\n", d.message);
     return EXIT_USAGE;
   }
+  return EXIT_AS_RECORDED;
+}
+
+int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len) {
+  struct text name;
+  text_init(&name);
+  int status = range_parse_named(r, &name, option, shape, text, len);
+  r->vary = word_find(text_str(&name), scene_key_name, N_SCENE_PARAMS);
+  text_clear(&name);
+  if (status) return status;
+  if (r->vary == N_SCENE_PARAMS) return complain("%s varies chi, eta, V, e1 or e2, not %.200s", option, text);
   if (!in_domain(r->from, r->vary) || !in_domain(r->to, r->vary))
     return complain(r->vary == P_CHI ? "both ends of %s %.200s must lie between 0 and 1"
                                      : "both ends of %s %.200s must be positive",

@@ -56,14 +56,6 @@ static void head_csv(struct text *out, const struct sweep *q) {
   text_add(out, ",stable,admissible,violations,status\n");
 }
 
-static void json_rational(struct json *j, const char *key, const fmpq *q, slong digits) {
-  struct text t;
-  text_init(&t);
-  num_print_rational(&t, q, digits);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
-}
-
 static void head_json(struct text *out, const struct sweep *q) {
   struct json j;
   json_init(&j, out);

@@ -28,12 +28,6 @@ int run_system(const struct options *o, const char *data) {
 
 static const char not_complete[] = "orbits are those that simulated motions come near; there may be others";
 
-static void violation(struct text *out, const struct mech *m, const struct mech_fact *f) {
-  text_printf(out, "%d-", f->phase + 1);
-  if (f->rule != MECH_LENGTH) text_printf(out, "%s-", m->mass[f->mass].name);
-  text_add(out, mech_rule_name[f->rule]);
-}
-
 static void multipliers_json(struct json *j, const struct mech_orbit *o, slong digits) {
   if (!o->multipliers) {
     json_null(j, "multipliers");
@@ -96,7 +90,7 @@ static void orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   for (int i = 0; i < o->n_facts; i++) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
     text_reset(&t);
-    violation(&t, m, &o->fact[i]);
+    mech_fact_print(&t, m, &o->fact[i]);
     json_string(j, NULL, text_str(&t));
   }
   json_end_array(j);
@@ -167,7 +161,7 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
   for (int i = 0; i < o->n_facts; i++) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
     text_add(out, "  breaks       ");
-    violation(out, m, &o->fact[i]);
+    mech_fact_print(out, m, &o->fact[i]);
     text_add_char(out, '\n');
   }
 }

@@ -14,17 +14,17 @@ static void mass_json(struct json *j, const struct mech_mass *mass) {
   static const char *const side[2] = {"below", "above"};
   json_object(j, NULL);
   json_string(j, "name", mass->name);
-  json_rational(j, "inertia", mass->inertia);
+  json_fraction(j, "inertia", mass->inertia);
   if (mass->rubbed) {
-    json_rational(j, "sliding", mass->sliding);
-    json_rational(j, "static", mass->limit);
-    json_rational(j, "surface", mass->surface);
+    json_fraction(j, "sliding", mass->sliding);
+    json_fraction(j, "static", mass->limit);
+    json_fraction(j, "surface", mass->surface);
   }
   for (int s = 0; s < 2; s++) {
     if (!mass->stop[s].given) continue;
     json_object(j, side[s]);
-    json_rational(j, "position", mass->stop[s].position);
-    json_rational(j, "restitution", mass->stop[s].restitution);
+    json_fraction(j, "position", mass->stop[s].position);
+    json_fraction(j, "restitution", mass->stop[s].restitution);
     json_end_object(j);
   }
   json_end_object(j);
@@ -37,7 +37,7 @@ static void links_json(struct json *j, const char *list, const char *size, const
     json_array(j, "between");
     for (int s = 0; s < 2; s++) number_json(j, NULL, link[l].end[s] + 1);
     json_end_array(j);
-    json_rational(j, size, link[l].size);
+    json_fraction(j, size, link[l].size);
     json_end_object(j);
   }
   json_end_array(j);
@@ -54,12 +54,12 @@ static void system_json(struct json *j, const struct mech *m) {
   for (int l = 0; l < m->n_loads; l++) {
     json_object(j, NULL);
     number_json(j, "mass", m->load[l].mass + 1);
-    json_rational(j, "cosine", m->load[l].cosine);
-    json_rational(j, "sine", m->load[l].sine);
+    json_fraction(j, "cosine", m->load[l].cosine);
+    json_fraction(j, "sine", m->load[l].sine);
     json_end_object(j);
   }
   json_end_array(j);
-  if (m->n_loads) json_rational(j, "frequency", m->load[0].frequency);
+  if (m->n_loads) json_fraction(j, "frequency", m->load[0].frequency);
   json_end_object(j);
 }
 

@@ -15,6 +15,12 @@ enum { MOST_STEPS = 60 };
 const char *const mech_rule_name[MECH_BEYOND + 1] = {"length",    "slower",   "faster", "break",
                                                      "break_low", "obstacle", "beyond"};
 
+void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f) {
+  text_printf(out, "%d-", f->phase + 1);
+  if (f->rule != MECH_LENGTH) text_printf(out, "%s-", m->mass[f->mass].name);
+  text_add(out, mech_rule_name[f->rule]);
+}
+
 /* --- Existence and uniqueness --- */
 
 static int values(const void **f, const void **j, const struct num_vec *x, void *self) {

@@ -33,6 +33,8 @@ struct mech_fact {
   bool ends; /* its zero is the event that ends the phase: that it is the first one */
   truth holds;
 };
+/* "3-m2-break" of the third phase. */
+void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f);
 
 struct mech_orbit {
   struct mech_word word;
@@ -84,5 +86,9 @@ void mech_orbits_clear(struct mech_orbits *list);
 int mech_orbits_certified(const struct mech_orbits *list); /* how many */
 /* The certified ones as a file for stickslip-checker (verify/checker/README.md); scene: a name. */
 void mech_certificates_json(struct text *out, const char *scene, const struct mech *m, const struct mech_orbits *list);
+/* Is one of them of the same word, with enclosures of all lengths and states that meet those of o? */
+bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o);
+/* Takes o over. */
+void mech_orbits_add(struct mech_orbits *list, const struct mech_orbit *o);
 
 #endif

@@ -51,6 +51,9 @@ struct reader {
   size_t n_parameters, cap_parameters;
   int depth;
   size_t work;
+  const char *other; /* the parameter that has another value than in the file, or NULL */
+  const fmpq *value;
+  bool met; /* it is in the file */
 };
 
 static bool wrong(struct reader *r, size_t place, const char *what) {
@@ -91,6 +94,10 @@ static bool read_parameter(struct reader *r, const struct field *f) {
   fmpq_init(p->value);
   bool ok = evaluate(p->value, r, s->sides[1]);
   r->n_parameters++; /* from here on it has a value */
+  if (r->other && strcmp(p->name, r->other) == 0) {
+    fmpq_set(p->value, r->value);
+    r->met = true;
+  }
   return ok;
 }
 
@@ -255,6 +262,16 @@ static bool read_head(struct reader *r, const struct record *head) {
   return true;
 }
 
+static bool no_parameter(struct reader *r) {
+  struct text known;
+  text_init(&known);
+  for (size_t i = 0; i < r->n_parameters; i++)
+    text_printf(&known, "%s%s", i ? ", " : "; it has ", r->parameter[i].name);
+  diag_set(r->d, "%.300s: error: the system has no parameter %.100s%.300s", r->src->name, r->other, text_str(&known));
+  text_clear(&known);
+  return false;
+}
+
 /* Says what is physically wrong at the record that it is about. */
 static bool finish(struct reader *r, const struct record_file *f) {
   const char *why, *name;
@@ -266,26 +283,36 @@ static bool finish(struct reader *r, const struct record_file *f) {
   return false;
 }
 
-bool mech_read(struct mech *m, struct source src, struct diag *d) {
+static bool read_all(struct reader *r, struct source src) {
   struct record_file f;
-  struct reader r = {.m = m, .d = d};
-  mech_init(m);
-  arena_init(&r.arena);
-  bool ok = record_file_parse(&f, src, d);
-  r.src = &f.src;
-  ok = ok && read_head(&r, &f.records[0]);
-  for (size_t i = 1; ok && i < f.n_records; i++) ok = read_record(&r, &f.records[i]);
-  ok = ok && finish(&r, &f);
-  for (size_t i = 0; i < r.n_parameters; i++) fmpq_clear(r.parameter[i].value);
-  free(r.parameter);
+  mech_init(r->m);
+  arena_init(&r->arena);
+  bool ok = record_file_parse(&f, src, r->d);
+  r->src = &f.src;
+  ok = ok && read_head(r, &f.records[0]);
+  if (ok && r->other && !r->met) ok = no_parameter(r);
+  for (size_t i = 1; ok && i < f.n_records; i++) ok = read_record(r, &f.records[i]);
+  ok = ok && finish(r, &f);
+  for (size_t i = 0; i < r->n_parameters; i++) fmpq_clear(r->parameter[i].value);
+  free(r->parameter);
   record_file_clear(&f);
-  arena_clear(&r.arena);
+  arena_clear(&r->arena);
   return ok;
 }
 
-bool mech_load(struct mech *m, const char *path, struct diag *d) {
+bool mech_read(struct mech *m, struct source src, struct diag *d) {
+  struct reader r = {.m = m, .d = d};
+  return read_all(&r, src);
+}
+
+bool mech_load_at(struct mech *m, const char *path, const char *parameter, const fmpq_t value, struct diag *d) {
   struct source src;
-  if (source_read(&src, path, MOST_BYTES, d)) return mech_read(m, src, d);
+  struct reader r = {.m = m, .d = d, .other = parameter, .value = value};
+  if (source_read(&src, path, MOST_BYTES, d)) return read_all(&r, src);
   mech_init(m);
   return false;
+}
+
+bool mech_load(struct mech *m, const char *path, struct diag *d) {
+  return mech_load_at(m, path, NULL, NULL, d);
 }

@@ -119,8 +119,7 @@ static double slowest(const struct mech *m) {
 
 /* --- Orbits --- */
 
-/* Of the same word, with enclosures of all lengths and states that meet. */
-static bool is_known(const struct mech_orbits *list, const struct mech_orbit *o) {
+bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o) {
   for (int i = 0; i < list->n; i++) {
     const struct mech_orbit *a = &list->orbit[i];
     int by;
@@ -135,6 +134,11 @@ static bool is_known(const struct mech_orbits *list, const struct mech_orbit *o)
     if (same) return true;
   }
   return false;
+}
+
+void mech_orbits_add(struct mech_orbits *list, const struct mech_orbit *o) {
+  list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
+  list->orbit[list->n++] = *o;
 }
 
 /* Those that return most nearly first. */
@@ -160,13 +164,12 @@ static void solve(struct mech_orbits *list, struct stretches *found, const struc
       list->failed++;
       continue;
     }
-    if (is_known(list, &o)) {
+    if (mech_orbits_hold(list, &o)) {
       mech_orbit_clear(&o);
       continue;
     }
     mech_orbit_judge(&o, m, prec);
-    list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
-    list->orbit[list->n++] = o;
+    mech_orbits_add(list, &o);
   }
 }
 

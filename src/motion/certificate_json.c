@@ -7,10 +7,10 @@
 static void given_json(struct json *j, const struct dyn_question *q) {
   static const char *const model[3] = {"chi", "eta", "V"}, *const friction[2] = {"u_r1", "u_r2"};
   json_object(j, "given");
-  for (int i = 0; i < 3; i++) json_rational(j, model[i], q->model + i);
-  for (int i = 0; i < 2; i++) json_rational(j, dyn_quantity_id[q->which[i]], q->value + i);
+  for (int i = 0; i < 3; i++) json_fraction(j, model[i], q->model + i);
+  for (int i = 0; i < 2; i++) json_fraction(j, dyn_quantity_id[q->which[i]], q->value + i);
   for (int i = 0; i < 2; i++)
-    if (q->u_r[i]) json_rational(j, friction[i], q->u_r[i]);
+    if (q->u_r[i]) json_fraction(j, friction[i], q->u_r[i]);
   json_end_object(j);
 }
 

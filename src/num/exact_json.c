@@ -1,6 +1,6 @@
 #include "exact_json.h"
 
-void json_rational(struct json *j, const char *key, const fmpq *x) {
+void json_fraction(struct json *j, const char *key, const fmpq *x) {
   struct text t;
   text_init(&t);
   num_print_q(&t, x);

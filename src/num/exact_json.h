@@ -5,7 +5,7 @@
 #include "base/json.h"
 #include "num.h"
 
-void json_rational(struct json *j, const char *key, const fmpq *x);
+void json_fraction(struct json *j, const char *key, const fmpq *x);
 void json_ball(struct json *j, const char *key, arb_srcptr x);
 /* With its radius doubled, so that a checker that rounds elsewhere can prove that its own enclosure lies within. */
 void json_wide_ball(struct json *j, const char *key, arb_srcptr x);

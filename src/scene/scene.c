@@ -483,7 +483,7 @@ static bool load(struct scene *s, const char *spec, const char *text, const char
   bool ok = read_all(&r, o);
   arena_clear(&r.arena);
   if (ok && s->system && any != SCENE_OF_ANY_SYSTEM) {
-    diag_set(d, "%s: error: a scene of the system file %s; only orbit takes such a scene", s->path, s->system);
+    diag_set(d, "%s: error: a scene of the system file %s; of the commands orbit and bifurcate take such a scene", s->path, s->system);
     return false;
   }
   return ok && (any || (scene_one_point(s, d) && scene_papers_word(s, d)));

@@ -190,6 +190,8 @@ bool scene_is_box(const struct scene *s);
 /* Is it the scene on file of that name, with the parameters and printed numbers of the file? */
 bool scene_is(const struct scene *s, const char *name);
 void scene_clear(struct scene *s);
+/* The path of the system file that a scene names. */
+void scene_system_path(struct text *out, const struct scene *s, const char *data);
 /* Of a scene with a system: that system, to be cleared in any case, and the scene's word in it, or one of no phases. */
 bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, struct diag *d);
 /* false, with the message for those who cannot take a box, when it is one. */

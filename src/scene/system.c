@@ -4,8 +4,9 @@
 #include "scene.h"
 
 /* As scenes are found: a path, or a name in the data folder. */
-static void path_of(struct text *out, const char *spec, const char *data) {
+void scene_system_path(struct text *out, const struct scene *s, const char *data) {
   static const char suffix[] = ".system";
+  const char *spec = s->system;
   size_t len = strlen(spec), own = sizeof suffix - 1;
   if (strchr(spec, '/') || (len > own && strcmp(spec + len - own, suffix) == 0))
     text_add(out, spec);
@@ -18,7 +19,7 @@ bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *
   size_t at;
   const char *why;
   text_init(&path);
-  path_of(&path, s->system, data);
+  scene_system_path(&path, s, data);
   bool ok = mech_load(m, text_str(&path), d);
   text_clear(&path);
   w->n = 0;

@@ -1,0 +1,243 @@
+/* stickslip bifurcate on a scene that names a system file. */
+#include <math.h>
+#include <string.h>
+
+#include "base/json.h"
+#include "cli.h"
+#include "mech/follow.h"
+#include "word_orbits.h"
+
+/* What is shown, and how. */
+struct shown {
+  const struct mech_follow *f;
+  const struct mech *m; /* for the names of its masses */
+  const struct mech_line *l;
+  const struct scene *s;
+  slong digits;
+  int decimals; /* of the ends of brackets */
+};
+
+/* The end of a bracket, rounded outwards. */
+static void outwards(fmpq_t out, const struct shown *v, const fmpq_t at, bool up) {
+  fmpq_t scale;
+  fmpz_t whole;
+  fmpq_init(scale);
+  fmpz_init(whole);
+  fmpz_ui_pow_ui(fmpq_numref(scale), 10, (ulong)v->decimals);
+  fmpq_mul(out, at, scale);
+  (up ? fmpz_cdiv_q : fmpz_fdiv_q)(whole, fmpq_numref(out), fmpq_denref(out));
+  fmpq_set_fmpz(out, whole);
+  fmpq_div(out, out, scale);
+  fmpz_clear(whole);
+  fmpq_clear(scale);
+}
+
+/* The two ends, the lower one first. */
+static void bracket(fmpq_t low, fmpq_t high, const struct shown *v, const struct mech_change *c) {
+  int first = fmpq_cmp(c->side[0].at, c->side[1].at) > 0;
+  outwards(low, v, c->side[first].at, false);
+  outwards(high, v, c->side[!first].at, true);
+}
+
+/* With all its decimals. */
+static void print_end(struct text *out, const struct shown *v, const fmpq_t end) {
+  double size = fabs(fmpq_get_d(end));
+  num_print_rational(out, end, v->decimals + 1 + (size < 1 ? 0 : (slong)floor(log10(size))));
+}
+
+/* What is not the same on both sides. */
+static void facts(struct text *out, const struct shown *v, const struct mech_change *c) {
+  for (int i = 0; i < c->n_facts; i++) {
+    if (i) text_add(out, ", ");
+    mech_fact_print(out, v->m, &c->fact[i]);
+  }
+}
+
+/* --- JSON --- */
+
+static void side_json(struct json *j, const char *key, const struct mech_side *s) {
+  json_object(j, key);
+  json_bool(j, "found", s->found);
+  if (s->found) {
+    json_truth(j, "of_word", s->own);
+    json_truth(j, "stable", s->stable);
+    json_truth(j, "admissible", s->admissible);
+  }
+  json_end_object(j);
+}
+
+static void change_json(struct json *j, const struct shown *v, const struct mech_change *c) {
+  fmpq_t low, high;
+  struct text t;
+  fmpq_init(low);
+  fmpq_init(high);
+  text_init(&t);
+  bracket(low, high, v, c);
+  json_object(j, NULL);
+  json_string(j, "kind", mech_turn_id[c->what]);
+  json_long(j, "branch", c->branch + 1);
+  for (int i = 0; i < 2; i++) {
+    text_reset(&t);
+    print_end(&t, v, i ? high : low);
+    json_string(j, i ? "high" : "low", text_str(&t));
+  }
+  json_array(j, "conditions");
+  for (int i = 0; i < c->n_facts; i++) {
+    text_reset(&t);
+    mech_fact_print(&t, v->m, &c->fact[i]);
+    json_string(j, NULL, text_str(&t));
+  }
+  json_end_array(j);
+  int first = fmpq_cmp(c->side[0].at, c->side[1].at) > 0;
+  side_json(j, "below", &c->side[first]);
+  side_json(j, "above", &c->side[!first]);
+  json_end_object(j);
+  text_clear(&t);
+  fmpq_clear(high);
+  fmpq_clear(low);
+}
+
+static void branch_json(struct json *j, const struct shown *v, const struct mech_branch *b, int number) {
+  json_object(j, NULL);
+  json_long(j, "branch", number);
+  json_array(j, "word");
+  for (int k = 0; k < b->word.n; k++) json_string(j, NULL, b->word.phase[k]);
+  json_end_array(j);
+  json_rational(j, "from", b->end[0].at, v->digits);
+  json_rational(j, "to", b->end[1].at, v->digits);
+  json_end_object(j);
+}
+
+static void all_json(struct text *out, const struct shown *v) {
+  struct json j;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "scene", v->s->name);
+  json_string(&j, "layer", "model");
+  json_object(&j, "along");
+  json_string(&j, "name", v->l->name);
+  json_rational(&j, "from", v->l->from, v->digits);
+  json_rational(&j, "to", v->l->to, v->digits);
+  json_end_object(&j);
+  json_bool(&j, "complete", false);
+  json_bool(&j, "spent", v->f->spent);
+  json_array(&j, "bifurcations");
+  for (int i = 0; i < v->f->n_changes; i++) change_json(&j, v, &v->f->change[i]);
+  json_end_array(&j);
+  json_array(&j, "branches");
+  for (int i = 0; i < v->f->n_branches; i++) branch_json(&j, v, &v->f->branch[i], i + 1);
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+/* --- Text --- */
+
+static void side_text(struct text *out, const struct mech_side *s) {
+  static const char *const fate[] = {"unstable", "stable", "stability undecided"}, *const allowed[] = {
+                                                                                       "not admissible", "admissible",
+                                                                                       "admissibility undecided"};
+  if (!s->found)
+    text_add(out, "none found");
+  else if (s->own == TRUTH_FALSE)
+    text_add(out, "none of the word");
+  else
+    text_printf(out, "%s, %s", fate[s->stable], allowed[s->admissible]);
+}
+
+static void change_text(struct text *out, const struct shown *v, const struct mech_change *c) {
+  fmpq_t end[2];
+  int first = fmpq_cmp(c->side[0].at, c->side[1].at) > 0;
+  for (int i = 0; i < 2; i++) fmpq_init(end[i]);
+  bracket(end[0], end[1], v, c);
+  for (int i = 0; i < 2; i++) {
+    text_add(out, i ? ", " : "  [");
+    print_end(out, v, end[i]);
+    fmpq_clear(end[i]);
+  }
+  text_printf(out, "]  branch %d  %s: ", c->branch + 1, mech_turn_id[c->what]);
+  side_text(out, &c->side[first]);
+  text_add(out, " -> ");
+  side_text(out, &c->side[!first]);
+  if (c->n_facts) text_add(out, "; changed: ");
+  facts(out, v, c);
+  text_add_char(out, '\n');
+}
+
+static void branch_text(struct text *out, const struct shown *v, const struct mech_branch *b, int number) {
+  text_printf(out, "branch %d, ", number);
+  mech_word_print(out, &b->word);
+  for (int i = 0; i < 2; i++) {
+    text_printf(out, i ? " to " : ": %s from ", v->l->name);
+    num_print_rational(out, b->end[i].at, 6);
+    text_printf(out, " (period %.6g)", b->end[i].period);
+  }
+  text_add_char(out, '\n');
+}
+
+static void all_text(struct text *out, const struct shown *v) {
+  const struct mech_follow *f = v->f;
+  text_printf(out, "%s: %s from ", v->s->name, v->l->name);
+  num_print_q(out, v->l->from);
+  text_add(out, " to ");
+  num_print_q(out, v->l->to);
+  text_printf(out, ", %d change%s on %d branch%s of orbits found\n", f->n_changes, f->n_changes == 1 ? "" : "s",
+              f->n_branches, f->n_branches == 1 ? "" : "es");
+  for (int i = 0; i < f->n_changes; i++) change_text(out, v, &f->change[i]);
+  for (int i = 0; i < f->n_branches; i++) branch_text(out, v, &f->branch[i], i + 1);
+  text_add(out, "proved are the orbits at both ends of each bracket, not that there are no other orbits or changes\n");
+}
+
+/* --- The command --- */
+
+static int show(const struct options *o, struct shown *v, const struct mech_word *w, struct diag *d) {
+  struct mech_follow f;
+  struct text out;
+  bool ok = mech_follow(&f, v->l, w->n ? w : NULL, d);
+  v->f = &f;
+  text_init(&out);
+  if (ok && f.spent)
+    fprintf(stderr, "%s: warning: the search ran into its limit; there may be more changes\n", v->s->path);
+  if (ok) (option(o, OPT_JSON) ? all_json : all_text)(&out, v);
+  if (option(o, OPT_JSON))
+    fputs(text_str(&out), stdout);
+  else
+    terminal_print(text_str(&out));
+  text_clear(&out);
+  mech_follow_clear(&f);
+  return ok ? EXIT_AS_RECORDED : bad_input(d);
+}
+
+/* How many decimals tell the ends of a bracket apart. */
+static int decimals_of(const struct mech_line *l) {
+  fmpq_t width;
+  fmpq_init(width);
+  fmpq_sub(width, l->from, l->to);
+  double wide = fabs(fmpq_get_d(width));
+  fmpq_clear(width);
+  return (int)l->digits - (int)floor(log10(wide));
+}
+
+int run_system_bifurcate(const struct options *o, const struct scene *s, const char *data, slong digits,
+                         struct diag *d) {
+  const char *along = option(o, OPT_ALONG);
+  struct mech m;
+  struct mech_word w;
+  struct range a;
+  struct text name, path;
+  text_init(&name);
+  text_init(&path);
+  range_init(&a);
+  int status = range_parse_named(&a, &name, "--along", along_shape, along, strlen(along));
+  if (!status && fmpq_cmp(a.from, a.to) == 0) status = usage("the ends of --along %.200s are equal", along);
+  if (!status) {
+    scene_system_path(&path, s, data);
+    struct mech_line l = {text_str(&path), text_str(&name), {a.from[0]}, {a.to[0]}, digits, word_bits(digits)};
+    struct shown v = {.m = &m, .l = &l, .s = s, .digits = digits, .decimals = decimals_of(&l)};
+    status = scene_load_system(&m, &w, s, data, d) ? show(o, &v, &w, d) : bad_input(d);
+    mech_clear(&m);
+  }
+  range_clear(&a);
+  text_clear(&path);
+  text_clear(&name);
+  return status;
+}
