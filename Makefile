@@ -73,9 +73,9 @@ $(B)/mpi/%.o: %.c Makefile
 	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(ALL) -I. -DSTICKSLIP_MPI -MMD -MP -c -o $@ $<
 
 # shares no source with the program
-$(B)/stickslip-checker: verify/checker/check.c Makefile
+$(B)/stickslip-checker: $(wildcard verify/checker/*.[ch]) Makefile
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(WARN) $(CFLAGS) $(EXTRA) -o $@ $< $(ARB) -lflint -lmpfr -lgmp -lm
+	$(CC) $(STD) $(WARN) $(CFLAGS) $(EXTRA) -o $@ $(filter %.c,$^) $(ARB) -lflint -lmpfr -lgmp -lm
 
 # what the program and the tests are linked with
 $(B)/internal.a: $(OBJ)

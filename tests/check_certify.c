@@ -11,8 +11,10 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "base/random.h"
 #include "effort.h"
 #include "explore/family.h"
+#include "mech/orbit.h"
 #include "motion/certify.h"
 #include "motion/complete.h"
 #include "motion/given.h"
@@ -701,6 +703,283 @@ START_TEST(no_answer) {
 }
 END_TEST
 
+/* --- Systems --- */
+
+struct system_study {
+  struct mech m;
+  struct mech_orbits list;
+  struct text json;
+};
+
+static void system_open(struct system_study *s, const char *path) {
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(mech_load(&s->m, path, &d), "%s", path);
+  mech_orbits_find(&s->list, &s->m, NULL, true, 128);
+  ck_assert_int_ge(s->list.n, 1);
+  text_init(&s->json);
+  mech_certificates_json(&s->json, "test", &s->m, &s->list);
+}
+
+static void system_close(struct system_study *s) {
+  mech_orbits_clear(&s->list);
+  mech_clear(&s->m);
+  text_clear(&s->json);
+}
+
+static void verified_one(const char *what) {
+  ck_assert_msg(strcmp(said, "verified: 1 orbit; whether there are others is not checked\n") == 0, "%s: %s", what,
+                said);
+}
+
+START_TEST(systems_are_verified) {
+  static const char *const scene[] = {"chain3", "beside-wall", "driven", "den-hartog", "chain4", "chain5"};
+  for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
+    char command[1024], path[256];
+    snprintf(path, sizeof path, "%s", scratch_path("system.json"));
+    snprintf(command, sizeof command, "%s orbit %s --certificate '%s' > '%s'", program(), scene[i], path,
+             scratch_path("system.txt"));
+    ck_assert_int_eq(system(command), 0);
+    ck_assert_int_eq(checker_on(path), VERIFIED);
+    verified_one(scene[i]);
+  }
+  struct system_study s; /* between two phases one number tells the whole state: nothing is free */
+  system_open(&s, scratch_put("one.system", "title: a mass on a belt\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n"
+                                            "  surface: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"));
+  ck_assert_int_eq(s.list.orbit[0].n_free, 0);
+  ck_assert_int_eq(checker(text_str(&s.json)), VERIFIED);
+  verified_one("one mass");
+  system_close(&s);
+}
+END_TEST
+
+/* The next string in quotes that is no name of a value. */
+static bool next_string(size_t *begin, size_t *len, const struct text *json, size_t from) {
+  for (const char *p = strchr(json->data + from, '"'), *end; p; p = strchr(end + 1, '"')) {
+    end = strchr(p + 1, '"');
+    if (end[1] == ':') continue;
+    *begin = (size_t)(p + 1 - json->data);
+    *len = (size_t)(end - p - 1);
+    return true;
+  }
+  return false;
+}
+
+/* Every number, in three ways each; harmless: how many of these changes leave a certificate true, all of a static limit
+   that no mass comes near. */
+static void change_numbers(const char *system, int harmless) {
+  struct system_study s;
+  char path[100];
+  size_t at, len, from = 0;
+  int changed = 0, same = 0;
+  snprintf(path, sizeof path, "verify/systems/%s.system", system);
+  system_open(&s, path);
+  ck_assert_msg(checker(text_str(&s.json)) == VERIFIED, "%s", said);
+  while (next_string(&at, &len, &s.json, from)) {
+    char value[400], other[400];
+    snprintf(value, sizeof value, "%.*s", (int)len, s.json.data + at);
+    from = at + len + 1;
+    if (strspn(value, "-0123456789abcdef /") < len || !strpbrk(value, "0123456789")) continue;
+    for (int how = 0; how < 3; how++) {
+      damage(other, value, how);
+      if (strcmp(other, value) == 0) continue;
+      int status = checker_with(&s.json, at, len, other);
+      bool is_static = strncmp(s.json.data + at - 11, "\"static\": \"", 11) == 0;
+      ck_assert_msg(status == REJECTED || (is_static && status == VERIFIED), "%s for %s: %d %s", other, value, status,
+                    said);
+      same += status == VERIFIED;
+      changed++;
+    }
+  }
+  ck_assert_int_ge(changed, 70);
+  ck_assert_int_eq(same, harmless);
+  system_close(&s);
+}
+
+START_TEST(a_changed_number_of_a_system_is_rejected) {
+  change_numbers("chain3", 0);
+  change_numbers("driven", 0);
+  change_numbers("beside-wall", 3);
+  change_numbers("den-hartog", 3);
+}
+END_TEST
+
+/* The certificate with the first occurrence of a text behind another one replaced; what the checker says is wrong. */
+static void refused_with(const struct text *json, const char *behind, const char *from, const char *to, int status,
+                         const char *why) {
+  const char *p = strstr(json->data, behind);
+  if (p) p = strstr(p, from);
+  ck_assert_msg(p != NULL, "%s %s", behind, from);
+  int got = checker_with(json, (size_t)(p - json->data), strlen(from), to);
+  ck_assert_msg(got == status && strstr(said, why), "%s for %s: %d %s", to, from, got, said);
+}
+
+/* Letters, truths, phases, and what is no system. */
+START_TEST(a_changed_system_is_rejected) {
+  struct system_study s;
+  size_t at, len, from = 0;
+  int letters = 0;
+  system_open(&s, "verify/systems/chain3.system");
+  ck_assert_int_eq(s.list.n, 1);
+  while (next_string(&at, &len, &s.json, from)) {
+    from = at + len + 1;
+    if (len != 3 || strspn(s.json.data + at, "s-+") < len) continue;
+    for (size_t i = 0; i < 3; i++)
+      for (const char *c = "s-+.x>1"; *c; c++) {
+        char one[2] = {*c, '\0'};
+        if (s.json.data[at + i] == *c) continue;
+        ck_assert_msg(checker_with(&s.json, at + i, 1, one) == REJECTED, "%.3s: %s", s.json.data + at, said);
+        letters++;
+      }
+  }
+  ck_assert_int_eq(letters, 6 * 3 * 6);
+  refused_with(&s.json, "verdicts", "true", "false", REJECTED, "stable is not as claimed");
+  refused_with(&s.json, "admissible", "true", "false", REJECTED, "admissible is not as claimed");
+  refused_with(&s.json, "verdicts", "true", "\"true\"", BAD_FILE, "wrong type");
+  refused_with(&s.json, "word", "\"--s\",", "", REJECTED, "differ by more or less than one event");
+  refused_with(&s.json, "word", "\"--s\",", "\"--s\", \"--s\",", REJECTED, "differ by more or less than one event");
+  refused_with(&s.json, "word", "\"--s\"", "\"--s>1\"", REJECTED, "no phase of this system");
+  refused_with(&s.json, "verdicts", "true", "true, \"complete\": true", BAD_FILE, "unknown name");
+  refused_with(&s.json, "\"m2\"", "\"inertia\": \"1\"", "\"inertia\": \"0\"", REJECTED, "out of its range");
+  refused_with(&s.json, "\"m2\"", "\"static\": \"3\"", "\"static\": \"1/3\"", REJECTED, "below its sliding");
+  refused_with(&s.json, "springs", "\"0\"", "\"-1\"", REJECTED, "no mass with the number");
+  refused_with(&s.json, "springs", "\"0\"", "\"00\"", REJECTED, "no mass with the number");
+  refused_with(&s.json, "springs", "\"0\"", "\"1\"", REJECTED, "to itself");
+  refused_with(&s.json, "\"m2\"", "\"surface\"",
+               "\"above\": {\"position\": \"5\", \"restitution\": \"1\"}, \"surface\"", REJECTED, "");
+  refused_with(&s.json, "version 1", "version 1", "version 2", BAD_FILE, "not known");
+  system_close(&s);
+  system_open(&s, "verify/systems/driven.system");
+  refused_with(&s.json, "turns", "\"1\"", "\"2\"", REJECTED, "its box");
+  refused_with(&s.json, "turns", "\"1\"", "\"-1\"", REJECTED, "no number of turns");
+  refused_with(&s.json, "word", "\"turns\": \"1\",", "", BAD_FILE, "turns");
+  system_close(&s);
+}
+END_TEST
+
+/* One orbit twice, also when its word and its numbers begin with another phase. */
+START_TEST(an_orbit_of_a_system_counts_once) {
+  struct system_study s;
+  system_open(&s, "verify/systems/den-hartog.system");
+  struct mech_orbit pair[2] = {s.list.orbit[0], s.list.orbit[0]};
+  struct mech_orbits twice = {.orbit = pair, .n = 2};
+  text_reset(&s.json);
+  mech_certificates_json(&s.json, "twice", &s.m, &twice);
+  ck_assert_int_eq(checker(text_str(&s.json)), REJECTED);
+  ck_assert(strstr(said, "orbits 1 and 2 may be one") != NULL);
+  struct mech_word w;
+  double t[2], z[MECH_STATES];
+  mech_word_turn(&w, &pair[0].word, 1);
+  for (int k = 0; k < 2; k++) t[k] = num_arb.get_d(pair[0].t + 1 - k);
+  for (int i = 0; i < s.m.states; i++) z[i] = num_arb.get_d(pair[0].state + s.m.states + i);
+  ck_assert_int_eq(mech_orbit_near(&pair[1], &s.m, &w, t, z, 128), SS_OK);
+  mech_orbit_judge(&pair[1], &s.m, 128);
+  text_reset(&s.json);
+  mech_certificates_json(&s.json, "turned", &s.m, &twice);
+  ck_assert_int_eq(checker(text_str(&s.json)), REJECTED);
+  ck_assert(strstr(said, "orbits 1 and 2 may be one") != NULL);
+  mech_orbit_clear(&pair[1]);
+  system_close(&s);
+}
+END_TEST
+
+static double unit(uint64_t *stream) {
+  return ldexp((double)(random_next(stream) >> 11), -53);
+}
+
+/* Solutions of a word's equations that pass through a wall, slip past their surface's velocity or return too late: each
+   is rejected when it is certified by force; and one that only breaks the law is verified when it says so. */
+START_TEST(solutions_that_are_no_motions_are_rejected) {
+  static const struct {
+    const char *system, *word;
+    double t[4], z[4]; /* a start */
+  } row[] = {{"beside-wall", "-- -->2 s-", {0}, {0}},
+             {"driven", "-- +- -- -s", {0}, {0}},
+             {"den-hartog", "+ -", {0}, {0}},
+             /* the paper's orbit that breaks h_v2; z = x - (10, 45/4) */
+             {"two-masses", "ss -s -- s-", {14.318937, 1.3814616, 10.909628, 3.2581067}, {4.5356558, 4.5188039, 1, 1}}};
+  int later = 0, broken = 0;
+  for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+    struct system_study s;
+    struct mech_word w;
+    size_t at;
+    const char *why;
+    char path[100];
+    snprintf(path, sizeof path, "verify/systems/%s.system", row[i].system);
+    system_open(&s, path);
+    ck_assert(mech_word_parse(&w, &at, &why, row[i].word, &s.m));
+    uint64_t stream = random_seed("forged orbits");
+    for (int k = 0; k < 60; k++) {
+      struct mech_orbit o;
+      double t[4], z[MECH_STATES];
+      bool given = k == 0 && row[i].t[0] > 0;
+      for (int l = 0; l < w.n; l++) t[l] = given ? row[i].t[l] : 8 * unit(&stream);
+      for (int l = 0; l < s.m.states; l++) z[l] = given ? row[i].z[l] : 8 * unit(&stream) - 4;
+      if (mech_orbit_near(&o, &s.m, &w, t, z, 128) != SS_OK) continue;
+      mech_orbit_judge(&o, &s.m, 128);
+      bool positive = o.multipliers;
+      for (int l = 0; l < w.n; l++) positive = positive && arb_is_positive(o.t + l);
+      if (positive && o.admissible == TRUTH_FALSE) {
+        struct mech_orbits one = {.orbit = &o, .n = 1};
+        bool own = o.own == TRUTH_TRUE;
+        if (own) { /* it is certified as it is */
+          text_reset(&s.json);
+          mech_certificates_json(&s.json, "breaks the law", &s.m, &one);
+          ck_assert_msg(checker(text_str(&s.json)) == VERIFIED, "%s", said);
+        }
+        o.certified = true;
+        o.admissible = TRUTH_TRUE;
+        text_reset(&s.json);
+        mech_certificates_json(&s.json, "forged", &s.m, &one);
+        ck_assert_msg(checker(text_str(&s.json)) == REJECTED, "%s", said);
+        broken += own;
+        later += !own && strstr(said, "the first ones");
+      }
+      mech_orbit_clear(&o);
+    }
+    system_close(&s);
+  }
+  ck_assert_msg(later >= 3 && broken == 1, "%d, %d", later, broken);
+}
+END_TEST
+
+/* Out of all proportion: refused at once. */
+START_TEST(huge_systems_are_refused) {
+  struct system_study s;
+  struct text t;
+  text_init(&t);
+  system_open(&s, "verify/systems/beside-wall.system");
+  static const char *const number[] = {"1 fffffff 0 0", "1 0 1 fffffff", "1 -fffffff 1 0", "nan", "1e9", ""};
+  for (size_t i = 0; i < sizeof number / sizeof *number; i++) {
+    text_reset(&t);
+    text_printf(&t, "\"%s\", \"", number[i]);
+    refused_with(&s.json, "\"times\"", "\"", text_str(&t), BAD_FILE, "");
+  }
+  refused_with(&s.json, "\"period\": \"", "\"period\": \"", "\"period\": \"1 fffff 0 0\", \"period\": \"", BAD_FILE,
+               "occurs twice");
+  refused_with(&s.json, "restitution", "3/5", "6/5", REJECTED, "above 1");
+  refused_with(&s.json, "restitution", "3/5", "0", REJECTED, "out of its range");
+  text_reset(&t);
+  text_add(&t, "1");
+  for (int i = 0; i < 150000; i++) text_add(&t, "0");
+  refused_with(&s.json, "springs", "1/2", text_str(&t), REJECTED, "out of its range");
+  refused_with(&s.json, "springs", "\"1\"", "\"100000000000000000000\"", REJECTED, "no mass with the number");
+  text_reset(&t);
+  text_add(&t, "\"masses\": [");
+  for (int i = 0; i < 1000; i++) text_add(&t, "{\"inertia\": \"1\"},");
+  refused_with(&s.json, "masses", "masses\": [", text_str(&t) + 1, REJECTED, "1 to 24 masses");
+  text_reset(&t);
+  text_add(&t, "[");
+  for (int i = 0; i < 1000; i++) text_add(&t, i % 2 ? "\"s-\"," : "\"--\",");
+  refused_with(&s.json, "\"word\"", "[", text_str(&t), REJECTED, "at most 48 phases");
+  text_reset(&t);
+  for (int i = 0; i < 100000; i++) text_add(&t, "[");
+  refused_with(&s.json, "\"word\"", "[", text_str(&t), BAD_FILE, "");
+  text_clear(&t);
+  system_close(&s);
+}
+END_TEST
+
 /* --- Files that are no certificates --- */
 
 START_TEST(a_byte_order_mark_is_skipped) {
@@ -863,9 +1142,10 @@ END_TEST
 
 Suite *certify_suite(void) {
   Suite *s = suite_create("certify");
-  TCase *proofs = tcase_create("proofs"), *lies = tcase_create("lies");
+  TCase *proofs = tcase_create("proofs"), *lies = tcase_create("lies"), *systems = tcase_create("systems");
   tcase_add_checked_fixture(proofs, scratch_open, scratch_close);
   tcase_add_checked_fixture(lies, scratch_open, scratch_close);
+  tcase_add_checked_fixture(systems, scratch_open, scratch_close);
   tcase_add_test(proofs, every_set_is_certified_and_verified);
   tcase_add_test(proofs, near_flip);
   tcase_add_test(proofs, near_folds_and_grazing_events);
@@ -877,6 +1157,7 @@ Suite *certify_suite(void) {
   tcase_add_test(proofs, digits_are_cheap);
   tcase_add_test(proofs, an_orbit_costs_no_second_search);
   tcase_add_test(proofs, stiff_orbits_are_rechecked);
+  tcase_add_test(systems, systems_are_verified);
   tcase_add_test(lies, a_changed_number_is_rejected);
   tcase_add_test(lies, a_changed_truth_is_rejected);
   tcase_add_test(lies, a_value_of_the_wrong_type_is_rejected);
@@ -886,9 +1167,15 @@ Suite *certify_suite(void) {
   tcase_add_test(lies, entries_are_different_orbits);
   tcase_add_test(lies, static_friction_has_a_range);
   tcase_add_test(lies, no_answer);
+  tcase_add_test(systems, a_changed_number_of_a_system_is_rejected);
+  tcase_add_test(systems, a_changed_system_is_rejected);
+  tcase_add_test(systems, an_orbit_of_a_system_counts_once);
+  tcase_add_test(systems, solutions_that_are_no_motions_are_rejected);
+  tcase_add_test(systems, huge_systems_are_refused);
   tcase_add_test(lies, a_byte_order_mark_is_skipped);
   tcase_add_test(lies, bad_files);
   suite_add_tcase(s, proofs);
   suite_add_tcase(s, lies);
+  suite_add_tcase(s, systems);
   return s;
 }

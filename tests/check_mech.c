@@ -800,6 +800,7 @@ static const struct {
     {"system", "system takes one FILE", 2},
     {"system nothing.system", "nothing.system", 3},
     {"orbit chain3 --basin", "are of the paper's two masses", 3},
+    {"orbit chain3 --certificate /no-such-folder/c.json", "/no-such-folder/c.json", 3},
     {"orbit chain3 --digits 1001", "at most 1000 --digits", 3},
     {"orbit chain3 --set system=chain99", "chain99.system", 3},
     {"orbit chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},

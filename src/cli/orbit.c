@@ -7,6 +7,7 @@
 #include "motion/margins.h"
 #include "orbit_numbers.h"
 #include "value/orbits.h"
+#include "word_orbits.h"
 
 enum { N_SHOWN = ORBIT_NUMBERS };
 
@@ -190,17 +191,17 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
 }
 
-/* --certificate: the certified orbits as a file for the checker; false with d set when there are none or it cannot be
-   written. */
-static bool write_certificate(const char *path, const struct scene *s, const struct solved *z, struct diag *d) {
-  slong certified = solved_certified(z);
-  if (certified == 0) {
+bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d) {
+  if (certified == 0)
     diag_set(d, "%s: error: no orbit is certified, so that there is no certificate to write", s->path);
-    return false;
-  }
-  if (certified < z->list.n)
+  else if (certified < n)
     fprintf(stderr, "%s: warning: %ld of %ld orbits are certified; the others are not in the certificate\n", s->path,
-            (long)certified, (long)z->list.n);
+            (long)certified, (long)n);
+  return certified > 0;
+}
+
+static bool write_certificate(const char *path, const struct scene *s, const struct solved *z, struct diag *d) {
+  if (!may_write_certificate(s, solved_certified(z), z->list.n, d)) return false;
   struct text out;
   text_init(&out);
   solved_certificates(&out, z, s);

@@ -180,14 +180,38 @@ static void orbits_text(struct text *out, const struct mech_orbits *list, const 
   }
 }
 
+static bool write_certificate(const char *path, const struct mech_orbits *list, const struct mech *m,
+                              const struct scene *s, struct diag *d) {
+  if (!may_write_certificate(s, mech_orbits_certified(list), list->n, d)) return false;
+  struct text out;
+  text_init(&out);
+  mech_certificates_json(&out, s->name, m, list);
+  bool written = file_write(path, out.data, out.len, d);
+  text_clear(&out);
+  return written;
+}
+
+static void print_orbits(const struct options *o, const struct mech_orbits *list, const struct mech *m,
+                         const struct scene *s, slong digits) {
+  struct text out;
+  text_init(&out);
+  (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, list, m, s, digits);
+  if (option(o, OPT_JSON))
+    fputs(text_str(&out), stdout);
+  else
+    terminal_print(text_str(&out));
+  text_clear(&out);
+}
+
 int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
-  static const enum option of_two[] = {OPT_BASIN, OPT_CERTIFICATE, OPT_METHOD};
+  static const enum option of_two[] = {OPT_BASIN, OPT_METHOD};
+  const char *certificate = option(o, OPT_CERTIFICATE);
   struct mech m;
   struct mech_word w;
   struct mech_orbits list;
   for (size_t i = 0; i < sizeof of_two / sizeof *of_two; i++)
     if (option(o, of_two[i])) {
-      diag_set(d, "%s: error: --basin, --method and --certificate are of the paper's two masses", s->path);
+      diag_set(d, "%s: error: --basin and --method are of the paper's two masses", s->path);
       return bad_input(d);
     }
   if (digits > WORD_DIGITS) {
@@ -196,15 +220,9 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   }
   bool ok = scene_load_system(&m, &w, s, data, d);
   if (ok) {
-    struct text out;
-    text_init(&out);
     mech_orbits_find(&list, &m, w.n ? &w : NULL, false, word_bits(digits) + 64);
-    (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, &m, s, digits);
-    if (option(o, OPT_JSON))
-      fputs(text_str(&out), stdout);
-    else
-      terminal_print(text_str(&out));
-    text_clear(&out);
+    ok = !certificate || write_certificate(certificate, &list, &m, s, d);
+    if (ok) print_orbits(o, &list, &m, s, digits);
     mech_orbits_clear(&list);
   }
   mech_clear(&m);

@@ -12,6 +12,8 @@ enum { WORD_DIGITS = 1000 }; /* the most that these commands take */
 void scene_friction(const fmpq *u_r[2], const struct scene *s);
 /* The working precision for so many digits. */
 slong word_bits(slong digits);
+/* --certificate: false with d set when no orbit is certified; a warning when some are not. */
+bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d);
 /* One orbit as a member of an array. */
 void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits);
 

@@ -35,7 +35,7 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
 }
 
 /* x: from a guess to the image of a proved box. */
-static int enclose(struct num_vec *x, struct mech_equations *e) {
+static int enclose(struct num_vec *x, struct num_vec *box, struct mech_equations *e) {
   struct solve_system system = {x->len, values, e};
   struct krawczyk k;
   krawczyk_init(&k, &system, e->prec);
@@ -43,6 +43,7 @@ static int enclose(struct num_vec *x, struct mech_equations *e) {
   if (!status) status = krawczyk_centre(&k, x);
   if (!status) status = krawczyk_grow(&k);
   if (!status) num_vec_set(x, &k.image);
+  if (!status) num_vec_set(box, &k.box);
   krawczyk_clear(&k);
   return status;
 }
@@ -147,6 +148,7 @@ static void orbit_init(struct mech_orbit *o, const struct mech *m, const struct 
   arb_init(o->period);
   arb_init(o->angle);
   arb_mat_init(o->jacobian, o->n_free, o->n_free);
+  o->box = _arb_vec_init(w->n + o->n_free);
   o->multiplier = _acb_vec_init(o->n_free);
 }
 
@@ -160,6 +162,7 @@ void mech_orbit_clear(struct mech_orbit *o) {
   arb_clear(o->period);
   arb_clear(o->angle);
   arb_mat_clear(o->jacobian);
+  _arb_vec_clear(o->box, o->word.n + o->n_free);
   _acb_vec_clear(o->multiplier, o->n_free);
   free(o->fact);
 }
@@ -240,18 +243,21 @@ static slong turns_in(const struct mech *m, const double *t, int n) {
 int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                     const double *z, slong prec) {
   struct mech_equations e;
-  struct num_vec x;
+  struct num_vec x, box;
   mech_equations_init(&e, m, w, turns_in(m, t, w->n), prec);
   int status = w->n + e.n_free <= SOLVE_MOST && (e.turns > 0 || !m->n_loads) ? SS_OK : SS_UNABLE;
   num_vec_init(&x, w->n + e.n_free, num_ctx_arb(prec));
+  num_vec_init(&box, w->n + e.n_free, num_ctx_arb(prec));
   set_unknowns(num_vec_at(&x, 0), &e, t, z);
   for (slong i = 0; i < x.len; i++)
     if (!arb_is_finite(num_vec_at(&x, i))) status = SS_UNABLE;
-  if (!status) status = enclose(&x, &e);
+  if (!status) status = enclose(&x, &box, &e);
   if (!status) {
     orbit_init(o, m, w);
     describe(o, &e, num_vec_at(&x, 0));
+    _arb_vec_set(o->box, num_vec_at(&box, 0), x.len);
   }
+  num_vec_clear(&box);
   num_vec_clear(&x);
   mech_equations_clear(&e);
   return status;

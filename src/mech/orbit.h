@@ -43,6 +43,7 @@ struct mech_orbit {
   arb_t period, angle;                      /* theta at the entry of the first phase; 0 without loads */
   slong turns;                              /* of theta in a period */
   arb_mat_t jacobian;                       /* of the first return of the free coordinates */
+  arb_ptr box;                              /* the lengths and the free coordinates: the proved box */
   acb_ptr multiplier;                       /* its eigenvalues, by decreasing modulus; n_free */
   bool multipliers;                         /* they are enclosed */
   struct mech_fact *fact;                   /* from here on by mech_orbit_judge; before, unknown */
@@ -84,6 +85,9 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
 /* Where the first of these motions starts, in a double for each element of the state. */
 void mech_first_start(double *z, const struct mech *m);
 void mech_orbits_clear(struct mech_orbits *list);
+int mech_orbits_certified(const struct mech_orbits *list); /* how many */
+/* The certified ones as a file for stickslip-checker (verify/checker/README.md); scene: a name. */
+void mech_certificates_json(struct text *out, const char *scene, const struct mech *m, const struct mech_orbits *list);
 /* Is one of them of the same word, with enclosures of all lengths and states that meet those of o? */
 bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o);
 /* Takes o over. */

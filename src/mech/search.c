@@ -189,3 +189,9 @@ void mech_orbits_clear(struct mech_orbits *list) {
   for (int i = 0; i < list->n; i++) mech_orbit_clear(&list->orbit[i]);
   free(list->orbit);
 }
+
+int mech_orbits_certified(const struct mech_orbits *list) {
+  int n = 0;
+  for (int i = 0; i < list->n; i++) n += list->orbit[i].certified;
+  return n;
+}

@@ -1,66 +1,40 @@
 /* The certificates of a scene's orbits as one file: rationals exactly, balls in Arb's lossless text form.
 
-   Nothing is computed here.  Radii are doubled, so that a checker that rounds elsewhere can prove that its own
-   enclosure lies within. */
-#include <stdlib.h>
-
-#include "base/json.h"
+   Nothing is computed here. */
 #include "certify.h"
-
-static void json_rational(struct json *j, const char *key, const fmpq *x) {
-  struct text t;
-  text_init(&t);
-  num_print_q(&t, x);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
-}
-
-static void json_dump(struct json *j, const char *key, arb_srcptr x) {
-  char *s = arb_dump_str(x);
-  json_string(j, key, s);
-  flint_free(s);
-}
-
-static void json_widened(struct json *j, const char *key, arb_srcptr x) {
-  arb_t y;
-  arb_init(y);
-  arb_set(y, x);
-  mag_mul_2exp_si(arb_radref(y), arb_radref(y), 1);
-  json_dump(j, key, y);
-  arb_clear(y);
-}
+#include "num/exact_json.h"
 
 static void given_json(struct json *j, const struct dyn_question *q) {
   static const char *const model[3] = {"chi", "eta", "V"}, *const friction[2] = {"u_r1", "u_r2"};
   json_object(j, "given");
-  for (int i = 0; i < 3; i++) json_rational(j, model[i], q->model + i);
-  for (int i = 0; i < 2; i++) json_rational(j, dyn_quantity_id[q->which[i]], q->value + i);
+  for (int i = 0; i < 3; i++) json_fraction(j, model[i], q->model + i);
+  for (int i = 0; i < 2; i++) json_fraction(j, dyn_quantity_id[q->which[i]], q->value + i);
   for (int i = 0; i < 2; i++)
-    if (q->u_r[i]) json_rational(j, friction[i], q->u_r[i]);
+    if (q->u_r[i]) json_fraction(j, friction[i], q->u_r[i]);
   json_end_object(j);
 }
 
 static void box_json(struct json *j, const struct dyn_question *q, const struct dyn_certificate *z) {
   json_object(j, "box");
-  json_dump(j, "z10", z->box_z10);
-  json_dump(j, "z20", z->box_z20);
+  json_ball(j, "z10", z->box_z10);
+  json_ball(j, "z20", z->box_z20);
   for (int i = 0; i < N_QUANTITIES; i++)
-    if (i != (int)q->which[0] && i != (int)q->which[1]) json_dump(j, dyn_quantity_id[i], z->box[i]);
+    if (i != (int)q->which[0] && i != (int)q->which[1]) json_ball(j, dyn_quantity_id[i], z->box[i]);
   json_end_object(j);
 }
 
 static void enclosures_json(struct json *j, const struct dyn_orbit *o) {
   json_object(j, "enclosures");
-  json_widened(j, "z10", o->z10);
-  json_widened(j, "z20", o->z20);
-  json_widened(j, "e1", o->e1);
-  json_widened(j, "e2", o->e2);
-  for (int i = 0; i < N_PHASES; i++) json_widened(j, dyn_quantity_id[QUANTITY_TA + i], o->t[i]);
-  json_widened(j, "period", o->period);
-  json_widened(j, "trace", o->trace);
-  json_widened(j, "margin", o->margin);
-  json_widened(j, "u_r1_min", o->u_r1_min);
-  json_widened(j, "u_r2_min", o->u_r2_min);
+  json_wide_ball(j, "z10", o->z10);
+  json_wide_ball(j, "z20", o->z20);
+  json_wide_ball(j, "e1", o->e1);
+  json_wide_ball(j, "e2", o->e2);
+  for (int i = 0; i < N_PHASES; i++) json_wide_ball(j, dyn_quantity_id[QUANTITY_TA + i], o->t[i]);
+  json_wide_ball(j, "period", o->period);
+  json_wide_ball(j, "trace", o->trace);
+  json_wide_ball(j, "margin", o->margin);
+  json_wide_ball(j, "u_r1_min", o->u_r1_min);
+  json_wide_ball(j, "u_r2_min", o->u_r2_min);
   json_end_object(j);
 }
 
@@ -68,7 +42,7 @@ static void condition_json(struct json *j, const struct dyn_certificate *z, int 
   json_object(j, dyn_condition_id[i]);
   json_bool(j, "holds", z->holds[i] == TRUTH_TRUE);
   if (z->holds[i] == TRUTH_FALSE && z->where[i] == WHERE_INSIDE)
-    json_dump(j, "broken_at", z->breach[i]);
+    json_ball(j, "broken_at", z->breach[i]);
   else if (z->holds[i] == TRUTH_FALSE)
     json_string(j, "broken_at", dyn_where_name[z->where[i]]);
   json_end_object(j);

@@ -1,0 +1,121 @@
+/* The certified orbits of a system as one file, which holds the system itself: nothing is computed here. */
+#include "num/exact_json.h"
+#include "orbit.h"
+
+static void number_json(struct json *j, const char *key, long x) {
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "%ld", x);
+  json_string(j, key, text_str(&t));
+  text_clear(&t);
+}
+
+static void mass_json(struct json *j, const struct mech_mass *mass) {
+  static const char *const side[2] = {"below", "above"};
+  json_object(j, NULL);
+  json_string(j, "name", mass->name);
+  json_fraction(j, "inertia", mass->inertia);
+  if (mass->rubbed) {
+    json_fraction(j, "sliding", mass->sliding);
+    json_fraction(j, "static", mass->limit);
+    json_fraction(j, "surface", mass->surface);
+  }
+  for (int s = 0; s < 2; s++) {
+    if (!mass->stop[s].given) continue;
+    json_object(j, side[s]);
+    json_fraction(j, "position", mass->stop[s].position);
+    json_fraction(j, "restitution", mass->stop[s].restitution);
+    json_end_object(j);
+  }
+  json_end_object(j);
+}
+
+static void links_json(struct json *j, const char *list, const char *size, const struct mech_link *link, int n) {
+  json_array(j, list);
+  for (int l = 0; l < n; l++) {
+    json_object(j, NULL);
+    json_array(j, "between");
+    for (int s = 0; s < 2; s++) number_json(j, NULL, link[l].end[s] + 1);
+    json_end_array(j);
+    json_fraction(j, size, link[l].size);
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+static void system_json(struct json *j, const struct mech *m) {
+  json_object(j, "system");
+  json_array(j, "masses");
+  for (int i = 0; i < m->n; i++) mass_json(j, &m->mass[i]);
+  json_end_array(j);
+  links_json(j, "springs", "stiffness", m->spring, m->n_springs);
+  links_json(j, "dampers", "constant", m->damper, m->n_dampers);
+  json_array(j, "loads");
+  for (int l = 0; l < m->n_loads; l++) {
+    json_object(j, NULL);
+    number_json(j, "mass", m->load[l].mass + 1);
+    json_fraction(j, "cosine", m->load[l].cosine);
+    json_fraction(j, "sine", m->load[l].sine);
+    json_end_object(j);
+  }
+  json_end_array(j);
+  if (m->n_loads) json_fraction(j, "frequency", m->load[0].frequency);
+  json_end_object(j);
+}
+
+static void balls_json(struct json *j, const char *key, arb_srcptr x, int n, bool wide) {
+  json_array(j, key);
+  for (int i = 0; i < n; i++) (wide ? json_wide_ball : json_ball)(j, NULL, x + i);
+  json_end_array(j);
+}
+
+static void enclosures_json(struct json *j, const struct mech_orbit *o) {
+  json_object(j, "enclosures");
+  balls_json(j, "times", o->t, o->word.n, true);
+  json_array(j, "start");
+  for (int i = 0; i < 2 * o->n; i++) json_wide_ball(j, NULL, o->state + i);
+  if (o->turns) json_wide_ball(j, NULL, o->angle);
+  json_end_array(j);
+  json_wide_ball(j, "period", o->period);
+  json_array(j, "multipliers");
+  for (int i = 0; i < o->n_free; i++) {
+    json_object(j, NULL);
+    json_wide_ball(j, "re", acb_realref(o->multiplier + i));
+    json_wide_ball(j, "im", acb_imagref(o->multiplier + i));
+    json_end_object(j);
+  }
+  json_end_array(j);
+  json_end_object(j);
+}
+
+static void orbit_json(struct json *j, const struct mech_orbit *o) {
+  json_object(j, NULL);
+  json_array(j, "word");
+  for (int k = 0; k < o->word.n; k++) json_string(j, NULL, o->word.phase[k]);
+  json_end_array(j);
+  if (o->turns) number_json(j, "turns", o->turns);
+  json_object(j, "box");
+  balls_json(j, "times", o->box, o->word.n, false);
+  balls_json(j, "free", o->box + o->word.n, o->n_free, false);
+  json_end_object(j);
+  enclosures_json(j, o);
+  json_object(j, "verdicts");
+  json_bool(j, "stable", o->stable == TRUTH_TRUE);
+  json_bool(j, "admissible", o->admissible == TRUTH_TRUE);
+  json_end_object(j);
+  json_end_object(j);
+}
+
+void mech_certificates_json(struct text *out, const char *scene, const struct mech *m, const struct mech_orbits *list) {
+  struct json j;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "format", "stickslip orbits of a system, version 1");
+  json_string(&j, "scene", scene);
+  system_json(&j, m);
+  json_array(&j, "orbits");
+  for (int i = 0; i < list->n; i++)
+    if (list->orbit[i].certified) orbit_json(&j, &list->orbit[i]);
+  json_end_array(&j);
+  json_end_object(&j);
+}

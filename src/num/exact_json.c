@@ -1,0 +1,24 @@
+#include "exact_json.h"
+
+void json_fraction(struct json *j, const char *key, const fmpq *x) {
+  struct text t;
+  text_init(&t);
+  num_print_q(&t, x);
+  json_string(j, key, text_str(&t));
+  text_clear(&t);
+}
+
+void json_ball(struct json *j, const char *key, arb_srcptr x) {
+  char *s = arb_dump_str(x);
+  json_string(j, key, s);
+  flint_free(s);
+}
+
+void json_wide_ball(struct json *j, const char *key, arb_srcptr x) {
+  arb_t y;
+  arb_init(y);
+  arb_set(y, x);
+  mag_mul_2exp_si(arb_radref(y), arb_radref(y), 1);
+  json_ball(j, key, y);
+  arb_clear(y);
+}

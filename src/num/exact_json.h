@@ -1,0 +1,13 @@
+/* Numbers in JSON without loss: rationals p/q, balls in Arb's text form, four hexadecimal integers. */
+#ifndef STICKSLIP_NUM_EXACT_JSON_H
+#define STICKSLIP_NUM_EXACT_JSON_H
+
+#include "base/json.h"
+#include "num.h"
+
+void json_fraction(struct json *j, const char *key, const fmpq *x);
+void json_ball(struct json *j, const char *key, arb_srcptr x);
+/* With its radius doubled, so that a checker that rounds elsewhere can prove that its own enclosure lies within. */
+void json_wide_ball(struct json *j, const char *key, arb_srcptr x);
+
+#endif
