@@ -16,6 +16,8 @@ int checker_main(int argc, char **argv);
 #define main checker_main
 #define exit checker_exit
 #include "../../verify/checker/check.c"
+#include "../../verify/checker/file.c"
+#include "../../verify/checker/motion.c"
 #undef exit
 #undef main
 
@@ -24,15 +26,20 @@ const char *__asan_default_options(void) {
   return "detect_leaks=0";
 }
 
-static struct entry orbit[MAX_ORBITS];
-
 /* The reading and, at the first precision, the proofs; what a proof may cost is bounded by the checker, not here. */
 static int check(const char *path) {
   enum { PROVED = 2 };
   read_file(path);
-  int n = read_claims(orbit);
+  bool paper = strstr(get(STRING, ".format"), "D-Gamma-H-C") != NULL;
+  int n = paper ? read_paper() : read_system();
   prec = 128;
-  for (int i = 0; i < n && i < PROVED; i++) recheck(&orbit[i], i);
+  for (int i = 0; i < n && i < PROVED; i++) {
+    struct motion m;
+    struct entry *o = &orbits[i];
+    if (!enclose(o->x, &o->boxed, &o->word)) continue;
+    follow(&m, &o->word, o->x);
+    (paper ? recheck_paper : recheck_system)(o, &m);
+  }
   return VERIFIED;
 }
 
@@ -40,12 +47,10 @@ static void forget(void) {
   free(buffer);
   buffer = NULL;
   n_values = 0;
-  used = 0;
   memset(values, 0, sizeof values);
-  for (int i = 0; i < MAX_ORBITS; i++) {
-    for (int k = 0; k < N_X; k++) arb_clear(&orbit[i].x[k]);
-    orbit[i] = (struct entry){.open = NULL};
-  }
+  memset(orbits, 0, sizeof orbits);
+  memset(&sys, 0, sizeof sys);
+  release((struct mark){0, 0});
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
