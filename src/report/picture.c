@@ -1,7 +1,9 @@
 /* The pictures of a record: the section of the page, and each as a document of its own. */
-#include "picture.h"
+#include <string.h>
+
 #include "escape.h"
 #include "html.h"
+#include "picture.h"
 #include "report.h"
 #include "sections.h"
 
@@ -114,9 +116,17 @@ static void add_neighbours(const struct page *p) {
   text_add(p->out, ".</p>\n");
 }
 
+static bool any_table(const struct audit_result *r) {
+  bool any = false;
+  for (size_t i = 0; i < r->n_tables; i++)
+    for (int k = 0; k < N_PICTURES; k++) any = any || strcmp(r->tables[i].name, pictures[k]->table) == 0;
+  return any;
+}
+
 void page_pictures(const struct page *p) {
+  bool any = any_table(p->r);
   page_begin_section(p, "pictures", "Pictures");
-  if (p->r->n_tables == 0)
+  if (!any)
     text_add(p->out, "<p>None: they are made by the whole audit of a scene that has a periodic orbit.</p>\n");
   else
     text_add(
@@ -128,7 +138,7 @@ void page_pictures(const struct page *p) {
     if (rows_read(&t, p->r, pictures[i]->table)) add_figure(p, pictures[i], &t);
     rows_clear(&t);
   }
-  text_add(p->out, p->r->n_tables ? "</div>\n" : "");
+  text_add(p->out, any ? "</div>\n" : "");
   add_neighbours(p);
   text_add(p->out, "</section>\n");
 }

@@ -393,6 +393,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   bool ok =
       pieces_controls(&second, claims, controls, scene, opt, d) && run_pieces(out, &r, &first, &second, &touched, d);
   if (ok) roots_attach(out, opt->statements, opt->roots);
+  if (ok && opt->statements && run_is_whole(opt, scene)) table_of_statements(out, opt->statements);
   if (ok) add_raises(out, &r.raises);
   if (ok) skipped_describe(out, claims, controls, scene, opt, &first, &second, touched);
   pieces_clear(&second);

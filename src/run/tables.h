@@ -40,6 +40,8 @@ void table_of_long_runs(struct table_source *s);
 /* differences.tsv: the error of tr J by central differences against their step. */
 void table_of_differences(struct table_source *s);
 
+/* statements.tsv: what the paper says, with verdicts and roots. */
+void table_of_statements(struct audit_result *out, const struct claims *statements);
 /* phase-planes.tsv: the orbits of a system file. */
 void table_of_system(struct audit_result *out, const struct mech *m, const struct mech_orbits *list);
 
