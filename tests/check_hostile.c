@@ -519,15 +519,16 @@ static const char *const printing[] = {"list",
 
 START_TEST(nobody_reads) {
   static const char *const out[] = {"/dev/full", "closed", "pipe"};
-  static const char *const why[] = {"No space left on device", "Bad file descriptor", "Broken pipe"};
+  static const char *const why[] = {"No space left on device", "Bad file descriptor", NULL}; /* a reader may stop */
   for (size_t i = 0; i < sizeof printing / sizeof *printing; i++) {
     struct job j;
     job_init(&j, printing[i]);
     j.out = out[_i];
     run(&j);
-    ck_assert_msg(j.status == 3 && strstr(text_str(&j.err), "standard output cannot be written") &&
-                      strstr(text_str(&j.err), why[_i]),
-                  "%s: %d, %.600s", printing[i], j.status, text_str(&j.err));
+    bool said = why[_i] ? j.status == 3 && strstr(text_str(&j.err), "standard output cannot be written") &&
+                              strstr(text_str(&j.err), why[_i])
+                        : j.status == 0 && j.err.len == 0;
+    ck_assert_msg(said, "%s: %d, %.600s", printing[i], j.status, text_str(&j.err));
     job_clear(&j);
   }
 }

@@ -88,13 +88,13 @@ END_TEST
 /* verify --only shows what is wrong, what shows it and what mends it, in order of consequence (paper.roots), and where the
    report is; the numbers are those of the certificate in audit.json. */
 START_TEST(what_fails_is_shown_worst_first) {
-  static const char *const in_order[] = {"conditional eq-40   J_f is",
+  static const char *const in_order[] = {"refuted     num-t_a t_a = 0.6784",
+                                         "printed = 0.6784, unit = 1/10000",
+                                         "correction  t_a = 0.5323 (proved)\n",
+                                         "conditional eq-40   J_f is",
                                          "\n                    holds when  V = 1\n",
                                          "entry = [1,3], left = 0.5160091821, right = 0.6530741211\n",
                                          "correction  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100)) (proved)\n",
-                                         "refuted     num-t_a t_a = 0.6784",
-                                         "printed = 0.6784, unit = 1/10000",
-                                         "correction  t_a = 0.5323 (proved)\n",
                                          "refuted     eq-36b  the indices",
                                          "wrong       a slip of notation",
                                          "\nsection "};

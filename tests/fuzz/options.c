@@ -30,7 +30,7 @@ static void read_numbers(const struct options *o) {
   if (!parse_jobs(&jobs, o)) fuzz_law(jobs >= 1 && jobs <= MAX_JOBS, "jobs are within their bounds");
   if (!parse_decimal(&seconds, o, OPT_TIMEOUT, MOST_SECONDS))
     fuzz_law(!option(o, OPT_TIMEOUT) || (seconds > 0 && seconds <= 1e7), "seconds are within their bounds");
-  if (!parse_start(&orbit, &printed, o)) fuzz_law(orbit >= 0, "an orbit has a number");
+  if (!parse_start(&orbit, &printed, o)) fuzz_law(orbit >= -1, "an orbit has a number, or is left to the command");
   const char *count = option(o, OPT_COUNT);
   if (count && parse_whole(&n, count, false, 1000)) fuzz_law(n >= 1 && n <= 1000, "a count is within its bounds");
 }
