@@ -549,7 +549,7 @@ START_TEST(what_stands_where) {
   f[0].section = "appendix_a";
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 5};
   char *page = written(report_html, &r);
-  static const char *const order[] = {"; the others fail for these reasons",
+  static const char *const order[] = {"; the others do not hold as printed, for these reasons",
                                       "1 results are not as recorded",
                                       "<h3>Not as recorded</h3>",
                                       "unknown, recorded as proved",

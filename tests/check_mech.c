@@ -756,6 +756,52 @@ static bool brackets_meet(const struct mech_change *c, const struct dyn_bifurcat
   return fmpq_cmp(c->side[first].at, &b->high) <= 0 && fmpq_cmp(&b->low, c->side[!first].at) <= 0;
 }
 
+static void follow_file(struct mech_follow *f, const char *written, const char *name, const fmpq *from,
+                        const fmpq *to) {
+  struct diag d;
+  struct mech_line l = {scratch_put("line.system", written), name, {*from}, {*to}, 12, 128};
+  diag_init(&d);
+  ck_assert_msg(mech_follow(f, &l, NULL, &d), "%s", d.message);
+}
+
+/* One mass that the belt drags until the spring pulls it loose: with static above sliding friction it sticks and slips
+   whatever the spring is, in the time 2 (pi - arctan(...))/sqrt(p) and a stick; nothing changes along p. */
+START_TEST(no_change_where_there_is_none) {
+  static const char one[] = "title: one mass\np = 1\nmass m\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
+                            "spring k\n  between: ground, m\n  stiffness: p\n";
+  static const slong other[][2] = {{100, 1}, {1, 100}};
+  fmpq from = {1, 1}, to = {other[_i][0], other[_i][1]};
+  struct mech_follow f;
+  follow_file(&f, one, "p", &from, &to);
+  ck_assert(f.n_changes == 0 && f.n_branches == 1 && !f.spent);
+  ck_assert(fmpq_equal(f.branch[0].end[0].at, &from) && fmpq_equal(f.branch[0].end[1].at, &to));
+  mech_follow_clear(&f);
+}
+END_TEST
+
+/* Where a mass comes to touch the belt's velocity only, the branch ends; its multipliers are far inside the unit circle.  The
+   second mass does so at c = 0.40493485986875144: z_2' = V and z_2'' = 0 at an event, with Newton's iteration in mpmath. */
+START_TEST(an_end_at_a_grazing_event_is_no_flip) {
+  static const char two[] = "title: two masses\nc = 1/10\n"
+                            "mass m1\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
+                            "mass m2\n  inertia: 1\n  sliding: 1/2\n  static: 3/2\n  surface: 1\n"
+                            "spring k1\n  between: ground, m1\n  stiffness: 1\n"
+                            "spring k2\n  between: m1, m2\n  stiffness: 1/2\n"
+                            "damper d\n  between: m1, m2\n  constant: c\n";
+  fmpq from = {1, 100}, to = {1, 2};
+  struct mech_follow f;
+  bool met = false;
+  follow_file(&f, two, "c", &from, &to);
+  for (int i = 0; i < f.n_changes; i++) {
+    const struct mech_change *c = &f.change[i];
+    ck_assert(c->what == MECH_NO_FURTHER || c->what == MECH_CONDITION);
+    met = met || (fabs(fmpq_get_d(c->side[0].at) - 0.40493485986875144) < 1e-12 && !c->side[1].found);
+  }
+  ck_assert(met);
+  mech_follow_clear(&f);
+}
+END_TEST
+
 /* The brackets that motion/ and explore/bifurcate.c prove for the paper's two masses with formulas of their own. */
 START_TEST(changes_along_the_papers_line) {
   struct mech_follow f[2];
@@ -945,6 +991,8 @@ Suite *mech_suite(void) {
   tcase_add_loop_test(c, words_of_two_masses, 0, COUNT(words));
   tcase_add_test(c, a_system_in_formulas);
   tcase_add_test(c, changes_along_the_papers_line);
+  tcase_add_loop_test(c, no_change_where_there_is_none, 0, 2);
+  tcase_add_test(c, an_end_at_a_grazing_event_is_no_flip);
   tcase_add_loop_test(c, commands_on_systems, 0, COUNT(commands));
   tcase_add_loop_test(c, the_papers_system_from_a_file, 0, 3);
   tcase_add_loop_test(c, json_of_simulations, 0, 6);

@@ -91,8 +91,7 @@ static const struct {
     {"text-dimension", "the phase space has two to four dimensions, depending on the phase"},
     {"text-stick-to-slip",
      "a transition from stick to slip occurs where the force on a mass exceeds its static friction"},
-    {"text-eigenvalues-inside",
-     "admissible periodic solutions are conditionally stable where -1 < tr(J) < 1"},
+    {"text-eigenvalues-inside", "admissible periodic solutions are conditionally stable where -1 < tr(J) < 1"},
     {"text-start-at-rest",
      "there is a periodic solution through the slip-stick, global slip and stick-slip phases with t_a = 0 and t_b = 2"},
     {"text-six-determine",
@@ -103,7 +102,8 @@ static const struct {
     {"text-several-motions", "(12), (14), (16) and (18) have exactly ten admissible solutions at chi = 99/100, eta = "
                              "1, V = 1, e_1 = 20 and e_2 = "
                              "1/4"},
-    {"fig-3", "on the example one period consists of the global stick, slip-stick, global slip and stick-slip phases, in this order"},
+    {"fig-3", "on the example one period consists of the global stick, slip-stick, global slip and stick-slip phases, "
+              "in this order"},
 };
 
 START_TEST(titles_say_what_claims_say) {
@@ -158,8 +158,8 @@ static const struct {
     {"kind: defined\n  statements: eq-45, eq-46\n",
      "the quotients, roots and inverses in (45) and (46) are defined on every admissible periodic solution"},
     {"kind: criterion\n  statement: text-criterion\n  side: outside\n",
-     "admissible periodic solutions are unstable where one inequality of -1 < tr(J) < 1 is "
-     "reversed"},
+     "an eigenvalue of J outside the unit circle, one inequality of -1 < tr(J) < 1 being reversed, makes an "
+     "admissible periodic solution unstable"},
     {"kind: behaviour\n  check: dimension\n  range: 3 4\n",
      "the phase space has three to four dimensions, depending on the phase"},
     {"kind: outside\n  statement: eq-56\n  range: 2 12\n  rank: 3\n  word: D H\n  formula: t_a*(1 - chi)\n"

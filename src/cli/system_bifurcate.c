@@ -198,10 +198,15 @@ static int show(const struct options *o, struct shown *v, const struct mech_word
   if (ok && f.spent)
     fprintf(stderr, "%s: warning: the search ran into its limit; there may be more changes\n", v->s->path);
   if (ok) (option(o, OPT_JSON) ? all_json : all_text)(&out, v);
-  if (option(o, OPT_JSON))
+  if (ok && option(o, OPT_JSON))
     fputs(text_str(&out), stdout);
-  else
+  else if (ok)
     terminal_print(text_str(&out));
+  if (!ok) {
+    text_printf(&out, "%s: at %s = ", v->s->path, v->l->name);
+    num_print_q(&out, f.at);
+    fprintf(stderr, "%s:\n", text_str(&out));
+  }
   text_clear(&out);
   mech_follow_clear(&f);
   return ok ? EXIT_AS_RECORDED : bad_input(d);
@@ -214,7 +219,8 @@ static int decimals_of(const struct mech_line *l) {
   fmpq_sub(width, l->from, l->to);
   double wide = fabs(fmpq_get_d(width));
   fmpq_clear(width);
-  return (int)l->digits - (int)floor(log10(wide));
+  int decimals = (int)l->digits - (int)floor(log10(wide));
+  return decimals > 0 ? decimals : 0;
 }
 
 int run_system_bifurcate(const struct options *o, const struct scene *s, const char *data, slong digits,

@@ -1,13 +1,15 @@
 /* Branches of orbits along a line: steps, and the halving of those on which something changes. */
 #include "follow.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/arena.h"
 
-enum { STEPS = 64, MOST_LOOKS = 20000 };
+enum { STEPS = 64, MOST_LOOKS = 4000, MOST_BITS = 4 /* times as many as asked for */ };
+static const double AT_CIRCLE = 1e-3; /* beside a bracket a multiplier that passes the circle is this near to it */
 
-const char *const mech_turn_id[MECH_CONDITION + 1] = {"flip", "fold", "neimark-sacker", "condition"};
+const char *const mech_turn_id[MECH_NO_FURTHER + 1] = {"flip", "fold", "neimark-sacker", "condition", "lost"};
 
 /* An orbit at a value of the parameter, or none. */
 struct station {
@@ -21,7 +23,7 @@ struct walker {
   struct diag *d;
   bool backward;              /* from the line's second end */
   bool ended;                 /* the branch, with the last change */
-  fmpq_t least;               /* the width at which a bracket is narrow enough */
+  fmpq_t least, small;        /* the width at which a bracket is narrow enough; one at which neighbours are orbits */
   struct mech_orbits arrived; /* at the end that was walked to */
 };
 
@@ -67,46 +69,88 @@ static bool meet(const struct mech_orbit *a, const struct mech_orbit *b) {
   return same;
 }
 
-/* The orbit near one at another value; false: none. */
-static bool solve_at(struct mech_orbit *o, struct walker *w, const fmpq_t at, const struct mech_orbit *near,
-                     bool judged) {
-  struct mech m;
-  bool ok = mech_load_at(&m, w->l->path, w->l->name, at, w->d) && solve_near(o, &m, near, w->l->prec) == SS_OK;
-  if (ok && judged) mech_orbit_judge(o, &m, w->l->prec);
-  mech_clear(&m);
+static bool load(struct mech *m, struct walker *w, const fmpq_t at) {
+  bool ok = mech_load_at(m, w->l->path, w->l->name, at, w->d);
+  if (!ok) fmpq_set(w->f->at, at);
   return ok;
 }
 
-/* The orbit at to->at that the one of `from` becomes, if the way back from it leads there. */
-static void reach(struct walker *w, struct station *to, const struct station *from) {
-  struct mech_orbit back;
-  if (has_stopped(w)) return;
-  w->f->looks++;
-  to->found = solve_at(&to->orbit, w, to->at, &from->orbit, true);
-  if (!to->found) return;
-  to->found = solve_at(&back, w, from->at, &to->orbit, false);
-  if (to->found) {
-    to->found = meet(&back, &from->orbit);
-    mech_orbit_clear(&back);
+/* An orbit of its word, of which everything is decided. */
+static bool is_good(const struct station *s) {
+  return s->found && s->orbit.certified && s->orbit.own == TRUTH_TRUE;
+}
+
+/* The orbit near one at another value, judged; more bits where something is left open.  false: none. */
+static bool solve_at(struct station *to, struct walker *w, const struct mech_orbit *near) {
+  struct mech m;
+  bool found = load(&m, w, to->at) && solve_near(&to->orbit, &m, near, w->l->prec) == SS_OK;
+  if (found) mech_orbit_judge(&to->orbit, &m, w->l->prec);
+  for (int times = 2; found && !to->orbit.certified && to->orbit.own != TRUTH_FALSE && times <= MOST_BITS; times *= 2) {
+    struct mech_orbit finer;
+    if (solve_near(&finer, &m, &to->orbit, times * w->l->prec) != SS_OK) break;
+    mech_orbit_judge(&finer, &m, times * w->l->prec);
+    mech_orbit_clear(&to->orbit);
+    to->orbit = finer;
   }
-  if (!to->found) mech_orbit_clear(&to->orbit);
+  mech_clear(&m);
+  return found;
+}
+
+/* Does the orbit found at `to` lead back to the one that it was found from? */
+static bool leads_back(struct walker *w, const struct station *to, const struct station *from) {
+  struct mech m;
+  struct mech_orbit back;
+  bool same = load(&m, w, from->at) && solve_near(&back, &m, &to->orbit, w->l->prec) == SS_OK;
+  mech_clear(&m);
+  if (!same) return false;
+  same = meet(&back, &from->orbit);
+  mech_orbit_clear(&back);
+  return same;
+}
+
+/* The orbit at to->at that the one of `from` becomes, or the solution of its equations that is none of the word. */
+static void reach(struct walker *w, struct station *to, const struct station *from) {
+  if (has_stopped(w)) return;
+  if (to->found) mech_orbit_clear(&to->orbit);
+  w->f->looks++;
+  to->found = solve_at(to, w, &from->orbit);
+  if (!to->found || (leads_back(w, to, from) && (is_good(to) || to->orbit.own == TRUTH_FALSE))) return;
+  mech_orbit_clear(&to->orbit);
+  to->found = false;
 }
 
 /* --- Changes --- */
 
 static bool differ(const struct station *a, const struct station *b) {
-  if (!b->found || a->orbit.stable != b->orbit.stable || a->orbit.n_facts != b->orbit.n_facts) return true;
+  if (!is_good(b) || a->orbit.stable != b->orbit.stable || a->orbit.n_facts != b->orbit.n_facts) return true;
   for (int i = 0; i < a->orbit.n_facts; i++)
     if (a->orbit.fact[i].holds != b->orbit.fact[i].holds) return true;
   return false;
 }
 
+/* Its multiplier nearest to the unit circle, and how far from that it is. */
+static double nearest(acb_srcptr *z, const struct mech_orbit *o) {
+  double least = HUGE_VAL;
+  arb_t size;
+  arb_init(size);
+  for (int i = 0; i < o->n_free; i++) {
+    acb_abs(size, o->multiplier + i, 64);
+    double off = fabs(arf_get_d(arb_midref(size), ARF_RND_NEAR) - 1);
+    if (!(off < least)) continue;
+    least = off;
+    *z = o->multiplier + i;
+  }
+  arb_clear(size);
+  return least;
+}
+
 static enum mech_turn turn_between(const struct station *a, const struct station *b) {
-  acb_srcptr largest = a->orbit.multiplier;
-  if (!b->found) return MECH_FOLD;
-  if (a->orbit.stable == b->orbit.stable || b->orbit.own != TRUTH_TRUE) return MECH_CONDITION;
-  if (!arb_is_zero(acb_imagref(largest))) return MECH_NEIMARK_SACKER;
-  return arb_is_negative(acb_realref(largest)) ? MECH_FLIP : MECH_FOLD;
+  acb_srcptr z = NULL;
+  if (b->found && (!is_good(b) || a->orbit.stable == b->orbit.stable)) return MECH_CONDITION;
+  if (!(nearest(&z, &a->orbit) < AT_CIRCLE)) return b->found ? MECH_CONDITION : MECH_NO_FURTHER;
+  if (!arb_is_zero(acb_imagref(z))) return b->found ? MECH_NEIMARK_SACKER : MECH_NO_FURTHER;
+  if (!arb_is_negative(acb_realref(z))) return MECH_FOLD;
+  return b->found ? MECH_FLIP : MECH_NO_FURTHER;
 }
 
 /* Does the condition make it no orbit of its word?  A phase that ends before it begins has but its length to show. */
@@ -132,42 +176,39 @@ static bool add_change(struct walker *w, const struct station *a, const struct s
   return !w->ended;
 }
 
-static bool narrow(const struct walker *w, const struct station *a, const struct station *b) {
+/* Is the bracket not wider than that? */
+static bool narrow(const fmpq_t most, const struct station *a, const struct station *b) {
   fmpq_t width;
   fmpq_init(width);
   fmpq_sub(width, a->at, b->at);
   fmpq_abs(width, width);
-  bool yes = fmpq_cmp(width, w->least) <= 0;
+  bool yes = fmpq_cmp(width, most) <= 0;
   fmpq_clear(width);
   return yes;
 }
 
-/* There is an orbit, and all about it is settled, or at least that its phases are not those of the word. */
-static bool is_settled(const struct station *s) {
-  return s->found && (s->orbit.certified || s->orbit.own == TRUTH_FALSE);
+/* Just at a change something cannot be decided, or a solution not proved. */
+static bool is_open(const struct walker *w, const struct station *a, const struct station *middle,
+                    const struct station *b) {
+  return !middle->found && b->found && (is_good(b) || narrow(w->small, a, b));
 }
 
-/* Between two settled orbits one that is not: the bracket cannot be made narrower. */
-static bool is_open(const struct station *a, const struct station *middle, const struct station *b) {
-  return is_settled(a) && is_settled(b) && !is_settled(middle);
-}
-
-/* Finds the changes between a, which is found, and b, to which the way from a has been tried; true where the branch
-   goes on to b, which may become found by it. */
+/* Finds the changes between a, which is good, and b, to which the way from a has been tried; true where the branch goes
+   on to b, which may become good by it. */
 static bool between(struct walker *w, const struct station *a, struct station *b) {
   struct station middle = {.found = false};
   if (has_stopped(w) || !differ(a, b)) return !has_stopped(w);
-  if (narrow(w, a, b)) return add_change(w, a, b);
+  if (narrow(w->least, a, b)) return add_change(w, a, b);
   fmpq_init(middle.at);
   fmpq_add(middle.at, a->at, b->at);
   fmpq_div_2exp(middle.at, middle.at, 1);
   reach(w, &middle, a);
   bool on;
-  if (is_open(a, &middle, b)) {
+  if (is_open(w, a, &middle, b)) {
     on = add_change(w, a, b);
   } else {
     on = between(w, a, &middle);
-    if (on && !b->found) reach(w, b, &middle);
+    if (on && !is_good(b)) reach(w, b, &middle);
     on = on && between(w, &middle, b);
   }
   station_clear(&middle);
@@ -222,11 +263,11 @@ static void walk_all(struct walker *w, const struct mech_word *word, bool backwa
   struct mech m;
   struct mech_orbits list = {.n = 0};
   w->backward = backward;
-  bool ok = mech_load_at(&m, w->l->path, w->l->name, backward ? w->l->to : w->l->from, w->d);
+  bool ok = load(&m, w, backward ? w->l->to : w->l->from);
   if (ok) mech_orbits_find(&list, &m, word, false, w->l->prec);
   mech_clear(&m);
   for (int i = 0; i < list.n; i++) {
-    if (list.orbit[i].own == TRUTH_TRUE && !mech_orbits_hold(&w->arrived, &list.orbit[i]))
+    if (list.orbit[i].own == TRUTH_TRUE && list.orbit[i].certified && !mech_orbits_hold(&w->arrived, &list.orbit[i]))
       walk(w, &list.orbit[i]);
     else
       mech_orbit_clear(&list.orbit[i]);
@@ -237,9 +278,12 @@ static void walk_all(struct walker *w, const struct mech_word *word, bool backwa
 bool mech_follow(struct mech_follow *f, const struct mech_line *l, const struct mech_word *w, struct diag *d) {
   *f = (struct mech_follow){.n_changes = 0};
   struct walker walker = {.f = f, .l = l, .d = d};
+  fmpq_init(f->at);
   fmpq_init(walker.least);
   fmpq_sub(walker.least, l->from, l->to);
   fmpq_abs(walker.least, walker.least);
+  fmpq_init(walker.small);
+  fmpq_div_2exp(walker.small, walker.least, 30);
   fmpz_t ten;
   fmpz_init(ten);
   fmpz_ui_pow_ui(ten, 10, (ulong)l->digits);
@@ -248,11 +292,13 @@ bool mech_follow(struct mech_follow *f, const struct mech_line *l, const struct 
   for (int backward = 0; backward < 2 && !d->set; backward++) walk_all(&walker, w, backward);
   f->spent = f->looks >= MOST_LOOKS;
   mech_orbits_clear(&walker.arrived);
+  fmpq_clear(walker.small);
   fmpq_clear(walker.least);
   return !d->set;
 }
 
 void mech_follow_clear(struct mech_follow *f) {
+  fmpq_clear(f->at);
   for (int i = 0; i < f->n_changes; i++)
     for (int side = 0; side < 2; side++) fmpq_clear(f->change[i].side[side].at);
   for (int i = 0; i < f->n_branches; i++)

@@ -1,8 +1,8 @@
 /* Orbits of a system followed while one parameter of its file runs along a line.
 
-   An orbit at one value is the guess at the next.  It counts as followed only where the way back leads to the orbit it
-   came from, so that no step goes over to a neighbour.  Between two values at which something about it differs the
-   line is halved.  What is proved are the orbits at both ends of such a bracket and what holds of each (orbit.h); that
+   An orbit at one value is the guess at the next.  It counts as followed only where everything about it is decided and
+   the way back leads to the orbit it came from.  Between two values at which something about it differs, or to the
+   second of which it cannot be followed, the line is halved.  What is proved are the orbits at both ends of such a bracket and what holds of each (orbit.h); that
    one curve of orbits joins them is not. */
 #ifndef STICKSLIP_MECH_FOLLOW_H
 #define STICKSLIP_MECH_FOLLOW_H
@@ -23,13 +23,14 @@ struct mech_side {
   double period;
 };
 enum mech_turn {
-  MECH_FLIP,           /* a multiplier passes -1 */
-  MECH_FOLD,           /* a multiplier passes 1, or no orbit is found beyond */
-  MECH_NEIMARK_SACKER, /* two conjugate ones pass the unit circle */
-  MECH_CONDITION       /* a condition of Coulomb's law begins or ceases to hold; where an event is no longer the first
+  MECH_FLIP,           /* the stability changes, and a multiplier passes -1 */
+  MECH_FOLD,           /* the same at 1, or no orbit is found beyond and a multiplier comes to 1 */
+  MECH_NEIMARK_SACKER, /* the stability changes, and two conjugate ones pass the unit circle */
+  MECH_CONDITION,      /* a condition of Coulomb's law begins or ceases to hold; where an event is no longer the first
                           one the branch ends */
+  MECH_NO_FURTHER      /* no orbit is found beyond, and no multiplier comes to 1: an event may become a grazing one */
 };
-extern const char *const mech_turn_id[MECH_CONDITION + 1]; /* "flip", "fold", "neimark-sacker", "condition" */
+extern const char *const mech_turn_id[MECH_NO_FURTHER + 1]; /* "flip", "fold", "neimark-sacker", "condition", "lost" */
 enum { MECH_TURNED = 8 };
 struct mech_change {
   enum mech_turn what;
@@ -48,6 +49,7 @@ struct mech_follow {
   int n_changes, n_branches;
   size_t cap_changes, cap_branches;
   long looks; /* at how many values an orbit was solved for */
+  fmpq_t at;  /* where the file describes no system, when it does not */
   bool spent; /* at the most that are allowed: there may be more changes */
 };
 

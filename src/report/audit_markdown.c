@@ -66,6 +66,7 @@ static void add_roots(struct text *out, const struct audit_result *r) {
     text_add(out, ". ");
     sheet_text(&s, root->wrong);
     text_add(out, " *It should read:* ");
+    sheet_values(&s, r, root);
     sheet_text(&s, root->correct);
     if (out->data[out->len - 1] != '.') text_add_char(out, '.');
     if (root->severity != SEVERITY_NOTATION) {

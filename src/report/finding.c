@@ -23,6 +23,15 @@ bool failure_is_number(const struct finding *f) {
   return f->correction_latex && f->fault && strcmp(f->fault, "number") == 0;
 }
 
+int root_values(const char *value[MOST_VALUES], const struct audit_result *r, const struct root_cause *root) {
+  int n = 0;
+  for (int i = 0; i < root->n_claims && n < MOST_VALUES; i++) {
+    const struct finding *f = audit_result_finding(r, root->claims[i]);
+    if (f && failure_is_number(f)) value[n++] = f->correction_latex;
+  }
+  return n;
+}
+
 bool finding_states(const struct finding *f) {
   bool any = false;
   for (int i = 0; i < f->n_evidence; i++) any = any || strcmp(f->evidence[i].result, "states") == 0;

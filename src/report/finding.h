@@ -33,6 +33,9 @@ const char *failure_heading(const struct finding *f);
 const char *failure_words(const struct finding *f);
 /* Whether it is a printed number with the value it should have. */
 bool failure_is_number(const struct finding *f);
+/* The right values of the printed numbers among the root's claims, as LaTeX: "t_{a} = 0.5323"; how many. */
+enum { MOST_VALUES = 32 };
+int root_values(const char *value[MOST_VALUES], const struct audit_result *r, const struct root_cause *root);
 /* How large the effect is; NULL where that is not known. */
 const char *failure_size(const struct audit_result *r, const struct finding *f);
 

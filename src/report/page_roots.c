@@ -1,6 +1,7 @@
 /* What is wrong in the paper, in order of consequence: what of it matters to somebody who uses the paper, then remarks
    and slips of notation as a list. */
 #include "escape.h"
+#include "finding.h"
 #include "html.h"
 #include "sections.h"
 
@@ -32,6 +33,8 @@ static void add_certificates(const struct page *p, const struct root_cause *root
 
 static void add_root(const struct page *p, const struct root_cause *root) {
   bool substance = root->severity == SEVERITY_SUBSTANCE;
+  const char *value[MOST_VALUES];
+  int n = root_values(value, p->r, root);
   text_add(p->out, "<li");
   html_anchor(p->out, " id=\"r-", root->id);
   text_add(p->out, "\">");
@@ -39,7 +42,13 @@ static void add_root(const struct page *p, const struct root_cause *root) {
   text_add_char(p->out, ' ');
   html_text(p->out, root->wrong, NULL);
   html_stop(p->out);
-  add_labelled(p, "It should read", root->correct);
+  text_add(p->out, " <em>It should read:</em> ");
+  for (int i = 0; i < n; i++) {
+    html_math(p->out, value[i], NULL);
+    text_add(p->out, i + 1 < n ? ", " : ". ");
+  }
+  html_text(p->out, root->correct, NULL);
+  html_stop(p->out);
   if (root->severity != SEVERITY_NOTATION) add_labelled(p, "Consequence", root->consequence);
   if (substance && root->by_hand) add_labelled(p, "To see it", root->by_hand);
   add_certificates(p, root);

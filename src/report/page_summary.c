@@ -244,12 +244,12 @@ static void add_lead(const struct page *p, const long count[N_VERDICTS], long to
   if (slips) text_printf(p->out, "; there are also %zu remark%s and slips of notation", slips, slips == 1 ? "" : "s");
   text_printf(p->out, ".</p>\n<p>Of the %ld statements of the paper that assert something, %ld have been proved",
               asserted, count[VERDICT_PROVED]);
-  if (wrong) text_add(p->out, "; the others fail for these reasons, several of them for the same one");
-  if (asserted > 0) text_printf(p->out, " (%ld %% are decided)", 100 * decided / asserted);
   if (count[VERDICT_SUPPORTED])
     text_printf(p->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
   if (count[VERDICT_UNKNOWN]) text_printf(p->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
   if (count[VERDICT_SKIPPED]) text_printf(p->out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);
+  if (wrong) text_add(p->out, "; the others do not hold as printed, for these reasons");
+  if (asserted > 0) text_printf(p->out, " (%ld %% are decided)", 100 * decided / asserted);
   text_add(p->out, ".</p>\n");
 }
 

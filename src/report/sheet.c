@@ -4,6 +4,7 @@
 
 #include "base/tex.h"
 #include "escape.h"
+#include "finding.h"
 #include "formula.h"
 #include "sheet.h"
 
@@ -43,6 +44,16 @@ static void add_math(const struct sheet *s, const char *math, size_t len) {
 
 void sheet_math(const struct sheet *s, const char *math) {
   add_math(s, math, strlen(math));
+}
+
+void sheet_values(const struct sheet *s, const struct audit_result *r, const struct root_cause *root) {
+  const char *value[MOST_VALUES];
+  int n = root_values(value, r, root);
+  for (int i = 0; i < n; i++) {
+    text_add(s->out, i ? ", " : "");
+    sheet_math(s, value[i]);
+  }
+  if (n) text_add(s->out, ". ");
 }
 
 void sheet_code(const struct sheet *s, const char *code) {

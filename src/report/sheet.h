@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_REPORT_SHEET_H
 #define STICKSLIP_REPORT_SHEET_H
 
-#include "base/text.h"
+#include "record/result.h"
 
 /* A document in one of two dialects. */
 struct sheet {
@@ -18,6 +18,8 @@ void sheet_text(const struct sheet *s, const char *text);
 void sheet_prose(const struct sheet *s, const char *text);
 /* One formula, without dollar signs. */
 void sheet_math(const struct sheet *s, const char *math);
+/* The right values of the root's printed numbers, as a sentence; nothing where it has none. */
+void sheet_values(const struct sheet *s, const struct audit_result *r, const struct root_cause *root);
 /* A command or a name as it is typed. */
 void sheet_code(const struct sheet *s, const char *code);
 

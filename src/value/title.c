@@ -412,8 +412,8 @@ static bool make_criterion(struct text *out, const struct title *t) {
     text_printf(out,
                 strcmp(side, "inside") == 0
                     ? "admissible periodic solutions are conditionally stable where %s"
-                    : "admissible periodic solutions are unstable where one inequality of %s is "
-                      "reversed",
+                    : "an eigenvalue of J outside the unit circle, one inequality of %s being reversed, makes an "
+                      "admissible periodic solution unstable",
                 f);
   text_clear(&formulas);
   return true;

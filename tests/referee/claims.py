@@ -256,7 +256,7 @@ def text_criterion(c):
     return eq_36d(c) and reach(c, -delta) > 0 > reach(c, delta)
 
 
-text_eigenvalues_outside = text_eigenvalues_inside = text_criterion
+text_eigenvalues_inside = text_criterion
 
 
 # --- Symbols: the certificate is the paper's own text

@@ -475,7 +475,7 @@ static void recheck_system(struct entry *o, struct motion *m) {
         holds = both(holds, answer);
         if (a.zero_end) holds = both(holds, passes(m, w, k));
       }
-  settle(o, "admissible", claimed(o, "verdicts", "admissible") * holds);
+  if (!o->open) settle(o, "admissible", claimed(o, "verdicts", "admissible") * holds);
 }
 
 /* How many bits may be tried: a box of a system that is not proved with twice as many as it is narrow never will be. */
