@@ -69,14 +69,15 @@ static void balls_json(struct json *j, const char *key, arb_srcptr x, int n, boo
   json_end_array(j);
 }
 
-/* An exact number gets a radius, since a checker that divides in balls may not meet it exactly. */
-static void start_json(struct json *j, arb_srcptr exact) {
+/* The position of a mass that has just broken loose is its limit over a stiffness: where that is exact it gets a radius,
+   since a checker that divides in balls does not meet it. */
+static void start_json(struct json *j, const struct mech_orbit *o, int i) {
   enum { BITS = 96 };
+  bool loose = i < o->n && o->word.phase[o->word.n - 1][i] == 's' && o->word.phase[0][i] != 's';
   arb_t x;
   arb_init(x);
-  arb_set(x, exact);
-  if (arb_is_exact(x) && !arb_is_zero(x))
-    mag_set_ui_2exp_si(arb_radref(x), 1, arf_abs_bound_lt_2exp_si(arb_midref(x)) - BITS);
+  arb_set(x, o->state + i);
+  if (loose && arb_is_exact(x)) mag_set_ui_2exp_si(arb_radref(x), 1, arf_abs_bound_lt_2exp_si(arb_midref(x)) - BITS);
   json_wide_ball(j, NULL, x);
   arb_clear(x);
 }
@@ -85,7 +86,7 @@ static void enclosures_json(struct json *j, const struct mech_orbit *o) {
   json_object(j, "enclosures");
   balls_json(j, "times", o->t, o->word.n, true);
   json_array(j, "start");
-  for (int i = 0; i < 2 * o->n; i++) start_json(j, o->state + i);
+  for (int i = 0; i < 2 * o->n; i++) start_json(j, o, i);
   if (o->turns) json_wide_ball(j, NULL, o->angle);
   json_end_array(j);
   json_wide_ball(j, "period", o->period);
