@@ -11,7 +11,7 @@ struct stability_options {
   const char *const *only; /* ids of formulas, matrices or records; none: all */
   int n_only;
   bool quick;
-  int jobs;                              /* processes, 1 to 64 */
+  int jobs;                                 /* processes, 1 to 64 */
   void (*progress)(size_t done, size_t of); /* or NULL */
 };
 
