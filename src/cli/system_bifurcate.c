@@ -189,21 +189,22 @@ static void all_text(struct text *out, const struct shown *v) {
 
 /* --- The command --- */
 
-static int show(const struct options *o, struct shown *v, const struct mech_word *w, struct diag *d) {
+static int show(const struct options *o, const struct shown *given, const struct mech_word *w, struct diag *d) {
   struct mech_follow f;
+  struct shown v = *given;
   struct text out;
-  bool ok = mech_follow(&f, v->l, w->n ? w : NULL, d);
-  v->f = &f;
+  bool ok = mech_follow(&f, v.l, w->n ? w : NULL, d);
+  v.f = &f;
   text_init(&out);
   if (ok && f.spent)
-    fprintf(stderr, "%s: warning: the search ran into its limit; there may be more changes\n", v->s->path);
-  if (ok) (option(o, OPT_JSON) ? all_json : all_text)(&out, v);
+    fprintf(stderr, "%s: warning: the search ran into its limit; there may be more changes\n", v.s->path);
+  if (ok) (option(o, OPT_JSON) ? all_json : all_text)(&out, &v);
   if (ok && option(o, OPT_JSON))
     fputs(text_str(&out), stdout);
   else if (ok)
     terminal_print(text_str(&out));
   if (!ok) {
-    text_printf(&out, "%s: at %s = ", v->s->path, v->l->name);
+    text_printf(&out, "%s: at %s = ", v.s->path, v.l->name);
     num_print_q(&out, f.at);
     fprintf(stderr, "%s:\n", text_str(&out));
   }

@@ -283,32 +283,32 @@ static bool finish(struct reader *r, const struct record_file *f) {
   return false;
 }
 
-static bool read_all(struct reader *r, struct source src) {
+static bool read_all(struct reader r, struct source src) {
   struct record_file f;
-  mech_init(r->m);
-  arena_init(&r->arena);
-  bool ok = record_file_parse(&f, src, r->d);
-  r->src = &f.src;
-  ok = ok && read_head(r, &f.records[0]);
-  if (ok && r->other && !r->met) ok = no_parameter(r);
-  for (size_t i = 1; ok && i < f.n_records; i++) ok = read_record(r, &f.records[i]);
-  ok = ok && finish(r, &f);
-  for (size_t i = 0; i < r->n_parameters; i++) fmpq_clear(r->parameter[i].value);
-  free(r->parameter);
+  mech_init(r.m);
+  arena_init(&r.arena);
+  bool ok = record_file_parse(&f, src, r.d);
+  r.src = &f.src;
+  ok = ok && read_head(&r, &f.records[0]);
+  if (ok && r.other && !r.met) ok = no_parameter(&r);
+  for (size_t i = 1; ok && i < f.n_records; i++) ok = read_record(&r, &f.records[i]);
+  ok = ok && finish(&r, &f);
+  for (size_t i = 0; i < r.n_parameters; i++) fmpq_clear(r.parameter[i].value);
+  free(r.parameter);
   record_file_clear(&f);
-  arena_clear(&r->arena);
+  arena_clear(&r.arena);
   return ok;
 }
 
 bool mech_read(struct mech *m, struct source src, struct diag *d) {
   struct reader r = {.m = m, .d = d};
-  return read_all(&r, src);
+  return read_all(r, src);
 }
 
 bool mech_load_at(struct mech *m, const char *path, const char *parameter, const fmpq_t value, struct diag *d) {
   struct source src;
   struct reader r = {.m = m, .d = d, .other = parameter, .value = value};
-  if (source_read(&src, path, MOST_BYTES, d)) return read_all(&r, src);
+  if (source_read(&src, path, MOST_BYTES, d)) return read_all(r, src);
   mech_init(m);
   return false;
 }

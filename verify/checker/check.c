@@ -267,7 +267,7 @@ static __attribute__((format(printf, 3, 4))) void read_size(fmpq_t q, int sign, 
 static int read_mass_number(const char *text, bool ground) {
   bool good = strspn(text, "0123456789") == strlen(text) && strlen(text) <= 2 && (text[0] != '0' || !text[1]);
   int i = good ? atoi(text) : -1;
-  if (i < !ground || i > sys.n) stop(REJECTED, "there is no mass with the number %.20s", text);
+  if (i < (ground ? 0 : 1) || i > sys.n) stop(REJECTED, "there is no mass with the number %.20s", text);
   return i - 1;
 }
 
