@@ -221,7 +221,8 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   n += theorem->proved;
   b->f->verdict = verdict_of(w, n, theorem->proved);
   /* the theorem speaks of orbits at which J has a value; of a correction the inequality alone is asked */
-  if (theorem->proved && defined && !b->j->instead && defined_fails(&w[n], b, claim_named(b->j->claims, defined)))
+  if (theorem->proved && defined && b->j->effort == EFFORT_FULL && !b->j->instead &&
+      defined_fails(&w[n], b, claim_named(b->j->claims, defined)))
     b->f->verdict = verdict_under_condition(verdict_of(&w[n], 1, true), b->f->verdict);
 }
 
