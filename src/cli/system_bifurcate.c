@@ -236,7 +236,8 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
   int status = parse_along(&a, &name, o);
   if (!status) {
     scene_system_path(&path, s, data);
-    struct mech_line l = {text_str(&path), text_str(&name), {a.from[0]}, {a.to[0]}, digits, word_bits(digits)};
+    struct mech_line l = {text_str(&path), text_str(&name), s->system_value,  {a.from[0]},
+                          {a.to[0]},       digits,          word_bits(digits)};
     struct shown v = {.m = &m, .l = &l, .s = s, .digits = digits, .decimals = decimals_of(&l)};
     status = scene_load_system(&m, &w, s, data, d) ? show(o, &v, &w, d) : bad_input(d);
     mech_clear(&m);

@@ -63,7 +63,8 @@ static int solve_near(struct mech_orbit *o, const struct mech *m, const struct m
 }
 
 static bool load(struct mech *m, struct walker *w, const fmpq_t at) {
-  bool ok = mech_load_at(m, w->l->path, w->l->name, at, w->d);
+  const struct mech_given first = {w->l->given, w->l->name, {*at}, NULL, 0};
+  bool ok = mech_load_with(m, w->l->path, &first, w->d);
   if (!ok) fmpq_set(w->f->at, at);
   return ok;
 }

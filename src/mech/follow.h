@@ -10,9 +10,10 @@
 #include "orbit.h"
 
 struct mech_line {
-  const char *path, *name; /* the system file and its parameter */
-  fmpq_t from, to;         /* different */
-  slong digits, prec;      /* brackets: 10^-digits of the line; orbits */
+  const char *path, *name;  /* the system file and its parameter */
+  struct mech_given *given; /* values of others in place of the file's */
+  fmpq_t from, to;          /* different */
+  slong digits, prec;       /* brackets: 10^-digits of the line; orbits */
 };
 
 /* What is known at a value of the parameter. */
