@@ -330,14 +330,25 @@ static double floor_of(const struct study *s, enum route_row row) {
                                     : coulomb_event_floor(sim.params, sim.start) / fmax(1, sim.period);
 }
 
+static void leave_out(struct study *s, enum route_row row, const char *by, const char *why) {
+  struct text what;
+  text_init(&what);
+  text_printf(&what, "the %s by %s at ", route_quantity_name[route_table[row].quantity], by);
+  point_print(&what, &s->site.p);
+  audit_leave_out(s->j->out, result_take(s->j->out, &what), why);
+}
+
 /* Left out where that is more than half of the digits that the route states. */
 static bool out_of_reach(struct study *s, enum route_row row, double floor) {
-  struct text what;
   if (floor <= pow(10, -0.5 * route_table[row].digits)) return false;
-  text_init(&what);
-  text_printf(&what, "the %s by integration at ", route_quantity_name[route_table[row].quantity]);
-  point_print(&what, &s->site.p);
-  audit_leave_out(s->j->out, result_take(s->j->out, &what), "rounding would leave it fewer than half of its digits");
+  leave_out(s, row, "integration", "rounding would leave it fewer than half of its digits");
+  return true;
+}
+
+/* Left out where Newton's iteration from the other routes' orbit, in double precision, leads to no proved one. */
+static bool not_solved(struct study *s, enum route_row row, int status) {
+  if (status == SS_OK || !(route_table[row].means & MEANS_SHOOTING)) return false;
+  leave_out(s, row, "the engine for any system", "it proves no orbit there");
   return true;
 }
 
@@ -417,6 +428,7 @@ static void compare_at(struct study *s, enum route_quantity q) {
     double floor = asked[i] ? floor_of(s, (enum route_row)i) : 0;
     asked[i] = asked[i] && !out_of_reach(s, (enum route_row)i, floor);
     if (asked[i]) status[i] = compute[i](value + i * MOST_ENTRIES, s);
+    asked[i] = asked[i] && !not_solved(s, (enum route_row)i, status[i]);
     if (asked[i]) own[i] = take_estimate(value + i * MOST_ENTRIES, entries[q], (enum route_row)i);
     if (asked[i] && i == ROUTE_E_INTEGRATION) own[i] = log2(floor * fmax(1, num_arb.get_d(s->site.orbit->period)));
   }
