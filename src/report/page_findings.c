@@ -111,11 +111,15 @@ static void add_restrictions(const struct page *p, const struct finding *f) {
   }
 }
 
+/* What is wrong in general stands with the cause, where there is one. */
 static void add_fault(const struct page *p, const struct finding *f) {
-  begin_row(p, "What is wrong");
-  text_add(p->out, failure_words(f));
+  bool told = f->root && audit_result_root(p->r, f->root);
+  if (told && !f->condition) return;
+  begin_row(p, told ? "When it holds" : "What is wrong");
+  if (!told) text_add(p->out, failure_words(f));
   if (f->condition) {
-    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? "; proved under the condition: " : "; condition: ");
+    text_add(p->out, told ? "" : "; ");
+    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? "proved under the condition: " : "condition: ");
     html_text(p->out, f->condition, NULL);
   }
   html_stop(p->out);
@@ -341,7 +345,7 @@ static void add_failures(const struct page *p, const struct root_cause *root) {
 static void add_error(const struct page *p, const struct root_cause *root) {
   begin_anchored(p, "h3", root);
   add_title(p, root);
-  text_add(p->out, "</h3>\n<p>");
+  text_add(p->out, "</h3>\n<p class=\"tex\">");
   add_words(p, root);
   text_add(p->out, "</p>\n");
   add_failures(p, root);
@@ -381,12 +385,12 @@ static void add_list(const struct page *p, enum severity severity, const char *h
     if (!any) text_printf(p->out, "<h3>%s</h3>\n<ul>\n", heading);
     any = true;
     begin_anchored(p, "li", root);
-    text_add(p->out, "<strong>");
+    text_add(p->out, "<div class=\"tex\"><strong>");
     add_title(p, root);
     text_add(p->out, ".</strong> ");
     add_words(p, root);
     add_evidence(p, root);
-    text_add(p->out, "</li>\n");
+    text_add(p->out, "</div></li>\n");
   }
   if (any) text_add(p->out, "</ul>\n");
 }

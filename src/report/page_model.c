@@ -33,7 +33,7 @@ static void add_phases(const struct page *p) {
 
 static void add_words(const struct page *p) {
   text_add(p->out, "<h4 id=\"s-words\">Words used on this page</h4>\n<p>What the verdicts mean is said <a "
-                   "href=\"#s-verdicts\">below</a>.</p>\n<dl>\n");
+                   "href=\"#s-power\">below</a>.</p>\n<dl>\n");
   for (size_t i = 0; i < n_glossary; i++) {
     text_printf(p->out, "<dt>%s</dt>\n<dd>", glossary[i].word);
     html_text(p->out, glossary[i].meaning, NULL);

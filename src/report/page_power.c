@@ -17,24 +17,26 @@ static const char *const meaning[N_VERDICTS] = {
     [VERDICT_SKIPPED] = "cannot be judged with these data, for the reason given",
     [VERDICT_DEFINITION] = "asserts nothing that could be judged"};
 
+static const struct column counts[] = {
+    {"verdict", false}, {"statements of the paper", true}, {"checks of the suite", true}, {"meaning", false}};
+
 static void add_counts(const struct page *p) {
   long count[N_VERDICTS], checks[N_VERDICTS], of_paper = audit_result_count(count, p->r, OF_PAPER);
   long of_suite = audit_result_count(checks, p->r, OF_SUITE);
-  text_add(p->out, "<table class=\"counts\" id=\"s-verdicts\">\n<caption>The verdicts, and what each word "
-                   "means</caption>\n<thead><tr>"
-                   "<th scope=\"col\">verdict</th><th scope=\"col\" class=\"n\">statements of the paper</th>"
-                   "<th scope=\"col\" class=\"n\">checks of the suite</th><th scope=\"col\">meaning</th>"
-                   "</tr></thead>\n<tbody>\n");
-  for (int i = 0; i < N_VERDICTS; i++) {
-    text_add(p->out, "<tr><th scope=\"row\">");
-    page_verdict(p, (enum verdict)i);
-    text_printf(p->out, "</th><td class=\"n\">%ld</td><td class=\"n\">%ld</td><td>%s</td></tr>\n", count[i], checks[i],
-                meaning[i]);
+  page_begin_table(p, "stack counts", "The verdicts, and what each word means", counts, sizeof counts / sizeof *counts);
+  for (int i = 0; i <= N_VERDICTS; i++) {
+    bool all = i == N_VERDICTS;
+    text_add(p->out, all ? "<tr><th scope=\"row\">all" : "<tr><th scope=\"row\">");
+    if (!all) page_verdict(p, (enum verdict)i);
+    text_add(p->out, "</th>");
+    page_cell(p, &counts[1]);
+    text_printf(p->out, "%ld</td>", all ? of_paper : count[i]);
+    page_cell(p, &counts[2]);
+    text_printf(p->out, "%ld</td>", all ? of_suite : checks[i]);
+    page_cell(p, &counts[3]);
+    text_printf(p->out, "%s</td></tr>\n", all ? "" : meaning[i]);
   }
-  text_printf(p->out,
-              "</tbody>\n<tfoot><tr><th scope=\"row\">all</th><td class=\"n\">%ld</td><td "
-              "class=\"n\">%ld</td><td></td></tr></tfoot>\n</table>\n",
-              of_paper, of_suite);
+  page_end_table(p);
 }
 
 /* Whether the claim could have failed by it. */

@@ -72,7 +72,7 @@ const char *const page_style =
     ".evidence thead th { white-space: normal; }\n"
     ".wide table { min-width: 36rem; }\n"
     ".wide table.few { min-width: 0; margin: 0; } .few th, .few td { padding: .08rem .5rem; }\n"
-    ".beside { display: grid; grid-template-columns: minmax(0, 1fr) 21rem; gap: 0 2rem; align-items: start; }\n"
+    ".beside { display: grid; grid-template-columns: minmax(0, 1fr) 20rem; gap: 0 2rem; align-items: start; }\n"
     ".beside figure { margin: 0; } .beside > p, .beside > div > p:first-child { margin-top: 0; }\n"
     ".beside figcaption { font-size: .85rem; line-height: 1.35; }\n"
     "#s-letter { line-height: 1.42; } #s-letter h2, #s-letter h3 { margin: .9rem 0 .3rem; } #s-letter p, .errors { "

@@ -49,19 +49,25 @@ static void say_along(struct text *out, const struct rows *t) {
   if (t->n == 0 || t->columns <= ADMISSIBLE) return;
   text_printf(out, "With the other data as they are, the solution was followed from $e_2 = %s$ to $%s$", t->cell[0][E2],
               t->cell[t->n - 1][E2]);
-  text_printf(out, is_change(t, t->n - 1) ? ", where %s." : ".", t->cell[t->n - 1][CHANGE]);
+  if (is_change(t, t->n - 1)) text_printf(out, ", where %s", t->cell[t->n - 1][CHANGE]);
+  text_add_char(out, '.');
   for (size_t i = 0; i < t->n; i++)
     if (is_good(t, i)) {
       i = add_range(out, t, i);
       any = true;
     }
-  text_add(out, any ? " The ends are proved to the digits given." : " It is nowhere both stable and admissible there.");
+  text_add(out, any ? " Proved are the values drawn, and to the digits given what changes between them."
+                    : " It is nowhere both stable and admissible there.");
 }
 
 static void tell_along(struct text *out, const struct rows *t) {
-  text_add(out, "Two curves against e2: tr J above, the period below.");
+  text_add(out, "Two curves against e2, tr J above and the period below.");
   for (size_t i = 0; i < t->n && t->columns > ADMISSIBLE; i++)
-    if (is_change(t, i)) text_printf(out, " Near e2 = %s %s.", t->cell[i][E2], t->cell[i][CHANGE]);
+    if (is_change(t, i))
+      text_printf(out, " Near e2 = %s %s.", t->cell[i][E2], t->cell[i][CHANGE]);
+    else if (i == 0 || i + 1 == t->n)
+      text_printf(out, " At e2 = %s tr J is %s and the period %s.", t->cell[i][E2], t->cell[i][TRACE],
+                  t->cell[i][PERIOD]);
 }
 
 /* The samples, good ones apart. */

@@ -6,8 +6,9 @@
 #include "motion/warm.h"
 #include "tables.h"
 
-/* The line runs from BEGIN/STEPS to END/STEPS times the scene's e2. */
-enum { BEGIN = 8, STEPS = 16, END = 48, DIGITS = 6, STARTS = 65, DECIMALS = 6 };
+/* The line runs from BEGIN/STEPS to END/STEPS times the scene's e2; one step in SHOWN is a row. */
+enum { BEGIN = 128, STEPS = 256, END = 768, SHOWN = 16, DIGITS = 6, STARTS = 65, DECIMALS = 6 };
+#define ASTRAY 1e-3
 
 static const char heading[] =
     "# The periodic orbit nearest to the printed numbers when e2 alone is another: samples, and between them what "
@@ -62,12 +63,12 @@ static void add_change(struct text *body, const struct dyn_bifurcation *b) {
   text_add_char(body, '\n');
 }
 
-/* The orbit near which the next one is looked for; params: those where it was. */
+/* Where the orbit was last, and before that. */
 struct walk {
   const struct scene *scene;
   fmpq params[N_PARAMS];
-  double tb, tc;
-  bool up;
+  double tb[2], tc[2];
+  bool up, begun; /* begun: what was before is known */
 };
 
 static void set_step(fmpq_t e2, const struct walk *w, long i) {
@@ -75,19 +76,25 @@ static void set_step(fmpq_t e2, const struct walk *w, long i) {
   fmpq_mul(e2, e2, &w->scene->value[KEY_E2]);
 }
 
-/* The orbit at step i, to be cleared whatever is answered; false where none is proved near the last one. */
+/* The orbit at step i, beside the last one, to be cleared whatever is answered; false where none is proved there, or
+   one so far from where the last two point that it may be another. */
 static bool walk_to(struct dyn_orbit *o, struct walk *w, long i) {
   truth first = TRUTH_UNKNOWN;
+  double tb = w->begun ? 2 * w->tb[0] - w->tb[1] : w->tb[0], tc = w->begun ? 2 * w->tc[0] - w->tc[1] : w->tc[0];
   set_step(&w->params[P_E2], w, i);
-  int status = dyn_orbit_near(o, &first, w->params, w->tb, w->tc, w->up, FIRST_PREC, NULL);
+  int status = dyn_orbit_near(o, &first, w->params, tb, tc, w->up, FIRST_PREC, NULL);
   if (status != SS_OK || first != TRUTH_TRUE) return false;
-  w->tb = o->guess[1];
-  w->tc = o->guess[2];
+  if (w->begun && fabs(o->guess[1] - tb) + fabs(o->guess[2] - tc) > ASTRAY * (tb + tc)) return false;
+  w->tb[1] = w->tb[0];
+  w->tc[1] = w->tc[0];
+  w->tb[0] = o->guess[1];
+  w->tc[0] = o->guess[2];
   w->up = arb_gt(o->z20, o->z10);
+  w->begun = true;
   return true;
 }
 
-/* Back to the beginning of the line, or as near to it as the orbit can be followed; the step where it ends. */
+/* Back to the beginning of the line, or as near to it as the orbit can be followed; the step where that is. */
 static long walk_back(struct walk *w) {
   bool ok = true;
   long i = STEPS;
@@ -97,6 +104,7 @@ static long walk_back(struct walk *w) {
     i -= ok;
     dyn_orbit_clear(&o);
   }
+  w->begun = false;
   return i;
 }
 
@@ -106,7 +114,7 @@ static slong branch_of(const struct dyn_bifurcations *list, const struct walk *w
   for (; k < list->n_branches; k++)
     for (int end = 0; end < 2; end++) {
       const double *x = end ? list->branch[k].to : list->branch[k].from;
-      if (fabs(x[1] - w->tb) + fabs(x[2] - w->tc) < 1e-6 * (w->tb + w->tc)) return k;
+      if (fabs(x[1] - w->tb[0]) + fabs(x[2] - w->tc[0]) < 1e-6 * (w->tb[0] + w->tc[0])) return k;
     }
   return k;
 }
@@ -120,7 +128,7 @@ static void add_rows(struct text *body, const struct dyn_bifurcations *list, slo
     ok = walk_to(&o, w, i);
     for (; next < list->n && (!ok || fmpq_cmp(&list->at[next].low, &w->params[P_E2]) < 0); next++)
       if (list->at[next].branch == branch && list->at[next].crosses) add_change(body, &list->at[next]);
-    if (ok) add_sample(body, &w->params[P_E2], &o);
+    if (ok && i % SHOWN == 0) add_sample(body, &w->params[P_E2], &o);
     dyn_orbit_clear(&o);
   }
 }
@@ -128,7 +136,7 @@ static void add_rows(struct text *body, const struct dyn_bifurcations *list, slo
 void table_along_e2(struct table_source *s) {
   const struct scene *scene = s->j->scene;
   const fmpq *const none[2] = {NULL, NULL};
-  struct walk w = {scene, .tb = s->orbit->guess[1], .tc = s->orbit->guess[2],
+  struct walk w = {scene, .tb = {s->orbit->guess[1]}, .tc = {s->orbit->guess[2]},
                    .up = arb_gt(s->orbit->z20, s->orbit->z10)};
   struct dyn_bifurcations list;
   struct text body;
