@@ -716,7 +716,7 @@ START_TEST(the_letter) {
                                       "<a href=\"#r-r-formula\">PLACE</a>, THE FORMULA: WRONG 2.</li>",
                                       "equations (7), (8), (10).",
                                       "tr J = 3, THE FATE</a>",
-                                      "1.26 &lt; e_{2} &lt; 2.75",
+                                      "1.26 &lt; e_2 &lt; 2.75</annotation>",
                                       "at the lower end IT FLIPS",
                                       "at the upper end IT ENDS",
                                       "is at least 0.5000",

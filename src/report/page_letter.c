@@ -67,7 +67,7 @@ static void add_strings(const struct page *p, const char *const *list, int n) {
 static void add_reading(const struct page *p, const struct example_reading *e) {
   begin_paragraph(p);
   text_printf(p->out, "<strong>%s %d printed numbers of the example come out, to every printed digit, if ",
-              e->n_given == e->n_numbers ? "All" : "Of them", e->n_given);
+              e->n_given == e->n_numbers ? "All" : "As many as", e->n_given);
   add_strings(p, e->inputs, e->n_inputs);
   text_add(p->out, " are taken exactly");
   for (int i = 0; i < e->n_dropped; i++) {
@@ -259,8 +259,8 @@ static void add_what_holds(const struct page *p) {
   long count[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER);
   long wrong = count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL];
   text_printf(p->out,
-              "<h3>What holds</h3>\n<p>Of the %ld statements of the paper that assert something, %ld have been proved",
-              total - count[VERDICT_DEFINITION], count[VERDICT_PROVED]);
+              "<h3>What holds</h3>\n<p>Of the %ld statements of the paper that assert something, %ld %s been proved",
+              total - count[VERDICT_DEFINITION], count[VERDICT_PROVED], count[VERDICT_PROVED] == 1 ? "has" : "have");
   if (count[VERDICT_SUPPORTED])
     text_printf(p->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
   if (count[VERDICT_UNKNOWN]) text_printf(p->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
@@ -323,7 +323,7 @@ static void add_gift(const struct page *p) {
 
 void page_letter(const struct page *p) {
   page_begin_section(p, "letter", "To the author");
-  text_add(p->out, "<p>Every formula of the paper and every sentence that asserts something was compared with its "
+  text_add(p->out, "<p>What the formulas and sentences of the paper assert was compared, one by one, with its "
                    "equations of motion (1) and Coulomb's law (2): by exact algebra, by computations with rigorous "
                    "error bounds and by numerical integration. <strong>The text that was read is a machine conversion "
                    "of the printed paper</strong>; a misprint of a single symbol may be due to the conversion.</p>\n");
