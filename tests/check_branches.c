@@ -101,6 +101,26 @@ START_TEST(first_events_are_the_orbits_of_the_word) {
 }
 END_TEST
 
+/* On a slow belt there are tens of thousands: a list of some of them, which says so, and a verdict by these. */
+START_TEST(more_than_a_list_holds) {
+  struct dyn_orbits list;
+  fmpq_t slow;
+  fmpq_init(slow);
+  fmpq_set_si(slow, 1, 10000);
+  fmpq_swap(slow, set[0].p + P_V);
+  ck_assert_int_eq(dyn_branches_find(&list, set[0].p, 20, 128, DYN_CELLS), SS_OK);
+  ck_assert(!list.complete && list.gap == GAP_MANY && list.n == MOST_BRANCHES && list.cells < DYN_CELLS);
+  for (slong i = 1; i < list.n; i++) {
+    const struct dyn_orbit *a = &list.orbit[i - 1], *b = &list.orbit[i];
+    ck_assert(arb_is_positive(a->t[PHASE_D]) &&
+              (!arb_overlaps(a->t[PHASE_H], b->t[PHASE_H]) || !arb_overlaps(a->t[PHASE_C], b->t[PHASE_C]) ||
+               !arb_overlaps(a->t[PHASE_GAMMA], b->t[PHASE_GAMMA])));
+  }
+  dyn_orbits_clear(&list);
+  fmpq_clear(slow);
+}
+END_TEST
+
 /* A smaller bound of t_c leaves out what lies beyond it; too small a budget says that it was. */
 START_TEST(bounds_and_budgets) {
   const struct set *s = &set[0];
@@ -211,6 +231,7 @@ Suite *branches_suite(void) {
   tcase_add_checked_fixture(c, read_sets, forget_sets);
   tcase_add_loop_test(c, all_that_a_grid_finds, 0, 3);
   tcase_add_loop_test(c, first_events_are_the_orbits_of_the_word, 0, 3);
+  tcase_add_test(c, more_than_a_list_holds);
   tcase_add_test(c, bounds_and_budgets);
   suite_add_tcase(s, c);
   TCase *claims = tcase_create("claims");

@@ -744,7 +744,7 @@ static const char along_e2[] = "title: the paper's masses, with e_2 to vary\n"
 static void follow_to(struct mech_follow *f, slong to, enum mech_turn what) {
   struct diag d;
   static const struct mech_word papers = {N_PHASES, {"ss", "-s", "--", "s-"}};
-  struct mech_line l = {scratch_put("line.system", along_e2), "e2", {{19, 10}}, {{to, 10}}, 12, 128};
+  struct mech_line l = {scratch_put("line.system", along_e2), "e2", NULL, {{19, 10}}, {{to, 10}}, 12, 128};
   diag_init(&d);
   ck_assert_msg(mech_follow(f, &l, &papers, &d), "%s", d.message);
   ck_assert_int_eq(f->n_changes, 1);
@@ -759,7 +759,7 @@ static bool brackets_meet(const struct mech_change *c, const struct dyn_bifurcat
 static void follow_file(struct mech_follow *f, const char *written, const char *name, const fmpq *from,
                         const fmpq *to) {
   struct diag d;
-  struct mech_line l = {scratch_put("line.system", written), name, {*from}, {*to}, 12, 128};
+  struct mech_line l = {scratch_put("line.system", written), name, NULL, {*from}, {*to}, 12, 128};
   diag_init(&d);
   ck_assert_msg(mech_follow(f, &l, NULL, &d), "%s", d.message);
 }
@@ -850,7 +850,14 @@ static const struct {
     {"orbit chain3 --digits 1001", "at most 1000 --digits", 3},
     {"orbit chain3 --set system=chain99", "chain99.system", 3},
     {"orbit chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},
-    {"orbit chain3 --set chi=1", "chi is of the paper's two masses", 3},
+    {"orbit chain3 --set chi=1", "the system has no parameter chi; it has V", 3},
+    {"orbit chain3 --set q=", "--set:1:1: error: the scene gives no value of q", 3},
+    {"orbit chain3 --set V=1 --set V=2", "V is given twice", 3},
+    {"orbit chain3 --set 'V=[1,2]'", "--set:1:3: error: a constant expression has", 3},
+    {"orbit two-masses.scene --set system=two-masses --set chi=1", "two-masses.scene", 3},
+    {"orbit paper --set velocity=2", "--set:1:1: error: unknown name velocity", 3},
+    {"orbit paper --set system=chain3", "paper.scene:7:1: error: the system has no parameter e2; it has V", 3},
+    {"orbit chain3 --set V= --set word=", "orbits of the system chain3 found", 0},
     {"orbit chain3 --set ask=eq-27", "ask is of the paper's two masses", 3},
     {"verify chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
     {"simulate chain3 --compare", "--compare is of the paper's two masses", 2},
@@ -916,16 +923,20 @@ static int read_lines(struct line *to, int most, char *table) {
   return n;
 }
 
+/* With the file's parameters, and with others that the scene gives. */
 START_TEST(the_papers_system_from_a_file) {
   enum { MOST = 100 };
-  static const char *const starts[] = {"2,3/2,1,1", "0,0,0,0", "6,5,-1,2"};
+  static const char *const starts[] = {"2,3/2,1,1", "0,0,0,0", "6,5,-1,2"},
+                           *const given[] = {"", "chi = 7/10\nV = 6/5\n", "V = 6/5\n"},
+                           *const papers[] = {"chi = 0.8\nV = 1\n", "chi = 0.7\nV = 1.2\n", "chi = 0.8\nV = 1.2\n"};
   static struct line lines[2][MOST];
   char system[400], paper[400];
   int n[2];
-  snprintf(system, sizeof system, "%s", scratch_put("system.scene", "system: two-masses\n"));
-  snprintf(paper, sizeof paper, "%s",
-           scratch_put("same.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 3.7844\nu_r2 = "
-                                     "1.8587\n"));
+  char text[200];
+  snprintf(text, sizeof text, "system: two-masses\n%s", given[_i]);
+  snprintf(system, sizeof system, "%s", scratch_put("system.scene", text));
+  snprintf(text, sizeof text, "%seta = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 3.7844\nu_r2 = 1.8587\n", papers[_i]);
+  snprintf(paper, sizeof paper, "%s", scratch_put("same.scene", text));
   for (int k = 0; k < 2; k++) {
     int status;
     char *out =

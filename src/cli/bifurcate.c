@@ -2,13 +2,11 @@
 #include "explore/bifurcate.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/json.h"
 #include "cli.h"
 
 enum { STARTS = 257, MOST_DIGITS = 1000 };
-const char along_shape[] = "%s takes NAME=A:B, as in e2=0.5:3, not %.200s";
 
 /* --- What is known of the orbits beside a change. --- */
 
@@ -194,16 +192,14 @@ static int show(const struct scene *s, const struct range *a, const struct optio
 
 /* On the paper's two masses. */
 static int with_line(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
-  const char *along = option(o, OPT_ALONG);
   struct range a;
   range_init(&a);
-  int status = range_parse(&a, "--along", along_shape, along, strlen(along));
-  if (!status && fmpq_cmp(a.from, a.to) == 0) status = usage("the ends of --along %.200s are equal", along);
+  int status = parse_along(&a, NULL, o);
   if (!status && !scene_has_forces(s)) {
     diag_set(d, "%s: error: bifurcate needs a scene that gives e1 and e2", s->path);
     status = bad_input(d);
   }
-  if (!status) status = range_check_friction(&a, s, "--along", along);
+  if (!status) status = range_check_friction(&a, s, "--along", option(o, OPT_ALONG));
   if (!status) status = show(s, &a, o, digits);
   range_clear(&a);
   return status;

@@ -24,20 +24,22 @@ static int complain(const char *fmt, const char *option, const char *text) {
   return usage("%s", message);
 }
 
-int range_parse_named(struct range *r, struct text *name, const char *option, const char *shape, const char *text,
-                      size_t len) {
-  const char *end = text + len, *equals = memchr(text, '=', len);
-  const char *colon = equals ? memchr(equals, ':', (size_t)(end - equals)) : NULL;
-  if (!equals || !colon || memchr(colon + 1, ':', (size_t)(end - colon - 1))) return complain(shape, option, text);
+/* NAME=A:B in len bytes: where "=" and ":" stand. */
+static int split(const char *at[2], const char *option, const char *shape, const char *text, size_t len) {
+  const char *end = text + len;
+  at[0] = memchr(text, '=', len);
+  at[1] = at[0] ? memchr(at[0], ':', (size_t)(end - at[0])) : NULL;
+  return at[1] && !memchr(at[1] + 1, ':', (size_t)(end - at[1] - 1)) ? EXIT_AS_RECORDED : complain(shape, option, text);
+}
+
+static int evaluate(struct range *r, const char *const at[2], const char *end, const char *option) {
   struct diag d;
   diag_init(&d);
-  text_add_n(name, text, (size_t)(equals - text));
-  if (!scene_constant(r->from, equals + 1, (size_t)(colon - equals - 1), option, &d) ||
-      !scene_constant(r->to, colon + 1, (size_t)(end - colon - 1), option, &d)) {
-    fprintf(stderr, "%s\n", d.message);
-    return EXIT_USAGE;
-  }
-  return EXIT_AS_RECORDED;
+  if (scene_constant(r->from, at[0] + 1, (size_t)(at[1] - at[0] - 1), option, &d) &&
+      scene_constant(r->to, at[1] + 1, (size_t)(end - at[1] - 1), option, &d))
+    return EXIT_AS_RECORDED;
+  fprintf(stderr, "%s\n", d.message);
+  return EXIT_USAGE;
 }
 
 /* The name is none of a parameter's: which may have been meant. */
@@ -55,22 +57,35 @@ static int no_parameter(const char *name, const char *option, const char *text) 
 }
 
 int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len) {
-  const char *equals = memchr(text, '=', len);
-  bool shaped = equals && memchr(equals, ':', (size_t)(text + len - equals));
+  const char *at[2];
   struct text name;
+  int status = split(at, option, shape, text, len);
+  if (status) return status;
   text_init(&name);
-  text_add_n(&name, text, equals ? (size_t)(equals - text) : 0);
+  text_add_n(&name, text, (size_t)(at[0] - text));
   r->vary = word_find(text_str(&name), scene_key_name, N_SCENE_PARAMS);
-  int status = shaped && r->vary == N_SCENE_PARAMS ? no_parameter(text_str(&name), option, text) : EXIT_AS_RECORDED;
-  text_reset(&name);
-  if (!status) status = range_parse_named(r, &name, option, shape, text, len);
+  if (r->vary == N_SCENE_PARAMS) status = no_parameter(text_str(&name), option, text);
   text_clear(&name);
+  if (!status) status = evaluate(r, at, text + len, option);
   if (status) return status;
   if (!in_domain(r->from, r->vary) || !in_domain(r->to, r->vary))
     return complain(r->vary == P_CHI ? "both ends of %s %.200s must lie between 0 and 1"
                                      : "both ends of %s %.200s must be positive",
                     option, text);
   return EXIT_AS_RECORDED;
+}
+
+int parse_along(struct range *r, struct text *name, const struct options *o) {
+  static const char option_name[] = "--along", shape[] = "%s takes NAME=A:B, as in e2=0.5:3, not %.200s";
+  const char *text = option(o, OPT_ALONG), *at[2];
+  int status =
+      name ? split(at, option_name, shape, text, strlen(text)) : range_parse(r, option_name, shape, text, strlen(text));
+  if (!status && name) {
+    text_add_n(name, text, (size_t)(at[0] - text));
+    status = evaluate(r, at, text + strlen(text), option_name);
+  }
+  if (!status && fmpq_cmp(r->from, r->to) == 0) status = usage("the ends of --along %.200s are equal", text);
+  return status;
 }
 
 int range_check_friction(const struct range *r, const struct scene *s, const char *option, const char *text) {

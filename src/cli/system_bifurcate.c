@@ -226,7 +226,6 @@ static int decimals_of(const struct mech_line *l) {
 
 int run_system_bifurcate(const struct options *o, const struct scene *s, const char *data, slong digits,
                          struct diag *d) {
-  const char *along = option(o, OPT_ALONG);
   struct mech m;
   struct mech_word w;
   struct range a;
@@ -234,11 +233,11 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
   text_init(&name);
   text_init(&path);
   range_init(&a);
-  int status = range_parse_named(&a, &name, "--along", along_shape, along, strlen(along));
-  if (!status && fmpq_cmp(a.from, a.to) == 0) status = usage("the ends of --along %.200s are equal", along);
+  int status = parse_along(&a, &name, o);
   if (!status) {
     scene_system_path(&path, s, data);
-    struct mech_line l = {text_str(&path), text_str(&name), {a.from[0]}, {a.to[0]}, digits, word_bits(digits)};
+    struct mech_line l = {text_str(&path), text_str(&name), s->system_value,  {a.from[0]},
+                          {a.to[0]},       digits,          word_bits(digits)};
     struct shown v = {.m = &m, .l = &l, .s = s, .digits = digits, .decimals = decimals_of(&l)};
     status = scene_load_system(&m, &w, s, data, d) ? show(o, &v, &w, d) : bad_input(d);
     mech_clear(&m);

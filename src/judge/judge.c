@@ -301,6 +301,11 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
     audit_leave_out(out, result_str(out, "control %s", control->id), "its claim is undecided here without damage");
     return true;
   }
+  if (f.verdict == VERDICT_UNKNOWN && record_get(control->record, "near") && j->scene->changed) {
+    audit_leave_out(out, result_str(out, "control %s", control->id),
+                    "so small a damage is not decided at parameters other than the file's");
+    return true;
+  }
   bool off_record = f.recorded == N_VERDICTS; /* whether the claim holds in this scene was not known */
   if (f.verdict != VERDICT_REFUTED && off_record && is_found(out, claim->id, VERDICT_REFUTED)) {
     audit_leave_out(out, result_str(out, "control %s", control->id), "its claim does not hold here without damage");

@@ -299,11 +299,11 @@ static void conclude(struct finding *f, struct solutions *x) {
   if (f->verdict == VERDICT_REFUTED && !x->kept && x->constraints.n) judge_constrained(f, x);
 }
 
-/* At stiff parameters there are thousands, which are not tried one by one. */
+/* At stiff parameters there can be thousands, which are not tried one by one. */
 static void leave_many(struct finding *f, struct solutions *x) {
-  finding_state(f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL,
-                result_str(x->j->out, "there are %ld solutions with t_c up to %s, and at most %d are tried",
-                           (long)x->list.n, x->kept ? "any value" : claim_get(x->c, "until"), MOST_TRIED));
+  finding_state(
+      f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL,
+      result_str(x->j->out, "there are %ld solutions, and at most %d are tried", (long)x->list.n, MOST_TRIED));
 }
 
 bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

@@ -62,15 +62,9 @@ static int solve_near(struct mech_orbit *o, const struct mech *m, const struct m
   return mech_orbit_near(o, m, &near->word, t, z, prec);
 }
 
-static bool meet(const struct mech_orbit *a, const struct mech_orbit *b) {
-  bool same = true;
-  for (int k = 0; k < a->word.n; k++) same = same && arb_overlaps(a->t + k, b->t + k);
-  for (int i = 0; i < a->word.n * a->states; i++) same = same && arb_overlaps(a->state + i, b->state + i);
-  return same;
-}
-
 static bool load(struct mech *m, struct walker *w, const fmpq_t at) {
-  bool ok = mech_load_at(m, w->l->path, w->l->name, at, w->d);
+  const struct mech_given first = {w->l->given, w->l->name, {*at}, NULL, 0};
+  bool ok = mech_load_with(m, w->l->path, &first, w->d);
   if (!ok) fmpq_set(w->f->at, at);
   return ok;
 }
@@ -103,7 +97,7 @@ static bool leads_back(struct walker *w, const struct station *to, const struct 
   bool same = load(&m, w, from->at) && solve_near(&back, &m, &to->orbit, w->l->prec) == SS_OK;
   mech_clear(&m);
   if (!same) return false;
-  same = meet(&back, &from->orbit);
+  same = mech_orbit_meets(&back, &from->orbit);
   mech_orbit_clear(&back);
   return same;
 }
@@ -196,22 +190,24 @@ static bool is_open(const struct walker *w, const struct station *a, const struc
 /* Finds the changes between a, which is good, and b, to which the way from a has been tried; true where the branch goes
    on to b, which may become good by it. */
 static bool between(struct walker *w, const struct station *a, struct station *b) {
-  struct station middle = {.found = false};
   if (has_stopped(w) || !differ(a, b)) return !has_stopped(w);
   if (narrow(w->least, a, b)) return add_change(w, a, b);
-  fmpq_init(middle.at);
-  fmpq_add(middle.at, a->at, b->at);
-  fmpq_div_2exp(middle.at, middle.at, 1);
-  reach(w, &middle, a);
+  struct station *middle = ss_malloc(sizeof *middle); /* many digits are many halvings: not on the stack */
+  middle->found = false;
+  fmpq_init(middle->at);
+  fmpq_add(middle->at, a->at, b->at);
+  fmpq_div_2exp(middle->at, middle->at, 1);
+  reach(w, middle, a);
   bool on;
-  if (is_open(w, a, &middle, b)) {
+  if (is_open(w, a, middle, b)) {
     on = add_change(w, a, b);
   } else {
-    on = between(w, a, &middle);
-    if (on && !is_good(b)) reach(w, b, &middle);
-    on = on && between(w, &middle, b);
+    on = between(w, a, middle);
+    if (on && !is_good(b)) reach(w, b, middle);
+    on = on && between(w, middle, b);
   }
-  station_clear(&middle);
+  station_clear(middle);
+  free(middle);
   return on;
 }
 

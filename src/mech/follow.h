@@ -2,17 +2,18 @@
 
    An orbit at one value is the guess at the next.  It counts as followed only where everything about it is decided and
    the way back leads to the orbit it came from.  Between two values at which something about it differs, or to the
-   second of which it cannot be followed, the line is halved.  What is proved are the orbits at both ends of such a bracket and what holds of each (orbit.h); that
-   one curve of orbits joins them is not. */
+   second of which it cannot be followed, the line is halved.  What is proved are the orbits at both ends of such a
+   bracket and what holds of each (orbit.h); that one curve of orbits joins them is not. */
 #ifndef STICKSLIP_MECH_FOLLOW_H
 #define STICKSLIP_MECH_FOLLOW_H
 
 #include "orbit.h"
 
 struct mech_line {
-  const char *path, *name; /* the system file and its parameter */
-  fmpq_t from, to;         /* different */
-  slong digits, prec;      /* brackets: 10^-digits of the line; orbits */
+  const char *path, *name;  /* the system file and its parameter */
+  struct mech_given *given; /* values of others in place of the file's */
+  fmpq_t from, to;          /* different */
+  slong digits, prec;       /* brackets: 10^-digits of the line; orbits */
 };
 
 /* What is known at a value of the parameter. */
@@ -54,8 +55,8 @@ struct mech_follow {
 };
 
 /* The branches of orbits of their word, from those found at the line's first end, and from those at its other end that
-   none of these reaches; of one word, or of all where w is NULL.  false with d set where the file describes no system at some value
-   of the parameter. */
+   none of these reaches; of one word, or of all where w is NULL.  false with d set where the file describes no system at
+   some value of the parameter. */
 bool mech_follow(struct mech_follow *f, const struct mech_line *l, const struct mech_word *w, struct diag *d);
 void mech_follow_clear(struct mech_follow *f);
 

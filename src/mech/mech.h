@@ -91,8 +91,16 @@ bool mech_finish(struct mech *m, const char **why, const char **name);
 
 /* Reads a system file (read.c says what stands in one).  false with d set. */
 bool mech_load(struct mech *m, const char *path, struct diag *d);
-/* The same with another value for one of the file's parameters, which it must have. */
-bool mech_load_at(struct mech *m, const char *path, const char *parameter, const fmpq_t value, struct diag *d);
+/* Another value for one of the file's parameters, which it must have; a list. */
+struct mech_given {
+  struct mech_given *next;
+  const char *name;
+  fmpq_t value;
+  const struct source *src; /* where it is given, for diagnostics; NULL: nowhere */
+  size_t place;
+};
+/* The same with such values; of several for one parameter the first. */
+bool mech_load_with(struct mech *m, const char *path, const struct mech_given *given, struct diag *d);
 /* The same from a source, which is taken over. */
 bool mech_read(struct mech *m, struct source src, struct diag *d);
 

@@ -88,7 +88,9 @@ void mech_orbits_clear(struct mech_orbits *list);
 int mech_orbits_certified(const struct mech_orbits *list); /* how many */
 /* The certified ones as a file for stickslip-checker (verify/checker/README.md); scene: a name. */
 void mech_certificates_json(struct text *out, const char *scene, const struct mech *m, const struct mech_orbits *list);
-/* Is one of them of the same word, with enclosures of all lengths and states that meet those of o? */
+/* Are they of the same word, with enclosures of all lengths and states that meet? */
+bool mech_orbit_meets(const struct mech_orbit *a, const struct mech_orbit *b);
+/* Does o meet one of them? */
 bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o);
 /* Takes o over. */
 void mech_orbits_add(struct mech_orbits *list, const struct mech_orbit *o);

@@ -51,9 +51,7 @@ struct reader {
   size_t n_parameters, cap_parameters;
   int depth;
   size_t work;
-  const char *other; /* the parameter that has another value than in the file, or NULL */
-  const fmpq *value;
-  bool met; /* it is in the file */
+  const struct mech_given *given; /* other values than in the file */
 };
 
 static bool wrong(struct reader *r, size_t place, const char *what) {
@@ -94,10 +92,9 @@ static bool read_parameter(struct reader *r, const struct field *f) {
   fmpq_init(p->value);
   bool ok = evaluate(p->value, r, s->sides[1]);
   r->n_parameters++; /* from here on it has a value */
-  if (r->other && strcmp(p->name, r->other) == 0) {
-    fmpq_set(p->value, r->value);
-    r->met = true;
-  }
+  const struct mech_given *given = r->given;
+  while (given && strcmp(p->name, given->name) != 0) given = given->next;
+  if (given) fmpq_set(p->value, given->value);
   return ok;
 }
 
@@ -262,13 +259,19 @@ static bool read_head(struct reader *r, const struct record *head) {
   return true;
 }
 
-static bool no_parameter(struct reader *r) {
-  struct text known;
-  text_init(&known);
+/* Is it a parameter of the file? */
+static bool check_given(struct reader *r, const struct mech_given *given) {
+  struct text says;
   for (size_t i = 0; i < r->n_parameters; i++)
-    text_printf(&known, "%s%s", i ? ", " : "; it has ", r->parameter[i].name);
-  diag_set(r->d, "%.300s: error: the system has no parameter %.100s%.300s", r->src->name, r->other, text_str(&known));
-  text_clear(&known);
+    if (strcmp(r->parameter[i].name, given->name) == 0) return true;
+  text_init(&says);
+  text_printf(&says, "the system has no parameter %.100s", given->name);
+  for (size_t i = 0; i < r->n_parameters; i++) text_printf(&says, "%s%s", i ? ", " : "; it has ", r->parameter[i].name);
+  if (given->src)
+    diag_at(r->d, given->src, given->place, "%.400s", text_str(&says));
+  else
+    diag_set(r->d, "%.300s: error: %.400s", r->src->name, text_str(&says));
+  text_clear(&says);
   return false;
 }
 
@@ -290,7 +293,7 @@ static bool read_all(struct reader r, struct source src) {
   bool ok = record_file_parse(&f, src, r.d);
   r.src = &f.src;
   ok = ok && read_head(&r, &f.records[0]);
-  if (ok && r.other && !r.met) ok = no_parameter(&r);
+  for (const struct mech_given *given = r.given; ok && given; given = given->next) ok = check_given(&r, given);
   for (size_t i = 1; ok && i < f.n_records; i++) ok = read_record(&r, &f.records[i]);
   ok = ok && finish(&r, &f);
   for (size_t i = 0; i < r.n_parameters; i++) fmpq_clear(r.parameter[i].value);
@@ -305,14 +308,14 @@ bool mech_read(struct mech *m, struct source src, struct diag *d) {
   return read_all(r, src);
 }
 
-bool mech_load_at(struct mech *m, const char *path, const char *parameter, const fmpq_t value, struct diag *d) {
+bool mech_load_with(struct mech *m, const char *path, const struct mech_given *given, struct diag *d) {
   struct source src;
-  struct reader r = {.m = m, .d = d, .other = parameter, .value = value};
+  struct reader r = {.m = m, .d = d, .given = given};
   if (source_read(&src, path, MOST_BYTES, d)) return read_all(r, src);
   mech_init(m);
   return false;
 }
 
 bool mech_load(struct mech *m, const char *path, struct diag *d) {
-  return mech_load_at(m, path, NULL, NULL, d);
+  return mech_load_with(m, path, NULL, d);
 }

@@ -109,21 +109,23 @@ void mech_first_start(double *z, const struct mech *m) {
   random_start(z, m, &stream);
 }
 
-bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o) {
-  for (int i = 0; i < list->n; i++) {
-    const struct mech_orbit *a = &list->orbit[i];
-    int by;
-    if (!mech_word_same(&by, &a->word, &o->word)) continue;
-    bool same = true;
-    for (int k = 0; k < a->word.n; k++) {
-      int l = (k + by) % a->word.n;
-      same = same && arb_overlaps(a->t + k, o->t + l);
-      for (int c = 0; c < a->states; c++)
-        same = same && arb_overlaps(a->state + k * a->states + c, o->state + l * a->states + c);
-    }
-    if (same) return true;
+bool mech_orbit_meets(const struct mech_orbit *a, const struct mech_orbit *b) {
+  int by;
+  if (!mech_word_same(&by, &a->word, &b->word)) return false;
+  bool same = true;
+  for (int k = 0; k < a->word.n; k++) {
+    int l = (k + by) % a->word.n;
+    same = same && arb_overlaps(a->t + k, b->t + l);
+    for (int c = 0; c < a->states; c++)
+      same = same && arb_overlaps(a->state + k * a->states + c, b->state + l * a->states + c);
   }
-  return false;
+  return same;
+}
+
+bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o) {
+  bool held = false;
+  for (int i = 0; i < list->n; i++) held = held || mech_orbit_meets(&list->orbit[i], o);
+  return held;
 }
 
 void mech_orbits_add(struct mech_orbits *list, const struct mech_orbit *o) {

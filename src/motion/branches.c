@@ -42,10 +42,9 @@ static void search_patch(struct search *s, struct patch a, int depth) {
   struct clock middle;
   struct cell c;
   struct common zero;
-  if (s->cells++ >= s->budget) {
-    s->spent = true;
-    return;
-  }
+  s->spent = s->spent || s->cells >= s->budget;
+  if (s->spent || s->zeros.n > MOST_BRANCHES) return;
+  s->cells++;
   if (s->cells % FREE_LATER_CELLS == 0) work_add((unsigned long long)FREE_LATER_CELLS * UNITS_OF_LATER_CELL);
   strip_make(&p, &s->params, a.from[0], a.to[0], a.to[0] - a.from[0]);
   struct turns k = strip_turns_later(&p, &s->params);
@@ -133,13 +132,14 @@ static void add_turns(struct dyn_orbits *list, struct dyn_orbit *o, const fmpq *
     turn_once(&at, params, prec);
     say_late(&at);
   }
-  while (arb_is_positive(at.t[PHASE_D])) {
+  while (arb_is_positive(at.t[PHASE_D]) && list->n < MOST_BRANCHES) {
     list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
     dyn_orbit_copy(&list->orbit[list->n++], &at);
     turn_once(&at, params, prec);
     say_late(&at);
     at.holds[COND_TA] = TRUTH_TRUE;
   }
+  if (arb_is_positive(at.t[PHASE_D])) leave_gap(list, GAP_MANY, 0, 0);
   if (!arb_is_negative(at.t[PHASE_D])) leave_gap(list, GAP_DOUBLE, at.guess[PHASE_GAMMA], at.guess[PHASE_H]);
   dyn_orbit_clear(&at);
 }
@@ -194,9 +194,10 @@ int dyn_branches_find(struct dyn_orbits *list, const fmpq *params, double t_c_ma
   bool fits = search_run(&s, params, t_c_max, budget);
   list->cells = s.cells;
   if (!fits) leave_gap(list, GAP_RANGE, 0, 0);
+  if (s.zeros.n > MOST_BRANCHES) leave_gap(list, GAP_MANY, 0, 0);
   if (s.spent) leave_gap(list, GAP_BUDGET, 0, 0);
   if (s.stuck) leave_gap(list, GAP_DOUBLE, s.where[0], s.where[1]);
-  for (size_t i = 0; i < s.zeros.n; i++) settle(list, &s, &s.zeros.at[i], params, prec);
+  for (size_t i = 0; i < s.zeros.n && list->n < MOST_BRANCHES; i++) settle(list, &s, &s.zeros.at[i], params, prec);
   for (slong i = 0; i < list->n; i++)
     if (list->orbit[i].grazing) leave_gap(list, GAP_GRAZING, list->orbit[i].guess[1], list->orbit[i].guess[2]);
   list->complete = list->gap == GAP_UNTRIED;

@@ -18,11 +18,12 @@
 
 #include "dynamics.h"
 
-/* All of them by increasing t_c, then t_d, enclosed to prec bits; list->complete where it is proved that there is no
-   other with t_c <= t_c_max (which list->t_c_max states), else list->gap tells why not.  Of each, first[] says which of
-   its events are first roots, and holds[] which conditions are kept; what u_r1 and u_r2 it needs is not looked at.
-   Cost: at most `budget` cells, of 2 to 5 us each.  SS_DOMAIN outside the domain of dynamics.h; SS_UNABLE outside what
-   double precision can hold, with an empty list.  To be cleared by dyn_orbits_clear. */
+enum { MOST_BRANCHES = 200 }; /* in a list */
+/* All of them, or MOST_BRANCHES, by increasing t_c, then t_d, enclosed to prec bits; list->complete where it is proved
+   that there is no other with t_c <= t_c_max (which list->t_c_max states), else list->gap tells why not.  Of each,
+   first[] says which of its events are first roots, and holds[] which conditions are kept; what u_r1 and u_r2 it needs
+   is not looked at.  Cost: at most `budget` cells, of 2 to 5 us each.  SS_DOMAIN outside the domain of dynamics.h;
+   SS_UNABLE outside what double precision can hold, with an empty list.  To be cleared by dyn_orbits_clear. */
 int dyn_branches_find(struct dyn_orbits *list, const fmpq *params, double t_c_max, slong prec, long budget);
 
 #endif

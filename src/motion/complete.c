@@ -22,6 +22,7 @@ const char *const dyn_gap_text[N_GAPS] = {
     [GAP_CONFLICT] = "an orbit of the list was not met again",
     [GAP_RANGE] = "the parameters are outside what double precision can hold",
     [GAP_GIVEN] = "no complete search for this pair of given quantities",
+    [GAP_MANY] = "there are more than are listed",
 };
 
 /* The zero that an orbit is after k full periods of phase Gamma. */

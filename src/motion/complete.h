@@ -42,6 +42,7 @@ enum dyn_gap {
   GAP_CONFLICT, /* an orbit of the list is no zero that was met: never, or a fault of the program */
   GAP_RANGE,    /* outside what double precision can hold */
   GAP_GIVEN,    /* no complete search for this pair of given quantities */
+  GAP_MANY,     /* more than the list holds (branches.h) */
   N_GAPS
 };
 extern const char *const dyn_gap_text[N_GAPS];

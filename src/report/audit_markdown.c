@@ -20,6 +20,22 @@ static void add_counts(struct text *out, const struct audit_result *r) {
   text_printf(out, "| total | %ld | %ld |\n\n", statements, checks);
 }
 
+/* What fails, by the severity of its root. */
+static void add_severities(struct text *out, const struct audit_result *r) {
+  static const char *const word[N_SEVERITIES] = {"changes a result", "remark", "slip of notation"};
+  if (!r->n_roots) return;
+  text_add(out, "| refuted or conditional | roots | statements of the paper | checks of the suite |\n"
+                "| --- | ---: | ---: | ---: |\n");
+  for (int severity = 0; severity < N_SEVERITIES; severity++) {
+    long roots = 0, of[2] = {0, 0};
+    for (size_t i = 0; i < r->n_roots; i++) roots += (int)r->roots[i].severity == severity;
+    for (size_t i = 0; i < r->n_findings; i++)
+      of[r->findings[i].of == OF_PAPER] += (int)r->findings[i].severity == severity;
+    text_printf(out, "| %s | %ld | %ld | %ld |\n", word[severity], roots, of[true], of[false]);
+  }
+  text_add(out, "\n");
+}
+
 /* Definitions assert nothing. */
 static void add_decided(struct text *out, const struct audit_result *r) {
   long count[N_VERDICTS], asserted = audit_result_count(count, r, OF_PAPER) - count[VERDICT_DEFINITION];
@@ -343,6 +359,7 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   text_printf(out, "# Audit: %s\n\nData: %s.\n\n", r->scene, r->title);
   add_roots(out, r);
   add_counts(out, r);
+  add_severities(out, r);
   add_decided(out, r);
   add_disagreeing_routes(out, r);
   add_disagreeing_long_runs(out, r);

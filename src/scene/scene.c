@@ -50,7 +50,8 @@ struct reader {
   struct diag *d;
   struct arena arena;
   struct parameter parameter[N_KEYS];
-  bool overridden[N_SCENE_KEYS], read[N_SCENE_KEYS];
+  bool overridden[N_SCENE_KEYS + 1 /* with a name of the system's: never */], read[N_SCENE_KEYS];
+  bool of_system;   /* the scene names a system file */
   const char *text; /* NULL: read from the scene's path */
   const struct source *file;
   enum scene_key chain[N_KEYS]; /* parameters in evaluation, each referred to by the one before */
@@ -176,13 +177,13 @@ static void say_third(struct reader *r) {
   text_clear(&others);
 }
 
-/* A scene of another system has no parameters and asks nothing of an audit. */
+/* A scene of another system asks nothing of an audit. */
 static bool check_system(struct reader *r) {
-  for (int k = 0; k < N_SCENE_KEYS; k++) {
-    if (k < N_KEYS ? !r->parameter[k].src : !r->read[k]) continue;
-    if (k == KEY_SYSTEM || k == KEY_WORD || k == KEY_TITLE) continue;
+  for (int k = N_KEYS; k < N_SCENE_KEYS; k++) {
+    if (!r->read[k] || k == KEY_SYSTEM || k == KEY_WORD || k == KEY_TITLE) continue;
     diag_set(r->d,
-             "%s: error: %s is of the paper's two masses; a scene of a system file has the lines system, title, word",
+             "%s: error: %s is of the paper's two masses; a scene of a system file has the lines system, title, word, "
+             "and values of that file's parameters",
              r->s->path, scene_key_name[k]);
     return false;
   }
@@ -275,12 +276,16 @@ static bool read_parameter(struct reader *r, const struct source *src, struct sp
   if (!st) return false;
   const char *name = st->sides[0]->name;
   int k = key_of(name, strlen(name));
+  bool of_file = src == r->file;
+  if (r->of_system) {
+    struct mech_given line = {.name = name, .src = src, .place = where.begin};
+    return (of_file && r->overridden[k]) || scene_system_give(r->s, &line, st->sides[1], r->file, r->d);
+  }
   if (k == N_SCENE_KEYS) return unknown_key(r, src, where.begin, "parameter", name);
   if (k >= N_KEYS) {
     diag_at(r->d, src, where.begin, "%s is no parameter; write \"%s: ...\"", name, name);
     return false;
   }
-  bool of_file = src == r->file;
   if (of_file && r->overridden[k]) return true;
   if (r->parameter[k].src) {
     diag_at(r->d, src, where.begin, "%s is given twice; leave one of the lines out", name);
@@ -358,6 +363,7 @@ static bool read_fields(struct reader *r, const struct record_file *f) {
     return false;
   }
   const struct record *all = &f->records[0];
+  if (!r->overridden[KEY_SYSTEM]) r->of_system = record_field(all, scene_key_name[KEY_SYSTEM]) != NULL;
   for (size_t k = 0; k < all->n_fields; k++)
     if (!read_field(r, r->file, &all->fields[k])) return false;
   return true;
@@ -405,7 +411,7 @@ static void trim(const char *text, struct span *w) {
   while (w->end > w->begin && scene_blank(text[w->end - 1])) w->end--;
 }
 
-/* NAME=VALUE with a known name that no other override of the list bears.  Only printed may come again: each gives a
+/* NAME=VALUE; no other override of the list bears a name of the table.  Only printed may come again: each gives a
    number beside the file's, and an empty one takes away the file's alone, wherever it stands among them. */
 static bool split_override(struct reader *r, struct override *o, const char *item, const char *option) {
   struct source src;
@@ -424,20 +430,36 @@ static bool split_override(struct reader *r, struct override *o, const char *ite
   trim(item, &o->name);
   trim(item, &o->value);
   o->key = key_of(item + o->name.begin, o->name.end - o->name.begin);
-  char name[101];
-  snprintf(name, sizeof name, "%.*s", (int)(o->name.end - o->name.begin < 100 ? o->name.end - o->name.begin : 100),
-           item + o->name.begin);
-  if (o->key == N_SCENE_KEYS) return unknown_key(r, o->src, o->name.begin, "name", name);
+  if (o->key == N_SCENE_KEYS) return true; /* a parameter of a system file, or an error once the file has been read */
   if (r->overridden[o->key] && o->key != KEY_PRINTED) {
-    diag_at(r->d, o->src, o->name.begin, "%s is given twice with %s; leave one of them out", name, option);
+    diag_at(r->d, o->src, o->name.begin, "%s is given twice with %s; leave one of them out", scene_key_name[o->key],
+            option);
     return false;
   }
+  if (o->key == KEY_SYSTEM) r->of_system = o->value.begin < o->value.end;
   r->overridden[o->key] |= o->key != KEY_PRINTED || o->value.begin == o->value.end;
   r->s->changed |= o->key < N_KEYS || o->key == KEY_PRINTED || o->key == KEY_WORD;
   return true;
 }
 
+/* A name that is none of the table's: of a parameter of the scene's system. */
+static bool apply_other(struct reader *r, const struct override *o) {
+  const char *name = o->src->text + o->name.begin;
+  size_t len = o->name.end - o->name.begin;
+  if (r->of_system && o->value.begin < o->value.end)
+    return read_parameter(r, o->src, (struct span){o->name.begin, o->value.end});
+  if (r->of_system && scene_system_take(r->s, name, len)) return true;
+  char shown[101];
+  snprintf(shown, sizeof shown, "%.*s", (int)(len < 100 ? len : 100), name);
+  if (r->of_system) {
+    diag_at(r->d, o->src, o->name.begin, "the scene gives no value of %s that could be taken away", shown);
+    return false;
+  }
+  return unknown_key(r, o->src, o->name.begin, "name", shown);
+}
+
 static bool apply_override(struct reader *r, const struct override *o) {
+  if (o->key == N_SCENE_KEYS) return apply_other(r, o);
   if (o->value.begin == o->value.end) return true;
   if (o->key < N_KEYS) return read_parameter(r, o->src, (struct span){o->name.begin, o->value.end});
   struct text value;
@@ -527,6 +549,7 @@ void scene_clear(struct scene *s) {
   free(s->printed);
   free(s->system);
   free(s->system_word.text);
+  scene_system_clear(s);
   scene_asked_clear(&s->asked);
   for (size_t i = 0; i < s->n_sources; i++) {
     source_clear(s->source[i]);

@@ -23,10 +23,11 @@
    parameters, and what is said holds for each point of it.
 
    A scene of another system than the paper's names a system file (mech/mech.h), system: chain3, with a word in that
-   system's letters if it likes; its parameters stand in the system file.
+   system's letters if it likes; then NAME = VALUE, with a constant, stands in place of the file's for a parameter of
+   that file.
 
    Limits: a file of 1 MiB; values as in expr/constant.h, the parameters sharing its depth and work; exponents as in
-   expr.h, of four digits; MAX_SCENE_LIST items of a list. */
+   expr.h, of four digits; MAX_SCENE_LIST items of a list, MAX_SYSTEM_VALUES values of a system's parameters. */
 #ifndef STICKSLIP_SCENE_SCENE_H
 #define STICKSLIP_SCENE_SCENE_H
 
@@ -101,7 +102,7 @@ struct scene_key_info {
 extern const struct scene_key_info scene_keys[N_SCENE_KEYS];
 extern const char *const scene_key_name[N_SCENE_KEYS];
 
-enum { MAX_SCENE_FILE = 1 << 20, MAX_SCENE_LIST = 1000, MOST_SCENE_DIGITS = 100000 };
+enum { MAX_SCENE_FILE = 1 << 20, MAX_SCENE_LIST = 1000, MAX_SYSTEM_VALUES = 1000, MOST_SCENE_DIGITS = 100000 };
 #define MOST_SCENE_BUDGET 1000000000000000000ULL /* 10^18 */
 
 /* What a printed decimal stands for, everywhere the same: the numbers that a scene prints are results of one
@@ -157,6 +158,7 @@ struct scene {
     const struct source *src;
     size_t at;
   } system_word;
+  struct mech_given *system_value; /* values of the system's parameters in place of its file's */
   struct scene_asked asked;
   fmpq value[N_KEYS]; /* the lower end of an interval */
   bool given[N_KEYS];

@@ -16,6 +16,14 @@ void scene_set_names(struct scene *s, const char *spec, const char *data, const 
    meant. */
 bool scene_is_there(const struct scene *s, const char *spec, const char *data, struct diag *d);
 
+/* A line NAME = value of a scene of a system, in its file or in an override, which stands in place of the file's.  The
+   name is copied, the value is e's. */
+bool scene_system_give(struct scene *s, const struct mech_given *line, const struct expr *e, const struct source *file,
+                       struct diag *d);
+/* Takes the line of that name away; false where there is none. */
+bool scene_system_take(struct scene *s, const char *name, size_t len);
+void scene_system_clear(struct scene *s);
+
 /* A line of a scene, from its file or an override. */
 struct scene_line {
   enum scene_key key;

@@ -1,7 +1,64 @@
-/* The system file that a scene names, and its word in that system. */
+/* The system file that a scene names, its word in that system, and values of that file's parameters. */
+#include <stdlib.h>
 #include <string.h>
 
-#include "scene.h"
+#include "base/arena.h"
+#include "scene_impl.h"
+
+/* --- Values of parameters --- */
+
+/* The place of the link to the value of that name, or to the end of the list. */
+static struct mech_given **find(struct scene *s, const char *name, size_t len) {
+  struct mech_given **at = &s->system_value;
+  while (*at && (strlen((*at)->name) != len || strncmp((*at)->name, name, len) != 0)) at = &(*at)->next;
+  return at;
+}
+
+static void take_out(struct mech_given **at) {
+  struct mech_given *v = *at;
+  *at = v->next;
+  free((char *)v->name);
+  fmpq_clear(v->value);
+  free(v);
+}
+
+bool scene_system_take(struct scene *s, const char *name, size_t len) {
+  struct mech_given **at = find(s, name, len);
+  if (!*at) return false;
+  take_out(at);
+  return true;
+}
+
+void scene_system_clear(struct scene *s) {
+  while (s->system_value) take_out(&s->system_value);
+}
+
+bool scene_system_give(struct scene *s, const struct mech_given *line, const struct expr *e, const struct source *file,
+                       struct diag *d) {
+  int depth = 0, n = 1;
+  size_t work = 0;
+  struct constant c = {.src = line->src, .d = d, .depth = &depth, .work = &work};
+  struct mech_given **at = find(s, line->name, strlen(line->name)), *v;
+  if (*at && (line->src == file || (*at)->src != file)) {
+    diag_at(d, line->src, line->place, "%s is given twice; leave one of the lines out", line->name);
+    return false;
+  }
+  for (v = s->system_value; v; v = v->next) n++;
+  if (n > MAX_SYSTEM_VALUES) {
+    diag_at(d, line->src, line->place, "more than %d values of a system's parameters", MAX_SYSTEM_VALUES);
+    return false;
+  }
+  if (*at) take_out(at);
+  v = ss_malloc(sizeof *v);
+  *v = *line;
+  v->next = s->system_value;
+  v->name = ss_strdup(line->name);
+  fmpq_init(v->value);
+  s->system_value = v;
+  return constant_eval(v->value, &c, e);
+}
+
+/* --- The system --- */
 
 /* As scenes are found: a path, or a name in the data folder. */
 void scene_system_path(struct text *out, const struct scene *s, const char *data) {
@@ -20,7 +77,7 @@ bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *
   const char *why;
   text_init(&path);
   scene_system_path(&path, s, data);
-  bool ok = mech_load(m, text_str(&path), d);
+  bool ok = mech_load_with(m, text_str(&path), s->system_value, d);
   text_clear(&path);
   w->n = 0;
   if (!ok || !s->system_word.text || mech_word_parse(w, &at, &why, s->system_word.text, m)) return ok;
