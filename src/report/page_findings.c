@@ -302,11 +302,16 @@ static bool is_of(const struct page *p, const struct finding *f, const struct ro
   return finding_fails(f) && (f->root ? audit_result_root(p->r, f->root) : NULL) == root;
 }
 
-static void add_labelled(const struct page *p, const char *word, const char *text) {
-  if (!text) return;
-  text_printf(p->out, " <em>%s:</em> ", word);
+static void add_sentence(const struct page *p, const char *before, const char *text) {
+  text_add(p->out, before);
   html_text(p->out, text, NULL);
   html_stop(p->out);
+}
+
+static void add_labelled(const struct page *p, const char *word, const char *text) {
+  if (!text) return;
+  text_printf(p->out, " <em>%s:</em>", word);
+  add_sentence(p, " ", text);
 }
 
 static void begin_anchored(const struct page *p, const char *element, const struct root_cause *root) {
@@ -321,10 +326,19 @@ static void add_title(const struct page *p, const struct root_cause *root) {
   html_text(p->out, root->title, NULL);
 }
 
+/* What is wrong, the right numbers where it is numbers, what should stand there, what comes of it, how to see it. */
 static void add_words(const struct page *p, const struct root_cause *root) {
-  html_text(p->out, root->wrong, NULL);
-  html_stop(p->out);
-  add_labelled(p, "It should read", root->correct);
+  const char *value[MOST_VALUES];
+  int n = root_values(value, p->r, root);
+  add_sentence(p, "", root->wrong);
+  for (int i = 0; i < n; i++) {
+    text_add(p->out, i ? ", " : " <em>It should read:</em> ");
+    html_math(p->out, value[i], NULL);
+  }
+  if (n)
+    add_sentence(p, ". ", root->correct);
+  else
+    add_labelled(p, "It should read", root->correct);
   if (root->severity != SEVERITY_NOTATION) add_labelled(p, "Consequence", root->consequence);
   add_labelled(p, "To see it", root->by_hand);
 }

@@ -147,7 +147,7 @@ static int place_in(const struct example_reading *e, const struct finding *f) {
 /* Those of the reading, each with the claim that it is wrong, then what else is wrong. */
 static void add_numbers(const struct page *p, const struct example_reading *e) {
   const struct audit_result *r = p->r;
-  page_begin_table(p, "stack few", "The printed numbers of the example", numbers, sizeof numbers / sizeof *numbers);
+  page_begin_table(p, "few", "The printed numbers of the example", numbers, sizeof numbers / sizeof *numbers);
   for (int i = 0; e && i < e->n_numbers; i++) {
     size_t k = 0;
     while (k < r->n_findings && !(is_wrong_number(&r->findings[k]) && place_in(e, &r->findings[k]) == i)) k++;
@@ -279,8 +279,9 @@ static void add_multiplier(const struct page *p, const struct finding *f) {
   for (int i = 0; f && i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
     if (!e->note || !e->worst || strncmp(e->worst, meant, sizeof meant - 1) != 0) continue;
-    text_add(p->out, "The paper does not apply its criterion to the example. For the periodic solution nearest to the "
-                     "printed numbers ");
+    text_add(p->out,
+             "The paper does not apply its criterion to the example. It gives, for the periodic solution nearest "
+             "to the printed numbers, ");
     page_begin_link(p, "c-", f->id);
     html_prose_n(p->out, e->note, strcspn(e->note, ";"));
     text_add(p->out, "</a>. ");
@@ -293,7 +294,8 @@ static void add_later(const struct page *p, const struct finding *f) {
   static const char last[] = "at the end ";
   const char *end = f && f->n_evidence && f->evidence[0].note ? strstr(f->evidence[0].note, last) : NULL;
   if (!end) return;
-  text_add(p->out, " In the long run the printed initial state leads to another motion: ");
+  text_add(p->out,
+           " In the long run the printed initial state leads to another motion, in the letters of its phases: ");
   page_begin_link(p, "c-", f->id);
   html_prose_n(p->out, end, strcspn(end, ";"));
   text_add(p->out, "</a>.");

@@ -47,8 +47,8 @@ static size_t add_range(struct text *out, const struct rows *t, size_t i) {
 static void say_along(struct text *out, const struct rows *t) {
   bool any = false;
   if (t->n == 0 || t->columns <= ADMISSIBLE) return;
-  text_printf(out, "With the other data as they are, the solution was followed from $e_2 = %s$ to $%s$", t->cell[0][E2],
-              t->cell[t->n - 1][E2]);
+  text_printf(out, "With the other data of the example this solution was followed from $e_2 = %s$ to $%s$",
+              t->cell[0][E2], t->cell[t->n - 1][E2]);
   if (is_change(t, t->n - 1)) text_printf(out, ", where %s", t->cell[t->n - 1][CHANGE]);
   text_add_char(out, '.');
   for (size_t i = 0; i < t->n; i++)
