@@ -145,7 +145,7 @@ const char *const page_style =
     "summary { "
     "display: none; }\n"
     "  body { max-width: none; } tr, figure, .sides > div, li { break-inside: avoid; }\n"
-    "  h2, h3, h4, caption, dt { break-after: avoid; } p, dd { orphans: 3; widows: 3; }\n"
+    "  h2, h3, h4, caption, dt { break-after: avoid; break-inside: avoid; } p, dd { orphans: 3; widows: 3; }\n"
     "  article { box-decoration-break: clone; padding: .4rem .7rem; margin: .5rem 0; }\n"
     "  h2 { margin-top: 1.5rem; } h3 { margin-top: 1rem; }\n"
     "  table.counts { break-inside: avoid; } tfoot { display: table-row-group; }\n"
