@@ -52,7 +52,8 @@ START_TEST(the_same_bytes_twice) {
   snprintf(command, sizeof command, "diff -r %s/0 %s/1", scratch_path(""), scratch_path(""));
   ck_assert_int_eq(shell(command), 0);
   ck_assert_str_eq(scratch_list(scratch_path("0")),
-                   "differences.svg differences.tsv figure-3.svg figure-3.tsv figure-4.svg figure-4.tsv long-run.svg "
+                   "along-e2.svg along-e2.tsv differences.svg differences.tsv figure-3.svg figure-3.tsv figure-4.svg "
+                   "figure-4.tsv long-run.svg "
                    "long-run.tsv margins.svg margins.tsv return-map.svg return-map.tsv");
 }
 END_TEST
@@ -152,8 +153,8 @@ END_TEST
 
 /* Whatever stands in a table, a picture ends, and is well-formed. */
 START_TEST(hostile_tables) {
-  static const char *const tables[] = {"figure-3.tsv", "figure-4.tsv",    "margins.tsv",     "return-map.tsv",
-                                       "long-run.tsv", "differences.tsv", "phase-planes.tsv"};
+  static const char *const tables[] = {"figure-3.tsv", "figure-4.tsv",    "margins.tsv",  "return-map.tsv",
+                                       "long-run.tsv", "differences.tsv", "along-e2.tsv", "phase-planes.tsv"};
   enum { N = sizeof tables / sizeof *tables };
   static const char *const bodies[] = {
       "a\tb\tc\td\te\tf\tg\n",

@@ -13,7 +13,7 @@ static bool print_receipt(struct text *out, const struct model *m, const struct 
   struct text path;
   struct source src;
   text_init(&path);
-  join_path(&path, data, "receipt/model.py");
+  join_path(&path, data, receipt_of_orbit(c, id) ? "receipt/orbit.py" : "receipt/model.py");
   bool ok = source_read(&src, text_str(&path), MAX_SCRIPT, d);
   text_clear(&path);
   if (!ok) return false;

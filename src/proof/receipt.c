@@ -229,8 +229,46 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
   return ok && add_parts(out, &p, view, r, j->d);
 }
 
+/* --- Printed numbers against the orbit, by intervals --- */
+
+bool receipt_of_orbit(const struct claims *claims, const char *id) {
+  const struct claim *c = claim_answering(claims, id);
+  const char *from = c ? claim_get(c, "from") : NULL;
+  return c && (claim_kind(c) == KIND_CLOSURE || (claim_kind(c) == KIND_NUMBER && from && strcmp(from, "orbit") == 0));
+}
+
+/* The data, and the numbers as printed; false where the scene has not what the script starts from. */
+static bool orbit_receipt(struct text *out, struct judge *j, const struct claim *c) {
+  const struct scene *s = j->scene;
+  const char *number = claim_get(c, "number");
+  if (!scene_has_forces(s) || !scene_printed(s, "z10") || !scene_printed(s, "z20") ||
+      (number && !scene_printed(s, number))) {
+    diag_set(j->d, "error: %.200s needs a scene with e1, e2 and the printed numbers", c->id);
+    return false;
+  }
+  text_printf(out, "#!/usr/bin/env python3\n# %s: ", c->id);
+  bool ok = claim_title(out, j->model, c, j->d);
+  text_printf(out, "\n#\n# Needs mpmath and nothing else.\nCLAIM = \"%s\"\nNUMBER = ", c->id);
+  text_printf(out, number ? "\"%s\"\nPARAMETERS = {" : "None\nPARAMETERS = {", number);
+  for (int i = 0; i < N_PARAMS; i++) {
+    text_printf(out, "%s\"%s\": \"", i ? ", " : "", scene_key_name[i]);
+    num_print_q(out, &s->value[i]);
+    text_add_char(out, '"');
+  }
+  text_add(out, "}\nPRINTED = {");
+  for (size_t i = 0; i < s->n_printed; i++) {
+    text_printf(out, "%s\n    \"%s\": (\"%s\", \"", i ? "," : "", s->printed[i].name, s->printed[i].decimal);
+    num_print_q(out, &s->printed[i].value);
+    text_add(out, "\", \"");
+    num_print_q(out, &s->printed[i].unit);
+    text_add(out, "\")");
+  }
+  text_add(out, "}  # the decimal, its value, one unit of the last decimal that is given\n");
+  return ok;
+}
+
 bool audit_receipt(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
-                   const char *id, const char *model_py, struct diag *d) {
+                   const char *id, const char *python, struct diag *d) {
   const struct restriction *r;
   const struct claim *c = find(claims, id, &r);
   if (!c) {
@@ -238,15 +276,18 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
     return false;
   }
   enum kind kind = claim_kind(c);
-  if (!claim_tried_at_points(c) && kind != KIND_SHARP && kind != KIND_RANK) {
+  bool of_orbit = receipt_of_orbit(claims, id);
+  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_SHARP && kind != KIND_RANK) {
     diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
     return false;
   }
   struct audit_result kept;
   audit_result_init(&kept);
   struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};
-  bool ok = kind == KIND_RANK ? rank_receipt(out, &j, c) : equality_receipt(out, &j, c, id, r);
-  if (ok) text_printf(out, "\n\n%s", model_py);
+  bool ok = of_orbit            ? orbit_receipt(out, &j, c)
+            : kind == KIND_RANK ? rank_receipt(out, &j, c)
+                                : equality_receipt(out, &j, c, id, r);
+  if (ok) text_printf(out, "\n\n%s", python);
   audit_result_clear(&kept);
   return ok;
 }

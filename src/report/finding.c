@@ -32,12 +32,6 @@ int root_values(const char *value[MOST_VALUES], const struct audit_result *r, co
   return n;
 }
 
-bool finding_states(const struct finding *f) {
-  bool any = false;
-  for (int i = 0; i < f->n_evidence; i++) any = any || strcmp(f->evidence[i].result, "states") == 0;
-  return any && f->verdict == VERDICT_DEFINITION;
-}
-
 const char *failure_words(const struct finding *f) {
   static const struct {
     const char *fault, *words;

@@ -11,8 +11,6 @@
 bool finding_fails(const struct finding *f);
 /* Whether the verdict is another than the one recorded beside the claim. */
 bool finding_unexpected(const struct finding *f);
-/* Whether it asserts nothing and states something about the paper's data all the same. */
-bool finding_states(const struct finding *f);
 /* Whether o says the sentence of f under a restriction that saves it. */
 bool finding_restricts(const struct finding *o, const struct finding *f);
 /* The paper's own text and the formula as read, where a part decides that part alone; NULL without one. */

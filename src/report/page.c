@@ -1,5 +1,5 @@
-/* index.html: one file that shows what the result record holds.  It is read without a network and without its script,
-   which filters and sorts; it is HTML and well-formed XML at once, so that any tool can read it. */
+/* index.html: one file, a letter, findings and an archive.  It is read without a network and without its script,
+   which filters, sorts and opens what a link leads to; it is HTML and well-formed XML at once, so that any tool can read it. */
 #include "page.h"
 #include "escape.h"
 #include "html.h"
@@ -19,34 +19,35 @@ static void add_head(const struct page *p) {
 }
 
 static void add_opening(const struct page *p) {
-  text_add(p->out, "<body>\n<a class=\"skip\" href=\"#s-verdict\">To the verdict</a>\n<header>\n<h1>Audit of a paper");
+  text_add(p->out, "<body>\n<a class=\"skip\" href=\"#s-letter\">To the letter</a>\n<header>\n<h1>Audit of a paper");
   if (p->r->paper) {
     text_add(p->out, ": <cite>");
     escape_html(p->out, p->r->paper);
     text_add(p->out, "</cite>");
   }
-  text_add(p->out,
-           "</h1>\n<p>The paper studies periodic motions, with phases of stick and slip, of two masses that are "
-           "connected by "
-           "springs and driven by a belt through dry friction. Its statements are compared here with the equations of "
-           "motion (1) and Coulomb's law (2): by exact algebra, by computations with rigorous error bounds, and by "
-           "numerical integration. Numerical values refer to ");
+  text_add(p->out, "</h1>\n<nav aria-label=\"Sections\"><ul>\n"
+                   "<li><a href=\"#s-letter\">Letter</a></li>\n"
+                   "<li><a href=\"#s-findings\">Findings</a></li>\n"
+                   "<li><a href=\"#s-model\">The system in half a page</a></li>\n"
+                   "<li><a href=\"#s-claims\">Every claim</a></li>\n"
+                   "<li><a href=\"#s-limits\">What this does not show</a></li>\n"
+                   "<li><button type=\"button\" id=\"theme\" hidden=\"hidden\">Dark or light</button></li></ul></nav>\n"
+                   "</header>\n<main>\n");
+}
+
+/* For who wants to look something up. */
+static void add_archive(const struct page *p) {
+  page_begin_section(p, "archive", "Archive");
+  text_add(p->out, "<p>Numerical values refer to ");
   html_text(p->out, p->r->title ? p->r->title : p->r->scene, NULL);
   html_stop(p->out);
-  text_add(
-      p->out,
-      " The <a href=\"#s-model\">system</a> and the <a href=\"#s-words\">words used here</a> are explained below.");
-  text_add(p->out, "</p>\n<nav aria-label=\"Sections\"><ul>\n"
-                   "<li><a href=\"#s-verdict\">Verdict</a></li>\n"
-                   "<li><a href=\"#s-model\">The system in half a page</a></li>\n"
-                   "<li><a href=\"#s-failures\">What needs attention</a></li>\n"
-                   "<li><a href=\"#s-pictures\">Pictures</a></li>\n"
-                   "<li><a href=\"#s-claims\">Every claim</a></li>\n"
-                   "<li><a href=\"#s-graph\">What rests on what</a></li>\n"
-                   "<li><a href=\"#s-routes\">Routes</a></li>\n"
-                   "<li><a href=\"#s-limits\">What this does not show</a></li>\n</ul>\n"
-                   "<button type=\"button\" id=\"theme\" hidden=\"hidden\">Dark or light</button></nav>\n</header>\n"
-                   "<main>\n");
+  text_add(p->out, " Each part opens where it is clicked, or when a link leads into it.</p>\n");
+  page_model(p);
+  page_pictures(p);
+  page_every_claim(p);
+  page_power(p);
+  page_limits(p);
+  text_add(p->out, "</section>\n");
 }
 
 static void add_closing(const struct page *p) {
@@ -63,13 +64,8 @@ void report_html(struct text *out, const struct audit_result *r) {
   const struct page p = {out, r};
   add_head(&p);
   add_opening(&p);
-  page_summary(&p);
-  page_model(&p);
-  page_failures(&p);
-  page_pictures(&p);
-  page_every_claim(&p);
-  page_graph(&p);
-  page_routes(&p);
-  page_limits(&p);
+  page_letter(&p);
+  page_findings(&p);
+  add_archive(&p);
   add_closing(&p);
 }

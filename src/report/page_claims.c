@@ -106,7 +106,6 @@ static void add_evidence(const struct page *p, const struct finding *f) {
   page_begin_table(p, "evidence stack", "Routes and residuals", evidence, sizeof evidence / sizeof *evidence);
   for (int i = 0; i < f->n_evidence; i++) add_evidence_row(p, &f->evidence[i]);
   page_end_table(p);
-  if (p->r->n_pairs) text_add(p->out, "<p><a href=\"#s-routes\">What the routes share</a></p>\n");
 }
 
 static void add_texts(const struct page *p, const struct finding *f) {
@@ -246,7 +245,7 @@ void page_every_claim(const struct page *p) {
   struct names sections = {.n = 0}, routes = {.n = 0};
   list_sections(&sections, p->r);
   list_routes(&routes, p->r);
-  page_begin_section(p, "claims", "Every claim");
+  page_begin_fold(p, "claims", "Every claim");
   text_add(
       p->out,
       "<p>By section of the paper, equations before sentences. Behind each row stand the paper's own text, the "
@@ -262,7 +261,7 @@ void page_every_claim(const struct page *p) {
     for (size_t i = 0; i < p->r->n_findings; i++)
       if (strcmp(section_of(&p->r->findings[i]), sections.name[s]) == 0)
         add_claim(p, &p->r->findings[i], &sections, &routes);
-  text_add(p->out, "</table>\n</section>\n");
+  text_add(p->out, "</table>\n</details>\n");
   free(routes.name);
   free(sections.name);
 }

@@ -32,8 +32,8 @@ static void add_phases(const struct page *p) {
 }
 
 static void add_words(const struct page *p) {
-  text_add(p->out, "<h3 id=\"s-words\">Words used on this page</h3>\n<p>What the verdicts mean is said <a "
-                   "href=\"#s-verdicts\">above</a>.</p>\n<dl>\n");
+  text_add(p->out, "<h4 id=\"s-words\">Words used on this page</h4>\n<p>What the verdicts mean is said <a "
+                   "href=\"#s-power\">below</a>.</p>\n<dl>\n");
   for (size_t i = 0; i < n_glossary; i++) {
     text_printf(p->out, "<dt>%s</dt>\n<dd>", glossary[i].word);
     html_text(p->out, glossary[i].meaning, NULL);
@@ -62,7 +62,7 @@ void page_model(const struct page *p) {
       "the state returns after all four. Its stability is determined by the Jacobian $J$ of one period: a small "
       "deviation is multiplied by $\\operatorname{tr} J$ in each period, so that it decreases if "
       "$|\\operatorname{tr} J| < 1$ and grows if $|\\operatorname{tr} J| > 1$.";
-  page_begin_section(p, "model", "The system in half a page");
+  page_begin_fold(p, "model", "The system in half a page, and the words used here");
   page_belt(p);
   for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
     text_add(p->out, "<p>");
@@ -74,7 +74,7 @@ void page_model(const struct page *p) {
   html_text(p->out, after, NULL);
   text_add(p->out, "</p>\n");
   add_words(p);
-  text_add(p->out, "</section>\n");
+  text_add(p->out, "</details>\n");
 }
 
 void page_limits(const struct page *p) {
@@ -86,14 +86,14 @@ void page_limits(const struct page *p) {
       "to the conversion.",
       "That the formulas were transcribed rightly: compare the paper's text with the formula as read, which stand "
       "beside each other in each claim.",
-      "What was not registered as a claim: the table above contains all that was judged.",
+      "What was not registered as a claim: the table of claims contains all that was judged.",
       "That what is supported is true in general: it agrees at the points tried, whose number is given with it.",
       "That the software beneath is right: FLINT with Arb and Calcium (exact numbers, enclosures), MPFR "
       "(multiprecision), GSL (integration, matrix exponential and eigenvalues in double), the C compiler and its "
       "library; which versions served is in <code>run.json</code>, which each run writes beside this page. The suite's "
       "own model, which the formulas are held against, is tested with independent programs."};
   const struct audit_result *r = p->r;
-  page_begin_section(p, "limits", "What the audit does not show");
+  page_begin_fold(p, "limits", "What the audit does not show");
   text_add(p->out, "<ul>\n");
   for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) text_printf(p->out, "<li>%s</li>\n", limits[i]);
   if (r->paper_text) {
@@ -111,5 +111,5 @@ void page_limits(const struct page *p) {
     html_stop(p->out);
     text_add(p->out, "</li>\n");
   }
-  text_add(p->out, "</ul>\n</section>\n");
+  text_add(p->out, "</ul>\n</details>\n");
 }

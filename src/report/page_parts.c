@@ -72,11 +72,11 @@ static void add_statement(const struct page *p, const char *note) {
   html_text(p->out, end, NULL);
 }
 
-void page_statements(const struct page *p, const struct finding *f, const char *result) {
+void page_statements(const struct page *p, const struct finding *f) {
   const char *last = NULL;
   for (int i = 0; i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
-    if ((result && strcmp(e->result, result) != 0) || !e->note || (last && strcmp(e->note, last) == 0)) continue;
+    if (!e->note || (last && strcmp(e->note, last) == 0)) continue;
     text_add(p->out, last ? "<li>" : "<ul>\n<li>");
     last = e->note;
     html_text(p->out, e->worst, NULL);
@@ -91,6 +91,10 @@ void page_statements(const struct page *p, const struct finding *f, const char *
 void page_begin_section(const struct page *p, const char *name, const char *heading) {
   text_printf(p->out, "<section id=\"s-%s\" aria-labelledby=\"h-%s\">\n<h2 id=\"h-%s\">%s</h2>\n", name, name, name,
               heading);
+}
+
+void page_begin_fold(const struct page *p, const char *name, const char *heading) {
+  text_printf(p->out, "<details class=\"fold\" id=\"s-%s\">\n<summary><h3>%s</h3></summary>\n", name, heading);
 }
 
 void page_begin_table(const struct page *p, const char *class, const char *caption, const struct column *columns,

@@ -1,4 +1,4 @@
-/* Would the audit have noticed?  What was made wrong on purpose and found: statements in this run, and damages of the
+/* The verdicts counted, and would the audit have noticed?  What was made wrong on purpose and found: statements in this run, and damages of the
    formulas and of what stands beside them in the study whose file stands beside the report; and which claims one route
    alone has judged. */
 #include <string.h>
@@ -6,6 +6,38 @@
 #include "escape.h"
 #include "finding.h"
 #include "sections.h"
+
+static const char *const meaning[N_VERDICTS] = {
+    [VERDICT_PROVED] = "by exact algebra, or by rigorous error bounds on the whole domain",
+    [VERDICT_CONDITIONAL] = "does not hold in general, proved under the condition named",
+    [VERDICT_SUPPORTED] = "confirmed at every point tried, by at least two independent routes; not a proof",
+    [VERDICT_REFUTED] =
+        "does not hold as printed; a certificate says where the two sides differ, or why the form cannot be right",
+    [VERDICT_UNKNOWN] = "undecided, for the reason given with the claim",
+    [VERDICT_SKIPPED] = "cannot be judged with these data, for the reason given",
+    [VERDICT_DEFINITION] = "asserts nothing that could be judged"};
+
+static const struct column counts[] = {
+    {"verdict", false}, {"statements of the paper", true}, {"checks of the suite", true}, {"meaning", false}};
+
+static void add_counts(const struct page *p) {
+  long count[N_VERDICTS], checks[N_VERDICTS], of_paper = audit_result_count(count, p->r, OF_PAPER);
+  long of_suite = audit_result_count(checks, p->r, OF_SUITE);
+  page_begin_table(p, "stack counts", "The verdicts, and what each word means", counts, sizeof counts / sizeof *counts);
+  for (int i = 0; i <= N_VERDICTS; i++) {
+    bool all = i == N_VERDICTS;
+    text_add(p->out, all ? "<tr><th scope=\"row\">all" : "<tr><th scope=\"row\">");
+    if (!all) page_verdict(p, (enum verdict)i);
+    text_add(p->out, "</th>");
+    page_cell(p, &counts[1]);
+    text_printf(p->out, "%ld</td>", all ? of_paper : count[i]);
+    page_cell(p, &counts[2]);
+    text_printf(p->out, "%ld</td>", all ? of_suite : checks[i]);
+    page_cell(p, &counts[3]);
+    text_printf(p->out, "%s</td></tr>\n", all ? "" : meaning[i]);
+  }
+  page_end_table(p);
+}
 
 /* Whether the claim could have failed by it. */
 static bool decides(const struct evidence *e) {
@@ -42,7 +74,7 @@ static void add_controls(const struct page *p) {
   }
   if (r->n_controls)
     text_printf(p->out,
-                "<li>Of %zu <a href=\"#s-controls\">controls</a>, statements made wrong on purpose, <strong>%zu were "
+                "<li>Of %zu controls, statements made wrong on purpose, <strong>%zu were "
                 "noticed</strong> in this run; %zu of the %zu claims judged have a control of their own.</li>\n",
                 r->n_controls, controls_noticed(r), damaged, judged);
   else
@@ -66,10 +98,8 @@ static void add_alone(const struct page *p) {
     judged += is_judged(&r->findings[i]);
     alone += next_alone(r, i, NULL) == i;
   }
-  text_printf(
-      p->out,
-      "<li>Two <a href=\"#s-routes\">routes</a> or more decided %zu of the %zu claims judged, and one alone %zu",
-      judged - alone, judged, alone);
+  text_printf(p->out, "<li>Two routes or more decided %zu of the %zu claims judged, and one alone %zu", judged - alone,
+              judged, alone);
   const char *sep = ": ";
   for (size_t i = next_alone(r, 0, NULL); i < r->n_findings; i = next_alone(r, i + 1, NULL)) {
     const char *route = only_route(&r->findings[i]);
@@ -113,18 +143,17 @@ static void add_pairs(const struct page *p) {
   size_t within = 0;
   for (size_t i = 0; i < r->n_pairs; i++) within += r->pairs[i].within;
   if (!r->n_pairs) return;
-  text_printf(
-      p->out,
-      "<li>Of %zu pairs of <a href=\"#s-routes\">routes</a> to the same quantity, %zu agree within their stated "
-      "accuracy.</li>\n",
-      r->n_pairs, within);
+  text_printf(p->out, "<li>Of %zu pairs of routes to the same quantity, %zu agree within their stated accuracy.</li>\n",
+              r->n_pairs, within);
 }
 
 void page_power(const struct page *p) {
   long unexpected = audit_result_unexpected(p->r);
   size_t recorded = 0;
   for (size_t i = 0; i < p->r->n_findings; i++) recorded += p->r->findings[i].recorded != N_VERDICTS;
-  text_add(p->out, "<h3>How reliable is the audit?</h3>\n<ul>\n");
+  page_begin_fold(p, "power", "The verdicts, and how reliable they are");
+  add_counts(p);
+  text_add(p->out, "<ul>\n");
   add_controls(p);
   add_mutation(p);
   add_alone(p);
@@ -139,5 +168,8 @@ void page_power(const struct page *p) {
         "<li>%zu of the %zu verdicts are on record, and come out as recorded; the others have no record for these "
         "data.</li>\n",
         recorded, p->r->n_findings);
-  text_add(p->out, "<li>What the audit cannot show is said <a href=\"#s-limits\">at the end</a>.</li>\n</ul>\n");
+  text_add(
+      p->out,
+      "<li>The controls one by one, what every two routes share and by how much they differ, runs over many periods "
+      "and the precision that was needed stand in <a href=\"audit.md\">audit.md</a>.</li>\n</ul>\n</details>\n");
 }

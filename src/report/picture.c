@@ -9,7 +9,7 @@
 
 static const struct picture *const pictures[] = {&picture_history,    &picture_margins,  &picture_portrait,
                                                  &picture_return_map, &picture_long_run, &picture_steps,
-                                                 &picture_planes};
+                                                 &picture_along,      &picture_planes};
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
 const char *const picture_style =
@@ -88,10 +88,13 @@ bool report_picture(struct text *out, const struct audit_result *r, int i) {
 
 /* --- In the page --- */
 
-static void add_figure(const struct page *p, const struct picture *q, const struct rows *t) {
+static void add_figure(const struct page *p, const struct picture *q, const struct rows *t, const char *words) {
   struct text said;
   text_init(&said);
-  q->say(&said, t);
+  if (words)
+    text_add(&said, words);
+  else
+    q->say(&said, t);
   text_printf(p->out, "<figure id=\"g-%s\">\n", q->id);
   add_svg(p->out, q, t, q->title, NULL);
   text_add(p->out, "<figcaption><strong>");
@@ -100,6 +103,12 @@ static void add_figure(const struct page *p, const struct picture *q, const stru
   html_text(p->out, text_str(&said), NULL);
   text_printf(p->out, " Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->table, q->table);
   text_clear(&said);
+}
+
+void page_picture(const struct page *p, const struct picture *q, const char *words) {
+  struct rows t;
+  if (rows_read(&t, p->r, q->table)) add_figure(p, q, &t, words);
+  rows_clear(&t);
 }
 
 /* What other commands have left beside the report. */
@@ -116,29 +125,16 @@ static void add_neighbours(const struct page *p) {
   text_add(p->out, ".</p>\n");
 }
 
-static bool any_table(const struct audit_result *r) {
-  bool any = false;
-  for (size_t i = 0; i < r->n_tables; i++)
-    for (int k = 0; k < N_PICTURES; k++) any = any || strcmp(r->tables[i].name, pictures[k]->table) == 0;
-  return any;
-}
-
+/* Those that stand in the letter are not shown again. */
 void page_pictures(const struct page *p) {
-  bool any = any_table(p->r);
-  page_begin_section(p, "pictures", "Pictures");
-  if (!any)
-    text_add(p->out, "<p>None: they are made by the whole audit of a scene that has a periodic orbit.</p>\n");
-  else
-    text_add(
-        p->out,
-        "<p>Drawn from the tables named below each; curves differ in dash as well as in colour. The words of every "
-        "picture stand in it for a screen reader.</p>\n<div class=\"plots\">\n");
-  for (int i = 0; i < N_PICTURES; i++) {
-    struct rows t;
-    if (rows_read(&t, p->r, pictures[i]->table)) add_figure(p, pictures[i], &t);
-    rows_clear(&t);
-  }
-  text_add(p->out, any ? "</div>\n" : "");
+  page_begin_fold(p, "pictures", "Pictures");
+  text_add(p->out,
+           "<p>Drawn by the whole audit of a scene that has a periodic orbit, from the tables named below each; "
+           "curves differ in dash as well as in colour. The words of every picture stand in it for a screen "
+           "reader.</p>\n<div class=\"plots\">\n");
+  for (int i = 0; i < N_PICTURES; i++)
+    if (pictures[i] != &picture_portrait && pictures[i] != &picture_along) page_picture(p, pictures[i], NULL);
+  text_add(p->out, "</div>\n");
   add_neighbours(p);
-  text_add(p->out, "</section>\n");
+  text_add(p->out, "</details>\n");
 }

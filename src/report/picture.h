@@ -14,6 +14,7 @@ struct picture {
 extern const struct picture picture_history, picture_portrait;                /* picture_motion.c */
 extern const struct picture picture_return_map;                               /* picture_return.c */
 extern const struct picture picture_margins, picture_long_run, picture_steps; /* picture_curves.c */
+extern const struct picture picture_along;                                    /* picture_along.c */
 extern const struct picture picture_planes;                                   /* picture_system.c */
 
 #endif

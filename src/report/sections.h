@@ -3,20 +3,20 @@
 #define STICKSLIP_REPORT_SECTIONS_H
 
 #include "page.h"
+#include "picture.h"
 
 /* The sections, each from heading to end. */
-void page_summary(const struct page *p);
-/* Parts of the summary. */
-void page_roots(const struct page *p);
-void page_slips(const struct page *p);
-void page_power(const struct page *p);
-void page_failures(const struct page *p);
+void page_letter(const struct page *p);
+void page_findings(const struct page *p);
+/* The parts of the archive, each folded. */
 void page_model(const struct page *p);
 void page_pictures(const struct page *p);
 void page_every_claim(const struct page *p);
-void page_graph(const struct page *p);
-void page_routes(const struct page *p);
+void page_power(const struct page *p);
 void page_limits(const struct page *p);
+
+/* A picture where its table is there; words: its caption, or NULL for the picture's own. */
+void page_picture(const struct page *p, const struct picture *q, const char *words);
 
 extern const char *const page_style;
 extern const char *const picture_style; /* of curves */

@@ -31,6 +31,7 @@ const char *study_tables(struct judge *j) {
     table_of_return_map(&s);
     table_of_long_runs(&s);
     table_of_differences(&s);
+    table_along_e2(&s);
   }
   num_vec_clear(&s.params);
   point_clear(&p);

@@ -39,6 +39,8 @@ void table_of_return_map(struct table_source *s);
 void table_of_long_runs(struct table_source *s);
 /* differences.tsv: the error of tr J by central differences against their step. */
 void table_of_differences(struct table_source *s);
+/* along-e2.tsv: the orbit and what changes on it when e2 alone is another; none where the scene does not give e2. */
+void table_along_e2(struct table_source *s);
 
 /* statements.tsv: what the paper says, with verdicts and roots. */
 void table_of_statements(struct audit_result *out, const struct claims *statements);

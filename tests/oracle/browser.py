@@ -3,7 +3,8 @@
 The filters must show as many claims as audit.json has, sorting must put a failure first and back, a link to a claim must
 open it, every formula must have a size, nothing may be wider than the page (360 pixels when narrow, where tables of class stack need no scrolling and name the column
 of each cell), no script may fail and
-nothing may be loaded; every link into the page must lead to something that is shown.  TOOLS: the folder for axe-core
+nothing may be loaded; the letter takes two screens of 1280 x 800 at most, the archive is folded, and what is printed of the page
+takes 12 sheets at most; every link into the page must lead to something that is shown.  TOOLS: the folder for axe-core
 (axe.py), by which the page must then be accessible, at both widths in light and in dark; where it cannot be had, a line
 says why.  One line for each error; exit status 0, 1 with errors, 2 where the browser gave no answer.
 """
@@ -49,9 +50,16 @@ window.addEventListener('load', async function () {
   set('by-t', 'zzz no such words'); out.none = shown(); set('by-t', '');
   out.before = first(); set('order', 'w'); out.worst = first(); set('order', 'i'); out.after = first();
   set('by-t', 'zzz no such words');
+  function folds(e) { return e.parentElement.closest('details'); }
+  out.folded = Array.from(document.querySelectorAll('#s-archive > details')).every(function (d) { return !d.open; });
+  out.letter = document.getElementById('s-letter').getBoundingClientRect().bottom + window.scrollY;
+  out.badges = document.querySelectorAll('#s-letter .v, #s-findings li .v').length;
   location.hash = rows[0].id;
   await new Promise(function (r) { setTimeout(r, 200); });
-  out.opened = rows[0].querySelector('details').open && !rows[0].hidden;
+  out.opened = rows[0].querySelector('details').open && folds(rows[0]).open && !rows[0].hidden;
+  location.hash = 's-words';
+  await new Promise(function (r) { setTimeout(r, 200); });
+  out.opened = out.opened && folds(document.getElementById('s-words')).open;
   document.querySelectorAll('details').forEach(function (d) { d.open = true; });
   if (narrow) document.documentElement.style.width = '360px';
   window.dispatchEvent(new Event('resize'));
@@ -108,6 +116,16 @@ def ask(page, checker, narrow, dark):
     return json.loads(html.unescape(m[1])) if m else None
 
 
+def sheets(page):
+    """How many pages are printed."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, pdf = pathlib.Path(folder, "page.html"), pathlib.Path(folder, "page.pdf")
+        path.write_text(page, encoding="utf-8")
+        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--user-data-dir=" + folder,
+                        "--print-to-pdf=%s" % pdf, path.as_uri()], capture_output=True, timeout=250, check=False)
+        return len(re.findall(rb"/Type\s*/Page\b", pdf.read_bytes())) if pdf.exists() else None
+
+
 def errors(out, audit, dark):
     claims = audit["claims"]
     verdicts = {v: n for v, n in audit["summary"].items() if n and v != "total"}
@@ -118,10 +136,12 @@ def errors(out, audit, dark):
         for route in {e["route"] for e in c["evidence"]}:
             routes[route] = routes.get(route, 0) + 1
     for name, want in (("all", len(claims)), ("verdicts", verdicts), ("sections", sections), ("routes", routes),
-                       ("none", 0), ("opened", True), ("wide", []), ("scrolls", []), ("unnamed", 0), ("flat", 0), ("foreign", 0), ("loaded", []),
+                       ("none", 0), ("opened", True), ("folded", True), ("badges", 0), ("wide", []), ("scrolls", []), ("unnamed", 0), ("flat", 0), ("foreign", 0), ("loaded", []),
                        ("failed", None), ("astray", [])):
         if out[name] != want:
             yield "%s: %s, not %s" % (name, out[name], want)
+    if dark and out["letter"] > 2 * 800:  # asked at 1280 pixels
+        yield "the letter ends at %.0f pixels" % out["letter"]
     failing = {"c-" + c["id"] for c in claims if c["verdict"] in ("refuted", "conditional")}
     if failing and (out["worst"] not in failing or out["before"] != out["after"]):
         yield "sorting: %s, %s, %s" % (out["before"], out["worst"], out["after"])
@@ -154,6 +174,10 @@ def main():
         for e in errors(out, audit, dark):
             print("%s, %s: %s" % ("narrow" if narrow else "wide", "dark" if dark else "light", e))
             status = 1
+    printed = sheets(page)
+    if printed is None or not 0 < printed <= 12:
+        print("printed on %s sheets" % printed)
+        status = 1
     return status
 
 

@@ -1,7 +1,8 @@
 """pictures.py FOLDER SCENE: hold what stickslip plot SCENE has written against the equations of motion and other data.
 
 States along the motions are recomputed by mpmath's matrix exponential from the start and the times that orbits.tsv,
-paper_1000.tsv and arcs.tsv hold (SCENE is a name in orbits.tsv); the return map by Runge-Kutta steps of (1) with the events
+paper_1000.tsv and arcs.tsv hold (SCENE is a name in orbits.tsv); samples along e2 by equality.py, changes on the paper's line by
+bifurcations.tsv; the return map by Runge-Kutta steps of (1) with the events
 found by bisection; its slopes, and the rates of the long runs, are the traces of orbits.tsv; the printed start keeps its word
 for as many periods as longrun.tsv says.  The pictures must be well-formed, named, told in words and free of anything
 outside.  One line for each error; exit status 0 or 1.
@@ -12,6 +13,7 @@ import re
 import sys
 import xml.etree.ElementTree as ET
 
+import equality
 import mpmath
 from mpmath import mpf
 
@@ -204,6 +206,53 @@ def step_errors(folder):
             yield "the error with 256 bits does not fall as the square at 10^%.1f" % h
 
 
+def along_errors(folder, s):
+    """Some samples by equality.py's return map; changes by bifurcations.tsv, and by what stands on both sides."""
+    rows = table(folder / "along-e2.tsv")
+    samples = [r for r in rows if r["change"] == "-"]
+    first, word = min(range(len(samples)), key=lambda i: abs(mpf(samples[i]["e2"]) - s.e2)), {"yes": True, "no": False}
+    ways = (range(first, len(samples), 4), range(first, -1, -4)) if s.printed else (range(first, -1, -1)[:2],)
+    if mpf(samples[first]["period"]) > 100:
+        ways = ()  # equality.py would look for events for minutes
+    mpmath.mp.dps = 60
+    for way in ways:
+        orbit = s.orbits[nearest(s)]
+        r = mpf(orbit["z20"]) - mpf(orbit["z10"])
+        for i in way:
+            par = [s.chi, s.eta, s.v, s.e1, s.e2 * (round(mpf(samples[i]["e2"]) / s.e2 * 16)) / 16]
+            times = equality.around(par, r)[1]
+            r, slope = equality.fixed(par, r, times)
+            times = equality.around(par, r, times)[1]
+            z = mpmath.matrix([(s.e1 + s.chi * r) / (1 - s.chi), (s.e1 + r) / (1 - s.chi), s.v, s.v])
+            for phase, t in zip("GHC", times):
+                z = equality.flow(phase, par, z, t)
+            stick = (s.e1 - (z[0] - s.chi * z[1])) / ((1 - s.chi) * s.v)
+            if off(samples[i]["trace"], slope, 6) or off(samples[i]["period"], sum(times) + stick, 6):
+                yield "along e2: %s, not tr J = %s and period %s" % (samples[i], mpmath.nstr(slope, 9),
+                                                                      mpmath.nstr(sum(times) + stick, 9))
+            if word[samples[i]["stable"]] != (abs(slope) < 1) or (word[samples[i]["admissible"]] and stick <= 0):
+                yield "along e2: %s" % samples[i]
+    mpmath.mp.dps = 30
+    known = [l.split("\t") for l in (HERE / "bifurcations.tsv").read_text().splitlines() if not l.startswith("#")]
+    known = {k[8]: mpf(k[9]) for k in known if s.printed and k[:6] == ["0.8", "1", "1", "2.7844", "-", "e2"]}
+    kinds = {"tr J passes -1 and the period doubles": "flip", "t_a becomes zero": "t_a"}
+    seen = set()
+    for before, r, after in zip([None, *rows], rows, [*rows[1:], None]):
+        kind = kinds.get(r["change"])
+        low, high = (mpf(r[k]) if r[k] != "-" else mpf(0) for k in ("e2", "e2_to"))
+        if r["change"] != "-" and not 0 < high - low < low / 10000:
+            yield "along e2: no bracket: %s" % r
+        if kind in known and low <= known[kind] <= high:
+            seen.add(kind)
+        flips = kind and before and after and before["change"] == after["change"] == "-"
+        if flips and kind == "flip" and (mpf(before["trace"]) + 1) * (mpf(after["trace"]) + 1) > 0:
+            yield "along e2: no change of stability: %s" % r
+        if flips and kind == "flip" and r["stable"] != after["stable"]:
+            yield "along e2: the other side is stable: %s" % r
+    if s.printed and seen != {"flip", "t_a"}:
+        yield "along e2: only %s of the known changes" % seen
+
+
 def svg_errors(path):
     text = path.read_text(encoding="utf-8")
     root = ET.fromstring(text)
@@ -226,9 +275,9 @@ def svg_errors(path):
 
 def main():
     folder, s = pathlib.Path(sys.argv[1]), Scene(sys.argv[2])
-    errors = [*motion_errors(folder, s), *return_errors(folder, s), *long_errors(folder, s), *step_errors(folder)]
+    errors = [*motion_errors(folder, s), *return_errors(folder, s), *long_errors(folder, s), *step_errors(folder), *along_errors(folder, s)]
     pictures = sorted(folder.glob("*.svg"))
-    if len(pictures) != 6:
+    if len(pictures) != 7:
         errors.append("%d pictures" % len(pictures))
     for p in pictures:
         errors += ["%s: %s" % (p.name, e) for e in svg_errors(p)]

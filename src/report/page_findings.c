@@ -1,5 +1,6 @@
-/* What needs attention, worst first: the paper's own text beside the corrected one, what is wrong with it and how large
-   it is, a certificate, what depends on it, and how to recheck it. */
+/* The findings, worst first: of what changes a result the reason, the correction and the consequence, then for each
+   statement that fails for it the paper's own text beside the corrected one, a certificate, what depends on it, and how
+   to recheck it; remarks and slips of notation as lists, their evidence with the claims. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -110,11 +111,15 @@ static void add_restrictions(const struct page *p, const struct finding *f) {
   }
 }
 
+/* What is wrong in general stands with the cause, where there is one. */
 static void add_fault(const struct page *p, const struct finding *f) {
-  begin_row(p, "What is wrong");
-  text_add(p->out, failure_words(f));
+  bool told = f->root && audit_result_root(p->r, f->root);
+  if (told && !f->condition) return;
+  begin_row(p, told ? "When it holds" : "What is wrong");
+  if (!told) text_add(p->out, failure_words(f));
   if (f->condition) {
-    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? "; proved under the condition: " : "; condition: ");
+    text_add(p->out, told ? "" : "; ");
+    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? "proved under the condition: " : "condition: ");
     html_text(p->out, f->condition, NULL);
   }
   html_stop(p->out);
@@ -279,60 +284,6 @@ static void add_failure(const struct page *p, const struct finding *f) {
   end_finding(p);
 }
 
-/* --- The printed numbers in a table --- */
-
-static const struct column numbers[] = {
-    {"claim", false},      {"the paper prints", false},   {"nearest periodic solution", false},
-    {"difference", false}, {"what depends on it", false}, {"recheck", false}};
-
-static void add_number(const struct page *p, const struct finding *f) {
-  const struct consequence *q = audit_result_consequence(p->r, f->id);
-  struct texts t = {.quote = f->quote, .printed = f->printed, .corrected = f->correction_latex};
-  const char *size = failure_size(p->r, f), *sep = "";
-  find_changes(&t);
-  text_add(p->out, "<tr id=\"");
-  html_anchor(p->out, "f-", f->id);
-  text_add(p->out, "\"><th scope=\"row\">");
-  page_row(p, f->id);
-  text_add(p->out, "</th>");
-  page_cell(p, &numbers[1]);
-  html_text(p->out, t.quote, t.in_quote);
-  text_add(p->out, "</td>");
-  page_cell(p, &numbers[2]);
-  html_math(p->out, t.corrected, t.in_corrected);
-  text_printf(p->out, " (%s)</td>", verdict_name[f->correction_verdict]);
-  page_text_cell(p, &numbers[3], size);
-  page_cell(p, &numbers[4]);
-  for (int i = 0; q && i < q->n_derived; i++) {
-    if (q->derived[i].change != CHANGE_CHANGES) continue;
-    text_add(p->out, sep);
-    html_math(p->out, q->derived[i].latex, NULL);
-    sep = ", ";
-  }
-  text_add(p->out, q && q->falls.n ? sep : "");
-  if (q) page_claims(p, &q->falls);
-  text_add(p->out, "</td>");
-  page_cell(p, &numbers[5]);
-  html_code(p->out, finding_recheck(f));
-  text_add(p->out, "</td></tr>\n");
-  texts_clear(&t);
-}
-
-static void add_numbers(const struct page *p) {
-  bool any = false;
-  for (size_t i = 0; i < p->r->n_findings; i++) {
-    const struct finding *f = &p->r->findings[i];
-    if (!finding_fails(f) || !failure_is_number(f)) continue;
-    if (!any) {
-      page_begin_table(p, "numbers stack", "Printed numbers, and those of the periodic solution nearest to them",
-                       numbers, sizeof numbers / sizeof *numbers);
-    }
-    any = true;
-    add_number(p, f);
-  }
-  if (any) page_end_table(p);
-}
-
 /* Where inconsistent numbers may have come from. */
 static void add_readings(const struct page *p) {
   if (!p->r->readings || !p->r->readings->n_conclusions) return;
@@ -345,33 +296,117 @@ static void add_readings(const struct page *p) {
   text_add(p->out, "</ul></details>\n");
 }
 
-static const struct root_cause *root_of(const struct page *p, const struct finding *f) {
-  return f->root ? audit_result_root(p->r, f->root) : NULL;
+/* --- What fails for one cause --- */
+
+static bool is_of(const struct page *p, const struct finding *f, const struct root_cause *root) {
+  return finding_fails(f) && (f->root ? audit_result_root(p->r, f->root) : NULL) == root;
 }
 
-/* The failures of one root; NULL: those of none. */
-static void add_root(const struct page *p, const struct root_cause *root) {
-  bool any = false, tabled = false;
+static void add_sentence(const struct page *p, const char *before, const char *text) {
+  text_add(p->out, before);
+  html_text(p->out, text, NULL);
+  html_stop(p->out);
+}
+
+static void add_labelled(const struct page *p, const char *word, const char *text) {
+  if (!text) return;
+  text_printf(p->out, " <em>%s:</em>", word);
+  add_sentence(p, " ", text);
+}
+
+static void begin_anchored(const struct page *p, const char *element, const struct root_cause *root) {
+  text_printf(p->out, "<%s", element);
+  html_anchor(p->out, " id=\"r-", root->id);
+  text_add(p->out, "\">");
+}
+
+static void add_title(const struct page *p, const struct root_cause *root) {
+  html_text(p->out, root->where, NULL);
+  text_add(p->out, ": ");
+  html_text(p->out, root->title, NULL);
+}
+
+/* What is wrong, the right numbers where it is numbers, what should stand there, what comes of it, how to see it. */
+static void add_words(const struct page *p, const struct root_cause *root) {
+  const char *value[MOST_VALUES];
+  int n = root_values(value, p->r, root);
+  add_sentence(p, "", root->wrong);
+  for (int i = 0; i < n; i++) {
+    text_add(p->out, i ? ", " : " <em>It should read:</em> ");
+    html_math(p->out, value[i], NULL);
+  }
+  if (n)
+    add_sentence(p, ". ", root->correct);
+  else
+    add_labelled(p, "It should read", root->correct);
+  if (root->severity != SEVERITY_NOTATION) add_labelled(p, "Consequence", root->consequence);
+  add_labelled(p, "To see it", root->by_hand);
+}
+
+/* The failures of one root, those of printed numbers aside, which stand in the letter; NULL: those of none. */
+static void add_failures(const struct page *p, const struct root_cause *root) {
+  bool numbers = false;
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (!finding_fails(f) || root_of(p, f) != root) continue;
-    if (!any) {
-      text_add(p->out, root ? "<h3>" : "<h3>Other statements</h3>\n");
-      if (root) {
-        html_text(p->out, root->where, NULL);
-        text_add(p->out, ": ");
-        html_text(p->out, root->title, NULL);
-        text_add(p->out, "</h3>\n");
-      }
-    }
-    any = true;
-    if (failure_is_number(f) && !tabled) {
-      add_numbers(p);
-      add_readings(p);
-    }
-    tabled = tabled || failure_is_number(f);
-    if (!failure_is_number(f)) add_failure(p, f);
+    bool number = failure_is_number(f);
+    if (!is_of(p, f, root)) continue;
+    if (number && !numbers) add_readings(p);
+    numbers = numbers || number;
+    if (!number) add_failure(p, f);
   }
+}
+
+static void add_error(const struct page *p, const struct root_cause *root) {
+  begin_anchored(p, "h3", root);
+  add_title(p, root);
+  text_add(p->out, "</h3>\n<p class=\"tex\">");
+  add_words(p, root);
+  text_add(p->out, "</p>\n");
+  add_failures(p, root);
+}
+
+static void add_others(const struct page *p) {
+  bool any = false;
+  for (size_t i = 0; i < p->r->n_findings; i++)
+    any = any || (is_of(p, &p->r->findings[i], NULL) && !failure_is_number(&p->r->findings[i]));
+  if (any) text_add(p->out, "<h3>Other statements</h3>\n");
+  add_failures(p, NULL);
+}
+
+/* Links to the claims, to where links to the failures lead. */
+static void add_evidence(const struct page *p, const struct root_cause *root) {
+  const char *before = " <span class=\"k\">(Evidence: ";
+  for (size_t i = 0; i < p->r->n_findings; i++) {
+    const struct finding *f = &p->r->findings[i];
+    if (!is_of(p, f, root) || failure_is_number(f)) continue;
+    text_add(p->out, before);
+    text_add(p->out, "<a");
+    html_anchor(p->out, " id=\"f-", f->id);
+    html_anchor(p->out, "\" href=\"#c-", f->id);
+    text_add(p->out, "\">");
+    escape_html(p->out, f->id);
+    text_add(p->out, "</a>");
+    before = "</span>, <span class=\"k\">";
+  }
+  if (*before == '<') text_add(p->out, ")</span>");
+}
+
+static void add_list(const struct page *p, enum severity severity, const char *heading) {
+  bool any = false;
+  for (size_t i = 0; i < p->r->n_roots; i++) {
+    const struct root_cause *root = &p->r->roots[i];
+    if (root->severity != severity) continue;
+    if (!any) text_printf(p->out, "<h3>%s</h3>\n<ul>\n", heading);
+    any = true;
+    begin_anchored(p, "li", root);
+    text_add(p->out, "<div class=\"tex\"><strong>");
+    add_title(p, root);
+    text_add(p->out, ".</strong> ");
+    add_words(p, root);
+    add_evidence(p, root);
+    text_add(p->out, "</div></li>\n");
+  }
+  if (any) text_add(p->out, "</ul>\n");
 }
 
 /* --- What is not wrong and needs attention all the same --- */
@@ -389,18 +424,13 @@ static void add_unexpected(const struct page *p) {
   if (any) text_add(p->out, "</ul>\n");
 }
 
-static bool is_undecided(const struct finding *f) {
-  return f->verdict == VERDICT_UNKNOWN;
-}
-
-/* Findings with what their routes say. */
-static void add_statements(const struct page *p, const char *heading, bool (*wanted)(const struct finding *),
-                           const char *result) {
+/* With what the routes say. */
+static void add_undecided(const struct page *p) {
   bool any = false;
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (!wanted(f)) continue;
-    if (!any) text_printf(p->out, "<h3>%s</h3>\n", heading);
+    if (f->verdict != VERDICT_UNKNOWN) continue;
+    if (!any) text_add(p->out, "<h3>Undecided</h3>\n");
     any = true;
     begin_finding(p, f);
     if (f->quote) {
@@ -413,25 +443,26 @@ static void add_statements(const struct page *p, const char *heading, bool (*wan
       html_text(p->out, f->condition, NULL);
       text_add(p->out, "</p>\n");
     }
-    page_statements(p, f, result);
+    page_statements(p, f);
     end_finding(p);
   }
 }
 
-void page_failures(const struct page *p) {
-  page_begin_section(p, "failures", "What needs attention");
+void page_findings(const struct page *p) {
+  page_begin_section(p, "findings", "Findings");
   text_add(
       p->out,
-      "<p>The statements that do not hold are listed in order of consequence. Each was judged as printed, with the "
-      "corrected form of everything else that it uses, so that one error is counted once. The examples have exact "
-      "parameters, at which anybody can evaluate both sides. For a formula, the left side is what the paper prints "
-      "and the right side what the equations of motion give; for an equation, they are its own two sides. Differences "
-      "between the printed and the corrected text are <mark>marked</mark>. Route, trials, bits and other words are <a "
-      "href=\"#s-words\">explained above</a>.</p>\n");
+      "<p>In order of consequence. Each statement was judged as printed, with the corrected form of everything "
+      "else that it uses, so that one error is counted once. An example has exact parameters, at which anybody can "
+      "evaluate both sides: what the paper prints, and what the equations of motion give. Differences between the "
+      "printed and the corrected text are <mark>marked</mark>; other <a href=\"#s-words\">words</a> are explained "
+      "in the archive.</p>\n");
   add_unexpected(p);
-  for (size_t i = 0; i < p->r->n_roots; i++) add_root(p, &p->r->roots[i]);
-  add_root(p, NULL);
-  add_statements(p, "Undecided", is_undecided, NULL);
-  add_statements(p, "What the paper does not say", finding_states, "states");
+  for (size_t i = 0; i < p->r->n_roots; i++)
+    if (p->r->roots[i].severity == SEVERITY_SUBSTANCE) add_error(p, &p->r->roots[i]);
+  add_others(p);
+  add_list(p, SEVERITY_REMARK, "Remarks");
+  add_list(p, SEVERITY_NOTATION, "Slips of notation");
+  add_undecided(p);
   text_add(p->out, "</section>\n");
 }

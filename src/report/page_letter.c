@@ -1,0 +1,342 @@
+/* The letter: what the paper's author should know, on two screens.  What was read; how the printed numbers come out;
+   the errors that change a result; what holds; where the solution is stable.  Every sentence is made of the record, and
+   what stands here is told in full below it. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "escape.h"
+#include "finding.h"
+#include "html.h"
+#include "picture.h"
+#include "sections.h"
+
+static void begin_paragraph(const struct page *p) {
+  text_add(p->out, "<p>");
+}
+static void end_paragraph(const struct page *p) {
+  html_stop(p->out);
+  text_add(p->out, "</p>\n");
+}
+
+/* Up to the end of the first sentence of a text with mathematics between dollar signs. */
+static size_t first_sentence(const char *s) {
+  bool math = false;
+  size_t n = 0;
+  for (; s[n]; n++) {
+    math ^= s[n] == '$';
+    if (!math && s[n] == '.' && s[n + 1] == ' ') return n + 1;
+  }
+  return n;
+}
+
+static void add_first_sentence(const struct page *p, const char *s) {
+  struct text one;
+  text_init(&one);
+  text_add_n(&one, s, first_sentence(s));
+  html_text(p->out, text_str(&one), NULL);
+  html_stop(p->out);
+  text_clear(&one);
+}
+
+/* --- The printed numbers --- */
+
+static bool is_wrong_number(const struct finding *f) {
+  return finding_fails(f) && failure_is_number(f);
+}
+
+/* The root of the wrong numbers, which the table tells; NULL where there are none. */
+static const struct root_cause *root_of_numbers(const struct page *p) {
+  const char *value[MOST_VALUES];
+  for (size_t i = 0; i < p->r->n_roots; i++)
+    if (root_values(value, p->r, &p->r->roots[i])) return &p->r->roots[i];
+  return NULL;
+}
+
+/* The reading with the fewest assumptions, of those that give every number; NULL without one. */
+static const struct example_reading *best_reading(const struct page *p) {
+  return p->r->readings && p->r->readings->n_found ? &p->r->readings->found[0] : NULL;
+}
+
+static void add_strings(const struct page *p, const char *const *list, int n) {
+  for (int i = 0; i < n; i++) {
+    text_add(p->out, i == 0 ? "" : i + 1 < n ? ", " : " and ");
+    html_prose(p->out, list[i]);
+  }
+}
+
+static void add_reading(const struct page *p, const struct example_reading *e) {
+  begin_paragraph(p);
+  text_printf(p->out, "<strong>%s %d printed numbers of the example come out, to every printed digit, if ",
+              e->n_given == e->n_numbers ? "All" : "As many as", e->n_given);
+  add_strings(p, e->inputs, e->n_inputs);
+  text_add(p->out, " are taken exactly");
+  for (int i = 0; i < e->n_dropped; i++) {
+    text_add(p->out, i ? ", and " : " and one equation is left out:</strong> ");
+    html_prose(p->out, e->dropped[i].equation);
+    text_add(p->out, ", whose sides then differ by ");
+    html_prose(p->out, e->dropped[i].residual);
+  }
+  text_add(p->out, e->n_dropped ? "" : "</strong>");
+  end_paragraph(p);
+}
+
+/* Why the numbers are wrong all the same. */
+static void add_wrong_numbers(const struct page *p, const struct root_cause *root) {
+  const struct readings *r = p->r->readings;
+  bool rounding = r && r->procedure.n_outputs > 0;
+  for (int i = 0; rounding && i < r->procedure.n_outputs; i++)
+    rounding = strcmp(r->procedure.output[i].within, "no") == 0;
+  begin_paragraph(p);
+  add_first_sentence(p, root->wrong);
+  if (rounding) {
+    text_add(p->out, " Rounding of ");
+    html_prose(p->out, r->procedure.inputs);
+    text_add(p->out, " does not explain the difference.");
+  }
+  text_add(p->out, " (<a href=\"#");
+  html_anchor(p->out, "r-", root->id);
+  text_add(p->out, "\">More</a>)</p>\n");
+}
+
+static const struct column numbers[] = {
+    {"number", false}, {"printed", true}, {"this reading", true}, {"nearest periodic solution", true}};
+
+static const char *true_value(const struct finding *f) {
+  for (int i = 0; i < f->certificate.n; i++)
+    if (strcmp(f->certificate.at[i].name, "value") == 0) return f->certificate.at[i].value;
+  return NULL;
+}
+
+/* A row; n: of the reading, or NULL; f: the claim that the number is wrong, or NULL. */
+static void add_number(const struct page *p, const struct reading_number *n, const struct finding *f) {
+  const char *value = f ? true_value(f) : NULL;
+  text_add(p->out, "<tr");
+  if (f) html_anchor(p->out, " id=\"f-", f->id);
+  text_add(p->out, f ? "\"><th scope=\"row\">" : "><th scope=\"row\">");
+  if (f) page_begin_link(p, "c-", f->id);
+  html_prose(p->out, n ? n->name : f->id);
+  text_add(p->out, f ? "</a></th>" : "</th>");
+  page_cell(p, &numbers[1]);
+  if (n)
+    html_prose(p->out, n->printed);
+  else
+    html_math(p->out, f->printed ? f->printed : "", NULL);
+  text_add(p->out, "</td>");
+  page_cell(p, &numbers[2]);
+  if (n) html_prose(p->out, strcmp(n->how, "input") == 0 ? "exact" : n->value);
+  text_add(p->out, "</td>");
+  page_cell(p, &numbers[3]);
+  if (value)
+    html_prose(p->out, value);
+  else if (f)
+    html_math(p->out, f->correction_latex, NULL);
+  else
+    text_add(p->out, "as printed");
+  text_add(p->out, "</td></tr>\n");
+}
+
+/* The place in the reading of the number that a claim "num-t_a" is about; -1 where it has none. */
+static int place_in(const struct example_reading *e, const struct finding *f) {
+  static const char prefix[] = "num-";
+  bool named = strncmp(f->id, prefix, sizeof prefix - 1) == 0;
+  for (int i = 0; e && named && i < e->n_numbers; i++)
+    if (strcmp(e->number[i].name, f->id + sizeof prefix - 1) == 0) return i;
+  return -1;
+}
+
+/* Those of the reading, each with the claim that it is wrong, then what else is wrong. */
+static void add_numbers(const struct page *p, const struct example_reading *e) {
+  const struct audit_result *r = p->r;
+  page_begin_table(p, "few", "The printed numbers of the example", numbers, sizeof numbers / sizeof *numbers);
+  for (int i = 0; e && i < e->n_numbers; i++) {
+    size_t k = 0;
+    while (k < r->n_findings && !(is_wrong_number(&r->findings[k]) && place_in(e, &r->findings[k]) == i)) k++;
+    add_number(p, &e->number[i], k < r->n_findings ? &r->findings[k] : NULL);
+  }
+  for (size_t k = 0; k < r->n_findings; k++)
+    if (is_wrong_number(&r->findings[k]) && place_in(e, &r->findings[k]) < 0) add_number(p, NULL, &r->findings[k]);
+  page_end_table(p);
+}
+
+static void add_example(const struct page *p) {
+  const struct example_reading *e = best_reading(p);
+  const struct root_cause *root = root_of_numbers(p);
+  bool any = e != NULL;
+  for (size_t i = 0; i < p->r->n_findings; i++) any = any || is_wrong_number(&p->r->findings[i]);
+  if (!any) return;
+  text_add(p->out, "<h3>The printed example</h3>\n<div class=\"beside\">\n<div>\n");
+  if (e) add_reading(p, e);
+  if (root) add_wrong_numbers(p, root);
+  add_numbers(p, e);
+  text_add(p->out, "</div>\n");
+  page_picture(p, &picture_portrait, "A bar shows by how much the motion from the printed start does not close.");
+  text_add(p->out, "</div>\n");
+}
+
+/* --- The errors --- */
+
+/* What there is in all, once. */
+static void add_counts(const struct page *p, const char *before) {
+  static const char *const one[N_SEVERITIES] = {"error that changes a result", "remark", "slip of notation"};
+  static const char *const more[N_SEVERITIES] = {"errors that change a result", "remarks", "slips of notation"};
+  size_t n[N_SEVERITIES] = {0};
+  for (size_t i = 0; i < p->r->n_roots; i++) n[p->r->roots[i].severity]++;
+  text_add(p->out, before);
+  for (int i = 0; i < N_SEVERITIES; i++)
+    text_printf(p->out, "%s%zu %s",
+                i == 0                 ? ""
+                : i + 1 < N_SEVERITIES ? ", "
+                                       : " and ",
+                n[i], n[i] == 1 ? one[i] : more[i]);
+  text_add_char(p->out, '.');
+}
+
+/* What was done or is forgotten, in a sentence. */
+static void add_error(const struct page *p, const struct root_cause *root) {
+  text_add(p->out, "<li>");
+  page_begin_link(p, "r-", root->id);
+  html_text(p->out, root->where, NULL);
+  text_add(p->out, "</a>, ");
+  html_text(p->out, root->title, NULL);
+  text_add(p->out, ": ");
+  add_first_sentence(p, root->wrong);
+  text_add(p->out, "</li>\n");
+}
+
+static void add_errors(const struct page *p) {
+  const struct root_cause *told = root_of_numbers(p);
+  if (p->r->n_roots == 0) return;
+  text_add(p->out, "<h3>What has to be corrected</h3>\n");
+  add_counts(p, "<p>The audit has found ");
+  text_add(p->out, told ? " Besides the numbers of the example these are the errors, worst first:</p>\n" : "</p>\n");
+  text_add(p->out, "<ol class=\"errors\">\n");
+  for (size_t i = 0; i < p->r->n_roots; i++) {
+    const struct root_cause *root = &p->r->roots[i];
+    if (root->severity == SEVERITY_SUBSTANCE && root != told) add_error(p, root);
+  }
+  text_add(p->out, "</ol>\n");
+}
+
+/* --- What holds --- */
+
+enum { MOST_EQUATIONS = 1000 };
+
+/* "40" is 40; what is no number of an equation is 0. */
+static int equation_number(const struct finding *f) {
+  char *end = NULL;
+  long n = f->equation && f->of == OF_PAPER ? strtol(f->equation, &end, 10) : 0;
+  return n > 0 && n < MOST_EQUATIONS && !*end ? (int)n : 0;
+}
+
+/* Whether all that was asked about it holds; false where nothing was. */
+static bool equation_holds(const struct audit_result *r, int n) {
+  bool any = false, all = true;
+  for (size_t i = 0; i < r->n_findings; i++) {
+    const struct finding *f = &r->findings[i];
+    if (equation_number(f) != n) continue;
+    any = any || f->verdict == VERDICT_PROVED;
+    all = all && (f->verdict == VERDICT_PROVED || f->verdict == VERDICT_DEFINITION);
+  }
+  return any && all;
+}
+
+/* "(1)-(9), (11)". */
+static void add_sound_equations(const struct page *p) {
+  const char *before = " Among what has been proved is all that was examined of the equations ";
+  static const char more[] = ", ";
+  for (int i = 1, last; i < MOST_EQUATIONS; i = last + 1) {
+    last = i;
+    if (!equation_holds(p->r, i)) continue;
+    while (equation_holds(p->r, last + 1)) last++;
+    text_printf(p->out, "%s(%d)", before, i);
+    if (last > i) text_printf(p->out, "%s(%d)", last > i + 1 ? "\xe2\x80\x93" : more, last);
+    before = more;
+  }
+  if (before == more) text_add_char(p->out, '.');
+}
+
+static void add_what_holds(const struct page *p) {
+  long count[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER);
+  long wrong = count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL];
+  text_printf(p->out,
+              "<h3>What holds</h3>\n<p>Of the %ld statements of the paper that assert something, %ld %s been proved",
+              total - count[VERDICT_DEFINITION], count[VERDICT_PROVED], count[VERDICT_PROVED] == 1 ? "has" : "have");
+  if (count[VERDICT_SUPPORTED])
+    text_printf(p->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
+  if (count[VERDICT_UNKNOWN]) text_printf(p->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
+  if (count[VERDICT_SKIPPED]) text_printf(p->out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);
+  if (wrong) text_add(p->out, "; the others do not hold as printed");
+  text_add_char(p->out, '.');
+  add_sound_equations(p);
+  text_add(p->out, "</p>\n");
+}
+
+/* --- What the paper does not say --- */
+
+/* "tr J = x, unstable by the criterion; admissible", of the orbit meant. */
+static void add_multiplier(const struct page *p, const struct finding *f) {
+  static const char meant[] = "the periodic solution nearest to the printed numbers";
+  for (int i = 0; f && i < f->n_evidence; i++) {
+    const struct evidence *e = &f->evidence[i];
+    if (!e->note || !e->worst || strncmp(e->worst, meant, sizeof meant - 1) != 0) continue;
+    text_add(p->out,
+             "The paper does not apply its criterion to the example. It gives, for the periodic solution nearest "
+             "to the printed numbers, ");
+    page_begin_link(p, "c-", f->id);
+    html_prose_n(p->out, e->note, strcspn(e->note, ";"));
+    text_add(p->out, "</a>. ");
+    return;
+  }
+}
+
+/* What the motion from the printed start comes to: the end of the note, "at the end ...;". */
+static void add_later(const struct page *p, const struct finding *f) {
+  static const char last[] = "at the end ";
+  const char *end = f && f->n_evidence && f->evidence[0].note ? strstr(f->evidence[0].note, last) : NULL;
+  if (!end) return;
+  text_add(p->out,
+           " In the long run the printed initial state leads to another motion, in the letters of its phases: ");
+  page_begin_link(p, "c-", f->id);
+  html_prose_n(p->out, end, strcspn(end, ";"));
+  text_add(p->out, "</a>.");
+}
+
+static void add_gift(const struct page *p) {
+  const struct finding *f = audit_result_finding(p->r, "text-example-stability");
+  struct text range;
+  text_init(&range);
+  struct rows t;
+  bool along = rows_read(&t, p->r, picture_along.table);
+  if (along) picture_along.say(&range, &t);
+  rows_clear(&t);
+  if (f || along) {
+    text_add(p->out, "<h3>What the paper does not say: where the solution is stable</h3>\n<div class=\"beside\">\n<p>");
+    add_multiplier(p, f);
+    html_text(p->out, text_str(&range), NULL);
+    add_later(p, audit_result_finding(p->r, "text-long-run"));
+    text_add(p->out, "</p>\n");
+    page_picture(p, &picture_along, "");
+    text_add(p->out, "</div>\n");
+  }
+  text_clear(&range);
+}
+
+/* --- The letter --- */
+
+void page_letter(const struct page *p) {
+  page_begin_section(p, "letter", "To the author");
+  text_add(p->out, "<p>What the formulas and sentences of the paper assert was compared, one by one, with its "
+                   "equations of motion (1) and Coulomb's law (2): by exact algebra, by computations with rigorous "
+                   "error bounds and by numerical integration. <strong>The text that was read is a machine conversion "
+                   "of the printed paper</strong>; a misprint of a single symbol may be due to the conversion.</p>\n");
+  add_example(p);
+  add_errors(p);
+  add_what_holds(p);
+  add_gift(p);
+  text_add(
+      p->out,
+      "<p>The <a href=\"#s-findings\">findings</a> follow with corrections and evidence, each with the command that "
+      "judges it again; <a href=\"errata.md\">errata.md</a> is the same as a sheet to be sent. <code>make deps "
+      "verify</code> in a copy of the project repeats the whole audit; what it does not show is said <a "
+      "href=\"#s-limits\">at the end</a>.</p>\n</section>\n");
+}
