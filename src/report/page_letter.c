@@ -1,6 +1,7 @@
 /* The letter: what the paper's author should know, on two screens.  What was read; how the printed numbers come out;
    the errors that change a result; what holds; where the solution is stable.  Every sentence is made of the record, and
    what stands here is told in full below it. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -228,9 +229,21 @@ static int equation_number(const struct finding *f) {
   return n > 0 && n < MOST_EQUATIONS && !*end ? (int)n : 0;
 }
 
-/* Whether all that was asked about it holds; false where nothing was. */
+/* Does "(12), (14)" or "(53)-(61) of Appendix B" name the equation?  "After (43)" is a sentence beside it. */
+static bool names_equation(const char *where, int n) {
+  for (const char *at = strchr(where, '('); at; at = strchr(at + 1, '(')) {
+    int from = 0, to = 0;
+    bool beside = at - where >= 6 && (strncmp(at - 5, "fter ", 5) == 0 || strncmp(at - 6, "efore ", 6) == 0);
+    if (!beside && sscanf(at, "(%d)-(%d)", &from, &to) > 0 && n >= from && n <= (to ? to : from)) return true;
+  }
+  return false;
+}
+
+/* Whether all that was asked about it holds, and no correction is about it; false where nothing was asked. */
 static bool equation_holds(const struct audit_result *r, int n) {
   bool any = false, all = true;
+  for (size_t i = 0; i < r->n_roots; i++)
+    if (names_equation(r->roots[i].where, n)) return false;
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     if (equation_number(f) != n) continue;
@@ -242,7 +255,7 @@ static bool equation_holds(const struct audit_result *r, int n) {
 
 /* "(1)-(9), (11)". */
 static void add_sound_equations(const struct page *p) {
-  const char *before = " Among what has been proved is all that was examined of the equations ";
+  const char *before = " Nothing has to be corrected, and all that was examined has been proved, in the equations ";
   static const char more[] = ", ";
   for (int i = 1, last; i < MOST_EQUATIONS; i = last + 1) {
     last = i;
@@ -257,15 +270,15 @@ static void add_sound_equations(const struct page *p) {
 
 static void add_what_holds(const struct page *p) {
   long count[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER);
-  long wrong = count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL];
   text_printf(p->out,
               "<h3>What holds</h3>\n<p>Of the %ld statements of the paper that assert something, %ld %s been proved",
               total - count[VERDICT_DEFINITION], count[VERDICT_PROVED], count[VERDICT_PROVED] == 1 ? "has" : "have");
+  if (count[VERDICT_CONDITIONAL]) text_printf(p->out, ", %ld hold under a condition", count[VERDICT_CONDITIONAL]);
+  if (count[VERDICT_REFUTED]) text_printf(p->out, ", %ld do not hold as printed", count[VERDICT_REFUTED]);
   if (count[VERDICT_SUPPORTED])
     text_printf(p->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
   if (count[VERDICT_UNKNOWN]) text_printf(p->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
   if (count[VERDICT_SKIPPED]) text_printf(p->out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);
-  if (wrong) text_add(p->out, "; the others do not hold as printed");
   text_add_char(p->out, '.');
   add_sound_equations(p);
   text_add(p->out, "</p>\n");
