@@ -922,6 +922,10 @@ static int next_status(FILE *statuses) {
   return status;
 }
 
+#define ENTRY(i, of_angle)  "entry " i " of 6, as printed less that of J_f: " of_angle "(omega*t_d)*(V - 1)*(V + 1)/(V*"
+#define SINE(i, of_angle)   ENTRY(i, of_angle) "omega*(z_10 - z_20))\n"
+#define COSINE(i, of_angle) ENTRY(i, of_angle) "omega**2*(z_10 - z_20))\n"
+
 START_TEST(receipts_hold_and_damaged_ones_do_not) {
   static const struct damage none = {NULL, 0, 0}, sign = {") - v(", 2, '+'}, term = {") + v(", 2, '-'},
                              zero = {"f.number(\"0\")", 10, '2'}, one = {"f.number(\"1\")", 10, '0'},
@@ -932,7 +936,15 @@ START_TEST(receipts_hold_and_damaged_ones_do_not) {
     const struct damage *damage;
   } rows[] = {{"eq-32", "eq-32: proved\n", &sign},
               {"eq-10b", "eq-10b: proved\n", &none},
-              {"eq-40", "eq-40 as corrected: proved\n", &sign},
+              /* V t for t; and 1 + k~4, -k~4, -k~5 = -k~4 cot(omega t_d)/omega, ... with V in the wrong place in k~4 */
+              {"eq-10",
+               "entry 3 of 16, as printed less that of D(t): t*(V - 1)\n"
+               "entry 8 of 16, as printed less that of D(t): t*(V - 1)\neq-10 as corrected: proved\n",
+               &none},
+              {"eq-40",
+               SINE("1", "sin") SINE("2", "-sin") COSINE("3", "cos") SINE("4", "sin") SINE("5", "-sin")
+                   COSINE("6", "cos") "eq-40 as corrected: proved\n",
+               &sign},
               {"eq-48c", "eq-48c: proved\n", &sign},
               {"eq-25", "eq-25: proved\n", &sign},
               {"eq-56b", "eq-56b: proved\n", &sign},

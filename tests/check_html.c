@@ -669,7 +669,7 @@ START_TEST(the_letter) {
        numbers, 2},
       {"r-formula", "THE FORMULA", SEVERITY_SUBSTANCE, "PLACE", "WRONG 2. NOR THIS.", "RIGHT 2.", "SO 2.", NULL,
        formula, 1},
-      {"r-slip", "THE SLIP", SEVERITY_NOTATION, "W3", "WRONG 3.", "RIGHT 3.", "SO 3.", NULL, slip, 1}};
+      {"r-slip", "THE SLIP", SEVERITY_NOTATION, "(8)", "WRONG 3.", "RIGHT 3.", "SO 3.", NULL, slip, 1}};
   struct reading_number number[] = {{"t_a", "5", "5.125", "rounded"}, {"e1", "2", "2", "input"}};
   struct reading_dropped dropped = {.equation = "THE EQUATION", .residual = "0.5"};
   const char *inputs[] = {"e1 = 2"};
@@ -712,9 +712,9 @@ START_TEST(the_letter) {
                                       "<tr id=\"f-num-t_b\">",
                                       "t = 6</annotation>",
                                       "t = 8</annotation>",
-                                      "2 errors that change a result, 0 remarks and 1 slip of notation.",
+                                      "2 errors of substance, 0 remarks and 1 slip of notation.",
                                       "<a href=\"#r-r-formula\">PLACE</a>, THE FORMULA: WRONG 2.</li>",
-                                      "equations (7), (8), (10).",
+                                      "proved for (7), (10); how some",
                                       "tr J = 3, THE FATE</a>",
                                       "1.26 &lt; e_2 &lt; 2.75</annotation>",
                                       "at the lower end IT FLIPS",

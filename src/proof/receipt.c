@@ -61,8 +61,8 @@ static void add_instruction(struct text *out, const struct tape *t, slong i) {
   text_add(out, ",\n");
 }
 
-static void add_sides(struct text *out, const struct tape *t, int part) {
-  text_printf(out, "\n\ndef values_%d(f, x, v):\n    return {\n", part);
+static void add_sides(struct text *out, const struct tape *t, const char *list, int part) {
+  text_printf(out, "\n\ndef %s_%d(f, x, v):\n    return {\n", list, part);
   for (slong i = 0; i < t->n; i++) add_instruction(out, t, i);
   text_add(out, "    }\n");
 }
@@ -99,7 +99,7 @@ static const char *relation(const struct exact_part *p, const struct sentence *s
   return p->question->sharp || s->ops[i] == REL_EQ ? "=" : s->ops[i] == REL_LT ? "<" : ">";
 }
 
-static void add_part(struct text *out, const struct exact_part *p, const struct sentence *s, int i,
+static void add_part(struct text *out, const struct exact_part *p, const struct sentence *s, const char *list, int i,
                      const struct restriction *r) {
   const struct tape *t = &s->tape;
   static const char *const kinds[] = {[POINT_PARAMS] = "params",
@@ -107,7 +107,7 @@ static void add_part(struct text *out, const struct exact_part *p, const struct 
                                       [POINT_ARC] = "arcs",
                                       [POINT_ORBIT] = "orbits",
                                       [POINT_PATCHED] = "patched"};
-  text_printf(out, "PARTS.append(dict(\n    values=values_%d,\n    sides=[", i);
+  text_printf(out, "%s.append(dict(\n    values=%s_%d,\n    sides=[", list, list, i);
   for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
   text_add(out, "],\n    relations=\"");
   for (slong k = 0; k < p->n; k++) text_add(out, relation(p, s, k));
@@ -138,8 +138,8 @@ static void add_numbers(struct text *out, const slong *k, slong n) {
 
 /* The entries of the matrix of derivatives, and the rank that it is to have. */
 static void add_matrix(struct text *out, const struct rank_system *y, int rank) {
-  add_sides(out, &y->s.tape, 0);
-  text_add(out, "\n\nMATRICES.append(dict(\n    values=values_0,\n    rows=[\n");
+  add_sides(out, &y->s.tape, "MATRICES", 0);
+  text_add(out, "\n\nMATRICES.append(dict(\n    values=MATRICES_0,\n    rows=[\n");
   for (int i = 0; i < y->rows; i++) {
     text_add(out, "        [");
     add_numbers(out, y->s.tape.outputs + y->rows + i * y->cols, y->cols);
@@ -148,15 +148,16 @@ static void add_matrix(struct text *out, const struct rank_system *y, int rank) 
   text_printf(out, "    ],\n    rank=%d,\n))\n", rank);
 }
 
-static bool add_parts(struct text *out, const struct exact_proof *p, struct view view, const struct restriction *r,
-                      struct diag *d) {
+/* To a list of the script: PARTS, which it proves, or PRINTED, of which it says by how much they are wrong. */
+static bool add_parts(struct text *out, const struct exact_proof *p, struct view view, const char *list,
+                      const struct restriction *r, struct diag *d) {
   bool ok = true;
   for (int i = 0; ok && i < p->n_parts; i++) {
     struct sentence s;
     ok = exact_sentence(&s, p->part[i].question, view, p->part[i].unknown, p->part[i].n_unknowns, d);
-    if (ok) add_sides(out, &s.tape, i);
+    if (ok) add_sides(out, &s.tape, list, i);
     if (ok) text_add(out, "\n\n");
-    if (ok) add_part(out, &p->part[i], &s, i, r);
+    if (ok) add_part(out, &p->part[i], &s, list, i, r);
     sentence_clear(&s);
   }
   return ok;
@@ -184,8 +185,10 @@ static bool add_head(struct text *out, struct judge *j, const struct claim *c, c
   if (corrected && erratum_text(out, m, c)) text_add_char(out, '\n');
   if (!corrected) claim_formulas(out, m, c, "#   ");
   text_printf(out,
-              "import re\nimport sys\n\nfrom sympy import QQ, ring\n\nCLAIM = \"%s%s\"\nPARTS, MATRICES = [], []\n", id,
-              corrected ? " as corrected" : "");
+              "import re\nimport sys\n\nfrom sympy import QQ, Symbol, factor, ring\n\nCLAIM = \"%s%s\"\nPARTS, "
+              "PRINTED, MATRICES = [], [], "
+              "[]\n",
+              id, corrected ? " as corrected" : "");
   return ok;
 }
 
@@ -226,7 +229,9 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
   }
   ok = ok && add_head(out, j, c, id, corrected);
   if (ok) add_system(out);
-  return ok && add_parts(out, &p, view, r, j->d);
+  ok = ok && add_parts(out, &p, view, "PARTS", r, j->d);
+  bool a_matrix = p.n_parts > 0 && p.part[0].question->value; /* entry by entry as printed */
+  return ok && (!corrected || !a_matrix || add_parts(out, &p, claim_view(j->model, c), "PRINTED", r, j->d));
 }
 
 /* --- Printed numbers against the orbit, by intervals --- */

@@ -196,12 +196,6 @@ static void add_bounds(const struct sheet *s, const struct audit_result *r) {
   paragraph(s);
 }
 
-static bool any_begins(const char *const *list, int n, const char *with) {
-  for (int i = 0; i < n; i++)
-    if (strncmp(list[i], with, strlen(with)) == 0) return true;
-  return false;
-}
-
 static void add_list(const struct sheet *s, const char *const *list, int n) {
   for (int i = 0; i < n; i++) {
     text_add(s->out, i == 0 ? "" : i + 1 == n ? " and " : ", ");
@@ -241,14 +235,7 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
     sheet_prose(s, f->dropped[i].residual);
   }
   text_add(s->out, ". ");
-  bool positions = any_begins(f->solved, f->n_solved, "(46)"),
-       velocities = any_begins(f->solved, f->n_solved, "(44), velocities");
-  if (velocities && !positions)
-    sheet_text(
-        s, "The initial positions are those of the second line of (44), $z_0=-N_3^{-1}(N_4-I)z'_0$, which differ from "
-           "those of (46).");
-  else if (positions && !velocities)
-    sheet_text(s, "The initial positions are those of (46), which differ from those of the second line of (44).");
+  sheet_text(s, reading_start(f));
   paragraph(s);
 }
 

@@ -85,3 +85,20 @@ size_t controls_noticed(const struct audit_result *r) {
   for (size_t i = 0; i < r->n_controls; i++) n += r->controls[i].noticed;
   return n;
 }
+
+static bool any_begins(const char *const *list, int n, const char *with) {
+  for (int i = 0; i < n; i++)
+    if (strncmp(list[i], with, strlen(with)) == 0) return true;
+  return false;
+}
+
+const char *reading_start(const struct example_reading *e) {
+  bool positions = any_begins(e->solved, e->n_solved, "(46)"),
+       velocities = any_begins(e->solved, e->n_solved, "(44), velocities");
+  if (velocities && !positions)
+    return "The initial positions are those of the second line of (44), $z_0=-N_3^{-1}(N_4-I)z'_0$, which differ from "
+           "those of (46).";
+  if (positions && !velocities)
+    return "The initial positions are those of (46), which differ from those of the second line of (44).";
+  return "";
+}

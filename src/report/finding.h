@@ -44,4 +44,8 @@ void audit_recheck(struct text *out, const struct audit_result *r);
 /* Statements made wrong on purpose that this run has noticed. */
 size_t controls_noticed(const struct audit_result *r);
 
+/* Where a reading takes the initial positions from, in a sentence with mathematics between dollar signs; "" where it
+   solves both lines of (44), or neither. */
+const char *reading_start(const struct example_reading *e);
+
 #endif

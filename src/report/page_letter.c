@@ -77,7 +77,9 @@ static void add_reading(const struct page *p, const struct example_reading *e) {
     text_add(p->out, ", whose sides then differ by ");
     html_prose(p->out, e->dropped[i].residual);
   }
-  text_add(p->out, e->n_dropped ? "" : "</strong>");
+  if (e->n_dropped) html_stop(p->out);
+  text_add(p->out, e->n_dropped ? " " : "</strong> ");
+  html_text(p->out, reading_start(e), NULL);
   end_paragraph(p);
 }
 
@@ -100,7 +102,7 @@ static void add_wrong_numbers(const struct page *p, const struct root_cause *roo
 }
 
 static const struct column numbers[] = {
-    {"number", false}, {"printed", true}, {"this reading", true}, {"nearest periodic solution", true}};
+    {"number", false}, {"printed", true}, {"so computed", true}, {"nearest periodic solution", true}};
 
 static const char *true_value(const struct finding *f) {
   for (int i = 0; i < f->certificate.n; i++)
@@ -179,7 +181,7 @@ static void add_example(const struct page *p) {
 /* What there is in all, once. */
 static void add_counts(const struct page *p, const char *before) {
   static const char *const one[N_SEVERITIES] = {"error that changes a result", "remark", "slip of notation"};
-  static const char *const more[N_SEVERITIES] = {"errors that change a result", "remarks", "slips of notation"};
+  static const char *const more[N_SEVERITIES] = {"errors of substance", "remarks", "slips of notation"};
   size_t n[N_SEVERITIES] = {0};
   for (size_t i = 0; i < p->r->n_roots; i++) n[p->r->roots[i].severity]++;
   text_add(p->out, before);
@@ -209,7 +211,7 @@ static void add_errors(const struct page *p) {
   if (p->r->n_roots == 0) return;
   text_add(p->out, "<h3>What has to be corrected</h3>\n");
   add_counts(p, "<p>The audit has found ");
-  text_add(p->out, told ? " Besides the numbers of the example these are the errors, worst first:</p>\n" : "</p>\n");
+  text_add(p->out, told ? " Besides the numbers of the example these are, in order of consequence:</p>\n" : "</p>\n");
   text_add(p->out, "<ol class=\"errors\">\n");
   for (size_t i = 0; i < p->r->n_roots; i++) {
     const struct root_cause *root = &p->r->roots[i];
@@ -229,21 +231,13 @@ static int equation_number(const struct finding *f) {
   return n > 0 && n < MOST_EQUATIONS && !*end ? (int)n : 0;
 }
 
-/* Does "(12), (14)" or "(53)-(61) of Appendix B" name the equation?  "After (43)" is a sentence beside it. */
-static bool names_equation(const char *where, int n) {
-  for (const char *at = strchr(where, '('); at; at = strchr(at + 1, '(')) {
-    int from = 0, to = 0;
-    bool beside = at - where >= 6 && (strncmp(at - 5, "fter ", 5) == 0 || strncmp(at - 6, "efore ", 6) == 0);
-    if (!beside && sscanf(at, "(%d)-(%d)", &from, &to) > 0 && n >= from && n <= (to ? to : from)) return true;
-  }
-  return false;
-}
-
-/* Whether all that was asked about it holds, and no correction is about it; false where nothing was asked. */
+/* Whether all that was asked about it holds, and no correction stands at it; false where nothing was asked. */
 static bool equation_holds(const struct audit_result *r, int n) {
   bool any = false, all = true;
+  char place[20];
+  snprintf(place, sizeof place, "(%d)", n);
   for (size_t i = 0; i < r->n_roots; i++)
-    if (names_equation(r->roots[i].where, n)) return false;
+    if (strcmp(r->roots[i].where, place) == 0) return false;
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     if (equation_number(f) != n) continue;
@@ -255,7 +249,7 @@ static bool equation_holds(const struct audit_result *r, int n) {
 
 /* "(1)-(9), (11)". */
 static void add_sound_equations(const struct page *p) {
-  const char *before = " Nothing has to be corrected, and all that was examined has been proved, in the equations ";
+  const char *before = " All that was examined of the equations themselves has been proved for ";
   static const char more[] = ", ";
   for (int i = 1, last; i < MOST_EQUATIONS; i = last + 1) {
     last = i;
@@ -265,7 +259,7 @@ static void add_sound_equations(const struct page *p) {
     if (last > i) text_printf(p->out, "%s(%d)", last > i + 1 ? "\xe2\x80\x93" : more, last);
     before = more;
   }
-  if (before == more) text_add_char(p->out, '.');
+  if (before == more) text_add(p->out, "; how some of them are used is among the findings.");
 }
 
 static void add_what_holds(const struct page *p) {
@@ -293,8 +287,8 @@ static void add_multiplier(const struct page *p, const struct finding *f) {
     const struct evidence *e = &f->evidence[i];
     if (!e->note || !e->worst || strncmp(e->worst, meant, sizeof meant - 1) != 0) continue;
     text_add(p->out,
-             "The paper does not apply its criterion to the example. It gives, for the periodic solution nearest "
-             "to the printed numbers, ");
+             "The paper does not apply its criterion to the example. At the periodic solution nearest to the printed "
+             "numbers ");
     page_begin_link(p, "c-", f->id);
     html_prose_n(p->out, e->note, strcspn(e->note, ";"));
     text_add(p->out, "</a>. ");
@@ -308,7 +302,8 @@ static void add_later(const struct page *p, const struct finding *f) {
   const char *end = f && f->n_evidence && f->evidence[0].note ? strstr(f->evidence[0].note, last) : NULL;
   if (!end) return;
   text_add(p->out,
-           " In the long run the printed initial state leads to another motion, in the letters of its phases: ");
+           " In the long run the printed initial state leads to another motion; by the letters of the phases' matrices "
+           "(G is \xce\x93), ");
   page_begin_link(p, "c-", f->id);
   html_prose_n(p->out, end, strcspn(end, ";"));
   text_add(p->out, "</a>.");
@@ -338,7 +333,7 @@ static void add_gift(const struct page *p) {
 
 void page_letter(const struct page *p) {
   page_begin_section(p, "letter", "To the author");
-  text_add(p->out, "<p>What the formulas and sentences of the paper assert was compared, one by one, with its "
+  text_add(p->out, "<p>The formulas and statements of the paper were compared, one by one, with its "
                    "equations of motion (1) and Coulomb's law (2): by exact algebra, by computations with rigorous "
                    "error bounds and by numerical integration. <strong>The text that was read is a machine conversion "
                    "of the printed paper</strong>; a misprint of a single symbol may be due to the conversion.</p>\n");

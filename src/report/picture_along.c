@@ -47,17 +47,17 @@ static size_t add_range(struct text *out, const struct rows *t, size_t i) {
 static void say_along(struct text *out, const struct rows *t) {
   bool any = false;
   if (t->n == 0 || t->columns <= ADMISSIBLE) return;
-  text_printf(out, "With the other data of the example this solution was followed from $e_2 = %s$ to $%s$",
+  text_printf(out, "The picture shows this solution for $%s \\le e_2 \\le %s$ with the other data of the example.",
               t->cell[0][E2], t->cell[t->n - 1][E2]);
-  if (is_change(t, t->n - 1)) text_printf(out, ", where %s", t->cell[t->n - 1][CHANGE]);
-  text_add_char(out, '.');
   for (size_t i = 0; i < t->n; i++)
     if (is_good(t, i)) {
       i = add_range(out, t, i);
       any = true;
     }
-  text_add(out, any ? " Proved are the values drawn, and to the digits given what changes between them."
-                    : " It is nowhere both stable and admissible there.");
+  text_add(out,
+           any ? " The values drawn and the ends of the range are proved to the digits given; the curve between is "
+                 "interpolated."
+               : " It is nowhere both stable and admissible there.");
 }
 
 static void tell_along(struct text *out, const struct rows *t) {
@@ -105,7 +105,7 @@ static void add_panel(struct plot *p, const struct rows *t, size_t column, doubl
 
 static void draw_along(struct plot *p, const struct rows *t) {
   static const char *const key[][2] = {{"c0", "stable and admissible"},
-                                       {"c1", "not so"},
+                                       {"c1", "not both"},
                                        {"aid", "\xc2\xb1"
                                                "1; changes"}};
   double top = plot_key(p, key, 3);
@@ -113,5 +113,5 @@ static void draw_along(struct plot *p, const struct rows *t) {
   add_panel(p, t, PERIOD, top + 146, "period");
 }
 
-const struct picture picture_along = {"along-e2", "along-e2.tsv", "The periodic solution when e2 alone is another",
+const struct picture picture_along = {"along-e2", "along-e2.tsv", "The periodic solution as e2 varies",
                                       say_along,  tell_along,     draw_along};

@@ -18,7 +18,7 @@ static const char heading[] =
     "change\te2\te2_to\ttrace\tperiod\tstable\tadmissible\n";
 
 static const char *const says[N_CHANGES] = {
-    [CHANGE_FLIP] = "tr J passes -1 and the period doubles",
+    [CHANGE_FLIP] = "tr J passes -1",
     [CHANGE_FOLD] = "the solution merges with another one",
     [CHANGE_TA] = "t_a becomes zero",
     [CHANGE_H_V2] = "the second mass reaches the velocity of the belt in the global slip phase",

@@ -121,6 +121,20 @@ class Field:
         self.angles.append((angle, sine, cosine))
         return sine, cosine
 
+    def written(self, e, n=None):
+        """In the names of the symbols, with sines and cosines of the first n angles."""
+        angles, names = self.angles[:n], {}
+        for name, symbol in self.names.items():
+            names.update({i: name for i in generators(symbol.num)})
+        for k, (angle, sine, cosine) in enumerate(angles):
+            for word, of in ("sin", sine), ("cos", cosine):
+                names.update({i: "%s(%s)" % (word, self.written(angle, k)) for i in generators(of.num)})
+        symbols = {self.ring.symbols[i]: Symbol(name) for i, name in names.items()}
+        out = e.num.as_expr().xreplace(symbols)
+        for part, k in e.den.items():
+            out /= part.as_expr().xreplace(symbols) ** k
+        return factor(out)
+
     def sin(self, x):
         return self.sin_cos(x)[0]
 
@@ -586,9 +600,9 @@ def generators(polynomial):
     return {i for exponents in polynomial.monoms() for i, k in enumerate(exponents) if k}
 
 
-def unequal(part, entries, attempt, with_omega, off_circle):
-    """The entries among these whose sides differ."""
-    motion, known = Motion(part, attempt, with_omega, off_circle), {}
+def differences(part, entries, motion):
+    """What the sides of these entries differ by."""
+    known = {}
 
     def value(k):
         if k not in known:
@@ -598,8 +612,13 @@ def unequal(part, entries, attempt, with_omega, off_circle):
     code, n = part["values"](motion.f, motion, value), len(part["by"])
     right = [e for row in motion.oracle(part["oracle"]) for e in row] if part["oracle"] else None
     left = part["sides"]
-    differences = [(i, value(left[i]) - (right[i] if right else value(left[n + i]))) for i in entries]
-    return [i for i, d in differences if not holds(motion, part["relations"][i], d)]
+    return [(i, value(left[i]) - (right[i] if right else value(left[n + i]))) for i in entries]
+
+
+def unequal(part, entries, attempt, with_omega, off_circle):
+    """The entries among these whose sides differ."""
+    motion = Motion(part, attempt, with_omega, off_circle)
+    return [i for i, d in differences(part, entries, motion) if not holds(motion, part["relations"][i], d)]
 
 
 def holds(motion, relation, difference):
@@ -640,6 +659,16 @@ def prove(part, entries, attempt):
     raise AssertionError("%s: entry %d is not an identity" % (CLAIM, entries[0] + 1))
 
 
+def disprove(part, entries, attempt):
+    """Says what is printed less what is right; how many entries are wrong."""
+    wrong = unequal(part, entries, attempt, False, False)
+    motion = Motion(part, attempt, False, True)
+    for i, d in differences(part, wrong, motion):
+        print("entry %d of %d, as printed less that of %s: %s" % (
+            i + 1, len(part["by"]), part["oracle"], motion.f.written(d)))
+    return len(wrong)
+
+
 def rank(matrix):
     """Elimination with every symbol free; a pivot is a number times powers of chi, eta and V, so it is nowhere zero."""
     f, known = Field(False, {}, False, False), {}
@@ -672,4 +701,7 @@ for matrix in MATRICES:
 for part in PARTS:
     for attempt in sorted(set(part["by"])):
         prove(part, [i for i, by in enumerate(part["by"]) if by == attempt], attempt)
+assert not PRINTED or sum(
+    disprove(part, [i for i, by in enumerate(part["by"]) if by == attempt], attempt)
+    for part in PRINTED for attempt in sorted(set(part["by"]))), "%s: it holds as printed" % CLAIM
 print(CLAIM + ": proved")
