@@ -235,7 +235,7 @@ def along_errors(folder, s):
     mpmath.mp.dps = 30
     known = [l.split("\t") for l in (HERE / "bifurcations.tsv").read_text().splitlines() if not l.startswith("#")]
     known = {k[8]: mpf(k[9]) for k in known if s.printed and k[:6] == ["0.8", "1", "1", "2.7844", "-", "e2"]}
-    kinds = {"tr J passes -1 and the period doubles": "flip", "t_a becomes zero": "t_a"}
+    kinds = {"tr J passes -1": "flip", "t_a becomes zero": "t_a"}
     seen = set()
     for before, r, after in zip([None, *rows], rows, [*rows[1:], None]):
         kind = kinds.get(r["change"])
