@@ -117,12 +117,12 @@ static void add_number(const struct page *p, const struct reading_number *n, con
   if (f) html_anchor(p->out, " id=\"f-", f->id);
   text_add(p->out, f ? "\"><th scope=\"row\">" : "><th scope=\"row\">");
   if (f) page_begin_link(p, "c-", f->id);
-  html_prose(p->out, n ? n->name : f->id);
+  html_prose(p->out, n ? n->name : f ? f->id : "");
   text_add(p->out, f ? "</a></th>" : "</th>");
   page_cell(p, &numbers[1]);
   if (n)
     html_prose(p->out, n->printed);
-  else
+  else if (f)
     html_math(p->out, f->printed ? f->printed : "", NULL);
   text_add(p->out, "</td>");
   page_cell(p, &numbers[2]);
