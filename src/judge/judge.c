@@ -262,6 +262,27 @@ static bool measure_near(const char **distance, struct judge *j, const struct cl
   return true;
 }
 
+static const char unread[] = "the paper's text that it damages cannot be read";
+
+static bool leave_out(struct audit_result *out, const struct claim *control, const char *why) {
+  audit_leave_out(out, result_str(out, "control %s", control->id), why);
+  return true;
+}
+
+/* Why the verdict on a control tells nothing of how its claim is checked; NULL where it does. */
+static const char *says_nothing(const struct judge *j, const struct finding *f, const struct claim *control,
+                                const struct claim *claim) {
+  bool off_record = f->recorded == N_VERDICTS; /* whether the claim holds in this scene was not known */
+  if (f->verdict == VERDICT_REFUTED) return NULL;
+  if (off_record && is_found(j->out, claim->id, VERDICT_REFUTED)) return "its claim does not hold here without damage";
+  if (f->verdict != VERDICT_UNKNOWN) return NULL;
+  if (j->scene->asked.routes.n > 0) return "undecided by the routes that the scene asks for";
+  if (is_found(j->out, claim->id, VERDICT_UNKNOWN)) return "its claim is undecided here without damage";
+  return record_get(control->record, "near") && j->scene->changed
+             ? "so small a damage is not decided at parameters other than the file's"
+             : NULL;
+}
+
 /* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes
    by those of the control's own record.  One "of: correction" makes the correction wrong that the claim's file holds:
    the claim fails as before, and so must the correction. */
@@ -271,11 +292,7 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
   const struct claim_kind *k = claim_kind_of(&c);
   struct finding f;
   if (!k || !finding_describe(&f, j, &c)) return false;
-  if (is_unreadable(j->out, claim)) {
-    audit_leave_out(j->out, result_str(j->out, "control %s", control->id),
-                    "the paper's text that it damages cannot be read");
-    return true;
-  }
+  if (is_unreadable(j->out, claim)) return leave_out(j->out, control, unread);
   const char *of = record_get(control->record, "of");
   bool correction = of && strcmp(of, "correction") == 0;
   if (of && !correction) return claim_error(j, control, "of", "\"correction\", or nothing");
@@ -287,30 +304,12 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
   j->effort = EFFORT_FULL;
   if (!readable) {
     if (!not_read(&f, j) && !notation_fault(&f, j)) return false;
-    audit_leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
-    return true;
+    return leave_out(out, control, unread);
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
   if (correction) f.verdict = f.correction ? f.correction_verdict : VERDICT_UNKNOWN;
-  bool narrowed = j->scene->asked.routes.n > 0;
-  if (f.verdict == VERDICT_UNKNOWN && narrowed) {
-    audit_leave_out(out, result_str(out, "control %s", control->id), "undecided by the routes that the scene asks for");
-    return true;
-  }
-  if (f.verdict == VERDICT_UNKNOWN && is_found(out, claim->id, VERDICT_UNKNOWN)) {
-    audit_leave_out(out, result_str(out, "control %s", control->id), "its claim is undecided here without damage");
-    return true;
-  }
-  if (f.verdict == VERDICT_UNKNOWN && record_get(control->record, "near") && j->scene->changed) {
-    audit_leave_out(out, result_str(out, "control %s", control->id),
-                    "so small a damage is not decided at parameters other than the file's");
-    return true;
-  }
-  bool off_record = f.recorded == N_VERDICTS; /* whether the claim holds in this scene was not known */
-  if (f.verdict != VERDICT_REFUTED && off_record && is_found(out, claim->id, VERDICT_REFUTED)) {
-    audit_leave_out(out, result_str(out, "control %s", control->id), "its claim does not hold here without damage");
-    return true;
-  }
+  const char *why = says_nothing(j, &f, control, claim);
+  if (why) return leave_out(out, control, why);
   const char *distance = NULL;
   if (!measure_near(&distance, j, &c, control)) return false;
   audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);

@@ -17,7 +17,7 @@
 #include "value/coulomb_setup.h"
 #include "value/title.h"
 
-enum { SOLUTION_PREC = 256, UNITS_OF_SOLUTIONS = 60000, MOST_LISTED = 40, MOST_TRIED = 200 };
+enum { SOLUTION_PREC = 256, UNITS_OF_SOLUTIONS = 60000, MOST_LISTED = 40 };
 
 enum asked_of { ASKED_COUNT, ASKED_FIRST, ASKED_MOTION };
 
@@ -303,7 +303,7 @@ static void conclude(struct finding *f, struct solutions *x) {
 static void leave_many(struct finding *f, struct solutions *x) {
   finding_state(
       f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL,
-      result_str(x->j->out, "there are %ld solutions, and at most %d are tried", (long)x->list.n, MOST_TRIED));
+      result_str(x->j->out, "there are %ld solutions, and at most %d are tried", (long)x->list.n, MOST_BRANCHES));
 }
 
 bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -318,7 +318,7 @@ bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, 
     finding_skip(f, j, "the scene does not give e1 and e2");
   } else if (ok) {
     find(&x);
-    if (x.list.n > MOST_TRIED)
+    if (x.list.n > MOST_BRANCHES)
       leave_many(f, &x);
     else
       conclude(f, &x);

@@ -185,9 +185,8 @@ static bool add_head(struct text *out, struct judge *j, const struct claim *c, c
   if (corrected && erratum_text(out, m, c)) text_add_char(out, '\n');
   if (!corrected) claim_formulas(out, m, c, "#   ");
   text_printf(out,
-              "import re\nimport sys\n\nfrom sympy import QQ, Symbol, factor, ring\n\nCLAIM = \"%s%s\"\nPARTS, "
-              "PRINTED, MATRICES = [], [], "
-              "[]\n",
+              "import re\nimport sys\n\nfrom sympy import QQ, Symbol, factor, ring\n\n"
+              "CLAIM = \"%s%s\"\nPARTS, PRINTED, MATRICES = [], [], []\n",
               id, corrected ? " as corrected" : "");
   return ok;
 }

@@ -89,9 +89,9 @@ const struct root_cause *audit_result_root(const struct audit_result *r, const c
   return NULL;
 }
 
-size_t audit_result_roots(const struct audit_result *r, bool substance) {
+size_t audit_result_roots(const struct audit_result *r, enum severity severity) {
   size_t n = 0;
-  for (size_t i = 0; i < r->n_roots; i++) n += (r->roots[i].severity == SEVERITY_SUBSTANCE) == substance;
+  for (size_t i = 0; i < r->n_roots; i++) n += r->roots[i].severity == severity;
   return n;
 }
 

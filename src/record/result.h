@@ -329,8 +329,8 @@ const char *result_take(struct audit_result *r, struct text *t);
 /* The finding of that id, the root of that id, or NULL. */
 const struct finding *audit_result_finding(const struct audit_result *r, const char *id);
 const struct root_cause *audit_result_root(const struct audit_result *r, const char *id);
-/* How many roots are of substance, or how many are remarks and slips of notation. */
-size_t audit_result_roots(const struct audit_result *r, bool substance);
+/* How many roots have this severity. */
+size_t audit_result_roots(const struct audit_result *r, enum severity severity);
 /* The consequence of a failure, or NULL. */
 const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure);
 /* How many of the findings that are the paper's, or the suite's, have each verdict; their sum. */

@@ -22,16 +22,15 @@ static void add_counts(struct text *out, const struct audit_result *r) {
 
 /* What fails, by the severity of its root. */
 static void add_severities(struct text *out, const struct audit_result *r) {
-  static const char *const word[N_SEVERITIES] = {"changes a result", "remark", "slip of notation"};
   if (!r->n_roots) return;
   text_add(out, "| refuted or conditional | roots | statements of the paper | checks of the suite |\n"
                 "| --- | ---: | ---: | ---: |\n");
   for (int severity = 0; severity < N_SEVERITIES; severity++) {
-    long roots = 0, of[2] = {0, 0};
-    for (size_t i = 0; i < r->n_roots; i++) roots += (int)r->roots[i].severity == severity;
+    long of[2] = {0, 0};
     for (size_t i = 0; i < r->n_findings; i++)
       of[r->findings[i].of == OF_PAPER] += (int)r->findings[i].severity == severity;
-    text_printf(out, "| %s | %ld | %ld | %ld |\n", word[severity], roots, of[true], of[false]);
+    text_printf(out, "| %s | %zu | %ld | %ld |\n", severity_words[severity][0],
+                audit_result_roots(r, (enum severity)severity), of[true], of[false]);
   }
   text_add(out, "\n");
 }

@@ -136,7 +136,7 @@ static void add_roots(const struct sheet *s, const struct audit_result *r, enum 
 }
 
 static void add_opening(const struct sheet *s, const struct audit_result *r) {
-  size_t substance = audit_result_roots(r, true), slips = audit_result_roots(r, false);
+  size_t substance = audit_result_roots(r, SEVERITY_SUBSTANCE), slips = r->n_roots - substance;
   text_add(s->out, s->tex ? "\\section*{Errata}\n" : "# Errata\n\n");
   if (r->paper) {
     text_add(s->out, s->tex ? "\\emph{" : "*");

@@ -86,6 +86,9 @@ size_t controls_noticed(const struct audit_result *r) {
   return n;
 }
 
+const char *const severity_words[N_SEVERITIES][2] = {
+    {"error of substance", "errors of substance"}, {"remark", "remarks"}, {"slip of notation", "slips of notation"}};
+
 static bool any_begins(const char *const *list, int n, const char *with) {
   for (int i = 0; i < n; i++)
     if (strncmp(list[i], with, strlen(with)) == 0) return true;

@@ -44,6 +44,9 @@ void audit_recheck(struct text *out, const struct audit_result *r);
 /* Statements made wrong on purpose that this run has noticed. */
 size_t controls_noticed(const struct audit_result *r);
 
+/* One of them, and several: "remark", "remarks". */
+extern const char *const severity_words[N_SEVERITIES][2];
+
 /* Where a reading takes the initial positions from, in a sentence with mathematics between dollar signs; "" where it
    solves both lines of (44), or neither. */
 const char *reading_start(const struct example_reading *e);

@@ -1,5 +1,6 @@
 /* index.html: one file, a letter, findings and an archive.  It is read without a network and without its script,
-   which filters, sorts and opens what a link leads to; it is HTML and well-formed XML at once, so that any tool can read it. */
+   which filters, sorts and opens what a link leads to; it is HTML and well-formed XML at once, so that any tool can
+   read it. */
 #include "page.h"
 #include "escape.h"
 #include "html.h"

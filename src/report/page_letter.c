@@ -1,5 +1,5 @@
 /* The letter: what the paper's author should know, on two screens.  What was read; how the printed numbers come out;
-   the errors that change a result; what holds; where the solution is stable.  Every sentence is made of the record, and
+   the errors of substance; what holds; where the solution is stable.  Every sentence is made of the record, and
    what stands here is told in full below it. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -180,17 +180,12 @@ static void add_example(const struct page *p) {
 
 /* What there is in all, once. */
 static void add_counts(const struct page *p, const char *before) {
-  static const char *const one[N_SEVERITIES] = {"error that changes a result", "remark", "slip of notation"};
-  static const char *const more[N_SEVERITIES] = {"errors of substance", "remarks", "slips of notation"};
-  size_t n[N_SEVERITIES] = {0};
-  for (size_t i = 0; i < p->r->n_roots; i++) n[p->r->roots[i].severity]++;
   text_add(p->out, before);
-  for (int i = 0; i < N_SEVERITIES; i++)
-    text_printf(p->out, "%s%zu %s",
-                i == 0                 ? ""
-                : i + 1 < N_SEVERITIES ? ", "
-                                       : " and ",
-                n[i], n[i] == 1 ? one[i] : more[i]);
+  for (int i = 0; i < N_SEVERITIES; i++) {
+    size_t n = audit_result_roots(p->r, (enum severity)i);
+    text_add(p->out, i == 0 ? "" : i + 1 < N_SEVERITIES ? ", " : " and ");
+    text_printf(p->out, "%zu %s", n, severity_words[i][n != 1]);
+  }
   text_add_char(p->out, '.');
 }
 

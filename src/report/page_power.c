@@ -1,6 +1,6 @@
-/* The verdicts counted, and would the audit have noticed?  What was made wrong on purpose and found: statements in this run, and damages of the
-   formulas and of what stands beside them in the study whose file stands beside the report; and which claims one route
-   alone has judged. */
+/* The verdicts counted, and would the audit have noticed?  What was made wrong on purpose and found: statements in this
+   run, and damages of the formulas and of what stands beside them in the study whose file stands beside the report; and
+   which claims one route alone has judged. */
 #include <string.h>
 
 #include "escape.h"
