@@ -84,6 +84,7 @@ static const struct {
                          "constraints"},
     {"text-friction-names", "different symbols stand for the sliding friction force and the sticking friction force"},
     {"text-mass-name", "one symbol stands for the first mass"},
+    {"text-transpose", "different symbols stand for the derivative with respect to time and the transpose"},
     {"text-trace-bars", "|tr(J) < 1| is well formed"},
     {"text-compatibility-form", "M_21 + M_22 = 0 is well formed"},
     {"text-closed-forms",

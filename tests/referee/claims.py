@@ -277,6 +277,7 @@ def quoted(*parts):
 text_friction_names = quoted("u_{si}, u_{si}", "are the sliding and the sticking friction forces")
 text_free_index = quoted("V - x'_i = 0", "u_1 = x_1", "V - x'_2 = 0", r"u_2 = \chi(x_2 - x_1)")
 text_time_name = quoted("$t^*$ = time", r"t = \omega_3 t'")
+text_transpose = quoted(r"(o') = \frac{d(o)}{dt}", "z = (z_1, z_2)'", "z'_a = (V, V)^t", "z'_0 = (V, V)'")
 text_switch_times = quoted("$t_a, t_b, t_c, t_d$ = non dimensional times of switches")
 text_mass_name = quoted("masses $m_1, m_2$", "$M_1$ performs", "$M_2$ is still")
 text_start_name = quoted(r"Z_0 = \begin{pmatrix} z_0 \\ z'_0", "D(t_a + dt_a)(Z_0 + dZ_0)")
