@@ -477,13 +477,17 @@ START_TEST(orbits_recomputed) {
 }
 END_TEST
 
-START_TEST(simulations_follow_the_orbits) {
+static void load_system(const char *name) {
   char path[100];
   struct diag d;
-  struct mech_orbits list;
-  snprintf(path, sizeof path, "verify/systems/%s.system", scenes_of_systems[_i]);
+  snprintf(path, sizeof path, "verify/systems/%s.system", name);
   diag_init(&d);
   ck_assert_msg(mech_load(&file, path, &d), "%s", d.message);
+}
+
+START_TEST(simulations_follow_the_orbits) {
+  struct mech_orbits list;
+  load_system(scenes_of_systems[_i]);
   mech_orbits_find(&list, &file, NULL, true, 128);
   ck_assert_int_ge(list.n, 1);
   for (int k = 0; k < list.n; k++)
@@ -491,6 +495,67 @@ START_TEST(simulations_follow_the_orbits) {
       if (mech_orbit_is_motion(&list.orbit[k]))
         follow(&list.orbit[k], (enum mech_route)(from % N_MECH_ROUTES), from / N_MECH_ROUTES);
   mech_orbits_clear(&list);
+  mech_clear(&file);
+}
+END_TEST
+
+/* By differences of the motions of either route, over which the equations of the words have no say. */
+START_TEST(returns_differentiated) {
+  struct mech_orbits list;
+  load_system(scenes_of_systems[_i]);
+  mech_orbits_find(&list, &file, NULL, true, 128);
+  int motions = 0;
+  for (int k = 0; k < N_MECH_ROUTES * list.n; k++) {
+    const struct mech_orbit *o = &list.orbit[k / N_MECH_ROUTES];
+    double j[MECH_STATES * MECH_STATES], err;
+    if (!mech_orbit_is_motion(o)) continue;
+    ck_assert_int_eq(mech_jacobian_differences(j, &err, &file, o, (enum mech_route)(k % N_MECH_ROUTES)), SS_OK);
+    ck_assert_msg(err < 1e-3, "%g", err);
+    for (int i = 0; i < o->n_free * o->n_free; i++)
+      ck_assert_double_eq_tol(j[i], arf_get_d(arb_midref(o->jacobian->entries + i), ARF_RND_NEAR), err);
+    motions++;
+  }
+  ck_assert_int_ge(motions, N_MECH_ROUTES);
+  mech_orbits_clear(&list);
+  mech_clear(&file);
+}
+END_TEST
+
+/* An integrated motion that starts beside the orbit settles on its word. */
+static void settle_beside(const struct mech_orbit *o) {
+  struct mech_motion x;
+  struct mech_word w;
+  double z[MECH_STATES], period, gap;
+  int by;
+  for (int i = 0; i < file.states; i++)
+    z[i] = arf_get_d(arb_midref(o->state + i), ARF_RND_NEAR) * (i < file.n ? 0.999 : 1);
+  struct mech_plan plan = PLAN(2000, 2000);
+  ck_assert_int_eq(mech_simulate(&x, MECH_INTEGRATED, &file, z, &plan), SS_OK);
+  ck_assert(mech_settles(&w, &period, &gap, &x, file.n, file.states) && mech_word_same(&by, &w, &o->word));
+  mech_motion_clear(&x);
+}
+
+START_TEST(words_of_settled_motions) {
+  struct mech_orbits list;
+  struct mech_settling settling;
+  int by;
+  load_system(scenes_of_systems[_i]);
+  mech_settle(&settling, &file);
+  mech_orbits_find(&list, &file, NULL, false, 128);
+  ck_assert_int_ge(settling.settled, 6);
+  for (int i = 0; i < settling.n; i++) {
+    int stable = 0;
+    for (int k = 0; k < list.n; k++) {
+      const struct mech_orbit *o = &list.orbit[k];
+      if (!mech_word_same(&by, &o->word, &settling.on[i].word) || !mech_orbit_is_motion(o)) continue;
+      if (o->stable != TRUTH_TRUE) continue;
+      stable++;
+      settle_beside(o);
+    }
+    ck_assert_int_eq(stable, 1);
+  }
+  mech_orbits_clear(&list);
+  mech_settling_clear(&settling);
   mech_clear(&file);
 }
 END_TEST
@@ -845,7 +910,7 @@ static const struct {
 } commands[] = {
     {"system", "system takes one FILE", 2},
     {"system nothing.system", "nothing.system", 3},
-    {"orbit chain3 --basin", "are of the paper's two masses", 3},
+    {"orbit chain3 --basin", "--basin is of the paper's two masses", 3},
     {"orbit chain3 --certificate /no-such-folder/c.json", "/no-such-folder/c.json", 3},
     {"orbit chain3 --digits 1001", "at most 1000 --digits", 3},
     {"orbit chain3 --set system=chain99", "chain99.system", 3},
@@ -859,7 +924,7 @@ static const struct {
     {"orbit paper --set system=chain3", "paper.scene:7:1: error: the system has no parameter e2; it has V", 3},
     {"orbit chain3 --set V= --set word=", "orbits of the system chain3 found", 0},
     {"orbit chain3 --set ask=eq-27", "ask is of the paper's two masses", 3},
-    {"verify chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
+    {"verify chain3", "only orbit, jacobian, words, simulate, plot and bifurcate take such a scene", 3},
     {"simulate chain3 --compare", "--compare is of the paper's two masses", 2},
     {"simulate chain3 --at printed", "--at printed is of the paper's two masses", 2},
     {"simulate chain3 --at orbit:7", "there is no orbit 7", 3},
@@ -887,8 +952,19 @@ static const struct {
     {"bifurcate chain3 --along V=1:1", "the ends of --along V=1:1 are equal", 2},
     {"bifurcate chain3 --along V", "--along takes NAME=A:B", 2},
     {"bifurcate two-masses.system --along V=1:2", "two-masses.system", 3},
-    {"words chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
-    {"jacobian chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
+    {"words beside-wall --longest 2", "  -- s-: ", 0},
+    {"words chain3 --longest 9", "--longest takes a whole number from 1 to 8", 2},
+    {"words chain3 --digits 1001", "at most 1000 --digits", 2},
+    {"words driven", "  -- +- -- -s: ", 0},
+    {"words beside-wall --set system=nothing", "nothing.system", 3},
+    {"jacobian chain3 --phases", "--phases is of the paper's two masses", 3},
+    {"jacobian chain3 --method analytic", "--method analytic is of the paper's two masses; a system file takes", 3},
+    {"jacobian chain3 --method fd", "--method fd is of the paper's two masses", 3},
+    {"jacobian chain3 --layer printed", "--layer is of the paper's two masses", 3},
+    {"jacobian chain3 --at printed", "--at printed is of the paper's two masses", 3},
+    {"jacobian chain3 --at orbit:9", "there is no orbit 9; 1 were found", 3},
+    {"jacobian driven", "driven, orbit:1, method saltation: the first return of x1 v1 load_angle at the entry of", 0},
+    {"sweep chain3 --over e2=1:2:3", "take such a scene", 3},
     {"check verify/systems/chain3.system verify/scenes/chain3.scene", "chain3.scene: ok", 0},
 };
 
@@ -967,6 +1043,41 @@ START_TEST(json_of_simulations) {
 }
 END_TEST
 
+/* Both lists are the same orbits, by different commands and formats: J has the multipliers of the orbit. */
+START_TEST(json_of_systems) {
+  static const char *const runs[] = {"orbit chain3",    "orbit driven --digits 40",
+                                     "words chain3",    "words beside-wall",
+                                     "jacobian driven", "jacobian den-hartog --method ode"};
+  int status;
+  char *out =
+      shell_output(&status, "%s %s --json > %s && %s tests/oracle/validate.py schema/system.schema.json %s 2>&1",
+                   program(), runs[_i], scratch_path("j"), python(), scratch_path("j"));
+  ck_assert_msg(status == 0, "%s", out);
+  free(out);
+}
+END_TEST
+
+/* The one free coordinate of the paper's word: J is the trace that the special code prints. */
+START_TEST(the_papers_multiplier) {
+  static const char script[] =
+      "import json, sys\n"
+      "system, special = [json.load(open(name)) for name in sys.argv[1:]]\n"
+      "assert [z[\"im\"] for z in system[\"multipliers\"]] == [\"0\"]\n"
+      "assert system[\"J\"] == [[system[\"multipliers\"][0][\"re\"]]] == [[special[\"trace\"]]]\n";
+  char paths[3][400];
+  int status;
+  snprintf(paths[0], sizeof paths[0], "%s", scratch_put("m.scene", "system: two-masses\nword: ss -s -- s-\n"));
+  snprintf(paths[1], sizeof paths[1], "%s", scratch_path("system.json"));
+  snprintf(paths[2], sizeof paths[2], "%s", scratch_path("special.json"));
+  char *out = shell_output(&status,
+                           "%s jacobian %s --digits 40 --json > %s && %s jacobian paper --method implicit --at orbit:2 "
+                           "--digits 40 --json > %s && %s -c '%s' %s %s 2>&1",
+                           program(), paths[0], paths[1], program(), paths[2], python(), script, paths[1], paths[2]);
+  ck_assert_msg(status == 0, "%s", out);
+  free(out);
+}
+END_TEST
+
 #define COUNT(list) (int)(sizeof list / sizeof *list)
 
 Suite *mech_suite(void) {
@@ -986,6 +1097,8 @@ Suite *mech_suite(void) {
   tcase_add_test(c, the_papers_orbits_on_every_scene);
   tcase_add_loop_test(c, orbits_recomputed, 0, QUICK_SCENES);
   tcase_add_loop_test(c, simulations_follow_the_orbits, 0, COUNT(scenes_of_systems));
+  tcase_add_loop_test(c, returns_differentiated, 0, COUNT(scenes_of_systems));
+  tcase_add_loop_test(c, words_of_settled_motions, 0, QUICK_SCENES);
   tcase_add_loop_test(c, den_hartogs_motions, 0, 10);
   tcase_add_test(c, one_mass_in_closed_form);
   tcase_add_test(c, static_equal_to_sliding);
@@ -1007,6 +1120,8 @@ Suite *mech_suite(void) {
   tcase_add_loop_test(c, commands_on_systems, 0, COUNT(commands));
   tcase_add_loop_test(c, the_papers_system_from_a_file, 0, 3);
   tcase_add_loop_test(c, json_of_simulations, 0, 6);
+  tcase_add_loop_test(c, json_of_systems, 0, 6);
+  tcase_add_test(c, the_papers_multiplier);
   suite_add_tcase(s, c);
   return s;
 }

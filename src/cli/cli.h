@@ -203,10 +203,15 @@ int run_orbit_paper(const struct options *o, const char *data);
 int show_box(const struct options *o, const struct scene *s, slong digits);
 /* orbit and jacobian on a scene that names another word than the paper's. */
 int run_word_orbit(const struct options *o, const struct scene *s, slong digits, struct diag *d);
-/* orbit and bifurcate on a scene that names a system file. */
+/* orbit, words, jacobian and bifurcate on a scene that names a system file. */
 int run_system_bifurcate(const struct options *o, const struct scene *s, const char *data, slong digits,
                          struct diag *d);
 int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d);
+/* longest: of --longest, where it is given. */
+int run_system_words(const struct options *o, const struct scene *s, const char *data, int longest, slong digits,
+                     struct diag *d);
+int run_system_jacobian(const struct options *o, const struct scene *s, const char *data,
+                        const struct jacobian_request *asked, struct diag *d);
 int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
                       struct diag *d);
 /* simulate --compare, from the start of that name, over at most the given time. */

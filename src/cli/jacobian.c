@@ -124,9 +124,13 @@ int run_jacobian(const struct options *o, const char *data) {
   struct scene s;
   diag_init(&d);
   model_init(&m);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_TWO_MASSES, &d) && scene_one_point(&s, &d);
+  bool ok =
+      load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d) && (s.system || scene_one_point(&s, &d));
+  if (ok && q.orbit < 0 && s.system) q.orbit = 0;
   if (ok && q.orbit < 0) q.orbit = scene_other_word(&s) ? 0 : scene_usual_orbit(&s);
-  if (ok && scene_other_word(&s))
+  if (ok && s.system)
+    status = run_system_jacobian(o, &s, data, &q, &d);
+  else if (ok && scene_other_word(&s))
     status = run_word_jacobian(o, &s, &q, &d);
   else if (!ok || !load_model(&m, data, o, &d) ||
            !(option(o, OPT_PHASES) ? show_phases : show_jacobian)(o, &m, &s, &q, &d))

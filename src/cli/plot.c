@@ -31,7 +31,7 @@ static bool system_tables(struct audit_result *r, const char **why, const struct
   struct mech_word w;
   struct mech_orbits list = {.n = 0};
   bool ok = scene_load_system(&m, &w, s, data, d);
-  if (ok) mech_orbits_find(&list, &m, w.n ? &w : NULL, false, word_bits(DEFAULT_DIGITS) + 64);
+  if (ok) mech_orbits_find(&list, &m, w.n ? &w : NULL, false, system_bits(DEFAULT_DIGITS));
   if (ok && list.n) table_of_system(r, &m, &list);
   *why = ok && !list.n ? "no orbit is found" : NULL;
   mech_orbits_clear(&list);

@@ -47,7 +47,7 @@ static bool start_given(struct system_simulation *run, const char *text, struct 
 
 static bool start_on_orbit(struct system_simulation *run, const struct scene *s, const struct options *o, slong orbit,
                            struct diag *d) {
-  mech_orbits_find(&run->orbits, &run->m, run->word.n ? &run->word : NULL, false, word_bits(DEFAULT_DIGITS) + 64);
+  mech_orbits_find(&run->orbits, &run->m, run->word.n ? &run->word : NULL, false, system_bits(DEFAULT_DIGITS));
   bool there = orbit < run->orbits.n;
   if (!there && (option(o, OPT_AT) || option(o, OPT_PERIODS))) {
     diag_set(d, "%s: error: there is no orbit %ld; %d were found", s->path, (long)orbit + 1, run->orbits.n);

@@ -1,4 +1,4 @@
-/* stickslip system, and orbit on a scene that names a system file. */
+/* stickslip system; orbit, words and jacobian on a scene that names a system file. */
 #include "cli.h"
 #include "mech/describe.h"
 #include "mech/orbit.h"
@@ -28,18 +28,25 @@ int run_system(const struct options *o, const char *data) {
 
 static const char not_complete[] = "orbits are those that simulated motions come near; there may be others";
 
-static void multipliers_json(struct json *j, const struct mech_orbit *o, slong digits) {
-  if (!o->multipliers) {
+/* z: n multipliers, or NULL. */
+static void multipliers_json(struct json *j, acb_srcptr z, int n, slong digits) {
+  if (!z) {
     json_null(j, "multipliers");
     return;
   }
   json_array(j, "multipliers");
-  for (int i = 0; i < o->n_free; i++) {
+  for (int i = 0; i < n; i++) {
     json_object(j, NULL);
-    json_number(j, "re", acb_realref(o->multiplier + i), digits);
-    json_number(j, "im", acb_imagref(o->multiplier + i), digits);
+    json_number(j, "re", acb_realref(z + i), digits);
+    json_number(j, "im", acb_imagref(z + i), digits);
     json_end_object(j);
   }
+  json_end_array(j);
+}
+
+static void word_json(struct json *j, const struct mech_word *w) {
+  json_array(j, "word");
+  for (int k = 0; k < w->n; k++) json_string(j, NULL, w->phase[k]);
   json_end_array(j);
 }
 
@@ -71,9 +78,7 @@ static void orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   text_init(&t);
   json_object(j, NULL);
   json_string(j, "system", system);
-  json_array(j, "word");
-  for (int k = 0; k < o->word.n; k++) json_string(j, NULL, o->word.phase[k]);
-  json_end_array(j);
+  word_json(j, &o->word);
   json_array(j, "times");
   for (int k = 0; k < o->word.n; k++) json_number(j, NULL, o->t + k, digits);
   json_end_array(j);
@@ -83,7 +88,7 @@ static void orbit_json(struct json *j, const struct mech_orbit *o, const struct 
     json_number(j, "load_angle", o->angle, digits);
     json_long(j, "load_turns", o->turns);
   }
-  multipliers_json(j, o, digits);
+  multipliers_json(j, o->multipliers ? o->multiplier : NULL, o->n_free, digits);
   json_truth(j, "stable", o->stable);
   json_truth(j, "admissible", o->admissible);
   json_array(j, "violations");
@@ -123,22 +128,23 @@ static void add_line(struct text *out, const char *name, arb_srcptr x, slong dig
   text_add_char(out, '\n');
 }
 
-static void multipliers_text(struct text *out, const struct mech_orbit *o, slong digits) {
+static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits) {
   text_add(out, "  multipliers ");
-  for (int i = 0; o->multipliers && i < o->n_free; i++) {
+  for (int i = 0; z && i < n; i++) {
     text_add(out, i ? ", " : " ");
-    print_known(out, acb_realref(o->multiplier + i), digits);
-    if (arb_is_zero(acb_imagref(o->multiplier + i))) continue;
-    text_add(out, arb_is_negative(acb_imagref(o->multiplier + i)) ? " " : " +");
-    print_known(out, acb_imagref(o->multiplier + i), digits);
+    print_known(out, acb_realref(z + i), digits);
+    if (arb_is_zero(acb_imagref(z + i))) continue;
+    text_add(out, arb_is_negative(acb_imagref(z + i)) ? " " : " +");
+    print_known(out, acb_imagref(z + i), digits);
     text_add(out, " i");
   }
-  text_add(out, o->multipliers ? "\n" : " not told apart\n");
+  text_add(out, z ? "\n" : " not told apart\n");
 }
 
+static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"},
+                         *const allowed[] = {"not admissible", "admissible", "admissibility undecided"};
+
 static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, slong digits) {
-  static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"},
-                           *const allowed[] = {"not admissible", "admissible", "admissibility undecided"};
   text_printf(out, "%s, %s\n", fate[o->stable], allowed[o->admissible]);
   for (int k = 0; k < o->word.n; k++) {
     char name[MECH_PHASE + 16];
@@ -153,7 +159,7 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
   }
   if (o->turns) add_line(out, "load angle", o->angle, digits);
   if (o->turns) text_printf(out, "  %-12s %ld\n", "load turns", (long)o->turns);
-  multipliers_text(out, o, digits);
+  multipliers_text(out, o->multipliers ? o->multiplier : NULL, o->n_free, digits);
   text_add(out, o->certified ? "  certified; enclosed within "
                              : "  not certified: a condition or the stability is undecided");
   if (o->certified) radius_of(out, o);
@@ -166,14 +172,19 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
   }
 }
 
-static void orbits_text(struct text *out, const struct mech_orbits *list, const struct mech *m, const struct scene *s,
-                        slong digits) {
-  text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, list->n, list->n == 1 ? "" : "s", s->system);
+/* How the orbits were looked for. */
+static void search_text(struct text *out, const struct mech_orbits *list) {
   text_printf(out, "not proved complete: %s (%d motions, %d starts of Newton's iteration, %d without an orbit)\n",
               not_complete, list->simulations, list->candidates, list->failed);
   if (list->unfinished)
     text_printf(out, "%d of these motions were given up: too many steps, or numbers out of the range of a double\n",
                 list->unfinished);
+}
+
+static void orbits_text(struct text *out, const struct mech_orbits *list, const struct mech *m, const struct scene *s,
+                        slong digits) {
+  text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, list->n, list->n == 1 ? "" : "s", s->system);
+  search_text(out, list);
   for (int i = 0; i < list->n; i++) {
     text_printf(out, "orbit %d: ", i + 1);
     orbit_text(out, &list->orbit[i], m, digits);
@@ -191,40 +202,287 @@ static bool write_certificate(const char *path, const struct mech_orbits *list, 
   return written;
 }
 
-static void print_orbits(const struct options *o, const struct mech_orbits *list, const struct mech *m,
-                         const struct scene *s, slong digits) {
-  struct text out;
-  text_init(&out);
-  (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, list, m, s, digits);
-  if (option(o, OPT_JSON))
-    fputs(text_str(&out), stdout);
+/* --- Words --- */
+
+struct survey {
+  struct mech_orbits orbits;
+  struct mech_settling settling;
+  int longest; /* longer words are left out */
+};
+
+/* Which words there are: each orbit's where no earlier one has it, then those on which motions settle; NULL where it has
+   stood before, or is too long. */
+static const struct mech_word *word_number(int *motions, const struct survey *v, int k) {
+  const struct mech_orbits *list = &v->orbits;
+  const struct mech_word *w = k < list->n ? &list->orbit[k].word : &v->settling.on[k - list->n].word;
+  int by;
+  if (w->n > v->longest) return NULL;
+  for (int i = 0; i < k && i < list->n; i++)
+    if (mech_word_same(&by, &list->orbit[i].word, w)) return NULL;
+  *motions = 0;
+  for (int i = 0; i < v->settling.n; i++)
+    if (mech_word_same(&by, &v->settling.on[i].word, w)) *motions = v->settling.on[i].motions;
+  return w;
+}
+
+static void words_json(struct text *out, const struct survey *v, const struct mech *m, const struct scene *s,
+                       slong digits) {
+  const struct mech_orbits *list = &v->orbits;
+  struct json j;
+  int motions, by;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "scene", s->name);
+  json_string(&j, "system", s->system);
+  json_string(&j, "layer", "model");
+  json_bool(&j, "complete", false);
+  json_string(&j, "gap", not_complete);
+  json_object(&j, "simulations");
+  json_long(&j, "starts", v->settling.starts);
+  json_long(&j, "settled", v->settling.settled);
+  json_long(&j, "unfinished", v->settling.unfinished);
+  json_end_object(&j);
+  json_array(&j, "words");
+  for (int k = 0; k < list->n + v->settling.n; k++) {
+    const struct mech_word *w = word_number(&motions, v, k);
+    if (!w) continue;
+    json_object(&j, NULL);
+    word_json(&j, w);
+    json_long(&j, "settled", motions);
+    json_array(&j, "orbits");
+    for (int i = 0; i < list->n; i++)
+      if (mech_word_same(&by, &list->orbit[i].word, w)) orbit_json(&j, &list->orbit[i], m, s->system, digits);
+    json_end_array(&j);
+    json_end_object(&j);
+  }
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+/* A word with its orbits that are motions, as far as is known; *others: how many are not. */
+static void word_text(struct text *out, int *others, const struct mech_orbits *list, const struct mech_word *w,
+                      int motions, slong digits) {
+  struct text rows;
+  int by;
+  text_init(&rows);
+  for (int i = 0; i < list->n; i++) {
+    const struct mech_orbit *o = &list->orbit[i];
+    if (!mech_word_same(&by, &o->word, w)) continue;
+    *others += o->admissible == TRUTH_FALSE;
+    if (o->admissible == TRUTH_FALSE) continue;
+    text_add(&rows, "    orbit of period ");
+    print_known(&rows, o->period, digits);
+    text_printf(&rows, ", %s, %s%s\n", fate[o->stable], allowed[o->admissible], o->certified ? "" : ", not certified");
+  }
+  if (motions > 0 || rows.len > 0) {
+    text_add(out, "  ");
+    mech_word_print(out, w);
+    if (motions) text_printf(out, ": %d motion%s", motions, motions == 1 ? " settles on it" : "s settle on it");
+    text_printf(out, "\n%s", text_str(&rows));
+  }
+  text_clear(&rows);
+}
+
+static void words_text(struct text *out, const struct survey *v, const struct scene *s, slong digits) {
+  const struct mech_settling *t = &v->settling;
+  int motions, others = 0;
+  text_printf(out, "%s: words of the system %s; %d of %d motions from random starts settle", s->name, s->system,
+              t->settled, t->starts);
+  if (t->unfinished) text_printf(out, ", and %d could not be followed so long", t->unfinished);
+  text_add_char(out, '\n');
+  for (int k = 0; k < v->orbits.n + t->n; k++) {
+    const struct mech_word *w = word_number(&motions, v, k);
+    if (w) word_text(out, &others, &v->orbits, w, motions, digits);
+  }
+  if (others)
+    text_printf(out,
+                "%d more periodic solution%s of a word's equations break%s a condition of Coulomb's law (see --json)\n",
+                others, others == 1 ? "" : "s", others == 1 ? "s" : "");
+  search_text(out, &v->orbits);
+}
+
+/* --- The Jacobian of a return --- */
+
+static void free_name(char name[16], const struct mech_orbit *o, int l) {
+  int at = o->free[l];
+  if (at == 2 * o->n)
+    snprintf(name, 16, "load_angle");
   else
-    terminal_print(text_str(&out));
+    snprintf(name, 16, "%c%d", at < o->n ? 'x' : 'v', at % o->n + 1);
+}
+
+/* By saltation that of the enclosed orbit; else by differences, in balls of their estimated error. */
+static bool fill_jacobian(arb_mat_t x, const struct mech *m, const struct mech_orbit *o, const struct scene *s,
+                          const struct jacobian_request *q, struct diag *d) {
+  double j[MECH_STATES * MECH_STATES], err;
+  int n = o->n_free;
+  arb_mat_set(x, o->jacobian);
+  if (q->method == METHOD_SALTATION) return true;
+  if (mech_jacobian_differences(j, &err, m, o, q->method == METHOD_ODE ? MECH_INTEGRATED : MECH_PATCHED)) {
+    diag_set(d, "%s: error: a simulation beside the orbit does not follow the word, so that --method %s has no value",
+             s->path, method_name[q->method]);
+    return false;
+  }
+  for (int i = 0; i < n * n; i++) {
+    arb_set_d(x->entries + i, j[i]);
+    mag_set_d(arb_radref(x->entries + i), err);
+  }
+  return true;
+}
+
+static void jacobian_json(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,
+                          const struct scene *s, const struct jacobian_request *q, const char *at) {
+  struct json j;
+  char name[16];
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "system", s->system);
+  word_json(&j, &o->word);
+  json_array(&j, "free");
+  for (int l = 0; l < o->n_free; l++) {
+    free_name(name, o, l);
+    json_string(&j, NULL, name);
+  }
+  json_end_array(&j);
+  return_json(&j, x->entries, o->n_free, q->digits);
+  multipliers_json(&j, z, o->n_free, q->digits);
+  json_string(&j, "method", method_name[q->method]);
+  json_string(&j, "layer", "model");
+  json_string(&j, "at", at);
+  json_end_object(&j);
+}
+
+static void jacobian_text(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,
+                          const struct scene *s, const struct jacobian_request *q, const char *at) {
+  char name[16];
+  text_printf(out, "%s, %s, method %s: the first return of", s->name, at, method_name[q->method]);
+  for (int l = 0; l < o->n_free; l++) {
+    free_name(name, o, l);
+    text_printf(out, " %s", name);
+  }
+  text_printf(out, " at the entry of the first phase of ");
+  mech_word_print(out, &o->word);
+  text_add_char(out, '\n');
+  return_text(out, x->entries, o->n_free, q->digits);
+  multipliers_text(out, z, o->n_free, q->digits);
+}
+
+static bool show_jacobian(const struct options *o, const struct mech_orbits *list, const struct mech *m,
+                          const struct scene *s, const struct jacobian_request *q, struct diag *d) {
+  if (q->orbit >= list->n) {
+    diag_set(d, "%s: error: there is no orbit %ld; %d were found", s->path, (long)q->orbit + 1, list->n);
+    return false;
+  }
+  const struct mech_orbit *orbit = &list->orbit[q->orbit];
+  struct text out, at;
+  arb_mat_t x;
+  acb_ptr z = _acb_vec_init(orbit->n_free);
+  arb_mat_init(x, orbit->n_free, orbit->n_free);
+  text_init(&out);
+  text_init(&at);
+  print_at(&at, q);
+  bool ok = fill_jacobian(x, m, orbit, s, q, d);
+  if (ok) {
+    bool known = mech_eigenvalues(z, x, system_bits(q->digits));
+    (option(o, OPT_JSON) ? jacobian_json : jacobian_text)(&out, orbit, x, known ? z : NULL, s, q, text_str(&at));
+    fputs(text_str(&out), stdout);
+  }
+  text_clear(&at);
   text_clear(&out);
+  arb_mat_clear(x);
+  _acb_vec_clear(z, orbit->n_free);
+  return ok;
+}
+
+/* --- The commands --- */
+
+static void show(struct text *out, bool json) {
+  if (json)
+    fputs(text_str(out), stdout);
+  else
+    terminal_print(text_str(out));
+  text_clear(out);
+}
+
+/* Options that are of the paper's two masses, or too many digits. */
+static bool refuse(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
+  static const struct {
+    enum option id;
+    const char *name;
+  } of_two[] = {{OPT_BASIN, "--basin"}, {OPT_PHASES, "--phases"}, {OPT_LAYER, "--layer"}};
+  for (size_t i = 0; i < sizeof of_two / sizeof *of_two && !d->set; i++)
+    if (option(o, of_two[i].id)) diag_set(d, "%s: error: %s is of the paper's two masses", s->path, of_two[i].name);
+  if (!d->set && digits > WORD_DIGITS)
+    diag_set(d, "%s: error: a scene of a system file takes at most %d --digits", s->path, WORD_DIGITS);
+  return d->set;
+}
+
+/* The system of a scene and the orbits of that word, or of any; m and list are to be cleared in any case. */
+static bool find(struct mech *m, struct mech_orbits *list, bool any, const struct scene *s, const char *data,
+                 slong digits, struct diag *d) {
+  struct mech_word w;
+  *list = (struct mech_orbits){.n = 0};
+  if (!scene_load_system(m, &w, s, data, d)) return false;
+  mech_orbits_find(list, m, w.n && !any ? &w : NULL, false, system_bits(digits));
+  return true;
 }
 
 int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
-  static const enum option of_two[] = {OPT_BASIN, OPT_METHOD};
   const char *certificate = option(o, OPT_CERTIFICATE);
   struct mech m;
-  struct mech_word w;
   struct mech_orbits list;
-  for (size_t i = 0; i < sizeof of_two / sizeof *of_two; i++)
-    if (option(o, of_two[i])) {
-      diag_set(d, "%s: error: --basin and --method are of the paper's two masses", s->path);
-      return bad_input(d);
-    }
-  if (digits > WORD_DIGITS) {
-    diag_set(d, "%s: error: a scene of a system file takes at most %d --digits", s->path, WORD_DIGITS);
-    return bad_input(d);
-  }
-  bool ok = scene_load_system(&m, &w, s, data, d);
+  if (option(o, OPT_METHOD)) diag_set(d, "%s: error: --method is of the paper's two masses", s->path);
+  if (d->set || refuse(o, s, digits, d)) return bad_input(d);
+  bool ok = find(&m, &list, false, s, data, digits, d);
+  ok = ok && (!certificate || write_certificate(certificate, &list, &m, s, d));
+  bool json = option(o, OPT_JSON);
   if (ok) {
-    mech_orbits_find(&list, &m, w.n ? &w : NULL, false, word_bits(digits) + 64);
-    ok = !certificate || write_certificate(certificate, &list, &m, s, d);
-    if (ok) print_orbits(o, &list, &m, s, digits);
-    mech_orbits_clear(&list);
+    struct text out;
+    text_init(&out);
+    (json ? orbits_json : orbits_text)(&out, &list, &m, s, digits);
+    show(&out, json);
   }
+  mech_orbits_clear(&list);
+  mech_clear(&m);
+  return ok ? EXIT_AS_RECORDED : bad_input(d);
+}
+
+int run_system_words(const struct options *o, const struct scene *s, const char *data, int longest, slong digits,
+                     struct diag *d) {
+  struct mech m;
+  struct survey v = {.longest = option(o, OPT_LONGEST) ? longest : MECH_PHASES};
+  if (refuse(o, s, digits, d)) return bad_input(d);
+  bool ok = find(&m, &v.orbits, true, s, data, digits, d), json = option(o, OPT_JSON);
+  if (ok) {
+    struct text out;
+    text_init(&out);
+    mech_settle(&v.settling, &m);
+    if (json)
+      words_json(&out, &v, &m, s, digits);
+    else
+      words_text(&out, &v, s, digits);
+    show(&out, json);
+    mech_settling_clear(&v.settling);
+  }
+  mech_orbits_clear(&v.orbits);
+  mech_clear(&m);
+  return ok ? EXIT_AS_RECORDED : bad_input(d);
+}
+
+int run_system_jacobian(const struct options *o, const struct scene *s, const char *data,
+                        const struct jacobian_request *asked, struct diag *d) {
+  struct jacobian_request q = *asked;
+  struct mech m;
+  struct mech_orbits list;
+  if (!option(o, OPT_METHOD)) q.method = METHOD_SALTATION;
+  if (q.method != METHOD_SALTATION && q.method != METHOD_FD_DOUBLE && q.method != METHOD_ODE)
+    diag_set(d, "%s: error: --method %s is of the paper's two masses; a system file takes saltation, fd-double or ode",
+             s->path, method_name[q.method]);
+  else if (q.at_printed)
+    diag_set(d, "%s: error: --at printed is of the paper's two masses", s->path);
+  if (d->set || refuse(o, s, q.digits, d)) return bad_input(d);
+  bool ok = find(&m, &list, false, s, data, q.digits, d) && show_jacobian(o, &list, &m, s, &q, d);
+  mech_orbits_clear(&list);
   mech_clear(&m);
   return ok ? EXIT_AS_RECORDED : bad_input(d);
 }

@@ -13,6 +13,10 @@ slong word_bits(slong digits) {
   return (slong)((double)digits * 3.33) + 32;
 }
 
+slong system_bits(slong digits) {
+  return word_bits(digits) + 64;
+}
+
 /* --- Numbers. --- */
 
 static void largest_radius(arb_t worst, const struct word_orbit *o) {
@@ -50,14 +54,22 @@ static bool eigenvalue_texts(struct text out[WORD_FREE_MOST], arb_srcptr x, int 
 
 /* --- One orbit. --- */
 
-static void matrix_json(struct json *j, const struct word_orbit *o, arb_srcptr x, slong digits) {
+void return_json(struct json *j, arb_srcptr x, int n, slong digits) {
   json_array(j, "J");
-  for (int i = 0; i < o->n_free; i++) {
+  for (int i = 0; i < n; i++) {
     json_array(j, NULL);
-    for (int k = 0; k < o->n_free; k++) json_number(j, NULL, x + i * o->n_free + k, digits);
+    for (int k = 0; k < n; k++) json_number(j, NULL, x + i * n + k, digits);
     json_end_array(j);
   }
   json_end_array(j);
+}
+
+void return_text(struct text *out, arb_srcptr x, int n, slong digits) {
+  for (int i = 0; i < n * n; i++) {
+    text_add(out, "  ");
+    print_known(out, x + i, digits);
+    if ((i + 1) % n == 0) text_add_char(out, '\n');
+  }
 }
 
 static void free_json(struct json *j, const struct word_orbit *o) {
@@ -94,7 +106,7 @@ void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
   for (int i = 0; i < N_STATE; i++) json_number(j, word_coordinate_name[i], o->state + i, digits);
   json_end_object(j);
   free_json(j, o);
-  matrix_json(j, o, o->jacobian, digits);
+  return_json(j, o->jacobian, o->n_free, digits);
   json_number(j, "trace", o->trace, digits);
   json_number(j, "det", o->det, digits);
   eigenvalues_json(j, o->jacobian, o->n_free, digits);
@@ -313,7 +325,7 @@ static void show_matrix(const struct word_orbit *o, arb_srcptr x, const struct s
     for (int p = 0; p < o->word.n; p++) json_string(&j, NULL, phase_word_name(o->word.mode[p]));
     json_end_array(&j);
     free_json(&j, o);
-    matrix_json(&j, o, x, q->digits);
+    return_json(&j, x, o->n_free, q->digits);
     eigenvalues_json(&j, x, o->n_free, q->digits);
     json_string(&j, "method", method_name[q->method]);
     json_string(&j, "layer", "model");
@@ -323,11 +335,7 @@ static void show_matrix(const struct word_orbit *o, arb_srcptr x, const struct s
     text_printf(&out, "%s, %s, method %s, layer model: the return of", s->name, text_str(&at), method_name[q->method]);
     for (int i = 0; i < o->n_free; i++) text_printf(&out, " %s", word_coordinate_name[o->free[i]]);
     text_printf(&out, " at the start of %s\n", phase_word_name(o->word.mode[0]));
-    for (int i = 0; i < o->n_free * o->n_free; i++) {
-      text_add(&out, "  ");
-      print_known(&out, x + i, q->digits);
-      if ((i + 1) % o->n_free == 0) text_add_char(&out, '\n');
-    }
+    return_text(&out, x, o->n_free, q->digits);
     eigenvalues_text(&out, x, o->n_free, q->digits);
   }
   fputs(text_str(&out), stdout);

@@ -10,10 +10,14 @@ enum { WORD_DIGITS = 1000 }; /* the most that these commands take */
 
 /* u_r1 and u_r2 of the scene, NULL where it gives none. */
 void scene_friction(const fmpq *u_r[2], const struct scene *s);
-/* The working precision for so many digits. */
+/* The working precision for so many digits; of a system file's orbits. */
 slong word_bits(slong digits);
+slong system_bits(slong digits);
 /* --certificate: false with d set when no orbit is certified; a warning when some are not. */
 bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d);
+/* The Jacobian of a return, n by n: its rows; the member "J". */
+void return_text(struct text *out, arb_srcptr x, int n, slong digits);
+void return_json(struct json *j, arb_srcptr x, int n, slong digits);
 /* One orbit as a member of an array. */
 void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits);
 

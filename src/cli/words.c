@@ -299,7 +299,11 @@ int run_words(const struct options *o, const char *data) {
   struct scene s;
   diag_init(&d);
   v.scene = &s;
-  if (!load_scene(&s, o->operands.word[0], data, o, SCENE_OF_TWO_MASSES, &d) || !scene_one_point(&s, &d)) {
+  if (!load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d)) {
+    status = bad_input(&d);
+  } else if (s.system) {
+    status = run_system_words(o, &s, data, v.longest, v.digits, &d);
+  } else if (!scene_one_point(&s, &d)) {
     status = bad_input(&d);
   } else if (!scene_has_forces(&s)) {
     diag_set(&d, "%s: error: words needs a scene that gives e1 and e2", s.path);

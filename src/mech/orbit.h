@@ -13,8 +13,8 @@
 #ifndef STICKSLIP_MECH_ORBIT_H
 #define STICKSLIP_MECH_ORBIT_H
 
-#include "mech.h"
 #include "num/flint_more.h"
+#include "walk.h"
 
 enum mech_rule {
   MECH_LENGTH, /* the phase has a positive length */
@@ -65,6 +65,10 @@ int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mec
                     const double *z, slong prec);
 /* Its conditions: Coulomb's law. */
 void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec);
+/* The Jacobian of the first return by differences of motions beside the orbit, simulated by that route: n_free^2 numbers,
+   row by row, and a bound of their errors as it is estimated.  Not 0: they do not follow the word. */
+int mech_jacobian_differences(double *j, double *err, const struct mech *m, const struct mech_orbit *o,
+                              enum mech_route route);
 /* Certified and admissible. */
 bool mech_orbit_is_motion(const struct mech_orbit *o);
 void mech_orbit_clear(struct mech_orbit *o);
@@ -85,6 +89,18 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
 /* Where the first of these motions starts, in a double for each element of the state. */
 void mech_first_start(double *z, const struct mech *m);
 void mech_orbits_clear(struct mech_orbits *list);
+
+/* The words on which motions settle, from the starts of mech_orbits_find, but followed ten times as long. */
+struct mech_settling {
+  struct mech_settled {
+    struct mech_word word;
+    int motions;
+  } * on;
+  int n;
+  int starts, settled, unfinished; /* motions; of these, those that settle; those that could not be followed so long */
+};
+void mech_settle(struct mech_settling *s, const struct mech *m);
+void mech_settling_clear(struct mech_settling *s);
 int mech_orbits_certified(const struct mech_orbits *list); /* how many */
 /* The certified ones as a file for stickslip-checker (verify/checker/README.md); scene: a name. */
 void mech_certificates_json(struct text *out, const char *scene, const struct mech *m, const struct mech_orbits *list);

@@ -9,7 +9,7 @@
 #include "num/pi.h"
 #include "orbit.h"
 
-enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60 };
+enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60, ROUNDS = 10 };
 static const char seed[] = "motions of a system";
 static const double near = 0.2, periods = 300; /* relative distance of the ends; of the slowest mass alone */
 
@@ -47,6 +47,16 @@ static void random_start(double *z, const struct mech *m, uint64_t *stream) {
   }
 }
 
+/* Whether the word is a shorter one several times over. */
+static bool repeats(const struct mech_word *w) {
+  for (int l = 1; l < w->n; l++) {
+    struct mech_word turned;
+    mech_word_turn(&turned, w, l);
+    if (w->n % l == 0 && memcmp(turned.phase, w->phase, (size_t)w->n * sizeof *w->phase) == 0) return true;
+  }
+  return false;
+}
+
 /* The stretch from moment i over k phases; false when its word is a shorter one's, repeated, or not the one wanted. */
 static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i, int k, const struct mech_word *wanted,
                          const struct mech *m) {
@@ -54,12 +64,7 @@ static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i
   struct mech_word w = {.n = k};
   int by;
   for (int l = 0; l < k; l++) memcpy(w.phase[l], a[l].phase, sizeof w.phase[l]);
-  for (int l = 1; l < k; l++) {
-    struct mech_word turned;
-    mech_word_turn(&turned, &w, l);
-    if (k % l == 0 && memcmp(turned.phase, w.phase, (size_t)k * sizeof *w.phase) == 0) return false;
-  }
-  if (!mech_word_good(&w) || (wanted && !mech_word_same(&by, wanted, &w))) return false;
+  if (repeats(&w) || !mech_word_good(&w) || (wanted && !mech_word_same(&by, wanted, &w))) return false;
   *out = (struct stretch){.word = w, .gap = mech_gap(a[0].z, a[k].z, m->n, m->states)};
   for (int l = 0; l < k; l++) out->t[l] = a[l + 1].t - a[l].t;
   memcpy(out->z, a[0].z, sizeof out->z);
@@ -95,11 +100,11 @@ static void look_through(struct stretches *list, const struct mech_motion *x, co
     }
 }
 
-static double slowest(const struct mech *m) {
+static double duration(const struct mech *m) {
   double w = HUGE_VAL;
   for (int i = 0; i < m->n; i++)
     w = fmin(w, sqrt(fmpq_get_d(fmpq_mat_entry(m->stiffness, i, i)) / fmpq_get_d(m->mass[i].inertia)));
-  return w;
+  return fmin(1e6, periods / w);
 }
 
 /* --- Orbits --- */
@@ -174,7 +179,7 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
     struct mech_motion x;
     double z[MECH_STATES];
     random_start(z, m, &stream);
-    struct mech_plan plan = {.duration = fmin(1e6, periods / slowest(m)), .most = MOMENTS};
+    struct mech_plan plan = {.duration = duration(m), .most = MOMENTS};
     int status = mech_simulate(&x, MECH_PATCHED, m, z, &plan);
     if (status != SS_DOMAIN) look_through(&found, &x, w, m);
     list->unfinished += status != SS_OK;
@@ -196,4 +201,56 @@ int mech_orbits_certified(const struct mech_orbits *list) {
   int n = 0;
   for (int i = 0; i < list->n; i++) n += list->orbit[i].certified;
   return n;
+}
+
+/* --- Where motions settle --- */
+
+static void count(struct mech_settling *s, const struct mech_word *w) {
+  int by, i = 0;
+  while (i < s->n && !mech_word_same(&by, &s->on[i].word, w)) i++;
+  if (i == s->n) {
+    s->on = ss_realloc(s->on, (size_t)(s->n + 1) * sizeof *s->on);
+    s->on[s->n++] = (struct mech_settled){*w, 0};
+  }
+  s->on[i].motions++;
+  s->settled++;
+}
+
+/* From z, in rounds: a word that repeats a shorter one may still become it, and is taken after the last. */
+static void follow(struct mech_settling *s, double *z, const struct mech *m) {
+  char phase[MECH_PHASE + 1];
+  for (int round = 1; round <= ROUNDS; round++) {
+    struct mech_plan plan = {.duration = duration(m), .most = MOMENTS, .phase = round > 1 ? phase : NULL};
+    struct mech_motion x;
+    struct mech_word w;
+    double period, gap;
+    int status = mech_simulate(&x, MECH_PATCHED, m, z, &plan);
+    bool settles = !status && mech_settles(&w, &period, &gap, &x, m->n, m->states);
+    if (!status) {
+      memcpy(phase, x.moment[x.n_moments - 1].phase, sizeof phase);
+      memcpy(z, x.z, (size_t)m->states * sizeof *z);
+    }
+    mech_motion_clear(&x);
+    s->unfinished += status != SS_OK;
+    if (settles && (round == ROUNDS || !repeats(&w))) {
+      count(s, &w);
+      return;
+    }
+    if (status) return;
+  }
+}
+
+void mech_settle(struct mech_settling *s, const struct mech *m) {
+  uint64_t stream = random_seed(seed);
+  *s = (struct mech_settling){.n = 0};
+  while (s->starts < SIMULATIONS) {
+    double z[MECH_STATES];
+    random_start(z, m, &stream);
+    s->starts++;
+    follow(s, z, m);
+  }
+}
+
+void mech_settling_clear(struct mech_settling *s) {
+  free(s->on);
 }

@@ -13,7 +13,7 @@
 enum { LEVELS = 40, NEIGHBOURS = 9, ORDER = 4 };
 
 static int shifted(double *out, const struct double_map *map, const double *x, const double *dir, double by) {
-  double moved[N_STATE];
+  double moved[DIFFERENCES_MOST];
   for (int i = 0; i < map->n_in; i++) moved[i] = x[i] + by * dir[i];
   int s = map->run(out, moved, map->self);
   for (int i = 0; i < map->n_out && !s; i++)
@@ -30,7 +30,7 @@ static double largest(const double *a, const double *b, int n) {
 
 /* The standard deviation of the noisiest component's error, seen from neighbours at the distance near. */
 static int measure_noise(double *noise, const struct double_map *map, const double *x, const double *dir, double near) {
-  double f[NEIGHBOURS][N_STATE];
+  double f[NEIGHBOURS][DIFFERENCES_MOST];
   const double spread = 70; /* the variance of a fourth difference of unit noise: 1 + 16 + 36 + 16 + 1 */
   int s = SS_OK;
   *noise = 0;
@@ -63,7 +63,7 @@ static int bound_noise(double *noise, const struct double_map *map, const double
 
 /* The values of one step of the ladder; have counts how many steps in a row have led to it. */
 struct rung {
-  double plain[N_STATE], extrapolated[N_STATE], mean[N_STATE], change;
+  double plain[DIFFERENCES_MOST], extrapolated[DIFFERENCES_MOST], mean[DIFFERENCES_MOST], change;
   double size; /* the largest component of the values on both sides */
   int have;
 };
@@ -72,14 +72,14 @@ struct rung {
    mean, extrapolated to x, is not the value at x. */
 static bool continues(const struct rung *r, const struct rung *above, const double *value, double noise, double h,
                       int n) {
-  double gap[N_STATE];
+  double gap[DIFFERENCES_MOST];
   for (int i = 0; i < n; i++) gap[i] = r->mean[i] + (r->mean[i] - above->mean[i]) / 3 - value[i];
   return largest(gap, NULL, n) <= 0.05 * h * largest(r->plain, NULL, n) + 4 * noise;
 }
 
 static int climb(struct rung *r, const struct rung *above, const struct double_map *map, const double *x,
                  const double *dir, double h) {
-  double up[N_STATE], down[N_STATE];
+  double up[DIFFERENCES_MOST], down[DIFFERENCES_MOST];
   *r = (struct rung){.have = 0};
   int s = shifted(up, map, x, dir, h);
   if (!s) s = shifted(down, map, x, dir, -h);
@@ -103,7 +103,7 @@ static bool finer_steps_agree(const double *out, double err, double truncation, 
   const double finer = 1.0 / 8, blurred = 1.0 / 4;
   double most = largest(out, NULL, map->n_out);
   for (h *= finer; 3 * noise / h <= blurred * most; h *= finer) {
-    double up[N_STATE], down[N_STATE], off = 0;
+    double up[DIFFERENCES_MOST], down[DIFFERENCES_MOST], off = 0;
     if (shifted(up, map, x, dir, h) || shifted(down, map, x, dir, -h)) return false;
     for (int i = 0; i < map->n_out; i++) off = fmax(off, fabs((up[i] - down[i]) / (2 * h) - out[i]));
     if (off > err + truncation + 3 * noise / h) return false;
@@ -113,7 +113,7 @@ static bool finer_steps_agree(const double *out, double err, double truncation, 
 
 int differences_along(double *out, double *err, const struct double_map *map, const double *x, const double *dir) {
   const double odd = 1.2345678; /* a power of two would leave the last digits as they are, and their rounding unseen */
-  double unit = ldexp(odd, ilogb(map->scale)), noise = 0, value[N_STATE] = {0};
+  double unit = ldexp(odd, ilogb(map->scale)), noise = 0, value[DIFFERENCES_MOST] = {0};
   int s = shifted(value, map, x, dir, 0), last = SS_UNABLE;
   if (!s) s = bound_noise(&noise, map, x, dir, ldexp(unit, -34), value);
   struct rung above = {.have = 0}, here;

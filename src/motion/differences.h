@@ -4,7 +4,8 @@
 
 #include "dynamics.h"
 
-/* A map of n_in to n_out doubles, at most N_STATE, smooth but for its noise. */
+enum { DIFFERENCES_MOST = 50 };
+/* A map of n_in to n_out doubles, at most DIFFERENCES_MOST, smooth but for its noise. */
 struct double_map {
   int (*run)(double *out, const double *x, const void *self);
   const void *self;

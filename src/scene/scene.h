@@ -76,7 +76,7 @@ extern const char *const scene_takes_text[TAKES_BUDGET + 1];
   K(WORD, "word", TAKES_WORD, "phases of one period; without it the paper's, D Gamma H C",                             \
     "orbit, jacobian; refused by verify, simulate, bifurcate, readings, sweep, plot")                                  \
   K(SYSTEM, "system", TAKES_SYSTEM, "a system file in place of the paper's two masses",                                \
-    "orbit, simulate, bifurcate, plot; refused by verify, jacobian, words, readings, sweep")                           \
+    "orbit, jacobian, words, simulate, bifurcate, plot; refused by verify, readings, sweep")                           \
   K(TITLE, "title", TAKES_TEXT, "what the scene is, in one line", "verify, list")                                      \
   K(PRINTED, "printed", TAKES_PRINTED, "a number as printed, to be tested, never an input",                            \
     "verify, jacobian, simulate, readings, plot")                                                                      \
