@@ -6,7 +6,7 @@
 
 #include "base/arena.h"
 
-enum { STEPS = 64, MOST_LOOKS = 4000, MOST_BITS = 4 /* times as many as asked for */ };
+enum { STEPS = 64, MOST_LOOKS = 4000 };
 static const double AT_CIRCLE = 1e-3; /* beside a bracket a multiplier that passes the circle is this near to it */
 
 const char *const mech_turn_id[MECH_NO_FURTHER + 1] = {"flip", "fold", "neimark-sacker", "condition", "lost"};
@@ -55,13 +55,6 @@ static void side_copy(struct mech_side *to, const struct mech_side *from) {
 
 /* --- One step --- */
 
-static int solve_near(struct mech_orbit *o, const struct mech *m, const struct mech_orbit *near, slong prec) {
-  double t[MECH_PHASES], z[MECH_STATES];
-  for (int k = 0; k < near->word.n; k++) t[k] = arf_get_d(arb_midref(near->t + k), ARF_RND_NEAR);
-  for (int i = 0; i < near->states; i++) z[i] = arf_get_d(arb_midref(near->state + i), ARF_RND_NEAR);
-  return mech_orbit_near(o, m, &near->word, t, z, prec);
-}
-
 static bool load(struct mech *m, struct walker *w, const fmpq_t at) {
   const struct mech_given first = {w->l->given, w->l->name, {*at}, NULL, 0};
   bool ok = mech_load_with(m, w->l->path, &first, w->d);
@@ -74,18 +67,11 @@ static bool is_good(const struct station *s) {
   return s->found && s->orbit.certified && s->orbit.own == TRUTH_TRUE;
 }
 
-/* The orbit near one at another value, judged; more bits where something is left open.  false: none. */
+/* The orbit near one at another value, judged.  false: none. */
 static bool solve_at(struct station *to, struct walker *w, const struct mech_orbit *near) {
   struct mech m;
-  bool found = load(&m, w, to->at) && solve_near(&to->orbit, &m, near, w->l->prec) == SS_OK;
-  if (found) mech_orbit_judge(&to->orbit, &m, w->l->prec);
-  for (int times = 2; found && !to->orbit.certified && to->orbit.own != TRUTH_FALSE && times <= MOST_BITS; times *= 2) {
-    struct mech_orbit finer;
-    if (solve_near(&finer, &m, &to->orbit, times * w->l->prec) != SS_OK) break;
-    mech_orbit_judge(&finer, &m, times * w->l->prec);
-    mech_orbit_clear(&to->orbit);
-    to->orbit = finer;
-  }
+  bool found = load(&m, w, to->at) && mech_orbit_beside(&to->orbit, &m, near, w->l->prec) == SS_OK;
+  if (found) mech_orbit_settle(&to->orbit, &m, w->l->prec);
   mech_clear(&m);
   return found;
 }
@@ -94,7 +80,7 @@ static bool solve_at(struct station *to, struct walker *w, const struct mech_orb
 static bool leads_back(struct walker *w, const struct station *to, const struct station *from) {
   struct mech m;
   struct mech_orbit back;
-  bool same = load(&m, w, from->at) && solve_near(&back, &m, &to->orbit, w->l->prec) == SS_OK;
+  bool same = load(&m, w, from->at) && mech_orbit_beside(&back, &m, &to->orbit, w->l->prec) == SS_OK;
   mech_clear(&m);
   if (!same) return false;
   same = mech_orbit_meets(&back, &from->orbit);

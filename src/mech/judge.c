@@ -297,6 +297,8 @@ static void judge_phase(struct mech_orbit *o, struct mech_equations *e, int phas
 
 void mech_judge(struct mech_orbit *o, struct mech_equations *e) {
   int phases = o->word.n;
+  free(o->fact);
+  o->n_facts = 0;
   o->fact = ss_malloc((size_t)phases * (2 + FACTS_OF_MASS * (size_t)o->n) * sizeof *o->fact);
   for (int k = 0; k < phases; k++)
     add_fact(o, k, 0, MECH_LENGTH)->holds = arb_is_positive(o->t + k)      ? TRUTH_TRUE

@@ -10,7 +10,7 @@
 #include "num/pi.h"
 #include "num/solve.h"
 
-enum { MOST_STEPS = 60 };
+enum { MOST_STEPS = 60, MOST_TIMES = 8 }; /* of Newton; the bits */
 
 const char *const mech_rule_name[MECH_BEYOND + 1] = {"length",    "slower",   "faster", "break",
                                                      "break_low", "obstacle", "beyond"};
@@ -275,4 +275,22 @@ void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec) {
   conclude(o);
   mech_equations_clear(&e);
   _arb_vec_clear(x, o->word.n + o->n_free);
+}
+
+int mech_orbit_beside(struct mech_orbit *o, const struct mech *m, const struct mech_orbit *near, slong prec) {
+  double t[MECH_PHASES], z[MECH_STATES];
+  for (int k = 0; k < near->word.n; k++) t[k] = arf_get_d(arb_midref(near->t + k), ARF_RND_NEAR);
+  for (int i = 0; i < near->states; i++) z[i] = arf_get_d(arb_midref(near->state + i), ARF_RND_NEAR);
+  return mech_orbit_near(o, m, &near->word, t, z, prec);
+}
+
+void mech_orbit_settle(struct mech_orbit *o, const struct mech *m, slong prec) {
+  mech_orbit_judge(o, m, prec);
+  for (int times = 2; !o->certified && o->own != TRUTH_FALSE && times <= MOST_TIMES; times *= 2) {
+    struct mech_orbit finer;
+    if (mech_orbit_beside(&finer, m, o, times * prec) != SS_OK) return;
+    mech_orbit_judge(&finer, m, times * prec);
+    mech_orbit_clear(o);
+    *o = finer;
+  }
 }

@@ -69,6 +69,10 @@ void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec);
    row by row, and a bound of their errors as it is estimated.  Not 0: they do not follow the word. */
 int mech_jacobian_differences(double *j, double *err, const struct mech *m, const struct mech_orbit *o,
                               enum mech_route route);
+/* The orbit near another one's numbers, which may be of other data. */
+int mech_orbit_beside(struct mech_orbit *o, const struct mech *m, const struct mech_orbit *near, slong prec);
+/* Judged; solved for again with up to eight times as many bits where something is left open. */
+void mech_orbit_settle(struct mech_orbit *o, const struct mech *m, slong prec);
 /* Certified and admissible. */
 bool mech_orbit_is_motion(const struct mech_orbit *o);
 void mech_orbit_clear(struct mech_orbit *o);

@@ -1,4 +1,5 @@
 /* Where orbits may be: motions from random starts, in double precision, and the stretches of them that nearly return. */
+#include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +12,8 @@
 
 enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60, ROUNDS = 10 };
 static const char seed[] = "motions of a system";
-static const double near = 0.2, periods = 300; /* relative distance of the ends; of the slowest mass alone */
+static const double near = 0.2;                       /* relative distance of the ends */
+static const double longest = 1e6, phase_angle = 150; /* of a motion: that of the slowest mode, in radians */
 
 /* A stretch of a motion from an event to another one with the same phase behind it. */
 struct stretch {
@@ -100,11 +102,23 @@ static void look_through(struct stretches *list, const struct mech_motion *x, co
     }
 }
 
+/* Of the slowest natural frequency of what slips everywhere: the least eigenvalue of M^-1/2 K M^-1/2 is its square. */
 static double duration(const struct mech *m) {
-  double w = HUGE_VAL;
+  size_t n = (size_t)m->n;
+  gsl_matrix *k = gsl_matrix_alloc(n, n);
+  gsl_vector *squares = gsl_vector_alloc(n);
+  gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(n);
   for (int i = 0; i < m->n; i++)
-    w = fmin(w, sqrt(fmpq_get_d(fmpq_mat_entry(m->stiffness, i, i)) / fmpq_get_d(m->mass[i].inertia)));
-  return fmin(1e6, periods / w);
+    for (int j = 0; j < m->n; j++) {
+      double scale = sqrt(fmpq_get_d(m->mass[i].inertia) * fmpq_get_d(m->mass[j].inertia));
+      gsl_matrix_set(k, (size_t)i, (size_t)j, fmpq_get_d(fmpq_mat_entry(m->stiffness, i, j)) / scale);
+    }
+  gsl_eigen_symm(k, squares, work);
+  double least = sqrt(gsl_vector_min(squares));
+  gsl_eigen_symm_free(work);
+  gsl_vector_free(squares);
+  gsl_matrix_free(k);
+  return least > 0 ? fmin(longest, phase_angle / least) : longest;
 }
 
 /* --- Orbits --- */
@@ -165,7 +179,7 @@ static void solve(struct mech_orbits *list, struct stretches *found, const struc
       mech_orbit_clear(&o);
       continue;
     }
-    mech_orbit_judge(&o, m, prec);
+    mech_orbit_settle(&o, m, prec);
     mech_orbits_add(list, &o);
   }
 }

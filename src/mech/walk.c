@@ -37,7 +37,7 @@ struct walk {
   double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
   double loading[2 * MECH_MASSES], frequency, stop[MECH_MASSES][2], restitution[MECH_MASSES][2];
   double inertia[MECH_MASSES], sliding[MECH_MASSES], limit[MECH_MASSES], surface[MECH_MASSES];
-  double rate[SIDE * SIDE]; /* A of the present phase */
+  double rate[SIDE * SIDE], jump[SIDE][SIDE]; /* A of the present phase; exp(A look), by columns */
   gsl_odeiv2_system system;
   gsl_odeiv2_driver *driver;
 };
@@ -68,13 +68,13 @@ static int right_side(double t, const double z[], double dz[], void *self) {
   return GSL_SUCCESS;
 }
 
-/* exp(A h) (z, 1) by its series; h is at most a look, so that its terms fall like (1/16)^k/k!. */
-static void add_series(double *to, const struct walk *w, double h) {
+/* exp(A h) (from, one) by its series; h is at most a look, so that its terms fall like (1/16)^k/k!. */
+static void add_series(double *to, const struct walk *w, const double *from, double one, double h) {
   double term[SIDE], next[SIDE] = {0};
   int states = w->states, side = states + 1;
-  memcpy(term, w->z, (size_t)states * sizeof *term);
-  memcpy(to, w->z, (size_t)states * sizeof *to);
-  term[states] = 1;
+  memcpy(term, from, (size_t)states * sizeof *term);
+  memcpy(to, from, (size_t)states * sizeof *to);
+  term[states] = one;
   for (int k = 1; k <= TERMS; k++) {
     for (int i = 0; i < side; i++) {
       double sum = 0;
@@ -86,12 +86,30 @@ static void add_series(double *to, const struct walk *w, double h) {
   }
 }
 
+/* The columns of exp(A look). */
+static void make_jump(struct walk *w) {
+  for (int j = 0; j <= w->states; j++) {
+    double unit[SIDE] = {0};
+    if (j < w->states) unit[j] = 1;
+    add_series(w->jump[j], w, unit, j == w->states, w->look);
+  }
+}
+
+/* exp(A look) (z, 1). */
+static void add_jump(double *to, const struct walk *w) {
+  memcpy(to, w->jump[w->states], (size_t)w->states * sizeof *to);
+  for (int j = 0; j < w->states; j++)
+    for (int i = 0; i < w->states; i++) to[i] += w->jump[j][i] * w->z[j];
+}
+
 /* The state h after w->z in the present phase. */
 static bool carry(double *to, struct walk *w, double h) {
   double t = 0;
   bool ok = true;
-  if (w->route == MECH_PATCHED) {
-    add_series(to, w, h);
+  if (w->route == MECH_PATCHED && h == w->look) {
+    add_jump(to, w);
+  } else if (w->route == MECH_PATCHED) {
+    add_series(to, w, w->z, 1, h);
   } else {
     memcpy(to, w->z, sizeof w->z);
     gsl_odeiv2_driver_reset(w->driver);
@@ -181,6 +199,7 @@ static void begin(struct walk *w) {
   for (int i = 0; i < side; i++)
     for (int j = 0; j < side; j++) w->rate[i * side + j] = fmpq_get_d(fmpq_mat_entry(rate, i, j));
   fmpq_mat_clear(rate);
+  if (w->route == MECH_PATCHED) make_jump(w);
 }
 
 /* Tells of the present moment, an event where it has a mass. */
