@@ -7,7 +7,7 @@
 
 extern const struct bench_job bench_propagator, bench_map, bench_jacobian, bench_orbit;
 
-extern const struct study study_stiff, study_smooth, study_procedure, study_scenes;
+extern const struct study study_stiff, study_smooth, study_procedure, study_scenes, study_systems;
 
 /* --- formula.c: a formula of the paper as corrected, as a tape in double precision. --- */
 
