@@ -156,7 +156,7 @@ static num least_force(const struct motion *m, num x, num omega) {
 }
 
 /* Everything about one orbit of the paper's masses at one precision; the answer: is it admissible? */
-static int recheck_paper(struct entry *o, struct motion *m) {
+static int recheck_paper(struct entry *o, const struct motion *m) {
   num x = o->x, own[N_NUMBERS], stiff = mul(rational(&chi), rational(&eta));
   arb_ptr trace = fresh();
   arb_mat_trace(trace, return_matrix(m, &o->word), prec);
@@ -295,21 +295,18 @@ static void read_mass(int i) {
 }
 
 static void read_links(int first, const char *list, const char *name) {
-  fmpq_t size;
-  fmpq_init(size);
+  static fmpq size;
   for (int l = 0; get(OPTIONAL, ".system.%s.%d.%s", list, l, name); l++) {
     int a = read_mass_number(get(STRING, ".system.%s.%d.between.0", list, l), true);
     int b = read_mass_number(get(STRING, ".system.%s.%d.between.1", list, l), true);
-    read_size(size, 1, "%s.%d.%s", list, l, name);
+    read_size(&size, 1, "%s.%d.%s", list, l, name);
     if (a == b) stop(REJECTED, "%s.%d ties something to itself", list, l);
-    add_link(first, a, b, size);
+    add_link(first, a, b, &size);
   }
-  fmpq_clear(size);
 }
 
 static void read_system(void) {
-  fmpq_t size;
-  fmpq_init(size);
+  static fmpq size;
   int n = 0;
   while (n <= MASSES && get(OPTIONAL, ".system.masses.%d.inertia", n)) n++;
   if (n == 0 || n > MASSES) stop(REJECTED, "a system has 1 to %d masses", MASSES);
@@ -322,11 +319,10 @@ static void read_system(void) {
     int i = read_mass_number(get(STRING, ".system.loads.%d.mass", l), false);
     for (int k = 0; k < 2; k++) {
       fmpq *entry = fmpq_mat_entry(sys.force, i, 2 * n + 1 + k);
-      read_size(size, -1, "loads.%d.%s", l, k ? "sine" : "cosine");
-      fmpq_sub(entry, entry, size);
+      read_size(&size, -1, "loads.%d.%s", l, k ? "sine" : "cosine");
+      fmpq_sub(entry, entry, &size);
     }
   }
-  fmpq_clear(size);
 }
 
 static void check_phase(const struct entry *o, int k) {
@@ -436,7 +432,7 @@ static int passes(const struct motion *m, const struct word *w, int k) {
 }
 
 /* Everything about one orbit of a system at one precision; the answer: is it admissible? */
-static int recheck_system(struct entry *o, struct motion *m) {
+static int recheck_system(struct entry *o, const struct motion *m) {
   const struct word *w = &o->word;
   num x = o->x, period = integer(0);
   int holds = YES;
