@@ -844,6 +844,7 @@ START_TEST(a_changed_system_is_rejected) {
   refused_with(&s.json, "\"m2\"", "\"static\": \"3\"", "\"static\": \"1/3\"", REJECTED, "below its sliding");
   refused_with(&s.json, "springs", "\"0\"", "\"-1\"", REJECTED, "no mass with the number");
   refused_with(&s.json, "springs", "\"0\"", "\"00\"", REJECTED, "no mass with the number");
+  refused_with(&s.json, "springs", "\"0\"", "\"\"", REJECTED, "no mass with the number");
   refused_with(&s.json, "springs", "\"0\"", "\"1\"", REJECTED, "to itself");
   refused_with(&s.json, "\"m2\"", "\"surface\"",
                "\"above\": {\"position\": \"5\", \"restitution\": \"1\"}, \"surface\"", REJECTED, "");
@@ -940,6 +941,36 @@ START_TEST(solutions_that_are_no_motions_are_rejected) {
     system_close(&s);
   }
   ck_assert_msg(later >= 3 && broken == 1, "%d, %d", later, broken);
+}
+END_TEST
+
+/* An orbit that breaks the law, in a box that the checker's first precision proves, with numbers to so many digits that
+   it leaves them undecided: the verdict is held against the conditions only when all of them have been looked at. */
+START_TEST(a_verdict_waits_for_the_conditions) {
+  /* the paper's orbit that breaks h_v2; z = x - (10, 45/4) */
+  const double t[] = {14.318937, 1.3814616, 10.909628, 3.2581067}, z[MECH_STATES] = {4.5356558, 4.5188039, 1, 1};
+  struct system_study s;
+  struct mech_word w;
+  struct mech_orbit coarse, fine;
+  size_t at;
+  const char *why;
+  system_open(&s, "verify/systems/two-masses.system");
+  ck_assert(mech_word_parse(&w, &at, &why, "ss -s -- s-", &s.m));
+  ck_assert_int_eq(mech_orbit_near(&coarse, &s.m, &w, t, z, 128), SS_OK);
+  ck_assert_int_eq(mech_orbit_near(&fine, &s.m, &w, t, z, 512), SS_OK);
+  mech_orbit_judge(&fine, &s.m, 512);
+  ck_assert(fine.certified && fine.admissible == TRUTH_FALSE);
+  ck_assert_int_lt(mag_cmp_2exp_si(arb_radref(fine.period), -300), 0);
+  for (int l = 0; l < w.n + fine.n_free; l++) arb_set(fine.box + l, coarse.box + l);
+  struct mech_orbits one = {.orbit = &fine, .n = 1};
+  text_reset(&s.json);
+  mech_certificates_json(&s.json, "breaks the law", &s.m, &one);
+  ck_assert_msg(checker(text_str(&s.json)) == VERIFIED, "%s", said);
+  refused_with(&s.json, "verdicts", "\"admissible\": false", "\"admissible\": true", REJECTED,
+               "admissible is not as claimed");
+  mech_orbit_clear(&coarse);
+  mech_orbit_clear(&fine);
+  system_close(&s);
 }
 END_TEST
 
@@ -1171,6 +1202,7 @@ Suite *certify_suite(void) {
   tcase_add_test(systems, a_changed_system_is_rejected);
   tcase_add_test(systems, an_orbit_of_a_system_counts_once);
   tcase_add_test(systems, solutions_that_are_no_motions_are_rejected);
+  tcase_add_test(systems, a_verdict_waits_for_the_conditions);
   tcase_add_test(systems, huge_systems_are_refused);
   tcase_add_test(lies, a_byte_order_mark_is_skipped);
   tcase_add_test(lies, bad_files);

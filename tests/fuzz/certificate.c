@@ -27,15 +27,14 @@ void __lsan_disable(void) __attribute__((weak));
 static int check(const char *path) {
   enum { PROVED = 2 };
   read_file(path);
-  bool paper = strstr(get(STRING, ".format"), "D-Gamma-H-C") != NULL;
-  int n = paper ? read_paper() : read_system();
+  int n = read_certificate();
   prec = 128;
   for (int i = 0; i < n && i < PROVED; i++) {
     struct motion m;
     struct entry *o = &orbits[i];
     if (!enclose(o->x, &o->boxed, &o->word)) continue;
     follow(&m, &o->word, o->x);
-    (paper ? recheck_paper : recheck_system)(o, &m);
+    (is_paper ? recheck_paper : recheck_system)(o, &m);
   }
   return VERIFIED;
 }
@@ -47,7 +46,9 @@ static void forget(void) {
   memset(values, 0, sizeof values);
   memset(orbits, 0, sizeof orbits);
   memset(&sys, 0, sizeof sys);
-  release((struct mark){0, 0});
+  memset(&paper_word, 0, sizeof paper_word);
+  memset(friction, 0, sizeof friction);
+  release(0);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -34,10 +34,10 @@ static void *resized(void *p, size_t size) {
   if (!p) stop(NO_ANSWER, "memory ran out");
   return p;
 }
-void *taken(size_t size) {
+static void *taken(size_t size) {
   return resized(NULL, size);
 }
-void *zeros(size_t n, size_t size) {
+static void *zeros(size_t n, size_t size) {
   void *p = calloc(n ? n : 1, size ? size : 1);
   if (!p) stop(NO_ANSWER, "memory ran out");
   return p;
@@ -46,12 +46,8 @@ static void *gmp_resized(void *p, size_t old, size_t size) {
   (void)old;
   return resized(p, size);
 }
-static void gmp_given(void *p, size_t size) {
-  (void)size;
-  free(p);
-}
 void use_own_memory(void) {
-  mp_set_memory_functions(taken, gmp_resized, gmp_given);
+  mp_set_memory_functions(taken, gmp_resized, NULL);
   __flint_set_memory_functions(taken, zeros, resized, free);
 }
 
@@ -182,38 +178,27 @@ void read_ball(arb_t x, const char *s) {
   for (int i = 0; i < 4; i++) fmpz_clear(part[i]);
 }
 
-enum { CHUNK = 256, MAX_CHUNKS = 1024, MAX_MATS = 1 << 14 };
-static arb_ptr chunk[MAX_CHUNKS];
+/* --- The pool --- */
+enum { MAX_MATS = 1 << 16 };
 static arb_mat_struct mats[MAX_MATS];
-static slong used, n_mats;
-slong prec;
-
-arb_ptr fresh(void) {
-  if (used == (slong)CHUNK * MAX_CHUNKS) stop(REJECTED, "the proof takes more memory than it may");
-  if (!chunk[used / CHUNK]) chunk[used / CHUNK] = _arb_vec_init(CHUNK);
-  arb_ptr z = chunk[used / CHUNK] + used % CHUNK;
-  used++;
-  return z;
-}
+slong prec, pool_size;
 
 mat matrix(slong rows, slong columns) {
-  if (n_mats == MAX_MATS) stop(REJECTED, "the proof takes more memory than it may");
-  arb_mat_init(&mats[n_mats], rows, columns);
-  return &mats[n_mats++];
+  if (pool_size == MAX_MATS) stop(REJECTED, "the proof takes more memory than it may");
+  arb_mat_init(&mats[pool_size], rows, columns);
+  return &mats[pool_size++];
+}
+
+arb_ptr fresh(void) {
+  return arb_mat_entry(matrix(1, 1), 0, 0);
 }
 
 mat part(mat m, slong row, slong column, slong rows, slong columns) {
   mat z = matrix(rows, columns);
-  for (slong i = 0; i < rows; i++)
-    for (slong k = 0; k < columns; k++) arb_set(arb_mat_entry(z, i, k), arb_mat_entry(m, row + i, column + k));
+  for (slong i = 0; i < rows; i++) _arb_vec_set(arb_mat_entry(z, i, 0), arb_mat_entry(m, row + i, column), columns);
   return z;
 }
 
-struct mark here(void) {
-  return (struct mark){used, n_mats};
-}
-
-void release(struct mark to) {
-  while (n_mats > to.mats) arb_mat_clear(&mats[--n_mats]);
-  used = to.nums;
+void release(slong size) {
+  while (pool_size > size) arb_mat_clear(&mats[--pool_size]);
 }
