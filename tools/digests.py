@@ -49,6 +49,10 @@ def commands():
     yield True, LIBM, "simulate paper --at printed --periods 50"
     for s in ("paper", "overrun", "two-admissible"):
         yield s == "paper", "any", f"words {s} --json"
+    for s in ("chain3", "beside-wall", "driven", "den-hartog"):
+        yield True, "any", f"orbit {s} --json"
+        yield True, "any", f"jacobian {s} --json"
+        yield s == "driven", "any", f"words {s} --json"
     yield True, "any", "bifurcate paper --along e2=0.5:3 --json"
     yield True, "any", "bifurcate paper --along e2=0.5:3"
     yield False, "any", "bifurcate stable --along e1=2:4 --json"
