@@ -251,12 +251,7 @@ int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what, slo
   struct point p = {.curve = b, .what = what};
   struct solve_system system = {3, values, &p};
   struct num_vec at = {num_ctx_arb(prec), 3, (char *)x};
-  struct krawczyk k;
-  krawczyk_init(&k, &system, prec);
-  int status = krawczyk_centre(&k, &at);
-  if (!status) status = krawczyk_grow(&k);
-  if (!status) num_vec_set(&at, &k.image);
-  krawczyk_clear(&k);
+  int status = krawczyk_enclose(&at, NULL, &system);
   point_close(&p);
   return status;
 }

@@ -27,17 +27,12 @@ int word_unknowns_enclose(struct num_vec *x, const double *near, const struct ph
   struct enclosure e = {.w = w};
   struct solve_system system = {w->n + word_free(free, w), values, &e};
   struct num_vec at = {x->ctx, system.n, x->data}; /* x may be longer */
-  struct krawczyk k;
   e.c = calc_begin(x->ctx);
   word_law_make(&e.m, &e.c, params, u_r);
   e.mark = calc_mark(&e.c);
-  krawczyk_init(&k, &system, x->ctx.prec);
   for (slong i = 0; i < system.n; i++) arb_set_d(num_vec_at(&at, i), near[i]);
   int status = newton_settle(&at, &system, MOST_POLISH);
-  if (!status) status = krawczyk_centre(&k, &at);
-  if (!status) status = krawczyk_grow(&k);
-  if (!status) num_vec_set(&at, &k.image);
-  krawczyk_clear(&k);
+  if (!status) status = krawczyk_enclose(&at, NULL, &system);
   calc_clear(&e.c);
   return status;
 }

@@ -94,17 +94,8 @@ static int newton_level(slong prec, void *self) {
 /* Krawczyk's operator around the midpoints of s->x.  The calc is that of Newton's last level. */
 static int enclose(struct solution *s) {
   struct solve_system system = {2, values, s};
-  struct num_vec x = {s->c.ctx, 2, (char *)s->x};
-  struct krawczyk k;
-  krawczyk_init(&k, &system, s->prec);
-  int status = krawczyk_centre(&k, &x);
-  if (!status) status = krawczyk_grow(&k);
-  for (int i = 0; i < 2 && !status; i++) {
-    arb_swap(s->x[i], num_vec_at(&k.image, i));
-    arb_swap(s->box[i], num_vec_at(&k.box, i));
-  }
-  krawczyk_clear(&k);
-  return status;
+  struct num_vec x = {s->c.ctx, 2, (char *)s->x}, box = {s->c.ctx, 2, (char *)s->box};
+  return krawczyk_enclose(&x, &box, &system);
 }
 
 static int solve(struct solution *s, const fmpq *params, slong prec) {

@@ -178,10 +178,9 @@ int word_refine(struct num_vec *x, const struct word_data *q) {
 
 int word_enclose(struct word_root *s, const struct num_vec *x, const struct word_data *q) {
   struct ball_params m;
-  struct krawczyk k;
-  struct num_vec mid;
   slong prec = x->ctx.prec;
   struct calc c = calc_begin(num_ctx_arb(prec));
+  struct num_vec root = calc_vec(&c, WORD_FREE), box = calc_vec(&c, WORD_FREE);
   word_params(&m, &c, q->model);
   struct word_system w = {&c, &m, q->unknown, calc_mark(&c), {NULL}};
   struct solve_system system = {WORD_FREE, word_values, &w};
@@ -191,17 +190,12 @@ int word_enclose(struct word_root *s, const struct num_vec *x, const struct word
     arb_set(s->box[known], s->x[known]);
     w.known[known] = s->x[known];
   }
-  num_vec_init(&mid, WORD_FREE, c.ctx);
-  krawczyk_init(&k, &system, prec);
-  for (int i = 0; i < WORD_FREE; i++) num_mpfr.get_arb(num_vec_at(&mid, i), num_vec_at(x, q->unknown[i]));
-  int status = krawczyk_centre(&k, &mid);
-  if (!status) status = krawczyk_grow(&k);
+  for (int i = 0; i < WORD_FREE; i++) num_mpfr.get_arb(num_vec_at(&root, i), num_vec_at(x, q->unknown[i]));
+  int status = krawczyk_enclose(&root, &box, &system);
   for (int i = 0; i < WORD_FREE && !status; i++) {
-    arb_swap(s->x[q->unknown[i]], num_vec_at(&k.image, i));
-    arb_swap(s->box[q->unknown[i]], num_vec_at(&k.box, i));
+    arb_swap(s->x[q->unknown[i]], num_vec_at(&root, i));
+    arb_swap(s->box[q->unknown[i]], num_vec_at(&box, i));
   }
-  krawczyk_clear(&k);
-  num_vec_clear(&mid);
   calc_clear(&c);
   return status;
 }
