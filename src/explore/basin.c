@@ -273,11 +273,8 @@ static int broken_condition(struct field *f) {
 static int out_of_reach(struct field *f, const arb_t r) {
   struct calc *c = &f->c;
   struct ball_pass crest;
-  arb_ptr pi = calc_new(c);
-  arb_const_pi(pi, BASIN_PREC);
   if (arb_ge(r, calc_div(c, f->m.p[P_E2], f->m.p[P_CHI]))) return COND_D_R;
-  val fall = calc_add(c, pi, calc_mul(c, f->m.two, calc_atan2(c, f->m.a, f->m.p[P_E1])));
-  ball_pass_slip(&crest, c, &f->m, fall, f->m.one);
+  ball_pass_slip(&crest, c, &f->m, ball_crest(c, &f->m), f->m.one);
   return arb_lt(r, crest.r) ? COND_GAMMA_V1 : -1;
 }
 

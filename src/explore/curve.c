@@ -87,12 +87,8 @@ static val over_crest(struct view *v) {
   struct calc *c = &v->c;
   const struct ball_params *m = &v->m;
   if (v->curve->crest < 1) return NULL;
-  void *pi = calc_new(c);
-  c->status |= num_dual.pi(pi, c->ctx.prec);
-  val e1 = m->p[P_E1], fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, e1))), sine, cosine;
-  calc_sin_cos(c, &sine, &cosine, fall);
-  val turns = calc_mul(c, calc_d(c, 2 * (double)(v->curve->crest - 1)), pi);
-  val first = calc_dot(c, m->a, calc_sub(c, fall, sine), e1, calc_sub(c, m->one, cosine));
+  val turns = calc_mul(c, calc_d(c, 2 * (double)(v->curve->crest - 1)), calc_pi(c));
+  val first = ball_rise(c, m, ball_crest(c, m));
   return calc_sub(c, v->s.rise, calc_add(c, first, calc_mul(c, m->a, turns)));
 }
 

@@ -24,9 +24,7 @@ static void planes_at(struct plane of[N_OF], struct calc *c, const fmpq *model, 
   for (int i = 0; i < 3; i++) {
     struct ball_params m;
     struct ball_pass s;
-    val p[N_PARAMS] = {calc_q(c, model), calc_q(c, model + 1), calc_q(c, model + 2), calc_d(c, i == 1),
-                       calc_d(c, i == 2)};
-    ball_params_make(&m, c, p);
+    ball_params_with(&m, c, model, calc_d(c, i == 1), calc_d(c, i == 2));
     ball_pass_make(&s, c, &m, tb, tc, true);
     const val all[N_OF] = {s.pc, s.qc, s.rc, s.r};
     for (int k = 0; k < N_OF; k++) at[i][k] = all[k];
@@ -76,8 +74,7 @@ static bool is_listed(const struct dyn_orbits *list, const val e[2]) {
 static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb, val tc, long max_steps) {
   struct ball_params m;
   struct dyn_orbit o;
-  val p[N_PARAMS] = {calc_q(c, model), calc_q(c, model + 1), calc_q(c, model + 2), e[0], e[1]};
-  ball_params_make(&m, c, p);
+  ball_params_with(&m, c, model, e[0], e[1]);
   truth positive = truth_and(num_arb.lt(m.zero, e[0]), num_arb.lt(m.zero, e[1]));
   if (positive == TRUTH_FALSE) return TRUTH_FALSE;
   struct ball_pass s;

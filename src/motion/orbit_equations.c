@@ -91,8 +91,8 @@ void word_make(struct word *w, struct calc *c, const struct ball_params *m, cons
 }
 
 void word_params(struct ball_params *m, struct calc *c, const fmpq *model) {
-  val one = calc_d(c, 1), p[N_PARAMS] = {calc_q(c, model), calc_q(c, model + 1), calc_q(c, model + 2), one, one};
-  ball_params_make(m, c, p);
+  val one = calc_d(c, 1);
+  ball_params_with(m, c, model, one, one);
 }
 
 int word_values(const void **f, const void **j, const struct num_vec *x, void *self) {
