@@ -132,9 +132,7 @@ static int problem_init(struct given_problem *q, const fmpq *model, const enum d
   *q = (struct given_problem){.data = {model, value, which, {0}}, .lim = lim ? *lim : dyn_given_limits};
   if (which[0] == which[1]) return SS_DOMAIN;
   double p[N_PARAMS] = {fmpq_get_d(model), fmpq_get_d(model + 1), fmpq_get_d(model + 2), 1, 1};
-  for (int i = 0; i < 3; i++)
-    if (fmpq_sgn(model + i) <= 0) return SS_DOMAIN;
-  if (fmpz_cmp(fmpq_numref(model), fmpq_denref(model)) >= 0) return SS_DOMAIN;
+  if (!dyn_in_domain(model, 3)) return SS_DOMAIN;
   for (int i = 0; i < 2; i++) {
     if (which[i] != QUANTITY_TA && fmpq_sgn(value + i) <= 0) return SS_DOMAIN;
     q->target[i] = fmpq_get_d(value + i);

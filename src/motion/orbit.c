@@ -300,11 +300,8 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
   double p[N_PARAMS];
   *list = (struct dyn_orbits){.n = 0};
   if (!lim) lim = &dyn_limits_default;
-  for (int i = 0; i < N_PARAMS; i++) {
-    if (fmpq_sgn(params + i) <= 0) return SS_DOMAIN;
-    p[i] = fmpq_get_d(params + i);
-  }
-  if (fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) >= 0) return SS_DOMAIN;
+  if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
+  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(params + i);
   if (search_run(&search, p, lim)) return SS_UNABLE; /* in the domain, but not in that of double precision */
   list->evaluations = search.evaluations;
 
