@@ -237,10 +237,10 @@ void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const 
 /* --- What is told about it --- */
 
 void dyn_orbit_radius(mag_t radius, const struct dyn_orbit *orbit) {
-#define TAKE(name, member, what) mag_max(radius, radius, arb_radref(orbit->member));
+#define WIDEST(name, member, what) mag_max(radius, radius, arb_radref(orbit->member));
   mag_zero(radius);
-  DYN_ORBIT_NUMBERS(TAKE)
-#undef TAKE
+  DYN_ORBIT_NUMBERS(WIDEST)
+#undef WIDEST
 }
 
 void dyn_certificate_why(struct text *out, const struct dyn_certificate *z) {

@@ -11,18 +11,17 @@ const char *const dyn_condition_id[N_CONDITIONS] = {
     [COND_C_V2] = "c_v2", [COND_C_W] = "c_w",           [COND_D_R] = "d_r",   [COND_GAMMA_R] = "gamma_r",
 };
 
-/* Its numbers. */
-enum { ORBIT_NUMBERS = 13 };
-static void numbers_of(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o) {
-  arb_ptr these[ORBIT_NUMBERS] = {o->z10, o->z20,    o->t[0],  o->t[1],   o->t[2],     o->t[3],    o->e1,
-                                  o->e2,  o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
+void dyn_orbit_numbers(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o) {
+#define MEMBER(name, member, what) o->member,
+  arb_ptr these[ORBIT_NUMBERS] = {DYN_ORBIT_NUMBERS(MEMBER) o->margin};
+#undef MEMBER
   for (int i = 0; i < ORBIT_NUMBERS; i++) all[i] = these[i];
 }
 
 slong dyn_orbit_accuracy(struct dyn_orbit *o) {
   arb_ptr all[ORBIT_NUMBERS];
   slong least = ARF_PREC_EXACT;
-  numbers_of(all, o);
+  dyn_orbit_numbers(all, o);
   for (int i = 0; i < ORBIT_NUMBERS; i++)
     if (!arb_is_zero(all[i])) least = FLINT_MIN(least, arb_rel_accuracy_bits(all[i]));
   return FLINT_MAX(least, 0);
@@ -30,15 +29,15 @@ slong dyn_orbit_accuracy(struct dyn_orbit *o) {
 
 void dyn_orbit_init(struct dyn_orbit *o) {
   arb_ptr all[ORBIT_NUMBERS];
-  numbers_of(all, o);
+  dyn_orbit_numbers(all, o);
   for (int i = 0; i < ORBIT_NUMBERS; i++) arb_init(all[i]);
 }
 
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o) {
   arb_ptr all[ORBIT_NUMBERS], from[ORBIT_NUMBERS];
   *to = *o;
-  numbers_of(all, to);
-  numbers_of(from, o);
+  dyn_orbit_numbers(all, to);
+  dyn_orbit_numbers(from, o);
   for (int i = 0; i < ORBIT_NUMBERS; i++) {
     arb_init(all[i]);
     arb_set(all[i], from[i]);
@@ -47,7 +46,7 @@ void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o) {
 
 void dyn_orbit_clear(struct dyn_orbit *o) {
   arb_ptr all[ORBIT_NUMBERS];
-  numbers_of(all, o);
+  dyn_orbit_numbers(all, o);
   for (int i = 0; i < ORBIT_NUMBERS; i++) arb_clear(all[i]);
 }
 
