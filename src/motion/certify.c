@@ -105,15 +105,15 @@ static int widen(struct word_root *s, const struct word_data *d, slong prec) {
 static int box_of_start(struct dyn_certificate *z, const struct word_data *d, slong prec) {
   struct ball_params m;
   struct word w;
-  val at[N_QUANTITIES];
+  val at[N_QUANTITIES], start[2];
   struct calc c = calc_begin(num_ctx_arb(prec));
   word_params(&m, &c, d->model);
   for (int i = 0; i < N_QUANTITIES; i++) at[i] = z->box[i];
   word_make(&w, &c, &m, at);
-  val chi = m.p[P_CHI], ease = calc_sub(&c, m.one, chi);
   val force = calc_sub(&c, at[QUANTITY_E1], calc_mul(&c, m.a, at[QUANTITY_TA])); /* w at the start of the period */
-  arb_set(z->box_z10, calc_div(&c, calc_add(&c, force, calc_mul(&c, chi, w.end)), ease));
-  arb_set(z->box_z20, calc_div(&c, calc_add(&c, force, w.end), ease));
+  ball_positions(start, &c, &m, force, w.end);
+  arb_set(z->box_z10, start[0]);
+  arb_set(z->box_z20, start[1]);
   mag_mul_2exp_si(arb_radref(z->box_z10), arb_radref(z->box_z10), 2);
   mag_mul_2exp_si(arb_radref(z->box_z20), arb_radref(z->box_z20), 2);
   calc_clear(&c);

@@ -131,6 +131,12 @@ void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_param
   s->defect_tc = calc_neg(c, calc_div(c, calc_mul(c, s->rc, s->pc), s->r_end));
 }
 
+void ball_positions(val z[2], struct calc *c, const struct ball_params *m, val w, val r) {
+  val ease = calc_sub(c, m->one, m->p[P_CHI]);
+  z[0] = calc_div(c, calc_add(c, w, calc_mul(c, m->p[P_CHI], r)), ease);
+  z[1] = calc_div(c, calc_add(c, w, r), ease);
+}
+
 val ball_rise(struct calc *c, const struct ball_params *m, val t) {
   val sine, cosine;
   calc_sin_cos(c, &sine, &cosine, t);

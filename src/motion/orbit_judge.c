@@ -100,15 +100,16 @@ int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_pa
   val lowest, highest;
   ball_ending_make(&e, c, m, &s, up);
   force_range(&lowest, &highest, c, m, &s, e.turn, e.wf);
-  val chi = m->p[P_CHI], e1 = m->p[P_E1], ease = calc_sub(c, m->one, chi), half = calc_d(c, 0.5);
-  val times[4] = {e.ta, tb, tc, e.td}, period = m->zero;
+  val chi = m->p[P_CHI], e1 = m->p[P_E1], half = calc_d(c, 0.5);
+  val times[4] = {e.ta, tb, tc, e.td}, period = m->zero, z[2];
   for (int i = 0; i < 4; i++) {
     arb_set(o->t[i], times[i]);
     o->guess[i] = num_arb.get_d(times[i]);
     period = calc_add(c, period, times[i]);
   }
-  arb_set(o->z10, calc_div(c, calc_add(c, e.wf, calc_mul(c, chi, s.r)), ease));
-  arb_set(o->z20, calc_div(c, calc_add(c, e.wf, s.r), ease));
+  ball_positions(z, c, m, e.wf, s.r);
+  arb_set(o->z10, z[0]);
+  arb_set(o->z20, z[1]);
   arb_set(o->e1, e1);
   arb_set(o->e2, m->p[P_E2]);
   arb_set(o->period, period);
