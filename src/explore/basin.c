@@ -97,9 +97,8 @@ static bool enclose_tc(arb_t tc, struct field *f, const arb_t tb) {
 
 /* Everything about the passes that start in tb, into f->o and f->word. */
 static bool pass_over(struct field *f, const arb_t tb) {
-  arb_t tc;
-  arb_init(tc);
   slong mark = calc_mark(&f->c);
+  arb_ptr tc = calc_new(&f->c);
   bool ok = enclose_tc(tc, f, tb) && dyn_orbit_describe(&f->o, &f->c, &f->m, tb, tc, f->up) == SS_OK;
   if (ok) {
     struct ball_pass s;
@@ -110,7 +109,6 @@ static bool pass_over(struct field *f, const arb_t tb) {
   ok = ok && !f->c.status;
   f->c.status = SS_OK;
   calc_release(&f->c, mark);
-  arb_clear(tc);
   return ok;
 }
 
@@ -133,15 +131,11 @@ static truth all_conditions(struct field *f) {
 
 /* Whether all passes that start between the two times contract and keep the order. */
 static bool contracts(struct field *f, double low, double high, int depth) {
-  arb_t tb, end;
-  arb_init(tb);
-  arb_init(end);
-  arb_set_d(tb, low);
-  arb_set_d(end, high);
-  arb_union(tb, tb, end, BASIN_PREC);
+  slong mark = calc_mark(&f->c);
+  arb_ptr tb = calc_new(&f->c);
+  arb_union(tb, calc_d(&f->c, low), calc_d(&f->c, high), BASIN_PREC);
   bool known = pass_over(f, tb);
-  arb_clear(end);
-  arb_clear(tb);
+  calc_release(&f->c, mark);
   truth order = known ? all_conditions(f) : TRUTH_UNKNOWN;
   if (known && f->word == TRUTH_TRUE && order == TRUTH_TRUE && f->o.stable == TRUTH_TRUE) {
     arf_t most;

@@ -128,12 +128,12 @@ static int word_run(struct num_vec *j, enum phase ph, const struct num_vec *para
 }
 
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
-  struct num_vec in;
-  num_vec_init(&in, N_ARC, params->ctx);
-  for (slong i = 0; i < N_PHASES; i++) params->ctx.type->set(num_vec_at(&in, ARC_T + i), num_vec_at(&arc->t, i));
-  for (slong i = 0; i < N_ARC - ARC_Z; i++) params->ctx.type->set(num_vec_at(&in, ARC_Z + i), num_vec_at(&arc->z, i));
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec in = calc_vec(&c, N_ARC);
+  for (slong i = 0; i < N_PHASES; i++) calc_store(&c, num_vec_at(&in, ARC_T + i), num_vec_at(&arc->t, i));
+  for (slong i = 0; i < N_ARC - ARC_Z; i++) calc_store(&c, num_vec_at(&in, ARC_Z + i), num_vec_at(&arc->z, i));
   int status = rounded_run(j, word_run, PHASE_D, params, &in, NULL);
-  num_vec_clear(&in);
+  calc_clear(&c);
   return status;
 }
 
@@ -199,10 +199,9 @@ static val scale_of(struct calc *c, const struct num_vec *x, val at_least) {
 static void difference(val *out, struct calc *c, const struct event_map *map, const struct num_vec *x, slong col,
                        val h) {
   const struct num_type *type = c->ctx.type;
-  struct num_vec moved, value[2];
-  num_vec_init(&moved, map->n, c->ctx);
+  struct calc w = calc_begin(c->ctx);
+  struct num_vec moved = calc_vec(&w, map->n), value[2] = {calc_vec(&w, map->n), calc_vec(&w, map->n)};
   for (int side = 0; side < 2; side++) {
-    num_vec_init(&value[side], map->n, c->ctx);
     num_vec_set(&moved, x);
     void *entry_moved = num_vec_at(&moved, col);
     type->set(entry_moved, side == 0 ? calc_add(c, entry_moved, h) : calc_sub(c, entry_moved, h));
@@ -211,9 +210,7 @@ static void difference(val *out, struct calc *c, const struct event_map *map, co
   val width = calc_add(c, h, h);
   for (slong i = 0; i < map->n; i++)
     out[i] = calc_div(c, calc_sub(c, num_vec_at(&value[0], i), num_vec_at(&value[1], i)), width);
-  num_vec_clear(&moved);
-  num_vec_clear(&value[0]);
-  num_vec_clear(&value[1]);
+  calc_clear(&w);
 }
 
 /* j receives the n x n derivative at x; err, unless NULL, the worst estimated error: a third of the change from step h
