@@ -67,18 +67,23 @@ void disk_params_clear(struct disk_params *s) {
 
 /* --- Clocks. --- */
 
-static void sine_cosine(struct disk *sine, struct disk *cosine, arb_srcptr rate, double t) {
-  arb_t angle, s, c;
-  arb_init(angle);
+void disk_sin_cos(struct disk *sine, struct disk *cosine, arb_srcptr angle) {
+  arb_t s, c;
   arb_init(s);
   arb_init(c);
-  arb_set_d(angle, t);
-  if (rate) arb_mul(angle, angle, rate, 128);
   arb_sin_cos(s, c, angle, 64);
   *sine = disk_arb(s);
   *cosine = disk_arb(c);
   arb_clear(c);
   arb_clear(s);
+}
+
+static void sine_cosine(struct disk *sine, struct disk *cosine, arb_srcptr rate, double t) {
+  arb_t angle;
+  arb_init(angle);
+  arb_set_d(angle, t);
+  if (rate) arb_mul(angle, angle, rate, 128);
+  disk_sin_cos(sine, cosine, angle);
   arb_clear(angle);
 }
 
