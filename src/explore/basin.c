@@ -97,9 +97,8 @@ static bool enclose_tc(arb_t tc, struct field *f, const arb_t tb) {
 
 /* Everything about the passes that start in tb, into f->o and f->word. */
 static bool pass_over(struct field *f, const arb_t tb) {
-  arb_t tc;
-  arb_init(tc);
   slong mark = calc_mark(&f->c);
+  arb_ptr tc = calc_new(&f->c);
   bool ok = enclose_tc(tc, f, tb) && dyn_orbit_describe(&f->o, &f->c, &f->m, tb, tc, f->up) == SS_OK;
   if (ok) {
     struct ball_pass s;
@@ -110,7 +109,6 @@ static bool pass_over(struct field *f, const arb_t tb) {
   ok = ok && !f->c.status;
   f->c.status = SS_OK;
   calc_release(&f->c, mark);
-  arb_clear(tc);
   return ok;
 }
 
@@ -133,15 +131,11 @@ static truth all_conditions(struct field *f) {
 
 /* Whether all passes that start between the two times contract and keep the order. */
 static bool contracts(struct field *f, double low, double high, int depth) {
-  arb_t tb, end;
-  arb_init(tb);
-  arb_init(end);
-  arb_set_d(tb, low);
-  arb_set_d(end, high);
-  arb_union(tb, tb, end, BASIN_PREC);
+  slong mark = calc_mark(&f->c);
+  arb_ptr tb = calc_new(&f->c);
+  arb_union(tb, calc_d(&f->c, low), calc_d(&f->c, high), BASIN_PREC);
   bool known = pass_over(f, tb);
-  arb_clear(end);
-  arb_clear(tb);
+  calc_release(&f->c, mark);
   truth order = known ? all_conditions(f) : TRUTH_UNKNOWN;
   if (known && f->word == TRUTH_TRUE && order == TRUTH_TRUE && f->o.stable == TRUTH_TRUE) {
     arf_t most;
@@ -273,11 +267,8 @@ static int broken_condition(struct field *f) {
 static int out_of_reach(struct field *f, const arb_t r) {
   struct calc *c = &f->c;
   struct ball_pass crest;
-  arb_ptr pi = calc_new(c);
-  arb_const_pi(pi, BASIN_PREC);
   if (arb_ge(r, calc_div(c, f->m.p[P_E2], f->m.p[P_CHI]))) return COND_D_R;
-  val fall = calc_add(c, pi, calc_mul(c, f->m.two, calc_atan2(c, f->m.a, f->m.p[P_E1])));
-  ball_pass_slip(&crest, c, &f->m, fall, f->m.one);
+  ball_pass_slip(&crest, c, &f->m, ball_crest(c, &f->m), f->m.one);
   return arb_lt(r, crest.r) ? COND_GAMMA_V1 : -1;
 }
 

@@ -151,7 +151,8 @@ static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tu
                          const arb_t time, slong prec) {
   const fmpq *end[2] = {&b->low, &b->high};
   struct tube e;
-  arb_ptr work = _arb_vec_init(3), p = work, when = work + 1, value = work + 2;
+  struct calc c = calc_begin(num_ctx_arb(prec));
+  arb_ptr p = calc_new(&c), when = calc_new(&c), value = calc_new(&c);
   tube_init(&e);
   for (int i = 0; i < 2; i++) {
     sign[i] = 0;
@@ -165,7 +166,7 @@ static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tu
     sign[i] = arb_is_positive(value) - arb_is_negative(value);
   }
   tube_clear(&e);
-  _arb_vec_clear(work, 3);
+  calc_clear(&c);
 }
 
 static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr x, const arb_t at,
@@ -173,15 +174,12 @@ static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, ar
   struct tube t;
   struct dyn_orbit whole;
   int sign[2] = {0, 0};
-  arb_ptr work = _arb_vec_init(4), p = work, high = work + 1, value = work + 2, rate = work + 3;
-  arb_t time;
-  arb_init(time);
+  struct calc c = calc_begin(num_ctx_arb(prec));
+  arb_ptr p = calc_new(&c), value = calc_new(&c), rate = calc_new(&c), time = calc_new(&c);
   tube_init(&t);
   dyn_orbit_init(&whole);
   arb_set(time, at);
-  arb_set_fmpq(p, &b->low, prec);
-  arb_set_fmpq(high, &b->high, prec);
-  arb_union(p, p, high, prec);
+  arb_union(p, calc_q(&c, &b->low), calc_q(&c, &b->high), prec);
   if (tube_on(&t, curve, p, x + 1, x + 2, prec) == SS_OK &&
       function_on(value, NULL, time, &t, curve, b->what, prec) == SS_OK) {
     bool monotone = function_on(value, rate, time, &t, curve, b->what, prec) == SS_OK && !arb_contains_zero(rate);
@@ -196,8 +194,7 @@ static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, ar
   }
   dyn_orbit_clear(&whole);
   tube_clear(&t);
-  arb_clear(time);
-  _arb_vec_clear(work, 4);
+  calc_clear(&c);
 }
 
 /* --- Where the curve turns back. --- */
@@ -242,10 +239,9 @@ static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, ar
   struct dyn_beside *out = &b->beside[side];
   struct tube t[2];
   bool ok[2];
-  arb_ptr p = _arb_vec_init(3), guess = p + 1;
-  arb_t s;
-  arb_init(s);
-  arb_set_fmpq(p, side ? &b->high : &b->low, prec);
+  struct calc c = calc_begin(num_ctx_arb(prec));
+  arb_ptr guess[2] = {calc_new(&c), calc_new(&c)}, s = calc_new(&c);
+  val p = calc_q(&c, side ? &b->high : &b->low);
   arb_sub(s, p, x, prec);
   arb_mul_2exp_si(s, s, 1);
   arb_div(s, s, bend, prec);
@@ -254,10 +250,10 @@ static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, ar
   for (int i = 0; i < 2; i++) {
     tube_init(&t[i]);
     for (int k = 0; k < 2; k++) {
-      arb_set(guess + k, x + 1 + k);
-      (i ? arb_submul : arb_addmul)(guess + k, s, tangent + 1 + k, prec);
+      arb_set(guess[k], x + 1 + k);
+      (i ? arb_submul : arb_addmul)(guess[k], s, tangent + 1 + k, prec);
     }
-    ok[i] = tube_on(&t[i], curve, p, guess, guess + 1, prec) == SS_OK;
+    ok[i] = tube_on(&t[i], curve, p, guess[0], guess[1], prec) == SS_OK;
   }
   bool apart = !arb_overlaps(&t[0].x[0], &t[1].x[0]) || !arb_overlaps(&t[0].x[1], &t[1].x[1]);
   out->n = 0;
@@ -267,20 +263,15 @@ static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, ar
     if (out->n > n && b->what != CHANGE_FOLD && out->word[n] == TRUTH_FALSE) out->n = n; /* the sheet beyond */
     tube_clear(&t[i]);
   }
-  arb_clear(s);
-  _arb_vec_clear(p, 3);
+  calc_clear(&c);
 }
 
 static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from, slong prec) {
-  arb_ptr x = _arb_vec_init(3), tangent = _arb_vec_init(3);
-  arb_t low, high, bend;
-  arb_init(low);
-  arb_init(high);
-  arb_init(bend);
+  struct calc c = calc_begin(num_ctx_arb(prec));
+  arb_ptr x = _arb_vec_init(3), tangent = _arb_vec_init(3), bend = calc_new(&c);
   _arb_vec_set(x, from, 3);
-  arb_set_fmpq(low, &b->low, prec);
-  arb_set_fmpq(high, &b->high, prec);
-  bool ok = curve_prove_zero(x, curve, b->what, prec) == SS_OK && arb_lt(low, x) && arb_lt(x, high);
+  bool ok = curve_prove_zero(x, curve, b->what, prec) == SS_OK && arb_lt(calc_q(&c, &b->low), x) &&
+            arb_lt(x, calc_q(&c, &b->high));
   b->crosses = b->unique = ok;
   if (ok) {
     arb_set(b->tb, x + 1);
@@ -292,9 +283,7 @@ static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, 
     b->sense = arb_is_positive(bend) ? 1 : -1;
     pair_beside(b, curve, x, tangent, bend, prec);
   }
-  arb_clear(bend);
-  arb_clear(high);
-  arb_clear(low);
+  calc_clear(&c);
   _arb_vec_clear(tangent, 3);
   _arb_vec_clear(x, 3);
 }

@@ -180,12 +180,11 @@ static bool all_joined(const struct pieces *list) {
 
 /* --- The union. --- */
 
-static void unite(struct dyn_orbit *all, const struct dyn_orbit *o, bool first) {
-  arb_ptr to[] = {all->z10, all->z20,    all->t[0],  all->t[1],   all->t[2],     all->t[3],    all->e1,
-                  all->e2,  all->period, all->trace, all->margin, all->u_r1_min, all->u_r2_min};
-  arb_srcptr from[] = {o->z10, o->z20,    o->t[0],  o->t[1],   o->t[2],     o->t[3],    o->e1,
-                       o->e2,  o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
-  for (size_t i = 0; i < sizeof to / sizeof *to; i++)
+static void unite(struct dyn_orbit *all, struct dyn_orbit *o, bool first) {
+  arb_ptr to[ORBIT_NUMBERS], from[ORBIT_NUMBERS];
+  dyn_orbit_numbers(to, all);
+  dyn_orbit_numbers(from, o);
+  for (int i = 0; i < ORBIT_NUMBERS; i++)
     if (first)
       arb_set(to[i], from[i]);
     else

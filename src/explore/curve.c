@@ -87,12 +87,8 @@ static val over_crest(struct view *v) {
   struct calc *c = &v->c;
   const struct ball_params *m = &v->m;
   if (v->curve->crest < 1) return NULL;
-  void *pi = calc_new(c);
-  c->status |= num_dual.pi(pi, c->ctx.prec);
-  val e1 = m->p[P_E1], fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, e1))), sine, cosine;
-  calc_sin_cos(c, &sine, &cosine, fall);
-  val turns = calc_mul(c, calc_d(c, 2 * (double)(v->curve->crest - 1)), pi);
-  val first = calc_dot(c, m->a, calc_sub(c, fall, sine), e1, calc_sub(c, m->one, cosine));
+  val turns = calc_mul(c, calc_d(c, 2 * (double)(v->curve->crest - 1)), calc_pi(c));
+  val first = ball_rise(c, m, ball_crest(c, m));
   return calc_sub(c, v->s.rise, calc_add(c, first, calc_mul(c, m->a, turns)));
 }
 
@@ -142,59 +138,32 @@ val view_change(struct view *v, enum dyn_change what, const arb_t time) {
 
 /* --- Touches. --- */
 
+struct touch {
+  struct view *v;
+  enum dyn_change what;
+  slong mark;
+};
+
 /* The function whose zero is the time of the extremum. */
-static val touch_at(struct view *v, enum dyn_change what, const arb_t time) {
-  struct ball_pass s = slip_until(v, time, true);
-  return what == CHANGE_H_V1 ? s.wc : s.rc;
-}
-
-static int touch_newton(arb_t time, struct view *v, enum dyn_change what) {
-  slong mark = calc_mark(&v->c), prec = v->c.ctx.prec, near = -prec / 2;
-  arb_t step;
-  int quiet = 0;
-  arb_init(step);
-  for (int i = 0; i < 60 && quiet < 2 && !v->c.status; i++) {
-    arb_get_mid_arb(time, time);
-    val f = touch_at(v, what, time);
-    arb_div(step, dual_value(f), dual_slope(f, DIR_TC), prec);
-    arb_get_mid_arb(step, step);
-    arb_sub(time, time, step, prec);
-    quiet = arf_cmpabs_2exp_si(arb_midref(step), near) < 0 ? quiet + 1 : 0;
-    calc_release(&v->c, mark);
-  }
-  arb_get_mid_arb(time, time);
-  arb_clear(step);
-  return quiet == 2 && arb_is_finite(time) ? v->c.status : v->c.status | SS_UNABLE;
-}
-
-/* Interval Newton on growing balls around time. */
-static int touch_prove(arb_t time, struct view *v, enum dyn_change what) {
-  slong mark = calc_mark(&v->c), prec = v->c.ctx.prec;
-  arb_t ball, next;
-  bool proved = false;
-  arb_init(ball);
-  arb_init(next);
-  val at = touch_at(v, what, time);
-  arb_div(next, dual_value(at), dual_slope(at, DIR_TC), prec);
-  arb_set(ball, time);
-  arb_get_mag(arb_radref(ball), next);
-  for (int i = 0; i < 12 && !proved && !v->c.status && arb_is_finite(ball); i++) {
-    mag_mul_2exp_si(arb_radref(ball), arb_radref(ball), 1);
-    val all = touch_at(v, what, ball);
-    arb_div(next, dual_value(at), dual_slope(all, DIR_TC), prec);
-    arb_sub(next, time, next, prec);
-    proved = arb_is_finite(next) && arb_contains_interior(ball, next);
-    if (proved) arb_set(time, next);
-  }
-  calc_release(&v->c, mark);
-  arb_clear(next);
-  arb_clear(ball);
-  return proved ? v->c.status : v->c.status | SS_UNABLE;
+static int touch_values(const void **f, const void **j, const struct num_vec *time, void *self) {
+  const struct touch *t = self;
+  calc_release(&t->v->c, t->mark);
+  struct ball_pass s = slip_until(t->v, num_vec_at(time, 0), true);
+  val force = t->what == CHANGE_H_V1 ? s.wc : s.rc;
+  if (f) f[0] = dual_value(force);
+  j[0] = dual_slope(force, DIR_TC);
+  return t->v->c.status;
 }
 
 int view_touch(arb_t time, struct view *v, enum dyn_change what, bool prove) {
   if (what != CHANGE_H_V1 && what != CHANGE_H_V2) return SS_OK;
-  return prove ? touch_prove(time, v, what) : touch_newton(time, v, what);
+  struct touch touch = {v, what, calc_mark(&v->c)};
+  struct solve_system system = {1, touch_values, &touch};
+  struct num_vec x = {num_ctx_arb(v->c.ctx.prec), 1, (char *)time};
+  if (!prove) arb_get_mid_arb(time, time);
+  int status = prove ? krawczyk_enclose(&x, NULL, &system) : newton_settle(&x, &system, 60);
+  calc_release(&v->c, touch.mark);
+  return status;
 }
 
 /* --- The three equations. --- */
@@ -251,12 +220,7 @@ int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what, slo
   struct point p = {.curve = b, .what = what};
   struct solve_system system = {3, values, &p};
   struct num_vec at = {num_ctx_arb(prec), 3, (char *)x};
-  struct krawczyk k;
-  krawczyk_init(&k, &system, prec);
-  int status = krawczyk_centre(&k, &at);
-  if (!status) status = krawczyk_grow(&k);
-  if (!status) num_vec_set(&at, &k.image);
-  krawczyk_clear(&k);
+  int status = krawczyk_enclose(&at, NULL, &system);
   point_close(&p);
   return status;
 }

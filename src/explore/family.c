@@ -93,18 +93,14 @@ static void settle(struct family_line *l, slong begin, slong from, slong to) {
 }
 
 static bool in_domain(const struct dyn_family_request *q, const struct dyn_axis *a, slong i) {
+  fmpq p[N_PARAMS];
   fmpq_t x;
-  bool ok = true;
   fmpq_init(x);
-  for (int k = 0; k < N_PARAMS; k++) {
-    if (k == a->vary)
-      dyn_axis_q(x, a, i);
-    else
-      fmpq_set(x, &q->params[k]);
-    ok = ok && fmpq_sgn(x) > 0 && (k != P_CHI || fmpq_cmp_si(x, 1) < 0);
-  }
+  dyn_axis_q(x, a, i);
+  for (int k = 0; k < N_PARAMS; k++) p[k] = k == a->vary ? *x : q->params[k]; /* borrowed */
+  bool in = dyn_in_domain(p, N_PARAMS);
   fmpq_clear(x);
-  return ok;
+  return in;
 }
 
 int dyn_family_find(struct dyn_family *f, const struct dyn_family_request *q, slong begin, slong end) {

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "curve.h"
+#include "motion/trig_sum.h"
 
 enum { TRACE_PREC = 128, LINE = 4 };
 static const double LONGEST = 0.03, SHORTEST = 1e-9;
@@ -26,48 +27,38 @@ static double length_of(const struct trace *t, const double x[3]) {
 /* --- A spot. --- */
 
 /* z' - V of one mass in phase H, in double precision. */
-struct swing {
-  double a[2], b[2], om[2], V;
-};
-
-static struct swing swing_of(const struct view *v, int mass) {
-  struct swing s = {.V = num_dual.get_d(v->m.p[P_V])};
+static struct trig_sum wave_of(const struct view *v, int mass) {
+  struct trig_sum w = {.start = mass == 0 ? num_dual.get_d(v->s.pb) : 0};
   for (int k = 0; k < 2; k++) {
-    s.a[k] = num_dual.get_d(v->s.modes.a[mass][k]);
-    s.b[k] = num_dual.get_d(v->s.modes.b[mass][k]);
-    s.om[k] = num_dual.get_d(v->m.spectrum.om[k]);
+    w.om[k] = num_dual.get_d(v->m.spectrum.om[k]);
+    w.cs[k] = num_dual.get_d(v->s.modes.a[mass][k]);
+    w.sn[k] = -num_dual.get_d(v->s.modes.b[mass][k]);
   }
-  return s;
+  return w;
 }
 
-static double swing_rate(const struct swing *s, double t) {
-  double rate = 0;
-  for (int k = 0; k < 2; k++) rate -= s->om[k] * (s->a[k] * sin(s->om[k] * t) + s->b[k] * cos(s->om[k] * t));
-  return rate;
-}
-
-static double swing_at(const struct swing *s, double t) {
-  double speed = -s->V;
-  for (int k = 0; k < 2; k++) speed += s->a[k] * cos(s->om[k] * t) - s->b[k] * sin(s->om[k] * t);
-  return speed;
+static double wave_rate(const struct trig_sum *w, double t) {
+  double value[3];
+  trig_sum_at(value, w, t);
+  return value[1];
 }
 
 /* The greatest of the maxima inside (0, end); false when there is none. */
-static bool swing_top(double *top, double *time, const struct swing *s, double end) {
-  double h = fmin(0.2 / s->om[1], end / 8), before = swing_rate(s, 0);
+static bool wave_top(double *top, double *time, const struct trig_sum *w, double end) {
+  double h = fmin(0.2 / w->om[1], end / 8), before = wave_rate(w, 0), value[3];
   bool any = false;
   if (!(end > 0) || end > 10000 * h) return false;
   for (double t = 0; t < end;) {
-    double next = fmin(t + h, end), after = swing_rate(s, next);
+    double next = fmin(t + h, end), after = wave_rate(w, next);
     if (before > 0 && after <= 0 && next < end) {
       double low = t, high = next;
       for (int i = 0; i < 60; i++) {
         double mid = 0.5 * (low + high);
-        *(swing_rate(s, mid) > 0 ? &low : &high) = mid;
+        *(wave_rate(w, mid) > 0 ? &low : &high) = mid;
       }
-      double value = swing_at(s, low);
-      if (!any || value > *top) {
-        *top = value;
+      trig_sum_at(value, w, low);
+      if (!any || value[0] > *top) {
+        *top = value[0];
         *time = low;
       }
       any = true;
@@ -81,8 +72,8 @@ static bool swing_top(double *top, double *time, const struct swing *s, double e
 static void look_for(struct spot *s, struct view *v, enum dyn_change what) {
   if (what == CHANGE_H_V1 || what == CHANGE_H_V2) {
     if (what == CHANGE_H_V2 && v->curve->up) return;
-    struct swing w = swing_of(v, what == CHANGE_H_V1 ? 0 : 1);
-    s->known[what] = swing_top(&s->change[what], &s->time[what], &w, s->x[2]);
+    struct trig_sum w = wave_of(v, what == CHANGE_H_V1 ? 0 : 1);
+    s->known[what] = wave_top(&s->change[what], &s->time[what], &w, s->x[2]);
     return;
   }
   int status = v->c.status;

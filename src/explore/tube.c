@@ -105,28 +105,17 @@ static enum newton_next settles(const struct num_vec *x, const struct num_vec *s
   return e->quiet == 2 ? NEWTON_LAST : NEWTON_ON;
 }
 
-/* Newton's iteration from the midpoints of x at the midpoints of p; x becomes exact. */
-static int tube_newton(struct tube *t, slong prec) {
-  struct equations e = {.t = t, .middle = true};
-  struct solve_system system = {2, values, &e};
-  struct num_vec x = {num_ctx_arb(prec), 2, (char *)t->x};
-  for (int k = 0; k < 2; k++) arb_get_mid_arb(&t->x[k], &t->x[k]);
-  e.c = calc_begin(dual_ctx(prec));
-  int status = newton_run(&x, &system, x.ctx, 60, settles);
-  calc_clear(&e.c);
-  return status;
-}
-
+/* Newton's iteration from the midpoints of x at the midpoints of p; then the operator. */
 int tube_prove(struct tube *t, slong prec) {
-  struct equations e = {.t = t};
+  struct equations e = {.t = t, .middle = true, .c = calc_begin(dual_ctx(prec))};
   struct solve_system system = {2, values, &e};
   struct num_vec x = {num_ctx_arb(prec), 2, (char *)t->x};
   struct krawczyk k;
-  int status = tube_newton(t, prec);
-  if (status) return status;
-  e.c = calc_begin(dual_ctx(prec));
   krawczyk_init(&k, &system, prec);
-  status = krawczyk_centre(&k, &x);
+  for (int i = 0; i < 2; i++) arb_get_mid_arb(&t->x[i], &t->x[i]);
+  int status = newton_run(&x, &system, x.ctx, 60, settles);
+  e.middle = false;
+  if (!status) status = krawczyk_centre(&k, &x);
   if (!status) status = krawczyk_follow(&k, -3);
   for (int i = 0; i < 2 && !status; i++) {
     arb_swap(&t->x[i], num_vec_at(&k.image, i));
@@ -181,13 +170,11 @@ enum { SHARP = 5 };
 static void sharp_numbers(val out[SHARP], struct calc *c, const struct ball_params *m, const struct ball_pass *s,
                           bool up) {
   struct ball_ending e;
-  val chi = m->p[P_CHI], ease = calc_sub(c, m->one, chi);
   ball_ending_make(&e, c, m, s, up);
+  ball_positions(out + 3, c, m, e.wf, s->r);
   out[0] = calc_add(c, calc_div(c, s->defect_tb, s->pb), m->one);
   out[1] = e.ta;
   out[2] = e.td;
-  out[3] = calc_div(c, calc_add(c, e.wf, calc_mul(c, chi, s->r)), ease);
-  out[4] = calc_div(c, calc_add(c, e.wf, s->r), ease);
 }
 
 /* number = its value at the middle of the parameters + the sum of its slopes along the orbits times p - p0. */
@@ -249,12 +236,17 @@ void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec) {
   _arb_vec_clear(number, SHARP);
 }
 
+/* All of them at once. */
+static void params_of(struct ball_params *m, struct calc *c, const struct tube *t) {
+  val p[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) p[i] = &t->p[i];
+  ball_params_make(m, c, p);
+}
+
 int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec, long max_steps) {
   struct ball_params m;
-  val p[N_PARAMS];
   struct calc c = calc_begin(num_ctx_arb(prec));
-  for (int i = 0; i < N_PARAMS; i++) p[i] = &t->p[i];
-  ball_params_make(&m, &c, p);
+  params_of(&m, &c, t);
   int status = dyn_orbit_describe(o, &c, &m, &t->x[0], &t->x[1], t->up);
   *word = status ? TRUTH_UNKNOWN : dyn_orbit_judge(o, &c, &m, &t->x[0], &t->x[1], t->up, max_steps);
   o->grazing = *word == TRUTH_UNKNOWN;
@@ -265,10 +257,8 @@ int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong pre
 truth tube_touches(const struct tube *t, slong prec, long max_steps) {
   struct ball_params m;
   struct ball_pass s;
-  val p[N_PARAMS];
   struct calc c = calc_begin(num_ctx_arb(prec));
-  for (int i = 0; i < N_PARAMS; i++) p[i] = &t->p[i];
-  ball_params_make(&m, &c, p);
+  params_of(&m, &c, t);
   ball_pass_slip(&s, &c, &m, &t->x[0], &t->x[1]);
   truth below = c.status ? TRUTH_UNKNOWN : ball_touches(&c, &m, &s, max_steps);
   calc_clear(&c);

@@ -2,7 +2,10 @@
 
    Each unknown has a column: a difference of motions that is carried along with the motion itself, so that defects and
    derivatives come out of one pass. */
+#include "num/solve.h"
 #include "words_impl.h"
+
+enum { MOST_POLISH = 40 };
 
 struct word_event word_event_of(const struct phase_word *w, int phase) {
   const enum coulomb_mode *from = w->mode[phase], *to = w->mode[(phase + 1) % w->n];
@@ -149,4 +152,38 @@ void word_equations(val *f, val *j, val *states, struct calc *c, const struct wo
       j[(w->n + i) * size + k] = k == w->n + i ? calc_sub(c, slope, calc_d(c, 1)) : slope;
     }
   }
+}
+
+/* --- As a system. --- */
+
+void word_solver_begin(struct word_solver *s, struct num_ctx ctx, const struct phase_word *w, const fmpq *params,
+                       const fmpq *const u_r[2]) {
+  s->w = w;
+  s->c = calc_begin(ctx);
+  word_law_make(&s->m, &s->c, params, u_r);
+  s->mark = calc_mark(&s->c);
+}
+
+int word_solver_values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct word_solver *s = self;
+  val at[WORD_UNKNOWNS], unread[WORD_UNKNOWNS];
+  calc_release(&s->c, s->mark);
+  s->c.status = SS_OK;
+  flow_vals(at, x, 0, x->len);
+  word_equations(f ? f : unread, j, NULL, &s->c, &s->m, s->w, at);
+  return s->c.status;
+}
+
+int word_unknowns_enclose(struct num_vec *x, const double *near, const struct phase_word *w, const fmpq *params,
+                          const fmpq *const u_r[2]) {
+  enum word_coordinate free[WORD_FREE_MOST];
+  struct word_solver s;
+  struct solve_system system = {w->n + word_free(free, w), word_solver_values, &s};
+  struct num_vec at = {x->ctx, system.n, x->data}; /* x may be longer */
+  word_solver_begin(&s, x->ctx, w, params, u_r);
+  for (slong i = 0; i < system.n; i++) arb_set_d(num_vec_at(&at, i), near[i]);
+  int status = newton_settle(&at, &system, MOST_POLISH);
+  if (!status) status = krawczyk_enclose(&at, NULL, &system);
+  calc_clear(&s.c);
+  return status;
 }

@@ -98,9 +98,7 @@ static int by_period(const void *x, const void *y) {
 }
 
 static bool in_domain(const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2]) {
-  for (int i = 0; i < N_PARAMS; i++)
-    if (fmpq_sgn(params + i) <= 0) return false;
-  if (fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) >= 0) return false;
+  if (!dyn_in_domain(params, N_PARAMS)) return false;
   for (int i = 0; i < 2; i++)
     if (u_r[i] && fmpq_cmp(u_r[i], params + P_E1 + i) <= 0) return false;
   return !phase_word_has_faster(w) || (u_r[0] && u_r[1]);

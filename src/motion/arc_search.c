@@ -7,15 +7,11 @@
 
 /* The first events, in double precision. */
 static int first_times(double t[N_PHASES], const struct num_vec *params, val z10, val z20) {
-  const struct num_type *type = params->ctx.type;
-  double p[N_PARAMS], end;
-  struct num_vec r;
-  for (int i = 0; i < N_PARAMS; i++) p[i] = type->get_d(num_vec_at(params, i));
-  num_vec_init(&r, 1, params->ctx);
-  int status = type->sub(num_vec_at(&r, 0), z20, z10, r.ctx.prec);
-  if (!status) status = dyn_return_map_d(&end, NULL, t, p, type->get_d(num_vec_at(&r, 0)), NULL);
-  num_vec_clear(&r);
-  return status;
+  struct calc c = calc_begin(params->ctx);
+  double p[N_PARAMS], end, r = c.ctx.type->get_d(calc_sub(&c, z20, z10));
+  for (int i = 0; i < N_PARAMS; i++) p[i] = c.ctx.type->get_d(num_vec_at(params, i));
+  calc_clear(&c);
+  return c.status ? c.status : dyn_return_map_d(&end, NULL, t, p, r, NULL);
 }
 
 int dyn_arc_run(struct dyn_arc *a, const struct num_vec *params, const void *z10, const void *z20,

@@ -90,33 +90,18 @@ static bool search_run(struct search *s, const fmpq *params, double t_c_max, lon
 
 /* --- From zeros to solutions. --- */
 
-static void leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc) {
-  if (list->gap != GAP_UNTRIED) return;
-  list->gap = (int)why;
-  list->gap_at[0] = tb;
-  list->gap_at[1] = tc;
-}
-
 /* Phase C ends a whole turn later: m2 is again where it was, the belt's way in t_a is shorter. */
 static void turn_once(struct dyn_orbit *o, const fmpq *params, slong prec) {
-  arb_t whole, stiff;
-  arb_init(whole);
-  arb_init(stiff);
-  arb_set_fmpq(stiff, params + P_CHI, prec);
-  arb_mul_fmpz(stiff, stiff, fmpq_numref(params + P_ETA), prec);
-  arb_div_fmpz(stiff, stiff, fmpq_denref(params + P_ETA), prec);
-  arb_rsqrt(stiff, stiff, prec);
-  arb_const_pi(whole, prec);
-  arb_mul(whole, whole, stiff, prec);
-  arb_mul_2exp_si(whole, whole, 1);
+  struct calc c = calc_begin(num_ctx_arb(prec));
+  val omega = calc_sqrt(&c, calc_mul(&c, calc_q(&c, params + P_CHI), calc_q(&c, params + P_ETA)));
+  val whole = calc_div(&c, calc_mul(&c, calc_d(&c, 2), calc_pi(&c)), omega);
+  val way = calc_mul(&c, calc_q(&c, params + P_V), whole);
   arb_add(o->t[PHASE_C], o->t[PHASE_C], whole, prec);
   arb_sub(o->t[PHASE_D], o->t[PHASE_D], whole, prec);
-  arb_set_fmpq(stiff, params + P_V, prec);
-  arb_addmul(o->z10, stiff, whole, prec);
-  arb_addmul(o->z20, stiff, whole, prec);
-  for (int ph = 0; ph < N_PHASES; ph++) o->guess[ph] = arf_get_d(arb_midref(o->t[ph]), ARF_RND_NEAR);
-  arb_clear(stiff);
-  arb_clear(whole);
+  arb_add(o->z10, o->z10, way, prec);
+  arb_add(o->z20, o->z20, way, prec);
+  for (int ph = 0; ph < N_PHASES; ph++) o->guess[ph] = num_arb.get_d(o->t[ph]);
+  calc_clear(&c);
 }
 
 /* q takes both signs in phase C where it lasts half a turn of m2 or longer. */
@@ -139,8 +124,8 @@ static void add_turns(struct dyn_orbits *list, struct dyn_orbit *o, const fmpq *
     say_late(&at);
     at.holds[COND_TA] = TRUTH_TRUE;
   }
-  if (arb_is_positive(at.t[PHASE_D])) leave_gap(list, GAP_MANY, 0, 0);
-  if (!arb_is_negative(at.t[PHASE_D])) leave_gap(list, GAP_DOUBLE, at.guess[PHASE_GAMMA], at.guess[PHASE_H]);
+  if (arb_is_positive(at.t[PHASE_D])) dyn_leave_gap(list, GAP_MANY, 0, 0);
+  if (!arb_is_negative(at.t[PHASE_D])) dyn_leave_gap(list, GAP_DOUBLE, at.guess[PHASE_GAMMA], at.guess[PHASE_H]);
   dyn_orbit_clear(&at);
 }
 
@@ -173,7 +158,7 @@ static void settle(struct dyn_orbits *list, const struct search *s, const struct
     arb_clear(left);
   }
   if (later == TRUTH_UNKNOWN || arb_contains_zero(o.t[PHASE_C]))
-    leave_gap(list, GAP_DOUBLE, tb, z->at[1]);
+    dyn_leave_gap(list, GAP_DOUBLE, tb, z->at[1]);
   else if (later == TRUTH_TRUE)
     add_turns(list, &o, params, prec);
   dyn_orbit_clear(&o);
@@ -188,18 +173,16 @@ static int by_times(const void *x, const void *y) {
 int dyn_branches_find(struct dyn_orbits *list, const fmpq *params, double t_c_max, slong prec, long budget) {
   struct search s;
   *list = (struct dyn_orbits){.gap = GAP_UNTRIED, .t_c_max = t_c_max};
-  for (int i = 0; i < N_PARAMS; i++)
-    if (fmpq_sgn(params + i) <= 0) return SS_DOMAIN;
-  if (fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) >= 0) return SS_DOMAIN;
+  if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
   bool fits = search_run(&s, params, t_c_max, budget);
   list->cells = s.cells;
-  if (!fits) leave_gap(list, GAP_RANGE, 0, 0);
-  if (s.zeros.n > MOST_BRANCHES) leave_gap(list, GAP_MANY, 0, 0);
-  if (s.spent) leave_gap(list, GAP_BUDGET, 0, 0);
-  if (s.stuck) leave_gap(list, GAP_DOUBLE, s.where[0], s.where[1]);
+  if (!fits) dyn_leave_gap(list, GAP_RANGE, 0, 0);
+  if (s.zeros.n > MOST_BRANCHES) dyn_leave_gap(list, GAP_MANY, 0, 0);
+  if (s.spent) dyn_leave_gap(list, GAP_BUDGET, 0, 0);
+  if (s.stuck) dyn_leave_gap(list, GAP_DOUBLE, s.where[0], s.where[1]);
   for (size_t i = 0; i < s.zeros.n && list->n < MOST_BRANCHES; i++) settle(list, &s, &s.zeros.at[i], params, prec);
   for (slong i = 0; i < list->n; i++)
-    if (list->orbit[i].grazing) leave_gap(list, GAP_GRAZING, list->orbit[i].guess[1], list->orbit[i].guess[2]);
+    if (list->orbit[i].grazing) dyn_leave_gap(list, GAP_GRAZING, list->orbit[i].guess[1], list->orbit[i].guess[2]);
   list->complete = list->gap == GAP_UNTRIED;
   if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_times);
   free(s.zeros.at);

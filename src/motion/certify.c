@@ -52,8 +52,7 @@ static int enclose_near(struct word_root *s, const struct word_data *d, const st
   int status = SS_OK;
   num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
   for (int i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_arb(num_vec_at(&x, i), quantity_of(o, i), prec);
-  if (!status) status = word_refine(&x, d);
-  if (!status) status = word_enclose(s, &x, d);
+  if (!status) status = word_solve(s, &x, d);
   num_vec_clear(&x);
   return status;
 }
@@ -106,15 +105,15 @@ static int widen(struct word_root *s, const struct word_data *d, slong prec) {
 static int box_of_start(struct dyn_certificate *z, const struct word_data *d, slong prec) {
   struct ball_params m;
   struct word w;
-  val at[N_QUANTITIES];
+  val at[N_QUANTITIES], start[2];
   struct calc c = calc_begin(num_ctx_arb(prec));
   word_params(&m, &c, d->model);
   for (int i = 0; i < N_QUANTITIES; i++) at[i] = z->box[i];
   word_make(&w, &c, &m, at);
-  val chi = m.p[P_CHI], ease = calc_sub(&c, m.one, chi);
   val force = calc_sub(&c, at[QUANTITY_E1], calc_mul(&c, m.a, at[QUANTITY_TA])); /* w at the start of the period */
-  arb_set(z->box_z10, calc_div(&c, calc_add(&c, force, calc_mul(&c, chi, w.end)), ease));
-  arb_set(z->box_z20, calc_div(&c, calc_add(&c, force, w.end), ease));
+  ball_positions(start, &c, &m, force, w.end);
+  arb_set(z->box_z10, start[0]);
+  arb_set(z->box_z20, start[1]);
   mag_mul_2exp_si(arb_radref(z->box_z10), arb_radref(z->box_z10), 2);
   mag_mul_2exp_si(arb_radref(z->box_z20), arb_radref(z->box_z20), 2);
   calc_clear(&c);
@@ -142,17 +141,6 @@ static bool is_inside(const struct dyn_certificate *z, const struct word_data *d
 
 static truth both(truth x, truth y) {
   return x == y ? x : TRUTH_UNKNOWN;
-}
-
-/* e1, e2, t_b, t_c positive and t_d within half a turn. */
-static truth in_domain(struct calc *c, const struct ball_params *m, const struct word_root *s) {
-  static const enum dyn_quantity positive[] = {QUANTITY_E1, QUANTITY_E2, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD};
-  truth t = TRUTH_TRUE;
-  for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
-    t = truth_and(t, num_arb.lt(m->zero, s->x[positive[i]]));
-  arb_ptr pi = calc_new(c);
-  arb_const_pi(pi, c->ctx.prec);
-  return truth_and(t, num_arb.lt(calc_mul(c, m->omega, s->x[QUANTITY_TD]), pi));
 }
 
 /* The time since the start of the phase at which a broken condition is surely broken; false when the margin's place
@@ -213,29 +201,16 @@ static unsigned still_open(const struct dyn_certificate *z) {
 
 /* Everything but existence, at one precision. */
 static void decide(struct dyn_certificate *z, const struct dyn_question *q, const struct word_root *s, slong prec) {
-  struct ball_params m;
-  struct word w;
   struct dyn_orbit o;
-  val at[N_QUANTITIES];
-  struct calc c = calc_begin(num_ctx_arb(prec));
-  for (int i = 0; i < N_QUANTITIES; i++) at[i] = s->x[i];
-  val p[N_PARAMS] = {calc_q(&c, q->model), calc_q(&c, q->model + 1), calc_q(&c, q->model + 2), at[QUANTITY_E1],
-                     at[QUANTITY_E2]};
-  ball_params_make(&m, &c, p);
-  word_make(&w, &c, &m, at);
-  bool up = num_arb.get_d(w.end) > 0; /* if not, phase C's direction is not proved */
+  truth domain = TRUTH_UNKNOWN;
   dyn_orbit_init(&o);
+  if (word_describe(&o, s, q->model, prec) == SS_OK) word_judge_orbit(&o, &domain, s, q->model, prec, MAX_STEPS);
   z->open = OPEN_DOMAIN;
-  if (!c.status && in_domain(&c, &m, s) == TRUTH_TRUE &&
-      dyn_orbit_describe(&o, &c, &m, at[QUANTITY_TB], at[QUANTITY_TC], up) == SS_OK) {
-    for (int i = 0; i < N_PHASES; i++) arb_set(o.t[i], s->x[QUANTITY_TA + i]);
-    dyn_orbit_judge(&o, &c, &m, at[QUANTITY_TB], at[QUANTITY_TC], up, MAX_STEPS);
-    o.holds[COND_TA] = num_arb.lt(m.zero, o.t[PHASE_D]);
+  if (domain == TRUTH_TRUE) {
     conclude(z, q, &o, prec);
     z->open = still_open(z);
   }
   dyn_orbit_clear(&o);
-  calc_clear(&c);
 }
 
 void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *orbit) {
@@ -261,17 +236,11 @@ void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const 
 
 /* --- What is told about it --- */
 
-static void numbers_of(arb_srcptr x[12], const struct dyn_orbit *o) {
-  arb_srcptr all[12] = {o->z10, o->z20, o->t[0],   o->t[1],  o->t[2],     o->t[3],
-                        o->e1,  o->e2,  o->period, o->trace, o->u_r1_min, o->u_r2_min};
-  for (int i = 0; i < 12; i++) x[i] = all[i];
-}
-
 void dyn_orbit_radius(mag_t radius, const struct dyn_orbit *orbit) {
-  arb_srcptr x[12];
-  numbers_of(x, orbit);
+#define WIDEST(name, member, what) mag_max(radius, radius, arb_radref(orbit->member));
   mag_zero(radius);
-  for (int i = 0; i < 12; i++) mag_max(radius, radius, arb_radref(x[i]));
+  DYN_ORBIT_NUMBERS(WIDEST)
+#undef WIDEST
 }
 
 void dyn_certificate_why(struct text *out, const struct dyn_certificate *z) {

@@ -48,7 +48,7 @@ static bool is_common(const struct known *o, const struct common *z) {
   return same;
 }
 
-static void leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc) {
+void dyn_leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc) {
   if (list->gap != GAP_UNTRIED) return;
   list->gap = (int)why;
   list->gap_at[0] = tb;
@@ -73,15 +73,9 @@ static void settle(struct dyn_orbits *list, const struct common *z, const struct
       return;
     }
   } else {
-    leave_gap(list, settled ? GAP_GRAZING : GAP_DOUBLE, tb, z->at[1]);
+    dyn_leave_gap(list, settled ? GAP_GRAZING : GAP_DOUBLE, tb, z->at[1]);
   }
   dyn_orbit_clear(&o);
-}
-
-static bool in_domain(const fmpq *params) {
-  for (int i = 0; i < N_PARAMS; i++)
-    if (fmpq_sgn(params + i) <= 0) return false;
-  return fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) < 0;
 }
 
 /* Every zero is an orbit of the list, and every orbit of the list a zero; known tells which were met as such. */
@@ -102,8 +96,8 @@ static void compare(struct dyn_orbits *list, const struct march *s, const struct
   }
   for (slong i = 0; i < listed; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
-    if (o->grazing) leave_gap(list, GAP_GRAZING, o->guess[1], o->guess[2]);
-    if (!seen[i]) leave_gap(list, GAP_CONFLICT, o->guess[1], o->guess[2]);
+    if (o->grazing) dyn_leave_gap(list, GAP_GRAZING, o->guess[1], o->guess[2]);
+    if (!seen[i]) dyn_leave_gap(list, GAP_CONFLICT, o->guess[1], o->guess[2]);
   }
   free(seen);
 }
@@ -111,18 +105,18 @@ static void compare(struct dyn_orbits *list, const struct march *s, const struct
 int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim,
                         long budget) {
   struct march s;
-  if (!in_domain(params)) return SS_DOMAIN;
+  if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
   if (!lim) lim = &dyn_limits_default;
   list->complete = false;
   list->gap = GAP_UNTRIED;
   struct known *known = ss_malloc(((size_t)list->n + 1) * sizeof *known);
   for (slong i = 0; i < list->n; i++) known[i] = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
   if (!march_run(&s, params, known, (size_t)list->n, budget)) {
-    leave_gap(list, GAP_RANGE, 0, 0);
+    dyn_leave_gap(list, GAP_RANGE, 0, 0);
   } else {
     list->cells = s.cells;
-    if (s.spent) leave_gap(list, GAP_BUDGET, 0, 0);
-    if (s.stuck) leave_gap(list, s.crest ? GAP_GRAZING : GAP_DOUBLE, s.where[0], s.where[1]);
+    if (s.spent) dyn_leave_gap(list, GAP_BUDGET, 0, 0);
+    if (s.stuck) dyn_leave_gap(list, s.crest ? GAP_GRAZING : GAP_DOUBLE, s.where[0], s.where[1]);
     compare(list, &s, known, params, prec, lim);
     list->complete = list->gap == GAP_UNTRIED;
     if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);

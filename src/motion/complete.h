@@ -46,6 +46,8 @@ enum dyn_gap {
   N_GAPS
 };
 extern const char *const dyn_gap_text[N_GAPS];
+/* Notes it near (t_b, t_c), unless another one is noted already. */
+void dyn_leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc);
 
 /* The default budget: below two seconds. */
 enum { DYN_CELLS = 4000000 };

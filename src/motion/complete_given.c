@@ -24,9 +24,7 @@ static void planes_at(struct plane of[N_OF], struct calc *c, const fmpq *model, 
   for (int i = 0; i < 3; i++) {
     struct ball_params m;
     struct ball_pass s;
-    val p[N_PARAMS] = {calc_q(c, model), calc_q(c, model + 1), calc_q(c, model + 2), calc_d(c, i == 1),
-                       calc_d(c, i == 2)};
-    ball_params_make(&m, c, p);
+    ball_params_with(&m, c, model, calc_d(c, i == 1), calc_d(c, i == 2));
     ball_pass_make(&s, c, &m, tb, tc, true);
     const val all[N_OF] = {s.pc, s.qc, s.rc, s.r};
     for (int k = 0; k < N_OF; k++) at[i][k] = all[k];
@@ -76,8 +74,7 @@ static bool is_listed(const struct dyn_orbits *list, const val e[2]) {
 static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb, val tc, long max_steps) {
   struct ball_params m;
   struct dyn_orbit o;
-  val p[N_PARAMS] = {calc_q(c, model), calc_q(c, model + 1), calc_q(c, model + 2), e[0], e[1]};
-  ball_params_make(&m, c, p);
+  ball_params_with(&m, c, model, e[0], e[1]);
   truth positive = truth_and(num_arb.lt(m.zero, e[0]), num_arb.lt(m.zero, e[1]));
   if (positive == TRUTH_FALSE) return TRUTH_FALSE;
   struct ball_pass s;
@@ -111,13 +108,6 @@ static int both_times(struct dyn_orbits *list, const fmpq *model, const fmpq *tb
   return SS_OK;
 }
 
-static void leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc) {
-  if (list->gap != GAP_UNTRIED) return;
-  list->gap = (int)why;
-  list->gap_at[0] = tb;
-  list->gap_at[1] = tc;
-}
-
 static bool is_at(const struct dyn_orbit *o, const struct line_zero *z) {
   struct disk t = disk_arb(o->t[2]);
   return disk_up(fabs(t.mid - z->at) + t.rad) < z->room;
@@ -143,7 +133,8 @@ static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmp
   arb_set_fmpq(b, tb, 128);
   for (int i = 0; i < 2; i++) e[i] = unknown == P_E1 + i ? x : calc_q(&c, params + P_E1 + i);
   truth orbit = is_orbit(&c, params, e, b, tc, max_steps);
-  if (orbit != TRUTH_FALSE) leave_gap(list, orbit == TRUTH_TRUE ? GAP_CONFLICT : GAP_GRAZING, fmpq_get_d(tb), z->at);
+  if (orbit != TRUTH_FALSE)
+    dyn_leave_gap(list, orbit == TRUTH_TRUE ? GAP_CONFLICT : GAP_GRAZING, fmpq_get_d(tb), z->at);
   calc_clear(&c);
 }
 
@@ -151,9 +142,9 @@ static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unkno
                           const struct dyn_limits *lim, long budget) {
   struct line line;
   list->gap = GAP_UNTRIED;
-  if (!line_run(&line, params, unknown, tb, lim->t_max, budget)) leave_gap(list, GAP_RANGE, 0, 0);
-  if (line.spent) leave_gap(list, GAP_BUDGET, 0, 0);
-  if (line.stuck) leave_gap(list, GAP_DOUBLE, fmpq_get_d(tb), line.where);
+  if (!line_run(&line, params, unknown, tb, lim->t_max, budget)) dyn_leave_gap(list, GAP_RANGE, 0, 0);
+  if (line.spent) dyn_leave_gap(list, GAP_BUDGET, 0, 0);
+  if (line.stuck) dyn_leave_gap(list, GAP_DOUBLE, fmpq_get_d(tb), line.where);
   for (size_t k = 0; k < line.n; k++) {
     bool listed = false;
     for (slong i = 0; i < list->n; i++) listed = listed || is_at(&list->orbit[i], &line.zeros[k]);
@@ -161,7 +152,7 @@ static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unkno
       settle(list, &line.zeros[k], params, unknown, tb, lim->max_steps);
   }
   for (slong i = 0; i < list->n; i++)
-    if (list->orbit[i].grazing) leave_gap(list, GAP_GRAZING, list->orbit[i].guess[1], list->orbit[i].guess[2]);
+    if (list->orbit[i].grazing) dyn_leave_gap(list, GAP_GRAZING, list->orbit[i].guess[1], list->orbit[i].guess[2]);
   list->cells = line.cells;
   list->t_c_max = lim->t_max;
   list->complete = list->gap == GAP_UNTRIED;

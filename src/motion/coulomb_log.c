@@ -4,35 +4,30 @@
 #include <string.h>
 
 #include "coulomb.h"
+#include "num/calc.h"
 
-static int from_array(struct num_vec *v, const double *x, slong n) {
-  int s = SS_OK;
-  num_vec_init(v, n, num_ctx_double());
-  for (slong i = 0; i < n; i++) s |= v->ctx.type->set_d(num_vec_at(v, i), x[i], 53);
-  return s;
+static struct num_vec from_array(struct calc *c, const double *x, slong n) {
+  struct num_vec v = calc_vec(c, n);
+  for (slong i = 0; i < n; i++) calc_store(c, num_vec_at(&v, i), calc_d(c, x[i]));
+  return v;
 }
 
 int coulomb_start_set_d(double start[N_STATE], const double params[N_COULOMB], double z10, double z20) {
-  const double z[2] = {z10, z20};
-  struct num_vec p, at, x;
-  int s = from_array(&p, params, N_COULOMB) | from_array(&at, z, 2);
-  num_vec_init(&x, N_STATE, num_ctx_double());
-  s |= coulomb_start_set(&x, &p, num_vec_at(&at, 0), num_vec_at(&at, 1));
+  struct calc c = calc_begin(num_ctx_double());
+  struct num_vec p = from_array(&c, params, N_COULOMB), x = calc_vec(&c, N_STATE);
+  c.status |= coulomb_start_set(&x, &p, calc_d(&c, z10), calc_d(&c, z20));
   for (int i = 0; i < N_STATE; i++) start[i] = x.ctx.type->get_d(num_vec_at(&x, i));
-  num_vec_clear(&x);
-  num_vec_clear(&at);
-  num_vec_clear(&p);
-  return s;
+  calc_clear(&c);
+  return c.status;
 }
 
 int coulomb_simulate_d(struct coulomb_result *result, const double params[N_COULOMB], const double start[N_STATE],
                        const struct coulomb_plan *plan, const struct coulomb_sink *sink) {
-  struct num_vec p, x;
-  int s = from_array(&p, params, N_COULOMB) | from_array(&x, start, N_STATE);
+  struct calc c = calc_begin(num_ctx_double());
+  const struct num_vec p = from_array(&c, params, N_COULOMB), x = from_array(&c, start, N_STATE);
   *result = (struct coulomb_result){.end = COULOMB_FAILED};
-  s = s ? SS_DOMAIN : coulomb_simulate_exact(result, NULL, &p, &x, plan, sink);
-  num_vec_clear(&x);
-  num_vec_clear(&p);
+  int s = c.status ? SS_DOMAIN : coulomb_simulate_exact(result, NULL, &p, &x, plan, sink);
+  calc_clear(&c);
   return s;
 }
 

@@ -123,16 +123,6 @@ static int d_sqrt(void *z, const void *x, slong prec) {
   return status;
 }
 
-static int d_exp(void *z, const void *x, slong prec) {
-  arb_t slope;
-  arb_init(slope);
-  int status = num_arb.exp(&at(z)->v, &in(x)->v, prec);
-  arb_set(slope, &at(z)->v);
-  status = chain(z, x, slope, status, prec);
-  arb_clear(slope);
-  return status;
-}
-
 static int d_sin_cos(void *s, void *c, const void *x, slong prec) {
   arb_t minus;
   struct dual *sine = s, *cosine = c;
@@ -150,62 +140,12 @@ static int d_sin_cos(void *s, void *c, const void *x, slong prec) {
   return status;
 }
 
-static int d_sin(void *z, const void *x, slong prec) {
-  arb_t slope;
-  arb_init(slope);
-  arb_cos(slope, &in(x)->v, prec);
-  int status = num_arb.sin(&at(z)->v, &in(x)->v, prec);
-  status = chain(z, x, slope, status, prec);
-  arb_clear(slope);
-  return status;
-}
-
-static int d_cos(void *z, const void *x, slong prec) {
-  arb_t slope;
-  arb_init(slope);
-  arb_sin(slope, &in(x)->v, prec);
-  arb_neg(slope, slope);
-  int status = num_arb.cos(&at(z)->v, &in(x)->v, prec);
-  status = chain(z, x, slope, status, prec);
-  arb_clear(slope);
-  return status;
-}
-
-/* -(1 + cot^2) */
-static int d_cot(void *z, const void *x, slong prec) {
-  arb_t slope;
-  arb_init(slope);
-  int status = num_arb.cot(&at(z)->v, &in(x)->v, prec);
-  arb_mul(slope, &at(z)->v, &at(z)->v, prec);
-  arb_add_ui(slope, slope, 1, prec);
-  arb_neg(slope, slope);
-  status = chain(z, x, slope, status, prec);
-  arb_clear(slope);
-  return status;
-}
-
 /* (1 - cos x)/x^2 */
 static void half_square(arb_t z, const arb_t x, slong prec) {
   arb_mul_2exp_si(z, x, -1);
   num_arb.sinc(z, z, prec);
   arb_mul(z, z, z, prec);
   arb_mul_2exp_si(z, z, -1);
-}
-
-/* x (stumpff x - (1 - cos x)/x^2) */
-static int d_sinc(void *z, const void *x, slong prec) {
-  arb_t slope, other;
-  arb_init(slope);
-  arb_init(other);
-  half_square(other, &in(x)->v, prec);
-  num_arb.stumpff(slope, &in(x)->v, prec);
-  arb_sub(slope, slope, other, prec);
-  arb_mul(slope, slope, &in(x)->v, prec);
-  int status = num_arb.sinc(&at(z)->v, &in(x)->v, prec);
-  status = chain(z, x, slope, status, prec);
-  arb_clear(other);
-  arb_clear(slope);
-  return status;
 }
 
 /* ((1 - cos x)/x^2 - 3 stumpff x)/x, which is at most |x|/60. */
@@ -299,22 +239,6 @@ static int d_atan2(void *z, const void *y, const void *x, slong prec) {
   return status;
 }
 
-/* (x/h) x' + (y/h) y', none where h may be 0 */
-static int d_hypot(void *z, const void *x, const void *y, slong prec) {
-  arb_t a, b;
-  arb_init(a);
-  arb_init(b);
-  arb_set(a, &in(x)->v);
-  arb_set(b, &in(y)->v);
-  int status = num_arb.hypot(&at(z)->v, a, b, prec);
-  if (!status) status = num_arb.div(a, a, &at(z)->v, prec);
-  if (!status) status = num_arb.div(b, b, &at(z)->v, prec);
-  status = chain2(z, x, a, y, b, status, prec);
-  arb_clear(b);
-  arb_clear(a);
-  return status;
-}
-
 static int d_pow_si(void *z, const void *x, slong n, slong prec) {
   arb_t slope;
   arb_init(slope);
@@ -343,9 +267,15 @@ const struct num_type num_dual = {
     .name = "dual",
     .size = sizeof(struct dual),
     .rigorous = true,
-#define NUM_UNARY(op)  .op = d_##op,
-#define NUM_BINARY(op) .op = d_##op,
-#include "num/ops.def"
+    .neg = d_neg,
+    .abs = d_abs,
+    .sqrt = d_sqrt,
+    .stumpff = d_stumpff,
+    .add = d_add,
+    .sub = d_sub,
+    .mul = d_mul,
+    .div = d_div,
+    .atan2 = d_atan2,
 #define NUM_METHOD(name) d_##name
 #include "num/methods.def"
 };

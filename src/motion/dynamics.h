@@ -30,6 +30,8 @@ extern const int phase_slips[N_PHASES][2];     /* 1 for a mass that slips in the
 
 /* Parameters in a context: elements chi, eta, V, e1, e2 in this order. */
 enum { P_CHI, P_ETA, P_V, P_E1, P_E2, N_PARAMS };
+/* Whether the first n of them are positive, and chi below 1. */
+bool dyn_in_domain(const fmpq *params, int n);
 /* State: elements z_1, z_2, z_1', z_2'. */
 enum { Z_1, Z_2, DZ_1, DZ_2, N_STATE };
 

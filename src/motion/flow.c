@@ -11,6 +11,12 @@ const char *const phase_name[N_PHASES] = {"D", "Gamma", "H", "C"};
 const int phase_slips[N_PHASES][2] = {
     [PHASE_D] = {0, 0}, [PHASE_GAMMA] = {1, 0}, [PHASE_H] = {1, 1}, [PHASE_C] = {0, 1}};
 
+bool dyn_in_domain(const fmpq *params, int n) {
+  for (int i = 0; i < n; i++)
+    if (fmpq_sgn(params + i) <= 0) return false;
+  return fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) < 0;
+}
+
 void flow_vals(val *out, const struct num_vec *v, slong from, slong n) {
   for (slong i = 0; i < n; i++) out[i] = num_vec_at(v, from + i);
 }

@@ -31,8 +31,7 @@ static int solve(struct word_root *s, const struct seed *seed, const struct give
   num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
   int status = SS_OK;
   for (slong i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_d(num_vec_at(&x, i), seed->x[i], prec);
-  if (!status) status = word_refine(&x, &q->data);
-  if (!status) status = word_enclose(s, &x, &q->data);
+  if (!status) status = word_solve(s, &x, &q->data);
   num_vec_clear(&x);
   return status;
 }
@@ -44,50 +43,10 @@ static bool same_solution(const struct word_root *s, const struct word_root *t) 
   return same;
 }
 
-/* The orbit's parameters, e1 and e2 as they came out. */
-static void orbit_params(struct ball_params *m, struct calc *c, const struct word_root *s,
-                         const struct given_problem *q) {
-  val p[N_PARAMS] = {calc_q(c, q->data.model), calc_q(c, q->data.model + 1), calc_q(c, q->data.model + 2),
-                     s->x[QUANTITY_E1], s->x[QUANTITY_E2]};
-  ball_params_make(m, c, p);
-}
-
-/* The sign of r at the stick phase, which phase C has too. */
-static bool goes_up(struct calc *c, const struct ball_params *m, const struct word_root *s) {
-  struct word w;
-  val x[N_QUANTITIES];
-  for (int i = 0; i < N_QUANTITIES; i++) x[i] = s->x[i];
-  word_make(&w, c, m, x);
-  return num_arb.get_d(w.end) > 0;
-}
-
-/* The numbers of the orbit of a solution. */
-static int describe(struct dyn_orbit *o, const struct word_root *s, const struct given_problem *q, slong prec) {
-  struct ball_params m;
-  struct calc c = calc_begin(num_ctx_arb(prec));
-  orbit_params(&m, &c, s, q);
-  int status = dyn_orbit_describe(o, &c, &m, s->x[QUANTITY_TB], s->x[QUANTITY_TC], goes_up(&c, &m, s));
-  for (int i = 0; i < N_PHASES; i++) arb_set(o->t[i], s->x[QUANTITY_TA + i]);
-  calc_clear(&c);
-  return status;
-}
-
 /* Its conditions.  Returns whether e1 and e2 are positive and the events proved to be the first ones. */
 static truth judge(struct dyn_orbit *o, const struct word_root *s, const struct given_problem *q, slong prec) {
-  struct ball_params m;
-  struct calc c = calc_begin(num_ctx_arb(prec));
-  orbit_params(&m, &c, s, q);
-  arb_ptr pi = calc_new(&c);
-  arb_const_pi(pi, prec);
-  val td = s->x[QUANTITY_TD];
-  truth valid = dyn_orbit_judge(o, &c, &m, s->x[QUANTITY_TB], s->x[QUANTITY_TC], goes_up(&c, &m, s), q->lim.max_steps);
-  valid = truth_and(valid, truth_and(num_arb.lt(m.zero, m.p[P_E1]), num_arb.lt(m.zero, m.p[P_E2])));
-  valid = truth_and(valid, truth_and(num_arb.lt(m.zero, td), num_arb.lt(calc_mul(&c, m.omega, td), pi)));
-  o->holds[COND_TA] = num_arb.lt(m.zero, s->x[QUANTITY_TA]);
-  o->admissible = TRUTH_TRUE;
-  for (int i = 0; i < N_CONDITIONS; i++) o->admissible = truth_and(o->admissible, o->holds[i]);
-  calc_clear(&c);
-  return valid;
+  truth domain, first = word_judge_orbit(o, &domain, s, q->data.model, prec, q->lim.max_steps);
+  return truth_and(domain, first);
 }
 
 static bool undecided(const struct dyn_orbit *o) {
@@ -102,7 +61,8 @@ static slong plan(const struct seed *seed, const struct given_problem *q, slong 
   word_root_init(&pilot);
   dyn_orbit_init(&o);
   slong left = 0;
-  if (!solve(&pilot, seed, q, DYN_PILOT) && !describe(&o, &pilot, q, DYN_PILOT)) left = dyn_orbit_accuracy(&o);
+  if (!solve(&pilot, seed, q, DYN_PILOT) && !word_describe(&o, &pilot, q->data.model, DYN_PILOT))
+    left = dyn_orbit_accuracy(&o);
   dyn_orbit_clear(&o);
   word_root_clear(&pilot);
   return dyn_planned_bits(prec, left);
@@ -112,11 +72,11 @@ static slong plan(const struct seed *seed, const struct given_problem *q, slong 
    helps. */
 static int finish(struct dyn_orbit *o, truth *valid, long *raises, struct word_root *s, const struct seed *seed,
                   const struct given_problem *q, slong work, slong prec) {
-  int status = describe(o, s, q, work);
+  int status = word_describe(o, s, q->data.model, work);
   for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
     work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + DYN_GUARD;
     status = solve(s, seed, q, work);
-    if (!status) status = describe(o, s, q, work);
+    if (!status) status = word_describe(o, s, q->data.model, work);
     ++*raises;
   }
   *valid = judge(o, s, q, FLINT_MIN(work, 128));
@@ -172,9 +132,7 @@ static int problem_init(struct given_problem *q, const fmpq *model, const enum d
   *q = (struct given_problem){.data = {model, value, which, {0}}, .lim = lim ? *lim : dyn_given_limits};
   if (which[0] == which[1]) return SS_DOMAIN;
   double p[N_PARAMS] = {fmpq_get_d(model), fmpq_get_d(model + 1), fmpq_get_d(model + 2), 1, 1};
-  for (int i = 0; i < 3; i++)
-    if (fmpq_sgn(model + i) <= 0) return SS_DOMAIN;
-  if (fmpz_cmp(fmpq_numref(model), fmpq_denref(model)) >= 0) return SS_DOMAIN;
+  if (!dyn_in_domain(model, 3)) return SS_DOMAIN;
   for (int i = 0; i < 2; i++) {
     if (which[i] != QUANTITY_TA && fmpq_sgn(value + i) <= 0) return SS_DOMAIN;
     q->target[i] = fmpq_get_d(value + i);

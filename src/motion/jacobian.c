@@ -128,12 +128,12 @@ static int word_run(struct num_vec *j, enum phase ph, const struct num_vec *para
 }
 
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
-  struct num_vec in;
-  num_vec_init(&in, N_ARC, params->ctx);
-  for (slong i = 0; i < N_PHASES; i++) params->ctx.type->set(num_vec_at(&in, ARC_T + i), num_vec_at(&arc->t, i));
-  for (slong i = 0; i < N_ARC - ARC_Z; i++) params->ctx.type->set(num_vec_at(&in, ARC_Z + i), num_vec_at(&arc->z, i));
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec in = calc_vec(&c, N_ARC);
+  for (slong i = 0; i < N_PHASES; i++) calc_store(&c, num_vec_at(&in, ARC_T + i), num_vec_at(&arc->t, i));
+  for (slong i = 0; i < N_ARC - ARC_Z; i++) calc_store(&c, num_vec_at(&in, ARC_Z + i), num_vec_at(&arc->z, i));
   int status = rounded_run(j, word_run, PHASE_D, params, &in, NULL);
-  num_vec_clear(&in);
+  calc_clear(&c);
   return status;
 }
 
@@ -199,10 +199,9 @@ static val scale_of(struct calc *c, const struct num_vec *x, val at_least) {
 static void difference(val *out, struct calc *c, const struct event_map *map, const struct num_vec *x, slong col,
                        val h) {
   const struct num_type *type = c->ctx.type;
-  struct num_vec moved, value[2];
-  num_vec_init(&moved, map->n, c->ctx);
+  struct calc w = calc_begin(c->ctx);
+  struct num_vec moved = calc_vec(&w, map->n), value[2] = {calc_vec(&w, map->n), calc_vec(&w, map->n)};
   for (int side = 0; side < 2; side++) {
-    num_vec_init(&value[side], map->n, c->ctx);
     num_vec_set(&moved, x);
     void *entry_moved = num_vec_at(&moved, col);
     type->set(entry_moved, side == 0 ? calc_add(c, entry_moved, h) : calc_sub(c, entry_moved, h));
@@ -211,9 +210,7 @@ static void difference(val *out, struct calc *c, const struct event_map *map, co
   val width = calc_add(c, h, h);
   for (slong i = 0; i < map->n; i++)
     out[i] = calc_div(c, calc_sub(c, num_vec_at(&value[0], i), num_vec_at(&value[1], i)), width);
-  num_vec_clear(&moved);
-  num_vec_clear(&value[0]);
-  num_vec_clear(&value[1]);
+  calc_clear(&w);
 }
 
 /* j receives the n x n derivative at x; err, unless NULL, the worst estimated error: a third of the change from step h
@@ -287,29 +284,29 @@ static int run_word(struct num_vec *out, const struct num_vec *x, const struct e
 
 int dyn_local_jacobian_fd(struct num_vec *j, void *err, enum phase ph, const struct num_vec *params,
                           const struct num_vec *in, double t0) {
-  struct event_map map = {run_phase, params, ph, {.len = 0}, N_STATE};
   if (params->ctx.type->rigorous) return SS_UNABLE;
-  num_vec_init(&map.near, 1, params->ctx);
+  struct calc c = calc_begin(params->ctx);
+  const struct event_map map = {run_phase, params, ph, calc_vec(&c, 1), N_STATE};
   int status = dyn_event(num_vec_at(&map.near, 0), ph, params, in, t0);
   if (!status) status = differentiate(j, err, &map, in);
-  num_vec_clear(&map.near);
+  calc_clear(&c);
   return status;
 }
 
 int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *params, const void *z10, const void *z20,
                            const double guess[4]) {
   struct dyn_arc arc;
-  struct num_vec x;
   if (params->ctx.type->rigorous) return SS_UNABLE;
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec x = calc_vec(&c, 2);
   dyn_arc_init(&arc, params->ctx);
-  num_vec_init(&x, 2, params->ctx);
-  params->ctx.type->set(num_vec_at(&x, 0), z10);
-  params->ctx.type->set(num_vec_at(&x, 1), z20);
+  calc_store(&c, num_vec_at(&x, 0), z10);
+  calc_store(&c, num_vec_at(&x, 1), z20);
   int status = dyn_arc_run(&arc, params, z10, z20, guess);
   struct event_map map = {run_word, params, PHASE_D, arc.t, 2};
   if (!status) status = differentiate(j, err, &map, &x);
-  num_vec_clear(&x);
   dyn_arc_clear(&arc);
+  calc_clear(&c);
   return status;
 }
 
@@ -327,9 +324,10 @@ static int run_doubles(double *out, const double *x, const void *self) {
   return status;
 }
 
-static void doubles_of(struct num_vec *v, const double *x, slong n) {
-  num_vec_init(v, n, num_ctx_double());
-  memcpy(v->data, x, (size_t)n * sizeof *x);
+static struct num_vec doubles_of(struct calc *c, const double *x, slong n) {
+  struct num_vec v = calc_vec(c, n);
+  memcpy(v.data, x, (size_t)n * sizeof *x);
+  return v;
 }
 
 /* Columns k of out: the derivatives along the directions; err: the accuracy of each column. */
@@ -349,28 +347,24 @@ static int differentiate_doubles(double *out, double *err, const struct event_ma
 
 int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
                             const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir) {
-  struct num_vec p, from;
-  doubles_of(&p, params, N_PARAMS);
-  doubles_of(&from, in, N_STATE);
-  struct event_map map = {run_phase, &p, ph, {.len = 0}, N_STATE};
-  num_vec_init(&map.near, 1, num_ctx_double());
+  struct calc c = calc_begin(num_ctx_double());
+  const struct num_vec p = doubles_of(&c, params, N_PARAMS), from = doubles_of(&c, in, N_STATE);
+  const struct event_map map = {run_phase, &p, ph, calc_vec(&c, 1), N_STATE};
   double jitter = 0;
   int status = dyn_event(num_vec_at(&map.near, 0), ph, &p, &from, t);
   if (!status) status = phase_jitter(&jitter, ph, &p, &from, num_vec_at(&map.near, 0));
   if (!status) status = differentiate_doubles(out, err, &map, in, jitter, dir, n_dir);
-  num_vec_clear(&map.near);
-  num_vec_clear(&from);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return status;
 }
 
 int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS], const double start[2],
                           const double guess[4]) {
   static const double unit[2][N_STATE] = {{1, 0}, {0, 1}};
-  struct num_vec p;
+  struct calc c = calc_begin(num_ctx_double());
+  const struct num_vec p = doubles_of(&c, params, N_PARAMS);
   struct dyn_arc arc;
   double column[4], worst[2], jitter = 0;
-  doubles_of(&p, params, N_PARAMS);
   dyn_arc_init(&arc, num_ctx_double());
   int status = dyn_arc_run(&arc, &p, start, start + 1, guess);
   struct event_map map = {run_word, &p, PHASE_D, arc.t, 2};
@@ -384,6 +378,6 @@ int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS
   for (int i = 0; i < 4 && !status; i++) j[i] = column[2 * (i % 2) + i / 2];
   if (!status && err) *err = fmax(worst[0], worst[1]);
   dyn_arc_clear(&arc);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return status;
 }

@@ -52,17 +52,13 @@ static bool course_init(struct course *o, const fmpq *params, int unknown, const
   bool fits = disk_params_init(&o->params, p);
   fmpq_clear(one);
   const struct disk_params *g = &o->params;
-  arb_t t, s, c;
+  arb_t t;
   arb_init(t);
-  arb_init(s);
-  arb_init(c);
   arb_set_fmpq(t, tb, 128);
-  arb_sin_cos(s, c, t, 64);
-  struct disk sine = disk_arb(s), cosine = disk_arb(c), time = disk_arb(t), zero = {0, 0}, unit = {1, 0};
+  struct disk sine, cosine, time = disk_arb(t), zero = {0, 0}, unit = {1, 0};
+  disk_sin_cos(&sine, &cosine, t);
   o->pull = unknown == P_E2;
   o->never = o->pull && overtaken(g, t);
-  arb_clear(c);
-  arb_clear(s);
   arb_clear(t);
   /* what e1, e2 and neither bring in */
   struct disk v1 = disk_add(disk_sub(g->V, g->a), disk_mul(g->a, cosine)), w = disk_mul(g->a, sine);

@@ -31,6 +31,11 @@ void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAM
   m->kept = false;
 }
 
+void ball_params_with(struct ball_params *m, struct calc *c, const fmpq *model, val e1, val e2) {
+  const val p[N_PARAMS] = {calc_q(c, model), calc_q(c, model + 1), calc_q(c, model + 2), e1, e2};
+  ball_params_make(m, c, p);
+}
+
 void ball_params_keep(struct ball_params *m, struct calc *c, val tb, val tc) {
   m->kept = true;
   m->near_tb = tb;
@@ -126,22 +131,32 @@ void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_param
   s->defect_tc = calc_neg(c, calc_div(c, calc_mul(c, s->rc, s->pc), s->r_end));
 }
 
+void ball_positions(val z[2], struct calc *c, const struct ball_params *m, val w, val r) {
+  val ease = calc_sub(c, m->one, m->p[P_CHI]);
+  z[0] = calc_div(c, calc_add(c, w, calc_mul(c, m->p[P_CHI], r)), ease);
+  z[1] = calc_div(c, calc_add(c, w, r), ease);
+}
+
+val ball_rise(struct calc *c, const struct ball_params *m, val t) {
+  val sine, cosine;
+  calc_sin_cos(c, &sine, &cosine, t);
+  return calc_dot(c, m->a, calc_sub(c, t, sine), m->p[P_E1], calc_sub(c, m->one, cosine));
+}
+
+val ball_crest(struct calc *c, const struct ball_params *m) {
+  return calc_add(c, calc_pi(c), calc_mul(c, m->two, calc_atan2(c, m->a, m->p[P_E1])));
+}
+
 /* The rise grows strictly up to the first crest; later, t_b lies on the rising part of its period and above the crest
    before. */
 truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest) {
-  arb_ptr pi = calc_new(c);
-  arb_const_pi(pi, c->ctx.prec);
-  val turn = calc_mul(c, m->two, pi);
-  val fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, m->p[P_E1])));
+  val turn = calc_mul(c, m->two, calc_pi(c)), fall = ball_crest(c, m);
   *before_crest = num_arb.lt(s->tb, fall);
   if (*before_crest == TRUTH_TRUE) return TRUTH_TRUE;
   double whole = floor(arf_get_d(arb_midref((arb_srcptr)s->tb), ARF_RND_NEAR) / (2 * PI));
   if (whole < 1) return *before_crest;
-  val local = calc_sub(c, s->tb, calc_mul(c, calc_d(c, whole), turn)), sine, cosine;
-  calc_sin_cos(c, &sine, &cosine, fall);
-  val crest =
-      calc_add(c, calc_mul(c, m->a, calc_sub(c, fall, sine)), calc_mul(c, m->p[P_E1], calc_sub(c, m->one, cosine)));
-  val before = calc_add(c, crest, calc_mul(c, calc_mul(c, calc_d(c, whole - 1), turn), m->a));
+  val local = calc_sub(c, s->tb, calc_mul(c, calc_d(c, whole), turn));
+  val before = calc_add(c, ball_rise(c, m, fall), calc_mul(c, calc_mul(c, calc_d(c, whole - 1), turn), m->a));
   return truth_and(num_arb.lt(local, fall), num_arb.lt(before, s->rise));
 }
 

@@ -30,11 +30,18 @@ struct ball_pass {
 void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params);
 /* The same from elements, which must outlive m. */
 void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAMS]);
+/* From chi, eta, V and such elements. */
+void ball_params_with(struct ball_params *m, struct calc *c, const fmpq *model, val e1, val e2);
 /* Keeps the sines and cosines at (tb, tc) for passes with the same calc.  Without this each pass makes its own. */
 void ball_params_keep(struct ball_params *m, struct calc *c, val tb, val tc);
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
 /* The part of it up to phase H at the time tc, whether or not phase C can follow: r_end and the defect are not set. */
 void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc);
+/* z_1 and z_2 from w and r. */
+void ball_positions(val z[2], struct calc *c, const struct ball_params *m, val w, val r);
+/* How far r rises in time t of phase Gamma, and when it is at its first crest. */
+val ball_rise(struct calc *c, const struct ball_params *m, val t);
+val ball_crest(struct calc *c, const struct ball_params *m);
 /* Whether t_b > 0 is the first root of phase Gamma, and whether it comes before the first crest of the rise. */
 truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest);
 /* Whether z'_mass < V for 0 < t < end, from phase H's start with z'_mass - V = start (at most 0), and at end too unless

@@ -121,9 +121,8 @@ struct shape {
 };
 
 static void shape_init(struct shape *x, struct calc *c, const fmpq *model, const struct dyn_orbit *o) {
-  val p[N_PARAMS] = {calc_q(c, model), calc_q(c, model + 1), calc_q(c, model + 2), o->e1, o->e2};
   x->c = c;
-  ball_params_make(&x->m, c, p);
+  ball_params_with(&x->m, c, model, o->e1, o->e2);
   x->begin[0] = x->m.zero;
   for (int i = 0; i < N_PHASES; i++) {
     x->t[i] = o->t[i];
@@ -160,38 +159,30 @@ static void stick_margins(struct dyn_margins *m, const struct shape *x) {
 
 /* --- Phase Gamma: V - z_1' = a (1 - cos t) + e1 sin t, and r has risen by the integral of that. --- */
 
-static void gamma_v1(struct dyn_margin *m, const struct shape *x, val pi) {
+static void gamma_v1(struct dyn_margin *m, const struct shape *x) {
   struct calc *c = x->c;
   val e1 = x->m.p[P_E1], a = x->m.a;
   start_at_zero(m, c, x->begin[PHASE_GAMMA], WHERE_START, e1, a);
   offer(m, c, calc_neg(c, x->s.pb), x->begin[PHASE_H], WHERE_END, TRUTH_TRUE);
   /* e1 cos t + a sin t = 0: the valleys lie where t = atan2(-e1, a), all as deep as the first one after pi. */
-  val valley = calc_add(c, calc_atan2(c, calc_neg(c, e1), a), calc_mul(c, x->m.two, pi));
+  val valley = calc_add(c, calc_atan2(c, calc_neg(c, e1), a), calc_mul(c, x->m.two, calc_pi(c)));
   val depth = calc_sub(c, a, calc_sqrt(c, calc_dot(c, a, a, e1, e1)));
   offer(m, c, depth, since(x, PHASE_GAMMA, valley), WHERE_INSIDE, within(x, PHASE_GAMMA, valley));
 }
 
-static val rise_at(const struct shape *x, val t) {
-  struct calc *c = x->c;
-  val sine, cosine;
-  calc_sin_cos(c, &sine, &cosine, t);
-  return calc_dot(c, x->m.a, calc_sub(c, t, sine), x->m.p[P_E1], calc_sub(c, x->m.one, cosine));
-}
-
 /* chi r is highest at t_b, where it must be e2, or at a crest before; crests rise from one period of Gamma to the next,
    so that the last one before t_b is the highest, and the one before that is surely in the phase. */
-static void gamma_r(struct dyn_margin *m, const struct shape *x, val pi) {
+static void gamma_r(struct dyn_margin *m, const struct shape *x) {
   struct calc *c = x->c;
   val chi = x->m.p[P_CHI];
   val first = calc_neg(c, calc_mul(c, chi, x->s.pb)), second = calc_neg(c, calc_mul(c, chi, x->s.wb));
   start_at_zero(m, c, x->begin[PHASE_H], WHERE_END, first, second);
-  val crest = calc_add(c, pi, calc_mul(c, x->m.two, calc_atan2(c, x->m.a, x->m.p[P_E1])));
-  val turn = calc_mul(c, x->m.two, pi);
+  val crest = ball_crest(c, &x->m), turn = calc_mul(c, x->m.two, calc_pi(c));
   double whole = floor((num_arb.get_d(x->t[PHASE_GAMMA]) - num_arb.get_d(crest)) / (2 * PI)) - 1;
   if (whole > 0) crest = calc_add(c, crest, calc_mul(c, calc_d(c, whole), turn));
   truth in = within(x, PHASE_GAMMA, crest);
   for (int i = 0; i < 4 && in != TRUTH_FALSE; i++, in = within(x, PHASE_GAMMA, crest)) {
-    val left = calc_mul(c, chi, calc_sub(c, x->s.rise, rise_at(x, crest)));
+    val left = calc_mul(c, chi, calc_sub(c, x->s.rise, ball_rise(c, &x->m, crest)));
     offer(m, c, left, since(x, PHASE_GAMMA, crest), WHERE_INSIDE, in);
     crest = calc_add(c, crest, turn);
   }
@@ -199,10 +190,8 @@ static void gamma_r(struct dyn_margin *m, const struct shape *x, val pi) {
 
 static void gamma_margins(struct dyn_margins *m, const struct shape *x) {
   struct calc *c = x->c;
-  arb_ptr pi = calc_new(c);
-  arb_const_pi(pi, c->ctx.prec);
-  gamma_v1(&m->at[COND_GAMMA_V1], x, pi);
-  gamma_r(&m->at[COND_GAMMA_R], x, pi);
+  gamma_v1(&m->at[COND_GAMMA_V1], x);
+  gamma_r(&m->at[COND_GAMMA_R], x);
   /* The rise a (t - sin t) + e1 (1 - cos t) is never negative. */
   start_at(&m->at[MARGIN_GAMMA_R_LOW], c, calc_neg(c, calc_mul(c, x->m.p[P_CHI], x->s.rise)), x->begin[PHASE_GAMMA],
            WHERE_START);
@@ -345,14 +334,14 @@ static val w_margin(const struct shape *x, val u) {
 }
 
 /* Offers e1 - w where w' vanishes, to the upper bound on w, and its negative to the lower one. */
-static void c_w_valleys(struct dyn_margins *m, const struct shape *x, val pi) {
+static void c_w_valleys(struct dyn_margins *m, const struct shape *x) {
   struct calc *c = x->c;
   val fast = calc_mul(c, x->m.p[P_CHI], calc_mul(c, x->m.omega, x->s.r)), slow = calc_sub(c, x->m.a, fast);
   if (!arb_is_positive(fast) || arb_is_positive(slow)) return;
   val square = calc_mul(c, calc_sub(c, fast, x->m.a), calc_add(c, fast, x->m.a));
   arb_ptr side = calc_new(c);
   arb_sqrtpos(side, square, c->ctx.prec); /* both roots are offered where they cannot be told from a double one */
-  val near = calc_atan2(c, x->m.a, side), roots[2] = {near, calc_sub(c, pi, near)};
+  val near = calc_atan2(c, x->m.a, side), roots[2] = {near, calc_sub(c, calc_pi(c), near)};
   for (int i = 0; i < 2; i++) {
     val t = calc_sub(c, x->t[PHASE_C], calc_div(c, roots[i], x->m.omega)), margin = w_margin(x, roots[i]);
     truth in = within(x, PHASE_C, t);
@@ -361,26 +350,25 @@ static void c_w_valleys(struct dyn_margins *m, const struct shape *x, val pi) {
   }
 }
 
-static void c_v2(struct dyn_margin *m, const struct shape *x, val pi) {
+static void c_v2(struct dyn_margin *m, const struct shape *x) {
   struct calc *c = x->c;
   val r = x->s.r, zero = x->m.zero;
   start_at_zero(m, c, x->begin[N_PHASES], WHERE_END, calc_neg(c, calc_mul(c, x->m.stiff, r)), zero);
   offer(m, c, calc_neg(c, x->s.qc), x->begin[PHASE_C], WHERE_START, TRUTH_TRUE);
-  val quarter = calc_mul(c, calc_d(c, 0.5), pi), t = calc_sub(c, x->t[PHASE_C], calc_div(c, quarter, x->m.omega));
+  val quarter = calc_mul(c, calc_d(c, 0.5), calc_pi(c)),
+      t = calc_sub(c, x->t[PHASE_C], calc_div(c, quarter, x->m.omega));
   offer(m, c, calc_neg(c, calc_mul(c, x->m.omega, r)), since(x, PHASE_C, t), WHERE_INSIDE, within(x, PHASE_C, t));
 }
 
 static void c_margins(struct dyn_margins *m, const struct shape *x) {
   struct calc *c = x->c;
-  arb_ptr pi = calc_new(c);
-  arb_const_pi(pi, c->ctx.prec);
-  c_v2(&m->at[COND_C_V2], x, pi);
+  c_v2(&m->at[COND_C_V2], x);
   val first = w_margin(x, x->turn), last = x->slack;
   start_at(&m->at[COND_C_W], c, first, x->begin[PHASE_C], WHERE_START);
   offer(&m->at[COND_C_W], c, last, x->begin[N_PHASES], WHERE_END, TRUTH_TRUE);
   start_at(&m->at[MARGIN_C_W_LOW], c, calc_neg(c, first), x->begin[PHASE_C], WHERE_START);
   offer(&m->at[MARGIN_C_W_LOW], c, calc_neg(c, last), x->begin[N_PHASES], WHERE_END, TRUTH_TRUE);
-  c_w_valleys(m, x, pi);
+  c_w_valleys(m, x);
 }
 
 /* --- All of them. --- */

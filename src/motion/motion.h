@@ -13,12 +13,16 @@
                           margins
      other given data     orbit_equations (the four equations), sheet, given_search, given; paper_route (the paper's
                           (44)-(46))
-     complete lists       complete, march, strip, turns, cell; line, complete_given
-     Coulomb's law        coulomb, mode_motion, simulate_exact, simulate_ode (two routes), coulomb_log, long_run; chain
+     complete lists       complete, march, strip, turns, cell; line, complete_given; branches (later roots)
+     Coulomb's law        coulomb, mode_motion, simulate_exact, simulate_ode (two routes), coulomb_log, long_run
      numbers              rounded (right to the last bit), turn, disk, dual, double_double, sincos; gsl_errors
 
-   The room knows base and num alone.  Simulations by GSL (simulate_ode, jacobian_ode, chain) and the matrix
-   exponentials (propagator, saltation) share no closed form with the rest: they are what it is held against. */
+   The formulas of the phases are stated over the number table by flow (any time, in positions), map_balls (a pass of
+   the word, in w and r), orbit_equations (the same by six quantities), mode_motion (any modes); in double by slip
+   (half angles, lanes too), which polish repeats in twice the precision, and return_map_double (searches, sheet).
+
+   The room knows base and num alone.  Simulations by GSL (simulate_ode, jacobian_ode) and the matrix exponentials
+   (propagator, saltation) share no closed form with the rest: they are what it is held against. */
 #ifndef STICKSLIP_MOTION_H
 #define STICKSLIP_MOTION_H
 

@@ -94,17 +94,8 @@ static int newton_level(slong prec, void *self) {
 /* Krawczyk's operator around the midpoints of s->x.  The calc is that of Newton's last level. */
 static int enclose(struct solution *s) {
   struct solve_system system = {2, values, s};
-  struct num_vec x = {s->c.ctx, 2, (char *)s->x};
-  struct krawczyk k;
-  krawczyk_init(&k, &system, s->prec);
-  int status = krawczyk_centre(&k, &x);
-  if (!status) status = krawczyk_grow(&k);
-  for (int i = 0; i < 2 && !status; i++) {
-    arb_swap(s->x[i], num_vec_at(&k.image, i));
-    arb_swap(s->box[i], num_vec_at(&k.box, i));
-  }
-  krawczyk_clear(&k);
-  return status;
+  struct num_vec x = {s->c.ctx, 2, (char *)s->x}, box = {s->c.ctx, 2, (char *)s->box};
+  return krawczyk_enclose(&x, &box, &system);
 }
 
 static int solve(struct solution *s, const fmpq *params, slong prec) {
@@ -309,11 +300,8 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
   double p[N_PARAMS];
   *list = (struct dyn_orbits){.n = 0};
   if (!lim) lim = &dyn_limits_default;
-  for (int i = 0; i < N_PARAMS; i++) {
-    if (fmpq_sgn(params + i) <= 0) return SS_DOMAIN;
-    p[i] = fmpq_get_d(params + i);
-  }
-  if (fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) >= 0) return SS_DOMAIN;
+  if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
+  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(params + i);
   if (search_run(&search, p, lim)) return SS_UNABLE; /* in the domain, but not in that of double precision */
   list->evaluations = search.evaluations;
 

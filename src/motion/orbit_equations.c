@@ -91,8 +91,8 @@ void word_make(struct word *w, struct calc *c, const struct ball_params *m, cons
 }
 
 void word_params(struct ball_params *m, struct calc *c, const fmpq *model) {
-  val one = calc_d(c, 1), p[N_PARAMS] = {calc_q(c, model), calc_q(c, model + 1), calc_q(c, model + 2), one, one};
-  ball_params_make(m, c, p);
+  val one = calc_d(c, 1);
+  ball_params_with(m, c, model, one, one);
 }
 
 int word_values(const void **f, const void **j, const struct num_vec *x, void *self) {
@@ -169,19 +169,18 @@ static int refine_level(slong bits, void *self) {
   return status;
 }
 
-int word_refine(struct num_vec *x, const struct word_data *q) {
+static int refine(struct num_vec *x, const struct word_data *q) {
   struct refinement r = {x, q};
   int status = SS_OK;
   for (slong i = 0; i < 2; i++) status |= num_mpfr.set_q(num_vec_at(x, q->which[i]), q->value + i, x->ctx.prec);
   return status ? status : newton_rising(refine_level, &r, x->ctx.prec);
 }
 
-int word_enclose(struct word_root *s, const struct num_vec *x, const struct word_data *q) {
+static int enclose(struct word_root *s, const struct num_vec *x, const struct word_data *q) {
   struct ball_params m;
-  struct krawczyk k;
-  struct num_vec mid;
   slong prec = x->ctx.prec;
   struct calc c = calc_begin(num_ctx_arb(prec));
+  struct num_vec root = calc_vec(&c, WORD_FREE), box = calc_vec(&c, WORD_FREE);
   word_params(&m, &c, q->model);
   struct word_system w = {&c, &m, q->unknown, calc_mark(&c), {NULL}};
   struct solve_system system = {WORD_FREE, word_values, &w};
@@ -191,17 +190,58 @@ int word_enclose(struct word_root *s, const struct num_vec *x, const struct word
     arb_set(s->box[known], s->x[known]);
     w.known[known] = s->x[known];
   }
-  num_vec_init(&mid, WORD_FREE, c.ctx);
-  krawczyk_init(&k, &system, prec);
-  for (int i = 0; i < WORD_FREE; i++) num_mpfr.get_arb(num_vec_at(&mid, i), num_vec_at(x, q->unknown[i]));
-  int status = krawczyk_centre(&k, &mid);
-  if (!status) status = krawczyk_grow(&k);
+  for (int i = 0; i < WORD_FREE; i++) num_mpfr.get_arb(num_vec_at(&root, i), num_vec_at(x, q->unknown[i]));
+  int status = krawczyk_enclose(&root, &box, &system);
   for (int i = 0; i < WORD_FREE && !status; i++) {
-    arb_swap(s->x[q->unknown[i]], num_vec_at(&k.image, i));
-    arb_swap(s->box[q->unknown[i]], num_vec_at(&k.box, i));
+    arb_swap(s->x[q->unknown[i]], num_vec_at(&root, i));
+    arb_swap(s->box[q->unknown[i]], num_vec_at(&box, i));
   }
-  krawczyk_clear(&k);
-  num_vec_clear(&mid);
   calc_clear(&c);
   return status;
+}
+
+int word_solve(struct word_root *s, struct num_vec *x, const struct word_data *q) {
+  int status = refine(x, q);
+  return status ? status : enclose(s, x, q);
+}
+
+/* --- Its orbit. --- */
+
+/* The orbit's parameters, e1 and e2 as they came out, and the sign of r at the stick phase, which phase C has too; where
+   enclosures cannot tell it, the direction of phase C will not be proved. */
+static bool open_root(struct calc *c, struct ball_params *m, const struct word_root *s, const fmpq *model, slong prec) {
+  struct word w;
+  val x[N_QUANTITIES];
+  *c = calc_begin(num_ctx_arb(prec));
+  for (int i = 0; i < N_QUANTITIES; i++) x[i] = s->x[i];
+  ball_params_with(m, c, model, x[QUANTITY_E1], x[QUANTITY_E2]);
+  word_make(&w, c, m, x);
+  return num_arb.get_d(w.end) > 0;
+}
+
+int word_describe(struct dyn_orbit *o, const struct word_root *s, const fmpq *model, slong prec) {
+  struct ball_params m;
+  struct calc c;
+  bool up = open_root(&c, &m, s, model, prec);
+  int status = dyn_orbit_describe(o, &c, &m, s->x[QUANTITY_TB], s->x[QUANTITY_TC], up);
+  for (int i = 0; i < N_PHASES; i++) arb_set(o->t[i], s->x[QUANTITY_TA + i]);
+  calc_clear(&c);
+  return status;
+}
+
+truth word_judge_orbit(struct dyn_orbit *o, truth *domain, const struct word_root *s, const fmpq *model, slong prec,
+                       long max_steps) {
+  static const enum dyn_quantity positive[] = {QUANTITY_E1, QUANTITY_E2, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD};
+  struct ball_params m;
+  struct calc c;
+  bool up = open_root(&c, &m, s, model, prec);
+  truth first = dyn_orbit_judge(o, &c, &m, s->x[QUANTITY_TB], s->x[QUANTITY_TC], up, max_steps);
+  *domain = num_arb.lt(calc_mul(&c, m.omega, s->x[QUANTITY_TD]), calc_pi(&c));
+  for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+    *domain = truth_and(*domain, num_arb.lt(m.zero, s->x[positive[i]]));
+  o->holds[COND_TA] = num_arb.lt(m.zero, s->x[QUANTITY_TA]);
+  o->admissible = TRUTH_TRUE;
+  for (int i = 0; i < N_CONDITIONS; i++) o->admissible = truth_and(o->admissible, o->holds[i]);
+  calc_clear(&c);
+  return first;
 }

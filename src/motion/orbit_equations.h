@@ -5,6 +5,7 @@
 
 #include "given.h"
 #include "map_balls.h"
+#include "orbit_judge.h"
 
 enum { WORD_FREE = 4 };
 /* chi, eta, V and the two known quantities exactly, and the other four. */
@@ -32,16 +33,21 @@ struct word_system {
 int word_values(const void **f, const void **j, const struct num_vec *x, void *self);
 /* Whether each part of a step is at most 2^-bits of all times together, or of both limits. */
 bool word_step_is_small(const struct num_vec *x, const struct num_vec *step, const struct word_system *s, slong bits);
-/* Newton's iteration in mpfr from x, the precision doubling up to that of x; the known ones are rounded once. */
-int word_refine(struct num_vec *x, const struct word_data *q);
-
 /* A solution: the enclosures x, and the boxes in which it is the only one. */
 struct word_root {
   arb_t x[N_QUANTITIES], box[N_QUANTITIES];
 };
 void word_root_init(struct word_root *s);
 void word_root_clear(struct word_root *s);
-/* Proves one solution near x (of mpfr) by Krawczyk's operator. */
-int word_enclose(struct word_root *s, const struct num_vec *x, const struct word_data *q);
+/* The solution near x (of mpfr): Newton's iteration takes x there, the precision doubling up to that of x and the known
+   ones being rounded once; Krawczyk's operator proves it. */
+int word_solve(struct word_root *s, struct num_vec *x, const struct word_data *q);
+
+/* The numbers of a solution's orbit. */
+int word_describe(struct dyn_orbit *o, const struct word_root *s, const fmpq *model, slong prec);
+/* Its conditions; *domain: whether e1, e2, t_b, t_c and t_d are positive and phase C takes less than half a turn.
+   Returns whether the events are proved to be first ones. */
+truth word_judge_orbit(struct dyn_orbit *o, truth *domain, const struct word_root *s, const fmpq *model, slong prec,
+                       long max_steps);
 
 #endif

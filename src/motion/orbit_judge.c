@@ -11,18 +11,17 @@ const char *const dyn_condition_id[N_CONDITIONS] = {
     [COND_C_V2] = "c_v2", [COND_C_W] = "c_w",           [COND_D_R] = "d_r",   [COND_GAMMA_R] = "gamma_r",
 };
 
-/* Its numbers. */
-enum { ORBIT_NUMBERS = 13 };
-static void numbers_of(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o) {
-  arb_ptr these[ORBIT_NUMBERS] = {o->z10, o->z20,    o->t[0],  o->t[1],   o->t[2],     o->t[3],    o->e1,
-                                  o->e2,  o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
+void dyn_orbit_numbers(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o) {
+#define MEMBER(name, member, what) o->member,
+  arb_ptr these[ORBIT_NUMBERS] = {DYN_ORBIT_NUMBERS(MEMBER) o->margin};
+#undef MEMBER
   for (int i = 0; i < ORBIT_NUMBERS; i++) all[i] = these[i];
 }
 
 slong dyn_orbit_accuracy(struct dyn_orbit *o) {
   arb_ptr all[ORBIT_NUMBERS];
   slong least = ARF_PREC_EXACT;
-  numbers_of(all, o);
+  dyn_orbit_numbers(all, o);
   for (int i = 0; i < ORBIT_NUMBERS; i++)
     if (!arb_is_zero(all[i])) least = FLINT_MIN(least, arb_rel_accuracy_bits(all[i]));
   return FLINT_MAX(least, 0);
@@ -30,15 +29,15 @@ slong dyn_orbit_accuracy(struct dyn_orbit *o) {
 
 void dyn_orbit_init(struct dyn_orbit *o) {
   arb_ptr all[ORBIT_NUMBERS];
-  numbers_of(all, o);
+  dyn_orbit_numbers(all, o);
   for (int i = 0; i < ORBIT_NUMBERS; i++) arb_init(all[i]);
 }
 
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o) {
   arb_ptr all[ORBIT_NUMBERS], from[ORBIT_NUMBERS];
   *to = *o;
-  numbers_of(all, to);
-  numbers_of(from, o);
+  dyn_orbit_numbers(all, to);
+  dyn_orbit_numbers(from, o);
   for (int i = 0; i < ORBIT_NUMBERS; i++) {
     arb_init(all[i]);
     arb_set(all[i], from[i]);
@@ -47,7 +46,7 @@ void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o) {
 
 void dyn_orbit_clear(struct dyn_orbit *o) {
   arb_ptr all[ORBIT_NUMBERS];
-  numbers_of(all, o);
+  dyn_orbit_numbers(all, o);
   for (int i = 0; i < ORBIT_NUMBERS; i++) arb_clear(all[i]);
 }
 
@@ -101,15 +100,16 @@ int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_pa
   val lowest, highest;
   ball_ending_make(&e, c, m, &s, up);
   force_range(&lowest, &highest, c, m, &s, e.turn, e.wf);
-  val chi = m->p[P_CHI], e1 = m->p[P_E1], ease = calc_sub(c, m->one, chi), half = calc_d(c, 0.5);
-  val times[4] = {e.ta, tb, tc, e.td}, period = m->zero;
+  val chi = m->p[P_CHI], e1 = m->p[P_E1], half = calc_d(c, 0.5);
+  val times[4] = {e.ta, tb, tc, e.td}, period = m->zero, z[2];
   for (int i = 0; i < 4; i++) {
     arb_set(o->t[i], times[i]);
     o->guess[i] = num_arb.get_d(times[i]);
     period = calc_add(c, period, times[i]);
   }
-  arb_set(o->z10, calc_div(c, calc_add(c, e.wf, calc_mul(c, chi, s.r)), ease));
-  arb_set(o->z20, calc_div(c, calc_add(c, e.wf, s.r), ease));
+  ball_positions(z, c, m, e.wf, s.r);
+  arb_set(o->z10, z[0]);
+  arb_set(o->z20, z[1]);
   arb_set(o->e1, e1);
   arb_set(o->e2, m->p[P_E2]);
   arb_set(o->period, period);

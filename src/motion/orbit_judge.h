@@ -13,6 +13,9 @@ struct ball_ending {
 void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
                       bool up);
 
+/* Its numbers: those of DYN_ORBIT_NUMBERS, and the margin. */
+enum { ORBIT_NUMBERS = 13 };
+void dyn_orbit_numbers(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o);
 void dyn_orbit_init(struct dyn_orbit *o);
 /* An orbit of its own; what it held is lost. */
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o);

@@ -11,26 +11,12 @@
 
 enum { TIMES = 4, MAX_STEPS = 60, SIZE = N_STATE * N_STATE };
 
-/* --- Small matrices that carry their status. --- */
-
-static struct num_vec matrix(struct num_ctx ctx, slong len) {
-  struct num_vec m;
-  num_vec_init(&m, len, ctx);
-  return m;
-}
-
 /* The 2x2 block of a 4x4 matrix at the given place, minus the identity if wanted. */
-static int block(struct num_vec *out, const struct num_vec *m, int row, int col, bool minus_identity) {
-  const struct num_type *type = m->ctx.type;
-  struct num_vec one = matrix(m->ctx, 1);
-  int status = type->set_d(num_vec_at(&one, 0), 1, m->ctx.prec);
+static void block(struct num_vec *out, struct calc *c, const struct num_vec *m, int row, int col, bool minus_identity) {
   for (slong i = 0; i < 4; i++) {
-    void *x = num_vec_at(out, i);
-    type->set(x, num_vec_at(m, (2 * row + i / 2) * N_STATE + 2 * col + i % 2));
-    if (minus_identity && i % 3 == 0) status |= type->sub(x, x, num_vec_at(&one, 0), m->ctx.prec);
+    val x = num_vec_at(m, (2 * row + i / 2) * N_STATE + 2 * col + i % 2);
+    calc_store(c, num_vec_at(out, i), minus_identity && i % 3 == 0 ? calc_sub(c, x, calc_d(c, 1)) : x);
   }
-  num_vec_clear(&one);
-  return status;
 }
 
 /* a -= b. */
@@ -49,34 +35,6 @@ struct around {
   struct num_vec n, n1, n3, x, y, dx[TIMES], dy[TIMES];
 };
 
-static void around_init(struct around *a, struct num_ctx ctx) {
-  for (int i = 0; i < TIMES; i++) {
-    a->system[i] = matrix(ctx, SIZE);
-    a->step[i] = matrix(ctx, SIZE);
-    a->dx[i] = matrix(ctx, 4);
-    a->dy[i] = matrix(ctx, 4);
-  }
-  a->n = matrix(ctx, SIZE);
-  a->n1 = matrix(ctx, 4);
-  a->n3 = matrix(ctx, 4);
-  a->x = matrix(ctx, 4);
-  a->y = matrix(ctx, 4);
-}
-
-static void around_clear(struct around *a) {
-  for (int i = 0; i < TIMES; i++) {
-    num_vec_clear(&a->system[i]);
-    num_vec_clear(&a->step[i]);
-    num_vec_clear(&a->dx[i]);
-    num_vec_clear(&a->dy[i]);
-  }
-  num_vec_clear(&a->n);
-  num_vec_clear(&a->n1);
-  num_vec_clear(&a->n3);
-  num_vec_clear(&a->x);
-  num_vec_clear(&a->y);
-}
-
 /* The product of all steps, or its derivative by the time of phase `by` (N_PHASES: none). */
 static int go_around(struct num_vec *out, const struct around *a, int by) {
   int status = SS_OK;
@@ -88,55 +46,50 @@ static int go_around(struct num_vec *out, const struct around *a, int by) {
   return status;
 }
 
-/* d = lead^-1 (d(rest) - d(lead) x) for x = lead^-1 rest, the two blocks in one row of N. */
-static int change(struct num_vec *d, const struct num_vec *dn, const struct num_vec *lead, const struct num_vec *x,
-                  int row) {
-  struct num_vec dlead = matrix(d->ctx, 4);
-  int status = block(&dlead, dn, row, 0, false);
-  status |= block(d, dn, row, 1, false);
-  status |= num_mat_mul(&dlead, &dlead, x, 2, 2, 2);
-  status |= subtract(d, &dlead);
-  status |= num_mat_solve(d, lead, d, 2, 2);
-  num_vec_clear(&dlead);
-  return status;
+/* lead^-1 (d(rest) - d(lead) x) for x = lead^-1 rest, the two blocks in one row of N. */
+static struct num_vec change(struct calc *c, const struct num_vec *dn, const struct num_vec *lead,
+                             const struct num_vec *x, int row) {
+  struct num_vec d = calc_vec(c, 4), dlead = calc_vec(c, 4);
+  block(&dlead, c, dn, row, 0, false);
+  block(&d, c, dn, row, 1, false);
+  c->status |= num_mat_mul(&dlead, &dlead, x, 2, 2, 2) | subtract(&d, &dlead) | num_mat_solve(&d, lead, &d, 2, 2);
+  return d;
 }
 
-static int around_make(struct around *a, const struct num_vec *params, const struct num_vec *t) {
-  int status = SS_OK;
+/* In vectors of the calc, whose status says whether all of them are made. */
+static struct around around_make(struct calc *c, const struct num_vec *params, const struct num_vec *t) {
+  struct around a = {
+      .n = calc_vec(c, SIZE), .n1 = calc_vec(c, 4), .n3 = calc_vec(c, 4), .x = calc_vec(c, 4), .y = calc_vec(c, 4)};
+  struct num_vec dn = calc_vec(c, SIZE);
   for (int i = 0; i < TIMES; i++) {
-    status |= dyn_system(&a->system[i], (enum phase)i, params);
-    status |= dyn_propagator(&a->step[i], (enum phase)i, params, num_vec_at(t, i));
+    a.system[i] = calc_vec(c, SIZE);
+    a.step[i] = calc_vec(c, SIZE);
+    c->status |= dyn_system(&a.system[i], (enum phase)i, params);
+    c->status |= dyn_propagator(&a.step[i], (enum phase)i, params, num_vec_at(t, i));
   }
-  status |= go_around(&a->n, a, N_PHASES);
-  status |= block(&a->n1, &a->n, 0, 0, true) | block(&a->n3, &a->n, 1, 0, false);
-  status |= block(&a->x, &a->n, 0, 1, false) | block(&a->y, &a->n, 1, 1, true);
-  if (!status) status |= num_mat_solve(&a->x, &a->n1, &a->x, 2, 2) | num_mat_solve(&a->y, &a->n3, &a->y, 2, 2);
-  struct num_vec dn = matrix(a->n.ctx, SIZE);
-  for (int i = 0; i < TIMES && !status; i++) {
-    status |= go_around(&dn, a, i);
-    status |= change(&a->dx[i], &dn, &a->n1, &a->x, 0);
-    status |= change(&a->dy[i], &dn, &a->n3, &a->y, 1);
+  c->status |= go_around(&a.n, &a, N_PHASES);
+  block(&a.n1, c, &a.n, 0, 0, true);
+  block(&a.n3, c, &a.n, 1, 0, false);
+  block(&a.x, c, &a.n, 0, 1, false);
+  block(&a.y, c, &a.n, 1, 1, true);
+  if (!c->status) c->status |= num_mat_solve(&a.x, &a.n1, &a.x, 2, 2) | num_mat_solve(&a.y, &a.n3, &a.y, 2, 2);
+  for (int i = 0; i < TIMES && !c->status; i++) {
+    c->status |= go_around(&dn, &a, i);
+    a.dx[i] = change(c, &dn, &a.n1, &a.x, 0);
+    a.dy[i] = change(c, &dn, &a.n3, &a.y, 1);
   }
-  num_vec_clear(&dn);
-  return status;
+  return a;
 }
 
 /* --- The four equations. --- */
 
+/* Residuals, their derivatives by the times, and z_0, in vectors of a calc. */
 struct equations {
-  struct num_vec e, j, z; /* residuals, their derivatives by the times, z_0 */
+  struct num_vec e, j, z;
 };
 
-static void equations_init(struct equations *q, struct num_ctx ctx) {
-  q->e = matrix(ctx, TIMES);
-  q->j = matrix(ctx, TIMES * TIMES);
-  q->z = matrix(ctx, 2);
-}
-
-static void equations_clear(struct equations *q) {
-  num_vec_clear(&q->e);
-  num_vec_clear(&q->j);
-  num_vec_clear(&q->z);
+static struct equations equations_new(struct calc *c) {
+  return (struct equations){calc_vec(c, TIMES), calc_vec(c, TIMES * TIMES), calc_vec(c, 2)};
 }
 
 /* The row sums of M = X - Y, or of its derivative. */
@@ -171,14 +124,11 @@ static val force_2(struct calc *c, val chi, const val z[N_STATE]) {
 }
 
 static int equations_make(struct equations *q, const struct num_vec *params, const struct num_vec *t) {
-  const struct num_ctx ctx = q->e.ctx;
-  struct around a;
   val p[N_PARAMS], z0[N_STATE], za[N_STATE], zb[N_STATE], sums[2];
-  around_init(&a, ctx);
-  struct calc c = calc_begin(ctx);
+  struct calc c = calc_begin(q->e.ctx);
+  const struct around a = around_make(&c, params, t);
   flow_vals(p, params, 0, N_PARAMS);
-  int status = around_make(&a, params, t);
-  if (!status) {
+  if (!c.status) {
     z0[DZ_1] = z0[DZ_2] = p[P_V];
     start_position(z0, &c, &a.x, p[P_V]);
     apply(za, &c, &a.step[PHASE_D], z0);
@@ -186,8 +136,8 @@ static int equations_make(struct equations *q, const struct num_vec *params, con
     row_sums(sums, &c, &a.x, &a.y);
     val e[TIMES] = {sums[0], sums[1], calc_sub(&c, force_1(&c, p[P_CHI], za), p[P_E1]),
                     calc_sub(&c, force_2(&c, p[P_CHI], zb), p[P_E2])};
-    for (slong i = 0; i < TIMES; i++) ctx.type->set(num_vec_at(&q->e, i), e[i]);
-    for (slong i = 0; i < 2; i++) ctx.type->set(num_vec_at(&q->z, i), z0[i]);
+    for (slong i = 0; i < TIMES; i++) calc_store(&c, num_vec_at(&q->e, i), e[i]);
+    for (slong i = 0; i < 2; i++) calc_store(&c, num_vec_at(&q->z, i), z0[i]);
     for (slong i = 0; i < TIMES; i++) {
       val zero = calc_d(&c, 0), d0[N_STATE] = {NULL, NULL, zero, zero}, da[N_STATE], db[N_STATE], own[N_STATE];
       start_position(d0, &c, &a.dx[i], p[P_V]);
@@ -199,13 +149,11 @@ static int equations_make(struct equations *q, const struct num_vec *params, con
       for (int k = 0; k < N_STATE && i == PHASE_GAMMA; k++) db[k] = calc_add(&c, db[k], own[k]);
       row_sums(sums, &c, &a.dx[i], &a.dy[i]);
       val d[TIMES] = {sums[0], sums[1], force_1(&c, p[P_CHI], da), force_2(&c, p[P_CHI], db)};
-      for (slong k = 0; k < TIMES; k++) ctx.type->set(num_vec_at(&q->j, k * TIMES + i), d[k]);
+      for (slong k = 0; k < TIMES; k++) calc_store(&c, num_vec_at(&q->j, k * TIMES + i), d[k]);
     }
-    status |= c.status;
   }
   calc_clear(&c);
-  around_clear(&a);
-  return status;
+  return c.status;
 }
 
 /* --- Newton's iteration and what it costs. --- */
@@ -222,11 +170,11 @@ static double largest(const struct num_vec *v, slong n) {
 
 int paper_route_newton(struct num_vec *x, int *steps, const struct num_vec *params) {
   const struct num_type *type = x->ctx.type;
-  struct equations q;
+  struct calc c = calc_begin(x->ctx);
+  struct equations q = equations_new(&c);
   struct num_vec t = {x->ctx, TIMES, x->data};
   int status = SS_OK, left = 3; /* once half of the bits are right, two more steps reach the level of rounding */
   double small = ldexp(1, (int)-FLINT_MIN(x->ctx.prec / 2, 1000));
-  equations_init(&q, x->ctx);
   for (*steps = 0; left > 0 && !status; ++*steps) {
     status = *steps < MAX_STEPS ? equations_make(&q, params, &t) : SS_UNABLE;
     if (status) break;
@@ -238,7 +186,7 @@ int paper_route_newton(struct num_vec *x, int *steps, const struct num_vec *para
   }
   if (!status) status = equations_make(&q, params, &t);
   for (slong i = 0; i < 2; i++) type->set(num_vec_at(x, ROUTE_Z + i), num_vec_at(&q.z, i));
-  equations_clear(&q);
+  calc_clear(&c);
   return status;
 }
 
@@ -252,49 +200,49 @@ static double row_norm(const struct num_vec *m, slong n) {
   return most;
 }
 
-static int condition_number(double *k, const struct num_vec *m, slong n) {
-  struct num_vec inverse = matrix(m->ctx, n * n);
-  int status = SS_OK;
-  for (slong i = 0; i < n; i++) status |= m->ctx.type->set_d(num_vec_at(&inverse, i * (n + 1)), 1, m->ctx.prec);
-  status |= num_mat_solve(&inverse, m, &inverse, n, n);
-  *k = row_norm(m, n) * row_norm(&inverse, n);
-  num_vec_clear(&inverse);
-  return status;
+static double condition_number(struct calc *c, const struct num_vec *m, slong n) {
+  struct num_vec inverse = calc_vec(c, n * n);
+  if (c->status) return NAN;
+  for (slong i = 0; i < n; i++) calc_store(c, num_vec_at(&inverse, i * (n + 1)), calc_d(c, 1));
+  c->status |= num_mat_solve(&inverse, m, &inverse, n, n);
+  return row_norm(m, n) * row_norm(&inverse, n);
 }
 
 static int paper_route_condition(struct paper_condition *k, const struct num_vec *params, const struct num_vec *x) {
-  struct equations q;
-  struct around a;
   struct num_vec t = {x->ctx, TIMES, x->data};
-  equations_init(&q, x->ctx);
-  around_init(&a, x->ctx);
-  *k = (struct paper_condition){NAN, NAN, NAN};
-  int status = equations_make(&q, params, &t) | around_make(&a, params, &t);
-  if (!status) status |= condition_number(&k->jacobian, &q.j, TIMES);
-  if (!status) status |= condition_number(&k->n1, &a.n1, 2) | condition_number(&k->n3, &a.n3, 2);
-  equations_clear(&q);
-  around_clear(&a);
-  return status;
+  struct calc c = calc_begin(x->ctx);
+  struct equations q = equations_new(&c);
+  const struct around a = around_make(&c, params, &t);
+  c.status |= equations_make(&q, params, &t);
+  k->jacobian = condition_number(&c, &q.j, TIMES);
+  k->n1 = condition_number(&c, &a.n1, 2);
+  k->n3 = condition_number(&c, &a.n3, 2);
+  calc_clear(&c);
+  return c.status;
 }
 
 /* --- Both precisions. --- */
 
 void paper_route_init(struct paper_route *r, slong prec) {
-  *r = (struct paper_route){.x = matrix(num_ctx_mpfr(prec), N_ROUTE)};
+  *r = (struct paper_route){.steps = 0};
+  num_vec_init(&r->x, N_ROUTE, num_ctx_mpfr(prec));
 }
 
 void paper_route_clear(struct paper_route *r) {
   num_vec_clear(&r->x);
 }
 
-static int run(struct num_vec *x, int *steps, const fmpq *params, const double guess[4]) {
-  struct num_vec p = matrix(x->ctx, N_PARAMS);
+static int run(struct num_vec *x, int *steps, const struct num_vec *params, const double guess[4]) {
   int status = SS_OK;
-  for (slong i = 0; i < N_PARAMS; i++) status |= x->ctx.type->set_q(num_vec_at(&p, i), params + i, x->ctx.prec);
   for (slong i = 0; i < TIMES; i++) status |= x->ctx.type->set_d(num_vec_at(x, i), guess[i], x->ctx.prec);
-  if (!status) status = paper_route_newton(x, steps, &p);
-  num_vec_clear(&p);
-  return status;
+  return status ? status : paper_route_newton(x, steps, params);
+}
+
+/* The parameters in a vector of the calc. */
+static struct num_vec params_in(struct calc *c, const fmpq *params) {
+  struct num_vec p = calc_vec(c, N_PARAMS);
+  for (slong i = 0; i < N_PARAMS; i++) calc_store(c, num_vec_at(&p, i), calc_q(c, params + i));
+  return p;
 }
 
 /* The errors are differences of nearby numbers, taken in mpfr. */
@@ -313,16 +261,16 @@ static double digits_lost(const double x_d[N_ROUTE], const struct num_vec *x) {
 }
 
 int paper_route_run(struct paper_route *r, const fmpq *params, const double guess[4]) {
-  for (int i = 0; i < N_PARAMS; i++)
-    if (fmpq_sgn(params + i) <= 0) return SS_DOMAIN;
-  if (fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) >= 0) return SS_DOMAIN;
-  struct num_vec x_d = {num_ctx_double(), N_ROUTE, (char *)r->x_d}, p = matrix(r->x.ctx, N_PARAMS);
+  if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
+  struct num_vec x_d = {num_ctx_double(), N_ROUTE, (char *)r->x_d};
+  struct calc c = calc_begin(r->x.ctx), d = calc_begin(x_d.ctx);
+  const struct num_vec p = params_in(&c, params), p_d = params_in(&d, params);
   r->condition = (struct paper_condition){NAN, NAN, NAN};
-  r->status_d = run(&x_d, &r->steps_d, params, guess);
-  int status = run(&r->x, &r->steps, params, guess);
-  for (slong i = 0; i < N_PARAMS; i++) status |= num_mpfr.set_q(num_vec_at(&p, i), params + i, r->x.ctx.prec);
-  if (!status) status |= paper_route_condition(&r->condition, &p, &r->x);
+  r->status_d = d.status ? d.status : run(&x_d, &r->steps_d, &p_d, guess);
+  int status = c.status ? c.status : run(&r->x, &r->steps, &p, guess);
+  if (!status) status = paper_route_condition(&r->condition, &p, &r->x);
   r->digits_lost = status || r->status_d ? (double)NAN : digits_lost(r->x_d, &r->x);
-  num_vec_clear(&p);
+  calc_clear(&d);
+  calc_clear(&c);
   return status;
 }

@@ -105,11 +105,10 @@ static int near_first(double t[N_PHASES], const struct num_vec *params, const vo
 /* Velocities and lengths over 2^size, which is exact.  Which events are first is told at SEARCH bits at most. */
 static int first_scaled(struct num_vec *out, const struct num_vec *params, const void *r, slong size, long max_steps) {
   static const int of[] = {P_V, P_E1, P_E2};
-  struct num_vec p, rough;
   double t[N_PHASES];
-  arb_t from;
-  num_vec_init(&p, N_PARAMS, params->ctx);
-  arb_init(from);
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec p = calc_vec(&c, N_PARAMS), rough;
+  arb_ptr from = calc_new(&c);
   num_vec_set(&p, params);
   for (int i = 0; i < 3; i++) arb_mul_2exp_si(num_vec_at(&p, of[i]), num_vec_at(&p, of[i]), -size);
   arb_mul_2exp_si(from, r, -size);
@@ -119,8 +118,7 @@ static int first_scaled(struct num_vec *out, const struct num_vec *params, const
   if (!status) status = dyn_return_near(out, &p, from, t);
   if (!status && are_first(&rough, out, max_steps) != TRUTH_TRUE) status = SS_UNABLE;
   if (!status) arb_mul_2exp_si(num_vec_at(out, RETURN_R), num_vec_at(out, RETURN_R), size);
-  arb_clear(from);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return status;
 }
 

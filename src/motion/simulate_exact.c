@@ -272,9 +272,9 @@ static void exact_begin(struct exact *e, const struct num_vec *params, const str
   struct calc *c = &e->c;
   val x[N_STATE];
   *c = calc_begin(params->ctx);
-  num_vec_init(&e->now, N_EXACT, params->ctx);
-  num_vec_init(&e->moved, N_EXACT, params->ctx);
-  num_vec_init(&e->row, N_EXACT, params->ctx);
+  e->now = calc_vec(c, N_EXACT);
+  e->moved = calc_vec(c, N_EXACT);
+  e->row = calc_vec(c, N_EXACT);
   flow_vals(e->p, params, 0, N_COULOMB);
   flow_vals(x, start, 0, N_STATE);
   val chi = e->p[COULOMB_CHI], belt = e->p[COULOMB_V];
@@ -307,8 +307,5 @@ int coulomb_simulate_exact(struct coulomb_result *result, struct num_vec *end, c
   int status = run_all(&run);
   for (int i = 0; end && i < N_STATE; i++) end->ctx.type->set(num_vec_at(end, i), num_vec_at(&e.row, 1 + i));
   calc_clear(&e.c);
-  num_vec_clear(&e.now);
-  num_vec_clear(&e.moved);
-  num_vec_clear(&e.row);
   return status;
 }

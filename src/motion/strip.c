@@ -14,13 +14,8 @@ static struct disk disk_of(val x) {
 /* What depends on the parameters alone, in balls first. */
 static void disk_params_from(struct disk_params *s, struct calc *c, const struct ball_params *m) {
   const struct spectrum *f = &m->spectrum;
-  arb_ptr pi = calc_new(c);
-  arb_const_pi(pi, c->ctx.prec);
   val root = calc_sqrt(c, m->p[P_ETA]), share[2] = {calc_sqrt(c, f->above), calc_sqrt(c, f->below)};
-  val second[2] = {share[1], calc_neg(c, share[0])}, sine, cosine;
-  val fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, m->p[P_E1])));
-  calc_sin_cos(c, &sine, &cosine, fall);
-  val drift = calc_mul(c, m->a, calc_sub(c, fall, sine)), sway = calc_mul(c, m->p[P_E1], calc_sub(c, m->one, cosine));
+  val second[2] = {share[1], calc_neg(c, share[0])}, fall = ball_crest(c, m);
   s->chi = disk_of(m->p[P_CHI]);
   s->V = disk_of(m->p[P_V]);
   s->a = disk_of(m->a);
@@ -33,9 +28,9 @@ static void disk_params_from(struct disk_params *s, struct calc *c, const struct
   s->soft = disk_of(calc_div(c, m->one, m->stiff));
   s->omega = disk_of(m->omega);
   s->rho = disk_of(calc_sqrt(c, calc_dot(c, m->a, m->a, m->p[P_E1], m->p[P_E1])));
-  s->turn = disk_of(calc_mul(c, m->two, calc_mul(c, pi, m->a)));
+  s->turn = disk_of(calc_mul(c, m->two, calc_mul(c, calc_pi(c), m->a)));
   s->fall = disk_of(fall);
-  s->crest = disk_of(calc_add(c, drift, sway));
+  s->crest = disk_of(ball_rise(c, m, fall));
   for (int i = 0; i < 2; i++) {
     arb_set(s->exact[i], f->om[i]);
     s->om[i] = disk_of(f->om[i]);
@@ -72,18 +67,23 @@ void disk_params_clear(struct disk_params *s) {
 
 /* --- Clocks. --- */
 
-static void sine_cosine(struct disk *sine, struct disk *cosine, arb_srcptr rate, double t) {
-  arb_t angle, s, c;
-  arb_init(angle);
+void disk_sin_cos(struct disk *sine, struct disk *cosine, arb_srcptr angle) {
+  arb_t s, c;
   arb_init(s);
   arb_init(c);
-  arb_set_d(angle, t);
-  if (rate) arb_mul(angle, angle, rate, 128);
   arb_sin_cos(s, c, angle, 64);
   *sine = disk_arb(s);
   *cosine = disk_arb(c);
   arb_clear(c);
   arb_clear(s);
+}
+
+static void sine_cosine(struct disk *sine, struct disk *cosine, arb_srcptr rate, double t) {
+  arb_t angle;
+  arb_init(angle);
+  arb_set_d(angle, t);
+  if (rate) arb_mul(angle, angle, rate, 128);
+  disk_sin_cos(sine, cosine, angle);
   arb_clear(angle);
 }
 

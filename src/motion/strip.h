@@ -32,6 +32,7 @@ struct disk_params {
 bool disk_params_init(struct disk_params *s, const fmpq *params);
 void disk_params_clear(struct disk_params *s);
 
+void disk_sin_cos(struct disk *sine, struct disk *cosine, arb_srcptr angle);
 /* A time in phase H: an exact number, and the sines and cosines of om t. */
 struct clock {
   double t;

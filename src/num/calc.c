@@ -113,6 +113,12 @@ val calc_two_to(struct calc *c, slong n) {
   return z;
 }
 
+val calc_pi(struct calc *c) {
+  void *z = calc_new(c);
+  c->status |= c->ctx.type->pi(z, c->ctx.prec);
+  return z;
+}
+
 static bool begins(const struct calc *c) {
   return !c->reduce || c->status == SS_OK;
 }

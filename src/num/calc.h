@@ -37,6 +37,7 @@ void *calc_new(struct calc *c);
 val calc_d(struct calc *c, double x);
 val calc_q(struct calc *c, const fmpq *x);
 val calc_two_to(struct calc *c, slong n);
+val calc_pi(struct calc *c);
 val calc_neg(struct calc *c, val x);
 val calc_abs(struct calc *c, val x);
 val calc_sqrt(struct calc *c, val x);

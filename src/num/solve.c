@@ -253,3 +253,14 @@ int krawczyk_follow(struct krawczyk *k, slong wider) {
   }
   return k->inside ? status : status | SS_UNABLE;
 }
+
+int krawczyk_enclose(struct num_vec *x, struct num_vec *box, const struct solve_system *s) {
+  struct krawczyk k;
+  krawczyk_init(&k, s, x->ctx.prec);
+  int status = krawczyk_centre(&k, x);
+  if (!status) status = krawczyk_grow(&k);
+  if (!status) num_vec_set(x, &k.image);
+  if (!status && box) num_vec_set(box, &k.box);
+  krawczyk_clear(&k);
+  return status;
+}

@@ -79,5 +79,7 @@ int krawczyk_apply(struct krawczyk *k);
    with mid. */
 int krawczyk_grow(struct krawczyk *k);
 int krawczyk_follow(struct krawczyk *k, slong wider);
+/* The operator at x, boxes grown around it: x becomes the image, and box, unless it is NULL, the one that is proved. */
+int krawczyk_enclose(struct num_vec *x, struct num_vec *box, const struct solve_system *s);
 
 #endif
