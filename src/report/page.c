@@ -16,7 +16,7 @@ static void add_head(const struct page *p) {
       "script-src 'unsafe-inline'; img-src data:\" />\n"
       "<meta name=\"color-scheme\" content=\"light dark\" />\n<link rel=\"icon\" href=\"data:,\" />\n<title>Audit: ");
   escape_html(p->out, p->r->title ? p->r->title : p->r->scene);
-  text_printf(p->out, "</title>\n<style>\n%s%s</style>\n</head>\n", page_style, picture_style);
+  text_printf(p->out, "</title>\n<style>\n%s%s</style>\n</head>\n", page_css, picture_css);
 }
 
 static void add_opening(const struct page *p) {
@@ -58,7 +58,7 @@ static void add_closing(const struct page *p) {
                    "<a href=\"audit.md\">audit.md</a>, <a href=\"errata.md\">errata.md</a> for the authors, "
                    "<a href=\"audit.csv\">audit.csv</a>, <a href=\"junit.xml\">junit.xml</a>, "
                    "<a href=\"claims.dot\">claims.dot</a>.</p></footer>\n<script>\n");
-  text_printf(p->out, "%s</script>\n</body>\n</html>\n", page_script);
+  text_printf(p->out, "%s</script>\n</body>\n</html>\n", page_js);
 }
 
 void report_html(struct text *out, const struct audit_result *r) {

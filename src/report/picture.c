@@ -12,26 +12,6 @@ static const struct picture *const pictures[] = {&picture_history,    &picture_m
                                                  &picture_along,      &picture_planes};
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
-const char *const picture_style =
-    ":root { --c0: #0b4fa0; --c1: #b02a12; --c2: #1b6e37; --c3: #6a3d9a; }\n"
-    "@media screen and (prefers-color-scheme: dark) { :root:not([data-theme=light]) { --c0: #8fbdf5; --c1: #ff9a80; "
-    "--c2: #7fd09a; --c3: #d0b0f5; } }\n"
-    ":root[data-theme=dark] { --c0: #8fbdf5; --c1: #ff9a80; --c2: #7fd09a; --c3: #d0b0f5; }\n"
-    ".plot { display: block; width: 100%; max-width: 36rem; }\n"
-
-    ".plot text { font-size: 12px; fill: var(--fg); font-family: system-ui, \"DejaVu Sans\", sans-serif;\n"
-    "  paint-order: stroke; stroke: var(--bg); stroke-width: 3px; stroke-linejoin: round; }\n"
-    ".plot .frame { fill: none; stroke: var(--fg); stroke-width: 1; }\n"
-    ".plot .tick { fill: none; stroke: var(--line); stroke-width: .7; }\n"
-    ".plot .curve { fill: none; stroke-width: 1.8; stroke-linejoin: round; }\n"
-    ".plot .c0 { stroke: var(--c0); } .plot .c1 { stroke: var(--c1); }\n"
-    ".plot .c2 { stroke: var(--c2); } .plot .c3 { stroke: var(--c3); }\n"
-    ".plot .aid { stroke: var(--soft); stroke-width: 1; }\n"
-    ".plot .web { stroke: var(--c1); stroke-width: .9; }\n"
-    ".plot .gap { fill: none; stroke: var(--fg); stroke-width: 2.5; }\n"
-    ".plot .dot { fill: var(--c0); stroke: var(--c0); stroke-width: 1.5; }\n"
-    ".plot .dot.open { fill: var(--bg); } .plot .dot.c1 { fill: var(--bg); stroke: var(--c1); }\n";
-
 static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *title,
                     const char *style) {
   struct text told, drawn;
@@ -54,7 +34,7 @@ static void add_svg(struct text *out, const struct picture *q, const struct rows
   text_add(out, "</desc>\n");
   if (style)
     text_printf(out, "<style>\n%s%s</style>\n<rect width=\"%d\" height=\"%.0f\" style=\"fill: var(--bg)\" />\n", style,
-                picture_style, PLOT_WIDTH, p.bottom);
+                picture_css, PLOT_WIDTH, p.bottom);
   text_add(out, text_str(&drawn));
   text_add(out, "</svg>\n");
   text_clear(&drawn);
@@ -72,15 +52,11 @@ const char *report_picture_id(int i) {
 }
 
 bool report_picture(struct text *out, const struct audit_result *r, int i) {
-  static const char style[] =
-      ":root { --bg: #fff; --fg: #1b1b1b; --soft: #555; --line: #c8c8c8; }\n"
-      "@media screen and (prefers-color-scheme: dark) { :root { --bg: #14161a; --fg: #e8e8e6; --soft: #b0b0ac; --line: "
-      "#45484f; } }\n";
   struct rows t;
   bool there = rows_read(&t, r, pictures[i]->table);
   if (there) {
     text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    add_svg(out, pictures[i], &t, pictures[i]->title, style);
+    add_svg(out, pictures[i], &t, pictures[i]->title, picture_alone_css);
   }
   rows_clear(&t);
   return there;
