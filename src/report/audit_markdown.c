@@ -49,13 +49,9 @@ static void add_decided(struct text *out, const struct audit_result *r) {
 
 /* What a reader of the paper has not met; and what the quotations were compared with. */
 static void add_words(struct text *out, const struct audit_result *r) {
-  const struct sheet s = {out, false};
+  const struct sheet s = {out, DIALECT_MARKDOWN};
   text_add(out, "## Words used in this report\n\n");
-  for (size_t i = 0; i < n_glossary; i++) {
-    text_printf(out, "- %s: ", glossary[i].word);
-    sheet_text(&s, glossary[i].meaning);
-    text_add(out, ".\n");
-  }
+  for (size_t i = 0; i < n_glossary; i++) sheet_add(&s, "- %s: %t.\n", glossary[i].word, glossary[i].meaning);
   text_add_char(out, '\n');
   if (r->paper_text)
     text_printf(out,
@@ -66,7 +62,7 @@ static void add_words(struct text *out, const struct audit_result *r) {
 
 /* What is wrong, in order of consequence; slips of notation are a list behind it. */
 static void add_roots(struct text *out, const struct audit_result *r) {
-  struct sheet s = {out, false};
+  const struct sheet s = {out, DIALECT_MARKDOWN};
   int last = -1;
   for (size_t i = 0; i < r->n_roots; i++) {
     const struct root_cause *root = &r->roots[i];
@@ -74,20 +70,10 @@ static void add_roots(struct text *out, const struct audit_result *r) {
                                                       "Slips of notation"};
     if (last != (int)root->severity) text_printf(out, "%s## %s\n\n", i ? "\n" : "", heading[root->severity]);
     last = (int)root->severity;
-    text_add(out, "- **");
-    sheet_text(&s, root->where);
-    text_add(out, "**: ");
-    sheet_text(&s, root->title);
-    text_add(out, ". ");
-    sheet_text(&s, root->wrong);
-    text_add(out, " *It should read:* ");
+    sheet_add(&s, "- **%t**: %t. %t *It should read:* ", root->where, root->title, root->wrong);
     sheet_values(&s, r, root);
-    sheet_text(&s, root->correct);
-    if (out->data[out->len - 1] != '.') text_add_char(out, '.');
-    if (root->severity != SEVERITY_NOTATION) {
-      text_add(out, " *Consequence:* ");
-      sheet_text(&s, root->consequence);
-    }
+    sheet_add(&s, "%t%.", root->correct);
+    if (root->severity != SEVERITY_NOTATION) sheet_add(&s, " *Consequence:* %t", root->consequence);
     for (int k = 0; k < root->n_claims; k++) text_printf(out, "%s%s", k ? ", " : " (Evidence: ", root->claims[k]);
     text_add(out, ")\n");
   }
@@ -274,8 +260,7 @@ static void add_kept(const struct sheet *s, const struct consequence *q, enum ch
   for (int i = 0; i < q->n_derived; i++) {
     const struct derived *d = &q->derived[i];
     if (d->change != change) continue;
-    text_add(s->out, sep);
-    sheet_math(s, d->latex);
+    sheet_add(s, "%s%m", sep, d->latex);
     if (change != CHANGE_SAME_FORMULA) text_printf(s->out, " (%s)", d->verdict);
     sep = ", ";
   }
@@ -302,17 +287,13 @@ static void add_changes(const struct sheet *s, const struct consequence *q) {
       text_add(s->out, "\n| result | | relative difference | entry | as printed | corrected | at |\n"
                        "| --- | --- | --- | --- | --- | --- | --- |\n");
     any = true;
-    text_add(s->out, "| ");
-    sheet_math(s, d->latex);
-    text_add(s->out, ", ");
-    sheet_text(s, d->title);
-    text_printf(s->out, " | %s | below %s | %s | %s%s%s | %s | %s |\n", d->verdict, d->size, d->entry ? d->entry : "-",
-                d->printed, d->chain ? "; all printed: " : "", d->chain ? d->chain : "", d->corrected, d->where);
+    sheet_add(s, "| %m, %t | %s | below %s | %s | %s%s%s | %s | %s |\n", d->latex, d->title, d->verdict, d->size,
+              or_dash(d->entry), d->printed, d->chain ? "; all printed: " : NULL, d->chain, d->corrected, d->where);
   }
 }
 
 static void add_consequences(struct text *out, const struct audit_result *r) {
-  struct sheet s = {out, false};
+  const struct sheet s = {out, DIALECT_MARKDOWN};
   if (r->n_consequences == 0) return;
   text_add(
       out,
@@ -324,11 +305,7 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
     const struct consequence *q = &r->consequences[i];
     if (is_idle(q)) continue;
     text_printf(out, "### %s\n\n", q->failure);
-    if (q->solved) {
-      text_add(out, "- the equations solved with it: ");
-      sheet_prose(&s, q->solved);
-      text_add_char(out, '\n');
-    }
+    if (q->solved) sheet_add(&s, "- the equations solved with it: %p\n", q->solved);
     add_ids(out, "- statements that no longer hold: ", &q->falls);
     add_ids(out, "- statements that use it and still hold: ", &q->survives);
     add_ids(out, "- statements that use it, undecided: ", &q->open);

@@ -17,15 +17,11 @@ static void add_phases(const struct page *p) {
       {"phase", false}, {"matrix", false}, {"masses", false}, {"lasts", false}, {"ends when", false}};
   page_begin_table(p, "stack", "The four phases of the paper's periodic motion", heads, sizeof heads / sizeof *heads);
   for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
-    text_printf(p->out, "<tr><th scope=\"row\">%s</th>", phases[i].name);
-    page_cell(p, &heads[1]);
-    html_math(p->out, phases[i].matrix, NULL);
-    text_add(p->out, "</td>");
-    page_text_cell(p, &heads[2], phases[i].masses);
-    page_cell(p, &heads[3]);
-    html_math(p->out, phases[i].lasts, NULL);
-    text_add(p->out, "</td>");
-    page_text_cell(p, &heads[4], phases[i].ends);
+    page_add(p, "<tr><th scope=\"row\">%s</th>", phases[i].name);
+    page_cell(p, &heads[1], "%m", phases[i].matrix);
+    page_cell(p, &heads[2], "%t", phases[i].masses);
+    page_cell(p, &heads[3], "%m", phases[i].lasts);
+    page_cell(p, &heads[4], "%t", phases[i].ends);
     text_add(p->out, "</tr>\n");
   }
   page_end_table(p);
@@ -34,11 +30,8 @@ static void add_phases(const struct page *p) {
 static void add_words(const struct page *p) {
   text_add(p->out, "<h4 id=\"s-words\">Words used on this page</h4>\n<p>What the verdicts mean is said <a "
                    "href=\"#s-power\">below</a>.</p>\n<dl>\n");
-  for (size_t i = 0; i < n_glossary; i++) {
-    text_printf(p->out, "<dt>%s</dt>\n<dd>", glossary[i].word);
-    html_text(p->out, glossary[i].meaning, NULL);
-    text_add(p->out, ".</dd>\n");
-  }
+  for (size_t i = 0; i < n_glossary; i++)
+    page_add(p, "<dt>%s</dt>\n<dd>%t.</dd>\n", glossary[i].word, glossary[i].meaning);
   text_add(p->out, "</dl>\n");
 }
 
@@ -64,15 +57,9 @@ void page_model(const struct page *p) {
       "$|\\operatorname{tr} J| < 1$ and grows if $|\\operatorname{tr} J| > 1$.";
   page_begin_fold(p, "model", "The system in half a page, and the words used here");
   page_belt(p);
-  for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
-    text_add(p->out, "<p>");
-    html_text(p->out, before[i], NULL);
-    text_add(p->out, "</p>\n");
-  }
+  for (size_t i = 0; i < sizeof before / sizeof *before; i++) page_add(p, "<p>%t</p>\n", before[i]);
   add_phases(p);
-  text_add(p->out, "<p>");
-  html_text(p->out, after, NULL);
-  text_add(p->out, "</p>\n");
+  page_add(p, "<p>%t</p>\n", after);
   add_words(p);
   text_add(p->out, "</details>\n");
 }
@@ -96,20 +83,12 @@ void page_limits(const struct page *p) {
   page_begin_fold(p, "limits", "What the audit does not show");
   text_add(p->out, "<ul>\n");
   for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) text_printf(p->out, "<li>%s</li>\n", limits[i]);
-  if (r->paper_text) {
-    text_add(p->out,
+  if (r->paper_text)
+    page_add(p,
              "<li>That your copy of the paper says what is quoted here: <code>stickslip quotes FILE</code> looks "
-             "for every quotation in a copy. The digest of the text quoted, as its tokens: <code>");
-    escape_html(p->out, r->paper_text);
-    text_add(p->out, "</code>.</li>\n");
-  }
-  for (size_t i = 0; i < r->n_skipped; i++) {
-    text_add(p->out, "<li>Left out: ");
-    escape_html(p->out, r->skipped[i].what);
-    text_add(p->out, ", ");
-    escape_html(p->out, r->skipped[i].why);
-    html_stop(p->out);
-    text_add(p->out, "</li>\n");
-  }
+             "for every quotation in a copy. The digest of the text quoted, as its tokens: %c.</li>\n",
+             r->paper_text);
+  for (size_t i = 0; i < r->n_skipped; i++)
+    page_add(p, "<li>Left out: %e, %e%.</li>\n", r->skipped[i].what, r->skipped[i].why);
   text_add(p->out, "</ul>\n</details>\n");
 }

@@ -12,8 +12,7 @@ static const struct picture *const pictures[] = {&picture_history,    &picture_m
                                                  &picture_along,      &picture_planes};
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
-static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *title,
-                    const char *style) {
+static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *style) {
   struct text told, drawn;
   text_init(&told);
   text_init(&drawn);
@@ -24,14 +23,10 @@ static void add_svg(struct text *out, const struct picture *q, const struct rows
     text_add(out, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
   else
     text_printf(out, "<svg width=\"%d\" height=\"%.0f\"", PLOT_WIDTH, p.bottom);
-  text_printf(out,
-              " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %d %.0f\" role=\"img\" "
-              "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">",
-              PLOT_WIDTH, p.bottom, q->id, q->id, q->id);
-  escape_html(out, title);
-  text_printf(out, "</title>\n<desc id=\"d-%s\">", q->id);
-  escape_html(out, text_str(&told));
-  text_add(out, "</desc>\n");
+  text_printf(out, " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %d %.0f\" role=\"img\" ", PLOT_WIDTH, p.bottom);
+  sheet_add((&(struct sheet){out, DIALECT_HTML}),
+            "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">%e</title>\n<desc id=\"d-%s\">%e</desc>\n", q->id,
+            q->id, q->id, q->title, q->id, text_str(&told));
   if (style)
     text_printf(out, "<style>\n%s%s</style>\n<rect width=\"%d\" height=\"%.0f\" style=\"fill: var(--bg)\" />\n", style,
                 picture_css, PLOT_WIDTH, p.bottom);
@@ -56,7 +51,7 @@ bool report_picture(struct text *out, const struct audit_result *r, int i) {
   bool there = rows_read(&t, r, pictures[i]->table);
   if (there) {
     text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    add_svg(out, pictures[i], &t, pictures[i]->title, picture_alone_css);
+    add_svg(out, pictures[i], &t, picture_alone_css);
   }
   rows_clear(&t);
   return there;
@@ -71,13 +66,10 @@ static void add_figure(const struct page *p, const struct picture *q, const stru
     text_add(&said, words);
   else
     q->say(&said, t);
-  text_printf(p->out, "<figure id=\"g-%s\">\n", q->id);
-  add_svg(p->out, q, t, q->title, NULL);
-  text_add(p->out, "<figcaption><strong>");
-  escape_html(p->out, q->title);
-  text_add(p->out, ".</strong> ");
-  html_text(p->out, text_str(&said), NULL);
-  text_printf(p->out, " Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->table, q->table);
+  page_add(p, "<figure id=\"g-%s\">\n", q->id);
+  add_svg(p->out, q, t, NULL);
+  page_add(p, "<figcaption><strong>%e.</strong> %t Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->title,
+           text_str(&said), q->table, q->table);
   text_clear(&said);
 }
 
@@ -91,13 +83,8 @@ void page_picture(const struct page *p, const struct picture *q, const char *wor
 static void add_neighbours(const struct page *p) {
   if (p->r->n_neighbours == 0) return;
   text_add(p->out, "<p>More pictures, of the methods behind all this: ");
-  for (size_t i = 0; i < p->r->n_neighbours; i++) {
-    text_add(p->out, i ? ", <a href=\"" : "<a href=\"");
-    escape_html(p->out, p->r->neighbours[i].path);
-    text_add(p->out, "\">");
-    escape_html(p->out, p->r->neighbours[i].says);
-    text_add(p->out, "</a>");
-  }
+  for (size_t i = 0; i < p->r->n_neighbours; i++)
+    page_add(p, "%s<a href=\"%e\">%e</a>", i ? ", " : NULL, p->r->neighbours[i].path, p->r->neighbours[i].says);
   text_add(p->out, ".</p>\n");
 }
 
