@@ -17,7 +17,6 @@ struct page {
 /* "eq-44b" as (44b), other names as code; a link to what is said about the failure (f-), or to the claim's row (c-)
    when it was judged and is none. */
 void page_claim(const struct page *p, const char *id);
-void page_claims(const struct page *p, const struct id_list *list);
 /* "appendix_a" as words. */
 void page_section_name(const struct page *p, const char *section);
 

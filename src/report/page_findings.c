@@ -123,7 +123,7 @@ static void add_note(const struct page *p, const char *note) {
     text_add(p->out, "<pre>");
     for (const char *s = note; *s; s += *s == '\n') {
       size_t n = strcspn(s, "\n");
-      escape_html_n(p->out, s, n);
+      escape_html(p->out, s, n);
       text_add_char(p->out, '\n');
       s += n;
     }
@@ -182,10 +182,11 @@ static void add_derived(const struct page *p, const struct consequence *q, enum 
 }
 
 static void add_ids(const struct page *p, const struct id_list *list, const char *words) {
-  if (!list->n) return;
-  text_add(p->out, words);
-  page_claims(p, list);
-  text_add(p->out, ".</p>\n");
+  for (int i = 0; i < list->n; i++) {
+    text_add(p->out, i ? ", " : words);
+    page_claim(p, list->id[i]);
+  }
+  if (list->n) text_add(p->out, ".</p>\n");
 }
 
 static void add_consequence(const struct page *p, const struct consequence *q) {

@@ -15,17 +15,10 @@ void page_claim(const struct page *p, const char *id) {
     page_add(p, "%n", id);
 }
 
-void page_claims(const struct page *p, const struct id_list *list) {
-  for (int i = 0; i < list->n; i++) {
-    text_add(p->out, i ? ", " : "");
-    page_claim(p, list->id[i]);
-  }
-}
-
 void page_section_name(const struct page *p, const char *section) {
   for (; section && *section; section++) {
     char c = *section == '_' ? ' ' : *section;
-    escape_html_n(p->out, &c, 1);
+    escape_html(p->out, &c, 1);
   }
 }
 

@@ -18,10 +18,10 @@ void page_limits(const struct page *p);
 /* A picture where its table is there; words: its caption, or NULL for the picture's own. */
 void page_picture(const struct page *p, const struct picture *q, const char *words);
 
-/* The files of these names, page.css and so on, which the build makes characters of.  The page is well-formed XML, so that
-   none of them holds "<" or "&".  The sheet has light, dark and print colours and names each verdict by a sign besides
-   its colour; the script filters, sorts and opens what is there without it; picture_alone: colours of a picture that is
-   a document of its own. */
+/* The files of these names, page.css and so on, which the build makes characters of.  The page is well-formed XML, so
+   that none of them holds "<" or "&".  The sheet has light, dark and print colours and names each verdict by a sign
+   besides its colour; the script filters, sorts and opens what is there without it; picture_alone: colours of a picture
+   that is a document of its own. */
 extern const char page_css[], page_js[], picture_css[], picture_alone_css[];
 
 #endif

@@ -13,7 +13,7 @@
 
 static void add_plain(const struct sheet *s, const char *text, size_t len) {
   static void (*const escape[])(struct text *, const char *, size_t) = {
-      [DIALECT_MARKDOWN] = escape_markdown, [DIALECT_TEX] = escape_tex, [DIALECT_HTML] = escape_html_n};
+      [DIALECT_MARKDOWN] = escape_markdown, [DIALECT_TEX] = escape_tex, [DIALECT_HTML] = escape_html};
   escape[s->dialect](s->out, text, len);
 }
 
@@ -47,7 +47,7 @@ static void add_math(const struct sheet *s, const char *math, size_t len) {
   text_add_char(s->out, '$');
 }
 
-void sheet_math(const struct sheet *s, const char *math) {
+static void sheet_math(const struct sheet *s, const char *math) {
   if (s->dialect == DIALECT_HTML)
     html_math(s->out, math, NULL);
   else
@@ -64,7 +64,7 @@ void sheet_values(const struct sheet *s, const struct audit_result *r, const str
   if (n) text_add(s->out, ". ");
 }
 
-void sheet_code(const struct sheet *s, const char *code) {
+static void sheet_code(const struct sheet *s, const char *code) {
   if (s->dialect == DIALECT_HTML)
     html_code(s->out, code);
   else

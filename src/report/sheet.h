@@ -15,8 +15,8 @@ struct sheet {
      %s as it is, %e escaped, so that it shows as it is,
      %t with mathematics between dollar signs, %p with names like z_10 set as mathematics (sheet_text, sheet_prose),
      %m one formula, %c code, %v a verdict; of HTML alone %a what an id is made of, %n a claim by its id.
-   %. ends a sentence that may have an end of its own.  Another % is a mistake of the program, as a wrong number of texts
-   is. */
+   %. ends a sentence that may have an end of its own.  Another %, or a wrong number of texts, is a mistake of the
+   program. */
 #define sheet_add(sheet, words, ...)                                                                                   \
   sheet_add_texts(sheet, words, (const char *const[]){__VA_ARGS__},                                                    \
                   sizeof((const char *const[]){__VA_ARGS__}) / sizeof(const char *))
@@ -28,12 +28,8 @@ void sheet_text(const struct sheet *s, const char *text);
 /* The same where names and products outside dollar signs are those of a sentence of the program: z_10, e1, chi and
    V*t_a are typeset.  In HTML sheet_text does so too, and here a dollar sign is one. */
 void sheet_prose(const struct sheet *s, const char *text);
-/* One formula, without dollar signs. */
-void sheet_math(const struct sheet *s, const char *math);
 /* The right values of the root's printed numbers, as a sentence; nothing where it has none. */
 void sheet_values(const struct sheet *s, const struct audit_result *r, const struct root_cause *root);
-/* A command or a name as it is typed. */
-void sheet_code(const struct sheet *s, const char *code);
 /* "a, b and c", each as sheet_prose has it. */
 void sheet_list(const struct sheet *s, const char *const *list, int n);
 /* Ends a sentence that may have an end of its own. */
