@@ -196,10 +196,7 @@ static void print_orbits(const struct options *o, const struct mech_orbits *list
   struct text out;
   text_init(&out);
   (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, list, m, s, digits);
-  if (option(o, OPT_JSON))
-    fputs(text_str(&out), stdout);
-  else
-    terminal_print(text_str(&out));
+  print_found(o, &out);
   text_clear(&out);
 }
 
