@@ -4,11 +4,9 @@
 #include "report.h"
 #include "sheet.h"
 
-#define xml_add(out, ...) sheet_add((&(struct sheet){out, DIALECT_HTML}), __VA_ARGS__)
-
 static void begin_case(struct text *out, const char *suite, const char *group, const char *name, const char *title) {
-  xml_add(out, "    <testcase classname=\"stickslip.%e.%e\" name=\"%e%s%e\">", suite, group, name, title ? ": " : NULL,
-          title);
+  html_add(out, "    <testcase classname=\"stickslip.%e.%e\" name=\"%e%s%e\">", suite, group, name, title ? ": " : NULL,
+           title);
 }
 static void end_case(struct text *out) {
   text_add(out, "</testcase>\n");
@@ -43,10 +41,10 @@ static void add_claims(struct text *out, const struct audit_result *r) {
     const struct finding *f = &r->findings[i];
     begin_case(out, r->scene, f->section ? f->section : "claims", f->id, f->title);
     if (finding_unexpected(f))
-      xml_add(out, "<failure message=\"%s, recorded as %s\">%e</failure>", verdict_name[f->verdict],
-              verdict_name[f->recorded], f->reproduce);
+      html_add(out, "<failure message=\"%s, recorded as %s\">%e</failure>", verdict_name[f->verdict],
+               verdict_name[f->recorded], f->reproduce);
     else if (is_skipped(f))
-      xml_add(out, "<skipped message=\"%e\" />", reason(f));
+      html_add(out, "<skipped message=\"%e\" />", reason(f));
     end_case(out);
   }
   end_suite(out);
@@ -75,7 +73,7 @@ static void add_routes(struct text *out, const struct audit_result *r) {
     text_printf(&name, "%s, %s", p->first, p->second);
     begin_case(out, r->scene, "routes", p->quantity, text_str(&name));
     text_clear(&name);
-    if (!p->within) xml_add(out, "<failure message=\"beyond %e\" />", p->stated);
+    if (!p->within) html_add(out, "<failure message=\"beyond %e\" />", p->stated);
     end_case(out);
   }
   for (size_t i = 0; i < r->n_long_runs; i++) {
@@ -88,7 +86,7 @@ static void add_routes(struct text *out, const struct audit_result *r) {
 }
 
 void report_junit(struct text *out, const struct audit_result *r) {
-  xml_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"%e\">\n", r->scene);
+  html_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"%e\">\n", r->scene);
   add_claims(out, r);
   add_controls(out, r);
   add_routes(out, r);

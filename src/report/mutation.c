@@ -107,53 +107,47 @@ static const char *const fate_says[N_MUTANT_FATES] = {
 };
 
 /* The columns of the tables, and the fates that stand in them. */
-struct column {
-  enum mutant_fate fate;
-  const char *words;
+struct columns {
+  size_t n;
+  struct {
+    enum mutant_fate fate;
+    const char *words;
+  } of[N_MUTANT_FATES];
 };
-static const struct column formula_columns[] = {{FATE_UNREADABLE, "of them unreadable"},
-                                                {FATE_UNPROVED, "of them unproved"},
-                                                {FATE_REFUSED, "of them refused"},
-                                                {FATE_EQUIVALENT, "equivalent"},
-                                                {FATE_ON_MOTIONS, "same on motions"},
-                                                {FATE_UNDECIDED, "undecided"},
-                                                {FATE_UNREAD, "unread"}};
-static const struct column data_columns[] = {{FATE_REFUSED, "of them refused"},
-                                             {FATE_UNREADABLE, "of them unreadable"},
-                                             {FATE_EQUIVALENT, "same by rule"},
-                                             {FATE_NEEDS_TEXT, "needs the text"},
-                                             {FATE_UNDECIDED, "not noticed"}};
+static const struct columns of_formulas = {7,
+                                           {{FATE_UNREADABLE, "of them unreadable"},
+                                            {FATE_UNPROVED, "of them unproved"},
+                                            {FATE_REFUSED, "of them refused"},
+                                            {FATE_EQUIVALENT, "equivalent"},
+                                            {FATE_ON_MOTIONS, "same on motions"},
+                                            {FATE_UNDECIDED, "undecided"},
+                                            {FATE_UNREAD, "unread"}}};
+static const struct columns of_data = {5,
+                                       {{FATE_REFUSED, "of them refused"},
+                                        {FATE_UNREADABLE, "of them unreadable"},
+                                        {FATE_EQUIVALENT, "same by rule"},
+                                        {FATE_NEEDS_TEXT, "needs the text"},
+                                        {FATE_UNDECIDED, "not noticed"}}};
 
-static void add_row(struct text *out, const struct mutation_row *r, const struct column *column, size_t n) {
+static void add_row(struct text *out, const struct mutation_row *r, const struct columns *c) {
   text_printf(out, "| %s | %ld | %ld |", r->name, mutation_row_total(r), mutation_row_noticed(r));
-  for (size_t i = 0; i < n; i++) text_printf(out, " %ld |", r->count[column[i].fate]);
+  for (size_t i = 0; i < c->n; i++) text_printf(out, " %ld |", r->count[c->of[i].fate]);
   text_add_char(out, '\n');
 }
 
-static void add_heading(struct text *out, const char *heading, const struct column *column, size_t n) {
+static void add_heading(struct text *out, const char *heading, const struct columns *c) {
   text_printf(out, "| %s | damages | noticed |", heading);
-  for (size_t i = 0; i < n; i++) text_printf(out, " %s |", column[i].words);
+  for (size_t i = 0; i < c->n; i++) text_printf(out, " %s |", c->of[i].words);
   text_add(out, "\n| --- | ---: | ---: |");
-  for (size_t i = 0; i < n; i++) text_add(out, " ---: |");
+  for (size_t i = 0; i < c->n; i++) text_add(out, " ---: |");
   text_add_char(out, '\n');
 }
 
-enum {
-  N_FORMULA_COLUMNS = sizeof formula_columns / sizeof *formula_columns,
-  N_DATA_COLUMNS = sizeof data_columns / sizeof *data_columns
-};
-
-static void add_formulas(struct text *out, const char *heading, const struct mutation_row *row, size_t n) {
-  add_heading(out, heading, formula_columns, N_FORMULA_COLUMNS);
+static void add_table(struct text *out, const char *heading, const struct columns *c, const struct mutation_row *row,
+                      size_t n) {
+  add_heading(out, heading, c);
   for (size_t i = 0; i < n; i++)
-    if (mutation_row_total(&row[i])) add_row(out, &row[i], formula_columns, N_FORMULA_COLUMNS);
-  text_add_char(out, '\n');
-}
-
-static void add_classes(struct text *out, const struct mutation_result *r) {
-  add_heading(out, "what is damaged", data_columns, N_DATA_COLUMNS);
-  for (int k = 0; k < N_DAMAGE_CLASSES; k++)
-    if (mutation_row_total(&r->data[k])) add_row(out, &r->data[k], data_columns, N_DATA_COLUMNS);
+    if (mutation_row_total(&row[i])) add_row(out, &row[i], c);
   text_add_char(out, '\n');
 }
 
@@ -278,11 +272,11 @@ void report_mutation_markdown(struct text *out, const struct mutation_result *r)
   text_printf(out, ".\n\n%ld of %ld damages, scene %s, seed %llu. ", r->tried, r->population, r->scene, r->seed);
   if (r->text) text_printf(out, "Quotations were looked for in the paper's text (`%s`). ", r->text);
   text_add(out, explanation);
-  add_classes(out, r);
+  add_table(out, "what is damaged", &of_data, r->data, N_DAMAGE_CLASSES);
   struct mutation_row texts[] = {r->formulas, r->printed, r->errata};
-  add_formulas(out, "formulas", texts, 3);
-  add_formulas(out, "file", r->file, r->n_files);
-  add_formulas(out, "one token", r->kind, r->n_kinds);
+  add_table(out, "formulas", &of_formulas, texts, 3);
+  add_table(out, "file", &of_formulas, r->file, r->n_files);
+  add_table(out, "one token", &of_formulas, r->kind, r->n_kinds);
   for (int k = 0; k < N_DAMAGE_CLASSES; k++) list_damaged(out, r, k);
   for (int c = 0; c < 2; c++)
     for (int i = 0; i < N_SURVIVOR_FATES; i++) add_survivors(out, r, survivor_order[i], c);

@@ -12,7 +12,7 @@ struct page {
 };
 
 /* Words with texts in them, as sheet_add has them. */
-#define page_add(page, ...) sheet_add((&(struct sheet){(page)->out, DIALECT_HTML}), __VA_ARGS__)
+#define page_add(page, ...) html_add((page)->out, __VA_ARGS__)
 
 /* "eq-44b" as (44b), other names as code; a link to what is said about the failure (f-), or to the claim's row (c-)
    when it was judged and is none. */

@@ -265,14 +265,9 @@ static void add_labelled(const struct page *p, const char *word, const char *tex
 
 /* What is wrong, the right numbers where it is numbers, what should stand there, what comes of it, how to see it. */
 static void add_words(const struct page *p, const struct root_cause *root) {
-  const char *value[MOST_VALUES];
-  int n = root_values(value, p->r, root);
-  page_add(p, "%t%.", root->wrong);
-  for (int i = 0; i < n; i++) page_add(p, "%s%m", i ? ", " : " <em>It should read:</em> ", value[i]);
-  if (n)
-    page_add(p, ". %t%.", root->correct);
-  else
-    add_labelled(p, "It should read", root->correct);
+  page_add(p, "%t%. <em>It should read:</em> ", root->wrong);
+  sheet_values(&(struct sheet){p->out, DIALECT_HTML}, p->r, root);
+  page_add(p, "%t%.", root->correct);
   if (root->severity != SEVERITY_NOTATION) add_labelled(p, "Consequence", root->consequence);
   add_labelled(p, "To see it", root->by_hand);
 }

@@ -24,9 +24,8 @@ static void add_svg(struct text *out, const struct picture *q, const struct rows
   else
     text_printf(out, "<svg width=\"%d\" height=\"%.0f\"", PLOT_WIDTH, p.bottom);
   text_printf(out, " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %d %.0f\" role=\"img\" ", PLOT_WIDTH, p.bottom);
-  sheet_add((&(struct sheet){out, DIALECT_HTML}),
-            "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">%e</title>\n<desc id=\"d-%s\">%e</desc>\n", q->id,
-            q->id, q->id, q->title, q->id, text_str(&told));
+  html_add(out, "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">%e</title>\n<desc id=\"d-%s\">%e</desc>\n", q->id,
+           q->id, q->id, q->title, q->id, text_str(&told));
   if (style)
     text_printf(out, "<style>\n%s%s</style>\n<rect width=\"%d\" height=\"%.0f\" style=\"fill: var(--bg)\" />\n", style,
                 picture_css, PLOT_WIDTH, p.bottom);

@@ -20,6 +20,7 @@ struct sheet {
 #define sheet_add(sheet, words, ...)                                                                                   \
   sheet_add_texts(sheet, words, (const char *const[]){__VA_ARGS__},                                                    \
                   sizeof((const char *const[]){__VA_ARGS__}) / sizeof(const char *))
+#define html_add(out, ...) sheet_add((&(struct sheet){out, DIALECT_HTML}), __VA_ARGS__)
 void sheet_add_texts(const struct sheet *s, const char *words, const char *const *text, size_t n);
 
 /* Text in which $...$ is mathematics; everything else is escaped, so that it shows as it is.  Mathematics that the

@@ -61,9 +61,8 @@ static void add_after(struct text *out, const struct stability_result *r, const 
   char a[32], b[32], c[32];
   struct other_form o = other_form(r, row->formula);
   add_replacement(out, &r->formula[row->formula], false);
-  text_printf(out, " | %s | %s | %s | %ld | ", stability_or_none(stability_tenths(a, row->after)),
-              stability_or_none(stability_tenths(b, stability_gained(row))),
-              stability_or_none(stability_tenths(c, o.most)), o.failures);
+  text_printf(out, " | %s | %s | %s | %ld | ", stability_digits(a, row->after),
+              stability_digits(b, stability_gained(row)), stability_digits(c, o.most), o.failures);
 }
 
 /* Of the formulas, or of the program's functions. */
@@ -80,9 +79,8 @@ static void add_ledger(struct text *out, const struct stability_result *r, bool 
     const struct stability_formula *f = &r->formula[row[i]->formula];
     if (!stability_loses(row[i]) || f->kernel != kernels || shown++ >= most) continue;
     text_printf(out, "| `%s` | %s | %s | %s | %s | %s | ", f->id, *f->equation ? f->equation : f->record,
-                r->region[row[i]->region].id, stability_lost(a, row[i]),
-                stability_or_none(stability_tenths(b, row[i]->problem)),
-                stability_or_none(stability_tenths(c, row[i]->excess)));
+                r->region[row[i]->region].id, stability_lost(a, row[i]), stability_digits(b, row[i]->problem),
+                stability_digits(c, row[i]->excess));
     stability_add_cause(out, row[i], "`");
     text_add(out, " | ");
     if (after) add_after(out, r, row[i]);
@@ -111,8 +109,8 @@ static void add_unmended(struct text *out, const struct stability_result *r) {
     if (n++ >= MOST_NODES) continue;
     text_printf(out, "| `%s` | ", r->formula[i].id);
     add_replacement(out, &r->formula[i], false);
-    text_printf(out, " | %s | %s | `%s` |\n", r->region[worst->region].id,
-                stability_or_none(stability_tenths(a, worst->after_most)), worst->after_witness);
+    text_printf(out, " | %s | %s | `%s` |\n", r->region[worst->region].id, stability_digits(a, worst->after_most),
+                worst->after_witness);
   }
   add_rest(out, n, MOST_NODES);
   text_printf(out, "%d replaced formulas stay within %d max(1, kappa) units in every region, %d do not.\n\n", kept,
@@ -212,8 +210,8 @@ static void add_culprits(struct text *out, const struct stability_result *r) {
     const struct stability_row *row = c[i].worst;
     text_printf(out, "| %d | ", c[i].formulas);
     stability_add_cause(out, row, "`");
-    text_printf(out, " | %s | `%s` | %s |\n", stability_or_none(stability_tenths(a, row->excess)),
-                r->formula[row->formula].id, r->region[row->region].id);
+    text_printf(out, " | %s | `%s` | %s |\n", stability_digits(a, row->excess), r->formula[row->formula].id,
+                r->region[row->region].id);
   }
   add_rest(out, n, MOST_NODES);
   free(c);
