@@ -49,7 +49,7 @@ JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 FUZZ_SECONDS ?= 10
 FOBJ  = $(FUZZ:%=$(B)/tests/fuzz/%.o) $(B)/tests/fuzz/file.o $(B)/tests/fuzz/replay.o
 # what is a text in another language: src/report/page.css is the array of characters page_css
-TEXT  = $(sort $(wildcard src/*/*.css src/*/*.js))
+TEXT  = $(sort $(foreach kind,css js svg html md,$(wildcard src/*/*.$(kind))))
 OBJ   = $(SRC:%.c=$(B)/%.o) $(TEXT:%=$(B)/%.o)
 BOBJ  = $(BENCH:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)

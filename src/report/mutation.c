@@ -239,31 +239,8 @@ static void list_damaged(struct text *out, const struct mutation_result *r, int 
   text_add_char(out, '\n');
 }
 
-static const char explanation[] =
-    "Each damage is put in place alone. Damages that change no meaning are no test: they are left out of the score, as "
-    "are those of errata.eq, which is not the paper's and has rows of its own. All others count, of every class "
-    "alike.\n\n"
-    "Formulas are damaged one token at a time, and the "
-    "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
-    "correction's, or that of a claim it makes under a restriction. Claims that search (arguments, counts, lists of "
-    "constraints, the criterion) are asked last and with little effort, in the same way as for the undamaged text; of "
-    "an argument the exact proof must be found again, for without it the verdict cannot be \"proved\". Claims that "
-    "simulate are not asked. Unreadable: the damaged text has a name, a shape or an index that cannot be, a symbol "
-    "without a value where the formula is used, or a range that is no phase. Refused: no verdict changes, but the "
-    "checks that are made when the data are loaded say what is wrong. Where the errata correct a formula, both texts "
-    "are damaged.\n\n"
-    "What stands beside the formulas is damaged by class, as a tired transcriber would, one line at a time. The "
-    "damaged file is read and checked like any other (refused), and what the record is about is judged again: "
-    "noticed is another verdict of the claim, of its correction or of a claim that it makes, or a control that is "
-    "not refuted. That a checksum or a record of what was read differs does not count. Same by rule: it says the "
-    "same, and the rule is named.\n\n"
-    "Equivalent: the damaged statement, or everything that uses it, is proved to say the same, by "
-    "rational functions in which sines and roots are unknowns. Same on motions: so with what defines the phases "
-    "put in: velocities that are V at a switching time stand for one another, forces are at their limits, and "
-    "perturbations of a velocity that stays V are zero, whatever they are multiplied by. Such a mutant still says "
-    "something true of every motion of the word, though perhaps less, or by another name; a formula that is "
-    "used off the motions too is tried there (claims with points \"patched\"), and an equation that says "
-    "nothing shows in a claim that counts equations. The text of every survivor is in mutation.json.\n\n";
+/* The file of that name. */
+extern const char mutation_explained_md[];
 
 void report_mutation_markdown(struct text *out, const struct mutation_result *r) {
   size_t begin = out->len;
@@ -271,7 +248,7 @@ void report_mutation_markdown(struct text *out, const struct mutation_result *r)
   add_summary(out, r);
   text_printf(out, ".\n\n%ld of %ld damages, scene %s, seed %llu. ", r->tried, r->population, r->scene, r->seed);
   if (r->text) text_printf(out, "Quotations were looked for in the paper's text (`%s`). ", r->text);
-  text_add(out, explanation);
+  text_add(out, mutation_explained_md);
   add_table(out, "what is damaged", &of_data, r->data, N_DAMAGE_CLASSES);
   struct mutation_row texts[] = {r->formulas, r->printed, r->errata};
   add_table(out, "formulas", &of_formulas, texts, 3);

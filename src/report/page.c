@@ -21,14 +21,7 @@ static void add_head(const struct page *p) {
 static void add_opening(const struct page *p) {
   text_add(p->out, "<body>\n<a class=\"skip\" href=\"#s-letter\">To the letter</a>\n<header>\n<h1>Audit of a paper");
   if (p->r->paper) page_add(p, ": <cite>%e</cite>", p->r->paper);
-  text_add(p->out, "</h1>\n<nav aria-label=\"Sections\"><ul>\n"
-                   "<li><a href=\"#s-letter\">Letter</a></li>\n"
-                   "<li><a href=\"#s-findings\">Findings</a></li>\n"
-                   "<li><a href=\"#s-model\">The system in half a page</a></li>\n"
-                   "<li><a href=\"#s-claims\">Every claim</a></li>\n"
-                   "<li><a href=\"#s-limits\">What this does not show</a></li>\n"
-                   "<li><button type=\"button\" id=\"theme\" hidden=\"hidden\">Dark or light</button></li></ul></nav>\n"
-                   "</header>\n<main>\n");
+  page_add(p, "</h1>\n%s</header>\n<main>\n", page_nav_html);
 }
 
 /* For who wants to look something up. */

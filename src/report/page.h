@@ -50,7 +50,4 @@ void page_cell(const struct page *p, const struct column *column, const char *wo
 void page_number(const struct page *p, const struct column *column, long n);
 extern const char page_dash[];
 
-/* The two masses on the belt. */
-void page_belt(const struct page *p);
-
 #endif

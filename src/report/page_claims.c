@@ -182,13 +182,7 @@ static void add_filters(const struct page *p, const struct names *sections, cons
   end_select(p);
   add_names(p, "by-s", "section", sections);
   add_names(p, "by-r", "route", routes);
-  text_add(
-      p->out,
-      "<label for=\"by-t\">words <input id=\"by-t\" type=\"search\" size=\"12\" /></label>\n"
-      "<label for=\"order\">order <select id=\"order\"><option value=\"i\">as in the paper</option>"
-      "<option value=\"w\">worst first</option></select></label>\n"
-      "<button type=\"button\" id=\"open\">Open all shown</button>\n"
-      "<button type=\"reset\">All claims</button>\n<output id=\"shown\" aria-live=\"polite\"></output>\n</form>\n");
+  page_add(p, "%s</form>\n", page_filter_html);
 }
 
 void page_every_claim(const struct page *p) {

@@ -56,7 +56,8 @@ void page_model(const struct page *p) {
       "deviation is multiplied by $\\operatorname{tr} J$ in each period, so that it decreases if "
       "$|\\operatorname{tr} J| < 1$ and grows if $|\\operatorname{tr} J| > 1$.";
   page_begin_fold(p, "model", "The system in half a page, and the words used here");
-  page_belt(p);
+  page_add(p, "<figure>\n%s<figcaption>The system as the equations of motion (1) describe it.</figcaption></figure>\n",
+           page_belt_svg);
   for (size_t i = 0; i < sizeof before / sizeof *before; i++) page_add(p, "<p>%t</p>\n", before[i]);
   add_phases(p);
   page_add(p, "<p>%t</p>\n", after);
@@ -65,24 +66,9 @@ void page_model(const struct page *p) {
 }
 
 void page_limits(const struct page *p) {
-  static const char *const limits[] = {
-      "Whether the model describes a machine: linear springs, a belt that keeps its velocity, and Coulomb's law with "
-      "constant coefficients are the paper's assumptions, and the equations of motion (1) and (2) are taken as given.",
-      "What the printed page says: the text judged is a machine conversion of it, and a misprint of one symbol may be "
-      "due "
-      "to the conversion.",
-      "That the formulas were transcribed rightly: compare the paper's text with the formula as read, which stand "
-      "beside each other in each claim.",
-      "What was not registered as a claim: the table of claims contains all that was judged.",
-      "That what is supported is true in general: it agrees at the points tried, whose number is given with it.",
-      "That the software beneath is right: FLINT with Arb and Calcium (exact numbers, enclosures), MPFR "
-      "(multiprecision), GSL (integration, matrix exponential and eigenvalues in double), the C compiler and its "
-      "library; which versions served is in <code>run.json</code>, which each run writes beside this page. The suite's "
-      "own model, which the formulas are held against, is tested with independent programs."};
   const struct audit_result *r = p->r;
   page_begin_fold(p, "limits", "What the audit does not show");
-  text_add(p->out, "<ul>\n");
-  for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) text_printf(p->out, "<li>%s</li>\n", limits[i]);
+  page_add(p, "<ul>\n%s", page_limits_html);
   if (r->paper_text)
     page_add(p,
              "<li>That your copy of the paper says what is quoted here: <code>stickslip quotes FILE</code> looks "
