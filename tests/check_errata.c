@@ -566,6 +566,15 @@ START_TEST(words_with_texts_in_them) {
 }
 END_TEST
 
+START_TEST(heads_of_tables) {
+  struct text out;
+  text_init(&out);
+  markdown_head(&out, "a|b c:||d:|");
+  ck_assert_str_eq(text_str(&out), "| a | b c | | d | |\n| --- | ---: | --- | ---: | --- |\n");
+  text_clear(&out);
+}
+END_TEST
+
 START_TEST(lists_in_sentences) {
   static const char *const list[] = {"t_b = 2", "t_c", "V"}, *const said[] = {"", "$t_{b}$ = 2",
                                                                               "$t_{b}$ = 2 and $t_{c}$",
@@ -750,6 +759,7 @@ Suite *errata_suite(void) {
   tcase_add_test(c, numbers_are_corrected_to_as_many_digits);
   tcase_add_test(c, sheets_follow_their_grammars);
   tcase_add_test(c, words_with_texts_in_them);
+  tcase_add_test(c, heads_of_tables);
   tcase_add_test(c, lists_in_sentences);
   tcase_add_test(c, the_sheet_has_its_pages);
   tcase_add_test(c, worst_first);

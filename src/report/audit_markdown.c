@@ -14,7 +14,7 @@ static const char *or_dash(const char *s) {
 static void add_counts(struct text *out, const struct audit_result *r) {
   long paper[N_VERDICTS], suite[N_VERDICTS];
   long statements = audit_result_count(paper, r, OF_PAPER), checks = audit_result_count(suite, r, OF_SUITE);
-  text_add(out, "| verdict | statements of the paper | checks of the suite |\n| --- | ---: | ---: |\n");
+  markdown_head(out, "verdict|statements of the paper:|checks of the suite:");
   for (int i = 0; i < N_VERDICTS; i++)
     if (paper[i] + suite[i]) text_printf(out, "| %s | %ld | %ld |\n", verdict_name[i], paper[i], suite[i]);
   text_printf(out, "| total | %ld | %ld |\n\n", statements, checks);
@@ -23,8 +23,7 @@ static void add_counts(struct text *out, const struct audit_result *r) {
 /* What fails, by the severity of its root. */
 static void add_severities(struct text *out, const struct audit_result *r) {
   if (!r->n_roots) return;
-  text_add(out, "| refuted or conditional | roots | statements of the paper | checks of the suite |\n"
-                "| --- | ---: | ---: | ---: |\n");
+  markdown_head(out, "refuted or conditional|roots:|statements of the paper:|checks of the suite:");
   for (int severity = 0; severity < N_SEVERITIES; severity++) {
     long of[2] = {0, 0};
     for (size_t i = 0; i < r->n_findings; i++)
@@ -122,9 +121,8 @@ static bool is_rest(const struct finding *f) {
 }
 
 static void add_overview(struct text *out, const struct audit_result *r) {
-  text_add(
-      out,
-      "## Every claim\n\n| claim | what it says | verdict | fault | as recorded |\n| --- | --- | --- | --- | --- |\n");
+  text_add(out, "## Every claim\n\n");
+  markdown_head(out, "claim|what it says|verdict|fault|as recorded");
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     text_printf(out, "| %s | ", f->id);
@@ -139,12 +137,9 @@ static void add_overview(struct text *out, const struct audit_result *r) {
 
 static void add_controls(struct text *out, const struct audit_result *r) {
   if (r->n_controls == 0) return;
-  text_printf(
-      out,
-      "## Controls\n\nStatements made wrong on purpose, of which %zu of %zu were noticed.\n\n| control | claim that it "
-      "alters | verdict | size of the alteration |\n| --- | "
-      "--- | --- | --- |\n",
-      controls_noticed(r), r->n_controls);
+  text_printf(out, "## Controls\n\nStatements made wrong on purpose, of which %zu of %zu were noticed.\n\n",
+              controls_noticed(r), r->n_controls);
+  markdown_head(out, "control|claim that it alters|verdict|size of the alteration");
   for (size_t i = 0; i < r->n_controls; i++)
     text_printf(out, "| %s | %s | %s | %s |\n", r->controls[i].id, r->controls[i].claim,
                 verdict_name[r->controls[i].verdict], r->controls[i].distance ? r->controls[i].distance : "");
@@ -165,8 +160,8 @@ static void add_route_pairs(struct text *out, const struct audit_result *r, bool
       text_reset(&heading);
       text_add_capital(&heading, p->quantity);
       escape_cell(out, text_str(&heading));
-      text_add(out, ":\n\n| routes | both use | comparisons | tolerance | largest disagreement | at |\n"
-                    "| --- | --- | ---: | --- | --- | --- |\n");
+      text_add(out, ":\n\n");
+      markdown_head(out, "routes|both use|comparisons:|tolerance|largest disagreement|at");
     }
     quantity = p->quantity;
     text_printf(out, "| %s, %s | %s | %ld | %s | ", p->first, p->second, p->shared, p->comparisons, p->stated);
@@ -193,10 +188,8 @@ static void add_routes(struct text *out, const struct audit_result *r) {
 }
 
 static void add_long_run_rows(struct text *out, const struct audit_result *r, bool failing) {
-  text_add(out,
-           "| orbit | tr J | periods run | an error of 2^-52 reaches 1e-6 after | departure from MPFR as predicted | "
-           "displacement as predicted |"
-           "\n| --- | ---: | ---: | --- | --- | --- |\n");
+  markdown_head(out, "orbit|tr J:|periods run:|an error of 2^-52 reaches 1e-6 after|departure from MPFR as "
+                     "predicted|displacement as predicted");
   for (size_t i = 0; i < r->n_long_runs; i++) {
     const struct long_result *l = &r->long_runs[i];
     if (failing && l->obeys && l->displaced) continue;
@@ -221,11 +214,11 @@ static void add_long_runs(struct text *out, const struct audit_result *r) {
 }
 
 static void add_precision(struct text *out, const struct audit_result *r) {
-  if (r->n_precision)
-    text_add(out,
-             "## Precision\n\nHow often the first precision in interval arithmetic was sufficient; otherwise it was "
-             "raised.\n\n"
-             "| computation | times | sufficient |\n| --- | ---: | ---: |\n");
+  if (r->n_precision) {
+    text_add(out, "## Precision\n\nHow often the first precision in interval arithmetic was sufficient; otherwise it "
+                  "was raised.\n\n");
+    markdown_head(out, "computation|times:|sufficient:");
+  }
   for (size_t i = 0; i < r->n_precision; i++)
     text_printf(out, "| %s | %ld | %ld |\n", r->precision[i].what, r->precision[i].tried, r->precision[i].enough);
   if (r->n_precision) text_add_char(out, '\n');
@@ -283,9 +276,10 @@ static void add_changes(const struct sheet *s, const struct consequence *q) {
   for (int i = 0; i < q->n_derived; i++) {
     const struct derived *d = &q->derived[i];
     if (d->change != CHANGE_CHANGES) continue;
-    if (!any)
-      text_add(s->out, "\n| result | | relative difference | entry | as printed | corrected | at |\n"
-                       "| --- | --- | --- | --- | --- | --- | --- |\n");
+    if (!any) {
+      text_add(s->out, "\n");
+      markdown_head(s->out, "result||relative difference|entry|as printed|corrected|at");
+    }
     any = true;
     sheet_add(s, "| %m, %t | %s | below %s | %s | %s%s%s | %s | %s |\n", d->latex, d->title, d->verdict, d->size,
               or_dash(d->entry), d->printed, d->chain ? "; all printed: " : NULL, d->chain, d->corrected, d->where);
@@ -349,7 +343,10 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_controls(out, r);
   add_routes(out, r);
   add_long_runs(out, r);
-  if (r->n_values) text_add(out, "## Values\n\n| name | at | value |\n| --- | --- | --- |\n");
+  if (r->n_values) {
+    text_add(out, "## Values\n\n");
+    markdown_head(out, "name|at|value");
+  }
   for (size_t i = 0; i < r->n_values; i++) {
     const struct asked_value *v = &r->values[i];
     text_printf(out, "| `%s` | %s | %s |\n", v->name, v->at, v->value ? v->value : "not known");

@@ -186,6 +186,21 @@ void sheet_list(const struct sheet *s, const char *const *list, int n) {
   }
 }
 
+void markdown_head(struct text *out, const char *columns) {
+  struct text rule;
+  text_init(&rule);
+  text_add_char(out, '|');
+  text_add(&rule, "\n|");
+  for (const char *c = columns, *end = c; *end; c = end + 1) {
+    end = c + strcspn(c, "|");
+    bool right = end > c && end[-1] == ':';
+    text_printf(out, "%s%.*s |", end > c ? " " : "", (int)(end - c - right), c);
+    text_add(&rule, right ? " ---: |" : " --- |");
+  }
+  text_printf(out, "%s\n", text_str(&rule));
+  text_clear(&rule);
+}
+
 /* --- Words with texts in them --- */
 
 /* A claim of an equation by the equation's number, others as code. */

@@ -33,6 +33,8 @@ void sheet_prose(const struct sheet *s, const char *text);
 void sheet_values(const struct sheet *s, const struct audit_result *r, const struct root_cause *root);
 /* "a, b and c", each as sheet_prose has it. */
 void sheet_list(const struct sheet *s, const char *const *list, int n);
+/* The head of a table in Markdown: columns with bars between them; one that ends in a colon is set to the right. */
+void markdown_head(struct text *out, const char *columns);
 /* Ends a sentence that may have an end of its own. */
 void sheet_stop(const struct sheet *s);
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sheet.h"
 #include "stability.h"
 #include "stability_words.h"
 
@@ -94,7 +95,7 @@ static void add_ledger(struct text *out, const struct stability_result *r, bool 
 static void add_unmended(struct text *out, const struct stability_result *r) {
   char a[32];
   int n = 0, kept = 0;
-  text_add(out, "| formula | replacement | region | loses by itself | at |\n| --- | --- | --- | ---: | --- |\n");
+  markdown_head(out, "formula|replacement|region|loses by itself:|at");
   for (int i = 0; i < r->n_formulas; i++) {
     const struct stability_row *worst = NULL;
     for (int k = 0; k < r->n_regions; k++) {
@@ -149,10 +150,7 @@ static void add_pairs(struct text *out, const struct stability_result *r) {
               r->n_pairs, points, undecided);
   text_printf(out, failing ? "%d have not the same value everywhere.\n\n" : "all have the same value everywhere.\n\n",
               failing);
-  if (failing)
-    text_add(
-        out,
-        "| formula | points | no value | another value | region | at |\n| --- | ---: | ---: | ---: | --- | --- |\n");
+  if (failing) markdown_head(out, "formula|points:|no value:|another value:|region|at");
   for (int i = 0; i < r->n_pairs; i++) {
     const struct stability_pair *p = &r->pair[i];
     if (!stability_pair_fails(p)) continue;
@@ -205,7 +203,7 @@ static void add_culprits(struct text *out, const struct stability_result *r) {
   char a[32];
   int n;
   struct culprit *c = culprits(&n, r);
-  text_add(out, "| formulas | cause | digits | worst in | region |\n| ---: | --- | ---: | --- | --- |\n");
+  markdown_head(out, "formulas:|cause|digits:|worst in|region");
   for (int i = 0; i < n && i < MOST_NODES; i++) {
     const struct stability_row *row = c[i].worst;
     text_printf(out, "| %d | ", c[i].formulas);
@@ -218,7 +216,7 @@ static void add_culprits(struct text *out, const struct stability_result *r) {
 }
 
 static void add_failures(struct text *out, const struct stability_result *r) {
-  text_add(out, "| formula | region | failure | node | which is | witness |\n| --- | --- | --- | --- | --- | --- |\n");
+  markdown_head(out, "formula|region|failure|node|which is|witness");
   char a[32];
   int n = 0;
   for (int i = 0; i < r->n_formulas; i++) {
@@ -233,8 +231,7 @@ static void add_failures(struct text *out, const struct stability_result *r) {
 
 static void add_regions(struct text *out, const struct stability_result *r) {
   char a[32];
-  text_add(out, "| region | what it is | points | formulas that lose digits | that fail | the worst | loses |\n"
-                "| --- | --- | ---: | ---: | ---: | --- | ---: |\n");
+  markdown_head(out, "region|what it is|points:|formulas that lose digits:|that fail:|the worst|loses:");
   for (int k = 0; k < r->n_regions; k++) {
     int losing = 0, failing = 0;
     const struct stability_row *worst = NULL;
