@@ -49,8 +49,8 @@ JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 FUZZ_SECONDS ?= 10
 FOBJ  = $(FUZZ:%=$(B)/tests/fuzz/%.o) $(B)/tests/fuzz/file.o $(B)/tests/fuzz/replay.o
 # what is a text in another language: src/report/page.css is the array of characters page_css
-TEXT  = $(sort $(foreach kind,css js svg html md,$(wildcard src/*/*.$(kind))))
-OBJ   = $(SRC:%.c=$(B)/%.o) $(TEXT:%=$(B)/%.o)
+PARTS = $(sort $(foreach kind,css js svg html md,$(wildcard src/*/*.$(kind))))
+OBJ   = $(SRC:%.c=$(B)/%.o) $(PARTS:%=$(B)/%.o)
 BOBJ  = $(BENCH:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
 # tests wait for what they call: optimising them costs more than it saves
@@ -127,7 +127,7 @@ $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(EXTRA_INCLUDE) -MMD -MP -c -o $@ $<
 
-$(TEXT:%=$(B)/%.o): $(B)/%.o: % Makefile
+$(PARTS:%=$(B)/%.o): $(B)/%.o: % Makefile
 	@mkdir -p $(@D)
 	{ echo 'const char $(subst .,_,$(<F))[] ='; sed 's/[\\"]/\\&/g; s/.*/"&\\n"/' $<; echo ';'; } | $(CC) $(ALL) -x c -c -o $@ -
 

@@ -1,5 +1,4 @@
 /* stickslip mutate and repair: damage to formulas and to what stands beside them, and edits that undo it. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli.h"

@@ -1,7 +1,6 @@
 /* stickslip stability: where formulas lose digits. */
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench/bench.h"

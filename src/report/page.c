@@ -2,8 +2,6 @@
    which filters, sorts and opens what a link leads to; it is HTML and well-formed XML at once, so that any tool can
    read it. */
 #include "page.h"
-#include "escape.h"
-#include "html.h"
 #include "report.h"
 #include "sections.h"
 

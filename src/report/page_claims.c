@@ -4,9 +4,7 @@
 #include <string.h>
 
 #include "base/arena.h"
-#include "escape.h"
 #include "finding.h"
-#include "html.h"
 #include "names.h"
 #include "sections.h"
 

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "escape.h"
 #include "finding.h"
 #include "html.h"
 #include "picture.h"

@@ -1,7 +1,5 @@
 /* For a reader who has not seen the paper: the system in half a page; and what the audit takes as given. */
-#include "escape.h"
 #include "glossary.h"
-#include "html.h"
 #include "sections.h"
 
 static void add_phases(const struct page *p) {

@@ -3,7 +3,6 @@
    which claims one route alone has judged. */
 #include <string.h>
 
-#include "escape.h"
 #include "finding.h"
 #include "sections.h"
 

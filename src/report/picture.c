@@ -1,8 +1,6 @@
 /* The pictures of a record: the section of the page, and each as a document of its own. */
 #include <string.h>
 
-#include "escape.h"
-#include "html.h"
 #include "picture.h"
 #include "report.h"
 #include "sections.h"

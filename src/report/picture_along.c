@@ -1,6 +1,5 @@
 /* The solution along e2: its multiplier and its period, and for which e2 it is stable and admissible. */
 #include <math.h>
-#include <string.h>
 
 #include "picture.h"
 
