@@ -48,7 +48,9 @@ JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 # seconds for each target of make fuzz; where what it finds new goes
 FUZZ_SECONDS ?= 10
 FOBJ  = $(FUZZ:%=$(B)/tests/fuzz/%.o) $(B)/tests/fuzz/file.o $(B)/tests/fuzz/replay.o
-OBJ   = $(SRC:%.c=$(B)/%.o)
+# what is a text in another language: src/report/page.css is the array of characters page_css
+PARTS = $(sort $(foreach kind,css js svg html md,$(wildcard src/*/*.$(kind))))
+OBJ   = $(SRC:%.c=$(B)/%.o) $(PARTS:%=$(B)/%.o)
 BOBJ  = $(BENCH:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
 # tests wait for what they call: optimising them costs more than it saves
@@ -124,6 +126,10 @@ $(B)/bench/%.o: EXTRA_INCLUDE = -I. $(if $(PEERS),-DSTICKSLIP_SUNDIALS)
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(EXTRA_INCLUDE) -MMD -MP -c -o $@ $<
+
+$(PARTS:%=$(B)/%.o): $(B)/%.o: % Makefile
+	@mkdir -p $(@D)
+	{ echo 'const char $(subst .,_,$(<F))[] ='; sed 's/[\\"]/\\&/g; s/.*/"&\\n"/' $<; echo ';'; } | $(CC) $(ALL) -x c -c -o $@ -
 
 -include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(FOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(RANKS:.o=.d) $(B)/src/main.d
 

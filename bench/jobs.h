@@ -79,8 +79,6 @@ struct bench_motion {
   enum phase phase;
   struct bench_limits limits;
 };
-/* Keeps the limits, which must have been set. */
-void bench_motion_init(struct bench_motion *m, const double *params);
 double bench_motion_stride(const struct bench_motion *m);  /* the longest step */
 double bench_motion_horizon(const struct bench_motion *m); /* a phase without event by then has failed */
 long bench_motion_steps(const struct bench_motion *m);

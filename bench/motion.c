@@ -5,7 +5,8 @@
 
 #include "bench/jobs.h"
 
-void bench_motion_init(struct bench_motion *m, const double *params) {
+/* Keeps the limits, which must have been set. */
+static void bench_motion_init(struct bench_motion *m, const double *params) {
   double stiff = params[P_CHI] * params[P_ETA], longest = 1.5 / sqrt(1 + stiff);
   *m = (struct bench_motion){.chi = params[P_CHI],
                              .V = params[P_V],

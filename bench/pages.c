@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "bench/bench.h"
+#include "report/sheet.h"
 
 /* A time with three digits and its unit. */
 static void add_time(struct text *out, double ns) {
@@ -42,12 +43,10 @@ static void add_choice(struct text *out, const struct bench_row *r) {
 
 static void guide(struct text *out, const struct bench_result *r) {
   if (r->n == 0) return;
-  text_add(out, "\n## Which method to use\n\n"
-                "For an error that is at most so large at every input tried: the fastest method, and the fastest that "
-                "returns an\nenclosure. Bare methods, which take for granted what others find or check\n"
-                "(rough times, the arc, first events), are left out.\n\n"
-                "| job | error at most | fastest | time | fastest enclosure | time |\n"
-                "| --- | ---: | --- | ---: | --- | ---: |\n");
+  text_add(out, "\n## Which method to use\n\nFor an error that is at most so large at every input tried: the fastest "
+                "method, and the fastest that returns an\nenclosure. Bare methods, which take for granted what others "
+                "find or check\n(rough times, the arc, first events), are left out.\n\n");
+  markdown_head(out, "job|error at most:|fastest|time:|fastest enclosure|time:");
   for (int i = 0; i < r->n; i++)
     for (int k = 0; k < n_bench_targets; k++) {
       const struct bench_row *fastest = bench_best(&r->table[i], bench_targets[k], false);
@@ -85,10 +84,11 @@ static void profiles(struct text *out, const struct bench_result *r) {
       seen = q->method == p->method && (q->setting == p->setting || p->method->kind == SET_NONE);
     }
     if (seen) continue;
-    if (!any)
-      text_add(out, "\nWhere the time goes in what keeps a ratio from its goal: the libraries and the "
-                    "functions that were found at work.\n\n| method | samples | libraries | functions |\n"
-                    "| --- | ---: | --- | --- |\n");
+    if (!any) {
+      text_add(out, "\nWhere the time goes in what keeps a ratio from its goal: the libraries and the functions that "
+                    "were found at work.\n\n");
+      markdown_head(out, "method|samples:|libraries|functions");
+    }
     any = true;
     add_profile(out, p);
   }
@@ -137,9 +137,9 @@ static void longest_claims(struct text *out, const struct bench_verdicts *v) {
   qsort(claim, n, sizeof(const struct bench_work *), by_seconds);
   text_printf(
       out,
-      "\nClaims judged one by one (those with a suffix together with their first): %zu. Those that take longest:\n\n"
-      "| claim | time |\n| --- | ---: |\n",
+      "\nClaims judged one by one (those with a suffix together with their first): %zu. Those that take longest:\n\n",
       n);
+  markdown_head(out, "claim|time:");
   for (size_t i = 0; i < n && i < SHOWN; i++) {
     text_printf(out, "| %s | ", claim[i]->id);
     add_time(out, 1e9 * claim[i]->seconds);
@@ -161,12 +161,12 @@ static void longest_sides(struct text *out, const struct bench_verdicts *v) {
     if (ends && w->good) last[n++] = w;
   }
   qsort(last, n, sizeof(const struct bench_work *), by_seconds);
-  if (n + n_failed > 0)
+  if (n + n_failed > 0) {
     text_printf(
-        out,
-        "\nBoth sides of %zu claims, each alone (times that could not be had: %zu). Those that take longest:\n\n"
-        "| claim | time to so many digits |\n| --- | --- |\n",
+        out, "\nBoth sides of %zu claims, each alone (times that could not be had: %zu). Those that take longest:\n\n",
         n, n_failed);
+    markdown_head(out, "claim|time to so many digits");
+  }
   for (size_t i = 0; i < n && i < SHOWN; i++) {
     const struct bench_work *w = last[i];
     while (w > v->work && w[-1].kind == WORK_SIDES && strcmp(w[-1].id, w->id) == 0) w--;
@@ -193,7 +193,8 @@ static void verdicts(struct text *out, const struct bench_verdicts *v, bool figu
            "has two, at one of its\npoints, to a number of digits; the first claims judged together. Growth is the "
            "power of the size with which\nthe time has grown since the row above.\n");
   if (figures) text_add(out, "\n![time against digits and claims](verdicts.svg)\n");
-  text_add(out, "\n| work | digits or claims | time | growth |\n| --- | ---: | ---: | ---: |\n");
+  text_add(out, "\n");
+  markdown_head(out, "work|digits or claims:|time:|growth:");
   for (size_t i = 0; i < v->n; i++) {
     const struct bench_work *w = &v->work[i];
     if (w->kind >= WORK_CLAIM) continue;
@@ -235,9 +236,8 @@ static void add_row(struct text *out, const struct bench_row *r, bool whole) {
 
 /* The front from the fastest to the most accurate. */
 static void front(struct text *out, const struct bench_table *t) {
-  text_add(out, "\nThe front: nothing here is both faster and closer.\n\n"
-                "| method | setting | worst error | median error | least time | median time |\n"
-                "| --- | --- | ---: | ---: | ---: | ---: |\n");
+  text_add(out, "\nThe front: nothing here is both faster and closer.\n\n");
+  markdown_head(out, "method|setting|worst error:|median error:|least time:|median time:");
   double last = -1;
   for (;;) {
     const struct bench_row *next = NULL;
@@ -252,7 +252,8 @@ static void front(struct text *out, const struct bench_table *t) {
 }
 
 static void methods(struct text *out, const struct bench_table *t) {
-  text_add(out, "\n| method | what it is |\n| --- | --- |\n");
+  text_add(out, "\n");
+  markdown_head(out, "method|what it is");
   for (int i = 0; i < t->n_methods; i++)
     text_printf(out, "| %s | %s%s |\n", t->method[i]->id, t->method[i]->title, t->method[i]->bare ? " (bare)" : "");
 }
@@ -262,8 +263,8 @@ static void costs(struct text *out, const struct bench_table *t) {
   int n = bench_costs(cost, BENCH_COSTS, t);
   if (n == 0) return;
   text_add(out, "\nThe price of proof: balls against MPFR at equal true error, the time of balls read between their "
-                "settings.\n\n| MPFR | balls | digits | MPFR's time | balls' time | ratio |\n"
-                "| --- | --- | ---: | ---: | ---: | ---: |\n");
+                "settings.\n\n");
+  markdown_head(out, "MPFR|balls|digits:|MPFR's time:|balls' time:|ratio:");
   for (int i = 0; i < n; i++) {
     text_printf(out, "| %s | %s | %.0f | ", cost[i].plain, cost[i].balls, floor(cost[i].digits));
     add_time(out, cost[i].plain_ns);
@@ -282,9 +283,8 @@ void bench_job_markdown(struct text *out, const struct bench_table *t, bool figu
   front(out, t);
   costs(out, t);
   methods(out, t);
-  text_add(out, "\nAll that was run:\n\n"
-                "| method | setting | worst error | median error | least time | median time | steps | outcome |\n"
-                "| --- | --- | ---: | ---: | ---: | ---: | ---: | --- |\n");
+  text_add(out, "\nAll that was run:\n\n");
+  markdown_head(out, "method|setting|worst error:|median error:|least time:|median time:|steps:|outcome");
   for (int i = 0; i < t->n; i++) add_row(out, &t->row[i], true);
 }
 

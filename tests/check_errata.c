@@ -14,6 +14,7 @@
 #include "claim/claim.h"
 #include "paper_model.h"
 #include "report/report.h"
+#include "report/sheet.h"
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
@@ -541,6 +542,53 @@ static void check_sheets(const struct audit_result *r) {
         0);
 }
 
+/* Each way of showing a text, in each dialect. */
+START_TEST(words_with_texts_in_them) {
+  static const char *const shown[] = {
+      [DIALECT_MARKDOWN] = "1\\_2 of x\\_2: $a_1$ and $z_{10}$, `a_b`; a&b refuted.",
+      [DIALECT_TEX] = "1\\_2 of x\\_2: $a_1$ and $z_{10}$, \\texttt{a\\_b}; a&b refuted.",
+      [DIALECT_HTML] =
+          "1_2 of <var>x<sub>2</sub></var>: MATH and <var>z<sub>10</sub></var>, <code>a_b</code>; a&b <span class=\"v "
+          "refuted\">refuted</span>."};
+  for (int i = 0; i < 3; i++) {
+    struct text out;
+    text_init(&out);
+    const struct sheet s = {&out, (enum dialect)i};
+    const bool html = i == DIALECT_HTML;
+    sheet_add(&s, "%e of %t: %m%s and %p, %c; %s %v%.", "1_2", "x_2", html ? NULL : "a_1", html ? "MATH" : NULL, "z_10",
+              "a_b", "a&b", "refuted");
+    ck_assert_str_eq(text_str(&out), shown[i]);
+    text_reset(&out);
+    sheet_add(&s, "%s%.", "It ends.");
+    ck_assert_str_eq(text_str(&out), "It ends.");
+    text_clear(&out);
+  }
+}
+END_TEST
+
+START_TEST(heads_of_tables) {
+  struct text out;
+  text_init(&out);
+  markdown_head(&out, "a|b c:||d:|");
+  ck_assert_str_eq(text_str(&out), "| a | b c | | d | |\n| --- | ---: | --- | ---: | --- |\n");
+  text_clear(&out);
+}
+END_TEST
+
+START_TEST(lists_in_sentences) {
+  static const char *const list[] = {"t_b = 2", "t_c", "V"}, *const said[] = {"", "$t_{b}$ = 2",
+                                                                              "$t_{b}$ = 2 and $t_{c}$",
+                                                                              "$t_{b}$ = 2, $t_{c}$ and $V$"};
+  for (int n = 0; n <= 3; n++) {
+    struct text out;
+    text_init(&out);
+    sheet_list(&(struct sheet){&out, DIALECT_TEX}, list, n);
+    ck_assert_str_eq(text_str(&out), said[n]);
+    text_clear(&out);
+  }
+}
+END_TEST
+
 /* A page for what changes a result, one for the slips, the numbers behind. */
 START_TEST(the_sheet_has_its_pages) {
   write_sheets(&result);
@@ -710,6 +758,9 @@ Suite *errata_suite(void) {
   tcase_add_test(c, without_a_correction_nothing_is_said);
   tcase_add_test(c, numbers_are_corrected_to_as_many_digits);
   tcase_add_test(c, sheets_follow_their_grammars);
+  tcase_add_test(c, words_with_texts_in_them);
+  tcase_add_test(c, heads_of_tables);
+  tcase_add_test(c, lists_in_sentences);
   tcase_add_test(c, the_sheet_has_its_pages);
   tcase_add_test(c, worst_first);
   tcase_add_test(c, results_that_cannot_be_read);

@@ -505,7 +505,7 @@ START_TEST(broken_bytes_are_replaced) {
   for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) {
     struct text t;
     text_init(&t);
-    escape_html(&t, bytes[i]);
+    escape_html(&t, bytes[i], strlen(bytes[i]));
     ck_assert(strstr(t.data, "\xef\xbf\xbd") && text_valid_prefix(t.data, t.len) == t.len);
     text_clear(&t);
   }

@@ -13,6 +13,12 @@ clang-format --dry-run -Werror $sources
 echo "lint: arrows between rooms"
 python3 tools/arrows.py "${1:-build}"
 
+echo "lint: style sheets and script"
+grep -n '[<&]' src/*/*.css src/*/*.js && { echo "lint: the page is XML, in which these would be markup"; exit 1; }
+if command -v node >/dev/null 2>&1; then
+  for script in src/*/*.js; do node --check "$script"; done
+fi
+
 if command -v mandoc >/dev/null 2>&1; then
   echo "lint: man pages"
   mandoc -Tlint -Wwarning man/*.[15]

@@ -1,4 +1,5 @@
 /* stickslip bench: error against run time, job by job, and studies; tables to the standard output, files with --out. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -44,39 +45,22 @@ static bool has_jobs(const struct bench_result *r) {
   return r->n > 0 || r->verdicts.n > 0;
 }
 
-/* Adds "name" + suffix with its text to the files of a folder. */
-struct files {
-  const char *folder;
-  struct text written; /* names, each between two bars */
-  struct diag *d;
-  bool ok;
-};
-
-static void put(struct files *f, const char *name, const char *suffix, const struct text *body) {
-  struct text file, path;
-  text_init(&file);
-  text_init(&path);
-  text_printf(&file, "%s%s", name, suffix);
-  join_path(&path, f->folder, text_str(&file));
-  f->ok = f->ok && file_write(text_str(&path), text_str(body), body->len, f->d);
-  text_printf(&f->written, "|%s|", text_str(&file));
-  text_clear(&path);
-  text_clear(&file);
+/* One more file, "name" + suffix. */
+static struct text *add(struct output *out, const char *name, const char *suffix) {
+  char file[200];
+  snprintf(file, sizeof file, "%s%s", name, suffix);
+  return output_add(out, file);
 }
 
 /* A file that an earlier run wrote and this one does not would be taken for a result of this one. */
-static void remove_if_stale(const struct files *f, const char *name, const char *suffix) {
-  struct text mark, path;
-  text_init(&mark);
+static void remove_if_stale(const struct output *out, const char *name, const char *suffix) {
+  struct text path;
+  bool written = false;
   text_init(&path);
-  text_printf(&mark, "|%s%s|", name, suffix);
-  if (!strstr(text_str(&f->written), text_str(&mark))) {
-    join_path(&path, f->folder, name);
-    text_add(&path, suffix);
-    remove(text_str(&path));
-  }
+  text_printf(&path, "%s/%s%s", out->folder, name, suffix);
+  for (int i = 0; i < out->n; i++) written = written || strcmp(text_str(&out->path[i]), text_str(&path)) == 0;
+  if (!written) remove(text_str(&path));
   text_clear(&path);
-  text_clear(&mark);
 }
 
 /* A folder with a bench.json is one of ours. */
@@ -90,114 +74,83 @@ static bool is_report(const char *folder) {
   return there;
 }
 
-static void remove_stale(const struct files *f) {
+static void remove_stale(const struct output *out) {
   static const char *const suffix[] = {".md", ".tsv", ".svg", "-steps.svg"};
   for (size_t k = 0; k < sizeof suffix / sizeof *suffix; k++) {
-    for (int i = 0; i < n_bench_jobs; i++) remove_if_stale(f, bench_jobs[i]->id, suffix[k]);
-    remove_if_stale(f, verdicts, suffix[k]);
+    for (int i = 0; i < n_bench_jobs; i++) remove_if_stale(out, bench_jobs[i]->id, suffix[k]);
+    remove_if_stale(out, verdicts, suffix[k]);
   }
 }
 
-/* Notes a figure that gnuplot has written, and takes out what makes it large.  One that cannot be read stays as it
-   is. */
-static void take_figure(struct files *f, const char *name, const char *suffix) {
-  struct text path, body;
+/* A figure that gnuplot has written, without what makes it large; false where it cannot be read. */
+static bool take_figure(struct output *out, const char *name, const char *suffix) {
+  enum { MOST = 1 << 24 };
   struct source svg;
   struct diag d;
-  enum { MOST = 1 << 24 };
+  struct text *body = add(out, name, suffix);
   diag_init(&d);
-  text_init(&path);
-  text_init(&body);
-  join_path(&path, f->folder, name);
-  text_add(&path, suffix);
-  if (source_read(&svg, text_str(&path), MOST, &d)) {
-    bench_squeeze(&body, svg.text);
-    put(f, name, suffix, &body);
-    source_clear(&svg);
-  } else {
-    text_printf(&f->written, "|%s%s|", name, suffix);
-  }
-  text_clear(&body);
-  text_clear(&path);
-}
-
-static void no_figures(void) {
-  fputs("stickslip: no figures: gnuplot is not installed, or failed\n", stderr);
+  bool ok = source_read(&svg, text_str(&out->path[out->n - 1]), MOST, &d);
+  if (ok) bench_squeeze(body, svg.text);
+  if (ok) source_clear(&svg);
+  return ok;
 }
 
 /* false when gnuplot is not there or fails: then there are no figures at all. */
-static bool draw_all(struct files *f, const struct bench_result *r) {
-  struct text body;
-  bool drawn = f->ok;
-  text_init(&body);
+static bool draw_all(struct output *out, const struct bench_result *r) {
+  struct text script;
+  bool drawn = true;
+  text_init(&script);
   for (int i = 0; i < r->n && drawn; i++) {
-    text_reset(&body);
-    bench_gnuplot(&body, &r->table[i]);
-    drawn = bench_draw(f->folder, &body);
-    if (drawn) take_figure(f, r->table[i].job->id, ".svg");
-    if (drawn && bench_has_steps(&r->table[i])) take_figure(f, r->table[i].job->id, "-steps.svg");
+    const char *id = r->table[i].job->id;
+    text_reset(&script);
+    bench_gnuplot(&script, &r->table[i]);
+    drawn = bench_draw(out->folder, &script) && take_figure(out, id, ".svg") &&
+            (!bench_has_steps(&r->table[i]) || take_figure(out, id, "-steps.svg"));
   }
-  text_reset(&body);
+  text_reset(&script);
   if (r->verdicts.n > 0 && drawn) {
-    bench_verdicts_gnuplot(&body, &r->verdicts);
-    drawn = bench_draw(f->folder, &body);
-    if (drawn) take_figure(f, verdicts, ".svg");
+    bench_verdicts_gnuplot(&script, &r->verdicts);
+    drawn = bench_draw(out->folder, &script) && take_figure(out, verdicts, ".svg");
   }
-  if (!drawn) text_reset(&f->written);
-  if (!drawn) no_figures();
-  text_clear(&body);
+  while (!drawn && out->n) output_drop(out);
+  if (!drawn) say_no_figures();
+  text_clear(&script);
   return drawn;
 }
 
 /* ID.md, ID-TABLE.tsv and, with gnuplot, ID.svg. */
-static void write_study(struct files *f, const struct study_page *page) {
-  struct text body, name;
-  text_init(&body);
-  text_init(&name);
+static void add_study(struct output *out, const struct study_page *page) {
+  char name[100];
   for (int i = 0; i < page->n; i++) {
-    text_reset(&name);
-    text_printf(&name, "%s-%s", page->study->id, page->table[i].id);
-    put(f, text_str(&name), ".tsv", &page->table[i].tsv);
+    snprintf(name, sizeof name, "%s-%s", page->study->id, page->table[i].id);
+    text_add(add(out, name, ".tsv"), text_str(&page->table[i].tsv));
   }
-  bool figure = f->ok && page->plot.len > 0 && bench_draw(f->folder, &page->plot);
-  if (page->plot.len > 0 && !figure) no_figures();
-  bench_study_markdown(&body, page, figure);
-  put(f, page->study->id, ".md", &body);
-  text_clear(&name);
-  text_clear(&body);
+  bool figure = page->plot.len > 0 && bench_draw(out->folder, &page->plot);
+  if (page->plot.len > 0 && !figure) say_no_figures();
+  bench_study_markdown(add(out, page->study->id, ".md"), page, figure);
 }
 
 /* The figures first: the pages show those that there are. */
 static bool write_files(const char *folder, const struct bench_result *r, struct diag *d) {
-  struct text body;
-  struct files f = {.folder = folder, .d = d, .ok = folder_make(folder, d)};
-  bool again = is_report(folder);
-  text_init(&body);
-  text_init(&f.written);
-  bool drawn = draw_all(&f, r);
+  struct output out;
+  bool ok = folder_make(folder, d), again = is_report(folder);
+  output_init(&out, folder);
+  bool drawn = ok && draw_all(&out, r);
   for (int i = 0; i < r->n; i++) {
     const char *id = r->table[i].job->id;
-    text_reset(&body);
-    bench_tsv(&body, &r->table[i]);
-    put(&f, id, ".tsv", &body);
-    text_reset(&body);
-    bench_job_markdown(&body, &r->table[i], drawn);
-    put(&f, id, ".md", &body);
+    bench_tsv(add(&out, id, ".tsv"), &r->table[i]);
+    bench_job_markdown(add(&out, id, ".md"), &r->table[i], drawn);
   }
-  for (int i = 0; i < r->n_pages; i++) write_study(&f, &r->page[i]);
-  text_reset(&body);
-  bench_verdicts_tsv(&body, &r->verdicts);
-  if (r->verdicts.n > 0) put(&f, verdicts, ".tsv", &body);
-  text_reset(&body);
-  bench_markdown(&body, r, true, drawn);
-  if (has_jobs(r)) put(&f, "bench", ".md", &body);
-  text_reset(&body);
-  bench_json(&body, r);
-  if (has_jobs(r)) put(&f, "bench", ".json", &body);
-  if (f.ok && again && has_jobs(r)) remove_stale(&f);
-  text_clear(&f.written);
-  text_clear(&body);
-  return f.ok;
+  for (int i = 0; ok && i < r->n_pages; i++) add_study(&out, &r->page[i]);
+  if (r->verdicts.n > 0) bench_verdicts_tsv(add(&out, verdicts, ".tsv"), &r->verdicts);
+  if (has_jobs(r)) {
+    bench_markdown(output_add(&out, "bench.md"), r, true, drawn);
+    bench_json(output_add(&out, "bench.json"), r);
+  }
+  ok = ok && output_write(&out, d);
+  if (ok && again && has_jobs(r)) remove_stale(&out);
+  output_clear(&out);
+  return ok;
 }
 
 static int no_inputs(const struct bench_job *job) {
@@ -289,22 +242,19 @@ static void inputs_clear(struct inputs *in) {
 
 /* JOB-inputs.tsv for whoever wants to try a method of his own, or to recheck an error. */
 static int write_inputs(const struct options *o, struct diag *d) {
-  const char *folder = option(o, OPT_INPUTS);
-  struct files f = {.folder = folder, .d = d, .ok = folder_make(folder, d)};
-  struct text body;
+  struct output out;
   int status = EXIT_AS_RECORDED;
-  text_init(&f.written);
-  text_init(&body);
-  for (int i = 0; i < n_bench_jobs && f.ok; i++) {
+  output_init(&out, option(o, OPT_INPUTS));
+  bool ok = folder_make(out.folder, d);
+  for (int i = 0; i < n_bench_jobs && ok; i++) {
     if (!asked_for(o, bench_jobs[i]->id)) continue;
-    text_reset(&body);
-    if (!bench_inputs(&body, bench_jobs[i], option(o, OPT_QUICK))) status = no_inputs(bench_jobs[i]);
-    put(&f, bench_jobs[i]->id, "-inputs.tsv", &body);
+    struct text *body = add(&out, bench_jobs[i]->id, "-inputs.tsv");
+    if (!bench_inputs(body, bench_jobs[i], option(o, OPT_QUICK))) status = no_inputs(bench_jobs[i]);
   }
-  text_clear(&body);
-  text_clear(&f.written);
-  if (f.ok) say_written(o, folder);
-  return f.ok ? status : bad_input(d);
+  ok = ok && output_write(&out, d);
+  if (ok) say_written(o, out.folder);
+  output_clear(&out);
+  return ok ? status : bad_input(d);
 }
 
 static int measure(const struct options *o, const char *data, struct diag *d) {

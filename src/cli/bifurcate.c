@@ -181,10 +181,7 @@ static int show(const struct scene *s, const struct range *a, const struct optio
     all_json(&out, &list, s, a, digits);
   else
     all_text(&out, &list, s, a, digits);
-  if (option(o, OPT_JSON))
-    fputs(text_str(&out), stdout);
-  else
-    terminal_print(text_str(&out));
+  print_found(o, &out);
   text_clear(&out);
   dyn_bifurcations_clear(&list);
   return EXIT_AS_RECORDED;

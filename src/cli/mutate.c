@@ -1,5 +1,4 @@
 /* stickslip mutate and repair: damage to formulas and to what stands beside them, and edits that undo it. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli.h"
@@ -23,27 +22,17 @@ static int parse_mutation(struct mutation_options *q, const struct options *o) {
   return parse_jobs(&q->jobs, o);
 }
 
-/* Both files or neither. */
-static bool write_pair(const char *folder, const char *const name[2], const struct text body[2], struct diag *d) {
-  struct text path[2];
-  struct file_item item[2];
-  for (int i = 0; i < 2; i++) {
-    text_init(&path[i]);
-    join_path(&path[i], folder, name[i]);
-    item[i] = (struct file_item){text_str(&path[i]), text_str(&body[i]), body[i].len};
-  }
-  bool ok = folder_make(folder, d) && files_write(item, 2, d);
-  for (int i = 0; i < 2; i++) text_clear(&path[i]);
-  return ok;
-}
-
 /* body: JSON, Markdown, text. */
 static bool deliver(const struct text body[3], const char *const name[2], const struct options *o, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
-  if (folder && !write_pair(folder, name, body, d)) return false;
-  fputs(text_str(&body[option(o, OPT_JSON) ? 0 : 2]), stdout);
-  if (folder) say_written(o, folder);
-  return true;
+  struct output out;
+  output_init(&out, folder);
+  for (int i = 0; folder && i < 2; i++) text_add(output_add(&out, name[i]), text_str(&body[i]));
+  bool ok = !folder || output_write(&out, d);
+  if (ok) fputs(text_str(&body[option(o, OPT_JSON) ? 0 : 2]), stdout);
+  if (ok && folder) say_written(o, folder);
+  output_clear(&out);
+  return ok;
 }
 
 /* Everything that a search reads. */

@@ -217,10 +217,7 @@ static void print_orbits(const struct options *o, const struct solved *z, const 
     orbits_json(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
   else
     orbits_text(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
-  if (option(o, OPT_JSON))
-    fputs(text_str(&out), stdout);
-  else
-    terminal_print(text_str(&out));
+  print_found(o, &out);
   text_clear(&out);
 }
 

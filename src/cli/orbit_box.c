@@ -188,10 +188,7 @@ int show_box(const struct options *o, const struct scene *s, slong digits) {
     box_json(&out, &box, s, digits);
   else
     box_text(&out, &box, s, digits);
-  if (option(o, OPT_JSON))
-    fputs(text_str(&out), stdout);
-  else
-    terminal_print(text_str(&out));
+  print_found(o, &out);
   text_clear(&out);
   dyn_box_clear(&box);
   return EXIT_AS_RECORDED;

@@ -161,10 +161,7 @@ int run_orbit_paper(const struct options *o, const char *data) {
     else
       text_printf(&out, "%s: the paper's equations (44)-(46) by Newton's iteration\n", s.name);
     for (size_t i = 0; i < list.n && !option(o, OPT_JSON); i++) add_solution(&out, &list.item[i], digits);
-    if (option(o, OPT_JSON))
-      fputs(text_str(&out), stdout);
-    else
-      terminal_print(text_str(&out));
+    print_found(o, &out);
   } else {
     status = bad_input(&d);
   }

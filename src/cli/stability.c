@@ -1,7 +1,6 @@
 /* stickslip stability: where formulas lose digits. */
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench/bench.h"
@@ -42,15 +41,6 @@ static int parse_study(struct stability_options *q, const struct options *o) {
   return status ? status : parse_jobs(&q->jobs, o);
 }
 
-static bool put(const char *folder, const char *name, const struct text *body, struct diag *d) {
-  struct text path;
-  text_init(&path);
-  join_path(&path, folder, name);
-  bool ok = file_write(text_str(&path), text_str(body), body->len, d);
-  text_clear(&path);
-  return ok;
-}
-
 /* What an earlier study has left in the folder: maps, up to the first number without one. */
 static bool remove_maps(const char *folder, struct diag *d) {
   static const char *const suffix[] = {"tsv", "svg"};
@@ -74,44 +64,37 @@ static bool remove_maps(const char *folder, struct diag *d) {
   return ok;
 }
 
-/* Each map as a table and, where gnuplot is installed, as a picture: *drawn. */
-static bool write_maps(bool *drawn, const char *folder, const struct stability_result *r, struct diag *d) {
-  struct text body;
-  char name[32], picture[32];
-  bool ok = true;
-  text_init(&body);
-  *drawn = r->n_maps > 0;
-  for (int i = 0; ok && i < r->n_maps; i++) {
-    snprintf(name, sizeof name, "map-%d.tsv", i + 1);
+/* Each map as a table and, where gnuplot is installed, as a picture; whether there are pictures. */
+static bool add_maps(struct output *out, const struct stability_result *r) {
+  struct text script;
+  char name[40], picture[32];
+  bool drawn = r->n_maps > 0;
+  text_init(&script);
+  for (int i = 0; i < r->n_maps; i++) {
     snprintf(picture, sizeof picture, "map-%d", i + 1);
-    text_reset(&body);
-    report_stability_map_tsv(&body, r, i);
-    ok = put(folder, name, &body, d);
-    text_reset(&body);
-    report_stability_gnuplot(&body, r, i, picture);
-    *drawn = ok && *drawn && bench_draw(folder, &body);
+    snprintf(name, sizeof name, "%s.tsv", picture);
+    report_stability_map_tsv(output_add(out, name), r, i);
+    text_reset(&script);
+    report_stability_gnuplot(&script, r, i, picture);
+    drawn = drawn && bench_draw(out->folder, &script);
   }
-  text_clear(&body);
-  if (ok && r->n_maps > 0 && !*drawn) fputs("stickslip: no figures: gnuplot is not installed, or failed\n", stderr);
-  return ok;
+  text_clear(&script);
+  if (r->n_maps > 0 && !drawn) say_no_figures();
+  return drawn;
 }
 
 static bool write_files(const char *folder, const struct stability_result *r, struct diag *d) {
-  struct text body;
-  bool drawn;
-  text_init(&body);
-  bool ok = folder_make(folder, d) && remove_maps(folder, d) && write_maps(&drawn, folder, r, d);
+  struct output out;
+  output_init(&out, folder);
+  bool ok = folder_make(folder, d) && remove_maps(folder, d);
   if (ok) {
-    report_stability_markdown(&body, r, drawn);
-    ok = put(folder, "ledger.md", &body, d);
+    bool drawn = add_maps(&out, r);
+    report_stability_markdown(output_add(&out, "ledger.md"), r, drawn);
+    report_stability_tsv(output_add(&out, "ledger.tsv"), r);
+    report_stability_json(output_add(&out, "stability.json"), r);
+    ok = output_write(&out, d);
   }
-  text_reset(&body);
-  report_stability_tsv(&body, r);
-  ok = ok && put(folder, "ledger.tsv", &body, d);
-  text_reset(&body);
-  report_stability_json(&body, r);
-  ok = ok && put(folder, "stability.json", &body, d);
-  text_clear(&body);
+  output_clear(&out);
   return ok;
 }
 

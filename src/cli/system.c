@@ -396,14 +396,6 @@ static bool show_jacobian(const struct options *o, const struct mech_orbits *lis
 
 /* --- The commands --- */
 
-static void show(struct text *out, bool json) {
-  if (json)
-    fputs(text_str(out), stdout);
-  else
-    terminal_print(text_str(out));
-  text_clear(out);
-}
-
 /* Options that are of the paper's two masses, or too many digits. */
 static bool refuse(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
   static const struct {
@@ -435,12 +427,12 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   if (d->set || refuse(o, s, digits, d)) return bad_input(d);
   bool ok = find(&m, &list, false, s, data, digits, d);
   ok = ok && (!certificate || write_certificate(certificate, &list, &m, s, d));
-  bool json = option(o, OPT_JSON);
   if (ok) {
     struct text out;
     text_init(&out);
-    (json ? orbits_json : orbits_text)(&out, &list, &m, s, digits);
-    show(&out, json);
+    (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, &m, s, digits);
+    print_found(o, &out);
+    text_clear(&out);
   }
   mech_orbits_clear(&list);
   mech_clear(&m);
@@ -452,16 +444,17 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
   struct mech m;
   struct survey v = {.longest = option(o, OPT_LONGEST) ? longest : MECH_PHASES};
   if (refuse(o, s, digits, d)) return bad_input(d);
-  bool ok = find(&m, &v.orbits, true, s, data, digits, d), json = option(o, OPT_JSON);
+  bool ok = find(&m, &v.orbits, true, s, data, digits, d);
   if (ok) {
     struct text out;
     text_init(&out);
     mech_settle(&v.settling, &m);
-    if (json)
+    if (option(o, OPT_JSON))
       words_json(&out, &v, &m, s, digits);
     else
       words_text(&out, &v, s, digits);
-    show(&out, json);
+    print_found(o, &out);
+    text_clear(&out);
     mech_settling_clear(&v.settling);
   }
   mech_orbits_clear(&v.orbits);

@@ -116,6 +116,13 @@ void terminal_print(const char *s) {
   text_clear(&out);
 }
 
+void print_found(const struct options *o, const struct text *found) {
+  if (option(o, OPT_JSON))
+    fputs(text_str(found), stdout);
+  else
+    terminal_print(text_str(found));
+}
+
 void terminal_print_marked(const char *s) {
   static const enum paint painted[] = {[EXPLAIN_PLAIN] = PAINT_NONE,
                                        [EXPLAIN_GOOD] = PAINT_GOOD,

@@ -3,20 +3,14 @@
 #include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "bench/bench.h"
 #include "claim/claim.h"
 #include "claim/near.h"
 #include "cli.h"
 #include "interrupt.h"
 #include "report/report.h"
 #include "value/title.h"
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void show_progress(void *arg, size_t done, size_t total, double share) {
   (void)arg;
@@ -99,7 +93,7 @@ static int audit_scene(const struct verify_data *v, const struct scene *s, const
   audit_result_init(&r);
   bool ok = audit_run(&r, &v->model, &v->claims, &v->controls, s, opt, d);
   if (opt->progress) progress_end();
-  ok = ok && write_reports(folder, &r, now() - start, d);
+  ok = ok && write_reports(folder, &r, bench_now() - start, d);
   int status = ok ? EXIT_AS_RECORDED : bad_input(d);
   if (ok) {
     print_result(&r, o, folder);
@@ -126,7 +120,7 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
   struct scene s;
   struct text folder;
   text_init(&folder);
-  double start = now();
+  double start = bench_now();
   interrupt_next();
   bool terminal = progress_wanted() && !option(o, OPT_QUIET);
   progress_begin();
@@ -138,7 +132,7 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
                               .costs = &v->costs,
                               .statements = &v->statements,
                               .roots = &v->roots,
-                              .seconds_now = now};
+                              .seconds_now = bench_now};
   int status;
   if (!load_scene(&s, spec, data, o, SCENE_OF_TWO_MASSES, d) || !scene_four_phases(&s, d)) {
     status = bad_input(d);

@@ -276,10 +276,7 @@ int run_word_orbit(const struct options *o, const struct scene *s, slong digits,
   text_init(&why);
   enum word_fate fate = phase_word_fate(&why, &s->word);
   (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, fate, text_str(&why), s, digits);
-  if (option(o, OPT_JSON))
-    fputs(text_str(&out), stdout);
-  else
-    terminal_print(text_str(&out));
+  print_found(o, &out);
   text_clear(&why);
   text_clear(&out);
   word_orbits_clear(&list);

@@ -14,7 +14,7 @@ static const char *or_dash(const char *s) {
 static void add_counts(struct text *out, const struct audit_result *r) {
   long paper[N_VERDICTS], suite[N_VERDICTS];
   long statements = audit_result_count(paper, r, OF_PAPER), checks = audit_result_count(suite, r, OF_SUITE);
-  text_add(out, "| verdict | statements of the paper | checks of the suite |\n| --- | ---: | ---: |\n");
+  markdown_head(out, "verdict|statements of the paper:|checks of the suite:");
   for (int i = 0; i < N_VERDICTS; i++)
     if (paper[i] + suite[i]) text_printf(out, "| %s | %ld | %ld |\n", verdict_name[i], paper[i], suite[i]);
   text_printf(out, "| total | %ld | %ld |\n\n", statements, checks);
@@ -23,8 +23,7 @@ static void add_counts(struct text *out, const struct audit_result *r) {
 /* What fails, by the severity of its root. */
 static void add_severities(struct text *out, const struct audit_result *r) {
   if (!r->n_roots) return;
-  text_add(out, "| refuted or conditional | roots | statements of the paper | checks of the suite |\n"
-                "| --- | ---: | ---: | ---: |\n");
+  markdown_head(out, "refuted or conditional|roots:|statements of the paper:|checks of the suite:");
   for (int severity = 0; severity < N_SEVERITIES; severity++) {
     long of[2] = {0, 0};
     for (size_t i = 0; i < r->n_findings; i++)
@@ -49,13 +48,9 @@ static void add_decided(struct text *out, const struct audit_result *r) {
 
 /* What a reader of the paper has not met; and what the quotations were compared with. */
 static void add_words(struct text *out, const struct audit_result *r) {
-  const struct sheet s = {out, false};
+  const struct sheet s = {out, DIALECT_MARKDOWN};
   text_add(out, "## Words used in this report\n\n");
-  for (size_t i = 0; i < n_glossary; i++) {
-    text_printf(out, "- %s: ", glossary[i].word);
-    sheet_text(&s, glossary[i].meaning);
-    text_add(out, ".\n");
-  }
+  for (size_t i = 0; i < n_glossary; i++) sheet_add(&s, "- %s: %t.\n", glossary[i].word, glossary[i].meaning);
   text_add_char(out, '\n');
   if (r->paper_text)
     text_printf(out,
@@ -66,7 +61,7 @@ static void add_words(struct text *out, const struct audit_result *r) {
 
 /* What is wrong, in order of consequence; slips of notation are a list behind it. */
 static void add_roots(struct text *out, const struct audit_result *r) {
-  struct sheet s = {out, false};
+  const struct sheet s = {out, DIALECT_MARKDOWN};
   int last = -1;
   for (size_t i = 0; i < r->n_roots; i++) {
     const struct root_cause *root = &r->roots[i];
@@ -74,20 +69,10 @@ static void add_roots(struct text *out, const struct audit_result *r) {
                                                       "Slips of notation"};
     if (last != (int)root->severity) text_printf(out, "%s## %s\n\n", i ? "\n" : "", heading[root->severity]);
     last = (int)root->severity;
-    text_add(out, "- **");
-    sheet_text(&s, root->where);
-    text_add(out, "**: ");
-    sheet_text(&s, root->title);
-    text_add(out, ". ");
-    sheet_text(&s, root->wrong);
-    text_add(out, " *It should read:* ");
+    sheet_add(&s, "- **%t**: %t. %t *It should read:* ", root->where, root->title, root->wrong);
     sheet_values(&s, r, root);
-    sheet_text(&s, root->correct);
-    if (out->data[out->len - 1] != '.') text_add_char(out, '.');
-    if (root->severity != SEVERITY_NOTATION) {
-      text_add(out, " *Consequence:* ");
-      sheet_text(&s, root->consequence);
-    }
+    sheet_add(&s, "%t%.", root->correct);
+    if (root->severity != SEVERITY_NOTATION) sheet_add(&s, " *Consequence:* %t", root->consequence);
     for (int k = 0; k < root->n_claims; k++) text_printf(out, "%s%s", k ? ", " : " (Evidence: ", root->claims[k]);
     text_add(out, ")\n");
   }
@@ -136,9 +121,8 @@ static bool is_rest(const struct finding *f) {
 }
 
 static void add_overview(struct text *out, const struct audit_result *r) {
-  text_add(
-      out,
-      "## Every claim\n\n| claim | what it says | verdict | fault | as recorded |\n| --- | --- | --- | --- | --- |\n");
+  text_add(out, "## Every claim\n\n");
+  markdown_head(out, "claim|what it says|verdict|fault|as recorded");
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     text_printf(out, "| %s | ", f->id);
@@ -153,12 +137,9 @@ static void add_overview(struct text *out, const struct audit_result *r) {
 
 static void add_controls(struct text *out, const struct audit_result *r) {
   if (r->n_controls == 0) return;
-  text_printf(
-      out,
-      "## Controls\n\nStatements made wrong on purpose, of which %zu of %zu were noticed.\n\n| control | claim that it "
-      "alters | verdict | size of the alteration |\n| --- | "
-      "--- | --- | --- |\n",
-      controls_noticed(r), r->n_controls);
+  text_printf(out, "## Controls\n\nStatements made wrong on purpose, of which %zu of %zu were noticed.\n\n",
+              controls_noticed(r), r->n_controls);
+  markdown_head(out, "control|claim that it alters|verdict|size of the alteration");
   for (size_t i = 0; i < r->n_controls; i++)
     text_printf(out, "| %s | %s | %s | %s |\n", r->controls[i].id, r->controls[i].claim,
                 verdict_name[r->controls[i].verdict], r->controls[i].distance ? r->controls[i].distance : "");
@@ -179,8 +160,8 @@ static void add_route_pairs(struct text *out, const struct audit_result *r, bool
       text_reset(&heading);
       text_add_capital(&heading, p->quantity);
       escape_cell(out, text_str(&heading));
-      text_add(out, ":\n\n| routes | both use | comparisons | tolerance | largest disagreement | at |\n"
-                    "| --- | --- | ---: | --- | --- | --- |\n");
+      text_add(out, ":\n\n");
+      markdown_head(out, "routes|both use|comparisons:|tolerance|largest disagreement|at");
     }
     quantity = p->quantity;
     text_printf(out, "| %s, %s | %s | %ld | %s | ", p->first, p->second, p->shared, p->comparisons, p->stated);
@@ -207,10 +188,8 @@ static void add_routes(struct text *out, const struct audit_result *r) {
 }
 
 static void add_long_run_rows(struct text *out, const struct audit_result *r, bool failing) {
-  text_add(out,
-           "| orbit | tr J | periods run | an error of 2^-52 reaches 1e-6 after | departure from MPFR as predicted | "
-           "displacement as predicted |"
-           "\n| --- | ---: | ---: | --- | --- | --- |\n");
+  markdown_head(out, "orbit|tr J:|periods run:|an error of 2^-52 reaches 1e-6 after|departure from MPFR as "
+                     "predicted|displacement as predicted");
   for (size_t i = 0; i < r->n_long_runs; i++) {
     const struct long_result *l = &r->long_runs[i];
     if (failing && l->obeys && l->displaced) continue;
@@ -235,11 +214,11 @@ static void add_long_runs(struct text *out, const struct audit_result *r) {
 }
 
 static void add_precision(struct text *out, const struct audit_result *r) {
-  if (r->n_precision)
-    text_add(out,
-             "## Precision\n\nHow often the first precision in interval arithmetic was sufficient; otherwise it was "
-             "raised.\n\n"
-             "| computation | times | sufficient |\n| --- | ---: | ---: |\n");
+  if (r->n_precision) {
+    text_add(out, "## Precision\n\nHow often the first precision in interval arithmetic was sufficient; otherwise it "
+                  "was raised.\n\n");
+    markdown_head(out, "computation|times:|sufficient:");
+  }
   for (size_t i = 0; i < r->n_precision; i++)
     text_printf(out, "| %s | %ld | %ld |\n", r->precision[i].what, r->precision[i].tried, r->precision[i].enough);
   if (r->n_precision) text_add_char(out, '\n');
@@ -274,8 +253,7 @@ static void add_kept(const struct sheet *s, const struct consequence *q, enum ch
   for (int i = 0; i < q->n_derived; i++) {
     const struct derived *d = &q->derived[i];
     if (d->change != change) continue;
-    text_add(s->out, sep);
-    sheet_math(s, d->latex);
+    sheet_add(s, "%s%m", sep, d->latex);
     if (change != CHANGE_SAME_FORMULA) text_printf(s->out, " (%s)", d->verdict);
     sep = ", ";
   }
@@ -298,21 +276,18 @@ static void add_changes(const struct sheet *s, const struct consequence *q) {
   for (int i = 0; i < q->n_derived; i++) {
     const struct derived *d = &q->derived[i];
     if (d->change != CHANGE_CHANGES) continue;
-    if (!any)
-      text_add(s->out, "\n| result | | relative difference | entry | as printed | corrected | at |\n"
-                       "| --- | --- | --- | --- | --- | --- | --- |\n");
+    if (!any) {
+      text_add(s->out, "\n");
+      markdown_head(s->out, "result||relative difference|entry|as printed|corrected|at");
+    }
     any = true;
-    text_add(s->out, "| ");
-    sheet_math(s, d->latex);
-    text_add(s->out, ", ");
-    sheet_text(s, d->title);
-    text_printf(s->out, " | %s | below %s | %s | %s%s%s | %s | %s |\n", d->verdict, d->size, d->entry ? d->entry : "-",
-                d->printed, d->chain ? "; all printed: " : "", d->chain ? d->chain : "", d->corrected, d->where);
+    sheet_add(s, "| %m, %t | %s | below %s | %s | %s%s%s | %s | %s |\n", d->latex, d->title, d->verdict, d->size,
+              or_dash(d->entry), d->printed, d->chain ? "; all printed: " : NULL, d->chain, d->corrected, d->where);
   }
 }
 
 static void add_consequences(struct text *out, const struct audit_result *r) {
-  struct sheet s = {out, false};
+  const struct sheet s = {out, DIALECT_MARKDOWN};
   if (r->n_consequences == 0) return;
   text_add(
       out,
@@ -324,11 +299,7 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
     const struct consequence *q = &r->consequences[i];
     if (is_idle(q)) continue;
     text_printf(out, "### %s\n\n", q->failure);
-    if (q->solved) {
-      text_add(out, "- the equations solved with it: ");
-      sheet_prose(&s, q->solved);
-      text_add_char(out, '\n');
-    }
+    if (q->solved) sheet_add(&s, "- the equations solved with it: %p\n", q->solved);
     add_ids(out, "- statements that no longer hold: ", &q->falls);
     add_ids(out, "- statements that use it and still hold: ", &q->survives);
     add_ids(out, "- statements that use it, undecided: ", &q->open);
@@ -372,7 +343,10 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_controls(out, r);
   add_routes(out, r);
   add_long_runs(out, r);
-  if (r->n_values) text_add(out, "## Values\n\n| name | at | value |\n| --- | --- | --- |\n");
+  if (r->n_values) {
+    text_add(out, "## Values\n\n");
+    markdown_head(out, "name|at|value");
+  }
   for (size_t i = 0; i < r->n_values; i++) {
     const struct asked_value *v = &r->values[i];
     text_printf(out, "| `%s` | %s | %s |\n", v->name, v->at, v->value ? v->value : "not known");

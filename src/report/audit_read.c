@@ -3,55 +3,45 @@
 #include <string.h>
 
 #include "audit_shape.h"
-#include "base/arena.h"
+#include "names.h"
 #include "report.h"
 
 /* The names that the reports make lists and graphs of (claims, what they rest on, routes, sections): with more distinct
    ones the graph of the claims would be too large to be drawn, or looked at. */
 enum { MOST_NAMES = 1500 };
 
-struct name_list {
-  const char **name;
-  size_t n, cap;
-};
-
-static void add_name(struct name_list *list, const char *name) {
-  list->name = ss_grow(list->name, list->n, &list->cap, sizeof *list->name);
-  list->name[list->n++] = name;
-}
-
 static int compare_names(const void *a, const void *b) {
   return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-static size_t count_distinct(struct name_list *list) {
+static size_t count_distinct(struct names *list) {
   size_t n = 0;
   if (list->n) qsort(list->name, list->n, sizeof *list->name, compare_names);
   for (size_t i = 0; i < list->n; i++) n += i == 0 || strcmp(list->name[i - 1], list->name[i]) != 0;
   return n;
 }
 
-static void add_names_of(struct name_list *list, const struct finding *f) {
-  add_name(list, f->id);
-  if (f->section) add_name(list, f->section);
-  for (int i = 0; i < f->n_depends_on; i++) add_name(list, f->depends_on[i]);
-  for (int i = 0; i < f->n_evidence; i++) add_name(list, f->evidence[i].route);
+static void add_names_of(struct names *list, const struct finding *f) {
+  names_add(list, f->id);
+  if (f->section) names_add(list, f->section);
+  for (int i = 0; i < f->n_depends_on; i++) names_add(list, f->depends_on[i]);
+  for (int i = 0; i < f->n_evidence; i++) names_add(list, f->evidence[i].route);
 }
 
 static bool check_names(const struct audit_result *r, const struct source *s, struct diag *d) {
-  struct name_list all = {.n = 0}, ids = {.n = 0};
+  struct names all = {.n = 0}, ids = {.n = 0};
   for (size_t i = 0; i < r->n_findings; i++) {
-    add_name(&ids, r->findings[i].id);
+    names_add(&ids, r->findings[i].id);
     add_names_of(&all, &r->findings[i]);
   }
   for (size_t i = 0; i < r->n_consequences; i++) {
     const struct consequence *q = &r->consequences[i];
-    add_name(&all, q->failure);
-    for (int k = 0; k < q->falls.n; k++) add_name(&all, q->falls.id[k]);
+    names_add(&all, q->failure);
+    for (int k = 0; k < q->falls.n; k++) names_add(&all, q->falls.id[k]);
   }
   for (size_t i = 0; i < r->n_pairs; i++) {
-    add_name(&all, r->pairs[i].first);
-    add_name(&all, r->pairs[i].second);
+    names_add(&all, r->pairs[i].first);
+    names_add(&all, r->pairs[i].second);
   }
   bool many = count_distinct(&all) > MOST_NAMES, twice = count_distinct(&ids) < ids.n;
   if (many) diag_set(d, "%s: error: more than %d names of claims, routes and sections", s->name, MOST_NAMES);

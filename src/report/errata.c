@@ -10,18 +10,22 @@
 
 /* --- Pieces --- */
 
+static bool is_tex(const struct sheet *s) {
+  return s->dialect == DIALECT_TEX;
+}
+
 static void heading(const struct sheet *s, const char *words) {
-  text_printf(s->out, s->tex ? "\n\\medskip\\textbf{\\normalsize %s}\\nopagebreak\n\n" : "\n## %s\n\n", words);
+  text_printf(s->out, is_tex(s) ? "\n\\medskip\\textbf{\\normalsize %s}\\nopagebreak\n\n" : "\n## %s\n\n", words);
 }
 static void begin_items(const struct sheet *s, bool counted) {
-  if (s->tex) text_printf(s->out, "\\begin{%s}\\setlength{\\itemsep}{2pt}\n", counted ? "enumerate" : "itemize");
+  if (is_tex(s)) text_printf(s->out, "\\begin{%s}\\setlength{\\itemsep}{2pt}\n", counted ? "enumerate" : "itemize");
 }
 static void end_items(const struct sheet *s, bool counted) {
-  if (s->tex) text_printf(s->out, "\\end{%s}\n", counted ? "enumerate" : "itemize");
+  if (is_tex(s)) text_printf(s->out, "\\end{%s}\n", counted ? "enumerate" : "itemize");
 }
 /* Number 0: an item of a list that is not counted. */
 static void begin_item(const struct sheet *s, int number) {
-  if (s->tex)
+  if (is_tex(s))
     text_add(s->out, "\\item ");
   else if (number)
     text_printf(s->out, "%d. ", number);
@@ -29,34 +33,27 @@ static void begin_item(const struct sheet *s, int number) {
     text_add(s->out, "- ");
 }
 static void end_item(const struct sheet *s) {
-  text_add(s->out, s->tex ? "\n" : "\n\n");
+  text_add(s->out, is_tex(s) ? "\n" : "\n\n");
 }
 /* The next line of an item. */
 static void line(const struct sheet *s) {
-  text_add(s->out, s->tex ? "\\\\\n" : "  \n   ");
+  text_add(s->out, is_tex(s) ? "\\\\\n" : "  \n   ");
 }
-/* Begins a line of an item with a word and a colon. */
-/* What is quoted may end in a stop of its own. */
-static void stop(const struct sheet *s) {
-  if (s->out->len && s->out->data[s->out->len - 1] != '.') text_add_char(s->out, '.');
-}
-/* On a line of its own, but for slips, which take little room. */
+/* A word and a colon, on a line of its own, but for slips, which take little room. */
 static void label(const struct sheet *s, enum severity severity, const char *word) {
   if (severity == SEVERITY_NOTATION) {
-    stop(s);
+    sheet_stop(s);
     text_add_char(s->out, ' ');
   } else {
     line(s);
   }
-  text_printf(s->out, s->tex ? "\\emph{%s:} " : "*%s:* ", word);
+  sheet_add(s, is_tex(s) ? "\\emph{%s:} " : "*%s:* ", word);
 }
 static void paragraph(const struct sheet *s) {
   text_add(s->out, "\n\n");
 }
 static void strong(const struct sheet *s, const char *words) {
-  text_add(s->out, s->tex ? "\\textbf{" : "**");
-  sheet_text(s, words);
-  text_add(s->out, s->tex ? "}" : "**");
+  sheet_add(s, is_tex(s) ? "\\textbf{%t}" : "**%t**", words);
 }
 
 /* A sentence of the record, which begins with a small letter. */
@@ -64,8 +61,7 @@ static void sheet_sentence(const struct sheet *s, const char *text) {
   struct text t;
   text_init(&t);
   text_add_capital(&t, text);
-  sheet_prose(s, text_str(&t));
-  stop(s);
+  sheet_add(s, "%p%.", text_str(&t));
   text_clear(&t);
 }
 
@@ -92,7 +88,7 @@ static void add_printed(const struct sheet *s, const struct audit_result *r, con
     if (!*last)
       label(s, root->severity, "Printed");
     else
-      text_add(s->out, s->tex ? " \\dots\\ " : " … ");
+      text_add(s->out, is_tex(s) ? " \\dots\\ " : " … ");
     sheet_text(s, quote);
     last = quote;
   }
@@ -101,19 +97,14 @@ static void add_printed(const struct sheet *s, const struct audit_result *r, con
 static void add_root(const struct sheet *s, const struct audit_result *r, const struct root_cause *root, int number) {
   begin_item(s, number);
   strong(s, root->where);
-  text_add(s->out, ": ");
-  sheet_text(s, root->title);
-  stop(s);
+  sheet_add(s, ": %t%.", root->title);
   add_printed(s, r, root);
   label(s, root->severity, "Should read");
   sheet_values(s, r, root);
   sheet_text(s, root->correct);
   label(s, root->severity, "Reason");
   sheet_text(s, root->wrong);
-  if (root->by_hand) {
-    text_add(s->out, s->tex ? " \\emph{To see it:} " : " *To see it:* ");
-    sheet_text(s, root->by_hand);
-  }
+  if (root->by_hand) sheet_add(s, is_tex(s) ? " \\emph{To see it:} %t" : " *To see it:* %t", root->by_hand);
   if (root->severity != SEVERITY_NOTATION && strncmp(root->consequence, "None", 4) != 0) {
     label(s, root->severity, "Consequence");
     sheet_text(s, root->consequence);
@@ -137,13 +128,8 @@ static void add_roots(const struct sheet *s, const struct audit_result *r, enum 
 
 static void add_opening(const struct sheet *s, const struct audit_result *r) {
   size_t substance = audit_result_roots(r, SEVERITY_SUBSTANCE), slips = r->n_roots - substance;
-  text_add(s->out, s->tex ? "\\section*{Errata}\n" : "# Errata\n\n");
-  if (r->paper) {
-    text_add(s->out, s->tex ? "\\emph{" : "*");
-    sheet_text(s, r->paper);
-    text_add(s->out, s->tex ? "}" : "*");
-    paragraph(s);
-  }
+  text_add(s->out, is_tex(s) ? "\\section*{Errata}\n" : "# Errata\n\n");
+  if (r->paper) sheet_add(s, is_tex(s) ? "\\emph{%t}\n\n" : "*%t*\n\n", r->paper);
   text_add(s->out, "The formulas and conclusions of the paper were compared with the equations of motion (1) and "
                    "Coulomb's law (2), by exact algebra and by computations with rigorous error bounds. ");
   if (substance)
@@ -161,12 +147,7 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
 /* --- The numbers behind them --- */
 
 static void add_number(const struct sheet *s, const struct finding *f) {
-  const char *cell = s->tex ? " & " : " | ";
-  text_add(s->out, s->tex ? "" : "| ");
-  sheet_math(s, f->printed ? f->printed : f->id);
-  text_add(s->out, cell);
-  sheet_math(s, f->correction_latex);
-  text_add(s->out, s->tex ? " \\\\\n" : " |\n");
+  sheet_add(s, is_tex(s) ? "%m & %m \\\\\n" : "| %m | %m |\n", f->printed ? f->printed : f->id, f->correction_latex);
 }
 
 static bool add_numbers(const struct sheet *s, const struct audit_result *r) {
@@ -176,13 +157,13 @@ static bool add_numbers(const struct sheet *s, const struct audit_result *r) {
     if (!finding_fails(f) || !failure_is_number(f)) continue;
     if (!any) {
       heading(s, "The numerical example");
-      text_add(s->out, s->tex ? "\\begin{tabular}{@{}ll@{}}\nprinted & nearest periodic solution \\\\ \\hline\n"
-                              : "| printed | nearest periodic solution |\n| --- | --- |\n");
+      text_add(s->out, is_tex(s) ? "\\begin{tabular}{@{}ll@{}}\nprinted & nearest periodic solution \\\\ \\hline\n"
+                                 : "| printed | nearest periodic solution |\n| --- | --- |\n");
     }
     any = true;
     add_number(s, f);
   }
-  if (any) text_add(s->out, s->tex ? "\\end{tabular}\n\n" : "\n");
+  if (any) text_add(s->out, is_tex(s) ? "\\end{tabular}\n\n" : "\n");
   return any;
 }
 
@@ -194,13 +175,6 @@ static void add_bounds(const struct sheet *s, const struct audit_result *r) {
            "The bounds in the table are those of (53), for either set of values; they are not all that is required. ");
   sheet_sentence(s, f->effect);
   paragraph(s);
-}
-
-static void add_list(const struct sheet *s, const char *const *list, int n) {
-  for (int i = 0; i < n; i++) {
-    text_add(s->out, i == 0 ? "" : i + 1 == n ? " and " : ", ");
-    sheet_prose(s, list[i]);
-  }
 }
 
 /* What an equation says, without the words in brackets behind it. */
@@ -224,19 +198,16 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
   if (!f->n_dropped || f->n_given < f->n_numbers) return;
   text_printf(s->out, "All %d printed numbers, including $e_1$ and $e_2$, are reproduced to every printed digit if ",
               f->n_numbers);
-  add_list(s, f->inputs, f->n_inputs);
+  sheet_list(s, f->inputs, f->n_inputs);
   text_add(s->out, " are taken as exact data and the others are computed from them. ");
   text_add(s->out, f->n_dropped == 1 ? "One equation is then not satisfied: "
                                      : "The following equations are then not satisfied: ");
   for (int i = 0; i < f->n_dropped; i++) {
     text_add(s->out, i ? "; " : "");
     add_equation(s, f->dropped[i].equation);
-    text_add(s->out, ", where the difference of the two sides is ");
-    sheet_prose(s, f->dropped[i].residual);
+    sheet_add(s, ", where the difference of the two sides is %p", f->dropped[i].residual);
   }
-  text_add(s->out, ". ");
-  sheet_text(s, reading_start(f));
-  paragraph(s);
+  sheet_add(s, ". %t\n\n", reading_start(f));
 }
 
 static void add_closure(const struct sheet *s, const struct audit_result *r) {
@@ -253,8 +224,8 @@ static void add_place(const struct sheet *s, const char *where) {
   text_init(&t);
   text_add_n(&t, where, orbit ? (size_t)(orbit - where) : strlen(where));
   sheet_prose(s, text_str(&t));
-  if (orbit) text_printf(s->out, " (periodic solution %s in order of increasing $z_{10}$)", orbit + strlen(", orbit "));
-  stop(s);
+  if (orbit) sheet_add(s, " (periodic solution %s in order of increasing $z_{10}$)", orbit + strlen(", orbit "));
+  sheet_stop(s);
   text_clear(&t);
 }
 
@@ -265,12 +236,8 @@ static void add_derived(const struct sheet *s, const struct consequence *q) {
     const struct derived *d = &q->derived[i];
     if (d->change != CHANGE_CHANGES) continue;
     text_add(s->out, last ? ", and " : "As printed, ");
-    if (d->entry) text_printf(s->out, "the entry %s of ", d->entry);
-    sheet_math(s, d->latex);
-    text_add(s->out, " is ");
-    sheet_prose(s, d->printed);
-    text_add(s->out, " instead of ");
-    sheet_prose(s, d->corrected);
+    if (d->entry) sheet_add(s, "the entry %s of ", d->entry);
+    sheet_add(s, "%m is %p instead of %p", d->latex, d->printed, d->corrected);
     last = d;
   }
   if (!last) return;
@@ -336,8 +303,7 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
   struct text command;
   text_init(&command);
   audit_recheck(&command, r);
-  sheet_code(s, text_str(&command));
-  text_add(s->out, ", whose report contains the evidence.\n");
+  sheet_add(s, "%c, whose report contains the evidence.\n", text_str(&command));
   text_clear(&command);
 }
 
@@ -356,14 +322,14 @@ static void write_sheet(const struct sheet *s, const struct audit_result *r) {
 }
 
 void report_errata(struct text *out, const struct audit_result *r) {
-  struct sheet s = {out, false};
+  const struct sheet s = {out, DIALECT_MARKDOWN};
   size_t begin = out->len;
   write_sheet(&s, r);
   escape_tags(out, begin);
 }
 
 void report_errata_tex(struct text *out, const struct audit_result *r) {
-  struct sheet s = {out, true};
+  const struct sheet s = {out, DIALECT_TEX};
   text_add(out,
            "\\documentclass[10pt]{article}\n\\usepackage[a4paper,margin=16mm]{geometry}\n\\usepackage{amsmath,array}\n"
            "\\setlength{\\parindent}{0pt}\n\\pagestyle{empty}\n"

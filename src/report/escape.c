@@ -32,7 +32,7 @@ static void add_html(struct text *out, const char *s, size_t n) {
     text_add(out, "\xef\xbf\xbd");
 }
 
-void escape_html_n(struct text *out, const char *s, size_t len) {
+void escape_html(struct text *out, const char *s, size_t len) {
   for (size_t i = 0; i < len;) {
     unsigned char c = (unsigned char)s[i];
     size_t n = c < 0xC0 ? 1 : c < 0xE0 ? 2 : c < 0xF0 ? 3 : 4;
@@ -44,10 +44,6 @@ void escape_html_n(struct text *out, const char *s, size_t len) {
     add_html(out, s + i, n);
     i += n;
   }
-}
-
-void escape_html(struct text *out, const char *s) {
-  if (s) escape_html_n(out, s, strlen(s));
 }
 
 /* --- Markdown --- */

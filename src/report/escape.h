@@ -6,8 +6,7 @@
 
 /* HTML and XML, also between double quotation marks: bytes as they show; what XML cannot hold becomes U+FFFD, blanks of
    any kind a blank. */
-void escape_html_n(struct text *out, const char *s, size_t len);
-void escape_html(struct text *out, const char *s); /* nothing for NULL */
+void escape_html(struct text *out, const char *s, size_t len);
 /* Markdown and LaTeX; control characters become blanks.  TeX is given ASCII: what lies beyond is named by its code
    point. */
 void escape_markdown(struct text *out, const char *s, size_t len);

@@ -51,7 +51,7 @@ static void wrap(struct text *out, size_t at, const char *open, const char *clos
 
 static void set_sign(struct setter *m, const char *attributes, const char *s, size_t len, enum before after) {
   text_printf(m->out, "<mo%s>", attributes);
-  escape_html_n(m->out, s, len);
+  escape_html(m->out, s, len);
   text_add(m->out, "</mo>");
   m->before = after;
 }
@@ -150,7 +150,7 @@ static void set_words(struct setter *m) {
     if (kind == TEX_BLANK || kind == TEX_GAP)
       text_add(m->out, "&#xA0;");
     else if (kind != TEX_OPEN && kind != TEX_CLOSE && kind != TEX_BRACE)
-      escape_html_n(m->out, m->t.s, m->t.len);
+      escape_html(m->out, m->t.s, m->t.len);
     pass(m);
   } while (depth > 0);
   text_add(m->out, "</mtext>");
@@ -452,7 +452,7 @@ static void set_piece(struct setter *m, const char *s, const char *end) {
   text_add(m->out, "<math displaystyle=\"true\"><semantics>");
   set_row(m);
   text_add(m->out, "<annotation encoding=\"application/x-tex\">");
-  escape_html_n(m->out, s, (size_t)(end - s));
+  escape_html(m->out, s, (size_t)(end - s));
   text_add(m->out, "</annotation></semantics></math>");
 }
 

@@ -8,7 +8,7 @@
 
 static void add_code(struct text *out, const char *kind, const char *s, size_t len) {
   text_printf(out, "<code%s>", kind);
-  escape_html_n(out, s, len);
+  escape_html(out, s, len);
   text_add(out, "</code>");
 }
 
@@ -34,7 +34,7 @@ void html_text(struct text *out, const char *s, const bool *changed) {
   size_t dollars = 0, len = strlen(s);
   for (size_t i = 0; i < len; i++) dollars += s[i] == '$';
   if (dollars % 2) {
-    escape_html_n(out, s, len);
+    escape_html(out, s, len);
     return;
   }
   bool math = false;

@@ -1,19 +1,12 @@
 /* junit.xml, for what shows the results of tests: a case for each claim, which fails when the verdict differs from the
    one on record; cases for the controls, which fail when not noticed, and for routes that must agree. */
-#include "escape.h"
 #include "finding.h"
 #include "report.h"
+#include "sheet.h"
 
 static void begin_case(struct text *out, const char *suite, const char *group, const char *name, const char *title) {
-  text_add(out, "    <testcase classname=\"stickslip.");
-  escape_html(out, suite);
-  text_add(out, ".");
-  escape_html(out, group);
-  text_add(out, "\" name=\"");
-  escape_html(out, name);
-  text_add(out, title ? ": " : "");
-  escape_html(out, title);
-  text_add(out, "\">");
+  html_add(out, "    <testcase classname=\"stickslip.%e.%e\" name=\"%e%s%e\">", suite, group, name, title ? ": " : NULL,
+           title);
 }
 static void end_case(struct text *out) {
   text_add(out, "</testcase>\n");
@@ -32,9 +25,9 @@ static bool is_skipped(const struct finding *f) {
 }
 
 /* What a skipped claim says about itself. */
-static void add_reason(struct text *out, const struct finding *f) {
+static const char *reason(const struct finding *f) {
   const char *why = f->n_evidence && f->evidence[0].note ? f->evidence[0].note : f->effect;
-  escape_html(out, why ? why : "not possible in this scene");
+  return why ? why : "not possible in this scene";
 }
 
 static void add_claims(struct text *out, const struct audit_result *r) {
@@ -47,15 +40,11 @@ static void add_claims(struct text *out, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     begin_case(out, r->scene, f->section ? f->section : "claims", f->id, f->title);
-    if (finding_unexpected(f)) {
-      text_printf(out, "<failure message=\"%s, recorded as %s\">", verdict_name[f->verdict], verdict_name[f->recorded]);
-      escape_html(out, f->reproduce);
-      text_add(out, "</failure>");
-    } else if (is_skipped(f)) {
-      text_add(out, "<skipped message=\"");
-      add_reason(out, f);
-      text_add(out, "\" />");
-    }
+    if (finding_unexpected(f))
+      html_add(out, "<failure message=\"%s, recorded as %s\">%e</failure>", verdict_name[f->verdict],
+               verdict_name[f->recorded], f->reproduce);
+    else if (is_skipped(f))
+      html_add(out, "<skipped message=\"%e\" />", reason(f));
     end_case(out);
   }
   end_suite(out);
@@ -84,11 +73,7 @@ static void add_routes(struct text *out, const struct audit_result *r) {
     text_printf(&name, "%s, %s", p->first, p->second);
     begin_case(out, r->scene, "routes", p->quantity, text_str(&name));
     text_clear(&name);
-    if (!p->within) {
-      text_add(out, "<failure message=\"beyond ");
-      escape_html(out, p->stated);
-      text_add(out, "\" />");
-    }
+    if (!p->within) html_add(out, "<failure message=\"beyond %e\" />", p->stated);
     end_case(out);
   }
   for (size_t i = 0; i < r->n_long_runs; i++) {
@@ -101,9 +86,7 @@ static void add_routes(struct text *out, const struct audit_result *r) {
 }
 
 void report_junit(struct text *out, const struct audit_result *r) {
-  text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"");
-  escape_html(out, r->scene);
-  text_add(out, "\">\n");
+  html_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"%e\">\n", r->scene);
   add_claims(out, r);
   add_controls(out, r);
   add_routes(out, r);

@@ -107,53 +107,47 @@ static const char *const fate_says[N_MUTANT_FATES] = {
 };
 
 /* The columns of the tables, and the fates that stand in them. */
-struct column {
-  enum mutant_fate fate;
-  const char *words;
+struct columns {
+  size_t n;
+  struct {
+    enum mutant_fate fate;
+    const char *words;
+  } of[N_MUTANT_FATES];
 };
-static const struct column formula_columns[] = {{FATE_UNREADABLE, "of them unreadable"},
-                                                {FATE_UNPROVED, "of them unproved"},
-                                                {FATE_REFUSED, "of them refused"},
-                                                {FATE_EQUIVALENT, "equivalent"},
-                                                {FATE_ON_MOTIONS, "same on motions"},
-                                                {FATE_UNDECIDED, "undecided"},
-                                                {FATE_UNREAD, "unread"}};
-static const struct column data_columns[] = {{FATE_REFUSED, "of them refused"},
-                                             {FATE_UNREADABLE, "of them unreadable"},
-                                             {FATE_EQUIVALENT, "same by rule"},
-                                             {FATE_NEEDS_TEXT, "needs the text"},
-                                             {FATE_UNDECIDED, "not noticed"}};
+static const struct columns of_formulas = {7,
+                                           {{FATE_UNREADABLE, "of them unreadable"},
+                                            {FATE_UNPROVED, "of them unproved"},
+                                            {FATE_REFUSED, "of them refused"},
+                                            {FATE_EQUIVALENT, "equivalent"},
+                                            {FATE_ON_MOTIONS, "same on motions"},
+                                            {FATE_UNDECIDED, "undecided"},
+                                            {FATE_UNREAD, "unread"}}};
+static const struct columns of_data = {5,
+                                       {{FATE_REFUSED, "of them refused"},
+                                        {FATE_UNREADABLE, "of them unreadable"},
+                                        {FATE_EQUIVALENT, "same by rule"},
+                                        {FATE_NEEDS_TEXT, "needs the text"},
+                                        {FATE_UNDECIDED, "not noticed"}}};
 
-static void add_row(struct text *out, const struct mutation_row *r, const struct column *column, size_t n) {
+static void add_row(struct text *out, const struct mutation_row *r, const struct columns *c) {
   text_printf(out, "| %s | %ld | %ld |", r->name, mutation_row_total(r), mutation_row_noticed(r));
-  for (size_t i = 0; i < n; i++) text_printf(out, " %ld |", r->count[column[i].fate]);
+  for (size_t i = 0; i < c->n; i++) text_printf(out, " %ld |", r->count[c->of[i].fate]);
   text_add_char(out, '\n');
 }
 
-static void add_heading(struct text *out, const char *heading, const struct column *column, size_t n) {
+static void add_heading(struct text *out, const char *heading, const struct columns *c) {
   text_printf(out, "| %s | damages | noticed |", heading);
-  for (size_t i = 0; i < n; i++) text_printf(out, " %s |", column[i].words);
+  for (size_t i = 0; i < c->n; i++) text_printf(out, " %s |", c->of[i].words);
   text_add(out, "\n| --- | ---: | ---: |");
-  for (size_t i = 0; i < n; i++) text_add(out, " ---: |");
+  for (size_t i = 0; i < c->n; i++) text_add(out, " ---: |");
   text_add_char(out, '\n');
 }
 
-enum {
-  N_FORMULA_COLUMNS = sizeof formula_columns / sizeof *formula_columns,
-  N_DATA_COLUMNS = sizeof data_columns / sizeof *data_columns
-};
-
-static void add_formulas(struct text *out, const char *heading, const struct mutation_row *row, size_t n) {
-  add_heading(out, heading, formula_columns, N_FORMULA_COLUMNS);
+static void add_table(struct text *out, const char *heading, const struct columns *c, const struct mutation_row *row,
+                      size_t n) {
+  add_heading(out, heading, c);
   for (size_t i = 0; i < n; i++)
-    if (mutation_row_total(&row[i])) add_row(out, &row[i], formula_columns, N_FORMULA_COLUMNS);
-  text_add_char(out, '\n');
-}
-
-static void add_classes(struct text *out, const struct mutation_result *r) {
-  add_heading(out, "what is damaged", data_columns, N_DATA_COLUMNS);
-  for (int k = 0; k < N_DAMAGE_CLASSES; k++)
-    if (mutation_row_total(&r->data[k])) add_row(out, &r->data[k], data_columns, N_DATA_COLUMNS);
+    if (mutation_row_total(&row[i])) add_row(out, &row[i], c);
   text_add_char(out, '\n');
 }
 
@@ -245,31 +239,8 @@ static void list_damaged(struct text *out, const struct mutation_result *r, int 
   text_add_char(out, '\n');
 }
 
-static const char explanation[] =
-    "Each damage is put in place alone. Damages that change no meaning are no test: they are left out of the score, as "
-    "are those of errata.eq, which is not the paper's and has rows of its own. All others count, of every class "
-    "alike.\n\n"
-    "Formulas are damaged one token at a time, and the "
-    "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
-    "correction's, or that of a claim it makes under a restriction. Claims that search (arguments, counts, lists of "
-    "constraints, the criterion) are asked last and with little effort, in the same way as for the undamaged text; of "
-    "an argument the exact proof must be found again, for without it the verdict cannot be \"proved\". Claims that "
-    "simulate are not asked. Unreadable: the damaged text has a name, a shape or an index that cannot be, a symbol "
-    "without a value where the formula is used, or a range that is no phase. Refused: no verdict changes, but the "
-    "checks that are made when the data are loaded say what is wrong. Where the errata correct a formula, both texts "
-    "are damaged.\n\n"
-    "What stands beside the formulas is damaged by class, as a tired transcriber would, one line at a time. The "
-    "damaged file is read and checked like any other (refused), and what the record is about is judged again: "
-    "noticed is another verdict of the claim, of its correction or of a claim that it makes, or a control that is "
-    "not refuted. That a checksum or a record of what was read differs does not count. Same by rule: it says the "
-    "same, and the rule is named.\n\n"
-    "Equivalent: the damaged statement, or everything that uses it, is proved to say the same, by "
-    "rational functions in which sines and roots are unknowns. Same on motions: so with what defines the phases "
-    "put in: velocities that are V at a switching time stand for one another, forces are at their limits, and "
-    "perturbations of a velocity that stays V are zero, whatever they are multiplied by. Such a mutant still says "
-    "something true of every motion of the word, though perhaps less, or by another name; a formula that is "
-    "used off the motions too is tried there (claims with points \"patched\"), and an equation that says "
-    "nothing shows in a claim that counts equations. The text of every survivor is in mutation.json.\n\n";
+/* The file of that name. */
+extern const char mutation_explained_md[];
 
 void report_mutation_markdown(struct text *out, const struct mutation_result *r) {
   size_t begin = out->len;
@@ -277,12 +248,12 @@ void report_mutation_markdown(struct text *out, const struct mutation_result *r)
   add_summary(out, r);
   text_printf(out, ".\n\n%ld of %ld damages, scene %s, seed %llu. ", r->tried, r->population, r->scene, r->seed);
   if (r->text) text_printf(out, "Quotations were looked for in the paper's text (`%s`). ", r->text);
-  text_add(out, explanation);
-  add_classes(out, r);
+  text_add(out, mutation_explained_md);
+  add_table(out, "what is damaged", &of_data, r->data, N_DAMAGE_CLASSES);
   struct mutation_row texts[] = {r->formulas, r->printed, r->errata};
-  add_formulas(out, "formulas", texts, 3);
-  add_formulas(out, "file", r->file, r->n_files);
-  add_formulas(out, "one token", r->kind, r->n_kinds);
+  add_table(out, "formulas", &of_formulas, texts, 3);
+  add_table(out, "file", &of_formulas, r->file, r->n_files);
+  add_table(out, "one token", &of_formulas, r->kind, r->n_kinds);
   for (int k = 0; k < N_DAMAGE_CLASSES; k++) list_damaged(out, r, k);
   for (int c = 0; c < 2; c++)
     for (int i = 0; i < N_SURVIVOR_FATES; i++) add_survivors(out, r, survivor_order[i], c);

@@ -5,10 +5,14 @@
 
 #include "base/arena.h"
 
+void names_add(struct names *list, const char *name) {
+  list->name = ss_grow(list->name, list->n, &list->cap, sizeof *list->name);
+  list->name[list->n++] = name;
+}
+
 size_t names_index(struct names *list, const char *name) {
   for (size_t i = 0; i < list->n; i++)
     if (strcmp(list->name[i], name) == 0) return i;
-  list->name = ss_grow(list->name, list->n, &list->cap, sizeof *list->name);
-  list->name[list->n] = name;
-  return list->n++;
+  names_add(list, name);
+  return list->n - 1;
 }

@@ -4,12 +4,14 @@
 
 #include <stddef.h>
 
-/* Names, each once, in the order in which they came. */
+/* Names in the order in which they came. */
 struct names {
   const char **name;
   size_t n, cap;
 };
-/* The place of the name, which is added where it is missing; the list holds the pointer, and name is to be freed. */
+/* Adds the name; the list holds the pointer, and its own name is to be freed. */
+void names_add(struct names *list, const char *name);
+/* The place of the name, which is added where it is missing. */
 size_t names_index(struct names *list, const char *name);
 
 #endif

@@ -2,47 +2,32 @@
    which filters, sorts and opens what a link leads to; it is HTML and well-formed XML at once, so that any tool can
    read it. */
 #include "page.h"
-#include "escape.h"
-#include "html.h"
 #include "report.h"
 #include "sections.h"
 
 static void add_head(const struct page *p) {
-  text_add(
-      p->out,
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
-      "script-src 'unsafe-inline'; img-src data:\" />\n"
-      "<meta name=\"color-scheme\" content=\"light dark\" />\n<link rel=\"icon\" href=\"data:,\" />\n<title>Audit: ");
-  escape_html(p->out, p->r->title ? p->r->title : p->r->scene);
-  text_printf(p->out, "</title>\n<style>\n%s%s</style>\n</head>\n", page_style, picture_style);
+  page_add(p,
+           "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n"
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+           "script-src 'unsafe-inline'; img-src data:\" />\n"
+           "<meta name=\"color-scheme\" content=\"light dark\" />\n<link rel=\"icon\" href=\"data:,\" "
+           "/>\n<title>Audit: %e</title>\n<style>\n%s%s</style>\n</head>\n",
+           p->r->title ? p->r->title : p->r->scene, page_css, picture_css);
 }
 
 static void add_opening(const struct page *p) {
   text_add(p->out, "<body>\n<a class=\"skip\" href=\"#s-letter\">To the letter</a>\n<header>\n<h1>Audit of a paper");
-  if (p->r->paper) {
-    text_add(p->out, ": <cite>");
-    escape_html(p->out, p->r->paper);
-    text_add(p->out, "</cite>");
-  }
-  text_add(p->out, "</h1>\n<nav aria-label=\"Sections\"><ul>\n"
-                   "<li><a href=\"#s-letter\">Letter</a></li>\n"
-                   "<li><a href=\"#s-findings\">Findings</a></li>\n"
-                   "<li><a href=\"#s-model\">The system in half a page</a></li>\n"
-                   "<li><a href=\"#s-claims\">Every claim</a></li>\n"
-                   "<li><a href=\"#s-limits\">What this does not show</a></li>\n"
-                   "<li><button type=\"button\" id=\"theme\" hidden=\"hidden\">Dark or light</button></li></ul></nav>\n"
-                   "</header>\n<main>\n");
+  if (p->r->paper) page_add(p, ": <cite>%e</cite>", p->r->paper);
+  page_add(p, "</h1>\n%s</header>\n<main>\n", page_nav_html);
 }
 
 /* For who wants to look something up. */
 static void add_archive(const struct page *p) {
   page_begin_section(p, "archive", "Archive");
-  text_add(p->out, "<p>Numerical values refer to ");
-  html_text(p->out, p->r->title ? p->r->title : p->r->scene, NULL);
-  html_stop(p->out);
-  text_add(p->out, " Each part opens where it is clicked, or when a link leads into it.</p>\n");
+  page_add(p,
+           "<p>Numerical values refer to %t%. Each part opens where it is clicked, or when a link leads into it.</p>\n",
+           p->r->title ? p->r->title : p->r->scene);
   page_model(p);
   page_pictures(p);
   page_every_claim(p);
@@ -58,7 +43,7 @@ static void add_closing(const struct page *p) {
                    "<a href=\"audit.md\">audit.md</a>, <a href=\"errata.md\">errata.md</a> for the authors, "
                    "<a href=\"audit.csv\">audit.csv</a>, <a href=\"junit.xml\">junit.xml</a>, "
                    "<a href=\"claims.dot\">claims.dot</a>.</p></footer>\n<script>\n");
-  text_printf(p->out, "%s</script>\n</body>\n</html>\n", page_script);
+  text_printf(p->out, "%s</script>\n</body>\n</html>\n", page_js);
 }
 
 void report_html(struct text *out, const struct audit_result *r) {

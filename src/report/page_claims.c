@@ -1,11 +1,10 @@
 /* Every claim in the paper's order: a row each, with text, formula and evidence behind a second row that opens. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
-#include "escape.h"
 #include "finding.h"
-#include "html.h"
 #include "names.h"
 #include "sections.h"
 
@@ -39,66 +38,38 @@ static void add_routes(const struct page *p, const struct finding *f) {
     bool again = false;
     for (int k = 0; k < i; k++) again = again || strcmp(f->evidence[k].route, f->evidence[i].route) == 0;
     if (again) continue;
-    text_add(p->out, sep);
-    escape_html(p->out, f->evidence[i].route);
+    page_add(p, "%s%e", sep, f->evidence[i].route);
     sep = ", ";
   }
 }
 
 static void add_line(const struct page *p, const char *word, const char *s) {
-  if (!s) return;
-  text_printf(p->out, "<dt>%s</dt>\n<dd>", word);
-  html_text(p->out, s, NULL);
-  text_add(p->out, "</dd>\n");
+  if (s) page_add(p, "<dt>%s</dt>\n<dd>%t</dd>\n", word, s);
 }
 
 static const struct column evidence[] = {
     {"route", false}, {"equations read", false}, {"result", false},       {"trials", true},
     {"bits", true},   {"residual below", true},  {"digits agreed", true}, {"note; worst", false}};
 
-static void add_count(const struct page *p, const struct column *column, long n) {
-  page_cell(p, column);
-  if (n >= 0)
-    text_printf(p->out, "%ld</td>", n);
-  else
-    text_add(p->out, "&#8211;</td>");
-}
-
 /* A residual below 1e-37 at 128 bits: 37 of 38 digits. */
 static void add_digits(const struct page *p, const struct evidence *e) {
   static const double digits_a_bit = 0.30102999566398120;
-  page_cell(p, &evidence[6]);
+  char digits[60];
   long agreed = e->residual && strncmp(e->residual, "1e-", 3) == 0 ? strtol(e->residual + 3, NULL, 10) : 0;
-  if (agreed > 0 && e->bits > 0)
-    text_printf(p->out, "%ld of %ld</td>", agreed, (long)((double)e->bits * digits_a_bit));
-  else
-    text_add(p->out, "&#8211;</td>");
+  snprintf(digits, sizeof digits, "%ld of %ld", agreed, (long)((double)e->bits * digits_a_bit));
+  page_cell(p, &evidence[6], "%s", agreed > 0 && e->bits > 0 ? digits : page_dash);
 }
 
 static void add_evidence_row(const struct page *p, const struct evidence *e) {
-  text_add(p->out, "<tr><th scope=\"row\">");
-  escape_html(p->out, e->route);
-  text_add(p->out, "</th>");
-  page_cell(p, &evidence[1]);
-  escape_html(p->out, e->layer);
-  text_add(p->out, "</td>");
-  page_cell(p, &evidence[2]);
-  escape_html(p->out, e->result);
-  text_add(p->out, "</td>");
-  add_count(p, &evidence[3], e->trials);
-  add_count(p, &evidence[4], e->bits);
-  page_cell(p, &evidence[5]);
-  html_prose(p->out, e->residual ? e->residual : "\xe2\x80\x93");
-  text_add(p->out, "</td>");
+  page_add(p, "<tr><th scope=\"row\">%e</th>", e->route);
+  page_cell(p, &evidence[1], "%e", e->layer);
+  page_cell(p, &evidence[2], "%e", e->result);
+  page_number(p, &evidence[3], e->trials);
+  page_number(p, &evidence[4], e->bits);
+  page_cell(p, &evidence[5], "%p", e->residual ? e->residual : "\xe2\x80\x93");
   add_digits(p, e);
-  page_cell(p, &evidence[7]);
-  html_text(p->out, e->note, NULL);
-  if (e->note && e->worst) text_add(p->out, "; ");
-  if (e->worst) {
-    text_add(p->out, "at ");
-    html_text(p->out, e->worst, NULL);
-  }
-  text_add(p->out, "</td></tr>\n");
+  page_begin_cell(p, &evidence[7]);
+  page_add(p, "%t%s%s%t</td></tr>\n", e->note, e->note && e->worst ? "; " : NULL, e->worst ? "at " : NULL, e->worst);
 }
 
 static void add_evidence(const struct page *p, const struct finding *f) {
@@ -109,28 +80,14 @@ static void add_evidence(const struct page *p, const struct finding *f) {
 }
 
 static void add_texts(const struct page *p, const struct finding *f) {
-  if (f->quote) {
-    text_add(p->out, "<dt>The paper prints</dt>\n<dd class=\"tex\">");
-    html_text(p->out, f->quote, NULL);
-    text_add(p->out, "</dd>\n");
-  }
-  if (f->printed) {
-    text_add(p->out, "<dt>As read</dt>\n<dd class=\"tex\">");
-    html_math(p->out, f->printed, NULL);
-    text_add(p->out, "</dd>\n");
-  }
+  if (f->quote) page_add(p, "<dt>The paper prints</dt>\n<dd class=\"tex\">%t</dd>\n", f->quote);
+  if (f->printed) page_add(p, "<dt>As read</dt>\n<dd class=\"tex\">%m</dd>\n", f->printed);
 }
 
 static void add_correction(const struct page *p, const struct finding *f) {
-  if (!f->correction) return;
-  text_add(p->out, "<dt>Should read</dt>\n<dd class=\"tex\">");
-  if (f->correction_latex)
-    html_math(p->out, f->correction_latex, NULL);
-  else
-    html_text(p->out, f->correction, NULL);
-  text_add(p->out, " (");
-  page_verdict(p, f->correction_verdict);
-  text_add(p->out, ")</dd>\n");
+  if (f->correction)
+    page_add(p, "<dt>Should read</dt>\n<dd class=\"tex\">%m%t (%v)</dd>\n", f->correction_latex,
+             f->correction_latex ? NULL : f->correction, verdict_name[f->correction_verdict]);
 }
 
 static void add_dependences(const struct page *p, const struct finding *f) {
@@ -144,9 +101,11 @@ static void add_dependences(const struct page *p, const struct finding *f) {
 }
 
 static void add_details(const struct page *p, const struct finding *f) {
-  text_add(p->out, "<details><summary>Text, formula, evidence<span class=\"away\"> of ");
-  escape_html(p->out, f->id);
-  text_add(p->out, "</span></summary>\n<dl class=\"rows\">\n<dt>Section</dt>\n<dd>");
+  page_add(
+      p,
+      "<details><summary>Text, formula, evidence<span class=\"away\"> of %e</span></summary>\n<dl class=\"rows\">\n"
+      "<dt>Section</dt>\n<dd>",
+      f->id);
   page_section_name(p, f->section ? f->section : "-");
   text_add(p->out, "</dd>\n");
   add_texts(p, f);
@@ -155,15 +114,10 @@ static void add_details(const struct page *p, const struct finding *f) {
   add_correction(p, f);
   add_line(p, "Effect", f->effect);
   add_dependences(p, f);
-  text_add(p->out, "<dt>Recheck</dt>\n<dd>");
-  html_code(p->out, finding_recheck(f));
-  text_add(p->out, "</dd>\n</dl>\n");
+  page_add(p, PAGE_RECHECK "</dl>\n", finding_recheck(f));
   add_evidence(p, f);
-  if (finding_fails(f)) {
-    text_add(p->out, "<p>");
-    page_begin_link(p, "f-", f->id);
-    text_add(p->out, "What is wrong with it, and what depends on it</a></p>\n");
-  }
+  if (finding_fails(f))
+    page_add(p, "<p><a href=\"#f-%a\">What is wrong with it, and what depends on it</a></p>\n", f->id);
   text_add(p->out, "</details>\n");
 }
 
@@ -182,15 +136,9 @@ static long rank_of(const struct finding *f) {
 }
 
 static void add_claim(const struct page *p, const struct finding *f, struct names *sections, struct names *routes) {
-  text_add(p->out, "<tbody class=\"claim\" id=\"");
-  html_anchor(p->out, "c-", f->id);
+  page_add(p, "<tbody class=\"claim\" id=\"c-%a", f->id);
   add_keys(p, f, sections, routes, rank_of(f));
-  text_add(p->out, "\">\n<tr><th scope=\"row\"><code>");
-  escape_html(p->out, f->id);
-  text_add(p->out, "</code></th><td>");
-  html_text(p->out, f->title, NULL);
-  text_add(p->out, "</td><td>");
-  page_verdict(p, f->verdict);
+  page_add(p, "\">\n<tr><th scope=\"row\">%c</th><td>%t</td><td>%v", f->id, f->title, verdict_name[f->verdict]);
   if (finding_unexpected(f)) text_printf(p->out, " <strong>recorded as %s</strong>", verdict_name[f->recorded]);
   text_add(p->out, "</td><td class=\"opt\">");
   page_section_name(p, f->section);
@@ -232,13 +180,7 @@ static void add_filters(const struct page *p, const struct names *sections, cons
   end_select(p);
   add_names(p, "by-s", "section", sections);
   add_names(p, "by-r", "route", routes);
-  text_add(
-      p->out,
-      "<label for=\"by-t\">words <input id=\"by-t\" type=\"search\" size=\"12\" /></label>\n"
-      "<label for=\"order\">order <select id=\"order\"><option value=\"i\">as in the paper</option>"
-      "<option value=\"w\">worst first</option></select></label>\n"
-      "<button type=\"button\" id=\"open\">Open all shown</button>\n"
-      "<button type=\"reset\">All claims</button>\n<output id=\"shown\" aria-live=\"polite\"></output>\n</form>\n");
+  page_add(p, "%s</form>\n", page_filter_html);
 }
 
 void page_every_claim(const struct page *p) {

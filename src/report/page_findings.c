@@ -14,7 +14,7 @@
 /* --- Rows of a description --- */
 
 static void begin_row(const struct page *p, const char *word) {
-  text_printf(p->out, "<dt>%s</dt>\n<dd>", word);
+  page_add(p, "<dt>%s</dt>\n<dd>", word);
 }
 static void end_row(const struct page *p) {
   text_add(p->out, "</dd>\n");
@@ -51,7 +51,7 @@ static void texts_clear(struct texts *t) {
 }
 
 static void begin_side(const struct page *p, const char *word) {
-  text_printf(p->out, "<div><dt>%s</dt>\n<dd class=\"tex\">", word);
+  page_add(p, "<div><dt>%s</dt>\n<dd class=\"tex\">", word);
 }
 static void end_side(const struct page *p) {
   text_add(p->out, "</dd></div>\n");
@@ -62,15 +62,9 @@ static void add_correction(const struct page *p, const struct finding *f, const 
   if (t->corrected)
     html_math(p->out, t->corrected, t->in_corrected);
   else
-    html_text(p->out, f->correction, NULL);
-  text_add(p->out, "<p class=\"note\">");
-  if (f->change) {
-    html_text(p->out, f->change, NULL);
-    text_add(p->out, "; ");
-  }
-  text_add(p->out, "checked in the same way: ");
-  page_verdict(p, f->correction_verdict);
-  text_add(p->out, "</p>");
+    page_add(p, "%t", f->correction);
+  page_add(p, "<p class=\"note\">%t%schecked in the same way: %v</p>", f->change, f->change ? "; " : NULL,
+           verdict_name[f->correction_verdict]);
   end_side(p);
 }
 
@@ -103,11 +97,9 @@ static void add_restrictions(const struct page *p, const struct finding *f) {
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *o = &p->r->findings[i];
     if (!finding_restricts(o, f)) continue;
-    text_add(p->out, " As printed it holds when ");
-    html_text(p->out, o->condition, NULL);
-    text_add(p->out, " (");
+    page_add(p, " As printed it holds when %t (", o->condition);
     page_claim(p, o->id);
-    text_printf(p->out, ", %s).", verdict_name[o->verdict]);
+    page_add(p, ", %s).", verdict_name[o->verdict]);
   }
 }
 
@@ -117,11 +109,9 @@ static void add_fault(const struct page *p, const struct finding *f) {
   if (told && !f->condition) return;
   begin_row(p, told ? "When it holds" : "What is wrong");
   if (!told) text_add(p->out, failure_words(f));
-  if (f->condition) {
-    text_add(p->out, told ? "" : "; ");
-    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? "proved under the condition: " : "condition: ");
-    html_text(p->out, f->condition, NULL);
-  }
+  if (f->condition)
+    page_add(p, "%s%scondition: %t", told ? "" : "; ", f->verdict == VERDICT_CONDITIONAL ? "proved under the " : "",
+             f->condition);
   html_stop(p->out);
   add_restrictions(p, f);
   end_row(p);
@@ -133,15 +123,13 @@ static void add_note(const struct page *p, const char *note) {
     text_add(p->out, "<pre>");
     for (const char *s = note; *s; s += *s == '\n') {
       size_t n = strcspn(s, "\n");
-      escape_html_n(p->out, s, n);
+      escape_html(p->out, s, n);
       text_add_char(p->out, '\n');
       s += n;
     }
     text_add(p->out, "</pre>\n");
   } else if (note) {
-    html_text(p->out, note, NULL);
-    html_stop(p->out);
-    text_add_char(p->out, ' ');
+    page_add(p, "%t%. ", note);
   }
 }
 
@@ -150,14 +138,9 @@ static void add_certificate(const struct page *p, const struct finding *f) {
   if (!e) return;
   begin_row(p, "Certificate");
   add_note(p, e->note);
-  if (e->worst && (!e->note || !strstr(e->note, e->worst))) {
-    text_add(p->out, e->residual ? "Largest difference at " : "Where: ");
-    html_text(p->out, e->worst, NULL);
-    html_stop(p->out);
-    text_add_char(p->out, ' ');
-  }
-  text_add(p->out, "Route: ");
-  escape_html(p->out, e->route);
+  if (e->worst && (!e->note || !strstr(e->note, e->worst)))
+    page_add(p, "%s%t%. ", e->residual ? "Largest difference at " : "Where: ", e->worst);
+  page_add(p, "Route: %e", e->route);
   if (e->trials >= 0) text_printf(p->out, ", %ld trial%s", e->trials, e->trials == 1 ? "" : "s");
   if (e->bits >= 0) text_printf(p->out, ", %ld bits", e->bits);
   text_add_char(p->out, '.');
@@ -174,21 +157,15 @@ static void add_changed(const struct page *p, const struct consequence *q) {
   for (int i = 0; i < q->n_derived; i++) {
     const struct derived *d = &q->derived[i];
     if (d->change != CHANGE_CHANGES) continue;
-    if (!any) {
+    if (!any)
       page_begin_table(p, "stack", "Results that change, each with one example", changed,
                        sizeof changed / sizeof *changed);
-    }
     any = true;
-    text_add(p->out, "<tr><th scope=\"row\">");
-    html_math(p->out, d->latex, NULL);
-    if (d->entry) text_add(p->out, ", entry ");
-    escape_html(p->out, d->entry);
-    text_add(p->out, "<br /><small>");
-    escape_html(p->out, d->title);
-    text_add(p->out, "</small></th>");
-    page_text_cell(p, &changed[1], d->printed);
-    page_text_cell(p, &changed[2], d->corrected);
-    page_text_cell(p, &changed[3], d->where);
+    page_add(p, "<tr><th scope=\"row\">%m%s%e<br /><small>%e</small></th>", d->latex, d->entry ? ", entry " : NULL,
+             d->entry, d->title);
+    page_cell(p, &changed[1], "%t", d->printed);
+    page_cell(p, &changed[2], "%t", d->corrected);
+    page_cell(p, &changed[3], "%t", d->where);
     text_add(p->out, "</tr>\n");
   }
   if (any) page_end_table(p);
@@ -198,18 +175,18 @@ static void add_derived(const struct page *p, const struct consequence *q, enum 
   const char *sep = words;
   for (int i = 0; i < q->n_derived; i++) {
     if (q->derived[i].change != change) continue;
-    text_add(p->out, sep);
-    html_math(p->out, q->derived[i].latex, NULL);
+    page_add(p, "%s%m", sep, q->derived[i].latex);
     sep = ", ";
   }
   if (sep != words) text_add(p->out, ".</p>\n");
 }
 
 static void add_ids(const struct page *p, const struct id_list *list, const char *words) {
-  if (!list->n) return;
-  text_add(p->out, words);
-  page_claims(p, list);
-  text_add(p->out, ".</p>\n");
+  for (int i = 0; i < list->n; i++) {
+    text_add(p->out, i ? ", " : words);
+    page_claim(p, list->id[i]);
+  }
+  if (list->n) text_add(p->out, ".</p>\n");
 }
 
 static void add_consequence(const struct page *p, const struct consequence *q) {
@@ -229,30 +206,14 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
 
 static void add_size(const struct page *p, const struct finding *f) {
   const char *size = failure_size(p->r, f);
-  if (!size) return;
-  begin_row(p, "Size of the effect");
-  html_text(p->out, size, NULL);
-  html_stop(p->out);
-  end_row(p);
-}
-
-static void add_reproduction(const struct page *p, const struct finding *f) {
-  begin_row(p, "Recheck");
-  html_code(p->out, finding_recheck(f));
-  end_row(p);
+  if (size) page_add(p, "<dt>Size of the effect</dt>\n<dd>%t%.</dd>\n", size);
 }
 
 /* --- One finding --- */
 
 static void begin_finding(const struct page *p, const struct finding *f) {
-  text_add(p->out, "<article id=\"");
-  html_anchor(p->out, "f-", f->id);
-  text_add(p->out, "\">\n<h4>");
-  page_row(p, f->id);
-  text_printf(p->out, ": %s", failure_heading(f));
-  html_text(p->out, f->title, NULL);
-  text_add_char(p->out, ' ');
-  page_verdict(p, f->verdict);
+  page_add(p, "<article id=\"f-%a\">\n<h4><a href=\"#c-%a\">%n</a>: %s%t %v", f->id, f->id, f->id, failure_heading(f),
+           f->title, verdict_name[f->verdict]);
   if (f->section) text_add(p->out, " <small>section ");
   page_section_name(p, f->section);
   text_add(p->out, f->section ? "</small></h4>\n" : "</h4>\n");
@@ -279,7 +240,7 @@ static void add_failure(const struct page *p, const struct finding *f) {
     add_certificate(p, f);
     add_consequence(p, q);
   }
-  add_reproduction(p, f);
+  page_add(p, PAGE_RECHECK, finding_recheck(f));
   text_add(p->out, "</dl>\n");
   end_finding(p);
 }
@@ -288,11 +249,7 @@ static void add_failure(const struct page *p, const struct finding *f) {
 static void add_readings(const struct page *p) {
   if (!p->r->readings || !p->r->readings->n_conclusions) return;
   text_add(p->out, "<details><summary>How the printed numbers could have arisen</summary>\n<ul>\n");
-  for (int i = 0; i < p->r->readings->n_conclusions; i++) {
-    text_add(p->out, "<li>");
-    html_text(p->out, p->r->readings->conclusion[i], NULL);
-    text_add(p->out, "</li>\n");
-  }
+  for (int i = 0; i < p->r->readings->n_conclusions; i++) page_add(p, "<li>%t</li>\n", p->r->readings->conclusion[i]);
   text_add(p->out, "</ul></details>\n");
 }
 
@@ -302,43 +259,15 @@ static bool is_of(const struct page *p, const struct finding *f, const struct ro
   return finding_fails(f) && (f->root ? audit_result_root(p->r, f->root) : NULL) == root;
 }
 
-static void add_sentence(const struct page *p, const char *before, const char *text) {
-  text_add(p->out, before);
-  html_text(p->out, text, NULL);
-  html_stop(p->out);
-}
-
 static void add_labelled(const struct page *p, const char *word, const char *text) {
-  if (!text) return;
-  text_printf(p->out, " <em>%s:</em>", word);
-  add_sentence(p, " ", text);
-}
-
-static void begin_anchored(const struct page *p, const char *element, const struct root_cause *root) {
-  text_printf(p->out, "<%s", element);
-  html_anchor(p->out, " id=\"r-", root->id);
-  text_add(p->out, "\">");
-}
-
-static void add_title(const struct page *p, const struct root_cause *root) {
-  html_text(p->out, root->where, NULL);
-  text_add(p->out, ": ");
-  html_text(p->out, root->title, NULL);
+  if (text) page_add(p, " <em>%s:</em> %t%.", word, text);
 }
 
 /* What is wrong, the right numbers where it is numbers, what should stand there, what comes of it, how to see it. */
 static void add_words(const struct page *p, const struct root_cause *root) {
-  const char *value[MOST_VALUES];
-  int n = root_values(value, p->r, root);
-  add_sentence(p, "", root->wrong);
-  for (int i = 0; i < n; i++) {
-    text_add(p->out, i ? ", " : " <em>It should read:</em> ");
-    html_math(p->out, value[i], NULL);
-  }
-  if (n)
-    add_sentence(p, ". ", root->correct);
-  else
-    add_labelled(p, "It should read", root->correct);
+  page_add(p, "%t%. <em>It should read:</em> ", root->wrong);
+  sheet_values(&(struct sheet){p->out, DIALECT_HTML}, p->r, root);
+  page_add(p, "%t%.", root->correct);
   if (root->severity != SEVERITY_NOTATION) add_labelled(p, "Consequence", root->consequence);
   add_labelled(p, "To see it", root->by_hand);
 }
@@ -357,9 +286,7 @@ static void add_failures(const struct page *p, const struct root_cause *root) {
 }
 
 static void add_error(const struct page *p, const struct root_cause *root) {
-  begin_anchored(p, "h3", root);
-  add_title(p, root);
-  text_add(p->out, "</h3>\n<p class=\"tex\">");
+  page_add(p, "<h3 id=\"r-%a\">%t: %t</h3>\n<p class=\"tex\">", root->id, root->where, root->title);
   add_words(p, root);
   text_add(p->out, "</p>\n");
   add_failures(p, root);
@@ -379,13 +306,7 @@ static void add_evidence(const struct page *p, const struct root_cause *root) {
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
     if (!is_of(p, f, root) || failure_is_number(f)) continue;
-    text_add(p->out, before);
-    text_add(p->out, "<a");
-    html_anchor(p->out, " id=\"f-", f->id);
-    html_anchor(p->out, "\" href=\"#c-", f->id);
-    text_add(p->out, "\">");
-    escape_html(p->out, f->id);
-    text_add(p->out, "</a>");
+    page_add(p, "%s<a id=\"f-%a\" href=\"#c-%a\">%e</a>", before, f->id, f->id, f->id);
     before = "</span>, <span class=\"k\">";
   }
   if (*before == '<') text_add(p->out, ")</span>");
@@ -398,10 +319,7 @@ static void add_list(const struct page *p, enum severity severity, const char *h
     if (root->severity != severity) continue;
     if (!any) text_printf(p->out, "<h3>%s</h3>\n<ul>\n", heading);
     any = true;
-    begin_anchored(p, "li", root);
-    text_add(p->out, "<div class=\"tex\"><strong>");
-    add_title(p, root);
-    text_add(p->out, ".</strong> ");
+    page_add(p, "<li id=\"r-%a\"><div class=\"tex\"><strong>%t: %t.</strong> ", root->id, root->where, root->title);
     add_words(p, root);
     add_evidence(p, root);
     text_add(p->out, "</div></li>\n");
@@ -433,16 +351,8 @@ static void add_undecided(const struct page *p) {
     if (!any) text_add(p->out, "<h3>Undecided</h3>\n");
     any = true;
     begin_finding(p, f);
-    if (f->quote) {
-      text_add(p->out, "<p class=\"tex\">");
-      html_text(p->out, f->quote, NULL);
-      text_add(p->out, "</p>\n");
-    }
-    if (f->condition) {
-      text_add(p->out, "<p>Condition: ");
-      html_text(p->out, f->condition, NULL);
-      text_add(p->out, "</p>\n");
-    }
+    if (f->quote) page_add(p, "<p class=\"tex\">%t</p>\n", f->quote);
+    if (f->condition) page_add(p, "<p>Condition: %t</p>\n", f->condition);
     page_statements(p, f);
     end_finding(p);
   }

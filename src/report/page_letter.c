@@ -5,19 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "escape.h"
 #include "finding.h"
 #include "html.h"
 #include "picture.h"
 #include "sections.h"
-
-static void begin_paragraph(const struct page *p) {
-  text_add(p->out, "<p>");
-}
-static void end_paragraph(const struct page *p) {
-  html_stop(p->out);
-  text_add(p->out, "</p>\n");
-}
 
 /* Up to the end of the first sentence of a text with mathematics between dollar signs. */
 static size_t first_sentence(const char *s) {
@@ -34,8 +25,7 @@ static void add_first_sentence(const struct page *p, const char *s) {
   struct text one;
   text_init(&one);
   text_add_n(&one, s, first_sentence(s));
-  html_text(p->out, text_str(&one), NULL);
-  html_stop(p->out);
+  page_add(p, "%t%.", text_str(&one));
   text_clear(&one);
 }
 
@@ -58,29 +48,16 @@ static const struct example_reading *best_reading(const struct page *p) {
   return p->r->readings && p->r->readings->n_found ? &p->r->readings->found[0] : NULL;
 }
 
-static void add_strings(const struct page *p, const char *const *list, int n) {
-  for (int i = 0; i < n; i++) {
-    text_add(p->out, i == 0 ? "" : i + 1 < n ? ", " : " and ");
-    html_prose(p->out, list[i]);
-  }
-}
-
 static void add_reading(const struct page *p, const struct example_reading *e) {
-  begin_paragraph(p);
-  text_printf(p->out, "<strong>%s %d printed numbers of the example come out, to every printed digit, if ",
+  text_printf(p->out, "<p><strong>%s %d printed numbers of the example come out, to every printed digit, if ",
               e->n_given == e->n_numbers ? "All" : "As many as", e->n_given);
-  add_strings(p, e->inputs, e->n_inputs);
+  sheet_list(&(struct sheet){p->out, DIALECT_HTML}, e->inputs, e->n_inputs);
   text_add(p->out, " are taken exactly");
-  for (int i = 0; i < e->n_dropped; i++) {
-    text_add(p->out, i ? ", and " : " and one equation is left out:</strong> ");
-    html_prose(p->out, e->dropped[i].equation);
-    text_add(p->out, ", whose sides then differ by ");
-    html_prose(p->out, e->dropped[i].residual);
-  }
+  for (int i = 0; i < e->n_dropped; i++)
+    page_add(p, "%s%p, whose sides then differ by %p", i ? ", and " : " and one equation is left out:</strong> ",
+             e->dropped[i].equation, e->dropped[i].residual);
   if (e->n_dropped) html_stop(p->out);
-  text_add(p->out, e->n_dropped ? " " : "</strong> ");
-  html_text(p->out, reading_start(e), NULL);
-  end_paragraph(p);
+  page_add(p, "%s%t%.</p>\n", e->n_dropped ? " " : "</strong> ", reading_start(e));
 }
 
 /* Why the numbers are wrong all the same. */
@@ -89,16 +66,10 @@ static void add_wrong_numbers(const struct page *p, const struct root_cause *roo
   bool rounding = r && r->procedure.n_outputs > 0;
   for (int i = 0; rounding && i < r->procedure.n_outputs; i++)
     rounding = strcmp(r->procedure.output[i].within, "no") == 0;
-  begin_paragraph(p);
+  text_add(p->out, "<p>");
   add_first_sentence(p, root->wrong);
-  if (rounding) {
-    text_add(p->out, " Rounding of ");
-    html_prose(p->out, r->procedure.inputs);
-    text_add(p->out, " does not explain the difference.");
-  }
-  text_add(p->out, " (<a href=\"#");
-  html_anchor(p->out, "r-", root->id);
-  text_add(p->out, "\">More</a>)</p>\n");
+  if (rounding) page_add(p, " Rounding of %p does not explain the difference.", r->procedure.inputs);
+  page_add(p, " (<a href=\"#r-%a\">More</a>)</p>\n", root->id);
 }
 
 static const struct column numbers[] = {
@@ -113,29 +84,15 @@ static const char *true_value(const struct finding *f) {
 /* A row; n: of the reading, or NULL; f: the claim that the number is wrong, or NULL. */
 static void add_number(const struct page *p, const struct reading_number *n, const struct finding *f) {
   const char *value = f ? true_value(f) : NULL;
-  text_add(p->out, "<tr");
-  if (f) html_anchor(p->out, " id=\"f-", f->id);
-  text_add(p->out, f ? "\"><th scope=\"row\">" : "><th scope=\"row\">");
-  if (f) page_begin_link(p, "c-", f->id);
-  html_prose(p->out, n ? n->name : f ? f->id : "");
-  text_add(p->out, f ? "</a></th>" : "</th>");
-  page_cell(p, &numbers[1]);
-  if (n)
-    html_prose(p->out, n->printed);
-  else if (f)
-    html_math(p->out, f->printed ? f->printed : "", NULL);
-  text_add(p->out, "</td>");
-  page_cell(p, &numbers[2]);
-  if (n) html_prose(p->out, strcmp(n->how, "input") == 0 ? "exact" : n->value);
-  text_add(p->out, "</td>");
-  page_cell(p, &numbers[3]);
-  if (value)
-    html_prose(p->out, value);
-  else if (f)
-    html_math(p->out, f->correction_latex, NULL);
+  const char *name = n ? n->name : f ? f->id : "";
+  if (f)
+    page_add(p, "<tr id=\"f-%a\"><th scope=\"row\"><a href=\"#c-%a\">%p</a></th>", f->id, f->id, name);
   else
-    text_add(p->out, "as printed");
-  text_add(p->out, "</td></tr>\n");
+    page_add(p, "<tr><th scope=\"row\">%p</th>", name);
+  page_cell(p, &numbers[1], n ? "%p" : "%m", n ? n->printed : f ? f->printed : NULL);
+  page_cell(p, &numbers[2], "%p", n ? strcmp(n->how, "input") == 0 ? "exact" : n->value : NULL);
+  page_cell(p, &numbers[3], f && !value ? "%m" : "%p", value ? value : f ? f->correction_latex : "as printed");
+  text_add(p->out, "</tr>\n");
 }
 
 /* The place in the reading of the number that a claim "num-t_a" is about; -1 where it has none. */
@@ -191,12 +148,7 @@ static void add_counts(const struct page *p, const char *before) {
 
 /* What was done or is forgotten, in a sentence. */
 static void add_error(const struct page *p, const struct root_cause *root) {
-  text_add(p->out, "<li>");
-  page_begin_link(p, "r-", root->id);
-  html_text(p->out, root->where, NULL);
-  text_add(p->out, "</a>, ");
-  html_text(p->out, root->title, NULL);
-  text_add(p->out, ": ");
+  page_add(p, "<li><a href=\"#r-%a\">%t</a>, %t: ", root->id, root->where, root->title);
   add_first_sentence(p, root->wrong);
   text_add(p->out, "</li>\n");
 }
@@ -281,10 +233,10 @@ static void add_multiplier(const struct page *p, const struct finding *f) {
   for (int i = 0; f && i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
     if (!e->note || !e->worst || strncmp(e->worst, meant, sizeof meant - 1) != 0) continue;
-    text_add(p->out,
+    page_add(p,
              "The paper does not apply its criterion to the example. At the periodic solution nearest to the printed "
-             "numbers ");
-    page_begin_link(p, "c-", f->id);
+             "numbers <a href=\"#c-%a\">",
+             f->id);
     html_prose_n(p->out, e->note, strcspn(e->note, ";"));
     text_add(p->out, "</a>. ");
     return;
@@ -296,10 +248,10 @@ static void add_later(const struct page *p, const struct finding *f) {
   static const char last[] = "at the end ";
   const char *end = f && f->n_evidence && f->evidence[0].note ? strstr(f->evidence[0].note, last) : NULL;
   if (!end) return;
-  text_add(p->out,
+  page_add(p,
            " In the long run the printed initial state leads to another motion; by the letters of the phases' matrices "
-           "(G is \xce\x93), ");
-  page_begin_link(p, "c-", f->id);
+           "(G is \xce\x93), <a href=\"#c-%a\">",
+           f->id);
   html_prose_n(p->out, end, strcspn(end, ";"));
   text_add(p->out, "</a>.");
 }

@@ -1,7 +1,5 @@
 /* For a reader who has not seen the paper: the system in half a page; and what the audit takes as given. */
-#include "escape.h"
 #include "glossary.h"
-#include "html.h"
 #include "sections.h"
 
 static void add_phases(const struct page *p) {
@@ -17,15 +15,11 @@ static void add_phases(const struct page *p) {
       {"phase", false}, {"matrix", false}, {"masses", false}, {"lasts", false}, {"ends when", false}};
   page_begin_table(p, "stack", "The four phases of the paper's periodic motion", heads, sizeof heads / sizeof *heads);
   for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
-    text_printf(p->out, "<tr><th scope=\"row\">%s</th>", phases[i].name);
-    page_cell(p, &heads[1]);
-    html_math(p->out, phases[i].matrix, NULL);
-    text_add(p->out, "</td>");
-    page_text_cell(p, &heads[2], phases[i].masses);
-    page_cell(p, &heads[3]);
-    html_math(p->out, phases[i].lasts, NULL);
-    text_add(p->out, "</td>");
-    page_text_cell(p, &heads[4], phases[i].ends);
+    page_add(p, "<tr><th scope=\"row\">%s</th>", phases[i].name);
+    page_cell(p, &heads[1], "%m", phases[i].matrix);
+    page_cell(p, &heads[2], "%t", phases[i].masses);
+    page_cell(p, &heads[3], "%m", phases[i].lasts);
+    page_cell(p, &heads[4], "%t", phases[i].ends);
     text_add(p->out, "</tr>\n");
   }
   page_end_table(p);
@@ -34,11 +28,8 @@ static void add_phases(const struct page *p) {
 static void add_words(const struct page *p) {
   text_add(p->out, "<h4 id=\"s-words\">Words used on this page</h4>\n<p>What the verdicts mean is said <a "
                    "href=\"#s-power\">below</a>.</p>\n<dl>\n");
-  for (size_t i = 0; i < n_glossary; i++) {
-    text_printf(p->out, "<dt>%s</dt>\n<dd>", glossary[i].word);
-    html_text(p->out, glossary[i].meaning, NULL);
-    text_add(p->out, ".</dd>\n");
-  }
+  for (size_t i = 0; i < n_glossary; i++)
+    page_add(p, "<dt>%s</dt>\n<dd>%t.</dd>\n", glossary[i].word, glossary[i].meaning);
   text_add(p->out, "</dl>\n");
 }
 
@@ -63,53 +54,25 @@ void page_model(const struct page *p) {
       "deviation is multiplied by $\\operatorname{tr} J$ in each period, so that it decreases if "
       "$|\\operatorname{tr} J| < 1$ and grows if $|\\operatorname{tr} J| > 1$.";
   page_begin_fold(p, "model", "The system in half a page, and the words used here");
-  page_belt(p);
-  for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
-    text_add(p->out, "<p>");
-    html_text(p->out, before[i], NULL);
-    text_add(p->out, "</p>\n");
-  }
+  page_add(p, "<figure>\n%s<figcaption>The system as the equations of motion (1) describe it.</figcaption></figure>\n",
+           page_belt_svg);
+  for (size_t i = 0; i < sizeof before / sizeof *before; i++) page_add(p, "<p>%t</p>\n", before[i]);
   add_phases(p);
-  text_add(p->out, "<p>");
-  html_text(p->out, after, NULL);
-  text_add(p->out, "</p>\n");
+  page_add(p, "<p>%t</p>\n", after);
   add_words(p);
   text_add(p->out, "</details>\n");
 }
 
 void page_limits(const struct page *p) {
-  static const char *const limits[] = {
-      "Whether the model describes a machine: linear springs, a belt that keeps its velocity, and Coulomb's law with "
-      "constant coefficients are the paper's assumptions, and the equations of motion (1) and (2) are taken as given.",
-      "What the printed page says: the text judged is a machine conversion of it, and a misprint of one symbol may be "
-      "due "
-      "to the conversion.",
-      "That the formulas were transcribed rightly: compare the paper's text with the formula as read, which stand "
-      "beside each other in each claim.",
-      "What was not registered as a claim: the table of claims contains all that was judged.",
-      "That what is supported is true in general: it agrees at the points tried, whose number is given with it.",
-      "That the software beneath is right: FLINT with Arb and Calcium (exact numbers, enclosures), MPFR "
-      "(multiprecision), GSL (integration, matrix exponential and eigenvalues in double), the C compiler and its "
-      "library; which versions served is in <code>run.json</code>, which each run writes beside this page. The suite's "
-      "own model, which the formulas are held against, is tested with independent programs."};
   const struct audit_result *r = p->r;
   page_begin_fold(p, "limits", "What the audit does not show");
-  text_add(p->out, "<ul>\n");
-  for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) text_printf(p->out, "<li>%s</li>\n", limits[i]);
-  if (r->paper_text) {
-    text_add(p->out,
+  page_add(p, "<ul>\n%s", page_limits_html);
+  if (r->paper_text)
+    page_add(p,
              "<li>That your copy of the paper says what is quoted here: <code>stickslip quotes FILE</code> looks "
-             "for every quotation in a copy. The digest of the text quoted, as its tokens: <code>");
-    escape_html(p->out, r->paper_text);
-    text_add(p->out, "</code>.</li>\n");
-  }
-  for (size_t i = 0; i < r->n_skipped; i++) {
-    text_add(p->out, "<li>Left out: ");
-    escape_html(p->out, r->skipped[i].what);
-    text_add(p->out, ", ");
-    escape_html(p->out, r->skipped[i].why);
-    html_stop(p->out);
-    text_add(p->out, "</li>\n");
-  }
+             "for every quotation in a copy. The digest of the text quoted, as its tokens: %c.</li>\n",
+             r->paper_text);
+  for (size_t i = 0; i < r->n_skipped; i++)
+    page_add(p, "<li>Left out: %e, %e%.</li>\n", r->skipped[i].what, r->skipped[i].why);
   text_add(p->out, "</ul>\n</details>\n");
 }

@@ -1,4 +1,5 @@
 /* Links to claims, verdicts, what routes say, heads of tables. */
+#include <stdio.h>
 #include <string.h>
 
 #include "escape.h"
@@ -6,55 +7,18 @@
 #include "html.h"
 #include "page.h"
 
-static void add_name(struct text *out, const char *id) {
-  if (strncmp(id, "eq-", 3) == 0) {
-    text_add_char(out, '(');
-    escape_html(out, id + 3);
-    text_add_char(out, ')');
-  } else {
-    html_code(out, id);
-  }
-}
-
-void page_begin_link(const struct page *p, const char *prefix, const char *id) {
-  text_add(p->out, "<a href=\"#");
-  html_anchor(p->out, prefix, id);
-  text_add(p->out, "\">");
-}
-
-static void add_link(const struct page *p, const char *prefix, const char *id) {
-  page_begin_link(p, prefix, id);
-  add_name(p->out, id);
-  text_add(p->out, "</a>");
-}
-
-void page_row(const struct page *p, const char *id) {
-  add_link(p, "c-", id);
-}
-
 void page_claim(const struct page *p, const char *id) {
   const struct finding *f = audit_result_finding(p->r, id);
   if (f)
-    add_link(p, finding_fails(f) ? "f-" : "c-", id);
+    page_add(p, "<a href=\"#%s%a\">%n</a>", finding_fails(f) ? "f-" : "c-", id, id);
   else
-    add_name(p->out, id);
-}
-
-void page_claims(const struct page *p, const struct id_list *list) {
-  for (int i = 0; i < list->n; i++) {
-    text_add(p->out, i ? ", " : "");
-    page_claim(p, list->id[i]);
-  }
-}
-
-void page_verdict(const struct page *p, enum verdict v) {
-  text_printf(p->out, "<span class=\"v %s\">%s</span>", verdict_name[v], verdict_name[v]);
+    page_add(p, "%n", id);
 }
 
 void page_section_name(const struct page *p, const char *section) {
   for (; section && *section; section++) {
     char c = *section == '_' ? ' ' : *section;
-    escape_html_n(p->out, &c, 1);
+    escape_html(p->out, &c, 1);
   }
 }
 
@@ -77,10 +41,8 @@ void page_statements(const struct page *p, const struct finding *f) {
   for (int i = 0; i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
     if (!e->note || (last && strcmp(e->note, last) == 0)) continue;
-    text_add(p->out, last ? "<li>" : "<ul>\n<li>");
+    page_add(p, "%s<li>%t%s", last ? "" : "<ul>\n", e->worst, e->worst ? ": " : NULL);
     last = e->note;
-    html_text(p->out, e->worst, NULL);
-    text_add(p->out, e->worst ? ": " : "");
     add_statement(p, e->note);
     html_stop(p->out);
     text_add(p->out, "</li>\n");
@@ -109,20 +71,28 @@ void page_end_table(const struct page *p) {
   text_add(p->out, "</tbody></table></div>\n");
 }
 
-void page_cell(const struct page *p, const struct column *column) {
+void page_begin_cell(const struct page *p, const struct column *column) {
   text_printf(p->out, "<td%s data-of=\"%s\">", column->number ? " class=\"n\"" : "", column->name);
 }
 
-void page_text_cell(const struct page *p, const struct column *column, const char *text) {
-  page_cell(p, column);
-  html_text(p->out, text, NULL);
+void page_cell(const struct page *p, const struct column *column, const char *words, const char *text) {
+  page_begin_cell(p, column);
+  page_add(p, words, text);
   text_add(p->out, "</td>");
+}
+
+const char page_dash[] = "&#8211;";
+
+void page_number(const struct page *p, const struct column *column, long n) {
+  char number[24];
+  snprintf(number, sizeof number, "%ld", n);
+  page_cell(p, column, "%s", n < 0 ? page_dash : number);
 }
 
 void page_recheck(const struct page *p) {
   struct text command;
   text_init(&command);
   audit_recheck(&command, p->r);
-  html_code(p->out, text_str(&command));
+  page_add(p, "%c", text_str(&command));
   text_clear(&command);
 }

@@ -3,7 +3,6 @@
    which claims one route alone has judged. */
 #include <string.h>
 
-#include "escape.h"
 #include "finding.h"
 #include "sections.h"
 
@@ -26,15 +25,11 @@ static void add_counts(const struct page *p) {
   page_begin_table(p, "stack counts", "The verdicts, and what each word means", counts, sizeof counts / sizeof *counts);
   for (int i = 0; i <= N_VERDICTS; i++) {
     bool all = i == N_VERDICTS;
-    text_add(p->out, all ? "<tr><th scope=\"row\">all" : "<tr><th scope=\"row\">");
-    if (!all) page_verdict(p, (enum verdict)i);
-    text_add(p->out, "</th>");
-    page_cell(p, &counts[1]);
-    text_printf(p->out, "%ld</td>", all ? of_paper : count[i]);
-    page_cell(p, &counts[2]);
-    text_printf(p->out, "%ld</td>", all ? of_suite : checks[i]);
-    page_cell(p, &counts[3]);
-    text_printf(p->out, "%s</td></tr>\n", all ? "" : meaning[i]);
+    page_add(p, "<tr><th scope=\"row\">%s%v</th>", all ? "all" : NULL, all ? NULL : verdict_name[i]);
+    page_number(p, &counts[1], all ? of_paper : count[i]);
+    page_number(p, &counts[2], all ? of_suite : checks[i]);
+    page_cell(p, &counts[3], "%s", all ? NULL : meaning[i]);
+    text_add(p->out, "</tr>\n");
   }
   page_end_table(p);
 }
@@ -104,8 +99,7 @@ static void add_alone(const struct page *p) {
   for (size_t i = next_alone(r, 0, NULL); i < r->n_findings; i = next_alone(r, i + 1, NULL)) {
     const char *route = only_route(&r->findings[i]);
     if (next_alone(r, 0, route) < i) continue;
-    text_add(p->out, sep);
-    escape_html(p->out, route);
+    page_add(p, "%s%e", sep, route);
     const char *before = " (";
     for (size_t k = i; k < r->n_findings; k = next_alone(r, k + 1, route)) {
       text_add(p->out, before);

@@ -1,8 +1,6 @@
 /* The pictures of a record: the section of the page, and each as a document of its own. */
 #include <string.h>
 
-#include "escape.h"
-#include "html.h"
 #include "picture.h"
 #include "report.h"
 #include "sections.h"
@@ -12,28 +10,7 @@ static const struct picture *const pictures[] = {&picture_history,    &picture_m
                                                  &picture_along,      &picture_planes};
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
-const char *const picture_style =
-    ":root { --c0: #0b4fa0; --c1: #b02a12; --c2: #1b6e37; --c3: #6a3d9a; }\n"
-    "@media screen and (prefers-color-scheme: dark) { :root:not([data-theme=light]) { --c0: #8fbdf5; --c1: #ff9a80; "
-    "--c2: #7fd09a; --c3: #d0b0f5; } }\n"
-    ":root[data-theme=dark] { --c0: #8fbdf5; --c1: #ff9a80; --c2: #7fd09a; --c3: #d0b0f5; }\n"
-    ".plot { display: block; width: 100%; max-width: 36rem; }\n"
-
-    ".plot text { font-size: 12px; fill: var(--fg); font-family: system-ui, \"DejaVu Sans\", sans-serif;\n"
-    "  paint-order: stroke; stroke: var(--bg); stroke-width: 3px; stroke-linejoin: round; }\n"
-    ".plot .frame { fill: none; stroke: var(--fg); stroke-width: 1; }\n"
-    ".plot .tick { fill: none; stroke: var(--line); stroke-width: .7; }\n"
-    ".plot .curve { fill: none; stroke-width: 1.8; stroke-linejoin: round; }\n"
-    ".plot .c0 { stroke: var(--c0); } .plot .c1 { stroke: var(--c1); }\n"
-    ".plot .c2 { stroke: var(--c2); } .plot .c3 { stroke: var(--c3); }\n"
-    ".plot .aid { stroke: var(--soft); stroke-width: 1; }\n"
-    ".plot .web { stroke: var(--c1); stroke-width: .9; }\n"
-    ".plot .gap { fill: none; stroke: var(--fg); stroke-width: 2.5; }\n"
-    ".plot .dot { fill: var(--c0); stroke: var(--c0); stroke-width: 1.5; }\n"
-    ".plot .dot.open { fill: var(--bg); } .plot .dot.c1 { fill: var(--bg); stroke: var(--c1); }\n";
-
-static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *title,
-                    const char *style) {
+static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *style) {
   struct text told, drawn;
   text_init(&told);
   text_init(&drawn);
@@ -44,17 +21,12 @@ static void add_svg(struct text *out, const struct picture *q, const struct rows
     text_add(out, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
   else
     text_printf(out, "<svg width=\"%d\" height=\"%.0f\"", PLOT_WIDTH, p.bottom);
-  text_printf(out,
-              " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %d %.0f\" role=\"img\" "
-              "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">",
-              PLOT_WIDTH, p.bottom, q->id, q->id, q->id);
-  escape_html(out, title);
-  text_printf(out, "</title>\n<desc id=\"d-%s\">", q->id);
-  escape_html(out, text_str(&told));
-  text_add(out, "</desc>\n");
+  text_printf(out, " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %d %.0f\" role=\"img\" ", PLOT_WIDTH, p.bottom);
+  html_add(out, "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">%e</title>\n<desc id=\"d-%s\">%e</desc>\n", q->id,
+           q->id, q->id, q->title, q->id, text_str(&told));
   if (style)
     text_printf(out, "<style>\n%s%s</style>\n<rect width=\"%d\" height=\"%.0f\" style=\"fill: var(--bg)\" />\n", style,
-                picture_style, PLOT_WIDTH, p.bottom);
+                picture_css, PLOT_WIDTH, p.bottom);
   text_add(out, text_str(&drawn));
   text_add(out, "</svg>\n");
   text_clear(&drawn);
@@ -72,15 +44,11 @@ const char *report_picture_id(int i) {
 }
 
 bool report_picture(struct text *out, const struct audit_result *r, int i) {
-  static const char style[] =
-      ":root { --bg: #fff; --fg: #1b1b1b; --soft: #555; --line: #c8c8c8; }\n"
-      "@media screen and (prefers-color-scheme: dark) { :root { --bg: #14161a; --fg: #e8e8e6; --soft: #b0b0ac; --line: "
-      "#45484f; } }\n";
   struct rows t;
   bool there = rows_read(&t, r, pictures[i]->table);
   if (there) {
     text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    add_svg(out, pictures[i], &t, pictures[i]->title, style);
+    add_svg(out, pictures[i], &t, picture_alone_css);
   }
   rows_clear(&t);
   return there;
@@ -95,13 +63,10 @@ static void add_figure(const struct page *p, const struct picture *q, const stru
     text_add(&said, words);
   else
     q->say(&said, t);
-  text_printf(p->out, "<figure id=\"g-%s\">\n", q->id);
-  add_svg(p->out, q, t, q->title, NULL);
-  text_add(p->out, "<figcaption><strong>");
-  escape_html(p->out, q->title);
-  text_add(p->out, ".</strong> ");
-  html_text(p->out, text_str(&said), NULL);
-  text_printf(p->out, " Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->table, q->table);
+  page_add(p, "<figure id=\"g-%s\">\n", q->id);
+  add_svg(p->out, q, t, NULL);
+  page_add(p, "<figcaption><strong>%e.</strong> %t Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->title,
+           text_str(&said), q->table, q->table);
   text_clear(&said);
 }
 
@@ -115,13 +80,8 @@ void page_picture(const struct page *p, const struct picture *q, const char *wor
 static void add_neighbours(const struct page *p) {
   if (p->r->n_neighbours == 0) return;
   text_add(p->out, "<p>More pictures, of the methods behind all this: ");
-  for (size_t i = 0; i < p->r->n_neighbours; i++) {
-    text_add(p->out, i ? ", <a href=\"" : "<a href=\"");
-    escape_html(p->out, p->r->neighbours[i].path);
-    text_add(p->out, "\">");
-    escape_html(p->out, p->r->neighbours[i].says);
-    text_add(p->out, "</a>");
-  }
+  for (size_t i = 0; i < p->r->n_neighbours; i++)
+    page_add(p, "%s<a href=\"%e\">%e</a>", i ? ", " : NULL, p->r->neighbours[i].path, p->r->neighbours[i].says);
   text_add(p->out, ".</p>\n");
 }
 

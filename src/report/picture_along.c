@@ -1,6 +1,5 @@
 /* The solution along e2: its multiplier and its period, and for which e2 it is stable and admissible. */
 #include <math.h>
-#include <string.h>
 
 #include "picture.h"
 
@@ -87,7 +86,7 @@ static void add_curve(struct plot *p, const struct rows *t, size_t column) {
 }
 
 static void add_panel(struct plot *p, const struct rows *t, size_t column, double top, const char *label) {
-  for (int i = 0; i < 2; i++) p->low[i] = p->high[i] = (double)NAN;
+  plot_forget(p);
   for (size_t i = 0; i < t->n; i++) {
     if (is_change(t, i)) continue;
     plot_hold(&p->low[0], &p->high[0], rows_number(t, i, E2));

@@ -14,14 +14,6 @@ static void add_column(struct plot *p, const struct rows *t, const char *class, 
   plot_end(p);
 }
 
-static void forget(struct plot *p) {
-  for (int i = 0; i < 2; i++) p->low[i] = p->high[i] = (double)NAN;
-}
-
-static void hold(struct plot *p, const struct rows *t, int axis, size_t column) {
-  for (size_t i = 0; i < t->n; i++) plot_hold(&p->low[axis], &p->high[axis], rows_number(t, i, column));
-}
-
 /* --- Margins --- */
 
 enum { M_PHASE, M_TIME, M_FIRST, M_COLUMNS = 4 };
@@ -79,9 +71,9 @@ static void draw_margins(struct plot *p, const struct rows *t) {
                                        {"c2", "*e*_1 \xe2\x88\x92 *w*"},
                                        {"c3", "*e*_2 \xe2\x88\x92 *\xcf\x87r*"}};
   double top = plot_key(p, key, M_COLUMNS);
-  forget(p);
-  hold(p, t, 0, M_TIME);
-  for (int c = 0; c < M_COLUMNS; c++) hold(p, t, 1, M_FIRST + (size_t)c);
+  plot_forget(p);
+  plot_hold_column(p, 0, t, M_TIME);
+  for (int c = 0; c < M_COLUMNS; c++) plot_hold_column(p, 1, t, M_FIRST + (size_t)c);
   plot_hold(&p->low[1], &p->high[1], 0);
   plot_widen(p, 1, 0.05, 0.12);
   plot_panel(p, top + 18, 240, "time *t*", "margin");
@@ -156,9 +148,9 @@ static void draw_long_run(struct plot *p, const struct rows *t) {
     key[n][1] = name[n];
   }
   double top = plot_key(p, (const char *const(*)[2])key, n);
-  forget(p);
-  hold(p, t, 0, PERIOD);
-  hold(p, t, 1, LOG);
+  plot_forget(p);
+  plot_hold_column(p, 0, t, PERIOD);
+  plot_hold_column(p, 1, t, LOG);
   plot_widen(p, 1, 0.05, 0.05);
   p->power[1] = true;
   plot_panel(p, top + 18, 230, "periods", "|*r* \xe2\x88\x92 *r*^{*}|");
@@ -219,9 +211,9 @@ static void draw_steps(struct plot *p, const struct rows *t) {
     key[k][1] = bits_name[k];
   }
   double top = plot_key(p, (const char *const(*)[2])key, N_BITS);
-  forget(p);
-  hold(p, t, 0, STEP);
-  for (size_t k = 0; k < N_BITS; k++) hold(p, t, 1, BITS_53 + k);
+  plot_forget(p);
+  plot_hold_column(p, 0, t, STEP);
+  for (size_t k = 0; k < N_BITS; k++) plot_hold_column(p, 1, t, BITS_53 + k);
   plot_widen(p, 1, 0.05, 0.05);
   p->power[0] = p->power[1] = true;
   plot_panel(p, top + 18, 230, "step *h*", "error of tr *J*");

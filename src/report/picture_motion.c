@@ -39,10 +39,6 @@ static void add_curve(struct plot *p, const struct rows *t, const char *motion, 
   plot_end(p);
 }
 
-static void hold_columns(struct plot *p, const struct rows *t, int axis, size_t column) {
-  for (size_t i = 0; i < t->n; i++) plot_hold(&p->low[axis], &p->high[axis], rows_number(t, i, column));
-}
-
 static void add_dots(struct plot *p, const struct rows *t, const char *motion, const char *class, size_t x, size_t y) {
   for (size_t i = 0; i < t->n; i++)
     if (rows_is(t, i, MOTION, motion) && !rows_is(t, i, MARK, "-"))
@@ -131,10 +127,10 @@ static void add_gap_beside(struct plot *p, const struct rows *t, size_t mass) {
 static void draw_history(struct plot *p, const struct rows *t) {
   double top;
   add_key(p, t, &top);
-  p->low[0] = p->high[0] = p->low[1] = p->high[1] = (double)NAN;
-  hold_columns(p, t, 0, FIRST);
-  hold_columns(p, t, 1, FIRST + 1);
-  hold_columns(p, t, 1, FIRST + 2);
+  plot_forget(p);
+  plot_hold_column(p, 0, t, FIRST);
+  plot_hold_column(p, 1, t, FIRST + 1);
+  plot_hold_column(p, 1, t, FIRST + 2);
   plot_widen(p, 0, 0.06, has_printed(t) ? 0.2 : 0.09);
   plot_widen(p, 1, 0.08, 0.08);
   plot_panel(p, top + 18, 250, "time *t*", "*z*_1 and *z*_2");
@@ -191,9 +187,9 @@ static void draw_portrait(struct plot *p, const struct rows *t) {
   add_key(p, t, &top);
   for (int mass = 0; mass < 2; mass++, top += 240) {
     size_t x = FIRST + 2 * (size_t)mass, y = x + 1;
-    p->low[0] = p->high[0] = p->low[1] = p->high[1] = (double)NAN;
-    hold_columns(p, t, 0, x);
-    hold_columns(p, t, 1, y);
+    plot_forget(p);
+    plot_hold_column(p, 0, t, x);
+    plot_hold_column(p, 1, t, y);
     plot_widen(p, 0, 0.09, 0.09);
     plot_widen(p, 1, 0.15, 0.22);
     plot_panel(p, top + 18, 180, labels[mass][0], labels[mass][1]);

@@ -95,7 +95,7 @@ static void add_fixed_points(struct plot *p, const struct rows *t) {
 }
 
 static void add_panel(struct plot *p, const struct rows *t, const char *curve, double top, bool steps) {
-  for (int i = 0; i < 2; i++) p->low[i] = p->high[i] = (double)NAN;
+  plot_forget(p);
   for (size_t i = 0; i < t->n; i++)
     if (rows_is(t, i, CURVE, curve)) plot_hold(&p->low[0], &p->high[0], rows_number(t, i, R));
   p->low[1] = p->low[0];

@@ -94,7 +94,7 @@ void plot_text(struct plot *p, double x, double y, const char *anchor, const cha
       bool below = *c == '_', braced = c[1] == '{';
       size_t n = braced ? strcspn(c + 2, "}") : 1;
       text_printf(p->out, "<tspan dy=\"%s\" font-size=\"9\">", below ? "3" : "-4");
-      escape_html_n(p->out, c + 1 + braced, n);
+      escape_html(p->out, c + 1 + braced, n);
       text_add(p->out, "</tspan>");
       back = below ? "\"-3\"" : "\"4\"";
       c += braced ? n + 2 : 1;
@@ -102,7 +102,7 @@ void plot_text(struct plot *p, double x, double y, const char *anchor, const cha
       size_t n = strcspn(c, "*_^");
       if (n == 0) n = 1;
       if (back) text_printf(p->out, "<tspan dy=%s>", back);
-      escape_html_n(p->out, c, n);
+      escape_html(p->out, c, n);
       if (back) text_add(p->out, "</tspan>");
       back = NULL;
       c += n - 1;
@@ -117,6 +117,14 @@ void plot_hold(double *low, double *high, double x) {
   if (isnan(x)) return;
   if (!(x >= *low)) *low = x;
   if (!(x <= *high)) *high = x;
+}
+
+void plot_forget(struct plot *p) {
+  for (int axis = 0; axis < 2; axis++) p->low[axis] = p->high[axis] = (double)NAN;
+}
+
+void plot_hold_column(struct plot *p, int axis, const struct rows *t, size_t column) {
+  for (size_t i = 0; i < t->n; i++) plot_hold(&p->low[axis], &p->high[axis], rows_number(t, i, column));
 }
 
 void plot_widen(struct plot *p, int axis, double below, double above) {

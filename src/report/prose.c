@@ -67,15 +67,15 @@ static size_t add_name(struct text *out, const struct prose *p) {
   if (letter)
     text_add(out, letter);
   else
-    escape_html_n(out, p->s, letters);
+    escape_html(out, p->s, letters);
   add_primes(out, before);
   if (lowered) {
     const struct prose low = {p->s + i + gap, index};
     size_t slanted = count(&low, 0, char_is_letter);
     text_add(out, slanted ? "<sub><i>" : "<sub>");
-    escape_html_n(out, low.s, slanted);
+    escape_html(out, low.s, slanted);
     text_add(out, slanted ? "</i>" : "");
-    escape_html_n(out, low.s + slanted, index - slanted);
+    escape_html(out, low.s + slanted, index - slanted);
     text_add(out, "</sub>");
   }
   add_primes(out, after);
@@ -92,12 +92,12 @@ static size_t add_power(struct text *out, const struct prose *p) {
   size_t sign = minus || at(p, mantissa + 1) == '+', from = mantissa + 1 + sign, n = count(p, from, char_is_digit);
   if (!n || char_is_word(at(p, from + n))) return 0;
   bool one = mantissa == 1 && p->s[0] == '1', zero = n == 1 && p->s[from] == '0';
-  if (!one || zero) escape_html_n(out, p->s, mantissa);
+  if (!one || zero) escape_html(out, p->s, mantissa);
   if (zero) return from + n;
   text_add(out, one ? "10" : "&#183;10");
   if (!minus && n == 1 && p->s[from] == '1') return from + n;
   text_add(out, minus ? "<sup>\xe2\x88\x92" : "<sup>");
-  escape_html_n(out, p->s + from, n);
+  escape_html(out, p->s + from, n);
   text_add(out, "</sup>");
   return from + n;
 }
@@ -110,7 +110,7 @@ static size_t add_exponent(struct text *out, const char *all, size_t i, size_t l
   size_t n = count(&p, from, char_is_digit), end = from + n + brace;
   if (!n || (brace && at(&p, from + n) != '}') || (!brace && char_is_word(at(&p, end)))) return 0;
   text_add(out, minus ? "<sup>\xe2\x88\x92" : "<sup>");
-  escape_html_n(out, p.s + from, n);
+  escape_html(out, p.s + from, n);
   text_add(out, "</sup>");
   return end;
 }
@@ -147,7 +147,7 @@ void html_prose_n(struct text *out, const char *s, size_t len) {
     }
     if (!n) {
       for (n = 1; i + n < len && ((unsigned char)s[i + n] & 0xC0) == 0x80;) n++;
-      escape_html_n(out, s + i, n);
+      escape_html(out, s + i, n);
     }
     i += n;
   }

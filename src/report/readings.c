@@ -3,6 +3,7 @@
 
 #include "audit_shape.h"
 #include "report.h"
+#include "sheet.h"
 
 void report_readings_json(struct text *out, const struct audit_result *r) {
   struct json j;
@@ -53,11 +54,10 @@ static void add_reading(struct text *out, const struct example_reading *r) {
   add_dropped(out, r);
   text_add(out, "\n- equations satisfied: ");
   add_strings(out, r->solved, r->n_solved, "nothing");
-  text_printf(out,
-              "\n- %d assumption%s: %s\n- matrices as %s%s; intermediate numbers: %s; digits reproduced: %d\n\n"
-              "| number | printed | in this reading | |\n| --- | ---: | ---: | --- |\n",
+  text_printf(out, "\n- %d assumption%s: %s\n- matrices as %s%s; intermediate numbers: %s; digits reproduced: %d\n\n",
               r->assumptions, r->assumptions == 1 ? "" : "s", r->assumed, r->layer,
               r->confirmed ? ", with the same result by the independent model" : "", r->carry, r->digits);
+  markdown_head(out, "number|printed:|in this reading:|");
   for (int i = 0; i < r->n_numbers; i++)
     text_printf(out, "| %s | %s | %s | %s |\n", r->number[i].name, r->number[i].printed, r->number[i].value,
                 r->number[i].how);
@@ -77,8 +77,7 @@ static void add_readings(struct text *out, const char *heading, const struct exa
   text_printf(out, "### %s\n\nThe first of them:\n\n", heading);
   add_reading(out, &r[0]);
   if (n == 1) return;
-  text_add(out, "| rank | exact data | equations left out | intermediate numbers | assumptions | digits |\n"
-                "| ---: | --- | --- | --- | ---: | ---: |\n");
+  markdown_head(out, "rank:|exact data|equations left out|intermediate numbers|assumptions:|digits:");
   for (int i = 0; i < n; i++) {
     text_printf(out, "| %d | ", i + 1);
     add_strings(out, r[i].inputs, r[i].n_inputs, "none");
@@ -91,10 +90,8 @@ static void add_readings(struct text *out, const char *heading, const struct exa
 }
 
 static void add_levels(struct text *out, const struct readings *r) {
-  text_add(
-      out,
-      "| equations left out | readings | not determined | give all printed numbers | without intermediate rounding | "
-      "undecided |\n| ---: | ---: | ---: | ---: | ---: | ---: |\n");
+  markdown_head(out, "equations left out:|readings:|not determined:|give all printed numbers:|without intermediate "
+                     "rounding:|undecided:");
   for (int i = 0; i < r->n_levels; i++)
     text_printf(out, "| %d | %ld | %ld | %ld | %ld | %ld |\n", r->level[i].dropped, r->level[i].tried,
                 r->level[i].undetermined, r->level[i].reproduce, r->level[i].unrounded, r->level[i].open);
@@ -103,12 +100,9 @@ static void add_levels(struct text *out, const struct readings *r) {
 
 static void add_procedure(struct text *out, const struct readings_procedure *p) {
   if (p->n_outputs == 0) return;
-  text_printf(
-      out,
-      "### The whole procedure, from %s\n\n"
-      "| result | printed | value | for all data with the printed digits | agrees somewhere | decimals of the data "
-      "needed |\n| --- | ---: | ---: | --- | --- | ---: |\n",
-      p->inputs);
+  text_printf(out, "### The whole procedure, from %s\n\n", p->inputs);
+  markdown_head(
+      out, "result|printed:|value:|for all data with the printed digits|agrees somewhere|decimals of the data needed:");
   for (int i = 0; i < p->n_outputs; i++) {
     const struct procedure_output *o = &p->output[i];
     text_printf(out, "| %s | %s | %s | %s to %s | %s | ", o->name, o->printed, o->value, o->low ? o->low : "?",
@@ -123,11 +117,8 @@ static void add_procedure(struct text *out, const struct readings_procedure *p) 
 }
 
 static void add_pairs(struct text *out, const struct readings *r) {
-  text_add(
-      out,
-      "### All equations satisfied, two numbers exactly as printed\n\n| exact data | printed numbers reproduced | not "
-      "reproduced |\n"
-      "| --- | ---: | --- |\n");
+  text_add(out, "### All equations satisfied, two numbers exactly as printed\n\n");
+  markdown_head(out, "exact data|printed numbers reproduced:|not reproduced");
   for (int i = 0; i < r->n_pairs; i++) {
     const struct readings_pair *p = &r->pair[i];
     text_printf(out, "| %s | %d of %d | %s |\n", p->inputs, p->n_given, p->n_numbers,

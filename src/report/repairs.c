@@ -4,6 +4,7 @@
 #include "base/json.h"
 #include "escape.h"
 #include "mutation.h"
+#include "sheet.h"
 
 static void write_repair(struct json *j, const struct repair *r) {
   json_object(j, NULL);
@@ -85,9 +86,7 @@ void report_repairs_markdown(struct text *out, const struct repair_result *r) {
     text_add(out, "- ");
     add_summary(out, c);
     text_add(out, "\n\n");
-    if (c->n)
-      text_add(out, "| edits | characters | change | repaired text | verdict | correction on file |\n"
-                    "| ---: | ---: | --- | --- | --- | --- |\n");
+    if (c->n) markdown_head(out, "edits:|characters:|change|repaired text|verdict|correction on file");
     for (size_t k = 0; k < c->n; k++) {
       const struct repair *p = &c->repair[k];
       text_printf(out, "| %d | %ld | `%s` | `%s` | %s | %s |\n", p->edits, p->distance, p->change, p->text, p->verdict,

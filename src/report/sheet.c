@@ -1,23 +1,28 @@
-/* Text with formulas in it, for Markdown and for LaTeX.  What a report quotes was written by others: a bar must not end
-   a table's cell, an underscore must not begin italics, and a percent sign must not hide the rest of a line. */
+/* Text with formulas in it, for Markdown, LaTeX and HTML.  What a report quotes was written by others: a bar must not
+   end a table's cell, an underscore must not begin italics, a percent sign must not hide the rest of a line, nothing is
+   an element. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/tex.h"
 #include "escape.h"
 #include "finding.h"
 #include "formula.h"
+#include "html.h"
 #include "sheet.h"
 
 static void add_plain(const struct sheet *s, const char *text, size_t len) {
-  (s->tex ? escape_tex : escape_markdown)(s->out, text, len);
+  static void (*const escape[])(struct text *, const char *, size_t) = {
+      [DIALECT_MARKDOWN] = escape_markdown, [DIALECT_TEX] = escape_tex, [DIALECT_HTML] = escape_html};
+  escape[s->dialect](s->out, text, len);
 }
 
 /* In Markdown a bar or a backtick cannot stand in code everywhere; such text is shown as it is. */
 static void add_code(const struct sheet *s, const char *code, size_t len) {
-  bool plain = !s->tex && (memchr(code, '|', len) || memchr(code, '`', len));
-  const char *begin = s->tex ? "\\texttt{" : "`", *end = s->tex ? "}" : "`";
+  bool tex = s->dialect == DIALECT_TEX, plain = !tex && (memchr(code, '|', len) || memchr(code, '`', len));
+  const char *begin = tex ? "\\texttt{" : "`", *end = tex ? "}" : "`";
   if (!plain) text_add(s->out, begin);
-  if (s->tex || plain)
+  if (tex || plain)
     add_plain(s, code, len);
   else
     for (size_t i = 0; i < len; i++) text_add_char(s->out, (unsigned char)code[i] < ' ' ? ' ' : code[i]);
@@ -42,8 +47,11 @@ static void add_math(const struct sheet *s, const char *math, size_t len) {
   text_add_char(s->out, '$');
 }
 
-void sheet_math(const struct sheet *s, const char *math) {
-  add_math(s, math, strlen(math));
+static void sheet_math(const struct sheet *s, const char *math) {
+  if (s->dialect == DIALECT_HTML)
+    html_math(s->out, math, NULL);
+  else
+    add_math(s, math, strlen(math));
 }
 
 void sheet_values(const struct sheet *s, const struct audit_result *r, const struct root_cause *root) {
@@ -56,8 +64,11 @@ void sheet_values(const struct sheet *s, const struct audit_result *r, const str
   if (n) text_add(s->out, ". ");
 }
 
-void sheet_code(const struct sheet *s, const char *code) {
-  add_code(s, code, strlen(code));
+static void sheet_code(const struct sheet *s, const char *code) {
+  if (s->dialect == DIALECT_HTML)
+    html_code(s->out, code);
+  else
+    add_code(s, code, strlen(code));
 }
 
 /* --- Names in sentences --- */
@@ -148,9 +159,110 @@ static void add_text(const struct sheet *s, const char *text, void (*add)(const 
 }
 
 void sheet_text(const struct sheet *s, const char *text) {
-  add_text(s, text, add_plain);
+  if (s->dialect == DIALECT_HTML)
+    html_text(s->out, text, NULL);
+  else
+    add_text(s, text, add_plain);
 }
 
 void sheet_prose(const struct sheet *s, const char *text) {
-  add_text(s, text, add_prose);
+  if (s->dialect == DIALECT_HTML)
+    html_prose(s->out, text);
+  else
+    add_text(s, text, add_prose);
+}
+
+void sheet_stop(const struct sheet *s) {
+  if (s->dialect == DIALECT_HTML)
+    html_stop(s->out);
+  else if (s->out->len && s->out->data[s->out->len - 1] != '.')
+    text_add_char(s->out, '.');
+}
+
+void sheet_list(const struct sheet *s, const char *const *list, int n) {
+  for (int i = 0; i < n; i++) {
+    text_add(s->out, i == 0 ? "" : i + 1 < n ? ", " : " and ");
+    sheet_prose(s, list[i]);
+  }
+}
+
+void markdown_head(struct text *out, const char *columns) {
+  struct text rule;
+  text_init(&rule);
+  text_add_char(out, '|');
+  text_add(&rule, "\n|");
+  for (const char *c = columns, *end = c; *end; c = end + 1) {
+    end = c + strcspn(c, "|");
+    bool right = end > c && end[-1] == ':';
+    text_printf(out, "%s%.*s |", end > c ? " " : "", (int)(end - c - right), c);
+    text_add(&rule, right ? " ---: |" : " --- |");
+  }
+  text_printf(out, "%s\n", text_str(&rule));
+  text_clear(&rule);
+}
+
+/* --- Words with texts in them --- */
+
+/* A claim of an equation by the equation's number, others as code. */
+static void add_claim(const struct sheet *s, const char *id) {
+  if (strncmp(id, "eq-", 3) == 0)
+    sheet_add(s, "(%e)", id + 3);
+  else
+    sheet_code(s, id);
+}
+
+static void add_verdict(const struct sheet *s, const char *verdict) {
+  if (s->dialect == DIALECT_HTML)
+    sheet_add(s, "<span class=\"v %s\">%s</span>", verdict, verdict);
+  else
+    text_add(s->out, verdict);
+}
+
+static void add_one(const struct sheet *s, char how, const char *text) {
+  switch (how) {
+  case 's':
+    text_add(s->out, text);
+    return;
+  case 'e':
+    add_plain(s, text, strlen(text));
+    return;
+  case 't':
+    sheet_text(s, text);
+    return;
+  case 'p':
+    sheet_prose(s, text);
+    return;
+  case 'm':
+    sheet_math(s, text);
+    return;
+  case 'c':
+    sheet_code(s, text);
+    return;
+  case 'v':
+    add_verdict(s, text);
+    return;
+  case 'a':
+    html_anchor(s->out, "", text);
+    return;
+  case 'n':
+    add_claim(s, text);
+    return;
+  }
+  abort();
+}
+
+void sheet_add_texts(const struct sheet *s, const char *words, const char *const *text, size_t n) {
+  size_t used = 0;
+  for (const char *end; *words; words = end + 2) {
+    end = words + strcspn(words, "%");
+    text_add_n(s->out, words, (size_t)(end - words));
+    if (!*end) break;
+    if (end[1] == '.')
+      sheet_stop(s);
+    else if (used == n)
+      abort();
+    else if (text[used++])
+      add_one(s, end[1], text[used - 1]);
+  }
+  if (used != n) abort();
 }

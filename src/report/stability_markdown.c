@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sheet.h"
 #include "stability.h"
 #include "stability_words.h"
 
@@ -61,9 +62,8 @@ static void add_after(struct text *out, const struct stability_result *r, const 
   char a[32], b[32], c[32];
   struct other_form o = other_form(r, row->formula);
   add_replacement(out, &r->formula[row->formula], false);
-  text_printf(out, " | %s | %s | %s | %ld | ", stability_or_none(stability_tenths(a, row->after)),
-              stability_or_none(stability_tenths(b, stability_gained(row))),
-              stability_or_none(stability_tenths(c, o.most)), o.failures);
+  text_printf(out, " | %s | %s | %s | %ld | ", stability_digits(a, row->after),
+              stability_digits(b, stability_gained(row)), stability_digits(c, o.most), o.failures);
 }
 
 /* Of the formulas, or of the program's functions. */
@@ -80,9 +80,8 @@ static void add_ledger(struct text *out, const struct stability_result *r, bool 
     const struct stability_formula *f = &r->formula[row[i]->formula];
     if (!stability_loses(row[i]) || f->kernel != kernels || shown++ >= most) continue;
     text_printf(out, "| `%s` | %s | %s | %s | %s | %s | ", f->id, *f->equation ? f->equation : f->record,
-                r->region[row[i]->region].id, stability_lost(a, row[i]),
-                stability_or_none(stability_tenths(b, row[i]->problem)),
-                stability_or_none(stability_tenths(c, row[i]->excess)));
+                r->region[row[i]->region].id, stability_lost(a, row[i]), stability_digits(b, row[i]->problem),
+                stability_digits(c, row[i]->excess));
     stability_add_cause(out, row[i], "`");
     text_add(out, " | ");
     if (after) add_after(out, r, row[i]);
@@ -96,7 +95,7 @@ static void add_ledger(struct text *out, const struct stability_result *r, bool 
 static void add_unmended(struct text *out, const struct stability_result *r) {
   char a[32];
   int n = 0, kept = 0;
-  text_add(out, "| formula | replacement | region | loses by itself | at |\n| --- | --- | --- | ---: | --- |\n");
+  markdown_head(out, "formula|replacement|region|loses by itself:|at");
   for (int i = 0; i < r->n_formulas; i++) {
     const struct stability_row *worst = NULL;
     for (int k = 0; k < r->n_regions; k++) {
@@ -111,8 +110,8 @@ static void add_unmended(struct text *out, const struct stability_result *r) {
     if (n++ >= MOST_NODES) continue;
     text_printf(out, "| `%s` | ", r->formula[i].id);
     add_replacement(out, &r->formula[i], false);
-    text_printf(out, " | %s | %s | `%s` |\n", r->region[worst->region].id,
-                stability_or_none(stability_tenths(a, worst->after_most)), worst->after_witness);
+    text_printf(out, " | %s | %s | `%s` |\n", r->region[worst->region].id, stability_digits(a, worst->after_most),
+                worst->after_witness);
   }
   add_rest(out, n, MOST_NODES);
   text_printf(out, "%d replaced formulas stay within %d max(1, kappa) units in every region, %d do not.\n\n", kept,
@@ -151,10 +150,7 @@ static void add_pairs(struct text *out, const struct stability_result *r) {
               r->n_pairs, points, undecided);
   text_printf(out, failing ? "%d have not the same value everywhere.\n\n" : "all have the same value everywhere.\n\n",
               failing);
-  if (failing)
-    text_add(
-        out,
-        "| formula | points | no value | another value | region | at |\n| --- | ---: | ---: | ---: | --- | --- |\n");
+  if (failing) markdown_head(out, "formula|points:|no value:|another value:|region|at");
   for (int i = 0; i < r->n_pairs; i++) {
     const struct stability_pair *p = &r->pair[i];
     if (!stability_pair_fails(p)) continue;
@@ -207,20 +203,20 @@ static void add_culprits(struct text *out, const struct stability_result *r) {
   char a[32];
   int n;
   struct culprit *c = culprits(&n, r);
-  text_add(out, "| formulas | cause | digits | worst in | region |\n| ---: | --- | ---: | --- | --- |\n");
+  markdown_head(out, "formulas:|cause|digits:|worst in|region");
   for (int i = 0; i < n && i < MOST_NODES; i++) {
     const struct stability_row *row = c[i].worst;
     text_printf(out, "| %d | ", c[i].formulas);
     stability_add_cause(out, row, "`");
-    text_printf(out, " | %s | `%s` | %s |\n", stability_or_none(stability_tenths(a, row->excess)),
-                r->formula[row->formula].id, r->region[row->region].id);
+    text_printf(out, " | %s | `%s` | %s |\n", stability_digits(a, row->excess), r->formula[row->formula].id,
+                r->region[row->region].id);
   }
   add_rest(out, n, MOST_NODES);
   free(c);
 }
 
 static void add_failures(struct text *out, const struct stability_result *r) {
-  text_add(out, "| formula | region | failure | node | which is | witness |\n| --- | --- | --- | --- | --- | --- |\n");
+  markdown_head(out, "formula|region|failure|node|which is|witness");
   char a[32];
   int n = 0;
   for (int i = 0; i < r->n_formulas; i++) {
@@ -235,8 +231,7 @@ static void add_failures(struct text *out, const struct stability_result *r) {
 
 static void add_regions(struct text *out, const struct stability_result *r) {
   char a[32];
-  text_add(out, "| region | what it is | points | formulas that lose digits | that fail | the worst | loses |\n"
-                "| --- | --- | ---: | ---: | ---: | --- | ---: |\n");
+  markdown_head(out, "region|what it is|points:|formulas that lose digits:|that fail:|the worst|loses:");
   for (int k = 0; k < r->n_regions; k++) {
     int losing = 0, failing = 0;
     const struct stability_row *worst = NULL;

@@ -7,6 +7,7 @@
 #include "stability_words.h"
 
 void report_stability_tsv(struct text *out, const struct stability_result *r) {
+  const double none = (double)NAN;
   char a[80], b[32], c[32], e[32], f[32], g[32];
   text_add(out, "formula\tequation\tregion\tpoints\tfailures\tdigits lost\tby the problem\tby the formula\tpredicted\t"
                 "cause\tnode\tsource\tafter\tgained\tafter, most\tafter, failures\tshort\tshort, "
@@ -20,16 +21,13 @@ void report_stability_tsv(struct text *out, const struct stability_result *r) {
     text_printf(out, "%s\t%s\t%s\t%ld\t%ld\t%s\t%s\t%s\t%s\t%s\t%s\t%s", of->id,
                 stability_or_none(*of->equation ? of->equation : NULL), r->region[row->region].id, row->points,
                 row->failures, stability_or_none(found ? stability_lost(a, row) : NULL),
-                stability_or_none(found ? stability_tenths(b, row->problem) : NULL),
-                stability_or_none(found ? stability_tenths(c, row->excess) : NULL),
-                stability_or_none(found ? stability_tenths(e, row->predicted) : NULL),
-                found ? loss_cause_says[row->cause] : "-", stability_or_none(found ? row->node : NULL),
-                stability_or_none(found ? row->source : NULL));
-    text_printf(out, "\t%s\t%s\t%s\t%ld\t%ld\t%ld\t%s\t%s\t%s\t%s\n",
-                stability_or_none(found ? stability_tenths(a, row->after) : NULL),
-                stability_or_none(found ? stability_tenths(f, stability_gained(row)) : NULL),
-                stability_or_none(stability_tenths(g, row->after_most)), row->after_failures, row->after_short,
-                row->after_rounded, stability_or_none(found ? row->witness : NULL),
+                stability_digits(b, found ? row->problem : none), stability_digits(c, found ? row->excess : none),
+                stability_digits(e, found ? row->predicted : none), found ? loss_cause_says[row->cause] : "-",
+                stability_or_none(found ? row->node : NULL), stability_or_none(found ? row->source : NULL));
+    text_printf(out, "\t%s\t%s\t%s\t%ld\t%ld\t%ld\t%s\t%s\t%s\t%s\n", stability_digits(a, found ? row->after : none),
+                stability_digits(f, found ? stability_gained(row) : none), stability_digits(g, row->after_most),
+                row->after_failures, row->after_short, row->after_rounded,
+                stability_or_none(found ? row->witness : NULL),
                 row->failure_witness ? loss_cause_says[row->failure] : "-", stability_or_none(row->failure_source),
                 stability_or_none(row->failure_witness));
   }
@@ -45,10 +43,9 @@ void report_stability_text(struct text *out, const struct stability_result *r) {
   for (int i = 0; i < n && i < SHOWN && stability_loses(row[i]); i++) {
     const struct stability_formula *f = &r->formula[row[i]->formula];
     text_printf(out, "%-22s %-22s %5s %8s %8s", f->id, r->region[row[i]->region].id,
-                stability_or_none(stability_tenths(a, row[i]->observed)),
-                stability_or_none(stability_tenths(b, row[i]->problem)),
-                stability_or_none(stability_tenths(c, row[i]->excess)));
-    if (r->after) text_printf(out, " %7s", stability_or_none(stability_tenths(a, row[i]->after)));
+                stability_digits(a, row[i]->observed), stability_digits(b, row[i]->problem),
+                stability_digits(c, row[i]->excess));
+    if (r->after) text_printf(out, " %7s", stability_digits(a, row[i]->after));
     text_add(out, "  ");
     stability_add_cause(out, row[i], "");
     if (stability_relative_error(a, row[i])) text_printf(out, "; %s", stability_lost(all, row[i]));

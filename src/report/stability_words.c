@@ -20,6 +20,10 @@ const char *stability_or_none(const char *s) {
   return s ? s : "-";
 }
 
+const char *stability_digits(char buffer[32], double x) {
+  return stability_or_none(stability_tenths(buffer, x));
+}
+
 /* Of a row whose digits are all lost the relative error, to one digit; NULL elsewhere. */
 const char *stability_relative_error(char buffer[32], const struct stability_row *row) {
   double x = row->error - 53 * log10(2);

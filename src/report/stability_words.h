@@ -7,6 +7,8 @@
 
 /* Digits to a tenth; NULL where there are none. */
 const char *stability_tenths(char buffer[32], double x);
+/* The same, "-" where there are none. */
+const char *stability_digits(char buffer[32], double x);
 /* "-" for NULL. */
 const char *stability_or_none(const char *s);
 
