@@ -74,17 +74,6 @@ static const char *joined(const struct id_list *list) {
 
 /* --- Programs beside the tests --- */
 
-/* The exit status of a command; its output goes to the test's own. */
-static int run(const char *fmt, ...) {
-  char command[2000];
-  va_list ap;
-  va_start(ap, fmt);
-  vsnprintf(command, sizeof command, fmt, ap);
-  va_end(ap);
-  int s = system(command);
-  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
-}
-
 static void write_text(const char *name, void (*writer)(struct text *, const struct audit_result *),
                        const struct audit_result *r) {
   struct text t;
@@ -105,7 +94,7 @@ static void write_sheets(const struct audit_result *r) {
 
 START_TEST(dependences_are_those_of_the_text) {
   write_sheets(&result);
-  ck_assert_int_eq(run("%s tests/oracle/depends.py verify '%s'", python(), scratch_path("audit.json")), 0);
+  ck_assert_int_eq(shell("%s tests/oracle/depends.py verify '%s'", python(), scratch_path("audit.json")), 0);
 }
 END_TEST
 
@@ -420,7 +409,7 @@ START_TEST(without_a_correction_nothing_is_said) {
   ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
   ck_assert(finding_with_id(&r, "eq-27")->correction == NULL && audit_result_consequence(&r, "eq-27") == NULL);
   write_sheets(&r);
-  ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  ck_assert_int_eq(shell("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
   audit_result_clear(&r);
 }
 END_TEST
@@ -532,25 +521,25 @@ static void hostile(struct audit_result *r, const char *const *traps, size_t n) 
 /* With what is installed: the checker of the tests, Graphviz, LaTeX. */
 static void check_sheets(const struct audit_result *r) {
   write_sheets(r);
-  ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
-  if (run("command -v dot >/dev/null") == 0)
-    ck_assert_int_eq(run("dot -Tsvg -o /dev/null '%s'", scratch_path("claims.dot")), 0);
-  if (run("command -v pdflatex >/dev/null") == 0)
+  ck_assert_int_eq(shell("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  if (shell("command -v dot >/dev/null") == 0)
+    ck_assert_int_eq(shell("dot -Tsvg -o /dev/null '%s'", scratch_path("claims.dot")), 0);
+  if (shell("command -v pdflatex >/dev/null") == 0)
     ck_assert_int_eq(
-        run("cd '%s' && pdflatex -halt-on-error -interaction=batchmode errata.tex >/dev/null 2>&1", scratch_path("")),
+        shell("cd '%s' && pdflatex -halt-on-error -interaction=batchmode errata.tex >/dev/null 2>&1", scratch_path("")),
         0);
 }
 
 /* A page for what changes a result, one for the slips, the numbers behind. */
 START_TEST(the_sheet_has_its_pages) {
   write_sheets(&result);
-  if (run("command -v pdflatex >/dev/null") != 0) {
+  if (shell("command -v pdflatex >/dev/null") != 0) {
     fprintf(stderr, "check_errata: pdflatex is not installed: the pages of errata.tex are not counted\n");
     return;
   }
   ck_assert_int_eq(
-      run("cd '%s' && pdflatex -halt-on-error errata.tex | grep -q 'Output written on errata.pdf (3 pages'",
-          scratch_path("")),
+      shell("cd '%s' && pdflatex -halt-on-error errata.tex | grep -q 'Output written on errata.pdf (3 pages'",
+            scratch_path("")),
       0);
 }
 END_TEST
@@ -629,7 +618,7 @@ START_TEST(circles_in_the_graph) {
   f[3].depends_on = four, f[3].n_depends_on = 3;
   struct audit_result r = {.scene = "s", .title = "t", .findings = f, .n_findings = 4};
   write_sheets(&r);
-  ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  ck_assert_int_eq(shell("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
   struct text t;
   text_init(&t);
   report_dot(&t, &r);

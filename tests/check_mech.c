@@ -839,67 +839,6 @@ END_TEST
 
 /* --- Commands --- */
 
-static const struct {
-  const char *command, *says;
-  int status;
-} commands[] = {
-    {"system", "system takes one FILE", 2},
-    {"system nothing.system", "nothing.system", 3},
-    {"orbit chain3 --basin", "are of the paper's two masses", 3},
-    {"orbit chain3 --certificate /no-such-folder/c.json", "/no-such-folder/c.json", 3},
-    {"orbit chain3 --digits 1001", "at most 1000 --digits", 3},
-    {"orbit chain3 --set system=chain99", "chain99.system", 3},
-    {"orbit chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},
-    {"orbit chain3 --set chi=1", "the system has no parameter chi; it has V", 3},
-    {"orbit chain3 --set q=", "--set:1:1: error: the scene gives no value of q", 3},
-    {"orbit chain3 --set V=1 --set V=2", "V is given twice", 3},
-    {"orbit chain3 --set 'V=[1,2]'", "--set:1:3: error: a constant expression has", 3},
-    {"orbit two-masses.scene --set system=two-masses --set chi=1", "two-masses.scene", 3},
-    {"orbit paper --set velocity=2", "--set:1:1: error: unknown name velocity", 3},
-    {"orbit paper --set system=chain3", "paper.scene:7:1: error: the system has no parameter e2; it has V", 3},
-    {"orbit chain3 --set V= --set word=", "orbits of the system chain3 found", 0},
-    {"orbit chain3 --set ask=eq-27", "ask is of the paper's two masses", 3},
-    {"verify chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
-    {"simulate chain3 --compare", "--compare is of the paper's two masses", 2},
-    {"simulate chain3 --at printed", "--at printed is of the paper's two masses", 2},
-    {"simulate chain3 --at orbit:7", "there is no orbit 7", 3},
-    {"simulate chain3 --start 1,2,3", "--start takes 6 constant expressions, x1,...,x3,v1,...,v3", 3},
-    {"simulate chain3 --start 1,2,3,0,0,0,0", "--start takes 6 constant expressions", 3},
-    {"simulate chain3 --start 1,2,3,0,0,nan", "nan", 3},
-    {"simulate chain3 --start 1,2,3,0,0,1e300", "numbers of at most 1e100", 3},
-    {"simulate chain3 --start 1,2,3,0,0,0 --periods 2", "give --time", 2},
-    {"simulate chain3 --time 0", "--time takes a time as a decimal", 2},
-    {"simulate chain3 --time 2 --periods 2", "--time and --periods exclude each other", 2},
-    {"simulate chain3 --json --csv", "--json goes with neither --csv nor --samples", 2},
-    {"simulate chain3 --set system=nothing", "nothing.system", 3},
-    {"simulate chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},
-    {"simulate beside-wall --periods 100000", "longer than", 3},
-    {"simulate chain3 --start 0,0,0,0,0,0 --time 1000000", "budget of steps is used up", 5},
-    {"simulate chain3 --start -1e99,0,0,0,0,0 --time 40", "ended: done at t = 40", 0},
-    {"simulate driven --start 1,2,0,0 --time 4",
-     "--start takes 5 constant expressions, x1,...,x2,v1,...,v2 and the angle", 3},
-    {"simulate driven --start 0,0,0,0,1/2 --time 4", "load angle 0.5", 0},
-    {"simulate beside-wall --start 1,4,0,0", "m2 starts at 4, beyond the obstacle wall at 3.2", 3},
-    {"simulate beside-wall", "settles on: -- -->2 s-, period 10.14233771", 0},
-    {"simulate chain3 --set 'word=-ss sss' --time 2", "from the first start of the search, which finds no orbit", 0},
-    {"plot chain3 --set 'word=-ss sss'", "nothing to draw: no orbit is found", 3},
-    {"bifurcate chain3 --along W=1:2", "the system has no parameter W; it has V", 3},
-    {"bifurcate chain3 --along V=1:1", "the ends of --along V=1:1 are equal", 2},
-    {"bifurcate chain3 --along V", "--along takes NAME=A:B", 2},
-    {"bifurcate two-masses.system --along V=1:2", "two-masses.system", 3},
-    {"words chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
-    {"jacobian chain3", "only orbit, simulate, plot and bifurcate take such a scene", 3},
-    {"check verify/systems/chain3.system verify/scenes/chain3.scene", "chain3.scene: ok", 0},
-};
-
-START_TEST(commands_on_systems) {
-  int status;
-  char *out = shell_output(&status, "%s %s 2>&1", program(), commands[_i].command);
-  ck_assert_msg(status == commands[_i].status && strstr(out, commands[_i].says), "%d: %s", status, out);
-  free(out);
-}
-END_TEST
-
 /* Events of a table, without the column of phases that a system file's has: time, mass, change, the four coordinates. */
 struct line {
   double number[5];
@@ -1004,7 +943,6 @@ Suite *mech_suite(void) {
   tcase_add_test(c, changes_along_the_papers_line);
   tcase_add_loop_test(c, no_change_where_there_is_none, 0, 2);
   tcase_add_test(c, an_end_at_a_grazing_event_is_no_flip);
-  tcase_add_loop_test(c, commands_on_systems, 0, COUNT(commands));
   tcase_add_loop_test(c, the_papers_system_from_a_file, 0, 3);
   tcase_add_loop_test(c, json_of_simulations, 0, 6);
   suite_add_tcase(s, c);
