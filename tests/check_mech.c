@@ -19,6 +19,7 @@
 #include "paper_model.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 #include "value/system_orbit.h"
 
 static void finish(struct mech *m) {
@@ -594,63 +595,17 @@ END_TEST
 #define MASS(name)           "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
 #define STOP(name, place, e) "obstacle " name "\n  stops: m\n  " place "\n  restitution: " e "\n"
 #define WALL                 "spring k\n  between: ground, m\n  stiffness: 1\n"
-static const struct {
-  const char *file, *says;
-} refused[] = {
-    {"", "a system has at least one mass"},
-    {"mass m\n  sliding: 1\n", "1:1: error: mass m needs a line \"inertia: VALUE\""},
-    {"mass m\n  inertia: 0\n" WALL, "1:1: error: m: an inertia is positive"},
-    {"mass m\n  inertia: -1\n" WALL, "m: an inertia is positive"},
-    {"mass m\n  inertia: 1/0\n" WALL, "2:14: error: division by zero"},
-    {"mass m\n  inertia: one\n" WALL, "2:12: error: unknown name one"},
-    {"mass m\n  inertia: 1\n  sliding: 1\n" WALL, "friction has three lines"},
-    {"mass m\n  inertia: 1\n  sliding: 1\n  static: 1/2\n  surface: 1\n" WALL, "a static limit is not below"},
-    {"mass m\n  inertia: 1\n  sliding: 0\n  static: 0\n  surface: 1\n" WALL, "friction without any force"},
-    {"mass m\n  inertia: 1\n  inertia: 2\n" WALL, "3:3: error: this line is given twice"},
-    {"mass m\n  inertia: 1\n  weight: 2\n" WALL,
-     "3:3: error: a mass has the lines inertia, sliding, static, surface only"},
-    {MASS("m") MASS("m") WALL, "6:6: error: there is a mass, or the ground, of this name"},
-    {MASS("ground") WALL, "1:6: error: there is a mass, or the ground, of this name"},
-    {MASS("m"), "1:1: error: m: no chain of springs ties it to the ground"},
-    {MASS("m") MASS("n") WALL, "6:1: error: n: no chain of springs ties it to the ground"},
-    {MASS("m") "spring k\n  between: ground, q\n  stiffness: 1\n", "7:12: error: there is no mass q above this line"},
-    {MASS("m") "spring k\n  between: m, m\n  stiffness: 1\n", "6:1: error: k: it ties something to itself"},
-    {MASS("m") "spring k\n  between: m\n  stiffness: 1\n", "7:12: error: two ends are needed"},
-    {MASS("m") "spring k\n  between: m, ground, m\n  stiffness: 1\n", "7:12: error: it has two ends"},
-    {MASS("m") "spring k\n  stiffness: 1\n", "6:1: error: what it is between is missing"},
-    {MASS("m") "spring k\n  between: ground, m\n  stiffness: 0\n", "6:1: error: k: a stiffness"},
-    {MASS("m") "damper k\n  between: ground, m\n  constant: -1\n" WALL, "a damper's constant, is positive"},
-    {"load p\n  on: m\n" MASS("m") WALL, "2:7: error: there is no mass m above this line"},
-    {MASS("m") WALL "load p\n  frequency: 1\n", "9:1: error: the mass is missing: \"on: m1\""},
-    {MASS("m") WALL "load p\n  on: m\n  cosine: 1\n", "load p needs a line \"frequency: VALUE\""},
-    {MASS("m") WALL "load p\n  on: m\n  frequency: 0\n  cosine: 1\n", "9:1: error: p: a frequency is positive"},
-    {MASS("m") WALL "load p\n  on: m\n  frequency: 1\n", "9:1: error: p: a load without any force"},
-    {MASS("m") WALL "load p\n  on: m\n  frequency: 1\n  sine: 1\nload q\n  on: m\n  frequency: 2\n  sine: 1\n",
-     "13:1: error: q: all loads have one frequency"},
-    {MASS("m") WALL "obstacle o\n  above: 1\n", "9:1: error: the mass is missing: \"stops: m1\""},
-    {MASS("m") WALL "obstacle o\n  stops: m\n  restitution: 1\n",
-     "9:1: error: an obstacle has one line \"above: VALUE\""},
-    {MASS("m") WALL "obstacle o\n  stops: m\n  above: 1\n", "obstacle o needs a line \"restitution: VALUE\""},
-    {MASS("m") WALL STOP("o", "above: 1", "0"), "9:1: error: o: a restitution is above 0 and at most 1"},
-    {MASS("m") WALL STOP("o", "above: 1", "3/2"), "9:1: error: o: a restitution is above 0 and at most 1"},
-    {MASS("m") WALL STOP("o", "above: 1", "1") STOP("p", "above: 2", "1"),
-     "13:1: error: this mass has an obstacle at that"},
-    {MASS("m") WALL STOP("o", "above: 1", "1") STOP("p", "below: 2", "1"), "9:1: error: o: it leaves no room"},
-    {"colour: red\n" MASS("m") WALL, "1:1: error: before the first record stand the title"},
-    {"k = 1\nk = 2\n" MASS("m") WALL, "2:1: error: this parameter is given twice"},
-    {"k = j\nj = 2\n" MASS("m") WALL, "1:5: error: unknown name j"},
-    {"k > 2\n" MASS("m") WALL, "1:1: error: a parameter is written NAME = VALUE"},
-    {"mass abcdefghijklmnopqrstuvwxyzabcdef\n  inertia: 1\n", "1:6: error: a name of more than 31 characters"},
-    {"wheel w\n  inertia: 1\n", "1:1: error: a system is made of the records mass, spring, damper, load and obstacle"},
-};
+static struct table refused;         /* cases/systems_refused.tsv */
+enum { REFUSED_FILE, REFUSED_SAYS }; /* its columns */
 
 START_TEST(files_that_are_refused) {
   struct source src;
   struct diag d;
   diag_init(&d);
-  source_from_string(&src, "a.system", refused[_i].file);
-  ck_assert_msg(!mech_read(&file, src, &d), "%s", refused[_i].file);
-  ck_assert_msg(strstr(d.message, refused[_i].says) != NULL, "\"%s\" is not in \"%s\"", refused[_i].says, d.message);
+  source_from_string(&src, "a.system", refused.row[_i][REFUSED_FILE]);
+  ck_assert_msg(!mech_read(&file, src, &d), "%s", refused.row[_i][REFUSED_FILE]);
+  ck_assert_msg(strstr(d.message, refused.row[_i][REFUSED_SAYS]) != NULL, "\"%s\" is not in \"%s\"",
+                refused.row[_i][REFUSED_SAYS], d.message);
   mech_clear(&file);
 }
 END_TEST
@@ -910,6 +865,7 @@ END_TEST
 
 Suite *mech_suite(void) {
   Suite *s = suite_create("mech");
+  table_read(&refused, "tests/cases/systems_refused.tsv", 2);
   TCase *c = tcase_create("motions");
   tcase_add_loop_test(c, a_chain_of_two_moves_as_the_papers_system, 0, 40);
   tcase_add_loop_test(c, longer_chains_are_those_of_tiny_steps, 0, 9);
@@ -936,7 +892,7 @@ Suite *mech_suite(void) {
   suite_add_tcase(s, c);
   c = tcase_create("files");
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_loop_test(c, files_that_are_refused, 0, COUNT(refused));
+  tcase_add_loop_test(c, files_that_are_refused, 0, refused.n);
   tcase_add_test(c, a_thousand_masses);
   tcase_add_loop_test(c, words_of_two_masses, 0, COUNT(words));
   tcase_add_test(c, a_system_in_formulas);

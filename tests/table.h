@@ -1,0 +1,18 @@
+/* Cases as data: tables of tests/cases, tests/hostile and tests/oracle.  A row is a line, its fields stand between tabs;
+   a line that begins with # is a comment.  In a field \n, \t, \r, \\ and \xHH are what they are in C. */
+#ifndef STICKSLIP_TESTS_TABLE_H
+#define STICKSLIP_TESTS_TABLE_H
+
+enum { MOST_COLUMNS = 8 };
+
+struct table {
+  int n;
+  char *(*row)[MOST_COLUMNS];
+  char *text;
+};
+
+/* Reads a table in which each row has that many fields; ends the tests where it cannot. */
+void table_read(struct table *t, const char *path, int columns);
+void table_clear(struct table *t);
+
+#endif
