@@ -410,44 +410,14 @@ END_TEST
 
 /* expr_same must tell trees apart: one changed node is seen, whichever it is. */
 START_TEST(test_same) {
-  static const char *const different[] = {"a",
-                                          "b",
-                                          "2",
-                                          "2.0",
-                                          "a(x)",
-                                          "b(x)",
-                                          "a'(x)",
-                                          "-a",
-                                          "a + b",
-                                          "b + a",
-                                          "a - b",
-                                          "a*b",
-                                          "a/b",
-                                          "a^2",
-                                          "a^(-2)",
-                                          "sin(a)",
-                                          "cos(a)",
-                                          "(a)",
-                                          "inv(a)",
-                                          "[a]",
-                                          "[a, b]",
-                                          "[a; b]",
-                                          "a[1]",
-                                          "a[2]",
-                                          "a[1:1]",
-                                          "a[1,1]",
-                                          "a[1:1,1]",
-                                          "a[1,1:1]",
-                                          "a[1:2]",
-                                          "a + (b)",
-                                          "transpose(a)",
-                                          "sin(b)",
-                                          "first_order(a; b)",
-                                          "first_order(a; b, c)"};
-  const size_t n = sizeof different / sizeof *different;
-  for (size_t i = 0; i < n; i++)
-    for (size_t j = 0; j < n; j++)
-      ck_assert_msg(expr_same(tree(different[i]), tree(different[j])) == (i == j), "%s %s", different[i], different[j]);
+  struct table different;
+  table_read(&different, "tests/cases/different.tsv", 1);
+  for (int i = 0; i < different.n; i++)
+    for (int j = 0; j < different.n; j++) {
+      const char *a = *different.row[i], *b = *different.row[j];
+      ck_assert_msg(expr_same(tree(a), tree(b)) == (i == j), "%s %s", a, b);
+    }
+  table_clear(&different);
   ck_assert(expr_same(tree(" a + b "), tree("a+b")));
 }
 END_TEST
@@ -637,126 +607,24 @@ END_TEST
 
 /* ---- LaTeX, by the conventions of mathematical typesetting and expr.h */
 
-static const struct {
-  const char *name, *latex;
-} names[] = {
-    {"a", "a"},
-    {"omega", "\\omega"},
-    {"omega1", "\\omega_{1}"},
-    {"z10", "z_{10}"},
-    {"e1", "e_{1}"},
-    {"u_r1", "u_{r1}"},
-    {"t_a", "t_{a}"},
-    {"chi_b", "\\chi_{b}"},
-    {"z_200", "z_{200}"},
-    {"dt_b", "dt_{b}"},
-    {"dz", "dz"},
-    {"dZ_a", "dZ_{a}"},
-    {"dz'_a", "dz'_{a}"},
-    {"dchi", "d\\chi"},
-    {"delta", "\\delta"},
-    {"z'_1b", "z'_{1b}"},
-    {"z''_2", "z''_{2}"},
-    {"z'_1'_2", "z''_{1,2}"},
-    {"Z_a", "Z_{a}"},
-    {"J_f", "J_{f}"},
-    {"ktilde_1", "\\tilde{k}_{1}"},
-    {"gammatilde_1", "\\tilde{\\gamma}_{1}"},
-    {"hbar", "\\bar{h}"},
-    {"Gamma", "\\Gamma"},
-    {"Gamma_1", "\\Gamma_{1}"},
-    {"Lambda", "\\Lambda"},
-    {"Sigma", "\\Sigma"},
-    {"Pi", "\\Pi"},
-    {"psi_2", "\\psi_{2}"},
-    {"lambda1", "\\lambda_{1}"},
-    {"eps", "\\varepsilon"},
-    {"theta", "\\theta"},
-    {"H11", "H_{11}"},
-    {"u_r1_min", "u_{r1,\\mathrm{min}}"},
-    {"x_omega", "x_{\\omega}"},
-    {"trace", "\\mathrm{trace}"},
-    {"tilde", "\\mathrm{tilde}"},
-    {"a_", "a"},
-};
-
-static const struct {
-  const char *text, *latex;
-} formulas[] = {
-    {"a + b - c", "a + b - c"},
-    {"-chi*eta", "-\\chi \\, \\eta"},
-    {"2*3", "2 \\cdot 3"},
-    {"2*x*3^2", "2 \\, x \\cdot 3^{2}"},
-    {"chi*(z_2 - z_1)", "\\chi \\, \\left(z_{2} - z_{1}\\right)"},
-    {"(chi - chi_b)/(1 - chi_b)", "\\frac{\\chi - \\chi_{b}}{1 - \\chi_{b}}"},
-    {"(a)*b/(c)", "\\frac{\\left(a\\right) \\, b}{c}"},
-    {"a/((b + c))", "\\frac{a}{\\left(b + c\\right)}"},
-    {"(a + b)/2 + (c)", "\\frac{a + b}{2} + \\left(c\\right)"},
-    {"sin(omega*t_d)/omega", "\\frac{\\sin\\left(\\omega \\, t_{d}\\right)}{\\omega}"},
-    {"sin(x)^2 + cos(x^2)", "\\sin^{2}\\left(x\\right) + \\cos\\left(x^{2}\\right)"},
-    {"abs(tr(J)) ", "\\left|\\operatorname{tr}\\left(J\\right)\\right|"},
-    {"cot(x)^(-1)", "\\left(\\cot\\left(x\\right)\\right)^{-1}"},
-    {"(sin(x))^2", "\\left(\\sin\\left(x\\right)\\right)^{2}"},
-    {"sqrt(1 - chi)", "\\sqrt{1 - \\chi}"},
-    {"sinc(x/2)^2/stumpff(x)", "\\frac{\\operatorname{sinc}^{2}\\left(\\frac{x}{2}\\right)}"
-                               "{\\operatorname{stumpff}\\left(x\\right)}"},
-    {"hypot(x, -y)^2", "\\left(\\operatorname{hypot}\\left(x, -y\\right)\\right)^{2}"},
-    {"omega1^2", "\\omega_{1}^{2}"},
-    {"z'_1b^2", "{z'_{1b}}^{2}"},
-    {"x^(-2)", "x^{-2}"},
-    {"(a + b)^2", "\\left(a + b\\right)^{2}"},
-    {"1e-12*x", "1 \\times 10^{-12} \\, x"},
-    {"2.5E+3^2", "\\left(2.5 \\times 10^{3}\\right)^{2}"},
-    {"inv(K)", "{K}^{-1}"},
-    {"inv(N_1 - I)*N_2", "{\\left(N_{1} - I\\right)}^{-1} \\, N_{2}"},
-    {"inv((N_1 - I))", "{\\left(N_{1} - I\\right)}^{-1}"},
-    {"transpose(inv(K))", "{\\left({K}^{-1}\\right)}^{\\mathsf{T}}"},
-    {"transpose([x, y])", "{\\begin{pmatrix} x & y \\end{pmatrix}}^{\\mathsf{T}}"},
-    {"det(J) + tr(J)", "\\det\\left(J\\right) + \\operatorname{tr}\\left(J\\right)"},
-    {"det(J)^2", "\\left(\\det\\left(J\\right)\\right)^{2}"},
-    {"[1, -chi; 0, a/b]", "\\begin{pmatrix} 1 & -\\chi \\\\ 0 & \\frac{a}{b} \\end{pmatrix}"},
-    {"H'(t_c)*Z_b", "H'\\left(t_{c}\\right) \\, Z_{b}"},
-    {"z_1''(t)", "z_{1}''\\left(t\\right)"},
-    {"z'_1'(t)", "{z'_{1}}'\\left(t\\right)"},
-    {"f''''(x)", "f^{(4)}\\left(x\\right)"},
-    {"H[1,3]", "{H}_{1,3}"},
-    {"H[1:2,3:4]", "{H}_{1:2,3:4}"},
-    {"H(t_c)[1,1]^2", "{H\\left(t_{c}\\right)}_{1,1}^{2}"},
-    {"v[2]", "{v}_{2}"},
-    {"first_order(f(x + dt_a); x, dt_a)", "\\left[ f\\left(x + dt_{a}\\right) \\right]_{O(x, dt_{a})^{\\le 1}}"},
-};
-
-static const struct {
-  const char *text, *latex;
-} statements_latex[] = {
-    {"H(t) := a", "H\\left(t\\right) = a"},
-    {"chi := 0.8", "\\chi = 0.8"},
-    {"a < b <= c for t in (0, t_a]", "a < b \\le c \\quad \\text{for } t \\in \\left(0, t_{a}\\right]"},
-    {"a > b >= c = d", "a > b \\ge c = d"},
-    {"eps*x > 0 for eps in {+1, -1}",
-     "\\varepsilon \\, x > 0 \\quad \\text{for } \\varepsilon \\in \\lbrace +1, -1 \\rbrace"},
-    {"root omega1: w^2 - 1, smallest positive", "\\omega_{1} = \\text{the smallest positive root of } w^{2} - 1"},
-    {"trajectory z_1(t), z_2(t)", "\\text{trajectory } z_{1}\\left(t\\right), z_{2}\\left(t\\right)"},
-};
-
 START_TEST(test_latex) {
+  enum { KIND, TYPED, TEX };
+  struct table cases;
   struct text t;
   text_init(&t);
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+  table_read(&cases, "tests/cases/latex.tsv", 3);
+  for (int i = 0; i < cases.n; i++) {
+    const char *kind = cases.row[i][KIND], *typed = cases.row[i][TYPED];
     text_reset(&t);
-    name_latex(&t, names[i].name);
-    ck_assert_str_eq(text_str(&t), names[i].latex);
+    if (strcmp(kind, "name") == 0)
+      name_latex(&t, typed);
+    else if (strcmp(kind, "formula") == 0)
+      expr_latex(&t, tree(typed));
+    else
+      stmt_latex(&t, statement(typed));
+    ck_assert_str_eq(text_str(&t), cases.row[i][TEX]);
   }
-  for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
-    text_reset(&t);
-    expr_latex(&t, tree(formulas[i].text));
-    ck_assert_str_eq(text_str(&t), formulas[i].latex);
-  }
-  for (size_t i = 0; i < sizeof statements_latex / sizeof *statements_latex; i++) {
-    text_reset(&t);
-    stmt_latex(&t, statement(statements_latex[i].text));
-    ck_assert_str_eq(text_str(&t), statements_latex[i].latex);
-  }
+  table_clear(&cases);
   text_clear(&t);
 }
 END_TEST
@@ -957,48 +825,19 @@ END_TEST
 
 /* Tables of derivatives: text -> the known derivative, compared in value at several points. */
 START_TEST(test_diff_table) {
-  static const char *const table[][2] = {
-      {"3", "0"},
-      {"y", "0"},
-      {"x", "1"},
-      {"x + y", "1"},
-      {"y - x", "-1"},
-      {"x^5", "5*x^4"},
-      {"x^1", "1"},
-      {"x^0", "0"},
-      {"x^(-3)", "-3*x^(-4)"},
-      {"x*y", "y"},
-      {"x*sin(x)", "sin(x) + x*cos(x)"},
-      {"y/x", "-y/x^2"},
-      {"x/y", "1/y"},
-      {"sin(x)/x", "cos(x)/x - sin(x)/x^2"},
-      {"sin(3*x)", "3*cos(3*x)"},
-      {"cos(x^2)", "-2*x*sin(x^2)"},
-      {"cot(x)", "-1 - cot(x)^2"},
-      {"sqrt(x)", "1/(2*sqrt(x))"},
-      {"abs(x)", "x/abs(x)"},
-      {"abs(x^2 - y)", "2*x*(x^2 - y)/abs(x^2 - y)"},
-      {"sqrt(1 + x^2)", "x/sqrt(1 + x^2)"},
-      {"sinc(x)", "cos(x)/x - sin(x)/x^2"},
-      {"stumpff(x)", "(1 - cos(x))/x^3 - 3*(x - sin(x))/x^4"},
-      {"stumpff(y*x)", "y*((1 - cos(y*x))/(y*x)^3 - 3*(y*x - sin(y*x))/(y*x)^4)"},
-      {"hypot(x, y)", "x/sqrt(x^2 + y^2)"},
-      {"hypot(y, x^2)", "2*x^3/sqrt(y^2 + x^4)"},
-      {"hypot(y, 3)", "0"},
-      {"f(x)", "f'(x)"},
-      {"f''(x^2)", "2*x*f'''(x^2)"},
-      {"f(f(x))", "f'(f(x))*f'(x)"},
-      {"f(y)", "0"},
-  };
-  for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-    const struct expr *d = expr_diff(&pool, stripped(tree(table[i][0])), "x"), *known = stripped(tree(table[i][1]));
+  struct table table;
+  table_read(&table, "tests/cases/derivatives.tsv", 2);
+  for (int i = 0; i < table.n; i++) {
+    const struct expr *d = expr_diff(&pool, stripped(tree(table.row[i][0])), "x"),
+                      *known = stripped(tree(table.row[i][1]));
     for (int k = 1; k <= 5; k++) {
       const struct point p = {0.37L * k, 2.1L - 0.2L * k};
       long double want = value(known, p, LDBL_MAX), got = value(d, p, LDBL_MAX);
-      ck_assert_msg(fabsl(got - want) < 1e-14L * (1 + fabsl(want)), "%s at %Lg: %Lg, not %Lg", table[i][0], p.x, got,
-                    want);
+      ck_assert_msg(fabsl(got - want) < 1e-14L * (1 + fabsl(want)), "%s at %Lg: %Lg, not %Lg", table.row[i][0], p.x,
+                    got, want);
     }
   }
+  table_clear(&table);
 }
 END_TEST
 

@@ -624,31 +624,8 @@ START_TEST(a_thousand_masses) {
 }
 END_TEST
 
-static const struct {
-  const char *word, *why;
-  size_t at;
-} words[] = {
-    {"", "a word has at least one phase", 0},
-    {"ss", "a phase is followed by another one", 0},
-    {"ss -s ss- s-", "a phase has one letter for each mass", 6},
-    {"ss -x", "a mass sticks (s), slips slower (-)", 3},
-    {"ss -.", "a mass that a surface rubs is not free (.)", 3},
-    {"ss -s -s s-", "a phase is followed by another one", 3},
-    {"ss -- s-", "one mass changes its mode at a time", 0},
-    {"ss -s -- s-", NULL, 0},
-    {"-->2", NULL, 0},
-    {"s- -- -->2", NULL, 0},
-    {"-->2 --", "a phase is followed by another one", 0},
-    {"-->1 --", "there is no obstacle at that side of this mass", 0},
-    {"--<2 --", "there is no obstacle at that side of this mass", 0},
-    {"-->3 --", "a rebound is written behind the letters", 0},
-    {"--> --", "a rebound is written behind the letters", 0},
-    {"-->2x --", "a rebound is written behind the letters", 0},
-    {"s->2 -s", "one mass changes its mode at a time", 0},
-    {"ss>2 --", "a mass that rebounds does not stick at once", 0},
-    {"-->02 s-", "a rebound is written behind the letters", 0},
-    {"-->4294967298 s-", "a rebound is written behind the letters", 0},
-};
+static struct table words; /* cases/system_words.tsv */
+enum { WORD, WHY, AT };    /* its columns */
 
 START_TEST(words_of_two_masses) {
   struct mech_word w;
@@ -657,9 +634,9 @@ START_TEST(words_of_two_masses) {
   read_text(MASS("m") MASS("n") "spring k\n  between: ground, m\n  stiffness: 1\n"
                                 "spring l\n  between: m, n\n  stiffness: 1\n"
                                 "obstacle o\n  stops: n\n  above: 1\n  restitution: 1\n");
-  bool ok = mech_word_parse(&w, &at, &why, words[_i].word, &file);
-  ck_assert_int_eq(ok, words[_i].why == NULL);
-  if (!ok) ck_assert_msg(strstr(why, words[_i].why) && at == words[_i].at, "%zu: %s", at, why);
+  bool ok = mech_word_parse(&w, &at, &why, words.row[_i][WORD], &file);
+  ck_assert_int_eq(ok, !*words.row[_i][WHY]);
+  if (!ok) ck_assert_msg(strstr(why, words.row[_i][WHY]) && (int)at == atoi(words.row[_i][AT]), "%zu: %s", at, why);
   mech_clear(&file);
 }
 END_TEST
@@ -865,6 +842,7 @@ END_TEST
 
 Suite *mech_suite(void) {
   Suite *s = suite_create("mech");
+  table_read(&words, "tests/cases/system_words.tsv", 3);
   table_read(&refused, "tests/cases/systems_refused.tsv", 2);
   TCase *c = tcase_create("motions");
   tcase_add_loop_test(c, a_chain_of_two_moves_as_the_papers_system, 0, 40);
@@ -894,7 +872,7 @@ Suite *mech_suite(void) {
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_loop_test(c, files_that_are_refused, 0, refused.n);
   tcase_add_test(c, a_thousand_masses);
-  tcase_add_loop_test(c, words_of_two_masses, 0, COUNT(words));
+  tcase_add_loop_test(c, words_of_two_masses, 0, words.n);
   tcase_add_test(c, a_system_in_formulas);
   tcase_add_test(c, changes_along_the_papers_line);
   tcase_add_loop_test(c, no_change_where_there_is_none, 0, 2);
