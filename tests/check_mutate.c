@@ -22,6 +22,7 @@
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 #include "tape/exact.h"
 #include "value/expression.h"
 #include "value/orbit_pool.h"
@@ -92,56 +93,27 @@ static bool proved_equal(const char *x, const char *y, int *status) {
 }
 
 START_TEST(identities_are_proved) {
-  static const char *const rows[][2] = {
-      {"(chi + eta)^2", "chi^2 + 2*chi*eta + eta^2"},
-      {"(chi^2 - eta^2)/(chi - eta)", "chi + eta"},
-      {"1/(1 + 1/(1 + chi))", "(1 + chi)/(2 + chi)"},
-      {"chi^(-2)", "1/(chi*chi)"},
-      {"0.8*chi", "(4/5)*chi"},
-      {"sin(chi - eta)", "-sin(eta - chi)"},
-      {"cos(2*V*t)", "cos(-V*(t + t))"},
-      {"cot(chi)*sin(chi)", "cos(chi)"},
-      {"sin(0)", "0"},
-      {"cos(chi - chi)", "1"},
-      {"sqrt(chi*eta + 0)", "sqrt(eta*chi)"},
-      {"inv([chi, eta; 1, V])*[chi, eta; 1, V]", "[1, 0; 0, 1]"},
-      {"det([1, chi; eta, V])", "V - chi*eta"},
-      {"H(-t)[1,1]", "H(t)[1,1]"},
-      {"H(-t)[1,3]", "-H(t)[1,3]"},
-      {"sin(chi)^2 + cos(chi)^2", "1"},
-      {"(sin(t) + cos(t))^4", "(1 + 2*sin(t)*cos(t))^2"},
-      {"cot(t)^2 + 1", "1/sin(t)^2"},
-      {"sin(t)/(1 + cos(t))", "(1 - cos(t))/sin(t)"},
-      {"sqrt(chi)^2", "chi"},
-      {"sqrt(chi/eta)^2", "chi/eta"},
-      {"1/(1 - sqrt(chi*eta))", "(1 + sqrt(chi*eta))/(1 - chi*eta)"},
-      {"cos(sqrt(chi)*t)^2 - chi", "(1 - sqrt(chi))*(1 + sqrt(chi)) - sin(t*sqrt(chi))^2"},
-  };
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  struct table rows;
+  table_read(&rows, "tests/cases/identities.tsv", 2);
+  for (int i = 0; i < rows.n; i++) {
     int s;
-    ck_assert_msg(proved_equal(rows[i][0], rows[i][1], &s), "%s = %s: status %d", rows[i][0], rows[i][1], s);
+    ck_assert_msg(proved_equal(rows.row[i][0], rows.row[i][1], &s), "%s = %s: status %d", rows.row[i][0],
+                  rows.row[i][1], s);
   }
+  table_clear(&rows);
 }
 END_TEST
 
 /* What is false, and what is true but beyond it. */
 START_TEST(nothing_else_is_proved) {
-  static const char *const rows[][2] = {
-      {"chi", "eta"},
-      {"sin(chi)", "cos(chi)"},
-      {"sin(chi)", "-sin(eta)"},
-      {"cos(-chi)", "-cos(chi)"},
-      {"omega_1", "omega_2"},
-      {"sqrt(chi)", "chi"},
-      {"H(t)[1,1]", "H(t)[2,2]"},
-      {"chi^2", "chi^3"},
-      {"sin(chi)^2 + cos(chi)^2", "1 + 1e-30"},
-      {"sin(2*chi)", "2*sin(chi)*cos(chi)"},
-  };
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  struct table rows;
+  table_read(&rows, "tests/cases/no_identities.tsv", 2);
+  for (int i = 0; i < rows.n; i++) {
     int s;
-    ck_assert_msg(!proved_equal(rows[i][0], rows[i][1], &s) && s == SS_OK, "%s = %s", rows[i][0], rows[i][1]);
+    ck_assert_msg(!proved_equal(rows.row[i][0], rows.row[i][1], &s) && s == SS_OK, "%s = %s", rows.row[i][0],
+                  rows.row[i][1]);
   }
+  table_clear(&rows);
 }
 END_TEST
 

@@ -581,34 +581,8 @@ static int value_in(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *t
 }
 
 /* With t/4 and V t/4 as angles of which others are made, and V known to be positive. */
-static const struct {
-  const char *left, *right;
-  bool equal;
-} identities[] = {
-    {"sinc(t)*t", "sin(t)", true},
-    {"sinc(0)", "1", true},
-    {"stumpff(t - t)", "1/6", true},
-    {"stumpff(t)*t^3 + sin(t)", "t", true},
-    {"hypot(chi, eta)^2", "chi^2 + eta^2", true},
-    {"hypot(chi, eta)", "hypot(eta, chi)", true},
-    {"hypot(chi, eta)", "chi + eta", false},
-    {"abs(chi - eta)^2", "(chi - eta)^2", true},
-    {"abs(chi - eta)", "abs(eta - chi)", true},
-    {"abs(chi - eta)", "chi - eta", false},
-    {"abs(chi/eta - 1)^2", "(1 - chi/eta)^2", true},
-    {"abs(chi - chi)", "0", true},
-    {"sqrt(V^2)", "V", true},
-    {"sqrt(chi^2)", "chi", false}, /* nothing says that chi is positive here */
-    {"hypot(V, 0)", "V", true},
-    {"sqrt(chi/4)", "sqrt(chi/9)*3/2", false}, /* not known: roots of different elements */
-    {"sqrt(chi/4)^2", "chi/4", true},
-    {"1 - cos(t)", "2*sin(t/2)^2", true},
-    {"1 - cos(t)", "2*sin(t/4)^2", false},
-    {"sin(t)", "2*sin(t/2)*cos(t/2)", true},
-    {"sin(-t + V*t/2)", "sin(V*t/2)*cos(t) - cos(V*t/2)*sin(t)", true},
-    {"cos(t - V*t/2)", "cos(t)*cos(V*t/2) - sin(t)*sin(V*t/2)", false},
-    {"cos(t)*cos(V*t) - sin(t)*sin(V*t)", "cos(t + V*t)", true},
-};
+static struct table identities;    /* cases/field_identities.tsv */
+enum { I_LEFT, I_RIGHT, I_EQUAL }; /* its columns */
 
 START_TEST(the_field_knows_the_functions) {
   fmpz_mpoly_q_struct x, y, known[3];
@@ -622,8 +596,9 @@ START_TEST(the_field_knows_the_functions) {
   }
   exact_field_positive(f, known, 1);
   exact_field_angles(f, known + 1, 2, 2);
-  ck_assert_int_eq(value_in(&x, f, identities[_i].left) | value_in(&y, f, identities[_i].right), SS_OK);
-  ck_assert_msg(exact_equal(f, &x, &y) == identities[_i].equal, "%s and %s", identities[_i].left, identities[_i].right);
+  ck_assert_int_eq(value_in(&x, f, identities.row[_i][I_LEFT]) | value_in(&y, f, identities.row[_i][I_RIGHT]), SS_OK);
+  ck_assert_msg(exact_equal(f, &x, &y) == (*identities.row[_i][I_EQUAL] == 'y'), "%s and %s",
+                identities.row[_i][I_LEFT], identities.row[_i][I_RIGHT]);
   for (int i = 0; i < 3; i++) exact_clear(&known[i], f);
   exact_clear(&y, f);
   exact_clear(&x, f);
@@ -633,6 +608,7 @@ END_TEST
 
 Suite *stable_suite(void) {
   Suite *s = suite_create("stable");
+  table_read(&identities, "tests/cases/field_identities.tsv", 3);
   table_read(&forgeries, "tests/cases/stable_forgeries.tsv", 4);
   table_read(&damages, "tests/cases/stable_damages.tsv", 4);
   TCase *c = tcase_create("stable");
@@ -649,7 +625,7 @@ Suite *stable_suite(void) {
   tcase_add_test(c, a_value_wherever_the_corrected_form_has_one);
   tcase_add_loop_test(c, a_form_that_fails_at_extreme_points_is_named, 0, sizeof elsewhere / sizeof *elsewhere);
   tcase_add_loop_test(c, both_layers_have_one_truth, 0, sizeof formulas / sizeof *formulas);
-  tcase_add_loop_test(c, the_field_knows_the_functions, 0, sizeof identities / sizeof *identities);
+  tcase_add_loop_test(c, the_field_knows_the_functions, 0, identities.n);
   suite_add_tcase(s, c);
   TCase *forged = tcase_create("forged");
   tcase_add_checked_fixture(forged, setup, teardown);

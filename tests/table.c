@@ -1,6 +1,7 @@
 /* A suite counts its rows before any test runs, so that a table which cannot be read ends the runner. */
 #include "table.h"
 
+#include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,4 +60,15 @@ void table_clear(struct table *t) {
   free(t->row);
   free(t->text);
   *t = (struct table){.n = 0};
+}
+
+void check_order(const char *text, const char *path) {
+  struct table order;
+  table_read(&order, path, 1);
+  for (int i = 0; i < order.n; i++) {
+    const char *next = strstr(text, *order.row[i]);
+    ck_assert_msg(next != NULL, "%s comes too early or not at all", *order.row[i]);
+    text = next + 1;
+  }
+  table_clear(&order);
 }

@@ -15,4 +15,7 @@ struct table {
 void table_read(struct table *t, const char *path, int columns);
 void table_clear(struct table *t);
 
+/* Whether the rows of a table of one column stand in a text in this order; fails the test where they do not. */
+void check_order(const char *text, const char *path);
+
 #endif
