@@ -404,55 +404,6 @@ START_TEST(the_scene_is_the_claims) {
 }
 END_TEST
 
-/* Whatever a claim file may say, an answer or a place in the file. */
-START_TEST(hostile_attributes) {
-  static const char *const texts[] = {
-      CLAIM("nothing"),
-      "claim text-case\n  kind: behaviour\n  title: a case\n",
-      CLAIM("dimension"),
-      CLAIM("dimension") "  range: 2\n",
-      CLAIM("dimension") "  range: 4 2\n",
-      CLAIM("dimension") "  range: 2 5\n",
-      CLAIM("dimension") "  range: two four\n",
-      CLAIM("switches"),
-      CLAIM("switches") "  transition: sideways\n" MECHANICS,
-      CLAIM("modes"),
-      CLAIM("linear") "  depends-on: first\n\nclaim first\n  kind: criterion\n  title: none\n",
-      CLAIM("linearization") MECHANICS,
-      CLAIM("linearization") "  at: chi = 4/5, eta = 1, V = 1, e1 = 2.7844, e2 = 0.8587\n" MECHANICS,
-      CLAIM("equality"),
-      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n",
-      CLAIM("equality") "  at: chi = 2/3\n  vary: e2 from 3/4 to 1\n",
-      CLAIM("equality") "  at: chi = 3/2, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1\n",
-      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e3 from 3/4 to 1\n",
-      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from x to 1\n",
-      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1/0\n",
-      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from -3/4 to 1\n",
-      CLAIM(
-          "equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1; e1 from 1 to 2\n",
-      CLAIM("perturb") STABLE,
-      CLAIM("perturb") MECHANICS,
-      CLAIM("perturb") "  at: chi = , eta\n" MECHANICS,
-      CLAIM("perturb") "  at: chi = 4/5, eta = 1, V = 1, e1 = 2.7844, e2 = 0.8587\n" MECHANICS,
-      CLAIM("long-run"),
-      CLAIM("long-run") "  friction: 0.5\n",
-      CLAIM("long-run") "  friction: 1.25 x\n",
-      CLAIM("long-run") "  friction: 1e300\n",
-      "claim text-case\n  kind: criterion\n  title: a case\n",
-      "claim text-case\n  kind: criterion\n  title: a case\n  statement: text-criterion\n  side: between\n",
-      "claim text-case\n  kind: criterion\n  title: a case\n  statement: no-such-record\n",
-  };
-  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-    struct audit_result r;
-    struct diag d;
-    ck_assert_msg(!judge_text(&r, texts[i], &d) && d.set, "case %zu was judged", i);
-    ck_assert_msg(strstr(d.message, "case.claim:") || strstr(d.message, "no-such-record"), "case %zu: %s", i,
-                  d.message);
-    audit_result_clear(&r);
-  }
-}
-END_TEST
-
 /* --- simulate --start --- */
 
 /* The first motion that the audit names as leaving the paper's four configurations, put into a scene and simulated:
@@ -490,7 +441,6 @@ Suite *behaviour_suite(void) {
   tcase_add_test(c, linearization_is_wrong_without_the_jumps_only);
   tcase_add_test(c, the_criterion_needs_its_threshold);
   tcase_add_test(c, the_scene_is_the_claims);
-  tcase_add_test(c, hostile_attributes);
   tcase_add_test(c, a_certificate_can_be_rechecked);
   suite_add_tcase(s, c);
   return s;
