@@ -49,8 +49,9 @@ void table_read(struct table *t, const char *path, int columns) {
     if (*line == '#') continue;
     t->row = ss_grow(t->row, (size_t)t->n, &cap, sizeof *t->row);
     memset(t->row[t->n], 0, sizeof *t->row);
-    if (split_tabs(t->row[t->n], MOST_COLUMNS, line) != columns) give_up(path, line);
-    for (int k = 0; k < columns; k++) unescape(t->row[t->n][k]);
+    int n = split_tabs(t->row[t->n], MOST_COLUMNS, line);
+    if (columns != ANY_COLUMNS && n != columns) give_up(path, line);
+    for (int k = 0; k < n; k++) unescape(t->row[t->n][k]);
     t->n++;
   }
   if (t->n == 0) give_up(path, "no row");
