@@ -16,17 +16,14 @@
 #include "base/record.h"
 #include "base/status.h"
 #include "base/suggest.h"
+#include "laws_num.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
 
-/* splitmix64 (Steele, Lea, Flood 2014) */
-static uint64_t rng;
+static struct rng rng;
 static uint64_t rnd(void) {
-  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
-  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-  return z ^ z >> 31;
+  return rng_next(&rng);
 }
 
 /* ---- UTF-8, the test's own */
@@ -115,7 +112,7 @@ START_TEST(text_grows) {
   ck_assert_ptr_null(t.data);
   char *copy = calloc(200000, 1);
   size_t n = 0;
-  rng = 1;
+  rng.state = 1;
   for (int i = 0; i < 2000; i++) {
     char piece[64];
     size_t len = rnd() % sizeof piece;
@@ -793,7 +790,7 @@ static size_t edits_by_definition(const char *a, size_t n, const char *b, size_t
 
 START_TEST(edits_between_words) {
   char a[8], b[8];
-  rng = 7;
+  rng.state = 7;
   for (int trial = 0; trial < 2000; trial++) {
     size_t n = rnd() % 6, m = rnd() % 6;
     for (size_t i = 0; i < 6; i++) a[i] = (char)('a' + rnd() % 3), b[i] = (char)('a' + rnd() % 3);
@@ -859,7 +856,7 @@ START_TEST(arena_pieces) {
   static size_t size[N];
   struct arena a;
   arena_init(&a);
-  rng = 2;
+  rng.state = 2;
   for (int i = 0; i < N; i++) {
     size[i] = i % 500 == 499 ? 3000000 : rnd() % (i % 10 ? 50 : 9000);
     piece[i] = arena_alloc(&a, size[i]);

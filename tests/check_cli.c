@@ -1,5 +1,5 @@
-/* The program as its users meet it: what verify writes, what explain and the help say, and what is refused.  What orbit,
-   jacobian and simulate print is in check_orbit.c. */
+/* The program as its users meet it: what verify writes, what explain and the help say, and what is refused.  What
+   orbit, jacobian and simulate print is in check_orbit.c. */
 #include <check.h>
 #include <glob.h>
 #include <stdio.h>

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "laws_num.h"
 #include "model/model.h"
 #include "scratch.h"
 #include "suites.h"
@@ -158,13 +159,9 @@ static void near(double x, double expected, const char *what) {
   ck_assert_msg(fabs(x - expected) <= 1e-13 * (1 + fabs(expected)), "%s: %.17g, expected %.17g", what, x, expected);
 }
 
-/* splitmix64 (Steele, Lea, Flood 2014) */
-static uint64_t rng;
+static struct rng rng;
 static uint64_t rnd(void) {
-  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
-  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-  return z ^ z >> 31;
+  return rng_next(&rng);
 }
 
 /* ---- sections */
@@ -532,7 +529,7 @@ static double eliminate(double a[4][4], int n) {
 
 START_TEST(determinants_and_inverses) {
   static const struct named none[] = {{NULL, 0}};
-  rng = 11;
+  rng.state = 11;
   for (int trial = 0; trial < 40; trial++) {
     int n = trial % 4 + 1;
     double a[4][4] = {{0}}, trace = 0;
