@@ -1,5 +1,5 @@
-/* Every message is there to be read once.  Most are asked for here: of command lines and files (tests/hostile/messages.tsv, with
-   short answers of commands too) and of claims that judging finds to be wrong (claims.tsv).
+/* Every message is there to be read once.  Most are asked for here: of command lines and files, with short answers of
+   commands too (tests/hostile/messages.tsv), and of claims that judging finds to be wrong (claims.tsv).
    tools/untested.py holds all messages of the program against what the tests reach. */
 #include <check.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* The program as its users meet it: started as a process, seen through its output and its exit status; and what stands in
-   JSON that it prints. */
+/* The program as its users meet it: started as a process, seen through its output and its exit status; and what stands
+   in JSON that it prints. */
 #ifndef STICKSLIP_TESTS_COMMAND_H
 #define STICKSLIP_TESTS_COMMAND_H
 

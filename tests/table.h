@@ -1,5 +1,5 @@
-/* Cases as data: tables of tests/cases, tests/hostile and tests/oracle.  A row is a line, its fields stand between tabs;
-   a line that begins with # is a comment.  In a field \n, \t, \r, \\ and \xHH are what they are in C. */
+/* Cases as data: tables of tests/cases, tests/hostile and tests/oracle.  A row is a line, its fields stand between
+   tabs; a line that begins with # is a comment.  In a field \n, \t, \r, \\ and \xHH are what they are in C. */
 #ifndef STICKSLIP_TESTS_TABLE_H
 #define STICKSLIP_TESTS_TABLE_H
 
