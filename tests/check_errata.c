@@ -5,11 +5,9 @@
    and (40), and from the matrix exponentials of the model. */
 #include <check.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "claim/claim.h"
 #include "paper_model.h"

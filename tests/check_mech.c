@@ -592,9 +592,7 @@ END_TEST
 
 /* --- Files and words --- */
 
-#define MASS(name)           "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
-#define STOP(name, place, e) "obstacle " name "\n  stops: m\n  " place "\n  restitution: " e "\n"
-#define WALL                 "spring k\n  between: ground, m\n  stiffness: 1\n"
+#define MASS(name) "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
 static struct table refused;         /* cases/systems_refused.tsv */
 enum { REFUSED_FILE, REFUSED_SAYS }; /* its columns */
 

@@ -231,7 +231,6 @@ static void edit(const char *file, const char *command) {
 }
 
 /* The copy, with one edit, says this and ends so. */
-#define FIFTY "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
 START_TEST(differences_are_told) {
   enum { FILE_EDITED, COMMAND, STATUS, SAYS };
   struct table cases;

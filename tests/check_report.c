@@ -5,11 +5,9 @@
    what is written from what was read.  That no field is forgotten is counted: the bytes of the structures, as the
    compiler lays them out, against those that the tables of members cover. */
 #include <check.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "claim/claims.h"
 #include "paper_model.h"

@@ -2,11 +2,9 @@
    that shares nothing with the program (tests/oracle/words.py), and where simulations settle. */
 #include <check.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "base/json.h"
 #include "explore/words.h"
