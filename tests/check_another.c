@@ -8,104 +8,20 @@
 
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
-/* The folder, a script of sed for one of its files, the claims that are asked for, the exit status and what is said. */
-struct audit {
-  const char *folder, *file, *script, *only;
-  int status;
-  const char *says;
-};
-
-#define HARTOG "../examples/den-hartog"
-
-static const struct audit audits[] = {
-    {"row", "stable.eq", "1s/$/ Indeed./", "", 0,
-     "paper: 6 statements: 3 proved, 1 refuted, 2 unknown; 4 of 4 controls noticed; as recorded"},
-    {"another", "stable.eq", "1s/$/ Indeed./", "", 0,
-     "paper: 2 statements: 1 proved, 1 refuted; 4 of 4 controls noticed; as recorded"},
-    {HARTOG, "stable.eq", "1s/$/ Indeed./", "", 0,
-     "paper: 9 statements: 9 proved; 9 of 9 controls noticed; as recorded"},
-    /* the sign of a phase, the friction in an amplitude and in a motion, a power in a limit, the end of a half cycle */
-    {HARTOG, "paper/note.eq", "/^  tex: u =/d; s/v := -(x_f/v := (x_f/", "eq-1", 1,
-     "eq-1: refuted, recorded as proved"},
-    {HARTOG, "paper/note.eq", "/^  tex: x_0 = a/d; s/(x_f.a)^2\\*S^2/(x_f\\/a)^2*V^2/", "eq-9", 1,
-     "eq-9: refuted, recorded as proved"},
-    {HARTOG, "paper/note.eq", "/^  tex: x(t) =/d; s/x_f\\*(1 - cos(omega_n/x_f*(2 - cos(omega_n/", "eq-8", 1,
-     "eq-8: refuted, recorded as proved"},
-    {HARTOG, "paper/note.eq", "/^  tex: F_l =/d; s/beta^4))$/beta^2))/", "eq-15", 1,
-     "eq-15: refuted, recorded as proved"},
-    {HARTOG, "paper/note.eq", "/^  tex: y(t) =/d; s/t - pi.omega)/t - pi\\/omega_n)/", "eq-10", 1,
-     "eq-10: refuted, recorded as proved"},
-    /* a name is the model's only where the paper is about its system */
-    {"row", "paper/note.eq", "/tex: K =/d; s/  K := .*/  K := [2*kappa, -kappa; -kappa, kappa]/", "eq-1", 0,
-     "1 statement: 1 unknown"},
-    {"row", "paper/note.eq", "s/^section: note/model: two masses on a belt\\nsection: note/", "eq-1", 3,
-     "t is the model's, which gives it its domain; leave the line out"},
-    {"another", "paper/note.eq", "/^model:/d", "eq-1", 1, "eq-1: unknown, recorded as proved"},
-    {"another", "paper/note.eq", "/^model:/d", "eq-2", 1, "eq-2: unknown, recorded as refuted"},
-    {"another", "paper/note.eq", "s/^model: .*/model: a pendulum/", "eq-2", 3,
-     "note.eq:4:8: error: the program has one model, \"two masses on a belt\""},
-    {"another", "errata.eq", "1s/^/model: two masses in a row\\n/", "eq-2", 3,
-     "errata.eq:1:1: error: the paper's model is given twice"},
-    /* of a quantity that the model lacks nothing is known, and the rest goes on */
-    {"another", "claims/note.claim", "s/value: D(t)/value: I/", "", 1, "eq-1: unknown, recorded as proved"},
-    {"another", "claims/note.claim", "s/value: D(t)/value: P(t)/", "", 3, "note.claim:1:7: error: eq-1: "},
-    {"another", "paper/note.eq",
-     "s/^symbol t$/symbol w\\n  means: another\\n\\nsymbol t/; /tex: .det/d; /place: 179/d; s/= 1 + t$/= 1 + w/",
-     "eq-2", 1, "eq-2: unknown, recorded as refuted"},
-    /* a name that nobody declares is a slip of the file */
-    {"another", "paper/note.eq", "/^symbol t$/,/^$/d; /tex:/d; /place: 83/d; /place: 179/d", "eq-2", 3,
-     "note.eq:17:9: error: undefined symbol t"},
-    {"row", "paper/note.eq", "/^symbol mu$/,/domain/d; /tex: .omega/d", "eq-5", 3, "error: undefined symbol mu"},
-    /* a form that cannot be right is the paper's where its TeX says it, and else the file's */
-    {"row", "paper/note.eq", "s/det K = .kappa^3/kappa K = \\\\kappa/; s/det(K) = kappa^3/kappa*K = kappa/", "eq-2", 1,
-     "eq-2: refuted, recorded as proved"},
-    {"row", "paper/note.eq", "/det K = .kappa^3/d; s/det(K) = kappa^3/kappa*K = kappa/", "eq-2", 3,
-     "the two sides have the shapes 3x3 and 1x1"},
-    /* what is more than the program reads */
-    {"row", "paper/note.eq", "s/.det K = .kappa^3/K^2 = K K/; s/det(K) = kappa^3/K^2 = K*K/", "eq-2", 1,
-     "eq-2: unknown, recorded as proved"},
-    {"row", "paper/note.eq", "s/det K = .kappa^3/exp(K) = \\\\exp(K)/; s/det(K) = kappa^3/exp(K) = exp(K)/", "eq-2", 1,
-     "eq-2: unknown, recorded as proved"},
-    /* the model's names have the model's domains */
-    {"another", "paper/note.eq", "s/^symbol t$/symbol t\\n  domain: 0 < t < 2/", "eq-2", 3, "t is the model's"},
-    /* where symbols may be */
-    {"row", "paper/note.eq",
-     "s/.sqrt{.kappa^2} = .kappa/\\\\sqrt{q_0^2} = q_0/; s/sqrt(kappa^2) = kappa/sqrt(q_0^2) = q_0/", "eq-5", 1,
-     "eq-5: refuted, recorded as proved"},
-    {"row", "paper/note.eq", "s/domain: kappa > 0/domain: 3 <= kappa < 7\\/2/", "eq-5", 0, "1 proved"},
-    {"row", "paper/note.eq", "/domain: kappa > 0/d", "eq-2", 1, "eq-2: unknown, recorded as proved"},
-    {"row", "paper/note.eq", "s/domain: kappa > 0/domain: kappa = 1/", "eq-5", 3,
-     "note.eq:11:11: error: a domain reads"},
-    {"row", "paper/note.eq", "s/domain: kappa > 0/domain: 1 < kappa < 1/", "eq-5", 3, "a domain reads"},
-    {"row", "paper/note.eq", "s/domain: kappa > 0/domain: mu > 0/", "eq-5", 3, "a domain reads"},
-    {"row", "paper/note.eq", "s/domain: kappa > 0/domain: kappa > pi/", "eq-5", 3, "a domain reads"},
-    {"row", "paper/note.eq", "s/domain: kappa > 0/domain: 1 > kappa < 2/", "eq-5", 3, "a domain reads"},
-    {"row", "paper/note.eq", "s/domain: kappa > 0/domain: 1\\/0 < kappa/", "eq-5", 3, "a domain reads"},
-    {"row", "paper/note.eq", "s/domain: kappa > 0/domain:/", "eq-5", 3, "note.eq:"},
-    {"row", "claims/note.claim", "s/points: params 8/points: flow D 8/", "eq-2", 1,
-     "eq-2: unknown, recorded as proved"},
-    /* exp and pi */
-    {"row", "paper/note.eq", "s/q_0 e^{-.zeta/q_0 e^{\\\\zeta/; s/exp(-zeta/exp(zeta/", "eq-4", 1,
-     "eq-4: refuted, recorded as proved"},
-    {"row", "paper/note.eq", "s/e^{2.pi/e^{3\\\\pi/; s/exp(2\\*pi/exp(3*pi/", "eq-6", 0, "1 refuted"},
-    {"row", "paper/note.eq", "s/^symbol theta/symbol pi/", "eq-5", 3, "pi is the number"},
-};
+static struct table audits;                                    /* cases/papers_of_others.tsv */
+enum { X_FOLDER, X_FILE, X_SCRIPT, X_ONLY, X_STATUS, X_SAYS }; /* its columns */
 
 START_TEST(papers_of_others) {
-  const struct audit *x = &audits[_i];
-  char command[2048];
+  char **x = audits.row[_i];
   int status;
-  const char *data = scratch_path("data");
-  snprintf(command, sizeof command, "cp -R tests/%s %s && sed -i '%s' %s/%s && ! cmp -s tests/%s/%s %s/%s", x->folder,
-           data, x->script, data, x->file, x->folder, x->file, data, x->file);
-  free(shell_output(&status, "%s", command));
-  ck_assert_msg(status == 0, "%s changes nothing", x->script);
-  snprintf(command, sizeof command, "STICKSLIP_DATA=%s %s verify %s%s --out %s 2>&1", data, program(),
-           *x->only ? "--only " : "", x->only, scratch_path("out"));
-  char *out = shell_output(&status, "%s", command);
-  ck_assert_msg(status == x->status && strstr(out, x->says), "%s: status %d, not %d with \"%s\":\n%s", x->script,
-                status, x->status, x->says, out);
+  shell_well("cp -R tests/%s \"$D/data\" && sed -i '%s' \"$D/data/%s\" && ! cmp -s tests/%s/%s \"$D/data/%s\"",
+             x[X_FOLDER], x[X_SCRIPT], x[X_FILE], x[X_FOLDER], x[X_FILE], x[X_FILE]);
+  char *out = shell_output(&status, "STICKSLIP_DATA=\"$D/data\" \"$P\" verify %s%s --out \"$D/out\" 2>&1",
+                           *x[X_ONLY] ? "--only " : "", x[X_ONLY]);
+  ck_assert_msg(status == atoi(x[X_STATUS]) && strstr(out, x[X_SAYS]), "%s: status %d, not %s with \"%s\":\n%s",
+                x[X_SCRIPT], status, x[X_STATUS], x[X_SAYS], out);
   free(out);
 }
 END_TEST
@@ -181,10 +97,11 @@ END_TEST
 
 Suite *another_suite(void) {
   Suite *s = suite_create("another");
+  table_read(&audits, "tests/cases/papers_of_others.tsv", 6);
   TCase *t = tcase_create("papers");
   tcase_set_timeout(t, 120);
   tcase_add_checked_fixture(t, scratch_open, scratch_close);
-  tcase_add_loop_test(t, papers_of_others, 0, sizeof audits / sizeof *audits);
+  tcase_add_loop_test(t, papers_of_others, 0, audits.n);
   tcase_add_loop_test(t, amplitudes_and_phases_of_motions, 0, 40);
   tcase_add_loop_test(t, files_are_checked_with_their_own_paper, 0, 4);
   suite_add_tcase(s, t);

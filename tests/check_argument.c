@@ -621,60 +621,6 @@ START_TEST(values_of_formulas) {
 }
 END_TEST
 
-/* --- Hostile attributes --- */
-
-static const struct {
-  const char *claim, *says;
-} hostile[] = {
-    {"  kind: range\n  even: V\n", "one condition"},
-    {"  kind: range\n  conclusion: eq-57\n", "one condition"},
-    {"  kind: range\n  conclusion: eq-57#1\n  even: [1, 2]\n", "does not fit"},
-    {"  kind: range\n  conclusion: eq-57#1\n  from: start\n", "end, or nothing"},
-    {"  kind: argument\n  premises: eq-52\n", "conclusion is missing"},
-    {"  kind: argument\n  conclusion: eq-999\n", "no such record"},
-    {"  kind: argument\n  conclusion: eq-52#9\n", "no such statement or step"},
-    {"  kind: argument\n  conclusion: eq-52#1.7\n", "no such statement or step"},
-    {"  kind: argument\n  conclusion: eq-52#0\n", "ID#1"},
-    {"  kind: argument\n  conclusion: eq-52#x\n", "ID#1"},
-    {"  kind: argument\n  conclusion: ,\n", "empty item"},
-    {"  kind: argument\n  conclusion: eq-56\n", "needs a phase"},
-    {"  kind: argument\n  conclusion: eq-56 Q\n", "no such phase"},
-    {"  kind: argument\n  conclusion: eq-52\n  over: everything\n", "admissible, orbits, scene"},
-    {"  kind: argument\n  conclusion: eq-52\n  friction: none\n", "free, or nothing"},
-    {"  kind: argument\n  conclusion: eq-52\n  increasing: h\n", "NAME PHASE"},
-    {"  kind: argument\n  conclusion: eq-52\n  increasing: h Z\n", "no such phase"},
-    {"  kind: argument\n  conclusion: eq-52\n  increasing: nobody C\n", "nobody"},
-    {"  kind: argument\n  conclusion: eq-3c\n", "needs scalars"},
-    {"  kind: notation\n  symbols: a\n  stands-for: b\n  found-in: quote\n", "at least two uses"},
-    {USES("Q; K_1", "one; another") "  found-in: quote; quote\n", "not printed at its place"},
-    {USES("K; K_1", "one; another") "  found-in: quote; nowhere\n", "not printed at its place"},
-    {"  kind: scaling\n", "scaled is missing"},
-    {"  kind: scaling\n  scaled: V\n  statement: eq-999\n", "no such record"},
-    {"  kind: reach\n  statements: eq-52\n", "absent are needed"},
-    {"  kind: reach\n  statements: eq-999\n  absent: V\n", "there is no record"},
-    {"  kind: rank\n  statement: eq-999\n  unknowns: V\n  rank: 1\n", "a record and its unknowns"},
-    {"  kind: rank\n  statement: eq-12b\n  unknowns: nobody\n  rank: 1\n", "do not contain"},
-    {"  kind: rank\n  statement: eq-12b\n  unknowns: e_1\n", "rank is missing"},
-    {"  kind: sequence\n  word: D Q\n", "names of phases"},
-    {"  kind: existence\n  through: D\n  given: t_a = 0\n", "NAME = VALUE"},
-    {"  kind: existence\n  given: t_a = 0, t_b = 2\n", "names of phases"},
-    {"  kind: constraints\n  constraints: eq-51\n", "least-first"},
-    {"  kind: outside\n", "needs is missing"},
-};
-
-START_TEST(hostile_attributes_are_shown_where_they_are) {
-  struct audit_result r;
-  struct diag d;
-  struct text t;
-  text_init(&t);
-  text_printf(&t, HEAD "%s", hostile[_i].claim);
-  ck_assert_msg(!judge_text(&r, &model, text_str(&t), &d), "%s was judged", hostile[_i].claim);
-  ck_assert_msg(strstr(d.message, hostile[_i].says) != NULL, "%s: %s", hostile[_i].claim, d.message);
-  audit_result_clear(&r);
-  text_clear(&t);
-}
-END_TEST
-
 /* --- The claims on file --- */
 
 START_TEST(every_number_of_the_paper_is_covered) {
@@ -740,7 +686,6 @@ Suite *argument_suite(void) {
   tcase_add_loop_test(c, ranks_by_hand, 0, 13);
   tcase_add_loop_test(c, values_of_formulas, 0, 20);
   tcase_add_test(c, the_first_inverse_has_exceptions);
-  LOOP(hostile_attributes_are_shown_where_they_are, hostile);
   tcase_add_test(c, every_number_of_the_paper_is_covered);
   tcase_add_test(c, the_text_is_as_recorded);
 #undef LOOP

@@ -169,85 +169,6 @@ START_TEST(line_ends_marks_and_blanks_do_not_matter) {
 }
 END_TEST
 
-/* line 0: a diagnostic without a place. */
-static const struct {
-  const char *text;
-  int line, column;
-  const char *outcome;
-} bad_scenes[] = {
-    {"", 0, 0, "the parameter chi is missing"},
-    {REST, 0, 0, "the parameter chi is missing"},
-    {"chi = 0.8\neta = 1\nV = 1\ne1 = 2\n", 0, 0, "the parameter e2 is missing"},
-    {"chi = 1\n" REST, 1, 1, "strictly between 0 and 1"},
-    {"chi = 5/4\n" REST, 1, 1, "strictly between 0 and 1"},
-    {"chi = 0\n" REST, 1, 1, "must be positive"},
-    {"chi = 1/2 - 0.5\n" REST, 1, 1, "must be positive"},
-    {"chi = 0.8\neta = -1\nV = 1\ne1 = 2\ne2 = 1\n", 2, 1, "eta must be positive"},
-    {"chi = 0.8\neta = 1\nV = 0\ne1 = 2\ne2 = 1\n", 3, 1, "V must be positive"},
-    {"chi = 0.8\neta = 1\nV = 1\ne1 = -2\ne2 = 1\n", 4, 1, "e1 must be positive"},
-    {"chi = 0.8\n" REST "chi = 0.8\n", 6, 1, "chi is given twice"},
-    {"chi = 0.8\n" REST "e3 = 1\n", 6, 1, "unknown parameter e3"},
-    {"chi = 0.8\n" REST "note: none\n", 6, 1, "unknown attribute note"},
-    {"chi = 0.8\n" REST "claim eq-1\n  e1 = 3\n", 6, 1, "a scene has no records"},
-    {"chi = 0.8\n" REST "u_r1 = 2\n", 6, 1, "u_r1 must exceed e1"},
-    {"chi = 0.8\n" REST "u_r1 = 3\nu_r2 = 0.99\n", 7, 1, "u_r2 must exceed e2"},
-    {"chi = 1/0\n" REST, 1, 9, "division by zero"},
-    {"chi = 1/(3 - 3)\n" REST, 1, 9, "division by zero"},
-    {"chi = 0^(-1)\n" REST, 1, 7, "division by zero"},
-    {"chi = 1e-999999999999\n" REST, 1, 7, "too large"},
-    {"chi = (2^9999)^(-9999)\n" REST, 1, 7, "more than 200000 bits"},
-    {"chi = sin(1)\n" REST, 1, 7, "a constant expression has numbers"},
-    {"chi = eta\n" REST, 1, 1, "strictly between 0 and 1"},
-    {"chi = [0.5]\n" REST, 1, 7, "an interval reads [low, high]"},
-    {"chi = [0.5, 0.6, 0.7]\n" REST, 1, 7, "an interval reads [low, high]"},
-    {"chi = [0.5; 0.6]\n" REST, 1, 7, "an interval reads [low, high]"},
-    {"chi = []\n" REST, 1, 8, "error: "},
-    {"chi = [0.6, 0.5]\n" REST, 1, 7, "the ends of the interval are in the wrong order"},
-    {"chi = [0.5, 1/2]\n" REST, 1, 7, "the interval has no width"},
-    {"chi = [0.5, eta]\n" REST, 1, 1, "strictly between 0 and 1"},
-    {"chi = [0.5, 0.6]*2\n" REST, 1, 7, "a constant expression has numbers"},
-    {"chi = [0.5, 1]\n" REST, 1, 1, "strictly between 0 and 1"},
-    {"chi = [0, 0.5]\n" REST, 1, 1, "chi must be positive"},
-    {"chi = 0.8\n" REST "u_r1 = [3, 4]\n", 6, 8, "only chi, eta, V, e1 and e2 can be intervals"},
-    {"chi = 0.8\neta = 1\nV = 1\ne1 = [2, 3]\ne2 = 1\nu_r1 = 2.5\n", 6, 1, "u_r1 must exceed e1"},
-    {"chi = 0.8\neta = [1, 2]\nV = 1\nt_b = 1\nt_c = 1\n", 2, 1, "gives chi, eta, V, e1 and e2"},
-    {"chi = [0.5, 0.6]\n" REST, 0, 0, "chi is an interval; only orbit and verify take one"},
-    {"chi := 0.5\n" REST, 1, 1, "a scene line reads"},
-    {"chi < 0.5\n" REST, 1, 1, "a scene line reads"},
-    {"chi = 0.5 = 0.5\n" REST, 1, 1, "a scene line reads"},
-    {"chi = 0.5 for t in (0, 1)\n" REST, 1, 1, "a scene line reads"},
-    {"chi = 1/2/3\n" REST, 1, 10, "ambiguous"},
-    {"chi = 0.8\n" REST "printed: t_a\n", 6, 10, "a printed line reads"},
-    {"chi = 0.8\n" REST "printed: = 3\n", 6, 10, "a printed line reads"},
-    {"chi = 0.8\n" REST "printed: t_a =\n", 6, 10, "a printed line reads"},
-    {"chi = 0.8\n" REST "printed: t_a = 1/2\n", 6, 10, "1/2 is not a decimal"},
-    {"chi = 0.8\n" REST "printed: t_a = --1\n", 6, 10, "--1 is not a decimal"},
-    {"chi = 0.8\n" REST "printed: t_a = 0.5 7\n", 6, 10, "0.5 7 is not a decimal"},
-    {"chi = 0.8\n" REST "printed: t_a = 1\nprinted: t_a = 2\n", 7, 10, "t_a is printed twice"},
-};
-
-START_TEST(a_bad_scene_is_shown_where_it_is_bad) {
-  struct scene s;
-  struct diag d;
-  bool ok = load_text(&s, &d, bad_scenes[_i].text);
-  scene_clear(&s);
-  ck_assert_msg(!ok && d.set, "accepted: %s", bad_scenes[_i].text);
-  ck_assert_msg(strstr(d.message, bad_scenes[_i].outcome) != NULL, "%s\ndoes not say: %s", d.message,
-                bad_scenes[_i].outcome);
-  char place[500];
-  if (!bad_scenes[_i].line) {
-    snprintf(place, sizeof place, "%s: error: ", scratch_path("case.scene"));
-    ck_assert_msg(strncmp(d.message, place, strlen(place)) == 0 && !strchr(d.message, '\n'), "%s", d.message);
-    return;
-  }
-  snprintf(place, sizeof place, "%s:%d:%d: error: ", scratch_path("case.scene"), bad_scenes[_i].line,
-           bad_scenes[_i].column);
-  ck_assert_msg(strncmp(d.message, place, strlen(place)) == 0, "%s\nis not at %s", d.message, place);
-  const char *caret = strrchr(d.message, '\n');
-  ck_assert_msg(caret && (int)strlen(caret + 1) == 2 + bad_scenes[_i].column && strchr(caret, '^'), "%s", d.message);
-}
-END_TEST
-
 START_TEST(the_last_printed_digit) {
   static const struct {
     const char *decimal, *value, *unit;
@@ -1197,7 +1118,6 @@ Suite *audit_suite(void) {
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, scenes_are_exact);
   tcase_add_test(c, line_ends_marks_and_blanks_do_not_matter);
-  tcase_add_loop_test(c, a_bad_scene_is_shown_where_it_is_bad, 0, (int)(sizeof bad_scenes / sizeof *bad_scenes));
   tcase_add_test(c, the_last_printed_digit);
   tcase_add_test(c, a_decimal_is_read_rounded_or_cut_off);
   suite_add_tcase(s, c);

@@ -16,16 +16,14 @@
 #include "base/record.h"
 #include "base/status.h"
 #include "base/suggest.h"
+#include "laws_num.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
-/* splitmix64 (Steele, Lea, Flood 2014) */
-static uint64_t rng;
+static struct rng rng;
 static uint64_t rnd(void) {
-  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
-  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-  return z ^ z >> 31;
+  return rng_next(&rng);
 }
 
 /* ---- UTF-8, the test's own */
@@ -114,7 +112,7 @@ START_TEST(text_grows) {
   ck_assert_ptr_null(t.data);
   char *copy = calloc(200000, 1);
   size_t n = 0;
-  rng = 1;
+  rng.state = 1;
   for (int i = 0; i < 2000; i++) {
     char piece[64];
     size_t len = rnd() % sizeof piece;
@@ -561,54 +559,23 @@ static bool parse(struct record_file *f, const char *text, struct diag *d) {
 }
 
 START_TEST(records) {
-  static const struct {
-    const char *text, *spelt;
-  } c[] = {
-      {"", ""},
-      {"\n \t\n# only a comment\n   # another", ""},
-      {"title: a scene\nchi = 0.8\n", " {title=\"a scene\" <chi = 0.8>}"},
-      {"define J_a\n  equation: 27\n  J_a = 1/(1 - chi)\n", "define J_a{equation=\"27\" <J_a = 1/(1 - chi)>}"},
-      {"define a", "define a{}"},
-      {"define a   # a remark\n", "define a{}"},
-      {"claim eq-27b.x'\n", "claim eq-27b.x'{}"},
-      {"a b\n  x: 1\nc d\n  y: 2", "a b{x=\"1\"} c d{y=\"2\"}"},
-      {"top: 1\na b\n  x: 1\n", " {top=\"1\"} a b{x=\"1\"}"},
-      /* what is not a head: three words, one word, a capital first, in record 0 */
-      {"a b c\none\nKind id\n", " {<a b c> <one> <Kind id>}"},
-      {"  a b\n", " {<a b>}"}, /* an indented line is no head */
-      /* attributes and formulas */
-      {"a b\n  x := 1\n  y(t):=2\n  root w: w^2\n  f : 3\n  X: 4\n",
-       "a b{<x := 1> <y(t):=2> <root w: w^2> <f : 3> <X: 4>}"},
-      {"a b\n  depends-on: c\n  u_s: d\n  e:\n  -: f\n", "a b{depends-on=\"c\" u_s=\"d\" e=\"\" <-: f>}"},
-      {"a b\n  x:=1\n  x:1\n  x::\n", "a b{<x:=1> x=\"1\" x=\":\"}"},
-      {"a b\n  x: one # two\n  y: # three\n", "a b{x=\"one # two\" y=\"# three\"}"},
-      {"a b\n  x = 1 # two\n", "a b{<x = 1 # two>}"}, /* the formula's reader knows comments */
-      /* continuation: deeper than the field, over blank and comment lines */
-      {"a b\n  x: one\n    two\n   three\n  y: four", "a b{x=\"one two three\" y=\"four\"}"},
-      {"a b\n  x: one  \n\n    # no\n      two\t\n", "a b{x=\"one two\"}"},
-      {"a b\n    x: one\n  y: two\n      three\n", "a b{x=\"one\" y=\"two three\"}"},
-      {"a b\n  x:\n    one\n", "a b{x=\"one\"}"},
-      {"a b\n  x = [1,\n    2]\n  y\n", "a b{<x = [1,\n    2]> <y>}"},
-      {"t: one\n  two\nchi = 1\n + 2\n", " {t=\"one two\" <chi = 1\n + 2>}"},
-      {"a b\n  x: one\n# no\nc d\n    y: two\n", "a b{x=\"one\"} c d{y=\"two\"}"},
-      /* line ends */
-      {"a b\r\n  x: one\r\n    two\r\n  y = 1\r\n\r\nc d\r\n", "a b{x=\"one two\" <y = 1>} c d{}"},
-      {"a b\n\tx: one\n\t\ttwo\n\ty = 1", "a b{x=\"one two\" <y = 1>}"},
-      {"a b\n  x: \xC3\xA9\xE2\x82\xAC\n", "a b{x=\"\xC3\xA9\xE2\x82\xAC\"}"},
-  };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  enum { TEXT, SPELT };
+  struct table c;
+  table_read(&c, "tests/cases/records.tsv", 2);
+  for (int i = 0; i < c.n; i++) {
     struct record_file f;
     struct diag d;
     struct text t;
     text_init(&t);
-    ck_assert_msg(parse(&f, c[i].text, &d), "%s", d.message);
+    ck_assert_msg(parse(&f, c.row[i][TEXT], &d), "%s", d.message);
     ck_assert(f.n_records >= 1 && f.records[0].kind.begin == f.records[0].kind.end);
     spell(&t, &f);
-    ck_assert_msg(strcmp(text_str(&t), c[i].spelt) == 0, "%s\nread as\n%s\nexpected\n%s", c[i].text, text_str(&t),
-                  c[i].spelt);
+    ck_assert_msg(strcmp(text_str(&t), c.row[i][SPELT]) == 0, "%s\nread as\n%s\nexpected\n%s", c.row[i][TEXT],
+                  text_str(&t), c.row[i][SPELT]);
     text_clear(&t);
     record_file_clear(&f);
   }
+  table_clear(&c);
 }
 END_TEST
 
@@ -823,7 +790,7 @@ static size_t edits_by_definition(const char *a, size_t n, const char *b, size_t
 
 START_TEST(edits_between_words) {
   char a[8], b[8];
-  rng = 7;
+  rng.state = 7;
   for (int trial = 0; trial < 2000; trial++) {
     size_t n = rnd() % 6, m = rnd() % 6;
     for (size_t i = 0; i < 6; i++) a[i] = (char)('a' + rnd() % 3), b[i] = (char)('a' + rnd() % 3);
@@ -889,7 +856,7 @@ START_TEST(arena_pieces) {
   static size_t size[N];
   struct arena a;
   arena_init(&a);
-  rng = 2;
+  rng.state = 2;
   for (int i = 0; i < N; i++) {
     size[i] = i % 500 == 499 ? 3000000 : rnd() % (i % 10 ? 50 : 9000);
     piece[i] = arena_alloc(&a, size[i]);

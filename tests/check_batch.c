@@ -8,14 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "accuracy.h"
 #include "base/arena.h"
 #include "explore/batch_impl.h"
 #include "explore/family.h"
+#include "laws_num.h"
 #include "motion/search.h"
 #include "motion/warm.h"
 #include "suites.h"
-
-static const double unit = 0x1p-53;
 
 /* Points with the orbit that the search found there. */
 struct table {
@@ -50,28 +50,24 @@ static void table_add(struct table *t, const double p[N_PARAMS], double tb, doub
   t->guess[1][t->n++] = tc;
 }
 
-static uint64_t state;
-
-static double uniform(void) {
-  state = state * 6364136223846793005u + 1442695040888963407u;
-  return (double)(state >> 11) * 0x1p-53;
-}
+static struct rng random_numbers;
 
 /* Every orbit that the search finds, its times moved by relative steps up to `off`. */
 static void add_orbits(struct table *t, const double p[N_PARAMS], double off) {
   struct search s;
   if (search_run(&s, p, &dyn_limits_default) == SS_OK)
     for (size_t i = 0; i < s.n; i++)
-      table_add(t, p, s.zeros[i].tb * (1 + off * (2 * uniform() - 1)), s.zeros[i].tc * (1 + off * (2 * uniform() - 1)));
+      table_add(t, p, s.zeros[i].tb * (1 + off * (2 * rng_unit(&random_numbers) - 1)),
+                s.zeros[i].tc * (1 + off * (2 * rng_unit(&random_numbers) - 1)));
   search_clear(&s);
 }
 
 static void any_params(double p[N_PARAMS]) {
-  p[P_CHI] = 0.03 + 0.95 * uniform();
-  p[P_ETA] = exp(5 * uniform() - 2.5);
-  p[P_V] = exp(2 * uniform() - 1);
-  p[P_E1] = p[P_V] * exp(3 * uniform() - 1.5);
-  p[P_E2] = p[P_V] * exp(4 * uniform() - 3);
+  p[P_CHI] = 0.03 + 0.95 * rng_unit(&random_numbers);
+  p[P_ETA] = exp(5 * rng_unit(&random_numbers) - 2.5);
+  p[P_V] = exp(2 * rng_unit(&random_numbers) - 1);
+  p[P_E1] = p[P_V] * exp(3 * rng_unit(&random_numbers) - 1.5);
+  p[P_E2] = p[P_V] * exp(4 * rng_unit(&random_numbers) - 3);
 }
 
 static void run(struct table *t) {
@@ -82,121 +78,51 @@ static void run(struct table *t) {
 
 /* --- Truth. --- */
 
-static void outputs_of(arb_srcptr x[N_DYN_OUT], const struct dyn_orbit *o) {
-  arb_srcptr all[N_DYN_OUT] = {o->z10,  o->z20,    o->t[0],  o->t[1],     o->t[2],
-                               o->t[3], o->period, o->trace, o->u_r1_min, o->u_r2_min};
-  for (int i = 0; i < N_DYN_OUT; i++) x[i] = all[i];
-}
-
-/* The orbit at parameters p (1 + shift) in one of them. */
-static bool orbit_at(struct dyn_orbit *o, truth *first, const struct table *t, slong j, int moved, double shift) {
-  fmpq params[N_PARAMS];
-  arf_t x;
-  arf_init(x);
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&params[i]);
-    arf_set_d(x, t->params[i][j]);
-    if (i == moved) {
-      arf_t more;
-      arf_init(more);
-      arf_set_d(more, 1 + shift);
-      arf_mul(x, x, more, ARF_PREC_EXACT, ARF_RND_DOWN);
-      arf_clear(more);
-    }
-    arf_get_fmpq(&params[i], x);
-  }
-  bool up = t->violations[j] & 1u << COND_C_V2;
-  int status =
-      dyn_orbit_near(o, first, params, t->out[DYN_OUT_TB][j], t->out[DYN_OUT_TC][j], up, 160, &dyn_limits_default);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&params[i]);
-  arf_clear(x);
-  return status == SS_OK;
-}
-
-/* Condition numbers by central differences; false where an orbit is lost on the way. */
-static bool conditions(double condition[N_DYN_OUT], const struct table *t, slong j, const struct dyn_orbit *o) {
-  const double shift = 0x1p-45;
-  arb_srcptr at[N_DYN_OUT];
-  arb_t d;
-  bool all = true;
-  arb_init(d);
-  outputs_of(at, o);
-  for (int i = 0; i < N_DYN_OUT; i++) condition[i] = 0;
-  for (int k = 0; k < N_PARAMS && all; k++) {
-    struct dyn_orbit low, high;
-    truth first;
-    all &= orbit_at(&low, &first, t, j, k, -shift);
-    all &= orbit_at(&high, &first, t, j, k, shift);
-    arb_srcptr x[N_DYN_OUT], y[N_DYN_OUT];
-    outputs_of(x, &low);
-    outputs_of(y, &high);
-    for (int i = 0; i < N_DYN_OUT && all; i++) {
-      arb_sub(d, y[i], x[i], 200);
-      arb_div(d, d, at[i], 200);
-      condition[i] += fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR)) / (2 * shift);
-    }
-    dyn_orbit_clear(&low);
-    dyn_orbit_clear(&high);
-  }
-  arb_clear(d);
-  return all;
-}
-
 struct score {
   slong ok, unable, wrong;
   double worst; /* error over its bound, which is 8 (1 + condition) 2^-53 and 2 of 2^-53 */
   char where[400];
 };
 
-static unsigned violations_of(const struct dyn_orbit *o, bool *sure) {
-  unsigned broken = 0;
-  *sure = true;
+/* What is proved broken, as bits; false where something is not decided. */
+static bool violations_of(unsigned *broken, const struct orbit_truth *t) {
+  bool sure = true;
+  *broken = 0;
   for (int i = 0; i < N_CONDITIONS; i++) {
-    if (o->holds[i] == TRUTH_FALSE) broken |= 1u << i;
-    if (o->holds[i] == TRUTH_UNKNOWN) *sure = false;
+    if (t->holds[i] == TRUTH_FALSE) *broken |= 1u << i;
+    if (t->holds[i] == TRUTH_UNKNOWN) sure = false;
   }
-  return broken;
+  return sure;
 }
 
-/* Holds the results against balls. */
+/* Holds one result against balls. */
+static void judge_point(struct score *s, const struct table *t, slong j) {
+  double p[N_PARAMS], out[N_DYN_OUT], error[N_DYN_OUT], condition[N_DYN_OUT];
+  unsigned broken = 0;
+  for (int i = 0; i < N_PARAMS; i++) p[i] = t->params[i][j];
+  for (int i = 0; i < N_DYN_OUT; i++) out[i] = t->out[i][j];
+  struct orbit_truth o = {.tb = out[DYN_OUT_TB], .tc = out[DYN_OUT_TC], .up = t->violations[j] & 1u << COND_C_V2};
+  bool steep = accuracy_of(error, condition, &orbit_method, p, out, &o);
+  if (!o.found || o.first != TRUTH_TRUE || !violations_of(&broken, &o) || broken != t->violations[j]) {
+    s->wrong++;
+    snprintf(s->where, sizeof s->where, "%.17g %.17g %.17g %.17g %.17g: orbit %d first %d violations %x, got %x", p[0],
+             p[1], p[2], p[3], p[4], o.found, o.first, broken, t->violations[j]);
+  }
+  for (int i = 0; i < N_DYN_OUT && steep; i++) {
+    double part = error[i] / fmin(8 * (1 + condition[i]), 2);
+    if (part <= s->worst || isnan(s->worst)) continue;
+    s->worst = part;
+    snprintf(s->where, sizeof s->where,
+             "%.17g %.17g %.17g %.17g %.17g (%.17g %.17g): output %d, condition %g, %g of the bound", p[0], p[1], p[2],
+             p[3], p[4], o.tb, o.tc, i, condition[i], part);
+  }
+}
+
 static void judge(struct score *s, const struct table *t) {
   for (slong j = 0; j < t->n; j++) {
-    struct dyn_orbit o;
-    truth first;
-    double condition[N_DYN_OUT];
-    bool sure;
-    if (t->status[j] != SS_OK) {
-      s->unable++;
-      continue;
-    }
-    s->ok++;
-    bool any = orbit_at(&o, &first, t, j, -1, 0);
-    if (!any || first != TRUTH_TRUE || violations_of(&o, &sure) != t->violations[j] || !sure) {
-      s->wrong++;
-      snprintf(s->where, sizeof s->where, "%.17g %.17g %.17g %.17g %.17g: orbit %d first %d violations %x, got %x",
-               t->params[0][j], t->params[1][j], t->params[2][j], t->params[3][j], t->params[4][j], any, first,
-               any ? violations_of(&o, &sure) : 0, t->violations[j]);
-    } else if (conditions(condition, t, j, &o)) {
-      arb_srcptr x[N_DYN_OUT];
-      arb_t d;
-      arb_init(d);
-      outputs_of(x, &o);
-      for (int i = 0; i < N_DYN_OUT; i++) {
-        arb_set_d(d, t->out[i][j]);
-        arb_sub(d, d, x[i], 200);
-        arb_div(d, d, x[i], 200);
-        double error = fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR)) / (fmin(8 * (1 + condition[i]), 2) * unit);
-        if (error > s->worst || isnan(error)) {
-          s->worst = error;
-          snprintf(s->where, sizeof s->where,
-                   "%.17g %.17g %.17g %.17g %.17g (%.17g %.17g): output %d, condition %g, %g of the bound",
-                   t->params[0][j], t->params[1][j], t->params[2][j], t->params[3][j], t->params[4][j],
-                   t->out[DYN_OUT_TB][j], t->out[DYN_OUT_TC][j], i, condition[i], error);
-        }
-      }
-      arb_clear(d);
-    }
-    dyn_orbit_clear(&o);
+    s->ok += t->status[j] == SS_OK;
+    s->unable += t->status[j] != SS_OK;
+    if (t->status[j] == SS_OK) judge_point(s, t, j);
   }
 }
 
@@ -227,7 +153,7 @@ enum { N_LINES = sizeof lines / sizeof *lines };
 START_TEST(ordinary_sweeps_against_balls) {
   struct table t;
   table_init(&t, 60);
-  state = 30;
+  random_numbers.state = 30;
   for (int i = 0; i < 9; i++) {
     double p[N_PARAMS];
     memcpy(p, lines[_i], sizeof p);
@@ -243,7 +169,7 @@ END_TEST
 START_TEST(random_points_against_balls) {
   struct table t;
   table_init(&t, 160);
-  state = 31;
+  random_numbers.state = 31;
   for (double p[N_PARAMS]; t.n < t.cap;) {
     any_params(p);
     add_orbits(&t, p, 1e-4);
@@ -260,7 +186,7 @@ static const double changes[] = {1.81105820302190, 2.10396606985610, 1.112100110
 START_TEST(beside_changes_against_balls) {
   struct table t;
   table_init(&t, 100);
-  state = 32;
+  random_numbers.state = 32;
   for (double off = 1e-2; off > 1e-13; off *= 0.01)
     for (int side = -1; side <= 1; side += 2) {
       double p[N_PARAMS] = {0.8, 1, 1, 2.7844, changes[_i] + side * off};
@@ -274,12 +200,13 @@ END_TEST
 START_TEST(extreme_points_against_balls) {
   struct table t;
   table_init(&t, 80);
-  state = 33;
+  random_numbers.state = 33;
   for (int i = 0; i < 250; i++) {
     double p[N_PARAMS];
     any_params(p);
-    p[P_CHI] = i % 2 == 0 ? pow(10, -4 * uniform()) / 2 : 1 - pow(10, -5 * uniform()) / 2;
-    p[P_ETA] = pow(10, 6 * uniform() - 3);
+    p[P_CHI] =
+        i % 2 == 0 ? pow(10, -4 * rng_unit(&random_numbers)) / 2 : 1 - pow(10, -5 * rng_unit(&random_numbers)) / 2;
+    p[P_ETA] = pow(10, 6 * rng_unit(&random_numbers) - 3);
     add_orbits(&t, p, 1e-5);
   }
   score(&t, 0);
@@ -290,7 +217,7 @@ END_TEST
 START_TEST(far_guesses_against_balls) {
   struct table t;
   table_init(&t, 120);
-  state = 34;
+  random_numbers.state = 34;
   for (double p[N_PARAMS]; t.n < t.cap;) {
     any_params(p);
     add_orbits(&t, p, 0.05);
@@ -305,7 +232,7 @@ START_TEST(as_the_scalar_solver) {
   struct table t;
   slong both = 0, left = 0, alone = 0;
   table_init(&t, 3000);
-  state = 35;
+  random_numbers.state = 35;
   for (double p[N_PARAMS]; t.n < t.cap;) {
     any_params(p);
     add_orbits(&t, p, 1e-5);
@@ -351,13 +278,14 @@ static bool same_bits(const struct table *s, const struct table *t, slong from, 
 /* Orbits and garbage. */
 static void mixture(struct table *t) {
   static const double odd[] = {0, -1, 1, NAN, INFINITY, -INFINITY, 1e-320, 1e308, 1e-200, 0x1p60};
-  state = 36;
+  random_numbers.state = 36;
   for (double p[N_PARAMS]; t->n < t->cap;) {
     any_params(p);
     add_orbits(t, p, 1e-3);
     if (t->n == t->cap) break;
-    double guess[2] = {4 * uniform(), 20 * uniform()}, value = odd[(int)(uniform() * 10)];
-    int which = (int)(uniform() * (N_PARAMS + 2));
+    double guess[2] = {4 * rng_unit(&random_numbers), 20 * rng_unit(&random_numbers)},
+           value = odd[(int)(rng_unit(&random_numbers) * 10)];
+    int which = (int)(rng_unit(&random_numbers) * (N_PARAMS + 2));
     *(which < N_PARAMS ? &p[which] : &guess[which - N_PARAMS]) = value;
     table_add(t, p, guess[0], guess[1]);
   }

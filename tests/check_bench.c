@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <time.h>
 
 #include "bench/jobs.h"
@@ -599,34 +598,6 @@ END_TEST
 
 /* --- The command. --- */
 
-/* Runs the program with PATH as given (NULL: as it is); its exit status. */
-static int command(const char *path, const char *args) {
-  struct text line;
-  text_init(&line);
-  if (path) text_printf(&line, "PATH=%s ", path);
-  text_printf(&line, "%s bench %s >%s", program(), args, scratch_path("out"));
-  text_printf(&line, " 2>%s", scratch_path("err"));
-  int status = system(text_str(&line));
-  text_clear(&line);
-  ck_assert(WIFEXITED(status));
-  return WEXITSTATUS(status);
-}
-
-static bool says(const char *file, const char *what) {
-  struct source s;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(source_read(&s, scratch_path(file), 1 << 24, &d), "%s", d.message);
-  bool found = strstr(s.text, what) != NULL;
-  source_clear(&s);
-  return found;
-}
-
-static bool exists(const char *name) {
-  struct stat st;
-  return stat(scratch_path(name), &st) == 0;
-}
-
 /* A gnuplot of the test's own: a shell script in bin/. */
 static const char *gnuplot(const char *script) {
   ck_assert_int_eq(mkdir(scratch_path("bin"), 0755), 0);
@@ -634,79 +605,38 @@ static const char *gnuplot(const char *script) {
   return scratch_path("bin");
 }
 
-START_TEST(hostile_options) {
-  static const struct {
-    const char *args;
-    int status;
-    const char *says;
-  } cases[] = {{"--job nonsense", 2, "--job takes one of propagator, map, jacobian, orbit"},
-               {"--job ''", 2, "--job needs a value"},
-               {"--job", 2, "--job needs a value"},
-               {"--job map,orbit", 2, "--job takes"},
-               {"--quick=1", 2, "takes no value"},
-               {"--json=yes", 2, "takes no value"},
-               {"paper", 2, "no operand"},
-               {"--digits 10", 2, "does not belong"},
-               {"--quick --job propagator --out /dev/null/x", 3, "/dev/null"},
-               {"--quick --job propagator --out /dev/full", 3, "/dev/full"},
-               {"--quick --job propagator --out /proc/of-the-kernel", 3, "/proc"},
-               {"--quick --job propagator --inputs /dev/null", 3, "/dev/null"},
-               {"--quick --job propagator --inputs", 2, "--inputs needs a value"},
-               {"--quick --inputs x --out y", 2, "--inputs goes with"},
-               {"--quick --inputs x --peers y", 2, "--inputs goes with"},
-               {"--quick --inputs x --json", 2, "--inputs goes with"},
-               {"--quick --job verdicts --inputs x", 2, "the job verdicts has none"},
-               {"--quick --job verdicts --peers /nowhere", 3, "/nowhere"},
-               {"--quick --job verdicts --peers verify", 3, "verify"},
-               {"--quick --job verdicts --peers verify/errata.eq", 3, "verify/errata.eq:"},
-               {"--quick --job propagator --out verify/errata.eq", 3, "errata.eq"}};
-  ck_assert_int_eq(command(NULL, cases[_i].args), cases[_i].status);
-  ck_assert_msg(says("err", cases[_i].says), "%s", cases[_i].args);
-  ck_assert(!says("out", "Error against"));
-}
-END_TEST
-
 START_TEST(a_full_disk_is_noticed) {
-  struct text line;
-  text_init(&line);
-  text_printf(&line, "%s bench --quick --job propagator >/dev/full 2>%s", program(), scratch_path("err"));
-  int status = system(text_str(&line));
-  ck_assert(WIFEXITED(status));
-  ck_assert_int_eq(WEXITSTATUS(status), 3);
-  text_clear(&line);
+  ck_assert_int_eq(shell("\"$P\" bench --quick --job propagator >/dev/full 2>\"$D/err\""), 3);
 }
 END_TEST
 
 static void run_out(const char *path) {
-  struct text args;
-  text_init(&args);
-  text_printf(&args, "--quick --job propagator --out %s", scratch_path("page"));
-  ck_assert_int_eq(command(path, text_str(&args)), 0);
-  text_clear(&args);
+  shell_well("PATH=%s \"$P\" bench --quick --job propagator --out \"$D/page\" >\"$D/out\" 2>\"$D/err\"", path);
 }
 
 START_TEST(without_gnuplot_there_is_no_figure) {
   run_out(scratch_path("")); /* a folder without programs */
-  ck_assert(says("err", "no figures"));
-  ck_assert(exists("page/bench.md") && exists("page/bench.json") && exists("page/propagator.tsv"));
-  ck_assert(!says("page/bench.md", ".svg") && !says("page/propagator.md", ".svg") &&
-            says("page/bench.md", "## Machine"));
+  ck_assert(scratch_says("err", "no figures"));
+  ck_assert(scratch_has("page/bench.md") && scratch_has("page/bench.json") && scratch_has("page/propagator.tsv"));
+  ck_assert(!scratch_says("page/bench.md", ".svg") && !scratch_says("page/propagator.md", ".svg") &&
+            scratch_says("page/bench.md", "## Machine"));
 }
 END_TEST
 
 /* One that goes without having read anything. */
 START_TEST(a_gnuplot_that_dies_is_no_harm) {
   run_out(gnuplot("#!/bin/sh\nexit 3\n"));
-  ck_assert(says("err", "no figures") && exists("page/bench.json"));
+  ck_assert(scratch_says("err", "no figures") && scratch_has("page/bench.json"));
 }
 END_TEST
 
 START_TEST(gnuplot_gets_its_script_in_the_folder) {
   const char *bin = gnuplot("#!/bin/sh\nwhile IFS= read -r line; do printf '%s\\n' \"$line\"; done >propagator.svg\n");
   run_out(bin);
-  ck_assert(!says("err", "no figures") && says("page/propagator.md", "(propagator.svg)"));
-  ck_assert(says("page/propagator.svg", "set output 'propagator.svg'"));
-  ck_assert(says("page/propagator.svg", "limit of rounded inputs") && says("page/propagator.svg", "closed-mpfr"));
+  ck_assert(!scratch_says("err", "no figures") && scratch_says("page/propagator.md", "(propagator.svg)"));
+  ck_assert(scratch_says("page/propagator.svg", "set output 'propagator.svg'"));
+  ck_assert(scratch_says("page/propagator.svg", "limit of rounded inputs") &&
+            scratch_says("page/propagator.svg", "closed-mpfr"));
 }
 END_TEST
 
@@ -734,19 +664,11 @@ END_TEST
    equations solved by it have all their 50 digits of the truth. */
 START_TEST(peers_agree_with_the_truth) {
   static const char *const method[] = {"mpmath-expm", "mpmath-closed", "mpmath-diff", "mpmath-findroot"};
-  struct text line;
-  struct source s;
-  struct diag d;
   int agreed = 0;
-  text_init(&line);
-  diag_init(&d);
-  text_printf(&line, "--quick --job %s --inputs %s", bench_jobs[_i]->id, scratch_path("page"));
-  ck_assert_int_eq(command(NULL, text_str(&line)), 0);
-  text_reset(&line);
-  text_printf(&line, "%s bench/peers/peers.py %s --quick >/dev/null", python(), scratch_path("page"));
-  ck_assert_int_eq(system(text_str(&line)), 0);
-  ck_assert_msg(source_read(&s, scratch_path("page/peers.tsv"), 1 << 20, &d), "%s", d.message);
-  for (char *at = s.text, *field[N_FIELDS]; at && *at;) {
+  shell_well("\"$P\" bench --quick --job %s --inputs \"$D/page\" >/dev/null", bench_jobs[_i]->id);
+  shell_well("\"$Y\" bench/peers/peers.py \"$D/page\" --quick >/dev/null");
+  char *peers = file_text(scratch_path("page/peers.tsv"));
+  for (char *at = peers, *field[N_FIELDS]; at && *at;) {
     char *next = strchr(at, '\n');
     if (next) *next++ = '\0';
     if (split_tabs(field, N_FIELDS, at) == 14 && strcmp(field[1], method[_i]) == 0 && strcmp(field[5], "50") == 0)
@@ -754,34 +676,32 @@ START_TEST(peers_agree_with_the_truth) {
     at = next;
   }
   ck_assert_int_eq(agreed, 1);
-  source_clear(&s);
-  text_clear(&line);
+  free(peers);
 }
 END_TEST
 
 /* Orbits and Jacobians by digits, claims alone and together; each succeeds, and no other job is run. */
 START_TEST(verdicts_are_timed) {
-  struct text args;
-  text_init(&args);
-  text_printf(&args, "--quick --job verdicts --out %s", scratch_path("page"));
-  ck_assert_int_eq(command(NULL, text_str(&args)), 0);
-  text_clear(&args);
-  ck_assert(says("page/verdicts.tsv", "work\tid\tsize\tseconds\norbits\t\t15\t"));
-  ck_assert(says("page/verdicts.tsv", "\njacobian\t\t100\t") && says("page/verdicts.tsv", "\nclaim\teq-1\t"));
-  ck_assert(says("page/verdicts.tsv", "\nclaims\t\t") && !says("page/verdicts.tsv", "failed"));
-  ck_assert(says("page/verdicts.tsv", "\nsides\teq-1b\t100\t") && says("page/verdicts.tsv", "\nall sides\t\t100\t"));
-  ck_assert(says("page/bench.md", "## What verdicts cost") && !says("page/bench.md", "The front"));
-  ck_assert(!exists("page/map.tsv"));
+  shell_well("\"$P\" bench --quick --job verdicts --out \"$D/page\" >/dev/null");
+  ck_assert(scratch_says("page/verdicts.tsv", "work\tid\tsize\tseconds\norbits\t\t15\t"));
+  ck_assert(scratch_says("page/verdicts.tsv", "\njacobian\t\t100\t") &&
+            scratch_says("page/verdicts.tsv", "\nclaim\teq-1\t"));
+  ck_assert(scratch_says("page/verdicts.tsv", "\nclaims\t\t") && !scratch_says("page/verdicts.tsv", "failed"));
+  ck_assert(scratch_says("page/verdicts.tsv", "\nsides\teq-1b\t100\t") &&
+            scratch_says("page/verdicts.tsv", "\nall sides\t\t100\t"));
+  ck_assert(scratch_says("page/bench.md", "## What verdicts cost") && !scratch_says("page/bench.md", "The front"));
+  ck_assert(!scratch_has("page/map.tsv"));
 }
 END_TEST
 
 /* name: value (goal: ...) or (no goal), for each ratio that is asked for. */
 START_TEST(ratios_are_printed_with_their_goals) {
-  ck_assert_int_eq(command(NULL, "--quick --job map"), 0);
-  ck_assert(says("out", "\nmap in double, first roots searched / hand-written map, no search: "));
-  ck_assert(says("out", " (goal: at most 1.2; ") && says("out", " (goal: at least 40; ") &&
-            says("out", " (no goal)\n"));
-  ck_assert(says("out", "\nCVODE at its best accuracy / map in double: ") && says("out", " (goal: at least 1e+03; "));
+  shell_well("\"$P\" bench --quick --job map >\"$D/out\"");
+  ck_assert(scratch_says("out", "\nmap in double, first roots searched / hand-written map, no search: "));
+  ck_assert(scratch_says("out", " (goal: at most 1.2; ") && scratch_says("out", " (goal: at least 40; ") &&
+            scratch_says("out", " (no goal)\n"));
+  ck_assert(scratch_says("out", "\nCVODE at its best accuracy / map in double: ") &&
+            scratch_says("out", " (goal: at least 1e+03; "));
 }
 END_TEST
 
@@ -809,7 +729,6 @@ Suite *bench_suite(void) {
   suite_add_tcase(s, c);
   c = tcase_create("command");
   tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_loop_test(c, hostile_options, 0, 21);
   tcase_add_test(c, a_full_disk_is_noticed);
   tcase_add_test(c, without_gnuplot_there_is_no_figure);
   tcase_add_test(c, a_gnuplot_that_dies_is_no_harm);

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "bench/jobs.h"
@@ -312,76 +311,41 @@ END_TEST
 
 /* --- The folder and the README. --- */
 
-static int shell(const char *fmt, const char *what) {
-  struct text line;
-  text_init(&line);
-  text_printf(&line, "%s", what);
-  text_printf(&line, fmt, scratch_path(""));
-  int status = system(text_str(&line));
-  text_clear(&line);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-static bool exists(const char *name) {
-  struct stat st;
-  return stat(scratch_path(name), &st) == 0;
-}
-
 /* The second run writes nothing of the first's job; what is not the program's stays, and so does everything in a folder
    without a bench.json. */
 START_TEST(a_folder_holds_the_last_run_alone) {
-  static const char args[] = " bench --quick --job propagator --out %s/page >/dev/null 2>&1";
-  ck_assert_int_eq(shell("mkdir %s/page", ""), 0);
+  shell_well("mkdir \"$D/page\"");
   scratch_put("page/map.svg", "mine");
-  ck_assert_int_eq(shell(args, program()), 0);
-  ck_assert(exists("page/propagator.md") && exists("page/propagator.tsv") && exists("page/map.svg"));
-  ck_assert(!exists("page/map.tsv") && !exists("page/propagator-inputs.tsv"));
+  shell_well("\"$P\" bench --quick --job propagator --out \"$D/page\" >/dev/null 2>&1");
+  ck_assert(scratch_has("page/propagator.md") && scratch_has("page/propagator.tsv") && scratch_has("page/map.svg"));
+  ck_assert(!scratch_has("page/map.tsv") && !scratch_has("page/propagator-inputs.tsv"));
   scratch_put("page/orbit.svg", "of an earlier run");
   scratch_put("page/notes.md", "mine");
-  ck_assert_int_eq(shell(" bench --quick --job verdicts --out %s/page >/dev/null 2>&1", program()), 0);
-  ck_assert(exists("page/verdicts.tsv") && exists("page/bench.md") && exists("page/notes.md"));
-  ck_assert(!exists("page/propagator.md") && !exists("page/propagator.tsv") && !exists("page/orbit.svg"));
+  shell_well("\"$P\" bench --quick --job verdicts --out \"$D/page\" >/dev/null 2>&1");
+  ck_assert(scratch_has("page/verdicts.tsv") && scratch_has("page/bench.md") && scratch_has("page/notes.md"));
+  ck_assert(!scratch_has("page/propagator.md") && !scratch_has("page/propagator.tsv") &&
+            !scratch_has("page/orbit.svg"));
 }
 END_TEST
 
 /* A run, said not to be a quick one, as the README says it. */
 /* One run of what is quick to measure: its JSON follows the schema, and the readme has its sentences from it. */
 START_TEST(the_readme_has_its_sentences_from_the_rows) {
-  static const char made[] = "cd %1$s && mkdir -p reports/bench && sed 's/\"quick\": true/\"quick\": false/' all.json "
-                             "> reports/bench/bench.json";
-  struct text line;
-  struct source s;
-  struct diag d;
-  char here[1000];
-  diag_init(&d);
-  ck_assert_ptr_nonnull(getcwd(here, sizeof here));
   scratch_put("README.md",
               "before\n<!-- bench: made by tools/readme.py -->\nold words\n<!-- end of bench -->\nbehind\n");
-  ck_assert_int_eq(shell(" bench --quick --json > %s/all.json 2>/dev/null", program()), 0);
-  text_init(&line);
-  text_printf(&line, "%s tests/oracle/validate.py schema/bench.schema.json %s >&2", python(), scratch_path("all.json"));
-  ck_assert_int_eq(system(text_str(&line)), 0);
-  ck_assert_msg(source_read(&s, scratch_path("all.json"), 1 << 24, &d), "%s", d.message);
-  ck_assert(strstr(s.text, "\"not measured\"") != NULL); /* the growth, which quick runs leave out */
-  source_clear(&s);
-  text_reset(&line);
-  text_printf(&line, "cd %s && mkdir -p reports/bench && cp all.json reports/bench/bench.json && %s %s/tools/readme.py",
-              scratch_path(""), python(), here);
-  ck_assert_int_eq(system(text_str(&line)), 0);
-  ck_assert_msg(source_read(&s, scratch_path("README.md"), 1 << 20, &d), "%s", d.message);
-  ck_assert(strstr(s.text, "old words") != NULL); /* a quick run says nothing */
-  source_clear(&s);
-  ck_assert_int_eq(shell(made, ""), 0);
-  text_reset(&line);
-  text_printf(&line, "cd %s && %s %s/tools/readme.py && %s %s/tools/readme.py --check", scratch_path(""), python(),
-              here, python(), here);
-  ck_assert_int_eq(system(text_str(&line)), 0);
-  ck_assert_msg(source_read(&s, scratch_path("README.md"), 1 << 20, &d), "%s", d.message);
-  ck_assert(strncmp(s.text, "before\n", 7) == 0 && strstr(s.text, "behind\n") && !strstr(s.text, "old words"));
-  ck_assert(strstr(s.text, "one Poincare map with its events takes `closed-double` (") &&
-            strstr(s.text, "speed goals are met") && strstr(s.text, "(reports/bench/bench.md)"));
-  source_clear(&s);
-  text_clear(&line);
+  shell_well("\"$P\" bench --quick --json > \"$D/all.json\" 2>/dev/null");
+  shell_well("\"$Y\" tests/oracle/validate.py schema/bench.schema.json \"$D/all.json\" >&2");
+  check_says("all.json", "\"not measured\""); /* the growth, which quick runs leave out */
+  shell_well("here=$PWD; cd \"$D\" && mkdir -p reports/bench && cp all.json reports/bench/bench.json && "
+             "\"$Y\" \"$here/tools/readme.py\"");
+  check_says("README.md", "old words"); /* a quick run says nothing */
+  shell_well("cd \"$D\" && sed 's/\"quick\": true/\"quick\": false/' all.json > reports/bench/bench.json");
+  shell_well("here=$PWD; cd \"$D\" && \"$Y\" \"$here/tools/readme.py\" && \"$Y\" \"$here/tools/readme.py\" --check");
+  char *readme = file_text(scratch_path("README.md"));
+  ck_assert(strncmp(readme, "before\n", 7) == 0 && strstr(readme, "behind\n") && !strstr(readme, "old words"));
+  ck_assert(strstr(readme, "one Poincare map with its events takes `closed-double` (") &&
+            strstr(readme, "speed goals are met") && strstr(readme, "(reports/bench/bench.md)"));
+  free(readme);
 }
 END_TEST
 

@@ -204,27 +204,6 @@ START_TEST(what_is_claimed_of_them) {
 }
 END_TEST
 
-static const struct {
-  const char *claim, *says;
-} hostile[] = {
-    {SIX "  until: 20\n" BOUNDS, "a kind and a title"},
-    {SIX "  title: of the test\n  until: 20\n" BOUNDS, "a count is needed"},
-    {SIX "  count: 1\n" BOUNDS, "until"},
-    {SIX "  count: 1\n  kept: yes\n  at: chi = x\n" BOUNDS, "exact chi"},
-};
-
-START_TEST(hostile_attributes) {
-  struct model m;
-  struct audit_result r;
-  struct diag d;
-  paper_model(&m, NULL);
-  ck_assert_msg(!judge_own(&r, &m, hostile[_i].claim, &d), "%s was judged", hostile[_i].claim);
-  ck_assert_msg(strstr(d.message, hostile[_i].says) != NULL, "%s: %s", hostile[_i].claim, d.message);
-  audit_result_clear(&r);
-  model_clear(&m);
-}
-END_TEST
-
 Suite *branches_suite(void) {
   Suite *s = suite_create("branches");
   TCase *c = tcase_create("branches");
@@ -237,7 +216,6 @@ Suite *branches_suite(void) {
   TCase *claims = tcase_create("claims");
   tcase_add_checked_fixture(claims, scratch_open, scratch_close);
   tcase_add_loop_test(claims, what_is_claimed_of_them, 0, (int)(sizeof claims_tried / sizeof *claims_tried));
-  tcase_add_loop_test(claims, hostile_attributes, 0, (int)(sizeof hostile / sizeof *hostile));
   suite_add_tcase(s, claims);
   return s;
 }

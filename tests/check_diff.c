@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 /* --- Reading --- */
 
@@ -21,90 +22,33 @@ static bool parse(struct json_value *v, struct arena *a, const char *text, struc
 }
 
 START_TEST(what_json_is) {
-  static const char *const good[] = {"null",
-                                     " true ",
-                                     "0",
-                                     "-0",
-                                     "1.5e+10",
-                                     "1E-2",
-                                     "\"\"",
-                                     "[]",
-                                     "{}",
-                                     "[ ]",
-                                     "{\n}",
-                                     "[[],{}]",
-                                     "{\"a\":1,\"b\":[1,2,3]}",
-                                     "\"\\u20aC\\\"\\\\\\/\\n\\t\"",
-                                     "\"\xe2\x82\xac\"",
-                                     "\"\\ud834\\udd1e\"",
-                                     "[1e999]",
-                                     "{\"\":0}",
-                                     "\t[\r\n1 , 2 ]\n"};
+  struct table good;
+  table_read(&good, "tests/cases/json_good.tsv", 1);
   struct arena a;
   struct diag d;
   struct json_value v;
   arena_init(&a);
-  for (size_t i = 0; i < sizeof good / sizeof *good; i++) ck_assert_msg(parse(&v, &a, good[i], &d), "%s", d.message);
+  for (int i = 0; i < good.n; i++) ck_assert_msg(parse(&v, &a, good.row[i][0], &d), "%s", d.message);
   arena_clear(&a);
+  table_clear(&good);
 }
 END_TEST
 
 START_TEST(what_json_is_not) {
-  static const struct {
-    const char *text, *says;
-  } bad[] = {{"", "1:1: error: a value"},
-             {" ", "1:2: error: a value"},
-             {"nul", "1:1: error: a value"},
-             {"True", "1:1: error: a value"},
-             {"NaN", "1:1: error: a value"},
-             {"+1", "1:1: error: a value"},
-             {"01", "not a number"},
-             {"-", "not a number"},
-             {"1.", "not a number"},
-             {".5", "a value"},
-             {"1e", "not a number"},
-             {"1e+", "not a number"},
-             {"0x1", "1:2: error: something follows"},
-             {"1 2", "1:3: error: something follows"},
-             {"nullx", "1:5: error: something follows"},
-             {"[1,]", "1:4: error: a value"},
-             {"[1 2]", "1:4: error: a comma or ]"},
-             {"[", "1:2: error: a value"},
-             {"[1", "1:3: error: a comma or ]"},
-             {"]", "1:1: error: a value"},
-             {"{\"a\"}", "1:5: error: a colon"},
-             {"{a:1}", "1:2: error: a key"},
-             {"{\"a\":1,}", "1:8: error: a key"},
-             {"{\"a\":1]", "1:7: error: a comma or }"},
-             {"{\"a\":1,\"b\":2,\"a\":3}", "this key occurs twice"},
-             {"{\"a\":1,\"\\u0061\":3}", "this key occurs twice"},
-             {"\"", "a string without end"},
-             {"\"\\", "an unknown escape"},
-             {"\"\\x\"", "1:3: error: an unknown escape"},
-             {"\"\\u12\"", "four hexadecimal digits"},
-             {"\"\\u0000\"", "cannot hold NUL"},
-             {"\"\\ud834\"", "surrogate"},
-             {"\"\\ud834\\n\"", "surrogate"},
-             {"\"\\ud834\\u0041\"", "surrogate"},
-             {"\"\\udd1e\"", "surrogate"},
-             {"\"a\nb\"", "1:3: error: a control character"},
-             {"\"\\u001b[2J\"", "1:12: error: a control character"},
-             {"\"\\u009b2J\"", "a control character"},
-             {"\"\\u202e\"", "a control character"},
-             {"\"a\\rb\"", "a control character"},
-             {"'a'", "a value"},
-             {"[1] // x", "something follows"},
-             {"\n\n  {\"a\": tru}", "3:9: error: a value"}};
+  enum { TEXT, SAYS };
+  struct table bad;
+  table_read(&bad, "tests/cases/json_bad.tsv", 2);
   struct arena a;
   struct diag d;
   struct json_value v;
   arena_init(&a);
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    ck_assert_msg(!parse(&v, &a, bad[i].text, &d), "%s", bad[i].text);
-    ck_assert_msg(strncmp(d.message, "x.json:", 7) == 0 && strstr(d.message, bad[i].says), "%s: %s", bad[i].text,
-                  d.message);
+  for (int i = 0; i < bad.n; i++) {
+    ck_assert_msg(!parse(&v, &a, bad.row[i][TEXT], &d), "%s", bad.row[i][TEXT]);
+    ck_assert_msg(strncmp(d.message, "x.json:", 7) == 0 && strstr(d.message, bad.row[i][SAYS]), "%s: %s",
+                  bad.row[i][TEXT], d.message);
   }
   arena_clear(&a);
+  table_clear(&bad);
 }
 END_TEST
 

@@ -10,14 +10,10 @@
 
 enum { BITS = 300, TRIALS = 20000 };
 
-static double unit_of(struct rng *r) {
-  return (double)(rng_next(r) >> 11) * 0x1p-53;
-}
-
 /* Of either sign, from 2^-least to 2^most, with a low half of any size. */
 static struct dd any(struct rng *r, int least, int most) {
-  double x = ldexp(1 + unit_of(r), (int)rng_between(r, -least, most)) * (rng_between(r, 0, 1) ? 1 : -1);
-  return dd_fast_sum(x, x * ldexp(unit_of(r) - 0.5, -(int)rng_between(r, 53, 80)));
+  double x = ldexp(1 + rng_unit(r), (int)rng_between(r, -least, most)) * (rng_between(r, 0, 1) ? 1 : -1);
+  return dd_fast_sum(x, x * ldexp(rng_unit(r) - 0.5, -(int)rng_between(r, 53, 80)));
 }
 
 static void set(arb_t x, struct dd y) {
@@ -48,7 +44,7 @@ START_TEST(arithmetic) {
   arb_init(x), arb_init(y), arb_init(want);
   for (int i = 0; i < TRIALS; i++) {
     struct dd a = any(&r, 40, 40), b = any(&r, 40, 40);
-    if (i % 4 == 0) b = dd_fast_sum(-a.high * (1 + ldexp(unit_of(&r), -(int)rng_between(&r, 0, 50))), a.low);
+    if (i % 4 == 0) b = dd_fast_sum(-a.high * (1 + ldexp(rng_unit(&r), -(int)rng_between(&r, 0, 50))), a.low);
     double larger = fmax(fabs(a.high), fabs(b.high));
     set(x, a), set(y, b);
     arb_add(want, x, y, BITS);
@@ -80,7 +76,7 @@ START_TEST(sines) {
       arb_const_pi(x, BITS);
       arb_mul_si(x, x, rng_between(&r, -100000, 100000), BITS);
       arb_mul_2exp_si(x, x, -1);
-      a = dd_sum(arf_get_d(arb_midref(x), ARF_RND_NEAR), unit_of(&r) * 0x1p-30);
+      a = dd_sum(arf_get_d(arb_midref(x), ARF_RND_NEAR), rng_unit(&r) * 0x1p-30);
     }
     set(x, a);
     arb_sin_cos(s, c, x, BITS);

@@ -5,11 +5,9 @@
    and (40), and from the matrix exponentials of the model. */
 #include <check.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "claim/claim.h"
 #include "paper_model.h"
@@ -18,6 +16,7 @@
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 /* --- One audit of the paper, for all tests --- */
 
@@ -75,17 +74,6 @@ static const char *joined(const struct id_list *list) {
 
 /* --- Programs beside the tests --- */
 
-/* The exit status of a command; its output goes to the test's own. */
-static int run(const char *fmt, ...) {
-  char command[2000];
-  va_list ap;
-  va_start(ap, fmt);
-  vsnprintf(command, sizeof command, fmt, ap);
-  va_end(ap);
-  int s = system(command);
-  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
-}
-
 static void write_text(const char *name, void (*writer)(struct text *, const struct audit_result *),
                        const struct audit_result *r) {
   struct text t;
@@ -106,7 +94,7 @@ static void write_sheets(const struct audit_result *r) {
 
 START_TEST(dependences_are_those_of_the_text) {
   write_sheets(&result);
-  ck_assert_int_eq(run("%s tests/oracle/depends.py verify '%s'", python(), scratch_path("audit.json")), 0);
+  ck_assert_int_eq(shell("%s tests/oracle/depends.py verify '%s'", python(), scratch_path("audit.json")), 0);
 }
 END_TEST
 
@@ -421,7 +409,7 @@ START_TEST(without_a_correction_nothing_is_said) {
   ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
   ck_assert(finding_with_id(&r, "eq-27")->correction == NULL && audit_result_consequence(&r, "eq-27") == NULL);
   write_sheets(&r);
-  ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  ck_assert_int_eq(shell("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
   audit_result_clear(&r);
 }
 END_TEST
@@ -450,27 +438,7 @@ START_TEST(worst_first) {
                                       " +/- ", "(GHCD)", "reading"};
   for (size_t i = 0; i < sizeof never / sizeof *never; i++)
     ck_assert_msg(strstr(t.data, never[i]) == NULL, "%s: %.200s", never[i], strstr(t.data, never[i]));
-  static const char *const order[] = {"## What changes a result",
-                                      "1. **Numerical validation",
-                                      "$t_{a} = 0.5323$, $t_{b} = 2.0053$",
-                                      "2. **(53)",
-                                      "3. **(10)**",
-                                      "4. **(40)**",
-                                      "## Remarks",
-                                      "## Slips of notation",
-                                      "**(29) and (30)**",
-                                      "**(36)**",
-                                      "## The numerical example",
-                                      "| $t_{a} = 0.6784$ | $t_{a} = 0.5323$ |",
-                                      "$M_{21}$ + $M_{22}$ = 0",
-                                      "second line of (44)",
-                                      "## What was compared"};
-  const char *at = t.data;
-  for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
-    const char *next = strstr(at, order[i]);
-    ck_assert_msg(next != NULL, "%s comes too early or not at all", order[i]);
-    at = next + 1;
-  }
+  check_order(t.data, "tests/cases/order_errata.tsv");
   text_clear(&t);
 }
 END_TEST
@@ -533,12 +501,12 @@ static void hostile(struct audit_result *r, const char *const *traps, size_t n) 
 /* With what is installed: the checker of the tests, Graphviz, LaTeX. */
 static void check_sheets(const struct audit_result *r) {
   write_sheets(r);
-  ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
-  if (run("command -v dot >/dev/null") == 0)
-    ck_assert_int_eq(run("dot -Tsvg -o /dev/null '%s'", scratch_path("claims.dot")), 0);
-  if (run("command -v pdflatex >/dev/null") == 0)
+  ck_assert_int_eq(shell("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  if (shell("command -v dot >/dev/null") == 0)
+    ck_assert_int_eq(shell("dot -Tsvg -o /dev/null '%s'", scratch_path("claims.dot")), 0);
+  if (shell("command -v pdflatex >/dev/null") == 0)
     ck_assert_int_eq(
-        run("cd '%s' && pdflatex -halt-on-error -interaction=batchmode errata.tex >/dev/null 2>&1", scratch_path("")),
+        shell("cd '%s' && pdflatex -halt-on-error -interaction=batchmode errata.tex >/dev/null 2>&1", scratch_path("")),
         0);
 }
 
@@ -592,13 +560,13 @@ END_TEST
 /* A page for what changes a result, one for the slips, the numbers behind. */
 START_TEST(the_sheet_has_its_pages) {
   write_sheets(&result);
-  if (run("command -v pdflatex >/dev/null") != 0) {
+  if (shell("command -v pdflatex >/dev/null") != 0) {
     fprintf(stderr, "check_errata: pdflatex is not installed: the pages of errata.tex are not counted\n");
     return;
   }
   ck_assert_int_eq(
-      run("cd '%s' && pdflatex -halt-on-error errata.tex | grep -q 'Output written on errata.pdf (3 pages'",
-          scratch_path("")),
+      shell("cd '%s' && pdflatex -halt-on-error errata.tex | grep -q 'Output written on errata.pdf (3 pages'",
+            scratch_path("")),
       0);
 }
 END_TEST
@@ -609,57 +577,15 @@ START_TEST(sheets_follow_their_grammars) {
 END_TEST
 
 START_TEST(nothing_quoted_breaks_a_sheet) {
-  static const char *const traps[] = {"a|b*c_d`e[f](g)<h>#i~j\\k",
-                                      "50% & more {",
-                                      "$\\input{/etc/passwd}$",
-                                      "$\\frac{1}{2$",
-                                      "$x_1$ and $",
-                                      "$a & b$",
-                                      "\"quoted\" \\ line\nbroken",
-                                      "$\\left(x$",
-                                      "\\end{document}",
-                                      "\xcf\x87 and \xe2\x82\xac",
-                                      "$\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}$",
-                                      "$\\begin{itemize} \\end{itemize}$",
-                                      "$|a|$ | $b$",
-                                      "",
-                                      "$$",
-                                      "$ $",
-                                      "-1 -- 2",
-                                      "^^5c",
-                                      "$\\end{pmatrix}$",
-                                      "}",
-                                      "$%$",
-                                      "$\\text{a}_{b}^{c}$",
-                                      "{\\bf",
-                                      "$\\verb|x|$",
-                                      "$x^2'$",
-                                      "$x''^2_1$",
-                                      "$x^a^b$",
-                                      "$x_a_b$",
-                                      "$x^$",
-                                      "$\\frac$",
-                                      "$\\frac{1}$",
-                                      "$\\frac{1} {2}$",
-                                      "$\\text{a_b}$",
-                                      "$\\text{\\chi}$",
-                                      "$a \\\\ b$",
-                                      "$x^\\frac{1}{2}$",
-                                      "$\\begin{cases} 1 & 2 & 3 \\end{cases}$",
-                                      "$\\begin{pmatrix} x^ & 2 \\end{pmatrix}$",
-                                      "$\\tilde k$",
-                                      "$\\left( x \\right.$",
-                                      "$x^\\left(y\\right)$",
-                                      "$\\lim\\limits_x$",
-                                      "$\\sqrt[3]{2}$",
-                                      "$x' ^2$",
-                                      "$\\begin{matrix} 1 \\\\ [x] \\end{matrix}$",
-                                      "$\\begin{matrix} 1 \\end{pmatrix}$",
-                                      "$x_\\quad$",
-                                      "$x'_1'$"};
+  struct table all;
+  table_read(&all, "tests/cases/traps_errata.tsv", 1);
+  const char *traps[60];
+  ck_assert_int_le(all.n, (int)(sizeof traps / sizeof *traps));
+  for (int i = 0; i < all.n; i++) traps[i] = *all.row[i];
   struct audit_result r;
-  hostile(&r, traps, sizeof traps / sizeof *traps);
+  hostile(&r, traps, (size_t)all.n);
   check_sheets(&r);
+  table_clear(&all);
 }
 END_TEST
 
@@ -677,7 +603,7 @@ START_TEST(circles_in_the_graph) {
   f[3].depends_on = four, f[3].n_depends_on = 3;
   struct audit_result r = {.scene = "s", .title = "t", .findings = f, .n_findings = 4};
   write_sheets(&r);
-  ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  ck_assert_int_eq(shell("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
   struct text t;
   text_init(&t);
   report_dot(&t, &r);

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "judge/judge.h"
 #include "laws_num.h"
@@ -873,15 +872,8 @@ END_TEST
 
 /* --- Receipts --- */
 
-static int run(const char *command) {
-  int s = system(command);
-  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
-}
-
 static bool has_sympy(void) {
-  char command[600];
-  snprintf(command, sizeof command, "%s -c 'import sympy' 2>/dev/null", python());
-  return run(command) == 0;
+  return shell("\"$Y\" -c 'import sympy' 2>/dev/null") == 0;
 }
 
 static void receipt(struct text *out, const char *id) {
@@ -993,7 +985,6 @@ static bool orbit_receipt_ends(const char *id, const char *const replaced[4], co
   struct text t, script;
   struct source out;
   struct diag d;
-  char command[1000];
   text_init(&t);
   text_init(&script);
   diag_init(&d);
@@ -1008,8 +999,7 @@ static bool orbit_receipt_ends(const char *id, const char *const replaced[4], co
   }
   text_add(&script, from);
   const char *path = scratch_put("orbit.py", text_str(&script));
-  snprintf(command, sizeof command, "%s '%s' > '%s.out'", python(), path, path);
-  bool well = run(command) == 0;
+  bool well = shell("\"$Y\" '%s' > '%s.out'", path, path) == 0;
   ck_assert(source_read(&out, scratch_path("orbit.py.out"), 10000, &d));
   ck_assert_msg(strstr(out.text, last) && strcmp(strstr(out.text, last), last) == 0, "%s: %s", id, out.text);
   source_clear(&out);

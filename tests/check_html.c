@@ -19,6 +19,7 @@
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 /* --- Formulas --- */
 
@@ -127,37 +128,18 @@ START_TEST(formulas_are_set) {
 END_TEST
 
 START_TEST(what_is_no_formula_is_shown_as_typed) {
-  static const char *const cases[] = {"x^",
-                                      "\\frac{1}",
-                                      "{",
-                                      "}",
-                                      "\\left(x",
-                                      "\\input{x}",
-                                      "x^2^3",
-                                      "\\right)",
-                                      "a & b",
-                                      "a \\\\ b",
-                                      "\\",
-                                      "\\begin{pmatrix}",
-                                      "\\text{\\chi}",
-                                      "\xcf\x87",
-                                      "$",
-                                      "\\end{pmatrix}",
-                                      "%",
-                                      "\\begin{x}\\end{x}",
-                                      "\x01",
-                                      "\\frac12",
-                                      "x_\\quad",
-                                      "\\sqrt[3]{2}",
-                                      "#1"};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  struct table cases;
+  table_read(&cases, "tests/cases/no_formulas.tsv", 1);
+  for (int i = 0; i < cases.n; i++) {
     struct text t;
     text_init(&t);
-    ck_assert_msg(!formula_mathml(&t, cases[i], strlen(cases[i]), NULL) && t.len == 0, "%s", cases[i]);
-    html_math(&t, cases[i], NULL);
+    ck_assert_msg(!formula_mathml(&t, cases.row[i][0], strlen(cases.row[i][0]), NULL) && t.len == 0, "%s",
+                  cases.row[i][0]);
+    html_math(&t, cases.row[i][0], NULL);
     ck_assert_msg(strncmp(t.data, "<code class=\"raw\">", 18) == 0, "%s", t.data);
     text_clear(&t);
   }
+  table_clear(&cases);
 }
 END_TEST
 
@@ -230,26 +212,16 @@ static const char *marked(const char *tex, const bool *marks) {
 }
 
 START_TEST(what_differs_is_marked) {
-  static const struct {
-    const char *a, *b, *in_a, *in_b;
-  } cases[] = {
-      {"Z_{b} + x", "Z_{a} + x", "Z_{b};", "Z_{a};"},
-      {"J_b y_b", "J_b y_a", "y_b;", "y_a;"},
-      {"D = \\begin{pmatrix} I & V t I \\end{pmatrix}", "D = \\begin{pmatrix} I & t I \\end{pmatrix}", "V;", ""},
-      {"\\frac{ \\sin(x) }{ V y }", "\\frac{ V \\sin(x) }{ y }", "V;", "V;"},
-      {"t = 0.6784", "t = 0.5323", "0.6784;", "0.5323;"},
-      {"x_{ 1 } = y", "x_1 = y", "", ""},
-      {"\\left(x\\right) = y", "( x ) = y", "", ""},
-      {"\\tilde{k}_4 = x", "\\tilde{k}_5 = x", "\\tilde{k}_4;", "\\tilde{k}_5;"},
-      {"z' = 1", "z'' = 1", "z';", "z'';"},
-      {"a b c", "d e f", "", ""}, /* nothing in common */
-  };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  enum { FIRST, SECOND, IN_FIRST, IN_SECOND };
+  struct table cases;
+  table_read(&cases, "tests/cases/marks.tsv", 4);
+  for (int i = 0; i < cases.n; i++) {
     bool a[100], b[100];
-    formula_changes(a, cases[i].a, b, cases[i].b);
-    ck_assert_str_eq(marked(cases[i].a, a), cases[i].in_a);
-    ck_assert_str_eq(marked(cases[i].b, b), cases[i].in_b);
+    formula_changes(a, cases.row[i][FIRST], b, cases.row[i][SECOND]);
+    ck_assert_str_eq(marked(cases.row[i][FIRST], a), cases.row[i][IN_FIRST]);
+    ck_assert_str_eq(marked(cases.row[i][SECOND], b), cases.row[i][IN_SECOND]);
   }
+  table_clear(&cases);
 }
 END_TEST
 
@@ -440,53 +412,14 @@ static const char *unescaped(const char *page, const char *words) {
 }
 
 START_TEST(nothing_quoted_breaks_a_page) {
-  static const char *const traps[] = {"</title></style><script>alert(1)</script>",
-                                      "a & b &amp; c &#x3c;",
-                                      "\" onload=\"x",
-                                      "' onload='x",
-                                      "]]>",
-                                      "<![CDATA[x]]>",
-                                      "<!-- x -->",
-                                      "--> <!--",
-                                      "$\\text{</math><script>}$",
-                                      "$a < b$ & $c > d$",
-                                      "$x^$",
-                                      "$\\frac{1}{2$",
-                                      "$",
-                                      "$$",
-                                      "",
-                                      " ",
-                                      "$ $",
-                                      "$<script>$",
-                                      "<script>alert(1)</script>",
-                                      "<img src=x onerror=alert(1)>",
-                                      "`<b",
-                                      "<!-- a",
-                                      "<?a",
-                                      "$\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}$",
-                                      "$\\left. x \\right|$",
-                                      "x_1 $x'_1$, y",
-                                      "line\nbroken\ttabbed\rreturned",
-                                      "%s%n%d",
-                                      "\xcf\x87 and \xe2\x82\xac \xf0\x9d\x92\xb3",
-                                      "\\u0000 \\x3c",
-                                      "a, (b, c), nothing",
-                                      "nothing",
-                                      "appendix_z",
-                                      "javascript:alert(1)",
-                                      "\x1b[31m",
-                                      "a\x01"
-                                      "b\x7f"
-                                      "c\xc2\x85"
-                                      "d\xef\xbf\xbe"
-                                      "e\xef\xbf\xbf",
-                                      "states",
-                                      "-",
-                                      "=1+2",
-                                      "a,b;\"c\"\"d\""};
+  struct table all;
+  table_read(&all, "tests/cases/traps_page.tsv", 1);
+  const char *traps[MOST_TRAPS];
+  ck_assert_int_le(all.n, (int)(sizeof traps / sizeof *traps));
+  for (int i = 0; i < all.n; i++) traps[i] = *all.row[i];
   static struct traps t;
   struct audit_result r;
-  hostile(&r, &t, traps, sizeof traps / sizeof *traps);
+  hostile(&r, &t, traps, (size_t)all.n);
   put_all(&r);
   ck_assert_int_eq(check_folder(""), 0);
   static const char *const html[] = {"<script>", "<img ", "<b>", "<!", "<?", "</"};
@@ -495,6 +428,7 @@ START_TEST(nothing_quoted_breaks_a_page) {
     for (size_t k = 0; k < 2; k++)
       ck_assert_msg(!unescaped(pages[k], html[i]), "%s: %.300s", html[i], unescaped(pages[k], html[i]));
   for (size_t k = 0; k < 2; k++) free(pages[k]);
+  table_clear(&all);
 }
 END_TEST
 
@@ -551,26 +485,7 @@ START_TEST(what_stands_where) {
   f[0].section = "appendix_a";
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 5};
   char *page = written(report_html, &r);
-  static const char *const order[] = {", 1 hold under a condition, 1 do not hold as printed;",
-                                      "<h2 id=\"h-findings\">",
-                                      "<h3>Not as recorded</h3>",
-                                      "unknown, recorded as proved",
-                                      "<h3>Other statements</h3>",
-                                      "<article id=\"f-eq-2\">",
-                                      "proved under the condition: V = 1",
-                                      "<article id=\"f-text-4\">",
-                                      "<h3>Undecided</h3>",
-                                      "<article id=\"f-eq-3\">",
-                                      "id=\"c-eq-2\"",
-                                      "id=\"c-text-5\"",
-                                      "id=\"c-eq-1\"", /* the appendix comes last */
-                                      "1 results are not as recorded"};
-  const char *at = page;
-  for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
-    const char *next = strstr(at, order[i]);
-    ck_assert_msg(next != NULL, "%s comes too early or not at all", order[i]);
-    at = next + 1;
-  }
+  check_order(page, "tests/cases/order_page.tsv");
   ck_assert(!strstr(page, "id=\"f-eq-1\"") && !strstr(page, "id=\"f-text-5\""));
   free(page);
 }
@@ -695,53 +610,7 @@ START_TEST(the_letter) {
                            .tables = &along,
                            .n_tables = 1};
   char *page = written(report_html, &r);
-  static const char *const order[] = {"machine conversion",
-                                      "All 2 printed numbers",
-                                      "</var> = 2 are taken exactly",
-                                      "THE EQUATION",
-                                      "differ by 0.5",
-                                      "WRONG 1 of",
-                                      "Rounding of <var>e",
-                                      "does not explain",
-                                      "<tr id=\"f-num-t_a\">",
-                                      ">5<",
-                                      ">5.125<",
-                                      ">7.25<",
-                                      ">exact<",
-                                      "as printed<",
-                                      "<tr id=\"f-num-t_b\">",
-                                      "t = 6</annotation>",
-                                      "t = 8</annotation>",
-                                      "2 errors of substance, 0 remarks and 1 slip of notation.",
-                                      "<a href=\"#r-r-formula\">PLACE</a>, THE FORMULA: WRONG 2.</li>",
-                                      "proved for (7), (10); how some",
-                                      "tr J = 3, THE FATE</a>",
-                                      "1.26 &lt; e_2 &lt; 2.75</annotation>",
-                                      "at the lower end IT FLIPS",
-                                      "at the upper end IT ENDS",
-                                      "is at least 0.5000",
-                                      "at the end THE END</a>",
-                                      "id=\"g-along-e2\"",
-                                      "<h2 id=\"h-findings\">",
-                                      "<h3 id=\"r-r-numbers\">",
-                                      "NOT THIS",
-                                      "RIGHT 1.",
-                                      "SO 1.",
-                                      "<h3 id=\"r-r-formula\">",
-                                      "NOR THIS",
-                                      "<article id=\"f-eq-9\">",
-                                      "<h3>Slips of notation</h3>",
-                                      "<li id=\"r-r-slip\">",
-                                      "WRONG 3.",
-                                      "RIGHT 3.",
-                                      "<a id=\"f-eq-31\" href=\"#c-eq-31\">",
-                                      "<h2 id=\"h-archive\">"};
-  const char *at = page;
-  for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
-    const char *next = strstr(at, order[i]);
-    ck_assert_msg(next != NULL, "%s comes too early or not at all", order[i]);
-    at = next + 1;
-  }
+  check_order(page, "tests/cases/order_letter.tsv");
   ck_assert(!strstr(page, "SO 3") && !strstr(strstr(page, "r-slip\">"), "<article"));
   free(page);
 }
@@ -785,37 +654,25 @@ END_TEST
 
 /* Signs are set and what is quoted is left to be copied; what ends a sentence stays on the line of its formula. */
 START_TEST(sentences_are_set) {
-  static const struct {
-    const char *text, *html;
-  } cases[] = {{"off by -1460 units, x = -3", "off by \xe2\x88\x92"
-                                              "1460 units, x = \xe2\x88\x92"
-                                              "3"},
-               {"a - 2*b", "a \xe2\x88\x92 2\xe2\x8b\x85"
-                           "b"},
-               {"eq-27, 51-53, t - (0), - and so on", "eq-27, 51-53, t \xe2\x88\x92 (0), - and so on"},
-               {"on \"x = -3*4 - y\" only", "on &quot;x = -3*4 - y&quot; only"},
-               {"$x$, $y$ and ($z$).", "<span class=\"k\">X,</span> Y and (<span class=\"k\">Z)</span>."},
-               {"$x$", "X"},
-               {"s^3 below 2^-52", "s<sup>3</sup> below 2<sup>" MINUS "52</sup>"},
-               {"c_2^2", "<var>c<sub>2</sub></var><sup>2</sup>"},
-               {"(A)^{-1} b, (GH)^68, z'^2", "(A)<sup>" MINUS "1</sup> b, (GH)<sup>68</sup>, z&#39;<sup>2</sup>"},
-               {"x^y, x^2y, ^2, x ^2, x^, a^{2, a^-", "x^y, x^2y, ^2, x ^2, x^, a^{2, a^-"},
-               {"\"s^2\" is quoted", "&quot;s^2&quot; is quoted"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  enum { TEXT, HTML };
+  struct table cases;
+  table_read(&cases, "tests/cases/sentences.tsv", 2);
+  for (int i = 0; i < cases.n; i++) {
     struct text t, seen;
     text_init(&t);
     text_init(&seen);
-    html_text(&t, cases[i].text, NULL);
+    html_text(&t, cases.row[i][TEXT], NULL);
     for (const char *p = text_str(&t); *p; p++) { /* a formula of one letter, as that letter in capitals */
       const char *end = strncmp(p, "<math", 5) == 0 ? strstr(p, "</math>") : NULL,
                  *letter = end ? strstr(p, "<mi>") : NULL;
       text_add_char(&seen, letter ? (char)(letter[4] - 'a' + 'A') : *p);
       if (end) p = end + strlen("</math>") - 1;
     }
-    ck_assert_str_eq(text_str(&seen), cases[i].html);
+    ck_assert_str_eq(text_str(&seen), cases.row[i][HTML]);
     text_clear(&seen);
     text_clear(&t);
   }
+  table_clear(&cases);
 }
 END_TEST
 
@@ -833,25 +690,16 @@ END_TEST
 
 /* A spreadsheet computes nothing, and numbers stay numbers. */
 START_TEST(csv_is_no_formula) {
-  static const char *const cells[][2] = {{"=1+2", "\"'=1+2\""},
-                                         {"@SUM(A1)", "\"'@SUM(A1)\""},
-                                         {"+cmd|' /C calc'!A0", "\"'+cmd|' /C calc'!A0\""},
-                                         {"-2+3+cmd|' /C calc'!A0", "\"'-2+3+cmd|' /C calc'!A0\""},
-                                         {"-HYPERLINK(A1)", "\"'-HYPERLINK(A1)\""},
-                                         {"-a.b(A1)", "\"'-a.b(A1)\""},
-                                         {"-1&\"x\"", "\"'-1&\"\"x\"\"\""},
-                                         {"-2.1958", "\"-2.1958\""},
-                                         {"+1e-3", "\"+1e-3\""},
-                                         {"-1 < \\left(t\\right) < 1", "\"-1 < \\left(t\\right) < 1\""},
-                                         {"-u_r1 < chi (x_2 - x_1)", "\"-u_r1 < chi (x_2 - x_1)\""},
-                                         {"a=1", "\"a=1\""}};
-  for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
+  struct table cells;
+  table_read(&cells, "tests/cases/csv.tsv", 2);
+  for (int i = 0; i < cells.n; i++) {
     struct text t;
     text_init(&t);
-    escape_csv(&t, cells[i][0]);
-    ck_assert_str_eq(text_str(&t), cells[i][1]);
+    escape_csv(&t, cells.row[i][0]);
+    ck_assert_str_eq(text_str(&t), cells.row[i][1]);
     text_clear(&t);
   }
+  table_clear(&cells);
 }
 END_TEST
 

@@ -7,6 +7,7 @@
 #include "model/model.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 static struct arena arena;
 
@@ -67,107 +68,11 @@ static const char *reads(const char *tex) {
   return copy;
 }
 
-static const struct {
-  const char *tex, *typed;
-} said[] = {
-    {"x = \\frac{\\chi}{1 - \\chi}", "x = chi/(1 - chi)"},
-    {"x = 2u_{r1} V t_a", "x = 2*u_r1*V*t_a"},
-    {"K = \\begin{pmatrix} 1 & -\\chi \\\\ 0 & \\chi \\eta \\end{pmatrix}", "K = [1, -chi; 0, chi*eta]"},
-    {"x = \\begin{pmatrix} (1 + a), & b \\end{pmatrix}", "x = [(1 + a), b]"},
-    {"x &= y", "x = y"},
-    {"\\begin{aligned} x &= y \\\\ &= \\chi, \\\\ \\text{i.e. } a &= b \\end{aligned}", "x = y = chi; a = b"},
-    {"x = y i.e. a = b", "x = y; a = b"},
-    {"K = H", "K = H(t)"},
-    {"H(t - t_a)Z_0 = x", "H(t - t_a)*Z_0 = x"},
-    {"V(t - t_a) = x", "V*(t - t_a) = x"},
-    {"z'_1 < V, z_1''(t_b) \\le V", "z_1'(t) < V; z_1''(t_b) <= V"},
-    {"z'_{1b} = \\bar{h}'(t)", "z'_1b = hbar'(t)"},
-    {"\\tilde{k}_1 = \\tilde{\\gamma}_2", "ktilde_1 = gammatilde_2"},
-    {"x = H'(t_b)Z_0 dt_a", "x = H'(t_b)*Z_0*dt_a"},
-    {"x = (a, b)^t", "x = transpose([a, b])"},
-    {"x = (a, b)'K", "x = transpose([a, b])*K"},
-    {"x = (N - I)^{-1} K", "x = inv((N - I))*K"},
-    {"x = -N^{-1}a", "x = -inv(N)*a"},
-    {"M_{12} = M_{21}", "M[1,2] = M[2,1]"},
-    {"H_{ij} = H_{ij}(t_b), (i, j = 1)", "H_11 = H(t_b)[1,1]"},
-    {"K = N_{1:2,3:4}", "K = N[1:2,3:4]"},
-    {"u_i = u_{si}, (i=1,2)", "u_1 = u_s1; u_2 = u_s2"},
-    {"u_i = u_{si} \\quad x = y \\quad (i = 1, 2)", "u_1 = u_s1; u_2 = u_s2; x = y"},
-    {"u_i = \\varepsilon u_{si} (i=1,2) (\\varepsilon = \\pm 1)",
-     "u_1 = eps*u_s1 for eps in {+1, -1}; u_2 = eps*u_s2 for eps in {+1, -1}"},
-    {"\\varphi_{k-1} = x, (k = 3)", "phi_2 = x"},
-    {"z_i = x, (i = 1, \\dots, 2)", "z_1(t) = x; z_2(t) = x"},
-    {"|x - y| < u_{r1}", "-u_r1 < x - y < u_r1"},
-    {"x = |y|", "x = abs(y)"},
-    {"x = \\sqrt{\\chi \\eta} \\cot(\\omega t) / \\omega", "x = sqrt(chi*eta)*cot(omega*t)/omega"},
-    {"x = \\cos t \\sin^2(\\omega t)", "x = cos(t)*sin(omega*t)^2"},
-    {"\\det(J - \\lambda I) = \\lambda(\\lambda - \\text{tr}(J))", "det(J - lambda*I) = lambda*(lambda - tr(J))"},
-    {"x = \\omega_1^2 a", "x = omega_1^2*a"},
-    {"e_1 < x = y < V, \\quad (e_1 = u_{r1} - u_{s1})", "e_1 < x = y < V; e_1 = u_r1 - u_s1"},
-    {"x = ... y ... a = b", "x = y; a = b"},
-    {"x = y \\quad (\\text{stick motion of } m_1)", "x = y"},
-    {"0 < t < t_a ... x = y.", "0 < t < t_a; x = y"},
-    {"Z = \\begin{pmatrix} z \\\\ z' \\end{pmatrix}", "Z(t) = [z(t); z'(t)]"},
-    {"x = d_{01}", "x = d_01"},
-    {"x \\equiv y \\ge a > b", "x = y >= a > b"},
-    {"x = 3 \\cdot 4 \\times a", "x = 3*4*a"},
-    {"x = t_{prime}", "f:1:5: error: in the TeX: t_prime is neither defined nor a symbol"},
-    /* refused */
-    {"x = q", "f:1:5: error: in the TeX: q is neither defined nor a symbol"},
-    {"x = a / b a", "f:1:11: error: in the TeX: where the denominator of a / ends is doubtful: parentheses are needed"},
-    {"x = \\cos \\omega t", "f:1:17: error: in the TeX: where the argument ends is doubtful: parentheses are needed"},
-    {"x = (a + b)'",
-     "f:1:12: error: in the TeX: what this prime means is not said: behind a row (a, b) it is the transpose"},
-    {"x = (a, b)''",
-     "f:1:12: error: in the TeX: what this prime means is not said: behind a row (a, b) it is the transpose"},
-    {"x = t'", "f:1:5: error: in the TeX: t is no function, and a prime is read as a derivative"},
-    {"x = z_i", "f:1:5: error: in the TeX: z_i is neither defined nor a symbol"},
-    {"x = y, (i = 1, 2)",
-     "f:1:8: error: in the TeX: these are the values of an index that no statement before them has"},
-    {"x", "f:1:2: error: in the TeX: an expression alone says nothing: a statement is a relation"},
-    {"x = ", "f:1:4: error: in the TeX: something is missing behind this"},
-    {"x = y 2", "f:1:7: error: in the TeX: a number comes first in a product"},
-    {"x = (a + b", "f:1:5: error: this bracket is not closed"},
-    {"x = a)", "f:1:6: error: this closes no bracket"},
-    {"x = \\begin{pmatrix} 1 & 0 \\\\ 1 \\end{pmatrix}",
-     "f:1:37: error: in the TeX: row 2 has not the 2 entries of row 1"},
-    {"x = \\begin{pmatrix} 1", "f:1:12: error: this bracket is not closed"},
-    {"x = \\input{secret}", "f:1:5: error: \"\\input\" is not of the LaTeX that is read as a formula"},
-    {"\\def\\x{\\x\\x} x = \\x", "f:1:1: error: \"\\def\" is not of the LaTeX that is read as a formula"},
-    {"x \\neq y", "f:1:3: error: in the TeX: this does not go on a formula"},
-    {"|x < y|", "f:1:4: error: in the TeX: the second bar is expected here"},
-    {"x = x^{\\eta}", "f:1:8: error: in the TeX: an exponent is an integer, and ^t the transpose"},
-    /* what would be swallowed or could be read in two ways */
-    {"u_i = x, (i = 12)", "f:1:1: error: in the TeX: u_i is neither defined nor a symbol"},
-    {"u_i = x, (i = 1 2)", "f:1:1: error: in the TeX: u_i is neither defined nor a symbol"},
-    {"u_i = x, (i = 1, 2,)", "f:1:1: error: in the TeX: u_i is neither defined nor a symbol"},
-    {"M_{ik} = x, (ik = 1, 2)", "f:1:1: error: in the TeX: M_ik is neither defined nor a symbol"},
-    {"M_{ik} = x, (i, k = 1)", "M[1,1] = x"},
-    {"M_{i-k} = x, (i, k = 1)", "f:1:6: error: in the TeX: a number is expected here"},
-    {"z_i = x, (i = 1, \\circ, 2)", "f:1:1: error: in the TeX: z_i is neither defined nor a symbol"},
-    {"z_i = x, (i = 2, 4, \\dots, 8)", "f:1:1: error: in the TeX: z_i is neither defined nor a symbol"},
-    {"x = y (\\text{tr} K)", "x = y*(tr(K))"},
-    {"x = y (\\text{if } a = b)", "x = y; a = b"},
-    {"x = y (\\text{unless } a = b)", "f:1:14: error: in the TeX: \"unless \" does not stand here in a formula"},
-    {"x = y^2 3", "f:1:9: error: in the TeX: a number comes first in a product"},
-    {"x = y^12", "f:1:8: error: in the TeX: a number comes first in a product"},
-    {"x = y^{12}", "x = y^12"},
-    {"x = 1.2.3", "f:1:8: error: in the TeX: this does not go on a formula"},
-    {"K^{\\mathsf{T} + 1} = x", "f:1:4: error: in the TeX: an exponent is an integer, and ^t the transpose"},
-    {"K^{\\mathbf{2}} = x", "f:1:4: error: in the TeX: an exponent is an integer, and ^t the transpose"},
-    {"K^{\\mathsf{T}} = x", "transpose(K) = x"},
-    {"x = [y]_{O(a)^{\\ge 1}}", "f:1:16: error: in the TeX: brackets are read as [f]_{O(x, y)^{\\le 1}} alone"},
-    {"x = \\begin{vmatrix} a & b \\\\ x & y \\end{vmatrix}", "f:1:12: error: in the TeX: {vmatrix} is no matrix"},
-    {"x = {a + b} y", "f:1:8: error: in the TeX: \"}\" is expected here"},
-    {"x = a {-b}", "f:1:8: error: in the TeX: \"-\" does not stand here in a formula"},
-    {"x = \\cos t / \\omega", "f:1:12: error: in the TeX: where the argument ends is doubtful: parentheses are needed"},
-    {"x = \\sin t \\cdot a", "f:1:12: error: in the TeX: where the argument ends is doubtful: parentheses are needed"},
-    {" ", "f:1:1: error: the TeX is empty"},
-    {"(\\text{so it is})", "f:1:1: error: the TeX states nothing"},
-};
+static struct table said; /* cases/latex_said.tsv */
+enum { S_TEX, S_TYPED };  /* its columns */
 
 START_TEST(formulas_say_what_is_written_beside_them) {
-  ck_assert_str_eq(reads(said[_i].tex), said[_i].typed);
+  ck_assert_str_eq(reads(said.row[_i][S_TEX]), said.row[_i][S_TYPED]);
 }
 END_TEST
 
@@ -299,58 +204,12 @@ static const char *record_says(const char *record) {
   return d.set ? arena_strndup(&arena, d.message, strlen(d.message)) : "";
 }
 
-static const struct {
-  const char *record, *says; /* "": they agree */
-} records[] = {
-    {"define eq-90\n  tex: K = \\frac{\\chi}{2}\n  K := chi/2\n", ""},
-    {"define eq-90\n  tex: K = \\frac{\\chi}{3}\n  K := chi/2\n",
-     "p.eq:5:12: error: eq-90: the formula is not what its TeX says: 2 here, 3 in the TeX at 4:24"},
-    {"define eq-90\n  tex: K = -\\chi\n  K := chi\n", "chi here, -chi in the TeX at 4:12"},
-    {"define eq-90\n  tex: K_1 = \\chi\n  K := chi\n", "error: in the TeX: K_1 is neither defined nor a symbol"},
-    {"equation eq-90\n  tex: \\chi < t\n  chi <= t\n", "the relation is not that of the TeX: <= here, < in the TeX"},
-    {"equation eq-90\n  tex: \\chi = t = 1\n  chi = t\n", "one chain goes on: shorter here, longer in the TeX"},
-    {"equation eq-90\n  tex: \\chi = t, t = 1\n  chi = t\n", "error: eq-90: no formula of the record says this"},
-    {"equation eq-90\n  tex: \\chi = t\n  chi = t\n  t = 1\n", "error: eq-90: the TeX does not say this"},
-    {"equation eq-90\n  tex: \\chi^* = t\n  reads: \\chi^* as \\chi\n  chi = t\n", ""},
-    {"equation eq-90\n  tex: \\chi = t\n  reads: \\eta as \\chi\n  chi = t\n",
-     "what is read in another way does not stand in the TeX"},
-    {"equation eq-90\n  tex: t = t\n  reads: t as \\chi\n  chi = t\n", "stands 2 times in the TeX"},
-    {"equation eq-90\n  tex: t = t\n  reads: t\n  chi = t\n", "a reading is \"piece of the TeX as other TeX\""},
-    {"define eq-90\n  tex: w^2 = \\chi\n  w := sqrt(chi)\n", ""},
-    {"define eq-90\n  tex: w^2 = 2\\chi\n  w := sqrt(chi)\n", "chi here, 2*chi in the TeX"},
-    {"define eq-90\n  tex: w^2 - \\chi = 0\n  root w: w^2 - chi, smallest positive\n", ""},
-    {"define eq-90\n  tex: w^2 - \\chi = 1\n  root w: w^2 - chi, smallest positive\n", "0 here, 1 in the TeX"},
-    {"define eq-90\n  tex: w = 0\n  w := [0; 0]\n", ""},
-    {"define eq-90\n  tex: w = 0\n  w := [0; 1]\n", "[0; 1] here, 0 in the TeX"},
-    {"define eq-90\n  tex: w = 1\n  w := [0; 0]\n", "[0; 0] here, 1 in the TeX"},
-    {"define eq-90\n  tex: G = t \\chi\n  G(t) := t*chi\n", ""},
-    {"define eq-90\n  tex: G = 2 t\n  G(chi) := 2*t\n", "chi here, t in the TeX"},
-    {"define eq-90\n  tex: G(\\chi) = t \\chi\n  G(t) := t*chi\n", "t here, chi in the TeX"},
-    {"inequality eq-90\n  tex: 0 < t < \\chi, t > 0\n  t > 0 for t in (0, chi)\n", ""},
-    {"inequality eq-90\n  tex: 0 < t < 2\\chi, t > 0\n  t > 0 for t in (0, chi)\n", "chi here, 2*chi in the TeX"},
-    {"inequality eq-90\n  tex: 0 < t < \\chi, t > 0\n  t > 0 for t in (0, chi]\n",
-     "the range is not what the TeX says: ( ] here, ( ) in the TeX at 4:8"},
-    {"inequality eq-90\n  tex: 0 \\le t < \\chi, t > 0\n  t > 0 for t in [0, chi)\n", ""},
-    {"inequality eq-90\n  tex: 0 < t < \\chi, t > 0, t < 1\n  t > 0 for t in (0, chi)\n  t < 1\n",
-     "p.eq:6:3: error: eq-90: the range is not what the TeX says: none here, t in the TeX at 4:8"},
-    {"inequality eq-90\n  tex: 0 < t < 1, t > 0, 0 < t < \\chi, t < 1\n"
-     "  t > 0 for t in (0, 1)\n  t < 1 for t in (0, 1)\n",
-     "1 here, chi in the TeX"},
-    {"inequality eq-90\n  tex: 0 < t < 1, t > 0, 0 < t < \\chi\n  t > 0 for t in (0, 1)\n",
-     "error: eq-90: no formula of the record says this"},
-    {"equation eq-90\n  tex: t=t=t=t=t=t=t=t=t=t=t=t=t=t=t=t\n  t=t=t=t=t=t=t=t=t=t=t=t=t=t=t=t=chi\n",
-     "one chain goes on: longer here, shorter in the TeX"},
-    {"define eq-90\n  tex: K = K_1{}\n  reads: K_1{} as N_{1:1,1:2}\n  K := N[1,1:2]\nsymbol N\n",
-     "N[1,1:2] here, N[1:1,1:2] in the TeX"},
-    /* digits of a reading and of what is printed are not one number */
-    {"equation eq-90\n  tex: t = \\chi 2\n  reads: \\chi as 1\n  t = 1\n", "a number comes first in a product"},
-    {"equation eq-90\n  tex: t = 12\n  reads: 2 as \\chi\n  t = 1*chi\n", ""},
-    {"inequality eq-90\n  tex: t > 0\n  t > 0 for t in (0, chi)\n", "the range is not what the TeX says: t here, none"},
-};
+static struct table records; /* cases/latex_records.tsv */
+enum { R_RECORD, R_SAYS };   /* its columns */
 
 START_TEST(records_are_held_against_their_tex) {
-  const char *says = record_says(records[_i].record);
-  ck_assert_msg(*records[_i].says ? strstr(says, records[_i].says) != NULL : !*says, "%s", says);
+  const char *says = record_says(records.row[_i][R_RECORD]);
+  ck_assert_msg(*records.row[_i][R_SAYS] ? strstr(says, records.row[_i][R_SAYS]) != NULL : !*says, "%s", says);
 }
 END_TEST
 
@@ -364,15 +223,17 @@ END_TEST
 
 Suite *latex_suite(void) {
   Suite *s = suite_create("latex");
+  table_read(&records, "tests/cases/latex_records.tsv", 2);
+  table_read(&said, "tests/cases/latex_said.tsv", 2);
   TCase *read = tcase_create("reading");
   tcase_add_checked_fixture(read, setup, teardown);
-  tcase_add_loop_test(read, formulas_say_what_is_written_beside_them, 0, sizeof said / sizeof *said);
+  tcase_add_loop_test(read, formulas_say_what_is_written_beside_them, 0, said.n);
   tcase_add_test(read, hostile_formulas_get_one_clear_line);
   tcase_add_test(read, every_formula_on_file_is_read_as_it_is_printed);
   suite_add_tcase(s, read);
   TCase *held = tcase_create("records");
   tcase_add_checked_fixture(held, setup, teardown);
-  tcase_add_loop_test(held, records_are_held_against_their_tex, 0, sizeof records / sizeof *records);
+  tcase_add_loop_test(held, records_are_held_against_their_tex, 0, records.n);
   tcase_add_test(held, readings_are_bounded);
   suite_add_tcase(s, held);
   return s;

@@ -378,27 +378,6 @@ START_TEST(sentences_known_by_hand) {
 }
 END_TEST
 
-static const struct {
-  const char *claim, *says;
-} hostile[] = {
-    {"  kind: law\n  slips: eq-2#1\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "1 or 2"},
-    {"  kind: law\n  mass: 3\n  slips: eq-2#1\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "1 or 2"},
-    {"  kind: law\n  mass: 1\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "statements of this branch"},
-    {"  kind: law\n  mass: 1\n  slips: eq-2#7\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "no such statement"},
-    {"  kind: law\n  mass: 1\n  slips: eq-2#1\n  sticks: eq-2b\n  breaks: eq-2c C\n", "needs a phase"},
-    {"  kind: behaviour\n  check: modes\n  moves: eq-1 D\n", "both masses"},
-    {"  kind: argument\n  premises: eq-51\n  conclusion: eq-51\n  converse: perhaps\n", "yes, or nothing"},
-    {"  kind: identity\n  statement: eq-13\n  points: patched\n", "points"},
-    {"  kind: identity\n  statement: eq-1\n  points: arcs 4\n", "has no value"},
-};
-
-START_TEST(hostile_attributes) {
-  struct diag d;
-  ck_assert_msg(judged("", hostile[_i].claim, &d) == N_VERDICTS, "%s was judged", hostile[_i].claim);
-  ck_assert_msg(strstr(d.message, hostile[_i].says) != NULL, "%s: %s", hostile[_i].claim, d.message);
-}
-END_TEST
-
 Suite *law_suite(void) {
   Suite *s = suite_create("law");
   TCase *c = tcase_create("law");
@@ -410,7 +389,6 @@ Suite *law_suite(void) {
   tcase_add_test(c, patched_states_are_general);
   tcase_add_test(c, realistic_friction_is_a_quarter_above_what_is_asked);
   LOOP(sentences_known_by_hand, sentences);
-  LOOP(hostile_attributes, hostile);
 #undef LOOP
   suite_add_tcase(s, c);
   return s;

@@ -52,6 +52,7 @@ int main(void) {
   srunner_add_suite(r, quotes_suite());
   srunner_add_suite(r, report_suite());
   srunner_add_suite(r, cli_suite());
+  srunner_add_suite(r, orbit_suite());
   srunner_add_suite(r, terminal_suite());
   srunner_add_suite(r, mutate_suite());
   srunner_add_suite(r, damage_suite());

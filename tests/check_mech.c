@@ -19,6 +19,7 @@
 #include "paper_model.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 #include "value/system_orbit.h"
 
 static void finish(struct mech *m) {
@@ -656,66 +657,18 @@ END_TEST
 
 /* --- Files and words --- */
 
-#define MASS(name)           "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
-#define STOP(name, place, e) "obstacle " name "\n  stops: m\n  " place "\n  restitution: " e "\n"
-#define WALL                 "spring k\n  between: ground, m\n  stiffness: 1\n"
-static const struct {
-  const char *file, *says;
-} refused[] = {
-    {"", "a system has at least one mass"},
-    {"mass m\n  sliding: 1\n", "1:1: error: mass m needs a line \"inertia: VALUE\""},
-    {"mass m\n  inertia: 0\n" WALL, "1:1: error: m: an inertia is positive"},
-    {"mass m\n  inertia: -1\n" WALL, "m: an inertia is positive"},
-    {"mass m\n  inertia: 1/0\n" WALL, "2:14: error: division by zero"},
-    {"mass m\n  inertia: one\n" WALL, "2:12: error: unknown name one"},
-    {"mass m\n  inertia: 1\n  sliding: 1\n" WALL, "friction has three lines"},
-    {"mass m\n  inertia: 1\n  sliding: 1\n  static: 1/2\n  surface: 1\n" WALL, "a static limit is not below"},
-    {"mass m\n  inertia: 1\n  sliding: 0\n  static: 0\n  surface: 1\n" WALL, "friction without any force"},
-    {"mass m\n  inertia: 1\n  inertia: 2\n" WALL, "3:3: error: this line is given twice"},
-    {"mass m\n  inertia: 1\n  weight: 2\n" WALL,
-     "3:3: error: a mass has the lines inertia, sliding, static, surface only"},
-    {MASS("m") MASS("m") WALL, "6:6: error: there is a mass, or the ground, of this name"},
-    {MASS("ground") WALL, "1:6: error: there is a mass, or the ground, of this name"},
-    {MASS("m"), "1:1: error: m: no chain of springs ties it to the ground"},
-    {MASS("m") MASS("n") WALL, "6:1: error: n: no chain of springs ties it to the ground"},
-    {MASS("m") "spring k\n  between: ground, q\n  stiffness: 1\n", "7:12: error: there is no mass q above this line"},
-    {MASS("m") "spring k\n  between: m, m\n  stiffness: 1\n", "6:1: error: k: it ties something to itself"},
-    {MASS("m") "spring k\n  between: m\n  stiffness: 1\n", "7:12: error: two ends are needed"},
-    {MASS("m") "spring k\n  between: m, ground, m\n  stiffness: 1\n", "7:12: error: it has two ends"},
-    {MASS("m") "spring k\n  stiffness: 1\n", "6:1: error: what it is between is missing"},
-    {MASS("m") "spring k\n  between: ground, m\n  stiffness: 0\n", "6:1: error: k: a stiffness"},
-    {MASS("m") "damper k\n  between: ground, m\n  constant: -1\n" WALL, "a damper's constant, is positive"},
-    {"load p\n  on: m\n" MASS("m") WALL, "2:7: error: there is no mass m above this line"},
-    {MASS("m") WALL "load p\n  frequency: 1\n", "9:1: error: the mass is missing: \"on: m1\""},
-    {MASS("m") WALL "load p\n  on: m\n  cosine: 1\n", "load p needs a line \"frequency: VALUE\""},
-    {MASS("m") WALL "load p\n  on: m\n  frequency: 0\n  cosine: 1\n", "9:1: error: p: a frequency is positive"},
-    {MASS("m") WALL "load p\n  on: m\n  frequency: 1\n", "9:1: error: p: a load without any force"},
-    {MASS("m") WALL "load p\n  on: m\n  frequency: 1\n  sine: 1\nload q\n  on: m\n  frequency: 2\n  sine: 1\n",
-     "13:1: error: q: all loads have one frequency"},
-    {MASS("m") WALL "obstacle o\n  above: 1\n", "9:1: error: the mass is missing: \"stops: m1\""},
-    {MASS("m") WALL "obstacle o\n  stops: m\n  restitution: 1\n",
-     "9:1: error: an obstacle has one line \"above: VALUE\""},
-    {MASS("m") WALL "obstacle o\n  stops: m\n  above: 1\n", "obstacle o needs a line \"restitution: VALUE\""},
-    {MASS("m") WALL STOP("o", "above: 1", "0"), "9:1: error: o: a restitution is above 0 and at most 1"},
-    {MASS("m") WALL STOP("o", "above: 1", "3/2"), "9:1: error: o: a restitution is above 0 and at most 1"},
-    {MASS("m") WALL STOP("o", "above: 1", "1") STOP("p", "above: 2", "1"),
-     "13:1: error: this mass has an obstacle at that"},
-    {MASS("m") WALL STOP("o", "above: 1", "1") STOP("p", "below: 2", "1"), "9:1: error: o: it leaves no room"},
-    {"colour: red\n" MASS("m") WALL, "1:1: error: before the first record stand the title"},
-    {"k = 1\nk = 2\n" MASS("m") WALL, "2:1: error: this parameter is given twice"},
-    {"k = j\nj = 2\n" MASS("m") WALL, "1:5: error: unknown name j"},
-    {"k > 2\n" MASS("m") WALL, "1:1: error: a parameter is written NAME = VALUE"},
-    {"mass abcdefghijklmnopqrstuvwxyzabcdef\n  inertia: 1\n", "1:6: error: a name of more than 31 characters"},
-    {"wheel w\n  inertia: 1\n", "1:1: error: a system is made of the records mass, spring, damper, load and obstacle"},
-};
+#define MASS(name) "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
+static struct table refused;         /* cases/systems_refused.tsv */
+enum { REFUSED_FILE, REFUSED_SAYS }; /* its columns */
 
 START_TEST(files_that_are_refused) {
   struct source src;
   struct diag d;
   diag_init(&d);
-  source_from_string(&src, "a.system", refused[_i].file);
-  ck_assert_msg(!mech_read(&file, src, &d), "%s", refused[_i].file);
-  ck_assert_msg(strstr(d.message, refused[_i].says) != NULL, "\"%s\" is not in \"%s\"", refused[_i].says, d.message);
+  source_from_string(&src, "a.system", refused.row[_i][REFUSED_FILE]);
+  ck_assert_msg(!mech_read(&file, src, &d), "%s", refused.row[_i][REFUSED_FILE]);
+  ck_assert_msg(strstr(d.message, refused.row[_i][REFUSED_SAYS]) != NULL, "\"%s\" is not in \"%s\"",
+                refused.row[_i][REFUSED_SAYS], d.message);
   mech_clear(&file);
 }
 END_TEST
@@ -734,31 +687,8 @@ START_TEST(a_thousand_masses) {
 }
 END_TEST
 
-static const struct {
-  const char *word, *why;
-  size_t at;
-} words[] = {
-    {"", "a word has at least one phase", 0},
-    {"ss", "a phase is followed by another one", 0},
-    {"ss -s ss- s-", "a phase has one letter for each mass", 6},
-    {"ss -x", "a mass sticks (s), slips slower (-)", 3},
-    {"ss -.", "a mass that a surface rubs is not free (.)", 3},
-    {"ss -s -s s-", "a phase is followed by another one", 3},
-    {"ss -- s-", "one mass changes its mode at a time", 0},
-    {"ss -s -- s-", NULL, 0},
-    {"-->2", NULL, 0},
-    {"s- -- -->2", NULL, 0},
-    {"-->2 --", "a phase is followed by another one", 0},
-    {"-->1 --", "there is no obstacle at that side of this mass", 0},
-    {"--<2 --", "there is no obstacle at that side of this mass", 0},
-    {"-->3 --", "a rebound is written behind the letters", 0},
-    {"--> --", "a rebound is written behind the letters", 0},
-    {"-->2x --", "a rebound is written behind the letters", 0},
-    {"s->2 -s", "one mass changes its mode at a time", 0},
-    {"ss>2 --", "a mass that rebounds does not stick at once", 0},
-    {"-->02 s-", "a rebound is written behind the letters", 0},
-    {"-->4294967298 s-", "a rebound is written behind the letters", 0},
-};
+static struct table words; /* cases/system_words.tsv */
+enum { WORD, WHY, AT };    /* its columns */
 
 START_TEST(words_of_two_masses) {
   struct mech_word w;
@@ -767,9 +697,9 @@ START_TEST(words_of_two_masses) {
   read_text(MASS("m") MASS("n") "spring k\n  between: ground, m\n  stiffness: 1\n"
                                 "spring l\n  between: m, n\n  stiffness: 1\n"
                                 "obstacle o\n  stops: n\n  above: 1\n  restitution: 1\n");
-  bool ok = mech_word_parse(&w, &at, &why, words[_i].word, &file);
-  ck_assert_int_eq(ok, words[_i].why == NULL);
-  if (!ok) ck_assert_msg(strstr(why, words[_i].why) && at == words[_i].at, "%zu: %s", at, why);
+  bool ok = mech_word_parse(&w, &at, &why, words.row[_i][WORD], &file);
+  ck_assert_int_eq(ok, !*words.row[_i][WHY]);
+  if (!ok) ck_assert_msg(strstr(why, words.row[_i][WHY]) && (int)at == atoi(words.row[_i][AT]), "%zu: %s", at, why);
   mech_clear(&file);
 }
 END_TEST
@@ -904,78 +834,6 @@ END_TEST
 
 /* --- Commands --- */
 
-static const struct {
-  const char *command, *says;
-  int status;
-} commands[] = {
-    {"system", "system takes one FILE", 2},
-    {"system nothing.system", "nothing.system", 3},
-    {"orbit chain3 --basin", "--basin is of the paper's two masses", 3},
-    {"orbit chain3 --certificate /no-such-folder/c.json", "/no-such-folder/c.json", 3},
-    {"orbit chain3 --digits 1001", "at most 1000 --digits", 3},
-    {"orbit chain3 --set system=chain99", "chain99.system", 3},
-    {"orbit chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},
-    {"orbit chain3 --set chi=1", "the system has no parameter chi; it has V", 3},
-    {"orbit chain3 --set q=", "--set:1:1: error: the scene gives no value of q", 3},
-    {"orbit chain3 --set V=1 --set V=2", "V is given twice", 3},
-    {"orbit chain3 --set 'V=[1,2]'", "--set:1:3: error: a constant expression has", 3},
-    {"orbit two-masses.scene --set system=two-masses --set chi=1", "two-masses.scene", 3},
-    {"orbit paper --set velocity=2", "--set:1:1: error: unknown name velocity", 3},
-    {"orbit paper --set system=chain3", "paper.scene:7:1: error: the system has no parameter e2; it has V", 3},
-    {"orbit chain3 --set V= --set word=", "orbits of the system chain3 found", 0},
-    {"orbit chain3 --set ask=eq-27", "ask is of the paper's two masses", 3},
-    {"verify chain3", "only orbit, jacobian, words, simulate, plot and bifurcate take such a scene", 3},
-    {"simulate chain3 --compare", "--compare is of the paper's two masses", 2},
-    {"simulate chain3 --at printed", "--at printed is of the paper's two masses", 2},
-    {"simulate chain3 --at orbit:7", "there is no orbit 7", 3},
-    {"simulate chain3 --start 1,2,3", "--start takes 6 constant expressions, x1,...,x3,v1,...,v3", 3},
-    {"simulate chain3 --start 1,2,3,0,0,0,0", "--start takes 6 constant expressions", 3},
-    {"simulate chain3 --start 1,2,3,0,0,nan", "nan", 3},
-    {"simulate chain3 --start 1,2,3,0,0,1e300", "numbers of at most 1e100", 3},
-    {"simulate chain3 --start 1,2,3,0,0,0 --periods 2", "give --time", 2},
-    {"simulate chain3 --time 0", "--time takes a time as a decimal", 2},
-    {"simulate chain3 --time 2 --periods 2", "--time and --periods exclude each other", 2},
-    {"simulate chain3 --json --csv", "--json goes with neither --csv nor --samples", 2},
-    {"simulate chain3 --set system=nothing", "nothing.system", 3},
-    {"simulate chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},
-    {"simulate beside-wall --periods 100000", "longer than", 3},
-    {"simulate chain3 --start 0,0,0,0,0,0 --time 1000000", "budget of steps is used up", 5},
-    {"simulate chain3 --start -1e99,0,0,0,0,0 --time 40", "ended: done at t = 40", 0},
-    {"simulate driven --start 1,2,0,0 --time 4",
-     "--start takes 5 constant expressions, x1,...,x2,v1,...,v2 and the angle", 3},
-    {"simulate driven --start 0,0,0,0,1/2 --time 4", "load angle 0.5", 0},
-    {"simulate beside-wall --start 1,4,0,0", "m2 starts at 4, beyond the obstacle wall at 3.2", 3},
-    {"simulate beside-wall", "settles on: -- -->2 s-, period 10.14233771", 0},
-    {"simulate chain3 --set 'word=-ss sss' --time 2", "from the first start of the search, which finds no orbit", 0},
-    {"plot chain3 --set 'word=-ss sss'", "nothing to draw: no orbit is found", 3},
-    {"bifurcate chain3 --along W=1:2", "the system has no parameter W; it has V", 3},
-    {"bifurcate chain3 --along V=1:1", "the ends of --along V=1:1 are equal", 2},
-    {"bifurcate chain3 --along V", "--along takes NAME=A:B", 2},
-    {"bifurcate two-masses.system --along V=1:2", "two-masses.system", 3},
-    {"words beside-wall --longest 2", "  -- s-: ", 0},
-    {"words chain3 --longest 9", "--longest takes a whole number from 1 to 8", 2},
-    {"words chain3 --digits 1001", "at most 1000 --digits", 2},
-    {"words driven", "  -- +- -- -s: ", 0},
-    {"words beside-wall --set system=nothing", "nothing.system", 3},
-    {"jacobian chain3 --phases", "--phases is of the paper's two masses", 3},
-    {"jacobian chain3 --method analytic", "--method analytic is of the paper's two masses; a system file takes", 3},
-    {"jacobian chain3 --method fd", "--method fd is of the paper's two masses", 3},
-    {"jacobian chain3 --layer printed", "--layer is of the paper's two masses", 3},
-    {"jacobian chain3 --at printed", "--at printed is of the paper's two masses", 3},
-    {"jacobian chain3 --at orbit:9", "there is no orbit 9; 1 were found", 3},
-    {"jacobian driven", "driven, orbit:1, method saltation: the first return of x1 v1 load_angle at the entry of", 0},
-    {"sweep chain3 --over e2=1:2:3", "take such a scene", 3},
-    {"check verify/systems/chain3.system verify/scenes/chain3.scene", "chain3.scene: ok", 0},
-};
-
-START_TEST(commands_on_systems) {
-  int status;
-  char *out = shell_output(&status, "%s %s 2>&1", program(), commands[_i].command);
-  ck_assert_msg(status == commands[_i].status && strstr(out, commands[_i].says), "%d: %s", status, out);
-  free(out);
-}
-END_TEST
-
 /* Events of a table, without the column of phases that a system file's has: time, mass, change, the four coordinates. */
 struct line {
   double number[5];
@@ -1082,6 +940,8 @@ END_TEST
 
 Suite *mech_suite(void) {
   Suite *s = suite_create("mech");
+  table_read(&words, "tests/cases/system_words.tsv", 3);
+  table_read(&refused, "tests/cases/systems_refused.tsv", 2);
   TCase *c = tcase_create("motions");
   tcase_add_loop_test(c, a_chain_of_two_moves_as_the_papers_system, 0, 40);
   tcase_add_loop_test(c, longer_chains_are_those_of_tiny_steps, 0, 9);
@@ -1110,14 +970,13 @@ Suite *mech_suite(void) {
   suite_add_tcase(s, c);
   c = tcase_create("files");
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_loop_test(c, files_that_are_refused, 0, COUNT(refused));
+  tcase_add_loop_test(c, files_that_are_refused, 0, refused.n);
   tcase_add_test(c, a_thousand_masses);
-  tcase_add_loop_test(c, words_of_two_masses, 0, COUNT(words));
+  tcase_add_loop_test(c, words_of_two_masses, 0, words.n);
   tcase_add_test(c, a_system_in_formulas);
   tcase_add_test(c, changes_along_the_papers_line);
   tcase_add_loop_test(c, no_change_where_there_is_none, 0, 2);
   tcase_add_test(c, an_end_at_a_grazing_event_is_no_flip);
-  tcase_add_loop_test(c, commands_on_systems, 0, COUNT(commands));
   tcase_add_loop_test(c, the_papers_system_from_a_file, 0, 3);
   tcase_add_loop_test(c, json_of_simulations, 0, 6);
   tcase_add_loop_test(c, json_of_systems, 0, 6);

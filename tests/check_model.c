@@ -7,9 +7,11 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "laws_num.h"
 #include "model/model.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 /* ---- common ground */
 
@@ -157,13 +159,9 @@ static void near(double x, double expected, const char *what) {
   ck_assert_msg(fabs(x - expected) <= 1e-13 * (1 + fabs(expected)), "%s: %.17g, expected %.17g", what, x, expected);
 }
 
-/* splitmix64 (Steele, Lea, Flood 2014) */
-static uint64_t rng;
+static struct rng rng;
 static uint64_t rnd(void) {
-  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
-  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-  return z ^ z >> 31;
+  return rng_next(&rng);
 }
 
 /* ---- sections */
@@ -175,27 +173,12 @@ START_TEST(names_by_section) {
       "define d3\n  k := 8\n  z := only\ndefine d4\n  section: c\n  k := 9\n",
   };
   for (int i = 0; i < 3; i++) load(part[(i + _i) % 3], RANK_PAPER); /* the order of the files tells nothing */
-  static const struct {
-    const char *section, *formula, *says;
-  } c[] = {
-      {"a", "x", "1"},
-      {"b", "x", "2"},
-      {"a", "y", "1"},
-      {"b", "y", "2"}, /* a body is read in its own section */
-      {"a", "only", "1 + 10"},
-      {"b", "only", "1 + 10"}, /* the only one there is */
-      {"", "z", "1 + 10"},
-      {"c", "x", "e:1:1: error: x is defined in several sections; the use in section c does not say which\n  x\n  ^"},
-      {"", "1 + x",
-       "e:1:5: error: x is defined in several sections; the use in section (none) does not say which\n"
-       "  1 + x\n      ^"},
-      {"b", "k", "7"},
-      {"c", "k", "9"},
-      {"a", "k", "8"}, /* what has no section comes before what has another */
-      {"", "k", "8"},
-  };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++)
-    ck_assert_str_eq(says(printed_view(), c[i].section, c[i].formula), c[i].says);
+  enum { SECTION, FORMULA, SAYS };
+  struct table c;
+  table_read(&c, "tests/cases/model_sections.tsv", 3);
+  for (int i = 0; i < c.n; i++)
+    ck_assert_str_eq(says(printed_view(), c.row[i][SECTION], c.row[i][FORMULA]), c.row[i][SAYS]);
+  table_clear(&c);
 }
 END_TEST
 
@@ -286,60 +269,16 @@ END_TEST
 /* ---- mistakes of files */
 
 START_TEST(files_refused) {
-  static const struct {
-    const char *text, *says;
-  } c[] = {
-      {"define d\n  x := 1\n  y := 2\n  x := 3\n",
-       "f1.eq:4:3: error: x is defined twice in section (none)\n    x := 3\n    ^"},
-      {"define d\n  section: a\n  x := 1\ndefine e\n  section: a\n  root x: x^2 - 1, smallest positive\n",
-       "f1.eq:6:3: error: x is defined twice in section a\n    root x: x^2 - 1, smallest positive\n    ^"},
-      {"relation r\n  trajectory x(t), y(t)\ndefine d\n  y(t) := t\n",
-       "f1.eq:4:3: error: y is defined twice in section (none)\n    y(t) := t\n    ^"},
-      {"definition d\n  x := 1\n",
-       "f1.eq:1:1: error: unknown record kind \"definition\"; one of symbol define equation "
-       "inequality relation\n  definition d\n  ^"},
-      {"x = 1\n", "f1.eq:1:1: error: a formula outside a record; begin one with \"define ID\" or \"equation ID\"\n"
-                  "  x = 1\n  ^"},
-      {"section: a\n  x := 1\nx := 2\n",
-       "f1.eq:3:1: error: a formula outside a record; begin one with \"define ID\" or "
-       "\"equation ID\"\n  x := 2\n  ^"},
-      {"define d\n  1 = 2\n", "f1.eq:2:3: error: a define record holds definitions, name = expression or name(t) := "
-                              "expression\n    1 = 2\n    ^"},
-      {"define d\n  x = 1 = 2\n",
-       "f1.eq:2:3: error: a define record holds definitions, name = expression or name(t) := "
-       "expression\n    x = 1 = 2\n    ^"},
-      {"define d\n  x < 1\n", "f1.eq:2:3: error: a define record holds definitions, name = expression or name(t) := "
-                              "expression\n    x < 1\n    ^"},
-      {"equation e\n  x := 1\n", "f1.eq:2:3: error: a definition belongs in a define record\n    x := 1\n    ^"},
-      {"inequality e\n  root w: w - 1, smallest positive\n",
-       "f1.eq:2:3: error: a definition belongs in a define record\n    root w: w - 1, smallest positive\n    ^"},
-      {"symbol x\n  x := 1\n", "f1.eq:2:3: error: a symbol has attributes only (means: ...)\n    x := 1\n    ^"},
-      {"symbol x\n  means: a\nsymbol y\nsymbol x\n",
-       "f1.eq:4:8: error: symbol x is declared twice\n  symbol x\n         ^"},
-      {"equation e\n  1 = 1\ninequality e\n  1 < 2\n", "f1.eq:3:12: error: record e is given twice\n  inequality e\n"
-                                                       "             ^"},
-      {"equation e\n  1 = 1\nequation f\n  replaces: e\n  1 = 1\n",
-       "f1.eq:3:10: error: record e is given twice\n  equation f\n           ^"},
-      {"define d\n  x := 1 +\n", "f1.eq:2:11: error: expected a number, a name, \"(\" or \"[\", found the end\n"
-                                 "    x := 1 +\n            ^"},
-      /* a misspelt attribute would silently put the record into no section */
-      {"define d\n  sectoin: a\n  x := 1\n", "f1.eq:2:3: error: unknown attribute \"sectoin\"; one of section equation "
-                                             "tex place note reads replaces equals\n    sectoin: a\n    ^"},
-      {"symbol x\n  mean: a\n",
-       "f1.eq:2:3: error: unknown attribute \"mean\"; one of means note domain\n    mean: a\n    ^"},
-      {"equation: 1\ndefine d\n", "f1.eq:1:1: error: unknown attribute \"equation\"; one of section title note paper "
-                                  "place text model\n  equation: 1\n  ^"},
-      {"define d\nx := 1\n",
-       "f1.eq:2:1: error: a line in the first column must be a head \"kind id\"; indent the fields "
-       "of record d\n  x := 1\n  ^"},
-      {"define d\n  x := \xFF\n", "f1.eq:2:8: error: not UTF-8 text (byte 0xff)\n    x := ?\n         ^"},
-  };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  enum { TEXT, SAYS };
+  struct table c;
+  table_read(&c, "tests/cases/model_files.tsv", 2);
+  for (int i = 0; i < c.n; i++) {
     model_clear(&model);
     model_init(&model);
     n_files = 0;
-    ck_assert_str_eq(try_load(c[i].text, RANK_PAPER), c[i].says);
+    ck_assert_str_eq(try_load(c.row[i][TEXT], RANK_PAPER), c.row[i][SAYS]);
   }
+  table_clear(&c);
 }
 END_TEST
 
@@ -409,90 +348,38 @@ static const char common[] = "symbol s\nsymbol t\nrelation m\n  trajectory z(t)\
                              "  root r0: r0^2 - s, smallest positive\n  root q0: q0 + s, smallest positive\n";
 
 START_TEST(formulas_refused) {
-  static const struct {
-    const char *formula, *at, *what;
-  } c[] = {
-      {"A + v", "1:1", "a sum of different shapes: the shapes are 2x2 and 2x1"},
-      {"2*(A - s)", "1:4", "a sum of different shapes: the shapes are 2x2 and 1x1"},
-      {"A + 0.0", "1:1", "a sum of different shapes: the shapes are 2x2 and 1x1"},
-      {"s + A*B", "1:5", "a product of shapes that do not fit: the shapes are 2x2 and 3x3"},
-      {"v*v", "1:1", "a product of shapes that do not fit: the shapes are 2x1 and 2x1"},
-      {"1/A", "1:1", "the divisor is a matrix; use inv(...): the shape is 2x2"},
-      {"s + sin(A)", "1:5", "powers, roots and functions are read of scalars alone: the shape is 2x2"},
-      {"A^2", "1:1", "powers, roots and functions are read of scalars alone: the shape is 2x2"},
-      {"hypot(s, v)", "1:1", "two scalars are needed here: the shapes are 1x1 and 2x1"},
-      {"stumpff(A)", "1:1", "powers, roots and functions are read of scalars alone: the shape is 2x2"},
-      {"inv(v)", "1:1", "a square matrix is needed: the shape is 2x1"},
-      {"det(r)", "1:1", "a square matrix is needed: the shape is 1x2"},
-      {"tr(v)", "1:1", "a square matrix is needed: the shape is 2x1"},
-      {"det(F)", "1:1", "inv and det reach up to 4x4: the shape is 5x5"},
-      {"[A, v; v, A]", "1:8", "a block that does not fit its row or column: the shape is 2x1"},
-      {"[A, r]", "1:5", "a block that does not fit its row or column: the shape is 1x2"},
-      {"v[3]", "1:1", "an index out of range: the shape is 2x1"},
-      {"A[3,1]", "1:1", "an index out of range: the shape is 2x2"},
-      {"A[1,1:3]", "1:1", "an index out of range: the shape is 2x2"},
-      {"s[2]", "1:1", "an index out of range: the shape is 1x1"},
-      {"A[1]", "1:1", "a matrix needs two indices: the shape is 2x2"},
-      {"f(A)", "1:3", "the argument of a function is a scalar: the shape is 2x2"},
-      {"z(v)", "1:3", "the argument of a function is a scalar: the shape is 2x1"},
-      {"s + f", "1:5", "f is a function; write f(...)"},
-      {"z + s", "1:1", "z is a function; write z(...)"},
-      {"A(s)", "1:1", "A is not a function; for a product write A*(...)"},
-      {"s(t)", "1:1", "undefined symbol s; define it or declare \"symbol s\""},
-      {"s + (t*nope)", "1:8", "undefined symbol nope; define it or declare \"symbol nope\""},
-      {"nope(t)", "1:1", "undefined symbol nope; define it or declare \"symbol nope\""},
-      {"nope'(t)", "1:1", "undefined symbol nope; define it or declare \"symbol nope\""},
-      {"first_order(s; s, A)", "1:19", "first_order needs free symbols, of which no root is a function"},
-      {"first_order(s; s, s)", "1:19", "the symbol is named twice"},
-      {"first_order(s; r0)", "1:16", "first_order needs free symbols, of which no root is a function"},
-      {"first_order(r0*s; s)", "1:19", "first_order needs free symbols, of which no root is a function"},
-      {"first_order(q0 + 1; s)", "1:21", "first_order needs free symbols, of which no root is a function"},
-      {"[s; f(nope)]", "1:7", "undefined symbol nope; define it or declare \"symbol nope\""},
-  };
+  enum { FORMULA, AT, WHAT };
+  struct table c;
+  table_read(&c, "tests/cases/model_formulas.tsv", 3);
   load(common, RANK_PAPER);
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
-    size_t column = strtoul(c[i].at + 2, NULL, 10);
-    ck_assert_str_eq(says(printed_view(), "", c[i].formula),
-                     format("e:%s: error: %s\n  %s\n  %*s", c[i].at, c[i].what, c[i].formula, (int)column, "^"));
+  for (int i = 0; i < c.n; i++) {
+    size_t column = strtoul(c.row[i][AT] + 2, NULL, 10);
+    ck_assert_str_eq(
+        says(printed_view(), "", c.row[i][FORMULA]),
+        format("e:%s: error: %s\n  %s\n  %*s", c.row[i][AT], c.row[i][WHAT], c.row[i][FORMULA], (int)column, "^"));
   }
+  table_clear(&c);
 }
 END_TEST
 
 START_TEST(definitions_refused) {
-  static const struct {
-    const char *text, *says;
-  } c[] = {
-      {"define d\n  y := a\n  a := 1 + b\n  b := 2*c\n  c := sin(a)\n",
-       "f1.eq:3:3: error: a is defined through itself\n    a := 1 + b\n    ^"},
-      {"define d\n  y := y\n", "f1.eq:2:3: error: y is defined through itself\n    y := y\n    ^"},
-      {"define d\n  f(t) := f'(t)\n  y := f(1)\n",
-       "f1.eq:2:3: error: f is defined through itself\n    f(t) := f'(t)\n    ^"},
-      {"define d\n  y := 1\n    + (a\n    - nope)\n  a := 1\n",
-       "f1.eq:4:7: error: undefined symbol nope; define it or declare \"symbol nope\"\n      - nope)\n        ^"},
-      {"define d\n  f(t) := t + u\n  y := f(1)\n",
-       "f1.eq:2:15: error: undefined symbol u; define it or declare \"symbol u\"\n    f(t) := t + u\n"
-       "                ^"},
-      {"define d\n  f(t) := t\n  y := f(1) + t\n", /* a parameter is nothing outside */
-       "f1.eq:3:15: error: undefined symbol t; define it or declare \"symbol t\"\n    y := f(1) + t\n"
-       "                ^"},
-      {"define d\n  root y: y^2 - w, smallest positive\n  root w: w^2 - y, smallest positive\n",
-       "f1.eq:2:3: error: y is defined through itself\n    root y: y^2 - w, smallest positive\n    ^"},
-      {"define d\n  root y: y^2 - g, smallest positive\n  g := y + 1\n",
-       "f1.eq:2:3: error: y is defined through itself\n    root y: y^2 - g, smallest positive\n    ^"},
-  };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  enum { TEXT, SAYS };
+  struct table c;
+  table_read(&c, "tests/cases/model_definitions.tsv", 2);
+  for (int i = 0; i < c.n; i++) {
     model_clear(&model);
     model_init(&model);
     n_files = 0;
-    load(c[i].text, RANK_PAPER);
-    ck_assert_str_eq(says(printed_view(), "", "y"), c[i].says);
+    load(c.row[i][TEXT], RANK_PAPER);
+    ck_assert_str_eq(says(printed_view(), "", "y"), c.row[i][SAYS]);
     /* the same elaboration again: the same mistake, not one that the first left behind */
     struct matrix m;
     struct diag d;
     diag_init(&d);
     ck_assert(!elaborate_name(&m, &el, "y", "", &d));
-    ck_assert_str_eq(shown(&d), c[i].says);
+    ck_assert_str_eq(shown(&d), c.row[i][SAYS]);
   }
+  table_clear(&c);
 }
 END_TEST
 
@@ -607,46 +494,10 @@ END_TEST
 
 START_TEST(matrices) {
   load(common, RANK_PAPER);
-  static const char *const c[][2] = {
-      {"A", "[1, 2; 3, 4]"},
-      {"[A, 0; 0, A]", "[1, 2, 0, 0; 3, 4, 0, 0; 0, 0, 1, 2; 0, 0, 3, 4]"},
-      {"[A, v; r, s]", "[1, 2, 5; 3, 4, 6; 7, 8, s]"},
-      {"[A, (0); r, ((0))]", "[1, 2, 0; 3, 4, 0; 7, 8, 0]"}, /* nothing gives the column a width: 1 */
-      {"[0, A]", "[0, 1, 2; 0, 3, 4]"},
-      {"[A; 0]", "[1, 2; 3, 4; 0, 0]"},
-      {"[0, 0; 0, 0]", "[0, 0; 0, 0]"},
-      {"[s, 0; 0, 0.0]", "[s, 0; 0, 0.0]"},
-      {"[v, v]", "[5, 5; 6, 6]"},
-      {"A + 0", "[1 + 0, 2 + 0; 3 + 0, 4 + 0]"},
-      {"0 - v", "[0 - 5; 0 - 6]"},
-      {"-v", "[-5; -6]"},
-      {"A*v", "[1*5 + 2*6; 3*5 + 4*6]"},
-      {"r*A", "[7*1 + 8*3, 7*2 + 8*4]"},
-      {"r*v", "7*5 + 8*6"},
-      {"sin(r*v)", "sin(7*5 + 8*6)"}, /* one entry is a scalar */
-      {"v*r", "[5*7, 5*8; 6*7, 6*8]"},
-      {"s*A", "[s*1, s*2; s*3, s*4]"},
-      {"A*s/2", "[1*s/2, 2*s/2; 3*s/2, 4*s/2]"},
-      {"s*s", "s*s"},
-      {"transpose([A, v])", "[1, 3; 2, 4; 5, 6]"},
-      {"tr(A)", "1 + 4"},
-      {"tr([s])", "s"},
-      {"det(A)", "1*4 - 2*3"},
-      {"inv([s])", "1/s"},
-      {"A[2,1]", "3"},
-      {"A[1:2,2]", "[2; 4]"},
-      {"A[2,1:2]", "[3, 4]"},
-      {"B[2:3,1:2]", "[4, 5; 7, 8]"},
-      {"v[2]", "6"},
-      {"r[1:2]", "[7, 8]"},
-      {"(A*v)[1]", "1*5 + 2*6"},
-      {"[A, v][2,3]", "6"},
-      {"B[1:2,1:3][2,3]", "6"},
-      {"s[1]", "s"},
-      {"z(s)[1,1]", "z(s)"},
-      {"F[1:5,4]", "[1; 4; 0; 1; 3]"}, /* B beside two of its rows and a zero; a zero beside A */
-  };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) ck_assert_str_eq(says(printed_view(), "", c[i][0]), c[i][1]);
+  struct table c;
+  table_read(&c, "tests/cases/model_matrices.tsv", 2);
+  for (int i = 0; i < c.n; i++) ck_assert_str_eq(says(printed_view(), "", c.row[i][0]), c.row[i][1]);
+  table_clear(&c);
 }
 END_TEST
 
@@ -678,7 +529,7 @@ static double eliminate(double a[4][4], int n) {
 
 START_TEST(determinants_and_inverses) {
   static const struct named none[] = {{NULL, 0}};
-  rng = 11;
+  rng.state = 11;
   for (int trial = 0; trial < 40; trial++) {
     int n = trial % 4 + 1;
     double a[4][4] = {{0}}, trace = 0;
@@ -835,29 +686,18 @@ START_TEST(sides_in_one_shape) {
 END_TEST
 
 START_TEST(everything_checked) {
-  static const struct {
-    const char *text, *says;
-  } c[] = {
-      {"define d\n  f(t) := t + nope\n", "undefined symbol nope"},
-      {"define d\n  root w: sin(w), smallest positive\n", "not a polynomial"},
-      {"equation e\n  1 = 2 = nope\n", "undefined symbol nope"},
-      {"equation e\n  1 = [1, 2]\n", "the two sides have the shapes"},
-      {"inequality e\n  1 < 2 for s in (0, nope)\n", "undefined symbol nope"},
-      {"inequality e\n  1 < 2 for s in (nope, 1)\n", "undefined symbol nope"},
-      {"inequality e\n  1 < 2 for s in ([1, 2], 1)\n", "the end of a range is a scalar"},
-      {"inequality e\n  0 < s for s in (0, 1)\n", ""},
-      {"inequality e\n  0 < s for s in {+1, -1}\n", ""},
-      {"relation r\n  trajectory z(s)\n  z'(s) + z(s) = 0\n", ""},
-  };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  enum { TEXT, SAYS };
+  struct table c;
+  table_read(&c, "tests/cases/model_checked.tsv", 2);
+  for (int i = 0; i < c.n; i++) {
     model_clear(&model);
     model_init(&model);
     load("symbol s\n", RANK_PAPER);
-    load(c[i].text, RANK_PAPER);
+    load(c.row[i][TEXT], RANK_PAPER);
     struct diag d;
     diag_init(&d);
     bool ok = view_check(printed_view(), &d);
-    ck_assert_msg(ok == !*c[i].says && strstr(d.message, c[i].says), "%s: %s", c[i].text, d.message);
+    ck_assert_msg(ok == !*c.row[i][SAYS] && strstr(d.message, c.row[i][SAYS]), "%s: %s", c.row[i][TEXT], d.message);
   }
   /* what an overlay hides is not looked at */
   model_clear(&model);
@@ -868,6 +708,7 @@ START_TEST(everything_checked) {
   diag_init(&d);
   ck_assert(view_check((struct view){&model, LAYER_CORRECTED, NULL, NULL}, &d));
   ck_assert(!view_check(printed_view(), &d));
+  table_clear(&c);
 }
 END_TEST
 

@@ -22,6 +22,7 @@
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 #include "tape/exact.h"
 #include "value/expression.h"
 #include "value/orbit_pool.h"
@@ -92,56 +93,27 @@ static bool proved_equal(const char *x, const char *y, int *status) {
 }
 
 START_TEST(identities_are_proved) {
-  static const char *const rows[][2] = {
-      {"(chi + eta)^2", "chi^2 + 2*chi*eta + eta^2"},
-      {"(chi^2 - eta^2)/(chi - eta)", "chi + eta"},
-      {"1/(1 + 1/(1 + chi))", "(1 + chi)/(2 + chi)"},
-      {"chi^(-2)", "1/(chi*chi)"},
-      {"0.8*chi", "(4/5)*chi"},
-      {"sin(chi - eta)", "-sin(eta - chi)"},
-      {"cos(2*V*t)", "cos(-V*(t + t))"},
-      {"cot(chi)*sin(chi)", "cos(chi)"},
-      {"sin(0)", "0"},
-      {"cos(chi - chi)", "1"},
-      {"sqrt(chi*eta + 0)", "sqrt(eta*chi)"},
-      {"inv([chi, eta; 1, V])*[chi, eta; 1, V]", "[1, 0; 0, 1]"},
-      {"det([1, chi; eta, V])", "V - chi*eta"},
-      {"H(-t)[1,1]", "H(t)[1,1]"},
-      {"H(-t)[1,3]", "-H(t)[1,3]"},
-      {"sin(chi)^2 + cos(chi)^2", "1"},
-      {"(sin(t) + cos(t))^4", "(1 + 2*sin(t)*cos(t))^2"},
-      {"cot(t)^2 + 1", "1/sin(t)^2"},
-      {"sin(t)/(1 + cos(t))", "(1 - cos(t))/sin(t)"},
-      {"sqrt(chi)^2", "chi"},
-      {"sqrt(chi/eta)^2", "chi/eta"},
-      {"1/(1 - sqrt(chi*eta))", "(1 + sqrt(chi*eta))/(1 - chi*eta)"},
-      {"cos(sqrt(chi)*t)^2 - chi", "(1 - sqrt(chi))*(1 + sqrt(chi)) - sin(t*sqrt(chi))^2"},
-  };
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  struct table rows;
+  table_read(&rows, "tests/cases/identities.tsv", 2);
+  for (int i = 0; i < rows.n; i++) {
     int s;
-    ck_assert_msg(proved_equal(rows[i][0], rows[i][1], &s), "%s = %s: status %d", rows[i][0], rows[i][1], s);
+    ck_assert_msg(proved_equal(rows.row[i][0], rows.row[i][1], &s), "%s = %s: status %d", rows.row[i][0],
+                  rows.row[i][1], s);
   }
+  table_clear(&rows);
 }
 END_TEST
 
 /* What is false, and what is true but beyond it. */
 START_TEST(nothing_else_is_proved) {
-  static const char *const rows[][2] = {
-      {"chi", "eta"},
-      {"sin(chi)", "cos(chi)"},
-      {"sin(chi)", "-sin(eta)"},
-      {"cos(-chi)", "-cos(chi)"},
-      {"omega_1", "omega_2"},
-      {"sqrt(chi)", "chi"},
-      {"H(t)[1,1]", "H(t)[2,2]"},
-      {"chi^2", "chi^3"},
-      {"sin(chi)^2 + cos(chi)^2", "1 + 1e-30"},
-      {"sin(2*chi)", "2*sin(chi)*cos(chi)"},
-  };
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  struct table rows;
+  table_read(&rows, "tests/cases/no_identities.tsv", 2);
+  for (int i = 0; i < rows.n; i++) {
     int s;
-    ck_assert_msg(!proved_equal(rows[i][0], rows[i][1], &s) && s == SS_OK, "%s = %s", rows[i][0], rows[i][1]);
+    ck_assert_msg(!proved_equal(rows.row[i][0], rows.row[i][1], &s) && s == SS_OK, "%s = %s", rows.row[i][0],
+                  rows.row[i][1]);
   }
+  table_clear(&rows);
 }
 END_TEST
 
@@ -891,18 +863,6 @@ END_TEST
 
 /* --- The commands --- */
 
-static int shell(const char *fmt, ...) SS_PRINTF(1, 2);
-static int shell(const char *fmt, ...) {
-  char command[2000];
-  va_list ap;
-  va_start(ap, fmt);
-  vsnprintf(command, sizeof command, fmt, ap);
-  va_end(ap);
-  fflush(NULL);
-  int s = system(command);
-  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
-}
-
 START_TEST(any_number_of_processes_gives_the_same_bytes) {
   static const int jobs[] = {1, 5};
   for (int i = 0; i < 2; i++)
@@ -933,40 +893,6 @@ START_TEST(output_obeys_its_schemas) {
   ck_assert_int_eq(shell("sed 's/\"noticed\": [1-9]/&1/' %s/m.json >%s/bad.json", dir, dir), 0);
   ck_assert_int_eq(
       shell("%s tests/oracle/validate.py schema/mutation.schema.json %s/bad.json >/dev/null", python(), dir), 1);
-}
-END_TEST
-
-static const struct {
-  const char *args;
-  int status;
-  const char *says;
-} refusals[] = {
-    {"mutate --count 0", 2, "--count takes"},
-    {"mutate --count -5", 2, "--count takes"},
-    {"mutate --count 1e3", 2, "--count takes"},
-    {"mutate --count 99999999999999999999999", 2, "--count takes"},
-    {"mutate --count ''", 2, "--count needs a value"},
-    {"mutate --seed -1", 2, "--seed takes"},
-    {"mutate --seed x", 2, "--seed takes"},
-    {"mutate --seed 18446744073709551616", 2, "--seed takes"},
-    {"mutate --jobs 0", 2, "--jobs takes"},
-    {"mutate --jobs 65", 2, "--jobs takes"},
-    {"mutate --jobs 2x", 2, "--jobs takes"},
-    {"mutate paper", 2, "mutate takes no operand"},
-    {"mutate --only eq-9999", 3, "eq-9999"},
-    {"mutate --only eq-27,eq-9999", 3, "named eq-9999"},
-    {"mutate --only 0-symbols", 3, "named 0-symbols"},
-    {"mutate --only eq-27 --out /dev/null/x", 3, "/dev/null"},
-    {"mutate --digits 5", 2, "does not belong"},
-    {"repair --jobs 1.5", 2, "--jobs takes"},
-    {"repair eq-9999", 3, "no claim is named eq-9999"},
-    {"repair --count 3", 2, "does not belong"},
-};
-
-START_TEST(what_is_refused) {
-  const char *err = scratch_path("err");
-  ck_assert_int_eq(shell("%s %s >/dev/null 2>%s", program(), refusals[_i].args, err), refusals[_i].status);
-  ck_assert_msg(shell("grep -qe '%s' %s", refusals[_i].says, err) == 0, "%s", refusals[_i].args);
 }
 END_TEST
 
@@ -1060,7 +986,6 @@ Suite *mutate_suite(void) {
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, any_number_of_processes_gives_the_same_bytes);
   tcase_add_test(c, output_obeys_its_schemas);
-  tcase_add_loop_test(c, what_is_refused, 0, (int)(sizeof refusals / sizeof *refusals));
   tcase_add_test(c, extreme_options_are_taken);
   tcase_add_loop_test(c, an_interrupted_run_leaves_nothing, 0, 2);
   suite_add_tcase(s, c);

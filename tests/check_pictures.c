@@ -5,8 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
 
 #include "mech/walk.h"
 #include "report/plot.h"
@@ -15,26 +13,14 @@
 #include "scratch.h"
 #include "suites.h"
 
-/* The exit status of "plot WHAT", its error output in the file "err". */
-static int plot(const char *what) {
-  char command[3000];
-  const char *out = scratch_path("out");
-  snprintf(command, sizeof command, "%s plot %s > %s 2> %s/err", program(), what, out, scratch_path(""));
-  int s = system(command);
-  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
-}
-
-static int shell(const char *command) {
-  int s = system(command);
-  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+/* Draws a scene into a folder of the scratch. */
+static void plot(const char *scene, const char *to) {
+  shell_well("\"$P\" plot %s --out \"$D/%s\" > \"$D/out\" 2> \"$D/err\"", scene, to);
 }
 
 static void check_scene(const char *scene) {
-  char command[3000];
-  snprintf(command, sizeof command, "%s --out %s", scene, scratch_path("one"));
-  ck_assert_int_eq(plot(command), 0);
-  snprintf(command, sizeof command, "%s tests/oracle/pictures.py %s %s", python(), scratch_path("one"), scene);
-  ck_assert_msg(shell(command) == 0, "%s", scene);
+  plot(scene, "one");
+  shell_well("\"$Y\" tests/oracle/pictures.py \"$D/one\" %s", scene);
 }
 
 START_TEST(numbers_are_those_of_other_programs) {
@@ -44,13 +30,9 @@ START_TEST(numbers_are_those_of_other_programs) {
 END_TEST
 
 START_TEST(the_same_bytes_twice) {
-  char command[3000];
-  for (int i = 0; i < 2; i++) {
-    snprintf(command, sizeof command, "paper --out %s/%d", scratch_path(""), i);
-    ck_assert_int_eq(plot(command), 0);
-  }
-  snprintf(command, sizeof command, "diff -r %s/0 %s/1", scratch_path(""), scratch_path(""));
-  ck_assert_int_eq(shell(command), 0);
+  plot("paper", "0");
+  plot("paper", "1");
+  shell_well("diff -r \"$D/0\" \"$D/1\"");
   ck_assert_str_eq(scratch_list(scratch_path("0")),
                    "along-e2.svg along-e2.tsv differences.svg differences.tsv figure-3.svg figure-3.tsv figure-4.svg "
                    "figure-4.tsv long-run.svg "
@@ -60,11 +42,9 @@ END_TEST
 
 /* A picture drawn again from nothing but the table's file is the one that was written. */
 START_TEST(pictures_come_from_their_tables_alone) {
-  char command[3000], name[200];
-  for (int k = 0; k < 2; k++) {
-    snprintf(command, sizeof command, "%s --out %s", k ? "beside-wall" : "paper", scratch_path("one"));
-    ck_assert_int_eq(plot(command), 0);
-  }
+  char name[200];
+  plot("paper", "one");
+  plot("beside-wall", "one");
   for (int i = 0; i < report_pictures(); i++) {
     struct source table, svg;
     struct diag d;
@@ -119,38 +99,6 @@ START_TEST(the_gap_is_that_of_the_claim) {
 }
 END_TEST
 
-START_TEST(what_cannot_be_drawn) {
-  static const struct {
-    const char *what;
-    int status;
-    const char *says;
-  } cases[] = {{"", 2, "one scene"},
-               {"paper stable", 2, "one scene"},
-               {"paper --digits 4", 2, "--digits"},
-               {"paper --out", 2, "--out"},
-               {"none", 3, "no orbit"},
-               {"nowhere", 3, "nowhere"},
-               {"box.scene", 3, "interval"},
-               {"paper --out file/below", 3, "file"}};
-  scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = [2.7, 2.8]\ne2 = 0.8587\n");
-  scratch_put("file", "");
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    char what[3000], err[1000] = "";
-    const char *own = strstr(cases[i].what, "file") ? strstr(cases[i].what, "file") : strstr(cases[i].what, "box");
-    if (own)
-      snprintf(what, sizeof what, "%.*s%s", (int)(own - cases[i].what), cases[i].what, scratch_path(own));
-    else
-      snprintf(what, sizeof what, "%s", cases[i].what);
-    ck_assert_msg(plot(what) == cases[i].status, "%s", what);
-    FILE *f = fopen(scratch_path("err"), "r");
-    ck_assert_ptr_nonnull(f);
-    size_t n = fread(err, 1, sizeof err - 1, f);
-    fclose(f);
-    ck_assert_msg(n > 0 && strstr(err, cases[i].says), "%s: %s", what, err);
-  }
-}
-END_TEST
-
 /* Whatever stands in a table, a picture ends, and is well-formed. */
 START_TEST(hostile_tables) {
   static const char *const tables[] = {"figure-3.tsv", "figure-4.tsv",    "margins.tsv",  "return-map.tsv",
@@ -185,10 +133,8 @@ START_TEST(hostile_tables) {
       text_clear(&one);
     }
   text_add(&all, "</all>");
-  char command[1000];
-  snprintf(command, sizeof command, "%s -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' %s", python(),
-           scratch_put_n("all.xml", all.data, all.len));
-  ck_assert_int_eq(shell(command), 0);
+  shell_well("\"$Y\" -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' %s",
+             scratch_put_n("all.xml", all.data, all.len));
   text_clear(&all);
 }
 END_TEST
@@ -278,7 +224,6 @@ Suite *pictures_suite(void) {
   tcase_add_test(c, the_same_bytes_twice);
   tcase_add_test(c, pictures_come_from_their_tables_alone);
   tcase_add_test(c, the_gap_is_that_of_the_claim);
-  tcase_add_test(c, what_cannot_be_drawn);
   tcase_add_test(c, hostile_tables);
   tcase_add_loop_test(c, phase_planes_are_motions, 0, 3);
   tcase_add_test(c, numbers_in_tables);

@@ -10,6 +10,7 @@
 #include "quote/quote.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 static bool same(const char *a, const char *b) {
   struct quote_tokens x = {.n = 0}, y = {.n = 0};
@@ -230,72 +231,23 @@ static void edit(const char *file, const char *command) {
 }
 
 /* The copy, with one edit, says this and ends so. */
-#define FIFTY "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
 START_TEST(differences_are_told) {
-  static const struct {
-    const char *file, *command;
-    int status;
-    const char *says;
-  } cases[] = {
-      {"note.md", "s/no such thing//", 0,
-       "quotations: 7 of 7 found (title 1 of 1, tex 2 of 2, quote 2 of 2, statement 2 of 2)"},
-      {"note.md", "s/I & tI/\\nI\\&t  I/", 0, ", the one on file\n"},
-      {"note.md", "s/1 + t$/1 - t/", 1, "  quoted: \\det D(t) = 1 >>+<< t\n"},
-      {"note.md", "s/1 + t$/1 - t/", 1, " grows: \\det D(t) = 1 >>-<< t\n          at "},
-      {"note.md", "s/1 + t$/1 - t/", 1, "note.md:10\n"},
-      {"note.md", "s/1 + t$/1 - t/", 1, "paper/note.eq:22: eq-2 tex: not at token 179\n"},
-      {"note.md", "s/1 + t$/1 - t/", 1, "quotations: 5 of 7 found"},
-      {"note.md", "s/1 + t$/1 - t/", 1, ", another than the one on file (sha256 "},
-      {"note.md", "12d;s/1 + t$/1 +/", 1, "t) = 1 + >>nothing more<<\n"},
-      {"note.md", "s/= 1.25/& s/", 1, "eq-2 tex: not at token 179, but at 180\n"},
-      {"note.md", "s/^# /# * 7 /", 1,
-       "8 pieces of quotations stand 1 token later than their places, from token 2 to token 179\n"},
-      {"note.md", "s/(2)/(3)/", 1, "eq-2 tex: at token 179, but no equation (2) ends there\n"},
-      {"note.md", "s/state goes/stat\x1b goes/", 3, "note.md:3:34: error: a control character (U+001B)"},
-      {"claims/note.claim", "s/= 1 + t.$/&,./", 0, "quotations: 7 of 7 found"},
-      {"claims/note.claim", "s/57-70/83-96/", 3, "rising from piece to piece; the quotation has 2 pieces"},
-      /* the same words stand nearer than where all else has gone */
-      {"note.md", "1a " FIFTY FIFTY "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxx \\\\det D(t) = 1 + t " FIFTY, 1,
-       "7 pieces of quotations stand 189 tokens later than their places, from token 57 to token 179\n"},
-      {"paper/note.eq", "s/^  place: 179-187$//", 1, "eq-2 tex: no place is kept; it stands at 179-187\n"},
-      {"paper/note.eq", "s/^  place: 179-187$//;s/1 + t$/2 + t/", 1,
-       "eq-2 tex: no place is kept, and it stands nowhere\n"},
-      /* a word cut short at its end and at its beginning, brackets, and what may end there */
-      {"claims/note.claim", "s/goes on by/goes on b/;s/57-70/57-69/", 1, "eq-1 quote, piece 1 of 2: not at token 57\n"},
-      {"claims/note.claim", "s/goes on by/goes on b/;s/57-70/57-69/", 1,
-       "  quoted: a state goes on b >>nothing more<<\n"},
-      {"claims/note.claim", "s/a state/tate/;s/57-70/59-70/", 1, "eq-1 quote, piece 1 of 2: not at token 59\n"},
-      {"claims/note.claim", "s/ D(t) = .*//;s/(t) = .begin.*/(t/;s/83-97/83-85/;s/153-187/153-179/", 1,
-       "eq-1 quote, piece 2 of 2: not at token 83\n"},
-      {"claims/note.claim", "s/(t) = .begin.*/(t)/;s/83-97/83-86/", 0, "quotations: 7 of 7 found"},
-      {"claims/note.claim", "s/goes on by/goes on/;s/57-70/57-68/", 0, "quotations: 7 of 7 found"},
-      {"paper/note.eq", "s/^text:.*//", 0, "; none is on file\n"},
-      {"claims/note.claim", "s/83-97/84-98/", 1, "eq-1 quote, piece 2 of 2: not at token 84, but at 83\n"},
-      {"claims/note.claim", "s/ 83-97//", 3, "a place is the numbers of the first and the last token"},
-      {"claims/note.claim", "s/57-70/57/", 3, "a place is the numbers of the first and the last token"},
-      {"claims/note.claim", "s/83-97/& 190-194/", 3, "more places than the quotation has pieces, which are 2"},
-      {"claims/note.claim", "s/goes on by/goes on/", 3,
-       "note.claim:8:10: error: 57-70 are 14 tokens, and that piece of the quotation has 12"},
-      {"claims/note.claim", "s/57-70/70-57/", 3, "a place is"},
-      {"claims/note.claim", "s/57-70/57-70,/", 3, "note.claim:8:10: error: a place is"},
-      {"claims/note.claim", "s/57-70/0-13/", 3, "a place is"},
-      {"claims/note.claim", "s/57-70/99999999999999999999-70/", 3, "a place is"},
-      {"claims/note.claim", "s/quote: The.*/quote: ...,/", 3, "nothing is quoted"},
-      {"paper/note.eq", "s/^text: sha256 ./text: sha256 /", 3, "a text is named by its digest"},
-      {"paper/note.eq", "s/^text: .*/text: md5 1/", 3, "a text is named by its digest"},
-      {"note.md", "s/.*//", 3, "error: an empty text"},
-  };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  enum { FILE_EDITED, COMMAND, STATUS, SAYS };
+  struct table cases;
+  table_read(&cases, "tests/cases/quotes.tsv", 4);
+  for (int i = 0; i < cases.n; i++) {
     int status;
     scratch_open();
     copy_of_another();
-    edit(cases[i].file, cases[i].command);
+    edit(cases.row[i][FILE_EDITED], cases.row[i][COMMAND]);
     char path[4096];
     snprintf(path, sizeof path, "%s/note.md", scratch_path("data"));
     const char *out = say(&status, scratch_path("data"), path);
-    ck_assert_msg(status == cases[i].status && strstr(out, cases[i].says), "%s: %d %s", cases[i].command, status, out);
+    ck_assert_msg(status == atoi(cases.row[i][STATUS]) && strstr(out, cases.row[i][SAYS]), "%s: %d %s",
+                  cases.row[i][COMMAND], status, out);
     scratch_close();
   }
+  table_clear(&cases);
 }
 END_TEST
 

@@ -4,46 +4,25 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "base/arena.h"
 #include "base/text.h"
 #include "scratch.h"
 #include "suites.h"
 
-static int run(const char *line) {
-  int status = system(line);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 static const char *audit_path(void) {
-  char line[9000];
-  snprintf(line, sizeof line, "%s verify paper --quiet --out '%s' > /dev/null", program(), scratch_path("out"));
-  int status = run(line);
+  int status = shell("\"$P\" verify paper --quiet --out \"$D/out\" > /dev/null");
   ck_assert_msg(status == 0 || status == 1, "status %d", status);
   return scratch_path("out/audit.json");
 }
 
 static int confirm(const char *audit, const char *options) {
-  char line[9000];
-  snprintf(line, sizeof line, "%s tests/referee/confirm.py '%s' %s > '%s'", python(), audit, options,
-           scratch_path("said"));
-  return run(line);
-}
-
-static char *slurp(const char *path) {
-  struct diag d;
-  struct source s;
-  diag_init(&d);
-  ck_assert_msg(source_read(&s, path, 8 << 20, &d), "%s", d.message);
-  char *text = ss_strdup(s.text);
-  source_clear(&s);
-  return text;
+  return shell("\"$Y\" tests/referee/confirm.py '%s' %s > \"$D/said\"", audit, options);
 }
 
 /* The audit with the first occurrence of a text after an anchor replaced. */
 static const char *changed(const char *audit, const char *anchor, const char *old, const char *new) {
-  char *json = slurp(audit), *at = strstr(json, anchor);
+  char *json = file_text(audit), *at = strstr(json, anchor);
   ck_assert_msg(at != NULL && (at = strstr(at, old)) != NULL, "no %s behind %s", old, anchor);
   struct text t;
   text_init(&t);
@@ -56,15 +35,9 @@ static const char *changed(const char *audit, const char *anchor, const char *ol
   return path;
 }
 
-static void says(const char *what) {
-  char *said = slurp(scratch_path("said"));
-  ck_assert_msg(strstr(said, what) != NULL, "\"%s\" is not in: %.2000s", what, said);
-  free(said);
-}
-
 START_TEST(every_failing_statement_is_confirmed) {
   int status = confirm(audit_path(), "--damage");
-  char *said = slurp(scratch_path("said"));
+  char *said = file_text(scratch_path("said"));
   ck_assert_msg(status == 0, "%s", said);
   free(said);
 }
@@ -73,12 +46,12 @@ END_TEST
 START_TEST(what_has_no_script_or_is_damaged_fails) {
   const char *audit = audit_path();
   ck_assert_int_eq(confirm(changed(audit, "\"id\": \"eq-40\"", "eq-40", "eq-999"), ""), 1);
-  says("eq-999 is conditional and has no script");
+  check_says("said", "eq-999 is conditional and has no script");
   ck_assert_int_eq(
       confirm(changed(audit, "\"id\": \"num-t_b\"", "\"value\": \"2.005332702", "\"value\": \"2.005332802"), ""), 1);
-  says("num-t_b is not confirmed");
+  check_says("said", "num-t_b is not confirmed");
   ck_assert_int_eq(confirm(changed(audit, "\"id\": \"text-time-name\"", "$t^*$ = time", "$t'$ = time"), ""), 1);
-  says("text-time-name is not confirmed");
+  check_says("said", "text-time-name is not confirmed");
 }
 END_TEST
 

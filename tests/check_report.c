@@ -5,11 +5,9 @@
    what is written from what was read.  That no field is forgotten is counted: the bytes of the structures, as the
    compiler lays them out, against those that the tables of members cover. */
 #include <check.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "claim/claims.h"
 #include "paper_model.h"
@@ -203,17 +201,6 @@ END_TEST
 
 /* --- The command --- */
 
-static int shell(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
-static int shell(const char *fmt, ...) {
-  char command[4000];
-  va_list ap;
-  va_start(ap, fmt);
-  ck_assert_int_lt(vsnprintf(command, sizeof command, fmt, ap), (int)sizeof command);
-  va_end(ap);
-  int s = system(command);
-  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
-}
-
 /* verify to DIR/here, then report on its audit.json and tables in DIR/there; the same neighbours beside both. */
 static void same_files(const char *environment, const char *words) {
   const char *dir = scratch_path("");
@@ -375,15 +362,6 @@ START_TEST(cut_off_anywhere) {
 }
 END_TEST
 
-static void slurp(struct text *out, const char *path) {
-  struct source s;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(source_read(&s, path, 1 << 20, &d), "%s", d.message);
-  text_add(out, s.text);
-  source_clear(&s);
-}
-
 struct places {
   size_t *at, n, cap;
 };
@@ -442,7 +420,9 @@ START_TEST(types_exchanged_and_huge_numbers) {
   diag_init(&d);
   arena_init(&a);
   text_init(&json);
-  slurp(&json, "tests/fuzz/corpus/report/audit");
+  char *own = file_text("tests/fuzz/corpus/report/audit");
+  text_add(&json, own);
+  free(own);
   ck_assert(survives(json.data));
   source_from_string(&s, "audit.json", json.data);
   ck_assert(json_parse(&root, &a, &s, &d));
@@ -487,7 +467,9 @@ START_TEST(what_is_said) {
             {"\"change\": \"same formula\"", "\"change\": \"changes\"", "is missing here"}};
   struct text json;
   text_init(&json);
-  slurp(&json, "tests/fuzz/corpus/report/audit");
+  char *own = file_text("tests/fuzz/corpus/report/audit");
+  text_add(&json, own);
+  free(own);
   for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
     struct audit_result r;
     struct diag d;

@@ -8,84 +8,50 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "accuracy.h"
 #include "laws_num.h"
 #include "suites.h"
 
-enum { N_IN = N_PARAMS + 1, MOVE = 60, PREC = 160, MOST_STEPS = 20000 };
-
-static double unit(struct rng *r) {
-  return (double)(rng_next(r) >> 11) * 0x1p-53;
-}
+enum { N_IN = N_PARAMS + 1, MOVE = 60, MOST_STEPS = 20000 };
 
 /* chi near 0 or 1 too, eta, e1/V and e2/V over e^6; r a little or far below e2/chi. */
 static void random_input(double x[N_IN], struct rng *r) {
-  double edge = exp(-7 * unit(r)), kind = unit(r);
-  x[P_CHI] = kind < 0.2 ? 0.5 * edge : kind < 0.4 ? 1 - 0.5 * edge : 0.1 + 0.8 * unit(r);
-  x[P_ETA] = exp(6 * unit(r) - 3);
-  x[P_V] = exp(4 * unit(r) - 2);
-  x[P_E1] = x[P_V] * exp(6 * unit(r) - 4);
-  x[P_E2] = x[P_V] * exp(6 * unit(r) - 4);
-  x[N_PARAMS] = x[P_E2] / x[P_CHI] - x[P_V] * exp(10 * unit(r) - 8);
+  double edge = exp(-7 * rng_unit(r)), kind = rng_unit(r);
+  x[P_CHI] = kind < 0.2 ? 0.5 * edge : kind < 0.4 ? 1 - 0.5 * edge : 0.1 + 0.8 * rng_unit(r);
+  x[P_ETA] = exp(6 * rng_unit(r) - 3);
+  x[P_V] = exp(4 * rng_unit(r) - 2);
+  x[P_E1] = x[P_V] * exp(6 * rng_unit(r) - 4);
+  x[P_E2] = x[P_V] * exp(6 * rng_unit(r) - 4);
+  x[N_PARAMS] = x[P_E2] / x[P_CHI] - x[P_V] * exp(10 * rng_unit(r) - 8);
 }
 
-/* The outputs in balls, from inputs of which one is moved by 2^-MOVE of itself, near times that are found and proved to
-   be first ones when nothing is. */
-static int truth_at(struct num_vec *out, const double x[N_IN], int moved, double t[N_PHASES]) {
+/* From inputs of which one is moved, near times that are found and proved to be first ones when nothing is. */
+static bool truth_at(struct num_vec *out, const double *x, int moved, void *times) {
   struct num_vec params;
+  double *t = times;
   arb_t r, step;
-  num_vec_init(&params, N_PARAMS, num_ctx_arb(PREC));
+  num_vec_init(&params, N_PARAMS, num_ctx_arb(ACCURACY_BITS));
   arb_init(r);
   arb_init(step);
   for (int i = 0; i < N_IN; i++) {
     arb_ptr to = i < N_PARAMS ? num_vec_at(&params, i) : r;
     arb_set_d(to, x[i]);
     arb_mul_2exp_si(step, to, -MOVE);
-    if (i == moved) arb_add(to, to, step, PREC);
+    if (i == moved) arb_add(to, to, step, ACCURACY_BITS);
   }
   int status = moved < 0 ? dyn_return_first(out, &params, r, MOST_STEPS) : dyn_return_near(out, &params, r, t);
   for (int i = 0; i < N_PHASES && !status && moved < 0; i++) t[i] = num_arb.get_d(num_vec_at(out, RETURN_TA + i));
   arb_clear(step);
   arb_clear(r);
   num_vec_clear(&params);
-  return status;
+  return status == SS_OK;
 }
 
-/* |x - y| / |y| */
-static double apart(arb_srcptr x, arb_srcptr y) {
-  arb_t d;
-  arb_init(d);
-  arb_sub(d, x, y, PREC);
-  arb_div(d, d, y, PREC);
-  double e = fabs(num_arb.get_d(d));
-  arb_clear(d);
-  return e;
-}
+static const struct method map_method = {N_IN, N_RETURN, truth_at};
 
-/* The error of each output in units of 2^-53, and its condition number (NULL if not wanted); false where there is no
-   truth. */
 static bool errors_of(double error[N_RETURN], double *condition, const double x[N_IN], const double got[N_RETURN]) {
-  struct num_ctx ctx = num_ctx_arb(PREC);
-  struct num_vec at, moved;
   double t[N_PHASES];
-  num_vec_init(&at, N_RETURN, ctx);
-  num_vec_init(&moved, N_RETURN, ctx);
-  bool good = truth_at(&at, x, -1, t) == SS_OK;
-  for (int i = 0; i < N_RETURN && condition; i++) condition[i] = 0;
-  for (int k = 0; k < N_IN && good && condition; k++) {
-    good = truth_at(&moved, x, k, t) == SS_OK;
-    for (int i = 0; i < N_RETURN && good; i++)
-      condition[i] += ldexp(apart(num_vec_at(&moved, i), num_vec_at(&at, i)), MOVE);
-  }
-  for (int i = 0; i < N_RETURN && good; i++) {
-    arb_t y;
-    arb_init(y);
-    arb_set_d(y, got[i]);
-    error[i] = ldexp(apart(y, num_vec_at(&at, i)), 53);
-    arb_clear(y);
-  }
-  num_vec_clear(&moved);
-  num_vec_clear(&at);
-  return good;
+  return accuracy_of(error, condition, &map_method, x, got, t);
 }
 
 static bool map_of(double out[N_RETURN], const double x[N_IN], bool *searched) {
@@ -109,27 +75,30 @@ static void check_last_place(const double x[N_IN], const double got[N_RETURN], c
 
 /* Near 1 in size, where no number goes through balls for its parameters' sake. */
 static void ordinary_input(double x[N_IN], struct rng *r) {
-  x[P_CHI] = (1 + 14 * unit(r)) / 16;
-  x[P_ETA] = exp2(6 * unit(r) - 3);
-  x[P_V] = exp2(4 * unit(r) - 2);
-  x[P_E1] = x[P_V] * exp2(10 * unit(r) - 5);
-  x[P_E2] = x[P_V] * exp2(10 * unit(r) - 5);
-  double top = x[P_E2] / x[P_CHI], far = unit(r) < 0.3 ? top * exp2(-20 * unit(r)) : x[P_V] * exp2(15 * unit(r) - 10);
-  x[N_PARAMS] = unit(r) < 0.5 ? top - far : -far;
+  x[P_CHI] = (1 + 14 * rng_unit(r)) / 16;
+  x[P_ETA] = exp2(6 * rng_unit(r) - 3);
+  x[P_V] = exp2(4 * rng_unit(r) - 2);
+  x[P_E1] = x[P_V] * exp2(10 * rng_unit(r) - 5);
+  x[P_E2] = x[P_V] * exp2(10 * rng_unit(r) - 5);
+  double top = x[P_E2] / x[P_CHI],
+         far = rng_unit(r) < 0.3 ? top * exp2(-20 * rng_unit(r)) : x[P_V] * exp2(15 * rng_unit(r) - 10);
+  x[N_PARAMS] = rng_unit(r) < 0.5 ? top - far : -far;
 }
 
 /* chi = k 2^-j or 1 - k 2^-j down to the last place, on both sides of every jump: r a little below e2/chi, or near a
    crest. */
 static void edge_input(double x[N_IN], struct rng *r) {
-  double k = unit(r) < 0.5 ? 1 + (double)rng_between(r, 0, 7) / 8 : 1 + unit(r);
+  double k = rng_unit(r) < 0.5 ? 1 + (double)rng_between(r, 0, 7) / 8 : 1 + rng_unit(r);
   double edge = ldexp(k, -(int)rng_between(r, 2, 53));
-  x[P_CHI] = unit(r) < 0.7 ? 1 - edge : edge;
-  x[P_ETA] = exp2(12 * unit(r) - 6);
-  x[P_V] = exp2(6 * unit(r) - 3);
-  x[P_E1] = x[P_V] * exp2(10 * unit(r) - 5);
-  x[P_E2] = x[P_V] * exp2(10 * unit(r) - 5);
-  double top = x[P_E2] / x[P_CHI], kind = unit(r);
-  x[N_PARAMS] = kind < 0.6 ? top - 2 * x[P_E1] * unit(r) : kind < 0.8 ? top - x[P_V] * exp2(12 * unit(r) - 8) : -x[P_V];
+  x[P_CHI] = rng_unit(r) < 0.7 ? 1 - edge : edge;
+  x[P_ETA] = exp2(12 * rng_unit(r) - 6);
+  x[P_V] = exp2(6 * rng_unit(r) - 3);
+  x[P_E1] = x[P_V] * exp2(10 * rng_unit(r) - 5);
+  x[P_E2] = x[P_V] * exp2(10 * rng_unit(r) - 5);
+  double top = x[P_E2] / x[P_CHI], kind = rng_unit(r);
+  x[N_PARAMS] = kind < 0.6   ? top - 2 * x[P_E1] * rng_unit(r)
+                : kind < 0.8 ? top - x[P_V] * exp2(12 * rng_unit(r) - 8)
+                             : -x[P_V];
 }
 
 /* From the three kinds of inputs by turns, those of the edges at more points: half of them have phases beyond the
@@ -325,7 +294,7 @@ START_TEST(no_root_is_passed_by_at_a_jump) {
   for (int trial = 0; trial < 400 && jumps < 6; trial++) {
     double x[N_IN];
     random_input(x, &r);
-    double top = x[P_E2] / x[P_CHI], low = top - 3 * x[P_V] * unit(&r), high = low + 0.25 * (top - low);
+    double top = x[P_E2] / x[P_CHI], low = top - 3 * x[P_V] * rng_unit(&r), high = low + 0.25 * (top - low);
     if (!find_jump(&low, &high, x)) continue;
     jumps++;
     for (int k = 0; k < 40; k++) {
@@ -410,7 +379,7 @@ START_TEST(huge_and_tiny) {
   enum { N = sizeof size / sizeof *size };
   struct rng r = {1};
   for (int trial = 0; trial < 1500; trial++) {
-    double p[N_PARAMS], start = (unit(&r) - 0.5) * size[rng_between(&r, 0, N - 1)];
+    double p[N_PARAMS], start = (rng_unit(&r) - 0.5) * size[rng_between(&r, 0, N - 1)];
     struct dyn_return got;
     for (int i = 0; i < N_PARAMS; i++) p[i] = size[rng_between(&r, 0, i == P_CHI ? 2 : N - 1)];
     if (dyn_return_map(&got, p, start, NULL) == SS_OK)

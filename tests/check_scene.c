@@ -152,9 +152,8 @@ static void is_refused(const struct run *r, const char *what, int status, const 
   if (strcmp(place, "-") != 0) {
     snprintf(begin, sizeof begin, "%s:%s: error: ", name, place);
     ck_assert_msg(strncmp(m, begin, strlen(begin)) == 0, "%s: not at %s: %s", what, place, m);
-    const char *caret = strchr(m, '\n') + 1;
-    ck_assert_msg(strchr(caret, '\n') && strchr(strchr(caret, '\n'), '^'), "%s: no caret: %s", what, m);
   }
+  check_caret(m, what);
   ck_assert_msg(strstr(m, "error: ") || status == 2, "%s: %s", what, m);
 }
 

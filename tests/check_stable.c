@@ -16,6 +16,7 @@
 #include "stability/stability.h"
 #include "stable_points.h"
 #include "suites.h"
+#include "table.h"
 #include "tape/exact.h"
 
 static struct model model;
@@ -33,47 +34,8 @@ static void teardown(void) {
 /* --- Proofs --- */
 
 START_TEST(every_form_is_proved) {
-  static const char *const needed[] = {"omega",
-                                       "omega_1",
-                                       "omega_2",
-                                       "lambda_1",
-                                       "lambda_2",
-                                       "H_1(t)",
-                                       "H_2(t)",
-                                       "H_3(t)",
-                                       "C_1(t)",
-                                       "C_2(t)",
-                                       "C_3(t)",
-                                       "Gamma_1(t)",
-                                       "J_c",
-                                       "J_f",
-                                       "ktilde_4",
-                                       "gammatilde_1",
-                                       "text-criterion",
-                                       "less_N_1",
-                                       "N_3",
-                                       "rest_2",
-                                       "rest_4",
-                                       "M",
-                                       "eq-46",
-                                       "text-times-alone",
-                                       "bend_H(t)",
-                                       "edge_1",
-                                       "gap_1",
-                                       "go_1",
-                                       "S_b",
-                                       "S_c",
-                                       "S_f",
-                                       "J",
-                                       "P(t)",
-                                       "trace_J",
-                                       "text-charpoly",
-                                       "text-six-equations",
-                                       "eq-34b",
-                                       "eq-44b",
-                                       "eq-44c",
-                                       "eq-45b",
-                                       "text-45-suffices"};
+  struct table needed;
+  table_read(&needed, "tests/cases/stable_needed.tsv", 1);
   struct stable_proofs p;
   struct diag d;
   diag_init(&d);
@@ -82,102 +44,20 @@ START_TEST(every_form_is_proved) {
     ck_assert_msg(!p.item[i].why_not, "%s of %s: %s", p.item[i].name, p.item[i].section, p.item[i].why_not);
     ck_assert_int_ge(p.item[i].entries, 1);
   }
-  for (size_t k = 0; k < sizeof needed / sizeof *needed; k++) {
+  for (int k = 0; k < needed.n; k++) {
     size_t i = 0;
-    while (i < p.n && strcmp(p.item[i].name, needed[k]) != 0) i++;
-    ck_assert_msg(i < p.n, "no proof of %s", needed[k]);
+    while (i < p.n && strcmp(p.item[i].name, needed.row[k][0]) != 0) i++;
+    ck_assert_msg(i < p.n, "no proof of %s", needed.row[k][0]);
   }
   stable_proofs_clear(&p);
   ck_assert_msg(view_check((struct view){&model, LAYER_STABLE, NULL, NULL}, &d), "%s", d.message);
+  table_clear(&needed);
 }
 END_TEST
 
 /* One damage of the file each; what depends on it is not proved, and `proved` still is. */
-static const struct {
-  const char *was, *now, *refuted, *proved;
-} damages[] = {
-    {"2*sin(omega*t/2)^2, cos(omega*t)]", "2*sin(omega*t)^2, cos(omega*t)]", "C_1(t)", "C_2(t)"},
-    {"t*((omega*t)^2*stumpff(omega*t))", "t*((omega*t)^2*sinc(omega*t))", "C_2(t)", "C_1(t)"},
-    {"hypot(omega - slip_s, sqrt(chi))", "hypot(omega - slip_s, chi)", "omega_2", "omega"},
-    {"omega*(slip_s/omega_2)", "omega*(slip_s/omega_p)", "omega_1", "omega_2"},
-    {"(slip_s - omega))/2 + bend", "(omega - slip_s))/2 + bend", "lambda_1", "omega_1"},
-    {"g_2 := chi*(omega/g_1)*omega", "g_2 := chi*(omega/g_1)", "H_1(t)", "lambda_2"},
-    {"detune*far_X(t)/omega_2^2", "far_X(t)/omega_2^2", "H_1(t)", "lambda_2"},
-    {"late(t) := (t/hypot(1, t))^2", "late(t) := t/hypot(1, t)", "H_2(t)", "H_3(t)"},
-    {"- versed(omega_p*t/2)*lag(omega_m*t/2)", "+ versed(omega_p*t/2)*lag(omega_m*t/2)", "H_2(t)", "H_1(t)"},
-    {"rho*(t*near_W(t))/2", "rho*(t*near_W(t))", "H_3(t)", "H_2(t)"},
-    {"g_3 := chi*(1 - chi)/(g_2 + chi)", "g_3 := chi*(1 - chi)/(g_2 - chi)", "J_c", "H_1(t)"},
-    {"sum_4 := -(1 - chi)*", "sum_4 := (1 - chi)*", "J_c", "J_f"},
-    {"2*sin(omega*t_d/2)^2 + ktilde_4", "2*sin(omega*t_d/2)^2 - ktilde_4", "J_f", "J_c"},
-    {"(chi*V - z'_1b)", "(chi*V + z'_1b)", "gammatilde_1", "gammatilde_2"},
-    {"ktilde_4 := (V/", "ktilde_4 := (2*V/", "ktilde_4", "ktilde_5"},
-    {"ktilde_4 := (V/", "ktilde_4 := (2*V/", "J_f", "J_c"},
-    {"ktilde_4 := (V/", "ktilde_4 := (2*V/", "text-criterion", "J_c"},
-    {"ktilde_3 := omega*", "ktilde_3 := -omega*", "ktilde_3", "ktilde_2"},
-    {"/omega)/omega\n  ktilde_7", "/omega)\n  ktilde_7", "ktilde_5", "ktilde_4"},
-    {"(chi*V - z'_1b)", "(chi*V + z'_1b)", "text-criterion", "J_c"},
-    {"+ t_d*sinc(omega*t_d)*rate)", "- t_d*sinc(omega*t_d)*rate)", "text-criterion", "J_f"},
-    {"-1 < trace_J < 1", "-1 < trace_J <= 1", "text-criterion", "J_f"},
-    {"near_less_22(t) := -(skew*", "near_less_22(t) := (skew*", "less_H(t)", "H_1(t)"},
-    {"+ C_2(t_d)*G_3 + less_G_1", "+ C_2(t_d)*G_3 - less_G_1", "less_N_1", "rest_2"},
-    {"(rest_2/gap_size_1)/det_1 - ", "(rest_2/gap_size_1)/det_1 + ", "M", "rest_4"},
-    {"rounded(V*share_w) = e_1", "rounded(V*share_r) = e_1", "text-times-alone", "M"},
-    {"(omega_p*omega_m - skew*(omega_1^2 + omega_2^2))/2", "(omega_p*omega_m + skew*(omega_1^2 + omega_2^2))/2",
-     "bend_H(t)", "less_H(t)"},
-    {"(omega_1/omega_2)^2*cos(omega_1*t)", "(omega_1/omega_2)*cos(omega_1*t)", "bend_H(t)", "H_3(t)"},
-    {"less_Gamma(t) := [-versed(t), chi*", "less_Gamma(t) := [-versed(t), ", "less_Gamma(t)", "Gamma_1(t)"},
-    {"less_C(t) := [0, 0; versed(omega*t), -", "less_C(t) := [0, 0; versed(omega*t), ", "less_C(t)", "C_1(t)"},
-    {"N_3 := C_3(t_d)*G_1 + C_1(t_d)*G_3", "N_3 := C_3(t_d)*G_1 + C_1(t_d)*G_2", "N_3", "rest_2"},
-    {"rest_2 := t_a*I + ", "rest_2 := t_b*I + ", "rest_2", "rest_4"},
-    {"+ less_C(t_d)*G_4 + less_G_4", "+ less_C(t_d)*G_1 + less_G_4", "rest_4", "rest_2"},
-    {"(sinc(omega_1*t/2) + sinc(omega_2*t/2))*(t*", "(sinc(omega_1*t/2) - sinc(omega_2*t/2))*(t*", "push_c", "H_1(t)"},
-    {"pull(t) := [chi*push_2(t);", "pull(t) := [push_2(t);", "pull_c", "push_c"},
-    {"pull_rate(t) := [chi*", "pull_rate(t) := [", "slack_1", "even_1"},
-    {"creep(t) := [creep_1(t); creep_1(t) - ", "creep(t) := [creep_1(t); creep_1(t) + ", "even_2", "even_1"},
-    {"even_c := push_c + ", "even_c := push_c - ", "even_1", "even_2"},
-    {"even'_c := H_2(t_c)*[1; 0] + H_3(t_c)*", "even'_c := H_2(t_c)*[1; 0] + H_2(t_c)*", "even_3", "slack_3"},
-    {"later_c := come_b*push_c + ", "later_c := t_b*push_c + ", "even_2", "even_3"},
-    {"+ lag_b*pull_rate(t_c)[2] + ", "- lag_b*pull_rate(t_c)[2] + ", "even_4", "even_3"},
-    {"slack_3 := C_3(t_d)*pull_c + ", "slack_3 := C_3(t_d)*pull_c - ", "slack_3", "slack_1"},
-    {"+ diff_V(t_c)*versed(t_b) + diff_W", "+ diff_V(t_c)*versed(t_b) - diff_W", "edge_1", "edge_2"},
-    {"even'_gap := diff_W(t_c) + lean_3", "even'_gap := diff_W(t_c) - lean_3", "edge_3", "edge_4"},
-    {"+ lag_b*H_1(t_c)[2,2] + ", "- lag_b*H_1(t_c)[2,2] + ", "edge_2", "edge_1"},
-    {"+ lag_b*H_3(t_c)[2,2] + ", "+ lag_b*H_3(t_c)[1,2] + ", "edge_4", "edge_3"},
-    {"gap_1 := C_1(t_d)[2,1] + ", "gap_1 := C_1(t_d)[2,1] - ", "gap_1", "gap_3"},
-    {"C_3(t_d)[2,1]*(1 - pull_gap)", "C_3(t_d)[2,1]*(1 + pull_gap)", "gap_3", "gap_1"},
-    {"go_1 := t_a + sin(t_b)*sum_1", "go_1 := t_a + come_b*sum_1", "go_1", "rest_2"},
-    {"pull_gap := -less_H(t_c)[2,2]", "pull_gap := -less_H(t_c)[1,1]", "gap_1", "edge_1"},
-    {"later_slip := H_1(t_c)[1,1]*sin(t_b) + ", "later_slip := H_1(t_c)[2,2]*sin(t_b) + ", "slip_2", "go_1"},
-    {"soft*soft_slip + stiff*(go_1 - chi*edge_2)", "soft*soft_slip + stiff*(go_1 - edge_2)", "slip_2", "go_1"},
-    {"soft_drift := -chi*(scaled_X(t_c) + ", "soft_drift := -chi*(scaled_X(t_c) - ", "drift_1", "slip_2"},
-    {"(drift_1/gap_size_1)*edge_2)", "(slack_1[1]/gap_size_1)*edge_2)", "eq-46", "drift_1"},
-    {"rate_far := even_4[2]*(even_3[1]/even_size_3) - ", "rate_far := even_4[2]*(even_3[1]/even_size_3) + ", "rate_r",
-     "edge_4"},
-    {"det_3 := (gap_3/gap_size_3)*(even_3[1]/even_size_3) + ", "det_3 := (gap_3/gap_size_3)*(even_3[1]/even_size_3) - ",
-     "M", "eq-44c"},
-    {"adjugate_1 := [less_N_1[2,2], -", "adjugate_1 := [less_N_1[2,2], ", "M", "eq-46"},
-    {"+ (1 - chi)*(edge_2*", "- (1 - chi)*(edge_2*", "eq-46", "M"},
-    {"- edge_4*(even_3[1]/even_size_3)", "+ edge_4*(even_3[1]/even_size_3)", "eq-45b", "eq-46"},
-    {"less_N_1*z_0 + N_2*z'_0)", "less_N_1*z_0 - N_2*z'_0)", "eq-44b", "eq-44c"},
-    {"rest_4*z'_0)", "rest_2*z'_0)", "eq-44c", "eq-44b"},
-    {"rounded(-V*(share_r*slack_3 + share_w*even_3 + (1 - chi)*even_4))\n    =",
-     "rounded(-V*(share_r*slack_3 + share_w*even_3 + chi*even_4))\n    =", "text-45-suffices", "eq-46"},
-    {"w_a := (z_10 - chi*z_20) + ", "w_a := (z_10 - chi*z_20) - ", "w_a", "r_b"},
-    {"r_b := (1 - chi)*(", "r_b := (1 + chi)*(", "r_b", "w_a"},
-    {"slow_b := (1 - chi)*(V*versed(t_b)) + ", "slow_b := (1 - chi)*(V*versed(t_b)) - ", "slow_b", "w_a"},
-    {"S_b[1]*sum_1 + V*reach_1 + r_b*H_12", "S_b[1]*sum_1 + V*reach_1 - r_b*H_12", "S_c", "S_b"},
-    {"near_reach(t) := sinc(omega_p*t/2)*", "near_reach(t) := sinc(omega_m*t/2)*", "S_c", "r_b"},
-    {"+ V*diff_Y(t_c)) + r_b", "- V*diff_Y(t_c)) + r_b", "r_c", "S_c"},
-    {"[S_c[1] + t_d*S_c[3];", "[S_c[1] - t_d*S_c[3];", "S_f", "S_c"},
-    {"chi*r_b = e_2", "r_b = e_2", "text-six-equations", "S_c"},
-    {"ktilde_21 := (z'_2c - V)/", "ktilde_21 := (z'_2c + V)/", "turn", "rate"},
-    {"rate := (sum_4 + ", "rate := (sum_4 - ", "rate", "turn"},
-    {"climb[1] - ktilde_4*turn", "climb[1] + ktilde_4*turn", "J", "trace_J"},
-    {"P(lambda) := lambda*(lambda - trace_J)", "P(lambda) := lambda*(lambda + trace_J)", "P(t)", "J"},
-    {"  P(lambda) = lambda*(lambda - trace_J)", "  P(lambda) = lambda*(lambda + trace_J)", "text-charpoly", "P(t)"},
-    {"+ [H_3(t_c), H_1(t_c); bend_H(t_c), H_3(t_c)]*Z_b*dt_c\n    =",
-     "+ [H_3(t_c), H_1(t_c); bend_H(t_c), H_1(t_c)]*Z_b*dt_c\n    =", "eq-34b", "J_c"},
-};
+static struct table damages;                /* cases/stable_damages.tsv */
+enum { D_WAS, D_NOW, D_REFUTED, D_PROVED }; /* its columns */
 
 /* --- The part of a file that some names rest on --- */
 
@@ -275,22 +155,22 @@ START_TEST(a_damaged_form_is_not_proved) {
   text_init(&t);
   text_init(&part);
   ck_assert(source_read(&src, "verify/stable.eq", 1 << 20, &d));
-  const char *at = strstr(src.text, damages[_i].was);
-  ck_assert_msg(at && !strstr(at + 1, damages[_i].was), "%s stands there once", damages[_i].was);
+  const char *at = strstr(src.text, damages.row[_i][D_WAS]);
+  ck_assert_msg(at && !strstr(at + 1, damages.row[_i][D_WAS]), "%s stands there once", damages.row[_i][D_WAS]);
   text_add_n(&t, src.text, (size_t)(at - src.text));
-  text_add(&t, damages[_i].now);
-  text_add(&t, at + strlen(damages[_i].was));
-  extract(&part, text_str(&t), damages[_i].now, damages[_i].refuted, damages[_i].proved);
+  text_add(&t, damages.row[_i][D_NOW]);
+  text_add(&t, at + strlen(damages.row[_i][D_WAS]));
+  extract(&part, text_str(&t), damages.row[_i][D_NOW], damages.row[_i][D_REFUTED], damages.row[_i][D_PROVED]);
   const char *file = scratch_put("stable.eq", text_str(_i % WHOLE == 0 ? &t : &part));
   paper_model(&damaged, &(struct paper_layers){.stable = file});
   bool algebra = _i % 4 == 0; /* of the others points know it first */
   ck_assert_msg((algebra ? stable_prove_by_algebra : stable_prove)(&p, &damaged, &d), "%s", d.message);
   bool refuted = false, proved = false;
   for (size_t i = 0; i < p.n; i++) {
-    refuted = refuted || (strcmp(p.item[i].name, damages[_i].refuted) == 0 && p.item[i].why_not);
-    proved = proved || (strcmp(p.item[i].name, damages[_i].proved) == 0 && !p.item[i].why_not);
+    refuted = refuted || (strcmp(p.item[i].name, damages.row[_i][D_REFUTED]) == 0 && p.item[i].why_not);
+    proved = proved || (strcmp(p.item[i].name, damages.row[_i][D_PROVED]) == 0 && !p.item[i].why_not);
   }
-  ck_assert_msg(refuted && proved, "%s: refuted %d, the rest proved %d", damages[_i].now, refuted, proved);
+  ck_assert_msg(refuted && proved, "%s: refuted %d, the rest proved %d", damages.row[_i][D_NOW], refuted, proved);
   stable_proofs_clear(&p);
   model_clear(&damaged);
   source_clear(&src);
@@ -356,82 +236,27 @@ END_TEST
 
 /* False or empty theorems that look like forms: definitions of verify/errata.eq's rank, then of stable.eq's; the name
    must not be proved.  abs(V - 2) + V is 2 below V = 2, where points are drawn, and no number above. */
-static const struct {
-  const char *corrected, *stable, *name;
-  const char *said; /* in the error, where the file is not accepted */
-} forgeries[] = {
-    /* t is a symbol of the paper: what a function says at its argument t it does not say at others */
-    {"define c\n  section: stability\n  form(t) := cos(t)\n", "define s\n  section: stability\n  form(s) := cos(t)\n",
-     "form(t)", NULL},
-    {"define c\n  section: stability\n  form(t) := cos(t)\n",
-     "define s\n  section: stability\n  part := cos(t)\n  form(s) := part\n", "form(t)", NULL},
-    {"define c\n  section: stability\n  form(s) := cos(t)\n", "define s\n  section: stability\n  form(t) := cos(t)\n",
-     "form(t)", NULL},
-    /* a row is no column */
-    {"define c\n  section: stability\n  form := [V; t_b]\n", "define s\n  section: stability\n  form := [V, t_b]\n",
-     "form", NULL},
-    /* a part's name has another meaning in another section */
-    {"define c\n  section: stability\n  form := V*t_b\n",
-     "define s\n  section: validation\n  equals: V*t_b\n  part := V*t_b\n"
-     "define u\n  section: stability\n  part := V*t_b + (abs(V - 2) + V - 2)\n"
-     "define v\n  section: stability\n  form := part\n",
-     "form", NULL},
-    /* so has the name of a quantity that is held */
-    {"define c\n  section: validation\n  form := H_13*t_a\n",
-     "define g\n  section: appendix_a\n  g_1 := 1 - omega_1^2\n"
-     "define s\n  section: validation\n  H_13 := H(t_c)[1,3] + (abs(V - 2) + V - 2)\n"
-     "define u\n  section: validation\n  form := t_a*H_13\n",
-     "form", NULL},
-    /* nowhere defined, or not where the other is */
-    {"define c\n  section: stability\n  form := V\n",
-     "define s\n  section: stability\n  gap := sqrt(4*V) - 2*sqrt(V)\n  form := V*(gap/gap)\n", "form", NULL},
-    {"define c\n  section: stability\n  form := V\n",
-     "define s\n  section: stability\n  form := V*(sqrt(2 - V)^2/(2 - V))\n", "form", NULL},
-    {"define c\n  section: stability\n  form := V\n",
-     "define s\n  section: stability\n  form := sqrt(V)^2*((z_1b - z_2b)/sqrt(z_1b - z_2b)^2)*sqrt(z_1b - z_2b)^0\n",
-     "form", NULL},
-    /* in some sections a definition stands in place of others; no proof says which */
-    {"define c\n  section: stability\n  form := V\ndefine e\n  section: validation\n  form := V\n",
-     "define s\n  form := 2*V\n", "form", "defined in several sections"},
-    /* what it equals is said and not held against it */
-    {"define c\n  section: stability\n  form := V\n",
-     "define s\n  section: stability\n  equals: 2*V\n  form := V + t_b - t_b\n", "form", "has a corrected form"},
-    /* signs of roots */
-    {"define c\n  section: stability\n  form := z_1b\n", "define s\n  section: stability\n  form := sqrt(z_1b^2)\n",
-     "form", NULL},
-    {"define c\n  section: stability\n  form := V - t_b\n",
-     "define s\n  section: stability\n  form := hypot(V - t_b, 0)\n", "form", NULL},
-    {"define c\n  section: appendix_a\n  form := omega_2 - omega\n",
-     "define s\n  section: appendix_a\n  form := abs(omega_2 - omega)\n", "form", NULL},
-    {"define c\n  section: appendix_a\n  form := 1 - omega\n",
-     "define s\n  section: appendix_a\n  form := sqrt((1 - omega)^2)\n", "form", NULL},
-    /* angles doubled, halved and of the wrong time */
-    {"define c\n  section: appendix_a\n  form := sin(omega*t_b)\n",
-     "define s\n  section: appendix_a\n  form := 2*sin(omega*t_b)*cos(omega*t_b)\n", "form", NULL},
-    {"define c\n  section: appendix_a\n  form := cos(sqrt(chi*eta)*t_b)\n",
-     "define s\n  section: appendix_a\n  form := 1 - 2*sin(sqrt(chi)*sqrt(eta)*t_c/2)^2\n", "form", NULL},
-    {"define c\n  section: appendix_a\n  form := sin((omega_1 + omega_2)*t_b)\n",
-     "define s\n  section: appendix_a\n  form := sin((omega_2 - omega_1)*t_b)\n", "form", NULL},
-};
+static struct table forgeries;                  /* cases/stable_forgeries.tsv */
+enum { F_CORRECTED, F_STABLE, F_NAME, F_SAID }; /* its columns */
 
 START_TEST(no_forgery_is_proved) {
   struct model m;
   struct diag d;
   struct stable_proofs p;
   diag_init(&d);
-  paper_model(&m, &(struct paper_layers){.stable = scratch_put("stable.eq", forgeries[_i].stable)});
-  ck_assert_msg(model_add_file(&m, scratch_put("errata.eq", forgeries[_i].corrected), RANK_ERRATA, &d), "%s",
+  paper_model(&m, &(struct paper_layers){.stable = scratch_put("stable.eq", forgeries.row[_i][F_STABLE])});
+  ck_assert_msg(model_add_file(&m, scratch_put("errata.eq", forgeries.row[_i][F_CORRECTED]), RANK_ERRATA, &d), "%s",
                 d.message);
   for (int algebra = 0; algebra < 2; algebra++) {
     bool read = (algebra ? stable_prove_by_algebra : stable_prove)(&p, &m, &d), proved = false, met = !read;
     for (size_t i = 0; read && i < p.n; i++) {
-      if (strcmp(p.item[i].name, forgeries[_i].name) != 0) continue;
+      if (strcmp(p.item[i].name, forgeries.row[_i][F_NAME]) != 0) continue;
       met = true;
       proved = proved || !p.item[i].why_not;
     }
-    ck_assert_msg(met && read == !forgeries[_i].said, "%s: read %d", forgeries[_i].stable, read);
-    ck_assert_msg(!proved, "proved%s: %s", algebra ? " by the algebra" : "", forgeries[_i].stable);
-    if (!read) ck_assert_msg(strstr(d.message, forgeries[_i].said), "%s", d.message);
+    ck_assert_msg(met && read == !*forgeries.row[_i][F_SAID], "%s: read %d", forgeries.row[_i][F_STABLE], read);
+    ck_assert_msg(!proved, "proved%s: %s", algebra ? " by the algebra" : "", forgeries.row[_i][F_STABLE]);
+    if (!read) ck_assert_msg(strstr(d.message, forgeries.row[_i][F_SAID]), "%s", d.message);
     stable_proofs_clear(&p);
   }
   model_clear(&m);
@@ -756,34 +581,8 @@ static int value_in(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *t
 }
 
 /* With t/4 and V t/4 as angles of which others are made, and V known to be positive. */
-static const struct {
-  const char *left, *right;
-  bool equal;
-} identities[] = {
-    {"sinc(t)*t", "sin(t)", true},
-    {"sinc(0)", "1", true},
-    {"stumpff(t - t)", "1/6", true},
-    {"stumpff(t)*t^3 + sin(t)", "t", true},
-    {"hypot(chi, eta)^2", "chi^2 + eta^2", true},
-    {"hypot(chi, eta)", "hypot(eta, chi)", true},
-    {"hypot(chi, eta)", "chi + eta", false},
-    {"abs(chi - eta)^2", "(chi - eta)^2", true},
-    {"abs(chi - eta)", "abs(eta - chi)", true},
-    {"abs(chi - eta)", "chi - eta", false},
-    {"abs(chi/eta - 1)^2", "(1 - chi/eta)^2", true},
-    {"abs(chi - chi)", "0", true},
-    {"sqrt(V^2)", "V", true},
-    {"sqrt(chi^2)", "chi", false}, /* nothing says that chi is positive here */
-    {"hypot(V, 0)", "V", true},
-    {"sqrt(chi/4)", "sqrt(chi/9)*3/2", false}, /* not known: roots of different elements */
-    {"sqrt(chi/4)^2", "chi/4", true},
-    {"1 - cos(t)", "2*sin(t/2)^2", true},
-    {"1 - cos(t)", "2*sin(t/4)^2", false},
-    {"sin(t)", "2*sin(t/2)*cos(t/2)", true},
-    {"sin(-t + V*t/2)", "sin(V*t/2)*cos(t) - cos(V*t/2)*sin(t)", true},
-    {"cos(t - V*t/2)", "cos(t)*cos(V*t/2) - sin(t)*sin(V*t/2)", false},
-    {"cos(t)*cos(V*t) - sin(t)*sin(V*t)", "cos(t + V*t)", true},
-};
+static struct table identities;    /* cases/field_identities.tsv */
+enum { I_LEFT, I_RIGHT, I_EQUAL }; /* its columns */
 
 START_TEST(the_field_knows_the_functions) {
   fmpz_mpoly_q_struct x, y, known[3];
@@ -797,8 +596,9 @@ START_TEST(the_field_knows_the_functions) {
   }
   exact_field_positive(f, known, 1);
   exact_field_angles(f, known + 1, 2, 2);
-  ck_assert_int_eq(value_in(&x, f, identities[_i].left) | value_in(&y, f, identities[_i].right), SS_OK);
-  ck_assert_msg(exact_equal(f, &x, &y) == identities[_i].equal, "%s and %s", identities[_i].left, identities[_i].right);
+  ck_assert_int_eq(value_in(&x, f, identities.row[_i][I_LEFT]) | value_in(&y, f, identities.row[_i][I_RIGHT]), SS_OK);
+  ck_assert_msg(exact_equal(f, &x, &y) == (*identities.row[_i][I_EQUAL] == 'y'), "%s and %s",
+                identities.row[_i][I_LEFT], identities.row[_i][I_RIGHT]);
   for (int i = 0; i < 3; i++) exact_clear(&known[i], f);
   exact_clear(&y, f);
   exact_clear(&x, f);
@@ -808,6 +608,9 @@ END_TEST
 
 Suite *stable_suite(void) {
   Suite *s = suite_create("stable");
+  table_read(&identities, "tests/cases/field_identities.tsv", 3);
+  table_read(&forgeries, "tests/cases/stable_forgeries.tsv", 4);
+  table_read(&damages, "tests/cases/stable_damages.tsv", 4);
   TCase *c = tcase_create("stable");
   tcase_add_checked_fixture(c, setup, teardown);
   tcase_set_timeout(c, 120);
@@ -822,17 +625,17 @@ Suite *stable_suite(void) {
   tcase_add_test(c, a_value_wherever_the_corrected_form_has_one);
   tcase_add_loop_test(c, a_form_that_fails_at_extreme_points_is_named, 0, sizeof elsewhere / sizeof *elsewhere);
   tcase_add_loop_test(c, both_layers_have_one_truth, 0, sizeof formulas / sizeof *formulas);
-  tcase_add_loop_test(c, the_field_knows_the_functions, 0, sizeof identities / sizeof *identities);
+  tcase_add_loop_test(c, the_field_knows_the_functions, 0, identities.n);
   suite_add_tcase(s, c);
   TCase *forged = tcase_create("forged");
   tcase_add_checked_fixture(forged, setup, teardown);
-  tcase_add_loop_test(forged, no_forgery_is_proved, 0, sizeof forgeries / sizeof *forgeries);
+  tcase_add_loop_test(forged, no_forgery_is_proved, 0, forgeries.n);
   suite_add_tcase(s, forged);
   TCase *damaged = tcase_create("damages"); /* each proves many forms again */
   tcase_set_tags(damaged, "long");
   tcase_add_checked_fixture(damaged, scratch_open, scratch_close);
   tcase_set_timeout(damaged, 120);
-  tcase_add_loop_test(damaged, a_damaged_form_is_not_proved, 0, sizeof damages / sizeof *damages);
+  tcase_add_loop_test(damaged, a_damaged_form_is_not_proved, 0, damages.n);
   suite_add_tcase(s, damaged);
   TCase *audits = tcase_create("audits");
   tcase_set_tags(audits, "long");

@@ -10,6 +10,7 @@
 
 #include "base/arena.h"
 #include "effort.h"
+#include "laws_num.h"
 #include "model/model.h"
 #include "scratch.h"
 #include "suites.h"
@@ -323,13 +324,9 @@ END_TEST
 
 /* ---- values rounded once */
 
-/* splitmix64 (Steele, Lea, Flood 2014) */
-static uint64_t rng;
+static struct rng rng;
 static uint64_t rnd(void) {
-  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
-  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-  return z ^ z >> 31;
+  return rng_next(&rng);
 }
 
 /* Of y at x = a, z = b in a context. */
@@ -385,7 +382,7 @@ END_TEST
 /* Sines of products that no double holds, against MPFR at 300 bits, rounded to nearest there. */
 START_TEST(rounded_to_nearest_or_next_to_it) {
   mpfr_t s;
-  rng = 20;
+  rng.state = 20;
   mpfr_init2(s, 300);
   for (int i = 0; i < 200; i++) {
     double a = 1 + (double)(rnd() >> 12) * 0x1p-40, b = 1 + (double)(rnd() >> 12) * 0x1p-20, y;
@@ -815,7 +812,7 @@ static void check_formula(struct counts *counts, uint64_t seed) {
   static const char *const names[N_OUT] = {"o0", "o1", "o2", "o3"};
   struct node f[N_NODES];
   int out[N_OUT];
-  rng = seed;
+  rng.state = seed;
   make_formula(f);
   for (int k = 0; k < 3; k++) value[k] = (below(65) - 32) / 8.0;
   for (int i = 0; i < N_OUT; i++) out[i] = N_NODES - 1 - i - below(3) * i;

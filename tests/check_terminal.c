@@ -10,6 +10,7 @@
 #include "record/result.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 static int count(const char *text, const char *part) {
   int n = 0;
@@ -224,49 +225,33 @@ static void squeeze(char *s) {
 
 /* Lines that fit the terminal, with the same words: those that are wider elsewhere are broken at blanks. */
 START_TEST(lines_fit_the_terminal) {
-  static const struct {
-    const char *command;
-    int width;
-    bool same; /* nothing but blanks differs from what a pipe is given */
-  } cases[] = {{"list", 80, true},
-               {"list", 60, true},
-               {"list scenes", 80, true},
-               {"list scenes", 45, true},
-               {"orbit paper", 80, true},
-               {"orbit paper --digits 30", 72, true},
-               {"orbit near-flip --digits 40", 80, true},
-               {"orbit paper --set 'e2=[0.858, 0.859]'", 80, true},
-               {"orbit four --method paper --digits 30", 60, true},
-               {"orbit four --method paper", 72, true},
-               {"bifurcate paper --along e2=0.5:3", 80, true},
-               {"explain text-otherwise-unstable", 80, true},
-               {"explain eq-40", 90, true},
-               {"words paper", 80, true},
-               {"words overrun --longest 3", 60, true},
-               {"list --scene-keys", 80, false},
-               {"list --scene-keys", 60, false},
-               {"list --scene-keys", 130, true}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  enum { COMMAND, WIDTH, SAME };
+  struct table cases;
+  table_read(&cases, "tests/cases/terminal_lines.tsv", 3);
+  for (int i = 0; i < cases.n; i++) {
     int status;
-    char *wide = shell_output(&status, "%s %s", program(), cases[i].command);
+    char *wide = shell_output(&status, "%s %s", program(), cases.row[i][COMMAND]);
     ck_assert_int_eq(status, 0);
     char *out = shell_output(&status, "%s tests/oracle/terminal.py NO_COLOR=1 COLUMNS=%d -- %s %s 2>&1", python(),
-                             cases[i].width, program(), cases[i].command);
+                             atoi(cases.row[i][WIDTH]), program(), cases.row[i][COMMAND]);
     ck_assert_int_eq(status, 0);
     int lines = 0;
-    ck_assert_msg(!strstr(out, " \n"), "%s: blanks at the end of a line", cases[i].command);
+    ck_assert_msg(!strstr(out, " \n"), "%s: blanks at the end of a line", cases.row[i][COMMAND]);
     for (const char *p = out; *p; p += strcspn(p, "\n") + 1, lines++)
-      ck_assert_msg(strcspn(p, "\n") <= (size_t)cases[i].width && *p != '\n', "%s: %.200s", cases[i].command, p);
+      ck_assert_msg(strcspn(p, "\n") <= (size_t)atoi(cases.row[i][WIDTH]) && *p != '\n', "%s: %.200s",
+                    cases.row[i][COMMAND], p);
     ck_assert_int_gt(lines, 15);
     size_t long_lines = 0;
-    for (const char *p = wide; *p; p += strcspn(p, "\n") + 1) long_lines += strcspn(p, "\n") > (size_t)cases[i].width;
-    ck_assert_msg(long_lines > 0 || cases[i].width == 130, "%s: nothing to break", cases[i].command);
+    for (const char *p = wide; *p; p += strcspn(p, "\n") + 1)
+      long_lines += strcspn(p, "\n") > (size_t)atoi(cases.row[i][WIDTH]);
+    ck_assert_msg(long_lines > 0 || atoi(cases.row[i][WIDTH]) == 130, "%s: nothing to break", cases.row[i][COMMAND]);
     squeeze(out);
     squeeze(wide);
-    if (cases[i].same) ck_assert_msg(strcmp(out, wide) == 0, "%s: %s", cases[i].command, out);
+    if (*cases.row[i][SAME] == 'y') ck_assert_msg(strcmp(out, wide) == 0, "%s: %s", cases.row[i][COMMAND], out);
     free(out);
     free(wide);
   }
+  table_clear(&cases);
 }
 END_TEST
 
@@ -352,33 +337,16 @@ static char *offered(const char *line) {
 }
 
 START_TEST(bash_completes) {
-  static const struct {
-    const char *line, *words;
-  } cases[] = {{"ver", "verify\n"},
-               {"s", "simulate\nstability\nsweep\nsystem\n"},
-               {"orbit --b", "--basin\n"},
-               {"verify --o", "--only\n--out\n--overlay\n"},
-               {"orbit near-f", "near-flip\nnear-fold\n"},
-               {"verify --only eq-60", "eq-60\neq-60b\n"},
-               {"verify --only eq-27,num-t_", "eq-27,num-t_a\neq-27,num-t_b\neq-27,num-t_c\neq-27,num-t_d\n"},
-               {"explain text-periodic", "text-periodic\ntext-periodicity-and-16\ntext-periodicity-alone\n"},
-               {"jacobian paper --method s", "saltation\n"},
-               {"jacobian paper --layer=s", "stable\n"},
-               {"orbit --method ", "model\npaper\n"},
-               {"list ", "scenes\n"},
-               {"help st", "stability\n"},
-               {"bench --job m", "map\n"},
-               {"orbit verify/scenes/near-t", "verify/scenes/near-ta.scene\n"},
-               {"orbit paper --set e", "eta=\ne1=\ne2=\n"},
-               {"orbit paper --set u_", "u_r1=\nu_r2=\n"},
-               {"sweep paper --over ", "chi=\neta=\nV=\ne1=\ne2=\n"},
-               {"nonsense --x", "\n"}};
+  enum { LINE, WORDS };
+  struct table cases;
+  table_read(&cases, "tests/cases/completion.tsv", 2);
   if (system("command -v bash >/dev/null") != 0) return;
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    char *out = offered(cases[i].line);
-    ck_assert_msg(strcmp(out, cases[i].words) == 0, "%s: %s", cases[i].line, out);
+  for (int i = 0; i < cases.n; i++) {
+    char *out = offered(cases.row[i][LINE]);
+    ck_assert_msg(strcmp(out, cases.row[i][WORDS]) == 0, "%s: %s", cases.row[i][LINE], out);
     free(out);
   }
+  table_clear(&cases);
 }
 END_TEST
 

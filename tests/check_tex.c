@@ -4,6 +4,7 @@
 #include "base/tex.h"
 #include "base/text.h"
 #include "suites.h"
+#include "table.h"
 
 /* A letter for each kind, in the order of the header. */
 static const char letters[] = ". adsOCRLpcrgb()BEwX";
@@ -20,24 +21,15 @@ static void spell(char out[64], const char *formula, size_t len) {
 }
 
 START_TEST(formulas_are_spelt) {
-  static const struct {
-    const char *formula, *kinds;
-  } cases[] = {{"", ""},
-               {"z'_{r1}", "apLOadC"},
-               {"2.5 t", "dsd a"},
-               {"\\chi\\eta x", "ww a"},
-               {"x^2+|y|", "aRdssas"},
-               {"\\left(a\\right]", "(sa)s"},
-               {"\\leftarrow\\lefty", "XX"},
-               {"\\begin{cases}1&0\\\\\\end{cases}", "BOaaaaaCdcdrEOaaaaaC"},
-               {"\\{\\}\\,\\ \\!", "bbggg"},
-               {"\\%\\foo#$~`\t\xc3\xa9", "XXXXXXXXX"},
-               {"a\\", "aX"}};
+  enum { FORMULA, KINDS };
+  struct table cases;
+  table_read(&cases, "tests/cases/tex_kinds.tsv", 2);
   char kinds[64];
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    spell(kinds, cases[i].formula, strlen(cases[i].formula));
-    ck_assert_str_eq(kinds, cases[i].kinds);
+  for (int i = 0; i < cases.n; i++) {
+    spell(kinds, cases.row[i][FORMULA], strlen(cases.row[i][FORMULA]));
+    ck_assert_str_eq(kinds, cases.row[i][KINDS]);
   }
+  table_clear(&cases);
 }
 END_TEST
 

@@ -2,11 +2,9 @@
    that shares nothing with the program (tests/oracle/words.py), and where simulations settle. */
 #include <check.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "base/json.h"
 #include "explore/words.h"
@@ -530,22 +528,6 @@ END_TEST
 
 /* --- Scenes and the command line --- */
 
-static int shell(char **out, const char *format, ...) {
-  char command[2000];
-  static char text[1 << 20];
-  va_list args;
-  va_start(args, format);
-  vsnprintf(command, sizeof command, format, args);
-  va_end(args);
-  FILE *f = popen(command, "r");
-  ck_assert(f != NULL);
-  text[fread(text, 1, sizeof text - 1, f)] = '\0';
-  *out = text;
-  int status = pclose(f);
-  ck_assert(WIFEXITED(status));
-  return WEXITSTATUS(status);
-}
-
 #define EXAMPLE "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\n"
 
 START_TEST(a_scene_names_a_word) {
@@ -578,130 +560,39 @@ START_TEST(a_scene_names_a_word) {
 }
 END_TEST
 
-START_TEST(commands_take_a_word_or_say_why_not) {
-  char *out, other[512], whole[512];
-  snprintf(other, sizeof other, "%s", scratch_put("o.scene", EXAMPLE "word: D Gamma H Gamma\n"));
-  snprintf(whole, sizeof whole, "%s", scratch_put("f.scene", EXAMPLE "word: H X\n"));
-  static const char *const refused[] = {"verify",
-                                        "simulate",
-                                        "readings",
-                                        "bifurcate --along V=0.5:2",
-                                        "sweep --over V=1:2:3",
-                                        "orbit --method paper",
-                                        "orbit --basin",
-                                        "orbit --certificate x.json",
-                                        "jacobian --phases",
-                                        "jacobian --method analytic",
-                                        "jacobian --method implicit",
-                                        "jacobian --layer printed",
-                                        "jacobian --at printed",
-                                        "jacobian --at orbit:9",
-                                        "orbit --digits 1001"};
-  for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
-    ck_assert_msg(shell(&out, "%s %s %s 2>&1", program(), refused[i], other) == 3, "%s: %s", refused[i], out);
-    ck_assert_msg(strstr(out, "word") && strstr(out, "error"), "%s: %s", refused[i], out);
-  }
-  ck_assert_int_eq(shell(&out, "%s orbit %s 2>&1", program(), whole), 3);
-  ck_assert_msg(strstr(out, "needs u_r1 and u_r2") != NULL, "%s", out);
-  ck_assert_int_eq(shell(&out, "%s orbit %s", program(), other), 0);
-  ck_assert_msg(strstr(out, "1 orbit of the word D-Gamma-H-Gamma found") != NULL, "%s", out);
-  const char *none = scratch_put("n.scene", EXAMPLE "word: D Gamma\n");
-  ck_assert_int_eq(shell(&out, "%s orbit %s", program(), none), 0);
-  ck_assert_msg(strstr(out, "there is none: m2 is never slower") != NULL, "%s", out);
-  static const char *const misused[] = {"words",
-                                        "words paper stable",
-                                        "words paper --longest 0",
-                                        "words paper --longest 9",
-                                        "words paper --longest x",
-                                        "words paper --longest",
-                                        "words paper --longest -1",
-                                        "words paper --digits 1001",
-                                        "orbit paper --longest 3"};
-  for (size_t i = 0; i < sizeof misused / sizeof *misused; i++)
-    ck_assert_msg(shell(&out, "%s %s 2>&1", program(), misused[i]) == 2, "%s: %s", misused[i], out);
-  ck_assert_int_eq(shell(&out, "%s words paper-times 2>&1", program()), 3);
-  ck_assert_msg(strstr(out, "words needs a scene that gives e1 and e2") != NULL, "%s", out);
-  ck_assert_int_eq(shell(&out, "%s words paper --set 'e2=[0.8,0.9]' 2>&1", program()), 3);
-  ck_assert_msg(strstr(out, "e2 is an interval") != NULL, "%s", out);
-}
-END_TEST
-
 /* Solution II: t_a = 0 and the three phases Gamma-H-C; times and e1 of the oracle. */
 START_TEST(solution_ii_has_three_phases) {
   struct row r;
-  char *out, *t[3];
+  char *t[3];
   ck_assert(row_named(&r, "solution-ii"));
   int n = 0;
   for (char *p = strtok(r.field[9], " "); p && n < 3; p = strtok(NULL, " ")) t[n++] = p;
   const char *path = scratch_put("two.scene", "chi = 0.8\neta = 1\nV = 1\nt_a = 0\ne2 = 0.8587\nword: Gamma H C\n");
-  ck_assert_int_eq(shell(&out, "%s orbit %s --digits 25", program(), path), 0);
+  shell_well("\"$P\" orbit %s --digits 25 > \"$D/out\"", path);
   const char *names[] = {"t_b", "t_c", "t_d", "e1"}, *want[] = {t[0], t[1], t[2], r.field[5]};
   for (int i = 0; i < 4; i++) {
     char line[64];
     snprintf(line, sizeof line, "  %-8s %.22s", names[i], want[i]);
-    ck_assert_msg(strstr(out, line) != NULL, "%s not in %s", line, out);
+    check_says("out", line);
   }
-}
-END_TEST
-
-/* tests/oracle/solution_ii.py follows Coulomb's law from the orbit of the scene on file: it returns without a phase D,
-   and beside it, on both sides, the slope tends to the same number. */
-START_TEST(solution_ii_is_judged_by_its_three_phases) {
-  static const char *const want[] = {"1 orbit of the word Gamma-H-C found",
-                                     "orbit 1: unstable, admissible with u_r1, u_r2",
-                                     "  certified at ",
-                                     "  c_w          holds  0, as it must be",
-                                     "  d_r          holds  3.03282",
-                                     "  trace    -1.0267"};
-  char *out;
-  ck_assert_int_eq(shell(&out, "%s orbit solution-II", program()), 0);
-  for (size_t i = 0; i < sizeof want / sizeof *want; i++)
-    ck_assert_msg(strstr(out, want[i]) != NULL, "no \"%s\" in %s", want[i], out);
-  ck_assert_msg(!strstr(out, "breaks") && !strstr(out, "\n  t_a          "), "%s", out);
-  ck_assert_int_eq(shell(&out, "%s orbit solution-II --json", program()), 0);
-  ck_assert_msg(strstr(out, "\"admissible\": true,\n      \"violations\": []") != NULL, "%s", out);
-  /* the same numbers as an orbit of D-Gamma-H-C break (51); u_r below its bound breaks either */
-  const char *four = scratch_put("four.scene", "chi = 0.8\neta = 1\nV = 1\nt_a = 0\nt_b = 2\n");
-  ck_assert_int_eq(shell(&out, "%s orbit %s", program(), four), 0);
-  ck_assert_msg(strstr(out, "not admissible") && strstr(out, "breaks   t_a"), "%s", out);
-  ck_assert_int_eq(shell(&out, "%s orbit solution-II --set u_r1=3 --set u_r2=1.5", program()), 0);
-  ck_assert_msg(strstr(out, "not admissible") && strstr(out, "breaks   u_r2"), "%s", out);
-  ck_assert_int_eq(shell(&out, "%s orbit solution-II --set u_r1=3 --set u_r2=1.6", program()), 0);
-  ck_assert_msg(strstr(out, "unstable, admissible\n") != NULL, "%s", out);
-  ck_assert_int_eq(shell(&out, "%s orbit solution-II --certificate x.json 2>&1", program()), 3);
-  ck_assert_msg(strstr(out, "--certificate is of the word D-Gamma-H-C, and the scene names Gamma-H-C") != NULL, "%s",
-                out);
-}
-END_TEST
-
-/* At t_b = 3 it is stable; at t_b = 1, where m_2 overruns the belt, it is no motion. */
-START_TEST(not_every_solution_ii_is_a_motion) {
-  char *out;
-  ck_assert_int_eq(shell(&out, "%s orbit solution-II --set t_b=3", program()), 0);
-  ck_assert_msg(strstr(out, "orbit 1: conditionally stable, admissible with") != NULL, "%s", out);
-  ck_assert_int_eq(shell(&out, "%s orbit solution-II --set t_b=1", program()), 0);
-  ck_assert_msg(strstr(out, "not admissible") && strstr(out, "breaks   h_v2"), "%s", out);
 }
 END_TEST
 
 /* The budget is work, not time; what it leaves out is told, and what comes before is the same as without. */
 START_TEST(a_survey_keeps_to_its_budget) {
-  char *out, *whole;
   const char *path = scratch_put("b.scene", EXAMPLE "budget: 1000000\n");
-  ck_assert_int_eq(shell(&out, "%s words %s", program(), path), 0);
-  const char *late = strstr(out, "not searched, as the budget of work is used up: ");
-  ck_assert_msg(late && strstr(late, "H-C-H-C") && !strstr(late, " Gamma-H "), "%s", out);
-  const char *first = strstr(out, "  Gamma-H  ");
-  ck_assert_msg(first != NULL, "%s", out);
-  char row[64];
+  shell_well("\"$P\" words %s > \"$D/out\" && \"$P\" words paper > \"$D/whole\"", path);
+  char *out = file_text(scratch_path("out")), row[64];
+  const char *late = strstr(out, "not searched, as the budget of work is used up: "),
+             *first = strstr(out, "  Gamma-H  ");
+  ck_assert_msg(late && strstr(late, "H-C-H-C") && !strstr(late, " Gamma-H ") && first, "%s", out);
   snprintf(row, sizeof row, "%.60s", first);
-  ck_assert_int_eq(shell(&whole, "%s words paper", program()), 0);
-  ck_assert_msg(!strstr(whole, "budget") && strstr(whole, row), "%s", whole);
-  ck_assert_int_eq(shell(&out, "%s words %s --json > %s", program(), path, scratch_path("b.json")), 0);
-  ck_assert_msg(shell(&out, "%s tests/oracle/validate.py schema/words.schema.json %s 2>&1", python(),
-                      scratch_path("b.json")) == 0,
-                "%s", out);
-  ck_assert_int_eq(shell(&out, "grep -c '\"fate\": \"budget\"' %s", scratch_path("b.json")), 0);
+  check_says("whole", row);
+  ck_assert(!scratch_says("whole", "budget"));
+  free(out);
+  shell_well("\"$P\" words %s --json > \"$D/b.json\"", path);
+  shell_well("\"$Y\" tests/oracle/validate.py schema/words.schema.json \"$D/b.json\" 2>&1");
+  check_says("b.json", "\"fate\": \"budget\"");
 }
 END_TEST
 
@@ -710,30 +601,23 @@ START_TEST(output_obeys_its_schemas) {
       {"words overrun --longest 2 --json", "words"}, {"words none --longest 2 --digits 30 --json", "words"},
       {"orbit overrun --json", "word-orbit"},        {"orbit other-word --json --digits 40", "word-orbit"},
       {"jacobian overrun --json", "word-jacobian"},  {"jacobian other-word --method ode --json", "word-jacobian"}};
-  char *out, name[20];
   struct text line;
   text_init(&line);
-  text_printf(&line, "%s tests/oracle/validate.py", python());
   for (size_t i = 0; i < sizeof runs / sizeof *runs; i++) {
-    snprintf(name, sizeof name, "%zu.json", i);
-    ck_assert_int_eq(shell(&out, "%s %s > %s", program(), runs[i][0], scratch_path(name)), 0);
-    text_printf(&line, " schema/%s.schema.json %s", runs[i][1], scratch_path(name));
+    shell_well("\"$P\" %s > \"$D/%zu.json\"", runs[i][0], i);
+    text_printf(&line, " schema/%s.schema.json \"$D/%zu.json\"", runs[i][1], i);
   }
-  ck_assert_msg(shell(&out, "%s 2>&1", text_str(&line)) == 0, "%s", out);
+  shell_well("\"$Y\" tests/oracle/validate.py %s 2>&1", text_str(&line));
   text_clear(&line);
-  const char *damaged = scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"w1\"], \"J\": [[\"1\"]]}");
-  ck_assert_int_eq(
-      shell(&out, "%s tests/oracle/validate.py schema/word-jacobian.schema.json %s 2>&1", python(), damaged), 1);
+  scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"w1\"], \"J\": [[\"1\"]]}");
+  ck_assert_int_eq(shell("\"$Y\" tests/oracle/validate.py schema/word-jacobian.schema.json \"$D/d.json\" 2>&1"), 1);
 }
 END_TEST
 
 /* The survey lists every word it says, and the same bytes twice. */
 START_TEST(the_survey_is_whole) {
-  char *out, *first;
-  ck_assert_int_eq(shell(&out, "%s words overrun --json", program()), 0);
-  first = strdup(out);
-  ck_assert_int_eq(shell(&out, "%s words overrun --json", program()), 0);
-  ck_assert_str_eq(first, out);
+  shell_well("\"$P\" words overrun --json > \"$D/first\" && \"$P\" words overrun --json | cmp - \"$D/first\"");
+  char *first = file_text(scratch_path("first"));
   struct source src;
   struct arena a;
   struct diag d;
@@ -782,10 +666,7 @@ Suite *words_suite(void) {
   c = tcase_create("commands");
   tcase_add_checked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, a_scene_names_a_word);
-  tcase_add_test(c, commands_take_a_word_or_say_why_not);
   tcase_add_test(c, solution_ii_has_three_phases);
-  tcase_add_test(c, solution_ii_is_judged_by_its_three_phases);
-  tcase_add_test(c, not_every_solution_ii_is_a_motion);
   tcase_add_test(c, a_survey_keeps_to_its_budget);
   tcase_add_test(c, output_obeys_its_schemas);
   tcase_add_test(c, the_survey_is_whole);

@@ -26,6 +26,10 @@ uint64_t rng_next(struct rng *r) {
   return z ^ (z >> 31);
 }
 
+double rng_unit(struct rng *r) {
+  return (double)(rng_next(r) >> 11) * 0x1p-53;
+}
+
 slong rng_between(struct rng *r, slong low, slong high) {
   return low + (slong)(rng_next(r) % (uint64_t)(high - low + 1));
 }

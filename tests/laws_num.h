@@ -18,6 +18,7 @@ struct rng {
 };
 uint64_t rng_next(struct rng *r);
 slong rng_between(struct rng *r, slong low, slong high); /* both included */
+double rng_unit(struct rng *r);                          /* in [0, 1) */
 
 /* An exact dyadic number of at most bits bits: small integers, powers of two, neighbours of 1, neighbours of multiples
    of pi/2, plain numbers, and numbers of binary exponent up to +-reach. */

@@ -152,14 +152,75 @@ int split_tabs(char **field, int most, char *line) {
   return n;
 }
 
+char *file_text(const char *path) {
+  struct text t;
+  char part[65536];
+  FILE *f = fopen(path, "rb");
+  ck_assert_msg(f != NULL, "%s cannot be read", path);
+  text_init(&t);
+  for (size_t n = fread(part, 1, sizeof part, f); n > 0; n = fread(part, 1, sizeof part, f)) text_add_n(&t, part, n);
+  text_add(&t, "");
+  fclose(f);
+  return t.data;
+}
+
+bool scratch_has(const char *name) {
+  return access(scratch_path(name), F_OK) == 0;
+}
+
+bool scratch_says(const char *name, const char *what) {
+  char *text = file_text(scratch_path(name));
+  bool found = strstr(text, what) != NULL;
+  free(text);
+  return found;
+}
+
+void check_says(const char *name, const char *what) {
+  char *text = file_text(scratch_path(name));
+  ck_assert_msg(strstr(text, what) != NULL, "no \"%s\" in %.2000s", what, text);
+  free(text);
+}
+
+/* The line with its arguments, until the next; what it may name is set. */
+static const char *shell_line(const char *fmt, va_list ap) {
+  static char line[20000];
+  ck_assert_int_lt(vsnprintf(line, sizeof line, fmt, ap), (int)sizeof line);
+  setenv("P", program(), 1);
+  setenv("Y", python(), 1);
+  setenv("D", folder ? folder : "/none", 1);
+  fflush(NULL);
+  return line;
+}
+
+static int shell_status(const char *line) {
+  int s = system(line);
+  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+int shell(const char *fmt, ...) {
+  va_list ap;
+  va_start(ap, fmt);
+  const char *line = shell_line(fmt, ap);
+  va_end(ap);
+  return shell_status(line);
+}
+
+void shell_well(const char *fmt, ...) {
+  va_list ap;
+  va_start(ap, fmt);
+  const char *line = shell_line(fmt, ap);
+  va_end(ap);
+  int status = shell_status(line);
+  ck_assert_msg(status == 0, "status %d: %s", status, line);
+}
+
 char *shell_output(int *status, const char *fmt, ...) {
-  char command[4000];
   struct text t;
   va_list ap;
   va_start(ap, fmt);
-  ck_assert_int_lt(vsnprintf(command, sizeof command, fmt, ap), (int)sizeof command);
+  const char *line = shell_line(fmt, ap);
   va_end(ap);
-  FILE *f = popen(command, "r");
+  FILE *f = popen(line, "r");
   ck_assert(f != NULL);
   text_init(&t);
   char part[4096];
@@ -168,4 +229,24 @@ char *shell_output(int *status, const char *fmt, ...) {
   int s = pclose(f);
   *status = WIFEXITED(s) ? WEXITSTATUS(s) : -1;
   return t.data;
+}
+
+/* The column of "NAME:LINE:COLUMN: error: ", which begins the message; 0 where it begins otherwise. */
+static long column_of(const char *message) {
+  for (const char *p = strchr(message, ':'); p && p < message + strcspn(message, "\n"); p = strchr(p + 1, ':')) {
+    long line, column;
+    int used = 0;
+    if (sscanf(p, ":%ld:%ld: error: %n", &line, &column, &used) == 2 && used) return column;
+  }
+  return 0;
+}
+
+void check_caret(const char *message, const char *what) {
+  enum { WIDE = 50 }; /* a long line is clipped around the caret */
+  long column = column_of(message), blanks = 0;
+  const char *caret = strrchr(message, '^');
+  ck_assert_msg((column > 0) == (caret != NULL), "%s: %s", what, message);
+  if (!caret || column > WIDE) return;
+  for (; caret[-1] == ' '; caret--) blanks++;
+  ck_assert_msg(caret[-1] == '\n' && blanks == column + 1, "%s: no caret under column %ld: %s", what, column, message);
 }

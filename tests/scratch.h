@@ -2,6 +2,7 @@
 #ifndef STICKSLIP_TESTS_SCRATCH_H
 #define STICKSLIP_TESTS_SCRATCH_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Fixtures: make the folder, remove it with all that is in it. */
@@ -21,8 +22,22 @@ const char *scratch_list(const char *path);
 const char *program(void);
 const char *python(void);
 
-/* What a command of the shell prints on its standard output, to be freed; its exit status, or -1 when a signal ended it. */
+/* A file as it is, to be freed; fails the test where it cannot be read. */
+char *file_text(const char *path);
+/* Of a file in the folder: whether it is there, and whether it holds a text. */
+bool scratch_has(const char *name);
+bool scratch_says(const char *name, const char *what);
+void check_says(const char *name, const char *what); /* the same, shown where it does not */
+
+/* Runs a line of shell, in which $P is the program, $Y Python and $D the folder; its exit status, or -1 when a signal
+   ended it.  shell_output: with what it prints on its standard output, to be freed. */
+int shell(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
+void shell_well(const char *fmt, ...) __attribute__((format(printf, 1, 2))); /* of a line that must end with 0 */
 char *shell_output(int *status, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+
+/* A message that begins with NAME:LINE:COLUMN shows the line with a caret under that column, and one without such a
+   place shows none; fails the test that is about what. */
+void check_caret(const char *message, const char *what);
 
 /* The fields of a line between tabs, at most most of them; the line is cut up.  Returns how many. */
 int split_tabs(char **field, int most, char *line);

@@ -42,6 +42,7 @@ Suite *diff_suite(void);
 Suite *quotes_suite(void);
 Suite *report_suite(void);
 Suite *cli_suite(void);
+Suite *orbit_suite(void);
 Suite *terminal_suite(void);
 Suite *mutate_suite(void);
 Suite *damage_suite(void);

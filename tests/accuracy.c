@@ -1,0 +1,84 @@
+#include "accuracy.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOVE = 60 };
+
+/* |x - y| / |y| */
+static double apart(arb_srcptr x, arb_srcptr y) {
+  if (arb_equal(x, y)) return 0;
+  arb_t d;
+  arb_init(d);
+  arb_sub(d, x, y, ACCURACY_BITS);
+  arb_div(d, d, y, ACCURACY_BITS);
+  double e = fabs(num_arb.get_d(d));
+  arb_clear(d);
+  return e;
+}
+
+bool accuracy_of(double *error, double *condition, const struct method *m, const double *in, const double *got,
+                 void *arg) {
+  struct num_vec at, moved;
+  num_vec_init(&at, m->n_out, num_ctx_arb(ACCURACY_BITS));
+  num_vec_init(&moved, m->n_out, num_ctx_arb(ACCURACY_BITS));
+  bool good = m->truth(&at, in, -1, arg);
+  for (int i = 0; i < m->n_out && condition; i++) condition[i] = 0;
+  for (int k = 0; k < m->n_in && good && condition; k++) {
+    good = m->truth(&moved, in, k, arg);
+    for (int i = 0; i < m->n_out && good; i++)
+      condition[i] += ldexp(apart(num_vec_at(&moved, i), num_vec_at(&at, i)), MOVE);
+  }
+  for (int i = 0; i < m->n_out && good; i++) {
+    arb_t y;
+    arb_init(y);
+    arb_set_d(y, got[i]);
+    error[i] = ldexp(apart(y, num_vec_at(&at, i)), 53);
+    arb_clear(y);
+  }
+  num_vec_clear(&moved);
+  num_vec_clear(&at);
+  return good;
+}
+
+fmpq *exact_params(const double p[N_PARAMS], int moved) {
+  fmpq *q = _fmpq_vec_init(N_PARAMS);
+  fmpq_t more;
+  arf_t x;
+  fmpq_init(more);
+  arf_init(x);
+  for (int i = 0; i < N_PARAMS; i++) {
+    arf_set_d(x, p[i]);
+    arf_get_fmpq(q + i, x);
+  }
+  if (moved >= 0) {
+    fmpq_div_2exp(more, q + moved, MOVE);
+    fmpq_add(q + moved, q + moved, more);
+  }
+  arf_clear(x);
+  fmpq_clear(more);
+  return q;
+}
+
+static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg) {
+  struct orbit_truth *t = arg;
+  struct dyn_orbit o;
+  truth first = TRUTH_UNKNOWN;
+  fmpq *params = exact_params(in, moved);
+  bool found = dyn_orbit_near(&o, &first, params, t->tb, t->tc, t->up, ACCURACY_BITS, NULL) == SS_OK;
+  if (found) {
+    arb_srcptr all[N_DYN_OUT] = {o.z10,  o.z20,    o.t[0],  o.t[1],     o.t[2],
+                                 o.t[3], o.period, o.trace, o.u_r1_min, o.u_r2_min};
+    for (int i = 0; i < N_DYN_OUT; i++) num_arb.set(num_vec_at(out, i), all[i]);
+  }
+  if (moved < 0) {
+    t->found = found;
+    t->first = first;
+    if (found) memcpy(t->holds, o.holds, sizeof t->holds);
+  }
+  dyn_orbit_clear(&o);
+  _fmpq_vec_clear(params, N_PARAMS);
+  return found;
+}
+
+const struct method orbit_method = {N_PARAMS, N_DYN_OUT, orbit_at};

@@ -1,0 +1,75 @@
+/* A suite counts its rows before any test runs, so that a table which cannot be read ends the runner. */
+#include "table.h"
+
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/text.h"
+#include "scratch.h"
+
+static void give_up(const char *path, const char *why) {
+  fprintf(stderr, "check: %s: %s; the tests run in the project's folder\n", path, why);
+  exit(EXIT_FAILURE);
+}
+
+/* In place: what is written with a backslash becomes the byte that it stands for. */
+static void unescape(char *field) {
+  static const char names[] = "ntr\\", bytes[] = "\n\t\r\\";
+  char *to = field;
+  for (const char *from = field; *from; to++) {
+    const char *name = *from == '\\' && from[1] ? strchr(names, from[1]) : NULL;
+    if (name) {
+      *to = bytes[name - names];
+      from += 2;
+    } else if (*from == '\\' && from[1] == 'x' && from[2] && from[3]) {
+      *to = (char)strtol((char[]){from[2], from[3], '\0'}, NULL, 16);
+      from += 4;
+    } else {
+      *to = *from++;
+    }
+  }
+  *to = '\0';
+}
+
+void table_read(struct table *t, const char *path, int columns) {
+  struct source s;
+  struct diag d;
+  size_t cap = 0;
+  diag_init(&d);
+  *t = (struct table){.n = 0};
+  if (!source_read(&s, path, 16 << 20, &d)) give_up(path, d.message);
+  t->text = ss_strdup(s.text);
+  source_clear(&s);
+  for (char *line = t->text, *next; *line; line = next) {
+    next = line + strcspn(line, "\n");
+    if (*next) *next++ = '\0';
+    if (*line == '#') continue;
+    t->row = ss_grow(t->row, (size_t)t->n, &cap, sizeof *t->row);
+    memset(t->row[t->n], 0, sizeof *t->row);
+    int n = split_tabs(t->row[t->n], MOST_COLUMNS, line);
+    if (columns != ANY_COLUMNS && n != columns) give_up(path, line);
+    for (int k = 0; k < n; k++) unescape(t->row[t->n][k]);
+    t->n++;
+  }
+  if (t->n == 0) give_up(path, "no row");
+}
+
+void table_clear(struct table *t) {
+  free(t->row);
+  free(t->text);
+  *t = (struct table){.n = 0};
+}
+
+void check_order(const char *text, const char *path) {
+  struct table order;
+  table_read(&order, path, 1);
+  for (int i = 0; i < order.n; i++) {
+    const char *next = strstr(text, *order.row[i]);
+    ck_assert_msg(next != NULL, "%s comes too early or not at all", *order.row[i]);
+    text = next + 1;
+  }
+  table_clear(&order);
+}

@@ -1,0 +1,21 @@
+/* Cases as data: tables of tests/cases, tests/hostile and tests/oracle.  A row is a line, its fields stand between
+   tabs; a line that begins with # is a comment.  In a field \n, \t, \r, \\ and \xHH are what they are in C. */
+#ifndef STICKSLIP_TESTS_TABLE_H
+#define STICKSLIP_TESTS_TABLE_H
+
+enum { MOST_COLUMNS = 16, ANY_COLUMNS = 0 };
+
+struct table {
+  int n;
+  char *(*row)[MOST_COLUMNS];
+  char *text;
+};
+
+/* Reads a table in which each row has that many fields, or any number; ends the tests where it cannot. */
+void table_read(struct table *t, const char *path, int columns);
+void table_clear(struct table *t);
+
+/* Whether the rows of a table of one column stand in a text in this order; fails the test where they do not. */
+void check_order(const char *text, const char *path);
+
+#endif
