@@ -10,12 +10,16 @@
 #include "record/finding.h"
 #include "value/point.h"
 
+struct friction;
+
 /* A claim being judged by simulation. */
 struct behaviour {
   struct finding *f;
   struct judge *j;
   const struct claim *c;
   struct view view;
+  const struct friction
+      *law; /* (1) and (2) as the paper states them (friction.h); NULL for a check that rests on neither */
 };
 /* false with j->d set when the claim cannot be read. */
 typedef bool (*behaviour_fn)(struct behaviour *b);

@@ -108,9 +108,9 @@ bool events_decided(const struct friction *f, int mass) {
          breaks_beyond(f, mass, -1);
 }
 
-struct route_result events_prove_stick(struct behaviour *b, const struct friction *f) {
+struct route_result events_prove_stick(struct behaviour *b) {
   bool ok = true;
-  for (int i = 0; i < 2; i++) ok = ok && sticks_inside(f, i) && slips_by_sliding_friction(f, i);
+  for (int i = 0; i < 2; i++) ok = ok && sticks_inside(b->law, i) && slips_by_sliding_friction(b->law, i);
   if (!ok) return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
   return behaviour_proof(
       b, ROUTE_AGREES,
@@ -121,11 +121,12 @@ struct route_result events_prove_stick(struct behaviour *b, const struct frictio
       "any other force it is not that of (2), and the stick motion is the only continuation. " STICKS_ON);
 }
 
-struct route_result events_prove_slip(struct behaviour *b, const struct friction *f, bool sliding_limit) {
+struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
   bool ok = true, still = false;
   for (int i = 0; i < 2; i++) {
-    ok = ok && sticks_inside(f, i) && breaks_beyond(f, i, 1) && breaks_beyond(f, i, -1) && falls_by_e(f, i);
-    still = still || sticks_at(f, i, sliding_limit);
+    ok = ok && sticks_inside(b->law, i) && breaks_beyond(b->law, i, 1) && breaks_beyond(b->law, i, -1) &&
+         falls_by_e(b->law, i);
+    still = still || sticks_at(b->law, i, sliding_limit);
   }
   if (still) return behaviour_proof(b, ROUTE_DIFFERS, "where the force has this size, (2) lets the mass stick: exact");
   if (!ok || sliding_limit)
@@ -138,9 +139,9 @@ struct route_result events_prove_slip(struct behaviour *b, const struct friction
       "only touches the limit and turns back, (2) leaves open whether the mass slips. " STICKS_ON);
 }
 
-struct route_result events_prove_modes(struct behaviour *b, const struct friction *f) {
+struct route_result events_prove_modes(struct behaviour *b) {
   bool ok = true;
-  for (int i = 0; i < 2; i++) ok = ok && events_decided(f, i);
+  for (int i = 0; i < 2; i++) ok = ok && events_decided(b->law, i);
   if (!ok) return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
   return behaviour_proof(
       b, ROUTE_AGREES,
@@ -182,28 +183,24 @@ static bool goes_on(const struct friction *f, int mass) {
 }
 
 bool behaviour_jumps(struct behaviour *b) {
-  struct friction f;
-  bool ok = friction_open(&f, b);
-  if (ok) {
-    bool all = true, smooth = goes_on(&f, 0) || goes_on(&f, 1);
-    for (int i = 0; i < 2; i++)
-      all = all && sticks_inside(&f, i) && slips_by_sliding_friction(&f, i) && falls_by_e(&f, i) &&
-            passes_by_two_slides(&f, i, 1) && passes_by_two_slides(&f, i, -1);
-    behaviour_decide(
-        b,
-        smooth ? ROUTE_DIFFERS
-        : all  ? ROUTE_AGREES
-               : ROUTE_UNDECIDED,
-        smooth ? "exact: a mass that breaks loose has the same friction or acceleration before and after"
-        : all  ? "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its "
-                 "friction falls from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta "
-                 "for m_2); x'' of the other mass does not jump. Where a mass is caught, |f_i| < u_ri, its "
-                 "friction jumps from eps u_si to f_i and x''_i to 0, unless f_i = eps u_si. Where a mass passes the "
-                 "belt's velocity without sticking, eps f_i > u_ri, its friction turns from -eps u_si to eps u_si, "
-                 "and x''_i, which keeps its sign, changes by 2 u_si (times eta for m_2). In each branch "
-                 "(1) and (2) bound x''_i by the positions, so that positions and velocities are continuous"
-               : "the jumps at the switches are not known in every case");
-  }
-  friction_close(&f);
-  return ok;
+  const struct friction *f = b->law;
+  bool all = true, smooth = goes_on(f, 0) || goes_on(f, 1);
+  for (int i = 0; i < 2; i++)
+    all = all && sticks_inside(f, i) && slips_by_sliding_friction(f, i) && falls_by_e(f, i) &&
+          passes_by_two_slides(f, i, 1) && passes_by_two_slides(f, i, -1);
+  behaviour_decide(
+      b,
+      smooth ? ROUTE_DIFFERS
+      : all  ? ROUTE_AGREES
+             : ROUTE_UNDECIDED,
+      smooth ? "exact: a mass that breaks loose has the same friction or acceleration before and after"
+      : all  ? "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its "
+               "friction falls from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta "
+               "for m_2); x'' of the other mass does not jump. Where a mass is caught, |f_i| < u_ri, its "
+               "friction jumps from eps u_si to f_i and x''_i to 0, unless f_i = eps u_si. Where a mass passes the "
+               "belt's velocity without sticking, eps f_i > u_ri, its friction turns from -eps u_si to eps u_si, "
+               "and x''_i, which keeps its sign, changes by 2 u_si (times eta for m_2). In each branch "
+               "(1) and (2) bound x''_i by the positions, so that positions and velocities are continuous"
+             : "the jumps at the switches are not known in every case");
+  return true;
 }

@@ -290,15 +290,14 @@ bool behaviour_perturb(struct behaviour *b) {
   struct orbit_motion o;
   struct table t[FRICTIONS];
   struct route_result w[FRICTIONS * N_MOTION_ROUTES + 1];
-  struct friction law;
   struct point p;
   memset(t, 0, sizeof t);
   point_init(&p);
-  bool ok = friction_open(&law, b) && judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
+  bool ok = judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
   const struct dyn_orbit *orbit = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
   if (ok && !orbit) ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
   struct route_result proof = {.outcome = ROUTE_UNDECIDED};
-  if (ok) proof = stable_prove_conditional(b, &law, &p, orbit);
+  if (ok) proof = stable_prove_conditional(b, &p, orbit);
   for (int k = FRICTIONS - 1; ok && k >= 0; k--) {
     double slope = fabs(num_arb.get_d(orbit->trace));
     ok = orbit_motion_make(&o, &p, orbit, friction[k]) ||
@@ -316,7 +315,6 @@ bool behaviour_perturb(struct behaviour *b) {
     say_reach(b, &o);
     scene_orbit_fates(b);
   }
-  friction_close(&law);
   point_clear(&p);
   return ok;
 }

@@ -104,15 +104,13 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
 
 /* The proof with the claim's own orbit.  false with d set. */
 static bool prove(struct route_result *proof, struct behaviour *b) {
-  struct friction f;
   struct point p;
   point_init(&p);
-  bool ok = friction_open(&f, b) && judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
+  bool ok = judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
   const struct dyn_orbit *o = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
-  if (o) *proof = stable_prove_linearization(b, &f, &p, o);
+  if (o) *proof = stable_prove_linearization(b, &p, o);
   if (ok && !o) claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
   point_clear(&p);
-  friction_close(&f);
   return o != NULL;
 }
 

@@ -57,14 +57,9 @@ static void conclude_modes(struct behaviour *b, const struct route_result *proof
 }
 
 bool behaviour_modes(struct behaviour *b) {
-  struct friction f;
-  bool ok = friction_open(&f, b);
-  if (ok) {
-    struct route_result proof = events_prove_modes(b, &f);
-    conclude_modes(b, &proof);
-  }
-  friction_close(&f);
-  return ok;
+  struct route_result proof = events_prove_modes(b);
+  conclude_modes(b, &proof);
+  return true;
 }
 
 /* --- Do D, Gamma, H, C cover what happens? --- */
@@ -273,12 +268,7 @@ bool behaviour_switches(struct behaviour *b) {
   bool to_stick = which && strcmp(which, "slip to stick") == 0, sliding = limit && strcmp(limit, "u_s") == 0;
   if (!to_stick && !(which && strcmp(which, "stick to slip") == 0))
     return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
-  struct friction f;
-  bool ok = friction_open(&f, b);
-  if (ok) {
-    struct route_result proof = to_stick ? events_prove_stick(b, &f) : events_prove_slip(b, &f, sliding);
-    conclude_switches(b, to_stick, sliding, &proof);
-  }
-  friction_close(&f);
-  return ok;
+  struct route_result proof = to_stick ? events_prove_stick(b) : events_prove_slip(b, sliding);
+  conclude_switches(b, to_stick, sliding, &proof);
+  return true;
 }

@@ -53,24 +53,19 @@ static truth is_linear(const struct friction *f, const int slips[2]) {
 }
 
 bool behaviour_linear(struct behaviour *b) {
-  struct friction f;
-  bool ok = friction_open(&f, b);
-  if (ok) {
-    truth all = TRUTH_TRUE;
-    for (int i = 0; i < N_PAIRS; i++) {
-      const int slips[2] = {slips_of[i / N_SLIPS], slips_of[i % N_SLIPS]};
-      all = truth_and(all, is_linear(&f, slips));
-    }
-    behaviour_decide(b, outcome_of_truth(all),
-                     all == TRUTH_TRUE
-                         ? "exact, in each of the nine configurations (either mass slower than the belt, with it, or "
-                           "faster): by (1) and (2) the accelerations at the state x + k y less those at x are k times "
-                           "those at y less those at 0, for all x, y and k"
-                     : all == TRUTH_FALSE ? "exact: in some configuration the accelerations are no such functions"
-                                          : "the accelerations are not known in every configuration");
+  truth all = TRUTH_TRUE;
+  for (int i = 0; i < N_PAIRS; i++) {
+    const int slips[2] = {slips_of[i / N_SLIPS], slips_of[i % N_SLIPS]};
+    all = truth_and(all, is_linear(b->law, slips));
   }
-  friction_close(&f);
-  return ok;
+  behaviour_decide(b, outcome_of_truth(all),
+                   all == TRUTH_TRUE
+                       ? "exact, in each of the nine configurations (either mass slower than the belt, with it, or "
+                         "faster): by (1) and (2) the accelerations at the state x + k y less those at x are k times "
+                         "those at y less those at 0, for all x, y and k"
+                   : all == TRUTH_FALSE ? "exact: in some configuration the accelerations are no such functions"
+                                        : "the accelerations are not known in every configuration");
+  return true;
 }
 
 /* --- The closed forms --- */
@@ -197,15 +192,13 @@ static void conclude_forms(struct behaviour *b, const struct described *n, bool 
 }
 
 bool behaviour_closed_forms(struct behaviour *b) {
-  struct friction f;
   struct forms p = {.n = 0};
-  bool ok = friction_open(&f, b) && forms_open(&p, b);
+  bool ok = forms_open(&p, b);
   if (ok) {
-    struct described n = describe_pairs(&f, &p);
-    conclude_forms(b, &n, falls_short_by_twice(&f, &p, 0) && falls_short_by_twice(&f, &p, 1));
+    struct described n = describe_pairs(b->law, &p);
+    conclude_forms(b, &n, falls_short_by_twice(b->law, &p, 0) && falls_short_by_twice(b->law, &p, 1));
   }
   forms_close(&p);
-  friction_close(&f);
   return ok;
 }
 
@@ -310,14 +303,14 @@ static bool phase_obeys_law(const struct friction *f, const struct forms *p, con
   return ok && form_holds(f, p, phase_slips[ph], false) == TRUTH_TRUE;
 }
 
-struct route_result phases_prove_motion(struct behaviour *b, const struct friction *f) {
+struct route_result phases_prove_motion(struct behaviour *b) {
   struct conditions states = {.n = 0};
   struct forms p = {.n = 0};
   struct route_result w = {.outcome = ROUTE_UNDECIDED};
   if (conditions_read(&states, b->j, b->c, "states", b->view) && forms_open(&p, b)) {
     bool all = true;
-    for (int ph = 0; ph < N_PHASES; ph++) all = all && phase_obeys_law(f, &p, &states, (enum phase)ph);
-    for (int i = 0; i < 2; i++) all = all && events_decided(f, i);
+    for (int ph = 0; ph < N_PHASES; ph++) all = all && phase_obeys_law(b->law, &p, &states, (enum phase)ph);
+    for (int i = 0; i < 2; i++) all = all && events_decided(b->law, i);
     w = behaviour_proof(
         b, all ? ROUTE_AGREES : ROUTE_UNDECIDED,
         all ? "exact, in each of the four phases: with z = x - d_0 and e_i = u_ri - u_si the conditions of the phase "

@@ -60,9 +60,8 @@ static const char attracts[] =
     "since its events are simple roots (implicit function theorem), and its slope is tr J: starts beside it in the "
     "stick phase come back to it";
 
-struct route_result stable_prove_linearization(struct behaviour *b, const struct friction *f, const struct point *p,
-                                               const struct dyn_orbit *o) {
-  const char *orbit = keeps_volume(f) ? certified(b, p, o) : NULL;
+struct route_result stable_prove_linearization(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
+  const char *orbit = keeps_volume(b->law) ? certified(b, p, o) : NULL;
   if (!orbit)
     return behaviour_proof(b, ROUTE_UNDECIDED, "no stable orbit is certified, or a phase does not keep the volume");
   return behaviour_proof(
@@ -86,9 +85,8 @@ static bool falls_back(const struct friction *f) {
   return sign == -1;
 }
 
-struct route_result stable_prove_conditional(struct behaviour *b, const struct friction *f, const struct point *p,
-                                             const struct dyn_orbit *o) {
-  const char *orbit = falls_back(f) && arb_is_positive(o->t[0]) ? certified(b, p, o) : NULL;
+struct route_result stable_prove_conditional(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
+  const char *orbit = falls_back(b->law) && arb_is_positive(o->t[0]) ? certified(b, p, o) : NULL;
   if (!orbit)
     return behaviour_proof(b, ROUTE_UNDECIDED, "no stable orbit is certified, or the sign of x''_1 is not known");
   return behaviour_proof(

@@ -276,7 +276,7 @@ static void try_pool(struct trying *y, struct point *p) {
 
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *statement = claim_get(c, "statement");
-  struct behaviour b = {f, j, c, view};
+  struct behaviour b = {f, j, c, view, NULL};
   struct trying y = {.b = &b};
   struct point p;
   if (!read_side(&y.only, j, c)) return false;

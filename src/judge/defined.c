@@ -286,7 +286,7 @@ static void defined_clear(struct defined *y) {
 }
 
 bool judge_defined(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct behaviour b = {f, j, c, view};
+  struct behaviour b = {f, j, c, view, NULL};
   struct defined y = {.b = &b};
   long open = 0, zeros = 0;
   bool ok = look(&y, &open, &zeros);
@@ -296,7 +296,7 @@ bool judge_defined(struct finding *f, struct judge *j, const struct claim *c, st
 }
 
 bool defined_fails(struct route_result *w, struct behaviour *b, const struct claim *by) {
-  struct behaviour other = {b->f, b->j, by, b->view};
+  struct behaviour other = {b->f, b->j, by, b->view, NULL};
   struct defined y = {.b = &other};
   long open = 0, zeros = 0;
   bool fails = look(&y, &open, &zeros) && zeros > 0;
