@@ -63,11 +63,14 @@ void motion_print(struct text *out, const struct motion *m);
 /* The start of the orbit (index from 0) under friction u_ri = factor max(e_i, u_ri_min). */
 bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor);
 
-/* The return map iterated in double from r0 + offset: does it come back to within half of the offset (+1), get twice as
-   far away or lose the word (-1), or neither within the steps (0)? */
-int return_map_fate(const double params[N_PARAMS], double r0, double offset, long steps);
 /* r = z_2 - z_1 at its start. */
 double orbit_r(const struct dyn_orbit *o);
+/* Beside an orbit with that r at its start, from r (1 + part): is the return map, iterated in double, back within half
+   of that distance (1), twice as far away or without the word (-1), or neither within the steps (0)? */
+int return_map_fate(const fmpq params[N_PARAMS], double r, double part, long steps);
+/* The motion from x_2 moved by |r| part at the start of the orbit, integrated: how far its r is from the orbit's after
+   so many returns, in units of that distance; NaN when it does not return so often. */
+double motion_distance(const struct point *params, const struct dyn_orbit *o, double part, long returns);
 
 /* Orbits that were met before, so that none is counted twice; full, it lets no new one in. */
 struct orbit_set {
@@ -75,6 +78,20 @@ struct orbit_set {
   int n;
 };
 bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o);
+
+/* The orbits that a claim draws, each once, but for those at which an event is a mere touch. */
+struct orbit_walk {
+  struct sampler sampler;
+  struct orbit_cache *cache;
+  struct orbit_set met;
+  struct point p; /* the parameters of the orbit */
+  int draws;      /* that are left */
+  bool in_turn;   /* every other one is asked to be admissible */
+};
+void orbit_walk_begin(struct orbit_walk *w, struct behaviour *b, bool admissible, int draws);
+/* NULL after the last draw. */
+const struct dyn_orbit *orbit_walk_next(struct orbit_walk *w);
+void orbit_walk_end(struct orbit_walk *w);
 
 /* --- Evidence --- */
 

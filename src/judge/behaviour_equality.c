@@ -16,8 +16,7 @@ enum { FLIP_DIGITS = 18, FLIP_STARTS = 3 };
    c_3) s^3 + ...: stable when c_2^2 + c_3 > 0, unstable when it is < 0.  It is proved when the slope passes -1 inside
    the bracket and the sum is enclosed over the whole of it. */
 static double flip_r(const struct dyn_bifurcation *q) {
-  const struct dyn_orbit *o = &q->beside[0].orbit[0];
-  return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
+  return orbit_r(&q->beside[0].orbit[0]);
 }
 
 static bool flip_is_admissible(const struct dyn_bifurcation *q) {
@@ -68,31 +67,17 @@ struct found {
 /* Iterates approach or leave like 1/sqrt(n), so many steps are allowed; from 3% of r_0 on either side. */
 static void iterate(struct found *t, const struct dyn_bifurcation *q, const struct point *at) {
   enum { STEPS = 100000 };
-  double params[N_PARAMS], r0 = flip_r(q);
-  for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&at->q[i]);
   for (int side = -1; side <= 1; side += 2) {
-    int fate = return_map_fate(params, r0, side * 0.03 * fabs(r0), STEPS);
+    int fate = return_map_fate(at->q, flip_r(q), side * 0.03, STEPS);
     *(fate > 0 ? &t->back : fate < 0 ? &t->away : &t->unsure) += 1;
   }
 }
 
 /* 200 returns of the motion from x_2 moved by 1% of r_0: nearer than it began, or farther?  The change is small, the
-                                                                                             error
-   of the integration 1e-9. */
+   error of the integration 1e-9. */
 static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
-  struct motion m;
-  struct coulomb_plan plan = coulomb_plan_default;
-  if (!motion_on_orbit(&m, at, o, OWN_FRICTION)) return;
-  double r0 = num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
-  double x0 = m.start[Z_2] - m.start[Z_1], offset = 0.01 * fabs(r0);
-  m.start[Z_2] += offset;
-  plan.returns = 200;
-  plan.max_events = 64 * plan.returns;
-  struct trajectory trajectory = motion_simulate(BY_INTEGRATION, &m, &plan);
-  double ratio = fabs(trajectory.result.at.x[1] - trajectory.result.at.x[0] - x0) / offset;
-  bool ok = trajectory.status == SS_OK;
-  *(ok && ratio < 1 - 1e-4 ? &t->moved_back : ok && ratio > 1 + 1e-4 ? &t->moved_away : &t->moved_unsure) += 1;
-  trajectory_clear(&trajectory);
+  double ratio = motion_distance(at, o, 0.01, 200);
+  *(ratio < 1 - 1e-4 ? &t->moved_back : ratio > 1 + 1e-4 ? &t->moved_away : &t->moved_unsure) += 1;
 }
 
 /* The first stable orbit at tr J = -1: parameters in the middle of its bracket, the orbit there, and c_2^2 + c_3. */

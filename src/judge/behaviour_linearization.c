@@ -72,13 +72,11 @@ struct methods {
   long open;               /* without jumps */
   long comes_back, leaves; /* iterates where the method without jumps is wrong */
   const char *where;
-  struct orbit_set seen;
 };
 
-static void compare_methods(struct methods *s, struct behaviour *b, const struct point *p) {
-  const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
+static void compare_methods(struct methods *s, struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
   struct values v;
-  if (o->grazing || o->stable == TRUTH_UNKNOWN || !orbit_is_new(&s->seen, o)) return;
+  if (o->stable == TRUTH_UNKNOWN) return;
   if (values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), b->j->cache) == SS_OK) {
     truth said[2] = {unstable_by_propagators(&v), unstable_by_saltation(&v)}, is = truth_not(o->stable);
     for (int i = 0; i < 2; i++)
@@ -87,9 +85,7 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
       else
         *(said[i] == is ? &s->right[i] : &s->wrong[i]) += 1;
     if (said[0] != TRUTH_UNKNOWN && said[0] != is) {
-      double params[N_PARAMS], r0 = orbit_r(o);
-      for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
-      int fate = return_map_fate(params, r0, 1e-4 * fabs(r0), 400);
+      int fate = return_map_fate(p->q, orbit_r(o), 1e-4, 400);
       s->comes_back += fate > 0;
       s->leaves += fate < 0;
       struct text t;
@@ -121,15 +117,11 @@ bool behaviour_linearization(struct behaviour *b) {
   struct methods s = {.where = NULL};
   struct route_result w[3], proof = {.outcome = ROUTE_UNDECIDED};
   if (method == 0 && !prove(&proof, b)) return false;
-  struct sampler sampler;
-  struct point p;
-  sampler_init(&sampler, b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  point_init(&p);
-  for (int i = 0; i < DRAWS && s.right[1] + s.wrong[1] < WANTED; i++) {
-    sampler_next(&p, &sampler);
-    if (point_settle(&p, b->j->cache)) compare_methods(&s, b, &p);
-  }
-  point_clear(&p);
+  struct orbit_walk walk;
+  const struct dyn_orbit *o;
+  orbit_walk_begin(&walk, b, false, DRAWS);
+  while (s.right[1] + s.wrong[1] < WANTED && (o = orbit_walk_next(&walk)) != NULL) compare_methods(&s, b, &walk.p, o);
+  orbit_walk_end(&walk);
   const char *note = result_str(
       b->j->out,
       "the product of the phases' propagators (the variational equation without what happens at the switches) has a "

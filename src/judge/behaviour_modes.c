@@ -129,18 +129,12 @@ static void watch_visits(void *self, const struct motion *m, const struct trajec
 
 /* How many motions on admissible orbits stay inside. */
 static void watch_orbits(long count[2], struct behaviour *b) {
-  struct orbit_set seen = {.n = 0};
-  struct sampler s;
-  struct point p;
-  sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  s.admissible = true;
-  point_init(&p);
-  for (int i = 0; i < 40 && count[0] + count[1] < 8; i++) {
+  struct orbit_walk walk;
+  const struct dyn_orbit *o;
+  orbit_walk_begin(&walk, b, true, 40);
+  while (count[0] + count[1] < 8 && (o = orbit_walk_next(&walk)) != NULL) {
     struct motion m;
-    sampler_next(&p, &s);
-    if (!point_settle(&p, b->j->cache)) continue;
-    const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p.q, FD_PREC + 64)->orbit[p.orbit];
-    if (o->grazing || !orbit_is_new(&seen, o) || !motion_on_orbit(&m, &p, o, OWN_FRICTION)) continue;
+    if (!motion_on_orbit(&m, &walk.p, o, OWN_FRICTION)) continue;
     struct coulomb_plan plan = coulomb_plan_default;
     plan.returns = 1;
     plan.max_events = 64;
@@ -150,7 +144,7 @@ static void watch_orbits(long count[2], struct behaviour *b) {
     count[out]++;
     trajectory_clear(&t);
   }
-  point_clear(&p);
+  orbit_walk_end(&walk);
 }
 
 /* Rest with unstretched springs, at the scene's parameters: an ordinary way to begin. */

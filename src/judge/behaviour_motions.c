@@ -136,6 +136,59 @@ bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {
   return true;
 }
 
+double orbit_r(const struct dyn_orbit *o) {
+  return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
+}
+
+int return_map_fate(const fmpq params[N_PARAMS], double r, double part, long steps) {
+  double p[N_PARAMS], offset = part * fabs(r), at = r + offset, t[4];
+  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(&params[i]);
+  for (long i = 0; i < steps; i++) {
+    if (dyn_return_map_d(&at, NULL, t, p, at, &dyn_limits_default) != SS_OK) return -1;
+    if (fabs(at - r) < 0.5 * fabs(offset)) return 1;
+    if (fabs(at - r) > 2 * fabs(offset)) return -1;
+  }
+  return 0;
+}
+
+double motion_distance(const struct point *params, const struct dyn_orbit *o, double part, long returns) {
+  struct motion m;
+  struct coulomb_plan plan = coulomb_plan_default;
+  if (!motion_on_orbit(&m, params, o, OWN_FRICTION)) return NAN;
+  double r = m.start[Z_2] - m.start[Z_1], offset = part * fabs(r);
+  m.start[Z_2] += offset;
+  plan.returns = returns;
+  plan.max_events = 64 * returns;
+  struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
+  double distance = t.status == SS_OK ? fabs(t.result.at.x[1] - t.result.at.x[0] - r) / offset : NAN;
+  trajectory_clear(&t);
+  return distance;
+}
+
+/* --- Orbits --- */
+
+void orbit_walk_begin(struct orbit_walk *w, struct behaviour *b, bool admissible, int draws) {
+  *w = (struct orbit_walk){.cache = b->j->cache, .draws = draws};
+  sampler_init(&w->sampler, b->c->id, POINT_ORBIT, PHASE_D, NULL);
+  w->sampler.admissible = admissible;
+  point_init(&w->p);
+}
+
+const struct dyn_orbit *orbit_walk_next(struct orbit_walk *w) {
+  while (w->draws-- > 0) {
+    sampler_next(&w->p, &w->sampler);
+    if (w->in_turn) w->sampler.admissible = !w->sampler.admissible;
+    if (!point_settle(&w->p, w->cache)) continue;
+    const struct dyn_orbit *o = &orbit_cache_get(w->cache, w->p.q, FD_PREC + 64)->orbit[w->p.orbit];
+    if (!o->grazing && orbit_is_new(&w->met, o)) return o;
+  }
+  return NULL;
+}
+
+void orbit_walk_end(struct orbit_walk *w) {
+  point_clear(&w->p);
+}
+
 /* --- Evidence --- */
 
 struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,

@@ -18,27 +18,18 @@ typedef bool (*orbit_fn)(enum motion_route r, const struct motion *m);
 /* Tries it on admissible orbits of the pool, by both routes, with two static frictions. */
 static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, bool proved) {
   static const double friction[] = {OWN_FRICTION, 2};
-  struct sampler s;
-  struct point p;
-  struct orbit_set seen = {.n = 0};
+  struct orbit_walk walk;
+  const struct dyn_orbit *o;
   long good[N_MOTION_ROUTES] = {0}, bad[N_MOTION_ROUTES] = {0}, orbits = 0;
-  sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  s.admissible = true;
-  point_init(&p);
-  for (int i = 0; i < ORBIT_DRAWS && orbits < ORBITS; i++) {
-    struct motion m;
-    sampler_next(&p, &s);
-    if (!point_settle(&p, b->j->cache)) continue;
-    const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p.q, FD_PREC + 64)->orbit[p.orbit];
-    if (o->grazing || !orbit_is_new(&seen, o)) continue;
-    orbits++;
+  orbit_walk_begin(&walk, b, true, ORBIT_DRAWS);
+  for (; orbits < ORBITS && (o = orbit_walk_next(&walk)) != NULL; orbits++)
     for (int k = 0; k < 2; k++)
       for (int r = 0; r < N_MOTION_ROUTES; r++) {
-        bool ok = motion_on_orbit(&m, &p, o, friction[k]) && holds((enum motion_route)r, &m);
+        struct motion m;
+        bool ok = motion_on_orbit(&m, &walk.p, o, friction[k]) && holds((enum motion_route)r, &m);
         *(ok ? &good[r] : &bad[r]) += 1;
       }
-  }
-  point_clear(&p);
+  orbit_walk_end(&walk);
   struct route_result w[N_MOTION_ROUTES];
   const char *words =
       result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note);

@@ -62,36 +62,6 @@ static int slope_by_difference(double *margin, double *slope, const struct point
   return s;
 }
 
-int return_map_fate(const double params[N_PARAMS], double r0, double offset, long steps) {
-  double r = r0 + offset, t[4];
-  for (long i = 0; i < steps; i++) {
-    if (dyn_return_map_d(&r, NULL, t, params, r, &dyn_limits_default) != SS_OK) return -1;
-    if (fabs(r - r0) < 0.5 * fabs(offset)) return 1;
-    if (fabs(r - r0) > 2 * fabs(offset)) return -1;
-  }
-  return 0;
-}
-
-double orbit_r(const struct dyn_orbit *o) {
-  return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
-}
-
-/* The same under Coulomb's law, integrated from positions beside an admissible orbit. */
-static int motion_fate(const struct point *p, const struct dyn_orbit *o, long periods) {
-  struct motion m;
-  struct coulomb_plan plan = coulomb_plan_default;
-  if (!motion_on_orbit(&m, p, o, OWN_FRICTION)) return 0;
-  double r0 = m.start[Z_2] - m.start[Z_1], offset = 1e-5 * fabs(r0);
-  m.start[Z_2] += offset;
-  plan.returns = periods;
-  plan.max_events = 8 * periods;
-  struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
-  double off = fabs(t.result.at.x[1] - t.result.at.x[0] - r0) / offset;
-  int fate = t.status != SS_OK ? 0 : off < 0.5 ? 1 : off > 2 ? -1 : 0;
-  trajectory_clear(&t);
-  return fate;
-}
-
 static void book(long *as_said, long *against, long *open, int fate, bool stable) {
   *(fate == 0 ? open : (fate > 0) == stable ? as_said : against) += 1;
 }
@@ -102,6 +72,8 @@ static void note_near(struct tried *t, double slope, int side) {
   if (off < 0.05) t->near[near][side]++;
   if (!(t->nearest[near][side] != 0 && fabs(fabs(t->nearest[near][side]) - 1) <= off)) t->nearest[near][side] = slope;
 }
+
+static const double BESIDE = 1e-5; /* of r: how far beside the orbit iterates and motions begin */
 
 /* The slope, and what iterates and motions do in so many steps, worked out once for all sentences. */
 static int slope_of(double *margin, double *slope, struct judge *j, const struct point *p, const struct dyn_orbit *o) {
@@ -115,29 +87,41 @@ static int slope_of(double *margin, double *slope, struct judge *j, const struct
 
 static int iterates_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
   struct orbit_slope *k = orbit_cache_slope(j->cache, o);
-  double r0 = orbit_r(o), params[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
-  if (!k->have_iterates) k->iterates = return_map_fate(params, r0, 1e-5 * fabs(r0), steps);
+  if (!k->have_iterates) k->iterates = return_map_fate(p->q, orbit_r(o), BESIDE, steps);
   k->have_iterates = true;
   return k->iterates;
 }
 
 static int motion_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
   struct orbit_slope *k = orbit_cache_slope(j->cache, o);
-  if (!k->have_motion) k->motion = motion_fate(p, o, steps);
+  if (!k->have_motion) {
+    double distance = motion_distance(p, o, BESIDE, steps);
+    k->motion = distance < 0.5 ? 1 : distance > 2 ? -1 : 0;
+  }
   k->have_motion = true;
   return k->motion;
 }
 
-/* only: the side that the claim speaks of, or N_SIDES. */
-static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, const struct point *p, int only) {
+/* What a claim tries: the sentence, orbits so far, the side it speaks of or N_SIDES. */
+struct trying {
+  struct tried t;
+  struct sentence sentence;
+  struct behaviour *b;
+  struct orbit_walk walk;
+  int only;
+};
+
+/* At the walk's point. */
+static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   enum { MOTIONS = 6 };
-  const struct dyn_orbit *o = &orbit_cache_get(j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
+  struct tried *t = &y->t;
+  struct judge *j = y->b->j;
+  const struct point *p = &y->walk.p;
   double margin, slope;
   if (o->grazing || slope_of(&margin, &slope, j, p, o) != SS_OK || fabs(margin) < 1e-9) return;
   int side = margin < 0 ? INSIDE : OUTSIDE;
-  if (only != N_SIDES && only != side) return;
-  struct trial said = sentence_try_balls(s, p, VARIANT_CLOSED, j->cache);
+  if (y->only != N_SIDES && y->only != side) return;
+  struct trial said = sentence_try_balls(&y->sentence, p, VARIANT_CLOSED, j->cache);
   if (said.outcome != OUTCOME_AGREES && said.outcome != OUTCOME_DIFFERS) return;
   bool stable = said.outcome == OUTCOME_AGREES;
   note_near(t, slope, side);
@@ -236,49 +220,36 @@ static bool read_side(int *only, struct judge *j, const struct claim *c) {
          claim_error(j, c, "side", "\"inside\" or \"outside\" the unit circle");
 }
 
-/* What a claim tries: the sentence, the side it speaks of, orbits tried so far. */
-struct trying {
-  struct tried t;
-  struct sentence sentence;
-  struct behaviour *b;
-  struct orbit_set seen;
-  int only;
-};
-
-static void try_once(struct trying *y, const struct point *p) {
-  const struct dyn_orbit *o = &orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
-  if (orbit_is_new(&y->seen, o)) try_orbit(&y->t, &y->sentence, y->b->j, p, y->only);
-}
-
 /* Every orbit at the parameter sets of the attribute "at", separated by semicolons. */
-static bool try_given(struct trying *y, struct point *p) {
+static bool try_given(struct trying *y) {
+  struct point *p = &y->walk.p;
   for (const char *at = claim_get(y->b->c, "at"); at; at = strchr(at, ';')) {
     if (*at == ';') at++;
     if (!judge_params(p, y->b->j, y->b->c, at)) return false;
-    slong n = orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->n;
-    for (p->orbit = 0; p->orbit < n; p->orbit++) try_once(y, p);
+    const struct dyn_orbits *list = orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64);
+    for (p->orbit = 0; p->orbit < list->n; p->orbit++)
+      if (orbit_is_new(&y->walk.met, &list->orbit[p->orbit])) try_orbit(y, &list->orbit[p->orbit]);
   }
   return true;
 }
 
-/* Orbits of the pool, every other one among those that the masses can follow. */
-static void try_pool(struct trying *y, struct point *p) {
+/* And orbits that are drawn, every other one among those that the masses can follow. */
+static bool try_orbits(struct trying *y) {
   enum { DRAWS = 128, FEW = 24 };
   bool refute = y->b->j->effort == EFFORT_REFUTE;
-  struct sampler s;
-  sampler_init(&s, y->b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  for (int i = 0; i < (refute ? FEW : DRAWS) && !(refute && y->t.where); i++) {
-    sampler_next(p, &s);
-    s.admissible = !s.admissible;
-    if (point_settle(p, y->b->j->cache)) try_once(y, p);
-  }
+  const struct dyn_orbit *o;
+  orbit_walk_begin(&y->walk, y->b, false, refute ? FEW : DRAWS);
+  y->walk.in_turn = true;
+  bool ok = try_given(y);
+  while (ok && !(refute && y->t.where) && (o = orbit_walk_next(&y->walk)) != NULL) try_orbit(y, o);
+  orbit_walk_end(&y->walk);
+  return ok;
 }
 
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *statement = claim_get(c, "statement");
   struct behaviour b = {f, j, c, view, NULL};
   struct trying y = {.b = &b};
-  struct point p;
   if (!read_side(&y.only, j, c)) return false;
   if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
   const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
@@ -289,10 +260,7 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
     if (j->instead) reread_close(&in);
     return false;
   }
-  point_init(&p);
-  bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_given(&y, &p);
-  if (ok) try_pool(&y, &p);
-  point_clear(&p);
+  bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_orbits(&y);
   sentence_clear(&y.sentence);
   struct linearized theorem = {.proved = false};
   if (ok && !y.t.where && route_is_asked(j->scene, "exact")) theorem = linearized_stability(j, r, view);
