@@ -176,13 +176,8 @@ static truth friction_allowed(const struct argument *a, const struct point *p, c
 void argument_decide(struct argument_decision *d, struct argument *a, const struct point *p,
                      const struct dyn_orbit *o) {
   struct orbit_cache *cache = a->j->cache;
-  arb_t unused;
-  arb_init(unused);
   d->premises = p->kind == POINT_GIVEN ? friction_allowed(a, p, o) : TRUTH_TRUE;
-  for (int k = 0; d->premises == TRUTH_TRUE && k < a->part[PREMISES].n; k++) {
-    double where;
-    d->premises = condition_holds(&where, unused, &a->part[PREMISES].at[k], p, FIRST_PREC, cache);
-  }
+  if (d->premises == TRUTH_TRUE) d->premises = conditions_hold(&a->part[PREMISES], p, FIRST_PREC, cache);
   d->conclusion = d->by_exponentials = TRUTH_TRUE;
   for (int k = 0; d->premises == TRUTH_TRUE && k < a->part[CONCLUSION].n; k++) {
     struct condition *c = &a->part[CONCLUSION].at[k];
@@ -206,7 +201,6 @@ void argument_decide(struct argument_decision *d, struct argument *a, const stru
     d->by_exponentials = truth_and(d->by_exponentials, again);
     arb_clear(value);
   }
-  arb_clear(unused);
 }
 
 /* --- The search --- */

@@ -88,11 +88,7 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
       int fate = return_map_fate(p->q, orbit_r(o), 1e-4, 400);
       s->comes_back += fate > 0;
       s->leaves += fate < 0;
-      struct text t;
-      text_init(&t);
-      point_print(&t, p);
-      const char *place = result_take(b->j->out, &t);
-      if (!s->where) s->where = place;
+      if (!s->where) s->where = point_text(b->j, p);
     }
   }
   values_clear(&v);

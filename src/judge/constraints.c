@@ -40,21 +40,8 @@ static const char *const least_attribute[2] = {"least-first", "least-second"};
 
 /* --- Balls --- */
 
-/* Do all of the paper's constraints hold along the orbit? */
-static truth list_holds(struct constraints *x, const struct point *p) {
-  arb_t value;
-  truth all = TRUTH_TRUE;
-  arb_init(value);
-  for (int k = 0; k < x->paper.n && all != TRUTH_FALSE; k++) {
-    double where;
-    all = truth_and(all, condition_holds(&where, value, &x->paper.at[k], p, FIRST_PREC, x->j->cache));
-  }
-  arb_clear(value);
-  return all;
-}
-
 static void compare_lists(struct constraints *x, const struct point *p, const struct dyn_orbit *o) {
-  truth all = list_holds(x, p);
+  truth all = conditions_hold(&x->paper, p, FIRST_PREC, x->j->cache);
   x->same += all == o->admissible && all != TRUTH_UNKNOWN;
   x->other += all != o->admissible && all != TRUTH_UNKNOWN && o->admissible != TRUTH_UNKNOWN;
   x->open += all == TRUTH_UNKNOWN || o->admissible == TRUTH_UNKNOWN;
@@ -218,7 +205,7 @@ static void by_simulation(struct constraints *x) {
       pool_point(&p, pool->item[i], k);
       if (count[0] >= SIMULATED && clearly_fails(x, &p)) continue;
       p.known = NULL;
-      truth listed = list_holds(x, &p);
+      truth listed = conditions_hold(&x->paper, &p, FIRST_PREC, x->j->cache);
       if (listed == TRUTH_UNKNOWN || count[listed]++ >= SIMULATED) continue;
       simulate(x, pool->item[i], k, &p, listed);
     }
@@ -251,16 +238,12 @@ static bool least_is_exact(struct constraints *x, int i) {
 
 static bool prove(struct finding *f, struct constraints *x) {
   if (!exact_constraints(&x->paper) || !least_is_exact(x, 0) || !least_is_exact(x, 1)) return false;
-  struct evidence *e = finding_add(f, x->j->out);
-  e->route = "exact";
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = "proved";
-  e->note =
+  exact_route(
+      f, x->j->out, ROUTE_AGREES,
       "each of the paper's constraints follows, on motions computed from the first-order systems, from t_a > 0 and "
-      "what "
-      "Coulomb's law (2) asks along the four phases, and each of these from the paper's constraints; u_ri + f_i, f_i "
-      "being the force on mass i, is twice u_ri less its closed form where the mass begins to stick, and does not "
-      "decrease while it sticks";
+      "what Coulomb's law (2) asks along the four phases, and each of these from the paper's constraints; u_ri + f_i, "
+      "f_i being the force on mass i, is twice u_ri less its closed form where the mass begins to stick, and does not "
+      "decrease while it sticks");
   return true;
 }
 

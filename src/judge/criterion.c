@@ -127,13 +127,8 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   note_near(t, slope, side);
   t->as_said[side] += stable == (side == INSIDE);
   t->against[side] += stable != (side == INSIDE);
-  if (stable != (side == INSIDE) && !t->where) {
-    struct text where;
-    text_init(&where);
-    point_print(&where, p);
-    t->where = result_str(j->out, "slope %.6f at %s", slope, text_str(&where));
-    text_clear(&where);
-  }
+  if (stable != (side == INSIDE) && !t->where)
+    t->where = result_str(j->out, "slope %.6f at %s", slope, point_text(j, p));
   bool against = stable != (side == INSIDE), slow = fabs(margin) < 0.002; /* the iterates would need too long */
   t->not_iterated += against && slow;
   t->not_moved += against && fabs(margin) < 0.015;
@@ -150,11 +145,8 @@ static enum route_outcome where_told(enum route_outcome said, long bad, long not
 }
 
 static struct route_result add_theorem(struct behaviour *b, const struct linearized *l) {
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = "exact";
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = l->proved ? "proved" : "states";
-  e->note = l->note;
+  if (l->proved) return exact_route(b->f, b->j->out, ROUTE_AGREES, l->note);
+  finding_state(b->f, b->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL, l->note);
   return (struct route_result){"exact", ROUTE_AGREES, true, 1};
 }
 

@@ -233,17 +233,17 @@ static const char *without_zeros(struct defined *y, long open) {
 
 static void conclude(struct defined *y, long open, long zeros) {
   struct behaviour *b = y->b;
-  struct route_result w[2] = {{"exact", open ? ROUTE_UNDECIDED : ROUTE_AGREES, true, 1}};
+  struct route_result w[2] = {{"exact", ROUTE_UNDECIDED, true, 1}};
   int n = 1;
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = "exact";
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = open ? "states" : "proved";
-  e->note = result_str(b->j->out, "%s%s%s%s", open ? "not shown to be nonzero everywhere: " : "none of these is zero: ",
-                       open ? text_str(&y->open) : "", open && y->shown.len ? "; shown: " : "",
-                       y->shown.len ? text_str(&y->shown)
-                       : open       ? ""
-                                    : "there is no divisor");
+  const char *shown = text_str(&y->shown);
+  if (open)
+    finding_state(b->f, b->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
+                  result_str(b->j->out, "not shown to be nonzero everywhere: %s%s%s", text_str(&y->open),
+                             y->shown.len ? "; shown: " : "", shown));
+  else
+    w[0] =
+        exact_route(b->f, b->j->out, ROUTE_AGREES,
+                    result_str(b->j->out, "none of these is zero: %s", y->shown.len ? shown : "there is no divisor"));
   if (zeros) w[n++] = zero_route(y);
   b->f->verdict = verdict_of(w, n, open == 0);
   if (b->f->verdict == VERDICT_REFUTED) b->f->condition = without_zeros(y, open);

@@ -231,16 +231,12 @@ static bool prove_law(struct finding *f, const struct law *l) {
   for (size_t i = 0; i < sizeof cell / sizeof *cell; i++) all = all && cell_agrees(l, cell[i]);
   int n[] = {at_limit(l, 1), at_limit(l, -1)};
   if (!all || n[0] < 0 || n[1] < 0 || n[0] > 1 || n[1] > 1) {
-    finding_state(f, l->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
-                  "not proved: the signs of the conditions are not those of Coulomb's law in every case");
+    exact_route(f, l->j->out, ROUTE_UNDECIDED,
+                "the signs of the conditions are not those of Coulomb's law in every case");
     return false;
   }
-  struct evidence *e = finding_add(f, l->j->out);
   int m = l->mass + 1;
-  e->route = "exact";
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = "proved";
-  e->note = result_str(
+  const char *note = result_str(
       l->j->out,
       "finite split of cases, exact in each: with f = %s, one branch alone applies and gives Coulomb's friction where "
       "x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and "
@@ -251,6 +247,7 @@ static bool prove_law(struct finding *f, const struct law *l) {
                                " At x'_%d = V with |f| = u_r%d neither condition holds: (2) leaves the friction open "
                                "there, and says nothing of a force that touches the limit and turns back",
                                m, m));
+  exact_route(f, l->j->out, ROUTE_AGREES, note);
   return true;
 }
 

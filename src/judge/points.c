@@ -205,20 +205,17 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
     t->rejected++;
     return true;
   }
-  struct text where;
-  text_init(&where);
-  point_print(&where, p);
+  const char *where = point_text(r->j, p);
   t->trials++;
   t->agrees += tr->outcome == OUTCOME_AGREES;
   t->undecided += tr->outcome == OUTCOME_UNDECIDED;
   if (tr->bits > t->bits) t->bits = tr->bits;
   if (tr->outcome == OUTCOME_DIFFERS && t->differs++ == 0 && strcmp(t->route->name, "ode") != 0)
-    book_failure(r, t, tr, text_str(&where));
+    book_failure(r, t, tr, where);
   if (t->trials == 1 || tr->log_diff > t->worst_log) {
     t->worst_log = tr->log_diff;
-    t->worst = result_str(out, "%s", text_str(&where));
+    t->worst = where;
   }
-  text_clear(&where);
   return true;
 }
 

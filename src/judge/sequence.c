@@ -58,18 +58,13 @@ static bool letters_of(char out[16], const char *word) {
 }
 
 static enum route_outcome hold_all(const char **note, struct judge *j, struct conditions *list, const struct point *p) {
-  arb_t value;
-  enum route_outcome outcome = ROUTE_AGREES;
-  arb_init(value);
-  for (int k = 0; k < list->n && outcome == ROUTE_AGREES; k++) {
-    double where;
-    truth holds = condition_holds(&where, value, &list->at[k], p, FIRST_PREC, j->cache);
+  for (int k = 0; k < list->n; k++) {
+    truth holds = condition_holds(NULL, NULL, &list->at[k], p, FIRST_PREC, j->cache);
     if (holds == TRUTH_TRUE) continue;
-    outcome = holds == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
     *note = result_str(j->out, "%s: %s", list->at[k].text, holds == TRUTH_FALSE ? "false" : "undecided");
+    return outcome_of_truth(holds);
   }
-  arb_clear(value);
-  return outcome;
+  return ROUTE_AGREES;
 }
 
 /* Every event is proved to be the first of its phase and every condition to hold throughout it, in the model's word. */

@@ -79,16 +79,12 @@ static void find(struct solutions *x) {
 }
 
 static truth keeps(struct solutions *x, slong i) {
-  arb_t value;
   truth all = TRUTH_TRUE;
-  arb_init(value);
   for (int k = 0; k < x->constraints.n; k++) {
-    double where;
-    truth holds = condition_holds(&where, value, &x->constraints.at[k], &x->at, FIRST_PREC, x->cache);
+    truth holds = condition_holds(NULL, NULL, &x->constraints.at[k], &x->at, FIRST_PREC, x->cache);
     x->broken[i][k] = holds == TRUTH_FALSE;
     all = truth_and(all, holds);
   }
-  arb_clear(value);
   return all;
 }
 

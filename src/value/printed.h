@@ -53,5 +53,7 @@ const char *scene_lacks_forces(const struct scene *s);
 void finding_skip(struct finding *f, struct judge *j, const char *why);
 /* x to n digits, or as a ball when it is not known that well. */
 const char *ball_text(struct judge *j, const arb_t x, slong n);
+/* The same of a point (point_print). */
+const char *point_text(struct judge *j, const struct point *p);
 
 #endif
