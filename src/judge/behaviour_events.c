@@ -3,11 +3,12 @@
 #include <string.h>
 
 #include "friction.h"
+#include "num/num_exact.h"
 #include "verdict.h"
 
 /* Every statement of these proofs is about a mass, a side, and a cell in which a force or an acceleration has a sign. */
 static struct law_answer answer_in(struct law_state *s, const struct friction *f, struct law_cell cell) {
-  law_state_open(s);
+  law_state_open(s, num_ctx_exact());
   law_state_in(s, cell);
   struct law_answer a = law_answer(&f->law[cell.mass], s, cell.speed);
   if (a.n == 1) s->u[cell.mass] = a.u;
@@ -62,7 +63,7 @@ struct fall {
 static struct fall fall_at(const struct friction *f, int mass, int side) {
   struct law_state s;
   struct fall fall = {NO_SIGN, NO_SIGN, NO_SIGN, NO_SIGN};
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   law_state_in(&s, (struct law_cell){mass, 0, PULL_AT, side});
   struct calc *c = &s.c;
   if (friction_apply(f, &s, mass, 0)) {
@@ -161,7 +162,7 @@ static bool driven(const struct friction *f, struct law_state *s, int mass, int 
    2 u_s. */
 static bool passes_by_two_slides(const struct friction *f, int mass, int side) {
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   law_state_in(&s, (struct law_cell){mass, 0, PULL_BEYOND, side});
   bool ok = driven(f, &s, mass, -side, -side);
   val before = s.u[mass];

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "friction.h"
+#include "num/num_exact.h"
 #include "value/expression.h"
 #include "value/title.h"
 #include "verdict.h"
@@ -32,7 +33,7 @@ static bool accelerations(val a[2], const struct friction *f, struct law_state *
 static truth is_linear(const struct friction *f, const int slips[2]) {
   struct law_state s;
   val a[4][2], z[4][N_STATE];
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   struct calc *c = &s.c;
   val k = law_free(&s, N_STATE);
   for (int i = 0; i < N_STATE; i++) {
@@ -121,7 +122,7 @@ static truth form_holds(const struct friction *f, const struct forms *p, const i
   static const int plain[2] = {1, 1};
   struct law_state s;
   truth all = TRUTH_TRUE;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   bool ok = friction_mode(f, &s, slips) && shift_state(p, &s, signs ? slips : plain);
   for (int i = 0; i < 2; i++) {
     all = truth_and(all, ok ? law_vanishes(&s, excess(p, &s, slips, i)) : TRUTH_UNKNOWN);
@@ -134,7 +135,7 @@ static truth form_holds(const struct friction *f, const struct forms *p, const i
 static bool falls_short_by_twice(const struct friction *f, const struct forms *p, int mass) {
   int slips[2] = {1, 1}, plain[2] = {1, 1};
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   slips[mass] = -1;
   val z = friction_mode(f, &s, slips) && shift_state(p, &s, plain) ? excess(p, &s, slips, mass) : NULL;
   val twice = calc_mul(&s.c, calc_d(&s.c, 2), mass ? calc_mul(&s.c, s.eta, s.slide[1]) : s.slide[0]);
@@ -209,7 +210,7 @@ static int rank_of_equations(const struct conditions *list, enum phase ph) {
   struct law_state s;
   fmpq_mat_t m;
   fmpq_mat_init(m, MAX_CONDITIONS, N_STATE);
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   struct calc *c = &s.c;
   val *const coordinate[N_STATE] = {&s.x[0], &s.x[1], &s.v[0], &s.v[1]};
   bool ok = true;
@@ -296,7 +297,7 @@ static bool phase_obeys_law(const struct friction *f, const struct forms *p, con
                             enum phase ph) {
   static const int plain[2] = {1, 1};
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   bool ok = shift_state(p, &s, plain);
   for (int i = 0; i < 2; i++) ok = ok && in_branch(f, states, ph, &s, i, phase_slips[ph][i]);
   law_state_close(&s);

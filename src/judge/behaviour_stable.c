@@ -3,6 +3,7 @@
 
 #include "friction.h"
 #include "motion/certify.h"
+#include "num/num_exact.h"
 #include "verdict.h"
 
 const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct point *p, truth stable) {
@@ -44,7 +45,7 @@ static bool keeps_volume(const struct friction *f) {
   for (int ph = 0; ph < N_PHASES; ph++)
     for (int i = 0; i < 2; i++) {
       struct law_state s;
-      law_state_open(&s);
+      law_state_open(&s, num_ctx_exact());
       bool ok = friction_mode(f, &s, phase_slips[ph]);
       val before = s.a[i];
       s.v[i] = law_free(&s, 0);
@@ -78,7 +79,7 @@ struct route_result stable_prove_linearization(struct behaviour *b, const struct
 /* A mass slower than the belt by however little, on which f exceeds u_s, falls back further. */
 static bool falls_back(const struct friction *f) {
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   law_state_in(&s, (struct law_cell){0, 1, PULL_OVER, 1});
   int sign = friction_apply(f, &s, 0, 1) ? law_sign(&s, friction_acceleration(f, &s, 0)) : NO_SIGN;
   law_state_close(&s);
