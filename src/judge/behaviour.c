@@ -4,38 +4,24 @@
 #include "friction.h"
 #include "judge.h"
 
+#define ROW(name, word, by_law) {word, behaviour_##name, by_law},
 static const struct {
   const char *name;
-  behaviour_fn run;
+  bool (*run)(struct behaviour *b);
   bool by_law;
-} checks[] = {{"modes", behaviour_modes, true},
-              {"closed-forms", behaviour_closed_forms, true},
-              {"configurations", behaviour_configurations, false},
-              {"dimension", behaviour_dimension, false},
-              {"linear", behaviour_linear, true},
-              {"switches", behaviour_switches, true},
-              {"jumps", behaviour_jumps, true},
-              {"small", behaviour_small, false},
-              {"fixed-points", behaviour_fixed_points, true},
-              {"linearization", behaviour_linearization, true},
-              {"equality", behaviour_equality, false},
-              {"perturb", behaviour_perturb, true},
-              {"long-run", behaviour_long_run, false},
-              {"patching", behaviour_patching, false}};
-
-static bool run_by_law(behaviour_fn run, struct behaviour *b) {
-  struct friction law;
-  b->law = &law;
-  bool ok = friction_open(&law, b) && run(b);
-  friction_close(&law);
-  return ok;
-}
+} checks[] = {BEHAVIOUR_CHECKS(ROW)};
+#undef ROW
 
 bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct behaviour b = {f, j, c, view, NULL};
   const char *name = claim_get(c, "check");
-  for (size_t i = 0; name && i < sizeof checks / sizeof *checks; i++)
-    if (strcmp(checks[i].name, name) == 0)
-      return (checks[i].by_law ? run_by_law(checks[i].run, &b) : checks[i].run(&b)) && !j->d->set;
+  for (size_t i = 0; name && i < sizeof checks / sizeof *checks; i++) {
+    if (strcmp(checks[i].name, name) != 0) continue;
+    struct friction law = {.moves = {.n = 0}};
+    if (checks[i].by_law) b.law = &law;
+    bool ok = (!b.law || friction_open(&law, &b)) && checks[i].run(&b);
+    friction_close(&law);
+    return ok && !j->d->set;
+  }
   return claim_error(j, c, "check", "there is no such check of behaviour");
 }

@@ -21,9 +21,6 @@ struct behaviour {
   const struct friction
       *law; /* (1) and (2) as the paper states them (friction.h); NULL for a check that rests on neither */
 };
-/* false with j->d set when the claim cannot be read. */
-typedef bool (*behaviour_fn)(struct behaviour *b);
-
 /* --- Motions --- */
 
 enum motion_route { BY_INTEGRATION, BY_CLOSED_FORMS, N_MOTION_ROUTES };
@@ -32,6 +29,8 @@ extern const char *const motion_route_name[N_MOTION_ROUTES]; /* "integration", "
 struct motion {
   double params[N_COULOMB], start[N_STATE];
 };
+/* The force f_i on a mass (0 or 1) at those positions. */
+double motion_force(const struct motion *m, const double x[2], int mass);
 /* What one route tells of a motion.  Rows are the samples, when the plan asks for any. */
 struct trajectory {
   int status;
@@ -102,6 +101,11 @@ struct route_result behaviour_route(struct behaviour *b, const char *route, cons
                                     enum route_outcome outcome, bool decisive, long trials, const char *where,
                                     const char *note);
 
+/* What was as said, or not, by each route. */
+struct by_route {
+  long good[N_MOTION_ROUTES], bad[N_MOTION_ROUTES];
+};
+
 /* Who watches a motion; trajectory[] are both routes' accounts, which are the same. */
 typedef void (*watch_fn)(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]);
 struct watched {
@@ -120,25 +124,29 @@ struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, doubl
                                void *self);
 /* Both routes' words on the same trials, of which the integration's decides, and the verdict: with that of a proof
    (friction.h), where there is one. */
-void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
-                        const char *where, const char *note, const struct route_result *proof);
+void behaviour_conclude(struct behaviour *b, const struct by_route *said, long trials, const char *where,
+                        const char *note, const struct route_result *proof);
 
-/* --- The checks --- */
-
-bool behaviour_modes(struct behaviour *b);          /* nine pairs of modes, four kinds of phase */
-bool behaviour_closed_forms(struct behaviour *b);   /* the printed closed forms between two events */
-bool behaviour_configurations(struct behaviour *b); /* are D, Gamma, H and C all there is */
-bool behaviour_dimension(struct behaviour *b);
-bool behaviour_linear(struct behaviour *b);
-bool behaviour_switches(struct behaviour *b);
-bool behaviour_jumps(struct behaviour *b);
-bool behaviour_small(struct behaviour *b);
-bool behaviour_fixed_points(struct behaviour *b);
-bool behaviour_linearization(struct behaviour *b);
-bool behaviour_equality(struct behaviour *b);
-bool behaviour_perturb(struct behaviour *b);
-bool behaviour_long_run(struct behaviour *b);
-bool behaviour_patching(struct behaviour *b);
+/* The checks by name, and whether they rest on (1) and (2) as the paper states them. */
+#define BEHAVIOUR_CHECKS(X)                                                                                            \
+  X(modes, "modes", true)                                                                                              \
+  X(closed_forms, "closed-forms", true)                                                                                \
+  X(configurations, "configurations", false)                                                                           \
+  X(dimension, "dimension", false)                                                                                     \
+  X(linear, "linear", true)                                                                                            \
+  X(switches, "switches", true)                                                                                        \
+  X(jumps, "jumps", true)                                                                                              \
+  X(small, "small", false)                                                                                             \
+  X(fixed_points, "fixed-points", true)                                                                                \
+  X(linearization, "linearization", true)                                                                              \
+  X(equality, "equality", false)                                                                                       \
+  X(perturb, "perturb", true)                                                                                          \
+  X(long_run, "long-run", false)                                                                                       \
+  X(patching, "patching", false)
+/* false with j->d set when the claim cannot be read. */
+#define BEHAVIOUR_CHECK(name, word, by_law) bool behaviour_##name(struct behaviour *b);
+BEHAVIOUR_CHECKS(BEHAVIOUR_CHECK)
+#undef BEHAVIOUR_CHECK
 
 /* Is, on some orbit, zero what the formulas of `by`, a claim of kind defined, divide by?  The route that shows it, and
    in the finding the condition that excludes it. */

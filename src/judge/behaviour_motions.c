@@ -82,6 +82,11 @@ int mode_index(const enum coulomb_mode mode[2]) {
   return (int)(strchr(mode_letters, coulomb_letter(mode)) - mode_letters);
 }
 
+double motion_force(const struct motion *m, const double x[2], int mass) {
+  double chi = m->params[COULOMB_CHI];
+  return mass ? chi * (x[1] - x[0]) : x[0] - chi * x[1];
+}
+
 static double nearest_dyadic(double x) {
   return nearbyint(64 * x) / 64;
 }
@@ -224,13 +229,14 @@ struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, doubl
   return w;
 }
 
-void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
-                        const char *where, const char *note, const struct route_result *proof) {
+void behaviour_conclude(struct behaviour *b, const struct by_route *said, long trials, const char *where,
+                        const char *note, const struct route_result *proof) {
   struct route_result w[N_MOTION_ROUTES + 1];
   int n = 0;
   if (proof && proof->outcome != ROUTE_UNDECIDED) w[n++] = *proof;
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[n++] = behaviour_route(b, motion_route_name[r], "model", outcome[r], r == BY_INTEGRATION, trials,
-                             r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+    w[n++] = behaviour_route(b, motion_route_name[r], "model", outcome_of_counts(said->good[r], said->bad[r], 0),
+                             r == BY_INTEGRATION, trials, r == BY_INTEGRATION ? where : NULL,
+                             r == BY_INTEGRATION ? note : NULL);
   b->f->verdict = verdict_of(w, n, n > N_MOTION_ROUTES);
 }

@@ -16,34 +16,31 @@ enum { ORBITS = 12, ORBIT_DRAWS = 80 };
 typedef bool (*orbit_fn)(enum motion_route r, const struct motion *m);
 
 /* Tries it on admissible orbits of the pool, by both routes, with two static frictions. */
-static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, bool proved) {
+static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, const struct route_result *proof) {
   static const double friction[] = {OWN_FRICTION, 2};
   struct orbit_walk walk;
   const struct dyn_orbit *o;
-  long good[N_MOTION_ROUTES] = {0}, bad[N_MOTION_ROUTES] = {0}, orbits = 0;
+  struct by_route said = {{0}, {0}};
+  long orbits = 0;
   orbit_walk_begin(&walk, b, true, ORBIT_DRAWS);
   for (; orbits < ORBITS && (o = orbit_walk_next(&walk)) != NULL; orbits++)
     for (int k = 0; k < 2; k++)
       for (int r = 0; r < N_MOTION_ROUTES; r++) {
         struct motion m;
         bool ok = motion_on_orbit(&m, &walk.p, o, friction[k]) && holds((enum motion_route)r, &m);
-        *(ok ? &good[r] : &bad[r]) += 1;
+        (ok ? said.good : said.bad)[r]++;
       }
   orbit_walk_end(&walk);
-  struct route_result w[N_MOTION_ROUTES];
-  const char *words =
-      result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note);
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome_of_counts(good[r], bad[r], 0), r == BY_INTEGRATION,
-                           good[r] + bad[r], NULL, r == BY_INTEGRATION ? words : NULL);
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, proved);
+  behaviour_conclude(
+      b, &said, said.good[0] + said.bad[0], NULL,
+      result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note),
+      proof);
 }
 
 /* The distance from each limit of (11): e1 - w, w - (e1 - 2 u_r1), e2 - chi r, chi r - (e2 - 2 u_r2); the least. */
 static double least_margin(const struct motion *m) {
-  const double *p = m->params, *x = m->start;
-  double f[2] = {x[0] - p[COULOMB_CHI] * x[1], p[COULOMB_CHI] * (x[1] - x[0])}, least = INFINITY;
-  for (int i = 0; i < 2; i++) least = fmin(least, p[COULOMB_UR1 + i] - fabs(f[i]));
+  double least = INFINITY;
+  for (int i = 0; i < 2; i++) least = fmin(least, m->params[COULOMB_UR1 + i] - fabs(motion_force(m, m->start, i)));
   return least;
 }
 
@@ -69,7 +66,7 @@ static bool still_sticks(enum motion_route r, const struct motion *m) {
 }
 
 /* The forces are below their limits by (2), and affine in the positions. */
-static bool prove_small(struct behaviour *b) {
+static struct route_result prove_small(struct behaviour *b) {
   struct text reach[2];
   for (int i = 0; i < 2; i++) text_init(&reach[i]);
   bool proved = exact_law_reach(reach);
@@ -87,14 +84,15 @@ static bool prove_small(struct behaviour *b) {
                    text_str(&reach[0]), text_str(&reach[1]));
   }
   for (int i = 0; i < 2; i++) text_clear(&reach[i]);
-  return proved;
+  return (struct route_result){"exact", proved ? ROUTE_AGREES : ROUTE_UNDECIDED, true, 1};
 }
 
 bool behaviour_small(struct behaviour *b) {
+  const struct route_result proof = prove_small(b);
   judge_orbits(b, still_sticks,
                "positions moved eight ways at the start by as much as 0.99 of the least distance of a force from its "
                "limit, over 1 + chi; both masses stick until m_1 breaks loose. \"Small\" means smaller than that",
-               prove_small(b));
+               &proof);
   return true;
 }
 
@@ -116,7 +114,6 @@ static bool comes_back(enum motion_route r, const struct motion *m) {
 
 bool behaviour_fixed_points(struct behaviour *b) {
   struct route_result proof = phases_prove_motion(b);
-  judge_orbits(b, comes_back, "the motion from its start goes G H C D and comes back to that start",
-               proof.outcome == ROUTE_AGREES);
+  judge_orbits(b, comes_back, "the motion from its start goes G H C D and comes back to that start", &proof);
   return true;
 }
