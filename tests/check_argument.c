@@ -350,6 +350,29 @@ START_TEST(conditions_are_the_margins_of_the_orbit) {
 }
 END_TEST
 
+/* Orbits of a search come and go, and one may lie where another was. */
+START_TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
+  struct judge j = {.cache = cache};
+  const struct orbit_pool *pool = orbit_pool_get(&j);
+  struct dyn_orbit o;
+  struct num_vec params;
+  struct dyn_arc arc;
+  num_vec_init(&params, N_PARAMS, num_ctx_double());
+  dyn_arc_init(&arc, params.ctx);
+  for (int i = 0; i < 2; i++) {
+    o = pool->item[i]->list.orbit[0];
+    for (int k = P_CHI; k <= P_V; k++) params.ctx.type->set_q(num_vec_at(&params, k), &pool->item[i]->q[k], 53);
+    params.ctx.type->set_arb(num_vec_at(&params, P_E1), o.e1, 53);
+    params.ctx.type->set_arb(num_vec_at(&params, P_E2), o.e2, 53);
+    orbit_arc(&arc, cache, &o, &params);
+    ck_assert_double_eq_tol(*(double *)num_vec_at(&arc.z, 0), num_arb.get_d(o.z10), 1e-12);
+  }
+  dyn_arc_clear(&arc);
+  num_vec_clear(&params);
+  orbit_pool_free(j.pool);
+}
+END_TEST
+
 /* The scene of a certificate is a scene, and its orbit breaks just what the certificate says. */
 START_TEST(a_certificate_is_a_scene) {
   struct claims claims, none = {.n = 0};
@@ -733,6 +756,7 @@ Suite *argument_suite(void) {
   LOOP(for_how_long_a_condition_holds, ranges);
   LOOP(bounds_of_an_independent_program, certificates);
   tcase_add_test(c, conditions_are_the_margins_of_the_orbit);
+  tcase_add_test(c, an_orbit_in_the_place_of_another_has_its_own_arc);
   tcase_add_test(c, a_certificate_is_a_scene);
   LOOP(symbols_and_readings, symbols);
   tcase_add_loop_test(c, formulas_without_a_degree, 0, 7);
