@@ -231,15 +231,7 @@ static bool try_point(bool *accepted, struct point_trials *r, const struct point
   }
   *accepted = first->trials > before;
   if (*accepted && (!r->have_example || (first->differs > failures && failures == 0))) {
-    for (int i = 0; i < N_Q; i++) fmpq_set(&r->example.q[i], &p->q[i]);
-    r->example.kind = p->kind;
-    r->example.phase = p->phase;
-    r->example.finite = p->finite;
-    r->example.admissible = p->admissible;
-    r->example.realistic = p->realistic;
-    r->example.orbit = p->orbit;
-    r->example.paper = p->paper;
-    r->example.draw = p->draw;
+    point_copy(&r->example, p);
     r->have_example = true;
   }
   return true;
@@ -369,16 +361,10 @@ static bool run_all(struct finding *f, struct point_trials *r, struct judge *j, 
 /* --- What a refutation means --- */
 
 bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache) {
+  point_copy(out, p);
   out->scene = s;
-  out->kind = p->kind == POINT_ARC ? POINT_ORBIT : p->kind;
-  out->phase = p->phase;
-  out->finite = p->finite;
-  out->admissible = p->admissible;
-  out->realistic = p->realistic;
+  if (p->kind == POINT_ARC) out->kind = POINT_ORBIT;
   out->orbit = 0;
-  out->paper = p->paper;
-  out->draw = p->draw;
-  for (int i = 0; i < N_Q; i++) fmpq_set(&out->q[i], &p->q[i]);
   for (int k = 0; k < N_SCENE_PARAMS; k++)
     if (s->given[k]) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
   return point_settle(out, cache);
