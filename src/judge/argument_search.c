@@ -1,8 +1,6 @@
 /* The search for an orbit that refutes an argument, see argument.c. */
 #include <limits.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "argument.h"
 #include "value/orbit_pool.h"

@@ -1,7 +1,6 @@
 /* "Otherwise, the periodic solution is unstable", where |tr J| = 1: along a family of orbits the slope of the return
    map passes -1, and there the third order decides what linearization leaves open. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "behaviour.h"

@@ -1,7 +1,5 @@
 /* What happens where a mass reaches the belt's velocity or breaks loose from it: proved from (1) and (2) by the signs on
    finitely many cells of states (law.h), each mass and each side for itself. */
-#include <string.h>
-
 #include "friction.h"
 #include "num/num_exact.h"
 #include "verdict.h"

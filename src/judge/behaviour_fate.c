@@ -2,7 +2,6 @@
    phase, where r alone fixes the state when m_1 breaks loose: it stays near (r never gets far from the orbit's, in
    units of the perturbation), departs and comes back, or ends elsewhere. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "friction.h"

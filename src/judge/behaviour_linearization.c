@@ -1,7 +1,5 @@
 /* Linearization: what the product of the phases' propagators alone would say of stability, and what it says with the
    jumps at the switches. */
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "friction.h"

@@ -2,7 +2,6 @@
    slip slower or faster than the belt: linearity, the closed forms of the paper and where they stop, the dimension of
    each phase's states, and that a patched solution is a motion. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "friction.h"
 #include "num/num_exact.h"

@@ -1,6 +1,5 @@
 /* What starts on admissible orbits: small perturbations of the global stick phase, and orbits as fixed points. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "friction.h"

@@ -1,6 +1,4 @@
 /* Stability: what is proved by signs of (1) and (2), with one certified orbit on which it is so. */
-#include <string.h>
-
 #include "friction.h"
 #include "motion/certify.h"
 #include "num/num_exact.h"

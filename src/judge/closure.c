@@ -1,9 +1,6 @@
 /* Does the printed solution close?  One pass through the word from every start that the printed digits allow. */
 #include "certificate.h"
 #include "num/calc.h"
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* Positions after one pass through the word less those at its start, and the derivative of that: gap[0] for
    r = z_2 - z_1 (which alone fixes the state at the end of the stick phase), gap[1], gap[2] for z_1, z_2; slope[0],

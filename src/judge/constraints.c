@@ -5,8 +5,6 @@
    forms for the least u_r1 and u_r2 are the infima along the orbits.  Simulation: with u_r just above its bounds the
    motion under the Coulomb law closes after one period of the same phases; with a constraint broken it does not. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "explore/family.h"
 #include "judge.h"

@@ -1,6 +1,5 @@
 /* Sentences about form: ranges of indices, definitions. */
 #include "judge.h"
-#include <stdlib.h>
 #include <string.h>
 
 /* --- Index ranges --- */

@@ -5,7 +5,6 @@
    restoring force is below u_r in size, and else breaks away on the side to which that force pulls it.  The second
    route asks the simulation of coulomb.h for mode and force at the start of a motion. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "judge.h"

@@ -1,7 +1,5 @@
 /* Printed decimals: the quantity on the nearest orbit, what other readings of the data would give, and what the other
    printed numbers give. */
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/work.h"

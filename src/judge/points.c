@@ -1,7 +1,6 @@
 /* Sentences tried at points: matrices against the model's, equations between the paper's own expressions.
    Every route sees the same points; the decisive one works in balls. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "certificate.h"

@@ -1,7 +1,6 @@
 /* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under
    the Coulomb law; and whether motions with given times exist at all. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/work.h"

@@ -1,8 +1,6 @@
 /* Inequalities without slack: each step of the record is an equality at the start or at the end of the phase that the
    claim's points name.  An inequality that is true and weaker than it could be passes every check of its truth, and
    fails this one. */
-#include <string.h>
-
 #include "judge.h"
 #include "num/calc.h"
 #include "proof/exact_proof.h"

@@ -4,7 +4,6 @@
    The list is that of motion/branches.h, every root of every switching function, or with "kept: yes" that of the word's
    orbits, whatever their t_c: along a phase in which the constraints hold no switching function vanishes, so that what
    keeps them has first events.  The paper's equations and constraints are tried on every solution in balls. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,4 @@
 /* From evidence to verdict, in one place.  Nothing else in the program assigns a verdict to a claim that was tried. */
-
 #include "verdict.h"
 #include "model/model.h"
 #include "record/routes.h"
