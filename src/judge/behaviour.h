@@ -113,12 +113,13 @@ struct watched {
 };
 /* Parameters of which one runs from one value to another. */
 struct family {
-  const struct point *base;
-  int vary; /* P_... */
   fmpq_t from, to;
+  int vary; /* P_... */
+  struct point base;
 };
-/* "e2 from 3/4 to 1", up to a semicolon, into the last three. */
-bool behaviour_family(struct family *f, struct behaviour *b, const char *vary);
+/* "chi = 2/3, ..." with "e2 from 3/4 to 1", both up to a semicolon; false with j->d set.  Close it in either case. */
+bool family_open(struct family *f, struct behaviour *b, const char *at, const char *vary);
+void family_close(struct family *f);
 /* n random motions over the given time, sampled (0: not); sticking: from starts as in (11). */
 struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
                                void *self);

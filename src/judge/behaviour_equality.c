@@ -7,7 +7,6 @@
 #include "certificate.h"
 #include "explore/bifurcate.h"
 #include "judge.h"
-#include "value/coulomb_setup.h"
 
 enum { FLIP_DIGITS = 18, FLIP_STARTS = 3 };
 
@@ -25,7 +24,7 @@ static bool flip_is_admissible(const struct dyn_bifurcation *q) {
 /* The orbit at the middle of the bracket, an exact rational that p receives; NULL unless it is admissible. */
 static const struct dyn_orbit *middle_orbit(struct point *p, const struct dyn_bifurcation *q, const struct family *f,
                                             struct behaviour *b) {
-  for (int i = 0; i < N_PARAMS; i++) fmpq_set(&p->q[i], &f->base->q[i]);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_set(&p->q[i], &f->base.q[i]);
   fmpq_add(&p->q[f->vary], &q->low, &q->high);
   fmpq_div_2exp(&p->q[f->vary], &p->q[f->vary], 1);
   const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
@@ -36,7 +35,7 @@ static const struct dyn_orbit *middle_orbit(struct point *p, const struct dyn_bi
   return NULL;
 }
 
-bool behaviour_family(struct family *f, struct behaviour *b, const char *vary) {
+static bool read_varied(struct family *f, struct behaviour *b, const char *vary) {
   static const struct {
     const char *name;
     int p;
@@ -53,6 +52,19 @@ bool behaviour_family(struct family *f, struct behaviour *b, const char *vary) {
   ok = ok && f->vary >= 0 && fmpq_sgn(f->from) > 0 && fmpq_sgn(f->to) > 0 && !fmpq_equal(f->from, f->to);
   if (ok && f->vary == P_CHI) ok = fmpq_cmp_si(f->from, 1) < 0 && fmpq_cmp_si(f->to, 1) < 0;
   return ok || claim_error(b->j, b->c, "vary", "a parameter and two values in its domain, as in \"e2 from 3/4 to 1\"");
+}
+
+bool family_open(struct family *f, struct behaviour *b, const char *at, const char *vary) {
+  point_init(&f->base);
+  fmpq_init(f->from);
+  fmpq_init(f->to);
+  return judge_params(&f->base, b->j, b->c, at) && read_varied(f, b, vary);
+}
+
+void family_close(struct family *f) {
+  fmpq_clear(f->to);
+  fmpq_clear(f->from);
+  point_clear(&f->base);
 }
 
 /* What is found along all families: by the third order, by iterates at the value, by motions under Coulomb's law. */
@@ -112,7 +124,7 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
       arb_set_fmpq(value, &at.q[i], q->prec);
       text_add(&where, ball_text(b->j, value, 15));
     } else {
-      num_print_q(&where, &f->base->q[i]);
+      num_print_q(&where, &f->base.q[i]);
     }
   }
   const char *place = result_str(b->j->out, "%s", text_str(&where));
@@ -141,7 +153,7 @@ static void find_flips(struct found *t, struct behaviour *b, const struct family
   const fmpq *none[2] = {NULL, NULL};
   struct dyn_bifurcations list;
   long n = 0;
-  dyn_bifurcations_find(&list, f->base->q, f->vary, f->from, f->to, none, FLIP_DIGITS, FLIP_STARTS);
+  dyn_bifurcations_find(&list, f->base.q, f->vary, f->from, f->to, none, FLIP_DIGITS, FLIP_STARTS);
   for (slong i = 0; i < list.n; i++) {
     if (!flip_is_admissible(&list.at[i])) continue;
     add_flip(t, b, f, &list.at[i]);
@@ -152,16 +164,10 @@ static void find_flips(struct found *t, struct behaviour *b, const struct family
 }
 
 static bool try_family(struct found *t, struct behaviour *b, const char *params, const char *vary) {
-  struct point base;
-  struct family f = {.base = &base};
-  point_init(&base);
-  fmpq_init(f.from);
-  fmpq_init(f.to);
-  bool ok = judge_params(&base, b->j, b->c, params) && behaviour_family(&f, b, vary);
+  struct family f;
+  bool ok = family_open(&f, b, params, vary);
   if (ok) find_flips(t, b, &f);
-  fmpq_clear(f.to);
-  fmpq_clear(f.from);
-  point_clear(&base);
+  family_close(&f);
   return ok;
 }
 

@@ -2,7 +2,6 @@
    finitely many cells of states (law.h), each mass and each side for itself. */
 #include "friction.h"
 #include "num/num_exact.h"
-#include "verdict.h"
 
 /* Every statement of these proofs is about a mass, a side, and a cell in which a force or an acceleration has a sign. */
 static struct law_answer answer_in(struct law_state *s, const struct friction *f, struct law_cell cell) {

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "judge.h"
 #include "value/coulomb_setup.h"
+#include "verdict.h"
 
 const char *const motion_route_name[N_MOTION_ROUTES] = {"integration", "motion"};
 

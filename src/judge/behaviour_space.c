@@ -5,7 +5,6 @@
 #include "friction.h"
 #include "proof/exact_law.h"
 #include "value/coulomb_setup.h"
-#include "verdict.h"
 
 /* --- Admissible orbits --- */
 

@@ -2,7 +2,6 @@
 #include "friction.h"
 #include "motion/certify.h"
 #include "num/num_exact.h"
-#include "verdict.h"
 
 const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct point *p, truth stable) {
   const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);

@@ -9,8 +9,8 @@
 
 #include "behaviour.h"
 #include "judge.h"
+#include "num/calc.h"
 #include "proof/linearized.h"
-#include "value/coulomb_setup.h"
 #include "value/expression.h"
 
 enum { NEAR_BELOW, NEAR_ABOVE, N_NEAR };
@@ -31,34 +31,25 @@ struct tried {
 static int slope_by_difference(double *margin, double *slope, const struct point *p, const struct dyn_orbit *o) {
   enum { PREC = 384, STEP = -100 };
   struct num_ctx ctx = num_ctx_mpfr(PREC);
-  struct num_vec params, z, r;
+  struct calc c = calc_begin(ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), z = calc_vec(&c, 2);
   struct dyn_arc arc;
+  val step = calc_two_to(&c, STEP), r[2] = {step, step};
   int s = SS_OK;
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&z, 4, ctx); /* z_1, z_2 at r; scratch; the step */
-  num_vec_init(&r, 2, ctx);
   dyn_arc_init(&arc, ctx);
   for (int i = 0; i < N_PARAMS; i++) s |= ctx.type->set_q(num_vec_at(&params, i), &p->q[i], PREC);
-  s |= ctx.type->set_d(num_vec_at(&z, 3), ldexp(1, STEP), PREC);
   for (int side = 0; s == SS_OK && side < 2; side++) {
-    s |= ctx.type->set_arb(num_vec_at(&z, 0), o->z10, PREC);
-    s |= ctx.type->set_arb(num_vec_at(&z, 1), o->z20, PREC);
-    if (side) s |= ctx.type->add(num_vec_at(&z, 1), num_vec_at(&z, 1), num_vec_at(&z, 3), PREC);
+    s |= ctx.type->set_arb(num_vec_at(&z, 0), o->z10, PREC) | ctx.type->set_arb(num_vec_at(&z, 1), o->z20, PREC);
+    if (side) calc_store(&c, num_vec_at(&z, 1), calc_add(&c, num_vec_at(&z, 1), step));
     s |= dyn_arc_run(&arc, &params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
-    s |= ctx.type->sub(num_vec_at(&r, side), num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2),
-                       num_vec_at(&arc.z, N_PHASES * N_STATE + Z_1), PREC);
+    r[side] = calc_sub(&c, num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2), num_vec_at(&arc.z, N_PHASES * N_STATE + Z_1));
   }
-  s |= ctx.type->sub(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&r, 0), PREC);
-  s |= ctx.type->div(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&z, 3), PREC);
-  *slope = ctx.type->get_d(num_vec_at(&r, 1));
-  s |= ctx.type->abs(num_vec_at(&r, 1), num_vec_at(&r, 1), PREC);
-  s |= ctx.type->set_d(num_vec_at(&z, 2), 1, PREC);
-  s |= ctx.type->sub(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&z, 2), PREC);
-  *margin = ctx.type->get_d(num_vec_at(&r, 1));
+  val quotient = calc_div(&c, calc_sub(&c, r[1], r[0]), step);
+  *slope = ctx.type->get_d(quotient);
+  *margin = ctx.type->get_d(calc_sub(&c, calc_abs(&c, quotient), calc_d(&c, 1)));
+  s |= c.status;
   dyn_arc_clear(&arc);
-  num_vec_clear(&r);
-  num_vec_clear(&z);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return s;
 }
 

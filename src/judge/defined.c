@@ -136,7 +136,7 @@ static void say_where(struct defined *y, const struct family *f, const struct dy
     if (i == f->vary)
       certify_ball(&c, j, name_param[i], value);
     else
-      certify_exact(&c, j, name_param[i], &f->base->q[i]);
+      certify_exact(&c, j, name_param[i], &f->base.q[i]);
   for (int i = 0; i < c.n; i++)
     text_printf(&y->zero, "%s%s %s %s", i ? ", " : "", c.at[i].name, i == f->vary ? "near" : "=", c.at[i].value);
   certify_orbit(&c, j, &t->touch);
@@ -149,7 +149,7 @@ static bool touches(struct defined *y, const struct divisor *q, const struct fam
   const fmpq *none[2] = {NULL, NULL};
   struct dyn_bifurcations list;
   bool found = false;
-  dyn_bifurcations_find(&list, f->base->q, f->vary, f->from, f->to, none, TOUCH_DIGITS, TOUCH_STARTS);
+  dyn_bifurcations_find(&list, f->base.q, f->vary, f->from, f->to, none, TOUCH_DIGITS, TOUCH_STARTS);
   for (slong i = 0; i < list.n && !found; i++) {
     if (!is_touch(&list.at[i], y->admissible)) continue;
     found = true;
@@ -172,7 +172,7 @@ static long zeros_between(struct defined *y, const struct family *f) {
   long zeros = 0;
   for (int i = 0; i < 2; i++) {
     point_init(&end[i]);
-    for (int k = 0; k < N_PARAMS; k++) fmpq_set(&end[i].q[k], &f->base->q[k]);
+    for (int k = 0; k < N_PARAMS; k++) fmpq_set(&end[i].q[k], &f->base.q[k]);
     fmpq_set(&end[i].q[f->vary], (fmpq_cmp(f->from, f->to) < 0) == (i == 0) ? f->from : f->to);
   }
   int s = dyn_box_find(&box, end[0].q, end[1].q);
@@ -196,16 +196,10 @@ static long zeros_along(struct defined *y, const struct family *f) {
 }
 
 static bool look_for_zeros(struct defined *y, long *zeros, const char *at, const char *vary) {
-  struct point base;
-  struct family f = {.base = &base};
-  point_init(&base);
-  fmpq_init(f.from);
-  fmpq_init(f.to);
-  bool ok = judge_params(&base, y->b->j, y->b->c, at) && behaviour_family(&f, y->b, vary);
+  struct family f;
+  bool ok = family_open(&f, y->b, at, vary);
   if (ok) *zeros = zeros_along(y, &f);
-  fmpq_clear(f.to);
-  fmpq_clear(f.from);
-  point_clear(&base);
+  family_close(&f);
   return ok && !y->b->j->d->set;
 }
 
