@@ -257,7 +257,13 @@ bool behaviour_switches(struct behaviour *b) {
                        .sliding_limit = limit && strcmp(limit, "u_s") == 0};
   if (!s.to_stick && !(which && strcmp(which, "stick to slip") == 0))
     return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
-  struct route_result proof = s.to_stick ? events_prove_stick(b) : events_prove_slip(b, s.sliding_limit);
-  conclude_switches(b, &s, &proof);
-  return true;
+  struct friction law;
+  b->law = &law;
+  bool ok = friction_open(&law, b);
+  if (ok) {
+    struct route_result proof = s.to_stick ? events_prove_stick(b) : events_prove_slip(b, s.sliding_limit);
+    conclude_switches(b, &s, &proof);
+  }
+  friction_close(&law);
+  return ok;
 }
