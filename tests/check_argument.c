@@ -35,23 +35,10 @@ static void close_all(void) {
   scratch_close();
 }
 
-/* Judges claims of the test's own; false with d set when they are at fault. */
-static bool judge_text(struct audit_result *r, const struct model *m, const char *text, struct diag *d) {
-  struct claims claims = {.n = 0}, none = {.n = 0};
-  static const char *const own = "own"; /* without the studies of a whole audit */
-  const struct audit_options opt = {.only = &own, .n_only = 1};
-  diag_init(d);
-  audit_result_init(r);
-  bool ok = claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
-            audit_run(r, m, &claims, &none, &paper, &opt, d);
-  claims_clear(&claims);
-  return ok;
-}
-
 static enum verdict verdict_under(const struct model *m, const char *text) {
   struct audit_result r;
   struct diag d;
-  ck_assert_msg(judge_text(&r, m, text, &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, m, text, &paper, "own", &d), "%s", d.message);
   ck_assert_int_eq((int)r.n_findings, 1);
   enum verdict v = r.findings[0].verdict;
   audit_result_clear(&r);
@@ -448,7 +435,8 @@ static void faults_of(struct text *out, const char *overlay) {
   struct diag d;
   paper_model(&m,
               &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL, .controls = true});
-  ck_assert_msg(judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &paper, "own", &d),
+                "%s", d.message);
   const char *note = r.findings[0].evidence[0].note;
   for (const char *p = note; p && *p;) {
     size_t n = strcspn(p, ":");
@@ -500,7 +488,7 @@ START_TEST(units_of_one_record) {
   struct text t;
   text_init(&t);
   text_printf(&t, HEAD "%s", units[_i].claim);
-  ck_assert_msg(judge_text(&r, &model, text_str(&t), &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, &model, text_str(&t), &paper, "own", &d), "%s", d.message);
   const struct finding *f = &r.findings[0];
   ck_assert_int_eq((int)f->verdict, (int)units[_i].want);
   if (f->verdict == VERDICT_REFUTED) ck_assert_int_eq((int)f->correction_verdict, (int)units[_i].repaired);
@@ -631,7 +619,7 @@ START_TEST(values_of_formulas) {
   paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text_str(&t)), .controls = true});
   text_reset(&t);
   text_printf(&t, HEAD "  kind: defined\n  statements: user\n%s", cases[_i].attributes);
-  ck_assert_msg(judge_text(&r, &m, text_str(&t), &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, &m, text_str(&t), &paper, "own", &d), "%s", d.message);
   const struct finding *f = &r.findings[0];
   ck_assert_msg(f->verdict == cases[_i].want, "%s: %s", cases[_i].statements, verdict_name[f->verdict]);
   if (cases[_i].condition) ck_assert_str_eq(f->condition, cases[_i].condition);
@@ -691,7 +679,7 @@ START_TEST(hostile_attributes_are_shown_where_they_are) {
   struct text t;
   text_init(&t);
   text_printf(&t, HEAD "%s", hostile[_i].claim);
-  ck_assert_msg(!judge_text(&r, &model, text_str(&t), &d), "%s was judged", hostile[_i].claim);
+  ck_assert_msg(!judge_text(&r, &model, text_str(&t), &paper, "own", &d), "%s was judged", hostile[_i].claim);
   ck_assert_msg(strstr(d.message, hostile[_i].says) != NULL, "%s: %s", hostile[_i].claim, d.message);
   audit_result_clear(&r);
   text_clear(&t);

@@ -141,26 +141,18 @@ static void close_paper(void) {
   scratch_close();
 }
 
-/* Judges the claims of a text under the paper's and the corrected files. */
-static bool judge_text(struct audit_result *r, const char *text, struct diag *d) {
+/* Under the paper's and the corrected files. */
+static bool judge_case(struct audit_result *r, const char *text, struct diag *d) {
   struct model m;
-  struct claims claims = {.n = 0}, none = {.n = 0};
-  static const char *const own = "text"; /* without the studies of a whole audit */
-  const struct audit_options opt = {.only = &own, .n_only = 1};
-  diag_init(d);
-  audit_result_init(r);
   paper_model(&m, NULL);
-  bool ok = claims_add_file(&claims, scratch_put("case.claim", text), "claim", d) &&
-            audit_run(r, &m, &claims, &none, &paper, &opt, d);
-  claims_clear(&claims);
+  bool ok = judge_text(r, &m, text, &paper, "text", d);
   model_clear(&m);
   return ok;
 }
 
 static const struct finding *judged(struct audit_result *r, const char *text) {
   struct diag d;
-  bool ok = judge_text(r, text, &d);
-  ck_assert_msg(ok, "%s", d.message);
+  ck_assert_msg(judge_case(r, text, &d), "%s", d.message);
   ck_assert_int_eq((int)r->n_findings, 1);
   return &r->findings[0];
 }
@@ -445,9 +437,8 @@ START_TEST(hostile_attributes) {
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
     struct audit_result r;
     struct diag d;
-    ck_assert_msg(!judge_text(&r, texts[i], &d) && d.set, "case %zu was judged", i);
-    ck_assert_msg(strstr(d.message, "case.claim:") || strstr(d.message, "no-such-record"), "case %zu: %s", i,
-                  d.message);
+    ck_assert_msg(!judge_case(&r, texts[i], &d) && d.set, "case %zu was judged", i);
+    ck_assert_msg(strstr(d.message, "own.claim:") || strstr(d.message, "no-such-record"), "case %zu: %s", i, d.message);
     audit_result_clear(&r);
   }
 }
