@@ -177,36 +177,32 @@ static void conclude(struct behaviour *b, const struct found *t) {
   w[0] = behaviour_route(
       b, "balls", "model", outcome_of_counts(t->unstable, t->stable, t->open), true, t->stable + t->unstable + t->open,
       t->where,
-      result_str(
-          b->j->out,
-          "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., satisfies "
-          "R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if c_2^2 + c_3 > 0. Of "
-          "the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s",
-          t->stable + t->unstable + t->open, t->stable, t->stable == 1 ? "is" : "are",
-          t->stable == 1 ? ", namely that for "
-          : t->stable    ? ", for example that for "
-                         : "",
-          t->stable ? t->where : ""));
+      result_str(b->j->out,
+                 "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., "
+                 "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if "
+                 "c_2^2 + c_3 > 0. Of the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s",
+                 t->stable + t->unstable + t->open, t->stable, t->stable == 1 ? "is" : "are",
+                 t->stable == 1 ? ", namely that for "
+                 : t->stable    ? ", for example that for "
+                                : "",
+                 t->stable ? t->where : ""));
   w[1] = behaviour_route(
       b, "iteration", "model", outcome_of_counts(t->away, t->back, t->unsure), false, t->back + t->away + t->unsure,
       NULL,
       result_str(b->j->out,
-                 "iterations of the return map in double precision there, from a distance of 3%% of r_0 "
-                 "on either side: %ld return to half that distance, %ld depart to twice that "
-                 "distance",
+                 "iterations of the return map in double precision there, from a distance of 3%% of r_0 on either "
+                 "side: %ld return to half that distance, %ld depart to twice that distance",
                  t->back, t->away));
-  w[2] =
-      behaviour_route(b, "integration", "model", outcome_of_counts(t->moved_away, t->moved_back, t->moved_unsure),
-                      false, t->moved_back + t->moved_away + t->moved_unsure, NULL,
-                      result_str(b->j->out,
-                                 "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: %ld "
-                                 "approach the solution, %ld depart from it",
-                                 t->moved_back, t->moved_away));
+  w[2] = behaviour_route(b, "integration", "model", outcome_of_counts(t->moved_away, t->moved_back, t->moved_unsure),
+                         false, t->moved_back + t->moved_away + t->moved_unsure, NULL,
+                         result_str(b->j->out,
+                                    "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: "
+                                    "%ld approach the solution, %ld depart from it",
+                                    t->moved_back, t->moved_away));
   b->f->verdict = verdict_of(w, 3, false);
   if (b->f->verdict == VERDICT_REFUTED)
-    b->f->effect =
-        "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" should read "
-        "\"If |tr(J)| > 1\"";
+    b->f->effect = "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" should "
+                   "read \"If |tr(J)| > 1\"";
 }
 
 /* "at" and "vary" hold one entry for each family, separated by semicolons. */

@@ -113,10 +113,9 @@ struct route_result events_prove_stick(struct behaviour *b) {
   return behaviour_proof(
       b, ROUTE_AGREES,
       "finite split of cases, exact for either mass: where x'_i = V and |f_i| < u_ri, no branch of (2) but the "
-      "sticking "
-      "one applies (f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1)); its friction u_i = f_i makes x''_i = 0 in (1). A slip "
-      "that began there would begin with the acceleration of a slipping mass, which is zero only for |f_i| = u_si: for "
-      "any other force it is not that of (2), and the stick motion is the only continuation. " STICKS_ON);
+      "sticking one applies (f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1)); its friction u_i = f_i makes x''_i = 0 in "
+      "(1). A slip that began there would begin with the acceleration of a slipping mass, which is zero only for |f_i| "
+      "= u_si: for any other force it is not that of (2), and the stick motion is the only continuation. " STICKS_ON);
 }
 
 struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
@@ -132,8 +131,8 @@ struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
   return behaviour_proof(
       b, ROUTE_AGREES,
       "finite split of cases, exact for either mass and either direction: beyond the limit, eps f_i > u_ri, (2) has "
-      "the breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < "
-      "0 leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
+      "the breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < 0 "
+      "leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
       "only touches the limit and turns back, (2) leaves open whether the mass slips. " STICKS_ON);
 }
 
@@ -145,9 +144,9 @@ struct route_result events_prove_modes(struct behaviour *b) {
       b, ROUTE_AGREES,
       "finite split of cases, exact for either mass: x'_i < V and x'_i > V slip, x'_i = V sticks for |f_i| < u_ri and "
       "breaks away into a slip motion for |f_i| > u_ri; three states of each mass, nine of both, are all there are. "
-      "The phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and "
-      "only with eps f_i <= u_si can it come back from there (beyond, eps x''_i < 0), so that f_i changes by e_i > 0 "
-      "in between, at a rate that is bounded in a bounded time, since the frictions are. " STICKS_ON);
+      "The phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and only "
+      "with eps f_i <= u_si can it come back from there (beyond, eps x''_i < 0), so that f_i changes by e_i > 0 in "
+      "between, at a rate that is bounded in a bounded time, since the frictions are. " STICKS_ON);
 }
 
 /* With its slip friction for that sign of V - x', does the mass accelerate to that side? */
@@ -192,13 +191,13 @@ bool behaviour_jumps(struct behaviour *b) {
       : all  ? ROUTE_AGREES
              : ROUTE_UNDECIDED,
       smooth ? "exact: a mass that breaks loose has the same friction or acceleration before and after"
-      : all  ? "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its "
-               "friction falls from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta "
-               "for m_2); x'' of the other mass does not jump. Where a mass is caught, |f_i| < u_ri, its "
-               "friction jumps from eps u_si to f_i and x''_i to 0, unless f_i = eps u_si. Where a mass passes the "
-               "belt's velocity without sticking, eps f_i > u_ri, its friction turns from -eps u_si to eps u_si, "
-               "and x''_i, which keeps its sign, changes by 2 u_si (times eta for m_2). In each branch "
-               "(1) and (2) bound x''_i by the positions, so that positions and velocities are continuous"
+      : all  ? "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its friction "
+               "falls from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta for m_2); x'' of the "
+               "other mass does not jump. Where a mass is caught, |f_i| < u_ri, its friction jumps from eps u_si to f_i "
+               "and x''_i to 0, unless f_i = eps u_si. Where a mass passes the belt's velocity without sticking, eps "
+               "f_i > u_ri, its friction turns from -eps u_si to eps u_si, and x''_i, which keeps its sign, changes by "
+               "2 u_si (times eta for m_2). In each branch (1) and (2) bound x''_i by the positions, so that positions "
+               "and velocities are continuous"
              : "the jumps at the switches are not known in every case");
   return true;
 }

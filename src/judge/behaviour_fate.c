@@ -127,8 +127,7 @@ static void say_table(struct behaviour *b, const struct table *t) {
     text_init(&line);
     text_printf(&line,
                 "perturbed in the %s phase (numbers of motions that stay near, depart and come back, end elsewhere, "
-                "never again "
-                "stick with both masses):",
+                "never again stick with both masses):",
                 phase_words[ph]);
     long trials = 0;
     for (int d = 0; d < 2 * N_STATE; d++) {
@@ -178,8 +177,7 @@ static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
   long trials = 0;
   text_init(&line);
   text_add(&line, "the motion returns after perturbations of at most (from doubling 1/1000; in brackets the phases in "
-                  "which it ends "
-                  "after a larger one):");
+                  "which it ends after a larger one):");
   for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
     struct motion at;
     if (!orbit_at(&at, o, places[i].phase, places[i].part)) continue;
@@ -226,8 +224,7 @@ static void scene_orbit_fates(struct behaviour *b) {
   text_init(&line);
   text_printf(&line,
               "the admissible orbit of the example, which is unstable, perturbed by 0.01 in the middle of each phase "
-              "in each of "
-              "eight directions: after %d returns the sequence of phases is",
+              "in each of eight directions: after %d returns the sequence of phases is",
               PERIODS);
   for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
   finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
@@ -242,12 +239,9 @@ static void judge_table(struct route_result w[N_MOTION_ROUTES], struct behaviour
   const char *note = result_str(
       b->j->out,
       "a stable admissible orbit, with u_ri %g times the least possible, perturbed by %s at %d moments of each phase: "
-      "%ld "
-      "motions "
-      "stay near and approach it, %ld depart and come back, %ld end elsewhere, %ld never again stick with both masses; "
-      "%ld are undecided. Of "
-      "the smallest perturbations, %ld free a sticking mass at once (slower than the belt while the force on it "
-      "exceeds the sliding friction), and %ld of these depart; of the %ld others %ld do",
+      "%ld motions stay near and approach it, %ld depart and come back, %ld end elsewhere, %ld never again stick with "
+      "both masses; %ld are undecided. Of the smallest perturbations, %ld free a sticking mass at once (slower than "
+      "the belt while the force on it exceeds the sliding friction), and %ld of these depart; of the %ld others %ld do",
       friction, size_words[t->first], MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE],
       t->total[FATE_NO_STICK], open, t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1],
       t->smallest[0][0] + t->smallest[0][1], t->smallest[0][1]);

@@ -116,14 +116,12 @@ bool behaviour_linearization(struct behaviour *b) {
   orbit_walk_begin(&walk, b, false, DRAWS);
   while (s.right[1] + s.wrong[1] < WANTED && (o = orbit_walk_next(&walk)) != NULL) compare_methods(&s, b, &walk.p, o);
   orbit_walk_end(&walk);
-  const char *note = result_str(
-      b->j->out,
-      "the product of the phases' propagators (the variational equation without what happens at the switches) has a "
-      "multiplier outside the unit circle at %ld orbit%s "
-      "where |tr J| > 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation matrices at "
-      "the switches linearization "
-      "answers right at %ld orbits and wrong at %ld",
-      s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
+  const char *note = result_str(b->j->out,
+                                "the product of the phases' propagators (the variational equation without what happens "
+                                "at the switches) has a multiplier outside the unit circle at %ld orbit%s where |tr J| "
+                                "> 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation "
+                                "matrices at the switches linearization answers right at %ld orbits and wrong at %ld",
+                                s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
   w[0] = behaviour_route(b, "balls", "model",
                          wrong   ? ROUTE_AGREES

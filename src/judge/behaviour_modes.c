@@ -48,11 +48,11 @@ bool behaviour_modes(struct behaviour *b) {
   struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_modes, &s);
   struct text note;
   text_init(&note);
-  text_printf(&note,
-              "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher "
-              "order), each "
-              "in one of the nine configurations at all %ld instants examined; numbers of phases of each kind:",
-              w.motions, w.apart, s.rows.good[0] + s.rows.bad[0]);
+  text_printf(
+      &note,
+      "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher order), "
+      "each in one of the nine configurations at all %ld instants examined; numbers of phases of each kind:",
+      w.motions, w.apart, s.rows.good[0] + s.rows.bad[0]);
   for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
   text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
                   "belt, X x: one faster, one slower)");
@@ -180,13 +180,12 @@ bool behaviour_configurations(struct behaviour *b) {
   struct watched w = behaviour_watch(b, 96, true, 24, 0.125, watch_visits, &v);
   watch_orbits(orbits, b);
   bool found = v.fastest > 0.1;
-  const char *note =
-      result_str(b->j->out,
-                 "%s%s %ld motions that were tried and start with both masses sticking, as in (11), %ld leave the four "
-                 "configurations; %s of %ld admissible periodic solutions %s them%s",
-                 v.told ? v.told : "", v.told ? "Of" : "of", w.motions, v.outside,
-                 orbits[1] ? result_str(b->j->out, "%ld", orbits[1]) : "none", orbits[0] + orbits[1],
-                 orbits[1] ? "leave" : "leaves", from_rest(b));
+  const char *note = result_str(b->j->out,
+                                "%s%s %ld motions that were tried and start with both masses sticking, as in (11), %ld "
+                                "leave the four configurations; %s of %ld admissible periodic solutions %s them%s",
+                                v.told ? v.told : "", v.told ? "Of" : "of", w.motions, v.outside,
+                                orbits[1] ? result_str(b->j->out, "%ld", orbits[1]) : "none", orbits[0] + orbits[1],
+                                orbits[1] ? "leave" : "leaves", from_rest(b));
   const struct by_route said = {{v.inside, v.inside}, {found, found}};
   behaviour_conclude(b, &said, w.motions, found ? v.where : NULL, note, NULL);
   if (b->f->verdict != VERDICT_REFUTED) return true;
@@ -244,10 +243,10 @@ static void conclude_switches(struct behaviour *b, struct switches *s, const str
                       "is within the limit, and crosses to the other side of the belt's velocity where it is not (%ld)",
                       w.motions, events, s->crossings);
   else
-    note = result_str(b->j->out,
-                      "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a "
-                      "greater one",
-                      w.motions, events);
+    note = result_str(
+        b->j->out,
+        "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a greater one",
+        w.motions, events);
   behaviour_conclude(b, &s->events, events, NULL, note, proof);
 }
 

@@ -59,10 +59,9 @@ bool behaviour_linear(struct behaviour *b) {
     all = truth_and(all, is_linear(b->law, slips));
   }
   behaviour_decide(b, outcome_of_truth(all),
-                   all == TRUTH_TRUE
-                       ? "exact, in each of the nine configurations (either mass slower than the belt, with it, or "
-                         "faster): by (1) and (2) the accelerations at the state x + k y less those at x are k times "
-                         "those at y less those at 0, for all x, y and k"
+                   all == TRUTH_TRUE ? "exact, in each of the nine configurations (either mass slower than the belt, "
+                                       "with it, or faster): by (1) and (2) the accelerations at the state x + k y "
+                                       "less those at x are k times those at y less those at 0, for all x, y and k"
                    : all == TRUTH_FALSE ? "exact: in some configuration the accelerations are no such functions"
                                         : "the accelerations are not known in every configuration");
   return true;
@@ -178,10 +177,9 @@ static void conclude_forms(struct behaviour *b, const struct described *n, bool 
           "z'' + K z = 0, with K, K_1 or K_2, z = x - d_0 and d_01, d_02 of (3), is exactly what (1) and (2) give in "
           "%s of the four configurations in which no mass is faster than the belt, and in none of the other five%s",
           n->inside[0] ? result_str(b->j->out, "%ld", n->inside[1]) : "each",
-          twice
-              ? ": a faster mass has the friction -u_si, and x''_1 is smaller by 2 u_s1, or x''_2 by 2 eta u_s2, than "
-                "(3) says, in every state"
-              : ""));
+          twice ? ": a faster mass has the friction -u_si, and x''_1 is smaller by 2 u_s1, or x''_2 by 2 eta u_s2, "
+                  "than (3) says, in every state"
+                : ""));
   if (n->inside[0]) return;
   struct route_result under = {"exact", ROUTE_AGREES, true, 1};
   b->f->verdict = verdict_under_condition(b->f->verdict, verdict_of(&under, 1, true));
@@ -314,12 +312,12 @@ struct route_result phases_prove_motion(struct behaviour *b) {
     w = behaviour_proof(
         b, all ? ROUTE_AGREES : ROUTE_UNDECIDED,
         all ? "exact, in each of the four phases: with z = x - d_0 and e_i = u_ri - u_si the conditions of the phase "
-              "are those under which (2) has one branch for either mass, and z'' + K z = 0 with the phase's matrix "
-              "is what (1) gives with its friction. At t_a and t_a + t_b the force rises through its limit (at the "
-              "rates V (1 - chi) and chi (V - z'_1)), so that the mass cannot stick on; at t_a + t_b + t_c and at "
-              "the end a mass reaches the belt's velocity inside the limits, and sticks. So the solution of (12), "
-              "(14), (16) and (18) that breaks no condition is the motion from Z_0 under Coulomb's law, and by (18) "
-              "the map takes Z_0 to Z_0"
+              "are those under which (2) has one branch for either mass, and z'' + K z = 0 with the phase's matrix is "
+              "what (1) gives with its friction. At t_a and t_a + t_b the force rises through its limit (at the rates "
+              "V (1 - chi) and chi (V - z'_1)), so that the mass cannot stick on; at t_a + t_b + t_c and at the end a "
+              "mass reaches the belt's velocity inside the limits, and sticks. So the solution of (12), (14), (16) and "
+              "(18) that breaks no condition is the motion from Z_0 under Coulomb's law, and by (18) the map takes Z_0 "
+              "to Z_0"
             : "the conditions of the phases are not known to be those of (2)");
   }
   forms_close(&p);

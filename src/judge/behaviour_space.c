@@ -73,13 +73,12 @@ static struct route_result prove_small(struct behaviour *b) {
     e->route = "exact";
     e->layer = "model";
     e->result = "proved";
-    e->note =
-        result_str(b->j->out,
-                   "by (2) each force is below its limit where the phase begins and throughout it, and changes of "
-                   "z_10 and z_20 by at most r change the force on m_1 by at most (%s) r and that on m_2 by at most "
-                   "(%s) r; so both masses stick wherever these are smaller than the least distances of the forces "
-                   "from their limits",
-                   text_str(&reach[0]), text_str(&reach[1]));
+    e->note = result_str(
+        b->j->out,
+        "by (2) each force is below its limit where the phase begins and throughout it, and changes of z_10 and z_20 "
+        "by at most r change the force on m_1 by at most (%s) r and that on m_2 by at most (%s) r; so both masses "
+        "stick wherever these are smaller than the least distances of the forces from their limits",
+        text_str(&reach[0]), text_str(&reach[1]));
   }
   for (int i = 0; i < 2; i++) text_clear(&reach[i]);
   return (struct route_result){"exact", proved ? ROUTE_AGREES : ROUTE_UNDECIDED, true, 1};

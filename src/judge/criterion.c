@@ -149,12 +149,11 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
   struct text note;
   text_init(&note);
-  text_printf(
-      &note,
-      "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees with the "
-      "criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; within 0.05 of -1 or "
-      "of 1 there are",
-      t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
+  text_printf(&note,
+              "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees "
+              "with the criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; "
+              "within 0.05 of -1 or of 1 there are",
+              t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
   for (int near = 0; near < N_NEAR; near++)
     for (int side = 0; side < N_SIDES; side++) {
       text_printf(&note, "%s %ld %s %s", near + side ? "," : "", t->near[near][side],
@@ -171,8 +170,7 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
         t->fate_as_said + t->fate_against + t->fate_open, NULL,
         result_str(b->j->out,
                    "iterates of the return map from near the orbit return or depart as the criterion says at %ld "
-                   "orbits, otherwise at "
-                   "%ld, undecided at %ld",
+                   "orbits, otherwise at %ld, undecided at %ld",
                    t->fate_as_said, t->fate_against, t->fate_open));
   if (tried_further)
     w[n++] = behaviour_route(
@@ -181,8 +179,7 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
         t->moved_as_said + t->moved_against + t->moved_open, NULL,
         result_str(b->j->out,
                    "motions under Coulomb's law from positions near admissible orbits agree with the criterion at %ld "
-                   "orbits and "
-                   "disagree at %ld",
+                   "orbits and disagree at %ld",
                    t->moved_as_said, t->moved_against));
   if (theorem->note) w[n] = add_theorem(b, theorem);
   n += theorem->proved;

@@ -96,8 +96,8 @@ static bool changes_sign(struct defined *y, const struct divisor *q, const struc
       point_print(&y->zero, &end[i]);
     }
     text_printf(&y->zero,
-                ", and there is one %speriodic solution for each value between (Krawczyk's operator over the "
-                "whole interval), so that it is zero on one of them",
+                ", and there is one %speriodic solution for each value between (Krawczyk's operator over the whole "
+                "interval), so that it is zero on one of them",
                 family->orbit.admissible == TRUTH_TRUE ? "admissible " : "");
     if (y->b->f->certificate.n == 0) certify(y, end, value);
   }

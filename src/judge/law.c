@@ -172,8 +172,8 @@ static bool prove_law(struct finding *f, const struct law *l) {
   const char *note = result_str(
       l->j->out,
       "finite split of cases, exact in each: with f = %s, one branch alone applies and gives Coulomb's friction where "
-      "x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and "
-      "f < -u_r%d (-u_s%d).%s",
+      "x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and f < "
+      "-u_r%d (-u_s%d).%s",
       l->mass ? "chi (x_2 - x_1)" : "x_1 - chi x_2", m, m, m, m, m, m, m, m, m, m,
       n[0] + n[1] ? ""
                   : result_str(l->j->out,
@@ -247,12 +247,11 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
     for (int i = 0; i < 2; i++) {
       long trials = n.as_said[i] + n.against[i];
       w[i] = (struct route_result){route[i], outcome_of_counts(n.as_said[i], n.against[i], 0), i == 0, trials};
-      finding_add_route(
-          f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : n.where,
-          result_str(j->out,
-                     "at %ld of %ld states, at and beside the belt's velocity, one branch alone applies%s, and "
-                     "gives the friction of the law",
-                     n.as_said[i], trials, l.headed ? ", under its heading" : ""));
+      finding_add_route(f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : n.where,
+                        result_str(j->out,
+                                   "at %ld of %ld states, at and beside the belt's velocity, one branch alone "
+                                   "applies%s, and gives the friction of the law",
+                                   n.as_said[i], trials, l.headed ? ", under its heading" : ""));
     }
     f->verdict = verdict_of(w, 2, proved);
   }

@@ -313,11 +313,12 @@ static void conclude(struct finding *f, struct point_trials *r) {
   struct route_result w[MAX_ROUTES];
   if (r->lacks) {
     f->verdict = VERDICT_UNKNOWN;
-    finding_state(f, r->j->out, "none", layer_of(r), -1, 0, NULL,
-                  result_str(r->j->out,
-                             "%s has no value: the model has no quantity of that name, and no \"domain:\" says "
-                             "which numbers it may be",
-                             r->lacks));
+    finding_state(
+        f, r->j->out, "none", layer_of(r), -1, 0, NULL,
+        result_str(
+            r->j->out,
+            "%s has no value: the model has no quantity of that name, and no \"domain:\" says which numbers it may be",
+            r->lacks));
     return;
   }
   for (int i = 0; i < r->n_routes; i++) {

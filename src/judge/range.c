@@ -240,11 +240,10 @@ static void by_balls(struct range *r) {
 static const char *describe(struct range *r) {
   struct text t;
   text_init(&t);
-  text_printf(
-      &t,
-      "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise on "
-      "%ld, open on %ld",
-      r->same[1], r->same[0], r->other, r->open);
+  text_printf(&t,
+              "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise "
+              "on %ld, open on %ld",
+              r->same[1], r->same[0], r->other, r->open);
   if (r->form.rate)
     text_printf(&t, "; where the phase takes more than 2 pi, it holds on %ld and fails on %ld, as the range says",
                 r->late[1], r->late[0]);
@@ -292,13 +291,12 @@ static const char *proof_note(const struct range *r) {
     else
       text_add(&t, "; the sine is positive up to pi, and negative from there to 2*pi");
     if (r->form.rate && r->form.there[RANGE_EVEN])
-      text_printf(
-          &t,
-          ", so that its integral (%s)*(x - sin(x)) + (%s)*(1 - cos(x)) has crests, each higher than the one before, "
-          "at x = 2*(k*pi - arctan((%s)/(%s))), k = 1, 2, ..., where it is 2 times (%s)*(k*pi - arctan((%s)/(%s))) + "
-          "(%s)",
-          claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "odd"), claim_get(r->c, "even"),
-          claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "even"), claim_get(r->c, "odd"));
+      text_printf(&t,
+                  ", so that its integral (%s)*(x - sin(x)) + (%s)*(1 - cos(x)) has crests, each higher than the one "
+                  "before, at x = 2*(k*pi - arctan((%s)/(%s))), k = 1, 2, ..., where it is 2 times (%s)*(k*pi - "
+                  "arctan((%s)/(%s))) + (%s)",
+                  claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "odd"), claim_get(r->c, "even"),
+                  claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "even"), claim_get(r->c, "odd"));
   }
   return result_take(r->j->out, &t);
 }
