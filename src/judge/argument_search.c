@@ -153,25 +153,21 @@ void argument_decide(struct argument_decision *d, struct argument *a, const stru
   d->conclusion = d->by_exponentials = TRUTH_TRUE;
   for (int k = 0; d->premises == TRUTH_TRUE && k < a->part[CONCLUSION].n; k++) {
     struct condition *c = &a->part[CONCLUSION].at[k];
+    bool failed = d->conclusion == TRUTH_FALSE; /* another one */
     double where;
-    arb_t value;
-    arb_init(value);
-    truth holds = condition_holds(&where, value, c, p, FIRST_PREC, cache);
-    if (holds == TRUTH_FALSE && d->conclusion != TRUTH_FALSE) {
+    truth holds = condition_holds(&where, failed ? NULL : d->value, c, p, FIRST_PREC, cache);
+    if (holds == TRUTH_FALSE && !failed) {
       d->failed = k;
       d->where = where;
-      arb_set(d->value, value);
     }
     d->conclusion = truth_and(d->conclusion, holds);
     if (a->j->effort == EFFORT_REFUTE) { /* the second route decides nothing */
       d->by_exponentials = TRUTH_UNKNOWN;
-      arb_clear(value);
       continue;
     }
     truth again = holds == TRUTH_FALSE ? condition_holds_at(c, p, VARIANT_EXPONENTIAL, where, FIRST_PREC, cache)
                                        : condition_holds_at_samples(c, p, FIRST_PREC, cache);
     d->by_exponentials = truth_and(d->by_exponentials, again);
-    arb_clear(value);
   }
 }
 

@@ -379,22 +379,18 @@ static void certify(struct finding *f, struct point_trials *r) {
 }
 
 static void describe_effect(struct finding *f, struct point_trials *r) {
-  struct text t;
   struct point p;
-  text_init(&t);
   point_init(&p);
   struct tally *first = &r->tally[0];
   bool have = r->j->model->system && scene_point(&p, &r->example, r->j->scene, r->j->cache);
   if (have) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
-    if (tr.outcome == OUTCOME_AGREES) text_add(&t, "For the data of the example the two sides are equal.");
+    if (tr.outcome == OUTCOME_AGREES) f->effect = "For the data of the example the two sides are equal.";
     if (tr.outcome == OUTCOME_DIFFERS)
-      text_printf(&t, "For the data of the example, %sthe left side is %s and the right side %s.",
-                  entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
+      f->effect = result_str(r->j->out, "For the data of the example, %sthe left side is %s and the right side %s.",
+                             entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
   }
-  if (t.len) f->effect = result_str(r->j->out, "%s", text_str(&t));
   point_clear(&p);
-  text_clear(&t);
 }
 
 /* Controls whose routes are "exact" are left to the algebra: a difference with a rational point refutes. */
