@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "judge/behaviour.h"
 #include "laws_num.h"
@@ -237,15 +236,11 @@ START_TEST(the_long_run_of_the_printed_start) {
   ck_assert_ptr_nonnull(f);
   for (int k = 0; k < 2; k++) {
     ck_assert_ptr_nonnull(fgets(line, sizeof line, f));
-    char *field[16], *at = line;
-    int n = 0;
-    for (char *tab; n < 15 && (tab = strchr(at, '\t')); at = tab + 1) {
-      *tab = '\0';
-      field[n++] = at;
-    }
-    char period[32];
-    snprintf(period, sizeof period, "the period %.6f", atof(at));
-    ck_assert_msg(strstr(g->evidence[k].note, field[n - 1]) != NULL, "%s, not %s", g->evidence[k].note, field[n - 1]);
+    char *field[16], period[32];
+    int n = split_tabs(field, 16, line);
+    const char *word = field[n - 2];
+    snprintf(period, sizeof period, "the period %.6f", atof(field[n - 1]));
+    ck_assert_msg(strstr(g->evidence[k].note, word) != NULL, "%s, not %s", g->evidence[k].note, word);
     ck_assert_msg(strstr(g->evidence[k].note, period) != NULL, "%s, not %s", g->evidence[k].note, period);
     ck_assert(strstr(g->evidence[k].note, "give the same events") != NULL);
     char friction[64];
@@ -448,16 +443,11 @@ END_TEST
 
 /* Runs the program; its exit status, its standard output in out. */
 static int run(char *out, size_t size, const char *args) {
-  char command[1000];
-  snprintf(command, sizeof command, "%s %s 2>%s", program(), args, scratch_path("err"));
-  FILE *p = popen(command, "r");
-  ck_assert_ptr_nonnull(p);
-  size_t n = fread(out, 1, size - 1, p);
-  out[n] = '\0';
-  char rest[4096];
-  while (fread(rest, 1, sizeof rest, p) > 0) continue;
-  int status = pclose(p);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  int status;
+  char *text = shell_output(&status, "%s %s 2>%s", program(), args, scratch_path("err"));
+  snprintf(out, size, "%s", text);
+  free(text);
+  return status;
 }
 
 /* The slowed mass of longrun.tsv, and values as constant expressions. */
