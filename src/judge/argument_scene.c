@@ -62,7 +62,7 @@ static bool prove_for_all(struct finding *f, struct argument *a, bool admissible
         a->j->out,
         "the premises imply u_s1 >= %s and u_s2 >= %s; for these values %ld of the %d inequalities are proved in "
         "interval arithmetic along the whole phase, and their margins do not decrease with u_s1 or u_s2",
-        argument_rational(a, &corner.q[Q_US1]), argument_rational(a, &corner.q[Q_US2]), a->part[CONCLUSION].n - exact,
+        rational_text(a->j, &corner.q[Q_US1]), rational_text(a->j, &corner.q[Q_US2]), a->part[CONCLUSION].n - exact,
         a->part[CONCLUSION].n);
     if (exact)
       enclosed = result_str(a->j->out,
@@ -83,7 +83,7 @@ static const char *describe(struct argument *a, const struct argument_decision *
                       phase_words[c->phase], d->where, ball_text(a->j, d->value, 6));
   if (!a->uses_friction) return NULL;
   return result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, for which the premises hold",
-                    argument_rational(a, &p->q[Q_US1]), argument_rational(a, &p->q[Q_US2]));
+                    rational_text(a->j, &p->q[Q_US1]), rational_text(a->j, &p->q[Q_US2]));
 }
 
 static void judge_point(struct finding *f, struct argument *a, struct point *p) {

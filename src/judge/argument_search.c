@@ -173,13 +173,6 @@ void argument_decide(struct argument_decision *d, struct argument *a, const stru
 
 /* --- The search --- */
 
-const char *argument_rational(struct argument *a, const fmpq *q) {
-  struct text t;
-  text_init(&t);
-  num_print_q(&t, q);
-  return result_take(a->j->out, &t);
-}
-
 /* The candidate's exact data; the last two with friction. */
 static const struct {
   const char *name;

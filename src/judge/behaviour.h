@@ -52,12 +52,8 @@ enum { N_MODE_PAIRS = N_MODES * N_MODES };
 extern const char mode_letters[N_MODE_PAIRS + 1]; /* "DGHCghcXx" */
 int mode_index(const enum coulomb_mode mode[2]);
 
-/* Random parameters (chi, eta, V, e1, e2, u_si), all exact in double. */
-void motion_params(struct motion *m, struct sampler *s);
-/* A start anywhere, overrunning masses and sticking ones included; sticking: both stick, as in (11). */
-void motion_start(struct motion *m, struct sampler *s, bool sticking);
 /* "chi = ..., u_r2 = ...; --start x1,x2,v1,v2": a scene's lines and the option of stickslip simulate. */
-void motion_print(struct text *out, const struct motion *m);
+const char *motion_text(struct behaviour *b, const struct motion *m);
 
 /* The start of the orbit (index from 0) under friction u_ri = factor max(e_i, u_ri_min). */
 bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor);

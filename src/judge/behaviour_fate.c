@@ -246,11 +246,7 @@ static void judge_table(struct route_result w[N_MOTION_ROUTES], struct behaviour
       t->total[FATE_NO_STICK], open, t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1],
       t->smallest[0][0] + t->smallest[0][1], t->smallest[0][1]);
   long far = t->smallest[0][1] + t->smallest[1][1];
-  struct text departs;
-  text_init(&departs);
-  if (far) motion_print(&departs, &t->departs);
-  const char *where = far ? result_str(b->j->out, "departs: %s", text_str(&departs)) : NULL;
-  text_clear(&departs);
+  const char *where = far ? result_str(b->j->out, "departs: %s", motion_text(b, &t->departs)) : NULL;
   enum route_outcome outcome = open          ? ROUTE_UNDECIDED
                                : near && far ? ROUTE_AGREES
                                : near        ? ROUTE_DIFFERS

@@ -118,11 +118,8 @@ static void watch_visits(void *self, const struct motion *m, const struct trajec
   *(out ? &v->outside : &v->inside) += 1;
   count_rows(&v->rows, m, trajectory);
   if (!out || lead < v->fastest + 0.01) return;
-  struct text t;
-  text_init(&t);
-  motion_print(&t, m);
   v->fastest = lead;
-  v->where = result_take(v->b->j->out, &t);
+  v->where = motion_text(v->b, m);
   certify(v, m, first, mass);
 }
 

@@ -91,7 +91,8 @@ static double nearest_dyadic(double x) {
   return nearbyint(64 * x) / 64;
 }
 
-void motion_params(struct motion *m, struct sampler *s) {
+/* Random parameters, all exact in double. */
+static void motion_params(struct motion *m, struct sampler *s) {
   struct point p;
   point_init(&p);
   sampler_next(&p, s);
@@ -101,7 +102,8 @@ void motion_params(struct motion *m, struct sampler *s) {
   point_clear(&p);
 }
 
-void motion_start(struct motion *m, struct sampler *s, bool sticking) {
+/* A start anywhere, overrunning masses and sticking ones included; sticking: both stick, as in (11). */
+static void motion_start(struct motion *m, struct sampler *s, bool sticking) {
   struct point p;
   double f[2];
   point_init(&p);
@@ -117,12 +119,13 @@ void motion_start(struct motion *m, struct sampler *s, bool sticking) {
   point_clear(&p);
 }
 
-void motion_print(struct text *out, const struct motion *m) {
-  const double *p = m->params;
-  text_printf(out, "chi = %.12g, eta = %.12g, V = %.12g, e1 = %.12g, e2 = %.12g, u_r1 = %.12g, u_r2 = %.12g; ",
-              p[COULOMB_CHI], p[COULOMB_ETA], p[COULOMB_V], p[COULOMB_UR1] - p[COULOMB_US1],
-              p[COULOMB_UR2] - p[COULOMB_US2], p[COULOMB_UR1], p[COULOMB_UR2]);
-  text_printf(out, "--start %.12g,%.12g,%.12g,%.12g", m->start[0], m->start[1], m->start[2], m->start[3]);
+const char *motion_text(struct behaviour *b, const struct motion *m) {
+  const double *p = m->params, *x = m->start;
+  return result_str(b->j->out,
+                    "chi = %.12g, eta = %.12g, V = %.12g, e1 = %.12g, e2 = %.12g, u_r1 = %.12g, u_r2 = %.12g; "
+                    "--start %.12g,%.12g,%.12g,%.12g",
+                    p[COULOMB_CHI], p[COULOMB_ETA], p[COULOMB_V], p[COULOMB_UR1] - p[COULOMB_US1],
+                    p[COULOMB_UR2] - p[COULOMB_US2], p[COULOMB_UR1], p[COULOMB_UR2], x[0], x[1], x[2], x[3]);
 }
 
 bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor) {

@@ -192,6 +192,13 @@ const char *ball_text(struct judge *j, const arb_t x, slong n) {
   return result_take(j->out, &t);
 }
 
+const char *rational_text(struct judge *j, const fmpq *x) {
+  struct text t;
+  text_init(&t);
+  num_print_q(&t, x);
+  return result_take(j->out, &t);
+}
+
 const char *point_text(struct judge *j, const struct point *p) {
   struct text t;
   text_init(&t);
