@@ -16,14 +16,17 @@
 enum { NEAR_BELOW, NEAR_ABOVE, N_NEAR };
 enum { INSIDE, OUTSIDE, N_SIDES };
 
+/* A second opinion of the sentence; not_tried: orbits against it of which this can tell nothing. */
+struct opinion {
+  long as_said, against, open, not_tried;
+};
+
 /* What is found at orbits; sides are those of the slope. */
 struct tried {
-  long as_said[N_SIDES], against[N_SIDES];       /* the sentence against the slope */
-  long near[N_NEAR][N_SIDES];                    /* orbits with a slope within 0.05 of -1, of 1 */
-  long fate_as_said, fate_against, fate_open;    /* the sentence against the iterates */
-  long moved_as_said, moved_against, moved_open; /* and against motions beside admissible orbits */
-  long not_iterated, not_moved;                  /* orbits against the sentence of which these cannot tell */
-  double nearest[N_NEAR][N_SIDES];               /* the slopes nearest to -1 and 1 */
+  long as_said[N_SIDES], against[N_SIDES]; /* the sentence against the slope */
+  long near[N_NEAR][N_SIDES];              /* orbits with a slope within 0.05 of -1, of 1 */
+  struct opinion iterates, motions;        /* the sentence against iterates, and motions beside admissible orbits */
+  double nearest[N_NEAR][N_SIDES];         /* the slopes nearest to -1 and 1 */
   const char *where;
 };
 
@@ -53,8 +56,8 @@ static int slope_by_difference(double *margin, double *slope, const struct point
   return s;
 }
 
-static void book(long *as_said, long *against, long *open, int fate, bool stable) {
-  *(fate == 0 ? open : (fate > 0) == stable ? as_said : against) += 1;
+static void book(struct opinion *n, int fate, bool stable) {
+  *(fate == 0 ? &n->open : (fate > 0) == stable ? &n->as_said : &n->against) += 1;
 }
 
 static void note_near(struct tried *t, double slope, int side) {
@@ -116,23 +119,24 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   if (said.outcome != OUTCOME_AGREES && said.outcome != OUTCOME_DIFFERS) return;
   bool stable = said.outcome == OUTCOME_AGREES;
   note_near(t, slope, side);
-  t->as_said[side] += stable == (side == INSIDE);
-  t->against[side] += stable != (side == INSIDE);
-  if (stable != (side == INSIDE) && !t->where)
-    t->where = result_str(j->out, "slope %.6f at %s", slope, point_text(j, p));
   bool against = stable != (side == INSIDE), slow = fabs(margin) < 0.002; /* the iterates would need too long */
-  t->not_iterated += against && slow;
-  t->not_moved += against && fabs(margin) < 0.015;
+  ++*(against ? &t->against[side] : &t->as_said[side]);
+  if (against && !t->where) t->where = result_str(j->out, "slope %.6f at %s", slope, point_text(j, p));
+  t->iterates.not_tried += against && slow;
+  t->motions.not_tried += against && fabs(margin) < 0.015;
   if (slow || j->effort == EFFORT_REFUTE) return;
   long steps = 8 + (long)(1.5 / fabs(margin));
-  book(&t->fate_as_said, &t->fate_against, &t->fate_open, iterates_of(j, p, o, steps), stable);
-  if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015 || t->moved_as_said + t->moved_against >= MOTIONS) return;
-  book(&t->moved_as_said, &t->moved_against, &t->moved_open, motion_of(j, p, o, steps), stable);
+  book(&t->iterates, iterates_of(j, p, o, steps), stable);
+  if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015) return;
+  if (t->motions.as_said + t->motions.against < MOTIONS) book(&t->motions, motion_of(j, p, o, steps), stable);
 }
 
-/* What agrees elsewhere says nothing of orbits that it could not try. */
-static enum route_outcome where_told(enum route_outcome said, long bad, long not_tried) {
-  return said == ROUTE_AGREES && bad && bad == not_tried ? ROUTE_UNDECIDED : said;
+/* What agrees elsewhere says nothing of orbits that it could not try; bad: how many are against the sentence. */
+static struct route_result add_opinion(struct behaviour *b, const char *route, const struct opinion *n, long bad,
+                                       const char *note) {
+  enum route_outcome said = outcome_of_counts(n->as_said, n->against, n->open);
+  if (said == ROUTE_AGREES && bad && bad == n->not_tried) said = ROUTE_UNDECIDED;
+  return behaviour_route(b, route, "model", said, false, n->as_said + n->against + n->open, NULL, note);
 }
 
 static struct route_result add_theorem(struct behaviour *b, const struct linearized *l) {
@@ -162,25 +166,19 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
     }
   w[n++] = behaviour_route(b, "fd", "model", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
                            result_take(b->j->out, &note));
-  bool tried_further = b->j->effort != EFFORT_REFUTE;
-  if (tried_further)
-    w[n++] = behaviour_route(
-        b, "iteration", "model",
-        where_told(outcome_of_counts(t->fate_as_said, t->fate_against, t->fate_open), bad, t->not_iterated), false,
-        t->fate_as_said + t->fate_against + t->fate_open, NULL,
-        result_str(b->j->out,
-                   "iterates of the return map from near the orbit return or depart as the criterion says at %ld "
-                   "orbits, otherwise at %ld, undecided at %ld",
-                   t->fate_as_said, t->fate_against, t->fate_open));
-  if (tried_further)
-    w[n++] = behaviour_route(
-        b, "integration", "model",
-        where_told(outcome_of_counts(t->moved_as_said, t->moved_against, t->moved_open), bad, t->not_moved), false,
-        t->moved_as_said + t->moved_against + t->moved_open, NULL,
-        result_str(b->j->out,
-                   "motions under Coulomb's law from positions near admissible orbits agree with the criterion at %ld "
-                   "orbits and disagree at %ld",
-                   t->moved_as_said, t->moved_against));
+  if (b->j->effort != EFFORT_REFUTE) {
+    const struct opinion *i = &t->iterates, *m = &t->motions;
+    w[n++] = add_opinion(b, "iteration", i, bad,
+                         result_str(b->j->out,
+                                    "iterates of the return map from near the orbit return or depart as the "
+                                    "criterion says at %ld orbits, otherwise at %ld, undecided at %ld",
+                                    i->as_said, i->against, i->open));
+    w[n++] = add_opinion(b, "integration", m, bad,
+                         result_str(b->j->out,
+                                    "motions under Coulomb's law from positions near admissible orbits agree with the "
+                                    "criterion at %ld orbits and disagree at %ld",
+                                    m->as_said, m->against));
+  }
   if (theorem->note) w[n] = add_theorem(b, theorem);
   n += theorem->proved;
   b->f->verdict = verdict_of(w, n, theorem->proved);

@@ -50,6 +50,8 @@ struct point_trials {
   const struct restriction *restriction;
   struct tally tally[MAX_ROUTES];
   int n_routes;
+  struct override override[MAX_ROUTES]; /* of route oracle, by these names */
+  char overridden[MAX_ROUTES][16];
   struct point_spec spec[MAX_SPECS];
   int n_specs;
   struct exact_proof proof;
@@ -62,25 +64,25 @@ struct point_trials {
 /* --- Reading the claim --- */
 
 /* Names that route oracle replaces, as overrides of the model's shapes. */
-static bool read_overrides(struct override *o, int *n, char names[][16], const struct point_trials *r) {
+static bool read_overrides(int *n, struct point_trials *r) {
   const char *list = claim_get(r->c, "oracle");
   *n = 0;
   if (!list) return claim_error(r->j, r->c, "routes", "route oracle needs the attribute oracle");
-  while (*n < MAX_ROUTES && (list = claim_next_item(names[*n], 16, list)) != NULL) {
-    const struct oracle *q = oracle_find(names[*n]);
+  while (*n < MAX_ROUTES && (list = claim_next_item(r->overridden[*n], sizeof *r->overridden, list)) != NULL) {
+    const struct oracle *q = oracle_find(r->overridden[*n]);
     if (!q) return claim_error(r->j, r->c, "oracle", "the model has no matrix of that name");
-    o[*n] = (struct override){names[*n], oracle_rows(q), oracle_cols(q)};
+    r->override[*n] = (struct override){r->overridden[*n], oracle_rows(q), oracle_cols(q)};
     ++*n;
   }
   return true;
 }
 
-static bool build_sentence(struct tally *t, struct point_trials *r, struct override *o, char names[][16]) {
+static bool build_sentence(struct tally *t, struct point_trials *r) {
   const char *value = claim_get(r->c, "value");
   int n_overrides = 0;
-  if (strcmp(t->route->name, "oracle") == 0 && !read_overrides(o, &n_overrides, names, r)) return false;
+  if (strcmp(t->route->name, "oracle") == 0 && !read_overrides(&n_overrides, r)) return false;
   t->ready = true;
-  if (!sentence_from_claim(&t->sentence, r->view, r->c, o, n_overrides, r->j->d)) return false;
+  if (!sentence_from_claim(&t->sentence, r->view, r->c, r->override, n_overrides, r->j->d)) return false;
   if (strcmp(t->route->name, "newton") == 0) {
     char name[32];
     snprintf(name, sizeof name, "%s newton", value ? value : "");
@@ -332,13 +334,13 @@ static void conclude(struct finding *f, struct point_trials *r) {
 }
 
 static bool run_init(struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
-                     const struct restriction *restriction, struct override *o, char names[][16]) {
+                     const struct restriction *restriction) {
   *r = (struct point_trials){.j = j, .c = c, .view = view, .restriction = restriction};
   point_init(&r->example);
   r->n_specs = claim_points(r->spec, MAX_SPECS, j, c);
   if (r->n_specs < 0 || !read_routes(r)) return false;
   for (int i = 0; i < r->n_routes; i++)
-    if (strcmp(r->tally[i].route->name, "ode") != 0 && !build_sentence(&r->tally[i], r, o, names)) return false;
+    if (strcmp(r->tally[i].route->name, "ode") != 0 && !build_sentence(&r->tally[i], r)) return false;
   return true;
 }
 
@@ -350,9 +352,7 @@ static void run_clear(struct point_trials *r) {
 
 static bool run_all(struct finding *f, struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
                     const struct restriction *restriction) {
-  struct override o[MAX_ROUTES];
-  char names[MAX_ROUTES][16];
-  bool ok = run_init(r, j, c, view, restriction, o, names);
+  bool ok = run_init(r, j, c, view, restriction);
   for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
   if (ok) conclude(f, r);
   return ok;
