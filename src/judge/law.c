@@ -78,6 +78,10 @@ static truth text_agrees(const struct law *l, const struct state *at, enum branc
   bool said = a.n == 1 && a.b == b && (b == STICKS || a.eps == eps) &&
               fabs(num_arb.get_d(calc_sub(&s.c, a.u, calc_d(&s.c, force)))) <= tolerance;
   bool known = s.c.status == SS_OK && headed != TRUTH_UNKNOWN;
+  for (int sign = -1; at->speed == 0 && sign <= 1; sign++) {
+    s.eps = calc_d(&s.c, sign ? sign : 1);
+    known = known && law_holds(l, &s, sign ? BREAKS : STICKS) != TRUTH_UNKNOWN;
+  }
   law_state_close(&s);
   return !known ? TRUTH_UNKNOWN : said && (headed == TRUTH_TRUE) == (at->speed == 0) ? TRUTH_TRUE : TRUTH_FALSE;
 }
