@@ -254,10 +254,11 @@ bool behaviour_switches(struct behaviour *b) {
   if (!s.to_stick && !(which && strcmp(which, "stick to slip") == 0))
     return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
   struct friction law;
-  b->law = &law;
+  struct behaviour with = *b;
+  with.law = &law;
   bool ok = friction_open(&law, b);
   if (ok) {
-    struct route_result proof = s.to_stick ? events_prove_stick(b) : events_prove_slip(b, s.sliding_limit);
+    struct route_result proof = s.to_stick ? events_prove_stick(&with) : events_prove_slip(&with, s.sliding_limit);
     conclude_switches(b, &s, &proof);
   }
   friction_close(&law);
