@@ -35,23 +35,10 @@ static void close_all(void) {
   scratch_close();
 }
 
-/* Judges claims of the test's own; false with d set when they are at fault. */
-static bool judge_text(struct audit_result *r, const struct model *m, const char *text, struct diag *d) {
-  struct claims claims = {.n = 0}, none = {.n = 0};
-  static const char *const own = "own"; /* without the studies of a whole audit */
-  const struct audit_options opt = {.only = &own, .n_only = 1};
-  diag_init(d);
-  audit_result_init(r);
-  bool ok = claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
-            audit_run(r, m, &claims, &none, &paper, &opt, d);
-  claims_clear(&claims);
-  return ok;
-}
-
 static enum verdict verdict_under(const struct model *m, const char *text) {
   struct audit_result r;
   struct diag d;
-  ck_assert_msg(judge_text(&r, m, text, &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, m, text, &paper, "own", &d), "%s", d.message);
   ck_assert_int_eq((int)r.n_findings, 1);
   enum verdict v = r.findings[0].verdict;
   audit_result_clear(&r);
@@ -350,6 +337,29 @@ START_TEST(conditions_are_the_margins_of_the_orbit) {
 }
 END_TEST
 
+/* Orbits of a search come and go, and one may lie where another was. */
+START_TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
+  struct judge j = {.cache = cache};
+  const struct orbit_pool *pool = orbit_pool_get(&j);
+  struct dyn_orbit o;
+  struct num_vec params;
+  struct dyn_arc arc;
+  num_vec_init(&params, N_PARAMS, num_ctx_double());
+  dyn_arc_init(&arc, params.ctx);
+  for (int i = 0; i < 2; i++) {
+    o = pool->item[i]->list.orbit[0];
+    for (int k = P_CHI; k <= P_V; k++) params.ctx.type->set_q(num_vec_at(&params, k), &pool->item[i]->q[k], 53);
+    params.ctx.type->set_arb(num_vec_at(&params, P_E1), o.e1, 53);
+    params.ctx.type->set_arb(num_vec_at(&params, P_E2), o.e2, 53);
+    orbit_arc(&arc, cache, &o, &params);
+    ck_assert_double_eq_tol(*(double *)num_vec_at(&arc.z, 0), num_arb.get_d(o.z10), 1e-12);
+  }
+  dyn_arc_clear(&arc);
+  num_vec_clear(&params);
+  orbit_pool_free(j.pool);
+}
+END_TEST
+
 /* The scene of a certificate is a scene, and its orbit breaks just what the certificate says. */
 START_TEST(a_certificate_is_a_scene) {
   struct claims claims, none = {.n = 0};
@@ -425,7 +435,8 @@ static void faults_of(struct text *out, const char *overlay) {
   struct diag d;
   paper_model(&m,
               &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL, .controls = true});
-  ck_assert_msg(judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &paper, "own", &d),
+                "%s", d.message);
   const char *note = r.findings[0].evidence[0].note;
   for (const char *p = note; p && *p;) {
     size_t n = strcspn(p, ":");
@@ -477,7 +488,7 @@ START_TEST(units_of_one_record) {
   struct text t;
   text_init(&t);
   text_printf(&t, HEAD "%s", units[_i].claim);
-  ck_assert_msg(judge_text(&r, &model, text_str(&t), &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, &model, text_str(&t), &paper, "own", &d), "%s", d.message);
   const struct finding *f = &r.findings[0];
   ck_assert_int_eq((int)f->verdict, (int)units[_i].want);
   if (f->verdict == VERDICT_REFUTED) ck_assert_int_eq((int)f->correction_verdict, (int)units[_i].repaired);
@@ -608,7 +619,7 @@ START_TEST(values_of_formulas) {
   paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text_str(&t)), .controls = true});
   text_reset(&t);
   text_printf(&t, HEAD "  kind: defined\n  statements: user\n%s", cases[_i].attributes);
-  ck_assert_msg(judge_text(&r, &m, text_str(&t), &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, &m, text_str(&t), &paper, "own", &d), "%s", d.message);
   const struct finding *f = &r.findings[0];
   ck_assert_msg(f->verdict == cases[_i].want, "%s: %s", cases[_i].statements, verdict_name[f->verdict]);
   if (cases[_i].condition) ck_assert_str_eq(f->condition, cases[_i].condition);
@@ -679,6 +690,7 @@ Suite *argument_suite(void) {
   LOOP(for_how_long_a_condition_holds, ranges);
   LOOP(bounds_of_an_independent_program, certificates);
   tcase_add_test(c, conditions_are_the_margins_of_the_orbit);
+  tcase_add_test(c, an_orbit_in_the_place_of_another_has_its_own_arc);
   tcase_add_test(c, a_certificate_is_a_scene);
   LOOP(symbols_and_readings, symbols);
   tcase_add_loop_test(c, formulas_without_a_degree, 0, 7);

@@ -140,26 +140,18 @@ static void close_paper(void) {
   scratch_close();
 }
 
-/* Judges the claims of a text under the paper's and the corrected files. */
-static bool judge_text(struct audit_result *r, const char *text, struct diag *d) {
+/* Under the paper's and the corrected files. */
+static bool judge_case(struct audit_result *r, const char *text, struct diag *d) {
   struct model m;
-  struct claims claims = {.n = 0}, none = {.n = 0};
-  static const char *const own = "text"; /* without the studies of a whole audit */
-  const struct audit_options opt = {.only = &own, .n_only = 1};
-  diag_init(d);
-  audit_result_init(r);
   paper_model(&m, NULL);
-  bool ok = claims_add_file(&claims, scratch_put("case.claim", text), "claim", d) &&
-            audit_run(r, &m, &claims, &none, &paper, &opt, d);
-  claims_clear(&claims);
+  bool ok = judge_text(r, &m, text, &paper, "text", d);
   model_clear(&m);
   return ok;
 }
 
 static const struct finding *judged(struct audit_result *r, const char *text) {
   struct diag d;
-  bool ok = judge_text(r, text, &d);
-  ck_assert_msg(ok, "%s", d.message);
+  ck_assert_msg(judge_case(r, text, &d), "%s", d.message);
   ck_assert_int_eq((int)r->n_findings, 1);
   return &r->findings[0];
 }
@@ -244,15 +236,11 @@ START_TEST(the_long_run_of_the_printed_start) {
   ck_assert_ptr_nonnull(f);
   for (int k = 0; k < 2; k++) {
     ck_assert_ptr_nonnull(fgets(line, sizeof line, f));
-    char *field[16], *at = line;
-    int n = 0;
-    for (char *tab; n < 15 && (tab = strchr(at, '\t')); at = tab + 1) {
-      *tab = '\0';
-      field[n++] = at;
-    }
-    char period[32];
-    snprintf(period, sizeof period, "the period %.6f", atof(at));
-    ck_assert_msg(strstr(g->evidence[k].note, field[n - 1]) != NULL, "%s, not %s", g->evidence[k].note, field[n - 1]);
+    char *field[16], period[32];
+    int n = split_tabs(field, 16, line);
+    const char *word = field[n - 2];
+    snprintf(period, sizeof period, "the period %.6f", atof(field[n - 1]));
+    ck_assert_msg(strstr(g->evidence[k].note, word) != NULL, "%s, not %s", g->evidence[k].note, word);
     ck_assert_msg(strstr(g->evidence[k].note, period) != NULL, "%s, not %s", g->evidence[k].note, period);
     ck_assert(strstr(g->evidence[k].note, "give the same events") != NULL);
     char friction[64];

@@ -175,16 +175,9 @@ static const struct {
 };
 
 static bool judge_own(struct audit_result *r, const struct model *m, const char *text, struct diag *d) {
-  struct claims claims = {.n = 0}, none = {.n = 0};
   struct scene paper;
-  static const char *const own = "own";
-  const struct audit_options opt = {.only = &own, .n_only = 1};
   paper_scene(&paper);
-  diag_init(d);
-  audit_result_init(r);
-  bool ok = claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
-            audit_run(r, m, &claims, &none, &paper, &opt, d);
-  claims_clear(&claims);
+  bool ok = judge_text(r, m, text, &paper, "own", d);
   scene_clear(&paper);
   return ok;
 }

@@ -31,21 +31,16 @@ static void close_all(void) {
 /* Judges one claim of the test's own beside formulas of its own; N_VERDICTS with d set when it is at fault. */
 static enum verdict judged(const char *formulas, const char *claim, struct diag *d) {
   struct model m;
-  struct claims claims = {.n = 0}, none = {.n = 0};
   struct audit_result r;
   struct text t;
-  const char *only[] = {"own"};
-  const struct audit_options opt = {.only = only, .n_only = 1};
   audit_result_init(&r);
   text_init(&t);
   text_printf(&t, "claim own\n  section: appendix_b\n  title: of the test\n%s", claim);
   bool ok = paper_model_read(&m, &(struct paper_layers){.overlay = scratch_put("own.eq", formulas)}, d) &&
-            claims_add_file(&claims, scratch_put("own.claim", text_str(&t)), "claim", d) &&
-            audit_run(&r, &m, &claims, &none, &paper, &opt, d);
+            judge_text(&r, &m, text_str(&t), &paper, "own", d);
   enum verdict v = ok ? r.findings[0].verdict : N_VERDICTS;
   ck_assert(!ok || r.n_findings == 1);
   text_clear(&t);
-  claims_clear(&claims);
   audit_result_clear(&r);
   model_clear(&m);
   return v;

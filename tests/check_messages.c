@@ -163,26 +163,19 @@ static const struct model *model_with(struct model *own, const char *records) {
 }
 
 static void refuse_claim(char *column[MOST_COLUMNS]) {
-  struct claims own = {.n = 0}, none = {.n = 0};
   struct audit_result r;
   struct model more;
   struct text text;
   struct diag d;
-  static const char *const only = "own"; /* without the studies of a whole audit */
   const char *what = *column[0] ? column[0] : column[2];
   const struct model *model = model_with(&more, column[3]);
   text_init(&text);
   text_add(&text, *column[2] == '|' ? "claim own" : "claim own\n  title: of the test\n  ");
   add_lines(&text, column[2]);
-  diag_init(&d);
-  audit_result_init(&r);
-  bool ok = claims_add_file(&own, scratch_put("own.claim", text_str(&text)), "claim", &d) &&
-            audit_run(&r, model, &own, &none, &paper, &(struct audit_options){.only = &only, .n_only = 1}, &d);
-  ck_assert_msg(!ok, "%s: was judged", what);
+  ck_assert_msg(!judge_text(&r, model, text_str(&text), &paper, "own", &d), "%s: was judged", what);
   bool placed = strstr(d.message, "own.claim:") || strstr(d.message, "own.eq:") || strstr(column[1], ": error: ");
   ck_assert_msg(placed && strstr(d.message, column[1]) && strstr(d.message, "\n  "), "%s: says\n%s", what, d.message);
   audit_result_clear(&r);
-  claims_clear(&own);
   text_clear(&text);
   if (model == &more) model_clear(&more);
 }

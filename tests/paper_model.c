@@ -1,5 +1,7 @@
 #include "paper_model.h"
 #include "record/result.h"
+#include "run/audit.h"
+#include "scratch.h"
 
 #include <check.h>
 #include <string.h>
@@ -35,6 +37,18 @@ void paper_scene(struct scene *s) {
   struct diag d;
   diag_init(&d);
   ck_assert_msg(scene_load(s, "paper", "verify", &d), "%s", d.message);
+}
+
+bool judge_text(struct audit_result *r, const struct model *m, const char *text, const struct scene *s,
+                const char *only, struct diag *d) {
+  struct claims claims = {.n = 0}, none = {.n = 0};
+  const struct audit_options opt = {.only = &only, .n_only = 1};
+  diag_init(d);
+  audit_result_init(r);
+  bool ok = claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
+            audit_run(r, m, &claims, &none, s, &opt, d);
+  claims_clear(&claims);
+  return ok;
 }
 
 const struct claim *claim_with_id(const struct claims *all, const char *id) {

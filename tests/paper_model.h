@@ -25,6 +25,11 @@ bool paper_model_read(struct model *m, const struct paper_layers *with, struct d
 void paper_claims(struct claims *claims, struct claims *controls);
 void paper_scene(struct scene *s);
 
+/* Judges claims of a test's own, those that `only` selects, without the studies of a whole audit; false with d set when
+   they are at fault.  r is to be cleared in either case. */
+bool judge_text(struct audit_result *r, const struct model *m, const char *text, const struct scene *s,
+                const char *only, struct diag *d);
+
 /* By its id; fails the test where there is none. */
 const struct claim *claim_with_id(const struct claims *all, const char *id);
 const struct finding *finding_with_id(const struct audit_result *r, const char *id);

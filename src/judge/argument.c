@@ -5,7 +5,6 @@
    coordinate steps, with u_r1 and u_r2 as close to what the premises still allow as the grid of the search permits; it
    counts only when enclosures along the whole of each phase prove the premises and refute the conclusion at exact
    parameters. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "argument.h"
@@ -86,12 +85,11 @@ static void describe_effect(struct finding *f, struct argument *a) {
   point_init(&p);
   if (nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
     const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p.orbit];
-    f->effect = result_str(
-        a->j->out,
-        "On the periodic solution nearest to the printed numbers all inequalities together require u_r1 > %s "
-        "and u_r2 > %s, in addition to u_r1 > e_1 = %s and u_r2 > e_2 = %s.",
-        ball_text(a->j, o->u_r1_min, 6), ball_text(a->j, o->u_r2_min, 6), ball_text(a->j, o->e1, 6),
-        ball_text(a->j, o->e2, 6));
+    f->effect = result_str(a->j->out,
+                           "On the periodic solution nearest to the printed numbers all inequalities together require "
+                           "u_r1 > %s and u_r2 > %s, in addition to u_r1 > e_1 = %s and u_r2 > e_2 = %s.",
+                           ball_text(a->j, o->u_r1_min, 6), ball_text(a->j, o->u_r2_min, 6), ball_text(a->j, o->e1, 6),
+                           ball_text(a->j, o->e2, 6));
   }
   point_clear(&p);
 }

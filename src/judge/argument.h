@@ -54,7 +54,5 @@ void argument_decide(struct argument_decision *d, struct argument *a, const stru
 /* Where there is a proof already, the search only checks it, on few orbits; with little effort there are few too, and
    nothing goes downhill. */
 void argument_search(struct argument_tally *t, struct argument *a, bool proved);
-/* As p/q, kept in the result. */
-const char *argument_rational(struct argument *a, const fmpq *q);
 
 #endif

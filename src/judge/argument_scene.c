@@ -29,27 +29,18 @@ static void choose_corner(struct point *corner, struct argument *a) {
 /* Whether every u_si that the premises allow is greater than the corner's: some premise fails there, whose margin grows
    with u_si and depends on no other friction. */
 static bool bounds_below(struct argument *a, const struct point *corner, int i) {
-  double where;
-  arb_t value;
   bool found = fmpq_is_zero(&corner->q[Q_US1 + i]);
-  arb_init(value);
   for (int k = 0; k < a->part[PREMISES].n && !found; k++) {
     struct condition *c = &a->part[PREMISES].at[k];
     found = !c->equality && exact_friction_slope(c, i) == 1 && exact_friction_slope(c, 1 - i) == 0 &&
-            condition_holds(&where, value, c, corner, FIRST_PREC, a->j->cache) == TRUTH_FALSE;
+            condition_holds(NULL, NULL, c, corner, FIRST_PREC, a->j->cache) == TRUTH_FALSE;
   }
-  arb_clear(value);
   return found;
 }
 
 static bool holds_beyond(struct argument *a, struct condition *c, const struct point *corner) {
-  double where;
-  arb_t value;
-  arb_init(value);
-  bool yes = exact_friction_slope(c, 0) >= 0 && exact_friction_slope(c, 1) >= 0 &&
-             condition_holds(&where, value, c, corner, FIRST_PREC, a->j->cache) == TRUTH_TRUE;
-  arb_clear(value);
-  return yes;
+  return exact_friction_slope(c, 0) >= 0 && exact_friction_slope(c, 1) >= 0 &&
+         condition_holds(NULL, NULL, c, corner, FIRST_PREC, a->j->cache) == TRUTH_TRUE;
 }
 
 /* Every condition of the conclusion, whatever friction the premises allow. */
@@ -67,22 +58,18 @@ static bool prove_for_all(struct finding *f, struct argument *a, bool admissible
     exact++;
   }
   if (all) {
-    struct evidence *e = finding_add(f, a->j->out);
-    e->route = "exact";
-    e->layer = "corrected";
-    e->result = "proved";
     const char *enclosed = result_str(
         a->j->out,
         "the premises imply u_s1 >= %s and u_s2 >= %s; for these values %ld of the %d inequalities are proved in "
         "interval arithmetic along the whole phase, and their margins do not decrease with u_s1 or u_s2",
-        argument_rational(a, &corner.q[Q_US1]), argument_rational(a, &corner.q[Q_US2]), a->part[CONCLUSION].n - exact,
+        rational_text(a->j, &corner.q[Q_US1]), rational_text(a->j, &corner.q[Q_US2]), a->part[CONCLUSION].n - exact,
         a->part[CONCLUSION].n);
-    e->note = exact
-                  ? result_str(a->j->out,
-                               "%s; the other %ld follow%s by exact algebra from the premises and Coulomb's law (2) on "
-                               "every admissible orbit",
-                               enclosed, exact, exact == 1 ? "s" : "")
-                  : enclosed;
+    if (exact)
+      enclosed = result_str(a->j->out,
+                            "%s; the other %ld follow%s by exact algebra from the premises and Coulomb's law (2) on "
+                            "every admissible orbit",
+                            enclosed, exact, exact == 1 ? "s" : "");
+    exact_route(f, a->j->out, ROUTE_AGREES, enclosed);
   }
   point_clear(&corner);
   return all;
@@ -96,7 +83,7 @@ static const char *describe(struct argument *a, const struct argument_decision *
                       phase_words[c->phase], d->where, ball_text(a->j, d->value, 6));
   if (!a->uses_friction) return NULL;
   return result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, for which the premises hold",
-                    argument_rational(a, &p->q[Q_US1]), argument_rational(a, &p->q[Q_US2]));
+                    rational_text(a->j, &p->q[Q_US1]), rational_text(a->j, &p->q[Q_US2]));
 }
 
 static void judge_point(struct finding *f, struct argument *a, struct point *p) {

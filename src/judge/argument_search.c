@@ -1,8 +1,6 @@
 /* The search for an orbit that refutes an argument, see argument.c. */
 #include <limits.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "argument.h"
 #include "value/orbit_pool.h"
@@ -10,11 +8,10 @@
 
 enum { STRATA = 5, MAX_TRIED = 12 };
 
-/* A point with the least margin of the conclusion there. */
+/* An orbit with the least margin of the conclusion there, for friction as argument_least_margin chooses it. */
 struct candidate {
   struct pool_item item;
   slong index;
-  fmpq u_r[2];
   double margin;
 };
 
@@ -58,50 +55,31 @@ double argument_least_margin(fmpq u_r[2], struct argument *a, const struct point
   return margin;
 }
 
-static void weigh(struct candidate *c, struct argument *a) {
-  struct point at;
-  const struct dyn_orbit *o = &c->item.list.orbit[c->index];
-  c->margin = INFINITY;
-  if (o->grazing || (a->admissible && o->admissible != TRUTH_TRUE)) return;
-  point_init(&at);
-  pool_point(&at, &c->item, c->index);
+/* The margin at one orbit of the draw, which p becomes, friction included. */
+static double margin_at(struct point *p, struct argument *a, const struct pool_item *item, slong index) {
+  const struct dyn_orbit *o = &item->list.orbit[index];
   const double e[2] = {num_arb.get_d(o->e1), num_arb.get_d(o->e2)};
-  c->margin = argument_least_margin(c->u_r, a, &at, fmpq_get_d(&c->item.q[DRAW_V]), e);
-  a->tried += isfinite(c->margin);
-  point_clear(&at);
-}
-
-static void candidate_init(struct candidate *c, const fmpq q[N_DRAW]) {
-  pool_item_init(&c->item, q);
-  c->index = 0;
-  c->margin = INFINITY;
-  for (int i = 0; i < 2; i++) fmpq_init(&c->u_r[i]);
-}
-
-static void candidate_clear(struct candidate *c) {
-  pool_item_clear(&c->item);
-  for (int i = 0; i < 2; i++) fmpq_clear(&c->u_r[i]);
+  pool_point(p, item, index);
+  for (int i = 0; i < 2; i++) fmpq_zero(&p->q[Q_US1 + i]);
+  return argument_least_margin(p->q + Q_US1, a, p, fmpq_get_d(&item->q[DRAW_V]), e);
 }
 
 /* The worst of the orbits of one draw. */
-static void weigh_all(struct candidate *c, struct argument *a) {
-  slong best = 0;
-  double least = INFINITY;
-  fmpq u_r[2];
-  for (int i = 0; i < 2; i++) fmpq_init(&u_r[i]);
-  for (c->index = 0; c->index < c->item.list.n; c->index++) {
-    weigh(c, a);
-    if (c->margin >= least) continue;
-    least = c->margin;
-    best = c->index;
-    for (int i = 0; i < 2; i++) fmpq_set(&u_r[i], &c->u_r[i]);
+static void weigh(struct candidate *c, struct argument *a) {
+  struct point p;
+  c->index = 0;
+  c->margin = INFINITY;
+  point_init(&p);
+  for (slong i = 0; i < c->item.list.n; i++) {
+    const struct dyn_orbit *o = &c->item.list.orbit[i];
+    if (o->grazing || (a->admissible && o->admissible != TRUTH_TRUE)) continue;
+    double margin = margin_at(&p, a, &c->item, i);
+    a->tried += isfinite(margin);
+    if (margin >= c->margin) continue;
+    c->margin = margin;
+    c->index = i;
   }
-  c->index = best;
-  c->margin = least;
-  for (int i = 0; i < 2; i++) {
-    fmpq_set(&c->u_r[i], &u_r[i]);
-    fmpq_clear(&u_r[i]);
-  }
+  point_clear(&p);
 }
 
 /* --- Going downhill --- */
@@ -133,8 +111,8 @@ static void descend(struct candidate *best, struct argument *a) {
         fmpq_add(&q[i], &q[i], step);
         if (!in_domain(q)) continue;
         struct candidate next;
-        candidate_init(&next, q);
-        weigh_all(&next, a);
+        pool_item_init(&next.item, q);
+        weigh(&next, a);
         evaluations++;
         bool better = next.margin < best->margin - 1e-6;
         if (better) {
@@ -143,7 +121,7 @@ static void descend(struct candidate *best, struct argument *a) {
           next = old;
           helped = true;
         }
-        candidate_clear(&next);
+        pool_item_clear(&next.item);
       }
     }
   }
@@ -152,12 +130,6 @@ static void descend(struct candidate *best, struct argument *a) {
 }
 
 /* --- Deciding --- */
-
-static void candidate_point(struct point *p, const struct candidate *c) {
-  pool_point(p, &c->item, c->index);
-  p->known = NULL; /* enclosed as narrowly as asked for */
-  for (int i = 0; i < 2; i++) fmpq_set(&p->q[Q_US1 + i], &c->u_r[i]);
-}
 
 /* u_s_i = u_r_i - e_i > 0, or u_r_i > 0. */
 static truth friction_allowed(const struct argument *a, const struct point *p, const struct dyn_orbit *o) {
@@ -176,47 +148,30 @@ static truth friction_allowed(const struct argument *a, const struct point *p, c
 void argument_decide(struct argument_decision *d, struct argument *a, const struct point *p,
                      const struct dyn_orbit *o) {
   struct orbit_cache *cache = a->j->cache;
-  arb_t unused;
-  arb_init(unused);
   d->premises = p->kind == POINT_GIVEN ? friction_allowed(a, p, o) : TRUTH_TRUE;
-  for (int k = 0; d->premises == TRUTH_TRUE && k < a->part[PREMISES].n; k++) {
-    double where;
-    d->premises = condition_holds(&where, unused, &a->part[PREMISES].at[k], p, FIRST_PREC, cache);
-  }
+  if (d->premises == TRUTH_TRUE) d->premises = conditions_hold(&a->part[PREMISES], p, FIRST_PREC, cache);
   d->conclusion = d->by_exponentials = TRUTH_TRUE;
   for (int k = 0; d->premises == TRUTH_TRUE && k < a->part[CONCLUSION].n; k++) {
     struct condition *c = &a->part[CONCLUSION].at[k];
+    bool failed = d->conclusion == TRUTH_FALSE; /* another one */
     double where;
-    arb_t value;
-    arb_init(value);
-    truth holds = condition_holds(&where, value, c, p, FIRST_PREC, cache);
-    if (holds == TRUTH_FALSE && d->conclusion != TRUTH_FALSE) {
+    truth holds = condition_holds(&where, failed ? NULL : d->value, c, p, FIRST_PREC, cache);
+    if (holds == TRUTH_FALSE && !failed) {
       d->failed = k;
       d->where = where;
-      arb_set(d->value, value);
     }
     d->conclusion = truth_and(d->conclusion, holds);
     if (a->j->effort == EFFORT_REFUTE) { /* the second route decides nothing */
       d->by_exponentials = TRUTH_UNKNOWN;
-      arb_clear(value);
       continue;
     }
     truth again = holds == TRUTH_FALSE ? condition_holds_at(c, p, VARIANT_EXPONENTIAL, where, FIRST_PREC, cache)
                                        : condition_holds_at_samples(c, p, FIRST_PREC, cache);
     d->by_exponentials = truth_and(d->by_exponentials, again);
-    arb_clear(value);
   }
-  arb_clear(unused);
 }
 
 /* --- The search --- */
-
-const char *argument_rational(struct argument *a, const fmpq *q) {
-  struct text t;
-  text_init(&t);
-  num_print_q(&t, q);
-  return result_take(a->j->out, &t);
-}
 
 /* The candidate's exact data; the last two with friction. */
 static const struct {
@@ -254,11 +209,10 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   for (int i = 0; i < a->part[PREMISES].n; i++)
     text_printf(&premises, "%s%s", i ? ", " : "", a->part[PREMISES].at[i].text);
   if (premises.len) text_add(&premises, " hold, but ");
-  const char *said = result_str(a->j->out,
-                                "for %s (where e_1 = %s and e_2 = %s) there is a periodic solution on which %s%s is "
-                                "violated%s, by %s",
-                                scene_text(a, p, ", "), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8),
-                                text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
+  const char *said = result_str(
+      a->j->out, "for %s (where e_1 = %s and e_2 = %s) there is a periodic solution on which %s%s is violated%s, by %s",
+      scene_text(a, p, ", "), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8), text_str(&premises), c->text, when,
+      ball_text(a->j, short_by, 6));
   arb_clear(short_by);
   text_clear(&premises);
   return said;
@@ -287,7 +241,8 @@ static bool settle(struct argument_tally *t, struct argument *a, const struct ca
   struct argument_decision d = {.where = 0};
   arb_init(d.value);
   point_init(&p);
-  candidate_point(&p, c);
+  margin_at(&p, a, &c->item, c->index);
+  p.known = NULL; /* enclosed as narrowly as asked for */
   const struct dyn_orbit *o = &c->item.list.orbit[c->index];
   argument_decide(&d, a, &p, o);
   bool counterexample = d.premises == TRUTH_TRUE && d.conclusion == TRUTH_FALSE;
@@ -316,19 +271,14 @@ static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struc
   bool clear = false;
   for (size_t i = 0; i < pool->n && !clear && a->tried < most; i++) {
     struct candidate c = {.item = *pool->item[i]}; /* borrowed */
-    for (int k = 0; k < 2; k++) fmpq_init(&c.u_r[k]);
-    weigh_all(&c, a);
+    weigh(&c, a);
     clear = c.margin < -0.02;
     int s = stratum(&c.item.q[DRAW_TB]);
-    if (isfinite(c.margin) && (!have[s] || c.margin < best[s].margin)) {
-      if (have[s]) candidate_clear(&best[s]);
-      have[s] = true;
-      candidate_init(&best[s], c.item.q);
-      best[s].index = c.index;
-      best[s].margin = c.margin;
-      for (int k = 0; k < 2; k++) fmpq_set(&best[s].u_r[k], &c.u_r[k]);
-    }
-    for (int k = 0; k < 2; k++) fmpq_clear(&c.u_r[k]);
+    if (!isfinite(c.margin) || (have[s] && c.margin >= best[s].margin)) continue;
+    if (have[s]) pool_item_clear(&best[s].item);
+    have[s] = true;
+    best[s] = c;
+    pool_item_init(&best[s].item, pool->item[i]->q);
   }
 }
 
@@ -349,5 +299,5 @@ void argument_search(struct argument_tally *t, struct argument *a, bool proved) 
     found = settle(t, a, &best[s]);
   }
   for (int s = 0; s < STRATA; s++)
-    if (have[s]) candidate_clear(&best[s]);
+    if (have[s]) pool_item_clear(&best[s].item);
 }

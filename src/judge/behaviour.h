@@ -10,16 +10,17 @@
 #include "record/finding.h"
 #include "value/point.h"
 
+struct friction;
+
 /* A claim being judged by simulation. */
 struct behaviour {
   struct finding *f;
   struct judge *j;
   const struct claim *c;
   struct view view;
+  const struct friction
+      *law; /* (1) and (2) as the paper states them (friction.h); NULL for a check that rests on neither */
 };
-/* false with j->d set when the claim cannot be read. */
-typedef bool (*behaviour_fn)(struct behaviour *b);
-
 /* --- Motions --- */
 
 enum motion_route { BY_INTEGRATION, BY_CLOSED_FORMS, N_MOTION_ROUTES };
@@ -28,6 +29,8 @@ extern const char *const motion_route_name[N_MOTION_ROUTES]; /* "integration", "
 struct motion {
   double params[N_COULOMB], start[N_STATE];
 };
+/* The force f_i on a mass (0 or 1) at those positions. */
+double motion_force(const struct motion *m, const double x[2], int mass);
 /* What one route tells of a motion.  Rows are the samples, when the plan asks for any. */
 struct trajectory {
   int status;
@@ -49,21 +52,20 @@ enum { N_MODE_PAIRS = N_MODES * N_MODES };
 extern const char mode_letters[N_MODE_PAIRS + 1]; /* "DGHCghcXx" */
 int mode_index(const enum coulomb_mode mode[2]);
 
-/* Random parameters (chi, eta, V, e1, e2, u_si), all exact in double. */
-void motion_params(struct motion *m, struct sampler *s);
-/* A start anywhere, overrunning masses and sticking ones included; sticking: both stick, as in (11). */
-void motion_start(struct motion *m, struct sampler *s, bool sticking);
 /* "chi = ..., u_r2 = ...; --start x1,x2,v1,v2": a scene's lines and the option of stickslip simulate. */
-void motion_print(struct text *out, const struct motion *m);
+const char *motion_text(struct behaviour *b, const struct motion *m);
 
 /* The start of the orbit (index from 0) under friction u_ri = factor max(e_i, u_ri_min). */
 bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor);
 
-/* The return map iterated in double from r0 + offset: does it come back to within half of the offset (+1), get twice as
-   far away or lose the word (-1), or neither within the steps (0)? */
-int return_map_fate(const double params[N_PARAMS], double r0, double offset, long steps);
 /* r = z_2 - z_1 at its start. */
 double orbit_r(const struct dyn_orbit *o);
+/* Beside an orbit with that r at its start, from r (1 + part): is the return map, iterated in double, back within half
+   of that distance (1), twice as far away or without the word (-1), or neither within the steps (0)? */
+int return_map_fate(const fmpq params[N_PARAMS], double r, double part, long steps);
+/* The motion from x_2 moved by |r| part at the start of the orbit, integrated: how far its r is from the orbit's after
+   so many returns, in units of that distance; NaN when it does not return so often. */
+double motion_distance(const struct point *params, const struct dyn_orbit *o, double part, long returns);
 
 /* Orbits that were met before, so that none is counted twice; full, it lets no new one in. */
 struct orbit_set {
@@ -71,6 +73,20 @@ struct orbit_set {
   int n;
 };
 bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o);
+
+/* The orbits that a claim draws, each once, but for those at which an event is a mere touch. */
+struct orbit_walk {
+  struct sampler sampler;
+  struct orbit_cache *cache;
+  struct orbit_set met;
+  struct point p; /* the parameters of the orbit */
+  int draws;      /* that are left */
+  bool in_turn;   /* every other one is asked to be admissible */
+};
+void orbit_walk_begin(struct orbit_walk *w, struct behaviour *b, bool admissible, int draws);
+/* NULL after the last draw. */
+const struct dyn_orbit *orbit_walk_next(struct orbit_walk *w);
+void orbit_walk_end(struct orbit_walk *w);
 
 /* --- Evidence --- */
 
@@ -81,6 +97,11 @@ struct route_result behaviour_route(struct behaviour *b, const char *route, cons
                                     enum route_outcome outcome, bool decisive, long trials, const char *where,
                                     const char *note);
 
+/* What was as said, or not, by each route. */
+struct by_route {
+  long good[N_MOTION_ROUTES], bad[N_MOTION_ROUTES];
+};
+
 /* Who watches a motion; trajectory[] are both routes' accounts, which are the same. */
 typedef void (*watch_fn)(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]);
 struct watched {
@@ -88,36 +109,41 @@ struct watched {
 };
 /* Parameters of which one runs from one value to another. */
 struct family {
-  const struct point *base;
-  int vary; /* P_... */
   fmpq_t from, to;
+  int vary; /* P_... */
+  struct point base;
 };
-/* "e2 from 3/4 to 1", up to a semicolon, into the last three. */
-bool behaviour_family(struct family *f, struct behaviour *b, const char *vary);
+/* "chi = 2/3, ..." with "e2 from 3/4 to 1", both up to a semicolon; false with j->d set.  Close it in either case. */
+bool family_open(struct family *f, struct behaviour *b, const char *at, const char *vary);
+void family_close(struct family *f);
 /* n random motions over the given time, sampled (0: not); sticking: from starts as in (11). */
 struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
                                void *self);
 /* Both routes' words on the same trials, of which the integration's decides, and the verdict: with that of a proof
    (friction.h), where there is one. */
-void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
-                        const char *where, const char *note, const struct route_result *proof);
+void behaviour_conclude(struct behaviour *b, const struct by_route *said, long trials, const char *where,
+                        const char *note, const struct route_result *proof);
 
-/* --- The checks --- */
-
-bool behaviour_modes(struct behaviour *b);          /* nine pairs of modes, four kinds of phase */
-bool behaviour_closed_forms(struct behaviour *b);   /* the printed closed forms between two events */
-bool behaviour_configurations(struct behaviour *b); /* are D, Gamma, H and C all there is */
-bool behaviour_dimension(struct behaviour *b);
-bool behaviour_linear(struct behaviour *b);
-bool behaviour_switches(struct behaviour *b);
-bool behaviour_jumps(struct behaviour *b);
-bool behaviour_small(struct behaviour *b);
-bool behaviour_fixed_points(struct behaviour *b);
-bool behaviour_linearization(struct behaviour *b);
-bool behaviour_equality(struct behaviour *b);
-bool behaviour_perturb(struct behaviour *b);
-bool behaviour_long_run(struct behaviour *b);
-bool behaviour_patching(struct behaviour *b);
+/* The checks by name, and whether (1) and (2) as the paper states them are read for them. */
+#define BEHAVIOUR_CHECKS(X)                                                                                            \
+  X(modes, "modes", true)                                                                                              \
+  X(closed_forms, "closed-forms", true)                                                                                \
+  X(configurations, "configurations", false)                                                                           \
+  X(dimension, "dimension", false)                                                                                     \
+  X(linear, "linear", true)                                                                                            \
+  X(switches, "switches", false)                                                                                       \
+  X(jumps, "jumps", true)                                                                                              \
+  X(small, "small", false)                                                                                             \
+  X(fixed_points, "fixed-points", true)                                                                                \
+  X(linearization, "linearization", true)                                                                              \
+  X(equality, "equality", false)                                                                                       \
+  X(perturb, "perturb", true)                                                                                          \
+  X(long_run, "long-run", false)                                                                                       \
+  X(patching, "patching", false)
+/* false with j->d set when the claim cannot be read. */
+#define BEHAVIOUR_CHECK(name, word, by_law) bool behaviour_##name(struct behaviour *b);
+BEHAVIOUR_CHECKS(BEHAVIOUR_CHECK)
+#undef BEHAVIOUR_CHECK
 
 /* Is, on some orbit, zero what the formulas of `by`, a claim of kind defined, divide by?  The route that shows it, and
    in the finding the condition that excludes it. */

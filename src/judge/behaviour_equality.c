@@ -1,14 +1,12 @@
 /* "Otherwise, the periodic solution is unstable", where |tr J| = 1: along a family of orbits the slope of the return
    map passes -1, and there the third order decides what linearization leaves open. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "behaviour.h"
 #include "certificate.h"
 #include "explore/bifurcate.h"
 #include "judge.h"
-#include "value/coulomb_setup.h"
 
 enum { FLIP_DIGITS = 18, FLIP_STARTS = 3 };
 
@@ -16,8 +14,7 @@ enum { FLIP_DIGITS = 18, FLIP_STARTS = 3 };
    c_3) s^3 + ...: stable when c_2^2 + c_3 > 0, unstable when it is < 0.  It is proved when the slope passes -1 inside
    the bracket and the sum is enclosed over the whole of it. */
 static double flip_r(const struct dyn_bifurcation *q) {
-  const struct dyn_orbit *o = &q->beside[0].orbit[0];
-  return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
+  return orbit_r(&q->beside[0].orbit[0]);
 }
 
 static bool flip_is_admissible(const struct dyn_bifurcation *q) {
@@ -27,7 +24,7 @@ static bool flip_is_admissible(const struct dyn_bifurcation *q) {
 /* The orbit at the middle of the bracket, an exact rational that p receives; NULL unless it is admissible. */
 static const struct dyn_orbit *middle_orbit(struct point *p, const struct dyn_bifurcation *q, const struct family *f,
                                             struct behaviour *b) {
-  for (int i = 0; i < N_PARAMS; i++) fmpq_set(&p->q[i], &f->base->q[i]);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_set(&p->q[i], &f->base.q[i]);
   fmpq_add(&p->q[f->vary], &q->low, &q->high);
   fmpq_div_2exp(&p->q[f->vary], &p->q[f->vary], 1);
   const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
@@ -38,7 +35,7 @@ static const struct dyn_orbit *middle_orbit(struct point *p, const struct dyn_bi
   return NULL;
 }
 
-bool behaviour_family(struct family *f, struct behaviour *b, const char *vary) {
+static bool read_varied(struct family *f, struct behaviour *b, const char *vary) {
   static const struct {
     const char *name;
     int p;
@@ -57,6 +54,19 @@ bool behaviour_family(struct family *f, struct behaviour *b, const char *vary) {
   return ok || claim_error(b->j, b->c, "vary", "a parameter and two values in its domain, as in \"e2 from 3/4 to 1\"");
 }
 
+bool family_open(struct family *f, struct behaviour *b, const char *at, const char *vary) {
+  point_init(&f->base);
+  fmpq_init(f->from);
+  fmpq_init(f->to);
+  return judge_params(&f->base, b->j, b->c, at) && read_varied(f, b, vary);
+}
+
+void family_close(struct family *f) {
+  fmpq_clear(f->to);
+  fmpq_clear(f->from);
+  point_clear(&f->base);
+}
+
 /* What is found along all families: by the third order, by iterates at the value, by motions under Coulomb's law. */
 struct found {
   long stable, unstable, open;
@@ -68,31 +78,17 @@ struct found {
 /* Iterates approach or leave like 1/sqrt(n), so many steps are allowed; from 3% of r_0 on either side. */
 static void iterate(struct found *t, const struct dyn_bifurcation *q, const struct point *at) {
   enum { STEPS = 100000 };
-  double params[N_PARAMS], r0 = flip_r(q);
-  for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&at->q[i]);
   for (int side = -1; side <= 1; side += 2) {
-    int fate = return_map_fate(params, r0, side * 0.03 * fabs(r0), STEPS);
+    int fate = return_map_fate(at->q, flip_r(q), side * 0.03, STEPS);
     *(fate > 0 ? &t->back : fate < 0 ? &t->away : &t->unsure) += 1;
   }
 }
 
 /* 200 returns of the motion from x_2 moved by 1% of r_0: nearer than it began, or farther?  The change is small, the
-                                                                                             error
-   of the integration 1e-9. */
+   error of the integration 1e-9. */
 static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
-  struct motion m;
-  struct coulomb_plan plan = coulomb_plan_default;
-  if (!motion_on_orbit(&m, at, o, OWN_FRICTION)) return;
-  double r0 = num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
-  double x0 = m.start[Z_2] - m.start[Z_1], offset = 0.01 * fabs(r0);
-  m.start[Z_2] += offset;
-  plan.returns = 200;
-  plan.max_events = 64 * plan.returns;
-  struct trajectory trajectory = motion_simulate(BY_INTEGRATION, &m, &plan);
-  double ratio = fabs(trajectory.result.at.x[1] - trajectory.result.at.x[0] - x0) / offset;
-  bool ok = trajectory.status == SS_OK;
-  *(ok && ratio < 1 - 1e-4 ? &t->moved_back : ok && ratio > 1 + 1e-4 ? &t->moved_away : &t->moved_unsure) += 1;
-  trajectory_clear(&trajectory);
+  double ratio = motion_distance(at, o, 0.01, 200);
+  *(ratio < 1 - 1e-4 ? &t->moved_back : ratio > 1 + 1e-4 ? &t->moved_away : &t->moved_unsure) += 1;
 }
 
 /* The first stable orbit at tr J = -1: parameters in the middle of its bracket, the orbit there, and c_2^2 + c_3. */
@@ -128,7 +124,7 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
       arb_set_fmpq(value, &at.q[i], q->prec);
       text_add(&where, ball_text(b->j, value, 15));
     } else {
-      num_print_q(&where, &f->base->q[i]);
+      num_print_q(&where, &f->base.q[i]);
     }
   }
   const char *place = result_str(b->j->out, "%s", text_str(&where));
@@ -157,7 +153,7 @@ static void find_flips(struct found *t, struct behaviour *b, const struct family
   const fmpq *none[2] = {NULL, NULL};
   struct dyn_bifurcations list;
   long n = 0;
-  dyn_bifurcations_find(&list, f->base->q, f->vary, f->from, f->to, none, FLIP_DIGITS, FLIP_STARTS);
+  dyn_bifurcations_find(&list, f->base.q, f->vary, f->from, f->to, none, FLIP_DIGITS, FLIP_STARTS);
   for (slong i = 0; i < list.n; i++) {
     if (!flip_is_admissible(&list.at[i])) continue;
     add_flip(t, b, f, &list.at[i]);
@@ -168,16 +164,10 @@ static void find_flips(struct found *t, struct behaviour *b, const struct family
 }
 
 static bool try_family(struct found *t, struct behaviour *b, const char *params, const char *vary) {
-  struct point base;
-  struct family f = {.base = &base};
-  point_init(&base);
-  fmpq_init(f.from);
-  fmpq_init(f.to);
-  bool ok = judge_params(&base, b->j, b->c, params) && behaviour_family(&f, b, vary);
+  struct family f;
+  bool ok = family_open(&f, b, params, vary);
   if (ok) find_flips(t, b, &f);
-  fmpq_clear(f.to);
-  fmpq_clear(f.from);
-  point_clear(&base);
+  family_close(&f);
   return ok;
 }
 
@@ -187,36 +177,32 @@ static void conclude(struct behaviour *b, const struct found *t) {
   w[0] = behaviour_route(
       b, "balls", "model", outcome_of_counts(t->unstable, t->stable, t->open), true, t->stable + t->unstable + t->open,
       t->where,
-      result_str(
-          b->j->out,
-          "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., satisfies "
-          "R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if c_2^2 + c_3 > 0. Of "
-          "the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s",
-          t->stable + t->unstable + t->open, t->stable, t->stable == 1 ? "is" : "are",
-          t->stable == 1 ? ", namely that for "
-          : t->stable    ? ", for example that for "
-                         : "",
-          t->stable ? t->where : ""));
+      result_str(b->j->out,
+                 "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., "
+                 "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if "
+                 "c_2^2 + c_3 > 0. Of the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s",
+                 t->stable + t->unstable + t->open, t->stable, t->stable == 1 ? "is" : "are",
+                 t->stable == 1 ? ", namely that for "
+                 : t->stable    ? ", for example that for "
+                                : "",
+                 t->stable ? t->where : ""));
   w[1] = behaviour_route(
       b, "iteration", "model", outcome_of_counts(t->away, t->back, t->unsure), false, t->back + t->away + t->unsure,
       NULL,
       result_str(b->j->out,
-                 "iterations of the return map in double precision there, from a distance of 3%% of r_0 "
-                 "on either side: %ld return to half that distance, %ld depart to twice that "
-                 "distance",
+                 "iterations of the return map in double precision there, from a distance of 3%% of r_0 on either "
+                 "side: %ld return to half that distance, %ld depart to twice that distance",
                  t->back, t->away));
-  w[2] =
-      behaviour_route(b, "integration", "model", outcome_of_counts(t->moved_away, t->moved_back, t->moved_unsure),
-                      false, t->moved_back + t->moved_away + t->moved_unsure, NULL,
-                      result_str(b->j->out,
-                                 "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: %ld "
-                                 "approach the solution, %ld depart from it",
-                                 t->moved_back, t->moved_away));
+  w[2] = behaviour_route(b, "integration", "model", outcome_of_counts(t->moved_away, t->moved_back, t->moved_unsure),
+                         false, t->moved_back + t->moved_away + t->moved_unsure, NULL,
+                         result_str(b->j->out,
+                                    "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: "
+                                    "%ld approach the solution, %ld depart from it",
+                                    t->moved_back, t->moved_away));
   b->f->verdict = verdict_of(w, 3, false);
   if (b->f->verdict == VERDICT_REFUTED)
-    b->f->effect =
-        "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" should read "
-        "\"If |tr(J)| > 1\"";
+    b->f->effect = "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" should "
+                   "read \"If |tr(J)| > 1\"";
 }
 
 /* "at" and "vary" hold one entry for each family, separated by semicolons. */

@@ -1,13 +1,11 @@
 /* What happens where a mass reaches the belt's velocity or breaks loose from it: proved from (1) and (2) by the signs on
    finitely many cells of states (law.h), each mass and each side for itself. */
-#include <string.h>
-
 #include "friction.h"
-#include "verdict.h"
+#include "num/num_exact.h"
 
 /* Every statement of these proofs is about a mass, a side, and a cell in which a force or an acceleration has a sign. */
 static struct law_answer answer_in(struct law_state *s, const struct friction *f, struct law_cell cell) {
-  law_state_open(s);
+  law_state_open(s, num_ctx_exact());
   law_state_in(s, cell);
   struct law_answer a = law_answer(&f->law[cell.mass], s, cell.speed);
   if (a.n == 1) s->u[cell.mass] = a.u;
@@ -62,7 +60,7 @@ struct fall {
 static struct fall fall_at(const struct friction *f, int mass, int side) {
   struct law_state s;
   struct fall fall = {NO_SIGN, NO_SIGN, NO_SIGN, NO_SIGN};
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   law_state_in(&s, (struct law_cell){mass, 0, PULL_AT, side});
   struct calc *c = &s.c;
   if (friction_apply(f, &s, mass, 0)) {
@@ -108,24 +106,24 @@ bool events_decided(const struct friction *f, int mass) {
          breaks_beyond(f, mass, -1);
 }
 
-struct route_result events_prove_stick(struct behaviour *b, const struct friction *f) {
+struct route_result events_prove_stick(struct behaviour *b) {
   bool ok = true;
-  for (int i = 0; i < 2; i++) ok = ok && sticks_inside(f, i) && slips_by_sliding_friction(f, i);
+  for (int i = 0; i < 2; i++) ok = ok && sticks_inside(b->law, i) && slips_by_sliding_friction(b->law, i);
   if (!ok) return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
   return behaviour_proof(
       b, ROUTE_AGREES,
       "finite split of cases, exact for either mass: where x'_i = V and |f_i| < u_ri, no branch of (2) but the "
-      "sticking "
-      "one applies (f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1)); its friction u_i = f_i makes x''_i = 0 in (1). A slip "
-      "that began there would begin with the acceleration of a slipping mass, which is zero only for |f_i| = u_si: for "
-      "any other force it is not that of (2), and the stick motion is the only continuation. " STICKS_ON);
+      "sticking one applies (f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1)); its friction u_i = f_i makes x''_i = 0 in "
+      "(1). A slip that began there would begin with the acceleration of a slipping mass, which is zero only for |f_i| "
+      "= u_si: for any other force it is not that of (2), and the stick motion is the only continuation. " STICKS_ON);
 }
 
-struct route_result events_prove_slip(struct behaviour *b, const struct friction *f, bool sliding_limit) {
+struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
   bool ok = true, still = false;
   for (int i = 0; i < 2; i++) {
-    ok = ok && sticks_inside(f, i) && breaks_beyond(f, i, 1) && breaks_beyond(f, i, -1) && falls_by_e(f, i);
-    still = still || sticks_at(f, i, sliding_limit);
+    ok = ok && sticks_inside(b->law, i) && breaks_beyond(b->law, i, 1) && breaks_beyond(b->law, i, -1) &&
+         falls_by_e(b->law, i);
+    still = still || sticks_at(b->law, i, sliding_limit);
   }
   if (still) return behaviour_proof(b, ROUTE_DIFFERS, "where the force has this size, (2) lets the mass stick: exact");
   if (!ok || sliding_limit)
@@ -133,22 +131,22 @@ struct route_result events_prove_slip(struct behaviour *b, const struct friction
   return behaviour_proof(
       b, ROUTE_AGREES,
       "finite split of cases, exact for either mass and either direction: beyond the limit, eps f_i > u_ri, (2) has "
-      "the breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < "
-      "0 leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
+      "the breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < 0 "
+      "leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
       "only touches the limit and turns back, (2) leaves open whether the mass slips. " STICKS_ON);
 }
 
-struct route_result events_prove_modes(struct behaviour *b, const struct friction *f) {
+struct route_result events_prove_modes(struct behaviour *b) {
   bool ok = true;
-  for (int i = 0; i < 2; i++) ok = ok && events_decided(f, i);
+  for (int i = 0; i < 2; i++) ok = ok && events_decided(b->law, i);
   if (!ok) return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
   return behaviour_proof(
       b, ROUTE_AGREES,
       "finite split of cases, exact for either mass: x'_i < V and x'_i > V slip, x'_i = V sticks for |f_i| < u_ri and "
       "breaks away into a slip motion for |f_i| > u_ri; three states of each mass, nine of both, are all there are. "
-      "The phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and "
-      "only with eps f_i <= u_si can it come back from there (beyond, eps x''_i < 0), so that f_i changes by e_i > 0 "
-      "in between, at a rate that is bounded in a bounded time, since the frictions are. " STICKS_ON);
+      "The phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and only "
+      "with eps f_i <= u_si can it come back from there (beyond, eps x''_i < 0), so that f_i changes by e_i > 0 in "
+      "between, at a rate that is bounded in a bounded time, since the frictions are. " STICKS_ON);
 }
 
 /* With its slip friction for that sign of V - x', does the mass accelerate to that side? */
@@ -160,7 +158,7 @@ static bool driven(const struct friction *f, struct law_state *s, int mass, int 
    2 u_s. */
 static bool passes_by_two_slides(const struct friction *f, int mass, int side) {
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   law_state_in(&s, (struct law_cell){mass, 0, PULL_BEYOND, side});
   bool ok = driven(f, &s, mass, -side, -side);
   val before = s.u[mass];
@@ -182,28 +180,24 @@ static bool goes_on(const struct friction *f, int mass) {
 }
 
 bool behaviour_jumps(struct behaviour *b) {
-  struct friction f;
-  bool ok = friction_open(&f, b);
-  if (ok) {
-    bool all = true, smooth = goes_on(&f, 0) || goes_on(&f, 1);
-    for (int i = 0; i < 2; i++)
-      all = all && sticks_inside(&f, i) && slips_by_sliding_friction(&f, i) && falls_by_e(&f, i) &&
-            passes_by_two_slides(&f, i, 1) && passes_by_two_slides(&f, i, -1);
-    behaviour_decide(
-        b,
-        smooth ? ROUTE_DIFFERS
-        : all  ? ROUTE_AGREES
-               : ROUTE_UNDECIDED,
-        smooth ? "exact: a mass that breaks loose has the same friction or acceleration before and after"
-        : all  ? "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its "
-                 "friction falls from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta "
-                 "for m_2); x'' of the other mass does not jump. Where a mass is caught, |f_i| < u_ri, its "
-                 "friction jumps from eps u_si to f_i and x''_i to 0, unless f_i = eps u_si. Where a mass passes the "
-                 "belt's velocity without sticking, eps f_i > u_ri, its friction turns from -eps u_si to eps u_si, "
-                 "and x''_i, which keeps its sign, changes by 2 u_si (times eta for m_2). In each branch "
-                 "(1) and (2) bound x''_i by the positions, so that positions and velocities are continuous"
-               : "the jumps at the switches are not known in every case");
-  }
-  friction_close(&f);
-  return ok;
+  const struct friction *f = b->law;
+  bool all = true, smooth = goes_on(f, 0) || goes_on(f, 1);
+  for (int i = 0; i < 2; i++)
+    all = all && sticks_inside(f, i) && slips_by_sliding_friction(f, i) && falls_by_e(f, i) &&
+          passes_by_two_slides(f, i, 1) && passes_by_two_slides(f, i, -1);
+  behaviour_decide(
+      b,
+      smooth ? ROUTE_DIFFERS
+      : all  ? ROUTE_AGREES
+             : ROUTE_UNDECIDED,
+      smooth ? "exact: a mass that breaks loose has the same friction or acceleration before and after"
+      : all  ? "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its friction "
+               "falls from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta for m_2); x'' of the "
+               "other mass does not jump. Where a mass is caught, |f_i| < u_ri, its friction jumps from eps u_si to f_i "
+               "and x''_i to 0, unless f_i = eps u_si. Where a mass passes the belt's velocity without sticking, eps "
+               "f_i > u_ri, its friction turns from -eps u_si to eps u_si, and x''_i, which keeps its sign, changes by "
+               "2 u_si (times eta for m_2). In each branch (1) and (2) bound x''_i by the positions, so that positions "
+               "and velocities are continuous"
+             : "the jumps at the switches are not known in every case");
+  return true;
 }

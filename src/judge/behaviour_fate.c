@@ -2,7 +2,6 @@
    phase, where r alone fixes the state when m_1 breaks loose: it stays near (r never gets far from the orbit's, in
    units of the perturbation), departs and comes back, or ends elsewhere. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "friction.h"
@@ -26,50 +25,39 @@ struct orbit_motion {
   long periods;        /* to follow a perturbed motion */
 };
 
-struct followed {
-  double r;        /* the orbit's */
-  double farthest; /* of r at the returns */
-  double last;
-};
-
-static bool follow_event(void *self, const struct coulomb_event *e) {
-  struct followed *f = self;
-  if (e->at.mode[0] != MODE_STICK || e->at.mode[1] != MODE_STICK) return true;
-  f->last = fabs(e->at.x[1] - e->at.x[0] - f->r);
-  f->farthest = fmax(f->farthest, f->last);
-  return true;
-}
-
-static int simulate_followed(struct followed *f, long *returns, enum motion_route r, const struct motion *m,
-                             const struct coulomb_plan *plan) {
-  struct coulomb_result result = {.end = COULOMB_FAILED};
-  struct coulomb_sink sink = {f, follow_event, NULL};
-  int s = (r == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&result, m->params, m->start, plan, &sink);
-  *returns = result.returns;
-  return s;
-}
-
-/* What becomes of a motion that begins beside the orbit, by one route. */
-static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, const struct motion *m, double size) {
-  struct followed f = {.r = o->r};
+/* A motion up to so many returns, or for four times as long as the orbit takes for them. */
+static struct trajectory follow(enum motion_route r, const struct orbit_motion *o, const struct motion *m) {
   struct coulomb_plan plan = coulomb_plan_default;
   plan.returns = o->periods;
   plan.duration = 4 * (double)o->periods * o->begin[4];
   plan.max_events = 64 * o->periods;
-  long returns;
-  if (simulate_followed(&f, &returns, r, m, &plan) != SS_OK) return FATE_OPEN;
-  if (returns < o->periods) return FATE_NO_STICK; /* in four times the orbit's own time for so many */
-  bool back = f.last < 0.1 * size, near = f.farthest<near_factor * size, far = f.farthest> far_least;
-  if (!back) return f.last > far_least ? FATE_ELSEWHERE : FATE_OPEN;
-  return near ? FATE_NEAR : far ? FATE_BACK : FATE_OPEN;
+  return motion_simulate(r, m, &plan);
 }
 
-/* The state of the orbit at a moment, by closed forms. */
-static bool orbit_at(struct motion *m, const struct orbit_motion *o, double t) {
+/* What becomes of a motion that begins beside the orbit, by one route. */
+static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, const struct motion *m, double size) {
+  struct trajectory t = follow(r, o, m);
+  double last = 0, farthest = 0; /* of r from the orbit's, at the returns */
+  for (size_t i = 0; i < t.log.n; i++) {
+    const struct coulomb_row *at = &t.log.event[i].at;
+    if (at->mode[0] != MODE_STICK || at->mode[1] != MODE_STICK) continue;
+    last = fabs(at->x[1] - at->x[0] - o->r);
+    farthest = fmax(farthest, last);
+  }
+  bool simulated = t.status == SS_OK, returns = t.result.returns >= o->periods, back = last < 0.1 * size;
+  trajectory_clear(&t);
+  if (!simulated) return FATE_OPEN;
+  if (!returns) return FATE_NO_STICK;
+  if (!back) return last > far_least ? FATE_ELSEWHERE : FATE_OPEN;
+  return farthest < near_factor * size ? FATE_NEAR : farthest > far_least ? FATE_BACK : FATE_OPEN;
+}
+
+/* The state of the orbit after that part of a phase, by closed forms. */
+static bool orbit_at(struct motion *m, const struct orbit_motion *o, int ph, double part) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result r;
   *m = o->start;
-  plan.duration = t;
+  plan.duration = o->begin[ph] + part * (o->begin[ph + 1] - o->begin[ph]);
   if (coulomb_simulate_d(&r, o->start.params, o->start.start, &plan, NULL) != SS_OK) return false;
   for (int i = 0; i < 2; i++) {
     m->start[Z_1 + i] = r.at.x[i];
@@ -99,10 +87,10 @@ static const char *const coordinate[N_STATE] = {"x_1", "x_2", "x'_1", "x'_2"};
 /* Does the change of velocity set a sticking mass free at once: is it slower than the belt while the force on it
    exceeds what sliding friction can carry, so that it falls back further, or faster the other way round? */
 static bool breaks_loose(const struct motion *at, int direction, double change) {
-  const double *p = at->params, *x = at->start;
+  const double *p = at->params;
   int i = direction - DZ_1;
-  if (i < 0 || x[direction] != p[COULOMB_V]) return false;
-  double f = i == 0 ? x[0] - p[COULOMB_CHI] * x[1] : p[COULOMB_CHI] * (x[1] - x[0]);
+  if (i < 0 || at->start[direction] != p[COULOMB_V]) return false;
+  double f = motion_force(at, at->start, i);
   return change < 0 ? f > p[COULOMB_US1 + i] : f < -p[COULOMB_US1 + i];
 }
 
@@ -127,8 +115,7 @@ static void fill_table(struct table *t, const struct orbit_motion *o) {
   for (int ph = 0; ph < N_PHASES; ph++)
     for (int k = 0; k < MOMENTS; k++) {
       struct motion at;
-      double length = o->begin[ph + 1] - o->begin[ph];
-      if (!orbit_at(&at, o, o->begin[ph] + length * (2 * k + 1) / (2.0 * MOMENTS))) continue;
+      if (!orbit_at(&at, o, ph, (2 * k + 1) / (2.0 * MOMENTS))) continue;
       for (int d = 0; d < 2 * N_STATE; d++)
         for (int s = t->first; s < N_SIZES; s++) try_perturbation(t, o, &at, ph, d, s);
     }
@@ -140,8 +127,7 @@ static void say_table(struct behaviour *b, const struct table *t) {
     text_init(&line);
     text_printf(&line,
                 "perturbed in the %s phase (numbers of motions that stay near, depart and come back, end elsewhere, "
-                "never again "
-                "stick with both masses):",
+                "never again stick with both masses):",
                 phase_words[ph]);
     long trials = 0;
     for (int d = 0; d < 2 * N_STATE; d++) {
@@ -163,14 +149,10 @@ static void add_reach(struct text *out, struct behaviour *b, const struct orbit_
   double good = 0;
   for (int k = 0; k < DOUBLINGS; k++) {
     struct motion m = *at;
-    struct coulomb_plan plan = coulomb_plan_default;
     double size = ldexp(1e-3, k);
     m.start[coordinate_index] += side * size;
-    plan.returns = o->periods;
-    plan.duration = 4 * (double)o->periods * o->begin[4];
-    plan.max_events = 64 * o->periods;
-    struct trajectory t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
-    bool back = t.status == SS_OK && t.result.returns == plan.returns &&
+    struct trajectory t = follow(BY_CLOSED_FORMS, o, &m);
+    bool back = t.status == SS_OK && t.result.returns == o->periods &&
                 fabs(t.result.at.x[1] - t.result.at.x[0] - o->r) < 0.1 * size;
     if (!back) text_printf(out, " %c%g (at %g: %s)", side > 0 ? '+' : '-', good, size, trajectory_ending(b, &t));
     trajectory_clear(&t);
@@ -195,12 +177,10 @@ static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
   long trials = 0;
   text_init(&line);
   text_add(&line, "the motion returns after perturbations of at most (from doubling 1/1000; in brackets the phases in "
-                  "which it ends "
-                  "after a larger one):");
+                  "which it ends after a larger one):");
   for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
     struct motion at;
-    double length = o->begin[places[i].phase + 1] - o->begin[places[i].phase];
-    if (!orbit_at(&at, o, o->begin[places[i].phase] + places[i].part * length)) continue;
+    if (!orbit_at(&at, o, places[i].phase, places[i].part)) continue;
     text_printf(&line, "%s %s", i ? ";" : "", places[i].words);
     for (int side = 1; side >= -1; side -= 2, trials++) add_reach(&line, b, o, &at, places[i].coordinate, side);
   }
@@ -225,7 +205,7 @@ static void scene_orbit_fates(struct behaviour *b) {
         for (int d = 0; d < 2 * N_STATE; d++) {
           struct motion m;
           struct coulomb_plan plan = coulomb_plan_default;
-          if (!orbit_at(&m, &o, o.begin[ph] + 0.5 * (o.begin[ph + 1] - o.begin[ph]))) continue;
+          if (!orbit_at(&m, &o, ph, 0.5)) continue;
           m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[0];
           plan.returns = PERIODS;
           struct trajectory t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
@@ -244,8 +224,7 @@ static void scene_orbit_fates(struct behaviour *b) {
   text_init(&line);
   text_printf(&line,
               "the admissible orbit of the example, which is unstable, perturbed by 0.01 in the middle of each phase "
-              "in each of "
-              "eight directions: after %d returns the sequence of phases is",
+              "in each of eight directions: after %d returns the sequence of phases is",
               PERIODS);
   for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
   finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
@@ -260,21 +239,14 @@ static void judge_table(struct route_result w[N_MOTION_ROUTES], struct behaviour
   const char *note = result_str(
       b->j->out,
       "a stable admissible orbit, with u_ri %g times the least possible, perturbed by %s at %d moments of each phase: "
-      "%ld "
-      "motions "
-      "stay near and approach it, %ld depart and come back, %ld end elsewhere, %ld never again stick with both masses; "
-      "%ld are undecided. Of "
-      "the smallest perturbations, %ld free a sticking mass at once (slower than the belt while the force on it "
-      "exceeds the sliding friction), and %ld of these depart; of the %ld others %ld do",
+      "%ld motions stay near and approach it, %ld depart and come back, %ld end elsewhere, %ld never again stick with "
+      "both masses; %ld are undecided. Of the smallest perturbations, %ld free a sticking mass at once (slower than "
+      "the belt while the force on it exceeds the sliding friction), and %ld of these depart; of the %ld others %ld do",
       friction, size_words[t->first], MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE],
       t->total[FATE_NO_STICK], open, t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1],
       t->smallest[0][0] + t->smallest[0][1], t->smallest[0][1]);
   long far = t->smallest[0][1] + t->smallest[1][1];
-  struct text departs;
-  text_init(&departs);
-  if (far) motion_print(&departs, &t->departs);
-  const char *where = far ? result_str(b->j->out, "departs: %s", text_str(&departs)) : NULL;
-  text_clear(&departs);
+  const char *where = far ? result_str(b->j->out, "departs: %s", motion_text(b, &t->departs)) : NULL;
   enum route_outcome outcome = open          ? ROUTE_UNDECIDED
                                : near && far ? ROUTE_AGREES
                                : near        ? ROUTE_DIFFERS
@@ -290,15 +262,14 @@ bool behaviour_perturb(struct behaviour *b) {
   struct orbit_motion o;
   struct table t[FRICTIONS];
   struct route_result w[FRICTIONS * N_MOTION_ROUTES + 1];
-  struct friction law;
   struct point p;
   memset(t, 0, sizeof t);
   point_init(&p);
-  bool ok = friction_open(&law, b) && judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
+  bool ok = judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
   const struct dyn_orbit *orbit = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
   if (ok && !orbit) ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
   struct route_result proof = {.outcome = ROUTE_UNDECIDED};
-  if (ok) proof = stable_prove_conditional(b, &law, &p, orbit);
+  if (ok) proof = stable_prove_conditional(b, &p, orbit);
   for (int k = FRICTIONS - 1; ok && k >= 0; k--) {
     double slope = fabs(num_arb.get_d(orbit->trace));
     ok = orbit_motion_make(&o, &p, orbit, friction[k]) ||
@@ -316,7 +287,6 @@ bool behaviour_perturb(struct behaviour *b) {
     say_reach(b, &o);
     scene_orbit_fates(b);
   }
-  friction_close(&law);
   point_clear(&p);
   return ok;
 }

@@ -1,7 +1,5 @@
 /* Linearization: what the product of the phases' propagators alone would say of stability, and what it says with the
    jumps at the switches. */
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "friction.h"
@@ -72,13 +70,11 @@ struct methods {
   long open;               /* without jumps */
   long comes_back, leaves; /* iterates where the method without jumps is wrong */
   const char *where;
-  struct orbit_set seen;
 };
 
-static void compare_methods(struct methods *s, struct behaviour *b, const struct point *p) {
-  const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
+static void compare_methods(struct methods *s, struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
   struct values v;
-  if (o->grazing || o->stable == TRUTH_UNKNOWN || !orbit_is_new(&s->seen, o)) return;
+  if (o->stable == TRUTH_UNKNOWN) return;
   if (values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), b->j->cache) == SS_OK) {
     truth said[2] = {unstable_by_propagators(&v), unstable_by_saltation(&v)}, is = truth_not(o->stable);
     for (int i = 0; i < 2; i++)
@@ -87,16 +83,10 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
       else
         *(said[i] == is ? &s->right[i] : &s->wrong[i]) += 1;
     if (said[0] != TRUTH_UNKNOWN && said[0] != is) {
-      double params[N_PARAMS], r0 = orbit_r(o);
-      for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
-      int fate = return_map_fate(params, r0, 1e-4 * fabs(r0), 400);
+      int fate = return_map_fate(p->q, orbit_r(o), 1e-4, 400);
       s->comes_back += fate > 0;
       s->leaves += fate < 0;
-      struct text t;
-      text_init(&t);
-      point_print(&t, p);
-      const char *place = result_take(b->j->out, &t);
-      if (!s->where) s->where = place;
+      if (!s->where) s->where = point_text(b->j, p);
     }
   }
   values_clear(&v);
@@ -104,15 +94,13 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
 
 /* The proof with the claim's own orbit.  false with d set. */
 static bool prove(struct route_result *proof, struct behaviour *b) {
-  struct friction f;
   struct point p;
   point_init(&p);
-  bool ok = friction_open(&f, b) && judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
+  bool ok = judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
   const struct dyn_orbit *o = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
-  if (o) *proof = stable_prove_linearization(b, &f, &p, o);
+  if (o) *proof = stable_prove_linearization(b, &p, o);
   if (ok && !o) claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
   point_clear(&p);
-  friction_close(&f);
   return o != NULL;
 }
 
@@ -123,23 +111,17 @@ bool behaviour_linearization(struct behaviour *b) {
   struct methods s = {.where = NULL};
   struct route_result w[3], proof = {.outcome = ROUTE_UNDECIDED};
   if (method == 0 && !prove(&proof, b)) return false;
-  struct sampler sampler;
-  struct point p;
-  sampler_init(&sampler, b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  point_init(&p);
-  for (int i = 0; i < DRAWS && s.right[1] + s.wrong[1] < WANTED; i++) {
-    sampler_next(&p, &sampler);
-    if (point_settle(&p, b->j->cache)) compare_methods(&s, b, &p);
-  }
-  point_clear(&p);
-  const char *note = result_str(
-      b->j->out,
-      "the product of the phases' propagators (the variational equation without what happens at the switches) has a "
-      "multiplier outside the unit circle at %ld orbit%s "
-      "where |tr J| > 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation matrices at "
-      "the switches linearization "
-      "answers right at %ld orbits and wrong at %ld",
-      s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
+  struct orbit_walk walk;
+  const struct dyn_orbit *o;
+  orbit_walk_begin(&walk, b, false, DRAWS);
+  while (s.right[1] + s.wrong[1] < WANTED && (o = orbit_walk_next(&walk)) != NULL) compare_methods(&s, b, &walk.p, o);
+  orbit_walk_end(&walk);
+  const char *note = result_str(b->j->out,
+                                "the product of the phases' propagators (the variational equation without what happens "
+                                "at the switches) has a multiplier outside the unit circle at %ld orbit%s where |tr J| "
+                                "> 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation "
+                                "matrices at the switches linearization answers right at %ld orbits and wrong at %ld",
+                                s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
   w[0] = behaviour_route(b, "balls", "model",
                          wrong   ? ROUTE_AGREES

@@ -59,14 +59,13 @@ static bool long_run_once(struct behaviour *b, double factor) {
   bool steady = change < 1e-8;
   const char *end = trajectory_ending(b, &trajectory[0]);
   const char *where = result_str(b->j->out, "u_r1 = %.6f, u_r2 = %.6f", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
-  const char *note =
-      result_str(b->j->out,
-                 "from the printed initial state, over %d returns to the global stick phase, the sequence of phases is "
-                 "%s (D, G, H, C: global stick, slip-stick, global slip, stick-slip); at the end %s%s%s; the closed "
-                 "forms %s",
-                 RETURNS, text_str(&folded), steady ? "the motion repeats " : "the motion has not become periodic",
-                 steady ? end : "", steady ? result_str(b->j->out, " with the period %.6f", period) : "",
-                 same ? "give the same events" : "have departed from this by then");
+  const char *note = result_str(
+      b->j->out,
+      "from the printed initial state, over %d returns to the global stick phase, the sequence of phases is %s (D, G, "
+      "H, C: global stick, slip-stick, global slip, stick-slip); at the end %s%s%s; the closed forms %s",
+      RETURNS, text_str(&folded), steady ? "the motion repeats " : "the motion has not become periodic",
+      steady ? end : "", steady ? result_str(b->j->out, " with the period %.6f", period) : "",
+      same ? "give the same events" : "have departed from this by then");
   finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
   text_clear(&folded);
   text_clear(&word);

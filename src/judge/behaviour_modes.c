@@ -1,6 +1,5 @@
 /* Random motions watched by both routes: which modes occur, and how they follow one another. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "friction.h"
@@ -12,59 +11,53 @@
 enum { N_PAPER_LETTERS = 4 }; /* D, G, H, C come first */
 
 struct modes {
-  long seen[N_MODE_PAIRS];                          /* phases, by the integration */
-  long rows[N_MOTION_ROUTES], bad[N_MOTION_ROUTES]; /* samples that obey (2), that do not */
+  long seen[N_MODE_PAIRS]; /* phases, by the integration */
+  struct by_route rows;
 };
 
 /* (2) at one moment: a moving mass feels +-u_s against its motion over the belt, a sticking one at most u_r. */
-static bool obeys(const struct coulomb_row *row, const double p[N_COULOMB]) {
+static bool obeys(const struct coulomb_row *row, const struct motion *m) {
+  const double *p = m->params;
   bool ok = true;
   for (int i = 0; i < 2; i++) {
     double lag = p[COULOMB_V] - row->v[i], fine = 1e-9 * (1 + p[COULOMB_V]);
-    double f = i == 0 ? row->x[0] - p[COULOMB_CHI] * row->x[1] : p[COULOMB_CHI] * (row->x[1] - row->x[0]);
     if (row->mode[i] == MODE_STICK)
-      ok = ok && fabs(lag) <= fine && fabs(f) <= p[COULOMB_UR1 + i] * (1 + 1e-9);
+      ok = ok && fabs(lag) <= fine && fabs(motion_force(m, row->x, i)) <= p[COULOMB_UR1 + i] * (1 + 1e-9);
     else
       ok = ok && (fabs(lag) <= fine || row->u[i] == copysign(p[COULOMB_US1 + i], lag));
   }
   return ok;
 }
 
+/* Samples that obey (2), and such as do not. */
+static void count_rows(struct by_route *rows, const struct motion *m,
+                       const struct trajectory trajectory[N_MOTION_ROUTES]) {
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    for (size_t i = 0; i < trajectory[r].n_rows; i++) (obeys(&trajectory[r].row[i], m) ? rows->good : rows->bad)[r]++;
+}
+
 static void watch_modes(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct modes *s = self;
   for (size_t i = 0; i < trajectory[0].log.n; i++) s->seen[mode_index(trajectory[0].log.event[i].at.mode)]++;
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    for (size_t i = 0; i < trajectory[r].n_rows; i++)
-      *(obeys(&trajectory[r].row[i], m->params) ? &s->rows[r] : &s->bad[r]) += 1;
-}
-
-static void conclude_modes(struct behaviour *b, const struct route_result *proof) {
-  struct modes s = {{0}, {0}, {0}};
-  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_modes, &s);
-  struct text note;
-  text_init(&note);
-  text_printf(&note,
-              "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher "
-              "order), each "
-              "in one of the nine configurations at all %ld instants examined; numbers of phases of each kind:",
-              w.motions, w.apart, s.rows[0] + s.bad[0]);
-  for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
-  text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
-                  "belt, X x: one faster, one slower)");
-  enum route_outcome outcome[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(s.rows[r], s.bad[r], 0);
-  behaviour_conclude(b, outcome, w.motions, NULL, result_take(b->j->out, &note), proof);
+  count_rows(&s->rows, m, trajectory);
 }
 
 bool behaviour_modes(struct behaviour *b) {
-  struct friction f;
-  bool ok = friction_open(&f, b);
-  if (ok) {
-    struct route_result proof = events_prove_modes(b, &f);
-    conclude_modes(b, &proof);
-  }
-  friction_close(&f);
-  return ok;
+  struct modes s = {.seen = {0}};
+  struct route_result proof = events_prove_modes(b);
+  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_modes, &s);
+  struct text note;
+  text_init(&note);
+  text_printf(
+      &note,
+      "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher order), "
+      "each in one of the nine configurations at all %ld instants examined; numbers of phases of each kind:",
+      w.motions, w.apart, s.rows.good[0] + s.rows.bad[0]);
+  for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
+  text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
+                  "belt, X x: one faster, one slower)");
+  behaviour_conclude(b, &s.rows, w.motions, NULL, result_take(b->j->out, &note), &proof);
+  return true;
 }
 
 /* --- Do D, Gamma, H, C cover what happens? --- */
@@ -72,8 +65,7 @@ bool behaviour_modes(struct behaviour *b) {
 struct visits {
   struct behaviour *b;
   long inside, outside;
-  long rows[N_MOTION_ROUTES],
-      bad[N_MOTION_ROUTES]; /* samples in one of the nine pairs of modes, as (2) has them, or not */
+  struct by_route rows;     /* samples in one of the nine pairs of modes, as (2) has them, or not */
   double fastest;           /* largest lead over the belt, in belt speeds */
   const char *where, *told; /* the motion that has it; and in words */
   struct certificate certificate;
@@ -103,6 +95,12 @@ static void certify(struct visits *v, const struct motion *m, const struct coulo
   v->told = result_take(v->b->j->out, &t);
 }
 
+static bool leaves_the_four(const struct coulomb_log *log) {
+  bool out = false;
+  for (size_t i = 0; i < log->n; i++) out = out || mode_index(log->event[i].at.mode) >= N_PAPER_LETTERS;
+  return out;
+}
+
 static void watch_visits(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct visits *v = self;
   double lead = 0;
@@ -116,46 +114,31 @@ static void watch_visits(void *self, const struct motion *m, const struct trajec
       first = &trajectory[0].row[i];
       mass = k;
     }
-  bool out = false;
-  for (size_t i = 0; i < trajectory[0].log.n; i++)
-    out = out || mode_index(trajectory[0].log.event[i].at.mode) >= N_PAPER_LETTERS;
+  bool out = leaves_the_four(&trajectory[0].log);
   *(out ? &v->outside : &v->inside) += 1;
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    for (size_t i = 0; i < trajectory[r].n_rows; i++)
-      *(obeys(&trajectory[r].row[i], m->params) ? &v->rows[r] : &v->bad[r]) += 1;
+  count_rows(&v->rows, m, trajectory);
   if (!out || lead < v->fastest + 0.01) return;
-  struct text t;
-  text_init(&t);
-  motion_print(&t, m);
   v->fastest = lead;
-  v->where = result_take(v->b->j->out, &t);
+  v->where = motion_text(v->b, m);
   certify(v, m, first, mass);
 }
 
 /* How many motions on admissible orbits stay inside. */
 static void watch_orbits(long count[2], struct behaviour *b) {
-  struct orbit_set seen = {.n = 0};
-  struct sampler s;
-  struct point p;
-  sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  s.admissible = true;
-  point_init(&p);
-  for (int i = 0; i < 40 && count[0] + count[1] < 8; i++) {
+  struct orbit_walk walk;
+  const struct dyn_orbit *o;
+  orbit_walk_begin(&walk, b, true, 40);
+  while (count[0] + count[1] < 8 && (o = orbit_walk_next(&walk)) != NULL) {
     struct motion m;
-    sampler_next(&p, &s);
-    if (!point_settle(&p, b->j->cache)) continue;
-    const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p.q, FD_PREC + 64)->orbit[p.orbit];
-    if (o->grazing || !orbit_is_new(&seen, o) || !motion_on_orbit(&m, &p, o, OWN_FRICTION)) continue;
+    if (!motion_on_orbit(&m, &walk.p, o, OWN_FRICTION)) continue;
     struct coulomb_plan plan = coulomb_plan_default;
     plan.returns = 1;
     plan.max_events = 64;
     struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
-    bool out = false;
-    for (size_t k = 0; k < t.log.n; k++) out = out || mode_index(t.log.event[k].at.mode) >= N_PAPER_LETTERS;
-    count[out]++;
+    count[leaves_the_four(&t.log)]++;
     trajectory_clear(&t);
   }
-  point_clear(&p);
+  orbit_walk_end(&walk);
 }
 
 /* Rest with unstretched springs, at the scene's parameters: an ordinary way to begin. */
@@ -194,23 +177,21 @@ bool behaviour_configurations(struct behaviour *b) {
   struct watched w = behaviour_watch(b, 96, true, 24, 0.125, watch_visits, &v);
   watch_orbits(orbits, b);
   bool found = v.fastest > 0.1;
-  const char *note =
-      result_str(b->j->out,
-                 "%s%s %ld motions that were tried and start with both masses sticking, as in (11), %ld leave the four "
-                 "configurations; %s of %ld admissible periodic solutions %s them%s",
-                 v.told ? v.told : "", v.told ? "Of" : "of", w.motions, v.outside,
-                 orbits[1] ? result_str(b->j->out, "%ld", orbits[1]) : "none", orbits[0] + orbits[1],
-                 orbits[1] ? "leave" : "leaves", from_rest(b));
-  enum route_outcome outcome[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(v.inside, found, 0);
-  behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note, NULL);
+  const char *note = result_str(b->j->out,
+                                "%s%s %ld motions that were tried and start with both masses sticking, as in (11), %ld "
+                                "leave the four configurations; %s of %ld admissible periodic solutions %s them%s",
+                                v.told ? v.told : "", v.told ? "Of" : "of", w.motions, v.outside,
+                                orbits[1] ? result_str(b->j->out, "%ld", orbits[1]) : "none", orbits[0] + orbits[1],
+                                orbits[1] ? "leave" : "leaves", from_rest(b));
+  const struct by_route said = {{v.inside, v.inside}, {found, found}};
+  behaviour_conclude(b, &said, w.motions, found ? v.where : NULL, note, NULL);
   if (b->f->verdict != VERDICT_REFUTED) return true;
   b->f->certificate = v.certificate;
   struct route_result all[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
     all[r] = behaviour_route(
-        b, motion_route_name[r], "correction", outcome_of_counts(v.rows[r], v.bad[r], 0), r == BY_INTEGRATION,
-        v.rows[r] + v.bad[r], NULL,
+        b, motion_route_name[r], "correction", outcome_of_counts(v.rows.good[r], v.rows.bad[r], 0), r == BY_INTEGRATION,
+        v.rows.good[r] + v.rows.bad[r], NULL,
         "at every instant examined these motions are in one of the nine configurations, with the forces of (2)");
   b->f->correction = "nine configurations: for each mass x'_i = V with a force of at most u_ri (sticking), x'_i < V or "
                      "x'_i > V (slipping)";
@@ -222,13 +203,14 @@ bool behaviour_configurations(struct behaviour *b) {
 
 struct switches {
   bool to_stick, sliding_limit; /* which transition; the limit is u_s instead of u_r */
-  long good[N_MOTION_ROUTES], bad[N_MOTION_ROUTES], crossings;
+  struct by_route events, rows;
+  long crossings;
 };
 
 static bool at_event(struct switches *s, const struct coulomb_event *e, const struct motion *m) {
   int i = e->mass;
   const double *p = m->params;
-  double f = i == 0 ? e->at.x[0] - p[COULOMB_CHI] * e->at.x[1] : p[COULOMB_CHI] * (e->at.x[1] - e->at.x[0]);
+  double f = motion_force(m, e->at.x, i);
   double limit = p[(s->sliding_limit ? COULOMB_US1 : COULOMB_UR1) + i], fine = 1e-8 * (1 + fabs(e->at.x[0]));
   if (fabs(e->at.v[i] - p[COULOMB_V]) > fine) return false;
   if (e->from == MODE_STICK) return fabs(fabs(f) - limit) <= fine;
@@ -237,48 +219,48 @@ static bool at_event(struct switches *s, const struct coulomb_event *e, const st
 
 static void watch_switches(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct switches *s = self;
-  for (int r = 0; r < N_MOTION_ROUTES; r++) {
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
     for (size_t i = 0; i < trajectory[r].log.n; i++) {
       const struct coulomb_event *e = &trajectory[r].log.event[i];
       if ((e->from != MODE_STICK) != s->to_stick) continue;
       s->crossings += r == 0 && e->from != MODE_STICK && e->to != MODE_STICK;
-      *(at_event(s, e, m) ? &s->good[r] : &s->bad[r]) += 1;
+      (at_event(s, e, m) ? s->events.good : s->events.bad)[r]++;
     }
-    for (size_t i = 0; i < trajectory[r].n_rows; i++) s->bad[r] += !obeys(&trajectory[r].row[i], m->params);
-  }
+  count_rows(&s->rows, m, trajectory);
 }
 
-static void conclude_switches(struct behaviour *b, bool to_stick, bool sliding_limit,
-                              const struct route_result *proof) {
-  struct switches s = {.to_stick = to_stick, .sliding_limit = sliding_limit};
-  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_switches, &s);
+static void conclude_switches(struct behaviour *b, struct switches *s, const struct route_result *proof) {
+  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_switches, s);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) s->events.bad[r] += s->rows.bad[r];
+  long events = s->events.good[0] + s->events.bad[0];
   const char *note;
-  if (to_stick)
+  if (s->to_stick)
     note = result_str(b->j->out,
                       "%ld motions, %ld moments at which a mass reaches the belt's velocity: it sticks where the force "
                       "is within the limit, and crosses to the other side of the belt's velocity where it is not (%ld)",
-                      w.motions, s.good[0] + s.bad[0], s.crossings);
+                      w.motions, events, s->crossings);
   else
-    note = result_str(b->j->out,
-                      "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a "
-                      "greater one",
-                      w.motions, s.good[0] + s.bad[0]);
-  enum route_outcome outcome[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(s.good[r], s.bad[r], 0);
-  behaviour_conclude(b, outcome, s.good[0] + s.bad[0], NULL, note, proof);
+    note = result_str(
+        b->j->out,
+        "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a greater one",
+        w.motions, events);
+  behaviour_conclude(b, &s->events, events, NULL, note, proof);
 }
 
 bool behaviour_switches(struct behaviour *b) {
   const char *which = claim_get(b->c, "transition"), *limit = claim_get(b->c, "limit");
-  bool to_stick = which && strcmp(which, "slip to stick") == 0, sliding = limit && strcmp(limit, "u_s") == 0;
-  if (!to_stick && !(which && strcmp(which, "stick to slip") == 0))
+  struct switches s = {.to_stick = which && strcmp(which, "slip to stick") == 0,
+                       .sliding_limit = limit && strcmp(limit, "u_s") == 0};
+  if (!s.to_stick && !(which && strcmp(which, "stick to slip") == 0))
     return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
-  struct friction f;
-  bool ok = friction_open(&f, b);
+  struct friction law;
+  struct behaviour with = *b;
+  with.law = &law;
+  bool ok = friction_open(&law, b);
   if (ok) {
-    struct route_result proof = to_stick ? events_prove_stick(b, &f) : events_prove_slip(b, &f, sliding);
-    conclude_switches(b, to_stick, sliding, &proof);
+    struct route_result proof = s.to_stick ? events_prove_stick(&with) : events_prove_slip(&with, s.sliding_limit);
+    conclude_switches(b, &s, &proof);
   }
-  friction_close(&f);
+  friction_close(&law);
   return ok;
 }

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "judge.h"
 #include "value/coulomb_setup.h"
+#include "verdict.h"
 
 const char *const motion_route_name[N_MOTION_ROUTES] = {"integration", "motion"};
 
@@ -82,11 +82,17 @@ int mode_index(const enum coulomb_mode mode[2]) {
   return (int)(strchr(mode_letters, coulomb_letter(mode)) - mode_letters);
 }
 
+double motion_force(const struct motion *m, const double x[2], int mass) {
+  double chi = m->params[COULOMB_CHI];
+  return mass ? chi * (x[1] - x[0]) : x[0] - chi * x[1];
+}
+
 static double nearest_dyadic(double x) {
   return nearbyint(64 * x) / 64;
 }
 
-void motion_params(struct motion *m, struct sampler *s) {
+/* Random parameters, all exact in double. */
+static void motion_params(struct motion *m, struct sampler *s) {
   struct point p;
   point_init(&p);
   sampler_next(&p, s);
@@ -96,7 +102,8 @@ void motion_params(struct motion *m, struct sampler *s) {
   point_clear(&p);
 }
 
-void motion_start(struct motion *m, struct sampler *s, bool sticking) {
+/* A start anywhere, overrunning masses and sticking ones included; sticking: both stick, as in (11). */
+static void motion_start(struct motion *m, struct sampler *s, bool sticking) {
   struct point p;
   double f[2];
   point_init(&p);
@@ -112,12 +119,13 @@ void motion_start(struct motion *m, struct sampler *s, bool sticking) {
   point_clear(&p);
 }
 
-void motion_print(struct text *out, const struct motion *m) {
-  const double *p = m->params;
-  text_printf(out, "chi = %.12g, eta = %.12g, V = %.12g, e1 = %.12g, e2 = %.12g, u_r1 = %.12g, u_r2 = %.12g; ",
-              p[COULOMB_CHI], p[COULOMB_ETA], p[COULOMB_V], p[COULOMB_UR1] - p[COULOMB_US1],
-              p[COULOMB_UR2] - p[COULOMB_US2], p[COULOMB_UR1], p[COULOMB_UR2]);
-  text_printf(out, "--start %.12g,%.12g,%.12g,%.12g", m->start[0], m->start[1], m->start[2], m->start[3]);
+const char *motion_text(struct behaviour *b, const struct motion *m) {
+  const double *p = m->params, *x = m->start;
+  return result_str(b->j->out,
+                    "chi = %.12g, eta = %.12g, V = %.12g, e1 = %.12g, e2 = %.12g, u_r1 = %.12g, u_r2 = %.12g; "
+                    "--start %.12g,%.12g,%.12g,%.12g",
+                    p[COULOMB_CHI], p[COULOMB_ETA], p[COULOMB_V], p[COULOMB_UR1] - p[COULOMB_US1],
+                    p[COULOMB_UR2] - p[COULOMB_US2], p[COULOMB_UR1], p[COULOMB_UR2], x[0], x[1], x[2], x[3]);
 }
 
 bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor) {
@@ -134,6 +142,59 @@ bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {
   if (set->n == (int)(sizeof set->at / sizeof *set->at)) return false;
   set->at[set->n++] = o;
   return true;
+}
+
+double orbit_r(const struct dyn_orbit *o) {
+  return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
+}
+
+int return_map_fate(const fmpq params[N_PARAMS], double r, double part, long steps) {
+  double p[N_PARAMS], offset = part * fabs(r), at = r + offset, t[4];
+  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(&params[i]);
+  for (long i = 0; i < steps; i++) {
+    if (dyn_return_map_d(&at, NULL, t, p, at, &dyn_limits_default) != SS_OK) return -1;
+    if (fabs(at - r) < 0.5 * fabs(offset)) return 1;
+    if (fabs(at - r) > 2 * fabs(offset)) return -1;
+  }
+  return 0;
+}
+
+double motion_distance(const struct point *params, const struct dyn_orbit *o, double part, long returns) {
+  struct motion m;
+  struct coulomb_plan plan = coulomb_plan_default;
+  if (!motion_on_orbit(&m, params, o, OWN_FRICTION)) return NAN;
+  double r = m.start[Z_2] - m.start[Z_1], offset = part * fabs(r);
+  m.start[Z_2] += offset;
+  plan.returns = returns;
+  plan.max_events = 64 * returns;
+  struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
+  double distance = t.status == SS_OK ? fabs(t.result.at.x[1] - t.result.at.x[0] - r) / offset : NAN;
+  trajectory_clear(&t);
+  return distance;
+}
+
+/* --- Orbits --- */
+
+void orbit_walk_begin(struct orbit_walk *w, struct behaviour *b, bool admissible, int draws) {
+  *w = (struct orbit_walk){.cache = b->j->cache, .draws = draws};
+  sampler_init(&w->sampler, b->c->id, POINT_ORBIT, PHASE_D, NULL);
+  w->sampler.admissible = admissible;
+  point_init(&w->p);
+}
+
+const struct dyn_orbit *orbit_walk_next(struct orbit_walk *w) {
+  while (w->draws-- > 0) {
+    sampler_next(&w->p, &w->sampler);
+    if (w->in_turn) w->sampler.admissible = !w->sampler.admissible;
+    if (!point_settle(&w->p, w->cache)) continue;
+    const struct dyn_orbit *o = &orbit_cache_get(w->cache, w->p.q, FD_PREC + 64)->orbit[w->p.orbit];
+    if (!o->grazing && orbit_is_new(&w->met, o)) return o;
+  }
+  return NULL;
+}
+
+void orbit_walk_end(struct orbit_walk *w) {
+  point_clear(&w->p);
 }
 
 /* --- Evidence --- */
@@ -171,13 +232,14 @@ struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, doubl
   return w;
 }
 
-void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
-                        const char *where, const char *note, const struct route_result *proof) {
+void behaviour_conclude(struct behaviour *b, const struct by_route *said, long trials, const char *where,
+                        const char *note, const struct route_result *proof) {
   struct route_result w[N_MOTION_ROUTES + 1];
   int n = 0;
   if (proof && proof->outcome != ROUTE_UNDECIDED) w[n++] = *proof;
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[n++] = behaviour_route(b, motion_route_name[r], "model", outcome[r], r == BY_INTEGRATION, trials,
-                             r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+    w[n++] = behaviour_route(b, motion_route_name[r], "model", outcome_of_counts(said->good[r], said->bad[r], 0),
+                             r == BY_INTEGRATION, trials, r == BY_INTEGRATION ? where : NULL,
+                             r == BY_INTEGRATION ? note : NULL);
   b->f->verdict = verdict_of(w, n, n > N_MOTION_ROUTES);
 }

@@ -2,9 +2,9 @@
    slip slower or faster than the belt: linearity, the closed forms of the paper and where they stop, the dimension of
    each phase's states, and that a patched solution is a motion. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "friction.h"
+#include "num/num_exact.h"
 #include "value/expression.h"
 #include "value/title.h"
 #include "verdict.h"
@@ -32,7 +32,7 @@ static bool accelerations(val a[2], const struct friction *f, struct law_state *
 static truth is_linear(const struct friction *f, const int slips[2]) {
   struct law_state s;
   val a[4][2], z[4][N_STATE];
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   struct calc *c = &s.c;
   val k = law_free(&s, N_STATE);
   for (int i = 0; i < N_STATE; i++) {
@@ -53,24 +53,18 @@ static truth is_linear(const struct friction *f, const int slips[2]) {
 }
 
 bool behaviour_linear(struct behaviour *b) {
-  struct friction f;
-  bool ok = friction_open(&f, b);
-  if (ok) {
-    truth all = TRUTH_TRUE;
-    for (int i = 0; i < N_PAIRS; i++) {
-      const int slips[2] = {slips_of[i / N_SLIPS], slips_of[i % N_SLIPS]};
-      all = truth_and(all, is_linear(&f, slips));
-    }
-    behaviour_decide(b, outcome_of_truth(all),
-                     all == TRUTH_TRUE
-                         ? "exact, in each of the nine configurations (either mass slower than the belt, with it, or "
-                           "faster): by (1) and (2) the accelerations at the state x + k y less those at x are k times "
-                           "those at y less those at 0, for all x, y and k"
-                     : all == TRUTH_FALSE ? "exact: in some configuration the accelerations are no such functions"
-                                          : "the accelerations are not known in every configuration");
+  truth all = TRUTH_TRUE;
+  for (int i = 0; i < N_PAIRS; i++) {
+    const int slips[2] = {slips_of[i / N_SLIPS], slips_of[i % N_SLIPS]};
+    all = truth_and(all, is_linear(b->law, slips));
   }
-  friction_close(&f);
-  return ok;
+  behaviour_decide(b, outcome_of_truth(all),
+                   all == TRUTH_TRUE ? "exact, in each of the nine configurations (either mass slower than the belt, "
+                                       "with it, or faster): by (1) and (2) the accelerations at the state x + k y "
+                                       "less those at x are k times those at y less those at 0, for all x, y and k"
+                   : all == TRUTH_FALSE ? "exact: in some configuration the accelerations are no such functions"
+                                        : "the accelerations are not known in every configuration");
+  return true;
 }
 
 /* --- The closed forms --- */
@@ -126,7 +120,7 @@ static truth form_holds(const struct friction *f, const struct forms *p, const i
   static const int plain[2] = {1, 1};
   struct law_state s;
   truth all = TRUTH_TRUE;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   bool ok = friction_mode(f, &s, slips) && shift_state(p, &s, signs ? slips : plain);
   for (int i = 0; i < 2; i++) {
     all = truth_and(all, ok ? law_vanishes(&s, excess(p, &s, slips, i)) : TRUTH_UNKNOWN);
@@ -139,7 +133,7 @@ static truth form_holds(const struct friction *f, const struct forms *p, const i
 static bool falls_short_by_twice(const struct friction *f, const struct forms *p, int mass) {
   int slips[2] = {1, 1}, plain[2] = {1, 1};
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   slips[mass] = -1;
   val z = friction_mode(f, &s, slips) && shift_state(p, &s, plain) ? excess(p, &s, slips, mass) : NULL;
   val twice = calc_mul(&s.c, calc_d(&s.c, 2), mass ? calc_mul(&s.c, s.eta, s.slide[1]) : s.slide[0]);
@@ -183,10 +177,9 @@ static void conclude_forms(struct behaviour *b, const struct described *n, bool 
           "z'' + K z = 0, with K, K_1 or K_2, z = x - d_0 and d_01, d_02 of (3), is exactly what (1) and (2) give in "
           "%s of the four configurations in which no mass is faster than the belt, and in none of the other five%s",
           n->inside[0] ? result_str(b->j->out, "%ld", n->inside[1]) : "each",
-          twice
-              ? ": a faster mass has the friction -u_si, and x''_1 is smaller by 2 u_s1, or x''_2 by 2 eta u_s2, than "
-                "(3) says, in every state"
-              : ""));
+          twice ? ": a faster mass has the friction -u_si, and x''_1 is smaller by 2 u_s1, or x''_2 by 2 eta u_s2, "
+                  "than (3) says, in every state"
+                : ""));
   if (n->inside[0]) return;
   struct route_result under = {"exact", ROUTE_AGREES, true, 1};
   b->f->verdict = verdict_under_condition(b->f->verdict, verdict_of(&under, 1, true));
@@ -197,15 +190,13 @@ static void conclude_forms(struct behaviour *b, const struct described *n, bool 
 }
 
 bool behaviour_closed_forms(struct behaviour *b) {
-  struct friction f;
   struct forms p = {.n = 0};
-  bool ok = friction_open(&f, b) && forms_open(&p, b);
+  bool ok = forms_open(&p, b);
   if (ok) {
-    struct described n = describe_pairs(&f, &p);
-    conclude_forms(b, &n, falls_short_by_twice(&f, &p, 0) && falls_short_by_twice(&f, &p, 1));
+    struct described n = describe_pairs(b->law, &p);
+    conclude_forms(b, &n, falls_short_by_twice(b->law, &p, 0) && falls_short_by_twice(b->law, &p, 1));
   }
   forms_close(&p);
-  friction_close(&f);
   return ok;
 }
 
@@ -216,7 +207,7 @@ static int rank_of_equations(const struct conditions *list, enum phase ph) {
   struct law_state s;
   fmpq_mat_t m;
   fmpq_mat_init(m, MAX_CONDITIONS, N_STATE);
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   struct calc *c = &s.c;
   val *const coordinate[N_STATE] = {&s.x[0], &s.x[1], &s.v[0], &s.v[1]};
   bool ok = true;
@@ -303,30 +294,30 @@ static bool phase_obeys_law(const struct friction *f, const struct forms *p, con
                             enum phase ph) {
   static const int plain[2] = {1, 1};
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   bool ok = shift_state(p, &s, plain);
   for (int i = 0; i < 2; i++) ok = ok && in_branch(f, states, ph, &s, i, phase_slips[ph][i]);
   law_state_close(&s);
   return ok && form_holds(f, p, phase_slips[ph], false) == TRUTH_TRUE;
 }
 
-struct route_result phases_prove_motion(struct behaviour *b, const struct friction *f) {
+struct route_result phases_prove_motion(struct behaviour *b) {
   struct conditions states = {.n = 0};
   struct forms p = {.n = 0};
   struct route_result w = {.outcome = ROUTE_UNDECIDED};
   if (conditions_read(&states, b->j, b->c, "states", b->view) && forms_open(&p, b)) {
     bool all = true;
-    for (int ph = 0; ph < N_PHASES; ph++) all = all && phase_obeys_law(f, &p, &states, (enum phase)ph);
-    for (int i = 0; i < 2; i++) all = all && events_decided(f, i);
+    for (int ph = 0; ph < N_PHASES; ph++) all = all && phase_obeys_law(b->law, &p, &states, (enum phase)ph);
+    for (int i = 0; i < 2; i++) all = all && events_decided(b->law, i);
     w = behaviour_proof(
         b, all ? ROUTE_AGREES : ROUTE_UNDECIDED,
         all ? "exact, in each of the four phases: with z = x - d_0 and e_i = u_ri - u_si the conditions of the phase "
-              "are those under which (2) has one branch for either mass, and z'' + K z = 0 with the phase's matrix "
-              "is what (1) gives with its friction. At t_a and t_a + t_b the force rises through its limit (at the "
-              "rates V (1 - chi) and chi (V - z'_1)), so that the mass cannot stick on; at t_a + t_b + t_c and at "
-              "the end a mass reaches the belt's velocity inside the limits, and sticks. So the solution of (12), "
-              "(14), (16) and (18) that breaks no condition is the motion from Z_0 under Coulomb's law, and by (18) "
-              "the map takes Z_0 to Z_0"
+              "are those under which (2) has one branch for either mass, and z'' + K z = 0 with the phase's matrix is "
+              "what (1) gives with its friction. At t_a and t_a + t_b the force rises through its limit (at the rates "
+              "V (1 - chi) and chi (V - z'_1)), so that the mass cannot stick on; at t_a + t_b + t_c and at the end a "
+              "mass reaches the belt's velocity inside the limits, and sticks. So the solution of (12), (14), (16) and "
+              "(18) that breaks no condition is the motion from Z_0 under Coulomb's law, and by (18) the map takes Z_0 "
+              "to Z_0"
             : "the conditions of the phases are not known to be those of (2)");
   }
   forms_close(&p);

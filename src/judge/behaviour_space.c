@@ -1,12 +1,10 @@
 /* What starts on admissible orbits: small perturbations of the global stick phase, and orbits as fixed points. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "friction.h"
 #include "proof/exact_law.h"
 #include "value/coulomb_setup.h"
-#include "verdict.h"
 
 /* --- Admissible orbits --- */
 
@@ -16,43 +14,31 @@ enum { ORBITS = 12, ORBIT_DRAWS = 80 };
 typedef bool (*orbit_fn)(enum motion_route r, const struct motion *m);
 
 /* Tries it on admissible orbits of the pool, by both routes, with two static frictions. */
-static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, bool proved) {
+static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, const struct route_result *proof) {
   static const double friction[] = {OWN_FRICTION, 2};
-  struct sampler s;
-  struct point p;
-  struct orbit_set seen = {.n = 0};
-  long good[N_MOTION_ROUTES] = {0}, bad[N_MOTION_ROUTES] = {0}, orbits = 0;
-  sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  s.admissible = true;
-  point_init(&p);
-  for (int i = 0; i < ORBIT_DRAWS && orbits < ORBITS; i++) {
-    struct motion m;
-    sampler_next(&p, &s);
-    if (!point_settle(&p, b->j->cache)) continue;
-    const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p.q, FD_PREC + 64)->orbit[p.orbit];
-    if (o->grazing || !orbit_is_new(&seen, o)) continue;
-    orbits++;
+  struct orbit_walk walk;
+  const struct dyn_orbit *o;
+  struct by_route said = {{0}, {0}};
+  long orbits = 0;
+  orbit_walk_begin(&walk, b, true, ORBIT_DRAWS);
+  for (; orbits < ORBITS && (o = orbit_walk_next(&walk)) != NULL; orbits++)
     for (int k = 0; k < 2; k++)
       for (int r = 0; r < N_MOTION_ROUTES; r++) {
-        bool ok = motion_on_orbit(&m, &p, o, friction[k]) && holds((enum motion_route)r, &m);
-        *(ok ? &good[r] : &bad[r]) += 1;
+        struct motion m;
+        bool ok = motion_on_orbit(&m, &walk.p, o, friction[k]) && holds((enum motion_route)r, &m);
+        (ok ? said.good : said.bad)[r]++;
       }
-  }
-  point_clear(&p);
-  struct route_result w[N_MOTION_ROUTES];
-  const char *words =
-      result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note);
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome_of_counts(good[r], bad[r], 0), r == BY_INTEGRATION,
-                           good[r] + bad[r], NULL, r == BY_INTEGRATION ? words : NULL);
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, proved);
+  orbit_walk_end(&walk);
+  behaviour_conclude(
+      b, &said, said.good[0] + said.bad[0], NULL,
+      result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note),
+      proof);
 }
 
 /* The distance from each limit of (11): e1 - w, w - (e1 - 2 u_r1), e2 - chi r, chi r - (e2 - 2 u_r2); the least. */
 static double least_margin(const struct motion *m) {
-  const double *p = m->params, *x = m->start;
-  double f[2] = {x[0] - p[COULOMB_CHI] * x[1], p[COULOMB_CHI] * (x[1] - x[0])}, least = INFINITY;
-  for (int i = 0; i < 2; i++) least = fmin(least, p[COULOMB_UR1 + i] - fabs(f[i]));
+  double least = INFINITY;
+  for (int i = 0; i < 2; i++) least = fmin(least, m->params[COULOMB_UR1 + i] - fabs(motion_force(m, m->start, i)));
   return least;
 }
 
@@ -78,7 +64,7 @@ static bool still_sticks(enum motion_route r, const struct motion *m) {
 }
 
 /* The forces are below their limits by (2), and affine in the positions. */
-static bool prove_small(struct behaviour *b) {
+static struct route_result prove_small(struct behaviour *b) {
   struct text reach[2];
   for (int i = 0; i < 2; i++) text_init(&reach[i]);
   bool proved = exact_law_reach(reach);
@@ -87,23 +73,23 @@ static bool prove_small(struct behaviour *b) {
     e->route = "exact";
     e->layer = "model";
     e->result = "proved";
-    e->note =
-        result_str(b->j->out,
-                   "by (2) each force is below its limit where the phase begins and throughout it, and changes of "
-                   "z_10 and z_20 by at most r change the force on m_1 by at most (%s) r and that on m_2 by at most "
-                   "(%s) r; so both masses stick wherever these are smaller than the least distances of the forces "
-                   "from their limits",
-                   text_str(&reach[0]), text_str(&reach[1]));
+    e->note = result_str(
+        b->j->out,
+        "by (2) each force is below its limit where the phase begins and throughout it, and changes of z_10 and z_20 "
+        "by at most r change the force on m_1 by at most (%s) r and that on m_2 by at most (%s) r; so both masses "
+        "stick wherever these are smaller than the least distances of the forces from their limits",
+        text_str(&reach[0]), text_str(&reach[1]));
   }
   for (int i = 0; i < 2; i++) text_clear(&reach[i]);
-  return proved;
+  return (struct route_result){"exact", proved ? ROUTE_AGREES : ROUTE_UNDECIDED, true, 1};
 }
 
 bool behaviour_small(struct behaviour *b) {
+  const struct route_result proof = prove_small(b);
   judge_orbits(b, still_sticks,
                "positions moved eight ways at the start by as much as 0.99 of the least distance of a force from its "
                "limit, over 1 + chi; both masses stick until m_1 breaks loose. \"Small\" means smaller than that",
-               prove_small(b));
+               &proof);
   return true;
 }
 
@@ -124,13 +110,7 @@ static bool comes_back(enum motion_route r, const struct motion *m) {
 }
 
 bool behaviour_fixed_points(struct behaviour *b) {
-  struct friction f;
-  bool ok = friction_open(&f, b);
-  if (ok) {
-    struct route_result proof = phases_prove_motion(b, &f);
-    judge_orbits(b, comes_back, "the motion from its start goes G H C D and comes back to that start",
-                 proof.outcome == ROUTE_AGREES);
-  }
-  friction_close(&f);
-  return ok;
+  struct route_result proof = phases_prove_motion(b);
+  judge_orbits(b, comes_back, "the motion from its start goes G H C D and comes back to that start", &proof);
+  return true;
 }

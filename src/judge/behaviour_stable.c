@@ -1,9 +1,7 @@
 /* Stability: what is proved by signs of (1) and (2), with one certified orbit on which it is so. */
-#include <string.h>
-
 #include "friction.h"
 #include "motion/certify.h"
-#include "verdict.h"
+#include "num/num_exact.h"
 
 const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct point *p, truth stable) {
   const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
@@ -25,8 +23,8 @@ static const char *certified(struct behaviour *b, const struct point *p, const s
   dyn_certify(&z, &q, o);
   if (z.certified && z.stable == TRUTH_TRUE && z.admissible == TRUTH_TRUE) {
     text_printf(&t,
-                "the orbit at %s is certified in balls (%ld bits; one solution in its box, first events, each a "
-                "simple root, and all conditions), with tr J = ",
+                "the orbit at %s is certified in balls (%ld bits; one solution in its box, first events, each a simple "
+                "root, and all conditions), with tr J = ",
                 claim_get(b->c, "at"), (long)z.bits);
     num_print_ball(&t, o->trace, 6);
     out = result_take(b->j->out, &t);
@@ -44,7 +42,7 @@ static bool keeps_volume(const struct friction *f) {
   for (int ph = 0; ph < N_PHASES; ph++)
     for (int i = 0; i < 2; i++) {
       struct law_state s;
-      law_state_open(&s);
+      law_state_open(&s, num_ctx_exact());
       bool ok = friction_mode(f, &s, phase_slips[ph]);
       val before = s.a[i];
       s.v[i] = law_free(&s, 0);
@@ -55,40 +53,36 @@ static bool keeps_volume(const struct friction *f) {
   return all == TRUTH_TRUE;
 }
 
-static const char attracts[] =
-    "at the start of its stick phase r = z_2 - z_1 alone fixes what follows, the return map of r is analytic there, "
-    "since its events are simple roots (implicit function theorem), and its slope is tr J: starts beside it in the "
-    "stick phase come back to it";
+static const char attracts[] = "at the start of its stick phase r = z_2 - z_1 alone fixes what follows, the return map "
+                               "of r is analytic there, since its events are simple roots (implicit function theorem), "
+                               "and its slope is tr J: starts beside it in the stick phase come back to it";
 
-struct route_result stable_prove_linearization(struct behaviour *b, const struct friction *f, const struct point *p,
-                                               const struct dyn_orbit *o) {
-  const char *orbit = keeps_volume(f) ? certified(b, p, o) : NULL;
+struct route_result stable_prove_linearization(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
+  const char *orbit = keeps_volume(b->law) ? certified(b, p, o) : NULL;
   if (!orbit)
     return behaviour_proof(b, ROUTE_UNDECIDED, "no stable orbit is certified, or a phase does not keep the volume");
   return behaviour_proof(
       b, ROUTE_AGREES,
-      result_str(
-          b->j->out,
-          "exact: in each phase x''_i does not depend on x'_i, so that the linearized system has the trace 0 and "
-          "its propagator the determinant 1 (Liouville's formula); the product of the phases' propagators has it "
-          "too, and the product of its multipliers is 1: linearizing the phases alone calls no periodic solution "
-          "asymptotically stable, not even where that is so of starts in the stick phase: %s; %s",
-          orbit, attracts));
+      result_str(b->j->out,
+                 "exact: in each phase x''_i does not depend on x'_i, so that the linearized system has the trace 0 "
+                 "and its propagator the determinant 1 (Liouville's formula); the product of the phases' propagators "
+                 "has it too, and the product of its multipliers is 1: linearizing the phases alone calls no periodic "
+                 "solution asymptotically stable, not even where that is so of starts in the stick phase: %s; %s",
+                 orbit, attracts));
 }
 
 /* A mass slower than the belt by however little, on which f exceeds u_s, falls back further. */
 static bool falls_back(const struct friction *f) {
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   law_state_in(&s, (struct law_cell){0, 1, PULL_OVER, 1});
   int sign = friction_apply(f, &s, 0, 1) ? law_sign(&s, friction_acceleration(f, &s, 0)) : NO_SIGN;
   law_state_close(&s);
   return sign == -1;
 }
 
-struct route_result stable_prove_conditional(struct behaviour *b, const struct friction *f, const struct point *p,
-                                             const struct dyn_orbit *o) {
-  const char *orbit = falls_back(f) && arb_is_positive(o->t[0]) ? certified(b, p, o) : NULL;
+struct route_result stable_prove_conditional(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
+  const char *orbit = falls_back(b->law) && arb_is_positive(o->t[0]) ? certified(b, p, o) : NULL;
   if (!orbit)
     return behaviour_proof(b, ROUTE_UNDECIDED, "no stable orbit is certified, or the sign of x''_1 is not known");
   return behaviour_proof(
@@ -96,11 +90,11 @@ struct route_result stable_prove_conditional(struct behaviour *b, const struct f
       result_str(
           b->j->out,
           "on every admissible orbit with t_a > 0, simple roots as events and |tr J| < 1: %s. Other perturbations, "
-          "however small, do not: in the stick phase f_1 = x_1 - chi x_2 rises to u_r1 > u_s1; where u_s1 < f_1 < "
-          "u_r1 and x'_1 is lowered from V to V - delta, (2) has the slip motion of m_1, x''_1 = u_s1 - f_1 < 0, so "
-          "that m_1 slips at once, before f_1 has reached u_r1, whatever delta > 0 is. As delta goes to 0 that motion "
-          "goes to the slip motion from the orbit's own state, which meets the orbit no more for some time (states of "
-          "the orbit with x'_1 near V and x'_2 = V either stick or have f_1 near u_r1): the distance from the orbit "
-          "does not go to 0 with delta. There are such orbits: %s",
+          "however small, do not: in the stick phase f_1 = x_1 - chi x_2 rises to u_r1 > u_s1; where u_s1 < f_1 < u_r1 "
+          "and x'_1 is lowered from V to V - delta, (2) has the slip motion of m_1, x''_1 = u_s1 - f_1 < 0, so that "
+          "m_1 slips at once, before f_1 has reached u_r1, whatever delta > 0 is. As delta goes to 0 that motion goes "
+          "to the slip motion from the orbit's own state, which meets the orbit no more for some time (states of the "
+          "orbit with x'_1 near V and x'_2 = V either stick or have f_1 near u_r1): the distance from the orbit does "
+          "not go to 0 with delta. There are such orbits: %s",
           attracts, orbit));
 }

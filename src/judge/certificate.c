@@ -7,10 +7,7 @@ static const char *const start_name[2] = {"z_10", "z_20"};
 static const char *const time_name[N_PHASES] = {"t_a", "t_b", "t_c", "t_d"};
 
 void certify_exact(struct certificate *c, struct judge *j, const char *name, const fmpq *x) {
-  struct text t;
-  text_init(&t);
-  num_print_q(&t, x);
-  certificate_add(c, j->out, name, result_take(j->out, &t));
+  certificate_add(c, j->out, name, rational_text(j, x));
 }
 
 void certify_ball(struct certificate *c, struct judge *j, const char *name, const arb_t x) {

@@ -1,9 +1,6 @@
 /* Does the printed solution close?  One pass through the word from every start that the printed digits allow. */
 #include "certificate.h"
 #include "num/calc.h"
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* Positions after one pass through the word less those at its start, and the derivative of that: gap[0] for
    r = z_2 - z_1 (which alone fixes the state at the end of the stick phase), gap[1], gap[2] for z_1, z_2; slope[0],
@@ -131,8 +128,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   if (s == SS_OK)
     note = result_str(j->out,
                       "For every initial state with the printed digits, z_2 - z_1 changes during one period by an "
-                      "amount between %.3g "
-                      "and %.3g%s",
+                      "amount between %.3g and %.3g%s",
                       bound(gap, true), bound(gap, false), apart ? ", so that none of them is periodic." : ".");
   finding_add_route(f, j->out, w, "model", FIRST_PREC,
                     "all initial states that the printed digits of z10 and z20 allow", note);

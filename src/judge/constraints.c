@@ -5,8 +5,6 @@
    forms for the least u_r1 and u_r2 are the infima along the orbits.  Simulation: with u_r just above its bounds the
    motion under the Coulomb law closes after one period of the same phases; with a constraint broken it does not. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "explore/family.h"
 #include "judge.h"
@@ -40,21 +38,8 @@ static const char *const least_attribute[2] = {"least-first", "least-second"};
 
 /* --- Balls --- */
 
-/* Do all of the paper's constraints hold along the orbit? */
-static truth list_holds(struct constraints *x, const struct point *p) {
-  arb_t value;
-  truth all = TRUTH_TRUE;
-  arb_init(value);
-  for (int k = 0; k < x->paper.n && all != TRUTH_FALSE; k++) {
-    double where;
-    all = truth_and(all, condition_holds(&where, value, &x->paper.at[k], p, FIRST_PREC, x->j->cache));
-  }
-  arb_clear(value);
-  return all;
-}
-
 static void compare_lists(struct constraints *x, const struct point *p, const struct dyn_orbit *o) {
-  truth all = list_holds(x, p);
+  truth all = conditions_hold(&x->paper, p, FIRST_PREC, x->j->cache);
   x->same += all == o->admissible && all != TRUTH_UNKNOWN;
   x->other += all != o->admissible && all != TRUTH_UNKNOWN && o->admissible != TRUTH_UNKNOWN;
   x->open += all == TRUTH_UNKNOWN || o->admissible == TRUTH_UNKNOWN;
@@ -218,7 +203,7 @@ static void by_simulation(struct constraints *x) {
       pool_point(&p, pool->item[i], k);
       if (count[0] >= SIMULATED && clearly_fails(x, &p)) continue;
       p.known = NULL;
-      truth listed = list_holds(x, &p);
+      truth listed = conditions_hold(&x->paper, &p, FIRST_PREC, x->j->cache);
       if (listed == TRUTH_UNKNOWN || count[listed]++ >= SIMULATED) continue;
       simulate(x, pool->item[i], k, &p, listed);
     }
@@ -251,34 +236,26 @@ static bool least_is_exact(struct constraints *x, int i) {
 
 static bool prove(struct finding *f, struct constraints *x) {
   if (!exact_constraints(&x->paper) || !least_is_exact(x, 0) || !least_is_exact(x, 1)) return false;
-  struct evidence *e = finding_add(f, x->j->out);
-  e->route = "exact";
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = "proved";
-  e->note =
-      "each of the paper's constraints follows, on motions computed from the first-order systems, from t_a > 0 and "
-      "what "
-      "Coulomb's law (2) asks along the four phases, and each of these from the paper's constraints; u_ri + f_i, f_i "
-      "being the force on mass i, is twice u_ri less its closed form where the mass begins to stick, and does not "
-      "decrease while it sticks";
+  exact_route(f, x->j->out, ROUTE_AGREES,
+              "each of the paper's constraints follows, on motions computed from the first-order systems, from t_a > 0 "
+              "and what Coulomb's law (2) asks along the four phases, and each of these from the paper's constraints; "
+              "u_ri + f_i, f_i being the force on mass i, is twice u_ri less its closed form where the mass begins to "
+              "stick, and does not decrease while it sticks");
   return true;
 }
 
 static void describe(struct finding *f, struct constraints *x) {
   struct route_result w[2];
-  const char *note = result_str(
-      x->j->out,
-      "the paper's constraints hold together where those of the model do, and fail where these fail, on %ld orbits, "
-      "not "
-      "so on %ld, undecided on %ld; the closed forms of the least u_r1 and u_r2 are the infima %ld times, are not %ld "
-      "times, undecided %ld times",
-      x->same, x->other, x->open, x->forms_same, x->forms_other, x->forms_open);
+  const char *note = result_str(x->j->out,
+                                "the paper's constraints hold together where those of the model do, and fail where "
+                                "these fail, on %ld orbits, not so on %ld, undecided on %ld; the closed forms of the "
+                                "least u_r1 and u_r2 are the infima %ld times, are not %ld times, undecided %ld times",
+                                x->same, x->other, x->open, x->forms_same, x->forms_other, x->forms_open);
   w[0] = add(f, x, "balls", outcome_of_counts(x->same, x->other + x->forms_other, x->open + x->forms_open), true,
              x->same + x->other + x->open, note);
   note = result_str(x->j->out,
                     "motions over one period under Coulomb's law, with u_r 1/32 above or below the bounds: %ld end as "
-                    "the constraints "
-                    "predict, %ld otherwise, %ld undecided",
+                    "the constraints predict, %ld otherwise, %ld undecided",
                     x->as_said, x->against, x->undecided);
   w[1] = add(f, x, "integration", outcome_of_counts(x->as_said, x->against, x->undecided), false,
              x->as_said + x->against + x->undecided, note);

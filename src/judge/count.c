@@ -163,10 +163,7 @@ static void count_at(struct count *n, struct judge *j, struct rank_system *y, co
   if (system_matrix(&m, y, p, j->cache) == SS_OK) {
     eliminate(&least, &most, &m, y->rows, y->cols);
     if (n->trials++ == 0 || least > n->largest) {
-      struct text where;
-      text_init(&where);
-      point_print(&where, p);
-      n->where = result_take(j->out, &where);
+      n->where = point_text(j, p);
       n->largest = least;
       n->largest_at = 0;
     }
@@ -184,27 +181,11 @@ static struct route_result add_count(struct finding *f, struct judge *j, const c
                          : decisive             ? ROUTE_UNDECIDED
                                                 : ROUTE_DIFFERS;
   struct route_result w = {route, o, decisive, n->trials};
-  finding_add_route(
-      f, j->out, w, layer_name[LAYER_CORRECTED], FD_PREC, n->where,
-      result_str(j->out,
-                 "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the unknowns "
-                 "has a minor of order %d that is not zero, and at none a larger one was found",
-                 n->largest_at, n->trials, n->largest));
-  return w;
-}
-
-static struct route_result add_exact(struct finding *f, struct judge *j, enum route_outcome o, const char *note) {
-  struct route_result w = {"exact", o, true, 1};
-  if (o != ROUTE_AGREES && o != ROUTE_DIFFERS) {
-    finding_state(f, j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
-                  result_str(j->out, "not proved: %s", note));
-    return w;
-  }
-  struct evidence *said = finding_add(f, j->out);
-  said->route = "exact";
-  said->layer = layer_name[LAYER_CORRECTED];
-  said->result = o == ROUTE_AGREES ? "proved" : "differs";
-  said->note = note;
+  finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], FD_PREC, n->where,
+                    result_str(j->out,
+                               "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the "
+                               "unknowns has a minor of order %d that is not zero, and at none a larger one was found",
+                               n->largest_at, n->trials, n->largest));
   return w;
 }
 
@@ -212,14 +193,14 @@ static struct route_result add_exact(struct finding *f, struct judge *j, enum ro
 static struct route_result prove_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view,
                                       const struct rank_system *y, const struct count *balls, int wanted) {
   struct exact_rank e = exact_rank_of(j->out, y);
-  if (e.rank >= 0) return add_exact(f, j, e.rank == wanted ? ROUTE_AGREES : ROUTE_DIFFERS, e.note);
+  if (e.rank >= 0) return exact_route(f, j->out, e.rank == wanted ? ROUTE_AGREES : ROUTE_DIFFERS, e.note);
   struct generic_rank g = generic_rank_of(j, c, view, y);
   bool seen = balls->trials > 0 && balls->largest == wanted;
-  return add_exact(f, j,
-                   g.most < wanted                          ? ROUTE_DIFFERS
-                   : seen && g.analytic && g.most == wanted ? ROUTE_AGREES
-                                                            : ROUTE_NOTHING,
-                   g.note);
+  return exact_route(f, j->out,
+                     g.most < wanted                          ? ROUTE_DIFFERS
+                     : seen && g.analytic && g.most == wanted ? ROUTE_AGREES
+                                                              : ROUTE_NOTHING,
+                     g.note);
 }
 
 bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

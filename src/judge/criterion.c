@@ -9,21 +9,24 @@
 
 #include "behaviour.h"
 #include "judge.h"
+#include "num/calc.h"
 #include "proof/linearized.h"
-#include "value/coulomb_setup.h"
 #include "value/expression.h"
 
 enum { NEAR_BELOW, NEAR_ABOVE, N_NEAR };
 enum { INSIDE, OUTSIDE, N_SIDES };
 
+/* A second opinion of the sentence; not_tried: orbits against it of which this can tell nothing. */
+struct opinion {
+  long as_said, against, open, not_tried;
+};
+
 /* What is found at orbits; sides are those of the slope. */
 struct tried {
-  long as_said[N_SIDES], against[N_SIDES];       /* the sentence against the slope */
-  long near[N_NEAR][N_SIDES];                    /* orbits with a slope within 0.05 of -1, of 1 */
-  long fate_as_said, fate_against, fate_open;    /* the sentence against the iterates */
-  long moved_as_said, moved_against, moved_open; /* and against motions beside admissible orbits */
-  long not_iterated, not_moved;                  /* orbits against the sentence of which these cannot tell */
-  double nearest[N_NEAR][N_SIDES];               /* the slopes nearest to -1 and 1 */
+  long as_said[N_SIDES], against[N_SIDES]; /* the sentence against the slope */
+  long near[N_NEAR][N_SIDES];              /* orbits with a slope within 0.05 of -1, of 1 */
+  struct opinion iterates, motions;        /* the sentence against iterates, and motions beside admissible orbits */
+  double nearest[N_NEAR][N_SIDES];         /* the slopes nearest to -1 and 1 */
   const char *where;
 };
 
@@ -31,69 +34,30 @@ struct tried {
 static int slope_by_difference(double *margin, double *slope, const struct point *p, const struct dyn_orbit *o) {
   enum { PREC = 384, STEP = -100 };
   struct num_ctx ctx = num_ctx_mpfr(PREC);
-  struct num_vec params, z, r;
+  struct calc c = calc_begin(ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), z = calc_vec(&c, 2);
   struct dyn_arc arc;
+  val step = calc_two_to(&c, STEP), r[2] = {step, step};
   int s = SS_OK;
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&z, 4, ctx); /* z_1, z_2 at r; scratch; the step */
-  num_vec_init(&r, 2, ctx);
   dyn_arc_init(&arc, ctx);
   for (int i = 0; i < N_PARAMS; i++) s |= ctx.type->set_q(num_vec_at(&params, i), &p->q[i], PREC);
-  s |= ctx.type->set_d(num_vec_at(&z, 3), ldexp(1, STEP), PREC);
   for (int side = 0; s == SS_OK && side < 2; side++) {
-    s |= ctx.type->set_arb(num_vec_at(&z, 0), o->z10, PREC);
-    s |= ctx.type->set_arb(num_vec_at(&z, 1), o->z20, PREC);
-    if (side) s |= ctx.type->add(num_vec_at(&z, 1), num_vec_at(&z, 1), num_vec_at(&z, 3), PREC);
+    s |= ctx.type->set_arb(num_vec_at(&z, 0), o->z10, PREC) | ctx.type->set_arb(num_vec_at(&z, 1), o->z20, PREC);
+    if (side) calc_store(&c, num_vec_at(&z, 1), calc_add(&c, num_vec_at(&z, 1), step));
     s |= dyn_arc_run(&arc, &params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
-    s |= ctx.type->sub(num_vec_at(&r, side), num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2),
-                       num_vec_at(&arc.z, N_PHASES * N_STATE + Z_1), PREC);
+    r[side] = calc_sub(&c, num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2), num_vec_at(&arc.z, N_PHASES * N_STATE + Z_1));
   }
-  s |= ctx.type->sub(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&r, 0), PREC);
-  s |= ctx.type->div(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&z, 3), PREC);
-  *slope = ctx.type->get_d(num_vec_at(&r, 1));
-  s |= ctx.type->abs(num_vec_at(&r, 1), num_vec_at(&r, 1), PREC);
-  s |= ctx.type->set_d(num_vec_at(&z, 2), 1, PREC);
-  s |= ctx.type->sub(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&z, 2), PREC);
-  *margin = ctx.type->get_d(num_vec_at(&r, 1));
+  val quotient = calc_div(&c, calc_sub(&c, r[1], r[0]), step);
+  *slope = ctx.type->get_d(quotient);
+  *margin = ctx.type->get_d(calc_sub(&c, calc_abs(&c, quotient), calc_d(&c, 1)));
+  s |= c.status;
   dyn_arc_clear(&arc);
-  num_vec_clear(&r);
-  num_vec_clear(&z);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return s;
 }
 
-int return_map_fate(const double params[N_PARAMS], double r0, double offset, long steps) {
-  double r = r0 + offset, t[4];
-  for (long i = 0; i < steps; i++) {
-    if (dyn_return_map_d(&r, NULL, t, params, r, &dyn_limits_default) != SS_OK) return -1;
-    if (fabs(r - r0) < 0.5 * fabs(offset)) return 1;
-    if (fabs(r - r0) > 2 * fabs(offset)) return -1;
-  }
-  return 0;
-}
-
-double orbit_r(const struct dyn_orbit *o) {
-  return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
-}
-
-/* The same under Coulomb's law, integrated from positions beside an admissible orbit. */
-static int motion_fate(const struct point *p, const struct dyn_orbit *o, long periods) {
-  struct motion m;
-  struct coulomb_plan plan = coulomb_plan_default;
-  if (!motion_on_orbit(&m, p, o, OWN_FRICTION)) return 0;
-  double r0 = m.start[Z_2] - m.start[Z_1], offset = 1e-5 * fabs(r0);
-  m.start[Z_2] += offset;
-  plan.returns = periods;
-  plan.max_events = 8 * periods;
-  struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
-  double off = fabs(t.result.at.x[1] - t.result.at.x[0] - r0) / offset;
-  int fate = t.status != SS_OK ? 0 : off < 0.5 ? 1 : off > 2 ? -1 : 0;
-  trajectory_clear(&t);
-  return fate;
-}
-
-static void book(long *as_said, long *against, long *open, int fate, bool stable) {
-  *(fate == 0 ? open : (fate > 0) == stable ? as_said : against) += 1;
+static void book(struct opinion *n, int fate, bool stable) {
+  *(fate == 0 ? &n->open : (fate > 0) == stable ? &n->as_said : &n->against) += 1;
 }
 
 static void note_near(struct tried *t, double slope, int side) {
@@ -102,6 +66,8 @@ static void note_near(struct tried *t, double slope, int side) {
   if (off < 0.05) t->near[near][side]++;
   if (!(t->nearest[near][side] != 0 && fabs(fabs(t->nearest[near][side]) - 1) <= off)) t->nearest[near][side] = slope;
 }
+
+static const double BESIDE = 1e-5; /* of r: how far beside the orbit iterates and motions begin */
 
 /* The slope, and what iterates and motions do in so many steps, worked out once for all sentences. */
 static int slope_of(double *margin, double *slope, struct judge *j, const struct point *p, const struct dyn_orbit *o) {
@@ -115,62 +81,67 @@ static int slope_of(double *margin, double *slope, struct judge *j, const struct
 
 static int iterates_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
   struct orbit_slope *k = orbit_cache_slope(j->cache, o);
-  double r0 = orbit_r(o), params[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
-  if (!k->have_iterates) k->iterates = return_map_fate(params, r0, 1e-5 * fabs(r0), steps);
+  if (!k->have_iterates) k->iterates = return_map_fate(p->q, orbit_r(o), BESIDE, steps);
   k->have_iterates = true;
   return k->iterates;
 }
 
 static int motion_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
   struct orbit_slope *k = orbit_cache_slope(j->cache, o);
-  if (!k->have_motion) k->motion = motion_fate(p, o, steps);
+  if (!k->have_motion) {
+    double distance = motion_distance(p, o, BESIDE, steps);
+    k->motion = distance < 0.5 ? 1 : distance > 2 ? -1 : 0;
+  }
   k->have_motion = true;
   return k->motion;
 }
 
-/* only: the side that the claim speaks of, or N_SIDES. */
-static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, const struct point *p, int only) {
+/* What a claim tries: the sentence, orbits so far, the side it speaks of or N_SIDES. */
+struct trying {
+  struct tried t;
+  struct sentence sentence;
+  struct behaviour *b;
+  struct orbit_walk walk;
+  int only;
+};
+
+/* At the walk's point. */
+static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   enum { MOTIONS = 6 };
-  const struct dyn_orbit *o = &orbit_cache_get(j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
+  struct tried *t = &y->t;
+  struct judge *j = y->b->j;
+  const struct point *p = &y->walk.p;
   double margin, slope;
   if (o->grazing || slope_of(&margin, &slope, j, p, o) != SS_OK || fabs(margin) < 1e-9) return;
   int side = margin < 0 ? INSIDE : OUTSIDE;
-  if (only != N_SIDES && only != side) return;
-  struct trial said = sentence_try_balls(s, p, VARIANT_CLOSED, j->cache);
+  if (y->only != N_SIDES && y->only != side) return;
+  struct trial said = sentence_try_balls(&y->sentence, p, VARIANT_CLOSED, j->cache);
   if (said.outcome != OUTCOME_AGREES && said.outcome != OUTCOME_DIFFERS) return;
   bool stable = said.outcome == OUTCOME_AGREES;
   note_near(t, slope, side);
-  t->as_said[side] += stable == (side == INSIDE);
-  t->against[side] += stable != (side == INSIDE);
-  if (stable != (side == INSIDE) && !t->where) {
-    struct text where;
-    text_init(&where);
-    point_print(&where, p);
-    t->where = result_str(j->out, "slope %.6f at %s", slope, text_str(&where));
-    text_clear(&where);
-  }
   bool against = stable != (side == INSIDE), slow = fabs(margin) < 0.002; /* the iterates would need too long */
-  t->not_iterated += against && slow;
-  t->not_moved += against && fabs(margin) < 0.015;
+  ++*(against ? &t->against[side] : &t->as_said[side]);
+  if (against && !t->where) t->where = result_str(j->out, "slope %.6f at %s", slope, point_text(j, p));
+  t->iterates.not_tried += against && slow;
+  t->motions.not_tried += against && fabs(margin) < 0.015;
   if (slow || j->effort == EFFORT_REFUTE) return;
   long steps = 8 + (long)(1.5 / fabs(margin));
-  book(&t->fate_as_said, &t->fate_against, &t->fate_open, iterates_of(j, p, o, steps), stable);
-  if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015 || t->moved_as_said + t->moved_against >= MOTIONS) return;
-  book(&t->moved_as_said, &t->moved_against, &t->moved_open, motion_of(j, p, o, steps), stable);
+  book(&t->iterates, iterates_of(j, p, o, steps), stable);
+  if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015) return;
+  if (t->motions.as_said + t->motions.against < MOTIONS) book(&t->motions, motion_of(j, p, o, steps), stable);
 }
 
-/* What agrees elsewhere says nothing of orbits that it could not try. */
-static enum route_outcome where_told(enum route_outcome said, long bad, long not_tried) {
-  return said == ROUTE_AGREES && bad && bad == not_tried ? ROUTE_UNDECIDED : said;
+/* What agrees elsewhere says nothing of orbits that it could not try; bad: how many are against the sentence. */
+static struct route_result add_opinion(struct behaviour *b, const char *route, const struct opinion *n, long bad,
+                                       const char *note) {
+  enum route_outcome said = outcome_of_counts(n->as_said, n->against, n->open);
+  if (said == ROUTE_AGREES && bad && bad == n->not_tried) said = ROUTE_UNDECIDED;
+  return behaviour_route(b, route, "model", said, false, n->as_said + n->against + n->open, NULL, note);
 }
 
 static struct route_result add_theorem(struct behaviour *b, const struct linearized *l) {
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = "exact";
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = l->proved ? "proved" : "states";
-  e->note = l->note;
+  if (l->proved) return exact_route(b->f, b->j->out, ROUTE_AGREES, l->note);
+  finding_state(b->f, b->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL, l->note);
   return (struct route_result){"exact", ROUTE_AGREES, true, 1};
 }
 
@@ -182,12 +153,11 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
   struct text note;
   text_init(&note);
-  text_printf(
-      &note,
-      "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees with the "
-      "criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; within 0.05 of -1 or "
-      "of 1 there are",
-      t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
+  text_printf(&note,
+              "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees "
+              "with the criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; "
+              "within 0.05 of -1 or of 1 there are",
+              t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
   for (int near = 0; near < N_NEAR; near++)
     for (int side = 0; side < N_SIDES; side++) {
       text_printf(&note, "%s %ld %s %s", near + side ? "," : "", t->near[near][side],
@@ -196,27 +166,19 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
     }
   w[n++] = behaviour_route(b, "fd", "model", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
                            result_take(b->j->out, &note));
-  bool tried_further = b->j->effort != EFFORT_REFUTE;
-  if (tried_further)
-    w[n++] = behaviour_route(
-        b, "iteration", "model",
-        where_told(outcome_of_counts(t->fate_as_said, t->fate_against, t->fate_open), bad, t->not_iterated), false,
-        t->fate_as_said + t->fate_against + t->fate_open, NULL,
-        result_str(b->j->out,
-                   "iterates of the return map from near the orbit return or depart as the criterion says at %ld "
-                   "orbits, otherwise at "
-                   "%ld, undecided at %ld",
-                   t->fate_as_said, t->fate_against, t->fate_open));
-  if (tried_further)
-    w[n++] = behaviour_route(
-        b, "integration", "model",
-        where_told(outcome_of_counts(t->moved_as_said, t->moved_against, t->moved_open), bad, t->not_moved), false,
-        t->moved_as_said + t->moved_against + t->moved_open, NULL,
-        result_str(b->j->out,
-                   "motions under Coulomb's law from positions near admissible orbits agree with the criterion at %ld "
-                   "orbits and "
-                   "disagree at %ld",
-                   t->moved_as_said, t->moved_against));
+  if (b->j->effort != EFFORT_REFUTE) {
+    const struct opinion *i = &t->iterates, *m = &t->motions;
+    w[n++] = add_opinion(b, "iteration", i, bad,
+                         result_str(b->j->out,
+                                    "iterates of the return map from near the orbit return or depart as the "
+                                    "criterion says at %ld orbits, otherwise at %ld, undecided at %ld",
+                                    i->as_said, i->against, i->open));
+    w[n++] = add_opinion(b, "integration", m, bad,
+                         result_str(b->j->out,
+                                    "motions under Coulomb's law from positions near admissible orbits agree with the "
+                                    "criterion at %ld orbits and disagree at %ld",
+                                    m->as_said, m->against));
+  }
   if (theorem->note) w[n] = add_theorem(b, theorem);
   n += theorem->proved;
   b->f->verdict = verdict_of(w, n, theorem->proved);
@@ -236,49 +198,36 @@ static bool read_side(int *only, struct judge *j, const struct claim *c) {
          claim_error(j, c, "side", "\"inside\" or \"outside\" the unit circle");
 }
 
-/* What a claim tries: the sentence, the side it speaks of, orbits tried so far. */
-struct trying {
-  struct tried t;
-  struct sentence sentence;
-  struct behaviour *b;
-  struct orbit_set seen;
-  int only;
-};
-
-static void try_once(struct trying *y, const struct point *p) {
-  const struct dyn_orbit *o = &orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
-  if (orbit_is_new(&y->seen, o)) try_orbit(&y->t, &y->sentence, y->b->j, p, y->only);
-}
-
 /* Every orbit at the parameter sets of the attribute "at", separated by semicolons. */
-static bool try_given(struct trying *y, struct point *p) {
+static bool try_given(struct trying *y) {
+  struct point *p = &y->walk.p;
   for (const char *at = claim_get(y->b->c, "at"); at; at = strchr(at, ';')) {
     if (*at == ';') at++;
     if (!judge_params(p, y->b->j, y->b->c, at)) return false;
-    slong n = orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->n;
-    for (p->orbit = 0; p->orbit < n; p->orbit++) try_once(y, p);
+    const struct dyn_orbits *list = orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64);
+    for (p->orbit = 0; p->orbit < list->n; p->orbit++)
+      if (orbit_is_new(&y->walk.met, &list->orbit[p->orbit])) try_orbit(y, &list->orbit[p->orbit]);
   }
   return true;
 }
 
-/* Orbits of the pool, every other one among those that the masses can follow. */
-static void try_pool(struct trying *y, struct point *p) {
+/* And orbits that are drawn, every other one among those that the masses can follow. */
+static bool try_orbits(struct trying *y) {
   enum { DRAWS = 128, FEW = 24 };
   bool refute = y->b->j->effort == EFFORT_REFUTE;
-  struct sampler s;
-  sampler_init(&s, y->b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  for (int i = 0; i < (refute ? FEW : DRAWS) && !(refute && y->t.where); i++) {
-    sampler_next(p, &s);
-    s.admissible = !s.admissible;
-    if (point_settle(p, y->b->j->cache)) try_once(y, p);
-  }
+  const struct dyn_orbit *o;
+  orbit_walk_begin(&y->walk, y->b, false, refute ? FEW : DRAWS);
+  y->walk.in_turn = true;
+  bool ok = try_given(y);
+  while (ok && !(refute && y->t.where) && (o = orbit_walk_next(&y->walk)) != NULL) try_orbit(y, o);
+  orbit_walk_end(&y->walk);
+  return ok;
 }
 
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *statement = claim_get(c, "statement");
-  struct behaviour b = {f, j, c, view};
+  struct behaviour b = {f, j, c, view, NULL};
   struct trying y = {.b = &b};
-  struct point p;
   if (!read_side(&y.only, j, c)) return false;
   if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
   const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
@@ -289,10 +238,7 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
     if (j->instead) reread_close(&in);
     return false;
   }
-  point_init(&p);
-  bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_given(&y, &p);
-  if (ok) try_pool(&y, &p);
-  point_clear(&p);
+  bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_orbits(&y);
   sentence_clear(&y.sentence);
   struct linearized theorem = {.proved = false};
   if (ok && !y.t.where && route_is_asked(j->scene, "exact")) theorem = linearized_stability(j, r, view);

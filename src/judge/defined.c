@@ -96,8 +96,8 @@ static bool changes_sign(struct defined *y, const struct divisor *q, const struc
       point_print(&y->zero, &end[i]);
     }
     text_printf(&y->zero,
-                ", and there is one %speriodic solution for each value between (Krawczyk's operator over the "
-                "whole interval), so that it is zero on one of them",
+                ", and there is one %speriodic solution for each value between (Krawczyk's operator over the whole "
+                "interval), so that it is zero on one of them",
                 family->orbit.admissible == TRUTH_TRUE ? "admissible " : "");
     if (y->b->f->certificate.n == 0) certify(y, end, value);
   }
@@ -136,7 +136,7 @@ static void say_where(struct defined *y, const struct family *f, const struct dy
     if (i == f->vary)
       certify_ball(&c, j, name_param[i], value);
     else
-      certify_exact(&c, j, name_param[i], &f->base->q[i]);
+      certify_exact(&c, j, name_param[i], &f->base.q[i]);
   for (int i = 0; i < c.n; i++)
     text_printf(&y->zero, "%s%s %s %s", i ? ", " : "", c.at[i].name, i == f->vary ? "near" : "=", c.at[i].value);
   certify_orbit(&c, j, &t->touch);
@@ -149,7 +149,7 @@ static bool touches(struct defined *y, const struct divisor *q, const struct fam
   const fmpq *none[2] = {NULL, NULL};
   struct dyn_bifurcations list;
   bool found = false;
-  dyn_bifurcations_find(&list, f->base->q, f->vary, f->from, f->to, none, TOUCH_DIGITS, TOUCH_STARTS);
+  dyn_bifurcations_find(&list, f->base.q, f->vary, f->from, f->to, none, TOUCH_DIGITS, TOUCH_STARTS);
   for (slong i = 0; i < list.n && !found; i++) {
     if (!is_touch(&list.at[i], y->admissible)) continue;
     found = true;
@@ -172,7 +172,7 @@ static long zeros_between(struct defined *y, const struct family *f) {
   long zeros = 0;
   for (int i = 0; i < 2; i++) {
     point_init(&end[i]);
-    for (int k = 0; k < N_PARAMS; k++) fmpq_set(&end[i].q[k], &f->base->q[k]);
+    for (int k = 0; k < N_PARAMS; k++) fmpq_set(&end[i].q[k], &f->base.q[k]);
     fmpq_set(&end[i].q[f->vary], (fmpq_cmp(f->from, f->to) < 0) == (i == 0) ? f->from : f->to);
   }
   int s = dyn_box_find(&box, end[0].q, end[1].q);
@@ -196,16 +196,10 @@ static long zeros_along(struct defined *y, const struct family *f) {
 }
 
 static bool look_for_zeros(struct defined *y, long *zeros, const char *at, const char *vary) {
-  struct point base;
-  struct family f = {.base = &base};
-  point_init(&base);
-  fmpq_init(f.from);
-  fmpq_init(f.to);
-  bool ok = judge_params(&base, y->b->j, y->b->c, at) && behaviour_family(&f, y->b, vary);
+  struct family f;
+  bool ok = family_open(&f, y->b, at, vary);
   if (ok) *zeros = zeros_along(y, &f);
-  fmpq_clear(f.to);
-  fmpq_clear(f.from);
-  point_clear(&base);
+  family_close(&f);
   return ok && !y->b->j->d->set;
 }
 
@@ -233,17 +227,17 @@ static const char *without_zeros(struct defined *y, long open) {
 
 static void conclude(struct defined *y, long open, long zeros) {
   struct behaviour *b = y->b;
-  struct route_result w[2] = {{"exact", open ? ROUTE_UNDECIDED : ROUTE_AGREES, true, 1}};
+  struct route_result w[2] = {{"exact", ROUTE_UNDECIDED, true, 1}};
   int n = 1;
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = "exact";
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = open ? "states" : "proved";
-  e->note = result_str(b->j->out, "%s%s%s%s", open ? "not shown to be nonzero everywhere: " : "none of these is zero: ",
-                       open ? text_str(&y->open) : "", open && y->shown.len ? "; shown: " : "",
-                       y->shown.len ? text_str(&y->shown)
-                       : open       ? ""
-                                    : "there is no divisor");
+  const char *shown = text_str(&y->shown);
+  if (open)
+    finding_state(b->f, b->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
+                  result_str(b->j->out, "not shown to be nonzero everywhere: %s%s%s", text_str(&y->open),
+                             y->shown.len ? "; shown: " : "", shown));
+  else
+    w[0] =
+        exact_route(b->f, b->j->out, ROUTE_AGREES,
+                    result_str(b->j->out, "none of these is zero: %s", y->shown.len ? shown : "there is no divisor"));
   if (zeros) w[n++] = zero_route(y);
   b->f->verdict = verdict_of(w, n, open == 0);
   if (b->f->verdict == VERDICT_REFUTED) b->f->condition = without_zeros(y, open);
@@ -286,7 +280,7 @@ static void defined_clear(struct defined *y) {
 }
 
 bool judge_defined(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct behaviour b = {f, j, c, view};
+  struct behaviour b = {f, j, c, view, NULL};
   struct defined y = {.b = &b};
   long open = 0, zeros = 0;
   bool ok = look(&y, &open, &zeros);
@@ -296,7 +290,7 @@ bool judge_defined(struct finding *f, struct judge *j, const struct claim *c, st
 }
 
 bool defined_fails(struct route_result *w, struct behaviour *b, const struct claim *by) {
-  struct behaviour other = {b->f, b->j, by, b->view};
+  struct behaviour other = {b->f, b->j, by, b->view, NULL};
   struct defined y = {.b = &other};
   long open = 0, zeros = 0;
   bool fails = look(&y, &open, &zeros) && zeros > 0;

@@ -1,7 +1,6 @@
 /* How far a control is from what it damages: both sides of the claim's sentence with and without the damage, at the
    first of its points that has values. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "judge.h"
 #include "value/sentence.h"

@@ -1,6 +1,5 @@
 /* Sentences about form: ranges of indices, definitions. */
 #include "judge.h"
-#include <stdlib.h>
 #include <string.h>
 
 /* --- Index ranges --- */
@@ -88,12 +87,13 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
     fault = range_fault(&again, j, rec, true);
     f->correction = result_str(j->out, "indices %d..%d", again.low, again.high);
     f->correction_verdict = fault ? VERDICT_REFUTED : VERDICT_PROVED;
-    finding_state(f, j->out, "diagnostic", layer_name[LAYER_CORRECTED], -1, 1, NULL,
-                  fault ? fault
-                        : result_str(j->out,
-                                     "this is the smallest range that contains every index used, and the model's "
-                                     "%s has all its entries",
-                                     r.letter));
+    finding_state(
+        f, j->out, "diagnostic", layer_name[LAYER_CORRECTED], -1, 1, NULL,
+        fault ? fault
+              : result_str(
+                    j->out,
+                    "this is the smallest range that contains every index used, and the model's %s has all its entries",
+                    r.letter));
   }
   return true;
 }

@@ -59,12 +59,7 @@ bool friction_mode(const struct friction *f, struct law_state *s, const int slip
 }
 
 struct route_result behaviour_proof(struct behaviour *b, enum route_outcome outcome, const char *note) {
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = "exact";
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = outcome == ROUTE_AGREES ? "proved" : outcome == ROUTE_DIFFERS ? "differs" : "states";
-  e->note = outcome == ROUTE_UNDECIDED ? result_str(b->j->out, "not proved: %s", note) : note;
-  return (struct route_result){"exact", outcome, true, 1};
+  return exact_route(b->f, b->j->out, outcome, note);
 }
 
 void behaviour_decide(struct behaviour *b, enum route_outcome outcome, const char *note) {

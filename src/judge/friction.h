@@ -27,19 +27,17 @@ bool friction_mode(const struct friction *f, struct law_state *s, const int slip
 struct route_result behaviour_proof(struct behaviour *b, enum route_outcome outcome, const char *note);
 /* Proofs about the switches, as evidence: slip to stick; stick to slip (sliding_limit: where |f| reaches u_s); that the
    states of the masses are sticking and slipping, and that their phases do not accumulate. */
-struct route_result events_prove_stick(struct behaviour *b, const struct friction *f);
-struct route_result events_prove_slip(struct behaviour *b, const struct friction *f, bool sliding_limit);
-struct route_result events_prove_modes(struct behaviour *b, const struct friction *f);
+struct route_result events_prove_stick(struct behaviour *b);
+struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit);
+struct route_result events_prove_modes(struct behaviour *b);
 /* Whether a mass is known to stick inside the limits, and to slip beyond. */
 bool events_decided(const struct friction *f, int mass);
 /* That a patched solution which breaks no condition of its phases is the motion under Coulomb's law. */
-struct route_result phases_prove_motion(struct behaviour *b, const struct friction *f);
+struct route_result phases_prove_motion(struct behaviour *b);
 /* With a stable orbit that is certified here: that the phases' propagators alone do not tell stability, and that small
    perturbations of it exist which do not die out. */
-struct route_result stable_prove_linearization(struct behaviour *b, const struct friction *f, const struct point *p,
-                                               const struct dyn_orbit *o);
-struct route_result stable_prove_conditional(struct behaviour *b, const struct friction *f, const struct point *p,
-                                             const struct dyn_orbit *o);
+struct route_result stable_prove_linearization(struct behaviour *b, const struct point *p, const struct dyn_orbit *o);
+struct route_result stable_prove_conditional(struct behaviour *b, const struct point *p, const struct dyn_orbit *o);
 /* The verdict of a proof alone. */
 void behaviour_decide(struct behaviour *b, enum route_outcome outcome, const char *note);
 

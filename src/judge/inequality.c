@@ -1,7 +1,5 @@
 /* Inequalities at the scene's own numbers.  The domain is one set of exact parameters, so an enclosure that settles it
    is a proof. */
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/work.h"

@@ -35,8 +35,7 @@ static const char *beyond(struct judge *j, const struct claim *c) {
   const char *value = claim_kind(c) == KIND_MATRIX ? claim_get(c, "value") : NULL;
   if (!j->model->system && claim_kind_of(c)->of_model)
     return "it is about the system that the program has a model of, and no file of the paper says \"model: two masses "
-           "on a "
-           "belt\"";
+           "on a belt\"";
   if (!j->model->system && claim_tried_at_points(c) && !at_own_symbols(j, c) && !j->d->set)
     return "its points are motions of two masses on a belt, and no file of the paper says that it is about them; "
            "\"points: params N\" are values of the paper's own symbols";

@@ -5,12 +5,12 @@
    restoring force is below u_r in size, and else breaks away on the side to which that force pulls it.  The second
    route asks the simulation of coulomb.h for mode and force at the start of a motion. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "judge.h"
 #include "law.h"
 #include "motion/coulomb.h"
+#include "num/num_exact.h"
 
 const char *const branch_name[N_BRANCHES] = {"slips", "sticks", "breaks"};
 
@@ -53,100 +53,37 @@ static double simulated_force(enum branch *b, int *eps, const struct state *s, i
   return end.at.u[mass];
 }
 
-static double velocity(const struct state *s, int mass, int which) {
-  if (which == mass) return s->belt * (1 - 0.25 * s->speed);
-  return s->both ? s->belt : 0.5 * s->belt;
-}
-
-/* The law knows the forces, their limits, where the masses are and how fast; any other symbol may have any value. */
-static double symbol(const struct law *l, const struct state *s, const char *name, double force, int eps) {
-  int mass = l->mass;
-  const struct {
-    const char *name;
-    double value;
-  } known[] = {{mass ? "u_2" : "u_1", force},
-               {"eps", eps},
-               {"chi", s->chi},
-               {"x_1(t)", s->x[0]},
-               {"x_2(t)", s->x[1]},
-               {"x_1'(t)", velocity(s, mass, 0)},
-               {"x_2'(t)", velocity(s, mass, 1)},
-               {l->names[0], s->slide[mass]},
-               {l->names[1], s->limit[mass]},
-               {"V", s->belt},
-               {"eta", s->eta}};
-  unsigned h = 7;
-  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-    if (strcmp(known[i].name, name) == 0) return known[i].value;
-  for (; *name; name++) h = 31 * h + (unsigned char)*name;
-  return 0.37890625 + (h % 1024) / 256.0;
-}
-
-/* A condition's margin as a ball. */
-static int margin(arb_t z, const struct law *l, const struct condition *c, const struct state *s, double force,
-                  int eps) {
-  struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct calc w = calc_begin(ctx);
-  struct num_vec in = calc_vec(&w, c->s.tape.n_inputs), out = calc_vec(&w, 1);
-  for (slong i = 0; i < in.len; i++) arb_set_d(num_vec_at(&in, i), symbol(l, s, c->s.tape.inputs[i], force, eps));
-  int status = tape_eval(&out, NULL, &c->s.tape, &in);
-  arb_set(z, num_vec_at(&out, 0));
-  calc_clear(&w);
-  return status;
-}
-
-/* Whether all inequalities of a branch hold, or all its equations. */
-static truth all_hold(const struct law *l, const struct conditions *list, bool equations, const struct state *s,
-                      double force, int eps, double tolerance) {
-  truth all = TRUTH_TRUE;
-  arb_t m;
-  arb_init(m);
-  for (int k = 0; k < list->n; k++) {
-    if (list->at[k].equality != equations) continue;
-    truth holds = TRUTH_UNKNOWN;
-    if (margin(m, l, &list->at[k], s, force, eps) == SS_OK && equations)
-      holds = fabs(num_arb.get_d(m)) <= tolerance ? TRUTH_TRUE : TRUTH_FALSE;
-    else if (arb_is_positive(m))
-      holds = TRUTH_TRUE;
-    else if (arb_is_nonpositive(m))
-      holds = TRUTH_FALSE;
-    all = truth_and(all, holds);
+/* The same for the law as the text has it, in balls. */
+static void enter(struct law_state *s, const struct state *at, int mass) {
+  law_state_open(s, num_ctx_arb(FIRST_PREC));
+  struct calc *c = &s->c;
+  s->chi = calc_d(c, at->chi);
+  s->eta = calc_d(c, at->eta);
+  s->belt = calc_d(c, at->belt);
+  for (int i = 0; i < 2; i++) {
+    s->x[i] = calc_d(c, at->x[i]);
+    s->v[i] = calc_d(c, i == mass ? at->belt * (1 - 0.25 * at->speed) : at->both ? at->belt : 0.5 * at->belt);
+    s->slide[i] = calc_d(c, at->slide[i]);
+    s->limit[i] = calc_d(c, at->limit[i]);
   }
-  arb_clear(m);
-  return all;
 }
 
-/* Does the heading hold just where the mass has the belt's velocity?  Its sides are exact in balls. */
-static truth heading_agrees(const struct law *l, const struct state *s) {
-  struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct num_vec in, out;
-  const struct tape *t = &l->heading.tape;
-  bool holds = true;
-  if (!l->headed) return TRUTH_TRUE;
-  num_vec_init(&in, t->n_inputs, ctx);
-  num_vec_init(&out, t->n_outputs, ctx);
-  for (slong i = 0; i < in.len; i++) arb_set_d(num_vec_at(&in, i), symbol(l, s, t->inputs[i], 0, 1));
-  int status = tape_eval(&out, NULL, t, &in);
-  for (slong i = 0; i < l->heading.n; i++)
-    holds = holds && arb_overlaps(num_vec_at(&out, i), num_vec_at(&out, l->heading.n + i));
-  num_vec_clear(&out);
-  num_vec_clear(&in);
-  return status != SS_OK ? TRUTH_UNKNOWN : holds == (s->speed == 0) ? TRUTH_TRUE : TRUTH_FALSE;
-}
-
-/* Do the branches of the text that begin at the belt's velocity hold just as the law says, and is the force of the one
-   that applies the law's? */
-static truth text_agrees(const struct law *l, const struct state *s, enum branch b, int eps, double force,
+/* Does the text name this branch alone, with the force, and its heading hold just at the belt's velocity? */
+static truth text_agrees(const struct law *l, const struct state *at, enum branch b, int eps, double force,
                          double tolerance) {
-  truth ok = truth_and(heading_agrees(l, s), all_hold(l, &l->branch[b], true, s, force, eps, tolerance));
-  if (b == SLIPS) return ok;
-  for (int sign = -1; sign <= 1; sign++) {
-    const struct conditions *list = &l->branch[sign ? BREAKS : STICKS];
-    truth holds = all_hold(l, list, false, s, force, sign ? sign : 1, tolerance);
-    bool applies = sign ? b == BREAKS && sign == eps : b == STICKS;
-    ok = truth_and(ok, applies ? holds : truth_not(holds));
+  struct law_state s;
+  enter(&s, at, l->mass);
+  struct law_answer a = law_answer(l, &s, at->speed);
+  truth headed = l->headed ? law_headed(l, &s) : at->speed == 0 ? TRUTH_TRUE : TRUTH_FALSE;
+  bool said = a.n == 1 && a.b == b && (b == STICKS || a.eps == eps) &&
+              fabs(num_arb.get_d(calc_sub(&s.c, a.u, calc_d(&s.c, force)))) <= tolerance;
+  bool known = s.c.status == SS_OK && headed != TRUTH_UNKNOWN;
+  for (int sign = -1; at->speed == 0 && sign <= 1; sign++) {
+    s.eps = calc_d(&s.c, sign ? sign : 1);
+    known = known && law_holds(l, &s, sign ? BREAKS : STICKS) != TRUTH_UNKNOWN;
   }
-  return ok;
+  law_state_close(&s);
+  return !known ? TRUTH_UNKNOWN : said && (headed == TRUTH_TRUE) == (at->speed == 0) ? TRUTH_TRUE : TRUTH_FALSE;
 }
 
 /* Limits a sixteenth and less above or below the restoring force where the mass has the belt's velocity. */
@@ -194,7 +131,7 @@ static void try_states(struct tally *n, const struct law *l) {
 /* Does the text give Coulomb's friction on the whole cell, by the branch that it names for such states alone? */
 static bool cell_agrees(const struct law *l, struct law_cell cell) {
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   law_state_in(&s, cell);
   bool sticks = cell.pull == PULL_INSIDE;
   val f = law_pull(&s, l->mass), slide = s.slide[l->mass];
@@ -212,7 +149,7 @@ static bool cell_agrees(const struct law *l, struct law_cell cell) {
 /* How many branches apply where f is at a limit; -1: not decided. */
 static int at_limit(const struct law *l, int side) {
   struct law_state s;
-  law_state_open(&s);
+  law_state_open(&s, num_ctx_exact());
   law_state_in(&s, (struct law_cell){l->mass, 0, PULL_AT, side});
   int n = law_answer(l, &s, 0).n;
   law_state_close(&s);
@@ -231,26 +168,23 @@ static bool prove_law(struct finding *f, const struct law *l) {
   for (size_t i = 0; i < sizeof cell / sizeof *cell; i++) all = all && cell_agrees(l, cell[i]);
   int n[] = {at_limit(l, 1), at_limit(l, -1)};
   if (!all || n[0] < 0 || n[1] < 0 || n[0] > 1 || n[1] > 1) {
-    finding_state(f, l->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
-                  "not proved: the signs of the conditions are not those of Coulomb's law in every case");
+    exact_route(f, l->j->out, ROUTE_UNDECIDED,
+                "the signs of the conditions are not those of Coulomb's law in every case");
     return false;
   }
-  struct evidence *e = finding_add(f, l->j->out);
   int m = l->mass + 1;
-  e->route = "exact";
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = "proved";
-  e->note = result_str(
+  const char *note = result_str(
       l->j->out,
       "finite split of cases, exact in each: with f = %s, one branch alone applies and gives Coulomb's friction where "
-      "x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and "
-      "f < -u_r%d (-u_s%d).%s",
+      "x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and f < "
+      "-u_r%d (-u_s%d).%s",
       l->mass ? "chi (x_2 - x_1)" : "x_1 - chi x_2", m, m, m, m, m, m, m, m, m, m,
       n[0] + n[1] ? ""
                   : result_str(l->j->out,
                                " At x'_%d = V with |f| = u_r%d neither condition holds: (2) leaves the friction open "
                                "there, and says nothing of a force that touches the limit and turns back",
                                m, m));
+  exact_route(f, l->j->out, ROUTE_AGREES, note);
   return true;
 }
 
@@ -317,12 +251,11 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
     for (int i = 0; i < 2; i++) {
       long trials = n.as_said[i] + n.against[i];
       w[i] = (struct route_result){route[i], outcome_of_counts(n.as_said[i], n.against[i], 0), i == 0, trials};
-      finding_add_route(
-          f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : n.where,
-          result_str(j->out,
-                     "at %ld of %ld states, at and beside the belt's velocity, one branch alone applies%s, and "
-                     "gives the friction of the law",
-                     n.as_said[i], trials, l.headed ? ", under its heading" : ""));
+      finding_add_route(f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : n.where,
+                        result_str(j->out,
+                                   "at %ld of %ld states, at and beside the belt's velocity, one branch alone "
+                                   "applies%s, and gives the friction of the law",
+                                   n.as_said[i], trials, l.headed ? ", under its heading" : ""));
     }
     f->verdict = verdict_of(w, 2, proved);
   }

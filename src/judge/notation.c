@@ -4,7 +4,6 @@
    is the certificate.  A letter is right when it and its meaning determine each other: each use names the symbol, what
    the paper lets it stand for there, and the place, in whose text the symbol must be found. */
 #include "judge.h"
-#include <stdlib.h>
 #include <string.h>
 
 /* --- Reading --- */

@@ -1,7 +1,5 @@
 /* Printed decimals: the quantity on the nearest orbit, what other readings of the data would give, and what the other
    printed numbers give. */
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/work.h"
@@ -241,13 +239,13 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
     point_clear(&p);
   }
   const char *note =
-      !found ? NULL
-             : result_str(j->out,
-                          "With the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of "
-                          "the last decimal below to one unit above) %s lies between %s and %s, and %s the printed "
-                          "digits.",
-                          n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6),
-                          fit ? "some of them give" : "none of them gives");
+      !found
+          ? NULL
+          : result_str(
+                j->out,
+                "With the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of the last "
+                "decimal below to one unit above) %s lies between %s and %s, and %s the printed digits.",
+                n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
   arb_clear(hi);
   arb_clear(lo);

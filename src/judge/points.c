@@ -1,7 +1,6 @@
 /* Sentences tried at points: matrices against the model's, equations between the paper's own expressions.
    Every route sees the same points; the decisive one works in balls. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "certificate.h"
@@ -51,6 +50,8 @@ struct point_trials {
   const struct restriction *restriction;
   struct tally tally[MAX_ROUTES];
   int n_routes;
+  struct override override[MAX_ROUTES]; /* of route oracle, by these names */
+  char overridden[MAX_ROUTES][16];
   struct point_spec spec[MAX_SPECS];
   int n_specs;
   struct exact_proof proof;
@@ -63,25 +64,25 @@ struct point_trials {
 /* --- Reading the claim --- */
 
 /* Names that route oracle replaces, as overrides of the model's shapes. */
-static bool read_overrides(struct override *o, int *n, char names[][16], const struct point_trials *r) {
+static bool read_overrides(int *n, struct point_trials *r) {
   const char *list = claim_get(r->c, "oracle");
   *n = 0;
   if (!list) return claim_error(r->j, r->c, "routes", "route oracle needs the attribute oracle");
-  while (*n < MAX_ROUTES && (list = claim_next_item(names[*n], 16, list)) != NULL) {
-    const struct oracle *q = oracle_find(names[*n]);
+  while (*n < MAX_ROUTES && (list = claim_next_item(r->overridden[*n], sizeof *r->overridden, list)) != NULL) {
+    const struct oracle *q = oracle_find(r->overridden[*n]);
     if (!q) return claim_error(r->j, r->c, "oracle", "the model has no matrix of that name");
-    o[*n] = (struct override){names[*n], oracle_rows(q), oracle_cols(q)};
+    r->override[*n] = (struct override){r->overridden[*n], oracle_rows(q), oracle_cols(q)};
     ++*n;
   }
   return true;
 }
 
-static bool build_sentence(struct tally *t, struct point_trials *r, struct override *o, char names[][16]) {
+static bool build_sentence(struct tally *t, struct point_trials *r) {
   const char *value = claim_get(r->c, "value");
   int n_overrides = 0;
-  if (strcmp(t->route->name, "oracle") == 0 && !read_overrides(o, &n_overrides, names, r)) return false;
+  if (strcmp(t->route->name, "oracle") == 0 && !read_overrides(&n_overrides, r)) return false;
   t->ready = true;
-  if (!sentence_from_claim(&t->sentence, r->view, r->c, o, n_overrides, r->j->d)) return false;
+  if (!sentence_from_claim(&t->sentence, r->view, r->c, r->override, n_overrides, r->j->d)) return false;
   if (strcmp(t->route->name, "newton") == 0) {
     char name[32];
     snprintf(name, sizeof name, "%s newton", value ? value : "");
@@ -205,20 +206,17 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
     t->rejected++;
     return true;
   }
-  struct text where;
-  text_init(&where);
-  point_print(&where, p);
+  const char *where = point_text(r->j, p);
   t->trials++;
   t->agrees += tr->outcome == OUTCOME_AGREES;
   t->undecided += tr->outcome == OUTCOME_UNDECIDED;
   if (tr->bits > t->bits) t->bits = tr->bits;
   if (tr->outcome == OUTCOME_DIFFERS && t->differs++ == 0 && strcmp(t->route->name, "ode") != 0)
-    book_failure(r, t, tr, text_str(&where));
+    book_failure(r, t, tr, where);
   if (t->trials == 1 || tr->log_diff > t->worst_log) {
     t->worst_log = tr->log_diff;
-    t->worst = result_str(out, "%s", text_str(&where));
+    t->worst = where;
   }
-  text_clear(&where);
   return true;
 }
 
@@ -234,15 +232,7 @@ static bool try_point(bool *accepted, struct point_trials *r, const struct point
   }
   *accepted = first->trials > before;
   if (*accepted && (!r->have_example || (first->differs > failures && failures == 0))) {
-    for (int i = 0; i < N_Q; i++) fmpq_set(&r->example.q[i], &p->q[i]);
-    r->example.kind = p->kind;
-    r->example.phase = p->phase;
-    r->example.finite = p->finite;
-    r->example.admissible = p->admissible;
-    r->example.realistic = p->realistic;
-    r->example.orbit = p->orbit;
-    r->example.paper = p->paper;
-    r->example.draw = p->draw;
+    point_copy(&r->example, p);
     r->have_example = true;
   }
   return true;
@@ -325,11 +315,12 @@ static void conclude(struct finding *f, struct point_trials *r) {
   struct route_result w[MAX_ROUTES];
   if (r->lacks) {
     f->verdict = VERDICT_UNKNOWN;
-    finding_state(f, r->j->out, "none", layer_of(r), -1, 0, NULL,
-                  result_str(r->j->out,
-                             "%s has no value: the model has no quantity of that name, and no \"domain:\" says "
-                             "which numbers it may be",
-                             r->lacks));
+    finding_state(
+        f, r->j->out, "none", layer_of(r), -1, 0, NULL,
+        result_str(
+            r->j->out,
+            "%s has no value: the model has no quantity of that name, and no \"domain:\" says which numbers it may be",
+            r->lacks));
     return;
   }
   for (int i = 0; i < r->n_routes; i++) {
@@ -343,13 +334,13 @@ static void conclude(struct finding *f, struct point_trials *r) {
 }
 
 static bool run_init(struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
-                     const struct restriction *restriction, struct override *o, char names[][16]) {
+                     const struct restriction *restriction) {
   *r = (struct point_trials){.j = j, .c = c, .view = view, .restriction = restriction};
   point_init(&r->example);
   r->n_specs = claim_points(r->spec, MAX_SPECS, j, c);
   if (r->n_specs < 0 || !read_routes(r)) return false;
   for (int i = 0; i < r->n_routes; i++)
-    if (strcmp(r->tally[i].route->name, "ode") != 0 && !build_sentence(&r->tally[i], r, o, names)) return false;
+    if (strcmp(r->tally[i].route->name, "ode") != 0 && !build_sentence(&r->tally[i], r)) return false;
   return true;
 }
 
@@ -361,9 +352,7 @@ static void run_clear(struct point_trials *r) {
 
 static bool run_all(struct finding *f, struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
                     const struct restriction *restriction) {
-  struct override o[MAX_ROUTES];
-  char names[MAX_ROUTES][16];
-  bool ok = run_init(r, j, c, view, restriction, o, names);
+  bool ok = run_init(r, j, c, view, restriction);
   for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
   if (ok) conclude(f, r);
   return ok;
@@ -372,16 +361,10 @@ static bool run_all(struct finding *f, struct point_trials *r, struct judge *j, 
 /* --- What a refutation means --- */
 
 bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache) {
+  point_copy(out, p);
   out->scene = s;
-  out->kind = p->kind == POINT_ARC ? POINT_ORBIT : p->kind;
-  out->phase = p->phase;
-  out->finite = p->finite;
-  out->admissible = p->admissible;
-  out->realistic = p->realistic;
+  if (p->kind == POINT_ARC) out->kind = POINT_ORBIT;
   out->orbit = 0;
-  out->paper = p->paper;
-  out->draw = p->draw;
-  for (int i = 0; i < N_Q; i++) fmpq_set(&out->q[i], &p->q[i]);
   for (int k = 0; k < N_SCENE_PARAMS; k++)
     if (s->given[k]) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
   return point_settle(out, cache);
@@ -396,22 +379,18 @@ static void certify(struct finding *f, struct point_trials *r) {
 }
 
 static void describe_effect(struct finding *f, struct point_trials *r) {
-  struct text t;
   struct point p;
-  text_init(&t);
   point_init(&p);
   struct tally *first = &r->tally[0];
   bool have = r->j->model->system && scene_point(&p, &r->example, r->j->scene, r->j->cache);
   if (have) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
-    if (tr.outcome == OUTCOME_AGREES) text_add(&t, "For the data of the example the two sides are equal.");
+    if (tr.outcome == OUTCOME_AGREES) f->effect = "For the data of the example the two sides are equal.";
     if (tr.outcome == OUTCOME_DIFFERS)
-      text_printf(&t, "For the data of the example, %sthe left side is %s and the right side %s.",
-                  entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
+      f->effect = result_str(r->j->out, "For the data of the example, %sthe left side is %s and the right side %s.",
+                             entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
   }
-  if (t.len) f->effect = result_str(r->j->out, "%s", text_str(&t));
   point_clear(&p);
-  text_clear(&t);
 }
 
 /* Controls whose routes are "exact" are left to the algebra: a difference with a rational point refutes. */

@@ -114,17 +114,15 @@ static truth sign(const arb_t x) {
 
 /* What the range says of the phase, and whether it has had a crest. */
 static truth expected(bool *late, struct range *r, arb_srcptr v, const struct point *p) {
-  double where;
-  arb_ptr w = _arb_vec_init(3);
-  truth holds = TRUTH_TRUE;
+  arb_ptr w = _arb_vec_init(2);
+  truth holds = conditions_hold(&r->premise, p, FIRST_PREC, r->j->cache);
   *late = false;
-  if (r->premise.n) holds = condition_holds(&where, w, &r->premise.at[0], p, FIRST_PREC, r->j->cache);
   if (r->form.there[RANGE_ODD]) {
-    *late = distances(w + 1, w + 2, v, r->form.rate) > 0;
-    holds = truth_and(holds, sign(w + 1));
-    if (*late) holds = truth_and(holds, sign(w + 2));
+    *late = distances(w, w + 1, v, r->form.rate) > 0;
+    holds = truth_and(holds, sign(w));
+    if (*late) holds = truth_and(holds, sign(w + 1));
   }
-  _arb_vec_clear(w, 3);
+  _arb_vec_clear(w, 2);
   return holds;
 }
 
@@ -194,11 +192,7 @@ static void book(struct range *r, truth form, truth said, truth found, bool late
   bool differs = form == TRUTH_FALSE || (said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN && said != found);
   if (differs) {
     r->other++;
-    if (r->where) return;
-    struct text t;
-    text_init(&t);
-    point_print(&t, p);
-    r->where = result_take(r->j->out, &t);
+    if (!r->where) r->where = point_text(r->j, p);
   } else if (form == TRUTH_UNKNOWN || said == TRUTH_UNKNOWN || found == TRUTH_UNKNOWN) {
     r->open++;
   } else {
@@ -213,9 +207,8 @@ static bool is_enough(const struct range *r, truth said, bool late) {
 
 static void try_orbit(struct range *r, const struct pool_item *item, slong index, int side) {
   struct point p;
-  double where;
   bool late;
-  arb_ptr v = _arb_vec_init(N_NUMBERS + 1);
+  arb_ptr v = _arb_vec_init(N_NUMBERS);
   const struct dyn_orbit *o = &item->list.orbit[index];
   point_init(&p);
   pool_point(&p, item, index);
@@ -226,12 +219,12 @@ static void try_orbit(struct range *r, const struct pool_item *item, slong index
       p.known = NULL; /* enclosed as narrowly as asked for */
       truth form = r->form.rate ? TRUTH_TRUE : numbers_at(v, r, &p) ? is_of_form(r, v, &p) : TRUTH_UNKNOWN;
       said = expected(&late, r, v, &p);
-      truth found = condition_holds(&where, v + N_NUMBERS, &r->goal.at[0], &p, FIRST_PREC, r->j->cache);
+      truth found = conditions_hold(&r->goal, &p, FIRST_PREC, r->j->cache);
       book(r, form, said, found, late, &p);
     }
   }
   point_clear(&p);
-  _arb_vec_clear(v, N_NUMBERS + 1);
+  _arb_vec_clear(v, N_NUMBERS);
 }
 
 static void by_balls(struct range *r) {
@@ -247,11 +240,10 @@ static void by_balls(struct range *r) {
 static const char *describe(struct range *r) {
   struct text t;
   text_init(&t);
-  text_printf(
-      &t,
-      "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise on "
-      "%ld, open on %ld",
-      r->same[1], r->same[0], r->other, r->open);
+  text_printf(&t,
+              "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise "
+              "on %ld, open on %ld",
+              r->same[1], r->same[0], r->other, r->open);
   if (r->form.rate)
     text_printf(&t, "; where the phase takes more than 2 pi, it holds on %ld and fails on %ld, as the range says",
                 r->late[1], r->late[0]);
@@ -299,13 +291,12 @@ static const char *proof_note(const struct range *r) {
     else
       text_add(&t, "; the sine is positive up to pi, and negative from there to 2*pi");
     if (r->form.rate && r->form.there[RANGE_EVEN])
-      text_printf(
-          &t,
-          ", so that its integral (%s)*(x - sin(x)) + (%s)*(1 - cos(x)) has crests, each higher than the one before, "
-          "at x = 2*(k*pi - arctan((%s)/(%s))), k = 1, 2, ..., where it is 2 times (%s)*(k*pi - arctan((%s)/(%s))) + "
-          "(%s)",
-          claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "odd"), claim_get(r->c, "even"),
-          claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "even"), claim_get(r->c, "odd"));
+      text_printf(&t,
+                  ", so that its integral (%s)*(x - sin(x)) + (%s)*(1 - cos(x)) has crests, each higher than the one "
+                  "before, at x = 2*(k*pi - arctan((%s)/(%s))), k = 1, 2, ..., where it is 2 times (%s)*(k*pi - "
+                  "arctan((%s)/(%s))) + (%s)",
+                  claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "odd"), claim_get(r->c, "even"),
+                  claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "even"), claim_get(r->c, "odd"));
   }
   return result_take(r->j->out, &t);
 }
@@ -315,13 +306,7 @@ static void conclude(struct finding *f, struct range *r) {
                            outcome_of_counts(r->same[0] + r->same[1] + r->late[0] + r->late[1], r->other, r->open),
                            true, r->same[0] + r->same[1] + r->late[0] + r->late[1] + r->other + r->open};
   finding_add_route(f, r->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, r->where, describe(r));
-  if (r->proved) {
-    struct evidence *e = finding_add(f, r->j->out);
-    e->route = "exact";
-    e->layer = layer_name[LAYER_CORRECTED];
-    e->result = "proved";
-    e->note = proof_note(r);
-  }
+  if (r->proved) exact_route(f, r->j->out, ROUTE_AGREES, proof_note(r));
   f->verdict = verdict_of(&w, 1, r->proved);
 }
 

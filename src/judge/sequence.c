@@ -1,7 +1,6 @@
 /* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under
    the Coulomb law; and whether motions with given times exist at all. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/work.h"
@@ -58,18 +57,13 @@ static bool letters_of(char out[16], const char *word) {
 }
 
 static enum route_outcome hold_all(const char **note, struct judge *j, struct conditions *list, const struct point *p) {
-  arb_t value;
-  enum route_outcome outcome = ROUTE_AGREES;
-  arb_init(value);
-  for (int k = 0; k < list->n && outcome == ROUTE_AGREES; k++) {
-    double where;
-    truth holds = condition_holds(&where, value, &list->at[k], p, FIRST_PREC, j->cache);
+  for (int k = 0; k < list->n; k++) {
+    truth holds = condition_holds(NULL, NULL, &list->at[k], p, FIRST_PREC, j->cache);
     if (holds == TRUTH_TRUE) continue;
-    outcome = holds == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
     *note = result_str(j->out, "%s: %s", list->at[k].text, holds == TRUTH_FALSE ? "false" : "undecided");
+    return outcome_of_truth(holds);
   }
-  arb_clear(value);
-  return outcome;
+  return ROUTE_AGREES;
 }
 
 /* Every event is proved to be the first of its phase and every condition to hold throughout it, in the model's word. */
@@ -182,13 +176,12 @@ static struct route_result add_returns(struct finding *f, struct judge *j, const
   for (slong i = 0; i < list->n; i++) back[returns(j, &list->orbit[i], through, n, closed)]++;
   const struct dyn_orbit *o = list->n ? &list->orbit[0] : NULL;
   const char *note =
-      o ? result_str(
-              j->out,
-              "%ld found for chi, eta and V of the example, %sproved to exist; the state returns for %ld of %ld; "
-              "%s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
-              (long)list->n, list->n == 1 ? "" : "each ", back[TRUTH_TRUE], (long)list->n,
-              list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
-              ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
+      o ? result_str(j->out,
+                     "%ld found for chi, eta and V of the example, %sproved to exist; the state returns for %ld of "
+                     "%ld; %s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
+                     (long)list->n, list->n == 1 ? "" : "each ", back[TRUTH_TRUE], (long)list->n,
+                     list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
+                     ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
         : "none was found; the search is not exhaustive";
   enum route_outcome outcome = outcome_of_counts(back[TRUTH_TRUE], back[TRUTH_FALSE], back[TRUTH_UNKNOWN] + !o);
   return add(f, j, closed ? "balls" : "exponential", outcome, closed, list->n, note);

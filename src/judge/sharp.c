@@ -1,8 +1,6 @@
 /* Inequalities without slack: each step of the record is an equality at the start or at the end of the phase that the
    claim's points name.  An inequality that is true and weaker than it could be passes every check of its truth, and
    fails this one. */
-#include <string.h>
-
 #include "judge.h"
 #include "num/calc.h"
 #include "proof/exact_proof.h"
@@ -47,11 +45,7 @@ static void try_point(struct tally *t, struct sentence *s, struct point *p, enum
   t->reached += all == TRUTH_TRUE;
   t->apart += all == TRUTH_FALSE;
   t->open += all == TRUTH_UNKNOWN;
-  if (all != TRUTH_FALSE || t->where) return;
-  struct text where;
-  text_init(&where);
-  point_print(&where, p);
-  t->where = result_take(j->out, &where);
+  if (all == TRUTH_FALSE && !t->where) t->where = point_text(j, p);
 }
 
 static void run_route(struct tally *t, struct judge *j, const struct claim *c, struct sentence *s,

@@ -4,7 +4,6 @@
    The list is that of motion/branches.h, every root of every switching function, or with "kept: yes" that of the word's
    orbits, whatever their t_c: along a phase in which the constraints hold no switching function vanishes, so that what
    keeps them has first events.  The paper's equations and constraints are tried on every solution in balls. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -79,16 +78,12 @@ static void find(struct solutions *x) {
 }
 
 static truth keeps(struct solutions *x, slong i) {
-  arb_t value;
   truth all = TRUTH_TRUE;
-  arb_init(value);
   for (int k = 0; k < x->constraints.n; k++) {
-    double where;
-    truth holds = condition_holds(&where, value, &x->constraints.at[k], &x->at, FIRST_PREC, x->cache);
+    truth holds = condition_holds(NULL, NULL, &x->constraints.at[k], &x->at, FIRST_PREC, x->cache);
     x->broken[i][k] = holds == TRUTH_FALSE;
     all = truth_and(all, holds);
   }
-  arb_clear(value);
   return all;
 }
 
@@ -192,30 +187,27 @@ static const char *listed(struct solutions *x) {
 }
 
 /* Where one solution is regular and t_c has no bound, the angles of phase H come back near to where they are. */
-static const char *const recurrence = "; if t_c is not bounded there are infinitely many, since the Jacobian is "
-                                      "regular at each of these, the equations contain t_c only in the angles "
-                                      "omega_1 t_c and omega_2 t_c, and by Dirichlet's theorem on simultaneous "
-                                      "approximation both return arbitrarily closely to their values at arbitrarily "
-                                      "large t_c";
+static const char *const recurrence =
+    "; if t_c is not bounded there are infinitely many, since the Jacobian is regular at each of these, the equations "
+    "contain t_c only in the angles omega_1 t_c and omega_2 t_c, and by Dirichlet's theorem on simultaneous "
+    "approximation both return arbitrarily closely to their values at arbitrarily large t_c";
 
 static const char *summed_up(struct solutions *x) {
   struct tally all = tally_of(x, false), held = tally_of(x, true);
   const char *complete = x->list.complete ? "and there are proved to be no others"
                                           : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
   if (x->kept)
-    return result_str(
-        x->j->out,
-        "%ld periodic solutions, each proved to exist, %s in which each phase ends at the first possible time; the "
-        "equations hold for %ld of them, the constraints for %ld",
-        all.all, complete, x->n_solve, held.all - held.open);
+    return result_str(x->j->out,
+                      "%ld periodic solutions, each proved to exist, %s in which each phase ends at the first possible "
+                      "time; the equations hold for %ld of them, the constraints for %ld",
+                      all.all, complete, x->n_solve, held.all - held.open);
   long first = 0;
   for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
-  return result_str(
-      x->j->out,
-      "%ld solutions with t_c up to %s, each proved to be locally unique, %s; the equations hold for %ld of them; "
-      "t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s",
-      all.all, claim_get(x->c, "until"), complete, x->n_solve, first, held.all - held.open,
-      x->asked == ASKED_COUNT && all.all ? recurrence : "");
+  return result_str(x->j->out,
+                    "%ld solutions with t_c up to %s, each proved to be locally unique, %s; the equations hold for %ld "
+                    "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s",
+                    all.all, claim_get(x->c, "until"), complete, x->n_solve, first, held.all - held.open,
+                    x->asked == ASKED_COUNT && all.all ? recurrence : "");
 }
 
 /* --- Under Coulomb's law --- */
@@ -241,8 +233,7 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
   finding_add_route(f, x->j->out, w, "model", -1, NULL,
                     result_str(x->j->out,
                                "among the motions under Coulomb's law from the initial states of such solutions%s, the "
-                               "number of periodic ones is "
-                               "%ld and that of the others %ld",
+                               "number of periodic ones is %ld and that of the others %ld",
                                constrained ? " that satisfy the constraints" : "", closed, parted));
   return w;
 }

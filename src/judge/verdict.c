@@ -1,6 +1,6 @@
 /* From evidence to verdict, in one place.  Nothing else in the program assigns a verdict to a claim that was tried. */
-
 #include "verdict.h"
+#include "model/model.h"
 #include "record/routes.h"
 
 enum route_outcome outcome_of_truth(truth holds) {
@@ -9,6 +9,17 @@ enum route_outcome outcome_of_truth(truth holds) {
 
 enum route_outcome outcome_of_counts(long agrees, long differs, long undecided) {
   return differs ? ROUTE_DIFFERS : undecided ? ROUTE_UNDECIDED : agrees ? ROUTE_AGREES : ROUTE_NOTHING;
+}
+
+struct route_result exact_route(struct finding *f, struct audit_result *out, enum route_outcome outcome,
+                                const char *note) {
+  bool decided = outcome == ROUTE_AGREES || outcome == ROUTE_DIFFERS;
+  struct evidence *e = finding_add(f, out);
+  e->route = "exact";
+  e->layer = layer_name[LAYER_CORRECTED];
+  e->result = outcome == ROUTE_AGREES ? "proved" : decided ? "differs" : "states";
+  e->note = decided ? note : result_str(out, "not proved: %s", note);
+  return (struct route_result){"exact", outcome, true, 1};
 }
 
 int independent_routes(const struct route_result *w, int n) {

@@ -9,6 +9,9 @@
 enum route_outcome outcome_of_truth(truth holds);
 /* What a route says that was tried so often with each outcome. */
 enum route_outcome outcome_of_counts(long agrees, long differs, long undecided);
+/* What exact algebra says of the corrected sentence, as evidence: proved, refuted by it, or why neither. */
+struct route_result exact_route(struct finding *f, struct audit_result *out, enum route_outcome outcome,
+                                const char *note);
 /* The one table from evidence to verdict. */
 enum verdict verdict_of(const struct route_result *w, int n, bool whole_domain);
 /* Of a sentence with that verdict, judged again under a condition. */

@@ -434,26 +434,38 @@ static truth holds_at_samples(struct bound *b, slong prec) {
   return holds;
 }
 
-truth condition_holds(double *where, arb_t value, struct condition *c, const struct point *p, slong prec,
+truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p, slong prec,
                       struct orbit_cache *cache) {
   struct values v;
   struct bound b;
+  double at = 0;
+  arb_t margin;
   truth holds = TRUTH_UNKNOWN;
-  *where = 0;
+  arb_init(margin);
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(prec), cache);
   if (s == SS_OK) {
     s |= bind(&b, c, &v);
     if (s == SS_OK && c->moving && !c->equality) {
-      holds = holds_along(where, value, &b, prec);
+      holds = holds_along(&at, margin, &b, prec);
     } else if (s == SS_OK && c->moving) {
       holds = holds_at_samples(&b, prec);
-    } else if (s == SS_OK && margin_at(value, &b, NULL) == SS_OK) {
-      holds = sign_of(c, value, prec);
+    } else if (s == SS_OK && margin_at(margin, &b, NULL) == SS_OK) {
+      holds = sign_of(c, margin, prec);
     }
     unbind(&b);
   }
   values_clear(&v);
+  if (where) *where = at;
+  if (value) arb_set(value, margin);
+  arb_clear(margin);
   return holds;
+}
+
+truth conditions_hold(struct conditions *list, const struct point *p, slong prec, struct orbit_cache *cache) {
+  truth all = TRUTH_TRUE;
+  for (int k = 0; k < list->n && all != TRUTH_FALSE; k++)
+    all = truth_and(all, condition_holds(NULL, NULL, &list->at[k], p, prec, cache));
+  return all;
 }
 
 /* where < 0: the inner sixteenths. */

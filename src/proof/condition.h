@@ -44,9 +44,11 @@ int conditions_sample(struct sampled *out, struct conditions *list, const struct
 
 /* Does the condition hold throughout its phase at the point?  In balls at prec; *where is the fraction of the phase at
    which it certainly fails (FALSE), and value the margin there, or the least margin met (TRUE, of those away from ends
-   where it vanishes). */
-truth condition_holds(double *where, arb_t value, struct condition *c, const struct point *p, slong prec,
+   where it vanishes); either may be NULL. */
+truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p, slong prec,
                       struct orbit_cache *cache);
+/* Do all of them?  Looks no further than the first that fails. */
+truth conditions_hold(struct conditions *list, const struct point *p, slong prec, struct orbit_cache *cache);
 /* The same at one fraction of the phase. */
 truth condition_holds_at(struct condition *c, const struct point *p, enum variant variant, double where, slong prec,
                          struct orbit_cache *cache);

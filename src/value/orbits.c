@@ -66,9 +66,11 @@ struct cached {
   slong prec;
   struct dyn_orbits list;
 };
-/* An orbit followed in one number type at one precision. */
+/* An orbit followed in one number type at one precision.  Its address alone does not tell it: another one may lie there
+   when it is gone. */
 struct followed {
   const struct dyn_orbit *orbit;
+  double start[2];
   int status;
   struct dyn_arc arc;
 };
@@ -167,7 +169,8 @@ static const struct followed *find_followed(const struct orbit_cache *c, const s
                                             struct num_ctx ctx) {
   for (size_t i = 0; i < c->n_followed; i++) {
     const struct followed *f = &c->followed[i];
-    if (f->orbit == o && f->arc.t.ctx.type == ctx.type && f->arc.t.ctx.prec == ctx.prec) return f;
+    bool same = f->orbit == o && f->start[0] == num_arb.get_d(o->z10) && f->start[1] == num_arb.get_d(o->z20);
+    if (same && f->arc.t.ctx.type == ctx.type && f->arc.t.ctx.prec == ctx.prec) return f;
   }
   return NULL;
 }
@@ -182,6 +185,8 @@ int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit
     c->followed = ss_grow(c->followed, c->n_followed, &c->cap_followed, sizeof *c->followed);
     struct followed *f = &c->followed[c->n_followed++];
     f->orbit = o;
+    f->start[0] = num_arb.get_d(o->z10);
+    f->start[1] = num_arb.get_d(o->z20);
     dyn_arc_init(&f->arc, ctx);
     f->status = ctx.type->set_arb(num_vec_at(&z, 0), o->z10, ctx.prec);
     f->status |= ctx.type->set_arb(num_vec_at(&z, 1), o->z20, ctx.prec);

@@ -16,6 +16,15 @@ void point_clear(struct point *p) {
   for (int i = 0; i < N_Q; i++) fmpq_clear(&p->q[i]);
 }
 
+void point_copy(struct point *out, const struct point *p) {
+  struct point own = *out;
+  *out = *p;
+  for (int i = 0; i < N_Q; i++) {
+    out->q[i] = own.q[i];
+    fmpq_set(&out->q[i], &p->q[i]);
+  }
+}
+
 bool point_of_model(const struct point *p) {
   return !p->paper || p->paper->system;
 }

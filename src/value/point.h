@@ -68,6 +68,8 @@ bool point_of_model(const struct point *p);
 /* What one of the paper's own symbols is worth there, a number of its domain. */
 void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s);
 void point_clear(struct point *p);
+/* out, which is another point, becomes p. */
+void point_copy(struct point *out, const struct point *p);
 /* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
 void point_print(struct text *out, const struct point *p);
 /* Applies "chi=1/2,V=2" to the point. */

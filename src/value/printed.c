@@ -192,6 +192,20 @@ const char *ball_text(struct judge *j, const arb_t x, slong n) {
   return result_take(j->out, &t);
 }
 
+const char *rational_text(struct judge *j, const fmpq *x) {
+  struct text t;
+  text_init(&t);
+  num_print_q(&t, x);
+  return result_take(j->out, &t);
+}
+
+const char *point_text(struct judge *j, const struct point *p) {
+  struct text t;
+  text_init(&t);
+  point_print(&t, p);
+  return result_take(j->out, &t);
+}
+
 int scene_numbers(struct num_vec *params, struct judge *j) {
   const struct num_type *t = params->ctx.type;
   struct point p;

@@ -53,5 +53,8 @@ const char *scene_lacks_forces(const struct scene *s);
 void finding_skip(struct finding *f, struct judge *j, const char *why);
 /* x to n digits, or as a ball when it is not known that well. */
 const char *ball_text(struct judge *j, const arb_t x, slong n);
+/* The same of x as p/q, and of a point (point_print). */
+const char *rational_text(struct judge *j, const fmpq *x);
+const char *point_text(struct judge *j, const struct point *p);
 
 #endif

@@ -528,7 +528,7 @@ static bool make_scaling(struct text *out, const struct title *t) {
 
 /* --- Behaviour --- */
 
-/* What each check (judge/behaviour.c) tries; of switches, by the transition. */
+/* What each check (judge/behaviour.h) tries; of switches, by the transition. */
 static const struct {
   const char *check, *transition, *says;
 } checks[] = {
