@@ -133,28 +133,24 @@ static bool make_row(struct mech *m, int n) {
   return mech_finish(m, &why, &name);
 }
 
-/* The power of n with which the time grows from one row to another. */
-static double power(const double ms[], const int size[], int i, int k) {
-  return log(ms[k] / ms[i]) / log((double)size[k] / size[i]);
-}
-
 static bool run_growth(struct study_page *page) {
   static const int size[] = {2, 5, 10, 20};
   struct study_table *t =
       study_table(page, "growth", "A row of masses, the last on a belt", "masses\tphases\tunknowns\tsolve_ms\tjudge_ms",
                   "Springs of 1, dampers of 1/4; the last mass sticks once in a period, which grows with n.");
-  double ms[COUNT(size)];
+  double ms[2] = {0}; /* of the last two, of which one has twice the masses */
   int n = page->quick ? 3 : COUNT(size);
   for (int i = 0; i < n; i++) {
     struct known k = {.solve = 0};
     bool ok = make_row(&k.m, size[i]) && find(&k, NULL);
     if (ok) add_row(t, &k);
-    ms[i] = k.solve + k.judge;
+    ms[0] = ms[1];
+    ms[1] = k.solve + k.judge;
     mech_clear(&k.m);
     if (!ok) return false;
   }
   text_printf(&page->found, "- from %d to %d masses the time grows like n^%.1f\n", size[n - 2], size[n - 1],
-              power(ms, size, n - 2, n - 1));
+              log2(ms[1] / ms[0]));
   return true;
 }
 

@@ -514,7 +514,9 @@ static bool load(struct scene *s, const char *spec, const char *text, const char
   bool exact = any == SCENE_EXACT || any == SCENE_EXACT_OR_SYSTEM, system = any >= SCENE_EXACT_OR_SYSTEM;
   if (!ok || !s->system) return ok && (!exact || (scene_one_point(s, d) && scene_papers_word(s, d)));
   if (!system)
-    diag_set(d, "%s: error: a scene of the system file %s; only orbit, jacobian, words, simulate, plot and bifurcate take such a scene",
+    diag_set(d,
+             "%s: error: a scene of the system file %s; only orbit, jacobian, words, simulate, plot and bifurcate take "
+             "such a scene",
              s->path, s->system);
   return system;
 }
