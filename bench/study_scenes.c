@@ -122,7 +122,7 @@ static void describe_asked(struct text *out, const struct scene *s) {
   if (!out->len) text_add(out, "everything");
 }
 
-/* A scene with another phase word than the paper's has no audit, and no row. */
+/* A scene of another system, or with another phase word than the paper's, has no audit, and no row. */
 static bool add_scene(struct study_table *t, const char *name, const char *data, const struct process *whole,
                       int repeats) {
   struct scene s;
@@ -131,7 +131,8 @@ static bool add_scene(struct study_table *t, const char *name, const char *data,
   struct diag d;
   diag_init(&d);
   text_init(&asked);
-  bool ok = scene_load_box(&s, name, data, &d), other = ok && !scene_four_phases(&s, &d);
+  bool ok = scene_load_with(&s, name, data, NULL, SCENE_OF_ANY_SYSTEM, &d);
+  bool other = ok && (s.system || !scene_four_phases(&s, &d));
   ok = ok && (other || run_scene(&p, name, repeats, ENOUGH_MS));
   if (ok && !other) {
     describe_asked(&asked, &s);
