@@ -50,7 +50,6 @@ def commands():
     for s in ("paper", "overrun", "two-admissible"):
         yield s == "paper", "any", f"words {s} --json"
     for s in ("chain3", "beside-wall", "driven", "den-hartog"):
-        yield True, "any", f"orbit {s} --json"
         yield True, "any", f"jacobian {s} --json"
         yield s == "driven", "any", f"words {s} --json"
     yield True, "any", "bifurcate paper --along e2=0.5:3 --json"
