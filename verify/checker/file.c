@@ -195,7 +195,8 @@ arb_ptr fresh(void) {
 
 mat part(mat m, slong row, slong column, slong rows, slong columns) {
   mat z = matrix(rows, columns);
-  for (slong i = 0; i < rows; i++) _arb_vec_set(arb_mat_entry(z, i, 0), arb_mat_entry(m, row + i, column), columns);
+  for (slong i = 0; i < rows; i++)
+    for (slong k = 0; k < columns; k++) arb_set(arb_mat_entry(z, i, k), arb_mat_entry(m, row + i, column + k));
   return z;
 }
 
