@@ -138,7 +138,7 @@ static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits
     print_known(out, acb_imagref(z + i), digits);
     text_add(out, " i");
   }
-  text_add(out, z ? "\n" : " not told apart\n");
+  text_add(out, !z ? " not told apart\n" : n ? "\n" : " none\n");
 }
 
 static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"},
@@ -177,8 +177,11 @@ static void search_text(struct text *out, const struct mech_orbits *list) {
   text_printf(out, "not proved complete: %s (%d motions, %d starts of Newton's iteration, %d without an orbit)\n",
               not_complete, list->simulations, list->candidates, list->failed);
   if (list->unfinished)
-    text_printf(out, "%d of these motions were given up: too many steps, or numbers out of the range of a double\n",
-                list->unfinished);
+    text_printf(
+        out,
+        "%d of these motions were given up: too many steps, a mass at rest at an obstacle, or numbers out of the "
+        "range of a double\n",
+        list->unfinished);
 }
 
 static void orbits_text(struct text *out, const struct mech_orbits *list, const struct mech *m, const struct scene *s,
@@ -349,20 +352,22 @@ static void jacobian_json(struct text *out, const struct mech_orbit *o, const ar
   json_string(&j, "method", method_name[q->method]);
   json_string(&j, "layer", "model");
   json_string(&j, "at", at);
+  json_truth(&j, "admissible", o->admissible);
   json_end_object(&j);
 }
 
 static void jacobian_text(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,
                           const struct scene *s, const struct jacobian_request *q, const char *at) {
   char name[16];
-  text_printf(out, "%s, %s, method %s: the first return of", s->name, at, method_name[q->method]);
+  text_printf(out, "%s, %s (%s), method %s: ", s->name, at, allowed[o->admissible], method_name[q->method]);
+  text_add(out, o->n_free ? "the first return of" : "no coordinate is free");
   for (int l = 0; l < o->n_free; l++) {
     free_name(name, o, l);
     text_printf(out, " %s", name);
   }
-  text_printf(out, " at the entry of the first phase of ");
+  text_add(out, " at the entry of the first phase of ");
   mech_word_print(out, &o->word);
-  text_add_char(out, '\n');
+  text_add(out, o->n_free ? "\n" : ", so that every motion beside the orbit is on it after one period\n");
   return_text(out, x->entries, o->n_free, q->digits);
   multipliers_text(out, z, o->n_free, q->digits);
 }

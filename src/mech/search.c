@@ -12,8 +12,9 @@
 
 enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60, ROUNDS = 10 };
 static const char seed[] = "motions of a system";
-static const double near = 0.2;                       /* relative distance of the ends */
-static const double longest = 1e6, phase_angle = 150; /* of a motion: that of the slowest mode, in radians */
+static const double near = 0.2; /* relative distance of the ends */
+static const double longest = 1e6, phase_angle = 150,
+                    drags = 20; /* of a motion: that of the slowest mode, in radians */
 
 /* A stretch of a motion from an event to another one with the same phase behind it. */
 struct stretch {
@@ -102,7 +103,8 @@ static void look_through(struct stretches *list, const struct mech_motion *x, co
     }
 }
 
-/* Of the slowest natural frequency of what slips everywhere: the least eigenvalue of M^-1/2 K M^-1/2 is its square. */
+/* Enough of the slowest natural mode of what slips everywhere, whose frequency squared is the least eigenvalue of
+   M^-1/2 K M^-1/2, and of the time for which a surface can drag a mass along. */
 static double duration(const struct mech *m) {
   size_t n = (size_t)m->n;
   gsl_matrix *k = gsl_matrix_alloc(n, n);
@@ -114,11 +116,15 @@ static double duration(const struct mech *m) {
       gsl_matrix_set(k, (size_t)i, (size_t)j, fmpq_get_d(fmpq_mat_entry(m->stiffness, i, j)) / scale);
     }
   gsl_eigen_symm(k, squares, work);
-  double least = sqrt(gsl_vector_min(squares));
+  double least = sqrt(gsl_vector_min(squares)), drag = 0;
+  for (int i = 0; i < m->n; i++)
+    if (!fmpq_is_zero(m->mass[i].surface))
+      drag = fmax(drag, fmpq_get_d(m->mass[i].limit) /
+                            (fmpq_get_d(fmpq_mat_entry(m->stiffness, i, i)) * fabs(fmpq_get_d(m->mass[i].surface))));
   gsl_eigen_symm_free(work);
   gsl_vector_free(squares);
   gsl_matrix_free(k);
-  return least > 0 ? fmin(longest, phase_angle / least) : longest;
+  return least > 0 ? fmin(longest, phase_angle / least + drags * drag) : longest;
 }
 
 /* --- Orbits --- */
@@ -239,17 +245,17 @@ static void follow(struct mech_settling *s, double *z, const struct mech *m) {
     struct mech_word w;
     double period, gap;
     int status = mech_simulate(&x, MECH_PATCHED, m, z, &plan);
-    bool settles = !status && mech_settles(&w, &period, &gap, &x, m->n, m->states);
+    bool settles = status != SS_DOMAIN && mech_settles(&w, &period, &gap, &x, m->n, m->states);
     if (!status) {
       memcpy(phase, x.moment[x.n_moments - 1].phase, sizeof phase);
       memcpy(z, x.z, (size_t)m->states * sizeof *z);
     }
     mech_motion_clear(&x);
-    s->unfinished += status != SS_OK;
     if (settles && (round == ROUNDS || !repeats(&w))) {
       count(s, &w);
       return;
     }
+    s->unfinished += status != SS_OK;
     if (status) return;
   }
 }

@@ -37,6 +37,7 @@ struct walk {
   double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
   double loading[2 * MECH_MASSES], frequency, stop[MECH_MASSES][2], restitution[MECH_MASSES][2];
   double inertia[MECH_MASSES], sliding[MECH_MASSES], limit[MECH_MASSES], surface[MECH_MASSES];
+  int full;                                   /* whole looks in the present phase */
   double rate[SIDE * SIDE], jump[SIDE][SIDE]; /* A of the present phase; exp(A look), by columns */
   gsl_odeiv2_system system;
   gsl_odeiv2_driver *driver;
@@ -106,7 +107,8 @@ static void add_jump(double *to, const struct walk *w) {
 static bool carry(double *to, struct walk *w, double h) {
   double t = 0;
   bool ok = true;
-  if (w->route == MECH_PATCHED && h == w->look) {
+  if (w->route == MECH_PATCHED && h == w->look && ++w->full > w->states) { /* it has paid for its columns */
+    if (w->full == w->states + 1) make_jump(w);
     add_jump(to, w);
   } else if (w->route == MECH_PATCHED) {
     add_series(to, w, w->z, 1, h);
@@ -199,7 +201,7 @@ static void begin(struct walk *w) {
   for (int i = 0; i < side; i++)
     for (int j = 0; j < side; j++) w->rate[i * side + j] = fmpq_get_d(fmpq_mat_entry(rate, i, j));
   fmpq_mat_clear(rate);
-  if (w->route == MECH_PATCHED) make_jump(w);
+  w->full = 0;
 }
 
 /* Tells of the present moment, an event where it has a mass. */
