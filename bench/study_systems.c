@@ -1,13 +1,10 @@
 /* The general engine: how long an orbit of a system file takes, and how that grows with masses and phases. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "bench/bench.h"
 #include "bench/jobs.h"
 #include "bench/study.h"
 #include "mech/orbit.h"
-#include "scene/scene.h"
 
 enum { PREC = 128 };
 

@@ -78,24 +78,26 @@ static void collect(const char **args, const char *first, va_list ap) {
   args[n] = NULL;
 }
 
+static void run(struct job *j, const char **args, const char *first, va_list ap) {
+  collect(args, first, ap);
+  job_start(j, NULL, program(), args);
+  job_finish(j);
+}
+
 void job_run(struct job *j, const char *first, ...) {
   const char *args[MAX_ARGS + 1];
   va_list ap;
   va_start(ap, first);
-  collect(args, first, ap);
+  run(j, args, first, ap);
   va_end(ap);
-  job_start(j, NULL, program(), args);
-  job_finish(j);
 }
 
 void job_run_well(struct job *j, const char *first, ...) {
   const char *args[MAX_ARGS + 1];
   va_list ap;
   va_start(ap, first);
-  collect(args, first, ap);
+  run(j, args, first, ap);
   va_end(ap);
-  job_start(j, NULL, program(), args);
-  job_finish(j);
   ck_assert_msg(j->status == 0 && !*j->err, "%s %s...: status %d, %.1500s", first, args[1] ? args[1] : "", j->status,
                 j->err);
 }

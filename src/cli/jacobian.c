@@ -126,8 +126,7 @@ int run_jacobian(const struct options *o, const char *data) {
   model_init(&m);
   bool ok =
       load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d) && (s.system || scene_one_point(&s, &d));
-  if (ok && q.orbit < 0 && s.system) q.orbit = 0;
-  if (ok && q.orbit < 0) q.orbit = scene_other_word(&s) ? 0 : scene_usual_orbit(&s);
+  if (ok && q.orbit < 0) q.orbit = s.system || scene_other_word(&s) ? 0 : scene_usual_orbit(&s);
   if (ok && s.system)
     status = run_system_jacobian(o, &s, data, &q, &d);
   else if (ok && scene_other_word(&s))

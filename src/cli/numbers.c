@@ -6,6 +6,8 @@
 #include "cli.h"
 #include "orbit_numbers.h"
 
+const char *const stability_name[] = {"unstable", "conditionally stable", "stability undecided"};
+
 /* A whole number of which n digits are known, from `from` on: 212766240 as 2.1276624e+8, since a zero that only fills
    up would be read as a digit. */
 static void show_as_power(struct text *out, size_t from, slong n) {

@@ -166,7 +166,6 @@ static void numbers_text(struct text *out, const struct text t[N_SHOWN]) {
 
 static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
                         const struct scene *s, slong digits, bool basin) {
-  static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
   struct text t[N_SHOWN];
   for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
   text_printf(out, "%s: %ld orbit%s of the word %s found\n", s->name, (long)list->n, list->n == 1 ? "" : "s",
@@ -176,7 +175,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
     const struct dyn_orbit *o = &list->orbit[i];
     print_numbers(t, o, s, digits);
     truth u[2], admissible = orbit_admissible(u, s, o);
-    text_printf(out, "orbit %ld: %s, ", (long)i + 1, fate[o->stable]);
+    text_printf(out, "orbit %ld: %s, ", (long)i + 1, stability_name[o->stable]);
     admissible_text(out, admissible, s);
     text_add_char(out, '\n');
     numbers_text(out, t);

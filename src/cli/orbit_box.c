@@ -129,10 +129,9 @@ static void box_json(struct text *out, const struct dyn_box *box, const struct s
 }
 
 static void orbit_text(struct text *out, const struct dyn_box_orbit *b, const struct scene *s, slong digits) {
-  static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
   const struct dyn_orbit *o = &b->orbit;
   truth u[2], admissible = box_admissible(u, s, b);
-  text_printf(out, "%s, ", b->stability_changes ? "stable in a part of the box" : fate[o->stable]);
+  text_printf(out, "%s, ", b->stability_changes ? "stable in a part of the box" : stability_name[o->stable]);
   admissible_text(out, admissible, s);
   if (b->proved)
     text_printf(out, "; proved over the box in %ld pieces\n", (long)b->pieces);

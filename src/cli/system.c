@@ -141,11 +141,10 @@ static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits
   text_add(out, !z ? " not told apart\n" : n ? "\n" : " none\n");
 }
 
-static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"},
-                         *const allowed[] = {"not admissible", "admissible", "admissibility undecided"};
+static const char *const allowed[] = {"not admissible", "admissible", "admissibility undecided"};
 
 static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, slong digits) {
-  text_printf(out, "%s, %s\n", fate[o->stable], allowed[o->admissible]);
+  text_printf(out, "%s, %s\n", stability_name[o->stable], allowed[o->admissible]);
   for (int k = 0; k < o->word.n; k++) {
     char name[MECH_PHASE + 16];
     snprintf(name, sizeof name, "t_%d %s", k + 1, o->word.phase[k]);
@@ -275,7 +274,8 @@ static void word_text(struct text *out, int *others, const struct mech_orbits *l
     if (o->admissible == TRUTH_FALSE) continue;
     text_add(&rows, "    orbit of period ");
     print_known(&rows, o->period, digits);
-    text_printf(&rows, ", %s, %s%s\n", fate[o->stable], allowed[o->admissible], o->certified ? "" : ", not certified");
+    text_printf(&rows, ", %s, %s%s\n", stability_name[o->stable], allowed[o->admissible],
+                o->certified ? "" : ", not certified");
   }
   if (motions > 0 || rows.len > 0) {
     text_add(out, "  ");

@@ -174,9 +174,8 @@ static void proof_text(struct text *out, const struct word_orbit *o) {
 /* One orbit as lines. */
 static void word_orbit_text(struct text *out, const struct word_orbit *o, long number, const struct scene *s,
                             slong digits) {
-  static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
   text_printf(out, "orbit %ld: ", number);
-  text_printf(out, "%s, ", fate[o->stable]);
+  text_printf(out, "%s, ", stability_name[o->stable]);
   admissible_text(out, o->admissible, s);
   text_add_char(out, '\n');
   for (int p = 0; p < o->word.n; p++) {

@@ -71,7 +71,7 @@ static bool is_good(const struct station *s) {
 static bool solve_at(struct station *to, struct walker *w, const struct mech_orbit *near) {
   struct mech m;
   bool found = load(&m, w, to->at) && mech_orbit_beside(&to->orbit, &m, near, w->l->prec) == SS_OK;
-  if (found) mech_orbit_settle(&to->orbit, &m, w->l->prec);
+  if (found) mech_orbit_decide(&to->orbit, &m, w->l->prec);
   mech_clear(&m);
   return found;
 }

@@ -284,7 +284,7 @@ int mech_orbit_beside(struct mech_orbit *o, const struct mech *m, const struct m
   return mech_orbit_near(o, m, &near->word, t, z, prec);
 }
 
-void mech_orbit_settle(struct mech_orbit *o, const struct mech *m, slong prec) {
+void mech_orbit_decide(struct mech_orbit *o, const struct mech *m, slong prec) {
   mech_orbit_judge(o, m, prec);
   for (int times = 2; !o->certified && o->own != TRUTH_FALSE && times <= MOST_TIMES; times *= 2) {
     struct mech_orbit finer;

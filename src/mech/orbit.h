@@ -72,7 +72,7 @@ int mech_jacobian_differences(double *j, double *err, const struct mech *m, cons
 /* The orbit near another one's numbers, which may be of other data. */
 int mech_orbit_beside(struct mech_orbit *o, const struct mech *m, const struct mech_orbit *near, slong prec);
 /* Judged; solved for again with up to eight times as many bits where something is left open. */
-void mech_orbit_settle(struct mech_orbit *o, const struct mech *m, slong prec);
+void mech_orbit_decide(struct mech_orbit *o, const struct mech *m, slong prec);
 /* Certified and admissible. */
 bool mech_orbit_is_motion(const struct mech_orbit *o);
 void mech_orbit_clear(struct mech_orbit *o);

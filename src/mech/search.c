@@ -13,8 +13,9 @@
 enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60, ROUNDS = 10 };
 static const char seed[] = "motions of a system";
 static const double near = 0.2; /* relative distance of the ends */
-static const double longest = 1e6, phase_angle = 150,
-                    drags = 20; /* of a motion: that of the slowest mode, in radians */
+/* A motion lasts while the slowest mode goes through so many radians and a surface drags a mass so many times as long as
+   it can, but no longer than this. */
+static const double phase_angle = 150, drags = 20, longest = 1e6;
 
 /* A stretch of a motion from an event to another one with the same phase behind it. */
 struct stretch {
@@ -185,7 +186,7 @@ static void solve(struct mech_orbits *list, struct stretches *found, const struc
       mech_orbit_clear(&o);
       continue;
     }
-    mech_orbit_settle(&o, m, prec);
+    mech_orbit_decide(&o, m, prec);
     mech_orbits_add(list, &o);
   }
 }
@@ -193,13 +194,13 @@ static void solve(struct mech_orbits *list, struct stretches *found, const struc
 void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec) {
   struct stretches found = {.n = 0};
   uint64_t stream = random_seed(seed);
+  struct mech_plan plan = {.duration = duration(m), .most = MOMENTS};
   *list = (struct mech_orbits){.n = 0};
   bool done = false;
   while (list->simulations < SIMULATIONS && !done) {
     struct mech_motion x;
     double z[MECH_STATES];
     random_start(z, m, &stream);
-    struct mech_plan plan = {.duration = duration(m), .most = MOMENTS};
     int status = mech_simulate(&x, MECH_PATCHED, m, z, &plan);
     if (status != SS_DOMAIN) look_through(&found, &x, w, m);
     list->unfinished += status != SS_OK;
@@ -236,11 +237,11 @@ static void count(struct mech_settling *s, const struct mech_word *w) {
   s->settled++;
 }
 
-/* From z, in rounds: a word that repeats a shorter one may still become it, and is taken after the last. */
-static void follow(struct mech_settling *s, double *z, const struct mech *m) {
+/* From z, in rounds that are each long enough: a word that repeats a shorter one may still become it, and is taken after the last. */
+static void follow(struct mech_settling *s, double *z, const struct mech *m, double long_enough) {
   char phase[MECH_PHASE + 1];
   for (int round = 1; round <= ROUNDS; round++) {
-    struct mech_plan plan = {.duration = duration(m), .most = MOMENTS, .phase = round > 1 ? phase : NULL};
+    struct mech_plan plan = {.duration = long_enough, .most = MOMENTS, .phase = round > 1 ? phase : NULL};
     struct mech_motion x;
     struct mech_word w;
     double period, gap;
@@ -262,12 +263,13 @@ static void follow(struct mech_settling *s, double *z, const struct mech *m) {
 
 void mech_settle(struct mech_settling *s, const struct mech *m) {
   uint64_t stream = random_seed(seed);
+  double long_enough = duration(m);
   *s = (struct mech_settling){.n = 0};
   while (s->starts < SIMULATIONS) {
     double z[MECH_STATES];
     random_start(z, m, &stream);
     s->starts++;
-    follow(s, z, m);
+    follow(s, z, m, long_enough);
   }
 }
 
