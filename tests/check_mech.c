@@ -15,12 +15,12 @@
 #include "mech/follow.h"
 #include "mech/moments.h"
 #include "mech/orbit.h"
+#include "mech/two_masses.h"
 #include "motion/coulomb.h"
 #include "paper_model.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
-#include "value/system_orbit.h"
 
 static void finish(struct mech *m) {
   const char *why, *name;
@@ -398,7 +398,11 @@ static int found_again(const fmpq *params) {
   struct mech_word w;
   size_t at;
   const char *why;
-  two_masses(&m, params, 1000); /* so much that no lower limit is reached */
+  fmpq_t much; /* so much that no lower limit is reached */
+  fmpq_init(much);
+  fmpq_set_si(much, 1000, 1);
+  two_masses(&m, params, (const fmpq *const[]){much, much});
+  fmpq_clear(much);
   ck_assert(mech_word_parse(&w, &at, &why, letters, &m));
   ck_assert_int_eq(dyn_orbits_find(&list, params, 200, NULL), SS_OK);
   for (slong i = 0; i < list.n; i++) {

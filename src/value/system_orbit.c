@@ -1,28 +1,7 @@
 /* The paper's orbits from the general engine. */
 #include "system_orbit.h"
 
-#include <stdlib.h>
-
-void two_masses(struct mech *m, const fmpq params[N_PARAMS], slong sliding) {
-  const char *why, *name;
-  mech_init(m);
-  for (int i = 0; i < 2; i++) {
-    struct mech_link *spring = mech_add_link(m, true, i ? "middle" : "wall");
-    struct mech_mass *mass = mech_add_mass(m, i ? "m2" : "m1");
-    spring->end[0] = i - 1;
-    spring->end[1] = i;
-    mass->rubbed = true;
-    fmpq_set(mass->surface, params + P_V);
-    fmpq_set_si(mass->sliding, sliding, 1);
-    fmpq_add(mass->limit, mass->sliding, params + P_E1 + i);
-  }
-  fmpq_one(m->spring[0].size);
-  fmpq_sub(m->spring[0].size, m->spring[0].size, params + P_CHI);
-  fmpq_set(m->spring[1].size, params + P_CHI);
-  fmpq_one(m->mass[0].inertia);
-  fmpq_inv(m->mass[1].inertia, params + P_ETA);
-  if (!mech_finish(m, &why, &name)) abort();
-}
+#include "mech/two_masses.h"
 
 /* With J to three quarters of the bits, for which stiff data need up to four times as many. */
 static int near_enough(struct mech_orbit *o, const struct mech *m, const double *t, const double *z, slong prec) {
@@ -45,7 +24,8 @@ int system_orbit(arb_ptr t, arb_ptr z, arb_ptr j, const fmpq params[N_PARAMS], c
   struct mech m;
   struct mech_orbit o;
   double start[N_STATE];
-  two_masses(&m, params, 0);
+  const fmpq *const none[2] = {NULL, NULL};
+  two_masses(&m, params, none);
   for (int i = 0; i < 2; i++) {
     start[i] = arf_get_d(arb_midref(i ? near->z20 : near->z10), ARF_RND_NEAR);
     start[2 + i] = fmpq_get_d(params + P_V);

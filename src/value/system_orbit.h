@@ -6,10 +6,6 @@
 #include "mech/orbit.h"
 #include "motion/dynamics.h"
 
-/* The paper's two masses as a system: springs 1 - chi to the wall and chi between the masses, 1 and 1/eta.  Sliding
-   friction is what it is given as, on both masses, and the static limits are e_1 and e_2 above it. */
-void two_masses(struct mech *m, const fmpq params[N_PARAMS], slong sliding);
-
 /* At exact parameters the orbit near `near`, in balls of prec bits: the four times, the states (z_1, z_2, z_1', z_2')
    at the beginnings of the phases and at the end, and J, row by row; t, z or j may be NULL.  SS_UNABLE when none is
    proved there. */
