@@ -47,8 +47,7 @@ SS_API const char *ss_word_orbit_phase(const ss_word_orbits *o, size_t k, size_t
 SS_API const ss_number *ss_word_orbit_time(const ss_word_orbits *o, size_t k, size_t i);
 SS_API const ss_number *ss_word_orbit_state(const ss_word_orbits *o, size_t k, size_t i, int coordinate);
 SS_API const ss_number *ss_word_orbit_period(const ss_word_orbits *o, size_t k);
-/* The Jacobian of the return to the beginning of phase 0 in the coordinates that are free there, by saltation matrices:
-   its size, 1 to 3; which coordinates, "w1"; its entries. */
+/* The Jacobian of the return to the beginning of phase 0 in the coordinates that are free there: its size, 1 to 3; which coordinates, "w1"; its entries. */
 SS_API int ss_word_orbit_free_coordinates(const ss_word_orbits *o, size_t k);
 SS_API const char *ss_word_orbit_free_coordinate(const ss_word_orbits *o, size_t k, int i);
 SS_API const ss_number *ss_word_orbit_jacobian(const ss_word_orbits *o, size_t k, int row, int column);

@@ -314,25 +314,6 @@ static void free_name(char name[16], const struct mech_orbit *o, int l) {
     snprintf(name, 16, "%c%d", at < o->n ? 'x' : 'v', at % o->n + 1);
 }
 
-/* By saltation that of the enclosed orbit; else by differences, in balls of their estimated error. */
-static bool fill_jacobian(arb_mat_t x, const struct mech *m, const struct mech_orbit *o, const struct scene *s,
-                          const struct jacobian_request *q, struct diag *d) {
-  double j[MECH_STATES * MECH_STATES], err;
-  int n = o->n_free;
-  arb_mat_set(x, o->jacobian);
-  if (q->method == METHOD_SALTATION) return true;
-  if (mech_jacobian_differences(j, &err, m, o, q->method == METHOD_ODE ? MECH_INTEGRATED : MECH_PATCHED)) {
-    diag_set(d, "%s: error: a simulation beside the orbit does not follow the word, so that --method %s has no value",
-             s->path, method_name[q->method]);
-    return false;
-  }
-  for (int i = 0; i < n * n; i++) {
-    arb_set_d(x->entries + i, j[i]);
-    mag_set_d(arb_radref(x->entries + i), err);
-  }
-  return true;
-}
-
 static void jacobian_json(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,
                           const struct scene *s, const struct jacobian_request *q, const char *at) {
   struct json j;
@@ -347,7 +328,7 @@ static void jacobian_json(struct text *out, const struct mech_orbit *o, const ar
     json_string(&j, NULL, name);
   }
   json_end_array(&j);
-  return_json(&j, x->entries, o->n_free, q->digits);
+  return_json(&j, x, q->digits);
   multipliers_json(&j, z, o->n_free, q->digits);
   json_string(&j, "method", method_name[q->method]);
   json_string(&j, "layer", "model");
@@ -368,12 +349,13 @@ static void jacobian_text(struct text *out, const struct mech_orbit *o, const ar
   text_add(out, " at the entry of the first phase of ");
   mech_word_print(out, &o->word);
   text_add(out, o->n_free ? "\n" : ", so that every motion beside the orbit is on it after one period\n");
-  return_text(out, x->entries, o->n_free, q->digits);
+  return_text(out, x, q->digits);
   multipliers_text(out, z, o->n_free, q->digits);
 }
 
 static bool show_jacobian(const struct options *o, const struct mech_orbits *list, const struct mech *m,
-                          const struct scene *s, const struct jacobian_request *q, struct diag *d) {
+                          const struct scene *s, const struct jacobian_request *q, enum mech_derivative how,
+                          struct diag *d) {
   if (q->orbit >= list->n) {
     diag_set(d, "%s: error: there is no orbit %ld; %d were found", s->path, (long)q->orbit + 1, list->n);
     return false;
@@ -386,8 +368,10 @@ static bool show_jacobian(const struct options *o, const struct mech_orbits *lis
   text_init(&out);
   text_init(&at);
   print_at(&at, q);
-  bool ok = fill_jacobian(x, m, orbit, s, q, d);
-  if (ok) {
+  bool ok = mech_jacobian(x, m, orbit, how, system_bits(q->digits)) == SS_OK;
+  if (!ok) {
+    return_unknown(d, q, s);
+  } else {
     bool known = mech_eigenvalues(z, x, system_bits(q->digits));
     (option(o, OPT_JSON) ? jacobian_json : jacobian_text)(&out, orbit, x, known ? z : NULL, s, q, text_str(&at));
     fputs(text_str(&out), stdout);
@@ -472,14 +456,11 @@ int run_system_jacobian(const struct options *o, const struct scene *s, const ch
   struct jacobian_request q = *asked;
   struct mech m;
   struct mech_orbits list;
+  enum mech_derivative how;
   if (!option(o, OPT_METHOD)) q.method = METHOD_SALTATION;
-  if (q.method != METHOD_SALTATION && q.method != METHOD_FD_DOUBLE && q.method != METHOD_ODE)
-    diag_set(d, "%s: error: --method %s is of the paper's two masses; a system file takes saltation, fd-double or ode",
-             s->path, method_name[q.method]);
-  else if (q.at_printed)
-    diag_set(d, "%s: error: --at printed is of the paper's two masses", s->path);
-  if (d->set || refuse(o, s, q.digits, d)) return bad_input(d);
-  bool ok = find(&m, &list, false, s, data, q.digits, d) && show_jacobian(o, &list, &m, s, &q, d);
+  if (q.at_printed) diag_set(d, "%s: error: --at printed is of the paper's two masses", s->path);
+  if (d->set || !return_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return bad_input(d);
+  bool ok = find(&m, &list, false, s, data, q.digits, d) && show_jacobian(o, &list, &m, s, &q, how, d);
   mech_orbits_clear(&list);
   mech_clear(&m);
   return ok ? EXIT_AS_RECORDED : bad_input(d);

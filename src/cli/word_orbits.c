@@ -24,22 +24,23 @@ static void largest_radius(arb_t worst, const struct word_orbit *o) {
   mag_init(most);
   for (int p = 0; p < o->word.n; p++) mag_max(most, most, arb_radref(o->t + p));
   for (int i = 0; i < N_STATE * o->word.n; i++) mag_max(most, most, arb_radref(o->state + i));
-  for (int i = 0; i < o->n_free * o->n_free; i++) mag_max(most, most, arb_radref(o->jacobian + i));
+  for (int i = 0; i < o->n_free * o->n_free; i++) mag_max(most, most, arb_radref(o->jacobian->entries + i));
   arf_set_mag(arb_midref(worst), most);
   mag_zero(arb_radref(worst));
   mag_clear(most);
 }
 
-static void violation(struct text *out, const struct word_orbit *o, const struct word_condition *c) {
+static void violation(struct text *out, const struct word_orbit *o, const struct mech_fact *c) {
   text_printf(out, "%d-%s-", c->phase + 1, phase_word_name(o->word.mode[c->phase]));
-  if (c->kind != WORD_LENGTH) text_printf(out, "m%d-", c->mass + 1);
-  text_add(out, word_condition_name[c->kind]);
+  if (c->rule != MECH_LENGTH) text_printf(out, "m%d-", c->mass + 1);
+  text_add(out, mech_rule_name[c->rule]);
 }
 
 /* The eigenvalues as texts, "a+bi" where they are not real; false when they are not known. */
-static bool eigenvalue_texts(struct text out[WORD_FREE_MOST], arb_srcptr x, int n, slong digits) {
+static bool eigenvalue_texts(struct text out[WORD_FREE_MOST], const arb_mat_t x, slong digits) {
+  int n = (int)arb_mat_nrows(x);
   acb_ptr z = _acb_vec_init(n);
-  bool known = word_eigenvalues(z, x, n, 2 * word_bits(digits)) == SS_OK;
+  bool known = mech_eigenvalues(z, x, 2 * word_bits(digits));
   for (int i = 0; i < n && known; i++) {
     bool real = arb_is_zero(acb_imagref(z + i));
     if (real || !arb_contains_zero(acb_realref(z + i))) print_known(&out[i], acb_realref(z + i), digits);
@@ -54,21 +55,23 @@ static bool eigenvalue_texts(struct text out[WORD_FREE_MOST], arb_srcptr x, int 
 
 /* --- One orbit. --- */
 
-void return_json(struct json *j, arb_srcptr x, int n, slong digits) {
+void return_json(struct json *j, const arb_mat_t x, slong digits) {
   json_array(j, "J");
-  for (int i = 0; i < n; i++) {
+  for (slong i = 0; i < arb_mat_nrows(x); i++) {
     json_array(j, NULL);
-    for (int k = 0; k < n; k++) json_number(j, NULL, x + i * n + k, digits);
+    for (slong k = 0; k < arb_mat_ncols(x); k++) json_number(j, NULL, arb_mat_entry(x, i, k), digits);
     json_end_array(j);
   }
   json_end_array(j);
 }
 
-void return_text(struct text *out, arb_srcptr x, int n, slong digits) {
-  for (int i = 0; i < n * n; i++) {
-    text_add(out, "  ");
-    print_known(out, x + i, digits);
-    if ((i + 1) % n == 0) text_add_char(out, '\n');
+void return_text(struct text *out, const arb_mat_t x, slong digits) {
+  for (slong i = 0; i < arb_mat_nrows(x); i++) {
+    for (slong k = 0; k < arb_mat_ncols(x); k++) {
+      text_add(out, "  ");
+      print_known(out, arb_mat_entry(x, i, k), digits);
+    }
+    text_add_char(out, '\n');
   }
 }
 
@@ -78,12 +81,12 @@ static void free_json(struct json *j, const struct word_orbit *o) {
   json_end_array(j);
 }
 
-static void eigenvalues_json(struct json *j, arb_srcptr x, int n, slong digits) {
+static void eigenvalues_json(struct json *j, const arb_mat_t x, slong digits) {
   struct text t[WORD_FREE_MOST];
   for (int i = 0; i < WORD_FREE_MOST; i++) text_init(&t[i]);
-  if (eigenvalue_texts(t, x, n, digits)) {
+  if (eigenvalue_texts(t, x, digits)) {
     json_array(j, "eigenvalues");
-    for (int i = 0; i < n; i++) json_string(j, NULL, text_str(&t[i]));
+    for (int i = 0; i < arb_mat_nrows(x); i++) json_string(j, NULL, text_str(&t[i]));
     json_end_array(j);
   } else {
     json_null(j, "eigenvalues");
@@ -106,10 +109,10 @@ void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
   for (int i = 0; i < N_STATE; i++) json_number(j, word_coordinate_name[i], o->state + i, digits);
   json_end_object(j);
   free_json(j, o);
-  return_json(j, o->jacobian, o->n_free, digits);
+  return_json(j, o->jacobian, digits);
   json_number(j, "trace", o->trace, digits);
   json_number(j, "det", o->det, digits);
-  eigenvalues_json(j, o->jacobian, o->n_free, digits);
+  eigenvalues_json(j, o->jacobian, digits);
   json_truth(j, "stable", o->stable);
   json_truth(j, "admissible", o->admissible);
   json_array(j, "violations");
@@ -141,12 +144,12 @@ void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
   text_clear(&t);
 }
 
-static void eigenvalues_text(struct text *out, arb_srcptr x, int n, slong digits) {
+static void eigenvalues_text(struct text *out, const arb_mat_t x, slong digits) {
   struct text t[WORD_FREE_MOST];
   for (int i = 0; i < WORD_FREE_MOST; i++) text_init(&t[i]);
-  bool known = eigenvalue_texts(t, x, n, digits);
+  bool known = eigenvalue_texts(t, x, digits);
   text_add(out, "  eigenvalues ");
-  for (int i = 0; i < n && known; i++) text_printf(out, "%s%s", i ? ", " : "", text_str(&t[i]));
+  for (int i = 0; i < arb_mat_nrows(x) && known; i++) text_printf(out, "%s%s", i ? ", " : "", text_str(&t[i]));
   text_add(out, known ? "\n" : "not told apart\n");
   for (int i = 0; i < WORD_FREE_MOST; i++) text_clear(&t[i]);
 }
@@ -187,7 +190,7 @@ static void word_orbit_text(struct text *out, const struct word_orbit *o, long n
   for (int i = 0; i < N_STATE; i++) add_number(out, word_coordinate_name[i], o->state + i, digits);
   for (int i = 0; i < 2 && !phase_word_has_faster(&o->word); i++)
     add_number(out, i ? "u_r2_min" : "u_r1_min", o->u_r_min[i], digits);
-  eigenvalues_text(out, o->jacobian, o->n_free, digits);
+  eigenvalues_text(out, o->jacobian, digits);
   proof_text(out, o);
   for (int i = 0; i < o->n_conditions; i++) {
     if (o->condition[i].holds != TRUTH_FALSE) continue;
@@ -284,30 +287,29 @@ int run_word_orbit(const struct options *o, const struct scene *s, slong digits,
 
 /* --- jacobian --- */
 
-/* The matrix by the method asked for; in double, balls of the estimated error. */
-static bool fill_jacobian(arb_ptr x, const struct word_orbit *o, const struct scene *s,
-                          const struct jacobian_request *q, struct diag *d) {
-  double j[WORD_FREE_MOST * WORD_FREE_MOST], err;
-  const fmpq *u_r[2];
-  int n = o->n_free * o->n_free;
-  scene_friction(u_r, s);
-  if (q->method == METHOD_SALTATION) {
-    _arb_vec_set(x, o->jacobian, n);
-    return true;
+bool return_route(enum mech_derivative *how, const struct jacobian_request *q, const struct scene *s, struct diag *d) {
+  static const struct {
+    enum jacobian_method method;
+    enum mech_derivative how;
+  } known[] = {{METHOD_IMPLICIT, MECH_IMPLICIT},
+               {METHOD_SALTATION, MECH_SALTATION},
+               {METHOD_FD_DOUBLE, MECH_BESIDE_PATCHED},
+               {METHOD_ODE, MECH_BESIDE_INTEGRATED}};
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+    *how = known[i].how;
+    if (known[i].method == q->method) return true;
   }
-  if (word_jacobian_differences(j, &err, o, s->value, u_r, q->method == METHOD_ODE)) {
-    diag_set(d, "%s: error: a simulation beside the orbit does not follow the word, so that --method %s has no value",
-             s->path, method_name[q->method]);
-    return false;
-  }
-  for (int i = 0; i < n; i++) {
-    arb_set_d(x + i, j[i]);
-    mag_set_d(arb_radref(x + i), err);
-  }
-  return true;
+  diag_set(d, "%s: error: --method %s is of the paper's word; here it is implicit, saltation, fd-double or ode",
+           s->path, method_name[q->method]);
+  return false;
 }
 
-static void show_matrix(const struct word_orbit *o, arb_srcptr x, const struct scene *s,
+void return_unknown(struct diag *d, const struct jacobian_request *q, const struct scene *s) {
+  diag_set(d, "%s: error: a simulation beside the orbit does not follow the word, so that --method %s has no value",
+           s->path, method_name[q->method]);
+}
+
+static void show_matrix(const struct word_orbit *o, const arb_mat_t x, const struct scene *s,
                         const struct jacobian_request *q, bool as_json) {
   struct text out, at;
   struct json j;
@@ -321,8 +323,8 @@ static void show_matrix(const struct word_orbit *o, arb_srcptr x, const struct s
     for (int p = 0; p < o->word.n; p++) json_string(&j, NULL, phase_word_name(o->word.mode[p]));
     json_end_array(&j);
     free_json(&j, o);
-    return_json(&j, x, o->n_free, q->digits);
-    eigenvalues_json(&j, x, o->n_free, q->digits);
+    return_json(&j, x, q->digits);
+    eigenvalues_json(&j, x, q->digits);
     json_string(&j, "method", method_name[q->method]);
     json_string(&j, "layer", "model");
     json_string(&j, "at", text_str(&at));
@@ -331,37 +333,46 @@ static void show_matrix(const struct word_orbit *o, arb_srcptr x, const struct s
     text_printf(&out, "%s, %s, method %s, layer model: the return of", s->name, text_str(&at), method_name[q->method]);
     for (int i = 0; i < o->n_free; i++) text_printf(&out, " %s", word_coordinate_name[o->free[i]]);
     text_printf(&out, " at the start of %s\n", phase_word_name(o->word.mode[0]));
-    return_text(&out, x, o->n_free, q->digits);
-    eigenvalues_text(&out, x, o->n_free, q->digits);
+    return_text(&out, x, q->digits);
+    eigenvalues_text(&out, x, q->digits);
   }
   fputs(text_str(&out), stdout);
   text_clear(&at);
   text_clear(&out);
 }
 
+static void show_jacobian(const struct options *o, const struct word_orbit *orbit, const struct scene *s,
+                          const struct jacobian_request *q, enum mech_derivative how, struct diag *d) {
+  const fmpq *u_r[2];
+  arb_mat_t x;
+  arb_mat_init(x, orbit->n_free, orbit->n_free);
+  scene_friction(u_r, s);
+  if (word_jacobian(x, orbit, s->value, u_r, how, 2 * word_bits(q->digits)))
+    return_unknown(d, q, s);
+  else
+    show_matrix(orbit, x, s, q, option(o, OPT_JSON));
+  arb_mat_clear(x);
+}
+
 int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
                       struct diag *d) {
   struct jacobian_request q = *asked;
   struct word_orbits list = {.n = 0};
+  enum mech_derivative how;
   if (!option(o, OPT_METHOD)) q.method = METHOD_SALTATION;
   if (option(o, OPT_PHASES) || q.at_printed || option(o, OPT_LAYER)) {
     diag_set(d, "%s: error: %s is of the word D-Gamma-H-C, and the scene names another", s->path,
              option(o, OPT_PHASES) ? "--phases"
              : q.at_printed        ? "--at printed"
                                    : "--layer");
-  } else if (q.method != METHOD_SALTATION && q.method != METHOD_FD_DOUBLE && q.method != METHOD_ODE) {
-    diag_set(d, "%s: error: --method %s is of the word D-Gamma-H-C; another takes saltation, fd-double or ode", s->path,
-             method_name[q.method]);
   }
-  if (d->set || !check_digits(q.digits, s, d) || !find_orbits(&list, s, q.digits, d)) return bad_input(d);
-  arb_ptr x = _arb_vec_init(WORD_FREE_MOST * WORD_FREE_MOST);
-  const struct word_orbit *orbit = q.orbit < list.n ? &list.orbit[q.orbit] : NULL;
-  if (!orbit)
+  if (d->set || !return_route(&how, &q, s, d) || !check_digits(q.digits, s, d) || !find_orbits(&list, s, q.digits, d))
+    return bad_input(d);
+  if (q.orbit < list.n)
+    show_jacobian(o, &list.orbit[q.orbit], s, &q, how, d);
+  else
     diag_set(d, "%s: error: %ld orbit%s of the scene's word found, so there is no orbit:%ld", s->path, (long)list.n,
              list.n == 1 ? "" : "s", (long)q.orbit + 1);
-  else if (fill_jacobian(x, orbit, s, &q, d))
-    show_matrix(orbit, x, s, &q, option(o, OPT_JSON));
-  _arb_vec_clear(x, WORD_FREE_MOST * WORD_FREE_MOST);
   word_orbits_clear(&list);
   return d->set ? bad_input(d) : EXIT_AS_RECORDED;
 }

@@ -15,9 +15,13 @@ slong word_bits(slong digits);
 slong system_bits(slong digits);
 /* --certificate: false with d set when no orbit is certified; a warning when some are not. */
 bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d);
-/* The Jacobian of a return, n by n: its rows; the member "J". */
-void return_text(struct text *out, arb_srcptr x, int n, slong digits);
-void return_json(struct json *j, arb_srcptr x, int n, slong digits);
+/* The Jacobian of a return: its rows; the member "J". */
+void return_text(struct text *out, const arb_mat_t x, slong digits);
+void return_json(struct json *j, const arb_mat_t x, slong digits);
+/* --method of such a Jacobian; false with d set where it is of the paper's word alone. */
+bool return_route(enum mech_derivative *how, const struct jacobian_request *q, const struct scene *s, struct diag *d);
+/* Sets d: it has no value by that method. */
+void return_unknown(struct diag *d, const struct jacobian_request *q, const struct scene *s);
 /* One orbit as a member of an array. */
 void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits);
 

@@ -5,7 +5,6 @@
 
 const char *const word_fate_name[] = {"open", "impossible", "coincidence", "unclosed", "family"};
 const char *const word_coordinate_name[] = {"w1", "w2", "p1", "p2"};
-const char *const word_condition_name[] = {"length", "slower", "faster", "break", "break_low", "beyond"};
 
 enum { N_PAIRS = N_MODES * N_MODES };
 

@@ -44,15 +44,15 @@
    one faster, and at a pass-through the force is beyond the limit.  These together are Coulomb's law: an admissible
    orbit is a motion.
 
-   Its Jacobian is that of the first return to the entry of the first phase in the free coordinates, by saltation
-   matrices; the derivative of the whole return has, besides, the eigenvalues 1 (along the motion, no part of the return
+   Its Jacobian is that of the first return to the entry of the first phase in the free coordinates; the
+   derivative of the whole return has, besides, the eigenvalues 1 (along the motion, no part of the return
    map) and 0 (for each coordinate that is not free).  Orbits at which it is singular, two masses change at once or a
    speed only touches the belt's are not isolated or not smooth, and are not found, or left undecided. */
 #ifndef STICKSLIP_EXPLORE_WORDS_H
 #define STICKSLIP_EXPLORE_WORDS_H
 
+#include "mech/orbit.h"
 #include "motion/coulomb.h"
-#include "num/flint_more.h"
 
 /* --- Words. --- */
 
@@ -100,22 +100,6 @@ long phase_word_count(int n);
 enum word_coordinate { WORD_W1, WORD_W2, WORD_P1, WORD_P2 };
 extern const char *const word_coordinate_name[4]; /* "w1", "w2", "p1", "p2" */
 
-enum word_condition_kind {
-  WORD_LENGTH,      /* the phase has a positive length */
-  WORD_SLOWER,      /* a slower mass is slower than the belt */
-  WORD_FASTER,      /* a faster one faster */
-  WORD_BELOW_BREAK, /* a sticking mass: w < e */
-  WORD_ABOVE_BREAK, /* w > -(e + 2 u_s); only where u_r is given */
-  WORD_BEYOND       /* a mass that passes through has a force beyond the static limit */
-};
-extern const char
-    *const word_condition_name[WORD_BEYOND + 1]; /* "length", "slower", "faster", "break", "break_low", "beyond" */
-struct word_condition {
-  int phase, mass; /* mass is 0 for a length */
-  enum word_condition_kind kind;
-  truth holds;
-  truth first; /* where its zero ends the phase: that this is the first zero; TRUE elsewhere */
-};
 enum { WORD_FREE_MOST = 3, WORD_CONDITIONS = 6 * WORD_MOST };
 
 struct word_orbit {
@@ -125,11 +109,11 @@ struct word_orbit {
   arb_ptr t;     /* lengths, word.n */
   arb_ptr state; /* w1, w2, p1, p2 at the entry of each phase, 4 word.n */
   arb_t period, trace, det;
-  arb_ptr jacobian; /* n_free^2, row by row: saltation product */
-  truth stable;     /* every eigenvalue below 1 in modulus */
-  struct word_condition condition[WORD_CONDITIONS];
+  arb_mat_t jacobian;                          /* of the first return of the free coordinates */
+  truth stable;                                /* every eigenvalue below 1 in modulus */
+  struct mech_fact condition[WORD_CONDITIONS]; /* of phases with a length; of a sticking mass's lower limit with u_r */
   int n_conditions;
-  truth own;        /* every first: an orbit of the word */
+  truth own;        /* an orbit of the word */
   truth admissible; /* all conditions */
   arb_t u_r_min[2]; /* infimum of u_ri from w_i where mass i is captured; for an admissible orbit without a faster phase
                        that is the one of all its phases */
@@ -168,14 +152,9 @@ void word_seeds_clear(struct word_seeds *seeds);
 int word_orbits_find(struct word_orbits *list, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
                      const struct word_seeds *seeds, slong prec);
 void word_orbits_clear(struct word_orbits *list);
-/* The n eigenvalues (n up to 3) of the matrix j in balls, by increasing real part, then imaginary part; a real one has
-   no imaginary part.  SS_UNABLE when they cannot be told apart. */
-int word_eigenvalues(acb_ptr z, arb_srcptr j, int n, slong prec);
-
-/* The same Jacobian by central differences in double precision of the simulation under Coulomb's law (closed forms, or
-   GSL's integration with ode) from event to event; err: an estimate of the worst entry's error.  SS_DOMAIN when the
-   simulation does not follow the word, as beside an orbit that is not admissible. */
-int word_jacobian_differences(double *j, double *err, const struct word_orbit *o, const fmpq *params,
-                              const fmpq *const u_r[2], bool ode);
+/* The same Jacobian by that route; u_r that is not given is taken a quarter above what is needed.  Not 0: motions beside
+   the orbit do not follow the word, as where it is not admissible. */
+int word_jacobian(arb_mat_t j, const struct word_orbit *o, const fmpq *params, const fmpq *const u_r[2],
+                  enum mech_derivative how, slong prec);
 
 #endif

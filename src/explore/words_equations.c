@@ -5,8 +5,6 @@
 #include "num/solve.h"
 #include "words_impl.h"
 
-enum { MOST_POLISH = 40 };
-
 struct word_event word_event_of(const struct phase_word *w, int phase) {
   const enum coulomb_mode *from = w->mode[phase], *to = w->mode[(phase + 1) % w->n];
   int mass = from[0] == to[0];
@@ -116,7 +114,7 @@ void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, co
   for (int i = 0; i < n; i++) state[at[i]] = free[i];
 }
 
-void word_equations(val *f, val *j, val *states, struct calc *c, const struct word_law *m, const struct phase_word *w,
+void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, const struct phase_word *w,
                     const val *x) {
   enum word_coordinate free[WORD_FREE_MOST];
   val state[N_STATE], column[WORD_UNKNOWNS][N_STATE];
@@ -128,7 +126,6 @@ void word_equations(val *f, val *j, val *states, struct calc *c, const struct wo
     struct word_event e = word_event_of(w, p);
     const enum coulomb_mode *mode = w->mode[p], *next = w->mode[(p + 1) % w->n];
     struct motion motion;
-    for (int i = 0; states && i < N_STATE; i++) states[N_STATE * p + i] = state[i];
     word_motion(&motion, c, m, mode, state, false);
     word_motion_at(state, c, &motion, x[p]);
     f[p] = word_event_value(c, m, &e, state);
@@ -170,20 +167,6 @@ int word_solver_values(const void **f, const void **j, const struct num_vec *x, 
   calc_release(&s->c, s->mark);
   s->c.status = SS_OK;
   flow_vals(at, x, 0, x->len);
-  word_equations(f ? f : unread, j, NULL, &s->c, &s->m, s->w, at);
+  word_equations(f ? f : unread, j, &s->c, &s->m, s->w, at);
   return s->c.status;
-}
-
-int word_unknowns_enclose(struct num_vec *x, const double *near, const struct phase_word *w, const fmpq *params,
-                          const fmpq *const u_r[2]) {
-  enum word_coordinate free[WORD_FREE_MOST];
-  struct word_solver s;
-  struct solve_system system = {w->n + word_free(free, w), word_solver_values, &s};
-  struct num_vec at = {x->ctx, system.n, x->data}; /* x may be longer */
-  word_solver_begin(&s, x->ctx, w, params, u_r);
-  for (slong i = 0; i < system.n; i++) arb_set_d(num_vec_at(&at, i), near[i]);
-  int status = newton_settle(&at, &system, MOST_POLISH);
-  if (!status) status = krawczyk_enclose(&at, NULL, &system);
-  calc_clear(&s.c);
-  return status;
 }

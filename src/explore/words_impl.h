@@ -1,11 +1,10 @@
 /* Phase words other than D-Gamma-H-C and their orbits (words.h): what the files words_*.c have in common.
 
    words            reading, printing, which phase can follow which
-   words_equations  the equations of a word over any number type, and Krawczyk's operator on them
+   words_equations  the equations of a word, for the search
    words_search     where the orbits of a word may be: a grid and Newton's iteration in double precision
    words_seeds      where simulations settle
-   words_judge      conditions along the phases
-   words_jacobian   the return's Jacobian, its eigenvalues' place, and differences of simulations */
+   words_orbits     what the search finds, enclosed and judged by src/mech */
 #ifndef STICKSLIP_WORDS_IMPL_H
 #define STICKSLIP_WORDS_IMPL_H
 
@@ -48,10 +47,9 @@ void word_settle(val state[N_STATE], const struct word_law *m, const enum coulom
 void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const struct phase_word *w,
                 const val *free);
 
-/* Unknowns: n lengths, then the free coordinates.  The defects f of the events and of the free coordinates' return,
-   their derivatives j (row by row; NULL if not wanted), and the states at the entries (4 n; NULL if not wanted). */
-void word_equations(val *f, val *j, val *states, struct calc *c, const struct word_law *m, const struct phase_word *w,
-                    const val *x);
+/* Unknowns: n lengths, then the free coordinates.  The defects f of the events and of the free coordinates' return
+   and their derivatives j (row by row; NULL if not wanted). */
+void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, const struct phase_word *w, const val *x);
 
 /* They as a system of num/solve.h, over the calc's number type; self is a struct word_solver. */
 struct word_solver {
@@ -64,9 +62,6 @@ struct word_solver {
 void word_solver_begin(struct word_solver *s, struct num_ctx ctx, const struct phase_word *w, const fmpq *params,
                        const fmpq *const u_r[2]);
 int word_solver_values(const void **f, const void **j, const struct num_vec *x, void *self);
-/* The solution near x, refined, then enclosed with proof that a box holds no other: x of num_arb. */
-int word_unknowns_enclose(struct num_vec *x, const double *near, const struct phase_word *w, const fmpq *params,
-                          const fmpq *const u_r[2]);
 
 /* Solutions in double precision. */
 struct word_found {
@@ -80,10 +75,5 @@ struct word_finds {
 /* w is turned best. */
 void word_search(struct word_finds *out, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
                  const struct word_seeds *seeds);
-
-/* Conditions, own, admissible and u_r_min, from t and state. */
-void word_judge(struct word_orbit *o, struct calc *c, const struct word_law *m);
-/* jacobian, trace, det, stable. */
-int word_jacobian(struct word_orbit *o, struct calc *c, const struct word_law *m);
 
 #endif

@@ -78,7 +78,7 @@ static void borrow(struct ss_word_orbits *o) {
     struct numbers *x = &o->number[k];
     for (int i = 0; i < w->word.n; i++) x->t[i] = (struct ss_number){w->t + i, NULL};
     for (int i = 0; i < w->word.n * N_STATE; i++) x->state[i] = (struct ss_number){w->state + i, NULL};
-    for (int i = 0; i < w->n_free * w->n_free; i++) x->jacobian[i] = (struct ss_number){w->jacobian + i, NULL};
+    for (int i = 0; i < w->n_free * w->n_free; i++) x->jacobian[i] = (struct ss_number){w->jacobian->entries + i, NULL};
     x->period = (struct ss_number){w->period, NULL};
   }
 }

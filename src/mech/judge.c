@@ -13,11 +13,12 @@
 #include "base/work.h"
 #include "equations.h"
 
-enum { FINEST = 40, MOST_STEPS = 20000, FACTS_OF_MASS = 4, UNITS_OF_STEP = 4 };
+enum { FINEST = 40, MOST_STEPS = 20000, FRESH = 32, FACTS_OF_MASS = 4, UNITS_OF_STEP = 4 };
 
 /* A condition under way. */
 struct watch {
   struct mech_fact *fact;
+  truth *result;
   arb_mat_t row[3]; /* c, c A, c A^2 */
   int zeros;        /* how many of g, g' are exactly zero at the start */
   bool open;        /* not yet settled to be false or unknown */
@@ -26,7 +27,7 @@ struct watch {
 struct march {
   struct mech_equations *e;
   int phase, n_watches;
-  struct watch watch[FACTS_OF_MASS * MECH_MASSES];
+  struct watch watch[FACTS_OF_MASS * MECH_MASSES + 1];
   arb_t at, step, end;     /* the time; the length of the step; of the phase */
   arb_mat_t y, flow, tube; /* the state at the time; exp(A h), and a ball with exp(A s) for 0 <= s <= h */
 };
@@ -114,7 +115,7 @@ static truth on_step(const struct march *m, const struct watch *w, const arb_mat
 }
 
 static void close_watch(struct watch *w, truth holds) {
-  w->fact->holds = holds;
+  *w->result = holds;
   w->open = false;
 }
 
@@ -153,6 +154,16 @@ static bool any_open(const struct march *m) {
   return false;
 }
 
+/* The state from that at the phase's entry: its ball has grown with every step. */
+static void refresh(struct march *m) {
+  arb_mat_t flow;
+  arb_mat_init(flow, m->e->side, m->e->side);
+  arb_mat_scalar_mul_arb(flow, m->e->rate[m->phase], m->at, m->e->prec);
+  arb_mat_exp(flow, flow, m->e->prec);
+  arb_mat_mul(m->y, flow, m->e->state[m->phase], m->e->prec);
+  arb_mat_clear(flow);
+}
+
 /* Along the whole phase.  Steps are a power of two of the first, and shorter where something is open. */
 static void march(struct march *m) {
   int level = 0;
@@ -160,6 +171,7 @@ static void march(struct march *m) {
   make_flows(m);
   while (any_open(m) && !arb_ge(m->at, m->end) && steps++ < MOST_STEPS) {
     work_add(UNITS_OF_STEP);
+    if (steps % FRESH == 0) refresh(m);
     if (!make_step(m, level == FINEST)) {
       level++;
       arb_mul_2exp_si(m->step, m->step, -1);
@@ -172,15 +184,26 @@ static void march(struct march *m) {
     make_flows(m);
   }
   for (int i = 0; i < m->n_watches; i++)
-    if (m->watch[i].open && arb_ge(m->at, m->end)) m->watch[i].fact->holds = TRUTH_TRUE;
+    if (m->watch[i].open && arb_ge(m->at, m->end)) *m->watch[i].result = TRUTH_TRUE;
 }
 
 /* --- Which conditions --- */
 
 static struct mech_fact *add_fact(struct mech_orbit *o, int phase, int mass, enum mech_rule rule) {
   struct mech_fact *f = &o->fact[o->n_facts++];
-  *f = (struct mech_fact){.phase = phase, .mass = mass, .rule = rule, .holds = TRUTH_UNKNOWN};
+  *f =
+      (struct mech_fact){.phase = phase, .mass = mass, .rule = rule, .holds = TRUTH_UNKNOWN, .reversed = TRUTH_UNKNOWN};
   return f;
+}
+
+/* The condition that ends the phase, the other way round. */
+static void add_reversed(struct march *m, const struct watch *of) {
+  struct watch *watch = &m->watch[m->n_watches++];
+  *watch = (struct watch){.fact = of->fact, .result = &of->fact->reversed, .zeros = of->zeros, .open = true};
+  for (int i = 0; i < 3; i++) {
+    arb_mat_init(watch->row[i], 1, m->e->side);
+    arb_mat_neg(watch->row[i], of->row[i]);
+  }
 }
 
 static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech_rule rule, enum mech_end end) {
@@ -190,9 +213,9 @@ static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech
   enum mech_end at_end, at_start;
   fmpq_mat_t rate, row;
   struct watch *watch = &m->watch[m->n_watches++];
-  watch->fact = add_fact(o, m->phase, mass, rule);
-  watch->open = true;
-  watch->fact->ends = mech_event(&at_end, now, w->phase[(m->phase + 1) % w->n]) == mass && at_end == end;
+  struct mech_fact *fact = add_fact(o, m->phase, mass, rule);
+  *watch = (struct watch){.fact = fact, .result = &fact->holds, .open = true};
+  fact->ends = mech_event(&at_end, now, w->phase[(m->phase + 1) % w->n]) == mass && at_end == end;
   bool begins =
       mech_event(&at_start, before, now) == mass && (mech_is_hit(at_start) ? end == at_start : end == MECH_REACHES);
   bool loose = at_start == MECH_BREAKS_SLOWER || at_start == MECH_BREAKS_FASTER;
@@ -209,6 +232,7 @@ static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech
   }
   fmpq_mat_clear(row);
   fmpq_mat_clear(rate);
+  if (fact->ends) add_reversed(m, watch);
 }
 
 static void add_watches(struct march *m, struct mech_orbit *o) {

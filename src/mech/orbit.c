@@ -122,7 +122,7 @@ bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec) {
   return ok;
 }
 
-static truth all_inside(acb_srcptr z, int n) {
+truth mech_all_inside(acb_srcptr z, int n) {
   truth stable = TRUTH_TRUE;
   arb_t size;
   arb_init(size);
@@ -178,7 +178,7 @@ static void describe(struct mech_orbit *o, struct mech_equations *e, arb_srcptr 
   if (o->states > 2 * o->n) arb_set(o->angle, x + o->word.n + o->n_free - 1);
   o->turns = e->turns;
   o->multipliers = return_jacobian(o->jacobian, e) && mech_eigenvalues(o->multiplier, o->jacobian, e->prec);
-  o->stable = o->multipliers ? all_inside(o->multiplier, o->n_free) : TRUTH_UNKNOWN;
+  o->stable = o->multipliers ? mech_all_inside(o->multiplier, o->n_free) : TRUTH_UNKNOWN;
 }
 
 static void conclude(struct mech_orbit *o) {

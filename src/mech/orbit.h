@@ -32,6 +32,7 @@ struct mech_fact {
   enum mech_rule rule;
   bool ends; /* its zero is the event that ends the phase: that it is the first one */
   truth holds;
+  truth reversed; /* of one that ends the phase: it is broken all along, up to its first zero, the event */
 };
 /* "3-m2-break" of the third phase. */
 void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f);
@@ -65,10 +66,14 @@ int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mec
                     const double *z, slong prec);
 /* Its conditions: Coulomb's law. */
 void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec);
-/* The Jacobian of the first return by differences of motions beside the orbit, simulated by that route: n_free^2 numbers,
-   row by row, and a bound of their errors as it is estimated.  Not 0: they do not follow the word. */
-int mech_jacobian_differences(double *j, double *err, const struct mech *m, const struct mech_orbit *o,
-                              enum mech_route route);
+enum mech_derivative {
+  MECH_IMPLICIT,       /* of the equations that were solved, eliminating the events' times: the orbit's own */
+  MECH_SALTATION,      /* matrix exponentials and saltation matrices */
+  MECH_BESIDE_PATCHED, /* central differences of motions beside the orbit, in balls of their error as it is estimated */
+  MECH_BESIDE_INTEGRATED /* the same, integrated as they stand */
+};
+/* The Jacobian of an orbit's first return by that route.  Not 0: the motions beside it do not follow the word. */
+int mech_jacobian(arb_mat_t j, const struct mech *m, const struct mech_orbit *o, enum mech_derivative how, slong prec);
 /* The orbit near another one's numbers, which may be of other data. */
 int mech_orbit_beside(struct mech_orbit *o, const struct mech *m, const struct mech_orbit *near, slong prec);
 /* Judged; solved for again with up to eight times as many bits where something is left open. */
@@ -78,6 +83,8 @@ bool mech_orbit_is_motion(const struct mech_orbit *o);
 void mech_orbit_clear(struct mech_orbit *o);
 /* The eigenvalues of a real square matrix, by decreasing modulus; false when they cannot be enclosed. */
 bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec);
+/* Are they all below 1 in modulus? */
+truth mech_all_inside(acb_srcptr z, int n);
 
 struct mech_orbits {
   struct mech_orbit *orbit;
