@@ -733,7 +733,8 @@ static void verified_one(const char *what) {
 }
 
 START_TEST(systems_are_verified) {
-  static const char *const scene[] = {"chain3", "beside-wall", "driven", "den-hartog", "chain4", "chain5"};
+  static const char *const scene[] = {"chain3", "beside-wall", "driven",     "den-hartog",
+                                      "chain4", "chain5",      "other-word", "overrun"};
   for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
     char command[1024], path[256];
     snprintf(path, sizeof path, "%s", scratch_path("system.json"));

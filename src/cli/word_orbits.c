@@ -267,12 +267,30 @@ static bool check_digits(slong digits, const struct scene *s, struct diag *d) {
   return false;
 }
 
+/* The orbits as those of a system; static friction that the scene leaves open is stated in the file. */
+static bool certify(const char *path, const struct word_orbits *list, const struct scene *s, slong digits,
+                    struct diag *d) {
+  const fmpq *u_r[2];
+  struct mech m;
+  struct mech_orbits same;
+  scene_friction(u_r, s);
+  word_orbits_as_system(&m, &same, list, s->value, u_r, system_bits(digits));
+  bool ok = write_system_certificate(path, &same, &m, s, d);
+  mech_orbits_clear(&same);
+  mech_clear(&m);
+  return ok;
+}
+
 int run_word_orbit(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
   struct word_orbits list = {.n = 0};
-  if (option(o, OPT_BASIN) || option(o, OPT_CERTIFICATE))
-    diag_set(d, "%s: error: %s is of the word D-Gamma-H-C, and the scene names another", s->path,
-             option(o, OPT_BASIN) ? "--basin" : "--certificate");
+  const char *certificate = option(o, OPT_CERTIFICATE);
+  if (option(o, OPT_BASIN))
+    diag_set(d, "%s: error: --basin is of the word D-Gamma-H-C, and the scene names another", s->path);
   if (d->set || !check_digits(digits, s, d) || !find_orbits(&list, s, digits, d)) return bad_input(d);
+  if (certificate && !certify(certificate, &list, s, digits, d)) {
+    word_orbits_clear(&list);
+    return bad_input(d);
+  }
   struct text out, why;
   text_init(&out);
   text_init(&why);
@@ -282,6 +300,7 @@ int run_word_orbit(const struct options *o, const struct scene *s, slong digits,
   text_clear(&why);
   text_clear(&out);
   word_orbits_clear(&list);
+  if (certificate) say_written(o, certificate);
   return EXIT_AS_RECORDED;
 }
 

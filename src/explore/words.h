@@ -156,5 +156,8 @@ void word_orbits_clear(struct word_orbits *list);
    the orbit do not follow the word, as where it is not admissible. */
 int word_jacobian(arb_mat_t j, const struct word_orbit *o, const fmpq *params, const fmpq *const u_r[2],
                   enum mech_derivative how, slong prec);
+/* The same orbits as those of a system of two masses, with that friction, judged anew; both are to be cleared. */
+void word_orbits_as_system(struct mech *m, struct mech_orbits *out, const struct word_orbits *list, const fmpq *params,
+                           const fmpq *const u_r[2], slong prec);
 
 #endif

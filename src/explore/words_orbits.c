@@ -278,46 +278,67 @@ void word_orbits_clear(struct word_orbits *list) {
   *list = (struct word_orbits){.n = 0};
 }
 
-/* --- Its Jacobian by other routes --- */
+/* --- With static friction --- */
 
-/* The static friction that is given, or a quarter more than what is needed. */
-static void enough_friction(fmpq *u_r, const struct word_orbit *o, const fmpq *params, const fmpq *const given[2]) {
-  fmpq_t quarter;
-  arf_t needed;
-  arf_init(needed);
+/* The system in which the orbits move: with the static friction that is given, or a quarter more than they need. */
+static void make_with_enough(struct mech *m, const struct word_orbit *o, slong n, const fmpq *params,
+                             const fmpq *const given[2]) {
+  fmpq *u_r = _fmpq_vec_init(2);
+  fmpq_t least, quarter;
+  arf_t bound;
+  fmpq_init(least);
   fmpq_init(quarter);
+  arf_init(bound);
   fmpq_set_si(quarter, 5, 4);
   for (int i = 0; i < 2; i++) {
-    if (given[i]) {
-      fmpq_set(u_r + i, given[i]);
-      continue;
+    fmpq_set(u_r + i, params + P_E1 + i);
+    for (slong k = 0; k < n; k++) {
+      arf_set_round(bound, arb_midref(o[k].u_r_min[i]), 53, ARF_RND_UP);
+      arf_get_fmpq(least, bound);
+      if (fmpq_cmp(least, u_r + i) > 0) fmpq_set(u_r + i, least);
     }
-    arf_set_round(needed, arb_midref(o->u_r_min[i]), 53, ARF_RND_UP);
-    arf_get_fmpq(u_r + i, needed);
-    if (fmpq_cmp(u_r + i, params + P_E1 + i) < 0) fmpq_set(u_r + i, params + P_E1 + i);
     fmpq_mul(u_r + i, u_r + i, quarter);
+    if (given[i]) fmpq_set(u_r + i, given[i]);
   }
+  make_system(m, params, (const fmpq *const[]){u_r, u_r + 1});
+  arf_clear(bound);
   fmpq_clear(quarter);
-  arf_clear(needed);
+  fmpq_clear(least);
+  _fmpq_vec_clear(u_r, 2);
 }
 
-int word_jacobian(arb_mat_t j, const struct word_orbit *o, const fmpq *params, const fmpq *const given[2],
+/* The orbit again, in that system; not judged. */
+static int found_again(struct mech_orbit *e, const struct word_orbit *o, const struct mech *m, const fmpq *params,
+                       slong prec) {
+  double x[WORD_UNKNOWNS];
+  for (int p = 0; p < o->word.n; p++) x[p] = num_arb.get_d(o->t + p);
+  for (int l = 0; l < o->n_free; l++) x[o->word.n + l] = num_arb.get_d(o->state + o->free[l]);
+  return near_unknowns(e, x, o, m, params, prec);
+}
+
+int word_jacobian(arb_mat_t j, const struct word_orbit *o, const fmpq *params, const fmpq *const u_r[2],
                   enum mech_derivative how, slong prec) {
   struct mech m;
   struct mech_orbit e;
-  fmpq *u_r = _fmpq_vec_init(2);
-  double x[WORD_UNKNOWNS];
-  enough_friction(u_r, o, params, given);
-  make_system(&m, params, (const fmpq *const[]){u_r, u_r + 1});
-  for (int p = 0; p < o->word.n; p++) x[p] = num_arb.get_d(o->t + p);
-  for (int l = 0; l < o->n_free; l++) x[o->word.n + l] = num_arb.get_d(o->state + o->free[l]);
-  int status = near_unknowns(&e, x, o, &m, params, prec);
+  make_with_enough(&m, o, 1, params, u_r);
+  int status = found_again(&e, o, &m, params, prec);
   if (!status) {
     status = mech_jacobian(j, &m, &e, how, prec);
     mech_orbit_clear(&e);
   }
   if (!status) transform(j, o, &m, prec);
   mech_clear(&m);
-  _fmpq_vec_clear(u_r, 2);
   return status;
+}
+
+void word_orbits_as_system(struct mech *m, struct mech_orbits *out, const struct word_orbits *list, const fmpq *params,
+                           const fmpq *const u_r[2], slong prec) {
+  *out = (struct mech_orbits){.n = 0};
+  make_with_enough(m, list->orbit, list->n, params, u_r);
+  for (slong i = 0; i < list->n; i++) {
+    struct mech_orbit e;
+    if (found_again(&e, &list->orbit[i], m, params, prec) != SS_OK) continue;
+    mech_orbit_decide(&e, m, prec);
+    mech_orbits_add(out, &e);
+  }
 }
