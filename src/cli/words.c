@@ -36,6 +36,13 @@ static bool is_searched(const struct survey *v, const struct phase_word *w, enum
   return fate == WORD_OPEN && !lacks_friction(v, w) && work_units() <= budget;
 }
 
+/* Is it the first seed of its word? */
+static bool is_first(const struct word_seeds *s, size_t i) {
+  for (size_t k = 0; k < i; k++)
+    if (phase_word_same(&s->seed[k].word, &s->seed[i].word)) return false;
+  return true;
+}
+
 /* How many simulations settled on the word. */
 static int settled_on(const struct survey *v, const struct phase_word *w) {
   int n = 0;
@@ -98,9 +105,10 @@ static void simulations_json(struct survey *v) {
   json_bool(j, "own_friction", !v->u_r[0] || !v->u_r[1]);
   json_array(j, "words");
   for (size_t i = 0; i < v->seeds.n; i++) {
+    if (!is_first(&v->seeds, i)) continue;
     json_object(j, NULL);
     json_word(j, "word", &v->seeds.seed[i].word);
-    json_long(j, "count", v->seeds.seed[i].count);
+    json_long(j, "count", settled_on(v, &v->seeds.seed[i].word));
     json_end_object(j);
   }
   json_end_array(j);
@@ -175,9 +183,10 @@ static void simulations_text(struct text *out, const struct survey *v) {
   text_printf(out, "%d simulations from random starts, u_r1 = %.6g%s, u_r2 = %.6g%s: %d settled", s->starts, s->u_r[0],
               v->u_r[0] ? "" : " (taken)", s->u_r[1], v->u_r[1] ? "" : " (taken)", s->settled);
   for (size_t i = 0; i < s->n; i++) {
+    if (!is_first(s, i)) continue;
     text_add(out, i ? ", " : ": ");
     phase_word_print(out, &s->seed[i].word);
-    text_printf(out, " (%d)", s->seed[i].count);
+    text_printf(out, " (%d)", settled_on(v, &s->seed[i].word));
   }
   text_add_char(out, '\n');
 }

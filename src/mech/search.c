@@ -10,7 +10,7 @@
 #include "num/pi.h"
 #include "orbit.h"
 
-enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60, ROUNDS = 10 };
+enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60, ROUNDS = 10, MUCH = 8 };
 static const char seed[] = "motions of a system";
 static const double near = 0.2; /* relative distance of the ends */
 /* A motion lasts while the slowest mode goes through so many radians and a surface drags a mass so many times as long as
@@ -51,24 +51,28 @@ static void random_start(double *z, const struct mech *m, uint64_t *stream) {
   }
 }
 
+/* Is a word turned by that much another one? */
+static bool turned_into(const struct mech_word *a, int by, const struct mech_word *b) {
+  bool same = a->n == b->n;
+  for (int k = 0; same && k < a->n; k++) same = strcmp(a->phase[(k + by) % a->n], b->phase[k]) == 0;
+  return same;
+}
+
 /* Whether the word is a shorter one several times over. */
 static bool repeats(const struct mech_word *w) {
-  for (int l = 1; l < w->n; l++) {
-    struct mech_word turned;
-    mech_word_turn(&turned, w, l);
-    if (w->n % l == 0 && memcmp(turned.phase, w->phase, (size_t)w->n * sizeof *w->phase) == 0) return true;
-  }
+  for (int l = 1; l < w->n; l++)
+    if (turned_into(w, l, w)) return true;
   return false;
 }
 
-/* The stretch from moment i over k phases; false when its word is a shorter one's, repeated, or not the one wanted. */
+/* The stretch from moment i over k phases; false when its word is not the one wanted. */
 static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i, int k, const struct mech_word *wanted,
                          const struct mech *m) {
   const struct mech_moment *a = &x->moment[i];
   struct mech_word w = {.n = k};
   int by;
   for (int l = 0; l < k; l++) memcpy(w.phase[l], a[l].phase, sizeof w.phase[l]);
-  if (repeats(&w) || !mech_word_good(&w) || (wanted && !mech_word_same(&by, wanted, &w))) return false;
+  if (!mech_word_good(&w) || (wanted && !mech_word_same(&by, wanted, &w))) return false;
   *out = (struct stretch){.word = w, .gap = mech_gap(a[0].z, a[k].z, m->n, m->states)};
   for (int l = 0; l < k; l++) out->t[l] = a[l + 1].t - a[l].t;
   memcpy(out->z, a[0].z, sizeof out->z);
@@ -91,17 +95,20 @@ static void keep(struct stretches *list, const struct stretch *s) {
   list->at[list->n++] = *s;
 }
 
+/* A longer stretch holds a shorter one, and is taken where it returns much more nearly: after a period doubling. */
 static void look_through(struct stretches *list, const struct mech_motion *x, const struct mech_word *wanted,
                          const struct mech *m) {
-  for (int i = x->n_moments / 4 + 1; i < x->n_moments; i++)
+  for (int i = x->n_moments / 4 + 1; i < x->n_moments; i++) {
+    double most = near;
     for (int k = 1; k <= MECH_PHASES && i + k < x->n_moments; k++) {
       struct stretch s;
       if (strcmp(x->moment[i].phase, x->moment[i + k].phase) != 0 || x->moment[i].mass != x->moment[i + k].mass)
         continue;
-      if (!make_stretch(&s, x, i, k, wanted, m) || !(s.gap < near)) continue;
+      if (!make_stretch(&s, x, i, k, wanted, m) || !(s.gap < most)) continue;
       keep(list, &s);
-      break; /* longer ones hold this one */
+      most = s.gap / MUCH;
     }
+  }
 }
 
 /* Enough of the slowest natural mode of what slips everywhere, whose frequency squared is the least eigenvalue of
@@ -135,17 +142,29 @@ void mech_first_start(double *z, const struct mech *m) {
   random_start(z, m, &stream);
 }
 
-bool mech_orbit_meets(const struct mech_orbit *a, const struct mech_orbit *b) {
-  int by;
-  if (!mech_word_same(&by, &a->word, &b->word)) return false;
-  bool same = true;
-  for (int k = 0; k < a->word.n; k++) {
-    int l = (k + by) % a->word.n;
-    same = same && arb_overlaps(a->t + k, b->t + l);
-    for (int c = 0; c < a->states; c++)
-      same = same && arb_overlaps(a->state + k * a->states + c, b->state + l * a->states + c);
+/* Begun at its phase number by, is a the same as b, as far as their enclosures tell? */
+static bool meets_turned(const struct mech_orbit *a, int by, const struct mech_orbit *b) {
+  bool same = turned_into(&a->word, by, &b->word);
+  for (int k = 0; same && k < b->word.n; k++) {
+    int l = (k + by) % b->word.n;
+    same = arb_overlaps(a->t + l, b->t + k);
+    for (int c = 0; c < b->states; c++)
+      same = same && arb_overlaps(a->state + l * b->states + c, b->state + k * b->states + c);
   }
   return same;
+}
+
+bool mech_orbit_meets(const struct mech_orbit *a, const struct mech_orbit *b) {
+  bool same = false;
+  for (int by = 0; by < a->word.n; by++) same = same || meets_turned(a, by, b);
+  return same;
+}
+
+/* A shorter orbit, several times over? */
+static bool goes_round_again(const struct mech_orbit *o) {
+  bool again = false;
+  for (int by = 1; by < o->word.n; by++) again = again || meets_turned(o, by, o);
+  return again;
 }
 
 bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o) {
@@ -182,7 +201,7 @@ static void solve(struct mech_orbits *list, struct stretches *found, const struc
       list->failed++;
       continue;
     }
-    if (mech_orbits_hold(list, &o)) {
+    if (goes_round_again(&o) || mech_orbits_hold(list, &o)) {
       mech_orbit_clear(&o);
       continue;
     }
