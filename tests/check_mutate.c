@@ -866,7 +866,7 @@ END_TEST
 START_TEST(any_number_of_processes_gives_the_same_bytes) {
   static const int jobs[] = {1, 5};
   for (int i = 0; i < 2; i++)
-    ck_assert_int_eq(shell("%s mutate --count 120 --seed 3 --jobs %d --out %s/j%d | grep -v '^written to ' >%s/t%d",
+    ck_assert_int_eq(shell("%s mutate --count 40 --seed 3 --jobs %d --out %s/j%d | grep -v '^written to ' >%s/t%d",
                            program(), jobs[i], scratch_path(""), i, scratch_path(""), i),
                      0);
   ck_assert_int_eq(shell("diff -r %s/j0 %s/j1 && diff %s/t0 %s/t1", scratch_path(""), scratch_path(""),
@@ -875,11 +875,11 @@ START_TEST(any_number_of_processes_gives_the_same_bytes) {
   ck_assert_str_eq(scratch_list(scratch_path("j0")), "mutation.json mutation.md");
   /* the sample reaches from the first file to the last */
   ck_assert_int_eq(shell("grep -q 1-model.eq %s/t0 && grep -q '^title' %s/t0", scratch_path(""), scratch_path("")), 0);
-  /* where each of the 120 went */
-  ck_assert_int_eq(shell("awk '/ damages of formulas: /{n=$1; sum=$5+$7+$10+$13} END{exit n!=120 || sum!=120}' %s/t0",
+  /* where each of the 40 went */
+  ck_assert_int_eq(shell("awk '/ damages of formulas: /{n=$1; sum=$5+$7+$10+$13} END{exit n!=40 || sum!=40}' %s/t0",
                          scratch_path("")),
                    0);
-  ck_assert_int_eq(shell("%s mutate --count 120 --seed 4 --out %s/other >/dev/null", program(), scratch_path("")), 0);
+  ck_assert_int_eq(shell("%s mutate --count 40 --seed 4 --out %s/other >/dev/null", program(), scratch_path("")), 0);
   ck_assert_int_ne(shell("diff -q %s/j0 %s/other >/dev/null", scratch_path(""), scratch_path("")), 0);
 }
 END_TEST

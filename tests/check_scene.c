@@ -860,7 +860,7 @@ static int answer(struct text *out, const struct use *u, const struct lines *l) 
                : strcmp(u->argv[i], "OUT") == 0 ? folder
                                                 : u->argv[i];
   if (strcmp(words[0], "list") == 0) setenv("STICKSLIP_DATA", scratch_path(""), 1);
-  run_words(&r, words);
+  run_once(&r, words);
   unsetenv("STICKSLIP_DATA");
   text_printf(out, "%d\n%s%s", r.status, r.out.text, r.err.text);
   if (access(folder, F_OK) == 0) {
