@@ -11,8 +11,9 @@ import textwrap
 HEADERS = pathlib.Path("include/stickslip")
 PAGES = pathlib.Path("man")
 # what is for the compiler alone
-FRAME = re.compile(r'^(#ifndef|#define) SS_\w+_H\n|^#include .*\n|^#ifdef __cplusplus\n(extern "C" \{|\})\n#endif\n|^#if defined\(__GNUC__\)\n'
-                   r"(.*\n){3}#endif\n|\n#endif\n\Z", re.M)
+FRAME = re.compile(r"^(#ifndef|#define) SS_\w+_H\n|^#include .*\n|\n#endif\n\Z"
+                   r"|^#if defined\(__GNUC__\)\n(.*\n){3}#endif\n"
+                   r'|^#ifdef __cplusplus\n(extern "C" \{|\})\n#endif\n', re.M)
 
 
 def escaped(line):
@@ -52,22 +53,25 @@ def blocks(text):
         if part.startswith("/*"):
             comment = part.strip()
         else:
-            yield comment, [group.split("\n") for group in part.replace("SS_API ", "").strip("\n").split("\n\n") if group]
+            groups = part.replace("SS_API ", "").strip("\n").split("\n\n")
+            yield comment, [group.split("\n") for group in groups if group]
 
 
 def page(path):
     first, rest = re.match(r"(/\*.*?\*/)\n(.*)", path.read_text(), re.S).groups()
     name, idea = path.stem, re.split(r"(?<=[.:])\s", first[3:-2].strip() + " ")[0]
     functions = list(dict.fromkeys(re.findall(r"^SS_API [^(;]*?(ss_\w+)\(", rest, re.M)))
-    out = [rf'.\" made by tools/headers.py from {path}', ".Dd November 23, 2026", f".Dt STICKSLIP-{name.upper()} 3", ".Os",
-           ".Sh NAME"]
+    out = [rf'.\" made by tools/headers.py from {path}', ".Dd November 23, 2026", f".Dt STICKSLIP-{name.upper()} 3",
+           ".Os", ".Sh NAME"]
     names = [f"stickslip-{name}", *functions]
     out += [f".Nm {n} ," for n in names[:-1]] + [f".Nm {names[-1]}"]
     out += [".Nd " + escaped(" ".join(idea.split()).rstrip(".:")), ".Sh SYNOPSIS", f".In stickslip/{name}.h", ".Pp",
             ".Dl cc ... $(pkg\\-config \\-\\-cflags \\-\\-libs stickslip)", ".Sh DESCRIPTION", *prose(first)[1:]]
     for comment, groups in blocks(FRAME.sub("", rest)):
-        for i, group in enumerate(groups):
-            out += literal(group) + (prose(comment) if comment and i == 0 else [])
+        out += literal(groups[0]) if groups else []
+        out += prose(comment) if comment else []
+        for group in groups[1:]:
+            out += literal(group)
     others = sorted(h.stem for h in HEADERS.glob("*.h") if h != path)
     return "\n".join(out + [".Sh SEE ALSO", ".Xr stickslip 1 ,"] + [f".Xr stickslip-{o} 3 ," for o in others[:-1]]
                      + [f".Xr stickslip-{others[-1]} 3"]) + "\n"
