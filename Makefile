@@ -7,6 +7,8 @@ LIBDIR   ?= $(PREFIX)/lib
 INCDIR   ?= $(PREFIX)/include
 MANDIR   ?= $(PREFIX)/share/man
 PYTHON   ?= /usr/bin/python3
+# where Python modules go: /usr has one folder for all versions, /usr/local one for each
+PYDIR    ?= $(PREFIX)/lib/$(if $(filter /usr,$(PREFIX)),python3,python$(shell $(PYTHON) -c 'import sys; print("%d.%d" % sys.version_info[:2])' || echo 3))/dist-packages
 B        ?= build
 # MPI=1 builds, and installs, a program of which mpirun starts many: stickslip sweep shares its work among them
 MPI      ?=
@@ -205,8 +207,8 @@ cover: ## line coverage of src/, and the messages that no test reaches
 format: ## rewrite the sources in the project's format
 	clang-format -i $$(git ls-files '*.c' '*.h')
 
-install: all ## install program, library, headers, man pages, completion and data (PREFIX, DESTDIR)
-	install -d $(addprefix $(DESTDIR),$(BINDIR) $(LIBDIR)/pkgconfig $(INCDIR)/stickslip $(MANDIR)/man1 $(MANDIR)/man5 $(DATADIR) $(COMPDIR) $(ZSHDIR) $(FISHDIR))
+install: all ## install program, library, headers, Python module, man pages, completion and data (PREFIX, DESTDIR)
+	install -d $(addprefix $(DESTDIR),$(BINDIR) $(LIBDIR)/pkgconfig $(INCDIR)/stickslip $(MANDIR)/man1 $(MANDIR)/man3 $(MANDIR)/man5 $(PYDIR) $(DATADIR) $(COMPDIR) $(ZSHDIR) $(FISHDIR))
 	install $(B)/$(if $(MPI),mpi/)stickslip $(B)/stickslip-checker $(DESTDIR)$(BINDIR)/
 	install -m 644 $(B)/libstickslip.a $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(B)/$(SO) $(DESTDIR)$(LIBDIR)/
@@ -214,7 +216,9 @@ install: all ## install program, library, headers, man pages, completion and dat
 	install -m 644 $(API)/stickslip.h $(DESTDIR)$(INCDIR)/
 	install -m 644 $(API)/stickslip/* $(DESTDIR)$(INCDIR)/stickslip/
 	install -m 644 man/stickslip.1 $(DESTDIR)$(MANDIR)/man1/
+	install -m 644 $(wildcard man/*.3) $(DESTDIR)$(MANDIR)/man3/
 	install -m 644 $(wildcard man/*.5) $(DESTDIR)$(MANDIR)/man5/
+	install -m 644 python/stickslip.py $(DESTDIR)$(PYDIR)/
 	install -m 644 tools/completion.bash $(DESTDIR)$(COMPDIR)/stickslip
 	sed 's|@COMPDIR@|$(COMPDIR)|' tools/completion.zsh > $(DESTDIR)$(ZSHDIR)/_stickslip
 	sed 's|@COMPDIR@|$(COMPDIR)|' tools/completion.fish > $(DESTDIR)$(FISHDIR)/stickslip.fish
@@ -226,7 +230,8 @@ install: all ## install program, library, headers, man pages, completion and dat
 uninstall: ## remove what install put there
 	rm -f $(addprefix $(DESTDIR)$(BINDIR)/,stickslip stickslip-checker) $(DESTDIR)$(LIBDIR)/libstickslip.a $(DESTDIR)$(LIBDIR)/$(SO) \
 	  $(DESTDIR)$(LIBDIR)/libstickslip.so $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc $(DESTDIR)$(MANDIR)/man1/stickslip.1 \
-	  $(patsubst man/%,$(DESTDIR)$(MANDIR)/man5/%,$(wildcard man/*.5)) $(addprefix $(DESTDIR),$(COMPDIR)/stickslip $(ZSHDIR)/_stickslip $(FISHDIR)/stickslip.fish)
+	  $(patsubst man/%,$(DESTDIR)$(MANDIR)/man3/%,$(wildcard man/*.3)) $(patsubst man/%,$(DESTDIR)$(MANDIR)/man5/%,$(wildcard man/*.5)) \
+	  $(DESTDIR)$(PYDIR)/stickslip.py $(DESTDIR)$(PYDIR)/__pycache__/stickslip.*.pyc $(addprefix $(DESTDIR),$(COMPDIR)/stickslip $(ZSHDIR)/_stickslip $(FISHDIR)/stickslip.fish)
 	rm -rf $(DESTDIR)$(INCDIR)/stickslip $(DESTDIR)$(INCDIR)/stickslip.h $(DESTDIR)$(DATADIR)
 
 clean: ## remove build/

@@ -74,6 +74,7 @@ int main(void) {
   srunner_add_suite(r, hostile_suite());
   srunner_add_suite(r, messages_suite());
   srunner_add_suite(r, library_suite());
+  srunner_add_suite(r, python_suite());
   srunner_run_all(r, CK_NORMAL);
   int failed = srunner_ntests_failed(r);
   if (srunner_ntests_run(r) == 0 && !chosen) {

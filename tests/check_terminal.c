@@ -520,7 +520,7 @@ END_TEST
 START_TEST(man_pages_are_sound) {
   int status;
   if (system("command -v mandoc >/dev/null") != 0) return;
-  char *out = shell_output(&status, "mandoc -Tlint -Wwarning man/*.[15]");
+  char *out = shell_output(&status, "mandoc -Tlint -Wwarning man/*.[135]");
   ck_assert_msg(status == 0 && !*out, "%s", out);
   free(out);
 }
@@ -531,6 +531,19 @@ START_TEST(the_man_page_is_made_from_the_table) {
   int status;
   char *out = shell_output(&status, "%s tools/manual.py %s --check", python(), program());
   ck_assert_msg(status == 0, "%s", out);
+  free(out);
+}
+END_TEST
+
+/* Those of the library are made from its headers, and groff has nothing to say against them. */
+START_TEST(the_pages_of_the_library_are_made_from_the_headers) {
+  int status;
+  char *out = shell_output(&status, "%s tools/headers.py --check", python());
+  ck_assert_msg(status == 0, "%s", out);
+  free(out);
+  if (shell("command -v groff > /dev/null") != 0) return;
+  out = shell_output(&status, "for page in man/*.3; do groff -mandoc -Tutf8 -ww -z $page 2>&1; done");
+  ck_assert_msg(status == 0 && !*out, "%s", out);
   free(out);
 }
 END_TEST
@@ -569,6 +582,7 @@ Suite *terminal_suite(void) {
   tcase_add_test(c, another_paper_is_audited);
   tcase_add_test(c, man_pages_are_sound);
   tcase_add_test(c, the_man_page_is_made_from_the_table);
+  tcase_add_test(c, the_pages_of_the_library_are_made_from_the_headers);
   tcase_add_test(c, every_kind_of_claim_is_in_the_manual);
   suite_add_tcase(s, c);
   c = tcase_create("whole");

@@ -64,5 +64,6 @@ Suite *words_suite(void);
 Suite *hostile_suite(void);
 Suite *messages_suite(void);
 Suite *library_suite(void);
+Suite *python_suite(void);
 
 #endif

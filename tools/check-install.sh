@@ -62,6 +62,17 @@ rm "$dir/bin/orbit" "$dir/bin/sweep" "$dir/bin/audit"
 (cd "$dir" && bin/stickslip verify --only eq-27 --out "$dir/report" --quiet >/dev/null) || fail "the installed program fails"
 [ -f "$dir/share/man/man1/stickslip.1" ] || fail "no man page"
 [ -f "$dir/share/man/man5/stickslip-eq.5" ] || fail "no man page of the formats"
+for header in "$dir"/include/stickslip/*.h; do
+  [ -f "$dir/share/man/man3/stickslip-$(basename "$header" .h).3" ] || fail "no man page of $header"
+done
+if python=$(command -v "${PYTHON:-/usr/bin/python3}") && [ -z "${EXTRA:-}" ]; then
+  module=$(find "$dir/lib" -name stickslip.py)
+  (cd "$dir" && unset STICKSLIP_LIBRARY STICKSLIP_DATA && PYTHONPATH=${module%/*} "$python" -c '
+import stickslip
+assert stickslip._lib._name.startswith("'"$dir"'"), stickslip._lib._name
+print("multiplier", stickslip.Scene().orbits(50)[1].trace)') > "$dir/module.txt" || fail "the Python module fails"
+  grep -qF "multiplier $(echo "$second" | cut -c1-50)" "$dir/module.txt" || fail "the Python module is wrong"
+fi
 for completion in bash-completion/completions/stickslip zsh/site-functions/_stickslip fish/vendor_completions.d/stickslip.fish; do
   [ -f "$dir/share/$completion" ] || fail "no completion: $completion"
 done

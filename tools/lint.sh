@@ -21,7 +21,7 @@ fi
 
 if command -v mandoc >/dev/null 2>&1; then
   echo "lint: man pages"
-  mandoc -Tlint -Wwarning man/*.[15]
+  mandoc -Tlint -Wwarning man/*.[135]
 fi
 
 echo "lint: README table"

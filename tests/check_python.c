@@ -1,0 +1,48 @@
+/* The Python module and its notebook: tests/python holds them against tests/oracle and the headers.  Left out where
+   there is no Python, and under AddressSanitizer, which a Python that is not built with it cannot load. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scratch.h"
+#include "suites.h"
+
+/* NULL, or why the module cannot be tried here. */
+static const char *left_out(void) {
+#ifdef __SANITIZE_ADDRESS__
+  return "the library is built with AddressSanitizer, and Python is not";
+#else
+  return shell("\"$Y\" -c '' 2> /dev/null") == 0 ? NULL : "there is no Python";
+#endif
+}
+
+START_TEST(the_module) {
+  static const char *const classes[] = {"Declared", "Numbers", "Wrong", "Memory", "Notebook"};
+  const char *why = left_out();
+  if (why) {
+    printf("python: %s: left out, %s\n", classes[_i], why);
+    return;
+  }
+  int status;
+  char *said = shell_output(&status,
+                            "PYTHONPATH=python PYTHONDONTWRITEBYTECODE=1 "
+                            "STICKSLIP_LIBRARY=\"$(realpath \"$(dirname \"$P\")\")/libstickslip.so.0\" "
+                            "\"$Y\" tests/python/module.py -v %s 2>&1",
+                            classes[_i]);
+  ck_assert_msg(status == 0, "%s", said);
+  for (char *line = strtok(said, "\n"); line; line = strtok(NULL, "\n"))
+    if (strstr(line, " skipped ")) printf("python: %s\n", line);
+  free(said);
+}
+END_TEST
+
+Suite *python_suite(void) {
+  Suite *s = suite_create("python");
+  TCase *c = tcase_create("module");
+  tcase_set_timeout(c, 300);
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_add_loop_test(c, the_module, 0, 5);
+  suite_add_tcase(s, c);
+  return s;
+}
