@@ -249,6 +249,8 @@ class Question:
         return True
 
     def is_true(self, whole):
+        if names_differ(whole, self.original):
+            return False
         whole = in_order(whole)
         answer = in_order(self.asked(whole))
         if "orbits" not in dict(answer) or shape_without_orbits(whole) != shape_without_orbits(answer):
@@ -261,6 +263,17 @@ class Question:
                 return False
             left.remove(of)
         return len(left) < len(answer.get("orbits"))
+
+
+def names_differ(whole, original):
+    """A name twice somewhere, or other names than those of a certificate of this kind."""
+    return twice(whole) or not {k for k, _ in whole} <= {k for k, _ in original}
+
+
+def twice(v):
+    names = [k for k, _ in v] if isinstance(v, Members) else []
+    parts = [x for _, x in v] if isinstance(v, Members) else v if isinstance(v, list) else []
+    return len(names) != len(set(names)) or any(map(twice, parts))
 
 
 def shape_without_orbits(whole):
