@@ -778,7 +778,8 @@ START_TEST(other_pairs_are_said) {
 }
 END_TEST
 
-/* Scenes of every class of tests/oracle/differ.py, which needs mpmath and says so where there is none. */
+/* Scenes of the classes of tests/oracle/differ.py, all of them in the long test; it needs mpmath and says so where there
+   is none. */
 static void hold_against_peer(const char *options) {
   int status;
   char *text = shell_output(&status, "\"$Y\" tests/oracle/differ.py \"$P\" %s 2>&1", options);
@@ -787,12 +788,12 @@ static void hold_against_peer(const char *options) {
 }
 
 START_TEST(an_independent_program_finds_the_same) {
-  hold_against_peer("--count 11 --seed 3");
+  hold_against_peer("--count 4 --seed 3");
 }
 END_TEST
 
 START_TEST(an_independent_program_finds_the_same_of_many) {
-  hold_against_peer("--count 220 --seed 4");
+  hold_against_peer("--count 110 --seed 4");
 }
 END_TEST
 
