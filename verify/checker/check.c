@@ -123,9 +123,9 @@ static int condition_right(const struct entry *o, const struct motion *m, int k,
   enum event e = phase[i] == 's' ? SLOWER : REACHES;
   num limit = o->x + E1 + i, length = o->x + TA + k;
   bool of_time = k == D && i == 0; /* that t_a is positive */
-  if (holds == NO) where = get(of_time ? OPTIONAL : STRING, ".orbits.%d.conditions.%s.broken_at", o->number, name);
-  if (of_time) return holds * sign_of(length);
-  if (k == D) return -holds * sign_of(value(e, i, phase, m->start[k], limit)); /* constant */
+  if (holds == NO) where = get(STRING, ".orbits.%d.conditions.%s.broken_at", o->number, name);
+  if (of_time) return where && strcmp(where, "start") != 0 ? NO : holds * sign_of(length);
+  if (k == D && holds == YES) return -sign_of(value(e, i, phase, m->start[k], limit)); /* constant */
   if (holds == YES) return stays_below(m, &o->word, o->x, k, i, e);
   if (k != C && ends(&o->word, k, i, e)) return NO; /* the event would not be the first */
   mat y = strcmp(where, "end") == 0 ? m->end[k] : m->start[k];
@@ -296,6 +296,7 @@ static void read_mass(int i) {
 
 static void read_links(int first, const char *list, const char *name) {
   static fmpq size;
+  get(GROUP, ".system.%s", list);
   for (int l = 0; get(OPTIONAL, ".system.%s.%d.%s", list, l, name); l++) {
     int a = read_mass_number(get(STRING, ".system.%s.%d.between.0", list, l), true);
     int b = read_mass_number(get(STRING, ".system.%s.%d.between.1", list, l), true);
@@ -314,6 +315,7 @@ static void read_system(void) {
   for (int i = 0; i < n; i++) read_mass(i);
   read_links(0, "springs", "stiffness");
   read_links(n, "dampers", "constant");
+  get(GROUP, ".system.loads");
   if (sys.loads) read_size(&sys.frequency, 1, "frequency");
   for (int l = 0; sys.loads && get(OPTIONAL, ".system.loads.%d.mass", l); l++) {
     int i = read_mass_number(get(STRING, ".system.loads.%d.mass", l), false);
@@ -350,6 +352,7 @@ static bool read_orbit(struct entry *o) {
   if ((turns != NULL) != sys.loads) stop(BAD_FILE, "turns are of loads");
   if (turns && (strlen(turns) > 6 || strspn(turns, "0123456789") < strlen(turns) || (w->turns = atol(turns)) == 0))
     stop(REJECTED, "orbit %d: %.20s is no number of turns", o->number + 1, turns);
+  if (w->n_free == 0) get(GROUP, ".orbits.%d.box.free", o->number);
   for (int k = 0; k < equations(w); k++) {
     bool free = k < w->n_free;
     read_ball(&o->x[k],
@@ -398,6 +401,7 @@ static void check_multipliers(struct entry *o, const struct motion *m) {
   acb_t claim;
   acb_init(claim);
   find_multipliers(z, o, m);
+  if (n == 0) get(GROUP, ".orbits.%d.enclosures.multipliers", o->number);
   for (slong k = 0; k < n; k++) {
     read_ball(acb_realref(claim), get(STRING, ".orbits.%d.enclosures.multipliers.%d.re", o->number, (int)k));
     read_ball(acb_imagref(claim), get(STRING, ".orbits.%d.enclosures.multipliers.%d.im", o->number, (int)k));

@@ -14,15 +14,16 @@
 
 /* --- file.c: how it ends, memory, the values of the file --- */
 enum { VERIFIED = 0, REJECTED = 1, USAGE = 2, BAD_FILE = 3, NO_ANSWER = 4 };
-enum wanted { OPTIONAL, STRING, TRUTH };
+enum kind { OPTIONAL, STRING, TRUTH, GROUP };
 
 /* Ends with the status, unless what was printed has not reached its reader. */
 _Noreturn void end(int status);
 __attribute__((format(printf, 2, 3), noreturn)) void stop(int status, const char *fmt, ...);
 void use_own_memory(void);
 void read_file(const char *name);
-/* The text at a path made like by printf; NULL when it is optional, which only strings are, and there is none. */
-__attribute__((format(printf, 2, 3))) const char *get(enum wanted what, const char *fmt, ...);
+/* The text at a path made like by printf.  NULL when there is none: of an optional string, and of a group, an object or a
+   list, which is asked for only where it may be empty. */
+__attribute__((format(printf, 2, 3))) const char *get(enum kind what, const char *fmt, ...);
 void all_used(void); /* else the file is no certificate */
 void read_rational(fmpq_t q, const char *s);
 void read_ball(arb_t x, const char *s);

@@ -57,7 +57,8 @@ enum { MAX_DIGITS = 200000, MAX_FILE = 1 << 25, MAX_VALUES = 10000, MAX_PATH = 8
 static struct value {
   char path[MAX_PATH];
   const char *text; /* in the file's buffer; true and false too */
-  bool bare, used;  /* bare: true or false, without quotes */
+  enum kind kind;   /* GROUP: an object or a list, whose members follow */
+  bool used;
 } values[MAX_VALUES];
 static int n_values;
 static char *buffer, *at;
@@ -85,18 +86,20 @@ static const char *read_string(void) {
 /* The path is so short that nothing nests deeply. */
 static void read_value(char *path, size_t len) {
   char c = blanks();
+  if (n_values == MAX_VALUES) stop(BAD_FILE, "the file has too many values");
+  struct value *v = &values[n_values++];
+  memcpy(v->path, path, len + 1);
+  for (int i = 0; i < n_values - 1; i++)
+    if (strcmp(values[i].path, path) == 0) stop(BAD_FILE, "%s occurs twice", path);
   if (c != '{' && c != '[') {
-    if (n_values == MAX_VALUES) stop(BAD_FILE, "the file has too many values");
-    struct value *v = &values[n_values++];
-    memcpy(v->path, path, len + 1);
     v->text = strncmp(at, "true", 4) == 0 ? "true" : strncmp(at, "false", 5) == 0 ? "false" : NULL;
-    v->bare = v->text != NULL;
-    at += v->bare ? strlen(v->text) : 0;
-    if (!v->bare) v->text = read_string();
-    for (int i = 0; i < n_values - 1; i++)
-      if (strcmp(values[i].path, path) == 0) stop(BAD_FILE, "%s occurs twice", path);
+    v->kind = v->text ? TRUTH : STRING;
+    at += v->text ? strlen(v->text) : 0;
+    if (!v->text) v->text = read_string();
     return;
   }
+  v->kind = GROUP;
+  v->text = "";
   at++;
   for (int n = 0; blanks() != (c == '{' ? '}' : ']'); n++) {
     char number[16];
@@ -109,6 +112,7 @@ static void read_value(char *path, size_t len) {
     snprintf(path + len, MAX_PATH - len, ".%s", key);
     read_value(path, len + more);
     path[len] = '\0';
+    v->used = true;
   }
   at++;
 }
@@ -130,7 +134,7 @@ void read_file(const char *name) {
   if (blanks()) stop(BAD_FILE, "something follows the end of the certificate");
 }
 
-const char *get(enum wanted what, const char *fmt, ...) {
+const char *get(enum kind what, const char *fmt, ...) {
   char path[2 * MAX_PATH];
   va_list args;
   va_start(args, fmt);
@@ -138,11 +142,12 @@ const char *get(enum wanted what, const char *fmt, ...) {
   va_end(args);
   for (int i = 0; i < n_values; i++)
     if (strcmp(values[i].path, path) == 0) {
-      if (values[i].bare != (what == TRUTH)) stop(BAD_FILE, "%s has a value of the wrong type", path);
+      if (values[i].kind != (what == OPTIONAL ? STRING : what))
+        stop(BAD_FILE, "%s has a value of the wrong type", path);
       values[i].used = true;
       return values[i].text;
     }
-  if (what != OPTIONAL) stop(BAD_FILE, "%s is missing", path);
+  if (what == STRING || what == TRUTH) stop(BAD_FILE, "%s is missing", path);
   return NULL;
 }
 
@@ -159,7 +164,8 @@ void read_rational(fmpq_t q, const char *s) {
   if (!good || *end || fmpq_set_str(q, s, 10)) stop(BAD_FILE, "%.40s is not a rational number that can be read", s);
 }
 
-/* "mantissa exponent mantissa exponent" of midpoint and radius, in hexadecimal: Arb's text form. */
+/* "mantissa exponent mantissa exponent" of midpoint and radius, in hexadecimal: Arb's text form.  The ball is the file's,
+   neither wider nor narrower: a radius of more bits than Arb keeps is refused. */
 void read_ball(arb_t x, const char *s) {
   static const size_t most[4] = {MAX_DIGITS, 6, 8, 6};
   fmpz_t part[4];
@@ -169,12 +175,13 @@ void read_ball(arb_t x, const char *s) {
     bool good = len > sign && len - sign <= most[i] && p[len] == (i < 3 ? ' ' : '\0') && !(i == 2 && sign);
     char *copy = good ? memcpy(zeros(len + 1, 1), p, len) : NULL;
     fmpz_init(part[i]);
-    if (!copy || fmpz_set_str(part[i], copy, 16)) stop(BAD_FILE, "%.40s is no ball, or out of range", s);
+    if (!copy || fmpz_set_str(part[i], copy, 16) || (i == 2 && fmpz_bits(part[i]) > MAG_BITS))
+      stop(BAD_FILE, "%.40s is no ball, or out of range", s);
     free(copy);
     p += len + 1;
   }
   arf_set_fmpz_2exp(arb_midref(x), part[0], part[1]);
-  mag_set_fmpz_2exp_fmpz(arb_radref(x), part[2], part[3]);
+  mag_set_fmpz_2exp_fmpz_lower(arb_radref(x), part[2], part[3]); /* exact; the function beside it may round up */
   for (int i = 0; i < 4; i++) fmpz_clear(part[i]);
 }
 
