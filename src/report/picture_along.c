@@ -8,7 +8,7 @@
 
 enum { CHANGE, E2, E2_TO, TRACE, PERIOD, STABLE, ADMISSIBLE, BRANCH };
 /* Beyond these tr J is cut off where there are branches. */
-#define MOST_TRACE 4
+#define MOST_TRACE 2
 
 static bool is_change(const struct rows *t, size_t i) {
   return !rows_is(t, i, CHANGE, "-");
@@ -129,7 +129,7 @@ static void add_panel(struct plot *p, const struct rows *t, size_t column, doubl
     if (is_change(t, i)) plot_line(p, "aid", rows_number(t, i, E2), p->low[1], rows_number(t, i, E2), p->high[1]);
   add_curve(p, t, column);
   for (size_t i = 0; i < t->n && has_branches(t); i++)
-    if (is_change(t, i)) plot_dot(p, "", rows_number(t, i, E2), rows_number(t, i, column));
+    if (is_change(t, i)) plot_dot(p, "open", rows_number(t, i, E2), rows_number(t, i, column));
   plot_free(p);
 }
 
@@ -201,7 +201,7 @@ static void draw_bifurcations(struct plot *p, const struct rows *t) {
   static const char *const key[][2] = {{"c0", "stable, admissible"},
                                        {"c1", "unstable, admissible"},
                                        {"c2", "not admissible"},
-                                       {"dot", "change"},
+                                       {"dot open", "change"},
                                        {"aid", "tr *J* = \xc2\xb1"
                                                "1"}};
   p->bottom = plot_key(p, key, 5);

@@ -100,13 +100,17 @@ static bool is_on(const struct stage *s, size_t row, int k) {
   return k < STICKS ? rows_is(s->t, row, PHASE, phases[k][0]) : !rows_is(s->t, row, LIMIT + (size_t)(k - STICKS), "-");
 }
 
+static const char *seen(const struct stage *s, size_t row, int k) {
+  return is_on(s, row, k) ? "visible" : "hidden";
+}
+
 static void add_switch(struct plot *p, const struct stage *s, int k) {
   char name[8];
   snprintf(name, sizeof name, "p%d", k);
   text_printf(p->out, "@keyframes animation-%s {", name);
   for (size_t i = 0; i < s->t->n; i++)
     if (i == 0 || is_on(s, i, k) != is_on(s, i - 1, k))
-      text_printf(p->out, " %.2f%% { opacity: %d; }", percent(s, i), is_on(s, i, k));
+      text_printf(p->out, " %.2f%% { visibility: %s; }", percent(s, i), seen(s, i, k));
   text_add(p->out, " }\n");
   add_animation(p, s, name, "step-end");
 }
@@ -152,9 +156,9 @@ static void begin_block(struct plot *p, const struct stage *s, int mass) {
   text_printf(p->out, "<rect class=\"block b%d\" " PLOT_STROKE " y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\" />\n",
               mass, FLOOR - HIGH, BLOCK, HIGH);
   text_printf(p->out,
-              "<g class=\"animation-p%d\" opacity=\"%d\"><rect class=\"stick b%d\" fill=\"currentColor\" "
+              "<g class=\"animation-p%d\" visibility=\"%s\"><rect class=\"stick b%d\" fill=\"currentColor\" "
               "fill-opacity=\".3\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\" />\n",
-              STICKS + mass, is_on(s, 0, STICKS + mass), mass, FLOOR - HIGH, BLOCK, HIGH);
+              STICKS + mass, seen(s, 0, STICKS + mass), mass, FLOOR - HIGH, BLOCK, HIGH);
   if (!isnan(limit))
     text_printf(p->out, "<path class=\"limit\" " PLOT_STROKE " d=\"M%.1f %dv14\" />\n", middle - BAR * limit / s->pull,
                 above - 7);
@@ -181,7 +185,7 @@ static void add_blocks(struct plot *p, const struct stage *s) {
   begin_block(p, s, 1);
   text_add(p->out, "</g>\n");
   for (int k = 0; k < STICKS; k++) {
-    text_printf(p->out, "<g class=\"animation-p%d\" opacity=\"%d\">", k, is_on(s, 0, k));
+    text_printf(p->out, "<g class=\"animation-p%d\" visibility=\"%s\">", k, seen(s, 0, k));
     plot_text(p, PLOT_WIDTH / 2, 42, "middle", phases[k][1]);
     text_add(p->out, "</g>\n");
   }

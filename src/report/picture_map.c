@@ -72,10 +72,12 @@ static double middle(const struct rows *t, size_t i, size_t column) {
   return isnan(to) ? x : (x + to) / 2;
 }
 
+static int mark_of(const struct rows *t, size_t i) {
+  return N_SHADES + (rows_is(t, i, WHAT, "flip") ? 0 : rows_is(t, i, WHAT, "fold") ? 1 : 2);
+}
+
 static void add_mark(struct plot *p, const struct rows *t, size_t i) {
-  double x = middle(t, i, X), y = middle(t, i, Y);
-  int kind = rows_is(t, i, WHAT, "flip") ? 0 : rows_is(t, i, WHAT, "fold") ? 1 : 2;
-  if (!isnan(x) && !isnan(y)) plot_dot_of(p, key[N_SHADES + kind][0], x, y, 1.6);
+  plot_dot_of(p, key[mark_of(t, i)][0], middle(t, i, X), middle(t, i, Y), 1.6);
 }
 
 /* Half the distance of two values. */
@@ -86,10 +88,22 @@ static double half_step(const struct rows *t, size_t column) {
   return 0;
 }
 
+/* What there is of the key. */
+static double add_key(struct plot *p, const struct rows *t) {
+  const char *there[N_SHADES + 3][2];
+  bool any[N_SHADES + 3] = {false};
+  int n = 0;
+  for (size_t i = 0; i < t->n; i++) any[is_cell(t, i) ? (int)shade_of(t, i) : mark_of(t, i)] = true;
+  for (int k = 0; k < N_SHADES + 3; k++)
+    if (any[k]) memcpy(there[n++], key[k], sizeof *there);
+  return plot_key(p, (const char *const(*)[2])there, n);
+}
+
 static void draw_map(struct plot *p, const struct rows *t) {
   char label[2][PLOT_LABEL];
-  p->bottom = plot_key(p, key, N_SHADES + 3);
+  p->bottom = 14;
   if (t->columns <= STATUS) return;
+  p->bottom = add_key(p, t);
   text_printf(p->out, "<style>\n%s</style>\n", picture_map_css);
   const double half[2] = {half_step(t, X), half_step(t, Y)};
   plot_forget(p);

@@ -71,15 +71,17 @@ static void add_sample(struct text *body, const struct scene *s, const fmpq_t at
   add_states(body, s, o);
 }
 
-/* A change, with what the orbit is above it; period: that at the change, or NULL. */
-static void add_change(struct text *body, const struct scene *s, const struct dyn_bifurcation *b, arb_srcptr period) {
+/* A change, with what the orbit is above it; beside: an orbit at an end of its bracket, whose numbers stand for those at
+   the change, or NULL. */
+static void add_change(struct text *body, const struct scene *s, const struct dyn_bifurcation *b,
+                       const struct dyn_orbit *beside) {
   text_printf(body, "%s\t", says[b->what]);
   num_print_rational(body, &b->low, b->digits);
   text_add_char(body, '\t');
   num_print_rational(body, &b->high, b->digits);
-  table_number(body, b->trace, DECIMALS);
-  if (period)
-    table_number(body, period, DECIMALS);
+  table_number(body, beside && b->what != CHANGE_FOLD ? beside->trace : b->trace, DECIMALS);
+  if (beside)
+    table_number(body, beside->period, DECIMALS);
   else
     text_add(body, "\t-");
   const struct dyn_beside *above = &b->beside[1];
@@ -260,7 +262,7 @@ static void add_branches(struct text *body, const struct scene *s, int vary, con
     const struct dyn_bifurcation *b = at[i].change;
     if (b && b->crosses) {
       const struct dyn_beside *side = &b->beside[b->beside[1].n > 0];
-      add_change(body, s, b, side->n ? side->orbit[0].period : NULL);
+      add_change(body, s, b, side->n ? &side->orbit[0] : NULL);
       text_printf(body, "\t%ld\n", (long)b->branch + 1);
     } else if (!b) {
       add_spot(body, s, params, vary, list->branch[at[i].branch].up, at[i].spot);
@@ -282,7 +284,8 @@ int table_of_bifurcations(struct audit_result *out, const struct scene *s, int v
               "# The periodic orbits of the word D-Gamma-H-C along %s, branch by branch in the order in which each was "
               "followed: samples, and between them what changes, with two decimals that are proved to enclose %s "
               "there.\n"
-              "# trace is tr J; stable, admissible: at the sample, or just above the change; - where that is not "
+              "# trace is tr J, at a change that of an orbit at one end of its bracket; stable, admissible: at the "
+              "sample, or just above the change; - where that is not "
               "proved, or no orbit is left.  A branch that begins and ends between two searches can be missing.  No "
               "dimensions.\n"
               "change\t%s\t%s_to\ttrace\tperiod\tstable\tadmissible\tbranch\n",
