@@ -93,7 +93,7 @@ static int class_of(const struct rows *t, size_t i) {
 /* The samples, curve by curve of the key; where there are branches they pass through the changes. */
 static void add_curve(struct plot *p, const struct rows *t, size_t column) {
   static const char *const classes[] = {"c0", "c1", "c2"};
-  for (int k = 0; k < 3; k++) {
+  for (int k = 2; k >= 0; k--) { /* good ones on top */
     bool going = false;
     size_t last = t->n;
     for (size_t i = 0; i < t->n; i++) {

@@ -147,7 +147,7 @@ static void add_headings(struct motion_tables *t) {
 }
 
 void tables_of_motion(struct table_source *s) {
-  struct motion_tables t;
+  struct motion_tables t = {.animation = NULL};
   struct dyn_arc arc;
   text_init(&t.history);
   text_init(&t.portrait);
