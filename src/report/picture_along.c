@@ -207,7 +207,7 @@ static void draw_bifurcations(struct plot *p, const struct rows *t) {
   p->bottom = plot_key(p, key, 5);
   if (!has_branches(t)) return;
   struct changes changes = find_changes(t);
-  add_panel(p, t, TRACE, p->bottom + 44, "tr *J*");
+  add_panel(p, t, TRACE, p->bottom + (changes.n ? 44 : 18), "tr *J*");
   add_numbers(p, &changes);
   add_panel(p, t, PERIOD, p->bottom + 24, "period *T*");
   list_changes(p, t, &changes);
