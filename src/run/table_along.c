@@ -211,23 +211,12 @@ static int by_place(const void *x, const void *y) {
 }
 
 /* The decimal of SPOT_DIGITS digits next to x. */
-static void set_near(fmpq_t q, double x) {
+static bool set_near(fmpq_t q, double x) {
   char shown[40];
+  struct diag d;
+  diag_init(&d);
   snprintf(shown, sizeof shown, "%.*e", SPOT_DIGITS - 1, x);
-  char *e = strchr(shown, 'e');
-  long places = strtol(e + 1, NULL, 10) - (SPOT_DIGITS - 1);
-  fmpz_t ten;
-  *e = '\0';
-  memmove(shown + 1, shown + 2, strlen(shown + 1)); /* the point */
-  fmpz_init(ten);
-  fmpz_ui_pow_ui(ten, 10, (ulong)labs(places));
-  fmpz_one(fmpq_denref(q));
-  fmpz_set_str(fmpq_numref(q), shown, 10);
-  if (places < 0)
-    fmpq_div_fmpz(q, q, ten);
-  else
-    fmpq_mul_fmpz(q, q, ten);
-  fmpz_clear(ten);
+  return scene_constant(q, shown, strlen(shown), "a spot", &d);
 }
 
 /* The orbit at the spot, once the parameter is a short decimal, which anybody can ask for again. */
@@ -235,7 +224,7 @@ static void add_spot(struct text *body, const struct scene *s, fmpq *params, int
                      const struct dyn_spot *spot) {
   struct dyn_orbit o;
   truth first = TRUTH_UNKNOWN;
-  set_near(&params[vary], spot->x[0]);
+  if (!set_near(&params[vary], spot->x[0])) return;
   int status = dyn_orbit_near(&o, &first, params, spot->x[1], spot->x[2], up, FIRST_PREC, NULL);
   if (status == SS_OK && first == TRUTH_TRUE) {
     add_sample(body, s, &params[vary], SPOT_DIGITS, &o);
