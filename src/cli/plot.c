@@ -133,7 +133,10 @@ static int plot_scene(struct audit_result *r, const struct scene *s, const struc
   if (!status && !any && !draw_usual(r, s, data, d)) status = EXIT_INPUT;
   if (status) return status;
   text_init(&folder);
-  text_printf(&folder, out ? "%s%s" : "%s/%s", out ? out : "reports", out ? "" : s->folder);
+  if (out)
+    text_add(&folder, out);
+  else
+    text_printf(&folder, "reports/%s", s->folder);
   if (!write_pictures(text_str(&folder), r, d)) status = EXIT_INPUT;
   text_clear(&folder);
   return status;

@@ -49,7 +49,8 @@ bool scene_animation(struct audit_result *out, const struct scene *s, slong orbi
 /* The same of the orbit of a source; false where its motion cannot be enclosed. */
 bool table_of_animation(struct audit_result *out, const struct table_source *s);
 /* bifurcations.tsv: every branch of orbits along a line of one parameter; SS_UNABLE when a change can
-   be missing. */
+   be missing.  The samples stand where the curves were followed in double precision, which may differ from one machine
+   to another. */
 int table_of_bifurcations(struct audit_result *out, const struct scene *s, int vary, const fmpq_t from,
                           const fmpq_t to);
 /* stability-map.tsv: the orbits over a plane of two parameters, at most so many values of each, the second running along

@@ -308,11 +308,33 @@ def bifurcation_errors(folder, s):
     samples = [r for r in rows if r["change"] == "-"]
     if len({r["branch"] for r in samples}) < 6:
         yield "along: branches are missing"
-    for row in samples[::41]:
+    shown = period_panel(folder, rows)
+    for row in samples[::7]:
         near = [o for o in orbits_at(e2=row["e2"]) if not off(row["trace"], mpf(o["trace"]), 6)]
         said = {"yes": True, "no": False}
         if not any(o["stable"] == said[row["stable"]] and o["admissible"] == said[row["admissible"]] for o in near):
             yield "along: %s, orbit says %s" % (row, near)
+        curve = "c2" if row["admissible"] == "no" else "c0" if row["stable"] == "yes" else "c1"
+        if curve not in shown(row):
+            yield "along: %s is drawn as %s, not %s" % (row, shown(row), curve)
+
+
+def period_panel(folder, rows):
+    """The classes of the curves through a row's point of the lower panel, whose scale two rings tell."""
+    root, at = ET.parse(folder / "bifurcations.svg").getroot(), []
+    for kind in ("fold", "c_v2"):
+        x = pixel(known_changes()[kind], 0.5, 3)
+        row = min((r for r in rows if r["change"] == KIND[kind]), key=lambda r: abs(pixel(r["e2"], 0.5, 3) - x))
+        at.append((float(row["period"]), max(float(c.get("cy")) for c in root.iter(SVG + "circle")
+                                             if abs(float(c.get("cx")) - x) < 0.06)))
+    slope = (at[1][1] - at[0][1]) / (at[1][0] - at[0][0])
+    points = [(p.get("class").split()[1], *map(float, xy)) for p in root.iter(SVG + "path")
+              if p.get("class").startswith("curve c") for xy in re.findall(r"([\d.-]+) ([\d.-]+)", p.get("d"))]
+
+    def classes(row):
+        x, y = pixel(row["e2"], 0.5, 3), at[0][1] + slope * (float(row["period"]) - at[0][0])
+        return {c for c, px, py in points if abs(px - x) < 0.06 and abs(py - y) < 0.6}
+    return classes
 
 
 def shade_at(root, x, y):
