@@ -29,6 +29,23 @@ START_TEST(numbers_are_those_of_other_programs) {
 }
 END_TEST
 
+/* The three pictures that are asked for. */
+static void plot_asked(const char *to, const char *jobs) {
+  char plane[100];
+  plot("paper --along e2=0.5:3", to);
+  snprintf(plane, sizeof plane, "paper --over e1=2.6844:2.8844:3 --over e2=0.5:3:26 --jobs %s", jobs);
+  plot(plane, to);
+  plot("paper --animate", to);
+}
+
+START_TEST(pictures_that_are_asked_for) {
+  plot_asked("one", "1");
+  plot_asked("two", "2");
+  shell_well("diff -r \"$D/one\" \"$D/two\"");
+  shell_well("\"$Y\" tests/oracle/pictures.py \"$D/one\" paper asked");
+}
+END_TEST
+
 START_TEST(the_same_bytes_twice) {
   plot("paper", "0");
   plot("paper", "1");
@@ -45,6 +62,7 @@ START_TEST(pictures_come_from_their_tables_alone) {
   char name[200];
   plot("paper", "one");
   plot("beside-wall", "one");
+  plot_asked("one", "1");
   for (int i = 0; i < report_pictures(); i++) {
     struct source table, svg;
     struct diag d;
@@ -101,8 +119,9 @@ END_TEST
 
 /* Whatever stands in a table, a picture ends, and is well-formed. */
 START_TEST(hostile_tables) {
-  static const char *const tables[] = {"figure-3.tsv", "figure-4.tsv",    "margins.tsv",  "return-map.tsv",
-                                       "long-run.tsv", "differences.tsv", "along-e2.tsv", "phase-planes.tsv"};
+  static const char *const tables[] = {"figure-3.tsv",     "figure-4.tsv",      "margins.tsv",  "return-map.tsv",
+                                       "long-run.tsv",     "differences.tsv",   "along-e2.tsv", "phase-planes.tsv",
+                                       "bifurcations.tsv", "stability-map.tsv", "animation.tsv"};
   enum { N = sizeof tables / sizeof *tables };
   static const char *const bodies[] = {
       "a\tb\tc\td\te\tf\tg\n",
@@ -116,6 +135,13 @@ START_TEST(hostile_tables) {
       "a\tb\tc\n1\t2\t3\n2\t2\t3\n3\t2\t3\n4\t2\t3\n5\t2\t3\n6\t2\t3\n7\t2\t3\n8\t2\t3\n9\t2\t3\n",
       "a\tb\tc\td\te\tf\norbit 1\t<&\to\t1e308\t-1e308\t1e308\norbit 2147483648\tD\to\t1e308\t1e308\t-1e308\n"
       "surface\t-\t-\t-\t-\t1e308\nabove\t-\t-\t-\tinf\t-\n",
+      "change\t<e2&\te2_to\ttrace\tperiod\tstable\tadmissible\tbranch\n-\t1\t-\t1e308\t-1e308\tyes\tno\t1\n"
+      "t_\t1\t2\tnan\tinf\tyes\tyes\t1\nx^{y_{<z\t-1e308\t1\t1\t1\tno\tyes\t2\n-\t5\t-\t1\t1\tno\tyes\t2\n",
+      "what\t_\te1_to\t9_{\te2_to\torbits\tadmissible\tstable\tstatus\ncell\t1\t-\t-1e308\t-\t0\t0\t0\tok\n"
+      "cell\t1\t-\t1e308\t-\t1\t1\t1\tok\ncell\t1\t-\tx\t-\t1\t1\t1\t<\nflip\t1e308\t-\t1\t1e308\t-\t-\t-\t-\n",
+      "phase\tmark\tt\tz_1\tz'_1\tz_2\tz'_2\tpull_1\tpull_2\tlimit_1\tlimit_2\n<\t&\t0\t0\t1\t0\t1\t1\t1\t1\t-\n"
+      "D\tO\t1\t2\t1e308\t9\t1\t1\t1e-9\t1e308\t-\nH\t-\t1e-9\tnan\t1\t1\t1\t1\t1\t1\t-"
+      "\nC\td\t2\t1\t1\t1\t1\t1\t1\t1\t1\n",
       "0.5\t1\t2\t3\n-1\t-2\t-3\t-4\n-1e15\t-1e15\t1\t2\n\n\n-3\n"};
   struct text all;
   text_init(&all);
@@ -221,6 +247,7 @@ Suite *pictures_suite(void) {
   tcase_add_checked_fixture(c, scratch_open, scratch_close);
   tcase_set_timeout(c, 120);
   tcase_add_loop_test(c, numbers_are_those_of_other_programs, 0, 5);
+  tcase_add_test(c, pictures_that_are_asked_for);
   tcase_add_test(c, the_same_bytes_twice);
   tcase_add_test(c, pictures_come_from_their_tables_alone);
   tcase_add_test(c, the_gap_is_that_of_the_claim);

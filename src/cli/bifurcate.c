@@ -164,17 +164,16 @@ static void all_text(struct text *out, const struct dyn_bifurcations *list, cons
 
 /* --- The command. --- */
 
+void warn_missed(const struct scene *s) {
+  fprintf(stderr, "%s: warning: a search or a branch ran into its limits; there may be more changes\n", s->path);
+}
+
 static int show(const struct scene *s, const struct range *a, const struct options *o, slong digits) {
   struct dyn_bifurcations list;
   const fmpq *u[2];
-  for (int i = 0; i < 2; i++) u[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+  scene_static_friction(u, s);
   int found = dyn_bifurcations_find(&list, s->value, a->vary, a->from, a->to, u, digits, STARTS);
-  if (found & SS_DOMAIN) {
-    dyn_bifurcations_clear(&list);
-    return usage("the ends of --along %.200s cannot be told apart or held in double precision", option(o, OPT_ALONG));
-  }
-  if (found != SS_OK || list.missed)
-    fprintf(stderr, "%s: warning: a search or a branch ran into its limits; there may be more changes\n", s->path);
+  if (found != SS_OK || list.missed) warn_missed(s);
   struct text out;
   text_init(&out);
   if (option(o, OPT_JSON))

@@ -117,8 +117,10 @@ void range_clear(struct range *r);
 /* NAME=A:B in len bytes; an exit status, after a message that names the option.  shape: what is said when text has
    another form, with a %s for the option and a %.200s for the text. */
 int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len);
-/* --along, whose ends differ: of one of the paper's parameters, or, with name, of any, which is added to it. */
+/* --along, whose ends differ, in double precision too: of one of the paper's parameters, or, with name, of any, which is added to it. */
 int parse_along(struct range *r, struct text *name, const struct options *o);
+/* Says that changes along a line can be missing. */
+void warn_missed(const struct scene *s);
 /* The values must keep u_r above e, as a scene does. */
 int range_check_friction(const struct range *r, const struct scene *s, const char *option, const char *text);
 

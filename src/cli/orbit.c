@@ -118,7 +118,7 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
   static const char *const word[] = {"broken", "holds", "open"};
   const fmpq *u[2];
   struct dyn_margins m;
-  for (int i = 0; i < 2; i++) u[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+  scene_static_friction(u, s);
   dyn_margins_init(&m);
   if (dyn_margins_find(&m, s->value, o, u[0], u[1], 128) == SS_OK) {
     text_printf(out, "  %-12s %-6s %-20s %s\n", "inequality", "", "margin", "at t");

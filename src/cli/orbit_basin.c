@@ -35,7 +35,7 @@ static const char *reason(const struct dyn_basin *b) {
 
 static void find(struct dyn_basin *b, const struct dyn_orbit *o, const struct scene *s) {
   const fmpq *u[2];
-  for (int i = 0; i < 2; i++) u[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+  scene_static_friction(u, s);
   dyn_basin_init(b);
   dyn_basin_find(b, s->value, u, o);
 }

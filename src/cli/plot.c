@@ -3,6 +3,7 @@
 #include "mech/orbit.h"
 #include "report/report.h"
 #include "run/tables.h"
+#include "sweep.h"
 #include "word_orbits.h"
 
 /* Tables, then pictures, and says which. */
@@ -39,31 +40,120 @@ static bool system_tables(struct audit_result *r, const char **why, const struct
   return ok;
 }
 
-int run_plot(const struct options *o, const char *data) {
+/* --- Along a line, over a plane, in motion --- */
+
+static int draw_along(struct audit_result *r, const struct scene *s, const struct options *o) {
+  struct range a;
+  range_init(&a);
+  int status = parse_along(&a, NULL, o);
+  if (!status) status = range_check_friction(&a, s, "--along", option(o, OPT_ALONG));
+  if (!status && table_of_bifurcations(r, s, a.vary, a.from, a.to) != SS_OK) warn_missed(s);
+  range_clear(&a);
+  return status;
+}
+
+static int parse_plane(struct range range[MAX_OVER], struct dyn_axis axis[MAX_OVER], int *n, const struct scene *s,
+                       const struct options *o) {
+  static const struct over_rule rule = {"%s takes NAME=A:B or NAME=A:B:N, as in e2=0.5:3, not %.200s",
+                                        "--over %.200s: N is a whole number from 2 to 400", 2, TABLE_MOST_SIDE, 97};
+  const struct words *over = &o->given[OPT_OVER];
+  if (over->n < MAX_OVER) return usage("plot takes --over twice, for both axes of a map%s", "");
+  for (int status; *n < MAX_OVER; ++*n) {
+    status = parse_over(&range[*n], &axis[*n], over->word[*n], *n ? &range[0] : NULL, &rule);
+    if (status) return status;
+  }
+  int status = EXIT_AS_RECORDED;
+  for (int i = 0; i < MAX_OVER && !status; i++) status = range_check_friction(&range[i], s, "--over", over->word[i]);
+  return status;
+}
+
+static int draw_plane(struct audit_result *r, const struct scene *s, const struct options *o, struct diag *d) {
+  struct crew_tally tally = {.tell = progress_wanted() ? progress_count : NULL};
+  struct range range[MAX_OVER];
+  struct dyn_axis axis[MAX_OVER];
+  int jobs, n = 0, status = parse_jobs(&jobs, o);
+  for (int i = 0; i < MAX_OVER; i++) range_init(&range[i]);
+  if (!status) status = parse_plane(range, axis, &n, s, o);
+  progress_begin();
+  if (!status && !table_of_map(r, s, axis, jobs, &tally, d)) status = EXIT_INPUT;
+  progress_end();
+  while (n > 0) dyn_axis_clear(&axis[--n]);
+  for (int i = 0; i < MAX_OVER; i++) range_clear(&range[i]);
+  return status;
+}
+
+static int draw_motion(struct audit_result *r, const struct scene *s, const struct options *o, struct diag *d) {
+  slong orbit;
+  bool printed;
+  int status = parse_start(&orbit, &printed, o);
+  if (!status && printed) return usage("plot takes --at orbit:%s", "K");
+  if (!status && !scene_animation(r, s, orbit, d)) status = EXIT_INPUT;
+  return status;
+}
+
+/* The pictures that are asked for by name; *any: there are some. */
+static int draw_asked(struct audit_result *r, bool *any, const struct scene *s, const struct options *o,
+                      struct diag *d) {
+  static const enum option asked[] = {OPT_ALONG, OPT_OVER, OPT_ANIMATE};
+  static const char *const name[] = {"--along", "--over", "--animate"};
+  int status = EXIT_AS_RECORDED;
+  for (int i = 0; i < 3 && !status; i++) {
+    if (o->given[asked[i]].n == 0) continue;
+    *any = true;
+    if (s->system)
+      diag_set(d, "%s: error: %s is of the paper's two masses", s->path, name[i]);
+    else if (i < 2 && !scene_has_forces(s))
+      diag_set(d, "%s: error: plot %s needs a scene that gives e1 and e2", s->path, name[i]);
+    else
+      status = i == 0 ? draw_along(r, s, o) : i == 1 ? draw_plane(r, s, o, d) : draw_motion(r, s, o, d);
+    if (d->set) status = EXIT_INPUT;
+  }
+  return status;
+}
+
+/* The usual ones. */
+static bool draw_usual(struct audit_result *r, const struct scene *s, const char *data, struct diag *d) {
+  const char *why = NULL;
+  bool ok = true;
+  if (s->system)
+    ok = system_tables(r, &why, s, data, d);
+  else
+    why = audit_tables(r, s);
+  if (why) diag_set(d, "%s: error: nothing to draw: %s", s->path, why);
+  return ok && !why;
+}
+
+static int plot_scene(struct audit_result *r, const struct scene *s, const struct options *o, const char *data,
+                      struct diag *d) {
   const char *out = option(o, OPT_OUT);
+  struct text folder;
+  bool any = false;
+  if (out && !folder_possible(out, d)) return EXIT_INPUT;
+  int status = draw_asked(r, &any, s, o, d);
+  if (!status && !any && !draw_usual(r, s, data, d)) status = EXIT_INPUT;
+  if (status) return status;
+  text_init(&folder);
+  if (out)
+    text_add(&folder, out);
+  else
+    text_printf(&folder, "reports/%s", s->folder);
+  if (!write_pictures(text_str(&folder), r, d)) status = EXIT_INPUT;
+  text_clear(&folder);
+  return status;
+}
+
+int run_plot(const struct options *o, const char *data) {
   if (o->operands.n != 1) return usage("plot takes one scene%s", "");
+  if (option(o, OPT_AT) && !option(o, OPT_ANIMATE)) return usage("plot takes --at with --animate alone%s", "");
   struct diag d;
   struct scene s;
   struct audit_result r;
-  struct text folder;
   diag_init(&d);
-  text_init(&folder);
   audit_result_init(&r);
-  const char *why = NULL;
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d) &&
-            (s.system || scene_four_phases(&s, &d)) && (!out || folder_possible(out, &d));
-  if (ok && s.system)
-    ok = system_tables(&r, &why, &s, data, &d);
-  else if (ok)
-    why = audit_tables(&r, &s);
-  if (why) diag_set(&d, "%s: error: nothing to draw: %s", s.path, why);
-  if (ok && out)
-    text_add(&folder, out);
-  else if (ok)
-    text_printf(&folder, "reports/%s", s.folder);
-  ok = ok && !why && write_pictures(text_str(&folder), &r, &d);
+            (s.system || scene_four_phases(&s, &d));
+  int status = ok ? plot_scene(&r, &s, o, data, &d) : EXIT_INPUT;
   scene_clear(&s);
   audit_result_clear(&r);
-  text_clear(&folder);
-  return ok ? EXIT_AS_RECORDED : bad_input(&d);
+  return status == EXIT_INPUT ? bad_input(&d) : status;
 }

@@ -1,4 +1,5 @@
 /* NAME=A:B, the values that one parameter runs through. */
+#include <math.h>
 #include <string.h>
 
 #include "cli.h"
@@ -84,7 +85,10 @@ int parse_along(struct range *r, struct text *name, const struct options *o) {
     text_add_n(name, text, (size_t)(at[0] - text));
     status = evaluate(r, at, text + strlen(text), option_name);
   }
-  if (!status && fmpq_cmp(r->from, r->to) == 0) status = usage("the ends of --along %.200s are equal", text);
+  if (!status && fmpq_cmp(r->from, r->to) == 0) return usage("the ends of --along %.200s are equal", text);
+  double from = fmpq_get_d(r->from), to = fmpq_get_d(r->to);
+  if (!status && !name && !(fmin(from, to) > 0 && from != to && (r->vary != P_CHI || fmax(from, to) < 1)))
+    return usage("the ends of --along %.200s cannot be told apart or held in double precision", text);
   return status;
 }
 

@@ -5,25 +5,21 @@
 
 enum { DEFAULT_EVERY = 4096, DEFAULT_SEARCHES = 128, MOST_SWEEP_DIGITS = 15 };
 
-static const char shape[] = "%s takes NAME=A:B:N, as in e2=0.8:0.9:20000, not %.200s";
-
-/* NAME=A:B:N, the i-th one. */
-static int parse_axis(struct sweep *q, int i, const char *text) {
+int parse_over(struct range *r, struct dyn_axis *axis, const char *text, const struct range *other,
+               const struct over_rule *rule) {
   const char *colon = strrchr(text, ':');
-  unsigned long long n;
-  struct range *r = &q->range[i];
-  int status = range_parse(r, "--over", shape, text, colon ? (size_t)(colon - text) : strlen(text));
+  unsigned long long n = (unsigned long long)rule->usual;
+  bool given = colon && (!n || strchr(text, ':') != colon);
+  int status = range_parse(r, "--over", rule->shape, text, given ? (size_t)(colon - text) : strlen(text));
   if (status) return status;
-  if (!parse_whole(&n, colon + 1, false, MOST_POINTS))
-    return usage("--over %.200s: N is a whole number from 1 to 1000000000", text);
+  if (given && (!parse_whole(&n, colon + 1, false, rule->most) || n < rule->least)) return usage(rule->number, text);
   if ((n == 1) != fmpq_equal(r->from, r->to))
     return usage(n == 1 ? "--over %.200s: one value cannot be both ends" : "the ends of --over %.200s are equal", text);
-  if (i == 1 && q->range[0].vary == r->vary) return usage("both --over vary %s", scene_key_name[r->vary]);
+  if (other && other->vary == r->vary) return usage("both --over vary %s", scene_key_name[r->vary]);
   double held[2];
   if (num_double.set_q(&held[0], r->from, 53) || num_double.set_q(&held[1], r->to, 53))
     return usage("the ends of --over %.200s cannot be held in double precision", text);
-  dyn_axis_init(&q->axis[i], r->vary, r->from, r->to, (slong)n);
-  q->n_axes = i + 1;
+  dyn_axis_init(axis, r->vary, r->from, r->to, (slong)n);
   return EXIT_AS_RECORDED;
 }
 
@@ -47,6 +43,8 @@ static int plan(struct sweep *q) {
 }
 
 static int parse_request(struct sweep *q, const struct options *o) {
+  static const struct over_rule rule = {"%s takes NAME=A:B:N, as in e2=0.8:0.9:20000, not %.200s",
+                                        "--over %.200s: N is a whole number from 1 to 1000000000", 1, MOST_POINTS, 0};
   const char *csv = option(o, OPT_CSV), *search = option(o, OPT_SEARCH_EVERY);
   bool json = option(o, OPT_JSON);
   const struct words *over = &o->given[OPT_OVER];
@@ -64,7 +62,10 @@ static int parse_request(struct sweep *q, const struct options *o) {
   q->every = (slong)every;
   q->json = json;
   q->all = option(o, OPT_ALL) || json;
-  for (int i = 0; i < over->n && !status; i++) status = parse_axis(q, i, over->word[i]);
+  for (int i = 0; i < over->n && !status; i++) {
+    status = parse_over(&q->range[i], &q->axis[i], over->word[i], i ? &q->range[0] : NULL, &rule);
+    q->n_axes += !status;
+  }
   return status ? status : plan(q);
 }
 

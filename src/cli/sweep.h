@@ -27,6 +27,18 @@ struct sweep {
   slong unit, per_line, lines, units, points; /* points of a unit, units of a line, and how many there are */
 };
 
+/* What --over takes: the words where it has another shape, how many values, and how many without :N (0: it must be
+   given). */
+struct over_rule {
+  const char *shape, *number;
+  unsigned long long least, most;
+  slong usual;
+};
+/* NAME=A:B:N; other: the range that may not vary the same, or NULL.  An exit status; the axis is initialised when it is
+   EXIT_AS_RECORDED. */
+int parse_over(struct range *r, struct dyn_axis *axis, const char *text, const struct range *other,
+               const struct over_rule *rule);
+
 static inline const struct dyn_axis *sweep_line_axis(const struct sweep *q) {
   return &q->axis[q->n_axes - 1];
 }

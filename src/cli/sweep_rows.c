@@ -224,7 +224,7 @@ void sweep_rows(struct text *out, const struct sweep *q, slong unit) {
   }
   if (q->n_axes > 1) dyn_axis_q(&params[q->range[0].vary], &q->axis[0], line);
   r.params = params;
-  for (int i = 0; i < 2; i++) r.u_r[i] = q->scene.given[KEY_U_R1 + i] ? &q->scene.value[KEY_U_R1 + i] : NULL;
+  scene_static_friction(r.u_r, &q->scene);
   if (dyn_family_find(&f, &r, begin, end) != SS_OK)
     abort(); /* the ends of each axis are in the domain, and so is what lies between */
   unit_text(out, q, &f, unit, begin);

@@ -299,7 +299,7 @@ static bool settled(const struct dyn_bifurcation *b) {
 /* The line, and what is known of it so far. */
 struct line {
   struct dyn_bifurcations *list;
-  size_t cap, cap_branches;
+  size_t cap, cap_branches, cap_spots;
   const fmpq *params;
   const fmpq *u_r[2];
   int vary;
@@ -340,11 +340,12 @@ static bool matters(const struct dyn_bifurcation *b) {
   return t[0] == TRUTH_UNKNOWN || t[1] == TRUTH_UNKNOWN || t[0] != t[1];
 }
 
-static void add_change(struct line *l, bool up, const struct crossing *c) {
+static void add_change(struct line *l, bool up, const struct crossing *c, double place) {
   struct dyn_bifurcations *list = l->list;
   list->at = ss_grow(list->at, (size_t)list->n, &l->cap, sizeof *list->at);
   struct dyn_bifurcation *b = &list->at[list->n];
   bifurcation_init(b, c, list->n_branches);
+  b->place = place;
   prove_change(b, l, up, c);
   if (matters(b))
     list->n++;
@@ -365,6 +366,12 @@ static void mark_starts(struct line *l, const struct trace *t, const struct spot
     struct start *s = &l->start[i];
     if (!s->done && s->up == t->curve->up && trace_passes(t, a, b, s->x)) s->done = true;
   }
+}
+
+static void add_spot(struct line *l, const double x[3], double place) {
+  struct dyn_bifurcations *list = l->list;
+  list->spot = ss_grow(list->spot, (size_t)list->n_spots, &l->cap_spots, sizeof *list->spot);
+  list->spot[list->n_spots++] = (struct dyn_spot){list->n_branches, place, {x[0], x[1], x[2]}};
 }
 
 /* One direction from a start; the end of the branch goes to place `end` of it.  false when the curve is closed. */
@@ -389,7 +396,8 @@ static bool follow(struct line *l, struct dyn_branch *br, int end, const struct 
     if (!trace_crossings(c, &n, &l->list->missed, &t, &before, &t.now)) return true;
     bool ended = false;
     for (int k = 0; k < n && !ended; k++) {
-      add_change(l, curve->up, &c[k]);
+      double place = (double)i + (k + 1.0) / (n + 1.0);
+      add_change(l, curve->up, &c[k], end ? place : -place);
       ended = c[k].what >= CHANGE_H_V1;
       if (!ended) continue;
       br->end[end] = END_CHANGE;
@@ -401,6 +409,7 @@ static bool follow(struct line *l, struct dyn_branch *br, int end, const struct 
     br->span[0] = fmin(br->span[0], last[0]);
     br->span[1] = fmax(br->span[1], last[0]);
     if (ended) return true;
+    add_spot(l, last, end ? (double)i + 1 : -(double)i - 1);
     if (i > 3 && trace_passes(&t, &before, &t.now, first.x)) {
       br->end[0] = br->end[1] = END_CLOSED;
       for (int k = 0; k < 3; k++) br->from[k] = last[k];
@@ -417,6 +426,7 @@ static void follow_branch(struct line *l, const struct start *from) {
   struct dyn_branch *br = &list->branch[list->n_branches];
   *br = (struct dyn_branch){.span = {from->x[0], from->x[0]}, .up = from->up};
   curve_init(&curve, l->params, l->vary, from->up, from->x[1], l->u_r, 128);
+  add_spot(l, from->x, 0);
   if (follow(l, br, 1, &curve, from)) follow(l, br, 0, &curve, from);
   curve_clear(&curve);
   list->n_branches++;
@@ -475,7 +485,7 @@ static int by_value(const void *x, const void *y) {
 
 int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int vary, const fmpq_t from,
                           const fmpq_t to, const fmpq *const u_r[2], slong digits, slong starts) {
-  *list = (struct dyn_bifurcations){NULL, 0, NULL, 0, 0};
+  *list = (struct dyn_bifurcations){.n = 0};
   struct line l = {.list = list, .params = params, .u_r = {u_r[0], u_r[1]}, .vary = vary, .digits = digits};
   double ends[2] = {fmpq_get_d(from), fmpq_get_d(to)};
   l.low = fmin(ends[0], ends[1]);
@@ -495,6 +505,7 @@ int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int
 void dyn_bifurcations_clear(struct dyn_bifurcations *list) {
   for (slong i = 0; i < list->n; i++) bifurcation_clear(&list->at[i]);
   free(list->at);
+  free(list->spot);
   free(list->branch);
-  *list = (struct dyn_bifurcations){NULL, 0, NULL, 0, 0};
+  *list = (struct dyn_bifurcations){.n = 0};
 }

@@ -53,6 +53,7 @@ struct dyn_beside {
 struct dyn_bifurcation {
   enum dyn_change what;
   slong branch, digits, prec; /* digits: of the bracket; prec: working precision of the proof */
+  double place;               /* on the branch, as struct dyn_spot has it */
   fmpq low, high;             /* the parameter lies between them */
   arb_t tb, tc;               /* of the orbit there */
   arb_t trace;                /* likewise; indeterminate where it has a pole */
@@ -77,9 +78,16 @@ struct dyn_branch {
   enum dyn_change change[2]; /* where the end is END_CHANGE */
   bool up;                   /* phase C ends at a maximum of z_2 - z_1 */
 };
+/* Where a branch was met as it was followed, in double precision; the place counts along it. */
+struct dyn_spot {
+  slong branch;
+  double place, x[3]; /* parameter, t_b, t_c */
+};
 struct dyn_bifurcations {
   struct dyn_bifurcation *at; /* by increasing parameter */
   slong n;
+  struct dyn_spot *spot;
+  slong n_spots;
   struct dyn_branch *branch;
   slong n_branches;
   slong missed; /* sign changes that could not be narrowed down */

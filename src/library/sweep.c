@@ -66,7 +66,7 @@ static int sweep_line(const struct library_line *l, const struct ss_scene *s, si
   dyn_axis_init(&axis, l->vary, l->from, l->to, (slong)n);
   struct dyn_family_request q = {
       .params = s->s.value, .axis = &axis, .every = every ? (slong)every : usual_every((slong)n), .late = true};
-  for (int i = 0; i < 2; i++) q.u_r[i] = s->s.given[KEY_U_R1 + i] ? &s->s.value[KEY_U_R1 + i] : NULL;
+  scene_static_friction(q.u_r, &s->s);
   int status = tell_all(&q, f, self);
   dyn_axis_clear(&axis);
   return status;

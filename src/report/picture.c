@@ -5,9 +5,9 @@
 #include "report.h"
 #include "sections.h"
 
-static const struct picture *const pictures[] = {&picture_history,    &picture_margins,  &picture_portrait,
-                                                 &picture_return_map, &picture_long_run, &picture_steps,
-                                                 &picture_along,      &picture_planes};
+static const struct picture *const pictures[] = {
+    &picture_history, &picture_margins, &picture_portrait,     &picture_return_map, &picture_long_run, &picture_steps,
+    &picture_along,   &picture_planes,  &picture_bifurcations, &picture_map,        &picture_animation};
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
 static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *style) {
@@ -93,7 +93,8 @@ void page_pictures(const struct page *p) {
            "curves differ in dash as well as in colour. The words of every picture stand in it for a screen "
            "reader.</p>\n<div class=\"plots\">\n");
   for (int i = 0; i < N_PICTURES; i++)
-    if (pictures[i] != &picture_portrait && pictures[i] != &picture_along) page_picture(p, pictures[i], NULL);
+    if (pictures[i]->say && pictures[i] != &picture_portrait && pictures[i] != &picture_along)
+      page_picture(p, pictures[i], NULL);
   text_add(p->out, "</div>\n");
   add_neighbours(p);
   text_add(p->out, "</details>\n");

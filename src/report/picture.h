@@ -6,7 +6,8 @@
 
 struct picture {
   const char *id, *table, *title; /* the SVG's file is id.svg; text with mathematics as html_text has it */
-  void (*say)(struct text *out, const struct rows *t);  /* for who sees it: what follows; $...$ is mathematics */
+  /* For who sees it: what follows, $...$ being mathematics; NULL for a picture that does not stand in the page. */
+  void (*say)(struct text *out, const struct rows *t);
   void (*tell)(struct text *out, const struct rows *t); /* for who does not: what is there; plain text */
   void (*draw)(struct plot *p, const struct rows *t);
 };
@@ -14,7 +15,12 @@ struct picture {
 extern const struct picture picture_history, picture_portrait;                /* picture_motion.c */
 extern const struct picture picture_return_map;                               /* picture_return.c */
 extern const struct picture picture_margins, picture_long_run, picture_steps; /* picture_curves.c */
-extern const struct picture picture_along;                                    /* picture_along.c */
+extern const struct picture picture_along, picture_bifurcations;              /* picture_along.c */
+extern const struct picture picture_map;                                      /* picture_map.c */
+extern const struct picture picture_animation;                                /* picture_animation.c */
 extern const struct picture picture_planes;                                   /* picture_system.c */
+
+/* Where phases end, by the columns of their names and times, lines with the names between (picture_curves.c). */
+void picture_phases(struct plot *p, const struct rows *t, size_t phase, size_t time);
 
 #endif

@@ -1,12 +1,25 @@
-/* The solution along e2: its multiplier and its period, and for which e2 it is stable and admissible. */
+/* Orbits along a parameter: their multipliers and periods, and where they are stable and admissible.  In the letter it is
+   one orbit along e2; with branches, every one that is found, with the changes listed below. */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "picture.h"
 
-enum { CHANGE, E2, E2_TO, TRACE, PERIOD, STABLE, ADMISSIBLE };
+enum { CHANGE, E2, E2_TO, TRACE, PERIOD, STABLE, ADMISSIBLE, BRANCH };
+/* Beyond these tr J is cut off where there are branches. */
+#define MOST_TRACE 2
 
 static bool is_change(const struct rows *t, size_t i) {
   return !rows_is(t, i, CHANGE, "-");
+}
+
+static bool has_branches(const struct rows *t) {
+  return t->columns > BRANCH;
+}
+
+static bool same_branch(const struct rows *t, size_t i, size_t k) {
+  return !has_branches(t) || rows_is(t, i, BRANCH, t->cell[k][BRANCH]);
 }
 
 /* Stable and admissible there, or just above the change. */
@@ -60,45 +73,63 @@ static void say_along(struct text *out, const struct rows *t) {
 }
 
 static void tell_along(struct text *out, const struct rows *t) {
-  text_add(out, "Two curves against e2, tr J above and the period below.");
-  for (size_t i = 0; i < t->n && t->columns > ADMISSIBLE; i++)
+  if (t->columns <= ADMISSIBLE) return;
+  const char *name = t->heading[E2];
+  text_printf(out, "%s against %s, tr J above and the period below.", has_branches(t) ? "Curves" : "Two curves", name);
+  for (size_t i = 0; i < t->n; i++)
     if (is_change(t, i))
-      text_printf(out, " Near e2 = %s %s.", t->cell[i][E2], t->cell[i][CHANGE]);
-    else if (i == 0 || i + 1 == t->n)
-      text_printf(out, " At e2 = %s tr J is %s and the period %s.", t->cell[i][E2], t->cell[i][TRACE],
+      text_printf(out, " Near %s = %s %s.", name, t->cell[i][E2], t->cell[i][CHANGE]);
+    else if (i == 0 || i + 1 == t->n || !same_branch(t, i - 1, i))
+      text_printf(out, " At %s = %s tr J is %s and the period %s.", name, t->cell[i][E2], t->cell[i][TRACE],
                   t->cell[i][PERIOD]);
 }
 
-/* The samples, good ones apart. */
+/* Which of the key's curves an orbit belongs to: without branches the good ones and all others. */
+static int class_of(const struct rows *t, size_t i) {
+  if (is_good(t, i)) return 0;
+  return has_branches(t) && !rows_is(t, i, ADMISSIBLE, "yes") ? 2 : 1;
+}
+
+/* The samples, curve by curve of the key; where there are branches they pass through the changes. */
 static void add_curve(struct plot *p, const struct rows *t, size_t column) {
-  for (int good = 0; good < 2; good++) {
-    const char *class = good ? "c0" : "c1";
+  static const char *const classes[] = {"c0", "c1", "c2"};
+  for (int k = 2; k >= 0; k--) { /* good ones on top */
+    bool going = false;
+    size_t last = t->n;
     for (size_t i = 0; i < t->n; i++) {
-      bool here = is_good(t, i) == good, before = i > 0 && is_good(t, i - 1) == good;
-      if (is_change(t, i)) continue;
-      if (here || before || (i + 1 < t->n && is_good(t, i + 1) == good))
-        plot_point(p, class, rows_number(t, i, E2), rows_number(t, i, column));
-      else
-        plot_end(p);
+      if (is_change(t, i) && !has_branches(t)) continue;
+      bool joined = last < t->n && same_branch(t, last, i);
+      bool here = joined && class_of(t, is_change(t, i) ? last : i) == k;
+      if (here && !going) plot_point(p, classes[k], rows_number(t, last, E2), rows_number(t, last, column));
+      if (here) plot_point(p, classes[k], rows_number(t, i, E2), rows_number(t, i, column));
+      if (!here) plot_end(p);
+      going = here;
+      last = i;
     }
     plot_end(p);
   }
 }
 
 static void add_panel(struct plot *p, const struct rows *t, size_t column, double top, const char *label) {
+  char name[PLOT_LABEL];
+  parameter_label(name, t->columns > E2 ? t->heading[E2] : "");
   plot_forget(p);
   for (size_t i = 0; i < t->n; i++) {
     if (is_change(t, i)) continue;
+    double y = rows_number(t, i, column);
     plot_hold(&p->low[0], &p->high[0], rows_number(t, i, E2));
-    plot_hold(&p->low[1], &p->high[1], rows_number(t, i, column));
+    if (has_branches(t) && column == TRACE) y = fmin(fmax(y, -MOST_TRACE), MOST_TRACE);
+    plot_hold(&p->low[1], &p->high[1], y);
   }
   plot_widen(p, 1, 0.12, 0.12);
-  plot_panel(p, top, 72, "*e*_2", label);
+  plot_panel(p, top, has_branches(t) ? 150 : 72, name, label);
   if (column == TRACE)
     for (int side = -1; side <= 1; side += 2) plot_line(p, "aid", p->low[0], side, p->high[0], side);
   for (size_t i = 0; i < t->n; i++)
     if (is_change(t, i)) plot_line(p, "aid", rows_number(t, i, E2), p->low[1], rows_number(t, i, E2), p->high[1]);
   add_curve(p, t, column);
+  for (size_t i = 0; i < t->n && has_branches(t); i++)
+    if (is_change(t, i)) plot_dot(p, "open", rows_number(t, i, E2), rows_number(t, i, column));
   plot_free(p);
 }
 
@@ -114,3 +145,75 @@ static void draw_along(struct plot *p, const struct rows *t) {
 
 const struct picture picture_along = {"along-e2", "along-e2.tsv", "The periodic solution as e2 varies",
                                       say_along,  tell_along,     draw_along};
+
+/* --- Every branch --- */
+
+/* The changes from left to right. */
+struct changes {
+  struct numbered {
+    double at;
+    size_t row;
+  } * of;
+  size_t n;
+};
+
+static int by_value(const void *x, const void *y) {
+  const struct numbered *a = x, *b = y;
+  if (a->at != b->at) return a->at < b->at ? -1 : 1;
+  return (a->row > b->row) - (a->row < b->row);
+}
+
+static struct changes find_changes(const struct rows *t) {
+  struct changes c = {ss_malloc((t->n + 1) * sizeof *c.of), 0};
+  for (size_t i = 0; i < t->n; i++)
+    if (is_change(t, i) && !isnan(rows_number(t, i, E2))) c.of[c.n++] = (struct numbered){rows_number(t, i, E2), i};
+  qsort(c.of, c.n, sizeof *c.of, by_value);
+  return c;
+}
+
+/* Their numbers above the panel; those that follow one another stand on different heights. */
+static void add_numbers(struct plot *p, const struct changes *c) {
+  for (size_t k = 0; k < c->n; k++) {
+    char shown[24];
+    snprintf(shown, sizeof shown, "%zu", k + 1);
+    plot_text(p, plot_x(p, c->of[k].at), p->top - 4 - 11 * (double)(k % 3), "middle", shown);
+  }
+}
+
+/* Each with its bracket. */
+static void list_changes(struct plot *p, const struct rows *t, const struct changes *c) {
+  double y = p->bottom + 14;
+  for (size_t k = 0; k < c->n; k++) {
+    const char **cell = t->cell[c->of[k].row];
+    struct text line;
+    text_init(&line);
+    text_printf(&line, "%zu: %s < %s < %s, branch %s:", k + 1, cell[E2], t->heading[E2], cell[E2_TO], cell[BRANCH]);
+    y = plot_lines(p, 4, y, text_str(&line));
+    y = plot_lines(p, 22, y, cell[CHANGE]) + 4;
+    text_clear(&line);
+  }
+  const char *says = c->n ? "Each bracket is proved to hold its change. Everything is dimensionless."
+                          : "No change is found on the line. Everything is dimensionless.";
+  p->bottom = plot_lines(p, 4, y, says);
+}
+
+static void draw_bifurcations(struct plot *p, const struct rows *t) {
+  static const char *const key[][2] = {{"c0", "stable, admissible"},
+                                       {"c1", "unstable, admissible"},
+                                       {"c2", "not admissible"},
+                                       {"dot open", "change"},
+                                       {"aid", "tr *J* = \xc2\xb1"
+                                               "1"}};
+  p->bottom = plot_key(p, key, 5);
+  if (!has_branches(t)) return;
+  struct changes changes = find_changes(t);
+  add_panel(p, t, TRACE, p->bottom + (changes.n ? 44 : 18), "tr *J*");
+  add_numbers(p, &changes);
+  add_panel(p, t, PERIOD, p->bottom + 24, "period *T*");
+  list_changes(p, t, &changes);
+  free(changes.of);
+}
+
+const struct picture picture_bifurcations = {
+    "bifurcations", "bifurcations.tsv", "Periodic orbits along one parameter, with what changes",
+    NULL,           tell_along,         draw_bifurcations};

@@ -50,16 +50,15 @@ static void tell_margins(struct text *out, const struct rows *t) {
   text_add(out, ".");
 }
 
-/* Where a phase begins, a line; its name between. */
-static void add_phases(struct plot *p, const struct rows *t) {
+void picture_phases(struct plot *p, const struct rows *t, size_t phase, size_t time) {
   static const char *const sign[] = {"D", "Gamma", "H", "C"}, *const shown[] = {"D", "\xce\x93", "H", "C"};
   for (size_t i = 0; i < t->n;) {
     size_t k = i;
-    while (k + 1 < t->n && rows_is(t, k + 1, M_PHASE, t->cell[i][M_PHASE])) k++;
-    double from = rows_number(t, i, M_TIME), to = rows_number(t, k, M_TIME);
+    while (k + 1 < t->n && rows_is(t, k + 1, phase, t->cell[i][phase])) k++;
+    double from = rows_number(t, i, time), to = rows_number(t, k, time);
     plot_line(p, "aid", to, p->low[1], to, p->high[1]);
     for (int s = 0; s < 4; s++)
-      if (rows_is(t, i, M_PHASE, sign[s]) && plot_x(p, to) - plot_x(p, from) > 12)
+      if (rows_is(t, i, phase, sign[s]) && plot_x(p, to) - plot_x(p, from) > 12)
         plot_text(p, plot_x(p, (from + to) / 2), p->top + 14, "middle", shown[s]);
     i = k + 1;
   }
@@ -79,7 +78,7 @@ static void draw_margins(struct plot *p, const struct rows *t) {
   plot_panel(p, top + 18, 240, "time *t*", "margin");
   plot_line(p, "frame", p->low[0], 0, p->high[0], 0);
   for (int c = 0; c < M_COLUMNS; c++) add_column(p, t, classes[c], M_TIME, M_FIRST + (size_t)c);
-  add_phases(p, t);
+  picture_phases(p, t, M_PHASE, M_TIME);
   plot_free(p);
 }
 

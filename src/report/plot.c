@@ -38,7 +38,9 @@ bool rows_read(struct rows *t, const struct audit_result *r, const char *name) {
     len = strcspn(text, "\n");
     bool heading = t->columns == 0;
     if (*text != '#') read_row(t, text, len);
-    if (heading && t->columns) t->n = 0;
+    if (!heading || !t->columns) continue;
+    t->heading = t->cell[0];
+    t->n = 0;
   }
   return t->n > 0;
 }
@@ -78,7 +80,23 @@ static const char *fill_of(const char *class) {
   return *class ? PLOT_STROKE : "fill=\"currentColor\" stroke=\"currentColor\"";
 }
 
+const char *plot_shade(const char *class) {
+  static const char *const fill[] = {"fill=\"none\"",
+                                     "fill=\"currentColor\" fill-opacity=\".15\"",
+                                     "fill=\"currentColor\" fill-opacity=\".35\"",
+                                     "fill=\"currentColor\" fill-opacity=\".6\"",
+                                     "fill=\"currentColor\" fill-opacity=\".8\"",
+                                     "fill=\"currentColor\""};
+  return fill[(size_t)(class[strlen(class) - 1] - '0') % (sizeof fill / sizeof *fill)];
+}
+
 /* --- Text --- */
+
+/* Where the sub- or superscript that begins at c ends; NULL where none does. */
+static const char *script_end(const char *c) {
+  if (*c != '_' && !(*c == '^' && c[1] == '{')) return NULL;
+  return c[1] == '{' ? strchr(c, '}') : c[1] ? c + 1 : NULL;
+}
 
 void plot_text(struct plot *p, double x, double y, const char *anchor, const char *text) {
   text_printf(p->out, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor);
@@ -90,14 +108,14 @@ void plot_text(struct plot *p, double x, double y, const char *anchor, const cha
       if (!leaning) text_printf(p->out, "%s%s>", back ? " dy=" : "", back ? back : "");
       if (!leaning) back = NULL;
       leaning = !leaning;
-    } else if (*c == '_' || (*c == '^' && c[1] == '{')) {
+    } else if (script_end(c)) {
       bool below = *c == '_', braced = c[1] == '{';
-      size_t n = braced ? strcspn(c + 2, "}") : 1;
+      const char *end = script_end(c);
       text_printf(p->out, "<tspan dy=\"%s\" font-size=\"9\">", below ? "3" : "-4");
-      escape_html(p->out, c + 1 + braced, n);
+      escape_html(p->out, c + 1 + braced, (size_t)(end - c - 2 * braced));
       text_add(p->out, "</tspan>");
       back = below ? "\"-3\"" : "\"4\"";
-      c += braced ? n + 2 : 1;
+      c = end;
     } else {
       size_t n = strcspn(c, "*_^");
       if (n == 0) n = 1;
@@ -109,6 +127,14 @@ void plot_text(struct plot *p, double x, double y, const char *anchor, const cha
     }
   }
   text_add(p->out, leaning ? "</tspan></text>\n" : "</text>\n");
+}
+
+void parameter_label(char label[PLOT_LABEL], const char *name) {
+  static const char *const greek[][2] = {{"chi", "*\xcf\x87*"}, {"eta", "*\xce\xb7*"}};
+  size_t one = strcspn(name, "0123456789");
+  snprintf(label, PLOT_LABEL, name[one] ? "*%.*s*_{%s}" : "*%.*s*%s", (int)(one < 20 ? one : 20), name, name + one);
+  for (size_t i = 0; i < sizeof greek / sizeof *greek; i++)
+    if (strcmp(name, greek[i][0]) == 0) snprintf(label, PLOT_LABEL, "%s", greek[i][1]);
 }
 
 /* --- Axes --- */
@@ -243,10 +269,16 @@ void plot_line(struct plot *p, const char *class, double x0, double y0, double x
   plot_end(p);
 }
 
-void plot_dot(struct plot *p, const char *class, double x, double y) {
+void plot_dot_of(struct plot *p, const char *classes, double x, double y, double radius) {
   if (isnan(x) || isnan(y)) return;
-  text_printf(p->out, "<circle class=\"dot %s\" %s cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" />\n", class, fill_of(class),
-              near_frame(plot_x(p, x)), near_frame(plot_y(p, y)));
+  text_printf(p->out, "<circle class=\"%s\" %s cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" />\n", classes, fill_of(classes + 4),
+              near_frame(plot_x(p, x)), near_frame(plot_y(p, y)), radius);
+}
+
+void plot_dot(struct plot *p, const char *class, double x, double y) {
+  char classes[40];
+  snprintf(classes, sizeof classes, "dot %s", class);
+  plot_dot_of(p, classes, x, y, 3.5);
 }
 
 /* What a label is about as wide as, in pixels. */
@@ -254,6 +286,22 @@ static double width_of(const char *text) {
   double n = 0;
   for (; *text; text++) n += !strchr("*_^{}", *text) && ((unsigned char)*text & 0xC0) != 0x80; /* characters */
   return 6.3 * n;
+}
+
+double plot_lines(struct plot *p, double x, double y, const char *words) {
+  size_t most = (size_t)((PLOT_WIDTH - x) / 6.3);
+  for (; *words; y += 15) {
+    size_t n = strlen(words);
+    if (n > most)
+      for (n = most; n > 1 && words[n] != ' ';) n--;
+    struct text line;
+    text_init(&line);
+    text_add_n(&line, words, n);
+    plot_text(p, x, y, "start", text_str(&line));
+    text_clear(&line);
+    words += n + (words[n] == ' ');
+  }
+  return y;
 }
 
 double plot_key(struct plot *p, const char *const (*entry)[2], int n) {
@@ -264,8 +312,12 @@ double plot_key(struct plot *p, const char *const (*entry)[2], int n) {
       x = 4;
       y += 16;
     }
-    bool dot = strncmp(entry[i][0], "dot", 3) == 0;
-    if (dot)
+    bool dot = strncmp(entry[i][0], "dot", 3) == 0, shade = strncmp(entry[i][0], "shade", 5) == 0;
+    if (shade)
+      text_printf(p->out,
+                  "<rect class=\"%s\" %s stroke=\"currentColor\" x=\"%.1f\" y=\"%.1f\" width=\"22\" height=\"10\" />\n",
+                  entry[i][0], plot_shade(entry[i][0]), x, y - 9);
+    else if (dot)
       text_printf(p->out, "<circle class=\"%s\" %s cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" />\n", entry[i][0],
                   fill_of(entry[i][0] + 3), x + 11, y - 4);
     else

@@ -12,6 +12,7 @@
 /* The rows of a table as text; cells point into the arena. */
 struct rows {
   struct arena arena;
+  const char **heading;
   const char ***cell; /* [row][column] */
   size_t n, cap, columns;
 };
@@ -56,6 +57,10 @@ void plot_end(struct plot *p);
 /* A straight line, in numbers of the axes. */
 void plot_line(struct plot *p, const char *class, double x0, double y0, double x1, double y1);
 void plot_dot(struct plot *p, const char *class, double x, double y);
+/* The same with all of its classes and its radius. */
+void plot_dot_of(struct plot *p, const char *classes, double x, double y, double radius);
+/* Attributes of what is filled, for where no style sheet is read, by the class's last digit: darker and darker. */
+const char *plot_shade(const char *class);
 /* Where a number lies, in pixels. */
 double plot_x(const struct plot *p, double x);
 double plot_y(const struct plot *p, double y);
@@ -63,7 +68,12 @@ double plot_y(const struct plot *p, double y);
 void plot_widen(struct plot *p, int axis, double below, double above);
 /* Text at pixels: _1 and _{..} are subscripts, ^{..} a superscript, *z* leans.  anchor: start, middle, end. */
 void plot_text(struct plot *p, double x, double y, const char *anchor, const char *text);
-/* A key of n curves, in lines from the top of the picture; class and text of each.  Its height. */
+/* Words in lines of the picture's width from there down; where the next line would be. */
+double plot_lines(struct plot *p, double x, double y, const char *words);
+/* The name of a parameter, as scenes have it, in the same markup. */
+enum { PLOT_LABEL = 80 };
+void parameter_label(char label[PLOT_LABEL], const char *name);
+/* A key of n curves, dots (class "dot ...") or filled parts ("shade ..."), in lines from the top of the picture; class and text of each.  Its height. */
 double plot_key(struct plot *p, const char *const (*entry)[2], int n);
 
 #endif

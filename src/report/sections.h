@@ -23,7 +23,8 @@ void page_picture(const struct page *p, const struct picture *q, const char *wor
    by a sign besides its colour; the script filters, sorts and opens what is there without it.  picture_alone: colours
    of a picture that is a document of its own; page_belt: the two masses on the belt, in the page's own colours, and in
    words; page_nav: the links at the head; page_filter: what the script alone can use; page_limits: items of a list. */
-extern const char page_css[], page_js[], picture_css[], picture_alone_css[], page_belt_svg[];
+extern const char page_css[], page_js[], picture_css[], picture_alone_css[], picture_map_css[], picture_animation_css[],
+    page_belt_svg[];
 extern const char page_nav_html[], page_filter_html[], page_limits_html[];
 
 #endif

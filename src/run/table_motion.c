@@ -11,6 +11,7 @@ enum { DECIMALS = 6, SAMPLES = 200, LEAST_SAMPLES = 6, MOST_SAMPLES = 2000 };
 
 struct motion_tables {
   struct text history, portrait, margins;
+  struct text *animation; /* this alone is made where it is not NULL */
 };
 
 /* How many pieces a phase is cut into. */
@@ -21,18 +22,42 @@ static long pieces(const struct dyn_arc *arc, int ph) {
   return n < LEAST_SAMPLES ? LEAST_SAMPLES : n > MOST_SAMPLES ? MOST_SAMPLES : (long)n;
 }
 
+/* What pulls on the masses: w = z_1 - chi z_2 and chi r. */
+static void set_pulls(arb_t w, arb_t chi_r, const struct table_source *s, const struct num_vec *z) {
+  arb_mul(w, num_vec_at(&s->params, P_CHI), num_vec_at(z, Z_2), FIRST_PREC);
+  arb_sub(w, num_vec_at(z, Z_1), w, FIRST_PREC);
+  arb_sub(chi_r, num_vec_at(z, Z_2), num_vec_at(z, Z_1), FIRST_PREC);
+  arb_mul(chi_r, chi_r, num_vec_at(&s->params, P_CHI), FIRST_PREC);
+}
+
+/* A row of the animation: the state, the pulls, and e_i for a mass that sticks. */
+static void add_frame(struct text *out, const struct table_source *s, enum phase ph, const char *mark, const arb_t time,
+                      const struct num_vec *z) {
+  arb_t pull[2];
+  for (int i = 0; i < 2; i++) arb_init(pull[i]);
+  set_pulls(pull[0], pull[1], s, z);
+  text_printf(out, "%s\t%s", phase_name[ph], mark);
+  table_number(out, time, DECIMALS);
+  for (int i = 0; i < N_STATE; i++) table_number(out, num_vec_at(z, (i % 2) * 2 + i / 2), DECIMALS);
+  for (int i = 0; i < 2; i++) table_number(out, pull[i], DECIMALS);
+  for (int i = 0; i < 2; i++) {
+    if (phase_slips[ph][i])
+      text_add(out, "\t-");
+    else
+      table_number(out, num_vec_at(&s->params, P_E1 + i), DECIMALS);
+  }
+  text_add_char(out, '\n');
+  for (int i = 0; i < 2; i++) arb_clear(pull[i]);
+}
+
 /* What a condition leaves: V - z_i' of a mass that slips, e_i less its pull of one that sticks; "-" for the others. */
 static void add_margins(struct text *out, const struct table_source *s, enum phase ph, const struct num_vec *z) {
   const bool slips[2] = {ph == PHASE_GAMMA || ph == PHASE_H, ph == PHASE_H || ph == PHASE_C};
   arb_t m[4];
   for (int i = 0; i < 4; i++) arb_init(m[i]);
   for (int i = 0; i < 2; i++) arb_sub(m[i], num_vec_at(&s->params, P_V), num_vec_at(z, DZ_1 + i), FIRST_PREC);
-  arb_mul(m[2], num_vec_at(&s->params, P_CHI), num_vec_at(z, Z_2), FIRST_PREC);
-  arb_sub(m[2], m[2], num_vec_at(z, Z_1), FIRST_PREC);
-  arb_add(m[2], m[2], num_vec_at(&s->params, P_E1), FIRST_PREC);
-  arb_sub(m[3], num_vec_at(z, Z_1), num_vec_at(z, Z_2), FIRST_PREC);
-  arb_mul(m[3], m[3], num_vec_at(&s->params, P_CHI), FIRST_PREC);
-  arb_add(m[3], m[3], num_vec_at(&s->params, P_E2), FIRST_PREC);
+  set_pulls(m[2], m[3], s, z);
+  for (int i = 0; i < 2; i++) arb_sub(m[2 + i], num_vec_at(&s->params, P_E1 + i), m[2 + i], FIRST_PREC);
   for (int i = 0; i < 4; i++) {
     if (slips[i % 2] == (i < 2))
       table_number(out, m[i], DECIMALS);
@@ -44,6 +69,10 @@ static void add_margins(struct text *out, const struct table_source *s, enum pha
 
 static void add_row(struct motion_tables *t, const struct table_source *s, const char *motion, enum phase ph,
                     const char *mark, const arb_t time, const struct num_vec *z) {
+  if (t->animation) {
+    add_frame(t->animation, s, ph, mark, time, z);
+    return;
+  }
   text_printf(&t->history, "%s\t%s\t%s", motion, phase_name[ph], mark);
   table_number(&t->history, time, DECIMALS);
   for (int i = 0; i < 2; i++) table_number(&t->history, num_vec_at(z, i), DECIMALS);
@@ -118,7 +147,7 @@ static void add_headings(struct motion_tables *t) {
 }
 
 void tables_of_motion(struct table_source *s) {
-  struct motion_tables t;
+  struct motion_tables t = {.animation = NULL};
   struct dyn_arc arc;
   text_init(&t.history);
   text_init(&t.portrait);
@@ -134,4 +163,24 @@ void tables_of_motion(struct table_source *s) {
   text_clear(&t.margins);
   text_clear(&t.portrait);
   text_clear(&t.history);
+}
+
+bool table_of_animation(struct audit_result *out, const struct table_source *s) {
+  struct text body;
+  struct motion_tables t = {.animation = &body};
+  struct dyn_arc arc;
+  text_init(&body);
+  text_add(&body,
+           "# One period of an orbit, from the beginning of the global stick phase.\n"
+           "# phase D, Gamma, H, C; mark O a b c d: the ends of phases as figure 3 names them; pull_1 = z_1 - chi z_2 "
+           "and pull_2 = chi (z_2 - z_1): what the springs pull with against the motion of the belt, less sliding "
+           "friction; limit_i: e_i while the mass sticks, which it does until its pull is as large.  No dimensions.\n"
+           "phase\tmark\tt\tz_1\tz'_1\tz_2\tz'_2\tpull_1\tpull_2\tlimit_1\tlimit_2\n");
+  dyn_arc_init(&arc, s->params.ctx);
+  bool ok = orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK;
+  if (ok) add_motion(&t, s, "orbit", &arc);
+  if (ok) table_finish(out, "animation.tsv", &body);
+  dyn_arc_clear(&arc);
+  text_clear(&body);
+  return ok;
 }

@@ -38,13 +38,40 @@ const char *study_tables(struct judge *j) {
   return why;
 }
 
-const char *audit_tables(struct audit_result *out, const struct scene *scene) {
-  struct diag d;
-  diag_init(&d);
-  struct judge j = {.out = out, .scene = scene, .cache = orbit_cache_new(), .d = &d};
+static void judge_open(struct judge *j, struct audit_result *out, const struct scene *scene, struct diag *d) {
+  *j = (struct judge){.out = out, .scene = scene, .cache = orbit_cache_new(), .d = d};
   out->scene = result_str(out, "%s", scene->name);
   out->title = result_str(out, "%s", scene->title);
+}
+
+const char *audit_tables(struct audit_result *out, const struct scene *scene) {
+  struct diag d;
+  struct judge j;
+  diag_init(&d);
+  judge_open(&j, out, scene, &d);
   const char *why = study_tables(&j);
   orbit_cache_free(j.cache);
   return why;
+}
+
+bool scene_animation(struct audit_result *out, const struct scene *scene, slong orbit, struct diag *d) {
+  struct judge j;
+  struct table_source s;
+  struct point p;
+  judge_open(&j, out, scene, d);
+  point_init(&p);
+  const char *why = source_init(&s, &j, &p);
+  bool there = !why && orbit < s.list->n;
+  if (!why && !there)
+    diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", scene->path, (long)orbit + 1, (long)s.list->n);
+  if (there && orbit >= 0) s.orbit = &s.list->orbit[orbit];
+  if (there && s.orbit->admissible == TRUTH_FALSE) why = "the orbit is not admissible, so that no masses move like it";
+  for (int i = 0; i < 2 && there; i++)
+    if (!scene->given[KEY_E1 + i]) arb_set(num_vec_at(&s.params, P_E1 + i), i ? s.orbit->e2 : s.orbit->e1);
+  if (there && !why && !table_of_animation(out, &s)) why = "its motion cannot be enclosed";
+  if (why) diag_set(d, "%s: error: nothing to draw: %s", scene->path, why);
+  num_vec_clear(&s.params);
+  point_clear(&p);
+  orbit_cache_free(j.cache);
+  return there && !why;
 }

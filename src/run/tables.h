@@ -5,6 +5,8 @@
 #ifndef STICKSLIP_AUDIT_TABLES_H
 #define STICKSLIP_AUDIT_TABLES_H
 
+#include "base/crew.h"
+#include "explore/family.h"
 #include "judge/behaviour.h"
 #include "mech/orbit.h"
 
@@ -41,6 +43,22 @@ void table_of_long_runs(struct table_source *s);
 void table_of_differences(struct table_source *s);
 /* along-e2.tsv: the orbit and what changes on it when e2 alone is another; none where the scene does not give e2. */
 void table_along_e2(struct table_source *s);
+/* animation.tsv: one period of that orbit of the scene (from 0), or of the nearest to the printed numbers where it is -1;
+   false with d set where there is none. */
+bool scene_animation(struct audit_result *out, const struct scene *s, slong orbit, struct diag *d);
+/* The same of the orbit of a source; false where its motion cannot be enclosed. */
+bool table_of_animation(struct audit_result *out, const struct table_source *s);
+/* bifurcations.tsv: every branch of orbits along a line of one parameter; SS_UNABLE when a change can
+   be missing.  The samples stand where the curves were followed in double precision, which may differ from one machine
+   to another. */
+int table_of_bifurcations(struct audit_result *out, const struct scene *s, int vary, const fmpq_t from,
+                          const fmpq_t to);
+/* stability-map.tsv: the orbits over a plane of two parameters, at most so many values of each, the second running along
+   the lines, with proved points of the boundaries; the tally counts lines.  false with d set when no process can be
+   made. */
+enum { TABLE_MOST_SIDE = 400 };
+bool table_of_map(struct audit_result *out, const struct scene *s, const struct dyn_axis axis[2], int jobs,
+                  struct crew_tally *tally, struct diag *d);
 
 /* statements.tsv: what the paper says, with verdicts and roots. */
 void table_of_statements(struct audit_result *out, const struct claims *statements);

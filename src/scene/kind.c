@@ -7,6 +7,10 @@ bool scene_has_forces(const struct scene *s) {
   return s->given[KEY_E1] && s->given[KEY_E2];
 }
 
+void scene_static_friction(const fmpq *u_r[2], const struct scene *s) {
+  for (int i = 0; i < 2; i++) u_r[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+}
+
 bool scene_is_box(const struct scene *s) {
   for (int k = 0; k < N_SCENE_PARAMS; k++)
     if (s->interval[k]) return true;

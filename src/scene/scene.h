@@ -209,6 +209,8 @@ bool scene_papers_word(const struct scene *s, struct diag *d);
 bool scene_four_phases(const struct scene *s, struct diag *d);
 /* Does the scene give e1 and e2, so that its parameters are exact? */
 bool scene_has_forces(const struct scene *s);
+/* u_r1 and u_r2 where they are given, else NULL. */
+void scene_static_friction(const fmpq *u_r[2], const struct scene *s);
 /* A constant expression (len bytes) as scenes have them, but without names, exact; name stands in the diagnostic. */
 bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d);
 /* The printed number of that name, or NULL. */

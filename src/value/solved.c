@@ -77,7 +77,7 @@ static void question_of(struct dyn_question *q, enum dyn_quantity which[2], fmpq
     which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
     value[n++] = s->value[k];
   }
-  for (int i = 0; i < 2; i++) q->u_r[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+  scene_static_friction(q->u_r, s);
 }
 
 void solved_prove(struct solved *z, const struct scene *s) {

@@ -1,15 +1,20 @@
-"""pictures.py FOLDER SCENE: hold what stickslip plot SCENE has written against the equations of motion and other data.
+"""pictures.py FOLDER SCENE [asked]: hold what stickslip plot SCENE has written against the equations of motion and other data.
 
 States along the motions are recomputed by mpmath's matrix exponential from the start and the times that orbits.tsv,
 paper_1000.tsv and arcs.tsv hold (SCENE is a name in orbits.tsv); samples along e2 by equality.py, changes on the paper's line by
 bifurcations.tsv; the return map by Runge-Kutta steps of (1) with the events
 found by bisection; its slopes, and the rates of the long runs, are the traces of orbits.tsv; the printed start keeps its word
-for as many periods as longrun.tsv says.  The pictures must be well-formed, named, told in words and free of anything
-outside.  One line for each error; exit status 0 or 1.
+for as many periods as longrun.tsv says.  With `asked` it is what the paper's scene gives with --along
+e2=0.5:3, --over e1=2.6844:2.8844:3 --over e2=0.5:3:26 and --animate: changes and marks, in tables and pixels, by bifurcations.tsv, samples by
+equality.py, other samples and cells by what $P orbit proves there, frames by orbits.tsv.  The pictures must be well-formed, named, told in words and free of
+anything outside.  One line for each error; exit status 0 or 1.
 """
+import json
 import math
+import os
 import pathlib
 import re
+import subprocess
 import sys
 import xml.etree.ElementTree as ET
 
@@ -206,35 +211,46 @@ def step_errors(folder):
             yield "the error with 256 bits does not fall as the square at 10^%.1f" % h
 
 
+def follow(s, samples, exact):
+    """Samples along e2 by equality.py's return map, from the scene's orbit on; exact: e2 of a row."""
+    word = {"yes": True, "no": False}
+    mpmath.mp.dps = 60
+    orbit = s.orbits[nearest(s)]
+    r = mpf(orbit["z20"]) - mpf(orbit["z10"])
+    for row in samples:
+        par = [s.chi, s.eta, s.v, s.e1, exact(row)]
+        times = equality.around(par, r)[1]
+        r, slope = equality.fixed(par, r, times)
+        times = equality.around(par, r, times)[1]
+        z = mpmath.matrix([(s.e1 + s.chi * r) / (1 - s.chi), (s.e1 + r) / (1 - s.chi), s.v, s.v])
+        for phase, t in zip("GHC", times):
+            z = equality.flow(phase, par, z, t)
+        stick = (s.e1 - (z[0] - s.chi * z[1])) / ((1 - s.chi) * s.v)
+        if off(row["trace"], slope, 6) or off(row["period"], sum(times) + stick, 6):
+            yield "along e2: %s, not tr J = %s and period %s" % (row, mpmath.nstr(slope, 9),
+                                                                  mpmath.nstr(sum(times) + stick, 9))
+        if word[row["stable"]] != (abs(slope) < 1) or (word[row["admissible"]] and stick <= 0):
+            yield "along e2: %s" % row
+    mpmath.mp.dps = 30
+
+
+def known_changes():
+    """On the paper's line over e2, by kind."""
+    rows = [l.split("\t") for l in (HERE / "bifurcations.tsv").read_text().splitlines() if not l.startswith("#")]
+    return {k[8]: mpf(k[9]) for k in rows if k[:6] == ["0.8", "1", "1", "2.7844", "-", "e2"]}
+
+
 def along_errors(folder, s):
     """Some samples by equality.py's return map; changes by bifurcations.tsv, and by what stands on both sides."""
     rows = table(folder / "along-e2.tsv")
     samples = [r for r in rows if r["change"] == "-"]
-    first, word = min(range(len(samples)), key=lambda i: abs(mpf(samples[i]["e2"]) - s.e2)), {"yes": True, "no": False}
+    first = min(range(len(samples)), key=lambda i: abs(mpf(samples[i]["e2"]) - s.e2))
     ways = (range(first, len(samples), 4), range(first, -1, -4)) if s.printed else (range(first, -1, -1)[:2],)
     if mpf(samples[first]["period"]) > 100:
         ways = ()  # equality.py would look for events for minutes
-    mpmath.mp.dps = 60
     for way in ways:
-        orbit = s.orbits[nearest(s)]
-        r = mpf(orbit["z20"]) - mpf(orbit["z10"])
-        for i in way:
-            par = [s.chi, s.eta, s.v, s.e1, s.e2 * (round(mpf(samples[i]["e2"]) / s.e2 * 16)) / 16]
-            times = equality.around(par, r)[1]
-            r, slope = equality.fixed(par, r, times)
-            times = equality.around(par, r, times)[1]
-            z = mpmath.matrix([(s.e1 + s.chi * r) / (1 - s.chi), (s.e1 + r) / (1 - s.chi), s.v, s.v])
-            for phase, t in zip("GHC", times):
-                z = equality.flow(phase, par, z, t)
-            stick = (s.e1 - (z[0] - s.chi * z[1])) / ((1 - s.chi) * s.v)
-            if off(samples[i]["trace"], slope, 6) or off(samples[i]["period"], sum(times) + stick, 6):
-                yield "along e2: %s, not tr J = %s and period %s" % (samples[i], mpmath.nstr(slope, 9),
-                                                                      mpmath.nstr(sum(times) + stick, 9))
-            if word[samples[i]["stable"]] != (abs(slope) < 1) or (word[samples[i]["admissible"]] and stick <= 0):
-                yield "along e2: %s" % samples[i]
-    mpmath.mp.dps = 30
-    known = [l.split("\t") for l in (HERE / "bifurcations.tsv").read_text().splitlines() if not l.startswith("#")]
-    known = {k[8]: mpf(k[9]) for k in known if s.printed and k[:6] == ["0.8", "1", "1", "2.7844", "-", "e2"]}
+        yield from follow(s, [samples[i] for i in way], lambda row: s.e2 * (round(mpf(row["e2"]) / s.e2 * 16)) / 16)
+    known = known_changes() if s.printed else {}
     kinds = {"tr J passes -1": "flip", "t_a becomes zero": "t_a"}
     seen = set()
     for before, r, after in zip([None, *rows], rows, [*rows[1:], None]):
@@ -251,6 +267,160 @@ def along_errors(folder, s):
             yield "along e2: the other side is stable: %s" % r
     if s.printed and seen != {"flip", "t_a"}:
         yield "along e2: only %s of the known changes" % seen
+
+
+# --- What is asked for by --along, --over and --animate of the paper's scene ---
+
+KIND = {"flip": "tr J passes -1", "t_a": "t_a becomes zero", "c_v2": "both masses reach the velocity of the belt at once",
+        "h_v1": "the first mass reaches the velocity of the belt earlier in the global slip phase",
+        "fold": "the solution merges with another one"}
+
+
+def orbits_at(**values):
+    """The orbits that the program proves there."""
+    sets = ["--set=%s=%s" % v for v in values.items()]
+    run = subprocess.run([os.environ["P"], "orbit", "paper", "--json", *sets], capture_output=True, check=True)
+    return json.loads(run.stdout)["orbits"]
+
+
+def pixel(value, low, high):
+    """Across a picture: PLOT_LEFT 46 and PLOT_RIGHT 14 of 360."""
+    return 46 + (float(value) - low) / (high - low) * 300
+
+
+def bifurcation_errors(folder, s):
+    rows = table(folder / "bifurcations.tsv")
+    rings = [float(c.get("cx")) for c in ET.parse(folder / "bifurcations.svg").getroot().iter(SVG + "circle")]
+    for kind, at in known_changes().items():
+        there = [r for r in rows if r["change"] == KIND[kind] and mpf(r["e2"]) < at < mpf(r["e2_to"])]
+        if len(there) != 1 or not mpf(there[0]["e2_to"]) - mpf(there[0]["e2"]) < at / 10 ** 5:
+            yield "along: %s is not enclosed: %s" % (kind, there)
+        if len([x for x in rings if abs(x - pixel(at, 0.5, 3)) < 0.06]) < 2:
+            yield "along: %s is not marked in both panels" % kind
+        if there and kind in ("flip", "fold") and off(there[0]["trace"], {"flip": -1, "fold": 1}[kind], 5):
+            yield "along: tr J at %s" % there
+    branch = {r["branch"] for r in rows if r["change"] == KIND["flip"]}
+    own = sorted((r for r in rows if r["change"] == "-" and {r["branch"]} == branch and mpf(r["e2"]) < 2.4),
+                 key=lambda r: mpf(r["e2"]))
+    first = min(range(len(own)), key=lambda i: abs(mpf(own[i]["e2"]) - s.e2))
+    for way in (own[first::10], own[first::-10]):
+        yield from follow(s, way, lambda row: mpf(row["e2"]))
+    samples = [r for r in rows if r["change"] == "-"]
+    if len({r["branch"] for r in samples}) < 6:
+        yield "along: branches are missing"
+    shown = period_panel(folder, rows)
+    for row in samples[::7]:
+        near = [o for o in orbits_at(e2=row["e2"]) if not off(row["trace"], mpf(o["trace"]), 6)]
+        said = {"yes": True, "no": False}
+        if not any(o["stable"] == said[row["stable"]] and o["admissible"] == said[row["admissible"]] for o in near):
+            yield "along: %s, orbit says %s" % (row, near)
+        curve = "c2" if row["admissible"] == "no" else "c0" if row["stable"] == "yes" else "c1"
+        if curve not in shown(row):
+            yield "along: %s is drawn as %s, not %s" % (row, shown(row), curve)
+
+
+def period_panel(folder, rows):
+    """The classes of the curves through a row's point of the lower panel, whose scale two rings tell."""
+    root, at = ET.parse(folder / "bifurcations.svg").getroot(), []
+    for kind in ("fold", "c_v2"):
+        x = pixel(known_changes()[kind], 0.5, 3)
+        row = min((r for r in rows if r["change"] == KIND[kind]), key=lambda r: abs(pixel(r["e2"], 0.5, 3) - x))
+        at.append((float(row["period"]), max(float(c.get("cy")) for c in root.iter(SVG + "circle")
+                                             if abs(float(c.get("cx")) - x) < 0.06)))
+    slope = (at[1][1] - at[0][1]) / (at[1][0] - at[0][0])
+    points = [(p.get("class").split()[1], *map(float, xy)) for p in root.iter(SVG + "path")
+              if p.get("class").startswith("curve c") for xy in re.findall(r"([\d.-]+) ([\d.-]+)", p.get("d"))]
+
+    def classes(row):
+        x, y = pixel(row["e2"], 0.5, 3), at[0][1] + slope * (float(row["period"]) - at[0][0])
+        return {c for c, px, py in points if abs(px - x) < 0.06 and abs(py - y) < 0.6}
+    return classes
+
+
+def shade_at(root, x, y):
+    """The shade of the picture at a point."""
+    for path in root.iter(SVG + "path"):
+        if path.get("class").startswith("shade"):
+            for box in re.findall(r"M([\d.-]+) ([\d.-]+)H([\d.-]+)V([\d.-]+)H", path.get("d")):
+                left, bottom, right, top = map(float, box)
+                if left < x < right and top < y < bottom:
+                    return path.get("class")
+    return "shade s0"
+
+
+def map_errors(folder, s):
+    rows, root = table(folder / "stability-map.tsv"), ET.parse(folder / "stability-map.svg").getroot()
+    frame = next(r for r in root.iter(SVG + "rect") if r.get("class") == "frame")
+    top, height = float(frame.get("y")), float(frame.get("height"))
+    known = known_changes()
+    for kind in ("flip", "t_a"):
+        low = [r for r in rows if r["what"] == kind and mpf(r["e1"]) == s.e1 and r["e2_to"] != "-"]
+        if not any(mpf(r["e2"]) < known[kind] < mpf(r["e2_to"]) for r in low):
+            yield "map: %s is not enclosed: %s" % (kind, low)
+        y = top + height - (float(known[kind]) - 0.5) / 2.5 * height
+        if not any(abs(float(c.get("cx")) - 196) < 0.06 and abs(float(c.get("cy")) - y) < 0.06
+                   for c in root.iter(SVG + "circle")):
+            yield "map: %s is not marked" % kind
+    cells = [r for r in rows if r["what"] == "cell"]
+    if len(cells) != 78:
+        yield "map: %d cells" % len(cells)
+    for i, c in enumerate(cells):
+        e2 = mpf(c["e2"])
+        if mpf(c["e1"]) == s.e1:  # stable and admissible between the flip and t_a, unstable below, not admissible above
+            want = "s2" if e2 < known["flip"] else "s3" if e2 < known["t_a"] else "s1"
+            x, y = pixel(2.7844, 2.6844, 2.8844), top + height - (float(e2) - 0.5) / 2.5 * height
+            y = min(max(y, top + 0.5), top + height - 0.5)
+            if shade_at(root, x, y) != "shade " + want:
+                yield "map: %s has %s, not %s" % (c, shade_at(root, x, y), want)
+        elif i % 5 == 0:
+            there = orbits_at(e1=c["e1"], e2=c["e2"])
+            good = [o for o in there if o["admissible"]]
+            want = [str(len(there)), str(len(good)), str(len([o for o in good if o["stable"]]))]
+            if [c["orbits"], c["admissible"], c["stable"]] != want:
+                yield "map: %s, orbit says %s" % (c, want)
+
+
+def frames(text, name):
+    """Keyframes: percent and what stands there."""
+    body = re.search(r"@keyframes animation-%s \{(.*) \}\n" % name, text)[1]
+    return {p: v for p, v in re.findall(r"([\d.]+)% \{ \w+: ([^;]*); \}", body)}
+
+
+def animation_errors(folder, s):
+    rows, text = table(folder / "animation.tsv"), (folder / "animation.svg").read_text()
+    orbit = s.orbits[nearest(s)]
+    times = [mpf(orbit[k]) for k in ("t_a", "t_b", "t_c", "t_d")]
+    motion, period = s.motion(mpf(orbit["z10"]), mpf(orbit["z20"]), times)
+    for row in rows:
+        begin, system, z = motion[WORD.index(row["phase"])]
+        z = mpmath.expm(system * (mpf(row["t"]) - begin)) * z
+        want = {"z_1": z[0], "z_2": z[1], "z'_1": z[2], "z'_2": z[3], "pull_1": z[0] - s.chi * z[1],
+                "pull_2": s.chi * (z[1] - z[0])}
+        if any(abs(mpf(row[k]) - want[k]) > 5e-6 for k in want):
+            yield "animation: %s, not %s" % (row, want)
+        limits = ["-" if row["phase"] in slips else e for slips, e in ((("Gamma", "H"), s.e1), (("H", "C"), s.e2))]
+        if any((row["limit_%d" % (k + 1)] == "-") != (e == "-") or e != "-" and off(row["limit_%d" % (k + 1)], e, 6)
+               for k, e in enumerate(limits)):
+            yield "animation: limits of %s" % row
+    ends = [sum(times[:k]) for k in range(5)]
+    at = ["%.2f" % (100 * t / period) for t in ends]
+    states = [m[2] for m in motion] + [motion[0][2]]
+    x = [[float(re.search(r"[\d.-]+", frames(text, "m%d" % k)[p])[0]) for p in at] for k in (1, 2)]
+    scale = (x[0][2] - x[0][0]) / float(states[2][0] - states[0][0])
+    for k in range(2):
+        for i in range(5):
+            if scale < 1 or abs(x[k][i] - x[k][0] - scale * float(states[i][k] - states[0][k])) > 0.2:
+                yield "animation: mass %d at %s %%: %s" % (k + 1, at[i], x[k][i])
+    spring = [float(re.search(r"[\d.]+", frames(text, "k2")[p])[0]) for p in at]
+    if any(abs(100 * f - (x[1][i] - x[0][i] - 46)) > 0.2 for i, f in enumerate(spring)):
+        yield "animation: the spring between the blocks"
+    for k in range(4):
+        seen = frames(text, "p%d" % k)
+        if seen.get(at[k]) != "visible" or (k < 3 and seen.get(at[k + 1]) != "hidden"):
+            yield "animation: phase %s is shown at %s" % (WORD[k], seen)
+    still = re.sub(r"@media \(prefers-reduced-motion: no-preference\) \{\n.*?\n\}\n", "", text, flags=re.S)
+    if "@keyframes" not in text or re.search(r"animation:|@keyframes|<animate", still):
+        yield "animation: it moves for who asks for no motion"
 
 
 def svg_errors(path):
@@ -274,10 +444,11 @@ def svg_errors(path):
 
 
 def main():
-    folder, s = pathlib.Path(sys.argv[1]), Scene(sys.argv[2])
-    errors = [*motion_errors(folder, s), *return_errors(folder, s), *long_errors(folder, s), *step_errors(folder), *along_errors(folder, s)]
+    folder, s, asked = pathlib.Path(sys.argv[1]), Scene(sys.argv[2]), sys.argv[3:] == ["asked"]
+    checks = [bifurcation_errors, map_errors, animation_errors] if asked else [motion_errors, return_errors, long_errors, along_errors]
+    errors = [e for check in checks for e in check(folder, s)] + ([] if asked else [*step_errors(folder)])
     pictures = sorted(folder.glob("*.svg"))
-    if len(pictures) != 7:
+    if len(pictures) != (3 if asked else 7):
         errors.append("%d pictures" % len(pictures))
     for p in pictures:
         errors += ["%s: %s" % (p.name, e) for e in svg_errors(p)]
