@@ -396,7 +396,8 @@ static bool next_value(size_t *begin, size_t *len, const struct text *json, size
 static void forge_all(const char *options) {
   int status;
   char *text = shell_output(
-      &status, "$Y tests/forge.py %s \"$P\" paper above-one chain3 driven beside-wall 2>&1", options);
+      &status, "$Y tests/forge.py %s \"$P\" paper above-one other-word chain3 driven beside-wall den-hartog 2>&1",
+      options);
   ck_assert_msg(status == 0, "%s", text);
   free(text);
 }
