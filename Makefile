@@ -10,6 +10,7 @@ PYTHON   ?= /usr/bin/python3
 # where Python modules go: /usr has one folder for all versions, /usr/local one for each
 PYDIR    ?= $(PREFIX)/lib/$(if $(filter /usr,$(PREFIX)),python3,python$(shell $(PYTHON) -c 'import sys; print("%d.%d" % sys.version_info[:2])' || echo 3))/dist-packages
 B        ?= build
+LONG     ?= 300
 # MPI=1 builds, and installs, a program of which mpirun starts many: stickslip sweep shares its work among them
 MPI      ?=
 MPICC    ?= mpicc
@@ -60,7 +61,7 @@ TEST_LEVEL = -O1
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev nettle-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all quick quick-input quick-paper check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
+.PHONY: deps all quick long quick-input quick-paper check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/libstickslip.a $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -169,6 +170,10 @@ quick: ## in a minute: laws of numbers, reader, model and orbits, the paper's ve
 	@$(MAKE) --no-print-directory -j$(JOBS) -k -Otarget $(QUICK:%=suite-%) quick-input quick-paper
 	@$(PYTHON) tools/digests.py $(B)/stickslip --quick
 	@echo "quick: $(words $(QUICK)) suites of tests, bad input and the paper's verdicts passed"
+
+long: $(B)/stickslip $(B)/stickslip-checker ## an hour or so: every forgery of certificates, and LONG scenes held against an independent program: writes reports/differ.md
+	$(PYTHON) tests/forge.py $(B)/stickslip paper above-one other-word chain3 driven beside-wall den-hartog
+	$(PYTHON) tests/oracle/differ.py $(B)/stickslip --count $(LONG) --seed 21 --page reports/differ.md
 
 quick-input:
 	@CK_RUN_CASE=input CK_RUN_SUITE=hostile STICKSLIP=$(B)/stickslip PYTHON=$(PYTHON) $(B)/check

@@ -778,29 +778,19 @@ START_TEST(other_pairs_are_said) {
 }
 END_TEST
 
-/* Scenes of the classes of tests/oracle/differ.py, all of them in the long test; it needs mpmath and says so where there
-   is none. */
-static void hold_against_peer(const char *options) {
+/* Scenes of the classes of tests/oracle/differ.py; make long has many.  It needs mpmath and says so where there is none. */
+START_TEST(an_independent_program_finds_the_same) {
   int status;
-  char *text = shell_output(&status, "\"$Y\" tests/oracle/differ.py \"$P\" %s 2>&1", options);
+  char *text = shell_output(&status, "\"$Y\" tests/oracle/differ.py \"$P\" --count 4 --seed 3 2>&1");
   ck_assert_msg(status == 0, "%s", text);
   free(text);
-}
-
-START_TEST(an_independent_program_finds_the_same) {
-  hold_against_peer("--count 4 --seed 3");
-}
-END_TEST
-
-START_TEST(an_independent_program_finds_the_same_of_many) {
-  hold_against_peer("--count 110 --seed 4");
 }
 END_TEST
 
 Suite *complete_suite(void) {
   Suite *s = suite_create("complete");
   TCase *lists = tcase_create("lists"), *means = tcase_create("means"), *hard = tcase_create("hard");
-  TCase *peer = tcase_create("peer"), *many = tcase_create("peer, many scenes");
+  TCase *peer = tcase_create("peer");
   tcase_add_checked_fixture(lists, read_sets, clear_sets);
   tcase_add_loop_test(lists, every_set_is_complete, 0, 30);
   tcase_add_loop_test(lists, missing_orbits_are_added, 0, 30);
@@ -829,10 +819,5 @@ Suite *complete_suite(void) {
   tcase_add_checked_fixture(peer, scratch_open, scratch_close);
   tcase_add_test(peer, an_independent_program_finds_the_same);
   suite_add_tcase(s, peer);
-  tcase_set_tags(many, "long");
-  tcase_set_timeout(many, 3600);
-  tcase_add_checked_fixture(many, scratch_open, scratch_close);
-  tcase_add_test(many, an_independent_program_finds_the_same_of_many);
-  suite_add_tcase(s, many);
   return s;
 }
