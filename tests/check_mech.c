@@ -391,14 +391,6 @@ static bool digits_agree(arb_srcptr a, arb_srcptr b) {
   return arb_overlaps(a, b) && arb_rel_accuracy_bits(a) > 170 && arb_rel_accuracy_bits(b) > 170;
 }
 
-static void rubbed_two_masses(struct mech *m, const fmpq *params, slong sliding) {
-  fmpq_t both;
-  fmpq_init(both);
-  fmpq_set_si(both, sliding, 1);
-  two_masses(m, params, (const fmpq *const[]){both, both});
-  fmpq_clear(both);
-}
-
 /* The orbits of the special code, found again: times and multiplier to 50 digits, every verdict. */
 static int found_again(const fmpq *params) {
   static const char letters[] = "ss -s -- s-";
@@ -407,7 +399,11 @@ static int found_again(const fmpq *params) {
   struct mech_word w;
   size_t at;
   const char *why;
-  rubbed_two_masses(&m, params, 1000); /* so much that no lower limit is reached */
+  fmpq_t much; /* so much friction that no lower limit is reached */
+  fmpq_init(much);
+  fmpq_set_si(much, 1000, 1);
+  two_masses(&m, params, (const fmpq *const[]){much, much});
+  fmpq_clear(much);
   ck_assert(mech_word_parse(&w, &at, &why, letters, &m));
   ck_assert_int_eq(dyn_orbits_find(&list, params, 200, NULL), SS_OK);
   for (slong i = 0; i < list.n; i++) {
@@ -475,39 +471,48 @@ START_TEST(the_papers_orbits_at_random_data) {
 }
 END_TEST
 
-/* After a period doubling the word is a shorter one, twice: the search of words of two masses, from a grid and its own
-   simulations, has the same orbit. */
-START_TEST(a_doubled_orbit_is_found) {
-  static const int data[N_PARAMS][2] = {
-      [P_CHI] = {17, 25}, [P_ETA] = {3, 5}, [P_V] = {83, 100}, [P_E1] = {27, 50}, [P_E2] = {23, 50}};
-  static const char letters[] = "D Gamma H Gamma D Gamma H Gamma";
+/* What the search of words of two masses finds, from a grid and its own simulations: an orbit after a period doubling, whose
+   word is a shorter one, twice, and one that motions come near only in two rounds at once. */
+static const struct {
+  int data[N_PARAMS][2], sliding[2]; /* sliding friction in hundredths */
+  const char *word;
+} in_rounds[] = {{{[P_CHI] = {17, 25}, [P_ETA] = {3, 5}, [P_V] = {83, 100}, [P_E1] = {27, 50}, [P_E2] = {23, 50}},
+                  {1000, 1000},
+                  "D Gamma H Gamma D Gamma H Gamma"},
+                 {{[P_CHI] = {3, 10}, [P_ETA] = {2, 1}, [P_V] = {1, 1}, [P_E1] = {63, 50}, [P_E2] = {9, 25}},
+                  {55, 81},
+                  "D Gamma H Gamma"}};
+
+START_TEST(orbits_of_one_round_and_of_two) {
   const fmpq *none[2] = {NULL, NULL};
-  fmpq *params = _fmpq_vec_init(N_PARAMS);
+  fmpq *params = _fmpq_vec_init(N_PARAMS), *sliding = _fmpq_vec_init(2);
   struct phase_word word;
   struct word_orbits special;
   struct mech m;
   struct mech_orbits list;
   size_t at;
   const char *why;
-  for (int i = 0; i < N_PARAMS; i++) fmpq_set_si(params + i, data[i][0], (ulong)data[i][1]);
-  ck_assert(phase_word_parse(&word, &at, &why, letters, sizeof letters - 1));
+  for (int i = 0; i < N_PARAMS; i++) fmpq_set_si(params + i, in_rounds[_i].data[i][0], (ulong)in_rounds[_i].data[i][1]);
+  for (int i = 0; i < 2; i++) fmpq_set_si(sliding + i, in_rounds[_i].sliding[i], 100);
+  ck_assert(phase_word_parse(&word, &at, &why, in_rounds[_i].word, strlen(in_rounds[_i].word)));
   ck_assert_int_eq(word_orbits_find(&special, &word, params, none, NULL, 128), SS_OK);
-  rubbed_two_masses(&m, params, 10);
+  two_masses(&m, params, (const fmpq *const[]){sliding, sliding + 1});
   mech_orbits_find(&list, &m, NULL, false, 128);
   int found = 0;
   for (slong i = 0; i < special.n; i++)
     for (int k = 0; k < list.n; k++) {
       const struct mech_orbit *o = &list.orbit[k];
       if (o->word.n != word.n || !arb_overlaps(o->period, special.orbit[i].period)) continue;
-      ck_assert(mech_orbit_is_motion(o) && o->stable == TRUTH_TRUE);
+      ck_assert(mech_orbit_is_motion(o) && o->stable == special.orbit[i].stable);
       ck_assert(arb_overlaps(acb_realref(o->multiplier), special.orbit[i].trace));
       found++;
     }
   ck_assert_int_eq(found, 1);
-  for (int k = 0; k < list.n; k++) ck_assert_int_ne(list.orbit[k].word.n, 2 * word.n); /* none goes round again */
+  for (int k = 0; k < list.n; k++) ck_assert_int_ne(list.orbit[k].word.n, 2 * word.n); /* none goes round twice */
   mech_orbits_clear(&list);
   mech_clear(&m);
   word_orbits_clear(&special);
+  _fmpq_vec_clear(sliding, 2);
   _fmpq_vec_clear(params, N_PARAMS);
 }
 END_TEST
@@ -1013,7 +1018,7 @@ Suite *mech_suite(void) {
   tcase_add_test(c, one_mass_in_closed_form);
   tcase_add_test(c, static_equal_to_sliding);
   suite_add_tcase(s, c);
-  tcase_add_test(c, a_doubled_orbit_is_found);
+  tcase_add_loop_test(c, orbits_of_one_round_and_of_two, 0, sizeof in_rounds / sizeof *in_rounds);
   c = tcase_create("random orbits");
   tcase_set_tags(c, "long");
   tcase_add_loop_test(c, the_papers_orbits_at_random_data, 0, 200);

@@ -192,10 +192,15 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
 
 bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d) {
   if (certified == 0)
-    diag_set(d, "%s: error: no orbit is certified, so that there is no certificate to write", s->path);
+    diag_set(d,
+             "%s: error: no orbit is certified and keeps to the phases of its word, so that there is no certificate to "
+             "write",
+             s->path);
   else if (certified < n)
-    fprintf(stderr, "%s: warning: %ld of %ld orbits are certified; the others are not in the certificate\n", s->path,
-            (long)certified, (long)n);
+    fprintf(stderr,
+            "%s: warning: %ld of %ld orbits are in the certificate; the others are not certified, or do not keep to "
+            "their phases\n",
+            s->path, (long)certified, (long)n);
   return certified > 0;
 }
 

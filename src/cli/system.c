@@ -193,9 +193,9 @@ static void orbits_text(struct text *out, const struct mech_orbits *list, const 
   }
 }
 
-bool write_system_certificate(const char *path, const struct mech_orbits *list, const struct mech *m,
+bool write_system_certificate(const char *path, const struct mech_orbits *list, slong n, const struct mech *m,
                               const struct scene *s, struct diag *d) {
-  if (!may_write_certificate(s, mech_orbits_certified(list), list->n, d)) return false;
+  if (!may_write_certificate(s, mech_orbits_certified(list), n, d)) return false;
   struct text out;
   text_init(&out);
   mech_certificates_json(&out, s->name, m, list);
@@ -415,7 +415,7 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   if (option(o, OPT_METHOD)) diag_set(d, "%s: error: --method is of the paper's two masses", s->path);
   if (d->set || refuse(o, s, digits, d)) return bad_input(d);
   bool ok = find(&m, &list, false, s, data, digits, d);
-  ok = ok && (!certificate || write_system_certificate(certificate, &list, &m, s, d));
+  ok = ok && (!certificate || write_system_certificate(certificate, &list, list.n, &m, s, d));
   if (ok) {
     struct text out;
     text_init(&out);

@@ -275,7 +275,7 @@ static bool certify(const char *path, const struct word_orbits *list, const stru
   struct mech_orbits same;
   scene_friction(u_r, s);
   word_orbits_as_system(&m, &same, list, s->value, u_r, system_bits(digits));
-  bool ok = write_system_certificate(path, &same, &m, s, d);
+  bool ok = write_system_certificate(path, &same, list->n, &m, s, d);
   mech_orbits_clear(&same);
   mech_clear(&m);
   return ok;
@@ -324,8 +324,10 @@ bool return_route(enum mech_derivative *how, const struct jacobian_request *q, c
 }
 
 void return_unknown(struct diag *d, const struct jacobian_request *q, const struct scene *s) {
-  diag_set(d, "%s: error: a simulation beside the orbit does not follow the word, so that --method %s has no value",
-           s->path, method_name[q->method]);
+  bool simulated = q->method == METHOD_FD_DOUBLE || q->method == METHOD_ODE;
+  diag_set(d, "%s: error: --method %s has no value: %s", s->path, method_name[q->method],
+           simulated ? "a simulation beside the orbit does not follow the word"
+                     : "the orbit could not be enclosed again");
 }
 
 static void show_matrix(const struct word_orbit *o, const arb_mat_t x, const struct scene *s,

@@ -15,8 +15,8 @@ slong word_bits(slong digits);
 slong system_bits(slong digits);
 /* --certificate: false with d set when no orbit is certified; a warning when some are not. */
 bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d);
-/* Writes the certified ones; the same. */
-bool write_system_certificate(const char *path, const struct mech_orbits *list, const struct mech *m,
+/* Writes the certified ones; the same.  n: the orbits that were found. */
+bool write_system_certificate(const char *path, const struct mech_orbits *list, slong n, const struct mech *m,
                               const struct scene *s, struct diag *d);
 /* The Jacobian of a return: its rows; the member "J". */
 void return_text(struct text *out, const arb_mat_t x, slong digits);

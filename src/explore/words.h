@@ -152,8 +152,9 @@ void word_seeds_clear(struct word_seeds *seeds);
 int word_orbits_find(struct word_orbits *list, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
                      const struct word_seeds *seeds, slong prec);
 void word_orbits_clear(struct word_orbits *list);
-/* The same Jacobian by that route; u_r that is not given is taken a quarter above what is needed.  Not 0: motions beside
-   the orbit do not follow the word, as where it is not admissible. */
+/* The same Jacobian by that route; u_r that is not given is taken a quarter above the larger of e_i and what is needed.
+   Not 0: by differences, motions beside the orbit do not follow the word, as where it is not admissible; else it is not
+   enclosed again. */
 int word_jacobian(arb_mat_t j, const struct word_orbit *o, const fmpq *params, const fmpq *const u_r[2],
                   enum mech_derivative how, slong prec);
 /* The same orbits as those of a system of two masses, with that friction, judged anew; both are to be cleared. */

@@ -7,7 +7,7 @@
 #include "mech/two_masses.h"
 #include "words_impl.h"
 
-enum { GUARD = 40, RAISES = 4 };
+enum { GUARD = 40, RAISES = 4, MOST_TIMES = 8 };
 
 static void orbit_init(struct word_orbit *o, const struct phase_word *w) {
   *o = (struct word_orbit){.word = *w};
@@ -280,16 +280,17 @@ void word_orbits_clear(struct word_orbits *list) {
 
 /* --- With static friction --- */
 
-/* The system in which the orbits move: with the static friction that is given, or a quarter more than they need. */
+/* The system in which the orbits move: with the static friction that is given, or a quarter more than the larger of e_i
+   and what they need. */
 static void make_with_enough(struct mech *m, const struct word_orbit *o, slong n, const fmpq *params,
                              const fmpq *const given[2]) {
   fmpq *u_r = _fmpq_vec_init(2);
-  fmpq_t least, quarter;
+  fmpq_t least, enough;
   arf_t bound;
   fmpq_init(least);
-  fmpq_init(quarter);
+  fmpq_init(enough);
   arf_init(bound);
-  fmpq_set_si(quarter, 5, 4);
+  fmpq_set_si(enough, 5, 4);
   for (int i = 0; i < 2; i++) {
     fmpq_set(u_r + i, params + P_E1 + i);
     for (slong k = 0; k < n; k++) {
@@ -297,23 +298,26 @@ static void make_with_enough(struct mech *m, const struct word_orbit *o, slong n
       arf_get_fmpq(least, bound);
       if (fmpq_cmp(least, u_r + i) > 0) fmpq_set(u_r + i, least);
     }
-    fmpq_mul(u_r + i, u_r + i, quarter);
+    fmpq_mul(u_r + i, u_r + i, enough);
     if (given[i]) fmpq_set(u_r + i, given[i]);
   }
   make_system(m, params, (const fmpq *const[]){u_r, u_r + 1});
   arf_clear(bound);
-  fmpq_clear(quarter);
+  fmpq_clear(enough);
   fmpq_clear(least);
   _fmpq_vec_clear(u_r, 2);
 }
 
-/* The orbit again, in that system; not judged. */
+/* The orbit again, in that system, with up to eight times as many bits where it needs them; not judged. */
 static int found_again(struct mech_orbit *e, const struct word_orbit *o, const struct mech *m, const fmpq *params,
                        slong prec) {
   double x[WORD_UNKNOWNS];
   for (int p = 0; p < o->word.n; p++) x[p] = num_arb.get_d(o->t + p);
   for (int l = 0; l < o->n_free; l++) x[o->word.n + l] = num_arb.get_d(o->state + o->free[l]);
-  return near_unknowns(e, x, o, m, params, prec);
+  int status = SS_UNABLE;
+  for (int times = 1; status && times <= MOST_TIMES; times *= 2)
+    status = near_unknowns(e, x, o, m, params, times * prec);
+  return status;
 }
 
 int word_jacobian(arb_mat_t j, const struct word_orbit *o, const fmpq *params, const fmpq *const u_r[2],

@@ -271,7 +271,7 @@ static void judge_passing(struct mech_orbit *o, const struct mech_equations *e, 
 }
 
 /* A power of two below an eighth of the phase and below 1/2 over the norm of A without its column of constants, which
-   says how far the state goes and not how fast it changes its way. */
+   says how far the state goes and not how fast it changes its way; the whole phase where every mass sticks. */
 static void first_step(struct march *m) {
   slong states = m->e->side - 1;
   mag_t norm;
@@ -283,8 +283,9 @@ static void first_step(struct march *m) {
   arb_mat_bound_inf_norm(norm, linear);
   arb_mat_window_clear(linear);
   arb_get_lbound_arf(least, m->end, 64);
-  slong bits = fmpz_get_si(ARF_EXPREF(least)) - 4;
-  if (!mag_is_zero(norm)) bits = FLINT_MIN(bits, -1 - fmpz_get_si(MAG_EXPREF(norm)));
+  bool linear_in_time = !m->e->m->n_loads && strspn(m->e->w->phase[m->phase], "s") == (size_t)m->e->m->n;
+  slong bits = fmpz_get_si(ARF_EXPREF(least)) - (linear_in_time ? 0 : 4);
+  if (!linear_in_time && !mag_is_zero(norm)) bits = FLINT_MIN(bits, -1 - fmpz_get_si(MAG_EXPREF(norm)));
   arb_one(m->step);
   arb_mul_2exp_si(m->step, m->step, bits);
   arf_clear(least);

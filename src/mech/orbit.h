@@ -32,7 +32,7 @@ struct mech_fact {
   enum mech_rule rule;
   bool ends; /* its zero is the event that ends the phase: that it is the first one */
   truth holds;
-  truth reversed; /* of one that ends the phase: it is broken all along, up to its first zero, the event */
+  truth reversed; /* of one that ends the phase: it is broken from the entry on, and the event is its first zero */
 };
 /* "3-m2-break" of the third phase. */
 void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f);

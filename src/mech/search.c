@@ -65,14 +65,23 @@ static bool repeats(const struct mech_word *w) {
   return false;
 }
 
-/* The stretch from moment i over k phases; false when its word is not the one wanted. */
+/* Is it that word, once or several times over? */
+static bool goes_through(const struct mech_word *w, const struct mech_word *once) {
+  for (int by = 0; w->n % once->n == 0 && by < once->n; by++) {
+    int k = 0;
+    while (k < w->n && strcmp(w->phase[k], once->phase[(k + by) % once->n]) == 0) k++;
+    if (k == w->n) return true;
+  }
+  return false;
+}
+
+/* The stretch from moment i over k phases; false when it does not go through the word that is wanted. */
 static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i, int k, const struct mech_word *wanted,
                          const struct mech *m) {
   const struct mech_moment *a = &x->moment[i];
   struct mech_word w = {.n = k};
-  int by;
   for (int l = 0; l < k; l++) memcpy(w.phase[l], a[l].phase, sizeof w.phase[l]);
-  if (!mech_word_good(&w) || (wanted && !mech_word_same(&by, wanted, &w))) return false;
+  if (!mech_word_good(&w) || (wanted && !goes_through(&w, wanted))) return false;
   *out = (struct stretch){.word = w, .gap = mech_gap(a[0].z, a[k].z, m->n, m->states)};
   for (int l = 0; l < k; l++) out->t[l] = a[l + 1].t - a[l].t;
   memcpy(out->z, a[0].z, sizeof out->z);
@@ -95,7 +104,7 @@ static void keep(struct stretches *list, const struct stretch *s) {
   list->at[list->n++] = *s;
 }
 
-/* A longer stretch holds a shorter one, and is taken where it returns much more nearly: after a period doubling. */
+/* A longer stretch is kept beside a shorter one in it only where it returns much more nearly, as after a period doubling. */
 static void look_through(struct stretches *list, const struct mech_motion *x, const struct mech_word *wanted,
                          const struct mech *m) {
   for (int i = x->n_moments / 4 + 1; i < x->n_moments; i++) {
@@ -160,11 +169,11 @@ bool mech_orbit_meets(const struct mech_orbit *a, const struct mech_orbit *b) {
   return same;
 }
 
-/* A shorter orbit, several times over? */
-static bool goes_round_again(const struct mech_orbit *o) {
-  bool again = false;
-  for (int by = 1; by < o->word.n; by++) again = again || meets_turned(o, by, o);
-  return again;
+/* After how many phases it is where it began: fewer than its word has where it is a shorter orbit, several times over. */
+static int phases_of_a_round(const struct mech_orbit *o) {
+  int by = 1;
+  while (by < o->word.n && !meets_turned(o, by, o)) by++;
+  return by;
 }
 
 bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o) {
@@ -189,19 +198,29 @@ static int by_period(const void *x, const void *y) {
   return arf_cmp(arb_midref(a->period), arb_midref(b->period));
 }
 
+/* The orbit near a stretch; of one that goes round several times the first round. */
+static int solve_near(struct mech_orbit *o, struct stretch *s, const struct mech *m, slong prec) {
+  mech_word_best(&s->word, s->t, s->z, m);
+  int status = mech_orbit_near(o, m, &s->word, s->t, s->z, prec);
+  int phases = status ? s->word.n : phases_of_a_round(o);
+  if (phases == s->word.n) return status;
+  mech_orbit_clear(o);
+  s->word.n = phases;
+  return mech_orbit_near(o, m, &s->word, s->t, s->z, prec);
+}
+
 /* Newton's iteration from what was found. */
-static void solve(struct mech_orbits *list, struct stretches *found, const struct mech *m, slong prec) {
+static void solve(struct mech_orbits *list, struct stretches *found, const struct mech_word *wanted,
+                  const struct mech *m, slong prec) {
   if (found->n > 1) qsort(found->at, (size_t)found->n, sizeof *found->at, by_gap);
   for (int i = 0; i < found->n && i < MOST_CANDIDATES; i++) {
     struct mech_orbit o;
-    struct stretch *s = &found->at[i];
     list->candidates++;
-    mech_word_best(&s->word, s->t, s->z, m);
-    if (mech_orbit_near(&o, m, &s->word, s->t, s->z, prec) != SS_OK) {
+    if (solve_near(&o, &found->at[i], m, prec) != SS_OK) {
       list->failed++;
       continue;
     }
-    if (goes_round_again(&o) || mech_orbits_hold(list, &o)) {
+    if ((wanted && o.word.n != wanted->n) || mech_orbits_hold(list, &o)) {
       mech_orbit_clear(&o);
       continue;
     }
@@ -224,7 +243,7 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
     if (status != SS_DOMAIN) look_through(&found, &x, w, m);
     list->unfinished += status != SS_OK;
     mech_motion_clear(&x);
-    if (++list->simulations == SIMULATIONS || any) solve(list, &found, m, prec);
+    if (++list->simulations == SIMULATIONS || any) solve(list, &found, w, m, prec);
     if (any) found.n = 0;
     for (int i = 0; any && i < list->n; i++) done = done || mech_orbit_is_motion(&list->orbit[i]);
   }
@@ -256,11 +275,12 @@ static void count(struct mech_settling *s, const struct mech_word *w) {
   s->settled++;
 }
 
-/* From z, in rounds that are each long enough: a word that repeats a shorter one may still become it, and is taken after the last. */
-static void follow(struct mech_settling *s, double *z, const struct mech *m, double long_enough) {
+/* From z, in rounds of that length.  A word that repeats a shorter one may still become it, and is taken only after the
+   last round. */
+static void follow(struct mech_settling *s, double *z, const struct mech *m, double length) {
   char phase[MECH_PHASE + 1];
   for (int round = 1; round <= ROUNDS; round++) {
-    struct mech_plan plan = {.duration = long_enough, .most = MOMENTS, .phase = round > 1 ? phase : NULL};
+    struct mech_plan plan = {.duration = length, .most = MOMENTS, .phase = round > 1 ? phase : NULL};
     struct mech_motion x;
     struct mech_word w;
     double period, gap;
@@ -282,13 +302,13 @@ static void follow(struct mech_settling *s, double *z, const struct mech *m, dou
 
 void mech_settle(struct mech_settling *s, const struct mech *m) {
   uint64_t stream = random_seed(seed);
-  double long_enough = duration(m);
+  double length = duration(m);
   *s = (struct mech_settling){.n = 0};
   while (s->starts < SIMULATIONS) {
     double z[MECH_STATES];
     random_start(z, m, &stream);
     s->starts++;
-    follow(s, z, m, long_enough);
+    follow(s, z, m, length);
   }
 }
 
