@@ -3,9 +3,13 @@
 
 #include <string.h>
 
-void table_number(struct text *out, const arb_t x, int decimals) {
+void table_number(struct text *out, arb_srcptr x, int decimals) {
   arb_t unit, y;
   fmpz_t n;
+  if (!x) {
+    text_add(out, "\t-");
+    return;
+  }
   arb_init(unit);
   arb_init(y);
   fmpz_init(n);
@@ -30,6 +34,19 @@ void table_number(struct text *out, const arb_t x, int decimals) {
   fmpz_clear(n);
   arb_clear(y);
   arb_clear(unit);
+}
+
+void table_bracket(struct text *out, const struct dyn_bifurcation *b) {
+  text_add_char(out, '\t');
+  num_print_rational(out, &b->low, b->digits);
+  text_add_char(out, '\t');
+  num_print_rational(out, &b->high, b->digits);
+}
+
+fmpq *table_params(fmpq params[N_PARAMS], const struct scene *s, int vary) {
+  memcpy(params, s->value, N_PARAMS * sizeof *params);
+  fmpq_init(&params[vary]);
+  return &params[vary];
 }
 
 void table_finish(struct audit_result *out, const char *name, const struct text *body) {

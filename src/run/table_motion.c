@@ -23,48 +23,43 @@ static long pieces(const struct dyn_arc *arc, int ph) {
 }
 
 /* What pulls on the masses: w = z_1 - chi z_2 and chi r. */
-static void set_pulls(arb_t w, arb_t chi_r, const struct table_source *s, const struct num_vec *z) {
-  arb_mul(w, num_vec_at(&s->params, P_CHI), num_vec_at(z, Z_2), FIRST_PREC);
-  arb_sub(w, num_vec_at(z, Z_1), w, FIRST_PREC);
-  arb_sub(chi_r, num_vec_at(z, Z_2), num_vec_at(z, Z_1), FIRST_PREC);
-  arb_mul(chi_r, chi_r, num_vec_at(&s->params, P_CHI), FIRST_PREC);
+static void set_pulls(arb_ptr pull, const struct table_source *s, const struct num_vec *z) {
+  const arb_struct *chi = num_vec_at(&s->params, P_CHI);
+  arb_mul(pull, chi, num_vec_at(z, Z_2), FIRST_PREC);
+  arb_sub(pull, num_vec_at(z, Z_1), pull, FIRST_PREC);
+  arb_sub(pull + 1, num_vec_at(z, Z_2), num_vec_at(z, Z_1), FIRST_PREC);
+  arb_mul(pull + 1, pull + 1, chi, FIRST_PREC);
+}
+
+static void add_state(struct text *out, const struct num_vec *z) {
+  for (int i = 0; i < N_STATE; i++) table_number(out, num_vec_at(z, (i % 2) * 2 + i / 2), DECIMALS);
 }
 
 /* A row of the animation: the state, the pulls, and e_i for a mass that sticks. */
 static void add_frame(struct text *out, const struct table_source *s, enum phase ph, const char *mark, const arb_t time,
                       const struct num_vec *z) {
-  arb_t pull[2];
-  for (int i = 0; i < 2; i++) arb_init(pull[i]);
-  set_pulls(pull[0], pull[1], s, z);
+  arb_ptr pull = _arb_vec_init(2);
+  set_pulls(pull, s, z);
   text_printf(out, "%s\t%s", phase_name[ph], mark);
   table_number(out, time, DECIMALS);
-  for (int i = 0; i < N_STATE; i++) table_number(out, num_vec_at(z, (i % 2) * 2 + i / 2), DECIMALS);
-  for (int i = 0; i < 2; i++) table_number(out, pull[i], DECIMALS);
-  for (int i = 0; i < 2; i++) {
-    if (phase_slips[ph][i])
-      text_add(out, "\t-");
-    else
-      table_number(out, num_vec_at(&s->params, P_E1 + i), DECIMALS);
-  }
+  add_state(out, z);
+  for (int i = 0; i < 2; i++) table_number(out, pull + i, DECIMALS);
+  for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? NULL : num_vec_at(&s->params, P_E1 + i), DECIMALS);
   text_add_char(out, '\n');
-  for (int i = 0; i < 2; i++) arb_clear(pull[i]);
+  _arb_vec_clear(pull, 2);
 }
 
 /* What a condition leaves: V - z_i' of a mass that slips, e_i less its pull of one that sticks; "-" for the others. */
 static void add_margins(struct text *out, const struct table_source *s, enum phase ph, const struct num_vec *z) {
-  const bool slips[2] = {ph == PHASE_GAMMA || ph == PHASE_H, ph == PHASE_H || ph == PHASE_C};
-  arb_t m[4];
-  for (int i = 0; i < 4; i++) arb_init(m[i]);
-  for (int i = 0; i < 2; i++) arb_sub(m[i], num_vec_at(&s->params, P_V), num_vec_at(z, DZ_1 + i), FIRST_PREC);
-  set_pulls(m[2], m[3], s, z);
-  for (int i = 0; i < 2; i++) arb_sub(m[2 + i], num_vec_at(&s->params, P_E1 + i), m[2 + i], FIRST_PREC);
-  for (int i = 0; i < 4; i++) {
-    if (slips[i % 2] == (i < 2))
-      table_number(out, m[i], DECIMALS);
-    else
-      text_add(out, "\t-");
+  arb_ptr speed = _arb_vec_init(4), pull = speed + 2;
+  set_pulls(pull, s, z);
+  for (int i = 0; i < 2; i++) {
+    arb_sub(speed + i, num_vec_at(&s->params, P_V), num_vec_at(z, DZ_1 + i), FIRST_PREC);
+    arb_sub(pull + i, num_vec_at(&s->params, P_E1 + i), pull + i, FIRST_PREC);
   }
-  for (int i = 0; i < 4; i++) arb_clear(m[i]);
+  for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? speed + i : NULL, DECIMALS);
+  for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? NULL : pull + i, DECIMALS);
+  _arb_vec_clear(speed, 4);
 }
 
 static void add_row(struct motion_tables *t, const struct table_source *s, const char *motion, enum phase ph,
@@ -77,7 +72,7 @@ static void add_row(struct motion_tables *t, const struct table_source *s, const
   table_number(&t->history, time, DECIMALS);
   for (int i = 0; i < 2; i++) table_number(&t->history, num_vec_at(z, i), DECIMALS);
   text_printf(&t->portrait, "%s\t%s\t%s", motion, phase_name[ph], mark);
-  for (int i = 0; i < N_STATE; i++) table_number(&t->portrait, num_vec_at(z, (i % 2) * 2 + i / 2), DECIMALS);
+  add_state(&t->portrait, z);
   text_add_char(&t->history, '\n');
   text_add_char(&t->portrait, '\n');
   if (motion[0] != 'o') return; /* conditions are those of the orbit */

@@ -55,12 +55,8 @@ static void add_limits(struct text *out, const char *what, const struct mech *m)
     bool surface = what[0] == 's';
     const struct mech_stop *stop = &mass->stop[what[0] == 'a'];
     arb_set_fmpq(x, surface ? mass->surface : stop->position, FIRST_PREC);
-    for (int k = 0; k < 2; k++) {
-      if (surface ? k && mass->rubbed : !k && stop->given)
-        table_number(out, x, DECIMALS);
-      else
-        text_add(out, "\t-");
-    }
+    for (int k = 0; k < 2; k++)
+      table_number(out, (surface ? k && mass->rubbed : !k && stop->given) ? x : NULL, DECIMALS);
   }
   text_add_char(out, '\n');
   arb_clear(x);

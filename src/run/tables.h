@@ -6,6 +6,7 @@
 #define STICKSLIP_AUDIT_TABLES_H
 
 #include "base/crew.h"
+#include "explore/bifurcate.h"
 #include "explore/family.h"
 #include "judge/behaviour.h"
 #include "mech/orbit.h"
@@ -23,8 +24,12 @@ struct table_source {
 /* The tables of the scene, into out->tables; NULL, or why there are none. */
 const char *study_tables(struct judge *j);
 
-/* Appends a tab, and x to so many decimals; "-" where they are not known. */
-void table_number(struct text *out, const arb_t x, int decimals);
+/* Appends a tab, and x to so many decimals; "-" where they are not known, or x is NULL. */
+void table_number(struct text *out, arb_srcptr x, int decimals);
+/* The two decimals that are proved to enclose a change, each after a tab. */
+void table_bracket(struct text *out, const struct dyn_bifurcation *b);
+/* The scene's parameters, borrowed, but for one, which is to be set and cleared by the pointer returned. */
+fmpq *table_params(fmpq params[N_PARAMS], const struct scene *s, int vary);
 /* Adds a table to the result. */
 void table_finish(struct audit_result *out, const char *name, const struct text *body);
 
