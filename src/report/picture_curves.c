@@ -5,15 +5,6 @@
 
 #include "picture.h"
 
-static const char *const classes[] = {"c0", "c1", "c2", "c3"};
-enum { N_CLASSES = sizeof classes / sizeof *classes };
-
-/* One column against another, in the panel's frame. */
-static void add_column(struct plot *p, const struct rows *t, const char *class, size_t x, size_t y) {
-  for (size_t i = 0; i < t->n; i++) plot_point(p, class, rows_number(t, i, x), rows_number(t, i, y));
-  plot_end(p);
-}
-
 /* --- Margins --- */
 
 enum { M_PHASE, M_TIME, M_FIRST, M_COLUMNS = 4 };
@@ -77,7 +68,7 @@ static void draw_margins(struct plot *p, const struct rows *t) {
   plot_widen(p, 1, 0.05, 0.12);
   plot_panel(p, top + 18, 240, "time *t*", "margin");
   plot_line(p, "frame", p->low[0], 0, p->high[0], 0);
-  for (int c = 0; c < M_COLUMNS; c++) add_column(p, t, classes[c], M_TIME, M_FIRST + (size_t)c);
+  for (int c = 0; c < M_COLUMNS; c++) plot_column(p, t, plot_class[c], M_TIME, M_FIRST + (size_t)c);
   picture_phases(p, t, M_PHASE, M_TIME);
   plot_free(p);
 }
@@ -143,7 +134,7 @@ static void draw_long_run(struct plot *p, const struct rows *t) {
   int n = 0;
   for (size_t i = 0; i < t->n && n < MOST; i = end_of_run(t, i) + 1, n++) {
     run_name(name[n], t, i);
-    key[n][0] = classes[n % N_CLASSES];
+    key[n][0] = plot_class[n % PLOT_CLASSES];
     key[n][1] = name[n];
   }
   double top = plot_key(p, (const char *const(*)[2])key, n);
@@ -156,7 +147,8 @@ static void draw_long_run(struct plot *p, const struct rows *t) {
   n = 0;
   for (size_t i = 0; i < t->n; n++) {
     size_t end = end_of_run(t, i);
-    for (; i <= end; i++) plot_point(p, classes[n % N_CLASSES], rows_number(t, i, PERIOD), rows_number(t, i, LOG));
+    for (; i <= end; i++)
+      plot_point(p, plot_class[n % PLOT_CLASSES], rows_number(t, i, PERIOD), rows_number(t, i, LOG));
     plot_end(p);
   }
   plot_free(p);
@@ -206,7 +198,7 @@ static void tell_steps(struct text *out, const struct rows *t) {
 static void draw_steps(struct plot *p, const struct rows *t) {
   const char *key[N_BITS][2];
   for (int k = 0; k < N_BITS; k++) {
-    key[k][0] = classes[k];
+    key[k][0] = plot_class[k];
     key[k][1] = bits_name[k];
   }
   double top = plot_key(p, (const char *const(*)[2])key, N_BITS);
@@ -216,7 +208,7 @@ static void draw_steps(struct plot *p, const struct rows *t) {
   plot_widen(p, 1, 0.05, 0.05);
   p->power[0] = p->power[1] = true;
   plot_panel(p, top + 18, 230, "step *h*", "error of tr *J*");
-  for (size_t k = 0; k < N_BITS; k++) add_column(p, t, classes[k], STEP, BITS_53 + k);
+  for (size_t k = 0; k < N_BITS; k++) plot_column(p, t, plot_class[k], STEP, BITS_53 + k);
   plot_free(p);
 }
 

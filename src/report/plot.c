@@ -9,6 +9,8 @@
 
 #include "escape.h"
 
+const char *const plot_class[] = {"c0", "c1", "c2", "c3"};
+
 /* --- Tables --- */
 
 static void read_row(struct rows *t, const char *line, size_t len) {
@@ -261,6 +263,11 @@ void plot_point(struct plot *p, const char *class, double x, double y) {
 void plot_end(struct plot *p) {
   if (p->open) text_add(p->out, "\" />\n");
   p->open = false;
+}
+
+void plot_column(struct plot *p, const struct rows *t, const char *class, size_t x, size_t y) {
+  for (size_t i = 0; i < t->n; i++) plot_point(p, class, rows_number(t, i, x), rows_number(t, i, y));
+  plot_end(p);
 }
 
 void plot_line(struct plot *p, const char *class, double x0, double y0, double x1, double y1) {

@@ -28,7 +28,8 @@ bool rows_is(const struct rows *t, size_t row, size_t column, const char *text);
 /* Attributes of a line, so that it is one where no style sheet is read. */
 #define PLOT_STROKE "fill=\"none\" stroke=\"currentColor\""
 #define PLOT_FAINT  PLOT_STROKE " stroke-width=\".3\""
-enum { PLOT_WIDTH = 360, PLOT_LEFT = 46, PLOT_RIGHT = 14 };
+enum { PLOT_WIDTH = 360, PLOT_LEFT = 46, PLOT_RIGHT = 14, PLOT_CLASSES = 4 };
+extern const char *const plot_class[PLOT_CLASSES]; /* of curves that are told apart */
 
 struct plot {
   struct text *out;
@@ -54,6 +55,8 @@ void plot_free(struct plot *p);
 /* One more point of a curve of this class; NaN breaks it.  plot_end ends it. */
 void plot_point(struct plot *p, const char *class, double x, double y);
 void plot_end(struct plot *p);
+/* One column of a table against another. */
+void plot_column(struct plot *p, const struct rows *t, const char *class, size_t x, size_t y);
 /* A straight line, in numbers of the axes. */
 void plot_line(struct plot *p, const char *class, double x0, double y0, double x1, double y1);
 void plot_dot(struct plot *p, const char *class, double x, double y);
