@@ -1,6 +1,7 @@
 /* How the numbers of a table are printed, and where a finished table goes. */
 #include "tables.h"
 
+#include <math.h>
 #include <string.h>
 
 void table_number(struct text *out, arb_srcptr x, int decimals) {
@@ -36,6 +37,11 @@ void table_number(struct text *out, arb_srcptr x, int decimals) {
   arb_clear(unit);
 }
 
+slong table_pieces(double share) {
+  enum { LEAST = 6, MOST = 200 };
+  return (slong)fmin(MOST, fmax(LEAST, ceil(MOST * share)));
+}
+
 void table_bracket(struct text *out, const struct dyn_bifurcation *b) {
   text_add_char(out, '\t');
   num_print_rational(out, &b->low, b->digits);
@@ -49,7 +55,8 @@ fmpq *table_params(fmpq params[N_PARAMS], const struct scene *s, int vary) {
   return &params[vary];
 }
 
-void table_finish(struct audit_result *out, const char *name, const struct text *body) {
+void table_finish(struct audit_result *out, const char *name, struct text *body) {
   out->tables = ss_grow(out->tables, out->n_tables, &out->cap_tables, sizeof *out->tables);
   out->tables[out->n_tables++] = (struct data_table){name, result_str(out, "%s", text_str(body))};
+  text_clear(body);
 }

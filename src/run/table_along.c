@@ -202,7 +202,6 @@ void table_along_e2(struct table_source *s) {
   fmpq_clear(l.at);
   fmpq_clear(to);
   fmpq_clear(from);
-  text_clear(&body);
 }
 
 /* --- Every branch --- */
@@ -258,6 +257,5 @@ int table_of_bifurcations(struct audit_result *out, const struct scene *s, int v
   if (list.missed) status |= SS_UNABLE;
   table_finish(out, "bifurcations.tsv", &body);
   dyn_bifurcations_clear(&list);
-  text_clear(&body);
   return status;
 }

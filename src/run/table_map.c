@@ -139,8 +139,7 @@ bool table_of_map(struct audit_result *out, const struct scene *s, const struct 
   bool ok = crew_results(line, sizeof *line, tally->of, jobs, make_line, &m, tally, d);
   add_heading(&body, &m);
   for (size_t i = 0; ok && i < tally->of; i++) text_add(&body, line[i].rows);
-  if (ok) table_finish(out, "stability-map.tsv", &body);
-  text_clear(&body);
+  table_finish(out, "stability-map.tsv", &body);
   free(line);
   return ok;
 }

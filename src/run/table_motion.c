@@ -7,7 +7,7 @@
 
 #include "tables.h"
 
-enum { DECIMALS = 6, SAMPLES = 200, LEAST_SAMPLES = 6, MOST_SAMPLES = 2000 };
+enum { DECIMALS = 6 };
 
 struct motion_tables {
   struct text history, portrait, margins;
@@ -15,11 +15,10 @@ struct motion_tables {
 };
 
 /* How many pieces a phase is cut into. */
-static long pieces(const struct dyn_arc *arc, int ph) {
+static slong pieces(const struct dyn_arc *arc, int ph) {
   double t = fabs(num_arb.get_d(num_vec_at(&arc->t, ph))), sum = 0;
   for (int i = 0; i < N_PHASES; i++) sum += fabs(num_arb.get_d(num_vec_at(&arc->t, i)));
-  double n = ceil(SAMPLES * t / sum);
-  return n < LEAST_SAMPLES ? LEAST_SAMPLES : n > MOST_SAMPLES ? MOST_SAMPLES : (long)n;
+  return table_pieces(t / sum);
 }
 
 /* What pulls on the masses: w = z_1 - chi z_2 and chi r. */
@@ -91,8 +90,8 @@ static void add_phase(struct motion_tables *t, const struct table_source *s, con
   arb_init(time);
   arb_init(into);
   num_vec_init(&z, N_STATE, arc->z.ctx);
-  long n = pieces(arc, (int)ph);
-  for (long k = 0; k <= n; k++) {
+  slong n = pieces(arc, (int)ph);
+  for (slong k = 0; k <= n; k++) {
     const char *mark = k == n ? end_mark[ph] : k == 0 && ph == PHASE_D ? "O" : "-";
     arb_mul_si(into, num_vec_at(&arc->t, ph), k, FIRST_PREC);
     arb_div_si(into, into, n, FIRST_PREC);
@@ -155,9 +154,6 @@ void tables_of_motion(struct table_source *s) {
   table_finish(s->j->out, "figure-4.tsv", &t.portrait);
   table_finish(s->j->out, "margins.tsv", &t.margins);
   dyn_arc_clear(&arc);
-  text_clear(&t.margins);
-  text_clear(&t.portrait);
-  text_clear(&t.history);
 }
 
 bool table_of_animation(struct audit_result *out, const struct table_source *s) {
@@ -174,8 +170,7 @@ bool table_of_animation(struct audit_result *out, const struct table_source *s) 
   dyn_arc_init(&arc, s->params.ctx);
   bool ok = orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK;
   if (ok) add_motion(&t, s, "orbit", &arc);
-  if (ok) table_finish(out, "animation.tsv", &body);
+  table_finish(out, "animation.tsv", &body);
   dyn_arc_clear(&arc);
-  text_clear(&body);
   return ok;
 }
