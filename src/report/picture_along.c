@@ -176,12 +176,11 @@ static void list_changes(struct plot *p, const struct rows *t) {
   size_t n = 0;
   for (size_t i = next_change(t, t->n); i < t->n; i = next_change(t, i)) {
     const char **cell = t->cell[i];
-    struct text line;
-    text_init(&line);
-    text_printf(&line, "%zu: %s < %s < %s, branch %s:", ++n, cell[E2], t->heading[E2], cell[E2_TO], cell[BRANCH]);
-    y = plot_lines(p, 4, y, text_str(&line));
+    char line[200];
+    snprintf(line, sizeof line, "%zu: %s < %s < %s, branch %s:", ++n, cell[E2], t->heading[E2], cell[E2_TO],
+             cell[BRANCH]);
+    y = plot_lines(p, 4, y, line);
     y = plot_lines(p, 22, y, cell[CHANGE]) + 4;
-    text_clear(&line);
   }
   const char *says = n ? "Each bracket is proved to hold its change. Everything is dimensionless."
                        : "No change is found on the line. Everything is dimensionless.";

@@ -64,6 +64,11 @@ bool rows_is(const struct rows *t, size_t row, size_t column, const char *text) 
   return column < t->columns && strcmp(t->cell[row][column], text) == 0;
 }
 
+size_t rows_end(const struct rows *t, size_t row, size_t column) {
+  while (row + 1 < t->n && rows_is(t, row + 1, column, t->cell[row][column])) row++;
+  return row;
+}
+
 /* --- What holds without a style sheet too --- */
 
 /* Lines are lines and have their dashes; colours are the style sheet's. */
@@ -301,11 +306,9 @@ double plot_lines(struct plot *p, double x, double y, const char *words) {
     size_t n = strlen(words);
     if (n > most)
       for (n = most; n > 1 && words[n] != ' ';) n--;
-    struct text line;
-    text_init(&line);
-    text_add_n(&line, words, n);
-    plot_text(p, x, y, "start", text_str(&line));
-    text_clear(&line);
+    char line[PLOT_WIDTH];
+    snprintf(line, sizeof line, "%.*s", (int)n, words);
+    plot_text(p, x, y, "start", line);
     words += n + (words[n] == ' ');
   }
   return y;

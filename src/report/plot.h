@@ -22,6 +22,8 @@ void rows_clear(struct rows *t);
 /* NaN where the cell holds no number. */
 double rows_number(const struct rows *t, size_t row, size_t column);
 bool rows_is(const struct rows *t, size_t row, size_t column, const char *text);
+/* The last of the rows from this one on that have the same in the column. */
+size_t rows_end(const struct rows *t, size_t row, size_t column);
 
 /* --- Panels --- */
 
