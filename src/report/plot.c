@@ -306,7 +306,7 @@ double plot_lines(struct plot *p, double x, double y, const char *words) {
     size_t n = strlen(words);
     if (n > most)
       for (n = most; n > 1 && words[n] != ' ';) n--;
-    char line[PLOT_WIDTH];
+    char line[PLOT_WIDTH]; /* of fewer characters than pixels */
     snprintf(line, sizeof line, "%.*s", (int)n, words);
     plot_text(p, x, y, "start", line);
     words += n + (words[n] == ' ');

@@ -78,7 +78,8 @@ double plot_lines(struct plot *p, double x, double y, const char *words);
 /* The name of a parameter, as scenes have it, in the same markup. */
 enum { PLOT_LABEL = 80 };
 void parameter_label(char label[PLOT_LABEL], const char *name);
-/* A key of n curves, dots (class "dot ...") or filled parts ("shade ..."), in lines from the top of the picture; class and text of each.  Its height. */
+/* A key of n curves, dots (class "dot ...") or filled parts ("shade ..."), in lines from the top of the picture; class
+   and text of each.  Its height. */
 double plot_key(struct plot *p, const char *const (*entry)[2], int n);
 
 #endif

@@ -1,6 +1,7 @@
 /* Orbits along a line of one parameter, with the proved brackets of what changes on the way (explore/bifurcate.h).
 
-   along-e2.tsv      the paper's orbit when e2 alone is another, up to where its branch ends or turns back, or the line ends
+   along-e2.tsv      the paper's orbit when e2 alone is another, up to where its branch ends or turns back, or the line
+                     ends
    bifurcations.tsv  every branch that is found, in the order in which it was followed, through its folds */
 #include <math.h>
 #include <stdio.h>
@@ -82,8 +83,8 @@ static bool add_sample(struct line *l, const double guess[2], bool up) {
   return ok;
 }
 
-/* A change, with what the orbit is above it; beside: an orbit at an end of its bracket, whose numbers stand for those at
-   the change, or NULL. */
+/* A change, with what the orbit is above it; beside: an orbit at an end of its bracket, whose numbers stand for those
+   at the change, or NULL. */
 static void add_change(struct text *body, const struct scene *s, const struct dyn_bifurcation *b,
                        const struct dyn_orbit *beside) {
   text_add(body, says[b->what]);
@@ -128,7 +129,8 @@ static struct place *find_places(size_t *n, const struct dyn_bifurcations *list)
 
 /* --- One orbit --- */
 
-/* Between two places that follow one another: t_b and t_c where e2 is x; false where they are not on both sides of it. */
+/* Between two places that follow one another: t_b and t_c where e2 is x; false where they are not on both sides of
+   it. */
 static bool between(double guess[2], const struct place *a, const struct place *b, double x) {
   double part = (x - a->x[0]) / (b->x[0] - a->x[0]);
   for (int k = 0; k < 2; k++) guess[k] = a->x[1 + k] + part * (b->x[1 + k] - a->x[1 + k]);

@@ -43,10 +43,10 @@ static void add_cells(struct text *rows, const struct map *m, const fmpq *params
   for (slong i = 0; i < f.n_points; i++) {
     const struct dyn_family_point *p = &f.point[i];
     int admissible = 0, stable = 0;
-    for (const struct dyn_member *o = &f.member[p->first]; o < &f.member[p->first + p->n]; o++) {
-      if (dyn_member_admissible(o) != TRUTH_TRUE) continue;
+    for (slong k = p->first; k < p->first + p->n; k++) {
+      if (dyn_member_admissible(&f.member[k]) != TRUTH_TRUE) continue;
       admissible++;
-      stable += o->stable == TRUTH_TRUE;
+      stable += f.member[k].stable == TRUTH_TRUE;
     }
     text_add(rows, "cell");
     add_value(rows, &m->axis[0], column);
@@ -58,12 +58,10 @@ static void add_cells(struct text *rows, const struct map *m, const fmpq *params
 }
 
 static bool admissible_beside(const struct dyn_bifurcation *b, const struct scene *s) {
-  bool any = false;
-  for (int side = 0; side < 2; side++)
-    for (int i = 0; i < b->beside[side].n; i++)
-      any |=
-          b->beside[side].word[i] == TRUTH_TRUE && orbit_admissible(NULL, s, &b->beside[side].orbit[i]) == TRUTH_TRUE;
-  return any;
+  for (const struct dyn_beside *side = b->beside; side < b->beside + 2; side++)
+    for (int i = 0; i < side->n; i++)
+      if (side->word[i] == TRUTH_TRUE && orbit_admissible(NULL, s, &side->orbit[i]) == TRUTH_TRUE) return true;
+  return false;
 }
 
 /* The changes along a column or row, as many as there is room for. */

@@ -51,8 +51,8 @@ void table_of_long_runs(struct table_source *s);
 void table_of_differences(struct table_source *s);
 /* along-e2.tsv: the orbit and what changes on it when e2 alone is another; none where the scene does not give e2. */
 void table_along_e2(struct table_source *s);
-/* animation.tsv: one period of that orbit of the scene (from 0), or of the nearest to the printed numbers where it is -1;
-   false with d set where there is none. */
+/* animation.tsv: one period of that orbit of the scene (from 0), or of the nearest to the printed numbers where it is
+   -1; false with d set where there is none. */
 bool scene_animation(struct audit_result *out, const struct scene *s, slong orbit, struct diag *d);
 /* The same of the orbit of a source; false, with a table of no rows, where its motion cannot be enclosed. */
 bool table_of_animation(struct audit_result *out, const struct table_source *s);
@@ -61,8 +61,8 @@ bool table_of_animation(struct audit_result *out, const struct table_source *s);
    to another. */
 int table_of_bifurcations(struct audit_result *out, const struct scene *s, int vary, const fmpq_t from,
                           const fmpq_t to);
-/* stability-map.tsv: the orbits over a plane of two parameters, at most so many values of each, the second running along
-   the lines, with proved points of the boundaries; the tally counts lines.  false with d set, and a table of no rows,
+/* stability-map.tsv: the orbits over a plane of two parameters, at most so many values of each, the second running
+   along the lines, with proved points of the boundaries; the tally counts lines.  false with d set, and a table of no rows,
    when no process can be made. */
 enum { TABLE_MOST_SIDE = 400 };
 bool table_of_map(struct audit_result *out, const struct scene *s, const struct dyn_axis axis[2], int jobs,
