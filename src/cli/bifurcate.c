@@ -10,12 +10,6 @@ enum { STARTS = 257, MOST_DIGITS = 1000 };
 
 /* --- What is known of the orbits beside a change. --- */
 
-/* Whether a given u_r exceeds its bound is not among the orbit's own conditions. */
-static truth admissible(const struct dyn_orbit *o, const struct scene *s) {
-  truth u[2];
-  return orbit_admissible(u, s, o);
-}
-
 static const char *ending_word(enum dyn_branch_end end, enum dyn_change change) {
   static const char *const words[] = {[END_OF_LINE] = "line", [END_CLOSED] = "closed", [END_LOST] = "lost"};
   return end == END_CHANGE ? dyn_change_id[change] : words[end];
@@ -45,7 +39,7 @@ static void side_json(struct json *j, const char *key, const struct dyn_beside *
     json_truth(j, "of_word", side->word[i]);
     json_known(j, "trace", side->orbit[i].trace, digits);
     json_truth(j, "stable", side->orbit[i].stable);
-    json_truth(j, "admissible", admissible(&side->orbit[i], s));
+    json_truth(j, "admissible", orbit_admissible(NULL, s, &side->orbit[i]));
     json_end_object(j);
   }
   json_end_array(j);
@@ -113,7 +107,7 @@ static void side_text(struct text *out, const struct dyn_beside *side, const str
   for (int i = 0; i < side->n; i++) {
     if (side->word[i] == TRUTH_FALSE) continue;
     const struct dyn_orbit *o = &side->orbit[i];
-    text_printf(out, "%s%s, %s%s", n++ ? " and " : "", fate[o->stable], adm[admissible(o, s)],
+    text_printf(out, "%s%s, %s%s", n++ ? " and " : "", fate[o->stable], adm[orbit_admissible(NULL, s, o)],
                 side->word[i] == TRUTH_UNKNOWN ? ", perhaps not of the word" : "");
   }
   if (n == 0) text_add(out, "none");

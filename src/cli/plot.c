@@ -9,32 +9,33 @@
 /* Tables, then pictures, and says which. */
 static bool write_pictures(const char *folder, const struct audit_result *r, struct diag *d) {
   struct output out;
-  struct text name;
-  text_init(&name);
   output_init(&out, folder);
   output_add_tables(&out, r);
   for (int i = 0; i < report_pictures(); i++) {
-    text_reset(&name);
-    text_printf(&name, "%s.svg", report_picture_id(i));
-    if (!report_picture(output_add(&out, text_str(&name)), r, i)) output_drop(&out); /* its table was not made */
+    char name[80];
+    snprintf(name, sizeof name, "%s.svg", report_picture_id(i));
+    if (!report_picture(output_add(&out, name), r, i)) output_drop(&out); /* its table was not made */
   }
   bool ok = output_write(&out, d);
   for (int i = 0; ok && i < out.n; i++) puts(text_str(&out.path[i]));
   output_clear(&out);
-  text_clear(&name);
   return ok;
 }
 
-/* The table of a scene that names a system file; *why: there is nothing in it. */
-static bool system_tables(struct audit_result *r, const char **why, const struct scene *s, const char *data,
-                          struct diag *d) {
+static bool nothing(struct diag *d, const struct scene *s, const char *why) {
+  diag_set(d, "%s: error: nothing to draw: %s", s->path, why);
+  return false;
+}
+
+/* The table of a scene that names a system file. */
+static bool draw_system(struct audit_result *r, const struct scene *s, const char *data, struct diag *d) {
   struct mech m;
   struct mech_word w;
   struct mech_orbits list = {.n = 0};
   bool ok = scene_load_system(&m, &w, s, data, d);
   if (ok) mech_orbits_find(&list, &m, w.n ? &w : NULL, false, system_bits(DEFAULT_DIGITS));
   if (ok && list.n) table_of_system(r, &m, &list);
-  *why = ok && !list.n ? "no orbit is found" : NULL;
+  if (ok && !list.n) ok = nothing(d, s, "no orbit is found");
   mech_orbits_clear(&list);
   mech_clear(&m);
   return ok;
@@ -52,17 +53,15 @@ static int draw_along(struct audit_result *r, const struct scene *s, const struc
   return status;
 }
 
-static int parse_plane(struct range range[MAX_OVER], struct dyn_axis axis[MAX_OVER], int *n, const struct scene *s,
+static int parse_plane(struct range range[MAX_OVER], struct dyn_axis axis[MAX_OVER], const struct scene *s,
                        const struct options *o) {
   static const struct over_rule rule = {"%s takes NAME=A:B or NAME=A:B:N, as in e2=0.5:3, not %.200s",
                                         "--over %.200s: N is a whole number from 2 to 400", 2, TABLE_MOST_SIDE, 97};
   const struct words *over = &o->given[OPT_OVER];
   if (over->n < MAX_OVER) return usage("plot takes --over twice, for both axes of a map%s", "");
-  for (int status; *n < MAX_OVER; ++*n) {
-    status = parse_over(&range[*n], &axis[*n], over->word[*n], *n ? &range[0] : NULL, &rule);
-    if (status) return status;
-  }
   int status = EXIT_AS_RECORDED;
+  for (int i = 0; i < MAX_OVER && !status; i++)
+    status = parse_over(&range[i], &axis[i], over->word[i], i ? &range[0] : NULL, &rule);
   for (int i = 0; i < MAX_OVER && !status; i++) status = range_check_friction(&range[i], s, "--over", over->word[i]);
   return status;
 }
@@ -70,15 +69,17 @@ static int parse_plane(struct range range[MAX_OVER], struct dyn_axis axis[MAX_OV
 static int draw_plane(struct audit_result *r, const struct scene *s, const struct options *o, struct diag *d) {
   struct crew_tally tally = {.tell = progress_wanted() ? progress_count : NULL};
   struct range range[MAX_OVER];
-  struct dyn_axis axis[MAX_OVER];
-  int jobs, n = 0, status = parse_jobs(&jobs, o);
+  struct dyn_axis axis[MAX_OVER] = {{.n = 0}};
+  int jobs, status = parse_jobs(&jobs, o);
   for (int i = 0; i < MAX_OVER; i++) range_init(&range[i]);
-  if (!status) status = parse_plane(range, axis, &n, s, o);
+  if (!status) status = parse_plane(range, axis, s, o);
   progress_begin();
   if (!status && !table_of_map(r, s, axis, jobs, &tally, d)) status = EXIT_INPUT;
   progress_end();
-  while (n > 0) dyn_axis_clear(&axis[--n]);
-  for (int i = 0; i < MAX_OVER; i++) range_clear(&range[i]);
+  for (int i = 0; i < MAX_OVER; i++) {
+    dyn_axis_clear(&axis[i]);
+    range_clear(&range[i]);
+  }
   return status;
 }
 
@@ -113,14 +114,9 @@ static int draw_asked(struct audit_result *r, bool *any, const struct scene *s, 
 
 /* The usual ones. */
 static bool draw_usual(struct audit_result *r, const struct scene *s, const char *data, struct diag *d) {
-  const char *why = NULL;
-  bool ok = true;
-  if (s->system)
-    ok = system_tables(r, &why, s, data, d);
-  else
-    why = audit_tables(r, s);
-  if (why) diag_set(d, "%s: error: nothing to draw: %s", s->path, why);
-  return ok && !why;
+  if (s->system) return draw_system(r, s, data, d);
+  const char *why = audit_tables(r, s);
+  return !why || nothing(d, s, why);
 }
 
 static int plot_scene(struct audit_result *r, const struct scene *s, const struct options *o, const char *data,
@@ -133,10 +129,7 @@ static int plot_scene(struct audit_result *r, const struct scene *s, const struc
   if (!status && !any && !draw_usual(r, s, data, d)) status = EXIT_INPUT;
   if (status) return status;
   text_init(&folder);
-  if (out)
-    text_add(&folder, out);
-  else
-    text_printf(&folder, "reports/%s", s->folder);
+  text_printf(&folder, "%s%s", out ? "" : "reports/", out ? out : s->folder);
   if (!write_pictures(text_str(&folder), r, d)) status = EXIT_INPUT;
   text_clear(&folder);
   return status;

@@ -217,17 +217,15 @@ void sweep_rows(struct text *out, const struct sweep *q, slong unit) {
   slong end = begin + q->unit < axis->n ? begin + q->unit : axis->n;
   struct dyn_family_request r = {.axis = axis, .every = q->every, .late = q->all};
   struct dyn_family f;
-  fmpq params[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&params[i]);
-    fmpq_set(&params[i], &q->scene.value[i]);
-  }
-  if (q->n_axes > 1) dyn_axis_q(&params[q->range[0].vary], &q->axis[0], line);
+  fmpq params[N_PARAMS], *across = &params[q->range[0].vary];
+  memcpy(params, q->scene.value, sizeof params); /* borrowed, but for that which varies across */
+  fmpq_init(across);
+  if (q->n_axes > 1) dyn_axis_q(across, &q->axis[0], line);
   r.params = params;
   scene_static_friction(r.u_r, &q->scene);
   if (dyn_family_find(&f, &r, begin, end) != SS_OK)
     abort(); /* the ends of each axis are in the domain, and so is what lies between */
   unit_text(out, q, &f, unit, begin);
   dyn_family_clear(&f);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&params[i]);
+  fmpq_clear(across);
 }

@@ -5,10 +5,6 @@
 
 enum { SIMULATIONS = 32 };
 
-void scene_friction(const fmpq *u_r[2], const struct scene *s) {
-  for (int i = 0; i < 2; i++) u_r[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
-}
-
 slong word_bits(slong digits) {
   return (slong)((double)digits * 3.33) + 32;
 }
@@ -19,14 +15,17 @@ slong system_bits(slong digits) {
 
 /* --- Numbers. --- */
 
-static void largest_radius(arb_t worst, const struct word_orbit *o) {
+static void print_largest_radius(struct text *out, const struct word_orbit *o) {
   mag_t most;
+  arb_t worst;
   mag_init(most);
+  arb_init(worst);
   for (int p = 0; p < o->word.n; p++) mag_max(most, most, arb_radref(o->t + p));
   for (int i = 0; i < N_STATE * o->word.n; i++) mag_max(most, most, arb_radref(o->state + i));
   for (int i = 0; i < o->n_free * o->n_free; i++) mag_max(most, most, arb_radref(o->jacobian->entries + i));
   arf_set_mag(arb_midref(worst), most);
-  mag_zero(arb_radref(worst));
+  print_accuracy(out, worst);
+  arb_clear(worst);
   mag_clear(most);
 }
 
@@ -75,6 +74,12 @@ void return_text(struct text *out, const arb_mat_t x, slong digits) {
   }
 }
 
+static void word_json(struct json *j, const struct word_orbit *o) {
+  json_array(j, "word");
+  for (int p = 0; p < o->word.n; p++) json_string(j, NULL, phase_word_name(o->word.mode[p]));
+  json_end_array(j);
+}
+
 static void free_json(struct json *j, const struct word_orbit *o) {
   json_array(j, "free");
   for (int i = 0; i < o->n_free; i++) json_string(j, NULL, word_coordinate_name[o->free[i]]);
@@ -98,9 +103,7 @@ void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
   struct text t;
   text_init(&t);
   json_object(j, NULL);
-  json_array(j, "word");
-  for (int p = 0; p < o->word.n; p++) json_string(j, NULL, phase_word_name(o->word.mode[p]));
-  json_end_array(j);
+  word_json(j, o);
   json_array(j, "times");
   for (int p = 0; p < o->word.n; p++) json_number(j, NULL, o->t + p, digits);
   json_end_array(j);
@@ -131,14 +134,8 @@ void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
       json_number(j, least[i], o->u_r_min[i], digits);
   }
   json_bool(j, "certified", o->certified);
-  if (o->certified) {
-    arb_t worst;
-    arb_init(worst);
-    largest_radius(worst, o);
-    text_reset(&t);
-    print_accuracy(&t, worst);
-    arb_clear(worst);
-  }
+  text_reset(&t);
+  if (o->certified) print_largest_radius(&t, o);
   json_string(j, "radius", o->certified ? text_str(&t) : NULL);
   json_end_object(j);
   text_clear(&t);
@@ -165,13 +162,9 @@ static void proof_text(struct text *out, const struct word_orbit *o) {
     text_add(out, "  not certified: a condition or the stability is undecided\n");
     return;
   }
-  arb_t worst;
-  arb_init(worst);
-  largest_radius(worst, o);
   text_add(out, "  certified; enclosed within ");
-  print_accuracy(out, worst);
+  print_largest_radius(out, o);
   text_add(out, ", printed rounded\n");
-  arb_clear(worst);
 }
 
 /* One orbit as lines. */
@@ -249,7 +242,7 @@ static bool find_orbits(struct word_orbits *list, const struct scene *s, slong d
   struct word_seeds seeds;
   *list = (struct word_orbits){.n = 0};
   if (phase_word_fate(NULL, &s->word) != WORD_OPEN) return true;
-  scene_friction(u_r, s);
+  scene_static_friction(u_r, s);
   if (phase_word_has_faster(&s->word) && (!u_r[0] || !u_r[1])) {
     diag_set(d, "%s: error: a word in which a mass is faster than the belt needs u_r1 and u_r2", s->path);
     return false;
@@ -273,7 +266,7 @@ static bool certify(const char *path, const struct word_orbits *list, const stru
   const fmpq *u_r[2];
   struct mech m;
   struct mech_orbits same;
-  scene_friction(u_r, s);
+  scene_static_friction(u_r, s);
   word_orbits_as_system(&m, &same, list, s->value, u_r, system_bits(digits));
   bool ok = write_system_certificate(path, &same, list->n, &m, s, d);
   mech_orbits_clear(&same);
@@ -340,9 +333,7 @@ static void show_matrix(const struct word_orbit *o, const arb_mat_t x, const str
   if (as_json) {
     json_init(&j, &out);
     json_object(&j, NULL);
-    json_array(&j, "word");
-    for (int p = 0; p < o->word.n; p++) json_string(&j, NULL, phase_word_name(o->word.mode[p]));
-    json_end_array(&j);
+    word_json(&j, o);
     free_json(&j, o);
     return_json(&j, x, q->digits);
     eigenvalues_json(&j, x, q->digits);
@@ -367,7 +358,7 @@ static void show_jacobian(const struct options *o, const struct word_orbit *orbi
   const fmpq *u_r[2];
   arb_mat_t x;
   arb_mat_init(x, orbit->n_free, orbit->n_free);
-  scene_friction(u_r, s);
+  scene_static_friction(u_r, s);
   if (word_jacobian(x, orbit, s->value, u_r, how, 2 * word_bits(q->digits)))
     return_unknown(d, q, s);
   else

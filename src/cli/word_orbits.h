@@ -8,8 +8,6 @@
 
 enum { WORD_DIGITS = 1000 }; /* the most that these commands take */
 
-/* u_r1 and u_r2 of the scene, NULL where it gives none. */
-void scene_friction(const fmpq *u_r[2], const struct scene *s);
 /* The working precision for so many digits; of a system file's orbits. */
 slong word_bits(slong digits);
 slong system_bits(slong digits);

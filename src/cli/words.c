@@ -271,7 +271,7 @@ static void show_survey(struct survey *v, bool as_json) {
   text_init(&v->unclosed.words);
   text_init(&v->needs.words);
   text_init(&v->late.words);
-  scene_friction(v->u_r, v->scene);
+  scene_static_friction(v->u_r, v->scene);
   word_seeds_find(&v->seeds, v->scene->value, v->u_r, STARTS);
   if (as_json) {
     all_json(v, &out);

@@ -10,9 +10,11 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/arena.h"
 #include "curve.h"
+#include "family.h"
 #include "motion/orbit_judge.h"
 #include "motion/warm.h"
 
@@ -434,21 +436,13 @@ static void follow_branch(struct line *l, const struct start *from) {
 
 /* --- The line. --- */
 
-/* The orbits at the i-th of n values.  *evaluations counts on. */
-static int find_starts(struct line *l, size_t *cap, long *evaluations, const fmpq_t from, const fmpq_t to, slong i,
-                       slong n) {
+/* The orbits at the i-th value.  *evaluations counts on. */
+static int find_starts(struct line *l, size_t *cap, long *evaluations, const struct dyn_axis *axis, slong i) {
   struct dyn_orbits orbits;
   fmpq at[N_PARAMS];
-  fmpq_t part;
-  fmpq_init(part);
-  for (int k = 0; k < N_PARAMS; k++) {
-    fmpq_init(&at[k]);
-    fmpq_set(&at[k], l->params + k);
-  }
-  fmpq_sub(part, to, from);
-  fmpq_set_si(&at[l->vary], i, (ulong)(n - 1));
-  fmpq_mul(part, part, &at[l->vary]);
-  fmpq_add(&at[l->vary], from, part);
+  memcpy(at, l->params, sizeof at); /* borrowed, but for that which varies */
+  fmpq_init(&at[l->vary]);
+  dyn_axis_q(&at[l->vary], axis, i);
   int status = dyn_orbits_find(&orbits, at, START_PREC, NULL);
   for (slong k = 0; k < orbits.n; k++) {
     const struct dyn_orbit *o = &orbits.orbit[k];
@@ -459,20 +453,19 @@ static int find_starts(struct line *l, size_t *cap, long *evaluations, const fmp
   }
   *evaluations += orbits.evaluations;
   dyn_orbits_clear(&orbits);
-  for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&at[k]);
-  fmpq_clear(part);
+  fmpq_clear(&at[l->vary]);
   return status;
 }
 
 /* Spread over the line from the first few on, since hard parameters may use up what is allowed. */
-static int find_all_starts(struct line *l, const fmpq_t from, const fmpq_t to, slong n) {
+static int find_all_starts(struct line *l, const struct dyn_axis *axis) {
   size_t cap = 0;
   long evaluations = 0, cut_short = 0;
-  slong stride = n / 3 + 1;
+  slong n = axis->n, stride = n / 3 + 1;
   while (n_gcd((ulong)stride, (ulong)n) != 1) stride++;
   for (slong i = 0; i < n; i++) {
     if (evaluations > MOST_EVALUATIONS || cut_short > MOST_CUT_SHORT) return SS_UNABLE;
-    if (find_starts(l, &cap, &evaluations, from, to, i * stride % n, n)) cut_short++;
+    if (find_starts(l, &cap, &evaluations, axis, i * stride % n)) cut_short++;
   }
   return cut_short ? SS_UNABLE : SS_OK;
 }
@@ -491,7 +484,10 @@ int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int
   l.low = fmin(ends[0], ends[1]);
   l.high = fmax(ends[0], ends[1]);
   if (!(l.low > 0 && l.low < l.high) || (vary == P_CHI && l.high >= 1)) return SS_DOMAIN;
-  int status = find_all_starts(&l, from, to, starts);
+  struct dyn_axis axis;
+  dyn_axis_init(&axis, vary, from, to, starts);
+  int status = find_all_starts(&l, &axis);
+  dyn_axis_clear(&axis);
   for (slong i = 0; i < l.n_starts; i++)
     if (!l.start[i].done) follow_branch(&l, &l.start[i]);
   for (slong i = 0; i < list->n_branches; i++)

@@ -27,7 +27,7 @@ static void borrow(struct ss_changes *c) {
 
 static int find(struct ss_changes *c, const struct library_line *l, const struct ss_scene *s, size_t digits) {
   const fmpq *u[2];
-  for (int i = 0; i < 2; i++) u[i] = s->s.given[KEY_U_R1 + i] ? &s->s.value[KEY_U_R1 + i] : NULL;
+  scene_static_friction(u, &s->s);
   int status = dyn_bifurcations_find(&c->list, s->s.value, l->vary, l->from, l->to, u, (slong)digits, STARTS);
   c->cut_short = status != SS_OK;
   borrow(c);

@@ -93,7 +93,7 @@ int ss_word_orbits_find(ss_word_orbits **out, const ss_scene *s, const char *wor
   int status = library_digits(__func__, digits, MOST_DIGITS);
   if (!status) status = open_word(&w, s, word);
   if (status) return status;
-  for (int i = 0; i < 2; i++) u_r[i] = s->s.given[KEY_U_R1 + i] ? &s->s.value[KEY_U_R1 + i] : NULL;
+  scene_static_friction(u_r, &s->s);
   struct ss_word_orbits *o = ss_malloc(sizeof *o);
   *o = (struct ss_word_orbits){.word = w};
   word_seeds_find(&seeds, s->s.value, u_r, SIMULATIONS);

@@ -2,7 +2,6 @@
    one orbit along e2; with branches, every one that is found, with the changes listed below. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "picture.h"
 
@@ -92,18 +91,16 @@ static int class_of(const struct rows *t, size_t i) {
 
 /* The samples, curve by curve of the key; where there are branches they pass through the changes. */
 static void add_curve(struct plot *p, const struct rows *t, size_t column) {
-  static const char *const classes[] = {"c0", "c1", "c2"};
   for (int k = 2; k >= 0; k--) { /* good ones on top */
-    bool going = false;
     size_t last = t->n;
     for (size_t i = 0; i < t->n; i++) {
       if (is_change(t, i) && !has_branches(t)) continue;
-      bool joined = last < t->n && same_branch(t, last, i);
-      bool here = joined && class_of(t, is_change(t, i) ? last : i) == k;
-      if (here && !going) plot_point(p, classes[k], rows_number(t, last, E2), rows_number(t, last, column));
-      if (here) plot_point(p, classes[k], rows_number(t, i, E2), rows_number(t, i, column));
-      if (!here) plot_end(p);
-      going = here;
+      if (last == t->n || !same_branch(t, last, i) || class_of(t, is_change(t, i) ? last : i) != k) {
+        plot_end(p);
+      } else {
+        if (!p->open) plot_point(p, plot_class[k], rows_number(t, last, E2), rows_number(t, last, column));
+        plot_point(p, plot_class[k], rows_number(t, i, E2), rows_number(t, i, column));
+      }
       last = i;
     }
     plot_end(p);
@@ -148,52 +145,45 @@ const struct picture picture_along = {"along-e2", "along-e2.tsv", "The periodic 
 
 /* --- Every branch --- */
 
-/* The changes from left to right. */
-struct changes {
-  struct numbered {
-    double at;
-    size_t row;
-  } * of;
-  size_t n;
-};
-
-static int by_value(const void *x, const void *y) {
-  const struct numbered *a = x, *b = y;
-  if (a->at != b->at) return a->at < b->at ? -1 : 1;
-  return (a->row > b->row) - (a->row < b->row);
-}
-
-static struct changes find_changes(const struct rows *t) {
-  struct changes c = {ss_malloc((t->n + 1) * sizeof *c.of), 0};
-  for (size_t i = 0; i < t->n; i++)
-    if (is_change(t, i) && !isnan(rows_number(t, i, E2))) c.of[c.n++] = (struct numbered){rows_number(t, i, E2), i};
-  qsort(c.of, c.n, sizeof *c.of, by_value);
-  return c;
+/* The change next to the right of row i, or the first of all where i is t->n; t->n where there is none. */
+static size_t next_change(const struct rows *t, size_t i) {
+  size_t next = t->n;
+  double after = i < t->n ? rows_number(t, i, E2) : -INFINITY, best = INFINITY;
+  for (size_t k = 0; k < t->n; k++) {
+    double at = is_change(t, k) ? rows_number(t, k, E2) : (double)NAN;
+    if ((at > after || (at == after && k > i)) && at < best) {
+      next = k;
+      best = at;
+    }
+  }
+  return next;
 }
 
 /* Their numbers above the panel; those that follow one another stand on different heights. */
-static void add_numbers(struct plot *p, const struct changes *c) {
-  for (size_t k = 0; k < c->n; k++) {
+static void add_numbers(struct plot *p, const struct rows *t) {
+  size_t n = 0;
+  for (size_t i = next_change(t, t->n); i < t->n; i = next_change(t, i)) {
     char shown[24];
-    snprintf(shown, sizeof shown, "%zu", k + 1);
-    plot_text(p, plot_x(p, c->of[k].at), p->top - 4 - 11 * (double)(k % 3), "middle", shown);
+    double y = p->top - 4 - 11 * (double)(n % 3);
+    snprintf(shown, sizeof shown, "%zu", ++n);
+    plot_text(p, plot_x(p, rows_number(t, i, E2)), y, "middle", shown);
   }
 }
 
 /* Each with its bracket. */
-static void list_changes(struct plot *p, const struct rows *t, const struct changes *c) {
+static void list_changes(struct plot *p, const struct rows *t) {
   double y = p->bottom + 14;
-  for (size_t k = 0; k < c->n; k++) {
-    const char **cell = t->cell[c->of[k].row];
-    struct text line;
-    text_init(&line);
-    text_printf(&line, "%zu: %s < %s < %s, branch %s:", k + 1, cell[E2], t->heading[E2], cell[E2_TO], cell[BRANCH]);
-    y = plot_lines(p, 4, y, text_str(&line));
+  size_t n = 0;
+  for (size_t i = next_change(t, t->n); i < t->n; i = next_change(t, i)) {
+    const char **cell = t->cell[i];
+    char line[200];
+    snprintf(line, sizeof line, "%zu: %s < %s < %s, branch %s:", ++n, cell[E2], t->heading[E2], cell[E2_TO],
+             cell[BRANCH]);
+    y = plot_lines(p, 4, y, line);
     y = plot_lines(p, 22, y, cell[CHANGE]) + 4;
-    text_clear(&line);
   }
-  const char *says = c->n ? "Each bracket is proved to hold its change. Everything is dimensionless."
-                          : "No change is found on the line. Everything is dimensionless.";
+  const char *says = n ? "Each bracket is proved to hold its change. Everything is dimensionless."
+                       : "No change is found on the line. Everything is dimensionless.";
   p->bottom = plot_lines(p, 4, y, says);
 }
 
@@ -206,12 +196,10 @@ static void draw_bifurcations(struct plot *p, const struct rows *t) {
                                                "1"}};
   p->bottom = plot_key(p, key, 5);
   if (!has_branches(t)) return;
-  struct changes changes = find_changes(t);
-  add_panel(p, t, TRACE, p->bottom + (changes.n ? 44 : 18), "tr *J*");
-  add_numbers(p, &changes);
+  add_panel(p, t, TRACE, p->bottom + (next_change(t, t->n) < t->n ? 44 : 18), "tr *J*");
+  add_numbers(p, t);
   add_panel(p, t, PERIOD, p->bottom + 24, "period *T*");
-  list_changes(p, t, &changes);
-  free(changes.of);
+  list_changes(p, t);
 }
 
 const struct picture picture_bifurcations = {

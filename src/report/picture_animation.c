@@ -17,12 +17,18 @@ struct stage {
   const struct rows *t;
   double scale, left[2], low[2]; /* a mass at z stands at left + scale (z - low) */
   double pull;                   /* the greatest */
-  double period, velocity;
+  double period, passed;         /* passed: how far the belt goes in it */
 };
 
-/* What moves: a block, the spring at its left, the bar of its pull. */
+/* What moves: the block of each mass, the spring at its left, the bar of its pull; and what is shown for a while: the
+   name of a phase, that a mass sticks. */
 enum track { TRACK_BLOCK, TRACK_SPRING, TRACK_PULL, N_TRACKS };
-static const char track_letter[N_TRACKS] = {'m', 'k', 'u'};
+enum { SWITCH = 2 * N_TRACKS, STICKS = SWITCH + 4, N_MOVING = STICKS + 2 };
+static const char *const moving[N_MOVING] = {"m1", "k1", "u1", "m2", "k2", "u2", "p0", "p1", "p2", "p3", "p4", "p5"};
+static const char *const phases[][2] = {{"D", "phase *D*: both masses stick"},
+                                        {"Gamma", "phase \xce\x93: *m*_1 slips, *m*_2 sticks"},
+                                        {"H", "phase *H*: both masses slip"},
+                                        {"C", "phase *C*: *m*_1 sticks, *m*_2 slips"}};
 
 static double place(const struct stage *s, size_t row, int mass) {
   return s->left[mass] + s->scale * (rows_number(s->t, row, POSITION + 2 * (size_t)mass) - s->low[mass]);
@@ -50,11 +56,12 @@ static bool set_stage(struct stage *s, const struct rows *t) {
     plot_hold(&least, &most, rows_number(t, i, POSITION + 2) - s->low[1] - rows_number(t, i, POSITION) + s->low[0]);
   double across = high[1] - s->low[1] - least;
   s->period = rows_number(t, t->n - 1, TIME);
-  s->velocity = rows_number(t, 0, VELOCITY);
+  double velocity = rows_number(t, 0, VELOCITY);
   s->scale = (RIGHT - WALL - 2 * SPRING - 2 * BLOCK) / across;
   s->left[0] = WALL + SPRING;
   s->left[1] = s->left[0] + BLOCK + SPRING - s->scale * least;
-  double all[] = {s->period, s->velocity, s->pull, across};
+  s->passed = s->scale * velocity * s->period;
+  double all[] = {s->period, velocity, s->pull, across};
   for (int i = 0; i < 4; i++)
     if (!(all[i] > 1e-6 && all[i] < 1e6)) return false;
   return true;
@@ -66,69 +73,44 @@ static double seconds(const struct stage *s) {
   return fmin(fmax(s->period, 6), 30);
 }
 
-static double percent(const struct stage *s, size_t row) {
-  return 100 * rows_number(s->t, row, TIME) / s->period;
-}
-
-static void add_animation(struct plot *p, const struct stage *s, const char *name, const char *pace) {
-  text_printf(p->out, ".animation-%s { animation: animation-%s %.1fs %s infinite; }\n", name, name, seconds(s), pace);
-}
-
-/* Every other row, and all events. */
-static void add_track(struct plot *p, const struct stage *s, enum track track, int mass) {
-  char name[8];
-  snprintf(name, sizeof name, "%c%d", track_letter[track], mass + 1);
-  text_printf(p->out, "@keyframes animation-%s {", name);
-  for (size_t i = 0; i < s->t->n; i++)
-    if (i % 2 == 0 || !rows_is(s->t, i, MARK, "-"))
-      text_printf(p->out,
-                  track == TRACK_BLOCK ? " %.2f%% { transform: translateX(%.1fpx); }"
-                                       : " %.2f%% { transform: scaleX(%.3f); }",
-                  percent(s, i), value_of(s, i, track, mass));
-  text_add(p->out, " }\n");
-  add_animation(p, s, name, "linear");
-}
-
-/* What is shown for a while: the name of a phase, that a mass sticks. */
-static const char *const phases[4][2] = {{"D", "phase *D*: both masses stick"},
-                                         {"Gamma", "phase \xce\x93: *m*_1 slips, *m*_2 sticks"},
-                                         {"H", "phase *H*: both masses slip"},
-                                         {"C", "phase *C*: *m*_1 sticks, *m*_2 slips"}};
-enum { STICKS = 4, N_SWITCHES = 6 };
-
 static bool is_on(const struct stage *s, size_t row, int k) {
-  return k < STICKS ? rows_is(s->t, row, PHASE, phases[k][0]) : !rows_is(s->t, row, LIMIT + (size_t)(k - STICKS), "-");
+  return k < STICKS ? rows_is(s->t, row, PHASE, phases[k - SWITCH][0])
+                    : !rows_is(s->t, row, LIMIT + (size_t)(k - STICKS), "-");
 }
 
 static const char *seen(const struct stage *s, size_t row, int k) {
   return is_on(s, row, k) ? "visible" : "hidden";
 }
 
-static void add_switch(struct plot *p, const struct stage *s, int k) {
-  char name[8];
-  snprintf(name, sizeof name, "p%d", k);
-  text_printf(p->out, "@keyframes animation-%s {", name);
-  for (size_t i = 0; i < s->t->n; i++)
-    if (i == 0 || is_on(s, i, k) != is_on(s, i - 1, k))
-      text_printf(p->out, " %.2f%% { visibility: %s; }", percent(s, i), seen(s, i, k));
-  text_add(p->out, " }\n");
-  add_animation(p, s, name, "step-end");
+/* Of what moves every other row and all events, of what is shown where that changes. */
+static bool is_frame(const struct stage *s, size_t row, int k) {
+  if (k < SWITCH) return row % 2 == 0 || !rows_is(s->t, row, MARK, "-");
+  return row == 0 || is_on(s, row, k) != is_on(s, row - 1, k);
 }
 
-/* Marks of the belt are so far apart that a whole number of them passes in a period. */
-static double belt_marks(const struct stage *s, double *passed) {
-  *passed = s->scale * s->velocity * s->period;
-  return *passed / ceil(*passed / 24);
+static void add_frame(struct plot *p, const struct stage *s, size_t row, int k) {
+  text_printf(p->out, " %.2f%% { ", 100 * rows_number(s->t, row, TIME) / s->period);
+  if (k >= SWITCH)
+    text_printf(p->out, "visibility: %s; }", seen(s, row, k));
+  else
+    text_printf(p->out, k % N_TRACKS == TRACK_BLOCK ? "transform: translateX(%.1fpx); }" : "transform: scaleX(%.3f); }",
+                value_of(s, row, (enum track)(k % N_TRACKS), k / N_TRACKS));
+}
+
+static void add_animation(struct plot *p, const struct stage *s, const char *name, const char *pace) {
+  text_printf(p->out, ".animation-%s { animation: animation-%s %.1fs %s infinite; }\n", name, name, seconds(s), pace);
 }
 
 static void add_motion(struct plot *p, const struct stage *s) {
-  double passed;
-  belt_marks(s, &passed);
   text_printf(p->out, "<style>\n%s@media (prefers-reduced-motion: no-preference) {\n", picture_animation_css);
-  for (int mass = 0; mass < 2; mass++)
-    for (int track = 0; track < N_TRACKS; track++) add_track(p, s, (enum track)track, mass);
-  for (int k = 0; k < N_SWITCHES; k++) add_switch(p, s, k);
-  text_printf(p->out, "@keyframes animation-v { to { stroke-dashoffset: %.1fpx; } }\n", -passed);
+  for (int k = 0; k < N_MOVING; k++) {
+    text_printf(p->out, "@keyframes animation-%s {", moving[k]);
+    for (size_t i = 0; i < s->t->n; i++)
+      if (is_frame(s, i, k)) add_frame(p, s, i, k);
+    text_add(p->out, " }\n");
+    add_animation(p, s, moving[k], k < SWITCH ? "linear" : "step-end");
+  }
+  text_printf(p->out, "@keyframes animation-v { to { stroke-dashoffset: %.1fpx; } }\n", -s->passed);
   text_printf(p->out, "@keyframes animation-t { to { transform: translateX(%.1fpx); } }\n",
               plot_x(p, s->period) - plot_x(p, 0));
   add_animation(p, s, "v", "linear");
@@ -145,8 +127,9 @@ static void add_spring(struct plot *p, const struct stage *s, int mass, double x
               x, FLOOR - HIGH / 2, mass + 1, value_of(s, 0, TRACK_SPRING, mass));
 }
 
-/* The block with what moves with it; its pull above, towards the wall where it is positive. */
-static void begin_block(struct plot *p, const struct stage *s, int mass) {
+/* The block with what moves with it, the spring at the right of the first one too; its pull above, towards the wall
+   where it is positive. */
+static void add_block(struct plot *p, const struct stage *s, int mass) {
   double limit = rows_number(s->t, 0, LIMIT + (size_t)mass);
   int middle = BLOCK / 2, above = FLOOR - HIGH - 14;
   char label[8];
@@ -158,7 +141,7 @@ static void begin_block(struct plot *p, const struct stage *s, int mass) {
   text_printf(p->out,
               "<g class=\"animation-p%d\" visibility=\"%s\"><rect class=\"stick b%d\" fill=\"currentColor\" "
               "fill-opacity=\".3\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\" />\n",
-              STICKS + mass, seen(s, 0, STICKS + mass), mass, FLOOR - HIGH, BLOCK, HIGH);
+              STICKS - SWITCH + mass, seen(s, 0, STICKS + mass), mass, FLOOR - HIGH, BLOCK, HIGH);
   if (!isnan(limit))
     text_printf(p->out, "<path class=\"limit\" " PLOT_STROKE " d=\"M%.1f %dv14\" />\n", middle - BAR * limit / s->pull,
                 above - 7);
@@ -168,10 +151,12 @@ static void begin_block(struct plot *p, const struct stage *s, int mass) {
               " transform=\"scale(%.3f 1)\" d=\"M0 0h-%d\" /></g>\n",
               middle, above, mass, mass + 1, value_of(s, 0, TRACK_PULL, mass), BAR);
   plot_text(p, middle, FLOOR - HIGH / 2 + 4, "middle", label);
+  if (mass == 0) add_spring(p, s, 1, BLOCK);
+  text_add(p->out, "</g>\n");
 }
 
 static void add_blocks(struct plot *p, const struct stage *s) {
-  double passed, apart = belt_marks(s, &passed);
+  double apart = s->passed / ceil(s->passed / 24); /* so that a whole number of marks passes in a period */
   text_printf(p->out, "<path class=\"wall\" " PLOT_STROKE " d=\"M%d %dv%d\" />\n", WALL, FLOOR - HIGH - 10, HIGH + 10);
   text_printf(p->out,
               "<path class=\"belt\" " PLOT_STROKE
@@ -179,21 +164,16 @@ static void add_blocks(struct plot *p, const struct stage *s) {
               " stroke-dasharray=\"2 %.3f\" stroke-width=\"8\" d=\"M6 %dH354\" style=\"stroke-width: 8\" />\n",
               FLOOR, FLOOR + 10, apart - 2, FLOOR + 5);
   add_spring(p, s, 0, WALL);
-  begin_block(p, s, 0);
-  add_spring(p, s, 1, BLOCK);
-  text_add(p->out, "</g>\n");
-  begin_block(p, s, 1);
-  text_add(p->out, "</g>\n");
-  for (int k = 0; k < STICKS; k++) {
-    text_printf(p->out, "<g class=\"animation-p%d\" visibility=\"%s\">", k, seen(s, 0, k));
-    plot_text(p, PLOT_WIDTH / 2, 42, "middle", phases[k][1]);
+  for (int mass = 0; mass < 2; mass++) add_block(p, s, mass);
+  for (int k = SWITCH; k < STICKS; k++) {
+    text_printf(p->out, "<g class=\"animation-%s\" visibility=\"%s\">", moving[k], seen(s, 0, k));
+    plot_text(p, PLOT_WIDTH / 2, 42, "middle", phases[k - SWITCH][1]);
     text_add(p->out, "</g>\n");
   }
   plot_text(p, 354, FLOOR + 24, "end", "belt, velocity *V* \xe2\x86\x92");
 }
 
 static void add_history(struct plot *p, const struct stage *s) {
-  static const char *const classes[] = {"c0", "c1"};
   const struct rows *t = s->t;
   plot_forget(p);
   plot_hold_column(p, 0, t, TIME);
@@ -201,11 +181,7 @@ static void add_history(struct plot *p, const struct stage *s) {
   plot_widen(p, 1, 0.08, 0.2);
   plot_panel(p, FLOOR + 52, 150, "time *t*", "*z*_1 and *z*_2");
   picture_phases(p, t, PHASE, TIME);
-  for (size_t mass = 0; mass < 2; mass++) {
-    for (size_t i = 0; i < t->n; i++)
-      plot_point(p, classes[mass], rows_number(t, i, TIME), rows_number(t, i, POSITION + 2 * mass));
-    plot_end(p);
-  }
+  for (size_t mass = 0; mass < 2; mass++) plot_column(p, t, plot_class[mass], TIME, POSITION + 2 * mass);
   text_printf(p->out, "<path class=\"frame animation-t\" " PLOT_STROKE " d=\"M%.1f %.1fv%.1f\" />\n", plot_x(p, 0),
               p->top, p->height);
   plot_free(p);

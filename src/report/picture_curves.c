@@ -5,15 +5,6 @@
 
 #include "picture.h"
 
-static const char *const classes[] = {"c0", "c1", "c2", "c3"};
-enum { N_CLASSES = sizeof classes / sizeof *classes };
-
-/* One column against another, in the panel's frame. */
-static void add_column(struct plot *p, const struct rows *t, const char *class, size_t x, size_t y) {
-  for (size_t i = 0; i < t->n; i++) plot_point(p, class, rows_number(t, i, x), rows_number(t, i, y));
-  plot_end(p);
-}
-
 /* --- Margins --- */
 
 enum { M_PHASE, M_TIME, M_FIRST, M_COLUMNS = 4 };
@@ -53,8 +44,7 @@ static void tell_margins(struct text *out, const struct rows *t) {
 void picture_phases(struct plot *p, const struct rows *t, size_t phase, size_t time) {
   static const char *const sign[] = {"D", "Gamma", "H", "C"}, *const shown[] = {"D", "\xce\x93", "H", "C"};
   for (size_t i = 0; i < t->n;) {
-    size_t k = i;
-    while (k + 1 < t->n && rows_is(t, k + 1, phase, t->cell[i][phase])) k++;
+    size_t k = rows_end(t, i, phase);
     double from = rows_number(t, i, time), to = rows_number(t, k, time);
     plot_line(p, "aid", to, p->low[1], to, p->high[1]);
     for (int s = 0; s < 4; s++)
@@ -77,7 +67,7 @@ static void draw_margins(struct plot *p, const struct rows *t) {
   plot_widen(p, 1, 0.05, 0.12);
   plot_panel(p, top + 18, 240, "time *t*", "margin");
   plot_line(p, "frame", p->low[0], 0, p->high[0], 0);
-  for (int c = 0; c < M_COLUMNS; c++) add_column(p, t, classes[c], M_TIME, M_FIRST + (size_t)c);
+  for (int c = 0; c < M_COLUMNS; c++) plot_column(p, t, plot_class[c], M_TIME, M_FIRST + (size_t)c);
   picture_phases(p, t, M_PHASE, M_TIME);
   plot_free(p);
 }
@@ -88,12 +78,6 @@ const struct picture picture_margins = {"margins",   "margins.tsv", "How far the
 /* --- Long runs --- */
 
 enum { RUN, PERIOD, LOG };
-
-/* The last row of the run that begins at row i. */
-static size_t end_of_run(const struct rows *t, size_t i) {
-  while (i + 1 < t->n && rows_is(t, i + 1, RUN, t->cell[i][RUN])) i++;
-  return i;
-}
 
 /* What a run is called: "orbit 2", also where it is formal; "printed start". */
 static void run_name(char name[40], const struct rows *t, size_t i) {
@@ -112,7 +96,7 @@ static void say_long_run(struct text *out, const struct rows *t) {
       "or comes to it by the factor $|\\operatorname{tr} J|$ a period: a straight line here.");
   bool formal = false;
   for (size_t i = 0; i < t->n; i++) {
-    size_t end = end_of_run(t, i);
+    size_t end = rows_end(t, i, RUN);
     char name[40];
     run_name(name, t, i);
     double from = rows_number(t, i, LOG), to = rows_number(t, end, LOG);
@@ -127,7 +111,7 @@ static void say_long_run(struct text *out, const struct rows *t) {
 static void tell_long_run(struct text *out, const struct rows *t) {
   text_add(out, "Distance from an orbit on a logarithmic axis against the number of periods.");
   for (size_t i = 0; i < t->n; i++) {
-    size_t end = end_of_run(t, i);
+    size_t end = rows_end(t, i, RUN);
     char name[40];
     run_name(name, t, i);
     text_printf(out, " %s: from 10 to the power %.2f to 10 to the power %.2f in %s periods.", name,
@@ -141,9 +125,9 @@ static void draw_long_run(struct plot *p, const struct rows *t) {
   char name[MOST][40];
   const char *key[MOST][2];
   int n = 0;
-  for (size_t i = 0; i < t->n && n < MOST; i = end_of_run(t, i) + 1, n++) {
+  for (size_t i = 0; i < t->n && n < MOST; i = rows_end(t, i, RUN) + 1, n++) {
     run_name(name[n], t, i);
-    key[n][0] = classes[n % N_CLASSES];
+    key[n][0] = plot_class[n % PLOT_CLASSES];
     key[n][1] = name[n];
   }
   double top = plot_key(p, (const char *const(*)[2])key, n);
@@ -155,8 +139,9 @@ static void draw_long_run(struct plot *p, const struct rows *t) {
   plot_panel(p, top + 18, 230, "periods", "|*r* \xe2\x88\x92 *r*^{*}|");
   n = 0;
   for (size_t i = 0; i < t->n; n++) {
-    size_t end = end_of_run(t, i);
-    for (; i <= end; i++) plot_point(p, classes[n % N_CLASSES], rows_number(t, i, PERIOD), rows_number(t, i, LOG));
+    size_t end = rows_end(t, i, RUN);
+    for (; i <= end; i++)
+      plot_point(p, plot_class[n % PLOT_CLASSES], rows_number(t, i, PERIOD), rows_number(t, i, LOG));
     plot_end(p);
   }
   plot_free(p);
@@ -206,7 +191,7 @@ static void tell_steps(struct text *out, const struct rows *t) {
 static void draw_steps(struct plot *p, const struct rows *t) {
   const char *key[N_BITS][2];
   for (int k = 0; k < N_BITS; k++) {
-    key[k][0] = classes[k];
+    key[k][0] = plot_class[k];
     key[k][1] = bits_name[k];
   }
   double top = plot_key(p, (const char *const(*)[2])key, N_BITS);
@@ -216,7 +201,7 @@ static void draw_steps(struct plot *p, const struct rows *t) {
   plot_widen(p, 1, 0.05, 0.05);
   p->power[0] = p->power[1] = true;
   plot_panel(p, top + 18, 230, "step *h*", "error of tr *J*");
-  for (size_t k = 0; k < N_BITS; k++) add_column(p, t, classes[k], STEP, BITS_53 + k);
+  for (size_t k = 0; k < N_BITS; k++) plot_column(p, t, plot_class[k], STEP, BITS_53 + k);
   plot_free(p);
 }
 

@@ -67,9 +67,9 @@ static void add_names(struct plot *p, const struct rows *t, int mass, size_t x, 
   }
 }
 
-static void add_key(struct plot *p, const struct rows *t, double *top) {
+static double add_key(struct plot *p, const struct rows *t) {
   static const char *const key[][2] = {{"c0", "periodic orbit"}, {"c1", "from the printed start"}};
-  *top = plot_key(p, key, has_printed(t) ? 2 : 1);
+  return plot_key(p, key, has_printed(t) ? 2 : 1);
 }
 
 /* --- Figure 3: time history --- */
@@ -125,8 +125,7 @@ static void add_gap_beside(struct plot *p, const struct rows *t, size_t mass) {
 }
 
 static void draw_history(struct plot *p, const struct rows *t) {
-  double top;
-  add_key(p, t, &top);
+  double top = add_key(p, t);
   plot_forget(p);
   plot_hold_column(p, 0, t, FIRST);
   plot_hold_column(p, 1, t, FIRST + 1);
@@ -183,8 +182,7 @@ static void add_gap(struct plot *p, const struct rows *t, size_t x, size_t y) {
 
 static void draw_portrait(struct plot *p, const struct rows *t) {
   static const char *const labels[2][2] = {{"*z*_1", "*z*\xe2\x80\xb2_1"}, {"*z*_2", "*z*\xe2\x80\xb2_2"}};
-  double top;
-  add_key(p, t, &top);
+  double top = add_key(p, t);
   for (int mass = 0; mass < 2; mass++, top += 240) {
     size_t x = FIRST + 2 * (size_t)mass, y = x + 1;
     plot_forget(p);

@@ -53,7 +53,6 @@ static void add_limits(struct plot *p, const struct rows *t, size_t x) {
 }
 
 static void draw_plane(struct plot *p, const struct rows *t, size_t mass, double top) {
-  static const char *const classes[] = {"c0", "c1", "c2", "c3"};
   size_t x = FIRST + 2 * mass;
   char labels[2][40];
   snprintf(labels[0], sizeof labels[0], "*x*_{%zu}", mass + 1);
@@ -67,7 +66,8 @@ static void draw_plane(struct plot *p, const struct rows *t, size_t mass, double
   add_limits(p, t, x);
   for (int k = 1; k <= orbits(t); k++) {
     for (size_t i = 0; i < t->n; i++)
-      if (orbit_of(t, i) == k) plot_point(p, classes[(k - 1) % 4], rows_number(t, i, x), rows_number(t, i, x + 1));
+      if (orbit_of(t, i) == k)
+        plot_point(p, plot_class[(k - 1) % PLOT_CLASSES], rows_number(t, i, x), rows_number(t, i, x + 1));
     plot_end(p);
   }
   for (size_t i = 0; i < t->n; i++)

@@ -9,6 +9,8 @@
 
 #include "escape.h"
 
+const char *const plot_class[] = {"c0", "c1", "c2", "c3"};
+
 /* --- Tables --- */
 
 static void read_row(struct rows *t, const char *line, size_t len) {
@@ -60,6 +62,11 @@ double rows_number(const struct rows *t, size_t row, size_t column) {
 
 bool rows_is(const struct rows *t, size_t row, size_t column, const char *text) {
   return column < t->columns && strcmp(t->cell[row][column], text) == 0;
+}
+
+size_t rows_end(const struct rows *t, size_t row, size_t column) {
+  while (row + 1 < t->n && rows_is(t, row + 1, column, t->cell[row][column])) row++;
+  return row;
 }
 
 /* --- What holds without a style sheet too --- */
@@ -263,6 +270,11 @@ void plot_end(struct plot *p) {
   p->open = false;
 }
 
+void plot_column(struct plot *p, const struct rows *t, const char *class, size_t x, size_t y) {
+  for (size_t i = 0; i < t->n; i++) plot_point(p, class, rows_number(t, i, x), rows_number(t, i, y));
+  plot_end(p);
+}
+
 void plot_line(struct plot *p, const char *class, double x0, double y0, double x1, double y1) {
   plot_point(p, class, x0, y0);
   plot_point(p, class, x1, y1);
@@ -294,11 +306,9 @@ double plot_lines(struct plot *p, double x, double y, const char *words) {
     size_t n = strlen(words);
     if (n > most)
       for (n = most; n > 1 && words[n] != ' ';) n--;
-    struct text line;
-    text_init(&line);
-    text_add_n(&line, words, n);
-    plot_text(p, x, y, "start", text_str(&line));
-    text_clear(&line);
+    char line[PLOT_WIDTH]; /* of fewer characters than pixels */
+    snprintf(line, sizeof line, "%.*s", (int)n, words);
+    plot_text(p, x, y, "start", line);
     words += n + (words[n] == ' ');
   }
   return y;

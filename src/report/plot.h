@@ -22,13 +22,16 @@ void rows_clear(struct rows *t);
 /* NaN where the cell holds no number. */
 double rows_number(const struct rows *t, size_t row, size_t column);
 bool rows_is(const struct rows *t, size_t row, size_t column, const char *text);
+/* The last of the rows from this one on that have the same in the column. */
+size_t rows_end(const struct rows *t, size_t row, size_t column);
 
 /* --- Panels --- */
 
 /* Attributes of a line, so that it is one where no style sheet is read. */
 #define PLOT_STROKE "fill=\"none\" stroke=\"currentColor\""
 #define PLOT_FAINT  PLOT_STROKE " stroke-width=\".3\""
-enum { PLOT_WIDTH = 360, PLOT_LEFT = 46, PLOT_RIGHT = 14 };
+enum { PLOT_WIDTH = 360, PLOT_LEFT = 46, PLOT_RIGHT = 14, PLOT_CLASSES = 4 };
+extern const char *const plot_class[PLOT_CLASSES]; /* of curves that are told apart */
 
 struct plot {
   struct text *out;
@@ -54,6 +57,8 @@ void plot_free(struct plot *p);
 /* One more point of a curve of this class; NaN breaks it.  plot_end ends it. */
 void plot_point(struct plot *p, const char *class, double x, double y);
 void plot_end(struct plot *p);
+/* One column of a table against another. */
+void plot_column(struct plot *p, const struct rows *t, const char *class, size_t x, size_t y);
 /* A straight line, in numbers of the axes. */
 void plot_line(struct plot *p, const char *class, double x0, double y0, double x1, double y1);
 void plot_dot(struct plot *p, const char *class, double x, double y);
@@ -73,7 +78,8 @@ double plot_lines(struct plot *p, double x, double y, const char *words);
 /* The name of a parameter, as scenes have it, in the same markup. */
 enum { PLOT_LABEL = 80 };
 void parameter_label(char label[PLOT_LABEL], const char *name);
-/* A key of n curves, dots (class "dot ...") or filled parts ("shade ..."), in lines from the top of the picture; class and text of each.  Its height. */
+/* A key of n curves, dots (class "dot ...") or filled parts ("shade ..."), in lines from the top of the picture; class
+   and text of each.  Its height. */
 double plot_key(struct plot *p, const char *const (*entry)[2], int n);
 
 #endif

@@ -1,11 +1,16 @@
 /* How the numbers of a table are printed, and where a finished table goes. */
 #include "tables.h"
 
+#include <math.h>
 #include <string.h>
 
-void table_number(struct text *out, const arb_t x, int decimals) {
+void table_number(struct text *out, arb_srcptr x, int decimals) {
   arb_t unit, y;
   fmpz_t n;
+  if (!x) {
+    text_add(out, "\t-");
+    return;
+  }
   arb_init(unit);
   arb_init(y);
   fmpz_init(n);
@@ -32,7 +37,26 @@ void table_number(struct text *out, const arb_t x, int decimals) {
   arb_clear(unit);
 }
 
-void table_finish(struct audit_result *out, const char *name, const struct text *body) {
+slong table_pieces(double share) {
+  enum { LEAST = 6, MOST = 200 };
+  return (slong)fmin(MOST, fmax(LEAST, ceil(MOST * share)));
+}
+
+void table_bracket(struct text *out, const struct dyn_bifurcation *b) {
+  text_add_char(out, '\t');
+  num_print_rational(out, &b->low, b->digits);
+  text_add_char(out, '\t');
+  num_print_rational(out, &b->high, b->digits);
+}
+
+fmpq *table_params(fmpq params[N_PARAMS], const struct scene *s, int vary) {
+  memcpy(params, s->value, N_PARAMS * sizeof *params);
+  fmpq_init(&params[vary]);
+  return &params[vary];
+}
+
+void table_finish(struct audit_result *out, const char *name, struct text *body) {
   out->tables = ss_grow(out->tables, out->n_tables, &out->cap_tables, sizeof *out->tables);
   out->tables[out->n_tables++] = (struct data_table){name, result_str(out, "%s", text_str(body))};
+  text_clear(body);
 }

@@ -1,6 +1,7 @@
 /* Orbits along a line of one parameter, with the proved brackets of what changes on the way (explore/bifurcate.h).
 
-   along-e2.tsv      the paper's orbit when e2 alone is another, up to where its branch ends or the line does
+   along-e2.tsv      the paper's orbit when e2 alone is another, up to where its branch ends or turns back, or the line
+                     ends
    bifurcations.tsv  every branch that is found, in the order in which it was followed, through its folds */
 #include <math.h>
 #include <stdio.h>
@@ -13,18 +14,9 @@
 #include "tables.h"
 #include "value/solved.h"
 
-/* The line runs from BEGIN/STEPS to END/STEPS times the scene's e2; one step in SHOWN is a row. */
-enum {
-  BEGIN = 128,
-  STEPS = 256,
-  END = 768,
-  SHOWN = 16,
-  DIGITS = 6,
-  STARTS = 65,
-  DECIMALS = 6,
-  SPOT_DIGITS = 9,
-  STARTS_OF_ALL = 257
-};
+/* The line of one orbit runs from half of the scene's e2 to three times it. */
+enum { SAMPLES = 41, DIGITS = 6, STARTS = 65, DECIMALS = 6, SPOT_DIGITS = 9, STARTS_OF_ALL = 257 };
+/* An orbit farther from where it is looked for, in parts of t_b + t_c, may be another. */
 #define ASTRAY 1e-3
 
 static const char heading[] =
@@ -56,152 +48,60 @@ static void add_state(struct text *body, truth is) {
 
 /* Static friction that the scene gives counts as a condition. */
 static void add_states(struct text *body, const struct scene *s, const struct dyn_orbit *o) {
-  truth u[2];
   add_state(body, o ? o->stable : TRUTH_UNKNOWN);
-  add_state(body, o ? orbit_admissible(u, s, o) : TRUTH_UNKNOWN);
+  add_state(body, o ? orbit_admissible(NULL, s, o) : TRUTH_UNKNOWN);
 }
 
-static void add_sample(struct text *body, const struct scene *s, const fmpq_t at, slong digits,
-                       const struct dyn_orbit *o) {
-  text_add(body, "-\t");
-  num_print_rational(body, at, digits);
-  text_add(body, "\t-");
-  table_number(body, o->trace, DECIMALS);
-  table_number(body, o->period, DECIMALS);
-  add_states(body, s, o);
+/* What the rows are written with. */
+struct line {
+  struct text *body;
+  const struct scene *scene;
+  fmpq params[N_PARAMS], *at; /* at: the one of them that varies */
+  slong digits;               /* of it in a sample */
+};
+
+/* How far from t_b and t_c the orbit is, in parts of their sum. */
+static double apart(const struct dyn_orbit *o, const double guess[2]) {
+  return (fabs(o->guess[PHASE_GAMMA] - guess[0]) + fabs(o->guess[PHASE_H] - guess[1])) / (guess[0] + guess[1]);
 }
 
-/* A change, with what the orbit is above it; beside: an orbit at an end of its bracket, whose numbers stand for those at
-   the change, or NULL. */
+/* The orbit near t_b and t_c; nothing, and false, where none is proved there. */
+static bool add_sample(struct line *l, const double guess[2], bool up) {
+  struct dyn_orbit o;
+  truth first = TRUTH_UNKNOWN;
+  int status = dyn_orbit_near(&o, &first, l->params, guess[0], guess[1], up, FIRST_PREC, NULL);
+  bool ok = status == SS_OK && first == TRUTH_TRUE && apart(&o, guess) <= ASTRAY;
+  if (ok) {
+    text_add(l->body, "-\t");
+    num_print_rational(l->body, l->at, l->digits);
+    text_add(l->body, "\t-");
+    table_number(l->body, o.trace, DECIMALS);
+    table_number(l->body, o.period, DECIMALS);
+    add_states(l->body, l->scene, &o);
+  }
+  dyn_orbit_clear(&o);
+  return ok;
+}
+
+/* A change, with what the orbit is above it; beside: an orbit at an end of its bracket, whose numbers stand for those
+   at the change, or NULL. */
 static void add_change(struct text *body, const struct scene *s, const struct dyn_bifurcation *b,
                        const struct dyn_orbit *beside) {
-  text_printf(body, "%s\t", says[b->what]);
-  num_print_rational(body, &b->low, b->digits);
-  text_add_char(body, '\t');
-  num_print_rational(body, &b->high, b->digits);
+  text_add(body, says[b->what]);
+  table_bracket(body, b);
   table_number(body, beside && b->what != CHANGE_FOLD ? beside->trace : b->trace, DECIMALS);
-  if (beside)
-    table_number(body, beside->period, DECIMALS);
-  else
-    text_add(body, "\t-");
+  table_number(body, beside ? beside->period : NULL, DECIMALS);
   const struct dyn_beside *above = &b->beside[1];
   add_states(body, s, above->n == 1 && above->word[0] == TRUTH_TRUE ? &above->orbit[0] : NULL);
 }
 
-/* Where the orbit was last, and before that. */
-struct walk {
-  const struct scene *scene;
-  fmpq params[N_PARAMS];
-  double tb[2], tc[2];
-  bool up, begun; /* begun: what was before is known */
-};
+/* --- Branches --- */
 
-static void set_step(fmpq_t e2, const struct walk *w, long i) {
-  fmpq_set_si(e2, i, STEPS);
-  fmpq_mul(e2, e2, &w->scene->value[KEY_E2]);
-}
-
-/* The orbit at step i, beside the last one, to be cleared whatever is answered; false where none is proved there, or
-   one so far from where the last two point that it may be another. */
-static bool walk_to(struct dyn_orbit *o, struct walk *w, long i) {
-  truth first = TRUTH_UNKNOWN;
-  double tb = w->begun ? 2 * w->tb[0] - w->tb[1] : w->tb[0], tc = w->begun ? 2 * w->tc[0] - w->tc[1] : w->tc[0];
-  set_step(&w->params[P_E2], w, i);
-  int status = dyn_orbit_near(o, &first, w->params, tb, tc, w->up, FIRST_PREC, NULL);
-  if (status != SS_OK || first != TRUTH_TRUE) return false;
-  if (w->begun && fabs(o->guess[1] - tb) + fabs(o->guess[2] - tc) > ASTRAY * (tb + tc)) return false;
-  w->tb[1] = w->tb[0];
-  w->tc[1] = w->tc[0];
-  w->tb[0] = o->guess[1];
-  w->tc[0] = o->guess[2];
-  w->up = arb_gt(o->z20, o->z10);
-  w->begun = true;
-  return true;
-}
-
-/* Back to the beginning of the line, or as near to it as the orbit can be followed; the step where that is. */
-static long walk_back(struct walk *w) {
-  bool ok = true;
-  long i = STEPS;
-  while (ok && i > BEGIN) {
-    struct dyn_orbit o;
-    ok = walk_to(&o, w, i - 1);
-    i -= ok;
-    dyn_orbit_clear(&o);
-  }
-  w->begun = false;
-  return i;
-}
-
-/* The branch with the orbit at its end; the number of branches where there is none. */
-static slong branch_of(const struct dyn_bifurcations *list, const struct walk *w) {
-  slong k = 0;
-  for (; k < list->n_branches; k++)
-    for (int end = 0; end < 2; end++) {
-      const double *x = end ? list->branch[k].to : list->branch[k].from;
-      if (fabs(x[1] - w->tb[0]) + fabs(x[2] - w->tc[0]) < 1e-6 * (w->tb[0] + w->tc[0])) return k;
-    }
-  return k;
-}
-
-/* Samples and changes by increasing e2. */
-static void add_rows(struct text *body, const struct dyn_bifurcations *list, slong branch, struct walk *w, long begin) {
-  slong next = 0;
-  bool ok = true;
-  for (long i = begin; ok && i <= END; i++) {
-    struct dyn_orbit o;
-    ok = walk_to(&o, w, i);
-    for (; next < list->n && (!ok || fmpq_cmp(&list->at[next].low, &w->params[P_E2]) < 0); next++)
-      if (list->at[next].branch == branch && list->at[next].crosses) {
-        add_change(body, w->scene, &list->at[next], NULL);
-        text_add_char(body, '\n');
-      }
-    if (ok && i % SHOWN == 0) {
-      add_sample(body, w->scene, &w->params[P_E2], DIGITS, &o);
-      text_add_char(body, '\n');
-    }
-    dyn_orbit_clear(&o);
-  }
-}
-
-void table_along_e2(struct table_source *s) {
-  const struct scene *scene = s->j->scene;
-  const fmpq *const none[2] = {NULL, NULL};
-  struct walk w = {scene, .tb = {s->orbit->guess[1]}, .tc = {s->orbit->guess[2]},
-                   .up = arb_gt(s->orbit->z20, s->orbit->z10)};
-  struct dyn_bifurcations list;
-  struct text body;
-  fmpq_t from, to;
-  if (!scene_has_forces(scene)) return;
-  text_init(&body);
-  fmpq_init(from);
-  fmpq_init(to);
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&w.params[i]);
-    fmpq_set(&w.params[i], &scene->value[i]);
-  }
-  long begin = walk_back(&w);
-  set_step(from, &w, begin);
-  set_step(to, &w, END);
-  text_add(&body, heading);
-  if (dyn_bifurcations_find(&list, scene->value, P_E2, from, to, none, DIGITS, STARTS) == SS_OK)
-    add_rows(&body, &list, branch_of(&list, &w), &w, begin);
-  table_finish(s->j->out, "along-e2.tsv", &body);
-  dyn_bifurcations_clear(&list);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&w.params[i]);
-  fmpq_clear(to);
-  fmpq_clear(from);
-  text_clear(&body);
-}
-
-/* --- Every branch --- */
-
-/* A spot, or a change, in its place on its branch. */
+/* A spot, or a change, in its place on its branch: the parameter, t_b and t_c. */
 struct place {
   slong branch;
-  double place;
-  const struct dyn_spot *spot;
-  const struct dyn_bifurcation *change;
+  double place, x[3];
+  const struct dyn_bifurcation *change; /* NULL for a spot */
 };
 
 static int by_place(const void *x, const void *y) {
@@ -209,6 +109,104 @@ static int by_place(const void *x, const void *y) {
   if (a->branch != b->branch) return a->branch < b->branch ? -1 : 1;
   return (a->place > b->place) - (a->place < b->place);
 }
+
+/* All spots and proved changes in order, to be freed. */
+static struct place *find_places(size_t *n, const struct dyn_bifurcations *list) {
+  struct place *at = ss_malloc((size_t)(list->n_spots + list->n + 1) * sizeof *at);
+  *n = 0;
+  for (slong i = 0; i < list->n_spots; i++) {
+    const struct dyn_spot *s = &list->spot[i];
+    at[(*n)++] = (struct place){s->branch, s->place, {s->x[0], s->x[1], s->x[2]}, NULL};
+  }
+  for (slong i = 0; i < list->n; i++) {
+    const struct dyn_bifurcation *b = &list->at[i];
+    const double x[3] = {fmpq_get_d(&b->low), num_arb.get_d(b->tb), num_arb.get_d(b->tc)};
+    if (b->crosses) at[(*n)++] = (struct place){b->branch, b->place, {x[0], x[1], x[2]}, b};
+  }
+  qsort(at, *n, sizeof *at, by_place);
+  return at;
+}
+
+/* --- One orbit --- */
+
+/* Between two places that follow one another: t_b and t_c where e2 is x; false where they are not on both sides of
+   it. */
+static bool between(double guess[2], const struct place *a, const struct place *b, double x) {
+  double part = (x - a->x[0]) / (b->x[0] - a->x[0]);
+  for (int k = 0; k < 2; k++) guess[k] = a->x[1 + k] + part * (b->x[1 + k] - a->x[1 + k]);
+  return a->branch == b->branch && part >= 0 && part <= 1;
+}
+
+/* The place after which the orbit lies on its branch; n where none is found that passes it. */
+static size_t find_orbit(const struct place *at, size_t n, const struct dyn_orbit *o, double e2) {
+  double guess[2];
+  size_t i = 0;
+  while (i + 1 < n && !(between(guess, &at[i], &at[i + 1], e2) && apart(o, guess) <= ASTRAY)) i++;
+  return i + 1 < n ? i : n;
+}
+
+/* Whether the branch goes on from place i to the next, with rising or with falling e2. */
+static bool goes_on(const struct place *at, size_t i, size_t n, bool rising) {
+  return i + 1 < n && at[i].branch == at[i + 1].branch && (at[i].x[0] < at[i + 1].x[0]) == rising;
+}
+
+/* Samples at even distances, and changes, by increasing e2; from the orbit to both sides up to where its branch ends or
+   turns back. */
+static void add_sheet(struct line *l, const struct dyn_axis *axis, const struct place *at, size_t n, size_t orbit,
+                      bool up) {
+  bool rising = at[orbit].x[0] < at[orbit + 1].x[0];
+  size_t first = orbit, last = orbit + 1;
+  slong k = 0;
+  while (first > 0 && goes_on(at, first - 1, n, rising)) first--;
+  while (goes_on(at, last, n, rising)) last++;
+  for (size_t i = 0; i <= last - first; i++) {
+    const struct place *to = rising ? &at[first + i] : &at[last - i], *from = rising ? to - 1 : to + 1;
+    for (; i > 0 && k < axis->n; k++) {
+      double guess[2];
+      dyn_axis_q(l->at, axis, k);
+      if (fmpq_get_d(l->at) > to->x[0]) break;
+      if (between(guess, from, to, fmpq_get_d(l->at)) && add_sample(l, guess, up)) text_add_char(l->body, '\n');
+    }
+    if (to->change) {
+      add_change(l->body, l->scene, to->change, NULL);
+      text_add_char(l->body, '\n');
+    }
+  }
+}
+
+void table_along_e2(struct table_source *s) {
+  const struct scene *scene = s->j->scene;
+  const fmpq *const none[2] = {NULL, NULL}, *e2 = &scene->value[KEY_E2];
+  struct dyn_bifurcations list;
+  struct dyn_axis axis;
+  struct text body;
+  struct line l = {.body = &body, .scene = scene, .digits = DIGITS};
+  fmpq_t from, to;
+  if (!scene_has_forces(scene)) return;
+  text_init(&body);
+  fmpq_init(from);
+  fmpq_init(to);
+  l.at = table_params(l.params, scene, KEY_E2);
+  fmpq_div_2exp(from, e2, 1);
+  fmpq_mul_si(to, e2, 3);
+  dyn_axis_init(&axis, P_E2, from, to, SAMPLES);
+  text_add(&body, heading);
+  if (dyn_bifurcations_find(&list, scene->value, P_E2, from, to, none, DIGITS, STARTS) == SS_OK) {
+    size_t n;
+    struct place *at = find_places(&n, &list);
+    size_t orbit = find_orbit(at, n, s->orbit, fmpq_get_d(e2));
+    if (orbit < n) add_sheet(&l, &axis, at, n, orbit, list.branch[at[orbit].branch].up);
+    free(at);
+  }
+  table_finish(s->j->out, "along-e2.tsv", &body);
+  dyn_bifurcations_clear(&list);
+  dyn_axis_clear(&axis);
+  fmpq_clear(l.at);
+  fmpq_clear(to);
+  fmpq_clear(from);
+}
+
+/* --- Every branch --- */
 
 /* The decimal of SPOT_DIGITS digits next to x. */
 static bool set_near(fmpq_t q, double x) {
@@ -219,45 +217,22 @@ static bool set_near(fmpq_t q, double x) {
   return scene_constant(q, shown, strlen(shown), "a spot", &d);
 }
 
-/* The orbit at the spot, once the parameter is a short decimal, which anybody can ask for again. */
-static void add_spot(struct text *body, const struct scene *s, fmpq *params, int vary, bool up,
-                     const struct dyn_spot *spot) {
-  struct dyn_orbit o;
-  truth first = TRUTH_UNKNOWN;
-  if (!set_near(&params[vary], spot->x[0])) return;
-  int status = dyn_orbit_near(&o, &first, params, spot->x[1], spot->x[2], up, FIRST_PREC, NULL);
-  if (status == SS_OK && first == TRUTH_TRUE) {
-    add_sample(body, s, &params[vary], SPOT_DIGITS, &o);
-    text_printf(body, "\t%ld\n", (long)spot->branch + 1);
-  }
-  dyn_orbit_clear(&o);
-}
-
+/* At a spot the parameter is made a short decimal, which anybody can ask for again. */
 static void add_branches(struct text *body, const struct scene *s, int vary, const struct dyn_bifurcations *list) {
-  size_t n = (size_t)list->n_spots, all = n + (size_t)list->n;
-  struct place *at = ss_malloc(all * sizeof *at);
-  fmpq params[N_PARAMS];
-  for (size_t i = 0; i < all; i++) {
-    const struct dyn_spot *spot = i < n ? &list->spot[i] : NULL;
-    const struct dyn_bifurcation *b = i < n ? NULL : &list->at[i - n];
-    at[i] = (struct place){spot ? spot->branch : b->branch, spot ? spot->place : b->place, spot, b};
-  }
-  qsort(at, all, sizeof *at, by_place);
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&params[i]);
-    fmpq_set(&params[i], &s->value[i]);
-  }
-  for (size_t i = 0; i < all; i++) {
+  struct line l = {.body = body, .scene = s, .digits = SPOT_DIGITS};
+  size_t n;
+  struct place *at = find_places(&n, list);
+  l.at = table_params(l.params, s, vary);
+  for (size_t i = 0; i < n; i++) {
     const struct dyn_bifurcation *b = at[i].change;
-    if (b && b->crosses) {
-      const struct dyn_beside *side = &b->beside[b->beside[1].n > 0];
+    const struct dyn_beside *side = b ? &b->beside[b->beside[1].n > 0] : NULL;
+    if (b)
       add_change(body, s, b, side->n ? &side->orbit[0] : NULL);
-      text_printf(body, "\t%ld\n", (long)b->branch + 1);
-    } else if (!b) {
-      add_spot(body, s, params, vary, list->branch[at[i].branch].up, at[i].spot);
-    }
+    else if (!set_near(l.at, at[i].x[0]) || !add_sample(&l, &at[i].x[1], list->branch[at[i].branch].up))
+      continue;
+    text_printf(body, "\t%ld\n", (long)at[i].branch + 1);
   }
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&params[i]);
+  fmpq_clear(l.at);
   free(at);
 }
 
@@ -284,6 +259,5 @@ int table_of_bifurcations(struct audit_result *out, const struct scene *s, int v
   if (list.missed) status |= SS_UNABLE;
   table_finish(out, "bifurcations.tsv", &body);
   dyn_bifurcations_clear(&list);
-  text_clear(&body);
   return status;
 }

@@ -116,5 +116,4 @@ void table_of_differences(struct table_source *s) {
   if (fine_init(&f, s) == SS_OK) add_rows(&body, &f);
   num_vec_clear(&f.params);
   table_finish(s->j->out, "differences.tsv", &body);
-  text_clear(&body);
 }

@@ -28,12 +28,10 @@ static void add_beside(struct text *body, const struct table_source *s, slong k)
   const struct dyn_orbit *o = &s->list->orbit[k];
   struct num_vec out;
   struct dyn_return d;
-  double params[N_PARAMS];
   mag_t error;
   arb_ptr v = _arb_vec_init(3); /* the orbit's r, the motion's, their distance */
   mag_init(error);
   num_vec_init(&out, N_RETURN, s->params.ctx);
-  for (int i = 0; i < N_PARAMS; i++) params[i] = num_arb.get_d(num_vec_at(&s->params, i));
   arb_sub(v, o->z20, o->z10, FIRST_PREC);
   arb_set_ui(v + 2, 1000);
   arb_inv(v + 2, v + 2, FIRST_PREC);
@@ -42,7 +40,7 @@ static void add_beside(struct text *body, const struct table_source *s, slong k)
     add_row(body, o->admissible == TRUTH_TRUE ? "orbit" : "formal", (long)k + 1, n, v + 2);
     double off = fabs(num_arb.get_d(v + 2));
     if (off > 0.1 || off < 1e-9) break;
-    if (dyn_return_map(&d, params, num_arb.get_d(v + 1), NULL) != SS_OK ||
+    if (dyn_return_map(&d, s->near, num_arb.get_d(v + 1), NULL) != SS_OK ||
         dyn_return_near(&out, &s->params, v + 1, d.t) != SS_OK || !table_go_on(v + 1, error, &out))
       break;
     arb_sub(v + 2, v + 1, v, FIRST_PREC);
@@ -94,27 +92,21 @@ static void add_printed(struct text *body, const struct table_source *s) {
   struct num_vec p = calc_vec(&c, N_COULOMB), x = calc_vec(&c, N_STATE);
   for (int i = 0; i < N_COULOMB; i++) num_mpfr.set_d(num_vec_at(&p, i), sim.params[i], FIRST_PREC);
   for (int i = 0; i < N_STATE; i++) num_mpfr.set_d(num_vec_at(&x, i), sim.start[i], FIRST_PREC);
+  arb_ptr at = _arb_vec_init(2);
   arb_init(l.shift); /* z10 - z20 and x_2 - x_1 at the start belong together */
-  arb_set_fmpq(l.shift, &s->printed[1]->value, FIRST_PREC);
   for (int i = 0; i < 2; i++) {
-    arb_t d;
-    arb_init(d);
-    arb_set_d(d, sim.start[i]);
-    (i == 0 ? arb_add : arb_sub)(l.shift, l.shift, d, FIRST_PREC);
-    arb_clear(d);
+    arb_set_d(at + i, sim.start[i]);
+    arb_set_fmpq(l.shift, &s->printed[i]->value, FIRST_PREC);
+    arb_sub(at + i, at + i, l.shift, FIRST_PREC);
+    arb_add(at + i, at + i, i ? s->orbit->z20 : s->orbit->z10, FIRST_PREC);
   }
-  arb_t z;
-  arb_init(z);
-  arb_set_fmpq(z, &s->printed[0]->value, FIRST_PREC);
-  arb_sub(l.shift, l.shift, z, FIRST_PREC);
-  arb_add(l.shift, l.shift, s->orbit->z10, FIRST_PREC);
-  arb_sub(l.shift, l.shift, s->orbit->z20, FIRST_PREC);
+  arb_sub(l.shift, at, at + 1, FIRST_PREC);
   tell(&l, num_vec_at(&x, 0), num_vec_at(&x, 1));
   plan.returns = COULOMB_PERIODS;
   plan.duration = 4 * COULOMB_PERIODS * sim.period;
   coulomb_simulate_exact(&result, NULL, &p, &x, &plan, &sink);
-  arb_clear(z);
   arb_clear(l.shift);
+  _arb_vec_clear(at, 2);
   calc_clear(&c);
 }
 
@@ -133,5 +125,4 @@ void table_of_long_runs(struct table_source *s) {
   for (slong k = 0; k < s->list->n; k++) add_beside(&body, s, k);
   if (s->printed[0]) add_printed(&body, s);
   table_finish(s->j->out, "long-run.tsv", &body);
-  text_clear(&body);
 }

@@ -7,7 +7,7 @@
 
 #include "tables.h"
 
-enum { DECIMALS = 6, SAMPLES = 200, LEAST_SAMPLES = 6, MOST_SAMPLES = 2000 };
+enum { DECIMALS = 6 };
 
 struct motion_tables {
   struct text history, portrait, margins;
@@ -15,56 +15,50 @@ struct motion_tables {
 };
 
 /* How many pieces a phase is cut into. */
-static long pieces(const struct dyn_arc *arc, int ph) {
+static slong pieces(const struct dyn_arc *arc, int ph) {
   double t = fabs(num_arb.get_d(num_vec_at(&arc->t, ph))), sum = 0;
   for (int i = 0; i < N_PHASES; i++) sum += fabs(num_arb.get_d(num_vec_at(&arc->t, i)));
-  double n = ceil(SAMPLES * t / sum);
-  return n < LEAST_SAMPLES ? LEAST_SAMPLES : n > MOST_SAMPLES ? MOST_SAMPLES : (long)n;
+  return table_pieces(t / sum);
 }
 
 /* What pulls on the masses: w = z_1 - chi z_2 and chi r. */
-static void set_pulls(arb_t w, arb_t chi_r, const struct table_source *s, const struct num_vec *z) {
-  arb_mul(w, num_vec_at(&s->params, P_CHI), num_vec_at(z, Z_2), FIRST_PREC);
-  arb_sub(w, num_vec_at(z, Z_1), w, FIRST_PREC);
-  arb_sub(chi_r, num_vec_at(z, Z_2), num_vec_at(z, Z_1), FIRST_PREC);
-  arb_mul(chi_r, chi_r, num_vec_at(&s->params, P_CHI), FIRST_PREC);
+static void set_pulls(arb_ptr pull, const struct table_source *s, const struct num_vec *z) {
+  const arb_struct *chi = num_vec_at(&s->params, P_CHI);
+  arb_mul(pull, chi, num_vec_at(z, Z_2), FIRST_PREC);
+  arb_sub(pull, num_vec_at(z, Z_1), pull, FIRST_PREC);
+  arb_sub(pull + 1, num_vec_at(z, Z_2), num_vec_at(z, Z_1), FIRST_PREC);
+  arb_mul(pull + 1, pull + 1, chi, FIRST_PREC);
+}
+
+static void add_state(struct text *out, const struct num_vec *z) {
+  for (int i = 0; i < N_STATE; i++) table_number(out, num_vec_at(z, (i % 2) * 2 + i / 2), DECIMALS);
 }
 
 /* A row of the animation: the state, the pulls, and e_i for a mass that sticks. */
 static void add_frame(struct text *out, const struct table_source *s, enum phase ph, const char *mark, const arb_t time,
                       const struct num_vec *z) {
-  arb_t pull[2];
-  for (int i = 0; i < 2; i++) arb_init(pull[i]);
-  set_pulls(pull[0], pull[1], s, z);
+  arb_ptr pull = _arb_vec_init(2);
+  set_pulls(pull, s, z);
   text_printf(out, "%s\t%s", phase_name[ph], mark);
   table_number(out, time, DECIMALS);
-  for (int i = 0; i < N_STATE; i++) table_number(out, num_vec_at(z, (i % 2) * 2 + i / 2), DECIMALS);
-  for (int i = 0; i < 2; i++) table_number(out, pull[i], DECIMALS);
-  for (int i = 0; i < 2; i++) {
-    if (phase_slips[ph][i])
-      text_add(out, "\t-");
-    else
-      table_number(out, num_vec_at(&s->params, P_E1 + i), DECIMALS);
-  }
+  add_state(out, z);
+  for (int i = 0; i < 2; i++) table_number(out, pull + i, DECIMALS);
+  for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? NULL : num_vec_at(&s->params, P_E1 + i), DECIMALS);
   text_add_char(out, '\n');
-  for (int i = 0; i < 2; i++) arb_clear(pull[i]);
+  _arb_vec_clear(pull, 2);
 }
 
 /* What a condition leaves: V - z_i' of a mass that slips, e_i less its pull of one that sticks; "-" for the others. */
 static void add_margins(struct text *out, const struct table_source *s, enum phase ph, const struct num_vec *z) {
-  const bool slips[2] = {ph == PHASE_GAMMA || ph == PHASE_H, ph == PHASE_H || ph == PHASE_C};
-  arb_t m[4];
-  for (int i = 0; i < 4; i++) arb_init(m[i]);
-  for (int i = 0; i < 2; i++) arb_sub(m[i], num_vec_at(&s->params, P_V), num_vec_at(z, DZ_1 + i), FIRST_PREC);
-  set_pulls(m[2], m[3], s, z);
-  for (int i = 0; i < 2; i++) arb_sub(m[2 + i], num_vec_at(&s->params, P_E1 + i), m[2 + i], FIRST_PREC);
-  for (int i = 0; i < 4; i++) {
-    if (slips[i % 2] == (i < 2))
-      table_number(out, m[i], DECIMALS);
-    else
-      text_add(out, "\t-");
+  arb_ptr speed = _arb_vec_init(4), pull = speed + 2;
+  set_pulls(pull, s, z);
+  for (int i = 0; i < 2; i++) {
+    arb_sub(speed + i, num_vec_at(&s->params, P_V), num_vec_at(z, DZ_1 + i), FIRST_PREC);
+    arb_sub(pull + i, num_vec_at(&s->params, P_E1 + i), pull + i, FIRST_PREC);
   }
-  for (int i = 0; i < 4; i++) arb_clear(m[i]);
+  for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? speed + i : NULL, DECIMALS);
+  for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? NULL : pull + i, DECIMALS);
+  _arb_vec_clear(speed, 4);
 }
 
 static void add_row(struct motion_tables *t, const struct table_source *s, const char *motion, enum phase ph,
@@ -77,7 +71,7 @@ static void add_row(struct motion_tables *t, const struct table_source *s, const
   table_number(&t->history, time, DECIMALS);
   for (int i = 0; i < 2; i++) table_number(&t->history, num_vec_at(z, i), DECIMALS);
   text_printf(&t->portrait, "%s\t%s\t%s", motion, phase_name[ph], mark);
-  for (int i = 0; i < N_STATE; i++) table_number(&t->portrait, num_vec_at(z, (i % 2) * 2 + i / 2), DECIMALS);
+  add_state(&t->portrait, z);
   text_add_char(&t->history, '\n');
   text_add_char(&t->portrait, '\n');
   if (motion[0] != 'o') return; /* conditions are those of the orbit */
@@ -96,8 +90,8 @@ static void add_phase(struct motion_tables *t, const struct table_source *s, con
   arb_init(time);
   arb_init(into);
   num_vec_init(&z, N_STATE, arc->z.ctx);
-  long n = pieces(arc, (int)ph);
-  for (long k = 0; k <= n; k++) {
+  slong n = pieces(arc, (int)ph);
+  for (slong k = 0; k <= n; k++) {
     const char *mark = k == n ? end_mark[ph] : k == 0 && ph == PHASE_D ? "O" : "-";
     arb_mul_si(into, num_vec_at(&arc->t, ph), k, FIRST_PREC);
     arb_div_si(into, into, n, FIRST_PREC);
@@ -160,9 +154,6 @@ void tables_of_motion(struct table_source *s) {
   table_finish(s->j->out, "figure-4.tsv", &t.portrait);
   table_finish(s->j->out, "margins.tsv", &t.margins);
   dyn_arc_clear(&arc);
-  text_clear(&t.margins);
-  text_clear(&t.portrait);
-  text_clear(&t.history);
 }
 
 bool table_of_animation(struct audit_result *out, const struct table_source *s) {
@@ -179,8 +170,7 @@ bool table_of_animation(struct audit_result *out, const struct table_source *s) 
   dyn_arc_init(&arc, s->params.ctx);
   bool ok = orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK;
   if (ok) add_motion(&t, s, "orbit", &arc);
-  if (ok) table_finish(out, "animation.tsv", &body);
+  table_finish(out, "animation.tsv", &body);
   dyn_arc_clear(&arc);
-  text_clear(&body);
   return ok;
 }

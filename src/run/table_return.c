@@ -32,7 +32,6 @@ bool table_go_on(arb_t r, mag_t error, const struct num_vec *returned) {
 struct return_table {
   const struct table_source *s;
   struct text body;
-  double params[N_PARAMS];
   struct num_vec r, out; /* one r; what dyn_return_near says of it */
   double t[N_PHASES];    /* the events there */
 };
@@ -41,7 +40,7 @@ struct return_table {
 static bool step(struct return_table *t) {
   struct dyn_return d;
   double r = num_arb.get_d(num_vec_at(&t->r, 0));
-  if (dyn_return_map(&d, t->params, r, NULL) != SS_OK || d.grazing) return false;
+  if (dyn_return_map(&d, t->s->near, r, NULL) != SS_OK || d.grazing) return false;
   for (int i = 0; i < N_PHASES; i++) t->t[i] = d.t[i];
   return dyn_return_near(&t->out, &t->s->params, num_vec_at(&t->r, 0), d.t) == SS_OK;
 }
@@ -57,7 +56,7 @@ static void add_row(struct return_table *t, const char *curve, long piece) {
 /* An event has moved further than it can from one r of the grid to the next unless it has become another one: a good
    part of the shortest half period. */
 static bool jumped(const struct return_table *t, const double before[N_PHASES]) {
-  double most = 0.5 / sqrt(1 + t->params[P_CHI] * t->params[P_ETA]);
+  double most = 0.5 / sqrt(1 + t->s->near[P_CHI] * t->s->near[P_ETA]);
   return fabs(t->t[PHASE_H] - before[PHASE_H]) > most || fabs(t->t[PHASE_GAMMA] - before[PHASE_GAMMA]) > most;
 }
 
@@ -146,7 +145,7 @@ static double add_iterates(struct return_table *t, double centre) {
 
 static void add_curves(struct return_table *t) {
   const struct dyn_orbits *list = t->s->list;
-  double end = t->params[P_E2] / t->params[P_CHI]; /* phase Gamma begins below */
+  double end = t->s->near[P_E2] / t->s->near[P_CHI]; /* phase Gamma begins below */
   double centre = orbit_r(t->s->orbit), low = centre, high = centre;
   add_fixed_points(t);
   double reach = add_iterates(t, centre);
@@ -154,7 +153,7 @@ static void add_curves(struct return_table *t) {
     low = fmin(low, orbit_r(&list->orbit[k]));
     high = fmax(high, orbit_r(&list->orbit[k]));
   }
-  double span = fmax(high - low, fmax(8 * reach, t->params[P_V] / 4));
+  double span = fmax(high - low, fmax(8 * reach, t->s->near[P_V] / 4));
   struct window w;
   fmpq_init(w.low);
   fmpq_init(w.high);
@@ -171,7 +170,6 @@ void table_of_return_map(struct table_source *s) {
   text_init(&t.body);
   num_vec_init(&t.r, 1, s->params.ctx);
   num_vec_init(&t.out, N_RETURN, s->params.ctx);
-  for (int i = 0; i < N_PARAMS; i++) t.params[i] = num_arb.get_d(num_vec_at(&s->params, i));
   text_add(
       &t.body,
       "# The return map of the word: r = z_2 - z_1 at the end of the global stick phase, r' one period later, and "
@@ -185,5 +183,4 @@ void table_of_return_map(struct table_source *s) {
   table_finish(s->j->out, "return-map.tsv", &t.body);
   num_vec_clear(&t.out);
   num_vec_clear(&t.r);
-  text_clear(&t.body);
 }

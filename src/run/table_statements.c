@@ -42,5 +42,4 @@ void table_of_statements(struct audit_result *out, const struct claims *statemen
     text_add_char(&body, '\n');
   }
   table_finish(out, "statements.tsv", &body);
-  text_clear(&body);
 }

@@ -1,10 +1,8 @@
 /* The orbits of a system file, sampled: what their phase planes are drawn from.  A phase is sampled at equal times, its
    ends included, in balls. */
-#include <math.h>
-
 #include "tables.h"
 
-enum { DECIMALS = 6, SAMPLES = 200, LEAST_SAMPLES = 6 };
+enum { DECIMALS = 6 };
 
 static void add_row(struct text *out, const char *what, const struct mech *m, const char *phase, const char *mark,
                     arb_srcptr time, const arb_mat_t y) {
@@ -25,7 +23,7 @@ static void add_phase(struct text *out, const char *what, const struct mech *m, 
   arb_mat_init(y, side, 1);
   arb_init(step);
   double share = arf_get_d(arb_midref(o->t + k), ARF_RND_NEAR) / arf_get_d(arb_midref(o->period), ARF_RND_NEAR);
-  slong n = (slong)fmin(SAMPLES, fmax(LEAST_SAMPLES, ceil(SAMPLES * share)));
+  slong n = table_pieces(share);
   arb_div_si(step, o->t + k, n, FIRST_PREC);
   mech_rate(exact, m, o->word.phase[k]);
   arb_mat_set_fmpq_mat(flow, exact, FIRST_PREC);
@@ -55,12 +53,8 @@ static void add_limits(struct text *out, const char *what, const struct mech *m)
     bool surface = what[0] == 's';
     const struct mech_stop *stop = &mass->stop[what[0] == 'a'];
     arb_set_fmpq(x, surface ? mass->surface : stop->position, FIRST_PREC);
-    for (int k = 0; k < 2; k++) {
-      if (surface ? k && mass->rubbed : !k && stop->given)
-        table_number(out, x, DECIMALS);
-      else
-        text_add(out, "\t-");
-    }
+    for (int k = 0; k < 2; k++)
+      table_number(out, (surface ? k && mass->rubbed : !k && stop->given) ? x : NULL, DECIMALS);
   }
   text_add_char(out, '\n');
   arb_clear(x);
@@ -88,5 +82,4 @@ void table_of_system(struct audit_result *out, const struct mech *m, const struc
   for (int i = 0; i < 3; i++) add_limits(&t, limits[i], m);
   table_finish(out, "phase-planes.tsv", &t);
   arb_clear(time);
-  text_clear(&t);
 }

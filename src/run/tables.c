@@ -13,6 +13,7 @@ static const char *source_init(struct table_source *s, struct judge *j, struct p
   s->orbit = &s->list->orbit[p->orbit];
   if (s->orbit->grazing) return "two events of the orbit coincide, or one is double";
   if (scene_numbers(&s->params, j) != SS_OK) return "its parameters cannot be enclosed";
+  for (int i = 0; i < N_PARAMS; i++) s->near[i] = num_arb.get_d(num_vec_at(&s->params, i));
   const struct printed_number *z10 = scene_printed(j->scene, "z10"), *z20 = scene_printed(j->scene, "z20");
   if (z10 && z20) {
     s->printed[0] = z10;

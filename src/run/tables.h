@@ -6,6 +6,7 @@
 #define STICKSLIP_AUDIT_TABLES_H
 
 #include "base/crew.h"
+#include "explore/bifurcate.h"
 #include "explore/family.h"
 #include "judge/behaviour.h"
 #include "mech/orbit.h"
@@ -18,15 +19,22 @@ struct table_source {
   const struct dyn_orbit *orbit;           /* nearest to the printed numbers */
   const struct printed_number *printed[2]; /* z10, z20; NULL both where the scene prints no start */
   struct num_vec params;                   /* enclosed; where e1 and e2 are not given, those of the orbit */
+  double near[N_PARAMS];                   /* the same, rounded */
 };
 
 /* The tables of the scene, into out->tables; NULL, or why there are none. */
 const char *study_tables(struct judge *j);
 
-/* Appends a tab, and x to so many decimals; "-" where they are not known. */
-void table_number(struct text *out, const arb_t x, int decimals);
-/* Adds a table to the result. */
-void table_finish(struct audit_result *out, const char *name, const struct text *body);
+/* Appends a tab, and x to so many decimals; "-" where they are not known, or x is NULL. */
+void table_number(struct text *out, arb_srcptr x, int decimals);
+/* Into how many pieces a phase is cut that takes this share of the period. */
+slong table_pieces(double share);
+/* The two decimals that are proved to enclose a change, each after a tab. */
+void table_bracket(struct text *out, const struct dyn_bifurcation *b);
+/* The scene's parameters, borrowed, but for one, which is to be set and cleared by the pointer returned. */
+fmpq *table_params(fmpq params[N_PARAMS], const struct scene *s, int vary);
+/* Adds a table to the result, and clears its text. */
+void table_finish(struct audit_result *out, const char *name, struct text *body);
 
 /* From what dyn_return_near returned at r to the next period: r becomes its middle, so that enclosures do not grow by
    themselves, and error, how far that may be from the true iterate, by little more than the slope; false once that
@@ -43,19 +51,19 @@ void table_of_long_runs(struct table_source *s);
 void table_of_differences(struct table_source *s);
 /* along-e2.tsv: the orbit and what changes on it when e2 alone is another; none where the scene does not give e2. */
 void table_along_e2(struct table_source *s);
-/* animation.tsv: one period of that orbit of the scene (from 0), or of the nearest to the printed numbers where it is -1;
-   false with d set where there is none. */
+/* animation.tsv: one period of that orbit of the scene (from 0), or of the nearest to the printed numbers where it is
+   -1; false with d set where there is none. */
 bool scene_animation(struct audit_result *out, const struct scene *s, slong orbit, struct diag *d);
-/* The same of the orbit of a source; false where its motion cannot be enclosed. */
+/* The same of the orbit of a source; false, with a table of no rows, where its motion cannot be enclosed. */
 bool table_of_animation(struct audit_result *out, const struct table_source *s);
 /* bifurcations.tsv: every branch of orbits along a line of one parameter; SS_UNABLE when a change can
    be missing.  The samples stand where the curves were followed in double precision, which may differ from one machine
    to another. */
 int table_of_bifurcations(struct audit_result *out, const struct scene *s, int vary, const fmpq_t from,
                           const fmpq_t to);
-/* stability-map.tsv: the orbits over a plane of two parameters, at most so many values of each, the second running along
-   the lines, with proved points of the boundaries; the tally counts lines.  false with d set when no process can be
-   made. */
+/* stability-map.tsv: the orbits over a plane of two parameters, at most so many values of each, the second running
+   along the lines, with proved points of the boundaries; the tally counts lines.  false with d set, and a table of no rows,
+   when no process can be made. */
 enum { TABLE_MOST_SIDE = 400 };
 bool table_of_map(struct audit_result *out, const struct scene *s, const struct dyn_axis axis[2], int jobs,
                   struct crew_tally *tally, struct diag *d);

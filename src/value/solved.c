@@ -129,7 +129,7 @@ static truth friction_holds(const struct scene *s, int key, arb_srcptr min) {
 }
 
 truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {
-  u[0] = friction_holds(s, KEY_U_R1, o->u_r1_min);
-  u[1] = friction_holds(s, KEY_U_R2, o->u_r2_min);
-  return truth_and(o->admissible, truth_and(u[0], u[1]));
+  const truth holds[2] = {friction_holds(s, KEY_U_R1, o->u_r1_min), friction_holds(s, KEY_U_R2, o->u_r2_min)};
+  for (int i = 0; i < 2 && u; i++) u[i] = holds[i];
+  return truth_and(o->admissible, truth_and(holds[0], holds[1]));
 }

@@ -37,7 +37,7 @@ void judge_three_phases(struct dyn_orbits *list, struct dyn_certificate *proof);
 bool three_phases_have(int margin);
 
 /* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0],
-   u[1]. */
+   u[1] where u is not NULL. */
 truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o);
 
 #endif
