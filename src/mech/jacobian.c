@@ -36,7 +36,7 @@ static void cross(arb_mat_t d, const struct mech_equations *e, int k) {
     arb_ptr velocity = arb_mat_entry(d, e->m->n + e->hit[k], l);
     arb_mul(velocity, velocity, e->rebound[k], e->prec);
   }
-  arb_mat_mul(rate, e->rate[(k + 1) % e->w->n], d, e->prec);
+  if (!last) arb_mat_mul(rate, e->rate[k + 1], d, e->prec);
   for (int i = 0; !last && i < e->side; i++)
     for (slong l = 1; l < columns; l++)
       arb_addmul(arb_mat_entry(d, i, l), arb_mat_entry(rate, i, 0), arb_mat_entry(lead, 0, l), e->prec);

@@ -356,11 +356,14 @@ void mech_word_turn(struct mech_word *out, const struct mech_word *in, int by) {
   *out = turned;
 }
 
+bool mech_word_goes_through(const struct mech_word *w, const struct mech_word *once, int by) {
+  bool same = w->n % once->n == 0;
+  for (int k = 0; same && k < w->n; k++) same = strcmp(w->phase[k], once->phase[(k + by) % once->n]) == 0;
+  return same;
+}
+
 bool mech_word_same(int *by, const struct mech_word *a, const struct mech_word *b) {
-  for (*by = 0; a->n == b->n && *by < a->n; ++*by) {
-    int k = 0;
-    while (k < a->n && strcmp(a->phase[k], b->phase[(k + *by) % b->n]) == 0) k++;
-    if (k == a->n) return true;
-  }
+  for (*by = 0; a->n == b->n && *by < a->n; ++*by)
+    if (mech_word_goes_through(a, b, *by)) return true;
   return false;
 }

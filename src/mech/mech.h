@@ -118,6 +118,8 @@ bool mech_word_good(const struct mech_word *w);
 void mech_word_print(struct text *out, const struct mech_word *w);
 /* The word turned to begin with its phase number by; out may be in. */
 void mech_word_turn(struct mech_word *out, const struct mech_word *in, int by);
+/* Is it the word `once`, begun at its phase number by, once or several times over? */
+bool mech_word_goes_through(const struct mech_word *w, const struct mech_word *once, int by);
 /* The same word, from whichever phase; *by: how far b is turned. */
 bool mech_word_same(int *by, const struct mech_word *a, const struct mech_word *b);
 

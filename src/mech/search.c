@@ -51,27 +51,17 @@ static void random_start(double *z, const struct mech *m, uint64_t *stream) {
   }
 }
 
-/* Is a word turned by that much another one? */
-static bool turned_into(const struct mech_word *a, int by, const struct mech_word *b) {
-  bool same = a->n == b->n;
-  for (int k = 0; same && k < a->n; k++) same = strcmp(a->phase[(k + by) % a->n], b->phase[k]) == 0;
-  return same;
-}
-
 /* Whether the word is a shorter one several times over. */
 static bool repeats(const struct mech_word *w) {
-  for (int l = 1; l < w->n; l++)
-    if (turned_into(w, l, w)) return true;
+  for (int by = 1; by < w->n; by++)
+    if (mech_word_goes_through(w, w, by)) return true;
   return false;
 }
 
-/* Is it that word, once or several times over? */
-static bool goes_through(const struct mech_word *w, const struct mech_word *once) {
-  for (int by = 0; w->n % once->n == 0 && by < once->n; by++) {
-    int k = 0;
-    while (k < w->n && strcmp(w->phase[k], once->phase[(k + by) % once->n]) == 0) k++;
-    if (k == w->n) return true;
-  }
+/* Is it that word, from whichever phase, once or several times over? */
+static bool is_rounds_of(const struct mech_word *w, const struct mech_word *once) {
+  for (int by = 0; by < once->n; by++)
+    if (mech_word_goes_through(w, once, by)) return true;
   return false;
 }
 
@@ -81,7 +71,7 @@ static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i
   const struct mech_moment *a = &x->moment[i];
   struct mech_word w = {.n = k};
   for (int l = 0; l < k; l++) memcpy(w.phase[l], a[l].phase, sizeof w.phase[l]);
-  if (!mech_word_good(&w) || (wanted && !goes_through(&w, wanted))) return false;
+  if (!mech_word_good(&w) || (wanted && !is_rounds_of(&w, wanted))) return false;
   *out = (struct stretch){.word = w, .gap = mech_gap(a[0].z, a[k].z, m->n, m->states)};
   for (int l = 0; l < k; l++) out->t[l] = a[l + 1].t - a[l].t;
   memcpy(out->z, a[0].z, sizeof out->z);
@@ -153,7 +143,7 @@ void mech_first_start(double *z, const struct mech *m) {
 
 /* Begun at its phase number by, is a the same as b, as far as their enclosures tell? */
 static bool meets_turned(const struct mech_orbit *a, int by, const struct mech_orbit *b) {
-  bool same = turned_into(&a->word, by, &b->word);
+  bool same = a->word.n == b->word.n && mech_word_goes_through(&b->word, &a->word, by);
   for (int k = 0; same && k < b->word.n; k++) {
     int l = (k + by) % b->word.n;
     same = arb_overlaps(a->t + l, b->t + k);
