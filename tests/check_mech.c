@@ -517,6 +517,49 @@ START_TEST(orbits_of_one_round_and_of_two) {
 }
 END_TEST
 
+/* More friction, static and sliding alike, only moves the place where masses swing that are never faster than the surface. */
+START_TEST(more_friction_moves_the_place) {
+  static const char *const friction[] = {"friction = 1\n", "friction = 1000000\n"};
+  struct mech_orbits list[2];
+  int shared = 0;
+  for (int i = 0; i < 2; i++) {
+    struct text system;
+    text_init(&system);
+    text_printf(&system, "%s%s", friction[i],
+                "mass m1\n  inertia: 1\n  sliding: friction\n  static: friction + 2.7844\n  surface: 1\n"
+                "mass m2\n  inertia: 1\n  sliding: friction\n  static: friction + 0.8587\n  surface: 1\n"
+                "spring wall\n  between: ground, m1\n  stiffness: 0.2\n"
+                "spring middle\n  between: m1, m2\n  stiffness: 0.8\n");
+    read_text(text_str(&system));
+    mech_orbits_find(&list[i], &file, NULL, false, 128);
+    mech_clear(&file);
+    text_clear(&system);
+  }
+  for (int k = 0; k < list[1].n; k++) {
+    const struct mech_orbit *o = &list[1].orbit[k];
+    for (int l = 0, by; l < list[0].n; l++)
+      shared += mech_orbit_is_motion(o) && mech_word_same(&by, &o->word, &list[0].orbit[l].word) &&
+                arb_overlaps(o->period, list[0].orbit[l].period);
+  }
+  ck_assert_int_ge(shared, 1);
+  for (int i = 0; i < 2; i++) mech_orbits_clear(&list[i]);
+}
+END_TEST
+
+/* A state that is far out but has not come back. */
+START_TEST(far_out_is_not_settled) {
+  struct mech_moment moment[] = {{.t = 0, .phase = "s", .z = {1e6, 1}},
+                                 {.t = 1, .phase = "-", .z = {1e6 + 1, 1}},
+                                 {.t = 2, .phase = "s", .z = {1e6 + 0.1, 1}}};
+  struct mech_motion x = {.moment = moment, .n_moments = 3};
+  struct mech_word w;
+  double period, gap;
+  ck_assert(!mech_settles(&w, &period, &gap, &x, 1, 2));
+  moment[2].z[0] = 1e6 + 1e-7;
+  ck_assert(mech_settles(&w, &period, &gap, &x, 1, 2) && w.n == 2 && gap > 5e-8);
+}
+END_TEST
+
 /* By a program that has nothing in common with src/mech. */
 static const char *const scenes_of_systems[] = {"chain3", "den-hartog", "driven", "beside-wall", "chain4", "chain5"};
 enum { QUICK_SCENES = 4 };
@@ -1018,6 +1061,8 @@ Suite *mech_suite(void) {
   tcase_add_test(c, one_mass_in_closed_form);
   tcase_add_test(c, static_equal_to_sliding);
   suite_add_tcase(s, c);
+  tcase_add_test(c, more_friction_moves_the_place);
+  tcase_add_test(c, far_out_is_not_settled);
   tcase_add_loop_test(c, orbits_of_one_round_and_of_two, 0, sizeof in_rounds / sizeof *in_rounds);
   c = tcase_create("random orbits");
   tcase_set_tags(c, "long");

@@ -92,19 +92,31 @@ void mech_events_json(struct json *j, int n, const struct mech_motion *x) {
 
 /* --- Motions compared --- */
 
-double mech_gap(const double *a, const double *b, int n, int states) {
-  double apart = 0, size = 0;
-  const int ends[] = {0, n, 2 * n, states};
-  for (int part = 0; part < 3; part++) {
-    double d = 0, s = 0;
-    for (int i = ends[part]; i < ends[part + 1]; i++) {
-      d = fmax(d, fabs(a[i] - b[i]));
-      s = fmax(s, fmax(fabs(a[i]), fabs(b[i])));
-    }
-    apart = fmax(apart, s > 0 ? d / s : 0);
-    size = fmax(size, s);
+/* The range of a mass's positions between those moments: at least half of the way there and back that it goes at its mean
+   speeds, since it may be at the same place at every event. */
+static double range(const struct mech_moment *at, int k, int n, int mass) {
+  double low = at->z[mass], high = low, length = 0;
+  for (int l = 1; l <= k; l++) {
+    low = fmin(low, at[l].z[mass]);
+    high = fmax(high, at[l].z[mass]);
+    length += (at[l].t - at[l - 1].t) * (fabs(at[l - 1].z[n + mass]) + fabs(at[l].z[n + mass])) / 2;
   }
-  return size > 0 ? apart : HUGE_VAL;
+  return fmax(high - low, length / 2);
+}
+
+static double share(double apart, double extent) {
+  return apart > 0 ? apart / extent : 0;
+}
+
+double mech_gap(const struct mech_moment *at, int k, int n, int states) {
+  double apart[3] = {0}, extent[3] = {0};
+  for (int i = 0; i < states; i++) {
+    int part = i < n ? 0 : i < 2 * n ? 1 : 2;
+    apart[part] = fmax(apart[part], fabs(at[k].z[i] - at[0].z[i]));
+    if (part == 0) extent[part] = fmax(extent[part], range(at, k, n, i));
+    for (int l = 0; part > 0 && l <= k; l++) extent[part] = fmax(extent[part], fabs(at[l].z[i]));
+  }
+  return fmax(share(apart[0], extent[0]), fmax(share(apart[1], extent[1]), share(apart[2], extent[2])));
 }
 
 bool mech_settles(struct mech_word *w, double *period, double *gap, const struct mech_motion *x, int n, int states) {
@@ -113,7 +125,7 @@ bool mech_settles(struct mech_word *w, double *period, double *gap, const struct
   *w = (struct mech_word){.n = 0};
   for (int k = 1; k <= MECH_PHASES && k < x->n_moments; k++) {
     const struct mech_moment *at = last - k;
-    *gap = mech_gap(at->z, last->z, n, states);
+    *gap = mech_gap(at, k, n, states);
     if (strcmp(at->phase, last->phase) != 0 || !(*gap < same)) continue;
     *period = last->t - at->t;
     w->n = k;

@@ -10,7 +10,7 @@
 #include "num/pi.h"
 #include "orbit.h"
 
-enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60, ROUNDS = 10, MUCH = 8 };
+enum { SIMULATIONS = 36, WIDE = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 90, ROUNDS = 10, MUCH = 8 };
 static const char seed[] = "motions of a system";
 static const double near = 0.2; /* relative distance of the ends */
 /* A motion lasts while the slowest mode goes through so many radians and a surface drags a mass so many times as long as
@@ -32,14 +32,35 @@ static double uniform(uint64_t *stream) {
   return 2 * ldexp((double)(random_next(stream) >> 11), -53) - 1;
 }
 
-/* Positions about as far out as friction and loads can hold them, velocities about those of the surfaces. */
-static void random_start(double *z, const struct mech *m, uint64_t *stream) {
+/* Where the masses are in balance while each is slower than its surface. */
+static void balance(double *x, const struct mech *m) {
+  fmpq_mat_t force, at;
+  fmpq_mat_init(force, m->n, 1);
+  fmpq_mat_init(at, m->n, 1);
+  for (int i = 0; i < m->n; i++)
+    if (m->mass[i].rubbed) {
+      int sign = fmpq_sgn(m->mass[i].surface);
+      fmpq_mul_si(fmpq_mat_entry(force, i, 0), m->mass[i].sliding, sign);
+    }
+  fmpq_mat_solve(at, m->stiffness, force);
+  for (int i = 0; i < m->n; i++) x[i] = fmpq_get_d(fmpq_mat_entry(at, i, 0));
+  fmpq_mat_clear(force);
+  fmpq_mat_clear(at);
+}
+
+/* Positions about as far out as friction and loads can hold them; or near the balance, as far from it as the loads and the
+   excess of static friction reach, since friction that is large against its excess takes many periods to drag the masses
+   there.  Velocities about those of the surfaces. */
+static void random_start(double *z, const struct mech *m, bool near_balance, uint64_t *stream) {
+  double x[MECH_MASSES] = {0};
+  if (near_balance) balance(x, m);
   for (int i = 0; i < m->n; i++) {
     const struct mech_mass *mass = &m->mass[i];
     double stiffness = fmpq_get_d(fmpq_mat_entry(m->stiffness, i, i)),
            force = mass->rubbed ? fmpq_get_d(mass->limit) : 1;
+    if (mass->rubbed && near_balance) force -= fmpq_get_d(mass->sliding);
     for (int j = 0; j < 2; j++) force += fabs(fmpq_get_d(fmpq_mat_entry(m->loading, i, j)));
-    z[i] = uniform(stream) * 2 * force / stiffness;
+    z[i] = x[i] + uniform(stream) * 2 * force / stiffness;
     if (mass->stop[0].given) z[i] = fmax(z[i], fmpq_get_d(mass->stop[0].position));
     if (mass->stop[1].given) z[i] = fmin(z[i], fmpq_get_d(mass->stop[1].position));
     z[m->n + i] = fmpq_get_d(mass->surface) * (random_next(stream) % 2 ? 1 : uniform(stream));
@@ -72,7 +93,7 @@ static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i
   struct mech_word w = {.n = k};
   for (int l = 0; l < k; l++) memcpy(w.phase[l], a[l].phase, sizeof w.phase[l]);
   if (!mech_word_good(&w) || (wanted && !is_rounds_of(&w, wanted))) return false;
-  *out = (struct stretch){.word = w, .gap = mech_gap(a[0].z, a[k].z, m->n, m->states)};
+  *out = (struct stretch){.word = w, .gap = mech_gap(a, k, m->n, m->states)};
   for (int l = 0; l < k; l++) out->t[l] = a[l + 1].t - a[l].t;
   memcpy(out->z, a[0].z, sizeof out->z);
   return true;
@@ -138,7 +159,7 @@ static double duration(const struct mech *m) {
 
 void mech_first_start(double *z, const struct mech *m) {
   uint64_t stream = random_seed(seed);
-  random_start(z, m, &stream);
+  random_start(z, m, false, &stream);
 }
 
 /* Begun at its phase number by, is a the same as b, as far as their enclosures tell? */
@@ -228,7 +249,7 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
   while (list->simulations < SIMULATIONS && !done) {
     struct mech_motion x;
     double z[MECH_STATES];
-    random_start(z, m, &stream);
+    random_start(z, m, list->simulations >= WIDE, &stream);
     int status = mech_simulate(&x, MECH_PATCHED, m, z, &plan);
     if (status != SS_DOMAIN) look_through(&found, &x, w, m);
     list->unfinished += status != SS_OK;
@@ -296,7 +317,7 @@ void mech_settle(struct mech_settling *s, const struct mech *m) {
   *s = (struct mech_settling){.n = 0};
   while (s->starts < SIMULATIONS) {
     double z[MECH_STATES];
-    random_start(z, m, &stream);
+    random_start(z, m, s->starts >= WIDE, &stream);
     s->starts++;
     follow(s, z, m, length);
   }
