@@ -101,13 +101,12 @@ static void all_json(struct text *out, const struct dyn_bifurcations *list, cons
 /* --- Text --- */
 
 static void side_text(struct text *out, const struct dyn_beside *side, const struct scene *s) {
-  static const char *const fate[] = {"unstable", "stable", "stability undecided"};
-  static const char *const adm[] = {"not admissible", "admissible", "admissibility undecided"};
   int n = 0;
   for (int i = 0; i < side->n; i++) {
     if (side->word[i] == TRUTH_FALSE) continue;
     const struct dyn_orbit *o = &side->orbit[i];
-    text_printf(out, "%s%s, %s%s", n++ ? " and " : "", fate[o->stable], adm[orbit_admissible(NULL, s, o)],
+    text_printf(out, "%s%s, %s%s", n++ ? " and " : "", fate_name[o->stable],
+                admissibility_name[orbit_admissible(NULL, s, o)],
                 side->word[i] == TRUTH_UNKNOWN ? ", perhaps not of the word" : "");
   }
   if (n == 0) text_add(out, "none");

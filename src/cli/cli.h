@@ -199,6 +199,9 @@ bool show_phases(const struct options *o, const struct model *m, const struct sc
 
 /* true, false or null. */
 void json_truth(struct json *j, const char *key, truth t);
+/* What a truth about stability is called, in the paper's words and in a table; and one about admissibility. */
+extern const char *const stability_name[TRUTH_UNKNOWN + 1], *const fate_name[TRUTH_UNKNOWN + 1],
+                                                                *const admissibility_name[TRUTH_UNKNOWN + 1];
 
 /* verify --plan. */
 int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,

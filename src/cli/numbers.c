@@ -7,6 +7,8 @@
 #include "orbit_numbers.h"
 
 const char *const stability_name[] = {"unstable", "conditionally stable", "stability undecided"};
+const char *const fate_name[] = {"unstable", "stable", "stability undecided"};
+const char *const admissibility_name[] = {"not admissible", "admissible", "admissibility undecided"};
 
 /* A whole number of which n digits are known, from `from` on: 212766240 as 2.1276624e+8, since a zero that only fills
    up would be read as a digit. */
@@ -110,9 +112,8 @@ void json_truth(struct json *j, const char *key, truth t) {
 }
 
 void admissible_text(struct text *out, truth admissible, const struct scene *s) {
-  static const char *const words[] = {"not admissible", "admissible", "admissibility undecided"};
   bool u1 = s->given[KEY_U_R1], u2 = s->given[KEY_U_R2];
-  text_add(out, words[admissible]);
+  text_add(out, admissibility_name[admissible]);
   if (admissible != TRUTH_TRUE || (u1 && u2)) return;
   text_printf(out, " with %s",
               u1   ? "u_r2 above its bound"

@@ -5,8 +5,6 @@
 #include "base/json.h"
 #include "value/solved.h"
 
-/* What a truth about stability is called. */
-extern const char *const stability_name[TRUTH_UNKNOWN + 1];
 enum { MOST_BOX_DIGITS = 20 };
 /* stable, admissible and the violations; u: whether the given u_r1, u_r2 exceed their bounds. */
 void fate_json(struct json *j, const struct dyn_orbit *o, truth admissible, const truth u[2]);

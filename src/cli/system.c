@@ -141,10 +141,8 @@ static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits
   text_add(out, !z ? " not told apart\n" : n ? "\n" : " none\n");
 }
 
-static const char *const allowed[] = {"not admissible", "admissible", "admissibility undecided"};
-
 static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, slong digits) {
-  text_printf(out, "%s, %s\n", stability_name[o->stable], allowed[o->admissible]);
+  text_printf(out, "%s, %s\n", stability_name[o->stable], admissibility_name[o->admissible]);
   for (int k = 0; k < o->word.n; k++) {
     char name[MECH_PHASE + 16];
     snprintf(name, sizeof name, "t_%d %s", k + 1, o->word.phase[k]);
@@ -274,7 +272,7 @@ static void word_text(struct text *out, int *others, const struct mech_orbits *l
     if (o->admissible == TRUTH_FALSE) continue;
     text_add(&rows, "    orbit of period ");
     print_known(&rows, o->period, digits);
-    text_printf(&rows, ", %s, %s%s\n", stability_name[o->stable], allowed[o->admissible],
+    text_printf(&rows, ", %s, %s%s\n", stability_name[o->stable], admissibility_name[o->admissible],
                 o->certified ? "" : ", not certified");
   }
   if (motions > 0 || rows.len > 0) {
@@ -340,7 +338,7 @@ static void jacobian_json(struct text *out, const struct mech_orbit *o, const ar
 static void jacobian_text(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,
                           const struct scene *s, const struct jacobian_request *q, const char *at) {
   char name[16];
-  text_printf(out, "%s, %s (%s), method %s: ", s->name, at, allowed[o->admissible], method_name[q->method]);
+  text_printf(out, "%s, %s (%s), method %s: ", s->name, at, admissibility_name[o->admissible], method_name[q->method]);
   text_add(out, o->n_free ? "the first return of" : "no coordinate is free");
   for (int l = 0; l < o->n_free; l++) {
     free_name(name, o, l);

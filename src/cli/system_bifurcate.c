@@ -133,15 +133,12 @@ static void all_json(struct text *out, const struct shown *v) {
 /* --- Text --- */
 
 static void side_text(struct text *out, const struct mech_side *s) {
-  static const char *const fate[] = {"unstable", "stable", "stability undecided"}, *const allowed[] = {
-                                                                                       "not admissible", "admissible",
-                                                                                       "admissibility undecided"};
   if (!s->found)
     text_add(out, "none found");
   else if (s->own == TRUTH_FALSE)
     text_add(out, "none of the word");
   else
-    text_printf(out, "%s, %s", fate[s->stable], allowed[s->admissible]);
+    text_printf(out, "%s, %s", fate_name[s->stable], admissibility_name[s->admissible]);
 }
 
 static void change_text(struct text *out, const struct shown *v, const struct mech_change *c) {

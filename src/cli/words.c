@@ -135,10 +135,9 @@ static void show_listed(struct text *out, const char *what, const struct listed 
 }
 
 static void orbit_line(struct text *out, const struct word_orbit *o, const struct scene *s, slong digits) {
-  static const char *const fate[] = {"unstable", "stable", "stability undecided"};
   text_add(out, "    period ");
   print_known(out, o->period, digits);
-  text_printf(out, ", %s, ", fate[o->stable]);
+  text_printf(out, ", %s, ", fate_name[o->stable]);
   admissible_text(out, o->admissible, s);
   text_add(out, o->certified ? "\n      " : ", not certified\n      ");
   for (int p = 0; p < o->word.n; p++) {
