@@ -21,6 +21,11 @@ FISHDIR  ?= $(PREFIX)/share/fish/vendor_completions.d
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
 STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC -pthread -fvisibility=hidden
+# none changes a bit of a result; bounds of copies are checked only where the compiler optimises and no sanitizer does it
+HARDEN = -fstack-protector-strong $(if $(findstring sanitize,$(EXTRA)),,$(if $(filter -O1 -O2 -O3 -Os,$(CFLAGS)),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3))
+# addresses that a run draws, and tables of functions that nothing can write to once it runs
+LINK   = -Wl,-z,relro,-z,now
+PIE    = -pie $(LINK)
 # the public headers; what they mark with SS_API is all that the libraries export
 API   = include
 SO    = libstickslip.so.0
@@ -33,7 +38,7 @@ CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /
 CVODE = -lsundials_cvode -lsundials_nvecserial
 PEERS := $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
 LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lnettle -lm -ldl
-ALL   = $(STD) $(WARN) -Iinclude -Isrc -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
+ALL   = $(STD) $(WARN) $(HARDEN) -Iinclude -Isrc -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(filter-out %_mpi.c,$(sort $(wildcard src/cli/*.c)))
 RANKS = $(CLI:%.c=$(B)/mpi/%.o) $(B)/mpi/src/cli/sweep_mpi.o
@@ -68,10 +73,10 @@ deps: ## install what is missing (Debian, Ubuntu), else say what to install
 	@sh tools/deps.sh $(PKGS) -- $(OLD)
 
 $(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(BOBJ) $(B)/internal.a
-	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
+	$(CC) $(CFLAGS) $(EXTRA) $(PIE) -o $@ $^ $(PEERS) $(LIBS)
 
 $(B)/mpi/stickslip: $(B)/src/main.o $(RANKS) $(BOBJ) $(B)/internal.a
-	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
+	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(CFLAGS) $(EXTRA) $(PIE) -o $@ $^ $(PEERS) $(LIBS)
 
 $(B)/mpi/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -80,7 +85,7 @@ $(B)/mpi/%.o: %.c Makefile
 # shares no source with the program
 $(B)/stickslip-checker: $(wildcard verify/checker/*.[ch]) Makefile
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(WARN) $(CFLAGS) $(EXTRA) -o $@ $(filter %.c,$^) $(ARB) -lflint -lmpfr -lgmp -lm
+	$(CC) $(STD) $(WARN) $(HARDEN) $(CFLAGS) $(EXTRA) $(PIE) -o $@ $(filter %.c,$^) $(ARB) -lflint -lmpfr -lgmp -lm
 
 # what the program and the tests are linked with
 $(B)/internal.a: $(OBJ)
@@ -95,7 +100,7 @@ $(B)/libstickslip.a: $(OBJ)
 	ar qcs $@ $(B)/libstickslip.o
 
 $(B)/$(SO): $(OBJ)
-	$(CC) $(CFLAGS) $(EXTRA) -shared -Wl,-soname,$(SO) -o $@ $^ $(LIBS)
+	$(CC) $(CFLAGS) $(EXTRA) -shared $(LINK) -Wl,-soname,$(SO) -o $@ $^ $(LIBS)
 
 $(B)/check: $(TOBJ) $(BOBJ) $(B)/internal.a
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $$(pkg-config --libs check) $(LIBS)

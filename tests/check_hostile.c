@@ -1,6 +1,7 @@
 /* What must not harm: bad values of every option, bad files, memory and disks that end, readers that go away, and what
    the fuzzers found.  The cases are tables in tests/hostile, where each line says what is wrong; the program is a
    process that may not have more than the memory and the time that a refusal takes. */
+#define _DEFAULT_SOURCE /* flock */
 #include <check.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -8,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -725,6 +727,49 @@ START_TEST(a_signal_between_two_renames) {
 }
 END_TEST
 
+/* A run at a folder to which another one is writing waits for it. */
+START_TEST(two_runs_at_one_folder) {
+  struct job j;
+  struct text now;
+  const char *path = old_file(&j, 0, 0755);
+  int other = open(scratch_path("out0"), O_RDONLY | O_CLOEXEC);
+  ck_assert(other >= 0 && flock(other, LOCK_EX) == 0);
+  fflush(NULL);
+  pid_t pid = fork();
+  ck_assert(pid >= 0);
+  if (pid == 0) become(&j, "/dev/null", "/dev/null");
+  ck_assert(process_until(process_waits_for_a_lock, pid));
+  old_one_stays(&j, 0, path);
+  close(other);
+  ck_assert_int_eq(process_end(pid), 0);
+  text_init(&now);
+  slurp(&now, path);
+  ck_assert_uint_gt(now.len, 1000);
+  text_clear(&now);
+  job_clear(&j);
+}
+END_TEST
+
+/* --- What the programs are built with --- */
+
+/* Tables that nothing can write to once the program runs, addresses drawn by each run, a watched stack, and bounds of
+   copies that are checked, by readelf. */
+START_TEST(a_hardened_build) {
+  static const char *const file[] = {"stickslip", "libstickslip.so.0", "stickslip-checker"};
+  static const char *const wanted[] = {"GNU_RELRO", "BIND_NOW", "Elf file type is DYN", "__stack_chk_fail",
+#ifdef _FORTIFY_SOURCE /* not without optimisation, nor beside a sanitizer */
+                                       "_chk@"
+#endif
+  };
+  int status;
+  char *out = shell_output(&status, "LC_ALL=C readelf -Wlds --dyn-syms %s", beside(file[_i]));
+  ck_assert_int_eq(status, 0);
+  for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
+    ck_assert_msg(strstr(out, wanted[i]) != NULL, "%s: no %s", file[_i], wanted[i]);
+  free(out);
+}
+END_TEST
+
 /* --- Memory that ends --- */
 
 /* A stack that cannot be had is said; one that can is taken. */
@@ -897,6 +942,8 @@ Suite *hostile_suite(void) {
   tcase_add_test(tc, a_difference_that_cannot_be_said);
   tcase_add_loop_test(tc, a_read_only_folder, 0, N_WRITING);
   tcase_add_loop_test(tc, a_full_disk, 0, N_WRITING);
+  tcase_add_test(tc, two_runs_at_one_folder);
+  tcase_add_loop_test(tc, a_hardened_build, 0, 3);
   tcase_add_loop_test(tc, a_new_folder_goes_again, 0, N_WRITING + 3);
   tcase_add_test(tc, a_small_stack);
   tcase_add_loop_test(tc, a_signal_while_files_are_written, 0, N_ENDINGS);

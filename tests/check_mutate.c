@@ -918,8 +918,7 @@ START_TEST(an_interrupted_run_leaves_nothing) {
   if (pid == 0) {
     process_as_from_a_shell();
     setpgid(0, 0);
-    freopen("/dev/null", "w", stdout);
-    freopen("/dev/null", "w", stderr);
+    if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(127);
     execl(program(), program(), "mutate", "--count", "all", "--jobs", "3", "--out", out, (char *)NULL);
     _exit(127);
   }

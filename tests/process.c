@@ -107,3 +107,15 @@ bool process_catches(pid_t pid, int number) {
   const char *caught = show(text, sizeof text, name, "status") ? strstr(text, "\nSigCgt:") : NULL;
   return caught && (strtoull(caught + strlen("\nSigCgt:"), NULL, 16) >> (number - 1) & 1);
 }
+
+bool process_waits_for_a_lock(pid_t pid) {
+  char line[300];
+  bool waits = false;
+  FILE *f = fopen("/proc/locks", "r");
+  while (f && fgets(line, sizeof line, f)) {
+    int its;
+    waits = waits || (sscanf(line, "%*d: -> FLOCK ADVISORY WRITE %d", &its) == 1 && its == pid);
+  }
+  if (f) fclose(f);
+  return waits;
+}

@@ -25,6 +25,9 @@ int group_lives(pid_t group);
 double group_seconds(pid_t group);
 bool group_has_ended(pid_t group);
 
+/* Whether it waits for a lock that another process holds. */
+bool process_waits_for_a_lock(pid_t pid);
+
 /* Whether a handler of its own is in place for a signal; false of a process that has ended. */
 bool process_catches(pid_t pid, int number);
 

@@ -1,10 +1,14 @@
 /* The files that a command writes to one folder.  Of a report audit.json comes first; every other one is written from
    what is read back out of it and from the tables beside it, by verify as by `stickslip report`, which therefore writes
    the same bytes. */
+#define _DEFAULT_SOURCE /* flock */
 #include "report/folder.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 void output_init(struct output *out, const char *folder) {
@@ -39,11 +43,24 @@ void output_add_tables(struct output *out, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_tables; i++) text_add(output_add(out, r->tables[i].name), r->tables[i].text);
 }
 
+/* Waits until no other run writes to the folder.  To be closed; -1 where the folder cannot be opened, which then has no
+   lock. */
+static int lock(const char *folder) {
+  int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  while (fd >= 0 && flock(fd, LOCK_EX) != 0 && errno == EINTR) {
+  }
+  return fd;
+}
+
 bool output_write(const struct output *out, struct diag *d) {
   struct file_item item[MAX_FILE_ITEMS];
   for (int i = 0; i < out->n; i++)
     item[i] = (struct file_item){text_str(&out->path[i]), text_str(&out->body[i]), out->body[i].len};
-  return folder_make(out->folder, d) && files_write(item, out->n, d);
+  if (!folder_make(out->folder, d)) return false;
+  int locked = lock(out->folder);
+  bool ok = files_write(item, out->n, d);
+  if (locked >= 0) close(locked);
+  return ok;
 }
 
 /* Pictures that other commands leave beside reports; those that are there are linked to. */

@@ -23,6 +23,7 @@ bool output_add_report(struct output *out, const struct audit_result *r, const s
                        struct diag *d);
 /* Everything that shows what audit.json and its tables hold. */
 void output_add_views(struct output *out, struct audit_result *r, const struct mutation_score *score);
+/* Two runs at one folder write one after the other, so that it never holds some files of each. */
 bool output_write(const struct output *out, struct diag *d);
 
 #endif
