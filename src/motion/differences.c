@@ -140,3 +140,23 @@ int differences_along(double *out, double *err, const struct double_map *map, co
   if (!isfinite(*err)) return last;
   return finer_steps_agree(out, *err, truncation, blur, chosen, map, x, dir) ? SS_OK : SS_UNABLE;
 }
+
+int differences_along_all(double *out, double *err, const struct double_map *map, const double *x,
+                          const double (*dir)[N_STATE], int n_dir) {
+  int s = SS_OK;
+  for (int k = 0; k < n_dir && !s; k++) {
+    double worst;
+    s = differences_along(out + map->n_out * k, &worst, map, x, dir[k]);
+    if (err) err[k] = worst;
+  }
+  return s;
+}
+
+int differences_jacobian(double j[4], double *err, const struct double_map *map, const double *x) {
+  static const double axis[2][N_STATE] = {{1, 0}, {0, 1}};
+  double column[4], worst[2];
+  int s = differences_along_all(column, worst, map, x, axis, 2);
+  for (int i = 0; i < 4 && !s; i++) j[i] = column[2 * (i % 2) + i / 2];
+  if (!s && err) *err = fmax(worst[0], worst[1]);
+  return s;
+}

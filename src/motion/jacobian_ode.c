@@ -70,18 +70,8 @@ static struct double_map map_from(int (*run)(double *, const double *, const voi
 }
 
 int coulomb_return_jacobian(double j[4], double *err, const double params[N_COULOMB], const double start[N_STATE]) {
-  struct double_map map = map_from(first_return, params, params, start, 2);
-  int s = SS_OK;
-  *err = 0;
-  for (int col = 0; col < 2 && !s; col++) {
-    double unit[N_STATE] = {0}, column[2], worst;
-    unit[col] = 1;
-    s = differences_along(column, &worst, &map, start, unit);
-    if (s) break;
-    for (int row = 0; row < 2; row++) j[2 * row + col] = column[row];
-    *err = fmax(*err, worst);
-  }
-  return s;
+  const struct double_map map = map_from(first_return, params, params, start, 2);
+  return differences_jacobian(j, err, &map, start);
 }
 
 double coulomb_return_jacobian_floor(const double params[N_COULOMB], const double start[N_STATE]) {
@@ -96,8 +86,6 @@ int coulomb_local_differences(double *out, double *err, enum phase ph, const dou
                               const double start[N_STATE], double t, const double (*dir)[N_STATE], int n_dir) {
   if (!(t > 0)) return SS_DOMAIN;
   struct stretch stretch = {params, ph, 2 * t};
-  struct double_map map = map_from(phase_end, &stretch, params, start, N_STATE);
-  int s = SS_OK;
-  for (int k = 0; k < n_dir && !s; k++) s = differences_along(out + N_STATE * k, err + k, &map, start, dir[k]);
-  return s;
+  const struct double_map map = map_from(phase_end, &stretch, params, start, N_STATE);
+  return differences_along_all(out, err, &map, start, dir, n_dir);
 }

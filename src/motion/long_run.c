@@ -82,9 +82,7 @@ static int run_closed(struct listener *l, struct num_ctx ctx, const double param
   struct coulomb_result r;
   struct coulomb_sink sink = {l, listen, NULL};
   struct calc c = calc_begin(ctx);
-  struct num_vec p = calc_vec(&c, N_COULOMB), x = calc_vec(&c, N_STATE);
-  for (int i = 0; i < N_COULOMB; i++) ctx.type->set_d(num_vec_at(&p, i), params[i], ctx.prec);
-  for (int i = 0; i < N_STATE; i++) ctx.type->set_d(num_vec_at(&x, i), start[i], ctx.prec);
+  const struct num_vec p = calc_vec_d(&c, params, N_COULOMB), x = calc_vec_d(&c, start, N_STATE);
   int status = coulomb_simulate_exact(&r, NULL, &p, &x, plan, &sink);
   l->run->end[l->route] = r.end;
   calc_clear(&c);
