@@ -392,9 +392,8 @@ static bool follow(struct line *l, struct dyn_branch *br, int end, const struct 
       br->end[end] = END_OF_LINE;
       return true;
     }
-    enum trace_result r = trace_step(&t);
-    if (r == TRACE_LOST) return true;
     int n;
+    if (!trace_step(&t)) return true;
     if (!trace_crossings(c, &n, &l->list->missed, &t, &before, &t.now)) return true;
     bool ended = false;
     for (int k = 0; k < n && !ended; k++) {

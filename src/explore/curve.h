@@ -89,16 +89,12 @@ struct trace {
 };
 /* From x, a solution: false when nothing can be evaluated there. */
 bool trace_start(struct trace *t, const struct curve *b, const double x[3], double low, double high, int sense);
-enum trace_result { TRACE_STEP, TRACE_LINE_END, TRACE_LOST };
-/* The next spot. */
-enum trace_result trace_step(struct trace *t);
+/* The next spot; false when the curve is lost. */
+bool trace_step(struct trace *t);
 /* The *n crossings between two spots, in order, up to the one that ends the branch, if any does.  *missed counts those
    that could not be found; false when one that ends the branch could not. */
 bool trace_crossings(struct crossing out[N_CHANGES], int *n, slong *missed, const struct trace *t, const struct spot *a,
                      const struct spot *b);
 /* Whether the solution x lies on the curve between two neighbouring spots. */
 bool trace_passes(const struct trace *t, const struct spot *a, const struct spot *b, const double x[3]);
-/* The distance of two points as the trace measures it. */
-double trace_distance(const struct trace *t, const double x[3], const double y[3]);
-
 #endif

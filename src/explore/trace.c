@@ -24,6 +24,21 @@ static double length_of(const struct trace *t, const double x[3]) {
   return sqrt(sum);
 }
 
+/* The way between two points, and the point at a share of it. */
+static void way(double off[3], const double from[3], const double to[3]) {
+  for (int k = 0; k < 3; k++) off[k] = to[k] - from[k];
+}
+
+static void along(double x[3], const double from[3], double share, const double off[3]) {
+  for (int k = 0; k < 3; k++) x[k] = from[k] + share * off[k];
+}
+
+static double distance(const struct trace *t, const double x[3], const double y[3]) {
+  double off[3];
+  way(off, y, x);
+  return length_of(t, off);
+}
+
 /* --- A spot. --- */
 
 /* z' - V of one mass in phase H, in double precision. */
@@ -167,46 +182,44 @@ bool trace_start(struct trace *t, const struct curve *b, const double x[3], doub
 }
 
 /* The spot at a distance h from now, or on the line's end. */
-static bool try_step(struct spot *next, const struct trace *t, double h, bool *at_end) {
+static bool try_step(struct spot *next, const struct trace *t, double h) {
   double x[3], off[3], ahead[3];
-  for (int k = 0; k < 3; k++) x[k] = ahead[k] = t->now.x[k] + h * t->now.tangent[k];
-  *at_end = false;
-  if (!correct(x, t, t->now.tangent) || trace_distance(t, x, ahead) > 0.1 * h) return false;
+  along(ahead, t->now.x, h, t->now.tangent);
+  memcpy(x, ahead, sizeof x);
+  if (!correct(x, t, t->now.tangent) || distance(t, x, ahead) > 0.1 * h) return false;
+  way(off, t->now.x, x);
   if (x[0] < t->low || x[0] > t->high) {
-    double end = x[0] < t->low ? t->low : t->high, part = (end - t->now.x[0]) / (x[0] - t->now.x[0]);
+    double end = x[0] < t->low ? t->low : t->high;
     const double across[3] = {1, 0, 0};
-    for (int k = 0; k < 3; k++) x[k] = k == 0 ? end : t->now.x[k] + part * (x[k] - t->now.x[k]);
-    *at_end = true;
+    along(x, t->now.x, (end - t->now.x[0]) / off[0], off);
+    x[0] = end;
     if (!correct(x, t, across)) return false;
     x[0] = end;
+    way(off, t->now.x, x);
   }
-  for (int k = 0; k < 3; k++) off[k] = x[k] - t->now.x[k];
   if (length_of(t, off) > 1.5 * h || !spot_make(next, t, x)) return false;
   turn_tangent(next, t->sense);
   return dot(t, next->tangent, t->now.tangent) > 0.98;
 }
 
-enum trace_result trace_step(struct trace *t) {
+bool trace_step(struct trace *t) {
   struct spot next;
-  bool at_end;
-  while (!try_step(&next, t, t->step, &at_end)) {
+  while (!try_step(&next, t, t->step)) {
     t->step *= 0.5;
-    if (t->step < SHORTEST) return TRACE_LOST;
+    if (t->step < SHORTEST) return false;
   }
   double turn = dot(t, next.tangent, t->now.tangent);
   t->now = next;
   if (turn > 0.999) t->step = fmin(1.4 * t->step, LONGEST);
-  return at_end ? TRACE_LINE_END : TRACE_STEP;
+  return true;
 }
 
 /* --- Crossings. --- */
 
 static bool between(const struct trace *t, const struct spot *a, const struct spot *b, const double x[3]) {
   double whole[3], off[3];
-  for (int k = 0; k < 3; k++) {
-    whole[k] = b->x[k] - a->x[k];
-    off[k] = x[k] - a->x[k];
-  }
+  way(whole, a->x, b->x);
+  way(off, a->x, x);
   double length = length_of(t, whole), part = dot(t, off, whole) / length;
   double slack = 1e-9 + 1e-6 * length;
   return part > -slack && part < length + slack && length_of(t, off) < 1.5 * length + slack;
@@ -233,10 +246,8 @@ static bool find(struct crossing *out, const struct trace *t, struct spot a, str
     if (narrow(out, t, &a, &b, what)) return true;
     struct spot mid;
     double x[3], off[3];
-    for (int k = 0; k < 3; k++) {
-      x[k] = 0.5 * (a.x[k] + b.x[k]);
-      off[k] = b.x[k] - a.x[k];
-    }
+    way(off, a.x, b.x);
+    for (int k = 0; k < 3; k++) x[k] = 0.5 * (a.x[k] + b.x[k]);
     if (!correct(x, t, off) || !spot_make(&mid, t, x) || !mid.known[what]) return false;
     *((mid.change[what] < 0) == (a.change[what] < 0) ? &a : &b) = mid;
   }
@@ -252,10 +263,8 @@ static bool crosses(const struct spot *a, const struct spot *b, int what) {
    count. */
 static bool stop_before(struct spot *before, const struct trace *t, const struct spot *a, const struct crossing *end) {
   double x[3], off[3], part = end->what == CHANGE_GAMMA_V1 ? 0.99 : 0.9999;
-  for (int k = 0; k < 3; k++) {
-    off[k] = end->x[k] - a->x[k];
-    x[k] = a->x[k] + part * off[k];
-  }
+  way(off, a->x, end->x);
+  along(x, a->x, part, off);
   if (!correct(x, t, off) || !spot_make(before, t, x)) return false;
   for (int i = CHANGE_FLIP; i <= CHANGE_FOLD && end->what == CHANGE_GAMMA_V1; i++)
     before->known[i] = before->known[i] && fabs(before->change[i]) > 1e-12;
@@ -274,10 +283,8 @@ static int collect(struct crossing *out, slong *missed, const struct trace *t, c
       continue;
     }
     double off[3], whole[3];
-    for (int k = 0; k < 3; k++) {
-      off[k] = c.x[k] - a->x[k];
-      whole[k] = b->x[k] - a->x[k];
-    }
+    way(off, a->x, c.x);
+    way(whole, a->x, b->x);
     c.along = dot(t, off, whole);
     int at = n++;
     for (; at > 0 && out[at - 1].along > c.along; at--) out[at] = out[at - 1];
@@ -305,21 +312,13 @@ bool trace_crossings(struct crossing out[N_CHANGES], int *n, slong *missed, cons
   return true;
 }
 
-double trace_distance(const struct trace *t, const double x[3], const double y[3]) {
-  double off[3];
-  for (int k = 0; k < 3; k++) off[k] = x[k] - y[k];
-  return length_of(t, off);
-}
-
 bool trace_passes(const struct trace *t, const struct spot *a, const struct spot *b, const double x[3]) {
   double chord[3], off[3], near[3];
-  for (int k = 0; k < 3; k++) {
-    chord[k] = b->x[k] - a->x[k];
-    off[k] = x[k] - a->x[k];
-  }
+  way(chord, a->x, b->x);
+  way(off, a->x, x);
   double part = dot(t, off, chord) / dot(t, chord, chord);
   if (!(part > -1e-6 && part < 1 + 1e-6)) return false;
-  for (int k = 0; k < 3; k++) near[k] = a->x[k] + part * chord[k];
-  if (trace_distance(t, near, x) > 0.2 * length_of(t, chord)) return false;
-  return correct(near, t, chord) && trace_distance(t, near, x) < 1e-8 * (1 + fabs(x[1]) + fabs(x[2]));
+  along(near, a->x, part, chord);
+  if (distance(t, near, x) > 0.2 * length_of(t, chord)) return false;
+  return correct(near, t, chord) && distance(t, near, x) < 1e-8 * (1 + fabs(x[1]) + fabs(x[2]));
 }

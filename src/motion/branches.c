@@ -129,25 +129,17 @@ static void add_turns(struct dyn_orbits *list, struct dyn_orbit *o, const fmpq *
   dyn_orbit_clear(&at);
 }
 
-static bool lies_in(const struct dyn_orbit *o, const struct common *z) {
-  struct disk got[2] = {disk_less_turns(o->t[PHASE_GAMMA], z->k), disk_less_turns(o->t[PHASE_H], 0)};
-  bool same = true;
-  for (int l = 0; l < 2; l++)
-    same = same && disk_up(fabs(got[l].mid - z->at[l]) + got[l].rad) + 0x1p-50 * fabs(z->at[l]) < z->room[l];
-  return same;
-}
-
 /* The solutions of one zero. */
 static void settle(struct dyn_orbits *list, const struct search *s, const struct common *z, const fmpq *params,
                    slong prec) {
   struct dyn_orbit o;
-  struct strip p;
   truth first;
-  strip_make(&p, &s->params, z->at[0] - z->near[0], z->at[0] + z->near[0], 0);
-  double tb = z->at[0] + 2 * PI * z->k, r0 = p.base.mid - z->k * s->params.turn.mid;
-  int status = dyn_orbit_near(&o, &first, params, tb, z->at[1], r0 > 0, prec, NULL);
+  bool up;
+  double tb = common_tb(&up, z, &s->params);
+  int status = dyn_orbit_near(&o, &first, params, tb, z->at[1], up, prec, NULL);
+  struct known found = known_of(&o, z->k);
   truth later = TRUTH_UNKNOWN; /* than 0 and no later than asked for */
-  if (status == SS_OK && lies_in(&o, z)) {
+  if (status == SS_OK && known_is(&found, z)) {
     bool before = arb_is_nonpositive(o.t[PHASE_GAMMA]) || arb_is_nonpositive(o.t[PHASE_H]);
     bool after = arb_is_positive(o.t[PHASE_GAMMA]) && arb_is_positive(o.t[PHASE_H]);
     arb_t left;

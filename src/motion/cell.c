@@ -8,24 +8,19 @@
    where p = 0. */
 #include "cell.h"
 #include "base/arena.h"
+#include "num/pi.h"
 #include "strip.h"
 #include "turns.h"
 
 void cell_at(struct cell *c, const struct strip *p, const struct disk_params *s, const struct clock *t) {
-  struct disk v[2], f[2], dv[2], df[2];
-  for (int i = 0; i < 2; i++) {
-    v[i] = disk_cross(p->a[i], t->cosine[i], p->b[i], t->sine[i]);
-    f[i] = disk_dot(p->a[i], t->sine[i], p->b[i], t->cosine[i]);
-    dv[i] = disk_cross(p->da[i], t->cosine[i], p->db[i], t->sine[i]);
-    df[i] = disk_dot(p->da[i], t->sine[i], p->db[i], t->cosine[i]);
-  }
-  c->p = disk_sub(disk_dot(s->back[0], v[0], s->back[1], v[1]), s->V);
-  c->q = disk_sub(disk_dot(s->y[0], v[0], s->y[1], v[1]), s->V);
-  c->w = disk_dot(s->force1[0], f[0], s->force1[1], f[1]);
-  c->r = disk_dot(s->force2[0], f[0], s->force2[1], f[1]);
-  c->pf = disk_dot(s->back[0], dv[0], s->back[1], dv[1]);
-  c->qf = disk_dot(s->y[0], dv[0], s->y[1], dv[1]);
-  c->rf = disk_dot(s->force2[0], df[0], s->force2[1], df[1]);
+  struct disk_motion at = disk_motion_at(s, p->a, p->b, t), by_angle = disk_motion_at(s, p->da, p->db, t);
+  c->p = disk_sub(at.v[0], s->V);
+  c->q = disk_sub(at.v[1], s->V);
+  c->w = at.w;
+  c->r = at.r;
+  c->pf = by_angle.v[0];
+  c->qf = by_angle.v[1];
+  c->rf = by_angle.r;
 }
 
 enum { MOST_TURNS = 4 }; /* with more k than that a cell is left to be divided */
@@ -212,6 +207,24 @@ enum look cell_look_later(struct common *zero, const struct cell *c, const struc
   return look_at_each(zero, c, &g, p, s, &can);
 }
 
+double common_tb(bool *up, const struct common *z, const struct disk_params *s) {
+  struct strip p;
+  strip_make(&p, s, z->at[0] - z->near[0], z->at[0] + z->near[0], 0);
+  *up = p.base.mid - z->k * s->turn.mid > 0;
+  return z->at[0] + 2 * PI * z->k;
+}
+
+struct known known_of(const struct dyn_orbit *o, double k) {
+  return (struct known){k, {disk_less_turns(o->t[PHASE_GAMMA], k), disk_less_turns(o->t[PHASE_H], 0)}, false};
+}
+
+bool known_is(const struct known *o, const struct common *z) {
+  bool same = o->k == z->k;
+  for (int l = 0; l < 2; l++)
+    same = same && disk_up(fabs(o->at[l].mid - z->at[l]) + o->at[l].rad) + 0x1p-50 * fabs(z->at[l]) < z->room[l];
+  return same;
+}
+
 static bool common_is_same(const struct common *a, const struct common *b) {
   bool same = a->k == b->k;
   for (int l = 0; l < 2; l++) {
@@ -252,14 +265,14 @@ bool cell_wide_in_angle(const struct cell *c, const struct strip *p) {
 /* r and q twice differentiated by the angle: minus the motion of what turns with t_b. */
 static void cell_bends(struct disk *rff, struct disk *qff, const struct strip *p, const struct disk_params *s,
                        const struct clock *t) {
-  struct disk v[2], f[2];
+  struct disk a[2], b[2];
   for (int i = 0; i < 2; i++) {
-    struct disk a = disk_mul(s->x[i], p->u), b = disk_mul(s->inverse[i], disk_mul(s->x[i], p->w));
-    v[i] = disk_cross(a, t->cosine[i], b, t->sine[i]);
-    f[i] = disk_dot(a, t->sine[i], b, t->cosine[i]);
+    a[i] = disk_mul(s->x[i], p->u);
+    b[i] = disk_mul(s->inverse[i], disk_mul(s->x[i], p->w));
   }
-  *qff = disk_scale(disk_dot(s->y[0], v[0], s->y[1], v[1]), -1);
-  *rff = disk_scale(disk_dot(s->force2[0], f[0], s->force2[1], f[1]), -1);
+  struct disk_motion turning = disk_motion_at(s, a, b, t);
+  *qff = disk_scale(turning.v[1], -1);
+  *rff = disk_scale(turning.r, -1);
 }
 
 /* Between two zeros in the box the curve p = 0 is a graph t(angle), since w is not zero, and does not leave a box twice

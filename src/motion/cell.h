@@ -26,6 +26,18 @@ enum look cell_look(struct common *zero, const struct cell *c, const struct stri
    at its end has any sign. */
 enum look cell_look_later(struct common *zero, const struct cell *c, const struct strip *p, const struct disk_params *s,
                           const struct turns *k, double dir);
+/* Its t_b, and whether phase C ends with r > 0 there. */
+double common_tb(bool *up, const struct common *z, const struct disk_params *s);
+/* A zero that is known already, and surely lies there. */
+struct known {
+  double k;
+  struct disk at[2];
+  bool met; /* by a proof that it and another one are all there is around */
+};
+/* The zero that an orbit is after k full periods of phase Gamma. */
+struct known known_of(const struct dyn_orbit *o, double k);
+/* Whether it lies where the other one is the only one. */
+bool known_is(const struct known *o, const struct common *z);
 /* Zeros that were met, each once. */
 struct commons {
   struct common *at;

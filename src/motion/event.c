@@ -101,13 +101,6 @@ static int event_mpfr(void *t, slong prec, enum phase ph, const val p[N_PARAMS],
   return status;
 }
 
-static int event_double(double *t, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], double t0) {
-  struct calc c = calc_begin(num_ctx_double());
-  *t = *(const double *)event_newton(&c, ph, p, in, &t0);
-  calc_clear(&c);
-  return c.status;
-}
-
 /* Interval Newton on balls of growing radius around mid: mid - f(mid)/f'(ball) inside the ball proves one root. */
 static int prove_event(arb_t t, struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE],
                        const arb_t mid) {
@@ -164,25 +157,19 @@ static int event_arb(arb_t t, slong prec, enum phase ph, const struct num_vec *p
   return status;
 }
 
-/* Phase D is linear: w has a constant speed. */
-static int event_stick(void *t, const struct num_vec *params, const struct num_vec *in) {
-  val p[N_PARAMS], z[N_STATE];
-  struct calc c = calc_begin(params->ctx);
-  flow_vals(p, params, 0, N_PARAMS);
-  flow_vals(z, in, 0, N_STATE);
-  val f = flow_switching(&c, PHASE_D, p, z);
-  c.ctx.type->set(t, calc_neg(&c, calc_div(&c, f, flow_switching_rate(&c, PHASE_D, p, z))));
-  calc_clear(&c);
-  return c.status;
+val event_stick(struct calc *c, const val p[N_PARAMS], const val in[N_STATE]) {
+  return calc_neg(c, calc_div(c, flow_switching(c, PHASE_D, p, in), flow_switching_rate(c, PHASE_D, p, in)));
 }
 
 int dyn_event(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, double t0) {
   val p[N_PARAMS], z[N_STATE];
-  if (ph == PHASE_D) return event_stick(t, params, in);
+  const struct num_type *type = params->ctx.type;
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
-  const struct num_type *type = params->ctx.type;
-  if (type == &num_mpfr) return event_mpfr(t, params->ctx.prec, ph, p, z, t0);
-  if (type == &num_double) return event_double(t, ph, p, z, t0);
-  return event_arb(t, params->ctx.prec, ph, params, in, t0);
+  if (ph != PHASE_D && type == &num_mpfr) return event_mpfr(t, params->ctx.prec, ph, p, z, t0);
+  if (ph != PHASE_D && type != &num_double) return event_arb(t, params->ctx.prec, ph, params, in, t0);
+  struct calc c = calc_begin(params->ctx);
+  type->set(t, ph == PHASE_D ? event_stick(&c, p, z) : event_newton(&c, ph, p, z, &t0));
+  calc_clear(&c);
+  return c.status;
 }

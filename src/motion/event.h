@@ -13,6 +13,8 @@ struct event_view {
 /* As dyn_first_event_d. */
 int event_first_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const struct event_view *z,
                   const struct dyn_limits *lim);
+/* The end of phase D, in which w has a constant speed. */
+val event_stick(struct calc *c, const val p[N_PARAMS], const val in[N_STATE]);
 /* Newton's iteration in the calc from start, until a step shows that half of the bits are settled. */
 val event_newton(struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val start);
 

@@ -178,28 +178,33 @@ static double lower(val x) {
   return d;
 }
 
-/* The velocity over its start, f - start, and f' at t, for one mass. */
-static void velocity_at(val *f, val *rate, struct calc *c, const struct ball_params *m, const struct ball_modes *modes,
-                        int mass, val start, val t) {
-  val change = start, force = m->zero, half = calc_d(c, 0.5);
+/* A mass's velocity over the belt's at a time of phase H, and its derivative. */
+struct speed {
+  val over, rate;
+};
+
+static val first_speed(const struct ball_params *m, const struct ball_pass *s, int mass) {
+  return mass == 0 ? s->pb : m->zero;
+}
+
+static struct speed speed_at(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, val t) {
+  val over = first_speed(m, s, mass), force = m->zero, half = calc_d(c, 0.5);
   for (int k = 0; k < 2; k++) {
-    val s, co, a = modes->a[mass][k], b = modes->b[mass][k], om = m->spectrum.om[k];
-    calc_sin_cos(c, &s, &co, calc_mul(c, half, calc_mul(c, om, t)));
-    val sine = calc_mul(c, m->two, calc_mul(c, s, co)), versine = calc_mul(c, m->two, calc_mul(c, s, s));
-    change = calc_sub(c, change, calc_dot(c, a, versine, b, sine));
+    val sin, co, a = s->modes.a[mass][k], b = s->modes.b[mass][k], om = m->spectrum.om[k];
+    calc_sin_cos(c, &sin, &co, calc_mul(c, half, calc_mul(c, om, t)));
+    val sine = calc_mul(c, m->two, calc_mul(c, sin, co)), versine = calc_mul(c, m->two, calc_mul(c, sin, sin));
+    over = calc_sub(c, over, calc_dot(c, a, versine, b, sine));
     val turn = calc_dot(c, a, sine, b, calc_sub(c, m->one, versine));
     force = calc_add(c, force, calc_mul(c, om, turn));
   }
-  *f = change;
-  *rate = calc_neg(c, force);
+  return (struct speed){over, calc_neg(c, force)};
 }
 
-/* An upper bound of that derivative of f: the sum of om^order hypot(a, b). */
-static double rate_bound(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
-                         int order) {
+/* An upper bound of that derivative of the speed: the sum of om^order hypot(a, b). */
+static double rate_bound(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, int order) {
   val sum = m->zero;
   for (int k = 0; k < 2; k++) {
-    val a = modes->a[mass][k], b = modes->b[mass][k], part = calc_sqrt(c, calc_dot(c, a, a, b, b));
+    val a = s->modes.a[mass][k], b = s->modes.b[mass][k], part = calc_sqrt(c, calc_dot(c, a, a, b, b));
     for (int i = 0; i < order; i++) part = calc_mul(c, m->spectrum.om[k], part);
     sum = calc_add(c, sum, part);
   }
@@ -207,39 +212,36 @@ static double rate_bound(struct calc *c, const struct ball_params *m, const stru
 }
 
 /* Whether the velocity is surely above zero somewhere after t, where the walk came to a stand, and before end. */
-static bool rises_above(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
-                        val start, double t, double end) {
+static bool rises_above(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, double t,
+                        double end) {
   slong mark = calc_mark(c);
   bool above = false;
   for (double h = 1e-15 * (t + end); !above && !c->status && t + h < end; h *= 4) {
-    val f, rate;
-    velocity_at(&f, &rate, c, m, modes, mass, start, calc_d(c, t + h));
-    above = arb_is_positive(f);
+    above = arb_is_positive((arb_srcptr)speed_at(c, m, s, mass, calc_d(c, t + h)).over);
     calc_release(c, mark);
   }
   return above;
 }
 
-/* A walk along the velocity from t = 0, where f = start, by parabolas that it cannot cross, so that it passes no
+/* A walk along the velocity from t = 0 by parabolas that it cannot cross, so that it passes no
    root. */
 enum walk_end { WALK_PASSED, WALK_STANDS, WALK_TIRED };
 
 /* To last, or to where a root is near.  *t: how far it came. */
-static enum walk_end walk_below(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes,
-                                int mass, val start, double last, long max_steps) {
+static enum walk_end walk_below(double *t, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                                int mass, double last, long max_steps) {
   slong mark = calc_mark(c);
-  double bound = rate_bound(c, m, modes, mass, 2);
+  double bound = rate_bound(c, m, s, mass, 2), first = fmin(upper(first_speed(m, s, mass)), 0);
   enum walk_end end = WALK_TIRED;
   *t = 0;
   for (long i = 0; i < max_steps && !c->status && end == WALK_TIRED; i++) {
-    val f, rate;
     if (i % WORK_BLOCK == WORK_BLOCK - 1) work_add((unsigned long long)WORK_BLOCK * UNITS_OF_VELOCITY);
     if (*t > last) {
       end = WALK_PASSED;
       break;
     }
-    velocity_at(&f, &rate, c, m, modes, mass, start, calc_d(c, *t));
-    double y = *t == 0 ? fmin(upper(start), 0) : upper(f), d = upper(rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
+    struct speed v = speed_at(c, m, s, mass, calc_d(c, *t));
+    double y = *t == 0 ? first : upper(v.over), d = upper(v.rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
     double h = (d > 0 ? -2 * y / (d + root) : (root - d) / bound) * (1 - 1e-9);
     if (y > 0 || !(h > 1e-15 * *t))
       end = WALK_STANDS;
@@ -250,19 +252,17 @@ static enum walk_end walk_below(double *t, struct calc *c, const struct ball_par
   return end;
 }
 
-truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
-                  val end, bool root_at_end, long max_steps) {
+truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, long max_steps) {
   slong mark = calc_mark(c);
-  double t, last = root_at_end ? lower(end) : upper(end);
-  if (root_at_end) { /* f' > 0 from there to the root: f rises to zero */
-    val f, rate;
-    velocity_at(&f, &rate, c, m, modes, mass, start, end);
-    last -= fmax(lower(rate), 0) / rate_bound(c, m, modes, mass, 2) * (1 - 1e-9);
+  bool root_at_end = mass == 0;
+  double t, last = root_at_end ? lower(s->tc) : upper(s->tc);
+  if (root_at_end) { /* the speed grows from there to the root: it rises to zero */
+    last -= fmax(lower(speed_at(c, m, s, mass, s->tc).rate), 0) / rate_bound(c, m, s, mass, 2) * (1 - 1e-9);
     last = nextafter(last, -INFINITY); /* the walk may end at last itself */
   }
-  enum walk_end at = walk_below(&t, c, m, modes, mass, start, last, max_steps);
+  enum walk_end at = walk_below(&t, c, m, s, mass, last, max_steps);
   truth answer = at == WALK_PASSED ? TRUTH_TRUE : TRUTH_UNKNOWN;
-  if (at == WALK_STANDS && rises_above(c, m, modes, mass, start, t, lower(end))) answer = TRUTH_FALSE;
+  if (at == WALK_STANDS && rises_above(c, m, s, mass, t, lower(s->tc))) answer = TRUTH_FALSE;
   calc_release(c, mark);
   return answer;
 }
@@ -270,14 +270,14 @@ truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball
 truth ball_touches(struct calc *c, const struct ball_params *m, const struct ball_pass *s, long max_steps) {
   slong mark = calc_mark(c);
   val fall = calc_sub(c, m->a, calc_mul(c, m->p[P_CHI], s->qc)); /* -z_1''' = z_1' - chi z_2' with z_1' = V */
-  double t, back = fmax(lower(fall), 0) / rate_bound(c, m, &s->modes, 0, 3) * (1 - 1e-9);
+  double t, back = fmax(lower(fall), 0) / rate_bound(c, m, s, 0, 3) * (1 - 1e-9);
   double last = nextafter(lower(s->tc) - back, -INFINITY);
-  bool below = last > 0 && walk_below(&t, c, m, &s->modes, 0, s->pb, last, max_steps) == WALK_PASSED;
+  bool below = last > 0 && walk_below(&t, c, m, s, 0, last, max_steps) == WALK_PASSED;
   calc_release(c, mark);
   return below ? TRUTH_TRUE : TRUTH_UNKNOWN;
 }
 
-bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
-                     val start, double t_max, long max_steps) {
-  return walk_below(t, c, m, modes, mass, start, t_max, max_steps) == WALK_STANDS && *t > 0;
+bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                     long max_steps) {
+  return walk_below(t, c, m, s, 0, INFINITY, max_steps) == WALK_STANDS && *t > 0;
 }

@@ -58,9 +58,10 @@ static bool folded(struct march *s, const struct cell *c, const struct strip *p,
       bool apart = false;
       for (int l = 0; l < 2; l++) {
         half[l] = size[l];
-        for (int z = 0; z < 2; z++) half[l] = fmax(half[l], fabs(two[z]->at[l] - middle[l]) + two[z]->near[l]);
+        for (int z = 0; z < 2; z++) half[l] = fmax(half[l], fabs(two[z]->at[l].mid - middle[l]) + two[z]->at[l].rad);
         half[l] *= 1 + 0x1p-20;
-        apart = apart || fabs(two[0]->at[l] - two[1]->at[l]) > (two[0]->near[l] + two[1]->near[l]) * (1 + 0x1p-20);
+        const struct disk a = two[0]->at[l], b = two[1]->at[l];
+        apart = apart || fabs(a.mid - b.mid) > (a.rad + b.rad) * (1 + 0x1p-20);
       }
       if (two[0]->k != k || two[1]->k != k || !apart || half[0] > ldexp(s->params.fall.mid, -FOLDS)) continue;
       struct strip wide = *p;

@@ -132,11 +132,11 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
   force_range(&least, &most, c, m, &s, e.turn, e.wf);
   truth direction = up ? num_arb.lt(m->zero, s.qc) : num_arb.lt(s.qc, m->zero);
   truth first_b = truth_and(ball_first_rise(c, m, &s, &o->holds[COND_GAMMA_V1]), num_arb.lt(m->zero, tb));
-  truth first_c = ball_slower(c, m, &s.modes, 0, s.pb, tc, true, max_steps);
+  truth first_c = ball_slower(c, m, &s, 0, max_steps);
   first_c = truth_and(first_c, num_arb.lt(m->zero, tc)); /* Newton's iteration can have left the phases */
   o->holds[COND_TA] = num_arb.lt(m->zero, e.ta);
   o->holds[COND_H_V1] = num_arb.lt(s.pb, m->zero);
-  o->holds[COND_H_V2] = ball_slower(c, m, &s.modes, 1, m->zero, tc, false, max_steps);
+  o->holds[COND_H_V2] = ball_slower(c, m, &s, 1, max_steps);
   if (num_arb.lt(m->zero, s.qc) == TRUTH_TRUE) o->holds[COND_H_V2] = TRUTH_FALSE; /* however late */
   o->holds[COND_C_V2] = num_arb.lt(s.qc, m->zero);
   o->holds[COND_C_W] = num_arb.lt(most, m->p[P_E1]);
