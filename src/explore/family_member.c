@@ -23,23 +23,6 @@ truth dyn_member_admissible(const struct dyn_member *m) {
   return m->violations ? TRUTH_FALSE : m->unsure || m->word != TRUTH_TRUE ? TRUTH_UNKNOWN : TRUTH_TRUE;
 }
 
-void family_line_init(struct family_line *l, struct dyn_family *f, const struct dyn_family_request *q) {
-  *l = (struct family_line){.q = q, .f = f, .at = -1};
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&l->exact[i]);
-    if (i == q->axis->vary) continue;
-    fmpq_set(&l->exact[i], &q->params[i]);
-    num_double.set_q(&l->params[i], &q->params[i], 53);
-  }
-  for (int i = 0; i < 2; i++)
-    if (q->u_r[i]) num_double.set_q(&l->u_r[i], q->u_r[i], 53);
-}
-
-void family_line_clear(struct family_line *l) {
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&l->exact[i]);
-  family_lanes_clear(&l->lanes);
-}
-
 void family_move(struct family_line *l, slong i) {
   l->at = i;
   l->params[l->q->axis->vary] = dyn_axis_d(l->q->axis, i);
