@@ -478,6 +478,7 @@ END_TEST
 /* A solution of the six equations in place of the first orbit, with every claim that the prover would make. */
 static void forge(struct study *s, const struct word_root *root, slong prec) {
   struct ball_params m;
+  struct ball_pass pass;
   struct dyn_orbit *o = &s->list.orbit[0];
   struct calc c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, s->params);
@@ -485,7 +486,8 @@ static void forge(struct study *s, const struct word_root *root, slong prec) {
   struct word w;
   for (int i = 0; i < N_QUANTITIES; i++) x[i] = root->x[i];
   word_make(&w, &c, &m, x);
-  dyn_orbit_describe(o, &c, &m, x[QUANTITY_TB], x[QUANTITY_TC], num_arb.get_d(w.end) > 0);
+  ball_pass_make(&pass, &c, &m, x[QUANTITY_TB], x[QUANTITY_TC], num_arb.get_d(w.end) > 0);
+  dyn_orbit_describe(o, &c, &m, &pass);
   for (int i = 0; i < N_PHASES; i++) arb_set(o->t[i], root->x[QUANTITY_TA + i]);
   calc_clear(&c);
   dyn_certify(&s->proof[0], &s->q, o);

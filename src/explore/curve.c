@@ -70,16 +70,14 @@ static val hill(struct view *v) {
   const struct ball_params *m = &v->m;
   if (!v->curve->up) return NULL;
   struct ball_ending e;
-  ball_ending_make(&e, c, m, &v->s, true);
+  ball_ending_make(&e, c, m, &v->s);
   val fast = calc_mul(c, m->p[P_CHI], calc_mul(c, m->omega, v->s.r_end));
   if (!calc_lt(c, m->a, fast)) return NULL;
   val x = calc_div(c, m->a, fast), y = calc_sqrt(c, calc_sub(c, m->one, calc_mul(c, x, x)));
   val u = calc_atan2(c, x, calc_neg(c, y));
   if (!calc_lt(c, u, e.turn)) return NULL;
   val r = calc_neg(c, calc_mul(c, v->s.r_end, y)); /* cos u = -y */
-  val slide = calc_mul(c, m->a, calc_div(c, calc_sub(c, e.turn, u), m->omega));
-  val w = calc_add(c, v->s.wc, calc_sub(c, slide, calc_mul(c, m->p[P_CHI], calc_sub(c, r, v->s.rc))));
-  return calc_sub(c, w, m->p[P_E1]);
+  return calc_sub(c, ball_force(c, m, &v->s, &e, u, r), m->p[P_E1]);
 }
 
 /* How far t_b's rise lies over the crest of the period before. */
@@ -107,7 +105,7 @@ val view_change(struct view *v, enum dyn_change what, const arb_t time) {
     return v->s.defect_tb;
   case CHANGE_TA: {
     struct ball_ending e;
-    ball_ending_make(&e, c, &v->m, &v->s, v->curve->up);
+    ball_ending_make(&e, c, &v->m, &v->s);
     return e.ta;
   }
   case CHANGE_H_V2:

@@ -8,6 +8,7 @@
 
 #include "base/arena.h"
 #include "family_impl.h"
+#include "motion/orbit_judge.h"
 #include "motion/search.h"
 #include "num/pi.h"
 
@@ -52,15 +53,6 @@ static void set_bit(struct dyn_member *m, int bit, truth holds) {
   if (holds == TRUTH_UNKNOWN) m->unsure |= 1U << bit;
 }
 
-static truth exceeds(const fmpq *u, const arb_t bound) {
-  arb_t x;
-  arb_init(x);
-  arb_set_fmpq(x, u, 4 * PREC);
-  truth t = arb_gt(x, bound) ? TRUTH_TRUE : arb_le(x, bound) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-  arb_clear(x);
-  return t;
-}
-
 static void from_balls(struct dyn_member *m, const struct dyn_orbit *o, const struct family_line *l) {
   const arb_struct *all[N_DYN_OUT] = {
       [DYN_OUT_Z10] = o->z10,     [DYN_OUT_Z20] = o->z20,    [DYN_OUT_TA] = o->t[0],       [DYN_OUT_TB] = o->t[1],
@@ -71,7 +63,7 @@ static void from_balls(struct dyn_member *m, const struct dyn_orbit *o, const st
   for (int i = 0; i < N_CONDITIONS; i++) set_bit(m, i, o->holds[i]);
   for (int i = 0; i < N_PHASES; i++) m->word = truth_and(m->word, o->first[i]);
   for (int i = 0; i < 2; i++)
-    if (l->q->u_r[i]) set_bit(m, MEMBER_U_R + i, exceeds(l->q->u_r[i], i ? o->u_r2_min : o->u_r1_min));
+    set_bit(m, MEMBER_U_R + i, friction_exceeds(l->q->u_r[i], i ? o->u_r2_min : o->u_r1_min, 4 * PREC));
 }
 
 static void exact_here(struct family_line *l) {

@@ -167,10 +167,9 @@ double tube_reach(const struct tube *t, int param, slong prec) {
 enum { SHARP = 5 };
 
 /* The numbers that are worth it: trace, t_a, t_d, z10, z20. */
-static void sharp_numbers(val out[SHARP], struct calc *c, const struct ball_params *m, const struct ball_pass *s,
-                          bool up) {
+static void sharp_numbers(val out[SHARP], struct calc *c, const struct ball_params *m, const struct ball_pass *s) {
   struct ball_ending e;
-  ball_ending_make(&e, c, m, s, up);
+  ball_ending_make(&e, c, m, s);
   ball_positions(out + 3, c, m, e.wf, s->r);
   out[0] = calc_add(c, calc_div(c, s->defect_tb, s->pb), m->one);
   out[1] = e.ta;
@@ -189,9 +188,9 @@ static bool mean_values(arb_ptr number, const struct tube *t, const struct tube 
   arb_init(off);
   struct calc c = calc_begin(dual_ctx(prec));
   look(&s, &c, &m, middle, middle->x, false);
-  sharp_numbers(at, &c, &m, &s, t->up);
+  sharp_numbers(at, &c, &m, &s);
   look(&s, &c, &m, t, t->x, false);
-  sharp_numbers(all, &c, &m, &s, t->up);
+  sharp_numbers(all, &c, &m, &s);
   bool ok = !c.status;
   for (int n = 0; n < SHARP && ok; n++) arb_set(number + n, dual_value(at[n]));
   for (int i = 0; i < N_PARAMS && ok; i++) {
@@ -245,10 +244,12 @@ static void params_of(struct ball_params *m, struct calc *c, const struct tube *
 
 int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec, long max_steps) {
   struct ball_params m;
+  struct ball_pass s;
   struct calc c = calc_begin(num_ctx_arb(prec));
   params_of(&m, &c, t);
-  int status = dyn_orbit_describe(o, &c, &m, &t->x[0], &t->x[1], t->up);
-  *word = status ? TRUTH_UNKNOWN : dyn_orbit_judge(o, &c, &m, &t->x[0], &t->x[1], t->up, max_steps);
+  ball_pass_make(&s, &c, &m, &t->x[0], &t->x[1], t->up);
+  int status = dyn_orbit_describe(o, &c, &m, &s);
+  *word = status ? TRUTH_UNKNOWN : dyn_orbit_judge(o, &c, &m, &s, max_steps);
   o->grazing = *word == TRUTH_UNKNOWN;
   calc_clear(&c);
   return status;

@@ -154,16 +154,6 @@ static bool find_breach(struct dyn_certificate *z, int i, const struct dyn_margi
   return k->where != WHERE_OPEN;
 }
 
-static truth friction_exceeds(const fmpq *u, arb_srcptr least, slong prec) {
-  if (!u) return TRUTH_TRUE; /* some u_r does */
-  arb_t x;
-  arb_init(x);
-  arb_set_fmpq(x, u, prec);
-  truth t = num_arb.lt(least, x);
-  arb_clear(x);
-  return t;
-}
-
 /* Every condition by both routes.  o: described and judged. */
 static void conclude(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *o, slong prec) {
   struct dyn_margins m;

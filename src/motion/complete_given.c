@@ -81,8 +81,9 @@ static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb,
   ball_pass_make(&s, c, &m, tb, tc, true);
   truth sign = num_arb.lt(m.zero, s.r);
   if (sign == TRUTH_UNKNOWN) return TRUTH_UNKNOWN;
+  ball_pass_make(&s, c, &m, tb, tc, sign == TRUTH_TRUE);
   dyn_orbit_init(&o);
-  truth first = dyn_orbit_judge(&o, c, &m, tb, tc, sign == TRUTH_TRUE, max_steps);
+  truth first = dyn_orbit_judge(&o, c, &m, &s, max_steps);
   dyn_orbit_clear(&o);
   return truth_and(positive, first);
 }

@@ -122,6 +122,7 @@ void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_param
 
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
   ball_pass_slip(s, c, m, tb, tc);
+  s->up = up;
   val turned = calc_div(c, s->qc, m->omega);
   val radius = calc_sqrt(c, calc_dot(c, s->rc, s->rc, turned, turned));
   s->r_end = up ? radius : calc_neg(c, radius);

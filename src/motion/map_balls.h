@@ -26,6 +26,7 @@ struct ball_pass {
   val pc_tb, qc_tb, pull_tb; /* derivatives by t_b; pull = chi eta r_c.  That of pc by t_c is -wc */
   val defect_tb, defect_tc;
   struct ball_modes modes;
+  bool up; /* phase C ends at a maximum of r: q > 0 in it */
 };
 void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params);
 /* The same from elements, which must outlive m. */

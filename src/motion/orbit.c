@@ -202,11 +202,20 @@ static bool undecided(const struct dyn_orbit *o) {
   return any;
 }
 
-static truth judge(struct dyn_orbit *o, const fmpq *params, const struct solution *sol, slong prec, long max_steps) {
+/* In the calc of its last precision. */
+static int describe(struct dyn_orbit *o, struct solution *s) {
+  struct ball_pass at;
+  ball_pass_make(&at, &s->c, &s->m, s->x[0], s->x[1], s->up);
+  return dyn_orbit_describe(o, &s->c, &s->m, &at);
+}
+
+static truth judge(struct dyn_orbit *o, const struct solution *s, slong prec, long max_steps) {
   struct ball_params m;
+  struct ball_pass at;
   struct calc c = calc_begin(num_ctx_arb(prec));
-  ball_params_init(&m, &c, params);
-  truth first = dyn_orbit_judge(o, &c, &m, sol->x[0], sol->x[1], sol->up, max_steps);
+  ball_params_init(&m, &c, s->params);
+  ball_pass_make(&at, &c, &m, s->x[0], s->x[1], s->up);
+  truth first = dyn_orbit_judge(o, &c, &m, &at, max_steps);
   calc_clear(&c);
   return first;
 }
@@ -226,8 +235,7 @@ static slong plan(const fmpq *params, double tb, double tc, bool up, slong prec)
   arb_set_d(pilot.x[1], tc);
   pilot.up = up;
   slong left = 0;
-  if (!solve(&pilot, params, DYN_PILOT) && !dyn_orbit_describe(&o, &pilot.c, &pilot.m, pilot.x[0], pilot.x[1], up))
-    left = dyn_orbit_accuracy(&o);
+  if (!solve(&pilot, params, DYN_PILOT) && !describe(&o, &pilot)) left = dyn_orbit_accuracy(&o);
   dyn_orbit_clear(&o);
   solution_clear(&pilot);
   return dyn_planned_bits(prec, left);
@@ -235,20 +243,18 @@ static slong plan(const fmpq *params, double tb, double tc, bool up, slong prec)
 
 /* The orbit of a solution to prec bits, the working precision being raised, *raises times, as long as that helps.
    *first as judge returns it. */
-static int finish(struct dyn_orbit *o, truth *first, long *raises, const fmpq *params, struct solution *sol, slong prec,
-                  const struct dyn_limits *lim) {
-  slong work = sol->prec;
-  int status = dyn_orbit_describe(o, &sol->c, &sol->m, sol->x[0], sol->x[1], sol->up);
-  *raises = 0;
+static int finish(struct dyn_orbit *o, truth *first, long *raises, struct solution *s, slong prec, long max_steps) {
+  slong work = s->prec;
+  int status = describe(o, s);
   for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
     work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + DYN_GUARD;
-    status = solve(sol, params, work);
-    if (!status) status = dyn_orbit_describe(o, &sol->c, &sol->m, sol->x[0], sol->x[1], sol->up);
+    status = solve(s, s->params, work);
+    if (!status) status = describe(o, s);
     ++*raises;
   }
-  *first = judge(o, params, sol, FLINT_MIN(work, 128), lim->max_steps);
-  if (*first == TRUTH_UNKNOWN || undecided(o)) *first = judge(o, params, sol, work, lim->max_steps);
-  o->grazing = sol->grazing || *first == TRUTH_UNKNOWN;
+  *first = judge(o, s, FLINT_MIN(work, 128), max_steps);
+  if (*first == TRUTH_UNKNOWN || undecided(o)) *first = judge(o, s, work, max_steps);
+  o->grazing = s->grazing || *first == TRUTH_UNKNOWN;
   return status;
 }
 
@@ -263,9 +269,9 @@ int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double
   s.up = up;
   s.grazing = false;
   truth proved = TRUTH_UNKNOWN;
-  long raises;
+  long raises = 0;
   int status = solve(&s, params, plan(params, tb, tc, up, prec));
-  if (!status) status = finish(o, &proved, &raises, params, &s, prec, lim);
+  if (!status) status = finish(o, &proved, &raises, &s, prec, lim->max_steps);
   if (first) *first = proved;
   solution_clear(&s);
   return status;
@@ -322,9 +328,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
     struct dyn_orbit *o = &list->orbit[list->n];
     truth first;
     dyn_orbit_init(o);
-    long raises;
-    status |= finish(o, &first, &raises, params, &found.s[i], prec, lim);
-    list->raises += raises;
+    status |= finish(o, &first, &list->raises, &found.s[i], prec, lim->max_steps);
     if (first == TRUTH_FALSE)
       dyn_orbit_clear(o);
     else

@@ -207,23 +207,25 @@ int word_solve(struct word_root *s, struct num_vec *x, const struct word_data *q
 
 /* --- Its orbit. --- */
 
-/* The orbit's parameters, e1 and e2 as they came out, and the sign of r at the stick phase, which phase C has too; where
-   enclosures cannot tell it, the direction of phase C will not be proved. */
-static bool open_root(struct calc *c, struct ball_params *m, const struct word_root *s, const fmpq *model, slong prec) {
+/* The orbit's parameters, e1 and e2 as they came out, and its pass; the sign of r at the stick phase is that in phase C
+   too; where enclosures cannot tell it, the direction of phase C will not be proved. */
+static void open_root(struct calc *c, struct ball_params *m, struct ball_pass *s, const struct word_root *root,
+                      const fmpq *model, slong prec) {
   struct word w;
   val x[N_QUANTITIES];
   *c = calc_begin(num_ctx_arb(prec));
-  for (int i = 0; i < N_QUANTITIES; i++) x[i] = s->x[i];
+  for (int i = 0; i < N_QUANTITIES; i++) x[i] = root->x[i];
   ball_params_with(m, c, model, x[QUANTITY_E1], x[QUANTITY_E2]);
   word_make(&w, c, m, x);
-  return num_arb.get_d(w.end) > 0;
+  ball_pass_make(s, c, m, x[QUANTITY_TB], x[QUANTITY_TC], num_arb.get_d(w.end) > 0);
 }
 
 int word_describe(struct dyn_orbit *o, const struct word_root *s, const fmpq *model, slong prec) {
   struct ball_params m;
+  struct ball_pass at;
   struct calc c;
-  bool up = open_root(&c, &m, s, model, prec);
-  int status = dyn_orbit_describe(o, &c, &m, s->x[QUANTITY_TB], s->x[QUANTITY_TC], up);
+  open_root(&c, &m, &at, s, model, prec);
+  int status = dyn_orbit_describe(o, &c, &m, &at);
   for (int i = 0; i < N_PHASES; i++) arb_set(o->t[i], s->x[QUANTITY_TA + i]);
   calc_clear(&c);
   return status;
@@ -233,9 +235,10 @@ truth word_judge_orbit(struct dyn_orbit *o, truth *domain, const struct word_roo
                        long max_steps) {
   static const enum dyn_quantity positive[] = {QUANTITY_E1, QUANTITY_E2, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD};
   struct ball_params m;
+  struct ball_pass at;
   struct calc c;
-  bool up = open_root(&c, &m, s, model, prec);
-  truth first = dyn_orbit_judge(o, &c, &m, s->x[QUANTITY_TB], s->x[QUANTITY_TC], up, max_steps);
+  open_root(&c, &m, &at, s, model, prec);
+  truth first = dyn_orbit_judge(o, &c, &m, &at, max_steps);
   *domain = num_arb.lt(calc_mul(&c, m.omega, s->x[QUANTITY_TD]), calc_pi(&c));
   for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
     *domain = truth_and(*domain, num_arb.lt(m.zero, s->x[positive[i]]));
