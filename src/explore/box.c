@@ -113,8 +113,7 @@ static void halve(arb_t half, const arb_t whole, bool upper) {
 }
 
 static void examine(struct piece *p) {
-  p->proved = tube_prove(&p->tube, BOX_PREC) == SS_OK &&
-              tube_orbit(&p->orbit, &p->word, &p->tube, BOX_PREC, dyn_limits_default.max_steps) == SS_OK;
+  p->proved = tube_prove(&p->tube, BOX_PREC) == SS_OK && tube_orbit(&p->orbit, &p->word, &p->tube, BOX_PREC) == SS_OK;
   if (p->proved) tube_sharpen(&p->orbit, &p->tube, BOX_PREC);
 }
 

@@ -11,7 +11,7 @@
 #include "curve.h"
 #include "motion/trig_sum.h"
 
-enum { TRACE_PREC = 128, LINE = 4 };
+enum { LINE = 4 };
 static const double LONGEST = 0.03, SHORTEST = 1e-9;
 
 static double unit(const struct trace *t, int i) {
@@ -104,7 +104,7 @@ static bool spot_make(struct spot *s, const struct trace *t, const double x[3]) 
   arb_ptr at = _arb_vec_init(3);
   *s = (struct spot){.x = {x[0], x[1], x[2]}};
   for (int i = 0; i < 3; i++) arb_set_d(at + i, x[i]);
-  bool ok = view_open(&v, t->curve, at, TRACE_PREC) == SS_OK;
+  bool ok = view_open(&v, t->curve, at) == SS_OK;
   if (ok) {
     double g[2][3];
     const val rows[2] = {v.s.pc, v.s.defect};
@@ -135,7 +135,7 @@ static bool correct(double x[3], const struct trace *t, const double normal[3]) 
   for (int i = 0; i < 8 && ok && !settled; i++) {
     struct view v;
     for (int k = 0; k < 3; k++) arb_set_d(at + k, x[k]);
-    ok = view_open(&v, t->curve, at, TRACE_PREC) == SS_OK;
+    ok = view_open(&v, t->curve, at) == SS_OK;
     const val rows[2] = {v.s.pc, v.s.defect};
     double off = 0, step[3], size = 0;
     for (int k = 0; k < 3 && ok; k++) {
@@ -147,7 +147,7 @@ static bool correct(double x[3], const struct trace *t, const double normal[3]) 
     arb_set_d(arb_mat_entry(f, 2, 0), off);
     arb_mat_get_mid(j, j);
     arb_mat_get_mid(f, f);
-    ok = ok && arb_mat_solve(f, j, f, TRACE_PREC) != 0;
+    ok = ok && arb_mat_solve(f, j, f, t->curve->prec) != 0;
     for (int k = 0; k < 3; k++) {
       step[k] = num_arb.get_d(arb_mat_entry(f, k, 0));
       x[k] -= step[k];
@@ -232,7 +232,7 @@ static bool narrow(struct crossing *out, const struct trace *t, const struct spo
   arb_ptr x = _arb_vec_init(4);
   for (int k = 0; k < 3; k++) arb_set_d(x + k, a->x[k] + part * (b->x[k] - a->x[k]));
   arb_set_d(x + 3, (a->change[what] > 0 ? a : b)->time[what]); /* of a touch: there it is the maximum that counts */
-  bool ok = curve_newton(x, x + 3, t->curve, what, TRACE_PREC) == SS_OK;
+  bool ok = curve_newton(x, x + 3, t->curve, what) == SS_OK;
   out->what = what;
   for (int k = 0; k < 3; k++) out->x[k] = num_arb.get_d(x + k);
   out->time = num_arb.get_d(x + 3);
@@ -271,11 +271,11 @@ static bool stop_before(struct spot *before, const struct trace *t, const struct
   return true;
 }
 
-/* The crossings of the functions from `first` to `last`, put in order. */
+/* The crossings of the functions that end a branch, or of the others, put in order. */
 static int collect(struct crossing *out, slong *missed, const struct trace *t, const struct spot *a,
-                   const struct spot *b, int first, int last) {
+                   const struct spot *b, bool ends) {
   int n = 0;
-  for (int what = first; what <= last; what++) {
+  for (int what = ends ? CHANGE_H_V1 : 0; what < (ends ? N_CHANGES : CHANGE_H_V1); what++) {
     struct crossing c = {.what = (enum dyn_change)what};
     if (!crosses(a, b, what)) continue;
     if (!find(&c, t, *a, *b, c.what)) {
@@ -298,7 +298,7 @@ bool trace_crossings(struct crossing out[N_CHANGES], int *n, slong *missed, cons
   struct crossing ends[N_CHANGES];
   struct spot before;
   slong lost = 0;
-  int n_ends = collect(ends, &lost, t, a, b, CHANGE_H_V1, N_CHANGES - 1), at = 0;
+  int n_ends = collect(ends, &lost, t, a, b, true), at = 0;
   for (int i = 0; i < n_ends; i++) /* a double t_c or a vanishing phase H makes others of what comes with it */
     if (ends[i].what == CHANGE_TC || ends[i].what == CHANGE_GAMMA_V1) {
       at = i;
@@ -307,7 +307,7 @@ bool trace_crossings(struct crossing out[N_CHANGES], int *n, slong *missed, cons
   *n = 0;
   if (n_ends == 0 && lost > 0) return false;
   if (n_ends > 0 && stop_before(&before, t, a, &ends[at])) b = &before;
-  *n = collect(out, missed, t, a, b, 0, CHANGE_H_V1 - 1);
+  *n = collect(out, missed, t, a, b, false);
   if (n_ends > 0) out[(*n)++] = ends[at];
   return true;
 }

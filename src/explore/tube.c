@@ -242,26 +242,26 @@ static void params_of(struct ball_params *m, struct calc *c, const struct tube *
   ball_params_make(m, c, p);
 }
 
-int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec, long max_steps) {
+int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec) {
   struct ball_params m;
   struct ball_pass s;
   struct calc c = calc_begin(num_ctx_arb(prec));
   params_of(&m, &c, t);
   ball_pass_make(&s, &c, &m, &t->x[0], &t->x[1], t->up);
   int status = dyn_orbit_describe(o, &c, &m, &s);
-  *word = status ? TRUTH_UNKNOWN : dyn_orbit_judge(o, &c, &m, &s, max_steps);
+  *word = status ? TRUTH_UNKNOWN : dyn_orbit_judge(o, &c, &m, &s, dyn_limits_default.max_steps);
   o->grazing = *word == TRUTH_UNKNOWN;
   calc_clear(&c);
   return status;
 }
 
-truth tube_touches(const struct tube *t, slong prec, long max_steps) {
+truth tube_touches(const struct tube *t, slong prec) {
   struct ball_params m;
   struct ball_pass s;
   struct calc c = calc_begin(num_ctx_arb(prec));
   params_of(&m, &c, t);
   ball_pass_slip(&s, &c, &m, &t->x[0], &t->x[1]);
-  truth below = c.status ? TRUTH_UNKNOWN : ball_touches(&c, &m, &s, max_steps);
+  truth below = c.status ? TRUTH_UNKNOWN : ball_touches(&c, &m, &s, dyn_limits_default.max_steps);
   calc_clear(&c);
   return below;
 }

@@ -60,9 +60,13 @@ static val pull_on(struct calc *c, const struct word_law *m, enum coulomb_mode m
 
 void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
                  const val state[N_STATE], bool difference) {
-  val pull[2];
-  for (int i = 0; i < 2; i++) pull[i] = pull_on(c, m, mode[i], i, state[WORD_W1 + i], difference);
-  motion_make(out, c, difference ? &m->difference : &m->law, mode, state + WORD_W1, state + WORD_P1, pull);
+  struct motion_start at;
+  for (int i = 0; i < 2; i++) {
+    at.force[i] = state[WORD_W1 + i];
+    at.slip[i] = state[WORD_P1 + i];
+    at.pull[i] = pull_on(c, m, mode[i], i, at.force[i], difference);
+  }
+  motion_make(out, c, difference ? &m->difference : &m->law, mode, &at);
 }
 
 void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t) {

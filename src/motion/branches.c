@@ -47,17 +47,17 @@ static void search_patch(struct search *s, struct patch a, int depth) {
   s->cells++;
   if (s->cells % FREE_LATER_CELLS == 0) work_add((unsigned long long)FREE_LATER_CELLS * UNITS_OF_LATER_CELL);
   strip_make(&p, &s->params, a.from[0], a.to[0], a.to[0] - a.from[0]);
-  struct turns k = strip_turns_later(&p, &s->params);
+  struct turns k = strip_turns_later(&p);
   if (turns_count(&k) == 0) return;
   clock_set(&middle, &s->params, 0.5 * (a.from[1] + a.to[1]));
-  cell_at(&c, &p, &s->params, &middle);
+  cell_at(&c, &p, &middle);
   c.early = disk_up(fmax(a.to[1] - middle.t, middle.t - a.from[1]));
   c.first = a.from[1] == 0;
-  enum look seen = cell_look_later(&zero, &c, &p, &s->params, &k, s->dir);
+  enum look seen = cell_look_later(&zero, &c, &k, s->dir);
   if (seen == LOOK_ZERO) commons_add(&s->zeros, zero, &p, middle.t);
   if (seen != LOOK_OPEN) return;
   if (depth < DEEPEST) {
-    halve(s, &a, cell_wide_in_angle(&c, &p) ? 0 : 1, depth);
+    halve(s, &a, cell_wide_in_angle(&c) ? 0 : 1, depth);
   } else if (!s->stuck) {
     s->stuck = true;
     s->where[0] = p.angle + 2 * PI * fmax(zero.k, 0);

@@ -63,9 +63,9 @@ static void turns_h(val sine[2], val cosine[2], struct calc *c, const struct bal
   }
 }
 
-/* From velocities v and forces f = (w, chi eta r). */
-static struct ball_modes modes_from(struct calc *c, const struct spectrum *s, const val v[2], const val f[2]) {
+static struct ball_modes modes_from(struct calc *c, const struct spectrum *s, const struct moving *at) {
   struct ball_modes m;
+  const val *v = at->v, *f = at->f;
   val share[2][2] = {{s->above, s->couple}, {s->back, s->below}}; /* of the slow mode: rows of its projector */
   for (int i = 0; i < 2; i++) {
     m.a[i][0] = calc_dot(c, share[i][0], v[0], share[i][1], v[1]);
@@ -77,18 +77,20 @@ static struct ball_modes modes_from(struct calc *c, const struct spectrum *s, co
   return m;
 }
 
-/* Velocities and forces at the time with the given sines and cosines of om t. */
-static void modes_at(val v[2], val f[2], struct calc *c, const struct spectrum *s, const struct ball_modes *m,
-                     const val sine[2], const val cosine[2]) {
+/* At the time with the given sines and cosines of om t. */
+static struct moving modes_at(struct calc *c, const struct spectrum *s, const struct ball_modes *m, const val sine[2],
+                              const val cosine[2]) {
+  struct moving at;
   for (int i = 0; i < 2; i++) {
     val speed[2], force[2];
     for (int k = 0; k < 2; k++) {
       speed[k] = calc_sub(c, calc_mul(c, m->a[i][k], cosine[k]), calc_mul(c, m->b[i][k], sine[k]));
       force[k] = calc_mul(c, s->om[k], calc_dot(c, m->a[i][k], sine[k], m->b[i][k], cosine[k]));
     }
-    v[i] = calc_add(c, speed[0], speed[1]);
-    f[i] = calc_add(c, force[0], force[1]);
+    at.v[i] = calc_add(c, speed[0], speed[1]);
+    at.f[i] = calc_add(c, force[0], force[1]);
   }
+  return at;
 }
 
 void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc) {
@@ -102,22 +104,22 @@ void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_param
   s->rise = calc_add(c, calc_sub(c, calc_mul(c, m->a, tb), s->wb), e1);
   s->r = calc_sub(c, calc_div(c, e2, m->p[P_CHI]), s->rise);
 
-  val v[2] = {calc_add(c, V, s->pb), V}, f[2] = {s->wb, calc_mul(c, m->p[P_ETA], e2)};
-  val dv[2] = {calc_neg(c, s->wb), m->zero}, df[2] = {dwb, m->zero}; /* d/dt_b, r_b = e2/chi being fixed */
-  s->modes = modes_from(c, &m->spectrum, v, f);
-  struct ball_modes shift = modes_from(c, &m->spectrum, dv, df);
+  struct moving at = {{calc_add(c, V, s->pb), V}, {s->wb, calc_mul(c, m->p[P_ETA], e2)}};
+  struct moving by_tb = {{calc_neg(c, s->wb), m->zero}, {dwb, m->zero}}; /* r_b = e2/chi being fixed */
+  s->modes = modes_from(c, &m->spectrum, &at);
+  struct ball_modes shift = modes_from(c, &m->spectrum, &by_tb);
   val sines[2], cosines[2];
   turns_h(sines, cosines, c, m, tc);
-  modes_at(v, f, c, &m->spectrum, &s->modes, sines, cosines);
-  modes_at(dv, df, c, &m->spectrum, &shift, sines, cosines);
+  at = modes_at(c, &m->spectrum, &s->modes, sines, cosines);
+  by_tb = modes_at(c, &m->spectrum, &shift, sines, cosines);
 
-  s->pc = calc_sub(c, v[0], V);
-  s->qc = calc_sub(c, v[1], V);
-  s->wc = f[0];
-  s->rc = calc_div(c, f[1], m->stiff);
-  s->pc_tb = dv[0];
-  s->qc_tb = dv[1];
-  s->pull_tb = df[1];
+  s->pc = calc_sub(c, at.v[0], V);
+  s->qc = calc_sub(c, at.v[1], V);
+  s->wc = at.f[0];
+  s->rc = calc_div(c, at.f[1], m->stiff);
+  s->pc_tb = by_tb.v[0];
+  s->qc_tb = by_tb.v[1];
+  s->pull_tb = by_tb.f[1];
 }
 
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {

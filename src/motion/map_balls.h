@@ -15,6 +15,10 @@ struct ball_params {
   val near_tb, near_tc;
   struct turn turn_b, turn_c[2];
 };
+/* Velocities and forces f = (w, chi eta r). */
+struct moving {
+  val v[2], f[2];
+};
 /* A motion of phase H: velocity of mass m = sum over i of a[m][i] cos(om[i] t) - b[m][i] sin(om[i] t). */
 struct ball_modes {
   val a[2][2], b[2][2];

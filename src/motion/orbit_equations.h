@@ -17,7 +17,8 @@ struct word_data {
 /* Their left sides, zero on an orbit, and derivatives by the quantities. */
 struct word {
   val e[WORD_FREE], j[WORD_FREE][N_QUANTITIES];
-  val end; /* r at the stick phase */
+  val end;          /* r at the stick phase */
+  val sine, cosine; /* of omega t_d */
 };
 /* Of the model; e1 and e2 are among the quantities and stand for nothing here. */
 void word_params(struct ball_params *m, struct calc *c, const fmpq *model);

@@ -66,6 +66,7 @@ struct derivative_bounds {
   double f, ff, fff, ft, tt, fft;
 };
 struct strip {
+  const struct disk_params *s;
   double angle, half;       /* midpoint and half width */
   struct disk u, w, pb;     /* at the midpoint: w' = p + a, w, and p at t_b */
   struct disk base;         /* e2/chi - rise */
@@ -75,11 +76,11 @@ struct strip {
   struct derivative_bounds p, q, r;
   bool later; /* some k > 0 can be */
 };
-/* The strip from low to high; bounds hold as far as reach from its midpoint. */
+/* The strip from low to high, whose parameters must outlive it; bounds hold as far as reach from its midpoint. */
 void strip_make(struct strip *p, const struct disk_params *s, double low, double high, double reach);
 /* The same strip with bounds that hold as far as reach. */
-void strip_reach(struct strip *p, const struct disk_params *s, double reach);
+void strip_reach(struct strip *p, double reach);
 /* p stays below zero for all time. */
-bool strip_never(const struct strip *p, const struct disk_params *s);
+bool strip_never(const struct strip *p);
 
 #endif
