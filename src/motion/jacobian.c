@@ -130,7 +130,7 @@ static void start_formula(val *j, struct calc *c, enum phase ph, const val p[N_P
   (void)ph, (void)t;
   for (int i = 0; i < N_PHASES; i++) guess[i] = num_arb.get_d(in[START_T + i]);
   dyn_arc_init(&arc, c->ctx);
-  int status = arc_run_from(&arc, &params, in[START_Z], in[START_Z + 1], guess);
+  int status = arc_run(&arc, &params, in[START_Z], in[START_Z + 1], NULL, guess);
   if (!status)
     status = dyn_return_jacobian(&out, &params, &arc);
   else if (c->ctx.prec >= NEAR_MOST)
@@ -261,7 +261,7 @@ static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *par
 static int run_word(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {
   struct dyn_arc arc;
   dyn_arc_init(&arc, x->ctx);
-  int status = arc_run_near(&arc, map->params, num_vec_at(x, 0), num_vec_at(x, 1), &map->near);
+  int status = arc_run(&arc, map->params, num_vec_at(x, 0), num_vec_at(x, 1), &map->near, NULL);
   for (slong i = 0; i < 2; i++) x->ctx.type->set(num_vec_at(out, i), num_vec_at(&arc.z, N_PHASES * N_STATE + i));
   dyn_arc_clear(&arc);
   return status;

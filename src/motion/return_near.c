@@ -29,7 +29,7 @@ int dyn_return_near(struct num_vec *out, const struct num_vec *params, const voi
   flow_vals(p, params, 0, N_PARAMS);
   positions(z, &c, p, r);
   int status = c.status;
-  if (!status) status = arc_run_from(&arc, params, z[0], z[1], near);
+  if (!status) status = arc_run(&arc, params, z[0], z[1], NULL, near);
   if (!status) status = dyn_return_jet(jet, 2, params, &arc);
   if (!status) {
     flow_vals(end, &arc.z, N_PHASES * N_STATE, N_STATE);
