@@ -637,12 +637,12 @@ START_TEST(times_given) {
     for (int i = 0; i < 3; i++) fmpq_canonicalise(model + i);
     for (int i = 0; i < 2; i++) fmpq_canonicalise(value + i);
     dyn_orbits_given(&list, model, which, value, 80, NULL);
-    ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL, DYN_CELLS), SS_OK);
+    ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL), SS_OK);
     ck_assert_msg(list.complete && list.t_c_max == 0, "trial %d: %s", trial, dyn_gap_text[list.gap]);
     *(list.n > 0 ? &some : &none) += 1;
     slong n = list.n; /* a list that lacks them is not complete */
     struct dyn_orbits empty = {.n = 0};
-    dyn_given_complete(&empty, model, which, value, 80, NULL, DYN_CELLS);
+    dyn_given_complete(&empty, model, which, value, 80, NULL);
     ck_assert(empty.complete == (n == 0) && (n == 0 || empty.gap == GAP_CONFLICT));
     dyn_orbits_clear(&list);
   }
@@ -669,7 +669,7 @@ START_TEST(a_time_and_a_limit_given) {
       fmpq_canonicalise(value);
       fmpq_set(value + 1, s->p + P_E1 + e);
       dyn_orbits_given(&list, s->p, which, value, 60, NULL);
-      ck_assert_int_eq(dyn_given_complete(&list, s->p, which, value, 60, NULL, DYN_CELLS), SS_OK);
+      ck_assert_int_eq(dyn_given_complete(&list, s->p, which, value, 60, NULL), SS_OK);
       ck_assert_msg(list.complete && list.t_c_max == 200, "%s orbit %d, e%d: %s near %g", s->name, i, e + 1,
                     dyn_gap_text[list.gap], list.gap_at[1]);
       for (slong k = 0; k < list.n; k++) met = met || fabs(list.orbit[k].guess[2] - s->at[i][1]) < 1e-5 * s->at[i][1];
@@ -689,7 +689,7 @@ START_TEST(a_time_and_a_limit_given) {
       line_clear(&line);
       /* a list that lacks one is not complete */
       struct dyn_orbits empty = {.n = 0};
-      dyn_given_complete(&empty, s->p, which, value, 60, NULL, DYN_CELLS);
+      dyn_given_complete(&empty, s->p, which, value, 60, NULL);
       ck_assert(!empty.complete && empty.gap == GAP_CONFLICT);
       dyn_orbits_clear(&list);
       for (int k = 0; k < 2; k++) fmpq_clear(value + k);
@@ -723,7 +723,7 @@ START_TEST(a_limit_scanned) {
       fmpq_canonicalise(value + i);
     }
     dyn_orbits_given(&list, q, which, value, 60, NULL);
-    dyn_given_complete(&list, q, which, value, 60, NULL, DYN_CELLS);
+    dyn_given_complete(&list, q, which, value, 60, NULL);
     complete += list.complete;
     for (int i = 1; i < STEPS && list.complete; i++, old = defect) {
       double low = 6.0 * (i - 1) / STEPS, high = 6.0 * i / STEPS, before = old;
@@ -770,7 +770,7 @@ START_TEST(other_pairs_are_said) {
     fmpq_init(value + i);
     fmpq_set_si(value + i, 1, 1);
   }
-  ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL, DYN_CELLS), SS_OK);
+  ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL), SS_OK);
   ck_assert(!list.complete && list.gap == GAP_GIVEN);
   for (int i = 0; i < 3; i++) fmpq_clear(model + i);
   for (int i = 0; i < 2; i++) fmpq_clear(value + i);

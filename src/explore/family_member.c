@@ -73,9 +73,10 @@ static void exact_here(struct family_line *l) {
 /* The orbit near guess, proved to be one of the word. */
 static bool enclose(struct dyn_member *m, struct family_line *l, const double guess[2], bool up) {
   struct dyn_orbit o;
+  struct dyn_place at = {guess[0], guess[1], up};
   truth first;
   exact_here(l);
-  bool ok = dyn_orbit_near(&o, &first, l->exact, guess[0], guess[1], up, PREC, &dyn_limits_default) == SS_OK;
+  bool ok = dyn_orbit_near(&o, &first, l->exact, at, PREC, NULL) == SS_OK;
   ok = ok && first == TRUTH_TRUE;
   if (ok) from_balls(m, &o, l);
   dyn_orbit_clear(&o);
@@ -162,10 +163,10 @@ static bool list_warm(struct dyn_member *m, slong *n, struct family_line *l, con
   *n = 0;
   for (size_t i = 0; i < s->n; i++) {
     const struct zero *z = &s->zeros[i];
-    double guess[2] = {z->tb, z->tc};
+    double guess[2] = {z->at.tb, z->at.tc};
     if (z->fold) return false;
-    if (!wanted(l, z->tb)) continue;
-    if (!family_solve(&m[*n], l, guess, z->up) || !is_near(&m[*n], guess)) return false;
+    if (!wanted(l, z->at.tb)) continue;
+    if (!family_solve(&m[*n], l, guess, z->at.up) || !is_near(&m[*n], guess)) return false;
     for (slong k = 0; k < *n; k++)
       if (family_same(&m[k], &m[*n])) return false;
     ++*n;

@@ -134,9 +134,8 @@ static void settle(struct dyn_orbits *list, const struct search *s, const struct
                    slong prec) {
   struct dyn_orbit o;
   truth first;
-  bool up;
-  double tb = common_tb(&up, z, &s->params);
-  int status = dyn_orbit_near(&o, &first, params, tb, z->at[1], up, prec, NULL);
+  struct dyn_place at = common_place(z, &s->params);
+  int status = dyn_orbit_near(&o, &first, params, at, prec, NULL);
   struct known found = known_of(&o, z->k);
   truth later = TRUTH_UNKNOWN; /* than 0 and no later than asked for */
   if (status == SS_OK && known_is(&found, z)) {
@@ -150,7 +149,7 @@ static void settle(struct dyn_orbits *list, const struct search *s, const struct
     arb_clear(left);
   }
   if (later == TRUTH_UNKNOWN || arb_contains_zero(o.t[PHASE_C]))
-    dyn_leave_gap(list, GAP_DOUBLE, tb, z->at[1]);
+    dyn_leave_gap(list, GAP_DOUBLE, at.tb, at.tc);
   else if (later == TRUTH_TRUE)
     add_turns(list, &o, params, prec);
   dyn_orbit_clear(&o);

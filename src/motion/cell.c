@@ -209,11 +209,10 @@ enum look cell_look_later(struct common *zero, const struct cell *c, const struc
   return look_at_each(zero, c, &g, &can);
 }
 
-double common_tb(bool *up, const struct common *z, const struct disk_params *s) {
+struct dyn_place common_place(const struct common *z, const struct disk_params *s) {
   struct strip p;
   strip_make(&p, s, z->at[0] - z->near[0], z->at[0] + z->near[0], 0);
-  *up = p.base.mid - z->k * s->turn.mid > 0;
-  return z->at[0] + 2 * PI * z->k;
+  return (struct dyn_place){z->at[0] + 2 * PI * z->k, z->at[1], p.base.mid - z->k * s->turn.mid > 0};
 }
 
 struct known known_of(const struct dyn_orbit *o, double k) {

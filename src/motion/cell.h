@@ -3,6 +3,7 @@
 #define STICKSLIP_CELL_H
 
 #include "turns.h"
+#include "warm.h"
 
 /* The motion at the middle of a cell. */
 struct cell {
@@ -26,8 +27,7 @@ enum look cell_look(struct common *zero, const struct cell *c, const struct turn
 /* The same for zeros that need not be first roots: p may have any sign before, and phase C may last any time, so that r
    at its end has any sign. */
 enum look cell_look_later(struct common *zero, const struct cell *c, const struct turns *k, double dir);
-/* Its t_b, and whether phase C ends with r > 0 there. */
-double common_tb(bool *up, const struct common *z, const struct disk_params *s);
+struct dyn_place common_place(const struct common *z, const struct disk_params *s);
 /* A zero that is known already, and surely lies there. */
 struct known {
   double k;

@@ -39,9 +39,8 @@ static void settle(struct dyn_orbits *list, const struct common *z, const struct
                    slong prec, const struct dyn_limits *lim) {
   struct dyn_orbit o;
   truth first;
-  bool up;
-  double tb = common_tb(&up, z, g);
-  int status = dyn_orbit_near(&o, &first, params, tb, z->at[1], up, prec, lim);
+  struct dyn_place at = common_place(z, g);
+  int status = dyn_orbit_near(&o, &first, params, at, prec, lim);
   struct known found = known_of(&o, z->k);
   bool settled = status == SS_OK && known_is(&found, z), before = settled && arb_is_negative(o.t[1]); /* t_b < 0 */
   if (settled && (before || first != TRUTH_UNKNOWN)) {
@@ -51,7 +50,7 @@ static void settle(struct dyn_orbits *list, const struct common *z, const struct
       return;
     }
   } else {
-    dyn_leave_gap(list, settled ? GAP_GRAZING : GAP_DOUBLE, tb, z->at[1]);
+    dyn_leave_gap(list, settled ? GAP_GRAZING : GAP_DOUBLE, at.tb, at.tc);
   }
   dyn_orbit_clear(&o);
 }

@@ -127,8 +127,13 @@ int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *param
    estimated error.  The local one gives its derivatives along n_dir directions at the start, N_STATE numbers for each;
    err (or NULL) has an element for each direction, and one, of the worst entry, for the whole map: truncation (from the
    change between steps, about 15 times too large) plus rounding (from measured noise). */
-int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
-                            const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir);
+struct dyn_stretch {
+  enum phase phase;
+  const double *start; /* N_STATE */
+  double t;            /* about which it lasts */
+};
+int dyn_local_differences_d(double *out, double *err, const double params[N_PARAMS], const struct dyn_stretch *of,
+                            const double (*dir)[N_STATE], int n_dir);
 int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS], const double start[2],
                           const double guess[4]);
 

@@ -312,16 +312,16 @@ static struct double_map map_of_doubles(const struct event_map *map, const doubl
   return (struct double_map){run_doubles, map, (int)map->n, (int)map->n, scale, 4 * DBL_EPSILON, jitter};
 }
 
-int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
-                            const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir) {
+int dyn_local_differences_d(double *out, double *err, const double params[N_PARAMS], const struct dyn_stretch *of,
+                            const double (*dir)[N_STATE], int n_dir) {
   struct calc c = calc_begin(num_ctx_double());
-  const struct num_vec p = calc_vec_d(&c, params, N_PARAMS), from = calc_vec_d(&c, in, N_STATE);
-  const struct event_map map = {run_phase, &p, ph, calc_vec(&c, 1), N_STATE};
+  const struct num_vec p = calc_vec_d(&c, params, N_PARAMS), from = calc_vec_d(&c, of->start, N_STATE);
+  const struct event_map map = {run_phase, &p, of->phase, calc_vec(&c, 1), N_STATE};
   double jitter = 0;
-  int status = dyn_event(num_vec_at(&map.near, 0), ph, &p, &from, t);
-  if (!status) status = phase_jitter(&jitter, ph, &p, &from, num_vec_at(&map.near, 0));
-  const struct double_map doubles = map_of_doubles(&map, in, jitter);
-  if (!status) status = differences_along_all(out, err, &doubles, in, dir, n_dir);
+  int status = dyn_event(num_vec_at(&map.near, 0), of->phase, &p, &from, of->t);
+  if (!status) status = phase_jitter(&jitter, of->phase, &p, &from, num_vec_at(&map.near, 0));
+  const struct double_map doubles = map_of_doubles(&map, of->start, jitter);
+  if (!status) status = differences_along_all(out, err, &doubles, of->start, dir, n_dir);
   calc_clear(&c);
   return status;
 }

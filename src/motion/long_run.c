@@ -89,23 +89,27 @@ static int run_closed(struct listener *l, struct num_ctx ctx, const double param
   return status;
 }
 
-static int run_ode(struct listener *l, const double params[N_COULOMB], const double start[N_STATE], double displaced,
+/* From further in x_1 than the others by what the run says. */
+static int run_ode(struct listener *l, const double params[N_COULOMB], const double start[N_STATE],
                    const struct coulomb_plan *plan) {
   struct coulomb_result r = {.end = COULOMB_FAILED};
   struct coulomb_sink sink = {l, listen, NULL};
   double moved[N_STATE];
   for (int i = 0; i < N_STATE; i++) moved[i] = start[i];
-  moved[Z_1] += displaced;
+  moved[Z_1] += l->run->displaced;
   int status = coulomb_simulate_ode(&r, params, moved, plan, &sink);
   l->run->end[l->route] = r.end;
   return status;
 }
 
-int long_run_make(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE], long returns,
-                  double duration, double displaced, slong prec) {
+/* Of a run that says by how much the ODE route is displaced. */
+static int run_all_routes(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE],
+                          long returns, double duration, slong prec) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct num_vec kept;
-  *run = (struct long_run){.scale = scale_of(params, start), .reach = INFINITY, .from = {start[Z_1], start[Z_2]}};
+  run->scale = scale_of(params, start);
+  run->reach = INFINITY;
+  for (int i = 0; i < 2; i++) run->from[i] = start[Z_1 + i];
   plan.returns = returns;
   plan.duration = duration;
   plan.max_events = MOST_EVENTS;
@@ -114,12 +118,18 @@ int long_run_make(struct long_run *run, const double params[N_COULOMB], const do
   for (int k = prec ? LONG_MPFR : LONG_CLOSED; k >= 0; k--) {
     struct listener l = {run, (enum long_route)k, coulomb_log_sink(&run->log[k]), &kept, 0};
     if (k == LONG_ODE)
-      status |= run_ode(&l, params, start, displaced, &plan);
+      status |= run_ode(&l, params, start, &plan);
     else
       status |= run_closed(&l, k == LONG_MPFR ? num_ctx_mpfr(prec) : num_ctx_double(), params, start, &plan);
   }
   num_vec_clear(&kept);
   return status;
+}
+
+int long_run_make(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE], long returns,
+                  double duration, slong prec) {
+  *run = (struct long_run){.displaced = 0};
+  return run_all_routes(run, params, start, returns, duration, prec);
 }
 
 void long_run_clear(struct long_run *run) {
@@ -199,10 +209,8 @@ bool long_run_growth(struct long_growth *growth, const struct long_run *run, str
 bool long_run_displaced(struct long_growth *growth, const double params[N_COULOMB], const double start[N_STATE],
                         double multiplier, double duration) {
   enum { RETURNS = 64 };
-  struct long_run run;
-  double scale = scale_of(params, start);
-  double displaced = ldexp(scale, fabs(multiplier) < 1 ? -21 : -34);
-  bool ok = long_run_make(&run, params, start, RETURNS, duration, displaced, 0) != SS_DOMAIN &&
+  struct long_run run = {.displaced = ldexp(scale_of(params, start), fabs(multiplier) < 1 ? -21 : -34)};
+  bool ok = run_all_routes(&run, params, start, RETURNS, duration, 0) != SS_DOMAIN &&
             long_run_growth(growth, &run, (struct long_pair){LONG_ODE, LONG_CLOSED});
   long_run_clear(&run);
   return ok;

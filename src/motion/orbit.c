@@ -37,6 +37,14 @@ static void solution_init(struct solution *s) {
   s->prec = 0;
 }
 
+/* Where it is looked for. */
+static void solution_at(struct solution *s, struct dyn_place at) {
+  arb_set_d(s->x[0], at.tb);
+  arb_set_d(s->x[1], at.tc);
+  s->up = at.up;
+  s->grazing = false;
+}
+
 static void close_calc(struct solution *s) {
   if (s->prec) calc_clear(&s->c);
   s->prec = 0;
@@ -135,17 +143,17 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
   struct ball_pass a, b;
   struct calc c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, params);
-  val width = calc_d(&c, fmax(zero->high - zero->low, 1e-12 * zero->tb)), tc = calc_d(&c, zero->tc);
-  val tb = calc_d(&c, zero->tb), small = calc_mul(&c, width, calc_two_to(&c, -prec / 3)), bend = m.zero;
-  int status = slope_at(&a, &c, &m, calc_add(&c, tb, width), tc, zero->up);
-  status |= slope_at(&b, &c, &m, tb, tc, zero->up);
+  val width = calc_d(&c, fmax(zero->high - zero->low, 1e-12 * zero->at.tb)), tc = calc_d(&c, zero->at.tc);
+  val tb = calc_d(&c, zero->at.tb), small = calc_mul(&c, width, calc_two_to(&c, -prec / 3)), bend = m.zero;
+  int status = slope_at(&a, &c, &m, calc_add(&c, tb, width), tc, zero->at.up);
+  status |= slope_at(&b, &c, &m, tb, tc, zero->at.up);
   bool settled = false;
   for (int i = 0; i < 60 && !status && !settled; i++) {
     bend = calc_middle(&c, calc_div(&c, calc_sub(&c, b.defect_tb, a.defect_tb), calc_sub(&c, b.tb, a.tb)));
     val step = calc_middle(&c, calc_neg(&c, calc_div(&c, b.defect_tb, bend)));
     settled = calc_lt(&c, calc_abs(&c, step), small);
     a = b;
-    status |= slope_at(&b, &c, &m, calc_middle(&c, calc_add(&c, b.tb, step)), b.tc, zero->up);
+    status |= slope_at(&b, &c, &m, calc_middle(&c, calc_add(&c, b.tb, step)), b.tc, zero->at.up);
   }
   *n = 0;
   if (status || !settled) { /* the passes of a step that failed hold nothing */
@@ -162,7 +170,7 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
       val off = *n == 0 ? calc_neg(&c, half) : half;
       arb_get_mid_arb(pair[*n].x[0], calc_add(&c, b.tb, off));
       arb_get_mid_arb(pair[*n].x[1], calc_add(&c, b.tc, calc_mul(&c, drift, off)));
-      pair[*n].up = zero->up;
+      pair[*n].up = zero->at.up;
       pair[*n].grazing = zero->grazing;
     }
     status |= c.status;
@@ -175,9 +183,7 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
 static int resolve(struct solution pair[2], int *n, const fmpq *params, const struct zero *zero, slong prec) {
   *n = 1;
   if (!zero->fold) {
-    arb_set_d(pair[0].x[0], zero->tb);
-    arb_set_d(pair[0].x[1], zero->tc);
-    pair[0].up = zero->up;
+    solution_at(&pair[0], zero->at);
     pair[0].grazing = zero->grazing;
     double slack = 1e-9 * zero->high + 0.01 * (zero->high - zero->low);
     if (!solve(&pair[0], params, prec)) {
@@ -225,15 +231,13 @@ slong dyn_planned_bits(slong prec, slong left) {
 }
 
 /* The working precision near (t_b, t_c), from a pilot where it is worth its time. */
-static slong plan(const fmpq *params, double tb, double tc, bool up, slong prec) {
+static slong plan(const fmpq *params, struct dyn_place at, slong prec) {
   struct solution pilot;
   struct dyn_orbit o;
   if (prec <= DYN_PLANNED_FROM) return prec + DYN_GUARD;
   solution_init(&pilot);
   dyn_orbit_init(&o);
-  arb_set_d(pilot.x[0], tb);
-  arb_set_d(pilot.x[1], tc);
-  pilot.up = up;
+  solution_at(&pilot, at);
   slong left = 0;
   if (!solve(&pilot, params, DYN_PILOT) && !describe(&o, &pilot)) left = dyn_orbit_accuracy(&o);
   dyn_orbit_clear(&o);
@@ -258,19 +262,16 @@ static int finish(struct dyn_orbit *o, truth *first, long *raises, struct soluti
   return status;
 }
 
-int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
+int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, struct dyn_place at, slong prec,
                    const struct dyn_limits *lim) {
   struct solution s;
   if (!lim) lim = &dyn_limits_default;
   solution_init(&s);
   dyn_orbit_init(o);
-  arb_set_d(s.x[0], tb);
-  arb_set_d(s.x[1], tc);
-  s.up = up;
-  s.grazing = false;
+  solution_at(&s, at);
   truth proved = TRUTH_UNKNOWN;
   long raises = 0;
-  int status = solve(&s, params, plan(params, tb, tc, up, prec));
+  int status = solve(&s, params, plan(params, at, prec));
   if (!status) status = finish(o, &proved, &raises, &s, prec, lim->max_steps);
   if (first) *first = proved;
   solution_clear(&s);
@@ -317,7 +318,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
     int n = 0;
     for (int k = 0; k < 2; k++) solution_init(&pair[k]);
     const struct zero *z = &search.zeros[i];
-    slong work = z->fold ? prec + DYN_GUARD : plan(params, z->tb, z->tc, z->up, prec);
+    slong work = z->fold ? prec + DYN_GUARD : plan(params, z->at, prec);
     status |= resolve(pair, &n, params, z, work);
     for (int k = 0; k < n; k++) add_solution(&found, &pair[k]);
     list->bits = FLINT_MAX(list->bits, n > 0 ? work : 0);

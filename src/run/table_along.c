@@ -69,7 +69,7 @@ static double apart(const struct dyn_orbit *o, const double guess[2]) {
 static bool add_sample(struct line *l, const double guess[2], bool up) {
   struct dyn_orbit o;
   truth first = TRUTH_UNKNOWN;
-  int status = dyn_orbit_near(&o, &first, l->params, guess[0], guess[1], up, FIRST_PREC, NULL);
+  int status = dyn_orbit_near(&o, &first, l->params, (struct dyn_place){guess[0], guess[1], up}, FIRST_PREC, NULL);
   bool ok = status == SS_OK && first == TRUTH_TRUE && apart(&o, guess) <= ASTRAY;
   if (ok) {
     text_add(l->body, "-\t");
