@@ -9,7 +9,7 @@
 #include "base/arena.h"
 #include "march.h"
 #include "num/pi.h"
-#include "orbit.h"
+#include "orbit_judge.h"
 #include "warm.h"
 
 const char *const dyn_gap_text[N_GAPS] = {

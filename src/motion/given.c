@@ -15,7 +15,6 @@
 
 #include "base/arena.h"
 #include "given_search.h"
-#include "orbit.h"
 #include "orbit_judge.h"
 #include "warm.h"
 

@@ -1,6 +1,6 @@
 /* The search for orbits that have two given quantities, in double precision.
 
-   The two sheets (sheet.h) are sampled over a grid of (t_b, t_c), of which one given time leaves a line and two a
+   The two sheets (sheet.c) are sampled over a grid of (t_b, t_c), of which one given time leaves a line and two a
    point.  A cell between samples is tried when the given values can occur in it: Newton's iteration on the four
    equations starts from each of its corners.  On a line, cells in which a sheet ends or changes much are halved
    first. */

@@ -229,43 +229,46 @@ static bool rises_above(struct calc *c, const struct ball_params *m, const struc
 /* A walk along the velocity from t = 0 by parabolas that it cannot cross, so that it passes no
    root. */
 enum walk_end { WALK_PASSED, WALK_STANDS, WALK_TIRED };
+struct walk {
+  enum walk_end end;
+  double t; /* how far it came */
+};
 
-/* To last, or to where a root is near.  *t: how far it came. */
-static enum walk_end walk_below(double *t, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
-                                int mass, double last, long max_steps) {
+/* To last, or to where a root is near. */
+static struct walk walk_below(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass,
+                              double last, long max_steps) {
   slong mark = calc_mark(c);
   double bound = rate_bound(c, m, s, mass, 2), first = fmin(upper(first_speed(m, s, mass)), 0);
-  enum walk_end end = WALK_TIRED;
-  *t = 0;
-  for (long i = 0; i < max_steps && !c->status && end == WALK_TIRED; i++) {
+  struct walk at = {WALK_TIRED, 0};
+  for (long i = 0; i < max_steps && !c->status && at.end == WALK_TIRED; i++) {
     if (i % WORK_BLOCK == WORK_BLOCK - 1) work_add((unsigned long long)WORK_BLOCK * UNITS_OF_VELOCITY);
-    if (*t > last) {
-      end = WALK_PASSED;
+    if (at.t > last) {
+      at.end = WALK_PASSED;
       break;
     }
-    struct speed v = speed_at(c, m, s, mass, calc_d(c, *t));
-    double y = *t == 0 ? first : upper(v.over), d = upper(v.rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
+    struct speed v = speed_at(c, m, s, mass, calc_d(c, at.t));
+    double y = at.t == 0 ? first : upper(v.over), d = upper(v.rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
     double h = (d > 0 ? -2 * y / (d + root) : (root - d) / bound) * (1 - 1e-9);
-    if (y > 0 || !(h > 1e-15 * *t))
-      end = WALK_STANDS;
+    if (y > 0 || !(h > 1e-15 * at.t))
+      at.end = WALK_STANDS;
     else
-      *t += h;
+      at.t += h;
     calc_release(c, mark);
   }
-  return end;
+  return at;
 }
 
 truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, long max_steps) {
   slong mark = calc_mark(c);
   bool root_at_end = mass == 0;
-  double t, last = root_at_end ? lower(s->tc) : upper(s->tc);
+  double last = root_at_end ? lower(s->tc) : upper(s->tc);
   if (root_at_end) { /* the speed grows from there to the root: it rises to zero */
     last -= fmax(lower(speed_at(c, m, s, mass, s->tc).rate), 0) / rate_bound(c, m, s, mass, 2) * (1 - 1e-9);
     last = nextafter(last, -INFINITY); /* the walk may end at last itself */
   }
-  enum walk_end at = walk_below(&t, c, m, s, mass, last, max_steps);
-  truth answer = at == WALK_PASSED ? TRUTH_TRUE : TRUTH_UNKNOWN;
-  if (at == WALK_STANDS && rises_above(c, m, s, mass, t, lower(s->tc))) answer = TRUTH_FALSE;
+  struct walk at = walk_below(c, m, s, mass, last, max_steps);
+  truth answer = at.end == WALK_PASSED ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  if (at.end == WALK_STANDS && rises_above(c, m, s, mass, at.t, lower(s->tc))) answer = TRUTH_FALSE;
   calc_release(c, mark);
   return answer;
 }
@@ -273,14 +276,16 @@ truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball
 truth ball_touches(struct calc *c, const struct ball_params *m, const struct ball_pass *s, long max_steps) {
   slong mark = calc_mark(c);
   val fall = calc_sub(c, m->a, calc_mul(c, m->p[P_CHI], s->qc)); /* -z_1''' = z_1' - chi z_2' with z_1' = V */
-  double t, back = fmax(lower(fall), 0) / rate_bound(c, m, s, 0, 3) * (1 - 1e-9);
+  double back = fmax(lower(fall), 0) / rate_bound(c, m, s, 0, 3) * (1 - 1e-9);
   double last = nextafter(lower(s->tc) - back, -INFINITY);
-  bool below = last > 0 && walk_below(&t, c, m, s, 0, last, max_steps) == WALK_PASSED;
+  bool below = last > 0 && walk_below(c, m, s, 0, last, max_steps).end == WALK_PASSED;
   calc_release(c, mark);
   return below ? TRUTH_TRUE : TRUTH_UNKNOWN;
 }
 
 bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
                      long max_steps) {
-  return walk_below(t, c, m, s, 0, INFINITY, max_steps) == WALK_STANDS && *t > 0;
+  struct walk at = walk_below(c, m, s, 0, INFINITY, max_steps);
+  *t = at.t;
+  return at.end == WALK_STANDS && at.t > 0;
 }

@@ -10,7 +10,6 @@
 #include "base/arena.h"
 #include "map_balls.h"
 #include "num/solve.h"
-#include "orbit.h"
 #include "orbit_judge.h"
 #include "search.h"
 #include "warm.h"

@@ -32,4 +32,15 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
 /* Whether the static friction is more than the least that an orbit needs; some is where it is not given. */
 truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec);
 
+/* --- orbit.c: what the searches for orbits share --- */
+
+/* The first working precision for prec bits of every number of an orbit.  How many bits the worst of them loses is the
+   orbit's own (its condition) and hardly depends on the precision, so that a pilot tells, of which `left` bits are
+   left; 0: none was run, since up to DYN_PLANNED_FROM bits a failed attempt costs less than one, or it told nothing. */
+enum { DYN_GUARD = 40, DYN_PLANNED_FROM = 512, DYN_PILOT = 192 };
+slong dyn_planned_bits(slong prec, slong left);
+
+/* For qsort: struct dyn_orbit by increasing z10. */
+int dyn_orbits_by_z10(const void *x, const void *y);
+
 #endif
