@@ -284,22 +284,10 @@ static void search_grid(struct searcher *s) {
 /* The seed's orbit from the phase that the word begins with. */
 static void from_seed(struct searcher *s, const struct word_seed *seed, int by) {
   double x[WORD_UNKNOWNS];
-  struct calc *c = &s->q.c;
-  slong mark = calc_mark(c);
-  val state[N_STATE];
-  c->status = SS_OK;
-  for (int i = 0; i < N_STATE; i++) state[i] = calc_d(c, seed->state[i]);
-  for (int p = 0; p < by; p++) {
-    struct motion motion;
-    word_motion(&motion, c, &s->q.m, seed->word.mode[p], state, false);
-    word_motion_at(state, c, &motion, calc_d(c, seed->t[p]));
-    word_settle(state, &s->q.m, seed->word.mode[(p + 1) % seed->word.n]);
-  }
-  for (int p = 0; p < s->q.w->n; p++) x[p] = seed->t[(p + by) % s->q.w->n];
-  for (int i = 0; i < s->n; i++) x[s->q.w->n + i] = as_d(state[s->free[i]]);
-  bool ok = !c->status;
-  calc_release(c, mark);
-  if (ok) try_from(s, x);
+  int n = s->q.w->n;
+  for (int p = 0; p < n; p++) x[p] = seed->t[(p + by) % n];
+  for (int i = 0; i < s->n; i++) x[n + i] = seed->state[by][s->free[i]];
+  try_from(s, x);
 }
 
 static void search_seeds(struct searcher *s, const struct word_seeds *seeds) {

@@ -82,8 +82,8 @@ static struct word_seed seed_of(const struct recent *r) {
   for (int i = 0; i < n; i++) {
     int at = first + (i + by) % n;
     s.t[i] = r->at[at + 1].t - r->at[at].t;
+    memcpy(s.state[i], r->at[at].state, sizeof s.state[i]);
   }
-  memcpy(s.state, r->at[first + by].state, sizeof s.state);
   return s;
 }
 

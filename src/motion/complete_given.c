@@ -116,11 +116,7 @@ static bool is_at(const struct dyn_orbit *o, const struct line_zero *z) {
 
 static void ball_of(arb_ptr x, struct disk d) {
   arb_set_d(x, d.mid);
-  mag_t rad;
-  mag_init(rad);
-  mag_set_d(rad, d.rad);
-  arb_add_error_mag(x, rad);
-  mag_clear(rad);
+  mag_set_d(arb_radref(x), d.rad);
 }
 
 /* A zero that no orbit of the list is: not an orbit, or a gap. */
