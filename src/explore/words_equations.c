@@ -2,7 +2,6 @@
 
    Each unknown has a column: a difference of motions that is carried along with the motion itself, so that defects and
    derivatives come out of one pass. */
-#include "num/solve.h"
 #include "words_impl.h"
 
 struct word_event word_event_of(const struct phase_word *w, int phase) {
@@ -124,7 +123,7 @@ void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, co
   val state[N_STATE], column[WORD_UNKNOWNS][N_STATE];
   int n = word_free(free, w), size = w->n + n;
   word_start(state, c, m, w, x + w->n);
-  for (int k = 0; j && k < n; k++)
+  for (int k = 0; k < n; k++)
     for (int i = 0; i < N_STATE; i++) column[w->n + k][i] = i == (int)free[k] ? calc_d(c, 1) : m->law.zero;
   for (int p = 0; p < w->n; p++) {
     struct word_event e = word_event_of(w, p);
@@ -133,7 +132,7 @@ void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, co
     word_motion(&motion, c, m, mode, state, false);
     word_motion_at(state, c, &motion, x[p]);
     f[p] = word_event_value(c, m, &e, state);
-    for (int k = 0; j && k < size; k++) {
+    for (int k = 0; k < size; k++) {
       bool moves = k <= p || k >= w->n;
       if (moves && k == p) {
         word_field(column[k], c, m, mode, state);
@@ -148,29 +147,9 @@ void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, co
   }
   for (int i = 0; i < n; i++) {
     f[w->n + i] = calc_sub(c, state[free[i]], x[w->n + i]);
-    for (int k = 0; j && k < size; k++) {
+    for (int k = 0; k < size; k++) {
       val slope = column[k][free[i]];
       j[(w->n + i) * size + k] = k == w->n + i ? calc_sub(c, slope, calc_d(c, 1)) : slope;
     }
   }
-}
-
-/* --- As a system. --- */
-
-void word_solver_begin(struct word_solver *s, struct num_ctx ctx, const struct phase_word *w, const fmpq *params,
-                       const fmpq *const u_r[2]) {
-  s->w = w;
-  s->c = calc_begin(ctx);
-  word_law_make(&s->m, &s->c, params, u_r);
-  s->mark = calc_mark(&s->c);
-}
-
-int word_solver_values(const void **f, const void **j, const struct num_vec *x, void *self) {
-  struct word_solver *s = self;
-  val at[WORD_UNKNOWNS], unread[WORD_UNKNOWNS];
-  calc_release(&s->c, s->mark);
-  s->c.status = SS_OK;
-  flow_vals(at, x, 0, x->len);
-  word_equations(f ? f : unread, j, &s->c, &s->m, s->w, at);
-  return s->c.status;
 }

@@ -48,20 +48,8 @@ void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, co
                 const val *free);
 
 /* Unknowns: n lengths, then the free coordinates.  The defects f of the events and of the free coordinates' return
-   and their derivatives j (row by row; NULL if not wanted). */
+   and their derivatives j, row by row. */
 void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, const struct phase_word *w, const val *x);
-
-/* They as a system of num/solve.h, over the calc's number type; self is a struct word_solver. */
-struct word_solver {
-  struct calc c;
-  struct word_law m;
-  slong mark; /* what lies above it in the calc belongs to one evaluation */
-  const struct phase_word *w;
-};
-/* calc_clear its calc. */
-void word_solver_begin(struct word_solver *s, struct num_ctx ctx, const struct phase_word *w, const fmpq *params,
-                       const fmpq *const u_r[2]);
-int word_solver_values(const void **f, const void **j, const struct num_vec *x, void *self);
 
 /* Solutions in double precision. */
 struct word_found {
