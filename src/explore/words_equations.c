@@ -77,8 +77,9 @@ void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motio
   }
 }
 
-void word_field(val out[N_STATE], struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
-                const val state[N_STATE]) {
+/* The vector field. */
+static void vector_field(val out[N_STATE], struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
+                         const val state[N_STATE]) {
   val lead = calc_sub(c, state[WORD_P1], calc_mul(c, m->law.chi, state[WORD_P2]));
   out[WORD_W1] = calc_add(c, m->law.gap, lead);
   out[WORD_W2] = calc_mul(c, m->law.chi, calc_sub(c, state[WORD_P2], state[WORD_P1]));
@@ -95,7 +96,8 @@ val word_event_value(struct calc *c, const struct word_law *m, const struct word
   return calc_add(c, w, calc_add(c, limit, m->over[e->mass]));
 }
 
-val word_event_slope(const struct word_event *e, const val change[N_STATE]) {
+/* How that changes with the state. */
+static val event_slope(const struct word_event *e, const val change[N_STATE]) {
   return change[(e->from != MODE_STICK ? WORD_P1 : WORD_W1) + e->mass];
 }
 
@@ -135,12 +137,12 @@ void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, co
     for (int k = 0; k < size; k++) {
       bool moves = k <= p || k >= w->n;
       if (moves && k == p) {
-        word_field(column[k], c, m, mode, state);
+        vector_field(column[k], c, m, mode, state);
       } else if (moves) {
         word_motion(&motion, c, m, mode, column[k], true);
         word_motion_at(column[k], c, &motion, x[p]);
       }
-      j[p * size + k] = moves ? word_event_slope(&e, column[k]) : m->law.zero;
+      j[p * size + k] = moves ? event_slope(&e, column[k]) : m->law.zero;
       if (moves) word_settle(column[k], m, next);
     }
     word_settle(state, m, next);

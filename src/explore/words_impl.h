@@ -35,12 +35,8 @@ void word_law_make(struct word_law *m, struct calc *c, const fmpq *params, const
 void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
                  const val state[N_STATE], bool difference);
 void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t);
-/* The vector field. */
-void word_field(val out[N_STATE], struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
-                const val state[N_STATE]);
-/* What is zero at an event, and its change with the state. */
+/* What is zero at an event. */
 val word_event_value(struct calc *c, const struct word_law *m, const struct word_event *e, const val state[N_STATE]);
-val word_event_slope(const struct word_event *e, const val change[N_STATE]);
 /* Sticking masses have no p. */
 void word_settle(val state[N_STATE], const struct word_law *m, const enum coulomb_mode mode[2]);
 /* The state at the entry of the first phase, from the free coordinates. */

@@ -76,28 +76,22 @@ static bool listen(void *self, const struct coulomb_event *e) {
   return true;
 }
 
-/* One route, in the context given. */
-static int run_closed(struct listener *l, struct num_ctx ctx, const double params[N_COULOMB],
-                      const double start[N_STATE], const struct coulomb_plan *plan) {
-  struct coulomb_result r;
-  struct coulomb_sink sink = {l, listen, NULL};
-  struct calc c = calc_begin(ctx);
-  const struct num_vec p = calc_vec_d(&c, params, N_COULOMB), x = calc_vec_d(&c, start, N_STATE);
-  int status = coulomb_simulate_exact(&r, NULL, &p, &x, plan, &sink);
-  l->run->end[l->route] = r.end;
-  calc_clear(&c);
-  return status;
-}
-
-/* From further in x_1 than the others by what the run says. */
-static int run_ode(struct listener *l, const double params[N_COULOMB], const double start[N_STATE],
-                   const struct coulomb_plan *plan) {
+static int run_route(struct listener *l, const double params[N_COULOMB], const double start[N_STATE],
+                     const struct coulomb_plan *plan) {
   struct coulomb_result r = {.end = COULOMB_FAILED};
   struct coulomb_sink sink = {l, listen, NULL};
-  double moved[N_STATE];
-  for (int i = 0; i < N_STATE; i++) moved[i] = start[i];
-  moved[Z_1] += l->run->displaced;
-  int status = coulomb_simulate_ode(&r, params, moved, plan, &sink);
+  int status;
+  if (l->route == LONG_ODE) {
+    double moved[N_STATE] = {start[Z_1] + l->run->displaced, start[Z_2], start[DZ_1], start[DZ_2]};
+    status = coulomb_simulate_ode(&r, params, moved, plan, &sink);
+  } else if (l->route == LONG_CLOSED) {
+    status = coulomb_simulate_d(&r, params, start, plan, &sink);
+  } else {
+    struct calc c = calc_begin(l->kept->ctx);
+    const struct num_vec p = calc_vec_d(&c, params, N_COULOMB), x = calc_vec_d(&c, start, N_STATE);
+    status = coulomb_simulate_exact(&r, NULL, &p, &x, plan, &sink);
+    calc_clear(&c);
+  }
   l->run->end[l->route] = r.end;
   return status;
 }
@@ -117,10 +111,7 @@ static int run_all_routes(struct long_run *run, const double params[N_COULOMB], 
   int status = SS_OK;
   for (int k = prec ? LONG_MPFR : LONG_CLOSED; k >= 0; k--) {
     struct listener l = {run, (enum long_route)k, coulomb_log_sink(&run->log[k]), &kept, 0};
-    if (k == LONG_ODE)
-      status |= run_ode(&l, params, start, &plan);
-    else
-      status |= run_closed(&l, k == LONG_MPFR ? num_ctx_mpfr(prec) : num_ctx_double(), params, start, &plan);
+    status |= run_route(&l, params, start, &plan);
   }
   num_vec_clear(&kept);
   return status;
