@@ -35,6 +35,13 @@ void tube_set(struct tube *t, const struct tube *s) {
   t->up = s->up;
 }
 
+/* The same at the middle of the parameters, not proved. */
+static void tube_init_middle(struct tube *m, const struct tube *t) {
+  tube_init(m);
+  tube_set(m, t);
+  for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&m->p[i], &t->p[i]);
+}
+
 /* The pass at (p, x), p's midpoints when middle; slopes along the parameters that are not exact, if wanted. */
 static void look(struct ball_pass *s, struct calc *c, struct ball_params *m, const struct tube *t, arb_srcptr x,
                  bool middle) {
@@ -147,9 +154,7 @@ double tube_reach(const struct tube *t, int param, slong prec) {
   arb_mat_t dx;
   double reach = 0;
   arb_mat_init(dx, 2, 1);
-  tube_init(&narrow);
-  tube_set(&narrow, t);
-  for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&narrow.p[i], &t->p[i]);
+  tube_init_middle(&narrow, t);
   for (int k = 0; k < 2; k++) arb_get_mid_arb(&narrow.x[k], &t->x[k]);
   mag_set_ui_2exp_si(arb_radref(&narrow.p[param]), 1, -prec); /* so that its slopes are carried */
   struct calc c = calc_begin(dual_ctx(prec));
@@ -213,9 +218,7 @@ static bool mean_values(arb_ptr number, const struct tube *t, const struct tube 
 void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec) {
   struct tube middle;
   arb_ptr number = _arb_vec_init(SHARP), of[SHARP] = {o->trace, o->t[PHASE_D], o->t[PHASE_C], o->z10, o->z20};
-  tube_init(&middle);
-  tube_set(&middle, t);
-  for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&middle.p[i], &t->p[i]);
+  tube_init_middle(&middle, t);
   bool ok = tube_prove(&middle, prec) == SS_OK && arb_contains(&t->box[0], &middle.x[0]) &&
             arb_contains(&t->box[1], &middle.x[1]) && mean_values(number, t, &middle, prec);
   for (int n = 0; n < SHARP && ok; n++)

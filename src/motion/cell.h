@@ -27,6 +27,7 @@ enum look cell_look(struct common *zero, const struct cell *c, const struct turn
 /* The same for zeros that need not be first roots: p may have any sign before, and phase C may last any time, so that r
    at its end has any sign. */
 enum look cell_look_later(struct common *zero, const struct cell *c, const struct turns *k, double dir);
+/* Where its orbit is to be looked for. */
 struct dyn_place common_place(const struct common *z, const struct disk_params *s);
 /* A zero that is known already, and surely lies there. */
 struct known {

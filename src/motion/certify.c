@@ -48,13 +48,8 @@ static struct word_data data_of(const struct dyn_question *q) {
 
 /* The solution near the orbit, enclosed at prec bits in a box of its own. */
 static int enclose_near(struct word_root *s, const struct word_data *d, const struct dyn_orbit *o, slong prec) {
-  struct num_vec x;
-  int status = SS_OK;
-  num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
-  for (int i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_arb(num_vec_at(&x, i), quantity_of(o, i), prec);
-  if (!status) status = word_solve(s, &x, d);
-  num_vec_clear(&x);
-  return status;
+  for (int i = 0; i < N_QUANTITIES; i++) arb_set(s->x[i], quantity_of(o, i));
+  return word_solve(s, d, prec);
 }
 
 /* Half widths 2^shift times the sum of all times, or of both limits. */

@@ -33,11 +33,8 @@ struct solution {
 };
 
 static int solve(struct solution *s, slong prec) {
-  struct calc c = calc_begin(num_ctx_mpfr(prec));
-  struct num_vec x = calc_vec_d(&c, s->seed->x, N_QUANTITIES);
-  int status = c.status ? c.status : word_solve(&s->root, &x, &s->q->data);
-  calc_clear(&c);
-  return status;
+  for (int i = 0; i < N_QUANTITIES; i++) arb_set_d(s->root.x[i], s->seed->x[i]);
+  return word_solve(&s->root, &s->q->data, prec);
 }
 
 static int describe(struct dyn_orbit *o, const struct solution *s, slong prec) {

@@ -197,9 +197,15 @@ static int enclose(struct word_root *s, const struct num_vec *x, const struct wo
   return status;
 }
 
-int word_solve(struct word_root *s, struct num_vec *x, const struct word_data *q) {
-  int status = refine(x, q);
-  return status ? status : enclose(s, x, q);
+int word_solve(struct word_root *s, const struct word_data *q, slong prec) {
+  struct num_vec x;
+  int status = SS_OK;
+  num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
+  for (int i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_arb(num_vec_at(&x, i), s->x[i], prec);
+  if (!status) status = refine(&x, q);
+  if (!status) status = enclose(s, &x, q);
+  num_vec_clear(&x);
+  return status;
 }
 
 /* --- Its orbit. --- */
