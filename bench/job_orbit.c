@@ -187,7 +187,7 @@ static int run_near(void *self, struct num_vec *out, long *steps, const struct b
   *steps = yardstick_orbit(&s, &k, printed[PR_TB], printed[PR_TC]);
   if (*steps == 0) return SS_UNABLE;
   fmpq *params = exact_params(&c->in);
-  int status = dyn_orbit_near(&o, &first, params, s.tb, s.tc, s.r_end > 0, out->ctx.prec, &dyn_limits_default);
+  int status = dyn_orbit_near(&o, &first, params, (struct dyn_place){s.tb, s.tc, s.r_end > 0}, out->ctx.prec, NULL);
   if (!status) take_orbit(out, &o);
   if (first != TRUTH_TRUE) status |= SS_UNABLE;
   dyn_orbit_clear(&o);

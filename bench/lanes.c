@@ -101,7 +101,7 @@ void bench_lanes(struct bench_lanes *b) {
   *b = (struct bench_lanes){.bare = NAN};
   if (search_run(&found, p, &dyn_limits_default) == SS_OK) {
     sweep_init(&s, LINE * found.n + 1);
-    for (size_t i = 0; i < found.n; i++) add_branch(&s, found.zeros[i].tb, found.zeros[i].tc);
+    for (size_t i = 0; i < found.n; i++) add_branch(&s, found.zeros[i].at.tb, found.zeros[i].at.tc);
     for (int i = 0; i < MOST_SETS; i++) best[i] = INFINITY;
     for (int round = 0; round < ROUNDS; round++) {
       scalar = fmin(scalar, time_scalar(&s));

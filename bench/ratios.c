@@ -140,11 +140,12 @@ struct proof {
 static void prove_first(void *self) {
   struct proof *p = self;
   struct ball_params m;
+  struct ball_pass s;
   struct calc c = calc_begin(num_ctx_arb(PROOF_BITS));
   ball_params_init(&m, &c, p->params);
   /* an admissible orbit has z_2' < V in phase C */
-  p->proved = dyn_orbit_judge(&p->judged, &c, &m, p->orbit->t[PHASE_GAMMA], p->orbit->t[PHASE_H], false, PROOF_STEPS) ==
-              TRUTH_TRUE;
+  ball_pass_make(&s, &c, &m, p->orbit->t[PHASE_GAMMA], p->orbit->t[PHASE_H], false);
+  p->proved = dyn_orbit_judge(&p->judged, &c, &m, &s, PROOF_STEPS) == TRUTH_TRUE;
   calc_clear(&c);
 }
 

@@ -65,7 +65,8 @@ static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg
   struct dyn_orbit o;
   truth first = TRUTH_UNKNOWN;
   fmpq *params = exact_params(in, moved);
-  bool found = dyn_orbit_near(&o, &first, params, t->tb, t->tc, t->up, ACCURACY_BITS, NULL) == SS_OK;
+  bool found =
+      dyn_orbit_near(&o, &first, params, (struct dyn_place){t->tb, t->tc, t->up}, ACCURACY_BITS, NULL) == SS_OK;
   if (found) {
     arb_srcptr all[N_DYN_OUT] = {o.z10,  o.z20,    o.t[0],  o.t[1],     o.t[2],
                                  o.t[3], o.period, o.trace, o.u_r1_min, o.u_r2_min};

@@ -57,8 +57,8 @@ static void add_orbits(struct table *t, const double p[N_PARAMS], double off) {
   struct search s;
   if (search_run(&s, p, &dyn_limits_default) == SS_OK)
     for (size_t i = 0; i < s.n; i++)
-      table_add(t, p, s.zeros[i].tb * (1 + off * (2 * rng_unit(&random_numbers) - 1)),
-                s.zeros[i].tc * (1 + off * (2 * rng_unit(&random_numbers) - 1)));
+      table_add(t, p, s.zeros[i].at.tb * (1 + off * (2 * rng_unit(&random_numbers) - 1)),
+                s.zeros[i].at.tc * (1 + off * (2 * rng_unit(&random_numbers) - 1)));
   search_clear(&s);
 }
 

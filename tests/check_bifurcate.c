@@ -47,8 +47,8 @@ static void line_clear(struct line *l) {
 }
 
 static int find(struct dyn_bifurcations *list, const struct line *l, slong digits) {
-  const fmpq *u_r[2] = {NULL, NULL};
-  return dyn_bifurcations_find(list, l->params, l->vary, l->from, l->to, u_r, digits, 65);
+  const struct dyn_line line = {.params = l->params, .vary = l->vary, .from = l->from, .to = l->to};
+  return dyn_bifurcations_find(list, &line, digits, 65);
 }
 
 /* --- Derivatives carried by balls --- */
@@ -434,13 +434,13 @@ START_TEST(friction_that_is_just_enough) {
   struct line l;
   struct dyn_bifurcations list;
   fmpq u[2];
-  const fmpq *u_r[2] = {&u[0], &u[1]};
   int hits[2] = {0, 0};
   for (int i = 0; i < 2; i++) fmpq_init(&u[i]);
   set_decimal(&u[0], "2.2");
   set_decimal(&u[1], "1.7");
   line_init(&l, params, P_E2, "0.7", "1.2");
-  ck_assert_int_eq(dyn_bifurcations_find(&list, l.params, l.vary, l.from, l.to, u_r, 10, 33), SS_OK);
+  const struct dyn_line line = {l.params, l.vary, l.from, l.to, {&u[0], &u[1]}};
+  ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 10, 33), SS_OK);
   for (slong i = 0; i < list.n; i++) {
     const struct dyn_bifurcation *b = &list.at[i];
     int of = b->what == CHANGE_U_R2 ? 1 : 0;

@@ -287,7 +287,7 @@ START_TEST(cells_move_as_the_flow_does) {
     clock_set(&step, &g, h);
     clock_turn(&both, &clock, &step);
     ck_assert(both.t == t + h);
-    cell_at(&c, &strip, &g, &both);
+    cell_at(&c, &strip, &both);
     motion(now, p, angle, t + h, 0);
     motion(by, p, angle, t + h, 1);
     const struct disk got[7] = {c.p, c.q, c.r, c.w, c.pf, c.qf, c.rf};
@@ -317,8 +317,8 @@ START_TEST(only_what_has_crossed_is_cut_off) {
     double t = 20 * uniform(&state) / g.om[1].mid;
     strip_make(&strip, &g, angle - half, angle + half, half);
     clock_set(&clock, &g, t);
-    cell_at(&c, &strip, &g, &clock);
-    bool some = cell_waiting(&low, &high, &c, &strip, 1);
+    cell_at(&c, &strip, &clock);
+    bool some = cell_waiting(&low, &high, &c, 1);
     for (int i = -4; i <= 4; i++) {
       double x = 0.2499 * i * half;
       if (i == -4 && some && high < strip.half) x = high; /* where it is closest */
@@ -353,14 +353,14 @@ START_TEST(no_cell_with_an_orbit_is_excluded) {
     struct common zero;
     strip_make(&strip, &g, x - d, x + d, 2 * d);
     clock_set(&clock, &g, t);
-    cell_at(&c, &strip, &g, &clock);
+    cell_at(&c, &strip, &clock);
     c.early = e;
     c.first = false;
-    struct turns k = strip_turns(&strip, &g);
-    ck_assert(!strip_never(&strip, &g) && (k.to[0] >= turns || k.to[1] >= turns));
-    enum look seen = cell_look(&zero, &c, &strip, &g, &k, 1);
+    struct turns k = strip_turns(&strip);
+    ck_assert(!strip_never(&strip) && (k.to[0] >= turns || k.to[1] >= turns));
+    enum look seen = cell_look(&zero, &c, &k, 1);
     ck_assert_msg(seen != LOOK_CLEAR, "%s: cell %.17g +- %g, %.17g +- %g", s->name, x, d, t, e);
-    ck_assert(!strip_misses(&strip, &g, &k));
+    ck_assert(!strip_misses(&strip, &k));
     if (seen != LOOK_ZERO) continue;
     zeros++;
     ck_assert(zero.k == turns);
@@ -597,8 +597,8 @@ START_TEST(free_phases_leave_out_no_zero) {
     struct strip strip;
     double half = 1e-4, angle = half + (g.fall.mid - 2 * half) * uniform(&state), old[4], now[4];
     strip_make(&strip, &g, angle - half, angle + half, half);
-    struct turns k = strip_turns(&strip, &g);
-    if (!strip_never(&strip, &g) && !strip_misses(&strip, &g, &k)) continue;
+    struct turns k = strip_turns(&strip);
+    if (!strip_never(&strip) && !strip_misses(&strip, &k)) continue;
     left_out++;
     double r0 = p[P_E2] / p[P_CHI] - a * (angle - sin(angle)) - p[P_E1] * (1 - cos(angle));
     motion(old, p, angle, 0, 0);
@@ -608,8 +608,7 @@ START_TEST(free_phases_leave_out_no_zero) {
         double x = old[0] / (old[0] - now[0]), q = old[1] + x * (now[1] - old[1]), r = old[2] + x * (now[2] - old[2]);
         double end = (q > 0 ? 1 : -1) * hypot(r, q / omega), turns = (r0 - end) / g.turn.mid;
         bool fits = fabs(turns - round(turns)) * g.turn.mid < 1e-4 && turns > -0.5 && (strip.later || turns < 0.5);
-        ck_assert_msg(!strip_never(&strip, &g) && !fits, "%s: t_b %.12g, t %.8g", s->name, angle,
-                      0.05 * i / g.om[1].mid);
+        ck_assert_msg(!strip_never(&strip) && !fits, "%s: t_b %.12g, t %.8g", s->name, angle, 0.05 * i / g.om[1].mid);
         crossings++;
       }
       memcpy(old, now, sizeof old);
@@ -638,12 +637,12 @@ START_TEST(times_given) {
     for (int i = 0; i < 3; i++) fmpq_canonicalise(model + i);
     for (int i = 0; i < 2; i++) fmpq_canonicalise(value + i);
     dyn_orbits_given(&list, model, which, value, 80, NULL);
-    ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL, DYN_CELLS), SS_OK);
+    ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL), SS_OK);
     ck_assert_msg(list.complete && list.t_c_max == 0, "trial %d: %s", trial, dyn_gap_text[list.gap]);
     *(list.n > 0 ? &some : &none) += 1;
     slong n = list.n; /* a list that lacks them is not complete */
     struct dyn_orbits empty = {.n = 0};
-    dyn_given_complete(&empty, model, which, value, 80, NULL, DYN_CELLS);
+    dyn_given_complete(&empty, model, which, value, 80, NULL);
     ck_assert(empty.complete == (n == 0) && (n == 0 || empty.gap == GAP_CONFLICT));
     dyn_orbits_clear(&list);
   }
@@ -670,7 +669,7 @@ START_TEST(a_time_and_a_limit_given) {
       fmpq_canonicalise(value);
       fmpq_set(value + 1, s->p + P_E1 + e);
       dyn_orbits_given(&list, s->p, which, value, 60, NULL);
-      ck_assert_int_eq(dyn_given_complete(&list, s->p, which, value, 60, NULL, DYN_CELLS), SS_OK);
+      ck_assert_int_eq(dyn_given_complete(&list, s->p, which, value, 60, NULL), SS_OK);
       ck_assert_msg(list.complete && list.t_c_max == 200, "%s orbit %d, e%d: %s near %g", s->name, i, e + 1,
                     dyn_gap_text[list.gap], list.gap_at[1]);
       for (slong k = 0; k < list.n; k++) met = met || fabs(list.orbit[k].guess[2] - s->at[i][1]) < 1e-5 * s->at[i][1];
@@ -690,7 +689,7 @@ START_TEST(a_time_and_a_limit_given) {
       line_clear(&line);
       /* a list that lacks one is not complete */
       struct dyn_orbits empty = {.n = 0};
-      dyn_given_complete(&empty, s->p, which, value, 60, NULL, DYN_CELLS);
+      dyn_given_complete(&empty, s->p, which, value, 60, NULL);
       ck_assert(!empty.complete && empty.gap == GAP_CONFLICT);
       dyn_orbits_clear(&list);
       for (int k = 0; k < 2; k++) fmpq_clear(value + k);
@@ -724,7 +723,7 @@ START_TEST(a_limit_scanned) {
       fmpq_canonicalise(value + i);
     }
     dyn_orbits_given(&list, q, which, value, 60, NULL);
-    dyn_given_complete(&list, q, which, value, 60, NULL, DYN_CELLS);
+    dyn_given_complete(&list, q, which, value, 60, NULL);
     complete += list.complete;
     for (int i = 1; i < STEPS && list.complete; i++, old = defect) {
       double low = 6.0 * (i - 1) / STEPS, high = 6.0 * i / STEPS, before = old;
@@ -771,7 +770,7 @@ START_TEST(other_pairs_are_said) {
     fmpq_init(value + i);
     fmpq_set_si(value + i, 1, 1);
   }
-  ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL, DYN_CELLS), SS_OK);
+  ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL), SS_OK);
   ck_assert(!list.complete && list.gap == GAP_GIVEN);
   for (int i = 0; i < 3; i++) fmpq_clear(model + i);
   for (int i = 0; i < 2; i++) fmpq_clear(value + i);

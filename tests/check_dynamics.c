@@ -636,14 +636,15 @@ START_TEST(what_is_not_wanted_may_be_null) {
     fmpq_init(p + i);
     ck_assert_int_eq(fmpq_set_str(p + i, text[i], 10), 0);
   }
-  ck_assert_int_eq(dyn_orbit_near(&o, NULL, p, guess[0], guess[1], false, 64, NULL), SS_OK);
+  ck_assert_int_eq(dyn_orbit_near(&o, NULL, p, (struct dyn_place){guess[0], guess[1], false}, 64, NULL), SS_OK);
   dyn_orbit_clear(&o);
   ck_assert_int_eq(dyn_orbit_warm(out, NULL, NULL, pd, guess), SS_OK);
   ck_assert_int_eq(dyn_return_map_d(&r, NULL, NULL, pd, -3, NULL), SS_OK);
   ck_assert_int_eq(dyn_first_event_d(&t, NULL, PHASE_D, pd, start, NULL), SS_OK);
   ck_assert_int_eq(dyn_return_jacobian_d(out, NULL, pd, start, NULL), SS_OK);
-  ck_assert_int_eq(dyn_local_differences_d(out, NULL, PHASE_D, pd, start, t, along, 1), SS_OK);
-  ck_assert_int_eq(dyn_local_differences_d(column, &err, PHASE_D, pd, start, t, along, 1), SS_OK);
+  const struct dyn_stretch stretch = {PHASE_D, start, t};
+  ck_assert_int_eq(dyn_local_differences_d(out, NULL, pd, &stretch, along, 1), SS_OK);
+  ck_assert_int_eq(dyn_local_differences_d(column, &err, pd, &stretch, along, 1), SS_OK);
   for (int i = 0; i < N_STATE; i++) ck_assert_double_eq(out[i], column[i]);
   for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
 }

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "laws_num.h"
+#include "motion/arc.h"
 #include "motion/dynamics.h"
-#include "motion/map.h"
 #include "motion/turn.h"
 #include "num/pi.h"
 #include "suites.h"

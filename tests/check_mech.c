@@ -899,7 +899,6 @@ END_TEST
 START_TEST(changes_along_the_papers_line) {
   struct mech_follow f[2];
   struct dyn_bifurcations list;
-  const fmpq *none[2] = {NULL, NULL};
   fmpq params[N_PARAMS], from, to;
   static const slong given[N_PARAMS][2] = {{4, 5}, {1, 1}, {1, 1}, {27844, 10000}, {2, 1}};
   for (int i = 0; i < N_PARAMS; i++) {
@@ -910,12 +909,13 @@ START_TEST(changes_along_the_papers_line) {
   fmpq_init(&to);
   fmpq_set_si(&from, 7, 10);
   fmpq_set_si(&to, 24, 10);
+  const struct dyn_line line = {.params = params, .vary = P_E2, .from = &from, .to = &to};
   follow_to(&f[0], 7, MECH_FLIP);
   follow_to(&f[1], 24, MECH_CONDITION);
   ck_assert(f[0].change[0].side[0].stable == TRUTH_TRUE && f[0].change[0].side[1].stable == TRUTH_FALSE);
   ck_assert(f[1].change[0].n_facts == 1 && f[1].change[0].fact[0].rule == MECH_LENGTH);
   ck_assert(f[1].change[0].side[1].own == TRUTH_FALSE);
-  ck_assert_int_eq(dyn_bifurcations_find(&list, params, P_E2, &from, &to, none, 12, 65), SS_OK);
+  ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 12, 65), SS_OK);
   bool met[2] = {false, false};
   for (slong i = 0; i < list.n; i++) {
     met[0] = met[0] || (list.at[i].what == CHANGE_FLIP && brackets_meet(&f[0].change[0], &list.at[i]));

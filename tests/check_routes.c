@@ -336,8 +336,7 @@ START_TEST(routes_leave_an_unstable_orbit_at_its_rate) {
   struct long_growth g;
   long periods = _i == PAPER ? 900 : 40;
   setup_beside(&sim, _i);
-  ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, periods, 4 * (double)periods * sim.period, 0, 160),
-                   SS_OK);
+  ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, periods, 4 * (double)periods * sim.period, 160), SS_OK);
   for (int k = 1; k < N_LONG_PAIRS; k++) {
     ck_assert(long_run_growth(&g, &run, pairs[k]));
     double want = log(fabs(beside[_i].trace));
@@ -380,7 +379,7 @@ START_TEST(a_growth_ends_where_the_orbit_is_left) {
   setup_near_one(&sim, "999/1000");
   double want = log(fabs(sim.trace));
   ck_assert(long_run_has_room(sim.params, sim.start));
-  ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, 326, 1e4, 0, 160), SS_OK);
+  ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, 326, 1e4, 160), SS_OK);
   run.reach = long_run_reach(sim.params, sim.start);
   for (int k = 1; k < N_LONG_PAIRS; k++) {
     ck_assert(long_run_growth(&g, &run, pairs[k]));
@@ -413,7 +412,7 @@ START_TEST(routes_stay_on_a_stable_orbit) {
   struct long_run run;
   struct long_growth g;
   setup_beside(&sim, STABLE);
-  ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, 50, 1e4, 0, 128), SS_OK);
+  ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, 50, 1e4, 128), SS_OK);
   for (int k = 0; k < N_LONG_PAIRS; k++) {
     ck_assert_int_eq(long_run_length(&run, pairs[k]), 50);
     ck_assert(long_run_most(&run, pairs[k]) < 1e-9 && long_run_parting(&run, pairs[k], 1e-9) == 0);
@@ -436,7 +435,7 @@ START_TEST(a_run_outside_the_domain) {
   struct long_growth g;
   setup_beside(&sim, STABLE);
   sim.params[COULOMB_CHI] = 1;
-  ck_assert(long_run_make(&run, sim.params, sim.start, 3, 100, 0, 128) & SS_DOMAIN);
+  ck_assert(long_run_make(&run, sim.params, sim.start, 3, 100, 128) & SS_DOMAIN);
   ck_assert(long_run_length(&run, pairs[0]) == 0 && long_run_parting(&run, pairs[0], 0) == 0);
   ck_assert(!long_run_growth(&g, &run, pairs[0]) && long_run_most(&run, pairs[0]) == 0);
   long_run_clear(&run);

@@ -260,14 +260,14 @@ static struct census change_at(const struct dyn_bifurcations *list, const struct
 /* fold 1.112..., flip 1.811..., t_a = 0 at 2.103... and the others: nothing changes but there, and there all of it. */
 START_TEST(changes_are_where_bifurcate_has_them) {
   enum { N = 2503 }; /* no value of the grid lies in a bracket */
-  const fmpq *u_r[2] = {NULL, NULL};
   struct line l;
   struct dyn_family f;
   struct dyn_bifurcations list;
   int events = 0;
   line_init(&l, example, P_E2, "0.5", "3", N);
   find(&f, &l, 256, true);
-  ck_assert_int_eq(dyn_bifurcations_find(&list, l.params, P_E2, l.from, l.to, u_r, 15, 257), SS_OK);
+  const struct dyn_line line = {.params = l.params, .vary = P_E2, .from = l.from, .to = l.to};
+  ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 15, 257), SS_OK);
   ck_assert_int_eq(list.n, 11);
   for (slong i = 0; i + 1 < N; i++) {
     struct census a = census_of(&f, i), b = census_of(&f, i + 1), c = change_at(&list, &l, i, &events);

@@ -163,9 +163,9 @@ void warn_missed(const struct scene *s) {
 
 static int show(const struct scene *s, const struct range *a, const struct options *o, slong digits) {
   struct dyn_bifurcations list;
-  const fmpq *u[2];
-  scene_static_friction(u, s);
-  int found = dyn_bifurcations_find(&list, s->value, a->vary, a->from, a->to, u, digits, STARTS);
+  struct dyn_line line = {.params = s->value, .vary = a->vary, .from = a->from, .to = a->to};
+  scene_static_friction(line.u_r, s);
+  int found = dyn_bifurcations_find(&list, &line, digits, STARTS);
   if (found != SS_OK || list.missed) warn_missed(s);
   struct text out;
   text_init(&out);

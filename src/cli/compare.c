@@ -46,7 +46,7 @@ int compare_routes(const struct coulomb_setup *setup, const struct scene *s, con
   double bits = isfinite(setup->trace) ? log2(fmax(1, fabs(setup->trace))) * (double)periods : (double)periods;
   slong prec = BITS + (slong)fmin(bits, MOST_BITS);
   int status = EXIT_AS_RECORDED;
-  long_run_make(&run, setup->params, setup->start, periods, duration, 0, prec);
+  long_run_make(&run, setup->params, setup->start, periods, duration, prec);
   printf("%s, %s: ode (GSL's integration) and closed (closed forms), both in double, from one start beside mpfr (%ld "
          "bits)\n",
          s->name, from, (long)prec);

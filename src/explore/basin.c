@@ -99,11 +99,14 @@ static bool enclose_tc(arb_t tc, struct field *f, const arb_t tb) {
 static bool pass_over(struct field *f, const arb_t tb) {
   slong mark = calc_mark(&f->c);
   arb_ptr tc = calc_new(&f->c);
-  bool ok = enclose_tc(tc, f, tb) && dyn_orbit_describe(&f->o, &f->c, &f->m, tb, tc, f->up) == SS_OK;
+  struct ball_pass s;
+  bool ok = enclose_tc(tc, f, tb);
   if (ok) {
-    struct ball_pass s;
-    f->word = dyn_orbit_judge(&f->o, &f->c, &f->m, tb, tc, f->up, dyn_limits_default.max_steps);
     ball_pass_make(&s, &f->c, &f->m, tb, tc, f->up);
+    ok = dyn_orbit_describe(&f->o, &f->c, &f->m, &s) == SS_OK;
+  }
+  if (ok) {
+    f->word = dyn_orbit_judge(&f->o, &f->c, &f->m, &s, dyn_limits_default.max_steps);
     arb_set(f->image, s.r_end);
   }
   ok = ok && !f->c.status;
@@ -113,17 +116,13 @@ static bool pass_over(struct field *f, const arb_t tb) {
 }
 
 /* A condition at the pass at hand; after those of every orbit, whether u_r1 and u_r2 are enough. */
-static truth condition(struct field *f, int i) {
+static truth condition(const struct field *f, int i) {
   if (i < N_CONDITIONS) return f->o.holds[i];
-  const fmpq *u = f->u_r[i - N_CONDITIONS];
-  if (!u) return TRUTH_TRUE;
-  slong mark = calc_mark(&f->c);
-  truth t = num_arb.lt(i == N_CONDITIONS ? f->o.u_r1_min : f->o.u_r2_min, calc_q(&f->c, u));
-  calc_release(&f->c, mark);
-  return t;
+  int mass = i - N_CONDITIONS;
+  return friction_exceeds(f->u_r[mass], mass == 0 ? f->o.u_r1_min : f->o.u_r2_min, BASIN_PREC);
 }
 
-static truth all_conditions(struct field *f) {
+static truth all_conditions(const struct field *f) {
   truth t = TRUTH_TRUE;
   for (int i = 0; i < N_CONDITIONS + 2; i++) t = truth_and(t, condition(f, i));
   return t;
@@ -187,22 +186,14 @@ static bool time_of(arb_t tb, struct field *f, const arb_t r) {
 }
 
 static void set_decimal(fmpq_t q, double x, slong places) {
-  fmpz_t ten;
-  fmpz_init(ten);
-  fmpz_ui_pow_ui(ten, 10, (ulong)places);
-  fmpq_t unit;
-  fmpq_init(unit);
-  fmpq_set_fmpz(unit, ten);
   arf_t scaled;
   arf_init(scaled);
   arf_set_d(scaled, x);
-  arf_mul_fmpz(scaled, scaled, ten, ARF_PREC_EXACT, ARF_RND_DOWN);
+  fmpz_ui_pow_ui(fmpq_denref(q), 10, (ulong)places);
+  arf_mul_fmpz(scaled, scaled, fmpq_denref(q), ARF_PREC_EXACT, ARF_RND_DOWN);
   arf_get_fmpz(fmpq_numref(q), scaled, ARF_RND_NEAR);
-  fmpz_one(fmpq_denref(q));
-  fmpq_div(q, q, unit);
+  fmpq_canonicalise(q);
   arf_clear(scaled);
-  fmpq_clear(unit);
-  fmpz_clear(ten);
 }
 
 /* So many decimals that the ends of an interval of this half width are as far from r as it says to 1e-10 of it. */
@@ -256,7 +247,7 @@ static bool prove(struct dyn_basin *b, struct field *f, double half) {
 /* --- A point where it fails. --- */
 
 /* The one condition that is broken for certain, or -1. */
-static int broken_condition(struct field *f) {
+static int broken_condition(const struct field *f) {
   for (int i = 0; i < N_CONDITIONS + 2; i++)
     if (condition(f, i) == TRUTH_FALSE) return i;
   return -1;

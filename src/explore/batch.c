@@ -100,6 +100,7 @@ struct points {
   unsigned *violations;
   int *status;
   const double *const *params, *const *guess;
+  const struct set *set; /* of instructions */
 };
 
 /* Points of a tile whose phase H asks for a closer look, in about so many parts. */
@@ -117,12 +118,12 @@ static void fill(struct lanes *l, const struct points *p, const slong *point, sl
   }
 }
 
-static void solve(struct open *open, const struct points *p, slong first, slong n, const struct set *set) {
+static void solve(struct open *open, const struct points *p, slong first, slong n) {
   struct lanes l;
   slong point[LANES] = {first};
   for (slong j = 0; j < n; j++) point[j] = first + j;
   fill(&l, p, point, n);
-  set->run(&l);
+  p->set->run(&l);
   for (int i = 0; i < N_DYN_OUT; i++)
     for (slong j = 0; j < n; j++) p->out[i][first + j] = l.out[i][j];
   for (slong j = 0; j < n; j++) {
@@ -135,8 +136,8 @@ static void solve(struct open *open, const struct points *p, slong first, slong 
 }
 
 /* Marches through phase H of n <= LANES points in m->parts each.  What stays open is moved to the front of the rest. */
-static void look(struct open *rest, const struct open *open, slong from, slong n, const struct points *p, double finer,
-                 const struct set *set) {
+static void look(struct open *rest, const struct open *open, slong from, slong n, const struct points *p,
+                 double finer) {
   struct lanes l;
   struct march m;
   double most = 0;
@@ -148,8 +149,8 @@ static void look(struct open *rest, const struct open *open, slong from, slong n
     l.parts[j] = finer * open->parts[at];
     most = fmax(most, l.parts[j]);
   }
-  set->start(&m, &l);
-  for (double part = 0; part < most + 1; part++) set->part(&m, part);
+  p->set->start(&m, &l);
+  for (double part = 0; part < most + 1; part++) p->set->part(&m, part);
   for (slong j = 0; j < n; j++) {
     slong point = open->point[from + j];
     bool late = p->violations[point] & 1u << COND_C_V2; /* z_2' > V at the end of phase H */
@@ -157,15 +158,14 @@ static void look(struct open *rest, const struct open *open, slong from, slong n
       p->status[point] = SS_OK;
       if (m.above[j] > 0) p->violations[point] |= 1u << COND_H_V2;
     } else {
-      double parts = open->parts[from + j];
       rest->point[rest->n] = point;
-      rest->parts[rest->n++] = parts;
+      rest->parts[rest->n++] = open->parts[from + j];
     }
   }
 }
 
 /* A closer look at all that are open, in `finer` times as many parts as they ask for, unless those are too many. */
-static void look_closer(struct open *open, const struct points *p, double finer, const struct set *set) {
+static void look_closer(struct open *open, const struct points *p, double finer) {
   struct open now = {.n = 0};
   for (slong i = 0; i < open->n; i++) {
     if (finer * open->parts[i] > MOST_PARTS) continue;
@@ -173,15 +173,15 @@ static void look_closer(struct open *open, const struct points *p, double finer,
     now.parts[now.n++] = open->parts[i];
   }
   open->n = 0;
-  for (slong i = 0; i < now.n; i += LANES) look(open, &now, i, FLINT_MIN(now.n - i, LANES), p, finer, set);
+  for (slong i = 0; i < now.n; i += LANES) look(open, &now, i, FLINT_MIN(now.n - i, LANES), p, finer);
 }
 
-static int run_tile(const struct points *p, slong first, slong end, const struct set *set) {
+static int run_tile(const struct points *p, slong first, slong end) {
   struct open open = {.n = 0};
   int all = SS_OK;
-  for (slong j = first; j < end; j += LANES) solve(&open, p, j, FLINT_MIN(end - j, LANES), set);
-  look_closer(&open, p, 1, set);
-  look_closer(&open, p, FINER, set);
+  for (slong j = first; j < end; j += LANES) solve(&open, p, j, FLINT_MIN(end - j, LANES));
+  look_closer(&open, p, 1);
+  look_closer(&open, p, FINER);
   for (slong j = first; j < end; j++) {
     all |= p->status[j];
     if (p->status[j] == SS_OK) continue;
@@ -193,9 +193,8 @@ static int run_tile(const struct points *p, slong first, slong end, const struct
 
 int dyn_orbits_batch(double *const out[N_DYN_OUT], unsigned *violations, int *status,
                      const double *const params[N_PARAMS], const double *const guess[2], slong n) {
-  const struct points p = {out, violations, status, params, guess};
-  const struct set *set = set_to_use();
+  const struct points p = {out, violations, status, params, guess, set_to_use()};
   int all = SS_OK;
-  for (slong first = 0; first < n; first += TILE) all |= run_tile(&p, first, FLINT_MIN(n, first + TILE), set);
+  for (slong first = 0; first < n; first += TILE) all |= run_tile(&p, first, FLINT_MIN(n, first + TILE));
   return all;
 }

@@ -20,6 +20,7 @@
 
 enum {
   START_PREC = 64,
+  TRACE_PREC = 128,
   MOST_EVALUATIONS = 2000000, /* of the return map, in all searches together */
   MOST_CUT_SHORT = 6,         /* searches that ran into their limits, half a second each or more */
   MOST_STEPS = 40000,         /* along all curves together */
@@ -55,8 +56,9 @@ static void bifurcation_clear(struct dyn_bifurcation *b) {
     for (int k = 0; k < 2; k++) dyn_orbit_clear(&b->beside[i].orbit[k]);
 }
 
-/* The decimals of the given digits around p, a little apart from p. */
-static void bracket(struct dyn_bifurcation *b, const arb_t p, slong digits, slong prec) {
+/* The decimals of so many digits around p, a little apart from p. */
+static void bracket(struct dyn_bifurcation *b, const arb_t p) {
+  slong prec = b->prec;
   arb_t scaled;
   fmpz_t k, ten;
   fmpq_t unit;
@@ -64,7 +66,7 @@ static void bracket(struct dyn_bifurcation *b, const arb_t p, slong digits, slon
   fmpz_init(k);
   fmpz_init(ten);
   fmpq_init(unit);
-  slong places = digits - 1 - (slong)floor(log10(num_arb.get_d(p)));
+  slong places = b->digits - 1 - (slong)floor(log10(num_arb.get_d(p)));
   fmpz_ui_pow_ui(ten, 10, (ulong)labs(places));
   fmpq_set_fmpz(unit, ten);
   if (places > 0) fmpq_inv(unit, unit);
@@ -85,23 +87,26 @@ static void bracket(struct dyn_bifurcation *b, const arb_t p, slong digits, slon
 
 /* --- Proof along the parameter. --- */
 
-/* A tube of the curve's orbits for one value of the parameter, exact or a ball. */
-static int tube_on(struct tube *t, const struct curve *b, const arb_t p, const arb_t tb, const arb_t tc, slong prec) {
-  for (int i = 0; i < N_PARAMS; i++) arb_set(&t->p[i], i == b->vary ? p : &b->p[i]);
-  arb_set(&t->x[0], tb);
-  arb_set(&t->x[1], tc);
+/* A tube of the curve's orbits around x = (parameter, t_b, t_c), not proved yet. */
+static void tube_at(struct tube *t, const struct curve *b, arb_srcptr x) {
+  for (int i = 0; i < N_PARAMS; i++) arb_set(&t->p[i], i == b->line->vary ? x : &b->p[i]);
+  for (int k = 0; k < 2; k++) arb_set(&t->x[k], x + 1 + k);
   t->up = b->up;
-  return tube_prove(t, prec);
+}
+
+static int tube_on(struct tube *t, const struct curve *b, arb_srcptr x) {
+  tube_at(t, b, x);
+  return tube_prove(t, b->prec);
 }
 
 /* The function over the tube, with the time of a touch; *rate: its slope along the curve. */
 static int function_on(arb_t value, arb_t rate, arb_t time, const struct tube *t, const struct curve *b,
-                       enum dyn_change what, slong prec) {
+                       enum dyn_change what) {
   struct view v;
   arb_ptr x = _arb_vec_init(3);
-  arb_set(x, &t->p[b->vary]);
+  arb_set(x, &t->p[b->line->vary]);
   for (int k = 0; k < 2; k++) arb_set(x + 1 + k, &t->x[k]);
-  int status = view_open(&v, b, x, prec);
+  int status = view_open(&v, b, x);
   if (!status) status = view_touch(time, &v, what, true);
   val f = status ? NULL : view_change(&v, what, time);
   if (!f || v.c.status) status |= SS_UNABLE;
@@ -116,7 +121,7 @@ static int function_on(arb_t value, arb_t rate, arb_t time, const struct tube *t
 
 static void add_beside(struct dyn_beside *s, const struct tube *t, slong prec) {
   int n = s->n;
-  if (tube_orbit(&s->orbit[n], &s->word[n], t, prec, dyn_limits_default.max_steps)) return;
+  if (tube_orbit(&s->orbit[n], &s->word[n], t, prec)) return;
   if (arb_is_nonpositive(&t->x[0]) || arb_is_nonpositive(&t->x[1])) s->word[n] = TRUTH_FALSE;
   s->n++;
 }
@@ -127,98 +132,95 @@ static bool turns(enum dyn_change what) {
 
 /* c_2^2 + c_3 of the return map over the tube. */
 static void third_order(arb_t third, const struct tube *t, slong prec) {
-  struct num_ctx ctx = num_ctx_arb(prec);
-  struct num_vec params;
+  val p[N_PARAMS];
   struct dyn_arc arc;
   arb_ptr c = _arb_vec_init(4);
-  num_vec_init(&params, N_PARAMS, ctx);
-  dyn_arc_init(&arc, ctx);
-  for (int i = 0; i < N_PARAMS; i++) num_arb.set(num_vec_at(&params, i), &t->p[i]);
+  struct calc calc = calc_begin(num_ctx_arb(prec));
+  for (int i = 0; i < N_PARAMS; i++) p[i] = &t->p[i];
+  const struct num_vec params = calc_vec_of(&calc, p, N_PARAMS);
+  dyn_arc_init(&arc, calc.ctx);
   num_arb.set(num_vec_at(&arc.t, PHASE_GAMMA), &t->x[0]);
   num_arb.set(num_vec_at(&arc.t, PHASE_H), &t->x[1]);
-  arb_set_si(num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2),
-             t->up ? 1 : -1); /* only the sign of r at the end is asked for */
+  arb_set_si(num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2), t->up ? 1 : -1); /* the sign of r at the end is all */
   if (dyn_return_jet(c, 4, &params, &arc) == SS_OK) {
     arb_mul(third, c + 2, c + 2, prec);
     arb_add(third, third, c + 3, prec);
   }
   dyn_arc_clear(&arc);
-  num_vec_clear(&params);
+  calc_clear(&calc);
   _arb_vec_clear(c, 4);
 }
 
 /* The signs at the ends: 1, -1, or 0 when one is not decided.  The ends' orbits and touches lie in those of the
    tube. */
 static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tube *t, const struct curve *curve,
-                         const arb_t time, slong prec) {
+                         const arb_t time) {
   const fmpq *end[2] = {&b->low, &b->high};
   struct tube e;
-  struct calc c = calc_begin(num_ctx_arb(prec));
-  arb_ptr p = calc_new(&c), when = calc_new(&c), value = calc_new(&c);
+  arb_ptr all = _arb_vec_init(5), x = all, when = all + 3, value = all + 4;
   tube_init(&e);
+  for (int k = 0; k < 2; k++) arb_set(x + 1 + k, &t->x[k]);
   for (int i = 0; i < 2; i++) {
     sign[i] = 0;
     b->beside[i].n = 0;
-    arb_set_fmpq(p, end[i], prec);
-    if (tube_on(&e, curve, p, &t->x[0], &t->x[1], prec)) continue;
+    arb_set_fmpq(x, end[i], curve->prec);
+    if (tube_on(&e, curve, x)) continue;
     if (!arb_contains(&t->box[0], &e.x[0]) || !arb_contains(&t->box[1], &e.x[1])) continue;
-    add_beside(&b->beside[i], &e, prec);
+    add_beside(&b->beside[i], &e, curve->prec);
     arb_get_mid_arb(when, time);
-    if (function_on(value, NULL, when, &e, curve, b->what, prec) || !arb_contains(time, when)) continue;
+    if (function_on(value, NULL, when, &e, curve, b->what) || !arb_contains(time, when)) continue;
     sign[i] = arb_is_positive(value) - arb_is_negative(value);
   }
   tube_clear(&e);
-  calc_clear(&c);
+  _arb_vec_clear(all, 5);
 }
 
-static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr x, const arb_t at,
-                        slong prec) {
+/* From x, and the time of a touch behind it. */
+static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from) {
   struct tube t;
   struct dyn_orbit whole;
   int sign[2] = {0, 0};
+  slong prec = curve->prec;
   struct calc c = calc_begin(num_ctx_arb(prec));
-  arb_ptr p = calc_new(&c), value = calc_new(&c), rate = calc_new(&c), time = calc_new(&c);
+  arb_ptr all = _arb_vec_init(6), x = all, time = all + 3, value = all + 4, rate = all + 5;
   tube_init(&t);
   dyn_orbit_init(&whole);
-  arb_set(time, at);
-  arb_union(p, calc_q(&c, &b->low), calc_q(&c, &b->high), prec);
-  if (tube_on(&t, curve, p, x + 1, x + 2, prec) == SS_OK &&
-      function_on(value, NULL, time, &t, curve, b->what, prec) == SS_OK) {
-    bool monotone = function_on(value, rate, time, &t, curve, b->what, prec) == SS_OK && !arb_contains_zero(rate);
-    sign_at_ends(sign, b, &t, curve, time, prec);
+  _arb_vec_set(all, from, 4);
+  arb_union(x, calc_q(&c, &b->low), calc_q(&c, &b->high), prec);
+  if (tube_on(&t, curve, x) == SS_OK && function_on(value, NULL, time, &t, curve, b->what) == SS_OK) {
+    bool monotone = function_on(value, rate, time, &t, curve, b->what) == SS_OK && !arb_contains_zero(rate);
+    sign_at_ends(sign, b, &t, curve, time);
     b->crosses = sign[0] * sign[1] < 0;
     b->unique = b->crosses && monotone;
     b->sense = b->what == CHANGE_FLIP ? sign[0] : sign[1]; /* z_1' < V at t_b, by which tr J + 1 was multiplied */
     arb_set(b->tb, &t.x[0]);
     arb_set(b->tc, &t.x[1]);
-    if (tube_orbit(&whole, &b->word, &t, prec, dyn_limits_default.max_steps) == SS_OK) arb_set(b->trace, whole.trace);
+    if (tube_orbit(&whole, &b->word, &t, prec) == SS_OK) arb_set(b->trace, whole.trace);
     if (b->what == CHANGE_FLIP) third_order(b->third, &t, prec);
   }
   dyn_orbit_clear(&whole);
   tube_clear(&t);
+  _arb_vec_clear(all, 6);
   calc_clear(&c);
 }
 
 /* --- Where the curve turns back. --- */
 
 /* The orbit at a proved zero of z_1'' at t_c. */
-static void judge_touch(struct dyn_orbit *o, const struct curve *curve, arb_srcptr x, slong prec) {
+static void judge_touch(struct dyn_orbit *o, const struct curve *curve, arb_srcptr x) {
   struct tube t;
   truth word;
   tube_init(&t);
-  for (int i = 0; i < N_PARAMS; i++) arb_set(&t.p[i], i == curve->vary ? x : &curve->p[i]);
-  for (int k = 0; k < 2; k++) arb_set(&t.x[k], x + 1 + k);
-  t.up = curve->up;
-  if (tube_orbit(o, &word, &t, prec, dyn_limits_default.max_steps) == SS_OK)
-    o->first[PHASE_H] = tube_touches(&t, prec, dyn_limits_default.max_steps);
+  tube_at(&t, curve, x);
+  if (tube_orbit(o, &word, &t, curve->prec) == SS_OK) o->first[PHASE_H] = tube_touches(&t, curve->prec);
   tube_clear(&t);
 }
 
 /* The tangent at a proved zero x, its first component being 0 there, and p'' along it. */
-static int turning(arb_ptr tangent, arb_t bend, const struct curve *curve, enum dyn_change what, arb_srcptr x,
-                   slong prec) {
+static int turning(arb_ptr tangent, arb_t bend, const struct curve *curve, enum dyn_change what, arb_srcptr x) {
   struct view v;
-  int status = view_open(&v, curve, x, prec);
+  slong prec = curve->prec;
+  int status = view_open(&v, curve, x);
   const val f = v.s.pc, g = v.s.defect;
   bool graze = what == CHANGE_TC; /* d p / d s is z_1'' at t_c times d defect / d t_b */
   val moving = graze ? v.s.wc : v.s.defect_tb, other = graze ? v.s.defect_tb : v.s.wc;
@@ -236,26 +238,26 @@ static int turning(arb_ptr tangent, arb_t bend, const struct curve *curve, enum 
 
 /* The orbits at the end of the bracket where there are two. */
 static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr x, arb_srcptr tangent,
-                        const arb_t bend, slong prec) {
+                        const arb_t bend) {
+  slong prec = curve->prec;
   int side = b->sense > 0 ? 1 : 0;
   struct dyn_beside *out = &b->beside[side];
   struct tube t[2];
   bool ok[2];
-  struct calc c = calc_begin(num_ctx_arb(prec));
-  arb_ptr guess[2] = {calc_new(&c), calc_new(&c)}, s = calc_new(&c);
-  val p = calc_q(&c, side ? &b->high : &b->low);
-  arb_sub(s, p, x, prec);
+  arb_ptr all = _arb_vec_init(4), guess = all, s = all + 3;
+  arb_set_fmpq(guess, side ? &b->high : &b->low, prec);
+  arb_sub(s, guess, x, prec);
   arb_mul_2exp_si(s, s, 1);
   arb_div(s, s, bend, prec);
   arb_get_mid_arb(s, s);
   arb_sqrt(s, s, prec);
   for (int i = 0; i < 2; i++) {
     tube_init(&t[i]);
-    for (int k = 0; k < 2; k++) {
-      arb_set(guess[k], x + 1 + k);
-      (i ? arb_submul : arb_addmul)(guess[k], s, tangent + 1 + k, prec);
+    for (int k = 1; k < 3; k++) {
+      arb_set(guess + k, x + k);
+      (i ? arb_submul : arb_addmul)(guess + k, s, tangent + k, prec);
     }
-    ok[i] = tube_on(&t[i], curve, p, guess[0], guess[1], prec) == SS_OK;
+    ok[i] = tube_on(&t[i], curve, guess) == SS_OK;
   }
   bool apart = !arb_overlaps(&t[0].x[0], &t[1].x[0]) || !arb_overlaps(&t[0].x[1], &t[1].x[1]);
   out->n = 0;
@@ -265,25 +267,25 @@ static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, ar
     if (out->n > n && b->what != CHANGE_FOLD && out->word[n] == TRUTH_FALSE) out->n = n; /* the sheet beyond */
     tube_clear(&t[i]);
   }
-  calc_clear(&c);
+  _arb_vec_clear(all, 4);
 }
 
-static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from, slong prec) {
-  struct calc c = calc_begin(num_ctx_arb(prec));
+static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from) {
+  struct calc c = calc_begin(num_ctx_arb(curve->prec));
   arb_ptr x = _arb_vec_init(3), tangent = _arb_vec_init(3), bend = calc_new(&c);
   _arb_vec_set(x, from, 3);
-  bool ok = curve_prove_zero(x, curve, b->what, prec) == SS_OK && arb_lt(calc_q(&c, &b->low), x) &&
-            arb_lt(x, calc_q(&c, &b->high));
+  bool ok =
+      curve_prove_zero(x, curve, b->what) == SS_OK && arb_lt(calc_q(&c, &b->low), x) && arb_lt(x, calc_q(&c, &b->high));
   b->crosses = b->unique = ok;
   if (ok) {
     arb_set(b->tb, x + 1);
     arb_set(b->tc, x + 2);
     if (b->what == CHANGE_FOLD) arb_one(b->trace);
-    if (b->what == CHANGE_TC) judge_touch(&b->touch, curve, x, prec);
+    if (b->what == CHANGE_TC) judge_touch(&b->touch, curve, x);
   }
-  if (ok && turning(tangent, bend, curve, b->what, x, prec) == SS_OK && !arb_contains_zero(bend)) {
+  if (ok && turning(tangent, bend, curve, b->what, x) == SS_OK && !arb_contains_zero(bend)) {
     b->sense = arb_is_positive(bend) ? 1 : -1;
-    pair_beside(b, curve, x, tangent, bend, prec);
+    pair_beside(b, curve, x, tangent, bend);
   }
   calc_clear(&c);
   _arb_vec_clear(tangent, 3);
@@ -302,9 +304,7 @@ static bool settled(const struct dyn_bifurcation *b) {
 struct line {
   struct dyn_bifurcations *list;
   size_t cap, cap_branches, cap_spots;
-  const fmpq *params;
-  const fmpq *u_r[2];
-  int vary;
+  const struct dyn_line *of;
   double low, high;
   slong digits;
   struct start *start;
@@ -319,14 +319,14 @@ static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool u
   for (int i = 0; i < ATTEMPTS && !settled(b); i++) {
     struct curve curve;
     b->digits = l->digits + NARROWER * i;
-    slong prec = b->prec = (slong)((double)b->digits * 3.33) + 96 * (i + 1);
-    curve_init(&curve, l->params, l->vary, up, c->x[1], l->u_r, prec);
-    bool ok = curve_newton(x, x + 3, &curve, b->what, prec) == SS_OK && arb_is_positive(x);
-    if (ok) bracket(b, x, b->digits, prec);
+    b->prec = (slong)((double)b->digits * 3.33) + 96 * (i + 1);
+    curve_init(&curve, l->of, up, c->x[1], b->prec);
+    bool ok = curve_newton(x, x + 3, &curve, b->what) == SS_OK && arb_is_positive(x);
+    if (ok) bracket(b, x);
     if (ok && turns(b->what))
-      prove_turning(b, &curve, x, prec);
+      prove_turning(b, &curve, x);
     else if (ok)
-      prove_along(b, &curve, x, x + 3, prec);
+      prove_along(b, &curve, x);
     curve_clear(&curve);
     if (!ok) break;
   }
@@ -392,9 +392,8 @@ static bool follow(struct line *l, struct dyn_branch *br, int end, const struct 
       br->end[end] = END_OF_LINE;
       return true;
     }
-    enum trace_result r = trace_step(&t);
-    if (r == TRACE_LOST) return true;
     int n;
+    if (!trace_step(&t)) return true;
     if (!trace_crossings(c, &n, &l->list->missed, &t, &before, &t.now)) return true;
     bool ended = false;
     for (int k = 0; k < n && !ended; k++) {
@@ -427,7 +426,7 @@ static void follow_branch(struct line *l, const struct start *from) {
   list->branch = ss_grow(list->branch, (size_t)list->n_branches, &l->cap_branches, sizeof *list->branch);
   struct dyn_branch *br = &list->branch[list->n_branches];
   *br = (struct dyn_branch){.span = {from->x[0], from->x[0]}, .up = from->up};
-  curve_init(&curve, l->params, l->vary, from->up, from->x[1], l->u_r, 128);
+  curve_init(&curve, l->of, from->up, from->x[1], TRACE_PREC);
   add_spot(l, from->x, 0);
   if (follow(l, br, 1, &curve, from)) follow(l, br, 0, &curve, from);
   curve_clear(&curve);
@@ -440,20 +439,21 @@ static void follow_branch(struct line *l, const struct start *from) {
 static int find_starts(struct line *l, size_t *cap, long *evaluations, const struct dyn_axis *axis, slong i) {
   struct dyn_orbits orbits;
   fmpq at[N_PARAMS];
-  memcpy(at, l->params, sizeof at); /* borrowed, but for that which varies */
-  fmpq_init(&at[l->vary]);
-  dyn_axis_q(&at[l->vary], axis, i);
+  int vary = l->of->vary;
+  memcpy(at, l->of->params, sizeof at); /* borrowed, but for that which varies */
+  fmpq_init(&at[vary]);
+  dyn_axis_q(&at[vary], axis, i);
   int status = dyn_orbits_find(&orbits, at, START_PREC, NULL);
   for (slong k = 0; k < orbits.n; k++) {
     const struct dyn_orbit *o = &orbits.orbit[k];
     l->start = ss_grow(l->start, (size_t)l->n_starts, cap, sizeof *l->start);
-    l->start[l->n_starts++] = (struct start){{fmpq_get_d(&at[l->vary]), o->guess[PHASE_GAMMA], o->guess[PHASE_H]},
+    l->start[l->n_starts++] = (struct start){{fmpq_get_d(&at[vary]), o->guess[PHASE_GAMMA], o->guess[PHASE_H]},
                                              num_arb.get_d(o->z20) > num_arb.get_d(o->z10),
                                              false};
   }
   *evaluations += orbits.evaluations;
   dyn_orbits_clear(&orbits);
-  fmpq_clear(&at[l->vary]);
+  fmpq_clear(&at[vary]);
   return status;
 }
 
@@ -476,16 +476,15 @@ static int by_value(const void *x, const void *y) {
   return c ? c : (a->branch > b->branch) - (a->branch < b->branch);
 }
 
-int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int vary, const fmpq_t from,
-                          const fmpq_t to, const fmpq *const u_r[2], slong digits, slong starts) {
+int dyn_bifurcations_find(struct dyn_bifurcations *list, const struct dyn_line *line, slong digits, slong starts) {
   *list = (struct dyn_bifurcations){.n = 0};
-  struct line l = {.list = list, .params = params, .u_r = {u_r[0], u_r[1]}, .vary = vary, .digits = digits};
-  double ends[2] = {fmpq_get_d(from), fmpq_get_d(to)};
+  struct line l = {.list = list, .of = line, .digits = digits};
+  double ends[2] = {fmpq_get_d(line->from), fmpq_get_d(line->to)};
   l.low = fmin(ends[0], ends[1]);
   l.high = fmax(ends[0], ends[1]);
-  if (!(l.low > 0 && l.low < l.high) || (vary == P_CHI && l.high >= 1)) return SS_DOMAIN;
+  if (!(l.low > 0 && l.low < l.high) || (line->vary == P_CHI && l.high >= 1)) return SS_DOMAIN;
   struct dyn_axis axis;
-  dyn_axis_init(&axis, vary, from, to, starts);
+  dyn_axis_init(&axis, line->vary, line->from, line->to, starts);
   int status = find_all_starts(&l, &axis);
   dyn_axis_clear(&axis);
   for (slong i = 0; i < l.n_starts; i++)

@@ -93,15 +93,20 @@ struct dyn_bifurcations {
   slong missed; /* sign changes that could not be narrowed down */
 };
 
+/* One parameter varies between two values. */
+struct dyn_line {
+  const fmpq *params; /* of which params[vary] is not used */
+  int vary;
+  const fmpq *from, *to;
+  const fmpq *u_r[2]; /* static friction forces or NULL */
+};
 /* Looks for orbits at `starts` values of the parameter and follows their curves from one end of the line to the other.
    Brackets are one unit (or two) of the digits-th significant decimal of the
-   parameter wide, or narrower where no proof succeeds over so wide a one.  params: the parameters, of
-   which params[vary] is not used; u_r: static friction forces or NULL each.  Branches that lie between two starts, and
+   parameter wide, or narrower where no proof succeeds over so wide a one.  Branches that lie between two starts, and
    pairs of changes that undo one another within one step, can be missed.  SS_DOMAIN when an end lies outside the domain
    of dynamics.h, SS_UNABLE (with lists that are valid as far as they go) when a search or a curve ran into its
    limits. */
-int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int vary, const fmpq_t from,
-                          const fmpq_t to, const fmpq *const u_r[2], slong digits, slong starts);
+int dyn_bifurcations_find(struct dyn_bifurcations *list, const struct dyn_line *line, slong digits, slong starts);
 void dyn_bifurcations_clear(struct dyn_bifurcations *list);
 
 #endif

@@ -20,35 +20,29 @@ struct piece {
   struct dyn_orbit orbit;
   truth word;
   int depth;
-  bool proved;
+  bool proved, cut; /* cut: its halves stand for it */
 };
 
+/* Those that are not cut cover the box. */
 struct pieces {
-  struct piece **at;
+  struct piece *at;
   size_t n, cap;
 };
 
-static struct piece *piece_new(void) {
-  struct piece *p = ss_malloc(sizeof *p);
-  *p = (struct piece){.word = TRUTH_UNKNOWN};
+static struct piece *pieces_add(struct pieces *list, int depth) {
+  list->at = ss_grow(list->at, list->n, &list->cap, sizeof *list->at);
+  struct piece *p = &list->at[list->n++];
+  *p = (struct piece){.word = TRUTH_UNKNOWN, .depth = depth};
   tube_init(&p->tube);
   dyn_orbit_init(&p->orbit);
   return p;
 }
 
-static void piece_free(struct piece *p) {
-  tube_clear(&p->tube);
-  dyn_orbit_clear(&p->orbit);
-  free(p);
-}
-
-static void pieces_add(struct pieces *list, struct piece *p) {
-  list->at = ss_grow(list->at, list->n, &list->cap, sizeof *list->at);
-  list->at[list->n++] = p;
-}
-
 static void pieces_clear(struct pieces *list) {
-  for (size_t i = 0; i < list->n; i++) piece_free(list->at[i]);
+  for (size_t i = 0; i < list->n; i++) {
+    tube_clear(&list->at[i].tube);
+    dyn_orbit_clear(&list->at[i].orbit);
+  }
   free(list->at);
 }
 
@@ -113,8 +107,7 @@ static void halve(arb_t half, const arb_t whole, bool upper) {
 }
 
 static void examine(struct piece *p) {
-  p->proved = tube_prove(&p->tube, BOX_PREC) == SS_OK &&
-              tube_orbit(&p->orbit, &p->word, &p->tube, BOX_PREC, dyn_limits_default.max_steps) == SS_OK;
+  p->proved = tube_prove(&p->tube, BOX_PREC) == SS_OK && tube_orbit(&p->orbit, &p->word, &p->tube, BOX_PREC) == SS_OK;
   if (p->proved) tube_sharpen(&p->orbit, &p->tube, BOX_PREC);
 }
 
@@ -125,18 +118,17 @@ static bool finished(const struct piece *p, const struct tally *t) {
   return true;
 }
 
-/* Takes the piece over: its halves go to the queue.  false when it cannot be cut. */
-static bool cut(struct pieces *queue, struct piece *p) {
-  int along = widest(&p->tube);
+/* Its halves go to the end of the list.  false when it cannot be cut. */
+static bool cut(struct pieces *list, size_t place) {
+  int along = widest(&list->at[place].tube);
   if (along < 0) return false;
   for (int i = 0; i < 2; i++) {
-    struct piece *half = piece_new();
-    tube_set(&half->tube, &p->tube);
-    half->depth = p->depth + 1;
-    halve(&half->tube.p[along], &p->tube.p[along], i == 1);
-    pieces_add(queue, half);
+    struct piece *half = pieces_add(list, list->at[place].depth + 1);
+    const struct tube *whole = &list->at[place].tube;
+    tube_set(&half->tube, whole);
+    halve(&half->tube.p[along], &whole->p[along], i == 1);
   }
-  piece_free(p);
+  list->at[place].cut = true;
   return true;
 }
 
@@ -172,8 +164,8 @@ static bool joined(const struct tube *a, const struct tube *b) {
 static bool all_joined(const struct pieces *list) {
   for (size_t i = 0; i < list->n; i++)
     for (size_t k = i + 1; k < list->n; k++) {
-      const struct tube *a = &list->at[i]->tube, *b = &list->at[k]->tube;
-      if (meet(a, b) && !joined(a, b)) return false;
+      const struct piece *a = &list->at[i], *b = &list->at[k];
+      if (!a->cut && !b->cut && meet(&a->tube, &b->tube) && !joined(&a->tube, &b->tube)) return false;
     }
   return true;
 }
@@ -191,8 +183,13 @@ static void unite(struct dyn_orbit *all, struct dyn_orbit *o, bool first) {
       arb_union(to[i], to[i], from[i], BOX_PREC);
 }
 
-static void conclude(struct dyn_box_orbit *b, const struct pieces *done, const struct tally *t) {
-  for (size_t i = 0; i < done->n; i++) unite(&b->orbit, &done->at[i]->orbit, i == 0);
+static void conclude(struct dyn_box_orbit *b, const struct pieces *list, const struct tally *t) {
+  bool first = true;
+  for (size_t i = 0; i < list->n; i++) {
+    if (list->at[i].cut) continue;
+    unite(&b->orbit, &list->at[i].orbit, first);
+    first = false;
+  }
   b->word = tally_all(t, OF_WORD);
   b->orbit.stable = tally_all(t, OF_STABILITY);
   b->stability_changes = tally_changes(t, OF_STABILITY);
@@ -213,8 +210,8 @@ static void nothing_said(struct dyn_orbit *o) {
    piece holds the middle and the orbit lies in its box, the orbit is the one solution there. */
 static bool passes(const struct pieces *list, const struct dyn_orbit *o, const fmpq middle[N_PARAMS]) {
   for (size_t i = 0; i < list->n; i++) {
-    const struct tube *t = &list->at[i]->tube;
-    bool holds = t->up == arb_gt(o->z20, o->z10);
+    const struct tube *t = &list->at[i].tube;
+    bool holds = !list->at[i].cut && t->up == arb_gt(o->z20, o->z10);
     for (int k = 0; k < N_PARAMS; k++) holds = holds && arb_contains_fmpq(&t->p[k], &middle[k]);
     for (int k = 0; k < 2; k++) holds = holds && arb_contains(&t->box[k], o->t[PHASE_GAMMA + k]);
     if (holds) return true;
@@ -224,38 +221,28 @@ static bool passes(const struct pieces *list, const struct dyn_orbit *o, const f
 
 /* From the orbit at the middle, which b->orbit is on entry. */
 static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS], const fmpq middle[N_PARAMS]) {
-  struct pieces queue = {NULL, 0, 0}, done = {NULL, 0, 0};
+  struct pieces list = {NULL, 0, 0};
   struct tally tally = {{0}, {0}, {0}};
-  struct piece *whole = piece_new();
-  for (int i = 0; i < N_PARAMS; i++) arb_set(&whole->tube.p[i], &p[i]);
-  for (int k = 0; k < 2; k++) arb_set(&whole->tube.x[k], b->orbit.t[PHASE_GAMMA + k]);
-  whole->tube.up = arb_gt(b->orbit.z20, b->orbit.z10);
-  pieces_add(&queue, whole);
+  struct tube *whole = &pieces_add(&list, 0)->tube;
+  for (int i = 0; i < N_PARAMS; i++) arb_set(&whole->p[i], &p[i]);
+  for (int k = 0; k < 2; k++) arb_set(&whole->x[k], b->orbit.t[PHASE_GAMMA + k]);
+  whole->up = arb_gt(b->orbit.z20, b->orbit.z10);
   bool stuck = false;
-  for (size_t i = 0; i < queue.n && !stuck; i++) { /* the queue grows; a piece that left it is NULL */
-    struct piece *piece = queue.at[i];
-    examine(piece);
-    bool room = piece->depth < MOST_DEPTH && done.n + (queue.n - i) < DYN_BOX_PIECES;
-    if (!finished(piece, &tally) && room && cut(&queue, piece)) {
-      queue.at[i] = NULL;
-    } else if (piece->proved) {
-      tally_add(&tally, piece);
-      pieces_add(&done, piece);
-      queue.at[i] = NULL;
-    } else {
-      stuck = true;
-    }
+  for (size_t i = 0; i < list.n; i++) { /* the list grows */
+    examine(&list.at[i]);
+    bool room = list.at[i].depth < MOST_DEPTH && (size_t)b->pieces + (list.n - i) < DYN_BOX_PIECES;
+    if (!finished(&list.at[i], &tally) && room && cut(&list, i)) continue;
+    stuck = !list.at[i].proved;
+    if (stuck) break;
+    tally_add(&tally, &list.at[i]);
+    b->pieces++;
   }
-  b->pieces = (slong)done.n;
-  b->proved = !stuck && passes(&done, &b->orbit, middle) && all_joined(&done);
+  b->proved = !stuck && passes(&list, &b->orbit, middle) && all_joined(&list);
   if (b->proved)
-    conclude(b, &done, &tally);
+    conclude(b, &list, &tally);
   else
     nothing_said(&b->orbit);
-  for (size_t i = 0; i < queue.n; i++)
-    if (queue.at[i]) piece_free(queue.at[i]);
-  free(queue.at);
-  pieces_clear(&done);
+  pieces_clear(&list);
 }
 
 int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high) {

@@ -18,28 +18,24 @@ const char *const dyn_change_id[N_CHANGES] = {
     [CHANGE_GAMMA_V1] = "gamma_v1", [CHANGE_GAMMA_R] = "gamma_r",
 };
 
-void curve_init(struct curve *b, const fmpq *params, int vary, bool up, double tb, const fmpq *const u_r[2],
-                slong prec) {
+void curve_init(struct curve *b, const struct dyn_line *line, bool up, double tb, slong prec) {
+  *b = (struct curve){.line = line, .up = up, .crest = (slong)(tb / (2 * PI)), .prec = prec};
   for (int i = 0; i < N_PARAMS; i++) {
     arb_init(&b->p[i]);
-    if (i != vary) arb_set_fmpq(&b->p[i], params + i, prec);
+    if (i != line->vary) arb_set_fmpq(&b->p[i], line->params + i, prec);
   }
-  for (int i = 0; i < 2; i++) b->u_r[i] = u_r[i];
-  b->vary = vary;
-  b->up = up;
-  b->crest = (slong)(tb / (2 * PI));
 }
 
 void curve_clear(struct curve *b) {
   for (int i = 0; i < N_PARAMS; i++) arb_clear(&b->p[i]);
 }
 
-int view_open(struct view *v, const struct curve *b, arb_srcptr x, slong prec) {
+int view_open(struct view *v, const struct curve *b, arb_srcptr x) {
   val p[N_PARAMS];
   v->curve = b;
-  v->c = calc_begin(dual_ctx(prec));
+  v->c = calc_begin(dual_ctx(b->prec));
   for (int i = 0; i < N_PARAMS; i++)
-    p[i] = i == b->vary ? dual_variable(&v->c, x, i) : dual_variable(&v->c, &b->p[i], -1);
+    p[i] = i == b->line->vary ? dual_variable(&v->c, x, i) : dual_variable(&v->c, &b->p[i], -1);
   ball_params_make(&v->m, &v->c, p);
   ball_pass_make(&v->s, &v->c, &v->m, dual_variable(&v->c, x + 1, DIR_TB), dual_variable(&v->c, x + 2, DIR_TC), b->up);
   return v->c.status;
@@ -50,7 +46,7 @@ void view_close(struct view *v) {
 }
 
 arb_srcptr view_slope(const struct view *v, val f, int i) {
-  return dual_slope(f, i == 0 ? v->curve->vary : DIR_TB + i - 1);
+  return dual_slope(f, i == 0 ? v->curve->line->vary : DIR_TB + i - 1);
 }
 
 /* --- The functions. --- */
@@ -58,7 +54,7 @@ arb_srcptr view_slope(const struct view *v, val f, int i) {
 /* (e1 - w)/2 where w is least while m1 sticks; with q < 0 in phase C w only rises there, so that is at its start. */
 static val friction_left(struct view *v, int mass) {
   struct calc *c = &v->c;
-  const fmpq *u = v->curve->u_r[mass];
+  const fmpq *u = v->curve->line->u_r[mass];
   if (!u || v->curve->up) return NULL;
   val need = mass == 0 ? calc_sub(c, v->m.p[P_E1], v->s.wc) : calc_mul(c, v->m.p[P_CHI], v->s.rise);
   return calc_sub(c, calc_q(c, u), calc_mul(c, calc_d(c, 0.5), need));
@@ -70,16 +66,14 @@ static val hill(struct view *v) {
   const struct ball_params *m = &v->m;
   if (!v->curve->up) return NULL;
   struct ball_ending e;
-  ball_ending_make(&e, c, m, &v->s, true);
+  ball_ending_make(&e, c, m, &v->s);
   val fast = calc_mul(c, m->p[P_CHI], calc_mul(c, m->omega, v->s.r_end));
   if (!calc_lt(c, m->a, fast)) return NULL;
   val x = calc_div(c, m->a, fast), y = calc_sqrt(c, calc_sub(c, m->one, calc_mul(c, x, x)));
   val u = calc_atan2(c, x, calc_neg(c, y));
   if (!calc_lt(c, u, e.turn)) return NULL;
   val r = calc_neg(c, calc_mul(c, v->s.r_end, y)); /* cos u = -y */
-  val slide = calc_mul(c, m->a, calc_div(c, calc_sub(c, e.turn, u), m->omega));
-  val w = calc_add(c, v->s.wc, calc_sub(c, slide, calc_mul(c, m->p[P_CHI], calc_sub(c, r, v->s.rc))));
-  return calc_sub(c, w, m->p[P_E1]);
+  return calc_sub(c, ball_force(c, m, &v->s, &e, u, r), m->p[P_E1]);
 }
 
 /* How far t_b's rise lies over the crest of the period before. */
@@ -107,7 +101,7 @@ val view_change(struct view *v, enum dyn_change what, const arb_t time) {
     return v->s.defect_tb;
   case CHANGE_TA: {
     struct ball_ending e;
-    ball_ending_make(&e, c, &v->m, &v->s, v->curve->up);
+    ball_ending_make(&e, c, &v->m, &v->s);
     return e.ta;
   }
   case CHANGE_H_V2:
@@ -186,7 +180,7 @@ static void point_close(struct point *p) {
 static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
   struct point *p = self;
   point_close(p);
-  int status = view_open(&p->v, p->curve, num_vec_at(x, 0), x->ctx.prec);
+  int status = view_open(&p->v, p->curve, num_vec_at(x, 0));
   p->open = true;
   if (!status) status = view_touch(p->time, &p->v, p->what, false);
   const val rows[3] = {p->v.s.pc, p->v.s.defect, status ? NULL : view_change(&p->v, p->what, p->time)};
@@ -206,20 +200,20 @@ static enum newton_next settles(const struct num_vec *x, const struct num_vec *s
   return p->quiet == 2 ? NEWTON_LAST : NEWTON_ON;
 }
 
-int curve_newton(arb_ptr x, arb_t time, const struct curve *b, enum dyn_change what, slong prec) {
+int curve_newton(arb_ptr x, arb_t time, const struct curve *b, enum dyn_change what) {
   struct point p = {.curve = b, .what = what, .time = time};
   struct solve_system system = {3, values, &p};
-  struct num_vec at = {num_ctx_arb(prec), 3, (char *)x};
+  struct num_vec at = {num_ctx_arb(b->prec), 3, (char *)x};
   for (int k = 0; k < 3; k++) arb_get_mid_arb(x + k, x + k);
   int status = newton_run(&at, &system, at.ctx, 60, settles);
   point_close(&p);
   return status;
 }
 
-int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what, slong prec) {
+int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what) {
   struct point p = {.curve = b, .what = what};
   struct solve_system system = {3, values, &p};
-  struct num_vec at = {num_ctx_arb(prec), 3, (char *)x};
+  struct num_vec at = {num_ctx_arb(b->prec), 3, (char *)x};
   int status = krawczyk_enclose(&at, NULL, &system);
   point_close(&p);
   return status;

@@ -25,10 +25,10 @@ int tube_prove(struct tube *t, slong prec);
 /* About how far t_b and t_c move over the ball of one parameter. */
 double tube_reach(const struct tube *t, int param, slong prec);
 /* What is known about the orbits of the tube, over all of its parameters; word as dyn_orbit_judge returns it. */
-int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec, long max_steps);
+int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec);
 
 /* Of a tube at whose orbit z_1'' = 0 at t_c: whether z_1' < V up to t_c. */
-truth tube_touches(const struct tube *t, slong prec, long max_steps);
+truth tube_touches(const struct tube *t, slong prec);
 
 /* The same numbers, some of them narrower, by mean value forms over the parameters. */
 void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec);
@@ -36,14 +36,13 @@ void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec);
 /* --- curve.c --- */
 
 struct curve {
-  arb_struct p[N_PARAMS]; /* that of vary is not used */
-  const fmpq *u_r[2];
-  int vary;
+  const struct dyn_line *line;
+  arb_struct p[N_PARAMS]; /* that which varies is not used */
   bool up;
   slong crest; /* t_b lies in this period of phase Gamma, from 0 */
+  slong prec;  /* of everything about it */
 };
-void curve_init(struct curve *b, const fmpq *params, int vary, bool up, double tb, const fmpq *const u_r[2],
-                slong prec);
+void curve_init(struct curve *b, const struct dyn_line *line, bool up, double tb, slong prec);
 void curve_clear(struct curve *b);
 
 /* Everything at x = (parameter, t_b, t_c), with slopes. */
@@ -53,7 +52,7 @@ struct view {
   struct ball_pass s;
   const struct curve *curve;
 };
-int view_open(struct view *v, const struct curve *b, arb_srcptr x, slong prec);
+int view_open(struct view *v, const struct curve *b, arb_srcptr x);
 void view_close(struct view *v);
 /* The function of a change, a dual; time: that of the touch, for h_v1 and h_v2.  NULL when it is not defined there. */
 val view_change(struct view *v, enum dyn_change what, const arb_t time);
@@ -64,9 +63,9 @@ arb_srcptr view_slope(const struct view *v, val f, int i);
 int view_touch(arb_t time, struct view *v, enum dyn_change what, bool prove);
 /* Krawczyk's operator for the two equations and the change as the third: x is the only zero in a ball around its
    midpoint, and is enclosed. */
-int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what, slong prec);
+int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what);
 /* Newton's iteration for the same from the midpoints of x; time is followed. */
-int curve_newton(arb_ptr x, arb_t time, const struct curve *b, enum dyn_change what, slong prec);
+int curve_newton(arb_ptr x, arb_t time, const struct curve *b, enum dyn_change what);
 /* d f / d parameter along the curve, over the ball x; SS_UNABLE where it may turn. */
 int curve_rate(arb_t rate, struct view *v, val f);
 
@@ -89,16 +88,12 @@ struct trace {
 };
 /* From x, a solution: false when nothing can be evaluated there. */
 bool trace_start(struct trace *t, const struct curve *b, const double x[3], double low, double high, int sense);
-enum trace_result { TRACE_STEP, TRACE_LINE_END, TRACE_LOST };
-/* The next spot. */
-enum trace_result trace_step(struct trace *t);
+/* The next spot; false when the curve is lost. */
+bool trace_step(struct trace *t);
 /* The *n crossings between two spots, in order, up to the one that ends the branch, if any does.  *missed counts those
    that could not be found; false when one that ends the branch could not. */
 bool trace_crossings(struct crossing out[N_CHANGES], int *n, slong *missed, const struct trace *t, const struct spot *a,
                      const struct spot *b);
 /* Whether the solution x lies on the curve between two neighbouring spots. */
 bool trace_passes(const struct trace *t, const struct spot *a, const struct spot *b, const double x[3]);
-/* The distance of two points as the trace measures it. */
-double trace_distance(const struct trace *t, const double x[3], const double y[3]);
-
 #endif

@@ -13,6 +13,23 @@ static struct dyn_family_point *point_at(const struct family_line *l, slong begi
   return &l->f->point[i - begin];
 }
 
+static void line_init(struct family_line *l, struct dyn_family *f, const struct dyn_family_request *q) {
+  *l = (struct family_line){.q = q, .f = f, .at = -1};
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(&l->exact[i]);
+    if (i == q->axis->vary) continue;
+    fmpq_set(&l->exact[i], &q->params[i]);
+    num_double.set_q(&l->params[i], &q->params[i], 53);
+  }
+  for (int i = 0; i < 2; i++)
+    if (q->u_r[i]) num_double.set_q(&l->u_r[i], q->u_r[i], 53);
+}
+
+static void line_clear(struct family_line *l) {
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&l->exact[i]);
+  family_lanes_clear(&l->lanes);
+}
+
 /* --- Matching the orbits of two anchors. --- */
 
 /* Fills both ends of the strand; each orbit takes the nearest one that is left.  A wrong match is found out between. */
@@ -63,7 +80,7 @@ static slong between(struct family_line *l, slong begin, slong from, slong to) {
   if (to - from < 2) return -1;
   bool clear = a->status <= FAMILY_UNDECIDED && b->status <= FAMILY_UNDECIDED;
   if (!clear || a->n != b->n) return from + (to - from) / 2;
-  struct strand s = {.line = l, .lanes = &l->lanes, .first = from, .last = to, .rows = a->n};
+  struct strand s = {.line = l, .first = from, .last = to, .rows = a->n};
   s.m = ss_malloc(((size_t)(a->n * (to - from + 1)) + 1) * sizeof *s.m);
   slong split = match(&s, a, b) ? follow_all(&s) : from + (to - from) / 2;
   if (split < 0) keep(&s, begin);
@@ -108,14 +125,14 @@ int dyn_family_find(struct dyn_family *f, const struct dyn_family_request *q, sl
   if (!in_domain(q, q->axis, begin) || !in_domain(q, q->axis, end - 1)) return SS_DOMAIN;
   f->point = ss_malloc(((size_t)f->n_points + 1) * sizeof *f->point);
   struct family_line l;
-  family_line_init(&l, f, q);
+  line_init(&l, f, q);
   search_at(&l, begin, begin);
   for (slong from = begin, to; from < end - 1; from = to) {
     to = from + q->every < end - 1 ? from + q->every : end - 1;
     search_at(&l, begin, to);
     settle(&l, begin, from, to);
   }
-  family_line_clear(&l);
+  line_clear(&l);
   return SS_OK;
 }
 

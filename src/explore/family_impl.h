@@ -2,16 +2,21 @@
 
    family_axis    values on a line
    family_member  one orbit: what double precision says of it, what balls say
-   family_lanes   orbits solved many at a time
-   family_level   orbits followed from the points around
+   family_level   orbits followed from the points around, many at a time
    family         anchors, and what stands between them */
 #ifndef STICKSLIP_FAMILY_IMPL_H
 #define STICKSLIP_FAMILY_IMPL_H
 
 #include "family.h"
-#include "family_lanes.h"
 #include "motion/warm.h"
 
+/* Columns as dyn_orbits_batch reads and writes them, of cap lanes each; zeros: no lanes. */
+struct family_lanes {
+  slong cap;
+  double *params[N_PARAMS], *guess[2], *out[N_DYN_OUT];
+  unsigned *violations;
+  int *status;
+};
 /* One line at work: parameters in double and exactly, the varied one being set by family_move. */
 struct family_line {
   const struct dyn_family_request *q;
@@ -21,8 +26,6 @@ struct family_line {
   struct family_lanes lanes;
   struct dyn_family *f;
 };
-void family_line_init(struct family_line *l, struct dyn_family *f, const struct dyn_family_request *q);
-void family_line_clear(struct family_line *l);
 /* Sets the varied parameter to the i-th value. */
 void family_move(struct family_line *l, slong i);
 
@@ -50,7 +53,6 @@ bool family_same(const struct dyn_member *a, const struct dyn_member *b);
 /* Orbits between two anchors: row k is one orbit, its column i the point first + i. */
 struct strand {
   struct family_line *line;
-  struct family_lanes *lanes;
   slong first, last, rows;
   struct dyn_member *m;
 };
@@ -60,5 +62,6 @@ static inline struct dyn_member *family_at(const struct strand *s, slong row, sl
 /* Follows every orbit to the points first + h, first + 3 h, ..., those at multiples of 2 h being there.  -1, or a point
    at which an orbit was lost, the middle one of them. */
 slong family_level(struct strand *s, slong h);
+void family_lanes_clear(struct family_lanes *a);
 
 #endif

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "base/arena.h"
+#include "batch.h"
 #include "family_impl.h"
 
 /* --- Prediction. --- */
@@ -44,11 +45,36 @@ static double predict(const struct strand *s, slong row, const struct stencil *a
   return guess;
 }
 
+/* --- Lanes. --- */
+
+/* Room for n lanes at least.  Where it has to grow, every lane gets these parameters; the caller sets the one that
+   varies from lane to lane, and guess. */
+static void lanes_room(struct family_lanes *a, slong n, const double params[N_PARAMS]) {
+  size_t size = (size_t)n * sizeof(double);
+  if (n <= a->cap) return;
+  for (int i = 0; i < N_PARAMS; i++) a->params[i] = ss_realloc(a->params[i], size);
+  for (int i = 0; i < 2; i++) a->guess[i] = ss_realloc(a->guess[i], size);
+  for (int i = 0; i < N_DYN_OUT; i++) a->out[i] = ss_realloc(a->out[i], size);
+  a->violations = ss_realloc(a->violations, (size_t)n * sizeof *a->violations);
+  a->status = ss_realloc(a->status, (size_t)n * sizeof *a->status);
+  for (int i = 0; i < N_PARAMS; i++)
+    for (slong k = 0; k < n; k++) a->params[i][k] = params[i];
+  a->cap = n;
+}
+
+void family_lanes_clear(struct family_lanes *a) {
+  for (int i = 0; i < N_PARAMS; i++) free(a->params[i]);
+  for (int i = 0; i < 2; i++) free(a->guess[i]);
+  for (int i = 0; i < N_DYN_OUT; i++) free(a->out[i]);
+  free(a->violations);
+  free(a->status);
+}
+
 /* Lane count * rows + k is of orbit k at the count-th point of the level; their number. */
 static slong fill(struct strand *s, slong h) {
-  struct family_lanes *a = s->lanes;
+  struct family_lanes *a = &s->line->lanes;
   slong n = 0;
-  family_lanes_room(a, s->rows * ((s->last - s->first) / (2 * h) + 1), s->line->params);
+  lanes_room(a, s->rows * ((s->last - s->first) / (2 * h) + 1), s->line->params);
   double *varied = a->params[s->line->q->axis->vary];
   for (slong point = s->first + h; point < s->last; point += 2 * h) {
     struct stencil from = stencil(s, point, h);
@@ -73,8 +99,8 @@ static bool expected(const struct strand *s, slong row, slong point, slong h, co
   return miss <= 0.25 * moves + 1e-3 * (m->out[DYN_OUT_TB] + m->out[DYN_OUT_TC]);
 }
 
-static bool from_lane(struct dyn_member *m, struct family_line *l, const struct family_lanes *a, slong lane, bool up) {
-  double guess[2] = {a->guess[0][lane], a->guess[1][lane]};
+static bool from_lane(struct dyn_member *m, struct family_line *l, slong lane, const double guess[2], bool up) {
+  const struct family_lanes *a = &l->lanes;
   if (a->status[lane] != SS_OK) return family_solve(m, l, guess, up);
   for (int i = 0; i < N_DYN_OUT; i++) m->out[i] = a->out[i][lane];
   m->violations = a->violations[lane];
@@ -86,12 +112,13 @@ static bool from_lane(struct dyn_member *m, struct family_line *l, const struct 
 
 /* Every orbit at one point, whose first lane is given. */
 static bool follow(struct strand *s, slong point, slong h, slong lane) {
+  const struct family_lanes *a = &s->line->lanes;
   family_move(s->line, point);
   for (slong k = 0; k < s->rows; k++, lane++) {
     struct dyn_member *m = family_at(s, k, point);
-    double guess[2] = {s->lanes->guess[0][lane], s->lanes->guess[1][lane]};
+    double guess[2] = {a->guess[0][lane], a->guess[1][lane]};
     const struct dyn_member *begin = family_at(s, k, s->first);
-    if (!from_lane(m, s->line, s->lanes, lane, begin->up)) return false;
+    if (!from_lane(m, s->line, lane, guess, begin->up)) return false;
     if (!family_akin(m, begin) || !expected(s, k, point, h, guess)) return false;
     for (slong i = 0; i < k; i++)
       if (family_same(family_at(s, i, point), m)) return false;
@@ -100,9 +127,11 @@ static bool follow(struct strand *s, slong point, slong h, slong lane) {
 }
 
 slong family_level(struct strand *s, slong h) {
-  slong *lost = NULL, lane = 0;
+  const struct family_lanes *a = &s->line->lanes;
+  slong *lost = NULL, lane = 0, n = fill(s, h);
   size_t n_lost = 0, cap = 0;
-  family_lanes_solve(s->lanes, fill(s, h));
+  dyn_orbits_batch(a->out, a->violations, a->status, (const double *const *)a->params, (const double *const *)a->guess,
+                   n);
   for (slong point = s->first + h; point < s->last; point += 2 * h, lane += s->rows) {
     if (follow(s, point, h, lane)) continue;
     lost = ss_grow(lost, n_lost, &cap, sizeof *lost);

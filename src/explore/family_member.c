@@ -8,6 +8,7 @@
 
 #include "base/arena.h"
 #include "family_impl.h"
+#include "motion/orbit_judge.h"
 #include "motion/search.h"
 #include "num/pi.h"
 
@@ -21,23 +22,6 @@ const char *const dyn_family_status_name[N_FAMILY_STATUS] = {
 
 truth dyn_member_admissible(const struct dyn_member *m) {
   return m->violations ? TRUTH_FALSE : m->unsure || m->word != TRUTH_TRUE ? TRUTH_UNKNOWN : TRUTH_TRUE;
-}
-
-void family_line_init(struct family_line *l, struct dyn_family *f, const struct dyn_family_request *q) {
-  *l = (struct family_line){.q = q, .f = f, .at = -1};
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&l->exact[i]);
-    if (i == q->axis->vary) continue;
-    fmpq_set(&l->exact[i], &q->params[i]);
-    num_double.set_q(&l->params[i], &q->params[i], 53);
-  }
-  for (int i = 0; i < 2; i++)
-    if (q->u_r[i]) num_double.set_q(&l->u_r[i], q->u_r[i], 53);
-}
-
-void family_line_clear(struct family_line *l) {
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&l->exact[i]);
-  family_lanes_clear(&l->lanes);
 }
 
 void family_move(struct family_line *l, slong i) {
@@ -69,15 +53,6 @@ static void set_bit(struct dyn_member *m, int bit, truth holds) {
   if (holds == TRUTH_UNKNOWN) m->unsure |= 1U << bit;
 }
 
-static truth exceeds(const fmpq *u, const arb_t bound) {
-  arb_t x;
-  arb_init(x);
-  arb_set_fmpq(x, u, 4 * PREC);
-  truth t = arb_gt(x, bound) ? TRUTH_TRUE : arb_le(x, bound) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-  arb_clear(x);
-  return t;
-}
-
 static void from_balls(struct dyn_member *m, const struct dyn_orbit *o, const struct family_line *l) {
   const arb_struct *all[N_DYN_OUT] = {
       [DYN_OUT_Z10] = o->z10,     [DYN_OUT_Z20] = o->z20,    [DYN_OUT_TA] = o->t[0],       [DYN_OUT_TB] = o->t[1],
@@ -88,7 +63,7 @@ static void from_balls(struct dyn_member *m, const struct dyn_orbit *o, const st
   for (int i = 0; i < N_CONDITIONS; i++) set_bit(m, i, o->holds[i]);
   for (int i = 0; i < N_PHASES; i++) m->word = truth_and(m->word, o->first[i]);
   for (int i = 0; i < 2; i++)
-    if (l->q->u_r[i]) set_bit(m, MEMBER_U_R + i, exceeds(l->q->u_r[i], i ? o->u_r2_min : o->u_r1_min));
+    set_bit(m, MEMBER_U_R + i, friction_exceeds(l->q->u_r[i], i ? o->u_r2_min : o->u_r1_min, 4 * PREC));
 }
 
 static void exact_here(struct family_line *l) {
@@ -98,9 +73,10 @@ static void exact_here(struct family_line *l) {
 /* The orbit near guess, proved to be one of the word. */
 static bool enclose(struct dyn_member *m, struct family_line *l, const double guess[2], bool up) {
   struct dyn_orbit o;
+  struct dyn_place at = {guess[0], guess[1], up};
   truth first;
   exact_here(l);
-  bool ok = dyn_orbit_near(&o, &first, l->exact, guess[0], guess[1], up, PREC, &dyn_limits_default) == SS_OK;
+  bool ok = dyn_orbit_near(&o, &first, l->exact, at, PREC, NULL) == SS_OK;
   ok = ok && first == TRUTH_TRUE;
   if (ok) from_balls(m, &o, l);
   dyn_orbit_clear(&o);
@@ -187,10 +163,10 @@ static bool list_warm(struct dyn_member *m, slong *n, struct family_line *l, con
   *n = 0;
   for (size_t i = 0; i < s->n; i++) {
     const struct zero *z = &s->zeros[i];
-    double guess[2] = {z->tb, z->tc};
+    double guess[2] = {z->at.tb, z->at.tc};
     if (z->fold) return false;
-    if (!wanted(l, z->tb)) continue;
-    if (!family_solve(&m[*n], l, guess, z->up) || !is_near(&m[*n], guess)) return false;
+    if (!wanted(l, z->at.tb)) continue;
+    if (!family_solve(&m[*n], l, guess, z->at.up) || !is_near(&m[*n], guess)) return false;
     for (slong k = 0; k < *n; k++)
       if (family_same(&m[k], &m[*n])) return false;
     ++*n;

@@ -11,7 +11,7 @@
 #include "curve.h"
 #include "motion/trig_sum.h"
 
-enum { TRACE_PREC = 128, LINE = 4 };
+enum { LINE = 4 };
 static const double LONGEST = 0.03, SHORTEST = 1e-9;
 
 static double unit(const struct trace *t, int i) {
@@ -22,6 +22,21 @@ static double length_of(const struct trace *t, const double x[3]) {
   double sum = 0;
   for (int i = 0; i < 3; i++) sum += x[i] * unit(t, i) * x[i] * unit(t, i);
   return sqrt(sum);
+}
+
+/* The way between two points, and the point at a share of it. */
+static void way(double off[3], const double from[3], const double to[3]) {
+  for (int k = 0; k < 3; k++) off[k] = to[k] - from[k];
+}
+
+static void along(double x[3], const double from[3], double share, const double off[3]) {
+  for (int k = 0; k < 3; k++) x[k] = from[k] + share * off[k];
+}
+
+static double distance(const struct trace *t, const double x[3], const double y[3]) {
+  double off[3];
+  way(off, y, x);
+  return length_of(t, off);
 }
 
 /* --- A spot. --- */
@@ -89,7 +104,7 @@ static bool spot_make(struct spot *s, const struct trace *t, const double x[3]) 
   arb_ptr at = _arb_vec_init(3);
   *s = (struct spot){.x = {x[0], x[1], x[2]}};
   for (int i = 0; i < 3; i++) arb_set_d(at + i, x[i]);
-  bool ok = view_open(&v, t->curve, at, TRACE_PREC) == SS_OK;
+  bool ok = view_open(&v, t->curve, at) == SS_OK;
   if (ok) {
     double g[2][3];
     const val rows[2] = {v.s.pc, v.s.defect};
@@ -120,7 +135,7 @@ static bool correct(double x[3], const struct trace *t, const double normal[3]) 
   for (int i = 0; i < 8 && ok && !settled; i++) {
     struct view v;
     for (int k = 0; k < 3; k++) arb_set_d(at + k, x[k]);
-    ok = view_open(&v, t->curve, at, TRACE_PREC) == SS_OK;
+    ok = view_open(&v, t->curve, at) == SS_OK;
     const val rows[2] = {v.s.pc, v.s.defect};
     double off = 0, step[3], size = 0;
     for (int k = 0; k < 3 && ok; k++) {
@@ -132,7 +147,7 @@ static bool correct(double x[3], const struct trace *t, const double normal[3]) 
     arb_set_d(arb_mat_entry(f, 2, 0), off);
     arb_mat_get_mid(j, j);
     arb_mat_get_mid(f, f);
-    ok = ok && arb_mat_solve(f, j, f, TRACE_PREC) != 0;
+    ok = ok && arb_mat_solve(f, j, f, t->curve->prec) != 0;
     for (int k = 0; k < 3; k++) {
       step[k] = num_arb.get_d(arb_mat_entry(f, k, 0));
       x[k] -= step[k];
@@ -167,46 +182,44 @@ bool trace_start(struct trace *t, const struct curve *b, const double x[3], doub
 }
 
 /* The spot at a distance h from now, or on the line's end. */
-static bool try_step(struct spot *next, const struct trace *t, double h, bool *at_end) {
+static bool try_step(struct spot *next, const struct trace *t, double h) {
   double x[3], off[3], ahead[3];
-  for (int k = 0; k < 3; k++) x[k] = ahead[k] = t->now.x[k] + h * t->now.tangent[k];
-  *at_end = false;
-  if (!correct(x, t, t->now.tangent) || trace_distance(t, x, ahead) > 0.1 * h) return false;
+  along(ahead, t->now.x, h, t->now.tangent);
+  memcpy(x, ahead, sizeof x);
+  if (!correct(x, t, t->now.tangent) || distance(t, x, ahead) > 0.1 * h) return false;
+  way(off, t->now.x, x);
   if (x[0] < t->low || x[0] > t->high) {
-    double end = x[0] < t->low ? t->low : t->high, part = (end - t->now.x[0]) / (x[0] - t->now.x[0]);
+    double end = x[0] < t->low ? t->low : t->high;
     const double across[3] = {1, 0, 0};
-    for (int k = 0; k < 3; k++) x[k] = k == 0 ? end : t->now.x[k] + part * (x[k] - t->now.x[k]);
-    *at_end = true;
+    along(x, t->now.x, (end - t->now.x[0]) / off[0], off);
+    x[0] = end;
     if (!correct(x, t, across)) return false;
     x[0] = end;
+    way(off, t->now.x, x);
   }
-  for (int k = 0; k < 3; k++) off[k] = x[k] - t->now.x[k];
   if (length_of(t, off) > 1.5 * h || !spot_make(next, t, x)) return false;
   turn_tangent(next, t->sense);
   return dot(t, next->tangent, t->now.tangent) > 0.98;
 }
 
-enum trace_result trace_step(struct trace *t) {
+bool trace_step(struct trace *t) {
   struct spot next;
-  bool at_end;
-  while (!try_step(&next, t, t->step, &at_end)) {
+  while (!try_step(&next, t, t->step)) {
     t->step *= 0.5;
-    if (t->step < SHORTEST) return TRACE_LOST;
+    if (t->step < SHORTEST) return false;
   }
   double turn = dot(t, next.tangent, t->now.tangent);
   t->now = next;
   if (turn > 0.999) t->step = fmin(1.4 * t->step, LONGEST);
-  return at_end ? TRACE_LINE_END : TRACE_STEP;
+  return true;
 }
 
 /* --- Crossings. --- */
 
 static bool between(const struct trace *t, const struct spot *a, const struct spot *b, const double x[3]) {
   double whole[3], off[3];
-  for (int k = 0; k < 3; k++) {
-    whole[k] = b->x[k] - a->x[k];
-    off[k] = x[k] - a->x[k];
-  }
+  way(whole, a->x, b->x);
+  way(off, a->x, x);
   double length = length_of(t, whole), part = dot(t, off, whole) / length;
   double slack = 1e-9 + 1e-6 * length;
   return part > -slack && part < length + slack && length_of(t, off) < 1.5 * length + slack;
@@ -219,7 +232,7 @@ static bool narrow(struct crossing *out, const struct trace *t, const struct spo
   arb_ptr x = _arb_vec_init(4);
   for (int k = 0; k < 3; k++) arb_set_d(x + k, a->x[k] + part * (b->x[k] - a->x[k]));
   arb_set_d(x + 3, (a->change[what] > 0 ? a : b)->time[what]); /* of a touch: there it is the maximum that counts */
-  bool ok = curve_newton(x, x + 3, t->curve, what, TRACE_PREC) == SS_OK;
+  bool ok = curve_newton(x, x + 3, t->curve, what) == SS_OK;
   out->what = what;
   for (int k = 0; k < 3; k++) out->x[k] = num_arb.get_d(x + k);
   out->time = num_arb.get_d(x + 3);
@@ -233,10 +246,8 @@ static bool find(struct crossing *out, const struct trace *t, struct spot a, str
     if (narrow(out, t, &a, &b, what)) return true;
     struct spot mid;
     double x[3], off[3];
-    for (int k = 0; k < 3; k++) {
-      x[k] = 0.5 * (a.x[k] + b.x[k]);
-      off[k] = b.x[k] - a.x[k];
-    }
+    way(off, a.x, b.x);
+    for (int k = 0; k < 3; k++) x[k] = 0.5 * (a.x[k] + b.x[k]);
     if (!correct(x, t, off) || !spot_make(&mid, t, x) || !mid.known[what]) return false;
     *((mid.change[what] < 0) == (a.change[what] < 0) ? &a : &b) = mid;
   }
@@ -252,21 +263,19 @@ static bool crosses(const struct spot *a, const struct spot *b, int what) {
    count. */
 static bool stop_before(struct spot *before, const struct trace *t, const struct spot *a, const struct crossing *end) {
   double x[3], off[3], part = end->what == CHANGE_GAMMA_V1 ? 0.99 : 0.9999;
-  for (int k = 0; k < 3; k++) {
-    off[k] = end->x[k] - a->x[k];
-    x[k] = a->x[k] + part * off[k];
-  }
+  way(off, a->x, end->x);
+  along(x, a->x, part, off);
   if (!correct(x, t, off) || !spot_make(before, t, x)) return false;
   for (int i = CHANGE_FLIP; i <= CHANGE_FOLD && end->what == CHANGE_GAMMA_V1; i++)
     before->known[i] = before->known[i] && fabs(before->change[i]) > 1e-12;
   return true;
 }
 
-/* The crossings of the functions from `first` to `last`, put in order. */
+/* The crossings of the functions that end a branch, or of the others, put in order. */
 static int collect(struct crossing *out, slong *missed, const struct trace *t, const struct spot *a,
-                   const struct spot *b, int first, int last) {
+                   const struct spot *b, bool ends) {
   int n = 0;
-  for (int what = first; what <= last; what++) {
+  for (int what = ends ? CHANGE_H_V1 : 0; what < (ends ? N_CHANGES : CHANGE_H_V1); what++) {
     struct crossing c = {.what = (enum dyn_change)what};
     if (!crosses(a, b, what)) continue;
     if (!find(&c, t, *a, *b, c.what)) {
@@ -274,10 +283,8 @@ static int collect(struct crossing *out, slong *missed, const struct trace *t, c
       continue;
     }
     double off[3], whole[3];
-    for (int k = 0; k < 3; k++) {
-      off[k] = c.x[k] - a->x[k];
-      whole[k] = b->x[k] - a->x[k];
-    }
+    way(off, a->x, c.x);
+    way(whole, a->x, b->x);
     c.along = dot(t, off, whole);
     int at = n++;
     for (; at > 0 && out[at - 1].along > c.along; at--) out[at] = out[at - 1];
@@ -291,7 +298,7 @@ bool trace_crossings(struct crossing out[N_CHANGES], int *n, slong *missed, cons
   struct crossing ends[N_CHANGES];
   struct spot before;
   slong lost = 0;
-  int n_ends = collect(ends, &lost, t, a, b, CHANGE_H_V1, N_CHANGES - 1), at = 0;
+  int n_ends = collect(ends, &lost, t, a, b, true), at = 0;
   for (int i = 0; i < n_ends; i++) /* a double t_c or a vanishing phase H makes others of what comes with it */
     if (ends[i].what == CHANGE_TC || ends[i].what == CHANGE_GAMMA_V1) {
       at = i;
@@ -300,26 +307,18 @@ bool trace_crossings(struct crossing out[N_CHANGES], int *n, slong *missed, cons
   *n = 0;
   if (n_ends == 0 && lost > 0) return false;
   if (n_ends > 0 && stop_before(&before, t, a, &ends[at])) b = &before;
-  *n = collect(out, missed, t, a, b, 0, CHANGE_H_V1 - 1);
+  *n = collect(out, missed, t, a, b, false);
   if (n_ends > 0) out[(*n)++] = ends[at];
   return true;
 }
 
-double trace_distance(const struct trace *t, const double x[3], const double y[3]) {
-  double off[3];
-  for (int k = 0; k < 3; k++) off[k] = x[k] - y[k];
-  return length_of(t, off);
-}
-
 bool trace_passes(const struct trace *t, const struct spot *a, const struct spot *b, const double x[3]) {
   double chord[3], off[3], near[3];
-  for (int k = 0; k < 3; k++) {
-    chord[k] = b->x[k] - a->x[k];
-    off[k] = x[k] - a->x[k];
-  }
+  way(chord, a->x, b->x);
+  way(off, a->x, x);
   double part = dot(t, off, chord) / dot(t, chord, chord);
   if (!(part > -1e-6 && part < 1 + 1e-6)) return false;
-  for (int k = 0; k < 3; k++) near[k] = a->x[k] + part * chord[k];
-  if (trace_distance(t, near, x) > 0.2 * length_of(t, chord)) return false;
-  return correct(near, t, chord) && trace_distance(t, near, x) < 1e-8 * (1 + fabs(x[1]) + fabs(x[2]));
+  along(near, a->x, part, chord);
+  if (distance(t, near, x) > 0.2 * length_of(t, chord)) return false;
+  return correct(near, t, chord) && distance(t, near, x) < 1e-8 * (1 + fabs(x[1]) + fabs(x[2]));
 }

@@ -35,6 +35,13 @@ void tube_set(struct tube *t, const struct tube *s) {
   t->up = s->up;
 }
 
+/* The same at the middle of the parameters, not proved. */
+static void tube_init_middle(struct tube *m, const struct tube *t) {
+  tube_init(m);
+  tube_set(m, t);
+  for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&m->p[i], &t->p[i]);
+}
+
 /* The pass at (p, x), p's midpoints when middle; slopes along the parameters that are not exact, if wanted. */
 static void look(struct ball_pass *s, struct calc *c, struct ball_params *m, const struct tube *t, arb_srcptr x,
                  bool middle) {
@@ -147,9 +154,7 @@ double tube_reach(const struct tube *t, int param, slong prec) {
   arb_mat_t dx;
   double reach = 0;
   arb_mat_init(dx, 2, 1);
-  tube_init(&narrow);
-  tube_set(&narrow, t);
-  for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&narrow.p[i], &t->p[i]);
+  tube_init_middle(&narrow, t);
   for (int k = 0; k < 2; k++) arb_get_mid_arb(&narrow.x[k], &t->x[k]);
   mag_set_ui_2exp_si(arb_radref(&narrow.p[param]), 1, -prec); /* so that its slopes are carried */
   struct calc c = calc_begin(dual_ctx(prec));
@@ -167,10 +172,9 @@ double tube_reach(const struct tube *t, int param, slong prec) {
 enum { SHARP = 5 };
 
 /* The numbers that are worth it: trace, t_a, t_d, z10, z20. */
-static void sharp_numbers(val out[SHARP], struct calc *c, const struct ball_params *m, const struct ball_pass *s,
-                          bool up) {
+static void sharp_numbers(val out[SHARP], struct calc *c, const struct ball_params *m, const struct ball_pass *s) {
   struct ball_ending e;
-  ball_ending_make(&e, c, m, s, up);
+  ball_ending_make(&e, c, m, s);
   ball_positions(out + 3, c, m, e.wf, s->r);
   out[0] = calc_add(c, calc_div(c, s->defect_tb, s->pb), m->one);
   out[1] = e.ta;
@@ -189,9 +193,9 @@ static bool mean_values(arb_ptr number, const struct tube *t, const struct tube 
   arb_init(off);
   struct calc c = calc_begin(dual_ctx(prec));
   look(&s, &c, &m, middle, middle->x, false);
-  sharp_numbers(at, &c, &m, &s, t->up);
+  sharp_numbers(at, &c, &m, &s);
   look(&s, &c, &m, t, t->x, false);
-  sharp_numbers(all, &c, &m, &s, t->up);
+  sharp_numbers(all, &c, &m, &s);
   bool ok = !c.status;
   for (int n = 0; n < SHARP && ok; n++) arb_set(number + n, dual_value(at[n]));
   for (int i = 0; i < N_PARAMS && ok; i++) {
@@ -214,9 +218,7 @@ static bool mean_values(arb_ptr number, const struct tube *t, const struct tube 
 void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec) {
   struct tube middle;
   arb_ptr number = _arb_vec_init(SHARP), of[SHARP] = {o->trace, o->t[PHASE_D], o->t[PHASE_C], o->z10, o->z20};
-  tube_init(&middle);
-  tube_set(&middle, t);
-  for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&middle.p[i], &t->p[i]);
+  tube_init_middle(&middle, t);
   bool ok = tube_prove(&middle, prec) == SS_OK && arb_contains(&t->box[0], &middle.x[0]) &&
             arb_contains(&t->box[1], &middle.x[1]) && mean_values(number, t, &middle, prec);
   for (int n = 0; n < SHARP && ok; n++)
@@ -243,24 +245,26 @@ static void params_of(struct ball_params *m, struct calc *c, const struct tube *
   ball_params_make(m, c, p);
 }
 
-int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec, long max_steps) {
+int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec) {
   struct ball_params m;
+  struct ball_pass s;
   struct calc c = calc_begin(num_ctx_arb(prec));
   params_of(&m, &c, t);
-  int status = dyn_orbit_describe(o, &c, &m, &t->x[0], &t->x[1], t->up);
-  *word = status ? TRUTH_UNKNOWN : dyn_orbit_judge(o, &c, &m, &t->x[0], &t->x[1], t->up, max_steps);
+  ball_pass_make(&s, &c, &m, &t->x[0], &t->x[1], t->up);
+  int status = dyn_orbit_describe(o, &c, &m, &s);
+  *word = status ? TRUTH_UNKNOWN : dyn_orbit_judge(o, &c, &m, &s, dyn_limits_default.max_steps);
   o->grazing = *word == TRUTH_UNKNOWN;
   calc_clear(&c);
   return status;
 }
 
-truth tube_touches(const struct tube *t, slong prec, long max_steps) {
+truth tube_touches(const struct tube *t, slong prec) {
   struct ball_params m;
   struct ball_pass s;
   struct calc c = calc_begin(num_ctx_arb(prec));
   params_of(&m, &c, t);
   ball_pass_slip(&s, &c, &m, &t->x[0], &t->x[1]);
-  truth below = c.status ? TRUTH_UNKNOWN : ball_touches(&c, &m, &s, max_steps);
+  truth below = c.status ? TRUTH_UNKNOWN : ball_touches(&c, &m, &s, dyn_limits_default.max_steps);
   calc_clear(&c);
   return below;
 }

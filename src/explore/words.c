@@ -204,15 +204,8 @@ long phase_word_count(int n) {
   if (n == 1) return N_PAIRS;
   long sum = 0;
   for (int k = 1; k <= n; k++) {
-    int a = k, b = n;
-    while (b) {
-      int rest = a % b;
-      a = b;
-      b = rest;
-    }
-    long walks = a % 2 ? -8 : 8, power = 1;
-    for (int i = 0; i < a; i++) power *= 8;
-    sum += walks + power;
+    int d = (int)n_gcd((ulong)k, (ulong)n);
+    sum += (d % 2 ? -8 : 8) + (1L << 3 * d);
   }
   return sum / n;
 }

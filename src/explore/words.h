@@ -127,11 +127,11 @@ struct word_orbits {
   long failed;      /* solutions in double precision that could not be enclosed */
 };
 
-/* Where a search may start, in double precision: the lengths of the phases and the state at the first one's entry. */
+/* Where a search may start, in double precision: the lengths of the phases and the states at their entries. */
 struct word_seed {
   struct phase_word word;
-  double t[WORD_MOST], state[N_STATE]; /* w1, w2, p1, p2 */
-  int count;                           /* how many simulations settled there */
+  double t[WORD_MOST], state[WORD_MOST][N_STATE]; /* w1, w2, p1, p2 */
+  int count;                                      /* how many simulations settled there */
 };
 struct word_seeds {
   struct word_seed *seed;

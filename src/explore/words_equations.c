@@ -2,7 +2,6 @@
 
    Each unknown has a column: a difference of motions that is carried along with the motion itself, so that defects and
    derivatives come out of one pass. */
-#include "num/solve.h"
 #include "words_impl.h"
 
 struct word_event word_event_of(const struct phase_word *w, int phase) {
@@ -60,9 +59,13 @@ static val pull_on(struct calc *c, const struct word_law *m, enum coulomb_mode m
 
 void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
                  const val state[N_STATE], bool difference) {
-  val pull[2];
-  for (int i = 0; i < 2; i++) pull[i] = pull_on(c, m, mode[i], i, state[WORD_W1 + i], difference);
-  motion_make(out, c, difference ? &m->difference : &m->law, mode, state + WORD_W1, state + WORD_P1, pull);
+  struct motion_start at;
+  for (int i = 0; i < 2; i++) {
+    at.force[i] = state[WORD_W1 + i];
+    at.slip[i] = state[WORD_P1 + i];
+    at.pull[i] = pull_on(c, m, mode[i], i, at.force[i], difference);
+  }
+  motion_make(out, c, difference ? &m->difference : &m->law, mode, &at);
 }
 
 void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t) {
@@ -74,8 +77,9 @@ void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motio
   }
 }
 
-void word_field(val out[N_STATE], struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
-                const val state[N_STATE]) {
+/* The vector field. */
+static void vector_field(val out[N_STATE], struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
+                         const val state[N_STATE]) {
   val lead = calc_sub(c, state[WORD_P1], calc_mul(c, m->law.chi, state[WORD_P2]));
   out[WORD_W1] = calc_add(c, m->law.gap, lead);
   out[WORD_W2] = calc_mul(c, m->law.chi, calc_sub(c, state[WORD_P2], state[WORD_P1]));
@@ -92,7 +96,8 @@ val word_event_value(struct calc *c, const struct word_law *m, const struct word
   return calc_add(c, w, calc_add(c, limit, m->over[e->mass]));
 }
 
-val word_event_slope(const struct word_event *e, const val change[N_STATE]) {
+/* How that changes with the state. */
+static val event_slope(const struct word_event *e, const val change[N_STATE]) {
   return change[(e->from != MODE_STICK ? WORD_P1 : WORD_W1) + e->mass];
 }
 
@@ -120,7 +125,7 @@ void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, co
   val state[N_STATE], column[WORD_UNKNOWNS][N_STATE];
   int n = word_free(free, w), size = w->n + n;
   word_start(state, c, m, w, x + w->n);
-  for (int k = 0; j && k < n; k++)
+  for (int k = 0; k < n; k++)
     for (int i = 0; i < N_STATE; i++) column[w->n + k][i] = i == (int)free[k] ? calc_d(c, 1) : m->law.zero;
   for (int p = 0; p < w->n; p++) {
     struct word_event e = word_event_of(w, p);
@@ -129,44 +134,24 @@ void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, co
     word_motion(&motion, c, m, mode, state, false);
     word_motion_at(state, c, &motion, x[p]);
     f[p] = word_event_value(c, m, &e, state);
-    for (int k = 0; j && k < size; k++) {
+    for (int k = 0; k < size; k++) {
       bool moves = k <= p || k >= w->n;
       if (moves && k == p) {
-        word_field(column[k], c, m, mode, state);
+        vector_field(column[k], c, m, mode, state);
       } else if (moves) {
         word_motion(&motion, c, m, mode, column[k], true);
         word_motion_at(column[k], c, &motion, x[p]);
       }
-      j[p * size + k] = moves ? word_event_slope(&e, column[k]) : m->law.zero;
+      j[p * size + k] = moves ? event_slope(&e, column[k]) : m->law.zero;
       if (moves) word_settle(column[k], m, next);
     }
     word_settle(state, m, next);
   }
   for (int i = 0; i < n; i++) {
     f[w->n + i] = calc_sub(c, state[free[i]], x[w->n + i]);
-    for (int k = 0; j && k < size; k++) {
+    for (int k = 0; k < size; k++) {
       val slope = column[k][free[i]];
       j[(w->n + i) * size + k] = k == w->n + i ? calc_sub(c, slope, calc_d(c, 1)) : slope;
     }
   }
-}
-
-/* --- As a system. --- */
-
-void word_solver_begin(struct word_solver *s, struct num_ctx ctx, const struct phase_word *w, const fmpq *params,
-                       const fmpq *const u_r[2]) {
-  s->w = w;
-  s->c = calc_begin(ctx);
-  word_law_make(&s->m, &s->c, params, u_r);
-  s->mark = calc_mark(&s->c);
-}
-
-int word_solver_values(const void **f, const void **j, const struct num_vec *x, void *self) {
-  struct word_solver *s = self;
-  val at[WORD_UNKNOWNS], unread[WORD_UNKNOWNS];
-  calc_release(&s->c, s->mark);
-  s->c.status = SS_OK;
-  flow_vals(at, x, 0, x->len);
-  word_equations(f ? f : unread, j, &s->c, &s->m, s->w, at);
-  return s->c.status;
 }

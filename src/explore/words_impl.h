@@ -35,12 +35,8 @@ void word_law_make(struct word_law *m, struct calc *c, const fmpq *params, const
 void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
                  const val state[N_STATE], bool difference);
 void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t);
-/* The vector field. */
-void word_field(val out[N_STATE], struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
-                const val state[N_STATE]);
-/* What is zero at an event, and its change with the state. */
+/* What is zero at an event. */
 val word_event_value(struct calc *c, const struct word_law *m, const struct word_event *e, const val state[N_STATE]);
-val word_event_slope(const struct word_event *e, const val change[N_STATE]);
 /* Sticking masses have no p. */
 void word_settle(val state[N_STATE], const struct word_law *m, const enum coulomb_mode mode[2]);
 /* The state at the entry of the first phase, from the free coordinates. */
@@ -48,20 +44,8 @@ void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, co
                 const val *free);
 
 /* Unknowns: n lengths, then the free coordinates.  The defects f of the events and of the free coordinates' return
-   and their derivatives j (row by row; NULL if not wanted). */
+   and their derivatives j, row by row. */
 void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, const struct phase_word *w, const val *x);
-
-/* They as a system of num/solve.h, over the calc's number type; self is a struct word_solver. */
-struct word_solver {
-  struct calc c;
-  struct word_law m;
-  slong mark; /* what lies above it in the calc belongs to one evaluation */
-  const struct phase_word *w;
-};
-/* calc_clear its calc. */
-void word_solver_begin(struct word_solver *s, struct num_ctx ctx, const struct phase_word *w, const fmpq *params,
-                       const fmpq *const u_r[2]);
-int word_solver_values(const void **f, const void **j, const struct num_vec *x, void *self);
 
 /* Solutions in double precision. */
 struct word_found {

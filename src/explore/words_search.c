@@ -20,7 +20,10 @@ enum { UNITS_OF_PHASE = 100 }; /* of work: the motion of a phase */
 static const int points_along[WORD_FREE_MOST + 1] = {0, 2000, 56, 16};
 
 struct searcher {
-  struct word_solver q;
+  const struct phase_word *w;
+  struct calc c;
+  struct word_law m;
+  slong mark; /* what lies above it in the calc belongs to one evaluation */
   enum word_coordinate free[WORD_FREE_MOST];
   int n, size;                      /* free coordinates, unknowns */
   double force, speed[2], limit[2]; /* scales; limit: the greatest w of a sticking mass */
@@ -43,14 +46,14 @@ static bool is_d(const enum coulomb_mode mode[2]) {
 /* The length of a phase from the state; false when its own event never comes. */
 static bool own_length(double *t, struct searcher *s, int phase, const struct motion *motion,
                        const val state[N_STATE]) {
-  struct word_event e = word_event_of(s->q.w, phase);
-  if (is_d(s->q.w->mode[phase])) {
-    *t = -as_d(word_event_value(&s->q.c, &s->q.m, &e, state)) / as_d(s->q.m.law.gap);
+  struct word_event e = word_event_of(s->w, phase);
+  if (is_d(s->w->mode[phase])) {
+    *t = -as_d(word_event_value(&s->c, &s->m, &e, state)) / as_d(s->m.law.gap);
     return true;
   }
   struct trig_sum wave =
-      harmonic_trig_sum(&s->q.c, e.from == MODE_STICK ? &motion->force[e.mass] : &motion->speed[e.mass]);
-  wave.start = as_d(word_event_value(&s->q.c, &s->q.m, &e, state));
+      harmonic_trig_sum(&s->c, e.from == MODE_STICK ? &motion->force[e.mass] : &motion->speed[e.mass]);
+  wave.start = as_d(word_event_value(&s->c, &s->m, &e, state));
   if (fabs(wave.start) < 1e-14 * s->force) wave.start = 0; /* the mass has just broken loose */
   struct trig_sum_root root;
   int status = trig_sum_first_root(&root, &wave, NULL, &s->lim);
@@ -63,27 +66,27 @@ static bool own_length(double *t, struct searcher *s, int phase, const struct mo
 /* x: the free coordinates are known, the lengths become so; gap: the changes of the free coordinates over their
    scales. */
 static bool follow(double *x, double *gap, struct searcher *s) {
-  struct calc *c = &s->q.c;
+  struct calc *c = &s->c;
   slong mark = calc_mark(c);
   val state[N_STATE], free[WORD_FREE_MOST];
   bool ok = true;
   c->status = SS_OK;
   s->out->evaluations++;
-  for (int i = 0; i < s->n; i++) free[i] = calc_d(c, x[s->q.w->n + i]);
-  word_start(state, c, &s->q.m, s->q.w, free);
-  for (int p = 0; p < s->q.w->n && ok; p++) {
+  for (int i = 0; i < s->n; i++) free[i] = calc_d(c, x[s->w->n + i]);
+  word_start(state, c, &s->m, s->w, free);
+  for (int p = 0; p < s->w->n && ok; p++) {
     struct motion motion;
-    word_motion(&motion, c, &s->q.m, s->q.w->mode[p], state, false);
+    word_motion(&motion, c, &s->m, s->w->mode[p], state, false);
     work_add(UNITS_OF_PHASE);
     ok = own_length(&x[p], s, p, &motion, state);
     if (!ok) break;
     word_motion_at(state, c, &motion, calc_d(c, x[p]));
-    word_settle(state, &s->q.m, s->q.w->mode[(p + 1) % s->q.w->n]);
+    word_settle(state, &s->m, s->w->mode[(p + 1) % s->w->n]);
     ok = !c->status;
   }
   for (int i = 0; i < s->n && ok; i++) {
     double scale = s->free[i] < WORD_P1 ? s->force : s->speed[s->free[i] - WORD_P1];
-    gap[i] = (as_d(state[s->free[i]]) - x[s->q.w->n + i]) / scale;
+    gap[i] = (as_d(state[s->free[i]]) - x[s->w->n + i]) / scale;
   }
   calc_release(c, mark);
   return ok;
@@ -93,19 +96,24 @@ static bool follow(double *x, double *gap, struct searcher *s) {
 
 static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
   struct searcher *s = self;
-  work_add((unsigned long long)(s->q.w->n * s->size) * UNITS_OF_PHASE);
-  return word_solver_values(f, j, x, &s->q);
+  val at[WORD_UNKNOWNS];
+  work_add((unsigned long long)(s->w->n * s->size) * UNITS_OF_PHASE);
+  calc_release(&s->c, s->mark);
+  s->c.status = SS_OK;
+  flow_vals(at, x, 0, x->len);
+  word_equations(f, j, &s->c, &s->m, s->w, at);
+  return s->c.status;
 }
 
 /* By the largest change relative to the scales. */
 static enum newton_next judge(const struct num_vec *x, const struct num_vec *step, void *self) {
   const struct searcher *s = self;
   double change = 0, total = 0;
-  for (int i = 0; i < s->q.w->n; i++) total += fabs(as_d(num_vec_at(x, i)));
+  for (int i = 0; i < s->w->n; i++) total += fabs(as_d(num_vec_at(x, i)));
   for (int i = 0; i < s->size; i++) {
-    double scale = i < s->q.w->n                      ? total + 1e-300
-                   : s->free[i - s->q.w->n] < WORD_P1 ? s->force
-                                                      : s->speed[s->free[i - s->q.w->n] - WORD_P1];
+    double scale = i < s->w->n                      ? total + 1e-300
+                   : s->free[i - s->w->n] < WORD_P1 ? s->force
+                                                    : s->speed[s->free[i - s->w->n] - WORD_P1];
     change = fmax(change, fabs(as_d(num_vec_at(step, i))) / scale);
   }
   return !(change <= 1e3) ? NEWTON_LOST : change < 1e-11 ? NEWTON_LAST : NEWTON_ON;
@@ -113,11 +121,11 @@ static enum newton_next judge(const struct num_vec *x, const struct num_vec *ste
 
 static bool newton(double *x, struct searcher *s) {
   struct solve_system system = {s->size, values, s};
-  struct num_vec at = {s->q.c.ctx, s->size, (char *)x};
-  int status = newton_run(&at, &system, s->q.c.ctx, MOST_NEWTON, judge);
-  calc_release(&s->q.c, s->q.mark);
-  for (int p = 0; p < s->q.w->n && !status; p++)
-    if (!is_d(s->q.w->mode[p]) && !(x[p] > 1e-9)) return false;
+  struct num_vec at = {s->c.ctx, s->size, (char *)x};
+  int status = newton_run(&at, &system, s->c.ctx, MOST_NEWTON, judge);
+  calc_release(&s->c, s->mark);
+  for (int p = 0; p < s->w->n && !status; p++)
+    if (!is_d(s->w->mode[p]) && !(x[p] > 1e-9)) return false;
   return !status;
 }
 
@@ -139,12 +147,12 @@ static bool turns_into_itself(const struct phase_word *w, int by) {
 }
 
 static void keep(struct searcher *s, const double *x) {
-  int n = s->q.w->n;
+  int n = s->w->n;
   for (int by = 1; by < n; by++)
-    if (turns_into_itself(s->q.w, by) && repeats(x, x, n, by)) return; /* a shorter word's */
+    if (turns_into_itself(s->w, by) && repeats(x, x, n, by)) return; /* a shorter word's */
   for (size_t i = 0; i < s->out->n; i++)
     for (int by = 0; by < n; by++)
-      if ((by == 0 || turns_into_itself(s->q.w, by)) && repeats(x, s->out->found[i].x, n, by)) return;
+      if ((by == 0 || turns_into_itself(s->w, by)) && repeats(x, s->out->found[i].x, n, by)) return;
   s->out->found = ss_grow(s->out->found, s->out->n, &s->out->cap, sizeof *s->out->found);
   memcpy(s->out->found[s->out->n++].x, x, sizeof(double) * WORD_UNKNOWNS);
 }
@@ -166,7 +174,7 @@ struct node {
 /* The coordinate at the share u of its range, denser towards the belt's speed and towards the limit. */
 static double place(const struct searcher *s, enum word_coordinate which, double u) {
   int mass = which < WORD_P1 ? (int)which : (int)which - WORD_P1;
-  enum coulomb_mode mode = s->q.w->mode[0][mass];
+  enum coulomb_mode mode = s->w->mode[0][mass];
   if (which >= WORD_P1) return (mode == MODE_ABOVE ? 1 : -1) * s->speed[mass] * u * u;
   if (mode == MODE_STICK) return s->limit[mass] - 2 * s->force * u * u;
   double v = 2 * u - 1;
@@ -176,7 +184,7 @@ static double place(const struct searcher *s, enum word_coordinate which, double
 static void fill(struct node *grid, struct searcher *s, int along, int total) {
   for (int k = 0; k < total; k++) {
     for (int i = 0, rest = k; i < s->n; i++, rest /= along)
-      grid[k].x[s->q.w->n + i] = place(s, s->free[i], (rest % along + 0.5) / along);
+      grid[k].x[s->w->n + i] = place(s, s->free[i], (rest % along + 0.5) / along);
     grid[k].ok = follow(grid[k].x, grid[k].gap, s);
     grid[k].size = 0;
     for (int i = 0; i < s->n && grid[k].ok; i++) grid[k].size = hypot(grid[k].size, grid[k].gap[i]);
@@ -203,7 +211,7 @@ static int by_size(const void *x, const void *y) {
    iteration tells. */
 static void bisect(struct node *y, struct searcher *s, const struct node *a, const struct node *b) {
   enum { HALVINGS = 48 };
-  int free = s->q.w->n;
+  int free = s->w->n;
   struct node low = *a, high = *b;
   *y = low;
   for (int i = 0; i < HALVINGS; i++) {
@@ -223,7 +231,7 @@ static void bisect(struct node *y, struct searcher *s, const struct node *a, con
 static void find_pair(struct searcher *s, const struct node *a, const struct node *b, const struct node *c) {
   enum { SECTIONS = 40 };
   const double golden = 0.38196601125010515;
-  int free = s->q.w->n;
+  int free = s->w->n;
   struct node low = *a, mid = *b, high = *c, y;
   for (int i = 0; i < SECTIONS; i++) {
     bool left = fabs(mid.x[free] - low.x[free]) > fabs(high.x[free] - mid.x[free]);
@@ -284,31 +292,19 @@ static void search_grid(struct searcher *s) {
 /* The seed's orbit from the phase that the word begins with. */
 static void from_seed(struct searcher *s, const struct word_seed *seed, int by) {
   double x[WORD_UNKNOWNS];
-  struct calc *c = &s->q.c;
-  slong mark = calc_mark(c);
-  val state[N_STATE];
-  c->status = SS_OK;
-  for (int i = 0; i < N_STATE; i++) state[i] = calc_d(c, seed->state[i]);
-  for (int p = 0; p < by; p++) {
-    struct motion motion;
-    word_motion(&motion, c, &s->q.m, seed->word.mode[p], state, false);
-    word_motion_at(state, c, &motion, calc_d(c, seed->t[p]));
-    word_settle(state, &s->q.m, seed->word.mode[(p + 1) % seed->word.n]);
-  }
-  for (int p = 0; p < s->q.w->n; p++) x[p] = seed->t[(p + by) % s->q.w->n];
-  for (int i = 0; i < s->n; i++) x[s->q.w->n + i] = as_d(state[s->free[i]]);
-  bool ok = !c->status;
-  calc_release(c, mark);
-  if (ok) try_from(s, x);
+  int n = s->w->n;
+  for (int p = 0; p < n; p++) x[p] = seed->t[(p + by) % n];
+  for (int i = 0; i < s->n; i++) x[n + i] = seed->state[by][s->free[i]];
+  try_from(s, x);
 }
 
 static void search_seeds(struct searcher *s, const struct word_seeds *seeds) {
   for (size_t i = 0; i < seeds->n; i++) {
     struct phase_word turned;
-    if (seeds->seed[i].word.n != s->q.w->n) continue;
-    for (int by = 0; by < s->q.w->n; by++) {
+    if (seeds->seed[i].word.n != s->w->n) continue;
+    for (int by = 0; by < s->w->n; by++) {
       phase_word_turn(&turned, &seeds->seed[i].word, by);
-      if (memcmp(turned.mode, s->q.w->mode, (size_t)s->q.w->n * sizeof s->q.w->mode[0]) != 0) continue;
+      if (memcmp(turned.mode, s->w->mode, (size_t)s->w->n * sizeof s->w->mode[0]) != 0) continue;
       from_seed(s, &seeds->seed[i], by);
       break;
     }
@@ -320,28 +316,29 @@ static void search_seeds(struct searcher *s, const struct word_seeds *seeds) {
 static void scales(struct searcher *s, const fmpq *params, const fmpq *const u_r[2]) {
   double p[N_PARAMS], reach = 0;
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(params + i);
-  double om[2] = {as_d(s->q.m.law.spectrum.om[0]), as_d(s->q.m.law.spectrum.om[1])};
+  double om[2] = {as_d(s->m.law.spectrum.om[0]), as_d(s->m.law.spectrum.om[1])};
   for (int i = 0; i < 2; i++) {
     s->limit[i] = p[P_E1 + i];
     reach += 2 * p[P_E1 + i] + (u_r[i] ? fmpq_get_d(u_r[i]) : 0);
   }
-  s->force = 2 * reach + 4 * p[P_V] * (1 + as_d(s->q.m.law.omega));
+  s->force = 2 * reach + 4 * p[P_V] * (1 + as_d(s->m.law.omega));
   s->speed[0] = 4 * p[P_V] + s->force;
-  s->speed[1] = 4 * p[P_V] + s->force * p[P_ETA] / as_d(s->q.m.law.omega);
+  s->speed[1] = 4 * p[P_V] + s->force * p[P_ETA] / as_d(s->m.law.omega);
   s->lim = (struct dyn_limits){200 / om[0], 2000};
 }
 
 void word_search(struct word_finds *out, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
                  const struct word_seeds *seeds) {
-  struct searcher s = {.out = out};
+  struct searcher s = {.w = w, .c = calc_begin(num_ctx_double()), .out = out};
   *out = (struct word_finds){.n = 0};
-  word_solver_begin(&s.q, num_ctx_double(), w, params, u_r);
+  word_law_make(&s.m, &s.c, params, u_r);
+  s.mark = calc_mark(&s.c);
   s.n = word_free(s.free, w);
   s.size = w->n + s.n;
-  if (!s.q.c.status) {
+  if (!s.c.status) {
     scales(&s, params, u_r);
     if (seeds) search_seeds(&s, seeds);
     search_grid(&s);
   }
-  calc_clear(&s.q.c);
+  calc_clear(&s.c);
 }

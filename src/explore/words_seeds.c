@@ -2,22 +2,19 @@
    or until the budget is used up. */
 #include <limits.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/random.h"
 #include "words_impl.h"
 
 enum { MOST_EVENTS = 3000, MOST_STEPS = 100000, RECENT = 6 * WORD_MOST };
 static const double same_state = 1e-7; /* relative: of a period's states, and of two seeds' lengths */
 
-/* A fixed sequence of numbers in (0, 1): Steele's splitmix64. */
+/* A fixed sequence of numbers in (0, 1). */
 static double next_random(uint64_t *seed) {
-  uint64_t z = *seed += UINT64_C(0x9e3779b97f4a7c15);
-  z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-  z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
-  return ((double)((z ^ z >> 31) >> 12) + 0.5) / 4503599627370496.0;
+  return ((double)(random_next(seed) >> 12) + 0.5) / 4503599627370496.0;
 }
 
 /* The last events, each with the state just after it. */
@@ -85,8 +82,8 @@ static struct word_seed seed_of(const struct recent *r) {
   for (int i = 0; i < n; i++) {
     int at = first + (i + by) % n;
     s.t[i] = r->at[at + 1].t - r->at[at].t;
+    memcpy(s.state[i], r->at[at].state, sizeof s.state[i]);
   }
-  memcpy(s.state, r->at[first + by].state, sizeof s.state);
   return s;
 }
 

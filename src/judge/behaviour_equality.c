@@ -150,10 +150,10 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
 
 /* Every admissible orbit of the family at which the slope is -1. */
 static void find_flips(struct found *t, struct behaviour *b, const struct family *f) {
-  const fmpq *none[2] = {NULL, NULL};
+  const struct dyn_line line = {.params = f->base.q, .vary = f->vary, .from = f->from, .to = f->to};
   struct dyn_bifurcations list;
   long n = 0;
-  dyn_bifurcations_find(&list, f->base.q, f->vary, f->from, f->to, none, FLIP_DIGITS, FLIP_STARTS);
+  dyn_bifurcations_find(&list, &line, FLIP_DIGITS, FLIP_STARTS);
   for (slong i = 0; i < list.n; i++) {
     if (!flip_is_admissible(&list.at[i])) continue;
     add_flip(t, b, f, &list.at[i]);

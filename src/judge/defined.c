@@ -146,10 +146,10 @@ static void say_where(struct defined *y, const struct family *f, const struct dy
 
 /* The divisor, which is zero there, on the first such orbit of the family. */
 static bool touches(struct defined *y, const struct divisor *q, const struct family *f) {
-  const fmpq *none[2] = {NULL, NULL};
+  const struct dyn_line line = {.params = f->base.q, .vary = f->vary, .from = f->from, .to = f->to};
   struct dyn_bifurcations list;
   bool found = false;
-  dyn_bifurcations_find(&list, f->base.q, f->vary, f->from, f->to, none, TOUCH_DIGITS, TOUCH_STARTS);
+  dyn_bifurcations_find(&list, &line, TOUCH_DIGITS, TOUCH_STARTS);
   for (slong i = 0; i < list.n && !found; i++) {
     if (!is_touch(&list.at[i], y->admissible)) continue;
     found = true;

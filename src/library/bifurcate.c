@@ -26,9 +26,9 @@ static void borrow(struct ss_changes *c) {
 }
 
 static int find(struct ss_changes *c, const struct library_line *l, const struct ss_scene *s, size_t digits) {
-  const fmpq *u[2];
-  scene_static_friction(u, &s->s);
-  int status = dyn_bifurcations_find(&c->list, s->s.value, l->vary, l->from, l->to, u, (slong)digits, STARTS);
+  struct dyn_line line = {.params = s->s.value, .vary = l->vary, .from = l->from, .to = l->to};
+  scene_static_friction(line.u_r, &s->s);
+  int status = dyn_bifurcations_find(&c->list, &line, (slong)digits, STARTS);
   c->cut_short = status != SS_OK;
   borrow(c);
   if (!(status & SS_DOMAIN)) return SS_OK;

@@ -59,7 +59,8 @@ int ss_orbits_find(ss_orbits **out, const ss_scene *s, size_t digits) {
 static bool near(struct dyn_orbit *o, const fmpq *params, double t_b, double t_c, slong prec) {
   for (int up = 0; up < 2; up++) {
     truth first;
-    if (dyn_orbit_near(o, &first, params, t_b, t_c, up, prec, NULL) == SS_OK && first == TRUTH_TRUE) return true;
+    if (dyn_orbit_near(o, &first, params, (struct dyn_place){t_b, t_c, up}, prec, NULL) == SS_OK && first == TRUTH_TRUE)
+      return true;
     dyn_orbit_clear(o);
   }
   return false;

@@ -2,12 +2,9 @@
    phase.
 
    A velocity that an event sets to V is set to V: the event equation says so exactly, and balls stay narrower. */
-#include <math.h>
-
 #include "arc.h"
 #include "event.h"
 #include "flow.h"
-#include "map.h"
 
 void dyn_arc_init(struct dyn_arc *a, struct num_ctx ctx) {
   num_vec_init(&a->t, N_PHASES, ctx);
@@ -24,10 +21,6 @@ static struct num_vec state_row(const struct dyn_arc *a, slong i) {
   return (struct num_vec){a->z.ctx, N_STATE, num_vec_at(&a->z, i * N_STATE)};
 }
 
-static void to_doubles(double *out, const struct num_vec *v) {
-  for (slong i = 0; i < v->len; i++) out[i] = v->ctx.type->get_d(num_vec_at(v, i));
-}
-
 /* The event near the given time, an element of the arc's type. */
 static int event_near(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, val near) {
   if (ph == PHASE_D || params->ctx.type == &num_arb) return dyn_event(t, ph, params, in, params->ctx.type->get_d(near));
@@ -38,35 +31,6 @@ static int event_near(void *t, enum phase ph, const struct num_vec *params, cons
   c.ctx.type->set(t, event_newton(&c, ph, p, z, near));
   calc_clear(&c);
   return c.status;
-}
-
-static struct event_view view_of(struct calc *c, const val p[N_PARAMS], const val z[N_STATE]) {
-  const struct num_type *type = c->ctx.type;
-  val chi = p[P_CHI], r = calc_sub(c, z[Z_2], z[Z_1]), v[2] = {z[DZ_1], z[DZ_2]};
-  struct event_view x = {.r = type->get_d(r),
-                         .w = type->get_d(calc_sub(c, z[Z_1], calc_mul(c, chi, z[Z_2]))),
-                         .dw = type->get_d(calc_sub(c, v[0], calc_mul(c, chi, v[1]))),
-                         .rise = type->get_d(calc_sub(c, calc_mul(c, chi, r), p[P_E2])),
-                         .slip = type->get_d(calc_sub(c, v[1], v[0]))};
-  for (int i = 0; i < 2; i++) {
-    x.v[i] = type->get_d(v[i]);
-    x.over[i] = type->get_d(calc_sub(c, v[i], p[P_V]));
-  }
-  return x;
-}
-
-static int first_event(double *t, enum phase ph, const struct num_vec *params, const struct num_vec *in) {
-  val p[N_PARAMS], z[N_STATE];
-  double params_d[N_PARAMS];
-  bool grazing;
-  struct calc c = calc_begin(params->ctx);
-  flow_vals(p, params, 0, N_PARAMS);
-  flow_vals(z, in, 0, N_STATE);
-  to_doubles(params_d, params);
-  struct event_view view = view_of(&c, p, z);
-  int status = c.status ? SS_UNABLE : event_first_d(t, &grazing, ph, params_d, &view, NULL);
-  calc_clear(&c);
-  return status;
 }
 
 /* Phase after phase.  The times come from near, from guess, or, when both are NULL, from searches for first events. */
@@ -90,7 +54,7 @@ static int by_phases(struct dyn_arc *a, const struct num_vec *params, val z10, v
       if (guess)
         t0 = guess[ph];
       else
-        status |= first_event(&t0, (enum phase)ph, params, &from);
+        status |= event_first(&t0, NULL, (enum phase)ph, params, &from, NULL);
       if (!status) status |= dyn_event(t, (enum phase)ph, params, &from, t0);
     }
     if (status) break;
@@ -102,20 +66,8 @@ static int by_phases(struct dyn_arc *a, const struct num_vec *params, val z10, v
 }
 
 /* The quick way does not know every case; what it cannot do is done phase by phase. */
-static int run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
-               const double guess[N_PHASES]) {
-  if (map_run(a, params, z10, z20, near, guess) == SS_OK) return SS_OK;
+int arc_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+            const double guess[N_PHASES]) {
+  if ((near || guess) && map_run(a, params, z10, z20, near, guess) == SS_OK) return SS_OK;
   return by_phases(a, params, z10, z20, near, guess);
-}
-
-int arc_run_near(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near) {
-  return run(a, params, z10, z20, near, NULL);
-}
-
-int arc_run_from(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const double guess[N_PHASES]) {
-  return run(a, params, z10, z20, NULL, guess);
-}
-
-int arc_run_first(struct dyn_arc *a, const struct num_vec *params, val z10, val z20) {
-  return by_phases(a, params, z10, z20, NULL, NULL);
 }

@@ -5,11 +5,16 @@
 #include "dynamics.h"
 #include "num/calc.h"
 
-/* The arc whose events lie near the four given times, which are elements of the arc's own type. */
-int arc_run_near(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near);
-/* The same from times in double precision. */
-int arc_run_from(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const double guess[N_PHASES]);
-/* The arc of first events, each searched in double precision from the state in which its phase begins. */
-int arc_run_first(struct dyn_arc *a, const struct num_vec *params, val z10, val z20);
+/* The arc whose events lie near the times of near (elements of the arc's own type) or of guess; where both are NULL,
+   that of first events, each searched in double precision from the state in which its phase begins. */
+int arc_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+            const double guess[N_PHASES]);
+
+/* --- map.c: all phases at once --- */
+
+/* The arc whose events lie near times that are right to an eighth of their bits at least: those of near or, when it is
+   NULL, those of guess; of mpfr or of balls.  SS_UNABLE also where a longer way may find the arc. */
+int map_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+            const double guess[N_PHASES]);
 
 #endif

@@ -47,17 +47,17 @@ static void search_patch(struct search *s, struct patch a, int depth) {
   s->cells++;
   if (s->cells % FREE_LATER_CELLS == 0) work_add((unsigned long long)FREE_LATER_CELLS * UNITS_OF_LATER_CELL);
   strip_make(&p, &s->params, a.from[0], a.to[0], a.to[0] - a.from[0]);
-  struct turns k = strip_turns_later(&p, &s->params);
+  struct turns k = strip_turns_later(&p);
   if (turns_count(&k) == 0) return;
   clock_set(&middle, &s->params, 0.5 * (a.from[1] + a.to[1]));
-  cell_at(&c, &p, &s->params, &middle);
+  cell_at(&c, &p, &middle);
   c.early = disk_up(fmax(a.to[1] - middle.t, middle.t - a.from[1]));
   c.first = a.from[1] == 0;
-  enum look seen = cell_look_later(&zero, &c, &p, &s->params, &k, s->dir);
+  enum look seen = cell_look_later(&zero, &c, &k, s->dir);
   if (seen == LOOK_ZERO) commons_add(&s->zeros, zero, &p, middle.t);
   if (seen != LOOK_OPEN) return;
   if (depth < DEEPEST) {
-    halve(s, &a, cell_wide_in_angle(&c, &p) ? 0 : 1, depth);
+    halve(s, &a, cell_wide_in_angle(&c) ? 0 : 1, depth);
   } else if (!s->stuck) {
     s->stuck = true;
     s->where[0] = p.angle + 2 * PI * fmax(zero.k, 0);
@@ -129,25 +129,16 @@ static void add_turns(struct dyn_orbits *list, struct dyn_orbit *o, const fmpq *
   dyn_orbit_clear(&at);
 }
 
-static bool lies_in(const struct dyn_orbit *o, const struct common *z) {
-  struct disk got[2] = {disk_less_turns(o->t[PHASE_GAMMA], z->k), disk_less_turns(o->t[PHASE_H], 0)};
-  bool same = true;
-  for (int l = 0; l < 2; l++)
-    same = same && disk_up(fabs(got[l].mid - z->at[l]) + got[l].rad) + 0x1p-50 * fabs(z->at[l]) < z->room[l];
-  return same;
-}
-
 /* The solutions of one zero. */
 static void settle(struct dyn_orbits *list, const struct search *s, const struct common *z, const fmpq *params,
                    slong prec) {
   struct dyn_orbit o;
-  struct strip p;
   truth first;
-  strip_make(&p, &s->params, z->at[0] - z->near[0], z->at[0] + z->near[0], 0);
-  double tb = z->at[0] + 2 * PI * z->k, r0 = p.base.mid - z->k * s->params.turn.mid;
-  int status = dyn_orbit_near(&o, &first, params, tb, z->at[1], r0 > 0, prec, NULL);
+  struct dyn_place at = common_place(z, &s->params);
+  int status = dyn_orbit_near(&o, &first, params, at, prec, NULL);
+  struct known found = known_of(&o, z->k);
   truth later = TRUTH_UNKNOWN; /* than 0 and no later than asked for */
-  if (status == SS_OK && lies_in(&o, z)) {
+  if (status == SS_OK && known_is(&found, z)) {
     bool before = arb_is_nonpositive(o.t[PHASE_GAMMA]) || arb_is_nonpositive(o.t[PHASE_H]);
     bool after = arb_is_positive(o.t[PHASE_GAMMA]) && arb_is_positive(o.t[PHASE_H]);
     arb_t left;
@@ -158,7 +149,7 @@ static void settle(struct dyn_orbits *list, const struct search *s, const struct
     arb_clear(left);
   }
   if (later == TRUTH_UNKNOWN || arb_contains_zero(o.t[PHASE_C]))
-    dyn_leave_gap(list, GAP_DOUBLE, tb, z->at[1]);
+    dyn_leave_gap(list, GAP_DOUBLE, at.tb, at.tc);
   else if (later == TRUTH_TRUE)
     add_turns(list, &o, params, prec);
   dyn_orbit_clear(&o);

@@ -48,13 +48,8 @@ static struct word_data data_of(const struct dyn_question *q) {
 
 /* The solution near the orbit, enclosed at prec bits in a box of its own. */
 static int enclose_near(struct word_root *s, const struct word_data *d, const struct dyn_orbit *o, slong prec) {
-  struct num_vec x;
-  int status = SS_OK;
-  num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
-  for (int i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_arb(num_vec_at(&x, i), quantity_of(o, i), prec);
-  if (!status) status = word_solve(s, &x, d);
-  num_vec_clear(&x);
-  return status;
+  for (int i = 0; i < N_QUANTITIES; i++) arb_set(s->x[i], quantity_of(o, i));
+  return word_solve(s, d, prec);
 }
 
 /* Half widths 2^shift times the sum of all times, or of both limits. */
@@ -152,16 +147,6 @@ static bool find_breach(struct dyn_certificate *z, int i, const struct dyn_margi
   for (int ph = 0; ph < (int)k->phase; ph++) arb_sub(z->breach[i], z->breach[i], o->t[ph], prec);
   arb_get_mid_arb(z->breach[i], z->breach[i]);
   return k->where != WHERE_OPEN;
-}
-
-static truth friction_exceeds(const fmpq *u, arb_srcptr least, slong prec) {
-  if (!u) return TRUTH_TRUE; /* some u_r does */
-  arb_t x;
-  arb_init(x);
-  arb_set_fmpq(x, u, prec);
-  truth t = num_arb.lt(least, x);
-  arb_clear(x);
-  return t;
 }
 
 /* Every condition by both routes.  o: described and judged. */

@@ -7,11 +7,9 @@
 #include <stdlib.h>
 
 #include "base/arena.h"
-#include "cell.h"
 #include "march.h"
 #include "num/pi.h"
-#include "orbit.h"
-#include "strip.h"
+#include "orbit_judge.h"
 #include "warm.h"
 
 const char *const dyn_gap_text[N_GAPS] = {
@@ -25,27 +23,8 @@ const char *const dyn_gap_text[N_GAPS] = {
     [GAP_MANY] = "there are more than are listed",
 };
 
-/* The zero that an orbit is after k full periods of phase Gamma. */
-static struct known known_of(const struct dyn_orbit *o, double k) {
-  struct known z = {.k = k};
-  struct disk angle = disk_less_turns(o->t[1], z.k), time = disk_less_turns(o->t[2], 0);
-  z.at[0] = angle.mid;
-  z.at[1] = time.mid;
-  z.near[0] = angle.rad;
-  z.near[1] = time.rad;
-  return z;
-}
-
 static double full_turns(const struct dyn_orbit *o) {
   return floor(o->guess[1] / (2 * PI));
-}
-
-/* The known zero lies where the other one is the only one. */
-static bool is_common(const struct known *o, const struct common *z) {
-  bool same = o->k == z->k;
-  for (int l = 0; l < 2; l++)
-    same = same && disk_up(fabs(o->at[l] - z->at[l]) + o->near[l]) + 0x1p-50 * fabs(z->at[l]) < z->room[l];
-  return same;
 }
 
 void dyn_leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc) {
@@ -59,13 +38,11 @@ void dyn_leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double 
 static void settle(struct dyn_orbits *list, const struct common *z, const struct disk_params *g, const fmpq *params,
                    slong prec, const struct dyn_limits *lim) {
   struct dyn_orbit o;
-  struct strip p;
   truth first;
-  strip_make(&p, g, z->at[0] - z->near[0], z->at[0] + z->near[0], 0);
-  double tb = z->at[0] + 2 * PI * z->k, r0 = p.base.mid - z->k * g->turn.mid;
-  int status = dyn_orbit_near(&o, &first, params, tb, z->at[1], r0 > 0, prec, lim);
+  struct dyn_place at = common_place(z, g);
+  int status = dyn_orbit_near(&o, &first, params, at, prec, lim);
   struct known found = known_of(&o, z->k);
-  bool settled = status == SS_OK && is_common(&found, z), before = settled && arb_is_negative(o.t[1]); /* t_b < 0 */
+  bool settled = status == SS_OK && known_is(&found, z), before = settled && arb_is_negative(o.t[1]); /* t_b < 0 */
   if (settled && (before || first != TRUTH_UNKNOWN)) {
     if (first == TRUTH_TRUE && !before) {
       list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
@@ -73,7 +50,7 @@ static void settle(struct dyn_orbits *list, const struct common *z, const struct
       return;
     }
   } else {
-    dyn_leave_gap(list, settled ? GAP_GRAZING : GAP_DOUBLE, tb, z->at[1]);
+    dyn_leave_gap(list, settled ? GAP_GRAZING : GAP_DOUBLE, at.tb, at.tc);
   }
   dyn_orbit_clear(&o);
 }
@@ -87,10 +64,10 @@ static void compare(struct dyn_orbits *list, const struct march *s, const struct
   for (size_t k = 0; k < s->zeros.n; k++) {
     bool taken = false;
     for (slong i = 0; i < listed && !taken; i++)
-      if (is_common(&known[i], &s->zeros.at[k])) taken = seen[i] = true;
+      if (known_is(&known[i], &s->zeros.at[k])) taken = seen[i] = true;
     for (slong i = listed; i < list->n && !taken; i++) { /* added for the same zero, proved in two cells */
       struct known z = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
-      taken = is_common(&z, &s->zeros.at[k]);
+      taken = known_is(&z, &s->zeros.at[k]);
     }
     if (!taken) settle(list, &s->zeros.at[k], &s->params, params, prec, lim);
   }

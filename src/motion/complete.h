@@ -67,6 +67,6 @@ int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec,
      t_b, e1 or e2  every t_c up to lim->t_max, which list->t_c_max states; the other one of e1, e2 is not bounded
      any other      GAP_GIVEN */
 int dyn_given_complete(struct dyn_orbits *list, const fmpq *model, const enum dyn_quantity which[2], const fmpq *value,
-                       slong prec, const struct dyn_limits *lim, long budget);
+                       slong prec, const struct dyn_limits *lim);
 
 #endif

@@ -81,8 +81,9 @@ static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb,
   ball_pass_make(&s, c, &m, tb, tc, true);
   truth sign = num_arb.lt(m.zero, s.r);
   if (sign == TRUTH_UNKNOWN) return TRUTH_UNKNOWN;
+  ball_pass_make(&s, c, &m, tb, tc, sign == TRUTH_TRUE);
   dyn_orbit_init(&o);
-  truth first = dyn_orbit_judge(&o, c, &m, tb, tc, sign == TRUTH_TRUE, max_steps);
+  truth first = dyn_orbit_judge(&o, c, &m, &s, max_steps);
   dyn_orbit_clear(&o);
   return truth_and(positive, first);
 }
@@ -115,11 +116,7 @@ static bool is_at(const struct dyn_orbit *o, const struct line_zero *z) {
 
 static void ball_of(arb_ptr x, struct disk d) {
   arb_set_d(x, d.mid);
-  mag_t rad;
-  mag_init(rad);
-  mag_set_d(rad, d.rad);
-  arb_add_error_mag(x, rad);
-  mag_clear(rad);
+  mag_set_d(arb_radref(x), d.rad);
 }
 
 /* A zero that no orbit of the list is: not an orbit, or a gap. */
@@ -139,10 +136,10 @@ static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmp
 }
 
 static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unknown, const fmpq *tb,
-                          const struct dyn_limits *lim, long budget) {
+                          const struct dyn_limits *lim) {
   struct line line;
   list->gap = GAP_UNTRIED;
-  if (!line_run(&line, params, unknown, tb, lim->t_max, budget)) dyn_leave_gap(list, GAP_RANGE, 0, 0);
+  if (!line_run(&line, params, unknown, tb, lim->t_max, DYN_CELLS)) dyn_leave_gap(list, GAP_RANGE, 0, 0);
   if (line.spent) dyn_leave_gap(list, GAP_BUDGET, 0, 0);
   if (line.stuck) dyn_leave_gap(list, GAP_DOUBLE, fmpq_get_d(tb), line.where);
   for (size_t k = 0; k < line.n; k++) {
@@ -161,7 +158,7 @@ static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unkno
 }
 
 int dyn_given_complete(struct dyn_orbits *list, const fmpq *model, const enum dyn_quantity which[2], const fmpq *value,
-                       slong prec, const struct dyn_limits *lim, long budget) {
+                       slong prec, const struct dyn_limits *lim) {
   fmpq params[N_PARAMS] = {model[0], model[1], model[2]}; /* all borrowed */
   int at[N_QUANTITIES];
   if (!lim) lim = &dyn_given_limits;
@@ -171,10 +168,10 @@ int dyn_given_complete(struct dyn_orbits *list, const fmpq *model, const enum dy
   }
   bool e1 = at[QUANTITY_E1] >= 0, e2 = at[QUANTITY_E2] >= 0;
   list->complete = false;
-  if (e1 && e2) return dyn_orbits_complete(list, params, prec, &dyn_limits_default, budget);
+  if (e1 && e2) return dyn_orbits_complete(list, params, prec, &dyn_limits_default, DYN_CELLS);
   const fmpq *tb = at[QUANTITY_TB] >= 0 ? value + at[QUANTITY_TB] : NULL;
   if (tb && at[QUANTITY_TC] >= 0) return both_times(list, model, tb, value + at[QUANTITY_TC], prec, lim->max_steps);
-  if (tb && (e1 || e2)) return time_and_limit(list, params, e1 ? P_E2 : P_E1, tb, lim, budget);
+  if (tb && (e1 || e2)) return time_and_limit(list, params, e1 ? P_E2 : P_E1, tb, lim);
   list->gap = GAP_GIVEN;
   return SS_OK;
 }

@@ -162,11 +162,11 @@ double coulomb_event_floor(const double params[N_COULOMB], const double start[N_
 /* The relative error of that derivative at least: rounding over the longest displacement of one position that leaves the
    forces at the start below their limits.  Near chi = 1 positions grow as 1/(1 - chi), and that displacement shrinks. */
 double coulomb_return_jacobian_floor(const double params[N_COULOMB], const double start[N_STATE]);
-/* The same for one phase of that word, which starts at the state start and lasts about t: the derivatives of the state
+/* The same for one phase of that word: the derivatives of the state
    at the event that ends it along n_dir directions (N_STATE numbers each; velocities that the belt imposes must not be
    moved), and the accuracy of each.  SS_DOMAIN when nearby motions have another first event. */
-int coulomb_local_differences(double *out, double *err, enum phase ph, const double params[N_COULOMB],
-                              const double start[N_STATE], double t, const double (*dir)[N_STATE], int n_dir);
+int coulomb_local_differences(double *out, double *err, const double params[N_COULOMB], const struct dyn_stretch *of,
+                              const double (*dir)[N_STATE], int n_dir);
 
 /* --- Ready-made sinks. --- */
 

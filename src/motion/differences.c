@@ -95,18 +95,23 @@ static int climb(struct rung *r, const struct rung *above, const struct double_m
   return s;
 }
 
+/* The step that has won, and what it stands for. */
+struct chosen {
+  double h, err, truncation, noise; /* truncation: of the plain difference */
+};
+
 /* Far from x a map can be straight with another slope, for many steps of the ladder: of a phase whose fast mode is
    small against the state, say.  What is the derivative at x holds for all finer steps too, down to those that rounding
-   blurs; truncation: of the plain difference at h. */
-static bool finer_steps_agree(const double *out, double err, double truncation, double noise, double h,
-                              const struct double_map *map, const double *x, const double *dir) {
+   blurs. */
+static bool finer_steps_agree(const double *out, const struct chosen *c, const struct double_map *map, const double *x,
+                              const double *dir) {
   const double finer = 1.0 / 8, blurred = 1.0 / 4;
   double most = largest(out, NULL, map->n_out);
-  for (h *= finer; 3 * noise / h <= blurred * most; h *= finer) {
+  for (double h = c->h * finer; 3 * c->noise / h <= blurred * most; h *= finer) {
     double up[DIFFERENCES_MOST], down[DIFFERENCES_MOST], off = 0;
     if (shifted(up, map, x, dir, h) || shifted(down, map, x, dir, -h)) return false;
     for (int i = 0; i < map->n_out; i++) off = fmax(off, fabs((up[i] - down[i]) / (2 * h) - out[i]));
-    if (off > err + truncation + 3 * noise / h) return false;
+    if (off > c->err + c->truncation + 3 * c->noise / h) return false;
   }
   return true;
 }
@@ -118,25 +123,42 @@ int differences_along(double *out, double *err, const struct double_map *map, co
   if (!s) s = bound_noise(&noise, map, x, dir, ldexp(unit, -34), value);
   struct rung above = {.have = 0}, here;
   double size = fmax(map->scale, largest(value, NULL, map->n_out));
-  double chosen = 0, truncation = 0, blur = 0;
-  *err = INFINITY;
+  struct chosen best = {.err = INFINITY};
   for (int k = 3; k < LEVELS && !s; k++, above = here) {
     double h = ldexp(unit, -k), rounding = 3 * noise / h; /* (4/h + 1/2h)/3 meet; twice, as noise is an estimate */
-    if (rounding >= *err) break;
+    if (rounding >= best.err) break;
     int status = climb(&here, &above, map, x, dir, h);
     if (status) last = status;
     if (here.have < 4) continue; /* three plain steps make a change, four a second one to hold it against */
     double grown = fmax(here.size / size, 1);
     if (!continues(&here, &above, value, noise * grown, h, map->n_out)) continue;
     double total = fmax(here.change, above.change / 16) + rounding * grown;
-    if (total >= *err) continue;
-    *err = total;
+    if (total >= best.err) continue;
     for (int i = 0; i < map->n_out; i++) out[i] = here.extrapolated[i];
-    chosen = h;
-    truncation = largest(here.plain, here.extrapolated, map->n_out);
-    blur = noise * grown;
+    best = (struct chosen){h, total, largest(here.plain, here.extrapolated, map->n_out), noise * grown};
   }
+  *err = best.err;
   if (s) return s;
-  if (!isfinite(*err)) return last;
-  return finer_steps_agree(out, *err, truncation, blur, chosen, map, x, dir) ? SS_OK : SS_UNABLE;
+  if (!isfinite(best.err)) return last;
+  return finer_steps_agree(out, &best, map, x, dir) ? SS_OK : SS_UNABLE;
+}
+
+int differences_along_all(double *out, double *err, const struct double_map *map, const double *x,
+                          const double (*dir)[N_STATE], int n_dir) {
+  int s = SS_OK;
+  for (int k = 0; k < n_dir && !s; k++) {
+    double worst;
+    s = differences_along(out + map->n_out * k, &worst, map, x, dir[k]);
+    if (err) err[k] = worst;
+  }
+  return s;
+}
+
+int differences_jacobian(double j[4], double *err, const struct double_map *map, const double *x) {
+  static const double axis[2][N_STATE] = {{1, 0}, {0, 1}};
+  double column[4], worst[2];
+  int s = differences_along_all(column, worst, map, x, axis, 2);
+  for (int i = 0; i < 4 && !s; i++) j[i] = column[2 * (i % 2) + i / 2];
+  if (!s && err) *err = fmax(worst[0], worst[1]);
+  return s;
 }

@@ -17,5 +17,10 @@ struct double_map {
 /* The derivative along dir at x, extrapolated from central differences, and a bound of its worst component's error,
    from the change between steps and the measured noise.  The status of the map where it has no value nearby. */
 int differences_along(double *out, double *err, const struct double_map *map, const double *x, const double *dir);
+/* The same along n_dir directions, n_out numbers and an error for each; from here on err may be NULL. */
+int differences_along_all(double *out, double *err, const struct double_map *map, const double *x,
+                          const double (*dir)[N_STATE], int n_dir);
+/* The derivative of two results by the first two arguments, and the worst error. */
+int differences_jacobian(double j[4], double *err, const struct double_map *map, const double *x);
 
 #endif

@@ -82,17 +82,31 @@ static int chain(struct dual *z, const struct dual *x, const arb_t slope, int st
   return held(z, status);
 }
 
-/* z' = a x' + b y', for a value that stands in z already; a and b are none of the operands. */
-static int chain2(struct dual *z, const struct dual *x, const arb_t a, const struct dual *y, const arb_t b, int status,
+/* The derivatives of a function of two operands by these; none of the operands. */
+struct slopes {
+  arb_t x, y;
+};
+
+static struct slopes slopes_new(void) {
+  struct slopes s;
+  arb_init(s.x);
+  arb_init(s.y);
+  return s;
+}
+
+/* z' = s.x x' + s.y y', for a value that stands in z already.  The slopes are done with. */
+static int chain2(struct dual *z, const struct dual *x, const struct dual *y, struct slopes *s, int status,
                   slong prec) {
   arb_t part;
   arb_init(part);
   for (int i = 0; i < N_DIRECTIONS && !status; i++) {
-    arb_mul(part, &y->d[i], b, prec);
-    arb_mul(&z->d[i], &x->d[i], a, prec);
+    arb_mul(part, &y->d[i], s->y, prec);
+    arb_mul(&z->d[i], &x->d[i], s->x, prec);
     arb_add(&z->d[i], &z->d[i], part, prec);
   }
   arb_clear(part);
+  arb_clear(s->x);
+  arb_clear(s->y);
   return held(z, status);
 }
 
@@ -187,56 +201,42 @@ static int d_sub(void *z, const void *x, const void *y, slong prec) {
 }
 
 static int d_mul(void *z, const void *x, const void *y, slong prec) {
-  arb_t a, b;
-  arb_init(a);
-  arb_init(b);
-  arb_set(a, &in(y)->v);
-  arb_set(b, &in(x)->v);
-  int status = num_arb.mul(&at(z)->v, b, a, prec);
-  status = chain2(z, x, a, y, b, status, prec);
-  arb_clear(b);
-  arb_clear(a);
-  return status;
+  struct slopes s = slopes_new();
+  arb_set(s.x, &in(y)->v);
+  arb_set(s.y, &in(x)->v);
+  int status = num_arb.mul(&at(z)->v, s.y, s.x, prec);
+  return chain2(z, x, y, &s, status, prec);
 }
 
 /* (x' - (x/y) y')/y */
 static int d_div(void *z, const void *x, const void *y, slong prec) {
-  arb_t a, b;
-  arb_init(a);
-  arb_init(b);
-  arb_set(a, &in(y)->v);
-  int status = num_arb.div(&at(z)->v, &in(x)->v, a, prec);
+  struct slopes s = slopes_new();
+  arb_set(s.x, &in(y)->v);
+  int status = num_arb.div(&at(z)->v, &in(x)->v, s.x, prec);
   if (!status) {
-    arb_inv(a, a, prec);
-    arb_mul(b, &at(z)->v, a, prec);
-    arb_neg(b, b);
+    arb_inv(s.x, s.x, prec);
+    arb_mul(s.y, &at(z)->v, s.x, prec);
+    arb_neg(s.y, s.y);
   }
-  status = chain2(z, x, a, y, b, status, prec);
-  arb_clear(b);
-  arb_clear(a);
-  return status;
+  return chain2(z, x, y, &s, status, prec);
 }
 
 /* (x y' - y x')/(x^2 + y^2) */
 static int d_atan2(void *z, const void *y, const void *x, slong prec) {
-  arb_t a, b, square;
-  arb_init(a);
-  arb_init(b);
+  arb_t square;
+  struct slopes s = slopes_new(); /* by y, then by x */
   arb_init(square);
-  arb_set(a, &in(x)->v);
-  arb_neg(b, &in(y)->v);
-  arb_mul(square, a, a, prec);
-  arb_addmul(square, b, b, prec);
-  int status = num_arb.atan2(&at(z)->v, &in(y)->v, a, prec);
+  arb_set(s.x, &in(x)->v);
+  arb_neg(s.y, &in(y)->v);
+  arb_mul(square, s.x, s.x, prec);
+  arb_addmul(square, s.y, s.y, prec);
+  int status = num_arb.atan2(&at(z)->v, &in(y)->v, s.x, prec);
   if (!status) {
-    arb_div(a, a, square, prec);
-    arb_div(b, b, square, prec);
+    arb_div(s.x, s.x, square, prec);
+    arb_div(s.y, s.y, square, prec);
   }
-  status = chain2(z, y, a, x, b, status, prec);
   arb_clear(square);
-  arb_clear(b);
-  arb_clear(a);
-  return status;
+  return chain2(z, y, x, &s, status, prec);
 }
 
 static int d_pow_si(void *z, const void *x, slong n, slong prec) {

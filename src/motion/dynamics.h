@@ -123,12 +123,18 @@ int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *p
 int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct num_vec *params,
                                  const struct num_vec *in, const void *t);
 int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
+/* One phase, from a state of N_STATE numbers, which lasts about t. */
+struct dyn_stretch {
+  enum phase phase;
+  const double *start;
+  double t;
+};
 /* The same two by central differences in double precision, extrapolated from two steps; the step is chosen by the least
    estimated error.  The local one gives its derivatives along n_dir directions at the start, N_STATE numbers for each;
    err (or NULL) has an element for each direction, and one, of the worst entry, for the whole map: truncation (from the
    change between steps, about 15 times too large) plus rounding (from measured noise). */
-int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
-                            const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir);
+int dyn_local_differences_d(double *out, double *err, const double params[N_PARAMS], const struct dyn_stretch *of,
+                            const double (*dir)[N_STATE], int n_dir);
 int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS], const double start[2],
                           const double guess[4]);
 

@@ -10,6 +10,28 @@
 #include "return_map_double.h"
 #include "trig_sum.h"
 
+/* What events depend on in a state.  Positions near chi = 1 are so large that w would be lost in them. */
+struct event_view {
+  double w, r, dw, rise; /* dw: w'; rise: chi r - e2 */
+  double v[2], over[2];  /* velocities; over V */
+  double slip;           /* z_2' - z_1' */
+};
+
+static struct event_view view_of(struct calc *c, const val p[N_PARAMS], const val z[N_STATE]) {
+  const struct num_type *type = c->ctx.type;
+  val chi = p[P_CHI], r = calc_sub(c, z[Z_2], z[Z_1]), v[2] = {z[DZ_1], z[DZ_2]};
+  struct event_view x = {.r = type->get_d(r),
+                         .w = type->get_d(calc_sub(c, z[Z_1], calc_mul(c, chi, z[Z_2]))),
+                         .dw = type->get_d(calc_sub(c, v[0], calc_mul(c, chi, v[1]))),
+                         .rise = type->get_d(calc_sub(c, calc_mul(c, chi, r), p[P_E2])),
+                         .slip = type->get_d(calc_sub(c, v[1], v[0]))};
+  for (int i = 0; i < 2; i++) {
+    x.v[i] = type->get_d(v[i]);
+    x.over[i] = type->get_d(calc_sub(c, v[i], p[P_V]));
+  }
+  return x;
+}
+
 /* The switching function of a phase other than D as a wave. */
 static struct trig_sum phase_wave(enum phase ph, const struct return_map_double *k, const struct event_view *z) {
   if (ph == PHASE_GAMMA)
@@ -20,39 +42,46 @@ static struct trig_sum phase_wave(enum phase ph, const struct return_map_double 
   return (struct trig_sum){z->over[1], 0, {k->omc, 0}, {z->slip, 0}, {-pull / k->omc, 0}};
 }
 
-int event_first_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const struct event_view *z,
-                  const struct dyn_limits *lim) {
-  struct return_map_double k;
+static int first_in_view(struct trig_sum_root *root, enum phase ph, const struct return_map_double *k,
+                         const struct event_view *z, const struct dyn_limits *lim) {
   const double all[] = {z->w, z->r, z->dw, z->rise, z->v[0], z->v[1], z->over[0], z->over[1], z->slip};
-  if (grazing) *grazing = false;
-  *t = 0;
-  if (return_map_double_init(&k, params)) return SS_DOMAIN;
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     if (!isfinite(all[i])) return SS_UNABLE;
   if (ph == PHASE_D) {
     if (z->dw == 0) return SS_DOMAIN;
-    *t = (k.e1 - z->w) / z->dw;
-    return isfinite(*t) ? SS_OK : SS_UNABLE;
+    root->t = (k->e1 - z->w) / z->dw;
+    return isfinite(root->t) ? SS_OK : SS_UNABLE;
   }
-  struct trig_sum wave = phase_wave(ph, &k, z);
-  struct trig_sum_root root;
-  int status = trig_sum_first_root(&root, &wave, NULL, lim ? lim : &dyn_limits_default);
+  struct trig_sum wave = phase_wave(ph, k, z);
+  return trig_sum_first_root(root, &wave, NULL, lim ? lim : &dyn_limits_default);
+}
+
+int event_first(double *t, bool *grazing, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                const struct dyn_limits *lim) {
+  val p[N_PARAMS], z[N_STATE];
+  double params_d[N_PARAMS];
+  struct return_map_double k;
+  struct trig_sum_root root = {.t = 0};
+  struct calc c = calc_begin(params->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  flow_vals(z, in, 0, N_STATE);
+  for (int i = 0; i < N_PARAMS; i++) params_d[i] = c.ctx.type->get_d(p[i]);
+  struct event_view view = view_of(&c, p, z);
+  int status = return_map_double_init(&k, params_d);
+  if (!status) status = c.status ? SS_UNABLE : first_in_view(&root, ph, &k, &view, lim);
   *t = root.t;
   if (grazing) *grazing = root.grazing;
+  calc_clear(&c);
   return status;
 }
 
 int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
                       const struct dyn_limits *lim) {
-  double chi = params[P_CHI], r = in[Z_2] - in[Z_1];
-  const struct event_view z = {.w = fma(-chi, in[Z_2], in[Z_1]),
-                               .r = r,
-                               .dw = fma(-chi, in[DZ_2], in[DZ_1]),
-                               .rise = fma(chi, r, -params[P_E2]),
-                               .v = {in[DZ_1], in[DZ_2]},
-                               .over = {in[DZ_1] - params[P_V], in[DZ_2] - params[P_V]},
-                               .slip = in[DZ_2] - in[DZ_1]};
-  return event_first_d(t, grazing, ph, params, &z, lim);
+  struct calc c = calc_begin(num_ctx_mpfr(128)); /* in which the forces of the positions are formed */
+  const struct num_vec p = calc_vec_d(&c, params, N_PARAMS), z = calc_vec_d(&c, in, N_STATE);
+  int status = event_first(t, grazing, ph, &p, &z, lim);
+  calc_clear(&c);
+  return status;
 }
 
 /* One Newton step from t for the state in: *step = -f/f'. */
@@ -99,13 +128,6 @@ static int event_mpfr(void *t, slong prec, enum phase ph, const val p[N_PARAMS],
   num_mpfr.set(t, num_vec_at(&start, 0));
   num_vec_clear(&start);
   return status;
-}
-
-static int event_double(double *t, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], double t0) {
-  struct calc c = calc_begin(num_ctx_double());
-  *t = *(const double *)event_newton(&c, ph, p, in, &t0);
-  calc_clear(&c);
-  return c.status;
 }
 
 /* Interval Newton on balls of growing radius around mid: mid - f(mid)/f'(ball) inside the ball proves one root. */
@@ -164,25 +186,19 @@ static int event_arb(arb_t t, slong prec, enum phase ph, const struct num_vec *p
   return status;
 }
 
-/* Phase D is linear: w has a constant speed. */
-static int event_stick(void *t, const struct num_vec *params, const struct num_vec *in) {
-  val p[N_PARAMS], z[N_STATE];
-  struct calc c = calc_begin(params->ctx);
-  flow_vals(p, params, 0, N_PARAMS);
-  flow_vals(z, in, 0, N_STATE);
-  val f = flow_switching(&c, PHASE_D, p, z);
-  c.ctx.type->set(t, calc_neg(&c, calc_div(&c, f, flow_switching_rate(&c, PHASE_D, p, z))));
-  calc_clear(&c);
-  return c.status;
+val event_stick(struct calc *c, const val p[N_PARAMS], const val in[N_STATE]) {
+  return calc_neg(c, calc_div(c, flow_switching(c, PHASE_D, p, in), flow_switching_rate(c, PHASE_D, p, in)));
 }
 
 int dyn_event(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, double t0) {
   val p[N_PARAMS], z[N_STATE];
-  if (ph == PHASE_D) return event_stick(t, params, in);
+  const struct num_type *type = params->ctx.type;
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
-  const struct num_type *type = params->ctx.type;
-  if (type == &num_mpfr) return event_mpfr(t, params->ctx.prec, ph, p, z, t0);
-  if (type == &num_double) return event_double(t, ph, p, z, t0);
-  return event_arb(t, params->ctx.prec, ph, params, in, t0);
+  if (ph != PHASE_D && type == &num_mpfr) return event_mpfr(t, params->ctx.prec, ph, p, z, t0);
+  if (ph != PHASE_D && type != &num_double) return event_arb(t, params->ctx.prec, ph, params, in, t0);
+  struct calc c = calc_begin(params->ctx);
+  type->set(t, ph == PHASE_D ? event_stick(&c, p, z) : event_newton(&c, ph, p, z, &t0));
+  calc_clear(&c);
+  return c.status;
 }

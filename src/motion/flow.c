@@ -17,10 +17,6 @@ bool dyn_in_domain(const fmpq *params, int n) {
   return fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) < 0;
 }
 
-void flow_vals(val *out, const struct num_vec *v, slong from, slong n) {
-  for (slong i = 0; i < n; i++) out[i] = num_vec_at(v, from + i);
-}
-
 struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]) {
   /* The eigenvalues of K are 1 + above and 1 - below: above * below = chi^2 eta, above - below = chi eta - 1.  The one
      without cancellation comes first; the smaller eigenvalue is the product, chi eta (1 - chi), over the larger. */
@@ -157,6 +153,11 @@ void flow_apply(val out[N_STATE], struct calc *c, const struct blocks *b, const 
   }
 }
 
+val flow_entry(const struct blocks *b, int i, int j) {
+  const val *block = (i < 2) == (j < 2) ? b->c : i < 2 ? b->s : b->n;
+  return block[2 * (i % 2) + j % 2];
+}
+
 static val force_w(struct calc *c, const val p[N_PARAMS], val z1, val z2) {
   return calc_sub(c, z1, calc_mul(c, p[P_CHI], z2));
 }
@@ -187,75 +188,43 @@ val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], co
   }
 }
 
-static int flow_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-                    const void *t) {
-  val p[N_PARAMS], from[N_STATE], to[N_STATE];
-  struct calc c = calc_begin(out->ctx);
-  flow_vals(p, params, 0, N_PARAMS);
-  flow_vals(from, in, 0, N_STATE);
-  struct blocks b = flow_blocks(&c, ph, p, t);
-  flow_apply(to, &c, &b, from);
-  for (slong i = 0; i < N_STATE; i++) out->ctx.type->set(num_vec_at(out, i), to[i]);
-  calc_clear(&c);
-  return c.status;
+static void flow_formula(val *out, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
+  struct blocks b = flow_blocks(c, ph, p, t);
+  flow_apply(out, c, &b, in);
 }
 
-static int matrix_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-                      const void *t) {
-  val p[N_PARAMS];
+static void matrix_formula(val *out, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
   (void)in;
-  struct calc c = calc_begin(out->ctx);
-  flow_vals(p, params, 0, N_PARAMS);
-  struct blocks b = flow_blocks(&c, ph, p, t);
+  struct blocks b = flow_blocks(c, ph, p, t);
   for (int i = 0; i < N_STATE; i++)
-    for (int j = 0; j < N_STATE; j++) {
-      const val *block = (i < 2) == (j < 2) ? b.c : i < 2 ? b.s : b.n;
-      out->ctx.type->set(num_vec_at(out, N_STATE * i + j), block[2 * (i % 2) + j % 2]);
-    }
-  calc_clear(&c);
-  return c.status;
+    for (int j = 0; j < N_STATE; j++) out[N_STATE * i + j] = flow_entry(&b, i, j);
 }
 
-typedef val (*switching)(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
-
-static int value_run(struct num_vec *out, switching f, enum phase ph, const struct num_vec *params,
-                     const struct num_vec *z) {
-  val p[N_PARAMS], at[N_STATE];
-  struct calc c = calc_begin(out->ctx);
-  flow_vals(p, params, 0, N_PARAMS);
-  flow_vals(at, z, 0, N_STATE);
-  c.ctx.type->set(num_vec_at(out, 0), f(&c, ph, p, at));
-  calc_clear(&c);
-  return c.status;
-}
-
-static int switching_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *z,
-                         const void *t) {
+static void switching_formula(val *out, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *z, val t) {
   (void)t;
-  return value_run(out, flow_switching, ph, params, z);
+  out[0] = flow_switching(c, ph, p, z);
 }
 
-static int rate_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *z,
-                    const void *t) {
+static void rate_formula(val *out, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *z, val t) {
   (void)t;
-  return value_run(out, flow_switching_rate, ph, params, z);
+  out[0] = flow_switching_rate(c, ph, p, z);
 }
 
 int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
              const void *t) {
-  return rounded_run(out, flow_run, ph, params, in, t);
+  return rounded_run(out, flow_formula, ph, params, in, t);
 }
 
 int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *params, const void *t) {
-  return rounded_run(out, matrix_run, ph, params, NULL, t);
+  return rounded_run(out, matrix_formula, ph, params, NULL, t);
 }
 
 int dyn_switching(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
   struct num_vec out = {params->ctx, 1, value};
-  return rounded_run(&out, switching_run, ph, params, z, NULL);
+  return rounded_run(&out, switching_formula, ph, params, z, NULL);
 }
 
 int dyn_switching_rate(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
   struct num_vec out = {params->ctx, 1, value};
-  return rounded_run(&out, rate_run, ph, params, z, NULL);
+  return rounded_run(&out, rate_formula, ph, params, z, NULL);
 }

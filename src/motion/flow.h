@@ -24,9 +24,13 @@ struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]);
 void flow_function(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2);
 struct blocks flow_blocks(struct calc *c, enum phase ph, const val p[N_PARAMS], val t);
 void flow_apply(val out[N_STATE], struct calc *c, const struct blocks *b, const val in[N_STATE]);
+/* An entry of the 4x4 matrix that the blocks are. */
+val flow_entry(const struct blocks *b, int i, int j);
 val flow_switching(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
 val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
 /* Pointers to the elements of a vector from the given index on. */
-void flow_vals(val *out, const struct num_vec *v, slong from, slong n);
+static inline void flow_vals(val *out, const struct num_vec *v, slong from, slong n) {
+  for (slong i = 0; i < n; i++) out[i] = num_vec_at(v, from + i);
+}
 
 #endif

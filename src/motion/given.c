@@ -15,7 +15,6 @@
 
 #include "base/arena.h"
 #include "given_search.h"
-#include "orbit.h"
 #include "orbit_judge.h"
 #include "warm.h"
 
@@ -26,14 +25,20 @@ enum { RAISES = 4 }; /* of the precision */
 
 /* --- Refinement and proof. --- */
 
-static int solve(struct word_root *s, const struct seed *seed, const struct given_problem *q, slong prec) {
-  struct num_vec x;
-  num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
-  int status = SS_OK;
-  for (slong i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_d(num_vec_at(&x, i), seed->x[i], prec);
-  if (!status) status = word_solve(s, &x, &q->data);
-  num_vec_clear(&x);
-  return status;
+/* A seed's solution. */
+struct solution {
+  struct word_root root;
+  const struct seed *seed;
+  const struct given_problem *q;
+};
+
+static int solve(struct solution *s, slong prec) {
+  for (int i = 0; i < N_QUANTITIES; i++) arb_set_d(s->root.x[i], s->seed->x[i]);
+  return word_solve(&s->root, &s->q->data, prec);
+}
+
+static int describe(struct dyn_orbit *o, const struct solution *s, slong prec) {
+  return word_describe(o, &s->root, s->q->data.model, prec);
 }
 
 static bool same_solution(const struct word_root *s, const struct word_root *t) {
@@ -44,8 +49,8 @@ static bool same_solution(const struct word_root *s, const struct word_root *t) 
 }
 
 /* Its conditions.  Returns whether e1 and e2 are positive and the events proved to be the first ones. */
-static truth judge(struct dyn_orbit *o, const struct word_root *s, const struct given_problem *q, slong prec) {
-  truth domain, first = word_judge_orbit(o, &domain, s, q->data.model, prec, q->lim.max_steps);
+static truth judge(struct dyn_orbit *o, const struct solution *s, slong prec) {
+  truth domain, first = word_judge_orbit(o, &domain, &s->root, s->q->data.model, prec, s->q->lim.max_steps);
   return truth_and(domain, first);
 }
 
@@ -55,65 +60,65 @@ static bool undecided(const struct dyn_orbit *o) {
 
 /* The working precision near a seed, from a pilot where it is worth its time. */
 static slong plan(const struct seed *seed, const struct given_problem *q, slong prec) {
-  struct word_root pilot;
+  struct solution pilot = {.seed = seed, .q = q};
   struct dyn_orbit o;
   if (prec <= DYN_PLANNED_FROM) return prec + DYN_GUARD;
-  word_root_init(&pilot);
+  word_root_init(&pilot.root);
   dyn_orbit_init(&o);
   slong left = 0;
-  if (!solve(&pilot, seed, q, DYN_PILOT) && !word_describe(&o, &pilot, q->data.model, DYN_PILOT))
-    left = dyn_orbit_accuracy(&o);
+  if (!solve(&pilot, DYN_PILOT) && !describe(&o, &pilot, DYN_PILOT)) left = dyn_orbit_accuracy(&o);
   dyn_orbit_clear(&o);
-  word_root_clear(&pilot);
+  word_root_clear(&pilot.root);
   return dyn_planned_bits(prec, left);
 }
 
 /* The orbit of a solution to prec bits, the working precision being raised from `work`, *raises times, as long as that
    helps. */
-static int finish(struct dyn_orbit *o, truth *valid, long *raises, struct word_root *s, const struct seed *seed,
-                  const struct given_problem *q, slong work, slong prec) {
-  int status = word_describe(o, s, q->data.model, work);
+static int finish(struct dyn_orbit *o, truth *valid, long *raises, struct solution *s, slong work, slong prec) {
+  int status = describe(o, s, work);
   for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
     work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + DYN_GUARD;
-    status = solve(s, seed, q, work);
-    if (!status) status = word_describe(o, s, q->data.model, work);
+    status = solve(s, work);
+    if (!status) status = describe(o, s, work);
     ++*raises;
   }
-  *valid = judge(o, s, q, FLINT_MIN(work, 128));
-  if (*valid == TRUTH_UNKNOWN || undecided(o)) *valid = judge(o, s, q, work);
+  *valid = judge(o, s, FLINT_MIN(work, 128));
+  if (*valid == TRUTH_UNKNOWN || undecided(o)) *valid = judge(o, s, work);
   o->grazing = *valid == TRUTH_UNKNOWN;
   return status;
 }
 
 /* --- The list. --- */
 
-/* The solution of a seed: the precision is raised where it cannot be told from another one yet. */
-static int settle(struct word_root *s, const struct seed *seed, const struct given_problem *q, slong work) {
+/* The precision is raised where a solution cannot be told from another one yet. */
+static int settle(struct solution *s, slong work) {
   int status = SS_UNABLE;
-  for (int i = 0; i <= RAISES && status; i++) status = solve(s, seed, q, work << i);
+  for (int i = 0; i <= RAISES && status; i++) status = solve(s, work << i);
   return status;
 }
 
 static int collect(struct dyn_orbits *list, const struct seeds *seeds, const struct given_problem *q, slong prec) {
-  struct word_root *found = ss_malloc((seeds->n + 1) * sizeof *found);
+  struct solution *found = ss_malloc((seeds->n + 1) * sizeof *found);
   size_t n = 0;
   int status = SS_OK;
   list->orbit = ss_malloc((seeds->n + 1) * sizeof *list->orbit);
   for (size_t i = 0; i < seeds->n; i++) {
-    word_root_init(&found[n]);
-    slong work = plan(&seeds->seed[i], q, prec);
-    int failed = settle(&found[n], &seeds->seed[i], q, work);
+    struct solution *s = &found[n];
+    *s = (struct solution){.seed = &seeds->seed[i], .q = q};
+    word_root_init(&s->root);
+    slong work = plan(s->seed, q, prec);
+    int failed = settle(s, work);
     bool known = false;
-    for (size_t k = 0; k < n && !failed; k++) known = known || same_solution(&found[k], &found[n]);
+    for (size_t k = 0; k < n && !failed; k++) known = known || same_solution(&found[k].root, &s->root);
     status |= failed;
     if (failed || known) {
-      word_root_clear(&found[n]);
+      word_root_clear(&s->root);
       continue;
     }
     struct dyn_orbit *o = &list->orbit[list->n];
     truth valid;
     dyn_orbit_init(o);
-    status |= finish(o, &valid, &list->raises, &found[n], &seeds->seed[i], q, work, prec);
+    status |= finish(o, &valid, &list->raises, s, work, prec);
     list->bits = FLINT_MAX(list->bits, work);
     n++;
     if (valid == TRUTH_FALSE)
@@ -121,7 +126,7 @@ static int collect(struct dyn_orbits *list, const struct seeds *seeds, const str
     else
       list->n++;
   }
-  for (size_t k = 0; k < n; k++) word_root_clear(&found[k]);
+  for (size_t k = 0; k < n; k++) word_root_clear(&found[k].root);
   free(found);
   qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   return status;

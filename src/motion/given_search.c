@@ -1,6 +1,6 @@
 /* The search for orbits that have two given quantities, in double precision.
 
-   The two sheets (sheet.h) are sampled over a grid of (t_b, t_c), of which one given time leaves a line and two a
+   The two sheets (sheet.c) are sampled over a grid of (t_b, t_c), of which one given time leaves a line and two a
    point.  A cell between samples is tried when the given values can occur in it: Newton's iteration on the four
    equations starts from each of its corners.  On a line, cells in which a sheet ends or changes much are halved
    first. */
@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/arena.h"
 #include "num/pi.h"
@@ -220,33 +221,23 @@ static bool almost_real(const struct cell *cell, int depth) {
 
 static void try_cell(struct scan *s, const struct cell *cell, int depth);
 
+/* A stretch of a line, by its middle. */
 static void split_cell(struct scan *s, const struct cell *cell, int depth) {
-  struct gamma_turn b[3] = {cell->b[0], cell->b[1]};
-  struct slip_matrix h[3] = {cell->h[0], cell->h[1]};
-  struct sheet at[3][3][2];
-  int nb = cell->nb == 1 ? 1 : 3, nc = cell->nc == 1 ? 1 : 3;
-  if (nb == 3) {
-    b[2] = b[1];
+  struct gamma_turn b[3] = {cell->b[0], cell->b[0], cell->b[cell->nb - 1]};
+  struct slip_matrix h[3] = {cell->h[0], cell->h[0], cell->h[cell->nc - 1]};
+  struct sheet at[3][2];
+  if (cell->nb == 2)
     b[1] = gamma_turn_at(0.5 * (b[0].t + b[2].t));
-  }
-  if (nc == 3) {
-    h[2] = h[1];
+  else
     h[1] = slip_matrix_at(&s->q->k, 0.5 * (h[0].t + h[2].t));
+  for (int i = 0; i < 3; i++) sheets_at(at[i], &s->q->k, &b[i], &h[i]);
+  s->out->evaluations += 3;
+  s->work += 3;
+  for (int i = 0; i < 2; i++) {
+    struct cell part = {.b = {b[i], b[i + 1]}, .h = {h[i], h[i + 1]}, .nb = cell->nb, .nc = cell->nc};
+    for (int k = 0; k < 2; k++) memcpy(part.at[cell->nb == 2 ? k : 0][cell->nb == 2 ? 0 : k], at[i + k], sizeof at[0]);
+    try_cell(s, &part, depth + 1);
   }
-  for (int i = 0; i < nb; i++)
-    for (int j = 0; j < nc; j++) sheets_at(at[i][j], &s->q->k, &b[i], &h[j]);
-  s->out->evaluations += nb * nc;
-  s->work += nb * nc;
-  for (int i = 0; i < (nb + 1) / 2; i++)
-    for (int j = 0; j < (nc + 1) / 2; j++) {
-      struct cell part = {.nb = cell->nb, .nc = cell->nc};
-      for (int k = 0; k < cell->nb; k++) part.b[k] = b[i + k];
-      for (int k = 0; k < cell->nc; k++) part.h[k] = h[j + k];
-      for (int k = 0; k < cell->nb; k++)
-        for (int l = 0; l < cell->nc; l++)
-          for (int sheet = 0; sheet < 2; sheet++) part.at[k][l][sheet] = at[i + k][j + l][sheet];
-      try_cell(s, &part, depth + 1);
-    }
 }
 
 /* On a line, a cell that is not smooth is halved first.  Where a sheet ends in a cell both are looked at as one. */

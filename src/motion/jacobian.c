@@ -45,11 +45,6 @@ static void switching_gradient(val n[N_STATE], struct calc *c, enum phase ph, va
   }
 }
 
-static val entry(const struct blocks *b, int i, int j) {
-  if (i < 2) return j < 2 ? b->c[2 * i + j] : b->s[2 * i + j - 2];
-  return j < 2 ? b->n[2 * (i - 2) + j] : b->c[2 * (i - 2) + j - 2];
-}
-
 /* The end of a phase at time t from a state: the propagator, the state, its vector field, the gradient and the rate of
    the switching function there. */
 struct phase_end {
@@ -57,11 +52,8 @@ struct phase_end {
   val z[N_STATE], f[N_STATE], n[N_STATE], rate;
 };
 
-static struct phase_end phase_end(struct calc *c, enum phase ph, const struct num_vec *params, const val in[N_STATE],
-                                  val t) {
+static struct phase_end phase_end(struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
   struct phase_end e;
-  val p[N_PARAMS];
-  flow_vals(p, params, 0, N_PARAMS);
   e.b = flow_blocks(c, ph, p, t);
   flow_apply(e.z, c, &e.b, in);
   vector_field(e.f, c, ph, p, e.z);
@@ -88,51 +80,42 @@ static void unit_column(val column[N_STATE], struct calc *c, int k) {
   for (int i = 0; i < N_STATE; i++) column[i] = calc_d(c, i == k);
 }
 
-static int local_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-                     const void *t) {
-  val from[N_STATE], column[N_STATE][N_STATE];
-  struct calc c = calc_begin(j->ctx);
-  flow_vals(from, in, 0, N_STATE);
-  const struct phase_end e = phase_end(&c, ph, params, from, t);
+static void local_formula(val *j, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
+  const struct phase_end e = phase_end(c, ph, p, in, t);
   for (int k = 0; k < N_STATE; k++) {
-    unit_column(column[k], &c, k);
-    carry(column[k], &c, ph, &e);
+    val column[N_STATE];
+    unit_column(column, c, k);
+    carry(column, c, ph, &e);
+    for (int i = 0; i < N_STATE; i++) j[N_STATE * i + k] = column[i];
   }
-  for (int i = 0; i < N_STATE * N_STATE; i++) j->ctx.type->set(num_vec_at(j, i), column[i % N_STATE][i / N_STATE]);
-  calc_clear(&c);
-  return c.status;
 }
 
 int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
                        const void *t) {
-  return rounded_run(j, local_run, ph, params, in, t);
+  return rounded_run(j, local_formula, ph, params, in, t);
 }
 
 /* Along an arc: its four times, then the states at which its phases start. */
 enum { ARC_T, ARC_Z = N_PHASES, N_ARC = ARC_Z + N_PHASES * N_STATE };
 
-static int word_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-                    const void *t) {
-  val from[N_STATE], column[2][N_STATE];
-  struct calc c = calc_begin(j->ctx);
+static void word_formula(val *j, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
+  val column[2][N_STATE];
   (void)ph, (void)t;
-  for (int k = 0; k < 2; k++) unit_column(column[k], &c, k);
+  for (int k = 0; k < 2; k++) unit_column(column[k], c, k);
   for (int at = PHASE_D; at < N_PHASES; at++) {
-    flow_vals(from, in, ARC_Z + at * N_STATE, N_STATE);
-    const struct phase_end e = phase_end(&c, (enum phase)at, params, from, num_vec_at(in, ARC_T + at));
-    for (int k = 0; k < 2; k++) carry(column[k], &c, (enum phase)at, &e);
+    const struct phase_end e = phase_end(c, (enum phase)at, p, in + ARC_Z + at * N_STATE, in[ARC_T + at]);
+    for (int k = 0; k < 2; k++) carry(column[k], c, (enum phase)at, &e);
   }
-  for (int i = 0; i < 4; i++) j->ctx.type->set(num_vec_at(j, i), column[i % 2][i / 2]);
-  calc_clear(&c);
-  return c.status;
+  for (int i = 0; i < 4; i++) j[i] = column[i % 2][i / 2];
 }
 
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
   struct calc c = calc_begin(params->ctx);
-  struct num_vec in = calc_vec(&c, N_ARC);
-  for (slong i = 0; i < N_PHASES; i++) calc_store(&c, num_vec_at(&in, ARC_T + i), num_vec_at(&arc->t, i));
-  for (slong i = 0; i < N_ARC - ARC_Z; i++) calc_store(&c, num_vec_at(&in, ARC_Z + i), num_vec_at(&arc->z, i));
-  int status = rounded_run(j, word_run, PHASE_D, params, &in, NULL);
+  val all[N_ARC];
+  flow_vals(all + ARC_T, &arc->t, 0, N_PHASES);
+  flow_vals(all + ARC_Z, &arc->z, 0, N_ARC - ARC_Z);
+  const struct num_vec in = calc_vec_of(&c, all, N_ARC);
+  int status = rounded_run(j, word_formula, PHASE_D, params, &in, NULL);
   calc_clear(&c);
   return status;
 }
@@ -140,20 +123,21 @@ int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const s
 /* A start z10, z20 and the times near which its events are. */
 enum { START_Z, START_T = 2, N_START = START_T + N_PHASES };
 
-static int start_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-                     const void *t) {
+static void start_formula(val *j, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
   struct dyn_arc arc;
+  struct num_vec params = calc_vec_of(c, p, N_PARAMS), out = calc_vec(c, 4);
   double guess[N_PHASES];
   (void)ph, (void)t;
-  for (int i = 0; i < N_PHASES; i++) guess[i] = num_arb.get_d(num_vec_at(in, START_T + i));
-  dyn_arc_init(&arc, params->ctx);
-  int status = arc_run_from(&arc, params, num_vec_at(in, START_Z), num_vec_at(in, START_Z + 1), guess);
+  for (int i = 0; i < N_PHASES; i++) guess[i] = num_arb.get_d(in[START_T + i]);
+  dyn_arc_init(&arc, c->ctx);
+  int status = arc_run(&arc, &params, in[START_Z], in[START_Z + 1], NULL, guess);
   if (!status)
-    status = dyn_return_jacobian(j, params, &arc);
-  else if (params->ctx.prec >= NEAR_MOST)
+    status = dyn_return_jacobian(&out, &params, &arc);
+  else if (c->ctx.prec >= NEAR_MOST)
     status = SS_DOMAIN; /* the guess is not near: no precision helps */
+  c->status |= status;
+  flow_vals(j, &out, 0, 4);
   dyn_arc_clear(&arc);
-  return status;
 }
 
 int dyn_return_jacobian_from(double j[4], const double params[N_PARAMS], const double start[2], const double guess[4]) {
@@ -171,7 +155,7 @@ int dyn_return_jacobian_from(double j[4], const double params[N_PARAMS], const d
     if (!status) memcpy(in + START_T, arc.t.data, N_PHASES * sizeof *in);
     dyn_arc_clear(&arc);
   }
-  if (!status && rounded_run(&out, start_run, PHASE_D, &p, &from, NULL)) status = SS_UNABLE;
+  if (!status && rounded_run(&out, start_formula, PHASE_D, &p, &from, NULL)) status = SS_UNABLE;
   return status;
 }
 
@@ -256,15 +240,16 @@ static int run_phase(struct num_vec *out, const struct num_vec *x, const struct 
    between neighbours. */
 static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *params, const struct num_vec *from,
                         val t) {
-  val in[N_STATE];
+  val p[N_PARAMS], in[N_STATE];
   double terms = 0, speed = 0;
   struct calc c = calc_begin(params->ctx);
   double (*const size)(const void *) = c.ctx.type->get_d;
+  flow_vals(p, params, 0, N_PARAMS);
   flow_vals(in, from, 0, N_STATE);
-  const struct phase_end e = phase_end(&c, ph, params, in, t);
+  const struct phase_end e = phase_end(&c, ph, p, in, t);
   for (int k = 0; k < N_STATE; k++) {
     for (int i = 0; e.n[k] && i < N_STATE; i++)
-      terms += fabs(size(calc_mul(&c, e.n[k], calc_mul(&c, entry(&e.b, k, i), in[i]))));
+      terms += fabs(size(calc_mul(&c, e.n[k], calc_mul(&c, flow_entry(&e.b, k, i), in[i]))));
     if (e.f[k]) speed = fmax(speed, fabs(size(e.f[k])));
   }
   *jitter = 4 * DBL_EPSILON * terms / fabs(size(e.rate)) * speed;
@@ -276,7 +261,7 @@ static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *par
 static int run_word(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {
   struct dyn_arc arc;
   dyn_arc_init(&arc, x->ctx);
-  int status = arc_run_near(&arc, map->params, num_vec_at(x, 0), num_vec_at(x, 1), &map->near);
+  int status = arc_run(&arc, map->params, num_vec_at(x, 0), num_vec_at(x, 1), &map->near, NULL);
   for (slong i = 0; i < 2; i++) x->ctx.type->set(num_vec_at(out, i), num_vec_at(&arc.z, N_PHASES * N_STATE + i));
   dyn_arc_clear(&arc);
   return status;
@@ -298,10 +283,8 @@ int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *p
   struct dyn_arc arc;
   if (params->ctx.type->rigorous) return SS_UNABLE;
   struct calc c = calc_begin(params->ctx);
-  struct num_vec x = calc_vec(&c, 2);
+  const struct num_vec x = calc_vec_of(&c, (const val[]){z10, z20}, 2);
   dyn_arc_init(&arc, params->ctx);
-  calc_store(&c, num_vec_at(&x, 0), z10);
-  calc_store(&c, num_vec_at(&x, 1), z20);
   int status = dyn_arc_run(&arc, params, z10, z20, guess);
   struct event_map map = {run_word, params, PHASE_D, arc.t, 2};
   if (!status) status = differentiate(j, err, &map, &x);
@@ -316,55 +299,39 @@ int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *p
 static int run_doubles(double *out, const double *x, const void *self) {
   const struct event_map *map = self;
   struct calc c = calc_begin(num_ctx_double());
-  struct num_vec in = calc_vec(&c, map->n), end = calc_vec(&c, map->n);
-  memcpy(in.data, x, (size_t)map->n * sizeof *x);
+  struct num_vec in = calc_vec_d(&c, x, map->n), end = calc_vec(&c, map->n);
   int status = map->run(&end, &in, map);
   memcpy(out, end.data, (size_t)map->n * sizeof *out);
   calc_clear(&c);
   return status;
 }
 
-static struct num_vec doubles_of(struct calc *c, const double *x, slong n) {
-  struct num_vec v = calc_vec(c, n);
-  memcpy(v.data, x, (size_t)n * sizeof *x);
-  return v;
-}
-
-/* Columns k of out: the derivatives along the directions; err: the accuracy of each column. */
-static int differentiate_doubles(double *out, double *err, const struct event_map *map, const double *x, double jitter,
-                                 const double (*dir)[N_STATE], int n_dir) {
+static struct double_map map_of_doubles(const struct event_map *map, const double *x, double jitter) {
   double scale = *(const double *)num_vec_at(map->params, P_V);
   for (slong i = 0; i < map->n; i++) scale = fmax(scale, fabs(x[i]));
-  struct double_map doubles = {run_doubles, map, (int)map->n, (int)map->n, scale, 4 * DBL_EPSILON, jitter};
-  int status = SS_OK;
-  for (int k = 0; k < n_dir && !status; k++) {
-    double accuracy;
-    status = differences_along(out + map->n * k, &accuracy, &doubles, x, dir[k]);
-    if (err) err[k] = accuracy;
-  }
-  return status;
+  return (struct double_map){run_doubles, map, (int)map->n, (int)map->n, scale, 4 * DBL_EPSILON, jitter};
 }
 
-int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
-                            const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir) {
+int dyn_local_differences_d(double *out, double *err, const double params[N_PARAMS], const struct dyn_stretch *of,
+                            const double (*dir)[N_STATE], int n_dir) {
   struct calc c = calc_begin(num_ctx_double());
-  const struct num_vec p = doubles_of(&c, params, N_PARAMS), from = doubles_of(&c, in, N_STATE);
-  const struct event_map map = {run_phase, &p, ph, calc_vec(&c, 1), N_STATE};
+  const struct num_vec p = calc_vec_d(&c, params, N_PARAMS), from = calc_vec_d(&c, of->start, N_STATE);
+  const struct event_map map = {run_phase, &p, of->phase, calc_vec(&c, 1), N_STATE};
   double jitter = 0;
-  int status = dyn_event(num_vec_at(&map.near, 0), ph, &p, &from, t);
-  if (!status) status = phase_jitter(&jitter, ph, &p, &from, num_vec_at(&map.near, 0));
-  if (!status) status = differentiate_doubles(out, err, &map, in, jitter, dir, n_dir);
+  int status = dyn_event(num_vec_at(&map.near, 0), of->phase, &p, &from, of->t);
+  if (!status) status = phase_jitter(&jitter, of->phase, &p, &from, num_vec_at(&map.near, 0));
+  const struct double_map doubles = map_of_doubles(&map, of->start, jitter);
+  if (!status) status = differences_along_all(out, err, &doubles, of->start, dir, n_dir);
   calc_clear(&c);
   return status;
 }
 
 int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS], const double start[2],
                           const double guess[4]) {
-  static const double unit[2][N_STATE] = {{1, 0}, {0, 1}};
   struct calc c = calc_begin(num_ctx_double());
-  const struct num_vec p = doubles_of(&c, params, N_PARAMS);
+  const struct num_vec p = calc_vec_d(&c, params, N_PARAMS);
   struct dyn_arc arc;
-  double column[4], worst[2], jitter = 0;
+  double jitter = 0;
   dyn_arc_init(&arc, num_ctx_double());
   int status = dyn_arc_run(&arc, &p, start, start + 1, guess);
   struct event_map map = {run_word, &p, PHASE_D, arc.t, 2};
@@ -374,9 +341,8 @@ int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS
     status = phase_jitter(&more, (enum phase)ph, &p, &from, num_vec_at(&arc.t, ph));
     jitter = fmax(jitter, more);
   }
-  if (!status) status = differentiate_doubles(column, worst, &map, start, jitter, unit, 2);
-  for (int i = 0; i < 4 && !status; i++) j[i] = column[2 * (i % 2) + i / 2];
-  if (!status && err) *err = fmax(worst[0], worst[1]);
+  const struct double_map doubles = map_of_doubles(&map, start, jitter);
+  if (!status) status = differences_jacobian(j, err, &doubles, start);
   dyn_arc_clear(&arc);
   calc_clear(&c);
   return status;

@@ -30,11 +30,10 @@ static int first_return(double *x, const double *start, const void *params) {
   return s;
 }
 
-/* One phase: what it is simulated with, and the event that ended it. */
+/* One phase, and what it is simulated with. */
 struct stretch {
   const double *params;
-  enum phase phase;
-  double longest;
+  const struct dyn_stretch *of;
 };
 
 static bool end_at_event(void *self, const struct coulomb_event *e) {
@@ -51,10 +50,10 @@ static int phase_end(double *z, const double *start, const void *self) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result r;
   struct coulomb_event e = {.mass = -1};
-  plan.duration = s->longest;
+  plan.duration = 2 * s->of->t;
   int status = coulomb_simulate_ode(&r, s->params, start, &plan, &(struct coulomb_sink){&e, end_at_event, NULL});
-  if (status == SS_OK && (e.mass != mass[s->phase] || e.from != from[s->phase] || e.simultaneous ||
-                          coulomb_letter(e.at.mode) != next[s->phase]))
+  if (status == SS_OK && (e.mass != mass[s->of->phase] || e.from != from[s->of->phase] || e.simultaneous ||
+                          coulomb_letter(e.at.mode) != next[s->of->phase]))
     status = SS_DOMAIN;
   for (int i = 0; i < 2 && !status; i++) {
     z[Z_1 + i] = e.at.x[i];
@@ -70,18 +69,8 @@ static struct double_map map_from(int (*run)(double *, const double *, const voi
 }
 
 int coulomb_return_jacobian(double j[4], double *err, const double params[N_COULOMB], const double start[N_STATE]) {
-  struct double_map map = map_from(first_return, params, params, start, 2);
-  int s = SS_OK;
-  *err = 0;
-  for (int col = 0; col < 2 && !s; col++) {
-    double unit[N_STATE] = {0}, column[2], worst;
-    unit[col] = 1;
-    s = differences_along(column, &worst, &map, start, unit);
-    if (s) break;
-    for (int row = 0; row < 2; row++) j[2 * row + col] = column[row];
-    *err = fmax(*err, worst);
-  }
-  return s;
+  const struct double_map map = map_from(first_return, params, params, start, 2);
+  return differences_jacobian(j, err, &map, start);
 }
 
 double coulomb_return_jacobian_floor(const double params[N_COULOMB], const double start[N_STATE]) {
@@ -92,12 +81,10 @@ double coulomb_return_jacobian_floor(const double params[N_COULOMB], const doubl
   return 3 * rungs * integration_error * size / fmin(room[0], room[1]);
 }
 
-int coulomb_local_differences(double *out, double *err, enum phase ph, const double params[N_COULOMB],
-                              const double start[N_STATE], double t, const double (*dir)[N_STATE], int n_dir) {
-  if (!(t > 0)) return SS_DOMAIN;
-  struct stretch stretch = {params, ph, 2 * t};
-  struct double_map map = map_from(phase_end, &stretch, params, start, N_STATE);
-  int s = SS_OK;
-  for (int k = 0; k < n_dir && !s; k++) s = differences_along(out + N_STATE * k, err + k, &map, start, dir[k]);
-  return s;
+int coulomb_local_differences(double *out, double *err, const double params[N_COULOMB], const struct dyn_stretch *of,
+                              const double (*dir)[N_STATE], int n_dir) {
+  if (!(of->t > 0)) return SS_DOMAIN;
+  const struct stretch stretch = {params, of};
+  const struct double_map map = map_from(phase_end, &stretch, params, of->start, N_STATE);
+  return differences_along_all(out, err, &map, of->start, dir, n_dir);
 }

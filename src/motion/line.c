@@ -94,20 +94,18 @@ static struct disk bracket(const struct disk x[N_PARTS], const struct disk y[N_P
 static void course_look(struct course_at *at, const struct course *o, const struct clock *t, double wide) {
   const struct disk_params *g = &o->params;
   struct disk dp[N_PARTS], dq[N_PARTS], dr[N_PARTS];
+  struct clock over = *t;
+  for (int i = 0; i < 2; i++) {
+    double turn = wide > 0 ? disk_mag(g->om[i]) * wide : 0;
+    over.sine[i] = disk_widen(t->sine[i], turn);
+    over.cosine[i] = disk_widen(t->cosine[i], turn);
+  }
   for (int k = 0; k < N_PARTS; k++) {
-    struct disk v[2], f[2];
-    for (int i = 0; i < 2; i++) {
-      double turn = wide > 0 ? disk_mag(g->om[i]) * wide : 0;
-      struct disk sine = disk_widen(t->sine[i], turn), cosine = disk_widen(t->cosine[i], turn);
-      v[i] = disk_cross(o->a[k][i], cosine, o->b[k][i], sine);
-      f[i] = disk_dot(o->a[k][i], sine, o->b[k][i], cosine);
-    }
-    at->p[k] = disk_dot(g->back[0], v[0], g->back[1], v[1]);
-    at->q[k] = disk_dot(g->y[0], v[0], g->y[1], v[1]);
-    if (k == CONSTANT) at->p[k] = disk_sub(at->p[k], g->V);
-    if (k == CONSTANT) at->q[k] = disk_sub(at->q[k], g->V);
-    at->w[k] = disk_dot(g->force1[0], f[0], g->force1[1], f[1]);
-    at->r[k] = disk_dot(g->force2[0], f[0], g->force2[1], f[1]);
+    struct disk_motion m = disk_motion_at(g, o->a[k], o->b[k], &over);
+    at->p[k] = k == CONSTANT ? disk_sub(m.v[0], g->V) : m.v[0];
+    at->q[k] = k == CONSTANT ? disk_sub(m.v[1], g->V) : m.v[1];
+    at->w[k] = m.w;
+    at->r[k] = m.r;
     dp[k] = disk_scale(at->w[k], -1);
     dq[k] = disk_scale(disk_mul(g->stiff, at->r[k]), -1);
     dr[k] = disk_sub(at->q[k], at->p[k]);

@@ -76,38 +76,34 @@ static bool listen(void *self, const struct coulomb_event *e) {
   return true;
 }
 
-/* One route, in the context given. */
-static int run_closed(struct listener *l, struct num_ctx ctx, const double params[N_COULOMB],
-                      const double start[N_STATE], const struct coulomb_plan *plan) {
-  struct coulomb_result r;
-  struct coulomb_sink sink = {l, listen, NULL};
-  struct calc c = calc_begin(ctx);
-  struct num_vec p = calc_vec(&c, N_COULOMB), x = calc_vec(&c, N_STATE);
-  for (int i = 0; i < N_COULOMB; i++) ctx.type->set_d(num_vec_at(&p, i), params[i], ctx.prec);
-  for (int i = 0; i < N_STATE; i++) ctx.type->set_d(num_vec_at(&x, i), start[i], ctx.prec);
-  int status = coulomb_simulate_exact(&r, NULL, &p, &x, plan, &sink);
-  l->run->end[l->route] = r.end;
-  calc_clear(&c);
-  return status;
-}
-
-static int run_ode(struct listener *l, const double params[N_COULOMB], const double start[N_STATE], double displaced,
-                   const struct coulomb_plan *plan) {
+static int run_route(struct listener *l, const double params[N_COULOMB], const double start[N_STATE],
+                     const struct coulomb_plan *plan) {
   struct coulomb_result r = {.end = COULOMB_FAILED};
   struct coulomb_sink sink = {l, listen, NULL};
-  double moved[N_STATE];
-  for (int i = 0; i < N_STATE; i++) moved[i] = start[i];
-  moved[Z_1] += displaced;
-  int status = coulomb_simulate_ode(&r, params, moved, plan, &sink);
+  int status;
+  if (l->route == LONG_ODE) {
+    double moved[N_STATE] = {start[Z_1] + l->run->displaced, start[Z_2], start[DZ_1], start[DZ_2]};
+    status = coulomb_simulate_ode(&r, params, moved, plan, &sink);
+  } else if (l->route == LONG_CLOSED) {
+    status = coulomb_simulate_d(&r, params, start, plan, &sink);
+  } else {
+    struct calc c = calc_begin(l->kept->ctx);
+    const struct num_vec p = calc_vec_d(&c, params, N_COULOMB), x = calc_vec_d(&c, start, N_STATE);
+    status = coulomb_simulate_exact(&r, NULL, &p, &x, plan, &sink);
+    calc_clear(&c);
+  }
   l->run->end[l->route] = r.end;
   return status;
 }
 
-int long_run_make(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE], long returns,
-                  double duration, double displaced, slong prec) {
+/* Of a run that says by how much the ODE route is displaced. */
+static int run_all_routes(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE],
+                          long returns, double duration, slong prec) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct num_vec kept;
-  *run = (struct long_run){.scale = scale_of(params, start), .reach = INFINITY, .from = {start[Z_1], start[Z_2]}};
+  run->scale = scale_of(params, start);
+  run->reach = INFINITY;
+  for (int i = 0; i < 2; i++) run->from[i] = start[Z_1 + i];
   plan.returns = returns;
   plan.duration = duration;
   plan.max_events = MOST_EVENTS;
@@ -115,13 +111,16 @@ int long_run_make(struct long_run *run, const double params[N_COULOMB], const do
   int status = SS_OK;
   for (int k = prec ? LONG_MPFR : LONG_CLOSED; k >= 0; k--) {
     struct listener l = {run, (enum long_route)k, coulomb_log_sink(&run->log[k]), &kept, 0};
-    if (k == LONG_ODE)
-      status |= run_ode(&l, params, start, displaced, &plan);
-    else
-      status |= run_closed(&l, k == LONG_MPFR ? num_ctx_mpfr(prec) : num_ctx_double(), params, start, &plan);
+    status |= run_route(&l, params, start, &plan);
   }
   num_vec_clear(&kept);
   return status;
+}
+
+int long_run_make(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE], long returns,
+                  double duration, slong prec) {
+  *run = (struct long_run){.displaced = 0};
+  return run_all_routes(run, params, start, returns, duration, prec);
 }
 
 void long_run_clear(struct long_run *run) {
@@ -201,10 +200,8 @@ bool long_run_growth(struct long_growth *growth, const struct long_run *run, str
 bool long_run_displaced(struct long_growth *growth, const double params[N_COULOMB], const double start[N_STATE],
                         double multiplier, double duration) {
   enum { RETURNS = 64 };
-  struct long_run run;
-  double scale = scale_of(params, start);
-  double displaced = ldexp(scale, fabs(multiplier) < 1 ? -21 : -34);
-  bool ok = long_run_make(&run, params, start, RETURNS, duration, displaced, 0) != SS_DOMAIN &&
+  struct long_run run = {.displaced = ldexp(scale_of(params, start), fabs(multiplier) < 1 ? -21 : -34)};
+  bool ok = run_all_routes(&run, params, start, RETURNS, duration, 0) != SS_DOMAIN &&
             long_run_growth(growth, &run, (struct long_pair){LONG_ODE, LONG_CLOSED});
   long_run_clear(&run);
   return ok;

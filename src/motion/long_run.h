@@ -31,6 +31,7 @@ struct long_run {
   long n[N_LONG_ROUTES];
   enum coulomb_end end[N_LONG_ROUTES];
   double from[2], scale; /* x_1 and x_2 of the start, and |x_1| + |x_2| + V */
+  double displaced;      /* how much further in x_1 the ODE route starts */
   double
       reach; /* how far from the start's positions the start's own multiplier holds; infinite until the caller knows */
 };
@@ -42,11 +43,11 @@ double long_run_reach(const double params[N_COULOMB], const double start[N_STATE
    with them: near chi = 1 it does not. */
 bool long_run_has_room(const double params[N_COULOMB], const double start[N_STATE]);
 
-/* Runs the three routes over the given number of returns, or for the given time (finite) where they do not come.  The
-   ODE route starts further in x_1 by displaced; with prec 0 MPFR is left out.  SS_DOMAIN outside the domain of
-   coulomb.h; what became of each route stands in end.  The run is valid in every case and is to be cleared. */
+/* Runs the three routes over the given number of returns, or for the given time (finite) where they do not come; with
+   prec 0 MPFR is left out.  SS_DOMAIN outside the domain of coulomb.h; what became of each route stands in end.  The run
+   is valid in every case and is to be cleared. */
 int long_run_make(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE], long returns,
-                  double duration, double displaced, slong prec);
+                  double duration, slong prec);
 void long_run_clear(struct long_run *run);
 
 /* Two of the routes. */

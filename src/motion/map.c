@@ -11,7 +11,7 @@
    In balls the same arithmetic is carried out around exact middles.  The last step is an interval Newton step: the
    second derivative of oscillations is bounded by their amplitudes all over, so that proving one root costs a
    division. */
-#include "map.h"
+#include "arc.h"
 #include "flow.h"
 #include "map_balls.h"
 #include "turn.h"
@@ -404,17 +404,13 @@ static bool exact_start(const struct given *g) {
   return exact;
 }
 
-bool map_serves(struct num_ctx ctx) {
-  return ctx.type == &num_mpfr || ctx.type == &num_arb;
-}
-
 int map_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
             const double guess[N_PHASES]) {
   const struct num_type *type = params->ctx.type;
   slong prec = params->ctx.prec, lost = 0, work = prec + GUARD;
   struct given g = {.params = params, .z10 = z10, .z20 = z20};
   int status = SS_OK;
-  if (!map_serves(params->ctx)) return SS_UNABLE;
+  if (type != &num_mpfr && type != &num_arb) return SS_UNABLE;
   num_vec_init(&g.near, N_EVENTS, (struct num_ctx){type, work});
   for (slong i = 0; i < N_EVENTS && !status; i++) {
     void *x = num_vec_at(&g.near, i);

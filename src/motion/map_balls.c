@@ -63,9 +63,9 @@ static void turns_h(val sine[2], val cosine[2], struct calc *c, const struct bal
   }
 }
 
-/* From velocities v and forces f = (w, chi eta r). */
-static struct ball_modes modes_from(struct calc *c, const struct spectrum *s, const val v[2], const val f[2]) {
+static struct ball_modes modes_from(struct calc *c, const struct spectrum *s, const struct moving *at) {
   struct ball_modes m;
+  const val *v = at->v, *f = at->f;
   val share[2][2] = {{s->above, s->couple}, {s->back, s->below}}; /* of the slow mode: rows of its projector */
   for (int i = 0; i < 2; i++) {
     m.a[i][0] = calc_dot(c, share[i][0], v[0], share[i][1], v[1]);
@@ -77,18 +77,20 @@ static struct ball_modes modes_from(struct calc *c, const struct spectrum *s, co
   return m;
 }
 
-/* Velocities and forces at the time with the given sines and cosines of om t. */
-static void modes_at(val v[2], val f[2], struct calc *c, const struct spectrum *s, const struct ball_modes *m,
-                     const val sine[2], const val cosine[2]) {
+/* At the time with the given sines and cosines of om t. */
+static struct moving modes_at(struct calc *c, const struct spectrum *s, const struct ball_modes *m, const val sine[2],
+                              const val cosine[2]) {
+  struct moving at;
   for (int i = 0; i < 2; i++) {
     val speed[2], force[2];
     for (int k = 0; k < 2; k++) {
       speed[k] = calc_sub(c, calc_mul(c, m->a[i][k], cosine[k]), calc_mul(c, m->b[i][k], sine[k]));
       force[k] = calc_mul(c, s->om[k], calc_dot(c, m->a[i][k], sine[k], m->b[i][k], cosine[k]));
     }
-    v[i] = calc_add(c, speed[0], speed[1]);
-    f[i] = calc_add(c, force[0], force[1]);
+    at.v[i] = calc_add(c, speed[0], speed[1]);
+    at.f[i] = calc_add(c, force[0], force[1]);
   }
+  return at;
 }
 
 void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc) {
@@ -102,26 +104,27 @@ void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_param
   s->rise = calc_add(c, calc_sub(c, calc_mul(c, m->a, tb), s->wb), e1);
   s->r = calc_sub(c, calc_div(c, e2, m->p[P_CHI]), s->rise);
 
-  val v[2] = {calc_add(c, V, s->pb), V}, f[2] = {s->wb, calc_mul(c, m->p[P_ETA], e2)};
-  val dv[2] = {calc_neg(c, s->wb), m->zero}, df[2] = {dwb, m->zero}; /* d/dt_b, r_b = e2/chi being fixed */
-  s->modes = modes_from(c, &m->spectrum, v, f);
-  struct ball_modes shift = modes_from(c, &m->spectrum, dv, df);
+  struct moving at = {{calc_add(c, V, s->pb), V}, {s->wb, calc_mul(c, m->p[P_ETA], e2)}};
+  struct moving by_tb = {{calc_neg(c, s->wb), m->zero}, {dwb, m->zero}}; /* r_b = e2/chi being fixed */
+  s->modes = modes_from(c, &m->spectrum, &at);
+  struct ball_modes shift = modes_from(c, &m->spectrum, &by_tb);
   val sines[2], cosines[2];
   turns_h(sines, cosines, c, m, tc);
-  modes_at(v, f, c, &m->spectrum, &s->modes, sines, cosines);
-  modes_at(dv, df, c, &m->spectrum, &shift, sines, cosines);
+  at = modes_at(c, &m->spectrum, &s->modes, sines, cosines);
+  by_tb = modes_at(c, &m->spectrum, &shift, sines, cosines);
 
-  s->pc = calc_sub(c, v[0], V);
-  s->qc = calc_sub(c, v[1], V);
-  s->wc = f[0];
-  s->rc = calc_div(c, f[1], m->stiff);
-  s->pc_tb = dv[0];
-  s->qc_tb = dv[1];
-  s->pull_tb = df[1];
+  s->pc = calc_sub(c, at.v[0], V);
+  s->qc = calc_sub(c, at.v[1], V);
+  s->wc = at.f[0];
+  s->rc = calc_div(c, at.f[1], m->stiff);
+  s->pc_tb = by_tb.v[0];
+  s->qc_tb = by_tb.v[1];
+  s->pull_tb = by_tb.f[1];
 }
 
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
   ball_pass_slip(s, c, m, tb, tc);
+  s->up = up;
   val turned = calc_div(c, s->qc, m->omega);
   val radius = calc_sqrt(c, calc_dot(c, s->rc, s->rc, turned, turned));
   s->r_end = up ? radius : calc_neg(c, radius);
@@ -178,28 +181,33 @@ static double lower(val x) {
   return d;
 }
 
-/* The velocity over its start, f - start, and f' at t, for one mass. */
-static void velocity_at(val *f, val *rate, struct calc *c, const struct ball_params *m, const struct ball_modes *modes,
-                        int mass, val start, val t) {
-  val change = start, force = m->zero, half = calc_d(c, 0.5);
+/* A mass's velocity over the belt's at a time of phase H, and its derivative. */
+struct speed {
+  val over, rate;
+};
+
+static val first_speed(const struct ball_params *m, const struct ball_pass *s, int mass) {
+  return mass == 0 ? s->pb : m->zero;
+}
+
+static struct speed speed_at(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, val t) {
+  val over = first_speed(m, s, mass), force = m->zero, half = calc_d(c, 0.5);
   for (int k = 0; k < 2; k++) {
-    val s, co, a = modes->a[mass][k], b = modes->b[mass][k], om = m->spectrum.om[k];
-    calc_sin_cos(c, &s, &co, calc_mul(c, half, calc_mul(c, om, t)));
-    val sine = calc_mul(c, m->two, calc_mul(c, s, co)), versine = calc_mul(c, m->two, calc_mul(c, s, s));
-    change = calc_sub(c, change, calc_dot(c, a, versine, b, sine));
+    val sin, co, a = s->modes.a[mass][k], b = s->modes.b[mass][k], om = m->spectrum.om[k];
+    calc_sin_cos(c, &sin, &co, calc_mul(c, half, calc_mul(c, om, t)));
+    val sine = calc_mul(c, m->two, calc_mul(c, sin, co)), versine = calc_mul(c, m->two, calc_mul(c, sin, sin));
+    over = calc_sub(c, over, calc_dot(c, a, versine, b, sine));
     val turn = calc_dot(c, a, sine, b, calc_sub(c, m->one, versine));
     force = calc_add(c, force, calc_mul(c, om, turn));
   }
-  *f = change;
-  *rate = calc_neg(c, force);
+  return (struct speed){over, calc_neg(c, force)};
 }
 
-/* An upper bound of that derivative of f: the sum of om^order hypot(a, b). */
-static double rate_bound(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
-                         int order) {
+/* An upper bound of that derivative of the speed: the sum of om^order hypot(a, b). */
+static double rate_bound(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, int order) {
   val sum = m->zero;
   for (int k = 0; k < 2; k++) {
-    val a = modes->a[mass][k], b = modes->b[mass][k], part = calc_sqrt(c, calc_dot(c, a, a, b, b));
+    val a = s->modes.a[mass][k], b = s->modes.b[mass][k], part = calc_sqrt(c, calc_dot(c, a, a, b, b));
     for (int i = 0; i < order; i++) part = calc_mul(c, m->spectrum.om[k], part);
     sum = calc_add(c, sum, part);
   }
@@ -207,62 +215,60 @@ static double rate_bound(struct calc *c, const struct ball_params *m, const stru
 }
 
 /* Whether the velocity is surely above zero somewhere after t, where the walk came to a stand, and before end. */
-static bool rises_above(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
-                        val start, double t, double end) {
+static bool rises_above(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, double t,
+                        double end) {
   slong mark = calc_mark(c);
   bool above = false;
   for (double h = 1e-15 * (t + end); !above && !c->status && t + h < end; h *= 4) {
-    val f, rate;
-    velocity_at(&f, &rate, c, m, modes, mass, start, calc_d(c, t + h));
-    above = arb_is_positive(f);
+    above = arb_is_positive((arb_srcptr)speed_at(c, m, s, mass, calc_d(c, t + h)).over);
     calc_release(c, mark);
   }
   return above;
 }
 
-/* A walk along the velocity from t = 0, where f = start, by parabolas that it cannot cross, so that it passes no
+/* A walk along the velocity from t = 0 by parabolas that it cannot cross, so that it passes no
    root. */
 enum walk_end { WALK_PASSED, WALK_STANDS, WALK_TIRED };
+struct walk {
+  enum walk_end end;
+  double t; /* how far it came */
+};
 
-/* To last, or to where a root is near.  *t: how far it came. */
-static enum walk_end walk_below(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes,
-                                int mass, val start, double last, long max_steps) {
+/* To last, or to where a root is near. */
+static struct walk walk_below(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass,
+                              double last, long max_steps) {
   slong mark = calc_mark(c);
-  double bound = rate_bound(c, m, modes, mass, 2);
-  enum walk_end end = WALK_TIRED;
-  *t = 0;
-  for (long i = 0; i < max_steps && !c->status && end == WALK_TIRED; i++) {
-    val f, rate;
+  double bound = rate_bound(c, m, s, mass, 2), first = fmin(upper(first_speed(m, s, mass)), 0);
+  struct walk at = {WALK_TIRED, 0};
+  for (long i = 0; i < max_steps && !c->status && at.end == WALK_TIRED; i++) {
     if (i % WORK_BLOCK == WORK_BLOCK - 1) work_add((unsigned long long)WORK_BLOCK * UNITS_OF_VELOCITY);
-    if (*t > last) {
-      end = WALK_PASSED;
+    if (at.t > last) {
+      at.end = WALK_PASSED;
       break;
     }
-    velocity_at(&f, &rate, c, m, modes, mass, start, calc_d(c, *t));
-    double y = *t == 0 ? fmin(upper(start), 0) : upper(f), d = upper(rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
+    struct speed v = speed_at(c, m, s, mass, calc_d(c, at.t));
+    double y = at.t == 0 ? first : upper(v.over), d = upper(v.rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
     double h = (d > 0 ? -2 * y / (d + root) : (root - d) / bound) * (1 - 1e-9);
-    if (y > 0 || !(h > 1e-15 * *t))
-      end = WALK_STANDS;
+    if (y > 0 || !(h > 1e-15 * at.t))
+      at.end = WALK_STANDS;
     else
-      *t += h;
+      at.t += h;
     calc_release(c, mark);
   }
-  return end;
+  return at;
 }
 
-truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
-                  val end, bool root_at_end, long max_steps) {
+truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, long max_steps) {
   slong mark = calc_mark(c);
-  double t, last = root_at_end ? lower(end) : upper(end);
-  if (root_at_end) { /* f' > 0 from there to the root: f rises to zero */
-    val f, rate;
-    velocity_at(&f, &rate, c, m, modes, mass, start, end);
-    last -= fmax(lower(rate), 0) / rate_bound(c, m, modes, mass, 2) * (1 - 1e-9);
+  bool root_at_end = mass == 0;
+  double last = root_at_end ? lower(s->tc) : upper(s->tc);
+  if (root_at_end) { /* the speed grows from there to the root: it rises to zero */
+    last -= fmax(lower(speed_at(c, m, s, mass, s->tc).rate), 0) / rate_bound(c, m, s, mass, 2) * (1 - 1e-9);
     last = nextafter(last, -INFINITY); /* the walk may end at last itself */
   }
-  enum walk_end at = walk_below(&t, c, m, modes, mass, start, last, max_steps);
-  truth answer = at == WALK_PASSED ? TRUTH_TRUE : TRUTH_UNKNOWN;
-  if (at == WALK_STANDS && rises_above(c, m, modes, mass, start, t, lower(end))) answer = TRUTH_FALSE;
+  struct walk at = walk_below(c, m, s, mass, last, max_steps);
+  truth answer = at.end == WALK_PASSED ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  if (at.end == WALK_STANDS && rises_above(c, m, s, mass, at.t, lower(s->tc))) answer = TRUTH_FALSE;
   calc_release(c, mark);
   return answer;
 }
@@ -270,14 +276,16 @@ truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball
 truth ball_touches(struct calc *c, const struct ball_params *m, const struct ball_pass *s, long max_steps) {
   slong mark = calc_mark(c);
   val fall = calc_sub(c, m->a, calc_mul(c, m->p[P_CHI], s->qc)); /* -z_1''' = z_1' - chi z_2' with z_1' = V */
-  double t, back = fmax(lower(fall), 0) / rate_bound(c, m, &s->modes, 0, 3) * (1 - 1e-9);
+  double back = fmax(lower(fall), 0) / rate_bound(c, m, s, 0, 3) * (1 - 1e-9);
   double last = nextafter(lower(s->tc) - back, -INFINITY);
-  bool below = last > 0 && walk_below(&t, c, m, &s->modes, 0, s->pb, last, max_steps) == WALK_PASSED;
+  bool below = last > 0 && walk_below(c, m, s, 0, last, max_steps).end == WALK_PASSED;
   calc_release(c, mark);
   return below ? TRUTH_TRUE : TRUTH_UNKNOWN;
 }
 
-bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
-                     val start, double t_max, long max_steps) {
-  return walk_below(t, c, m, modes, mass, start, t_max, max_steps) == WALK_STANDS && *t > 0;
+bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                     long max_steps) {
+  struct walk at = walk_below(c, m, s, 0, INFINITY, max_steps);
+  *t = at.t;
+  return at.end == WALK_STANDS && at.t > 0;
 }

@@ -15,6 +15,10 @@ struct ball_params {
   val near_tb, near_tc;
   struct turn turn_b, turn_c[2];
 };
+/* Velocities and forces f = (w, chi eta r). */
+struct moving {
+  val v[2], f[2];
+};
 /* A motion of phase H: velocity of mass m = sum over i of a[m][i] cos(om[i] t) - b[m][i] sin(om[i] t). */
 struct ball_modes {
   val a[2][2], b[2][2];
@@ -26,6 +30,7 @@ struct ball_pass {
   val pc_tb, qc_tb, pull_tb; /* derivatives by t_b; pull = chi eta r_c.  That of pc by t_c is -wc */
   val defect_tb, defect_tc;
   struct ball_modes modes;
+  bool up; /* phase C ends at a maximum of r: q > 0 in it */
 };
 void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params);
 /* The same from elements, which must outlive m. */
@@ -44,16 +49,13 @@ val ball_rise(struct calc *c, const struct ball_params *m, val t);
 val ball_crest(struct calc *c, const struct ball_params *m);
 /* Whether t_b > 0 is the first root of phase Gamma, and whether it comes before the first crest of the rise. */
 truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest);
-/* Whether z'_mass < V for 0 < t < end, from phase H's start with z'_mass - V = start (at most 0), and at end too unless
-   it is a root.  At most max_steps. */
-truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
-                  val end, bool root_at_end, long max_steps);
+/* Whether the mass (0, 1) is slower than the belt all along phase H of the pass, and m2 at its end too: t_c is the first
+   root of m1's velocity.  At most max_steps. */
+truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, long max_steps);
 /* Where z_1' = V and z_1'' = 0 at t_c: whether z_1' < V for 0 < t < t_c.  It is so near t_c, as far back as z_1''' < 0;
    TRUE or UNKNOWN. */
 truth ball_touches(struct calc *c, const struct ball_params *m, const struct ball_pass *s, long max_steps);
-/* A time near the first root of z'_mass - V, from the same start, found by the same steps; false where none is up to
-   t_max. */
-bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
-                     val start, double t_max, long max_steps);
+/* A time near the first root of z_1' - V in phase H, found by the same steps; false where there is none. */
+bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_pass *s, long max_steps);
 
 #endif

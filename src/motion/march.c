@@ -49,7 +49,8 @@ static void note_stuck(struct march *s, const struct strip *p, const struct comm
 }
 
 /* Two known zeros with the k that is open, and a proof that there are no more around them and the cell. */
-static bool folded(struct march *s, const struct cell *c, const struct strip *p, const struct clock *t, double k) {
+static bool folded(struct march *s, const struct cell *c, const struct clock *t, double k) {
+  const struct strip *p = c->strip;
   for (size_t j = 1; j < s->n_known; j++)
     for (size_t i = 0; i < j; i++) {
       struct known *two[2] = {&s->known[i], &s->known[j]};
@@ -58,16 +59,15 @@ static bool folded(struct march *s, const struct cell *c, const struct strip *p,
       bool apart = false;
       for (int l = 0; l < 2; l++) {
         half[l] = size[l];
-        for (int z = 0; z < 2; z++) half[l] = fmax(half[l], fabs(two[z]->at[l] - middle[l]) + two[z]->near[l]);
+        for (int z = 0; z < 2; z++) half[l] = fmax(half[l], fabs(two[z]->at[l].mid - middle[l]) + two[z]->at[l].rad);
         half[l] *= 1 + 0x1p-20;
-        apart = apart || fabs(two[0]->at[l] - two[1]->at[l]) > (two[0]->near[l] + two[1]->near[l]) * (1 + 0x1p-20);
+        const struct disk a = two[0]->at[l], b = two[1]->at[l];
+        apart = apart || fabs(a.mid - b.mid) > (a.rad + b.rad) * (1 + 0x1p-20);
       }
       if (two[0]->k != k || two[1]->k != k || !apart || half[0] > ldexp(s->params.fall.mid, -FOLDS)) continue;
-      struct strip wide = *p;
-      strip_reach(&wide, &s->params, half[0]);
       /* the taller, the easier for the curve to stay inside */
       half[1] = fmax(half[1], 4 * half[0] * fabs(c->pf.mid / c->w.mid));
-      if (!cell_folds_once(c, &wide, &s->params, t, k, half)) continue;
+      if (!cell_folds_once(c, t, k, half)) continue;
       two[0]->met = two[1]->met = true;
       return true;
     }
@@ -75,8 +75,8 @@ static bool folded(struct march *s, const struct cell *c, const struct strip *p,
 }
 
 /* No zero on the strip at any time. */
-static bool strip_done(const struct strip *p, const struct disk_params *g, const struct turns *k, double dir) {
-  return turns_count(k) == 0 || (dir > 0 && strip_never(p, g));
+static bool strip_done(const struct strip *p, const struct turns *k, double dir) {
+  return turns_count(k) == 0 || (dir > 0 && strip_never(p));
 }
 
 /* The cell around middle, known zeros and their folds taken in; what was proved or is stuck is noted.  LOOK_OPEN: to be
@@ -85,12 +85,12 @@ static enum look examine(struct march *s, struct cell *c, const struct strip *p,
                          const struct front *m, const struct clock *middle) {
   const struct disk_params *g = &s->params;
   struct common zero;
-  cell_at(c, p, g, middle);
+  cell_at(c, p, middle);
   c->early = s->step[m->level - 1].t;
   c->first = m->now.t == 0;
-  enum look seen = cell_look(&zero, c, p, g, k, m->dir);
+  enum look seen = cell_look(&zero, c, k, m->dir);
   if (seen == LOOK_OPEN && m->dir > 0 && zero.k >= 0 && p->half < ldexp(g->fall.mid, -FOLDS) &&
-      folded(s, c, p, middle, zero.k))
+      folded(s, c, middle, zero.k))
     return LOOK_CLEAR;
   bool finest = p->half <= ldexp(g->fall.mid, -FINEST) && m->level <= s->level - FINEST;
   if (seen == LOOK_OPEN && !finest) return LOOK_OPEN;
@@ -109,8 +109,8 @@ static void advance(struct march *s, double low, double high, struct front m) {
   struct strip p;
   struct cell c;
   strip_make(&p, g, low, high, high - low);
-  struct turns k = strip_turns(&p, g);
-  while (!strip_done(&p, g, &k, m.dir)) {
+  struct turns k = strip_turns(&p);
+  while (!strip_done(&p, &k, m.dir)) {
     if (s->cells++ >= s->budget) {
       s->spent = true;
       return;
@@ -120,18 +120,18 @@ static void advance(struct march *s, double low, double high, struct front m) {
     clock_turn(&middle, &m.now, half);
     bool part = false; /* the strip into halves */
     if (examine(s, &c, &p, &k, &m, &middle) == LOOK_OPEN) {
-      part = p.half > finest && (m.level <= s->level - FINEST || cell_wide_in_angle(&c, &p));
+      part = p.half > finest && (m.level <= s->level - FINEST || cell_wide_in_angle(&c));
       if (!part) {
         m.level--;
         continue;
       }
     } else {
-      if (!cell_waiting(&from, &to, &c, &p, m.dir)) return;
+      if (!cell_waiting(&from, &to, &c, m.dir)) return;
       bool less = to - from < 1.5 * p.half;
       part = !less && m.dir * c.p.mid > c.p.rad && p.half > unhurried;
       if (less) {
         strip_make(&p, g, p.angle + from, p.angle + to, to - from);
-        k = strip_turns(&p, g);
+        k = strip_turns(&p);
       }
     }
     if (!part) {
@@ -139,7 +139,7 @@ static void advance(struct march *s, double low, double high, struct front m) {
       if (m.now.sine[0].rad + m.now.sine[1].rad > 1e-13) clock_set(&m.now, g, m.now.t);
       if (m.level < s->level && fmod(m.now.t, 2 * s->step[m.level].t) == 0) m.level++;
       if (m.now.t <= m.check) continue;
-      if (strip_misses(&p, g, &k)) return;
+      if (strip_misses(&p, &k)) return;
       m.check *= 2;
       part = p.half > unhurried;
     }

@@ -5,12 +5,6 @@
 
 #include "cell.h"
 
-/* A zero that is known already, in the box of half widths near around at. */
-struct known {
-  double k, at[2], near[2];
-  bool met; /* by a proof that it and another one are all there is around */
-};
-
 enum { MARCH_LEVELS = 64, MARCH_LOWEST = 44 }; /* of steps: 2^(index - MARCH_LOWEST) */
 
 struct march {

@@ -133,14 +133,14 @@ static void shape_init(struct shape *x, struct calc *c, const fmpq *model, const
   x->turn = calc_mul(c, x->m.omega, x->t[PHASE_C]);
 }
 
-/* t, counted from the start of a phase, from the start of the period. */
-static val since(const struct shape *x, enum phase ph, val t) {
-  return calc_add(x->c, x->begin[ph], t);
-}
-
 /* Whether 0 < t < the length of the phase. */
 static truth within(const struct shape *x, enum phase ph, val t) {
   return truth_and(num_arb.lt(x->m.zero, t), num_arb.lt(t, x->t[ph]));
+}
+
+/* A candidate at the time t of a phase, if that lies in it. */
+static void offer_at(struct dyn_margin *m, const struct shape *x, enum phase ph, val value, val t) {
+  offer(m, x->c, value, calc_add(x->c, x->begin[ph], t), WHERE_INSIDE, within(x, ph, t));
 }
 
 /* --- Phase D: w rises steadily to e1, r stands still. --- */
@@ -167,7 +167,7 @@ static void gamma_v1(struct dyn_margin *m, const struct shape *x) {
   /* e1 cos t + a sin t = 0: the valleys lie where t = atan2(-e1, a), all as deep as the first one after pi. */
   val valley = calc_add(c, calc_atan2(c, calc_neg(c, e1), a), calc_mul(c, x->m.two, calc_pi(c)));
   val depth = calc_sub(c, a, calc_sqrt(c, calc_dot(c, a, a, e1, e1)));
-  offer(m, c, depth, since(x, PHASE_GAMMA, valley), WHERE_INSIDE, within(x, PHASE_GAMMA, valley));
+  offer_at(m, x, PHASE_GAMMA, depth, valley);
 }
 
 /* chi r is highest at t_b, where it must be e2, or at a crest before; crests rise from one period of Gamma to the next,
@@ -183,7 +183,7 @@ static void gamma_r(struct dyn_margin *m, const struct shape *x) {
   truth in = within(x, PHASE_GAMMA, crest);
   for (int i = 0; i < 4 && in != TRUTH_FALSE; i++, in = within(x, PHASE_GAMMA, crest)) {
     val left = calc_mul(c, chi, calc_sub(c, x->s.rise, ball_rise(c, &x->m, crest)));
-    offer(m, c, left, since(x, PHASE_GAMMA, crest), WHERE_INSIDE, in);
+    offer_at(m, x, PHASE_GAMMA, left, crest);
     crest = calc_add(c, crest, turn);
   }
 }
@@ -204,6 +204,7 @@ struct motion {
   val margin, rate, bend;
 };
 
+/* Of the first modes alone: of the slow one, or of both. */
 static struct motion modes_at(const struct shape *x, int mass, val t, int n_modes) {
   struct calc *c = x->c;
   struct motion f = {x->m.p[P_V], x->m.zero, x->m.zero};
@@ -220,11 +221,6 @@ static struct motion modes_at(const struct shape *x, int mass, val t, int n_mode
 
 static struct motion motion_at(const struct shape *x, int mass, val t) {
   return modes_at(x, mass, t, 2);
-}
-
-/* Without the fast mode. */
-static struct motion slow_at(const struct shape *x, int mass, val t) {
-  return modes_at(x, mass, t, 1);
 }
 
 /* A step towards the only root of the rate that a piece of time can hold, whose second derivative has one sign:
@@ -259,7 +255,7 @@ static bool narrow_root(arb_t piece, int *steps, const struct shape *x, int mass
    than the amplitude of the fast one: pieces far longer than an oscillation of the fast mode can be left out. */
 static bool slow_is_above(const struct dyn_margin *m, const struct shape *x, int mass, val piece, val mid, val shift) {
   struct calc *c = x->c;
-  struct motion at = slow_at(x, mass, mid), all = slow_at(x, mass, piece);
+  struct motion at = modes_at(x, mass, mid, 1), all = modes_at(x, mass, piece, 1);
   val rate = calc_add(c, at.rate, calc_mul(c, all.bend, shift));
   val a = x->s.modes.a[mass][1], b = x->s.modes.b[mass][1];
   val least = calc_sub(c, calc_add(c, at.margin, calc_mul(c, rate, shift)), calc_sqrt(c, calc_dot(c, a, a, b, b)));
@@ -293,8 +289,7 @@ static void hunt(struct dyn_margin *m, const struct shape *x, int mass, double l
   }
   if (!idle && done) {
     c->ctx.prec = prec;
-    struct motion bottom = motion_at(x, mass, piece);
-    offer(m, c, bottom.margin, since(x, PHASE_H, piece), WHERE_INSIDE, within(x, PHASE_H, piece));
+    offer_at(m, x, PHASE_H, motion_at(x, mass, piece).margin, piece);
     c->ctx.prec = coarse;
   } else if (!idle) {
     hunt(m, x, mass, low, low + half, prec);
@@ -344,9 +339,8 @@ static void c_w_valleys(struct dyn_margins *m, const struct shape *x) {
   val near = calc_atan2(c, x->m.a, side), roots[2] = {near, calc_sub(c, calc_pi(c), near)};
   for (int i = 0; i < 2; i++) {
     val t = calc_sub(c, x->t[PHASE_C], calc_div(c, roots[i], x->m.omega)), margin = w_margin(x, roots[i]);
-    truth in = within(x, PHASE_C, t);
-    offer(&m->at[COND_C_W], c, margin, since(x, PHASE_C, t), WHERE_INSIDE, in);
-    offer(&m->at[MARGIN_C_W_LOW], c, calc_neg(c, margin), since(x, PHASE_C, t), WHERE_INSIDE, in);
+    offer_at(&m->at[COND_C_W], x, PHASE_C, margin, t);
+    offer_at(&m->at[MARGIN_C_W_LOW], x, PHASE_C, calc_neg(c, margin), t);
   }
 }
 
@@ -355,9 +349,9 @@ static void c_v2(struct dyn_margin *m, const struct shape *x) {
   val r = x->s.r, zero = x->m.zero;
   start_at_zero(m, c, x->begin[N_PHASES], WHERE_END, calc_neg(c, calc_mul(c, x->m.stiff, r)), zero);
   offer(m, c, calc_neg(c, x->s.qc), x->begin[PHASE_C], WHERE_START, TRUTH_TRUE);
-  val quarter = calc_mul(c, calc_d(c, 0.5), calc_pi(c)),
-      t = calc_sub(c, x->t[PHASE_C], calc_div(c, quarter, x->m.omega));
-  offer(m, c, calc_neg(c, calc_mul(c, x->m.omega, r)), since(x, PHASE_C, t), WHERE_INSIDE, within(x, PHASE_C, t));
+  val quarter = calc_mul(c, calc_d(c, 0.5), calc_pi(c));
+  val t = calc_sub(c, x->t[PHASE_C], calc_div(c, quarter, x->m.omega));
+  offer_at(m, x, PHASE_C, calc_neg(c, calc_mul(c, x->m.omega, r)), t);
 }
 
 static void c_margins(struct dyn_margins *m, const struct shape *x) {

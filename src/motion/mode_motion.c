@@ -54,9 +54,10 @@ struct swing {
 };
 
 static struct swing swing_make(struct calc *c, const struct motion_law *law, const enum coulomb_mode mode[2],
-                               const val slip[2], const val force[2]) {
+                               const struct motion_start *at) {
+  const val *slip = at->slip;
   struct swing w = {.n = 0};
-  val speed[2], pull[2] = {force[0], calc_mul(c, law->eta, force[1])};
+  val speed[2], pull[2] = {at->pull[0], calc_mul(c, law->eta, at->pull[1])};
   for (int i = 0; i < 2; i++) {
     speed[i] = calc_add(c, law->V, slip[i]);
     w.drift[i] = law->zero;
@@ -105,13 +106,13 @@ void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, v
 }
 
 void motion_make(struct motion *m, struct calc *c, const struct motion_law *law, const enum coulomb_mode mode[2],
-                 const val force[2], const val slip[2], const val pull[2]) {
-  struct swing w = swing_make(c, law, mode, slip, pull);
+                 const struct motion_start *at) {
+  struct swing w = swing_make(c, law, mode, at);
   val chi = law->chi, minus = calc_neg(c, chi), one = calc_d(c, 1);
   val weight[2][2] = {{one, minus}, {minus, chi}};
   for (int i = 0; i < 2; i++) {
-    m->speed[i] = (struct harmonic){.n = w.n, .start = slip[i], .drift = law->zero};
-    m->force[i] = (struct harmonic){.n = w.n, .start = force[i], .drift = w.drift[i]};
+    m->speed[i] = (struct harmonic){.n = w.n, .start = at->slip[i], .drift = law->zero};
+    m->force[i] = (struct harmonic){.n = w.n, .start = at->force[i], .drift = w.drift[i]};
     for (int k = 0; k < w.n; k++) {
       m->speed[i].om[k] = m->force[i].om[k] = w.om[k];
       m->speed[i].cs[k] = w.cs[i][k];

@@ -40,8 +40,11 @@ void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, v
 struct motion {
   struct harmonic force[2], speed[2]; /* f_i, up to any constant, and p_i */
 };
-/* From forces and p_i on; pull[i] = u_i - f_i with the friction u_i of a slipping mass. */
+/* Where it begins: forces, p_i, and u_i - f_i with the friction u_i of a slipping mass. */
+struct motion_start {
+  val force[2], slip[2], pull[2];
+};
 void motion_make(struct motion *m, struct calc *c, const struct motion_law *law, const enum coulomb_mode mode[2],
-                 const val force[2], const val slip[2], const val pull[2]);
+                 const struct motion_start *at);
 
 #endif

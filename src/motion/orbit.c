@@ -10,7 +10,6 @@
 #include "base/arena.h"
 #include "map_balls.h"
 #include "num/solve.h"
-#include "orbit.h"
 #include "orbit_judge.h"
 #include "search.h"
 #include "warm.h"
@@ -35,6 +34,14 @@ static void solution_init(struct solution *s) {
     arb_init(s->box[i]);
   }
   s->prec = 0;
+}
+
+/* Where it is looked for. */
+static void solution_at(struct solution *s, struct dyn_place at) {
+  arb_set_d(s->x[0], at.tb);
+  arb_set_d(s->x[1], at.tc);
+  s->up = at.up;
+  s->grazing = false;
 }
 
 static void close_calc(struct solution *s) {
@@ -135,17 +142,17 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
   struct ball_pass a, b;
   struct calc c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, params);
-  val width = calc_d(&c, fmax(zero->high - zero->low, 1e-12 * zero->tb)), tc = calc_d(&c, zero->tc);
-  val tb = calc_d(&c, zero->tb), small = calc_mul(&c, width, calc_two_to(&c, -prec / 3)), bend = m.zero;
-  int status = slope_at(&a, &c, &m, calc_add(&c, tb, width), tc, zero->up);
-  status |= slope_at(&b, &c, &m, tb, tc, zero->up);
+  val width = calc_d(&c, fmax(zero->high - zero->low, 1e-12 * zero->at.tb)), tc = calc_d(&c, zero->at.tc);
+  val tb = calc_d(&c, zero->at.tb), small = calc_mul(&c, width, calc_two_to(&c, -prec / 3)), bend = m.zero;
+  int status = slope_at(&a, &c, &m, calc_add(&c, tb, width), tc, zero->at.up);
+  status |= slope_at(&b, &c, &m, tb, tc, zero->at.up);
   bool settled = false;
   for (int i = 0; i < 60 && !status && !settled; i++) {
     bend = calc_middle(&c, calc_div(&c, calc_sub(&c, b.defect_tb, a.defect_tb), calc_sub(&c, b.tb, a.tb)));
     val step = calc_middle(&c, calc_neg(&c, calc_div(&c, b.defect_tb, bend)));
     settled = calc_lt(&c, calc_abs(&c, step), small);
     a = b;
-    status |= slope_at(&b, &c, &m, calc_middle(&c, calc_add(&c, b.tb, step)), b.tc, zero->up);
+    status |= slope_at(&b, &c, &m, calc_middle(&c, calc_add(&c, b.tb, step)), b.tc, zero->at.up);
   }
   *n = 0;
   if (status || !settled) { /* the passes of a step that failed hold nothing */
@@ -162,7 +169,7 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
       val off = *n == 0 ? calc_neg(&c, half) : half;
       arb_get_mid_arb(pair[*n].x[0], calc_add(&c, b.tb, off));
       arb_get_mid_arb(pair[*n].x[1], calc_add(&c, b.tc, calc_mul(&c, drift, off)));
-      pair[*n].up = zero->up;
+      pair[*n].up = zero->at.up;
       pair[*n].grazing = zero->grazing;
     }
     status |= c.status;
@@ -175,9 +182,7 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
 static int resolve(struct solution pair[2], int *n, const fmpq *params, const struct zero *zero, slong prec) {
   *n = 1;
   if (!zero->fold) {
-    arb_set_d(pair[0].x[0], zero->tb);
-    arb_set_d(pair[0].x[1], zero->tc);
-    pair[0].up = zero->up;
+    solution_at(&pair[0], zero->at);
     pair[0].grazing = zero->grazing;
     double slack = 1e-9 * zero->high + 0.01 * (zero->high - zero->low);
     if (!solve(&pair[0], params, prec)) {
@@ -202,11 +207,20 @@ static bool undecided(const struct dyn_orbit *o) {
   return any;
 }
 
-static truth judge(struct dyn_orbit *o, const fmpq *params, const struct solution *sol, slong prec, long max_steps) {
+/* In the calc of its last precision. */
+static int describe(struct dyn_orbit *o, struct solution *s) {
+  struct ball_pass at;
+  ball_pass_make(&at, &s->c, &s->m, s->x[0], s->x[1], s->up);
+  return dyn_orbit_describe(o, &s->c, &s->m, &at);
+}
+
+static truth judge(struct dyn_orbit *o, const struct solution *s, slong prec, long max_steps) {
   struct ball_params m;
+  struct ball_pass at;
   struct calc c = calc_begin(num_ctx_arb(prec));
-  ball_params_init(&m, &c, params);
-  truth first = dyn_orbit_judge(o, &c, &m, sol->x[0], sol->x[1], sol->up, max_steps);
+  ball_params_init(&m, &c, s->params);
+  ball_pass_make(&at, &c, &m, s->x[0], s->x[1], s->up);
+  truth first = dyn_orbit_judge(o, &c, &m, &at, max_steps);
   calc_clear(&c);
   return first;
 }
@@ -216,18 +230,15 @@ slong dyn_planned_bits(slong prec, slong left) {
 }
 
 /* The working precision near (t_b, t_c), from a pilot where it is worth its time. */
-static slong plan(const fmpq *params, double tb, double tc, bool up, slong prec) {
+static slong plan(const fmpq *params, struct dyn_place at, slong prec) {
   struct solution pilot;
   struct dyn_orbit o;
   if (prec <= DYN_PLANNED_FROM) return prec + DYN_GUARD;
   solution_init(&pilot);
   dyn_orbit_init(&o);
-  arb_set_d(pilot.x[0], tb);
-  arb_set_d(pilot.x[1], tc);
-  pilot.up = up;
+  solution_at(&pilot, at);
   slong left = 0;
-  if (!solve(&pilot, params, DYN_PILOT) && !dyn_orbit_describe(&o, &pilot.c, &pilot.m, pilot.x[0], pilot.x[1], up))
-    left = dyn_orbit_accuracy(&o);
+  if (!solve(&pilot, params, DYN_PILOT) && !describe(&o, &pilot)) left = dyn_orbit_accuracy(&o);
   dyn_orbit_clear(&o);
   solution_clear(&pilot);
   return dyn_planned_bits(prec, left);
@@ -235,37 +246,32 @@ static slong plan(const fmpq *params, double tb, double tc, bool up, slong prec)
 
 /* The orbit of a solution to prec bits, the working precision being raised, *raises times, as long as that helps.
    *first as judge returns it. */
-static int finish(struct dyn_orbit *o, truth *first, long *raises, const fmpq *params, struct solution *sol, slong prec,
-                  const struct dyn_limits *lim) {
-  slong work = sol->prec;
-  int status = dyn_orbit_describe(o, &sol->c, &sol->m, sol->x[0], sol->x[1], sol->up);
-  *raises = 0;
+static int finish(struct dyn_orbit *o, truth *first, long *raises, struct solution *s, slong prec, long max_steps) {
+  slong work = s->prec;
+  int status = describe(o, s);
   for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
     work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + DYN_GUARD;
-    status = solve(sol, params, work);
-    if (!status) status = dyn_orbit_describe(o, &sol->c, &sol->m, sol->x[0], sol->x[1], sol->up);
+    status = solve(s, s->params, work);
+    if (!status) status = describe(o, s);
     ++*raises;
   }
-  *first = judge(o, params, sol, FLINT_MIN(work, 128), lim->max_steps);
-  if (*first == TRUTH_UNKNOWN || undecided(o)) *first = judge(o, params, sol, work, lim->max_steps);
-  o->grazing = sol->grazing || *first == TRUTH_UNKNOWN;
+  *first = judge(o, s, FLINT_MIN(work, 128), max_steps);
+  if (*first == TRUTH_UNKNOWN || undecided(o)) *first = judge(o, s, work, max_steps);
+  o->grazing = s->grazing || *first == TRUTH_UNKNOWN;
   return status;
 }
 
-int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
+int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, struct dyn_place at, slong prec,
                    const struct dyn_limits *lim) {
   struct solution s;
   if (!lim) lim = &dyn_limits_default;
   solution_init(&s);
   dyn_orbit_init(o);
-  arb_set_d(s.x[0], tb);
-  arb_set_d(s.x[1], tc);
-  s.up = up;
-  s.grazing = false;
+  solution_at(&s, at);
   truth proved = TRUTH_UNKNOWN;
-  long raises;
-  int status = solve(&s, params, plan(params, tb, tc, up, prec));
-  if (!status) status = finish(o, &proved, &raises, params, &s, prec, lim);
+  long raises = 0;
+  int status = solve(&s, params, plan(params, at, prec));
+  if (!status) status = finish(o, &proved, &raises, &s, prec, lim->max_steps);
   if (first) *first = proved;
   solution_clear(&s);
   return status;
@@ -311,7 +317,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
     int n = 0;
     for (int k = 0; k < 2; k++) solution_init(&pair[k]);
     const struct zero *z = &search.zeros[i];
-    slong work = z->fold ? prec + DYN_GUARD : plan(params, z->tb, z->tc, z->up, prec);
+    slong work = z->fold ? prec + DYN_GUARD : plan(params, z->at, prec);
     status |= resolve(pair, &n, params, z, work);
     for (int k = 0; k < n; k++) add_solution(&found, &pair[k]);
     list->bits = FLINT_MAX(list->bits, n > 0 ? work : 0);
@@ -322,9 +328,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
     struct dyn_orbit *o = &list->orbit[list->n];
     truth first;
     dyn_orbit_init(o);
-    long raises;
-    status |= finish(o, &first, &raises, params, &found.s[i], prec, lim);
-    list->raises += raises;
+    status |= finish(o, &first, &list->raises, &found.s[i], prec, lim->max_steps);
     if (first == TRUTH_FALSE)
       dyn_orbit_clear(o);
     else

@@ -27,11 +27,7 @@ static void blocks_at(struct slip_blocks *h, struct calc *c, const struct spectr
   flow_function(h->n, c, s, fast[0], fast[1]);
 }
 
-/* Velocities and forces after phase H. */
-struct moving {
-  val v[2], f[2];
-};
-
+/* After phase H. */
 static struct moving carry(struct calc *c, const struct slip_blocks *h, const struct moving *m) {
   struct moving to;
   for (int i = 0; i < 2; i++) {
@@ -44,7 +40,8 @@ static struct moving carry(struct calc *c, const struct slip_blocks *h, const st
 
 /* The column of the derivatives when the state at the end of phase H moves by d and r_0 by end. */
 static void column(struct word *w, enum dyn_quantity x, struct calc *c, const struct ball_params *m,
-                   const struct moving *d, val end, val cosine, val sine) {
+                   const struct moving *d, val end) {
+  val cosine = w->cosine, sine = w->sine;
   val r = calc_div(c, d->f[1], m->stiff);
   w->j[0][x] = d->v[0];
   w->j[1][x] = calc_sub(c, r, calc_mul(c, end, cosine));
@@ -54,11 +51,11 @@ static void column(struct word *w, enum dyn_quantity x, struct calc *c, const st
 
 void word_make(struct word *w, struct calc *c, const struct ball_params *m, const val x[N_QUANTITIES]) {
   val e1 = x[QUANTITY_E1], e2 = x[QUANTITY_E2], tb = x[QUANTITY_TB], td = x[QUANTITY_TD], V = m->p[P_V];
-  val chi = m->p[P_CHI], eta = m->p[P_ETA], zero = m->zero, s, co, sine, cosine;
+  val chi = m->p[P_CHI], eta = m->p[P_ETA], zero = m->zero, s, co;
   struct slip_blocks h;
   blocks_at(&h, c, &m->spectrum, x[QUANTITY_TC]);
   calc_sin_cos(c, &s, &co, tb);
-  calc_sin_cos(c, &sine, &cosine, calc_mul(c, m->omega, td));
+  calc_sin_cos(c, &w->sine, &w->cosine, calc_mul(c, m->omega, td));
   val wb = calc_dot(c, e1, co, m->a, s), dwb = calc_sub(c, calc_mul(c, m->a, co), calc_mul(c, e1, s));
   val pb = calc_sub(c, dwb, m->a), rise = calc_add(c, calc_sub(c, calc_mul(c, m->a, tb), wb), e1);
   w->end = calc_sub(c, calc_div(c, e2, chi), rise);
@@ -70,13 +67,13 @@ void word_make(struct word *w, struct calc *c, const struct ball_params *m, cons
       {calc_neg(c, at.f[0]), calc_neg(c, at.f[1])},
       {calc_sub(c, at.v[0], calc_mul(c, chi, at.v[1])), calc_mul(c, m->stiff, calc_sub(c, at.v[1], at.v[0]))}};
   struct moving end[3] = {carry(c, &h, &by_e1), carry(c, &h, &by_e2), carry(c, &h, &by_tb)};
-  column(w, QUANTITY_E1, c, m, &end[0], calc_sub(c, co, m->one), cosine, sine);
-  column(w, QUANTITY_E2, c, m, &end[1], calc_div(c, m->one, chi), cosine, sine);
-  column(w, QUANTITY_TB, c, m, &end[2], pb, cosine, sine);
-  column(w, QUANTITY_TC, c, m, &by_tc, zero, cosine, sine);
+  column(w, QUANTITY_E1, c, m, &end[0], calc_sub(c, co, m->one));
+  column(w, QUANTITY_E2, c, m, &end[1], calc_div(c, m->one, chi));
+  column(w, QUANTITY_TB, c, m, &end[2], pb);
+  column(w, QUANTITY_TC, c, m, &by_tc, zero);
   w->j[3][QUANTITY_E1] = calc_sub(c, w->j[3][QUANTITY_E1], m->one);
   val spin = calc_mul(c, m->omega, w->end);
-  val by_td[WORD_FREE] = {zero, calc_mul(c, spin, sine), calc_neg(c, calc_mul(c, spin, cosine)), m->a};
+  val by_td[WORD_FREE] = {zero, calc_mul(c, spin, w->sine), calc_neg(c, calc_mul(c, spin, w->cosine)), m->a};
   for (int i = 0; i < WORD_FREE; i++) {
     w->j[i][QUANTITY_TA] = i == 3 ? m->a : zero;
     w->j[i][QUANTITY_TD] = by_td[i];
@@ -84,8 +81,8 @@ void word_make(struct word *w, struct calc *c, const struct ball_params *m, cons
 
   val r = calc_div(c, at.f[1], m->stiff), rest = calc_mul(c, m->a, calc_add(c, x[QUANTITY_TA], td));
   w->e[0] = calc_sub(c, at.v[0], V);
-  w->e[1] = calc_sub(c, r, calc_mul(c, w->end, cosine));
-  w->e[2] = calc_sub(c, calc_div(c, calc_sub(c, at.v[1], V), m->omega), calc_mul(c, w->end, sine));
+  w->e[1] = calc_sub(c, r, calc_mul(c, w->end, w->cosine));
+  w->e[2] = calc_sub(c, calc_div(c, calc_sub(c, at.v[1], V), m->omega), calc_mul(c, w->end, w->sine));
   val back = calc_mul(c, chi, calc_sub(c, w->end, r));
   w->e[3] = calc_sub(c, calc_add(c, at.f[0], calc_sub(c, rest, back)), e1);
 }
@@ -200,30 +197,38 @@ static int enclose(struct word_root *s, const struct num_vec *x, const struct wo
   return status;
 }
 
-int word_solve(struct word_root *s, struct num_vec *x, const struct word_data *q) {
-  int status = refine(x, q);
-  return status ? status : enclose(s, x, q);
+int word_solve(struct word_root *s, const struct word_data *q, slong prec) {
+  struct num_vec x;
+  int status = SS_OK;
+  num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
+  for (int i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_arb(num_vec_at(&x, i), s->x[i], prec);
+  if (!status) status = refine(&x, q);
+  if (!status) status = enclose(s, &x, q);
+  num_vec_clear(&x);
+  return status;
 }
 
 /* --- Its orbit. --- */
 
-/* The orbit's parameters, e1 and e2 as they came out, and the sign of r at the stick phase, which phase C has too; where
-   enclosures cannot tell it, the direction of phase C will not be proved. */
-static bool open_root(struct calc *c, struct ball_params *m, const struct word_root *s, const fmpq *model, slong prec) {
+/* The orbit's parameters, e1 and e2 as they came out, and its pass; the sign of r at the stick phase is that in phase C
+   too; where enclosures cannot tell it, the direction of phase C will not be proved. */
+static void open_root(struct calc *c, struct ball_params *m, struct ball_pass *s, const struct word_root *root,
+                      const fmpq *model, slong prec) {
   struct word w;
   val x[N_QUANTITIES];
   *c = calc_begin(num_ctx_arb(prec));
-  for (int i = 0; i < N_QUANTITIES; i++) x[i] = s->x[i];
+  for (int i = 0; i < N_QUANTITIES; i++) x[i] = root->x[i];
   ball_params_with(m, c, model, x[QUANTITY_E1], x[QUANTITY_E2]);
   word_make(&w, c, m, x);
-  return num_arb.get_d(w.end) > 0;
+  ball_pass_make(s, c, m, x[QUANTITY_TB], x[QUANTITY_TC], num_arb.get_d(w.end) > 0);
 }
 
 int word_describe(struct dyn_orbit *o, const struct word_root *s, const fmpq *model, slong prec) {
   struct ball_params m;
+  struct ball_pass at;
   struct calc c;
-  bool up = open_root(&c, &m, s, model, prec);
-  int status = dyn_orbit_describe(o, &c, &m, s->x[QUANTITY_TB], s->x[QUANTITY_TC], up);
+  open_root(&c, &m, &at, s, model, prec);
+  int status = dyn_orbit_describe(o, &c, &m, &at);
   for (int i = 0; i < N_PHASES; i++) arb_set(o->t[i], s->x[QUANTITY_TA + i]);
   calc_clear(&c);
   return status;
@@ -233,9 +238,10 @@ truth word_judge_orbit(struct dyn_orbit *o, truth *domain, const struct word_roo
                        long max_steps) {
   static const enum dyn_quantity positive[] = {QUANTITY_E1, QUANTITY_E2, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD};
   struct ball_params m;
+  struct ball_pass at;
   struct calc c;
-  bool up = open_root(&c, &m, s, model, prec);
-  truth first = dyn_orbit_judge(o, &c, &m, s->x[QUANTITY_TB], s->x[QUANTITY_TC], up, max_steps);
+  open_root(&c, &m, &at, s, model, prec);
+  truth first = dyn_orbit_judge(o, &c, &m, &at, max_steps);
   *domain = num_arb.lt(calc_mul(&c, m.omega, s->x[QUANTITY_TD]), calc_pi(&c));
   for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
     *domain = truth_and(*domain, num_arb.lt(m.zero, s->x[positive[i]]));

@@ -17,7 +17,8 @@ struct word_data {
 /* Their left sides, zero on an orbit, and derivatives by the quantities. */
 struct word {
   val e[WORD_FREE], j[WORD_FREE][N_QUANTITIES];
-  val end; /* r at the stick phase */
+  val end;          /* r at the stick phase */
+  val sine, cosine; /* of omega t_d */
 };
 /* Of the model; e1 and e2 are among the quantities and stand for nothing here. */
 void word_params(struct ball_params *m, struct calc *c, const fmpq *model);
@@ -39,9 +40,9 @@ struct word_root {
 };
 void word_root_init(struct word_root *s);
 void word_root_clear(struct word_root *s);
-/* The solution near x (of mpfr): Newton's iteration takes x there, the precision doubling up to that of x and the known
-   ones being rounded once; Krawczyk's operator proves it. */
-int word_solve(struct word_root *s, struct num_vec *x, const struct word_data *q);
+/* The solution near the midpoints of s->x, at prec bits: Newton's iteration, the precision doubling up to that and the
+   known quantities being rounded once; Krawczyk's operator proves it. */
+int word_solve(struct word_root *s, const struct word_data *q, slong prec);
 
 /* The numbers of a solution's orbit. */
 int word_describe(struct dyn_orbit *o, const struct word_root *s, const fmpq *model, slong prec);

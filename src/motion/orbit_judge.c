@@ -50,97 +50,93 @@ void dyn_orbit_clear(struct dyn_orbit *o) {
   for (int i = 0; i < ORBIT_NUMBERS; i++) arb_clear(all[i]);
 }
 
-/* The values of w at the ends of phase C and where w' = a - chi q vanishes in it; q = omega R sin u with
-   u = omega (t_d - t) from turn down to 0.  The least and the greatest. */
-static void force_range(val *least, val *most, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
-                        val turn, val wf) {
-  arb_ptr low = calc_new(c), high = calc_new(c);
-  arb_min(low, s->wc, wf, c->ctx.prec);
-  arb_max(high, s->wc, wf, c->ctx.prec);
-  *least = low;
-  *most = high;
-  val chi = m->p[P_CHI], fast = calc_mul(c, chi, calc_mul(c, m->omega, s->r_end)); /* of the sign of q */
-  if (!arb_is_positive(s->r_end) || num_arb.lt(fast, m->a) == TRUTH_TRUE) return;
+/* The least and the greatest w in phase C: at its ends, or where w' = a - chi q vanishes in it; q = omega R sin u with
+   u = omega (t_d - t) from turn down to 0. */
+struct force_range {
+  arb_ptr least, most;
+};
+
+static struct force_range force_range(struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                                      const struct ball_ending *e) {
+  struct force_range w = {calc_new(c), calc_new(c)};
+  arb_min(w.least, s->wc, e->wf, c->ctx.prec);
+  arb_max(w.most, s->wc, e->wf, c->ctx.prec);
+  val fast = calc_mul(c, m->p[P_CHI], calc_mul(c, m->omega, s->r_end)); /* of the sign of q */
+  if (!arb_is_positive(s->r_end) || num_arb.lt(fast, m->a) == TRUTH_TRUE) return w;
   val x = calc_div(c, m->a, fast), y = calc_sqrt(c, calc_abs(c, calc_sub(c, m->one, calc_mul(c, x, x))));
-  for (int branch = 0; branch < 2;
-       branch++) { /* the valley, then the hill, of which only what lies below turn counts */
-    val u = calc_atan2(c, x, branch == 0 ? y : calc_neg(c, y)), sine, cosine;
-    truth inside = num_arb.lt(u, turn);
+  for (int hill = 0; hill < 2; hill++) { /* the valley, then the hill, of which only what lies below turn counts */
+    val u = calc_atan2(c, x, hill ? calc_neg(c, y) : y), sine, cosine;
+    truth inside = num_arb.lt(u, e->turn);
     if (inside == TRUTH_FALSE) continue;
     calc_sin_cos(c, &sine, &cosine, u);
-    val r = calc_mul(c, s->r_end, cosine), slide = calc_mul(c, m->a, calc_div(c, calc_sub(c, turn, u), m->omega));
-    val w = calc_add(c, s->wc, calc_sub(c, slide, calc_mul(c, chi, calc_sub(c, r, s->rc))));
-    arb_ptr bound = branch == 0 ? low : high;
-    arb_ptr both = calc_new(c);
-    if (branch == 0)
-      arb_min(both, bound, w, c->ctx.prec);
-    else
-      arb_max(both, bound, w, c->ctx.prec);
+    val there = ball_force(c, m, s, e, u, calc_mul(c, s->r_end, cosine));
+    arb_ptr bound = hill ? w.most : w.least, both = calc_new(c);
+    (hill ? arb_max : arb_min)(both, bound, there, c->ctx.prec);
     if (inside == TRUTH_TRUE)
       arb_set(bound, both);
     else
       arb_union(bound, bound, both, c->ctx.prec);
   }
+  return w;
 }
 
-void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
-                      bool up) {
+val ball_force(struct calc *c, const struct ball_params *m, const struct ball_pass *s, const struct ball_ending *e,
+               val u, val r) {
+  val slide = calc_mul(c, m->a, calc_div(c, calc_sub(c, e->turn, u), m->omega));
+  return calc_add(c, s->wc, calc_sub(c, slide, calc_mul(c, m->p[P_CHI], calc_sub(c, r, s->rc))));
+}
+
+void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s) {
   val reach = calc_mul(c, m->omega, s->rc);
-  e->turn = up ? calc_atan2(c, s->qc, reach) : calc_atan2(c, calc_neg(c, s->qc), calc_neg(c, reach));
+  e->turn = s->up ? calc_atan2(c, s->qc, reach) : calc_atan2(c, calc_neg(c, s->qc), calc_neg(c, reach));
   e->td = calc_div(c, e->turn, m->omega);
   val fall = calc_mul(c, m->p[P_CHI], calc_sub(c, s->r_end, s->rc));
   e->wf = calc_add(c, s->wc, calc_sub(c, calc_mul(c, m->a, e->td), fall));
   e->ta = calc_div(c, calc_sub(c, m->p[P_E1], e->wf), m->a);
 }
 
-int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
-  struct ball_pass s;
-  ball_pass_make(&s, c, m, tb, tc, up);
+int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, const struct ball_pass *s) {
   struct ball_ending e;
-  val lowest, highest;
-  ball_ending_make(&e, c, m, &s, up);
-  force_range(&lowest, &highest, c, m, &s, e.turn, e.wf);
+  ball_ending_make(&e, c, m, s);
+  struct force_range w = force_range(c, m, s, &e);
   val chi = m->p[P_CHI], e1 = m->p[P_E1], half = calc_d(c, 0.5);
-  val times[4] = {e.ta, tb, tc, e.td}, period = m->zero, z[2];
+  val times[4] = {e.ta, s->tb, s->tc, e.td}, period = m->zero, z[2];
   for (int i = 0; i < 4; i++) {
     arb_set(o->t[i], times[i]);
     o->guess[i] = num_arb.get_d(times[i]);
     period = calc_add(c, period, times[i]);
   }
-  ball_positions(z, c, m, e.wf, s.r);
+  ball_positions(z, c, m, e.wf, s->r);
   arb_set(o->z10, z[0]);
   arb_set(o->z20, z[1]);
   arb_set(o->e1, e1);
   arb_set(o->e2, m->p[P_E2]);
   arb_set(o->period, period);
-  arb_set(o->trace, calc_add(c, calc_div(c, s.defect_tb, s.pb), m->one));
+  arb_set(o->trace, calc_add(c, calc_div(c, s->defect_tb, s->pb), m->one));
   arb_set(o->margin, calc_sub(c, calc_abs(c, o->trace), m->one));
   arb_ptr least = calc_new(c); /* of w while m1 sticks: phases C and D */
-  arb_min(least, lowest, e1, c->ctx.prec);
+  arb_min(least, w.least, e1, c->ctx.prec);
   arb_set(o->u_r1_min, calc_mul(c, half, calc_sub(c, e1, least)));
-  arb_set(o->u_r2_min, calc_mul(c, half, calc_mul(c, chi, s.rise))); /* chi r only rises while m2 sticks */
+  arb_set(o->u_r2_min, calc_mul(c, half, calc_mul(c, chi, s->rise))); /* chi r only rises while m2 sticks */
   return c->status;
 }
 
-truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up,
+truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
                       long max_steps) {
-  struct ball_pass s;
-  ball_pass_make(&s, c, m, tb, tc, up);
   struct ball_ending e;
-  val least, most;
-  ball_ending_make(&e, c, m, &s, up);
-  force_range(&least, &most, c, m, &s, e.turn, e.wf);
-  truth direction = up ? num_arb.lt(m->zero, s.qc) : num_arb.lt(s.qc, m->zero);
-  truth first_b = truth_and(ball_first_rise(c, m, &s, &o->holds[COND_GAMMA_V1]), num_arb.lt(m->zero, tb));
-  truth first_c = ball_slower(c, m, &s.modes, 0, s.pb, tc, true, max_steps);
-  first_c = truth_and(first_c, num_arb.lt(m->zero, tc)); /* Newton's iteration can have left the phases */
+  ball_ending_make(&e, c, m, s);
+  truth positive = num_arb.lt(m->zero, s->qc), negative = num_arb.lt(s->qc, m->zero);
+  truth direction = s->up ? positive : negative;
+  truth first_b = truth_and(ball_first_rise(c, m, s, &o->holds[COND_GAMMA_V1]), num_arb.lt(m->zero, s->tb));
+  truth first_c = ball_slower(c, m, s, 0, max_steps);
+  first_c = truth_and(first_c, num_arb.lt(m->zero, s->tc)); /* Newton's iteration can have left the phases */
   o->holds[COND_TA] = num_arb.lt(m->zero, e.ta);
-  o->holds[COND_H_V1] = num_arb.lt(s.pb, m->zero);
-  o->holds[COND_H_V2] = ball_slower(c, m, &s.modes, 1, m->zero, tc, false, max_steps);
-  if (num_arb.lt(m->zero, s.qc) == TRUTH_TRUE) o->holds[COND_H_V2] = TRUTH_FALSE; /* however late */
-  o->holds[COND_C_V2] = num_arb.lt(s.qc, m->zero);
-  o->holds[COND_C_W] = num_arb.lt(most, m->p[P_E1]);
-  o->holds[COND_D_R] = num_arb.lt(m->zero, s.rise);
+  o->holds[COND_H_V1] = num_arb.lt(s->pb, m->zero);
+  o->holds[COND_H_V2] = ball_slower(c, m, s, 1, max_steps);
+  if (positive == TRUTH_TRUE) o->holds[COND_H_V2] = TRUTH_FALSE; /* however late */
+  o->holds[COND_C_V2] = negative;
+  o->holds[COND_C_W] = num_arb.lt(force_range(c, m, s, &e).most, m->p[P_E1]);
+  o->holds[COND_D_R] = num_arb.lt(m->zero, s->rise);
   o->holds[COND_GAMMA_R] = first_b;
   o->stable = num_arb.lt(calc_abs(c, o->trace), m->one);
   o->admissible = TRUTH_TRUE;
@@ -150,4 +146,14 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
   o->first[PHASE_H] = first_c;
   o->first[PHASE_C] = direction; /* q = omega r_end sin(omega (t_d - t)) with 0 < omega t_d < pi */
   return truth_and(truth_and(first_b, first_c), direction);
+}
+
+truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec) {
+  if (!u_r) return TRUTH_TRUE;
+  arb_t x;
+  arb_init(x);
+  arb_set_fmpq(x, u_r, prec);
+  truth t = num_arb.lt(least, x);
+  arb_clear(x);
+  return t;
 }

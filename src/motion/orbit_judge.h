@@ -10,8 +10,11 @@
 struct ball_ending {
   val turn, td, wf, ta;
 };
-void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
-                      bool up);
+void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s);
+
+/* w in phase C at the angle u before its end, where r is known. */
+val ball_force(struct calc *c, const struct ball_params *m, const struct ball_pass *s, const struct ball_ending *e,
+               val u, val r);
 
 /* Its numbers: those of DYN_ORBIT_NUMBERS, and the margin. */
 enum { ORBIT_NUMBERS = 13 };
@@ -21,10 +24,23 @@ void dyn_orbit_init(struct dyn_orbit *o);
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o);
 /* The fewest relative bits of any of its numbers that is not zero; at least 0. */
 slong dyn_orbit_accuracy(struct dyn_orbit *o);
-/* Every number; up: q > 0 in phase C. */
-int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
-/* The conditions.  Returns whether t_b and t_c are proved to be first roots, and up the direction of phase C. */
-truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up,
+/* Every number of the orbit that a pass is. */
+int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, const struct ball_pass *s);
+/* The conditions.  Returns whether t_b and t_c are proved to be first roots, and the direction of phase C. */
+truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
                       long max_steps);
+/* Whether the static friction is more than the least that an orbit needs; some is where it is not given. */
+truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec);
+
+/* --- orbit.c: what the searches for orbits share --- */
+
+/* The first working precision for prec bits of every number of an orbit.  How many bits the worst of them loses is the
+   orbit's own (its condition) and hardly depends on the precision, so that a pilot tells, of which `left` bits are
+   left; 0: none was run, since up to DYN_PLANNED_FROM bits a failed attempt costs less than one, or it told nothing. */
+enum { DYN_GUARD = 40, DYN_PLANNED_FROM = 512, DYN_PILOT = 192 };
+slong dyn_planned_bits(slong prec, slong left);
+
+/* For qsort: struct dyn_orbit by increasing z10. */
+int dyn_orbits_by_z10(const void *x, const void *y);
 
 #endif

@@ -19,14 +19,6 @@ static void block(struct num_vec *out, struct calc *c, const struct num_vec *m, 
   }
 }
 
-/* a -= b. */
-static int subtract(struct num_vec *a, const struct num_vec *b) {
-  int status = SS_OK;
-  for (slong i = 0; i < a->len; i++)
-    status |= a->ctx.type->sub(num_vec_at(a, i), num_vec_at(a, i), num_vec_at(b, i), a->ctx.prec);
-  return status;
-}
-
 /* --- Once around. --- */
 
 /* X = (N1 - I)^-1 N2 and Y = N3^-1 (N4 - I), and how they change with each time. */
@@ -52,7 +44,9 @@ static struct num_vec change(struct calc *c, const struct num_vec *dn, const str
   struct num_vec d = calc_vec(c, 4), dlead = calc_vec(c, 4);
   block(&dlead, c, dn, row, 0, false);
   block(&d, c, dn, row, 1, false);
-  c->status |= num_mat_mul(&dlead, &dlead, x, 2, 2, 2) | subtract(&d, &dlead) | num_mat_solve(&d, lead, &d, 2, 2);
+  c->status |= num_mat_mul(&dlead, &dlead, x, 2, 2, 2);
+  for (slong i = 0; i < 4; i++) calc_store(c, num_vec_at(&d, i), calc_sub(c, num_vec_at(&d, i), num_vec_at(&dlead, i)));
+  c->status |= num_mat_solve(&d, lead, &d, 2, 2);
   return d;
 }
 

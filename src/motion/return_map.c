@@ -135,13 +135,15 @@ static bool is_ordinary(const double params[N_PARAMS], double r) {
   return ordinary;
 }
 
-static int near_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-                    const void *t) {
+static void near_formula(val *out, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
+  const struct num_vec params = calc_vec_of(c, p, N_PARAMS);
+  struct num_vec to = calc_vec(c, N_RETURN);
   double guess[N_PHASES] = {0};
   (void)ph, (void)t;
-  for (int i = PHASE_GAMMA; i < N_PHASES; i++) guess[i] = num_arb.get_d(num_vec_at(in, i));
-  int status = dyn_return_near(out, params, num_vec_at(in, 0), guess);
-  return status && params->ctx.prec >= NEAR_MOST ? SS_DOMAIN : status; /* the guess is not near: no precision helps */
+  for (int i = PHASE_GAMMA; i < N_PHASES; i++) guess[i] = num_arb.get_d(in[i]);
+  int status = dyn_return_near(&to, &params, in[0], guess);
+  c->status |= status && c->ctx.prec >= NEAR_MOST ? SS_DOMAIN : status; /* not near: no precision helps */
+  flow_vals(out, &to, 0, N_RETURN);
 }
 
 /* Through balls, near the times that are known. */
@@ -150,7 +152,7 @@ static int mended(struct dyn_return *x, const double params[N_PARAMS], double r)
   const struct num_ctx d = num_ctx_double();
   struct num_vec out = {d, N_RETURN, (char *)to}, p = {d, N_PARAMS, (char *)given}, from = {d, N_PHASES, (char *)in};
   memcpy(given, params, sizeof given);
-  int status = rounded_run(&out, near_run, PHASE_D, &p, &from, NULL);
+  int status = rounded_run(&out, near_formula, PHASE_D, &p, &from, NULL);
   memcpy(x->t, to, sizeof x->t);
   x->r_end = to[RETURN_R];
   x->slope = to[RETURN_SLOPE];

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "arc.h"
-#include "flow.h"
+#include "event.h"
 #include "map_balls.h"
 #include "return_map.h"
 #include "return_map_double.h"
@@ -19,17 +19,9 @@ static void positions(val z[2], struct calc *c, const val p[N_PARAMS], val r) {
   z[1] = calc_add(c, z[0], r);
 }
 
-/* The next stick phase takes w from its last value to e1 at the speed (1 - chi) V. */
-static val next_stick(struct calc *c, const val p[N_PARAMS], const struct dyn_arc *arc) {
-  const struct num_vec end = {arc->z.ctx, N_STATE, num_vec_at(&arc->z, N_PHASES * N_STATE)};
-  val z[N_STATE];
-  flow_vals(z, &end, 0, N_STATE);
-  return calc_neg(c, calc_div(c, flow_switching(c, PHASE_D, p, z), flow_switching_rate(c, PHASE_D, p, z)));
-}
-
 int dyn_return_near(struct num_vec *out, const struct num_vec *params, const void *r, const double guess[N_PHASES]) {
   struct dyn_arc arc;
-  val p[N_PARAMS], z[2];
+  val p[N_PARAMS], z[2], end[N_STATE];
   const double near[] = {0, guess[PHASE_GAMMA], guess[PHASE_H], guess[PHASE_C]};
   arb_ptr jet = _arb_vec_init(2);
   struct calc c = calc_begin(params->ctx);
@@ -37,10 +29,11 @@ int dyn_return_near(struct num_vec *out, const struct num_vec *params, const voi
   flow_vals(p, params, 0, N_PARAMS);
   positions(z, &c, p, r);
   int status = c.status;
-  if (!status) status = arc_run_from(&arc, params, z[0], z[1], near);
+  if (!status) status = arc_run(&arc, params, z[0], z[1], NULL, near);
   if (!status) status = dyn_return_jet(jet, 2, params, &arc);
   if (!status) {
-    arb_set(num_vec_at(out, RETURN_TA), next_stick(&c, p, &arc));
+    flow_vals(end, &arc.z, N_PHASES * N_STATE, N_STATE);
+    arb_set(num_vec_at(out, RETURN_TA), event_stick(&c, p, end));
     for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) arb_set(num_vec_at(out, RETURN_TA + ph), num_vec_at(&arc.t, ph));
     arb_set(num_vec_at(out, RETURN_R), jet);
     arb_set(num_vec_at(out, RETURN_SLOPE), jet + 1);
@@ -68,7 +61,7 @@ static truth are_first(const struct num_vec *params, const struct num_vec *out, 
   ball_pass_slip(&s, &c, &m, tb, tc);
   truth positive = truth_and(num_arb.lt(m.zero, tb), num_arb.lt(m.zero, tc));
   truth first = c.status ? TRUTH_UNKNOWN : truth_and(positive, ball_first_rise(&c, &m, &s, &before_crest));
-  if (first == TRUTH_TRUE) first = ball_slower(&c, &m, &s.modes, 0, s.pb, tc, true, max_steps);
+  if (first == TRUTH_TRUE) first = ball_slower(&c, &m, &s, 0, max_steps);
   calc_clear(&c);
   return first;
 }
@@ -92,7 +85,7 @@ static int near_first(double t[N_PHASES], const struct num_vec *params, const vo
   if (!status) {
     val tb = calc_d(&c, t[PHASE_GAMMA]);
     ball_pass_slip(&s, &c, &m, tb, tb);
-    if (!ball_first_root(&t[PHASE_H], &c, &m, &s.modes, 0, s.pb, INFINITY, max_steps)) status = SS_UNABLE;
+    if (!ball_first_root(&t[PHASE_H], &c, &m, &s, max_steps)) status = SS_UNABLE;
     ball_pass_slip(&s, &c, &m, tb, calc_d(&c, t[PHASE_H]));
     double across = num_arb.get_d(calc_mul(&c, m.omega, s.rc)), q = num_arb.get_d(s.qc);
     t[PHASE_C] = atan2(fabs(q), q > 0 ? across : -across) / k.omc;

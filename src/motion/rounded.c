@@ -5,22 +5,10 @@
    though the result does not.  So the same code runs in balls, at a precision that rises until every result is known
    beyond a double, and what a double cannot hold is a status.  The usual point takes one pass at FIRST bits. */
 #include <math.h>
-#include <stdint.h>
 
 #include "rounded.h"
 
-enum { FIRST = 128, LAST = 4096, KNOWN = 64, LEAST = -1022, NOTHING = -1080 };
-
-/* A copy in balls; false when something is not finite. */
-static bool to_balls(struct num_vec *z, const struct num_vec *x) {
-  bool finite = true;
-  for (slong i = 0; i < x->len; i++) {
-    double v = num_double.get_d(num_vec_at(x, i));
-    finite = finite && isfinite(v);
-    arb_set_d(num_vec_at(z, i), v);
-  }
-  return finite;
-}
+enum { FIRST = 128, LAST = 4096, KNOWN = 64, LEAST = -1022, NOTHING = -1080, MOST_NUMBERS = 32 };
 
 /* The double nearest to x; *known is false when x is not known well enough for that.  A number below the normal doubles
    has fewer digits than they: SS_UNABLE; what cannot be told from zero at the last precision is zero. */
@@ -38,39 +26,52 @@ static int round_ball(double *z, bool *known, arb_srcptr x, bool last) {
   return isfinite(*z) && arf_cmpabs_2exp_si(arb_midref(x), LEAST) >= 0 ? SS_OK : SS_UNABLE;
 }
 
-/* One pass at the precision.  *known: a higher one would change nothing. */
-static int pass(struct num_vec *out, bool *known, phase_function run, enum phase ph, struct num_vec b[4], slong prec) {
+static int evaluate(struct num_vec *out, phase_formula *f, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
+  val to[MOST_NUMBERS];
+  struct calc c = calc_begin(out->ctx);
+  f(to, &c, ph, p, in, t);
+  for (slong i = 0; i < out->len; i++) out->ctx.type->set(num_vec_at(out, i), to[i]);
+  calc_clear(&c);
+  return c.status;
+}
+
+/* The results of a pass.  *known: a higher precision would change nothing. */
+static int round_all(struct num_vec *out, bool *known, const struct num_vec *balls, bool last) {
   int status = SS_OK;
-  for (int i = 0; i < 4; i++) b[i].ctx.prec = prec;
   *known = true;
-  status = run(&b[3], ph, &b[0], &b[1], b[2].len ? num_vec_at(&b[2], 0) : NULL);
-  if (status) {
-    *known = (status & SS_DOMAIN) != 0;
-    return status;
-  }
   for (slong i = 0; i < out->len; i++) {
     double z;
-    status |= round_ball(&z, known, num_vec_at(&b[3], i), prec == LAST);
+    status |= round_ball(&z, known, num_vec_at(balls, i), last);
     num_double.set(num_vec_at(out, i), &z);
   }
   return status;
 }
 
-int rounded_run(struct num_vec *out, phase_function run, enum phase ph, const struct num_vec *params,
+/* The same numbers as balls, without a radius. */
+static void to_balls(val *x, struct calc *c, slong n) {
+  for (slong i = 0; i < n; i++) x[i] = calc_d(c, num_double.get_d(x[i]));
+}
+
+int rounded_run(struct num_vec *out, phase_formula *f, enum phase ph, const struct num_vec *params,
                 const struct num_vec *in, const void *t) {
-  if (params->ctx.type != &num_double) return run(out, ph, params, in, t);
-  const struct num_vec none = {params->ctx, 0, NULL}, time = {params->ctx, t ? 1 : 0, (char *)(uintptr_t)t};
-  const struct num_vec *given[] = {params, in ? in : &none, &time};
-  struct num_vec b[4];
-  bool known = false;
-  int status = SS_OK;
-  for (int i = 0; i < 3; i++) {
-    num_vec_init(&b[i], given[i]->len, num_ctx_arb(FIRST));
-    known = !to_balls(&b[i], given[i]) || known;
+  val p[N_PARAMS], x[MOST_NUMBERS];
+  slong n = in ? in->len : 0;
+  flow_vals(p, params, 0, N_PARAMS);
+  if (in) flow_vals(x, in, 0, n);
+  if (params->ctx.type != &num_double) return evaluate(out, f, ph, p, x, t);
+  struct calc given = calc_begin(num_ctx_arb(FIRST));
+  struct num_vec balls = calc_vec(&given, out->len);
+  to_balls(p, &given, N_PARAMS);
+  to_balls(x, &given, n);
+  if (t) to_balls(&t, &given, 1);
+  bool known = given.status != SS_OK; /* something is not finite */
+  int status = known ? SS_UNABLE : SS_OK;
+  for (slong prec = FIRST; prec <= LAST && !known; prec *= 2) {
+    balls.ctx.prec = prec;
+    status = evaluate(&balls, f, ph, p, x, t);
+    known = (status & SS_DOMAIN) != 0;
+    if (!status) status = round_all(out, &known, &balls, prec == LAST);
   }
-  num_vec_init(&b[3], out->len, num_ctx_arb(FIRST));
-  if (known) status = SS_UNABLE;
-  for (slong prec = FIRST; prec <= LAST && !known; prec *= 2) status = pass(out, &known, run, ph, b, prec);
-  for (int i = 0; i < 4; i++) num_vec_clear(&b[i]);
+  calc_clear(&given);
   return status;
 }

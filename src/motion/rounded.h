@@ -3,14 +3,13 @@
 #ifndef STICKSLIP_ROUNDED_H
 #define STICKSLIP_ROUNDED_H
 
-#include "dynamics.h"
+#include "flow.h"
 
-/* Results of one phase from the parameters, a state and a time (both may be NULL where the function reads none). */
-typedef int (*phase_function)(struct num_vec *out, enum phase ph, const struct num_vec *params,
-                              const struct num_vec *in, const void *t);
-/* The function; in double precision by way of balls, so that each result is within 2^-53 of itself: SS_UNABLE where one
-   is beyond the range of normal doubles or not known at 4096 bits.  out may alias in. */
-int rounded_run(struct num_vec *out, phase_function run, enum phase ph, const struct num_vec *params,
+/* A formula of a phase from the parameters, a state (or other numbers) and a time; it need not read all of them. */
+typedef void phase_formula(val *out, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t);
+/* Its results; in double precision by way of balls, so that each is within 2^-53 of itself: SS_UNABLE where one is
+   beyond the range of normal doubles or not known at 4096 bits.  in and t may be NULL.  out may alias in. */
+int rounded_run(struct num_vec *out, phase_formula *f, enum phase ph, const struct num_vec *params,
                 const struct num_vec *in, const void *t);
 
 #endif

@@ -28,11 +28,12 @@ static int vector_field(struct num_vec *f, enum phase ph, const struct num_vec *
   return s;
 }
 
-/* Perturbations, the n columns of m, carried through the phase, which ends at the state end after t, and across its end.
+/* Perturbations, the columns of m, carried through the phase, which ends at the state end after t, and across its end.
    A perturbed motion ends it earlier by lead = (n.column)/(n.f-).  home: they are then taken back along the motion that
    follows, each to the perturbed motion's own event. */
-static int carry_phase(struct num_vec *m, slong n, enum phase ph, const struct num_vec *params,
-                       const struct num_vec *end, const void *t, bool home) {
+static int carry_phase(struct num_vec *m, enum phase ph, const struct num_vec *params, const struct num_vec *end,
+                       const void *t, bool home) {
+  slong n = m->len / N_STATE;
   struct calc c = calc_begin(params->ctx);
   struct num_vec phi = calc_vec(&c, N_STATE * N_STATE), column = calc_vec(&c, N_STATE), before = calc_vec(&c, N_STATE),
                  after = calc_vec(&c, N_STATE);
@@ -56,8 +57,9 @@ static int carry_phase(struct num_vec *m, slong n, enum phase ph, const struct n
   return s | c.status;
 }
 
-/* The first n unit vectors as columns. */
-static int unit_columns(struct num_vec *m, slong n) {
+/* The first unit vectors as columns. */
+static int unit_columns(struct num_vec *m) {
+  slong n = m->len / N_STATE;
   int s = SS_OK;
   for (slong i = 0; i < N_STATE * n; i++) s |= m->ctx.type->set_d(num_vec_at(m, i), i / n == i % n, m->ctx.prec);
   return s;
@@ -68,7 +70,7 @@ int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct 
   struct calc c = calc_begin(params->ctx);
   struct num_vec phi = calc_vec(&c, N_STATE * N_STATE), end = calc_vec(&c, N_STATE);
   int s = dyn_propagator(&phi, ph, params, t) | num_mat_mul(&end, &phi, in, N_STATE, N_STATE, 1);
-  s |= unit_columns(j, N_STATE) | carry_phase(j, N_STATE, ph, params, &end, t, true);
+  s |= unit_columns(j) | carry_phase(j, ph, params, &end, t, true);
   calc_clear(&c);
   return s;
 }
@@ -76,10 +78,10 @@ int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct 
 int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
   struct calc c = calc_begin(params->ctx);
   struct num_vec m = calc_vec(&c, N_STATE * 2);
-  int s = unit_columns(&m, 2);
+  int s = unit_columns(&m);
   for (int ph = PHASE_D; ph < N_PHASES; ph++) {
     struct num_vec end = {params->ctx, N_STATE, num_vec_at(&arc->z, (ph + 1) * N_STATE)};
-    s |= carry_phase(&m, 2, (enum phase)ph, params, &end, num_vec_at(&arc->t, ph), ph == PHASE_C);
+    s |= carry_phase(&m, (enum phase)ph, params, &end, num_vec_at(&arc->t, ph), ph == PHASE_C);
   }
   for (slong i = 0; i < 4; i++) calc_store(&c, num_vec_at(j, i), num_vec_at(&m, i));
   calc_clear(&c);

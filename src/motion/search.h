@@ -4,11 +4,11 @@
 #define STICKSLIP_SEARCH_H
 
 #include "return_map_double.h"
+#include "warm.h"
 
 struct zero {
-  double tb, tc;
+  struct dyn_place at;
   double low, high; /* of t_b: the zero lies between them */
-  bool up;          /* phase C ends at +radius */
   bool fold;        /* too close to an extremum of the defect to be told: none, one or two zeros near tb */
   bool grazing;
 };

@@ -2,7 +2,7 @@
 
    The state at t_c and r_0 are linear in e1 and e2.  p_c = 0 is a line of (e1, e2), and along it the squares of the
    equations for r_c and q_c/omega add up to a quadratic, whose two roots are the two sheets. */
-#include "sheet.h"
+#include "given_search.h"
 
 #include <math.h>
 

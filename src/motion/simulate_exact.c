@@ -22,6 +22,7 @@ struct exact {
   slong mark; /* what lies before it lives as long as the run */
   enum coulomb_mode mode[2];
   struct motion motion;
+  struct coulomb_run *run;        /* that moves it */
   struct num_vec now, moved, row; /* row: t, x_1, x_2, x_1', x_2' */
 };
 
@@ -42,13 +43,13 @@ static val sided(struct calc *c, val x, int side) {
 
 static void curves_make(struct exact *e) {
   struct calc *c = &e->c;
-  val force[2], slip[2], pull[2];
+  struct motion_start at;
   for (int i = 0; i < 2; i++) {
-    force[i] = element(&e->now, F_1 + i);
-    slip[i] = element(&e->now, P_1 + i);
-    pull[i] = calc_sub(c, sided(c, e->p[COULOMB_US1 + i], e->mode[i] == MODE_BELOW ? 1 : -1), force[i]);
+    at.force[i] = element(&e->now, F_1 + i);
+    at.slip[i] = element(&e->now, P_1 + i);
+    at.pull[i] = calc_sub(c, sided(c, e->p[COULOMB_US1 + i], e->mode[i] == MODE_BELOW ? 1 : -1), at.force[i]);
   }
-  motion_make(&e->motion, c, &e->law, e->mode, force, slip, pull);
+  motion_make(&e->motion, c, &e->law, e->mode, &at);
 }
 
 /* The state after time t of the present curves. */
@@ -116,9 +117,10 @@ static enum contact judge_flat(val *t, struct exact *e, const struct harmonic *f
 
 /* The first contact of a margin with zero that ends the present mode: *t and whether it is flat.  NULL when there is
    none before t_max; *status is that of the search which ended without one. */
-static val first_contact(bool *flat, int *status, struct exact *e, const struct harmonic *f, bool sticks, double t_max,
-                         struct coulomb_run *run) {
+static val first_contact(bool *flat, int *status, struct exact *e, const struct harmonic *f, bool sticks,
+                         double t_max) {
   struct calc *c = &e->c;
+  struct coulomb_run *run = e->run;
   struct trig_sum w = harmonic_trig_sum(c, f);
   struct trig_sum_root root;
   double passed = 0;
@@ -151,7 +153,7 @@ struct event {
 
 /* The first event up to t_max.  *status: SS_DOMAIN when it is proved that no event ever comes, SS_UNABLE when none was
    found before t_max or within the budget. */
-static struct event first_event(int *status, struct exact *e, double t_max, struct coulomb_run *run) {
+static struct event first_event(int *status, struct exact *e, double t_max) {
   struct calc *c = &e->c;
   struct event first = {.t = NULL};
   *status = SS_DOMAIN;
@@ -163,7 +165,7 @@ static struct event first_event(int *status, struct exact *e, double t_max, stru
       bool flat;
       int end;
       double most = first.t ? 1.000001 * as_double(c, first.t) + 1e-300 : t_max;
-      val t = first_contact(&flat, &end, e, &m, sticks, fmin(t_max, most), run);
+      val t = first_contact(&flat, &end, e, &m, sticks, fmin(t_max, most));
       if (end & SS_UNABLE) *status = SS_UNABLE;
       if (t && calc_lt(c, t, e->law.zero)) t = e->law.zero;
       if (t && (!first.t || calc_lt(c, t, first.t))) first = (struct event){t, mass, side, flat};
@@ -240,11 +242,12 @@ static enum move exact_move(void *self, struct coulomb_run *run) {
   struct calc *c = &e->c;
   double duration = run->plan->duration, left = duration - exact_time(e);
   calc_release(c, e->mark);
+  e->run = run;
   e->mode[0] = run->mode[0];
   e->mode[1] = run->mode[1];
   curves_make(e);
   int status;
-  struct event event = first_event(&status, e, 1.000001 * left, run);
+  struct event event = first_event(&status, e, 1.000001 * left);
   if (c->status) return MOVE_FAILED;
   if (!event.t && run->result->steps >= run->plan->max_steps) return MOVE_BUDGET;
   if (!event.t && !isfinite(duration)) return status == SS_DOMAIN ? MOVE_QUIET : MOVE_BUDGET;

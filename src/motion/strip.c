@@ -142,7 +142,8 @@ static struct derivative_bounds bend_of(const struct disk_params *s, const struc
                                     .fft = bound_of(s, weight, 1, bent)};
 }
 
-void strip_reach(struct strip *p, const struct disk_params *s, double reach) {
+void strip_reach(struct strip *p, double reach) {
+  const struct disk_params *s = p->s;
   double move = disk_up(disk_mag(s->rho) * reach);
   double u = fmin(disk_mag(p->u) + move, disk_mag(s->rho)), w = fmin(disk_mag(p->w) + move, disk_mag(s->rho));
   double shift[2], bent[2];
@@ -159,6 +160,7 @@ void strip_reach(struct strip *p, const struct disk_params *s, double reach) {
 
 void strip_make(struct strip *p, const struct disk_params *s, double low, double high, double reach) {
   struct disk sine, cosine, pull[2];
+  p->s = s;
   p->angle = 0.5 * (low + high);
   p->half = disk_up(fmax(high - p->angle, p->angle - low));
   sine_cosine(&sine, &cosine, NULL, p->angle);
@@ -178,11 +180,11 @@ void strip_make(struct strip *p, const struct disk_params *s, double low, double
     p->da[i] = disk_scale(disk_mul(s->x[i], p->w), -1);
     p->db[i] = disk_mul(s->inverse[i], disk_mul(s->x[i], p->u));
   }
-  strip_reach(p, s, fmax(reach, p->half));
+  strip_reach(p, fmax(reach, p->half));
 }
 
-bool strip_never(const struct strip *p, const struct disk_params *s) {
+bool strip_never(const struct strip *p) {
   double sum = 0;
-  for (int i = 0; i < 2; i++) sum += disk_mag(s->back[i]) * p->most[i];
-  return disk_up(sum) < disk_low(s->V);
+  for (int i = 0; i < 2; i++) sum += disk_mag(p->s->back[i]) * p->most[i];
+  return disk_up(sum) < disk_low(p->s->V);
 }

@@ -42,6 +42,22 @@ void clock_set(struct clock *c, const struct disk_params *s, double t);
 /* to = c + step, both exact.  step is the time of a clock. */
 void clock_turn(struct clock *to, const struct clock *c, const struct clock *step);
 
+/* A motion of phase H at a time, from its modes: velocities, w and r. */
+struct disk_motion {
+  struct disk v[2], w, r;
+};
+static inline struct disk_motion disk_motion_at(const struct disk_params *s, const struct disk a[2],
+                                                const struct disk b[2], const struct clock *t) {
+  struct disk v[2], f[2];
+  for (int i = 0; i < 2; i++) {
+    v[i] = disk_cross(a[i], t->cosine[i], b[i], t->sine[i]);
+    f[i] = disk_dot(a[i], t->sine[i], b[i], t->cosine[i]);
+  }
+  return (struct disk_motion){{disk_dot(s->back[0], v[0], s->back[1], v[1]), disk_dot(s->y[0], v[0], s->y[1], v[1])},
+                              disk_dot(s->force1[0], f[0], s->force1[1], f[1]),
+                              disk_dot(s->force2[0], f[0], s->force2[1], f[1])};
+}
+
 /* t - 2 pi k */
 struct disk disk_less_turns(arb_srcptr t, double k);
 
@@ -50,6 +66,7 @@ struct derivative_bounds {
   double f, ff, fff, ft, tt, fft;
 };
 struct strip {
+  const struct disk_params *s;
   double angle, half;       /* midpoint and half width */
   struct disk u, w, pb;     /* at the midpoint: w' = p + a, w, and p at t_b */
   struct disk base;         /* e2/chi - rise */
@@ -59,11 +76,11 @@ struct strip {
   struct derivative_bounds p, q, r;
   bool later; /* some k > 0 can be */
 };
-/* The strip from low to high; bounds hold as far as reach from its midpoint. */
+/* The strip from low to high, whose parameters must outlive it; bounds hold as far as reach from its midpoint. */
 void strip_make(struct strip *p, const struct disk_params *s, double low, double high, double reach);
 /* The same strip with bounds that hold as far as reach. */
-void strip_reach(struct strip *p, const struct disk_params *s, double reach);
+void strip_reach(struct strip *p, double reach);
 /* p stays below zero for all time. */
-bool strip_never(const struct strip *p, const struct disk_params *s);
+bool strip_never(const struct strip *p);
 
 #endif

@@ -21,7 +21,8 @@ static void clip(struct turns *k, int sign, double from, double to, double lowes
 }
 
 /* omega |r_end| by the energy of the strip: where q <= 0, and where q >= 0. */
-static void most_radius(double *down, double *up, const struct strip *p, const struct disk_params *s) {
+static void most_radius(double *down, double *up, const struct strip *p) {
+  const struct disk_params *s = p->s;
   double energy = p->most[0] * p->most[0] + p->most[1] * p->most[1], v = disk_low(s->V), omega = disk_low(s->omega),
          eta = disk_low(s->eta);
   double rest = disk_up(energy) - eta * v * v * (1 - 0x1p-40), less = rest - v * v * (1 - 0x1p-40);
@@ -29,26 +30,26 @@ static void most_radius(double *down, double *up, const struct strip *p, const s
   *up = disk_up(sqrt(disk_up(less < 0 ? 0 : less))) / omega;
 }
 
-static struct disk base_along(const struct strip *p, const struct disk_params *s) {
-  return disk_widen(p->base, disk_up((disk_mag(p->pb) + 0.5 * disk_mag(s->rho) * p->half) * p->half));
+static struct disk base_along(const struct strip *p) {
+  return disk_widen(p->base, disk_up((disk_mag(p->pb) + 0.5 * disk_mag(p->s->rho) * p->half) * p->half));
 }
 
-struct turns strip_turns(const struct strip *p, const struct disk_params *s) {
+struct turns strip_turns(const struct strip *p) {
   struct turns k;
-  double down, up, turn = s->turn.mid, last = p->later ? INFINITY : 0;
-  most_radius(&down, &up, p, s);
-  struct disk base = base_along(p, s);
+  double down, up, turn = p->s->turn.mid, last = p->later ? INFINITY : 0;
+  most_radius(&down, &up, p);
+  struct disk base = base_along(p);
   double low = disk_low(base), high = disk_high(base);
   clip(&k, 0, low / turn, (high + down) / turn, 0, last);
   clip(&k, 1, (low - up) / turn, high / turn, 0, last);
   return k;
 }
 
-struct turns strip_turns_later(const struct strip *p, const struct disk_params *s) {
+struct turns strip_turns_later(const struct strip *p) {
   struct turns k;
-  double down, up, turn = s->turn.mid;
-  most_radius(&down, &up, p, s);
-  struct disk base = base_along(p, s);
+  double down, up, turn = p->s->turn.mid;
+  most_radius(&down, &up, p);
+  struct disk base = base_along(p);
   for (int sign = 0; sign < 2; sign++)
     clip(&k, sign, (disk_low(base) - down) / turn, (disk_high(base) + down) / turn, 0, INFINITY);
   return k;
@@ -132,7 +133,8 @@ static bool piece_misses(struct torus *o, double low, double high, int depth) {
   return depth > 0 && piece_misses(o, low, mid, depth - 1) && piece_misses(o, mid, high, depth - 1);
 }
 
-bool strip_misses(const struct strip *p, const struct disk_params *s, const struct turns *k) {
+bool strip_misses(const struct strip *p, const struct turns *k) {
+  const struct disk_params *s = p->s;
   enum { DEPTH = 12, PIECES = 400 };
   struct torus o = {.s = s, .k = k, .left = PIECES};
   double move = disk_up(disk_mag(s->rho) * p->half);

@@ -45,12 +45,16 @@ int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure
    answer is SS_UNABLE. */
 int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const double guess[2]);
 
-/* The orbit near (t_b, t_c) enclosed, each of its numbers to prec relative bits where its conditioning allows, and
-   everything about it decided, as dyn_orbits_find does; some tens of microseconds.  up: phase C ends above (z_20 >
-   z_10), else below. *first: whether t_b and t_c are proved to be first roots and phase C to go that way.  SS_UNABLE:
-   no single solution is proved near there.  The orbit is to be cleared whatever the status is.  first and lim may be
-   NULL. */
-int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
+/* Near which an orbit is looked for. */
+struct dyn_place {
+  double tb, tc;
+  bool up; /* phase C ends above (z_20 > z_10), else below */
+};
+/* The orbit near a place enclosed, each of its numbers to prec relative bits where its conditioning allows, and
+   everything about it decided, as dyn_orbits_find does; some tens of microseconds.  *first: whether t_b and t_c are
+   proved to be first roots and phase C to go that way.  SS_UNABLE: no single solution is proved near there.  The orbit
+   is to be cleared whatever the status is.  first and lim may be NULL. */
+int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, struct dyn_place at, slong prec,
                    const struct dyn_limits *lim);
 void dyn_orbit_clear(struct dyn_orbit *o);
 

@@ -95,6 +95,18 @@ struct num_vec calc_vec(struct calc *c, slong n) {
   return *v;
 }
 
+struct num_vec calc_vec_of(struct calc *c, const val *x, slong n) {
+  struct num_vec v = calc_vec(c, n);
+  for (slong i = 0; i < n; i++) c->ctx.type->set(num_vec_at(&v, i), x[i]);
+  return v;
+}
+
+struct num_vec calc_vec_d(struct calc *c, const double *x, slong n) {
+  struct num_vec v = calc_vec(c, n);
+  for (slong i = 0; i < n; i++) c->status |= c->ctx.type->set_d(num_vec_at(&v, i), x[i], c->ctx.prec);
+  return v;
+}
+
 val calc_d(struct calc *c, double x) {
   void *z = calc_new(c);
   c->status |= c->ctx.type->set_d(z, x, c->ctx.prec);

@@ -31,6 +31,9 @@ struct calc calc_begin(struct num_ctx ctx);
 void calc_clear(struct calc *c);
 /* n zeros in the calc's context. */
 struct num_vec calc_vec(struct calc *c, slong n);
+/* n elements, or doubles, in the calc's context. */
+struct num_vec calc_vec_of(struct calc *c, const val *x, slong n);
+struct num_vec calc_vec_d(struct calc *c, const double *x, slong n);
 slong calc_mark(const struct calc *c);
 void calc_release(struct calc *c, slong mark);
 void *calc_new(struct calc *c);

@@ -264,6 +264,7 @@ static int phase_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian
   double dir[LOCAL_MOST][N_STATE], column[LOCAL_MOST * N_STATE], err[LOCAL_MOST], x[N_STATE], off[MATRIX_MOST];
   const double(*along)[N_STATE] = (const double(*)[N_STATE])dir;
   const enum phase ph = map->phase;
+  const struct dyn_stretch stretch = {ph, x, pass->t[ph]};
   struct rounded at;
   int s;
   rounded_init(&at, num_ctx_arb(FIRST_PREC));
@@ -271,10 +272,10 @@ static int phase_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian
   memcpy(x, pass->z[ph], sizeof x);
   if (method == METHOD_ODE) {
     for (int i = 0; i < 2; i++) x[i] += job->setup.start[i] - pass->z[0][i]; /* x = z + d */
-    s = coulomb_local_differences(column, err, ph, job->setup.params, x, pass->t[ph], along, map->cols);
+    s = coulomb_local_differences(column, err, job->setup.params, &stretch, along, map->cols);
     if (!s) s = rounded_simulation(&at, &job->setup, x);
   } else {
-    s = dyn_local_differences_d(column, err, ph, pass->params, x, pass->t[ph], along, map->cols);
+    s = dyn_local_differences_d(column, err, pass->params, &stretch, along, map->cols);
     set_doubles(&at.params, pass->params);
     set_doubles(&at.z, x);
   }

@@ -67,7 +67,7 @@ static void run_beside(struct long_result *r, const struct coulomb_setup *sim) {
   struct long_run run;
   struct long_growth g;
   double duration = SLACK * (double)r->periods * sim->period;
-  int status = long_run_make(&run, sim->params, sim->start, r->periods, duration, 0, BITS);
+  int status = long_run_make(&run, sim->params, sim->start, r->periods, duration, BITS);
   run.reach = long_run_reach(sim->params, sim->start);
   r->obeys = status != SS_DOMAIN && obeys(&run, sim->trace, r);
   bool grows = long_run_displaced(&g, sim->params, sim->start, sim->trace, duration);

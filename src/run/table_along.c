@@ -69,7 +69,7 @@ static double apart(const struct dyn_orbit *o, const double guess[2]) {
 static bool add_sample(struct line *l, const double guess[2], bool up) {
   struct dyn_orbit o;
   truth first = TRUTH_UNKNOWN;
-  int status = dyn_orbit_near(&o, &first, l->params, guess[0], guess[1], up, FIRST_PREC, NULL);
+  int status = dyn_orbit_near(&o, &first, l->params, (struct dyn_place){guess[0], guess[1], up}, FIRST_PREC, NULL);
   bool ok = status == SS_OK && first == TRUTH_TRUE && apart(&o, guess) <= ASTRAY;
   if (ok) {
     text_add(l->body, "-\t");
@@ -176,7 +176,7 @@ static void add_sheet(struct line *l, const struct dyn_axis *axis, const struct 
 
 void table_along_e2(struct table_source *s) {
   const struct scene *scene = s->j->scene;
-  const fmpq *const none[2] = {NULL, NULL}, *e2 = &scene->value[KEY_E2];
+  const fmpq *e2 = &scene->value[KEY_E2];
   struct dyn_bifurcations list;
   struct dyn_axis axis;
   struct text body;
@@ -191,7 +191,8 @@ void table_along_e2(struct table_source *s) {
   fmpq_mul_si(to, e2, 3);
   dyn_axis_init(&axis, P_E2, from, to, SAMPLES);
   text_add(&body, heading);
-  if (dyn_bifurcations_find(&list, scene->value, P_E2, from, to, none, DIGITS, STARTS) == SS_OK) {
+  const struct dyn_line line = {.params = scene->value, .vary = P_E2, .from = from, .to = to};
+  if (dyn_bifurcations_find(&list, &line, DIGITS, STARTS) == SS_OK) {
     size_t n;
     struct place *at = find_places(&n, &list);
     size_t orbit = find_orbit(at, n, s->orbit, fmpq_get_d(e2));
@@ -239,10 +240,10 @@ static void add_branches(struct text *body, const struct scene *s, int vary, con
 int table_of_bifurcations(struct audit_result *out, const struct scene *s, int vary, const fmpq_t from,
                           const fmpq_t to) {
   const char *name = scene_key_name[vary];
-  const fmpq *u[2];
+  struct dyn_line line = {.params = s->value, .vary = vary, .from = from, .to = to};
   struct dyn_bifurcations list;
   struct text body;
-  scene_static_friction(u, s);
+  scene_static_friction(line.u_r, s);
   text_init(&body);
   text_printf(&body,
               "# The periodic orbits of the word D-Gamma-H-C along %s, branch by branch in the order in which each was "
@@ -254,7 +255,7 @@ int table_of_bifurcations(struct audit_result *out, const struct scene *s, int v
               "dimensions.\n"
               "change\t%s\t%s_to\ttrace\tperiod\tstable\tadmissible\tbranch\n",
               name, name, name, name);
-  int status = dyn_bifurcations_find(&list, s->value, vary, from, to, u, DIGITS, STARTS_OF_ALL);
+  int status = dyn_bifurcations_find(&list, &line, DIGITS, STARTS_OF_ALL);
   add_branches(&body, s, vary, &list);
   if (list.missed) status |= SS_UNABLE;
   table_finish(out, "bifurcations.tsv", &body);

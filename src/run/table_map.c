@@ -68,14 +68,14 @@ static bool admissible_beside(const struct dyn_bifurcation *b, const struct scen
 static void add_changes(struct text *rows, const struct map *m, const fmpq *params, bool row, slong at) {
   const struct dyn_axis *a = &m->axis[!row];
   struct dyn_bifurcations list;
-  const fmpq *u[2];
   fmpq_t from, to;
   fmpq_init(from);
   fmpq_init(to);
   dyn_axis_q(from, a, 0);
   dyn_axis_q(to, a, a->n - 1);
-  scene_static_friction(u, m->scene);
-  dyn_bifurcations_find(&list, params, a->vary, from, to, u, DIGITS, STARTS);
+  struct dyn_line line = {.params = params, .vary = a->vary, .from = from, .to = to};
+  scene_static_friction(line.u_r, m->scene);
+  dyn_bifurcations_find(&list, &line, DIGITS, STARTS);
   for (slong i = 0; i < list.n && i < TABLE_MOST_SIDE; i++) {
     const struct dyn_bifurcation *b = &list.at[i];
     if (!b->crosses || !admissible_beside(b, m->scene)) continue;

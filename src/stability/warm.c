@@ -62,7 +62,7 @@ static int warm_in_balls(struct num_vec *out, const fmpq *params, double guess[2
   for (; up <= last && status; up++) {
     struct dyn_orbit o;
     truth first;
-    status = dyn_orbit_near(&o, &first, params, guess[0], guess[1], up == 1, out->ctx.prec, &few);
+    status = dyn_orbit_near(&o, &first, params, (struct dyn_place){guess[0], guess[1], up == 1}, out->ctx.prec, &few);
     if (status || first != TRUTH_TRUE) status = first == TRUTH_UNKNOWN && !status ? SS_UNABLE : SS_DOMAIN;
     arb_srcptr all[N_DYN_OUT] = {o.z10,  o.z20,    o.t[0],  o.t[1],     o.t[2],
                                  o.t[3], o.period, o.trace, o.u_r1_min, o.u_r2_min};

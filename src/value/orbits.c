@@ -51,7 +51,7 @@ static void complete_orbits(struct dyn_orbits *list, struct data data, slong pre
   enum dyn_quantity which[2];
   fmpq value[2];
   if (given_pair(which, value, data) < 2) return;
-  dyn_given_complete(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits, DYN_CELLS);
+  dyn_given_complete(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits);
 }
 
 void audit_orbits_complete(struct dyn_orbits *list, const struct scene *s, slong prec) {
