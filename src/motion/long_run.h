@@ -44,8 +44,8 @@ double long_run_reach(const double params[N_COULOMB], const double start[N_STATE
 bool long_run_has_room(const double params[N_COULOMB], const double start[N_STATE]);
 
 /* Runs the three routes over the given number of returns, or for the given time (finite) where they do not come; with
-   prec 0 MPFR is left out.  SS_DOMAIN outside the domain of coulomb.h; what became of each route stands in end.  The run
-   is valid in every case and is to be cleared. */
+   prec 0 MPFR is left out.  SS_DOMAIN outside the domain of coulomb.h; what became of each route stands in end.  The
+   run is valid in every case and is to be cleared. */
 int long_run_make(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE], long returns,
                   double duration, slong prec);
 void long_run_clear(struct long_run *run);

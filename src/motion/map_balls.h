@@ -49,8 +49,8 @@ val ball_rise(struct calc *c, const struct ball_params *m, val t);
 val ball_crest(struct calc *c, const struct ball_params *m);
 /* Whether t_b > 0 is the first root of phase Gamma, and whether it comes before the first crest of the rise. */
 truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest);
-/* Whether the mass (0, 1) is slower than the belt all along phase H of the pass, and m2 at its end too: t_c is the first
-   root of m1's velocity.  At most max_steps. */
+/* Whether the mass (0, 1) is slower than the belt all along phase H of the pass, and m2 at its end too: t_c is the
+   first root of m1's velocity.  At most max_steps. */
 truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, long max_steps);
 /* Where z_1' = V and z_1'' = 0 at t_c: whether z_1' < V for 0 < t < t_c.  It is so near t_c, as far back as z_1''' < 0;
    TRUE or UNKNOWN. */
