@@ -271,6 +271,13 @@ def _index(name, names):
     return names.index(name)
 
 
+def _orbit(at):
+    """Checked here: ctypes would take a negative number for a large one, and the library for another place."""
+    if at < 0:
+        raise Error(Status.ARGUMENT, f"orbits are counted from 0: there is no orbit {at}")
+    return at
+
+
 # --- What comes back ---
 
 _NUMBERS = _names("ss_orbit_number_name")
@@ -416,7 +423,7 @@ class Scene:
         layer (printed, corrected, stable); or implicit, saltation, fd, fd-double, ode, which use no formula of the
         paper."""
         method, layer = _index(method, _names("ss_method_name")), _index(layer, _names("ss_layer_name"))
-        at = _AT_PRINTED if at == "printed" else at
+        at = _AT_PRINTED if at == "printed" else _orbit(at)
         with self._open() as s, _made("ss_paper_open", "ss_paper_free", _text(self._data)) as paper:
             with _made("ss_jacobian_find", "ss_jacobian_free", paper, s, method, layer, at, digits) as j:
                 rows = [[_decimal(_lib.ss_jacobian_entry(j, i, k), digits) for k in range(2)] for i in range(2)]
@@ -430,7 +437,7 @@ class Scene:
         if start == "printed":
             asked = ("ss_motion_printed",)
         elif hasattr(start, "__index__"):
-            asked = ("ss_motion_on_orbit", start)
+            asked = ("ss_motion_on_orbit", _orbit(start))
         else:
             x1, x2, v1, v2 = start
             asked = ("ss_motion_from", (ctypes.c_double * 4)(x1, x2, v1, v2))

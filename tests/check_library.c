@@ -464,6 +464,18 @@ START_TEST(formulas_of_the_paper) {
 }
 END_TEST
 
+/* Neither an orbit nor the parameters say what they are. */
+static void free_symbols_need_values(const ss_paper *p, const ss_scene *s) {
+  static const char *const text[] = {"t", "x", "y", "lambda", "chi*t", "cos(t)", "u_r1", "u_r2", "u_s1", "z_1(t)"};
+  for (size_t i = 0; i < sizeof text / sizeof *text; i++)
+    for (long at = SS_AT_PARAMETERS; at <= 1; at++) {
+      ss_formula *f;
+      ck_assert_int_eq(ss_formula_open(&f, p, SS_CORRECTED, text[i], ""), SS_OK);
+      FAILS(ss_formula_evaluate(f, s, at, NULL, 15), SS_INPUT);
+      ss_formula_free(f);
+    }
+}
+
 START_TEST(formulas_that_have_no_value) {
   char *text;
   ss_formula *f;
@@ -492,6 +504,10 @@ START_TEST(formulas_that_have_no_value) {
   ss_formula_free(f);
   ck_assert_int_eq(ss_formula_open(&f, p, SS_PRINTED, "t_a", ""), SS_OK);
   FAILS(ss_formula_evaluate(f, s, SS_AT_PARAMETERS, NULL, 15), SS_INPUT);
+  ck_assert_double_eq(value_of(p, SS_CORRECTED, "t_a + t - t_a", s, 0, "t=1/2"), 0.5);
+  ck_assert_double_eq(value_of(p, SS_CORRECTED, "H(t)[1,3]", s, 0, "t=1/2"),
+                      value_of(p, SS_CORRECTED, "H(1/2)[1,3]", s, 0, NULL));
+  free_symbols_need_values(p, s);
   ss_scene_set(s, "printed=");
   FAILS(ss_formula_evaluate(f, s, SS_AT_PRINTED, NULL, 15), SS_INPUT);
   FAILS(ss_formula_latex(NULL, f), SS_ARGUMENT);

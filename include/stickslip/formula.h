@@ -41,9 +41,10 @@ enum ss_place {
 };
 /* Evaluates it in balls of rising precision until every entry is known to so many digits (1 to 10000).  at: orbit k, on
    which z_10, t_a, ... are the orbit's, or SS_AT_PARAMETERS.  values: what else has a value there, "t=1/2,lambda=3", or
-   NULL; it may name chi, eta, V, e1, e2 in place of the scene's with SS_AT_PARAMETERS.  SS_DOMAIN: it is not defined
-   there.  SS_UNABLE: so many digits could not be had, as of a value that is zero.  SS_INPUT: some symbol in it has no
-   value there. */
+   NULL; it may name chi, eta, V, e1, e2 in place of the scene's with SS_AT_PARAMETERS.  t, lambda, x, y, u_s1 and u_s2
+   have no other value anywhere; u_r1 and u_r2 are e1 + u_s1 and e2 + u_s2.  SS_DOMAIN: it is not defined there.
+   SS_UNABLE: so many digits could not be had, as of a value that is zero.  SS_INPUT: some symbol in it has no value
+   there. */
 SS_API int ss_formula_evaluate(ss_formula *f, const ss_scene *s, long at, const char *values, size_t digits);
 /* An entry of the last evaluation, row and column from 0; NULL before one, and beyond. */
 SS_API const ss_number *ss_formula_value(const ss_formula *f, int row, int column);

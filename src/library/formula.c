@@ -113,6 +113,24 @@ static bool set_values(struct point *p, const char *values, struct diag *d) {
   return false;
 }
 
+/* Whether "name=" begins one of the items. */
+static bool gives(const char *values, const char *name) {
+  size_t len = strlen(name);
+  for (const char *s = values; s; s = strchr(s, ','), s += s != NULL)
+    if (strncmp(s, name, len) == 0 && s[len] == '=') return true;
+  return false;
+}
+
+/* What no orbit and no parameter determines has a value only where one is given: a symbol that lacks it, or NULL. */
+static const char *not_given(const struct tape *t, const char *values) {
+  static const char *const needs[][2] = {{"t", "t"},       {"x", "x"},       {"y", "y"},       {"lambda", "lambda"},
+                                         {"u_s1", "u_s1"}, {"u_s2", "u_s2"}, {"u_r1", "u_s1"}, {"u_r2", "u_s2"}};
+  for (slong i = 0; i < t->n_inputs; i++)
+    for (size_t k = 0; k < sizeof needs / sizeof *needs; k++)
+      if (strcmp(t->inputs[i], needs[k][0]) == 0 && !gives(values, needs[k][1])) return needs[k][0];
+  return NULL;
+}
+
 /* The place as a point; false with d set. */
 static bool place(struct point *p, const struct scene *s, long at, const char *values, struct orbit_cache *cache,
                   struct diag *d) {
@@ -133,6 +151,7 @@ static bool place(struct point *p, const struct scene *s, long at, const char *v
     p->scene = s;
     p->orbit = at;
   }
+  p->timed = true;
   return !values || set_values(p, values, d);
 }
 
@@ -172,6 +191,8 @@ int ss_formula_evaluate(ss_formula *f, const ss_scene *s, long at, const char *v
   int status = library_digits(__func__, digits, MOST_DIGITS);
   if (!status) status = library_point(s, true, false);
   if (status) return status;
+  const char *lacking = not_given(&f->x.tape, values);
+  if (lacking) return library_fail(SS_INPUT, "%s: %s has no value there, nor is one given", __func__, lacking);
   struct orbit_cache *cache = orbit_cache_new();
   orbit_cache_complete(cache);
   diag_init(&d);

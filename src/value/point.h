@@ -51,6 +51,7 @@ struct point {
   enum phase phase; /* of the time t: POINT_FLOW, and arcs */
   bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
   bool realistic;   /* and u_s1, u_s2 for which each u_ri is 5/4 of what they ask of it, or a little more */
+  bool timed;       /* the time t is that of q, on an orbit too, where z at that time is then not known */
   bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
   fmpq q[N_Q];
   slong orbit;                   /* POINT_ORBIT, POINT_GIVEN: index in the list of its parameters */

@@ -29,7 +29,7 @@ static const void *exact_symbol(const struct values *v, const char *name) {
   if (param < N_PARAMS) return num_vec_at(&v->q, Q_CHI + param);
   if (other < N_REST) return num_vec_at(&v->q, Q_US1 + other);
   if (strcmp(name, "t") == 0)
-    return num_vec_at(v->point->kind == POINT_PARAMS ? &v->q : &v->t, v->point->kind == POINT_PARAMS ? Q_T : 0);
+    return v->point->kind == POINT_PARAMS || v->point->timed ? num_vec_at(&v->q, Q_T) : num_vec_at(&v->t, 0);
   return NULL;
 }
 
@@ -56,7 +56,7 @@ static int motion_value(void *z, bool *known, struct values *v, int component, i
     t->set(z, num_vec_at(&v->q, Q_Z1 + component + 2 * primes));
     return SS_OK;
   }
-  if (v->point->kind != POINT_PARAMS && strcmp(argument, "(t)") == 0) {
+  if (v->point->kind != POINT_PARAMS && !v->point->timed && strcmp(argument, "(t)") == 0) {
     int s = values_time(v);
     t->set(z, primes == 2 ? num_vec_at(&v->azt, component + 2) : num_vec_at(&v->zt, component + 2 * primes));
     return s;
@@ -151,7 +151,7 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
     *known = false;
     return SS_UNABLE;
   }
-  int status = strcmp(name, "t") == 0 ? values_time(v) : SS_OK;
+  int status = strcmp(name, "t") == 0 && !v->point->timed ? values_time(v) : SS_OK;
   const void *p = exact_symbol(v, name);
   if (!p && has_arc(v)) p = arc_symbol(v, name);
   if (p) {

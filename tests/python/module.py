@@ -266,6 +266,7 @@ class Wrong(unittest.TestCase):
         self.fails(status.ARGUMENT, stickslip.Scene, None)
         self.fails(status.INPUT, scene.jacobian, 2)
         self.fails(status.ARGUMENT, scene.simulate, -1, returns=1)
+        self.fails(status.ARGUMENT, scene.jacobian, -1)
         self.fails(status.DOMAIN, scene.simulate, 1)
         self.fails(status.ARGUMENT, scene.sweep, "u_r1", 1, 2, 3)
         self.fails(status.INPUT, scene.sweep, "chi", "1/2", 2, 3)
