@@ -593,6 +593,24 @@ START_TEST(set_names_what_it_changed) {
 END_TEST
 
 /* Two values whose names fold into one do not share a folder. */
+/* A relative path in a scene's file is from that file's folder, wherever the program is run; an override's is not. */
+START_TEST(a_system_stands_beside_its_scene) {
+  shell_well("mkdir $D/sub && cp verify/systems/two-masses.system $D/sub/y.system");
+  scratch_put("sub/a.scene", "system: y.system\n");
+  scratch_put("sub/b.scene", "system: ../sub/y.system\n");
+  scratch_put("sub/c.scene", "system: z.system\n");
+  shell_well("$P jacobian $D/sub/a.scene > $D/from-here && $P jacobian $D/sub/b.scene > /dev/null");
+  shell_well(
+      "case $P in /*) p=$P ;; *) p=$PWD/$P ;; esac; STICKSLIP_DATA=$PWD/verify; export STICKSLIP_DATA; cd $D/sub "
+      "&& $p jacobian a.scene > ../from-there && cmp ../from-here ../from-there && cd .. && "
+      "$p jacobian sub/a.scene --set system=sub/y.system > /dev/null && "
+      "! $p jacobian sub/a.scene --set system=y.system 2> /dev/null");
+  ck_assert_int_eq(shell("$P jacobian $D/sub/c.scene 2> $D/err"), 3);
+  check_says("err", "sub/c.scene:1:9: error: ");
+  check_says("err", "sub/z.system: No such file or directory");
+}
+END_TEST
+
 START_TEST(folders_differ) {
   struct scene a, b;
   struct diag d;
@@ -1001,6 +1019,7 @@ Suite *scene_suite(void) {
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, set_names_what_it_changed);
   tcase_add_test(c, only_the_file_itself_is_on_file);
+  tcase_add_test(c, a_system_stands_beside_its_scene);
   tcase_add_test(c, folders_differ);
   tcase_add_test(c, set_reaches_every_command);
   tcase_add_test(c, set_is_what_the_file_says);

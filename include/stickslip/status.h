@@ -1,7 +1,8 @@
 /* How every function of the library answers, and what holds for all of them.
 
    Answers.  A function that can fail returns a status, SS_OK or other codes OR-ed; ss_error() is then a sentence about
-   the last failure in the calling thread.  After a failure a handle or a text that was to be made is NULL; other
+   the last failure in the calling thread (the fast functions ss_return_map and ss_orbit_warm leave it as it was).  It
+   counts orbits from 1, as the commands do, where arguments count from 0.  After a failure a handle or a text that was to be made is NULL; other
    outputs keep the value that they had unless their function says otherwise.  Nothing is printed, and no argument,
    however wrong, ends the program: NULL where a value is needed, an index that is too large, an unknown name are
    SS_ARGUMENT, or NULL, NaN or SS_UNKNOWN from a function that returns what it was asked for.  A pointer that points to

@@ -181,6 +181,8 @@ static void print_table(const struct simulated *shown, const struct simulation *
   printf("%s, %s: u_r1 = %.10g, u_r2 = %.10g\n%s", shown->scene, run->from, run->setup.params[COULOMB_UR1],
          run->setup.params[COULOMB_UR2],
          run->setup.own_friction ? "(where the scene gives none: 5/4 of what the orbits need)\n" : "");
+  if (run->setup.broken)
+    printf("%s is not admissible: it breaks a condition of Coulomb's law, and the motion is another\n", run->from);
   events_table(shown, grazing);
   puts("all without dimensions; stick: with the belt; below, above: slower, faster than it");
   coulomb_log_word(&word, log);

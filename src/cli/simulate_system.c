@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "mech/describe.h"
 #include "mech/orbit.h"
 #include "simulated.h"
 #include "word_orbits.h"
@@ -50,7 +51,7 @@ static bool start_on_orbit(struct system_simulation *run, const struct scene *s,
   mech_orbits_find(&run->orbits, &run->m, run->word.n ? &run->word : NULL, false, system_bits(DEFAULT_DIGITS));
   bool there = orbit < run->orbits.n;
   if (!there && (option(o, OPT_AT) || option(o, OPT_PERIODS))) {
-    diag_set(d, "%s: error: there is no orbit %ld; %d were found", s->path, (long)orbit + 1, run->orbits.n);
+    scene_lacks_orbit(s, orbit, run->orbits.n, d);
     return false;
   }
   if (!there) {
@@ -105,13 +106,22 @@ static void print_start(const struct system_simulation *run, const struct mech_m
   int n = run->m.n;
   printf("%s: the system %s from ", s->name, s->system);
   if (run->orbit)
-    printf("%s of %d found, period %.10g\n", run->at, run->orbits.n, run->period);
+    printf("%s of %d found, period %.10g%s\n", run->at, run->orbits.n, run->period,
+           run->orbit->admissible == TRUTH_FALSE ? ", not admissible: the motion is another" : "");
   else
     puts(strcmp(run->at, "start") == 0 ? "--start" : "the first start of the search, which finds no orbit");
   printf("start: phase %s, x", x->moment[0].phase);
   for (int i = 0; i < 2 * n; i++) printf("%s %.10g", i == n ? ", v" : "", x->moment[0].z[i]);
   if (run->m.n_loads) printf(", load angle %.10g", atan2(run->start[2 * n + 1], run->start[2 * n]));
   putchar('\n');
+}
+
+static void print_names(const struct mech *m) {
+  struct text out;
+  text_init(&out);
+  mech_names_print(&out, m);
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
 }
 
 /* What becomes of it. */
@@ -151,6 +161,7 @@ static int print_motion(struct system_simulation *run, const struct scene *s, co
     } else {
       print_start(run, &x, s);
       events_table(&shown, NULL);
+      print_names(&run->m);
       puts("stick: with its surface; below, above: slower, faster than it; phases as in docs/systems.md");
       print_fate(run, &x);
       routes_line(&shown);

@@ -7,12 +7,15 @@
 enum { MODE_DIGITS = 6 };
 
 int run_system(const struct options *o, const char *data) {
-  (void)data;
   if (o->operands.n != 1) return usage("system takes one %s", "FILE");
   struct mech m;
   struct diag d;
+  struct text path;
   diag_init(&d);
-  bool ok = mech_load(&m, o->operands.word[0], &d);
+  text_init(&path);
+  scene_system_path(&path, o->operands.word[0], data);
+  bool ok = mech_load(&m, text_str(&path), &d);
+  text_clear(&path);
   if (ok) {
     struct text out;
     text_init(&out);
@@ -185,6 +188,7 @@ static void orbits_text(struct text *out, const struct mech_orbits *list, const 
                         slong digits) {
   text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, list->n, list->n == 1 ? "" : "s", s->system);
   search_text(out, list);
+  mech_names_print(out, m);
   for (int i = 0; i < list->n; i++) {
     text_printf(out, "orbit %d: ", i + 1);
     orbit_text(out, &list->orbit[i], m, digits);
@@ -296,9 +300,11 @@ static void words_text(struct text *out, const struct survey *v, const struct sc
     if (w) word_text(out, &others, &v->orbits, w, motions, digits);
   }
   if (others)
-    text_printf(out,
-                "%d more periodic solution%s of a word's equations break%s a condition of Coulomb's law (see --json)\n",
-                others, others == 1 ? "" : "s", others == 1 ? "s" : "");
+    text_printf(
+        out,
+        "%d more orbit%s of a word's equations break%s a condition of Coulomb's law, so that no motion follows %s "
+        "(see --json)\n",
+        others, others == 1 ? "" : "s", others == 1 ? "s" : "", others == 1 ? "it" : "them");
   search_text(out, &v->orbits);
 }
 
@@ -355,7 +361,7 @@ static bool show_jacobian(const struct options *o, const struct mech_orbits *lis
                           const struct scene *s, const struct jacobian_request *q, enum mech_derivative how,
                           struct diag *d) {
   if (q->orbit >= list->n) {
-    diag_set(d, "%s: error: there is no orbit %ld; %d were found", s->path, (long)q->orbit + 1, list->n);
+    scene_lacks_orbit(s, q->orbit, list->n, d);
     return false;
   }
   const struct mech_orbit *orbit = &list->orbit[q->orbit];

@@ -181,7 +181,10 @@ static void all_text(struct text *out, const struct shown *v) {
               f->n_branches, f->n_branches == 1 ? "" : "es");
   for (int i = 0; i < f->n_changes; i++) change_text(out, v, &f->change[i]);
   for (int i = 0; i < f->n_branches; i++) branch_text(out, v, &f->branch[i], i + 1);
-  text_add(out, "proved are the orbits at both ends of each bracket, not that there are no other orbits or changes\n");
+  text_add(
+      out,
+      "orbits are looked for at both ends of the line and followed from there; proved are those at both ends of each "
+      "bracket, not that there are no other orbits or changes\n");
 }
 
 /* --- The command --- */
@@ -232,7 +235,7 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
   range_init(&a);
   int status = parse_along(&a, &name, o);
   if (!status) {
-    scene_system_path(&path, s, data);
+    scene_system_path(&path, s->system, data);
     struct mech_line l = {text_str(&path), text_str(&name), s->system_value,  {a.from[0]},
                           {a.to[0]},       digits,          word_bits(digits)};
     struct shown v = {.m = &m, .l = &l, .s = s, .digits = digits, .decimals = decimals_of(&l)};

@@ -383,8 +383,7 @@ int run_word_jacobian(const struct options *o, const struct scene *s, const stru
   if (q.orbit < list.n)
     show_jacobian(o, &list.orbit[q.orbit], s, &q, how, d);
   else
-    diag_set(d, "%s: error: %ld orbit%s of the scene's word found, so there is no orbit:%ld", s->path, (long)list.n,
-             list.n == 1 ? "" : "s", (long)q.orbit + 1);
+    scene_lacks_orbit(s, q.orbit, list.n, d);
   word_orbits_clear(&list);
   return d->set ? bad_input(d) : EXIT_AS_RECORDED;
 }

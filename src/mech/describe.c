@@ -251,3 +251,14 @@ void mech_describe(struct text *out, const struct mech *m, bool latex, slong dig
   add_modes(&p);
   if (latex) text_add(out, "\\end{aligned}\n");
 }
+
+void mech_names_print(struct text *out, const struct mech *m) {
+  char counted[16];
+  bool same = true;
+  for (int i = 0; i < m->n; i++) {
+    snprintf(counted, sizeof counted, "m%d", i + 1);
+    same = same && strcmp(m->mass[i].name, counted) == 0;
+  }
+  for (int i = 0; i < m->n && !same; i++) text_printf(out, "%s%s", i ? ", " : "masses in order: ", m->mass[i].name);
+  if (!same) text_add_char(out, '\n');
+}

@@ -149,7 +149,7 @@ static const char *wrong_with_mass(const struct mech_mass *mass) {
   if (fmpq_sgn(mass->inertia) <= 0) return "an inertia is positive";
   if (!mass->rubbed) return NULL;
   if (fmpq_sgn(mass->sliding) < 0) return "a sliding friction is not negative";
-  if (fmpq_cmp(mass->limit, mass->sliding) < 0) return "a static limit is not below the sliding friction";
+  if (fmpq_cmp(mass->limit, mass->sliding) < 0) return "its static limit is below its sliding friction";
   return fmpq_sgn(mass->limit) > 0 ? NULL : "friction without any force: leave its lines out";
 }
 

@@ -20,10 +20,7 @@ static bool find_point(struct point *p, const struct scene *s, const struct jaco
   p->orbit = q->orbit;
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p->q[Q_CHI + k], &s->value[k]);
   if (q->orbit < n) return true;
-  if (n == 0)
-    diag_set(d, "%s: error: the scene has no orbit", s->path);
-  else
-    diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", s->path, (long)q->orbit + 1, (long)n);
+  scene_lacks_orbit(s, q->orbit, n, d);
   return false;
 }
 

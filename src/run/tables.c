@@ -63,8 +63,7 @@ bool scene_animation(struct audit_result *out, const struct scene *scene, slong 
   point_init(&p);
   const char *why = source_init(&s, &j, &p);
   bool there = !why && orbit < s.list->n;
-  if (!why && !there)
-    diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", scene->path, (long)orbit + 1, (long)s.list->n);
+  if (!why && !there) scene_lacks_orbit(scene, orbit, s.list->n, d);
   if (there && orbit >= 0) s.orbit = &s.list->orbit[orbit];
   if (there && s.orbit->admissible == TRUTH_FALSE) why = "the orbit is not admissible, so that no masses move like it";
   for (int i = 0; i < 2 && there; i++)

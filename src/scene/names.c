@@ -107,13 +107,13 @@ char *scene_folder(const char *spec, const struct scene_overrides *o) {
   return out;
 }
 
-static bool is_path(const char *spec) {
-  size_t len = strlen(spec);
-  return strchr(spec, '/') || (len > 6 && strcmp(spec + len - 6, ".scene") == 0);
+bool scene_spec_is_path(const char *spec, const char *suffix) {
+  size_t len = strlen(spec), own = strlen(suffix);
+  return strchr(spec, '/') || (len > own && strcmp(spec + len - own, suffix) == 0);
 }
 
 bool scene_is_there(const struct scene *s, const char *spec, const char *data, struct diag *d) {
-  if (is_path(spec) || access(s->path, F_OK) == 0) return true;
+  if (scene_spec_is_path(spec, ".scene") || access(s->path, F_OK) == 0) return true;
   int err = errno;
   struct suggestion meant;
   struct arena a;
@@ -136,7 +136,7 @@ void scene_set_names(struct scene *s, const char *spec, const char *data, const 
   struct text path, suffix, command, name, scenes;
   struct text *const all[] = {&path, &suffix, &command, &name, &scenes};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) text_init(all[i]);
-  if (is_path(spec))
+  if (scene_spec_is_path(spec, ".scene"))
     text_add(&path, spec);
   else
     text_printf(&path, "%s/scenes/%s.scene", data, spec);

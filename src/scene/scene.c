@@ -303,6 +303,20 @@ static void keep_word(struct scene *s, const struct scene_line *l) {
   s->system_word.at = l->value.begin;
 }
 
+/* A relative path in the scene's file starts at that file's folder, one in an override at the working directory. */
+static void keep_system(struct scene *s, const struct scene_line *l, bool override) {
+  struct text path;
+  const char *folder_end = strrchr(s->path, '/');
+  text_init(&path);
+  if (!override && folder_end && scene_spec_is_path(l->text, SYSTEM_SUFFIX) && l->text[0] != '/')
+    text_add_n(&path, s->path, (size_t)(folder_end - s->path) + 1);
+  text_add(&path, l->text);
+  s->system = ss_strdup(text_str(&path));
+  s->system_src = l->src;
+  s->system_at = l->value.begin;
+  text_clear(&path);
+}
+
 static bool set_word(struct scene *s, struct diag *d) {
   size_t at = 0;
   const char *why, *text = s->system_word.text;
@@ -320,7 +334,7 @@ static bool read_line(struct reader *r, const struct scene_line *l) {
   }
   r->read[l->key] = true;
   if (l->key == KEY_WORD) keep_word(r->s, l);
-  if (l->key == KEY_SYSTEM) r->s->system = ss_strdup(l->text);
+  if (l->key == KEY_SYSTEM) keep_system(r->s, l, override);
   if (l->key == KEY_WORD || l->key == KEY_SYSTEM) return true;
   if (l->key != KEY_TITLE) return scene_read_asked(&r->s->asked, l, r->d);
   free(r->s->title);
@@ -500,6 +514,13 @@ bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, st
 
 /* --- Scenes --- */
 
+static bool is_no_system(const char *spec, struct diag *d) {
+  size_t len = strlen(spec), own = strlen(SYSTEM_SUFFIX);
+  if (len <= own || strcmp(spec + len - own, SYSTEM_SUFFIX) != 0) return true;
+  diag_set(d, "%.300s: error: a system file; a scene of it is a file with the line \"system: FILE\"", spec);
+  return false;
+}
+
 static bool load(struct scene *s, const char *spec, const char *text, const char *data, const struct scene_overrides *o,
                  enum scene_welcome any, struct diag *d) {
   *s = (struct scene){.n_printed = 0};
@@ -509,7 +530,7 @@ static bool load(struct scene *s, const char *spec, const char *text, const char
   s->title = ss_strdup("");
   struct reader r = {.s = s, .d = d, .text = text};
   arena_init(&r.arena);
-  bool ok = (text || scene_is_there(s, spec, data, d)) && read_all(&r, o);
+  bool ok = (text || scene_is_there(s, spec, data, d)) && is_no_system(spec, d) && read_all(&r, o);
   arena_clear(&r.arena);
   bool exact = any == SCENE_EXACT || any == SCENE_EXACT_OR_SYSTEM, system = any >= SCENE_EXACT_OR_SYSTEM;
   if (!ok || !s->system) return ok && (!exact || (scene_one_point(s, d) && scene_papers_word(s, d)));
@@ -542,6 +563,14 @@ bool scene_load(struct scene *s, const char *spec, const char *data, struct diag
 
 bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d) {
   return scene_load_with(s, spec, data, NULL, SCENE_OF_TWO_MASSES, d);
+}
+
+void scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d) {
+  if (n)
+    diag_set(d, "%s: error: there is no orbit %ld; %ld %s found", s->path, (long)orbit + 1, (long)n,
+             n == 1 ? "is" : "are");
+  else
+    diag_set(d, "%s: error: there is no orbit", s->path);
 }
 
 void scene_clear(struct scene *s) {

@@ -46,7 +46,7 @@ enum scene_takes {
   TAKES_QUANTITIES /* names of quantities */,
   TAKES_ROUTES, /* names of routes */
   TAKES_WORD,   /* phases, "D Gamma H C" (explore/words.h) */
-  TAKES_SYSTEM, /* a path with / or .system, or a name in data/systems */
+  TAKES_SYSTEM, /* a path with / or .system, from the scene's folder, or a name in data/systems */
   TAKES_DIGITS, /* 1 to MOST_SCENE_DIGITS */
   TAKES_BUDGET  /* 1 to MOST_SCENE_BUDGET */
 };
@@ -152,7 +152,9 @@ struct scene {
   bool on_file;           /* it stands in the data folder\'s scenes */
   bool changed;           /* some parameter, printed number or the word is not the file's */
   struct phase_word word; /* n = 0: none is named, the paper's */
-  char *system;           /* as it is named; NULL: the paper's */
+  char *system;           /* its name, or its path from the working directory; NULL: the paper's */
+  const struct source *system_src;
+  size_t system_at; /* the place of the line's value, for diagnostics */
   struct {
     char *text; /* the word of a scene with a system, in that system's letters, or NULL; its place for diagnostics */
     const struct source *src;
@@ -192,8 +194,11 @@ bool scene_is_box(const struct scene *s);
 /* Is it the scene on file of that name, with the parameters and printed numbers of the file? */
 bool scene_is(const struct scene *s, const char *name);
 void scene_clear(struct scene *s);
-/* The path of the system file that a scene names. */
-void scene_system_path(struct text *out, const struct scene *s, const char *data);
+/* Sets d: there is no orbit of that number, from 0, where n are found. */
+void scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d);
+#define SYSTEM_SUFFIX ".system"
+/* The path of a system file from its path or its name in the data folder. */
+void scene_system_path(struct text *out, const char *spec, const char *data);
 /* Of a scene with a system: that system, to be cleared in any case, and the scene's word in it, or one of no phases. */
 bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, struct diag *d);
 /* false, with the message for those who cannot take a box, when it is one. */

@@ -24,6 +24,9 @@ bool scene_system_give(struct scene *s, const struct mech_given *line, const str
 bool scene_system_take(struct scene *s, const char *name, size_t len);
 void scene_system_clear(struct scene *s);
 
+/* What has a / or ends in that suffix is a path; all else is a name in the data folder. */
+bool scene_spec_is_path(const char *spec, const char *suffix);
+
 /* A line of a scene, from its file or an override. */
 struct scene_line {
   enum scene_key key;

@@ -1,6 +1,8 @@
 /* The system file that a scene names, its word in that system, and values of that file's parameters. */
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/arena.h"
 #include "scene_impl.h"
@@ -60,15 +62,11 @@ bool scene_system_give(struct scene *s, const struct mech_given *line, const str
 
 /* --- The system --- */
 
-/* As scenes are found: a path, or a name in the data folder. */
-void scene_system_path(struct text *out, const struct scene *s, const char *data) {
-  static const char suffix[] = ".system";
-  const char *spec = s->system;
-  size_t len = strlen(spec), own = sizeof suffix - 1;
-  if (strchr(spec, '/') || (len > own && strcmp(spec + len - own, suffix) == 0))
+void scene_system_path(struct text *out, const char *spec, const char *data) {
+  if (scene_spec_is_path(spec, SYSTEM_SUFFIX))
     text_add(out, spec);
   else
-    text_printf(out, "%s/systems/%s%s", data, spec, suffix);
+    text_printf(out, "%s/systems/%s%s", data, spec, SYSTEM_SUFFIX);
 }
 
 bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, struct diag *d) {
@@ -76,8 +74,11 @@ bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *
   size_t at;
   const char *why;
   text_init(&path);
-  scene_system_path(&path, s, data);
-  bool ok = mech_load_with(m, text_str(&path), s->system_value, d);
+  scene_system_path(&path, s->system, data);
+  bool there = access(text_str(&path), F_OK) == 0;
+  if (!there) diag_at(d, s->system_src, s->system_at, "%s: %s", text_str(&path), strerror(errno));
+  bool ok = there && mech_load_with(m, text_str(&path), s->system_value, d);
+  if (!there) mech_init(m);
   text_clear(&path);
   w->n = 0;
   if (!ok || !s->system_word.text || mech_word_parse(w, &at, &why, s->system_word.text, m)) return ok;

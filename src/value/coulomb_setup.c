@@ -64,9 +64,10 @@ static bool setup_from(struct coulomb_setup *sim, const struct scene *s, const s
   if (!ok && printed)
     diag_set(d, "%s: error: --at printed needs printed z10 and z20", s->path);
   else if (!ok)
-    diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", s->path, (long)orbit + 1, (long)list->n);
+    scene_lacks_orbit(s, orbit, list->n, d);
   if (!ok) return false;
   set_params(sim, s, list, o, printed);
+  sim->broken = !printed && o->admissible == TRUTH_FALSE;
   double z10 = printed ? fmpq_get_d(&z[0]->value) : num_arb.get_d(o->z10);
   double z20 = printed ? fmpq_get_d(&z[1]->value) : num_arb.get_d(o->z20);
   ok = coulomb_start_set_d(sim->start, sim->params, z10, z20) == SS_OK;

@@ -8,6 +8,7 @@ struct coulomb_setup {
   double params[N_COULOMB], start[N_STATE];
   double period;     /* of the orbit; at printed numbers of the first orbit; 0 when there is none */
   double trace;      /* tr J of the orbit; NaN at printed numbers */
+  bool broken;       /* the orbit is not admissible */
   bool own_friction; /* some u_r is ours, 5/4 max(e_i, u_ri_min of the orbits in question), not the scene's */
 };
 /* orbit counts from 0, as in struct jacobian_request.  false with d set when there is no such orbit, or no printed
