@@ -727,6 +727,26 @@ START_TEST(a_signal_between_two_renames) {
 }
 END_TEST
 
+/* What a run that was killed between two renames left goes with the next run; a file of the user's does not. */
+START_TEST(a_killed_run_leaves_nothing_for_long) {
+  if (!can_preload()) return;
+  struct job j;
+  old_file(&j, 0, 0755);
+  scratch_put("out0/audit.json.backup", "mine\n");
+  j.env[0] = preloaded();
+  j.env[1] = "SIGNAL_AT_RENAME=9:3";
+  run(&j);
+  ck_assert_int_eq(j.status, -SIGKILL);
+  ck_assert_ptr_nonnull(strstr(scratch_list(scratch_path("out0")), ".stickslip-"));
+  j.env[0] = NULL;
+  run(&j);
+  ck_assert_int_eq(j.status, 0);
+  ck_assert_ptr_null(strstr(scratch_list(scratch_path("out0")), ".stickslip-"));
+  ck_assert(scratch_says("out0/audit.json.backup", "mine\n"));
+  job_clear(&j);
+}
+END_TEST
+
 /* A run at a folder to which another one is writing waits for it. */
 START_TEST(two_runs_at_one_folder) {
   struct job j;
@@ -942,6 +962,7 @@ Suite *hostile_suite(void) {
   tcase_add_test(tc, a_difference_that_cannot_be_said);
   tcase_add_loop_test(tc, a_read_only_folder, 0, N_WRITING);
   tcase_add_loop_test(tc, a_full_disk, 0, N_WRITING);
+  tcase_add_test(tc, a_killed_run_leaves_nothing_for_long);
   tcase_add_test(tc, two_runs_at_one_folder);
   tcase_add_loop_test(tc, a_hardened_build, 0, 3);
   tcase_add_loop_test(tc, a_new_folder_goes_again, 0, N_WRITING + 3);

@@ -125,6 +125,9 @@ bool file_replaceable(const char *path) {
   return false;
 }
 
+/* Stands in the name of a temporary file between that of the file and six characters, as in no name of a user's. */
+#define BESIDE ".stickslip-"
+
 /* What a run that ends half way must not leave: temporary files, or some new files among old ones. */
 static struct {
   const char
@@ -252,7 +255,7 @@ bool files_write(const struct file_item *item, int n, struct diag *d) {
   int written = 0, renamed = 0;
   for (int i = 0; i < n; i++) {
     text_init(&beside[i]);
-    text_printf(&beside[i], "%s.XXXXXX", item[i].path);
+    text_printf(&beside[i], "%s" BESIDE "XXXXXX", item[i].path);
   }
   mode_t mode = usual_mode();
   watch_signals(before);
@@ -262,6 +265,22 @@ bool files_write(const struct file_item *item, int n, struct diag *d) {
   leave_signals(before);
   for (int i = 0; i < n; i++) text_clear(&beside[i]);
   return renamed == n;
+}
+
+/* Whether a name in a folder is that of a temporary file of the item. */
+static bool is_beside(const char *name, const struct file_item *item) {
+  const char *base = path_base(item->path);
+  size_t n = strlen(base), k = strlen(BESIDE);
+  return strncmp(name, base, n) == 0 && strncmp(name + n, BESIDE, k) == 0 && strlen(name + n + k) == 6;
+}
+
+void files_remove_left(const char *folder, const struct file_item *item, int n) {
+  DIR *dir = opendir(folder);
+  if (!dir) return;
+  for (struct dirent *e = readdir(dir); e; e = readdir(dir))
+    for (int i = 0; i < n; i++)
+      if (is_beside(e->d_name, &item[i])) unlinkat(dirfd(dir), e->d_name, 0);
+  closedir(dir);
 }
 
 bool file_write(const char *path, const char *data, size_t len, struct diag *d) {

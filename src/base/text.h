@@ -119,6 +119,9 @@ struct file_item {
 };
 enum { MAX_FILE_ITEMS = 32 };
 bool files_write(const struct file_item *item, int n, struct diag *d);
+/* Removes from the folder the temporary files that a killed files_write of these n files left; for who keeps others from
+   writing them. */
+void files_remove_left(const char *folder, const struct file_item *item, int n);
 /* The signals that end a run from outside: Ctrl-C, SIGTERM, SIGHUP, and the clock. */
 enum { N_ENDING_SIGNALS = 4 };
 extern const int ending_signals[N_ENDING_SIGNALS];

@@ -43,13 +43,13 @@ void output_add_tables(struct output *out, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_tables; i++) text_add(output_add(out, r->tables[i].name), r->tables[i].text);
 }
 
-/* Waits until no other run writes to the folder.  To be closed; -1 where the folder cannot be opened, which then has no
-   lock. */
+/* Waits until no other run writes to the folder.  To be closed; -1 where the folder cannot be opened or locked. */
 static int lock(const char *folder) {
-  int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  while (fd >= 0 && flock(fd, LOCK_EX) != 0 && errno == EINTR) {
+  int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC), got = -1;
+  while (fd >= 0 && (got = flock(fd, LOCK_EX)) != 0 && errno == EINTR) {
   }
-  return fd;
+  if (fd >= 0 && got != 0) close(fd);
+  return got == 0 ? fd : -1;
 }
 
 bool output_write(const struct output *out, struct diag *d) {
@@ -58,6 +58,7 @@ bool output_write(const struct output *out, struct diag *d) {
     item[i] = (struct file_item){text_str(&out->path[i]), text_str(&out->body[i]), out->body[i].len};
   if (!folder_make(out->folder, d)) return false;
   int locked = lock(out->folder);
+  if (locked >= 0) files_remove_left(out->folder, item, out->n);
   bool ok = files_write(item, out->n, d);
   if (locked >= 0) close(locked);
   return ok;
