@@ -391,27 +391,6 @@ START_TEST(the_scene_is_the_claims) {
 }
 END_TEST
 
-/* --- simulate --start --- */
-
-/* The first motion that the audit names as leaving the paper's four configurations, put into a scene and simulated:
-   some mass goes faster than the belt. */
-START_TEST(a_certificate_can_be_rechecked) {
-  struct audit_result r;
-  const struct finding *f = judged(&r, CLAIM("configurations"));
-  ck_assert_int_eq((int)f->verdict, VERDICT_REFUTED);
-  char scene[1000];
-  const char *where = f->evidence[0].worst, *start = strstr(where, "; --start ");
-  ck_assert_ptr_nonnull(start);
-  size_t n = (size_t)snprintf(scene, sizeof scene, "title: a certificate\n%.*s\n", (int)(start - where), where);
-  for (size_t i = 0; i + 1 < n; i++)
-    if (scene[i] == ',') scene[i + 1] = '\n', scene[i] = ' ';
-  shell_well("\"$P\" simulate %s --start '%s' --periods 50 > \"$D/out\"", scratch_put("certificate.scene", scene),
-             start + 10);
-  check_says("out", "> above");
-  audit_result_clear(&r);
-}
-END_TEST
-
 Suite *behaviour_suite(void) {
   Suite *s = suite_create("behaviour");
   TCase *c = tcase_create("return map");
@@ -428,7 +407,6 @@ Suite *behaviour_suite(void) {
   tcase_add_test(c, linearization_is_wrong_without_the_jumps_only);
   tcase_add_test(c, the_criterion_needs_its_threshold);
   tcase_add_test(c, the_scene_is_the_claims);
-  tcase_add_test(c, a_certificate_can_be_rechecked);
   suite_add_tcase(s, c);
   return s;
 }

@@ -26,8 +26,8 @@
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
-     check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps, small,
-                 fixed-points, linearization, equality, perturb, long-run, patching
+     check       (behaviour) modes, closed-forms, dimension, linear, switches, jumps, small, fixed-points,
+                 linearization, equality, perturb, long-run, patching
      moves       (modes, switches, linear, jumps, closed-forms, fixed-points) the equations of motion of both masses, as
                  in premises; the claims of kind law, one for each mass, are among those of depends-on
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try

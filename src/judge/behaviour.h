@@ -128,7 +128,6 @@ void behaviour_conclude(struct behaviour *b, const struct by_route *said, long t
 #define BEHAVIOUR_CHECKS(X)                                                                                            \
   X(modes, "modes", true)                                                                                              \
   X(closed_forms, "closed-forms", true)                                                                                \
-  X(configurations, "configurations", false)                                                                           \
   X(dimension, "dimension", false)                                                                                     \
   X(linear, "linear", true)                                                                                            \
   X(switches, "switches", false)                                                                                       \

@@ -196,10 +196,12 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
   if (!r->readings || !r->readings->n_found) return;
   const struct example_reading *f = &r->readings->found[0];
   if (!f->n_dropped || f->n_given < f->n_numbers) return;
-  text_printf(s->out, "All %d printed numbers, including $e_1$ and $e_2$, are reproduced to every printed digit if ",
-              f->n_numbers);
+  text_add(s->out, "If ");
   sheet_list(s, f->inputs, f->n_inputs);
-  text_add(s->out, " are taken as exact data and the others are computed from them. ");
+  text_printf(s->out,
+              " are taken as exact data, the other %d printed numbers, including $e_1$ and $e_2$, follow from them to "
+              "every printed digit. ",
+              f->n_numbers - f->n_inputs);
   text_add(s->out, f->n_dropped == 1 ? "One equation is then not satisfied: "
                                      : "The following equations are then not satisfied: ");
   for (int i = 0; i < f->n_dropped; i++) {
@@ -331,7 +333,7 @@ void report_errata(struct text *out, const struct audit_result *r) {
 void report_errata_tex(struct text *out, const struct audit_result *r) {
   const struct sheet s = {out, DIALECT_TEX};
   text_add(out,
-           "\\documentclass[10pt]{article}\n\\usepackage[a4paper,margin=16mm]{geometry}\n\\usepackage{amsmath,array}\n"
+           "\\documentclass[10pt]{article}\n\\usepackage[a4paper,margin=15mm]{geometry}\n\\usepackage{amsmath,array}\n"
            "\\setlength{\\parindent}{0pt}\n\\pagestyle{empty}\n"
            "\\begin{document}\n\\raggedright\\small\n");
   write_sheet(&s, r);

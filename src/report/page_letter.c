@@ -49,15 +49,15 @@ static const struct example_reading *best_reading(const struct page *p) {
 }
 
 static void add_reading(const struct page *p, const struct example_reading *e) {
-  text_printf(p->out, "<p><strong>%s %d printed numbers of the example come out, to every printed digit, if ",
-              e->n_given == e->n_numbers ? "All" : "As many as", e->n_given);
+  text_add(p->out, "<p><strong>If ");
   sheet_list(&(struct sheet){p->out, DIALECT_HTML}, e->inputs, e->n_inputs);
   text_add(p->out, " are taken exactly");
   for (int i = 0; i < e->n_dropped; i++)
-    page_add(p, "%s%p, whose sides then differ by %p", i ? ", and " : " and one equation is left out:</strong> ",
+    page_add(p, "%s%p, whose sides then differ by %p", i ? ", and " : " and one equation is left out, ",
              e->dropped[i].equation, e->dropped[i].residual);
-  if (e->n_dropped) html_stop(p->out);
-  page_add(p, "%s%t%.</p>\n", e->n_dropped ? " " : "</strong> ", reading_start(e));
+  text_printf(p->out, ", %s%d printed numbers of the example come out to every printed digit.</strong> ",
+              e->n_given == e->n_numbers ? "then the other " : "then as many as ", e->n_given - e->n_inputs);
+  page_add(p, "%t%.</p>\n", reading_start(e));
 }
 
 /* Why the numbers are wrong all the same. */
@@ -178,13 +178,13 @@ static int equation_number(const struct finding *f) {
   return n > 0 && n < MOST_EQUATIONS && !*end ? (int)n : 0;
 }
 
-/* Whether all that was asked about it holds, and no correction stands at it; false where nothing was asked. */
+/* Whether all that was asked about it holds, and no correction or remark names it; false where nothing was asked. */
 static bool equation_holds(const struct audit_result *r, int n) {
   bool any = false, all = true;
   char place[20];
   snprintf(place, sizeof place, "(%d)", n);
   for (size_t i = 0; i < r->n_roots; i++)
-    if (strcmp(r->roots[i].where, place) == 0) return false;
+    if (strstr(r->roots[i].where, place)) return false;
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     if (equation_number(f) != n) continue;

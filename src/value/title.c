@@ -536,7 +536,6 @@ static const struct {
      "every motion is a sequence of phases in which each mass sticks or slips, finitely many in a bounded time"},
     {"closed-forms", NULL,
      "every motion is given, in each of its phases, by the closed forms of (3), (4), (6), (8) and (10)"},
-    {"configurations", NULL, "the four configurations of the paper partition the phase space"},
     {"dimension", NULL, "the phase space has {range} dimensions, depending on the phase"},
     {"linear", NULL, "within each configuration the equations of motion are linear, with constant coefficients"},
     {"switches", "slip to stick",

@@ -5,7 +5,7 @@ import re
 
 from mpmath import cos, cot, findroot, matrix, mpf, sin, sqrt
 
-from model import Passage, coulomb, derivative, ends, first_zero, flow, orbit, passage, sides, stick, system
+from model import Passage, derivative, ends, first_zero, flow, orbit, passage, sides, stick, system
 
 
 # --- (10): D = (I, V t I; 0, I)
@@ -108,14 +108,6 @@ def text_otherwise_unstable(c):
     c_3 = (f[2] - 2 * f[1] + 2 * f[-1] - f[-2]) / (12 * h**3)
     third = c_2**2 + c_3
     return abs(slope - c["trace"]) < 1e-8 and third > 0 and abs(third - c["c_2^2 + c_3"]) < 1e-4 and p.is_motion()
-
-
-def text_four_configurations(c):
-    """From both masses sticking a mass gets faster than the belt, which D, Gamma, H and C leave out."""
-    x = matrix([c["x_1"], c["x_2"], c["x_1'"], c["x_2'"]])
-    inside = abs(x[0] - c["chi"] * x[1]) < c["u_r1"] and c["chi"] * abs(x[1] - x[0]) < c["u_r2"]
-    fast = coulomb(c, x, c["t"])[1 + int(c["mass"])]
-    return inside and x[2] == x[3] == c["V"] and fast > c["V"] and abs(fast - c["velocity"]) < 1e-5
 
 
 # --- The printed example
@@ -283,6 +275,10 @@ text_mass_name = quoted("masses $m_1, m_2$", "$M_1$ performs", "$M_2$ is still")
 text_start_name = quoted(r"Z_0 = \begin{pmatrix} z_0 \\ z'_0", "D(t_a + dt_a)(Z_0 + dZ_0)")
 text_trace_bars = quoted(r"$|\text{tr}(J) < 1|$")
 text_dimensions = quoted("$u_1, u_2$ = non dimensional friction forces", r"u_i = \frac{F_i}{k_1 + k_2}")
+text_belt_name = quoted("$V$ = belt velocity", r"u_{si} \text{sign}(V - x'_i)")
+text_letters = quoted(r"\Sigma_i", "P = P_4", r"\omega^2 = \chi", r"P(\lambda)", r"\omega^2) = 0", r"\lambda_i", r"\Sigma = ")
+text_9_start = quoted(r"z_{10} - \chi z_{20} < e_1", "0 < t < t_a", r"z_1 - \chi z_2 < e_1")
+text_motion_name = quoted("Z(t_a + dt_a) = D(t_a + dt_a)(Z_0 + dZ_0)", "Z(t_a + dt_a) - Z(t_a)")
 
 
 def text_scaling(c):
