@@ -3,7 +3,7 @@
 None is longer than 20 lines; none knows a formula of the program."""
 import re
 
-from mpmath import cos, cot, findroot, matrix, mpf, sin, sqrt
+from mpmath import cos, cot, findroot, lu_solve, matrix, mpf, sin, sqrt
 
 from model import Passage, derivative, ends, first_zero, flow, orbit, passage, sides, stick, system
 
@@ -302,3 +302,49 @@ def text_closed_forms(c):
     by_3, by_2 = d_1 - chi * d_2, -u_1  # x_1'' + x_1 - chi x_2
     says = "For each kind of motions, the close form solution is obtained" in c.claim["quote"]
     return says and abs(by_3 - u_1) < 1e-20 and abs(by_3 - by_2 - 2 * u_1) < 1e-20 and "faster" in c.claim["condition"]
+
+
+# --- Numbers in the sentences of the roots: as texts, each from the certificates of the root's claims
+
+def rounded(x, decimals):
+    return "%.*f" % (decimals, x)
+
+
+def numbers_example(of):
+    """z_20 by either line of (44) at the printed times, V = 1."""
+    c = of["text-periodic"]
+    n = matrix([[mpf(i == k) for k in range(4)] for i in range(4)])
+    for phase, number in zip("DGHC", ("num-t_a", "num-t_b", "num-t_c", "num-t_d")):
+        n = flow(c, phase, of[number]["printed"]) * n
+    v, one = matrix([c["V"]] * 2), matrix([[1, 0], [0, 1]])
+    first = lu_solve(n[:2, :2] - one, -n[:2, 2:] * v)
+    second = lu_solve(n[2:, :2], (one - n[2:, 2:]) * v)
+    return {rounded(first[1], 4), rounded(second[1], 4), of["num-t_d"].text("printed")}
+
+
+def numbers_otherwise(of):
+    c = of["text-otherwise-unstable"]
+    return {rounded(c["chi"], 6), rounded(c["e_2"], 2)}
+
+
+def numbers_first_roots(of):
+    """The data of the claim that has several solutions, p/q of its title as decimals."""
+    return {rounded(mpf(p) / mpf(q), 2) for p, q in re.findall(r"(\d+)/(\d+)", of["text-several-motions"].claim["title"])}
+
+
+def numbers_inverses(of):
+    """e_1, and values of e_2 on either side of the two that are certified."""
+    c = of["text-inverses"]
+    return {rounded(c["e_1"], 4), rounded(min(c["e_2"], c.second()["e_2"]), 5), rounded(max(c["e_2"], c.second()["e_2"]), 5)}
+
+
+def numbers_touching(of):
+    """The solution, and the slope of the return map on the side on which the first mass reaches the belt's velocity."""
+    c = of["eq-36d"]
+    r, delta = c["z_20"] - c["z_10"], mpf(10) ** -6
+    z = stick(c, c["e_1"], r + (delta if reach(c, delta) > 0 else -delta))
+    def back(z):
+        p = Passage(c, z[0], z[1])
+        return p.z[4][1] - p.z[4][0]
+    slope = (back(z) - r) / (z[1] - z[0] - r)
+    return {rounded(slope, 2), c.text("e_2")[:10]} | {rounded(c[t], 4) for t in ("t_a", "t_b", "t_c", "t_d")}

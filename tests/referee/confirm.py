@@ -1,11 +1,12 @@
 """confirm.py audit.json [--damage] [--lines]: a referee's scripts against the certificates of an audit.
 
 Every refuted or conditional claim of the paper must have a function in claims.py, no function more than 20 lines, and
-each must confirm.  --damage: a certificate that is damaged, one value or one quotation at a time, must not be confirmed.
+each must confirm; the numbers in the sentences of the roots are found again.  --damage: a certificate that is damaged, one value or one quotation at a time, must not be confirmed.
 Exit status 0 when all is so; else each fault on a line, and 1."""
 import copy
 import inspect
 import json
+import re
 import sys
 
 import claims
@@ -69,11 +70,22 @@ def too_long():
             yield "%s has more than %d lines" % (name, MOST_LINES)
 
 
+def unexplained(audit):
+    """Numbers of two decimals or more in the sentences of a root that its function in claims.py does not find."""
+    of = {c["id"]: Certificate(c) for c in audit["claims"]}
+    for root in audit["roots"]:
+        find = getattr(claims, "numbers_" + root["id"].replace("-", "_"), lambda of: set())
+        text = " ".join(root.get(part) or "" for part in ("wrong", "correct", "consequence", "by_hand"))
+        for stray in set(re.findall(r"-?\d+\.\d{2,}", text)) - find(of):
+            yield "the root %s says %s" % (root["id"], stray)
+
+
 def main(path, *options):
     with open(path, encoding="utf-8") as f:
-        failing = [c for c in json.load(f)["claims"]
-                   if c["verdict"] in ("refuted", "conditional") and c.get("of", "paper") == "paper"]
-    faults = list(too_long())
+        audit = json.load(f)
+    failing = [c for c in audit["claims"]
+               if c["verdict"] in ("refuted", "conditional") and c.get("of", "paper") == "paper"]
+    faults = list(too_long()) + list(unexplained(audit))
     for claim in failing:
         if script_of(claim["id"]) is None:
             faults.append("%s is %s and has no script" % (claim["id"], claim["verdict"]))
