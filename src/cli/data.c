@@ -14,7 +14,10 @@ static bool is_folder(const char *path) {
 /* $STICKSLIP_DATA, or verify/ above the build folder that the program stands in, or the installed folder: beside the
    program's own, else where it was to be installed. */
 bool find_data(struct text *data, struct diag *d) {
-  static const char *const beside[] = {"../verify", "../../verify", "../share/stickslip"};
+  static const struct {
+    int up; /* folders above the program's own */
+    const char *name;
+  } beside[] = {{1, "verify"}, {2, "verify"}, {1, "share/stickslip"}};
   const char *env = getenv("STICKSLIP_DATA");
   char exe[4096];
   ssize_t n = readlink("/proc/self/exe", exe, sizeof exe - 1);
@@ -24,10 +27,11 @@ bool find_data(struct text *data, struct diag *d) {
     return true;
   }
   for (size_t i = 0; n > 0 && i < sizeof beside / sizeof *beside; i++) {
-    exe[n] = '\0';
-    char *slash = strrchr(exe, '/');
+    size_t end = (size_t)n;
+    for (int up = -1; up < beside[i].up; up++)
+      while (end > 0 && exe[--end] != '/') continue;
     text_reset(data);
-    text_printf(data, "%.*s/%s", slash ? (int)(slash - exe) : 0, exe, beside[i]);
+    text_printf(data, "%.*s/%s", (int)end, exe, beside[i].name);
     if (is_folder(text_str(data))) return true;
   }
   text_reset(data);

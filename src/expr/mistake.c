@@ -105,7 +105,9 @@ void *mistake_trailing(struct parser *p) {
   case ';':
     return mistake(p, "unexpected \";\": rows are separated by it inside [ ] only");
   case ':':
-    return mistake(p, "unexpected \":\": a range of indices is written inside [ ]; a definition has \":=\"");
+    return mistake(
+        p,
+        "unexpected \":\": a value is written NAME = value, a range of indices inside [ ], a definition with \":=\"");
   case '{':
     return mistake(p, "braces are used for the signs alone: for eps in {+1, -1}");
   default:

@@ -132,7 +132,7 @@ static void add_spring(struct plot *p, const struct stage *s, int mass, double x
 static void add_block(struct plot *p, const struct stage *s, int mass) {
   double limit = rows_number(s->t, 0, LIMIT + (size_t)mass);
   int middle = BLOCK / 2, above = FLOOR - HIGH - 14;
-  char label[8];
+  char label[16];
   snprintf(label, sizeof label, "*m*_%d", mass + 1);
   text_printf(p->out, "<g class=\"animation-m%d\" transform=\"translate(%.1f 0)\">\n", mass + 1,
               value_of(s, 0, TRACK_BLOCK, mass));
