@@ -11,9 +11,14 @@ static void say_file(struct text *out, const struct source *src, size_t offset) 
   text_printf(out, "%s:%zu", src->name, line);
 }
 
+static void say_name(struct text *out, const struct quotation *item) {
+  text_printf(out, "%s%s%s", item->id, *item->id ? " " : "", kind_name[item->kind]);
+}
+
 static void say_quotation(struct text *out, const struct quotation *item) {
   say_file(out, item->src, item->field->value.begin);
-  text_printf(out, ": %s%s%s", item->id, *item->id ? " " : "", kind_name[item->kind]);
+  text_add(out, ": ");
+  say_name(out, item);
 }
 
 /* The tokens around the one with index i, which is marked; blanks where something is dropped. */
@@ -128,7 +133,7 @@ static void say_number(struct text *out, const struct quotations *q, const struc
   const struct source *src = &q->scene[n->scene].src;
   say_file(out, src, (size_t)(n->line - src->text));
   text_printf(out, ": printed %.*s: ", (int)n->len, n->line);
-  if (n->of) say_quotation(out, n->of);
+  if (n->of) say_name(out, n->of);
   text_printf(out, "%s%s\n", n->of ? ", is " : "no claim quotes it", n->of ? n->of->field->text : "");
 }
 
