@@ -27,6 +27,7 @@ import math
 import os
 import pathlib
 import re
+import sys
 import threading
 import weakref
 from collections import namedtuple
@@ -193,17 +194,40 @@ class _Rows(list):
 
     def take(self, _, row):
         try:
-            self.append(self.read(row))
+            if self.trouble is None:
+                self.append(self.read(row))
         except BaseException as trouble:  # an exception does not pass through C
             self.trouble = trouble
         return self.trouble is None
 
 
+@contextlib.contextmanager
+def _kept(rows):
+    """An interrupt that meets take outside its try: ctypes would print it and go on.  Only the main thread has them."""
+    before = sys.unraisablehook
+
+    def keep(what):
+        mine = [r for r in rows if what.object == r.take]
+        for r in mine:
+            r.trouble = r.trouble or what.exc_value
+        if not mine:
+            before(what)
+    if rows and threading.current_thread() is threading.main_thread():
+        sys.unraisablehook = keep
+    try:
+        yield
+    finally:
+        if sys.unraisablehook is keep:
+            sys.unraisablehook = before
+
+
 def _call(function, *arguments):
-    status = getattr(_lib, function)(*arguments)
-    for rows in arguments:
-        if isinstance(rows, _Rows) and rows.trouble:
-            raise rows.trouble
+    rows = [a for a in arguments if isinstance(a, _Rows)]
+    with _kept(rows):
+        status = getattr(_lib, function)(*arguments)
+    for r in rows:
+        if r.trouble:
+            raise r.trouble
     if status:
         raise Error(status, _lib.ss_error().decode("utf-8", "replace"))
 
