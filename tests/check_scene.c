@@ -592,7 +592,6 @@ START_TEST(set_names_what_it_changed) {
 }
 END_TEST
 
-/* Two values whose names fold into one do not share a folder. */
 /* A relative path in a scene's file is from that file's folder, wherever the program is run; an override's is not. */
 START_TEST(a_system_stands_beside_its_scene) {
   shell_well("mkdir $D/sub && cp verify/systems/two-masses.system $D/sub/y.system");
@@ -611,6 +610,7 @@ START_TEST(a_system_stands_beside_its_scene) {
 }
 END_TEST
 
+/* Two values whose names fold into one do not share a folder. */
 START_TEST(folders_differ) {
   struct scene a, b;
   struct diag d;

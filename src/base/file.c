@@ -317,6 +317,10 @@ static int look_at_folder(const char *path) {
 }
 
 /* The first folder that is missing is made and removed. */
+bool folder_is_there(const char *path) {
+  return look_at_folder(path) == 0;
+}
+
 bool folder_possible(const char *path, struct diag *d) {
   struct text t, missing;
   text_init(&t);
@@ -340,6 +344,11 @@ bool folder_possible(const char *path, struct diag *d) {
   return !err;
 }
 
+bool path_has_suffix(const char *path, const char *suffix) {
+  size_t len = strlen(path), own = strlen(suffix);
+  return len > own && strcmp(path + len - own, suffix) == 0;
+}
+
 static int by_name(const void *a, const void *b) {
   return strcmp(*(char *const *)a, *(char *const *)b);
 }
@@ -353,12 +362,11 @@ char **folder_files(size_t *n, const char *path, const char *suffix, struct aren
     return NULL;
   }
   char **paths = NULL;
-  size_t cap = 0, k = strlen(suffix);
+  size_t cap = 0;
   struct text t;
   text_init(&t);
   for (struct dirent *e = readdir(dir); e; e = readdir(dir)) {
-    size_t len = strlen(e->d_name);
-    if (len <= k || e->d_name[0] == '.' || strcmp(e->d_name + len - k, suffix) != 0) continue;
+    if (e->d_name[0] == '.' || !path_has_suffix(e->d_name, suffix)) continue;
     text_reset(&t);
     text_printf(&t, "%s/%s", path, e->d_name);
     paths = ss_grow(paths, *n, &cap, sizeof *paths);

@@ -100,6 +100,8 @@ void source_place(size_t *line, size_t *column, const struct source *s, size_t o
 
 /* The name of a file without its folders. */
 const char *path_base(const char *path);
+/* Whether it ends in the suffix and is more than that. */
+bool path_has_suffix(const char *path, const char *suffix);
 /* The folder part of a path, "." without one; out is emptied first. */
 void path_folder(struct text *out, const char *path);
 
@@ -137,6 +139,7 @@ struct arena;
 char **folder_files(size_t *n, const char *path, const char *suffix, struct arena *a, struct diag *d);
 /* Makes a folder and its parents; existing ones are fine. */
 bool folder_make(const char *path, struct diag *d);
+bool folder_is_there(const char *path);
 /* Whether folder_make can succeed; nothing is left of the trial.  To be asked before work that would be in vain. */
 bool folder_possible(const char *path, struct diag *d);
 

@@ -166,7 +166,7 @@ bool score_beside(struct mutation_score *s, const char *folder, const struct aud
 /* Memory that GMP, MPFR, FLINT or GSL cannot have ends the program as the program's own does. */
 void own_memory(void);
 
-/* The data folder into data. */
+/* The data folder of the running program; false with d set. */
 bool find_data(struct text *data, struct diag *d);
 /* The scene of that name or path, with what --set changes.  scene_clear it all the same. */
 bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, enum scene_welcome any,

@@ -4,41 +4,28 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "base/arena.h"
 #include "library.h"
 
 /* --- Data --- */
 
-static char found[4096];
+static char *found;
 
-static bool is_folder(const char *path) {
-  struct stat st;
-  return stat(path, &st) == 0 && S_ISDIR(st.st_mode);
-}
-
-/* Beside the library in its build folder, or below the prefix that it is installed under. */
 static void find(void) {
-  static const char *const beside[] = {"../verify", "../share/stickslip", "../../share/stickslip"};
   Dl_info here;
-  const char *env = getenv("STICKSLIP_DATA");
-  if (env) {
-    snprintf(found, sizeof found, "%s", env);
-    return;
-  }
-  const char *slash = dladdr(found, &here) && here.dli_fname ? strrchr(here.dli_fname, '/') : NULL;
-  for (size_t i = 0; slash && i < sizeof beside / sizeof *beside; i++) {
-    snprintf(found, sizeof found, "%.*s/%s", (int)(slash - here.dli_fname), here.dli_fname, beside[i]);
-    if (is_folder(found)) return;
-  }
-  snprintf(found, sizeof found, "%s", is_folder(STICKSLIP_DATADIR) ? STICKSLIP_DATADIR : "");
+  char *library = dladdr(&found, &here) && here.dli_fname ? realpath(here.dli_fname, NULL) : NULL;
+  struct text folder;
+  text_init(&folder);
+  if (data_folder_find(&folder, library ? library : "")) found = ss_strdup(text_str(&folder));
+  text_clear(&folder);
+  free(library);
 }
 
 const char *ss_data_folder(void) {
   static pthread_once_t once = PTHREAD_ONCE_INIT;
   pthread_once(&once, find);
-  return *found ? found : NULL;
+  return found;
 }
 
 const char *library_data(const char *data) {

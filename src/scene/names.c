@@ -1,4 +1,4 @@
-/* What a scene is called: in outputs, in commands that can be typed, and as a folder. */
+/* Where the data is, and what a scene is called: in outputs, in commands that can be typed, and as a folder. */
 #include <errno.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -9,6 +9,28 @@
 #include "base/arena.h"
 #include "base/suggest.h"
 #include "scene_impl.h"
+
+bool data_folder_find(struct text *out, const char *file) {
+  static const struct {
+    int up; /* folders above the file's own */
+    const char *name;
+  } beside[] = {{1, "verify"}, {2, "verify"}, {1, "share/stickslip"}, {2, "share/stickslip"}};
+  const char *env = getenv("STICKSLIP_DATA");
+  text_reset(out);
+  text_add(out, env ? env : "");
+  if (env) return *env;
+  for (size_t i = 0; *file && i < sizeof beside / sizeof *beside; i++) {
+    size_t end = strlen(file);
+    for (int up = -1; up < beside[i].up; up++)
+      while (end > 0 && file[--end] != '/') continue;
+    text_reset(out);
+    text_printf(out, "%.*s/%s", (int)end, file, beside[i].name);
+    if (folder_is_there(text_str(out))) return true;
+  }
+  text_reset(out);
+  text_add(out, STICKSLIP_DATADIR);
+  return folder_is_there(text_str(out));
+}
 
 /* The name of a scene is its file's, without folder and suffix; a folder can bear it. */
 static char *name_of(const char *path) {
@@ -108,8 +130,7 @@ char *scene_folder(const char *spec, const struct scene_overrides *o) {
 }
 
 bool scene_spec_is_path(const char *spec, const char *suffix) {
-  size_t len = strlen(spec), own = strlen(suffix);
-  return strchr(spec, '/') || (len > own && strcmp(spec + len - own, suffix) == 0);
+  return strchr(spec, '/') || path_has_suffix(spec, suffix);
 }
 
 bool scene_is_there(const struct scene *s, const char *spec, const char *data, struct diag *d) {

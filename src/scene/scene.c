@@ -515,8 +515,7 @@ bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, st
 /* --- Scenes --- */
 
 static bool is_no_system(const char *spec, struct diag *d) {
-  size_t len = strlen(spec), own = strlen(SYSTEM_SUFFIX);
-  if (len <= own || strcmp(spec + len - own, SYSTEM_SUFFIX) != 0) return true;
+  if (!path_has_suffix(spec, SYSTEM_SUFFIX)) return true;
   diag_set(d, "%.300s: error: a system file; a scene of it is a file with the line \"system: FILE\"", spec);
   return false;
 }

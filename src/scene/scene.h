@@ -196,6 +196,10 @@ bool scene_is(const struct scene *s, const char *name);
 void scene_clear(struct scene *s);
 /* Sets d: there is no orbit of that number, from 0, where n are found. */
 void scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d);
+/* The data folder, for a program or library in that file ("": unknown): $STICKSLIP_DATA; or verify/ above its build
+   folder; or share/stickslip below the prefix that it is installed under; or where it was to be installed.  false: there
+   is none. */
+bool data_folder_find(struct text *out, const char *file);
 #define SYSTEM_SUFFIX ".system"
 /* The path of a system file from its path or its name in the data folder. */
 void scene_system_path(struct text *out, const char *spec, const char *data);

@@ -75,10 +75,13 @@ bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *
   const char *why;
   text_init(&path);
   scene_system_path(&path, s->system, data);
-  bool there = access(text_str(&path), F_OK) == 0;
-  if (!there) diag_at(d, s->system_src, s->system_at, "%s: %s", text_str(&path), strerror(errno));
-  bool ok = there && mech_load_with(m, text_str(&path), s->system_value, d);
-  if (!there) mech_init(m);
+  bool ok = access(text_str(&path), F_OK) == 0;
+  if (ok) {
+    ok = mech_load_with(m, text_str(&path), s->system_value, d);
+  } else {
+    diag_at(d, s->system_src, s->system_at, "%s: %s", text_str(&path), strerror(errno));
+    mech_init(m);
+  }
   text_clear(&path);
   w->n = 0;
   if (!ok || !s->system_word.text || mech_word_parse(w, &at, &why, s->system_word.text, m)) return ok;
