@@ -345,6 +345,11 @@ static const struct place {
     {"eq", "x.eq", "define user\n  mine := 1\n", "check %s"},
     {"claim", "x.claim", "claim eq-1\n  kind: definition\n  title: none\n", "check %s"},
     {"scene", "x.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\n", "check %s"},
+    {"system", "x.system",
+     "chi = 4/5\nmass m1\n  inertia: 1\n  sliding: 1\n  static: 2\n  surface: 1\n"
+     "spring k\n  between: ground, m1\n  stiffness: chi\n",
+     "system %s"},
+    {"text", "x.txt", "A text.\n", "quotes %s"},
     {"overlay", "x.eq", "define user\n  mine := 1\n", "stability H --at t=1,chi=0.5,eta=1 --overlay %s"},
     {"paper", "x.eq", "define user\n  mine := 1\n", "stability H --at t=1 --paper %s"},
     {"diff", "x.json",
@@ -372,8 +377,9 @@ static void repeat(struct text *out, long n, const char *s) {
 
 /* Text of the recipe; false when it is not a matter of text. */
 static bool make_text(struct text *out, const char *recipe, const struct place *p) {
-  bool scene = strcmp(p->name, "scene") == 0, json = strstr(p->suffix, "json") != NULL;
-  const char *name = scene ? "chi = " : "define user\n  mine := ";
+  bool assigns = strcmp(p->name, "scene") == 0 || strcmp(p->name, "system") == 0,
+       json = strstr(p->suffix, "json") != NULL;
+  const char *name = assigns ? "chi = " : "define user\n  mine := ";
   struct {
     const char *recipe, *text;
   } fixed[] = {{"circle", "define user\n  one := 1 + two\n  two := 2 + one\n"},
