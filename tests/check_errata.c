@@ -40,8 +40,8 @@ static void open_audit(void) {
   audit_result_init(&result);
   paper_scene(&paper);
   paper_claims(&claims, &controls);
-  ck_assert_msg(claims_load(&statements, "verify/paper", "statement", &d), "%s", d.message);
-  ck_assert_msg(claims_load(&roots, "verify/claims", "root", &d), "%s", d.message);
+  ck_assert_msg(claims_load(&statements, "verify", "paper", "statement", &d), "%s", d.message);
+  ck_assert_msg(claims_load(&roots, "verify", "claims", "root", &d), "%s", d.message);
   ck_assert_msg(audit_run(&result, &model, &claims, &controls, &paper, &opt, &d), "%s", d.message);
 }
 

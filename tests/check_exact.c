@@ -709,7 +709,7 @@ START_TEST(ranks_by_hand) {
                 "claim rank\n  kind: rank\n  statement: rank-by-hand\n  unknowns: %s\n  rank: 1\n  record: proved\n",
                 rows[i].unknowns);
     scratch_put("rank.claim", text_str(&t));
-    ck_assert_msg(claims_load(&c, scratch_path(""), "claim", &d), "%s", d.message);
+    ck_assert_msg(claims_load(&c, scratch_path(""), ".", "claim", &d), "%s", d.message);
     struct judge j = {.out = &out, .model = &m, .claims = &c, .scene = &paper, .cache = cache, .d = &d};
     ck_assert_msg(rank_system_build(&y, &j, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}), "%s",
                   d.message);

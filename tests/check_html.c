@@ -304,7 +304,7 @@ START_TEST(the_papers_page) {
   diag_init(&d);
   audit_result_init(&r);
   const struct audit_options opt = {.readings = true, .roots = &roots};
-  ck_assert_msg(claims_load(&roots, "verify/claims", "root", &d), "%s", d.message);
+  ck_assert_msg(claims_load(&roots, "verify", "claims", "root", &d), "%s", d.message);
   paper_model(&m, &(struct paper_layers){.controls = true});
   paper_claims(&claims, &controls);
   paper_scene(&scene);

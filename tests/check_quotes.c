@@ -86,8 +86,8 @@ static bool stand_open(struct stand *s, const char *data, const char *path, stru
   diag_init(d);
   model_init(&s->model);
   return paper_text_read(&s->paper, path, d) && model_add_folder(&s->model, paper, RANK_PAPER, d) &&
-         claims_load_data(&s->claims, data, "claims", "claim", d) &&
-         claims_load_data(&s->statements, data, "paper", "statement", d) &&
+         claims_load(&s->claims, data, "claims", "claim", d) &&
+         claims_load(&s->statements, data, "paper", "statement", d) &&
          quotations_collect(&s->quotations, &(struct audit_data){&s->model, &s->claims, NULL, &s->statements, NULL},
                             d) &&
          quotations_add_scenes(&s->quotations, &s->claims, data, d);

@@ -174,7 +174,7 @@ START_TEST(titles_of_another_paper) {
   diag_init(&d);
   model_init(&m);
   ck_assert_msg(model_add_folder(&m, "tests/another/paper", RANK_PAPER, &d) &&
-                    claims_load(&own, "tests/another/claims", "claim", &d),
+                    claims_load(&own, "tests/another", "claims", "claim", &d),
                 "%s", d.message);
   has_title(&m, claim_with_id(&own, "eq-1"), "D(t) is the propagator of the global stick phase");
   has_title(&m, claim_with_id(&own, "eq-2"), "det(D(t)) = 1 + t in the global stick phase");

@@ -27,10 +27,10 @@ void paper_claims(struct claims *claims, struct claims *controls) {
   struct diag d;
   diag_init(&d);
   *claims = (struct claims){.n = 0};
-  ck_assert_msg(claims_load(claims, "verify/claims", "claim", &d), "%s", d.message);
+  ck_assert_msg(claims_load(claims, "verify", "claims", "claim", &d), "%s", d.message);
   if (!controls) return;
   *controls = (struct claims){.n = 0};
-  ck_assert_msg(claims_load(controls, "verify/controls", "control", &d), "%s", d.message);
+  ck_assert_msg(claims_load(controls, "verify", "controls", "control", &d), "%s", d.message);
 }
 
 void paper_scene(struct scene *s) {

@@ -75,10 +75,6 @@ static bool load_folder(struct claims *c, const char *folder, const char *kind, 
   return ok;
 }
 
-bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d) {
-  return load_folder(c, folder, kind, NULL, d);
-}
-
 bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
                         struct diag *d) {
   struct text where;
@@ -89,7 +85,7 @@ bool claims_load_around(struct claims *c, const char *data, const char *folder, 
   return ok;
 }
 
-bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d) {
+bool claims_load(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d) {
   return claims_load_around(c, data, folder, kind, NULL, d);
 }
 

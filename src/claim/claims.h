@@ -129,11 +129,9 @@ struct claims {
 
 enum { MAX_CLAIM_FILE = 4 << 20 };
 
-/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim, control 
-   statement or root, whose files are *.statements and *.roots. */
-bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d);
-/* Those of a folder of the data folder. */
-bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
+/* Loads every *.claim file of a folder of the data folder, in the order of their names.  kind is that of the records:
+   claim, control, statement or root, the last two in files *.statements and *.roots. */
+bool claims_load(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
 /* The same with the file at `path` read in the place of that of its name, if there is one. */
 bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
                         struct diag *d);

@@ -229,8 +229,8 @@ static bool inputs_load(struct inputs *in, const char *data, const struct option
   *in = (struct inputs){.claims = {.n = 0}};
   model_init(&in->model);
   return scene_load(&in->scene, "paper", data, d) && load_model(&in->model, data, o, d) &&
-         claims_load_data(&in->claims, data, "claims", "claim", d) &&
-         claims_load_data(&in->controls, data, "controls", "control", d);
+         claims_load(&in->claims, data, "claims", "claim", d) &&
+         claims_load(&in->controls, data, "controls", "control", d);
 }
 
 static void inputs_clear(struct inputs *in) {

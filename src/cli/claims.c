@@ -63,7 +63,7 @@ int run_list(const struct options *o, const char *data) {
   struct claims c = {.n = 0};
   diag_init(&d);
   model_init(&m);
-  bool ok = load_model(&m, data, o, &d) && claims_load_data(&c, data, "claims", "claim", &d);
+  bool ok = load_model(&m, data, o, &d) && claims_load(&c, data, "claims", "claim", &d);
   struct text out;
   text_init(&out);
   for (size_t i = 0; ok && i < c.n; i++) ok = list_claim(&out, &m, &c.claim[i], &d);

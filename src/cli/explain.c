@@ -33,15 +33,14 @@ static bool load(struct explained *e, const struct options *o, const char *data,
   *e = (struct explained){.claims = {.n = 0}};
   model_init(&e->model);
   return load_scene(&e->scene, "paper", data, o, SCENE_EXACT, d) && load_model(&e->model, data, o, d) &&
-         claims_load_data(&e->claims, data, "claims", "claim", d);
+         claims_load(&e->claims, data, "claims", "claim", d);
 }
 
 /* What is needed for what is no claim. */
 static bool load_rest(struct explained *e, const char *data, struct diag *d) {
-  return claims_load_data(&e->controls, data, "controls", "control", d) &&
-         claims_load_data(&e->statements, data, "paper", "statement", d) &&
-         claims_load_data(&e->roots, data, "claims", "root", d) &&
-         near_controls_add(&e->model, &e->claims, &e->controls, d);
+  return claims_load(&e->controls, data, "controls", "control", d) &&
+         claims_load(&e->statements, data, "paper", "statement", d) &&
+         claims_load(&e->roots, data, "claims", "root", d) && near_controls_add(&e->model, &e->claims, &e->controls, d);
 }
 
 static void clear(struct explained *e) {

@@ -46,9 +46,9 @@ static bool inputs_load(struct inputs *in, const char *data, const struct option
   *in = (struct inputs){.claims = {.n = 0}};
   model_init(&in->model);
   bool ok = load_scene(&in->scene, "paper", data, o, SCENE_EXACT, d);
-  return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d) &&
-         claims_load_data(&in->controls, data, "controls", "control", d) &&
-         claims_load_data(&in->statements, data, "paper", "statement", d) &&
+  return ok && load_model(&in->model, data, o, d) && claims_load(&in->claims, data, "claims", "claim", d) &&
+         claims_load(&in->controls, data, "controls", "control", d) &&
+         claims_load(&in->statements, data, "paper", "statement", d) &&
          data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements, NULL}, d) &&
          titles_check(&in->model, &in->claims, d);
 }

@@ -27,8 +27,8 @@ static bool load(struct quotations *q, struct quoting *by, const char *data, str
   text_init(&path);
   join_path(&path, data, "paper");
   bool ok = model_add_folder(&by->model, text_str(&path), RANK_PAPER, d) &&
-            claims_load_data(&by->claims, data, "claims", "claim", d) &&
-            claims_load_data(&by->statements, data, "paper", "statement", d) && quotations_collect(q, &all, d) &&
+            claims_load(&by->claims, data, "claims", "claim", d) &&
+            claims_load(&by->statements, data, "paper", "statement", d) && quotations_collect(q, &all, d) &&
             quotations_add_scenes(q, &by->claims, data, d);
   text_clear(&path);
   return ok;

@@ -191,10 +191,10 @@ static void load_costs(struct costs *c, const char *data) {
 }
 
 static bool load_all(struct verify_data *v, const struct options *o, const char *data, struct diag *d) {
-  return load_model(&v->model, data, o, d) && claims_load_data(&v->claims, data, "claims", "claim", d) &&
-         claims_load_data(&v->controls, data, "controls", "control", d) &&
-         claims_load_data(&v->statements, data, "paper", "statement", d) &&
-         claims_load_data(&v->roots, data, "claims", "root", d) &&
+  return load_model(&v->model, data, o, d) && claims_load(&v->claims, data, "claims", "claim", d) &&
+         claims_load(&v->controls, data, "controls", "control", d) &&
+         claims_load(&v->statements, data, "paper", "statement", d) &&
+         claims_load(&v->roots, data, "claims", "root", d) &&
          data_check(&(struct audit_data){&v->model, &v->claims, &v->controls, &v->statements, &v->roots}, d) &&
          titles_check(&v->model, &v->claims, d) && near_controls_add(&v->model, &v->claims, &v->controls, d) &&
          formulas_have_controls(&v->model, &v->claims, &v->controls, d);

@@ -6,7 +6,7 @@
 #include "value/orbit_pool.h"
 #include "value/title.h"
 
-enum { STRATA = 5, MAX_TRIED = 12 };
+enum { STRATA = 5 };
 
 /* An orbit with the least margin of the conclusion there, for friction as argument_least_margin chooses it. */
 struct candidate {

@@ -21,10 +21,10 @@ int ss_paper_open(ss_paper **out, const char *data) {
   *p = (struct ss_paper){.claims = {.n = 0}};
   model_init(&p->model);
   diag_init(&d);
-  if (model_load(&p->model, data, NULL, NULL, &d) && claims_load_data(&p->claims, data, "claims", "claim", &d) &&
-      claims_load_data(&p->controls, data, "controls", "control", &d) &&
-      claims_load_data(&p->statements, data, "paper", "statement", &d) &&
-      claims_load_data(&p->roots, data, "claims", "root", &d)) {
+  if (model_load(&p->model, data, NULL, NULL, &d) && claims_load(&p->claims, data, "claims", "claim", &d) &&
+      claims_load(&p->controls, data, "controls", "control", &d) &&
+      claims_load(&p->statements, data, "paper", "statement", &d) &&
+      claims_load(&p->roots, data, "claims", "root", &d)) {
     *out = p;
     return SS_OK;
   }

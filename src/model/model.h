@@ -131,8 +131,6 @@ const struct definition *view_lookup(const struct view *v, const char *name, con
 bool model_is_symbol(const struct model *m, const char *name);
 /* The symbol of that name whose domain is declared; NULL when there is none. */
 const struct symbol *model_own_symbol(const struct model *m, const char *name);
-/* Is the number in the symbol's domain? */
-bool symbol_holds(const struct symbol *s, const fmpq_t x);
 /* Whether the definition belongs to the view's layer (a higher rank may still hide it). */
 bool view_sees(const struct view *v, const struct definition *def);
 /* The record of that id under the view, or NULL. */

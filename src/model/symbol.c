@@ -19,12 +19,6 @@ void symbols_clear(struct symbol *s, size_t n) {
   free(s);
 }
 
-bool symbol_holds(const struct symbol *s, const fmpq_t x) {
-  int above = fmpq_cmp(x, s->low.at), below = fmpq_cmp(s->high.at, x);
-  return (!s->low.bounded || above > 0 || (above == 0 && s->low.closed)) &&
-         (!s->high.bounded || below > 0 || (below == 0 && s->high.closed));
-}
-
 /* The value of a number, a quotient of two, or either with a sign; false for other forms. */
 static bool exact_number(fmpq_t z, const struct expr *e) {
   fmpq_t by;

@@ -167,7 +167,7 @@ static bool check_statements(const char *path, const char *data, struct diag *d)
   for (size_t i = 0; ok && i < own.n; i++) ok = statement_check(&own.claim[i], d);
   ok = ok && claims_load_around(&all, data, "paper", "statement", path, d);
   if (ok && has_file(&all, path))
-    ok = model_load(&m, data, NULL, NULL, d) && claims_load_data(&claims, data, "claims", "claim", d) &&
+    ok = model_load(&m, data, NULL, NULL, d) && claims_load(&claims, data, "claims", "claim", d) &&
          statements_keep_rules(&m, &claims, &all, d);
   claims_clear(&claims);
   claims_clear(&all);
@@ -183,7 +183,7 @@ static bool check_roots(const char *path, const char *data, struct diag *d) {
   for (size_t i = 0; ok && i < own.n; i++) ok = root_check(&own.claim[i], d);
   ok = ok && claims_load_around(&all, data, "claims", "root", path, d);
   if (ok && has_file(&all, path))
-    ok = claims_load_data(&claims, data, "claims", "claim", d) && roots_keep_rules(&claims, &all, d);
+    ok = claims_load(&claims, data, "claims", "claim", d) && roots_keep_rules(&claims, &all, d);
   claims_clear(&claims);
   claims_clear(&all);
   claims_clear(&own);
@@ -199,7 +199,7 @@ static bool check_asked(const struct scene *s, const char *data, struct diag *d)
   text_init(&paper);
   model_init(&m);
   text_printf(&paper, "%s/paper", data);
-  bool ok = claims_load_data(&c, data, "claims", "claim", d) && model_add_folder(&m, text_str(&paper), RANK_PAPER, d) &&
+  bool ok = claims_load(&c, data, "claims", "claim", d) && model_add_folder(&m, text_str(&paper), RANK_PAPER, d) &&
             scene_check_asked(s, &c, &m, d);
   model_clear(&m);
   claims_clear(&c);
