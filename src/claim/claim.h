@@ -69,9 +69,22 @@ enum fault claim_fault(const struct model *m, const struct claim *c);
 /* The correction that errata.eq holds for the sentence of a claim; false when it holds none. */
 bool erratum_text(struct text *out, const struct model *m, const struct claim *c);
 
-/* --- What can be checked without judging (check.c) --- */
+/* --- The files (files.c) --- */
 
 /* All that an audit reads of a data folder besides scenes. */
+struct paper_files {
+  struct model model;
+  struct claims claims, controls, statements, roots;
+};
+
+void paper_files_init(struct paper_files *f);
+/* paper: NULL, or the folder of a paper in the place of the data folder's; overlay: NULL, or a file of corrections. */
+bool paper_files_load(struct paper_files *f, const char *data, const char *paper, const char *overlay, struct diag *d);
+void paper_files_clear(struct paper_files *f);
+
+/* --- What can be checked without judging (check.c) --- */
+
+/* The same as it is handed on, or a part of it. */
 struct audit_data {
   const struct model *model;
   const struct claims *claims, *controls;

@@ -218,28 +218,6 @@ static bool deliver(const struct bench_result *r, const struct options *o, struc
   return true;
 }
 
-/* What the methods and the verdicts read. */
-struct inputs {
-  struct model model;
-  struct claims claims, controls;
-  struct scene scene;
-};
-
-static bool inputs_load(struct inputs *in, const char *data, const struct options *o, struct diag *d) {
-  *in = (struct inputs){.claims = {.n = 0}};
-  model_init(&in->model);
-  return scene_load(&in->scene, "paper", data, d) && load_model(&in->model, data, o, d) &&
-         claims_load(&in->claims, data, "claims", "claim", d) &&
-         claims_load(&in->controls, data, "controls", "control", d);
-}
-
-static void inputs_clear(struct inputs *in) {
-  claims_clear(&in->controls);
-  claims_clear(&in->claims);
-  model_clear(&in->model);
-  scene_clear(&in->scene);
-}
-
 /* JOB-inputs.tsv for whoever wants to try a method of his own, or to recheck an error. */
 static int write_inputs(const struct options *o, struct diag *d) {
   struct output out;
@@ -265,7 +243,8 @@ static int measure(const struct options *o, const char *data, struct diag *d) {
   bool ok = inputs_load(&in, data, o, d) && (!peers || bench_peers_read(&r.peers, peers, d)) &&
             (!folder || folder_possible(folder, d));
   if (ok) {
-    status = run_jobs(&r, o, &(struct bench_env){&in.model, &in.claims, &in.controls, &in.scene, data});
+    status =
+        run_jobs(&r, o, &(struct bench_env){&in.files.model, &in.files.claims, &in.files.controls, &in.scene, data});
     ok = deliver(&r, o, d);
   }
   bench_result_clear(&r);

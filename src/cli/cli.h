@@ -178,6 +178,15 @@ bool list_claim(struct text *out, const struct model *m, const struct claim *c, 
 int list_scene_keys(bool as_json);
 /* folder/name into out. */
 void join_path(struct text *out, const char *folder, const char *name);
+/* What a command on the paper and its scene reads, with what --paper, --overlay and --set change. */
+struct inputs {
+  struct paper_files files;
+  struct scene scene;
+};
+/* inputs_clear it all the same. */
+bool inputs_load(struct inputs *in, const char *data, const struct options *o, struct diag *d);
+void inputs_clear(struct inputs *in);
+bool load_files(struct paper_files *f, const char *data, const struct options *o, struct diag *d);
 /* The paper or --paper, and --overlay, with what corrects them. */
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d);
 

@@ -20,3 +20,17 @@ void join_path(struct text *out, const char *folder, const char *name) {
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d) {
   return model_load(m, data, option(o, OPT_PAPER), option(o, OPT_OVERLAY), d);
 }
+
+bool load_files(struct paper_files *f, const char *data, const struct options *o, struct diag *d) {
+  return paper_files_load(f, data, option(o, OPT_PAPER), option(o, OPT_OVERLAY), d);
+}
+
+bool inputs_load(struct inputs *in, const char *data, const struct options *o, struct diag *d) {
+  paper_files_init(&in->files);
+  return load_scene(&in->scene, "paper", data, o, SCENE_EXACT, d) && load_files(&in->files, data, o, d);
+}
+
+void inputs_clear(struct inputs *in) {
+  paper_files_clear(&in->files);
+  scene_clear(&in->scene);
+}

@@ -22,36 +22,6 @@ static bool print_receipt(struct text *out, const struct model *m, const struct 
   return ok;
 }
 
-/* What an id may be of. */
-struct explained {
-  struct model model;
-  struct claims claims, controls, statements, roots;
-  struct scene scene;
-};
-
-static bool load(struct explained *e, const struct options *o, const char *data, struct diag *d) {
-  *e = (struct explained){.claims = {.n = 0}};
-  model_init(&e->model);
-  return load_scene(&e->scene, "paper", data, o, SCENE_EXACT, d) && load_model(&e->model, data, o, d) &&
-         claims_load(&e->claims, data, "claims", "claim", d);
-}
-
-/* What is needed for what is no claim. */
-static bool load_rest(struct explained *e, const char *data, struct diag *d) {
-  return claims_load(&e->controls, data, "controls", "control", d) &&
-         claims_load(&e->statements, data, "paper", "statement", d) &&
-         claims_load(&e->roots, data, "claims", "root", d) && near_controls_add(&e->model, &e->claims, &e->controls, d);
-}
-
-static void clear(struct explained *e) {
-  claims_clear(&e->roots);
-  claims_clear(&e->statements);
-  claims_clear(&e->controls);
-  claims_clear(&e->claims);
-  model_clear(&e->model);
-  scene_clear(&e->scene);
-}
-
 /* --- What is no claim --- */
 
 /* The wrong formulas of a control. */
@@ -66,7 +36,7 @@ static void add_formulas(struct text *out, const struct model *m, const char *id
 }
 
 /* Every attribute, and of claims their titles. */
-static bool add_record(struct text *out, const struct explained *e, const struct claim *c, struct diag *d) {
+static bool add_record(struct text *out, const struct inputs *e, const struct claim *c, struct diag *d) {
   static const char *const of_claims[] = {"claim", "claims", "checks"};
   char id[CLAIM_NAME];
   bool ok = true;
@@ -78,9 +48,9 @@ static bool add_record(struct text *out, const struct explained *e, const struct
     }
     const char *label = f->key_name;
     for (const char *p = f->text; ok && (p = claim_next_item(id, sizeof id, p)) != NULL; label = "") {
-      const struct claim *of = claim_named(&e->claims, id);
+      const struct claim *of = claim_named(&e->files.claims, id);
       text_printf(out, "%-11s %s%s", label, id, of ? ": " : "");
-      ok = !of || claim_title(out, &e->model, of, d);
+      ok = !of || claim_title(out, &e->files.model, of, d);
       text_add_char(out, '\n');
     }
   }
@@ -88,18 +58,18 @@ static bool add_record(struct text *out, const struct explained *e, const struct
 }
 
 /* false, with d not set, where the id is of none of these. */
-static bool explain_record(struct text *out, const struct explained *e, const char *id, struct diag *d) {
+static bool explain_record(struct text *out, const struct inputs *e, const char *id, struct diag *d) {
   const struct {
     const struct claims *of;
     const char *what;
-  } kinds[] = {{&e->roots, "what is wrong in the paper, and the claims that fail for it"},
-               {&e->controls, "a control, wrong on purpose, which must be refuted whenever its claim is judged"},
-               {&e->statements, "a statement of the paper, and the claims that answer it"}};
+  } kinds[] = {{&e->files.roots, "what is wrong in the paper, and the claims that fail for it"},
+               {&e->files.controls, "a control, wrong on purpose, which must be refuted whenever its claim is judged"},
+               {&e->files.statements, "a statement of the paper, and the claims that answer it"}};
   for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
     const struct claim *c = claim_named(kinds[i].of, id);
     if (!c) continue;
     text_printf(out, "%s, %s\n", id, kinds[i].what);
-    add_formulas(out, &e->model, id);
+    add_formulas(out, &e->files.model, id);
     return add_record(out, e, c, d);
   }
   return false;
@@ -118,16 +88,16 @@ static bool is_number(char number[8], const char *word) {
 
 /* The claims on the equation of that number, in rows; *only: the one there is, or NULL.  false, with d not set, without
    any. */
-static bool explain_equation(struct text *out, const struct claim **only, const struct explained *e, const char *number,
+static bool explain_equation(struct text *out, const struct claim **only, const struct inputs *e, const char *number,
                              struct diag *d) {
   int n = 0;
   bool ok = true;
   text_printf(out, "(%s): one of these claims can be explained, as in stickslip explain eq-%s\n", number, number);
-  for (size_t i = 0; ok && i < e->claims.n; i++) {
-    const struct claim *c = &e->claims.claim[i];
+  for (size_t i = 0; ok && i < e->files.claims.n; i++) {
+    const struct claim *c = &e->files.claims.claim[i];
     const char *equation = claim_get(c, "equation");
     if (!equation || strcmp(equation, number) != 0) continue;
-    ok = list_claim(out, &e->model, c, d);
+    ok = list_claim(out, &e->files.model, c, d);
     *only = n++ ? NULL : c;
   }
   return ok && n > 0;
@@ -135,26 +105,26 @@ static bool explain_equation(struct text *out, const struct claim **only, const 
 
 /* --- The command --- */
 
-static bool explain_claim(struct text *out, const struct explained *e, const char *id, const struct options *o,
+static bool explain_claim(struct text *out, const struct inputs *e, const char *id, const struct options *o,
                           const char *data, struct diag *d) {
-  if (option(o, OPT_RECEIPT)) return print_receipt(out, &e->model, &e->claims, &e->scene, id, data, d);
-  return audit_explain(out, &e->model, &e->claims, &e->scene, id, option(o, OPT_AT), option(o, OPT_TAPE), d);
+  if (option(o, OPT_RECEIPT)) return print_receipt(out, &e->files.model, &e->files.claims, &e->scene, id, data, d);
+  return audit_explain(out, &e->files.model, &e->files.claims, &e->scene, id, option(o, OPT_AT), option(o, OPT_TAPE),
+                       d);
 }
 
 /* What the word is, in the order in which it is asked. */
-static bool explain(struct text *out, struct explained *e, const char *word, const struct options *o, const char *data,
-                    struct diag *d) {
+static bool explain(struct text *out, const struct inputs *e, const char *word, const struct options *o,
+                    const char *data, struct diag *d) {
   const struct claim *only = NULL;
   char number[8];
-  if (claim_answering(&e->claims, word)) return explain_claim(out, e, word, o, data, d);
+  if (claim_answering(&e->files.claims, word)) return explain_claim(out, e, word, o, data, d);
   bool of_claim = option(o, OPT_AT) || option(o, OPT_TAPE) || option(o, OPT_RECEIPT);
-  bool found = is_number(number, word) ? explain_equation(out, &only, e, number, d)
-                                       : load_rest(e, data, d) && explain_record(out, e, word, d);
+  bool found = is_number(number, word) ? explain_equation(out, &only, e, number, d) : explain_record(out, e, word, d);
   if (only) {
     text_reset(out);
     return explain_claim(out, e, only->id, o, data, d);
   }
-  if (!found && !d->set) claims_unknown(&e->claims, word, d);
+  if (!found && !d->set) claims_unknown(&e->files.claims, word, d);
   if (found && of_claim) diag_set(d, "error: --at, --tape and --receipt are of a claim, and %.200s is none", word);
   return !d->set;
 }
@@ -165,17 +135,18 @@ int run_explain(const struct options *o, const char *data) {
   if (o->operands.n != 1) return usage("explain takes one %s", "claim id");
   if (receipt && (at || tape)) return usage("--receipt stands alone, not with %s", at ? "--at" : "--tape");
   struct diag d;
-  struct explained e;
+  struct inputs e;
   struct text out;
   diag_init(&d);
   text_init(&out);
-  bool ok = load(&e, o, data, &d) && explain(&out, &e, o->operands.word[0], o, data, &d);
+  bool ok = inputs_load(&e, data, o, &d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, &d) &&
+            explain(&out, &e, o->operands.word[0], o, data, &d);
   int status = ok ? EXIT_AS_RECORDED : bad_input(&d);
   if (ok && receipt)
     fputs(text_str(&out), stdout);
   else if (ok)
     terminal_print_marked(text_str(&out));
   text_clear(&out);
-  clear(&e);
+  inputs_clear(&e);
   return status;
 }

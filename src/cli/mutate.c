@@ -35,30 +35,14 @@ static bool deliver(const struct text body[3], const char *const name[2], const 
   return ok;
 }
 
-/* Everything that a search reads. */
-struct inputs {
-  struct model model;
-  struct claims claims, controls, statements;
-  struct scene scene;
-};
-
-static bool inputs_load(struct inputs *in, const char *data, const struct options *o, struct diag *d) {
-  *in = (struct inputs){.claims = {.n = 0}};
-  model_init(&in->model);
-  bool ok = load_scene(&in->scene, "paper", data, o, SCENE_EXACT, d);
-  return ok && load_model(&in->model, data, o, d) && claims_load(&in->claims, data, "claims", "claim", d) &&
-         claims_load(&in->controls, data, "controls", "control", d) &&
-         claims_load(&in->statements, data, "paper", "statement", d) &&
-         data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements, NULL}, d) &&
-         titles_check(&in->model, &in->claims, d);
+/* The roots are no part of it: no damage touches them. */
+static struct audit_data searched(const struct paper_files *f) {
+  return (struct audit_data){&f->model, &f->claims, &f->controls, &f->statements, NULL};
 }
 
-static void inputs_clear(struct inputs *in) {
-  claims_clear(&in->statements);
-  claims_clear(&in->controls);
-  claims_clear(&in->claims);
-  model_clear(&in->model);
-  scene_clear(&in->scene);
+static bool load(struct inputs *in, const char *data, const struct options *o, struct diag *d) {
+  const struct audit_data all = searched(&in->files);
+  return inputs_load(in, data, o, d) && data_check(&all, d) && titles_check(all.model, all.claims, d);
 }
 
 /* A text of the paper in which everything that is quoted is found. */
@@ -91,12 +75,12 @@ int run_mutate(const struct options *o, const char *data) {
   diag_init(&d);
   mutation_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
-  const struct audit_data all = {&in.model, &in.claims, &in.controls, &in.statements, NULL};
+  const struct audit_data all = searched(&in.files);
   q.progress = progress_count;
   progress_begin();
   struct paper_text text = {.tokens = {.n = 0}};
   q.text = option(o, OPT_TEXT) ? &text : NULL;
-  bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
+  bool ok = load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
             (!q.text || load_text(&text, option(o, OPT_TEXT), &all, &d)) && audit_mutate(&r, &all, &in.scene, &q, &d);
   progress_end();
   if (ok) {
@@ -129,8 +113,8 @@ int run_repair(const struct options *o, const char *data) {
   struct repair_options opt = {
       .only = o->operands.word, .n_only = o->operands.n, .jobs = jobs, .progress = progress_count};
   progress_begin();
-  bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
-            audit_repairs(&r, &in.model, &in.claims, &in.scene, &opt, &d);
+  bool ok = load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
+            audit_repairs(&r, &in.files.model, &in.files.claims, &in.scene, &opt, &d);
   progress_end();
   if (ok) {
     report_repairs_json(&body[0], &r);

@@ -73,8 +73,7 @@ static void print_result(const struct audit_result *r, const struct options *o, 
 
 /* What the scenes of one command share. */
 struct verify_data {
-  struct model model;
-  struct claims claims, controls, statements, roots;
+  struct paper_files files;
   struct costs costs;
   slong digits;
 };
@@ -91,7 +90,7 @@ static int audit_scene(const struct verify_data *v, const struct scene *s, const
                        const struct audit_options *opt, double start, struct diag *d) {
   struct audit_result r;
   audit_result_init(&r);
-  bool ok = audit_run(&r, &v->model, &v->claims, &v->controls, s, opt, d);
+  bool ok = audit_run(&r, &v->files.model, &v->files.claims, &v->files.controls, s, opt, d);
   if (opt->progress) progress_end();
   ok = ok && write_reports(folder, &r, bench_now() - start, d);
   int status = ok ? EXIT_AS_RECORDED : bad_input(d);
@@ -130,14 +129,14 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
                               .readings = true,
                               .jobs = jobs,
                               .costs = &v->costs,
-                              .statements = &v->statements,
-                              .roots = &v->roots,
+                              .statements = &v->files.statements,
+                              .roots = &v->files.roots,
                               .seconds_now = bench_now};
   int status;
   if (!load_scene(&s, spec, data, o, SCENE_OF_TWO_MASSES, d) || !scene_four_phases(&s, d)) {
     status = bad_input(d);
   } else if (option(o, OPT_PLAN)) {
-    status = show_plan(&v->model, &v->claims, &v->controls, &s, &opt, option(o, OPT_JSON), d);
+    status = show_plan(&v->files.model, &v->files.claims, &v->files.controls, &s, &opt, option(o, OPT_JSON), d);
   } else {
     if (option(o, OPT_DIGITS)) s.asked.digits = v->digits; /* of the values that the scene asks for */
     print_folder(&folder, o, s.folder);
@@ -191,13 +190,13 @@ static void load_costs(struct costs *c, const char *data) {
 }
 
 static bool load_all(struct verify_data *v, const struct options *o, const char *data, struct diag *d) {
-  return load_model(&v->model, data, o, d) && claims_load(&v->claims, data, "claims", "claim", d) &&
-         claims_load(&v->controls, data, "controls", "control", d) &&
-         claims_load(&v->statements, data, "paper", "statement", d) &&
-         claims_load(&v->roots, data, "claims", "root", d) &&
-         data_check(&(struct audit_data){&v->model, &v->claims, &v->controls, &v->statements, &v->roots}, d) &&
-         titles_check(&v->model, &v->claims, d) && near_controls_add(&v->model, &v->claims, &v->controls, d) &&
-         formulas_have_controls(&v->model, &v->claims, &v->controls, d);
+  return load_files(&v->files, data, o, d) &&
+         data_check(&(struct audit_data){&v->files.model, &v->files.claims, &v->files.controls, &v->files.statements,
+                                         &v->files.roots},
+                    d) &&
+         titles_check(&v->files.model, &v->files.claims, d) &&
+         near_controls_add(&v->files.model, &v->files.claims, &v->files.controls, d) &&
+         formulas_have_controls(&v->files.model, &v->files.claims, &v->files.controls, d);
 }
 
 int run_verify(const struct options *o, const char *data) {
@@ -205,7 +204,7 @@ int run_verify(const struct options *o, const char *data) {
   bool plan = option(o, OPT_PLAN);
   int jobs;
   double seconds;
-  struct verify_data v = {.claims = {.n = 0}};
+  struct verify_data v = {.digits = 0};
   int status = parse_digits(&v.digits, o);
   if (!status) status = parse_jobs(&jobs, o);
   if (!status) status = parse_decimal(&seconds, o, OPT_TIMEOUT, MOST_SECONDS);
@@ -216,7 +215,7 @@ int run_verify(const struct options *o, const char *data) {
   if (status) return status;
   struct diag d;
   diag_init(&d);
-  model_init(&v.model);
+  paper_files_init(&v.files);
   if (!interrupt_begin(seconds)) return usage("--timeout %.200s: the clock cannot be set", option(o, OPT_TIMEOUT));
   bool ok = (!out || plan || folder_possible(out, &d)) && load_all(&v, o, data, &d);
   if (!ok) status = bad_input(&d);
@@ -229,11 +228,7 @@ int run_verify(const struct options *o, const char *data) {
     status = worse(status, verify_scene(&v, scene[i], data, o, jobs, &d));
   }
   costs_clear(&v.costs);
-  claims_clear(&v.roots);
-  claims_clear(&v.statements);
-  claims_clear(&v.controls);
-  claims_clear(&v.claims);
-  model_clear(&v.model);
+  paper_files_clear(&v.files);
   interrupt_end();
   return status;
 }

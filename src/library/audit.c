@@ -21,15 +21,15 @@ const char *ss_verdict_name(int verdict) {
 }
 
 size_t ss_claims_count(const ss_paper *p) {
-  return p ? p->claims.n : 0;
+  return p ? p->files.claims.n : 0;
 }
 
 const char *ss_claim_id(const ss_paper *p, size_t i) {
-  return i < ss_claims_count(p) ? p->claims.claim[i].id : NULL;
+  return i < ss_claims_count(p) ? p->files.claims.claim[i].id : NULL;
 }
 
 const char *ss_claim_attribute(const ss_paper *p, size_t i, const char *name) {
-  return name && i < ss_claims_count(p) ? claim_get(&p->claims.claim[i], name) : NULL;
+  return name && i < ss_claims_count(p) ? claim_get(&p->files.claims.claim[i], name) : NULL;
 }
 
 /* --- The run --- */
@@ -65,7 +65,7 @@ static int run(struct ss_audit *a, const struct ss_paper *p, const struct ss_sce
   diag_init(&d);
   bool ok = scene_four_phases(&s->s, &d);
   pthread_mutex_lock(&one);
-  ok = ok && audit_run(&a->r, &p->model, &p->claims, &p->controls, &s->s, opt, &d);
+  ok = ok && audit_run(&a->r, &p->files.model, &p->files.claims, &p->files.controls, &s->s, opt, &d);
   pthread_mutex_unlock(&one);
   return ok ? SS_OK : library_input(&d);
 }
@@ -84,8 +84,8 @@ int ss_audit_run(ss_audit **out, const ss_paper *p, const ss_scene *s, const cha
                               .progress = progress ? pass_on : NULL,
                               .arg = &passed,
                               .readings = true,
-                              .statements = &p->statements,
-                              .roots = &p->roots,
+                              .statements = &p->files.statements,
+                              .roots = &p->files.roots,
                               .jobs = jobs};
   struct ss_audit *a = ss_malloc(sizeof *a);
   audit_result_init(&a->r);

@@ -18,13 +18,9 @@ int ss_paper_open(ss_paper **out, const char *data) {
   data = library_data(data);
   if (!data) return SS_INPUT;
   struct ss_paper *p = ss_malloc(sizeof *p);
-  *p = (struct ss_paper){.claims = {.n = 0}};
-  model_init(&p->model);
+  paper_files_init(&p->files);
   diag_init(&d);
-  if (model_load(&p->model, data, NULL, NULL, &d) && claims_load(&p->claims, data, "claims", "claim", &d) &&
-      claims_load(&p->controls, data, "controls", "control", &d) &&
-      claims_load(&p->statements, data, "paper", "statement", &d) &&
-      claims_load(&p->roots, data, "claims", "root", &d)) {
+  if (paper_files_load(&p->files, data, NULL, NULL, &d)) {
     *out = p;
     return SS_OK;
   }
@@ -34,11 +30,7 @@ int ss_paper_open(ss_paper **out, const char *data) {
 
 void ss_paper_free(ss_paper *p) {
   if (!p) return;
-  claims_clear(&p->roots);
-  claims_clear(&p->statements);
-  claims_clear(&p->controls);
-  claims_clear(&p->claims);
-  model_clear(&p->model);
+  paper_files_clear(&p->files);
   free(p);
 }
 
@@ -62,7 +54,7 @@ int ss_formula_open(ss_formula **out, const ss_paper *p, int layer, const char *
   f->value = NULL;
   f->text = ss_strdup(text);
   diag_init(&d);
-  if (expression_open(&f->x, (struct view){&p->model, (enum layer)layer, NULL, NULL}, text, section, &d)) {
+  if (expression_open(&f->x, (struct view){&p->files.model, (enum layer)layer, NULL, NULL}, text, section, &d)) {
     *out = f;
     return SS_OK;
   }

@@ -50,7 +50,7 @@ int ss_jacobian_find(ss_jacobian **out, const ss_paper *p, const ss_scene *s, in
   j->x = _arb_vec_init(N_NUMBERS);
   for (int i = 0; i < N_NUMBERS; i++) j->number[i] = (struct ss_number){j->x + i, NULL};
   diag_init(&d);
-  if (audit_jacobian(j->x, j->x + TRACE, j->x + DET, &p->model, &s->s, &q, &d)) {
+  if (audit_jacobian(j->x, j->x + TRACE, j->x + DET, &p->files.model, &s->s, &q, &d)) {
     *out = j;
     return SS_OK;
   }
@@ -86,7 +86,7 @@ int ss_phases_find(ss_phases **out, const ss_paper *p, const ss_scene *s, long a
   struct ss_phases *z = ss_malloc(sizeof *z);
   jacobian_phases_init(&z->p);
   diag_init(&d);
-  if (!audit_phases(&z->p, &p->model, &s->s, &q, &d)) {
+  if (!audit_phases(&z->p, &p->files.model, &s->s, &q, &d)) {
     ss_phases_free(z);
     return library_input(&d);
   }

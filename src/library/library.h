@@ -4,7 +4,7 @@
 #ifndef STICKSLIP_LIBRARY_H
 #define STICKSLIP_LIBRARY_H
 
-#include "model/model.h"
+#include "claim/claim.h"
 #include "route/jacobian.h"
 #include "run/audit.h"
 #include "stickslip.h"
@@ -42,8 +42,7 @@ struct ss_scene {
 int library_point(const struct ss_scene *s, bool papers_word, bool forces);
 
 struct ss_paper {
-  struct model model;
-  struct claims claims, controls, statements, roots;
+  struct paper_files files;
 };
 
 /* One of chi, eta, V, e1, e2, and what it runs through, as a scene with these e1 and e2 allows; an SS_ status. */
