@@ -46,7 +46,7 @@ RANKS = $(CLI:%.c=$(B)/mpi/%.o) $(B)/mpi/src/cli/sweep_mpi.o
 SRC   = $(filter-out src/cli/%,$(sort $(wildcard src/*/*.c)))
 BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
-FUZZ  = reader latex model claims scene json report options certificate quotes
+FUZZ  = reader latex model claims scene system json report options certificate quotes
 # one for each tests/check_*.c; those that take longest are begun first
 SLOW  = scene plan jacobian mutate stable sweep complete report terminal hostile cli
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))

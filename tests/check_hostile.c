@@ -929,8 +929,8 @@ END_TEST
 
 /* --- What the fuzzers have tried --- */
 
-static const char *const targets[] = {"reader", "model",   "claims",      "scene", "json",
-                                      "report", "options", "certificate", "quotes"};
+static const char *const targets[] = {"reader", "latex",  "model",   "claims",      "scene", "system",
+                                      "json",   "report", "options", "certificate", "quotes"};
 enum { N_TARGETS = sizeof targets / sizeof *targets };
 
 START_TEST(the_corpus_of_a_fuzzer) {

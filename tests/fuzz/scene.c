@@ -62,7 +62,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   diag_init(&d);
   text_add_n(&t, (const char *)data, size);
   size_t file = split(&o, item, text_str(&t), size);
-  bool ok = scene_load_with(&s, fuzz_file(".scene", data, file), "verify", &o, true, &d);
+  bool ok = scene_load_with(&s, fuzz_file(".scene", data, file), "verify", &o, SCENE_OF_TWO_MASSES, &d);
   fuzz_law(ok != d.set, "a scene is taken, or there is a message");
   if (ok) check_scene(&s);
   scene_clear(&s);
