@@ -679,6 +679,13 @@ START_TEST(the_text_is_as_recorded) {
 }
 END_TEST
 
+/* A slow belt: the first mass is faster than half of it only through 10^-10 of the phase, which the search must find. */
+START_TEST(a_condition_broken_for_a_moment) {
+  shell_well("$P verify paper --set V=1e-12 --only fig-4 --out $D/slow > $D/said");
+  check_says("said", "1 proved; 1 of 1 controls noticed");
+}
+END_TEST
+
 Suite *argument_suite(void) {
   Suite *s = suite_create("argument");
   TCase *c = tcase_create("argument");
@@ -689,6 +696,7 @@ Suite *argument_suite(void) {
   LOOP(what_a_list_of_constraints_says, lists);
   LOOP(for_how_long_a_condition_holds, ranges);
   LOOP(bounds_of_an_independent_program, certificates);
+  tcase_add_test(c, a_condition_broken_for_a_moment);
   tcase_add_test(c, conditions_are_the_margins_of_the_orbit);
   tcase_add_test(c, an_orbit_in_the_place_of_another_has_its_own_arc);
   tcase_add_test(c, a_certificate_is_a_scene);

@@ -5,6 +5,7 @@
 #include "num/calc.h"
 #include "record/result.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -357,7 +358,7 @@ static void remember(struct along *a, const arb_t value, double where) {
 }
 
 static truth piece_holds(struct along *a, double lo, double hi, int depth) {
-  enum { MAX_DEPTH = 28 };
+  enum { MAX_DEPTH = DBL_MANT_DIG - 1 }; /* the ends of a piece are doubles */
   arb_ptr w = _arb_vec_init(6);
   arb_ptr tau = w, at = w + 1, rate_at = w + 2, all = w + 3, rate = w + 4, shift = w + 5;
   bool at_zero = (lo == 0 && a->zero[0]) || (hi == 1 && a->zero[1]);

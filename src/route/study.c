@@ -19,7 +19,9 @@
 #include "value/sentence.h"
 #include "value/system_orbit.h"
 
-enum { PREC = FD_PREC, N_POINTS = 8, N_ADMISSIBLE = 12, N_FREE = 4, MOST_DRAWS = 400 };
+/* Bits, and the most that a route in balls gets where its enclosures are wide. */
+enum { PREC = FD_PREC, MOST_PREC = 4 * PREC };
+enum { N_POINTS = 8, N_ADMISSIBLE = 12, N_FREE = 4, MOST_DRAWS = 400 };
 enum { MOST_ENTRIES = 2 * N_STATE * N_STATE, MATRIX = N_STATE * N_STATE };
 
 /* A point of the study; the orbit is NULL elsewhere. */
@@ -38,6 +40,7 @@ struct tally {
 struct study {
   struct judge *j;
   struct site site;
+  slong prec; /* bits of the routes in balls */
   struct sentence propagator[N_PHASES], jacobian;
   bool readable; /* the paper's corrected formulas */
   struct tally tally[N_ROUTE_ROWS][N_ROUTE_ROWS];
@@ -85,10 +88,10 @@ static int propagator(arb_ptr out, const struct study *s, struct num_ctx ctx, bo
 }
 
 static int propagator_exponential(arb_ptr out, struct study *s) {
-  return propagator(out, s, num_ctx_arb(PREC), false);
+  return propagator(out, s, num_ctx_arb(s->prec), false);
 }
 static int propagator_closed(arb_ptr out, struct study *s) {
-  return propagator(out, s, num_ctx_arb(PREC), true);
+  return propagator(out, s, num_ctx_arb(s->prec), true);
 }
 static int propagator_taylor(arb_ptr out, struct study *s) {
   return propagator(out, s, num_ctx_mpfr(PREC), false);
@@ -99,7 +102,7 @@ static int propagator_gsl(arb_ptr out, struct study *s) {
 
 /* The paper's side of a sentence. */
 static int paper_side(arb_ptr out, struct study *s, struct sentence *sentence) {
-  struct calc c = calc_begin(num_ctx_arb(PREC));
+  struct calc c = calc_begin(num_ctx_arb(s->prec));
   struct num_vec lhs = calc_vec(&c, sentence->n), rhs = calc_vec(&c, sentence->n);
   int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, VARIANT_CLOSED, s->j->cache);
   get_all(out, &lhs);
@@ -119,7 +122,7 @@ static int paper_matrix(arb_ptr out, const struct study *s, const char *suffix) 
   char text[32];
   int n;
   snprintf(text, sizeof text, "%s%s", phase_name[s->site.p.phase], suffix);
-  int status = expression_at(out, &n, view, text, "", &s->site.p, PREC, s->j->cache, NULL);
+  int status = expression_at(out, &n, view, text, "", &s->site.p, s->prec, s->j->cache, NULL);
   return n == MATRIX ? status : status | SS_UNABLE;
 }
 
@@ -128,7 +131,7 @@ static int rate_paper(arb_ptr out, struct study *s) {
 }
 
 static int rate_ode(arb_ptr out, struct study *s) {
-  struct num_ctx ctx = num_ctx_arb(PREC);
+  struct num_ctx ctx = num_ctx_arb(s->prec);
   struct calc c = calc_begin(ctx);
   struct num_vec params = calc_vec(&c, N_PARAMS), t = calc_vec(&c, 1), a = calc_vec(&c, MATRIX),
                  m = calc_vec(&c, MATRIX);
@@ -146,10 +149,10 @@ static int rate_ode(arb_ptr out, struct study *s) {
 
 static int events_of_model(arb_ptr out, struct study *s, enum variant variant) {
   struct values v;
-  int status = values_init(&v, &s->site.p, variant, num_ctx_arb(PREC), s->j->cache);
+  int status = values_init(&v, &s->site.p, variant, num_ctx_arb(s->prec), s->j->cache);
   for (int ph = 0; ph < N_PHASES && status == SS_OK; ph++) {
     arb_set(out + ph, num_vec_at(&v.arc.t, ph));
-    if (ph > 0) arb_add(out + ph, out + ph, out + ph - 1, PREC);
+    if (ph > 0) arb_add(out + ph, out + ph, out + ph - 1, s->prec);
     for (int i = 0; i < N_STATE; i++)
       arb_set(out + N_PHASES + ph * N_STATE + i, num_vec_at(&v.arc.z, (ph + 1) * N_STATE + i));
   }
@@ -166,9 +169,9 @@ static int events_exponential(arb_ptr out, struct study *s) {
 
 static int events_system(arb_ptr out, struct study *s) {
   arb_ptr t = _arb_vec_init(N_PHASES), z = _arb_vec_init((N_PHASES + 1) * N_STATE);
-  int status = system_orbit(t, z, NULL, s->site.p.q + Q_CHI, s->site.orbit, PREC);
+  int status = system_orbit(t, z, NULL, s->site.p.q + Q_CHI, s->site.orbit, s->prec);
   arb_set(out, t);
-  for (int ph = 1; ph < N_PHASES; ph++) arb_add(out + ph, out + ph - 1, t + ph, PREC);
+  for (int ph = 1; ph < N_PHASES; ph++) arb_add(out + ph, out + ph - 1, t + ph, s->prec);
   _arb_vec_set(out + N_PHASES, z + N_STATE, N_PHASES * N_STATE);
   _arb_vec_clear(z, (N_PHASES + 1) * N_STATE);
   _arb_vec_clear(t, N_PHASES);
@@ -269,7 +272,7 @@ static int jacobian_paper(arb_ptr out, struct study *s) {
 }
 static int jacobian_by(arb_ptr out, struct study *s, enum jacobian_method method) {
   struct jacobian_job job = {.point = s->site.p, .cache = s->j->cache, .d = s->j->d};
-  return jacobian_route(out, &job, method, LAYER_CORRECTED, NULL, PREC);
+  return jacobian_route(out, &job, method, LAYER_CORRECTED, NULL, s->prec);
 }
 static int jacobian_implicit(arb_ptr out, struct study *s) {
   return jacobian_by(out, s, METHOD_IMPLICIT);
@@ -282,7 +285,7 @@ static int jacobian_fd(arb_ptr out, struct study *s) {
 }
 
 static int jacobian_system(arb_ptr out, struct study *s) {
-  return system_orbit(NULL, NULL, out, s->site.p.q + Q_CHI, s->site.orbit, PREC);
+  return system_orbit(NULL, NULL, out, s->site.p.q + Q_CHI, s->site.orbit, s->prec);
 }
 
 static int jacobian_integration(arb_ptr out, struct study *s) {
@@ -417,6 +420,29 @@ static void book(struct study *s, enum route_row a, enum route_row b, struct gap
   t->where = result_take(s->j->out, &where);
 }
 
+/* log2 of the largest radius, relative as a gap is. */
+static double width_of(arb_srcptr x, int n) {
+  double scale = 0, width = -INFINITY;
+  for (int i = 0; i < n; i++) {
+    scale = fmax(scale, log2_upper(x + i));
+    if (!mag_is_zero(arb_radref(x + i))) width = fmax(width, mag_get_d_log2_approx(arb_radref(x + i)));
+  }
+  return width - scale;
+}
+
+/* In balls with as many bits as the digits need that the route states. */
+static int compute_row(arb_ptr out, struct study *s, enum route_row row) {
+  int n = entries[route_table[row].quantity], status = compute[row](out, s);
+  double wanted = -route_table[row].digits * log2(10) - 2;
+  bool in_balls = !(route_table[row].means & MEANS_DIFFERENCES);
+  while (in_balls && status == SS_OK && s->prec < MOST_PREC && width_of(out, n) > wanted) {
+    s->prec *= 2;
+    status = compute[row](out, s);
+  }
+  s->prec = PREC;
+  return status;
+}
+
 /* Every route to the quantity, and every two of them. */
 static void compare_at(struct study *s, enum route_quantity q) {
   arb_ptr value = _arb_vec_init(N_ROUTE_ROWS * MOST_ENTRIES);
@@ -427,7 +453,7 @@ static void compare_at(struct study *s, enum route_quantity q) {
     asked[i] = route_table[i].quantity == q && applies(s, (enum route_row)i);
     double floor = asked[i] ? floor_of(s, (enum route_row)i) : 0;
     asked[i] = asked[i] && !out_of_reach(s, (enum route_row)i, floor);
-    if (asked[i]) status[i] = compute[i](value + i * MOST_ENTRIES, s);
+    if (asked[i]) status[i] = compute_row(value + i * MOST_ENTRIES, s, (enum route_row)i);
     asked[i] = asked[i] && !not_solved(s, (enum route_row)i, status[i]);
     if (asked[i]) own[i] = take_estimate(value + i * MOST_ENTRIES, entries[q], (enum route_row)i);
     if (asked[i] && i == ROUTE_E_INTEGRATION) own[i] = log2(floor * fmax(1, num_arb.get_d(s->site.orbit->period)));
@@ -587,7 +613,7 @@ static void add_pair(struct study *s, enum route_row a, enum route_row b) {
 }
 
 bool study_routes(struct judge *j) {
-  struct study s = {.j = j};
+  struct study s = {.j = j, .prec = PREC};
   point_init(&s.site.p);
   read_paper(&s);
   at_parameters(&s);
