@@ -13,6 +13,7 @@
 
 enum { SIDE = MECH_STATES + 1 };
 enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14 }; /* of work; of the search for a root */
+enum { MOST_MODES = 200 };                               /* kept at a time; one takes 40 KB */
 enum { MOST_LOOKS = 200000, LOOKS_OF_EVENT = 15, MOST_STEPS = 10000 /* of GSL in a look */ };
 
 const char *const mech_outcome_name[] = {"done", "its budget of steps is used up",
@@ -21,6 +22,13 @@ const char *const mech_outcome_name[] = {"done", "its budget of steps is used up
 
 /* What a mass may meet: the end of its mode; an obstacle below, above. */
 enum meeting { OWN, BELOW, ABOVE, N_MEETINGS };
+
+/* What is made once of the phases with these letters. */
+struct mode {
+  struct mode *next;
+  char letters[MECH_MASSES + 1];
+  double rate[SIDE * SIDE], jump[SIDE][SIDE]; /* A; exp(A look), by columns */
+};
 
 struct walk {
   const struct mech *m;
@@ -37,8 +45,12 @@ struct walk {
   double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
   double loading[2 * MECH_MASSES], frequency, stop[MECH_MASSES][2], restitution[MECH_MASSES][2];
   double inertia[MECH_MASSES], sliding[MECH_MASSES], limit[MECH_MASSES], surface[MECH_MASSES];
-  int full;                                   /* whole looks in the present phase */
-  double rate[SIDE * SIDE], jump[SIDE][SIDE]; /* A of the present phase; exp(A look), by columns */
+  struct arena pool; /* of the modes met so far, up to MOST_MODES of them */
+  struct mode *modes;
+  int n_modes;
+  const struct mode *mode;
+  double series[TERMS + 1][SIDE]; /* (A look)^k (z, 1)/k!, where it is made: of the present z */
+  bool made;
   gsl_odeiv2_system system;
   gsl_odeiv2_driver *driver;
 };
@@ -69,49 +81,63 @@ static int right_side(double t, const double z[], double dz[], void *self) {
   return GSL_SUCCESS;
 }
 
-/* exp(A h) (from, one) by its series; h is at most a look, so that its terms fall like (1/16)^k/k!. */
-static void add_series(double *to, const struct walk *w, const double *from, double one, double h) {
-  double term[SIDE], next[SIDE] = {0};
-  int states = w->states, side = states + 1;
-  memcpy(term, from, (size_t)states * sizeof *term);
-  memcpy(to, from, (size_t)states * sizeof *to);
-  term[states] = one;
-  for (int k = 1; k <= TERMS; k++) {
+/* term[k] = (A look)^k y/k! for k = 1 ... TERMS; term[0] = y. */
+static void make_series(double term[][SIDE], const double *rate, double look, int side) {
+  for (int k = 1; k <= TERMS; k++)
     for (int i = 0; i < side; i++) {
       double sum = 0;
-      for (int j = 0; j < side; j++) sum += w->rate[i * side + j] * term[j];
-      next[i] = sum * h / k;
+      for (int j = 0; j < side; j++) sum += rate[i * side + j] * term[k - 1][j];
+      term[k][i] = sum * look / k;
     }
-    memcpy(term, next, (size_t)side * sizeof *term);
-    for (int i = 0; i < states; i++) to[i] += term[i];
+}
+
+/* exp(A part look) y, for a part of a look up to the whole, so that the terms fall like (1/16)^k/k!. */
+static void add_series(double *to, const double term[][SIDE], int n, double part) {
+  for (int i = 0; i < n; i++) {
+    double sum = term[TERMS][i];
+    for (int k = TERMS - 1; k >= 0; k--) sum = sum * part + term[k][i];
+    to[i] = sum;
   }
 }
 
-/* The columns of exp(A look). */
-static void make_jump(struct walk *w) {
-  for (int j = 0; j <= w->states; j++) {
-    double unit[SIDE] = {0};
-    if (j < w->states) unit[j] = 1;
-    add_series(w->jump[j], w, unit, j == w->states, w->look);
+static void make_mode(struct mode *mode, const struct walk *w) {
+  int side = w->states + 1;
+  fmpq_mat_t rate;
+  fmpq_mat_init(rate, side, side);
+  memcpy(mode->letters, w->phase, (size_t)w->n);
+  mech_rate(rate, w->m, mode->letters);
+  for (int i = 0; i < side; i++)
+    for (int j = 0; j < side; j++) mode->rate[i * side + j] = fmpq_get_d(fmpq_mat_entry(rate, i, j));
+  for (int j = 0; j < side; j++) {
+    double term[TERMS + 1][SIDE] = {{0}};
+    term[0][j] = 1;
+    make_series(term, mode->rate, w->look, side);
+    add_series(mode->jump[j], term, w->states, 1);
   }
+  fmpq_mat_clear(rate);
 }
 
 /* exp(A look) (z, 1). */
 static void add_jump(double *to, const struct walk *w) {
-  memcpy(to, w->jump[w->states], (size_t)w->states * sizeof *to);
+  memcpy(to, w->mode->jump[w->states], (size_t)w->states * sizeof *to);
   for (int j = 0; j < w->states; j++)
-    for (int i = 0; i < w->states; i++) to[i] += w->jump[j][i] * w->z[j];
+    for (int i = 0; i < w->states; i++) to[i] += w->mode->jump[j][i] * w->z[j];
 }
 
 /* The state h after w->z in the present phase. */
 static bool carry(double *to, struct walk *w, double h) {
   double t = 0;
   bool ok = true;
-  if (w->route == MECH_PATCHED && h == w->look && ++w->full > w->states) { /* it has paid for its columns */
-    if (w->full == w->states + 1) make_jump(w);
+  if (w->route == MECH_PATCHED && h == w->look) {
     add_jump(to, w);
   } else if (w->route == MECH_PATCHED) {
-    add_series(to, w, w->z, 1, h);
+    if (!w->made) {
+      memcpy(w->series[0], w->z, (size_t)w->states * sizeof *w->z);
+      w->series[0][w->states] = 1;
+      make_series(w->series, w->mode->rate, w->look, w->states + 1);
+      w->made = true;
+    }
+    add_series(to, w->series, w->states, h / w->look);
   } else {
     memcpy(to, w->z, sizeof w->z);
     gsl_odeiv2_driver_reset(w->driver);
@@ -194,14 +220,21 @@ static void change(struct walk *w, int i, enum meeting part) {
 }
 
 static void begin(struct walk *w) {
-  int side = w->states + 1;
-  fmpq_mat_t rate;
-  fmpq_mat_init(rate, side, side);
-  mech_rate(rate, w->m, w->phase);
-  for (int i = 0; i < side; i++)
-    for (int j = 0; j < side; j++) w->rate[i * side + j] = fmpq_get_d(fmpq_mat_entry(rate, i, j));
-  fmpq_mat_clear(rate);
-  w->full = 0;
+  struct mode *mode = w->modes;
+  while (mode && strncmp(mode->letters, w->phase, (size_t)w->n) != 0) mode = mode->next;
+  if (!mode && w->n_modes == MOST_MODES) {
+    arena_clear(&w->pool);
+    w->modes = NULL;
+    w->n_modes = 0;
+  }
+  if (!mode) {
+    mode = arena_alloc(&w->pool, sizeof *mode);
+    make_mode(mode, w);
+    mode->next = w->modes;
+    w->modes = mode;
+    w->n_modes++;
+  }
+  w->mode = mode;
 }
 
 /* Tells of the present moment, an event where it has a mass. */
@@ -239,6 +272,7 @@ static void advance(double *gone, struct walk *w, struct mech_motion *out, doubl
     return;
   }
   memcpy(w->z, z, sizeof w->z);
+  w->made = false;
   w->fresh = -1;
   *gone = first;
   if (event < 0) return;
@@ -337,6 +371,7 @@ int mech_simulate(struct mech_motion *out, enum mech_route route, const struct m
                   const struct mech_plan *plan) {
   struct walk *w = ss_malloc(sizeof *w);
   *w = (struct walk){.m = m, .plan = plan, .route = route, .n = m->n, .states = m->states, .fresh = -1};
+  arena_init(&w->pool);
   take_system(w);
   take_start(w, start);
   *out = (struct mech_motion){.n_moments = 0};
@@ -355,6 +390,7 @@ int mech_simulate(struct mech_motion *out, enum mech_route route, const struct m
     gsl_set_error_handler(old);
     if (out->end != MECH_DONE) s = SS_UNABLE;
   }
+  arena_clear(&w->pool);
   free(w);
   return s;
 }

@@ -180,6 +180,7 @@ int krawczyk_apply(struct krawczyk *k) {
   slong n = k->system->n, prec = k->image.ctx.prec;
   int status = k->system->values(NULL, j, &k->box, k->system->self);
   k->inside = !status;
+  k->too_wide = false;
   if (status) return status;
   fill(k->rest, j);
   arb_mat_mul(k->rest, k->y, k->rest, prec);
@@ -191,10 +192,11 @@ int krawczyk_apply(struct krawczyk *k) {
   }
   arb_mat_mul(k->off, k->rest, k->off, prec);
   for (slong i = 0; i < n; i++) {
-    arb_ptr z = num_vec_at(&k->image, i);
+    arb_ptr z = num_vec_at(&k->image, i), box = num_vec_at(&k->box, i);
     arb_sub(z, arb_mat_entry(k->off, i, 0), arb_mat_entry(k->step, i, 0), prec);
     arb_add(z, z, num_vec_at(&k->mid, i), prec);
-    k->inside = k->inside && arb_is_finite(z) && arb_contains_interior(num_vec_at(&k->box, i), z);
+    k->inside = k->inside && arb_is_finite(z) && arb_contains_interior(box, z);
+    k->too_wide = k->too_wide || mag_cmp(arb_radref(arb_mat_entry(k->off, i, 0)), arb_radref(box)) >= 0;
   }
   return SS_OK;
 }
@@ -226,7 +228,8 @@ int krawczyk_grow(struct krawczyk *k) {
   }
   mag_clear(size);
   k->inside = false;
-  for (int t = 0; t < MOST_BOXES && !k->inside && !status; t++) {
+  k->too_wide = false;
+  for (int t = 0; t < MOST_BOXES && !k->inside && !k->too_wide && !status; t++) {
     for (slong i = 0; i < n && t > 0; i++) {
       arb_ptr box = num_vec_at(&k->box, i);
       mag_mul_2exp_si(arb_radref(box), arb_radref(box), GROWTH);
