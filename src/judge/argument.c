@@ -79,17 +79,24 @@ static void judge_everywhere(struct finding *f, struct argument *a, struct view 
   if (weakness[again] > weakness[f->verdict]) f->verdict = again;
 }
 
+/* What a friction force must exceed on an orbit: e, or the least that the inequalities allow. */
+static const char *friction_needed(struct judge *j, int i, const struct dyn_orbit *o) {
+  arb_srcptr e = i ? o->e2 : o->e1, least = i ? o->u_r2_min : o->u_r1_min;
+  if (!arb_ge(e, least)) return result_str(j->out, "u_r%d > %s", i + 1, ball_text(j, least, 6));
+  return result_str(j->out, "u_r%d > e_%d", i + 1, i + 1);
+}
+
 /* What the friction forces must exceed on the scene's orbit, whatever the argument says. */
 static void describe_effect(struct finding *f, struct argument *a) {
   struct point p;
   point_init(&p);
   if (nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
     const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p.orbit];
-    f->effect = result_str(a->j->out,
-                           "On the periodic solution nearest to the printed numbers all inequalities together require "
-                           "u_r1 > %s and u_r2 > %s, in addition to u_r1 > e_1 = %s and u_r2 > e_2 = %s.",
-                           ball_text(a->j, o->u_r1_min, 6), ball_text(a->j, o->u_r2_min, 6), ball_text(a->j, o->e1, 6),
-                           ball_text(a->j, o->e2, 6));
+    f->effect =
+        result_str(a->j->out,
+                   "On the periodic solution nearest to the printed numbers all inequalities together amount to "
+                   "%s and %s.",
+                   friction_needed(a->j, 0, o), friction_needed(a->j, 1, o));
   }
   point_clear(&p);
 }

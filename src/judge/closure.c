@@ -1,4 +1,6 @@
 /* Does the printed solution close?  One pass through the word from every start that the printed digits allow. */
+#include <math.h>
+
 #include "certificate.h"
 #include "num/calc.h"
 
@@ -98,14 +100,16 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
   _arb_vec_clear(v, 11);
 }
 
-/* An end of the ball, rounded away from it. */
+/* An end of the ball, rounded away from it, to three digits. */
 static double bound(const arb_t x, bool lower) {
   arf_t end;
   arf_init(end);
   (lower ? arb_get_lbound_arf : arb_get_ubound_arf)(end, x, FIRST_PREC);
   double d = arf_get_d(end, lower ? ARF_RND_FLOOR : ARF_RND_CEIL);
   arf_clear(end);
-  return d;
+  if (d == 0) return 0;
+  double unit = pow(10, floor(log10(fabs(d))) - 2);
+  return (lower ? floor(d / unit) : ceil(d / unit)) * unit;
 }
 
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

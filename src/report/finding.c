@@ -89,6 +89,38 @@ size_t controls_noticed(const struct audit_result *r) {
 const char *const severity_words[N_SEVERITIES][2] = {
     {"error of substance", "errors of substance"}, {"remark", "remarks"}, {"slip of notation", "slips of notation"}};
 
+void failures_say(struct text *out, const struct audit_result *r) {
+  long count[N_VERDICTS], of[N_SEVERITIES + 1] = {0};
+  audit_result_count(count, r, OF_PAPER);
+  for (size_t i = 0; i < r->n_findings; i++)
+    if (r->findings[i].of == OF_PAPER && finding_fails(&r->findings[i])) of[r->findings[i].severity]++;
+  long due = 0;
+  int last = 0;
+  for (int i = 0; i < N_SEVERITIES; i++) {
+    due += of[i];
+    if (of[i]) last = i;
+  }
+  if (count[VERDICT_CONDITIONAL]) text_printf(out, ", %ld hold under a condition", count[VERDICT_CONDITIONAL]);
+  if (count[VERDICT_REFUTED]) text_printf(out, ", %ld do not hold as printed", count[VERDICT_REFUTED]);
+  if (due == 0) return;
+  text_printf(out, " (of these %ld, ", due);
+  bool first = true;
+  for (int i = 0; i < N_SEVERITIES; i++) {
+    if (of[i] == 0) continue;
+    text_printf(out, "%s%ld%s to %s",
+                first       ? ""
+                : i == last ? " and "
+                            : ", ",
+                of[i],
+                !first       ? ""
+                : of[i] == 1 ? " belongs"
+                             : " belong",
+                severity_words[i][1]);
+    first = false;
+  }
+  text_add_char(out, ')');
+}
+
 static bool any_begins(const char *const *list, int n, const char *with) {
   for (int i = 0; i < n; i++)
     if (strncmp(list[i], with, strlen(with)) == 0) return true;

@@ -34,6 +34,8 @@ bool failure_is_number(const struct finding *f);
 /* The right values of the printed numbers among the root's claims, as LaTeX: "t_{a} = 0.5323"; how many. */
 enum { MOST_VALUES = 32 };
 int root_values(const char *value[MOST_VALUES], const struct audit_result *r, const struct root_cause *root);
+/* ", 9 hold under a condition, 31 do not hold as printed (of these 40, 12 belong to errors of substance, ...)". */
+void failures_say(struct text *out, const struct audit_result *r);
 /* How large the effect is; NULL where that is not known. */
 const char *failure_size(const struct audit_result *r, const struct finding *f);
 

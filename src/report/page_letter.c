@@ -1,4 +1,4 @@
-/* The letter: what the paper's author should know, on two screens.  What was read; how the printed numbers come out;
+/* The letter: what the paper's authors should know, on two screens.  What was read; how the printed numbers come out;
    the errors of substance; what holds; where the solution is stable.  Every sentence is made of the record, and
    what stands here is told in full below it. */
 #include <stdio.h>
@@ -51,7 +51,7 @@ static const struct example_reading *best_reading(const struct page *p) {
 static void add_reading(const struct page *p, const struct example_reading *e) {
   text_add(p->out, "<p><strong>If ");
   sheet_list(&(struct sheet){p->out, DIALECT_HTML}, e->inputs, e->n_inputs);
-  text_add(p->out, " are taken exactly");
+  text_add(p->out, " are taken as exact");
   for (int i = 0; i < e->n_dropped; i++)
     page_add(p, "%s%p, whose sides then differ by %p", i ? ", and " : " and one equation is left out, ",
              e->dropped[i].equation, e->dropped[i].residual);
@@ -206,7 +206,7 @@ static void add_sound_equations(const struct page *p) {
     if (last > i) text_printf(p->out, "%s(%d)", last > i + 1 ? "\xe2\x80\x93" : more, last);
     before = more;
   }
-  if (before == more) text_add(p->out, "; how some of them are used is among the findings.");
+  if (before == more) text_add(p->out, "; others are named below, some of them for a slip of notation alone.");
 }
 
 static void add_what_holds(const struct page *p) {
@@ -214,8 +214,7 @@ static void add_what_holds(const struct page *p) {
   text_printf(p->out,
               "<h3>What holds</h3>\n<p>Of the %ld statements of the paper that assert something, %ld %s been proved",
               total - count[VERDICT_DEFINITION], count[VERDICT_PROVED], count[VERDICT_PROVED] == 1 ? "has" : "have");
-  if (count[VERDICT_CONDITIONAL]) text_printf(p->out, ", %ld hold under a condition", count[VERDICT_CONDITIONAL]);
-  if (count[VERDICT_REFUTED]) text_printf(p->out, ", %ld do not hold as printed", count[VERDICT_REFUTED]);
+  failures_say(p->out, p->r);
   if (count[VERDICT_SUPPORTED])
     text_printf(p->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
   if (count[VERDICT_UNKNOWN]) text_printf(p->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
@@ -249,8 +248,9 @@ static void add_later(const struct page *p, const struct finding *f) {
   const char *end = f && f->n_evidence && f->evidence[0].note ? strstr(f->evidence[0].note, last) : NULL;
   if (!end) return;
   page_add(p,
-           " In the long run the printed initial state leads to another motion; by the letters of the phases' matrices "
-           "(G is \xce\x93), <a href=\"#c-%a\">",
+           " Started from the printed initial state, the system performs another motion in the long run; with the "
+           "letters of "
+           "the phases' matrices (G for \xce\x93), <a href=\"#c-%a\">",
            f->id);
   html_prose_n(p->out, end, strcspn(end, ";"));
   text_add(p->out, "</a>.");
@@ -279,7 +279,7 @@ static void add_gift(const struct page *p) {
 /* --- The letter --- */
 
 void page_letter(const struct page *p) {
-  page_begin_section(p, "letter", "To the author");
+  page_begin_section(p, "letter", "To the authors");
   text_add(p->out, "<p>The formulas and statements of the paper were compared, one by one, with its "
                    "equations of motion (1) and Coulomb's law (2): by exact algebra, by computations with rigorous "
                    "error bounds and by numerical integration. <strong>The text that was read is a machine conversion "

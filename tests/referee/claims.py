@@ -310,21 +310,36 @@ def rounded(x, decimals):
     return "%.*f" % (decimals, x)
 
 
-def numbers_example(of):
-    """z_20 by either line of (44) at the printed times, V = 1."""
-    c = of["text-periodic"]
+def starts(c, times):
+    """z_0 by the first and by the second line of (44)."""
     n = matrix([[mpf(i == k) for k in range(4)] for i in range(4)])
-    for phase, number in zip("DGHC", ("num-t_a", "num-t_b", "num-t_c", "num-t_d")):
-        n = flow(c, phase, of[number]["printed"]) * n
+    for phase, t in zip("DGHC", times):
+        n = flow(c, phase, t) * n
     v, one = matrix([c["V"]] * 2), matrix([[1, 0], [0, 1]])
-    first = lu_solve(n[:2, :2] - one, -n[:2, 2:] * v)
-    second = lu_solve(n[2:, :2], (one - n[2:, 2:]) * v)
-    return {rounded(first[1], 4), rounded(second[1], 4), of["num-t_d"].text("printed")}
+    return lu_solve(n[:2, :2] - one, -n[:2, 2:] * v), lu_solve(n[2:, :2], (one - n[2:, 2:]) * v)
+
+
+def numbers_example(of):
+    """At the printed times z_20 by either line of (44), t_a by the first of (45); the solution with t_b, t_c as printed."""
+    c = of["text-periodic"]
+    t_a, t_b, t_c, t_d = (of[number]["printed"] for number in ("num-t_a", "num-t_b", "num-t_c", "num-t_d"))
+    def apart(t_a, t_d):
+        first, second = starts(c, (t_a, t_b, t_c, t_d))
+        return [first[i] - second[i] for i in range(2)]
+    other = mpf("2.342")
+    found = [findroot(lambda t: apart(t, end)[0], (mpf(1) / 2, mpf(7) / 10)) for end in (t_d, other)]
+    t_a_kept, t_d_kept = findroot(apart, (mpf(1) / 2, other))
+    z = starts(c, (t_a_kept, t_b, t_c, t_d_kept))[0]
+    z_a = matrix([z[0] + c["V"] * t_a_kept, z[1] + c["V"] * t_a_kept, c["V"], c["V"]])
+    z_b = flow(c, "G", t_b) * z_a
+    found += [t_a_kept, t_d_kept, z[0], z[1], z_a[0] - c["chi"] * z_a[1], c["chi"] * (z_b[1] - z_b[0])]
+    found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d))]
+    return {rounded(x, 4) for x in found} | {of["num-t_d"].text("printed"), rounded(other, 3)}
 
 
 def numbers_otherwise(of):
     c = of["text-otherwise-unstable"]
-    return {rounded(c["chi"], 6), rounded(c["e_2"], 2)}
+    return {c.text("chi")[:10], rounded(c["e_2"], 2)}
 
 
 def numbers_first_roots(of):
