@@ -192,6 +192,11 @@ START_TEST(a_load_in_closed_form) {
 }
 END_TEST
 
+/* x + 1/2 of rest_in_closed_form. */
+static double flight(double s, double angle) {
+  return 4.0 / 3 * cos(angle + s / 2) + cos(s) / 6 + sin(s) / sqrt(3) + 0.5;
+}
+
 /* x'' + x = 0 for x <= 0, from x = -1 at rest: rebounds at pi/2 and 3 pi/2, each of which halves the amplitude. */
 START_TEST(rebounds_in_closed_form) {
   const double start[] = {-1, 0}, beyond[] = {0.1, 0};
@@ -207,6 +212,31 @@ START_TEST(rebounds_in_closed_form) {
     ck_assert_double_eq_tol(z.z[1], 0, 1e-11);
     mech_motion_clear(&z);
     ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, beyond, &PLAN(1, 10)), SS_DOMAIN);
+    mech_motion_clear(&z);
+  }
+  mech_clear(&file);
+}
+END_TEST
+
+/* x'' + x = cos(theta), theta' = 1/2, for x <= -1/2 without rebound, from rest there at theta = 0: pressed until cos(theta) = -1/2,
+   at 4 pi/3; then x = (4/3) cos(theta) + cos(s)/6 + sin(s)/sqrt(3), s the time since then, up to x = -1/2. */
+START_TEST(rest_in_closed_form) {
+  const double start[] = {-0.5, 0, 1, 0}, pi = acos(-1), angle = 2 * pi / 3;
+  read_text(
+      "mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
+      "load p\n  on: m\n  frequency: 1/2\n  cosine: 1\nobstacle o\n  stops: m\n  above: -1/2\n  restitution: 0\n");
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    struct mech_motion z;
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(12, 10)), SS_OK);
+    ck_assert_int_eq(z.n_moments, 3);
+    ck_assert_str_eq(z.moment[0].phase, "a");
+    ck_assert_str_eq(z.moment[1].phase, ".");
+    ck_assert_double_eq_tol(z.moment[1].t, 4 * pi / 3, 1e-11);
+    ck_assert_str_eq(z.moment[2].phase, "a");
+    double s = z.moment[2].t - 4 * pi / 3;
+    for (int k = 1; k < 10; k++) ck_assert_double_lt(flight(0.1 * k * s, angle), -1e-4);
+    ck_assert_double_eq_tol(flight(s, angle), 0, 1e-10);
+    ck_assert(z.z[0] == -0.5 && z.z[1] == 0);
     mech_motion_clear(&z);
   }
   mech_clear(&file);
@@ -561,8 +591,9 @@ START_TEST(far_out_is_not_settled) {
 END_TEST
 
 /* By a program that has nothing in common with src/mech. */
-static const char *const scenes_of_systems[] = {"chain3", "den-hartog", "driven", "beside-wall", "chain4", "chain5"};
-enum { QUICK_SCENES = 4 };
+static const char *const scenes_of_systems[] = {"chain3",    "den-hartog", "driven", "beside-wall",
+                                                "soft-wall", "chain4",     "chain5"};
+enum { QUICK_SCENES = 5 };
 START_TEST(orbits_recomputed) {
   int status;
   char *out =
@@ -1045,6 +1076,7 @@ Suite *mech_suite(void) {
   tcase_add_loop_test(c, longer_chains_are_those_of_tiny_steps, 0, 9);
   tcase_add_test(c, a_load_in_closed_form);
   tcase_add_test(c, rebounds_in_closed_form);
+  tcase_add_test(c, rest_in_closed_form);
   tcase_add_test(c, motions_outside_the_domain);
   tcase_add_test(c, between_two_stops_in_closed_form);
   tcase_add_test(c, energy_stays);

@@ -179,7 +179,7 @@ static void search_text(struct text *out, const struct mech_orbits *list) {
   if (list->unfinished)
     text_printf(
         out,
-        "%d of these motions were given up: too many steps, a mass at rest at an obstacle, or numbers out of the "
+        "%d of these motions were given up: too many steps, rebounds too short to be followed, or numbers out of the "
         "range of a double\n",
         list->unfinished);
 }

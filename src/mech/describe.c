@@ -172,9 +172,14 @@ static void add_stop(const struct printer *p, int i, bool above) {
   num_print_q(p->out, stop->position);
   text_add(p->out, p->latex ? ", \\quad " : ", ");
   add_state(p, p->m->n + i);
-  text_add(p->out, p->latex ? " \\to -" : " -> -");
-  add_factor(p, stop->restitution);
-  add_state(p, p->m->n + i);
+  text_add(p->out, p->latex ? " \\to " : " -> ");
+  if (fmpq_is_zero(stop->restitution)) {
+    text_add_char(p->out, '0');
+  } else {
+    text_add_char(p->out, '-');
+    add_factor(p, stop->restitution);
+    add_state(p, p->m->n + i);
+  }
   end_line(p);
 }
 
@@ -183,7 +188,7 @@ static void add_obstacles(const struct printer *p) {
   for (int i = 0; i < p->m->n; i++)
     for (int s = 0; s < 2; s++) {
       if (!p->m->mass[i].stop[s].given) continue;
-      if (!any) heading(p, "Obstacles, and what a rebound does");
+      if (!any) heading(p, "Obstacles, and the velocity of a mass that reaches them");
       any = true;
       add_stop(p, i, s);
     }

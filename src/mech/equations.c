@@ -3,6 +3,16 @@
 
 #include <string.h>
 
+/* The obstacle at which a mass is at the entry of the first phase; NULL: at none. */
+static const struct mech_stop *stop_at_entry(const struct mech *m, const struct mech_word *w, int i) {
+  enum mech_end end;
+  const char *before = w->phase[w->n - 1], *now = w->phase[0];
+  bool changes = mech_event(&end, before, now) == i, lifts = changes && end == MECH_LIFTS;
+  char mode = lifts ? before[i] : now[i];
+  bool above = mech_rests(mode) ? mode == 'a' : end == MECH_HITS_ABOVE;
+  return mech_rests(mode) || (changes && mech_is_hit(end)) ? &m->mass[i].stop[above] : NULL;
+}
+
 /* The entry of the first phase, exactly: see orbit.h. */
 static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech_word *w, const int *free,
                        int n_plain) {
@@ -12,12 +22,12 @@ static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech
   fmpq_mat_zero(entry);
   for (int l = 0; l < n_plain; l++) fmpq_one(fmpq_mat_entry(entry, free[l], l));
   for (int l = 0; l <= m->states - 2 * n; l++) fmpq_one(fmpq_mat_entry(entry, 2 * n + l, n_plain + l));
-  for (int i = 0; i < n; i++)
-    if (w->phase[0][i] == 's' || (i == changed && !mech_is_hit(end)))
-      fmpq_set(fmpq_mat_entry(entry, n + i, one), m->mass[i].surface);
-  if (mech_is_hit(end))
-    fmpq_set(fmpq_mat_entry(entry, changed, one), m->mass[changed].stop[end == MECH_HITS_ABOVE].position);
-  if (end == MECH_REACHES || mech_is_hit(end)) return;
+  for (int i = 0; i < n; i++) {
+    const struct mech_stop *at = stop_at_entry(m, w, i);
+    if (at) fmpq_set(fmpq_mat_entry(entry, i, one), at->position);
+    if (w->phase[0][i] == 's' || (i == changed && !at)) fmpq_set(fmpq_mat_entry(entry, n + i, one), m->mass[i].surface);
+  }
+  if (end != MECH_BREAKS_SLOWER && end != MECH_BREAKS_FASTER) return;
   /* the position of the mass that broke loose, from its force */
   fmpq_mat_t row, at;
   fmpq_mat_init(row, 1, m->states + 1);
@@ -38,9 +48,10 @@ int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_wor
   enum mech_end end;
   int n = m->n, count = 0, changed = mech_event(&end, w->phase[w->n - 1], w->phase[0]);
   for (int i = 0; i < n; i++)
-    if (i != changed || end == MECH_REACHES) free[count++] = i;
+    if (!stop_at_entry(m, w, i) && (i != changed || end == MECH_REACHES)) free[count++] = i;
   for (int i = 0; i < n; i++)
-    if ((i != changed || mech_is_hit(end)) && w->phase[0][i] != 's') free[count++] = n + i;
+    if ((i != changed || mech_is_hit(end)) && w->phase[0][i] != 's' && !mech_rests(w->phase[0][i]))
+      free[count++] = n + i;
   if (m->n_loads) free[count++] = 2 * n;
   return count;
 }

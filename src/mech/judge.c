@@ -4,7 +4,8 @@
        g(a + s) = c y(a) + s c A y(a) + s^2/2 c A^2 Y,       g'(a + s) = c A y(a) + s c A^2 Y,
    and g is negative on the step where the first is, or where g is exactly zero at one end and g' has one sign: at the
    start of a phase for the mass that has just rebounded or begun to slip (there g' is zero, too, where its static limit
-   is its sliding friction, and g'' decides), at the end for the event.  A step on which some condition is open is
+   is its sliding friction or it rebounds without velocity, and g'' decides; for the distance of one that has just left the obstacle at
+   which it was at rest the third derivative decides), at the end for the event.  A step on which some condition is open is
    halved; after 20000 steps of a phase its conditions are left undecided. */
 #include <stdlib.h>
 #include <string.h>
@@ -13,15 +14,15 @@
 #include "base/work.h"
 #include "equations.h"
 
-enum { FINEST = 40, MOST_STEPS = 20000, FRESH = 32, FACTS_OF_MASS = 4, UNITS_OF_STEP = 4 };
+enum { FINEST = 40, MOST_STEPS = 20000, FRESH = 32, FACTS_OF_MASS = 4, UNITS_OF_STEP = 4, ROWS = 4 };
 
 /* A condition under way. */
 struct watch {
   struct mech_fact *fact;
   truth *result;
-  arb_mat_t row[3]; /* c, c A, c A^2 */
-  int zeros;        /* how many of g, g' are exactly zero at the start */
-  bool open;        /* not yet settled to be false or unknown */
+  arb_mat_t row[ROWS]; /* c, c A, c A^2, c A^3 */
+  int zeros;           /* how many of g, g', g'' are exactly zero at the start */
+  bool open;           /* not yet settled to be false or unknown */
 };
 
 struct march {
@@ -100,7 +101,8 @@ static truth on_step(const struct march *m, const struct watch *w, const arb_mat
   int zeros = arb_is_zero(m->at) ? w->zeros : 0;
   bool meets = zeros == 0 && last && w->fact->ends && arb_is_positive(b.slope);
   truth out;
-  if (zeros == 2)
+  if (zeros == 3) value_of(b.curve, w->row[3], along, m->e->prec);
+  if (zeros >= 2)
     out = by_sign(b.curve);
   else if (meets || arb_is_negative(zeros ? b.quotient : b.range))
     out = TRUTH_TRUE;
@@ -200,10 +202,21 @@ static struct mech_fact *add_fact(struct mech_orbit *o, int phase, int mass, enu
 static void add_reversed(struct march *m, const struct watch *of) {
   struct watch *watch = &m->watch[m->n_watches++];
   *watch = (struct watch){.fact = of->fact, .result = &of->fact->reversed, .zeros = of->zeros, .open = true};
-  for (int i = 0; i < 3; i++) {
+  for (int i = 0; i < ROWS; i++) {
     arb_mat_init(watch->row[i], 1, m->e->side);
     arb_mat_neg(watch->row[i], of->row[i]);
   }
+}
+
+/* How many of g, g', g'' are zero at the start of a phase by the event of that mass at its start, for the condition of `end`. */
+static int zeros_at_start(const struct mech_mass *mass, char before, enum mech_end at_start, enum mech_end end) {
+  if (at_start == MECH_LIFTS) return end == (before == 'a' ? MECH_HITS_ABOVE : MECH_HITS_BELOW) ? 3 : 0;
+  if (mech_is_hit(at_start)) {
+    if (end != at_start) return 0;
+    return fmpq_is_zero(mass->stop[end == MECH_HITS_ABOVE].restitution) ? 2 : 1;
+  }
+  if (end != MECH_REACHES) return 0;
+  return at_start != MECH_REACHES && fmpq_equal(mass->limit, mass->sliding) ? 2 : 1;
 }
 
 static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech_rule rule, enum mech_end end) {
@@ -216,16 +229,13 @@ static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech
   struct mech_fact *fact = add_fact(o, m->phase, mass, rule);
   *watch = (struct watch){.fact = fact, .result = &fact->holds, .open = true};
   fact->ends = mech_event(&at_end, now, w->phase[(m->phase + 1) % w->n]) == mass && at_end == end;
-  bool begins =
-      mech_event(&at_start, before, now) == mass && (mech_is_hit(at_start) ? end == at_start : end == MECH_REACHES);
-  bool loose = at_start == MECH_BREAKS_SLOWER || at_start == MECH_BREAKS_FASTER;
-  bool touching = loose && fmpq_equal(of->mass[mass].limit, of->mass[mass].sliding);
-  watch->zeros = begins ? 1 + touching : 0;
+  bool changes = mech_event(&at_start, before, now) == mass;
+  watch->zeros = changes ? zeros_at_start(&of->mass[mass], before[mass], at_start, end) : 0;
   fmpq_mat_init(rate, m->e->side, m->e->side);
   fmpq_mat_init(row, 1, m->e->side);
   mech_rate(rate, of, now);
   mech_condition(row, of, mass, now[mass], end);
-  for (int i = 0; i < 3; i++) {
+  for (int i = 0; i < ROWS; i++) {
     arb_mat_init(watch->row[i], 1, m->e->side);
     arb_mat_set_fmpq_mat(watch->row[i], row, m->e->prec);
     fmpq_mat_mul(row, row, rate);
@@ -241,6 +251,9 @@ static void add_watches(struct march *m, struct mech_orbit *o) {
     if (phase[i] == 's') {
       add_watch(m, o, i, MECH_BELOW, MECH_BREAKS_SLOWER);
       add_watch(m, o, i, MECH_ABOVE, MECH_BREAKS_FASTER);
+    } else if (mech_rests(phase[i])) {
+      add_watch(m, o, i, MECH_PRESSED, MECH_LIFTS);
+      continue;
     } else if (phase[i] != '.') {
       add_watch(m, o, i, phase[i] == '-' ? MECH_SLOWER : MECH_FASTER, MECH_REACHES);
     }
@@ -254,7 +267,7 @@ static void judge_passing(struct mech_orbit *o, const struct mech_equations *e, 
   const char *now = e->w->phase[phase], *next = e->w->phase[(phase + 1) % e->w->n];
   enum mech_end end;
   int mass = mech_event(&end, now, next);
-  if (mech_is_hit(end) || now[mass] == 's' || next[mass] == 's') return;
+  if (end != MECH_REACHES || next[mass] == 's') return;
   fmpq_mat_t row;
   arb_mat_t c;
   arb_t g;
@@ -309,7 +322,7 @@ static void judge_phase(struct mech_orbit *o, struct mech_equations *e, int phas
     march(m);
   }
   for (int i = 0; i < m->n_watches; i++)
-    for (int k = 0; k < 3; k++) arb_mat_clear(m->watch[i].row[k]);
+    for (int k = 0; k < ROWS; k++) arb_mat_clear(m->watch[i].row[k]);
   arb_mat_clear(m->y);
   arb_mat_clear(m->tube);
   arb_mat_clear(m->flow);

@@ -158,8 +158,11 @@ static const char *wrong_with_stops(const struct mech_mass *mass, const char **n
     const struct mech_stop *stop = &mass->stop[s];
     if (!stop->given) continue;
     *name = stop->name;
-    if (fmpq_sgn(stop->restitution) <= 0 || fmpq_cmp_si(stop->restitution, 1) > 0)
-      return "a restitution is above 0 and at most 1; a mass that comes to rest at an obstacle is not modelled";
+    if (fmpq_sgn(stop->restitution) < 0 || fmpq_cmp_si(stop->restitution, 1) > 0)
+      return "a restitution is between 0 and 1";
+    if (fmpq_is_zero(stop->restitution) && mass->rubbed && fmpq_is_zero(mass->surface))
+      return "a mass that comes to rest there, with a restitution of 0, would stick to its surface, which is at rest "
+             "as well";
     if (s && mass->stop[0].given && fmpq_cmp(mass->stop[0].position, stop->position) >= 0)
       return "it leaves no room between it and the obstacle below";
   }
@@ -220,6 +223,12 @@ static void add_force(fmpq *row, const struct mech *m, int i, int sign) {
   }
 }
 
+/* constant += sign u_i of a slipping mass */
+static void add_friction(fmpq *constant, const struct mech_mass *mass, char mode, int sign) {
+  if (mode == '.') return;
+  ((mode == '-') == (sign > 0) ? fmpq_add : fmpq_sub)(constant, constant, mass->sliding);
+}
+
 void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase) {
   int n = m->n, one = m->states;
   fmpq_mat_zero(a);
@@ -228,12 +237,12 @@ void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase) {
     fmpq_set(fmpq_mat_entry(a, 2 * n + 1, 2 * n), m->load[0].frequency);
   }
   for (int i = 0; i < n; i++) {
+    if (mech_rests(phase[i])) continue;
     fmpq_one(fmpq_mat_entry(a, i, n + i));
     if (phase[i] == 's') continue;
     fmpq *row = fmpq_mat_entry(a, n + i, 0);
     add_force(row, m, i, -1);
-    if (phase[i] == '-') fmpq_add(row + one, row + one, m->mass[i].sliding);
-    if (phase[i] == '+') fmpq_sub(row + one, row + one, m->mass[i].sliding);
+    add_friction(row + one, &m->mass[i], phase[i], 1);
     for (int j = 0; j <= one; j++) fmpq_div(row + j, row + j, m->mass[i].inertia);
   }
 }
@@ -249,6 +258,10 @@ void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, e
     fmpq_set_si(c + m->n + mass, mode == '-' ? 1 : -1, 1);
     fmpq_set(constant, m->mass[mass].surface);
     if (mode == '-') fmpq_neg(constant, constant);
+  } else if (end == MECH_LIFTS) {
+    int sign = mode == 'a' ? 1 : -1;
+    add_force(c, m, mass, sign);
+    add_friction(constant, &m->mass[mass], mech_slipping(&m->mass[mass]), -sign);
   } else {
     add_force(c, m, mass, end == MECH_BREAKS_SLOWER ? 1 : -1);
     fmpq_neg(constant, m->mass[mass].limit);
@@ -257,6 +270,14 @@ void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, e
 
 bool mech_is_hit(enum mech_end end) {
   return end == MECH_HITS_BELOW || end == MECH_HITS_ABOVE;
+}
+
+bool mech_rests(char mode) {
+  return mode == 'a' || mode == 'b';
+}
+
+char mech_slipping(const struct mech_mass *mass) {
+  return !mass->rubbed ? '.' : fmpq_sgn(mass->surface) > 0 ? '-' : '+';
 }
 
 void mech_mark(char *to, int mass, bool above) {
@@ -277,6 +298,10 @@ int mech_event(enum mech_end *end, const char *from, const char *to) {
   }
   if (to[letters])
     *end = to[letters] == '<' ? MECH_HITS_BELOW : MECH_HITS_ABOVE;
+  else if (mass >= 0 && mech_rests(to[mass]))
+    *end = to[mass] == 'b' ? MECH_HITS_BELOW : MECH_HITS_ABOVE;
+  else if (mass >= 0 && mech_rests(from[mass]))
+    *end = MECH_LIFTS;
   else if (mass >= 0)
     *end = from[mass] != 's' ? MECH_REACHES : to[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER;
   return mass;
@@ -290,20 +315,32 @@ static bool is_mark(const char *s, size_t len, int mass) {
   return strlen(mark) == len && strncmp(s, mark, len) == 0;
 }
 
+static const char *wrong_with_mode(char mode, const struct mech_mass *mass) {
+  if (!strchr("s-+.ab", mode))
+    return "a mass sticks (s), slips slower (-) or faster (+) than its surface, is free (.), or rests at the obstacle "
+           "above (a) or "
+           "below (b)";
+  const struct mech_stop *stop = &mass->stop[mode == 'a'];
+  if (mech_rests(mode))
+    return stop->given && fmpq_is_zero(stop->restitution) ? NULL
+                                                          : "a mass rests only at an obstacle with a restitution of 0";
+  if ((mode == '.') != mass->rubbed) return NULL;
+  return mass->rubbed ? "a mass that a surface rubs is not free (.)" : "a mass that nothing rubs is free (.)";
+}
+
 static const char *wrong_with_phase(const char *s, size_t len, const struct mech *m) {
   size_t letters = strcspn(s, marks) < len ? strcspn(s, marks) : len;
   if (letters != (size_t)m->n) return "a phase has one letter for each mass";
   for (int i = 0; i < m->n; i++) {
-    if (!strchr("s-+.", s[i]))
-      return "a mass sticks (s), slips slower (-) or faster (+) than its surface, or is free (.)";
-    if ((s[i] == '.') == m->mass[i].rubbed)
-      return m->mass[i].rubbed ? "a mass that a surface rubs is not free (.)" : "a mass that nothing rubs is free (.)";
+    const char *why = wrong_with_mode(s[i], &m->mass[i]);
+    if (why) return why;
   }
   if (letters == len) return NULL;
   int mass = 0;
   while (mass < m->n && !is_mark(s + letters, len - letters, mass)) mass++;
   if (mass == m->n) return "a rebound is written behind the letters of its phase, <1 or >1 with the number of the mass";
   if (s[mass] == 's') return "a mass that rebounds does not stick at once";
+  if (mech_rests(s[mass])) return "a mass that rebounds does not rest at once";
   if (!m->mass[mass].stop[s[letters] == '>'].given) return "there is no obstacle at that side of this mass";
   return NULL;
 }
@@ -311,7 +348,10 @@ static const char *wrong_with_phase(const char *s, size_t len, const struct mech
 static const char *wrong_with_order(const struct mech_word *w, int k) {
   enum mech_end end;
   const char *from = w->phase[k], *to = w->phase[(k + 1) % w->n];
-  if (mech_event(&end, from, to) >= 0) return NULL;
+  int mass = mech_event(&end, from, to);
+  if (mass >= 0 && mech_rests(from[mass]) && (end != MECH_LIFTS || to[mass] == 's'))
+    return "a mass at rest at an obstacle slips or is free when it leaves it";
+  if (mass >= 0) return NULL;
   return strncmp(from, to, strcspn(to, marks)) == 0 ? "a phase is followed by another one"
                                                     : "one mass changes its mode at a time";
 }

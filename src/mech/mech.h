@@ -12,7 +12,13 @@
      '+' faster    x_i' > V_i, u_i = -s_i
      '.' free      u_i = 0
 
-   An obstacle keeps x_i <= X or x_i >= X; a mass that reaches it rebounds, x_i' becomes -e x_i', 0 < e <= 1.
+   An obstacle keeps x_i <= X or x_i >= X; a mass that reaches it rebounds, x_i' becomes -e x_i', 0 <= e <= 1.  Where e = 0 it
+   rests there as long as it is pressed against the obstacle, in a mode of its own:
+
+     'a' rests at the obstacle above    x_i = X, x_i' = 0, u_i - f_i > 0
+     'b' rests at the obstacle below    x_i = X, x_i' = 0, u_i - f_i < 0
+
+   with the friction u_i of a mass at rest beside its surface, +-s_i or 0, and slips or is free again from there.
 
    A phase is a letter for each mass, "s-" the first of two sticking and the second slower than its surface; one that
    begins with a rebound of the second mass ends in >2 (x_2 <= X) or <2 (x_2 >= X).  A word is a cyclic sequence of
@@ -130,10 +136,15 @@ enum mech_end {
   MECH_BREAKS_SLOWER, /* sticking: f_i - r_i */
   MECH_BREAKS_FASTER, /* sticking: -f_i - r_i */
   MECH_REACHES,       /* slipping: x_i' - V_i where slower, V_i - x_i' where faster */
+  MECH_LIFTS,         /* resting: f_i - u_i above, u_i - f_i below */
   MECH_HITS_BELOW,    /* X - x_i */
   MECH_HITS_ABOVE     /* x_i - X */
 };
 bool mech_is_hit(enum mech_end end);
+/* Does a mass of that mode rest at an obstacle? */
+bool mech_rests(char mode);
+/* What a mass does that slips from rest: '-', '+' or '.'. */
+char mech_slipping(const struct mech_mass *mass);
 /* Behind the letters of a phase: ">2" of the mass number 1, from the obstacle above it. */
 void mech_mark(char *to, int mass, bool above);
 /* The row c of length states + 1 with c y < 0 while the mass goes on in that mode. */

@@ -6,7 +6,11 @@
 #include <string.h>
 
 static const char *mode_name(char letter) {
-  return letter == 's' ? "stick" : letter == '-' ? "below" : letter == '+' ? "above" : "free";
+  return letter == 's'        ? "stick"
+         : letter == '-'      ? "below"
+         : letter == '+'      ? "above"
+         : mech_rests(letter) ? "rest"
+                              : "free";
 }
 
 static bool is_rebound(const struct mech_moment *at, int n) {

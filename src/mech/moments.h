@@ -1,5 +1,6 @@
 /* A simulated motion as it is written: lines of a table, rows of CSV, JSON; what it settles on; two of them compared.
-   Masses are m1, m2, ...; their modes "stick", "below", "above" (slower, faster than the surface) and "free". */
+   Masses are m1, m2, ...; their modes "stick", "below", "above" (slower, faster than the surface), "rest" (at an
+   obstacle) and "free". */
 #ifndef STICKSLIP_MECH_MOMENTS_H
 #define STICKSLIP_MECH_MOMENTS_H
 

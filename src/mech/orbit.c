@@ -12,8 +12,8 @@
 
 enum { MOST_STEPS = 60, MOST_TIMES = 8 }; /* of Newton; the bits */
 
-const char *const mech_rule_name[MECH_BEYOND + 1] = {"length",    "slower",   "faster", "break",
-                                                     "break_low", "obstacle", "beyond"};
+const char *const mech_rule_name[MECH_BEYOND + 1] = {"length",    "slower",   "faster",  "break",
+                                                     "break_low", "obstacle", "contact", "beyond"};
 
 void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f) {
   text_printf(out, "%d-", f->phase + 1);

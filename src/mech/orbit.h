@@ -2,8 +2,8 @@
 
    Unknown are the lengths t_1 ... t_K of the phases and the coordinates of the state at the entry of the first phase that
    are free there: not the velocity of a sticking mass or of the one that has just changed its mode, nor the position of
-   one that has just broken loose, since its force is at the limit, or has just rebounded; with loads their angle theta
-   is one more.  The equations are the K events and the return of those coordinates, that of the angle after a given
+   one that has just broken loose, since its force is at the limit, or has just rebounded, nor either of one that rests at an
+   obstacle; with loads their angle theta is one more.  The equations are the K events and the return of those coordinates, that of the angle after a given
    number of turns.  A word may be turned so that they are fewest.
 
    What is proved: by Krawczyk's operator in balls that a box holds exactly one solution; along each phase, by Taylor's
@@ -17,16 +17,18 @@
 #include "walk.h"
 
 enum mech_rule {
-  MECH_LENGTH, /* the phase has a positive length */
-  MECH_SLOWER, /* a slower mass is slower than its surface */
-  MECH_FASTER, /* a faster one faster */
-  MECH_BELOW,  /* a sticking mass: f < r */
-  MECH_ABOVE,  /* a sticking mass: f > -r */
-  MECH_CLEAR,  /* a mass is clear of an obstacle */
-  MECH_BEYOND  /* a mass that passes through has a force beyond its limit */
+  MECH_LENGTH,  /* the phase has a positive length */
+  MECH_SLOWER,  /* a slower mass is slower than its surface */
+  MECH_FASTER,  /* a faster one faster */
+  MECH_BELOW,   /* a sticking mass: f < r */
+  MECH_ABOVE,   /* a sticking mass: f > -r */
+  MECH_CLEAR,   /* a mass is clear of an obstacle */
+  MECH_PRESSED, /* a resting one is pressed against its obstacle */
+  MECH_BEYOND   /* a mass that passes through has a force beyond its limit */
 };
-extern const char *const
-    mech_rule_name[MECH_BEYOND + 1]; /* "length", "slower", "faster", "break", "break_low", "obstacle", "beyond" */
+extern const char
+    *const mech_rule_name[MECH_BEYOND +
+                          1]; /* "length", "slower", "faster", "break", "break_low", "obstacle", "contact", "beyond" */
 struct mech_fact {
   int phase, mass; /* mass is 0 for a length */
   enum mech_rule rule;

@@ -17,7 +17,7 @@ enum { MOST_MODES = 200 };                               /* kept at a time; one 
 enum { MOST_LOOKS = 200000, LOOKS_OF_EVENT = 15, MOST_STEPS = 10000 /* of GSL in a look */ };
 
 const char *const mech_outcome_name[] = {"done", "its budget of steps is used up",
-                                         "a mass comes to rest at an obstacle, or nearly, which is not modelled",
+                                         "a mass rebounds from an obstacle in hops too short to be followed",
                                          "the integrator gives up, or a number is too large"};
 
 /* What a mass may meet: the end of its mode; an obstacle below, above. */
@@ -63,7 +63,7 @@ static double force(const struct walk *w, const double *z, int i) {
 }
 
 static double friction(const struct walk *w, const double *z, int i) {
-  char mode = w->phase[i];
+  char mode = mech_rests(w->phase[i]) ? mech_slipping(&w->m->mass[i]) : w->phase[i];
   return mode == 's' ? force(w, z, i) : mode == '-' ? w->sliding[i] : mode == '+' ? -w->sliding[i] : 0;
 }
 
@@ -72,7 +72,8 @@ static int right_side(double t, const double z[], double dz[], void *self) {
   const struct walk *w = self;
   for (int i = 0; i < w->n; i++) {
     dz[i] = z[w->n + i];
-    dz[w->n + i] = w->phase[i] == 's' ? 0 : (friction(w, z, i) - force(w, z, i)) / w->inertia[i];
+    dz[w->n + i] =
+        w->phase[i] == 's' || mech_rests(w->phase[i]) ? 0 : (friction(w, z, i) - force(w, z, i)) / w->inertia[i];
   }
   if (w->states > 2 * w->n) {
     dz[2 * w->n] = -w->frequency * z[2 * w->n + 1];
@@ -147,12 +148,20 @@ static bool carry(double *to, struct walk *w, double h) {
   return ok;
 }
 
+/* The force that presses mass i, at rest, against its obstacle. */
+static double pressing(const struct walk *w, const double *z, int i, enum meeting part) {
+  double push = friction(w, z, i) - force(w, z, i);
+  return part == ABOVE ? push : -push;
+}
+
 /* Negative while mass i goes on as it does. */
 static double condition(const struct walk *w, const double *z, int i, enum meeting part) {
   bool still = w->phase[i] == 's' && w->surface[i] == 0;
-  if (part != OWN && (still || !w->m->mass[i].stop[part == ABOVE].given)) return -1;
+  bool rests = mech_rests(w->phase[i]);
+  if (part != OWN && (still || rests || !w->m->mass[i].stop[part == ABOVE].given)) return -1;
   if (part != OWN) return part == ABOVE ? z[i] - w->stop[i][1] : w->stop[i][0] - z[i];
   double lead = z[w->n + i] - w->surface[i];
+  if (rests) return -pressing(w, z, i, w->phase[i] == 'a' ? ABOVE : BELOW);
   if (w->phase[i] == '.') return -1;
   if (w->phase[i] == 's') return fabs(force(w, z, i)) - w->limit[i];
   return w->phase[i] == '-' ? lead : -lead;
@@ -192,11 +201,21 @@ static bool locate(double *s, struct walk *w, int i, enum meeting part, double h
    low for its position, to be followed? */
 static bool comes_to_rest(const struct walk *w, int i, enum meeting part) {
   static const double shortest = 1e-8, rest = 1e-6; /* a hop, and all hops that follow, in looks */
-  double f = force(w, w->z, i), u = friction(w, w->z, i), e = w->restitution[i][part == ABOVE];
-  double pull = (part == ABOVE ? u - f : f - u) / w->inertia[i], v = fabs(w->z[w->n + i]);
-  if (!(pull > 0) || (w->phase[i] != '.' && w->surface[i] == 0 && fabs(f) < w->limit[i])) return false;
+  double e = w->restitution[i][part == ABOVE];
+  double pull = pressing(w, w->z, i, part) / w->inertia[i], v = fabs(w->z[w->n + i]);
+  bool sticks = w->phase[i] != '.' && w->surface[i] == 0 && fabs(force(w, w->z, i)) < w->limit[i];
+  if (!(pull > 0) || e == 0 || sticks) return false;
   double hop = 2 * v / pull, height = v * v / (2 * pull);
   return hop < shortest * w->look || hop < (1 - e) * rest * w->look || height < 16 * DBL_EPSILON * fabs(w->z[i]);
+}
+
+/* A mass at an obstacle without rebound: does it stay there? */
+static bool begins_to_rest(struct walk *w, int i, enum meeting part) {
+  if (w->restitution[i][part == ABOVE] != 0 || !(pressing(w, w->z, i, part) > 0)) return false;
+  w->z[w->n + i] = 0;
+  w->phase[i] = part == ABOVE ? 'a' : 'b';
+  w->fresh = -1;
+  return true;
 }
 
 /* The law for the mass that has the event, which is at its surface's velocity, at its limit or at an obstacle. */
@@ -208,8 +227,14 @@ static void change(struct walk *w, int i, enum meeting part) {
     w->z[i] = w->stop[i][part == ABOVE];
     w->z[w->n + i] *= -w->restitution[i][part == ABOVE];
     if (w->phase[i] != '.') w->phase[i] = w->z[w->n + i] < w->surface[i] ? '-' : '+';
+    if (begins_to_rest(w, i, part)) return;
     mech_mark(w->phase + w->n, i, part == ABOVE);
     if (comes_to_rest(w, i, part)) w->end = MECH_RESTING;
+    return;
+  }
+  if (mech_rests(w->phase[i])) {
+    w->fresh_part = w->phase[i] == 'a' ? ABOVE : BELOW;
+    w->phase[i] = mech_slipping(&w->m->mass[i]);
     return;
   }
   double f = force(w, w->z, i);
@@ -255,12 +280,16 @@ static void note(struct mech_motion *out, struct walk *w, double t, int mass) {
 static void advance(double *gone, struct walk *w, struct mech_motion *out, double t, double h) {
   double z[MECH_STATES], first = h;
   int event = -1; /* a mass and what it meets */
-  bool ok = carry(z, w, h);
+  bool ok = carry(z, w, h), still = false;
   for (int k = 0; ok && k < N_MEETINGS * w->n; k++) {
     int i = k / N_MEETINGS;
     enum meeting part = (enum meeting)(k % N_MEETINGS);
     double s, at_end = condition(w, z, i, part);
     if (at_end < 0) continue;
+    if (i == w->fresh && part == w->fresh_part && part != OWN && at_end < 16 * DBL_EPSILON * fabs(z[i])) {
+      still = true; /* no further from its obstacle than rounding */
+      continue;
+    }
     ok = locate(&s, w, i, part, h, at_end);
     if (ok && (s < first || event < 0)) {
       first = s;
@@ -273,7 +302,7 @@ static void advance(double *gone, struct walk *w, struct mech_motion *out, doubl
   }
   memcpy(w->z, z, sizeof w->z);
   w->made = false;
-  w->fresh = -1;
+  if (!still) w->fresh = -1;
   *gone = first;
   if (event < 0) return;
   change(w, event / N_MEETINGS, (enum meeting)(event % N_MEETINGS));
@@ -321,13 +350,25 @@ static void take_start(struct walk *w, const double *start) {
                                                                : 's';
     if (!given) {
       w->phase[i] = mode;
+      for (int k = 0; k < 2; k++)
+        if (w->m->mass[i].stop[k].given && w->z[i] == w->stop[i][k] &&
+            (k ? start[w->n + i] >= 0 : start[w->n + i] <= 0))
+          begins_to_rest(w, i, k ? ABOVE : BELOW);
       continue;
     }
     if (w->phase[i] == 's') w->z[w->n + i] = w->surface[i];
+    if (mech_rests(w->phase[i])) {
+      w->z[i] = w->stop[i][w->phase[i] == 'a'];
+      w->z[w->n + i] = 0;
+      continue;
+    }
     if (w->phase[i] != mode && w->phase[i] != 's') w->fresh = i;
-    for (int k = 0; k < 2; k++)
-      if (w->m->mass[i].stop[k].given && (k ? w->z[i] > w->stop[i][k] : w->z[i] < w->stop[i][k]))
-        w->z[i] = w->stop[i][k];
+    for (int k = 0; k < 2; k++) {
+      if (!w->m->mass[i].stop[k].given || (k ? w->z[i] < w->stop[i][k] : w->z[i] > w->stop[i][k])) continue;
+      w->z[i] = w->stop[i][k];
+      w->fresh = i;
+      w->fresh_part = k ? ABOVE : BELOW;
+    }
   }
 }
 

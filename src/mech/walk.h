@@ -30,7 +30,7 @@ struct mech_plan {
 enum mech_outcome {
   MECH_DONE,    /* the time or the last moment is reached, or told has enough */
   MECH_LOOKS,   /* so many steps do not reach the end */
-  MECH_RESTING, /* a mass comes to rest at an obstacle, or rebounds in hops too short to be followed */
+  MECH_RESTING, /* a mass rebounds from an obstacle in hops too short to be followed */
   MECH_LOST     /* the integrator fails, or a state is too large for a double */
 };
 extern const char *const mech_outcome_name[MECH_LOST + 1];

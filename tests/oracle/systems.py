@@ -87,7 +87,7 @@ class System:
             a[2 * n, 2 * n + 1], a[2 * n + 1, 2 * n] = -self.omega, self.omega
         for i, m in enumerate(self.mass):
             a[i, n + i] = 1
-            if phase[i] == "s":
+            if phase[i] in "sab":
                 continue
             for j in range(n):
                 a[n + i, j] = -mpf(self.k[i][j]) / mpf(m["inertia"])
@@ -112,22 +112,43 @@ class System:
         (stop,) = [s for s in self.stops if s["stops"] == int(after[self.n + 1:]) - 1 and side in s]
         return stop
 
+    def rest(self, i, mode):
+        """The obstacle at which a mass rests in the mode a (above it) or b."""
+        (stop,) = [s for s in self.stops if s["stops"] == i and ("above" if mode == "a" else "below") in s]
+        return stop
+
+    def contact(self, y, i):
+        """The force on a mass at rest at an obstacle, without that of the obstacle."""
+        m = self.mass[i]
+        return mp.sign(mpf(m.get("surface", 0))) * mpf(m.get("sliding", 0)) - self.force(y, i)
+
     def event(self, phase, after, y):
-        """What is zero where the first phase gives way to the second, and its mass."""
+        """What is zero where the first phase gives way to the second, its mass, and of what it is a function."""
         stop = self.hit(after)
         if stop:
-            return y[stop["stops"]] - mpf(stop.get("above", stop.get("below"))), stop["stops"]
+            return y[stop["stops"]] - mpf(stop.get("above", stop.get("below"))), stop["stops"], "position"
         (i,) = [i for i in range(self.n) if phase[i] != after[i]]
         m = self.mass[i]
+        if after[i] in "ab":
+            stop = self.rest(i, after[i])
+            return y[i] - mpf(stop.get("above", stop.get("below"))), i, "position"
+        if phase[i] in "ab":
+            return -self.contact(y, i), i, "force"
         if phase[i] != "s":
-            return y[self.n + i] - mpf(m["surface"]), i
-        return self.force(y, i) - (1 if after[i] == "-" else -1) * mpf(m["static"]), i
+            return y[self.n + i] - mpf(m["surface"]), i, "velocity"
+        return self.force(y, i) - (1 if after[i] == "-" else -1) * mpf(m["static"]), i, "force"
 
     def broken(self, phase, y, slack):
         """The masses that do not do what the phase says."""
         out = []
         for i, m in enumerate(self.mass):
             if phase[i] == ".":
+                continue
+            if phase[i] in "ab":
+                stop, push = self.rest(i, phase[i]), self.contact(y, i) * (1 if phase[i] == "a" else -1)
+                place = mpf(stop.get("above", stop.get("below")))
+                if push < -slack or abs(y[i] - place) > slack or abs(y[self.n + i]) > slack:
+                    out.append(i)
                 continue
             lead = y[self.n + i] - mpf(m["surface"])
             ok = (abs(self.force(y, i)) < mpf(m["static"]) + slack if phase[i] == "s"
@@ -145,8 +166,8 @@ class System:
             z = self.carry(phase, y, t)
             a = self.rate(phase)
             dz = [x for x in a * mp.matrix(list(z) + [1])][:self.states]
-            f, i = self.event(phase, after, z)
-            slope = dz[i] if self.hit(after) else dz[self.n + i] if phase[i] != "s" else self.force(dz, i)
+            f, i, of = self.event(phase, after, z)
+            slope = {"position": dz[i], "velocity": dz[self.n + i], "force": self.force(dz, i)}[of]
             t -= f / slope
             if abs(f / slope) < mp.mpf(10) ** -38:
                 break
@@ -159,7 +180,8 @@ class System:
             y[self.n + stop["stops"]] *= -mpf(stop["restitution"])
         else:
             (i,) = [i for i in range(self.n) if phase[i] != after[i]]
-            y[self.n + i] = mpf(self.mass[i]["surface"])
+            rests = phase[i] in "ab" or after[i] in "ab"
+            y[self.n + i] = 0 if rests else mpf(self.mass[i]["surface"])
         return y
 
     def first_return(self, word, times, y):
@@ -178,8 +200,10 @@ class System:
             return ([j for j in range(n) if j != i] + [n + j for j in range(n) if now[j] != "s"] + [2 * n] * bool(self.loads),
                     None, 0)
         (i,) = [i for i in range(n) if before[i] != now[i]]
-        loose = i if before[i] == "s" else None
-        return ([j for j in range(n) if j != loose] + [n + j for j in range(n) if j != i and now[j] != "s"]
+        loose = i if before[i] == "s" and now[i] != "a" and now[i] != "b" else None
+        at_rest = [j for j in range(n) if now[j] in "ab" or (j == i and before[j] in "ab")]
+        return ([j for j in range(n) if j != loose and j not in at_rest]
+                + [n + j for j in range(n) if j != i and now[j] not in "sab"]
                 + [2 * n] * bool(self.loads), loose, 1 if now[i] == "-" else -1)
 
     def angle(self, theta):
@@ -194,6 +218,8 @@ class System:
 
     def multipliers(self, word, times, y):
         free, loose, side = self.free(word)
+        if not free:
+            return []
         h = mp.mpf(10) ** -12
         columns = []
         for l in free:
@@ -229,7 +255,7 @@ def check(system, orbit):
         after, then = word[(k + 1) % len(word)], states[(k + 1) % len(word)]
         end = system.carry(phase, states[k], times[k])
         off = max(abs(a - b) for a, b in zip(system.switched(phase, after, end), then))
-        f, _ = system.event(phase, after, end)
+        f, _, _ = system.event(phase, after, end)
         if off > CLOSE or abs(f) > CLOSE:
             out.append(f"phase {k + 1}: ends {mp.nstr(off, 3)} beside the next state, event {mp.nstr(f, 3)}")
         if times[k] > 0:

@@ -3,17 +3,17 @@
    It shares no source with the program that writes them.  Masses obey m_i x_i'' = u_i - f_i, f = K x + C x' - P (cos
    theta, sin theta), with K and C made from springs and dampers, theta' the loads' frequency, and Coulomb's law: u_i =
    +s_i on a mass slower than its surface, -s_i on a faster one, |u_i| = |f_i| < r_i while one sticks, x_i' = V_i.  A
-   mass that reaches an obstacle rebounds.  A word's unknowns are the lengths of its phases and what is free at its
+   mass that reaches an obstacle rebounds, or rests there, pressed against it, until it is not.  A word's unknowns are the lengths of its phases and what is free at its
    start; its equations are the events that end the phases, and the return.
 
    Krawczyk's operator on these equations proves one solution in the file's box and then narrows it.  The multipliers
    are those of the first return, from the derivatives.  That a function f = c y of the motion stays below zero is proved
    on each half of a phase, from the phase's end inwards, by halving further until f(0) + f'(0) s + B s^2/2 < 0 on each
-   piece, B >= |f''|.  With F the masses that slip and k >= 2 (1 where no mass sticks), b = x^(k) obeys M b'' + C b' + K b
+   piece, B >= |f''|.  With F the masses that slip or are free and k >= 2 (1 where no mass sticks), b = x^(k) obeys M b'' + C b' + K b
    = P^(k) on F, so that the energy 2 E = b' M b' + b K b has d sqrt(2 E)/dt <= frequency^k sqrt(sum |P_i|^2/m_i), and
    |c y^(k)| <= sqrt(c_x K^-1 c_x + c_v M^-1 c_v) sqrt(2 E), to which the loads in c are added; |f''| is |c y''| or |c A
-   y'|, the smaller.  A zero that f has at an end of its phase by the equations is factored out by the sign of f' there, of
-   f'' where f' is zero, too.  The precision doubles while anything is undecided.
+   y'|, the smaller.  A zero that f has at an end of its phase by the equations is factored out by the sign of its first
+   derivative that is not zero there.  The precision doubles while anything is undecided.
 
    The older format is of the paper's two masses, chi and eta, (1): they are a system in z = x - d, d the rest under both
    sliding forces: no sliding friction, limits e1 and e2 that may be unknown, m_2 = 1/eta, the word D (both stick), Gamma
@@ -287,7 +287,9 @@ static void read_mass(int i) {
     sys.stopped[k][i] = get(OPTIONAL, ".system.masses.%d.%s.position", i, side[k]) != NULL;
     if (!sys.stopped[k][i]) continue;
     read_size(of + POSITION + k, -1, "masses.%d.%s.position", i, side[k]);
-    read_size(of + RESTITUTION + k, 1, "masses.%d.%s.restitution", i, side[k]);
+    read_size(of + RESTITUTION + k, 0, "masses.%d.%s.restitution", i, side[k]);
+    if (fmpq_is_zero(of + RESTITUTION + k) && sys.rubbed[i] && fmpq_is_zero(of + SURFACE))
+      stop(REJECTED, "mass %d: at rest at its obstacle it would stick to its surface", i + 1);
     if (fmpq_cmp_ui(of + RESTITUTION + k, 1) > 0) stop(REJECTED, "mass %d: its restitution is above 1", i + 1);
   }
   if (sys.stopped[0][i] && sys.stopped[1][i] && fmpq_cmp(of + POSITION, of + POSITION + 1) >= 0)
@@ -330,10 +332,12 @@ static void read_system(void) {
 static void check_phase(const struct entry *o, int k) {
   const char *phase = o->word.phase[k], *mark = phase + sys.n;
   bool good = (int)strlen(phase) >= sys.n;
-  for (int i = 0; good && i < sys.n; i++) good = strchr(sys.rubbed[i] ? "s-+" : ".", phase[i]) != NULL;
+  for (int i = 0; good && i < sys.n; i++)
+    good = rests(phase[i]) ? sys.stopped[phase[i] == 'a'][i] && fmpq_is_zero(datum(i, RESTITUTION + (phase[i] == 'a')))
+                           : strchr(sys.rubbed[i] ? "s-+" : ".", phase[i]) != NULL;
   good = good && (!*mark || *mark == '<' || *mark == '>');
   int i = good && *mark ? read_mass_number(mark + 1, false) : -1;
-  if (!good || (i >= 0 && (phase[i] == 's' || !sys.stopped[*mark == '>'][i])))
+  if (!good || (i >= 0 && (phase[i] == 's' || rests(phase[i]) || !sys.stopped[*mark == '>'][i])))
     stop(REJECTED, "orbit %d: %.60s is no phase of this system", o->number + 1, phase);
 }
 
@@ -423,6 +427,7 @@ static void check_multipliers(struct entry *o, const struct motion *m) {
 
 /* Whether the function of an event has a sign to keep in a phase. */
 static bool is_asked(const char *phase, int mass, enum event e) {
+  if (rests(phase[mass]) || e == LIFTS) return rests(phase[mass]) && e == LIFTS;
   if (e >= BELOW) return sys.stopped[e == ABOVE][mass];
   return phase[mass] != '.' && (phase[mass] == 's') == (e < REACHES);
 }

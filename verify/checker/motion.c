@@ -20,15 +20,21 @@ static void put(mat m, slong i, slong j, const fmpq *q, int sign) {
   if (sign < 0) arb_neg(arb_mat_entry(m, i, j), arb_mat_entry(m, i, j));
 }
 
+bool rests(char letter) {
+  return letter == 'a' || letter == 'b';
+}
+
 /* The row c with c y the function of an event; r: the limit, if the event has one. */
 static mat row_of(enum event e, int i, char letter, num r) {
-  int one = sys.side - 1, sign = e == FASTER || e == BELOW || (e == REACHES && letter == '+') ? -1 : 1;
+  int one = sys.side - 1, moves = fmpq_sgn(datum(i, SURFACE));
+  int sign = e == FASTER || e == BELOW || (e == REACHES && letter == '+') || (e == LIFTS && letter == 'b') ? -1 : 1;
   mat c = matrix(1, sys.side);
-  for (int j = 0; j < sys.side && e < REACHES; j++) put(c, 0, j, fmpq_mat_entry(sys.force, i, j), sign);
+  for (int j = 0; j < sys.side && (e < REACHES || e == LIFTS); j++) put(c, 0, j, fmpq_mat_entry(sys.force, i, j), sign);
   if (e < REACHES) arb_neg(arb_mat_entry(c, 0, one), r);
+  if (e == LIFTS && moves != 0) put(c, 0, one, datum(i, SLIDING), -sign * moves);
   if (e == REACHES) put(c, 0, one, datum(i, SURFACE), -sign);
   if (e >= BELOW) put(c, 0, one, datum(i, POSITION + (e == ABOVE)), -sign);
-  if (e >= REACHES) arb_set_si(arb_mat_entry(c, 0, e == REACHES ? sys.n + i : i), sign);
+  if (e == REACHES || e >= BELOW) arb_set_si(arb_mat_entry(c, 0, e == REACHES ? sys.n + i : i), sign);
   return c;
 }
 
@@ -37,6 +43,7 @@ static mat rate_of(const char *phase) {
   int n = sys.n, one = sys.side - 1;
   mat a = matrix(sys.side, sys.side);
   for (int i = 0; i < n; i++) {
+    if (rests(phase[i])) continue;
     arb_one(arb_mat_entry(a, i, n + i));
     if (phase[i] == 's') continue;
     num sliding = phase[i] == '.' ? integer(0) : rational(datum(i, SLIDING));
@@ -75,8 +82,14 @@ static bool event_of(int *mass, enum event *e, const char *from, const char *to)
     *mass = i;
   }
   if (*mass < 0) return false;
-  *e = hit ? (to[sys.n] == '<' ? BELOW : ABOVE) : from[*mass] != 's' ? REACHES : to[*mass] == '-' ? SLOWER : FASTER;
-  return true;
+  char mode = to[*mass];
+  *e = hit                  ? (to[sys.n] == '<' ? BELOW : ABOVE)
+       : rests(mode)        ? (mode == 'b' ? BELOW : ABOVE)
+       : rests(from[*mass]) ? LIFTS
+       : from[*mass] != 's' ? REACHES
+       : mode == '-'        ? SLOWER
+                            : FASTER;
+  return !rests(from[*mass]) || (*e == LIFTS && mode != 's');
 }
 
 int equations(const struct word *w) {
@@ -90,9 +103,10 @@ bool word_finish(struct word *w) {
   enum event e = w->event[w->n - 1];
   w->n_free = 0;
   for (int i = 0; i < sys.n; i++)
-    if (i != changed || e == REACHES) w->place[w->n_free++] = i;
+    if (!rests(w->phase[0][i]) && (i != changed || e == REACHES)) w->place[w->n_free++] = i;
   for (int i = 0; i < sys.n; i++)
-    if (w->phase[0][i] != 's' && (i != changed || e >= BELOW)) w->place[w->n_free++] = sys.n + i;
+    if (w->phase[0][i] != 's' && !rests(w->phase[0][i]) && (i != changed || e >= BELOW))
+      w->place[w->n_free++] = sys.n + i;
   if (sys.loads) w->place[w->n_free++] = 2 * sys.n;
   return true;
 }
@@ -112,8 +126,11 @@ static mat begin(const struct word *w, arb_srcptr x) {
   enum event e = w->event[w->n - 1];
   mat y = matrix(sys.side, 1 + equations(w) + sys.n);
   arb_one(arb_mat_entry(y, sys.side - 1, 0));
-  for (int k = 0; k < sys.n; k++)
-    if (w->phase[0][k] == 's' || (k == i && e <= REACHES)) put(y, sys.n + k, 0, datum(k, SURFACE), 1);
+  for (int k = 0; k < sys.n; k++) {
+    char mode = k == i && e == LIFTS ? w->phase[w->n - 1][k] : w->phase[0][k];
+    if (rests(mode)) put(y, k, 0, datum(k, POSITION + (mode == 'a')), 1);
+    if (mode == 's' || (k == i && e <= REACHES)) put(y, sys.n + k, 0, datum(k, SURFACE), 1);
+  }
   if (e >= BELOW) put(y, i, 0, datum(i, POSITION + (e == ABOVE)), 1);
   for (int l = 0; l < w->n_free; l++) {
     int p = w->place[l];
@@ -237,9 +254,9 @@ enum { MAX_LEVEL = 80, MAX_WORK = 1 << 28 };
 
 /* The function f = c y along half a phase, from either end. */
 struct walk {
-  mat rate, row[3]; /* c, c A, c A^2 */
+  mat rate, row[4]; /* c, c A, c A^2, c A^3 */
   num length;
-  const num *bound;                   /* of |f''| and the third derivative */
+  const num *bound;                   /* of |f''|, the third and the fourth derivative */
   arb_mat_struct step[MAX_LEVEL + 1]; /* exp(A length/2^level), where it has been needed */
 };
 
@@ -254,9 +271,9 @@ static num bend_bound(const char *phase, mat c, mat y, mat rate, int k, num leng
   }
   arb_mat_one(form);
   for (int i = 0; i < n; i++) {
-    if (phase[i] == 's') continue;
+    if (phase[i] == 's' || rests(phase[i])) continue;
     for (int j = 0; j < n; j++)
-      if (phase[j] != 's') put(form, i, j, fmpq_mat_entry(sys.force, i, j), 1);
+      if (phase[j] != 's' && !rests(phase[j])) put(form, i, j, fmpq_mat_entry(sys.force, i, j), 1);
     put(form, n + i, n + i, datum(i, INERTIA), 1);
     for (int j = i; j < 2 * n; j += n) {
       arb_set(arb_mat_entry(b, j, 0), arb_mat_entry(y, j, 0));
@@ -272,11 +289,11 @@ static num bend_bound(const char *phase, mat c, mat y, mat rate, int k, num leng
   return add(mul(root(weight), speed), mul(pace, root(own)));
 }
 
-/* Is f < 0 on the piece of the walk that starts at y?  zeros: how many of f, f' are zero there by the equations; then
-   f(t) <= t rise or t^2/2 rise. */
+/* Is f < 0 on the piece of the walk that starts at y?  zeros: how many of f, f', f'' are zero there by the equations; then
+   f(t) <= t rise, t^2/2 rise or t^3/6 rise. */
 static int below(struct walk *w, mat y, int level, int zeros) {
   slong before = pool_size;
-  int order = zeros == 2 ? 2 : 1;
+  int order = zeros > 1 ? zeros : 1;
   num length = scaled(w->length, -level), f = product(w->row[0], y), rate = product(w->row[order], y);
   num rise = add(rate, mul(w->bound[order - 1], scaled(length, -1)));
   bool negative = zeros ? arb_is_negative(rise) : arb_is_negative(f) && arb_is_negative(add(f, mul(length, rise)));
@@ -297,8 +314,8 @@ static int below(struct walk *w, mat y, int level, int zeros) {
 }
 
 static int half_below(mat c, mat y, mat rate, int zeros, num length, const num *bound) {
-  mat slope = times(c, rate);
-  struct walk walk = {.rate = rate, .row = {c, slope, times(slope, rate)}, .length = length, .bound = bound};
+  mat slope = times(c, rate), second = times(slope, rate), third = times(second, rate);
+  struct walk walk = {.rate = rate, .row = {c, slope, second, third}, .length = length, .bound = bound};
   int answer = below(&walk, y, 0, zeros);
   for (int i = 0; i <= MAX_LEVEL; i++) arb_mat_clear(&walk.step[i]);
   return answer;
@@ -308,30 +325,36 @@ bool ends(const struct word *w, int k, int mass, enum event e) {
   return w->mass[k] == mass && w->event[k] == e;
 }
 
-/* How many of f, f' are zero at the start of the phase: one after a rebound from the same obstacle and, of the velocity,
-   after the mass has changed its mode; two where it broke loose and its static limit is the sliding friction. */
+/* How many of f, f', f'' are zero at the start of the phase: one after a rebound from the same obstacle and, of the velocity,
+   after the mass has changed its mode; two where it broke loose and its static limit is the sliding friction, or rebounds without
+   velocity; three of the position after it was at rest there. */
 static int zeros_at_start(const struct word *w, int k, int mass, enum event e) {
   int last = (k + w->n - 1) % w->n;
   const fmpq *limit = w->known[equations(w) + mass];
-  if (w->mass[last] != mass || (w->event[last] >= BELOW ? e != w->event[last] : e != REACHES)) return 0;
+  char before = w->phase[last][mass];
+  if (w->mass[last] != mass) return 0;
+  if (w->event[last] == LIFTS) return e == (before == 'a' ? ABOVE : BELOW) ? 3 : 0;
+  if (w->event[last] >= BELOW)
+    return e != w->event[last] ? 0 : fmpq_is_zero(datum(mass, RESTITUTION + (e == ABOVE))) ? 2 : 1;
+  if (e != REACHES) return 0;
   return w->event[last] < REACHES && limit && fmpq_equal(limit, datum(mass, SLIDING)) ? 2 : 1;
 }
 
 int stays_below(const struct motion *o, const struct word *w, arb_srcptr x, int k, int mass, enum event e) {
   slong before = pool_size;
   const char *phase = w->phase[k];
-  num whole = x + w->n_free + k, bound[2];
+  num whole = x + w->n_free + k, bound[3];
   mat rate = rate_of(phase), back = by_ball(rate, integer(-1));
   mat y = part(o->start[k], 0, 0, sys.side, 1), last = part(o->end[k], 0, 0, sys.side, 1);
   mat c = row_of(e, mass, phase[mass], x + equations(w) + mass), slope = times(c, rate);
-  for (int i = 0; i < 2; i++) {
+  for (int i = 0; i < 3; i++) {
     bound[i] = bend_bound(phase, c, y, rate, 2 + i, whole);
     if (i > 0 || !strchr(phase, 's')) bound[i] = least_of(bound[i], bend_bound(phase, slope, y, rate, 1 + i, whole));
   }
   arb_ptr half = fresh();
   arb_get_ubound_arf(arb_midref(half), scaled(whole, -1), prec);
   int answer = OPEN;
-  if (arb_is_finite(half) && arb_is_finite(bound[0]) && arb_is_finite(bound[1])) {
+  if (arb_is_finite(half) && arb_is_finite(bound[0]) && arb_is_finite(bound[1]) && arb_is_finite(bound[2])) {
     answer = half_below(c, y, rate, zeros_at_start(w, k, mass, e), half, bound);
     if (answer == YES) answer = half_below(c, last, back, ends(w, k, mass, e), half, bound);
   }
