@@ -44,6 +44,11 @@ void text_add_char(struct text *t, char c);
 void text_add_capital(struct text *t, const char *words);
 void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
 const char *text_str(const struct text *t); /* "" when nothing was added */
+/* The text, which is cleared, as a string of the arena; and what is formatted as one. */
+struct arena;
+char *text_take(struct arena *a, struct text *t);
+char *arena_printf(struct arena *a, const char *fmt, ...) SS_PRINTF(2, 3);
+char *arena_vprintf(struct arena *a, const char *fmt, va_list ap) SS_PRINTF(2, 0);
 /* The length of the longest prefix that is well-formed UTF-8: no overlong forms, no surrogates, nothing cut off. */
 size_t text_valid_prefix(const char *s, size_t len);
 /* The length of the longest prefix that is besides without characters that control a terminal, end a line or turn the
@@ -135,7 +140,6 @@ void files_settle(void);
 int files_in_place(void);
 /* The files of a folder whose names have the suffix and do not begin with a point, as paths in the order of their
    names, in an array to be freed and an arena; NULL with d set when there are none. */
-struct arena;
 char **folder_files(size_t *n, const char *path, const char *suffix, struct arena *a, struct diag *d);
 /* Makes a folder and its parents; existing ones are fine. */
 bool folder_make(const char *path, struct diag *d);

@@ -105,6 +105,11 @@ const char *claim_get(const struct claim *c, const char *key) {
   return v ? v : record_get(c->record, key);
 }
 
+bool claim_says(const struct claim *c, const char *key, const char *words) {
+  const char *text = claim_get(c, key);
+  return text && strcmp(text, words) == 0;
+}
+
 const char *claim_own(const struct claim *c) {
   const char *own = claim_get(c, "own"), *equation = claim_get(c, "equation");
   return own ? own : equation ? equation : c->id;

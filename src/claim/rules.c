@@ -168,10 +168,8 @@ static bool check_quoted_numbers(const struct model *m, const struct claim *c, s
 }
 
 /* What is judged of one scene has its verdict on record for one scene. */
-static bool check_record_scene(const struct claim *c, const struct claim_kind *kind, struct diag *d) {
-  const char *over = claim_get(c, "over");
-  bool of_scene = kind->of_scene || (over && strcmp(over, "scene") == 0);
-  return !of_scene || !claim_get(c, "record") || claim_get(c, "record-scene") ||
+static bool check_record_scene(const struct claim *c, struct diag *d) {
+  return !claim_of_scene(c) || !claim_get(c, "record") || claim_get(c, "record-scene") ||
          claim_mistake(c, "record", d,
                        "what is judged of one scene says in \"record-scene:\" of which its verdict is on record");
 }
@@ -189,7 +187,7 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
              follows);
     return claim_mistake(c, "fault", d, what);
   }
-  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_record_scene(c, kind, d) &&
+  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_record_scene(c, d) &&
          (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) && check_conclusion(m, c, d);
 }
 
