@@ -106,8 +106,7 @@ static bool prove(struct route_result *proof, struct behaviour *b) {
 
 bool behaviour_linearization(struct behaviour *b) {
   enum { WANTED = 24, DRAWS = 96 };
-  const char *jumps = claim_get(b->c, "jumps");
-  int method = jumps && strcmp(jumps, "saltation") == 0;
+  int method = claim_says(b->c, "jumps", "saltation");
   struct methods s = {.where = NULL};
   struct route_result w[3], proof = {.outcome = ROUTE_UNDECIDED};
   if (method == 0 && !prove(&proof, b)) return false;

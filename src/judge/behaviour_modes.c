@@ -107,10 +107,9 @@ static void conclude_switches(struct behaviour *b, struct switches *s, const str
 }
 
 bool behaviour_switches(struct behaviour *b) {
-  const char *which = claim_get(b->c, "transition"), *limit = claim_get(b->c, "limit");
-  struct switches s = {.to_stick = which && strcmp(which, "slip to stick") == 0,
-                       .sliding_limit = limit && strcmp(limit, "u_s") == 0};
-  if (!s.to_stick && !(which && strcmp(which, "stick to slip") == 0))
+  struct switches s = {.to_stick = claim_says(b->c, "transition", "slip to stick"),
+                       .sliding_limit = claim_says(b->c, "limit", "u_s")};
+  if (!s.to_stick && !claim_says(b->c, "transition", "stick to slip"))
     return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
   struct friction law;
   struct behaviour with = *b;

@@ -202,9 +202,8 @@ void orbit_walk_end(struct orbit_walk *w) {
 struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
                                     enum route_outcome outcome, bool decisive, long trials, const char *where,
                                     const char *note) {
-  struct route_result w = {route, outcome, decisive, trials};
-  finding_add_route(b->f, b->j->out, w, layer, -1, where, note);
-  return w;
+  return finding_add_route(b->f, b->j->out, (struct route_result){route, outcome, decisive, trials}, layer, -1, where,
+                           note);
 }
 
 /* --- Random motions watched --- */

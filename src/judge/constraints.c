@@ -214,9 +214,8 @@ static void by_simulation(struct constraints *x) {
 
 static struct route_result add(struct finding *f, struct constraints *x, const char *route, enum route_outcome outcome,
                                bool decisive, long trials, const char *note) {
-  struct route_result w = {route, outcome, decisive, trials};
-  finding_add_route(f, x->j->out, w, layer_name[LAYER_CORRECTED], decisive ? FIRST_PREC : -1, NULL, note);
-  return w;
+  return finding_add_route(f, x->j->out, (struct route_result){route, outcome, decisive, trials},
+                           layer_name[LAYER_CORRECTED], decisive ? FIRST_PREC : -1, NULL, note);
 }
 
 /* The closed form of the attribute, for exact algebra. */

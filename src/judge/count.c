@@ -180,13 +180,12 @@ static struct route_result add_count(struct finding *f, struct judge *j, const c
                          : n->largest > wanted  ? ROUTE_DIFFERS
                          : decisive             ? ROUTE_UNDECIDED
                                                 : ROUTE_DIFFERS;
-  struct route_result w = {route, o, decisive, n->trials};
-  finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], FD_PREC, n->where,
-                    result_str(j->out,
-                               "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the "
-                               "unknowns has a minor of order %d that is not zero, and at none a larger one was found",
-                               n->largest_at, n->trials, n->largest));
-  return w;
+  const char *note = result_str(j->out,
+                                "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the "
+                                "unknowns has a minor of order %d that is not zero, and at none a larger one was found",
+                                n->largest_at, n->trials, n->largest);
+  return finding_add_route(f, j->out, (struct route_result){route, o, decisive, n->trials}, layer_name[LAYER_CORRECTED],
+                           FD_PREC, n->where, note);
 }
 
 /* By elimination that holds for all values of the symbols; else by one minor in balls and the number of equations. */

@@ -64,23 +64,6 @@ static int number_at(arb_t x, slong *bits, const struct number_job *n, const str
   return s;
 }
 
-/* k / 10^decimals in plain notation. */
-static void decimal_text(struct text *out, const fmpz_t k, slong decimals) {
-  fmpz_t a;
-  fmpz_init(a);
-  fmpz_abs(a, k);
-  char *s = fmpz_get_str(NULL, 10, a);
-  slong len = (slong)strlen(s), whole = len > decimals ? len - decimals : 0;
-  if (fmpz_sgn(k) < 0) text_add_char(out, '-');
-  if (whole == 0) text_add_char(out, '0');
-  text_add_n(out, s, (size_t)whole);
-  if (decimals > 0) text_add_char(out, '.');
-  for (slong i = len; i < decimals; i++) text_add_char(out, '0');
-  text_add(out, s + whole);
-  flint_free(s);
-  fmpz_clear(a);
-}
-
 /* The quantity in units of the last decimal, rounded to nearest: proved by its enclosure. */
 static void correct_number(struct finding *f, const struct number_job *n, const arb_t x) {
   arb_t units;
@@ -98,7 +81,7 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
     text_init(&digits);
     text_init(&latex);
     fmpz_mul(k, k, fmpq_numref(&n->p->unit));
-    decimal_text(&digits, k, printed_decimals(n->p));
+    num_print_fixed(&digits, k, printed_decimals(n->p));
     name_latex(&latex, n->p->name);
     f->correction = result_str(n->j->out, "%s %s %s", n->p->name, n->relation, text_str(&digits));
     f->correction_latex = result_str(n->j->out, "%s %s %s", text_str(&latex), n->relation, text_str(&digits));
@@ -121,7 +104,7 @@ static const char *as_given(const struct number_job *n) {
     fmpz_divexact(k, fmpq_denref(&n->p->unit), fmpq_denref(&n->p->value));
     fmpz_mul(k, k, fmpq_numref(&n->p->value));
     text_add(&t, " (that is, ");
-    decimal_text(&t, k, printed_decimals(n->p));
+    num_print_fixed(&t, k, printed_decimals(n->p));
     text_add_char(&t, ')');
   }
   fmpz_clear(k);
@@ -193,11 +176,10 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
   } else {
     text_add(&note, "no periodic solution was found, or the quantity could not be evaluated on it");
   }
-  struct route_result w = {"balls", outcome_of_truth(t), true, where != NULL};
-  finding_add_route(f, j->out, w, "corrected", bits, where, result_take(j->out, &note));
   arb_clear(x);
   point_clear(&p);
-  return w;
+  return finding_add_route(f, j->out, (struct route_result){"balls", outcome_of_truth(t), true, where != NULL},
+                           "corrected", bits, where, result_take(j->out, &note));
 }
 
 /* Whether some reading of the printed digits of e1 and e2, where these are the data, rescues the number: the orbit at

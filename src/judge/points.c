@@ -267,10 +267,9 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   snprintf(seed, sizeof seed, "%s%s", r->c->id, r->restriction ? r->restriction->text : "");
   sampler_init(&s, seed, spec->kind, spec->phase, r->restriction);
   s.paper = spec->paper;
-  const char *perturbation = claim_get(r->c, "perturbation");
   s.admissible = spec->admissible;
   s.realistic = spec->realistic;
-  s.finite = perturbation && strcmp(perturbation, "finite") == 0;
+  s.finite = claim_says(r->c, "perturbation", "finite");
   point_init(&p);
   bool ok = true;
   long done = 0;
@@ -295,8 +294,8 @@ static const char *layer_of(const struct point_trials *r) {
 static void add_evidence(struct finding *f, struct point_trials *r, const struct tally *t, struct route_result w) {
   struct audit_result *out = r->j->out;
   bool is_double = t->route->type == &num_double;
-  struct evidence *e =
-      finding_add_route(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
+  finding_add_route(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
+  struct evidence *e = &f->evidence[f->n_evidence - 1];
   if (is_double && t->trials) e->machine_residual = exp2(t->worst_log);
   if (t->trials)
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);

@@ -48,17 +48,13 @@ static bool read_parts(struct range *r) {
 }
 
 static bool read_range(struct range *r) {
-  const char *from = claim_get(r->c, "from"), *rate = claim_get(r->c, "rate");
   if (!conditions_read(&r->goal, r->j, r->c, "conclusion", r->view)) return false;
   if (!conditions_read(&r->premise, r->j, r->c, "premises", r->view)) return false;
   if (r->goal.n != 1 || r->premise.n > 1)
     return claim_error(r->j, r->c, "conclusion", "one condition, with one premise or none");
-  r->form = (struct range_form){.premise = r->premise.n ? &r->premise.at[0] : NULL,
-                                .from_end = from && strcmp(from, "end") == 0,
-                                .rate = rate && strcmp(rate, "yes") == 0};
-  if (from && !r->form.from_end) return claim_error(r->j, r->c, "from", "end, or nothing");
-  if (rate && !r->form.rate) return claim_error(r->j, r->c, "rate", "yes, or nothing");
-  return read_parts(r);
+  r->form = (struct range_form){.premise = r->premise.n ? &r->premise.at[0] : NULL};
+  return judge_switch(&r->form.from_end, r->j, r->c, "from", "end") &&
+         judge_switch(&r->form.rate, r->j, r->c, "rate", "yes") && read_parts(r);
 }
 
 static void clear_range(struct range *r) {

@@ -14,9 +14,8 @@ enum { UNITS_OF_EXISTENCE = 150000 }; /* of work: all motions with two times giv
 
 static struct route_result add(struct finding *f, struct judge *j, const char *route, enum route_outcome outcome,
                                bool decisive, long trials, const char *note) {
-  struct route_result w = {route, outcome, decisive, trials};
-  finding_add_route(f, j->out, w, "model", decisive ? FIRST_PREC : -1, NULL, note);
-  return w;
+  return finding_add_route(f, j->out, (struct route_result){route, outcome, decisive, trials}, "model",
+                           decisive ? FIRST_PREC : -1, NULL, note);
 }
 
 /* --- The order of the phases --- */
