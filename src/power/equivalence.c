@@ -10,20 +10,14 @@
 #include "tape/exact.h"
 #include "value/sentence.h"
 
-/* Does the statement take first orders in small symbols?  A matrix held as unknown would hide them. */
-static bool has_first_order(const struct expr *e) {
-  for (;; e = e->args[0]) {
-    if (e->kind == EXPR_FIRST_ORDER) return true;
-    for (int i = 1; i < e->n_args; i++)
-      if (has_first_order(e->args[i])) return true;
-    if (e->n_args == 0) return false;
-  }
+static bool is_first_order(const struct expr *e, const void *arg) {
+  (void)arg;
+  return e->kind == EXPR_FIRST_ORDER;
 }
 
+/* Does the statement take first orders in small symbols?  A matrix held as unknown would hide them. */
 static bool linearizes(const struct stmt *s) {
-  for (int i = 0; s->kind != STMT_TRAJECTORY && i < s->n_sides; i++)
-    if (has_first_order(s->sides[i])) return true;
-  return false;
+  return stmt_any(s, is_first_order, NULL);
 }
 
 static bool record_linearizes(struct view v, const char *id) {

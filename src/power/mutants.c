@@ -17,20 +17,12 @@ static struct view everything(const struct model *m) {
 
 /* --- Words --- */
 
-/* First operands in a loop: sums lean to the left and may be as long as a formula. */
-static bool stands_in(const struct expr *e, const char *name) {
-  for (;; e = e->args[0]) {
-    if ((e->kind == EXPR_SYM || e->kind == EXPR_CALL) && strcmp(e->name, name) == 0) return true;
-    for (int i = 1; i < e->n_args; i++)
-      if (stands_in(e->args[i], name)) return true;
-    if (e->n_args == 0) return false;
-  }
+static bool has_name(const struct expr *e, const void *name) {
+  return (e->kind == EXPR_SYM || e->kind == EXPR_CALL) && strcmp(e->name, name) == 0;
 }
 
 bool stands_in_statement(const struct stmt *s, const char *name) {
-  for (int i = 0; s->kind != STMT_TRAJECTORY && i < s->n_sides; i++)
-    if (stands_in(s->sides[i], name)) return true;
-  return false;
+  return stmt_any(s, has_name, name);
 }
 
 static bool stands_in_section(const struct model *m, const char *section, const char *name) {
