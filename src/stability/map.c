@@ -118,7 +118,7 @@ static void map_item(void *result, size_t i, void *arg) {
 }
 
 static const char *input_name(struct digits_study *st, const struct digits_formula *f, slong k) {
-  return arena_strndup(&st->out->arena, f->tape.inputs[k], strlen(f->tape.inputs[k]));
+  return arena_strdup(&st->out->arena, f->tape.inputs[k]);
 }
 
 static void describe_map(struct stability_map *z, struct digits_study *st, const struct map_plan *p,
@@ -131,8 +131,7 @@ static void describe_map(struct stability_map *z, struct digits_study *st, const
   z->formula = (int)p->formula;
   z->x = input_name(st, f, p->x);
   z->y = input_name(st, f, p->y);
-  z->at = arena_strndup(&st->out->arena, text_str(&t), t.len);
-  text_clear(&t);
+  z->at = text_take(&st->out->arena, &t);
   for (int i = 0; i < STABILITY_MAP; i++) {
     z->x_at[i] = z->y_at[i] = map_scale(i, STABILITY_MAP);
     for (int k = 0; k < STABILITY_MAP; k++) {
