@@ -402,11 +402,11 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
   diag_init(&d);
   struct judge quiet = *j;
   quiet.d = &d;
-  const char *perturbation = claim_get(c, "perturbation"), *section = claim_get(c, "section");
+  const char *section = claim_get(c, "section");
   struct exact_question asked = {.c = c,
                                  .value = claim_get(c, "value"),
                                  .section = section ? section : "",
-                                 .finite = perturbation && strcmp(perturbation, "finite") == 0,
+                                 .finite = claim_says(c, "perturbation", "finite"),
                                  .sharp = claim_kind(c) == KIND_SHARP};
   asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
   if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};

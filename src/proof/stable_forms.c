@@ -102,21 +102,16 @@ static bool is_proved(const struct stable_proofs *p, const struct stmt *stmt) {
 }
 
 /* Notes what a name is made of in the stable layer. */
-static bool note_use(bool *used, const struct model *m, const char *name, const char *section) {
-  struct model noting = *m;
-  struct model_use use = {used, ss_malloc((m->n_records + 1) * sizeof *use.record)};
+static bool note_use(struct model_use *used, const struct model *m, const char *name, const char *section) {
+  const struct model noting = model_noting(used, m);
   struct reading r;
   struct matrix shape;
   struct diag d;
   diag_init(&d);
-  memset(used, 0, m->n_defs * sizeof *used);
-  memset(use.record, 0, m->n_records * sizeof *use.record);
-  noting.use = &use;
   const struct unknowns none = {.n = 0};
   reading_init(&r, &noting, LAYER_STABLE, &none);
   bool ok = elaborate_text(&shape, &r.el, name, name, section, &d);
   reading_clear(&r);
-  free(use.record);
   return ok;
 }
 
@@ -125,13 +120,14 @@ static bool follows(const struct stable_proofs *p, const struct model *m, const 
   struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
   struct diag d;
   diag_init(&d);
-  bool *used = ss_malloc((m->n_defs + 1) * sizeof *used), yes = note_use(used, m, name, section);
+  struct model_use used;
+  bool yes = note_use(&used, m, name, section);
   for (size_t i = 0; yes && i < m->n_defs; i++) {
     const struct definition *def = &m->defs[i];
-    if (used[i] && def->rank == RANK_STABLE && view_lookup(&corrected, def->name, def->section, &d))
+    if (used.def[i] && def->rank == RANK_STABLE && view_lookup(&corrected, def->name, def->section, &d))
       yes = is_proved(p, def->stmt);
   }
-  free(used);
+  model_use_clear(&used);
   return yes;
 }
 
@@ -206,7 +202,7 @@ static bool attempt_levels(struct stable_proof *p, const struct model *m, const 
 static bool prove(struct stable_proofs *out, struct stable_proof p, const struct model *m, const struct sides *of,
                   struct unknowns *u, struct diag *d) {
   const char *name = of->value[1] ? of->value[1] : of->record[1]->id;
-  p.name = arena_strndup(&out->arena, name, strlen(name));
+  p.name = arena_strdup(&out->arena, name);
   struct unknowns parts = *u;
   parts.n = u->n_parts;
   bool by_parts, ok = try_points(&p, m, of, u->algebra_alone, d);
