@@ -18,6 +18,24 @@ static bool missing(const struct title *t) {
   return false;
 }
 
+/* Of kinds whose titles are the same but for attributes. */
+static const char *const sentences[N_KINDS] = {
+    [KIND_CLOSURE] = "the printed numbers are those of a periodic solution",
+    [KIND_NOTATION] = "{reads} is well formed",
+    [KIND_SEQUENCE] = "on the example one period consists of {word}, in this order",
+    [KIND_EXISTENCE] = "there is a periodic solution through {through} with {given}",
+    [KIND_LAW] =
+        "{equation} gives the friction of the {mass} mass while it slips, while it sticks and beyond its limit",
+    [KIND_REPORT] = "the value of {formula} on the example",
+};
+
+static bool make_sentence(struct text *out, const struct title *t) {
+  struct diag unmade;
+  diag_init(&unmade);
+  const struct title quiet = {t->m, t->c, &unmade};
+  return title_expand(out, &quiet, sentences[claim_kind(t->c)]) || missing(t);
+}
+
 /* The record that the attribute names; NULL with t->d set. */
 static const struct statement_record *record_named(const struct title *t, const char *attribute) {
   const char *id = claim_get(t->c, attribute);
@@ -56,14 +74,14 @@ static void stated(struct text *out, const char **verb, const struct title *t, c
 
 static bool make_identity(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
-  const char *points = claim_points_asked(t->c), *perturbation = claim_get(t->c, "perturbation");
+  const char *points = claim_points_asked(t->c);
   if (!r) return false;
-  const char *verb, *own = claim_get(t->c, "own");
+  const char *verb;
   struct text where;
   text_init(&where);
-  if (perturbation && strcmp(perturbation, "finite") == 0) text_add(&where, " for finite perturbations");
+  if (claim_says(t->c, "perturbation", "finite")) text_add(&where, " for finite perturbations");
   if (points) title_place(&where, points);
-  if (own && strcmp(own, "-") == 0) text_add(&where, ", with all that it uses corrected");
+  if (claim_says(t->c, "own", "-")) text_add(&where, ", with all that it uses corrected");
   size_t most = MOST_TITLE - where.len;
   stated(out, &verb, t, r, most < MOST_FORMULA ? most : MOST_FORMULA);
   text_printf(out, "%s%s", verb, text_str(&where));
@@ -128,10 +146,9 @@ static bool make_sharp(struct text *out, const struct title *t) {
   return true;
 }
 
-static bool names_friction(const struct expr *e) {
-  bool any = e->kind == EXPR_SYM && strncmp(e->name, "u_r", 3) == 0;
-  for (int i = 0; !any && i < e->n_args; i++) any = names_friction(e->args[i]);
-  return any;
+static bool names_friction(const struct expr *e, const void *arg) {
+  (void)arg;
+  return e->kind == EXPR_SYM && strncmp(e->name, "u_r", 3) == 0;
 }
 
 /* On an example that gives no u_r1 and u_r2 nothing can be said of them (judge/inequality.c). */
@@ -139,8 +156,7 @@ static bool make_inequality(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
   if (!r) return false;
   bool friction = false;
-  for (int k = 0; k < r->n_stmts; k++)
-    for (int i = 0; i < r->stmts[k]->n_sides; i++) friction = friction || names_friction(r->stmts[k]->sides[i]);
+  for (int k = 0; k < r->n_stmts; k++) friction = friction || stmt_any(r->stmts[k], names_friction, NULL);
   if (friction && *r->equation)
     text_printf(out, "the inequalities of (%s) that do not contain u_r1 and u_r2 hold", r->equation);
   else {
@@ -203,14 +219,6 @@ static bool make_number(struct text *out, const struct title *t) {
   return ok || missing(t);
 }
 
-static bool make_report(struct text *out, const struct title *t) {
-  if (!claim_get(t->c, "formula")) return missing(t);
-  text_add(out, "the value of ");
-  title_formula(out, t, "formula");
-  text_add(out, " on the example");
-  return true;
-}
-
 /* --- Arguments and how many equations there are --- */
 
 /* What holds whatever the other premises say is no part of an equivalence: "..., where z_10 - chi z_20 = ...". */
@@ -222,9 +230,8 @@ static bool argue_where(struct text *out, struct title_parts *with, const struct
 
 static bool argue(struct text *out, const struct title *t, enum title_detail conclusions, enum title_detail reasons) {
   struct title_parts conclusion = {.detail = conclusions, .one = N_PHASES};
-  const char *over = claim_get(t->c, "over"), *premises = claim_get(t->c, "premises"),
-             *converse = claim_get(t->c, "converse");
-  bool both = converse && strcmp(converse, "yes") == 0;
+  const char *premises = claim_get(t->c, "premises");
+  bool both = claim_says(t->c, "converse", "yes");
   if (!title_parts_scan(&conclusion, t, "conclusion")) return false;
   struct title_parts with = conclusion;
   with.detail = reasons;
@@ -253,8 +260,8 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
     text_add(out, " in ");
     title_phases(out, &with.one, 1);
   }
-  if (over && strcmp(over, "scene") == 0) text_add(out, " on the example");
-  if (over && strcmp(over, "orbits") == 0) text_add(out, " on every orbit");
+  if (claim_says(t->c, "over", "scene")) text_add(out, " on the example");
+  if (claim_says(t->c, "over", "orbits")) text_add(out, " on every orbit");
   return !apart || argue_where(out, &with, t);
 }
 
@@ -313,14 +320,14 @@ static bool numbers_of(struct text *out, const struct title *t, const char *list
 }
 
 static bool make_defined(struct text *out, const struct title *t) {
-  const char *over = claim_get(t->c, "over"), *list = claim_get(t->c, "statements");
+  const char *list = claim_get(t->c, "statements");
   if (!list) return missing(t);
   text_add(out, "the quotients, roots and inverses in ");
   if (!numbers_of(out, t, list)) return false;
   text_printf(out, " are defined %s",
-              over && strcmp(over, "parameters") == 0 ? "for all parameters"
-              : over && strcmp(over, "orbits") == 0   ? "on every periodic solution"
-                                                      : "on every admissible periodic solution");
+              claim_says(t->c, "over", "parameters") ? "for all parameters"
+              : claim_says(t->c, "over", "orbits")   ? "on every periodic solution"
+                                                     : "on every admissible periodic solution");
   return true;
 }
 
@@ -419,33 +426,7 @@ static bool make_criterion(struct text *out, const struct title *t) {
   return true;
 }
 
-static bool make_law(struct text *out, const struct title *t) {
-  const char *mass = claim_get(t->c, "mass"), *equation = claim_get(t->c, "equation");
-  if (!mass || !equation) return missing(t);
-  text_printf(out, "(%s) gives the friction of the %s mass while it slips, while it sticks and beyond its limit",
-              equation, strcmp(mass, "1") == 0 ? "first" : "second");
-  return true;
-}
-
 /* --- What is made of phases --- */
-
-static bool make_sequence(struct text *out, const struct title *t) {
-  if (!claim_get(t->c, "word")) return missing(t);
-  text_add(out, "on the example one period consists of ");
-  title_phases_listed(out, claim_get(t->c, "word"));
-  text_add(out, ", in this order");
-  return true;
-}
-
-static bool make_existence(struct text *out, const struct title *t) {
-  const char *given = claim_get(t->c, "given"), *through = claim_get(t->c, "through");
-  if (!given || !through) return missing(t);
-  text_add(out, "there is a periodic solution through ");
-  title_phases_listed(out, through);
-  text_add(out, " with ");
-  title_listed(out, given, ',');
-  return true;
-}
 
 /* "chi = 4/5, e1 = 2" with the paper's e_1. */
 static void listed_as_printed(struct text *out, const char *at) {
@@ -472,7 +453,7 @@ static bool make_solutions(struct text *out, const struct title *t) {
   if (count) title_count(out, n);
   if (count) text_printf(out, "%s %s", kept ? " admissible" : "", n == 1 ? "solution" : "solutions");
   if (!kept) text_printf(out, " with positive times and t_c up to %s", until ? until : "");
-  bool first = every && strcmp(every, "first") == 0;
+  bool first = claim_says(t->c, "every", "first");
   if (every)
     text_add(out, first ? " takes the first roots of the switching functions" : " is a motion under Coulomb's law");
   text_add(out, at ? " at " : " on the example");
@@ -495,10 +476,7 @@ static bool make_symbols(struct text *out, const char *stands_for) {
 
 static bool make_notation(struct text *out, const struct title *t) {
   const char *stands_for = claim_get(t->c, "stands-for");
-  if (stands_for) return make_symbols(out, stands_for);
-  if (!title_formula(out, t, "reads")) return missing(t);
-  text_add(out, " is well formed");
-  return true;
+  return stands_for ? make_symbols(out, stands_for) : make_sentence(out, t);
 }
 
 static bool make_scaling(struct text *out, const struct title *t) {
@@ -566,12 +544,6 @@ static bool make_behaviour(struct text *out, const struct title *t) {
   return missing(t);
 }
 
-static bool make_closure(struct text *out, const struct title *t) {
-  (void)t;
-  text_add(out, "the printed numbers are those of a periodic solution");
-  return true;
-}
-
 static bool make_none(struct text *out, const struct title *t) {
   (void)out;
   return missing(t);
@@ -580,12 +552,12 @@ static bool make_none(struct text *out, const struct title *t) {
 static maker *const makers[N_KINDS] = {
     [KIND_DEFINITION] = make_definition,   [KIND_MATRIX] = make_matrix,     [KIND_IDENTITY] = make_identity,
     [KIND_INEQUALITY] = make_inequality,   [KIND_SHARP] = make_sharp,       [KIND_INDEX_RANGE] = make_index_range,
-    [KIND_NUMBER] = make_number,           [KIND_CLOSURE] = make_closure,   [KIND_CRITERION] = make_criterion,
+    [KIND_NUMBER] = make_number,           [KIND_CLOSURE] = make_sentence,  [KIND_CRITERION] = make_criterion,
     [KIND_BEHAVIOUR] = make_behaviour,     [KIND_ARGUMENT] = make_argument, [KIND_NOTATION] = make_notation,
     [KIND_SCALING] = make_scaling,         [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
-    [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sequence, [KIND_EXISTENCE] = make_existence,
-    [KIND_CONSTRAINTS] = make_constraints, [KIND_RANGE] = make_range,       [KIND_LAW] = make_law,
-    [KIND_SOLUTIONS] = make_solutions,     [KIND_OUTSIDE] = make_none,      [KIND_REPORT] = make_report,
+    [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sentence, [KIND_EXISTENCE] = make_sentence,
+    [KIND_CONSTRAINTS] = make_constraints, [KIND_RANGE] = make_range,       [KIND_LAW] = make_sentence,
+    [KIND_SOLUTIONS] = make_solutions,     [KIND_OUTSIDE] = make_none,      [KIND_REPORT] = make_sentence,
 };
 
 static bool title_made(struct text *out, const struct title *t) {

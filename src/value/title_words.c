@@ -390,11 +390,9 @@ bool title_has_items(const struct title *t, const char *attribute, enum title_it
   return found;
 }
 
-static bool has_time(const struct expr *e) {
-  if (e->kind == EXPR_CALL && e->args[0]->kind == EXPR_SYM && strcmp(e->args[0]->name, "t") == 0) return true;
-  for (int i = 0; i < e->n_args; i++)
-    if (has_time(e->args[i])) return true;
-  return false;
+static bool takes_time(const struct expr *e, const void *arg) {
+  (void)arg;
+  return e->kind == EXPR_CALL && e->args[0]->kind == EXPR_SYM && strcmp(e->args[0]->name, "t") == 0;
 }
 
 bool title_moves(const struct title *t, const char *attribute) {
@@ -402,10 +400,7 @@ bool title_moves(const struct title *t, const char *attribute) {
   struct part part;
   const char *list = claim_get(t->c, attribute);
   if (!list || !claim_next_item(item, sizeof item, list) || !read_part(&part, t, attribute, item)) return false;
-  const struct stmt *s = part.r->stmts[part.statement ? part.statement - 1 : 0];
-  for (int i = 0; i < s->n_sides; i++)
-    if (has_time(s->sides[i])) return true;
-  return false;
+  return stmt_any(part.r->stmts[part.statement ? part.statement - 1 : 0], takes_time, NULL);
 }
 
 static void write_numbered(struct text *out, const struct title *t, const struct part *p, const char *list,
