@@ -307,7 +307,7 @@ static void judge_downstream(struct consequence *q, struct memory *m, struct fai
     bool fails_anyway = touched ? verdict_fails(judge_as_is(j, c)) : !f->number;
     bool as_before = fails_anyway && v == VERDICT_CONDITIONAL && has_own_condition(j->out, c->id, f->c->id);
     if (verdict_fails(v) && fails_anyway && !as_before) continue; /* for a reason of its own */
-    bool holds = v == VERDICT_PROVED || v == VERDICT_SUPPORTED || as_before;
+    bool holds = verdict_passes(v) || as_before;
     add_id(j->out, holds ? &q->survives : verdict_fails(v) ? &q->falls : &q->open, c->id);
   }
 }
