@@ -121,18 +121,13 @@ static void reach_lists(struct elaboration *el, const struct view *v, const stru
     for (const char *p = claim_get(c, lists[i]); p && (p = next_record(id, p)) != NULL;) reach_record(el, v, id);
 }
 
-static const char *section_of(const struct claim *c) {
-  const char *section = claim_get(c, "section");
-  return section ? section : "";
-}
-
 static void look_at_claim(struct reach *r, const struct model *m, const struct claim *c) {
   const char *value = claim_get(c, "value");
   struct view v = view_of(m, c);
   r->number = claim_get(c, "number");
   r->record = claim_get(c, "statement");
-  read_about(r, &v, value, section_of(c));
-  read_about(r, &v, claim_get(c, "about"), section_of(c));
+  read_about(r, &v, value, claim_section(c));
+  read_about(r, &v, claim_get(c, "about"), claim_section(c));
   r->premises[0] = claim_get(c, "premises");
   r->premises[1] = claim_get(c, "constraints");
   r->concludes = claim_deduces(c) ? claim_get(c, "conclusion") : NULL;
@@ -148,8 +143,8 @@ static const struct reach *walk(struct dependences *d, size_t a) {
   struct view v = view_of(d->model, c);
   struct elaboration el;
   elaboration_init(&el, v, NULL, 0);
-  reach_text(r, &el, claim_get(c, "value"), section_of(c));
-  reach_text(r, &el, claim_get(c, "formula"), section_of(c));
+  reach_text(r, &el, claim_get(c, "value"), claim_section(c));
+  reach_text(r, &el, claim_get(c, "formula"), claim_section(c));
   reach_record(&el, &v, claim_get(c, "statement"));
   reach_lists(&el, &v, c);
   for (size_t i = 0; i < elaboration_n_used(&el); i++) {

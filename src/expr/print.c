@@ -297,8 +297,13 @@ bool expr_same_node(const struct expr *a, const struct expr *b) {
          !memcmp(a->index_range, b->index_range, sizeof a->index_range) && a->n_args == b->n_args;
 }
 
-bool expr_is_zero(const struct expr *e) {
+const struct expr *expr_bare(const struct expr *e) {
   while (e->kind == EXPR_PAREN) e = e->args[0];
+  return e;
+}
+
+bool expr_is_zero(const struct expr *e) {
+  e = expr_bare(e);
   return e->kind == EXPR_NUM && strcmp(e->name, "0") == 0;
 }
 

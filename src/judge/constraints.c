@@ -220,16 +220,10 @@ static struct route_result add(struct finding *f, struct constraints *x, const c
 
 /* The closed form of the attribute, for exact algebra. */
 static bool least_is_exact(struct constraints *x, int i) {
-  const char *formula = claim_get(x->c, least_attribute[i]), *section = claim_get(x->c, "section");
-  struct elaboration el;
-  struct tape tape = {.n = 0};
-  struct matrix m;
-  elaboration_init(&el, x->view, NULL, 0);
-  bool ok = elaborate_text(&m, &el, formula, formula, section ? section : "", x->j->d) && m.rows * m.cols == 1;
-  if (ok)
-    ok = elaboration_tape(&tape, &el, (const struct expr *const *)m.e, 1, x->j->d) && exact_least_friction(&tape, i);
-  tape_clear(&tape);
-  elaboration_clear(&el);
+  struct expression e;
+  bool ok = expression_open(&e, x->view, claim_get(x->c, least_attribute[i]), claim_section(x->c), x->j->d) &&
+            e.n == 1 && exact_least_friction(&e.tape, i);
+  expression_close(&e);
   return ok;
 }
 

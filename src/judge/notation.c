@@ -168,14 +168,14 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
 }
 
 static bool judge_reading(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  const char *reads = claim_get(c, "reads"), *section = claim_get(c, "section"), *repaired = claim_get(c, "repaired");
+  const char *reads = claim_get(c, "reads"), *repaired = claim_get(c, "repaired");
   struct diag d;
   diag_init(&d);
-  bool ok = read_text(reads, c->id, section ? section : "", view, &d);
+  bool ok = read_text(reads, c->id, claim_section(c), view, &d);
   settle(f, j, ok ? NULL : result_str(j->out, "%s", d.message), 1);
   if (!ok && repaired && !view.control) {
     diag_init(&d);
-    bool again = read_text(repaired, c->id, section ? section : "", view, &d);
+    bool again = read_text(repaired, c->id, claim_section(c), view, &d);
     f->correction = result_str(j->out, "%s", repaired);
     f->correction_verdict = again ? VERDICT_UNKNOWN : VERDICT_REFUTED;
     if (again && j->effort != EFFORT_REFUTE) return judge_repaired(f, j, c, repaired);

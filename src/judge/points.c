@@ -197,11 +197,8 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
     r->lacks = result_str(out, "%s", tr->unbound);
     return true;
   }
-  if (tr->outcome == OUTCOME_UNBOUND) {
-    char what[128];
-    snprintf(what, sizeof what, "%s has no value at such points", tr->unbound);
-    return claim_error(r->j, r->c, "points", what);
-  }
+  if (tr->outcome == OUTCOME_UNBOUND)
+    return claim_error(r->j, r->c, "points", result_str(out, "%s has no value at such points", tr->unbound));
   if (tr->outcome == OUTCOME_REJECTED) {
     t->rejected++;
     return true;

@@ -293,7 +293,7 @@ static void take_phase(int *phase, int ph) {
 
 /* h'(t), h(t) - h(start), h(end) - h(t). */
 static bool monotone_tape(struct extra *x, struct judge *j, const struct claim *c) {
-  const char *which = claim_get(c, "increasing"), *section = claim_get(c, "section");
+  const char *which = claim_get(c, "increasing");
   if (!which) return true;
   char name[32], phase[16];
   if (sscanf(which, "%31s %15s", name, phase) != 2) return claim_error(j, c, "increasing", "reads NAME PHASE");
@@ -304,7 +304,7 @@ static bool monotone_tape(struct extra *x, struct judge *j, const struct claim *
   x->increase_text[0] = result_str(j->out, "%s'(t)", name);
   x->increase_text[1] = result_str(j->out, "%s(t) - %s(%s)", name, name, name_switching[ph]);
   x->increase_text[2] = result_str(j->out, "%s(%s) - %s(t)", name, name_switching[ph + 1], name);
-  return expressions_tape(&x->increase, &x->el, x->increase_text, 3, section ? section : "", j->d);
+  return expressions_tape(&x->increase, &x->el, x->increase_text, 3, claim_section(c), j->d);
 }
 
 /* Where the time t lies. */

@@ -402,10 +402,9 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
   diag_init(&d);
   struct judge quiet = *j;
   quiet.d = &d;
-  const char *section = claim_get(c, "section");
   struct exact_question asked = {.c = c,
                                  .value = claim_get(c, "value"),
-                                 .section = section ? section : "",
+                                 .section = claim_section(c),
                                  .finite = claim_says(c, "perturbation", "finite"),
                                  .sharp = claim_kind(c) == KIND_SHARP};
   asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);

@@ -3,7 +3,6 @@
 #include "linearized.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "exact_motion_impl.h"
 #include "nonzero.h"

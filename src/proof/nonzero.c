@@ -15,10 +15,9 @@
 static bool add_divisor(struct divisor *list, int *n, const struct statement_record *r, const char *wrap,
                         const struct expr *e, bool root) {
   struct text t;
-  while (e->kind == EXPR_PAREN) e = e->args[0];
   text_init(&t);
   text_add(&t, wrap);
-  expr_print(&t, e);
+  expr_print(&t, expr_bare(e));
   text_add(&t, *wrap ? ")" : "");
   for (int i = 0; i < *n; i++)
     if (strcmp(text_str(&list[i].formula), text_str(&t)) == 0 && list[i].root == root) {

@@ -41,13 +41,13 @@ struct failure {
 /* --- Reading the results --- */
 
 static bool read_result(struct result *r, int reading, struct view v) {
-  const char *formula = claim_get(r->c, "formula"), *section = claim_get(r->c, "section");
+  const char *formula = claim_get(r->c, "formula");
   struct elaboration el;
   struct matrix m;
   struct diag d;
   diag_init(&d);
   elaboration_init(&el, v, NULL, 0);
-  bool ok = elaborate_tape(&r->tape[reading], &m, &el, formula, formula, section ? section : "", &d);
+  bool ok = elaborate_tape(&r->tape[reading], &m, &el, formula, formula, claim_section(r->c), &d);
   if (ok) {
     r->rows = m.rows;
     r->cols = m.cols;
@@ -200,12 +200,11 @@ static void try_everywhere(struct failure *f) {
 /* By exact algebra, for every value that a misprinted number could have. */
 static bool proved_unchanged(const struct failure *f, const struct result *r) {
   const struct model *m = f->j->model;
-  const char *section = claim_get(r->c, "section");
   struct exact_change c = {{m, LAYER_CORRECTED, f->number ? NULL : claim_own(f->c), NULL},
                            {m, LAYER_CORRECTED, NULL, NULL},
                            {f->symbol, f->alias},
                            f->number ? 1 + (f->alias != NULL) : 0};
-  return exact_unchanged(&c, claim_get(r->c, "formula"), section ? section : "");
+  return exact_unchanged(&c, claim_get(r->c, "formula"), claim_section(r->c));
 }
 
 static void conclude_result(struct failure *f, struct result *r) {

@@ -138,8 +138,7 @@ static bool name_definition(struct digits_set *s, const struct definition *def, 
 
 /* Another name for something that has one: phi_3(t) := H(t), H_11 := H(t_c)[1,1]. */
 static bool is_alias(const struct definition *def) {
-  const struct expr *e = def->stmt->sides[0];
-  while (e->kind == EXPR_PAREN) e = e->args[0];
+  const struct expr *e = expr_bare(def->stmt->sides[0]);
   return def->stmt->kind == STMT_DEFINE && (e->kind == EXPR_SYM || e->kind == EXPR_CALL || e->kind == EXPR_INDEX);
 }
 

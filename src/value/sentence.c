@@ -111,12 +111,11 @@ static bool defines_value(const struct view *v, const char *value, const char *s
 }
 
 bool sentence_reads(struct view v, const struct claim *c, struct diag *d) {
-  const char *value = claim_get(c, "value"), *section = claim_get(c, "section");
+  const char *value = claim_get(c, "value"), *section = claim_section(c);
   struct sentence s;
   struct elaboration el;
   struct matrix m;
   bool ok;
-  if (!section) section = "";
   if (claim_get(c, "statement") || !value || !defines_value(&v, value, section)) {
     ok = sentence_from_claim(&s, v, c, NULL, 0, d);
     sentence_clear(&s);
@@ -140,11 +139,11 @@ static bool claim_value_known(const struct claim *c, const char *value, struct d
 
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d) {
-  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"), *section = claim_get(c, "section");
+  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value");
   const struct statement_record *r = statement ? claim_record(v, c, "statement", statement, d) : NULL;
   if (r) return sentence_from_relations(s, v, r, overrides, n_overrides, d);
   if (!statement && claim_value_known(c, value, d))
-    return sentence_from_value(s, v, value, section ? section : "", overrides, n_overrides, d);
+    return sentence_from_value(s, v, value, claim_section(c), overrides, n_overrides, d);
   *s = (struct sentence){.n = 0};
   elaboration_init(&s->el, v, NULL, 0);
   return false;
