@@ -5,7 +5,6 @@
    coordinate steps, with u_r1 and u_r2 as close to what the premises still allow as the grid of the search permits; it
    counts only when enclosures along the whole of each phase prove the premises and refute the conclusion at exact
    parameters. */
-#include <string.h>
 
 #include "argument.h"
 #include "proof/combination.h"

@@ -251,9 +251,8 @@ static void judge_table(struct route_result w[N_MOTION_ROUTES], struct behaviour
                                : near && far ? ROUTE_AGREES
                                : near        ? ROUTE_DIFFERS
                                              : ROUTE_NOTHING;
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_route(b, motion_route_name[r], "model", t->apart ? ROUTE_UNDECIDED : outcome, r == BY_INTEGRATION,
-                           all, r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+  if (t->apart) outcome = ROUTE_UNDECIDED;
+  behaviour_routes(w, b, (const enum route_outcome[]){outcome, outcome}, all, where, note);
 }
 
 bool behaviour_perturb(struct behaviour *b) {
@@ -265,9 +264,8 @@ bool behaviour_perturb(struct behaviour *b) {
   struct point p;
   memset(t, 0, sizeof t);
   point_init(&p);
-  bool ok = judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
-  const struct dyn_orbit *orbit = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
-  if (ok && !orbit) ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+  const struct dyn_orbit *orbit = behaviour_stable_orbit(&p, b);
+  bool ok = orbit != NULL;
   struct route_result proof = {.outcome = ROUTE_UNDECIDED};
   if (ok) proof = stable_prove_conditional(b, &p, orbit);
   for (int k = FRICTIONS - 1; ok && k >= 0; k--) {

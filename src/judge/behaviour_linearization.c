@@ -1,6 +1,5 @@
 /* Linearization: what the product of the phases' propagators alone would say of stability, and what it says with the
    jumps at the switches. */
-#include <string.h>
 
 #include "friction.h"
 #include "judge.h"
@@ -96,10 +95,8 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
 static bool prove(struct route_result *proof, struct behaviour *b) {
   struct point p;
   point_init(&p);
-  bool ok = judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
-  const struct dyn_orbit *o = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
+  const struct dyn_orbit *o = behaviour_stable_orbit(&p, b);
   if (o) *proof = stable_prove_linearization(b, &p, o);
-  if (ok && !o) claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
   point_clear(&p);
   return o != NULL;
 }
@@ -122,7 +119,7 @@ bool behaviour_linearization(struct behaviour *b) {
                                 "matrices at the switches linearization answers right at %ld orbits and wrong at %ld",
                                 s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
-  w[0] = behaviour_route(b, "balls", "model",
+  w[0] = behaviour_route(b, "balls",
                          wrong   ? ROUTE_AGREES
                          : right ? ROUTE_DIFFERS
                                  : ROUTE_NOTHING,
@@ -130,7 +127,7 @@ bool behaviour_linearization(struct behaviour *b) {
   enum route_outcome fate = outcome_of_counts(s.comes_back, s.leaves, 0);
   int n = 1;
   if (wrong)
-    w[n++] = behaviour_route(b, "iteration", "model", fate, false, s.comes_back + s.leaves, NULL,
+    w[n++] = behaviour_route(b, "iteration", fate, false, s.comes_back + s.leaves, NULL,
                              result_str(b->j->out,
                                         "from beside the orbits that the propagators call unstable and J stable the "
                                         "return map comes back at %ld and leaves at %ld",

@@ -1,6 +1,5 @@
 /* Random motions watched by both routes: which modes occur, and how they follow one another. */
 #include <math.h>
-#include <string.h>
 
 #include "friction.h"
 #include "value/coulomb_setup.h"

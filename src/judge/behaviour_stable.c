@@ -1,5 +1,6 @@
 /* Stability: what is proved by signs of (1) and (2), with one certified orbit on which it is so. */
 #include "friction.h"
+#include "judge.h"
 #include "motion/certify.h"
 #include "num/num_exact.h"
 
@@ -9,6 +10,13 @@ const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct p
     if (list->orbit[i].admissible == TRUTH_TRUE && list->orbit[i].stable == stable && !list->orbit[i].grazing)
       return &list->orbit[i];
   return NULL;
+}
+
+const struct dyn_orbit *behaviour_stable_orbit(struct point *p, struct behaviour *b) {
+  if (!judge_params(p, b->j, b->c, claim_get(b->c, "at"))) return NULL;
+  const struct dyn_orbit *o = behaviour_pick_orbit(b, p, TRUTH_TRUE);
+  if (!o) claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+  return o;
 }
 
 /* "the orbit at chi = ... is certified: ..."; NULL when that it exists, is admissible and has |tr J| < 1 is not proved. */

@@ -19,10 +19,7 @@ static const char *units_off(struct judge *j, const arb_t x, const struct printe
   arb_abs(d, d);
   arb_set_fmpq(u, &p->unit, LAST_PREC);
   arb_div(d, d, u, LAST_PREC);
-  struct text t;
-  text_init(&t);
-  if (num_print(&t, d, 3) != SS_OK) num_print_ball(&t, d, 3);
-  const char *s = result_take(j->out, &t);
+  const char *s = ball_text(j, d, 3);
   arb_clear(u);
   arb_clear(d);
   return s;

@@ -2,7 +2,6 @@
    range for all parameters.  Beside that, over the pool of orbits, in balls: the margin is of that form, and the
    condition holds along the whole phase just where the range says. */
 #include <math.h>
-#include <string.h>
 
 #include "judge.h"
 #include "num/calc.h"

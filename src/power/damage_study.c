@@ -1,7 +1,6 @@
 /* A damage in place: load, check, judge what it concerns, and compare with what was said without it. */
 #include "damage_study.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 /* What a search has found, in words and in digits: a formula and a row of the result record. */
 #include <math.h>
-#include <string.h>
 
 #include "stability.h"
 
