@@ -28,7 +28,7 @@ const char *list_item(size_t *len, const char *s);
 /* The place of a word in a list of n words; n when it is none of them. */
 int word_find(const char *word, const char *const *list, int n);
 
-/* data is always NUL-terminated once anything has been added, and NULL before. */
+/* data is always NUL-terminated once anything has been added, and NULL before: a text of zeros is empty. */
 struct text {
   char *data;
   size_t len, cap;
@@ -68,8 +68,8 @@ struct source {
   size_t len;
 };
 
-/* The first error of a run, as the user will read it: one line, or three with the source line and a caret; at
-   most 999 bytes of UTF-8 without control characters, no trailing newline.  What is longer loses its middle. */
+/* The first error of a run, none while all is zero, as the user will read it: one line, or three with the source line and
+   a caret; at most 999 bytes of UTF-8 without control characters, no trailing newline.  What is longer loses its middle. */
 struct diag {
   bool set;
   bool undeclared; /* the mistake is a name that no file declares */

@@ -77,8 +77,7 @@ static bool load_folder(struct claims *c, const char *folder, const char *kind, 
 
 bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
                         struct diag *d) {
-  struct text where;
-  text_init(&where);
+  struct text where = {0};
   text_printf(&where, "%s/%s", data, folder);
   bool ok = load_folder(c, text_str(&where), kind, path, d);
   text_clear(&where);
@@ -222,8 +221,7 @@ bool claims_selects(const char *const *only, int n_only, const struct claim *c) 
 
 void claims_unknown(const struct claims *claims, const char *id, struct diag *d) {
   struct suggestion meant;
-  struct text says;
-  text_init(&says);
+  struct text says = {0};
   suggest_begin(&meant, id, strlen(id));
   for (size_t i = 0; i < claims->n; i++) suggest_try(&meant, claims->claim[i].id);
   suggest_print(&says, &meant);

@@ -134,8 +134,7 @@ static bool add_definition(struct text *out, const struct model *m, const struct
   struct view v = {m, LAYER_CORRECTED, NULL, NULL};
   const char *value = claim_get(c, "value");
   char name[64];
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
   const struct definition *def = view_lookup(&v, name, claim_section(c), &d);
   const struct stmt *s = def ? def->stmt : NULL;
@@ -177,9 +176,7 @@ static bool add_damage(struct text *out, const struct model *m, const struct cla
 }
 
 bool near_controls_add(struct model *m, const struct claims *claims, struct claims *controls, struct diag *d) {
-  struct text formulas, records;
-  text_init(&formulas);
-  text_init(&records);
+  struct text formulas = {0}, records = {0};
   for (size_t i = 0; i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
     if (!is_asked(claims, controls, i)) continue;

@@ -205,9 +205,8 @@ static bool walk(size_t *way, int n, char *state, struct dependences *rests, con
   for (size_t b = 0; b < claims->n; b++) {
     if (state[b] == DONE || !dependences_any(rests, a, b)) continue;
     if (state[b] == ON_THE_WAY) {
-      struct text round;
+      struct text round = {0};
       int first = 0;
-      text_init(&round);
       while (way[first] != b) first++;
       for (int i = first; i < n; i++) text_printf(&round, "%s, which rests on ", claims->claim[way[i]].id);
       diag_at(d, &claims->claim[b].file->src, claims->claim[b].record->id.begin, "a claim rests on itself: %s%s",

@@ -95,8 +95,7 @@ void statements_unanswered(struct audit_result *out, const struct claims *statem
       first = !before || strcmp(before, reason) != 0;
     }
     if (!first) continue;
-    struct text which;
-    text_init(&which);
+    struct text which = {0};
     for (size_t k = i; k < statements->n; k++) {
       const char *same = claim_get(&statements->claim[k], "reason");
       if (same && strcmp(same, reason) == 0)

@@ -19,8 +19,7 @@ struct route_result argument_add_route(struct finding *f, struct argument *a, co
 }
 
 static bool add_proof(struct route_result *w, struct finding *f, struct argument *a, struct view view) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   bool proved = certificate_find(&t, a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], !a->free_friction, view);
   if (proved) {
     *w = (struct route_result){"algebra", ROUTE_AGREES, true, a->part[CONCLUSION].n};
@@ -96,9 +95,8 @@ static void describe_effect(struct finding *f, struct argument *a) {
 static void describe_scene(struct finding *f, struct argument *a) {
   const struct dyn_orbits *list = scene_orbits(a->j->scene, a->j->cache);
   struct point p;
-  struct text t;
+  struct text t = {0};
   point_init(&p);
-  text_init(&t);
   for (slong i = 0; i < list->n && nearest_orbit_point(&p, a->j->scene, a->j->cache); i++) {
     struct argument_decision d = {.where = 0};
     arb_init(d.value);
@@ -146,8 +144,7 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   again.n_evidence = 0;
   a->tried = 0;
   if (ok) judge_everywhere(&again, a, view);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int k = 0; ok && k < more.n; k++) {
     if (more.at[k].equality || more.at[k].moving) continue; /* what every motion of the phase fulfils */
     text_add(&t, t.len ? "; " : "with the further premise ");

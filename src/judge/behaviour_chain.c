@@ -13,8 +13,7 @@ enum { PREC = 128, MOST_SYSTEMS = 16 };
 
 /* The data folder that a claim's file stands in, folder/claims/x.claim. */
 static void data_folder(struct text *out, const struct claim *c) {
-  struct text claims;
-  text_init(&claims);
+  struct text claims = {0};
   path_folder(&claims, c->file->src.name);
   path_folder(out, text_str(&claims));
   text_clear(&claims);
@@ -99,11 +98,10 @@ static bool read_chain(struct chains *c, const char *name, const char *data, con
 bool behaviour_patching(struct behaviour *b) {
   char name[MOST_SYSTEMS][CLAIM_NAME];
   struct chains c = {.n = 0};
-  struct text data;
+  struct text data = {0};
   int n = claim_get(b->c, "systems") ? claim_names_listed(name, MOST_SYSTEMS, claim_get(b->c, "systems")) : 0;
   if (n == 0) return claim_error(b->j, b->c, "check", "systems of more masses are missing: systems: NAME, NAME");
   bool ok = true;
-  text_init(&data);
   text_init(&c.words);
   data_folder(&data, b->c);
   for (int i = 0; ok && i < n; i++) {

@@ -37,8 +37,7 @@ static const struct dyn_orbit *middle_orbit(struct point *p, const struct dyn_bi
 
 static bool read_varied(struct family *f, struct behaviour *b, const char *vary) {
   char name[8] = "", low[32] = "", high[32] = "";
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   bool ok = sscanf(vary, " %7s from %31s to %31[^; ]", name, low, high) == 3 &&
             scene_constant(f->from, low, strlen(low), "vary", &d) &&
             scene_constant(f->to, high, strlen(high), "vary", &d);
@@ -103,11 +102,10 @@ static void certify(struct behaviour *b, const struct point *at, const struct dy
 
 static void add_flip(struct found *t, struct behaviour *b, const struct family *f, const struct dyn_bifurcation *q) {
   struct point at;
-  struct text where;
+  struct text where = {0};
   arb_t value;
   arb_init(value);
   point_init(&at);
-  text_init(&where);
   const struct dyn_orbit *o = middle_orbit(&at, q, f, b);
   bool decided = q->crosses && q->word == TRUTH_TRUE && o, stable = decided && arb_is_positive(q->third);
   bool unstable = decided && arb_is_negative(q->third);

@@ -123,8 +123,7 @@ static void fill_table(struct table *t, const struct orbit_motion *o) {
 
 static void say_table(struct behaviour *b, const struct table *t) {
   for (int ph = 0; ph < N_PHASES; ph++) {
-    struct text line;
-    text_init(&line);
+    struct text line = {0};
     text_printf(&line,
                 "perturbed in the %s phase (numbers of motions that stay near, depart and come back, end elsewhere, "
                 "never again stick with both masses):",
@@ -173,9 +172,8 @@ static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
                 {PHASE_H, DZ_2, 0.5, "x'_2 in the middle of the global slip phase"},
                 {PHASE_C, DZ_2, 0.5, "x'_2 in the middle of the stick-slip phase"},
                 {PHASE_D, DZ_1, 0.5, "x'_1 in the middle of the global stick phase"}};
-  struct text line;
+  struct text line = {0};
   long trials = 0;
-  text_init(&line);
   text_add(&line, "the motion returns after perturbations of at most (from doubling 1/1000; in brackets the phases in "
                   "which it ends after a larger one):");
   for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
@@ -220,8 +218,7 @@ static void scene_orbit_fates(struct behaviour *b) {
   }
   point_clear(&p);
   if (!trials) return;
-  struct text line;
-  text_init(&line);
+  struct text line = {0};
   text_printf(&line,
               "the admissible orbit of the example, which is unstable, perturbed by 0.01 in the middle of each phase "
               "in each of eight directions: after %d returns the sequence of phases is",

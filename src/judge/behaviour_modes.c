@@ -43,8 +43,7 @@ bool behaviour_modes(struct behaviour *b) {
   struct modes s = {.seen = {0}};
   struct route_result proof = events_prove_modes(b);
   struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_modes, &s);
-  struct text note;
-  text_init(&note);
+  struct text note = {0};
   text_printf(
       &note,
       "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher order), "

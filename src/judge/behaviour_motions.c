@@ -64,8 +64,7 @@ static size_t tail_period(const char *word, size_t len) {
 }
 
 const char *trajectory_ending(struct behaviour *b, const struct trajectory *t) {
-  struct text word;
-  text_init(&word);
+  struct text word = {0};
   coulomb_log_word(&word, &t->log);
   const char *s = text_str(&word), *out = "no piece that repeats";
   size_t p = tail_period(s, word.len), last = word.len;

@@ -24,9 +24,8 @@ static const char *certified(struct behaviour *b, const struct point *p, const s
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
   const struct dyn_question q = {p->q + Q_CHI, p->q + Q_E1, which, {NULL, NULL}};
   struct dyn_certificate z;
-  struct text t;
+  struct text t = {0};
   const char *out = NULL;
-  text_init(&t);
   dyn_certificate_init(&z);
   dyn_certify(&z, &q, o);
   if (z.certified && z.stable == TRUTH_TRUE && z.admissible == TRUTH_TRUE) {

@@ -113,8 +113,7 @@ static const char *table(struct constraints *x) {
   struct counts n = {{0}, {0}, {{0}}};
   for (size_t i = 0; i < pool->n; i++)
     for (slong k = 0; k < pool->item[i]->list.n; k++) count_orbit(&n, pool->item[i]->list.orbit[k].holds);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t, "of %ld periodic solutions, %ld of them admissible,", pool->orbits, pool->admissible);
   for (int a = 0; a < N_CONDITIONS; a++) {
     text_printf(&t, "%s %ld violate %s", a ? ";" : "", n.broken[a], condition_words[a]);

@@ -40,9 +40,7 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
 }
 
 bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct text found, all;
-  text_init(&found);
-  text_init(&all);
+  struct text found = {0}, all = {0};
   bool ok = symbols_of(&found, &all, j, c, view);
   if (ok) {
     struct route_result w = {"algebra", found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};

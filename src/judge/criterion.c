@@ -151,8 +151,7 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   int n = 0;
   const char *defined = claim_get(b->c, "defined");
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
-  struct text note;
-  text_init(&note);
+  struct text note = {0};
   text_printf(&note,
               "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees "
               "with the criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; "

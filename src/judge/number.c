@@ -74,9 +74,7 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
   arb_mul_2exp_si(units, units, -1);
   arb_floor(units, units, LAST_PREC);
   if (arb_get_unique_fmpz(k, units)) {
-    struct text digits, latex;
-    text_init(&digits);
-    text_init(&latex);
+    struct text digits = {0}, latex = {0};
     fmpz_mul(k, k, fmpq_numref(&n->p->unit));
     num_print_fixed(&digits, k, printed_decimals(n->p));
     name_latex(&latex, n->p->name);
@@ -92,9 +90,8 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
 
 /* The printed number as the rule reads it: "2 (that is, 2.0000)", or "0.6784" where no digit is left out. */
 static const char *as_given(const struct number_job *n) {
-  struct text t;
+  struct text t = {0};
   fmpz_t k;
-  text_init(&t);
   fmpz_init(k);
   text_add(&t, n->p->decimal);
   if (!fmpq_equal(&n->p->digit, &n->p->unit)) {
@@ -144,14 +141,13 @@ static void certify_number(struct finding *f, const struct number_job *n, const 
 static struct route_result number_on_orbits(struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
   struct point p;
-  struct text note;
+  struct text note = {0};
   arb_t x;
   truth t = TRUTH_UNKNOWN;
   const char *where = NULL;
   slong bits = FIRST_PREC;
   point_init(&p);
   arb_init(x);
-  text_init(&note);
   if (nearest_orbit_point(&p, j->scene, j->cache) && number_at(x, &bits, n, &p) == SS_OK) {
     enum reading how;
     slong used = bits, nearest = p.orbit;
@@ -236,13 +232,12 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
 static struct route_result number_from_printed(struct finding *f, const struct number_job *n, bool decides) {
   struct judge *j = n->j;
   struct point p;
-  struct text note;
+  struct text note = {0};
   arb_t x;
   enum reading how = READ_ROUNDED;
   slong bits = FIRST_PREC;
   point_init(&p);
   arb_init(x);
-  text_init(&note);
   bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
   truth t = have ? printed_fits(x, n->p, &how) : TRUTH_UNKNOWN;
   struct route_result w = {"balls", outcome_of_truth(t), true, have};
@@ -276,8 +271,7 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   }
   struct printed_number own;
   bool owned = printed_replace(&own, &n.p, c);
-  struct text latex;
-  text_init(&latex);
+  struct text latex = {0};
   name_latex(&latex, name);
   f->printed = result_str(j->out, "%s %s %s", text_str(&latex), n.relation, n.p->decimal);
   text_clear(&latex);

@@ -8,10 +8,8 @@ bool judge_switch(bool *on, struct judge *j, const struct claim *c, const char *
 }
 
 bool judge_params(struct point *p, struct judge *j, const struct claim *c, const char *at) {
-  struct text packed;
-  struct diag d;
-  text_init(&packed);
-  diag_init(&d);
+  struct text packed = {0};
+  struct diag d = {0};
   for (const char *s = at; s && *s && *s != ';'; s++)
     if (*s != ' ') text_add_char(&packed, *s);
   for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p->q[q]);

@@ -296,8 +296,7 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
   if (is_double && t->trials) e->machine_residual = exp2(t->worst_log);
   if (t->trials)
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
-  struct text note;
-  text_init(&note);
+  struct text note = {0};
   if (t->trials == 0) text_add(&note, "no point could be used");
   if (t->differs && t->certificate && !is_double)
     text_printf(&note, "the sides differ at %ld of %ld points; %s", t->differs, t->trials, t->certificate);
@@ -433,8 +432,7 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
     *id = result_str(j->out, "%s", made.id);
     return verdict_parse(made.record);
   }
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t, "%s-if-", c->id);
   for (; *text; text++)
     if (*text != ' ' && *text != '=') text_add_char(&t, *text);

@@ -30,8 +30,7 @@ static const char *const part_attribute[N_RANGE_PARTS] = {"frequency", "factor",
 
 /* "[omega; 1; 0; omega*(z_10 - z_20); 0; t_d]" */
 static bool read_parts(struct range *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int i = 0; i < N_RANGE_PARTS; i++) {
     const char *formula = claim_get(r->c, part_attribute[i]);
     r->form.there[i] = formula != NULL;
@@ -233,8 +232,7 @@ static void by_balls(struct range *r) {
 /* --- The kind --- */
 
 static const char *describe(struct range *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t,
               "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise "
               "on %ld, open on %ld",
@@ -266,8 +264,7 @@ static void form_text(struct text *t, const struct range *r) {
 
 /* What was shown, on motions made from the first-order systems. */
 static const char *proof_note(const struct range *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_add(&t, "on motions made from the first-order systems ");
   if (!r->form.there[RANGE_ODD] && !r->form.there[RANGE_DRIFT]) {
     text_add(&t, "the margin is the premise's times a factor that is positive for all parameters");

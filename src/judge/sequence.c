@@ -85,9 +85,8 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     finding_skip(f, j, "the scene has no orbit, or does not give e1 and e2");
   } else if (ok) {
     struct route_result w[2];
-    struct text got;
+    struct text got = {0};
     const char *note = NULL;
-    text_init(&got);
     enum route_outcome balls = hold_all(&note, j, &list, &p);
     bool certified = is_certified(j, &p, letters);
     if (certified && !note)

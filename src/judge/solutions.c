@@ -151,8 +151,7 @@ static void name_constraint(struct text *out, const struct condition *k) {
 
 /* "(51), (57) and z_1' < V in the global slip phase". */
 static const char *constraints_named(struct solutions *x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (!claim_title_records(&t, x->j->model, x->c, "constraints", x->j->d)) text_add(&t, "the constraints");
   return result_take(x->j->out, &t);
 }
@@ -173,8 +172,7 @@ static void add_broken(struct text *t, const struct solutions *x, slong i) {
 }
 
 static const char *listed(struct solutions *x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_add(&t, "values of (t_a, t_b, t_c, t_d) and the constraints that are violated:");
   for (slong i = 0; i < x->list.n && i < MOST_LISTED; i++) {
     text_add(&t, i ? "; (" : " (");

@@ -66,8 +66,7 @@ static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i)
   struct undamaged *u = &s->claim[i];
   if (u->judged) return u;
   const struct model recording = model_noting(&u->use, s->m->data.model);
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   audit_result_init(&u->said);
   u->judged = true;
   const struct changed_material none = {.data = {&recording, s->m->data.claims, s->m->data.controls, NULL, NULL},
@@ -147,8 +146,7 @@ static bool claim_notices(struct damage_said *out, struct damage_study *s, const
                           const struct claim *claim) {
   const struct claim *before = claim_named(s->m->data.claims, claim->id);
   struct audit_result r;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   audit_result_init(&r);
   const struct undamaged *u = before ? undamaged_claim(s, (size_t)(before - s->m->data.claims->claim)) : NULL;
   bool noticed = false;
@@ -178,8 +176,7 @@ static bool control_notices(struct damage_said *out, struct damage_study *s, con
   const char *of = record_get(control->record, "claim");
   const struct claim *claim = claim_named(c->data.claims, of);
   struct audit_result r;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (!claim) {
     struct judge nobody = {.d = &d};
     claim_error(&nobody, control, "claim", "a control names the claim that it damages");
@@ -211,9 +208,7 @@ static bool controls_notice(struct damage_said *out, struct damage_study *s, con
 
 static bool same_statements(const struct statement_record *a, const struct statement_record *b) {
   bool same = a->n_stmts == b->n_stmts;
-  struct text x, y;
-  text_init(&x);
-  text_init(&y);
+  struct text x = {0}, y = {0};
   for (int k = 0; same && k < a->n_stmts; k++) {
     text_reset(&x);
     text_reset(&y);
@@ -281,10 +276,8 @@ static bool is_noticed(struct damage_said *out, struct damage_study *s, const st
 static bool is_misquoted(struct damage_said *out, const struct damage_study *s, const struct changed_material *c) {
   struct quotations q;
   struct source scene;
-  struct text where;
-  struct diag diag;
-  diag_init(&diag);
-  text_init(&where);
+  struct text where = {0};
+  struct diag diag = {0};
   source_from_string(&scene, c->scene->source[0]->name, c->scene->source[0]->text);
   bool ok = quotations_collect(&q, &c->data, &diag);
   if (!ok) source_clear(&scene);
@@ -299,10 +292,8 @@ static bool is_misquoted(struct damage_said *out, const struct damage_study *s, 
 
 static bool is_refused(struct damage_said *out, struct changed_material *c, const struct damage_study *s,
                        const struct damage *d) {
-  struct text t;
-  struct diag diag;
-  diag_init(&diag);
-  text_init(&t);
+  struct text t = {0};
+  struct diag diag = {0};
   damage_text(&t, s->m, d);
   bool ok = material_change(c, s->m, d->file, text_str(&t), &diag) && material_check(&c->data, &diag);
   if (!ok) say(out, FATE_REFUSED, "%s", diag.message);

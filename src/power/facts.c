@@ -77,8 +77,7 @@ _Static_assert((int)N_MOTION_FACTS + (int)N_PHASE_FACTS <= (int)MOST_FACTS, "roo
 static bool tape_of(struct tape *t, const struct model *m, const char *expression) {
   struct elaboration el;
   struct matrix x;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   bool ok = elaborate_tape(t, &x, &el, expression, expression, "", &d);
   elaboration_clear(&el);
@@ -109,8 +108,7 @@ static void add_opaque(struct facts *f, const struct model *m, size_t def) {
   const struct model recording = model_noting(&o.use, m);
   struct elaboration el;
   struct matrix x;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   elaboration_init(&el, (struct view){&recording, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   if (elaborate_name(&x, &el, m->defs[def].name, m->defs[def].section, &d) && x.rows * x.cols > 1) {
     o.name = (struct override){m->defs[def].name, x.rows, x.cols};
@@ -166,8 +164,7 @@ void facts_free(struct facts *f) {
 static int phase_of(const struct claim *c) {
   enum { MAX = 4 };
   struct point_spec spec[MAX];
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   struct judge j = {.d = &d};
   int n = claim_points(spec, MAX, &j, c), phase = -1;
   for (int i = 0; i < n; i++) {

@@ -46,8 +46,7 @@ static void measure(struct edit_word *w, struct elaboration *el, const struct de
   const struct expr one = {.kind = EXPR_NUM, .name = "1"}, *args[] = {&one};
   struct expr use = {.kind = w->function ? EXPR_CALL : EXPR_SYM, .name = w->name, .n_args = w->function, .args = args};
   struct matrix m;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   bool ok = elaborate(&m, el, &use, def->src, def->section, &d);
   w->rows = ok ? m.rows : 0;
   w->cols = ok ? m.cols : 0;
@@ -67,8 +66,7 @@ struct lexicon *lexicon_new(const struct model *m, const char *section) {
                                    .plain = !strpbrk(m->symbols[i].name, "_'") &&
                                             stands_in_section(m, section, m->symbols[i].name)});
   for (size_t i = 0; i < m->n_defs; i++) {
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     const struct definition *def = view_lookup(&v, m->defs[i].name, section, &d);
     if (!def) continue;
     struct edit_word w = {.name = def->name, .function = def->stmt->kind == STMT_TRAJECTORY || def->stmt->param};
@@ -100,8 +98,7 @@ struct target target_of(const struct model *m, size_t record, int stmt) {
   struct target t = {record, stmt, -1, false};
   for (size_t i = 0; i < m->n_defs; i++)
     if (m->defs[i].stmt == r->stmts[stmt]) t.def = (long)i;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (r->rank == RANK_ERRATA) return t;
   t.corrected = t.def >= 0 ? view_lookup(&v, m->defs[t.def].name, r->section, &d) != &m->defs[t.def]
                            : view_record(&v, r->id) != r;

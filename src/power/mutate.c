@@ -228,8 +228,7 @@ static enum mutant_fate ask_all(struct mutation_study *r, const struct target *t
 
 /* By what is checked when the data are loaded. */
 static bool is_refused(const struct mutation_study *r) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   return r->sound && !material_check(&(struct audit_data){&r->overlay.model, r->claims, r->controls, NULL, NULL}, &d);
 }
 
@@ -275,15 +274,13 @@ static const char *keep(struct mutation_result *out, const char *s) {
 }
 
 static const char *keep_subject(struct mutation_result *out, const struct model *m, const struct scene *s) {
-  struct text subject;
-  text_init(&subject);
+  struct text subject = {0};
   audit_fingerprint(&subject, m, s);
   return text_take(&out->arena, &subject);
 }
 
 static const char *readers_of(struct mutation_result *out, const struct mutation_study *r, const struct target *t) {
-  struct text list;
-  text_init(&list);
+  struct text list = {0};
   for (size_t c = 0; c < r->claims->n; c++)
     for (size_t i = 0; i < r->n_readers; i++)
       if (r->reader[i].claim == &r->claims->claim[c] && reads(&r->reader[i], t))
@@ -307,8 +304,7 @@ static void add_survivor(struct mutation_result *out, const struct mutation_stud
                        .read_by = readers_of(out, r, t)};
   source_place(&s.line, &s.column, rec->src, m->edit.place.begin);
   const struct survivor *last = out->n_survivors ? &out->survivor[out->n_survivors - 1] : NULL;
-  struct text original;
-  text_init(&original);
+  struct text original = {0};
   stmt_print(&original, rec->stmts[t->stmt]);
   bool same = last && strcmp(last->record, s.record) == 0 && strcmp(last->original, text_str(&original)) == 0;
   s.original = same ? last->original : keep(out, text_str(&original));
@@ -406,8 +402,7 @@ bool audit_mutate(struct mutation_result *out, const struct audit_data *data, co
   out->subject = keep_subject(out, m, scene);
   out->seed = opt->seed;
   if (opt->text) out->text = keep_digest(out, opt->text);
-  struct diag none;
-  diag_init(&none);
+  struct diag none = {0};
   r.sound = material_check(data, &none);
   struct crew_tally tally = {.tell = opt->progress, .of = mutate_data_count(&damages, opt)};
   bool ok = check_selection(&r, &damages, &material, opt, d) && mutate_formulas(out, &r, opt, &tally, d) &&

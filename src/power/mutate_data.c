@@ -59,8 +59,7 @@ enum { EXAMPLES = 3, SHOWN = 90 };
 
 /* Some bytes on one line, with a few words around them where they are few. */
 static const char *shown(struct mutation_result *out, const char *text, size_t begin, size_t end, const char *tail) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (size_t i = begin; i < end; i++)
     if (text[i] != '\n')
       text_add_char(&t, text[i]);
@@ -79,8 +78,7 @@ static void show_place(struct damaged *g, struct mutation_result *out, const str
   while (end < src->len && end - d->end < SHOWN / 4 && !strchr(" \n", src->text[end])) end++;
   bool lines = d->end > d->begin && src->text[d->end - 1] == '\n';
   g->was = shown(out, src->text, begin, lines ? d->end : end, "");
-  struct text now;
-  text_init(&now);
+  struct text now = {0};
   text_add_n(&now, src->text + begin, d->begin - begin);
   text_add(&now, d->now);
   if (!lines) text_add_n(&now, src->text + d->end, end - d->end);

@@ -95,8 +95,7 @@ static void put_edit(struct candidate *c, const struct target *t, const struct e
 }
 
 static const char *printed(struct arena *a, const struct stmt *s) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   stmt_print(&t, s);
   return text_take(a, &t);
 }
@@ -175,8 +174,7 @@ static enum verdict verdict_with(struct search *s) {
   for (int effort = EFFORT_REFUTE + 1; effort-- > EFFORT_FULL;) {
     struct audit_result out;
     struct finding f;
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     audit_result_init(&out);
     struct judge j = {.out = &out,
                       .model = &s->overlay.model,
@@ -239,13 +237,8 @@ static void add_statements(struct text *out, const struct search *s, const struc
 
 static struct repair describe(struct repair_result *out, struct search *s, const struct candidate *c, enum verdict v,
                               const char *erratum) {
-  struct text text, kinds, change, before, after;
+  struct text text = {0}, kinds = {0}, change = {0}, before = {0}, after = {0};
   struct repair r = {.edits = 0, .verdict = verdict_name[v]};
-  text_init(&text);
-  text_init(&kinds);
-  text_init(&change);
-  text_init(&before);
-  text_init(&after);
   for (int i = 0; i < 2 && c->kind[i]; i++, r.edits++) {
     text_printf(&kinds, "%s%s", i ? ", " : "", c->kind[i]);
     text_printf(&change, "%s%s -> %s", i ? "; " : "", c->was[i], c->now[i]);
@@ -343,8 +336,7 @@ static bool search_pieces(struct repairs *found, struct repair_result *out, stru
 }
 
 static bool search_claim(struct repairs *found, struct repair_result *out, struct search *s, int jobs, struct diag *d) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (erratum_text(&t, s->model, s->claim)) found->erratum = text_take(&out->arena, &t);
   text_reset(&t);
   find_targets(s);
@@ -390,8 +382,7 @@ static bool add_claim(struct repair_result *out, struct search *base, const stru
   const char *why = ok ? no_search(c, f.verdict) : NULL;
   audit_result_clear(&scratch);
   if (!ok || (why && !named && strcmp(why, "it is not refuted") == 0)) return ok;
-  struct text title;
-  text_init(&title);
+  struct text title = {0};
   ok = claim_title(&title, base->model, c, d);
   const char *equation = claim_get(c, "equation");
   struct repairs found = {.claim = arena_strdup(&out->arena, c->id),

@@ -315,8 +315,7 @@ bool exact_sentence(struct sentence *s, const struct exact_question *q, struct v
 static void prove_with(struct exact_proof *p, struct judge *j, const struct exact_question *q, struct view view,
                        const struct restriction *r, const struct override *o, int n) {
   struct sentence s;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (!exact_sentence(&s, q, view, o, n, &d) || s.n > MAX_ENTRIES)
     *p = (struct exact_proof){.why_not = "the sentence cannot be read"};
   for (int i = 0; p->proved && i < q->n_specs; i++) {
@@ -398,8 +397,7 @@ struct exact_proof exact_prove_value(struct judge *j, const char *value, const c
 }
 
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   struct judge quiet = *j;
   quiet.d = &d;
   struct exact_question asked = {.c = c,

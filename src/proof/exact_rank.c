@@ -83,8 +83,7 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
   enum { LONG = 4 };
   const element *rest = left_over(e);
   struct exact_rank r = {rest ? -1 : e->rank, NULL};
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (rest) {
     text_printf(&t, "beyond %d pivots (%s) every entry left might be zero somewhere on the domain", e->rank,
                 e->rank ? text_str(&e->pivots) : "none");

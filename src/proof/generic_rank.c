@@ -149,11 +149,10 @@ static int repeated_equations(struct text *note, struct judge *j, const struct c
   struct override o[4];
   struct elaboration el;
   struct tape t;
-  struct diag d;
+  struct diag d = {0};
   const struct expr *out[RANK_NAMES];
   int rows = 0, status[RANK_NAMES + 1], n = 0;
   struct judge quiet = *j;
-  diag_init(&d);
   quiet.d = &d;
   elaboration_init(&el, view, o, free_states(o));
   if (rank_residuals(out, &rows, &el, &quiet, c, view_record(&view, claim_get(c, "statement"))) && rows > 0 &&
@@ -185,8 +184,7 @@ static bool entries_are_analytic(struct text *note, struct judge *j, const struc
 struct generic_rank generic_rank_of(struct judge *j, const struct claim *c, struct view view,
                                     const struct rank_system *y) {
   struct generic_rank g = {0};
-  struct text note;
-  text_init(&note);
+  struct text note = {0};
   g.analytic = entries_are_analytic(&note, j, c, view, y);
   int rows = y->rows - repeated_equations(&note, j, c, view);
   g.most = rows < y->cols ? rows : y->cols;

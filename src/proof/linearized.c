@@ -48,10 +48,9 @@ static bool ends_transversally(struct text *note, int phase, struct view view) {
   struct elaboration el;
   struct matrix value;
   struct tape t;
-  struct diag d;
+  struct diag d = {0};
   struct exact_motion m;
   struct num_vec z;
-  diag_init(&d);
   elaboration_init(&el, view, NULL, 0);
   bool ok = elaborate_tape(&t, &value, &el, "J", local_maps[phase].name, "stability", &d);
   exact_motion_free(&m, false, 4, &t);
@@ -174,10 +173,9 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
   struct override o[N_PHASES];
   struct unfolded u;
   struct sentence s;
-  struct diag d;
+  struct diag d = {0};
   struct matrix trace, det;
   struct tape t = {.n = 0};
-  diag_init(&d);
   int n = factors(o);
   bool ok = sentence_from_relations(&s, view, without_modulus(&u, r), o, n, &d) && s.n == 2 &&
             elaborate_text(&trace, &s.el, "tr(J)", "tr(J)", "stability", &d) &&
@@ -204,11 +202,10 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
 
 struct linearized linearized_stability(struct judge *j, const struct statement_record *criterion, struct view view) {
   struct model plain;
-  struct text note;
+  struct text note = {0};
   const char *missing = NULL;
   view = view_without_stable(&view, &plain);
   if (criterion->rank == RANK_STABLE) criterion = view_record(&view, criterion->id);
-  text_init(&note);
   text_add(&note, "by the theorem of linearized stability for a fixed point of a C^1 map, on every admissible periodic "
                   "solution at which J has a value; its hypotheses: ");
   if (!all_transversal(&note, view))

@@ -14,8 +14,7 @@
 
 static bool add_divisor(struct divisor *list, int *n, const struct statement_record *r, const char *wrap,
                         const struct expr *e, bool root) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_add(&t, wrap);
   expr_print(&t, expr_bare(e));
   text_add(&t, *wrap ? ")" : "");
@@ -245,9 +244,8 @@ static bool divisor_tape(struct tape *t, const struct divisor *q, struct view vi
   struct model plain;
   struct elaboration el;
   struct matrix m;
-  struct diag d;
+  struct diag d = {0};
   view = view_without_stable(&view, &plain);
-  diag_init(&d);
   elaboration_init(&el, view, NULL, 0);
   const char *formula = text_str(&q->formula);
   bool ok = elaborate_tape(t, &m, &el, formula, formula, q->section, &d) && t->n_outputs == 1;

@@ -28,8 +28,7 @@ static bool name_inputs(struct formulas *f) {
 }
 
 bool formulas_read(struct formulas *f, struct view v) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   *f = (struct formulas){.own_model = false};
   elaboration_init(&f->el, v, NULL, 0);
   const struct expr *entry[8 * 16];

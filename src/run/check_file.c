@@ -9,13 +9,11 @@
 /* --- Whose file it is --- */
 
 static bool holds_paper(const char *folder) {
-  struct text path;
+  struct text path = {0};
   struct arena a;
-  struct diag none;
+  struct diag none = {0};
   size_t n = 0;
-  text_init(&path);
   arena_init(&a);
-  diag_init(&none);
   text_printf(&path, "%s/paper", folder);
   free(folder_files(&n, text_str(&path), ".eq", &a, &none));
   arena_clear(&a);
@@ -27,8 +25,7 @@ static bool holds_paper(const char *folder) {
 static bool data_around(struct text *out, const char *path) {
   static const char *const parts[] = {"paper", "claims", "controls", "scenes"};
   char here[4096];
-  struct text folder;
-  text_init(&folder);
+  struct text folder = {0};
   if (strchr(path, '/') || !getcwd(here, sizeof here))
     path_folder(&folder, path);
   else
@@ -46,8 +43,7 @@ static bool data_around(struct text *out, const char *path) {
 /* The title that an equation file gives its paper, or NULL; the file is to be cleared. */
 static const char *title_in(struct record_file *f, const char *path) {
   struct source src;
-  struct diag later;
-  diag_init(&later);
+  struct diag later = {0};
   *f = (struct record_file){.n_records = 0};
   if (!source_read(&src, path, MAX_CLAIM_FILE, &later)) return NULL;
   return record_file_parse(f, src, &later) ? record_get(&f->records[0], "paper") : NULL;
@@ -205,8 +201,7 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
     bool (*check)(struct checked *x);
   } kinds[] = {{".eq", check_equations},          {".claim", check_claims}, {".scene", check_scene},
                {".statements", check_statements}, {".roots", check_roots},  {".system", check_system}};
-  struct text around;
-  text_init(&around);
+  struct text around = {0};
   struct checked x = {.path = path, .data = data_around(&around, path) ? text_str(&around) : data, .d = d};
   bool known = false, ok = false;
   text_printf(&x.folder, "%s/paper", x.data);

@@ -44,8 +44,7 @@ static bool read_result(struct result *r, int reading, struct view v) {
   const char *formula = claim_get(r->c, "formula");
   struct elaboration el;
   struct matrix m;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   elaboration_init(&el, v, NULL, 0);
   bool ok = elaborate_tape(&r->tape[reading], &m, &el, formula, formula, claim_section(r->c), &d);
   if (ok) {
@@ -137,8 +136,7 @@ static void book_result(struct failure *f, struct result *r, const struct trial 
   if (t->outcome != OUTCOME_DIFFERS) return;
   r->worst_log = fmax(r->worst_log, t->log_diff);
   if (r->differs++) return;
-  struct text where;
-  text_init(&where);
+  struct text where = {0};
   point_print(&where, p);
   const char *place = entry_place(out, r->rows * r->cols, r->cols, t->entry);
   r->out.entry = *place ? place : NULL;
@@ -253,8 +251,7 @@ struct memory {
    here: balls that differ are enough. */
 static enum verdict judge_again(struct judge *j, const struct claim *c, const char *own) {
   struct finding f = {.id = c->id, .verdict = VERDICT_UNKNOWN};
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   struct judge again = *j;
   again.d = &d;
   again.effort = EFFORT_DIFFERENCE;
@@ -324,8 +321,7 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
   bool proved = true;
   for (int i = 0; i < q->n_derived; i++)
     proved = proved && (q->derived[i].change != CHANGE_AGREES || strncmp(q->derived[i].verdict, "proved", 6) == 0);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   f->size = f->effect;
   if (f->effect) text_add(&t, f->effect);
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {

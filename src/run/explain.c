@@ -134,8 +134,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   if (ok && p.kind == POINT_ORBIT && !p.admissible)
     p.orbit = usual_orbit(point_orbits(&p, j->cache, FIRST_PREC), p.scene);
   if (ok && point_settle(&p, j->cache)) {
-    struct text where;
-    text_init(&where);
+    struct text where = {0};
     point_print(&where, &p);
     add_line(out, "at", text_str(&where));
     text_clear(&where);

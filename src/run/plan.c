@@ -45,9 +45,8 @@ static void plan_routes(struct planner *pl, struct planned_claim *p, const struc
 static unsigned parts_of_points(struct planner *pl, const struct claim *c) {
   enum { MOST = 8 };
   struct point_spec spec[MOST];
-  struct diag d;
+  struct diag d = {0};
   unsigned parts = 0;
-  diag_init(&d);
   pl->judge.d = &d;
   int n = claim_points_asked(c) ? claim_points(spec, MOST, &pl->judge, c) : 0;
   for (int i = 0; i < n; i++) {

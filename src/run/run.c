@@ -213,8 +213,7 @@ static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag
 /* A claim that ran out of its budget is undecided, and so is what a failure does; a control was not tried. */
 static void note_exhausted(struct audit_result *out, struct audit_work *r, const struct piece *p) {
   struct judge j = *r->base;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   j.out = out;
   j.d = &d;
   const char *why = result_str(out, "the budget of %llu units of work ran out", j.scene->asked.budget);
@@ -358,8 +357,7 @@ static struct scene without_data(const struct scene *s) {
 }
 
 static void name_subject(struct audit_result *out, const struct model *m, const struct scene *scene) {
-  struct text subject;
-  text_init(&subject);
+  struct text subject = {0};
   audit_fingerprint(&subject, m, scene);
   out->subject = result_str(out, "%s", text_str(&subject));
   out->paper = m->paper ? result_str(out, "%s", m->paper) : NULL;

@@ -111,8 +111,7 @@ static void add_printed(struct text *body, const struct table_source *s) {
 }
 
 void table_of_long_runs(struct table_source *s) {
-  struct text body;
-  text_init(&body);
+  struct text body = {0};
   text_add(
       &body,
       "# How far from a periodic orbit, period by period: log10 of |r - r*|, r = z_2 - z_1 at the end of the global "

@@ -9,30 +9,26 @@ static const char *kept_str(struct stability_result *r, const char *s) {
 
 static const char *node_text(struct digits_study *st, const struct digits_formula *f, slong node, bool whole) {
   if (f->kernel) return kept_str(st->out, f->record);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   digits_print_node(&t, &st->set, f, node, whole);
   return text_take(&st->out->arena, &t);
 }
 
 static const char *place_text(struct digits_study *st, const struct digits_formula *f, slong node) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   const char *s = digits_print_place(&t, &st->set, f, node) ? arena_strdup(&st->out->arena, text_str(&t)) : NULL;
   text_clear(&t);
   return s;
 }
 
 static const char *point_text(struct digits_study *st, const struct digits_formula *f, const double *x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   digits_print_point(&t, f, x);
   return text_take(&st->out->arena, &t);
 }
 
 void digits_describe_formula(struct stability_formula *z, struct digits_study *st, const struct digits_formula *f) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (slong k = 0; k < f->tape.n_inputs; k++) text_printf(&t, "%s%s", k ? ", " : "", f->tape.inputs[k]);
   *z = (struct stability_formula){.id = kept_str(st->out, f->id),
                                   .also = kept_str(st->out, f->also),
@@ -50,8 +46,7 @@ void digits_describe_formula(struct stability_formula *z, struct digits_study *s
 
 void digits_describe_replacement(struct stability_formula *z, struct digits_study *st,
                                  const struct digits_formula *after) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   z->proved = digits_replacement(&t, st->model, &st->proofs, after);
   if (t.len) z->replacement = text_take(&st->out->arena, &t);
 }

@@ -124,8 +124,7 @@ static const char *input_name(struct digits_study *st, const struct digits_formu
 static void describe_map(struct stability_map *z, struct digits_study *st, const struct map_plan *p,
                          const struct map_line *line) {
   const struct digits_formula *f = st->formula[p->formula];
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (slong k = 0; k < f->tape.n_inputs; k++)
     if (k != p->x && k != p->y) text_printf(&t, "%s%s=%a", t.len ? "," : "", f->tape.inputs[k], p->at[k]);
   z->formula = (int)p->formula;

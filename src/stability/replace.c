@@ -18,9 +18,8 @@ static const struct definition *definition_of(const struct view *v, const struct
 /* Elaborates the formula, so that the model notes what is looked up. */
 static void look_up(const struct view *v, const struct digits_formula *f) {
   struct elaboration el;
-  struct diag d;
+  struct diag d = {0};
   struct matrix left, right;
-  diag_init(&d);
   elaboration_init(&el, *v, NULL, 0);
   const struct definition *def = definition_of(v, f);
   const struct statement_record *r = def ? NULL : view_record(v, f->record);

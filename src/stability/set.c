@@ -10,9 +10,8 @@
 /* --- Text to scalars --- */
 
 bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section) {
-  struct diag d;
+  struct diag d = {0};
   struct matrix m;
-  diag_init(&d);
   *t = (struct tape){.n = 0};
   if (!elaborate_text(&m, &s->el, "formula", text, section, &d) || m.rows * m.cols != 1) return false;
   return elaboration_tape(t, &s->el, m.e, 1, &d);
@@ -82,8 +81,7 @@ static bool add_matrix(struct digits_set *s, struct digits_formula f, const stru
 /* --- All of them --- */
 
 static const char *printed(struct digits_set *s, const struct stmt *st) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   stmt_print(&t, st);
   return text_take(&s->arena, &t);
 }

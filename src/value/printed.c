@@ -186,22 +186,19 @@ void finding_skip(struct finding *f, struct judge *j, const char *why) {
 }
 
 const char *ball_text(struct judge *j, const arb_t x, slong n) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
   return result_take(j->out, &t);
 }
 
 const char *rational_text(struct judge *j, const fmpq *x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   num_print_q(&t, x);
   return result_take(j->out, &t);
 }
 
 const char *point_text(struct judge *j, const struct point *p) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   point_print(&t, p);
   return result_take(j->out, &t);
 }

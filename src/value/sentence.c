@@ -104,8 +104,7 @@ const struct statement_record *claim_record(struct view v, const struct claim *c
 /* Does the paper define what a value such as K or H(t) names? */
 static bool defines_value(const struct view *v, const char *value, const char *section) {
   char name[64];
-  struct diag ambiguous;
-  diag_init(&ambiguous);
+  struct diag ambiguous = {0};
   snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
   return view_lookup(v, name, section, &ambiguous) || ambiguous.set;
 }
@@ -191,8 +190,7 @@ double log2_upper(const arb_t x) {
 static void describe(char *out, size_t size, const struct num_vec *v, slong i) {
   arb_t x;
   arb_init(x);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   v->ctx.type->get_arb(x, num_vec_at(v, i));
   if (arb_contains_zero(x) && log2_upper(x) < -64)
     text_add(&t, "0");

@@ -30,8 +30,7 @@ static const char *const sentences[N_KINDS] = {
 };
 
 static bool make_sentence(struct text *out, const struct title *t) {
-  struct diag unmade;
-  diag_init(&unmade);
+  struct diag unmade = {0};
   const struct title quiet = {t->m, t->c, &unmade};
   return title_expand(out, &quiet, sentences[claim_kind(t->c)]) || missing(t);
 }
@@ -52,8 +51,7 @@ static const struct statement_record *record_named(const struct title *t, const 
    themselves. */
 static void stated(struct text *out, const char **verb, const struct title *t, const struct statement_record *r,
                    size_t most) {
-  struct text formulas;
-  text_init(&formulas);
+  struct text formulas = {0};
   title_formulas(&formulas, r);
   const char *note = title_note(r, false);
   *verb = note && title_is_plural(note) ? " hold" : " holds";
@@ -77,8 +75,7 @@ static bool make_identity(struct text *out, const struct title *t) {
   const char *points = claim_points_asked(t->c);
   if (!r) return false;
   const char *verb;
-  struct text where;
-  text_init(&where);
+  struct text where = {0};
   if (claim_says(t->c, "perturbation", "finite")) text_add(&where, " for finite perturbations");
   if (points) title_place(&where, points);
   if (claim_says(t->c, "own", "-")) text_add(&where, ", with all that it uses corrected");
@@ -136,8 +133,7 @@ static bool make_sharp(struct text *out, const struct title *t) {
   char phase[16];
   if (!r) return false;
   if (!points || sscanf(points, "%*s %15s", phase) != 1) return missing(t);
-  struct text formulas;
-  text_init(&formulas);
+  struct text formulas = {0};
   title_formulas(&formulas, r);
   bool one = r->n_stmts == 1 && r->stmts[0]->n_sides == 2;
   text_printf(out, "%s%s becomes an equality at one end of ", one ? "" : "each inequality of ", text_str(&formulas));
@@ -202,10 +198,7 @@ static void number_name(struct text *out, const char *name) {
 static bool make_number(struct text *out, const struct title *t) {
   const char *number = claim_get(t->c, "number"), *from = claim_get(t->c, "from"),
              *relation = claim_get(t->c, "relation"), *quote = claim_get(t->c, "quote");
-  struct text name, formula, decimal;
-  text_init(&name);
-  text_init(&formula);
-  text_init(&decimal);
+  struct text name = {0}, formula = {0}, decimal = {0};
   bool ok = number && from && quoted_number(&decimal, quote) && title_formula(&formula, t, "formula");
   if (ok) {
     number_name(&name, number);
@@ -268,8 +261,7 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
 /* With as many formulas as there is room for. */
 static bool make_argument(struct text *out, const struct title *t) {
   if (!claim_get(t->c, "conclusion")) return missing(t);
-  struct text title;
-  text_init(&title);
+  struct text title = {0};
   bool ok = argue(&title, t, TITLE_FORMULAS, TITLE_FORMULAS);
   for (int both = 0; ok && both < 2 && title.len > MOST_ARGUMENT; both++) {
     text_reset(&title);
@@ -285,9 +277,8 @@ static bool make_rank(struct text *out, const struct title *t) {
   const char *rank = claim_get(t->c, "rank"), *unknowns = claim_get(t->c, "unknowns");
   if (!r) return false;
   if (!rank || !unknowns) return missing(t);
-  struct text name;
+  struct text name = {0};
   const char *verb;
-  text_init(&name);
   if (title_owns_number(t, r))
     title_name(&name, t, r, true);
   else
@@ -303,10 +294,9 @@ static bool make_rank(struct text *out, const struct title *t) {
 /* "(45)" or "(45) and (46)": the equation numbers of the records, each once. */
 static bool numbers_of(struct text *out, const struct title *t, const char *list) {
   const struct view v = {t->m, LAYER_CORRECTED, claim_own(t->c), NULL};
-  struct text numbers;
+  struct text numbers = {0};
   const char *last = "";
   char id[64];
-  text_init(&numbers);
   bool ok = true;
   while (ok && (list = claim_next_item(id, sizeof id, list)) != NULL) {
     const struct statement_record *r = view_record(&v, id);
@@ -406,8 +396,7 @@ static bool make_criterion(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
   const char *side = claim_get(t->c, "side");
   if (!r) return false;
-  struct text formulas;
-  text_init(&formulas);
+  struct text formulas = {0};
   title_formulas(&formulas, r);
   const char *f = text_str(&formulas);
   if (!side)
@@ -430,8 +419,7 @@ static bool make_criterion(struct text *out, const struct title *t) {
 
 /* "chi = 4/5, e1 = 2" with the paper's e_1. */
 static void listed_as_printed(struct text *out, const char *at) {
-  struct text named;
-  text_init(&named);
+  struct text named = {0};
   for (const char *s = at; *s; s++) {
     text_add_char(&named, *s);
     if (*s == 'e' && (s[1] == '1' || s[1] == '2')) text_add_char(&named, '_');
@@ -466,8 +454,7 @@ static bool make_solutions(struct text *out, const struct title *t) {
 /* "one symbol stands for the first mass", "different symbols stand for a stiffness matrix and the stiffness of a
    spring". */
 static bool make_symbols(struct text *out, const char *stands_for) {
-  struct text things;
-  text_init(&things);
+  struct text things = {0};
   int n = title_listed(&things, stands_for, ';');
   text_printf(out, "%s for %s", n == 1 ? "one symbol stands" : "different symbols stand", text_str(&things));
   text_clear(&things);
@@ -568,10 +555,8 @@ static bool title_made(struct text *out, const struct title *t) {
 /* A title by hand where the attributes make one would be a second statement of what they say. */
 static bool is_given_in_vain(const struct title *t) {
   const struct field *given = record_field(t->c->record, "title");
-  struct diag unmade;
-  struct text made;
-  diag_init(&unmade);
-  text_init(&made);
+  struct diag unmade = {0};
+  struct text made = {0};
   const struct title quiet = {t->m, t->c, &unmade};
   bool vain = given && title_made(&made, &quiet);
   text_clear(&made);
@@ -581,8 +566,7 @@ static bool is_given_in_vain(const struct title *t) {
 }
 
 bool titles_check(const struct model *m, const struct claims *claims, struct diag *d) {
-  struct text title;
-  text_init(&title);
+  struct text title = {0};
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++) {
     text_reset(&title);
