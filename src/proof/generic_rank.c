@@ -20,22 +20,13 @@ static struct tape probe(const struct tape *t, slong *outputs, enum tape_op op, 
   return p;
 }
 
-static bool positive(struct exact_field *f, const element *x) {
-  element one;
-  exact_init(&one, f);
-  num_exact.set_d(&one, 1, 0);
-  bool yes = exact_ratio_sign(f, x, &one, name_param, P_V + 1) > 0;
-  exact_clear(&one, f);
-  return yes;
-}
-
 /* Square roots are taken of what is positive: sqrt(chi*eta). */
 static bool roots_of_positive(slong *n, const struct tape *t, slong *outputs) {
   struct tape p = probe(t, outputs, TAPE_sqrt, true);
   struct exact_field *f = exact_field_new(NULL, 0);
   struct exact_vec v;
   bool ok = exact_eval(&v, f, &p) == SS_OK;
-  for (slong i = 0; ok && i < v.len; i++) ok = positive(f, &v.x[i]);
+  for (slong i = 0; ok && i < v.len; i++) ok = exact_unit_sign(f, &v.x[i]) > 0;
   *n = p.n_outputs;
   exact_vec_clear(&v);
   exact_field_free(f);

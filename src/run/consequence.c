@@ -142,10 +142,9 @@ static void book_result(struct failure *f, struct result *r, const struct trial 
   r->out.entry = *place ? place : NULL;
   r->out.printed = result_str(out, "%s", t->lhs);
   r->out.corrected = result_str(out, "%s", t->rhs);
-  r->out.where = result_str(out, "%s", text_str(&where));
+  r->out.where = result_take(out, &where);
   if (!f->number && !tape_same(&r->tape[READ_OWN], &r->tape[READ_PRINTED]))
     r->out.chain = chain_value(f, r, v, t->entry);
-  text_clear(&where);
 }
 
 /* Every open result at one point; the precision rises for all while one of them is undecided.  false when the point is
