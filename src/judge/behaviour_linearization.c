@@ -10,10 +10,8 @@
 static truth has_growth(const struct num_vec *m) {
   enum { DOUBLINGS = 9 };
   struct num_vec power;
-  arb_t trace, four;
+  arb_ptr w = _arb_vec_init(2), trace = w, four = w + 1;
   truth t = TRUTH_UNKNOWN;
-  arb_init(trace);
-  arb_init(four);
   arb_set_si(four, N_STATE);
   num_vec_init(&power, m->len, m->ctx);
   num_vec_set(&power, m);
@@ -25,8 +23,7 @@ static truth has_growth(const struct num_vec *m) {
     num_mat_mul(&power, &power, &power, N_STATE, N_STATE, N_STATE);
   }
   num_vec_clear(&power);
-  arb_clear(four);
-  arb_clear(trace);
+  _arb_vec_clear(w, 2);
   return t;
 }
 
@@ -47,9 +44,7 @@ static truth unstable_by_propagators(struct values *v) {
 /* Unstable by the Jacobian with saltation matrices, which has one eigenvalue that is not 0? */
 static truth unstable_by_saltation(struct values *v) {
   struct num_vec j;
-  arb_t trace, one;
-  arb_init(trace);
-  arb_init(one);
+  arb_ptr w = _arb_vec_init(2), trace = w, one = w + 1;
   arb_one(one);
   num_vec_init(&j, 4, v->ctx);
   truth t = TRUTH_UNKNOWN;
@@ -59,8 +54,7 @@ static truth unstable_by_saltation(struct values *v) {
     t = arb_gt(trace, one) ? TRUTH_TRUE : arb_lt(trace, one) ? TRUTH_FALSE : TRUTH_UNKNOWN;
   }
   num_vec_clear(&j);
-  arb_clear(one);
-  arb_clear(trace);
+  _arb_vec_clear(w, 2);
   return t;
 }
 

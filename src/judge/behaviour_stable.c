@@ -81,8 +81,7 @@ struct route_result stable_prove_linearization(struct behaviour *b, const struct
 /* A mass slower than the belt by however little, on which f exceeds u_s, falls back further. */
 static bool falls_back(const struct friction *f) {
   struct law_state s;
-  law_state_open(&s, num_ctx_exact());
-  law_state_in(&s, (struct law_cell){0, 1, PULL_OVER, 1});
+  law_state_open_in(&s, (struct law_cell){0, 1, PULL_OVER, 1});
   int sign = friction_apply(f, &s, 0, 1) ? law_sign(&s, friction_acceleration(f, &s, 0)) : NO_SIGN;
   law_state_close(&s);
   return sign == -1;

@@ -11,17 +11,14 @@ enum { BITS_SHOWN = 34 }; /* ten digits */
 
 /* |x - printed|/unit, to three digits. */
 static const char *units_off(struct judge *j, const arb_t x, const struct printed_number *p) {
-  arb_t d, u;
-  arb_init(d);
-  arb_init(u);
+  arb_ptr w = _arb_vec_init(2), d = w, u = w + 1;
   arb_set_fmpq(d, &p->value, LAST_PREC);
   arb_sub(d, x, d, LAST_PREC);
   arb_abs(d, d);
   arb_set_fmpq(u, &p->unit, LAST_PREC);
   arb_div(d, d, u, LAST_PREC);
   const char *s = ball_text(j, d, 3);
-  arb_clear(u);
-  arb_clear(d);
+  _arb_vec_clear(w, 2);
   return s;
 }
 
@@ -184,10 +181,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   struct scene at_corner = *j->scene; /* shares everything but the two values, which are restored below */
   fmpq_t shift;
   fmpq_init(shift);
-  arb_t x, lo, hi;
-  arb_init(x);
-  arb_init(lo);
-  arb_init(hi);
+  arb_ptr w = _arb_vec_init(3), x = w, lo = w + 1, hi = w + 2;
   long found = 0, fit = 0;
   slong bits = FIRST_PREC;
   for (int corner = 0; corner < 4; corner++) {
@@ -222,9 +216,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
                 "decimal below to one unit above) %s lies between %s and %s, and %s the printed digits.",
                 n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
-  arb_clear(hi);
-  arb_clear(lo);
-  arb_clear(x);
+  _arb_vec_clear(w, 3);
   fmpq_clear(shift);
 }
 

@@ -91,10 +91,7 @@ static void describe_numbers(struct example_reading *r, struct audit_result *out
    of its last printed digit: 10^-d (sum of |slopes|) <= unit. */
 static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct printed_number *p) {
   enum { MOST = 99 };
-  arb_t sum, a, unit;
-  arb_init(sum);
-  arb_init(a);
-  arb_init(unit);
+  arb_ptr w = _arb_vec_init(3), sum = w, a = w + 1, unit = w + 2;
   for (int k = 0; k < N_X; k++) {
     arb_abs(a, slopes + k);
     if (inputs >> k & 1) arb_add(sum, sum, a, PREC);
@@ -102,9 +99,7 @@ static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct prin
   arb_set_fmpq(unit, &p->unit, PREC);
   int d = 0;
   for (; d < MOST && !arb_le(sum, unit); d++) arb_div_ui(sum, sum, 10, PREC);
-  arb_clear(unit);
-  arb_clear(a);
-  arb_clear(sum);
+  _arb_vec_clear(w, 3);
   return d < MOST ? d : -1;
 }
 

@@ -101,14 +101,11 @@ void system_clear(struct system *s) {
 /* --- Propagators --- */
 
 static bool same_number(const struct num_type *t, const void *x, const void *y) {
-  arb_t a, b;
-  arb_init(a);
-  arb_init(b);
+  arb_ptr w = _arb_vec_init(2), a = w, b = w + 1;
   t->get_arb(a, x);
   t->get_arb(b, y);
   bool same = arb_equal(a, b);
-  arb_clear(b);
-  arb_clear(a);
+  _arb_vec_clear(w, 2);
   return same;
 }
 

@@ -523,10 +523,9 @@ static const struct {
      "some chains of more than two masses have periodic motions that are patched from the solutions of their phases"}};
 
 static bool make_behaviour(struct text *out, const struct title *t) {
-  const char *check = claim_get(t->c, "check"), *transition = claim_get(t->c, "transition");
-  for (size_t i = 0; check && i < sizeof checks / sizeof *checks; i++)
-    if (strcmp(checks[i].check, check) == 0 &&
-        (!checks[i].transition || (transition && strcmp(checks[i].transition, transition) == 0)))
+  for (size_t i = 0; i < sizeof checks / sizeof *checks; i++)
+    if (claim_says(t->c, "check", checks[i].check) &&
+        (!checks[i].transition || claim_says(t->c, "transition", checks[i].transition)))
       return title_expand(out, t, checks[i].says);
   return missing(t);
 }
