@@ -111,3 +111,7 @@ char *arena_strndup(struct arena *a, const char *s, size_t len) {
   memcpy(p, s, len);
   return p;
 }
+
+char *arena_strdup(struct arena *a, const char *s) {
+  return arena_strndup(a, s, strlen(s));
+}

@@ -66,6 +66,30 @@ void text_printf(struct text *t, const char *fmt, ...) {
   va_end(again);
 }
 
+char *text_take(struct arena *a, struct text *t) {
+  char *s = arena_strndup(a, text_str(t), t->len);
+  text_clear(t);
+  return s;
+}
+
+char *arena_printf(struct arena *a, const char *fmt, ...) {
+  va_list ap;
+  va_start(ap, fmt);
+  char *s = arena_vprintf(a, fmt, ap);
+  va_end(ap);
+  return s;
+}
+
+char *arena_vprintf(struct arena *a, const char *fmt, va_list ap) {
+  va_list again;
+  va_copy(again, ap);
+  int n = vsnprintf(NULL, 0, fmt, ap);
+  char *s = arena_alloc(a, (size_t)(n > 0 ? n : 0) + 1);
+  vsnprintf(s, (size_t)n + 1, fmt, again);
+  va_end(again);
+  return s;
+}
+
 /* Well-formed by table 3-7 of the Unicode standard. */
 size_t text_valid_prefix(const char *text, size_t len) {
   const unsigned char *s = (const unsigned char *)text;

@@ -28,7 +28,7 @@ const char *list_item(size_t *len, const char *s);
 /* The place of a word in a list of n words; n when it is none of them. */
 int word_find(const char *word, const char *const *list, int n);
 
-/* data is always NUL-terminated once anything has been added, and NULL before. */
+/* data is always NUL-terminated once anything has been added, and NULL before: a text of zeros is empty. */
 struct text {
   char *data;
   size_t len, cap;
@@ -44,6 +44,11 @@ void text_add_char(struct text *t, char c);
 void text_add_capital(struct text *t, const char *words);
 void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
 const char *text_str(const struct text *t); /* "" when nothing was added */
+/* The text, which is cleared, as a string of the arena; and what is formatted as one. */
+struct arena;
+char *text_take(struct arena *a, struct text *t);
+char *arena_printf(struct arena *a, const char *fmt, ...) SS_PRINTF(2, 3);
+char *arena_vprintf(struct arena *a, const char *fmt, va_list ap) SS_PRINTF(2, 0);
 /* The length of the longest prefix that is well-formed UTF-8: no overlong forms, no surrogates, nothing cut off. */
 size_t text_valid_prefix(const char *s, size_t len);
 /* The length of the longest prefix that is besides without characters that control a terminal, end a line or turn the
@@ -63,8 +68,8 @@ struct source {
   size_t len;
 };
 
-/* The first error of a run, as the user will read it: one line, or three with the source line and a caret; at
-   most 999 bytes of UTF-8 without control characters, no trailing newline.  What is longer loses its middle. */
+/* The first error of a run, none while all is zero, as the user will read it: one line, or three with the source line and
+   a caret; at most 999 bytes of UTF-8 without control characters, no trailing newline.  What is longer loses its middle. */
 struct diag {
   bool set;
   bool undeclared; /* the mistake is a name that no file declares */
@@ -135,7 +140,6 @@ void files_settle(void);
 int files_in_place(void);
 /* The files of a folder whose names have the suffix and do not begin with a point, as paths in the order of their
    names, in an array to be freed and an arena; NULL with d set when there are none. */
-struct arena;
 char **folder_files(size_t *n, const char *path, const char *suffix, struct arena *a, struct diag *d);
 /* Makes a folder and its parents; existing ones are fine. */
 bool folder_make(const char *path, struct diag *d);

@@ -50,11 +50,7 @@ static bool check_claim(const struct claim *c, bool control, struct diag *d) {
 
 static bool check_result(const struct claim *c, struct diag *d) {
   static const char *const known[] = {"section", "title", "formula"};
-  for (size_t k = 0; k < c->record->n_fields; k++) {
-    const struct field *f = &c->record->fields[k];
-    if (!f->attribute || word_find(f->key_name, known, 3) == 3)
-      return complain(c, f->attribute ? f->key.begin : f->value.begin, d, "a result has section, title and formula");
-  }
+  if (!claim_has_only(c, known, 3, d, "a result has section, title and formula")) return false;
   return (claim_get(c, "title") && claim_get(c, "formula")) ||
          claim_mistake(c, "", d, "a result has a title and a formula");
 }

@@ -41,7 +41,6 @@ bool cited_share(const char *a, const char *b) {
 
 /* A conclusion that is drawn from premises alone: not at one scene, and not a repetition of them in other words. */
 bool claim_deduces(const struct claim *c) {
-  const char *over = claim_get(c, "over");
   return claim_kind(c) == KIND_ARGUMENT && !claim_get(c, "converse") && !claim_get(c, "converse-of") &&
-         !(over && strcmp(over, "scene") == 0);
+         !claim_says(c, "over", "scene");
 }

@@ -21,6 +21,8 @@ int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list);
 /* The next item of a list separated by commas, without blanks at its ends, into buf; where the rest begins, or NULL at
    the end. */
 const char *claim_next_item(char *buf, size_t size, const char *list);
+/* Is it an item of the list that is the attribute? */
+bool claim_lists(const struct claim *c, const char *key, const char *item);
 /* A record that an argument cites: "eq-52#1.2 D" is step 2 of statement 1, in phase D; 0 or "" for all of them. */
 struct cited {
   char id[48], phase[16];

@@ -77,8 +77,7 @@ static bool load_folder(struct claims *c, const char *folder, const char *kind, 
 
 bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
                         struct diag *d) {
-  struct text where;
-  text_init(&where);
+  struct text where = {0};
   text_printf(&where, "%s/%s", data, folder);
   bool ok = load_folder(c, text_str(&where), kind, path, d);
   text_clear(&where);
@@ -105,6 +104,16 @@ const char *claim_get(const struct claim *c, const char *key) {
   return v ? v : record_get(c->record, key);
 }
 
+bool claim_says(const struct claim *c, const char *key, const char *words) {
+  const char *text = claim_get(c, key);
+  return text && strcmp(text, words) == 0;
+}
+
+const char *claim_section(const struct claim *c) {
+  const char *section = claim_get(c, "section");
+  return section ? section : "";
+}
+
 const char *claim_own(const struct claim *c) {
   const char *own = claim_get(c, "own"), *equation = claim_get(c, "equation");
   return own ? own : equation ? equation : c->id;
@@ -119,15 +128,30 @@ bool claim_selected(const char *id, const char *item) {
   return *rest == '\0' || *rest == '-';
 }
 
-bool claim_mistake(const struct claim *c, const char *key, struct diag *d, const char *what) {
+bool claim_mistake(const struct claim *c, const char *key, struct diag *d, const char *fmt, ...) {
   const struct field *f = record_field(c->record, key);
+  char what[400];
+  va_list ap;
+  va_start(ap, fmt);
+  vsnprintf(what, sizeof what, fmt, ap);
+  va_end(ap);
   diag_at(d, &c->file->src, f ? f->value.begin : c->record->id.begin, "%s: %s", c->id, what);
   return false;
 }
 
+bool claim_has_only(const struct claim *c, const char *const *known, int n, struct diag *d, const char *says) {
+  for (size_t k = 0; k < c->record->n_fields; k++) {
+    const struct field *f = &c->record->fields[k];
+    if (f->attribute && word_find(f->key_name, known, n) < n) continue;
+    diag_at(d, &c->file->src, f->attribute ? f->key.begin : f->value.begin, "%s: %s", c->id, says);
+    return false;
+  }
+  return true;
+}
+
 bool claim_error(struct judge *j, const struct claim *c, const char *key, const char *what) {
   j->claim_at_fault = true;
-  return claim_mistake(c, key, j->d, what);
+  return claim_mistake(c, key, j->d, "%s", what);
 }
 
 const char *claim_next_made(struct made_claim *out, const char *list) {
@@ -197,8 +221,7 @@ bool claims_selects(const char *const *only, int n_only, const struct claim *c) 
 
 void claims_unknown(const struct claims *claims, const char *id, struct diag *d) {
   struct suggestion meant;
-  struct text says;
-  text_init(&says);
+  struct text says = {0};
   suggest_begin(&meant, id, strlen(id));
   for (size_t i = 0; i < claims->n; i++) suggest_try(&meant, claims->claim[i].id);
   suggest_print(&says, &meant);
@@ -241,4 +264,11 @@ const char *claim_next_item(char *buf, size_t size, const char *list) {
   memcpy(buf, list, len);
   buf[len] = '\0';
   return list + n;
+}
+
+bool claim_lists(const struct claim *c, const char *key, const char *item) {
+  char name[64];
+  for (const char *p = claim_get(c, key); p && (p = claim_next_item(name, sizeof name, p)) != NULL;)
+    if (strcmp(name, item) == 0) return true;
+  return false;
 }

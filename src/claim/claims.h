@@ -142,6 +142,10 @@ void claims_clear(struct claims *c);
 
 /* An attribute of the claim, or NULL. */
 const char *claim_get(const struct claim *c, const char *key);
+/* Whether it has this attribute, with these words. */
+bool claim_says(const struct claim *c, const char *key, const char *words);
+/* The section whose names it reads; "" without one. */
+const char *claim_section(const struct claim *c);
 /* Whose text the claim reads as printed: the equation number of its attribute own, else its own, else its id. */
 const char *claim_own(const struct claim *c);
 /* Does --only with this item select the claim?  eq-27 selects eq-27, eq-27b, eq-27-..., not eq-270. */

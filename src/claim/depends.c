@@ -39,8 +39,7 @@ static struct view view_of(const struct model *m, const struct claim *c) {
 /* --- One claim --- */
 
 static void add_about(struct reach *r, const struct view *v, const char *name, const char *section) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   const struct definition *def = view_lookup(v, name, section, &d);
   if (!def) return;
   r->about = ss_grow(r->about, r->n_about, &r->cap_about, sizeof *r->about);
@@ -64,8 +63,7 @@ static void read_about(struct reach *r, const struct view *v, const char *list, 
 /* Symbols of a scalar formula, those of its definitions included. */
 static void add_symbols(struct reach *r, const struct elaboration *el, const struct matrix *m) {
   struct tape t = {.n = 0};
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (elaboration_tape(&t, el, m->e, m->rows * m->cols, &d))
     for (slong i = 0; i < t.n_inputs; i++) {
       r->symbols = ss_grow(r->symbols, r->n_symbols, &r->cap_symbols, sizeof *r->symbols);
@@ -78,9 +76,8 @@ static void add_symbols(struct reach *r, const struct elaboration *el, const str
 /* Mistakes in a formula are the judges' to report; what it reaches before them counts. */
 static void reach_text(struct reach *r, struct elaboration *el, const char *text, const char *section) {
   if (!text) return;
-  struct diag d;
+  struct diag d = {0};
   struct matrix m;
-  diag_init(&d);
   if (elaborate_text(&m, el, text, text, section, &d) && r->number) add_symbols(r, el, &m);
 }
 
@@ -90,8 +87,7 @@ static void reach_record(struct elaboration *el, const struct view *v, const cha
     const struct stmt *s = rec->stmts[k];
     for (int i = 0; s->kind == STMT_RELATION && i < s->n_sides; i++) {
       struct matrix m;
-      struct diag d;
-      diag_init(&d);
+      struct diag d = {0};
       elaborate(&m, el, s->sides[i], rec->src, rec->section, &d);
     }
   }
@@ -121,18 +117,13 @@ static void reach_lists(struct elaboration *el, const struct view *v, const stru
     for (const char *p = claim_get(c, lists[i]); p && (p = next_record(id, p)) != NULL;) reach_record(el, v, id);
 }
 
-static const char *section_of(const struct claim *c) {
-  const char *section = claim_get(c, "section");
-  return section ? section : "";
-}
-
 static void look_at_claim(struct reach *r, const struct model *m, const struct claim *c) {
   const char *value = claim_get(c, "value");
   struct view v = view_of(m, c);
   r->number = claim_get(c, "number");
   r->record = claim_get(c, "statement");
-  read_about(r, &v, value, section_of(c));
-  read_about(r, &v, claim_get(c, "about"), section_of(c));
+  read_about(r, &v, value, claim_section(c));
+  read_about(r, &v, claim_get(c, "about"), claim_section(c));
   r->premises[0] = claim_get(c, "premises");
   r->premises[1] = claim_get(c, "constraints");
   r->concludes = claim_deduces(c) ? claim_get(c, "conclusion") : NULL;
@@ -148,8 +139,8 @@ static const struct reach *walk(struct dependences *d, size_t a) {
   struct view v = view_of(d->model, c);
   struct elaboration el;
   elaboration_init(&el, v, NULL, 0);
-  reach_text(r, &el, claim_get(c, "value"), section_of(c));
-  reach_text(r, &el, claim_get(c, "formula"), section_of(c));
+  reach_text(r, &el, claim_get(c, "value"), claim_section(c));
+  reach_text(r, &el, claim_get(c, "formula"), claim_section(c));
   reach_record(&el, &v, claim_get(c, "statement"));
   reach_lists(&el, &v, c);
   for (size_t i = 0; i < elaboration_n_used(&el); i++) {

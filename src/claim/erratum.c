@@ -121,8 +121,7 @@ static void set_beside(struct beside *b, const struct model *m, const struct sta
   if (by_statement && (!old || old->n_stmts != erratum->n_stmts)) b->comparable = false;
   for (int k = 0; k < erratum->n_stmts; k++) {
     const struct stmt *now = erratum->stmts[k], *before = NULL;
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     add_statement(&b->corrected, b->arena, now);
     if (by_statement) {
       before = b->comparable ? old->stmts[k] : NULL;
@@ -192,8 +191,7 @@ bool erratum_renames(const struct model *m, const struct claim *c) {
 void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c) {
   struct beside b = {.arena = &j->out->arena, .comparable = true};
   set_all_beside(&b, j->model, c);
-  struct text change;
-  text_init(&change);
+  struct text change = {0};
   if (b.comparable && !b.change.too_many) add_change(&change, &b.change);
   f->change = keep(j->out, &change);
   f->correction_latex = keep(j->out, &b.corrected);

@@ -32,7 +32,9 @@ struct judge {
 
 /* An error of the claim's file, at the attribute, or at the claim's name where it has none of that name: false with d
    set. */
-bool claim_mistake(const struct claim *c, const char *attribute, struct diag *d, const char *what);
+bool claim_mistake(const struct claim *c, const char *attribute, struct diag *d, const char *fmt, ...) SS_PRINTF(4, 5);
+/* Whether it has attributes alone, and only those of a list; else the error at the first other line. */
+bool claim_has_only(const struct claim *c, const char *const *known, int n, struct diag *d, const char *says);
 /* The same of a claim that is being judged: false with j->d set. */
 bool claim_error(struct judge *j, const struct claim *c, const char *attribute, const char *what);
 

@@ -29,6 +29,11 @@ bool claim_tried_at_points(const struct claim *c) {
   return k && k->tried_at_points;
 }
 
+bool claim_of_scene(const struct claim *c) {
+  const struct claim_kind *k = claim_kind_of(c);
+  return (k && k->of_scene) || claim_says(c, "over", "scene");
+}
+
 const char *claim_points_asked(const struct claim *c) {
   const char *own = claim_get(c, "points");
   if (own) return own;

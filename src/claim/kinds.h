@@ -105,6 +105,8 @@ enum kind claim_kind(const struct claim *c);
 /* NULL likewise. */
 const struct claim_kind *claim_kind_of(const struct claim *c);
 bool claim_tried_at_points(const struct claim *c);
+/* Is it judged of the numbers of one scene: by its kind, or as its attribute over says? */
+bool claim_of_scene(const struct claim *c);
 /* Where it is tried and by what besides balls, in the words of its attributes points and routes; without these, of a
    matrix params 24 by taylor, gsl and ode, of an identity arcs 12 and orbits 6 by exponential, or where it has that
    attribute by oracle, on orbits alone by system too; NULL: its kind is not tried so. */

@@ -38,15 +38,6 @@ static bool is_damaged(const struct claim *c, const struct claims *claims, const
 
 /* --- The damaged text --- */
 
-static const struct expr *bare(const struct expr *e) {
-  while (e->kind == EXPR_PAREN) e = e->args[0];
-  return e;
-}
-
-static bool is_zero(const struct expr *e) {
-  return e->kind == EXPR_NUM && strcmp(e->name, "0") == 0;
-}
-
 static bool is_sum(const struct expr *e) {
   return e->kind == EXPR_ADD || e->kind == EXPR_SUB;
 }
@@ -59,14 +50,14 @@ static void add_times(struct text *out, const struct expr *e) {
 
 /* A product has a factor that is a sum, or none of its factors' factors has. */
 static bool has_sum(const struct expr *e) {
-  e = bare(e);
+  e = expr_bare(e);
   return is_sum(e) || (e->kind == EXPR_MUL && (has_sum(e->args[0]) || has_sum(e->args[1])));
 }
 
 /* A side: where the other one is zero the last of its terms, or of the terms of a factor, so that it is another
    equation. */
 static void add_side(struct text *out, const struct expr *e, bool beside_zero) {
-  e = bare(e);
+  e = expr_bare(e);
   if (!beside_zero) {
     add_times(out, e);
   } else if (is_sum(e)) {
@@ -90,7 +81,7 @@ static void add_side(struct text *out, const struct expr *e, bool beside_zero) {
 
 static void add_relation(struct text *out, const struct stmt *s) {
   static const char *const op[] = {" = ", " < ", " <= ", " > ", " >= "};
-  bool zero = is_zero(s->sides[s->n_sides - 1]);
+  bool zero = expr_is_zero(s->sides[s->n_sides - 1]);
   int damaged = zero ? s->n_sides - 2 : s->n_sides - 1;
   for (int i = 0; i < s->n_sides; i++) {
     if (i) text_add(out, op[s->ops[i - 1]]);
@@ -141,12 +132,11 @@ static bool add_record(struct text *out, const struct model *m, const struct cla
 
 static bool add_definition(struct text *out, const struct model *m, const struct claim *c, const char *id) {
   struct view v = {m, LAYER_CORRECTED, NULL, NULL};
-  const char *value = claim_get(c, "value"), *section = claim_get(c, "section");
+  const char *value = claim_get(c, "value");
   char name[64];
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
-  const struct definition *def = view_lookup(&v, name, section ? section : "", &d);
+  const struct definition *def = view_lookup(&v, name, claim_section(c), &d);
   const struct stmt *s = def ? def->stmt : NULL;
   if (!s || (s->kind != STMT_DEFINE && s->kind != STMT_ROOT)) return false;
   text_printf(out, "define %s\n", id);
@@ -186,9 +176,7 @@ static bool add_damage(struct text *out, const struct model *m, const struct cla
 }
 
 bool near_controls_add(struct model *m, const struct claims *claims, struct claims *controls, struct diag *d) {
-  struct text formulas, records;
-  text_init(&formulas);
-  text_init(&records);
+  struct text formulas = {0}, records = {0};
   for (size_t i = 0; i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
     if (!is_asked(claims, controls, i)) continue;

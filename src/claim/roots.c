@@ -1,25 +1,18 @@
 /* The roots of discrepancies: several claims can fail for one cause, which is told once. */
 #include "claim.h"
 
-#include <stdio.h>
 #include <string.h>
 
 bool root_check(const struct claim *root, struct diag *d) {
   static const char *const known[] = {"title",   "severity",    "where",  "wrong",
                                       "correct", "consequence", "claims", "by-hand"};
   enum { N_KNOWN = sizeof known / sizeof *known, N_NEEDED = N_KNOWN - 1 };
-  for (size_t k = 0; k < root->record->n_fields; k++) {
-    const struct field *f = &root->record->fields[k];
-    if (f->attribute && word_find(f->key_name, known, N_KNOWN) < N_KNOWN) continue;
-    diag_at(d, &root->file->src, f->attribute ? f->key.begin : f->value.begin,
-            "%s: a root has title, severity, where, wrong, correct, consequence, by-hand and claims", root->id);
+  if (!claim_has_only(root, known, N_KNOWN, d,
+                      "a root has title, severity, where, wrong, correct, consequence, by-hand and claims"))
     return false;
-  }
   for (int k = 0; k < N_NEEDED; k++) {
-    char what[64];
-    snprintf(what, sizeof what, "a root has the attribute %s", known[k]);
     const char *value = claim_get(root, known[k]);
-    if (!value || !*value) return claim_mistake(root, known[k], d, what);
+    if (!value || !*value) return claim_mistake(root, known[k], d, "a root has the attribute %s", known[k]);
   }
   return severity_parse(claim_get(root, "severity")) < N_SEVERITIES ||
          claim_mistake(root, "severity", d, "a severity is substance, remark or notation");
@@ -27,25 +20,19 @@ bool root_check(const struct claim *root, struct diag *d) {
 
 /* The root that has the claim on its list, among the first n. */
 static const struct claim *root_of(const struct claims *roots, size_t n, const char *id) {
-  char name[64];
   for (size_t i = 0; i < n; i++)
-    for (const char *p = claim_get(&roots->claim[i], "claims");
-         p && (p = claim_next_item(name, sizeof name, p)) != NULL;)
-      if (strcmp(name, id) == 0) return &roots->claim[i];
+    if (claim_lists(&roots->claim[i], "claims", id)) return &roots->claim[i];
   return NULL;
 }
 
 static bool check_names(const struct claims *roots, size_t i, const struct claims *claims, struct diag *d) {
   const struct claim *root = &roots->claim[i];
-  char name[64], what[160];
+  char name[64];
   for (const char *p = claim_get(root, "claims"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
     const struct claim *before = root_of(roots, i, name);
     if (claim_named(claims, name) && !before) continue;
-    if (before)
-      snprintf(what, sizeof what, "%s stands at the root %s already", name, before->id);
-    else
-      snprintf(what, sizeof what, "there is no claim %s", name);
-    return claim_mistake(root, "claims", d, what);
+    return before ? claim_mistake(root, "claims", d, "%s stands at the root %s already", name, before->id)
+                  : claim_mistake(root, "claims", d, "there is no claim %s", name);
   }
   return true;
 }

@@ -75,22 +75,18 @@ static int count_routes(const struct claim *c) {
 static bool check_numbers(const struct model *m, const struct claim *c, const struct claim_kind *kind, struct diag *d) {
   long all, least;
   int routes = count_routes(c);
-  char what[200];
   if (claim_get(c, "few")) return true;
   count_points(&all, &least, c);
-  if (kind->points && (all < kind->points || 2 * least < kind->points)) {
-    snprintf(what, sizeof what,
-             "points for a claim of kind %s are at least %d in all and %d of each sort; more of them, or a reason in "
-             "\"few:\"",
-             kind->word, kind->points, kind->points / 2);
-    return claim_mistake(c, "points", d, what);
-  }
-  if (routes >= kind->routes || !m->system) return true;
-  snprintf(what, sizeof what,
-           "a claim of kind %s is tried by at least %d independent routes, of which balls is one; here %s; more of "
-           "them, or a reason in \"few:\"",
-           kind->word, kind->routes, routes == 1 ? "it is alone" : "there are fewer");
-  return claim_mistake(c, "routes", d, what);
+  if (kind->points && (all < kind->points || 2 * least < kind->points))
+    return claim_mistake(c, "points", d,
+                         "points for a claim of kind %s are at least %d in all and %d of each sort; more of them, or a "
+                         "reason in \"few:\"",
+                         kind->word, kind->points, kind->points / 2);
+  return routes >= kind->routes || !m->system ||
+         claim_mistake(c, "routes", d,
+                       "a claim of kind %s is tried by at least %d independent routes, of which balls is one; here %s; "
+                       "more of them, or a reason in \"few:\"",
+                       kind->word, kind->routes, routes == 1 ? "it is alone" : "there are fewer");
 }
 
 /* --- Arguments --- */
@@ -134,10 +130,8 @@ static bool check_conclusion(const struct model *m, const struct claim *c, struc
       for (const char *q = claim_get(c, premises[i]); (q = claim_next_cited(&start, q)) != NULL;) {
         bool itself = cited_overlap(&end, &start);
         if (!itself && (repeats || !same_text(m, &end, &start))) continue;
-        char what[200];
-        snprintf(what, sizeof what, "the conclusion %.40s is among its own premises%s%.40s", end.id,
-                 itself ? "" : ", as ", itself ? "" : start.id);
-        return claim_mistake(c, premises[i], d, what);
+        return claim_mistake(c, premises[i], d, "the conclusion %.40s is among its own premises%s%.40s", end.id,
+                             itself ? "" : ", as ", itself ? "" : start.id);
       }
   return true;
 }
@@ -155,23 +149,21 @@ static bool cites_equation(const struct model *m, const char *list, const char *
 
 /* "(52), (53)" in the sentence are among its premises, or what it concludes. */
 static bool check_quoted_numbers(const struct model *m, const struct claim *c, struct diag *d) {
-  char number[8], what[120];
+  char number[8];
   int len = 0;
   for (const char *s = claim_get(c, "quote"); s && (s = strchr(s, '(')) != NULL; s++) {
     if (sscanf(s, "(%3[0-9]%n", number, &len) != 1 || s[len] != ')') continue;
     if (cites_equation(m, claim_get(c, "premises"), number) || cites_equation(m, claim_get(c, "conclusion"), number))
       continue;
-    snprintf(what, sizeof what, "the sentence cites (%s), which is neither a premise nor a conclusion", number);
-    return claim_mistake(c, "premises", d, what);
+    return claim_mistake(c, "premises", d, "the sentence cites (%s), which is neither a premise nor a conclusion",
+                         number);
   }
   return true;
 }
 
 /* What is judged of one scene has its verdict on record for one scene. */
-static bool check_record_scene(const struct claim *c, const struct claim_kind *kind, struct diag *d) {
-  const char *over = claim_get(c, "over");
-  bool of_scene = kind->of_scene || (over && strcmp(over, "scene") == 0);
-  return !of_scene || !claim_get(c, "record") || claim_get(c, "record-scene") ||
+static bool check_record_scene(const struct claim *c, struct diag *d) {
+  return !claim_of_scene(c) || !claim_get(c, "record") || claim_get(c, "record-scene") ||
          claim_mistake(c, "record", d,
                        "what is judged of one scene says in \"record-scene:\" of which its verdict is on record");
 }
@@ -183,13 +175,10 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
   const char *fault = claim_get(c, "fault");
   if (!kind) return claim_mistake(c, "kind", d, "unknown kind of claim");
   const char *follows = fault ? fault_name[claim_fault(m, c)] : NULL;
-  if (fault && strcmp(fault, follows) != 0) {
-    char what[200];
-    snprintf(what, sizeof what, "the fault is \"%s\": it follows from the kind of the claim and from its correction",
-             follows);
-    return claim_mistake(c, "fault", d, what);
-  }
-  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_record_scene(c, kind, d) &&
+  if (fault && strcmp(fault, follows) != 0)
+    return claim_mistake(c, "fault", d,
+                         "the fault is \"%s\": it follows from the kind of the claim and from its correction", follows);
+  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_record_scene(c, d) &&
          (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) && check_conclusion(m, c, d);
 }
 
@@ -216,9 +205,8 @@ static bool walk(size_t *way, int n, char *state, struct dependences *rests, con
   for (size_t b = 0; b < claims->n; b++) {
     if (state[b] == DONE || !dependences_any(rests, a, b)) continue;
     if (state[b] == ON_THE_WAY) {
-      struct text round;
+      struct text round = {0};
       int first = 0;
-      text_init(&round);
       while (way[first] != b) first++;
       for (int i = first; i < n; i++) text_printf(&round, "%s, which rests on ", claims->claim[way[i]].id);
       diag_at(d, &claims->claim[b].file->src, claims->claim[b].record->id.begin, "a claim rests on itself: %s%s",
@@ -296,9 +284,8 @@ static bool check_near(const struct model *m, const struct claims *controls, str
       if (m->records[k].rank == RANK_CONTROL && strcmp(m->records[k].record->id_name, c->id) == 0)
         size = least_size(&m->records[k]);
     if (size == 0 || (size <= says && says <= 1000 * size)) continue;
-    char what[120];
-    snprintf(what, sizeof what, "its formula is wrong by %g, and it says near: %s", size, near ? near : "nothing");
-    return claim_mistake(c, near ? "near" : "claim", d, what);
+    return claim_mistake(c, near ? "near" : "claim", d, "its formula is wrong by %g, and it says near: %s", size,
+                         near ? near : "nothing");
   }
   return true;
 }
@@ -310,10 +297,8 @@ static bool check_kind_controls(const struct claims *claims, const struct claims
   for (size_t i = 0; i < controls->n; i++) have[control_kind(claims, &controls->claim[i])]++;
   for (int k = 0; k < N_KINDS; k++) {
     if (!one[k] || have[k] >= claim_kinds[k].controls) continue;
-    char what[200];
-    snprintf(what, sizeof what, "claims of kind %s, such as this, have %d controls, and must have %d",
-             claim_kinds[k].word, have[k], claim_kinds[k].controls);
-    return claim_mistake(one[k], "kind", d, what);
+    return claim_mistake(one[k], "kind", d, "claims of kind %s, such as this, have %d controls, and must have %d",
+                         claim_kinds[k].word, have[k], claim_kinds[k].controls);
   }
   return true;
 }
@@ -341,9 +326,8 @@ static bool check_correction_controls(const struct claims *claims, const struct 
     if (c && record_get(controls->claim[i].record, "of") && correction_sort(has, claims, c) && strcmp(has, wanted) == 0)
       return true;
   }
-  char what[200];
-  snprintf(what, sizeof what, "no control makes a correction of this sort wrong (%s)", wanted);
-  return claim_mistake(&claims->claim[a], strstr(wanted, "range") ? "repaired-range" : "repaired", d, what);
+  return claim_mistake(&claims->claim[a], strstr(wanted, "range") ? "repaired-range" : "repaired", d,
+                       "no control makes a correction of this sort wrong (%s)", wanted);
 }
 
 bool records_counted(const struct record_file *f, struct diag *d) {

@@ -9,29 +9,17 @@
 bool statement_check(const struct claim *s, struct diag *d) {
   static const char *const known[] = {"quote", "place", "equation", "claims", "checks", "reason"};
   enum { N_KNOWN = sizeof known / sizeof *known };
-  for (size_t k = 0; k < s->record->n_fields; k++) {
-    const struct field *f = &s->record->fields[k];
-    if (f->attribute && word_find(f->key_name, known, N_KNOWN) < N_KNOWN) continue;
-    diag_at(d, &s->file->src, f->attribute ? f->key.begin : f->value.begin,
-            "%s: a statement has quote, place, equation, claims, checks and reason", s->id);
+  if (!claim_has_only(s, known, N_KNOWN, d, "a statement has quote, place, equation, claims, checks and reason"))
     return false;
-  }
   if (!claim_get(s, "quote")) return claim_mistake(s, "", d, "a statement has a quote that finds it in the paper");
   if (!claim_get(s, "claims") == !claim_get(s, "reason"))
     return claim_mistake(s, "", d, "a statement has claims that answer it, or a reason why there are none");
   return true;
 }
 
-static bool lists(const struct claim *s, const char *key, const char *id) {
-  char name[64];
-  for (const char *p = claim_get(s, key); p && (p = claim_next_item(name, sizeof name, p)) != NULL;)
-    if (strcmp(name, id) == 0) return true;
-  return false;
-}
-
 static bool some_lists(const struct claims *statements, const char *key, const char *id) {
   for (size_t i = 0; i < statements->n; i++)
-    if (lists(&statements->claim[i], key, id)) return true;
+    if (claim_lists(&statements->claim[i], key, id)) return true;
   return false;
 }
 
@@ -41,22 +29,20 @@ bool statements_claim(const struct claims *statements, const char *id) {
 
 /* Every name on its list is that of a claim. */
 static bool check_names(const struct claim *s, const char *key, const struct claims *claims, struct diag *d) {
-  char name[64], what[120];
+  char name[64];
   for (const char *p = claim_get(s, key); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
     if (claim_named(claims, name)) continue;
-    snprintf(what, sizeof what, "there is no claim %s", name);
-    return claim_mistake(s, key, d, what);
+    return claim_mistake(s, key, d, "there is no claim %s", name);
   }
   return true;
 }
 
 /* Whether a claim answers what is asserted is one fact about it, whichever statement names it. */
 static bool check_checks(const struct claim *s, const struct claims *statements, struct diag *d) {
-  char name[64], what[120];
+  char name[64];
   for (const char *p = claim_get(s, "checks"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
     if (!statements_claim(statements, name)) continue;
-    snprintf(what, sizeof what, "%s answers a statement, and is no check", name);
-    return claim_mistake(s, "checks", d, what);
+    return claim_mistake(s, "checks", d, "%s answers a statement, and is no check", name);
   }
   return true;
 }
@@ -109,8 +95,7 @@ void statements_unanswered(struct audit_result *out, const struct claims *statem
       first = !before || strcmp(before, reason) != 0;
     }
     if (!first) continue;
-    struct text which;
-    text_init(&which);
+    struct text which = {0};
     for (size_t k = i; k < statements->n; k++) {
       const char *same = claim_get(&statements->claim[k], "reason");
       if (same && strcmp(same, reason) == 0)

@@ -123,8 +123,14 @@ void stmt_print(struct text *out, const struct stmt *s);
    the relations alone: without its range and without sides that are first_order(...); "name = ..." of a definition. */
 void expr_plain(struct text *out, const struct expr *e);
 void stmt_plain(struct text *out, const struct stmt *s);
+/* The expression without the parentheses around it. */
+const struct expr *expr_bare(const struct expr *e);
 /* The literal 0, perhaps in parentheses. */
 bool expr_is_zero(const struct expr *e);
+/* Is any node of the tree, or of a statement's sides, so? */
+typedef bool (*expr_is_fn)(const struct expr *e, const void *arg);
+bool expr_any(const struct expr *e, expr_is_fn is, const void *arg);
+bool stmt_any(const struct stmt *s, expr_is_fn is, const void *arg);
 /* Equality of shape, names and literals; places do not count. */
 bool expr_same(const struct expr *a, const struct expr *b);
 /* The same of two nodes, apart from their operands. */

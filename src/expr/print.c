@@ -297,9 +297,30 @@ bool expr_same_node(const struct expr *a, const struct expr *b) {
          !memcmp(a->index_range, b->index_range, sizeof a->index_range) && a->n_args == b->n_args;
 }
 
-bool expr_is_zero(const struct expr *e) {
+const struct expr *expr_bare(const struct expr *e) {
   while (e->kind == EXPR_PAREN) e = e->args[0];
+  return e;
+}
+
+bool expr_is_zero(const struct expr *e) {
+  e = expr_bare(e);
   return e->kind == EXPR_NUM && strcmp(e->name, "0") == 0;
+}
+
+/* First operands in a loop: sums lean to the left and may be as long as a formula. */
+bool expr_any(const struct expr *e, expr_is_fn is, const void *arg) {
+  for (;; e = e->args[0]) {
+    if (is(e, arg)) return true;
+    for (int i = 1; i < e->n_args; i++)
+      if (expr_any(e->args[i], is, arg)) return true;
+    if (e->n_args == 0) return false;
+  }
+}
+
+bool stmt_any(const struct stmt *s, expr_is_fn is, const void *arg) {
+  bool any = false;
+  for (int i = 0; !any && i < s->n_sides; i++) any = expr_any(s->sides[i], is, arg);
+  return any;
 }
 
 /* Pairs still to be compared are on the heap.  Shared nodes are passed over when both sides share them. */

@@ -5,7 +5,6 @@
    coordinate steps, with u_r1 and u_r2 as close to what the premises still allow as the grid of the search permits; it
    counts only when enclosures along the whole of each phase prove the premises and refute the conclusion at exact
    parameters. */
-#include <string.h>
 
 #include "argument.h"
 #include "proof/combination.h"
@@ -16,17 +15,15 @@ struct route_result argument_add_route(struct finding *f, struct argument *a, co
                                        bool decisive, const char *note) {
   struct route_result w = {route, outcome_of_counts(decided[TRUTH_TRUE], decided[TRUTH_FALSE], decided[TRUTH_UNKNOWN]),
                            decisive, decided[0] + decided[1] + decided[2]};
-  finding_add_route(f, a->j->out, w, "corrected", FIRST_PREC, NULL, note);
-  return w;
+  return finding_add_route(f, a->j->out, w, "corrected", FIRST_PREC, NULL, note);
 }
 
 static bool add_proof(struct route_result *w, struct finding *f, struct argument *a, struct view view) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   bool proved = certificate_find(&t, a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], !a->free_friction, view);
   if (proved) {
     *w = (struct route_result){"algebra", ROUTE_AGREES, true, a->part[CONCLUSION].n};
-    finding_add_route(f, a->j->out, *w, "corrected", -1, NULL, result_str(a->j->out, "%s", text_str(&t)));
+    finding_add_route(f, a->j->out, *w, "corrected", -1, NULL, result_take(a->j->out, &t));
   }
   text_clear(&t);
   return proved;
@@ -105,9 +102,8 @@ static void describe_effect(struct finding *f, struct argument *a) {
 static void describe_scene(struct finding *f, struct argument *a) {
   const struct dyn_orbits *list = scene_orbits(a->j->scene, a->j->cache);
   struct point p;
-  struct text t;
+  struct text t = {0};
   point_init(&p);
-  text_init(&t);
   for (slong i = 0; i < list->n && nearest_orbit_point(&p, a->j->scene, a->j->cache); i++) {
     struct argument_decision d = {.where = 0};
     arb_init(d.value);
@@ -127,15 +123,11 @@ static void describe_scene(struct finding *f, struct argument *a) {
 
 static bool argument_read(struct argument *a, struct judge *j, const struct claim *c, struct view view) {
   *a = (struct argument){.j = j, .c = c};
-  const char *friction = claim_get(c, "friction"), *over = claim_get(c, "over");
-  a->admissible = !over || strcmp(over, "admissible") == 0;
-  a->free_friction = friction && strcmp(friction, "free") == 0;
-  if (over && !a->admissible && strcmp(over, "orbits") != 0 && strcmp(over, "scene") != 0)
+  a->admissible = !claim_get(c, "over") || claim_says(c, "over", "admissible");
+  if (!a->admissible && !claim_says(c, "over", "orbits") && !claim_says(c, "over", "scene"))
     return claim_error(j, c, "over", "one of admissible, orbits, scene");
-  const char *converse = claim_get(c, "converse");
-  a->converse = converse && strcmp(converse, "yes") == 0;
-  if (converse && !a->converse) return claim_error(j, c, "converse", "yes, or nothing");
-  if (friction && !a->free_friction) return claim_error(j, c, "friction", "free, or nothing");
+  if (!judge_switch(&a->converse, j, c, "converse", "yes")) return false;
+  if (!judge_switch(&a->free_friction, j, c, "friction", "free")) return false;
   if (!conditions_read(&a->part[PREMISES], j, c, "premises", view)) return false;
   if (!conditions_read(&a->part[CONCLUSION], j, c, "conclusion", view)) return false;
   if (a->part[CONCLUSION].n == 0) return claim_error(j, c, "kind", "the attribute conclusion is missing");
@@ -159,8 +151,7 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   again.n_evidence = 0;
   a->tried = 0;
   if (ok) judge_everywhere(&again, a, view);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int k = 0; ok && k < more.n; k++) {
     if (more.at[k].equality || more.at[k].moving) continue; /* what every motion of the phase fulfils */
     text_add(&t, t.len ? "; " : "with the further premise ");
@@ -179,9 +170,8 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
 
 bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct argument a;
-  const char *over = claim_get(c, "over");
   bool ok = argument_read(&a, j, c, view);
-  if (ok && over && strcmp(over, "scene") == 0)
+  if (ok && claim_says(c, "over", "scene"))
     argument_at_scene(f, &a);
   else if (ok)
     judge_everywhere(f, &a, view);

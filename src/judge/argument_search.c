@@ -186,8 +186,7 @@ static size_t n_exact_data(const struct argument *a) {
 
 /* With that between them. */
 static const char *scene_text(struct argument *a, const struct point *p, const char *between) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (size_t i = 0; i < n_exact_data(a); i++) {
     text_printf(&t, "%s%s = ", i ? between : "", exact_data[i].name);
     num_print_q(&t, &p->q[exact_data[i].q]);
@@ -201,9 +200,8 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   const char *when = c->moving ? result_str(a->j->out, " in the %s phase, for instance after the fraction %.10g of it",
                                             phase_words[c->phase], d->where)
                                : "";
-  struct text premises;
+  struct text premises = {0};
   arb_t short_by;
-  text_init(&premises);
   arb_init(short_by);
   arb_neg(short_by, d->value);
   for (int i = 0; i < a->part[PREMISES].n; i++)

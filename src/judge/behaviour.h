@@ -92,10 +92,15 @@ void orbit_walk_end(struct orbit_walk *w);
 
 /* The admissible orbit of the parameters that is stable, or not; NULL when there is none. */
 const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct point *p, truth stable);
+/* The stable one of the claim's own parameters, which p becomes; NULL with d set. */
+const struct dyn_orbit *behaviour_stable_orbit(struct point *p, struct behaviour *b);
 /* A route's word, with evidence that says it; where and note may be NULL. */
-struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
-                                    enum route_outcome outcome, bool decisive, long trials, const char *where,
-                                    const char *note);
+struct route_result behaviour_route(struct behaviour *b, const char *route, enum route_outcome outcome, bool decisive,
+                                    long trials, const char *where, const char *note);
+/* Both routes' words on the same motions, of which the integration's decides, and is explained. */
+void behaviour_routes(struct route_result w[N_MOTION_ROUTES], struct behaviour *b,
+                      const enum route_outcome outcome[N_MOTION_ROUTES], long trials, const char *where,
+                      const char *note);
 
 /* What was as said, or not, by each route. */
 struct by_route {
@@ -119,8 +124,7 @@ void family_close(struct family *f);
 /* n random motions over the given time, sampled (0: not); sticking: from starts as in (11). */
 struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
                                void *self);
-/* Both routes' words on the same trials, of which the integration's decides, and the verdict: with that of a proof
-   (friction.h), where there is one. */
+/* The words of both routes by what each counted, and the verdict: with that of a proof (friction.h), where there is one. */
 void behaviour_conclude(struct behaviour *b, const struct by_route *said, long trials, const char *where,
                         const char *note, const struct route_result *proof);
 

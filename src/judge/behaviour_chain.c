@@ -13,8 +13,7 @@ enum { PREC = 128, MOST_SYSTEMS = 16 };
 
 /* The data folder that a claim's file stands in, folder/claims/x.claim. */
 static void data_folder(struct text *out, const struct claim *c) {
-  struct text claims;
-  text_init(&claims);
+  struct text claims = {0};
   path_folder(&claims, c->file->src.name);
   path_folder(out, text_str(&claims));
   text_clear(&claims);
@@ -99,11 +98,10 @@ static bool read_chain(struct chains *c, const char *name, const char *data, con
 bool behaviour_patching(struct behaviour *b) {
   char name[MOST_SYSTEMS][CLAIM_NAME];
   struct chains c = {.n = 0};
-  struct text data;
+  struct text data = {0};
   int n = claim_get(b->c, "systems") ? claim_names_listed(name, MOST_SYSTEMS, claim_get(b->c, "systems")) : 0;
   if (n == 0) return claim_error(b->j, b->c, "check", "systems of more masses are missing: systems: NAME, NAME");
   bool ok = true;
-  text_init(&data);
   text_init(&c.words);
   data_folder(&data, b->c);
   for (int i = 0; ok && i < n; i++) {
@@ -114,7 +112,7 @@ bool behaviour_patching(struct behaviour *b) {
   if (ok) {
     struct route_result w[2];
     w[0] = behaviour_route(
-        b, "system", "model", outcome_of_counts(c.proved, 0, c.n - c.proved), true, c.n, NULL,
+        b, "system", outcome_of_counts(c.proved, 0, c.n - c.proved), true, c.n, NULL,
         result_str(b->j->out,
                    "periodic motions patched from matrix exponentials, with enclosed times and states, each event "
                    "proved to be the first and Coulomb's law to hold along each phase, of %ld of %ld chains that were "
@@ -122,7 +120,7 @@ bool behaviour_patching(struct behaviour *b) {
                    "solutions meet, and that no other event comes first, is shown for these chains alone",
                    c.proved, c.n, text_str(&c.words)));
     w[1] =
-        behaviour_route(b, "integration", "model", outcome_of_counts(c.followed, 0, c.n - c.followed), false, c.n, NULL,
+        behaviour_route(b, "integration", outcome_of_counts(c.followed, 0, c.n - c.followed), false, c.n, NULL,
                         result_str(b->j->out,
                                    "of %ld of %ld GSL's direct integration passes the same phases at the same times, "
                                    "and comes back, within a millionth",

@@ -36,20 +36,13 @@ static const struct dyn_orbit *middle_orbit(struct point *p, const struct dyn_bi
 }
 
 static bool read_varied(struct family *f, struct behaviour *b, const char *vary) {
-  static const struct {
-    const char *name;
-    int p;
-  } names[] = {{"chi", P_CHI}, {"eta", P_ETA}, {"V", P_V}, {"e1", P_E1}, {"e2", P_E2}};
   char name[8] = "", low[32] = "", high[32] = "";
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   bool ok = sscanf(vary, " %7s from %31s to %31[^; ]", name, low, high) == 3 &&
             scene_constant(f->from, low, strlen(low), "vary", &d) &&
             scene_constant(f->to, high, strlen(high), "vary", &d);
-  f->vary = -1;
-  for (size_t i = 0; ok && i < sizeof names / sizeof *names; i++)
-    if (strcmp(names[i].name, name) == 0) f->vary = names[i].p;
-  ok = ok && f->vary >= 0 && fmpq_sgn(f->from) > 0 && fmpq_sgn(f->to) > 0 && !fmpq_equal(f->from, f->to);
+  f->vary = word_find(name, scene_key_name, N_PARAMS);
+  ok = ok && f->vary < N_PARAMS && fmpq_sgn(f->from) > 0 && fmpq_sgn(f->to) > 0 && !fmpq_equal(f->from, f->to);
   if (ok && f->vary == P_CHI) ok = fmpq_cmp_si(f->from, 1) < 0 && fmpq_cmp_si(f->to, 1) < 0;
   return ok || claim_error(b->j, b->c, "vary", "a parameter and two values in its domain, as in \"e2 from 3/4 to 1\"");
 }
@@ -108,18 +101,16 @@ static void certify(struct behaviour *b, const struct point *at, const struct dy
 }
 
 static void add_flip(struct found *t, struct behaviour *b, const struct family *f, const struct dyn_bifurcation *q) {
-  static const char *const names[N_PARAMS] = {"chi", "eta", "V", "e1", "e2"};
   struct point at;
-  struct text where;
+  struct text where = {0};
   arb_t value;
   arb_init(value);
   point_init(&at);
-  text_init(&where);
   const struct dyn_orbit *o = middle_orbit(&at, q, f, b);
   bool decided = q->crosses && q->word == TRUTH_TRUE && o, stable = decided && arb_is_positive(q->third);
   bool unstable = decided && arb_is_negative(q->third);
   for (int i = 0; i < N_PARAMS; i++) {
-    text_printf(&where, "%s%s = ", i ? ", " : "", names[i]);
+    text_printf(&where, "%s%s = ", i ? ", " : "", scene_key_name[i]);
     if (i == f->vary) {
       arb_set_fmpq(value, &at.q[i], q->prec);
       text_add(&where, ball_text(b->j, value, 15));
@@ -175,8 +166,7 @@ static bool try_family(struct found *t, struct behaviour *b, const char *params,
 static void conclude(struct behaviour *b, const struct found *t) {
   struct route_result w[3];
   w[0] = behaviour_route(
-      b, "balls", "model", outcome_of_counts(t->unstable, t->stable, t->open), true, t->stable + t->unstable + t->open,
-      t->where,
+      b, "balls", outcome_of_counts(t->unstable, t->stable, t->open), true, t->stable + t->unstable + t->open, t->where,
       result_str(b->j->out,
                  "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., "
                  "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if "
@@ -187,14 +177,13 @@ static void conclude(struct behaviour *b, const struct found *t) {
                                 : "",
                  t->stable ? t->where : ""));
   w[1] = behaviour_route(
-      b, "iteration", "model", outcome_of_counts(t->away, t->back, t->unsure), false, t->back + t->away + t->unsure,
-      NULL,
+      b, "iteration", outcome_of_counts(t->away, t->back, t->unsure), false, t->back + t->away + t->unsure, NULL,
       result_str(b->j->out,
                  "iterations of the return map in double precision there, from a distance of 3%% of r_0 on either "
                  "side: %ld return to half that distance, %ld depart to twice that distance",
                  t->back, t->away));
-  w[2] = behaviour_route(b, "integration", "model", outcome_of_counts(t->moved_away, t->moved_back, t->moved_unsure),
-                         false, t->moved_back + t->moved_away + t->moved_unsure, NULL,
+  w[2] = behaviour_route(b, "integration", outcome_of_counts(t->moved_away, t->moved_back, t->moved_unsure), false,
+                         t->moved_back + t->moved_away + t->moved_unsure, NULL,
                          result_str(b->j->out,
                                     "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: "
                                     "%ld approach the solution, %ld depart from it",

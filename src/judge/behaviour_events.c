@@ -1,12 +1,10 @@
 /* What happens where a mass reaches the belt's velocity or breaks loose from it: proved from (1) and (2) by the signs on
    finitely many cells of states (law.h), each mass and each side for itself. */
 #include "friction.h"
-#include "num/num_exact.h"
 
 /* Every statement of these proofs is about a mass, a side, and a cell in which a force or an acceleration has a sign. */
 static struct law_answer answer_in(struct law_state *s, const struct friction *f, struct law_cell cell) {
-  law_state_open(s, num_ctx_exact());
-  law_state_in(s, cell);
+  law_state_open_in(s, cell);
   struct law_answer a = law_answer(&f->law[cell.mass], s, cell.speed);
   if (a.n == 1) s->u[cell.mass] = a.u;
   return a;
@@ -60,8 +58,7 @@ struct fall {
 static struct fall fall_at(const struct friction *f, int mass, int side) {
   struct law_state s;
   struct fall fall = {NO_SIGN, NO_SIGN, NO_SIGN, NO_SIGN};
-  law_state_open(&s, num_ctx_exact());
-  law_state_in(&s, (struct law_cell){mass, 0, PULL_AT, side});
+  law_state_open_in(&s, (struct law_cell){mass, 0, PULL_AT, side});
   struct calc *c = &s.c;
   if (friction_apply(f, &s, mass, 0)) {
     val held = s.u[mass], other[2];
@@ -158,8 +155,7 @@ static bool driven(const struct friction *f, struct law_state *s, int mass, int 
    2 u_s. */
 static bool passes_by_two_slides(const struct friction *f, int mass, int side) {
   struct law_state s;
-  law_state_open(&s, num_ctx_exact());
-  law_state_in(&s, (struct law_cell){mass, 0, PULL_BEYOND, side});
+  law_state_open_in(&s, (struct law_cell){mass, 0, PULL_BEYOND, side});
   bool ok = driven(f, &s, mass, -side, -side);
   val before = s.u[mass];
   ok = ok && driven(f, &s, mass, side, -side);

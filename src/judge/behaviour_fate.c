@@ -123,8 +123,7 @@ static void fill_table(struct table *t, const struct orbit_motion *o) {
 
 static void say_table(struct behaviour *b, const struct table *t) {
   for (int ph = 0; ph < N_PHASES; ph++) {
-    struct text line;
-    text_init(&line);
+    struct text line = {0};
     text_printf(&line,
                 "perturbed in the %s phase (numbers of motions that stay near, depart and come back, end elsewhere, "
                 "never again stick with both masses):",
@@ -173,9 +172,8 @@ static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
                 {PHASE_H, DZ_2, 0.5, "x'_2 in the middle of the global slip phase"},
                 {PHASE_C, DZ_2, 0.5, "x'_2 in the middle of the stick-slip phase"},
                 {PHASE_D, DZ_1, 0.5, "x'_1 in the middle of the global stick phase"}};
-  struct text line;
+  struct text line = {0};
   long trials = 0;
-  text_init(&line);
   text_add(&line, "the motion returns after perturbations of at most (from doubling 1/1000; in brackets the phases in "
                   "which it ends after a larger one):");
   for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
@@ -220,8 +218,7 @@ static void scene_orbit_fates(struct behaviour *b) {
   }
   point_clear(&p);
   if (!trials) return;
-  struct text line;
-  text_init(&line);
+  struct text line = {0};
   text_printf(&line,
               "the admissible orbit of the example, which is unstable, perturbed by 0.01 in the middle of each phase "
               "in each of eight directions: after %d returns the sequence of phases is",
@@ -251,9 +248,8 @@ static void judge_table(struct route_result w[N_MOTION_ROUTES], struct behaviour
                                : near && far ? ROUTE_AGREES
                                : near        ? ROUTE_DIFFERS
                                              : ROUTE_NOTHING;
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_route(b, motion_route_name[r], "model", t->apart ? ROUTE_UNDECIDED : outcome, r == BY_INTEGRATION,
-                           all, r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+  if (t->apart) outcome = ROUTE_UNDECIDED;
+  behaviour_routes(w, b, (const enum route_outcome[]){outcome, outcome}, all, where, note);
 }
 
 bool behaviour_perturb(struct behaviour *b) {
@@ -265,9 +261,8 @@ bool behaviour_perturb(struct behaviour *b) {
   struct point p;
   memset(t, 0, sizeof t);
   point_init(&p);
-  bool ok = judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
-  const struct dyn_orbit *orbit = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
-  if (ok && !orbit) ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+  const struct dyn_orbit *orbit = behaviour_stable_orbit(&p, b);
+  bool ok = orbit != NULL;
   struct route_result proof = {.outcome = ROUTE_UNDECIDED};
   if (ok) proof = stable_prove_conditional(b, &p, orbit);
   for (int k = FRICTIONS - 1; ok && k >= 0; k--) {

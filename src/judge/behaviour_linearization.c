@@ -1,6 +1,5 @@
 /* Linearization: what the product of the phases' propagators alone would say of stability, and what it says with the
    jumps at the switches. */
-#include <string.h>
 
 #include "friction.h"
 #include "judge.h"
@@ -11,10 +10,8 @@
 static truth has_growth(const struct num_vec *m) {
   enum { DOUBLINGS = 9 };
   struct num_vec power;
-  arb_t trace, four;
+  arb_ptr w = _arb_vec_init(2), trace = w, four = w + 1;
   truth t = TRUTH_UNKNOWN;
-  arb_init(trace);
-  arb_init(four);
   arb_set_si(four, N_STATE);
   num_vec_init(&power, m->len, m->ctx);
   num_vec_set(&power, m);
@@ -26,8 +23,7 @@ static truth has_growth(const struct num_vec *m) {
     num_mat_mul(&power, &power, &power, N_STATE, N_STATE, N_STATE);
   }
   num_vec_clear(&power);
-  arb_clear(four);
-  arb_clear(trace);
+  _arb_vec_clear(w, 2);
   return t;
 }
 
@@ -48,9 +44,7 @@ static truth unstable_by_propagators(struct values *v) {
 /* Unstable by the Jacobian with saltation matrices, which has one eigenvalue that is not 0? */
 static truth unstable_by_saltation(struct values *v) {
   struct num_vec j;
-  arb_t trace, one;
-  arb_init(trace);
-  arb_init(one);
+  arb_ptr w = _arb_vec_init(2), trace = w, one = w + 1;
   arb_one(one);
   num_vec_init(&j, 4, v->ctx);
   truth t = TRUTH_UNKNOWN;
@@ -60,8 +54,7 @@ static truth unstable_by_saltation(struct values *v) {
     t = arb_gt(trace, one) ? TRUTH_TRUE : arb_lt(trace, one) ? TRUTH_FALSE : TRUTH_UNKNOWN;
   }
   num_vec_clear(&j);
-  arb_clear(one);
-  arb_clear(trace);
+  _arb_vec_clear(w, 2);
   return t;
 }
 
@@ -96,18 +89,15 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
 static bool prove(struct route_result *proof, struct behaviour *b) {
   struct point p;
   point_init(&p);
-  bool ok = judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
-  const struct dyn_orbit *o = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
+  const struct dyn_orbit *o = behaviour_stable_orbit(&p, b);
   if (o) *proof = stable_prove_linearization(b, &p, o);
-  if (ok && !o) claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
   point_clear(&p);
   return o != NULL;
 }
 
 bool behaviour_linearization(struct behaviour *b) {
   enum { WANTED = 24, DRAWS = 96 };
-  const char *jumps = claim_get(b->c, "jumps");
-  int method = jumps && strcmp(jumps, "saltation") == 0;
+  int method = claim_says(b->c, "jumps", "saltation");
   struct methods s = {.where = NULL};
   struct route_result w[3], proof = {.outcome = ROUTE_UNDECIDED};
   if (method == 0 && !prove(&proof, b)) return false;
@@ -123,7 +113,7 @@ bool behaviour_linearization(struct behaviour *b) {
                                 "matrices at the switches linearization answers right at %ld orbits and wrong at %ld",
                                 s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
-  w[0] = behaviour_route(b, "balls", "model",
+  w[0] = behaviour_route(b, "balls",
                          wrong   ? ROUTE_AGREES
                          : right ? ROUTE_DIFFERS
                                  : ROUTE_NOTHING,
@@ -131,7 +121,7 @@ bool behaviour_linearization(struct behaviour *b) {
   enum route_outcome fate = outcome_of_counts(s.comes_back, s.leaves, 0);
   int n = 1;
   if (wrong)
-    w[n++] = behaviour_route(b, "iteration", "model", fate, false, s.comes_back + s.leaves, NULL,
+    w[n++] = behaviour_route(b, "iteration", fate, false, s.comes_back + s.leaves, NULL,
                              result_str(b->j->out,
                                         "from beside the orbits that the propagators call unstable and J stable the "
                                         "return map comes back at %ld and leaves at %ld",

@@ -12,8 +12,7 @@ static bool long_run_motion(struct motion *m, struct behaviour *b, double factor
   const struct scene *s = b->j->scene;
   const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
   struct coulomb_setup setup;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (!audit_coulomb_setup(&setup, s, 0, true, &d)) return false;
   memcpy(m->params, setup.params, sizeof m->params);
   for (int i = 0; i < 2 && setup.own_friction; i++) {
@@ -48,11 +47,9 @@ static bool long_run_once(struct behaviour *b, double factor) {
   plan.duration = 100.0 * RETURNS;
   struct trajectory trajectory[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory[r] = motion_simulate((enum motion_route)r, &m, &plan);
-  struct text word, folded;
+  struct text word = {0}, folded = {0};
   double period, change;
   bool same = trajectories_agree(&trajectory[0], &trajectory[1]);
-  text_init(&word);
-  text_init(&folded);
   coulomb_log_word(&word, &trajectory[0].log);
   coulomb_word_fold(&folded, text_str(&word));
   last_returns(&period, &change, &trajectory[0].log);

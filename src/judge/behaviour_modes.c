@@ -1,6 +1,5 @@
 /* Random motions watched by both routes: which modes occur, and how they follow one another. */
 #include <math.h>
-#include <string.h>
 
 #include "friction.h"
 #include "value/coulomb_setup.h"
@@ -44,8 +43,7 @@ bool behaviour_modes(struct behaviour *b) {
   struct modes s = {.seen = {0}};
   struct route_result proof = events_prove_modes(b);
   struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_modes, &s);
-  struct text note;
-  text_init(&note);
+  struct text note = {0};
   text_printf(
       &note,
       "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher order), "
@@ -107,10 +105,9 @@ static void conclude_switches(struct behaviour *b, struct switches *s, const str
 }
 
 bool behaviour_switches(struct behaviour *b) {
-  const char *which = claim_get(b->c, "transition"), *limit = claim_get(b->c, "limit");
-  struct switches s = {.to_stick = which && strcmp(which, "slip to stick") == 0,
-                       .sliding_limit = limit && strcmp(limit, "u_s") == 0};
-  if (!s.to_stick && !(which && strcmp(which, "stick to slip") == 0))
+  struct switches s = {.to_stick = claim_says(b->c, "transition", "slip to stick"),
+                       .sliding_limit = claim_says(b->c, "limit", "u_s")};
+  if (!s.to_stick && !claim_says(b->c, "transition", "stick to slip"))
     return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
   struct friction law;
   struct behaviour with = *b;

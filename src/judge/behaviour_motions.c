@@ -64,8 +64,7 @@ static size_t tail_period(const char *word, size_t len) {
 }
 
 const char *trajectory_ending(struct behaviour *b, const struct trajectory *t) {
-  struct text word;
-  text_init(&word);
+  struct text word = {0};
   coulomb_log_word(&word, &t->log);
   const char *s = text_str(&word), *out = "no piece that repeats";
   size_t p = tail_period(s, word.len), last = word.len;
@@ -199,12 +198,20 @@ void orbit_walk_end(struct orbit_walk *w) {
 
 /* --- Evidence --- */
 
-struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
-                                    enum route_outcome outcome, bool decisive, long trials, const char *where,
-                                    const char *note) {
-  struct route_result w = {route, outcome, decisive, trials};
-  finding_add_route(b->f, b->j->out, w, layer, -1, where, note);
-  return w;
+struct route_result behaviour_route(struct behaviour *b, const char *route, enum route_outcome outcome, bool decisive,
+                                    long trials, const char *where, const char *note) {
+  return finding_add_route(b->f, b->j->out, (struct route_result){route, outcome, decisive, trials}, "model", -1, where,
+                           note);
+}
+
+void behaviour_routes(struct route_result w[N_MOTION_ROUTES], struct behaviour *b,
+                      const enum route_outcome outcome[N_MOTION_ROUTES], long trials, const char *where,
+                      const char *note) {
+  for (int r = 0; r < N_MOTION_ROUTES; r++) {
+    bool first = r == BY_INTEGRATION;
+    w[r] =
+        behaviour_route(b, motion_route_name[r], outcome[r], first, trials, first ? where : NULL, first ? note : NULL);
+  }
 }
 
 /* --- Random motions watched --- */
@@ -234,12 +241,11 @@ struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, doubl
 
 void behaviour_conclude(struct behaviour *b, const struct by_route *said, long trials, const char *where,
                         const char *note, const struct route_result *proof) {
-  struct route_result w[N_MOTION_ROUTES + 1];
-  int n = 0;
-  if (proof && proof->outcome != ROUTE_UNDECIDED) w[n++] = *proof;
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[n++] = behaviour_route(b, motion_route_name[r], "model", outcome_of_counts(said->good[r], said->bad[r], 0),
-                             r == BY_INTEGRATION, trials, r == BY_INTEGRATION ? where : NULL,
-                             r == BY_INTEGRATION ? note : NULL);
+  struct route_result w[1 + N_MOTION_ROUTES] = {proof ? *proof : (struct route_result){.outcome = ROUTE_UNDECIDED}};
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  int n = w[0].outcome != ROUTE_UNDECIDED;
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(said->good[r], said->bad[r], 0);
+  behaviour_routes(w + n, b, outcome, trials, where, note);
+  n += N_MOTION_ROUTES;
   b->f->verdict = verdict_of(w, n, n > N_MOTION_ROUTES);
 }

@@ -244,8 +244,7 @@ bool behaviour_dimension(struct behaviour *b) {
   bool ok = claimed_range(claimed, b) && conditions_read(&states, b->j, b->c, "states", b->view);
   if (ok) {
     bool open = false;
-    struct text note;
-    text_init(&note);
+    struct text note = {0};
     text_add(&note, "the number of coordinates x_1, x_2, x'_1, x'_2 less the rank of the equations among the "
                     "conditions of the phase, whose inequalities are strict and do not reduce it:");
     for (int ph = 0; ph < N_PHASES; ph++) {

@@ -95,11 +95,10 @@ bool behaviour_small(struct behaviour *b) {
 
 static bool comes_back(enum motion_route r, const struct motion *m) {
   struct coulomb_plan plan = coulomb_plan_default;
-  struct text word;
+  struct text word = {0};
   plan.returns = 1;
   plan.max_events = 64;
   struct trajectory t = motion_simulate(r, m, &plan);
-  text_init(&word);
   coulomb_log_word(&word, &t.log);
   double gap = 0;
   for (int i = 0; i < 2; i++) gap = fmax(gap, fabs(t.result.at.x[i] - m->start[i]) / (1 + fabs(m->start[i])));

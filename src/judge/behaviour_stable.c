@@ -1,5 +1,6 @@
 /* Stability: what is proved by signs of (1) and (2), with one certified orbit on which it is so. */
 #include "friction.h"
+#include "judge.h"
 #include "motion/certify.h"
 #include "num/num_exact.h"
 
@@ -11,14 +12,20 @@ const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct p
   return NULL;
 }
 
+const struct dyn_orbit *behaviour_stable_orbit(struct point *p, struct behaviour *b) {
+  if (!judge_params(p, b->j, b->c, claim_get(b->c, "at"))) return NULL;
+  const struct dyn_orbit *o = behaviour_pick_orbit(b, p, TRUTH_TRUE);
+  if (!o) claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+  return o;
+}
+
 /* "the orbit at chi = ... is certified: ..."; NULL when that it exists, is admissible and has |tr J| < 1 is not proved. */
 static const char *certified(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
   const struct dyn_question q = {p->q + Q_CHI, p->q + Q_E1, which, {NULL, NULL}};
   struct dyn_certificate z;
-  struct text t;
+  struct text t = {0};
   const char *out = NULL;
-  text_init(&t);
   dyn_certificate_init(&z);
   dyn_certify(&z, &q, o);
   if (z.certified && z.stable == TRUTH_TRUE && z.admissible == TRUTH_TRUE) {
@@ -74,8 +81,7 @@ struct route_result stable_prove_linearization(struct behaviour *b, const struct
 /* A mass slower than the belt by however little, on which f exceeds u_s, falls back further. */
 static bool falls_back(const struct friction *f) {
   struct law_state s;
-  law_state_open(&s, num_ctx_exact());
-  law_state_in(&s, (struct law_cell){0, 1, PULL_OVER, 1});
+  law_state_open_in(&s, (struct law_cell){0, 1, PULL_OVER, 1});
   int sign = friction_apply(f, &s, 0, 1) ? law_sign(&s, friction_acceleration(f, &s, 0)) : NO_SIGN;
   law_state_close(&s);
   return sign == -1;

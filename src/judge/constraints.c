@@ -113,8 +113,7 @@ static const char *table(struct constraints *x) {
   struct counts n = {{0}, {0}, {{0}}};
   for (size_t i = 0; i < pool->n; i++)
     for (slong k = 0; k < pool->item[i]->list.n; k++) count_orbit(&n, pool->item[i]->list.orbit[k].holds);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t, "of %ld periodic solutions, %ld of them admissible,", pool->orbits, pool->admissible);
   for (int a = 0; a < N_CONDITIONS; a++) {
     text_printf(&t, "%s %ld violate %s", a ? ";" : "", n.broken[a], condition_words[a]);
@@ -214,23 +213,16 @@ static void by_simulation(struct constraints *x) {
 
 static struct route_result add(struct finding *f, struct constraints *x, const char *route, enum route_outcome outcome,
                                bool decisive, long trials, const char *note) {
-  struct route_result w = {route, outcome, decisive, trials};
-  finding_add_route(f, x->j->out, w, layer_name[LAYER_CORRECTED], decisive ? FIRST_PREC : -1, NULL, note);
-  return w;
+  return finding_add_route(f, x->j->out, (struct route_result){route, outcome, decisive, trials},
+                           layer_name[LAYER_CORRECTED], decisive ? FIRST_PREC : -1, NULL, note);
 }
 
 /* The closed form of the attribute, for exact algebra. */
 static bool least_is_exact(struct constraints *x, int i) {
-  const char *formula = claim_get(x->c, least_attribute[i]), *section = claim_get(x->c, "section");
-  struct elaboration el;
-  struct tape tape = {.n = 0};
-  struct matrix m;
-  elaboration_init(&el, x->view, NULL, 0);
-  bool ok = elaborate_text(&m, &el, formula, formula, section ? section : "", x->j->d) && m.rows * m.cols == 1;
-  if (ok)
-    ok = elaboration_tape(&tape, &el, (const struct expr *const *)m.e, 1, x->j->d) && exact_least_friction(&tape, i);
-  tape_clear(&tape);
-  elaboration_clear(&el);
+  struct expression e;
+  bool ok = expression_open(&e, x->view, claim_get(x->c, least_attribute[i]), claim_section(x->c), x->j->d) &&
+            e.n == 1 && exact_least_friction(&e.tape, i);
+  expression_close(&e);
   return ok;
 }
 

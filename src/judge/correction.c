@@ -10,8 +10,7 @@ bool judge_repaired(struct finding *f, struct judge *j, const struct claim *c, c
     return claim_error(j, c, "repaired-as", "the correction is judged by a claim of kind criterion or law");
   struct finding again = {.id = f->id, .verdict = VERDICT_UNKNOWN};
   struct judge other = *j;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   other.d = &d;
   other.instead = repaired;
   kind_fn judge = kind == KIND_LAW ? judge_law : judge_criterion;

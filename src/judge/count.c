@@ -40,9 +40,7 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
 }
 
 bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct text found, all;
-  text_init(&found);
-  text_init(&all);
+  struct text found = {0}, all = {0};
   bool ok = symbols_of(&found, &all, j, c, view);
   if (ok) {
     struct route_result w = {"algebra", found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
@@ -180,13 +178,12 @@ static struct route_result add_count(struct finding *f, struct judge *j, const c
                          : n->largest > wanted  ? ROUTE_DIFFERS
                          : decisive             ? ROUTE_UNDECIDED
                                                 : ROUTE_DIFFERS;
-  struct route_result w = {route, o, decisive, n->trials};
-  finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], FD_PREC, n->where,
-                    result_str(j->out,
-                               "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the "
-                               "unknowns has a minor of order %d that is not zero, and at none a larger one was found",
-                               n->largest_at, n->trials, n->largest));
-  return w;
+  const char *note = result_str(j->out,
+                                "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the "
+                                "unknowns has a minor of order %d that is not zero, and at none a larger one was found",
+                                n->largest_at, n->trials, n->largest);
+  return finding_add_route(f, j->out, (struct route_result){route, o, decisive, n->trials}, layer_name[LAYER_CORRECTED],
+                           FD_PREC, n->where, note);
 }
 
 /* By elimination that holds for all values of the symbols; else by one minor in balls and the number of equations. */

@@ -136,7 +136,7 @@ static struct route_result add_opinion(struct behaviour *b, const char *route, c
                                        const char *note) {
   enum route_outcome said = outcome_of_counts(n->as_said, n->against, n->open);
   if (said == ROUTE_AGREES && bad && bad == n->not_tried) said = ROUTE_UNDECIDED;
-  return behaviour_route(b, route, "model", said, false, n->as_said + n->against + n->open, NULL, note);
+  return behaviour_route(b, route, said, false, n->as_said + n->against + n->open, NULL, note);
 }
 
 static struct route_result add_theorem(struct behaviour *b, const struct linearized *l) {
@@ -151,8 +151,7 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   int n = 0;
   const char *defined = claim_get(b->c, "defined");
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
-  struct text note;
-  text_init(&note);
+  struct text note = {0};
   text_printf(&note,
               "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees "
               "with the criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; "
@@ -164,7 +163,7 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
                   side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
       if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
     }
-  w[n++] = behaviour_route(b, "fd", "model", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
+  w[n++] = behaviour_route(b, "fd", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
                            result_take(b->j->out, &note));
   if (b->j->effort != EFFORT_REFUTE) {
     const struct opinion *i = &t->iterates, *m = &t->motions;

@@ -58,8 +58,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
 static bool try_inequalities(struct route_result *w, struct finding *f, struct judge *j,
                              const struct statement_record *r, struct view view, const struct point *p,
                              const char *where) {
-  struct text note;
-  text_init(&note);
+  struct text note = {0};
   long tried = 0, failed = 0, unknown = 0;
   bool ok = true;
   for (int i = 0; ok && i < r->n_stmts; i++)
@@ -67,8 +66,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
       truth holds;
       const char *unbound;
       ok = holds_step(&holds, &unbound, j, r, r->stmts[i], k, view, p);
-      struct text step;
-      text_init(&step);
+      struct text step = {0};
       expr_print(&step, r->stmts[i]->sides[k]);
       text_add(&step, r->stmts[i]->ops[k] == REL_LT ? " < " : r->stmts[i]->ops[k] == REL_GT ? " > " : " ? ");
       expr_print(&step, r->stmts[i]->sides[k + 1]);

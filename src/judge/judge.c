@@ -71,8 +71,7 @@ bool judge_subject(struct finding *f, struct judge *j, const struct claim *c, st
 
 /* Judges the sentence again with everything corrected and fills f->correction. */
 static bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   bool ok = true;
   if (erratum_text(&t, j->model, c)) {
     struct finding again = *f;
@@ -93,9 +92,7 @@ static bool judge_correction(struct finding *f, struct judge *j, const struct cl
 /* The paper's own text, and beside it the formula as it was parsed, so that the transcription can be checked by eye. */
 static void quote_and_formula(struct finding *f, struct judge *j, const struct claim *c) {
   const char *quote = claim_get(c, "quote");
-  struct text tex, parsed;
-  text_init(&tex);
-  text_init(&parsed);
+  struct text tex = {0}, parsed = {0};
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
     if (!claim_is_about(r, c)) continue;
@@ -124,8 +121,7 @@ enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
 }
 
 static bool title(struct finding *f, struct judge *j, const struct claim *c) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   j->claim_at_fault = !claim_title(&t, j->model, c, j->d);
   if (!j->claim_at_fault) f->title = result_str(j->out, "%s", text_str(&t));
   text_clear(&t);

@@ -29,6 +29,8 @@ bool judge_subject(struct finding *f, struct judge *j, const struct claim *c, st
 /* Another finding of the same claim under a restriction that was found to hold, or that is on record. */
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted);
 
+/* Whether the attribute stands there, which may only say this word: an error if it says another. */
+bool judge_switch(bool *on, struct judge *j, const struct claim *c, const char *attribute, const char *word);
 /* "chi = 2/5, eta = 4, ..." (NULL or wrong: an error of the claim's attribute "at"), up to a semicolon, into p, which is
    that orbit. */
 bool judge_params(struct point *p, struct judge *j, const struct claim *c, const char *at);

@@ -10,7 +10,6 @@
 #include "judge.h"
 #include "law.h"
 #include "motion/coulomb.h"
-#include "num/num_exact.h"
 
 const char *const branch_name[N_BRANCHES] = {"slips", "sticks", "breaks"};
 
@@ -131,8 +130,7 @@ static void try_states(struct tally *n, const struct law *l) {
 /* Does the text give Coulomb's friction on the whole cell, by the branch that it names for such states alone? */
 static bool cell_agrees(const struct law *l, struct law_cell cell) {
   struct law_state s;
-  law_state_open(&s, num_ctx_exact());
-  law_state_in(&s, cell);
+  law_state_open_in(&s, cell);
   bool sticks = cell.pull == PULL_INSIDE;
   val f = law_pull(&s, l->mass), slide = s.slide[l->mass];
   int eps = cell.speed ? cell.speed : cell.side;
@@ -149,8 +147,7 @@ static bool cell_agrees(const struct law *l, struct law_cell cell) {
 /* How many branches apply where f is at a limit; -1: not decided. */
 static int at_limit(const struct law *l, int side) {
   struct law_state s;
-  law_state_open(&s, num_ctx_exact());
-  law_state_in(&s, (struct law_cell){l->mass, 0, PULL_AT, side});
+  law_state_open_in(&s, (struct law_cell){l->mass, 0, PULL_AT, side});
   int n = law_answer(l, &s, 0).n;
   law_state_close(&s);
   return n;

@@ -44,8 +44,8 @@ struct law_state {
 };
 /* Both masses anywhere; u_r > u_s > 0 and chi, eta, V > 0.  In balls each symbol is some number instead. */
 void law_state_open(struct law_state *s, struct num_ctx ctx);
-/* As before, with one mass in the cell; inside the limits u_s is any positive number. */
-void law_state_in(struct law_state *s, struct law_cell cell);
+/* Exact, with one mass in the cell; inside the limits u_s is any positive number. */
+void law_state_open_in(struct law_state *s, struct law_cell cell);
 void law_state_close(struct law_state *s);
 /* f of the mass. */
 val law_pull(struct law_state *s, int mass);

@@ -68,7 +68,8 @@ static void place(struct law_state *s, int mass, val f) {
   s->x[mass] = mass ? calc_add(c, s->x[0], calc_div(c, f, s->chi)) : calc_add(c, f, calc_mul(c, s->chi, s->x[1]));
 }
 
-void law_state_in(struct law_state *s, struct law_cell cell) {
+void law_state_open_in(struct law_state *s, struct law_cell cell) {
+  law_state_open(s, num_ctx_exact());
   struct calc *c = &s->c;
   int i = cell.mass;
   val near = generator(s, GEN_NEAR), far = generator(s, GEN_FAR), f = generator(s, GEN_FORCE);

@@ -92,8 +92,7 @@ static void clashes(struct text *out, const struct use *u, int n) {
 
 /* "$m_1$ for the first mass", each use once. */
 static const char *uses_text(struct judge *j, const struct use *u, int n) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int i = 0; i < n; i++) {
     bool again = false;
     for (int k = 0; k < i; k++)
@@ -138,12 +137,11 @@ static void settle(struct finding *f, struct judge *j, const char *fault, long t
 
 static bool judge_symbols(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct use u[MAX_USES];
-  struct text found;
+  struct text found = {0};
   int n = read_uses(u, c, claim_get(c, "symbols"));
   if (n < 2) return claim_error(j, c, "symbols", "symbols, stands-for and found-in list at least two uses, with \";\"");
   for (int i = 0; i < n; i++)
     if (!found_in_place(&u[i], c, &view)) return claim_error(j, c, "found-in", "a symbol is not printed at its place");
-  text_init(&found);
   clashes(&found, u, n);
   settle(f, j, found.len ? result_str(j->out, "%s", text_str(&found)) : NULL, n);
   const char *repaired = claim_get(c, "repaired");
@@ -168,14 +166,13 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
 }
 
 static bool judge_reading(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  const char *reads = claim_get(c, "reads"), *section = claim_get(c, "section"), *repaired = claim_get(c, "repaired");
-  struct diag d;
-  diag_init(&d);
-  bool ok = read_text(reads, c->id, section ? section : "", view, &d);
+  const char *reads = claim_get(c, "reads"), *repaired = claim_get(c, "repaired");
+  struct diag d = {0};
+  bool ok = read_text(reads, c->id, claim_section(c), view, &d);
   settle(f, j, ok ? NULL : result_str(j->out, "%s", d.message), 1);
   if (!ok && repaired && !view.control) {
     diag_init(&d);
-    bool again = read_text(repaired, c->id, section ? section : "", view, &d);
+    bool again = read_text(repaired, c->id, claim_section(c), view, &d);
     f->correction = result_str(j->out, "%s", repaired);
     f->correction_verdict = again ? VERDICT_UNKNOWN : VERDICT_REFUTED;
     if (again && j->effort != EFFORT_REFUTE) return judge_repaired(f, j, c, repaired);

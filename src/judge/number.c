@@ -11,20 +11,14 @@ enum { BITS_SHOWN = 34 }; /* ten digits */
 
 /* |x - printed|/unit, to three digits. */
 static const char *units_off(struct judge *j, const arb_t x, const struct printed_number *p) {
-  arb_t d, u;
-  arb_init(d);
-  arb_init(u);
+  arb_ptr w = _arb_vec_init(2), d = w, u = w + 1;
   arb_set_fmpq(d, &p->value, LAST_PREC);
   arb_sub(d, x, d, LAST_PREC);
   arb_abs(d, d);
   arb_set_fmpq(u, &p->unit, LAST_PREC);
   arb_div(d, d, u, LAST_PREC);
-  struct text t;
-  text_init(&t);
-  if (num_print(&t, d, 3) != SS_OK) num_print_ball(&t, d, 3);
-  const char *s = result_take(j->out, &t);
-  arb_clear(u);
-  arb_clear(d);
+  const char *s = ball_text(j, d, 3);
+  _arb_vec_clear(w, 2);
   return s;
 }
 
@@ -64,23 +58,6 @@ static int number_at(arb_t x, slong *bits, const struct number_job *n, const str
   return s;
 }
 
-/* k / 10^decimals in plain notation. */
-static void decimal_text(struct text *out, const fmpz_t k, slong decimals) {
-  fmpz_t a;
-  fmpz_init(a);
-  fmpz_abs(a, k);
-  char *s = fmpz_get_str(NULL, 10, a);
-  slong len = (slong)strlen(s), whole = len > decimals ? len - decimals : 0;
-  if (fmpz_sgn(k) < 0) text_add_char(out, '-');
-  if (whole == 0) text_add_char(out, '0');
-  text_add_n(out, s, (size_t)whole);
-  if (decimals > 0) text_add_char(out, '.');
-  for (slong i = len; i < decimals; i++) text_add_char(out, '0');
-  text_add(out, s + whole);
-  flint_free(s);
-  fmpz_clear(a);
-}
-
 /* The quantity in units of the last decimal, rounded to nearest: proved by its enclosure. */
 static void correct_number(struct finding *f, const struct number_job *n, const arb_t x) {
   arb_t units;
@@ -94,11 +71,9 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
   arb_mul_2exp_si(units, units, -1);
   arb_floor(units, units, LAST_PREC);
   if (arb_get_unique_fmpz(k, units)) {
-    struct text digits, latex;
-    text_init(&digits);
-    text_init(&latex);
+    struct text digits = {0}, latex = {0};
     fmpz_mul(k, k, fmpq_numref(&n->p->unit));
-    decimal_text(&digits, k, printed_decimals(n->p));
+    num_print_fixed(&digits, k, printed_decimals(n->p));
     name_latex(&latex, n->p->name);
     f->correction = result_str(n->j->out, "%s %s %s", n->p->name, n->relation, text_str(&digits));
     f->correction_latex = result_str(n->j->out, "%s %s %s", text_str(&latex), n->relation, text_str(&digits));
@@ -112,16 +87,15 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
 
 /* The printed number as the rule reads it: "2 (that is, 2.0000)", or "0.6784" where no digit is left out. */
 static const char *as_given(const struct number_job *n) {
-  struct text t;
+  struct text t = {0};
   fmpz_t k;
-  text_init(&t);
   fmpz_init(k);
   text_add(&t, n->p->decimal);
   if (!fmpq_equal(&n->p->digit, &n->p->unit)) {
     fmpz_divexact(k, fmpq_denref(&n->p->unit), fmpq_denref(&n->p->value));
     fmpz_mul(k, k, fmpq_numref(&n->p->value));
     text_add(&t, " (that is, ");
-    decimal_text(&t, k, printed_decimals(n->p));
+    num_print_fixed(&t, k, printed_decimals(n->p));
     text_add_char(&t, ')');
   }
   fmpz_clear(k);
@@ -164,14 +138,13 @@ static void certify_number(struct finding *f, const struct number_job *n, const 
 static struct route_result number_on_orbits(struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
   struct point p;
-  struct text note;
+  struct text note = {0};
   arb_t x;
   truth t = TRUTH_UNKNOWN;
   const char *where = NULL;
   slong bits = FIRST_PREC;
   point_init(&p);
   arb_init(x);
-  text_init(&note);
   if (nearest_orbit_point(&p, j->scene, j->cache) && number_at(x, &bits, n, &p) == SS_OK) {
     enum reading how;
     slong used = bits, nearest = p.orbit;
@@ -193,11 +166,10 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
   } else {
     text_add(&note, "no periodic solution was found, or the quantity could not be evaluated on it");
   }
-  struct route_result w = {"balls", outcome_of_truth(t), true, where != NULL};
-  finding_add_route(f, j->out, w, "corrected", bits, where, result_take(j->out, &note));
   arb_clear(x);
   point_clear(&p);
-  return w;
+  return finding_add_route(f, j->out, (struct route_result){"balls", outcome_of_truth(t), true, where != NULL},
+                           "corrected", bits, where, result_take(j->out, &note));
 }
 
 /* Whether some reading of the printed digits of e1 and e2, where these are the data, rescues the number: the orbit at
@@ -209,10 +181,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   struct scene at_corner = *j->scene; /* shares everything but the two values, which are restored below */
   fmpq_t shift;
   fmpq_init(shift);
-  arb_t x, lo, hi;
-  arb_init(x);
-  arb_init(lo);
-  arb_init(hi);
+  arb_ptr w = _arb_vec_init(3), x = w, lo = w + 1, hi = w + 2;
   long found = 0, fit = 0;
   slong bits = FIRST_PREC;
   for (int corner = 0; corner < 4; corner++) {
@@ -247,9 +216,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
                 "decimal below to one unit above) %s lies between %s and %s, and %s the printed digits.",
                 n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
-  arb_clear(hi);
-  arb_clear(lo);
-  arb_clear(x);
+  _arb_vec_clear(w, 3);
   fmpq_clear(shift);
 }
 
@@ -257,13 +224,12 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
 static struct route_result number_from_printed(struct finding *f, const struct number_job *n, bool decides) {
   struct judge *j = n->j;
   struct point p;
-  struct text note;
+  struct text note = {0};
   arb_t x;
   enum reading how = READ_ROUNDED;
   slong bits = FIRST_PREC;
   point_init(&p);
   arb_init(x);
-  text_init(&note);
   bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
   truth t = have ? printed_fits(x, n->p, &how) : TRUTH_UNKNOWN;
   struct route_result w = {"balls", outcome_of_truth(t), true, have};
@@ -297,8 +263,7 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   }
   struct printed_number own;
   bool owned = printed_replace(&own, &n.p, c);
-  struct text latex;
-  text_init(&latex);
+  struct text latex = {0};
   name_latex(&latex, name);
   f->printed = result_str(j->out, "%s %s %s", text_str(&latex), n.relation, n.p->decimal);
   text_clear(&latex);

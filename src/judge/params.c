@@ -1,12 +1,15 @@
-/* The parameters at which a claim speaks of an orbit. */
+/* Attributes that judges of several kinds read: a word or nothing, the parameters at which a claim speaks of an orbit. */
 #include "claim/judging.h"
 #include "judge.h"
 
+bool judge_switch(bool *on, struct judge *j, const struct claim *c, const char *attribute, const char *word) {
+  *on = claim_says(c, attribute, word);
+  return *on || !claim_get(c, attribute) || claim_error(j, c, attribute, result_str(j->out, "%s, or nothing", word));
+}
+
 bool judge_params(struct point *p, struct judge *j, const struct claim *c, const char *at) {
-  struct text packed;
-  struct diag d;
-  text_init(&packed);
-  diag_init(&d);
+  struct text packed = {0};
+  struct diag d = {0};
   for (const char *s = at; s && *s && *s != ';'; s++)
     if (*s != ' ') text_add_char(&packed, *s);
   for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p->q[q]);

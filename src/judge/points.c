@@ -197,11 +197,8 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
     r->lacks = result_str(out, "%s", tr->unbound);
     return true;
   }
-  if (tr->outcome == OUTCOME_UNBOUND) {
-    char what[128];
-    snprintf(what, sizeof what, "%s has no value at such points", tr->unbound);
-    return claim_error(r->j, r->c, "points", what);
-  }
+  if (tr->outcome == OUTCOME_UNBOUND)
+    return claim_error(r->j, r->c, "points", result_str(out, "%s has no value at such points", tr->unbound));
   if (tr->outcome == OUTCOME_REJECTED) {
     t->rejected++;
     return true;
@@ -267,10 +264,9 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   snprintf(seed, sizeof seed, "%s%s", r->c->id, r->restriction ? r->restriction->text : "");
   sampler_init(&s, seed, spec->kind, spec->phase, r->restriction);
   s.paper = spec->paper;
-  const char *perturbation = claim_get(r->c, "perturbation");
   s.admissible = spec->admissible;
   s.realistic = spec->realistic;
-  s.finite = perturbation && strcmp(perturbation, "finite") == 0;
+  s.finite = claim_says(r->c, "perturbation", "finite");
   point_init(&p);
   bool ok = true;
   long done = 0;
@@ -295,13 +291,12 @@ static const char *layer_of(const struct point_trials *r) {
 static void add_evidence(struct finding *f, struct point_trials *r, const struct tally *t, struct route_result w) {
   struct audit_result *out = r->j->out;
   bool is_double = t->route->type == &num_double;
-  struct evidence *e =
-      finding_add_route(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
+  finding_add_route(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
+  struct evidence *e = &f->evidence[f->n_evidence - 1];
   if (is_double && t->trials) e->machine_residual = exp2(t->worst_log);
   if (t->trials)
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
-  struct text note;
-  text_init(&note);
+  struct text note = {0};
   if (t->trials == 0) text_add(&note, "no point could be used");
   if (t->differs && t->certificate && !is_double)
     text_printf(&note, "the sides differ at %ld of %ld points; %s", t->differs, t->trials, t->certificate);
@@ -437,8 +432,7 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
     *id = result_str(j->out, "%s", made.id);
     return verdict_parse(made.record);
   }
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t, "%s-if-", c->id);
   for (; *text; text++)
     if (*text != ' ' && *text != '=') text_add_char(&t, *text);

@@ -2,7 +2,6 @@
    range for all parameters.  Beside that, over the pool of orbits, in balls: the margin is of that form, and the
    condition holds along the whole phase just where the range says. */
 #include <math.h>
-#include <string.h>
 
 #include "judge.h"
 #include "num/calc.h"
@@ -31,8 +30,7 @@ static const char *const part_attribute[N_RANGE_PARTS] = {"frequency", "factor",
 
 /* "[omega; 1; 0; omega*(z_10 - z_20); 0; t_d]" */
 static bool read_parts(struct range *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int i = 0; i < N_RANGE_PARTS; i++) {
     const char *formula = claim_get(r->c, part_attribute[i]);
     r->form.there[i] = formula != NULL;
@@ -48,17 +46,13 @@ static bool read_parts(struct range *r) {
 }
 
 static bool read_range(struct range *r) {
-  const char *from = claim_get(r->c, "from"), *rate = claim_get(r->c, "rate");
   if (!conditions_read(&r->goal, r->j, r->c, "conclusion", r->view)) return false;
   if (!conditions_read(&r->premise, r->j, r->c, "premises", r->view)) return false;
   if (r->goal.n != 1 || r->premise.n > 1)
     return claim_error(r->j, r->c, "conclusion", "one condition, with one premise or none");
-  r->form = (struct range_form){.premise = r->premise.n ? &r->premise.at[0] : NULL,
-                                .from_end = from && strcmp(from, "end") == 0,
-                                .rate = rate && strcmp(rate, "yes") == 0};
-  if (from && !r->form.from_end) return claim_error(r->j, r->c, "from", "end, or nothing");
-  if (rate && !r->form.rate) return claim_error(r->j, r->c, "rate", "yes, or nothing");
-  return read_parts(r);
+  r->form = (struct range_form){.premise = r->premise.n ? &r->premise.at[0] : NULL};
+  return judge_switch(&r->form.from_end, r->j, r->c, "from", "end") &&
+         judge_switch(&r->form.rate, r->j, r->c, "rate", "yes") && read_parts(r);
 }
 
 static void clear_range(struct range *r) {
@@ -238,8 +232,7 @@ static void by_balls(struct range *r) {
 /* --- The kind --- */
 
 static const char *describe(struct range *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t,
               "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise "
               "on %ld, open on %ld",
@@ -271,8 +264,7 @@ static void form_text(struct text *t, const struct range *r) {
 
 /* What was shown, on motions made from the first-order systems. */
 static const char *proof_note(const struct range *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_add(&t, "on motions made from the first-order systems ");
   if (!r->form.there[RANGE_ODD] && !r->form.there[RANGE_DRIFT]) {
     text_add(&t, "the margin is the premise's times a factor that is positive for all parameters");

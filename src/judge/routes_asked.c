@@ -43,10 +43,9 @@ static bool needs_no_route(const struct finding *f) {
 }
 
 void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c) {
-  struct text missing;
+  struct text missing = {0};
   int kept = 0;
   if (!j->scene || j->scene->asked.routes.n == 0 || needs_no_route(f)) return;
-  text_init(&missing);
   missing_of_claim(&missing, j, c);
   for (int i = 0; i < f->n_evidence; i++) {
     if (route_is_asked(j->scene, f->evidence[i].route)) {

@@ -67,9 +67,7 @@ static bool complain(struct scaling *s, const char *what, const struct expr *a, 
                      struct degree db) {
   enum { CLIP = 90 };
   if (s->fault->len) return false;
-  struct text x, y;
-  text_init(&x);
-  text_init(&y);
+  struct text x = {0}, y = {0};
   expr_print(&x, a);
   if (b) expr_print(&y, b);
   text_printf(s->fault, "%.*s%s (degree %g) is %s", CLIP, text_str(&x), x.len > CLIP ? "..." : "", da.of, what);
@@ -201,10 +199,9 @@ static void check_all(struct text *faults, long *checked, struct judge *j, struc
     if (r->rank > RANK_USER && !(view.control && strcmp(r->record->id_name, view.control) == 0)) continue;
     struct view v = {j->model, LAYER_CORRECTED, own ? r->equation : NULL, view.control};
     const struct statement_record *seen = own ? r : view_record(&v, r->id);
-    struct text fault;
+    struct text fault = {0};
     struct diag unread; /* a text that cannot be read has its own claim */
     diag_init(&unread);
-    text_init(&fault);
     if (seen && check_record(&fault, seen, v, scaled, &unread)) ++*checked;
     if (fault.len) text_printf(faults, "%s%s: %s", faults->len ? ". " : "", r->id, text_str(&fault));
     text_clear(&fault);
@@ -213,8 +210,7 @@ static void check_all(struct text *faults, long *checked, struct judge *j, struc
 
 /* Of the prefixes "F_ u_": F_... and u_... have the same dimension. */
 static const char *names_with_unit(struct judge *j, const char *prefixes) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (const char *c = prefixes; *c; c++) {
     if (*c == ' ')
       text_add(&t, "... and ");
@@ -267,8 +263,7 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
   const char *scaled = claim_get(c, "scaled"), *repaired = claim_get(c, "repaired"), *only = claim_get(c, "statement");
   if (!scaled) return claim_error(j, c, "kind", "the attribute scaled is missing");
   if (only && !view_record(&view, only)) return claim_error(j, c, "statement", "there is no such record");
-  struct text faults;
-  text_init(&faults);
+  struct text faults = {0};
   bool corrected_alone =
       view.control || j->effort == EFFORT_REFUTE; /* controls and mutants damage the corrected text */
   for (int pass = corrected_alone ? 1 : 0; pass < 2; pass++) {

@@ -14,9 +14,8 @@ enum { UNITS_OF_EXISTENCE = 150000 }; /* of work: all motions with two times giv
 
 static struct route_result add(struct finding *f, struct judge *j, const char *route, enum route_outcome outcome,
                                bool decisive, long trials, const char *note) {
-  struct route_result w = {route, outcome, decisive, trials};
-  finding_add_route(f, j->out, w, "model", decisive ? FIRST_PREC : -1, NULL, note);
-  return w;
+  return finding_add_route(f, j->out, (struct route_result){route, outcome, decisive, trials}, "model",
+                           decisive ? FIRST_PREC : -1, NULL, note);
 }
 
 /* --- The order of the phases --- */
@@ -86,9 +85,8 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     finding_skip(f, j, "the scene has no orbit, or does not give e1 and e2");
   } else if (ok) {
     struct route_result w[2];
-    struct text got;
+    struct text got = {0};
     const char *note = NULL;
-    text_init(&got);
     enum route_outcome balls = hold_all(&note, j, &list, &p);
     bool certified = is_certified(j, &p, letters);
     if (certified && !note)

@@ -74,8 +74,7 @@ static struct route_result conclude(struct finding *f, struct judge *j, const st
       : t->apart
           ? result_str(j->out, "at %ld of %ld points some step stays apart at both ends of the phase", t->apart, trials)
           : "each step becomes an equality at one end of the phase";
-  finding_add_route(f, j->out, w, "corrected", FIRST_PREC, t->where, note);
-  return w;
+  return finding_add_route(f, j->out, w, "corrected", FIRST_PREC, t->where, note);
 }
 
 bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

@@ -53,11 +53,11 @@ static bool read_parameters(bool *given, struct solutions *x) {
 }
 
 static bool read_asked(struct solutions *x) {
-  const char *count = claim_get(x->c, "count"), *every = claim_get(x->c, "every"), *kept = claim_get(x->c, "kept");
-  x->kept = kept && strcmp(kept, "yes") == 0;
+  const char *count = claim_get(x->c, "count");
+  x->kept = claim_says(x->c, "kept", "yes");
   x->count = count ? strtol(count, NULL, 10) : 0;
-  x->asked = count ? ASKED_COUNT : every && strcmp(every, "motion") == 0 ? ASKED_MOTION : ASKED_FIRST;
-  if (!count && x->asked == ASKED_FIRST && !(every && strcmp(every, "first") == 0))
+  x->asked = count ? ASKED_COUNT : claim_says(x->c, "every", "motion") ? ASKED_MOTION : ASKED_FIRST;
+  if (!count && x->asked == ASKED_FIRST && !claim_says(x->c, "every", "first"))
     return claim_error(x->j, x->c, "kind", "a count is needed, or every: first, or every: motion");
   return x->kept || claim_get(x->c, "until") || claim_error(x->j, x->c, "kind", "until, a bound of t_c, is needed");
 }
@@ -151,8 +151,7 @@ static void name_constraint(struct text *out, const struct condition *k) {
 
 /* "(51), (57) and z_1' < V in the global slip phase". */
 static const char *constraints_named(struct solutions *x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (!claim_title_records(&t, x->j->model, x->c, "constraints", x->j->d)) text_add(&t, "the constraints");
   return result_take(x->j->out, &t);
 }
@@ -173,8 +172,7 @@ static void add_broken(struct text *t, const struct solutions *x, slong i) {
 }
 
 static const char *listed(struct solutions *x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_add(&t, "values of (t_a, t_b, t_c, t_d) and the constraints that are violated:");
   for (slong i = 0; i < x->list.n && i < MOST_LISTED; i++) {
     text_add(&t, i ? "; (" : " (");
@@ -230,20 +228,18 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
     open += closes == TRUTH_UNKNOWN;
   }
   struct route_result w = {"integration", outcome_of_counts(closed, parted, open), false, closed + parted + open};
-  finding_add_route(f, x->j->out, w, "model", -1, NULL,
-                    result_str(x->j->out,
-                               "among the motions under Coulomb's law from the initial states of such solutions%s, the "
-                               "number of periodic ones is %ld and that of the others %ld",
-                               constrained ? " that satisfy the constraints" : "", closed, parted));
-  return w;
+  return finding_add_route(f, x->j->out, w, "model", -1, NULL,
+                           result_str(x->j->out,
+                                      "among the motions under Coulomb's law from the initial states of such "
+                                      "solutions%s, the number of periodic ones is %ld and that of the others %ld",
+                                      constrained ? " that satisfy the constraints" : "", closed, parted));
 }
 
 /* --- The kind --- */
 
 static struct route_result add_balls(struct finding *f, struct solutions *x, bool constrained, const char *note) {
-  struct route_result w = {"balls", outcome_of(x, constrained), true, x->list.n};
-  finding_add_route(f, x->j->out, w, layer_name[LAYER_CORRECTED], SOLUTION_PREC, NULL, note);
-  return w;
+  return finding_add_route(f, x->j->out, (struct route_result){"balls", outcome_of(x, constrained), true, x->list.n},
+                           layer_name[LAYER_CORRECTED], SOLUTION_PREC, NULL, note);
 }
 
 /* Refuted as it stands: does it hold of the solutions that keep the constraints? */

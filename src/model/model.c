@@ -15,6 +15,25 @@ void model_init(struct model *m) {
   arena_init(&m->arena);
 }
 
+struct model model_noting(struct model_use *use, const struct model *m) {
+  struct model noting = *m;
+  use->def = memset(ss_malloc(m->n_defs + 1), false, m->n_defs + 1);
+  use->record = memset(ss_malloc(m->n_records + 1), false, m->n_records + 1);
+  noting.use = use;
+  return noting;
+}
+
+void model_use_clear(struct model_use *use) {
+  free(use->def);
+  free(use->record);
+}
+
+bool model_use_has(const struct model_use *use, const struct model *m, size_t record) {
+  bool has = use->record[record];
+  for (size_t i = 0; !has && i < m->n_defs; i++) has = use->def[i] && m->defs[i].record == m->records[record].record;
+  return has;
+}
+
 void model_clear(struct model *m) {
   for (size_t i = 0; i < m->n_files; i++) {
     record_file_clear(m->files[i]);

@@ -102,6 +102,11 @@ struct model {
 
 void model_init(struct model *m);
 void model_clear(struct model *m);
+/* The same model, whose look-ups are noted: of nothing so far.  The notes are to be cleared. */
+struct model model_noting(struct model_use *use, const struct model *m);
+void model_use_clear(struct model_use *use);
+/* Whether the record, or something that it defines, was looked up. */
+bool model_use_has(const struct model_use *use, const struct model *m, size_t record);
 /* Adds one file, a text that messages call by the name, or every *.eq file of a folder in the order of their names. */
 bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d);
 bool model_add_text(struct model *m, const char *name, const char *text, enum rank rank, struct diag *d);

@@ -50,11 +50,6 @@ static bool readings_of(struct latex_reading **out, size_t *n, const struct stat
 
 /* --- Two expressions --- */
 
-static const struct expr *without_parentheses(const struct expr *e) {
-  while (e->kind == EXPR_PAREN) e = e->args[0];
-  return e;
-}
-
 /* a^(-1) is the inverse of a, of matrices and numbers alike. */
 static bool is_inverse(const struct expr *e) {
   return e->kind == EXPR_INV || (e->kind == EXPR_POW && e->exponent == -1);
@@ -66,7 +61,7 @@ static bool same_name(const char *a, const char *b) {
 
 /* Where two trees part: the innermost pair that holds every difference; false where they are the same. */
 static bool find_difference(const struct expr **a, const struct expr **b) {
-  const struct expr *x = without_parentheses(*a), *y = without_parentheses(*b);
+  const struct expr *x = expr_bare(*a), *y = expr_bare(*b);
   *a = x;
   *b = y;
   if (!expr_same_node(x, y) && !(is_inverse(x) && is_inverse(y))) return true;

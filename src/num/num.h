@@ -122,6 +122,8 @@ int num_print(struct text *out, const arb_t x, slong digits);
 void num_print_rational(struct text *out, const fmpq_t q, slong digits);
 /* The ball in a form for people, "1.2345 +/- 3.1e-40", with at most `digits` digits of the midpoint; any ball. */
 void num_print_ball(struct text *out, const arb_t x, slong digits);
+/* k / 10^decimals in plain notation. */
+void num_print_fixed(struct text *out, const fmpz_t k, slong decimals);
 /* An exact rational as p or p/q. */
 void num_print_q(struct text *out, const fmpq_t q);
 /* q = x exactly; x is finite. */

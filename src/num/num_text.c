@@ -283,6 +283,19 @@ void num_print_rational(struct text *out, const fmpq_t q, slong digits) {
   fmpz_clear(d.n);
 }
 
+void num_print_fixed(struct text *out, const fmpz_t k, slong decimals) {
+  char *s = fmpz_get_str(NULL, 10, k);
+  const char *digits = s + (*s == '-');
+  slong len = (slong)strlen(digits), whole = len > decimals ? len - decimals : 0;
+  if (*s == '-') text_add_char(out, '-');
+  if (whole == 0) text_add_char(out, '0');
+  text_add_n(out, digits, (size_t)whole);
+  if (decimals > 0) text_add_char(out, '.');
+  add_zeros(out, decimals - len);
+  text_add(out, digits + whole);
+  flint_free(s);
+}
+
 /* Arb writes [m +/- r], [+/- r] when no digit of the middle is known, and a bare number when it is exact. */
 void num_print_ball(struct text *out, const arb_t x, slong digits) {
   char *s = arb_get_str(x, FLINT_MAX(digits, 1), 0);

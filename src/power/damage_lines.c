@@ -36,8 +36,7 @@ static void drop_items(struct maker *k, const struct items *l) {
 }
 
 static void exchange_items(struct maker *k, const struct items *l) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int i = 0; i + 1 < l->n; i++) {
     struct span a = l->item[i], b = l->item[i + 1];
     text_reset(&t);
@@ -85,37 +84,33 @@ static void renumber_items(struct maker *k, const struct items *l) {
 
 /* --- Arguments --- */
 
-void damage_premises(struct maker *k) {
+static void damage_citations(struct maker *k, struct items *l) {
+  read_items(l, k);
+  drop_items(k, l);
+  rename_items(k, l);
+  renumber_items(k, l);
+}
+
+void damage_conclusion(struct maker *k) {
   struct items l;
-  const struct field *conclusion = record_field(k->record, "conclusion");
-  read_items(&l, k);
-  drop_items(k, &l);
-  rename_items(k, &l);
-  renumber_items(k, &l);
+  damage_citations(k, &l);
   exchange_items(k, &l);
+}
+
+/* What is to be concluded is a premise too. */
+void damage_premises(struct maker *k) {
+  const struct field *conclusion = record_field(k->record, "conclusion");
+  damage_conclusion(k);
   if (!conclusion) return;
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t, ", %.*s", (int)strcspn(conclusion->text, ","), conclusion->text);
   maker_put(k, k->field->value.end, k->field->value.end, text_str(&t));
   text_clear(&t);
 }
 
-void damage_conclusion(struct maker *k) {
-  struct items l;
-  read_items(&l, k);
-  drop_items(k, &l);
-  rename_items(k, &l);
-  renumber_items(k, &l);
-  exchange_items(k, &l);
-}
-
 void damage_repair(struct maker *k) {
   struct items l;
-  read_items(&l, k);
-  drop_items(k, &l);
-  rename_items(k, &l);
-  renumber_items(k, &l);
+  damage_citations(k, &l);
   maker_delete(k);
 }
 
@@ -209,10 +204,6 @@ void damage_phases(struct maker *k) {
   EXCHANGE(k, other_phase);
 }
 
-void damage_line(struct maker *k) {
-  maker_delete(k);
-}
-
 /* --- Corrections, restrictions, fault classes --- */
 
 void damage_text_of_correction(struct maker *k) {
@@ -241,10 +232,6 @@ void damage_fault(struct maker *k) {
 
 static const char still_wrong[] = "the control is wrong all the same, and refuted";
 
-void damage_record(struct maker *k) {
-  maker_delete(k);
-}
-
 void damage_control_claim(struct maker *k) {
   const struct claims *c = k->m->data.claims;
   for (size_t i = 0; i + 1 < c->n; i++)
@@ -265,12 +252,8 @@ void damage_control_line(struct maker *k) {
 
 /* The size of what is wrong; its sign; another entry. */
 void damage_control_formula(struct maker *k) {
-  struct span v = k->field->value;
   k->excuse = still_wrong;
-  for (size_t i = v.begin; i < v.end; i++) {
-    char next = (char)('0' + (k->text[i] - '0' + 1) % 10);
-    if (char_is_digit(k->text[i])) maker_add(k, i, i + 1, &next, 1, NULL);
-  }
+  maker_digits(k);
   maker_signs(k);
   k->excuse = NULL;
 }

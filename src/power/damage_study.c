@@ -1,7 +1,6 @@
 /* A damage in place: load, check, judge what it concerns, and compare with what was said without it. */
 #include "damage_study.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,8 +36,7 @@ void damage_study_free(struct damage_study *s) {
   for (size_t i = 0; i < s->m->data.claims->n; i++) {
     if (!s->claim[i].judged) continue;
     audit_result_clear(&s->claim[i].said);
-    free(s->claim[i].use.def);
-    free(s->claim[i].use.record);
+    model_use_clear(&s->claim[i].use);
   }
   free(s->claim);
   orbit_pool_free(s->pool);
@@ -67,13 +65,8 @@ static bool judge_one(struct audit_result *out, struct damage_study *s, const st
 static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i) {
   struct undamaged *u = &s->claim[i];
   if (u->judged) return u;
-  const struct model *m = s->m->data.model;
-  struct model recording = *m;
-  struct diag d;
-  diag_init(&d);
-  u->use.def = memset(ss_malloc(m->n_defs + 1), 0, m->n_defs + 1);
-  u->use.record = memset(ss_malloc(m->n_records + 1), 0, m->n_records + 1);
-  recording.use = &u->use;
+  const struct model recording = model_noting(&u->use, s->m->data.model);
+  struct diag d = {0};
   audit_result_init(&u->said);
   u->judged = true;
   const struct changed_material none = {.data = {&recording, s->m->data.claims, s->m->data.controls, NULL, NULL},
@@ -85,27 +78,26 @@ static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i)
 /* --- What is said --- */
 
 /* The first line, without the folder of the file that it begins with. */
-static void say(struct damage_said *out, enum mutant_fate fate, const char *message) {
+SS_PRINTF(3, 4) static void say(struct damage_said *out, enum mutant_fate fate, const char *fmt, ...) {
+  struct arena a;
+  va_list ap;
+  arena_init(&a);
+  va_start(ap, fmt);
+  const char *message = arena_vprintf(&a, fmt, ap);
+  va_end(ap);
   size_t line = strcspn(message, "\n"), word = strcspn(message, " \n"), folder = 0;
   for (size_t i = 0; i < word; i++)
     if (message[i] == '/' && message[word - 1] == ':') folder = i + 1;
-  struct text t;
-  text_init(&t);
-  text_add_n(&t, message + folder, line - folder);
-  size_t most = t.len < DAMAGE_WORDS ? t.len : DAMAGE_WORDS - 1;
+  size_t most = line - folder < DAMAGE_WORDS ? line - folder : DAMAGE_WORDS - 1;
   *out = (struct damage_said){.fate = fate};
-  memcpy(out->says, text_str(&t), text_valid_prefix(text_str(&t), most));
-  text_clear(&t);
+  memcpy(out->says, message + folder, text_valid_prefix(message + folder, most));
+  arena_clear(&a);
 }
 
 static bool differs(struct damage_said *out, const char *id, const char *what, enum verdict is, enum verdict was) {
   if (is == was) return false;
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "%s%s: %s, undamaged %s", id, what, is < N_VERDICTS ? verdict_name[is] : "none",
-              was < N_VERDICTS ? verdict_name[was] : "none");
-  say(out, FATE_NOTICED, text_str(&t));
-  text_clear(&t);
+  say(out, FATE_NOTICED, "%s%s: %s, undamaged %s", id, what, is < N_VERDICTS ? verdict_name[is] : "none",
+      was < N_VERDICTS ? verdict_name[was] : "none");
   return true;
 }
 
@@ -121,11 +113,7 @@ static enum verdict correction_verdict(const struct finding *f) {
 static bool off_record(struct damage_said *out, const struct finding *is, const struct finding *was) {
   if (!is || is->recorded == N_VERDICTS || is->recorded == is->verdict || (was && was->recorded != was->verdict))
     return false;
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "%s: %s, recorded as %s", is->id, verdict_name[is->verdict], verdict_name[is->recorded]);
-  say(out, FATE_NOTICED, text_str(&t));
-  text_clear(&t);
+  say(out, FATE_NOTICED, "%s: %s, recorded as %s", is->id, verdict_name[is->verdict], verdict_name[is->recorded]);
   return true;
 }
 
@@ -158,8 +146,7 @@ static bool claim_notices(struct damage_said *out, struct damage_study *s, const
                           const struct claim *claim) {
   const struct claim *before = claim_named(s->m->data.claims, claim->id);
   struct audit_result r;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   audit_result_init(&r);
   const struct undamaged *u = before ? undamaged_claim(s, (size_t)(before - s->m->data.claims->claim)) : NULL;
   bool noticed = false;
@@ -168,7 +155,7 @@ static bool claim_notices(struct damage_said *out, struct damage_study *s, const
     return false;
   }
   if (!judge_one(&r, s, c, claim, NULL, &d)) {
-    say(out, FATE_UNREADABLE, d.message);
+    say(out, FATE_UNREADABLE, "%s", d.message);
     noticed = true;
   } else {
     noticed = findings_differ(out, &r, &u->said);
@@ -179,10 +166,8 @@ static bool claim_notices(struct damage_said *out, struct damage_study *s, const
 }
 
 static bool is_far(struct damage_said *out, const struct control_result *c) {
-  char what[DAMAGE_WORDS];
   if (!control_is_far(c)) return false;
-  snprintf(what, sizeof what, "%s is %s from what it damages, and says %s", c->id, c->distance, c->near);
-  say(out, FATE_NOTICED, what);
+  say(out, FATE_NOTICED, "%s is %s from what it damages, and says %s", c->id, c->distance, c->near);
   return true;
 }
 
@@ -191,18 +176,17 @@ static bool control_notices(struct damage_said *out, struct damage_study *s, con
   const char *of = record_get(control->record, "claim");
   const struct claim *claim = claim_named(c->data.claims, of);
   struct audit_result r;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (!claim) {
     struct judge nobody = {.d = &d};
     claim_error(&nobody, control, "claim", "a control names the claim that it damages");
-    say(out, FATE_REFUSED, d.message);
+    say(out, FATE_REFUSED, "%s", d.message);
     return true;
   }
   audit_result_init(&r);
   bool noticed = true;
   if (!judge_one(&r, s, c, claim, control, &d))
-    say(out, FATE_UNREADABLE, d.message);
+    say(out, FATE_UNREADABLE, "%s", d.message);
   else
     noticed = r.n_controls > 0 &&
               (differs(out, control->id, "", r.controls[0].verdict, VERDICT_REFUTED) || is_far(out, &r.controls[0]));
@@ -224,9 +208,7 @@ static bool controls_notice(struct damage_said *out, struct damage_study *s, con
 
 static bool same_statements(const struct statement_record *a, const struct statement_record *b) {
   bool same = a->n_stmts == b->n_stmts;
-  struct text x, y;
-  text_init(&x);
-  text_init(&y);
+  struct text x = {0}, y = {0};
   for (int k = 0; same && k < a->n_stmts; k++) {
     text_reset(&x);
     text_reset(&y);
@@ -239,18 +221,10 @@ static bool same_statements(const struct statement_record *a, const struct state
   return same;
 }
 
-/* Whether the claim reads the record, or something that it defines. */
-static bool reads_record(const struct undamaged *u, const struct model *m, size_t record) {
-  bool reads = u->use.record[record];
-  for (size_t i = 0; !reads && i < m->n_defs; i++)
-    reads = u->use.def[i] && m->defs[i].record == m->records[record].record;
-  return reads;
-}
-
 static bool readers_notice(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
                            size_t record) {
   for (size_t i = 0; i < s->m->data.claims->n; i++)
-    if (reads_record(undamaged_claim(s, i), s->m->data.model, record) &&
+    if (model_use_has(&undamaged_claim(s, i)->use, s->m->data.model, record) &&
         claim_notices(out, s, c, &s->m->data.claims->claim[i]))
       return true;
   return false;
@@ -274,9 +248,7 @@ static bool equations_notice(struct damage_said *out, struct damage_study *s, co
 static bool scene_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c) {
   for (size_t i = 0; i < s->m->data.claims->n; i++) {
     const struct claim *claim = &s->m->data.claims->claim[i];
-    const char *over = claim_get(claim, "over");
-    bool of_scene = claim_kind_of(claim)->of_scene || (over && strcmp(over, "scene") == 0);
-    if (of_scene && claim_notices(out, s, c, claim)) return true;
+    if (claim_of_scene(claim) && claim_notices(out, s, c, claim)) return true;
   }
   return false;
 }
@@ -304,17 +276,15 @@ static bool is_noticed(struct damage_said *out, struct damage_study *s, const st
 static bool is_misquoted(struct damage_said *out, const struct damage_study *s, const struct changed_material *c) {
   struct quotations q;
   struct source scene;
-  struct text where;
-  struct diag diag;
-  diag_init(&diag);
-  text_init(&where);
+  struct text where = {0};
+  struct diag diag = {0};
   source_from_string(&scene, c->scene->source[0]->name, c->scene->source[0]->text);
   bool ok = quotations_collect(&q, &c->data, &diag);
   if (!ok) source_clear(&scene);
   ok = ok && quotations_add_scene(&q, c->data.claims, scene, &diag);
   if (ok) quotations_compare(&q, &s->text->tokens);
   bool missed = ok && !quotations_report(&where, &q, s->text);
-  if (missed || !ok) say(out, FATE_REFUSED, ok ? text_str(&where) : diag.message);
+  if (missed || !ok) say(out, FATE_REFUSED, "%s", ok ? text_str(&where) : diag.message);
   text_clear(&where);
   quotations_clear(&q);
   return missed || !ok;
@@ -322,13 +292,11 @@ static bool is_misquoted(struct damage_said *out, const struct damage_study *s, 
 
 static bool is_refused(struct damage_said *out, struct changed_material *c, const struct damage_study *s,
                        const struct damage *d) {
-  struct text t;
-  struct diag diag;
-  diag_init(&diag);
-  text_init(&t);
+  struct text t = {0};
+  struct diag diag = {0};
   damage_text(&t, s->m, d);
   bool ok = material_change(c, s->m, d->file, text_str(&t), &diag) && material_check(&c->data, &diag);
-  if (!ok) say(out, FATE_REFUSED, diag.message);
+  if (!ok) say(out, FATE_REFUSED, "%s", diag.message);
   text_clear(&t);
   return !ok || (s->text && is_misquoted(out, s, c));
 }
@@ -336,15 +304,15 @@ static bool is_refused(struct damage_said *out, struct changed_material *c, cons
 void damage_try(struct damage_said *out, struct damage_study *s, const struct damage *d) {
   struct changed_material c;
   bool in_text = !s->text && (d->class == DAMAGE_QUOTATION || d->class == DAMAGE_PRINTED);
-  say(out, in_text ? FATE_NEEDS_TEXT : FATE_UNDECIDED, "");
+  *out = (struct damage_said){.fate = in_text ? FATE_NEEDS_TEXT : FATE_UNDECIDED};
   if (d->rule) {
-    say(out, FATE_EQUIVALENT, d->rule);
+    say(out, FATE_EQUIVALENT, "%s", d->rule);
     return;
   }
   s->same_faults = false;
   bool titled = d->class == DAMAGE_TITLE; /* no judge reads a title */
   bool noticed = is_refused(out, &c, s, d) || (!titled && is_noticed(out, s, &c, d));
-  if (!noticed && d->excuse) say(out, FATE_EQUIVALENT, d->excuse);
+  if (!noticed && d->excuse) say(out, FATE_EQUIVALENT, "%s", d->excuse);
   if (!noticed && d->class == DAMAGE_FAULT && s->same_faults)
     say(out, FATE_EQUIVALENT, "the fault class that the report has is the same");
   changed_material_clear(&c);

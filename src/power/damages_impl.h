@@ -26,7 +26,7 @@ struct exchange {
 void maker_add(struct maker *k, size_t begin, size_t end, const char *now, size_t n, const char *rule);
 void maker_put(struct maker *k, size_t begin, size_t end, const char *now);
 /* The field with its line goes, or the record with its lines. */
-void maker_delete(struct maker *k);
+damage_fn maker_delete;
 
 /* Damages of the field's value, character by character: each digit is the next one; "+" and "-", "<" and ">" turn;
    words are exchanged by a table; an index of one letter is its neighbour. */
@@ -37,8 +37,8 @@ void maker_indices(struct maker *k);
 
 /* By lines (damage_lines.c). */
 damage_fn damage_premises, damage_conclusion, damage_points, damage_routes, damage_one_of, damage_digits,
-    damage_parameters, damage_phases, damage_line, damage_text_of_correction, damage_repair, damage_restriction,
-    damage_fault, damage_control_claim, damage_control_line, damage_control_formula, damage_record;
+    damage_parameters, damage_phases, damage_text_of_correction, damage_repair, damage_restriction, damage_fault,
+    damage_control_claim, damage_control_line, damage_control_formula;
 /* By words (damage_words.c). */
 damage_fn damage_tex, damage_quotation, damage_number, damage_title;
 

@@ -10,20 +10,14 @@
 #include "tape/exact.h"
 #include "value/sentence.h"
 
-/* Does the statement take first orders in small symbols?  A matrix held as unknown would hide them. */
-static bool has_first_order(const struct expr *e) {
-  for (;; e = e->args[0]) {
-    if (e->kind == EXPR_FIRST_ORDER) return true;
-    for (int i = 1; i < e->n_args; i++)
-      if (has_first_order(e->args[i])) return true;
-    if (e->n_args == 0) return false;
-  }
+static bool is_first_order(const struct expr *e, const void *arg) {
+  (void)arg;
+  return e->kind == EXPR_FIRST_ORDER;
 }
 
+/* Does the statement take first orders in small symbols?  A matrix held as unknown would hide them. */
 static bool linearizes(const struct stmt *s) {
-  for (int i = 0; s->kind != STMT_TRAJECTORY && i < s->n_sides; i++)
-    if (has_first_order(s->sides[i])) return true;
-  return false;
+  return stmt_any(s, is_first_order, NULL);
 }
 
 static bool record_linearizes(struct view v, const char *id) {
@@ -94,8 +88,7 @@ static bool same_sentences(const struct sentence *a, const struct sentence *b, b
 static bool same_in_views(const struct claim *c, struct view a, struct view b, const struct facts *f,
                           const struct override *o, int n) {
   struct sentence x, y;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   bool ok = sentence_from_claim(&x, a, c, o, n, &d);
   ok = sentence_from_claim(&y, b, c, o, n, &d) && ok;
   ok = ok && same_sentences(&x, &y, false, f, c, NULL);
@@ -116,9 +109,8 @@ static bool same_end(const struct expr *x, const struct expr *y, const struct st
   struct tape tape = {.n = 0};
   struct exact_vec v = {.len = 0};
   struct matrix a, b;
-  struct diag d;
+  struct diag d = {0};
   bool same = false;
-  diag_init(&d);
   if (!x || !y || expr_same(x, y)) return !x == !y;
   elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   struct exact_field *f = exact_field_new(NULL, 0);
@@ -166,8 +158,7 @@ static bool argument_same_in(const struct claim *c, const struct model *a, const
   audit_result_init(&out);
   for (int i = 0; same && i < 3; i++) {
     for (int k = 0; k < 2; k++) {
-      struct diag d;
-      diag_init(&d);
+      struct diag d = {0};
       struct judge j = {.out = &out, .d = &d};
       same = conditions_read(&list[k], &j, c, part[i], claim_view(k ? b : a, c)) && same;
     }
@@ -200,8 +191,7 @@ static bool target_sentence(struct sentence *s, const struct target *t, const st
                             int n) {
   const struct statement_record *r = &m->records[t->record];
   const struct stmt *st = r->stmts[t->stmt];
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   struct view v = {m, LAYER_CORRECTED, t->corrected ? r->equation : NULL, NULL};
   const struct stmt *stmts[] = {st};
   struct statement_record alone = *r;

@@ -77,8 +77,7 @@ _Static_assert((int)N_MOTION_FACTS + (int)N_PHASE_FACTS <= (int)MOST_FACTS, "roo
 static bool tape_of(struct tape *t, const struct model *m, const char *expression) {
   struct elaboration el;
   struct matrix x;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   bool ok = elaborate_tape(t, &x, &el, expression, expression, "", &d);
   elaboration_clear(&el);
@@ -87,20 +86,17 @@ static bool tape_of(struct tape *t, const struct model *m, const char *expressio
 
 /* --- Matrices held as unknowns --- */
 
-static bool has_literal(const struct expr *e) {
-  for (;; e = e->args[0]) {
-    if (e->kind == EXPR_MATRIX) return true;
-    for (int i = 1; i < e->n_args; i++)
-      if (has_literal(e->args[i])) return true;
-    if (e->n_args == 0) return false;
-  }
+static bool is_literal(const struct expr *e, const void *arg) {
+  (void)arg;
+  return e->kind == EXPR_MATRIX;
 }
 
 /* Is it the only definition of its name that the corrected view sees, written as a matrix, and no function? */
 static bool is_written_matrix(const struct model *m, size_t def) {
   const struct definition *x = &m->defs[def];
   struct view v = {m, LAYER_CORRECTED, NULL, NULL};
-  if (x->rank == RANK_CONTROL || x->stmt->kind != STMT_DEFINE || x->stmt->param || !has_literal(x->stmt->sides[0]))
+  if (x->rank == RANK_CONTROL || x->stmt->kind != STMT_DEFINE || x->stmt->param ||
+      !expr_any(x->stmt->sides[0], is_literal, NULL))
     return false;
   for (size_t i = 0; i < m->n_defs; i++)
     if (i != def && strcmp(m->defs[i].name, x->name) == 0 && view_sees(&v, &m->defs[i])) return false;
@@ -108,23 +104,18 @@ static bool is_written_matrix(const struct model *m, size_t def) {
 }
 
 static void add_opaque(struct facts *f, const struct model *m, size_t def) {
-  struct model recording = *m;
-  struct opaque o = {.use = {ss_malloc(m->n_defs + 1), ss_malloc(m->n_records + 1)}};
-  memset(o.use.def, 0, m->n_defs);
-  memset(o.use.record, 0, m->n_records);
-  recording.use = &o.use;
+  struct opaque o;
+  const struct model recording = model_noting(&o.use, m);
   struct elaboration el;
   struct matrix x;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   elaboration_init(&el, (struct view){&recording, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   if (elaborate_name(&x, &el, m->defs[def].name, m->defs[def].section, &d) && x.rows * x.cols > 1) {
     o.name = (struct override){m->defs[def].name, x.rows, x.cols};
     f->opaque = ss_grow(f->opaque, f->n_opaque, &f->cap_opaque, sizeof *f->opaque);
     f->opaque[f->n_opaque++] = o;
   } else {
-    free(o.use.def);
-    free(o.use.record);
+    model_use_clear(&o.use);
   }
   elaboration_clear(&el);
 }
@@ -164,10 +155,7 @@ void facts_free(struct facts *f) {
   tape_clear(&f->velocity);
   tape_clear(&f->zero);
   for (int i = 0; i < 2; i++) tape_clear(&f->sign[i]);
-  for (size_t i = 0; i < f->n_opaque; i++) {
-    free(f->opaque[i].use.def);
-    free(f->opaque[i].use.record);
-  }
+  for (size_t i = 0; i < f->n_opaque; i++) model_use_clear(&f->opaque[i].use);
   free(f->opaque);
   free(f);
 }
@@ -176,8 +164,7 @@ void facts_free(struct facts *f) {
 static int phase_of(const struct claim *c) {
   enum { MAX = 4 };
   struct point_spec spec[MAX];
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   struct judge j = {.d = &d};
   int n = claim_points(spec, MAX, &j, c), phase = -1;
   for (int i = 0; i < n; i++) {

@@ -18,8 +18,7 @@ void material_init(struct material *m, const struct audit_data *data, const stru
   for (size_t i = 0; i < data->claims->n_files; i++) add_file(m, PART_CLAIMS, RANK_PAPER, data->claims->files[i]);
   for (size_t i = 0; i < data->controls->n_files; i++) add_file(m, PART_CONTROLS, RANK_PAPER, data->controls->files[i]);
   struct source src;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   source_from_string(&src, scene->source[0]->name, scene->source[0]->text);
   if (record_file_parse(&m->scene_records, src, &d)) add_file(m, PART_SCENE, RANK_PAPER, &m->scene_records);
 }

@@ -17,20 +17,12 @@ static struct view everything(const struct model *m) {
 
 /* --- Words --- */
 
-/* First operands in a loop: sums lean to the left and may be as long as a formula. */
-static bool stands_in(const struct expr *e, const char *name) {
-  for (;; e = e->args[0]) {
-    if ((e->kind == EXPR_SYM || e->kind == EXPR_CALL) && strcmp(e->name, name) == 0) return true;
-    for (int i = 1; i < e->n_args; i++)
-      if (stands_in(e->args[i], name)) return true;
-    if (e->n_args == 0) return false;
-  }
+static bool has_name(const struct expr *e, const void *name) {
+  return (e->kind == EXPR_SYM || e->kind == EXPR_CALL) && strcmp(e->name, name) == 0;
 }
 
 bool stands_in_statement(const struct stmt *s, const char *name) {
-  for (int i = 0; s->kind != STMT_TRAJECTORY && i < s->n_sides; i++)
-    if (stands_in(s->sides[i], name)) return true;
-  return false;
+  return stmt_any(s, has_name, name);
 }
 
 static bool stands_in_section(const struct model *m, const char *section, const char *name) {
@@ -54,8 +46,7 @@ static void measure(struct edit_word *w, struct elaboration *el, const struct de
   const struct expr one = {.kind = EXPR_NUM, .name = "1"}, *args[] = {&one};
   struct expr use = {.kind = w->function ? EXPR_CALL : EXPR_SYM, .name = w->name, .n_args = w->function, .args = args};
   struct matrix m;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   bool ok = elaborate(&m, el, &use, def->src, def->section, &d);
   w->rows = ok ? m.rows : 0;
   w->cols = ok ? m.cols : 0;
@@ -75,8 +66,7 @@ struct lexicon *lexicon_new(const struct model *m, const char *section) {
                                    .plain = !strpbrk(m->symbols[i].name, "_'") &&
                                             stands_in_section(m, section, m->symbols[i].name)});
   for (size_t i = 0; i < m->n_defs; i++) {
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     const struct definition *def = view_lookup(&v, m->defs[i].name, section, &d);
     if (!def) continue;
     struct edit_word w = {.name = def->name, .function = def->stmt->kind == STMT_TRAJECTORY || def->stmt->param};
@@ -108,8 +98,7 @@ struct target target_of(const struct model *m, size_t record, int stmt) {
   struct target t = {record, stmt, -1, false};
   for (size_t i = 0; i < m->n_defs; i++)
     if (m->defs[i].stmt == r->stmts[stmt]) t.def = (long)i;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (r->rank == RANK_ERRATA) return t;
   t.corrected = t.def >= 0 ? view_lookup(&v, m->defs[t.def].name, r->section, &d) != &m->defs[t.def]
                            : view_record(&v, r->id) != r;

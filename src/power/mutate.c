@@ -61,19 +61,14 @@ static bool asserts(const struct audit_result *said) {
   return v != VERDICT_DEFINITION && v != VERDICT_SKIPPED;
 }
 
-static bool read_claim(struct reader *rd, struct mutation_study *r, struct model *recording, const struct claim *c,
-                       struct diag *d) {
+static bool read_claim(struct reader *rd, struct mutation_study *r, const struct claim *c, struct diag *d) {
   *rd = (struct reader){.claim = c};
-  rd->use.def = ss_malloc(r->model->n_defs + 1);
-  rd->use.record = ss_malloc(r->model->n_records + 1);
-  memset(rd->use.def, 0, r->model->n_defs);
-  memset(rd->use.record, 0, r->model->n_records);
-  recording->use = &rd->use;
+  const struct model recording = model_noting(&rd->use, r->model);
   if (claim_asked(c) == ASKED_NEVER) {
     audit_result_init(&rd->said);
     return true;
   }
-  struct judge j = new_judge(r, recording, &rd->said, claim_asked(c) == ASKED_LATE ? EFFORT_REFUTE : EFFORT_FULL, d);
+  struct judge j = new_judge(r, &recording, &rd->said, claim_asked(c) == ASKED_LATE ? EFFORT_REFUTE : EFFORT_FULL, d);
   bool ok = judge_claim(&j, c);
   r->pool = j.pool;
   if (!ok) return false;
@@ -89,11 +84,10 @@ static int lightest_first(const void *a, const void *b) {
 }
 
 static bool read_all(struct mutation_study *r, struct diag *d) {
-  struct model recording = *r->model;
   r->reader = ss_malloc((r->claims->n + 1) * sizeof *r->reader);
   for (size_t i = 0; i < r->claims->n; i++) {
     r->n_readers++;
-    if (!read_claim(&r->reader[i], r, &recording, &r->claims->claim[i], d)) return false;
+    if (!read_claim(&r->reader[i], r, &r->claims->claim[i], d)) return false;
   }
   if (r->n_readers) qsort(r->reader, r->n_readers, sizeof *r->reader, lightest_first);
   return true;
@@ -111,13 +105,9 @@ static bool is_diagnostic(const struct finding *f, const struct claim *c) {
   return claim_kind(c) != KIND_INDEX_RANGE && f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0;
 }
 
-static bool passes(enum verdict v) {
-  return v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
-}
-
 /* That a proof fails, or succeeds, is not noticed by itself. */
 static bool alike(enum verdict a, enum verdict b) {
-  return a == b || (passes(a) && passes(b));
+  return a == b || (verdict_passes(a) && verdict_passes(b));
 }
 
 static bool same_findings(const struct audit_result *a, const struct audit_result *b) {
@@ -135,11 +125,12 @@ static enum notice quick_besides(const struct reader *rd, const struct audit_res
   const struct finding *was = &rd->said.findings[0], *is = &now->findings[0];
   if (is->verdict != VERDICT_REFUTED) return OPEN;
   if (is_diagnostic(is, rd->claim) && !is_diagnostic(was, rd->claim)) return BROKEN;
-  if (was->correction && is->correction && passes(was->correction_verdict) && is->correction_verdict == VERDICT_REFUTED)
+  if (was->correction && is->correction && verdict_passes(was->correction_verdict) &&
+      is->correction_verdict == VERDICT_REFUTED)
     return CHANGED;
   for (size_t i = 1; i < rd->said.n_findings; i++) {
     const struct finding *f = audit_result_finding(now, rd->said.findings[i].id);
-    if (passes(rd->said.findings[i].verdict) && f && f->verdict == VERDICT_REFUTED) return CHANGED;
+    if (verdict_passes(rd->said.findings[i].verdict) && f && f->verdict == VERDICT_REFUTED) return CHANGED;
   }
   return OPEN;
 }
@@ -237,8 +228,7 @@ static enum mutant_fate ask_all(struct mutation_study *r, const struct target *t
 
 /* By what is checked when the data are loaded. */
 static bool is_refused(const struct mutation_study *r) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   return r->sound && !material_check(&(struct audit_data){&r->overlay.model, r->claims, r->controls, NULL, NULL}, &d);
 }
 
@@ -275,33 +265,27 @@ static struct mutation_row *file_row(struct mutation_result *out, const char *na
   for (size_t i = 0; i < out->n_files; i++)
     if (strcmp(out->file[i].name, name) == 0) return &out->file[i];
   out->file = ss_grow(out->file, out->n_files, &out->cap_files, sizeof *out->file);
-  out->file[out->n_files] = (struct mutation_row){.name = arena_strndup(&out->arena, name, strlen(name))};
+  out->file[out->n_files] = (struct mutation_row){.name = arena_strdup(&out->arena, name)};
   return &out->file[out->n_files++];
 }
 
 static const char *keep(struct mutation_result *out, const char *s) {
-  return arena_strndup(&out->arena, s, strlen(s));
+  return arena_strdup(&out->arena, s);
 }
 
 static const char *keep_subject(struct mutation_result *out, const struct model *m, const struct scene *s) {
-  struct text subject;
-  text_init(&subject);
+  struct text subject = {0};
   audit_fingerprint(&subject, m, s);
-  const char *kept = keep(out, text_str(&subject));
-  text_clear(&subject);
-  return kept;
+  return text_take(&out->arena, &subject);
 }
 
 static const char *readers_of(struct mutation_result *out, const struct mutation_study *r, const struct target *t) {
-  struct text list;
-  text_init(&list);
+  struct text list = {0};
   for (size_t c = 0; c < r->claims->n; c++)
     for (size_t i = 0; i < r->n_readers; i++)
       if (r->reader[i].claim == &r->claims->claim[c] && reads(&r->reader[i], t))
         text_printf(&list, "%s%s", list.len ? ", " : "", r->claims->claim[c].id);
-  const char *s = keep(out, text_str(&list));
-  text_clear(&list);
-  return s;
+  return text_take(&out->arena, &list);
 }
 
 static void add_survivor(struct mutation_result *out, const struct mutation_study *r, const struct mutant *m,
@@ -320,8 +304,7 @@ static void add_survivor(struct mutation_result *out, const struct mutation_stud
                        .read_by = readers_of(out, r, t)};
   source_place(&s.line, &s.column, rec->src, m->edit.place.begin);
   const struct survivor *last = out->n_survivors ? &out->survivor[out->n_survivors - 1] : NULL;
-  struct text original;
-  text_init(&original);
+  struct text original = {0};
   stmt_print(&original, rec->stmts[t->stmt]);
   bool same = last && strcmp(last->record, s.record) == 0 && strcmp(last->original, text_str(&original)) == 0;
   s.original = same ? last->original : keep(out, text_str(&original));
@@ -356,8 +339,7 @@ static void report(struct mutation_result *out, const struct mutation_study *r, 
 
 static void run_clear(struct mutation_study *r) {
   for (size_t i = 0; i < r->n_readers; i++) {
-    free(r->reader[i].use.def);
-    free(r->reader[i].use.record);
+    model_use_clear(&r->reader[i].use);
     audit_result_clear(&r->reader[i].said);
   }
   free(r->reader);
@@ -372,7 +354,7 @@ static void run_clear(struct mutation_study *r) {
 
 static bool mutate_formulas(struct mutation_result *out, struct mutation_study *r, const struct mutation_options *opt,
                             struct crew_tally *tally, struct diag *d) {
-  unsigned long long state = opt->seed;
+  uint64_t state = opt->seed;
   r->drawn = draw_some(&r->n_drawn, r->mutants.n, (size_t)opt->count, &state);
   tally->of += r->n_drawn;
   enum mutant_fate *fate = ss_malloc((r->n_drawn + 1) * sizeof *fate);
@@ -420,8 +402,7 @@ bool audit_mutate(struct mutation_result *out, const struct audit_data *data, co
   out->subject = keep_subject(out, m, scene);
   out->seed = opt->seed;
   if (opt->text) out->text = keep_digest(out, opt->text);
-  struct diag none;
-  diag_init(&none);
+  struct diag none = {0};
   r.sound = material_check(data, &none);
   struct crew_tally tally = {.tell = opt->progress, .of = mutate_data_count(&damages, opt)};
   bool ok = check_selection(&r, &damages, &material, opt, d) && mutate_formulas(out, &r, opt, &tally, d) &&

@@ -6,22 +6,15 @@
 #include <string.h>
 
 #include "base/crew.h"
-
-/* splitmix64 */
-static unsigned long long next_random(unsigned long long *state) {
-  unsigned long long z = (*state += 0x9E3779B97F4A7C15U);
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31);
-}
+#include "base/random.h"
 
 /* Selection sampling: the order is kept. */
-size_t *draw_some(size_t *n_drawn, size_t n, size_t wanted, unsigned long long *state) {
+size_t *draw_some(size_t *n_drawn, size_t n, size_t wanted, uint64_t *state) {
   size_t *drawn = ss_malloc((n + 1) * sizeof *drawn);
   if (wanted == 0 || wanted > n) wanted = n;
   *n_drawn = 0;
   for (size_t i = 0; i < n && *n_drawn < wanted; i++)
-    if (next_random(state) % (n - i) < wanted - *n_drawn) drawn[(*n_drawn)++] = i;
+    if (random_next(state) % (n - i) < wanted - *n_drawn) drawn[(*n_drawn)++] = i;
   return drawn;
 }
 
@@ -36,7 +29,7 @@ struct data_run {
 /* The damages of a class stand together. */
 static void draw_classes(struct data_run *r, const struct mutation_options *opt) {
   const struct damages *all = r->damages;
-  unsigned long long state = opt->seed;
+  uint64_t state = opt->seed;
   size_t wanted = ((size_t)opt->count + 3) / 4;
   r->drawn = ss_malloc((all->n + 1) * sizeof *r->drawn);
   for (size_t from = 0, to; from < all->n; from = to) {
@@ -66,18 +59,15 @@ enum { EXAMPLES = 3, SHOWN = 90 };
 
 /* Some bytes on one line, with a few words around them where they are few. */
 static const char *shown(struct mutation_result *out, const char *text, size_t begin, size_t end, const char *tail) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (size_t i = begin; i < end; i++)
     if (text[i] != '\n')
       text_add_char(&t, text[i]);
     else if (i + 1 < end)
       text_add(&t, " / ");
   text_add(&t, tail);
-  size_t n = text_valid_prefix(text_str(&t), t.len < SHOWN ? t.len : SHOWN);
-  const char *s = arena_strndup(&out->arena, text_str(&t), n);
-  text_clear(&t);
-  return s;
+  t.len = text_valid_prefix(text_str(&t), t.len < SHOWN ? t.len : SHOWN);
+  return text_take(&out->arena, &t);
 }
 
 /* What stood and what stands there, from the beginning of a word to the end of one. */
@@ -88,8 +78,7 @@ static void show_place(struct damaged *g, struct mutation_result *out, const str
   while (end < src->len && end - d->end < SHOWN / 4 && !strchr(" \n", src->text[end])) end++;
   bool lines = d->end > d->begin && src->text[d->end - 1] == '\n';
   g->was = shown(out, src->text, begin, lines ? d->end : end, "");
-  struct text now;
-  text_init(&now);
+  struct text now = {0};
   text_add_n(&now, src->text + begin, d->begin - begin);
   text_add(&now, d->now);
   if (!lines) text_add_n(&now, src->text + d->end, end - d->end);
@@ -102,10 +91,10 @@ static void keep_damaged(struct mutation_result *out, const struct data_run *r, 
                          const struct damage_said *said) {
   const struct material_file *f = &r->m->file[d->file];
   struct damaged g = {.class = d->class, .fate = said->fate};
-  g.file = arena_strndup(&out->arena, f->name, strlen(f->name));
-  g.record = arena_strndup(&out->arena, d->record, strlen(d->record));
-  g.attribute = arena_strndup(&out->arena, d->attribute, strlen(d->attribute));
-  g.says = arena_strndup(&out->arena, said->says, strlen(said->says));
+  g.file = arena_strdup(&out->arena, f->name);
+  g.record = arena_strdup(&out->arena, d->record);
+  g.attribute = arena_strdup(&out->arena, d->attribute);
+  g.says = arena_strdup(&out->arena, said->says);
   show_place(&g, out, &f->parsed->src, d);
   out->damaged = ss_grow(out->damaged, out->n_damaged, &out->cap_damaged, sizeof g);
   out->damaged[out->n_damaged++] = g;

@@ -1,5 +1,4 @@
-/* Which small edits of its printed text would make a refuted claim true?  The same edits that damage formulas, tried
-                                                                           the
+/* Which small edits of its printed text would make a refuted claim true?  The same edits that damage formulas, tried the
    other way round: each is put in place as if the paper had printed it, and the claim is judged by the checks that
    refuted it.  Where no edit helps, or not the correction on file, pairs of exchanged names are tried, within a budget,
    and then the steps of a chain a = b = c one by one. */
@@ -96,12 +95,9 @@ static void put_edit(struct candidate *c, const struct target *t, const struct e
 }
 
 static const char *printed(struct arena *a, const struct stmt *s) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   stmt_print(&t, s);
-  const char *copy = arena_strndup(a, text_str(&t), t.len);
-  text_clear(&t);
-  return copy;
+  return text_take(a, &t);
 }
 
 static void single_edits(struct search *s) {
@@ -178,8 +174,7 @@ static enum verdict verdict_with(struct search *s) {
   for (int effort = EFFORT_REFUTE + 1; effort-- > EFFORT_FULL;) {
     struct audit_result out;
     struct finding f;
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     audit_result_init(&out);
     struct judge j = {.out = &out,
                       .model = &s->overlay.model,
@@ -240,27 +235,16 @@ static void add_statements(struct text *out, const struct search *s, const struc
   }
 }
 
-static const char *keep(struct repair_result *out, const struct text *t) {
-  return arena_strndup(&out->arena, text_str(t), t->len);
-}
-
 static struct repair describe(struct repair_result *out, struct search *s, const struct candidate *c, enum verdict v,
                               const char *erratum) {
-  struct text text, kinds, change;
+  struct text text = {0}, kinds = {0}, change = {0}, before = {0}, after = {0};
   struct repair r = {.edits = 0, .verdict = verdict_name[v]};
-  text_init(&text);
-  text_init(&kinds);
-  text_init(&change);
   for (int i = 0; i < 2 && c->kind[i]; i++, r.edits++) {
     text_printf(&kinds, "%s%s", i ? ", " : "", c->kind[i]);
     text_printf(&change, "%s%s -> %s", i ? "; " : "", c->was[i], c->now[i]);
   }
-  struct text before;
-  text_init(&before);
   add_statements(&before, s, s->model, NULL);
   put_in_place(s, c, true);
-  struct text after;
-  text_init(&after);
   add_statements(&after, s, &s->overlay.model, NULL);
   add_statements(&text, s, &s->overlay.model, c);
   r.distance = edit_distance(text_str(&before), text_str(&after));
@@ -269,14 +253,11 @@ static struct repair describe(struct repair_result *out, struct search *s, const
   else if (erratum && claim_says_corrected(s->claim, &s->overlay.model, s->model, s->facts))
     r.erratum = "same values";
   put_in_place(s, c, false);
-  r.text = keep(out, &text);
-  r.kinds = keep(out, &kinds);
-  r.change = keep(out, &change);
+  r.text = text_take(&out->arena, &text);
+  r.kinds = text_take(&out->arena, &kinds);
+  r.change = text_take(&out->arena, &change);
   text_clear(&after);
   text_clear(&before);
-  text_clear(&change);
-  text_clear(&kinds);
-  text_clear(&text);
   return r;
 }
 
@@ -288,16 +269,12 @@ static int smallest_first(const void *a, const void *b) {
   return by_text ? by_text : strcmp(x->change, y->change);
 }
 
-static bool passes(enum verdict v) {
-  return v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
-}
-
 static bool try_all(struct repairs *found, struct repair_result *out, struct search *s, int jobs, struct diag *d) {
   enum verdict *v = ss_malloc((s->n + 1) * sizeof *v);
   bool ok = crew_results(v, sizeof *v, s->n, jobs, try_candidate, s, NULL, d);
   out->broken = !ok;
   for (size_t i = 0; ok && i < s->n; i++) {
-    if (!passes(v[i])) continue;
+    if (!verdict_passes(v[i])) continue;
     found->repair = ss_grow(found->repair, found->n, &found->cap, sizeof *found->repair);
     found->repair[found->n++] = describe(out, s, &s->candidate[i], v[i], found->erratum);
   }
@@ -359,14 +336,12 @@ static bool search_pieces(struct repairs *found, struct repair_result *out, stru
 }
 
 static bool search_claim(struct repairs *found, struct repair_result *out, struct search *s, int jobs, struct diag *d) {
-  struct text t;
-  text_init(&t);
-  if (erratum_text(&t, s->model, s->claim)) found->erratum = keep(out, &t);
+  struct text t = {0};
+  if (erratum_text(&t, s->model, s->claim)) found->erratum = text_take(&out->arena, &t);
   text_reset(&t);
   find_targets(s);
   add_statements(&t, s, s->model, NULL);
-  found->printed = keep(out, &t);
-  text_clear(&t);
+  found->printed = text_take(&out->arena, &t);
   bool ok = search_targets(found, out, s, jobs, d);
   bool enough = has_erratum(found, 0);
   for (size_t i = 0; ok && !enough && i < s->n_targets; i++) ok = search_pieces(found, out, s, i, jobs, d);
@@ -407,20 +382,13 @@ static bool add_claim(struct repair_result *out, struct search *base, const stru
   const char *why = ok ? no_search(c, f.verdict) : NULL;
   audit_result_clear(&scratch);
   if (!ok || (why && !named && strcmp(why, "it is not refuted") == 0)) return ok;
-  struct text id, title, equation;
-  text_init(&id);
-  text_init(&title);
-  text_init(&equation);
-  text_add(&id, c->id);
+  struct text title = {0};
   ok = claim_title(&title, base->model, c, d);
-  struct repairs found = {.claim = keep(out, &id), .title = keep(out, &title), .why_none = why};
-  if (claim_get(c, "equation")) {
-    text_add(&equation, claim_get(c, "equation"));
-    found.equation = keep(out, &equation);
-  }
-  text_clear(&equation);
-  text_clear(&title);
-  text_clear(&id);
+  const char *equation = claim_get(c, "equation");
+  struct repairs found = {.claim = arena_strdup(&out->arena, c->id),
+                          .title = text_take(&out->arena, &title),
+                          .equation = equation ? arena_strdup(&out->arena, equation) : NULL,
+                          .why_none = why};
   struct search s = *base;
   s.claim = c;
   arena_init(&s.arena);
@@ -444,7 +412,7 @@ bool audit_repairs(struct repair_result *out, const struct model *m, const struc
   base.cache = orbit_cache_new();
   base.facts = facts_new(m);
   overlay_init(&base.overlay, m);
-  out->scene = arena_strndup(&out->arena, scene->name, strlen(scene->name));
+  out->scene = arena_strdup(&out->arena, scene->name);
   bool ok = true;
   size_t done = 0, of = 0;
   for (size_t i = 0; i < claims->n; i++) of += is_work(&claims->claim[i], opt);

@@ -228,6 +228,25 @@ static void describe(struct text *out, const struct fact *goal, const struct ter
   }
 }
 
+/* Terms of a list, some of them picked. */
+struct choice {
+  const struct fact *goal;
+  struct proof *p;
+  const struct term *t;
+  int n;
+  const struct term *pick[3];
+};
+
+/* So many terms that add up to the goal, the next ones from that one on. */
+static bool choose(struct choice *c, int picked, int wanted, int from) {
+  if (picked == wanted) return near(c->goal, c->pick, wanted) && exactly(c->goal, c->pick, wanted, c->p);
+  for (int i = from; i < c->n; i++) {
+    c->pick[picked] = &c->t[i];
+    if (choose(c, picked + 1, wanted, i + 1)) return true;
+  }
+  return false;
+}
+
 /* One to three terms that add up to the goal. */
 static bool combine(struct text *out, const struct fact *goal, struct proof *p) {
   enum { MAX_TERMS = MAX_FACTS * N_FACTORS };
@@ -239,25 +258,12 @@ static bool combine(struct text *out, const struct fact *goal, struct proof *p) 
       for (int k = 0; k < N_PROBES; k++) t[n].probe[k] = p->positive[i].probe[k] * p->factor[m].probe[k];
       n++;
     }
+  struct choice c = {.goal = goal, .p = p, .t = t, .n = n};
   bool found = false;
-  for (int a = 0; !found && a < n; a++) {
-    const struct term *pick[3] = {&t[a], NULL, NULL};
-    found = near(goal, pick, 1) && exactly(goal, pick, 1, p);
-    if (found) describe(out, goal, pick, 1, p);
+  for (int wanted = 1; !found && wanted <= 3; wanted++) {
+    found = choose(&c, 0, wanted, 0);
+    if (found) describe(out, goal, c.pick, wanted, p);
   }
-  for (int a = 0; !found && a < n; a++)
-    for (int b = a + 1; !found && b < n; b++) {
-      const struct term *pick[3] = {&t[a], &t[b], NULL};
-      found = near(goal, pick, 2) && exactly(goal, pick, 2, p);
-      if (found) describe(out, goal, pick, 2, p);
-    }
-  for (int a = 0; !found && a < n; a++)
-    for (int b = a + 1; !found && b < n; b++)
-      for (int c = b + 1; !found && c < n; c++) {
-        const struct term *pick[3] = {&t[a], &t[b], &t[c]};
-        found = near(goal, pick, 3) && exactly(goal, pick, 3, p);
-        if (found) describe(out, goal, pick, 3, p);
-      }
   free(t);
   return found;
 }
@@ -287,7 +293,7 @@ static void take_phase(int *phase, int ph) {
 
 /* h'(t), h(t) - h(start), h(end) - h(t). */
 static bool monotone_tape(struct extra *x, struct judge *j, const struct claim *c) {
-  const char *which = claim_get(c, "increasing"), *section = claim_get(c, "section");
+  const char *which = claim_get(c, "increasing");
   if (!which) return true;
   char name[32], phase[16];
   if (sscanf(which, "%31s %15s", name, phase) != 2) return claim_error(j, c, "increasing", "reads NAME PHASE");
@@ -298,7 +304,7 @@ static bool monotone_tape(struct extra *x, struct judge *j, const struct claim *
   x->increase_text[0] = result_str(j->out, "%s'(t)", name);
   x->increase_text[1] = result_str(j->out, "%s(t) - %s(%s)", name, name, name_switching[ph]);
   x->increase_text[2] = result_str(j->out, "%s(%s) - %s(t)", name, name_switching[ph + 1], name);
-  return expressions_tape(&x->increase, &x->el, x->increase_text, 3, section ? section : "", j->d);
+  return expressions_tape(&x->increase, &x->el, x->increase_text, 3, claim_section(c), j->d);
 }
 
 /* Where the time t lies. */

@@ -16,8 +16,7 @@ static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)",
 /* --- Reading --- */
 
 static bool reads(const struct expr *e, const char *as) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   expr_print(&t, e);
   bool same = strcmp(text_str(&t), as) == 0;
   text_clear(&t);
@@ -81,8 +80,7 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
         if (!scalar) claim_error(j, claim, attribute, "a condition needs scalars");
         return false;
       }
-      struct text t;
-      text_init(&t);
+      struct text t = {0};
       static const char *const ops[] = {" = ", " < ", " <= ", " > ", " >= "};
       expr_print(&t, st->sides[k]);
       text_add(&t, ops[st->ops[k]]);

@@ -37,16 +37,14 @@ static bool follows_at(const struct condition *goal, const struct conditions *pr
                        enum exact_time time, bool rate) {
   struct exact_motion m;
   exact_orbit_init(&m, goal->phase, anchor, time, false);
-  struct calc c = exact_calc(m.field);
-  struct num_vec facts = calc_vec(&c, MAX_FACTS);
-  element *margin = calc_new(&c);
+  struct num_vec facts = calc_vec(&m.c, MAX_FACTS);
+  element *margin = calc_new(&m.c);
   bool ok = exact_margin(margin, &m, &goal->s.tape);
   if (ok && rate) ok = exact_derivative(margin, m.field, margin, "tau") == SS_OK;
   if (ok && goal->equality)
     ok = exact_is_zero(m.field, margin);
   else if (ok)
     ok = exact_follows(&m, margin, &facts, collect(&facts, &m, premises));
-  calc_clear(&c);
   exact_motion_clear(&m);
   return ok;
 }
@@ -65,14 +63,12 @@ bool exact_argument(const struct condition *goal, const struct conditions *premi
 int exact_friction_slope(const struct condition *cond, int i) {
   struct exact_motion m;
   exact_orbit_init(&m, cond->phase, 4, TIME_INSIDE, false);
-  struct calc c = exact_calc(m.field);
-  struct num_vec none = calc_vec(&c, 1);
-  element *margin = calc_new(&c);
+  struct num_vec none = calc_vec(&m.c, 1);
+  element *margin = calc_new(&m.c);
   int slope = -1;
   if (exact_margin(margin, &m, &cond->s.tape) &&
       exact_derivative(margin, m.field, margin, i ? "u_s2" : "u_s1") == SS_OK)
     slope = exact_is_zero(m.field, margin) ? 0 : exact_follows(&m, margin, &none, 0) ? 1 : -1;
-  calc_clear(&c);
   exact_motion_clear(&m);
   return slope;
 }

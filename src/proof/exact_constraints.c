@@ -30,12 +30,10 @@ static bool law_follows(const struct conditions *list, enum phase ph, int anchor
   struct exact_motion m;
   struct exact_bound bound[EXACT_CONDITIONS];
   exact_orbit_init(&m, ph, anchor, TIME_INSIDE, false);
-  struct calc c = exact_calc(m.field);
-  struct num_vec law = calc_vec(&c, EXACT_CONDITIONS), facts = calc_vec(&c, MAX_FACTS);
+  struct num_vec law = calc_vec(&m.c, EXACT_CONDITIONS), facts = calc_vec(&m.c, MAX_FACTS);
   int n_law = exact_law_margins(&law, bound, &m), n = exact_premises(&facts, 0, &m, list);
   bool ok = n_law > 0;
   for (int i = 0; ok && i < n_law; i++) ok = margin_follows(&m, &law, bound, i, &facts, n);
-  calc_clear(&c);
   exact_motion_clear(&m);
   return ok;
 }
@@ -44,12 +42,10 @@ static bool law_follows(const struct conditions *list, enum phase ph, int anchor
 static bool stick_phase_follows(const struct conditions *list) {
   struct exact_motion m;
   exact_orbit_init(&m, PHASE_D, 4, TIME_START, false);
-  struct calc c = exact_calc(m.field);
-  struct num_vec facts = calc_vec(&c, MAX_FACTS);
-  element *time = calc_new(&c);
+  struct num_vec facts = calc_vec(&m.c, MAX_FACTS);
+  element *time = calc_new(&m.c);
   int n = exact_premises(&facts, 0, &m, list);
   bool ok = exact_symbol(time, m.field, "t_a") == SS_OK && exact_follows(&m, time, &facts, n);
-  calc_clear(&c);
   exact_motion_clear(&m);
   return ok;
 }
@@ -74,14 +70,12 @@ static bool limit_rises(enum phase ph, int mass) {
   struct exact_motion m;
   struct exact_bound bound[EXACT_CONDITIONS];
   exact_orbit_init(&m, ph, 4, TIME_INSIDE, false);
-  struct calc c = exact_calc(m.field);
-  struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
-  element *rate = calc_new(&c);
+  struct num_vec law = calc_vec(&m.c, EXACT_CONDITIONS);
+  element *rate = calc_new(&m.c);
   int n = exact_law_margins(&law, bound, &m), i = find(bound, n, mass, false, false);
-  if (i >= 0) c.status |= exact_derivative(rate, m.field, num_vec_at(&law, i), "tau");
-  val rises = calc_neg(&c, rate); /* as u_ri - f_i falls */
-  bool ok = i >= 0 && c.status == SS_OK && (exact_is_zero(m.field, rises) || exact_follows(&m, rises, &law, n));
-  calc_clear(&c);
+  if (i >= 0) m.c.status |= exact_derivative(rate, m.field, num_vec_at(&law, i), "tau");
+  val rises = calc_neg(&m.c, rate); /* as u_ri - f_i falls */
+  bool ok = i >= 0 && m.c.status == SS_OK && (exact_is_zero(m.field, rises) || exact_follows(&m, rises, &law, n));
   exact_motion_clear(&m);
   return ok;
 }
@@ -91,15 +85,13 @@ static bool starts_at(const struct tape *least, enum phase ph, int mass) {
   struct exact_motion m;
   struct exact_bound bound[EXACT_CONDITIONS];
   exact_orbit_init(&m, ph, 4, TIME_INSIDE, true);
-  struct calc c = exact_calc(m.field);
-  struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
-  element *value = calc_new(&c), *limit = calc_new(&c);
+  struct num_vec law = calc_vec(&m.c, EXACT_CONDITIONS);
+  element *value = calc_new(&m.c), *limit = calc_new(&m.c);
   int n = exact_law_margins(&law, bound, &m), i = find(bound, n, mass, true, true);
   bool ok = i >= 0 && exact_margin(value, &m, least);
-  if (ok) c.status |= exact_motion_bind(limit, m.field, mass ? "u_r2" : "u_r1", &m);
-  val twice = calc_mul(&c, calc_d(&c, 2), calc_sub(&c, limit, value));
-  ok = ok && c.status == SS_OK && exact_equal(m.field, num_vec_at(&law, i), twice);
-  calc_clear(&c);
+  if (ok) m.c.status |= exact_motion_bind(limit, m.field, mass ? "u_r2" : "u_r1", &m);
+  val twice = calc_mul(&m.c, calc_d(&m.c, 2), calc_sub(&m.c, limit, value));
+  ok = ok && m.c.status == SS_OK && exact_equal(m.field, num_vec_at(&law, i), twice);
   exact_motion_clear(&m);
   return ok;
 }

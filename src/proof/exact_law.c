@@ -115,20 +115,19 @@ static bool slope_of(element *slope, struct exact_motion *m, const element *x, c
 bool exact_law_reach(struct text reach[2]) {
   struct exact_motion m;
   exact_orbit_init(&m, PHASE_D, 4, TIME_INSIDE, true);
-  struct calc c = exact_calc(m.field);
   struct exact_bound bound[EXACT_CONDITIONS];
-  struct num_vec margins = calc_vec(&c, EXACT_CONDITIONS), both = calc_vec(&c, 2), slope = calc_vec(&c, 2);
+  struct num_vec margins = calc_vec(&m.c, EXACT_CONDITIONS), both = calc_vec(&m.c, 2), slope = calc_vec(&m.c, 2);
   int n = exact_law_margins(&margins, bound, &m);
   bool ok = n == EXACT_CONDITIONS;
   for (int i = 0; ok && i < n; i++) {
     int mass = bound[i].mass;
     ok = slope_of(at(&slope, 0), &m, at(&margins, i), "z_10") && slope_of(at(&slope, 1), &m, at(&margins, i), "z_20");
-    val sum = calc_add(&c, at(&slope, 0), at(&slope, 1));
-    ok = ok && c.status == SS_OK && (num_exact.is_zero(at(&both, mass)) || exact_equal(m.field, sum, at(&both, mass)));
+    val sum = calc_add(&m.c, at(&slope, 0), at(&slope, 1));
+    ok =
+        ok && m.c.status == SS_OK && (num_exact.is_zero(at(&both, mass)) || exact_equal(m.field, sum, at(&both, mass)));
     if (ok) num_exact.set(at(&both, mass), sum);
   }
   for (int mass = 0; ok && mass < 2; mass++) exact_print(&reach[mass], m.field, at(&both, mass));
-  calc_clear(&c);
   exact_motion_clear(&m);
   return ok;
 }

@@ -250,7 +250,7 @@ static void note_reads(struct exact_motion *m, const struct tape *t) {
 
 /* Those of the paper's own symbols that are never negative: their roots are known again. */
 static void take_own(struct exact_motion *m, const struct model *paper) {
-  vec_init(&m->own, (slong)paper->n_own);
+  m->own = calc_vec(&m->c, (slong)paper->n_own);
   for (size_t i = 0; i < paper->n_symbols; i++) {
     const struct symbol *s = &paper->symbols[i];
     bool positive = s->has_domain && s->low.bounded && fmpq_sgn(s->low.at) >= 0;

@@ -8,6 +8,7 @@
 #ifndef STICKSLIP_PROOF_EXACT_MOTION_H
 #define STICKSLIP_PROOF_EXACT_MOTION_H
 
+#include "num/calc.h"
 #include "tape/exact.h"
 #include "value/sentence.h"
 
@@ -34,6 +35,7 @@ struct exact_attempt {
 
 struct exact_motion {
   struct exact_field *field;
+  struct calc c; /* elements and vectors of the field that live as long as the motion */
   struct exact_attempt attempt;
   enum point_kind kind;
   enum phase phase;           /* of the time t */

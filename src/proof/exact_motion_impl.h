@@ -62,6 +62,8 @@ int motion_state(struct num_vec *z, struct exact_motion *m, int k);
 int motion_meeting(const char *name);
 /* A z, the rate of the state z in a phase. */
 int motion_rate(struct num_vec *f, struct exact_motion *m, int phase, const struct num_vec *z);
+/* The same at the motion's k-th state. */
+int motion_rate_at(struct num_vec *f, struct exact_motion *m, int k, int phase);
 /* By how much the event that ends phase k - 1 comes later when the state z at its time is dz off, in first order. */
 int motion_delay(element *dt, struct exact_motion *m, int k, const struct num_vec *dz, const struct num_vec *z);
 /* The perturbation of state k, shared with the motion; it sets the change of the time before it, too. */

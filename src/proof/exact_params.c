@@ -123,20 +123,16 @@ void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, c
                              .bare = spec->paper && !spec->paper->system};
   m->field = exact_field_new(NULL, 0);
   exact_field_limit(m->field, TERMS);
-  vec_init(&m->frequency, 2);
-  vec_init(&m->params, N_PARAMS);
-  vec_init(&m->state, 20);
-  vec_init(&m->tangent, 20);
-  vec_init(&m->shift, 4);
+  m->c = exact_calc(m->field);
+  m->frequency = calc_vec(&m->c, 2);
+  m->params = calc_vec(&m->c, N_PARAMS);
+  m->state = calc_vec(&m->c, 20);
+  m->tangent = calc_vec(&m->c, 20);
+  m->shift = calc_vec(&m->c, 4);
   if (!m->bare) m->state_status = take_params(m);
 }
 
 void exact_motion_clear(struct exact_motion *m) {
-  if (m->own.len) num_vec_clear(&m->own);
-  num_vec_clear(&m->shift);
-  num_vec_clear(&m->tangent);
-  num_vec_clear(&m->state);
-  num_vec_clear(&m->params);
-  num_vec_clear(&m->frequency);
+  calc_clear(&m->c);
   exact_field_free(m->field);
 }

@@ -44,7 +44,7 @@ struct sides {
 static void sides_make(struct sides *v, struct job *b, struct exact_motion *m) {
   struct sentence *s = b->s;
   v->status = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *v->status);
-  num_vec_init(&v->model, s->n, num_ctx_exact());
+  v->model = calc_vec(&m->c, s->n);
   v->model_status = s->oracle ? exact_motion_oracle(&v->model, m, b->value) : SS_OK;
   bool *wanted = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *wanted);
   for (slong i = 0; i < s->tape.n_outputs; i++) wanted[i] = !b->done[i % s->n];
@@ -54,7 +54,6 @@ static void sides_make(struct sides *v, struct job *b, struct exact_motion *m) {
 
 static void sides_clear(struct sides *v) {
   exact_vec_clear(&v->paper);
-  num_vec_clear(&v->model);
   free(v->status);
 }
 
@@ -107,22 +106,21 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   struct exact_motion m;
   struct sides v;
   bool keep[MAX_RESTRICTIONS], apart = false;
-  fmpz_mpoly_q_struct d;
   for (int r = 0; r < n_restrictions; r++) keep[r] = true;
   b->undefined = false;
   exact_motion_init(&m, a, &b->spec, b->finite, b->restriction, &b->s->tape);
   sides_make(&v, b, &m);
-  exact_init(&d, m.field);
+  fmpz_mpoly_q_struct *d = calc_new(&m.c);
   text_reset(&b->witness);
   for (slong i = 0; i < b->s->n; i++) {
     if (b->done[i]) continue;
     b->apart[i] = false;
-    int s = difference(&d, b, &m, &v, i);
-    if (s == SS_OK && step_holds(b, &m, i, &d)) {
+    int s = difference(d, b, &m, &v, i);
+    if (s == SS_OK && step_holds(b, &m, i, d)) {
       b->done[i] = true;
       b->by[i] = *a;
     } else if (s == SS_OK && (b->sharp || b->s->ops[i] == REL_EQ)) {
-      book_difference(b, &m, i, &d, keep);
+      book_difference(b, &m, i, d, keep);
     }
     apart = apart || b->apart[i];
     b->undefined = b->undefined || (s & SS_DOMAIN);
@@ -138,7 +136,6 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   b->beyond = b->beyond || m.beyond;
   b->uses_matrices = b->uses_matrices || m.used_matrix;
   memcpy(b->unbound, m.unbound, sizeof b->unbound);
-  exact_clear(&d, m.field);
   sides_clear(&v);
   exact_motion_clear(&m);
 }
@@ -162,15 +159,9 @@ static bool reads_last_state(const struct tape *t) {
   return false;
 }
 
-static bool has_exponential(const struct tape *t) {
+static bool has_op(const struct tape *t, enum tape_op op) {
   for (slong i = 0; i < t->n; i++)
-    if (t->code[i].op == TAPE_exp) return true;
-  return false;
-}
-
-static bool has_root(const struct tape *t) {
-  for (slong i = 0; i < t->n; i++)
-    if (t->code[i].op == TAPE_ROOT) return true;
+    if (t->code[i].op == op) return true;
   return false;
 }
 
@@ -205,7 +196,7 @@ static int anchors(int list[6], const struct job *b) {
 /* From little to all of what holds on motions. */
 static void try_all(struct job *b) {
   bool word = has_word(b);
-  struct exact_attempt a = {.modes = has_root(&b->s->tape)};
+  struct exact_attempt a = {.modes = has_op(&b->s->tape, TAPE_ROOT)};
   int anchor[6], n = anchors(anchor, b);
   for (int i = 0; i < n; i++)
     for (int k = 0; k < (word ? N_EXACT_TANGENTS : 1); k++)
@@ -292,7 +283,7 @@ static void prove_spec(struct exact_proof *p, struct job *b) {
   if (b->largest > p->largest) p->largest = b->largest;
   p->uses_matrices = p->uses_matrices || b->uses_matrices;
   p->by_law = p->by_law || b->by_law;
-  p->beyond = p->beyond || b->beyond || has_exponential(&b->s->tape);
+  p->beyond = p->beyond || b->beyond || has_op(&b->s->tape, TAPE_exp);
   if (all_done(b)) {
     p->field = result_str(b->j->out, "%s", text_str(&b->field));
   } else {
@@ -315,8 +306,7 @@ bool exact_sentence(struct sentence *s, const struct exact_question *q, struct v
 static void prove_with(struct exact_proof *p, struct judge *j, const struct exact_question *q, struct view view,
                        const struct restriction *r, const struct override *o, int n) {
   struct sentence s;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (!exact_sentence(&s, q, view, o, n, &d) || s.n > MAX_ENTRIES)
     *p = (struct exact_proof){.why_not = "the sentence cannot be read"};
   for (int i = 0; p->proved && i < q->n_specs; i++) {
@@ -398,15 +388,13 @@ struct exact_proof exact_prove_value(struct judge *j, const char *value, const c
 }
 
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   struct judge quiet = *j;
   quiet.d = &d;
-  const char *perturbation = claim_get(c, "perturbation"), *section = claim_get(c, "section");
   struct exact_question asked = {.c = c,
                                  .value = claim_get(c, "value"),
-                                 .section = section ? section : "",
-                                 .finite = perturbation && strcmp(perturbation, "finite") == 0,
+                                 .section = claim_section(c),
+                                 .finite = claim_says(c, "perturbation", "finite"),
                                  .sharp = claim_kind(c) == KIND_SHARP};
   asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
   if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};

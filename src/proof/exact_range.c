@@ -35,27 +35,26 @@ static bool is_positive(struct exact_motion *m, val x) {
 /* On one motion: the margin or minus its rate, the parts, the premise's margin, and x with its sine and cosine. */
 struct on_motion {
   struct exact_motion m;
-  struct calc c;
   val margin, part[N_RANGE_PARTS], premise, x, sine, cosine;
 };
 
 static val tape_value(struct on_motion *s, const struct tape *t) {
-  element *z = calc_new(&s->c);
-  if (!exact_margin(z, &s->m, t)) s->c.status |= SS_UNABLE;
+  element *z = calc_new(&s->m.c);
+  if (!exact_margin(z, &s->m, t)) s->m.c.status |= SS_UNABLE;
   return z;
 }
 
 static void angle(val *x, val *sine, val *cosine, struct on_motion *s, const char *time) {
-  element *u = calc_new(&s->c), *a = calc_new(&s->c), *b = calc_new(&s->c);
-  s->c.status |= exact_symbol(u, s->m.field, time);
-  *x = calc_mul(&s->c, s->part[RANGE_FREQUENCY], u);
-  if (s->c.status == SS_OK) s->c.status |= exact_sin_cos(a, b, s->m.field, *x);
+  element *u = calc_new(&s->m.c), *a = calc_new(&s->m.c), *b = calc_new(&s->m.c);
+  s->m.c.status |= exact_symbol(u, s->m.field, time);
+  *x = calc_mul(&s->m.c, s->part[RANGE_FREQUENCY], u);
+  if (s->m.c.status == SS_OK) s->m.c.status |= exact_sin_cos(a, b, s->m.field, *x);
   *sine = a;
   *cosine = b;
 }
 
 static void take_angle(struct on_motion *s, const struct condition *goal, bool from_end) {
-  struct calc *c = &s->c;
+  struct calc *c = &s->m.c;
   val x, sine, cosine;
   angle(&s->x, &s->sine, &s->cosine, s, goal->moving && !from_end ? "tau" : name_time[goal->phase]);
   if (!goal->moving || !from_end) return;
@@ -68,10 +67,10 @@ static void take_angle(struct on_motion *s, const struct condition *goal, bool f
 
 static void take_parts(struct on_motion *s, const struct tape *t) {
   struct exact_vec v;
-  s->c.status |= exact_eval(&v, s->m.field, t);
+  s->m.c.status |= exact_eval(&v, s->m.field, t);
   for (int i = 0; i < N_RANGE_PARTS; i++) {
-    element *z = calc_new(&s->c);
-    if (s->c.status == SS_OK) num_exact.set(z, &v.x[i]);
+    element *z = calc_new(&s->m.c);
+    if (s->m.c.status == SS_OK) num_exact.set(z, &v.x[i]);
     s->part[i] = z;
   }
   exact_vec_clear(&v);
@@ -80,9 +79,9 @@ static void take_parts(struct on_motion *s, const struct tape *t) {
 static void take_values(struct on_motion *s, const struct condition *goal, const struct range_form *form) {
   s->margin = tape_value(s, &goal->s.tape);
   if (form->rate) {
-    element *rate = calc_new(&s->c);
-    if (s->c.status == SS_OK) s->c.status |= exact_derivative(rate, s->m.field, s->margin, "tau");
-    s->margin = calc_neg(&s->c, rate);
+    element *rate = calc_new(&s->m.c);
+    if (s->m.c.status == SS_OK) s->m.c.status |= exact_derivative(rate, s->m.field, s->margin, "tau");
+    s->margin = calc_neg(&s->m.c, rate);
   }
   take_parts(s, form->parts);
   s->premise = form->premise ? tape_value(s, &form->premise->s.tape) : NULL;
@@ -91,7 +90,7 @@ static void take_values(struct on_motion *s, const struct condition *goal, const
 
 /* The margin less what swings with x. */
 static val level_of(struct on_motion *s) {
-  struct calc *c = &s->c;
+  struct calc *c = &s->m.c;
   val even = calc_mul(c, s->part[RANGE_EVEN], calc_sub(c, calc_d(c, 1), s->cosine));
   val odd = calc_mul(c, s->part[RANGE_ODD], s->sine);
   val drift = calc_mul(c, s->part[RANGE_DRIFT], calc_sub(c, s->x, s->sine));
@@ -122,13 +121,11 @@ static bool stays(struct on_motion *s, const struct condition *goal, const struc
 static bool holds_on(const struct condition *goal, const struct range_form *form, int anchor) {
   struct on_motion s = {.margin = NULL};
   exact_orbit_init(&s.m, goal->phase, anchor, TIME_INSIDE, false);
-  s.c = exact_calc(s.m.field);
   take_values(&s, goal, form);
   val level = level_of(&s);
-  bool ok = s.c.status == SS_OK && is_product(&s.m, s.part[RANGE_FREQUENCY], NULL) &&
+  bool ok = s.m.c.status == SS_OK && is_product(&s.m, s.part[RANGE_FREQUENCY], NULL) &&
             is_product(&s.m, s.part[RANGE_FACTOR], NULL);
   ok = ok && (form->there[RANGE_ODD] ? swings(&s, form, level) : stays(&s, goal, form, level));
-  calc_clear(&s.c);
   exact_motion_clear(&s.m);
   return ok;
 }
@@ -136,10 +133,8 @@ static bool holds_on(const struct condition *goal, const struct range_form *form
 static bool ends_at_zero(const struct condition *goal, int anchor) {
   struct exact_motion m;
   exact_orbit_init(&m, goal->phase, anchor, TIME_END, false);
-  struct calc c = exact_calc(m.field);
-  element *margin = calc_new(&c);
+  element *margin = calc_new(&m.c);
   bool zero = exact_margin(margin, &m, &goal->s.tape) && exact_is_zero(m.field, margin);
-  calc_clear(&c);
   exact_motion_clear(&m);
   return zero;
 }

@@ -9,7 +9,6 @@
 #include "claim/claim.h"
 #include "num/num_exact.h"
 #include "record/result.h"
-#include "tape/exact.h"
 
 typedef fmpz_mpoly_q_struct element;
 
@@ -25,20 +24,19 @@ static element *entry(const struct elimination *e, int row, int col) {
   return &e->value.x[e->rows + row * e->cols + col];
 }
 
-/* Not zero for any values of the symbols in it. */
-static bool is_unit(const struct elimination *e, const element *x) {
+int exact_unit_sign(struct exact_field *f, const element *x) {
   element one;
-  exact_init(&one, e->field);
+  exact_init(&one, f);
   num_exact.set_d(&one, 1, 0);
-  bool unit = exact_ratio_sign(e->field, x, &one, name_param, P_V + 1) != 0;
-  exact_clear(&one, e->field);
-  return unit;
+  int sign = exact_ratio_sign(f, x, &one, name_param, P_V + 1);
+  exact_clear(&one, f);
+  return sign;
 }
 
 static bool find_pivot(int *row, int *col, const struct elimination *e) {
   for (*row = 0; *row < e->rows; ++*row)
     for (*col = 0; !e->used[*row] && *col < e->cols; ++*col)
-      if (is_unit(e, entry(e, *row, *col))) return true;
+      if (exact_unit_sign(e->field, entry(e, *row, *col)) != 0) return true;
   return false;
 }
 
@@ -83,8 +81,7 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
   enum { LONG = 4 };
   const element *rest = left_over(e);
   struct exact_rank r = {rest ? -1 : e->rank, NULL};
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (rest) {
     text_printf(&t, "beyond %d pivots (%s) every entry left might be zero somewhere on the domain", e->rank,
                 e->rank ? text_str(&e->pivots) : "none");

@@ -2,9 +2,14 @@
 #ifndef STICKSLIP_PROOF_EXACT_RANK_H
 #define STICKSLIP_PROOF_EXACT_RANK_H
 
+#include "tape/exact.h"
 #include "value/sentence.h"
 
 enum { RANK_NAMES = 16 };
+
+/* The sign of what is a number times powers of chi, eta and V, which are positive: of what is zero for no values of its
+   symbols; 0 for anything else. */
+int exact_unit_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x);
 
 /* Residuals, then their derivatives by the unknowns, row by row. */
 struct rank_system {

@@ -85,25 +85,16 @@ static int decide_limit(struct exact_motion *m, int k, struct num_vec *z) {
   return s;
 }
 
-static int carried(struct num_vec *z, struct exact_motion *m, int k, const struct num_vec *from, const element *more) {
+/* From one end of the phase to the other, over its length and as much more; back: against the time. */
+static int carried(struct num_vec *z, struct exact_motion *m, int phase, const struct num_vec *from,
+                   const element *more, bool back) {
   struct calc c = calc_begin(num_ctx_exact());
   struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
-  int s = motion_length(at(&u, 0), m, k - 1);
+  int s = motion_length(at(&u, 0), m, phase);
   if (more) s |= motion_op(num_exact.add, at(&u, 0), m, at(&u, 0), more);
-  s |= exact_propagator(&p, m, (enum phase)(k - 1), at(&u, 0));
+  if (back) s |= num_exact.neg(at(&u, 0), at(&u, 0), 0);
+  s |= exact_propagator(&p, m, (enum phase)phase, at(&u, 0));
   if (s == SS_OK) s = motion_multiply(z, m, &p, from, 4, 4, 1);
-  calc_clear(&c);
-  return s;
-}
-
-/* Z_c = exp(-A_C t_d) Z_0. */
-static int carried_back(struct num_vec *z, struct exact_motion *m, const struct num_vec *start) {
-  struct calc c = calc_begin(num_ctx_exact());
-  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
-  int s = motion_length(at(&u, 0), m, PHASE_C);
-  s |= num_exact.neg(at(&u, 0), at(&u, 0), 0);
-  if (s == SS_OK) s = exact_propagator(&p, m, PHASE_C, at(&u, 0));
-  if (s == SS_OK) s = motion_multiply(z, m, &p, start, 4, 4, 1);
   calc_clear(&c);
   return s;
 }
@@ -120,7 +111,7 @@ int motion_state(struct num_vec *z, struct exact_motion *m, int k) {
   struct num_vec before;
   bool back = k == 3 && m->attempt.anchor == ANCHOR_BACK;
   int s = motion_state(&before, m, back ? 4 : k - 1);
-  if (s == SS_OK) s = back ? carried_back(z, m, &before) : carried(z, m, k, &before, NULL);
+  if (s == SS_OK) s = carried(z, m, back ? PHASE_C : k - 1, &before, NULL, back);
   if (s == SS_OK && !patched && (k == 1 || k == 2)) s = decide_limit(m, k, z);
   return m->state_status |= s;
 }
@@ -141,6 +132,12 @@ int motion_rate(struct num_vec *f, struct exact_motion *m, int phase, const stru
   if (s == SS_OK) s = motion_multiply(f, m, &a, z, 4, 4, 1);
   num_vec_clear(&a);
   return s;
+}
+
+int motion_rate_at(struct num_vec *f, struct exact_motion *m, int k, int phase) {
+  struct num_vec z;
+  int s = motion_state(&z, m, k);
+  return s == SS_OK ? motion_rate(f, m, phase, &z) : s;
 }
 
 /* -n dz/(n f), by which the event comes later when the state at its time is dz off. */
@@ -164,7 +161,7 @@ static int first_order(struct num_vec *out, struct exact_motion *m, int k, const
   struct num_vec z, f = calc_vec(&c, 4);
   element *dt = at(&m->shift, k - 1);
   int s = motion_state(&z, m, k);
-  s |= carried(out, m, k, dz, NULL);
+  s |= carried(out, m, k - 1, dz, NULL, false);
   if (s == SS_OK) s = motion_rate(&f, m, k - 1, &z);
   if (s == SS_OK)
     s = m->attempt.tangents == TANGENTS_LOCATED ? motion_delay(dt, m, k, out, &z) : free_shift(dt, m, k - 1);
@@ -182,7 +179,7 @@ static int difference(struct num_vec *out, struct exact_motion *m, int k, const 
   int s = motion_state(&z, m, k - 1);
   s |= free_shift(dt, m, k - 1);
   for (int i = 0; s == SS_OK && i < 4; i++) s = motion_op(num_exact.add, at(&other, i), m, at(&z, i), at(dz, i));
-  if (s == SS_OK) s = carried(out, m, k, &other, dt);
+  if (s == SS_OK) s = carried(out, m, k - 1, &other, dt, false);
   if (s == SS_OK) s = motion_state(&z, m, k);
   for (int i = 0; s == SS_OK && i < 4; i++) s = motion_op(num_exact.sub, at(out, i), m, at(out, i), at(&z, i));
   num_vec_clear(&other);

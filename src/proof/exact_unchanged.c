@@ -16,8 +16,7 @@ struct formula_read {
 static void read_formula(struct formula_read *r, struct view v, const char *formula, const char *section,
                          const struct override *o, int n) {
   struct matrix m;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   elaboration_init(&r->el, v, o, n);
   r->ok = elaborate_tape(&r->tape, &m, &r->el, formula, formula, section, &d);
 }

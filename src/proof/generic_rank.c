@@ -20,22 +20,13 @@ static struct tape probe(const struct tape *t, slong *outputs, enum tape_op op, 
   return p;
 }
 
-static bool positive(struct exact_field *f, const element *x) {
-  element one;
-  exact_init(&one, f);
-  num_exact.set_d(&one, 1, 0);
-  bool yes = exact_ratio_sign(f, x, &one, name_param, P_V + 1) > 0;
-  exact_clear(&one, f);
-  return yes;
-}
-
 /* Square roots are taken of what is positive: sqrt(chi*eta). */
 static bool roots_of_positive(slong *n, const struct tape *t, slong *outputs) {
   struct tape p = probe(t, outputs, TAPE_sqrt, true);
   struct exact_field *f = exact_field_new(NULL, 0);
   struct exact_vec v;
   bool ok = exact_eval(&v, f, &p) == SS_OK;
-  for (slong i = 0; ok && i < v.len; i++) ok = positive(f, &v.x[i]);
+  for (slong i = 0; ok && i < v.len; i++) ok = exact_unit_sign(f, &v.x[i]) > 0;
   *n = p.n_outputs;
   exact_vec_clear(&v);
   exact_field_free(f);
@@ -149,11 +140,10 @@ static int repeated_equations(struct text *note, struct judge *j, const struct c
   struct override o[4];
   struct elaboration el;
   struct tape t;
-  struct diag d;
+  struct diag d = {0};
   const struct expr *out[RANK_NAMES];
   int rows = 0, status[RANK_NAMES + 1], n = 0;
   struct judge quiet = *j;
-  diag_init(&d);
   quiet.d = &d;
   elaboration_init(&el, view, o, free_states(o));
   if (rank_residuals(out, &rows, &el, &quiet, c, view_record(&view, claim_get(c, "statement"))) && rows > 0 &&
@@ -185,8 +175,7 @@ static bool entries_are_analytic(struct text *note, struct judge *j, const struc
 struct generic_rank generic_rank_of(struct judge *j, const struct claim *c, struct view view,
                                     const struct rank_system *y) {
   struct generic_rank g = {0};
-  struct text note;
-  text_init(&note);
+  struct text note = {0};
   g.analytic = entries_are_analytic(&note, j, c, view, y);
   int rows = y->rows - repeated_equations(&note, j, c, view);
   g.most = rows < y->cols ? rows : y->cols;

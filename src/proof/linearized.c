@@ -3,7 +3,6 @@
 #include "linearized.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "exact_motion_impl.h"
 #include "nonzero.h"
@@ -11,26 +10,19 @@
 
 /* The sign of a product of chi, eta, V, 1 - chi, e_1, e_2 and a number; 0 where it is not one. */
 static int sign_of(const element *x, struct exact_motion *m) {
-  struct num_vec positive;
-  vec_init(&positive, EXACT_POSITIVE + 2);
+  struct num_vec positive = calc_vec(&m->c, EXACT_POSITIVE + 2);
   int n = exact_motion_positive(&positive, m), s = SS_OK;
   for (int i = P_E1; n > 0 && i <= P_E2; i++) s |= exact_symbol(at(&positive, n++), m->field, name_param[i]);
-  int sign = s == SS_OK ? exact_product_sign(x, at(&positive, 0), n) : 0;
-  num_vec_clear(&positive);
-  return sign;
+  return s == SS_OK ? exact_product_sign(x, at(&positive, 0), n) : 0;
 }
 
 /* --- Each phase ends transversally --- */
 
 /* Is x^2 = q y^2 with q a number times powers of chi, eta and V?  Squares, since y may have omega = sqrt(chi*eta). */
 static bool same_but_for_units(const element *x, const element *y, struct exact_motion *m) {
-  struct num_vec w;
-  vec_init(&w, 2);
-  int s = motion_op(num_exact.mul, at(&w, 0), m, x, x) | motion_op(num_exact.mul, at(&w, 1), m, y, y);
-  bool same = s == SS_OK && !exact_is_zero(m->field, at(&w, 1)) &&
-              exact_ratio_sign(m->field, at(&w, 0), at(&w, 1), name_param, P_V + 1) != 0;
-  num_vec_clear(&w);
-  return same;
+  element *xx = calc_new(&m->c), *yy = calc_new(&m->c);
+  return motion_op(num_exact.mul, xx, m, x, x) == SS_OK && motion_op(num_exact.mul, yy, m, y, y) == SS_OK &&
+         !exact_is_zero(m->field, yy) && exact_ratio_sign(m->field, xx, yy, name_param, P_V + 1) != 0;
 }
 
 /* Does the tape divide by x, which then is not zero where the tape has a value? */
@@ -56,25 +48,22 @@ static bool ends_transversally(struct text *note, int phase, struct view view) {
   struct elaboration el;
   struct matrix value;
   struct tape t;
-  struct diag d;
+  struct diag d = {0};
   struct exact_motion m;
-  struct num_vec z, rate;
-  diag_init(&d);
+  struct num_vec z;
   elaboration_init(&el, view, NULL, 0);
   bool ok = elaborate_tape(&t, &value, &el, "J", local_maps[phase].name, "stability", &d);
   exact_motion_free(&m, false, 4, &t);
-  vec_init(&rate, 1);
+  element *rate = calc_new(&m.c);
   ok = ok && motion_state(&z, &m, phase + 1) == SS_OK &&
-       dyn_switching_rate(at(&rate, 0), (enum phase)phase, &m.params, &z) == SS_OK &&
-       exact_reduce(at(&rate, 0), m.field) == SS_OK;
-  bool always = ok && sign_of(at(&rate, 0), &m) != 0;
-  ok = always || (ok && divides_by(&t, at(&rate, 0), &m));
+       dyn_switching_rate(rate, (enum phase)phase, &m.params, &z) == SS_OK && exact_reduce(rate, m.field) == SS_OK;
+  bool always = ok && sign_of(rate, &m) != 0;
+  ok = always || (ok && divides_by(&t, rate, &m));
   if (ok) {
     text_add(note, phase ? ", " : "");
-    exact_print(note, m.field, at(&rate, 0));
+    exact_print(note, m.field, rate);
     text_printf(note, always ? " (never zero)" : " (%s divides by it)", local_maps[phase].name);
   }
-  num_vec_clear(&rate);
   exact_motion_clear(&m);
   tape_clear(&t);
   elaboration_clear(&el);
@@ -93,21 +82,17 @@ static bool all_transversal(struct text *note, struct view view) {
 
 /* Component i of the rate in that phase at switching state k. */
 static int rate_at(element *x, struct exact_motion *m, int k, int phase, int i) {
-  struct num_vec z, f;
-  vec_init(&f, 4);
-  int s = motion_state(&z, m, k);
-  if (s == SS_OK) s = motion_rate(&f, m, phase, &z);
+  struct num_vec f = calc_vec(&m->c, 4);
+  int s = motion_rate_at(&f, m, k, phase);
   if (s == SS_OK) num_exact.set(x, at(&f, i));
-  num_vec_clear(&f);
   return s;
 }
 
 static bool others_strict(struct text *note) {
   static const struct tape nothing;
   struct exact_motion m;
-  struct num_vec x;
   exact_motion_free(&m, false, 4, &nothing);
-  vec_init(&x, 2);
+  struct num_vec x = calc_vec(&m.c, 2);
   const char *first = first_mass_is_slower(), *second = second_mass_is_slower();
   int s = rate_at(at(&x, 0), &m, 1, PHASE_GAMMA, DZ_1) | rate_at(at(&x, 1), &m, 2, PHASE_H, DZ_2);
   bool ok = s == SS_OK && sign_of(at(&x, 0), &m) < 0 && sign_of(at(&x, 1), &m) < 0 && first && second;
@@ -121,7 +106,6 @@ static bool others_strict(struct text *note) {
     exact_print(note, m.field, at(&x, 1));
     text_printf(note, " < 0, %s, and %s", first, second);
   }
-  num_vec_clear(&x);
   exact_motion_clear(&m);
   return ok;
 }
@@ -189,10 +173,9 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
   struct override o[N_PHASES];
   struct unfolded u;
   struct sentence s;
-  struct diag d;
+  struct diag d = {0};
   struct matrix trace, det;
   struct tape t = {.n = 0};
-  diag_init(&d);
   int n = factors(o);
   bool ok = sentence_from_relations(&s, view, without_modulus(&u, r), o, n, &d) && s.n == 2 &&
             elaborate_text(&trace, &s.el, "tr(J)", "tr(J)", "stability", &d) &&
@@ -219,11 +202,10 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
 
 struct linearized linearized_stability(struct judge *j, const struct statement_record *criterion, struct view view) {
   struct model plain;
-  struct text note;
+  struct text note = {0};
   const char *missing = NULL;
   view = view_without_stable(&view, &plain);
   if (criterion->rank == RANK_STABLE) criterion = view_record(&view, criterion->id);
-  text_init(&note);
   text_add(&note, "by the theorem of linearized stability for a fixed point of a C^1 map, on every admissible periodic "
                   "solution at which J has a value; its hypotheses: ");
   if (!all_transversal(&note, view))

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exact_argument.h"
 #include "exact_motion_impl.h"
 #include "num/calc.h"
 
@@ -13,11 +14,9 @@
 
 static bool add_divisor(struct divisor *list, int *n, const struct statement_record *r, const char *wrap,
                         const struct expr *e, bool root) {
-  struct text t;
-  while (e->kind == EXPR_PAREN) e = e->args[0];
-  text_init(&t);
+  struct text t = {0};
   text_add(&t, wrap);
-  expr_print(&t, e);
+  expr_print(&t, expr_bare(e));
   text_add(&t, *wrap ? ")" : "");
   for (int i = 0; i < *n; i++)
     if (strcmp(text_str(&list[i].formula), text_str(&t)) == 0 && list[i].root == root) {
@@ -110,54 +109,29 @@ static int positive_elements(struct num_vec *out, struct exact_motion *m) {
 }
 
 static int sign_of(const element *x, struct exact_motion *m) {
-  struct num_vec positive;
-  vec_init(&positive, MOST_POSITIVE);
-  int n = positive_elements(&positive, m), sign = n ? exact_product_sign(x, at(&positive, 0), n) : 0;
-  num_vec_clear(&positive);
-  return sign;
-}
-
-/* The value of a scalar; SS_UNABLE where it has none. */
-static int value_of(element *x, struct exact_motion *m, const struct tape *t) {
-  struct exact_vec v;
-  int s = exact_eval(&v, m->field, t);
-  if (s == SS_OK) num_exact.set(x, &v.x[0]);
-  exact_vec_clear(&v);
-  return s;
+  struct num_vec positive = calc_vec(&m->c, MOST_POSITIVE);
+  int n = positive_elements(&positive, m);
+  return n ? exact_product_sign(x, at(&positive, 0), n) : 0;
 }
 
 /* Of a divisor the square is asked for, since it may have the factor sqrt(chi*eta). */
 static bool has_sign(const struct tape *t, bool modes, bool root) {
   struct exact_motion m;
-  struct num_vec x;
   exact_motion_free(&m, modes, 4, t);
   exact_field_bind(m.field, bind, &m);
-  vec_init(&x, 1);
-  int s = value_of(at(&x, 0), &m, t);
-  if (s == SS_OK && !root) s = motion_op(num_exact.mul, at(&x, 0), &m, at(&x, 0), at(&x, 0));
-  bool yes = s == SS_OK && !exact_is_zero(m.field, at(&x, 0)) && sign_of(at(&x, 0), &m) > 0;
-  num_vec_clear(&x);
+  element *x = calc_new(&m.c);
+  bool yes = exact_margin(x, &m, t) && (root || motion_op(num_exact.mul, x, &m, x, x) == SS_OK) &&
+             !exact_is_zero(m.field, x) && sign_of(x, &m) > 0;
   exact_motion_clear(&m);
   return yes;
 }
 
 /* --- Velocities below the belt's --- */
 
-static int rate_at(struct num_vec *f, struct exact_motion *m, int k, int phase) {
-  struct num_vec z;
-  int s = motion_state(&z, m, k);
-  return s == SS_OK ? motion_rate(f, m, phase, &z) : s;
-}
-
 static bool continuous(struct exact_motion *m, int k, int before, int after, int component) {
-  struct num_vec f, g;
-  vec_init(&f, 4);
-  vec_init(&g, 4);
-  bool same = rate_at(&f, m, k, before) == SS_OK && rate_at(&g, m, k, after) == SS_OK &&
-              exact_equal(m->field, at(&f, component), at(&g, component));
-  num_vec_clear(&g);
-  num_vec_clear(&f);
-  return same;
+  struct num_vec f = calc_vec(&m->c, 4), g = calc_vec(&m->c, 4);
+  return motion_rate_at(&f, m, k, before) == SS_OK && motion_rate_at(&g, m, k, after) == SS_OK &&
+         exact_equal(m->field, at(&f, component), at(&g, component));
 }
 
 /* (z_1'')^2 + (z_1' - chi V)^2 at a state of phase Gamma. */
@@ -183,18 +157,16 @@ const char *first_mass_is_slower(void) {
   static const struct tape nothing;
   struct exact_motion m;
   exact_motion_free(&m, false, 4, &nothing);
-  struct calc c = exact_calc(m.field);
-  struct num_vec z, f = calc_vec(&c, 4);
-  c.status = motion_state(&z, &m, 1) | rate_at(&f, &m, 1, PHASE_GAMMA);
-  val at_start = energy(&c, &m, &z, &f);
-  void *e1 = calc_new(&c);
-  c.status |= exact_symbol(e1, m.field, name_param[P_E1]);
+  struct num_vec z, f = calc_vec(&m.c, 4);
+  m.c.status = motion_state(&z, &m, 1) | motion_rate_at(&f, &m, 1, PHASE_GAMMA);
+  val at_start = energy(&m.c, &m, &z, &f);
+  void *e1 = calc_new(&m.c);
+  m.c.status |= exact_symbol(e1, m.field, name_param[P_E1]);
   /* with z_1' = V again, z_1''^2 = e_1^2 */
-  val v = calc_mul(&c, at(&m.params, P_V), calc_sub(&c, calc_d(&c, 1), at(&m.params, P_CHI)));
-  val left = calc_sub(&c, calc_sub(&c, at_start, calc_mul(&c, v, v)), calc_mul(&c, e1, e1));
-  bool ok = c.status == SS_OK && exact_is_zero(m.field, left) && energy_is_kept(&m) &&
+  val v = calc_mul(&m.c, at(&m.params, P_V), calc_sub(&m.c, calc_d(&m.c, 1), at(&m.params, P_CHI)));
+  val left = calc_sub(&m.c, calc_sub(&m.c, at_start, calc_mul(&m.c, v, v)), calc_mul(&m.c, e1, e1));
+  bool ok = m.c.status == SS_OK && exact_is_zero(m.field, left) && energy_is_kept(&m) &&
             continuous(&m, 2, PHASE_GAMMA, PHASE_H, DZ_1);
-  calc_clear(&c);
   exact_motion_clear(&m);
   return ok ? "z_1' < V at t_a + t_b, since with z_1' = V there z_1'' would be e_1 or -e_1 and z_1' would exceed V "
               "just "
@@ -204,17 +176,12 @@ const char *first_mass_is_slower(void) {
 
 /* Two masses at one place with the belt's velocity stay so in phase C. */
 static bool second_mass_would_stay(struct exact_motion *m) {
-  struct num_vec z, f;
-  vec_init(&z, 4);
-  vec_init(&f, 4);
+  struct num_vec z = calc_vec(&m->c, 4), f = calc_vec(&m->c, 4);
   int s = exact_symbol(at(&z, Z_1), m->field, "z");
   num_exact.set(at(&z, Z_2), at(&z, Z_1));
   for (int i = DZ_1; i <= DZ_2; i++) num_exact.set(at(&z, i), at(&m->params, P_V));
   if (s == SS_OK) s = motion_rate(&f, m, PHASE_C, &z);
-  bool stays = s == SS_OK && exact_is_zero(m->field, at(&f, DZ_2)) && exact_equal(m->field, at(&f, Z_1), at(&f, Z_2));
-  num_vec_clear(&f);
-  num_vec_clear(&z);
-  return stays;
+  return s == SS_OK && exact_is_zero(m->field, at(&f, DZ_2)) && exact_equal(m->field, at(&f, Z_1), at(&f, Z_2));
 }
 
 const char *second_mass_is_slower(void) {
@@ -239,14 +206,12 @@ static bool divides(const element *x, element *y, struct exact_motion *m) {
 /* The velocity V - z_i' at that state has the divisor as a factor. */
 static bool is_factor(const struct tape *t, int state, int component, int anchor) {
   struct exact_motion m;
-  struct num_vec z, x;
+  struct num_vec z;
   exact_motion_free(&m, false, anchor, t);
-  vec_init(&x, 2);
-  int s = value_of(at(&x, 0), &m, t) | motion_state(&z, &m, state);
-  if (s == SS_OK) s = motion_op(num_exact.sub, at(&x, 1), &m, at(&m.params, P_V), at(&z, component));
-  if (s == SS_OK && exact_is_zero(m.field, at(&x, 0))) s = SS_DOMAIN;
-  bool yes = s == SS_OK && divides(at(&x, 0), at(&x, 1), &m);
-  num_vec_clear(&x);
+  element *x = calc_new(&m.c), *slower = calc_new(&m.c);
+  bool yes = exact_margin(x, &m, t) && motion_state(&z, &m, state) == SS_OK &&
+             motion_op(num_exact.sub, slower, &m, at(&m.params, P_V), at(&z, component)) == SS_OK &&
+             !exact_is_zero(m.field, x) && divides(x, slower, &m);
   exact_motion_clear(&m);
   return yes;
 }
@@ -254,15 +219,11 @@ static bool is_factor(const struct tape *t, int state, int component, int anchor
 /* z_1'' at the end of phase H is a factor of the divisor. */
 static bool has_touch(const struct tape *t) {
   struct exact_motion m;
-  struct num_vec f, x;
   exact_motion_free(&m, false, 4, t);
-  vec_init(&f, 4);
-  vec_init(&x, 1);
-  int s = value_of(at(&x, 0), &m, t);
-  s |= rate_at(&f, &m, 3, PHASE_H);
-  bool yes = s == SS_OK && !exact_is_zero(m.field, at(&f, DZ_1)) && divides(at(&f, DZ_1), at(&x, 0), &m);
-  num_vec_clear(&x);
-  num_vec_clear(&f);
+  element *x = calc_new(&m.c);
+  struct num_vec f = calc_vec(&m.c, 4);
+  bool yes = exact_margin(x, &m, t) && motion_rate_at(&f, &m, 3, PHASE_H) == SS_OK &&
+             !exact_is_zero(m.field, at(&f, DZ_1)) && divides(at(&f, DZ_1), x, &m);
   exact_motion_clear(&m);
   return yes;
 }
@@ -283,9 +244,8 @@ static bool divisor_tape(struct tape *t, const struct divisor *q, struct view vi
   struct model plain;
   struct elaboration el;
   struct matrix m;
-  struct diag d;
+  struct diag d = {0};
   view = view_without_stable(&view, &plain);
-  diag_init(&d);
   elaboration_init(&el, view, NULL, 0);
   const char *formula = text_str(&q->formula);
   bool ok = elaborate_tape(t, &m, &el, formula, formula, q->section, &d) && t->n_outputs == 1;

@@ -237,8 +237,7 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
 
 bool receipt_of_orbit(const struct claims *claims, const char *id) {
   const struct claim *c = claim_answering(claims, id);
-  const char *from = c ? claim_get(c, "from") : NULL;
-  return c && (claim_kind(c) == KIND_CLOSURE || (claim_kind(c) == KIND_NUMBER && from && strcmp(from, "orbit") == 0));
+  return c && (claim_kind(c) == KIND_CLOSURE || (claim_kind(c) == KIND_NUMBER && claim_says(c, "from", "orbit")));
 }
 
 /* The data, and the numbers as printed; false where the scene has not what the script starts from. */

@@ -83,8 +83,7 @@ static bool means_one_thing(const struct model *m, const char *name) {
 static bool direct(const struct model *m) {
   const struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
   const struct unknowns none = {.n = 0};
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   bool yes = !view_lookup(&corrected, "g_1", "stability", &d);
   for (int i = 0; i < N_HELD; i++) yes = yes && means_one_thing(m, stable_held[i].name);
   for (int i = 0; yes && i < N_DIRECT; i++) {
@@ -102,36 +101,30 @@ static bool is_proved(const struct stable_proofs *p, const struct stmt *stmt) {
 }
 
 /* Notes what a name is made of in the stable layer. */
-static bool note_use(bool *used, const struct model *m, const char *name, const char *section) {
-  struct model noting = *m;
-  struct model_use use = {used, ss_malloc((m->n_records + 1) * sizeof *use.record)};
+static bool note_use(struct model_use *used, const struct model *m, const char *name, const char *section) {
+  const struct model noting = model_noting(used, m);
   struct reading r;
   struct matrix shape;
-  struct diag d;
-  diag_init(&d);
-  memset(used, 0, m->n_defs * sizeof *used);
-  memset(use.record, 0, m->n_records * sizeof *use.record);
-  noting.use = &use;
+  struct diag d = {0};
   const struct unknowns none = {.n = 0};
   reading_init(&r, &noting, LAYER_STABLE, &none);
   bool ok = elaborate_text(&shape, &r.el, name, name, section, &d);
   reading_clear(&r);
-  free(use.record);
   return ok;
 }
 
 /* Whether every definition that the stable layer has in place of a corrected one, on the way to the name, is proved. */
 static bool follows(const struct stable_proofs *p, const struct model *m, const char *name, const char *section) {
   struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
-  struct diag d;
-  diag_init(&d);
-  bool *used = ss_malloc((m->n_defs + 1) * sizeof *used), yes = note_use(used, m, name, section);
+  struct diag d = {0};
+  struct model_use used;
+  bool yes = note_use(&used, m, name, section);
   for (size_t i = 0; yes && i < m->n_defs; i++) {
     const struct definition *def = &m->defs[i];
-    if (used[i] && def->rank == RANK_STABLE && view_lookup(&corrected, def->name, def->section, &d))
+    if (used.def[i] && def->rank == RANK_STABLE && view_lookup(&corrected, def->name, def->section, &d))
       yes = is_proved(p, def->stmt);
   }
-  free(used);
+  model_use_clear(&used);
   return yes;
 }
 
@@ -163,8 +156,7 @@ static bool names_time(bool *yes, const char *function, const char *section, enu
                        struct diag *d) {
   const struct unknowns none = {.n = 0};
   struct reading r;
-  struct text there;
-  text_init(&there);
+  struct text there = {0};
   text_printf(&there, "%.*s(%s)", (int)strcspn(function, "("), function, name_time[0]);
   reading_init(&r, m, layer, &none);
   bool ok = reading_value(&r, text_str(&there), section, d) && elaboration_tape(&r.tape, &r.el, r.e, r.n, d);
@@ -206,7 +198,7 @@ static bool attempt_levels(struct stable_proof *p, const struct model *m, const 
 static bool prove(struct stable_proofs *out, struct stable_proof p, const struct model *m, const struct sides *of,
                   struct unknowns *u, struct diag *d) {
   const char *name = of->value[1] ? of->value[1] : of->record[1]->id;
-  p.name = arena_strndup(&out->arena, name, strlen(name));
+  p.name = arena_strdup(&out->arena, name);
   struct unknowns parts = *u;
   parts.n = u->n_parts;
   bool by_parts, ok = try_points(&p, m, of, u->algebra_alone, d);
@@ -242,10 +234,9 @@ static const char *counterpart(const char *value, const struct model *m, const s
 /* A part that is no function can be held from now on. */
 static void keep_part(struct unknowns *u, const struct model *m, const struct definition *def, const char *equals) {
   struct reading r;
-  struct diag d;
+  struct diag d = {0};
   struct matrix shape;
   const struct unknowns none = {.n = 0};
-  diag_init(&d);
   if (def->stmt->param || u->n_parts == MOST_PARTS || !means_one_thing(m, def->name)) return;
   reading_init(&r, m, LAYER_STABLE, &none);
   if (elaborate_text(&shape, &r.el, def->name, def->name, def->section, &d) && shape.rows < 10 && shape.cols < 10) {
@@ -260,8 +251,7 @@ static void keep_part(struct unknowns *u, const struct model *m, const struct de
 /* A part that takes the name of a free symbol would change what other formulas say. */
 static bool hides_symbol(const struct model *m, const struct definition *def, struct diag *d) {
   struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
-  struct diag none;
-  diag_init(&none);
+  struct diag none = {0};
   if (def->rank != RANK_STABLE || !model_is_symbol(m, def->name) ||
       view_lookup(&corrected, def->name, def->section, &none))
     return false;
@@ -271,11 +261,9 @@ static bool hides_symbol(const struct model *m, const struct definition *def, st
 
 static bool prove_definition(struct stable_proofs *out, struct unknowns *u, const struct model *m,
                              const struct definition *def, struct diag *d) {
-  struct text own;
-  text_init(&own);
+  struct text own = {0};
   text_printf(&own, def->stmt->param ? "%s(t)" : "%s", def->name);
-  struct diag unclear;
-  diag_init(&unclear);
+  struct diag unclear = {0};
   const char *other = def->rank == RANK_STABLE ? counterpart(text_str(&own), m, def, &unclear) : NULL;
   if (unclear.set) diag_again(d, unclear.message);
   bool ok = !unclear.set && !hides_symbol(m, def, d);
@@ -332,8 +320,7 @@ void stable_explain(struct text *out, const struct model *m, const char *equatio
   for (size_t i = 0; i < m->n_records; i++) any = any || concerns(&m->records[i], equation, record);
   if (!any) return;
   struct stable_proofs p;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   bool ok = stable_prove(&p, m, &d);
   if (!ok) text_printf(out, "%-11s cannot be read over these formulas: %s\n", "stable", d.message);
   for (size_t i = 0; ok && i < p.n; i++) {

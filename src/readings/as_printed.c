@@ -55,12 +55,9 @@ static void add_list(struct text *out, int n, int i, const char *name) {
 }
 
 static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o, const struct point *p) {
-  struct text t, same, where;
+  struct text t = {0}, same = {0}, where = {0};
   long digits[N_X], least = PRECISION;
   int n_same = 0, n = 0;
-  text_init(&t);
-  text_init(&same);
-  text_init(&where);
   for (int i = 0; i < X_E1; i++) {
     digits[i] = equal_digits(x + i, orbit_number(o, i));
     n_same += digits[i] > 0;

@@ -68,9 +68,7 @@ void example_clear(struct example *e) {
 
 void readings_bounds(arb_ptr bound, arb_srcptr x, const struct scene *s) {
   enum { PREC = FIRST_PREC };
-  arb_t chi, v;
-  arb_init(chi);
-  arb_init(v);
+  arb_ptr w = _arb_vec_init(2), chi = w, v = w + 1;
   arb_set_fmpq(chi, &s->value[KEY_CHI], PREC);
   arb_sub_ui(v, chi, 1, PREC); /* V t_a (1 - chi)/2 */
   arb_neg(v, v);
@@ -82,6 +80,5 @@ void readings_bounds(arb_ptr bound, arb_srcptr x, const struct scene *s) {
   arb_mul(v, v, chi, PREC);
   arb_sub(bound + 1, x + X_E2, v, PREC);
   arb_mul_2exp_si(bound + 1, bound + 1, -1);
-  arb_clear(v);
-  arb_clear(chi);
+  _arb_vec_clear(w, 2);
 }

@@ -21,8 +21,7 @@ static void add_assumptions(struct text *t, const struct example_reading *r) {
 
 static const char *explanation(struct audit_result *out, const struct example_reading *r,
                                const struct reading_number *n) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_add(&t, "The explanation of all printed numbers with the fewest assumptions ");
   add_assumptions(&t, r);
   if (strcmp(n->how, "input") == 0)

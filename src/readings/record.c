@@ -16,8 +16,7 @@ static const char *digits_of(struct audit_result *out, const arb_t x, slong n) {
   bool tiny = arb_contains_zero(x) && !mag_is_zero(size) && mag_cmp_2exp_si(size, -64) < 0;
   mag_clear(size);
   if (tiny) return "0";
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
   return result_take(out, &t);
 }
@@ -27,8 +26,7 @@ static void *room(struct audit_result *out, int n, size_t size) {
 }
 
 static const char *names(struct audit_result *out, unsigned mask, const char *none) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int i = 0; i < N_X; i++)
     if (mask >> i & 1) text_printf(&t, "%s%s", t.len ? ", " : "", orbit_number_name(i));
   const char *s = result_str(out, "%s", t.len ? text_str(&t) : none);
@@ -93,10 +91,7 @@ static void describe_numbers(struct example_reading *r, struct audit_result *out
    of its last printed digit: 10^-d (sum of |slopes|) <= unit. */
 static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct printed_number *p) {
   enum { MOST = 99 };
-  arb_t sum, a, unit;
-  arb_init(sum);
-  arb_init(a);
-  arb_init(unit);
+  arb_ptr w = _arb_vec_init(3), sum = w, a = w + 1, unit = w + 2;
   for (int k = 0; k < N_X; k++) {
     arb_abs(a, slopes + k);
     if (inputs >> k & 1) arb_add(sum, sum, a, PREC);
@@ -104,9 +99,7 @@ static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct prin
   arb_set_fmpq(unit, &p->unit, PREC);
   int d = 0;
   for (; d < MOST && !arb_le(sum, unit); d++) arb_div_ui(sum, sum, 10, PREC);
-  arb_clear(unit);
-  arb_clear(a);
-  arb_clear(sum);
+  _arb_vec_clear(w, 3);
   return d < MOST ? d : -1;
 }
 
@@ -133,8 +126,7 @@ static void describe_slopes(struct example_reading *r, struct audit_result *out,
 static void describe_assumptions(struct example_reading *r, struct audit_result *out, const struct candidate *c,
                                  const struct example *e) {
   unsigned inputs = ~c->unknown & ((1U << N_X) - 1), beyond = inputs & ~e->data, computed = c->unknown & e->data;
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (beyond) text_printf(&t, "data that the paper does not name as such: %s; ", names(out, beyond, ""));
   if (computed) text_printf(&t, "named as data in the paper, but computed: %s; ", names(out, computed, ""));
   if (c->assumed[ASSUME_ZEROS])
@@ -277,8 +269,7 @@ void readings_pairs(struct readings *r, struct audit_result *out, const struct e
       unsigned inputs = 1U << i | 1U << k;
       struct readings_pair *p = &r->pair[r->n_pairs++];
       *p = (struct readings_pair){.inputs = names(out, inputs, "")};
-      struct text missed;
-      text_init(&missed);
+      struct text missed = {0};
       bool ok = procedure_solve(x, e, inputs, s, search);
       if (ok) readings_bounds(x + N_X, x, e->scene);
       for (int n = 0; n < N_PRINTED; n++) {

@@ -177,8 +177,7 @@ static void describe_space(struct hunt *h, const char *layers) {
 }
 
 static const char *inputs_of(struct hunt *h, const struct example_reading *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int i = 0; i < r->n_inputs; i++) text_printf(&t, "%s%s", i ? ", " : "", r->inputs[i]);
   const char *s = result_str(h->out, "%s", t.len ? text_str(&t) : "nothing");
   text_clear(&t);
@@ -226,8 +225,7 @@ static void conclude_first(struct hunt *h) {
   struct readings *r = h->r;
   if (r->n_found == 0 || r->found[0].n_dropped == 0) return;
   const struct example_reading *f = &r->found[0];
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t, "The reading with the fewest assumptions takes %s as exact data and does not satisfy ",
               inputs_of(h, f));
   for (int i = 0; i < f->n_dropped; i++)
@@ -266,9 +264,7 @@ static void conclude_pairs(struct hunt *h) {
 
 static void conclude_rounding(struct hunt *h) {
   struct readings *r = h->r;
-  struct text out, need;
-  text_init(&out);
-  text_init(&need);
+  struct text out = {0}, need = {0};
   int most = -1;
   for (int i = 0; i < r->procedure.n_outputs; i++) {
     const struct procedure_output *o = &r->procedure.output[i];

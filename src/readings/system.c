@@ -28,8 +28,7 @@ static bool name_inputs(struct formulas *f) {
 }
 
 bool formulas_read(struct formulas *f, struct view v) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   *f = (struct formulas){.own_model = false};
   elaboration_init(&f->el, v, NULL, 0);
   const struct expr *entry[8 * 16];
@@ -102,14 +101,11 @@ void system_clear(struct system *s) {
 /* --- Propagators --- */
 
 static bool same_number(const struct num_type *t, const void *x, const void *y) {
-  arb_t a, b;
-  arb_init(a);
-  arb_init(b);
+  arb_ptr w = _arb_vec_init(2), a = w, b = w + 1;
   t->get_arb(a, x);
   t->get_arb(b, y);
   bool same = arb_equal(a, b);
-  arb_clear(b);
-  arb_clear(a);
+  _arb_vec_clear(w, 2);
   return same;
 }
 

@@ -15,9 +15,9 @@ struct route_result {
   bool decisive; /* its difference is a certificate */
   long trials;
 };
-/* The word as evidence.  bits is -1, where and note are NULL, when they do not apply. */
-struct evidence *finding_add_route(struct finding *f, struct audit_result *out, struct route_result w,
-                                   const char *layer, long bits, const char *where, const char *note);
+/* The word as evidence, and the word.  bits is -1, where and note are NULL, when they do not apply. */
+struct route_result finding_add_route(struct finding *f, struct audit_result *out, struct route_result w,
+                                      const char *layer, long bits, const char *where, const char *note);
 /* Evidence that only states something. */
 void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,
                    long trials, const char *where, const char *note);

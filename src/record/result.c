@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -60,21 +59,15 @@ void audit_result_clear(struct audit_result *r) {
 }
 
 const char *result_str(struct audit_result *r, const char *fmt, ...) {
-  va_list ap, again;
+  va_list ap;
   va_start(ap, fmt);
-  va_copy(again, ap);
-  int n = vsnprintf(NULL, 0, fmt, ap);
+  const char *s = arena_vprintf(&r->arena, fmt, ap);
   va_end(ap);
-  char *s = arena_alloc(&r->arena, (size_t)(n > 0 ? n : 0) + 1);
-  vsnprintf(s, (size_t)n + 1, fmt, again);
-  va_end(again);
   return s;
 }
 
 const char *result_take(struct audit_result *r, struct text *t) {
-  const char *s = result_str(r, "%s", text_str(t));
-  text_clear(t);
-  return s;
+  return text_take(&r->arena, t);
 }
 
 const struct finding *audit_result_finding(const struct audit_result *r, const char *id) {
@@ -114,7 +107,7 @@ long audit_result_count(long count[N_VERDICTS], const struct audit_result *r, en
 
 bool finding_miscorrected(const struct finding *f) {
   if (!f->correction) return false;
-  bool holds = f->correction_verdict == VERDICT_PROVED || f->correction_verdict == VERDICT_SUPPORTED;
+  bool holds = verdict_passes(f->correction_verdict);
   return f->correction_verdict == VERDICT_REFUTED || (f->recorded != N_VERDICTS && !holds);
 }
 
@@ -153,6 +146,10 @@ bool verdict_fails(enum verdict v) {
   return v == VERDICT_REFUTED || v == VERDICT_CONDITIONAL;
 }
 
+bool verdict_passes(enum verdict v) {
+  return v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
+}
+
 struct evidence *finding_add(struct finding *f, struct audit_result *out) {
   struct evidence *e = arena_alloc(&out->arena, (size_t)(f->n_evidence + 1) * sizeof *e);
   if (f->n_evidence) memcpy(e, f->evidence, (size_t)f->n_evidence * sizeof *e);
@@ -174,8 +171,8 @@ const char *order_of_magnitude(struct audit_result *r, double log2x) {
   return result_str(r, "1e%d", (int)ceil(log2x * 0.30102999566398120));
 }
 
-static struct evidence *put(struct finding *f, struct audit_result *out, const char *route, const char *layer,
-                            const char *result, long bits, long trials, const char *where, const char *note) {
+static void put(struct finding *f, struct audit_result *out, const char *route, const char *layer, const char *result,
+                long bits, long trials, const char *where, const char *note) {
   struct evidence *e = finding_add(f, out);
   e->route = route;
   e->layer = layer;
@@ -184,13 +181,13 @@ static struct evidence *put(struct finding *f, struct audit_result *out, const c
   e->trials = trials;
   e->worst = where;
   e->note = note;
-  return e;
 }
 
-struct evidence *finding_add_route(struct finding *f, struct audit_result *out, struct route_result w,
-                                   const char *layer, long bits, const char *where, const char *note) {
+struct route_result finding_add_route(struct finding *f, struct audit_result *out, struct route_result w,
+                                      const char *layer, long bits, const char *where, const char *note) {
   static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
-  return put(f, out, w.route, layer, words[w.outcome], bits, w.trials, where, note);
+  put(f, out, w.route, layer, words[w.outcome], bits, w.trials, where, note);
+  return w;
 }
 
 void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,

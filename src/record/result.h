@@ -28,6 +28,8 @@ extern const char *const verdict_name[N_VERDICTS];
 enum verdict verdict_parse(const char *name);
 /* Does the text fail as printed: refuted, be it that it holds under a condition? */
 bool verdict_fails(enum verdict v);
+/* Does it pass: proved or supported? */
+bool verdict_passes(enum verdict v);
 
 /* What one route found.  Strings may be NULL; bits and trials are -1 when they do not apply. */
 struct evidence {

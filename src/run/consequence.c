@@ -41,13 +41,12 @@ struct failure {
 /* --- Reading the results --- */
 
 static bool read_result(struct result *r, int reading, struct view v) {
-  const char *formula = claim_get(r->c, "formula"), *section = claim_get(r->c, "section");
+  const char *formula = claim_get(r->c, "formula");
   struct elaboration el;
   struct matrix m;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   elaboration_init(&el, v, NULL, 0);
-  bool ok = elaborate_tape(&r->tape[reading], &m, &el, formula, formula, section ? section : "", &d);
+  bool ok = elaborate_tape(&r->tape[reading], &m, &el, formula, formula, claim_section(r->c), &d);
   if (ok) {
     r->rows = m.rows;
     r->cols = m.cols;
@@ -137,17 +136,15 @@ static void book_result(struct failure *f, struct result *r, const struct trial 
   if (t->outcome != OUTCOME_DIFFERS) return;
   r->worst_log = fmax(r->worst_log, t->log_diff);
   if (r->differs++) return;
-  struct text where;
-  text_init(&where);
+  struct text where = {0};
   point_print(&where, p);
   const char *place = entry_place(out, r->rows * r->cols, r->cols, t->entry);
   r->out.entry = *place ? place : NULL;
   r->out.printed = result_str(out, "%s", t->lhs);
   r->out.corrected = result_str(out, "%s", t->rhs);
-  r->out.where = result_str(out, "%s", text_str(&where));
+  r->out.where = result_take(out, &where);
   if (!f->number && !tape_same(&r->tape[READ_OWN], &r->tape[READ_PRINTED]))
     r->out.chain = chain_value(f, r, v, t->entry);
-  text_clear(&where);
 }
 
 /* Every open result at one point; the precision rises for all while one of them is undecided.  false when the point is
@@ -200,12 +197,11 @@ static void try_everywhere(struct failure *f) {
 /* By exact algebra, for every value that a misprinted number could have. */
 static bool proved_unchanged(const struct failure *f, const struct result *r) {
   const struct model *m = f->j->model;
-  const char *section = claim_get(r->c, "section");
   struct exact_change c = {{m, LAYER_CORRECTED, f->number ? NULL : claim_own(f->c), NULL},
                            {m, LAYER_CORRECTED, NULL, NULL},
                            {f->symbol, f->alias},
                            f->number ? 1 + (f->alias != NULL) : 0};
-  return exact_unchanged(&c, claim_get(r->c, "formula"), section ? section : "");
+  return exact_unchanged(&c, claim_get(r->c, "formula"), claim_section(r->c));
 }
 
 static void conclude_result(struct failure *f, struct result *r) {
@@ -254,8 +250,7 @@ struct memory {
    here: balls that differ are enough. */
 static enum verdict judge_again(struct judge *j, const struct claim *c, const char *own) {
   struct finding f = {.id = c->id, .verdict = VERDICT_UNKNOWN};
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   struct judge again = *j;
   again.d = &d;
   again.effort = EFFORT_DIFFERENCE;
@@ -307,7 +302,7 @@ static void judge_downstream(struct consequence *q, struct memory *m, struct fai
     bool fails_anyway = touched ? verdict_fails(judge_as_is(j, c)) : !f->number;
     bool as_before = fails_anyway && v == VERDICT_CONDITIONAL && has_own_condition(j->out, c->id, f->c->id);
     if (verdict_fails(v) && fails_anyway && !as_before) continue; /* for a reason of its own */
-    bool holds = v == VERDICT_PROVED || v == VERDICT_SUPPORTED || as_before;
+    bool holds = verdict_passes(v) || as_before;
     add_id(j->out, holds ? &q->survives : verdict_fails(v) ? &q->falls : &q->open, c->id);
   }
 }
@@ -325,8 +320,7 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
   bool proved = true;
   for (int i = 0; i < q->n_derived; i++)
     proved = proved && (q->derived[i].change != CHANGE_AGREES || strncmp(q->derived[i].verdict, "proved", 6) == 0);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   f->size = f->effect;
   if (f->effect) text_add(&t, f->effect);
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {

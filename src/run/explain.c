@@ -124,8 +124,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   point_init(&drawn);
   point_init(&p);
   sampler_init(&sampler, c->id, spec[0].kind == POINT_ARC ? POINT_ORBIT : spec[0].kind, spec[0].phase, NULL);
-  const char *perturbation = claim_get(c, "perturbation");
-  sampler.finite = perturbation && strcmp(perturbation, "finite") == 0;
+  sampler.finite = claim_says(c, "perturbation", "finite");
   sampler.paper = spec[0].paper;
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
@@ -135,8 +134,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   if (ok && p.kind == POINT_ORBIT && !p.admissible)
     p.orbit = usual_orbit(point_orbits(&p, j->cache, FIRST_PREC), p.scene);
   if (ok && point_settle(&p, j->cache)) {
-    struct text where;
-    text_init(&where);
+    struct text where = {0};
     point_print(&where, &p);
     add_line(out, "at", text_str(&where));
     text_clear(&where);

@@ -24,20 +24,12 @@ struct planner {
   bool box; /* the scene is one */
 };
 
-static void add_item(struct planner *pl, struct plan_list *list, const char *fmt, const char *s, size_t len) {
-  struct text t;
+static void add_name(struct planner *pl, struct plan_list *list, const char *name) {
   struct arena *a = &pl->out->arena;
-  text_init(&t);
-  text_printf(&t, fmt, (int)len, s);
   const char **item = arena_alloc(a, (size_t)(list->n + 1) * sizeof *item);
   if (list->n) memcpy(item, list->item, (size_t)list->n * sizeof *item);
-  item[list->n++] = arena_strndup(a, text_str(&t), t.len);
+  item[list->n++] = arena_strdup(a, name);
   list->item = item;
-  text_clear(&t);
-}
-
-static void add_name(struct planner *pl, struct plan_list *list, const char *name) {
-  add_item(pl, list, "%.*s", name, strlen(name));
 }
 
 /* --- A claim --- */
@@ -53,9 +45,8 @@ static void plan_routes(struct planner *pl, struct planned_claim *p, const struc
 static unsigned parts_of_points(struct planner *pl, const struct claim *c) {
   enum { MOST = 8 };
   struct point_spec spec[MOST];
-  struct diag d;
+  struct diag d = {0};
   unsigned parts = 0;
-  diag_init(&d);
   pl->judge.d = &d;
   int n = claim_points_asked(c) ? claim_points(spec, MOST, &pl->judge, c) : 0;
   for (int i = 0; i < n; i++) {
@@ -116,15 +107,9 @@ static void add_cost(struct planned_claim *p, const struct cost *c) {
   p->ms = (p->ms < 0 ? 0 : p->ms) + c->ms;
 }
 
-static bool says(const struct claim *c, const char *attribute, const char *value) {
-  const char *text = claim_get(c, attribute);
-  return text && strcmp(text, value) == 0;
-}
-
 /* What is about the numbers of one scene has nothing to speak of in a box of parameters, and its controls neither. */
 static bool is_left_out(const struct planner *pl, const struct claim *c) {
-  const struct claim_kind *kind = claim_kind_of(c);
-  return pl->box && kind && (kind->of_scene || says(c, "over", "scene") || says(c, "check", "long-run"));
+  return pl->box && claim_kind_of(c) && (claim_of_scene(c) || claim_says(c, "check", "long-run"));
 }
 
 static void plan_claim(struct planner *pl, const struct claim *c) {
@@ -214,12 +199,7 @@ static void plan_consequences(struct planner *pl, const struct pieces *first) {
     for (size_t k = 0; k < i && !seen; k++)
       seen = fails_on_record(pl, first->item[k].claim) && fails_with(first->item[k].claim, c);
     const struct cost *row = seen ? NULL : consequence_cost(pl, c);
-    if (!row) continue;
-    struct text what;
-    text_init(&what);
-    text_printf(&what, "consequences of %s", c->id);
-    add_work(pl, arena_strndup(&pl->out->arena, text_str(&what), what.len), row);
-    text_clear(&what);
+    if (row) add_work(pl, arena_printf(&pl->out->arena, "consequences of %s", c->id), row);
   }
 }
 

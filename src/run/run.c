@@ -158,14 +158,9 @@ static bool do_control(struct judge *j, const struct piece *p, const struct audi
   return ok;
 }
 
-static void do_tables(struct judge *j) {
-  const char *why = study_tables(j);
-  if (why) audit_leave_out(j->out, "pictures of the orbit", why);
-}
-
-static void do_readings(struct judge *j) {
-  const char *why = audit_readings(j->out, j->model, j->scene);
-  if (why) audit_leave_out(j->out, "readings of the printed numbers", why);
+/* What a study is about, where it says why there was nothing to do. */
+static void note_why(struct audit_result *out, const char *what, const char *why) {
+  if (why) audit_leave_out(out, what, why);
 }
 
 static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag *d) {
@@ -194,10 +189,10 @@ static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag
     ok = study_routes(&j);
     break;
   case PIECE_TABLES:
-    do_tables(&j);
+    note_why(part, "pictures of the orbit", study_tables(&j));
     break;
   case PIECE_READINGS:
-    do_readings(&j);
+    note_why(part, "readings of the printed numbers", audit_readings(part, j.model, j.scene));
     break;
   case PIECE_VALUES:
     ok = values_asked(&j);
@@ -213,8 +208,7 @@ static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag
 /* A claim that ran out of its budget is undecided, and so is what a failure does; a control was not tried. */
 static void note_exhausted(struct audit_result *out, struct audit_work *r, const struct piece *p) {
   struct judge j = *r->base;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   j.out = out;
   j.d = &d;
   const char *why = result_str(out, "the budget of %llu units of work ran out", j.scene->asked.budget);
@@ -358,13 +352,11 @@ static struct scene without_data(const struct scene *s) {
 }
 
 static void name_subject(struct audit_result *out, const struct model *m, const struct scene *scene) {
-  struct text subject;
-  text_init(&subject);
+  struct text subject = {0};
   audit_fingerprint(&subject, m, scene);
-  out->subject = result_str(out, "%s", text_str(&subject));
+  out->subject = result_take(out, &subject);
   out->paper = m->paper ? result_str(out, "%s", m->paper) : NULL;
   out->paper_text = m->paper_text ? result_str(out, "%s", m->paper_text) : NULL;
-  text_clear(&subject);
 }
 
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,

@@ -33,8 +33,7 @@ static bool in_evidence(const struct audit_result *out, const char *route) {
 
 /* Each name once, in the order of the table. */
 static void skip_routes(struct audit_result *out, const struct scene *s) {
-  struct text names;
-  text_init(&names);
+  struct text names = {0};
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
     const char *name = route_table[i].evidence;
     bool first = name != NULL;
@@ -51,8 +50,7 @@ static void skip_routes(struct audit_result *out, const struct scene *s) {
 /* The untouched of parts from .. to in one line; head: what their names have in common. */
 static void skip_range(struct audit_result *out, unsigned touched, enum work_part from, enum work_part to,
                        const char *head, const char *why) {
-  struct text names;
-  text_init(&names);
+  struct text names = {0};
   for (int part = (int)from; part <= (int)to; part++)
     if (!(touched >> part & 1U))
       text_printf(&names, "%s%s", names.len ? ", " : head, work_part_name[part] + (names.len ? strlen(head) : 0));

@@ -22,15 +22,7 @@ void table_number(struct text *out, arb_srcptr x, int decimals) {
     text_add_char(out, '-');
   } else {
     arf_get_fmpz(n, arb_midref(y), ARF_RND_NEAR);
-    char *digits = fmpz_get_str(NULL, 10, n);
-    const char *d = digits + (digits[0] == '-');
-    int len = (int)strlen(d), whole = len > decimals ? len - decimals : 0;
-    text_printf(out, "%s%.*s", digits[0] == '-' ? "-" : "", whole, d);
-    if (whole == 0) text_add_char(out, '0');
-    text_add_char(out, '.');
-    for (int i = len; i < decimals; i++) text_add_char(out, '0');
-    text_add(out, d + whole);
-    flint_free(digits);
+    num_print_fixed(out, n, decimals);
   }
   fmpz_clear(n);
   arb_clear(y);
@@ -57,6 +49,5 @@ fmpq *table_params(fmpq params[N_PARAMS], const struct scene *s, int vary) {
 
 void table_finish(struct audit_result *out, const char *name, struct text *body) {
   out->tables = ss_grow(out->tables, out->n_tables, &out->cap_tables, sizeof *out->tables);
-  out->tables[out->n_tables++] = (struct data_table){name, result_str(out, "%s", text_str(body))};
-  text_clear(body);
+  out->tables[out->n_tables++] = (struct data_table){name, result_take(out, body)};
 }

@@ -212,8 +212,7 @@ void table_along_e2(struct table_source *s) {
 /* The decimal of SPOT_DIGITS digits next to x. */
 static bool set_near(fmpq_t q, double x) {
   char shown[40];
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   snprintf(shown, sizeof shown, "%.*e", SPOT_DIGITS - 1, x);
   return scene_constant(q, shown, strlen(shown), "a spot", &d);
 }
@@ -242,9 +241,8 @@ int table_of_bifurcations(struct audit_result *out, const struct scene *s, int v
   const char *name = scene_key_name[vary];
   struct dyn_line line = {.params = s->value, .vary = vary, .from = from, .to = to};
   struct dyn_bifurcations list;
-  struct text body;
+  struct text body = {0};
   scene_static_friction(line.u_r, s);
-  text_init(&body);
   text_printf(&body,
               "# The periodic orbits of the word D-Gamma-H-C along %s, branch by branch in the order in which each was "
               "followed: samples, and between them what changes, with two decimals that are proved to enclose %s "

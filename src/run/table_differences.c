@@ -82,10 +82,9 @@ static int fine_init(struct fine *f, const struct table_source *s) {
 }
 
 static void add_rows(struct text *body, const struct fine *f) {
-  struct text row;
+  struct text row = {0};
   arb_t x;
   arb_init(x);
-  text_init(&row);
   for (int k = FIRST_STEP; k <= LAST_STEP; k++) {
     arb_set_ui(x, 2);
     arb_log_base_ui(x, x, 10, FIRST_PREC);
@@ -103,9 +102,8 @@ static void add_rows(struct text *body, const struct fine *f) {
 }
 
 void table_of_differences(struct table_source *s) {
-  struct text body;
+  struct text body = {0};
   struct fine f;
-  text_init(&body);
   text_add(
       &body,
       "# The error of tr J on the orbit nearest to the printed numbers by central differences of the event-located "

@@ -58,16 +58,13 @@ struct listener {
 };
 
 static void tell(struct listener *l, const void *x_1, const void *x_2) {
-  arb_t a, b;
-  arb_init(a);
-  arb_init(b);
+  arb_ptr w = _arb_vec_init(2), a = w, b = w + 1;
   num_mpfr.get_arb(a, x_1);
   num_mpfr.get_arb(b, x_2);
   arb_sub(b, b, a, FIRST_PREC);
   arb_add(b, b, l->shift, FIRST_PREC);
   add_row(l->body, "printed", 0, l->n++, b);
-  arb_clear(b);
-  arb_clear(a);
+  _arb_vec_clear(w, 2);
 }
 
 /* Where both masses begin to stick at once the second report completes the event. */
@@ -111,8 +108,7 @@ static void add_printed(struct text *body, const struct table_source *s) {
 }
 
 void table_of_long_runs(struct table_source *s) {
-  struct text body;
-  text_init(&body);
+  struct text body = {0};
   text_add(
       &body,
       "# How far from a periodic orbit, period by period: log10 of |r - r*|, r = z_2 - z_1 at the end of the global "

@@ -97,10 +97,9 @@ static void make_line(void *result, size_t i, void *arg) {
   size_t cells = m->columns[0], marked = cells + m->columns[1];
   bool row = i >= marked;
   slong at = i < cells ? (slong)i : (slong)(i - (row ? marked : cells)) * m->every[row];
-  struct text rows;
+  struct text rows = {0};
   fmpq params[N_PARAMS];
   fmpq *own = table_params(params, m->scene, m->axis[row].vary);
-  text_init(&rows);
   dyn_axis_q(own, &m->axis[row], at);
   if (i < cells)
     add_cells(&rows, m, params, at);
@@ -132,8 +131,7 @@ bool table_of_map(struct audit_result *out, const struct scene *s, const struct 
   m.columns[1] = (size_t)((axis[0].n - 1) / m.every[0] + 1);
   tally->of = m.columns[0] + m.columns[1] + (size_t)((axis[1].n - 1) / m.every[1] + 1);
   struct line *line = ss_malloc(tally->of * sizeof *line);
-  struct text body;
-  text_init(&body);
+  struct text body = {0};
   bool ok = crew_results(line, sizeof *line, tally->of, jobs, make_line, &m, tally, d);
   add_heading(&body, &m);
   for (size_t i = 0; ok && i < tally->of; i++) text_add(&body, line[i].rows);

@@ -86,9 +86,7 @@ static void add_phase(struct motion_tables *t, const struct table_source *s, con
   static const char *const end_mark[N_PHASES] = {"a", "b", "c", "d"};
   const struct num_vec start = {arc->z.ctx, N_STATE, num_vec_at(&arc->z, (slong)ph * N_STATE)};
   struct num_vec z;
-  arb_t time, into;
-  arb_init(time);
-  arb_init(into);
+  arb_ptr w = _arb_vec_init(2), time = w, into = w + 1;
   num_vec_init(&z, N_STATE, arc->z.ctx);
   slong n = pieces(arc, (int)ph);
   for (slong k = 0; k <= n; k++) {
@@ -99,8 +97,7 @@ static void add_phase(struct motion_tables *t, const struct table_source *s, con
     if (dyn_flow(&z, ph, &s->params, &start, into) == SS_OK) add_row(t, s, motion, ph, mark, time, &z);
   }
   num_vec_clear(&z);
-  arb_clear(into);
-  arb_clear(time);
+  _arb_vec_clear(w, 2);
 }
 
 static void add_motion(struct motion_tables *t, const struct table_source *s, const char *motion,

@@ -25,8 +25,7 @@ static void add_answers(struct text *out, const struct audit_result *r, const ch
 }
 
 void table_of_statements(struct audit_result *out, const struct claims *statements) {
-  struct text body;
-  text_init(&body);
+  struct text body = {0};
   text_add(&body,
            "# What the paper says, in its order. claims: those that answer it, with their verdicts and the root of "
            "what fails;\n# checks: the suite's own around it. place: bytes of the paper's text.\n"

@@ -61,9 +61,8 @@ static void add_limits(struct text *out, const char *what, const struct mech *m)
 }
 
 void table_of_system(struct audit_result *out, const struct mech *m, const struct mech_orbits *list) {
-  struct text t;
+  struct text t = {0};
   arb_t time;
-  text_init(&t);
   arb_init(time);
   text_add(
       &t,

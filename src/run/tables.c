@@ -46,9 +46,8 @@ static void judge_open(struct judge *j, struct audit_result *out, const struct s
 }
 
 const char *audit_tables(struct audit_result *out, const struct scene *scene) {
-  struct diag d;
+  struct diag d = {0};
   struct judge j;
-  diag_init(&d);
   judge_open(&j, out, scene, &d);
   const char *why = study_tables(&j);
   orbit_cache_free(j.cache);

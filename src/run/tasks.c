@@ -80,8 +80,7 @@ static void out_of_budget(void) {
 static bool do_task(const struct team *c, size_t i, struct arena *arena, const struct arena_block *block) {
   struct task_result *slot = &c->result[i];
   struct audit_result part = {.arena = *arena};
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   current = slot;
   work_begin(c->t->budget, out_of_budget);
   double start = c->t->seconds_now ? c->t->seconds_now() : 0;
@@ -155,8 +154,7 @@ static void give_up(const char *why) {
 
 static enum crew_news wait_for_news(const struct team *c, struct crew *crew) {
   size_t item;
-  struct text none;
-  text_init(&none);
+  struct text none = {0};
   enum crew_news news = crew_take(crew, &item, &none, c->t->tell ? TELL_EVERY : -1);
   text_clear(&none);
   tell(c);

@@ -67,8 +67,7 @@ static bool write_out(struct text *out, const struct model *m, const char *name)
 
 /* Whether a name can be among the values of a scene: one of the paper's, a number of an orbit, trace_J, det_J. */
 static bool value_is_named(const struct model *m, const char *name) {
-  struct text unused;
-  text_init(&unused);
+  struct text unused = {0};
   bool named = write_out(&unused, m, name);
   text_clear(&unused);
   return named || number_named(name) >= 0 || is_defined(m, name) || model_is_symbol(m, name);
@@ -186,10 +185,9 @@ static bool value_at(struct judge *j, const struct quantity *q, const struct poi
   slong first = first_precision(q, p, digits, j->cache);
   for (slong prec = first;; prec *= 2) {
     struct num_vec x;
-    struct text t;
+    struct text t = {0};
     bool known, all = true, last = 2 * prec > MOST_BITS + 4 * digits;
     num_vec_init(&x, n, num_ctx_arb(prec));
-    text_init(&t);
     int s = evaluate(&x, &known, q, p, prec, j->cache);
     for (slong i = 0; s == SS_OK && i < n; i++) {
       text_reset(&t);
@@ -233,8 +231,7 @@ static void one_value(struct judge *j, size_t item, size_t *bytes, slong digits)
   const char *name = result_str(j->out, "%s", j->scene->asked.values.item[item]);
   struct quantity q = {.item = item, .bytes = bytes};
   struct point p;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   point_init(&p);
   for (int k = 0; k < N_SCENE_PARAMS; k++)
     if (j->scene->given[k]) fmpq_set(&p.q[Q_CHI + k], &j->scene->value[k]);
@@ -264,8 +261,7 @@ static bool check_asked_claims(const struct scene_list *list, const struct claim
     bool any = false;
     for (size_t k = 0; k < c->n && !any; k++) any = claim_asked_for(&c->claim[k], list->item[i]);
     if (any) continue;
-    struct text groups;
-    text_init(&groups);
+    struct text groups = {0};
     claim_groups_print(&groups);
     diag_at(d, list->source, list->place[i].begin,
             "no claim is called, and no group holds, %.100s; \"stickslip list\" names them all, and groups are %s",

@@ -57,9 +57,7 @@ static void partial_of_root(arb_t z, const struct digits_bench *w, slong i, slon
   const struct tape *t = &w->f->tape;
   const struct tape_instr *in = &t->code[i];
   slong prec = w->prec;
-  arb_t below, term;
-  arb_init(below);
-  arb_init(term);
+  arb_ptr balls = _arb_vec_init(2), below = balls, term = balls + 1;
   for (slong j = 1; j < in->b; j++) {
     arb_pow_ui(term, value(w, i), (ulong)(j - 1), prec);
     arb_mul(term, term, value(w, t->links[in->a + j]), prec);
@@ -68,8 +66,7 @@ static void partial_of_root(arb_t z, const struct digits_bench *w, slong i, slon
   arb_pow_ui(z, value(w, i), (ulong)k, prec);
   arb_div(z, z, below, prec);
   arb_neg(z, z);
-  arb_clear(below);
-  arb_clear(term);
+  _arb_vec_clear(balls, 2);
 }
 
 static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {

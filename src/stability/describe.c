@@ -1,49 +1,34 @@
 /* What a search has found, in words and in digits: a formula and a row of the result record. */
 #include <math.h>
-#include <string.h>
 
 #include "stability.h"
 
-static const char *kept(struct stability_result *r, struct text *t) {
-  const char *s = arena_strndup(&r->arena, text_str(t), t->len);
-  text_reset(t);
-  return s;
-}
-
 static const char *kept_str(struct stability_result *r, const char *s) {
-  return arena_strndup(&r->arena, s, strlen(s));
+  return arena_strdup(&r->arena, s);
 }
 
 static const char *node_text(struct digits_study *st, const struct digits_formula *f, slong node, bool whole) {
   if (f->kernel) return kept_str(st->out, f->record);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   digits_print_node(&t, &st->set, f, node, whole);
-  const char *s = kept(st->out, &t);
-  text_clear(&t);
-  return s;
+  return text_take(&st->out->arena, &t);
 }
 
 static const char *place_text(struct digits_study *st, const struct digits_formula *f, slong node) {
-  struct text t;
-  text_init(&t);
-  const char *s = digits_print_place(&t, &st->set, f, node) ? kept(st->out, &t) : NULL;
+  struct text t = {0};
+  const char *s = digits_print_place(&t, &st->set, f, node) ? arena_strdup(&st->out->arena, text_str(&t)) : NULL;
   text_clear(&t);
   return s;
 }
 
 static const char *point_text(struct digits_study *st, const struct digits_formula *f, const double *x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   digits_print_point(&t, f, x);
-  const char *s = kept(st->out, &t);
-  text_clear(&t);
-  return s;
+  return text_take(&st->out->arena, &t);
 }
 
 void digits_describe_formula(struct stability_formula *z, struct digits_study *st, const struct digits_formula *f) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (slong k = 0; k < f->tape.n_inputs; k++) text_printf(&t, "%s%s", k ? ", " : "", f->tape.inputs[k]);
   *z = (struct stability_formula){.id = kept_str(st->out, f->id),
                                   .also = kept_str(st->out, f->also),
@@ -51,22 +36,19 @@ void digits_describe_formula(struct stability_formula *z, struct digits_study *s
                                   .equation = kept_str(st->out, f->equation),
                                   .section = kept_str(st->out, f->section),
                                   .text = kept_str(st->out, f->text),
-                                  .inputs = kept(st->out, &t),
+                                  .inputs = text_take(&st->out->arena, &t),
                                   .entries = (int)f->n,
                                   .nodes = (int)f->tape.n,
                                   .kernel = f->kernel != NULL,
                                   .worst = -1,
                                   .worst_failure = -1};
-  text_clear(&t);
 }
 
 void digits_describe_replacement(struct stability_formula *z, struct digits_study *st,
                                  const struct digits_formula *after) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   z->proved = digits_replacement(&t, st->model, &st->proofs, after);
-  if (t.len) z->replacement = kept(st->out, &t);
-  text_clear(&t);
+  if (t.len) z->replacement = text_take(&st->out->arena, &t);
 }
 
 static void describe_cause(struct stability_row *z, struct digits_study *st, const struct digits_formula *f,

@@ -12,42 +12,41 @@
 #include "stability.h"
 #include "value/names.h"
 
+/* One evaluation. */
+struct kernel_call {
+  struct num_vec *out;
+  enum phase phase;
+  const struct num_vec *params, *state;
+  const void *t;
+};
+
 struct digits_kernel {
   const char *id, *says, *inputs; /* separated by blanks; parameters and t by their names, the others are the state */
   int rows, cols;
   enum phase phase;
-  int (*run)(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
-             const void *t);
+  int (*run)(const struct kernel_call *c);
   bool (*place)(
       double *x); /* takes a region's point to one at which the function has a value; false where none is; or NULL */
 };
 
-static int run_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
-                    const void *t) {
-  return dyn_flow(out, ph, params, state, t);
+static int run_flow(const struct kernel_call *c) {
+  return dyn_flow(c->out, c->phase, c->params, c->state, c->t);
 }
 
-static int run_matrix(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
-                      const void *t) {
-  (void)state;
-  return dyn_flow_matrix(out, ph, params, t);
+static int run_matrix(const struct kernel_call *c) {
+  return dyn_flow_matrix(c->out, c->phase, c->params, c->t);
 }
 
-static int run_local(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
-                     const void *t) {
-  return dyn_local_jacobian(out, ph, params, state, t);
+static int run_local(const struct kernel_call *c) {
+  return dyn_local_jacobian(c->out, c->phase, c->params, c->state, c->t);
 }
 
-static int run_switching(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
-                         const void *t) {
-  (void)t;
-  return dyn_switching(num_vec_at(out, 0), ph, params, state);
+static int run_switching(const struct kernel_call *c) {
+  return dyn_switching(num_vec_at(c->out, 0), c->phase, c->params, c->state);
 }
 
-static int run_rate(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
-                    const void *t) {
-  (void)t;
-  return dyn_switching_rate(num_vec_at(out, 0), ph, params, state);
+static int run_rate(const struct kernel_call *c) {
+  return dyn_switching_rate(num_vec_at(c->out, 0), c->phase, c->params, c->state);
 }
 
 /* --- The return map of r, the first of the state --- */
@@ -65,18 +64,14 @@ static int map_in_double(struct num_vec *out, const struct num_vec *params, doub
   return SS_OK;
 }
 
-static int run_map(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
-                   const void *t) {
-  (void)ph, (void)t;
-  const void *r = num_vec_at(state, 0);
-  return out->ctx.type == &num_double ? map_in_double(out, params, num_double.get_d(r))
-                                      : dyn_return_first(out, params, r, MOST_STEPS);
+static int run_map(const struct kernel_call *c) {
+  const void *r = num_vec_at(c->state, 0);
+  return c->out->ctx.type == &num_double ? map_in_double(c->out, c->params, num_double.get_d(r))
+                                         : dyn_return_first(c->out, c->params, r, MOST_STEPS);
 }
 
-static int run_warm(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
-                    const void *t) {
-  (void)ph, (void)t;
-  return digits_warm_run(out, params, state);
+static int run_warm(const struct kernel_call *c) {
+  return digits_warm_run(c->out, c->params, c->state);
 }
 
 #define STATE  "chi eta t z_1 z_2 z'_1 z'_2"
@@ -123,7 +118,7 @@ int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const
     else
       type->set(num_vec_at(&state, n_state++), num_vec_at(in, i));
   }
-  int status = k->run(&all, k->phase, &params, &state, t);
+  int status = k->run(&(struct kernel_call){&all, k->phase, &params, &state, t});
   for (slong i = 0; i < f->n && !status; i++) type->set(num_vec_at(out, i), num_vec_at(&all, f->first + i));
   calc_clear(&c);
   return status;
@@ -178,15 +173,6 @@ double digits_kernel_condition(const struct digits_formula *f, const struct num_
 
 /* --- Enrolling them --- */
 
-static const char *copied(struct digits_set *s, const char *fmt, const char *id, int i, int j) {
-  struct text t;
-  text_init(&t);
-  text_printf(&t, fmt, id, i, j); /* NOLINT: the formats are in this file */
-  const char *r = arena_strndup(&s->arena, text_str(&t), t.len);
-  text_clear(&t);
-  return r;
-}
-
 static void name_inputs(struct digits_formula *f, const char *inputs) {
   for (const char *p = inputs; *p; p += *p == ' ') {
     size_t len = strcspn(p, " ");
@@ -217,7 +203,7 @@ void digits_enrol_kernels(struct digits_set *s) {
   for (size_t i = 0; i < sizeof kernels / sizeof *kernels; i++) {
     const struct digits_kernel *k = &kernels[i];
     for (int e = 0; e < k->rows * k->cols && k->rows > 1; e++)
-      enrol(s, k, copied(s, k->cols > 1 ? "%s[%d,%d]" : "%s[%d]", k->id, e / k->cols + 1, e % k->cols + 1), e, 1);
+      enrol(s, k, digits_entry_id(s, k->id, k->rows, k->cols, e), e, 1);
     enrol(s, k, k->id, 0, k->rows * k->cols);
   }
 }

@@ -118,21 +118,19 @@ static void map_item(void *result, size_t i, void *arg) {
 }
 
 static const char *input_name(struct digits_study *st, const struct digits_formula *f, slong k) {
-  return arena_strndup(&st->out->arena, f->tape.inputs[k], strlen(f->tape.inputs[k]));
+  return arena_strdup(&st->out->arena, f->tape.inputs[k]);
 }
 
 static void describe_map(struct stability_map *z, struct digits_study *st, const struct map_plan *p,
                          const struct map_line *line) {
   const struct digits_formula *f = st->formula[p->formula];
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (slong k = 0; k < f->tape.n_inputs; k++)
     if (k != p->x && k != p->y) text_printf(&t, "%s%s=%a", t.len ? "," : "", f->tape.inputs[k], p->at[k]);
   z->formula = (int)p->formula;
   z->x = input_name(st, f, p->x);
   z->y = input_name(st, f, p->y);
-  z->at = arena_strndup(&st->out->arena, text_str(&t), t.len);
-  text_clear(&t);
+  z->at = text_take(&st->out->arena, &t);
   for (int i = 0; i < STABILITY_MAP; i++) {
     z->x_at[i] = z->y_at[i] = map_scale(i, STABILITY_MAP);
     for (int k = 0; k < STABILITY_MAP; k++) {

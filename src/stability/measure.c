@@ -151,12 +151,10 @@ static void set_inputs(struct digits_bench *w, const double *x) {
 static double moved(const struct digits_bench *w, double size) {
   const struct digits_formula *f = w->f;
   int *flags = ss_malloc((size_t)n_nodes(f) * sizeof *flags);
-  arb_t step, off;
+  arb_ptr balls = _arb_vec_init(2), step = balls, off = balls + 1;
   double sum = 0;
   struct calc c = calc_begin(num_ctx_arb(w->prec));
   struct num_vec x = calc_vec(&c, f->tape.n_inputs), b = calc_vec(&c, n_nodes(f));
-  arb_init(step);
-  arb_init(off);
   num_vec_set(&x, &w->bx);
   for (slong k = 0; k < x.len; k++) {
     double most = 0;
@@ -175,8 +173,7 @@ static double moved(const struct digits_bench *w, double size) {
   }
   free(flags);
   calc_clear(&c);
-  arb_clear(step);
-  arb_clear(off);
+  _arb_vec_clear(balls, 2);
   return sum > 0 ? log2(sum) + 53 : -INFINITY;
 }
 
@@ -237,11 +234,9 @@ static double condition_at(struct digits_bench *w, slong from, slong to, slong p
   const struct digits_formula *f = w->f;
   slong n = f->tape.n_inputs;
   struct num_vec in, slope; /* the derivatives meet the inputs in an order of their own */
-  arb_t sum, term;
+  arb_ptr balls = _arb_vec_init(2), sum = balls, term = balls + 1;
   num_vec_init(&in, f->slopes.n_inputs, num_ctx_arb(prec));
   num_vec_init(&slope, f->n * n, num_ctx_arb(prec));
-  arb_init(sum);
-  arb_init(term);
   int *flags = ss_malloc((size_t)(f->n * n) * sizeof *flags);
   for (slong k = 0; k < f->slopes.n_inputs; k++)
     arb_set(num_vec_at(&in, k), num_vec_at(&w->bx, digits_input(&f->tape, f->slopes.inputs[k])));
@@ -262,8 +257,7 @@ static double condition_at(struct digits_bench *w, slong from, slong to, slong p
     size = fmax(size, digits_log2(num_vec_at(&w->b, f->out[i])));
   }
   free(flags);
-  arb_clear(sum);
-  arb_clear(term);
+  _arb_vec_clear(balls, 2);
   num_vec_clear(&in);
   num_vec_clear(&slope);
   return known ? most - size : NAN;

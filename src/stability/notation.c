@@ -66,10 +66,9 @@ static const struct expr *named(struct digits_set *s, const struct expr *e, bool
 /* What stands too deep to be shown, as a function of what it is made of; as it is when that is no longer. */
 static const struct expr *summary(struct digits_set *s, const struct expr *e) {
   struct below b = {.n = 0};
-  struct text t;
+  struct text t = {0};
   names_below(&b, s, e);
   if (b.looks <= FEW) return named(s, e, false, FEW);
-  text_init(&t);
   text_add(&t, "f(");
   for (int i = 0; i < b.n && i < BELOW; i++) text_printf(&t, "%s%s", i ? ", " : "", b.name[i]);
   text_add(&t, b.n > BELOW || b.looks > LOOKED_AT ? ", ...)" : ")");

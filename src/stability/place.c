@@ -23,8 +23,7 @@ static void note_at_times(struct digits_set *s, const struct expr *scalar, const
 static void note_tree(struct digits_set *s, const struct expr *e, const struct source *src, const char *section,
                       const char *param) {
   struct matrix m;
-  struct diag ignored;
-  diag_init(&ignored);
+  struct diag ignored = {0};
   if (e->kind == EXPR_NUM || e->kind == EXPR_SYM || e->kind == EXPR_FIRST_ORDER) return;
   if (elaborate(&m, &s->el, e, src, section, &ignored))
     for (int k = 0; k < m.rows * m.cols; k++) {
@@ -38,8 +37,7 @@ static void note_tree(struct digits_set *s, const struct expr *e, const struct s
 void digits_note_definition(struct digits_set *s, const struct definition *def) {
   const struct stmt *st = def->stmt;
   struct matrix m;
-  struct diag ignored;
-  diag_init(&ignored);
+  struct diag ignored = {0};
   if (st->kind == STMT_ROOT && elaborate_name(&m, &s->el, def->name, def->section, &ignored))
     note(s, m.e[0], def->src, st->span.begin);
   note_tree(s, st->sides[0], def->src, def->section, st->param);

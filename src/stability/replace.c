@@ -18,9 +18,8 @@ static const struct definition *definition_of(const struct view *v, const struct
 /* Elaborates the formula, so that the model notes what is looked up. */
 static void look_up(const struct view *v, const struct digits_formula *f) {
   struct elaboration el;
-  struct diag d;
+  struct diag d = {0};
   struct matrix left, right;
-  diag_init(&d);
   elaboration_init(&el, *v, NULL, 0);
   const struct definition *def = definition_of(v, f);
   const struct statement_record *r = def ? NULL : view_record(v, f->record);
@@ -43,29 +42,18 @@ static bool has_proofs(bool *all, const struct stable_proofs *p, const struct st
   return any;
 }
 
-static bool is_used(const struct model *m, size_t record) {
-  bool used = m->use->record[record];
-  for (size_t i = 0; !used && i < m->n_defs; i++)
-    used = m->use->def[i] && m->defs[i].record == m->records[record].record;
-  return used;
-}
-
 bool digits_replacement(struct text *out, const struct model *m, const struct stable_proofs *p,
                         const struct digits_formula *f) {
-  struct model noting = *m;
-  struct model_use use = {ss_malloc((m->n_defs + 1) * sizeof *use.def),
-                          ss_malloc((m->n_records + 1) * sizeof *use.record)};
-  memset(use.def, 0, m->n_defs * sizeof *use.def);
-  memset(use.record, 0, m->n_records * sizeof *use.record);
-  noting.use = &use;
+  struct model_use use;
+  const struct model noting = model_noting(&use, m);
   look_up(&(struct view){.model = &noting, .layer = LAYER_STABLE}, f);
   bool proved = true, all;
   for (size_t i = 0; i < m->n_records; i++) {
-    if (m->records[i].rank != RANK_STABLE || !is_used(&noting, i) || !has_proofs(&all, p, &m->records[i])) continue;
+    if (m->records[i].rank != RANK_STABLE || !model_use_has(&use, m, i) || !has_proofs(&all, p, &m->records[i]))
+      continue;
     text_printf(out, "%s%s", out->len ? ", " : "", m->records[i].id);
     proved = proved && all;
   }
-  free(use.def);
-  free(use.record);
+  model_use_clear(&use);
   return proved && out->len > 0;
 }

@@ -234,8 +234,7 @@ static void explain_failure(struct search *s) {
 /* What is found is measured again, with the condition number from the symbolic derivatives, and explained. */
 static void settle(struct search *s, struct digits_set *set) {
   struct digits_found *out = s->out;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   out->loss = digits_measure(&s->bench, out->x, -1);
   out->why = digits_explain(&s->bench);
   if (!s->bench.f->kernel && digits_slopes(s->bench.f, set, &d)) {

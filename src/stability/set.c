@@ -10,9 +10,8 @@
 /* --- Text to scalars --- */
 
 bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section) {
-  struct diag d;
+  struct diag d = {0};
   struct matrix m;
-  diag_init(&d);
   *t = (struct tape){.n = 0};
   if (!elaborate_text(&m, &s->el, "formula", text, section, &d) || m.rows * m.cols != 1) return false;
   return elaboration_tape(t, &s->el, m.e, 1, &d);
@@ -35,22 +34,14 @@ bool digits_formula_of(struct digits_formula *f, struct digits_set *s, const cha
 
 /* --- Taking one in --- */
 
-static const char *joined(struct arena *a, const char *first, const char *second) {
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "%s%s%s", first, *first ? ", " : "", second);
-  const char *r = arena_strndup(a, text_str(&t), t.len);
-  text_clear(&t);
-  return r;
-}
-
 /* Takes the formula in, unless it computes nothing or is there already. */
 static bool add_formula(struct digits_set *s, struct digits_formula f, struct diag *d) {
   if (!digits_formula_make(&f, s, d)) return false;
   bool wanted = digits_formula_computes(&f) && f.tape.n_inputs > 0 && f.tape.n_inputs <= DIGITS_INPUTS;
   for (size_t i = 0; wanted && i < s->n; i++) /* the functions of the program are not there yet */
     if (digits_formula_same(&s->formula[i], &f)) {
-      s->formula[i].also = joined(&s->arena, s->formula[i].also, f.id);
+      const char *also = s->formula[i].also;
+      s->formula[i].also = arena_printf(&s->arena, "%s%s%s", also, *also ? ", " : "", f.id);
       wanted = false;
     }
   if (!wanted) {
@@ -62,15 +53,9 @@ static bool add_formula(struct digits_set *s, struct digits_formula f, struct di
   return true;
 }
 
-static const char *entry_id(struct digits_set *s, const char *id, const struct matrix *m, int k) {
-  struct text t;
-  text_init(&t);
-  text_add(&t, id);
-  if (m->rows > 1 && m->cols > 1) text_printf(&t, "[%d,%d]", k / m->cols + 1, k % m->cols + 1);
-  if ((m->rows > 1) != (m->cols > 1)) text_printf(&t, "[%d]", k + 1);
-  const char *r = arena_strndup(&s->arena, text_str(&t), t.len);
-  text_clear(&t);
-  return r;
+const char *digits_entry_id(struct digits_set *s, const char *id, int rows, int cols, int k) {
+  if (rows > 1 && cols > 1) return arena_printf(&s->arena, "%s[%d,%d]", id, k / cols + 1, k % cols + 1);
+  return rows > 1 || cols > 1 ? arena_printf(&s->arena, "%s[%d]", id, k + 1) : arena_strdup(&s->arena, id);
 }
 
 /* Entry by entry, then the matrix. */
@@ -79,7 +64,7 @@ static bool add_matrix(struct digits_set *s, struct digits_formula f, const stru
   const char *id = f.id;
   f.also = "";
   for (int k = 0; k < n; k++) {
-    f.id = entry_id(s, id, m, k);
+    f.id = digits_entry_id(s, id, m->rows, m->cols, k);
     f.n = 1;
     f.entry = arena_alloc(&s->arena, sizeof *f.entry);
     f.entry[0] = m->e[k];
@@ -96,21 +81,9 @@ static bool add_matrix(struct digits_set *s, struct digits_formula f, const stru
 /* --- All of them --- */
 
 static const char *printed(struct digits_set *s, const struct stmt *st) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   stmt_print(&t, st);
-  const char *r = arena_strndup(&s->arena, text_str(&t), t.len);
-  text_clear(&t);
-  return r;
-}
-
-static const char *formatted(struct digits_set *s, const char *fmt, const char *a, const char *b) {
-  struct text t;
-  text_init(&t);
-  text_printf(&t, fmt, a, b); /* NOLINT: the formats are in this file */
-  const char *r = arena_strndup(&s->arena, text_str(&t), t.len);
-  text_clear(&t);
-  return r;
+  return text_take(&s->arena, &t);
 }
 
 /* The name, with its section where several sections define it. */
@@ -119,13 +92,13 @@ static const char *definition_id(struct digits_set *s, const struct definition *
   for (size_t i = 0; i < m->n_defs; i++)
     if (strcmp(m->defs[i].name, def->name) == 0 && strcmp(m->defs[i].section, def->section) != 0 &&
         view_sees(&s->el.view, &m->defs[i]))
-      return formatted(s, "%s@%s", def->name, def->section);
+      return arena_printf(&s->arena, "%s@%s", def->name, def->section);
   return def->name;
 }
 
 /* The name as an expression; a function is taken at an argument of that name. */
 static const char *definition_text(struct digits_set *s, const struct definition *def, const char *argument) {
-  return def->stmt->param ? formatted(s, "%s(%s)", def->name, argument) : def->name;
+  return def->stmt->param ? arena_printf(&s->arena, "%s(%s)", def->name, argument) : def->name;
 }
 
 static const char *argument_of(const struct digits_set *s, const struct definition *def) {
@@ -144,7 +117,7 @@ static void keep_names(struct digits_set *s, const char *text, const struct matr
     const struct expr *e = m->e[k];
     if (e->n_args == 0 || (e->kind == EXPR_NEG && e->args[0]->n_args == 0)) continue;
     s->name = ss_grow(s->name, s->n_names, &s->cap_names, sizeof *s->name);
-    s->name[s->n_names++] = (struct digits_name){e, entry_id(s, text, m, k)};
+    s->name[s->n_names++] = (struct digits_name){e, digits_entry_id(s, text, m->rows, m->cols, k)};
   }
 }
 
@@ -163,8 +136,7 @@ static bool name_definition(struct digits_set *s, const struct definition *def, 
 
 /* Another name for something that has one: phi_3(t) := H(t), H_11 := H(t_c)[1,1]. */
 static bool is_alias(const struct definition *def) {
-  const struct expr *e = def->stmt->sides[0];
-  while (e->kind == EXPR_PAREN) e = e->args[0];
+  const struct expr *e = expr_bare(def->stmt->sides[0]);
   return def->stmt->kind == STMT_DEFINE && (e->kind == EXPR_SYM || e->kind == EXPR_CALL || e->kind == EXPR_INDEX);
 }
 
@@ -195,7 +167,7 @@ static bool add_sides(struct digits_set *s, const struct statement_record *r, st
       char number[16];
       snprintf(number, sizeof number, "%d", ++n);
       if (!elaborate(&m, &s->el, st->sides[k], r->src, r->section, d)) return false;
-      struct digits_formula f = {.id = formatted(s, "%s.%s", r->id, number),
+      struct digits_formula f = {.id = arena_printf(&s->arena, "%s.%s", r->id, number),
                                  .record = r->id,
                                  .equation = r->equation,
                                  .section = r->section,

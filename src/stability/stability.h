@@ -62,6 +62,8 @@ void digits_set_clear(struct digits_set *s);
 /* Does the operand select the formula: its id or that of its matrix, one of its other names, its record? */
 bool digits_selected(const struct digits_formula *f, const char *operand);
 const struct digits_formula *digits_find(const struct digits_set *s, const char *id);
+/* What an entry of the matrix of that id and size is called, in the set's arena: M[1,2], v[3], the id of a number. */
+const char *digits_entry_id(struct digits_set *s, const char *id, int rows, int cols, int k);
 /* A formula that stands in none of them, from its text as it is seen from a section; strings are borrowed.  To be
    cleared by itself where that succeeds. */
 bool digits_formula_of(struct digits_formula *f, struct digits_set *s, const char *id, const char *text,

@@ -135,11 +135,10 @@ truth coulomb_setup_closes(const struct coulomb_setup *sim) {
   struct coulomb_log log;
   struct coulomb_result end;
   struct coulomb_plan plan = coulomb_plan_default;
-  struct text word;
+  struct text word = {0};
   plan.returns = 1;
   plan.duration = 2 * sim->period;
   coulomb_log_init(&log);
-  text_init(&word);
   struct coulomb_sink sink = coulomb_log_sink(&log);
   int status = coulomb_simulate_ode(&end, sim->params, sim->start, &plan, &sink);
   coulomb_log_word(&word, &log);

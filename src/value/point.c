@@ -76,10 +76,8 @@ void point_print(struct text *out, const struct point *p) {
 /* u_ri = 5/4 max(e_i, u_ri_min), upwards to a 1024th. */
 static void take_realistic_friction(struct point *p, const struct dyn_orbit *o) {
   fmpz_t k;
-  arb_t least, e;
+  arb_ptr w = _arb_vec_init(2), least = w, e = w + 1;
   fmpz_init(k);
-  arb_init(least);
-  arb_init(e);
   for (int i = 0; i < 2; i++) {
     arb_set_fmpq(e, &p->q[Q_E1 + i], FIRST_PREC);
     arb_max(least, i ? o->u_r2_min : o->u_r1_min, e, FIRST_PREC);
@@ -89,8 +87,7 @@ static void take_realistic_friction(struct point *p, const struct dyn_orbit *o) 
     fmpq_div_2exp(&p->q[Q_US1 + i], &p->q[Q_US1 + i], 10);
     fmpq_sub(&p->q[Q_US1 + i], &p->q[Q_US1 + i], &p->q[Q_E1 + i]);
   }
-  arb_clear(e);
-  arb_clear(least);
+  _arb_vec_clear(w, 2);
   fmpz_clear(k);
 }
 

@@ -44,10 +44,9 @@ static bool in_domain(const struct point *p) {
 /* The error of an item of which len bytes may be a name; of one that is not known, which there are. */
 static bool complain(const char *item, size_t len, struct diag *d) {
   struct suggestion meant;
-  struct text says;
+  struct text says = {0};
   bool known = item[len] != '=';
   size_t whole = strcspn(item, ",");
-  text_init(&says);
   suggest_begin(&meant, item, len);
   for (size_t i = 0; i < N_SETTABLE; i++) {
     known |= strlen(settable[i].name) == len && strncmp(settable[i].name, item, len) == 0;

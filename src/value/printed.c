@@ -29,17 +29,14 @@ static void bracket(arb_t lo, arb_t hi, const struct printed_number *p, enum rea
 }
 
 static truth in_bracket(const arb_t x, const struct printed_number *p, enum reading how) {
-  arb_t lo, hi;
-  arb_init(lo);
-  arb_init(hi);
+  arb_ptr w = _arb_vec_init(2), lo = w, hi = w + 1;
   bracket(lo, hi, p, how);
   truth t = TRUTH_UNKNOWN;
   if (arb_ge(x, lo) && arb_le(x, hi))
     t = TRUTH_TRUE;
   else if (arb_lt(x, lo) || arb_gt(x, hi))
     t = TRUTH_FALSE;
-  arb_clear(hi);
-  arb_clear(lo);
+  _arb_vec_clear(w, 2);
   return t;
 }
 
@@ -55,9 +52,7 @@ truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *
 
 /* A ball over both readings of a printed decimal. */
 void printed_ball(arb_t x, const struct printed_number *p) {
-  arb_t lo, hi;
-  arb_init(lo);
-  arb_init(hi);
+  arb_ptr w = _arb_vec_init(2), lo = w, hi = w + 1;
   arb_zero(x);
   for (int r = 0; r < N_READINGS; r++) {
     bracket(lo, hi, p, (enum reading)r);
@@ -67,8 +62,7 @@ void printed_ball(arb_t x, const struct printed_number *p) {
     else
       arb_union(x, x, lo, LAST_PREC);
   }
-  arb_clear(hi);
-  arb_clear(lo);
+  _arb_vec_clear(w, 2);
 }
 
 /* A control moves the printed decimal by some units of its last digit. */
@@ -186,22 +180,19 @@ void finding_skip(struct finding *f, struct judge *j, const char *why) {
 }
 
 const char *ball_text(struct judge *j, const arb_t x, slong n) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
   return result_take(j->out, &t);
 }
 
 const char *rational_text(struct judge *j, const fmpq *x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   num_print_q(&t, x);
   return result_take(j->out, &t);
 }
 
 const char *point_text(struct judge *j, const struct point *p) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   point_print(&t, p);
   return result_take(j->out, &t);
 }

@@ -104,19 +104,17 @@ const struct statement_record *claim_record(struct view v, const struct claim *c
 /* Does the paper define what a value such as K or H(t) names? */
 static bool defines_value(const struct view *v, const char *value, const char *section) {
   char name[64];
-  struct diag ambiguous;
-  diag_init(&ambiguous);
+  struct diag ambiguous = {0};
   snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
   return view_lookup(v, name, section, &ambiguous) || ambiguous.set;
 }
 
 bool sentence_reads(struct view v, const struct claim *c, struct diag *d) {
-  const char *value = claim_get(c, "value"), *section = claim_get(c, "section");
+  const char *value = claim_get(c, "value"), *section = claim_section(c);
   struct sentence s;
   struct elaboration el;
   struct matrix m;
   bool ok;
-  if (!section) section = "";
   if (claim_get(c, "statement") || !value || !defines_value(&v, value, section)) {
     ok = sentence_from_claim(&s, v, c, NULL, 0, d);
     sentence_clear(&s);
@@ -140,11 +138,11 @@ static bool claim_value_known(const struct claim *c, const char *value, struct d
 
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d) {
-  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"), *section = claim_get(c, "section");
+  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value");
   const struct statement_record *r = statement ? claim_record(v, c, "statement", statement, d) : NULL;
   if (r) return sentence_from_relations(s, v, r, overrides, n_overrides, d);
   if (!statement && claim_value_known(c, value, d))
-    return sentence_from_value(s, v, value, section ? section : "", overrides, n_overrides, d);
+    return sentence_from_value(s, v, value, claim_section(c), overrides, n_overrides, d);
   *s = (struct sentence){.n = 0};
   elaboration_init(&s->el, v, NULL, 0);
   return false;
@@ -192,8 +190,7 @@ double log2_upper(const arb_t x) {
 static void describe(char *out, size_t size, const struct num_vec *v, slong i) {
   arb_t x;
   arb_init(x);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   v->ctx.type->get_arb(x, num_vec_at(v, i));
   if (arb_contains_zero(x) && log2_upper(x) < -64)
     text_add(&t, "0");
@@ -229,10 +226,7 @@ struct comparison {
 /* The equality with the largest difference relative to the scale; of those certainly wrong, if there are any. */
 static void compare_equalities(struct trial *t, struct comparison *c, const struct sentence *s,
                                const struct num_vec *lhs, const struct num_vec *rhs) {
-  arb_t a, b, diff;
-  arb_init(a);
-  arb_init(b);
-  arb_init(diff);
+  arb_ptr w = _arb_vec_init(3), a = w, b = w + 1, diff = w + 2;
   double scale = log2_scale(s, lhs, rhs);
   for (slong i = 0; i < s->n; i++) {
     if (s->ops[i] != REL_EQ) continue;
@@ -247,9 +241,7 @@ static void compare_equalities(struct trial *t, struct comparison *c, const stru
     }
     c->apart = c->apart || disjoint;
   }
-  arb_clear(diff);
-  arb_clear(b);
-  arb_clear(a);
+  _arb_vec_clear(w, 3);
 }
 
 truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y) {

@@ -37,8 +37,7 @@ const fmpq *scene_given_number(const struct scene *s, int i) {
 }
 
 static bool all_printable(const struct dyn_orbits *list, const struct scene *s, slong digits) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   bool ok = true;
   for (slong k = 0; k < list->n; k++)
     for (int i = 0; ok && i < ORBIT_NUMBERS; i++) {

@@ -18,6 +18,23 @@ static bool missing(const struct title *t) {
   return false;
 }
 
+/* Of kinds whose titles are the same but for attributes. */
+static const char *const sentences[N_KINDS] = {
+    [KIND_CLOSURE] = "the printed numbers are those of a periodic solution",
+    [KIND_NOTATION] = "{reads} is well formed",
+    [KIND_SEQUENCE] = "on the example one period consists of {word}, in this order",
+    [KIND_EXISTENCE] = "there is a periodic solution through {through} with {given}",
+    [KIND_LAW] =
+        "{equation} gives the friction of the {mass} mass while it slips, while it sticks and beyond its limit",
+    [KIND_REPORT] = "the value of {formula} on the example",
+};
+
+static bool make_sentence(struct text *out, const struct title *t) {
+  struct diag unmade = {0};
+  const struct title quiet = {t->m, t->c, &unmade};
+  return title_expand(out, &quiet, sentences[claim_kind(t->c)]) || missing(t);
+}
+
 /* The record that the attribute names; NULL with t->d set. */
 static const struct statement_record *record_named(const struct title *t, const char *attribute) {
   const char *id = claim_get(t->c, attribute);
@@ -34,8 +51,7 @@ static const struct statement_record *record_named(const struct title *t, const 
    themselves. */
 static void stated(struct text *out, const char **verb, const struct title *t, const struct statement_record *r,
                    size_t most) {
-  struct text formulas;
-  text_init(&formulas);
+  struct text formulas = {0};
   title_formulas(&formulas, r);
   const char *note = title_note(r, false);
   *verb = note && title_is_plural(note) ? " hold" : " holds";
@@ -56,14 +72,13 @@ static void stated(struct text *out, const char **verb, const struct title *t, c
 
 static bool make_identity(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
-  const char *points = claim_points_asked(t->c), *perturbation = claim_get(t->c, "perturbation");
+  const char *points = claim_points_asked(t->c);
   if (!r) return false;
-  const char *verb, *own = claim_get(t->c, "own");
-  struct text where;
-  text_init(&where);
-  if (perturbation && strcmp(perturbation, "finite") == 0) text_add(&where, " for finite perturbations");
+  const char *verb;
+  struct text where = {0};
+  if (claim_says(t->c, "perturbation", "finite")) text_add(&where, " for finite perturbations");
   if (points) title_place(&where, points);
-  if (own && strcmp(own, "-") == 0) text_add(&where, ", with all that it uses corrected");
+  if (claim_says(t->c, "own", "-")) text_add(&where, ", with all that it uses corrected");
   size_t most = MOST_TITLE - where.len;
   stated(out, &verb, t, r, most < MOST_FORMULA ? most : MOST_FORMULA);
   text_printf(out, "%s%s", verb, text_str(&where));
@@ -118,8 +133,7 @@ static bool make_sharp(struct text *out, const struct title *t) {
   char phase[16];
   if (!r) return false;
   if (!points || sscanf(points, "%*s %15s", phase) != 1) return missing(t);
-  struct text formulas;
-  text_init(&formulas);
+  struct text formulas = {0};
   title_formulas(&formulas, r);
   bool one = r->n_stmts == 1 && r->stmts[0]->n_sides == 2;
   text_printf(out, "%s%s becomes an equality at one end of ", one ? "" : "each inequality of ", text_str(&formulas));
@@ -128,10 +142,9 @@ static bool make_sharp(struct text *out, const struct title *t) {
   return true;
 }
 
-static bool names_friction(const struct expr *e) {
-  bool any = e->kind == EXPR_SYM && strncmp(e->name, "u_r", 3) == 0;
-  for (int i = 0; !any && i < e->n_args; i++) any = names_friction(e->args[i]);
-  return any;
+static bool names_friction(const struct expr *e, const void *arg) {
+  (void)arg;
+  return e->kind == EXPR_SYM && strncmp(e->name, "u_r", 3) == 0;
 }
 
 /* On an example that gives no u_r1 and u_r2 nothing can be said of them (judge/inequality.c). */
@@ -139,8 +152,7 @@ static bool make_inequality(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
   if (!r) return false;
   bool friction = false;
-  for (int k = 0; k < r->n_stmts; k++)
-    for (int i = 0; i < r->stmts[k]->n_sides; i++) friction = friction || names_friction(r->stmts[k]->sides[i]);
+  for (int k = 0; k < r->n_stmts; k++) friction = friction || stmt_any(r->stmts[k], names_friction, NULL);
   if (friction && *r->equation)
     text_printf(out, "the inequalities of (%s) that do not contain u_r1 and u_r2 hold", r->equation);
   else {
@@ -186,10 +198,7 @@ static void number_name(struct text *out, const char *name) {
 static bool make_number(struct text *out, const struct title *t) {
   const char *number = claim_get(t->c, "number"), *from = claim_get(t->c, "from"),
              *relation = claim_get(t->c, "relation"), *quote = claim_get(t->c, "quote");
-  struct text name, formula, decimal;
-  text_init(&name);
-  text_init(&formula);
-  text_init(&decimal);
+  struct text name = {0}, formula = {0}, decimal = {0};
   bool ok = number && from && quoted_number(&decimal, quote) && title_formula(&formula, t, "formula");
   if (ok) {
     number_name(&name, number);
@@ -203,14 +212,6 @@ static bool make_number(struct text *out, const struct title *t) {
   return ok || missing(t);
 }
 
-static bool make_report(struct text *out, const struct title *t) {
-  if (!claim_get(t->c, "formula")) return missing(t);
-  text_add(out, "the value of ");
-  title_formula(out, t, "formula");
-  text_add(out, " on the example");
-  return true;
-}
-
 /* --- Arguments and how many equations there are --- */
 
 /* What holds whatever the other premises say is no part of an equivalence: "..., where z_10 - chi z_20 = ...". */
@@ -222,9 +223,8 @@ static bool argue_where(struct text *out, struct title_parts *with, const struct
 
 static bool argue(struct text *out, const struct title *t, enum title_detail conclusions, enum title_detail reasons) {
   struct title_parts conclusion = {.detail = conclusions, .one = N_PHASES};
-  const char *over = claim_get(t->c, "over"), *premises = claim_get(t->c, "premises"),
-             *converse = claim_get(t->c, "converse");
-  bool both = converse && strcmp(converse, "yes") == 0;
+  const char *premises = claim_get(t->c, "premises");
+  bool both = claim_says(t->c, "converse", "yes");
   if (!title_parts_scan(&conclusion, t, "conclusion")) return false;
   struct title_parts with = conclusion;
   with.detail = reasons;
@@ -253,16 +253,15 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
     text_add(out, " in ");
     title_phases(out, &with.one, 1);
   }
-  if (over && strcmp(over, "scene") == 0) text_add(out, " on the example");
-  if (over && strcmp(over, "orbits") == 0) text_add(out, " on every orbit");
+  if (claim_says(t->c, "over", "scene")) text_add(out, " on the example");
+  if (claim_says(t->c, "over", "orbits")) text_add(out, " on every orbit");
   return !apart || argue_where(out, &with, t);
 }
 
 /* With as many formulas as there is room for. */
 static bool make_argument(struct text *out, const struct title *t) {
   if (!claim_get(t->c, "conclusion")) return missing(t);
-  struct text title;
-  text_init(&title);
+  struct text title = {0};
   bool ok = argue(&title, t, TITLE_FORMULAS, TITLE_FORMULAS);
   for (int both = 0; ok && both < 2 && title.len > MOST_ARGUMENT; both++) {
     text_reset(&title);
@@ -278,9 +277,8 @@ static bool make_rank(struct text *out, const struct title *t) {
   const char *rank = claim_get(t->c, "rank"), *unknowns = claim_get(t->c, "unknowns");
   if (!r) return false;
   if (!rank || !unknowns) return missing(t);
-  struct text name;
+  struct text name = {0};
   const char *verb;
-  text_init(&name);
   if (title_owns_number(t, r))
     title_name(&name, t, r, true);
   else
@@ -296,10 +294,9 @@ static bool make_rank(struct text *out, const struct title *t) {
 /* "(45)" or "(45) and (46)": the equation numbers of the records, each once. */
 static bool numbers_of(struct text *out, const struct title *t, const char *list) {
   const struct view v = {t->m, LAYER_CORRECTED, claim_own(t->c), NULL};
-  struct text numbers;
+  struct text numbers = {0};
   const char *last = "";
   char id[64];
-  text_init(&numbers);
   bool ok = true;
   while (ok && (list = claim_next_item(id, sizeof id, list)) != NULL) {
     const struct statement_record *r = view_record(&v, id);
@@ -313,14 +310,14 @@ static bool numbers_of(struct text *out, const struct title *t, const char *list
 }
 
 static bool make_defined(struct text *out, const struct title *t) {
-  const char *over = claim_get(t->c, "over"), *list = claim_get(t->c, "statements");
+  const char *list = claim_get(t->c, "statements");
   if (!list) return missing(t);
   text_add(out, "the quotients, roots and inverses in ");
   if (!numbers_of(out, t, list)) return false;
   text_printf(out, " are defined %s",
-              over && strcmp(over, "parameters") == 0 ? "for all parameters"
-              : over && strcmp(over, "orbits") == 0   ? "on every periodic solution"
-                                                      : "on every admissible periodic solution");
+              claim_says(t->c, "over", "parameters") ? "for all parameters"
+              : claim_says(t->c, "over", "orbits")   ? "on every periodic solution"
+                                                     : "on every admissible periodic solution");
   return true;
 }
 
@@ -399,8 +396,7 @@ static bool make_criterion(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
   const char *side = claim_get(t->c, "side");
   if (!r) return false;
-  struct text formulas;
-  text_init(&formulas);
+  struct text formulas = {0};
   title_formulas(&formulas, r);
   const char *f = text_str(&formulas);
   if (!side)
@@ -419,38 +415,11 @@ static bool make_criterion(struct text *out, const struct title *t) {
   return true;
 }
 
-static bool make_law(struct text *out, const struct title *t) {
-  const char *mass = claim_get(t->c, "mass"), *equation = claim_get(t->c, "equation");
-  if (!mass || !equation) return missing(t);
-  text_printf(out, "(%s) gives the friction of the %s mass while it slips, while it sticks and beyond its limit",
-              equation, strcmp(mass, "1") == 0 ? "first" : "second");
-  return true;
-}
-
 /* --- What is made of phases --- */
-
-static bool make_sequence(struct text *out, const struct title *t) {
-  if (!claim_get(t->c, "word")) return missing(t);
-  text_add(out, "on the example one period consists of ");
-  title_phases_listed(out, claim_get(t->c, "word"));
-  text_add(out, ", in this order");
-  return true;
-}
-
-static bool make_existence(struct text *out, const struct title *t) {
-  const char *given = claim_get(t->c, "given"), *through = claim_get(t->c, "through");
-  if (!given || !through) return missing(t);
-  text_add(out, "there is a periodic solution through ");
-  title_phases_listed(out, through);
-  text_add(out, " with ");
-  title_listed(out, given, ',');
-  return true;
-}
 
 /* "chi = 4/5, e1 = 2" with the paper's e_1. */
 static void listed_as_printed(struct text *out, const char *at) {
-  struct text named;
-  text_init(&named);
+  struct text named = {0};
   for (const char *s = at; *s; s++) {
     text_add_char(&named, *s);
     if (*s == 'e' && (s[1] == '1' || s[1] == '2')) text_add_char(&named, '_');
@@ -472,7 +441,7 @@ static bool make_solutions(struct text *out, const struct title *t) {
   if (count) title_count(out, n);
   if (count) text_printf(out, "%s %s", kept ? " admissible" : "", n == 1 ? "solution" : "solutions");
   if (!kept) text_printf(out, " with positive times and t_c up to %s", until ? until : "");
-  bool first = every && strcmp(every, "first") == 0;
+  bool first = claim_says(t->c, "every", "first");
   if (every)
     text_add(out, first ? " takes the first roots of the switching functions" : " is a motion under Coulomb's law");
   text_add(out, at ? " at " : " on the example");
@@ -485,8 +454,7 @@ static bool make_solutions(struct text *out, const struct title *t) {
 /* "one symbol stands for the first mass", "different symbols stand for a stiffness matrix and the stiffness of a
    spring". */
 static bool make_symbols(struct text *out, const char *stands_for) {
-  struct text things;
-  text_init(&things);
+  struct text things = {0};
   int n = title_listed(&things, stands_for, ';');
   text_printf(out, "%s for %s", n == 1 ? "one symbol stands" : "different symbols stand", text_str(&things));
   text_clear(&things);
@@ -495,10 +463,7 @@ static bool make_symbols(struct text *out, const char *stands_for) {
 
 static bool make_notation(struct text *out, const struct title *t) {
   const char *stands_for = claim_get(t->c, "stands-for");
-  if (stands_for) return make_symbols(out, stands_for);
-  if (!title_formula(out, t, "reads")) return missing(t);
-  text_add(out, " is well formed");
-  return true;
+  return stands_for ? make_symbols(out, stands_for) : make_sentence(out, t);
 }
 
 static bool make_scaling(struct text *out, const struct title *t) {
@@ -558,18 +523,11 @@ static const struct {
      "some chains of more than two masses have periodic motions that are patched from the solutions of their phases"}};
 
 static bool make_behaviour(struct text *out, const struct title *t) {
-  const char *check = claim_get(t->c, "check"), *transition = claim_get(t->c, "transition");
-  for (size_t i = 0; check && i < sizeof checks / sizeof *checks; i++)
-    if (strcmp(checks[i].check, check) == 0 &&
-        (!checks[i].transition || (transition && strcmp(checks[i].transition, transition) == 0)))
+  for (size_t i = 0; i < sizeof checks / sizeof *checks; i++)
+    if (claim_says(t->c, "check", checks[i].check) &&
+        (!checks[i].transition || claim_says(t->c, "transition", checks[i].transition)))
       return title_expand(out, t, checks[i].says);
   return missing(t);
-}
-
-static bool make_closure(struct text *out, const struct title *t) {
-  (void)t;
-  text_add(out, "the printed numbers are those of a periodic solution");
-  return true;
 }
 
 static bool make_none(struct text *out, const struct title *t) {
@@ -580,12 +538,12 @@ static bool make_none(struct text *out, const struct title *t) {
 static maker *const makers[N_KINDS] = {
     [KIND_DEFINITION] = make_definition,   [KIND_MATRIX] = make_matrix,     [KIND_IDENTITY] = make_identity,
     [KIND_INEQUALITY] = make_inequality,   [KIND_SHARP] = make_sharp,       [KIND_INDEX_RANGE] = make_index_range,
-    [KIND_NUMBER] = make_number,           [KIND_CLOSURE] = make_closure,   [KIND_CRITERION] = make_criterion,
+    [KIND_NUMBER] = make_number,           [KIND_CLOSURE] = make_sentence,  [KIND_CRITERION] = make_criterion,
     [KIND_BEHAVIOUR] = make_behaviour,     [KIND_ARGUMENT] = make_argument, [KIND_NOTATION] = make_notation,
     [KIND_SCALING] = make_scaling,         [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
-    [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sequence, [KIND_EXISTENCE] = make_existence,
-    [KIND_CONSTRAINTS] = make_constraints, [KIND_RANGE] = make_range,       [KIND_LAW] = make_law,
-    [KIND_SOLUTIONS] = make_solutions,     [KIND_OUTSIDE] = make_none,      [KIND_REPORT] = make_report,
+    [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sentence, [KIND_EXISTENCE] = make_sentence,
+    [KIND_CONSTRAINTS] = make_constraints, [KIND_RANGE] = make_range,       [KIND_LAW] = make_sentence,
+    [KIND_SOLUTIONS] = make_solutions,     [KIND_OUTSIDE] = make_none,      [KIND_REPORT] = make_sentence,
 };
 
 static bool title_made(struct text *out, const struct title *t) {
@@ -596,10 +554,8 @@ static bool title_made(struct text *out, const struct title *t) {
 /* A title by hand where the attributes make one would be a second statement of what they say. */
 static bool is_given_in_vain(const struct title *t) {
   const struct field *given = record_field(t->c->record, "title");
-  struct diag unmade;
-  struct text made;
-  diag_init(&unmade);
-  text_init(&made);
+  struct diag unmade = {0};
+  struct text made = {0};
   const struct title quiet = {t->m, t->c, &unmade};
   bool vain = given && title_made(&made, &quiet);
   text_clear(&made);
@@ -609,8 +565,7 @@ static bool is_given_in_vain(const struct title *t) {
 }
 
 bool titles_check(const struct model *m, const struct claims *claims, struct diag *d) {
-  struct text title;
-  text_init(&title);
+  struct text title = {0};
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++) {
     text_reset(&title);

@@ -48,6 +48,11 @@ static bool write_number(struct text *out, const struct title *t, const char *at
   return true;
 }
 
+static bool write_mass(struct text *out, const struct title *t, const char *attribute) {
+  text_add(out, claim_says(t->c, attribute, "1") ? "first" : "second");
+  return true;
+}
+
 static bool write_phases(struct text *out, const struct title *t, const char *attribute) {
   title_phases_listed(out, claim_get(t->c, attribute));
   return true;
@@ -66,7 +71,8 @@ static const struct {
              {"conditions", write_parts},  {"range", write_range},        {"rank", write_count},
              {"equation", write_number},   {"word", write_phases},        {"through", write_phases},
              {"formula", title_formula},   {"reads", title_formula},      {"repaired", title_formula},
-             {"unknowns", write_list},     {"absent", write_list},        {"given", write_list}};
+             {"unknowns", write_list},     {"absent", write_list},        {"given", write_list},
+             {"mass", write_mass}};
 
 /* A text and, where it is a claim's own, its field. */
 struct sentence_text {

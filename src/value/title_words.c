@@ -173,8 +173,7 @@ const struct statement_record *title_record(const struct title *t, const char *i
 static enum phase phase_of_range(const struct stmt *s) {
   static const char *const end[N_PHASES] = {"t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
   if (!s->range_var || s->range_signs) return N_PHASES;
-  struct text hi;
-  text_init(&hi);
+  struct text hi = {0};
   expr_print(&hi, s->range_hi);
   int ph = 0;
   while (ph < N_PHASES && strcmp(end[ph], text_str(&hi)) != 0) ph++;
@@ -327,8 +326,7 @@ static bool is_numbered(const struct title *t, const struct part *p, const char 
   if (p->statement == 0 && (note || number_is_listed(t, list, p->r))) return true;
   if (!brief || !*p->r->equation || (p->step && detail == TITLE_BRIEF)) return false;
   if (detail == TITLE_NUMBERS) return true;
-  struct text formulas;
-  text_init(&formulas);
+  struct text formulas = {0};
   part_formulas(&formulas, p);
   bool longer = formulas.len > SHORT;
   text_clear(&formulas);
@@ -390,11 +388,9 @@ bool title_has_items(const struct title *t, const char *attribute, enum title_it
   return found;
 }
 
-static bool has_time(const struct expr *e) {
-  if (e->kind == EXPR_CALL && e->args[0]->kind == EXPR_SYM && strcmp(e->args[0]->name, "t") == 0) return true;
-  for (int i = 0; i < e->n_args; i++)
-    if (has_time(e->args[i])) return true;
-  return false;
+static bool takes_time(const struct expr *e, const void *arg) {
+  (void)arg;
+  return e->kind == EXPR_CALL && e->args[0]->kind == EXPR_SYM && strcmp(e->args[0]->name, "t") == 0;
 }
 
 bool title_moves(const struct title *t, const char *attribute) {
@@ -402,10 +398,7 @@ bool title_moves(const struct title *t, const char *attribute) {
   struct part part;
   const char *list = claim_get(t->c, attribute);
   if (!list || !claim_next_item(item, sizeof item, list) || !read_part(&part, t, attribute, item)) return false;
-  const struct stmt *s = part.r->stmts[part.statement ? part.statement - 1 : 0];
-  for (int i = 0; i < s->n_sides; i++)
-    if (has_time(s->sides[i])) return true;
-  return false;
+  return stmt_any(part.r->stmts[part.statement ? part.statement - 1 : 0], takes_time, NULL);
 }
 
 static void write_numbered(struct text *out, const struct title *t, const struct part *p, const char *list,
@@ -461,9 +454,8 @@ bool title_formula(struct text *out, const struct title *t, const char *attribut
   if (!text) return false;
   struct arena a;
   struct source src;
-  struct diag unread;
+  struct diag unread = {0};
   arena_init(&a);
-  diag_init(&unread);
   source_from_string(&src, attribute, text);
   const struct span all = {0, src.len};
   const struct expr *e = expr_parse(&a, &src, all, &unread);
