@@ -17,7 +17,7 @@ val harmonic_value(struct calc *c, const struct harmonic *f, const struct angle 
   return z;
 }
 
-val harmonic_rate(struct calc *c, const struct harmonic *f, const struct angle angle[2]) {
+static val harmonic_rate(struct calc *c, const struct harmonic *f, const struct angle angle[2]) {
   val z = f->drift;
   for (int k = 0; k < f->n; k++) {
     val cosine = calc_sub(c, calc_d(c, 1), angle[k].versine);
