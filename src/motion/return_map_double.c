@@ -110,12 +110,6 @@ static struct trig_sum modes_wave(const struct return_map_double *k, const struc
   return (struct trig_sum){start, 0, {k->om[0], k->om[1]}, {x * m->a[0], y * m->a[1]}, {-x * m->b[0], -y * m->b[1]}};
 }
 
-struct trig_sum return_map_double_wave(const struct return_map_double *k, double v1, double v2, double w, double pull,
-                                       double start) {
-  struct modes m = modes_from(k, v1, v2, w, pull);
-  return modes_wave(k, &m, start);
-}
-
 /* w, r and z_2' - (z_2' at the start) at the time whose half angles have the sines s and cosines c. */
 static void modes_end(double out[3], const struct return_map_double *k, const struct modes *m, const double s[2],
                       const double c[2]) {

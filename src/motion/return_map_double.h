@@ -37,9 +37,6 @@ double return_map_double_rise(const struct return_map_double *k, double t);
 double return_map_double_time(const struct return_map_double *k, double g);
 /* The largest |r| that phase C can end with. */
 double return_map_double_reach(const struct return_map_double *k);
-/* z_1' - V along phase H from velocities v1, v2, w and pull = chi eta r; start is its first value. */
-struct trig_sum return_map_double_wave(const struct return_map_double *k, double v1, double v2, double w, double pull,
-                                       double start);
 void return_map_double_pass(struct pass *s, const struct return_map_double *k, double tb, const struct dyn_limits *lim);
 /* The last phase and the next stick phase: t_d and t_a. */
 void return_map_double_times(double *ta, double *td, const struct return_map_double *k, const struct pass *s);
