@@ -32,8 +32,8 @@ long bench_motion_steps(const struct bench_motion *m) {
 void bench_motion_field(double f[N_Y], const struct bench_motion *m, const double y[N_Y]) {
   f[Y_W] = y[Y_V1] - m->chi * y[Y_V2];
   f[Y_R] = y[Y_V2] - y[Y_V1];
-  f[Y_V1] = m->phase == PHASE_C ? 0 : -y[Y_W];
-  f[Y_V2] = m->phase == PHASE_GAMMA ? 0 : -m->stiff * y[Y_R];
+  f[Y_V1] = m->phase == PHASE_GAMMA || m->phase == PHASE_H ? -y[Y_W] : 0;
+  f[Y_V2] = m->phase == PHASE_H || m->phase == PHASE_C ? -m->stiff * y[Y_R] : 0;
 }
 
 void bench_motion_jacobian(double j[N_Y * N_Y], const struct bench_motion *m) {
