@@ -98,7 +98,8 @@ struct bench_table {
   const struct bench_method **method; /* the job's, then the peers' */
   int n_methods;
   struct bench_row *row;
-  int n, cap;
+  int n;
+  size_t cap;
   int cases;           /* inputs taken */
   double floor;        /* the error that rounding each input to 53 bits can make, at the worst input */
   double truth_digits; /* of the truth, at the worst output */
@@ -172,7 +173,8 @@ struct bench_result {
   struct bench_table *table;
   int n;
   struct bench_ratio *ratio;
-  int n_ratios, cap_ratios;
+  int n_ratios;
+  size_t cap_ratios;
   bool quick;
   struct bench_verdicts verdicts; /* empty unless asked for */
   struct study_page *page;

@@ -67,7 +67,8 @@ struct tables {
   double worst[3];    /* digits lost by paper, six and map, where they do not fail; over the orbits of scenes */
   int orbits, failed; /* failed: by the paper's equations */
   double (*digit)[3]; /* of t_a, by number of printed digits and method, for the summary */
-  int n, cap;
+  int n;
+  size_t cap;
 };
 
 static const int counts[] = {2, 3, 4, 8};
@@ -109,10 +110,7 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
       else
         printed_pair_digits(&d, f->exact, &p, t[2], truth_of);
       add_digits(all, scene, number, counts[k], way, &d);
-      if (all->n == all->cap) {
-        all->cap = all->cap ? 2 * all->cap : 64;
-        all->digit = ss_realloc(all->digit, (size_t)all->cap * sizeof *all->digit);
-      }
+      all->digit = ss_grow(all->digit, (size_t)all->n, &all->cap, sizeof *all->digit);
       const double kept[3] = {k, way, d.worst[0]};
       memcpy(all->digit[all->n++], kept, sizeof kept);
     }
@@ -139,9 +137,8 @@ static void add_raises(struct study_page *page, const struct tables *all) {
   struct study_table *t = study_table(
       page, "precision", "The first working precision", "digits\torbits\traised\tbeyond",
       "The orbits of the scenes that give e1 and e2, enclosed to so many digits and 64 bits more. raised: how often "
-      "the "
-      "working precision had to be raised, over all of them; beyond: the most bits that the first one had beyond those "
-      "asked for (planned from a pilot run above 512 bits, 40 below).");
+      "the working precision had to be raised, over all of them; beyond: the most bits that the first one had beyond "
+      "those asked for (planned from a pilot run above 512 bits, 40 below).");
   for (int k = 0; k < COUNT(asked); k++) {
     const struct planned *p = &all->planned[k];
     if (p->orbits == 0) continue;
@@ -377,12 +374,10 @@ static bool run(struct study_page *page, const struct bench_env *env) {
   all.conditions =
       study_table(page, "conditions", "Conditioning of three methods", "scene\torbit\ttrace\t" LOST,
                   "e1 and e2 are rounded to double and then exact. cond: |A| |A^-1| in the row-sum norm of the paper's "
-                  "four equations' "
-                  "Jacobian, of N_1 - I and N_3 which they invert, and of the six equations' Jacobian; cond_map is "
-                  "1/|1 - tr J|. paper, "
-                  "six, map: decimal digits of 16 lost in double by Newton's iteration on the paper's equations, on "
-                  "the six and on the "
-                  "return map, at the worst of the four times (in units of the period) and the two positions.");
+                  "four equations' Jacobian, of N_1 - I and N_3 which they invert, and of the six equations' Jacobian; "
+                  "cond_map is 1/|1 - tr J|. paper, six, map: decimal digits of 16 lost in double by Newton's "
+                  "iteration on the paper's equations, on the six and on the return map, at the worst of the four "
+                  "times (in units of the period) and the two positions.");
   all.summary = study_table(page, "summary", "Correct digits of t_a from printed times, over all orbits",
                             "printed\tway\torbits\tleast\tmedian\tmost\tnone",
                             "At the worst of the points looked at in the box of roundings. none: orbits with not one "
@@ -391,11 +386,9 @@ static bool run(struct study_page *page, const struct bench_env *env) {
       page, "printed", "Correct digits from printed times",
       "scene\torbit\tprinted\tway\tt_a\tt_a_worst\tt_a_sure\tz10\tz10_worst\tz10_sure\tz20\tz20_worst\tz20_sure",
       "From t_b, t_c, t_d rounded to so many significant digits: by the first or the second equation (45), then (46); "
-      "and "
-      "from t_b and t_c alone, t_d being solved for. First the digits of what the rounded times give, then the fewest "
-      "over "
-      "27 (9) points of the box of numbers that round to them, then a bound that holds in the whole box, by balls "
-      "(values at the middles of cells and slopes over the cells).");
+      "and from t_b and t_c alone, t_d being solved for. First the digits of what the rounded times give, then the "
+      "fewest over 27 (9) points of the box of numbers that round to them, then a bound that holds in the whole box, "
+      "by balls (values at the middles of cells and slopes over the cells).");
   all.singular =
       study_table(page, "singular", "Beside a singular N_1 - I", "distance\tt_b\ttrace\t" LOST,
                   "Admissible orbits with chi = 15/64, eta = 2, V = 1 and t_c = 43/32, at a distance in t_b from "
