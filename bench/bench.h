@@ -193,6 +193,8 @@ const struct bench_row *bench_find(const struct bench_table *t, const char *meth
 
 /* The inputs and their truths alone, as TSV: 17 digits, and 60.  false as above. */
 bool bench_inputs(struct text *out, const struct bench_job *job, bool quick);
+/* The arithmetic of the method at a setting. */
+struct num_ctx bench_context(const struct bench_method *m, double setting);
 /* Calls the method on a few inputs in turn for the given time, between begin and end; false when it cannot be
    called. */
 bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, double setting,

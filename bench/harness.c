@@ -148,7 +148,7 @@ struct trial {
   long failed; /* timed calls */
 };
 
-static struct num_ctx context_of(const struct bench_method *m, double setting) {
+struct num_ctx bench_context(const struct bench_method *m, double setting) {
   return (struct num_ctx){m->type, m->kind == SET_BITS ? (slong)setting : m->bits ? m->bits : 53};
 }
 
@@ -307,7 +307,7 @@ static void run_setting(struct bench_table *t, const struct bench_method *m, dou
                         const struct bench_env *env) {
   struct trial trial;
   struct bench_row row = {.setting = setting, .worst = -INFINITY, .least_ns = NAN, .median_ns = NAN};
-  trial_init(&trial, t->job, s, t->cases, context_of(m, setting));
+  trial_init(&trial, t->job, s, t->cases, bench_context(m, setting));
   if (m->open) trial.self = m->open(m, setting, env);
   if (m->open && !trial.self) {
     row.failure = "cannot be set up";
@@ -422,7 +422,7 @@ bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, 
                      const struct bench_env *env, double seconds, bool (*begin)(void), void (*end)(void)) {
   struct samples a;
   struct trial t;
-  struct num_ctx ctx = context_of(m, setting);
+  struct num_ctx ctx = bench_context(m, setting);
   long steps = 0;
   samples_take(&a, job, ctx.prec + SPARE_BITS, job->n_quick);
   trial_init(&t, job, a.s, a.n, ctx);

@@ -28,12 +28,24 @@ int bench_formula_run(void *self, struct num_vec *out, const double *value);
 /* --- What the jobs share. --- */
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+/* A method at the first n of the usual precisions, of which quick runs take the first few. */
+extern const double bench_precisions[7];
+#define BITS(most, few)                                                                                                \
+  .kind = SET_BITS, .settings = bench_precisions, .n = (most), .quick = bench_precisions, .n_quick = (few)
 /* A time a 64th off: of itself, or of the unit of time when it is long. */
 double bench_hint(double t);
 /* chi, eta, V, e1, e2 from five numbers in (0, 1): a domain in which arcs and orbits are common. */
 void bench_place_params(double *x, const double *u);
 /* The first five elements. */
 struct num_vec bench_params_of(const struct num_vec *in);
+/* An arc and positions in a method's arithmetic, with its setting: open and close of methods that need no more. */
+struct bench_arc {
+  struct dyn_arc arc;
+  struct num_vec start, end; /* two positions each */
+  double setting;
+};
+void *bench_arc_open(const struct bench_method *m, double setting, const struct bench_env *env);
+void bench_arc_close(void *self);
 
 /* --- six.c: the periodic orbit as six equations in z_10, z_20, t_a, t_b, t_c, t_d. --- */
 
