@@ -10,7 +10,7 @@
 #include "motion/dynamics.h"
 
 enum { IN_R = N_PARAMS, N_MAP_IN };
-enum { OUT_TB, OUT_TC, OUT_TD, OUT_R, N_MAP_OUT };
+enum { OUT_TB, OUT_TC, OUT_TD, OUT_R = MAP_R, N_MAP_OUT };
 static const int groups[N_MAP_OUT] = {0, 1, 2, 3};
 static const double longest_phase = 60;
 
@@ -99,13 +99,11 @@ static int run_yardstick(void *self, struct num_vec *out, long *steps, const str
 /* --- GSL's integrators. --- */
 
 static int run_ode(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  double *o = (double *)(void *)out->data;
-  return bench_ode_map(o, &o[OUT_R], steps, self, c->x, c->x[IN_R]);
+  return bench_ode_map((double *)(void *)out->data, steps, self, c->x);
 }
 
 static int run_cvode(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  double *o = (double *)(void *)out->data;
-  return bench_cvode_map(o, &o[OUT_R], steps, self, c->x, c->x[IN_R]);
+  return bench_cvode_map((double *)(void *)out->data, steps, self, c->x);
 }
 
 /* --- The table. --- */

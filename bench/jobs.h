@@ -98,10 +98,12 @@ void bench_motion_field(double f[N_Y], const struct bench_motion *m, const doubl
 void bench_motion_jacobian(double j[N_Y * N_Y], const struct bench_motion *m);
 /* The switching function of the phase, and its derivative. */
 double bench_motion_switch(double *rate, const struct bench_motion *m, const double y[N_Y]);
-/* Goes through the phases from r; each takes y to its event and returns a status. */
+/* A map of the word: x are the parameters and r, out is t_b, t_c, t_d and r at the end. */
+enum { MAP_R = 3, N_MAP };
+/* Goes through the phases; run, whose self begins with the motion, takes y to the event of the phase and returns a
+   status. */
 typedef int (*bench_phase_run)(double *t, void *self, double y[N_Y], long *steps);
-int bench_motion_pass(double t[3], double *r_end, long *steps, struct bench_motion *m, const double *params, double r,
-                      bench_phase_run run, void *self);
+int bench_motion_pass(double out[N_MAP], long *steps, void *self, const double *x, bench_phase_run run);
 
 /* --- lanes.c: a sweep by the scalar solver and in lanes. --- */
 
@@ -125,14 +127,13 @@ const char *bench_cvode_version(void);
 void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_cvode_close(void *self);
 void bench_cvode_limits(void *self, const struct bench_limits *limits);
-int bench_cvode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
+int bench_cvode_map(double out[N_MAP], long *steps, void *self, const double *x);
 
 /* --- ode.c: GSL's integrators; the method's data is the name. --- */
 
 void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_ode_close(void *self);
 void bench_ode_limits(void *self, const struct bench_limits *limits);
-/* t_b, t_c, t_d and r at the end of the pass from r. */
-int bench_ode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
+int bench_ode_map(double out[N_MAP], long *steps, void *self, const double *x);
 
 #endif
