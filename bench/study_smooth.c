@@ -4,7 +4,6 @@
    Newton's iteration on the return to a section (shooting).  The section lies where the second mass slides, at a part
    of its greatest lag behind the belt.  Reference: the event-driven orbit's passage of the same section, by the closed
    forms. */
-#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -181,9 +180,9 @@ static int long_run(struct motion *o, const struct smooth_run *run) {
 
 /* x <- x - (P' - I)^-1 (P(x) - x), P' by differences. */
 static int newton_step(struct motion *o, double *moved, const struct smooth_run *run) {
-  double a[UNKNOWNS * UNKNOWNS], b[UNKNOWNS], image[STEPPER_SIZE], x[UNKNOWNS];
+  double a[UNKNOWNS * UNKNOWNS], b[UNKNOWNS], image[STEPPER_SIZE], before[UNKNOWNS];
   memcpy(image, o->y, sizeof image);
-  int status = go_round(o, image, run), sign;
+  int status = go_round(o, image, run);
   struct motion first = *o;
   for (int k = 0; k < UNKNOWNS && !status; k++) {
     double y[STEPPER_SIZE], h = 1e-5 * fabs(run->ref->y[S_W]);
@@ -194,17 +193,12 @@ static int newton_step(struct motion *o, double *moved, const struct smooth_run 
   }
   if (status) return status;
   for (int i = 0; i < UNKNOWNS; i++) b[i] = o->y[i] - image[i];
-  gsl_matrix_view mat = gsl_matrix_view_array(a, UNKNOWNS, UNKNOWNS);
-  gsl_vector_view rhs = gsl_vector_view_array(b, UNKNOWNS), sol = gsl_vector_view_array(x, UNKNOWNS);
-  gsl_permutation *perm = gsl_permutation_alloc(UNKNOWNS);
-  gsl_linalg_LU_decomp(&mat.matrix, perm, &sign);
-  bool singular = gsl_linalg_LU_det(&mat.matrix, sign) == 0;
-  if (!singular) gsl_linalg_LU_solve(&mat.matrix, perm, &rhs.vector, &sol.vector);
-  gsl_permutation_free(perm);
-  if (singular) return SS_UNABLE;
-  memcpy(b, o->y, sizeof b);
-  for (int i = 0; i < UNKNOWNS; i++) o->y[i] += x[i];
-  *moved = distance(o->y, b);
+  const struct num_vec lead = {num_ctx_double(), UNKNOWNS * UNKNOWNS, (char *)a};
+  struct num_vec step = {num_ctx_double(), UNKNOWNS, (char *)b};
+  if (num_mat_solve(&step, &lead, &step, UNKNOWNS, 1)) return SS_UNABLE;
+  memcpy(before, o->y, sizeof before);
+  for (int i = 0; i < UNKNOWNS; i++) o->y[i] += b[i];
+  *moved = distance(o->y, before);
   o->period = first.period;
   o->creep = first.creep;
   o->nearest = first.nearest;
@@ -357,8 +351,7 @@ static bool run_smooth(struct study_page *page, const struct bench_env *env) {
       study_table(page, "rates", "How fast they approach",
                   "scene\tlaw\ts\tperiod_error\trate\tstate_error\tstate_rate\tcreep\tcreep_rate",
                   "Of the first solver in the list above that found a periodic motion with a stick phase. A rate is "
-                  "the fall of the decimal logarithm "
-                  "over the decade before: an error like s^-a has the rate a.");
+                  "the fall of the decimal logarithm over the decade before: an error like s^-a has the rate a.");
   bool good = true;
   for (int i = 0; i < COUNT(scenes); i++) {
     struct reference ref;

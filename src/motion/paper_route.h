@@ -16,11 +16,14 @@
 /* t_a, t_b, t_c, t_d, z_10, z_20. */
 enum { ROUTE_Z = 4, N_ROUTE = 6 };
 
-/* How the equations stand at a point: condition numbers |A| |A^-1| in the row-sum norm. */
+/* How the equations stand at a point: condition numbers. */
 struct paper_condition {
   double jacobian; /* of the four equations by the four times, in the paper's units */
   double n1, n3;   /* N1 - I and N3, which the method inverts */
 };
+
+/* |A| |A^-1| in the row-sum norm of an n by n matrix; a status of num_mat_solve, and NaN. */
+int paper_condition_number(double *k, const struct num_vec *a, slong n);
 
 /* From the four times in x, in double or mpfr: the solution in x, and the number of steps.  SS_UNABLE when it does not
    converge within 60 steps or leaves |t| < 1000, SS_DOMAIN when a matrix is exactly singular. */
