@@ -20,7 +20,7 @@ static struct trig_sum phase_wave(struct calc *c, enum phase ph, const val p[N_P
       {w, pull}, {calc_sub(c, z[DZ_1], belt), calc_sub(c, z[DZ_2], belt)}, {calc_neg(c, w), calc_neg(c, pull)}};
   struct motion_law law;
   struct motion m;
-  motion_law_make(&law, c, chi, p[P_ETA], belt);
+  motion_law_make(&law, c, chi, p[P_ETA], belt, ph == PHASE_H);
   motion_make(&m, c, &law, mode, &at);
   struct trig_sum wave = harmonic_trig_sum(c, ph == PHASE_GAMMA ? &m.force[1] : &m.speed[ph == PHASE_C]);
   wave.start = c->ctx.type->get_d(flow_switching(c, ph, p, z));
@@ -47,15 +47,13 @@ static int first_in_calc(struct trig_sum_root *root, struct calc *c, enum phase 
 int event_first(double *t, bool *grazing, enum phase ph, const struct num_vec *params, const struct num_vec *in,
                 const struct dyn_limits *lim) {
   val p[N_PARAMS], z[N_STATE];
-  struct return_map_double k;
   double all[N_PARAMS];
   struct trig_sum_root root = {.t = 0};
   struct calc c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
   for (int i = 0; i < N_PARAMS; i++) all[i] = c.ctx.type->get_d(p[i]);
-  int status = return_map_double_init(&k, all);
-  if (!status) status = first_in_calc(&root, &c, ph, p, z, lim);
+  int status = return_map_double_domain(all) ? first_in_calc(&root, &c, ph, p, z, lim) : SS_DOMAIN;
   *t = root.t;
   if (grazing) *grazing = root.grazing;
   calc_clear(&c);

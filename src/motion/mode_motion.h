@@ -34,7 +34,8 @@ struct motion_law {
   val chi, eta, V, gap, omega, zero;
   struct spectrum spectrum;
 };
-void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, val V);
+/* slip: with the spectrum, without which both masses cannot slip at once. */
+void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, val V, bool slip);
 
 struct motion {
   struct harmonic force[2], speed[2]; /* f_i, up to any constant, and p_i */
