@@ -5,10 +5,10 @@
    is the largest over the job's inputs and outputs of |got - true| in units of the output's scale; its time is that of
    one call, from batches of calls over all inputs in turn.
 
-   Files: job_*.c hold the jobs with their tables of methods; yardstick, six, newton_mpfr, formula, motion, ode and
-   cvode what the methods are made of; harness.c measures, table.c reads off the rows, ratios.c, profile.c, verdicts.c
-   and sides.c measure what no row holds, peers.c reads what was measured elsewhere (peers/); report.c, pages.c, plot.c
-   and machine.c write.
+   Files: job_*.c hold the jobs with their tables of methods; methods, yardstick, six, newton_mpfr, formula, motion, ode
+   and cvode what the methods are made of; harness.c measures, table.c reads off the rows, ratios.c, profile.c,
+   verdicts.c and sides.c measure what no row holds, peers.c reads what was measured elsewhere (peers/); report.c,
+   pages.c, plot.c and machine.c write.
 
    Clocks are read here and in the command line, nowhere else; the library knows no time. */
 #ifndef STICKSLIP_BENCH_H

@@ -148,10 +148,6 @@ struct trial {
   long failed; /* timed calls */
 };
 
-struct num_ctx bench_context(const struct bench_method *m, double setting) {
-  return (struct num_ctx){m->type, m->kind == SET_BITS ? (slong)setting : m->bits ? m->bits : 53};
-}
-
 static void trial_init(struct trial *t, const struct bench_job *job, const struct sample *s, int n,
                        struct num_ctx ctx) {
   *t = (struct trial){.job = job, .sample = s, .n = n, .ctx = ctx};

@@ -25,7 +25,7 @@ void bench_formula_close(void *self);
 void bench_frequencies(double *slow, double *fast, double chi, double eta);
 int bench_formula_run(void *self, struct num_vec *out, const double *value);
 
-/* --- What the jobs share. --- */
+/* --- methods.c: what the methods of the jobs share. --- */
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 /* A method at the first n of the usual precisions, of which quick runs take the first few. */

@@ -106,7 +106,7 @@ UNARY(cos, cos(x))
 UNARY(sinc, x == 0 ? 1 : sin(x) / x)
 BINARY(add, x + y)
 BINARY(sub, x - y)
-BINARY(mul, x * y)
+BINARY(mul, x *y)
 BINARY(hypot, isnan(x) || isnan(y) ? (double)NAN : hypot(x, y))
 #undef UNARY
 #undef BINARY
