@@ -143,9 +143,7 @@ struct motion {
 
 struct smooth_run {
   const struct reference *ref;
-  const struct smooth *m;
-  struct stepper *stepper;
-  long most_steps;
+  struct smooth_way way;
 };
 
 static double distance(const double a[UNKNOWNS], const double b[UNKNOWNS]) {
@@ -161,7 +159,7 @@ static int go_round(struct motion *o, double y[STEPPER_SIZE], const struct smoot
   struct smooth_passage s;
   double before[STEPPER_SIZE];
   memcpy(before, y, sizeof before);
-  int status = smooth_return(&s, y, run->stepper, run->m, run->ref->middle, 20 * run->ref->period, run->most_steps);
+  int status = smooth_return(&s, y, &run->way);
   o->steps += s.steps;
   o->returns++;
   o->period = s.time;
@@ -216,9 +214,9 @@ static int shoot(struct motion *o, const struct smooth_run *run) {
 static void find_motion(struct motion *o, const struct reference *ref, const struct smooth *m, const char *solver,
                         long most_steps) {
   struct stepper_system system = smooth_system(m, tolerance, ref->period / 100);
-  struct smooth_run run = {ref, m, stepper_open(solver, &system), most_steps};
+  struct smooth_run run = {ref, {m, stepper_open(solver, &system), ref->middle, 20 * ref->period, most_steps}};
   *o = (struct motion){.state = "cannot be set up", .period = NAN, .creep = NAN, .change = NAN, .seconds = NAN};
-  if (!run.stepper) return;
+  if (!run.way.stepper) return;
   memcpy(o->y, ref->y, sizeof o->y);
   double begin = bench_now();
   int status = ref->shoot ? shoot(o, &run) : long_run(o, &run);
@@ -228,7 +226,7 @@ static void find_motion(struct motion *o, const struct reference *ref, const str
              : status & SS_DOMAIN ? "no return"
              : settled            ? o->nearest < sticks ? "periodic" : "periodic without a stick phase"
                                   : "does not settle";
-  stepper_close(run.stepper);
+  stepper_close(run.way.stepper);
 }
 
 /* --- The tables. --- */

@@ -231,13 +231,6 @@ static void add_run(struct study_table *t, const struct scene_at *s, const struc
   study_row(t);
 }
 
-/* The loosest tolerance from which on the word is right at every tighter one; 0 when there is none. */
-static double loosest(const struct outcome *o, const double *tolerance, int n) {
-  double at = 0;
-  for (int i = n - 1; i >= 0 && o[i].word; i--) at = tolerance[i];
-  return at;
-}
-
 struct sums {
   int runs, word, late, early, given_up;
 };
@@ -320,12 +313,11 @@ static bool run(struct study_page *page, const struct bench_env *env) {
         add_run(runs, &s, &methods[k], tolerance[j], &o[j]);
         count(&sums[k], &o[j]);
       }
-      double from = loosest(o, tolerance, settings);
-      study_text(words, "1e%+d", s.decade);
-      study_text(words, "%s", methods[k].id);
-      study_text(words, from == 0 ? "none" : methods[k].by ? "%.0e" : "-", from);
       int tighter = 0;
       while (tighter < settings && o[settings - 1 - tighter].word) tighter++;
+      study_text(words, "1e%+d", s.decade);
+      study_text(words, "%s", methods[k].id);
+      study_text(words, !tighter ? "none" : methods[k].by ? "%.0e" : "-", tolerance[tighter ? settings - tighter : 0]);
       study_text(words, "%d of %d", tighter, settings);
       study_row(words);
     }
