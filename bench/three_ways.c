@@ -7,19 +7,14 @@
 #include "bench/jobs.h"
 #include "motion/paper_route.h"
 
-/* digits_lost of paper_route.h; x: t_a, t_b, t_c, t_d, z_10, z_20. */
 static double digits_lost(const double x[N_ROUTE], const struct dyn_orbit *o) {
-  arb_t off;
-  double worst = 0, period = 0, reach = fabs(x[ROUTE_Z]) + fabs(x[ROUTE_Z + 1]);
-  arb_init(off);
-  for (int i = 0; i < ROUTE_Z; i++) period += fabs(x[i]);
-  for (int i = 0; i < N_ROUTE; i++) {
-    arb_set_d(off, x[i]);
-    arb_sub(off, off, i < ROUTE_Z ? o->t[i] : i == ROUTE_Z ? o->z10 : o->z20, THREE_WAYS_BITS);
-    worst = fmax(worst, fabs(num_arb.get_d(off)) / (i < ROUTE_Z ? period : reach));
-  }
-  arb_clear(off);
-  return isfinite(worst) ? fmax(0, log10(ldexp(worst, 53))) : (double)NAN;
+  struct num_vec known;
+  num_vec_init(&known, N_ROUTE, num_ctx_mpfr(THREE_WAYS_BITS));
+  for (int i = 0; i < N_ROUTE; i++)
+    arf_get_mpfr(num_vec_at(&known, i), arb_midref(i < ROUTE_Z ? o->t[i] : i == ROUTE_Z ? o->z10 : o->z20), MPFR_RNDN);
+  double lost = paper_digits_lost(x, &known);
+  num_vec_clear(&known);
+  return lost;
 }
 
 /* Of the six equations' Jacobian. */

@@ -241,7 +241,7 @@ static struct num_vec params_in(struct calc *c, const fmpq *params) {
 }
 
 /* The errors are differences of nearby numbers, taken in mpfr. */
-static double digits_lost(const double x_d[N_ROUTE], const struct num_vec *x) {
+double paper_digits_lost(const double x_d[N_ROUTE], const struct num_vec *x) {
   double worst = 0, period = 0;
   for (slong i = 0; i < TIMES; i++) period += fabs(x_d[i]);
   double reach = fabs(x_d[ROUTE_Z]) + fabs(x_d[ROUTE_Z + 1]);
@@ -252,7 +252,7 @@ static double digits_lost(const double x_d[N_ROUTE], const struct num_vec *x) {
     worst = fmax(worst, fabs(mpfr_get_d(off, MPFR_RNDN)) / (i < TIMES ? period : reach));
   }
   mpfr_clear(off);
-  return fmax(0, log10(ldexp(worst, 53)));
+  return isfinite(period + reach) ? fmax(0, log10(ldexp(worst, 53))) : (double)NAN;
 }
 
 int paper_route_run(struct paper_route *r, const fmpq *params, const double guess[4]) {
@@ -264,7 +264,7 @@ int paper_route_run(struct paper_route *r, const fmpq *params, const double gues
   r->status_d = d.status ? d.status : run(&x_d, &r->steps_d, &p_d, guess);
   int status = c.status ? c.status : run(&r->x, &r->steps, &p, guess);
   if (!status) status = paper_route_condition(&r->condition, &p, &r->x);
-  r->digits_lost = status || r->status_d ? (double)NAN : digits_lost(r->x_d, &r->x);
+  r->digits_lost = status || r->status_d ? (double)NAN : paper_digits_lost(r->x_d, &r->x);
   calc_clear(&d);
   calc_clear(&c);
   return status;

@@ -24,6 +24,9 @@ struct paper_condition {
 
 /* |A| |A^-1| in the row-sum norm of an n by n matrix; a status of num_mat_solve, and NaN. */
 int paper_condition_number(double *k, const struct num_vec *a, slong n);
+/* log10 of the largest error of x_d in units of 2^-53, at least 0: errors of times are relative to the sum of the |t|,
+   of positions to |z_10| + |z_20|.  x is the truth in mpfr; NaN when x_d is not finite. */
+double paper_digits_lost(const double x_d[N_ROUTE], const struct num_vec *x);
 
 /* From the four times in x, in double or mpfr: the solution in x, and the number of steps.  SS_UNABLE when it does not
    converge within 60 steps or leaves |t| < 1000, SS_DOMAIN when a matrix is exactly singular. */
@@ -35,13 +38,11 @@ struct paper_route {
   int steps_d, steps;               /* from the guess, in double precision and in mpfr */
   struct num_vec x;                 /* the solution in mpfr */
   struct paper_condition condition; /* there */
-  double digits_lost;               /* in double precision; see below */
+  double digits_lost;               /* in double precision; NaN when either iteration failed */
 };
 void paper_route_init(struct paper_route *r, slong prec);
 void paper_route_clear(struct paper_route *r);
-/* Both precisions from the same guess.  Returns the status of mpfr; SS_DOMAIN outside the domain of dynamics.h.
-   digits_lost is log10 of the largest error of x_d in units of 2^-53, at least 0: errors of times are relative to the
-   sum of the |t|, of positions to |z_10| + |z_20|.  NaN when either iteration failed. */
+/* Both precisions from the same guess.  Returns the status of mpfr; SS_DOMAIN outside the domain of dynamics.h. */
 int paper_route_run(struct paper_route *r, const fmpq *params, const double guess[4]);
 
 #endif
