@@ -5,10 +5,10 @@
    is the largest over the job's inputs and outputs of |got - true| in units of the output's scale; its time is that of
    one call, from batches of calls over all inputs in turn.
 
-   Files: job_*.c hold the jobs with their tables of methods; yardstick, six, newton_mpfr, formula, motion, ode and
-   cvode what the methods are made of; harness.c measures, table.c reads off the rows, ratios.c, profile.c, verdicts.c
-   and sides.c measure what no row holds, peers.c reads what was measured elsewhere (peers/); report.c, pages.c, plot.c
-   and machine.c write.
+   Files: job_*.c hold the jobs with their tables of methods; methods, yardstick, six, newton_mpfr, formula, motion, ode
+   and cvode what the methods are made of; harness.c measures, table.c reads off the rows, ratios.c, profile.c,
+   verdicts.c and sides.c measure what no row holds, peers.c reads what was measured elsewhere (peers/); report.c,
+   pages.c, plot.c and machine.c write.
 
    Clocks are read here and in the command line, nowhere else; the library knows no time. */
 #ifndef STICKSLIP_BENCH_H
@@ -98,7 +98,8 @@ struct bench_table {
   const struct bench_method **method; /* the job's, then the peers' */
   int n_methods;
   struct bench_row *row;
-  int n, cap;
+  int n;
+  size_t cap;
   int cases;           /* inputs taken */
   double floor;        /* the error that rounding each input to 53 bits can make, at the worst input */
   double truth_digits; /* of the truth, at the worst output */
@@ -172,7 +173,8 @@ struct bench_result {
   struct bench_table *table;
   int n;
   struct bench_ratio *ratio;
-  int n_ratios, cap_ratios;
+  int n_ratios;
+  size_t cap_ratios;
   bool quick;
   struct bench_verdicts verdicts; /* empty unless asked for */
   struct study_page *page;
@@ -191,6 +193,8 @@ const struct bench_row *bench_find(const struct bench_table *t, const char *meth
 
 /* The inputs and their truths alone, as TSV: 17 digits, and 60.  false as above. */
 bool bench_inputs(struct text *out, const struct bench_job *job, bool quick);
+/* The arithmetic of the method at a setting. */
+struct num_ctx bench_context(const struct bench_method *m, double setting);
 /* Calls the method on a few inputs in turn for the given time, between begin and end; false when it cannot be
    called. */
 bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, double setting,

@@ -139,25 +139,24 @@ static bool sample_take(struct sample *s, const struct bench_job *job, long n) {
 
 struct trial {
   const struct bench_job *job;
+  const struct bench_method *m;
   const struct sample *sample;
-  struct bench_case *in; /* the same in the method's arithmetic */
   int n;
+  struct bench_case *in; /* the same in the method's arithmetic */
   struct num_ctx ctx;
   struct num_vec out;
   void *self;
   long failed; /* timed calls */
 };
 
-static struct num_ctx context_of(const struct bench_method *m, double setting) {
-  return (struct num_ctx){m->type, m->kind == SET_BITS ? (slong)setting : m->bits ? m->bits : 53};
-}
-
-static void trial_init(struct trial *t, const struct bench_job *job, const struct sample *s, int n,
-                       struct num_ctx ctx) {
-  *t = (struct trial){.job = job, .sample = s, .n = n, .ctx = ctx};
-  t->in = ss_malloc((size_t)n * sizeof *t->in);
+/* Of a job, a method and samples; false when the method cannot be set up. */
+static bool trial_open(struct trial *t, double setting, const struct bench_env *env) {
+  const struct bench_job *job = t->job;
+  const struct sample *s = t->sample;
+  struct num_ctx ctx = t->ctx = bench_context(t->m, setting);
+  t->in = ss_malloc((size_t)t->n * sizeof *t->in);
   num_vec_init(&t->out, job->n_out, ctx);
-  for (int i = 0; i < n; i++) {
+  for (int i = 0; i < t->n; i++) {
     struct bench_case *c = &t->in[i];
     *c = (struct bench_case){.x = s[i].x, .hint = s[i].hint};
     num_vec_init(&c->in, job->n_in, ctx);
@@ -166,9 +165,12 @@ static void trial_init(struct trial *t, const struct bench_job *job, const struc
     for (int k = 0; k < job->n_given; k++)
       ctx.type->set_arb(num_vec_at(&c->given, k), num_vec_at(&s[i].given, k), ctx.prec);
   }
+  if (t->m->open) t->self = t->m->open(t->m, setting, env);
+  return !t->m->open || t->self;
 }
 
-static void trial_clear(struct trial *t) {
+static void trial_close(struct trial *t) {
+  if (t->m->close && t->self) t->m->close(t->self);
   for (int i = 0; i < t->n; i++) {
     num_vec_clear(&t->in[i].in);
     num_vec_clear(&t->in[i].given);
@@ -212,14 +214,14 @@ static const char *judge(double *error, bool *untrue, const struct trial *t, int
 }
 
 /* Every input once, for the errors; stops when the calls have taken `seconds`. */
-static void first_pass(struct bench_row *row, struct trial *t, const struct bench_method *m, double seconds) {
+static void first_pass(struct bench_row *row, struct trial *t, double seconds) {
   double *error = ss_malloc((size_t)t->n * sizeof *error), spent = 0;
   int n = 0;
   for (int i = 0; i < t->n && (i == 0 || spent < seconds); i++) {
     for (int k = 0; k < t->job->n_out; k++) t->ctx.type->set_d(num_vec_at(&t->out, k), NAN, t->ctx.prec);
     long steps = 0;
     double begin = bench_now(), e;
-    int status = m->run(t->self, &t->out, &steps, &t->in[i]);
+    int status = t->m->run(t->self, &t->out, &steps, &t->in[i]);
     spent += bench_now() - begin;
     bool untrue;
     const char *failure = judge(&e, &untrue, t, i, status, steps);
@@ -253,7 +255,8 @@ struct stretch {
 };
 
 /* Adds to t->failed: what was right once has to be so each time. */
-static double run_stretch(struct trial *t, const struct bench_method *m, const struct stretch *s) {
+static double run_stretch(struct trial *t, const struct stretch *s) {
+  const struct bench_method *m = t->m;
   long steps = 0;
   double begin = bench_now();
   for (long r = 0; r < s->repeats; r++)
@@ -262,11 +265,11 @@ static double run_stretch(struct trial *t, const struct bench_method *m, const s
 }
 
 /* The inputs in stretches of a millisecond at least, by the times of a warm pass; returns how long a round takes. */
-static double cut(struct stretch *s, int *n, struct trial *t, const struct bench_method *m, int cases) {
+static double cut(struct stretch *s, int *n, struct trial *t, int cases) {
   double all = 0, piece = 0;
   *n = 0;
   for (int i = 0, from = 0; i < cases; i++) {
-    piece += run_stretch(t, m, &(struct stretch){i, i + 1, 1, {0}});
+    piece += run_stretch(t, &(struct stretch){i, i + 1, 1, {0}});
     if (piece < BATCH && i + 1 < cases) continue;
     s[(*n)++] = (struct stretch){from, i + 1, 1, {0}};
     all += piece;
@@ -275,19 +278,19 @@ static double cut(struct stretch *s, int *n, struct trial *t, const struct bench
   }
   if (*n > 1 || all >= BATCH) return all;
   do { /* calls one by one are slower than in a row, since the clock is read between them */
-    all = run_stretch(t, m, s);
+    all = run_stretch(t, s);
     if (all < BATCH) s->repeats *= 2;
   } while (all < BATCH);
   return all;
 }
 
-static void take_times(struct bench_row *row, struct trial *t, const struct bench_method *m, bool quick) {
+static void take_times(struct bench_row *row, struct trial *t, bool quick) {
   struct stretch *s = ss_malloc((size_t)row->cases * sizeof *s);
   int n;
-  double round = cut(s, &n, t, m, row->cases), budget = quick ? 0.012 : 0.4, least = 0, median = 0;
+  double round = cut(s, &n, t, row->cases), budget = quick ? 0.012 : 0.4, least = 0, median = 0;
   row->batches = (int)fmin(fmax(budget / round, quick ? 2 : 3), quick ? 5 : MOST_BATCHES);
   for (int b = 0; b < row->batches; b++)
-    for (int k = 0; k < n; k++) s[k].second[b] = run_stretch(t, m, &s[k]);
+    for (int k = 0; k < n; k++) s[k].second[b] = run_stretch(t, &s[k]);
   for (int k = 0; k < n; k++) {
     double middle = bench_median(s[k].second, row->batches); /* sorts */
     least += s[k].second[0] / (double)s[k].repeats;
@@ -305,22 +308,19 @@ static void take_times(struct bench_row *row, struct trial *t, const struct benc
 
 static void run_setting(struct bench_table *t, const struct bench_method *m, double setting, const struct sample *s,
                         const struct bench_env *env) {
-  struct trial trial;
+  struct trial trial = {.job = t->job, .m = m, .sample = s, .n = t->cases};
   struct bench_row row = {.setting = setting, .worst = -INFINITY, .least_ns = NAN, .median_ns = NAN};
-  trial_init(&trial, t->job, s, t->cases, context_of(m, setting));
-  if (m->open) trial.self = m->open(m, setting, env);
-  if (m->open && !trial.self) {
+  if (!trial_open(&trial, setting, env)) {
     row.failure = "cannot be set up";
     row.worst = row.median = NAN;
   } else {
-    first_pass(&row, &trial, m, t->quick ? 0.1 : 1);
+    first_pass(&row, &trial, t->quick ? 0.1 : 1);
     if (row.failure)
       row.worst = NAN;
     else
-      take_times(&row, &trial, m, t->quick);
-    if (m->close) m->close(trial.self);
+      take_times(&row, &trial, t->quick);
   }
-  trial_clear(&trial);
+  trial_close(&trial);
   bench_add_row(t, m, &row);
 }
 
@@ -421,20 +421,16 @@ bool bench_inputs(struct text *out, const struct bench_job *job, bool quick) {
 bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, double setting,
                      const struct bench_env *env, double seconds, bool (*begin)(void), void (*end)(void)) {
   struct samples a;
-  struct trial t;
-  struct num_ctx ctx = context_of(m, setting);
   long steps = 0;
-  samples_take(&a, job, ctx.prec + SPARE_BITS, job->n_quick);
-  trial_init(&t, job, a.s, a.n, ctx);
-  if (m->open) t.self = m->open(m, setting, env);
-  bool ready = a.n > 0 && (!m->open || t.self) && begin();
+  samples_take(&a, job, bench_context(m, setting).prec + SPARE_BITS, job->n_quick);
+  struct trial t = {.job = job, .m = m, .sample = a.s, .n = a.n};
+  bool ready = trial_open(&t, setting, env) && a.n > 0 && begin();
   double until = bench_now() + seconds;
   do
     for (int i = 0; i < a.n && ready; i++) m->run(t.self, &t.out, &steps, &t.in[i]);
   while (ready && bench_now() < until);
   if (ready) end();
-  if (m->close && t.self) m->close(t.self);
-  trial_clear(&t);
+  trial_close(&t);
   samples_clear(&a, job);
   return ready;
 }

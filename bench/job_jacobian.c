@@ -114,20 +114,8 @@ static int run_chain(void *self, struct num_vec *out, long *steps, const struct 
 
 /* --- Arc and derivative together. --- */
 
-static void *open_arc(const struct bench_method *m, double setting, const struct bench_env *env) {
-  struct dyn_arc *arc = ss_malloc(sizeof *arc);
-  (void)env;
-  dyn_arc_init(arc, (struct num_ctx){m->type, m->kind == SET_BITS ? (slong)setting : 53});
-  return arc;
-}
-
-static void close_arc(void *self) {
-  dyn_arc_clear(self);
-  free(self);
-}
-
 static int run_arc_implicit(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  struct dyn_arc *arc = self;
+  struct dyn_arc *arc = &((struct bench_arc *)self)->arc;
   struct num_vec params = bench_params_of(&c->in);
   *steps = 1;
   int status = dyn_arc_run(arc, &params, num_vec_at(&c->in, IN_Z10), num_vec_at(&c->in, IN_Z20), NULL);
@@ -256,40 +244,15 @@ static int run_fd_mpfr(void *self, struct num_vec *out, long *steps, const struc
 }
 
 enum { STEP_BITS = 256 };
-struct mpfr_method {
-  struct dyn_arc arc;
-  struct num_vec z, end; /* end: two positions, then four */
-  double h;
-};
-
-static void *open_mpfr(const struct bench_method *m, double setting, const struct bench_env *env) {
-  struct mpfr_method *s = ss_malloc(sizeof *s);
-  struct num_ctx ctx = num_ctx_mpfr(m->bits);
-  (void)env;
-  s->h = setting;
-  dyn_arc_init(&s->arc, ctx);
-  num_vec_init(&s->z, 2, ctx);
-  num_vec_init(&s->end, 2, ctx);
-  return s;
-}
-
-static void close_mpfr(void *self) {
-  struct mpfr_method *s = self;
-  dyn_arc_clear(&s->arc);
-  num_vec_clear(&s->z);
-  num_vec_clear(&s->end);
-  free(s);
-}
-
 /* One column of central differences. */
-static int mpfr_column(struct mpfr_method *s, struct num_vec *out, int col, const struct bench_case *c, double h) {
+static int mpfr_column(struct bench_arc *s, struct num_vec *out, int col, const struct bench_case *c, double h) {
   struct num_vec params = bench_params_of(&c->in);
   int status = SS_OK;
   for (int side = 1; side >= -1 && !status; side -= 2) {
-    for (int i = 0; i < 2; i++) mpfr_set(num_vec_at(&s->z, i), num_vec_at(&c->in, IN_Z10 + i), MPFR_RNDN);
-    mpfr_ptr moved = num_vec_at(&s->z, col);
+    for (int i = 0; i < 2; i++) mpfr_set(num_vec_at(&s->start, i), num_vec_at(&c->in, IN_Z10 + i), MPFR_RNDN);
+    mpfr_ptr moved = num_vec_at(&s->start, col);
     mpfr_add_d(moved, moved, side * h, MPFR_RNDN);
-    status = dyn_arc_run(&s->arc, &params, num_vec_at(&s->z, 0), num_vec_at(&s->z, 1), c->hint);
+    status = dyn_arc_run(&s->arc, &params, num_vec_at(&s->start, 0), num_vec_at(&s->start, 1), c->hint);
     for (int row = 0; row < 2 && !status; row++) {
       mpfr_ptr end = num_vec_at(&s->arc.z, N_PHASES * N_STATE + row), j = num_vec_at(out, 2 * row + col);
       if (side > 0) {
@@ -304,20 +267,18 @@ static int mpfr_column(struct mpfr_method *s, struct num_vec *out, int col, cons
 }
 
 static int run_mpfr_steps(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  struct mpfr_method *s = self;
-  double h = ldexp(1, ilogb(s->h * scale_of(c->x)));
+  struct bench_arc *s = self;
+  double h = ldexp(1, ilogb(s->setting * scale_of(c->x)));
   *steps = 4;
   return mpfr_column(s, out, 0, c, h) | mpfr_column(s, out, 1, c, h);
 }
 
 /* --- The table. --- */
 
-static const double precisions[] = {64, 128, 256, 512, 1024, 2048};
 static const double steps_double[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
 static const double few_steps[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10};
 static const double steps_mpfr[] = {1e-5, 1e-10, 1e-15, 1e-20, 1e-25, 1e-30, 1e-40, 1e-50, 1e-60, 1e-70};
 static const double few_steps_mpfr[] = {1e-10, 1e-25, 1e-40};
-#define BITS .kind = SET_BITS, .settings = precisions, .n = COUNT(precisions), .quick = precisions, .n_quick = 3
 #define STEPS                                                                                                          \
   .type = &num_double, .kind = SET_STEP, .settings = steps_double, .n = COUNT(steps_double), .quick = few_steps,       \
   .n_quick = COUNT(few_steps), .close = free
@@ -331,8 +292,8 @@ static const struct bench_method methods[] = {
      .run = run_implicit},
     {"saltation", "saltation matrices with GSL's exponentials; arc given", .type = &num_double, .bare = true,
      .run = run_saltation},
-    {"arc-implicit", "the arc and implicit differentiation, in double", .type = &num_double, .open = open_arc,
-     .close = close_arc, .run = run_arc_implicit},
+    {"arc-implicit", "the arc and implicit differentiation, in double", .type = &num_double, .open = bench_arc_open,
+     .close = bench_arc_close, .run = run_arc_implicit},
     {"forward", "forward differences of the return map in double", STENCIL(forward)},
     {"central", "central differences", STENCIL(central)},
     {"fourth", "central differences of the fourth order", STENCIL(fourth)},
@@ -343,14 +304,15 @@ static const struct bench_method methods[] = {
      .run = run_gsl},
     {"gsl-forward", "gsl_deriv_forward, entry by entry", STEPS, .data = &gsl_rules[1], .open = open_gsl,
      .run = run_gsl},
-    {"implicit-mpfr", "the arc and implicit differentiation in MPFR", .type = &num_mpfr, BITS, .open = open_arc,
-     .close = close_arc, .run = run_arc_implicit},
-    {"implicit-arb", "the arc and implicit differentiation in balls", .type = &num_arb, BITS, .open = open_arc,
-     .close = close_arc, .run = run_arc_implicit},
-    {"fd-mpfr", "central differences in MPFR at the step 2^(-bits/3)", .type = &num_mpfr, BITS, .run = run_fd_mpfr},
+    {"implicit-mpfr", "the arc and implicit differentiation in MPFR", .type = &num_mpfr, BITS(6, 3),
+     .open = bench_arc_open, .close = bench_arc_close, .run = run_arc_implicit},
+    {"implicit-arb", "the arc and implicit differentiation in balls", .type = &num_arb, BITS(6, 3),
+     .open = bench_arc_open, .close = bench_arc_close, .run = run_arc_implicit},
+    {"fd-mpfr", "central differences in MPFR at the step 2^(-bits/3)", .type = &num_mpfr, BITS(6, 3),
+     .run = run_fd_mpfr},
     {"fd-mpfr-256", "central differences in MPFR at 256 bits", .type = &num_mpfr, .bits = STEP_BITS, .kind = SET_STEP,
      .settings = steps_mpfr, .n = COUNT(steps_mpfr), .quick = few_steps_mpfr, .n_quick = COUNT(few_steps_mpfr),
-     .open = open_mpfr, .close = close_mpfr, .run = run_mpfr_steps},
+     .open = bench_arc_open, .close = bench_arc_close, .run = run_mpfr_steps},
 };
 
 const struct bench_job bench_jacobian = {

@@ -4,25 +4,15 @@
    data, the integrators too: they work in w, r and the velocities.  The suite's methods search the first event of each
    phase; the hand-written map is told t_b and t_c roughly and trusts them. */
 #include <math.h>
-#include <stdlib.h>
 
-#include "base/arena.h"
 #include "bench/jobs.h"
 #include "bench/yardstick.h"
 #include "motion/dynamics.h"
 
 enum { IN_R = N_PARAMS, N_MAP_IN };
-enum { OUT_TB, OUT_TC, OUT_TD, OUT_R, N_MAP_OUT };
+enum { OUT_TB, OUT_TC, OUT_TD, OUT_R = MAP_R, N_MAP_OUT };
 static const int groups[N_MAP_OUT] = {0, 1, 2, 3};
 static const double longest_phase = 60;
-
-void bench_place_params(double *x, const double *u) {
-  x[P_CHI] = 0.25 + 0.65 * u[0];
-  x[P_ETA] = exp(2.2 * u[1] - 1.1);
-  x[P_V] = exp(1.4 * u[2] - 0.7);
-  x[P_E1] = x[P_V] * (0.5 + 3.5 * u[3]);
-  x[P_E2] = x[P_V] * (0.05 + 1.5 * u[4]);
-}
 
 static void place(double *x, const double *u) {
   bench_place_params(x, u);
@@ -38,14 +28,6 @@ static int start_positions(struct num_vec *z, const struct num_vec *in) {
   int status = type->set_d(z2, 1, prec) | type->sub(z2, z2, chi, prec) | type->mul(z1, chi, r, prec);
   status |= type->add(z1, z1, num_vec_at(in, P_E1), prec) | type->div(z1, z1, z2, prec);
   return status | type->add(z2, z1, r, prec);
-}
-
-double bench_hint(double t) {
-  return t + fmin(fabs(t), 1) / 64;
-}
-
-struct num_vec bench_params_of(const struct num_vec *in) {
-  return (struct num_vec){in->ctx, N_PARAMS, in->data};
 }
 
 /* The arc from r, its events near the guess or, without one, first ones. */
@@ -92,31 +74,10 @@ static int run_return_map(void *self, struct num_vec *out, long *steps, const st
   return status;
 }
 
-struct workspace {
-  struct dyn_arc arc;
-  struct num_vec z;
-};
-
-static void *open_arc(const struct bench_method *m, double setting, const struct bench_env *env) {
-  (void)env;
-  struct num_ctx ctx = {m->type, m->kind == SET_BITS ? (slong)setting : 53};
-  struct workspace *w = ss_malloc(sizeof *w);
-  dyn_arc_init(&w->arc, ctx);
-  num_vec_init(&w->z, 2, ctx);
-  return w;
-}
-
-static void close_arc(void *self) {
-  struct workspace *w = self;
-  dyn_arc_clear(&w->arc);
-  num_vec_clear(&w->z);
-  free(w);
-}
-
 static int run_word(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  struct workspace *w = self;
+  struct bench_arc *a = self;
   *steps = 1;
-  return run_arc(out, &w->arc, &w->z, &c->in, NULL);
+  return run_arc(out, &a->arc, &a->start, &c->in, NULL);
 }
 
 /* --- By hand. --- */
@@ -138,21 +99,17 @@ static int run_yardstick(void *self, struct num_vec *out, long *steps, const str
 /* --- GSL's integrators. --- */
 
 static int run_ode(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  double *o = (double *)(void *)out->data;
-  return bench_ode_map(o, &o[OUT_R], steps, self, c->x, c->x[IN_R]);
+  return bench_ode_map((double *)(void *)out->data, steps, self, c->x);
 }
 
 static int run_cvode(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  double *o = (double *)(void *)out->data;
-  return bench_cvode_map(o, &o[OUT_R], steps, self, c->x, c->x[IN_R]);
+  return bench_cvode_map((double *)(void *)out->data, steps, self, c->x);
 }
 
 /* --- The table. --- */
 
-static const double precisions[] = {64, 128, 256, 512, 1024, 2048, 4096};
 static const double tolerances[] = {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13};
 static const double few_tolerances[] = {1e-6, 1e-8, 1e-10, 1e-13};
-#define BITS .kind = SET_BITS, .settings = precisions, .n = COUNT(precisions), .quick = precisions, .n_quick = 4
 #define TOLERANCES                                                                                                     \
   .type = &num_double, .kind = SET_TOLERANCE, .settings = tolerances, .n = COUNT(tolerances), .quick = few_tolerances, \
   .n_quick = COUNT(few_tolerances)
@@ -167,12 +124,12 @@ static const struct bench_method methods[] = {
      .bare = true, .run = run_yardstick},
     {"closed-double", "the suite's return map in double, first roots searched", .type = &num_double,
      .run = run_return_map},
-    {"arc-double", "the suite's arc over any number type, in double", .type = &num_double, .open = open_arc,
-     .close = close_arc, .run = run_word},
-    {"closed-mpfr", "the suite's arc in MPFR, first roots searched in double", .type = &num_mpfr, BITS,
-     .open = open_arc, .close = close_arc, .run = run_word},
-    {"closed-arb", "the suite's arc in balls", .type = &num_arb, BITS, .open = open_arc, .close = close_arc,
-     .run = run_word},
+    {"arc-double", "the suite's arc over any number type, in double", .type = &num_double, .open = bench_arc_open,
+     .close = bench_arc_close, .run = run_word},
+    {"closed-mpfr", "the suite's arc in MPFR, first roots searched in double", .type = &num_mpfr, BITS(7, 4),
+     .open = bench_arc_open, .close = bench_arc_close, .run = run_word},
+    {"closed-arb", "the suite's arc in balls", .type = &num_arb, BITS(7, 4), .open = bench_arc_open,
+     .close = bench_arc_close, .run = run_word},
     ODE(rk8pd),
     ODE(rkck),
     ODE(rkf45),

@@ -305,8 +305,6 @@ static int run_paper(void *self, struct num_vec *out, long *steps, const struct 
 
 /* --- The table. --- */
 
-static const double precisions[] = {64, 128, 256, 512, 1024, 2048, 4096};
-#define BITS .kind = SET_BITS, .settings = precisions, .n = COUNT(precisions), .quick = precisions, .n_quick = 3
 #define SOLVER(name)                                                                                                   \
   .type = &num_double, .bare = true, .data = name, .open = open_solver, .close = close_solver, .run = run_solver
 
@@ -324,12 +322,13 @@ static const struct bench_method methods[] = {
     {"gsl-hybrids", "GSL's hybrids on six unknowns", SOLVER("hybrids")},
     {"paper-double", "the paper's equations (44)-(46) by Newton's iteration in double", .type = &num_double,
      .bare = true, .run = run_paper},
-    {"paper-mpfr", "the same in MPFR", .type = &num_mpfr, .bare = true, BITS, .run = run_paper},
+    {"paper-mpfr", "the same in MPFR", .type = &num_mpfr, .bare = true, BITS(7, 3), .run = run_paper},
     {"newton-mpfr", "Newton's iteration on (r, t_b, t_c) in MPFR at doubling precision", .type = &num_mpfr,
-     .bare = true, BITS, .run = run_newton_mpfr},
-    {"near-arb", "the same orbit in balls, its events proved first and every condition judged", .type = &num_arb, BITS,
-     .run = run_near},
-    {"find-arb", "the suite's search for every orbit, each proved, in balls", .type = &num_arb, BITS, .run = run_find},
+     .bare = true, BITS(7, 3), .run = run_newton_mpfr},
+    {"near-arb", "the same orbit in balls, its events proved first and every condition judged", .type = &num_arb,
+     BITS(7, 3), .run = run_near},
+    {"find-arb", "the suite's search for every orbit, each proved, in balls", .type = &num_arb, BITS(7, 3),
+     .run = run_find},
 };
 
 const struct bench_job bench_orbit = {

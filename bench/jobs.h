@@ -25,15 +25,27 @@ void bench_formula_close(void *self);
 void bench_frequencies(double *slow, double *fast, double chi, double eta);
 int bench_formula_run(void *self, struct num_vec *out, const double *value);
 
-/* --- What the jobs share. --- */
+/* --- methods.c: what the methods of the jobs share. --- */
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+/* A method at the first n of the usual precisions, of which quick runs take the first few. */
+extern const double bench_precisions[7];
+#define BITS(most, few)                                                                                                \
+  .kind = SET_BITS, .settings = bench_precisions, .n = (most), .quick = bench_precisions, .n_quick = (few)
 /* A time a 64th off: of itself, or of the unit of time when it is long. */
 double bench_hint(double t);
 /* chi, eta, V, e1, e2 from five numbers in (0, 1): a domain in which arcs and orbits are common. */
 void bench_place_params(double *x, const double *u);
 /* The first five elements. */
 struct num_vec bench_params_of(const struct num_vec *in);
+/* An arc and positions in a method's arithmetic, with its setting: open and close of methods that need no more. */
+struct bench_arc {
+  struct dyn_arc arc;
+  struct num_vec start, end; /* two positions each */
+  double setting;
+};
+void *bench_arc_open(const struct bench_method *m, double setting, const struct bench_env *env);
+void bench_arc_close(void *self);
 
 /* --- six.c: the periodic orbit as six equations in z_10, z_20, t_a, t_b, t_c, t_d. --- */
 
@@ -86,10 +98,12 @@ void bench_motion_field(double f[N_Y], const struct bench_motion *m, const doubl
 void bench_motion_jacobian(double j[N_Y * N_Y], const struct bench_motion *m);
 /* The switching function of the phase, and its derivative. */
 double bench_motion_switch(double *rate, const struct bench_motion *m, const double y[N_Y]);
-/* Goes through the phases from r; each takes y to its event and returns a status. */
+/* A map of the word: x are the parameters and r, out is t_b, t_c, t_d and r at the end. */
+enum { MAP_R = 3, N_MAP };
+/* Goes through the phases; run, whose self begins with the motion, takes y to the event of the phase and returns a
+   status. */
 typedef int (*bench_phase_run)(double *t, void *self, double y[N_Y], long *steps);
-int bench_motion_pass(double t[3], double *r_end, long *steps, struct bench_motion *m, const double *params, double r,
-                      bench_phase_run run, void *self);
+int bench_motion_pass(double out[N_MAP], long *steps, void *self, const double *x, bench_phase_run run);
 
 /* --- lanes.c: a sweep by the scalar solver and in lanes. --- */
 
@@ -113,14 +127,13 @@ const char *bench_cvode_version(void);
 void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_cvode_close(void *self);
 void bench_cvode_limits(void *self, const struct bench_limits *limits);
-int bench_cvode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
+int bench_cvode_map(double out[N_MAP], long *steps, void *self, const double *x);
 
 /* --- ode.c: GSL's integrators; the method's data is the name. --- */
 
 void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_ode_close(void *self);
 void bench_ode_limits(void *self, const struct bench_limits *limits);
-/* t_b, t_c, t_d and r at the end of the pass from r. */
-int bench_ode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
+int bench_ode_map(double out[N_MAP], long *steps, void *self, const double *x);
 
 #endif

@@ -2,11 +2,10 @@
    the point before.  What the lanes leave open is done by the scalar solver, in the time of the lanes.  The peers take
    turns, so that a busy machine meets all of them; the least time of each counts. */
 #include <math.h>
-#include <stdlib.h>
 
-#include "base/arena.h"
 #include "bench/jobs.h"
 #include "explore/batch_impl.h"
+#include "explore/family_impl.h"
 #include "motion/search.h"
 #include "motion/warm.h"
 
@@ -15,27 +14,8 @@ static const double low = 0.80, high = 0.90; /* of e2 */
 
 struct sweep {
   slong n;
-  double *params[N_PARAMS], *guess[2], *out[N_DYN_OUT];
-  unsigned *violations;
-  int *status;
+  struct family_lanes lanes;
 };
-
-static void sweep_init(struct sweep *s, size_t n) {
-  s->n = 0;
-  for (int i = 0; i < N_PARAMS; i++) s->params[i] = ss_malloc(n * sizeof(double));
-  for (int i = 0; i < 2; i++) s->guess[i] = ss_malloc(n * sizeof(double));
-  for (int i = 0; i < N_DYN_OUT; i++) s->out[i] = ss_malloc(n * sizeof(double));
-  s->violations = ss_malloc(n * sizeof *s->violations);
-  s->status = ss_malloc(n * sizeof *s->status);
-}
-
-static void sweep_clear(struct sweep *s) {
-  for (int i = 0; i < N_PARAMS; i++) free(s->params[i]);
-  for (int i = 0; i < 2; i++) free(s->guess[i]);
-  for (int i = 0; i < N_DYN_OUT; i++) free(s->out[i]);
-  free(s->violations);
-  free(s->status);
-}
 
 /* One orbit along the line from its times at the low end. */
 static void add_branch(struct sweep *s, double tb, double tc) {
@@ -45,20 +25,20 @@ static void add_branch(struct sweep *s, double tb, double tc) {
     for (int k = 0; k < N_PARAMS; k++) p[k] = bench_example[k];
     p[P_E2] = low + (high - low) * i / (LINE - 1);
     if (dyn_orbit_warm(out, &violations, &unsure, p, guess)) return;
-    for (int k = 0; k < N_PARAMS; k++) s->params[k][s->n] = p[k];
-    s->guess[0][s->n] = tb;
-    s->guess[1][s->n++] = tc;
+    s->lanes.params[P_E2][s->n] = p[P_E2];
+    s->lanes.guess[0][s->n] = tb;
+    s->lanes.guess[1][s->n++] = tc;
     tb = out[DYN_OUT_TB];
     tc = out[DYN_OUT_TC];
   }
 }
 
 static void one_by_one(struct sweep *s, slong j) {
-  double p[N_PARAMS], out[N_DYN_OUT], guess[2] = {s->guess[0][j], s->guess[1][j]};
+  double p[N_PARAMS], out[N_DYN_OUT], guess[2] = {s->lanes.guess[0][j], s->lanes.guess[1][j]};
   unsigned unsure;
-  for (int k = 0; k < N_PARAMS; k++) p[k] = s->params[k][j];
-  s->status[j] = dyn_orbit_warm(out, &s->violations[j], &unsure, p, guess);
-  for (int k = 0; k < N_DYN_OUT; k++) s->out[k][j] = out[k];
+  for (int k = 0; k < N_PARAMS; k++) p[k] = s->lanes.params[k][j];
+  s->lanes.status[j] = dyn_orbit_warm(out, &s->lanes.violations[j], &unsure, p, guess);
+  for (int k = 0; k < N_DYN_OUT; k++) s->lanes.out[k][j] = out[k];
 }
 
 static double time_scalar(struct sweep *s) {
@@ -70,22 +50,20 @@ static double time_scalar(struct sweep *s) {
 static double time_bare(struct sweep *s) {
   double begin = bench_now();
   for (slong j = 0; j < s->n; j++) {
-    double p[N_PARAMS], out[N_DYN_OUT], guess[2] = {s->guess[0][j], s->guess[1][j]};
-    for (int k = 0; k < N_PARAMS; k++) p[k] = s->params[k][j];
-    s->status[j] = dyn_orbit_bare(out, p, guess);
-    for (int k = 0; k < DYN_OUT_U1; k++) s->out[k][j] = out[k];
+    double p[N_PARAMS], out[N_DYN_OUT], guess[2] = {s->lanes.guess[0][j], s->lanes.guess[1][j]};
+    for (int k = 0; k < N_PARAMS; k++) p[k] = s->lanes.params[k][j];
+    s->lanes.status[j] = dyn_orbit_bare(out, p, guess);
+    for (int k = 0; k < DYN_OUT_U1; k++) s->lanes.out[k][j] = out[k];
   }
   return bench_now() - begin;
 }
 
 static double time_lanes(struct sweep *s, int set) {
-  const double *params[N_PARAMS], *guess[2] = {s->guess[0], s->guess[1]};
-  for (int i = 0; i < N_PARAMS; i++) params[i] = s->params[i];
   batch_set_use(set);
   double begin = bench_now();
-  dyn_orbits_batch(s->out, s->violations, s->status, params, guess, s->n);
+  family_lanes_run(&s->lanes, s->n);
   for (slong j = 0; j < s->n; j++)
-    if (s->status[j] == SS_UNABLE) one_by_one(s, j);
+    if (s->lanes.status[j] == SS_UNABLE) one_by_one(s, j);
   double took = bench_now() - begin;
   batch_set_use(-1);
   return took;
@@ -93,14 +71,14 @@ static double time_lanes(struct sweep *s, int set) {
 
 void bench_lanes(struct bench_lanes *b) {
   struct search found;
-  struct sweep s;
+  struct sweep s = {.n = 0};
   double p[N_PARAMS], scalar = INFINITY, bare = INFINITY, best[MOST_SETS];
   int widest = -1;
   for (int k = 0; k < N_PARAMS; k++) p[k] = bench_example[k];
   p[P_E2] = low;
   *b = (struct bench_lanes){.bare = NAN};
   if (search_run(&found, p, &dyn_limits_default) == SS_OK) {
-    sweep_init(&s, LINE * found.n + 1);
+    family_lanes_room(&s.lanes, LINE * (slong)found.n + 1, p);
     for (size_t i = 0; i < found.n; i++) add_branch(&s, found.zeros[i].at.tb, found.zeros[i].at.tc);
     for (int i = 0; i < MOST_SETS; i++) best[i] = INFINITY;
     for (int round = 0; round < ROUNDS; round++) {
@@ -116,7 +94,7 @@ void bench_lanes(struct bench_lanes *b) {
       b->gain[b->n++] = scalar / best[set];
     }
     if (widest >= 0) b->bare = bare / best[widest];
-    sweep_clear(&s);
+    family_lanes_clear(&s.lanes);
   }
   search_clear(&found);
 }

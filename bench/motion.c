@@ -32,8 +32,8 @@ long bench_motion_steps(const struct bench_motion *m) {
 void bench_motion_field(double f[N_Y], const struct bench_motion *m, const double y[N_Y]) {
   f[Y_W] = y[Y_V1] - m->chi * y[Y_V2];
   f[Y_R] = y[Y_V2] - y[Y_V1];
-  f[Y_V1] = m->phase == PHASE_C ? 0 : -y[Y_W];
-  f[Y_V2] = m->phase == PHASE_GAMMA ? 0 : -m->stiff * y[Y_R];
+  f[Y_V1] = m->phase == PHASE_GAMMA || m->phase == PHASE_H ? -y[Y_W] : 0;
+  f[Y_V2] = m->phase == PHASE_H || m->phase == PHASE_C ? -m->stiff * y[Y_R] : 0;
 }
 
 void bench_motion_jacobian(double j[N_Y * N_Y], const struct bench_motion *m) {
@@ -56,18 +56,18 @@ double bench_motion_switch(double *rate, const struct bench_motion *m, const dou
   }
 }
 
-int bench_motion_pass(double t[3], double *r_end, long *steps, struct bench_motion *m, const double *params, double r,
-                      bench_phase_run run, void *self) {
-  double y[N_Y] = {params[P_E1], r, params[P_V], params[P_V]};
-  bench_motion_init(m, params);
+int bench_motion_pass(double out[N_MAP], long *steps, void *self, const double *x, bench_phase_run run) {
+  struct bench_motion *m = self;
+  double y[N_Y] = {x[P_E1], x[N_PARAMS], x[P_V], x[P_V]};
+  bench_motion_init(m, x);
   *steps = 0;
-  int status = run(&t[0], self, y, steps);
+  int status = run(&out[0], self, y, steps);
   y[Y_R] = m->e2 / m->chi;
   m->phase = PHASE_H;
-  if (!status) status = run(&t[1], self, y, steps);
+  if (!status) status = run(&out[1], self, y, steps);
   y[Y_V1] = m->V;
   m->phase = PHASE_C;
-  if (!status) status = run(&t[2], self, y, steps);
-  *r_end = y[Y_R];
+  if (!status) status = run(&out[2], self, y, steps);
+  out[MAP_R] = y[Y_R];
   return status;
 }

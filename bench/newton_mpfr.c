@@ -1,7 +1,7 @@
 /* The periodic orbit in MPFR: the two equations of the suite's return map, of which t_b and t_c are the unknowns, by
    Newton's iteration; each level has twice the bits of the one before and starts from its result. */
 #include "bench/jobs.h"
-#include "motion/map_balls.h"
+#include "motion/orbit_judge.h"
 
 enum { FIRST = 96, GUARD = 32, MOST_LEVELS = FLINT_BITS, MOST_STEPS = 30 };
 
@@ -30,19 +30,12 @@ static long level(struct num_vec *x, struct calc *c, const struct ball_params *m
 static void describe(struct num_vec *out, struct calc *c, const struct ball_params *m, const struct num_vec *x,
                      bool up) {
   struct ball_pass s;
-  val chi = m->p[P_CHI], ease = calc_sub(c, m->one, chi);
+  struct ball_ending e;
+  val z[2];
   ball_pass_make(&s, c, m, num_vec_at(x, 0), num_vec_at(x, 1), up);
-  val reach = calc_mul(c, m->omega, up ? s.rc : calc_neg(c, s.rc));
-  val td = calc_div(c, calc_atan2(c, calc_abs(c, s.qc), reach), m->omega);
-  val fall = calc_mul(c, chi, calc_sub(c, s.r, s.rc));
-  val wf = calc_add(c, s.wc, calc_sub(c, calc_mul(c, m->a, td), fall));
-  val all[] = {calc_div(c, calc_sub(c, m->p[P_E1], wf), m->a),
-               s.tb,
-               s.tc,
-               td,
-               calc_div(c, calc_dot(c, m->one, wf, chi, s.r), ease),
-               calc_div(c, calc_add(c, wf, s.r), ease),
-               calc_add(c, calc_div(c, s.defect_tb, s.pb), m->one)};
+  ball_ending_make(&e, c, m, &s);
+  ball_positions(z, c, m, e.wf, s.r);
+  const val all[] = {e.ta, s.tb, s.tc, e.td, z[0], z[1], calc_add(c, calc_div(c, s.defect_tb, s.pb), m->one)};
   for (int i = 0; i < COUNT(all); i++) num_mpfr.set(num_vec_at(out, i), all[i]);
 }
 

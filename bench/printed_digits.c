@@ -16,18 +16,31 @@ static void solve_two(val out[2], struct calc *c, const val m[4], val a, val b) 
   out[1] = calc_div(c, calc_sub(c, calc_mul(c, m[0], b), calc_mul(c, m[2], a)), det);
 }
 
+int printed_matrix(struct num_vec *a, const struct num_vec *params, const struct num_vec *t) {
+  struct num_vec step;
+  num_vec_init(&step, N_STATE * N_STATE, params->ctx);
+  int status = dyn_flow_matrix(a, PHASE_GAMMA, params, num_vec_at(t, 0));
+  for (int k = 1; k < 3; k++) {
+    status |= dyn_flow_matrix(&step, (enum phase)(PHASE_GAMMA + k), params, num_vec_at(t, k));
+    status |= num_mat_mul(a, &step, a, N_STATE, N_STATE, N_STATE);
+  }
+  num_vec_clear(&step);
+  return status;
+}
+
+void printed_wanted(arb_ptr out, const struct dyn_orbit *o) {
+  arb_set(out, o->t[PHASE_D]);
+  arb_set(out + 1, o->z10);
+  arb_set(out + 2, o->z20);
+}
+
 void printed_by_row(arb_ptr out, arb_ptr slope, int row, const struct num_vec *params, const struct num_vec *t) {
   enum { SIZE = N_STATE * N_STATE };
   struct num_ctx ctx = params->ctx;
-  struct num_vec a, step;
+  struct num_vec a;
   num_vec_init(&a, SIZE, ctx);
-  num_vec_init(&step, SIZE, ctx);
   struct calc c = calc_begin(ctx);
-  int status = dyn_flow_matrix(&a, PHASE_GAMMA, params, num_vec_at(t, 0));
-  for (int k = 1; k < 3; k++) {
-    status |= dyn_flow_matrix(&step, (enum phase)(PHASE_GAMMA + k), params, num_vec_at(t, k));
-    status |= num_mat_mul(&a, &step, &a, N_STATE, N_STATE, N_STATE);
-  }
+  int status = printed_matrix(&a, params, t);
   val m[SIZE], one = calc_d(&c, 1), V = num_vec_at(params, P_V), x[2], y[2], s[2];
   flow_vals(m, &a, 0, SIZE);
   const val lead[4] = {calc_sub(&c, m[0], one), m[1], m[4], calc_sub(&c, m[5], one)},
@@ -47,7 +60,6 @@ void printed_by_row(arb_ptr out, arb_ptr slope, int row, const struct num_vec *p
   }
   if (status | c.status) _arb_vec_indeterminate(out, N_WANTED);
   calc_clear(&c);
-  num_vec_clear(&step);
   num_vec_clear(&a);
 }
 
@@ -63,9 +75,7 @@ static void by_pair(arb_ptr out, const fmpq *model, const fmpq *t, double td) {
     double off = fabs(num_arb.get_d(o->t[PHASE_C]) - td);
     if (off >= least) continue;
     least = off;
-    arb_set(out, o->t[PHASE_D]);
-    arb_set(out + 1, o->z10);
-    arb_set(out + 2, o->z20);
+    printed_wanted(out, o);
   }
   dyn_orbits_clear(&list);
 }
@@ -137,19 +147,22 @@ static void place(struct num_vec *t, const struct printed_times *p, const int at
 }
 
 /* The values over the cell around a point: those at the point and slopes over the cell times what it extends. */
-static void over_cell(arb_ptr out, int row, const struct num_vec *params, struct num_vec *t,
-                      const struct printed_times *p, const int at[3], int n) {
+static void over_cell(arb_ptr out, int row, const struct num_vec *params, const struct printed_times *p,
+                      const int at[3], int n) {
+  struct num_vec t;
   arb_ptr slope = _arb_vec_init(N_WANTED * 3), middle = _arb_vec_init(3), wide = _arb_vec_init(N_WANTED);
   slong prec = params->ctx.prec;
-  place(t, p, at, n, false);
-  for (int k = 0; k < 3; k++) arb_set(middle + k, dual_value(num_vec_at(t, k)));
-  printed_by_row(out, NULL, row, params, t);
-  place(t, p, at, n, true);
-  printed_by_row(wide, slope, row, params, t);
+  num_vec_init(&t, 3, params->ctx);
+  place(&t, p, at, n, false);
+  for (int k = 0; k < 3; k++) arb_set(middle + k, dual_value(num_vec_at(&t, k)));
+  printed_by_row(out, NULL, row, params, &t);
+  place(&t, p, at, n, true);
+  printed_by_row(wide, slope, row, params, &t);
   for (int k = 0; k < 3; k++) {
-    arb_sub(middle + k, dual_value(num_vec_at(t, k)), middle + k, prec);
+    arb_sub(middle + k, dual_value(num_vec_at(&t, k)), middle + k, prec);
     for (int i = 0; i < N_WANTED; i++) arb_addmul(out + i, slope + 3 * i + k, middle + k, prec);
   }
+  num_vec_clear(&t);
   _arb_vec_clear(middle, 3);
   _arb_vec_clear(wide, N_WANTED);
   _arb_vec_clear(slope, N_WANTED * 3);
@@ -174,7 +187,7 @@ void printed_row_digits(struct printed_digits *d, int row, const struct num_vec 
     least_digits(d->worst, got, truth_of);
   }
   for (int k = 0; k < n * n * n; k++) {
-    over_cell(got, row, params, &t, p, (int[]){2 * (k % n) + 1, 2 * (k / n % n) + 1, 2 * (k / n / n) + 1}, n);
+    over_cell(got, row, params, p, (int[]){2 * (k % n) + 1, 2 * (k / n % n) + 1, 2 * (k / n / n) + 1}, n);
     least_digits(d->sure, got, truth_of);
   }
   num_vec_clear(&t);

@@ -20,6 +20,10 @@ struct printed_times {
 void printed_times_set(struct printed_times *p, const double t[3], int digits);
 void printed_times_clear(struct printed_times *p);
 
+/* A, from three times in the arithmetic of the parameters. */
+int printed_matrix(struct num_vec *a, const struct num_vec *params, const struct num_vec *t);
+/* t_a, z_10, z_20 of an orbit. */
+void printed_wanted(arb_ptr out, const struct dyn_orbit *o);
 /* The values that equation `row` (0, 1) of (45) and then (46) give, in balls; not finite where they cannot be had.
    params and t are duals (motion/dual.h), t those of the directions 0, 1, 2; slope, unless NULL: derivatives by these,
    value by value. */

@@ -26,10 +26,7 @@ void bench_result_clear(struct bench_result *r) {
 static void add(struct bench_result *r, double value, bool at_most, double goal, const char *fmt, ...) SS_PRINTF(5, 6);
 
 static void add(struct bench_result *r, double value, bool at_most, double goal, const char *fmt, ...) {
-  if (r->n_ratios == r->cap_ratios) {
-    r->cap_ratios = r->cap_ratios ? 2 * r->cap_ratios : 16;
-    r->ratio = ss_realloc(r->ratio, (size_t)r->cap_ratios * sizeof *r->ratio);
-  }
+  r->ratio = ss_grow(r->ratio, (size_t)r->n_ratios, &r->cap_ratios, sizeof *r->ratio);
   struct bench_ratio *q = &r->ratio[r->n_ratios++];
   *q = (struct bench_ratio){.value = value, .goal = goal, .at_most = at_most};
   va_list list;
@@ -79,41 +76,20 @@ static void bits_clear(struct bits *b) {
   mpfr_clears(b->x, b->s, b->c, (mpfr_ptr)NULL);
 }
 
-static void mpfr_turn(void *self) {
-  struct bits *b = self;
-  mpfr_sin_cos(b->s, b->c, b->x, MPFR_RNDN);
-}
-
-/* The same sine and cosine as the suite makes them. */
-static void suite_turn(void *self) {
-  struct bits *b = self;
-  num_mpfr.sin_cos(b->s, b->c, b->x, mpfr_get_prec(b->x));
-}
-
-static void product(void *self) {
-  struct bits *b = self;
-  mpfr_mul(b->s, b->x, b->c, MPFR_RNDN);
-}
-
-static void sum_of_two(void *self) {
-  struct bits *b = self;
-  mpfr_add(b->s, b->c, b->x, MPFR_RNDN);
-}
-
-static void quotient(void *self) {
-  struct bits *b = self;
-  mpfr_div(b->s, b->x, b->c, MPFR_RNDN);
-}
-
-static void small_quotient(void *self) {
-  struct bits *b = self;
-  mpfr_div_ui(b->s, b->x, 42, MPFR_RNDN);
-}
-
-static void root(void *self) {
-  struct bits *b = self;
-  mpfr_sqrt(b->s, b->x, MPFR_RNDN);
-}
+/* Operations to be timed; suite_turn is the same sine and cosine as the suite makes them. */
+#define TIMED(name, operation)                                                                                         \
+  static void name(void *self) {                                                                                       \
+    struct bits *b = self;                                                                                             \
+    operation;                                                                                                         \
+  }
+TIMED(mpfr_turn, mpfr_sin_cos(b->s, b->c, b->x, MPFR_RNDN))
+TIMED(suite_turn, num_mpfr.sin_cos(b->s, b->c, b->x, mpfr_get_prec(b->x)))
+TIMED(product, mpfr_mul(b->s, b->x, b->c, MPFR_RNDN))
+TIMED(sum_of_two, mpfr_add(b->s, b->c, b->x, MPFR_RNDN))
+TIMED(quotient, mpfr_div(b->s, b->x, b->c, MPFR_RNDN))
+TIMED(small_quotient, mpfr_div_ui(b->s, b->x, 42, MPFR_RNDN))
+TIMED(root, mpfr_sqrt(b->s, b->x, MPFR_RNDN))
+#undef TIMED
 
 static double mpfr_time(void (*f)(void *), slong prec) {
   struct bits b;

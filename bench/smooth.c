@@ -109,19 +109,19 @@ static int go_back(double *t, double y[STEPPER_SIZE], const struct smooth *m, do
   return failed ? SS_UNABLE : SS_OK;
 }
 
-int smooth_return(struct smooth_passage *s, double y[STEPPER_SIZE], struct stepper *stepper, const struct smooth *m,
-                  double creep_at, double longest, long most_steps) {
+int smooth_return(struct smooth_passage *s, double y[STEPPER_SIZE], const struct smooth_way *way) {
+  const struct smooth *m = way->m;
   double t = 0, before = 0;
   bool above = false; /* q has been over the level since the start */
   *s = (struct smooth_passage){.creep = NAN, .nearest = INFINITY};
-  int status = stepper_start(stepper, y);
+  int status = stepper_start(way->stepper, y);
   while (!status) {
-    if (s->steps == most_steps) return SS_UNABLE;
-    if (t > longest) return SS_DOMAIN;
-    status = stepper_step(stepper, &t, y);
+    if (s->steps == way->most_steps) return SS_UNABLE;
+    if (t > way->longest) return SS_DOMAIN;
+    status = stepper_step(way->stepper, &t, y);
     s->steps++;
     s->nearest = fmin(s->nearest, fmax(fabs(y[S_P]), fabs(y[S_Q])));
-    if (before < creep_at && t >= creep_at) s->creep = fmax(fabs(y[S_P]), fabs(y[S_Q]));
+    if (before < way->creep_at && t >= way->creep_at) s->creep = fmax(fabs(y[S_P]), fabs(y[S_Q]));
     before = t;
     if (above && y[S_Q] <= m->level) break;
     above = above || y[S_Q] > m->level;

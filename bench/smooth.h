@@ -38,9 +38,15 @@ struct smooth_passage {
   double nearest; /* the least of the larger one of |p| and |q|: how nearly both masses stick */
   double creep;   /* |p| or |q|, the larger one, at the end of the first step that passes the time creep_at */
 };
+/* How it is gone. */
+struct smooth_way {
+  const struct smooth *m;
+  struct stepper *stepper;
+  double creep_at, longest;
+  long most_steps;
+};
 /* From y on the section to the next passage, y there.  SS_DOMAIN when there is none within longest, SS_UNABLE when the
    integrator fails or takes more than most_steps. */
-int smooth_return(struct smooth_passage *s, double y[STEPPER_SIZE], struct stepper *stepper, const struct smooth *m,
-                  double creep_at, double longest, long most_steps);
+int smooth_return(struct smooth_passage *s, double y[STEPPER_SIZE], const struct smooth_way *way);
 
 #endif

@@ -13,10 +13,6 @@
 #include "motion/dynamics.h"
 
 #ifdef STICKSLIP_SUNDIALS
-#include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
-
 #include "bench/sundials.h"
 #endif
 
@@ -28,11 +24,8 @@ struct stepper {
   gsl_odeiv2_system gsl;
   gsl_odeiv2_driver *driver; /* NULL: CVODE */
 #ifdef STICKSLIP_SUNDIALS
-  SUNContext context;
-  void *memory;
-  N_Vector state, absolute;
-  SUNMatrix matrix;
-  SUNLinearSolver linear;
+  struct cvode cvode;
+  N_Vector absolute;
 #endif
 };
 
@@ -83,35 +76,22 @@ static int cvode_jacobian(double t, N_Vector y, N_Vector f, SUNMatrix j, void *s
 }
 
 static bool open_cvode(struct stepper *s) {
-  if (SUNContext_Create(NO_COMM, &s->context)) return false;
-  s->state = N_VNew_Serial(N, s->context);
-  s->absolute = N_VNew_Serial(N, s->context);
-  s->memory = CVodeCreate(CV_BDF, s->context);
-  s->matrix = SUNDenseMatrix(N, N, s->context);
-  if (!s->state || !s->absolute || !s->memory || !s->matrix) return false;
-  be_quiet(s->memory, s->context);
-  N_VConst(1, s->state);
+  if (!cvode_open(&s->cvode, N, false, cvode_side, cvode_jacobian, s)) return false;
+  s->absolute = N_VNew_Serial(N, s->cvode.context);
+  if (!s->absolute) return false;
   memcpy(N_VGetArrayPointer(s->absolute), s->system->absolute, sizeof s->system->absolute);
-  s->linear = SUNLinSol_Dense(s->state, s->matrix, s->context);
-  return s->linear && CVodeInit(s->memory, cvode_side, 0, s->state) == CV_SUCCESS &&
-         CVodeSetUserData(s->memory, s) == CV_SUCCESS && CVodeSetMaxStep(s->memory, s->system->longest) == CV_SUCCESS &&
-         CVodeSVtolerances(s->memory, s->system->relative, s->absolute) == CV_SUCCESS &&
-         CVodeSetLinearSolver(s->memory, s->linear, s->matrix) == CV_SUCCESS &&
-         CVodeSetJacFn(s->memory, cvode_jacobian) == CV_SUCCESS;
+  return CVodeSetMaxStep(s->cvode.memory, s->system->longest) == CV_SUCCESS &&
+         CVodeSVtolerances(s->cvode.memory, s->system->relative, s->absolute) == CV_SUCCESS;
 }
 
 static void close_cvode(struct stepper *s) {
-  if (s->memory) CVodeFree(&s->memory);
-  if (s->linear) SUNLinSolFree(s->linear);
-  if (s->matrix) SUNMatDestroy(s->matrix);
-  if (s->state) N_VDestroy(s->state);
   if (s->absolute) N_VDestroy(s->absolute);
-  if (s->context) SUNContext_Free(&s->context);
+  cvode_close(&s->cvode);
 }
 
 static int step_cvode(struct stepper *s) {
-  int status = CVode(s->memory, 1e9, s->state, &s->t, CV_ONE_STEP);
-  memcpy(s->y, N_VGetArrayPointer(s->state), sizeof s->y);
+  int status = CVode(s->cvode.memory, 1e9, s->cvode.y, &s->t, CV_ONE_STEP);
+  memcpy(s->y, N_VGetArrayPointer(s->cvode.y), sizeof s->y);
   return status < 0 ? SS_UNABLE : SS_OK;
 }
 #endif
@@ -145,8 +125,8 @@ int stepper_start(struct stepper *s, const double y[N]) {
   s->h = 1e-6;
   if (s->driver) return gsl_odeiv2_driver_reset(s->driver) ? SS_UNABLE : SS_OK;
 #ifdef STICKSLIP_SUNDIALS
-  memcpy(N_VGetArrayPointer(s->state), y, sizeof s->y);
-  return CVodeReInit(s->memory, 0, s->state) ? SS_UNABLE : SS_OK;
+  memcpy(N_VGetArrayPointer(s->cvode.y), y, sizeof s->y);
+  return CVodeReInit(s->cvode.memory, 0, s->cvode.y) ? SS_UNABLE : SS_OK;
 #else
   return SS_UNABLE;
 #endif

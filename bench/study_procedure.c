@@ -3,8 +3,8 @@
 
    Each orbit of each scene on file, its e1 and e2 rounded to double and then exact, is solved for in double by the
    three methods, beside the condition numbers of what each inverts.  Then the other way round: with t_b, t_c, t_d known
-   to a few
-   printed digits, what are t_a, z_10, z_20?  Last, a line of orbits that passes one at which N_1 - I is singular. */
+   to a few printed digits, what are t_a, z_10, z_20?  Last, a line of orbits that passes one at which N_1 - I is
+   singular. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,11 +22,7 @@ enum { PREC = THREE_WAYS_BITS };
 static void add_lost(struct study_table *t, const struct three_ways *l) {
   const double k[] = {l->k_paper, l->k_n1, l->k_n3, l->k_six, l->k_map}, d[] = {l->paper, l->six, l->map};
   for (int i = 0; i < COUNT(k); i++) study_number(t, k[i], 3);
-  for (int i = 0; i < COUNT(d); i++)
-    if (isfinite(d[i]))
-      study_text(t, "%.1f", d[i]);
-    else
-      study_text(t, "fails");
+  for (int i = 0; i < COUNT(d); i++) study_text(t, isfinite(d[i]) ? "%.1f" : "fails", d[i]);
   study_row(t);
 }
 
@@ -67,7 +63,8 @@ struct tables {
   double worst[3];    /* digits lost by paper, six and map, where they do not fail; over the orbits of scenes */
   int orbits, failed; /* failed: by the paper's equations */
   double (*digit)[3]; /* of t_a, by number of printed digits and method, for the summary */
-  int n, cap;
+  int n;
+  size_t cap;
 };
 
 static const int counts[] = {2, 3, 4, 8};
@@ -80,10 +77,7 @@ static void add_digits(struct tables *all, const char *scene, slong number, int 
   for (int i = 0; i < N_WANTED; i++) {
     study_text(t, "%.1f", d->printed[i]);
     study_text(t, "%.1f", d->worst[i]);
-    if (isnan(d->sure[i]))
-      study_text(t, "-");
-    else
-      study_text(t, "%.1f", d->sure[i]);
+    study_text(t, isnan(d->sure[i]) ? "-" : "%.1f", d->sure[i]);
   }
   study_row(t);
 }
@@ -94,9 +88,7 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
   arb_ptr truth_of = _arb_vec_init(N_WANTED);
   double t[3];
   for (int k = 0; k < 3; k++) t[k] = num_arb.get_d(o->t[PHASE_GAMMA + k]);
-  arb_set(truth_of, o->t[PHASE_D]);
-  arb_set(truth_of + 1, o->z10);
-  arb_set(truth_of + 2, o->z20);
+  printed_wanted(truth_of, o);
   num_vec_init(&params, N_PARAMS, dual_ctx(128));
   for (int i = 0; i < N_PARAMS; i++) num_dual.set_q(num_vec_at(&params, i), f->exact + i, 128);
   for (int k = 0; k < COUNT(counts); k++) {
@@ -109,10 +101,7 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
       else
         printed_pair_digits(&d, f->exact, &p, t[2], truth_of);
       add_digits(all, scene, number, counts[k], way, &d);
-      if (all->n == all->cap) {
-        all->cap = all->cap ? 2 * all->cap : 64;
-        all->digit = ss_realloc(all->digit, (size_t)all->cap * sizeof *all->digit);
-      }
+      all->digit = ss_grow(all->digit, (size_t)all->n, &all->cap, sizeof *all->digit);
       const double kept[3] = {k, way, d.worst[0]};
       memcpy(all->digit[all->n++], kept, sizeof kept);
     }
@@ -139,9 +128,8 @@ static void add_raises(struct study_page *page, const struct tables *all) {
   struct study_table *t = study_table(
       page, "precision", "The first working precision", "digits\torbits\traised\tbeyond",
       "The orbits of the scenes that give e1 and e2, enclosed to so many digits and 64 bits more. raised: how often "
-      "the "
-      "working precision had to be raised, over all of them; beyond: the most bits that the first one had beyond those "
-      "asked for (planned from a pilot run above 512 bits, 40 below).");
+      "the working precision had to be raised, over all of them; beyond: the most bits that the first one had beyond "
+      "those asked for (planned from a pilot run above 512 bits, 40 below).");
   for (int k = 0; k < COUNT(asked); k++) {
     const struct planned *p = &all->planned[k];
     if (p->orbits == 0) continue;
@@ -234,37 +222,30 @@ static bool orbit_on_line(struct dyn_orbits *list, slong *which, const fmpq *mod
 static int sign_at(const fmpq *model, const fmpq_t tb) {
   struct num_ctx ctx = num_ctx_arb(PREC);
   struct dyn_orbits list;
-  struct num_vec params, a, step;
+  struct num_vec params, a, lead, det;
   slong which;
   int sign = 0;
   num_vec_init(&params, N_PARAMS, ctx);
   num_vec_init(&a, N_STATE * N_STATE, ctx);
-  num_vec_init(&step, N_STATE * N_STATE, ctx);
+  num_vec_init(&lead, 4, ctx);
+  num_vec_init(&det, 1, ctx);
   for (int i = 0; i < 3; i++) arb_set_fmpq(num_vec_at(&params, i), model + i, PREC);
   if (orbit_on_line(&list, &which, model, tb)) {
-    const struct dyn_orbit *o = &list.orbit[which];
+    struct dyn_orbit *o = &list.orbit[which];
+    const struct num_vec t = {ctx, 3, (char *)o->t[PHASE_GAMMA]};
     arb_set(num_vec_at(&params, P_E1), o->e1);
     arb_set(num_vec_at(&params, P_E2), o->e2);
-    int status = dyn_flow_matrix(&a, PHASE_GAMMA, &params, o->t[PHASE_GAMMA]);
-    for (int k = PHASE_H; k <= PHASE_C; k++) {
-      status |= dyn_flow_matrix(&step, (enum phase)k, &params, o->t[k]);
-      status |= num_mat_mul(&a, &step, &a, N_STATE, N_STATE, N_STATE);
-    }
-    arb_t det, other;
-    arb_init(det);
-    arb_init(other);
-    arb_sub_ui(det, num_vec_at(&a, 0), 1, PREC);
-    arb_sub_ui(other, num_vec_at(&a, 5), 1, PREC);
-    arb_mul(det, det, other, PREC);
-    arb_submul(det, num_vec_at(&a, 1), num_vec_at(&a, 4), PREC);
-    sign = status ? 0 : arb_is_positive(det) ? 1 : arb_is_negative(det) ? -1 : 0;
-    arb_clear(det);
-    arb_clear(other);
+    int status = printed_matrix(&a, &params, &t);
+    for (int k = 0; k < 4; k++)
+      arb_sub_ui(num_vec_at(&lead, k), num_vec_at(&a, k / 2 * N_STATE + k % 2), k % 3 == 0, PREC);
+    status |= num_mat_det(num_vec_at(&det, 0), &lead, 2);
+    sign = status ? 0 : arb_sgn_nonzero(num_vec_at(&det, 0));
   }
   dyn_orbits_clear(&list);
   num_vec_clear(&params);
   num_vec_clear(&a);
-  num_vec_clear(&step);
+  num_vec_clear(&lead);
+  num_vec_clear(&det);
   return sign;
 }
 
@@ -377,12 +358,10 @@ static bool run(struct study_page *page, const struct bench_env *env) {
   all.conditions =
       study_table(page, "conditions", "Conditioning of three methods", "scene\torbit\ttrace\t" LOST,
                   "e1 and e2 are rounded to double and then exact. cond: |A| |A^-1| in the row-sum norm of the paper's "
-                  "four equations' "
-                  "Jacobian, of N_1 - I and N_3 which they invert, and of the six equations' Jacobian; cond_map is "
-                  "1/|1 - tr J|. paper, "
-                  "six, map: decimal digits of 16 lost in double by Newton's iteration on the paper's equations, on "
-                  "the six and on the "
-                  "return map, at the worst of the four times (in units of the period) and the two positions.");
+                  "four equations' Jacobian, of N_1 - I and N_3 which they invert, and of the six equations' Jacobian; "
+                  "cond_map is 1/|1 - tr J|. paper, six, map: decimal digits of 16 lost in double by Newton's "
+                  "iteration on the paper's equations, on the six and on the return map, at the worst of the four "
+                  "times (in units of the period) and the two positions.");
   all.summary = study_table(page, "summary", "Correct digits of t_a from printed times, over all orbits",
                             "printed\tway\torbits\tleast\tmedian\tmost\tnone",
                             "At the worst of the points looked at in the box of roundings. none: orbits with not one "
@@ -391,11 +370,9 @@ static bool run(struct study_page *page, const struct bench_env *env) {
       page, "printed", "Correct digits from printed times",
       "scene\torbit\tprinted\tway\tt_a\tt_a_worst\tt_a_sure\tz10\tz10_worst\tz10_sure\tz20\tz20_worst\tz20_sure",
       "From t_b, t_c, t_d rounded to so many significant digits: by the first or the second equation (45), then (46); "
-      "and "
-      "from t_b and t_c alone, t_d being solved for. First the digits of what the rounded times give, then the fewest "
-      "over "
-      "27 (9) points of the box of numbers that round to them, then a bound that holds in the whole box, by balls "
-      "(values at the middles of cells and slopes over the cells).");
+      "and from t_b and t_c alone, t_d being solved for. First the digits of what the rounded times give, then the "
+      "fewest over 27 (9) points of the box of numbers that round to them, then a bound that holds in the whole box, "
+      "by balls (values at the middles of cells and slopes over the cells).");
   all.singular =
       study_table(page, "singular", "Beside a singular N_1 - I", "distance\tt_b\ttrace\t" LOST,
                   "Admissible orbits with chi = 15/64, eta = 2, V = 1 and t_c = 43/32, at a distance in t_b from "

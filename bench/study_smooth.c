@@ -4,7 +4,6 @@
    Newton's iteration on the return to a section (shooting).  The section lies where the second mass slides, at a part
    of its greatest lag behind the belt.  Reference: the event-driven orbit's passage of the same section, by the closed
    forms. */
-#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -144,9 +143,7 @@ struct motion {
 
 struct smooth_run {
   const struct reference *ref;
-  const struct smooth *m;
-  struct stepper *stepper;
-  long most_steps;
+  struct smooth_way way;
 };
 
 static double distance(const double a[UNKNOWNS], const double b[UNKNOWNS]) {
@@ -162,7 +159,7 @@ static int go_round(struct motion *o, double y[STEPPER_SIZE], const struct smoot
   struct smooth_passage s;
   double before[STEPPER_SIZE];
   memcpy(before, y, sizeof before);
-  int status = smooth_return(&s, y, run->stepper, run->m, run->ref->middle, 20 * run->ref->period, run->most_steps);
+  int status = smooth_return(&s, y, &run->way);
   o->steps += s.steps;
   o->returns++;
   o->period = s.time;
@@ -181,9 +178,9 @@ static int long_run(struct motion *o, const struct smooth_run *run) {
 
 /* x <- x - (P' - I)^-1 (P(x) - x), P' by differences. */
 static int newton_step(struct motion *o, double *moved, const struct smooth_run *run) {
-  double a[UNKNOWNS * UNKNOWNS], b[UNKNOWNS], image[STEPPER_SIZE], x[UNKNOWNS];
+  double a[UNKNOWNS * UNKNOWNS], b[UNKNOWNS], image[STEPPER_SIZE], before[UNKNOWNS];
   memcpy(image, o->y, sizeof image);
-  int status = go_round(o, image, run), sign;
+  int status = go_round(o, image, run);
   struct motion first = *o;
   for (int k = 0; k < UNKNOWNS && !status; k++) {
     double y[STEPPER_SIZE], h = 1e-5 * fabs(run->ref->y[S_W]);
@@ -194,17 +191,12 @@ static int newton_step(struct motion *o, double *moved, const struct smooth_run 
   }
   if (status) return status;
   for (int i = 0; i < UNKNOWNS; i++) b[i] = o->y[i] - image[i];
-  gsl_matrix_view mat = gsl_matrix_view_array(a, UNKNOWNS, UNKNOWNS);
-  gsl_vector_view rhs = gsl_vector_view_array(b, UNKNOWNS), sol = gsl_vector_view_array(x, UNKNOWNS);
-  gsl_permutation *perm = gsl_permutation_alloc(UNKNOWNS);
-  gsl_linalg_LU_decomp(&mat.matrix, perm, &sign);
-  bool singular = gsl_linalg_LU_det(&mat.matrix, sign) == 0;
-  if (!singular) gsl_linalg_LU_solve(&mat.matrix, perm, &rhs.vector, &sol.vector);
-  gsl_permutation_free(perm);
-  if (singular) return SS_UNABLE;
-  memcpy(b, o->y, sizeof b);
-  for (int i = 0; i < UNKNOWNS; i++) o->y[i] += x[i];
-  *moved = distance(o->y, b);
+  const struct num_vec lead = {num_ctx_double(), UNKNOWNS * UNKNOWNS, (char *)a};
+  struct num_vec step = {num_ctx_double(), UNKNOWNS, (char *)b};
+  if (num_mat_solve(&step, &lead, &step, UNKNOWNS, 1)) return SS_UNABLE;
+  memcpy(before, o->y, sizeof before);
+  for (int i = 0; i < UNKNOWNS; i++) o->y[i] += b[i];
+  *moved = distance(o->y, before);
   o->period = first.period;
   o->creep = first.creep;
   o->nearest = first.nearest;
@@ -222,9 +214,9 @@ static int shoot(struct motion *o, const struct smooth_run *run) {
 static void find_motion(struct motion *o, const struct reference *ref, const struct smooth *m, const char *solver,
                         long most_steps) {
   struct stepper_system system = smooth_system(m, tolerance, ref->period / 100);
-  struct smooth_run run = {ref, m, stepper_open(solver, &system), most_steps};
+  struct smooth_run run = {ref, {m, stepper_open(solver, &system), ref->middle, 20 * ref->period, most_steps}};
   *o = (struct motion){.state = "cannot be set up", .period = NAN, .creep = NAN, .change = NAN, .seconds = NAN};
-  if (!run.stepper) return;
+  if (!run.way.stepper) return;
   memcpy(o->y, ref->y, sizeof o->y);
   double begin = bench_now();
   int status = ref->shoot ? shoot(o, &run) : long_run(o, &run);
@@ -234,7 +226,7 @@ static void find_motion(struct motion *o, const struct reference *ref, const str
              : status & SS_DOMAIN ? "no return"
              : settled            ? o->nearest < sticks ? "periodic" : "periodic without a stick phase"
                                   : "does not settle";
-  stepper_close(run.stepper);
+  stepper_close(run.way.stepper);
 }
 
 /* --- The tables. --- */
@@ -357,8 +349,7 @@ static bool run_smooth(struct study_page *page, const struct bench_env *env) {
       study_table(page, "rates", "How fast they approach",
                   "scene\tlaw\ts\tperiod_error\trate\tstate_error\tstate_rate\tcreep\tcreep_rate",
                   "Of the first solver in the list above that found a periodic motion with a stick phase. A rate is "
-                  "the fall of the decimal logarithm "
-                  "over the decade before: an error like s^-a has the rate a.");
+                  "the fall of the decimal logarithm over the decade before: an error like s^-a has the rate a.");
   bool good = true;
   for (int i = 0; i < COUNT(scenes); i++) {
     struct reference ref;

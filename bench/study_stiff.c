@@ -19,7 +19,7 @@
 #include "motion/certify.h"
 
 static const double PI2 = 6.283185307179586;
-enum { TB, TC, TD, R_END, N_OUT };
+enum { TB, TC, TD, R_END = MAP_R, N_OUT };
 enum { TRUTH_BITS = 320 };
 
 /* One scene: the parameters as exact doubles, the map's start, the truth and rough times. */
@@ -101,17 +101,25 @@ static void find_scene(struct scene_at *s, int decade) {
 
 /* --- Methods. --- */
 
+struct integrator {
+  void *(*open)(const struct bench_method *m, double tolerance, const struct bench_env *env);
+  void (*limits)(void *self, const struct bench_limits *limits);
+  int (*map)(double out[N_MAP], long *steps, void *self, const double *x);
+  void (*close)(void *self);
+};
+static const struct integrator gsl = {bench_ode_open, bench_ode_limits, bench_ode_map, bench_ode_close};
+static const struct integrator cvode = {bench_cvode_open, bench_cvode_limits, bench_cvode_map, bench_cvode_close};
+
 struct method {
-  const char *id, *name; /* name: the integrator's; NULL: the suite's closed form */
-  bool cvode;
+  const char *id;
+  const struct integrator *by; /* NULL: the suite's closed form */
+  const char *name;            /* the integrator's */
 };
-static const struct method methods[] = {{"closed-double", NULL, false}, {"gsl-rk8pd", "rk8pd", false},
-                                        {"gsl-rkf45", "rkf45", false},  {"gsl-bsimp", "bsimp", false},
-                                        {"gsl-msbdf", "msbdf", false},
-#ifdef STICKSLIP_SUNDIALS
-                                        {"cvode-bdf", "bdf", true}
-#endif
-};
+/* CVODE is the last one, and left out where it is not installed. */
+static const struct method methods[] = {{"closed-double", NULL, NULL}, {"gsl-rk8pd", &gsl, "rk8pd"},
+                                        {"gsl-rkf45", &gsl, "rkf45"},  {"gsl-bsimp", &gsl, "bsimp"},
+                                        {"gsl-msbdf", &gsl, "msbdf"},  {"cvode-bdf", &cvode, "bdf"}};
+enum { N_METHODS = COUNT(methods) - !HAS_CVODE };
 
 struct outcome {
   const char *state; /* "ok", or what went wrong */
@@ -123,12 +131,7 @@ struct outcome {
 
 static int run_once(double out[N_OUT], long *steps, const struct method *m, void *self, const struct scene_at *s) {
   double t[N_PHASES];
-  if (m->name) {
-#ifdef STICKSLIP_SUNDIALS
-    if (m->cvode) return bench_cvode_map(out, &out[R_END], steps, self, s->p, s->p[N_PARAMS]);
-#endif
-    return bench_ode_map(out, &out[R_END], steps, self, s->p, s->p[N_PARAMS]);
-  }
+  if (m->by) return m->by->map(out, steps, self, s->p);
   *steps = 1;
   int status = dyn_return_map_d(&out[R_END], NULL, t, s->p, s->p[N_PARAMS], NULL);
   for (int k = 0; k < 3; k++) out[k] = t[1 + k];
@@ -136,32 +139,9 @@ static int run_once(double out[N_OUT], long *steps, const struct method *m, void
 }
 
 static void *open_method(const struct method *m, double tolerance, long most_steps) {
-  struct bench_method b = {.data = m->name};
-  struct bench_limits limits = {true, most_steps};
-  void *self = NULL;
-  if (!m->name) return NULL;
-#ifdef STICKSLIP_SUNDIALS
-  if (m->cvode) {
-    self = bench_cvode_open(&b, tolerance, NULL);
-    if (self) bench_cvode_limits(self, &limits);
-    return self;
-  }
-#endif
-  self = bench_ode_open(&b, tolerance, NULL);
-  bench_ode_limits(self, &limits);
+  void *self = m->by ? m->by->open(&(struct bench_method){.data = m->name}, tolerance, NULL) : NULL;
+  if (self) m->by->limits(self, &(struct bench_limits){true, most_steps});
   return self;
-}
-
-static void close_method(const struct method *m, void *self) {
-  if (!self) return;
-#ifdef STICKSLIP_SUNDIALS
-  if (m->cvode) {
-    bench_cvode_close(self);
-    return;
-  }
-#endif
-  (void)m;
-  bench_ode_close(self);
 }
 
 static double error_of(const double out[N_OUT], const struct scene_at *s) {
@@ -193,7 +173,7 @@ static struct outcome measure(const struct method *m, const struct scene_at *s, 
   struct outcome o = {.state = "ok", .seconds = INFINITY};
   double out[N_OUT], spent = 0;
   void *self = open_method(m, tolerance, quick ? 20000 : 200000);
-  if (m->name && !self) return (struct outcome){.state = "cannot be set up", .error = NAN, .seconds = NAN};
+  if (m->by && !self) return (struct outcome){.state = "cannot be set up", .error = NAN, .seconds = NAN};
   int status = SS_OK;
   do {
     for (int k = 0; k < N_OUT; k++) out[k] = NAN;
@@ -203,7 +183,7 @@ static struct outcome measure(const struct method *m, const struct scene_at *s, 
     o.seconds = fmin(o.seconds, took);
     spent += took;
   } while (!status && spent < (quick ? 0.001 : 0.01));
-  close_method(m, self);
+  if (self) m->by->close(self);
   const char *wrong = status ? NULL : judge(out, s);
   o.error = status ? NAN : error_of(out, s);
   if (status)
@@ -243,19 +223,12 @@ static void add_run(struct study_table *t, const struct scene_at *s, const struc
                     const struct outcome *o) {
   study_text(t, "1e%+d", s->decade);
   study_text(t, "%s", m->id);
-  study_number(t, m->name ? tolerance : NAN, 1);
+  study_number(t, m->by ? tolerance : NAN, 1);
   study_text(t, "%s", o->state);
   study_number(t, o->error, 2);
   study_text(t, "%ld", o->steps);
   study_number(t, o->seconds, 3);
   study_row(t);
-}
-
-/* The loosest tolerance from which on the word is right at every tighter one; 0 when there is none. */
-static double loosest(const struct outcome *o, const double *tolerance, int n) {
-  double at = 0;
-  for (int i = n - 1; i >= 0 && o[i].word; i--) at = tolerance[i];
-  return at;
 }
 
 struct sums {
@@ -276,11 +249,11 @@ static void plot(struct study_page *page, const struct study_table *runs, double
   char wanted[32];
   text_init(&cell);
   snprintf(wanted, sizeof wanted, "%.1g", tolerance);
-  for (int k = 0; k < COUNT(methods); k++) {
+  for (int k = 0; k < N_METHODS; k++) {
     text_printf(out, "$m%d << EOD\n", k);
     for (int i = 0; i < study_rows(runs); i++) {
       if (strcmp(study_cell(&cell, runs, i, "method"), methods[k].id) != 0) continue;
-      if (methods[k].name && strcmp(study_cell(&cell, runs, i, "tolerance"), wanted) != 0) continue;
+      if (methods[k].by && strcmp(study_cell(&cell, runs, i, "tolerance"), wanted) != 0) continue;
       if (strcmp(study_cell(&cell, runs, i, "outcome"), "ok") != 0) continue;
       text_printf(out, "%s ", study_cell(&cell, runs, i, "eta"));
       text_printf(out, "%s ", study_cell(&cell, runs, i, "seconds"));
@@ -297,7 +270,7 @@ static void plot(struct study_page *page, const struct study_table *runs, double
   for (int panel = 0; panel < 2; panel++) {
     text_printf(out, "set ylabel '%s'\nset key %s noenhanced\nplot ", panel == 0 ? "seconds" : "largest relative error",
                 panel == 0 ? "top left" : "off");
-    for (int k = 0; k < COUNT(methods); k++)
+    for (int k = 0; k < N_METHODS; k++)
       text_printf(out, "%s$m%d using 1:%d with linespoints pt %d dt %d lc '%s' title '%s'", k ? ", \\\n  " : "", k,
                   2 + panel, k + 1, k + 1, bench_colour(k), methods[k].id);
     text_add(out, "\n");
@@ -309,15 +282,14 @@ static void plot(struct study_page *page, const struct study_table *runs, double
 static bool run(struct study_page *page, const struct bench_env *env) {
   const double *tolerance = page->quick ? few : tolerances;
   int n = page->quick ? COUNT(few) : COUNT(tolerances), scenes = page->quick ? COUNT(few_decades) : MOST_SCENES;
-  struct sums sums[COUNT(methods)] = {{0}};
+  struct sums sums[N_METHODS] = {{0}};
   (void)env;
   struct study_table *orbits = study_table(
       page, "orbits", "The orbits", "eta\ttried\te1\te2\tt_a\tt_b\tt_c\tt_d\tturns\ttrace\tbits",
       "chi = 0.8 and V = 1; the doubles are taken exactly. tried: pairs (e1, e2) until one had an admissible orbit "
-      "that is "
-      "certified, of at most 42: e1 is one of seven factors times the larger of omega and 1/omega, e2 one of six times "
-      "the "
-      "smaller of 1 and 1/omega. turns: the angle of the fast mode over phase H. bits: at which it was certified.");
+      "that is certified, of at most 42: e1 is one of seven factors times the larger of omega and 1/omega, e2 one of "
+      "six times the smaller of 1 and 1/omega. turns: the angle of the fast mode over phase H. bits: at which it was "
+      "certified.");
   struct study_table *runs = study_table(
       page, "runs", "Every run", "eta\tmethod\ttolerance\toutcome\terror\tsteps\tseconds",
       "outcome ok: all three events are the right ones. late, early: the first event that is not within an eighth of a "
@@ -333,31 +305,30 @@ static bool run(struct study_page *page, const struct bench_env *env) {
     struct scene_at s;
     find_scene(&s, page->quick ? few_decades[i] : FIRST_DECADE + i);
     add_scene(orbits, &s);
-    for (int k = 0; k < COUNT(methods) && s.found; k++) {
+    for (int k = 0; k < N_METHODS && s.found; k++) {
       struct outcome o[COUNT(tolerances)];
-      int settings = methods[k].name ? n : 1;
+      int settings = methods[k].by ? n : 1;
       for (int j = 0; j < settings; j++) {
         o[j] = measure(&methods[k], &s, tolerance[j], page->quick);
         add_run(runs, &s, &methods[k], tolerance[j], &o[j]);
         count(&sums[k], &o[j]);
       }
-      double from = loosest(o, tolerance, settings);
-      study_text(words, "1e%+d", s.decade);
-      study_text(words, "%s", methods[k].id);
-      study_text(words, from == 0 ? "none" : methods[k].name ? "%.0e" : "-", from);
       int tighter = 0;
       while (tighter < settings && o[settings - 1 - tighter].word) tighter++;
+      study_text(words, "1e%+d", s.decade);
+      study_text(words, "%s", methods[k].id);
+      study_text(words, !tighter ? "none" : methods[k].by ? "%.0e" : "-", tolerance[tighter ? settings - tighter : 0]);
       study_text(words, "%d of %d", tighter, settings);
       study_row(words);
     }
     num_vec_clear(&s.truth);
   }
-  for (int k = 0; k < COUNT(methods); k++) {
+  for (int k = 0; k < N_METHODS; k++) {
     const struct sums *c = &sums[k];
     study_text(totals, "%s\t%d\t%d\t%d\t%d\t%d", methods[k].id, c->runs, c->word, c->late, c->early, c->given_up);
     study_row(totals);
   }
-  for (int k = 0; k < COUNT(methods); k++)
+  for (int k = 0; k < N_METHODS; k++)
     text_printf(&page->found, "- %s: the right word in %d of %d runs, another event in %d, none in %d\n", methods[k].id,
                 sums[k].word, sums[k].runs, sums[k].late + sums[k].early, sums[k].given_up);
   plot(page, runs, 1e-8);

@@ -34,10 +34,7 @@ void bench_add_row(struct bench_table *t, const struct bench_method *m, const st
   int k = 0;
   while (k < t->n_methods && strcmp(t->method[k]->id, m->id) != 0) k++;
   if (k == t->n_methods) add_method(t, m);
-  if (t->n == t->cap) {
-    t->cap = t->cap ? 2 * t->cap : 64;
-    t->row = ss_realloc(t->row, (size_t)t->cap * sizeof *t->row);
-  }
+  t->row = ss_grow(t->row, (size_t)t->n, &t->cap, sizeof *t->row);
   t->row[t->n] = *row;
   t->row[t->n++].method = t->method[k];
   find_front(t);

@@ -2,68 +2,39 @@
    stays is what rounding does. */
 #include "bench/three_ways.h"
 
-#include <gsl/gsl_linalg.h>
 #include <math.h>
 
 #include "bench/jobs.h"
 #include "motion/paper_route.h"
 
-/* digits_lost of paper_route.h; x: t_a, t_b, t_c, t_d, z_10, z_20. */
 static double digits_lost(const double x[N_ROUTE], const struct dyn_orbit *o) {
-  arb_t off;
-  double worst = 0, period = 0, reach = fabs(x[ROUTE_Z]) + fabs(x[ROUTE_Z + 1]);
-  arb_init(off);
-  for (int i = 0; i < ROUTE_Z; i++) period += fabs(x[i]);
-  for (int i = 0; i < N_ROUTE; i++) {
-    arb_set_d(off, x[i]);
-    arb_sub(off, off, i < ROUTE_Z ? o->t[i] : i == ROUTE_Z ? o->z10 : o->z20, THREE_WAYS_BITS);
-    worst = fmax(worst, fabs(num_arb.get_d(off)) / (i < ROUTE_Z ? period : reach));
-  }
-  arb_clear(off);
-  return isfinite(worst) ? fmax(0, log10(ldexp(worst, 53))) : (double)NAN;
+  struct num_vec known;
+  num_vec_init(&known, N_ROUTE, num_ctx_mpfr(THREE_WAYS_BITS));
+  for (int i = 0; i < N_ROUTE; i++)
+    arf_get_mpfr(num_vec_at(&known, i), arb_midref(i < ROUTE_Z ? o->t[i] : i == ROUTE_Z ? o->z10 : o->z20), MPFR_RNDN);
+  double lost = paper_digits_lost(x, &known);
+  num_vec_clear(&known);
+  return lost;
 }
 
-static double row_norm(const double *m, int n) {
-  double most = 0;
-  for (int i = 0; i < n; i++) {
-    double sum = 0;
-    for (int k = 0; k < n; k++) sum += fabs(m[i * n + k]);
-    most = fmax(most, sum);
-  }
-  return most;
-}
-
-/* The condition number of the six equations' Jacobian in the row-sum norm. */
+/* Of the six equations' Jacobian. */
 static double condition_six(const double *params, const double x[SIX]) {
-  double f[SIX], j[SIX * SIX], inverse[SIX * SIX], norm;
-  int sign;
+  double f[SIX], j[SIX * SIX], k;
   bench_six(f, j, params, x);
-  norm = row_norm(j, SIX);
-  gsl_matrix_view a = gsl_matrix_view_array(j, SIX, SIX), b = gsl_matrix_view_array(inverse, SIX, SIX);
-  gsl_permutation *perm = gsl_permutation_alloc(SIX);
-  gsl_linalg_LU_decomp(&a.matrix, perm, &sign);
-  bool singular = gsl_linalg_LU_det(&a.matrix, sign) == 0;
-  if (!singular) gsl_linalg_LU_invert(&a.matrix, perm, &b.matrix);
-  gsl_permutation_free(perm);
-  return singular ? INFINITY : norm * row_norm(inverse, SIX);
+  const struct num_vec a = {num_ctx_double(), SIX * SIX, (char *)j};
+  return paper_condition_number(&k, &a, SIX) ? INFINITY : k;
 }
 
 /* Newton's iteration on the six equations from x; its last steps stay at the level of rounding. */
 static void solve_six(double x[SIX], const double *params) {
   enum { STEPS = 8 };
   for (int n = 0; n < STEPS; n++) {
-    double f[SIX], j[SIX * SIX], dx[SIX];
-    int sign;
+    double f[SIX], j[SIX * SIX];
     bench_six(f, j, params, x);
-    gsl_matrix_view a = gsl_matrix_view_array(j, SIX, SIX);
-    gsl_vector_view b = gsl_vector_view_array(f, SIX), d = gsl_vector_view_array(dx, SIX);
-    gsl_permutation *perm = gsl_permutation_alloc(SIX);
-    gsl_linalg_LU_decomp(&a.matrix, perm, &sign);
-    bool singular = gsl_linalg_LU_det(&a.matrix, sign) == 0;
-    if (!singular) gsl_linalg_LU_solve(&a.matrix, perm, &b.vector, &d.vector);
-    gsl_permutation_free(perm);
-    for (int i = 0; i < SIX; i++) x[i] = singular ? (double)NAN : x[i] - dx[i];
-    if (singular) return;
+    struct num_vec a = {num_ctx_double(), SIX * SIX, (char *)j}, b = {num_ctx_double(), SIX, (char *)f};
+    int status = num_mat_solve(&b, &a, &b, SIX, 1);
+    for (int i = 0; i < SIX; i++) x[i] -= f[i]; /* NaN where it is singular */
+    if (status) return;
   }
 }
 

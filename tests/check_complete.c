@@ -356,7 +356,7 @@ START_TEST(no_cell_with_an_orbit_is_excluded) {
     cell_at(&c, &strip, &clock);
     c.early = e;
     c.first = false;
-    struct turns k = strip_turns(&strip);
+    struct turns k = strip_turns(&strip, false);
     ck_assert(!strip_never(&strip) && (k.to[0] >= turns || k.to[1] >= turns));
     enum look seen = cell_look(&zero, &c, &k, 1);
     ck_assert_msg(seen != LOOK_CLEAR, "%s: cell %.17g +- %g, %.17g +- %g", s->name, x, d, t, e);
@@ -597,7 +597,7 @@ START_TEST(free_phases_leave_out_no_zero) {
     struct strip strip;
     double half = 1e-4, angle = half + (g.fall.mid - 2 * half) * uniform(&state), old[4], now[4];
     strip_make(&strip, &g, angle - half, angle + half, half);
-    struct turns k = strip_turns(&strip);
+    struct turns k = strip_turns(&strip, false);
     if (!strip_never(&strip) && !strip_misses(&strip, &k)) continue;
     left_out++;
     double r0 = p[P_E2] / p[P_CHI] - a * (angle - sin(angle)) - p[P_E1] * (1 - cos(angle));

@@ -120,7 +120,7 @@ START_TEST(law_away_from_its_limits_is_equation_2) {
     bool sticks = lag == 0 && fabs(force[i]) < most;
     double eps = lag != 0 ? copysign(1, lag) : copysign(1, force[i]); /* u_i = eps u_si */
     enum coulomb_mode expected = sticks ? MODE_STICK : eps > 0 ? MODE_BELOW : MODE_ABOVE;
-    ck_assert_msg(mode[i] == expected, "%s: mass %d is %s", show(p, x), i + 1, coulomb_mode_name[mode[i]]);
+    ck_assert_msg(mode[i] == expected, "%s: mass %d in phase %c", show(p, x), i + 1, coulomb_letter(mode));
   }
 }
 END_TEST

@@ -110,7 +110,7 @@ START_TEST(passages_are_those_of_scipy) {
     } else if (strncmp(line, "passage", 7) == 0) {
       struct smooth_passage s;
       ck_assert_int_eq(fields(x, 4, line), 4);
-      ck_assert_int_eq(smooth_return(&s, y, stepper, &m, 1, 100, 100000), SS_OK);
+      ck_assert_int_eq(smooth_return(&s, y, &(struct smooth_way){&m, stepper, 1, 100, 100000}), SS_OK);
       t += s.time;
       ck_assert_msg(fabs(t - x[0]) < 1e-6, "%s: %.12g, not %.12g", solvers[_i], t, x[0]);
       for (int i = 0; i < 3; i++) ck_assert(fabs(y[i] - x[1 + i]) < 1e-6);
@@ -132,8 +132,8 @@ START_TEST(a_return_that_does_not_come) {
   ck_assert_ptr_null(stepper_open("no such solver", &system));
   struct stepper *stepper = stepper_open("bsimp", &system);
   m.level = -1000;
-  ck_assert_int_eq(smooth_return(&s, y, stepper, &m, 1, 30, 100000), SS_DOMAIN);
-  ck_assert_int_eq(smooth_return(&s, y, stepper, &m, 1, 30, 10), SS_UNABLE);
+  ck_assert_int_eq(smooth_return(&s, y, &(struct smooth_way){&m, stepper, 1, 30, 100000}), SS_DOMAIN);
+  ck_assert_int_eq(smooth_return(&s, y, &(struct smooth_way){&m, stepper, 1, 30, 10}), SS_UNABLE);
   stepper_close(stepper);
 }
 END_TEST

@@ -219,21 +219,13 @@ int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what) {
   return status;
 }
 
-/* df/dp + (df/dt_b, df/dt_c) . d(t_b, t_c)/dp, the last from the two equations. */
 int curve_rate(arb_t rate, struct view *v, val f) {
-  const val rows[2] = {v->s.pc, v->s.defect};
   slong prec = v->c.ctx.prec;
-  arb_mat_t j, along;
-  arb_mat_init(j, 2, 2);
-  arb_mat_init(along, 2, 1);
-  for (int i = 0; i < 2; i++) {
-    arb_set(arb_mat_entry(along, i, 0), view_slope(v, rows[i], 0));
-    for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(j, i, k), view_slope(v, rows[i], k + 1));
-  }
-  bool ok = arb_mat_solve(along, j, along, prec) != 0;
+  arb_mat_t dx;
+  arb_mat_init(dx, 2, 1);
+  bool ok = tube_motion(dx, &v->s, v->curve->line->vary, prec);
   arb_set(rate, view_slope(v, f, 0));
-  for (int k = 0; k < 2; k++) arb_submul(rate, view_slope(v, f, k + 1), arb_mat_entry(along, k, 0), prec);
-  arb_mat_clear(along);
-  arb_mat_clear(j);
+  for (int k = 0; k < 2; k++) arb_addmul(rate, view_slope(v, f, k + 1), arb_mat_entry(dx, k, 0), prec);
+  arb_mat_clear(dx);
   return ok && !v->c.status && arb_is_finite(rate) ? SS_OK : SS_UNABLE;
 }

@@ -9,6 +9,7 @@
 #include "bifurcate.h"
 #include "motion/dual.h"
 #include "motion/map_balls.h"
+#include "num/flint_more.h"
 
 /* --- tube.c --- */
 
@@ -22,6 +23,8 @@ void tube_clear(struct tube *t);
 void tube_set(struct tube *t, const struct tube *s);
 /* The proof around x, from which Newton's iteration starts. */
 int tube_prove(struct tube *t, slong prec);
+/* d(t_b, t_c)/d param over a pass in duals; false where the Jacobian cannot be inverted. */
+bool tube_motion(arb_mat_t dx, const struct ball_pass *s, int param, slong prec);
 /* About how far t_b and t_c move over the ball of one parameter. */
 double tube_reach(const struct tube *t, int param, slong prec);
 /* What is known about the orbits of the tube, over all of its parameters; word as dyn_orbit_judge returns it. */
@@ -66,7 +69,8 @@ int view_touch(arb_t time, struct view *v, enum dyn_change what, bool prove);
 int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what);
 /* Newton's iteration for the same from the midpoints of x; time is followed. */
 int curve_newton(arb_ptr x, arb_t time, const struct curve *b, enum dyn_change what);
-/* d f / d parameter along the curve, over the ball x; SS_UNABLE where it may turn. */
+/* d f / d parameter along the curve, df/dp + (df/dt_b, df/dt_c) . d(t_b, t_c)/dp, over the ball x; SS_UNABLE where it
+   may turn. */
 int curve_rate(arb_t rate, struct view *v, val f);
 
 /* --- trace.c --- */

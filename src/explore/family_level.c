@@ -47,9 +47,7 @@ static double predict(const struct strand *s, slong row, const struct stencil *a
 
 /* --- Lanes. --- */
 
-/* Room for n lanes at least.  Where it has to grow, every lane gets these parameters; the caller sets the one that
-   varies from lane to lane, and guess. */
-static void lanes_room(struct family_lanes *a, slong n, const double params[N_PARAMS]) {
+void family_lanes_room(struct family_lanes *a, slong n, const double params[N_PARAMS]) {
   size_t size = (size_t)n * sizeof(double);
   if (n <= a->cap) return;
   for (int i = 0; i < N_PARAMS; i++) a->params[i] = ss_realloc(a->params[i], size);
@@ -70,11 +68,16 @@ void family_lanes_clear(struct family_lanes *a) {
   free(a->status);
 }
 
+void family_lanes_run(struct family_lanes *a, slong n) {
+  dyn_orbits_batch(a->out, a->violations, a->status, (const double *const *)a->params, (const double *const *)a->guess,
+                   n);
+}
+
 /* Lane count * rows + k is of orbit k at the count-th point of the level; their number. */
 static slong fill(struct strand *s, slong h) {
   struct family_lanes *a = &s->line->lanes;
   slong n = 0;
-  lanes_room(a, s->rows * ((s->last - s->first) / (2 * h) + 1), s->line->params);
+  family_lanes_room(a, s->rows * ((s->last - s->first) / (2 * h) + 1), s->line->params);
   double *varied = a->params[s->line->q->axis->vary];
   for (slong point = s->first + h; point < s->last; point += 2 * h) {
     struct stencil from = stencil(s, point, h);
@@ -127,11 +130,9 @@ static bool follow(struct strand *s, slong point, slong h, slong lane) {
 }
 
 slong family_level(struct strand *s, slong h) {
-  const struct family_lanes *a = &s->line->lanes;
   slong *lost = NULL, lane = 0, n = fill(s, h);
   size_t n_lost = 0, cap = 0;
-  dyn_orbits_batch(a->out, a->violations, a->status, (const double *const *)a->params, (const double *const *)a->guess,
-                   n);
+  family_lanes_run(&s->line->lanes, n);
   for (slong point = s->first + h; point < s->last; point += 2 * h, lane += s->rows) {
     if (follow(s, point, h, lane)) continue;
     lost = ss_grow(lost, n_lost, &cap, sizeof *lost);

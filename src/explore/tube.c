@@ -133,8 +133,7 @@ int tube_prove(struct tube *t, slong prec) {
   return status;
 }
 
-/* d(t_b, t_c)/dp over the tube; false where the Jacobian cannot be inverted. */
-static bool motion_of(arb_mat_t dx, const struct ball_pass *s, int param, slong prec) {
+bool tube_motion(arb_mat_t dx, const struct ball_pass *s, int param, slong prec) {
   const val f[2] = {s->pc, s->defect};
   arb_mat_t j;
   arb_mat_init(j, 2, 2);
@@ -159,7 +158,7 @@ double tube_reach(const struct tube *t, int param, slong prec) {
   mag_set_ui_2exp_si(arb_radref(&narrow.p[param]), 1, -prec); /* so that its slopes are carried */
   struct calc c = calc_begin(dual_ctx(prec));
   look(&s, &c, &m, &narrow, narrow.x, false);
-  if (!c.status && motion_of(dx, &s, param, prec))
+  if (!c.status && tube_motion(dx, &s, param, prec))
     for (int k = 0; k < 2; k++) reach += fabs(num_arb.get_d(arb_mat_entry(dx, k, 0)));
   calc_clear(&c);
   tube_clear(&narrow);
@@ -200,7 +199,7 @@ static bool mean_values(arb_ptr number, const struct tube *t, const struct tube 
   for (int n = 0; n < SHARP && ok; n++) arb_set(number + n, dual_value(at[n]));
   for (int i = 0; i < N_PARAMS && ok; i++) {
     if (arb_is_exact(&t->p[i])) continue;
-    ok = motion_of(dx, &s, i, prec);
+    ok = tube_motion(dx, &s, i, prec);
     arb_sub(off, &t->p[i], &middle->p[i], prec);
     for (int n = 0; n < SHARP && ok; n++) {
       arb_set(slope, dual_slope(all[n], i));

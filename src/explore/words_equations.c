@@ -36,7 +36,7 @@ void word_turn_best(struct phase_word *w) {
 
 void word_law_make(struct word_law *m, struct calc *c, const fmpq *params, const fmpq *const u_r[2]) {
   val chi = calc_q(c, params + P_CHI), eta = calc_q(c, params + P_ETA);
-  motion_law_make(&m->law, c, chi, eta, calc_q(c, params + P_V));
+  motion_law_make(&m->law, c, chi, eta, calc_q(c, params + P_V), true);
   m->difference = m->law;
   m->difference.V = m->difference.gap = m->law.zero;
   for (int i = 0; i < 2; i++) {

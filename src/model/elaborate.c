@@ -291,7 +291,7 @@ static bool eval_primary(struct matrix *out, struct elaboration *el, const struc
                          struct diag *d) {
   switch (e->kind) {
   case EXPR_NUM:
-    if (num_check_decimal(e->name, strlen(e->name)))
+    if (num_parse_decimal(NULL, e->name, strlen(e->name)))
       return form_mistake(sc, e, d, "a number too large to hold; write one of fewer digits", NULL, NULL);
     *out = matrix_scalar(el, expr_num(&el->pool, e->name));
     return true;

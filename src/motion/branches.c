@@ -17,7 +17,7 @@ struct search {
   struct disk_params params;
   struct commons zeros;
   long cells, budget;
-  double dir; /* as in cell_look_later, for the strips at hand */
+  double dir; /* as in cell_look, for the strips at hand */
   bool spent, stuck;
   double where[2];
 };
@@ -47,13 +47,14 @@ static void search_patch(struct search *s, struct patch a, int depth) {
   s->cells++;
   if (s->cells % FREE_LATER_CELLS == 0) work_add((unsigned long long)FREE_LATER_CELLS * UNITS_OF_LATER_CELL);
   strip_make(&p, &s->params, a.from[0], a.to[0], a.to[0] - a.from[0]);
-  struct turns k = strip_turns_later(&p);
+  struct turns k = strip_turns(&p, true);
   if (turns_count(&k) == 0) return;
   clock_set(&middle, &s->params, 0.5 * (a.from[1] + a.to[1]));
   cell_at(&c, &p, &middle);
   c.early = disk_up(fmax(a.to[1] - middle.t, middle.t - a.from[1]));
   c.first = a.from[1] == 0;
-  enum look seen = cell_look_later(&zero, &c, &k, s->dir);
+  c.later = true;
+  enum look seen = cell_look(&zero, &c, &k, s->dir);
   if (seen == LOOK_ZERO) commons_add(&s->zeros, zero, &p, middle.t);
   if (seen != LOOK_OPEN) return;
   if (depth < DEEPEST) {

@@ -16,6 +16,7 @@ void cell_at(struct cell *c, const struct strip *p, const struct clock *t) {
   const struct disk_params *s = p->s;
   struct disk_motion at = disk_motion_at(s, p->a, p->b, t), by_angle = disk_motion_at(s, p->da, p->db, t);
   c->strip = p;
+  c->first = c->later = false;
   c->p = disk_sub(at.v[0], s->V);
   c->q = disk_sub(at.v[1], s->V);
   c->w = at.w;
@@ -190,22 +191,14 @@ static struct turns turns_on(const struct range *g, const struct strip *p, const
 enum look cell_look(struct common *zero, const struct cell *c, const struct turns *k, double dir) {
   struct range g = {.d = c->strip->half, .e = c->early};
   range_p(&g, c);
-  if (dir * c->p.mid + g.p < 0 || falls_from_start(c, &g, dir)) return LOOK_CLEAR;
+  bool before = dir * c->p.mid + g.p < 0, behind = c->later && dir * c->p.mid - g.p > 0;
+  if (before || behind || falls_from_start(c, &g, dir)) return LOOK_CLEAR;
 
   range_radius(&g, c);
   /* q is zero at t_b, and falls where r > 0 */
   bool falls = c->first && c->r.mid - g.r > 0;
-  bool negative = c->q.mid - g.q <= 0, positive = c->q.mid + g.q >= 0 && !falls;
+  bool negative = c->later || c->q.mid - g.q <= 0, positive = c->later || (c->q.mid + g.q >= 0 && !falls);
   struct turns can = turns_on(&g, c->strip, k, negative, positive);
-  return look_at_each(zero, c, &g, &can);
-}
-
-enum look cell_look_later(struct common *zero, const struct cell *c, const struct turns *k, double dir) {
-  struct range g = {.d = c->strip->half, .e = c->early};
-  range_p(&g, c);
-  if (fabs(c->p.mid) > g.p || falls_from_start(c, &g, dir)) return LOOK_CLEAR;
-  range_radius(&g, c);
-  struct turns can = turns_on(&g, c->strip, k, true, true);
   return look_at_each(zero, c, &g, &can);
 }
 

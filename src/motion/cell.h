@@ -11,8 +11,9 @@ struct cell {
   struct disk p, q, r, w, pf, qf, rf; /* f: derivatives by the angle */
   double early;                       /* half of its length in time */
   bool first;                         /* it starts with phase H */
+  bool later;                         /* zeros are looked for that need not be first roots */
 };
-/* Of a strip that outlives it. */
+/* Of a strip that outlives it; neither first nor later, and its length is left to the caller. */
 void cell_at(struct cell *c, const struct strip *p, const struct clock *t);
 
 /* A common zero, proved to be the only one in the box of half widths room around at; it lies within near. */
@@ -22,11 +23,9 @@ struct common {
 enum look { LOOK_CLEAR, LOOK_ZERO, LOOK_OPEN };
 /* Whether the cell is proved to hold no zero with any k; or exactly one, which *zero describes.  dir = 1 when p starts
    below zero, -1 when above.  Where the answer is open for one k and no zero was found for another, zero->k is that k,
-   else -1. */
+   else -1.  Before a later root p may have any sign, and phase C may last any time, so that r at its end has any
+   sign. */
 enum look cell_look(struct common *zero, const struct cell *c, const struct turns *k, double dir);
-/* The same for zeros that need not be first roots: p may have any sign before, and phase C may last any time, so that r
-   at its end has any sign. */
-enum look cell_look_later(struct common *zero, const struct cell *c, const struct turns *k, double dir);
 /* Where its orbit is to be looked for. */
 struct dyn_place common_place(const struct common *z, const struct disk_params *s);
 /* A zero that is known already, and surely lies there. */

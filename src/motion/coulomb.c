@@ -15,7 +15,6 @@
 
 enum { MOST_IDLE = 16, MOST_UNCHANGED = 1000 };
 
-const char *const coulomb_mode_name[N_MODES] = {"stick", "below", "above"};
 const char *const coulomb_end_name[] = {
     "done",
     "stopped",

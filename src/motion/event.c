@@ -6,69 +6,54 @@
 #include <math.h>
 
 #include "event.h"
-#include "flow.h"
+#include "mode_motion.h"
 #include "return_map_double.h"
-#include "trig_sum.h"
 
-/* What events depend on in a state.  Positions near chi = 1 are so large that w would be lost in them. */
-struct event_view {
-  double w, r, dw, rise; /* dw: w'; rise: chi r - e2 */
-  double v[2], over[2];  /* velocities; over V */
-  double slip;           /* z_2' - z_1' */
-};
-
-static struct event_view view_of(struct calc *c, const val p[N_PARAMS], const val z[N_STATE]) {
-  const struct num_type *type = c->ctx.type;
-  val chi = p[P_CHI], r = calc_sub(c, z[Z_2], z[Z_1]), v[2] = {z[DZ_1], z[DZ_2]};
-  struct event_view x = {.r = type->get_d(r),
-                         .w = type->get_d(calc_sub(c, z[Z_1], calc_mul(c, chi, z[Z_2]))),
-                         .dw = type->get_d(calc_sub(c, v[0], calc_mul(c, chi, v[1]))),
-                         .rise = type->get_d(calc_sub(c, calc_mul(c, chi, r), p[P_E2])),
-                         .slip = type->get_d(calc_sub(c, v[1], v[0]))};
-  for (int i = 0; i < 2; i++) {
-    x.v[i] = type->get_d(v[i]);
-    x.over[i] = type->get_d(calc_sub(c, v[i], p[P_V]));
-  }
-  return x;
+/* The switching function of a phase other than D as a wave: a force or a speed in that pair of modes, where what sticks
+   keeps the velocity that it has. */
+static struct trig_sum phase_wave(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
+  const int *slips = phase_slips[ph];
+  const enum coulomb_mode mode[2] = {slips[0] ? MODE_BELOW : MODE_STICK, slips[1] ? MODE_BELOW : MODE_STICK};
+  val chi = p[P_CHI], belt = !slips[0] ? z[DZ_1] : !slips[1] ? z[DZ_2] : p[P_V];
+  val w = calc_sub(c, z[Z_1], calc_mul(c, chi, z[Z_2])), pull = calc_mul(c, chi, calc_sub(c, z[Z_2], z[Z_1]));
+  const struct motion_start at = {
+      {w, pull}, {calc_sub(c, z[DZ_1], belt), calc_sub(c, z[DZ_2], belt)}, {calc_neg(c, w), calc_neg(c, pull)}};
+  struct motion_law law;
+  struct motion m;
+  motion_law_make(&law, c, chi, p[P_ETA], belt, ph == PHASE_H);
+  motion_make(&m, c, &law, mode, &at);
+  struct trig_sum wave = harmonic_trig_sum(c, ph == PHASE_GAMMA ? &m.force[1] : &m.speed[ph == PHASE_C]);
+  wave.start = c->ctx.type->get_d(flow_switching(c, ph, p, z));
+  return wave;
 }
 
-/* The switching function of a phase other than D as a wave. */
-static struct trig_sum phase_wave(enum phase ph, const struct return_map_double *k, const struct event_view *z) {
-  if (ph == PHASE_GAMMA)
-    return (struct trig_sum){
-        z->rise, k->chi * (1 - k->chi) * z->v[1], {1, 0}, {-k->chi * z->w, 0}, {-k->chi * z->dw, 0}};
-  double pull = k->omc * k->omc * z->r;
-  if (ph == PHASE_H) return return_map_double_wave(k, z->v[0], z->v[1], z->w, pull, z->over[0]);
-  return (struct trig_sum){z->over[1], 0, {k->omc, 0}, {z->slip, 0}, {-pull / k->omc, 0}};
+static bool is_finite(const struct trig_sum *w) {
+  bool finite = isfinite(w->start) && isfinite(w->drift);
+  for (int i = 0; i < 2; i++) finite = finite && isfinite(w->om[i]) && isfinite(w->cs[i]) && isfinite(w->sn[i]);
+  return finite;
 }
 
-static int first_in_view(struct trig_sum_root *root, enum phase ph, const struct return_map_double *k,
-                         const struct event_view *z, const struct dyn_limits *lim) {
-  const double all[] = {z->w, z->r, z->dw, z->rise, z->v[0], z->v[1], z->over[0], z->over[1], z->slip};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (!isfinite(all[i])) return SS_UNABLE;
+static int first_in_calc(struct trig_sum_root *root, struct calc *c, enum phase ph, const val p[N_PARAMS],
+                         const val z[N_STATE], const struct dyn_limits *lim) {
   if (ph == PHASE_D) {
-    if (z->dw == 0) return SS_DOMAIN;
-    root->t = (k->e1 - z->w) / z->dw;
-    return isfinite(root->t) ? SS_OK : SS_UNABLE;
+    root->t = c->ctx.type->get_d(event_stick(c, p, z));
+    return c->status & SS_DOMAIN ? SS_DOMAIN : c->status || !isfinite(root->t) ? SS_UNABLE : SS_OK;
   }
-  struct trig_sum wave = phase_wave(ph, k, z);
-  return trig_sum_first_root(root, &wave, NULL, lim ? lim : &dyn_limits_default);
+  struct trig_sum wave = phase_wave(c, ph, p, z);
+  return c->status || !is_finite(&wave) ? SS_UNABLE
+                                        : trig_sum_first_root(root, &wave, NULL, lim ? lim : &dyn_limits_default);
 }
 
 int event_first(double *t, bool *grazing, enum phase ph, const struct num_vec *params, const struct num_vec *in,
                 const struct dyn_limits *lim) {
   val p[N_PARAMS], z[N_STATE];
-  double params_d[N_PARAMS];
-  struct return_map_double k;
+  double all[N_PARAMS];
   struct trig_sum_root root = {.t = 0};
   struct calc c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
-  for (int i = 0; i < N_PARAMS; i++) params_d[i] = c.ctx.type->get_d(p[i]);
-  struct event_view view = view_of(&c, p, z);
-  int status = return_map_double_init(&k, params_d);
-  if (!status) status = c.status ? SS_UNABLE : first_in_view(&root, ph, &k, &view, lim);
+  for (int i = 0; i < N_PARAMS; i++) all[i] = c.ctx.type->get_d(p[i]);
+  int status = return_map_double_domain(all) ? first_in_calc(&root, &c, ph, p, z, lim) : SS_DOMAIN;
   *t = root.t;
   if (grazing) *grazing = root.grazing;
   calc_clear(&c);

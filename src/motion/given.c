@@ -16,7 +16,6 @@
 #include "base/arena.h"
 #include "given_search.h"
 #include "orbit_judge.h"
-#include "warm.h"
 
 const char *const dyn_quantity_id[N_QUANTITIES] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
 const struct dyn_limits dyn_given_limits = {200, 100000};
@@ -32,12 +31,14 @@ struct solution {
   const struct given_problem *q;
 };
 
-static int solve(struct solution *s, slong prec) {
+static int solve(void *self, slong prec) {
+  struct solution *s = self;
   for (int i = 0; i < N_QUANTITIES; i++) arb_set_d(s->root.x[i], s->seed->x[i]);
   return word_solve(&s->root, &s->q->data, prec);
 }
 
-static int describe(struct dyn_orbit *o, const struct solution *s, slong prec) {
+static int describe(struct dyn_orbit *o, void *self, slong prec) {
+  const struct solution *s = self;
   return word_describe(o, &s->root, s->q->data.model, prec);
 }
 
@@ -49,43 +50,10 @@ static bool same_solution(const struct word_root *s, const struct word_root *t) 
 }
 
 /* Its conditions.  Returns whether e1 and e2 are positive and the events proved to be the first ones. */
-static truth judge(struct dyn_orbit *o, const struct solution *s, slong prec) {
+static truth judge(struct dyn_orbit *o, void *self, slong prec) {
+  const struct solution *s = self;
   truth domain, first = word_judge_orbit(o, &domain, &s->root, s->q->data.model, prec, s->q->lim.max_steps);
   return truth_and(domain, first);
-}
-
-static bool undecided(const struct dyn_orbit *o) {
-  return o->stable == TRUTH_UNKNOWN || o->admissible == TRUTH_UNKNOWN;
-}
-
-/* The working precision near a seed, from a pilot where it is worth its time. */
-static slong plan(const struct seed *seed, const struct given_problem *q, slong prec) {
-  struct solution pilot = {.seed = seed, .q = q};
-  struct dyn_orbit o;
-  if (prec <= DYN_PLANNED_FROM) return prec + DYN_GUARD;
-  word_root_init(&pilot.root);
-  dyn_orbit_init(&o);
-  slong left = 0;
-  if (!solve(&pilot, DYN_PILOT) && !describe(&o, &pilot, DYN_PILOT)) left = dyn_orbit_accuracy(&o);
-  dyn_orbit_clear(&o);
-  word_root_clear(&pilot.root);
-  return dyn_planned_bits(prec, left);
-}
-
-/* The orbit of a solution to prec bits, the working precision being raised from `work`, *raises times, as long as that
-   helps. */
-static int finish(struct dyn_orbit *o, truth *valid, long *raises, struct solution *s, slong work, slong prec) {
-  int status = describe(o, s, work);
-  for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
-    work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + DYN_GUARD;
-    status = solve(s, work);
-    if (!status) status = describe(o, s, work);
-    ++*raises;
-  }
-  *valid = judge(o, s, FLINT_MIN(work, 128));
-  if (*valid == TRUTH_UNKNOWN || undecided(o)) *valid = judge(o, s, work);
-  o->grazing = *valid == TRUTH_UNKNOWN;
-  return status;
 }
 
 /* --- The list. --- */
@@ -106,7 +74,8 @@ static int collect(struct dyn_orbits *list, const struct seeds *seeds, const str
     struct solution *s = &found[n];
     *s = (struct solution){.seed = &seeds->seed[i], .q = q};
     word_root_init(&s->root);
-    slong work = plan(s->seed, q, prec);
+    const struct orbit_source source = {s, solve, describe, judge};
+    slong work = orbit_planned_bits(&source, prec);
     int failed = settle(s, work);
     bool known = false;
     for (size_t k = 0; k < n && !failed; k++) known = known || same_solution(&found[k].root, &s->root);
@@ -115,16 +84,9 @@ static int collect(struct dyn_orbits *list, const struct seeds *seeds, const str
       word_root_clear(&s->root);
       continue;
     }
-    struct dyn_orbit *o = &list->orbit[list->n];
-    truth valid;
-    dyn_orbit_init(o);
-    status |= finish(o, &valid, &list->raises, s, work, prec);
+    status |= orbit_list_add(list, &source, work, prec);
     list->bits = FLINT_MAX(list->bits, work);
     n++;
-    if (valid == TRUTH_FALSE)
-      dyn_orbit_clear(o);
-    else
-      list->n++;
   }
   for (size_t k = 0; k < n; k++) word_root_clear(&found[k].root);
   free(found);

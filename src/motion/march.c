@@ -109,7 +109,7 @@ static void advance(struct march *s, double low, double high, struct front m) {
   struct strip p;
   struct cell c;
   strip_make(&p, g, low, high, high - low);
-  struct turns k = strip_turns(&p);
+  struct turns k = strip_turns(&p, false);
   while (!strip_done(&p, &k, m.dir)) {
     if (s->cells++ >= s->budget) {
       s->spent = true;
@@ -131,7 +131,7 @@ static void advance(struct march *s, double low, double high, struct front m) {
       part = !less && m.dir * c.p.mid > c.p.rad && p.half > unhurried;
       if (less) {
         strip_make(&p, g, p.angle + from, p.angle + to, to - from);
-        k = strip_turns(&p);
+        k = strip_turns(&p, false);
       }
     }
     if (!part) {

@@ -17,7 +17,7 @@ val harmonic_value(struct calc *c, const struct harmonic *f, const struct angle 
   return z;
 }
 
-val harmonic_rate(struct calc *c, const struct harmonic *f, const struct angle angle[2]) {
+static val harmonic_rate(struct calc *c, const struct harmonic *f, const struct angle angle[2]) {
   val z = f->drift;
   for (int k = 0; k < f->n; k++) {
     val cosine = calc_sub(c, calc_d(c, 1), angle[k].versine);
@@ -94,7 +94,7 @@ static struct swing swing_make(struct calc *c, const struct motion_law *law, con
   return w;
 }
 
-void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, val V) {
+void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, val V, bool slip) {
   val model[N_PARAMS] = {[P_CHI] = chi, [P_ETA] = eta};
   law->chi = chi;
   law->eta = eta;
@@ -102,7 +102,7 @@ void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, v
   law->zero = calc_d(c, 0);
   law->gap = calc_mul(c, calc_sub(c, calc_d(c, 1), chi), V);
   law->omega = calc_sqrt(c, calc_mul(c, chi, eta));
-  law->spectrum = flow_spectrum(c, model);
+  if (slip) law->spectrum = flow_spectrum(c, model);
 }
 
 void motion_make(struct motion *m, struct calc *c, const struct motion_law *law, const enum coulomb_mode mode[2],

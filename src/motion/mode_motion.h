@@ -19,9 +19,8 @@ struct angle {
 };
 /* Those of a curve at t; all four curves of a motion share them. */
 void harmonic_angles(struct angle angle[2], struct calc *c, const struct harmonic *f, val t);
-/* The curve and its first two derivatives. */
+/* The curve and its second derivative. */
 val harmonic_value(struct calc *c, const struct harmonic *f, const struct angle angle[2], val t);
-val harmonic_rate(struct calc *c, const struct harmonic *f, const struct angle angle[2]);
 val harmonic_bend(struct calc *c, const struct harmonic *f, const struct angle angle[2]);
 /* Its negative where side is negative. */
 struct harmonic harmonic_sided(struct calc *c, const struct harmonic *f, int side);
@@ -35,7 +34,8 @@ struct motion_law {
   val chi, eta, V, gap, omega, zero;
   struct spectrum spectrum;
 };
-void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, val V);
+/* slip: with the spectrum, without which both masses cannot slip at once. */
+void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, val V, bool slip);
 
 struct motion {
   struct harmonic force[2], speed[2]; /* f_i, up to any constant, and p_i */

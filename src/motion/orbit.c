@@ -14,7 +14,7 @@
 #include "search.h"
 #include "warm.h"
 
-enum { RAISES = 4, SPARE = 8 }; /* of the precision; bits beyond what a pilot lost */
+enum { RAISES = 4 }; /* of the precision of a fold */
 
 /* A solution (t_b, t_c) of the two equations: the enclosures x, and the boxes in which it is the only one.  The calc
    and what it holds, the kept sines and cosines near the solution, are those of the last precision, 0 when there is
@@ -24,16 +24,19 @@ struct solution {
   bool up, grazing;
   slong prec, mark; /* mark: what lies above it in the calc belongs to one pass */
   const fmpq *params;
+  long max_steps;
   struct calc c;
   struct ball_params m;
 };
 
-static void solution_init(struct solution *s) {
+static void solution_init(struct solution *s, const fmpq *params, long max_steps) {
   for (int i = 0; i < 2; i++) {
     arb_init(s->x[i]);
     arb_init(s->box[i]);
   }
   s->prec = 0;
+  s->params = params;
+  s->max_steps = max_steps;
 }
 
 /* Where it is looked for. */
@@ -105,8 +108,8 @@ static int enclose(struct solution *s) {
   return krawczyk_enclose(&x, &box, &system);
 }
 
-static int solve(struct solution *s, const fmpq *params, slong prec) {
-  s->params = params;
+static int solve(void *self, slong prec) {
+  struct solution *s = self;
   int status = newton_rising(newton_level, s, prec);
   return status ? status : enclose(s);
 }
@@ -185,7 +188,7 @@ static int resolve(struct solution pair[2], int *n, const fmpq *params, const st
     solution_at(&pair[0], zero->at);
     pair[0].grazing = zero->grazing;
     double slack = 1e-9 * zero->high + 0.01 * (zero->high - zero->low);
-    if (!solve(&pair[0], params, prec)) {
+    if (!solve(&pair[0], prec)) {
       double tb = arf_get_d(arb_midref(pair[0].x[0]), ARF_RND_NEAR);
       if (tb > zero->low - slack && tb < zero->high + slack) return SS_OK;
     }
@@ -193,7 +196,7 @@ static int resolve(struct solution pair[2], int *n, const fmpq *params, const st
   for (int i = 0; i <= RAISES; i++, prec *= 2) {
     slong p = FLINT_MAX(prec, 192);
     if (split_fold(pair, n, params, zero, p)) continue;
-    if (*n == 0 || (!solve(&pair[0], params, p) && !solve(&pair[1], params, p))) return SS_OK;
+    if (*n == 0 || (!solve(&pair[0], p) && !solve(&pair[1], p))) return SS_OK;
   }
   *n = 0;
   return SS_UNABLE;
@@ -201,77 +204,44 @@ static int resolve(struct solution pair[2], int *n, const fmpq *params, const st
 
 /* --- The orbit of a solution. --- */
 
-static bool undecided(const struct dyn_orbit *o) {
-  bool any = o->stable == TRUTH_UNKNOWN;
-  for (int i = 0; i < N_CONDITIONS; i++) any |= o->holds[i] == TRUTH_UNKNOWN;
-  return any;
-}
-
 /* In the calc of its last precision. */
-static int describe(struct dyn_orbit *o, struct solution *s) {
+static int describe(struct dyn_orbit *o, void *self, slong prec) {
+  struct solution *s = self;
   struct ball_pass at;
+  (void)prec;
   ball_pass_make(&at, &s->c, &s->m, s->x[0], s->x[1], s->up);
   return dyn_orbit_describe(o, &s->c, &s->m, &at);
 }
 
-static truth judge(struct dyn_orbit *o, const struct solution *s, slong prec, long max_steps) {
+static truth judge(struct dyn_orbit *o, void *self, slong prec) {
+  const struct solution *s = self;
   struct ball_params m;
   struct ball_pass at;
   struct calc c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, s->params);
   ball_pass_make(&at, &c, &m, s->x[0], s->x[1], s->up);
-  truth first = dyn_orbit_judge(o, &c, &m, &at, max_steps);
+  truth first = dyn_orbit_judge(o, &c, &m, &at, s->max_steps);
   calc_clear(&c);
   return first;
 }
 
-slong dyn_planned_bits(slong prec, slong left) {
-  return left > 0 ? prec + FLINT_MAX(DYN_GUARD, DYN_PILOT - left + SPARE) : prec + DYN_GUARD;
-}
-
-/* The working precision near (t_b, t_c), from a pilot where it is worth its time. */
-static slong plan(const fmpq *params, struct dyn_place at, slong prec) {
-  struct solution pilot;
-  struct dyn_orbit o;
-  if (prec <= DYN_PLANNED_FROM) return prec + DYN_GUARD;
-  solution_init(&pilot);
-  dyn_orbit_init(&o);
-  solution_at(&pilot, at);
-  slong left = 0;
-  if (!solve(&pilot, params, DYN_PILOT) && !describe(&o, &pilot)) left = dyn_orbit_accuracy(&o);
-  dyn_orbit_clear(&o);
-  solution_clear(&pilot);
-  return dyn_planned_bits(prec, left);
-}
-
-/* The orbit of a solution to prec bits, the working precision being raised, *raises times, as long as that helps.
-   *first as judge returns it. */
-static int finish(struct dyn_orbit *o, truth *first, long *raises, struct solution *s, slong prec, long max_steps) {
-  slong work = s->prec;
-  int status = describe(o, s);
-  for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
-    work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + DYN_GUARD;
-    status = solve(s, s->params, work);
-    if (!status) status = describe(o, s);
-    ++*raises;
-  }
-  *first = judge(o, s, FLINT_MIN(work, 128), max_steps);
-  if (*first == TRUTH_UNKNOWN || undecided(o)) *first = judge(o, s, work, max_steps);
-  o->grazing = s->grazing || *first == TRUTH_UNKNOWN;
-  return status;
+static struct orbit_source source_of(struct solution *s) {
+  return (struct orbit_source){s, solve, describe, judge};
 }
 
 int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, struct dyn_place at, slong prec,
                    const struct dyn_limits *lim) {
   struct solution s;
-  if (!lim) lim = &dyn_limits_default;
-  solution_init(&s);
+  solution_init(&s, params, lim ? lim->max_steps : dyn_limits_default.max_steps);
   dyn_orbit_init(o);
-  solution_at(&s, at);
   truth proved = TRUTH_UNKNOWN;
   long raises = 0;
-  int status = solve(&s, params, plan(params, at, prec));
-  if (!status) status = finish(o, &proved, &raises, &s, prec, lim->max_steps);
+  const struct orbit_source source = source_of(&s);
+  solution_at(&s, at);
+  slong work = orbit_planned_bits(&source, prec);
+  solution_at(&s, at);
+  int status = solve(&s, work);
+  if (!status) status = orbit_finish(o, &proved, &raises, &source, work, prec);
   if (first) *first = proved;
   solution_clear(&s);
   return status;
@@ -315,9 +285,11 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
   for (size_t i = 0; i < search.n; i++) {
     struct solution pair[2];
     int n = 0;
-    for (int k = 0; k < 2; k++) solution_init(&pair[k]);
+    for (int k = 0; k < 2; k++) solution_init(&pair[k], params, lim->max_steps);
     const struct zero *z = &search.zeros[i];
-    slong work = z->fold ? prec + DYN_GUARD : plan(params, z->at, prec);
+    const struct orbit_source pilot = source_of(&pair[0]);
+    solution_at(&pair[0], z->at);
+    slong work = orbit_planned_bits(&pilot, prec);
     status |= resolve(pair, &n, params, z, work);
     for (int k = 0; k < n; k++) add_solution(&found, &pair[k]);
     list->bits = FLINT_MAX(list->bits, n > 0 ? work : 0);
@@ -325,14 +297,10 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
   }
   list->orbit = ss_malloc((found.n + 1) * sizeof *list->orbit);
   for (size_t i = 0; i < found.n; i++) {
-    struct dyn_orbit *o = &list->orbit[list->n];
-    truth first;
-    dyn_orbit_init(o);
-    status |= finish(o, &first, &list->raises, &found.s[i], prec, lim->max_steps);
-    if (first == TRUTH_FALSE)
-      dyn_orbit_clear(o);
-    else
-      list->n++;
+    const struct orbit_source source = source_of(&found.s[i]);
+    slong before = list->n;
+    status |= orbit_list_add(list, &source, found.s[i].prec, prec);
+    if (list->n > before) list->orbit[before].grazing |= found.s[i].grazing;
     solution_clear(&found.s[i]);
   }
   qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);

@@ -6,6 +6,8 @@
 
 #include "warm.h"
 
+enum { GUARD = 40, PLANNED_FROM = 512, PILOT = 192, SPARE = 8, RAISES = 4 }; /* bits; raises of the precision */
+
 const char *const dyn_condition_id[N_CONDITIONS] = {
     [COND_TA] = "t_a",    [COND_GAMMA_V1] = "gamma_v1", [COND_H_V1] = "h_v1", [COND_H_V2] = "h_v2",
     [COND_C_V2] = "c_v2", [COND_C_W] = "c_w",           [COND_D_R] = "d_r",   [COND_GAMMA_R] = "gamma_r",
@@ -16,15 +18,6 @@ void dyn_orbit_numbers(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o) {
   arb_ptr these[ORBIT_NUMBERS] = {DYN_ORBIT_NUMBERS(MEMBER) o->margin};
 #undef MEMBER
   for (int i = 0; i < ORBIT_NUMBERS; i++) all[i] = these[i];
-}
-
-slong dyn_orbit_accuracy(struct dyn_orbit *o) {
-  arb_ptr all[ORBIT_NUMBERS];
-  slong least = ARF_PREC_EXACT;
-  dyn_orbit_numbers(all, o);
-  for (int i = 0; i < ORBIT_NUMBERS; i++)
-    if (!arb_is_zero(all[i])) least = FLINT_MIN(least, arb_rel_accuracy_bits(all[i]));
-  return FLINT_MAX(least, 0);
 }
 
 void dyn_orbit_init(struct dyn_orbit *o) {
@@ -156,4 +149,59 @@ truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec) {
   truth t = num_arb.lt(least, x);
   arb_clear(x);
   return t;
+}
+
+/* --- What the searches for orbits share. --- */
+
+/* The fewest relative bits of any of its numbers that is not zero; at least 0. */
+static slong accuracy(struct dyn_orbit *o) {
+  arb_ptr all[ORBIT_NUMBERS];
+  slong least = ARF_PREC_EXACT;
+  dyn_orbit_numbers(all, o);
+  for (int i = 0; i < ORBIT_NUMBERS; i++)
+    if (!arb_is_zero(all[i])) least = FLINT_MIN(least, arb_rel_accuracy_bits(all[i]));
+  return FLINT_MAX(least, 0);
+}
+
+slong orbit_planned_bits(const struct orbit_source *s, slong prec) {
+  if (prec <= PLANNED_FROM) return prec + GUARD;
+  struct dyn_orbit o;
+  slong left = 0; /* bits of the pilot's worst number */
+  dyn_orbit_init(&o);
+  if (!s->solve(s->self, PILOT) && !s->describe(&o, s->self, PILOT)) left = accuracy(&o);
+  dyn_orbit_clear(&o);
+  return left > 0 ? prec + FLINT_MAX(GUARD, PILOT - left + SPARE) : prec + GUARD;
+}
+
+static bool undecided(const struct dyn_orbit *o) {
+  bool any = o->stable == TRUTH_UNKNOWN;
+  for (int i = 0; i < N_CONDITIONS; i++) any |= o->holds[i] == TRUTH_UNKNOWN;
+  return any;
+}
+
+int orbit_finish(struct dyn_orbit *o, truth *valid, long *raises, const struct orbit_source *s, slong work,
+                 slong prec) {
+  int status = s->describe(o, s->self, work);
+  for (int i = 0; i < RAISES && (status || accuracy(o) < prec); i++) {
+    work += FLINT_MIN(FLINT_MAX(prec - accuracy(o), 0), work) + GUARD;
+    status = s->solve(s->self, work);
+    if (!status) status = s->describe(o, s->self, work);
+    ++*raises;
+  }
+  *valid = s->judge(o, s->self, FLINT_MIN(work, 128));
+  if (*valid == TRUTH_UNKNOWN || undecided(o)) *valid = s->judge(o, s->self, work);
+  o->grazing = *valid == TRUTH_UNKNOWN;
+  return status;
+}
+
+int orbit_list_add(struct dyn_orbits *list, const struct orbit_source *s, slong work, slong prec) {
+  struct dyn_orbit *o = &list->orbit[list->n];
+  truth valid;
+  dyn_orbit_init(o);
+  int status = orbit_finish(o, &valid, &list->raises, s, work, prec);
+  if (valid == TRUTH_FALSE)
+    dyn_orbit_clear(o);
+  else
+    list->n++;
+  return status;
 }

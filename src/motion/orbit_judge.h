@@ -22,8 +22,6 @@ void dyn_orbit_numbers(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o);
 void dyn_orbit_init(struct dyn_orbit *o);
 /* An orbit of its own; what it held is lost. */
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o);
-/* The fewest relative bits of any of its numbers that is not zero; at least 0. */
-slong dyn_orbit_accuracy(struct dyn_orbit *o);
 /* Every number of the orbit that a pass is. */
 int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, const struct ball_pass *s);
 /* The conditions.  Returns whether t_b and t_c are proved to be first roots, and the direction of phase C. */
@@ -32,13 +30,26 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
 /* Whether the static friction is more than the least that an orbit needs; some is where it is not given. */
 truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec);
 
-/* --- orbit.c: what the searches for orbits share --- */
+/* --- What the searches for orbits share. --- */
 
-/* The first working precision for prec bits of every number of an orbit.  How many bits the worst of them loses is the
-   orbit's own (its condition) and hardly depends on the precision, so that a pilot tells, of which `left` bits are
-   left; 0: none was run, since up to DYN_PLANNED_FROM bits a failed attempt costs less than one, or it told nothing. */
-enum { DYN_GUARD = 40, DYN_PLANNED_FROM = 512, DYN_PILOT = 192 };
-slong dyn_planned_bits(slong prec, slong left);
+/* A solution near a known place, which is solved for at any precision. */
+struct orbit_source {
+  void *self;
+  int (*solve)(void *self, slong prec);
+  /* The numbers and the conditions of its orbit, from enclosures that solve left; the judgement is whether it is proved
+     to be an orbit of the word. */
+  int (*describe)(struct dyn_orbit *o, void *self, slong prec);
+  truth (*judge)(struct dyn_orbit *o, void *self, slong prec);
+};
+/* The first working precision for prec bits of every number of its orbit.  How many bits the worst of them loses is the
+   orbit's own (its condition) and hardly depends on the precision, so that a pilot run tells; up to 512 bits a failed
+   attempt costs less than one. */
+slong orbit_planned_bits(const struct orbit_source *s, slong prec);
+/* The orbit of a source that is solved at `work` bits, to prec bits: the working precision is raised, *raises times, as
+   long as that helps.  *valid as judge returns it. */
+int orbit_finish(struct dyn_orbit *o, truth *valid, long *raises, const struct orbit_source *s, slong work, slong prec);
+/* The same for the list, which has room for one more, unless it is proved to be none. */
+int orbit_list_add(struct dyn_orbits *list, const struct orbit_source *s, slong work, slong prec);
 
 /* For qsort: struct dyn_orbit by increasing z10. */
 int dyn_orbits_by_z10(const void *x, const void *y);

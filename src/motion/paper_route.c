@@ -194,12 +194,14 @@ static double row_norm(const struct num_vec *m, slong n) {
   return most;
 }
 
-static double condition_number(struct calc *c, const struct num_vec *m, slong n) {
-  struct num_vec inverse = calc_vec(c, n * n);
-  if (c->status) return NAN;
-  for (slong i = 0; i < n; i++) calc_store(c, num_vec_at(&inverse, i * (n + 1)), calc_d(c, 1));
-  c->status |= num_mat_solve(&inverse, m, &inverse, n, n);
-  return row_norm(m, n) * row_norm(&inverse, n);
+int paper_condition_number(double *k, const struct num_vec *a, slong n) {
+  struct calc c = calc_begin(a->ctx);
+  struct num_vec inverse = calc_vec(&c, n * n);
+  for (slong i = 0; i < n; i++) calc_store(&c, num_vec_at(&inverse, i * (n + 1)), calc_d(&c, 1));
+  int status = num_mat_solve(&inverse, a, &inverse, n, n);
+  *k = row_norm(a, n) * row_norm(&inverse, n);
+  calc_clear(&c);
+  return status;
 }
 
 static int paper_route_condition(struct paper_condition *k, const struct num_vec *params, const struct num_vec *x) {
@@ -208,9 +210,8 @@ static int paper_route_condition(struct paper_condition *k, const struct num_vec
   struct equations q = equations_new(&c);
   const struct around a = around_make(&c, params, &t);
   c.status |= equations_make(&q, params, &t);
-  k->jacobian = condition_number(&c, &q.j, TIMES);
-  k->n1 = condition_number(&c, &a.n1, 2);
-  k->n3 = condition_number(&c, &a.n3, 2);
+  if (!c.status) c.status |= paper_condition_number(&k->jacobian, &q.j, TIMES);
+  if (!c.status) c.status |= paper_condition_number(&k->n1, &a.n1, 2) | paper_condition_number(&k->n3, &a.n3, 2);
   calc_clear(&c);
   return c.status;
 }
@@ -240,7 +241,7 @@ static struct num_vec params_in(struct calc *c, const fmpq *params) {
 }
 
 /* The errors are differences of nearby numbers, taken in mpfr. */
-static double digits_lost(const double x_d[N_ROUTE], const struct num_vec *x) {
+double paper_digits_lost(const double x_d[N_ROUTE], const struct num_vec *x) {
   double worst = 0, period = 0;
   for (slong i = 0; i < TIMES; i++) period += fabs(x_d[i]);
   double reach = fabs(x_d[ROUTE_Z]) + fabs(x_d[ROUTE_Z + 1]);
@@ -251,7 +252,7 @@ static double digits_lost(const double x_d[N_ROUTE], const struct num_vec *x) {
     worst = fmax(worst, fabs(mpfr_get_d(off, MPFR_RNDN)) / (i < TIMES ? period : reach));
   }
   mpfr_clear(off);
-  return fmax(0, log10(ldexp(worst, 53)));
+  return isfinite(period + reach) ? fmax(0, log10(ldexp(worst, 53))) : (double)NAN;
 }
 
 int paper_route_run(struct paper_route *r, const fmpq *params, const double guess[4]) {
@@ -263,7 +264,7 @@ int paper_route_run(struct paper_route *r, const fmpq *params, const double gues
   r->status_d = d.status ? d.status : run(&x_d, &r->steps_d, &p_d, guess);
   int status = c.status ? c.status : run(&r->x, &r->steps, &p, guess);
   if (!status) status = paper_route_condition(&r->condition, &p, &r->x);
-  r->digits_lost = status || r->status_d ? (double)NAN : digits_lost(r->x_d, &r->x);
+  r->digits_lost = status || r->status_d ? (double)NAN : paper_digits_lost(r->x_d, &r->x);
   calc_clear(&d);
   calc_clear(&c);
   return status;

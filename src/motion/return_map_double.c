@@ -12,10 +12,14 @@
 #include "return_map_double.h"
 #include "trig_sum.h"
 
+bool return_map_double_domain(const double params[N_PARAMS]) {
+  bool in = params[P_CHI] < 1;
+  for (int i = 0; i < N_PARAMS; i++) in = in && params[i] > 0 && isfinite(params[i]);
+  return in;
+}
+
 int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]) {
-  for (int i = 0; i < N_PARAMS; i++)
-    if (!(params[i] > 0 && isfinite(params[i]))) return SS_DOMAIN;
-  if (!(params[P_CHI] < 1)) return SS_DOMAIN;
+  if (!return_map_double_domain(params)) return SS_DOMAIN;
   k->chi = params[P_CHI];
   k->eta = params[P_ETA];
   k->V = params[P_V];
@@ -108,12 +112,6 @@ static struct modes modes_from(const struct return_map_double *k, double v1, dou
 static struct trig_sum modes_wave(const struct return_map_double *k, const struct modes *m, double start) {
   double x = k->x / k->root_eta, y = k->y / k->root_eta;
   return (struct trig_sum){start, 0, {k->om[0], k->om[1]}, {x * m->a[0], y * m->a[1]}, {-x * m->b[0], -y * m->b[1]}};
-}
-
-struct trig_sum return_map_double_wave(const struct return_map_double *k, double v1, double v2, double w, double pull,
-                                       double start) {
-  struct modes m = modes_from(k, v1, v2, w, pull);
-  return modes_wave(k, &m, start);
 }
 
 /* w, r and z_2' - (z_2' at the start) at the time whose half angles have the sines s and cosines c. */

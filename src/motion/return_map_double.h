@@ -27,7 +27,9 @@ struct pass {
   bool grazing;
   long steps;
 };
-/* SS_DOMAIN outside the domain of dynamics.h.  rise is left to return_map_double_records: few need it, and it takes an
+/* Whether they are in the domain of dynamics.h, and finite. */
+bool return_map_double_domain(const double params[N_PARAMS]);
+/* SS_DOMAIN outside it.  rise is left to return_map_double_records: few need it, and it takes an
    iteration. */
 int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]);
 void return_map_double_records(struct return_map_double *k);
@@ -37,9 +39,6 @@ double return_map_double_rise(const struct return_map_double *k, double t);
 double return_map_double_time(const struct return_map_double *k, double g);
 /* The largest |r| that phase C can end with. */
 double return_map_double_reach(const struct return_map_double *k);
-/* z_1' - V along phase H from velocities v1, v2, w and pull = chi eta r; start is its first value. */
-struct trig_sum return_map_double_wave(const struct return_map_double *k, double v1, double v2, double w, double pull,
-                                       double start);
 void return_map_double_pass(struct pass *s, const struct return_map_double *k, double tb, const struct dyn_limits *lim);
 /* The last phase and the next stick phase: t_d and t_a. */
 void return_map_double_times(double *ta, double *td, const struct return_map_double *k, const struct pass *s);

@@ -282,7 +282,7 @@ static void exact_begin(struct exact *e, const struct num_vec *params, const str
   flow_vals(x, start, 0, N_STATE);
   val chi = e->p[COULOMB_CHI], belt = e->p[COULOMB_V];
   e->span = calc_sub(c, calc_d(c, 1), chi);
-  motion_law_make(&e->law, c, chi, e->p[COULOMB_ETA], belt);
+  motion_law_make(&e->law, c, chi, e->p[COULOMB_ETA], belt, true);
   val size = calc_add(c, belt, calc_add(c, e->p[COULOMB_UR1], e->p[COULOMB_UR2]));
   for (int i = 0; i < N_STATE; i++) size = calc_add(c, size, calc_abs(c, x[i]));
   e->tol = calc_mul(c, size, calc_two_to(c, 4 - c->ctx.prec));

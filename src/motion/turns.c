@@ -34,24 +34,14 @@ static struct disk base_along(const struct strip *p) {
   return disk_widen(p->base, disk_up((disk_mag(p->pb) + 0.5 * disk_mag(p->s->rho) * p->half) * p->half));
 }
 
-struct turns strip_turns(const struct strip *p) {
+struct turns strip_turns(const struct strip *p, bool later) {
   struct turns k;
-  double down, up, turn = p->s->turn.mid, last = p->later ? INFINITY : 0;
+  double down, up, turn = p->s->turn.mid, last = later || p->later ? INFINITY : 0;
   most_radius(&down, &up, p);
   struct disk base = base_along(p);
   double low = disk_low(base), high = disk_high(base);
-  clip(&k, 0, low / turn, (high + down) / turn, 0, last);
-  clip(&k, 1, (low - up) / turn, high / turn, 0, last);
-  return k;
-}
-
-struct turns strip_turns_later(const struct strip *p) {
-  struct turns k;
-  double down, up, turn = p->s->turn.mid;
-  most_radius(&down, &up, p);
-  struct disk base = base_along(p);
-  for (int sign = 0; sign < 2; sign++)
-    clip(&k, sign, (disk_low(base) - down) / turn, (disk_high(base) + down) / turn, 0, INFINITY);
+  clip(&k, 0, (later ? low - down : low) / turn, (high + down) / turn, 0, last);
+  clip(&k, 1, (later ? low - down : low - up) / turn, (later ? high + down : high) / turn, 0, last);
   return k;
 }
 

@@ -109,10 +109,9 @@ int num_mat_det(void *z, const struct num_vec *a, slong n);
 int num_poly_root(void *z, const struct num_vec *coeffs, slong k);
 
 /* An exact rational from a decimal such as 12, 0.8, .5, 1e-12 or 2.5E+3 (no sign), of any length.
-   SS_DOMAIN when it is not of that form, SS_UNABLE when it has over 100000 characters or an exponent beyond 100000. */
-int num_parse_decimal(fmpq_t q, const char *s, size_t len);
-/* The same status without the number. */
-int num_check_decimal(const char *s, size_t len);
+   SS_DOMAIN when it is not of that form, SS_UNABLE when it has over 100000 characters or an exponent beyond 100000.
+   q may be NULL, where the status alone is wanted. */
+int num_parse_decimal(fmpq *q, const char *s, size_t len);
 
 /* Appends x to `digits` significant decimal digits, rounded to nearest with ties to even, only if every point of the
    ball rounds to the same string; otherwise SS_UNABLE and nothing is appended.  Plain notation when the decimal

@@ -100,29 +100,32 @@ static int b_exp(void *z, const void *x, slong prec) {
   return held(z);
 }
 
-static int b_sin(void *z, const void *x, slong prec) {
-  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
-  arb_sin(z, x, prec);
-  return held(z);
-}
-
-static int b_cos(void *z, const void *x, slong prec) {
-  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
-  arb_cos(z, x, prec);
-  return held(z);
-}
+/* Operations that are defined everywhere. */
+#define UNARY(op)                                                                                                      \
+  static int b_##op(void *z, const void *x, slong prec) {                                                              \
+    if (!arb_is_finite(x)) return failed(z, SS_UNABLE);                                                                \
+    arb_##op(z, x, prec);                                                                                              \
+    return held(z);                                                                                                    \
+  }
+#define BINARY(op)                                                                                                     \
+  static int b_##op(void *z, const void *x, const void *y, slong prec) {                                               \
+    arb_##op(z, x, y, prec);                                                                                           \
+    return held(z);                                                                                                    \
+  }
+UNARY(sin)
+UNARY(cos)
+UNARY(sinc)
+BINARY(add)
+BINARY(sub)
+BINARY(mul)
+#undef UNARY
+#undef BINARY
 
 /* Zero is the only pole that is a floating-point number, so the only one that a ball can be equal to. */
 static int b_cot(void *z, const void *x, slong prec) {
   if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
   if (arb_is_zero(x)) return failed(z, SS_DOMAIN);
   arb_cot(z, x, prec);
-  return held(z);
-}
-
-static int b_sinc(void *z, const void *x, slong prec) {
-  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
-  arb_sinc(z, x, prec);
   return held(z);
 }
 
@@ -198,21 +201,6 @@ static int b_stumpff(void *z, const void *x, slong prec) {
   }
   arb_clear(size);
   arb_clear(two);
-  return held(z);
-}
-
-static int b_add(void *z, const void *x, const void *y, slong prec) {
-  arb_add(z, x, y, prec);
-  return held(z);
-}
-
-static int b_sub(void *z, const void *x, const void *y, slong prec) {
-  arb_sub(z, x, y, prec);
-  return held(z);
-}
-
-static int b_mul(void *z, const void *x, const void *y, slong prec) {
-  arb_mul(z, x, y, prec);
   return held(z);
 }
 

@@ -85,44 +85,40 @@ static double d_get_d(const void *x) {
   return value(x);
 }
 
-static int d_neg(void *z, const void *x, slong prec) {
-  (void)prec;
-  return held(z, -value(x));
-}
-
-static int d_abs(void *z, const void *x, slong prec) {
-  (void)prec;
-  return held(z, fabs(value(x)));
-}
+/* Operations that are one expression, which is NaN where the result cannot be held. */
+#define UNARY(op, result)                                                                                              \
+  static int d_##op(void *z, const void *a, slong prec) {                                                              \
+    double x = value(a);                                                                                               \
+    (void)prec;                                                                                                        \
+    return held(z, result);                                                                                            \
+  }
+#define BINARY(op, result)                                                                                             \
+  static int d_##op(void *z, const void *a, const void *b, slong prec) {                                               \
+    double x = value(a), y = value(b);                                                                                 \
+    (void)prec;                                                                                                        \
+    return held(z, result);                                                                                            \
+  }
+UNARY(neg, -x)
+UNARY(abs, fabs(x))
+UNARY(exp, fabs(x) < ldexp(1, NUM_EXP_BITS) ? exp(x) : (double)NAN)
+UNARY(sin, sin(x))
+UNARY(cos, cos(x))
+UNARY(sinc, x == 0 ? 1 : sin(x) / x)
+BINARY(add, x + y)
+BINARY(sub, x - y)
+BINARY(mul, x *y)
+BINARY(hypot, isnan(x) || isnan(y) ? (double)NAN : hypot(x, y))
+#undef UNARY
+#undef BINARY
 
 static int d_sqrt(void *z, const void *x, slong prec) {
   (void)prec;
   return value(x) < 0 ? undefined(z) : held(z, sqrt(value(x)));
 }
 
-static int d_exp(void *z, const void *x, slong prec) {
-  (void)prec;
-  return held(z, fabs(value(x)) < ldexp(1, NUM_EXP_BITS) ? exp(value(x)) : (double)NAN);
-}
-
-static int d_sin(void *z, const void *x, slong prec) {
-  (void)prec;
-  return held(z, sin(value(x)));
-}
-
-static int d_cos(void *z, const void *x, slong prec) {
-  (void)prec;
-  return held(z, cos(value(x)));
-}
-
 static int d_cot(void *z, const void *x, slong prec) {
   (void)prec;
   return value(x) == 0 ? undefined(z) : held(z, 1 / tan(value(x)));
-}
-
-static int d_sinc(void *z, const void *x, slong prec) {
-  (void)prec;
-  return held(z, value(x) == 0 ? 1 : sin(value(x)) / value(x));
 }
 
 /* Up to 2 by the series, whose terms beyond the first are smaller than it; above, x - sin x keeps its digits. */
@@ -135,21 +131,6 @@ static int d_stumpff(void *z, const void *x, slong prec) {
   return held(z, sum);
 }
 
-static int d_add(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  return held(z, value(x) + value(y));
-}
-
-static int d_sub(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  return held(z, value(x) - value(y));
-}
-
-static int d_mul(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  return held(z, value(x) * value(y));
-}
-
 static int d_div(void *z, const void *x, const void *y, slong prec) {
   (void)prec;
   if (isnan(value(x)) || value(y) != 0) return held(z, value(x) / value(y));
@@ -160,11 +141,6 @@ static int d_atan2(void *z, const void *y, const void *x, slong prec) {
   (void)prec;
   if (value(x) == 0 && value(y) == 0) return undefined(z);
   return held(z, atan2(value(y) + 0.0, value(x))); /* -0 + 0 is +0, and the angle of a negative number is +pi */
-}
-
-static int d_hypot(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  return held(z, isnan(value(x)) || isnan(value(y)) ? (double)NAN : hypot(value(x), value(y)));
 }
 
 static int d_sin_cos(void *s, void *c, const void *x, slong prec) {

@@ -68,17 +68,26 @@ static double m_get_d(const void *x) {
   return mpfr_get_d(x, MPFR_RNDN);
 }
 
-static int m_neg(void *z, const void *x, slong prec) {
-  (void)prec;
-  mpfr_neg(z, x, MPFR_RNDN);
-  return held(z);
-}
-
-static int m_abs(void *z, const void *x, slong prec) {
-  (void)prec;
-  mpfr_abs(z, x, MPFR_RNDN);
-  return held(z);
-}
+/* Operations that MPFR defines wherever the result can be held. */
+#define UNARY(op)                                                                                                      \
+  static int m_##op(void *z, const void *x, slong prec) {                                                              \
+    (void)prec;                                                                                                        \
+    mpfr_##op(z, x, MPFR_RNDN);                                                                                        \
+    return held(z);                                                                                                    \
+  }
+#define BINARY(op)                                                                                                     \
+  static int m_##op(void *z, const void *x, const void *y, slong prec) {                                               \
+    (void)prec;                                                                                                        \
+    mpfr_##op(z, x, y, MPFR_RNDN);                                                                                     \
+    return held(z);                                                                                                    \
+  }
+UNARY(neg)
+UNARY(abs)
+BINARY(add)
+BINARY(sub)
+BINARY(mul)
+#undef UNARY
+#undef BINARY
 
 static int m_sqrt(void *z, const void *x, slong prec) {
   (void)prec;
@@ -149,24 +158,6 @@ static int m_stumpff(void *z, const void *x, slong prec) {
   (void)prec;
   if (mpfr_nan_p((mpfr_srcptr)x) || too_far_out(x)) return failed(z, SS_UNABLE);
   return rounded_by_balls(z, x, num_arb.stumpff);
-}
-
-static int m_add(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  mpfr_add(z, x, y, MPFR_RNDN);
-  return held(z);
-}
-
-static int m_sub(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  mpfr_sub(z, x, y, MPFR_RNDN);
-  return held(z);
-}
-
-static int m_mul(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  mpfr_mul(z, x, y, MPFR_RNDN);
-  return held(z);
 }
 
 static int m_div(void *z, const void *x, const void *y, slong prec) {

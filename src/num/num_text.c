@@ -47,21 +47,12 @@ static int split_decimal(char *digits, long *places, long *exponent, const char 
   return !ok ? SS_DOMAIN : labs(*exponent) > PARSE_MAX ? SS_UNABLE : SS_OK;
 }
 
-int num_check_decimal(const char *s, size_t len) {
+int num_parse_decimal(fmpq *q, const char *s, size_t len) {
   long places, exponent;
   if (len > PARSE_MAX) return SS_UNABLE;
   char *digits = ss_malloc(len + 1);
   int status = split_decimal(digits, &places, &exponent, s, len);
-  free(digits);
-  return status;
-}
-
-int num_parse_decimal(fmpq_t q, const char *s, size_t len) {
-  long places, exponent;
-  if (len > PARSE_MAX) return SS_UNABLE;
-  char *digits = ss_malloc(len + 1);
-  int status = split_decimal(digits, &places, &exponent, s, len);
-  if (status == SS_OK) {
+  if (status == SS_OK && q) {
     fmpz_t ten;
     fmpz_init_set_ui(ten, 10);
     exponent -= places;
