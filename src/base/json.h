@@ -12,6 +12,7 @@ enum { JSON_DEPTH = 16 };
 struct json {
   struct text *out;
   int depth;
+  size_t string;            /* where one that is being made begins */
   bool started[JSON_DEPTH]; /* the open container has a member */
 };
 
@@ -22,6 +23,12 @@ void json_array(struct json *j, const char *key);
 void json_end_object(struct json *j);
 void json_end_array(struct json *j);
 void json_string(struct json *j, const char *key, const char *value); /* NULL writes null */
+/* A string that is made in its place: what is added to j->out in between, as it is to be read back. */
+void json_begin_string(struct json *j, const char *key);
+void json_end_string(struct json *j);
+void json_printf(struct json *j, const char *key, const char *fmt, ...) SS_PRINTF(3, 4);
+/* An array of strings. */
+void json_string_array(struct json *j, const char *key, const char *const *list, int n);
 void json_long(struct json *j, const char *key, long value);
 void json_bool(struct json *j, const char *key, bool value);
 void json_null(struct json *j, const char *key);

@@ -43,6 +43,7 @@ void text_add_char(struct text *t, char c);
 /* The words, with a capital where they begin with a small letter. */
 void text_add_capital(struct text *t, const char *words);
 void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
+void text_vprintf(struct text *t, const char *fmt, va_list ap) SS_PRINTF(2, 0);
 const char *text_str(const struct text *t); /* "" when nothing was added */
 /* The length of the longest prefix that is well-formed UTF-8: no overlong forms, no surrogates, nothing cut off. */
 size_t text_valid_prefix(const char *s, size_t len);

@@ -24,12 +24,6 @@ static void json_known(struct json *j, const char *key, const arb_t x, slong dig
     json_null(j, key);
 }
 
-static void json_double(struct json *j, const char *key, double x) {
-  char shown[40];
-  snprintf(shown, sizeof shown, "%.6g", x);
-  json_string(j, key, shown);
-}
-
 static void side_json(struct json *j, const char *key, const struct dyn_beside *side, const struct scene *s,
                       slong digits) {
   json_array(j, key);
@@ -66,10 +60,10 @@ static void change_json(struct json *j, const struct dyn_bifurcation *b, const s
 static void branch_json(struct json *j, const struct dyn_branch *b, long number) {
   json_object(j, NULL);
   json_long(j, "branch", number);
-  json_double(j, "from", b->from[0]);
-  json_double(j, "to", b->to[0]);
-  json_double(j, "least", b->span[0]);
-  json_double(j, "greatest", b->span[1]);
+  json_printf(j, "from", "%.6g", b->from[0]);
+  json_printf(j, "to", "%.6g", b->to[0]);
+  json_printf(j, "least", "%.6g", b->span[0]);
+  json_printf(j, "greatest", "%.6g", b->span[1]);
   json_string(j, "begins", ending_word(b->end[0], b->change[0]));
   json_string(j, "ends", ending_word(b->end[1], b->change[1]));
   json_end_object(j);
@@ -78,10 +72,7 @@ static void branch_json(struct json *j, const struct dyn_branch *b, long number)
 static void all_json(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
                      const struct range *a, slong digits) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "scene", s->name);
-  json_string(&j, "layer", "model");
+  json_of_model(&j, out, s);
   json_object(&j, "along");
   json_string(&j, "name", scene_key_name[a->vary]);
   json_rational(&j, "from", a->from, digits);

@@ -194,12 +194,24 @@ bool load_model(struct model *m, const char *data, const struct options *o, stru
 void print_known(struct text *out, const arb_struct *x, slong digits);
 /* The same as a member or, without a key, an element. */
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits);
+/* An array of n of them. */
+void json_numbers(struct json *j, const char *key, arb_srcptr x, slong n, slong digits);
 /* An exact number to so many digits. */
 void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits);
 /* The radius to two digits, rounded up; 0 when it is. */
 void print_accuracy(struct text *out, const arb_struct *worst);
-/* "orbit:2" or "printed". */
+/* Raises it to the largest radius of n numbers. */
+void radius_raise(mag_t radius, arb_srcptr x, slong n);
+/* A radius as an accuracy. */
+void print_radius(struct text *out, const mag_t radius);
+/* Whether an orbit is certified, and within which radius: the members "certified" and "radius"; a line. */
+void proof_json(struct json *j, bool certified, const mag_t radius);
+void proof_text(struct text *out, bool certified, const mag_t radius);
+/* "orbit:2" or "printed"; the same as the member "at". */
 void print_at(struct text *out, const struct jacobian_request *q);
+void json_at(struct json *j, const struct jacobian_request *q);
+/* Begins the object of what is computed with the model at a scene: scene and layer. */
+void json_of_model(struct json *j, struct text *out, const struct scene *s);
 /* The eigenvalues of a 2x2 matrix by GSL, two texts: real numbers, or "a+bi" and "a-bi". */
 bool print_eigenvalues(struct text out[2], arb_srcptr j);
 /* jacobian --phases */

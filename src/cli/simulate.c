@@ -90,9 +90,7 @@ void simulated_json(const struct simulated *run, const char *ended) {
   mech_double_json(&j, "t", run->main->t);
   bool settled = mech_settles(&word, &period, &gap, run->main, run->n, run->states);
   if (settled) {
-    json_array(&j, "word");
-    for (int k = 0; k < word.n; k++) json_string(&j, NULL, word.phase[k]);
-    json_end_array(&j);
+    mech_word_json(&j, &word);
     mech_double_json(&j, "period", period);
   } else {
     json_null(&j, "word");

@@ -23,6 +23,8 @@ void return_json(struct json *j, const arb_mat_t x, slong digits);
 bool return_route(enum mech_derivative *how, const struct jacobian_request *q, const struct scene *s, struct diag *d);
 /* Sets d: it has no value by that method. */
 void return_unknown(struct diag *d, const struct jacobian_request *q, const struct scene *s);
+/* A word as a string. */
+void json_word(struct json *j, const char *key, const struct phase_word *w);
 /* One orbit as a member of an array. */
 void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits);
 

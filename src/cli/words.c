@@ -53,14 +53,6 @@ static int settled_on(const struct survey *v, const struct phase_word *w) {
 
 /* --- JSON --- */
 
-static void json_word(struct json *j, const char *key, const struct phase_word *w) {
-  struct text t;
-  text_init(&t);
-  phase_word_print(&t, w);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
-}
-
 static void row_json(struct survey *v, const struct phase_word *w, enum word_fate fate, const char *why,
                      const struct word_orbits *list, bool searched) {
   struct json *j = v->json;
