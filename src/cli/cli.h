@@ -90,6 +90,8 @@ int bad_input(const struct diag *d);
 int parse_options(struct options *o, const char *command, int argc, char **argv);
 /* --digits; DEFAULT_DIGITS without it. */
 int parse_digits(slong *digits, const struct options *o);
+/* A whole number from 1 to most that begins with none of 0; false otherwise. */
+bool parse_plain(long *n, const char *text, long most);
 /* A whole number from 1 (or 0) to most; false otherwise. */
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most);
 /* --jobs; all processors (at most 64) without it. */
@@ -249,11 +251,5 @@ int compare_routes(const struct coulomb_setup *setup, const struct scene *s, con
                    double duration);
 /* Says that a simulation ended before it was to; the exit status. */
 int ended_early(const char *why, const char *route, double t);
-int run_simulate(const struct options *o, const char *data);
-int run_bifurcate(const struct options *o, const char *data);
-int run_bench(const struct options *o, const char *data);
-int run_sweep(const struct options *o, const char *data);
-int run_plot(const struct options *o, const char *data);
-int run_report(const struct options *o, const char *data);
 
 #endif

@@ -228,12 +228,32 @@ static int show_orbits(const struct options *o, const struct scene *s, slong dig
   return status;
 }
 
+/* What the options ask of a scene of the paper's word that it cannot give: NULL where there is no such thing. */
+static const char *lacks(const struct options *o, const struct scene *s) {
+  if (option(o, OPT_BASIN) && (scene_is_box(s) || !scene_has_forces(s)))
+    return "--basin needs a scene that gives e1 and e2, and no interval";
+  if (!option(o, OPT_CERTIFICATE)) return NULL;
+  if (scene_is_box(s)) return "--certificate needs a scene without an interval";
+  return scene_solution_ii(s) ? "--certificate is of the word D-Gamma-H-C, and the scene names Gamma-H-C" : NULL;
+}
+
+static int show_scene(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
+  if (s->system) return run_system_orbit(o, s, data, digits, d);
+  if (scene_other_word(s)) return run_word_orbit(o, s, digits, d);
+  const char *why = lacks(o, s);
+  if (why) {
+    diag_set(d, "%s: error: %s", s->path, why);
+    return bad_input(d);
+  }
+  return scene_is_box(s) ? show_box(o, s, digits) : show_orbits(o, s, digits, d);
+}
+
 int run_orbit(const struct options *o, const char *data) {
-  const char *method = option(o, OPT_METHOD), *certificate = option(o, OPT_CERTIFICATE);
+  const char *method = option(o, OPT_METHOD);
   slong digits;
   if (option(o, OPT_BASIN) && method) return usage("--basin goes with no %s", "--method");
   if (method && strcmp(method, "paper") == 0) {
-    if (certificate) return usage("--certificate is of the model's orbits, not of --method %s", method);
+    if (option(o, OPT_CERTIFICATE)) return usage("--certificate is of the model's orbits, not of --method %s", method);
     return run_orbit_paper(o, data);
   }
   if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
@@ -243,41 +263,8 @@ int run_orbit(const struct options *o, const char *data) {
   struct diag d;
   struct scene s;
   diag_init(&d);
-  if (!load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d)) {
-    scene_clear(&s);
-    return bad_input(&d);
-  }
-  if (s.system) {
-    status = run_system_orbit(o, &s, data, digits, &d);
-    scene_clear(&s);
-    return status;
-  }
-  if (scene_other_word(&s)) {
-    status = run_word_orbit(o, &s, digits, &d);
-    scene_clear(&s);
-    return status;
-  }
-  if (option(o, OPT_BASIN) && (scene_is_box(&s) || !scene_has_forces(&s))) {
-    diag_set(&d, "%s: error: --basin needs a scene that gives e1 and e2, and no interval", s.path);
-    scene_clear(&s);
-    return bad_input(&d);
-  }
-  if (certificate && scene_is_box(&s)) {
-    diag_set(&d, "%s: error: --certificate needs a scene without an interval", s.path);
-    scene_clear(&s);
-    return bad_input(&d);
-  }
-  if (certificate && scene_solution_ii(&s)) {
-    diag_set(&d, "%s: error: --certificate is of the word D-Gamma-H-C, and the scene names Gamma-H-C", s.path);
-    scene_clear(&s);
-    return bad_input(&d);
-  }
-  if (scene_is_box(&s)) {
-    status = show_box(o, &s, digits);
-    scene_clear(&s);
-    return status;
-  }
-  status = show_orbits(o, &s, digits, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d);
+  status = ok ? show_scene(o, &s, data, digits, &d) : bad_input(&d);
   scene_clear(&s);
   return status;
 }

@@ -1,6 +1,5 @@
 /* stickslip simulate: the masses under Coulomb's law from a start on an orbit, at the printed numbers or of one's own,
    integrated by GSL; in the table and in JSON, held against the closed forms event by event. */
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,11 +21,7 @@ struct simulation {
 };
 
 static int parse_count(long *n, const char *text, long most, const char *option) {
-  if (!text) return EXIT_AS_RECORDED;
-  char *end;
-  errno = 0;
-  *n = strtol(text, &end, 10);
-  if (!errno && !*end && text[0] >= '1' && text[0] <= '9' && *n >= 1 && *n <= most) return EXIT_AS_RECORDED;
+  if (!text || parse_plain(n, text, most)) return EXIT_AS_RECORDED;
   char what[80];
   snprintf(what, sizeof what, "%s takes a whole number from 1 to %ld", option, most);
   return usage("%s", what);

@@ -201,6 +201,15 @@ void markdown_head(struct text *out, const char *columns) {
   text_clear(&rule);
 }
 
+void markdown_head_of(struct text *out, const char *columns, const char *const *name, int n) {
+  struct text all;
+  text_init(&all);
+  text_add(&all, columns);
+  for (int i = 0; i < n; i++) text_printf(&all, "|%s:", name[i]);
+  markdown_head(out, text_str(&all));
+  text_clear(&all);
+}
+
 /* --- Words with texts in them --- */
 
 /* A claim of an equation by the equation's number, others as code. */

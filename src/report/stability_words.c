@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "sheet.h"
+
 /* --- Numbers --- */
 
 /* NULL where there is none. */
@@ -94,11 +96,7 @@ void stability_add_cause(struct text *out, const struct stability_row *row, cons
 }
 
 void stability_add_confusion(struct text *out, const struct stability_result *r) {
-  text_add(out, "| predicted \\ observed |");
-  for (int b = 0; b < N_LOSS_BINS; b++) text_printf(out, " %s |", loss_bin_name[b]);
-  text_add(out, "\n| --- |");
-  for (int b = 0; b < N_LOSS_BINS; b++) text_add(out, " ---: |");
-  text_add_char(out, '\n');
+  markdown_head_of(out, "predicted \\ observed", loss_bin_name, N_LOSS_BINS);
   for (int a = 0; a < N_LOSS_BINS; a++) {
     text_printf(out, "| %s |", loss_bin_name[a]);
     for (int b = 0; b < N_LOSS_BINS; b++) text_printf(out, " %ld |", r->confusion[a][b]);
