@@ -175,10 +175,7 @@ static int with_line(const struct options *o, const struct scene *s, slong digit
   struct range a;
   range_init(&a);
   int status = parse_along(&a, NULL, o);
-  if (!status && !scene_has_forces(s)) {
-    diag_set(d, "%s: error: bifurcate needs a scene that gives e1 and e2", s->path);
-    status = bad_input(d);
-  }
+  if (!status && !scene_needs_forces(s, "bifurcate", d)) status = bad_input(d);
   if (!status) status = range_check_friction(&a, s, "--along", option(o, OPT_ALONG));
   if (!status) status = show(s, &a, o, digits);
   range_clear(&a);

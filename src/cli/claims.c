@@ -52,10 +52,10 @@ bool list_claim(struct text *out, const struct model *m, const struct claim *c, 
 }
 
 int run_list(const struct options *o, const char *data) {
-  bool keys = option(o, OPT_SCENE_KEYS), as_json = option(o, OPT_JSON);
+  bool keys = option(o, OPT_SCENE_KEYS);
   if (keys && o->operands.n) return usage("list --scene-keys takes no operand, not %.200s", o->operands.word[0]);
-  if (keys) return list_scene_keys(as_json);
-  if (as_json) return usage("list writes JSON with %s only", "--scene-keys");
+  if (keys) return list_scene_keys(o);
+  if (option(o, OPT_JSON)) return usage("list writes JSON with %s only", "--scene-keys");
   if (o->operands.n == 1 && strcmp(o->operands.word[0], "scenes") == 0) return list_scenes(data);
   if (o->operands.n) return usage("list takes no operand but scenes, not %.200s", o->operands.word[0]);
   struct diag d;

@@ -173,11 +173,13 @@ bool find_data(struct text *data, struct diag *d);
 /* The scene of that name or path, with what --set changes.  scene_clear it all the same. */
 bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, enum scene_welcome any,
                 struct diag *d);
+/* Whether it gives e1 and e2, which the command needs; false with d set. */
+bool scene_needs_forces(const struct scene *s, const char *command, struct diag *d);
 /* The row of a claim in the list, and those of the claims that its restrictions make, as reports have them; false with d
    set. */
 bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
 /* list --scene-keys */
-int list_scene_keys(bool as_json);
+int list_scene_keys(const struct options *o);
 /* folder/name into out. */
 void join_path(struct text *out, const char *folder, const char *name);
 /* What a command on the paper and its scene reads, with what --paper, --overlay and --set change. */

@@ -1,4 +1,6 @@
 /* stickslip plot: the pictures of a scene's orbits alone, and the tables they are drawn from. */
+#include <string.h>
+
 #include "cli.h"
 #include "mech/orbit.h"
 #include "report/report.h"
@@ -30,10 +32,8 @@ static bool nothing(struct diag *d, const struct scene *s, const char *why) {
 /* The table of a scene that names a system file. */
 static bool draw_system(struct audit_result *r, const struct scene *s, const char *data, struct diag *d) {
   struct mech m;
-  struct mech_word w;
-  struct mech_orbits list = {.n = 0};
-  bool ok = scene_load_system(&m, &w, s, data, d);
-  if (ok) mech_orbits_find(&list, &m, w.n ? &w : NULL, false, system_bits(DEFAULT_DIGITS));
+  struct mech_orbits list;
+  bool ok = find_system_orbits(&m, &list, false, s, data, DEFAULT_DIGITS, d);
   if (ok && list.n) table_of_system(r, &m, &list);
   if (ok && !list.n) ok = nothing(d, s, "no orbit is found");
   mech_orbits_clear(&list);
@@ -96,16 +96,14 @@ static int draw_motion(struct audit_result *r, const struct scene *s, const stru
 static int draw_asked(struct audit_result *r, bool *any, const struct scene *s, const struct options *o,
                       struct diag *d) {
   static const enum option asked[] = {OPT_ALONG, OPT_OVER, OPT_ANIMATE};
-  static const char *const name[] = {"--along", "--over", "--animate"};
+  static const char *const name[] = {"plot --along", "plot --over", "plot --animate"};
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < 3 && !status; i++) {
     if (o->given[asked[i]].n == 0) continue;
     *any = true;
     if (s->system)
-      diag_set(d, "%s: error: %s is of the paper's two masses", s->path, name[i]);
-    else if (i < 2 && !scene_has_forces(s))
-      diag_set(d, "%s: error: plot %s needs a scene that gives e1 and e2", s->path, name[i]);
-    else
+      diag_set(d, "%s: error: %s is of the paper's two masses", s->path, name[i] + strlen("plot "));
+    else if (i == 2 || scene_needs_forces(s, name[i], d))
       status = i == 0 ? draw_along(r, s, o) : i == 1 ? draw_plane(r, s, o, d) : draw_motion(r, s, o, d);
     if (d->set) status = EXIT_INPUT;
   }

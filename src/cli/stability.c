@@ -130,8 +130,7 @@ static bool study(const struct model *m, const struct stability_options *q, cons
   progress_end();
   set_sources(&r, o);
   ok = ok && (!folder || write_files(folder, &r, d));
-  if (ok && option(o, OPT_JSON)) report_stability_json(&body, &r);
-  if (ok && !option(o, OPT_JSON)) report_stability_text(&body, &r);
+  if (ok) (option(o, OPT_JSON) ? report_stability_json : report_stability_text)(&body, &r);
   if (ok) fputs(text_str(&body), stdout);
   if (ok && folder) say_written(o, folder);
   text_clear(&body);

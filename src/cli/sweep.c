@@ -72,11 +72,9 @@ static int parse_request(struct sweep *q, const struct options *o) {
 static int load_swept(struct sweep *q, const struct options *o, const char *data) {
   struct diag d;
   diag_init(&d);
-  if (!load_scene(&q->scene, o->operands.word[0], data, o, SCENE_EXACT, &d)) return bad_input(&d);
-  if (!scene_has_forces(&q->scene)) {
-    diag_set(&d, "%s: error: sweep needs a scene that gives e1 and e2", q->scene.path);
+  if (!load_scene(&q->scene, o->operands.word[0], data, o, SCENE_EXACT, &d) ||
+      !scene_needs_forces(&q->scene, "sweep", &d))
     return bad_input(&d);
-  }
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < q->n_axes && !status; i++)
     status = range_check_friction(&q->range[i], &q->scene, "--over", o->given[OPT_OVER].word[i]);

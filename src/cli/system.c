@@ -381,9 +381,8 @@ static bool refuse(const struct options *o, const struct scene *s, slong digits,
   return d->set;
 }
 
-/* The system of a scene and the orbits of that word, or of any; m and list are to be cleared in any case. */
-static bool find(struct mech *m, struct mech_orbits *list, bool any, const struct scene *s, const char *data,
-                 slong digits, struct diag *d) {
+bool find_system_orbits(struct mech *m, struct mech_orbits *list, bool any, const struct scene *s, const char *data,
+                        slong digits, struct diag *d) {
   struct mech_word w;
   *list = (struct mech_orbits){.n = 0};
   if (!scene_load_system(m, &w, s, data, d)) return false;
@@ -397,7 +396,7 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   struct mech_orbits list;
   if (option(o, OPT_METHOD)) diag_set(d, "%s: error: --method is of the paper's two masses", s->path);
   if (d->set || refuse(o, s, digits, d)) return bad_input(d);
-  bool ok = find(&m, &list, false, s, data, digits, d);
+  bool ok = find_system_orbits(&m, &list, false, s, data, digits, d);
   ok = ok && (!certificate || write_system_certificate(certificate, &list, list.n, &m, s, d));
   if (ok) {
     struct text out;
@@ -417,7 +416,7 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
   struct mech m;
   struct survey v = {.longest = option(o, OPT_LONGEST) ? longest : MECH_PHASES};
   if (refuse(o, s, digits, d)) return bad_input(d);
-  bool ok = find(&m, &v.orbits, true, s, data, digits, d);
+  bool ok = find_system_orbits(&m, &v.orbits, true, s, data, digits, d);
   if (ok) {
     struct text out;
     text_init(&out);
@@ -444,7 +443,7 @@ int run_system_jacobian(const struct options *o, const struct scene *s, const ch
   if (!option(o, OPT_METHOD)) q.method = METHOD_SALTATION;
   if (q.at_printed) diag_set(d, "%s: error: --at printed is of the paper's two masses", s->path);
   if (d->set || !return_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return bad_input(d);
-  bool ok = find(&m, &list, false, s, data, q.digits, d) && show_jacobian(o, &list, &m, s, &q, how, d);
+  bool ok = find_system_orbits(&m, &list, false, s, data, q.digits, d) && show_jacobian(o, &list, &m, s, &q, how, d);
   mech_orbits_clear(&list);
   mech_clear(&m);
   return ok ? EXIT_AS_RECORDED : bad_input(d);

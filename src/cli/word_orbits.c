@@ -28,21 +28,15 @@ static void violation(struct text *out, const struct word_orbit *o, const struct
   text_add(out, mech_rule_name[c->rule]);
 }
 
-/* The eigenvalues as texts, "a+bi" where they are not real; false when they are not known. */
-static bool eigenvalue_texts(struct text out[WORD_FREE_MOST], const arb_mat_t x, slong digits) {
-  int n = (int)arb_mat_nrows(x);
-  acb_ptr z = _acb_vec_init(n);
-  bool known = mech_eigenvalues(z, x, 2 * word_bits(digits));
-  for (int i = 0; i < n && known; i++) {
-    bool real = arb_is_zero(acb_imagref(z + i));
-    if (real || !arb_contains_zero(acb_realref(z + i))) print_known(&out[i], acb_realref(z + i), digits);
-    if (real) continue;
-    if (out[i].len > 0 && arb_is_positive(acb_imagref(z + i))) text_add_char(&out[i], '+');
-    print_known(&out[i], acb_imagref(z + i), digits);
-    text_add_char(&out[i], 'i');
-  }
-  _acb_vec_clear(z, n);
-  return known;
+/* "a+bi" where it is not real. */
+static void add_eigenvalue(struct text *out, const acb_struct *z, slong digits) {
+  size_t begin = out->len;
+  bool real = arb_is_zero(acb_imagref(z));
+  if (real || !arb_contains_zero(acb_realref(z))) print_known(out, acb_realref(z), digits);
+  if (real) return;
+  if (out->len > begin && arb_is_positive(acb_imagref(z))) text_add_char(out, '+');
+  print_known(out, acb_imagref(z), digits);
+  text_add_char(out, 'i');
 }
 
 /* --- One orbit. --- */
@@ -82,16 +76,20 @@ static void free_json(struct json *j, const struct word_orbit *o) {
 }
 
 static void eigenvalues_json(struct json *j, const arb_mat_t x, slong digits) {
-  struct text t[WORD_FREE_MOST];
-  for (int i = 0; i < WORD_FREE_MOST; i++) text_init(&t[i]);
-  if (eigenvalue_texts(t, x, digits)) {
+  slong n = arb_mat_nrows(x);
+  acb_ptr z = _acb_vec_init(n);
+  if (mech_eigenvalues(z, x, 2 * word_bits(digits))) {
     json_array(j, "eigenvalues");
-    for (int i = 0; i < arb_mat_nrows(x); i++) json_string(j, NULL, text_str(&t[i]));
+    for (slong i = 0; i < n; i++) {
+      json_begin_string(j, NULL);
+      add_eigenvalue(j->out, z + i, digits);
+      json_end_string(j);
+    }
     json_end_array(j);
   } else {
     json_null(j, "eigenvalues");
   }
-  for (int i = 0; i < WORD_FREE_MOST; i++) text_clear(&t[i]);
+  _acb_vec_clear(z, n);
 }
 
 void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
@@ -133,13 +131,16 @@ void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
 }
 
 static void eigenvalues_text(struct text *out, const arb_mat_t x, slong digits) {
-  struct text t[WORD_FREE_MOST];
-  for (int i = 0; i < WORD_FREE_MOST; i++) text_init(&t[i]);
-  bool known = eigenvalue_texts(t, x, digits);
+  slong n = arb_mat_nrows(x);
+  acb_ptr z = _acb_vec_init(n);
+  bool known = mech_eigenvalues(z, x, 2 * word_bits(digits));
   text_add(out, "  eigenvalues ");
-  for (int i = 0; i < arb_mat_nrows(x) && known; i++) text_printf(out, "%s%s", i ? ", " : "", text_str(&t[i]));
+  for (slong i = 0; known && i < n; i++) {
+    text_add(out, i ? ", " : "");
+    add_eigenvalue(out, z + i, digits);
+  }
   text_add(out, known ? "\n" : "not told apart\n");
-  for (int i = 0; i < WORD_FREE_MOST; i++) text_clear(&t[i]);
+  _acb_vec_clear(z, n);
 }
 
 static void add_number(struct text *out, const char *name, arb_srcptr x, slong digits) {

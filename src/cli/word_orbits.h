@@ -11,6 +11,9 @@ enum { WORD_DIGITS = 1000 }; /* the most that these commands take */
 /* The working precision for so many digits; of a system file's orbits. */
 slong word_bits(slong digits);
 slong system_bits(slong digits);
+/* The system of a scene and the orbits of its word, or of any; m and list are to be cleared in any case. */
+bool find_system_orbits(struct mech *m, struct mech_orbits *list, bool any, const struct scene *s, const char *data,
+                        slong digits, struct diag *d);
 /* --certificate: false with d set when no orbit is certified; a warning when some are not. */
 bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d);
 /* Writes the certified ones; the same.  n: the orbits that were found. */

@@ -255,7 +255,7 @@ static void all_json(struct survey *v, struct text *out) {
   json_end_object(&j);
 }
 
-static void show_survey(struct survey *v, bool as_json) {
+static void show_survey(struct survey *v, const struct options *o) {
   struct text out;
   text_init(&out);
   text_init(&v->rows);
@@ -264,16 +264,13 @@ static void show_survey(struct survey *v, bool as_json) {
   text_init(&v->late.words);
   scene_static_friction(v->u_r, v->scene);
   word_seeds_find(&v->seeds, v->scene->value, v->u_r, STARTS);
-  if (as_json) {
+  if (option(o, OPT_JSON)) {
     all_json(v, &out);
   } else {
     all_words(v);
     all_text(&out, v);
   }
-  if (as_json)
-    fputs(text_str(&out), stdout);
-  else
-    terminal_print(text_str(&out));
+  print_found(o, &out);
   word_seeds_clear(&v->seeds);
   text_clear(&v->late.words);
   text_clear(&v->needs.words);
@@ -299,18 +296,13 @@ int run_words(const struct options *o, const char *data) {
   struct scene s;
   diag_init(&d);
   v.scene = &s;
-  if (!load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d)) {
-    status = bad_input(&d);
-  } else if (s.system) {
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d);
+  if (ok && s.system)
     status = run_system_words(o, &s, data, v.longest, v.digits, &d);
-  } else if (!scene_one_point(&s, &d)) {
+  else if (ok && scene_one_point(&s, &d) && scene_needs_forces(&s, "words", &d))
+    show_survey(&v, o);
+  else
     status = bad_input(&d);
-  } else if (!scene_has_forces(&s)) {
-    diag_set(&d, "%s: error: words needs a scene that gives e1 and e2", s.path);
-    status = bad_input(&d);
-  } else {
-    show_survey(&v, option(o, OPT_JSON));
-  }
   scene_clear(&s);
   return status;
 }

@@ -1,7 +1,9 @@
 /* What became of the damages: the one score, its rows, and what survived, since each survivor asks for a check or an
    argument. */
 #include "mutation.h"
-#include "base/json.h"
+
+#include <stddef.h>
+
 #include "escape.h"
 #include "sheet.h"
 
@@ -53,32 +55,28 @@ static void write_damaged(struct json *j, const struct damaged *g) {
   json_end_object(j);
 }
 
-static void write_score(struct json *j, const struct mutation_result *r) {
-  struct mutation_score s;
-  mutation_score_of(&s, r);
-  json_object(j, "score");
-  json_long(j, "counted", s.counted);
-  json_long(j, "noticed", s.noticed);
-  json_long(j, "formulas", s.formulas);
-  json_long(j, "equivalent", s.equivalent);
-  json_long(j, "on_motions", s.on_motions);
-  json_long(j, "needs_text", s.needs_text);
-  json_long(j, "errata", s.errata);
-  json_end_object(j);
-}
+#define COUNT(name)                                                                                                    \
+  { .key = #name, .kind = MEMBER_LONG, .at = offsetof(struct mutation_score, name) }
+static const struct member mutation_score_shape_member[] = {
+    COUNT(counted),    COUNT(noticed),    COUNT(formulas), COUNT(equivalent),
+    COUNT(on_motions), COUNT(needs_text), COUNT(errata),
+};
+SHAPE(mutation_score_shape, struct mutation_score, .blank = NULL);
 
 void report_mutation_json(struct text *out, const struct mutation_result *r) {
   struct json j;
+  struct mutation_score score;
+  mutation_score_of(&score, r);
   json_init(&j, out);
   json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-mutation-2");
+  json_string(&j, "schema", MUTATION_SCHEMA);
   json_string(&j, "scene", r->scene);
   json_string(&j, "subject", r->subject);
   json_printf(&j, "seed", "%llu", r->seed);
   json_string(&j, "text", r->text);
   json_long(&j, "population", r->population);
   json_long(&j, "tried", r->tried);
-  write_score(&j, r);
+  shape_write(&j, "score", &mutation_score_shape, &score);
   write_row(&j, "formulas", &r->formulas);
   write_row(&j, "corrected_elsewhere", &r->printed);
   write_row(&j, "errata", &r->errata);
