@@ -60,6 +60,11 @@ static void close_container(struct json *j, char bracket) {
 void json_object(struct json *j, const char *key) {
   open_container(j, key, '{');
 }
+void json_document(struct json *j, struct text *out, const char *schema) {
+  json_init(j, out);
+  json_object(j, NULL);
+  json_string(j, "schema", schema);
+}
 void json_array(struct json *j, const char *key) {
   open_container(j, key, '[');
 }

@@ -17,6 +17,8 @@ struct json {
 };
 
 void json_init(struct json *j, struct text *out);
+/* Begins a document: an object with its schema first. */
+void json_document(struct json *j, struct text *out, const char *schema);
 /* key is NULL inside an array and at the top. */
 void json_object(struct json *j, const char *key);
 void json_array(struct json *j, const char *key);
@@ -66,6 +68,8 @@ bool json_parse(struct json_value *out, struct arena *a, const struct source *s,
 const struct json_value *json_member(const struct json_value *v, const char *key);
 /* The string that a member holds; NULL when it holds something else. */
 const char *json_text(const struct json_value *v, const char *key);
+/* Whether it holds that string; false where that is NULL. */
+bool json_says(const struct json_value *v, const char *key, const char *what);
 /* Whether two values say the same; the order of members does not matter, numbers are compared as written. */
 bool json_same(const struct json_value *a, const struct json_value *b);
 

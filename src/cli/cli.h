@@ -180,6 +180,8 @@ bool scene_needs_forces(const struct scene *s, const char *command, struct diag 
 bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
 /* list --scene-keys */
 int list_scene_keys(const struct options *o);
+/* source_read of folder/name. */
+bool read_in(struct source *s, const char *folder, const char *name, size_t max, struct diag *d);
 /* folder/name into out. */
 void join_path(struct text *out, const char *folder, const char *name);
 /* What a command on the paper and its scene reads, with what --paper, --overlay and --set change. */
@@ -196,6 +198,8 @@ bool load_model(struct model *m, const char *data, const struct options *o, stru
 
 /* As many of the digits as are known; a ball in which not even the first is: 0. */
 void print_known(struct text *out, const arb_struct *x, slong digits);
+/* The same on a line, behind its name in so many columns. */
+void print_named(struct text *out, int width, const char *name, const arb_struct *x, slong digits);
 /* The same as a member or, without a key, an element. */
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits);
 /* An array of n of them. */

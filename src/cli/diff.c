@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "cli.h"
+#include "report/audit_shape.h"
 
 struct audit_file {
   struct source source;
@@ -72,9 +73,8 @@ static bool audit_file_read(struct audit_file *f, const char *path, struct diag 
   *f = (struct audit_file){.n = 0};
   arena_init(&f->arena);
   if (!source_read(&f->source, path, LARGEST_AUDIT, d) || !json_parse(&f->root, &f->arena, &f->source, d)) return false;
-  const char *schema = json_text(&f->root, "schema");
   const struct json_value *claims = json_member(&f->root, "claims");
-  if (!schema || strcmp(schema, "stickslip-audit-2") != 0) return not_an_audit(f, d, "no schema stickslip-audit-2");
+  if (!json_says(&f->root, "schema", AUDIT_SCHEMA)) return not_an_audit(f, d, "no schema " AUDIT_SCHEMA);
   for (int i = 0; i < N_COUNTS; i++)
     if (!read_counts(f, counts[i].member, d)) return false;
   if (!claims || claims->kind != JSON_KIND_ARRAY) return not_an_audit(f, d, "no claims");
@@ -198,10 +198,8 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
   struct text out;
   struct json j;
   text_init(&out);
-  json_init(&j, &out);
+  json_document(&j, &out, "stickslip-diff-1");
   struct teller l = {.json = &j};
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-diff-1");
   json_string(&j, "first", a->source.name);
   json_string(&j, "second", b->source.name);
   json_array(&j, "counts");

@@ -10,14 +10,10 @@
 static bool print_receipt(struct text *out, const struct model *m, const struct claims *c, const struct scene *s,
                           const char *id, const char *data, struct diag *d) {
   enum { MAX_SCRIPT = 1 << 20 };
-  struct text path;
   struct source src;
-  text_init(&path);
-  join_path(&path, data, receipt_of_orbit(c, id) ? "receipt/orbit.py" : "receipt/model.py");
-  bool ok = source_read(&src, text_str(&path), MAX_SCRIPT, d);
-  text_clear(&path);
-  if (!ok) return false;
-  ok = audit_receipt(out, m, c, s, id, src.text, d);
+  if (!read_in(&src, data, receipt_of_orbit(c, id) ? "receipt/orbit.py" : "receipt/model.py", MAX_SCRIPT, d))
+    return false;
+  bool ok = audit_receipt(out, m, c, s, id, src.text, d);
   source_clear(&src);
   return ok;
 }

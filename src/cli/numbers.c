@@ -51,6 +51,12 @@ void print_known(struct text *out, const arb_struct *x, slong digits) {
   if (n > 0 && n < digits) show_as_power(out, from, n);
 }
 
+void print_named(struct text *out, int width, const char *name, const arb_struct *x, slong digits) {
+  text_printf(out, "  %-*s ", width, name);
+  print_known(out, x, digits);
+  text_add_char(out, '\n');
+}
+
 void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits) {
   json_begin_string(j, key);
   num_print_rational(j->out, q, digits);

@@ -77,9 +77,9 @@ static void write_claim(struct json *j, const struct planned_claim *c) {
   json_end_object(j);
 }
 
-static void write_plan(struct json *j, const struct audit_plan *p) {
-  json_object(j, NULL);
-  json_string(j, "schema", "stickslip-plan-1");
+static void write_plan(struct text *out, const struct audit_plan *p) {
+  struct json document, *j = &document;
+  json_document(j, out, "stickslip-plan-1");
   json_string(j, "scene", p->scene);
   json_array(j, "claims");
   for (int i = 0; i < p->n_claims; i++) write_claim(j, &p->claim[i]);
@@ -101,14 +101,12 @@ int show_plan(const struct model *m, const struct claims *claims, const struct c
               const struct audit_options *opt, bool json, struct diag *d) {
   struct audit_plan p;
   struct text out;
-  struct json j;
   int status = EXIT_AS_RECORDED;
   text_init(&out);
   if (!audit_plan(&p, m, claims, controls, s, opt, d)) {
     status = bad_input(d);
   } else if (json) {
-    json_init(&j, &out);
-    write_plan(&j, &p);
+    write_plan(&out, &p);
     fputs(text_str(&out), stdout);
   } else {
     print_plan(&p);

@@ -16,19 +16,13 @@ static long member_count(const struct json_value *v, const char *key) {
   return *end || n < 0 || n > 1000000000 ? -1 : n;
 }
 
-/* Whether the member is a string that says so. */
-static bool says(const struct json_value *v, const char *key, const char *what) {
-  const char *text = json_text(v, key);
-  return text && what && strcmp(text, what) == 0;
-}
-
 /* Only a study of every damage of what the audit read, in its scene, is a score. */
 static bool read_score(struct mutation_score *s, struct arena *a, const struct json_value *root,
                        const struct source *src, const struct audit_result *r) {
   const struct json_value *score = json_member(root, "score");
   long tried = member_count(root, "tried");
-  return says(root, "schema", MUTATION_SCHEMA) && says(root, "scene", r->scene) && says(root, "subject", r->subject) &&
-         score && tried > 0 && tried == member_count(root, "population") &&
+  return json_says(root, "schema", MUTATION_SCHEMA) && json_says(root, "scene", r->scene) &&
+         json_says(root, "subject", r->subject) && score && tried > 0 && tried == member_count(root, "population") &&
          shape_read(s, a, &mutation_score_shape, score, src, NULL);
 }
 

@@ -29,18 +29,13 @@ static int parse_count(long *n, const char *text, long most, const char *option)
 
 /* --- Output --- */
 
-void csv_heading(int n) {
+void csv_line(int n, const struct mech_moment *at) {
   struct text line;
   text_init(&line);
-  mech_csv_heading(&line, n);
-  fputs(text_str(&line), stdout);
-  text_clear(&line);
-}
-
-void moment_csv(int n, const struct mech_moment *at) {
-  struct text line;
-  text_init(&line);
-  mech_csv_row(&line, n, at);
+  if (at)
+    mech_csv_row(&line, n, at);
+  else
+    mech_csv_heading(&line, n);
   fputs(text_str(&line), stdout);
   text_clear(&line);
 }
@@ -139,7 +134,7 @@ static void motion_of(struct mech_motion *out, const struct coulomb_setup *setup
 static bool print_csv_row(void *self, const struct coulomb_row *r) {
   (void)self;
   struct mech_moment at = moment_of(r);
-  moment_csv(2, &at);
+  csv_line(2, &at);
   return !ferror(stdout);
 }
 
@@ -159,7 +154,7 @@ static int early_status(const struct coulomb_result *r) {
 static int simulate_csv(const struct simulation *run) {
   struct coulomb_result r = {.end = COULOMB_FAILED};
   struct coulomb_sink sink = {NULL, print_csv_event, print_csv_row};
-  csv_heading(2);
+  csv_line(2, NULL);
   coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
   return early_status(&r);
 }

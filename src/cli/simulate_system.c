@@ -98,7 +98,7 @@ static bool set_plan(struct system_simulation *run, const struct scene *s, const
 /* --- Output --- */
 
 static bool print_row(void *self, const struct mech_moment *at) {
-  moment_csv(*(const int *)self, at);
+  csv_line(*(const int *)self, at);
   return !ferror(stdout);
 }
 
@@ -184,7 +184,7 @@ int run_system_simulate(const struct options *o, const struct scene *s, const ch
   bool ok = scene_load_system(&run.m, &run.word, s, data, &d);
   ok = ok && (start ? start_given(&run, start, &d) : start_on_orbit(&run, s, o, asked->orbit, &d));
   ok = ok && starts_clear(&run, s, &d) && set_plan(&run, s, asked, option(o, OPT_CSV) != NULL, &d);
-  if (ok && option(o, OPT_CSV)) csv_heading(run.m.n);
+  if (ok && option(o, OPT_CSV)) csv_line(run.m.n, NULL);
   status = ok ? print_motion(&run, s, o, &d) : bad_input(&d);
   mech_orbits_clear(&run.orbits);
   mech_clear(&run.m);

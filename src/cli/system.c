@@ -104,12 +104,6 @@ static void orbits_json(struct text *out, const struct mech_orbits *list, const 
   json_end_object(&j);
 }
 
-static void add_line(struct text *out, const char *name, arb_srcptr x, slong digits) {
-  text_printf(out, "  %-12s ", name);
-  print_known(out, x, digits);
-  text_add_char(out, '\n');
-}
-
 static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits) {
   text_add(out, "  multipliers ");
   for (int i = 0; z && i < n; i++) {
@@ -130,15 +124,15 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
   for (int k = 0; k < o->word.n; k++) {
     char name[MECH_PHASE + 16];
     snprintf(name, sizeof name, "t_%d %s", k + 1, o->word.phase[k]);
-    add_line(out, name, o->t + k, digits);
+    print_named(out, 12, name, o->t + k, digits);
   }
-  add_line(out, "period", o->period, digits);
+  print_named(out, 12, "period", o->period, digits);
   for (int i = 0; i < 2 * o->n; i++) {
     char name[24];
     snprintf(name, sizeof name, "x_%d%s", i % o->n + 1, i < o->n ? "" : "'");
-    add_line(out, name, o->state + i, digits);
+    print_named(out, 12, name, o->state + i, digits);
   }
-  if (o->turns) add_line(out, "load angle", o->angle, digits);
+  if (o->turns) print_named(out, 12, "load angle", o->angle, digits);
   if (o->turns) text_printf(out, "  %-12s %ld\n", "load turns", (long)o->turns);
   multipliers_text(out, o->multipliers ? o->multiplier : NULL, o->n_free, digits);
   find_radius(radius, o);

@@ -143,12 +143,6 @@ static void eigenvalues_text(struct text *out, const arb_mat_t x, slong digits) 
   _acb_vec_clear(z, n);
 }
 
-static void add_number(struct text *out, const char *name, arb_srcptr x, slong digits) {
-  text_printf(out, "  %-10s ", name);
-  print_known(out, x, digits);
-  text_add_char(out, '\n');
-}
-
 /* One orbit as lines. */
 static void word_orbit_text(struct text *out, const struct word_orbit *o, long number, const struct scene *s,
                             slong digits) {
@@ -160,12 +154,12 @@ static void word_orbit_text(struct text *out, const struct word_orbit *o, long n
   for (int p = 0; p < o->word.n; p++) {
     char name[24];
     snprintf(name, sizeof name, "t_%d %s", p + 1, phase_word_name(o->word.mode[p]));
-    add_number(out, name, o->t + p, digits);
+    print_named(out, 10, name, o->t + p, digits);
   }
-  add_number(out, "period", o->period, digits);
-  for (int i = 0; i < N_STATE; i++) add_number(out, word_coordinate_name[i], o->state + i, digits);
+  print_named(out, 10, "period", o->period, digits);
+  for (int i = 0; i < N_STATE; i++) print_named(out, 10, word_coordinate_name[i], o->state + i, digits);
   for (int i = 0; i < 2 && !phase_word_has_faster(&o->word); i++)
-    add_number(out, i ? "u_r2_min" : "u_r1_min", o->u_r_min[i], digits);
+    print_named(out, 10, i ? "u_r2_min" : "u_r1_min", o->u_r_min[i], digits);
   eigenvalues_text(out, o->jacobian, digits);
   find_radius(radius, o);
   proof_text(out, o->certified, radius);

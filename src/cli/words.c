@@ -230,10 +230,8 @@ static void all_words(struct survey *v) {
 
 static void all_json(struct survey *v, struct text *out) {
   struct json j;
-  json_init(&j, out);
+  json_document(&j, out, "stickslip-words-1");
   v->json = &j;
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-words-1");
   json_string(&j, "scene", v->scene->name);
   json_string(&j, "layer", "model");
   json_long(&j, "longest", v->longest);

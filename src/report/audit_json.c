@@ -90,9 +90,7 @@ static void write_precision(struct json *j, const struct audit_result *r) {
 
 void report_run(struct text *out, const struct audit_result *r, double seconds, const char *software) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-run-1");
+  json_document(&j, out, "stickslip-run-1");
   json_string(&j, "scene", r->scene);
   json_printf(&j, "seconds", "%.3f", seconds);
   json_string(&j, "software", software);

@@ -67,9 +67,7 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
   struct json j;
   struct mutation_score score;
   mutation_score_of(&score, r);
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "schema", MUTATION_SCHEMA);
+  json_document(&j, out, MUTATION_SCHEMA);
   json_string(&j, "scene", r->scene);
   json_string(&j, "subject", r->subject);
   json_printf(&j, "seed", "%llu", r->seed);

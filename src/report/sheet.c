@@ -251,7 +251,7 @@ static void add_one(const struct sheet *s, char how, const char *text) {
     add_verdict(s, text);
     return;
   case 'a':
-    html_anchor(s->out, "", text);
+    html_anchor(s->out, text);
     return;
   case 'n':
     add_claim(s, text);

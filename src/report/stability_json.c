@@ -113,9 +113,7 @@ static void write_pair(struct json *j, const struct stability_pair *p) {
 
 void report_stability_json(struct text *out, const struct stability_result *r) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-stability-1");
+  json_document(&j, out, "stickslip-stability-1");
   json_string(&j, "layer", r->layer);
   json_string(&j, "after", r->after);
   json_bool(&j, "quick", r->quick);

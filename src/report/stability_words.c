@@ -11,7 +11,6 @@
 
 /* --- Numbers --- */
 
-/* NULL where there is none. */
 const char *stability_tenths(char buffer[32], double x) {
   if (!isfinite(x)) return NULL;
   snprintf(buffer, 32, "%.1f", x == 0 ? 0 : x);
@@ -26,7 +25,6 @@ const char *stability_digits(char buffer[32], double x) {
   return stability_or_none(stability_tenths(buffer, x));
 }
 
-/* Of a row whose digits are all lost the relative error, to one digit; NULL elsewhere. */
 const char *stability_relative_error(char buffer[32], const struct stability_row *row) {
   double x = row->error - 53 * log10(2);
   if (row->observed < STABILITY_DIGITS || !isfinite(x)) return NULL;
@@ -39,7 +37,6 @@ const char *stability_relative_error(char buffer[32], const struct stability_row
   return buffer;
 }
 
-/* What is lost: digits; "sign"; "all digits (relative error 3e7)". */
 const char *stability_lost(char buffer[80], const struct stability_row *row) {
   char e[32];
   if (!stability_relative_error(e, row))
@@ -57,8 +54,6 @@ void stability_add_command(struct text *out, const struct stability_result *r, c
               witness, r->sources ? r->sources : "");
 }
 
-/* The rows in the order of the ledger: losses of the formula's own, the largest first, those of more than all digits by
-   how much more; equal ones as they come. */
 int stability_by_loss(const void *a, const void *b) {
   const struct stability_row *x = *(const struct stability_row *const *)a, *y = *(const struct stability_row *const *)b;
   double p = round(10 * x->excess), q = round(10 * y->excess);
@@ -66,7 +61,6 @@ int stability_by_loss(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
-/* One row a formula: its worst.  An array to be freed. */
 const struct stability_row **stability_ledger(int *n, const struct stability_result *r) {
   const struct stability_row **row = ss_malloc(((size_t)r->n_formulas + 1) * sizeof(struct stability_row *));
   *n = 0;
@@ -78,12 +72,10 @@ const struct stability_row **stability_ledger(int *n, const struct stability_res
   return row;
 }
 
-/* Digits that the other layer's form keeps where the formula loses them; NaN without one. */
 double stability_gained(const struct stability_row *row) {
   return row->formula_lost - row->after;
 }
 
-/* "cancellation between a and b", in code style when asked for. */
 void stability_add_cause(struct text *out, const struct stability_row *row, const char *quote) {
   text_add(out, loss_cause_says[row->cause]);
   if (row->cause == CAUSE_ARGUMENT)
