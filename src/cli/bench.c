@@ -24,8 +24,8 @@ static int parse_job(const struct options *o) {
     known = known || strcmp(job, bench_studies[i]->id) == 0;
     text_printf(&names, "%s, ", bench_studies[i]->id);
   }
-  if (!known) text_printf(&names, "%s, %s, not %.200s", studies, verdicts, job);
-  int status = known ? EXIT_AS_RECORDED : usage("--job takes one of %s", text_str(&names));
+  int status = known ? EXIT_AS_RECORDED
+                     : usage("--job takes one of %s%s, %s, not %.200s", text_str(&names), studies, verdicts, job);
   text_clear(&names);
   return status;
 }
@@ -262,6 +262,6 @@ int run_bench(const struct options *o, const char *data) {
   if (inputs && option(o, OPT_JOB) && strcmp(option(o, OPT_JOB), verdicts) == 0)
     return usage("--inputs: the job %s has none", verdicts);
   if (inputs && (option(o, OPT_OUT) || option(o, OPT_JSON) || option(o, OPT_PEERS)))
-    return usage("--inputs goes with --job and --quick alone%s", "");
+    return usage("--inputs goes with --job and --quick alone");
   return inputs ? write_inputs(o, &d) : measure(o, data, &d);
 }

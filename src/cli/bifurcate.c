@@ -189,8 +189,8 @@ int run_bifurcate(const struct options *o, const char *data) {
   int status = parse_digits(&digits, o);
   if (status) return status;
   if (digits > MOST_DIGITS) return usage("bifurcate takes at most 1000 --digits, not %.200s", option(o, OPT_DIGITS));
-  if (o->operands.n != 1) return usage("bifurcate takes one %s", "SCENE");
-  if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along %s", "NAME=A:B");
+  if (o->operands.n != 1) return usage("bifurcate takes one SCENE");
+  if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along NAME=A:B");
   diag_init(&d);
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d);
   if (ok && s.system)

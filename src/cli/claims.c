@@ -55,7 +55,7 @@ int run_list(const struct options *o, const char *data) {
   bool keys = option(o, OPT_SCENE_KEYS);
   if (keys && o->operands.n) return usage("list --scene-keys takes no operand, not %.200s", o->operands.word[0]);
   if (keys) return list_scene_keys(o);
-  if (option(o, OPT_JSON)) return usage("list writes JSON with %s only", "--scene-keys");
+  if (option(o, OPT_JSON)) return usage("list writes JSON with --scene-keys only");
   if (o->operands.n == 1 && strcmp(o->operands.word[0], "scenes") == 0) return list_scenes(data);
   if (o->operands.n) return usage("list takes no operand but scenes, not %.200s", o->operands.word[0]);
   struct diag d;
@@ -75,7 +75,7 @@ int run_list(const struct options *o, const char *data) {
 }
 
 int run_check(const struct options *o, const char *data) {
-  if (o->operands.n == 0) return usage("check takes at least one %s", "FILE");
+  if (o->operands.n == 0) return usage("check takes at least one FILE");
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < o->operands.n; i++) {
     struct diag d;

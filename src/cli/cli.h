@@ -79,8 +79,8 @@ struct options {
 /* What is given for an option: its value, for a flag the flag itself; NULL where it is not given. */
 const char *option(const struct options *o, enum option id);
 
-/* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
-int usage(const char *fmt, const char *what);
+/* Says what is wrong with the command line and returns EXIT_USAGE. */
+int usage(const char *fmt, ...) SS_PRINTF(1, 2);
 /* The same of a word that is none of those tried, with what may have been meant. */
 int usage_unknown(const char *fmt, const struct suggestion *s);
 /* Prints the diagnostic and returns EXIT_INPUT. */

@@ -220,7 +220,7 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
 
 int run_diff(const struct options *o, const char *data) {
   (void)data;
-  if (o->operands.n != 2) return usage("diff takes two files, as %s", "stickslip diff A.json B.json");
+  if (o->operands.n != 2) return usage("diff takes two files, as stickslip diff A.json B.json");
   struct diag d;
   struct audit_file a, b;
   diag_init(&d);

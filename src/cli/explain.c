@@ -128,7 +128,7 @@ static bool explain(struct text *out, const struct inputs *e, const char *word, 
 int run_explain(const struct options *o, const char *data) {
   const char *at = option(o, OPT_AT);
   bool receipt = option(o, OPT_RECEIPT), tape = option(o, OPT_TAPE);
-  if (o->operands.n != 1) return usage("explain takes one %s", "claim id");
+  if (o->operands.n != 1) return usage("explain takes one claim id");
   if (receipt && (at || tape)) return usage("--receipt stands alone, not with %s", at ? "--at" : "--tape");
   struct diag d;
   struct inputs e;

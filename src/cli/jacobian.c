@@ -117,7 +117,7 @@ int run_jacobian(const struct options *o, const char *data) {
   struct jacobian_request q;
   int status = parse_jacobian(&q, o);
   if (status) return status;
-  if (o->operands.n != 1) return usage("jacobian takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("jacobian takes one SCENE");
   struct diag d;
   struct model m;
   struct scene s;

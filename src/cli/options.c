@@ -7,11 +7,18 @@
 
 #include "cli.h"
 
-int usage(const char *fmt, const char *what) {
+int usage(const char *fmt, ...) {
   struct diag d;
+  struct text says;
+  va_list ap;
+  va_start(ap, fmt);
   diag_init(&d);
-  diag_set(&d, fmt, what);
+  text_init(&says);
+  text_vprintf(&says, fmt, ap);
+  diag_set(&d, "%s", text_str(&says));
   fprintf(stderr, "stickslip: %s; see stickslip --help\n", d.message);
+  text_clear(&says);
+  va_end(ap);
   return EXIT_USAGE;
 }
 
@@ -168,10 +175,8 @@ int parse_decimal(double *x, const struct options *o, enum option id, long most)
   bool plain = text[strspn(text, "0123456789.")] == '\0' && strlen(text) < 40;
   *x = plain ? strtod(text, &end) : 0;
   if (plain && !*end && *x >= 1e-6 && *x <= (double)most) return EXIT_AS_RECORDED;
-  char says[100];
-  snprintf(says, sizeof says, "%s takes %s as a decimal from 0.000001 to %ld, not %%.200s",
-           id == OPT_TIMEOUT ? "--timeout" : "--time", id == OPT_TIMEOUT ? "seconds" : "a time", most);
-  return usage(says, text);
+  return usage("%s takes %s as a decimal from 0.000001 to %ld, not %.200s", id == OPT_TIMEOUT ? "--timeout" : "--time",
+               id == OPT_TIMEOUT ? "seconds" : "a time", most, text);
 }
 
 int parse_digits(slong *digits, const struct options *o) {

@@ -251,7 +251,7 @@ static int show_scene(const struct options *o, const struct scene *s, const char
 int run_orbit(const struct options *o, const char *data) {
   const char *method = option(o, OPT_METHOD);
   slong digits;
-  if (option(o, OPT_BASIN) && method) return usage("--basin goes with no %s", "--method");
+  if (option(o, OPT_BASIN) && method) return usage("--basin goes with no --method");
   if (method && strcmp(method, "paper") == 0) {
     if (option(o, OPT_CERTIFICATE)) return usage("--certificate is of the model's orbits, not of --method %s", method);
     return run_orbit_paper(o, data);
@@ -259,7 +259,7 @@ int run_orbit(const struct options *o, const char *data) {
   if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
   int status = parse_digits(&digits, o);
   if (status) return status;
-  if (o->operands.n != 1) return usage("orbit takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("orbit takes one SCENE");
   struct diag d;
   struct scene s;
   diag_init(&d);

@@ -147,8 +147,8 @@ int run_orbit_paper(const struct options *o, const char *data) {
   slong digits;
   int status = parse_digits(&digits, o);
   if (status) return status;
-  if (digits > MAX_PAPER_DIGITS) return usage("--digits takes at most 1000 with %s", "--method paper");
-  if (o->operands.n != 1) return usage("orbit takes one %s", "SCENE");
+  if (digits > MAX_PAPER_DIGITS) return usage("--digits takes at most 1000 with --method paper");
+  if (o->operands.n != 1) return usage("orbit takes one SCENE");
   struct diag d;
   struct scene s;
   struct paper_orbits list = {.n = 0};

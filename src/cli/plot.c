@@ -58,7 +58,7 @@ static int parse_plane(struct range range[MAX_OVER], struct dyn_axis axis[MAX_OV
   static const struct over_rule rule = {"%s takes NAME=A:B or NAME=A:B:N, as in e2=0.5:3, not %.200s",
                                         "--over %.200s: N is a whole number from 2 to 400", 2, TABLE_MOST_SIDE, 97};
   const struct words *over = &o->given[OPT_OVER];
-  if (over->n < MAX_OVER) return usage("plot takes --over twice, for both axes of a map%s", "");
+  if (over->n < MAX_OVER) return usage("plot takes --over twice, for both axes of a map");
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < MAX_OVER && !status; i++)
     status = parse_over(&range[i], &axis[i], over->word[i], i ? &range[0] : NULL, &rule);
@@ -87,7 +87,7 @@ static int draw_motion(struct audit_result *r, const struct scene *s, const stru
   slong orbit;
   bool printed;
   int status = parse_start(&orbit, &printed, o);
-  if (!status && printed) return usage("plot takes --at orbit:%s", "K");
+  if (!status && printed) return usage("plot takes --at orbit:K");
   if (!status && !scene_animation(r, s, orbit, d)) status = EXIT_INPUT;
   return status;
 }
@@ -134,8 +134,8 @@ static int plot_scene(struct audit_result *r, const struct scene *s, const struc
 }
 
 int run_plot(const struct options *o, const char *data) {
-  if (o->operands.n != 1) return usage("plot takes one scene%s", "");
-  if (option(o, OPT_AT) && !option(o, OPT_ANIMATE)) return usage("plot takes --at with --animate alone%s", "");
+  if (o->operands.n != 1) return usage("plot takes one scene");
+  if (option(o, OPT_AT) && !option(o, OPT_ANIMATE)) return usage("plot takes --at with --animate alone");
   struct diag d;
   struct scene s;
   struct audit_result r;

@@ -35,7 +35,7 @@ static bool load(struct quotations *q, struct quoting *by, const char *data, str
 }
 
 int run_quotes(const struct options *o, const char *data) {
-  if (o->operands.n != 1) return usage("quotes takes one %s, a text of the paper", "FILE");
+  if (o->operands.n != 1) return usage("quotes takes one FILE, a text of the paper");
   struct diag d;
   struct paper_text text;
   struct quotations q = {.n = 0};

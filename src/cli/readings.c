@@ -4,7 +4,7 @@
 #include "report/report.h"
 
 int run_readings(const struct options *o, const char *data) {
-  if (o->operands.n != 1) return usage("readings takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("readings takes one SCENE");
   struct diag d;
   struct model m;
   struct scene s;

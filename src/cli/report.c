@@ -38,7 +38,7 @@ static bool read_report(struct audit_result *r, const char *folder, struct diag 
 
 int run_report(const struct options *o, const char *data) {
   (void)data;
-  if (o->operands.n != 1) return usage("report takes one folder, as %s", "stickslip report reports/paper");
+  if (o->operands.n != 1) return usage("report takes one folder, as stickslip report reports/paper");
   struct diag d;
   struct audit_result r;
   struct output out;

@@ -22,9 +22,7 @@ struct simulation {
 
 static int parse_count(long *n, const char *text, long most, const char *option) {
   if (!text || parse_plain(n, text, most)) return EXIT_AS_RECORDED;
-  char what[80];
-  snprintf(what, sizeof what, "%s takes a whole number from 1 to %ld", option, most);
-  return usage("%s", what);
+  return usage("%s takes a whole number from 1 to %ld", option, most);
 }
 
 /* --- Output --- */
@@ -218,17 +216,16 @@ static int usage_of(const struct options *o, long *periods, long *samples, doubl
   if (!status) status = parse_count(samples, option(o, OPT_SAMPLES), MAX_SAMPLES, "--samples");
   if (!status) status = parse_decimal(time, o, OPT_TIME, MOST_TIME);
   if (status) return status;
-  if (option(o, OPT_AT) && option(o, OPT_START)) return usage("%s", "--at and --start exclude each other");
-  if (option(o, OPT_TIME) && option(o, OPT_PERIODS)) return usage("%s", "--time and --periods exclude each other");
+  if (option(o, OPT_AT) && option(o, OPT_START)) return usage("--at and --start exclude each other");
+  if (option(o, OPT_TIME) && option(o, OPT_PERIODS)) return usage("--time and --periods exclude each other");
   if (option(o, OPT_JSON) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
-    return usage("--json goes with neither %s", "--csv nor --samples");
+    return usage("--json goes with neither --csv nor --samples");
   if (option(o, OPT_COMPARE) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
-    return usage("--compare goes with neither %s", "--csv nor --samples");
+    return usage("--compare goes with neither --csv nor --samples");
   if (option(o, OPT_COMPARE) && (option(o, OPT_JSON) || option(o, OPT_TIME)))
-    return usage("--compare goes with neither %s", "--json nor --time");
-  if (option(o, OPT_COMPARE) && *periods > MAX_COMPARED)
-    return usage("--periods takes at most 10000 with %s", "--compare");
-  return o->operands.n == 1 ? EXIT_AS_RECORDED : usage("simulate takes one %s", "SCENE");
+    return usage("--compare goes with neither --json nor --time");
+  if (option(o, OPT_COMPARE) && *periods > MAX_COMPARED) return usage("--periods takes at most 10000 with --compare");
+  return o->operands.n == 1 ? EXIT_AS_RECORDED : usage("simulate takes one SCENE");
 }
 
 int run_simulate(const struct options *o, const char *data) {

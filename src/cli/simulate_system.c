@@ -24,7 +24,7 @@ static int usage_of_system(const struct options *o) {
   if (option(o, OPT_COMPARE) || (at && strcmp(at, "printed") == 0))
     return usage("%s is of the paper's two masses", option(o, OPT_COMPARE) ? "--compare" : "--at printed");
   if (option(o, OPT_START) && option(o, OPT_PERIODS))
-    return usage("%s", "--periods counts those of an orbit, and a --start has none: give --time");
+    return usage("--periods counts those of an orbit, and a --start has none: give --time");
   return EXIT_AS_RECORDED;
 }
 

@@ -9,15 +9,13 @@
 #include "stability/digits.h"
 
 static int parse_layer(int *layer, const char *option, const char *name) {
-  for (*layer = 0; *layer < N_LAYERS; ++*layer)
-    if (strcmp(layer_name[*layer], name) == 0) return EXIT_AS_RECORDED;
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "%s takes one of", option);
-  for (int i = 0; i < N_LAYERS; i++) text_printf(&t, " %s,", layer_name[i]);
-  text_printf(&t, " not %.200s", name);
-  int status = usage("%s", text_str(&t));
-  text_clear(&t);
+  *layer = word_find(name, layer_name, N_LAYERS);
+  if (*layer < N_LAYERS) return EXIT_AS_RECORDED;
+  struct text names;
+  text_init(&names);
+  for (int i = 0; i < N_LAYERS; i++) text_printf(&names, " %s,", layer_name[i]);
+  int status = usage("%s takes one of%s not %.200s", option, text_str(&names), name);
+  text_clear(&names);
   return status;
 }
 
@@ -28,10 +26,10 @@ static int parse_study(struct stability_options *q, const struct options *o) {
   int status = over ? parse_layer(&layer, "--layer", over) : EXIT_AS_RECORDED;
   if (!status && against) status = parse_layer(&after, "--after", against);
   if (!status && against && after == layer) status = usage("--after takes another layer than --layer, not %s", against);
-  if (!status && at && o->operands.n == 0) status = usage("%s needs the name of a formula", "--at");
+  if (!status && at && o->operands.n == 0) status = usage("--at needs the name of a formula");
   if (!status && at &&
       (option(o, OPT_OUT) || option(o, OPT_JSON) || option(o, OPT_QUICK) || against || option(o, OPT_JOBS)))
-    status = usage("%s shows one point: no --out, --json, --quick, --after, --jobs", "--at");
+    status = usage("--at shows one point: no --out, --json, --quick, --after, --jobs");
   *q = (struct stability_options){.layer = (enum layer)layer,
                                   .after = after,
                                   .only = o->operands.word,

@@ -8,7 +8,7 @@
 enum { MODE_DIGITS = 6 };
 
 int run_system(const struct options *o, const char *data) {
-  if (o->operands.n != 1) return usage("system takes one %s", "FILE");
+  if (o->operands.n != 1) return usage("system takes one FILE");
   struct mech m;
   struct diag d;
   struct text path;

@@ -209,8 +209,7 @@ int run_verify(const struct options *o, const char *data) {
   if (!status) status = parse_jobs(&jobs, o);
   if (!status) status = parse_decimal(&seconds, o, OPT_TIMEOUT, MOST_SECONDS);
   if (status) return status;
-  if (option(o, OPT_JSON) && !plan)
-    return usage("%s", "verify takes --json with --plan alone; audit.json is always written");
+  if (option(o, OPT_JSON) && !plan) return usage("verify takes --json with --plan alone; audit.json is always written");
   status = check_folders(o);
   if (status) return status;
   struct diag d;

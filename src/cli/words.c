@@ -289,7 +289,7 @@ int run_words(const struct options *o, const char *data) {
       return usage("--longest takes a whole number from 1 to 8, not %.200s", most);
     v.longest = (int)longest;
   }
-  if (o->operands.n != 1) return usage("words takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("words takes one SCENE");
   struct diag d;
   struct scene s;
   diag_init(&d);
