@@ -175,30 +175,23 @@ static int with_line(const struct options *o, const struct scene *s, slong digit
   struct range a;
   range_init(&a);
   int status = parse_along(&a, NULL, o);
-  if (!status && !scene_needs_forces(s, "bifurcate", d)) status = bad_input(d);
+  if (!status && !scene_needs_forces(s, "bifurcate", d)) status = EXIT_INPUT;
   if (!status) status = range_check_friction(&a, s, "--along", option(o, OPT_ALONG));
   if (!status) status = show(s, &a, o, digits);
   range_clear(&a);
   return status;
 }
 
-int run_bifurcate(const struct options *o, const char *data) {
+int run_bifurcate(const struct options *o, const char *data, struct diag *d) {
   slong digits;
   struct scene s;
-  struct diag d;
   int status = parse_digits(&digits, o);
   if (status) return status;
   if (digits > MOST_DIGITS) return usage("bifurcate takes at most 1000 --digits, not %.200s", option(o, OPT_DIGITS));
   if (o->operands.n != 1) return usage("bifurcate takes one SCENE");
   if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along NAME=A:B");
-  diag_init(&d);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d);
-  if (ok && s.system)
-    status = run_system_bifurcate(o, &s, data, digits, &d);
-  else if (ok)
-    status = with_line(o, &s, digits, &d);
-  else
-    status = bad_input(&d);
+  if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d))
+    status = s.system ? run_system_bifurcate(o, &s, data, digits, d) : with_line(o, &s, digits, d);
   scene_clear(&s);
   return status;
 }

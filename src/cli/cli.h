@@ -31,8 +31,9 @@ enum {
 
 struct options;
 
-/* One function a command; each returns its exit status. */
-#define COMMAND(name, ...) int run_##name(const struct options *o, const char *data);
+/* One function a command; each returns its exit status.  What is wrong with its input it leaves in d, which the program
+   prints; the status is then EXIT_INPUT, or EXIT_INTERNAL where the command returns that. */
+#define COMMAND(name, ...) int run_##name(const struct options *o, const char *data, struct diag *d);
 #include "cli/options.def"
 
 enum option {
@@ -45,7 +46,7 @@ struct command {
   const char *name;
   bool data; /* it reads the data folder */
   const char *operands, *purpose, *text, *example[2];
-  int (*run)(const struct options *o, const char *data);
+  int (*run)(const struct options *o, const char *data, struct diag *d);
 };
 extern const struct command command_table[];
 extern const int n_commands;
@@ -223,7 +224,7 @@ void json_of_model(struct json *j, struct text *out, const struct scene *s);
 /* The eigenvalues of a 2x2 matrix by GSL, two texts: real numbers, or "a+bi" and "a-bi". */
 bool print_eigenvalues(struct text out[2], arb_srcptr j);
 /* jacobian --phases */
-bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
+void show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d);
 
 /* true, false or null. */
@@ -236,7 +237,7 @@ extern const char *const stability_name[TRUTH_UNKNOWN + 1], *const fate_name[TRU
 int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,
               const struct audit_options *opt, bool json, struct diag *d);
 /* orbit --method paper. */
-int run_orbit_paper(const struct options *o, const char *data);
+int run_orbit_paper(const struct options *o, const char *data, struct diag *d);
 /* orbit on a scene with intervals. */
 int show_box(const struct options *o, const struct scene *s, slong digits);
 /* orbit and jacobian on a scene that names another word than the paper's. */

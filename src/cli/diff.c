@@ -218,20 +218,14 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
   return l.any;
 }
 
-int run_diff(const struct options *o, const char *data) {
+int run_diff(const struct options *o, const char *data, struct diag *d) {
   (void)data;
   if (o->operands.n != 2) return usage("diff takes two files, as stickslip diff A.json B.json");
-  struct diag d;
   struct audit_file a, b;
-  diag_init(&d);
-  bool ok = audit_file_read(&a, o->operands.word[0], &d);
-  bool both = ok && audit_file_read(&b, o->operands.word[1], &d);
-  int status = EXIT_AS_RECORDED;
-  if (!both)
-    status = bad_input(&d);
-  else if (option(o, OPT_JSON) ? print_json(&a, &b) : print_diff(&a, &b))
-    status = EXIT_DIFFERS;
+  bool ok = audit_file_read(&a, o->operands.word[0], d);
+  bool both = ok && audit_file_read(&b, o->operands.word[1], d);
+  bool differ = both && (option(o, OPT_JSON) ? print_json : print_diff)(&a, &b);
   if (ok) audit_file_clear(&b);
   audit_file_clear(&a);
-  return status;
+  return differ ? EXIT_DIFFERS : EXIT_AS_RECORDED;
 }

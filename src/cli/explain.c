@@ -125,24 +125,21 @@ static bool explain(struct text *out, const struct inputs *e, const char *word, 
   return !d->set;
 }
 
-int run_explain(const struct options *o, const char *data) {
+int run_explain(const struct options *o, const char *data, struct diag *d) {
   const char *at = option(o, OPT_AT);
   bool receipt = option(o, OPT_RECEIPT), tape = option(o, OPT_TAPE);
   if (o->operands.n != 1) return usage("explain takes one claim id");
   if (receipt && (at || tape)) return usage("--receipt stands alone, not with %s", at ? "--at" : "--tape");
-  struct diag d;
   struct inputs e;
   struct text out;
-  diag_init(&d);
   text_init(&out);
-  bool ok = inputs_load(&e, data, o, &d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, &d) &&
-            explain(&out, &e, o->operands.word[0], o, data, &d);
-  int status = ok ? EXIT_AS_RECORDED : bad_input(&d);
+  bool ok = inputs_load(&e, data, o, d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, d) &&
+            explain(&out, &e, o->operands.word[0], o, data, d);
   if (ok && receipt)
     fputs(text_str(&out), stdout);
   else if (ok)
     terminal_print_marked(text_str(&out));
   text_clear(&out);
   inputs_clear(&e);
-  return status;
+  return EXIT_AS_RECORDED;
 }

@@ -99,7 +99,7 @@ static bool is_lost(arb_srcptr x) {
   return false;
 }
 
-static bool show_jacobian(const struct options *o, const struct model *m, const struct scene *s,
+static void show_jacobian(const struct options *o, const struct model *m, const struct scene *s,
                           const struct jacobian_request *q, struct diag *d) {
   arb_ptr x = _arb_vec_init(N_NUMBERS);
   bool ok = audit_jacobian(x, x + TRACE, x + DET, m, s, q, d);
@@ -110,29 +110,25 @@ static bool show_jacobian(const struct options *o, const struct model *m, const 
   }
   if (ok) print_jacobian(x, q, s, option(o, OPT_JSON));
   _arb_vec_clear(x, N_NUMBERS);
-  return ok;
 }
 
-int run_jacobian(const struct options *o, const char *data) {
+int run_jacobian(const struct options *o, const char *data, struct diag *d) {
   struct jacobian_request q;
   int status = parse_jacobian(&q, o);
   if (status) return status;
   if (o->operands.n != 1) return usage("jacobian takes one SCENE");
-  struct diag d;
   struct model m;
   struct scene s;
-  diag_init(&d);
   model_init(&m);
   bool ok =
-      load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d) && (s.system || scene_one_point(&s, &d));
+      load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d) && (s.system || scene_one_point(&s, d));
   if (ok && q.orbit < 0) q.orbit = s.system || scene_other_word(&s) ? 0 : scene_usual_orbit(&s);
   if (ok && s.system)
-    status = run_system_jacobian(o, &s, data, &q, &d);
+    status = run_system_jacobian(o, &s, data, &q, d);
   else if (ok && scene_other_word(&s))
-    status = run_word_jacobian(o, &s, &q, &d);
-  else if (!ok || !load_model(&m, data, o, &d) ||
-           !(option(o, OPT_PHASES) ? show_phases : show_jacobian)(o, &m, &s, &q, &d))
-    status = bad_input(&d);
+    status = run_word_jacobian(o, &s, &q, d);
+  else if (ok && load_model(&m, data, o, d))
+    (option(o, OPT_PHASES) ? show_phases : show_jacobian)(o, &m, &s, &q, d);
   scene_clear(&s);
   model_clear(&m);
   return status;

@@ -23,12 +23,11 @@ static int parse_mutation(struct mutation_options *q, const struct options *o) {
 }
 
 /* Writes the files, JSON first, where there is a folder; prints the JSON or the text. */
-static bool deliver(const struct output *out, const struct text *text, const struct options *o, struct diag *d) {
+static void deliver(const struct output *out, const struct text *text, const struct options *o, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
-  if (folder && !output_write(out, d)) return false;
+  if (folder && !output_write(out, d)) return;
   fputs(text_str(option(o, OPT_JSON) ? &out->body[0] : text), stdout);
   if (folder) say_written(o, folder);
-  return true;
 }
 
 /* The roots are no part of it: no damage touches them. */
@@ -57,18 +56,16 @@ static bool load_text(struct paper_text *t, const char *path, const struct audit
   return ok;
 }
 
-int run_mutate(const struct options *o, const char *data) {
+int run_mutate(const struct options *o, const char *data, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
   struct mutation_options q;
   int status = parse_mutation(&q, o);
   if (status) return status;
   if (o->operands.n) return usage("mutate takes no operand, not %.200s", o->operands.word[0]);
-  struct diag d;
   struct inputs in;
   struct mutation_result r;
   struct output out;
   struct text said;
-  diag_init(&d);
   mutation_result_init(&r);
   output_init(&out, folder ? folder : "");
   text_init(&said);
@@ -77,16 +74,15 @@ int run_mutate(const struct options *o, const char *data) {
   progress_begin();
   struct paper_text text = {.tokens = {.n = 0}};
   q.text = option(o, OPT_TEXT) ? &text : NULL;
-  bool ok = load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
-            (!q.text || load_text(&text, option(o, OPT_TEXT), &all, &d)) && audit_mutate(&r, &all, &in.scene, &q, &d);
+  bool ok = load(&in, data, o, d) && (!folder || folder_possible(folder, d)) &&
+            (!q.text || load_text(&text, option(o, OPT_TEXT), &all, d)) && audit_mutate(&r, &all, &in.scene, &q, d);
   progress_end();
   if (ok) {
     report_mutation_json(output_add(&out, "mutation.json"), &r);
     report_mutation_markdown(output_add(&out, "mutation.md"), &r);
     report_mutation_text(&said, &r);
-    ok = deliver(&out, &said, o, &d);
+    deliver(&out, &said, o, d);
   }
-  if (!ok) status = bad_input(&d);
   if (r.broken) status = EXIT_INTERNAL;
   text_clear(&said);
   output_clear(&out);
@@ -96,32 +92,29 @@ int run_mutate(const struct options *o, const char *data) {
   return status;
 }
 
-int run_repair(const struct options *o, const char *data) {
+int run_repair(const struct options *o, const char *data, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
   int jobs, status = parse_jobs(&jobs, o);
   if (status) return status;
-  struct diag d;
   struct inputs in;
   struct repair_result r;
   struct output out;
   struct text said;
-  diag_init(&d);
   repair_result_init(&r);
   output_init(&out, folder ? folder : "");
   text_init(&said);
   struct repair_options opt = {
       .only = o->operands.word, .n_only = o->operands.n, .jobs = jobs, .progress = progress_count};
   progress_begin();
-  bool ok = load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
-            audit_repairs(&r, &in.files.model, &in.files.claims, &in.scene, &opt, &d);
+  bool ok = load(&in, data, o, d) && (!folder || folder_possible(folder, d)) &&
+            audit_repairs(&r, &in.files.model, &in.files.claims, &in.scene, &opt, d);
   progress_end();
   if (ok) {
     report_repairs_json(output_add(&out, "repairs.json"), &r);
     report_repairs_markdown(output_add(&out, "repairs.md"), &r);
     report_repairs_text(&said, &r);
-    ok = deliver(&out, &said, o, &d);
+    deliver(&out, &said, o, d);
   }
-  if (!ok) status = bad_input(&d);
   if (r.broken) status = EXIT_INTERNAL;
   text_clear(&said);
   output_clear(&out);

@@ -220,7 +220,7 @@ static int show_orbits(const struct options *o, const struct scene *s, slong dig
     diag_set(d, "%s: error: an orbit could not be enclosed to %ld digits; more --digits take a higher precision",
              s->path, (long)digits);
   if (!good || (certificate && !write_certificate(certificate, s, &z, d)))
-    status = bad_input(d);
+    status = EXIT_INPUT;
   else
     print_orbits(o, &z, s, digits);
   if (status == EXIT_AS_RECORDED && certificate) say_written(o, certificate);
@@ -243,28 +243,25 @@ static int show_scene(const struct options *o, const struct scene *s, const char
   const char *why = lacks(o, s);
   if (why) {
     diag_set(d, "%s: error: %s", s->path, why);
-    return bad_input(d);
+    return EXIT_INPUT;
   }
   return scene_is_box(s) ? show_box(o, s, digits) : show_orbits(o, s, digits, d);
 }
 
-int run_orbit(const struct options *o, const char *data) {
+int run_orbit(const struct options *o, const char *data, struct diag *d) {
   const char *method = option(o, OPT_METHOD);
   slong digits;
   if (option(o, OPT_BASIN) && method) return usage("--basin goes with no --method");
   if (method && strcmp(method, "paper") == 0) {
     if (option(o, OPT_CERTIFICATE)) return usage("--certificate is of the model's orbits, not of --method %s", method);
-    return run_orbit_paper(o, data);
+    return run_orbit_paper(o, data, d);
   }
   if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
   int status = parse_digits(&digits, o);
   if (status) return status;
   if (o->operands.n != 1) return usage("orbit takes one SCENE");
-  struct diag d;
   struct scene s;
-  diag_init(&d);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d);
-  status = ok ? show_scene(o, &s, data, digits, &d) : bad_input(&d);
+  if (load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d)) status = show_scene(o, &s, data, digits, d);
   scene_clear(&s);
   return status;
 }

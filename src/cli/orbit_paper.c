@@ -143,28 +143,24 @@ static void add_solution(struct text *out, const struct paper_orbit *p, slong di
   if (r->status_d == SS_OK) text_printf(out, "  digits    %.1f of 16 lost in double\n", r->digits_lost);
 }
 
-int run_orbit_paper(const struct options *o, const char *data) {
+int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
   slong digits;
   int status = parse_digits(&digits, o);
   if (status) return status;
   if (digits > MAX_PAPER_DIGITS) return usage("--digits takes at most 1000 with --method paper");
   if (o->operands.n != 1) return usage("orbit takes one SCENE");
-  struct diag d;
   struct scene s;
   struct paper_orbits list = {.n = 0};
   struct text out;
-  diag_init(&d);
   text_init(&out);
   slong prec = (slong)((double)digits * 3.33) + GUARD_BITS;
-  if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d) && audit_paper_orbits(&list, &s, prec, &d)) {
+  if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, d) && audit_paper_orbits(&list, &s, prec, d)) {
     if (option(o, OPT_JSON))
       write_json(&out, &list, &s, digits);
     else
       text_printf(&out, "%s: the paper's equations (44)-(46) by Newton's iteration\n", s.name);
     for (size_t i = 0; i < list.n && !option(o, OPT_JSON); i++) add_solution(&out, &list.item[i], digits);
     print_found(o, &out);
-  } else {
-    status = bad_input(&d);
   }
   paper_orbits_clear(&list);
   text_clear(&out);

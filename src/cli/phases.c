@@ -320,7 +320,7 @@ static void phases_json(struct text *out, const struct jacobian_phases *p, const
   json_end_object(&w);
 }
 
-bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
+void show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d) {
   struct jacobian_phases p;
   struct text out;
@@ -335,5 +335,4 @@ bool show_phases(const struct options *o, const struct model *m, const struct sc
   fputs(text_str(&out), stdout);
   text_clear(&out);
   jacobian_phases_clear(&p);
-  return ok;
 }

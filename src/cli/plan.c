@@ -101,17 +101,15 @@ int show_plan(const struct model *m, const struct claims *claims, const struct c
               const struct audit_options *opt, bool json, struct diag *d) {
   struct audit_plan p;
   struct text out;
-  int status = EXIT_AS_RECORDED;
   text_init(&out);
-  if (!audit_plan(&p, m, claims, controls, s, opt, d)) {
-    status = bad_input(d);
-  } else if (json) {
+  bool ok = audit_plan(&p, m, claims, controls, s, opt, d);
+  if (ok && json) {
     write_plan(&out, &p);
     fputs(text_str(&out), stdout);
-  } else {
+  } else if (ok) {
     print_plan(&p);
   }
   text_clear(&out);
   audit_plan_clear(&p);
-  return status;
+  return ok ? EXIT_AS_RECORDED : bad_input(d);
 }

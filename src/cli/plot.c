@@ -133,18 +133,16 @@ static int plot_scene(struct audit_result *r, const struct scene *s, const struc
   return status;
 }
 
-int run_plot(const struct options *o, const char *data) {
+int run_plot(const struct options *o, const char *data, struct diag *d) {
   if (o->operands.n != 1) return usage("plot takes one scene");
   if (option(o, OPT_AT) && !option(o, OPT_ANIMATE)) return usage("plot takes --at with --animate alone");
-  struct diag d;
   struct scene s;
   struct audit_result r;
-  diag_init(&d);
   audit_result_init(&r);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d) &&
-            (s.system || scene_four_phases(&s, &d));
-  int status = ok ? plot_scene(&r, &s, o, data, &d) : EXIT_INPUT;
+  bool ok =
+      load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d) && (s.system || scene_four_phases(&s, d));
+  int status = ok ? plot_scene(&r, &s, o, data, d) : EXIT_INPUT;
   scene_clear(&s);
   audit_result_clear(&r);
-  return status == EXIT_INPUT ? bad_input(&d) : status;
+  return status;
 }

@@ -36,22 +36,20 @@ static bool read_report(struct audit_result *r, const char *folder, struct diag 
   return ok;
 }
 
-int run_report(const struct options *o, const char *data) {
+int run_report(const struct options *o, const char *data, struct diag *d) {
   (void)data;
   if (o->operands.n != 1) return usage("report takes one folder, as stickslip report reports/paper");
-  struct diag d;
   struct audit_result r;
   struct output out;
-  diag_init(&d);
   audit_result_init(&r);
   output_init(&out, o->operands.word[0]);
-  bool ok = read_report(&r, o->operands.word[0], &d);
+  bool ok = read_report(&r, o->operands.word[0], d);
   struct mutation_score score;
   if (ok) output_add_views(&out, &r, score_beside(&score, o->operands.word[0], &r) ? &score : NULL);
-  ok = ok && output_write(&out, &d);
+  ok = ok && output_write(&out, d);
   if (ok) say_written(o, o->operands.word[0]);
   if (ok) verify_line(&r);
   output_clear(&out);
   audit_result_clear(&r);
-  return ok ? EXIT_AS_RECORDED : bad_input(&d);
+  return EXIT_AS_RECORDED;
 }

@@ -228,7 +228,7 @@ static int usage_of(const struct options *o, long *periods, long *samples, doubl
   return o->operands.n == 1 ? EXIT_AS_RECORDED : usage("simulate takes one SCENE");
 }
 
-int run_simulate(const struct options *o, const char *data) {
+int run_simulate(const struct options *o, const char *data, struct diag *d) {
   const char *start = option(o, OPT_START);
   enum { SLACK = 4 };
   long periods, samples;
@@ -238,13 +238,11 @@ int run_simulate(const struct options *o, const char *data) {
   int status = usage_of(o, &periods, &samples, &time);
   if (!status) status = parse_start(&orbit, &printed, o);
   if (status) return status;
-  struct diag d;
   struct scene s;
   struct simulation run = {.plan = coulomb_plan_default};
-  diag_init(&d);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d);
   if (ok && s.system) {
-    status = run_system_simulate(o, &s, data, &(struct system_run){orbit < 0 ? 0 : orbit, periods, samples, time});
+    status = run_system_simulate(o, &s, data, &(struct system_run){orbit < 0 ? 0 : orbit, periods, samples, time}, d);
     scene_clear(&s);
     return status;
   }
@@ -253,8 +251,8 @@ int run_simulate(const struct options *o, const char *data) {
     snprintf(run.from, sizeof run.from, "%s", start ? "start" : "printed");
   else
     snprintf(run.from, sizeof run.from, "orbit:%ld", (long)orbit + 1);
-  ok = ok && (start ? audit_coulomb_setup_from(&run.setup, &s, start, &d)
-                    : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
+  ok = ok && (start ? audit_coulomb_setup_from(&run.setup, &s, start, d)
+                    : audit_coulomb_setup(&run.setup, &s, orbit, printed, d));
   if (ok) {
     double period = run.setup.period > 0 ? run.setup.period : 100;
     run.plan.returns = time > 0 ? 0 : periods;
@@ -266,8 +264,6 @@ int run_simulate(const struct options *o, const char *data) {
       status = compare_routes(&run.setup, &s, run.from, periods, run.plan.duration);
     else
       status = option(o, OPT_CSV) ? simulate_csv(&run) : simulate_events(&run, &s, option(o, OPT_JSON) != NULL);
-  } else {
-    status = bad_input(&d);
   }
   scene_clear(&s);
   return status;

@@ -26,6 +26,6 @@ struct system_run {
   double time;
 };
 int run_system_simulate(const struct options *o, const struct scene *s, const char *data,
-                        const struct system_run *asked);
+                        const struct system_run *asked, struct diag *d);
 
 #endif

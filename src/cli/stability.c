@@ -117,7 +117,7 @@ static void set_sources(struct stability_result *r, const struct options *o) {
   text_clear(&t);
 }
 
-static bool study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
+static void study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
   struct stability_result r;
   struct text body;
@@ -133,29 +133,26 @@ static bool study(const struct model *m, const struct stability_options *q, cons
   if (ok && folder) say_written(o, folder);
   text_clear(&body);
   stability_result_clear(&r);
-  return ok;
 }
 
-static bool show_point(const struct model *m, const struct stability_options *q, const char *at, struct diag *d) {
+static void show_point(const struct model *m, const struct stability_options *q, const char *at, struct diag *d) {
   struct text body;
   text_init(&body);
   bool ok = audit_stability_at(&body, m, q, at, d);
   if (ok) fputs(text_str(&body), stdout);
   text_clear(&body);
-  return ok;
 }
 
-int run_stability(const struct options *o, const char *data) {
+int run_stability(const struct options *o, const char *data, struct diag *d) {
   const char *at = option(o, OPT_AT);
   struct stability_options q;
   int status = parse_study(&q, o);
   if (status) return status;
-  struct diag d;
   struct model m;
-  diag_init(&d);
   model_init(&m);
-  bool ok = load_model(&m, data, o, &d) && (at ? show_point(&m, &q, at, &d) : study(&m, &q, o, &d));
-  if (!ok) status = bad_input(&d);
+  bool ok = load_model(&m, data, o, d);
+  if (ok && at) show_point(&m, &q, at, d);
+  if (ok && !at) study(&m, &q, o, d);
   model_clear(&m);
   return status;
 }

@@ -7,15 +7,13 @@
 
 enum { MODE_DIGITS = 6 };
 
-int run_system(const struct options *o, const char *data) {
+int run_system(const struct options *o, const char *data, struct diag *d) {
   if (o->operands.n != 1) return usage("system takes one FILE");
   struct mech m;
-  struct diag d;
   struct text path;
-  diag_init(&d);
   text_init(&path);
   scene_system_path(&path, o->operands.word[0], data);
-  bool ok = mech_load(&m, text_str(&path), &d);
+  bool ok = mech_load(&m, text_str(&path), d);
   text_clear(&path);
   if (ok) {
     struct text out;
@@ -25,7 +23,7 @@ int run_system(const struct options *o, const char *data) {
     text_clear(&out);
   }
   mech_clear(&m);
-  return ok ? EXIT_AS_RECORDED : bad_input(&d);
+  return EXIT_AS_RECORDED;
 }
 
 /* --- Orbits --- */
@@ -333,12 +331,12 @@ static void jacobian_text(struct text *out, const struct mech_orbit *o, const ar
   multipliers_text(out, z, o->n_free, q->digits);
 }
 
-static bool show_jacobian(const struct options *o, const struct mech_orbits *list, const struct mech *m,
+static void show_jacobian(const struct options *o, const struct mech_orbits *list, const struct mech *m,
                           const struct scene *s, const struct jacobian_request *q, enum mech_derivative how,
                           struct diag *d) {
   if (q->orbit >= list->n) {
     scene_lacks_orbit(s, q->orbit, list->n, d);
-    return false;
+    return;
   }
   const struct mech_orbit *orbit = &list->orbit[q->orbit];
   struct text out;
@@ -346,8 +344,7 @@ static bool show_jacobian(const struct options *o, const struct mech_orbits *lis
   acb_ptr z = _acb_vec_init(orbit->n_free);
   arb_mat_init(x, orbit->n_free, orbit->n_free);
   text_init(&out);
-  bool ok = mech_jacobian(x, m, orbit, how, system_bits(q->digits)) == SS_OK;
-  if (!ok) {
+  if (mech_jacobian(x, m, orbit, how, system_bits(q->digits)) != SS_OK) {
     return_unknown(d, q, s);
   } else {
     bool known = mech_eigenvalues(z, x, system_bits(q->digits));
@@ -357,7 +354,6 @@ static bool show_jacobian(const struct options *o, const struct mech_orbits *lis
   text_clear(&out);
   arb_mat_clear(x);
   _acb_vec_clear(z, orbit->n_free);
-  return ok;
 }
 
 /* --- The commands --- */
@@ -389,7 +385,7 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   struct mech m;
   struct mech_orbits list;
   if (option(o, OPT_METHOD)) diag_set(d, "%s: error: --method is of the paper's two masses", s->path);
-  if (d->set || refuse(o, s, digits, d)) return bad_input(d);
+  if (d->set || refuse(o, s, digits, d)) return EXIT_INPUT;
   bool ok = find_system_orbits(&m, &list, false, s, data, digits, d);
   ok = ok && (!certificate || write_system_certificate(certificate, &list, list.n, &m, s, d));
   if (ok) {
@@ -402,14 +398,14 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   }
   mech_orbits_clear(&list);
   mech_clear(&m);
-  return ok ? EXIT_AS_RECORDED : bad_input(d);
+  return EXIT_AS_RECORDED;
 }
 
 int run_system_words(const struct options *o, const struct scene *s, const char *data, int longest, slong digits,
                      struct diag *d) {
   struct mech m;
   struct survey v = {.longest = option(o, OPT_LONGEST) ? longest : MECH_PHASES};
-  if (refuse(o, s, digits, d)) return bad_input(d);
+  if (refuse(o, s, digits, d)) return EXIT_INPUT;
   bool ok = find_system_orbits(&m, &v.orbits, true, s, data, digits, d);
   if (ok) {
     struct text out;
@@ -425,7 +421,7 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
   }
   mech_orbits_clear(&v.orbits);
   mech_clear(&m);
-  return ok ? EXIT_AS_RECORDED : bad_input(d);
+  return EXIT_AS_RECORDED;
 }
 
 int run_system_jacobian(const struct options *o, const struct scene *s, const char *data,
@@ -436,9 +432,9 @@ int run_system_jacobian(const struct options *o, const struct scene *s, const ch
   enum mech_derivative how;
   if (!option(o, OPT_METHOD)) q.method = METHOD_SALTATION;
   if (q.at_printed) diag_set(d, "%s: error: --at printed is of the paper's two masses", s->path);
-  if (d->set || !return_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return bad_input(d);
-  bool ok = find_system_orbits(&m, &list, false, s, data, q.digits, d) && show_jacobian(o, &list, &m, s, &q, how, d);
+  if (d->set || !return_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return EXIT_INPUT;
+  if (find_system_orbits(&m, &list, false, s, data, q.digits, d)) show_jacobian(o, &list, &m, s, &q, how, d);
   mech_orbits_clear(&list);
   mech_clear(&m);
-  return ok ? EXIT_AS_RECORDED : bad_input(d);
+  return EXIT_AS_RECORDED;
 }

@@ -201,7 +201,7 @@ static int show(const struct options *o, const struct shown *given, const struct
   }
   text_clear(&out);
   mech_follow_clear(&f);
-  return ok ? EXIT_AS_RECORDED : bad_input(d);
+  return EXIT_AS_RECORDED;
 }
 
 /* How many decimals tell the ends of a bracket apart. */
@@ -230,7 +230,7 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
     struct mech_line l = {text_str(&path), text_str(&name), s->system_value,  {a.from[0]},
                           {a.to[0]},       digits,          word_bits(digits)};
     struct shown v = {.m = &m, .l = &l, .s = s, .digits = digits, .decimals = decimals_of(&l)};
-    status = scene_load_system(&m, &w, s, data, d) ? show(o, &v, &w, d) : bad_input(d);
+    if (scene_load_system(&m, &w, s, data, d)) status = show(o, &v, &w, d);
     mech_clear(&m);
   }
   range_clear(&a);

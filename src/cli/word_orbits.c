@@ -251,10 +251,10 @@ int run_word_orbit(const struct options *o, const struct scene *s, slong digits,
   const char *certificate = option(o, OPT_CERTIFICATE);
   if (option(o, OPT_BASIN))
     diag_set(d, "%s: error: --basin is of the word D-Gamma-H-C, and the scene names another", s->path);
-  if (d->set || !check_digits(digits, s, d) || !find_orbits(&list, s, digits, d)) return bad_input(d);
+  if (d->set || !check_digits(digits, s, d) || !find_orbits(&list, s, digits, d)) return EXIT_INPUT;
   if (certificate && !certify(certificate, &list, s, digits, d)) {
     word_orbits_clear(&list);
-    return bad_input(d);
+    return EXIT_INPUT;
   }
   struct text out, why;
   text_init(&out);
@@ -350,11 +350,11 @@ int run_word_jacobian(const struct options *o, const struct scene *s, const stru
                                    : "--layer");
   }
   if (d->set || !return_route(&how, &q, s, d) || !check_digits(q.digits, s, d) || !find_orbits(&list, s, q.digits, d))
-    return bad_input(d);
+    return EXIT_INPUT;
   if (q.orbit < list.n)
     show_jacobian(o, &list.orbit[q.orbit], s, &q, how, d);
   else
     scene_lacks_orbit(s, q.orbit, list.n, d);
   word_orbits_clear(&list);
-  return d->set ? bad_input(d) : EXIT_AS_RECORDED;
+  return EXIT_AS_RECORDED;
 }

@@ -277,7 +277,7 @@ static void show_survey(struct survey *v, const struct options *o) {
   text_clear(&out);
 }
 
-int run_words(const struct options *o, const char *data) {
+int run_words(const struct options *o, const char *data, struct diag *d) {
   const char *most = option(o, OPT_LONGEST);
   struct survey v = {.longest = LONGEST};
   unsigned long long longest;
@@ -290,17 +290,13 @@ int run_words(const struct options *o, const char *data) {
     v.longest = (int)longest;
   }
   if (o->operands.n != 1) return usage("words takes one SCENE");
-  struct diag d;
   struct scene s;
-  diag_init(&d);
   v.scene = &s;
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d);
   if (ok && s.system)
-    status = run_system_words(o, &s, data, v.longest, v.digits, &d);
-  else if (ok && scene_one_point(&s, &d) && scene_needs_forces(&s, "words", &d))
+    status = run_system_words(o, &s, data, v.longest, v.digits, d);
+  else if (ok && scene_one_point(&s, d) && scene_needs_forces(&s, "words", d))
     show_survey(&v, o);
-  else
-    status = bad_input(&d);
   scene_clear(&s);
   return status;
 }
