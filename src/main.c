@@ -23,7 +23,9 @@ static int run_command(const struct command *c, int argc, char **argv) {
   struct diag d;
   text_init(&data);
   diag_init(&d);
-  status = !c->data || find_data(&data, &d) ? c->run(&o, text_str(&data)) : bad_input(&d);
+  if (!c->data || find_data(&data, &d)) status = c->run(&o, text_str(&data), &d);
+  int said = d.set ? bad_input(&d) : status;
+  if (status != EXIT_INTERNAL) status = said;
   text_clear(&data);
   return status;
 }

@@ -664,6 +664,8 @@ START_TEST(json_nesting) {
   json_end_object(&j);
   json_string(&j, NULL, NULL);
   json_end_array(&j);
+  json_string_array(&j, "words", (const char *const[]){"a", "b"}, 2);
+  json_printf(&j, "by format", "%d\"%s", 3, "\n");
   json_string(&j, "last", "");
   json_end_object(&j);
   ck_assert_str_eq(t.data, "{\n"
@@ -679,6 +681,11 @@ START_TEST(json_nesting) {
                            "    },\n"
                            "    null\n"
                            "  ],\n"
+                           "  \"words\": [\n"
+                           "    \"a\",\n"
+                           "    \"b\"\n"
+                           "  ],\n"
+                           "  \"by format\": \"3\\\"\\n\",\n"
                            "  \"last\": \"\"\n"
                            "}\n");
   text_clear(&t);
@@ -731,6 +738,16 @@ START_TEST(json_strings) {
   ck_assert(read_json_string(&value, &p));
   ck_assert_str_eq(p, "\n}\n");
   ck_assert_str_eq(key.data, given.data);
+  ck_assert_str_eq(value.data, given.data);
+  text_reset(&value);
+  text_reset(&t);
+  json_begin_string(&j, NULL); /* the same, made in two steps */
+  text_add_n(&t, given.data, 20);
+  text_add(&t, given.data + 20);
+  json_end_string(&j);
+  p = t.data;
+  ck_assert(read_json_string(&value, &p));
+  ck_assert_str_eq(p, "");
   ck_assert_str_eq(value.data, given.data);
   text_clear(&given);
   text_clear(&t);

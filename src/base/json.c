@@ -60,6 +60,11 @@ static void close_container(struct json *j, char bracket) {
 void json_object(struct json *j, const char *key) {
   open_container(j, key, '{');
 }
+void json_document(struct json *j, struct text *out, const char *schema) {
+  json_init(j, out);
+  json_object(j, NULL);
+  json_string(j, "schema", schema);
+}
 void json_array(struct json *j, const char *key) {
   open_container(j, key, '[');
 }
@@ -77,6 +82,33 @@ void json_string(struct json *j, const char *key, const char *value) {
   }
   begin_member(j, key);
   add_escaped(j->out, value);
+}
+
+void json_begin_string(struct json *j, const char *key) {
+  begin_member(j, key);
+  j->string = j->out->len;
+}
+
+void json_end_string(struct json *j) {
+  char *made = ss_strdup(text_str(j->out) + j->string);
+  j->out->len = j->string;
+  add_escaped(j->out, made);
+  free(made);
+}
+
+void json_printf(struct json *j, const char *key, const char *fmt, ...) {
+  va_list ap;
+  va_start(ap, fmt);
+  json_begin_string(j, key);
+  text_vprintf(j->out, fmt, ap);
+  json_end_string(j);
+  va_end(ap);
+}
+
+void json_string_array(struct json *j, const char *key, const char *const *list, int n) {
+  json_array(j, key);
+  for (int i = 0; i < n; i++) json_string(j, NULL, list[i]);
+  json_end_array(j);
 }
 
 void json_long(struct json *j, const char *key, long value) {

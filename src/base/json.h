@@ -12,16 +12,25 @@ enum { JSON_DEPTH = 16 };
 struct json {
   struct text *out;
   int depth;
+  size_t string;            /* where one that is being made begins */
   bool started[JSON_DEPTH]; /* the open container has a member */
 };
 
 void json_init(struct json *j, struct text *out);
+/* Begins a document: an object with its schema first. */
+void json_document(struct json *j, struct text *out, const char *schema);
 /* key is NULL inside an array and at the top. */
 void json_object(struct json *j, const char *key);
 void json_array(struct json *j, const char *key);
 void json_end_object(struct json *j);
 void json_end_array(struct json *j);
 void json_string(struct json *j, const char *key, const char *value); /* NULL writes null */
+/* A string that is made in its place: what is added to j->out in between, as it is to be read back. */
+void json_begin_string(struct json *j, const char *key);
+void json_end_string(struct json *j);
+void json_printf(struct json *j, const char *key, const char *fmt, ...) SS_PRINTF(3, 4);
+/* An array of strings. */
+void json_string_array(struct json *j, const char *key, const char *const *list, int n);
 void json_long(struct json *j, const char *key, long value);
 void json_bool(struct json *j, const char *key, bool value);
 void json_null(struct json *j, const char *key);
@@ -59,6 +68,8 @@ bool json_parse(struct json_value *out, struct arena *a, const struct source *s,
 const struct json_value *json_member(const struct json_value *v, const char *key);
 /* The string that a member holds; NULL when it holds something else. */
 const char *json_text(const struct json_value *v, const char *key);
+/* Whether it holds that string; false where that is NULL. */
+bool json_says(const struct json_value *v, const char *key, const char *what);
 /* Whether two values say the same; the order of members does not matter, numbers are compared as written. */
 bool json_same(const struct json_value *a, const struct json_value *b);
 

@@ -230,6 +230,11 @@ const char *json_text(const struct json_value *v, const char *key) {
   return m && m->kind == JSON_KIND_STRING ? m->text : NULL;
 }
 
+bool json_says(const struct json_value *v, const char *key, const char *what) {
+  const char *text = json_text(v, key);
+  return text && what && strcmp(text, what) == 0;
+}
+
 bool json_same(const struct json_value *a, const struct json_value *b) {
   if (a->kind != b->kind || a->truth != b->truth || a->n != b->n) return false;
   if (a->text && strcmp(a->text, b->text) != 0) return false;

@@ -52,12 +52,10 @@ void text_add_capital(struct text *t, const char *words) {
   text_add(t, words + small);
 }
 
-void text_printf(struct text *t, const char *fmt, ...) {
-  va_list ap, again;
-  va_start(ap, fmt);
+void text_vprintf(struct text *t, const char *fmt, va_list ap) {
+  va_list again;
   va_copy(again, ap);
   int n = vsnprintf(NULL, 0, fmt, ap);
-  va_end(ap);
   if (n > 0) {
     reserve(t, (size_t)n);
     vsnprintf(t->data + t->len, (size_t)n + 1, fmt, again);
@@ -88,6 +86,13 @@ char *arena_vprintf(struct arena *a, const char *fmt, va_list ap) {
   vsnprintf(s, (size_t)n + 1, fmt, again);
   va_end(again);
   return s;
+}
+
+void text_printf(struct text *t, const char *fmt, ...) {
+  va_list ap;
+  va_start(ap, fmt);
+  text_vprintf(t, fmt, ap);
+  va_end(ap);
 }
 
 /* Well-formed by table 3-7 of the Unicode standard. */

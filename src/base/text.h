@@ -43,6 +43,7 @@ void text_add_char(struct text *t, char c);
 /* The words, with a capital where they begin with a small letter. */
 void text_add_capital(struct text *t, const char *words);
 void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
+void text_vprintf(struct text *t, const char *fmt, va_list ap) SS_PRINTF(2, 0);
 const char *text_str(const struct text *t); /* "" when nothing was added */
 /* The text, which is cleared, as a string of the arena; and what is formatted as one. */
 struct arena;

@@ -24,8 +24,8 @@ static int parse_job(const struct options *o) {
     known = known || strcmp(job, bench_studies[i]->id) == 0;
     text_printf(&names, "%s, ", bench_studies[i]->id);
   }
-  if (!known) text_printf(&names, "%s, %s, not %.200s", studies, verdicts, job);
-  int status = known ? EXIT_AS_RECORDED : usage("--job takes one of %s", text_str(&names));
+  int status = known ? EXIT_AS_RECORDED
+                     : usage("--job takes one of %s%s, %s, not %.200s", text_str(&names), studies, verdicts, job);
   text_clear(&names);
   return status;
 }
@@ -232,7 +232,7 @@ static int write_inputs(const struct options *o, struct diag *d) {
   ok = ok && output_write(&out, d);
   if (ok) say_written(o, out.folder);
   output_clear(&out);
-  return ok ? status : bad_input(d);
+  return ok ? status : EXIT_INPUT;
 }
 
 static int measure(const struct options *o, const char *data, struct diag *d) {
@@ -249,19 +249,17 @@ static int measure(const struct options *o, const char *data, struct diag *d) {
   }
   bench_result_clear(&r);
   inputs_clear(&in);
-  return ok ? status : bad_input(d);
+  return ok ? status : EXIT_INPUT;
 }
 
-int run_bench(const struct options *o, const char *data) {
+int run_bench(const struct options *o, const char *data, struct diag *d) {
   int status = parse_job(o);
-  struct diag d;
-  diag_init(&d);
   if (status) return status;
   if (o->operands.n) return usage("bench takes no operand, not %.200s", o->operands.word[0]);
   bool inputs = option(o, OPT_INPUTS);
   if (inputs && option(o, OPT_JOB) && strcmp(option(o, OPT_JOB), verdicts) == 0)
     return usage("--inputs: the job %s has none", verdicts);
   if (inputs && (option(o, OPT_OUT) || option(o, OPT_JSON) || option(o, OPT_PEERS)))
-    return usage("--inputs goes with --job and --quick alone%s", "");
-  return inputs ? write_inputs(o, &d) : measure(o, data, &d);
+    return usage("--inputs goes with --job and --quick alone");
+  return inputs ? write_inputs(o, d) : measure(o, data, d);
 }

@@ -24,12 +24,6 @@ static void json_known(struct json *j, const char *key, const arb_t x, slong dig
     json_null(j, key);
 }
 
-static void json_double(struct json *j, const char *key, double x) {
-  char shown[40];
-  snprintf(shown, sizeof shown, "%.6g", x);
-  json_string(j, key, shown);
-}
-
 static void side_json(struct json *j, const char *key, const struct dyn_beside *side, const struct scene *s,
                       slong digits) {
   json_array(j, key);
@@ -66,10 +60,10 @@ static void change_json(struct json *j, const struct dyn_bifurcation *b, const s
 static void branch_json(struct json *j, const struct dyn_branch *b, long number) {
   json_object(j, NULL);
   json_long(j, "branch", number);
-  json_double(j, "from", b->from[0]);
-  json_double(j, "to", b->to[0]);
-  json_double(j, "least", b->span[0]);
-  json_double(j, "greatest", b->span[1]);
+  json_printf(j, "from", "%.6g", b->from[0]);
+  json_printf(j, "to", "%.6g", b->to[0]);
+  json_printf(j, "least", "%.6g", b->span[0]);
+  json_printf(j, "greatest", "%.6g", b->span[1]);
   json_string(j, "begins", ending_word(b->end[0], b->change[0]));
   json_string(j, "ends", ending_word(b->end[1], b->change[1]));
   json_end_object(j);
@@ -78,10 +72,7 @@ static void branch_json(struct json *j, const struct dyn_branch *b, long number)
 static void all_json(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
                      const struct range *a, slong digits) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "scene", s->name);
-  json_string(&j, "layer", "model");
+  json_of_model(&j, out, s);
   json_object(&j, "along");
   json_string(&j, "name", scene_key_name[a->vary]);
   json_rational(&j, "from", a->from, digits);
@@ -184,33 +175,23 @@ static int with_line(const struct options *o, const struct scene *s, slong digit
   struct range a;
   range_init(&a);
   int status = parse_along(&a, NULL, o);
-  if (!status && !scene_has_forces(s)) {
-    diag_set(d, "%s: error: bifurcate needs a scene that gives e1 and e2", s->path);
-    status = bad_input(d);
-  }
+  if (!status && !scene_needs_forces(s, "bifurcate", d)) status = EXIT_INPUT;
   if (!status) status = range_check_friction(&a, s, "--along", option(o, OPT_ALONG));
   if (!status) status = show(s, &a, o, digits);
   range_clear(&a);
   return status;
 }
 
-int run_bifurcate(const struct options *o, const char *data) {
+int run_bifurcate(const struct options *o, const char *data, struct diag *d) {
   slong digits;
   struct scene s;
-  struct diag d;
   int status = parse_digits(&digits, o);
   if (status) return status;
   if (digits > MOST_DIGITS) return usage("bifurcate takes at most 1000 --digits, not %.200s", option(o, OPT_DIGITS));
-  if (o->operands.n != 1) return usage("bifurcate takes one %s", "SCENE");
-  if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along %s", "NAME=A:B");
-  diag_init(&d);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d);
-  if (ok && s.system)
-    status = run_system_bifurcate(o, &s, data, digits, &d);
-  else if (ok)
-    status = with_line(o, &s, digits, &d);
-  else
-    status = bad_input(&d);
+  if (o->operands.n != 1) return usage("bifurcate takes one SCENE");
+  if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along NAME=A:B");
+  if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d))
+    status = s.system ? run_system_bifurcate(o, &s, data, digits, d) : with_line(o, &s, digits, d);
   scene_clear(&s);
   return status;
 }

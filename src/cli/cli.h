@@ -31,8 +31,9 @@ enum {
 
 struct options;
 
-/* One function a command; each returns its exit status. */
-#define COMMAND(name, ...) int run_##name(const struct options *o, const char *data);
+/* One function a command; each returns its exit status.  What is wrong with its input it leaves in d, which the program
+   prints; the status is then EXIT_INPUT, or EXIT_INTERNAL where the command returns that. */
+#define COMMAND(name, ...) int run_##name(const struct options *o, const char *data, struct diag *d);
 #include "cli/options.def"
 
 enum option {
@@ -45,7 +46,7 @@ struct command {
   const char *name;
   bool data; /* it reads the data folder */
   const char *operands, *purpose, *text, *example[2];
-  int (*run)(const struct options *o, const char *data);
+  int (*run)(const struct options *o, const char *data, struct diag *d);
 };
 extern const struct command command_table[];
 extern const int n_commands;
@@ -79,8 +80,8 @@ struct options {
 /* What is given for an option: its value, for a flag the flag itself; NULL where it is not given. */
 const char *option(const struct options *o, enum option id);
 
-/* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
-int usage(const char *fmt, const char *what);
+/* Says what is wrong with the command line and returns EXIT_USAGE. */
+int usage(const char *fmt, ...) SS_PRINTF(1, 2);
 /* The same of a word that is none of those tried, with what may have been meant. */
 int usage_unknown(const char *fmt, const struct suggestion *s);
 /* Prints the diagnostic and returns EXIT_INPUT. */
@@ -90,6 +91,8 @@ int bad_input(const struct diag *d);
 int parse_options(struct options *o, const char *command, int argc, char **argv);
 /* --digits; DEFAULT_DIGITS without it. */
 int parse_digits(slong *digits, const struct options *o);
+/* A whole number from 1 to most that begins with none of 0; false otherwise. */
+bool parse_plain(long *n, const char *text, long most);
 /* A whole number from 1 (or 0) to most; false otherwise. */
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most);
 /* --jobs; all processors (at most 64) without it. */
@@ -171,11 +174,15 @@ bool find_data(struct text *data, struct diag *d);
 /* The scene of that name or path, with what --set changes.  scene_clear it all the same. */
 bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, enum scene_welcome any,
                 struct diag *d);
+/* Whether it gives e1 and e2, which the command needs; false with d set. */
+bool scene_needs_forces(const struct scene *s, const char *command, struct diag *d);
 /* The row of a claim in the list, and those of the claims that its restrictions make, as reports have them; false with d
    set. */
 bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
 /* list --scene-keys */
-int list_scene_keys(bool as_json);
+int list_scene_keys(const struct options *o);
+/* source_read of folder/name. */
+bool read_in(struct source *s, const char *folder, const char *name, size_t max, struct diag *d);
 /* folder/name into out. */
 void join_path(struct text *out, const char *folder, const char *name);
 /* What a command on the paper and its scene reads, with what --paper, --overlay and --set change. */
@@ -192,18 +199,32 @@ bool load_model(struct model *m, const char *data, const struct options *o, stru
 
 /* As many of the digits as are known; a ball in which not even the first is: 0. */
 void print_known(struct text *out, const arb_struct *x, slong digits);
+/* The same on a line, behind its name in so many columns. */
+void print_named(struct text *out, int width, const char *name, const arb_struct *x, slong digits);
 /* The same as a member or, without a key, an element. */
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits);
+/* An array of n of them. */
+void json_numbers(struct json *j, const char *key, arb_srcptr x, slong n, slong digits);
 /* An exact number to so many digits. */
 void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits);
 /* The radius to two digits, rounded up; 0 when it is. */
 void print_accuracy(struct text *out, const arb_struct *worst);
-/* "orbit:2" or "printed". */
+/* Raises it to the largest radius of n numbers. */
+void radius_raise(mag_t radius, arb_srcptr x, slong n);
+/* A radius as an accuracy. */
+void print_radius(struct text *out, const mag_t radius);
+/* Whether an orbit is certified, and within which radius: the members "certified" and "radius"; a line. */
+void proof_json(struct json *j, bool certified, const mag_t radius);
+void proof_text(struct text *out, bool certified, const mag_t radius);
+/* "orbit:2" or "printed"; the same as the member "at". */
 void print_at(struct text *out, const struct jacobian_request *q);
+void json_at(struct json *j, const struct jacobian_request *q);
+/* Begins the object of what is computed with the model at a scene: scene and layer. */
+void json_of_model(struct json *j, struct text *out, const struct scene *s);
 /* The eigenvalues of a 2x2 matrix by GSL, two texts: real numbers, or "a+bi" and "a-bi". */
 bool print_eigenvalues(struct text out[2], arb_srcptr j);
 /* jacobian --phases */
-bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
+void show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d);
 
 /* true, false or null. */
@@ -216,7 +237,7 @@ extern const char *const stability_name[TRUTH_UNKNOWN + 1], *const fate_name[TRU
 int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,
               const struct audit_options *opt, bool json, struct diag *d);
 /* orbit --method paper. */
-int run_orbit_paper(const struct options *o, const char *data);
+int run_orbit_paper(const struct options *o, const char *data, struct diag *d);
 /* orbit on a scene with intervals. */
 int show_box(const struct options *o, const struct scene *s, slong digits);
 /* orbit and jacobian on a scene that names another word than the paper's. */
@@ -237,11 +258,5 @@ int compare_routes(const struct coulomb_setup *setup, const struct scene *s, con
                    double duration);
 /* Says that a simulation ended before it was to; the exit status. */
 int ended_early(const char *why, const char *route, double t);
-int run_simulate(const struct options *o, const char *data);
-int run_bifurcate(const struct options *o, const char *data);
-int run_bench(const struct options *o, const char *data);
-int run_sweep(const struct options *o, const char *data);
-int run_plot(const struct options *o, const char *data);
-int run_report(const struct options *o, const char *data);
 
 #endif

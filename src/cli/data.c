@@ -17,6 +17,15 @@ void join_path(struct text *out, const char *folder, const char *name) {
   text_printf(out, "%s/%s", folder, name);
 }
 
+bool read_in(struct source *s, const char *folder, const char *name, size_t max, struct diag *d) {
+  struct text path;
+  text_init(&path);
+  join_path(&path, folder, name);
+  bool ok = source_read(s, text_str(&path), max, d);
+  text_clear(&path);
+  return ok;
+}
+
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d) {
   return model_load(m, data, option(o, OPT_PAPER), option(o, OPT_OVERLAY), d);
 }

@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "cli.h"
+#include "report/audit_shape.h"
 
 struct audit_file {
   struct source source;
@@ -72,9 +73,8 @@ static bool audit_file_read(struct audit_file *f, const char *path, struct diag 
   *f = (struct audit_file){.n = 0};
   arena_init(&f->arena);
   if (!source_read(&f->source, path, LARGEST_AUDIT, d) || !json_parse(&f->root, &f->arena, &f->source, d)) return false;
-  const char *schema = json_text(&f->root, "schema");
   const struct json_value *claims = json_member(&f->root, "claims");
-  if (!schema || strcmp(schema, "stickslip-audit-2") != 0) return not_an_audit(f, d, "no schema stickslip-audit-2");
+  if (!json_says(&f->root, "schema", AUDIT_SCHEMA)) return not_an_audit(f, d, "no schema " AUDIT_SCHEMA);
   for (int i = 0; i < N_COUNTS; i++)
     if (!read_counts(f, counts[i].member, d)) return false;
   if (!claims || claims->kind != JSON_KIND_ARRAY) return not_an_audit(f, d, "no claims");
@@ -88,70 +88,12 @@ static void audit_file_clear(struct audit_file *f) {
   source_clear(&f->source);
 }
 
-/* --- What differs: told to a listener, in the order of the second file --- */
+/* --- What differs: told as it is found, in the order of the second file --- */
 
-/* Either side is NULL where it has nothing. */
-struct listener {
-  void (*count)(struct listener *l, const char *what, const char *a, const char *b);
-  void (*verdict)(struct listener *l, const char *id, const char *a, const char *b);
-  void (*member)(struct listener *l, const char *id, const char *name); /* id NULL: of the document */
+struct teller {
   bool any;
-  struct json *json;
+  struct json *json; /* NULL: lines for people */
 };
-
-static void each_member(struct listener *l, const char *id, const struct json_value *a, const struct json_value *b,
-                        const char *const *but) {
-  for (int second = 0; second < 2; second++)
-    for (const struct json_value *m = (second ? b : a)->first; m; m = m->next) {
-      const struct json_value *other = json_member(second ? a : b, m->key);
-      bool passed = (second && other) || (other && json_same(m, other));
-      for (int k = 0; but[k]; k++) passed = passed || strcmp(but[k], m->key) == 0;
-      if (passed) continue;
-      l->any = true;
-      l->member(l, id, m->key);
-    }
-}
-
-/* The counts of summary or checks, called by their names with what stands before them. */
-static void each_count(struct listener *l, const struct audit_file *a, const struct audit_file *b, int part) {
-  const struct json_value *x = json_member(&a->root, counts[part].member),
-                          *y = json_member(&b->root, counts[part].member);
-  for (int second = 0; second < 2; second++)
-    for (const struct json_value *m = (second ? y : x)->first; m; m = m->next) {
-      const struct json_value *other = json_member(second ? x : y, m->key);
-      if ((second && other) || (other && json_same(m, other))) continue;
-      char name[64];
-      snprintf(name, sizeof name, "%s%.40s", counts[part].before, m->key);
-      l->any = true;
-      l->count(l, name, second ? "0" : m->text, second ? m->text : other ? other->text : "0");
-    }
-}
-
-static void each_verdict(struct listener *l, const struct audit_file *a, const struct audit_file *b) {
-  for (size_t i = 0; i < b->n; i++) {
-    const struct json_value *was = find_claim(a, id_of(b->claim[i]));
-    const char *before = was ? json_text(was, "verdict") : NULL, *after = json_text(b->claim[i], "verdict");
-    if (before && strcmp(before, after) == 0) continue;
-    l->any = true;
-    l->verdict(l, id_of(b->claim[i]), before, after);
-  }
-  for (size_t i = 0; i < a->n; i++) {
-    if (find_claim(b, id_of(a->claim[i]))) continue;
-    l->any = true;
-    l->verdict(l, id_of(a->claim[i]), json_text(a->claim[i], "verdict"), NULL);
-  }
-}
-
-static void each_other(struct listener *l, const struct audit_file *a, const struct audit_file *b) {
-  static const char *const told[] = {"summary", "checks", "claims", NULL}, *const verdict[] = {"verdict", NULL};
-  for (size_t i = 0; i < b->n; i++) {
-    const struct json_value *was = find_claim(a, id_of(b->claim[i]));
-    if (was) each_member(l, id_of(b->claim[i]), was, b->claim[i], verdict);
-  }
-  each_member(l, NULL, &a->root, &b->root, told);
-}
-
-/* --- For people --- */
 
 static void print_name(const char *s) {
   for (; *s; s++) putchar((unsigned char)*s < ' ' || *s == 0x7F ? '?' : *s);
@@ -167,24 +109,84 @@ static void print_change(const char *kind, const char *name, const char *a, cons
   putchar('\n');
 }
 
-static void say_count(struct listener *l, const char *what, const char *a, const char *b) {
-  (void)l;
-  print_change("count", what, a, b);
-}
-static void say_verdict(struct listener *l, const char *id, const char *a, const char *b) {
-  (void)l;
-  print_change(!a ? "added" : !b ? "removed" : "verdict", id, a, b);
-}
-static void say_member(struct listener *l, const char *id, const char *name) {
-  (void)l;
-  if (id)
-    print_change("changed", id, name, NULL);
-  else
-    print_change("changed", name, "another value", NULL);
+/* A count or the verdict of a claim in both files; NULL in one that has not the claim. */
+static void tell_change(struct teller *l, bool claim, const char *name, const char *a, const char *b) {
+  l->any = true;
+  if (!l->json) {
+    print_change(!a ? "added" : !b ? "removed" : claim ? "verdict" : "count", name, a, b);
+    return;
+  }
+  json_object(l->json, NULL);
+  json_string(l->json, claim ? "claim" : "count", name);
+  json_string(l->json, "first", a);
+  json_string(l->json, "second", b);
+  json_end_object(l->json);
 }
 
+/* That a member of a claim, or with NULL of the document, has another value. */
+static void tell_member(struct teller *l, const char *id, const char *name) {
+  l->any = true;
+  if (!l->json) {
+    print_change("changed", id ? id : name, id ? name : "another value", NULL);
+    return;
+  }
+  json_object(l->json, NULL);
+  json_string(l->json, "claim", id);
+  json_string(l->json, "member", name);
+  json_end_object(l->json);
+}
+
+static void each_member(struct teller *l, const char *id, const struct json_value *a, const struct json_value *b,
+                        const char *const *but) {
+  for (int second = 0; second < 2; second++)
+    for (const struct json_value *m = (second ? b : a)->first; m; m = m->next) {
+      const struct json_value *other = json_member(second ? a : b, m->key);
+      bool passed = (second && other) || (other && json_same(m, other));
+      for (int k = 0; but[k]; k++) passed = passed || strcmp(but[k], m->key) == 0;
+      if (!passed) tell_member(l, id, m->key);
+    }
+}
+
+/* The counts of summary or checks, called by their names with what stands before them. */
+static void each_count(struct teller *l, const struct audit_file *a, const struct audit_file *b, int part) {
+  const struct json_value *x = json_member(&a->root, counts[part].member),
+                          *y = json_member(&b->root, counts[part].member);
+  for (int second = 0; second < 2; second++)
+    for (const struct json_value *m = (second ? y : x)->first; m; m = m->next) {
+      const struct json_value *other = json_member(second ? x : y, m->key);
+      if ((second && other) || (other && json_same(m, other))) continue;
+      char name[64];
+      snprintf(name, sizeof name, "%s%.40s", counts[part].before, m->key);
+      tell_change(l, false, name, second ? "0" : m->text, second ? m->text : other ? other->text : "0");
+    }
+}
+
+static void each_verdict(struct teller *l, const struct audit_file *a, const struct audit_file *b) {
+  for (size_t i = 0; i < b->n; i++) {
+    const struct json_value *was = find_claim(a, id_of(b->claim[i]));
+    const char *before = was ? json_text(was, "verdict") : NULL, *after = json_text(b->claim[i], "verdict");
+    if (before && strcmp(before, after) == 0) continue;
+    tell_change(l, true, id_of(b->claim[i]), before, after);
+  }
+  for (size_t i = 0; i < a->n; i++) {
+    if (!find_claim(b, id_of(a->claim[i])))
+      tell_change(l, true, id_of(a->claim[i]), json_text(a->claim[i], "verdict"), NULL);
+  }
+}
+
+static void each_other(struct teller *l, const struct audit_file *a, const struct audit_file *b) {
+  static const char *const told[] = {"summary", "checks", "claims", NULL}, *const verdict[] = {"verdict", NULL};
+  for (size_t i = 0; i < b->n; i++) {
+    const struct json_value *was = find_claim(a, id_of(b->claim[i]));
+    if (was) each_member(l, id_of(b->claim[i]), was, b->claim[i], verdict);
+  }
+  each_member(l, NULL, &a->root, &b->root, told);
+}
+
+/* --- The command --- */
+
 static bool print_diff(const struct audit_file *a, const struct audit_file *b) {
-  struct listener l = {.count = say_count, .verdict = say_verdict, .member = say_member};
+  struct teller l = {.any = false};
   for (int i = 0; i < N_COUNTS; i++) each_count(&l, a, b, i);
   each_verdict(&l, a, b);
   each_other(&l, a, b);
@@ -192,37 +194,12 @@ static bool print_diff(const struct audit_file *a, const struct audit_file *b) {
   return l.any;
 }
 
-/* --- As JSON --- */
-
-static void write_pair(struct listener *l, const char *key, const char *name, const char *a, const char *b) {
-  json_object(l->json, NULL);
-  json_string(l->json, key, name);
-  json_string(l->json, "first", a);
-  json_string(l->json, "second", b);
-  json_end_object(l->json);
-}
-
-static void write_count(struct listener *l, const char *what, const char *a, const char *b) {
-  write_pair(l, "count", what, a, b);
-}
-static void write_verdict(struct listener *l, const char *id, const char *a, const char *b) {
-  write_pair(l, "claim", id, a, b);
-}
-static void write_member(struct listener *l, const char *id, const char *name) {
-  json_object(l->json, NULL);
-  json_string(l->json, "claim", id);
-  json_string(l->json, "member", name);
-  json_end_object(l->json);
-}
-
 static bool print_json(const struct audit_file *a, const struct audit_file *b) {
   struct text out;
   struct json j;
   text_init(&out);
-  json_init(&j, &out);
-  struct listener l = {.count = write_count, .verdict = write_verdict, .member = write_member, .json = &j};
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-diff-1");
+  json_document(&j, &out, "stickslip-diff-1");
+  struct teller l = {.json = &j};
   json_string(&j, "first", a->source.name);
   json_string(&j, "second", b->source.name);
   json_array(&j, "counts");
@@ -241,20 +218,14 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
   return l.any;
 }
 
-int run_diff(const struct options *o, const char *data) {
+int run_diff(const struct options *o, const char *data, struct diag *d) {
   (void)data;
-  if (o->operands.n != 2) return usage("diff takes two files, as %s", "stickslip diff A.json B.json");
-  struct diag d;
+  if (o->operands.n != 2) return usage("diff takes two files, as stickslip diff A.json B.json");
   struct audit_file a, b;
-  diag_init(&d);
-  bool ok = audit_file_read(&a, o->operands.word[0], &d);
-  bool both = ok && audit_file_read(&b, o->operands.word[1], &d);
-  int status = EXIT_AS_RECORDED;
-  if (!both)
-    status = bad_input(&d);
-  else if (option(o, OPT_JSON) ? print_json(&a, &b) : print_diff(&a, &b))
-    status = EXIT_DIFFERS;
+  bool ok = audit_file_read(&a, o->operands.word[0], d);
+  bool both = ok && audit_file_read(&b, o->operands.word[1], d);
+  bool differ = both && (option(o, OPT_JSON) ? print_json : print_diff)(&a, &b);
   if (ok) audit_file_clear(&b);
   audit_file_clear(&a);
-  return status;
+  return differ ? EXIT_DIFFERS : EXIT_AS_RECORDED;
 }

@@ -10,14 +10,10 @@
 static bool print_receipt(struct text *out, const struct model *m, const struct claims *c, const struct scene *s,
                           const char *id, const char *data, struct diag *d) {
   enum { MAX_SCRIPT = 1 << 20 };
-  struct text path;
   struct source src;
-  text_init(&path);
-  join_path(&path, data, receipt_of_orbit(c, id) ? "receipt/orbit.py" : "receipt/model.py");
-  bool ok = source_read(&src, text_str(&path), MAX_SCRIPT, d);
-  text_clear(&path);
-  if (!ok) return false;
-  ok = audit_receipt(out, m, c, s, id, src.text, d);
+  if (!read_in(&src, data, receipt_of_orbit(c, id) ? "receipt/orbit.py" : "receipt/model.py", MAX_SCRIPT, d))
+    return false;
+  bool ok = audit_receipt(out, m, c, s, id, src.text, d);
   source_clear(&src);
   return ok;
 }
@@ -129,24 +125,21 @@ static bool explain(struct text *out, const struct inputs *e, const char *word, 
   return !d->set;
 }
 
-int run_explain(const struct options *o, const char *data) {
+int run_explain(const struct options *o, const char *data, struct diag *d) {
   const char *at = option(o, OPT_AT);
   bool receipt = option(o, OPT_RECEIPT), tape = option(o, OPT_TAPE);
-  if (o->operands.n != 1) return usage("explain takes one %s", "claim id");
+  if (o->operands.n != 1) return usage("explain takes one claim id");
   if (receipt && (at || tape)) return usage("--receipt stands alone, not with %s", at ? "--at" : "--tape");
-  struct diag d;
   struct inputs e;
   struct text out;
-  diag_init(&d);
   text_init(&out);
-  bool ok = inputs_load(&e, data, o, &d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, &d) &&
-            explain(&out, &e, o->operands.word[0], o, data, &d);
-  int status = ok ? EXIT_AS_RECORDED : bad_input(&d);
+  bool ok = inputs_load(&e, data, o, d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, d) &&
+            explain(&out, &e, o->operands.word[0], o, data, d);
   if (ok && receipt)
     fputs(text_str(&out), stdout);
   else if (ok)
     terminal_print_marked(text_str(&out));
   text_clear(&out);
   inputs_clear(&e);
-  return status;
+  return EXIT_AS_RECORDED;
 }

@@ -25,9 +25,16 @@ static const char scene_text[] =
     "SCENE is a path, or the name of a file in verify/scenes without its suffix (stickslip list scenes).";
 
 /* A paragraph within the width; lines but its first go on at the column. */
-static void add_paragraph(struct text *out, const char *s, size_t len, size_t indent) {
-  text_fit(out, s, len, WIDTH, indent);
+static void add_paragraph(struct text *out, size_t indent, const char *fmt, ...) {
+  struct text line;
+  va_list ap;
+  va_start(ap, fmt);
+  text_init(&line);
+  text_vprintf(&line, fmt, ap);
+  text_fit(out, text_str(&line), line.len, WIDTH, indent);
   text_add_char(out, '\n');
+  text_clear(&line);
+  va_end(ap);
 }
 
 /* Every paragraph of the command's description, those among them that other tables make. */
@@ -67,30 +74,19 @@ static void add_usage(struct text *out, const struct command *c) {
 }
 
 static void add_options(struct text *out, const struct command *c) {
-  struct text line;
-  text_init(&line);
   text_add(out, "\noptions:\n");
   for (int k = 0; k < n_option_rows; k++) {
     const struct option_row *row = &option_table[k];
     if (!option_belongs(row, c->name)) continue;
     text_printf(out, "  %s%s%s\n", row->name, row->value ? " " : "", row->value ? row->value : "");
-    text_reset(&line);
-    text_printf(&line, "      %s", row->text);
-    add_paragraph(out, text_str(&line), line.len, strlen("      "));
+    add_paragraph(out, strlen("      "), "      %s", row->text);
   }
-  text_clear(&line);
 }
 
 static void add_statuses(struct text *out) {
-  struct text line;
-  text_init(&line);
   text_add(out, "\nexit status:\n");
-  for (int i = 0; i < N_STATUSES; i++) {
-    text_reset(&line);
-    text_printf(&line, "  %d  %s", statuses[i].number, statuses[i].text);
-    add_paragraph(out, text_str(&line), line.len, strlen("  0  "));
-  }
-  text_clear(&line);
+  for (int i = 0; i < N_STATUSES; i++)
+    add_paragraph(out, strlen("  0  "), "  %d  %s", statuses[i].number, statuses[i].text);
 }
 
 void help_page(const struct command *c) {
@@ -102,7 +98,7 @@ void help_page(const struct command *c) {
   for (const char *p = text_str(&about); *p; p += strspn(p, "\n")) {
     size_t len = strcspn(p, "\n");
     text_add_char(&out, '\n');
-    add_paragraph(&out, p, len, 0);
+    add_paragraph(&out, 0, "%.*s", (int)len, p);
     p += len;
   }
   add_options(&out, c);
@@ -121,10 +117,9 @@ static void overview(void) {
                  "usage: stickslip COMMAND [OPERAND...] [OPTION...] | COMMAND --help | --version\n");
   for (int i = 0; i < n_commands; i++)
     text_printf(&out, "  %-10s %s\n", command_table[i].name, command_table[i].purpose);
-  text_add(&line, "exit status:");
   for (int i = 0; i < N_STATUSES; i++)
     text_printf(&line, "%s %d %s", i ? ";" : "", statuses[i].number, statuses[i].brief);
-  add_paragraph(&out, text_str(&line), line.len, strlen("exit status: "));
+  add_paragraph(&out, strlen("exit status: "), "exit status:%s", text_str(&line));
   terminal_print(text_str(&out));
   text_clear(&line);
   text_clear(&out);

@@ -31,7 +31,7 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
 /* What is printed about one Jacobian: entries, trace, det. */
 enum { TRACE = 4, DET = 5, N_NUMBERS = 6 };
 
-static void jacobian_json(struct text *out, const struct text e[N_NUMBERS], const char *at, const char *layer,
+static void jacobian_json(struct text *out, const struct text e[N_NUMBERS], const char *layer,
                           const struct jacobian_request *q) {
   struct json w;
   json_init(&w, out);
@@ -47,7 +47,7 @@ static void jacobian_json(struct text *out, const struct text e[N_NUMBERS], cons
   json_string(&w, "det", text_str(&e[DET]));
   json_string(&w, "method", method_name[q->method]);
   json_string(&w, "layer", layer);
-  json_string(&w, "at", at);
+  json_at(&w, q);
   json_end_object(&w);
 }
 
@@ -71,24 +71,23 @@ static void jacobian_text(struct text *out, const struct text e[N_NUMBERS], arb_
 
 /* x: J, trace and det. */
 static void print_jacobian(arb_srcptr x, const struct jacobian_request *q, const struct scene *s, bool as_json) {
-  struct text e[N_NUMBERS], at, out;
+  struct text e[N_NUMBERS], out;
   for (int i = 0; i < N_NUMBERS; i++) {
     text_init(&e[i]);
     print_known(&e[i], x + i, q->digits);
   }
-  text_init(&at);
   text_init(&out);
-  print_at(&at, q);
   const char *layer = q->method == METHOD_ANALYTIC ? layer_name[q->layer] : "model";
   if (as_json) {
-    jacobian_json(&out, e, text_str(&at), layer, q);
+    jacobian_json(&out, e, layer, q);
   } else {
-    text_printf(&out, "%s, %s, method %s, layer %s\n", s->name, text_str(&at), method_name[q->method], layer);
+    text_printf(&out, "%s, ", s->name);
+    print_at(&out, q);
+    text_printf(&out, ", method %s, layer %s\n", method_name[q->method], layer);
     jacobian_text(&out, e, x, q);
   }
   fputs(text_str(&out), stdout);
   for (int i = 0; i < N_NUMBERS; i++) text_clear(&e[i]);
-  text_clear(&at);
   text_clear(&out);
 }
 
@@ -100,7 +99,7 @@ static bool is_lost(arb_srcptr x) {
   return false;
 }
 
-static bool show_jacobian(const struct options *o, const struct model *m, const struct scene *s,
+static void show_jacobian(const struct options *o, const struct model *m, const struct scene *s,
                           const struct jacobian_request *q, struct diag *d) {
   arb_ptr x = _arb_vec_init(N_NUMBERS);
   bool ok = audit_jacobian(x, x + TRACE, x + DET, m, s, q, d);
@@ -111,29 +110,25 @@ static bool show_jacobian(const struct options *o, const struct model *m, const 
   }
   if (ok) print_jacobian(x, q, s, option(o, OPT_JSON));
   _arb_vec_clear(x, N_NUMBERS);
-  return ok;
 }
 
-int run_jacobian(const struct options *o, const char *data) {
+int run_jacobian(const struct options *o, const char *data, struct diag *d) {
   struct jacobian_request q;
   int status = parse_jacobian(&q, o);
   if (status) return status;
-  if (o->operands.n != 1) return usage("jacobian takes one %s", "SCENE");
-  struct diag d;
+  if (o->operands.n != 1) return usage("jacobian takes one SCENE");
   struct model m;
   struct scene s;
-  diag_init(&d);
   model_init(&m);
   bool ok =
-      load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d) && (s.system || scene_one_point(&s, &d));
+      load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d) && (s.system || scene_one_point(&s, d));
   if (ok && q.orbit < 0) q.orbit = s.system || scene_other_word(&s) ? 0 : scene_usual_orbit(&s);
   if (ok && s.system)
-    status = run_system_jacobian(o, &s, data, &q, &d);
+    status = run_system_jacobian(o, &s, data, &q, d);
   else if (ok && scene_other_word(&s))
-    status = run_word_jacobian(o, &s, &q, &d);
-  else if (!ok || !load_model(&m, data, o, &d) ||
-           !(option(o, OPT_PHASES) ? show_phases : show_jacobian)(o, &m, &s, &q, &d))
-    status = bad_input(&d);
+    status = run_word_jacobian(o, &s, &q, d);
+  else if (ok && load_model(&m, data, o, d))
+    (option(o, OPT_PHASES) ? show_phases : show_jacobian)(o, &m, &s, &q, d);
   scene_clear(&s);
   model_clear(&m);
   return status;

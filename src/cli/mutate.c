@@ -22,17 +22,12 @@ static int parse_mutation(struct mutation_options *q, const struct options *o) {
   return parse_jobs(&q->jobs, o);
 }
 
-/* body: JSON, Markdown, text. */
-static bool deliver(const struct text body[3], const char *const name[2], const struct options *o, struct diag *d) {
+/* Writes the files, JSON first, where there is a folder; prints the JSON or the text. */
+static void deliver(const struct output *out, const struct text *text, const struct options *o, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
-  struct output out;
-  output_init(&out, folder);
-  for (int i = 0; folder && i < 2; i++) text_add(output_add(&out, name[i]), text_str(&body[i]));
-  bool ok = !folder || output_write(&out, d);
-  if (ok) fputs(text_str(&body[option(o, OPT_JSON) ? 0 : 2]), stdout);
-  if (ok && folder) say_written(o, folder);
-  output_clear(&out);
-  return ok;
+  if (folder && !output_write(out, d)) return;
+  fputs(text_str(option(o, OPT_JSON) ? &out->body[0] : text), stdout);
+  if (folder) say_written(o, folder);
 }
 
 /* The roots are no part of it: no damage touches them. */
@@ -61,70 +56,68 @@ static bool load_text(struct paper_text *t, const char *path, const struct audit
   return ok;
 }
 
-int run_mutate(const struct options *o, const char *data) {
+int run_mutate(const struct options *o, const char *data, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
-  static const char *const names[] = {"mutation.json", "mutation.md"};
   struct mutation_options q;
   int status = parse_mutation(&q, o);
   if (status) return status;
   if (o->operands.n) return usage("mutate takes no operand, not %.200s", o->operands.word[0]);
-  struct diag d;
   struct inputs in;
   struct mutation_result r;
-  struct text body[3];
-  diag_init(&d);
+  struct output out;
+  struct text said;
   mutation_result_init(&r);
-  for (int i = 0; i < 3; i++) text_init(&body[i]);
+  output_init(&out, folder ? folder : "");
+  text_init(&said);
   const struct audit_data all = searched(&in.files);
   q.progress = progress_count;
   progress_begin();
   struct paper_text text = {.tokens = {.n = 0}};
   q.text = option(o, OPT_TEXT) ? &text : NULL;
-  bool ok = load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
-            (!q.text || load_text(&text, option(o, OPT_TEXT), &all, &d)) && audit_mutate(&r, &all, &in.scene, &q, &d);
+  bool ok = load(&in, data, o, d) && (!folder || folder_possible(folder, d)) &&
+            (!q.text || load_text(&text, option(o, OPT_TEXT), &all, d)) && audit_mutate(&r, &all, &in.scene, &q, d);
   progress_end();
   if (ok) {
-    report_mutation_json(&body[0], &r);
-    report_mutation_markdown(&body[1], &r);
-    report_mutation_text(&body[2], &r);
-    ok = deliver(body, names, o, &d);
+    report_mutation_json(output_add(&out, "mutation.json"), &r);
+    report_mutation_markdown(output_add(&out, "mutation.md"), &r);
+    report_mutation_text(&said, &r);
+    deliver(&out, &said, o, d);
   }
-  if (!ok) status = bad_input(&d);
   if (r.broken) status = EXIT_INTERNAL;
-  for (int i = 0; i < 3; i++) text_clear(&body[i]);
+  text_clear(&said);
+  output_clear(&out);
   mutation_result_clear(&r);
   paper_text_clear(&text);
   inputs_clear(&in);
   return status;
 }
 
-int run_repair(const struct options *o, const char *data) {
+int run_repair(const struct options *o, const char *data, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
-  static const char *const names[] = {"repairs.json", "repairs.md"};
   int jobs, status = parse_jobs(&jobs, o);
   if (status) return status;
-  struct diag d;
   struct inputs in;
   struct repair_result r;
-  struct text body[3];
-  diag_init(&d);
+  struct output out;
+  struct text said;
   repair_result_init(&r);
-  for (int i = 0; i < 3; i++) text_init(&body[i]);
+  output_init(&out, folder ? folder : "");
+  text_init(&said);
   struct repair_options opt = {
       .only = o->operands.word, .n_only = o->operands.n, .jobs = jobs, .progress = progress_count};
   progress_begin();
-  bool ok = load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
-            audit_repairs(&r, &in.files.model, &in.files.claims, &in.scene, &opt, &d);
+  bool ok = load(&in, data, o, d) && (!folder || folder_possible(folder, d)) &&
+            audit_repairs(&r, &in.files.model, &in.files.claims, &in.scene, &opt, d);
   progress_end();
   if (ok) {
-    report_repairs_json(&body[0], &r);
-    report_repairs_markdown(&body[1], &r);
-    report_repairs_text(&body[2], &r);
-    ok = deliver(body, names, o, &d);
+    report_repairs_json(output_add(&out, "repairs.json"), &r);
+    report_repairs_markdown(output_add(&out, "repairs.md"), &r);
+    report_repairs_text(&said, &r);
+    deliver(&out, &said, o, d);
   }
-  if (!ok) status = bad_input(&d);
   if (r.broken) status = EXIT_INTERNAL;
-  for (int i = 0; i < 3; i++) text_clear(&body[i]);
+  text_clear(&said);
+  output_clear(&out);
   repair_result_clear(&r);
   inputs_clear(&in);
   return status;

@@ -51,20 +51,28 @@ void print_known(struct text *out, const arb_struct *x, slong digits) {
   if (n > 0 && n < digits) show_as_power(out, from, n);
 }
 
+void print_named(struct text *out, int width, const char *name, const arb_struct *x, slong digits) {
+  text_printf(out, "  %-*s ", width, name);
+  print_known(out, x, digits);
+  text_add_char(out, '\n');
+}
+
 void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits) {
-  struct text t;
-  text_init(&t);
-  num_print_rational(&t, q, digits);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
+  json_begin_string(j, key);
+  num_print_rational(j->out, q, digits);
+  json_end_string(j);
 }
 
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits) {
-  struct text t;
-  text_init(&t);
-  print_known(&t, x, digits);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
+  json_begin_string(j, key);
+  print_known(j->out, x, digits);
+  json_end_string(j);
+}
+
+void json_numbers(struct json *j, const char *key, arb_srcptr x, slong n, slong digits) {
+  json_array(j, key);
+  for (slong i = 0; i < n; i++) json_number(j, NULL, x + i, digits);
+  json_end_array(j);
 }
 
 void print_accuracy(struct text *out, const arb_struct *worst) {
@@ -77,11 +85,57 @@ void print_accuracy(struct text *out, const arb_struct *worst) {
   arb_clear(up);
 }
 
+void radius_raise(mag_t radius, arb_srcptr x, slong n) {
+  for (slong i = 0; i < n; i++) mag_max(radius, radius, arb_radref(x + i));
+}
+
+void print_radius(struct text *out, const mag_t radius) {
+  arb_t x;
+  arb_init(x);
+  arf_set_mag(arb_midref(x), radius);
+  print_accuracy(out, x);
+  arb_clear(x);
+}
+
+void proof_json(struct json *j, bool certified, const mag_t radius) {
+  json_bool(j, "certified", certified);
+  if (!certified) {
+    json_null(j, "radius");
+    return;
+  }
+  json_begin_string(j, "radius");
+  print_radius(j->out, radius);
+  json_end_string(j);
+}
+
+void proof_text(struct text *out, bool certified, const mag_t radius) {
+  if (!certified) {
+    text_add(out, "  not certified: a condition or the stability is undecided\n");
+    return;
+  }
+  text_add(out, "  certified; enclosed within ");
+  print_radius(out, radius);
+  text_add(out, ", printed rounded\n");
+}
+
 void print_at(struct text *out, const struct jacobian_request *q) {
   if (q->at_printed)
     text_add(out, "printed");
   else
     text_printf(out, "orbit:%ld", (long)q->orbit + 1);
+}
+
+void json_at(struct json *j, const struct jacobian_request *q) {
+  json_begin_string(j, "at");
+  print_at(j->out, q);
+  json_end_string(j);
+}
+
+void json_of_model(struct json *j, struct text *out, const struct scene *s) {
+  json_init(j, out);
+  json_object(j, NULL);
+  json_string(j, "scene", s->name);
+  json_string(j, "layer", "model");
 }
 
 bool print_eigenvalues(struct text out[2], arb_srcptr j) {

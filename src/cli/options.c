@@ -1,16 +1,24 @@
 /* The words of a command line, by the rows of options.def. */
 #include <errno.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "cli.h"
 
-int usage(const char *fmt, const char *what) {
+int usage(const char *fmt, ...) {
   struct diag d;
+  struct text says;
+  va_list ap;
+  va_start(ap, fmt);
   diag_init(&d);
-  diag_set(&d, fmt, what);
+  text_init(&says);
+  text_vprintf(&says, fmt, ap);
+  diag_set(&d, "%s", text_str(&says));
   fprintf(stderr, "stickslip: %s; see stickslip --help\n", d.message);
+  text_clear(&says);
+  va_end(ap);
   return EXIT_USAGE;
 }
 
@@ -133,6 +141,13 @@ int parse_options(struct options *o, const char *command, int argc, char **argv)
   return status;
 }
 
+bool parse_plain(long *n, const char *text, long most) {
+  char *end;
+  errno = 0;
+  *n = strtol(text, &end, 10);
+  return text[0] >= '1' && text[0] <= '9' && !errno && !*end && *n <= most;
+}
+
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most) {
   char *end;
   errno = 0;
@@ -160,20 +175,16 @@ int parse_decimal(double *x, const struct options *o, enum option id, long most)
   bool plain = text[strspn(text, "0123456789.")] == '\0' && strlen(text) < 40;
   *x = plain ? strtod(text, &end) : 0;
   if (plain && !*end && *x >= 1e-6 && *x <= (double)most) return EXIT_AS_RECORDED;
-  char says[100];
-  snprintf(says, sizeof says, "%s takes %s as a decimal from 0.000001 to %ld, not %%.200s",
-           id == OPT_TIMEOUT ? "--timeout" : "--time", id == OPT_TIMEOUT ? "seconds" : "a time", most);
-  return usage(says, text);
+  return usage("%s takes %s as a decimal from 0.000001 to %ld, not %.200s", id == OPT_TIMEOUT ? "--timeout" : "--time",
+               id == OPT_TIMEOUT ? "seconds" : "a time", most, text);
 }
 
 int parse_digits(slong *digits, const struct options *o) {
   const char *text = option(o, OPT_DIGITS);
   *digits = DEFAULT_DIGITS;
+  long n;
   if (!text) return EXIT_AS_RECORDED;
-  char *end;
-  errno = 0;
-  long n = strtol(text, &end, 10);
-  if (errno || *end || text[0] < '1' || text[0] > '9' || n < 1 || n > MAX_DIGITS)
+  if (!parse_plain(&n, text, MAX_DIGITS))
     return usage("--digits takes a whole number from 1 to 100000, not %.200s", text);
   *digits = n;
   return EXIT_AS_RECORDED;
@@ -184,11 +195,9 @@ int parse_start(slong *orbit, bool *printed, const struct options *o) {
   *orbit = at ? 0 : -1;
   *printed = at && strcmp(at, "printed") == 0;
   if (!at || *printed) return EXIT_AS_RECORDED;
-  char *end = NULL;
-  errno = 0;
-  bool shaped = strncmp(at, "orbit:", 6) == 0 && at[6] >= '1' && at[6] <= '9';
-  long k = shaped ? strtol(at + 6, &end, 10) : 0;
-  if (!shaped || errno || *end) return usage("--at takes orbit:K, K = 1, 2, ..., or printed, not %.200s", at);
+  long k;
+  if (strncmp(at, "orbit:", 6) != 0 || !parse_plain(&k, at + 6, LONG_MAX))
+    return usage("--at takes orbit:K, K = 1, 2, ..., or printed, not %.200s", at);
   *orbit = k - 1;
   return EXIT_AS_RECORDED;
 }

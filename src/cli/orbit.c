@@ -11,16 +11,6 @@
 
 enum { N_SHOWN = ORBIT_NUMBERS };
 
-/* The largest radius of the orbit's enclosures to two digits, rounded up. */
-static void print_radius(struct text *out, const struct dyn_orbit *o) {
-  arb_t radius;
-  arb_init(radius);
-  dyn_orbit_radius(arb_radref(radius), o);
-  arb_get_rad_arb(radius, radius);
-  print_accuracy(out, radius);
-  arb_clear(radius);
-}
-
 static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, const struct scene *s, slong digits) {
   for (int i = 0; i < N_SHOWN; i++) {
     const fmpq *exact = scene_given_number(s, i);
@@ -36,6 +26,8 @@ static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, c
 static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct dyn_certificate *proof,
                        const struct scene *s, slong digits, bool basin) {
   struct text t[N_SHOWN];
+  mag_t radius;
+  mag_init(radius);
   for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
   print_numbers(t, o, s, digits);
   truth u[2], admissible = orbit_admissible(u, s, o);
@@ -48,30 +40,21 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct d
   fate_json(j, o, admissible, u);
   json_string(j, "u_r1_min", text_str(&t[10]));
   json_string(j, "u_r2_min", text_str(&t[11]));
-  json_bool(j, "certified", proof->certified);
-  text_reset(&t[0]);
-  if (proof->certified) print_radius(&t[0], o);
-  json_string(j, "radius", proof->certified ? text_str(&t[0]) : NULL);
+  dyn_orbit_radius(radius, o);
+  proof_json(j, proof->certified, radius);
   if (basin) basin_json(j, o, s);
   json_end_object(j);
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
+  mag_clear(radius);
 }
 
 /* Why the list is not proved complete, and how far in t_c the proof reaches. */
 static void completeness_json(struct json *j, const struct dyn_orbits *list) {
-  struct text t;
-  text_init(&t);
-  if (list->complete)
-    json_null(j, "gap");
+  json_string(j, "gap", list->complete ? NULL : dyn_gap_text[list->gap]);
+  if (list->complete && list->t_c_max > 0)
+    json_printf(j, "t_c_max", "%.15g", list->t_c_max);
   else
-    json_string(j, "gap", dyn_gap_text[list->gap]);
-  if (list->complete && list->t_c_max > 0) {
-    text_printf(&t, "%.15g", list->t_c_max);
-    json_string(j, "t_c_max", text_str(&t));
-  } else {
     json_null(j, "t_c_max");
-  }
-  text_clear(&t);
 }
 
 /* Which orbits are meant, where the scene does not give the forces: " with these t_b and t_c". */
@@ -101,10 +84,7 @@ static void add_completeness(struct text *out, const struct dyn_orbits *list, co
 static void orbits_json(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
                         const struct scene *s, slong digits, bool basin) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "scene", s->name);
-  json_string(&j, "layer", "model");
+  json_of_model(&j, out, s);
   json_bool(&j, "complete", list->complete);
   completeness_json(&j, list);
   json_array(&j, "orbits");
@@ -145,15 +125,19 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
 }
 
 static void add_proof(struct text *out, const struct dyn_orbit *o, const struct dyn_certificate *proof) {
+  mag_t radius;
+  mag_init(radius);
   if (proof->certified) {
     text_printf(out, "  certified at %ld bits; enclosed within ", (long)proof->bits);
-    print_radius(out, o);
+    dyn_orbit_radius(radius, o);
+    print_radius(out, radius);
     text_add(out, ", printed rounded");
   } else {
     text_add(out, "  not certified, undecided: ");
     dyn_certificate_why(out, proof);
   }
   text_add_char(out, '\n');
+  mag_clear(radius);
 }
 
 /* Name, value and meaning in columns. */
@@ -236,7 +220,7 @@ static int show_orbits(const struct options *o, const struct scene *s, slong dig
     diag_set(d, "%s: error: an orbit could not be enclosed to %ld digits; more --digits take a higher precision",
              s->path, (long)digits);
   if (!good || (certificate && !write_certificate(certificate, s, &z, d)))
-    status = bad_input(d);
+    status = EXIT_INPUT;
   else
     print_orbits(o, &z, s, digits);
   if (status == EXIT_AS_RECORDED && certificate) say_written(o, certificate);
@@ -244,56 +228,40 @@ static int show_orbits(const struct options *o, const struct scene *s, slong dig
   return status;
 }
 
-int run_orbit(const struct options *o, const char *data) {
-  const char *method = option(o, OPT_METHOD), *certificate = option(o, OPT_CERTIFICATE);
+/* What the options ask of a scene of the paper's word that it cannot give: NULL where there is no such thing. */
+static const char *lacks(const struct options *o, const struct scene *s) {
+  if (option(o, OPT_BASIN) && (scene_is_box(s) || !scene_has_forces(s)))
+    return "--basin needs a scene that gives e1 and e2, and no interval";
+  if (!option(o, OPT_CERTIFICATE)) return NULL;
+  if (scene_is_box(s)) return "--certificate needs a scene without an interval";
+  return scene_solution_ii(s) ? "--certificate is of the word D-Gamma-H-C, and the scene names Gamma-H-C" : NULL;
+}
+
+static int show_scene(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
+  if (s->system) return run_system_orbit(o, s, data, digits, d);
+  if (scene_other_word(s)) return run_word_orbit(o, s, digits, d);
+  const char *why = lacks(o, s);
+  if (why) {
+    diag_set(d, "%s: error: %s", s->path, why);
+    return EXIT_INPUT;
+  }
+  return scene_is_box(s) ? show_box(o, s, digits) : show_orbits(o, s, digits, d);
+}
+
+int run_orbit(const struct options *o, const char *data, struct diag *d) {
+  const char *method = option(o, OPT_METHOD);
   slong digits;
-  if (option(o, OPT_BASIN) && method) return usage("--basin goes with no %s", "--method");
+  if (option(o, OPT_BASIN) && method) return usage("--basin goes with no --method");
   if (method && strcmp(method, "paper") == 0) {
-    if (certificate) return usage("--certificate is of the model's orbits, not of --method %s", method);
-    return run_orbit_paper(o, data);
+    if (option(o, OPT_CERTIFICATE)) return usage("--certificate is of the model's orbits, not of --method %s", method);
+    return run_orbit_paper(o, data, d);
   }
   if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
   int status = parse_digits(&digits, o);
   if (status) return status;
-  if (o->operands.n != 1) return usage("orbit takes one %s", "SCENE");
-  struct diag d;
+  if (o->operands.n != 1) return usage("orbit takes one SCENE");
   struct scene s;
-  diag_init(&d);
-  if (!load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d)) {
-    scene_clear(&s);
-    return bad_input(&d);
-  }
-  if (s.system) {
-    status = run_system_orbit(o, &s, data, digits, &d);
-    scene_clear(&s);
-    return status;
-  }
-  if (scene_other_word(&s)) {
-    status = run_word_orbit(o, &s, digits, &d);
-    scene_clear(&s);
-    return status;
-  }
-  if (option(o, OPT_BASIN) && (scene_is_box(&s) || !scene_has_forces(&s))) {
-    diag_set(&d, "%s: error: --basin needs a scene that gives e1 and e2, and no interval", s.path);
-    scene_clear(&s);
-    return bad_input(&d);
-  }
-  if (certificate && scene_is_box(&s)) {
-    diag_set(&d, "%s: error: --certificate needs a scene without an interval", s.path);
-    scene_clear(&s);
-    return bad_input(&d);
-  }
-  if (certificate && scene_solution_ii(&s)) {
-    diag_set(&d, "%s: error: --certificate is of the word D-Gamma-H-C, and the scene names Gamma-H-C", s.path);
-    scene_clear(&s);
-    return bad_input(&d);
-  }
-  if (scene_is_box(&s)) {
-    status = show_box(o, &s, digits);
-    scene_clear(&s);
-    return status;
-  }
-  status = show_orbits(o, &s, digits, &d);
+  if (load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d)) status = show_scene(o, &s, data, digits, d);
   scene_clear(&s);
   return status;
 }

@@ -41,11 +41,9 @@ static void find(struct dyn_basin *b, const struct dyn_orbit *o, const struct sc
 }
 
 static void json_decimal(struct json *j, const char *key, const fmpq_t q) {
-  struct text t;
-  text_init(&t);
-  print_decimal(&t, q);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
+  json_begin_string(j, key);
+  print_decimal(j->out, q);
+  json_end_string(j);
 }
 
 void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s) {

@@ -54,11 +54,9 @@ static void add_middle(struct text *out, const arb_t x, slong digits) {
 }
 
 static void json_middle(struct json *j, const char *key, const arb_t x, slong digits) {
-  struct text t;
-  text_init(&t);
-  add_middle(&t, x, digits);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
+  json_begin_string(j, key);
+  add_middle(j->out, x, digits);
+  json_end_string(j);
 }
 
 /* The given u_r count only where the numbers hold for the box. */
@@ -104,10 +102,7 @@ static void box_json(struct text *out, const struct dyn_box *box, const struct s
   arb_t x, end;
   arb_init(x);
   arb_init(end);
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "scene", s->name);
-  json_string(&j, "layer", "model");
+  json_of_model(&j, out, s);
   json_object(&j, "box");
   for (int k = 0; k < N_SCENE_PARAMS; k++) {
     if (!s->interval[k]) continue;

@@ -14,17 +14,8 @@ static void print_number(struct text *out, const struct paper_orbit *p, int i, s
   arb_t x;
   arb_init(x);
   num_mpfr.get_arb(x, num_vec_at(&p->route.x, i));
-  text_reset(out);
   num_print(out, x, digits);
   arb_clear(x);
-}
-
-static void print_start(struct text *out, const struct paper_orbit *p) {
-  text_reset(out);
-  if (p->from < 0)
-    text_add(out, "printed");
-  else
-    text_printf(out, "orbit:%ld", (long)p->from + 1);
 }
 
 /* --- JSON --- */
@@ -33,6 +24,13 @@ static void json_double(struct json *j, const char *key, double x, const char *f
   char s[40];
   snprintf(s, sizeof s, fmt, x);
   json_string(j, key, isfinite(x) ? s : NULL);
+}
+
+static void write_orbit(struct json *j, const char *key, slong orbit) {
+  if (orbit < 0)
+    json_null(j, key);
+  else
+    json_printf(j, key, "orbit:%ld", (long)orbit + 1);
 }
 
 static void write_count(struct json *j, const char *key, bool known, int n) {
@@ -68,29 +66,35 @@ static void write_condition(struct json *j, const struct paper_orbit *p) {
 
 static void write_solution(struct json *j, const struct paper_orbit *p, slong digits) {
   bool found = p->status == SS_OK;
-  struct text t;
-  text_init(&t);
   json_object(j, NULL);
-  print_start(&t, p);
-  json_string(j, "from", text_str(&t));
+  if (p->from < 0)
+    json_string(j, "from", "printed");
+  else
+    write_orbit(j, "from", p->from);
   json_array(j, "start");
   for (int i = 0; i < ROUTE_Z; i++) json_double(j, NULL, p->guess[i], "%.17g");
   json_end_array(j);
   json_bool(j, "converged", found);
   for (int i = 0; i < N_ROUTE; i++) {
-    if (found) print_number(&t, p, i, digits);
-    json_string(j, name[i], found ? text_str(&t) : NULL);
+    if (!found) {
+      json_null(j, name[i]);
+      continue;
+    }
+    json_begin_string(j, name[i]);
+    print_number(j->out, p, i, digits);
+    json_end_string(j);
   }
   write_steps(j, p);
-  text_reset(&t);
-  if (p->nearest >= 0) text_printf(&t, "orbit:%ld", (long)p->nearest + 1);
-  json_string(j, "nearest", p->nearest >= 0 ? text_str(&t) : NULL);
-  text_reset(&t);
-  if (p->nearest >= 0) num_print(&t, p->distance, 2);
-  json_string(j, "distance", p->nearest >= 0 ? text_str(&t) : NULL);
+  write_orbit(j, "nearest", p->nearest);
+  if (p->nearest < 0) {
+    json_null(j, "distance");
+  } else {
+    json_begin_string(j, "distance");
+    num_print(j->out, p->distance, 2);
+    json_end_string(j);
+  }
   write_condition(j, p);
   json_end_object(j);
-  text_clear(&t);
 }
 
 static void write_json(struct text *out, const struct paper_orbits *list, const struct scene *s, slong digits) {
@@ -109,8 +113,6 @@ static void write_json(struct text *out, const struct paper_orbits *list, const 
 
 static void add_solution(struct text *out, const struct paper_orbit *p, slong digits) {
   const struct paper_route *r = &p->route;
-  struct text t;
-  text_init(&t);
   if (p->from < 0)
     text_add(out, "from the printed times");
   else
@@ -118,52 +120,47 @@ static void add_solution(struct text *out, const struct paper_orbit *p, slong di
   text_printf(out, " (%.6g, %.6g, %.6g, %.6g)\n", p->guess[0], p->guess[1], p->guess[2], p->guess[3]);
   if (p->status != SS_OK) {
     text_add(out, "  the iteration does not converge\n");
-    text_clear(&t);
     return;
   }
   for (int i = 0; i < N_ROUTE; i++) {
-    print_number(&t, p, i, digits);
-    text_printf(out, "  %-9s %s\n", name[i], text_str(&t));
+    text_printf(out, "  %-9s ", name[i]);
+    print_number(out, p, i, digits);
+    text_add_char(out, '\n');
   }
   if (r->status_d == SS_OK)
     text_printf(out, "  steps     %d in double, %d in MPFR at %ld bits\n", r->steps_d, r->steps, (long)r->x.ctx.prec);
   else
     text_printf(out, "  steps     no convergence in double, %d in MPFR at %ld bits\n", r->steps, (long)r->x.ctx.prec);
-  text_reset(&t);
   if (p->nearest >= 0) {
-    num_print(&t, p->distance, 2);
-    text_printf(out, "  nearest   the model's orbit %ld, within %s\n", (long)p->nearest + 1, text_str(&t));
+    text_printf(out, "  nearest   the model's orbit %ld, within ", (long)p->nearest + 1);
+    num_print(out, p->distance, 2);
+    text_add_char(out, '\n');
   } else {
     text_add(out, "  nearest   the model has no orbit here\n");
   }
   text_printf(out, "  condition %.3g of the four equations' Jacobian, %.3g of N_1 - I, %.3g of N_3\n",
               r->condition.jacobian, r->condition.n1, r->condition.n3);
   if (r->status_d == SS_OK) text_printf(out, "  digits    %.1f of 16 lost in double\n", r->digits_lost);
-  text_clear(&t);
 }
 
-int run_orbit_paper(const struct options *o, const char *data) {
+int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
   slong digits;
   int status = parse_digits(&digits, o);
   if (status) return status;
-  if (digits > MAX_PAPER_DIGITS) return usage("--digits takes at most 1000 with %s", "--method paper");
-  if (o->operands.n != 1) return usage("orbit takes one %s", "SCENE");
-  struct diag d;
+  if (digits > MAX_PAPER_DIGITS) return usage("--digits takes at most 1000 with --method paper");
+  if (o->operands.n != 1) return usage("orbit takes one SCENE");
   struct scene s;
   struct paper_orbits list = {.n = 0};
   struct text out;
-  diag_init(&d);
   text_init(&out);
   slong prec = (slong)((double)digits * 3.33) + GUARD_BITS;
-  if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d) && audit_paper_orbits(&list, &s, prec, &d)) {
+  if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, d) && audit_paper_orbits(&list, &s, prec, d)) {
     if (option(o, OPT_JSON))
       write_json(&out, &list, &s, digits);
     else
       text_printf(&out, "%s: the paper's equations (44)-(46) by Newton's iteration\n", s.name);
     for (size_t i = 0; i < list.n && !option(o, OPT_JSON); i++) add_solution(&out, &list.item[i], digits);
     print_found(o, &out);
-  } else {
-    status = bad_input(&d);
   }
   paper_orbits_clear(&list);
   text_clear(&out);

@@ -193,11 +193,9 @@ static void add_eigenvalues(struct text *out, const struct jacobian_phases *p, s
 /* --- JSON --- */
 
 static void json_accuracy(struct json *w, const char *key, const arb_struct *worst) {
-  struct text t;
-  text_init(&t);
-  print_accuracy(&t, worst);
-  json_string(w, key, text_str(&t));
-  text_clear(&t);
+  json_begin_string(w, key);
+  print_accuracy(w->out, worst);
+  json_end_string(w);
 }
 
 static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, slong digits) {
@@ -301,14 +299,11 @@ static void left_out_json(struct json *w, const struct jacobian_phases *p) {
 
 static void phases_json(struct text *out, const struct jacobian_phases *p, const struct scene *s,
                         const struct jacobian_request *q) {
-  struct text at;
   struct json w;
-  text_init(&at);
-  print_at(&at, q);
   json_init(&w, out);
   json_object(&w, NULL);
   json_string(&w, "scene", s->name);
-  json_string(&w, "at", text_str(&at));
+  json_at(&w, q);
   json_array(&w, "phases");
   for (int i = 0; i < MATRIX_J; i++) {
     json_object(&w, NULL);
@@ -323,10 +318,9 @@ static void phases_json(struct text *out, const struct jacobian_phases *p, const
   accuracy_json(&w, p);
   left_out_json(&w, p);
   json_end_object(&w);
-  text_clear(&at);
 }
 
-bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
+void show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d) {
   struct jacobian_phases p;
   struct text out;
@@ -341,5 +335,4 @@ bool show_phases(const struct options *o, const struct model *m, const struct sc
   fputs(text_str(&out), stdout);
   text_clear(&out);
   jacobian_phases_clear(&p);
-  return ok;
 }

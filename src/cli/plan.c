@@ -49,16 +49,16 @@ static void print_plan(const struct audit_plan *p) {
          p->units, p->ms);
 }
 
-static void write_list(struct json *j, const char *key, const struct plan_list *l) {
-  json_array(j, key);
-  for (int i = 0; i < l->n; i++) json_string(j, NULL, l->item[i]);
-  json_end_array(j);
+static void write_number(struct json *j, const char *key, double x, int decimals) {
+  if (x < 0)
+    json_null(j, key);
+  else
+    json_printf(j, key, "%.*f", decimals, x);
 }
 
-static void write_number(struct json *j, const char *key, double x, int decimals) {
-  char s[40];
-  snprintf(s, sizeof s, "%.*f", decimals, x);
-  json_string(j, key, x < 0 ? NULL : s);
+static void write_cost(struct json *j, double units, double ms) {
+  write_number(j, "units", units, 0);
+  write_number(j, "ms", ms, 2);
 }
 
 static void write_claim(struct json *j, const struct planned_claim *c) {
@@ -66,21 +66,20 @@ static void write_claim(struct json *j, const struct planned_claim *c) {
   json_string(j, "id", c->id);
   json_string(j, "kind", c->kind);
   json_string(j, "points", c->points);
-  write_list(j, "routes", &c->routes);
-  write_list(j, "needs", &c->parts);
-  write_list(j, "matrices", &c->matrices);
-  write_list(j, "controls", &c->controls);
+  json_string_array(j, "routes", c->routes.item, c->routes.n);
+  json_string_array(j, "needs", c->parts.item, c->parts.n);
+  json_string_array(j, "matrices", c->matrices.item, c->matrices.n);
+  json_string_array(j, "controls", c->controls.item, c->controls.n);
   json_bool(j, "left_out", c->left_out);
   json_long(j, "first_bits", c->first_bits);
   json_long(j, "last_bits", c->last_bits);
-  write_number(j, "units", c->units, 0);
-  write_number(j, "ms", c->ms, 2);
+  write_cost(j, c->units, c->ms);
   json_end_object(j);
 }
 
-static void write_plan(struct json *j, const struct audit_plan *p) {
-  json_object(j, NULL);
-  json_string(j, "schema", "stickslip-plan-1");
+static void write_plan(struct text *out, const struct audit_plan *p) {
+  struct json document, *j = &document;
+  json_document(j, out, "stickslip-plan-1");
   json_string(j, "scene", p->scene);
   json_array(j, "claims");
   for (int i = 0; i < p->n_claims; i++) write_claim(j, &p->claim[i]);
@@ -90,13 +89,11 @@ static void write_plan(struct json *j, const struct audit_plan *p) {
     json_object(j, NULL);
     json_string(j, "what", p->shared[i].what);
     json_long(j, "claims", p->shared[i].claims);
-    write_number(j, "units", p->shared[i].units, 0);
-    write_number(j, "ms", p->shared[i].ms, 2);
+    write_cost(j, p->shared[i].units, p->shared[i].ms);
     json_end_object(j);
   }
   json_end_array(j);
-  write_number(j, "units", p->units, 0);
-  write_number(j, "ms", p->ms, 2);
+  write_cost(j, p->units, p->ms);
   json_end_object(j);
 }
 
@@ -104,19 +101,15 @@ int show_plan(const struct model *m, const struct claims *claims, const struct c
               const struct audit_options *opt, bool json, struct diag *d) {
   struct audit_plan p;
   struct text out;
-  struct json j;
-  int status = EXIT_AS_RECORDED;
   text_init(&out);
-  if (!audit_plan(&p, m, claims, controls, s, opt, d)) {
-    status = bad_input(d);
-  } else if (json) {
-    json_init(&j, &out);
-    write_plan(&j, &p);
+  bool ok = audit_plan(&p, m, claims, controls, s, opt, d);
+  if (ok && json) {
+    write_plan(&out, &p);
     fputs(text_str(&out), stdout);
-  } else {
+  } else if (ok) {
     print_plan(&p);
   }
   text_clear(&out);
   audit_plan_clear(&p);
-  return status;
+  return ok ? EXIT_AS_RECORDED : bad_input(d);
 }

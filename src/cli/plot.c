@@ -1,4 +1,6 @@
 /* stickslip plot: the pictures of a scene's orbits alone, and the tables they are drawn from. */
+#include <string.h>
+
 #include "cli.h"
 #include "mech/orbit.h"
 #include "report/report.h"
@@ -30,10 +32,8 @@ static bool nothing(struct diag *d, const struct scene *s, const char *why) {
 /* The table of a scene that names a system file. */
 static bool draw_system(struct audit_result *r, const struct scene *s, const char *data, struct diag *d) {
   struct mech m;
-  struct mech_word w;
-  struct mech_orbits list = {.n = 0};
-  bool ok = scene_load_system(&m, &w, s, data, d);
-  if (ok) mech_orbits_find(&list, &m, w.n ? &w : NULL, false, system_bits(DEFAULT_DIGITS));
+  struct mech_orbits list;
+  bool ok = find_system_orbits(&m, &list, false, s, data, DEFAULT_DIGITS, d);
   if (ok && list.n) table_of_system(r, &m, &list);
   if (ok && !list.n) ok = nothing(d, s, "no orbit is found");
   mech_orbits_clear(&list);
@@ -58,7 +58,7 @@ static int parse_plane(struct range range[MAX_OVER], struct dyn_axis axis[MAX_OV
   static const struct over_rule rule = {"%s takes NAME=A:B or NAME=A:B:N, as in e2=0.5:3, not %.200s",
                                         "--over %.200s: N is a whole number from 2 to 400", 2, TABLE_MOST_SIDE, 97};
   const struct words *over = &o->given[OPT_OVER];
-  if (over->n < MAX_OVER) return usage("plot takes --over twice, for both axes of a map%s", "");
+  if (over->n < MAX_OVER) return usage("plot takes --over twice, for both axes of a map");
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < MAX_OVER && !status; i++)
     status = parse_over(&range[i], &axis[i], over->word[i], i ? &range[0] : NULL, &rule);
@@ -87,7 +87,7 @@ static int draw_motion(struct audit_result *r, const struct scene *s, const stru
   slong orbit;
   bool printed;
   int status = parse_start(&orbit, &printed, o);
-  if (!status && printed) return usage("plot takes --at orbit:%s", "K");
+  if (!status && printed) return usage("plot takes --at orbit:K");
   if (!status && !scene_animation(r, s, orbit, d)) status = EXIT_INPUT;
   return status;
 }
@@ -96,16 +96,14 @@ static int draw_motion(struct audit_result *r, const struct scene *s, const stru
 static int draw_asked(struct audit_result *r, bool *any, const struct scene *s, const struct options *o,
                       struct diag *d) {
   static const enum option asked[] = {OPT_ALONG, OPT_OVER, OPT_ANIMATE};
-  static const char *const name[] = {"--along", "--over", "--animate"};
+  static const char *const name[] = {"plot --along", "plot --over", "plot --animate"};
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < 3 && !status; i++) {
     if (o->given[asked[i]].n == 0) continue;
     *any = true;
     if (s->system)
-      diag_set(d, "%s: error: %s is of the paper's two masses", s->path, name[i]);
-    else if (i < 2 && !scene_has_forces(s))
-      diag_set(d, "%s: error: plot %s needs a scene that gives e1 and e2", s->path, name[i]);
-    else
+      diag_set(d, "%s: error: %s is of the paper's two masses", s->path, name[i] + strlen("plot "));
+    else if (i == 2 || scene_needs_forces(s, name[i], d))
       status = i == 0 ? draw_along(r, s, o) : i == 1 ? draw_plane(r, s, o, d) : draw_motion(r, s, o, d);
     if (d->set) status = EXIT_INPUT;
   }
@@ -135,18 +133,16 @@ static int plot_scene(struct audit_result *r, const struct scene *s, const struc
   return status;
 }
 
-int run_plot(const struct options *o, const char *data) {
-  if (o->operands.n != 1) return usage("plot takes one scene%s", "");
-  if (option(o, OPT_AT) && !option(o, OPT_ANIMATE)) return usage("plot takes --at with --animate alone%s", "");
-  struct diag d;
+int run_plot(const struct options *o, const char *data, struct diag *d) {
+  if (o->operands.n != 1) return usage("plot takes one scene");
+  if (option(o, OPT_AT) && !option(o, OPT_ANIMATE)) return usage("plot takes --at with --animate alone");
   struct scene s;
   struct audit_result r;
-  diag_init(&d);
   audit_result_init(&r);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d) &&
-            (s.system || scene_four_phases(&s, &d));
-  int status = ok ? plot_scene(&r, &s, o, data, &d) : EXIT_INPUT;
+  bool ok =
+      load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d) && (s.system || scene_four_phases(&s, d));
+  int status = ok ? plot_scene(&r, &s, o, data, d) : EXIT_INPUT;
   scene_clear(&s);
   audit_result_clear(&r);
-  return status == EXIT_INPUT ? bad_input(&d) : status;
+  return status;
 }

@@ -34,20 +34,16 @@ static bool load(struct quotations *q, struct quoting *by, const char *data, str
   return ok;
 }
 
-int run_quotes(const struct options *o, const char *data) {
-  if (o->operands.n != 1) return usage("quotes takes one %s, a text of the paper", "FILE");
-  struct diag d;
+int run_quotes(const struct options *o, const char *data, struct diag *d) {
+  if (o->operands.n != 1) return usage("quotes takes one FILE, a text of the paper");
   struct paper_text text;
   struct quotations q = {.n = 0};
   struct quoting by = {.claims = {.n = 0}};
   struct text out;
-  diag_init(&d);
   model_init(&by.model);
   text_init(&out);
   int status = EXIT_AS_RECORDED;
-  if (!paper_text_read(&text, o->operands.word[0], &d) || !load(&q, &by, data, &d)) {
-    status = bad_input(&d);
-  } else {
+  if (paper_text_read(&text, o->operands.word[0], d) && load(&q, &by, data, d)) {
     quotations_compare(&q, &text.tokens);
     say_digest(&out, &text.tokens, by.model.paper_text);
     if (!quotations_report(&out, &q, &text)) status = EXIT_DIFFERS;

@@ -18,19 +18,12 @@ static bool in_domain(const fmpq_t x, int vary) {
   return fmpq_sgn(x) > 0 && (vary != P_CHI || fmpq_cmp_si(x, 1) < 0);
 }
 
-/* usage() with two texts: the option, and what was given. */
-static int complain(const char *fmt, const char *option, const char *text) {
-  char message[400];
-  snprintf(message, sizeof message, fmt, option, text);
-  return usage("%s", message);
-}
-
 /* NAME=A:B in len bytes: where "=" and ":" stand. */
 static int split(const char *at[2], const char *option, const char *shape, const char *text, size_t len) {
   const char *end = text + len;
   at[0] = memchr(text, '=', len);
   at[1] = at[0] ? memchr(at[0], ':', (size_t)(end - at[0])) : NULL;
-  return at[1] && !memchr(at[1] + 1, ':', (size_t)(end - at[1] - 1)) ? EXIT_AS_RECORDED : complain(shape, option, text);
+  return at[1] && !memchr(at[1] + 1, ':', (size_t)(end - at[1] - 1)) ? EXIT_AS_RECORDED : usage(shape, option, text);
 }
 
 static int evaluate(struct range *r, const char *const at[2], const char *end, const char *option) {
@@ -50,9 +43,8 @@ static int no_parameter(const char *name, const char *option, const char *text) 
   text_init(&says);
   suggest_begin(&meant, name, strlen(name));
   for (int i = 0; i < N_SCENE_PARAMS; i++) suggest_try(&meant, scene_key_name[i]);
-  text_printf(&says, "%s varies chi, eta, V, e1 or e2, not %.200s", option, text);
   suggest_print(&says, &meant);
-  int status = usage("%s", text_str(&says));
+  int status = usage("%s varies chi, eta, V, e1 or e2, not %.200s%s", option, text, text_str(&says));
   text_clear(&says);
   return status;
 }
@@ -70,9 +62,9 @@ int range_parse(struct range *r, const char *option, const char *shape, const ch
   if (!status) status = evaluate(r, at, text + len, option);
   if (status) return status;
   if (!in_domain(r->from, r->vary) || !in_domain(r->to, r->vary))
-    return complain(r->vary == P_CHI ? "both ends of %s %.200s must lie between 0 and 1"
-                                     : "both ends of %s %.200s must be positive",
-                    option, text);
+    return usage(r->vary == P_CHI ? "both ends of %s %.200s must lie between 0 and 1"
+                                  : "both ends of %s %.200s must be positive",
+                 option, text);
   return EXIT_AS_RECORDED;
 }
 
@@ -96,5 +88,5 @@ int range_check_friction(const struct range *r, const struct scene *s, const cha
   int key = r->vary == P_E1 ? KEY_U_R1 : r->vary == P_E2 ? KEY_U_R2 : -1;
   if (key < 0 || !s->given[key]) return EXIT_AS_RECORDED;
   if (fmpq_cmp(r->from, &s->value[key]) < 0 && fmpq_cmp(r->to, &s->value[key]) < 0) return EXIT_AS_RECORDED;
-  return complain("%s %.200s must stay below the static friction that the scene gives", option, text);
+  return usage("%s %.200s must stay below the static friction that the scene gives", option, text);
 }

@@ -3,21 +3,19 @@
 #include "readings/study.h"
 #include "report/report.h"
 
-int run_readings(const struct options *o, const char *data) {
-  if (o->operands.n != 1) return usage("readings takes one %s", "SCENE");
-  struct diag d;
+int run_readings(const struct options *o, const char *data, struct diag *d) {
+  if (o->operands.n != 1) return usage("readings takes one SCENE");
   struct model m;
   struct scene s;
   struct audit_result r;
   struct text out;
-  diag_init(&d);
   model_init(&m);
   audit_result_init(&r);
   text_init(&out);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d) && load_model(&m, data, o, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, d) && load_model(&m, data, o, d);
   const char *why = ok ? audit_readings(&r, &m, &s) : NULL;
   if (why) {
-    diag_set(&d, "%s: error: no readings: %s", s.path, why);
+    diag_set(d, "%s: error: no readings: %s", s.path, why);
     ok = false;
   }
   r.scene = s.name;
@@ -25,11 +23,10 @@ int run_readings(const struct options *o, const char *data) {
     report_readings_json(&out, &r);
   else if (ok)
     report_readings_markdown(&out, r.readings);
-  int status = ok ? EXIT_AS_RECORDED : bad_input(&d);
   if (ok) fputs(text_str(&out), stdout);
   text_clear(&out);
   audit_result_clear(&r);
   scene_clear(&s);
   model_clear(&m);
-  return status;
+  return EXIT_AS_RECORDED;
 }

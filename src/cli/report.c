@@ -19,51 +19,37 @@ static bool check_table(const struct source *s, struct diag *d) {
 }
 
 static bool read_table(struct audit_result *r, struct data_table *t, const char *folder, struct diag *d) {
-  struct text path;
   struct source s;
-  text_init(&path);
-  join_path(&path, folder, t->name);
-  bool ok = source_read(&s, text_str(&path), LARGEST_TABLE, d);
-  if (ok) {
-    ok = check_table(&s, d);
-    t->text = arena_strndup(&r->arena, s.text, s.len);
-    source_clear(&s);
-  }
-  text_clear(&path);
+  if (!read_in(&s, folder, t->name, LARGEST_TABLE, d)) return false;
+  bool ok = check_table(&s, d);
+  t->text = arena_strndup(&r->arena, s.text, s.len);
+  source_clear(&s);
   return ok;
 }
 
 static bool read_report(struct audit_result *r, const char *folder, struct diag *d) {
-  struct text path;
   struct source s;
-  text_init(&path);
-  join_path(&path, folder, "audit.json");
-  bool ok = source_read(&s, text_str(&path), LARGEST_AUDIT, d);
-  if (ok) {
-    ok = report_read(r, &s, d);
-    source_clear(&s);
-  }
+  if (!read_in(&s, folder, "audit.json", LARGEST_AUDIT, d)) return false;
+  bool ok = report_read(r, &s, d);
+  source_clear(&s);
   for (size_t i = 0; ok && i < r->n_tables; i++) ok = read_table(r, &r->tables[i], folder, d);
-  text_clear(&path);
   return ok;
 }
 
-int run_report(const struct options *o, const char *data) {
+int run_report(const struct options *o, const char *data, struct diag *d) {
   (void)data;
-  if (o->operands.n != 1) return usage("report takes one folder, as %s", "stickslip report reports/paper");
-  struct diag d;
+  if (o->operands.n != 1) return usage("report takes one folder, as stickslip report reports/paper");
   struct audit_result r;
   struct output out;
-  diag_init(&d);
   audit_result_init(&r);
   output_init(&out, o->operands.word[0]);
-  bool ok = read_report(&r, o->operands.word[0], &d);
+  bool ok = read_report(&r, o->operands.word[0], d);
   struct mutation_score score;
   if (ok) output_add_views(&out, &r, score_beside(&score, o->operands.word[0], &r) ? &score : NULL);
-  ok = ok && output_write(&out, &d);
+  ok = ok && output_write(&out, d);
   if (ok) say_written(o, o->operands.word[0]);
   if (ok) verify_line(&r);
   output_clear(&out);
   audit_result_clear(&r);
-  return ok ? EXIT_AS_RECORDED : bad_input(&d);
+  return EXIT_AS_RECORDED;
 }

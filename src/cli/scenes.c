@@ -9,6 +9,11 @@ bool load_scene(struct scene *s, const char *spec, const char *data, const struc
   return scene_load_with(s, spec, data, &set, any, d);
 }
 
+bool scene_needs_forces(const struct scene *s, const char *command, struct diag *d) {
+  if (!scene_has_forces(s)) diag_set(d, "%s: error: %s needs a scene that gives e1 and e2", s->path, command);
+  return scene_has_forces(s);
+}
+
 static void keys_json(struct text *out) {
   struct json j;
   json_init(&j, out);
@@ -41,14 +46,11 @@ static void keys_text(struct text *out) {
   }
 }
 
-int list_scene_keys(bool as_json) {
+int list_scene_keys(const struct options *o) {
   struct text out;
   text_init(&out);
-  (as_json ? keys_json : keys_text)(&out);
-  if (as_json)
-    fputs(text_str(&out), stdout);
-  else
-    terminal_print(text_str(&out));
+  (option(o, OPT_JSON) ? keys_json : keys_text)(&out);
+  print_found(o, &out);
   text_clear(&out);
   return EXIT_AS_RECORDED;
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "cli.h"
+#include "report/mutation.h"
 
 /* A count that the object holds under the key, or -1. */
 static long member_count(const struct json_value *v, const char *key) {
@@ -16,30 +17,13 @@ static long member_count(const struct json_value *v, const char *key) {
 }
 
 /* Only a study of every damage of what the audit read, in its scene, is a score. */
-static bool read_score(struct mutation_score *s, const struct json_value *root, const struct audit_result *r) {
-  static const struct {
-    const char *key;
-    size_t at;
-  } of[] = {{"counted", offsetof(struct mutation_score, counted)},
-            {"noticed", offsetof(struct mutation_score, noticed)},
-            {"formulas", offsetof(struct mutation_score, formulas)},
-            {"equivalent", offsetof(struct mutation_score, equivalent)},
-            {"on_motions", offsetof(struct mutation_score, on_motions)},
-            {"needs_text", offsetof(struct mutation_score, needs_text)},
-            {"errata", offsetof(struct mutation_score, errata)}};
+static bool read_score(struct mutation_score *s, struct arena *a, const struct json_value *root,
+                       const struct source *src, const struct audit_result *r) {
   const struct json_value *score = json_member(root, "score");
-  const char *schema = json_text(root, "schema"), *scene = json_text(root, "scene"),
-             *subject = json_text(root, "subject");
-  bool ok = schema && strcmp(schema, "stickslip-mutation-2") == 0 && scene && strcmp(scene, r->scene) == 0 && subject &&
-            r->subject && strcmp(subject, r->subject) == 0;
-  ok =
-      ok && score && member_count(root, "tried") > 0 && member_count(root, "tried") == member_count(root, "population");
-  for (size_t i = 0; ok && i < sizeof of / sizeof *of; i++) {
-    long n = member_count(score, of[i].key);
-    memcpy((char *)s + of[i].at, &n, sizeof n);
-    ok = n >= 0;
-  }
-  return ok;
+  long tried = member_count(root, "tried");
+  return json_says(root, "schema", MUTATION_SCHEMA) && json_says(root, "scene", r->scene) &&
+         json_says(root, "subject", r->subject) && score && tried > 0 && tried == member_count(root, "population") &&
+         shape_read(s, a, &mutation_score_shape, score, src, NULL);
 }
 
 bool score_beside(struct mutation_score *s, const char *folder, const struct audit_result *r) {
@@ -56,7 +40,7 @@ bool score_beside(struct mutation_score *s, const char *folder, const struct aud
   bool there = access(text_str(&path), R_OK) == 0;
   bool ok = there && source_read(&src, text_str(&path), LARGEST, &d);
   if (ok) {
-    ok = json_parse(&root, &a, &src, &d) && read_score(s, &root, r);
+    ok = json_parse(&root, &a, &src, &d) && read_score(s, &a, &root, &src, r);
     source_clear(&src);
   }
   if (d.set) fprintf(stderr, "stickslip: warning: %s\n", d.message);

@@ -1,6 +1,5 @@
 /* stickslip simulate: the masses under Coulomb's law from a start on an orbit, at the printed numbers or of one's own,
    integrated by GSL; in the table and in JSON, held against the closed forms event by event. */
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,30 +21,19 @@ struct simulation {
 };
 
 static int parse_count(long *n, const char *text, long most, const char *option) {
-  if (!text) return EXIT_AS_RECORDED;
-  char *end;
-  errno = 0;
-  *n = strtol(text, &end, 10);
-  if (!errno && !*end && text[0] >= '1' && text[0] <= '9' && *n >= 1 && *n <= most) return EXIT_AS_RECORDED;
-  char what[80];
-  snprintf(what, sizeof what, "%s takes a whole number from 1 to %ld", option, most);
-  return usage("%s", what);
+  if (!text || parse_plain(n, text, most)) return EXIT_AS_RECORDED;
+  return usage("%s takes a whole number from 1 to %ld", option, most);
 }
 
 /* --- Output --- */
 
-void csv_heading(int n) {
+void csv_line(int n, const struct mech_moment *at) {
   struct text line;
   text_init(&line);
-  mech_csv_heading(&line, n);
-  fputs(text_str(&line), stdout);
-  text_clear(&line);
-}
-
-void moment_csv(int n, const struct mech_moment *at) {
-  struct text line;
-  text_init(&line);
-  mech_csv_row(&line, n, at);
+  if (at)
+    mech_csv_row(&line, n, at);
+  else
+    mech_csv_heading(&line, n);
   fputs(text_str(&line), stdout);
   text_clear(&line);
 }
@@ -90,9 +78,7 @@ void simulated_json(const struct simulated *run, const char *ended) {
   mech_double_json(&j, "t", run->main->t);
   bool settled = mech_settles(&word, &period, &gap, run->main, run->n, run->states);
   if (settled) {
-    json_array(&j, "word");
-    for (int k = 0; k < word.n; k++) json_string(&j, NULL, word.phase[k]);
-    json_end_array(&j);
+    mech_word_json(&j, &word);
     mech_double_json(&j, "period", period);
   } else {
     json_null(&j, "word");
@@ -146,7 +132,7 @@ static void motion_of(struct mech_motion *out, const struct coulomb_setup *setup
 static bool print_csv_row(void *self, const struct coulomb_row *r) {
   (void)self;
   struct mech_moment at = moment_of(r);
-  moment_csv(2, &at);
+  csv_line(2, &at);
   return !ferror(stdout);
 }
 
@@ -166,7 +152,7 @@ static int early_status(const struct coulomb_result *r) {
 static int simulate_csv(const struct simulation *run) {
   struct coulomb_result r = {.end = COULOMB_FAILED};
   struct coulomb_sink sink = {NULL, print_csv_event, print_csv_row};
-  csv_heading(2);
+  csv_line(2, NULL);
   coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
   return early_status(&r);
 }
@@ -230,20 +216,19 @@ static int usage_of(const struct options *o, long *periods, long *samples, doubl
   if (!status) status = parse_count(samples, option(o, OPT_SAMPLES), MAX_SAMPLES, "--samples");
   if (!status) status = parse_decimal(time, o, OPT_TIME, MOST_TIME);
   if (status) return status;
-  if (option(o, OPT_AT) && option(o, OPT_START)) return usage("%s", "--at and --start exclude each other");
-  if (option(o, OPT_TIME) && option(o, OPT_PERIODS)) return usage("%s", "--time and --periods exclude each other");
+  if (option(o, OPT_AT) && option(o, OPT_START)) return usage("--at and --start exclude each other");
+  if (option(o, OPT_TIME) && option(o, OPT_PERIODS)) return usage("--time and --periods exclude each other");
   if (option(o, OPT_JSON) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
-    return usage("--json goes with neither %s", "--csv nor --samples");
+    return usage("--json goes with neither --csv nor --samples");
   if (option(o, OPT_COMPARE) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
-    return usage("--compare goes with neither %s", "--csv nor --samples");
+    return usage("--compare goes with neither --csv nor --samples");
   if (option(o, OPT_COMPARE) && (option(o, OPT_JSON) || option(o, OPT_TIME)))
-    return usage("--compare goes with neither %s", "--json nor --time");
-  if (option(o, OPT_COMPARE) && *periods > MAX_COMPARED)
-    return usage("--periods takes at most 10000 with %s", "--compare");
-  return o->operands.n == 1 ? EXIT_AS_RECORDED : usage("simulate takes one %s", "SCENE");
+    return usage("--compare goes with neither --json nor --time");
+  if (option(o, OPT_COMPARE) && *periods > MAX_COMPARED) return usage("--periods takes at most 10000 with --compare");
+  return o->operands.n == 1 ? EXIT_AS_RECORDED : usage("simulate takes one SCENE");
 }
 
-int run_simulate(const struct options *o, const char *data) {
+int run_simulate(const struct options *o, const char *data, struct diag *d) {
   const char *start = option(o, OPT_START);
   enum { SLACK = 4 };
   long periods, samples;
@@ -253,13 +238,11 @@ int run_simulate(const struct options *o, const char *data) {
   int status = usage_of(o, &periods, &samples, &time);
   if (!status) status = parse_start(&orbit, &printed, o);
   if (status) return status;
-  struct diag d;
   struct scene s;
   struct simulation run = {.plan = coulomb_plan_default};
-  diag_init(&d);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d);
   if (ok && s.system) {
-    status = run_system_simulate(o, &s, data, &(struct system_run){orbit < 0 ? 0 : orbit, periods, samples, time});
+    status = run_system_simulate(o, &s, data, &(struct system_run){orbit < 0 ? 0 : orbit, periods, samples, time}, d);
     scene_clear(&s);
     return status;
   }
@@ -268,8 +251,8 @@ int run_simulate(const struct options *o, const char *data) {
     snprintf(run.from, sizeof run.from, "%s", start ? "start" : "printed");
   else
     snprintf(run.from, sizeof run.from, "orbit:%ld", (long)orbit + 1);
-  ok = ok && (start ? audit_coulomb_setup_from(&run.setup, &s, start, &d)
-                    : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
+  ok = ok && (start ? audit_coulomb_setup_from(&run.setup, &s, start, d)
+                    : audit_coulomb_setup(&run.setup, &s, orbit, printed, d));
   if (ok) {
     double period = run.setup.period > 0 ? run.setup.period : 100;
     run.plan.returns = time > 0 ? 0 : periods;
@@ -281,8 +264,6 @@ int run_simulate(const struct options *o, const char *data) {
       status = compare_routes(&run.setup, &s, run.from, periods, run.plan.duration);
     else
       status = option(o, OPT_CSV) ? simulate_csv(&run) : simulate_events(&run, &s, option(o, OPT_JSON) != NULL);
-  } else {
-    status = bad_input(&d);
   }
   scene_clear(&s);
   return status;

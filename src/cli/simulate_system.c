@@ -24,7 +24,7 @@ static int usage_of_system(const struct options *o) {
   if (option(o, OPT_COMPARE) || (at && strcmp(at, "printed") == 0))
     return usage("%s is of the paper's two masses", option(o, OPT_COMPARE) ? "--compare" : "--at printed");
   if (option(o, OPT_START) && option(o, OPT_PERIODS))
-    return usage("%s", "--periods counts those of an orbit, and a --start has none: give --time");
+    return usage("--periods counts those of an orbit, and a --start has none: give --time");
   return EXIT_AS_RECORDED;
 }
 
@@ -98,7 +98,7 @@ static bool set_plan(struct system_simulation *run, const struct scene *s, const
 /* --- Output --- */
 
 static bool print_row(void *self, const struct mech_moment *at) {
-  moment_csv(*(const int *)self, at);
+  csv_line(*(const int *)self, at);
   return !ferror(stdout);
 }
 
@@ -170,22 +170,20 @@ static int print_motion(struct system_simulation *run, const struct scene *s, co
   if (status == SS_UNABLE) ended_early(mech_outcome_name[x.end], "ode", x.t);
   mech_motion_clear(&x);
   mech_motion_clear(&exact);
-  return status == SS_DOMAIN ? bad_input(d) : status == SS_UNABLE ? EXIT_INTERNAL : EXIT_AS_RECORDED;
+  return status == SS_UNABLE ? EXIT_INTERNAL : EXIT_AS_RECORDED;
 }
 
 int run_system_simulate(const struct options *o, const struct scene *s, const char *data,
-                        const struct system_run *asked) {
+                        const struct system_run *asked, struct diag *d) {
   struct system_simulation run = {.period = 0};
-  struct diag d;
   const char *start = option(o, OPT_START);
   int status = usage_of_system(o);
   if (status) return status;
-  diag_init(&d);
-  bool ok = scene_load_system(&run.m, &run.word, s, data, &d);
-  ok = ok && (start ? start_given(&run, start, &d) : start_on_orbit(&run, s, o, asked->orbit, &d));
-  ok = ok && starts_clear(&run, s, &d) && set_plan(&run, s, asked, option(o, OPT_CSV) != NULL, &d);
-  if (ok && option(o, OPT_CSV)) csv_heading(run.m.n);
-  status = ok ? print_motion(&run, s, o, &d) : bad_input(&d);
+  bool ok = scene_load_system(&run.m, &run.word, s, data, d);
+  ok = ok && (start ? start_given(&run, start, d) : start_on_orbit(&run, s, o, asked->orbit, d));
+  ok = ok && starts_clear(&run, s, d) && set_plan(&run, s, asked, option(o, OPT_CSV) != NULL, d);
+  if (ok && option(o, OPT_CSV)) csv_line(run.m.n, NULL);
+  if (ok) status = print_motion(&run, s, o, d);
   mech_orbits_clear(&run.orbits);
   mech_clear(&run.m);
   return status;

@@ -10,8 +10,8 @@ struct simulated {
   int n, states;
   const struct mech_motion *main, *other; /* by integration, by closed forms */
 };
-void csv_heading(int n);
-void moment_csv(int n, const struct mech_moment *at);
+/* A row of CSV; at: NULL for the heading. */
+void csv_line(int n, const struct mech_moment *at);
 /* The lines of the table; grazing, of each event, may be NULL. */
 void events_table(const struct simulated *run, const bool *grazing);
 /* How far both routes agree. */
@@ -26,6 +26,6 @@ struct system_run {
   double time;
 };
 int run_system_simulate(const struct options *o, const struct scene *s, const char *data,
-                        const struct system_run *asked);
+                        const struct system_run *asked, struct diag *d);
 
 #endif

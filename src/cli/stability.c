@@ -9,15 +9,13 @@
 #include "stability/digits.h"
 
 static int parse_layer(int *layer, const char *option, const char *name) {
-  for (*layer = 0; *layer < N_LAYERS; ++*layer)
-    if (strcmp(layer_name[*layer], name) == 0) return EXIT_AS_RECORDED;
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "%s takes one of", option);
-  for (int i = 0; i < N_LAYERS; i++) text_printf(&t, " %s,", layer_name[i]);
-  text_printf(&t, " not %.200s", name);
-  int status = usage("%s", text_str(&t));
-  text_clear(&t);
+  *layer = word_find(name, layer_name, N_LAYERS);
+  if (*layer < N_LAYERS) return EXIT_AS_RECORDED;
+  struct text names;
+  text_init(&names);
+  for (int i = 0; i < N_LAYERS; i++) text_printf(&names, " %s,", layer_name[i]);
+  int status = usage("%s takes one of%s not %.200s", option, text_str(&names), name);
+  text_clear(&names);
   return status;
 }
 
@@ -28,10 +26,10 @@ static int parse_study(struct stability_options *q, const struct options *o) {
   int status = over ? parse_layer(&layer, "--layer", over) : EXIT_AS_RECORDED;
   if (!status && against) status = parse_layer(&after, "--after", against);
   if (!status && against && after == layer) status = usage("--after takes another layer than --layer, not %s", against);
-  if (!status && at && o->operands.n == 0) status = usage("%s needs the name of a formula", "--at");
+  if (!status && at && o->operands.n == 0) status = usage("--at needs the name of a formula");
   if (!status && at &&
       (option(o, OPT_OUT) || option(o, OPT_JSON) || option(o, OPT_QUICK) || against || option(o, OPT_JOBS)))
-    status = usage("%s shows one point: no --out, --json, --quick, --after, --jobs", "--at");
+    status = usage("--at shows one point: no --out, --json, --quick, --after, --jobs");
   *q = (struct stability_options){.layer = (enum layer)layer,
                                   .after = after,
                                   .only = o->operands.word,
@@ -119,7 +117,7 @@ static void set_sources(struct stability_result *r, const struct options *o) {
   text_clear(&t);
 }
 
-static bool study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
+static void study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
   struct stability_result r;
   struct text body;
@@ -130,35 +128,31 @@ static bool study(const struct model *m, const struct stability_options *q, cons
   progress_end();
   set_sources(&r, o);
   ok = ok && (!folder || write_files(folder, &r, d));
-  if (ok && option(o, OPT_JSON)) report_stability_json(&body, &r);
-  if (ok && !option(o, OPT_JSON)) report_stability_text(&body, &r);
+  if (ok) (option(o, OPT_JSON) ? report_stability_json : report_stability_text)(&body, &r);
   if (ok) fputs(text_str(&body), stdout);
   if (ok && folder) say_written(o, folder);
   text_clear(&body);
   stability_result_clear(&r);
-  return ok;
 }
 
-static bool show_point(const struct model *m, const struct stability_options *q, const char *at, struct diag *d) {
+static void show_point(const struct model *m, const struct stability_options *q, const char *at, struct diag *d) {
   struct text body;
   text_init(&body);
   bool ok = audit_stability_at(&body, m, q, at, d);
   if (ok) fputs(text_str(&body), stdout);
   text_clear(&body);
-  return ok;
 }
 
-int run_stability(const struct options *o, const char *data) {
+int run_stability(const struct options *o, const char *data, struct diag *d) {
   const char *at = option(o, OPT_AT);
   struct stability_options q;
   int status = parse_study(&q, o);
   if (status) return status;
-  struct diag d;
   struct model m;
-  diag_init(&d);
   model_init(&m);
-  bool ok = load_model(&m, data, o, &d) && (at ? show_point(&m, &q, at, &d) : study(&m, &q, o, &d));
-  if (!ok) status = bad_input(&d);
+  bool ok = load_model(&m, data, o, d);
+  if (ok && at) show_point(&m, &q, at, d);
+  if (ok && !at) study(&m, &q, o, d);
   model_clear(&m);
   return status;
 }

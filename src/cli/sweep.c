@@ -34,7 +34,7 @@ static int plan(struct sweep *q) {
   slong n = sweep_line_axis(q)->n;
   if (q->every == 0) q->every = default_every(n);
   q->lines = q->n_axes > 1 ? q->axis[0].n : 1;
-  if (q->lines > MOST_POINTS / n) return usage("--over: at most %s points in all", "1000000000");
+  if (q->lines > MOST_POINTS / n) return usage("--over: at most 1000000000 points in all");
   q->points = q->lines * n;
   q->unit = q->every < UNIT_POINTS ? UNIT_POINTS / q->every * q->every : q->every;
   q->per_line = (n + q->unit - 1) / q->unit;
@@ -53,10 +53,10 @@ static int parse_request(struct sweep *q, const struct options *o) {
   if (status) return status;
   if (q->digits > MOST_SWEEP_DIGITS)
     return usage("sweep computes in double precision: --digits takes 1 to 15, not %.200s", option(o, OPT_DIGITS));
-  if (o->operands.n != 1) return usage("sweep takes one %s", "SCENE");
-  if (over->n == 0) return usage("sweep needs --over %s", "NAME=A:B:N");
-  if (json && csv) return usage("--json goes with no %s", "--csv");
-  if (option(o, OPT_RESUME) && !csv) return usage("--resume continues a file: it needs %s", "--csv FILE");
+  if (o->operands.n != 1) return usage("sweep takes one SCENE");
+  if (over->n == 0) return usage("sweep needs --over NAME=A:B:N");
+  if (json && csv) return usage("--json goes with no --csv");
+  if (option(o, OPT_RESUME) && !csv) return usage("--resume continues a file: it needs --csv FILE");
   if (search && !parse_whole(&every, search, false, MOST_EVERY))
     return usage("--search-every takes a whole number from 1 to 65536, not %.200s", search);
   q->every = (slong)every;
@@ -72,11 +72,9 @@ static int parse_request(struct sweep *q, const struct options *o) {
 static int load_swept(struct sweep *q, const struct options *o, const char *data) {
   struct diag d;
   diag_init(&d);
-  if (!load_scene(&q->scene, o->operands.word[0], data, o, SCENE_EXACT, &d)) return bad_input(&d);
-  if (!scene_has_forces(&q->scene)) {
-    diag_set(&d, "%s: error: sweep needs a scene that gives e1 and e2", q->scene.path);
+  if (!load_scene(&q->scene, o->operands.word[0], data, o, SCENE_EXACT, &d) ||
+      !scene_needs_forces(&q->scene, "sweep", &d))
     return bad_input(&d);
-  }
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < q->n_axes && !status; i++)
     status = range_check_friction(&q->range[i], &q->scene, "--over", o->given[OPT_OVER].word[i]);
@@ -109,7 +107,8 @@ static int sweep_with(struct sweep *q, const struct options *o, const char *data
   return status;
 }
 
-int run_sweep(const struct options *o, const char *data) {
+int run_sweep(const struct options *o, const char *data, struct diag *none) {
+  (void)none; /* ranks say what is wrong before they part */
   struct sweep q = {.n_axes = 0};
 #ifdef STICKSLIP_MPI
   ranks_open();

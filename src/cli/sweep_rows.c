@@ -58,10 +58,7 @@ static void head_csv(struct text *out, const struct sweep *q) {
 
 static void head_json(struct text *out, const struct sweep *q) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "scene", q->scene.name);
-  json_string(&j, "layer", "model");
+  json_of_model(&j, out, &q->scene);
   json_object(&j, "parameters");
   for (int i = 0; i < N_KEYS; i++)
     if (q->scene.given[i] && !(i < N_PARAMS && is_swept(q, i)))

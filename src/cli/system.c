@@ -1,20 +1,19 @@
 /* stickslip system; orbit, words and jacobian on a scene that names a system file. */
 #include "cli.h"
 #include "mech/describe.h"
+#include "mech/moments.h"
 #include "mech/orbit.h"
 #include "word_orbits.h"
 
 enum { MODE_DIGITS = 6 };
 
-int run_system(const struct options *o, const char *data) {
-  if (o->operands.n != 1) return usage("system takes one %s", "FILE");
+int run_system(const struct options *o, const char *data, struct diag *d) {
+  if (o->operands.n != 1) return usage("system takes one FILE");
   struct mech m;
-  struct diag d;
   struct text path;
-  diag_init(&d);
   text_init(&path);
   scene_system_path(&path, o->operands.word[0], data);
-  bool ok = mech_load(&m, text_str(&path), &d);
+  bool ok = mech_load(&m, text_str(&path), d);
   text_clear(&path);
   if (ok) {
     struct text out;
@@ -24,7 +23,7 @@ int run_system(const struct options *o, const char *data) {
     text_clear(&out);
   }
   mech_clear(&m);
-  return ok ? EXIT_AS_RECORDED : bad_input(&d);
+  return EXIT_AS_RECORDED;
 }
 
 /* --- Orbits --- */
@@ -47,44 +46,28 @@ static void multipliers_json(struct json *j, acb_srcptr z, int n, slong digits) 
   json_end_array(j);
 }
 
-static void word_json(struct json *j, const struct mech_word *w) {
-  json_array(j, "word");
-  for (int k = 0; k < w->n; k++) json_string(j, NULL, w->phase[k]);
-  json_end_array(j);
-}
-
 static void states_json(struct json *j, const struct mech_orbit *o, slong digits) {
   json_array(j, "states");
-  for (int k = 0; k < o->word.n; k++) {
-    json_array(j, NULL);
-    for (int i = 0; i < 2 * o->n; i++) json_number(j, NULL, o->state + k * o->states + i, digits);
-    json_end_array(j);
-  }
+  for (int k = 0; k < o->word.n; k++) json_numbers(j, NULL, o->state + k * o->states, 2 * o->n, digits);
   json_end_array(j);
 }
 
 /* The largest radius of the lengths and states. */
-static void radius_of(struct text *out, const struct mech_orbit *o) {
-  arb_t worst;
-  arb_init(worst);
-  for (int k = 0; k < o->word.n; k++) mag_max(arb_radref(worst), arb_radref(worst), arb_radref(o->t + k));
-  for (int i = 0; i < o->word.n * o->states; i++)
-    mag_max(arb_radref(worst), arb_radref(worst), arb_radref(o->state + i));
-  arb_get_rad_arb(worst, worst);
-  print_accuracy(out, worst);
-  arb_clear(worst);
+static void find_radius(mag_t radius, const struct mech_orbit *o) {
+  mag_zero(radius);
+  radius_raise(radius, o->t, o->word.n);
+  radius_raise(radius, o->state, o->word.n * o->states);
 }
 
 static void orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const char *system,
                        slong digits) {
-  struct text t;
-  text_init(&t);
+  mag_t radius;
+  mag_init(radius);
+  find_radius(radius, o);
   json_object(j, NULL);
   json_string(j, "system", system);
-  word_json(j, &o->word);
-  json_array(j, "times");
-  for (int k = 0; k < o->word.n; k++) json_number(j, NULL, o->t + k, digits);
-  json_end_array(j);
+  mech_word_json(j, &o->word);
+  json_numbers(j, "times", o->t, o->word.n, digits);
   states_json(j, o, digits);
   json_number(j, "period", o->period, digits);
   if (o->turns) {
@@ -97,38 +80,26 @@ static void orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   json_array(j, "violations");
   for (int i = 0; i < o->n_facts; i++) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
-    text_reset(&t);
-    mech_fact_print(&t, m, &o->fact[i]);
-    json_string(j, NULL, text_str(&t));
+    json_begin_string(j, NULL);
+    mech_fact_print(j->out, m, &o->fact[i]);
+    json_end_string(j);
   }
   json_end_array(j);
-  json_bool(j, "certified", o->certified);
-  text_reset(&t);
-  if (o->certified) radius_of(&t, o);
-  json_string(j, "radius", o->certified ? text_str(&t) : NULL);
+  proof_json(j, o->certified, radius);
   json_end_object(j);
-  text_clear(&t);
+  mag_clear(radius);
 }
 
 static void orbits_json(struct text *out, const struct mech_orbits *list, const struct mech *m, const struct scene *s,
                         slong digits) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "scene", s->name);
-  json_string(&j, "layer", "model");
+  json_of_model(&j, out, s);
   json_bool(&j, "complete", false);
   json_string(&j, "gap", not_complete);
   json_array(&j, "orbits");
   for (int i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], m, s->system, digits);
   json_end_array(&j);
   json_end_object(&j);
-}
-
-static void add_line(struct text *out, const char *name, arb_srcptr x, slong digits) {
-  text_printf(out, "  %-12s ", name);
-  print_known(out, x, digits);
-  text_add_char(out, '\n');
 }
 
 static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits) {
@@ -145,31 +116,32 @@ static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits
 }
 
 static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, slong digits) {
+  mag_t radius;
+  mag_init(radius);
   text_printf(out, "%s, %s\n", stability_name[o->stable], admissibility_name[o->admissible]);
   for (int k = 0; k < o->word.n; k++) {
     char name[MECH_PHASE + 16];
     snprintf(name, sizeof name, "t_%d %s", k + 1, o->word.phase[k]);
-    add_line(out, name, o->t + k, digits);
+    print_named(out, 12, name, o->t + k, digits);
   }
-  add_line(out, "period", o->period, digits);
+  print_named(out, 12, "period", o->period, digits);
   for (int i = 0; i < 2 * o->n; i++) {
     char name[24];
     snprintf(name, sizeof name, "x_%d%s", i % o->n + 1, i < o->n ? "" : "'");
-    add_line(out, name, o->state + i, digits);
+    print_named(out, 12, name, o->state + i, digits);
   }
-  if (o->turns) add_line(out, "load angle", o->angle, digits);
+  if (o->turns) print_named(out, 12, "load angle", o->angle, digits);
   if (o->turns) text_printf(out, "  %-12s %ld\n", "load turns", (long)o->turns);
   multipliers_text(out, o->multipliers ? o->multiplier : NULL, o->n_free, digits);
-  text_add(out, o->certified ? "  certified; enclosed within "
-                             : "  not certified: a condition or the stability is undecided");
-  if (o->certified) radius_of(out, o);
-  text_add(out, o->certified ? ", printed rounded\n" : "\n");
+  find_radius(radius, o);
+  proof_text(out, o->certified, radius);
   for (int i = 0; i < o->n_facts; i++) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
     text_add(out, "  breaks       ");
     mech_fact_print(out, m, &o->fact[i]);
     text_add_char(out, '\n');
   }
+  mag_clear(radius);
 }
 
 /* How the orbits were looked for. */
@@ -251,7 +223,7 @@ static void words_json(struct text *out, const struct survey *v, const struct me
     const struct mech_word *w = word_number(&motions, v, k);
     if (!w) continue;
     json_object(&j, NULL);
-    word_json(&j, w);
+    mech_word_json(&j, w);
     json_long(&j, "settled", motions);
     json_array(&j, "orbits");
     for (int i = 0; i < list->n; i++)
@@ -319,13 +291,13 @@ static void free_name(char name[16], const struct mech_orbit *o, int l) {
 }
 
 static void jacobian_json(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,
-                          const struct scene *s, const struct jacobian_request *q, const char *at) {
+                          const struct scene *s, const struct jacobian_request *q) {
   struct json j;
   char name[16];
   json_init(&j, out);
   json_object(&j, NULL);
   json_string(&j, "system", s->system);
-  word_json(&j, &o->word);
+  mech_word_json(&j, &o->word);
   json_array(&j, "free");
   for (int l = 0; l < o->n_free; l++) {
     free_name(name, o, l);
@@ -336,15 +308,17 @@ static void jacobian_json(struct text *out, const struct mech_orbit *o, const ar
   multipliers_json(&j, z, o->n_free, q->digits);
   json_string(&j, "method", method_name[q->method]);
   json_string(&j, "layer", "model");
-  json_string(&j, "at", at);
+  json_at(&j, q);
   json_truth(&j, "admissible", o->admissible);
   json_end_object(&j);
 }
 
 static void jacobian_text(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,
-                          const struct scene *s, const struct jacobian_request *q, const char *at) {
+                          const struct scene *s, const struct jacobian_request *q) {
   char name[16];
-  text_printf(out, "%s, %s (%s), method %s: ", s->name, at, admissibility_name[o->admissible], method_name[q->method]);
+  text_printf(out, "%s, ", s->name);
+  print_at(out, q);
+  text_printf(out, " (%s), method %s: ", admissibility_name[o->admissible], method_name[q->method]);
   text_add(out, o->n_free ? "the first return of" : "no coordinate is free");
   for (int l = 0; l < o->n_free; l++) {
     free_name(name, o, l);
@@ -357,34 +331,29 @@ static void jacobian_text(struct text *out, const struct mech_orbit *o, const ar
   multipliers_text(out, z, o->n_free, q->digits);
 }
 
-static bool show_jacobian(const struct options *o, const struct mech_orbits *list, const struct mech *m,
+static void show_jacobian(const struct options *o, const struct mech_orbits *list, const struct mech *m,
                           const struct scene *s, const struct jacobian_request *q, enum mech_derivative how,
                           struct diag *d) {
   if (q->orbit >= list->n) {
     scene_lacks_orbit(s, q->orbit, list->n, d);
-    return false;
+    return;
   }
   const struct mech_orbit *orbit = &list->orbit[q->orbit];
-  struct text out, at;
+  struct text out;
   arb_mat_t x;
   acb_ptr z = _acb_vec_init(orbit->n_free);
   arb_mat_init(x, orbit->n_free, orbit->n_free);
   text_init(&out);
-  text_init(&at);
-  print_at(&at, q);
-  bool ok = mech_jacobian(x, m, orbit, how, system_bits(q->digits)) == SS_OK;
-  if (!ok) {
+  if (mech_jacobian(x, m, orbit, how, system_bits(q->digits)) != SS_OK) {
     return_unknown(d, q, s);
   } else {
     bool known = mech_eigenvalues(z, x, system_bits(q->digits));
-    (option(o, OPT_JSON) ? jacobian_json : jacobian_text)(&out, orbit, x, known ? z : NULL, s, q, text_str(&at));
+    (option(o, OPT_JSON) ? jacobian_json : jacobian_text)(&out, orbit, x, known ? z : NULL, s, q);
     fputs(text_str(&out), stdout);
   }
-  text_clear(&at);
   text_clear(&out);
   arb_mat_clear(x);
   _acb_vec_clear(z, orbit->n_free);
-  return ok;
 }
 
 /* --- The commands --- */
@@ -402,9 +371,8 @@ static bool refuse(const struct options *o, const struct scene *s, slong digits,
   return d->set;
 }
 
-/* The system of a scene and the orbits of that word, or of any; m and list are to be cleared in any case. */
-static bool find(struct mech *m, struct mech_orbits *list, bool any, const struct scene *s, const char *data,
-                 slong digits, struct diag *d) {
+bool find_system_orbits(struct mech *m, struct mech_orbits *list, bool any, const struct scene *s, const char *data,
+                        slong digits, struct diag *d) {
   struct mech_word w;
   *list = (struct mech_orbits){.n = 0};
   if (!scene_load_system(m, &w, s, data, d)) return false;
@@ -417,8 +385,8 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   struct mech m;
   struct mech_orbits list;
   if (option(o, OPT_METHOD)) diag_set(d, "%s: error: --method is of the paper's two masses", s->path);
-  if (d->set || refuse(o, s, digits, d)) return bad_input(d);
-  bool ok = find(&m, &list, false, s, data, digits, d);
+  if (d->set || refuse(o, s, digits, d)) return EXIT_INPUT;
+  bool ok = find_system_orbits(&m, &list, false, s, data, digits, d);
   ok = ok && (!certificate || write_system_certificate(certificate, &list, list.n, &m, s, d));
   if (ok) {
     struct text out;
@@ -430,15 +398,15 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   }
   mech_orbits_clear(&list);
   mech_clear(&m);
-  return ok ? EXIT_AS_RECORDED : bad_input(d);
+  return EXIT_AS_RECORDED;
 }
 
 int run_system_words(const struct options *o, const struct scene *s, const char *data, int longest, slong digits,
                      struct diag *d) {
   struct mech m;
   struct survey v = {.longest = option(o, OPT_LONGEST) ? longest : MECH_PHASES};
-  if (refuse(o, s, digits, d)) return bad_input(d);
-  bool ok = find(&m, &v.orbits, true, s, data, digits, d);
+  if (refuse(o, s, digits, d)) return EXIT_INPUT;
+  bool ok = find_system_orbits(&m, &v.orbits, true, s, data, digits, d);
   if (ok) {
     struct text out;
     text_init(&out);
@@ -453,7 +421,7 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
   }
   mech_orbits_clear(&v.orbits);
   mech_clear(&m);
-  return ok ? EXIT_AS_RECORDED : bad_input(d);
+  return EXIT_AS_RECORDED;
 }
 
 int run_system_jacobian(const struct options *o, const struct scene *s, const char *data,
@@ -464,9 +432,9 @@ int run_system_jacobian(const struct options *o, const struct scene *s, const ch
   enum mech_derivative how;
   if (!option(o, OPT_METHOD)) q.method = METHOD_SALTATION;
   if (q.at_printed) diag_set(d, "%s: error: --at printed is of the paper's two masses", s->path);
-  if (d->set || !return_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return bad_input(d);
-  bool ok = find(&m, &list, false, s, data, q.digits, d) && show_jacobian(o, &list, &m, s, &q, how, d);
+  if (d->set || !return_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return EXIT_INPUT;
+  if (find_system_orbits(&m, &list, false, s, data, q.digits, d)) show_jacobian(o, &list, &m, s, &q, how, d);
   mech_orbits_clear(&list);
   mech_clear(&m);
-  return ok ? EXIT_AS_RECORDED : bad_input(d);
+  return EXIT_AS_RECORDED;
 }

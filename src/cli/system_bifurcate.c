@@ -5,6 +5,7 @@
 #include "base/json.h"
 #include "cli.h"
 #include "mech/follow.h"
+#include "mech/moments.h"
 #include "word_orbits.h"
 
 /* What is shown, and how. */
@@ -68,31 +69,28 @@ static void side_json(struct json *j, const char *key, const struct mech_side *s
 
 static void change_json(struct json *j, const struct shown *v, const struct mech_change *c) {
   fmpq_t low, high;
-  struct text t;
   fmpq_init(low);
   fmpq_init(high);
-  text_init(&t);
   bracket(low, high, v, c);
   json_object(j, NULL);
   json_string(j, "kind", mech_turn_id[c->what]);
   json_long(j, "branch", c->branch + 1);
   for (int i = 0; i < 2; i++) {
-    text_reset(&t);
-    print_end(&t, v, i ? high : low);
-    json_string(j, i ? "high" : "low", text_str(&t));
+    json_begin_string(j, i ? "high" : "low");
+    print_end(j->out, v, i ? high : low);
+    json_end_string(j);
   }
   json_array(j, "conditions");
   for (int i = 0; i < c->n_facts; i++) {
-    text_reset(&t);
-    mech_fact_print(&t, v->m, &c->fact[i]);
-    json_string(j, NULL, text_str(&t));
+    json_begin_string(j, NULL);
+    mech_fact_print(j->out, v->m, &c->fact[i]);
+    json_end_string(j);
   }
   json_end_array(j);
   int first = fmpq_cmp(c->side[0].at, c->side[1].at) > 0;
   side_json(j, "below", &c->side[first]);
   side_json(j, "above", &c->side[!first]);
   json_end_object(j);
-  text_clear(&t);
   fmpq_clear(high);
   fmpq_clear(low);
 }
@@ -100,9 +98,7 @@ static void change_json(struct json *j, const struct shown *v, const struct mech
 static void branch_json(struct json *j, const struct shown *v, const struct mech_branch *b, int number) {
   json_object(j, NULL);
   json_long(j, "branch", number);
-  json_array(j, "word");
-  for (int k = 0; k < b->word.n; k++) json_string(j, NULL, b->word.phase[k]);
-  json_end_array(j);
+  mech_word_json(j, &b->word);
   json_rational(j, "from", b->end[0].at, v->digits);
   json_rational(j, "to", b->end[1].at, v->digits);
   json_end_object(j);
@@ -110,10 +106,7 @@ static void branch_json(struct json *j, const struct shown *v, const struct mech
 
 static void all_json(struct text *out, const struct shown *v) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "scene", v->s->name);
-  json_string(&j, "layer", "model");
+  json_of_model(&j, out, v->s);
   json_object(&j, "along");
   json_string(&j, "name", v->l->name);
   json_rational(&j, "from", v->l->from, v->digits);
@@ -199,18 +192,16 @@ static int show(const struct options *o, const struct shown *given, const struct
   if (ok && f.spent)
     fprintf(stderr, "%s: warning: the search ran into its limit; there may be more changes\n", v.s->path);
   if (ok) (option(o, OPT_JSON) ? all_json : all_text)(&out, &v);
-  if (ok && option(o, OPT_JSON))
-    fputs(text_str(&out), stdout);
-  else if (ok)
-    terminal_print(text_str(&out));
-  if (!ok) {
+  if (ok) {
+    print_found(o, &out);
+  } else {
     text_printf(&out, "%s: at %s = ", v.s->path, v.l->name);
     num_print_q(&out, f.at);
     fprintf(stderr, "%s:\n", text_str(&out));
   }
   text_clear(&out);
   mech_follow_clear(&f);
-  return ok ? EXIT_AS_RECORDED : bad_input(d);
+  return EXIT_AS_RECORDED;
 }
 
 /* How many decimals tell the ends of a bracket apart. */
@@ -239,7 +230,7 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
     struct mech_line l = {text_str(&path), text_str(&name), s->system_value,  {a.from[0]},
                           {a.to[0]},       digits,          word_bits(digits)};
     struct shown v = {.m = &m, .l = &l, .s = s, .digits = digits, .decimals = decimals_of(&l)};
-    status = scene_load_system(&m, &w, s, data, d) ? show(o, &v, &w, d) : bad_input(d);
+    if (scene_load_system(&m, &w, s, data, d)) status = show(o, &v, &w, d);
     mech_clear(&m);
   }
   range_clear(&a);

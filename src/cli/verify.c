@@ -199,7 +199,7 @@ static bool load_all(struct verify_data *v, const struct options *o, const char 
          formulas_have_controls(&v->files.model, &v->files.claims, &v->files.controls, d);
 }
 
-int run_verify(const struct options *o, const char *data) {
+int run_verify(const struct options *o, const char *data, struct diag *d) {
   const char *out = option(o, OPT_OUT);
   bool plan = option(o, OPT_PLAN);
   int jobs;
@@ -209,23 +209,20 @@ int run_verify(const struct options *o, const char *data) {
   if (!status) status = parse_jobs(&jobs, o);
   if (!status) status = parse_decimal(&seconds, o, OPT_TIMEOUT, MOST_SECONDS);
   if (status) return status;
-  if (option(o, OPT_JSON) && !plan)
-    return usage("%s", "verify takes --json with --plan alone; audit.json is always written");
+  if (option(o, OPT_JSON) && !plan) return usage("verify takes --json with --plan alone; audit.json is always written");
   status = check_folders(o);
   if (status) return status;
-  struct diag d;
-  diag_init(&d);
   paper_files_init(&v.files);
   if (!interrupt_begin(seconds)) return usage("--timeout %.200s: the clock cannot be set", option(o, OPT_TIMEOUT));
-  bool ok = (!out || plan || folder_possible(out, &d)) && load_all(&v, o, data, &d);
-  if (!ok) status = bad_input(&d);
+  bool ok = (!out || plan || folder_possible(out, d)) && load_all(&v, o, data, d);
   if (ok) load_costs(&v.costs, data);
   static const char *const standard[] = {"paper"};
   const char *const *scene = o->operands.n ? o->operands.word : standard;
   int n = o->operands.n ? o->operands.n : 1;
   for (int i = 0; ok && i < n; i++) {
-    diag_init(&d);
-    status = worse(status, verify_scene(&v, scene[i], data, o, jobs, &d));
+    struct diag own;
+    diag_init(&own);
+    status = worse(status, verify_scene(&v, scene[i], data, o, jobs, &own));
   }
   costs_clear(&v.costs);
   paper_files_clear(&v.files);

@@ -15,18 +15,11 @@ slong system_bits(slong digits) {
 
 /* --- Numbers. --- */
 
-static void print_largest_radius(struct text *out, const struct word_orbit *o) {
-  mag_t most;
-  arb_t worst;
-  mag_init(most);
-  arb_init(worst);
-  for (int p = 0; p < o->word.n; p++) mag_max(most, most, arb_radref(o->t + p));
-  for (int i = 0; i < N_STATE * o->word.n; i++) mag_max(most, most, arb_radref(o->state + i));
-  for (int i = 0; i < o->n_free * o->n_free; i++) mag_max(most, most, arb_radref(o->jacobian->entries + i));
-  arf_set_mag(arb_midref(worst), most);
-  print_accuracy(out, worst);
-  arb_clear(worst);
-  mag_clear(most);
+static void find_radius(mag_t radius, const struct word_orbit *o) {
+  mag_zero(radius);
+  radius_raise(radius, o->t, o->word.n);
+  radius_raise(radius, o->state, N_STATE * o->word.n);
+  radius_raise(radius, o->jacobian->entries, o->n_free * o->n_free);
 }
 
 static void violation(struct text *out, const struct word_orbit *o, const struct mech_fact *c) {
@@ -35,32 +28,28 @@ static void violation(struct text *out, const struct word_orbit *o, const struct
   text_add(out, mech_rule_name[c->rule]);
 }
 
-/* The eigenvalues as texts, "a+bi" where they are not real; false when they are not known. */
-static bool eigenvalue_texts(struct text out[WORD_FREE_MOST], const arb_mat_t x, slong digits) {
-  int n = (int)arb_mat_nrows(x);
-  acb_ptr z = _acb_vec_init(n);
-  bool known = mech_eigenvalues(z, x, 2 * word_bits(digits));
-  for (int i = 0; i < n && known; i++) {
-    bool real = arb_is_zero(acb_imagref(z + i));
-    if (real || !arb_contains_zero(acb_realref(z + i))) print_known(&out[i], acb_realref(z + i), digits);
-    if (real) continue;
-    if (out[i].len > 0 && arb_is_positive(acb_imagref(z + i))) text_add_char(&out[i], '+');
-    print_known(&out[i], acb_imagref(z + i), digits);
-    text_add_char(&out[i], 'i');
-  }
-  _acb_vec_clear(z, n);
-  return known;
+/* "a+bi" where it is not real. */
+static void add_eigenvalue(struct text *out, const acb_struct *z, slong digits) {
+  size_t begin = out->len;
+  bool real = arb_is_zero(acb_imagref(z));
+  if (real || !arb_contains_zero(acb_realref(z))) print_known(out, acb_realref(z), digits);
+  if (real) return;
+  if (out->len > begin && arb_is_positive(acb_imagref(z))) text_add_char(out, '+');
+  print_known(out, acb_imagref(z), digits);
+  text_add_char(out, 'i');
 }
 
 /* --- One orbit. --- */
 
+void json_word(struct json *j, const char *key, const struct phase_word *w) {
+  json_begin_string(j, key);
+  phase_word_print(j->out, w);
+  json_end_string(j);
+}
+
 void return_json(struct json *j, const arb_mat_t x, slong digits) {
   json_array(j, "J");
-  for (slong i = 0; i < arb_mat_nrows(x); i++) {
-    json_array(j, NULL);
-    for (slong k = 0; k < arb_mat_ncols(x); k++) json_number(j, NULL, arb_mat_entry(x, i, k), digits);
-    json_end_array(j);
-  }
+  for (slong i = 0; i < arb_mat_nrows(x); i++) json_numbers(j, NULL, arb_mat_entry(x, i, 0), arb_mat_ncols(x), digits);
   json_end_array(j);
 }
 
@@ -87,26 +76,29 @@ static void free_json(struct json *j, const struct word_orbit *o) {
 }
 
 static void eigenvalues_json(struct json *j, const arb_mat_t x, slong digits) {
-  struct text t[WORD_FREE_MOST];
-  for (int i = 0; i < WORD_FREE_MOST; i++) text_init(&t[i]);
-  if (eigenvalue_texts(t, x, digits)) {
+  slong n = arb_mat_nrows(x);
+  acb_ptr z = _acb_vec_init(n);
+  if (mech_eigenvalues(z, x, 2 * word_bits(digits))) {
     json_array(j, "eigenvalues");
-    for (int i = 0; i < arb_mat_nrows(x); i++) json_string(j, NULL, text_str(&t[i]));
+    for (slong i = 0; i < n; i++) {
+      json_begin_string(j, NULL);
+      add_eigenvalue(j->out, z + i, digits);
+      json_end_string(j);
+    }
     json_end_array(j);
   } else {
     json_null(j, "eigenvalues");
   }
-  for (int i = 0; i < WORD_FREE_MOST; i++) text_clear(&t[i]);
+  _acb_vec_clear(z, n);
 }
 
 void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
-  struct text t;
-  text_init(&t);
+  mag_t radius;
+  mag_init(radius);
+  find_radius(radius, o);
   json_object(j, NULL);
   word_json(j, o);
-  json_array(j, "times");
-  for (int p = 0; p < o->word.n; p++) json_number(j, NULL, o->t + p, digits);
-  json_end_array(j);
+  json_numbers(j, "times", o->t, o->word.n, digits);
   json_number(j, "period", o->period, digits);
   json_object(j, "start");
   for (int i = 0; i < N_STATE; i++) json_number(j, word_coordinate_name[i], o->state + i, digits);
@@ -121,9 +113,9 @@ void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
   json_array(j, "violations");
   for (int i = 0; i < o->n_conditions; i++) {
     if (o->condition[i].holds != TRUTH_FALSE) continue;
-    text_reset(&t);
-    violation(&t, o, &o->condition[i]);
-    json_string(j, NULL, text_str(&t));
+    json_begin_string(j, NULL);
+    violation(j->out, o, &o->condition[i]);
+    json_end_string(j);
   }
   json_end_array(j);
   static const char *const least[2] = {"u_r1_min", "u_r2_min"};
@@ -133,64 +125,51 @@ void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
     else
       json_number(j, least[i], o->u_r_min[i], digits);
   }
-  json_bool(j, "certified", o->certified);
-  text_reset(&t);
-  if (o->certified) print_largest_radius(&t, o);
-  json_string(j, "radius", o->certified ? text_str(&t) : NULL);
+  proof_json(j, o->certified, radius);
   json_end_object(j);
-  text_clear(&t);
+  mag_clear(radius);
 }
 
 static void eigenvalues_text(struct text *out, const arb_mat_t x, slong digits) {
-  struct text t[WORD_FREE_MOST];
-  for (int i = 0; i < WORD_FREE_MOST; i++) text_init(&t[i]);
-  bool known = eigenvalue_texts(t, x, digits);
+  slong n = arb_mat_nrows(x);
+  acb_ptr z = _acb_vec_init(n);
+  bool known = mech_eigenvalues(z, x, 2 * word_bits(digits));
   text_add(out, "  eigenvalues ");
-  for (int i = 0; i < arb_mat_nrows(x) && known; i++) text_printf(out, "%s%s", i ? ", " : "", text_str(&t[i]));
-  text_add(out, known ? "\n" : "not told apart\n");
-  for (int i = 0; i < WORD_FREE_MOST; i++) text_clear(&t[i]);
-}
-
-static void add_number(struct text *out, const char *name, arb_srcptr x, slong digits) {
-  text_printf(out, "  %-10s ", name);
-  print_known(out, x, digits);
-  text_add_char(out, '\n');
-}
-
-static void proof_text(struct text *out, const struct word_orbit *o) {
-  if (!o->certified) {
-    text_add(out, "  not certified: a condition or the stability is undecided\n");
-    return;
+  for (slong i = 0; known && i < n; i++) {
+    text_add(out, i ? ", " : "");
+    add_eigenvalue(out, z + i, digits);
   }
-  text_add(out, "  certified; enclosed within ");
-  print_largest_radius(out, o);
-  text_add(out, ", printed rounded\n");
+  text_add(out, known ? "\n" : "not told apart\n");
+  _acb_vec_clear(z, n);
 }
 
 /* One orbit as lines. */
 static void word_orbit_text(struct text *out, const struct word_orbit *o, long number, const struct scene *s,
                             slong digits) {
-  text_printf(out, "orbit %ld: ", number);
-  text_printf(out, "%s, ", stability_name[o->stable]);
+  mag_t radius;
+  mag_init(radius);
+  text_printf(out, "orbit %ld: %s, ", number, stability_name[o->stable]);
   admissible_text(out, o->admissible, s);
   text_add_char(out, '\n');
   for (int p = 0; p < o->word.n; p++) {
     char name[24];
     snprintf(name, sizeof name, "t_%d %s", p + 1, phase_word_name(o->word.mode[p]));
-    add_number(out, name, o->t + p, digits);
+    print_named(out, 10, name, o->t + p, digits);
   }
-  add_number(out, "period", o->period, digits);
-  for (int i = 0; i < N_STATE; i++) add_number(out, word_coordinate_name[i], o->state + i, digits);
+  print_named(out, 10, "period", o->period, digits);
+  for (int i = 0; i < N_STATE; i++) print_named(out, 10, word_coordinate_name[i], o->state + i, digits);
   for (int i = 0; i < 2 && !phase_word_has_faster(&o->word); i++)
-    add_number(out, i ? "u_r2_min" : "u_r1_min", o->u_r_min[i], digits);
+    print_named(out, 10, i ? "u_r2_min" : "u_r1_min", o->u_r_min[i], digits);
   eigenvalues_text(out, o->jacobian, digits);
-  proof_text(out, o);
+  find_radius(radius, o);
+  proof_text(out, o->certified, radius);
   for (int i = 0; i < o->n_conditions; i++) {
     if (o->condition[i].holds != TRUTH_FALSE) continue;
     text_add(out, "  breaks   ");
     violation(out, o, &o->condition[i]);
     text_add_char(out, '\n');
   }
+  mag_clear(radius);
 }
 
 /* --- orbit --- */
@@ -200,15 +179,9 @@ static const char not_complete[] = "no proof of completeness covers this word";
 static void orbits_json(struct text *out, const struct word_orbits *list, enum word_fate fate, const char *why,
                         const struct scene *s, slong digits) {
   struct json j;
-  struct text word;
-  text_init(&word);
-  phase_word_print(&word, &s->word);
   bool complete = fate == WORD_IMPOSSIBLE || fate == WORD_UNCLOSED;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "scene", s->name);
-  json_string(&j, "layer", "model");
-  json_string(&j, "word", text_str(&word));
+  json_of_model(&j, out, s);
+  json_word(&j, "word", &s->word);
   json_string(&j, "fate", word_fate_name[fate]);
   json_string(&j, "reason", fate == WORD_OPEN ? NULL : why);
   json_bool(&j, "complete", complete);
@@ -217,7 +190,6 @@ static void orbits_json(struct text *out, const struct word_orbits *list, enum w
   for (slong i = 0; i < list->n; i++) word_orbit_json(&j, &list->orbit[i], digits);
   json_end_array(&j);
   json_end_object(&j);
-  text_clear(&word);
 }
 
 static void orbits_text(struct text *out, const struct word_orbits *list, enum word_fate fate, const char *why,
@@ -279,10 +251,10 @@ int run_word_orbit(const struct options *o, const struct scene *s, slong digits,
   const char *certificate = option(o, OPT_CERTIFICATE);
   if (option(o, OPT_BASIN))
     diag_set(d, "%s: error: --basin is of the word D-Gamma-H-C, and the scene names another", s->path);
-  if (d->set || !check_digits(digits, s, d) || !find_orbits(&list, s, digits, d)) return bad_input(d);
+  if (d->set || !check_digits(digits, s, d) || !find_orbits(&list, s, digits, d)) return EXIT_INPUT;
   if (certificate && !certify(certificate, &list, s, digits, d)) {
     word_orbits_clear(&list);
-    return bad_input(d);
+    return EXIT_INPUT;
   }
   struct text out, why;
   text_init(&out);
@@ -325,11 +297,9 @@ void return_unknown(struct diag *d, const struct jacobian_request *q, const stru
 
 static void show_matrix(const struct word_orbit *o, const arb_mat_t x, const struct scene *s,
                         const struct jacobian_request *q, bool as_json) {
-  struct text out, at;
+  struct text out;
   struct json j;
   text_init(&out);
-  text_init(&at);
-  print_at(&at, q);
   if (as_json) {
     json_init(&j, &out);
     json_object(&j, NULL);
@@ -339,17 +309,18 @@ static void show_matrix(const struct word_orbit *o, const arb_mat_t x, const str
     eigenvalues_json(&j, x, q->digits);
     json_string(&j, "method", method_name[q->method]);
     json_string(&j, "layer", "model");
-    json_string(&j, "at", text_str(&at));
+    json_at(&j, q);
     json_end_object(&j);
   } else {
-    text_printf(&out, "%s, %s, method %s, layer model: the return of", s->name, text_str(&at), method_name[q->method]);
+    text_printf(&out, "%s, ", s->name);
+    print_at(&out, q);
+    text_printf(&out, ", method %s, layer model: the return of", method_name[q->method]);
     for (int i = 0; i < o->n_free; i++) text_printf(&out, " %s", word_coordinate_name[o->free[i]]);
     text_printf(&out, " at the start of %s\n", phase_word_name(o->word.mode[0]));
     return_text(&out, x, q->digits);
     eigenvalues_text(&out, x, q->digits);
   }
   fputs(text_str(&out), stdout);
-  text_clear(&at);
   text_clear(&out);
 }
 
@@ -379,11 +350,11 @@ int run_word_jacobian(const struct options *o, const struct scene *s, const stru
                                    : "--layer");
   }
   if (d->set || !return_route(&how, &q, s, d) || !check_digits(q.digits, s, d) || !find_orbits(&list, s, q.digits, d))
-    return bad_input(d);
+    return EXIT_INPUT;
   if (q.orbit < list.n)
     show_jacobian(o, &list.orbit[q.orbit], s, &q, how, d);
   else
     scene_lacks_orbit(s, q.orbit, list.n, d);
   word_orbits_clear(&list);
-  return d->set ? bad_input(d) : EXIT_AS_RECORDED;
+  return EXIT_AS_RECORDED;
 }

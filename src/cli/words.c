@@ -53,14 +53,6 @@ static int settled_on(const struct survey *v, const struct phase_word *w) {
 
 /* --- JSON --- */
 
-static void json_word(struct json *j, const char *key, const struct phase_word *w) {
-  struct text t;
-  text_init(&t);
-  phase_word_print(&t, w);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
-}
-
 static void row_json(struct survey *v, const struct phase_word *w, enum word_fate fate, const char *why,
                      const struct word_orbits *list, bool searched) {
   struct json *j = v->json;
@@ -238,10 +230,8 @@ static void all_words(struct survey *v) {
 
 static void all_json(struct survey *v, struct text *out) {
   struct json j;
-  json_init(&j, out);
+  json_document(&j, out, "stickslip-words-1");
   v->json = &j;
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-words-1");
   json_string(&j, "scene", v->scene->name);
   json_string(&j, "layer", "model");
   json_long(&j, "longest", v->longest);
@@ -263,7 +253,7 @@ static void all_json(struct survey *v, struct text *out) {
   json_end_object(&j);
 }
 
-static void show_survey(struct survey *v, bool as_json) {
+static void show_survey(struct survey *v, const struct options *o) {
   struct text out;
   text_init(&out);
   text_init(&v->rows);
@@ -272,16 +262,13 @@ static void show_survey(struct survey *v, bool as_json) {
   text_init(&v->late.words);
   scene_static_friction(v->u_r, v->scene);
   word_seeds_find(&v->seeds, v->scene->value, v->u_r, STARTS);
-  if (as_json) {
+  if (option(o, OPT_JSON)) {
     all_json(v, &out);
   } else {
     all_words(v);
     all_text(&out, v);
   }
-  if (as_json)
-    fputs(text_str(&out), stdout);
-  else
-    terminal_print(text_str(&out));
+  print_found(o, &out);
   word_seeds_clear(&v->seeds);
   text_clear(&v->late.words);
   text_clear(&v->needs.words);
@@ -290,7 +277,7 @@ static void show_survey(struct survey *v, bool as_json) {
   text_clear(&out);
 }
 
-int run_words(const struct options *o, const char *data) {
+int run_words(const struct options *o, const char *data, struct diag *d) {
   const char *most = option(o, OPT_LONGEST);
   struct survey v = {.longest = LONGEST};
   unsigned long long longest;
@@ -302,23 +289,14 @@ int run_words(const struct options *o, const char *data) {
       return usage("--longest takes a whole number from 1 to 8, not %.200s", most);
     v.longest = (int)longest;
   }
-  if (o->operands.n != 1) return usage("words takes one %s", "SCENE");
-  struct diag d;
+  if (o->operands.n != 1) return usage("words takes one SCENE");
   struct scene s;
-  diag_init(&d);
   v.scene = &s;
-  if (!load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d)) {
-    status = bad_input(&d);
-  } else if (s.system) {
-    status = run_system_words(o, &s, data, v.longest, v.digits, &d);
-  } else if (!scene_one_point(&s, &d)) {
-    status = bad_input(&d);
-  } else if (!scene_has_forces(&s)) {
-    diag_set(&d, "%s: error: words needs a scene that gives e1 and e2", s.path);
-    status = bad_input(&d);
-  } else {
-    show_survey(&v, option(o, OPT_JSON));
-  }
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d);
+  if (ok && s.system)
+    status = run_system_words(o, &s, data, v.longest, v.digits, d);
+  else if (ok && scene_one_point(&s, d) && scene_needs_forces(&s, "words", d))
+    show_survey(&v, o);
   scene_clear(&s);
   return status;
 }

@@ -1,4 +1,5 @@
 /* The certified orbits of a system as one file, which holds the system itself: nothing is computed here. */
+#include "moments.h"
 #include "num/exact_json.h"
 #include "orbit.h"
 
@@ -103,9 +104,7 @@ static void enclosures_json(struct json *j, const struct mech_orbit *o) {
 
 static void orbit_json(struct json *j, const struct mech_orbit *o) {
   json_object(j, NULL);
-  json_array(j, "word");
-  for (int k = 0; k < o->word.n; k++) json_string(j, NULL, o->word.phase[k]);
-  json_end_array(j);
+  mech_word_json(j, &o->word);
   if (o->turns) number_json(j, "turns", o->turns);
   json_object(j, "box");
   balls_json(j, "times", o->box, o->word.n, false);

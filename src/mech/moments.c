@@ -68,6 +68,12 @@ void mech_csv_row(struct text *out, int n, const struct mech_moment *at) {
   text_add_char(out, '\n');
 }
 
+void mech_word_json(struct json *j, const struct mech_word *w) {
+  json_array(j, "word");
+  for (int k = 0; k < w->n; k++) json_string(j, NULL, w->phase[k]);
+  json_end_array(j);
+}
+
 void mech_double_json(struct json *j, const char *key, double x) {
   char number[40];
   snprintf(number, sizeof number, "%.17g", x);

@@ -14,6 +14,8 @@ void mech_table_line(struct text *out, int n, bool phases, const struct mech_mom
 /* t, x1 ..., v1 ..., mode1 ..., u1 ..., with 17 significant digits. */
 void mech_csv_heading(struct text *out, int n);
 void mech_csv_row(struct text *out, int n, const struct mech_moment *at);
+/* The array "word" of a word's phases. */
+void mech_word_json(struct json *j, const struct mech_word *w);
 /* The array "events" of a motion of n masses. */
 void mech_events_json(struct json *j, int n, const struct mech_motion *x);
 /* A number in 17 digits; a member or an element. */

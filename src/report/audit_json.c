@@ -14,9 +14,10 @@ void report_json(struct text *out, const struct audit_result *r) {
 /* --- run.json --- */
 
 static void write_figure(struct json *j, const char *key, double x) {
-  char s[32];
-  snprintf(s, sizeof s, "%.4g", x);
-  json_string(j, key, isnan(x) ? NULL : s);
+  if (isnan(x))
+    json_null(j, key);
+  else
+    json_printf(j, key, "%.4g", x);
 }
 
 static void write_residuals(struct json *j, const struct audit_result *r) {
@@ -69,13 +70,11 @@ static void write_spent(struct json *j, const struct audit_result *r) {
   json_array(j, "pieces");
   for (size_t i = 0; i < r->n_spent; i++) {
     const struct piece_spent *p = &r->spent[i];
-    char ms[32];
-    snprintf(ms, sizeof ms, "%.2f", p->machine_ms);
     json_object(j, NULL);
     json_string(j, "what", p->what);
     json_string(j, "name", p->name);
     json_long(j, "units", (long)p->units);
-    json_string(j, "ms", ms);
+    json_printf(j, "ms", "%.2f", p->machine_ms);
     json_end_object(j);
     units += p->units;
   }
@@ -85,25 +84,15 @@ static void write_spent(struct json *j, const struct audit_result *r) {
 
 static void write_precision(struct json *j, const struct audit_result *r) {
   json_array(j, "precision");
-  for (size_t i = 0; i < r->n_precision; i++) {
-    json_object(j, NULL);
-    json_string(j, "what", r->precision[i].what);
-    json_long(j, "tried", r->precision[i].tried);
-    json_long(j, "enough", r->precision[i].enough);
-    json_end_object(j);
-  }
+  for (size_t i = 0; i < r->n_precision; i++) shape_write(j, NULL, &precision_shape, &r->precision[i]);
   json_end_array(j);
 }
 
 void report_run(struct text *out, const struct audit_result *r, double seconds, const char *software) {
   struct json j;
-  char took[32];
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-run-1");
+  json_document(&j, out, "stickslip-run-1");
   json_string(&j, "scene", r->scene);
-  snprintf(took, sizeof took, "%.3f", seconds);
-  json_string(&j, "seconds", took);
+  json_printf(&j, "seconds", "%.3f", seconds);
   json_string(&j, "software", software);
   json_long(&j, "jobs", r->jobs);
   write_spent(&j, r);

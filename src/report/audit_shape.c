@@ -162,12 +162,12 @@ static const struct member value_member[] = {
 };
 static SHAPE(value, struct asked_value, .blank = NULL);
 
-static const struct member precision_member[] = {
+static const struct member precision_shape_member[] = {
     STRING(struct precision_use, what, MEMBER_NEEDED),
     WHOLE(MEMBER_LONG, "tried", struct precision_use, tried, MEMBER_NEEDED),
     WHOLE(MEMBER_LONG, "enough", struct precision_use, enough, MEMBER_NEEDED),
 };
-static SHAPE(precision, struct precision_use, .blank = NULL);
+SHAPE(precision_shape, struct precision_use, .blank = NULL);
 
 static const struct member control_member[] = {
     STRING(struct control_result, id, MEMBER_NEEDED),
@@ -365,7 +365,7 @@ static const struct member audit_shape_member[] = {
     LIST("consequences", consequences, MEMBER_NEEDED, &consequence),
     LIST("skipped", skipped, MEMBER_NEEDED, &skipped),
     LIST("values", values, MEMBER_SPARSE, &value),
-    LIST("precision", precision, MEMBER_SPARSE, &precision),
+    LIST("precision", precision, MEMBER_SPARSE, &precision_shape),
     LIST("controls", controls, MEMBER_NEEDED, &control),
     LIST("routes", pairs, MEMBER_NEEDED, &pair),
     LIST("long_runs", long_runs, MEMBER_NEEDED, &long_run),

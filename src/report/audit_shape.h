@@ -1,4 +1,4 @@
-/* The shapes of audit.json and of its part that stands alone. */
+/* The shapes of audit.json and of its parts that stand alone. */
 #ifndef STICKSLIP_REPORT_AUDIT_SHAPE_H
 #define STICKSLIP_REPORT_AUDIT_SHAPE_H
 
@@ -7,7 +7,8 @@
 
 #define AUDIT_SCHEMA "stickslip-audit-2"
 
-extern const struct shape audit_shape;    /* struct audit_result */
-extern const struct shape readings_shape; /* struct readings */
+extern const struct shape audit_shape;     /* struct audit_result */
+extern const struct shape readings_shape;  /* struct readings */
+extern const struct shape precision_shape; /* struct precision_use */
 
 #endif

@@ -2,52 +2,45 @@
 #include "escape.h"
 #include "report.h"
 
-static void add_field(struct text *out, const char *s, bool last) {
-  escape_csv(out, s);
-  text_add_char(out, last ? '\n' : ',');
-}
+static const char columns[] = "id,of,equation,section,title,verdict,recorded,root,severity,fault,condition,correction,"
+                              "correction_verdict,effect,depends_on,routes,quote,printed,reproduce\n";
 
-static void add_dependences(struct text *out, const struct finding *f) {
-  struct text list;
-  text_init(&list);
-  for (int i = 0; i < f->n_depends_on; i++) text_printf(&list, "%s%s", i ? " " : "", f->depends_on[i]);
-  add_field(out, text_str(&list), false);
-  text_clear(&list);
-}
-
-static void add_routes(struct text *out, const struct finding *f) {
-  struct text list;
-  text_init(&list);
+static void add_row(struct text *out, const struct finding *f) {
+  struct text rests, routes;
+  text_init(&rests);
+  text_init(&routes);
+  for (int i = 0; i < f->n_depends_on; i++) text_printf(&rests, "%s%s", i ? " " : "", f->depends_on[i]);
   for (int i = 0; i < f->n_evidence; i++)
-    text_printf(&list, "%s%s %s", i ? "; " : "", f->evidence[i].route, f->evidence[i].result);
-  add_field(out, text_str(&list), false);
-  text_clear(&list);
+    text_printf(&routes, "%s%s %s", i ? "; " : "", f->evidence[i].route, f->evidence[i].result);
+  const char *const field[] = {f->id,
+                               claimant_name[f->of],
+                               f->equation,
+                               f->section,
+                               f->title,
+                               verdict_name[f->verdict],
+                               f->recorded == N_VERDICTS ? NULL : verdict_name[f->recorded],
+                               f->root,
+                               f->severity < N_SEVERITIES ? severity_name[f->severity] : NULL,
+                               f->fault,
+                               f->condition,
+                               f->correction,
+                               f->correction ? verdict_name[f->correction_verdict] : NULL,
+                               f->effect,
+                               text_str(&rests),
+                               text_str(&routes),
+                               f->quote,
+                               f->printed,
+                               f->reproduce};
+  for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
+    text_add(out, i ? "," : "");
+    escape_csv(out, field[i]);
+  }
+  text_add_char(out, '\n');
+  text_clear(&routes);
+  text_clear(&rests);
 }
 
 void report_csv(struct text *out, const struct audit_result *r) {
-  text_add(out, "id,of,equation,section,title,verdict,recorded,root,severity,fault,condition,correction,correction_"
-                "verdict,effect,"
-                "depends_on,routes,quote,printed,reproduce\n");
-  for (size_t i = 0; i < r->n_findings; i++) {
-    const struct finding *f = &r->findings[i];
-    add_field(out, f->id, false);
-    add_field(out, claimant_name[f->of], false);
-    add_field(out, f->equation, false);
-    add_field(out, f->section, false);
-    add_field(out, f->title, false);
-    add_field(out, verdict_name[f->verdict], false);
-    add_field(out, f->recorded == N_VERDICTS ? NULL : verdict_name[f->recorded], false);
-    add_field(out, f->root, false);
-    add_field(out, f->severity < N_SEVERITIES ? severity_name[f->severity] : NULL, false);
-    add_field(out, f->fault, false);
-    add_field(out, f->condition, false);
-    add_field(out, f->correction, false);
-    add_field(out, f->correction ? verdict_name[f->correction_verdict] : NULL, false);
-    add_field(out, f->effect, false);
-    add_dependences(out, f);
-    add_routes(out, f);
-    add_field(out, f->quote, false);
-    add_field(out, f->printed, false);
-    add_field(out, f->reproduce, true);
-  }
+  text_add(out, columns);
+  for (size_t i = 0; i < r->n_findings; i++) add_row(out, &r->findings[i]);
 }

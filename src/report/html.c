@@ -51,8 +51,7 @@ void html_text(struct text *out, const char *s, const bool *changed) {
   }
 }
 
-void html_anchor(struct text *out, const char *prefix, const char *name) {
-  text_add(out, prefix);
+void html_anchor(struct text *out, const char *name) {
   for (; *name; name++) {
     unsigned char c = (unsigned char)*name;
     bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';

@@ -13,8 +13,8 @@ void html_prose(struct text *out, const char *s);
 /* One formula, without dollar signs. */
 void html_math(struct text *out, const char *tex, const bool *changed);
 void html_code(struct text *out, const char *s);
-/* The value of an id: the prefix and the name, characters that an id cannot have by their codes. */
-void html_anchor(struct text *out, const char *prefix, const char *name);
+/* A name in the value of an id: characters that an id cannot have by their codes. */
+void html_anchor(struct text *out, const char *name);
 /* Ends a sentence that may have an end of its own. */
 void html_stop(struct text *out);
 

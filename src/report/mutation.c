@@ -1,8 +1,11 @@
 /* What became of the damages: the one score, its rows, and what survived, since each survivor asks for a check or an
    argument. */
 #include "mutation.h"
-#include "base/json.h"
+
+#include <stddef.h>
+
 #include "escape.h"
+#include "sheet.h"
 
 /* --- JSON --- */
 
@@ -52,35 +55,26 @@ static void write_damaged(struct json *j, const struct damaged *g) {
   json_end_object(j);
 }
 
-static void write_score(struct json *j, const struct mutation_result *r) {
-  struct mutation_score s;
-  mutation_score_of(&s, r);
-  json_object(j, "score");
-  json_long(j, "counted", s.counted);
-  json_long(j, "noticed", s.noticed);
-  json_long(j, "formulas", s.formulas);
-  json_long(j, "equivalent", s.equivalent);
-  json_long(j, "on_motions", s.on_motions);
-  json_long(j, "needs_text", s.needs_text);
-  json_long(j, "errata", s.errata);
-  json_end_object(j);
-}
+#define COUNT(name)                                                                                                    \
+  { .key = #name, .kind = MEMBER_LONG, .at = offsetof(struct mutation_score, name) }
+static const struct member mutation_score_shape_member[] = {
+    COUNT(counted),    COUNT(noticed),    COUNT(formulas), COUNT(equivalent),
+    COUNT(on_motions), COUNT(needs_text), COUNT(errata),
+};
+SHAPE(mutation_score_shape, struct mutation_score, .blank = NULL);
 
 void report_mutation_json(struct text *out, const struct mutation_result *r) {
   struct json j;
-  struct text seed;
-  text_init(&seed);
-  text_printf(&seed, "%llu", r->seed);
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-mutation-2");
+  struct mutation_score score;
+  mutation_score_of(&score, r);
+  json_document(&j, out, MUTATION_SCHEMA);
   json_string(&j, "scene", r->scene);
   json_string(&j, "subject", r->subject);
-  json_string(&j, "seed", text_str(&seed));
+  json_printf(&j, "seed", "%llu", r->seed);
   json_string(&j, "text", r->text);
   json_long(&j, "population", r->population);
   json_long(&j, "tried", r->tried);
-  write_score(&j, r);
+  shape_write(&j, "score", &mutation_score_shape, &score);
   write_row(&j, "formulas", &r->formulas);
   write_row(&j, "corrected_elsewhere", &r->printed);
   write_row(&j, "errata", &r->errata);
@@ -94,7 +88,6 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
   for (size_t i = 0; i < r->n_damaged; i++) write_damaged(&j, &r->damaged[i]);
   json_end_array(&j);
   json_end_object(&j);
-  text_clear(&seed);
 }
 
 /* --- For people --- */
@@ -106,46 +99,31 @@ static const char *const fate_says[N_MUTANT_FATES] = {
     [FATE_UNREAD] = "Survivors in statements that no claim reads",
 };
 
-/* The columns of the tables, and the fates that stand in them. */
+/* The columns of the tables behind those of all rows, and the fates that stand in them. */
 struct columns {
-  size_t n;
-  struct {
-    enum mutant_fate fate;
-    const char *words;
-  } of[N_MUTANT_FATES];
+  int n;
+  const char *words[N_MUTANT_FATES];
+  enum mutant_fate fate[N_MUTANT_FATES];
 };
-static const struct columns of_formulas = {7,
-                                           {{FATE_UNREADABLE, "of them unreadable"},
-                                            {FATE_UNPROVED, "of them unproved"},
-                                            {FATE_REFUSED, "of them refused"},
-                                            {FATE_EQUIVALENT, "equivalent"},
-                                            {FATE_ON_MOTIONS, "same on motions"},
-                                            {FATE_UNDECIDED, "undecided"},
-                                            {FATE_UNREAD, "unread"}}};
-static const struct columns of_data = {5,
-                                       {{FATE_REFUSED, "of them refused"},
-                                        {FATE_UNREADABLE, "of them unreadable"},
-                                        {FATE_EQUIVALENT, "same by rule"},
-                                        {FATE_NEEDS_TEXT, "needs the text"},
-                                        {FATE_UNDECIDED, "not noticed"}}};
+static const struct columns of_formulas = {
+    7,
+    {"of them unreadable", "of them unproved", "of them refused", "equivalent", "same on motions", "undecided",
+     "unread"},
+    {FATE_UNREADABLE, FATE_UNPROVED, FATE_REFUSED, FATE_EQUIVALENT, FATE_ON_MOTIONS, FATE_UNDECIDED, FATE_UNREAD}};
+static const struct columns of_data = {
+    5,
+    {"of them refused", "of them unreadable", "same by rule", "needs the text", "not noticed"},
+    {FATE_REFUSED, FATE_UNREADABLE, FATE_EQUIVALENT, FATE_NEEDS_TEXT, FATE_UNDECIDED}};
 
 static void add_row(struct text *out, const struct mutation_row *r, const struct columns *c) {
   text_printf(out, "| %s | %ld | %ld |", r->name, mutation_row_total(r), mutation_row_noticed(r));
-  for (size_t i = 0; i < c->n; i++) text_printf(out, " %ld |", r->count[c->of[i].fate]);
-  text_add_char(out, '\n');
-}
-
-static void add_heading(struct text *out, const char *heading, const struct columns *c) {
-  text_printf(out, "| %s | damages | noticed |", heading);
-  for (size_t i = 0; i < c->n; i++) text_printf(out, " %s |", c->of[i].words);
-  text_add(out, "\n| --- | ---: | ---: |");
-  for (size_t i = 0; i < c->n; i++) text_add(out, " ---: |");
+  for (int i = 0; i < c->n; i++) text_printf(out, " %ld |", r->count[c->fate[i]]);
   text_add_char(out, '\n');
 }
 
 static void add_table(struct text *out, const char *heading, const struct columns *c, const struct mutation_row *row,
                       size_t n) {
-  add_heading(out, heading, c);
+  markdown_head_of(out, heading, c->words, c->n);
   for (size_t i = 0; i < n; i++)
     if (mutation_row_total(&row[i])) add_row(out, &row[i], c);
   text_add_char(out, '\n');
@@ -249,11 +227,11 @@ void report_mutation_markdown(struct text *out, const struct mutation_result *r)
   text_printf(out, ".\n\n%ld of %ld damages, scene %s, seed %llu. ", r->tried, r->population, r->scene, r->seed);
   if (r->text) text_printf(out, "Quotations were looked for in the paper's text (`%s`). ", r->text);
   text_add(out, mutation_explained_md);
-  add_table(out, "what is damaged", &of_data, r->data, N_DAMAGE_CLASSES);
+  add_table(out, "what is damaged|damages:|noticed:", &of_data, r->data, N_DAMAGE_CLASSES);
   struct mutation_row texts[] = {r->formulas, r->printed, r->errata};
-  add_table(out, "formulas", &of_formulas, texts, 3);
-  add_table(out, "file", &of_formulas, r->file, r->n_files);
-  add_table(out, "one token", &of_formulas, r->kind, r->n_kinds);
+  add_table(out, "formulas|damages:|noticed:", &of_formulas, texts, 3);
+  add_table(out, "file|damages:|noticed:", &of_formulas, r->file, r->n_files);
+  add_table(out, "one token|damages:|noticed:", &of_formulas, r->kind, r->n_kinds);
   for (int k = 0; k < N_DAMAGE_CLASSES; k++) list_damaged(out, r, k);
   for (int c = 0; c < 2; c++)
     for (int i = 0; i < N_SURVIVOR_FATES; i++) add_survivors(out, r, survivor_order[i], c);

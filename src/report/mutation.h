@@ -3,8 +3,12 @@
 #ifndef STICKSLIP_REPORT_MUTATION_H
 #define STICKSLIP_REPORT_MUTATION_H
 
-#include "base/text.h"
+#include "json_shape.h"
 #include "record/mutation.h"
+
+#define MUTATION_SCHEMA "stickslip-mutation-2"
+
+extern const struct shape mutation_score_shape; /* struct mutation_score, in mutation.json */
 
 void report_mutation_json(struct text *out, const struct mutation_result *r);
 void report_mutation_markdown(struct text *out, const struct mutation_result *r);

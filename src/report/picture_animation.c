@@ -175,9 +175,8 @@ static void add_blocks(struct plot *p, const struct stage *s) {
 
 static void add_history(struct plot *p, const struct stage *s) {
   const struct rows *t = s->t;
-  plot_forget(p);
-  plot_hold_column(p, 0, t, TIME);
-  for (size_t mass = 0; mass < 2; mass++) plot_hold_column(p, 1, t, POSITION + 2 * mass);
+  plot_hold_columns(p, t, TIME, POSITION, 1);
+  plot_hold_column(p, 1, t, POSITION + 2);
   plot_widen(p, 1, 0.08, 0.2);
   plot_panel(p, FLOOR + 52, 150, "time *t*", "*z*_1 and *z*_2");
   picture_phases(p, t, PHASE, TIME);

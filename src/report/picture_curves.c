@@ -60,9 +60,7 @@ static void draw_margins(struct plot *p, const struct rows *t) {
                                        {"c2", "*e*_1 \xe2\x88\x92 *w*"},
                                        {"c3", "*e*_2 \xe2\x88\x92 *\xcf\x87r*"}};
   double top = plot_key(p, key, M_COLUMNS);
-  plot_forget(p);
-  plot_hold_column(p, 0, t, M_TIME);
-  for (int c = 0; c < M_COLUMNS; c++) plot_hold_column(p, 1, t, M_FIRST + (size_t)c);
+  plot_hold_columns(p, t, M_TIME, M_FIRST, M_COLUMNS);
   plot_hold(&p->low[1], &p->high[1], 0);
   plot_widen(p, 1, 0.05, 0.12);
   plot_panel(p, top + 18, 240, "time *t*", "margin");
@@ -131,9 +129,7 @@ static void draw_long_run(struct plot *p, const struct rows *t) {
     key[n][1] = name[n];
   }
   double top = plot_key(p, (const char *const(*)[2])key, n);
-  plot_forget(p);
-  plot_hold_column(p, 0, t, PERIOD);
-  plot_hold_column(p, 1, t, LOG);
+  plot_hold_columns(p, t, PERIOD, LOG, 1);
   plot_widen(p, 1, 0.05, 0.05);
   p->power[1] = true;
   plot_panel(p, top + 18, 230, "periods", "|*r* \xe2\x88\x92 *r*^{*}|");
@@ -195,9 +191,7 @@ static void draw_steps(struct plot *p, const struct rows *t) {
     key[k][1] = bits_name[k];
   }
   double top = plot_key(p, (const char *const(*)[2])key, N_BITS);
-  plot_forget(p);
-  plot_hold_column(p, 0, t, STEP);
-  for (size_t k = 0; k < N_BITS; k++) plot_hold_column(p, 1, t, BITS_53 + k);
+  plot_hold_columns(p, t, STEP, BITS_53, N_BITS);
   plot_widen(p, 1, 0.05, 0.05);
   p->power[0] = p->power[1] = true;
   plot_panel(p, top + 18, 230, "step *h*", "error of tr *J*");

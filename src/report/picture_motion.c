@@ -126,10 +126,7 @@ static void add_gap_beside(struct plot *p, const struct rows *t, size_t mass) {
 
 static void draw_history(struct plot *p, const struct rows *t) {
   double top = add_key(p, t);
-  plot_forget(p);
-  plot_hold_column(p, 0, t, FIRST);
-  plot_hold_column(p, 1, t, FIRST + 1);
-  plot_hold_column(p, 1, t, FIRST + 2);
+  plot_hold_columns(p, t, FIRST, FIRST + 1, 2);
   plot_widen(p, 0, 0.06, has_printed(t) ? 0.2 : 0.09);
   plot_widen(p, 1, 0.08, 0.08);
   plot_panel(p, top + 18, 250, "time *t*", "*z*_1 and *z*_2");
@@ -185,9 +182,7 @@ static void draw_portrait(struct plot *p, const struct rows *t) {
   double top = add_key(p, t);
   for (int mass = 0; mass < 2; mass++, top += 240) {
     size_t x = FIRST + 2 * (size_t)mass, y = x + 1;
-    plot_forget(p);
-    plot_hold_column(p, 0, t, x);
-    plot_hold_column(p, 1, t, y);
+    plot_hold_columns(p, t, x, y, 1);
     plot_widen(p, 0, 0.09, 0.09);
     plot_widen(p, 1, 0.15, 0.22);
     plot_panel(p, top + 18, 180, labels[mass][0], labels[mass][1]);

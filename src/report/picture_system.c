@@ -57,11 +57,8 @@ static void draw_plane(struct plot *p, const struct rows *t, size_t mass, double
   char labels[2][40];
   snprintf(labels[0], sizeof labels[0], "*x*_{%zu}", mass + 1);
   snprintf(labels[1], sizeof labels[1], "*x*\xe2\x80\xb2_{%zu}", mass + 1);
-  plot_forget(p);
-  for (int axis = 0; axis < 2; axis++) {
-    plot_hold_column(p, axis, t, x + (size_t)axis);
-    plot_widen(p, axis, 0.09, 0.09);
-  }
+  plot_hold_columns(p, t, x, x + 1, 1);
+  for (int axis = 0; axis < 2; axis++) plot_widen(p, axis, 0.09, 0.09);
   plot_panel(p, top, PANEL - 60, labels[0], labels[1]);
   add_limits(p, t, x);
   for (int k = 1; k <= orbits(t); k++) {

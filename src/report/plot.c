@@ -160,6 +160,12 @@ void plot_hold_column(struct plot *p, int axis, const struct rows *t, size_t col
   for (size_t i = 0; i < t->n; i++) plot_hold(&p->low[axis], &p->high[axis], rows_number(t, i, column));
 }
 
+void plot_hold_columns(struct plot *p, const struct rows *t, size_t x, size_t y, size_t n) {
+  plot_forget(p);
+  plot_hold_column(p, 0, t, x);
+  for (size_t k = 0; k < n; k++) plot_hold_column(p, 1, t, y + k);
+}
+
 void plot_widen(struct plot *p, int axis, double below, double above) {
   double range = p->high[axis] - p->low[axis];
   p->low[axis] -= below * range;

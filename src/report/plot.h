@@ -49,6 +49,8 @@ void plot_hold(double *low, double *high, double x);
 /* What the axes show is to be found anew; and an axis widened to hold a column of a table. */
 void plot_forget(struct plot *p);
 void plot_hold_column(struct plot *p, int axis, const struct rows *t, size_t column);
+/* Both: the columns x and, from y on, n columns. */
+void plot_hold_columns(struct plot *p, const struct rows *t, size_t x, size_t y, size_t n);
 /* A panel at `top`: frame, ticks and labels; axis labels in the markup of plot_text.  Then what is drawn is cut off at
    its frame until plot_free. */
 void plot_panel(struct plot *p, double top, double height, const char *x_label, const char *y_label);

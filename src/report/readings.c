@@ -7,9 +7,7 @@
 
 void report_readings_json(struct text *out, const struct audit_result *r) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-readings-1");
+  json_document(&j, out, "stickslip-readings-1");
   json_string(&j, "scene", r->scene);
   if (r->readings)
     shape_write(&j, "readings", &readings_shape, r->readings);

@@ -20,9 +20,7 @@ static void write_repair(struct json *j, const struct repair *r) {
 
 void report_repairs_json(struct text *out, const struct repair_result *r) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-repairs-1");
+  json_document(&j, out, "stickslip-repairs-1");
   json_string(&j, "scene", r->scene);
   json_array(&j, "claims");
   for (size_t i = 0; i < r->n; i++) {

@@ -201,6 +201,15 @@ void markdown_head(struct text *out, const char *columns) {
   text_clear(&rule);
 }
 
+void markdown_head_of(struct text *out, const char *columns, const char *const *name, int n) {
+  struct text all;
+  text_init(&all);
+  text_add(&all, columns);
+  for (int i = 0; i < n; i++) text_printf(&all, "|%s:", name[i]);
+  markdown_head(out, text_str(&all));
+  text_clear(&all);
+}
+
 /* --- Words with texts in them --- */
 
 /* A claim of an equation by the equation's number, others as code. */
@@ -242,7 +251,7 @@ static void add_one(const struct sheet *s, char how, const char *text) {
     add_verdict(s, text);
     return;
   case 'a':
-    html_anchor(s->out, "", text);
+    html_anchor(s->out, text);
     return;
   case 'n':
     add_claim(s, text);

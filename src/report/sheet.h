@@ -35,6 +35,8 @@ void sheet_values(const struct sheet *s, const struct audit_result *r, const str
 void sheet_list(const struct sheet *s, const char *const *list, int n);
 /* The head of a table in Markdown: columns with bars between them; one that ends in a colon is set to the right. */
 void markdown_head(struct text *out, const char *columns);
+/* The same with a column to the right for each of n more names. */
+void markdown_head_of(struct text *out, const char *columns, const char *const *name, int n);
 /* Ends a sentence that may have an end of its own. */
 void sheet_stop(const struct sheet *s);
 

@@ -19,10 +19,15 @@ static void write_cause(struct json *j, const struct stability_row *row) {
   write_digits(j, "node_grows", row->node_grows);
 }
 
+static void write_command(struct json *j, const char *key, const struct stability_result *r,
+                          const struct stability_row *row, const char *witness) {
+  json_begin_string(j, key);
+  stability_add_command(j->out, r, row, witness);
+  json_end_string(j);
+}
+
 static void write_row(struct json *j, const struct stability_result *r, const struct stability_row *row) {
-  struct text command;
   char relative[32];
-  text_init(&command);
   json_object(j, NULL);
   json_string(j, "formula", r->formula[row->formula].id);
   json_string(j, "region", r->region[row->region].id);
@@ -49,21 +54,17 @@ static void write_row(struct json *j, const struct stability_result *r, const st
     json_long(j, "after_short", row->after_short);
     json_long(j, "after_rounded", row->after_rounded);
     json_string(j, "after_witness", row->after_witness);
-    stability_add_command(&command, r, row, row->witness);
-    json_string(j, "command", text_str(&command));
+    write_command(j, "command", r, row, row->witness);
   }
   if (row->failure_witness) {
-    text_reset(&command);
     json_string(j, "failure", loss_cause_says[row->failure]);
     json_string(j, "failure_node", row->failure_node);
     json_string(j, "failure_source", row->failure_source);
     write_digits(j, "failure_size", row->failure_size);
     json_string(j, "failure_witness", row->failure_witness);
-    stability_add_command(&command, r, row, row->failure_witness);
-    json_string(j, "failure_command", text_str(&command));
+    write_command(j, "failure_command", r, row, row->failure_witness);
   }
   json_end_object(j);
-  text_clear(&command);
 }
 
 static void write_formula(struct json *j, const struct stability_formula *f) {
@@ -112,15 +113,11 @@ static void write_pair(struct json *j, const struct stability_pair *p) {
 
 void report_stability_json(struct text *out, const struct stability_result *r) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-stability-1");
+  json_document(&j, out, "stickslip-stability-1");
   json_string(&j, "layer", r->layer);
   json_string(&j, "after", r->after);
   json_bool(&j, "quick", r->quick);
-  json_array(&j, "bins");
-  for (int i = 0; i < N_LOSS_BINS; i++) json_string(&j, NULL, loss_bin_name[i]);
-  json_end_array(&j);
+  json_string_array(&j, "bins", loss_bin_name, N_LOSS_BINS);
   write_confusion(&j, r);
   json_long(&j, "conditions", r->conditions);
   json_long(&j, "conditions_disputed", r->condition_differs);

@@ -7,9 +7,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "sheet.h"
+
 /* --- Numbers --- */
 
-/* NULL where there is none. */
 const char *stability_tenths(char buffer[32], double x) {
   if (!isfinite(x)) return NULL;
   snprintf(buffer, 32, "%.1f", x == 0 ? 0 : x);
@@ -24,7 +25,6 @@ const char *stability_digits(char buffer[32], double x) {
   return stability_or_none(stability_tenths(buffer, x));
 }
 
-/* Of a row whose digits are all lost the relative error, to one digit; NULL elsewhere. */
 const char *stability_relative_error(char buffer[32], const struct stability_row *row) {
   double x = row->error - 53 * log10(2);
   if (row->observed < STABILITY_DIGITS || !isfinite(x)) return NULL;
@@ -37,7 +37,6 @@ const char *stability_relative_error(char buffer[32], const struct stability_row
   return buffer;
 }
 
-/* What is lost: digits; "sign"; "all digits (relative error 3e7)". */
 const char *stability_lost(char buffer[80], const struct stability_row *row) {
   char e[32];
   if (!stability_relative_error(e, row))
@@ -55,8 +54,6 @@ void stability_add_command(struct text *out, const struct stability_result *r, c
               witness, r->sources ? r->sources : "");
 }
 
-/* The rows in the order of the ledger: losses of the formula's own, the largest first, those of more than all digits by
-   how much more; equal ones as they come. */
 int stability_by_loss(const void *a, const void *b) {
   const struct stability_row *x = *(const struct stability_row *const *)a, *y = *(const struct stability_row *const *)b;
   double p = round(10 * x->excess), q = round(10 * y->excess);
@@ -64,7 +61,6 @@ int stability_by_loss(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
-/* One row a formula: its worst.  An array to be freed. */
 const struct stability_row **stability_ledger(int *n, const struct stability_result *r) {
   const struct stability_row **row = ss_malloc(((size_t)r->n_formulas + 1) * sizeof(struct stability_row *));
   *n = 0;
@@ -76,12 +72,10 @@ const struct stability_row **stability_ledger(int *n, const struct stability_res
   return row;
 }
 
-/* Digits that the other layer's form keeps where the formula loses them; NaN without one. */
 double stability_gained(const struct stability_row *row) {
   return row->formula_lost - row->after;
 }
 
-/* "cancellation between a and b", in code style when asked for. */
 void stability_add_cause(struct text *out, const struct stability_row *row, const char *quote) {
   text_add(out, loss_cause_says[row->cause]);
   if (row->cause == CAUSE_ARGUMENT)
@@ -94,11 +88,7 @@ void stability_add_cause(struct text *out, const struct stability_row *row, cons
 }
 
 void stability_add_confusion(struct text *out, const struct stability_result *r) {
-  text_add(out, "| predicted \\ observed |");
-  for (int b = 0; b < N_LOSS_BINS; b++) text_printf(out, " %s |", loss_bin_name[b]);
-  text_add(out, "\n| --- |");
-  for (int b = 0; b < N_LOSS_BINS; b++) text_add(out, " ---: |");
-  text_add_char(out, '\n');
+  markdown_head_of(out, "predicted \\ observed", loss_bin_name, N_LOSS_BINS);
   for (int a = 0; a < N_LOSS_BINS; a++) {
     text_printf(out, "| %s |", loss_bin_name[a]);
     for (int b = 0; b < N_LOSS_BINS; b++) text_printf(out, " %ld |", r->confusion[a][b]);
