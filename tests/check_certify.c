@@ -806,6 +806,7 @@ START_TEST(solutions_that_are_no_motions_are_rejected) {
     const char *system, *word;
     double t[4], z[4]; /* a start */
   } row[] = {{"beside-wall", "-- -->2 s-", {0}, {0}},
+             {"soft-wall", "-- s- -- -a", {0}, {0}},
              {"driven", "-- +- -- -s", {0}, {0}},
              {"den-hartog", "+ -", {0}, {0}},
              /* the paper's orbit that breaks h_v2; z = x - (10, 45/4) */
@@ -900,7 +901,7 @@ START_TEST(huge_systems_are_refused) {
   refused_with(&s.json, "\"period\": \"", "\"period\": \"", "\"period\": \"1 fffff 0 0\", \"period\": \"", BAD_FILE,
                "occurs twice");
   refused_with(&s.json, "restitution", "3/5", "6/5", REJECTED, "above 1");
-  refused_with(&s.json, "restitution", "3/5", "0", REJECTED, "out of its range");
+  refused_with(&s.json, "restitution", "3/5", "-1/5", REJECTED, "out of its range");
   text_reset(&t);
   text_add(&t, "1");
   for (int i = 0; i < 150000; i++) text_add(&t, "0");
