@@ -8,8 +8,7 @@
 #include "record/result.h"
 
 /* Do the items of --only select the claim, by its own id or by one that a restriction of it makes?  And does every item
-                                                                                                     of --only
-   select some claim? */
+   of --only select some claim? */
 bool claims_selects(const char *const *only, int n_only, const struct claim *c);
 bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d);
 /* The error that no claim has the id, with those that may have been meant. */

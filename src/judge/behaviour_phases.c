@@ -102,6 +102,8 @@ static bool shift_state(const struct forms *p, struct law_state *s, const int ep
   return d[0] && d[1];
 }
 
+static const int plain[2] = {1, 1}; /* d_01 and d_02 as printed */
+
 /* How much the acceleration of a mass by (1) and (2) exceeds that of z'' + K z = 0 with the phase's stiffness matrix. */
 static val excess(const struct forms *p, struct law_state *s, const int slips[2], int mass) {
   struct calc *c = &s->c;
@@ -117,7 +119,6 @@ static val excess(const struct forms *p, struct law_state *s, const int slips[2]
 
 /* Do (3), (5), (7) and (9) describe a pair of modes?  FALSE: not every motion in it.  signs: with eps_i u_si in d_0. */
 static truth form_holds(const struct friction *f, const struct forms *p, const int slips[2], bool signs) {
-  static const int plain[2] = {1, 1};
   struct law_state s;
   truth all = TRUTH_TRUE;
   law_state_open(&s, num_ctx_exact());
@@ -131,7 +132,7 @@ static truth form_holds(const struct friction *f, const struct forms *p, const i
 
 /* Is the excess of a mass that alone is faster than the belt, the other being slower, -2 u_s1 or -2 eta u_s2? */
 static bool falls_short_by_twice(const struct friction *f, const struct forms *p, int mass) {
-  int slips[2] = {1, 1}, plain[2] = {1, 1};
+  int slips[2] = {1, 1};
   struct law_state s;
   law_state_open(&s, num_ctx_exact());
   slips[mass] = -1;
@@ -291,7 +292,6 @@ static bool in_branch(const struct friction *f, const struct conditions *states,
 
 static bool phase_obeys_law(const struct friction *f, const struct forms *p, const struct conditions *states,
                             enum phase ph) {
-  static const int plain[2] = {1, 1};
   struct law_state s;
   law_state_open(&s, num_ctx_exact());
   bool ok = shift_state(p, &s, plain);

@@ -1,5 +1,4 @@
 /* Every formula of a layer, found by walking its definitions and statements, entry by entry and as matrices. */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -164,10 +163,9 @@ static bool add_sides(struct digits_set *s, const struct statement_record *r, st
     const struct stmt *st = r->stmts[i];
     for (int k = 0; st->kind == STMT_RELATION && k < st->n_sides; k++) {
       struct matrix m;
-      char number[16];
-      snprintf(number, sizeof number, "%d", ++n);
+      n++;
       if (!elaborate(&m, &s->el, st->sides[k], r->src, r->section, d)) return false;
-      struct digits_formula f = {.id = arena_printf(&s->arena, "%s.%s", r->id, number),
+      struct digits_formula f = {.id = arena_printf(&s->arena, "%s.%d", r->id, n),
                                  .record = r->id,
                                  .equation = r->equation,
                                  .section = r->section,
