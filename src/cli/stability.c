@@ -154,5 +154,5 @@ int run_stability(const struct options *o, const char *data, struct diag *d) {
   if (ok && at) show_point(&m, &q, at, d);
   if (ok && !at) study(&m, &q, o, d);
   model_clear(&m);
-  return status;
+  return EXIT_AS_RECORDED;
 }
