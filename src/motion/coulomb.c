@@ -46,7 +46,7 @@ static bool exceeds_2(const struct coulomb_signs *s, enum coulomb_mode first) {
   return rise * s->pull[1] > 0;
 }
 
-void coulomb_law(enum coulomb_mode mode[2], const struct coulomb_signs *s) {
+static void coulomb_law(enum coulomb_mode mode[2], const struct coulomb_signs *s) {
   for (int i = 0; i < 2; i++) {
     bool loose = s->excess[i] > 0;
     if (s->speed[i] == 0 && s->excess[i] == 0) loose = i == 0 ? exceeds_1(s) : exceeds_2(s, mode[0]);

@@ -42,16 +42,7 @@ enum coulomb_mode { MODE_STICK, MODE_BELOW, MODE_ABOVE, N_MODES };
        above    g      x      h          */
 char coulomb_letter(const enum coulomb_mode mode[2]);
 
-/* Signs (-1, 0, 1) of what the law looks at; a route calls zero what is within its rounding of zero. */
-struct coulomb_signs {
-  int speed[2];  /* x_i' - V */
-  int pull[2];   /* f_i */
-  int excess[2]; /* |f_i| - u_ri */
-  int lead;      /* V - chi x_2', the rate of f_1 while m1 sticks */
-  int drag;      /* f_2 + u_s2, the sign of f_1'' where that rate is zero */
-};
-void coulomb_law(enum coulomb_mode mode[2], const struct coulomb_signs *s);
-/* The same for a state in double precision, by exact comparisons of the rounded forces. */
+/* What the law says of a state in double precision, by exact comparisons of the rounded forces. */
 void coulomb_law_d(enum coulomb_mode mode[2], const double params[N_COULOMB], const double state[N_STATE]);
 
 /* One moment of a motion; at an event the modes and friction forces are those just after it. */

@@ -5,6 +5,15 @@
 
 #include "coulomb.h"
 
+/* Signs (-1, 0, 1) of what the law looks at; a route calls zero what is within its rounding of zero. */
+struct coulomb_signs {
+  int speed[2];  /* x_i' - V */
+  int pull[2];   /* f_i */
+  int excess[2]; /* |f_i| - u_ri */
+  int lead;      /* V - chi x_2', the rate of f_1 while m1 sticks */
+  int drag;      /* f_2 + u_s2, the sign of f_1'' where that rate is zero */
+};
+
 enum move { MOVE_EVENT, MOVE_END, MOVE_QUIET, MOVE_BUDGET, MOVE_STOPPED, MOVE_FAILED };
 
 struct coulomb_run;
