@@ -34,8 +34,7 @@ static bool bind_symbols(struct program *p, const struct bench_formula *f) {
 
 static bool compile(struct program *p, const struct bench_formula *f) {
   struct matrix m;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (!elaborate_text(&m, &p->el, f->text, f->text, f->section, &d) || m.rows * m.cols != f->n_out) return false;
   return tape_build(&p->tape, m.e, f->n_out, p->el.roots, f->roots ? p->el.n_roots : 0, &d) && bind_symbols(p, f);
 }

@@ -87,24 +87,21 @@ void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v) {
 /* --- JSON. --- */
 
 static void json_number(struct json *w, const char *key, double x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   add_number(&t, x, "");
   json_string(w, key, isfinite(x) ? text_str(&t) : NULL);
   text_clear(&t);
 }
 
 static void json_error(struct json *w, const char *key, const struct bench_row *r, double log) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   bench_add_error(&t, log);
   json_string(w, key, r->failure ? NULL : text_str(&t));
   text_clear(&t);
 }
 
 static void json_row(struct json *w, const struct bench_row *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   json_object(w, NULL);
   json_string(w, "method", r->method->id);
   json_number(w, "setting", r->method->kind == SET_NONE ? NAN : r->setting);
@@ -284,8 +281,7 @@ static void json_ratio(struct json *w, const struct bench_ratio *q) {
 
 void bench_json(struct text *out, const struct bench_result *r) {
   struct json w;
-  struct text machine;
-  text_init(&machine);
+  struct text machine = {0};
   bench_machine(&machine, r);
   json_init(&w, out);
   json_object(&w, NULL);

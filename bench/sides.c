@@ -63,9 +63,8 @@ static bool find_point(struct bench_sides *b, const struct claim *c, const struc
 }
 
 struct bench_sides *bench_sides_new(const struct bench_env *env, const struct claim *c) {
-  struct diag d;
+  struct diag d = {0};
   struct point_spec spec[8];
-  diag_init(&d);
   if (!claim_get(c, "points") || (!claim_get(c, "statement") && !claim_get(c, "value"))) return NULL;
   struct judge j = {.model = env->model, .claims = env->claims, .scene = env->scene, .d = &d};
   struct bench_sides *b = ss_malloc(sizeof *b);

@@ -136,10 +136,9 @@ void study_markdown(struct text *out, const struct study_page *page, bool figure
 }
 
 static void json_line(struct json *j, const char *line, size_t length) {
-  struct text cell;
+  struct text cell = {0};
   const char *at;
   size_t len;
-  text_init(&cell);
   json_array(j, NULL);
   for (int k = 0; (at = cell_of(&len, line, length, k)) != NULL; k++) {
     text_reset(&cell);

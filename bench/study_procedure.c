@@ -173,16 +173,14 @@ static void study_scene(struct tables *all, const struct scene *s) {
 static bool each_scene(struct tables *all, const char *data) {
   size_t n;
   struct arena a;
-  struct diag none;
+  struct diag none = {0};
   arena_init(&a);
-  diag_init(&none);
   char **name = scene_names(&n, data, &a, &none);
   bool good = n > 0;
   for (size_t i = 0; i < n; i++) {
     struct scene s;
-    struct diag d;
+    struct diag d = {0};
     bool wanted = !all->quick || strcmp(name[i], "paper") == 0 || strcmp(name[i], "near-singular") == 0;
-    diag_init(&d);
     if (wanted) {
       bool loaded = scene_load_box(&s, name[i], data, &d);
       if (loaded && !scene_other_word(&s)) study_scene(all, &s);

@@ -51,14 +51,11 @@ static bool run_once(double *ms, struct rusage *used, const char *scene, const c
 
 static void read_skipped(struct process *p, const char *out) {
   enum { MOST = 1 << 26 };
-  struct text path, what;
+  struct text path = {0}, what = {0};
   struct source src;
   struct arena a;
   struct json_value v;
-  struct diag d;
-  diag_init(&d);
-  text_init(&path);
-  text_init(&what);
+  struct diag d = {0};
   arena_init(&a);
   text_printf(&path, "%s/audit.json", out);
   if (source_read(&src, text_str(&path), MOST, &d)) {
@@ -77,8 +74,7 @@ static void read_skipped(struct process *p, const char *out) {
 /* With the files in it. */
 static void remove_folder(const char *folder) {
   DIR *dir = opendir(folder);
-  struct text path;
-  text_init(&path);
+  struct text path = {0};
   for (struct dirent *e; dir && (e = readdir(dir)) != NULL;) {
     text_reset(&path);
     text_printf(&path, "%s/%s", folder, e->d_name);
@@ -126,11 +122,9 @@ static void describe_asked(struct text *out, const struct scene *s) {
 static bool add_scene(struct study_table *t, const char *name, const char *data, const struct process *whole,
                       int repeats) {
   struct scene s;
-  struct text asked;
+  struct text asked = {0};
   struct process p;
-  struct diag d;
-  diag_init(&d);
-  text_init(&asked);
+  struct diag d = {0};
   bool ok = scene_load_with(&s, name, data, NULL, SCENE_OF_ANY_SYSTEM, &d);
   bool other = ok && (s.system || !scene_four_phases(&s, &d));
   ok = ok && (other || run_scene(&p, name, repeats, ENOUGH_MS));
@@ -185,14 +179,13 @@ static void take_piece(void *arg, const char *what, const char *name, unsigned l
 
 static bool audit_once(double *ms, const struct bench_env *env, const char *const *only, struct clocked *c) {
   struct audit_result r;
-  struct diag d;
+  struct diag d = {0};
   struct audit_options opt = {.only = only, .n_only = only != NULL, .readings = true};
   if (c) {
     opt.ended = take_piece;
     opt.arg = c;
     c->at = 0;
   }
-  diag_init(&d);
   audit_result_init(&r);
   double start = bench_now();
   if (c) c->last = start;
@@ -254,10 +247,9 @@ static bool run(struct study_page *page, const struct bench_env *env) {
   struct process whole;
   double together;
   struct arena a;
-  struct diag d;
+  struct diag d = {0};
   size_t n;
   arena_init(&a);
-  diag_init(&d);
   char **name = scene_names(&n, env->data, &a, &d);
   struct study_table *t =
       study_table(page, "scenes", "Scenes", "scene\tasked\tms\tms_ratio\tmb\tmb_ratio\tleft_out\twhat",

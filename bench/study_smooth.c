@@ -113,13 +113,12 @@ static bool reference_of(struct reference *r, const struct dyn_orbit *o) {
 
 /* The first admissible orbit of a scene on file. */
 static bool load_reference(struct reference *r, const char *name, bool shoot, const struct bench_env *env) {
-  struct diag d;
+  struct diag d = {0};
   struct scene s;
   struct dyn_orbits list;
   bool good = false;
   *r = (struct reference){.name = name, .shoot = shoot};
   if (!env->data) return false;
-  diag_init(&d);
   if (scene_load(&s, name, env->data, &d)) {
     for (int i = 0; i < N_PARAMS; i++) r->p[i] = fmpq_get_d(&s.value[i]);
     dyn_orbits_find(&list, s.value, 128, NULL);
@@ -307,8 +306,7 @@ static void plot(struct study_page *page, const struct study_table *rates) {
                 "set logscale xy\nset format '10^{%T}'\nset grid lc '#d0d0d0'\nset xlabel 'slope s'\n"
                 "set ylabel 'distance from the event-driven orbit, relative'\nset key bottom left\n");
   const char *comma = "";
-  struct text curves;
-  text_init(&curves);
+  struct text curves = {0};
   for (int k = 0; k < 2 * N_LAWS; k++) {
     int points = 0;
     text_printf(out, "$d%d << EOD\n", k);

@@ -63,13 +63,11 @@ static bool find(struct known *k, const struct mech_word *w) {
 /* --- Systems on file --- */
 
 static bool load(struct known *k, const char *name, const char *word, const struct bench_env *env) {
-  struct text path;
-  struct diag d;
+  struct text path = {0};
+  struct diag d = {0};
   struct mech_word w;
   size_t at;
   const char *why;
-  diag_init(&d);
-  text_init(&path);
   text_printf(&path, "%s/systems/%s.system", env->data, name);
   bool ok = mech_load(&k->m, text_str(&path), &d) && mech_word_parse(&w, &at, &why, word, &k->m) && find(k, &w);
   text_clear(&path);

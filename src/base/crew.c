@@ -84,11 +84,10 @@ static bool read_item(const struct crew *c, size_t *item) {
 
 static _Noreturn void be_member(struct crew *c, int place, int back) {
   struct heading h = {0, 0};
-  struct text message;
+  struct text message = {0};
   leave_it_to_the_parent();
   close_end(&c->queue[1]);
   for (int k = 0; k < c->n; k++) close_end(&c->member[k].fd);
-  text_init(&message);
   while (read_item(c, &h.item)) {
     text_reset(&message);
     text_add_n(&message, (const char *)&h, sizeof h);
@@ -268,9 +267,8 @@ bool crew_results(void *results, size_t size, size_t n, int jobs, crew_make *mak
   struct making m = {make, arg, ss_malloc(size), size};
   struct crew *c = crew_open(make_one, &m, jobs, false, d);
   enum crew_news news = c ? CREW_NOTHING : CREW_LOST;
-  struct text bytes;
+  struct text bytes = {0};
   size_t ready = 0, item;
-  text_init(&bytes);
   for (size_t i = 0; c && i < n; i++) crew_give(c, i);
   if (c) crew_complete(c);
   while (news <= CREW_ITEM) {

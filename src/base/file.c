@@ -60,8 +60,7 @@ static bool read_descriptor(int fd, struct source *s, size_t max, struct diag *d
              S_ISDIR(st.st_mode) ? "a folder" : "a device or pipe");
     return false;
   }
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   char chunk[16384];
   ssize_t n;
   while ((n = read(fd, chunk, sizeof chunk)) > 0) {
@@ -288,8 +287,7 @@ bool file_write(const char *path, const char *data, size_t len, struct diag *d) 
 }
 
 bool folder_make(const char *path, struct diag *d) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   bool ok = true;
   for (const char *p = path; ok && *p; p++) {
     text_add_char(&t, *p);
@@ -322,9 +320,7 @@ bool folder_is_there(const char *path) {
 }
 
 bool folder_possible(const char *path, struct diag *d) {
-  struct text t, missing;
-  text_init(&t);
-  text_init(&missing);
+  struct text t = {0}, missing = {0};
   text_add(&t, path);
   size_t end = t.len;
   int err = look_at_folder(path);
@@ -363,8 +359,7 @@ char **folder_files(size_t *n, const char *path, const char *suffix, struct aren
   }
   char **paths = NULL;
   size_t cap = 0;
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (struct dirent *e = readdir(dir); e; e = readdir(dir)) {
     if (e->d_name[0] == '.' || !path_has_suffix(e->d_name, suffix)) continue;
     text_reset(&t);

@@ -93,8 +93,7 @@ static struct field *add_field(struct record_file *f, struct record *r, const st
 
 /* Joins the value's lines with single spaces, leaving comment lines out. */
 static char *join(const struct source *s, struct span v) {
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   size_t pos = v.begin;
   while (pos < v.end) {
     size_t end = pos;

@@ -280,9 +280,7 @@ void diag_at(struct diag *d, const struct source *s, size_t offset, const char *
   va_end(ap);
   cut_at_character(what, sizeof what);
 
-  struct text out, name;
-  text_init(&out);
-  text_init(&name);
+  struct text out = {0}, name = {0};
   text_add(&name, s->name);
   if (name.len > longest_name) {
     name.data[longest_name] = '\0';

@@ -12,10 +12,9 @@ static const char verdicts[] = "verdicts"; /* a job of its own kind, the last */
 static const char studies[] = "studies";   /* all but those apart; only run when asked for */
 
 static int parse_job(const struct options *o) {
-  struct text names;
+  struct text names = {0};
   const char *job = option(o, OPT_JOB);
   bool known = !job || strcmp(job, verdicts) == 0 || strcmp(job, studies) == 0;
-  text_init(&names);
   for (int i = 0; i < n_bench_jobs; i++) {
     known = known || strcmp(job, bench_jobs[i]->id) == 0;
     text_printf(&names, "%s, ", bench_jobs[i]->id);
@@ -54,9 +53,8 @@ static struct text *add(struct output *out, const char *name, const char *suffix
 
 /* A file that an earlier run wrote and this one does not would be taken for a result of this one. */
 static void remove_if_stale(const struct output *out, const char *name, const char *suffix) {
-  struct text path;
+  struct text path = {0};
   bool written = false;
-  text_init(&path);
   text_printf(&path, "%s/%s%s", out->folder, name, suffix);
   for (int i = 0; i < out->n; i++) written = written || strcmp(text_str(&out->path[i]), text_str(&path)) == 0;
   if (!written) remove(text_str(&path));
@@ -65,9 +63,8 @@ static void remove_if_stale(const struct output *out, const char *name, const ch
 
 /* A folder with a bench.json is one of ours. */
 static bool is_report(const char *folder) {
-  struct text path;
+  struct text path = {0};
   struct stat st;
-  text_init(&path);
   join_path(&path, folder, "bench.json");
   bool there = stat(text_str(&path), &st) == 0;
   text_clear(&path);
@@ -86,9 +83,8 @@ static void remove_stale(const struct output *out) {
 static bool take_figure(struct output *out, const char *name, const char *suffix) {
   enum { MOST = 1 << 24 };
   struct source svg;
-  struct diag d;
+  struct diag d = {0};
   struct text *body = add(out, name, suffix);
-  diag_init(&d);
   bool ok = source_read(&svg, text_str(&out->path[out->n - 1]), MOST, &d);
   if (ok) bench_squeeze(body, svg.text);
   if (ok) source_clear(&svg);
@@ -97,9 +93,8 @@ static bool take_figure(struct output *out, const char *name, const char *suffix
 
 /* false when gnuplot is not there or fails: then there are no figures at all. */
 static bool draw_all(struct output *out, const struct bench_result *r) {
-  struct text script;
+  struct text script = {0};
   bool drawn = true;
-  text_init(&script);
   for (int i = 0; i < r->n && drawn; i++) {
     const char *id = r->table[i].job->id;
     text_reset(&script);
@@ -199,10 +194,9 @@ static int run_jobs(struct bench_result *r, const struct options *o, const struc
 }
 
 static bool deliver(const struct bench_result *r, const struct options *o, struct diag *d) {
-  struct text body;
+  struct text body = {0};
   const char *folder = option(o, OPT_OUT);
   if (folder && !write_files(folder, r, d)) return false;
-  text_init(&body);
   if (option(o, OPT_JSON))
     bench_json(&body, r);
   else if (has_jobs(r))

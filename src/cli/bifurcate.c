@@ -158,8 +158,7 @@ static int show(const struct scene *s, const struct range *a, const struct optio
   scene_static_friction(line.u_r, s);
   int found = dyn_bifurcations_find(&list, &line, digits, STARTS);
   if (found != SS_OK || list.missed) warn_missed(s);
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   if (option(o, OPT_JSON))
     all_json(&out, &list, s, a, digits);
   else

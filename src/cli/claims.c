@@ -8,14 +8,12 @@
 /* Each with its title; one that cannot be read is an error, and the others are listed all the same. */
 static int list_scenes(const char *data) {
   struct arena a;
-  struct diag d;
+  struct diag d = {0};
   size_t n;
   arena_init(&a);
-  diag_init(&d);
   char **name = scene_names(&n, data, &a, &d);
   int status = name ? EXIT_AS_RECORDED : bad_input(&d);
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   for (size_t i = 0; i < n; i++) {
     struct scene s;
     diag_init(&d);
@@ -37,9 +35,8 @@ static void list_row(struct text *out, const char *id, const struct claim *c, co
 }
 
 bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d) {
-  struct text title;
+  struct text title = {0};
   struct made_claim made;
-  text_init(&title);
   bool ok = claim_title(&title, m, c, d);
   list_row(out, c->id, c, claim_get(c, "record"), text_str(&title));
   text_add_char(out, '\n');
@@ -62,8 +59,7 @@ int run_list(const struct options *o, const char *data, struct diag *d) {
   struct claims c = {.n = 0};
   model_init(&m);
   bool ok = load_model(&m, data, o, d) && claims_load(&c, data, "claims", "claim", d);
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   for (size_t i = 0; ok && i < c.n; i++) ok = list_claim(&out, &m, &c.claim[i], d);
   if (ok) terminal_print(text_str(&out));
   text_clear(&out);
@@ -77,8 +73,7 @@ int run_check(const struct options *o, const char *data, struct diag *none) {
   if (o->operands.n == 0) return usage("check takes at least one FILE");
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < o->operands.n; i++) {
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     if (audit_check_file(o->operands.word[i], data, &d))
       printf("%s: ok\n", o->operands.word[i]);
     else

@@ -18,8 +18,7 @@ void join_path(struct text *out, const char *folder, const char *name) {
 }
 
 bool read_in(struct source *s, const char *folder, const char *name, size_t max, struct diag *d) {
-  struct text path;
-  text_init(&path);
+  struct text path = {0};
   join_path(&path, folder, name);
   bool ok = source_read(s, text_str(&path), max, d);
   text_clear(&path);

@@ -195,9 +195,8 @@ static bool print_diff(const struct audit_file *a, const struct audit_file *b) {
 }
 
 static bool print_json(const struct audit_file *a, const struct audit_file *b) {
-  struct text out;
+  struct text out = {0};
   struct json j;
-  text_init(&out);
   json_document(&j, &out, "stickslip-diff-1");
   struct teller l = {.json = &j};
   json_string(&j, "first", a->source.name);

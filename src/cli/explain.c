@@ -131,8 +131,7 @@ int run_explain(const struct options *o, const char *data, struct diag *d) {
   if (o->operands.n != 1) return usage("explain takes one claim id");
   if (receipt && (at || tape)) return usage("--receipt stands alone, not with %s", at ? "--at" : "--tape");
   struct inputs e;
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   bool ok = inputs_load(&e, data, o, d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, d) &&
             explain(&out, &e, o->operands.word[0], o, data, d);
   if (ok && receipt)

@@ -26,10 +26,9 @@ static const char scene_text[] =
 
 /* A paragraph within the width; lines but its first go on at the column. */
 static void add_paragraph(struct text *out, size_t indent, const char *fmt, ...) {
-  struct text line;
+  struct text line = {0};
   va_list ap;
   va_start(ap, fmt);
-  text_init(&line);
   text_vprintf(&line, fmt, ap);
   text_fit(out, text_str(&line), line.len, WIDTH, indent);
   text_add_char(out, '\n');
@@ -53,8 +52,7 @@ static bool stands_among_operands(const struct command *c, const struct option_r
 }
 
 static void add_usage(struct text *out, const struct command *c) {
-  struct text item;
-  text_init(&item);
+  struct text item = {0};
   size_t begin = out->len;
   text_printf(out, "usage: stickslip %s%s%s", c->name, *c->operands ? " " : "", c->operands);
   for (int k = 0; k < n_option_rows; k++) {
@@ -90,9 +88,7 @@ static void add_statuses(struct text *out) {
 }
 
 void help_page(const struct command *c) {
-  struct text out, about;
-  text_init(&out);
-  text_init(&about);
+  struct text out = {0}, about = {0};
   add_usage(&out, c);
   describe(&about, c);
   for (const char *p = text_str(&about); *p; p += strspn(p, "\n")) {
@@ -110,9 +106,7 @@ void help_page(const struct command *c) {
 }
 
 static void overview(void) {
-  struct text out, line;
-  text_init(&out);
-  text_init(&line);
+  struct text out = {0}, line = {0};
   text_add(&out, "stickslip " SS_VERSION ": audits a paper on stick-slip orbits of two masses on a belt\n"
                  "usage: stickslip COMMAND [OPERAND...] [OPTION...] | COMMAND --help | --version\n");
   for (int i = 0; i < n_commands; i++)
@@ -128,8 +122,7 @@ static void overview(void) {
 /* Each row is one of: COMMAND usage OPERANDS PURPOSE, COMMAND text - PARAGRAPH, COMMAND example - LINE, COMMAND
    --OPTION VALUE TEXT; behind the commands, - status NUMBER TEXT.  "-" is an empty field. */
 static void print_table(void) {
-  struct text about;
-  text_init(&about);
+  struct text about = {0};
   for (int i = 0; i < n_commands; i++) {
     const struct command *c = &command_table[i];
     printf("%s\tusage\t%s\t%s\n", c->name, *c->operands ? c->operands : "-", c->purpose);

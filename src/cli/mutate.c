@@ -43,8 +43,7 @@ static bool load(struct inputs *in, const char *data, const struct options *o, s
 /* A text of the paper in which everything that is quoted is found. */
 static bool load_text(struct paper_text *t, const char *path, const struct audit_data *all, struct diag *d) {
   struct quotations q = {.n = 0};
-  struct text says;
-  text_init(&says);
+  struct text says = {0};
   bool ok = paper_text_read(t, path, d) && quotations_collect(&q, all, d);
   if (ok) quotations_compare(&q, &t->tokens);
   if (ok && !quotations_report(&says, &q, t)) {
@@ -65,10 +64,9 @@ int run_mutate(const struct options *o, const char *data, struct diag *d) {
   struct inputs in;
   struct mutation_result r;
   struct output out;
-  struct text said;
+  struct text said = {0};
   mutation_result_init(&r);
   output_init(&out, folder ? folder : "");
-  text_init(&said);
   const struct audit_data all = searched(&in.files);
   q.progress = progress_count;
   progress_begin();
@@ -99,10 +97,9 @@ int run_repair(const struct options *o, const char *data, struct diag *d) {
   struct inputs in;
   struct repair_result r;
   struct output out;
-  struct text said;
+  struct text said = {0};
   repair_result_init(&r);
   output_init(&out, folder ? folder : "");
-  text_init(&said);
   struct repair_options opt = {
       .only = o->operands.word, .n_only = o->operands.n, .jobs = jobs, .progress = progress_count};
   progress_begin();

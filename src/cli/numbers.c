@@ -15,8 +15,7 @@ const char *const admissibility_name[] = {"not admissible", "admissible", "admis
 static void show_as_power(struct text *out, size_t from, slong n) {
   size_t sign = out->data[from] == '-', figures = out->len - from - sign;
   if (figures <= (size_t)n || strspn(out->data + from + sign, "0123456789") != figures) return;
-  struct text whole;
-  text_init(&whole);
+  struct text whole = {0};
   text_add(&whole, out->data + from);
   out->len = from;
   out->data[from] = '\0';

@@ -8,12 +8,10 @@
 #include "cli.h"
 
 int usage(const char *fmt, ...) {
-  struct diag d;
-  struct text says;
+  struct diag d = {0};
+  struct text says = {0};
   va_list ap;
   va_start(ap, fmt);
-  diag_init(&d);
-  text_init(&says);
   text_vprintf(&says, fmt, ap);
   diag_set(&d, "%s", text_str(&says));
   fprintf(stderr, "stickslip: %s; see stickslip --help\n", d.message);
@@ -23,8 +21,7 @@ int usage(const char *fmt, ...) {
 }
 
 int usage_unknown(const char *fmt, const struct suggestion *s) {
-  struct text what;
-  text_init(&what);
+  struct text what = {0};
   text_printf(&what, "%.*s", (int)(s->len < 200 ? s->len : 200), s->word);
   suggest_print(&what, s);
   int status = usage(fmt, text_str(&what));

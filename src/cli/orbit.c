@@ -190,8 +190,7 @@ bool may_write_certificate(const struct scene *s, slong certified, slong n, stru
 
 static bool write_certificate(const char *path, const struct scene *s, const struct solved *z, struct diag *d) {
   if (!may_write_certificate(s, solved_certified(z), z->list.n, d)) return false;
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   solved_certificates(&out, z, s);
   bool written = file_write(path, out.data, out.len, d);
   text_clear(&out);
@@ -199,8 +198,7 @@ static bool write_certificate(const char *path, const struct scene *s, const str
 }
 
 static void print_orbits(const struct options *o, const struct solved *z, const struct scene *s, slong digits) {
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   if (option(o, OPT_JSON))
     orbits_json(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
   else

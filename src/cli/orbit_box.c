@@ -176,8 +176,7 @@ int show_box(const struct options *o, const struct scene *s, slong digits) {
   if (dyn_box_find(&box, s->value, high) != SS_OK)
     fprintf(stderr, "%s: warning: the search at the middle of the box ran into its limits; there may be more orbits\n",
             s->path);
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   if (option(o, OPT_JSON))
     box_json(&out, &box, s, digits);
   else

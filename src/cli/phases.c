@@ -24,8 +24,7 @@ static bool is_told(const struct jacobian_matrix *a, int c, int e, slong digits)
   const arb_struct *x = a->entry[c] + e;
   if (!a->known[c]) return false;
   if (arb_contains_zero(x)) return mag_cmp_2exp_si(arb_radref(x), 0) < 0 && mag_get_d(arb_radref(x)) < near;
-  struct text digit;
-  text_init(&digit);
+  struct text digit = {0};
   bool told = false;
   for (slong n = 1; n <= digits && !told; n++) told = num_print(&digit, x, n) == SS_OK;
   text_clear(&digit);
@@ -46,8 +45,7 @@ static void add_cell(struct text *out, const struct jacobian_matrix *a, int c, i
 }
 
 static size_t column_width(const struct jacobian_phases *p, int c, slong digits) {
-  struct text cell;
-  text_init(&cell);
+  struct text cell = {0};
   size_t width = strlen(jacobian_columns[c].heading);
   for (int i = 0; i < N_MATRICES; i++)
     for (int e = 0; e < p->matrix[i].rows * p->matrix[i].cols; e++) {
@@ -323,9 +321,8 @@ static void phases_json(struct text *out, const struct jacobian_phases *p, const
 void show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d) {
   struct jacobian_phases p;
-  struct text out;
+  struct text out = {0};
   jacobian_phases_init(&p);
-  text_init(&out);
   bool ok = audit_phases(&p, m, s, q, d);
   if (ok && option(o, OPT_JSON)) phases_json(&out, &p, s, q);
   if (ok && !option(o, OPT_JSON)) {

@@ -100,8 +100,7 @@ static void write_plan(struct text *out, const struct audit_plan *p) {
 int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,
               const struct audit_options *opt, bool json, struct diag *d) {
   struct audit_plan p;
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   bool ok = audit_plan(&p, m, claims, controls, s, opt, d);
   if (ok && json) {
     write_plan(&out, &p);

@@ -120,13 +120,12 @@ static bool draw_usual(struct audit_result *r, const struct scene *s, const char
 static int plot_scene(struct audit_result *r, const struct scene *s, const struct options *o, const char *data,
                       struct diag *d) {
   const char *out = option(o, OPT_OUT);
-  struct text folder;
+  struct text folder = {0};
   bool any = false;
   if (out && !folder_possible(out, d)) return EXIT_INPUT;
   int status = draw_asked(r, &any, s, o, d);
   if (!status && !any && !draw_usual(r, s, data, d)) status = EXIT_INPUT;
   if (status) return status;
-  text_init(&folder);
   text_printf(&folder, "%s%s", out ? "" : "reports/", out ? out : s->folder);
   if (!write_pictures(text_str(&folder), r, d)) status = EXIT_INPUT;
   text_clear(&folder);

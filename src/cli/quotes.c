@@ -23,8 +23,7 @@ struct quoting {
 
 static bool load(struct quotations *q, struct quoting *by, const char *data, struct diag *d) {
   const struct audit_data all = {&by->model, &by->claims, NULL, &by->statements, NULL};
-  struct text path;
-  text_init(&path);
+  struct text path = {0};
   join_path(&path, data, "paper");
   bool ok = model_add_folder(&by->model, text_str(&path), RANK_PAPER, d) &&
             claims_load(&by->claims, data, "claims", "claim", d) &&
@@ -39,9 +38,8 @@ int run_quotes(const struct options *o, const char *data, struct diag *d) {
   struct paper_text text;
   struct quotations q = {.n = 0};
   struct quoting by = {.claims = {.n = 0}};
-  struct text out;
+  struct text out = {0};
   model_init(&by.model);
-  text_init(&out);
   int status = EXIT_AS_RECORDED;
   if (paper_text_read(&text, o->operands.word[0], d) && load(&q, &by, data, d)) {
     quotations_compare(&q, &text.tokens);

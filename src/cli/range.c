@@ -27,8 +27,7 @@ static int split(const char *at[2], const char *option, const char *shape, const
 }
 
 static int evaluate(struct range *r, const char *const at[2], const char *end, const char *option) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (scene_constant(r->from, at[0] + 1, (size_t)(at[1] - at[0] - 1), option, &d) &&
       scene_constant(r->to, at[1] + 1, (size_t)(end - at[1] - 1), option, &d))
     return EXIT_AS_RECORDED;
@@ -39,8 +38,7 @@ static int evaluate(struct range *r, const char *const at[2], const char *end, c
 /* The name is none of a parameter's: which may have been meant. */
 static int no_parameter(const char *name, const char *option, const char *text) {
   struct suggestion meant;
-  struct text says;
-  text_init(&says);
+  struct text says = {0};
   suggest_begin(&meant, name, strlen(name));
   for (int i = 0; i < N_SCENE_PARAMS; i++) suggest_try(&meant, scene_key_name[i]);
   suggest_print(&says, &meant);
@@ -51,10 +49,9 @@ static int no_parameter(const char *name, const char *option, const char *text) 
 
 int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len) {
   const char *at[2];
-  struct text name;
+  struct text name = {0};
   int status = split(at, option, shape, text, len);
   if (status) return status;
-  text_init(&name);
   text_add_n(&name, text, (size_t)(at[0] - text));
   r->vary = word_find(text_str(&name), scene_key_name, N_SCENE_PARAMS);
   if (r->vary == N_SCENE_PARAMS) status = no_parameter(text_str(&name), option, text);

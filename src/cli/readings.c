@@ -8,10 +8,9 @@ int run_readings(const struct options *o, const char *data, struct diag *d) {
   struct model m;
   struct scene s;
   struct audit_result r;
-  struct text out;
+  struct text out = {0};
   model_init(&m);
   audit_result_init(&r);
-  text_init(&out);
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, d) && load_model(&m, data, o, d);
   const char *why = ok ? audit_readings(&r, &m, &s) : NULL;
   if (why) {

@@ -47,8 +47,7 @@ static void keys_text(struct text *out) {
 }
 
 int list_scene_keys(const struct options *o) {
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   (option(o, OPT_JSON) ? keys_json : keys_text)(&out);
   print_found(o, &out);
   text_clear(&out);

@@ -28,13 +28,11 @@ static bool read_score(struct mutation_score *s, struct arena *a, const struct j
 
 bool score_beside(struct mutation_score *s, const char *folder, const struct audit_result *r) {
   enum { LARGEST = 1 << 26 };
-  struct text path;
+  struct text path = {0};
   struct source src;
   struct arena a;
   struct json_value root;
-  struct diag d;
-  diag_init(&d);
-  text_init(&path);
+  struct diag d = {0};
   arena_init(&a);
   join_path(&path, folder, "../mutation/mutation.json");
   bool there = access(text_str(&path), R_OK) == 0;

@@ -28,8 +28,7 @@ static int parse_count(long *n, const char *text, long most, const char *option)
 /* --- Output --- */
 
 void csv_line(int n, const struct mech_moment *at) {
-  struct text line;
-  text_init(&line);
+  struct text line = {0};
   if (at)
     mech_csv_row(&line, n, at);
   else
@@ -39,8 +38,7 @@ void csv_line(int n, const struct mech_moment *at) {
 }
 
 void events_table(const struct simulated *run, const bool *grazing) {
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   mech_table_heading(&out, run->n, run->system != NULL);
   for (int i = 1; i < run->main->n_moments; i++) {
     const struct mech_moment *at = &run->main->moment[i];
@@ -59,12 +57,11 @@ void routes_line(const struct simulated *run) {
 }
 
 void simulated_json(const struct simulated *run, const char *ended) {
-  struct text out;
+  struct text out = {0};
   struct json j;
   struct mech_word word;
   double period, gap;
   int shared;
-  text_init(&out);
   json_init(&j, &out);
   json_object(&j, NULL);
   json_string(&j, "scene", run->scene);
@@ -159,9 +156,7 @@ static int simulate_csv(const struct simulation *run) {
 
 static void print_table(const struct simulated *shown, const struct simulation *run, const struct coulomb_log *log,
                         const struct coulomb_result *r) {
-  struct text word, folded;
-  text_init(&word);
-  text_init(&folded);
+  struct text word = {0}, folded = {0};
   bool *grazing = ss_malloc((log->n + 1) * sizeof *grazing);
   for (size_t i = 0; i < log->n; i++) grazing[i] = log->event[i].grazing;
   printf("%s, %s: u_r1 = %.10g, u_r2 = %.10g\n%s", shown->scene, run->from, run->setup.params[COULOMB_UR1],

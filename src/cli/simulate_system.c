@@ -117,8 +117,7 @@ static void print_start(const struct system_simulation *run, const struct mech_m
 }
 
 static void print_names(const struct mech *m) {
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   mech_names_print(&out, m);
   fputs(text_str(&out), stdout);
   text_clear(&out);
@@ -127,9 +126,8 @@ static void print_names(const struct mech *m) {
 /* What becomes of it. */
 static void print_fate(const struct system_simulation *run, const struct mech_motion *x) {
   struct mech_word w;
-  struct text word;
+  struct text word = {0};
   double period, gap, last = x->moment[x->n_moments - 1].t;
-  text_init(&word);
   if (x->n_moments > 1 && x->t - last > x->t / 2) {
     printf("no event after t = %.10g\n", last);
   } else if (mech_settles(&w, &period, &gap, x, run->m.n, run->m.states)) {

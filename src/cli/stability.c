@@ -11,8 +11,7 @@
 static int parse_layer(int *layer, const char *option, const char *name) {
   *layer = word_find(name, layer_name, N_LAYERS);
   if (*layer < N_LAYERS) return EXIT_AS_RECORDED;
-  struct text names;
-  text_init(&names);
+  struct text names = {0};
   for (int i = 0; i < N_LAYERS; i++) text_printf(&names, " %s,", layer_name[i]);
   int status = usage("%s takes one of%s not %.200s", option, text_str(&names), name);
   text_clear(&names);
@@ -42,10 +41,9 @@ static int parse_study(struct stability_options *q, const struct options *o) {
 /* What an earlier study has left in the folder: maps, up to the first number without one. */
 static bool remove_maps(const char *folder, struct diag *d) {
   static const char *const suffix[] = {"tsv", "svg"};
-  struct text path;
+  struct text path = {0};
   char name[32];
   bool ok = true, any = true;
-  text_init(&path);
   for (int i = 1; ok && any; i++) {
     any = false;
     for (size_t k = 0; ok && k < sizeof suffix / sizeof *suffix; k++) {
@@ -64,10 +62,9 @@ static bool remove_maps(const char *folder, struct diag *d) {
 
 /* Each map as a table and, where gnuplot is installed, as a picture; whether there are pictures. */
 static bool add_maps(struct output *out, const struct stability_result *r) {
-  struct text script;
+  struct text script = {0};
   char name[40], picture[32];
   bool drawn = r->n_maps > 0;
-  text_init(&script);
   for (int i = 0; i < r->n_maps; i++) {
     snprintf(picture, sizeof picture, "map-%d", i + 1);
     snprintf(name, sizeof name, "%s.tsv", picture);
@@ -109,8 +106,7 @@ static void add_source(struct text *out, const char *option, const char *file) {
 }
 
 static void set_sources(struct stability_result *r, const struct options *o) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   add_source(&t, "--paper", option(o, OPT_PAPER));
   add_source(&t, "--overlay", option(o, OPT_OVERLAY));
   if (t.len > 0) r->sources = arena_strndup(&r->arena, text_str(&t), t.len);
@@ -120,9 +116,8 @@ static void set_sources(struct stability_result *r, const struct options *o) {
 static void study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
   struct stability_result r;
-  struct text body;
+  struct text body = {0};
   stability_result_init(&r);
-  text_init(&body);
   progress_begin();
   bool ok = (!folder || folder_possible(folder, d)) && audit_stability(&r, m, q, d);
   progress_end();
@@ -136,8 +131,7 @@ static void study(const struct model *m, const struct stability_options *q, cons
 }
 
 static void show_point(const struct model *m, const struct stability_options *q, const char *at, struct diag *d) {
-  struct text body;
-  text_init(&body);
+  struct text body = {0};
   bool ok = audit_stability_at(&body, m, q, at, d);
   if (ok) fputs(text_str(&body), stdout);
   text_clear(&body);

@@ -70,8 +70,7 @@ static int parse_request(struct sweep *q, const struct options *o) {
 }
 
 static int load_swept(struct sweep *q, const struct options *o, const char *data) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (!load_scene(&q->scene, o->operands.word[0], data, o, SCENE_EXACT, &d) ||
       !scene_needs_forces(&q->scene, "sweep", &d))
     return bad_input(&d);
@@ -83,8 +82,7 @@ static int load_swept(struct sweep *q, const struct options *o, const char *data
 
 static int write_all_rows(const struct sweep *q, const struct options *o, int jobs) {
   struct sink s;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   int status = sink_open(&s, q, o, &d) ? sweep_carry_out(q, &s, jobs) : sink_failed(&d);
   if (status == EXIT_AS_RECORDED && s.to_file) say_written(o, option(o, OPT_CSV));
   sink_clear(&s);

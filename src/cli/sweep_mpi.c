@@ -112,8 +112,7 @@ static bool send_unit(slong unit, int to) {
 
 /* Who they are: units they have room for, and what they understood of the request. */
 static bool say_hello(const struct sweep *q, int room) {
-  struct text hello;
-  text_init(&hello);
+  struct text hello = {0};
   text_add_n(&hello, (const char *)&room, sizeof room);
   sweep_head(&hello, q);
   bool ok = send_bytes(hello.data, hello.len, 0, TAG_HELLO);
@@ -137,9 +136,7 @@ static bool send_done(struct crew *crew, struct text *rows, struct text *message
 
 static bool serve(const struct sweep *q, struct crew *crew, int jobs) {
   MPI_Status s;
-  struct text rows, message;
-  text_init(&rows);
-  text_init(&message);
+  struct text rows = {0}, message = {0};
   bool ok = say_hello(q, jobs + 1);
   double said = now(), heard = said;
   while (ok && !sweep_stopped()) {
@@ -164,8 +161,7 @@ static bool serve(const struct sweep *q, struct crew *crew, int jobs) {
 }
 
 int ranks_serve(const struct sweep *q, int jobs) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   struct crew *crew = sweep_crew(q, jobs, &d);
   if (!crew) return bad_input(&d);
   bool ok = serve(q, crew, jobs);
@@ -231,9 +227,8 @@ static void lose(struct helpers *h, int rank, const char *why) {
 
 /* It must have read the same scene, and have been built from the same sources. */
 static void welcome(struct helpers *h, int rank) {
-  struct text head;
+  struct text head = {0};
   int room = 0;
-  text_init(&head);
   sweep_head(&head, h->q);
   bool same = h->body.len == sizeof room + head.len && memcmp(h->body.data + sizeof room, head.data, head.len) == 0;
   if (same) memcpy(&room, h->body.data, sizeof room);

@@ -146,8 +146,7 @@ static int say_interrupted(const struct sweep_course *r, bool lost) {
 }
 
 static int loop(struct sweep_course *r) {
-  struct text rows;
-  text_init(&rows);
+  struct text rows = {0};
   bool ok = true, lost = false;
   while (ok && r->written < r->q->units && !stopped && !lost) {
     give(r);

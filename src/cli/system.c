@@ -10,14 +10,12 @@ enum { MODE_DIGITS = 6 };
 int run_system(const struct options *o, const char *data, struct diag *d) {
   if (o->operands.n != 1) return usage("system takes one FILE");
   struct mech m;
-  struct text path;
-  text_init(&path);
+  struct text path = {0};
   scene_system_path(&path, o->operands.word[0], data);
   bool ok = mech_load(&m, text_str(&path), d);
   text_clear(&path);
   if (ok) {
-    struct text out;
-    text_init(&out);
+    struct text out = {0};
     mech_describe(&out, &m, option(o, OPT_TEX), MODE_DIGITS);
     fputs(text_str(&out), stdout);
     text_clear(&out);
@@ -170,8 +168,7 @@ static void orbits_text(struct text *out, const struct mech_orbits *list, const 
 bool write_system_certificate(const char *path, const struct mech_orbits *list, slong n, const struct mech *m,
                               const struct scene *s, struct diag *d) {
   if (!may_write_certificate(s, mech_orbits_certified(list), n, d)) return false;
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   mech_certificates_json(&out, s->name, m, list);
   bool written = file_write(path, out.data, out.len, d);
   text_clear(&out);
@@ -238,9 +235,8 @@ static void words_json(struct text *out, const struct survey *v, const struct me
 /* A word with its orbits that are motions, as far as is known; *others: how many are not. */
 static void word_text(struct text *out, int *others, const struct mech_orbits *list, const struct mech_word *w,
                       int motions, slong digits) {
-  struct text rows;
+  struct text rows = {0};
   int by;
-  text_init(&rows);
   for (int i = 0; i < list->n; i++) {
     const struct mech_orbit *o = &list->orbit[i];
     if (!mech_word_same(&by, &o->word, w)) continue;
@@ -339,11 +335,10 @@ static void show_jacobian(const struct options *o, const struct mech_orbits *lis
     return;
   }
   const struct mech_orbit *orbit = &list->orbit[q->orbit];
-  struct text out;
+  struct text out = {0};
   arb_mat_t x;
   acb_ptr z = _acb_vec_init(orbit->n_free);
   arb_mat_init(x, orbit->n_free, orbit->n_free);
-  text_init(&out);
   if (mech_jacobian(x, m, orbit, how, system_bits(q->digits)) != SS_OK) {
     return_unknown(d, q, s);
   } else {
@@ -389,8 +384,7 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   bool ok = find_system_orbits(&m, &list, false, s, data, digits, d);
   ok = ok && (!certificate || write_system_certificate(certificate, &list, list.n, &m, s, d));
   if (ok) {
-    struct text out;
-    text_init(&out);
+    struct text out = {0};
     (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, &m, s, digits);
     print_found(o, &out);
     text_clear(&out);
@@ -408,8 +402,7 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
   if (refuse(o, s, digits, d)) return EXIT_INPUT;
   bool ok = find_system_orbits(&m, &v.orbits, true, s, data, digits, d);
   if (ok) {
-    struct text out;
-    text_init(&out);
+    struct text out = {0};
     mech_settle(&v.settling, &m);
     if (option(o, OPT_JSON))
       words_json(&out, &v, &m, s, digits);

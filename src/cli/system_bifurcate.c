@@ -185,10 +185,9 @@ static void all_text(struct text *out, const struct shown *v) {
 static int show(const struct options *o, const struct shown *given, const struct mech_word *w, struct diag *d) {
   struct mech_follow f;
   struct shown v = *given;
-  struct text out;
+  struct text out = {0};
   bool ok = mech_follow(&f, v.l, w->n ? w : NULL, d);
   v.f = &f;
-  text_init(&out);
   if (ok && f.spent)
     fprintf(stderr, "%s: warning: the search ran into its limit; there may be more changes\n", v.s->path);
   if (ok) (option(o, OPT_JSON) ? all_json : all_text)(&out, &v);
@@ -220,9 +219,7 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
   struct mech m;
   struct mech_word w;
   struct range a;
-  struct text name, path;
-  text_init(&name);
-  text_init(&path);
+  struct text name = {0}, path = {0};
   range_init(&a);
   int status = parse_along(&a, &name, o);
   if (!status) {

@@ -109,8 +109,7 @@ static void fit_terminal(struct text *out, const char *s) {
 }
 
 void terminal_print(const char *s) {
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   fit_terminal(&out, s);
   fputs(text_str(&out), stdout);
   text_clear(&out);
@@ -129,11 +128,8 @@ void terminal_print_marked(const char *s) {
                                        [EXPLAIN_BAD] = PAINT_BAD,
                                        [EXPLAIN_DOUBT] = PAINT_DOUBT};
   static const char marks[] = {EXPLAIN_PLAIN, EXPLAIN_GOOD, EXPLAIN_BAD, EXPLAIN_DOUBT, '\0'};
-  struct text fitted, out, word;
+  struct text fitted = {0}, out = {0}, word = {0};
   bool colours = terminal_has_colours();
-  text_init(&fitted);
-  text_init(&out);
-  text_init(&word);
   fit_terminal(&fitted, s);
   for (const char *p = text_str(&fitted); *p;) {
     size_t plain = strcspn(p, marks);

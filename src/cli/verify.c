@@ -117,8 +117,7 @@ static void print_folder(struct text *out, const struct options *o, const char *
 static int verify_scene(const struct verify_data *v, const char *spec, const char *data, const struct options *o,
                         int jobs, struct diag *d) {
   struct scene s;
-  struct text folder;
-  text_init(&folder);
+  struct text folder = {0};
   double start = bench_now();
   interrupt_next();
   bool terminal = progress_wanted() && !option(o, OPT_QUIET);
@@ -156,8 +155,7 @@ static int check_folders(const struct options *o) {
     for (int k = 0; k < i && !status; k++) {
       char *other = scene_folder(o->operands.word[k], &set);
       if (strcmp(mine, other) == 0) {
-        struct text t;
-        text_init(&t);
+        struct text t = {0};
         text_printf(&t, "%.200s and %.200s would both write to ", o->operands.word[k], o->operands.word[i]);
         print_folder(&t, o, mine);
         status = usage("%.800s; verify them one at a time, each with an --out of its own", text_str(&t));
@@ -180,10 +178,8 @@ static int worse(int a, int b) {
 
 /* No verdict rests on what the work may cost: without the table it is only not estimated. */
 static void load_costs(struct costs *c, const char *data) {
-  struct text path;
-  struct diag d;
-  text_init(&path);
-  diag_init(&d);
+  struct text path = {0};
+  struct diag d = {0};
   join_path(&path, data, "costs.tsv");
   if (!costs_load(c, text_str(&path), &d)) fprintf(stderr, "stickslip: warning: no cost is estimated: %s\n", d.message);
   text_clear(&path);
@@ -220,8 +216,7 @@ int run_verify(const struct options *o, const char *data, struct diag *d) {
   const char *const *scene = o->operands.n ? o->operands.word : standard;
   int n = o->operands.n ? o->operands.n : 1;
   for (int i = 0; ok && i < n; i++) {
-    struct diag own;
-    diag_init(&own);
+    struct diag own = {0};
     status = worse(status, verify_scene(&v, scene[i], data, o, jobs, &own));
   }
   costs_clear(&v.costs);

@@ -60,8 +60,7 @@ static void add_labelled(struct text *out, int column, const char *label, const 
 
 /* What shows the failure, and what mends it. */
 static void add_proof(struct text *out, const struct finding *f, int column) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   add_labelled(out, column, "wrong", finding_fails(f) ? failure_words(f) : "nothing decides it");
   if (f->condition) add_labelled(out, column, "holds when", f->condition);
   for (int i = 0; i < f->certificate.n; i++)
@@ -146,9 +145,8 @@ static void add_sections(struct text *out, const struct audit_result *r, bool co
 }
 
 void verify_tables(const struct audit_result *r, bool proofs) {
-  struct text out;
+  struct text out = {0};
   bool colours = terminal_has_colours();
-  text_init(&out);
   add_failures(&out, r, colours, proofs);
   text_add(&out, out.len ? "\n" : "");
   if (r->n_findings) add_sections(&out, r, colours);
@@ -158,9 +156,7 @@ void verify_tables(const struct audit_result *r, bool proofs) {
 }
 
 void verify_line(const struct audit_result *r) {
-  struct text out, line;
-  text_init(&out);
-  text_init(&line);
+  struct text out = {0}, line = {0};
   report_line(&line, r);
   paint(&out, terminal_has_colours(), audit_result_unexpected(r) ? PAINT_BAD : PAINT_HEAD, text_str(&line), 0);
   puts(text_str(&out));

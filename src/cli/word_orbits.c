@@ -256,9 +256,7 @@ int run_word_orbit(const struct options *o, const struct scene *s, slong digits,
     word_orbits_clear(&list);
     return EXIT_INPUT;
   }
-  struct text out, why;
-  text_init(&out);
-  text_init(&why);
+  struct text out = {0}, why = {0};
   enum word_fate fate = phase_word_fate(&why, &s->word);
   (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, fate, text_str(&why), s, digits);
   print_found(o, &out);
@@ -297,9 +295,8 @@ void return_unknown(struct diag *d, const struct jacobian_request *q, const stru
 
 static void show_matrix(const struct word_orbit *o, const arb_mat_t x, const struct scene *s,
                         const struct jacobian_request *q, bool as_json) {
-  struct text out;
+  struct text out = {0};
   struct json j;
-  text_init(&out);
   if (as_json) {
     json_init(&j, &out);
     json_object(&j, NULL);

@@ -205,8 +205,7 @@ static void all_text(struct text *out, const struct survey *v) {
 
 static void one_word(struct survey *v, const struct phase_word *w) {
   struct word_orbits list = {.n = 0};
-  struct text why;
-  text_init(&why);
+  struct text why = {0};
   enum word_fate fate = phase_word_fate(&why, w);
   bool searched = is_searched(v, w, fate);
   v->possible++;
@@ -254,8 +253,7 @@ static void all_json(struct survey *v, struct text *out) {
 }
 
 static void show_survey(struct survey *v, const struct options *o) {
-  struct text out;
-  text_init(&out);
+  struct text out = {0};
   text_init(&v->rows);
   text_init(&v->unclosed.words);
   text_init(&v->needs.words);

@@ -61,8 +61,7 @@ static int cut(const char **item, char *list) {
 static int run(struct ss_audit *a, const struct ss_paper *p, const struct ss_scene *s,
                const struct audit_options *opt) {
   static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER; /* processes and their ends are the process's own affair */
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   bool ok = scene_four_phases(&s->s, &d);
   pthread_mutex_lock(&one);
   ok = ok && audit_run(&a->r, &p->files.model, &p->files.claims, &p->files.controls, &s->s, opt, &d);
@@ -190,11 +189,10 @@ long ss_evidence_bits(const ss_audit *a, size_t i, size_t row) {
 /* --- The record --- */
 
 int ss_audit_json(char **out, const ss_audit *a) {
-  struct text t;
+  struct text t = {0};
   if (!out) return library_argument(__func__, "no place for the text");
   *out = NULL;
   if (!a) return library_argument(__func__, "no audit");
-  text_init(&t);
   report_json(&t, &a->r);
   *out = library_take(&t);
   return SS_OK;
@@ -202,9 +200,8 @@ int ss_audit_json(char **out, const ss_audit *a) {
 
 int ss_audit_write(const ss_audit *a, const char *folder) {
   struct output out;
-  struct diag d;
+  struct diag d = {0};
   if (!a || !folder || !*folder) return library_argument(__func__, "no audit or no folder");
-  diag_init(&d);
   output_init(&out, folder);
   bool ok = output_add_report(&out, &a->r, NULL, &d);
   output_add_tables(&out, &a->r);

@@ -12,14 +12,13 @@ enum { MOST_DIGITS = 10000, MOST_BITS = 1 << 16 };
 _Static_assert((int)SS_LAYERS == N_LAYERS && (int)SS_STABLE == LAYER_STABLE, "the order of the layers");
 
 int ss_paper_open(ss_paper **out, const char *data) {
-  struct diag d;
+  struct diag d = {0};
   if (!out) return library_argument(__func__, "no place for the paper");
   *out = NULL;
   data = library_data(data);
   if (!data) return SS_INPUT;
   struct ss_paper *p = ss_malloc(sizeof *p);
   paper_files_init(&p->files);
-  diag_init(&d);
   if (paper_files_load(&p->files, data, NULL, NULL, &d)) {
     *out = p;
     return SS_OK;
@@ -46,14 +45,13 @@ struct ss_formula {
 };
 
 int ss_formula_open(ss_formula **out, const ss_paper *p, int layer, const char *text, const char *section) {
-  struct diag d;
+  struct diag d = {0};
   if (!out) return library_argument(__func__, "no place for the formula");
   *out = NULL;
   if (!p || !text || !ss_layer_name(layer)) return library_argument(__func__, "no paper, layer or text");
   struct ss_formula *f = ss_malloc(sizeof *f);
   f->value = NULL;
   f->text = ss_strdup(text);
-  diag_init(&d);
   if (expression_open(&f->x, (struct view){&p->files.model, (enum layer)layer, NULL, NULL}, text, section, &d)) {
     *out = f;
     return SS_OK;
@@ -85,11 +83,10 @@ int ss_formula_columns(const ss_formula *f) {
 }
 
 int ss_formula_latex(char **out, const ss_formula *f) {
-  struct text t;
+  struct text t = {0};
   if (!out) return library_argument(__func__, "no place for the text");
   *out = NULL;
   if (!f) return library_argument(__func__, "no formula");
-  text_init(&t);
   expr_latex_of(&t, f->text); /* which has been read before */
   *out = library_take(&t);
   return SS_OK;
@@ -97,8 +94,7 @@ int ss_formula_latex(char **out, const ss_formula *f) {
 
 /* What else has a value there.  The program's option for it is --at. */
 static bool set_values(struct point *p, const char *values, struct diag *d) {
-  struct diag of_option;
-  diag_init(&of_option);
+  struct diag of_option = {0};
   if (point_set(p, values, &of_option)) return true;
   const char *at = strstr(of_option.message, "--at ");
   diag_set(d, "error: values %s", at ? at + strlen("--at ") : of_option.message);
@@ -148,8 +144,7 @@ static bool place(struct point *p, const struct scene *s, long at, const char *v
 }
 
 static bool all_known(arb_srcptr x, slong n, slong digits) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   bool known = true;
   for (slong i = 0; i < n && known; i++) known = num_print(&t, x + i, digits) == SS_OK;
   text_clear(&t);
@@ -178,7 +173,7 @@ static int evaluate(struct ss_formula *f, const struct point *p, slong digits, s
 
 int ss_formula_evaluate(ss_formula *f, const ss_scene *s, long at, const char *values, size_t digits) {
   struct point p;
-  struct diag d;
+  struct diag d = {0};
   if (!f || !s || at < SS_AT_PARAMETERS) return library_argument(__func__, "no formula, scene or place");
   int status = library_digits(__func__, digits, MOST_DIGITS);
   if (!status) status = library_point(s, true, false);
@@ -187,7 +182,6 @@ int ss_formula_evaluate(ss_formula *f, const ss_scene *s, long at, const char *v
   if (lacking) return library_fail(SS_INPUT, "%s: %s has no value there, nor is one given", __func__, lacking);
   struct orbit_cache *cache = orbit_cache_new();
   orbit_cache_complete(cache);
-  diag_init(&d);
   point_init(&p);
   forget(f);
   status = place(&p, &s->s, at, values, cache, &d) ? evaluate(f, &p, (slong)digits, cache) : library_input(&d);

@@ -37,7 +37,7 @@ static int ask(struct jacobian_request *q, const char *function, const struct ss
 int ss_jacobian_find(ss_jacobian **out, const ss_paper *p, const ss_scene *s, int method, int layer, long at,
                      size_t digits) {
   struct jacobian_request q;
-  struct diag d;
+  struct diag d = {0};
   if (!out) return library_argument(__func__, "no place for the Jacobian");
   *out = NULL;
   if (!ss_method_name(method) || !ss_layer_name(layer))
@@ -49,7 +49,6 @@ int ss_jacobian_find(ss_jacobian **out, const ss_paper *p, const ss_scene *s, in
   struct ss_jacobian *j = ss_malloc(sizeof *j);
   j->x = _arb_vec_init(N_NUMBERS);
   for (int i = 0; i < N_NUMBERS; i++) j->number[i] = (struct ss_number){j->x + i, NULL};
-  diag_init(&d);
   if (audit_jacobian(j->x, j->x + TRACE, j->x + DET, &p->files.model, &s->s, &q, &d)) {
     *out = j;
     return SS_OK;
@@ -78,14 +77,13 @@ const ss_number *ss_jacobian_det(const ss_jacobian *j) {
 
 int ss_phases_find(ss_phases **out, const ss_paper *p, const ss_scene *s, long at, size_t digits) {
   struct jacobian_request q;
-  struct diag d;
+  struct diag d = {0};
   if (!out) return library_argument(__func__, "no place for the Jacobians");
   *out = NULL;
   int status = ask(&q, __func__, p, s, at, digits);
   if (status) return status;
   struct ss_phases *z = ss_malloc(sizeof *z);
   jacobian_phases_init(&z->p);
-  diag_init(&d);
   if (!audit_phases(&z->p, &p->files.model, &s->s, &q, &d)) {
     ss_phases_free(z);
     return library_input(&d);

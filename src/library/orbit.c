@@ -154,8 +154,7 @@ int ss_orbit_open(char **out, const ss_orbits *o, size_t k) {
   if (!out) return library_argument(__func__, "no place for the text");
   *out = NULL;
   if (!orbit_of(o, k)) return library_argument(__func__, "no such orbit");
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   if (!o->z.proof[k].certified) dyn_certificate_why(&t, &o->z.proof[k]);
   *out = library_take(&t);
   return SS_OK;
@@ -168,8 +167,7 @@ int ss_orbits_certificate(char **out, const ss_orbits *o) {
   if (scene_solution_ii(&o->asked))
     return library_fail(SS_INPUT, "%s: a certificate is of the word D-Gamma-H-C, not of Gamma-H-C", o->asked.name);
   if (solved_certified(&o->z) == 0) return library_fail(SS_UNABLE, "%s: no orbit is certified", o->asked.name);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   solved_certificates(&t, &o->z, &o->asked);
   *out = library_take(&t);
   return SS_OK;

@@ -15,8 +15,7 @@ static char *found;
 static void find(void) {
   Dl_info here;
   char *library = dladdr(&found, &here) && here.dli_fname ? realpath(here.dli_fname, NULL) : NULL;
-  struct text folder;
-  text_init(&folder);
+  struct text folder = {0};
   if (data_folder_find(&folder, library ? library : "")) found = ss_strdup(text_str(&folder));
   text_clear(&folder);
   free(library);
@@ -36,13 +35,12 @@ const char *library_data(const char *data) {
 
 int ss_scene_names(const char *data, int (*f)(void *self, const char *name), void *self) {
   struct arena a;
-  struct diag d;
+  struct diag d = {0};
   size_t n;
   if (!f) return library_argument(__func__, "no function to tell");
   data = library_data(data);
   if (!data) return SS_INPUT;
   arena_init(&a);
-  diag_init(&d);
   char **name = scene_names(&n, data, &a, &d);
   int status = name ? SS_OK : library_input(&d);
   for (size_t i = 0; i < n && !status; i++)
@@ -71,8 +69,7 @@ static void borrow(struct ss_scene *z) {
 /* The scene with these changes, which become its own; NULL, and nothing is taken, on failure. */
 static struct ss_scene *make(const char *spec, const char *text, const char *data, char **set, int n_set) {
   struct ss_scene *z = ss_malloc(sizeof *z);
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   const struct scene_overrides o = {(const char *const *)set, n_set, "--set"};
   if (!(text ? scene_load_text(&z->s, spec, text, &o, true, &d) : scene_load_with(&z->s, spec, data, &o, true, &d))) {
     library_input(&d);
@@ -187,8 +184,7 @@ const ss_number *ss_scene_printed(const ss_scene *s, const char *name) {
 }
 
 int library_point(const struct ss_scene *s, bool papers_word, bool forces) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   if (!scene_one_point(&s->s, &d) || (papers_word && !scene_papers_word(&s->s, &d))) return library_input(&d);
   if (forces && !scene_has_forces(&s->s))
     return library_fail(SS_INPUT, "%.300s: error: a scene that gives e1 and e2 is needed", s->s.path);
@@ -216,7 +212,7 @@ static bool end_fits(const struct scene *s, int vary, const fmpq_t x) {
 
 int library_line_read(struct library_line *l, const struct ss_scene *s, const char *parameter, const char *from,
                       const char *to) {
-  struct diag d;
+  struct diag d = {0};
   if (!s || !parameter || !from || !to) return library_fail(SS_ARGUMENT, "no scene, parameter or end of the line");
   l->vary = 0;
   while (l->vary < N_SCENE_PARAMS && strcmp(scene_key_name[l->vary], parameter) != 0) l->vary++;
@@ -224,7 +220,6 @@ int library_line_read(struct library_line *l, const struct ss_scene *s, const ch
     return library_fail(SS_ARGUMENT, "chi, eta, V, e1 or e2 varies, not %.100s", parameter);
   int status = library_point(s, true, true);
   if (status) return status;
-  diag_init(&d);
   if (!scene_constant(l->from, from, strlen(from), parameter, &d) ||
       !scene_constant(l->to, to, strlen(to), parameter, &d))
     return library_input(&d);

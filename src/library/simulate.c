@@ -22,31 +22,29 @@ static int give(ss_motion **out, const struct coulomb_setup *setup, bool ok, con
 
 int ss_motion_on_orbit(ss_motion **out, const ss_scene *s, size_t k) {
   struct coulomb_setup setup;
-  struct diag d;
+  struct diag d = {0};
   if (!out) return library_argument(__func__, "no place for the motion");
   *out = NULL;
   if (!s || k > WORD_MAX / 2) return library_argument(__func__, "no scene or no such orbit");
   int status = library_point(s, true, false);
   if (status) return status;
-  diag_init(&d);
   return give(out, &setup, audit_coulomb_setup(&setup, &s->s, (slong)k, false, &d), &d);
 }
 
 int ss_motion_printed(ss_motion **out, const ss_scene *s) {
   struct coulomb_setup setup;
-  struct diag d;
+  struct diag d = {0};
   if (!out) return library_argument(__func__, "no place for the motion");
   *out = NULL;
   if (!s) return library_argument(__func__, "no scene");
   int status = library_point(s, true, false);
   if (status) return status;
-  diag_init(&d);
   return give(out, &setup, audit_coulomb_setup(&setup, &s->s, 0, true, &d), &d);
 }
 
 int ss_motion_from(ss_motion **out, const ss_scene *s, const double start[4]) {
   struct coulomb_setup setup;
-  struct diag d;
+  struct diag d = {0};
   if (!out) return library_argument(__func__, "no place for the motion");
   *out = NULL;
   if (!s || !start) return library_argument(__func__, "no scene or no start");
@@ -54,7 +52,6 @@ int ss_motion_from(ss_motion **out, const ss_scene *s, const double start[4]) {
     if (!(fabs(start[i]) <= 1e100)) return library_argument(__func__, "a start is finite and at most 1e100");
   int status = library_point(s, true, false);
   if (status) return status;
-  diag_init(&d);
   bool ok = audit_coulomb_setup_from(&setup, &s->s, "0,0,0,0", &d);
   memcpy(setup.start, start, sizeof setup.start);
   return give(out, &setup, ok, &d);

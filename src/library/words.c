@@ -27,12 +27,11 @@ static int read_word(struct phase_word *w, const char *text) {
 
 int ss_word_fate(enum ss_fate *fate, char **why, const char *word) {
   struct phase_word w;
-  struct text t;
+  struct text t = {0};
   if (why) *why = NULL;
   if (!fate || !word) return library_argument(__func__, "no word, or no place for its fate");
   int status = read_word(&w, word);
   if (status) return status;
-  text_init(&t);
   *fate = (enum ss_fate)phase_word_fate(&t, &w);
   if (*fate == SS_OPEN) text_reset(&t);
   if (why) *why = library_take(&t);
@@ -42,9 +41,8 @@ int ss_word_fate(enum ss_fate *fate, char **why, const char *word) {
 
 int ss_word_each(int longest, int (*f)(void *self, const char *word), void *self) {
   if (!f || longest < 1 || longest > LONGEST) return library_argument(__func__, "no function to tell, or not 1 to 8");
-  struct text t;
+  struct text t = {0};
   bool on = true;
-  text_init(&t);
   for (int n = 1; n <= longest && on; n++)
     for (struct phase_word w = {.n = 0}; on && phase_word_next(&w, n);) {
       text_reset(&t);
@@ -57,12 +55,11 @@ int ss_word_each(int longest, int (*f)(void *self, const char *word), void *self
 
 /* The word that is asked for, whose orbits can be searched for at the scene; an SS_ status. */
 static int open_word(struct phase_word *w, const struct ss_scene *s, const char *word) {
-  struct text why;
+  struct text why = {0};
   *w = s->s.word;
   int status = word || w->n == 0 ? read_word(w, word ? word : "D Gamma H C") : SS_OK;
   if (!status) status = library_point(s, false, true);
   if (status) return status;
-  text_init(&why);
   if (phase_word_fate(&why, w) != WORD_OPEN) status = library_fail(SS_DOMAIN, "%s", text_str(&why));
   text_clear(&why);
   if (!status && phase_word_has_faster(w) && (!s->s.given[KEY_U_R1] || !s->s.given[KEY_U_R2]))

@@ -4,8 +4,7 @@
 #include "orbit.h"
 
 static void number_json(struct json *j, const char *key, long x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t, "%ld", x);
   json_string(j, key, text_str(&t));
   text_clear(&t);

@@ -124,8 +124,7 @@ static const char *const of_mass[] = {"inertia", "sliding", "static", "surface",
                          *const of_load[] = {"on", "frequency", "cosine", "sine", NULL};
 
 static bool unknown_field(struct reader *r, const struct record *of, const struct field *f, const char *const *keys) {
-  struct text known;
-  text_init(&known);
+  struct text known = {0};
   for (int k = 0; keys[k]; k++) text_printf(&known, "%s%s", k ? ", " : "", keys[k]);
   diag_at(r->d, r->src, f->attribute ? f->key.begin : f->value.begin, "a %s has the lines %s only", of->kind_name,
           text_str(&known));
@@ -261,10 +260,9 @@ static bool read_head(struct reader *r, const struct record *head) {
 
 /* Is it a parameter of the file? */
 static bool check_given(struct reader *r, const struct mech_given *given) {
-  struct text says;
+  struct text says = {0};
   for (size_t i = 0; i < r->n_parameters; i++)
     if (strcmp(r->parameter[i].name, given->name) == 0) return true;
-  text_init(&says);
   text_printf(&says, "the system has no parameter %.100s", given->name);
   for (size_t i = 0; i < r->n_parameters; i++) text_printf(&says, "%s%s", i ? ", " : "; it has ", r->parameter[i].name);
   if (given->src)

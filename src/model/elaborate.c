@@ -47,8 +47,7 @@ static const struct override *find_override(const struct elaboration *el, const 
 
 static struct matrix override_value(struct elaboration *el, const struct override *o) {
   struct matrix m = matrix_new(el, o->rows, o->cols);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int i = 0; i < o->rows; i++)
     for (int j = 0; j < o->cols; j++) {
       text_reset(&t);
@@ -68,8 +67,7 @@ static const char *root_symbol(struct elaboration *el, const struct definition *
     shared = shared || (o->stmt->kind == STMT_ROOT && strcmp(o->name, def->name) == 0 &&
                         strcmp(o->section, def->section) != 0 && view_sees(&el->view, o));
   }
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_printf(&t, shared ? "%s@%s" : "%s", def->name, def->section);
   const char *symbol = arena_strndup(&el->pool.arena, t.data, t.len);
   text_clear(&t);
@@ -83,8 +81,7 @@ static struct scope scope_inside(struct elaboration *el, const struct definition
     sc.unknown = def->name;
     sc.unknown_symbol = root_symbol(el, def);
   } else if (def->stmt->param) {
-    struct text t;
-    text_init(&t);
+    struct text t = {0};
     text_printf(&t, "%s@%s", def->stmt->param, def->name);
     sc.param = def->stmt->param;
     sc.param_symbol = arena_strndup(&el->pool.arena, t.data, t.len);
@@ -136,8 +133,7 @@ static bool undefined(const struct expr *e, const struct scope *sc, struct diag 
 /* The definition that the scope sees, or NULL; false when there are several. */
 static bool look_up(const struct definition **def, const struct elaboration *el, const struct expr *e,
                     const struct scope *sc, struct diag *d) {
-  struct diag ambiguous;
-  diag_init(&ambiguous);
+  struct diag ambiguous = {0};
   *def = view_lookup(&el->view, e->name, sc->section, &ambiguous);
   if (ambiguous.set) diag_at(d, sc->src, e->span.begin, "%s", ambiguous.message);
   return !ambiguous.set;

@@ -70,9 +70,8 @@ bool symbol_read_domain(struct symbol *s, struct diag *d) {
   s->has_domain = true;
   if (strcmp(f->text, "real") == 0) return true;
   struct arena a;
-  struct diag why;
+  struct diag why = {0};
   arena_init(&a);
-  diag_init(&why);
   const struct stmt *chain = stmt_parse(&a, s->src, f->value, &why);
   bool ok = chain && take_chain(s, chain);
   arena_clear(&a);

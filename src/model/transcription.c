@@ -15,8 +15,7 @@ struct seen_from {
 
 static enum latex_name kind_of_name(const void *context, const char *name) {
   const struct seen_from *from = context;
-  struct diag ambiguous;
-  diag_init(&ambiguous);
+  struct diag ambiguous = {0};
   const struct definition *def = view_lookup(&from->view, name, from->section, &ambiguous);
   if (def && (def->stmt->param || def->stmt->kind == STMT_TRAJECTORY)) return LATEX_FUNCTION;
   return def || model_is_symbol(from->view.model, name) || strcmp(name, expr_pi) == 0 ? LATEX_VALUE : LATEX_UNKNOWN;
@@ -155,9 +154,7 @@ static bool is_zero_matrix(const struct expr *e) {
 
 static bool same_side(const struct comparison *c, const struct expr *typed, const struct expr *tex) {
   if ((expr_is_zero(tex) && is_zero_matrix(typed)) || !find_difference(&typed, &tex)) return true;
-  struct text here, there;
-  text_init(&here);
-  text_init(&there);
+  struct text here = {0}, there = {0};
   expr_print(&here, typed);
   expr_print(&there, tex);
   mistake(c, typed->span.begin, tex->span.begin, "the formula is not what its TeX says", text_str(&here),

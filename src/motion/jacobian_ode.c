@@ -15,9 +15,8 @@ static int first_return(double *x, const double *start, const void *params) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result r;
   struct coulomb_log log;
-  struct text word;
+  struct text word = {0};
   coulomb_log_init(&log);
-  text_init(&word);
   struct coulomb_sink sink = coulomb_log_sink(&log);
   plan.returns = 1;
   plan.max_events = 64; /* the word has four */

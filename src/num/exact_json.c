@@ -1,8 +1,7 @@
 #include "exact_json.h"
 
 void json_fraction(struct json *j, const char *key, const fmpq *x) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   num_print_q(&t, x);
   json_string(j, key, text_str(&t));
   text_clear(&t);

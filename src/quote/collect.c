@@ -151,10 +151,9 @@ bool quotations_add_scene(struct quotations *q, const struct claims *c, struct s
 
 bool quotations_add_scenes(struct quotations *q, const struct claims *c, const char *data, struct diag *d) {
   struct arena a;
-  struct text path;
+  struct text path = {0};
   size_t n;
   arena_init(&a);
-  text_init(&path);
   text_printf(&path, "%s/scenes", data);
   char **name = folder_files(&n, text_str(&path), ".scene", &a, d);
   bool ok = n > 0;

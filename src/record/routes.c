@@ -136,8 +136,7 @@ void route_means_print(struct text *out, unsigned means) {
 
 void routes_describe(struct audit_result *out) {
   const char **line = arena_alloc(&out->arena, N_ROUTE_ROWS * sizeof *line);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
     const struct route_info *r = &route_table[i];
     text_reset(&t);

@@ -150,8 +150,7 @@ static void add_controls(struct text *out, const struct audit_result *r) {
 
 static void add_route_pairs(struct text *out, const struct audit_result *r, bool disagreeing) {
   const char *quantity = "";
-  struct text heading;
-  text_init(&heading);
+  struct text heading = {0};
   for (size_t i = 0; i < r->n_pairs; i++) {
     const struct route_pair *p = &r->pairs[i];
     if (disagreeing && p->within) continue;

@@ -6,9 +6,7 @@ static const char columns[] = "id,of,equation,section,title,verdict,recorded,roo
                               "correction_verdict,effect,depends_on,routes,quote,printed,reproduce\n";
 
 static void add_row(struct text *out, const struct finding *f) {
-  struct text rests, routes;
-  text_init(&rests);
-  text_init(&routes);
+  struct text rests = {0}, routes = {0};
   for (int i = 0; i < f->n_depends_on; i++) text_printf(&rests, "%s%s", i ? " " : "", f->depends_on[i]);
   for (int i = 0; i < f->n_evidence; i++)
     text_printf(&routes, "%s%s %s", i ? "; " : "", f->evidence[i].route, f->evidence[i].result);

@@ -77,8 +77,7 @@ enum { N_BESIDE = sizeof pictures_beside / sizeof *pictures_beside };
 
 static size_t find_neighbours(struct neighbour found[N_BESIDE], const char *folder) {
   size_t n = 0;
-  struct text path;
-  text_init(&path);
+  struct text path = {0};
   for (size_t i = 0; i < N_BESIDE; i++) {
     text_reset(&path);
     text_printf(&path, "%s/%s", folder, pictures_beside[i].path);

@@ -386,9 +386,7 @@ static void add_script(struct setter *m, size_t at, const struct text *script, c
 
 /* Primes and scripts after the element written since `at`. */
 static void set_scripts(struct setter *m, size_t at) {
-  struct text sub, sup;
-  text_init(&sub);
-  text_init(&sup);
+  struct text sub = {0}, sup = {0};
   int primes = read_scripts(m, &sub, &sup);
   bool both = sub.len && sup.len && !primes;
   if (both) {

@@ -247,11 +247,10 @@ static bool read_member(const struct walk *w, void *record, const struct member 
 
 /* Whether the member says what is told from the record. */
 static bool agrees(const struct walk *w, const void *record, const struct member *m, const struct json_value *v) {
-  struct text told;
+  struct text told = {0};
   struct source s;
   struct json j;
   struct json_value again;
-  text_init(&told);
   json_init(&j, &told);
   m->tell(&j, NULL, record);
   source_from_string(&s, m->key, text_str(&told));

@@ -22,8 +22,7 @@ static size_t first_sentence(const char *s) {
 }
 
 static void add_first_sentence(const struct page *p, const char *s) {
-  struct text one;
-  text_init(&one);
+  struct text one = {0};
   text_add_n(&one, s, first_sentence(s));
   page_add(p, "%t%.", text_str(&one));
   text_clear(&one);
@@ -258,8 +257,7 @@ static void add_later(const struct page *p, const struct finding *f) {
 
 static void add_gift(const struct page *p) {
   const struct finding *f = audit_result_finding(p->r, "text-example-stability");
-  struct text range;
-  text_init(&range);
+  struct text range = {0};
   struct rows t;
   bool along = rows_read(&t, p->r, picture_along.table);
   if (along) picture_along.say(&range, &t);

@@ -11,9 +11,7 @@ static const struct picture *const pictures[] = {
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
 static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *style) {
-  struct text told, drawn;
-  text_init(&told);
-  text_init(&drawn);
+  struct text told = {0}, drawn = {0};
   struct plot p = {.out = &drawn, .id = q->id};
   q->tell(&told, t);
   q->draw(&p, t);
@@ -57,8 +55,7 @@ bool report_picture(struct text *out, const struct audit_result *r, int i) {
 /* --- In the page --- */
 
 static void add_figure(const struct page *p, const struct picture *q, const struct rows *t, const char *words) {
-  struct text said;
-  text_init(&said);
+  struct text said = {0};
   if (words)
     text_add(&said, words);
   else

@@ -97,8 +97,7 @@ static size_t add_name(const struct sheet *s, const char *p) {
   if (!letters || !(lowered || alone || (greek && !gap && !index)) || p[i + gap + index] == '_') return 0;
   size_t after = 0;
   while (p[i + gap + index + after] == '\'') after++;
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_add(&t, greek ? "\\" : "");
   text_add_n(&t, p, letters + primes);
   if (lowered) {
@@ -187,8 +186,7 @@ void sheet_list(const struct sheet *s, const char *const *list, int n) {
 }
 
 void markdown_head(struct text *out, const char *columns) {
-  struct text rule;
-  text_init(&rule);
+  struct text rule = {0};
   text_add_char(out, '|');
   text_add(&rule, "\n|");
   for (const char *c = columns, *end = c; *end; c = end + 1) {
@@ -202,8 +200,7 @@ void markdown_head(struct text *out, const char *columns) {
 }
 
 void markdown_head_of(struct text *out, const char *columns, const char *const *name, int n) {
-  struct text all;
-  text_init(&all);
+  struct text all = {0};
   text_add(&all, columns);
   for (int i = 0; i < n; i++) text_printf(&all, "|%s:", name[i]);
   markdown_head(out, text_str(&all));

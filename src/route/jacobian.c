@@ -39,8 +39,7 @@ static void job_clear(struct jacobian_job *job) {
 
 static bool precise_enough(arb_srcptr x, int n, slong digits) {
   bool ok = true;
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (int i = 0; i < n; i++) ok = ok && num_print(&t, x + i, digits) == SS_OK;
   text_clear(&t);
   return ok;

@@ -126,8 +126,7 @@ static slong pick(const struct dyn_orbits *list, bool least) {
 
 static void beside_sample(struct judge *j, size_t i) {
   fmpq params[N_PARAMS];
-  struct text name;
-  text_init(&name);
+  struct text name = {0};
   text_printf(&name, "%s: ", samples[i].why);
   for (int k = 0; k < N_PARAMS; k++) {
     fmpq_init(params + k);

@@ -334,8 +334,7 @@ static double floor_of(const struct study *s, enum route_row row) {
 }
 
 static void leave_out(struct study *s, enum route_row row, const char *by, const char *why) {
-  struct text what;
-  text_init(&what);
+  struct text what = {0};
   text_printf(&what, "the %s by %s at ", route_quantity_name[route_table[row].quantity], by);
   point_print(&what, &s->site.p);
   audit_leave_out(s->j->out, result_take(s->j->out, &what), why);
@@ -412,8 +411,7 @@ static void book(struct study *s, enum route_row a, enum route_row b, struct gap
   struct tally *t = &s->tally[a][b];
   t->within = (t->n == 0 || t->within) && keeps(a, b, gap, estimate);
   if (t->n++ > 0 && gap.off <= t->worst) return;
-  struct text where;
-  text_init(&where);
+  struct text where = {0};
   if (s->site.p.kind == POINT_PARAMS) text_printf(&where, "%s, ", phase_name[s->site.p.phase]);
   point_print(&where, &s->site.p);
   t->worst = gap.off;
@@ -537,10 +535,9 @@ static void on_random_orbits(struct study *s, int n, bool admissible) {
   sampler_init(&sampler, admissible ? "routes: admissible" : "routes: orbits", POINT_ORBIT, PHASE_D, NULL);
   sampler.admissible = admissible;
   for (int i = 0; i < MOST_DRAWS && done < n; i++) {
-    struct text name;
+    struct text name = {0};
     sampler_next(&s->site.p, &sampler);
     if (fmpq_is_one(&s->site.p.q[Q_ETA]) || !point_settle(&s->site.p, s->j->cache)) continue;
-    text_init(&name);
     point_print(&name, &s->site.p);
     bool fresh = true;
     for (int k = 0; k < done; k++) fresh = fresh && strcmp(seen[k], text_str(&name)) != 0;
@@ -572,8 +569,7 @@ static void on_scene_orbits(struct study *s) {
 /* A text of the paper that cannot be read is the business of the claims about it. */
 static void read_paper(struct study *s) {
   struct view view = {s->j->model, LAYER_CORRECTED, NULL, NULL};
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   s->readable = sentence_from_value(&s->jacobian, view, "J", "stability", NULL, 0, &d);
   for (int ph = 0; ph < N_PHASES; ph++) {
     char name[16];
@@ -592,8 +588,7 @@ static void add_pair(struct study *s, enum route_row a, enum route_row b) {
   struct audit_result *out = s->j->out;
   const struct route_info *first = &route_table[a], *second = &route_table[b];
   const struct tally *t = &s->tally[a][b];
-  struct text shared;
-  text_init(&shared);
+  struct text shared = {0};
   route_means_print(&shared, route_means_shared(first, second));
   bool shown = first->exact && second->exact && t->n > 0;
   struct route_pair pair = {.quantity = route_quantity_name[first->quantity],

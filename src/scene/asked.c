@@ -67,8 +67,7 @@ static bool add_item(struct scene_list *list, const struct scene_line *l, struct
 
 static bool read_list(struct scene_list *list, const struct scene_line *l, struct diag *d) {
   const char *s = l->src->text;
-  struct text item;
-  text_init(&item);
+  struct text item = {0};
   list->source = l->src;
   bool ok = true;
   size_t i = skip_blanks(s, l->value.begin, l->value.end, l->value.begin);
@@ -100,8 +99,7 @@ void scene_asked_clear(struct scene_asked *a) {
 static bool check_claims(const struct scene_list *list, struct diag *d) {
   for (size_t i = 0; i < list->n; i++) {
     if (!strchr(list->item[i], ' ') || claim_group_known(list->item[i])) continue;
-    struct text groups;
-    text_init(&groups);
+    struct text groups = {0};
     claim_groups_print(&groups);
     diag_at(d, list->source, list->place[i].begin, "%.100s is no group of claims; groups are %s", list->item[i],
             text_str(&groups));
@@ -129,8 +127,7 @@ static void print_routes(struct text *out) {
 static bool check_routes(const struct scene_list *list, struct diag *d) {
   for (size_t i = 0; i < list->n; i++) {
     if (route_known(list->item[i])) continue;
-    struct text routes;
-    text_init(&routes);
+    struct text routes = {0};
     print_routes(&routes);
     diag_at(d, list->source, list->place[i].begin, "unknown route %.100s; routes are %s", list->item[i],
             text_str(&routes));

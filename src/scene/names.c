@@ -85,9 +85,8 @@ static void add_folder(struct text *out, const struct scene_overrides *o) {
 /* Whether the file stands in the folder itself, by whatever path it is named. */
 static bool stands_in(const char *path, const char *folder) {
   const char *slash = strrchr(path, '/');
-  struct text own;
+  struct text own = {0};
   struct stat a, b;
-  text_init(&own);
   if (slash)
     text_add_n(&own, path, (size_t)(slash - path) + 1);
   else
@@ -104,8 +103,7 @@ static int by_name(const void *a, const void *b) {
 /* In the order of their names, not of their files': "paper" comes before "paper-times". */
 char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d) {
   static const char suffix[] = ".scene";
-  struct text path;
-  text_init(&path);
+  struct text path = {0};
   text_printf(&path, "%s/scenes", data);
   char **name = folder_files(n, text_str(&path), suffix, a, d);
   for (size_t i = 0; i < *n; i++) {
@@ -118,8 +116,7 @@ char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d)
 }
 
 char *scene_folder(const char *spec, const struct scene_overrides *o) {
-  struct text folder;
-  text_init(&folder);
+  struct text folder = {0};
   char *file = name_of(spec);
   text_add(&folder, file);
   free(file);
@@ -138,10 +135,9 @@ bool scene_is_there(const struct scene *s, const char *spec, const char *data, s
   int err = errno;
   struct suggestion meant;
   struct arena a;
-  struct text says;
+  struct text says = {0};
   size_t n;
   arena_init(&a);
-  text_init(&says);
   char **name = scene_names(&n, data, &a, NULL);
   suggest_begin(&meant, spec, strlen(spec));
   for (size_t i = 0; i < n; i++) suggest_try(&meant, name[i]);

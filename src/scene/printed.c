@@ -8,8 +8,7 @@
 
 /* The unit of the last printed digit: 10^-(digits after the point), times the exponent part. */
 static bool last_digit_unit(fmpq_t unit, const char *decimal) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   bool any = false;
   for (const char *p = decimal; *p; p++) {
     bool digit = char_is_digit(*p);

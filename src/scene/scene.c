@@ -88,8 +88,7 @@ static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct ex
     return false;
   }
   if (r->parameter[k].state == IN_EVALUATION) {
-    struct text circle;
-    text_init(&circle);
+    struct text circle = {0};
     print_circle(&circle, r, (enum scene_key)k);
     diag_at(c->d, c->src, e->span.begin, "a parameter that rests on itself, %s; give one of them as a number",
             text_str(&circle));
@@ -155,8 +154,7 @@ static void say_missing(struct reader *r, const char *name) {
    away. */
 static void say_third(struct reader *r) {
   int last = -1, added = -1;
-  struct text others;
-  text_init(&others);
+  struct text others = {0};
   for (int k = KEY_E1; k <= KEY_TD; k++) {
     if (!r->parameter[k].src) continue;
     last = k;
@@ -239,11 +237,8 @@ static void print_keys(struct text *out, int from, int to) {
 }
 
 static bool unknown_key(struct reader *r, const struct source *src, size_t at, const char *what, const char *name) {
-  struct text parameters, others, says;
+  struct text parameters = {0}, others = {0}, says = {0};
   struct suggestion meant;
-  text_init(&parameters);
-  text_init(&others);
-  text_init(&says);
   suggest_begin(&meant, name, strlen(name));
   for (int k = 0; k < N_SCENE_KEYS; k++) suggest_try(&meant, scene_keys[k].name);
   suggest_print(&says, &meant);
@@ -305,9 +300,8 @@ static void keep_word(struct scene *s, const struct scene_line *l) {
 
 /* A relative path in the scene's file starts at that file's folder, one in an override at the working directory. */
 static void keep_system(struct scene *s, const struct scene_line *l, bool override) {
-  struct text path;
+  struct text path = {0};
   const char *folder_end = strrchr(s->path, '/');
-  text_init(&path);
   if (!override && folder_end && scene_spec_is_path(l->text, SYSTEM_SUFFIX) && l->text[0] != '/')
     text_add_n(&path, s->path, (size_t)(folder_end - s->path) + 1);
   text_add(&path, l->text);
@@ -346,8 +340,7 @@ static bool read_line(struct reader *r, const struct scene_line *l) {
 static bool check_word(const struct scene *s, struct diag *d) {
   if (!scene_other_word(s)) return true;
   if (scene_has_forces(s) && !scene_is_box(s)) return true;
-  struct text word;
-  text_init(&word);
+  struct text word = {0};
   phase_word_print(&word, &s->word);
   diag_set(d, "%s: error: a scene of the word %s gives e1 and e2, and no interval (or, of Gamma-H-C, t_a = 0)", s->path,
            text_str(&word));
@@ -476,8 +469,7 @@ static bool apply_override(struct reader *r, const struct override *o) {
   if (o->key == N_SCENE_KEYS) return apply_other(r, o);
   if (o->value.begin == o->value.end) return true;
   if (o->key < N_KEYS) return read_parameter(r, o->src, (struct span){o->name.begin, o->value.end});
-  struct text value;
-  text_init(&value);
+  struct text value = {0};
   text_add_n(&value, o->src->text + o->value.begin, o->value.end - o->value.begin);
   bool ok = read_line(r, &(struct scene_line){(enum scene_key)o->key, o->src, o->value, text_str(&value)});
   text_clear(&value);
@@ -548,8 +540,7 @@ bool scene_load_with(struct scene *s, const char *spec, const char *data, const 
 
 bool scene_load_text(struct scene *s, const char *name, const char *text, const struct scene_overrides *o,
                      enum scene_welcome any, struct diag *d) {
-  struct text path;
-  text_init(&path);
+  struct text path = {0};
   text_printf(&path, "%s.scene", name);
   bool ok = load(s, text_str(&path), text, "", o, any, d);
   text_clear(&path);

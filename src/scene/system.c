@@ -70,10 +70,9 @@ void scene_system_path(struct text *out, const char *spec, const char *data) {
 }
 
 bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, struct diag *d) {
-  struct text path;
+  struct text path = {0};
   size_t at;
   const char *why;
-  text_init(&path);
   scene_system_path(&path, s->system, data);
   bool ok = access(text_str(&path), F_OK) == 0;
   if (ok) {

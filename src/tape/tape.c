@@ -162,8 +162,7 @@ static bool place(struct builder *b, const struct expr *e) {
     in.op = TAPE_INPUT;
     in.k = add_input(b, e->name);
   } else if (e->kind == EXPR_CALL) {
-    struct text name;
-    text_init(&name);
+    struct text name = {0};
     expr_print(&name, e);
     in.op = TAPE_INPUT;
     in.k = add_input(b, text_str(&name));
