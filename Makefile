@@ -48,7 +48,7 @@ BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
 FUZZ  = reader latex model claims scene system json report options certificate quotes
 # one for each tests/check_*.c; those that take longest are begun first
-SLOW  = scene plan jacobian mutate stable sweep complete report terminal hostile cli
+SLOW  = scene mutate plan html mech report certify complete stable sweep jacobian terminal hostile cli
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
 # make quick: suites that find most in a second
 QUICK = num base expr latex edit tape model dynamics map given argument law routes behaviour audit diff
@@ -177,7 +177,8 @@ quick: ## in a minute: laws of numbers, reader, model and orbits, the paper's ve
 	@$(PYTHON) tools/digests.py $(B)/stickslip --quick
 	@echo "quick: $(words $(QUICK)) suites of tests, bad input and the paper's verdicts passed"
 
-long: $(B)/stickslip $(B)/stickslip-checker ## an hour or so: every forgery of certificates, and LONG scenes held against an independent program: writes reports/differ.md
+long: check-build ## an hour or so: the tests with every case where make check tries some, every forgery of certificates, and LONG scenes held against an independent program: writes reports/differ.md
+	@STICKSLIP_TESTS=all $(MAKE) --no-print-directory -j$(JOBS) -k -Otarget $(SUITES:%=suite-%)
 	$(PYTHON) tests/forge.py $(B)/stickslip paper above-one other-word chain3 driven beside-wall den-hartog
 	$(PYTHON) tests/oracle/differ.py $(B)/stickslip --count $(LONG) --seed 21 --page reports/differ.md
 

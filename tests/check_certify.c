@@ -394,11 +394,11 @@ static bool next_value(size_t *begin, size_t *len, const struct text *json, size
 
 /* tests/forge.py makes forgeries of every value of these certificates and proves of each that is verified that it is true;
    make long makes all of them. */
-START_TEST(a_seventh_of_all_forgeries) {
+START_TEST(some_of_all_forgeries) {
   int status;
   char *text = shell_output(
       &status,
-      "$Y tests/forge.py --every 7 \"$P\" paper above-one other-word chain3 driven beside-wall den-hartog 2>&1");
+      "$Y tests/forge.py --every 23 \"$P\" paper above-one other-word chain3 driven beside-wall den-hartog 2>&1");
   ck_assert_msg(status == 0, "%s", text);
   free(text);
 }
@@ -1102,7 +1102,7 @@ Suite *certify_suite(void) {
   tcase_add_test(proofs, an_orbit_costs_no_second_search);
   tcase_add_test(proofs, stiff_orbits_are_rechecked);
   tcase_add_test(systems, systems_are_verified);
-  tcase_add_test(lies, a_seventh_of_all_forgeries);
+  tcase_add_test(lies, some_of_all_forgeries);
   tcase_add_test(lies, a_changed_truth_is_rejected);
   tcase_add_test(lies, a_value_of_the_wrong_type_is_rejected);
   tcase_add_test(lies, a_margin_below_its_modulus_is_rejected);

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/crew.h"
+#include "every.h"
 #include "judge/judge.h"
 #include "paper_model.h"
 #include "power/mutants.h"
@@ -330,15 +331,20 @@ static const struct survivor *survivor_of(const struct mutation_result *r, const
 
 /* One run for all the fates below: every mutant of these records. */
 static const char *const known_records[] = {
-    "eq-27",  "eq-41",         "err-10",         "eq-31", "eq-40b", "eq-48b",    "text-mode-shapes",
-    "eq-31b", "text-singular", "text-criterion", "eq-56", "eq-60c", "eq-57",     "eq-51",
-    "eq-2",   "eq-22",         "eq-9",           "eq-12", "eq-1b",  "text-first"};
+    "eq-27",  "eq-41",         "err-10", "eq-31",  "eq-40b",     "eq-48b",        "text-mode-shapes",
+    "eq-31b", "text-singular", "eq-56",  "eq-60c", "eq-57",      "eq-51",         "eq-2",
+    "eq-22",  "eq-9",          "eq-12",  "eq-1b",  "text-first", "text-criterion"};
 enum { N_KNOWN = sizeof known_records / sizeof *known_records };
 static struct mutation_result known;
 
+/* The last one takes longer than all the others, a search of orbits for each mutant. */
+static int n_known(void) {
+  return every_case() ? N_KNOWN : N_KNOWN - 1;
+}
+
 static void open_known(void) {
   open_paper();
-  mutate_records(&known, known_records, N_KNOWN, &claims, 2);
+  mutate_records(&known, known_records, n_known(), &claims, 2);
 }
 
 static void close_known(void) {
@@ -382,6 +388,7 @@ static const struct {
 START_TEST(fates_known_beforehand) {
   const struct survivor *s = fates[_i].text ? survivor_of(&known, fates[_i].text) : NULL;
   bool noticed = fates[_i].fate == FATE_NOTICED;
+  if (n_known() < N_KNOWN && strcmp(fates[_i].record, known_records[N_KNOWN - 1]) == 0) return;
   for (size_t i = 0; !fates[_i].text && i < known.n_survivors; i++)
     if (!known.survivor[i].corrected && strcmp(known.survivor[i].record, fates[_i].record) == 0)
       ck_abort_msg("%s survives", known.survivor[i].text);
@@ -581,6 +588,31 @@ START_TEST(what_is_touched_is_enough_for_scaling) {
   overlay_clear(&o);
   mutants_clear(&m);
   free(touched);
+}
+END_TEST
+
+/* The criterion with its halves exchanged says the same, and with another bound it does not. */
+START_TEST(halves_that_change_places_are_the_same) {
+  static const char *const record = "text-criterion";
+  struct overlay o;
+  struct mutants m;
+  struct facts *f = facts_new(&model);
+  int met = 0;
+  overlay_init(&o, &model);
+  mutants_init(&m, &model, &record, 1);
+  for (size_t i = 0; i < m.n; i++) {
+    const struct target *t = &m.target[m.mutant[i].target];
+    bool exchanged = strcmp(m.mutant[i].edit.text, "-1 < -tr(J) < 1") == 0;
+    if (!exchanged && strcmp(m.mutant[i].edit.text, "-1 < tr(J) < 2") != 0) continue;
+    overlay_set(&o, t, m.mutant[i].edit.stmt);
+    ck_assert(target_same_in(t, &model, &o.model, &claims, f) == exchanged);
+    overlay_set(&o, t, NULL);
+    met++;
+  }
+  ck_assert_int_eq(met, 2);
+  mutants_clear(&m);
+  overlay_clear(&o);
+  facts_free(f);
 }
 END_TEST
 
@@ -864,29 +896,22 @@ END_TEST
 /* --- The commands --- */
 
 START_TEST(any_number_of_processes_gives_the_same_bytes) {
-  static const int jobs[] = {1, 5};
+  static const char *const jobs[] = {"1", "5"};
   for (int i = 0; i < 2; i++)
-    ck_assert_int_eq(shell("%s mutate --count 40 --seed 3 --jobs %d --out %s/j%d | grep -v '^written to ' >%s/t%d",
-                           program(), jobs[i], scratch_path(""), i, scratch_path(""), i),
-                     0);
-  ck_assert_int_eq(shell("diff -r %s/j0 %s/j1 && diff %s/t0 %s/t1", scratch_path(""), scratch_path(""),
-                         scratch_path(""), scratch_path("")),
-                   0);
+    shell_well("\"$P\" mutate --count 12 --seed 5 --jobs %s --out \"$D/j%d\" | grep -v '^written to ' > \"$D/t%d\"",
+               jobs[i], i, i);
+  shell_well("diff -r \"$D/j0\" \"$D/j1\" && diff \"$D/t0\" \"$D/t1\"");
   ck_assert_str_eq(scratch_list(scratch_path("j0")), "mutation.json mutation.md");
   /* the sample reaches from the first file to the last */
-  ck_assert_int_eq(shell("grep -q 1-model.eq %s/t0 && grep -q '^title' %s/t0", scratch_path(""), scratch_path("")), 0);
-  /* where each of the 40 went */
-  ck_assert_int_eq(shell("awk '/ damages of formulas: /{n=$1; sum=$5+$7+$10+$13} END{exit n!=40 || sum!=40}' %s/t0",
-                         scratch_path("")),
-                   0);
-  ck_assert_int_eq(shell("%s mutate --count 40 --seed 4 --out %s/other >/dev/null", program(), scratch_path("")), 0);
-  ck_assert_int_ne(shell("diff -q %s/j0 %s/other >/dev/null", scratch_path(""), scratch_path("")), 0);
+  shell_well("grep -q 1-model.eq \"$D/t0\" && grep -q '^title' \"$D/t0\"");
+  /* where each of the 12 went */
+  shell_well("awk '/ damages of formulas: /{n=$1; sum=$5+$7+$10+$13} END{exit n!=12 || sum!=12}' \"$D/t0\"");
 }
 END_TEST
 
 START_TEST(output_obeys_its_schemas) {
   const char *dir = scratch_path("");
-  ck_assert_int_eq(shell("%s mutate --only eq-10,eq-56,1-model --count all --json >%s/m.json", program(), dir), 0);
+  ck_assert_int_eq(shell("%s mutate --only eq-10,eq-56,1-model --count 40 --json >%s/m.json", program(), dir), 0);
   ck_assert_int_eq(shell("%s repair eq-10 eq-36b eq-27 num-t_a --json >%s/r.json", program(), dir), 0);
   ck_assert_int_eq(shell("%s tests/oracle/validate.py schema/mutation.schema.json %s/m.json", python(), dir), 0);
   ck_assert_int_eq(shell("%s tests/oracle/validate.py schema/repairs.schema.json %s/r.json", python(), dir), 0);
@@ -896,10 +921,12 @@ START_TEST(output_obeys_its_schemas) {
 }
 END_TEST
 
+/* What is drawn depends on the seed: one of many damages, seldom the same. */
 START_TEST(extreme_options_are_taken) {
-  ck_assert_int_eq(
-      shell("%s mutate --only eq-27 --count 1000000 --jobs 64 --seed 18446744073709551615 >/dev/null", program()), 0);
-  ck_assert_int_eq(shell("%s mutate --only eq-27 --count 1 --seed 0 >/dev/null", program()), 0);
+  shell_well("\"$P\" mutate --only eq-27 --count 1000000 --jobs 64 > /dev/null");
+  shell_well("\"$P\" mutate --only eq-27 --count 1 --seed 0 > \"$D/least\"");
+  shell_well("\"$P\" mutate --only eq-27 --count 1 --seed 18446744073709551615 > \"$D/most\"");
+  shell_well("! cmp -s \"$D/least\" \"$D/most\"");
 }
 END_TEST
 
@@ -961,6 +988,7 @@ Suite *mutate_suite(void) {
   tcase_add_test(c, little_effort_proves_what_the_full_one_proves);
   tcase_add_loop_test(c, what_little_effort_notices_the_full_one_notices, 0, (int)(sizeof late / sizeof *late));
   tcase_add_test(c, what_is_touched_is_enough_for_scaling);
+  tcase_add_test(c, halves_that_change_places_are_the_same);
   tcase_add_test(c, a_correction_that_differs_is_not_called_the_same);
   tcase_add_test(c, a_missing_check_shows);
   tcase_add_test(c, printed_text_that_is_corrected_counts);

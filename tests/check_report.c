@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "claim/claims.h"
+#include "every.h"
 #include "paper_model.h"
 #include "report/audit_shape.h"
 #include "report/report.h"
@@ -116,7 +117,7 @@ END_TEST
 
 /* Every scene on file, with claims of several kinds; what a scene asks for itself is asked for besides. */
 START_TEST(the_record_of_every_scene) {
-  static const char *const only[] = {"eq-3", "eq-40", "text-time-name"};
+  static const char *const only[] = {"eq-3", "text-time-name", "eq-40"}; /* the last, with its consequences, is dear */
   enum { N_ONLY = sizeof only / sizeof *only };
   struct arena a;
   struct diag d;
@@ -127,7 +128,7 @@ START_TEST(the_record_of_every_scene) {
   ck_assert_msg(path && n > 20, "%s", d.message);
   for (size_t i = 0; i < n; i++) {
     struct audit_result r;
-    if (audit(&r, path[i], only, N_ONLY)) same_again(path[i], &r);
+    if (audit(&r, path[i], only, i % (size_t)every(5) == 0 ? N_ONLY : N_ONLY - 1)) same_again(path[i], &r);
     audit_result_clear(&r);
   }
   free(path);
@@ -359,7 +360,8 @@ START_TEST(cut_off_anywhere) {
   report_json(&json, &papers);
   ck_assert_uint_gt(json.len, 300000);
   json.data[json.len - 1] = '\0'; /* the newline behind the value may be missing */
-  for (size_t at = (json.len - 2) / 997 * 997;; at -= 997) {
+  const size_t step = 997 * (size_t)every(5);
+  for (size_t at = (json.len - 2) / step * step;; at -= step) {
     json.data[at] = '\0';
     struct audit_result cut;
     struct diag d;
