@@ -886,6 +886,26 @@ START_TEST(a_verdict_waits_for_the_conditions) {
 }
 END_TEST
 
+/* A mass that leaves an obstacle is on the slower side of its surface only where that moves up: on the other side its
+   friction would jump, and with it the force that was zero. */
+START_TEST(a_mass_leaves_rest_with_its_friction) {
+  struct system_study s;
+  struct mech_word w;
+  size_t at;
+  const char *why;
+  system_open(&s, scratch_put("soft.system",
+                              "title: a driven mass at a soft wall\nmass m\n  inertia: 1\n  sliding: 1e-6\n"
+                              "  static: 1e-3\n  surface: -3\nspring k\n  between: ground, m\n  stiffness: 1\n"
+                              "damper d\n  between: ground, m\n  constant: 1/10\nload p\n  on: m\n  frequency: 3/5\n"
+                              "  cosine: 1\nobstacle o\n  stops: m\n  above: 1/4\n  restitution: 0\n"));
+  ck_assert(mech_word_parse(&w, &at, &why, "a +", &s.m));
+  ck_assert(!mech_word_parse(&w, &at, &why, "a -", &s.m) && strstr(why, "slips as at rest"));
+  ck_assert_int_eq(checker(text_str(&s.json)), VERIFIED);
+  refused_with(&s.json, "\"word\"", "\"+\"", "\"-\"", REJECTED, "differ by more or less than one event");
+  system_close(&s);
+}
+END_TEST
+
 /* Out of all proportion: refused at once. */
 START_TEST(huge_systems_are_refused) {
   struct system_study s;
@@ -1115,6 +1135,7 @@ Suite *certify_suite(void) {
   tcase_add_test(systems, an_orbit_of_a_system_counts_once);
   tcase_add_test(systems, solutions_that_are_no_motions_are_rejected);
   tcase_add_test(systems, a_verdict_waits_for_the_conditions);
+  tcase_add_test(systems, a_mass_leaves_rest_with_its_friction);
   tcase_add_test(systems, huge_systems_are_refused);
   tcase_add_test(lies, a_byte_order_mark_is_skipped);
   tcase_add_test(lies, bad_files);

@@ -219,8 +219,9 @@ START_TEST(rebounds_in_closed_form) {
 }
 END_TEST
 
-/* x'' + x = cos(theta), theta' = 1/2, for x <= -1/2 without rebound, from rest there at theta = 0: pressed until cos(theta) = -1/2,
-   at 4 pi/3; then x = (4/3) cos(theta) + cos(s)/6 + sin(s)/sqrt(3), s the time since then, up to x = -1/2. */
+/* x'' + x = cos(theta), theta' = 1/2, for x <= -1/2 without rebound, from rest there at theta = 0: pressed until
+   cos(theta) = -1/2, at 4 pi/3; then x = (4/3) cos(theta) + cos(s)/6 + sin(s)/sqrt(3), s the time since then, up to x
+   = -1/2. */
 START_TEST(rest_in_closed_form) {
   const double start[] = {-0.5, 0, 1, 0}, pi = acos(-1), angle = 2 * pi / 3;
   read_text(

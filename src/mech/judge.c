@@ -2,11 +2,11 @@
 
    A condition is g(s) = c y(s) < 0 with y' = A y.  On a step from a of length h, with Y an enclosure of y there,
        g(a + s) = c y(a) + s c A y(a) + s^2/2 c A^2 Y,       g'(a + s) = c A y(a) + s c A^2 Y,
-   and g is negative on the step where the first is, or where g is exactly zero at one end and g' has one sign: at the
-   start of a phase for the mass that has just rebounded or begun to slip (there g' is zero, too, where its static limit
-   is its sliding friction or it rebounds without velocity, and g'' decides; for the distance of one that has just left the obstacle at
-   which it was at rest the third derivative decides), at the end for the event.  A step on which some condition is open is
-   halved; after 20000 steps of a phase its conditions are left undecided. */
+   and g is negative on the step where the first is, or where g is exactly zero at one end and its first derivative that
+   is not zero there has one sign: at the start of a phase g' for the mass that has just rebounded or begun to slip (g''
+   where its static limit is its sliding friction, or it rebounds without velocity) and the third derivative for the
+   distance of one that has just left the obstacle at which it was at rest; at the end g' for the event.  A step on which
+   some condition is open is halved; after 20000 steps of a phase its conditions are left undecided. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -208,7 +208,8 @@ static void add_reversed(struct march *m, const struct watch *of) {
   }
 }
 
-/* How many of g, g', g'' are zero at the start of a phase by the event of that mass at its start, for the condition of `end`. */
+/* How many of g, g', g'' are zero at the start of a phase by the event of that mass at its start, for the condition
+   of `end`. */
 static int zeros_at_start(const struct mech_mass *mass, char before, enum mech_end at_start, enum mech_end end) {
   if (at_start == MECH_LIFTS) return end == (before == 'a' ? MECH_HITS_ABOVE : MECH_HITS_BELOW) ? 3 : 0;
   if (mech_is_hit(at_start)) {

@@ -318,8 +318,7 @@ static bool is_mark(const char *s, size_t len, int mass) {
 static const char *wrong_with_mode(char mode, const struct mech_mass *mass) {
   if (!strchr("s-+.ab", mode))
     return "a mass sticks (s), slips slower (-) or faster (+) than its surface, is free (.), or rests at the obstacle "
-           "above (a) or "
-           "below (b)";
+           "above (a) or below (b)";
   const struct mech_stop *stop = &mass->stop[mode == 'a'];
   if (mech_rests(mode))
     return stop->given && fmpq_is_zero(stop->restitution) ? NULL
@@ -345,12 +344,14 @@ static const char *wrong_with_phase(const char *s, size_t len, const struct mech
   return NULL;
 }
 
-static const char *wrong_with_order(const struct mech_word *w, int k) {
+/* m: NULL where the letters are those of a motion. */
+static const char *wrong_with_order(const struct mech_word *w, int k, const struct mech *m) {
   enum mech_end end;
   const char *from = w->phase[k], *to = w->phase[(k + 1) % w->n];
   int mass = mech_event(&end, from, to);
-  if (mass >= 0 && mech_rests(from[mass]) && (end != MECH_LIFTS || to[mass] == 's'))
-    return "a mass at rest at an obstacle slips or is free when it leaves it";
+  bool leaves = mass >= 0 && mech_rests(from[mass]);
+  if (leaves && (end != MECH_LIFTS || to[mass] == 's' || (m && to[mass] != mech_slipping(&m->mass[mass]))))
+    return "a mass that leaves an obstacle slips as at rest beside its surface, or is free";
   if (mass >= 0) return NULL;
   return strncmp(from, to, strcspn(to, marks)) == 0 ? "a phase is followed by another one"
                                                     : "one mass changes its mode at a time";
@@ -358,7 +359,7 @@ static const char *wrong_with_order(const struct mech_word *w, int k) {
 
 bool mech_word_good(const struct mech_word *w) {
   bool good = true;
-  for (int k = 0; k < w->n; k++) good = good && !wrong_with_order(w, k);
+  for (int k = 0; k < w->n; k++) good = good && !wrong_with_order(w, k, NULL);
   return good;
 }
 
@@ -379,7 +380,7 @@ bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const ch
   }
   if (w->n == 0) return false;
   for (int k = 0; k < w->n; k++)
-    if ((*why = wrong_with_order(w, k))) {
+    if ((*why = wrong_with_order(w, k, m))) {
       *at = place[k];
       return false;
     }

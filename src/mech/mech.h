@@ -12,8 +12,8 @@
      '+' faster    x_i' > V_i, u_i = -s_i
      '.' free      u_i = 0
 
-   An obstacle keeps x_i <= X or x_i >= X; a mass that reaches it rebounds, x_i' becomes -e x_i', 0 <= e <= 1.  Where e = 0 it
-   rests there as long as it is pressed against the obstacle, in a mode of its own:
+   An obstacle keeps x_i <= X or x_i >= X; a mass that reaches it rebounds, x_i' becomes -e x_i', 0 <= e <= 1.  Where
+   e = 0 it rests there as long as it is pressed against the obstacle, in a mode of its own:
 
      'a' rests at the obstacle above    x_i = X, x_i' = 0, u_i - f_i > 0
      'b' rests at the obstacle below    x_i = X, x_i' = 0, u_i - f_i < 0

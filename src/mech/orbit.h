@@ -1,15 +1,15 @@
 /* Periodic motions of a system with a given word of phases, enclosed with proof.
 
-   Unknown are the lengths t_1 ... t_K of the phases and the coordinates of the state at the entry of the first phase that
-   are free there: not the velocity of a sticking mass or of the one that has just changed its mode, nor the position of
-   one that has just broken loose, since its force is at the limit, or has just rebounded, nor either of one that rests at an
-   obstacle; with loads their angle theta is one more.  The equations are the K events and the return of those coordinates, that of the angle after a given
-   number of turns.  A word may be turned so that they are fewest.
+   Unknown are the lengths t_1 ... t_K of the phases and the coordinates of the state at the entry of the first phase
+   that are free there: not the velocity of a sticking mass or of the one that has just changed its mode, nor the
+   position of one that has just broken loose, since its force is at the limit, or has just rebounded, nor either of one
+   that rests at an obstacle; with loads their angle theta is one more.  The equations are the K events and the return
+   of those coordinates, that of the angle after a given number of turns.  A word may be turned so that they are fewest.
 
-   What is proved: by Krawczyk's operator in balls that a box holds exactly one solution; along each phase, by Taylor's
-   formula in steps, that each condition of the phase holds up to its end, so that every event is the first one; the
-   multipliers are those of the first return of the free coordinates, in balls.  Together, a certified admissible orbit
-   is a motion under Coulomb's law.  Nothing is said about how many orbits there are. */
+   What is proved: by Krawczyk's operator in balls that a box holds exactly one solution; along each phase, by
+   Taylor's formula in steps, that each condition of the phase holds up to its end, so that every event is the first
+   one; the multipliers are those of the first return of the free coordinates, in balls.  Together, a certified
+   admissible orbit is a motion under Coulomb's law.  Nothing is said about how many orbits there are. */
 #ifndef STICKSLIP_MECH_ORBIT_H
 #define STICKSLIP_MECH_ORBIT_H
 
@@ -26,9 +26,8 @@ enum mech_rule {
   MECH_PRESSED, /* a resting one is pressed against its obstacle */
   MECH_BEYOND   /* a mass that passes through has a force beyond its limit */
 };
-extern const char
-    *const mech_rule_name[MECH_BEYOND +
-                          1]; /* "length", "slower", "faster", "break", "break_low", "obstacle", "contact", "beyond" */
+/* "length", "slower", "faster", "break", "break_low", "obstacle", "contact", "beyond" */
+extern const char *const mech_rule_name[MECH_BEYOND + 1];
 struct mech_fact {
   int phase, mass; /* mass is 0 for a length */
   enum mech_rule rule;

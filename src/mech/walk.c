@@ -211,7 +211,7 @@ static bool comes_to_rest(const struct walk *w, int i, enum meeting part) {
 
 /* A mass at an obstacle without rebound: does it stay there? */
 static bool begins_to_rest(struct walk *w, int i, enum meeting part) {
-  if (w->restitution[i][part == ABOVE] != 0 || !(pressing(w, w->z, i, part) > 0)) return false;
+  if (w->restitution[i][part == ABOVE] != 0 || !(pressing(w, w->z, i, part) >= 0)) return false;
   w->z[w->n + i] = 0;
   w->phase[i] = part == ABOVE ? 'a' : 'b';
   w->fresh = -1;
@@ -225,7 +225,8 @@ static void change(struct walk *w, int i, enum meeting part) {
   w->fresh_part = part;
   if (part != OWN) {
     w->z[i] = w->stop[i][part == ABOVE];
-    w->z[w->n + i] *= -w->restitution[i][part == ABOVE];
+    double e = w->restitution[i][part == ABOVE];
+    w->z[w->n + i] = e == 0 ? 0 : -e * w->z[w->n + i];
     if (w->phase[i] != '.') w->phase[i] = w->z[w->n + i] < w->surface[i] ? '-' : '+';
     if (begins_to_rest(w, i, part)) return;
     mech_mark(w->phase + w->n, i, part == ABOVE);

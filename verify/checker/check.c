@@ -3,21 +3,23 @@
    It shares no source with the program that writes them.  Masses obey m_i x_i'' = u_i - f_i, f = K x + C x' - P (cos
    theta, sin theta), with K and C made from springs and dampers, theta' the loads' frequency, and Coulomb's law: u_i =
    +s_i on a mass slower than its surface, -s_i on a faster one, |u_i| = |f_i| < r_i while one sticks, x_i' = V_i.  A
-   mass that reaches an obstacle rebounds, or rests there, pressed against it, until it is not.  A word's unknowns are the lengths of its phases and what is free at its
-   start; its equations are the events that end the phases, and the return.
+   mass that reaches an obstacle rebounds, or rests there, pressed against it, until it is not.  A word's unknowns are
+   the lengths of its phases and what is free at its start; its equations are the events that end the phases, and the
+   return.
 
    Krawczyk's operator on these equations proves one solution in the file's box and then narrows it.  The multipliers
-   are those of the first return, from the derivatives.  That a function f = c y of the motion stays below zero is proved
-   on each half of a phase, from the phase's end inwards, by halving further until f(0) + f'(0) s + B s^2/2 < 0 on each
-   piece, B >= |f''|.  With F the masses that slip or are free and k >= 2 (1 where no mass sticks), b = x^(k) obeys M b'' + C b' + K b
-   = P^(k) on F, so that the energy 2 E = b' M b' + b K b has d sqrt(2 E)/dt <= frequency^k sqrt(sum |P_i|^2/m_i), and
-   |c y^(k)| <= sqrt(c_x K^-1 c_x + c_v M^-1 c_v) sqrt(2 E), to which the loads in c are added; |f''| is |c y''| or |c A
-   y'|, the smaller.  A zero that f has at an end of its phase by the equations is factored out by the sign of its first
-   derivative that is not zero there.  The precision doubles while anything is undecided.
+   are those of the first return, from the derivatives.  That a function f = c y of the motion stays below zero is
+   proved on each half of a phase, from the phase's end inwards, by halving further until f(0) + f'(0) s + B s^2/2 < 0
+   on each piece, B >= |f''|.  With F the masses that slip or are free and k >= 2 (1 where no mass sticks), b = x^(k)
+   obeys M b'' + C b' + K b = P^(k) on F, so that the energy 2 E = b' M b' + b K b has d sqrt(2 E)/dt <= frequency^k
+   sqrt(sum |P_i|^2/m_i), and |c y^(k)| <= sqrt(c_x K^-1 c_x + c_v M^-1 c_v) sqrt(2 E), to which the loads in c are
+   added; |f''| is |c y''| or |c A y'|, the smaller.  A zero that f has at an end of its phase by the equations is
+   factored out by the sign of its first derivative that is not zero there.  The precision doubles while anything is
+   undecided.
 
-   The older format is of the paper's two masses, chi and eta, (1): they are a system in z = x - d, d the rest under both
-   sliding forces: no sliding friction, limits e1 and e2 that may be unknown, m_2 = 1/eta, the word D (both stick), Gamma
-   (m1 slips), H (both), C (m2).  Six equations, eight numbers, two of them given.
+   The older format is of the paper's two masses, chi and eta, (1): they are a system in z = x - d, d the rest under
+   both sliding forces: no sliding friction, limits e1 and e2 that may be unknown, m_2 = 1/eta, the word D (both stick),
+   Gamma (m1 slips), H (both), C (m2).  Six equations, eight numbers, two of them given.
 
    That no orbit is left out is not claimed, and not checked.  Exit status: 0 verified, 1 rejected, 2 usage, 3 not a
    certificate, 4 no answer: memory ran out, or nobody took the answer. */

@@ -78,8 +78,8 @@ enum { MASSES = 24, PHASES = 48, NUMBERS = 3 * MASSES + 1 + PHASES };
 /* Answers: the statement is false, cannot be told at this precision, or is true; the least is that of both. */
 enum { NO = -1, OPEN = 0, YES = 1 };
 /* What ends a phase at a mass i, and the function that is negative before: f_i - r_i and -f_i - r_i while it sticks,
-   x_i' - V_i or V_i - x_i' while it slips, X - x_i, x_i - X; u_i - f_i or f_i - u_i while it rests at the obstacle below (b) or
-   above (a), u_i the friction of a mass at rest. */
+   x_i' - V_i or V_i - x_i' while it slips, X - x_i, x_i - X; u_i - f_i or f_i - u_i while it rests at the obstacle
+   below (b) or above (a), u_i the friction of a mass at rest. */
 enum event { SLOWER, FASTER, REACHES, LIFTS, BELOW, ABOVE, N_EVENTS };
 /* What is known of a mass; POSITION and RESTITUTION of the obstacle below it, and one further on of that above. */
 enum { INERTIA, SLIDING, STATIC, SURFACE, POSITION, RESTITUTION = POSITION + 2, N_DATA = RESTITUTION + 2 };

@@ -89,7 +89,9 @@ static bool event_of(int *mass, enum event *e, const char *from, const char *to)
        : from[*mass] != 's' ? REACHES
        : mode == '-'        ? SLOWER
                             : FASTER;
-  return !rests(from[*mass]) || (*e == LIFTS && mode != 's');
+  int moves = fmpq_sgn(datum(*mass, SURFACE));
+  char slipping = !sys.rubbed[*mass] ? '.' : moves > 0 ? '-' : '+'; /* from rest; its friction is that of the rest */
+  return !rests(from[*mass]) || (*e == LIFTS && mode == slipping);
 }
 
 int equations(const struct word *w) {
@@ -289,8 +291,8 @@ static num bend_bound(const char *phase, mat c, mat y, mat rate, int k, num leng
   return add(mul(root(weight), speed), mul(pace, root(own)));
 }
 
-/* Is f < 0 on the piece of the walk that starts at y?  zeros: how many of f, f', f'' are zero there by the equations; then
-   f(t) <= t rise, t^2/2 rise or t^3/6 rise. */
+/* Is f < 0 on the piece of the walk that starts at y? zeros: how many of f, f', f'' are zero there by the equations;
+   then f(t) <= t rise, t^2/2 rise or t^3/6 rise. */
 static int below(struct walk *w, mat y, int level, int zeros) {
   slong before = pool_size;
   int order = zeros > 1 ? zeros : 1;
@@ -325,9 +327,9 @@ bool ends(const struct word *w, int k, int mass, enum event e) {
   return w->mass[k] == mass && w->event[k] == e;
 }
 
-/* How many of f, f', f'' are zero at the start of the phase: one after a rebound from the same obstacle and, of the velocity,
-   after the mass has changed its mode; two where it broke loose and its static limit is the sliding friction, or rebounds without
-   velocity; three of the position after it was at rest there. */
+/* How many of f, f', f'' are zero at the start of the phase: one after a rebound from the same obstacle and, of the
+   velocity, after the mass has changed its mode; two where it broke loose and its static limit is the sliding
+   friction, or rebounds without velocity; three of the position after it was at rest there. */
 static int zeros_at_start(const struct word *w, int k, int mass, enum event e) {
   int last = (k + w->n - 1) % w->n;
   const fmpq *limit = w->known[equations(w) + mass];
@@ -347,15 +349,18 @@ int stays_below(const struct motion *o, const struct word *w, arb_srcptr x, int 
   mat rate = rate_of(phase), back = by_ball(rate, integer(-1));
   mat y = part(o->start[k], 0, 0, sys.side, 1), last = part(o->end[k], 0, 0, sys.side, 1);
   mat c = row_of(e, mass, phase[mass], x + equations(w) + mass), slope = times(c, rate);
-  for (int i = 0; i < 3; i++) {
+  int zeros = zeros_at_start(w, k, mass, e);
+  bool finite = true;
+  for (int i = 0; i < FLINT_MAX(zeros, 2); i++) {
     bound[i] = bend_bound(phase, c, y, rate, 2 + i, whole);
     if (i > 0 || !strchr(phase, 's')) bound[i] = least_of(bound[i], bend_bound(phase, slope, y, rate, 1 + i, whole));
+    finite = finite && arb_is_finite(bound[i]);
   }
   arb_ptr half = fresh();
   arb_get_ubound_arf(arb_midref(half), scaled(whole, -1), prec);
   int answer = OPEN;
-  if (arb_is_finite(half) && arb_is_finite(bound[0]) && arb_is_finite(bound[1]) && arb_is_finite(bound[2])) {
-    answer = half_below(c, y, rate, zeros_at_start(w, k, mass, e), half, bound);
+  if (arb_is_finite(half) && finite) {
+    answer = half_below(c, y, rate, zeros, half, bound);
     if (answer == YES) answer = half_below(c, last, back, ends(w, k, mass, e), half, bound);
   }
   release(before);
