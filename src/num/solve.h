@@ -64,7 +64,7 @@ struct krawczyk {
   arb_mat_t y, step;              /* Y, and Y f(mid) */
   arb_mat_t rest, off;            /* I - Y J, and box - mid */
   bool inside;                    /* the image lies in the interior of the box, and mid in the box: proved */
-  bool too_wide;                  /* |I - Y J| (X - mid) alone is no narrower than X, nor with all radii of X larger by one factor */
+  bool too_wide; /* |I - Y J| (X - mid) alone is no narrower than X, nor with all radii of X larger by one factor */
 };
 /* The system must outlive it. */
 void krawczyk_init(struct krawczyk *k, const struct solve_system *s, slong prec);
