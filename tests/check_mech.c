@@ -345,6 +345,8 @@ static const struct {
     {MASS_AND_SPRING STOPS("o", "m", "above: -1", "1/2"), {-2, 0}, MECH_RESTING},
     {MASS_AND_SPRING STOPS("o", "m", "above: -1", "1/2"), {-1, 0}, MECH_RESTING},
     {MASS_AND_SPRING STOPS("o", "m", "below: 1", "99/100"), {2, 0}, MECH_RESTING},
+    /* in balance just at an obstacle without rebound */
+    {MASS_AND_SPRING STOPS("o", "m", "above: 0", "0"), {0, 0}, MECH_DONE},
     {MASS_AND_SPRING STOPS("a", "m", "above: 1e-9", "1") STOPS("b", "m", "below: -1e-9", "1"), {0, 1}, MECH_LOOKS},
     {MASS_AND_SPRING "load p\n  on: m\n  frequency: 1e300\n  cosine: 1\n", {0, 0, 1, 0}, MECH_LOOKS},
     {MASS_AND_SPRING "damper d\n  between: m, ground\n  constant: 1e12\n", {0, 1}, MECH_LOOKS},

@@ -286,7 +286,7 @@ static void advance(double *gone, struct walk *w, struct mech_motion *out, doubl
     int i = k / N_MEETINGS;
     enum meeting part = (enum meeting)(k % N_MEETINGS);
     double s, at_end = condition(w, z, i, part);
-    if (at_end < 0) continue;
+    if (at_end < 0 || (at_end == 0 && mech_rests(w->phase[i]))) continue; /* nothing pushes it off */
     if (i == w->fresh && part == w->fresh_part && part != OWN && at_end < 16 * DBL_EPSILON * fabs(z[i])) {
       still = true; /* no further from its obstacle than rounding */
       continue;
