@@ -529,6 +529,5 @@ int main(int argc, char **argv) {
   }
   all_used();
   printf("verified: %d orbit%s; whether there are others is not checked\n", n, n == 1 ? "" : "s");
-  flint_cleanup();
   end(VERIFIED);
 }
