@@ -246,6 +246,7 @@ static void change(struct walk *w, int i, enum meeting part) {
 }
 
 static void begin(struct walk *w) {
+  if (w->route != MECH_PATCHED) return; /* the integrator asks for forces alone */
   struct mode *mode = w->modes;
   while (mode && strncmp(mode->letters, w->phase, (size_t)w->n) != 0) mode = mode->next;
   if (!mode && w->n_modes == MOST_MODES) {
