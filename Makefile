@@ -67,7 +67,7 @@ TEST_LEVEL = -O1
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev nettle-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all quick long quick-input quick-paper check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
+.PHONY: deps all quick long quick-input quick-paper check check-build digests verify mutate bench stability atlas scenes lint asan fuzz cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/libstickslip.a $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -160,6 +160,10 @@ bench: $(B)/stickslip ## error against run time, by every method: writes reports
 stability: $(B)/stickslip ## where the formulas lose digits, and why; stiff scenes: writes reports/stability/
 	$(B)/stickslip stability --after stable --out reports/stability
 	$(B)/stickslip bench --job studies --out reports/stability
+
+atlas: $(B)/stickslip ## which orbits there are and where they are stable, over three planes: writes reports/atlas/
+	for x in e1=2:4 chi=0.5:0.95 V=0.5:2; do \
+	  $(B)/stickslip plot paper --over $$x --over e2=0.5:3 --out reports/atlas/$${x%%=*}-e2 || exit 1; done
 
 scenes: $(B)/stickslip ## what each scene leaves out, and what it costs: writes reports/scenes/ and verify/costs.tsv
 	$(B)/stickslip bench --job scenes --out reports/scenes

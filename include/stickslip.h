@@ -13,7 +13,8 @@
      formula.h    a formula of the paper, evaluated and typeset
      audit.h      the paper's claims, judged
 
-   Equations (1), (2), ... are the paper's.  Everything is without dimension, as there: lengths, times, forces. */
+   Equations (1), (2), ... are the paper's.  As there, times are pure numbers, and positions, velocities and
+   friction, divided by k_1 + k_2, are in one unit of length. */
 #ifndef SS_STICKSLIP_H
 #define SS_STICKSLIP_H
 

@@ -52,9 +52,9 @@ START_TEST(the_same_bytes_twice) {
   plot("paper", "again");
   shell_well("diff -r \"$D/paper\" \"$D/again\"");
   ck_assert_str_eq(scratch_list(scratch_path("again")),
-                   "along-e2.svg along-e2.tsv differences.svg differences.tsv figure-3.svg figure-3.tsv figure-4.svg "
-                   "figure-4.tsv long-run.svg "
-                   "long-run.tsv margins.svg margins.tsv return-map.svg return-map.tsv");
+                   "along-e2.svg along-e2.tsv animation.svg animation.tsv differences.svg differences.tsv figure-3.svg "
+                   "figure-3.tsv figure-4.svg figure-4.tsv long-run.svg long-run.tsv margins.svg margins.tsv "
+                   "return-map.svg return-map.tsv");
 }
 END_TEST
 
@@ -62,7 +62,7 @@ END_TEST
 START_TEST(pictures_come_from_their_tables_alone) {
   char name[200];
   plot("beside-wall", "one");
-  shell_well("cp \"$D\"/paper/* \"$D\"/asked/* \"$D/one\"");
+  shell_well("cp \"$D\"/paper/* \"$D/one\" && cp \"$D\"/asked/* \"$D/one\"");
   for (int i = 0; i < report_pictures(); i++) {
     struct source table, svg;
     struct diag d;

@@ -225,7 +225,7 @@ START_TEST(orbits_and_motions_are_tables) {
   }
   free(out);
   out = shell_output(&status, "%s simulate paper --at orbit:2", program());
-  ck_assert(status == 0 && strstr(out, "without dimensions") && strstr(out, "\n          t mass change"));
+  ck_assert(status == 0 && strstr(out, "lengths in one unit") && strstr(out, "\n          t mass change"));
   free(out);
 }
 END_TEST

@@ -133,6 +133,8 @@ int parse_options(struct options *o, const char *command, int argc, char **argv)
     if (flag && equals) return usage("the option %.200s takes no value", row->name);
     char *value = flag ? arg : equals ? equals + 1 : i + 1 < argc ? argv[++i] : NULL;
     if (!value || !*value) return usage("the option %s needs a value", row->name);
+    if (!flag && !equals && strncmp(value, "--", 2) == 0)
+      return usage("the option %s needs a value, not %.200s (or %s=%.200s)", row->name, value, row->name, value);
     status = add_value(&o->given[row->id], row, value);
   }
   return status;

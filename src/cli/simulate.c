@@ -165,7 +165,7 @@ static void print_table(const struct simulated *shown, const struct simulation *
   if (run->setup.broken)
     printf("%s is not admissible: it breaks a condition of Coulomb's law, and the motion is another\n", run->from);
   events_table(shown, grazing);
-  puts("all without dimensions; stick: with the belt; below, above: slower, faster than it");
+  puts(TABLE_UNITS "\nstick: with the belt; below, above: slower, faster than it");
   coulomb_log_word(&word, log);
   coulomb_word_fold(&folded, text_str(&word));
   puts("word: the phases in order, G for Gamma; ^3: three times over");

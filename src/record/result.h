@@ -261,6 +261,9 @@ struct piece_spent {
   double machine_ms;
 };
 
+/* What the numbers of the paper's two masses are in: for the heading of a table, and below a picture. */
+#define TABLE_UNITS "Times are numbers; positions, velocities and friction are lengths in one unit."
+
 /* A table that a picture is drawn from, as the file of that name beside audit.json holds it. */
 struct data_table {
   const char *name, *text;

@@ -65,14 +65,18 @@ bool output_write(const struct output *out, struct diag *d) {
 }
 
 /* Pictures that other commands leave beside reports; those that are there are linked to. */
-static const struct neighbour pictures_beside[] = {{"../bench/map.svg", "error against run time of one Poincare map"},
-                                                   {"../bench/jacobian.svg", "of its Jacobian"},
-                                                   {"../bench/orbit.svg", "of the periodic orbit"},
-                                                   {"../bench/verdicts.svg", "what verdicts cost"},
-                                                   {"../stability/map-1.svg", "where formulas lose digits (1)"},
-                                                   {"../stability/map-2.svg", "(2)"},
-                                                   {"../stability/map-3.svg", "(3)"},
-                                                   {"../stability/map-4.svg", "(4)"}};
+static const struct neighbour pictures_beside[] = {
+    {"../bench/map.svg", "error against run time of one Poincare map"},
+    {"../bench/jacobian.svg", "of its Jacobian"},
+    {"../bench/orbit.svg", "of the periodic orbit"},
+    {"../bench/verdicts.svg", "what verdicts cost"},
+    {"../atlas/e1-e2/stability-map.svg", "which orbits there are over e_1 and e_2"},
+    {"../atlas/chi-e2/stability-map.svg", "over chi and e_2"},
+    {"../atlas/V-e2/stability-map.svg", "over V and e_2"},
+    {"../stability/map-1.svg", "where formulas lose digits (1)"},
+    {"../stability/map-2.svg", "(2)"},
+    {"../stability/map-3.svg", "(3)"},
+    {"../stability/map-4.svg", "(4)"}};
 enum { N_BESIDE = sizeof pictures_beside / sizeof *pictures_beside };
 
 static size_t find_neighbours(struct neighbour found[N_BESIDE], const char *folder) {

@@ -5,9 +5,10 @@
 #include "report.h"
 #include "sections.h"
 
-static const struct picture *const pictures[] = {
-    &picture_history, &picture_margins, &picture_portrait,     &picture_return_map, &picture_long_run, &picture_steps,
-    &picture_along,   &picture_planes,  &picture_bifurcations, &picture_map,        &picture_animation};
+static const struct picture *const pictures[] = {&picture_history,      &picture_animation,  &picture_margins,
+                                                 &picture_portrait,     &picture_return_map, &picture_long_run,
+                                                 &picture_steps,        &picture_along,      &picture_planes,
+                                                 &picture_bifurcations, &picture_map};
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
 static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *style) {

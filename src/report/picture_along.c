@@ -182,8 +182,8 @@ static void list_changes(struct plot *p, const struct rows *t) {
     y = plot_lines(p, 4, y, line);
     y = plot_lines(p, 22, y, cell[CHANGE]) + 4;
   }
-  const char *says = n ? "Each bracket is proved to hold its change. Everything is dimensionless."
-                       : "No change is found on the line. Everything is dimensionless.";
+  const char *says =
+      n ? "Each bracket is proved to hold its change. " TABLE_UNITS : "No change is found on the line. " TABLE_UNITS;
   p->bottom = plot_lines(p, 4, y, says);
 }
 

@@ -160,8 +160,8 @@ static void add_blocks(struct plot *p, const struct stage *s) {
   text_printf(p->out, "<path class=\"wall\" " PLOT_STROKE " d=\"M%d %dv%d\" />\n", WALL, FLOOR - HIGH - 10, HIGH + 10);
   text_printf(p->out,
               "<path class=\"belt\" " PLOT_STROKE
-              " d=\"M6 %dH354M6 %dH354\" />\n<path class=\"belt animation-v\" " PLOT_STROKE
-              " stroke-dasharray=\"2 %.3f\" stroke-width=\"8\" d=\"M6 %dH354\" style=\"stroke-width: 8\" />\n",
+              " d=\"M6 %dH354M6 %dH354\" />\n<path class=\"belt marks animation-v\" " PLOT_STROKE
+              " stroke-dasharray=\"2 %.3f\" stroke-width=\"8\" d=\"M6 %dH354\" />\n",
               FLOOR, FLOOR + 10, apart - 2, FLOOR + 5);
   add_spring(p, s, 0, WALL);
   for (int mass = 0; mass < 2; mass++) add_block(p, s, mass);
@@ -189,18 +189,22 @@ static void add_history(struct plot *p, const struct stage *s) {
 static void draw_animation(struct plot *p, const struct rows *t) {
   static const char *const key[][2] = {{"c0", "*z*_1, mass *m*_1"}, {"c1", "*z*_2, mass *m*_2"}};
   struct stage s;
-  char says[200];
+  char says[240];
   p->bottom = plot_key(p, key, 2);
   if (!set_stage(&s, t)) return;
   add_history(p, &s);
   add_blocks(p, &s);
   add_motion(p, &s);
-  snprintf(says, sizeof says, "One period, %.4f, takes %.1f seconds here. Everything is dimensionless.", s.period,
-           seconds(&s));
+  snprintf(says, sizeof says, "One period, %.4f, takes %.1f seconds here. " TABLE_UNITS, s.period, seconds(&s));
   double y = plot_lines(p, 4, p->bottom + 14,
                         "A filled block sticks to the belt. The bar above it: the pull of the springs less sliding "
                         "friction; the tick: where it breaks loose.");
   p->bottom = plot_lines(p, 4, y, says);
+}
+
+static void say_animation(struct text *out, const struct rows *t) {
+  (void)t;
+  text_add(out, "It stands still where the reader's system asks for less motion.");
 }
 
 static void tell_animation(struct text *out, const struct rows *t) {
@@ -213,5 +217,5 @@ static void tell_animation(struct text *out, const struct rows *t) {
                   t->cell[i][PHASE]);
 }
 
-const struct picture picture_animation = {"animation", "animation.tsv", "One period of the two masses on the belt",
-                                          NULL,        tell_animation,  draw_animation};
+const struct picture picture_animation = {"animation",   "animation.tsv", "One period of the two masses on the belt",
+                                          say_animation, tell_animation,  draw_animation};

@@ -101,8 +101,7 @@ static void draw_map(struct plot *p, const struct rows *t) {
   plot_free(p);
   p->bottom = plot_lines(p, 4, p->bottom + 14,
                          "Dots: boundaries of admissible orbits, proved. flip: tr J = -1; fold: two orbits merge; "
-                         "condition: one of an admissible orbit ceases to hold, or its branch ends. Everything is "
-                         "dimensionless.");
+                         "condition: one of an admissible orbit ceases to hold, or its branch ends. " TABLE_UNITS);
 }
 
 const struct picture picture_map = {

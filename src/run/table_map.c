@@ -119,7 +119,7 @@ static void add_heading(struct text *body, const struct map *m) {
               "status ok, or what is open there.\n"
               "# Other rows: a change of an admissible orbit, enclosed with proof: along %s where %s_to is given, else "
               "along %s.  flip: tr J = -1; fold: tr J = 1; the others are conditions that cease to hold, as bifurcate "
-              "names them.  No dimensions.\n"
+              "names them.  " TABLE_UNITS "\n"
               "what\t%s\t%s_to\t%s\t%s_to\torbits\tadmissible\tstable\tstatus\n",
               x, y, x, x, y, x, x, y, y);
 }

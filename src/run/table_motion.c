@@ -124,7 +124,7 @@ static void add_headings(struct motion_tables *t) {
   static const char motions[] =
       "# motion orbit: the periodic orbit nearest to the printed numbers; printed: what the printed start (z10, z20), "
       "taken exactly, leads to.\n"
-      "# phase D, Gamma, H, C; mark O a b c d: the ends of phases as the figures name them.  No dimensions.\n";
+      "# phase D, Gamma, H, C; mark O a b c d: the ends of phases as the figures name them.  " TABLE_UNITS "\n";
   text_printf(&t->history, "# Time history of the masses (figure 3).\n%smotion\tphase\tmark\tt\tz_1\tz_2\n", motions);
   text_printf(&t->portrait, "# Phase plots of the system (figure 4).\n%smotion\tphase\tmark\tz_1\tz'_1\tz_2\tz'_2\n",
               motions);
@@ -133,7 +133,7 @@ static void add_headings(struct motion_tables *t) {
       "# What the conditions of the word leave along the orbit; each must stay positive inside its phase, and is 0 "
       "where a phase begins or ends with it.\n"
       "# Slipping: V - z'_i (the mass does not overrun the belt).  Sticking: e_1 - w with w = z_1 - chi z_2, e_2 - "
-      "chi r with r = z_2 - z_1.  No dimensions.\n"
+      "chi r with r = z_2 - z_1.  " TABLE_UNITS "\n"
       "phase\tt\tV-z'_1\tV-z'_2\te_1-w\te_2-chi*r\n");
 }
 
@@ -162,7 +162,7 @@ bool table_of_animation(struct audit_result *out, const struct table_source *s) 
            "# One period of an orbit, from the beginning of the global stick phase.\n"
            "# phase D, Gamma, H, C; mark O a b c d: the ends of phases as figure 3 names them; pull_1 = z_1 - chi z_2 "
            "and pull_2 = chi (z_2 - z_1): what the springs pull with against the motion of the belt, less sliding "
-           "friction; limit_i: e_i while the mass sticks, which it does until its pull is as large.  No dimensions.\n"
+           "friction; limit_i: e_i while the mass sticks, which it does until its pull is as large.  " TABLE_UNITS "\n"
            "phase\tmark\tt\tz_1\tz'_1\tz_2\tz'_2\tpull_1\tpull_2\tlimit_1\tlimit_2\n");
   dyn_arc_init(&arc, s->params.ctx);
   bool ok = orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK;

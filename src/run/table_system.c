@@ -68,7 +68,8 @@ void table_of_system(struct audit_result *out, const struct mech *m, const struc
       &t,
       "# Phase planes of the orbits of a system.\n"
       "# what orbit K: the K-th orbit, its phases in order, mark o where one begins; surface: the velocities of the "
-      "surfaces; above, below: the places of the obstacles.  No dimensions.\nwhat\tphase\tmark\tt");
+      "surfaces; above, below: the places of the obstacles.  All in the units of the system "
+      "file.\nwhat\tphase\tmark\tt");
   for (int i = 1; i <= m->n; i++) text_printf(&t, "\tx_%d\tx'_%d", i, i);
   text_add_char(&t, '\n');
   for (int k = 0; k < list->n; k++) {

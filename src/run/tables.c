@@ -29,6 +29,7 @@ const char *study_tables(struct judge *j) {
   const char *why = source_init(&s, j, &p);
   if (!why) {
     tables_of_motion(&s);
+    if (s.orbit->admissible == TRUTH_TRUE) table_of_animation(j->out, &s);
     table_of_return_map(&s);
     table_of_long_runs(&s);
     table_of_differences(&s);

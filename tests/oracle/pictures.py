@@ -450,10 +450,12 @@ def svg_errors(path):
 
 def main():
     folder, s, asked = pathlib.Path(sys.argv[1]), Scene(sys.argv[2]), sys.argv[3:] == ["asked"]
-    checks = [bifurcation_errors, map_errors, animation_errors] if asked else [motion_errors, return_errors, long_errors, along_errors]
+    moves = s.orbits[nearest(s)]["admissible"] == "yes"
+    checks = ([bifurcation_errors, map_errors] if asked else [motion_errors, return_errors, long_errors, along_errors])
+    checks += [animation_errors] if moves else []
     errors = [e for check in checks for e in check(folder, s)] + ([] if asked else [*step_errors(folder)])
     pictures = sorted(folder.glob("*.svg"))
-    if len(pictures) != (3 if asked else 7):
+    if len(pictures) != (2 if asked else 7) + moves:
         errors.append("%d pictures" % len(pictures))
     for p in pictures:
         errors += ["%s: %s" % (p.name, e) for e in svg_errors(p)]
