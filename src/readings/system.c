@@ -138,16 +138,12 @@ static int from_tape(struct system *s) {
 static int from_model(struct system *s) {
   const struct num_type *t = s->ctx.type;
   struct calc c = calc_begin(s->ctx);
-  struct num_vec params = calc_vec(&c, N_PARAMS), unit = calc_vec(&c, N_STATE), a = calc_vec(&c, 16);
+  struct num_vec params = calc_vec(&c, N_PARAMS), a = calc_vec(&c, 16);
   for (int i = 0; i < 3; i++) t->set(num_vec_at(&params, i), num_vec_at(&s->model, i));
   int status = t->set_d(num_vec_at(&params, P_E1), 1, s->ctx.prec); /* the motion does not depend on them */
   status |= t->set_d(num_vec_at(&params, P_E2), 1, s->ctx.prec);
   for (int k = 0; k < N_PHASES; k++) {
-    for (int j = 0; j < N_STATE; j++) {
-      for (int i = 0; i < N_STATE; i++) status |= t->set_d(num_vec_at(&unit, i), i == j, s->ctx.prec);
-      status |= dyn_flow(&unit, (enum phase)k, &params, &unit, num_vec_at(&s->x, X_TA + k));
-      for (int i = 0; i < N_STATE; i++) t->set(num_vec_at(&s->p[k], 4 * i + j), num_vec_at(&unit, i));
-    }
+    status |= dyn_flow_matrix(&s->p[k], (enum phase)k, &params, num_vec_at(&s->x, X_TA + k));
     status |= dyn_system(&a, (enum phase)k, &params);
     status |= num_mat_mul(&s->dp[k], &a, &s->p[k], 4, 4, 4);
   }

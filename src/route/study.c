@@ -40,7 +40,8 @@ struct tally {
 struct study {
   struct judge *j;
   struct site site;
-  slong prec; /* bits of the routes in balls */
+  enum route_row row; /* that is asked */
+  slong prec;         /* bits of the routes in balls */
   struct sentence propagator[N_PHASES], jacobian;
   bool readable; /* the paper's corrected formulas */
   struct tally tally[N_ROUTE_ROWS][N_ROUTE_ROWS];
@@ -61,43 +62,18 @@ static int params_in(struct num_vec *params, void *t, const struct point *p) {
   return s;
 }
 
-/* Column by column: the flow of the unit vectors. */
-static int flow_of_units(struct num_vec *m, enum phase ph, const struct num_vec *params, const void *t) {
-  struct num_vec z;
-  num_vec_init(&z, N_STATE, m->ctx);
-  int s = SS_OK;
-  for (int col = 0; col < N_STATE; col++) {
-    for (int i = 0; i < N_STATE; i++) s |= m->ctx.type->set_d(num_vec_at(&z, i), i == col, PREC);
-    s |= dyn_flow(&z, ph, params, &z, t);
-    for (int i = 0; i < N_STATE; i++) m->ctx.type->set(num_vec_at(m, i * N_STATE + col), num_vec_at(&z, i));
-  }
-  num_vec_clear(&z);
-  return s;
-}
-
-static int propagator(arb_ptr out, const struct study *s, struct num_ctx ctx, bool closed) {
+static int propagator(arb_ptr out, struct study *s) {
+  struct num_ctx ctx = s->row == ROUTE_P_TAYLOR ? num_ctx_mpfr(PREC)
+                       : s->row == ROUTE_P_GSL  ? num_ctx_double()
+                                                : num_ctx_arb(s->prec);
   struct calc c = calc_begin(ctx);
-  struct num_vec params = calc_vec(&c, N_PARAMS), t = calc_vec(&c, 1), m = calc_vec(&c, MATRIX);
-  enum phase ph = s->site.p.phase;
-  int status = params_in(&params, num_vec_at(&t, 0), &s->site.p);
-  status |=
-      closed ? flow_of_units(&m, ph, &params, num_vec_at(&t, 0)) : dyn_propagator(&m, ph, &params, num_vec_at(&t, 0));
+  struct num_vec params = calc_vec(&c, N_PARAMS), m = calc_vec(&c, MATRIX);
+  void *t = calc_new(&c);
+  int status = params_in(&params, t, &s->site.p);
+  status |= (s->row == ROUTE_P_CLOSED ? dyn_flow_matrix : dyn_propagator)(&m, s->site.p.phase, &params, t);
   get_all(out, &m);
   calc_clear(&c);
   return status;
-}
-
-static int propagator_exponential(arb_ptr out, struct study *s) {
-  return propagator(out, s, num_ctx_arb(s->prec), false);
-}
-static int propagator_closed(arb_ptr out, struct study *s) {
-  return propagator(out, s, num_ctx_arb(s->prec), true);
-}
-static int propagator_taylor(arb_ptr out, struct study *s) {
-  return propagator(out, s, num_ctx_mpfr(PREC), false);
-}
-static int propagator_gsl(arb_ptr out, struct study *s) {
-  return propagator(out, s, num_ctx_double(), false);
 }
 
 /* The paper's side of a sentence. */
@@ -147,7 +123,8 @@ static int rate_ode(arb_ptr out, struct study *s) {
 
 /* --- Times since the start and states at the four events. --- */
 
-static int events_of_model(arb_ptr out, struct study *s, enum variant variant) {
+static int events_of_model(arb_ptr out, struct study *s) {
+  enum variant variant = s->row == ROUTE_E_EXPONENTIAL ? VARIANT_EXPONENTIAL : VARIANT_CLOSED;
   struct values v;
   int status = values_init(&v, &s->site.p, variant, num_ctx_arb(s->prec), s->j->cache);
   for (int ph = 0; ph < N_PHASES && status == SS_OK; ph++) {
@@ -158,13 +135,6 @@ static int events_of_model(arb_ptr out, struct study *s, enum variant variant) {
   }
   values_clear(&v);
   return status;
-}
-
-static int events_closed(arb_ptr out, struct study *s) {
-  return events_of_model(out, s, VARIANT_CLOSED);
-}
-static int events_exponential(arb_ptr out, struct study *s) {
-  return events_of_model(out, s, VARIANT_EXPONENTIAL);
 }
 
 static int events_system(arb_ptr out, struct study *s) {
@@ -270,18 +240,11 @@ static int events_simulation(arb_ptr out, struct study *s) {
 static int jacobian_paper(arb_ptr out, struct study *s) {
   return paper_side(out, s, &s->jacobian);
 }
-static int jacobian_by(arb_ptr out, struct study *s, enum jacobian_method method) {
+static int jacobian_by_model(arb_ptr out, struct study *s) {
+  static const enum jacobian_method method[N_ROUTE_ROWS] = {
+      [ROUTE_J_IMPLICIT] = METHOD_IMPLICIT, [ROUTE_J_SALTATION] = METHOD_SALTATION, [ROUTE_J_FD] = METHOD_FD};
   struct jacobian_job job = {.point = s->site.p, .cache = s->j->cache, .d = s->j->d};
-  return jacobian_route(out, &job, method, LAYER_CORRECTED, NULL, s->prec);
-}
-static int jacobian_implicit(arb_ptr out, struct study *s) {
-  return jacobian_by(out, s, METHOD_IMPLICIT);
-}
-static int jacobian_saltation(arb_ptr out, struct study *s) {
-  return jacobian_by(out, s, METHOD_SALTATION);
-}
-static int jacobian_fd(arb_ptr out, struct study *s) {
-  return jacobian_by(out, s, METHOD_FD);
+  return jacobian_route(out, &job, method[s->row], LAYER_CORRECTED, NULL, s->prec);
 }
 
 static int jacobian_system(arb_ptr out, struct study *s) {
@@ -304,24 +267,29 @@ static int jacobian_integration(arb_ptr out, struct study *s) {
 
 static int (*const compute[N_ROUTE_ROWS])(arb_ptr out, struct study *s) = {
     [ROUTE_P_PAPER] = propagator_paper,
-    [ROUTE_P_EXPONENTIAL] = propagator_exponential,
-    [ROUTE_P_CLOSED] = propagator_closed,
-    [ROUTE_P_TAYLOR] = propagator_taylor,
-    [ROUTE_P_GSL] = propagator_gsl,
+    [ROUTE_P_EXPONENTIAL] = propagator,
+    [ROUTE_P_CLOSED] = propagator,
+    [ROUTE_P_TAYLOR] = propagator,
+    [ROUTE_P_GSL] = propagator,
     [ROUTE_R_PAPER] = rate_paper,
     [ROUTE_R_ODE] = rate_ode,
-    [ROUTE_E_CLOSED] = events_closed,
-    [ROUTE_E_EXPONENTIAL] = events_exponential,
+    [ROUTE_E_CLOSED] = events_of_model,
+    [ROUTE_E_EXPONENTIAL] = events_of_model,
     [ROUTE_E_SIMULATION] = events_simulation,
     [ROUTE_E_INTEGRATION] = events_integration,
     [ROUTE_E_SYSTEM] = events_system,
     [ROUTE_J_PAPER] = jacobian_paper,
-    [ROUTE_J_IMPLICIT] = jacobian_implicit,
-    [ROUTE_J_SALTATION] = jacobian_saltation,
-    [ROUTE_J_FD] = jacobian_fd,
+    [ROUTE_J_IMPLICIT] = jacobian_by_model,
+    [ROUTE_J_SALTATION] = jacobian_by_model,
+    [ROUTE_J_FD] = jacobian_by_model,
     [ROUTE_J_INTEGRATION] = jacobian_integration,
     [ROUTE_J_SYSTEM] = jacobian_system,
 };
+
+static int ask(arb_ptr out, struct study *s, enum route_row row) {
+  s->row = row;
+  return compute[row](out, s);
+}
 
 /* What the integration's rounding must cost here, by the start alone, whatever the route finds: of times, relative to
    the longest; of the Jacobian, to its largest entry.  0 for other routes. */
@@ -430,12 +398,12 @@ static double width_of(arb_srcptr x, int n) {
 
 /* In balls with as many bits as the digits need that the route states. */
 static int compute_row(arb_ptr out, struct study *s, enum route_row row) {
-  int n = entries[route_table[row].quantity], status = compute[row](out, s);
+  int n = entries[route_table[row].quantity], status = ask(out, s, row);
   double wanted = -route_table[row].digits * log2(10) - 2;
   bool in_balls = !(route_table[row].means & MEANS_DIFFERENCES);
   while (in_balls && status == SS_OK && s->prec < MOST_PREC && width_of(out, n) > wanted) {
     s->prec *= 2;
-    status = compute[row](out, s);
+    status = ask(out, s, row);
   }
   s->prec = PREC;
   return status;
@@ -474,11 +442,11 @@ static void control(struct study *s) {
   arb_ptr now = _arb_vec_init(2 * MATRIX);
   fmpq_t shift;
   fmpq_init(shift);
-  int status = propagator_exponential(now, s);
+  int status = ask(now, s, ROUTE_P_EXPONENTIAL);
   fmpq_set_si(shift, 1, 1);
   fmpq_div_2exp(shift, shift, SHIFT);
   fmpq_add(&s->site.p.q[Q_T], &s->site.p.q[Q_T], shift);
-  status |= propagator_closed(now + MATRIX, s);
+  status |= ask(now + MATRIX, s, ROUTE_P_CLOSED);
   bool noticed =
       status == SS_OK && !keeps(ROUTE_P_EXPONENTIAL, ROUTE_P_CLOSED, gap_between(now, now + MATRIX, MATRIX), -INFINITY);
   audit_control(s->j->out, "routes-later", "routes", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED);
