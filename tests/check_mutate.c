@@ -75,20 +75,21 @@ static void build(struct tape *t, struct elaboration *el, const char *text) {
 static bool proved_equal(const char *x, const char *y, int *status) {
   struct tape t[2];
   struct elaboration el[2];
-  struct exact_vec v[2];
+  struct num_vec v[2];
   struct exact_field *f = exact_field_new(NULL, 0);
+  struct calc c = exact_calc(f);
   *status = SS_OK;
   for (int i = 0; i < 2; i++) {
     build(&t[i], &el[i], i ? y : x);
-    *status |= exact_eval(&v[i], f, &t[i]);
+    *status |= exact_eval(&v[i], &c, f, &t[i]);
   }
   bool equal = *status == SS_OK && v[0].len == v[1].len;
-  for (slong i = 0; equal && i < v[0].len; i++) equal = exact_equal(f, &v[0].x[i], &v[1].x[i]);
+  for (slong i = 0; equal && i < v[0].len; i++) equal = exact_equal(f, num_vec_at(&v[0], i), num_vec_at(&v[1], i));
   for (int i = 0; i < 2; i++) {
-    exact_vec_clear(&v[i]);
     tape_clear(&t[i]);
     elaboration_clear(&el[i]);
   }
+  calc_clear(&c);
   exact_field_free(f);
   return equal;
 }

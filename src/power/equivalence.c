@@ -36,25 +36,24 @@ static enum relop mirrored(enum relop op) {
 }
 
 /* Entries i of a and k of b, of sentences without an oracle: their differences of sides, up to what is positive. */
-static bool same_relation(struct exact_field *f, const struct sentence *sa, const struct exact_vec *a, slong i,
-                          const struct sentence *sb, const struct exact_vec *b, slong k) {
-  fmpz_mpoly_q_struct x, y;
-  exact_init(&x, f);
-  exact_init(&y, f);
+static bool same_relation(struct exact_field *f, const struct sentence *sa, const struct num_vec *a, slong i,
+                          const struct sentence *sb, const struct num_vec *b, slong k) {
+  struct calc c = exact_calc(f);
+  void *x = calc_new(&c), *y = calc_new(&c);
   int sign = 0;
-  if (exact_sub(&x, f, &a->x[i], &a->x[sa->n + i]) && exact_sub(&y, f, &b->x[k], &b->x[sb->n + k]))
-    sign = exact_ratio_sign(f, &x, &y, name_param, N_PARAMS); /* which the domain of the claims keeps positive */
-  bool both_zero = exact_is_zero(f, &x) && exact_is_zero(f, &y);
-  exact_clear(&y, f);
-  exact_clear(&x, f);
+  if (exact_sub(x, f, num_vec_at(a, i), num_vec_at(a, sa->n + i)) &&
+      exact_sub(y, f, num_vec_at(b, k), num_vec_at(b, sb->n + k)))
+    sign = exact_ratio_sign(f, x, y, name_param, N_PARAMS); /* which the domain of the claims keeps positive */
+  bool both_zero = exact_is_zero(f, x) && exact_is_zero(f, y);
+  calc_clear(&c);
   enum relop op_a = sa->ops[i], op_b = sb->ops[k];
   if (sign == 0 || (both_zero && op_a != op_b)) return false;
   return op_a == REL_EQ ? op_b == REL_EQ : op_b == (sign > 0 ? op_a : mirrored(op_a));
 }
 
 /* Is every relation of a one of b? */
-static bool has_relations(struct exact_field *f, const struct sentence *sa, const struct exact_vec *a,
-                          const struct sentence *sb, const struct exact_vec *b) {
+static bool has_relations(struct exact_field *f, const struct sentence *sa, const struct num_vec *a,
+                          const struct sentence *sb, const struct num_vec *b) {
   for (slong i = 0; i < sa->n; i++) {
     bool found = i < sb->n && same_relation(f, sa, a, i, sb, b, i);
     for (slong k = 0; !found && k < sb->n; k++) found = same_relation(f, sa, a, i, sb, b, k);
@@ -73,14 +72,14 @@ static bool same_sentences(const struct sentence *a, const struct sentence *b, b
   int n = facts_collect(fact, facts, c);
   if (sign) fact[n++] = *sign;
   struct exact_field *f = exact_field_new(fact, n);
-  struct exact_vec x, y;
-  int s = exact_eval(&x, f, &a->tape);
-  s |= exact_eval(&y, f, &b->tape);
+  struct calc w = exact_calc(f);
+  struct num_vec x, y;
+  int s = exact_eval(&x, &w, f, &a->tape);
+  s |= exact_eval(&y, &w, f, &b->tape);
   bool same = s == SS_OK;
-  for (slong i = 0; same && values && i < a->n; i++) same = exact_equal(f, &x.x[i], &y.x[i]);
+  for (slong i = 0; same && values && i < a->n; i++) same = exact_equal(f, num_vec_at(&x, i), num_vec_at(&y, i));
   if (!values) same = same && has_relations(f, a, &x, b, &y) && has_relations(f, b, &y, a, &x);
-  exact_vec_clear(&y);
-  exact_vec_clear(&x);
+  calc_clear(&w);
   exact_field_free(f);
   return same;
 }
@@ -107,20 +106,21 @@ static bool same_end(const struct expr *x, const struct expr *y, const struct st
                      const struct model *m) {
   struct elaboration el;
   struct tape tape = {.n = 0};
-  struct exact_vec v = {.len = 0};
+  struct num_vec v;
   struct matrix a, b;
   struct diag d = {0};
   bool same = false;
   if (!x || !y || expr_same(x, y)) return !x == !y;
   elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   struct exact_field *f = exact_field_new(NULL, 0);
+  struct calc c = exact_calc(f);
   if (elaborate(&a, &el, x, r->src, r->section, &d) && elaborate(&b, &el, y, r->src, r->section, &d) &&
       a.rows * a.cols == 1 && b.rows * b.cols == 1) {
     const struct expr *both[] = {a.e[0], b.e[0]};
     if (elaboration_tape(&tape, &el, both, 2, &d))
-      same = exact_eval(&v, f, &tape) == SS_OK && exact_equal(f, &v.x[0], &v.x[1]);
-    exact_vec_clear(&v);
+      same = exact_eval(&v, &c, f, &tape) == SS_OK && exact_equal(f, num_vec_at(&v, 0), num_vec_at(&v, 1));
   }
+  calc_clear(&c);
   exact_field_free(f);
   tape_clear(&tape);
   elaboration_clear(&el);
@@ -138,13 +138,13 @@ enum { MAX_UNKNOWNS = 32 };
 
 static bool same_condition(const struct condition *x, const struct condition *y) {
   struct exact_field *f = exact_field_new(NULL, 0);
-  struct exact_vec v, w;
+  struct calc c = exact_calc(f);
+  struct num_vec v, w;
   bool same = x->equality == y->equality && x->phase == y->phase;
-  same = exact_eval(&v, f, &x->s.tape) == SS_OK && same;
-  same = exact_eval(&w, f, &y->s.tape) == SS_OK && same;
-  same = same && exact_equal(f, &v.x[0], &w.x[0]);
-  exact_vec_clear(&w);
-  exact_vec_clear(&v);
+  same = exact_eval(&v, &c, f, &x->s.tape) == SS_OK && same;
+  same = exact_eval(&w, &c, f, &y->s.tape) == SS_OK && same;
+  same = same && exact_equal(f, num_vec_at(&v, 0), num_vec_at(&w, 0));
+  calc_clear(&c);
   exact_field_free(f);
   return same;
 }

@@ -8,10 +8,9 @@ typedef fmpz_mpoly_q_struct element;
 enum { N_SURE = 6, MAX_FACTS = EXACT_CONDITIONS + N_SURE + MAX_CONDITIONS };
 
 bool exact_margin(fmpz_mpoly_q_struct *z, struct exact_motion *m, const struct tape *t) {
-  struct exact_vec v;
-  bool ok = exact_eval(&v, m->field, t) == SS_OK;
-  if (ok) num_exact.set(z, &v.x[0]);
-  exact_vec_clear(&v);
+  struct num_vec v;
+  bool ok = exact_eval(&v, &m->c, m->field, t) == SS_OK;
+  if (ok) num_exact.set(z, num_vec_at(&v, 0));
   return ok;
 }
 

@@ -36,8 +36,7 @@ struct job {
 
 /* Both sides of entry i, as far as they could be computed. */
 struct sides {
-  struct exact_vec paper;
-  struct num_vec model;
+  struct num_vec paper, model;
   int *status, model_status;
 };
 
@@ -48,21 +47,16 @@ static void sides_make(struct sides *v, struct job *b, struct exact_motion *m) {
   v->model_status = s->oracle ? exact_motion_oracle(&v->model, m, b->value) : SS_OK;
   bool *wanted = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *wanted);
   for (slong i = 0; i < s->tape.n_outputs; i++) wanted[i] = !b->done[i % s->n];
-  exact_eval_each(&v->paper, v->status, m->field, &s->tape, wanted);
+  exact_eval_each(&v->paper, v->status, &m->c, m->field, &s->tape, wanted);
   free(wanted);
-}
-
-static void sides_clear(struct sides *v) {
-  exact_vec_clear(&v->paper);
-  free(v->status);
 }
 
 /* left - right of an entry; SS_OK when that is known. */
 static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion *m, struct sides *v, slong i) {
   int s = v->status[i] | (b->s->oracle ? v->model_status : v->status[b->s->n + i]);
   if (s != SS_OK) return s;
-  const fmpz_mpoly_q_struct *right = b->s->oracle ? num_vec_at(&v->model, i) : &v->paper.x[b->s->n + i];
-  return exact_sub(d, m->field, &v->paper.x[i], right) ? SS_OK : SS_UNABLE;
+  const fmpz_mpoly_q_struct *right = b->s->oracle ? num_vec_at(&v->model, i) : num_vec_at(&v->paper, b->s->n + i);
+  return exact_sub(d, m->field, num_vec_at(&v->paper, i), right) ? SS_OK : SS_UNABLE;
 }
 
 /* Does the step hold, an inequality because the difference of its sides is positive by what is known to be? */
@@ -136,7 +130,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   b->beyond = b->beyond || m.beyond;
   b->uses_matrices = b->uses_matrices || m.used_matrix;
   memcpy(b->unbound, m.unbound, sizeof b->unbound);
-  sides_clear(&v);
+  free(v.status);
   exact_motion_clear(&m);
 }
 

@@ -66,14 +66,9 @@ static void take_angle(struct on_motion *s, const struct condition *goal, bool f
 }
 
 static void take_parts(struct on_motion *s, const struct tape *t) {
-  struct exact_vec v;
-  s->m.c.status |= exact_eval(&v, s->m.field, t);
-  for (int i = 0; i < N_RANGE_PARTS; i++) {
-    element *z = calc_new(&s->m.c);
-    if (s->m.c.status == SS_OK) num_exact.set(z, &v.x[i]);
-    s->part[i] = z;
-  }
-  exact_vec_clear(&v);
+  struct num_vec v;
+  s->m.c.status |= exact_eval(&v, &s->m.c, s->m.field, t);
+  for (int i = 0; i < N_RANGE_PARTS; i++) s->part[i] = at(&v, i);
 }
 
 static void take_values(struct on_motion *s, const struct condition *goal, const struct range_form *form) {

@@ -14,22 +14,21 @@ typedef fmpz_mpoly_q_struct element;
 
 struct elimination {
   struct exact_field *field;
-  struct exact_vec value; /* residuals, then entries */
+  struct calc c;
+  struct num_vec value; /* residuals, then entries */
   int rows, cols, rank;
   bool used[RANK_NAMES]; /* the row has had its pivot */
   struct text pivots;
 };
 
 static element *entry(const struct elimination *e, int row, int col) {
-  return &e->value.x[e->rows + row * e->cols + col];
+  return num_vec_at(&e->value, e->rows + row * e->cols + col);
 }
 
 int exact_unit_sign(struct exact_field *f, const element *x) {
-  element one;
-  exact_init(&one, f);
-  num_exact.set_d(&one, 1, 0);
-  int sign = exact_ratio_sign(f, x, &one, name_param, P_V + 1);
-  exact_clear(&one, f);
+  struct calc c = exact_calc(f);
+  int sign = exact_ratio_sign(f, x, calc_d(&c, 1), name_param, P_V + 1);
+  calc_clear(&c);
   return sign;
 }
 
@@ -41,32 +40,22 @@ static bool find_pivot(int *row, int *col, const struct elimination *e) {
 }
 
 /* row -= (its entry below the pivot / the pivot) times the pivot's row. */
-static int clear_row(struct elimination *e, int row, int pivot, int col) {
-  element factor, term;
-  exact_init(&factor, e->field);
-  exact_init(&term, e->field);
-  int s = num_exact.div(&factor, entry(e, row, col), entry(e, pivot, col), 0);
-  if (s == SS_OK) s = exact_reduce(&factor, e->field);
-  for (int k = 0; s == SS_OK && k < e->cols; k++) {
-    s = num_exact.mul(&term, &factor, entry(e, pivot, k), 0);
-    if (s == SS_OK) s = num_exact.sub(entry(e, row, k), entry(e, row, k), &term, 0);
-    if (s == SS_OK) s = exact_reduce(entry(e, row, k), e->field);
-  }
-  exact_clear(&term, e->field);
-  exact_clear(&factor, e->field);
-  return s;
+static void clear_row(struct elimination *e, int row, int pivot, int col) {
+  struct calc *c = &e->c;
+  val factor = calc_div(c, entry(e, row, col), entry(e, pivot, col));
+  for (int k = 0; k < e->cols; k++)
+    calc_store(c, entry(e, row, k), calc_sub(c, entry(e, row, k), calc_mul(c, factor, entry(e, pivot, k))));
 }
 
-static int eliminate(struct elimination *e) {
-  int s = SS_OK, row, col;
-  while (s == SS_OK && find_pivot(&row, &col, e)) {
+static void eliminate(struct elimination *e) {
+  int row, col;
+  while (e->c.status == SS_OK && find_pivot(&row, &col, e)) {
     e->used[row] = true;
     text_add(&e->pivots, e->rank++ ? ", " : "");
     exact_print(&e->pivots, e->field, entry(e, row, col));
-    for (int i = 0; s == SS_OK && i < e->rows; i++)
-      if (!e->used[i]) s = clear_row(e, i, row, col);
+    for (int i = 0; i < e->rows; i++)
+      if (!e->used[i]) clear_row(e, i, row, col);
   }
-  return s;
 }
 
 /* An entry that is not known to be zero, in a row without a pivot; NULL: there is none. */
@@ -108,19 +97,19 @@ struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_syst
   struct elimination e = {.field = exact_field_new(NULL, 0), .rows = y->rows, .cols = y->cols};
   int *status = ss_malloc((size_t)t->n_outputs * sizeof *status);
   bool *wanted = ss_malloc((size_t)t->n_outputs * sizeof *wanted);
+  e.c = exact_calc(e.field);
   text_init(&e.pivots);
   for (slong i = 0; i < t->n_outputs; i++) wanted[i] = i >= y->rows;
-  exact_eval_each(&e.value, status, e.field, t, wanted);
-  int s = SS_OK;
-  for (slong i = y->rows; i < t->n_outputs; i++) s |= status[i];
-  if (s == SS_OK) s = eliminate(&e);
-  const char *why = s & SS_DOMAIN
+  exact_eval_each(&e.value, status, &e.c, e.field, t, wanted);
+  for (slong i = y->rows; i < t->n_outputs; i++) e.c.status |= status[i];
+  eliminate(&e);
+  const char *why = e.c.status & SS_DOMAIN
                         ? "a divisor in the matrix of derivatives is zero for all parameters"
                         : "the matrix of derivatives outgrew the budget of exact algebra; besides, its pivots "
                           "would have to be shown zero nowhere on the domain";
-  struct exact_rank r = s == SS_OK ? conclude(out, &e) : (struct exact_rank){-1, why};
+  struct exact_rank r = e.c.status == SS_OK ? conclude(out, &e) : (struct exact_rank){-1, why};
   text_clear(&e.pivots);
-  exact_vec_clear(&e.value);
+  calc_clear(&e.c);
   exact_field_free(e.field);
   free(wanted);
   free(status);

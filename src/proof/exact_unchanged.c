@@ -54,16 +54,16 @@ static bool reads_moved(const struct exact_change *c, const struct tape *t) {
 static bool same_element(const struct exact_change *c, const struct formula_read *a, const struct formula_read *b) {
   enum { TERMS = 1500 };
   struct exact_field *f = exact_field_new(NULL, 0);
-  struct exact_vec x, y;
+  struct calc w = exact_calc(f);
+  struct num_vec x, y;
   exact_field_limit(f, TERMS);
   exact_field_bind(f, bind_moved, (void *)(uintptr_t)c);
-  int s = exact_eval(&x, f, &a->tape);
+  int s = exact_eval(&x, &w, f, &a->tape);
   exact_field_bind(f, bind_plain, NULL);
-  s |= exact_eval(&y, f, &b->tape);
+  s |= exact_eval(&y, &w, f, &b->tape);
   bool same = s == SS_OK && x.len == y.len;
-  for (slong i = 0; same && i < x.len; i++) same = exact_equal(f, &x.x[i], &y.x[i]);
-  exact_vec_clear(&y);
-  exact_vec_clear(&x);
+  for (slong i = 0; same && i < x.len; i++) same = exact_equal(f, num_vec_at(&x, i), num_vec_at(&y, i));
+  calc_clear(&w);
   exact_field_free(f);
   return same;
 }

@@ -24,11 +24,12 @@ static struct tape probe(const struct tape *t, slong *outputs, enum tape_op op, 
 static bool roots_of_positive(slong *n, const struct tape *t, slong *outputs) {
   struct tape p = probe(t, outputs, TAPE_sqrt, true);
   struct exact_field *f = exact_field_new(NULL, 0);
-  struct exact_vec v;
-  bool ok = exact_eval(&v, f, &p) == SS_OK;
-  for (slong i = 0; ok && i < v.len; i++) ok = exact_unit_sign(f, &v.x[i]) > 0;
+  struct calc c = exact_calc(f);
+  struct num_vec v;
+  bool ok = exact_eval(&v, &c, f, &p) == SS_OK;
+  for (slong i = 0; ok && i < v.len; i++) ok = exact_unit_sign(f, at(&v, i)) > 0;
   *n = p.n_outputs;
-  exact_vec_clear(&v);
+  calc_clear(&c);
   exact_field_free(f);
   return ok;
 }
@@ -49,14 +50,13 @@ static bool roots_are_simple(slong *n, const struct tape *t, slong *outputs) {
   static const struct point_spec anywhere = {.kind = POINT_PARAMS};
   struct tape p = probe(t, outputs, TAPE_ROOT, false);
   struct exact_motion m;
-  struct exact_vec v;
+  struct num_vec v;
   exact_motion_begin(&m, &modes, &anywhere, false, NULL);
   exact_field_bind(m.field, bind_parameter, &m);
-  bool ok = exact_eval(&v, m.field, &p) == SS_OK && m.state_status == SS_OK;
+  bool ok = exact_eval(&v, &m.c, m.field, &p) == SS_OK && m.state_status == SS_OK;
   for (slong i = 0; ok && i < v.len; i++)
-    ok = exact_equal(m.field, &v.x[i], at(&m.frequency, 0)) || exact_equal(m.field, &v.x[i], at(&m.frequency, 1));
+    ok = exact_equal(m.field, at(&v, i), at(&m.frequency, 0)) || exact_equal(m.field, at(&v, i), at(&m.frequency, 1));
   *n = p.n_outputs;
-  exact_vec_clear(&v);
   exact_motion_clear(&m);
   return ok;
 }
@@ -121,12 +121,12 @@ static int free_states(struct override *o) {
 }
 
 /* How many equations are another one, up to a number other than zero. */
-static int repeated(struct text *note, const struct exact_vec *v, const int *status) {
+static int repeated(struct text *note, struct exact_field *f, const struct num_vec *v, const int *status) {
   int n = 0;
   for (slong i = 1; i < v->len; i++) {
     slong k = 0;
-    while (k < i && !(status[i] == SS_OK && status[k] == SS_OK && !exact_is_zero(v->field, &v->x[i]) &&
-                      exact_ratio_sign(v->field, &v->x[i], &v->x[k], NULL, 0)))
+    while (k < i && !(status[i] == SS_OK && status[k] == SS_OK && !exact_is_zero(f, at(v, i)) &&
+                      exact_ratio_sign(f, at(v, i), at(v, k), NULL, 0)))
       k++;
     if (k == i) continue;
     text_printf(note, "; of the scalar equations number %ld is number %ld again, by exact algebra", (long)i + 1,
@@ -148,11 +148,12 @@ static int repeated_equations(struct text *note, struct judge *j, const struct c
   elaboration_init(&el, view, o, free_states(o));
   if (rank_residuals(out, &rows, &el, &quiet, c, view_record(&view, claim_get(c, "statement"))) && rows > 0 &&
       elaboration_tape(&t, &el, out, rows, &d)) {
-    struct exact_vec v;
+    struct num_vec v;
     struct exact_field *f = exact_field_new(NULL, 0);
-    exact_eval_each(&v, status, f, &t, NULL);
-    n = repeated(note, &v, status);
-    exact_vec_clear(&v);
+    struct calc w = exact_calc(f);
+    exact_eval_each(&v, status, &w, f, &t, NULL);
+    n = repeated(note, f, &v, status);
+    calc_clear(&w);
     exact_field_free(f);
     tape_clear(&t);
   }

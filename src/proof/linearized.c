@@ -28,16 +28,15 @@ static bool same_but_for_units(const element *x, const element *y, struct exact_
 /* Does the tape divide by x, which then is not zero where the tape has a value? */
 static bool divides_by(const struct tape *t, const element *x, struct exact_motion *m) {
   struct tape divisors = *t;
-  struct exact_vec v;
+  struct num_vec v;
   divisors.n_outputs = 0;
   divisors.outputs = ss_malloc((size_t)(t->n + 1) * sizeof *divisors.outputs);
   for (slong i = 0; i < t->n; i++)
     if (t->code[i].op == TAPE_div) divisors.outputs[divisors.n_outputs++] = t->code[i].b;
   int *status = ss_malloc((size_t)(t->n + 1) * sizeof *status);
   bool found = false;
-  exact_eval_each(&v, status, m->field, &divisors, NULL);
-  for (slong i = 0; i < v.len && !found; i++) found = status[i] == SS_OK && same_but_for_units(x, &v.x[i], m);
-  exact_vec_clear(&v);
+  exact_eval_each(&v, status, &m->c, m->field, &divisors, NULL);
+  for (slong i = 0; i < v.len && !found; i++) found = status[i] == SS_OK && same_but_for_units(x, num_vec_at(&v, i), m);
   free(status);
   free(divisors.outputs);
   return found;
@@ -120,22 +119,24 @@ static int factors(struct override *o) {
 }
 
 /* By how much step i of the inequalities holds; SS_UNABLE for an equality, or one that holds at the limit too. */
-static int margin(element *z, const struct sentence *s, const struct exact_vec *sides, slong i) {
-  const element *left = &sides->x[i], *right = &sides->x[s->n + i];
+static int margin(element *z, const struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
+                  slong i) {
+  const element *left = at(sides, i), *right = at(sides, s->n + i);
   enum relop op = s->ops[i];
   if (op != REL_LT && op != REL_GT) return SS_UNABLE;
-  return exact_sub(z, sides->field, op == REL_LT ? right : left, op == REL_LT ? left : right) ? SS_OK : SS_UNABLE;
+  return exact_sub(z, f, op == REL_LT ? right : left, op == REL_LT ? left : right) ? SS_OK : SS_UNABLE;
 }
 
 /* The two margins are 1 + tr J and 1 - tr J, in either order. */
-static bool says_inside(const struct sentence *s, const struct exact_vec *sides, const element *trace) {
-  struct calc c = exact_calc(sides->field);
+static bool says_inside(const struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
+                        const element *trace) {
+  struct calc c = exact_calc(f);
   val one = calc_d(&c, 1), above = calc_add(&c, one, trace), below = calc_sub(&c, one, trace);
   element *m[2] = {calc_new(&c), calc_new(&c)};
-  for (slong i = 0; c.status == SS_OK && i < 2; i++) c.status = margin(m[i], s, sides, i);
+  for (slong i = 0; c.status == SS_OK && i < 2; i++) c.status = margin(m[i], f, s, sides, i);
   bool yes = false;
   for (int i = 0; c.status == SS_OK && i < 2; i++)
-    yes = yes || (exact_equal(sides->field, m[i], above) && exact_equal(sides->field, m[1 - i], below));
+    yes = yes || (exact_equal(f, m[i], above) && exact_equal(f, m[1 - i], below));
   calc_clear(&c);
   return yes;
 }
@@ -183,11 +184,11 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
   if (ok) ok = elaboration_tape(&t, &s.el, (const struct expr *const[]){trace.e[0], det.e[0]}, 2, &d);
   if (ok) {
     struct exact_field *f = exact_field_new(NULL, 0);
-    struct exact_vec sides, of_chain;
-    int status = exact_eval(&sides, f, &s.tape) | exact_eval(&of_chain, f, &t);
-    ok = status == SS_OK && exact_is_zero(f, &of_chain.x[1]) && says_inside(&s, &sides, &of_chain.x[0]);
-    exact_vec_clear(&of_chain);
-    exact_vec_clear(&sides);
+    struct calc c = exact_calc(f);
+    struct num_vec sides, of_chain;
+    int status = exact_eval(&sides, &c, f, &s.tape) | exact_eval(&of_chain, &c, f, &t);
+    ok = status == SS_OK && exact_is_zero(f, at(&of_chain, 1)) && says_inside(f, &s, &sides, at(&of_chain, 0));
+    calc_clear(&c);
     exact_field_free(f);
   }
   if (ok)

@@ -50,7 +50,7 @@ static const element *part_entry(const struct stable_field *s, const char *name)
     size_t len = strlen(p->part->name);
     if (strncmp(name, p->part->name, len) != 0 || name[len] != '[') continue;
     int row = name[len + 1] - '1', col = name[len + 3] - '1';
-    return &p->value.x[row * p->part->cols + col];
+    return num_vec_at(&p->value, row * p->part->cols + col);
   }
   return NULL;
 }
@@ -79,6 +79,7 @@ static void each_element(struct stable_field *s, void (*act)(element *x, const s
 void stable_field_make(struct stable_field *s, slong unit) {
   *s = (struct stable_field){.field = exact_field_new(NULL, 0)};
   exact_field_limit(s->field, STABLE_TERMS);
+  s->c = exact_calc(s->field);
   each_element(s, exact_init);
   s->status = exact_symbol(&s->frequency[0], s->field, "omega_1") | exact_symbol(&s->frequency[1], s->field, "omega_2");
   make_parameters(s);
@@ -90,6 +91,7 @@ void stable_field_make(struct stable_field *s, slong unit) {
 }
 
 void stable_field_clear(struct stable_field *s) {
+  calc_clear(&s->c);
   each_element(s, exact_clear);
   exact_field_free(s->field);
 }

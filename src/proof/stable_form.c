@@ -74,7 +74,7 @@ static bool value_parts(struct stable_field *s, struct part_value v[MOST_PARTS],
     ok = reading_value(&r, u->part[i].equals, u->part[i].section, d) && elaboration_tape(&r.tape, &r.el, r.e, r.n, d);
     if (ok) {
       v[s->n_parts] = (struct part_value){.part = &u->part[i]};
-      s->status |= exact_eval(&v[s->n_parts++].value, s->field, &r.tape);
+      s->status |= exact_eval(&v[s->n_parts++].value, &s->c, s->field, &r.tape);
     }
     reading_clear(&r);
   }
@@ -86,21 +86,20 @@ static bool value_parts(struct stable_field *s, struct part_value v[MOST_PARTS],
 static bool compare_in(struct stable_proof *p, struct reading r[2], slong unit, const struct model *m,
                        const struct unknowns *u, struct diag *d) {
   struct stable_field s;
-  struct exact_vec v[2];
+  struct num_vec v[2];
   struct part_value part[MOST_PARTS];
   stable_field_make(&s, unit);
   bool ok = value_parts(&s, part, &r[1].tape, m, u, d);
   int status = s.status;
-  for (int i = 0; i < 2; i++) status |= exact_eval(&v[i], s.field, &r[i].tape);
+  for (int i = 0; i < 2; i++) status |= exact_eval(&v[i], &s.c, s.field, &r[i].tape);
   p->why_not = status & SS_DOMAIN   ? "a divisor is zero for all parameters"
                : status & SS_UNABLE ? "an expression outgrew the budget of exact algebra"
                                     : NULL;
   for (slong i = 0; !p->why_not && i < v[0].len; i++)
-    if (!exact_equal(s.field, &v[0].x[i], &v[1].x[i])) p->why_not = "an entry differs, as far as exact algebra knows";
+    if (!exact_equal(s.field, num_vec_at(&v[0], i), num_vec_at(&v[1], i)))
+      p->why_not = "an entry differs, as far as exact algebra knows";
   p->entries = (int)r[0].n;
   p->largest = exact_largest(s.field);
-  for (int i = 0; i < 2; i++) exact_vec_clear(&v[i]);
-  for (int i = 0; i < s.n_parts; i++) exact_vec_clear(&part[i].value);
   stable_field_clear(&s);
   return ok;
 }

@@ -22,7 +22,7 @@ struct part {
 
 struct part_value {
   const struct part *part;
-  struct exact_vec value;
+  struct num_vec value;
 };
 
 enum { MOST_PARTS = 32 };
@@ -30,6 +30,7 @@ enum { MOST_PARTS = 32 };
 /* The parameters by the frequencies, and the angles of the phases. */
 struct stable_field {
   struct exact_field *field;
+  struct calc c; /* of the values of its tapes */
   element frequency[2], chi, eta, g_1;
   element positive[N_POSITIVE], angle[N_TIMES * N_ANGLES];
   struct part_value *part; /* values of parts that are held as unknowns */

@@ -10,10 +10,11 @@ static int input(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name
   if (f->bind) return f->bind(z, f, name, f->bind_arg);
   for (int k = 0; k < f->n_facts; k++) {
     if (strcmp(f->fact[k].name, name) != 0) continue;
-    struct exact_vec v;
-    int s = exact_eval(&v, f, &f->fact[k].tape);
-    if (s == SS_OK) fmpz_mpoly_q_set(z, &v.x[0], ring());
-    exact_vec_clear(&v);
+    struct num_vec v;
+    struct calc c = exact_calc(f);
+    int s = exact_eval(&v, &c, f, &f->fact[k].tape);
+    if (s == SS_OK) num_exact.set(z, num_vec_at(&v, 0));
+    calc_clear(&c);
     return s;
   }
   return exact_symbol(z, f, name);
@@ -110,7 +111,7 @@ static bool *reached(const struct tape *t, const bool *wanted) {
   return needed;
 }
 
-int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, const struct tape *t,
+int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exact_field *f, const struct tape *t,
                     const bool *wanted) {
   fmpz_mpoly_q_struct *reg = ss_malloc((size_t)(t->n + 1) * sizeof *reg);
   int *s = ss_malloc((size_t)(t->n + 1) * sizeof *s), all = SS_OK;
@@ -125,12 +126,11 @@ int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, c
     if (s[i] == SS_OK && terms > f->limit) s[i] = SS_UNABLE;
     if (terms > f->largest) f->largest = terms;
   }
-  *out = (struct exact_vec){f, t->n_outputs, ss_malloc((size_t)(t->n_outputs + 1) * sizeof *out->x)};
+  *out = calc_vec(c, t->n_outputs);
   for (slong i = 0; i < out->len; i++) {
-    exact_init(&out->x[i], f);
     status[i] = s[t->outputs[i]];
     all |= status[i];
-    if (status[i] == SS_OK) fmpz_mpoly_q_set(&out->x[i], &reg[t->outputs[i]], ring());
+    if (status[i] == SS_OK) num_exact.set(num_vec_at(out, i), &reg[t->outputs[i]]);
   }
   for (slong i = 0; i < t->n; i++) exact_clear(&reg[i], f);
   free(needed);
@@ -139,14 +139,9 @@ int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, c
   return all;
 }
 
-int exact_eval(struct exact_vec *out, struct exact_field *f, const struct tape *t) {
+int exact_eval(struct num_vec *out, struct calc *c, struct exact_field *f, const struct tape *t) {
   int *status = ss_malloc((size_t)(t->n_outputs + 1) * sizeof *status);
-  int s = exact_eval_each(out, status, f, t, NULL);
+  int s = exact_eval_each(out, status, c, f, t, NULL);
   free(status);
   return s;
-}
-
-void exact_vec_clear(struct exact_vec *v) {
-  for (slong i = 0; i < v->len; i++) exact_clear(&v->x[i], v->field);
-  free(v->x);
 }

@@ -61,20 +61,13 @@ struct calc exact_calc(const struct exact_field *f);
 /* The derivative by a free symbol, of which the arguments of sines and cosines may be functions and roots may not. */
 int exact_derivative(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x, const char *name);
 
-/* The outputs of a tape as elements of a field. */
-struct exact_vec {
-  struct exact_field *field;
-  slong len;
-  fmpz_mpoly_q_struct *x;
-};
-/* SS_OK, SS_DOMAIN (a division by zero) or SS_UNABLE; then the values mean nothing, but must be cleared all the
-   same. */
-int exact_eval(struct exact_vec *out, struct exact_field *f, const struct tape *t);
+/* The outputs of a tape as elements of a field, in a vector of the calc.  SS_OK, SS_DOMAIN (a division by zero) or
+   SS_UNABLE; then the values mean nothing. */
+int exact_eval(struct num_vec *out, struct calc *c, struct exact_field *f, const struct tape *t);
 /* The same with the status of each output (its value means nothing unless SS_OK); returns their union.  Only the wanted
    outputs (NULL: all) are computed, the others are SS_UNABLE. */
-int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, const struct tape *t,
+int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exact_field *f, const struct tape *t,
                     const bool *wanted);
-void exact_vec_clear(struct exact_vec *v);
 /* The largest number of terms that any register has had. */
 slong exact_largest(const struct exact_field *f);
 /* An element by the names of its free symbols, other generators as g0, g1, ... in the order of their making. */
