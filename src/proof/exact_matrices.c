@@ -27,18 +27,14 @@ static int local_jacobian(struct num_vec *j, struct exact_motion *m, int phase) 
 }
 
 static int corner(struct num_vec *out, struct exact_motion *m, int phase) {
-  struct num_vec j;
-  vec_init(&j, 16);
+  struct num_vec j = calc_vec(&m->c, 16);
   int s = local_jacobian(&j, m, phase);
   if (s == SS_OK) s = local_map_corner(out, &local_maps[phase], &j, at(&m->params, P_CHI));
-  if (s == SS_OK) s = motion_reduce(out, m);
-  num_vec_clear(&j);
-  return s;
+  return s == SS_OK ? motion_reduce(out, m) : s;
 }
 
 static int period_matrix(struct num_vec *out, struct exact_motion *m) {
-  struct calc c = calc_begin(num_ctx_exact());
-  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
+  struct num_vec p = calc_vec(&m->c, 16), u = calc_vec(&m->c, 1);
   int s = SS_OK;
   for (int ph = 0; s == SS_OK && ph < N_PHASES; ph++) {
     s = motion_length(at(&u, 0), m, ph);
@@ -48,7 +44,6 @@ static int period_matrix(struct num_vec *out, struct exact_motion *m) {
     else if (s == SS_OK)
       s = motion_multiply(out, m, &p, out, 4, 4, 4);
   }
-  calc_clear(&c);
   return s;
 }
 
@@ -90,16 +85,15 @@ static bool hands_over(struct exact_motion *m, int phase) {
 
 /* The product of the corners, held as unknowns, once it is known that each phase hands over to the next. */
 static int return_jacobian(struct num_vec *out, struct exact_motion *m) {
-  struct num_vec c, sum;
+  struct num_vec sum = calc_vec(&m->c, 6);
   char name[32];
   int s = SS_OK;
   m->used_matrix = true;
   for (int ph = 0; ph + 1 < N_PHASES; ph++)
     if (!hands_over(m, ph)) return SS_UNABLE;
-  vec_init(&sum, 6);
   for (int ph = 0; s == SS_OK && ph < N_PHASES; ph++) {
     const struct local_map *map = &local_maps[ph];
-    vec_init(&c, map->rows * map->cols);
+    struct num_vec c = calc_vec(&m->c, map->rows * map->cols);
     for (int i = 0; i < map->rows * map->cols; i++) {
       snprintf(name, sizeof name, "%s[%d,%d]", map->name, i / map->cols + 1, i % map->cols + 1);
       s |= exact_symbol(at(&c, i), m->field, name);
@@ -109,10 +103,8 @@ static int return_jacobian(struct num_vec *out, struct exact_motion *m) {
       num_vec_set(&after, &c);
     else if (s == SS_OK)
       s = motion_multiply(&after, m, &c, &before, map->rows, map->cols, 2);
-    num_vec_clear(&c);
   }
   for (int i = 0; i < 4; i++) num_exact.set(at(out, i), at(&sum, i));
-  num_vec_clear(&sum);
   return s;
 }
 
@@ -133,12 +125,9 @@ int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char 
     snprintf(propagator, sizeof propagator, "%s(t)", phase_name[ph]);
     if (strcmp(name, local_maps[ph].name) == 0) return corner(out, m, ph);
     if (strcmp(name, propagator) != 0) continue;
-    struct num_vec u;
-    vec_init(&u, 1);
+    struct num_vec u = calc_vec(&m->c, 1);
     int s = exact_symbol(at(&u, 0), m->field, "t");
-    if (s == SS_OK) s = exact_propagator(out, m, (enum phase)ph, at(&u, 0));
-    num_vec_clear(&u);
-    return s;
+    return s == SS_OK ? exact_propagator(out, m, (enum phase)ph, at(&u, 0)) : s;
   }
   if (strcmp(name, "N") == 0) return period_matrix(out, m);
   if (has_word(m) && motion_meeting(name)) {

@@ -15,8 +15,7 @@ static int end_now(const struct exact_motion *m) {
 /* The time t: on an arc that of the phases before, of the perturbed motion where there is one, and tau. */
 static int time_now(element *z, struct exact_motion *m) {
   if (!has_word(m)) return exact_symbol(z, m->field, "t");
-  struct num_vec w, dz;
-  vec_init(&w, 1);
+  struct num_vec w = calc_vec(&m->c, 1), dz;
   int s = m->attempt.time == TIME_INSIDE ? exact_symbol(z, m->field, "tau") : num_exact.set_d(z, 0, 0);
   for (int k = 0; s == SS_OK && k < end_now(m); k++) {
     s = motion_length(at(&w, 0), m, k);
@@ -25,30 +24,25 @@ static int time_now(element *z, struct exact_motion *m) {
     s = motion_tangent(&dz, m, k + 1);
     if (s == SS_OK) s = motion_op(num_exact.add, z, m, z, at(&m->shift, k));
   }
-  num_vec_clear(&w);
   return s;
 }
 
 /* Z(t) or, for the second derivative, its rate. */
 static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   static const char *const start[] = {"z_1(0)", "z_2(0)", "z_1'(0)", "z_2'(0)"};
-  struct calc c = calc_begin(num_ctx_exact());
-  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
+  struct num_vec p = calc_vec(&m->c, 16), u = calc_vec(&m->c, 1);
   int s = exact_symbol(at(&u, 0), m->field, has_word(m) ? "tau" : "t");
   if (has_word(m) && m->attempt.time != TIME_INSIDE) num_exact.set_d(at(&u, 0), 0, 0);
   if (has_word(m)) s |= motion_perturbed(out, m, end_now(m), m->finite);
   for (int i = 0; !has_word(m) && i < 4; i++) s |= exact_symbol(at(out, i), m->field, start[i]);
   s |= exact_propagator(&p, m, m->phase, at(&u, 0));
   if (s == SS_OK) s = motion_multiply(out, m, &p, out, 4, 4, 1);
-  if (s == SS_OK && rate) s = motion_rate(out, m, (int)m->phase, out);
-  calc_clear(&c);
-  return s;
+  return s == SS_OK && rate ? motion_rate(out, m, (int)m->phase, out) : s;
 }
 
 static int value_of_motion(element *z, struct exact_motion *m, const char *name, int component, int primes,
                            const char *argument) {
-  struct num_vec out;
-  vec_init(&out, 4);
+  struct num_vec out = calc_vec(&m->c, 4);
   int s = SS_OK, k = name_of_switching_time(argument);
   if (m->kind == POINT_FLOW && strcmp(argument, "(0)") == 0 && primes < 2)
     s = exact_symbol(at(&out, component + 2 * primes), m->field, name);
@@ -59,7 +53,6 @@ static int value_of_motion(element *z, struct exact_motion *m, const char *name,
   else
     s = motion_unknown(m, name);
   if (s == SS_OK) num_exact.set(z, at(&out, component + (primes ? 2 : 0)));
-  num_vec_clear(&out);
   return s;
 }
 
@@ -70,12 +63,9 @@ static int bind_motion(element *z, struct exact_motion *m, const char *name) {
   if (!name_of_motion(name, &in_x, &component, &primes, &argument)) return motion_unknown(m, name);
   int s = value_of_motion(z, m, name, component, primes, argument);
   if (s != SS_OK || !in_x || primes) return s;
-  struct num_vec d;
-  vec_init(&d, 1);
+  struct num_vec d = calc_vec(&m->c, 1);
   s = motion_of_params(&d, m, component ? "d_02" : "d_01");
-  if (s == SS_OK) s = motion_op(num_exact.add, z, m, z, at(&d, 0));
-  num_vec_clear(&d);
-  return s;
+  return s == SS_OK ? motion_op(num_exact.add, z, m, z, at(&d, 0)) : s;
 }
 
 static int bind_tangent(element *z, struct exact_motion *m, int index) {
@@ -99,8 +89,8 @@ static bool bind_block(int *status, element *z, struct exact_motion *m, const ch
   struct values v;
   bool old_time = strcmp(name, "t_prime") == 0, known = true;
   int s = motion_as_values(&v, m, &p);
-  vec_init(&v.zt, N_STATE);
-  vec_init(&v.t, 1);
+  v.zt = calc_vec(&m->c, N_STATE);
+  v.t = calc_vec(&m->c, 1);
   s |= exact_symbol(at(&v.t, 0), m->field, "t");
   if (name[0] == 'u' || name[0] == 'F') s |= state_now(&v.zt, m, false);
   if (old_time || strcmp(name, "omega_3") == 0)
@@ -109,9 +99,6 @@ static bool bind_block(int *status, element *z, struct exact_motion *m, const ch
     known = springs_bind(status, z, &v, name);
   if (known) *status |= s;
   if (known && *status == SS_OK) *status = exact_reduce(z, m->field);
-  num_vec_clear(&v.t);
-  num_vec_clear(&v.zt);
-  num_vec_clear(&v.q);
   return known;
 }
 
@@ -182,13 +169,10 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   if (word_find(name, free_names, 3) < 3) return exact_symbol(z, f, name);
   if (strcmp(name, "t") == 0) return time_now(z, m);
   if (strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0) {
-    struct num_vec w;
-    vec_init(&w, 1);
+    struct num_vec w = calc_vec(&m->c, 1);
     int s = bind_param(at(&w, 0), m, name[3] == '1' ? P_E1 : P_E2);
     s |= exact_symbol(z, f, name[3] == '1' ? "u_s1" : "u_s2");
-    if (s == SS_OK) s = motion_op(num_exact.add, z, m, z, at(&w, 0));
-    num_vec_clear(&w);
-    return s;
+    return s == SS_OK ? motion_op(num_exact.add, z, m, z, at(&w, 0)) : s;
   }
   if (strchr(name, '[')) return bind_entry(z, m, name);
   if (has_word(m) && (index = name_of_arc(name)) >= 0) return bind_arc(z, m, index);

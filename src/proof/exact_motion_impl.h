@@ -13,10 +13,6 @@ static inline element *at(const struct num_vec *v, slong i) {
   return num_vec_at(v, i);
 }
 
-static inline void vec_init(struct num_vec *v, slong n) {
-  num_vec_init(v, n, num_ctx_exact());
-}
-
 /* A vector that shares n elements of another from i on. */
 static inline struct num_vec part(const struct num_vec *v, slong i, slong n) {
   return (struct num_vec){v->ctx, n, num_vec_at(v, i)};
@@ -47,7 +43,7 @@ int motion_symbol(element *z, struct exact_motion *m, const char *name);
 int motion_unknown(struct exact_motion *m, const char *name);
 /* The matrix A of a phase. */
 int motion_system(struct num_vec *a, struct exact_motion *m, enum phase ph);
-/* The motion's parameters as those of a point, for what is defined for every number type; clear v->q. */
+/* The motion's parameters as those of a point, for what is defined for every number type. */
 int motion_as_values(struct values *v, struct exact_motion *m, const struct point *p);
 /* The oracle's quantity of that name, which is one of the parameters alone. */
 int motion_of_params(struct num_vec *out, struct exact_motion *m, const char *name);

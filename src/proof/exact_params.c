@@ -52,17 +52,14 @@ int motion_system(struct num_vec *a, struct exact_motion *m, enum phase ph) {
 
 /* Is w^2 an eigenvalue of the stiffness of phase H, as the first-order system has it? */
 static bool is_frequency(struct exact_motion *m, const element *w) {
-  struct calc c = calc_begin(num_ctx_exact());
-  struct num_vec a = calc_vec(&c, 16), k = calc_vec(&c, 4), det = calc_vec(&c, 1);
+  struct num_vec a = calc_vec(&m->c, 16), k = calc_vec(&m->c, 4), det = calc_vec(&m->c, 1);
   int s = motion_system(&a, m, PHASE_H);
   for (int i = 0; i < 4; i++) s |= num_exact.neg(at(&k, i), at(&a, 8 + 4 * (i / 2) + i % 2), 0);
   s |= num_exact.mul(at(&det, 0), w, w, 0);
   for (int i = 0; i < 4; i += 3) s |= num_exact.sub(at(&k, i), at(&k, i), at(&det, 0), 0);
   s |= num_mat_det(at(&det, 0), &k, 2);
   s |= exact_reduce(at(&det, 0), m->field);
-  bool zero = s == SS_OK && exact_is_zero(m->field, at(&det, 0));
-  calc_clear(&c);
-  return zero;
+  return s == SS_OK && exact_is_zero(m->field, at(&det, 0));
 }
 
 /* chi eta = w1^2 + w2^2 - 1 and chi = (1 - w1^2)(w2^2 - 1)/(chi eta): the trace and the determinant of K solved for chi
@@ -92,10 +89,9 @@ static int take_params(struct exact_motion *m) {
   return s | take_modes(m);
 }
 
-/* The motion's parameters as those of a point, for what is defined for every number type; clear q. */
+/* The motion's parameters as those of a point, for what is defined for every number type. */
 int motion_as_values(struct values *v, struct exact_motion *m, const struct point *p) {
-  *v = (struct values){.ctx = num_ctx_exact(), .point = p, .params = m->params};
-  vec_init(&v->q, N_Q);
+  *v = (struct values){.ctx = num_ctx_exact(), .point = p, .params = m->params, .q = calc_vec(&m->c, N_Q)};
   for (int i = 0; i < N_PARAMS; i++) num_exact.set(at(&v->q, Q_CHI + i), at(&m->params, i));
   return exact_symbol(at(&v->q, Q_US1), m->field, "u_s1") | exact_symbol(at(&v->q, Q_US2), m->field, "u_s2");
 }
@@ -106,7 +102,6 @@ int motion_of_params(struct num_vec *out, struct exact_motion *m, const char *na
   struct values v;
   int s = motion_as_values(&v, m, &p);
   s |= oracle_eval(out, oracle_find(name), &v);
-  num_vec_clear(&v.q);
   return s ? s : motion_reduce(out, m);
 }
 

@@ -32,21 +32,17 @@ static int pair_of(element *c, element *s, struct exact_motion *m, const element
     if (u) num_exact.set(s, u);
     return num_exact.set_d(c, 1, 0);
   }
-  struct num_vec x;
-  vec_init(&x, 1);
+  struct num_vec x = calc_vec(&m->c, 1);
   int status = motion_op(num_exact.mul, at(&x, 0), m, w, u);
   if (status == SS_OK) status = exact_sin_cos(s, c, m->field, at(&x, 0));
-  if (status == SS_OK) status = motion_op(num_exact.div, s, m, s, w);
-  num_vec_clear(&x);
-  return status;
+  return status == SS_OK ? motion_op(num_exact.div, s, m, s, w) : status;
 }
 
 /* p += (c + A s) (-A^2 - skip)/(own - skip), which is the share of the eigenvalue own of -A^2. */
 static int add_share(struct num_vec *p, struct exact_motion *m, const struct num_vec *a, const element *c,
                      const element *s, const element *own, const element *skip) {
   const struct num_type *t = &num_exact;
-  struct calc w = calc_begin(num_ctx_exact());
-  struct num_vec square = calc_vec(&w, 16), factor = calc_vec(&w, 16), gap = calc_vec(&w, 2);
+  struct num_vec square = calc_vec(&m->c, 16), factor = calc_vec(&m->c, 16), gap = calc_vec(&m->c, 2);
   int status = motion_multiply(&square, m, a, a, 4, 4, 4);
   status |= t->sub(at(&gap, 0), own, skip, 0);
   for (int i = 0; i < 16; i++) {
@@ -59,15 +55,13 @@ static int add_share(struct num_vec *p, struct exact_motion *m, const struct num
   status |= motion_reduce(&square, m) | motion_reduce(&factor, m);
   if (status == SS_OK) status = motion_multiply(&square, m, &factor, &square, 4, 4, 4);
   for (int i = 0; status == SS_OK && i < 16; i++) status = motion_op(t->add, at(p, i), m, at(p, i), at(&square, i));
-  calc_clear(&w);
   return status;
 }
 
 static int make_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const element *u) {
   const struct num_type *t = &num_exact;
   element *w[2];
-  struct calc c = calc_begin(num_ctx_exact());
-  struct num_vec a = calc_vec(&c, 16), own = calc_vec(&c, 2), f = calc_vec(&c, 6);
+  struct num_vec a = calc_vec(&m->c, 16), own = calc_vec(&m->c, 2), f = calc_vec(&m->c, 6);
   int s = motion_system(&a, m, ph);
   s |= frequencies(w, m, ph, &own);
   for (int i = 0; s == SS_OK && i < 2; i++) {
@@ -84,15 +78,13 @@ static int make_propagator(struct num_vec *p, struct exact_motion *m, enum phase
     for (int i = 0; s == SS_OK && i < 2; i++)
       s = add_share(p, m, &a, at(&f, i), at(&f, 2 + i), at(&f, 4 + i), at(&f, 5 - i));
   }
-  calc_clear(&c);
   return s;
 }
 
 /* P' - A P and P(0) - I are zero. */
 static bool solves(struct exact_motion *m, enum phase ph) {
-  struct calc c = calc_begin(num_ctx_exact());
-  struct num_vec p = calc_vec(&c, 16), rate = calc_vec(&c, 16), start = calc_vec(&c, 16), a = calc_vec(&c, 16),
-                 rest = calc_vec(&c, PROPAGATOR_LAW), u = calc_vec(&c, 1);
+  struct num_vec p = calc_vec(&m->c, 16), rate = calc_vec(&m->c, 16), start = calc_vec(&m->c, 16),
+                 a = calc_vec(&m->c, 16), rest = calc_vec(&m->c, PROPAGATOR_LAW), u = calc_vec(&m->c, 1);
   int s = exact_symbol(at(&u, 0), m->field, "t");
   s |= make_propagator(&p, m, ph, at(&u, 0));
   s |= make_propagator(&start, m, ph, NULL);
@@ -102,7 +94,6 @@ static bool solves(struct exact_motion *m, enum phase ph) {
   if (s == SS_OK) s = motion_reduce(&rest, m);
   bool ok = s == SS_OK;
   for (int i = 0; ok && i < PROPAGATOR_LAW; i++) ok = exact_is_zero(m->field, at(&rest, i));
-  calc_clear(&c);
   return ok;
 }
 

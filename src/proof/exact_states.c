@@ -13,31 +13,24 @@ int motion_length(element *z, struct exact_motion *m, int phase) {
 
 /* What a switching function says of a vector: its value, or without its constant, for perturbations. */
 static int switching(element *z, struct exact_motion *m, int phase, const struct num_vec *v, bool linear) {
-  struct num_vec w;
-  vec_init(&w, 5);
-  struct num_vec zero = part(&w, 0, 4);
+  struct num_vec w = calc_vec(&m->c, 5), zero = part(&w, 0, 4);
   int s = dyn_switching(z, (enum phase)phase, &m->params, v);
   if (linear) {
     s |= dyn_switching(at(&w, 4), (enum phase)phase, &m->params, &zero);
     s |= num_exact.sub(z, z, at(&w, 4), 0);
   }
-  if (s == SS_OK) s = exact_reduce(z, m->field);
-  num_vec_clear(&w);
-  return s;
+  return s == SS_OK ? exact_reduce(z, m->field) : s;
 }
 
 /* Component i of v so chosen that the affine switching function that ends the phase is zero. */
 static int obey(struct num_vec *v, struct exact_motion *m, int phase, int i, bool linear) {
-  struct num_vec w;
-  vec_init(&w, 2);
+  struct num_vec w = calc_vec(&m->c, 2);
   int s = num_exact.set_d(at(v, i), 0, 0);
   s |= switching(at(&w, 0), m, phase, v, linear);
   s |= num_exact.set_d(at(v, i), 1, 0);
   s |= switching(at(&w, 1), m, phase, v, linear);
   s |= motion_op(num_exact.sub, at(&w, 1), m, at(&w, 0), at(&w, 1));
-  if (s == SS_OK) s = motion_op(num_exact.div, at(v, i), m, at(&w, 0), at(&w, 1));
-  num_vec_clear(&w);
-  return s;
+  return s == SS_OK ? motion_op(num_exact.div, at(v, i), m, at(&w, 0), at(&w, 1)) : s;
 }
 
 /* For each end of a phase, from the start of the period on: which components are free, which one the event decides (-1:
@@ -75,28 +68,23 @@ static int free_end(struct num_vec *v, struct exact_motion *m, int k, bool pertu
 
 /* The event decides e_1 or e_2 where the state is known. */
 static int decide_limit(struct exact_motion *m, int k, struct num_vec *z) {
-  struct num_vec w;
-  vec_init(&w, 1);
+  struct num_vec w = calc_vec(&m->c, 1);
   int limit = k == 1 ? P_E1 : P_E2;
   num_exact.set_d(at(&m->params, limit), 0, 0);
   int s = switching(at(&w, 0), m, k - 1, z, false);
   num_exact.set(at(&m->params, limit), at(&w, 0));
-  num_vec_clear(&w);
   return s;
 }
 
 /* From one end of the phase to the other, over its length and as much more; back: against the time. */
 static int carried(struct num_vec *z, struct exact_motion *m, int phase, const struct num_vec *from,
                    const element *more, bool back) {
-  struct calc c = calc_begin(num_ctx_exact());
-  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
+  struct num_vec p = calc_vec(&m->c, 16), u = calc_vec(&m->c, 1);
   int s = motion_length(at(&u, 0), m, phase);
   if (more) s |= motion_op(num_exact.add, at(&u, 0), m, at(&u, 0), more);
   if (back) s |= num_exact.neg(at(&u, 0), at(&u, 0), 0);
   s |= exact_propagator(&p, m, (enum phase)phase, at(&u, 0));
-  if (s == SS_OK) s = motion_multiply(z, m, &p, from, 4, 4, 1);
-  calc_clear(&c);
-  return s;
+  return s == SS_OK ? motion_multiply(z, m, &p, from, 4, 4, 1) : s;
 }
 
 /* Z_0, Z_a, Z_b, Z_c, Z_f; on a periodic motion the last is the first. */
@@ -126,12 +114,9 @@ int motion_meeting(const char *name) {
 /* --- Perturbations --- */
 
 int motion_rate(struct num_vec *f, struct exact_motion *m, int phase, const struct num_vec *z) {
-  struct num_vec a;
-  vec_init(&a, 16);
+  struct num_vec a = calc_vec(&m->c, 16);
   int s = motion_system(&a, m, (enum phase)phase);
-  if (s == SS_OK) s = motion_multiply(f, m, &a, z, 4, 4, 1);
-  num_vec_clear(&a);
-  return s;
+  return s == SS_OK ? motion_multiply(f, m, &a, z, 4, 4, 1) : s;
 }
 
 int motion_rate_at(struct num_vec *f, struct exact_motion *m, int k, int phase) {
@@ -173,31 +158,27 @@ static int first_order(struct num_vec *out, struct exact_motion *m, int k, const
 
 /* The other motion, Z + dZ, carried over the longer phase, less this one. */
 static int difference(struct num_vec *out, struct exact_motion *m, int k, const struct num_vec *dz) {
-  struct num_vec z, other;
+  struct num_vec z, other = calc_vec(&m->c, 4);
   element *dt = at(&m->shift, k - 1);
-  vec_init(&other, 4);
   int s = motion_state(&z, m, k - 1);
   s |= free_shift(dt, m, k - 1);
   for (int i = 0; s == SS_OK && i < 4; i++) s = motion_op(num_exact.add, at(&other, i), m, at(&z, i), at(dz, i));
   if (s == SS_OK) s = carried(out, m, k - 1, &other, dt, false);
   if (s == SS_OK) s = motion_state(&z, m, k);
   for (int i = 0; s == SS_OK && i < 4; i++) s = motion_op(num_exact.sub, at(out, i), m, at(out, i), at(&z, i));
-  num_vec_clear(&other);
   return s;
 }
 
 /* At patched points any numbers, but that the velocity of a mass which sticks in the phase before, constant in that
    phase's system, is the belt's with and without the perturbation. */
 static int any_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
-  struct num_vec a;
-  vec_init(&a, 16);
+  struct num_vec a = calc_vec(&m->c, 16);
   int s = k > 0 ? motion_system(&a, m, (enum phase)(k - 1)) : SS_OK;
   for (int i = 0; i < N_STATE; i++) {
     bool sticks = k > 0 && i >= DZ_1;
     for (int c = 0; sticks && c < N_STATE; c++) sticks = exact_is_zero(m->field, at(&a, 4 * i + c));
     s |= sticks ? num_exact.set_d(at(dz, i), 0, 0) : exact_symbol(at(dz, i), m->field, name_tangent[k][i]);
   }
-  num_vec_clear(&a);
   return s;
 }
 
