@@ -181,11 +181,9 @@ static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const v
     t->set(num_vec_at(x, i), num_vec_at(&z, i));
     t->set(there, num_vec_at(&z, i));
     if (i >= 2) continue;
-    struct num_vec d;
-    num_vec_init(&d, 1, v->ctx);
+    struct num_vec d = calc_vec(&c, 1);
     s |= oracle_eval(&d, oracle_find(i == 0 ? "d_01" : "d_02"), v);
     s |= t->add(there, there, num_vec_at(&d, 0), v->ctx.prec);
-    num_vec_clear(&d);
   }
   void *time = num_vec_at(x, MOVING_T);
   t->set(time, tau);

@@ -3,6 +3,7 @@
 #define STICKSLIP_READINGS_IMPL_H
 
 #include "model/model.h"
+#include "num/calc.h"
 #include "record/result.h"
 #include "scene/scene.h"
 #include "value/solved.h"
@@ -57,6 +58,7 @@ struct motion {
 /* The equations in one number type: values and derivatives by the eight quantities at x. */
 struct system {
   struct num_ctx ctx;
+  struct calc c; /* whose vectors the next ones are */
   const struct formulas *formulas;
   struct num_vec model; /* chi, eta, V */
   struct num_vec x;     /* N_X: set before each evaluation */

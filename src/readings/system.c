@@ -53,49 +53,35 @@ void formulas_clear(struct formulas *f) {
 
 /* --- The system --- */
 
-static void motion_init(struct motion *m, struct num_ctx ctx) {
+static void motion_make(struct motion *m, struct calc *c) {
   for (int k = 0; k < 5; k++) {
-    num_vec_init(&m->state[k], 4, ctx);
-    num_vec_init(&m->tangent[k], 24, ctx);
-  }
-}
-static void motion_clear(struct motion *m) {
-  for (int k = 0; k < 5; k++) {
-    num_vec_clear(&m->tangent[k]);
-    num_vec_clear(&m->state[k]);
+    m->state[k] = calc_vec(c, 4);
+    m->tangent[k] = calc_vec(c, 24);
   }
 }
 
 void system_init(struct system *s, const struct formulas *f, const struct scene *scene, struct num_ctx ctx) {
+  struct calc *c = &s->c;
   s->ctx = ctx;
   s->formulas = f;
   s->have_in = false;
-  num_vec_init(&s->model, 3, ctx);
+  *c = calc_begin(ctx);
+  s->model = calc_vec(c, 3);
   for (int i = 0; i < 3; i++) ctx.type->set_q(num_vec_at(&s->model, i), &scene->value[KEY_CHI + i], ctx.prec);
-  num_vec_init(&s->x, N_X, ctx);
-  num_vec_init(&s->in, f->own_model ? 0 : f->tape.n_inputs, ctx);
+  s->x = calc_vec(c, N_X);
+  s->in = calc_vec(c, f->own_model ? 0 : f->tape.n_inputs);
   for (int k = 0; k < 4; k++) {
-    num_vec_init(&s->p[k], 16, ctx);
-    num_vec_init(&s->dp[k], 16, ctx);
+    s->p[k] = calc_vec(c, 16);
+    s->dp[k] = calc_vec(c, 16);
   }
-  motion_init(&s->own, ctx);
-  motion_init(&s->from_solved, ctx);
-  num_vec_init(&s->value, N_EQ, ctx);
-  num_vec_init(&s->slope, N_EQ * N_X, ctx);
+  motion_make(&s->own, c);
+  motion_make(&s->from_solved, c);
+  s->value = calc_vec(c, N_EQ);
+  s->slope = calc_vec(c, N_EQ * N_X);
 }
 
 void system_clear(struct system *s) {
-  num_vec_clear(&s->slope);
-  num_vec_clear(&s->value);
-  motion_clear(&s->from_solved);
-  motion_clear(&s->own);
-  for (int k = 0; k < 4; k++) {
-    num_vec_clear(&s->dp[k]);
-    num_vec_clear(&s->p[k]);
-  }
-  num_vec_clear(&s->in);
-  num_vec_clear(&s->x);
-  num_vec_clear(&s->model);
+  calc_clear(&s->c);
 }
 
 /* --- Propagators --- */

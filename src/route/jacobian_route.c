@@ -61,12 +61,8 @@ static int phase_matrix(struct num_vec *j, void *err, enum jacobian_method metho
 
 /* The paper's corner of a phase's derivative, in balls. */
 static int corner(arb_ptr out, const struct local_map *map, const struct num_vec *local, const void *chi) {
-  struct num_vec x;
-  num_vec_init(&x, entries(map), local->ctx);
-  int s = local_map_corner(&x, map, local, chi);
-  for (int i = 0; i < entries(map); i++) arb_set(out + i, num_vec_at(&x, i));
-  num_vec_clear(&x);
-  return s;
+  struct num_vec x = {local->ctx, entries(map), (char *)out};
+  return local_map_corner(&x, map, local, chi);
 }
 
 /* Implicit differentiation and saltation matrices in balls, differences in MPFR. */
@@ -75,15 +71,11 @@ static int by_model(arb_ptr out, const struct jacobian_job *job, enum jacobian_m
   struct point p = point_for(job, method);
   struct num_ctx ctx = method == METHOD_FD ? num_ctx_mpfr(prec) : num_ctx_arb(prec);
   struct values v;
-  struct num_vec balls;
-  arb_t e, chi;
-  arb_init(e);
-  arb_init(chi);
   slong n = map ? N_STATE * N_STATE : 4;
   int s = values_init(&v, &p, VARIANT_CLOSED, ctx, job->cache);
-  struct calc c = calc_begin(ctx);
-  struct num_vec j = calc_vec(&c, n), err = calc_vec(&c, 1);
-  num_vec_init(&balls, n, num_ctx_arb(prec));
+  struct calc c = calc_begin(ctx), w = calc_begin(num_ctx_arb(prec));
+  struct num_vec j = calc_vec(&c, n), err = calc_vec(&c, 1), balls = calc_vec(&w, n);
+  arb_ptr e = calc_new(&w);
   if (s == SS_OK)
     s |= map ? phase_matrix(&j, num_vec_at(&err, 0), method, map->phase, &v)
              : whole_matrix(&j, num_vec_at(&err, 0), method, &v);
@@ -93,15 +85,10 @@ static int by_model(arb_ptr out, const struct jacobian_job *job, enum jacobian_m
     arb_add_error(num_vec_at(&balls, i), e);
     if (!map) arb_set(out + i, num_vec_at(&balls, i));
   }
-  if (map) {
-    arb_set_fmpq(chi, &p.q[Q_CHI], prec);
-    s |= corner(out, map, &balls, chi);
-  }
-  num_vec_clear(&balls);
+  if (map) s |= corner(out, map, &balls, calc_q(&w, &p.q[Q_CHI]));
+  calc_clear(&w);
   calc_clear(&c);
   values_clear(&v);
-  arb_clear(chi);
-  arb_clear(e);
   return s;
 }
 
@@ -158,14 +145,8 @@ struct rounded {
   struct num_vec params, z;
 };
 
-static void rounded_init(struct rounded *r, struct num_ctx ctx) {
-  num_vec_init(&r->params, N_PARAMS, ctx);
-  num_vec_init(&r->z, N_STATE, ctx);
-}
-
-static void rounded_clear(struct rounded *r) {
-  num_vec_clear(&r->z);
-  num_vec_clear(&r->params);
+static struct rounded rounded_new(struct calc *c) {
+  return (struct rounded){calc_vec(c, N_PARAMS), calc_vec(c, N_STATE)};
 }
 
 static void set_doubles(struct num_vec *out, const double *x) {
@@ -176,21 +157,17 @@ static void set_doubles(struct num_vec *out, const double *x) {
 static int rounded_simulation(struct rounded *r, const struct coulomb_setup *setup, const double x[N_STATE]) {
   static const int of[] = {COULOMB_CHI, COULOMB_ETA, COULOMB_V};
   struct num_ctx ctx = r->z.ctx;
-  struct num_vec at;
   struct calc c = calc_begin(ctx);
-  struct num_vec all = calc_vec(&c, N_COULOMB);
-  num_vec_init(&at, N_STATE, ctx); /* of z = 0 */
-  struct num_vec still = calc_vec(&c, 1);
-  arb_zero(num_vec_at(&still, 0));
+  struct num_vec all = calc_vec(&c, N_COULOMB), at = calc_vec(&c, N_STATE); /* of z = 0 */
+  val still = calc_d(&c, 0);
   set_doubles(&all, setup->params);
   for (int i = 0; i < 3; i++) arb_set(num_vec_at(&r->params, P_CHI + i), num_vec_at(&all, of[i]));
   for (int i = 0; i < 2; i++)
     arb_sub(num_vec_at(&r->params, P_E1 + i), num_vec_at(&all, COULOMB_UR1 + i), num_vec_at(&all, COULOMB_US1 + i),
             ctx.prec);
-  int s = coulomb_start_set(&at, &all, num_vec_at(&still, 0), num_vec_at(&still, 0));
+  int s = coulomb_start_set(&at, &all, still, still);
   set_doubles(&r->z, x);
   for (int i = Z_1; i <= Z_2; i++) arb_sub(num_vec_at(&r->z, i), num_vec_at(&r->z, i), num_vec_at(&at, i), ctx.prec);
-  num_vec_clear(&at);
   calc_clear(&c);
   return s;
 }
@@ -242,8 +219,8 @@ static int rounding_of_inputs(double off[MATRIX_MOST], const struct jacobian_job
 static int whole_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian_method method,
                             const struct pass *pass) {
   double j[4], err, off[MATRIX_MOST];
-  struct rounded at;
-  rounded_init(&at, num_ctx_arb(FIRST_PREC));
+  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  struct rounded at = rounded_new(&c);
   int s;
   if (method == METHOD_ODE) {
     s = coulomb_return_jacobian(j, &err, job->setup.params, job->setup.start);
@@ -255,7 +232,7 @@ static int whole_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian
   }
   if (!s) s = rounding_of_inputs(off, job, method, NULL, pass, &at);
   for (int i = 0; i < 4 && !s; i++) ball_of(out + i, j[i], err + off[i]);
-  rounded_clear(&at);
+  calc_clear(&c);
   return s;
 }
 
@@ -265,9 +242,9 @@ static int phase_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian
   const double(*along)[N_STATE] = (const double(*)[N_STATE])dir;
   const enum phase ph = map->phase;
   const struct dyn_stretch stretch = {ph, x, pass->t[ph]};
-  struct rounded at;
+  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  struct rounded at = rounded_new(&c);
   int s;
-  rounded_init(&at, num_ctx_arb(FIRST_PREC));
   local_map_directions(dir, map, pass->params[P_CHI]);
   memcpy(x, pass->z[ph], sizeof x);
   if (method == METHOD_ODE) {
@@ -284,7 +261,7 @@ static int phase_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian
     int row = i / map->cols, k = i % map->cols;
     ball_of(out + i, column[N_STATE * k + map->keep[row]], err[k] + off[i]);
   }
-  rounded_clear(&at);
+  calc_clear(&c);
   return s;
 }
 

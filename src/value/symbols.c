@@ -99,7 +99,7 @@ static const struct oracle_matrix *oracle_matrix(struct values *v, const struct 
   v->matrices = ss_grow(v->matrices, v->n_matrices, &v->cap_matrices, sizeof *v->matrices);
   struct oracle_matrix *m = &v->matrices[v->n_matrices++];
   m->of = o;
-  num_vec_init(&m->entry, oracle_rows(o) * oracle_cols(o), v->ctx);
+  m->entry = calc_vec(&v->c, oracle_rows(o) * oracle_cols(o));
   m->status = oracle_eval(&m->entry, o, v);
   return m;
 }

@@ -203,18 +203,18 @@ static void count_work(const struct point *p, enum variant variant, struct num_c
 
 int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
                 struct orbit_cache *cache) {
-  *v = (struct values){.ctx = ctx, .point = p, .variant = variant};
+  *v = (struct values){.ctx = ctx, .point = p, .variant = variant, .c = calc_begin(ctx)};
   count_work(p, variant, ctx);
-  num_vec_init(&v->q, N_Q, ctx);
-  num_vec_init(&v->params, N_PARAMS, ctx);
-  num_vec_init(&v->t, 1, ctx);
-  num_vec_init(&v->dt, 4, ctx);
-  num_vec_init(&v->zt, 4, ctx);
-  num_vec_init(&v->azt, 4, ctx);
-  num_vec_init(&v->local, 64, ctx);
-  num_vec_init(&v->return_jacobian, 4, ctx);
-  num_vec_init(&v->phi, 16 * N_PHASES, ctx);
-  num_vec_init(&v->tangent, 20, ctx);
+  v->q = calc_vec(&v->c, N_Q);
+  v->params = calc_vec(&v->c, N_PARAMS);
+  v->t = calc_vec(&v->c, 1);
+  v->dt = calc_vec(&v->c, 4);
+  v->zt = calc_vec(&v->c, 4);
+  v->azt = calc_vec(&v->c, 4);
+  v->local = calc_vec(&v->c, 64);
+  v->return_jacobian = calc_vec(&v->c, 4);
+  v->phi = calc_vec(&v->c, 16 * N_PHASES);
+  v->tangent = calc_vec(&v->c, 20);
   dyn_arc_init(&v->arc, ctx);
   dyn_arc_init(&v->perturbed, ctx);
   int s = SS_OK;
@@ -228,18 +228,8 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
 }
 
 void values_clear(struct values *v) {
-  num_vec_clear(&v->q);
-  num_vec_clear(&v->params);
-  num_vec_clear(&v->t);
-  num_vec_clear(&v->dt);
-  num_vec_clear(&v->zt);
-  num_vec_clear(&v->azt);
-  num_vec_clear(&v->local);
-  num_vec_clear(&v->return_jacobian);
-  num_vec_clear(&v->phi);
-  for (size_t i = 0; i < v->n_matrices; i++) num_vec_clear(&v->matrices[i].entry);
   free(v->matrices);
-  num_vec_clear(&v->tangent);
   dyn_arc_clear(&v->arc);
   dyn_arc_clear(&v->perturbed);
+  calc_clear(&v->c);
 }

@@ -3,6 +3,7 @@
 #define STICKSLIP_VALUES_H
 
 #include "names.h"
+#include "num/calc.h"
 #include "point.h"
 
 /* How they are got: closed form and implicit differentiation; states carried by matrix exponentials; tangents by finite
@@ -14,6 +15,7 @@ struct values {
   struct num_ctx ctx;
   const struct point *point;
   enum variant variant;
+  struct calc c;            /* whose vectors the next ones are */
   struct num_vec q;         /* N_Q */
   struct num_vec params;    /* N_PARAMS */
   struct dyn_arc arc;       /* POINT_ARC, POINT_ORBIT */
