@@ -14,3 +14,8 @@ truth truth_not(truth a) {
   if (a == TRUTH_UNKNOWN) return a;
   return a == TRUTH_TRUE ? TRUTH_FALSE : TRUTH_TRUE;
 }
+
+truth truth_same(truth a, truth b) {
+  if (a == TRUTH_UNKNOWN || b == TRUTH_UNKNOWN) return TRUTH_UNKNOWN;
+  return a == b ? TRUTH_TRUE : TRUTH_FALSE;
+}

@@ -14,5 +14,7 @@ typedef enum { TRUTH_FALSE = 0, TRUTH_TRUE = 1, TRUTH_UNKNOWN = 2 } truth;
 truth truth_and(truth a, truth b);
 truth truth_or(truth a, truth b);
 truth truth_not(truth a);
+/* Whether both are known and the same. */
+truth truth_same(truth a, truth b);
 
 #endif

@@ -11,10 +11,9 @@
 
 /* --- Evidence --- */
 
-struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route, const long decided[3],
-                                       bool decisive, const char *note) {
-  struct route_result w = {route, outcome_of_counts(decided[TRUTH_TRUE], decided[TRUTH_FALSE], decided[TRUTH_UNKNOWN]),
-                           decisive, decided[0] + decided[1] + decided[2]};
+struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route,
+                                       const struct answers *decided, bool decisive, const char *note) {
+  struct route_result w = {route, answers_outcome(decided), decisive, answers_given(decided)};
   return finding_add_route(f, a->j->out, w, "corrected", FIRST_PREC, NULL, note);
 }
 
@@ -43,11 +42,11 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
                                                 "there is no counterexample among %ld periodic solutions on which the "
                                                 "premises hold; those nearest to one were decided rigorously",
                                                 a->tried);
-  w[n++] = argument_add_route(f, a, "balls", t.decided[0], true, note);
+  w[n++] = argument_add_route(f, a, "balls", &t.decided[0], true, note);
   f->evidence[f->n_evidence - 1].worst = t.nearest;
   if (t.certificate) f->certificate = t.certified;
-  w[n++] = argument_add_route(f, a, "exponential", t.decided[1], false, NULL);
-  if (!t.decided[0][0] && !t.decided[0][1] && !t.decided[0][2] && proved) n = 1; /* nothing to try it on */
+  w[n++] = argument_add_route(f, a, "exponential", &t.decided[1], false, NULL);
+  if (!answers_given(&t.decided[0]) && proved) n = 1; /* nothing to try it on */
   return verdict_of(w, n, proved);
 }
 

@@ -21,8 +21,8 @@ struct argument {
 /* --- argument.c --- */
 
 /* As evidence: how often each answer was given. */
-struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route, const long decided[3],
-                                       bool decisive, const char *note);
+struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route,
+                                       const struct answers *decided, bool decisive, const char *note);
 
 /* --- argument_scene.c --- */
 
@@ -40,7 +40,7 @@ struct argument_decision {
 };
 /* What the search found: how often each answer, the text of an orbit that refutes, of the one that comes nearest. */
 struct argument_tally {
-  long decided[2][3]; /* balls, exponential: false, true, unknown */
+  struct answers decided[2]; /* balls, exponential */
   const char *certificate, *nearest;
   struct certificate certified; /* of the first of these orbits */
 };

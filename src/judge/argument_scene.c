@@ -90,18 +90,18 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
   const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p->orbit];
   struct argument_decision d = {.where = 0};
   struct route_result w[2];
-  long decided[2][3] = {{0}};
+  struct answers decided[2] = {{{0}}, {{0}}};
   const double e[2] = {0, 0}; /* so that the grid is one of u_s, whatever e_1 and e_2 are */
   arb_init(d.value);
   argument_least_margin(p->q + Q_US1, a, p, fmpq_get_d(&p->q[Q_V]), e);
   argument_decide(&d, a, p, NULL);
   if (d.premises == TRUTH_TRUE) {
-    decided[0][d.conclusion]++;
-    decided[1][d.by_exponentials]++;
+    decided[0].of[d.conclusion]++;
+    decided[1].of[d.by_exponentials]++;
   }
-  w[0] = argument_add_route(f, a, "balls", decided[0], true, describe(a, &d, p));
+  w[0] = argument_add_route(f, a, "balls", &decided[0], true, describe(a, &d, p));
   f->evidence[f->n_evidence - 1].worst = "the periodic solution nearest to the printed numbers, along the whole phase";
-  w[1] = argument_add_route(f, a, "exponential", decided[1], false, NULL);
+  w[1] = argument_add_route(f, a, "exponential", &decided[1], false, NULL);
   bool all = !a->uses_friction;
   if (a->uses_friction && !a->free_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE &&
       a->j->effort == EFFORT_FULL)

@@ -245,8 +245,8 @@ static bool settle(struct argument_tally *t, struct argument *a, const struct ca
   argument_decide(&d, a, &p, o);
   bool counterexample = d.premises == TRUTH_TRUE && d.conclusion == TRUTH_FALSE;
   if (d.premises == TRUTH_TRUE) {
-    t->decided[0][d.conclusion]++;
-    t->decided[1][d.by_exponentials]++;
+    t->decided[0].of[d.conclusion]++;
+    t->decided[1].of[d.by_exponentials]++;
   }
   if (counterexample) {
     t->certificate = certificate_text(a, &p, o, &d);

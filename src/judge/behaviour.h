@@ -9,6 +9,7 @@
 #include "motion/coulomb.h"
 #include "record/finding.h"
 #include "value/point.h"
+#include "verdict.h"
 
 struct friction;
 
@@ -102,11 +103,6 @@ void behaviour_routes(struct route_result w[N_MOTION_ROUTES], struct behaviour *
                       const enum route_outcome outcome[N_MOTION_ROUTES], long trials, const char *where,
                       const char *note);
 
-/* What was as said, or not, by each route. */
-struct by_route {
-  long good[N_MOTION_ROUTES], bad[N_MOTION_ROUTES];
-};
-
 /* Who watches a motion; trajectory[] are both routes' accounts, which are the same. */
 typedef void (*watch_fn)(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]);
 struct watched {
@@ -125,7 +121,7 @@ void family_close(struct family *f);
 struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
                                void *self);
 /* The words of both routes by what each counted, and the verdict: with that of a proof (friction.h), where there is one. */
-void behaviour_conclude(struct behaviour *b, const struct by_route *said, long trials, const char *where,
+void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_ROUTES], long trials, const char *where,
                         const char *note, const struct route_result *proof);
 
 /* The checks by name, and whether (1) and (2) as the paper states them are read for them. */

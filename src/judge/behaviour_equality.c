@@ -60,11 +60,10 @@ void family_close(struct family *f) {
   point_clear(&f->base);
 }
 
-/* What is found along all families: by the third order, by iterates at the value, by motions under Coulomb's law. */
+/* What is found along all families: is it unstable by the third order, by iterates at the value, by motions under
+   Coulomb's law? */
 struct found {
-  long stable, unstable, open;
-  long back, away, unsure;
-  long moved_back, moved_away, moved_unsure;
+  struct answers third, iterates, motions;
   const char *where;
 };
 
@@ -73,7 +72,7 @@ static void iterate(struct found *t, const struct dyn_bifurcation *q, const stru
   enum { STEPS = 100000 };
   for (int side = -1; side <= 1; side += 2) {
     int fate = return_map_fate(at->q, flip_r(q), side * 0.03, STEPS);
-    *(fate > 0 ? &t->back : fate < 0 ? &t->away : &t->unsure) += 1;
+    t->iterates.of[fate > 0 ? TRUTH_FALSE : fate < 0 ? TRUTH_TRUE : TRUTH_UNKNOWN]++;
   }
 }
 
@@ -81,7 +80,7 @@ static void iterate(struct found *t, const struct dyn_bifurcation *q, const stru
    error of the integration 1e-9. */
 static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
   double ratio = motion_distance(at, o, 0.01, 200);
-  *(ratio < 1 - 1e-4 ? &t->moved_back : ratio > 1 + 1e-4 ? &t->moved_away : &t->moved_unsure) += 1;
+  t->motions.of[ratio < 1 - 1e-4 ? TRUTH_FALSE : ratio > 1 + 1e-4 ? TRUTH_TRUE : TRUTH_UNKNOWN]++;
 }
 
 /* The first stable orbit at tr J = -1: parameters in the middle of its bracket, the orbit there, and c_2^2 + c_3. */
@@ -119,7 +118,7 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
     }
   }
   const char *place = result_str(b->j->out, "%s", text_str(&where));
-  ++*(stable ? &t->stable : unstable ? &t->unstable : &t->open);
+  t->third.of[stable ? TRUTH_FALSE : unstable ? TRUTH_TRUE : TRUTH_UNKNOWN]++;
   if (stable && !t->where) t->where = place;
   finding_state(b->f, b->j->out, "balls", "model", q->prec, 1, place,
                 result_str(b->j->out,
@@ -150,7 +149,7 @@ static void find_flips(struct found *t, struct behaviour *b, const struct family
     add_flip(t, b, f, &list.at[i]);
     n++;
   }
-  if (n == 0) t->open++;
+  if (n == 0) t->third.of[TRUTH_UNKNOWN]++;
   dyn_bifurcations_clear(&list);
 }
 
@@ -165,29 +164,30 @@ static bool try_family(struct found *t, struct behaviour *b, const char *params,
 /* One orbit that is stable refutes; no number of unstable ones proves. */
 static void conclude(struct behaviour *b, const struct found *t) {
   struct route_result w[3];
+  const long *third = t->third.of, *iterates = t->iterates.of, *motions = t->motions.of;
+  long found = answers_given(&t->third), stable = third[TRUTH_FALSE];
   w[0] = behaviour_route(
-      b, "balls", outcome_of_counts(t->unstable, t->stable, t->open), true, t->stable + t->unstable + t->open, t->where,
+      b, "balls", answers_outcome(&t->third), true, found, t->where,
       result_str(b->j->out,
                  "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., "
                  "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if "
                  "c_2^2 + c_3 > 0. Of the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s",
-                 t->stable + t->unstable + t->open, t->stable, t->stable == 1 ? "is" : "are",
-                 t->stable == 1 ? ", namely that for "
-                 : t->stable    ? ", for example that for "
-                                : "",
-                 t->stable ? t->where : ""));
+                 found, stable, stable == 1 ? "is" : "are",
+                 stable == 1 ? ", namely that for "
+                 : stable    ? ", for example that for "
+                             : "",
+                 stable ? t->where : ""));
   w[1] = behaviour_route(
-      b, "iteration", outcome_of_counts(t->away, t->back, t->unsure), false, t->back + t->away + t->unsure, NULL,
+      b, "iteration", answers_outcome(&t->iterates), false, answers_given(&t->iterates), NULL,
       result_str(b->j->out,
                  "iterations of the return map in double precision there, from a distance of 3%% of r_0 on either "
                  "side: %ld return to half that distance, %ld depart to twice that distance",
-                 t->back, t->away));
-  w[2] = behaviour_route(b, "integration", outcome_of_counts(t->moved_away, t->moved_back, t->moved_unsure), false,
-                         t->moved_back + t->moved_away + t->moved_unsure, NULL,
+                 iterates[TRUTH_FALSE], iterates[TRUTH_TRUE]));
+  w[2] = behaviour_route(b, "integration", answers_outcome(&t->motions), false, answers_given(&t->motions), NULL,
                          result_str(b->j->out,
                                     "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: "
                                     "%ld approach the solution, %ld depart from it",
-                                    t->moved_back, t->moved_away));
+                                    motions[TRUTH_FALSE], motions[TRUTH_TRUE]));
   b->f->verdict = verdict_of(w, 3, false);
   if (b->f->verdict == VERDICT_REFUTED)
     b->f->effect = "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" should "

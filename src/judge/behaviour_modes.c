@@ -9,7 +9,7 @@
 
 struct modes {
   long seen[N_MODE_PAIRS]; /* phases, by the integration */
-  struct by_route rows;
+  struct answers rows[N_MOTION_ROUTES];
 };
 
 /* (2) at one moment: a moving mass feels +-u_s against its motion over the belt, a sticking one at most u_r. */
@@ -27,16 +27,16 @@ static bool obeys(const struct coulomb_row *row, const struct motion *m) {
 }
 
 /* Samples that obey (2), and such as do not. */
-static void count_rows(struct by_route *rows, const struct motion *m,
+static void count_rows(struct answers rows[N_MOTION_ROUTES], const struct motion *m,
                        const struct trajectory trajectory[N_MOTION_ROUTES]) {
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    for (size_t i = 0; i < trajectory[r].n_rows; i++) (obeys(&trajectory[r].row[i], m) ? rows->good : rows->bad)[r]++;
+    for (size_t i = 0; i < trajectory[r].n_rows; i++) rows[r].of[obeys(&trajectory[r].row[i], m)]++;
 }
 
 static void watch_modes(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct modes *s = self;
   for (size_t i = 0; i < trajectory[0].log.n; i++) s->seen[mode_index(trajectory[0].log.event[i].at.mode)]++;
-  count_rows(&s->rows, m, trajectory);
+  count_rows(s->rows, m, trajectory);
 }
 
 bool behaviour_modes(struct behaviour *b) {
@@ -48,11 +48,11 @@ bool behaviour_modes(struct behaviour *b) {
       &note,
       "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher order), "
       "each in one of the nine configurations at all %ld instants examined; numbers of phases of each kind:",
-      w.motions, w.apart, s.rows.good[0] + s.rows.bad[0]);
+      w.motions, w.apart, answers_given(&s.rows[0]));
   for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
   text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
                   "belt, X x: one faster, one slower)");
-  behaviour_conclude(b, &s.rows, w.motions, NULL, result_take(b->j->out, &note), &proof);
+  behaviour_conclude(b, s.rows, w.motions, NULL, result_take(b->j->out, &note), &proof);
   return true;
 }
 
@@ -60,7 +60,7 @@ bool behaviour_modes(struct behaviour *b) {
 
 struct switches {
   bool to_stick, sliding_limit; /* which transition; the limit is u_s instead of u_r */
-  struct by_route events, rows;
+  struct answers events[N_MOTION_ROUTES], rows[N_MOTION_ROUTES];
   long crossings;
 };
 
@@ -81,15 +81,15 @@ static void watch_switches(void *self, const struct motion *m, const struct traj
       const struct coulomb_event *e = &trajectory[r].log.event[i];
       if ((e->from != MODE_STICK) != s->to_stick) continue;
       s->crossings += r == 0 && e->from != MODE_STICK && e->to != MODE_STICK;
-      (at_event(s, e, m) ? s->events.good : s->events.bad)[r]++;
+      s->events[r].of[at_event(s, e, m)]++;
     }
-  count_rows(&s->rows, m, trajectory);
+  count_rows(s->rows, m, trajectory);
 }
 
 static void conclude_switches(struct behaviour *b, struct switches *s, const struct route_result *proof) {
   struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_switches, s);
-  for (int r = 0; r < N_MOTION_ROUTES; r++) s->events.bad[r] += s->rows.bad[r];
-  long events = s->events.good[0] + s->events.bad[0];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) s->events[r].of[TRUTH_FALSE] += s->rows[r].of[TRUTH_FALSE];
+  long events = answers_given(&s->events[0]);
   const char *note;
   if (s->to_stick)
     note = result_str(b->j->out,
@@ -101,7 +101,7 @@ static void conclude_switches(struct behaviour *b, struct switches *s, const str
         b->j->out,
         "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a greater one",
         w.motions, events);
-  behaviour_conclude(b, &s->events, events, NULL, note, proof);
+  behaviour_conclude(b, s->events, events, NULL, note, proof);
 }
 
 bool behaviour_switches(struct behaviour *b) {

@@ -239,12 +239,12 @@ struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, doubl
   return w;
 }
 
-void behaviour_conclude(struct behaviour *b, const struct by_route *said, long trials, const char *where,
+void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_ROUTES], long trials, const char *where,
                         const char *note, const struct route_result *proof) {
   struct route_result w[1 + N_MOTION_ROUTES] = {proof ? *proof : (struct route_result){.outcome = ROUTE_UNDECIDED}};
   enum route_outcome outcome[N_MOTION_ROUTES];
   int n = w[0].outcome != ROUTE_UNDECIDED;
-  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(said->good[r], said->bad[r], 0);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = answers_outcome(&said[r]);
   behaviour_routes(w + n, b, outcome, trials, where, note);
   n += N_MOTION_ROUTES;
   b->f->verdict = verdict_of(w, n, n > N_MOTION_ROUTES);

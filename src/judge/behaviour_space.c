@@ -18,7 +18,7 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, 
   static const double friction[] = {OWN_FRICTION, 2};
   struct orbit_walk walk;
   const struct dyn_orbit *o;
-  struct by_route said = {{0}, {0}};
+  struct answers said[N_MOTION_ROUTES] = {{{0}}, {{0}}};
   long orbits = 0;
   orbit_walk_begin(&walk, b, true, ORBIT_DRAWS);
   for (; orbits < ORBITS && (o = orbit_walk_next(&walk)) != NULL; orbits++)
@@ -26,11 +26,11 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, 
       for (int r = 0; r < N_MOTION_ROUTES; r++) {
         struct motion m;
         bool ok = motion_on_orbit(&m, &walk.p, o, friction[k]) && holds((enum motion_route)r, &m);
-        (ok ? said.good : said.bad)[r]++;
+        said[r].of[ok]++;
       }
   orbit_walk_end(&walk);
   behaviour_conclude(
-      b, &said, said.good[0] + said.bad[0], NULL,
+      b, said, answers_given(&said[0]), NULL,
       result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note),
       proof);
 }

@@ -20,9 +20,7 @@ struct constraints {
   const struct claim *c;
   struct view view;
   struct conditions paper;
-  long same, other, open; /* orbits on which the two lists agree */
-  long forms_same, forms_other, forms_open;
-  long as_said, against, undecided; /* simulations */
+  struct answers lists, forms, motions; /* do both lists, the closed form and the infimum, law and list agree? */
 };
 
 /* In the order of COND_TA, ... */
@@ -40,9 +38,7 @@ static const char *const least_attribute[2] = {"least-first", "least-second"};
 
 static void compare_lists(struct constraints *x, const struct point *p, const struct dyn_orbit *o) {
   truth all = conditions_hold(&x->paper, p, FIRST_PREC, x->j->cache);
-  x->same += all == o->admissible && all != TRUTH_UNKNOWN;
-  x->other += all != o->admissible && all != TRUTH_UNKNOWN && o->admissible != TRUTH_UNKNOWN;
-  x->open += all == TRUTH_UNKNOWN || o->admissible == TRUTH_UNKNOWN;
+  x->lists.of[truth_same(all, o->admissible)]++;
 }
 
 /* The closed form for the least u_r1 or u_r2 at an orbit. */
@@ -59,13 +55,14 @@ static bool form_at(arb_t z, struct constraints *x, int i, const struct point *p
 static void compare_form(struct constraints *x, int i, const arb_t least, const struct point *p) {
   arb_t v;
   arb_init(v);
-  if (!form_at(v, x, i, p))
-    x->forms_open++;
-  else if (arb_overlaps(v, least))
-    x->forms_same++;
-  else
-    x->forms_other++;
+  truth same = TRUTH_UNKNOWN;
+  if (form_at(v, x, i, p)) same = arb_overlaps(v, least) ? TRUTH_TRUE : TRUTH_FALSE;
+  x->forms.of[same]++;
   arb_clear(v);
+}
+
+static bool lists_differ(const struct constraints *x) {
+  return x->lists.of[TRUTH_FALSE] + x->forms.of[TRUTH_FALSE] > 0;
 }
 
 static void by_balls(struct constraints *x) {
@@ -74,7 +71,7 @@ static void by_balls(struct constraints *x) {
   long good = 0, bad = 0;
   point_init(&p);
   bool refute = x->j->effort == EFFORT_REFUTE;
-  for (size_t i = 0; i < pool->n && (good < EACH || bad < EACH) && !(refute && x->other + x->forms_other); i++)
+  for (size_t i = 0; i < pool->n && (good < EACH || bad < EACH) && !(refute && lists_differ(x)); i++)
     for (slong k = 0; k < pool->item[i]->list.n; k++) {
       const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
       long *count = o->admissible == TRUTH_TRUE ? &good : &bad;
@@ -148,13 +145,6 @@ static truth closes(const struct pool_item *item, slong index, const double u_r[
   return coulomb_setup_closes(&sim);
 }
 
-static void book(struct constraints *x, truth got, truth want) {
-  if (got == TRUTH_UNKNOWN)
-    x->undecided++;
-  else
-    ++*(got == want ? &x->as_said : &x->against);
-}
-
 /* As the paper's list says: with u_r a little above its bounds; and where the list holds, with each a little below its
    bound, if that still exceeds e. */
 static void simulate(struct constraints *x, const struct pool_item *item, slong index, const struct point *p,
@@ -169,11 +159,11 @@ static void simulate(struct constraints *x, const struct pool_item *item, slong 
     above[i] = fmax(least[i], e[i]) * 1.03125;
   }
   arb_clear(form);
-  book(x, closes(item, index, above), listed);
+  x->motions.of[truth_same(closes(item, index, above), listed)]++;
   for (int i = 0; listed == TRUTH_TRUE && i < 2; i++) {
     double u_r[2] = {above[0], above[1]};
     u_r[i] = least[i] * 0.96875;
-    if (u_r[i] > e[i] * 1.01) book(x, closes(item, index, u_r), TRUTH_FALSE);
+    if (u_r[i] > e[i] * 1.01) x->motions.of[truth_not(closes(item, index, u_r))]++;
   }
 }
 
@@ -187,7 +177,7 @@ static bool clearly_fails(struct constraints *x, const struct point *p) {
 
 /* Only the verdict is asked for, and it is refuted whatever further orbits say. */
 static bool enough(const struct constraints *x) {
-  return x->j->effort == EFFORT_VERDICT && x->other + x->forms_other && x->against + x->undecided;
+  return x->j->effort == EFFORT_VERDICT && lists_differ(x) && x->motions.of[TRUTH_FALSE] + x->motions.of[TRUTH_UNKNOWN];
 }
 
 static void by_simulation(struct constraints *x) {
@@ -238,19 +228,21 @@ static bool prove(struct finding *f, struct constraints *x) {
 
 static void describe(struct finding *f, struct constraints *x) {
   struct route_result w[2];
+  const long *said = x->lists.of, *forms = x->forms.of, *motions = x->motions.of;
   const char *note = result_str(x->j->out,
                                 "the paper's constraints hold together where those of the model do, and fail where "
                                 "these fail, on %ld orbits, not so on %ld, undecided on %ld; the closed forms of the "
                                 "least u_r1 and u_r2 are the infima %ld times, are not %ld times, undecided %ld times",
-                                x->same, x->other, x->open, x->forms_same, x->forms_other, x->forms_open);
-  w[0] = add(f, x, "balls", outcome_of_counts(x->same, x->other + x->forms_other, x->open + x->forms_open), true,
-             x->same + x->other + x->open, note);
+                                said[TRUTH_TRUE], said[TRUTH_FALSE], said[TRUTH_UNKNOWN], forms[TRUTH_TRUE],
+                                forms[TRUTH_FALSE], forms[TRUTH_UNKNOWN]);
+  enum route_outcome balls = outcome_of_counts(said[TRUTH_TRUE], said[TRUTH_FALSE] + forms[TRUTH_FALSE],
+                                               said[TRUTH_UNKNOWN] + forms[TRUTH_UNKNOWN]);
+  w[0] = add(f, x, "balls", balls, true, answers_given(&x->lists), note);
   note = result_str(x->j->out,
                     "motions over one period under Coulomb's law, with u_r 1/32 above or below the bounds: %ld end as "
                     "the constraints predict, %ld otherwise, %ld undecided",
-                    x->as_said, x->against, x->undecided);
-  w[1] = add(f, x, "integration", outcome_of_counts(x->as_said, x->against, x->undecided), false,
-             x->as_said + x->against + x->undecided, note);
+                    motions[TRUTH_TRUE], motions[TRUTH_FALSE], motions[TRUTH_UNKNOWN]);
+  w[1] = add(f, x, "integration", answers_outcome(&x->motions), false, answers_given(&x->motions), note);
   finding_state(f, x->j->out, "balls", "model", 64, 1, NULL, table(x));
   f->verdict = verdict_of(w, x->j->effort == EFFORT_REFUTE ? 1 : 2,
                           (x->j->effort == EFFORT_FULL || x->j->effort == EFFORT_REFUTE) && prove(f, x));

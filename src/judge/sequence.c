@@ -170,19 +170,19 @@ static int read_phases(enum phase through[N_PHASES], const char *text) {
 
 static struct route_result add_returns(struct finding *f, struct judge *j, const struct dyn_orbits *list,
                                        const enum phase *through, int n, bool closed) {
-  long back[3] = {0};
-  for (slong i = 0; i < list->n; i++) back[returns(j, &list->orbit[i], through, n, closed)]++;
+  struct answers back = {{0}};
+  for (slong i = 0; i < list->n; i++) back.of[returns(j, &list->orbit[i], through, n, closed)]++;
   const struct dyn_orbit *o = list->n ? &list->orbit[0] : NULL;
   const char *note =
       o ? result_str(j->out,
                      "%ld found for chi, eta and V of the example, %sproved to exist; the state returns for %ld of "
                      "%ld; %s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
-                     (long)list->n, list->n == 1 ? "" : "each ", back[TRUTH_TRUE], (long)list->n,
+                     (long)list->n, list->n == 1 ? "" : "each ", back.of[TRUTH_TRUE], (long)list->n,
                      list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
                      ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
         : "none was found; the search is not exhaustive";
-  enum route_outcome outcome = outcome_of_counts(back[TRUTH_TRUE], back[TRUTH_FALSE], back[TRUTH_UNKNOWN] + !o);
-  return add(f, j, closed ? "balls" : "exponential", outcome, closed, list->n, note);
+  back.of[TRUTH_UNKNOWN] += !o;
+  return add(f, j, closed ? "balls" : "exponential", answers_outcome(&back), closed, list->n, note);
 }
 
 bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

@@ -7,7 +7,7 @@
 
 /* What a route saw: points at which every step becomes an equality, at which some step stays apart, and neither. */
 struct tally {
-  long reached, apart, open;
+  struct answers reached;
   const char *where; /* of the first that stays apart */
 };
 
@@ -42,9 +42,7 @@ static void try_point(struct tally *t, struct sentence *s, struct point *p, enum
   for (int end = 0; end < 2; end++)
     if (steps_at(at[end], s, p, end, variant, j->cache) != SS_OK) return;
   for (slong i = 0; i < s->n; i++) all = truth_and(all, truth_or(at[0][i], at[1][i]));
-  t->reached += all == TRUTH_TRUE;
-  t->apart += all == TRUTH_FALSE;
-  t->open += all == TRUTH_UNKNOWN;
+  t->reached.of[all]++;
   if (all == TRUTH_FALSE && !t->where) t->where = point_text(j, p);
 }
 
@@ -57,8 +55,8 @@ static void run_route(struct tally *t, struct judge *j, const struct claim *c, s
   sampler.admissible = spec->admissible;
   sampler.realistic = spec->realistic;
   point_init(&p);
-  for (long draws = 0; t->reached + t->apart + t->open < spec->n && draws < DRAWS_PER_POINT * spec->n; draws++) {
-    if (j->effort == EFFORT_REFUTE && t->apart) break;
+  for (long draws = 0; answers_given(&t->reached) < spec->n && draws < DRAWS_PER_POINT * spec->n; draws++) {
+    if (j->effort == EFFORT_REFUTE && t->reached.of[TRUTH_FALSE]) break;
     sampler_next(&p, &sampler);
     if (point_settle(&p, j->cache)) try_point(t, s, &p, variant, j);
   }
@@ -67,13 +65,11 @@ static void run_route(struct tally *t, struct judge *j, const struct claim *c, s
 
 static struct route_result conclude(struct finding *f, struct judge *j, const struct tally *t, const char *route,
                                     bool decisive) {
-  long trials = t->reached + t->apart + t->open;
-  struct route_result w = {route, outcome_of_counts(t->reached, t->apart, t->open), decisive, trials};
-  const char *note =
-      !trials ? "no accepted point"
-      : t->apart
-          ? result_str(j->out, "at %ld of %ld points some step stays apart at both ends of the phase", t->apart, trials)
-          : "each step becomes an equality at one end of the phase";
+  long trials = answers_given(&t->reached), apart = t->reached.of[TRUTH_FALSE];
+  struct route_result w = {route, answers_outcome(&t->reached), decisive, trials};
+  const char *note = trials ? "each step becomes an equality at one end of the phase" : "no accepted point";
+  if (apart)
+    note = result_str(j->out, "at %ld of %ld points some step stays apart at both ends of the phase", apart, trials);
   return finding_add_route(f, j->out, w, "corrected", FIRST_PREC, t->where, note);
 }
 
@@ -90,14 +86,14 @@ bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, stru
     return claim_error(j, c, "points", "the time lies in a phase of arcs or orbits");
   bool ok = sentence_from_relations(&s, view, r, NULL, 0, j->d);
   struct route_result w[2];
-  struct tally t[2] = {{0}, {0}};
+  struct tally t[2] = {{.where = NULL}, {.where = NULL}};
   n = j->effort == EFFORT_REFUTE ? 1 : 2;
   for (int i = 0; ok && i < n; i++) {
     run_route(&t[i], j, c, &s, &spec, i ? VARIANT_EXPONENTIAL : VARIANT_CLOSED);
     w[i] = conclude(f, j, &t[i], i ? "exponential" : "balls", i == 0);
   }
   struct exact_proof proof = {.proved = false};
-  if (ok && j->effort == EFFORT_FULL && t[0].apart == 0) {
+  if (ok && j->effort == EFFORT_FULL && t[0].reached.of[TRUTH_FALSE] == 0) {
     proof = exact_prove(j, c, view, NULL);
     finding_add_proof(f, j->out, &proof, layer_name[LAYER_CORRECTED], false);
   }

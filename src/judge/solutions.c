@@ -106,38 +106,31 @@ static truth first_events(const struct dyn_orbit *o) {
   return all;
 }
 
-struct tally {
-  long all, good, bad, open;
-};
-
-static struct tally tally_of(const struct solutions *x, bool constrained) {
-  struct tally t = {.all = 0};
+static struct answers answers_of(const struct solutions *x, bool constrained) {
+  struct answers t = {{0}};
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
     if (constrained && x->keeps[i] == TRUTH_FALSE) continue;
     truth good = first_events(o);
     if (x->asked == ASKED_MOTION) good = truth_and(good, o->admissible);
     if (constrained && x->keeps[i] == TRUTH_UNKNOWN) good = TRUTH_UNKNOWN;
-    t.all++;
-    t.good += good == TRUTH_TRUE;
-    t.bad += good == TRUTH_FALSE;
-    t.open += good == TRUTH_UNKNOWN;
+    t.of[good]++;
   }
   return t;
 }
 
 static enum route_outcome outcome_of(const struct solutions *x, bool constrained) {
-  struct tally t = tally_of(x, constrained);
+  const struct answers t = answers_of(x, constrained);
   bool sound = x->n_solve == x->list.n, complete = x->list.complete;
   if (!sound) return ROUTE_UNDECIDED;
   if (x->asked == ASKED_COUNT) {
-    long sure = constrained ? t.all - t.open : t.all;
+    long all = answers_given(&t), sure = constrained ? all - t.of[TRUTH_UNKNOWN] : all;
     if (sure > x->count) return ROUTE_DIFFERS;
-    if (!complete || sure != t.all) return ROUTE_UNDECIDED;
+    if (!complete || sure != all) return ROUTE_UNDECIDED;
     return sure == x->count ? ROUTE_AGREES : ROUTE_DIFFERS;
   }
-  if (t.bad) return ROUTE_DIFFERS;
-  return t.open || !complete ? ROUTE_UNDECIDED : t.good ? ROUTE_AGREES : ROUTE_NOTHING;
+  enum route_outcome said = answers_outcome(&t);
+  return said == ROUTE_DIFFERS || complete ? said : ROUTE_UNDECIDED;
 }
 
 /* --- Words --- */
@@ -191,21 +184,22 @@ static const char *const recurrence =
     "approximation both return arbitrarily closely to their values at arbitrarily large t_c";
 
 static const char *summed_up(struct solutions *x) {
-  struct tally all = tally_of(x, false), held = tally_of(x, true);
+  const struct answers every = answers_of(x, false), held = answers_of(x, true);
+  long all = answers_given(&every), sure = answers_given(&held) - held.of[TRUTH_UNKNOWN];
   const char *complete = x->list.complete ? "and there are proved to be no others"
                                           : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
   if (x->kept)
     return result_str(x->j->out,
                       "%ld periodic solutions, each proved to exist, %s in which each phase ends at the first possible "
                       "time; the equations hold for %ld of them, the constraints for %ld",
-                      all.all, complete, x->n_solve, held.all - held.open);
+                      all, complete, x->n_solve, sure);
   long first = 0;
   for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
   return result_str(x->j->out,
                     "%ld solutions with t_c up to %s, each proved to be locally unique, %s; the equations hold for %ld "
                     "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s",
-                    all.all, claim_get(x->c, "until"), complete, x->n_solve, first, held.all - held.open,
-                    x->asked == ASKED_COUNT && all.all ? recurrence : "");
+                    all, claim_get(x->c, "until"), complete, x->n_solve, first, sure,
+                    x->asked == ASKED_COUNT && all ? recurrence : "");
 }
 
 /* --- Under Coulomb's law --- */
@@ -213,7 +207,7 @@ static const char *summed_up(struct solutions *x) {
 /* Of the solutions with first roots, or those that keep the constraints too, one on which every condition of the model
    holds and one on which it does not: does the integrated motion close after one period? */
 static struct route_result integrate(struct finding *f, struct solutions *x, bool constrained) {
-  long closed = 0, parted = 0, open = 0;
+  struct answers closed = {{0}};
   bool tried[2] = {false};
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
@@ -223,16 +217,15 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
     tried[o->admissible == TRUTH_TRUE] = true;
     truth closes = TRUTH_UNKNOWN;
     if (coulomb_setup_on_orbit(&sim, x->at.q + Q_CHI, o, OWN_FRICTION) == SS_OK) closes = coulomb_setup_closes(&sim);
-    closed += closes == TRUTH_TRUE;
-    parted += closes == TRUTH_FALSE;
-    open += closes == TRUTH_UNKNOWN;
+    closed.of[closes]++;
   }
-  struct route_result w = {"integration", outcome_of_counts(closed, parted, open), false, closed + parted + open};
+  struct route_result w = {"integration", answers_outcome(&closed), false, answers_given(&closed)};
   return finding_add_route(f, x->j->out, w, "model", -1, NULL,
                            result_str(x->j->out,
                                       "among the motions under Coulomb's law from the initial states of such "
                                       "solutions%s, the number of periodic ones is %ld and that of the others %ld",
-                                      constrained ? " that satisfy the constraints" : "", closed, parted));
+                                      constrained ? " that satisfy the constraints" : "", closed.of[TRUTH_TRUE],
+                                      closed.of[TRUTH_FALSE]));
 }
 
 /* --- The kind --- */
@@ -247,14 +240,15 @@ static void judge_constrained(struct finding *f, struct solutions *x) {
   struct route_result w[2];
   int n = 0;
   const char *named = constraints_named(x);
-  struct tally t = tally_of(x, true);
+  const struct answers t = answers_of(x, true);
   w[n++] = add_balls(
       f, x, true,
-      result_str(x->j->out, "%s hold for %ld of these solutions%s", named, t.all - t.open,
-                 x->asked == ASKED_COUNT ? ""
-                 : x->asked == ASKED_FIRST
-                     ? result_str(x->j->out, "; t_b, t_c and t_d are the first roots for %ld of those", t.good)
-                     : result_str(x->j->out, "; every condition of the model holds for %ld of those", t.good)));
+      result_str(
+          x->j->out, "%s hold for %ld of these solutions%s", named, answers_given(&t) - t.of[TRUTH_UNKNOWN],
+          x->asked == ASKED_COUNT ? ""
+          : x->asked == ASKED_FIRST
+              ? result_str(x->j->out, "; t_b, t_c and t_d are the first roots for %ld of those", t.of[TRUTH_TRUE])
+              : result_str(x->j->out, "; every condition of the model holds for %ld of those", t.of[TRUTH_TRUE])));
   if (x->asked == ASKED_MOTION) w[n++] = integrate(f, x, true);
   f->verdict = verdict_under_condition(f->verdict, verdict_of(w, n, true));
   if (f->verdict != VERDICT_CONDITIONAL) return;

@@ -11,6 +11,14 @@ enum route_outcome outcome_of_counts(long agrees, long differs, long undecided) 
   return differs ? ROUTE_DIFFERS : undecided ? ROUTE_UNDECIDED : agrees ? ROUTE_AGREES : ROUTE_NOTHING;
 }
 
+long answers_given(const struct answers *a) {
+  return a->of[TRUTH_FALSE] + a->of[TRUTH_TRUE] + a->of[TRUTH_UNKNOWN];
+}
+
+enum route_outcome answers_outcome(const struct answers *a) {
+  return outcome_of_counts(a->of[TRUTH_TRUE], a->of[TRUTH_FALSE], a->of[TRUTH_UNKNOWN]);
+}
+
 struct route_result exact_route(struct finding *f, struct audit_result *out, enum route_outcome outcome,
                                 const char *note) {
   bool decided = outcome == ROUTE_AGREES || outcome == ROUTE_DIFFERS;

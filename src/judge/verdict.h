@@ -9,6 +9,12 @@
 enum route_outcome outcome_of_truth(truth holds);
 /* What a route says that was tried so often with each outcome. */
 enum route_outcome outcome_of_counts(long agrees, long differs, long undecided);
+/* How often each answer was given, by truth; how often one was; what a route says that gave them. */
+struct answers {
+  long of[3];
+};
+long answers_given(const struct answers *a);
+enum route_outcome answers_outcome(const struct answers *a);
 /* What exact algebra says of the corrected sentence, as evidence: proved, refuted by it, or why neither. */
 struct route_result exact_route(struct finding *f, struct audit_result *out, enum route_outcome outcome,
                                 const char *note);
