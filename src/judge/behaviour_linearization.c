@@ -29,31 +29,26 @@ static truth has_growth(const struct num_vec *m) {
 
 /* Unstable by the product of the phases' propagators? */
 static truth unstable_by_propagators(struct values *v) {
-  struct calc c = calc_begin(v->ctx);
-  struct num_vec step = calc_vec(&c, N_STATE * N_STATE), product = calc_vec(&c, N_STATE * N_STATE);
+  struct num_vec step = calc_vec(&v->c, N_STATE * N_STATE), product = calc_vec(&v->c, N_STATE * N_STATE);
   int s = values_propagator(&product, v, PHASE_D);
   for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
     s |= values_propagator(&step, v, (enum phase)ph);
     s |= num_mat_mul(&product, &step, &product, N_STATE, N_STATE, N_STATE);
   }
-  truth t = s == SS_OK ? has_growth(&product) : TRUTH_UNKNOWN;
-  calc_clear(&c);
-  return t;
+  return s == SS_OK ? has_growth(&product) : TRUTH_UNKNOWN;
 }
 
 /* Unstable by the Jacobian with saltation matrices, which has one eigenvalue that is not 0? */
 static truth unstable_by_saltation(struct values *v) {
-  struct num_vec j;
+  struct num_vec j = calc_vec(&v->c, 4);
   arb_ptr w = _arb_vec_init(2), trace = w, one = w + 1;
   arb_one(one);
-  num_vec_init(&j, 4, v->ctx);
   truth t = TRUTH_UNKNOWN;
   if (dyn_return_jacobian_saltation(&j, &v->params, &v->arc) == SS_OK) {
     arb_add(trace, num_vec_at(&j, 0), num_vec_at(&j, 3), v->ctx.prec);
     arb_abs(trace, trace);
     t = arb_gt(trace, one) ? TRUTH_TRUE : arb_lt(trace, one) ? TRUTH_FALSE : TRUTH_UNKNOWN;
   }
-  num_vec_clear(&j);
   _arb_vec_clear(w, 2);
   return t;
 }

@@ -63,9 +63,8 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
   const struct num_type *t = ctx.type;
   struct values v;
   int s = values_init(&v, p, VARIANT_CLOSED, ctx, cache);
-  struct calc c = calc_begin(ctx);
-  struct num_vec in = calc_vec(&c, y->s.tape.n_inputs), out = calc_vec(&c, y->s.tape.n_outputs),
-                 back = calc_vec(&c, y->s.tape.n_outputs), w = calc_vec(&c, 2);
+  struct num_vec in = calc_vec(&v.c, y->s.tape.n_inputs), out = calc_vec(&v.c, y->s.tape.n_outputs),
+                 back = calc_vec(&v.c, y->s.tape.n_outputs), w = calc_vec(&v.c, 2);
   bool known;
   for (slong i = 0; s == SS_OK && i < y->s.tape.n_inputs; i++)
     s |= values_bind(num_vec_at(&in, i), &known, &v, y->s.tape.inputs[i]);
@@ -88,7 +87,6 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
       s |= t->div(d, d, h, ctx.prec);
     }
   }
-  calc_clear(&c);
   values_clear(&v);
   return s;
 }

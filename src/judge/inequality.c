@@ -26,10 +26,8 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
   for (slong prec = FIRST_PREC; ok && *holds == TRUTH_UNKNOWN && !*unbound && prec <= LAST_PREC; prec *= 2) {
     struct values v;
     struct num_ctx ctx = num_ctx_arb(prec);
-    struct num_vec in, out;
     int s = values_init(&v, p, VARIANT_CLOSED, ctx, j->cache);
-    num_vec_init(&in, tape.n_inputs, ctx);
-    num_vec_init(&out, 2, ctx);
+    struct num_vec in = calc_vec(&v.c, tape.n_inputs), out = calc_vec(&v.c, 2);
     for (slong i = 0; s == SS_OK && i < tape.n_inputs; i++) {
       const char *name = tape.inputs[i];
       bool known, is_u_r = strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0;
@@ -44,8 +42,6 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
     const void *x = num_vec_at(&out, 0), *y = num_vec_at(&out, 1);
     if (s == SS_OK && !*unbound) *holds = inequality_holds(ctx.type, st->ops[k], x, y);
     first = first || (prec == FIRST_PREC && *holds != TRUTH_UNKNOWN);
-    num_vec_clear(&out);
-    num_vec_clear(&in);
     values_clear(&v);
   }
   if (ok && !*unbound) work_precision_raise(LADDER_INEQUALITY, first);

@@ -145,7 +145,7 @@ static struct trial try_ode(struct point_trials *r, const char *value, const str
     snprintf(form, sizeof form, "%s(t)", phase_name[phase]);
     if (strcmp(form, value) == 0) break;
   }
-  struct num_vec m[3], a;
+  struct num_vec m[3];
   for (int i = 0; i < 3; i++) {
     char text[64];
     num_vec_init(&m[i], 16, num_ctx_arb(FIRST_PREC));
@@ -154,10 +154,9 @@ static struct trial try_ode(struct point_trials *r, const char *value, const str
   }
   struct values v;
   s |= values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), r->j->cache);
-  num_vec_init(&a, 16, v.ctx);
+  struct num_vec a = calc_vec(&v.c, 16);
   if (s == SS_OK && phase < N_PHASES && n == 16 && dyn_system(&a, (enum phase)phase, &v.params) == SS_OK)
     t = try_law(m, &a);
-  num_vec_clear(&a);
   values_clear(&v);
   for (int i = 0; i < 3; i++) num_vec_clear(&m[i]);
   return t;

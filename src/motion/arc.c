@@ -16,9 +16,8 @@ void dyn_arc_clear(struct dyn_arc *a) {
   num_vec_clear(&a->z);
 }
 
-/* Row i of the states, as a vector of its own that borrows the elements. */
-static struct num_vec state_row(const struct dyn_arc *a, slong i) {
-  return (struct num_vec){a->z.ctx, N_STATE, num_vec_at(&a->z, i * N_STATE)};
+struct num_vec dyn_arc_state(const struct dyn_arc *a, slong row) {
+  return (struct num_vec){a->z.ctx, N_STATE, num_vec_at(&a->z, row * N_STATE)};
 }
 
 /* The event near the given time, an element of the arc's type. */
@@ -39,13 +38,13 @@ static int by_phases(struct dyn_arc *a, const struct num_vec *params, val z10, v
   const struct num_type *type = a->z.ctx.type;
   const void *V = num_vec_at(params, P_V);
   int status = SS_OK;
-  struct num_vec in = state_row(a, 0);
+  struct num_vec in = dyn_arc_state(a, 0);
   type->set(num_vec_at(&in, Z_1), z10);
   type->set(num_vec_at(&in, Z_2), z20);
   type->set(num_vec_at(&in, DZ_1), V);
   type->set(num_vec_at(&in, DZ_2), V);
   for (int ph = PHASE_D; ph < N_PHASES && !status; ph++) {
-    struct num_vec from = state_row(a, ph), to = state_row(a, ph + 1);
+    struct num_vec from = dyn_arc_state(a, ph), to = dyn_arc_state(a, ph + 1);
     void *t = num_vec_at(&a->t, ph);
     if (near) {
       status |= event_near(t, (enum phase)ph, params, &from, num_vec_at(near, ph));

@@ -87,6 +87,9 @@ struct dyn_arc {
 };
 void dyn_arc_init(struct dyn_arc *a, struct num_ctx ctx);
 void dyn_arc_clear(struct dyn_arc *a);
+/* One of the states, by its row, as a vector that borrows the elements: the start of that phase, the end of the one
+   before. */
+struct num_vec dyn_arc_state(const struct dyn_arc *a, slong row);
 /* guess: four times near which the events are taken, or NULL to find first events in double precision, from forces and
    velocities formed in the arc's own type.  An arc in double rounds its positions after each phase, which near chi = 1
    are 1/(1 - chi) times as large as what moves them: its later events are those of a start that has moved by that

@@ -337,7 +337,7 @@ int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS
   struct event_map map = {run_word, &p, PHASE_D, arc.t, 2};
   for (int ph = PHASE_GAMMA; ph < N_PHASES && !status; ph++) {
     double more = 0;
-    struct num_vec from = {p.ctx, N_STATE, num_vec_at(&arc.z, ph * N_STATE)};
+    const struct num_vec from = dyn_arc_state(&arc, ph);
     status = phase_jitter(&more, (enum phase)ph, &p, &from, num_vec_at(&arc.t, ph));
     jitter = fmax(jitter, more);
   }

@@ -80,7 +80,7 @@ int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *param
   struct num_vec m = calc_vec(&c, N_STATE * 2);
   int s = unit_columns(&m);
   for (int ph = PHASE_D; ph < N_PHASES; ph++) {
-    struct num_vec end = {params->ctx, N_STATE, num_vec_at(&arc->z, (ph + 1) * N_STATE)};
+    const struct num_vec end = dyn_arc_state(arc, ph + 1);
     s |= carry_phase(&m, (enum phase)ph, params, &end, num_vec_at(&arc->t, ph), ph == PHASE_C);
   }
   for (slong i = 0; i < 4; i++) calc_store(&c, num_vec_at(j, i), num_vec_at(&m, i));

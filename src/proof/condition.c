@@ -137,9 +137,7 @@ struct bound {
 };
 
 static int bind(struct bound *b, struct condition *c, struct values *v) {
-  *b = (struct bound){.v = v, .c = c};
-  num_vec_init(&b->in, c->s.tape.n_inputs, v->ctx);
-  num_vec_init(&b->out, 1, v->ctx);
+  *b = (struct bound){v, c, calc_vec(&v->c, c->s.tape.n_inputs), calc_vec(&v->c, 1)};
   int s = SS_OK;
   for (slong i = 0; i < c->s.tape.n_inputs; i++) {
     bool moves = false, known;
@@ -147,11 +145,6 @@ static int bind(struct bound *b, struct condition *c, struct values *v) {
     if (!moves) s |= values_bind(num_vec_at(&b->in, i), &known, v, c->s.tape.inputs[i]);
   }
   return s;
-}
-
-static void unbind(struct bound *b) {
-  num_vec_clear(&b->out);
-  num_vec_clear(&b->in);
 }
 
 /* The margin with the moving inputs x (N_MOVING), or those bound alone. */
@@ -166,16 +159,10 @@ static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
 /* The state after the time tau of the phase, by the variant's means, and the time since the start of the period. */
 static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const void *tau) {
   struct calc c = calc_begin(v->ctx);
-  struct num_vec z = calc_vec(&c, 4), m = calc_vec(&c, 16);
+  struct num_vec z = calc_vec(&c, 4);
+  const struct num_vec from = dyn_arc_state(&v->arc, ph);
   const struct num_type *t = v->ctx.type;
-  for (int i = 0; i < 4; i++) t->set(num_vec_at(&z, i), num_vec_at(&v->arc.z, 4 * (int)ph + i));
-  int s = SS_OK;
-  if (v->variant == VARIANT_EXPONENTIAL) {
-    s |= dyn_propagator(&m, ph, &v->params, tau);
-    s |= num_mat_mul(&z, &m, &z, 4, 4, 1);
-  } else {
-    s |= dyn_flow(&z, ph, &v->params, &z, tau);
-  }
+  int s = values_carry(&z, v, ph, &from, tau);
   for (int i = 0; i < 4; i++) {
     void *there = num_vec_at(x, MOVING_X + i);
     t->set(num_vec_at(x, i), num_vec_at(&z, i));
@@ -211,15 +198,10 @@ static int samples_of(struct samples *s, struct values *v, enum phase ph) {
   s->have[ph] = true;
   for (int i = 0; i < N_FRACTIONS; i++) {
     double tau = fractions[i] * v->ctx.type->get_d(num_vec_at(&v->arc.t, (int)ph));
-    num_vec_init(&s->x[ph][i], N_MOVING, v->ctx);
+    s->x[ph][i] = calc_vec(&v->c, N_MOVING);
     status |= moving_at(&s->x[ph][i], v, ph, &tau);
   }
   return status;
-}
-
-static void samples_clear(struct samples *s) {
-  for (int ph = 0; ph < N_PHASES; ph++)
-    for (int i = 0; s->have[ph] && i < N_FRACTIONS; i++) num_vec_clear(&s->x[ph][i]);
 }
 
 static int least_margin(double *least, struct bound *b, struct samples *x) {
@@ -241,10 +223,7 @@ static int least_with_friction(double *least, struct condition *c, struct values
   v->ctx.type->set_d(num_vec_at(&v->q, Q_US2), us2, 53);
   struct samples own = {.have = {false}};
   int s = bind(&b, c, v);
-  if (s == SS_OK) s |= least_margin(least, &b, c->in_x ? &own : x);
-  unbind(&b);
-  samples_clear(&own);
-  return s;
+  return s == SS_OK ? least_margin(least, &b, c->in_x ? &own : x) : s;
 }
 
 int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache) {
@@ -263,7 +242,6 @@ int conditions_sample(struct sampled *out, struct conditions *list, const struct
       }
       out[i].least /= belt;
     }
-    samples_clear(&x);
   }
   values_clear(&v);
   return s;
@@ -278,7 +256,7 @@ struct affine {
 
 static int affine_init(struct affine *f, struct bound *b) {
   const struct num_type *t = b->v->ctx.type;
-  num_vec_init(&f->c, N_MOVING + 1, b->v->ctx);
+  f->c = calc_vec(&b->v->c, N_MOVING + 1);
   struct calc w = calc_begin(b->v->ctx);
   struct num_vec x = calc_vec(&w, N_MOVING), sum = calc_vec(&w, 2);
   void *constant = num_vec_at(&f->c, N_MOVING), *total = num_vec_at(&sum, 0), *all = num_vec_at(&sum, 1);
@@ -398,7 +376,6 @@ static truth holds_along(double *where, arb_t value, struct bound *b, slong prec
   *where = a.where;
   arb_set(value, a.value);
   _arb_vec_clear(w, 4);
-  num_vec_clear(&a.f.c);
   return holds;
 }
 
@@ -449,7 +426,6 @@ truth condition_holds(double *where, arb_ptr value, struct condition *c, const s
     } else if (s == SS_OK && margin_at(margin, &b, NULL) == SS_OK) {
       holds = sign_of(c, margin, prec);
     }
-    unbind(&b);
   }
   values_clear(&v);
   if (where) *where = at;
@@ -475,7 +451,6 @@ static truth try_at(struct condition *c, const struct point *p, enum variant var
   if (s == SS_OK) {
     s |= bind(&b, c, &v);
     if (s == SS_OK) holds = where < 0 ? holds_at_samples(&b, prec) : holds_at(&b, where, prec);
-    unbind(&b);
   }
   values_clear(&v);
   return holds;

@@ -52,7 +52,7 @@ static int whole_matrix(struct num_vec *j, void *err, enum jacobian_method metho
 
 static int phase_matrix(struct num_vec *j, void *err, enum jacobian_method method, enum phase ph,
                         const struct values *v) {
-  struct num_vec in = {v->ctx, N_STATE, num_vec_at(&v->arc.z, N_STATE * (slong)ph)};
+  const struct num_vec in = dyn_arc_state(&v->arc, ph);
   const void *t = num_vec_at(&v->arc.t, ph);
   if (method == METHOD_IMPLICIT) return dyn_local_jacobian(j, ph, &v->params, &in, t);
   if (method == METHOD_SALTATION) return dyn_local_jacobian_saltation(j, ph, &v->params, &in, t);
@@ -194,7 +194,7 @@ static int rounding_of_inputs(double off[MATRIX_MOST], const struct jacobian_job
   struct num_vec j[2]; /* exact, rounded */
   int s = values_init(&v, &p, VARIANT_CLOSED, ctx, job->cache);
   const struct num_vec *params[2] = {&v.params, &rounded->params};
-  const struct num_vec in = {ctx, N_STATE, num_vec_at(&v.arc.z, map ? N_STATE * (slong)map->phase : 0)};
+  const struct num_vec in = dyn_arc_state(&v.arc, map ? map->phase : 0);
   const struct num_vec *z[2] = {&in, &rounded->z};
   for (int i = 0; i < 2; i++) {
     num_vec_init(&j[i], entries(map), ctx);

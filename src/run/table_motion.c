@@ -84,7 +84,7 @@ static void add_row(struct motion_tables *t, const struct table_source *s, const
 static void add_phase(struct motion_tables *t, const struct table_source *s, const char *motion, enum phase ph,
                       const struct dyn_arc *arc, const arb_t begin) {
   static const char *const end_mark[N_PHASES] = {"a", "b", "c", "d"};
-  const struct num_vec start = {arc->z.ctx, N_STATE, num_vec_at(&arc->z, (slong)ph * N_STATE)};
+  const struct num_vec start = dyn_arc_state(arc, ph);
   struct num_vec z;
   arb_ptr w = _arb_vec_init(2), time = w, into = w + 1;
   num_vec_init(&z, N_STATE, arc->z.ctx);

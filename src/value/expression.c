@@ -23,14 +23,12 @@ void expression_close(struct expression *x) {
 int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const struct point *p,
                   struct orbit_cache *cache) {
   struct values v;
-  struct num_vec in;
   int s = values_init(&v, p, VARIANT_CLOSED, out->ctx, cache);
-  num_vec_init(&in, t->n_inputs, v.ctx);
+  struct num_vec in = calc_vec(&v.c, t->n_inputs);
   *known = true;
   for (slong i = 0; s == SS_OK && *known && i < t->n_inputs; i++)
     s |= values_bind(num_vec_at(&in, i), known, &v, t->inputs[i]);
   if (s == SS_OK) s = tape_eval(out, NULL, t, &in);
-  num_vec_clear(&in);
   values_clear(&v);
   return s;
 }

@@ -18,13 +18,10 @@ struct oracle {
 
 static int ensure_local(struct values *v, enum phase ph) {
   if (v->have_local[ph]) return SS_OK;
-  struct num_vec in, local = {v->ctx, 16, num_vec_at(&v->local, 16 * (slong)ph)};
+  struct num_vec in = dyn_arc_state(&v->arc, ph), local = {v->ctx, 16, num_vec_at(&v->local, 16 * (slong)ph)};
   const void *t = num_vec_at(&v->arc.t, ph);
-  num_vec_init(&in, N_STATE, v->ctx);
-  for (int i = 0; i < N_STATE; i++) v->ctx.type->set(num_vec_at(&in, i), num_vec_at(&v->arc.z, 4 * (slong)ph + i));
   int s = v->variant == VARIANT_FD ? dyn_local_jacobian_fd(&local, NULL, ph, &v->params, &in, v->ctx.type->get_d(t))
                                    : dyn_local_jacobian(&local, ph, &v->params, &in, t);
-  num_vec_clear(&in);
   v->have_local[ph] = s == SS_OK;
   return s;
 }

@@ -158,8 +158,7 @@ void sentence_clear(struct sentence *s) {
 
 /* Both sides into lhs and rhs (n each). */
 static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s, struct values *v) {
-  struct calc c = calc_begin(v->ctx);
-  struct num_vec in = calc_vec(&c, s->tape.n_inputs), out = calc_vec(&c, s->tape.n_outputs);
+  struct num_vec in = calc_vec(&v->c, s->tape.n_inputs), out = calc_vec(&v->c, s->tape.n_outputs);
   int status = SS_OK;
   for (slong i = 0; status == SS_OK && i < s->tape.n_inputs; i++) {
     bool known;
@@ -173,7 +172,6 @@ static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, s
   for (slong i = 0; i < s->n; i++) v->ctx.type->set(num_vec_at(lhs, i), num_vec_at(&out, i));
   if (status == SS_OK && s->oracle) status |= oracle_eval(rhs, s->oracle, v);
   for (slong i = 0; !s->oracle && i < s->n; i++) v->ctx.type->set(num_vec_at(rhs, i), num_vec_at(&out, s->n + i));
-  calc_clear(&c);
   return status;
 }
 
@@ -304,16 +302,12 @@ static struct trial try_once(struct sentence *s, struct comparison *c, const str
   *c = (struct comparison){false, false};
   t.status = values_init(&v, p, variant, ctx, cache);
   if (t.status == SS_OK) {
-    struct num_vec lhs, rhs;
-    num_vec_init(&lhs, s->n, ctx);
-    num_vec_init(&rhs, s->n, ctx);
+    struct num_vec lhs = calc_vec(&v.c, s->n), rhs = calc_vec(&v.c, s->n);
     t.status = evaluate(&lhs, &rhs, &t, s, &v);
     if (t.status == SS_OK) {
       t.outcome = OUTCOME_UNDECIDED;
       compare(&t, c, s, &lhs, &rhs);
     }
-    num_vec_clear(&rhs);
-    num_vec_clear(&lhs);
   }
   values_clear(&v);
   return t;

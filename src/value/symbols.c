@@ -41,8 +41,8 @@ static int state_at_tb(struct num_vec *z, struct values *v) {
   int s = c.status;
   bool sticks = calc_lt(&c, rest, zero);
   if (!calc_lt(&c, zero, ta) || (!sticks && t->lt(rest, zero) != TRUTH_FALSE)) s |= SS_UNABLE;
-  for (int i = 0; i < 4; i++) t->set(num_vec_at(z, i), num_vec_at(&v->arc.z, 4 * !sticks + i));
-  if (s == SS_OK) s |= dyn_flow(z, sticks ? PHASE_D : PHASE_GAMMA, &v->params, z, sticks ? tb : rest);
+  const struct num_vec from = dyn_arc_state(&v->arc, !sticks);
+  if (s == SS_OK) s |= dyn_flow(z, sticks ? PHASE_D : PHASE_GAMMA, &v->params, &from, sticks ? tb : rest);
   calc_clear(&c);
   return s;
 }
@@ -62,11 +62,9 @@ static int motion_value(void *z, bool *known, struct values *v, int component, i
     return s;
   }
   if (has_arc(v) && primes < 2 && strcmp(argument, "(t_b)") == 0) {
-    struct num_vec at;
-    num_vec_init(&at, 4, v->ctx);
+    struct num_vec at = calc_vec(&v->c, 4);
     int s = state_at_tb(&at, v);
     t->set(z, num_vec_at(&at, component + 2 * primes));
-    num_vec_clear(&at);
     return s;
   }
   int k = name_of_switching_time(argument);

@@ -10,13 +10,13 @@
 static int event_shift(void *dt, struct values *v, int ph, const struct num_vec *dz) {
   struct calc c = calc_begin(v->ctx);
   struct num_vec phi = calc_vec(&c, 16), end = calc_vec(&c, 4);
+  const struct num_vec there = dyn_arc_state(&v->arc, ph + 1);
   void *at_zero = calc_new(&c), *at_end = calc_new(&c), *rate = calc_new(&c);
   int s = dyn_switching(at_zero, (enum phase)ph, &v->params, &end);
   s |= values_propagator(&phi, v, (enum phase)ph);
   s |= num_mat_mul(&end, &phi, dz, 4, 4, 1);
   s |= dyn_switching(at_end, (enum phase)ph, &v->params, &end);
-  for (int i = 0; i < 4; i++) calc_store(&c, num_vec_at(&end, i), num_vec_at(&v->arc.z, 4 * (ph + 1) + i));
-  s |= dyn_switching_rate(rate, (enum phase)ph, &v->params, &end);
+  s |= dyn_switching_rate(rate, (enum phase)ph, &v->params, &there);
   calc_store(&c, dt, calc_neg(&c, calc_div(&c, calc_sub(&c, at_end, at_zero), rate)));
   calc_clear(&c);
   return s | c.status;
@@ -25,7 +25,7 @@ static int event_shift(void *dt, struct values *v, int ph, const struct num_vec 
 /* The direction (x, y) carried along the word by the local Jacobians. */
 static int carry_tangent(struct values *v) {
   struct calc c = calc_begin(v->ctx);
-  struct num_vec dz = calc_vec(&c, 4), j = calc_vec(&c, 16), unused = calc_vec(&c, N_STATE * LOCAL_MOST);
+  struct num_vec dz = calc_vec(&c, 4), unused = calc_vec(&c, N_STATE * LOCAL_MOST);
   v->ctx.type->set(num_vec_at(&dz, 0), num_vec_at(&v->q, Q_X));
   v->ctx.type->set(num_vec_at(&dz, 1), num_vec_at(&v->q, Q_Y));
   int s = SS_OK;
@@ -33,7 +33,7 @@ static int carry_tangent(struct values *v) {
     s = oracle_eval(&unused, oracle_find(local_maps[ph].name), v); /* makes the local Jacobian */
   for (int ph = 0; s == SS_OK && ph < N_PHASES; ph++) {
     s |= event_shift(num_vec_at(&v->dt, ph), v, ph, &dz);
-    for (int i = 0; i < 16; i++) v->ctx.type->set(num_vec_at(&j, i), num_vec_at(&v->local, 16 * ph + i));
+    const struct num_vec j = {v->ctx, 16, num_vec_at(&v->local, 16 * ph)};
     s |= num_mat_mul(&dz, &j, &dz, 4, 4, 1);
     for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&v->tangent, 4 * (ph + 1) + i), num_vec_at(&dz, i));
   }

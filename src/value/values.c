@@ -9,31 +9,29 @@
 #include "base/work.h"
 #include "system_orbit.h"
 
-/* Z(t) after time tau of the phase from z0, and its derivative. */
-static int flow_from(struct values *v, const struct num_vec *z0, const void *tau) {
-  struct num_vec a;
-  num_vec_init(&a, 16, v->ctx);
-  int s = SS_OK;
-  if (v->variant == VARIANT_EXPONENTIAL) {
-    s |= dyn_propagator(&a, v->point->phase, &v->params, tau);
-    s |= num_mat_mul(&v->zt, &a, z0, 4, 4, 1);
-  } else {
-    s |= dyn_flow(&v->zt, v->point->phase, &v->params, z0, tau);
-  }
-  s |= dyn_system(&a, v->point->phase, &v->params);
-  s |= num_mat_mul(&v->azt, &a, &v->zt, 4, 4, 1);
-  num_vec_clear(&a);
+int values_carry(struct num_vec *out, const struct values *v, enum phase ph, const struct num_vec *from,
+                 const void *tau) {
+  if (v->variant != VARIANT_EXPONENTIAL) return dyn_flow(out, ph, &v->params, from, tau);
+  struct num_vec p;
+  num_vec_init(&p, 16, v->ctx);
+  int s = dyn_propagator(&p, ph, &v->params, tau);
+  s |= num_mat_mul(out, &p, from, 4, 4, 1);
+  num_vec_clear(&p);
   return s;
 }
 
+/* Z(t) after time tau of the phase from z0, and its derivative. */
+static int flow_from(struct values *v, const struct num_vec *z0, const void *tau) {
+  struct num_vec a = calc_vec(&v->c, 16);
+  int s = values_carry(&v->zt, v, v->point->phase, z0, tau);
+  s |= dyn_system(&a, v->point->phase, &v->params);
+  return s | num_mat_mul(&v->azt, &a, &v->zt, 4, 4, 1);
+}
+
 static int init_flow(struct values *v) {
-  struct num_vec z0;
-  num_vec_init(&z0, 4, v->ctx);
-  for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&z0, i), num_vec_at(&v->q, Q_Z1 + i));
+  const struct num_vec z0 = {v->ctx, N_STATE, num_vec_at(&v->q, Q_Z1)};
   v->ctx.type->set(num_vec_at(&v->t, 0), num_vec_at(&v->q, Q_T));
-  int s = flow_from(v, &z0, num_vec_at(&v->t, 0));
-  num_vec_clear(&z0);
-  return s;
+  return flow_from(v, &z0, num_vec_at(&v->t, 0));
 }
 
 /* The time t on an arc: the start of the point's phase and the fraction Q_S of its length. */
@@ -43,16 +41,14 @@ int values_time(struct values *v) {
   if (!on_arc || v->have_t) return SS_OK;
   const struct dyn_arc *arc = v->point->finite ? &v->perturbed : &v->arc;
   const struct num_type *t = v->ctx.type;
-  struct calc c = calc_begin(v->ctx);
-  struct num_vec z0 = calc_vec(&c, 4), tau = calc_vec(&c, 1);
+  struct num_vec tau = calc_vec(&v->c, 1);
+  const struct num_vec z0 = dyn_arc_state(arc, v->point->phase);
   int ph = (int)v->point->phase;
-  for (int i = 0; i < 4; i++) t->set(num_vec_at(&z0, i), num_vec_at(&arc->z, 4 * ph + i));
   int s = t->mul(num_vec_at(&tau, 0), num_vec_at(&v->q, Q_S), num_vec_at(&arc->t, ph), v->ctx.prec);
   t->set(num_vec_at(&v->t, 0), num_vec_at(&tau, 0));
   for (int k = 0; k < ph; k++)
     s |= t->add(num_vec_at(&v->t, 0), num_vec_at(&v->t, 0), num_vec_at(&arc->t, k), v->ctx.prec);
   s |= flow_from(v, &z0, num_vec_at(&tau, 0));
-  calc_clear(&c);
   v->have_t = s == SS_OK;
   return s;
 }
@@ -60,8 +56,7 @@ int values_time(struct values *v) {
 /* The motion that starts (x, y)/1024 beside the arc, with its own events. */
 static int init_perturbed(struct values *v) {
   const struct num_type *t = v->ctx.type;
-  struct num_vec w;
-  num_vec_init(&w, 3, v->ctx);
+  struct num_vec w = calc_vec(&v->c, 3);
   double guess[4];
   int s = t->set_d(num_vec_at(&w, 2), 1.0 / 1024, v->ctx.prec);
   for (int i = 0; i < 2; i++) {
@@ -73,7 +68,6 @@ static int init_perturbed(struct values *v) {
   for (int i = 0; i < 4; i++) guess[i] = t->get_d(num_vec_at(&v->perturbed.t, i)) - t->get_d(num_vec_at(&v->arc.t, i));
   for (int i = 0; i < 4; i++)
     if (!(guess[i] > -0.5 && guess[i] < 0.5)) s |= SS_DOMAIN; /* another root: not a small perturbation */
-  num_vec_clear(&w);
   return s;
 }
 
@@ -87,38 +81,33 @@ int values_propagator(struct num_vec *out, struct values *v, enum phase ph) {
 
 /* The states of an arc once more, each from the one before by the matrix exponential over the same times. */
 static int carry_by_exponentials(struct dyn_arc *arc, struct values *v) {
-  struct calc c = calc_begin(v->ctx);
-  struct num_vec p = calc_vec(&c, 16), z = calc_vec(&c, 4);
+  struct num_vec p = calc_vec(&v->c, 16);
   int s = SS_OK;
-  for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&z, i), num_vec_at(&arc->z, i));
   for (int ph = 0; ph < N_PHASES; ph++) {
     s |= arc == &v->arc ? values_propagator(&p, v, (enum phase)ph)
                         : dyn_propagator(&p, (enum phase)ph, &v->params, num_vec_at(&arc->t, ph));
-    s |= num_mat_mul(&z, &p, &z, 4, 4, 1);
-    for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&arc->z, 4 * (ph + 1) + i), num_vec_at(&z, i));
+    const struct num_vec from = dyn_arc_state(arc, ph);
+    struct num_vec to = dyn_arc_state(arc, ph + 1);
+    s |= num_mat_mul(&to, &p, &from, 4, 4, 1);
   }
-  calc_clear(&c);
   return s;
 }
 
 /* The states at given times, whatever the switching functions are there. */
 static int init_over_times(struct values *v) {
-  struct num_vec z;
-  num_vec_init(&z, 4, v->ctx);
   const struct num_type *t = v->ctx.type;
-  t->set(num_vec_at(&z, 0), num_vec_at(&v->q, Q_Z1));
-  t->set(num_vec_at(&z, 1), num_vec_at(&v->q, Q_Z2));
-  for (int i = 0; i < 2; i++)
-    t->set(num_vec_at(&z, 2 + i),
-           v->point->kind == POINT_PATCHED ? num_vec_at(&v->q, Q_DZ1 + i) : num_vec_at(&v->params, P_V));
   int s = SS_OK;
-  for (int ph = 0; ph <= N_PHASES; ph++) {
-    for (int i = 0; i < 4; i++) t->set(num_vec_at(&v->arc.z, 4 * ph + i), num_vec_at(&z, i));
-    if (ph == N_PHASES) break;
-    t->set(num_vec_at(&v->arc.t, ph), num_vec_at(&v->q, Q_TA + ph));
-    s |= dyn_flow(&z, (enum phase)ph, &v->params, &z, num_vec_at(&v->arc.t, ph));
+  for (int i = 0; i < 2; i++) {
+    const void *speed = v->point->kind == POINT_PATCHED ? num_vec_at(&v->q, Q_DZ1 + i) : num_vec_at(&v->params, P_V);
+    t->set(num_vec_at(&v->arc.z, Z_1 + i), num_vec_at(&v->q, Q_Z1 + i));
+    t->set(num_vec_at(&v->arc.z, DZ_1 + i), speed);
   }
-  num_vec_clear(&z);
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    const struct num_vec from = dyn_arc_state(&v->arc, ph);
+    struct num_vec to = dyn_arc_state(&v->arc, ph + 1);
+    t->set(num_vec_at(&v->arc.t, ph), num_vec_at(&v->q, Q_TA + ph));
+    s |= dyn_flow(&to, (enum phase)ph, &v->params, &from, num_vec_at(&v->arc.t, ph));
+  }
   return s;
 }
 

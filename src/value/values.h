@@ -39,6 +39,9 @@ struct values {
 int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
                 struct orbit_cache *cache);
 void values_clear(struct values *v);
+/* The state after the time tau of a phase, by the variant's means; out may alias from. */
+int values_carry(struct num_vec *out, const struct values *v, enum phase ph, const struct num_vec *from,
+                 const void *tau);
 /* exp(A t) of a phase over its time on the arc. */
 int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
