@@ -56,6 +56,8 @@ int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, c
 int dyn_flow_matrix(struct num_vec *p, enum phase ph, const struct num_vec *params, const void *t);
 /* The phase's switching function (zero at its end): w - e1, chi r - e2, p, q. */
 int dyn_switching(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z);
+/* Its gradient, which is constant, applied to v: what it changes by where the state changes by v. */
+int dyn_switching_along(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *v);
 /* Its derivative along the phase's own motion. */
 int dyn_switching_rate(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z);
 

@@ -8,8 +8,8 @@
 #include "dynamics.h"
 #include "num/calc.h"
 
-/* The switching functions are affine, so their gradient applied to v is a difference. */
-static int along_gradient(void *out, enum phase ph, const struct num_vec *params, const struct num_vec *v) {
+/* The switching functions are affine, so that this is a difference. */
+int dyn_switching_along(void *out, enum phase ph, const struct num_vec *params, const struct num_vec *v) {
   struct calc c = calc_begin(params->ctx);
   struct num_vec zero = calc_vec(&c, N_STATE);
   void *at_v = calc_new(&c), *at_zero = calc_new(&c);
@@ -41,10 +41,10 @@ static int carry_phase(struct num_vec *m, enum phase ph, const struct num_vec *p
   int s = dyn_propagator(&phi, ph, params, t) | num_mat_mul(m, &phi, m, N_STATE, N_STATE, n);
   s |= vector_field(&before, ph, params, end);
   s |= vector_field(&after, (enum phase)((ph + 1) % N_PHASES), params, end);
-  s |= along_gradient(rate, ph, params, &before);
+  s |= dyn_switching_along(rate, ph, params, &before);
   for (slong k = 0; k < n; k++) {
     for (slong i = 0; i < N_STATE; i++) calc_store(&c, num_vec_at(&column, i), num_vec_at(m, i * n + k));
-    s |= along_gradient(off, ph, params, &column);
+    s |= dyn_switching_along(off, ph, params, &column);
     val lead = calc_div(&c, off, rate);
     for (slong i = 0; i < N_STATE; i++) {
       val f = num_vec_at(&before, i), g = num_vec_at(&after, i);

@@ -13,12 +13,7 @@ int motion_length(element *z, struct exact_motion *m, int phase) {
 
 /* What a switching function says of a vector: its value, or without its constant, for perturbations. */
 static int switching(element *z, struct exact_motion *m, int phase, const struct num_vec *v, bool linear) {
-  struct num_vec w = calc_vec(&m->c, 5), zero = part(&w, 0, 4);
-  int s = dyn_switching(z, (enum phase)phase, &m->params, v);
-  if (linear) {
-    s |= dyn_switching(at(&w, 4), (enum phase)phase, &m->params, &zero);
-    s |= num_exact.sub(z, z, at(&w, 4), 0);
-  }
+  int s = (linear ? dyn_switching_along : dyn_switching)(z, (enum phase)phase, &m->params, v);
   return s == SS_OK ? exact_reduce(z, m->field) : s;
 }
 

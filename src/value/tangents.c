@@ -6,18 +6,17 @@
 #include "values_impl.h"
 
 /* dt of a phase from dZ at its start: the switching function stays zero at the end, so its gradient applied to
-   exp(A t) dZ is minus its rate times dt.  The switching functions are affine: their gradient is a difference. */
+   exp(A t) dZ is minus its rate times dt. */
 static int event_shift(void *dt, struct values *v, int ph, const struct num_vec *dz) {
   struct calc c = calc_begin(v->ctx);
   struct num_vec phi = calc_vec(&c, 16), end = calc_vec(&c, 4);
   const struct num_vec there = dyn_arc_state(&v->arc, ph + 1);
-  void *at_zero = calc_new(&c), *at_end = calc_new(&c), *rate = calc_new(&c);
-  int s = dyn_switching(at_zero, (enum phase)ph, &v->params, &end);
-  s |= values_propagator(&phi, v, (enum phase)ph);
+  void *lead = calc_new(&c), *rate = calc_new(&c);
+  int s = values_propagator(&phi, v, (enum phase)ph);
   s |= num_mat_mul(&end, &phi, dz, 4, 4, 1);
-  s |= dyn_switching(at_end, (enum phase)ph, &v->params, &end);
+  s |= dyn_switching_along(lead, (enum phase)ph, &v->params, &end);
   s |= dyn_switching_rate(rate, (enum phase)ph, &v->params, &there);
-  calc_store(&c, dt, calc_neg(&c, calc_div(&c, calc_sub(&c, at_end, at_zero), rate)));
+  calc_store(&c, dt, calc_neg(&c, calc_div(&c, lead, rate)));
   calc_clear(&c);
   return s | c.status;
 }
