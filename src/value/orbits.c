@@ -16,13 +16,12 @@ struct data {
   const bool *given;
 };
 
-/* The two that are given besides chi, eta, V, borrowed; how many there are. */
-static int given_pair(enum dyn_quantity which[2], fmpq value[2], struct data data) {
+int orbits_given_pair(enum dyn_quantity which[2], fmpq value[2], const fmpq *from, const bool *given) {
   int n = 0;
   for (int k = KEY_E1; k <= KEY_TD && n < 2; k++) {
-    if (!data.given[k]) continue;
+    if (!given[k]) continue;
     which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
-    value[n++] = data.value[k]; /* neither changed nor cleared */
+    value[n++] = from[k]; /* neither changed nor cleared */
   }
   return n;
 }
@@ -36,7 +35,7 @@ static int find_orbits(struct dyn_orbits *list, struct data data, slong prec) {
     return dyn_orbits_find(list, data.value + KEY_CHI, prec, &dyn_limits_default);
   enum dyn_quantity which[2];
   fmpq value[2];
-  if (given_pair(which, value, data) < 2) { /* a box of parameters has no orbits of its own */
+  if (orbits_given_pair(which, value, data.value, data.given) < 2) { /* a box of parameters has no orbits of its own */
     *list = (struct dyn_orbits){.n = 0};
     return SS_OK;
   }
@@ -50,7 +49,7 @@ int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec) {
 static void complete_orbits(struct dyn_orbits *list, struct data data, slong prec) {
   enum dyn_quantity which[2];
   fmpq value[2];
-  if (given_pair(which, value, data) < 2) return;
+  if (orbits_given_pair(which, value, data.value, data.given) < 2) return;
   dyn_given_complete(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits);
 }
 

@@ -69,13 +69,8 @@ bool solved_find(struct solved *z, const struct scene *s, slong digits) {
 
 /* The scene as a question; value borrows from it. */
 static void question_of(struct dyn_question *q, enum dyn_quantity which[2], fmpq value[2], const struct scene *s) {
-  int n = 0;
   *q = (struct dyn_question){.model = s->value + KEY_CHI, .value = value, .which = which};
-  for (int k = KEY_E1; k <= KEY_TD && n < 2; k++) {
-    if (!s->given[k]) continue;
-    which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
-    value[n++] = s->value[k];
-  }
+  orbits_given_pair(which, value, s->value, s->given);
   scene_static_friction(q->u_r, s);
 }
 
