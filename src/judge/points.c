@@ -261,10 +261,7 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   struct point p;
   char seed[128];
   snprintf(seed, sizeof seed, "%s%s", r->c->id, r->restriction ? r->restriction->text : "");
-  sampler_init(&s, seed, spec->kind, spec->phase, r->restriction);
-  s.paper = spec->paper;
-  s.admissible = spec->admissible;
-  s.realistic = spec->realistic;
+  sampler_of_points(&s, seed, spec, r->restriction);
   s.finite = claim_says(r->c, "perturbation", "finite");
   point_init(&p);
   bool ok = true;

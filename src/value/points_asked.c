@@ -47,3 +47,11 @@ int claim_points(struct point_spec *spec, int max, struct judge *j, const struct
   for (int i = 0; ok && i < n; i++) spec[i].paper = j->model;
   return ok ? n : -1;
 }
+
+void sampler_of_points(struct sampler *s, const char *id, const struct point_spec *spec,
+                       const struct restriction *restriction) {
+  sampler_init(s, id, spec->kind, spec->phase, restriction);
+  s->admissible = spec->admissible;
+  s->realistic = spec->realistic;
+  s->paper = spec->paper;
+}

@@ -80,6 +80,9 @@ struct point_spec {
   long n;
   const struct model *paper; /* whose own symbols have values there; NULL: the model's names alone have */
 };
+/* A stream of such points, seeded from an id. */
+void sampler_of_points(struct sampler *s, const char *id, const struct point_spec *spec,
+                       const struct restriction *restriction);
 /* Reads the claim's points into at most max specs; the number of them, or -1 with j->d set. */
 int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c);
 
