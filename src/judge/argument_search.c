@@ -165,8 +165,7 @@ void argument_decide(struct argument_decision *d, struct argument *a, const stru
       d->by_exponentials = TRUTH_UNKNOWN;
       continue;
     }
-    truth again = holds == TRUTH_FALSE ? condition_holds_at(c, p, VARIANT_EXPONENTIAL, where, FIRST_PREC, cache)
-                                       : condition_holds_at_samples(c, p, FIRST_PREC, cache);
+    truth again = condition_holds_at(c, p, holds == TRUTH_FALSE ? where : -1, FIRST_PREC, cache);
     d->by_exponentials = truth_and(d->by_exponentials, again);
   }
 }

@@ -441,26 +441,16 @@ truth conditions_hold(struct conditions *list, const struct point *p, slong prec
   return all;
 }
 
-/* where < 0: the inner sixteenths. */
-static truth try_at(struct condition *c, const struct point *p, enum variant variant, double where, slong prec,
-                    struct orbit_cache *cache) {
+truth condition_holds_at(struct condition *c, const struct point *p, double where, slong prec,
+                         struct orbit_cache *cache) {
   struct values v;
   struct bound b;
   truth holds = TRUTH_UNKNOWN;
-  int s = values_init(&v, p, variant, num_ctx_arb(prec), cache);
+  int s = values_init(&v, p, VARIANT_EXPONENTIAL, num_ctx_arb(prec), cache);
   if (s == SS_OK) {
     s |= bind(&b, c, &v);
     if (s == SS_OK) holds = where < 0 ? holds_at_samples(&b, prec) : holds_at(&b, where, prec);
   }
   values_clear(&v);
   return holds;
-}
-
-truth condition_holds_at(struct condition *c, const struct point *p, enum variant variant, double where, slong prec,
-                         struct orbit_cache *cache) {
-  return try_at(c, p, variant, where, prec, cache);
-}
-
-truth condition_holds_at_samples(struct condition *c, const struct point *p, slong prec, struct orbit_cache *cache) {
-  return try_at(c, p, VARIANT_EXPONENTIAL, -1, prec, cache);
 }

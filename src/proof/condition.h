@@ -49,10 +49,8 @@ truth condition_holds(double *where, arb_ptr value, struct condition *c, const s
                       struct orbit_cache *cache);
 /* Do all of them?  Looks no further than the first that fails. */
 truth conditions_hold(struct conditions *list, const struct point *p, slong prec, struct orbit_cache *cache);
-/* The same at one fraction of the phase. */
-truth condition_holds_at(struct condition *c, const struct point *p, enum variant variant, double where, slong prec,
+/* The same at one fraction of the phase, or with where < 0 at 15 inner ones, the states carried by matrix exponentials. */
+truth condition_holds_at(struct condition *c, const struct point *p, double where, slong prec,
                          struct orbit_cache *cache);
-/* The same at 15 inner fractions of the phase, the states carried by matrix exponentials. */
-truth condition_holds_at_samples(struct condition *c, const struct point *p, slong prec, struct orbit_cache *cache);
 
 #endif
