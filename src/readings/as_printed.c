@@ -11,8 +11,8 @@
 
 enum { DRAWS = 200, SHOWN = 10, PRECISION = 128 };
 
-/* The equations as (12), (14), (16) and (18) state them, for the start and the times; e_1 and e_2 are given. */
-static const unsigned six = 1U << EQ_12 | 1U << EQ_14 | 1U << EQ_16 | 1U << EQ_V2 | 1U << EQ_Z1 | 1U << EQ_Z2,
+/* For the start and the times; e_1 and e_2 are given. */
+static const unsigned six = EQUATIONS_OF_PAPER,
                       wanted = 1U << X_Z10 | 1U << X_Z20 | 1U << X_TA | 1U << X_TB | 1U << X_TC | 1U << X_TD;
 
 /* The solution with these formulas next to the orbit, in balls. */

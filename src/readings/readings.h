@@ -13,6 +13,8 @@ enum { X_Z10, X_Z20, X_TA, X_TB, X_TC, X_TD, X_E1, X_E2, N_X };
 
 /* The equations of the paper, and two forms of them. */
 enum { EQ_12, EQ_14, EQ_16, EQ_V2, EQ_Z1, EQ_Z2, EQ_W, EQ_R, EQ_F1, EQ_F2, EQ_G1, EQ_G2, N_EQ };
+/* As (12), (14), (16) and (18) state them; as bits. */
+enum { EQUATIONS_OF_PAPER = 1U << EQ_12 | 1U << EQ_14 | 1U << EQ_16 | 1U << EQ_V2 | 1U << EQ_Z1 | 1U << EQ_Z2 };
 /* The bases in which the periodicity conditions (16), (18) can be taken. */
 enum basis { BASIS_PAPER, BASIS_FORCES, BASIS_SOLVED, N_BASES };
 extern const char *const basis_text[N_BASES];

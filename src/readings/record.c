@@ -29,9 +29,7 @@ static const char *names(struct audit_result *out, unsigned mask, const char *no
   struct text t = {0};
   for (int i = 0; i < N_X; i++)
     if (mask >> i & 1) text_printf(&t, "%s%s", t.len ? ", " : "", orbit_number_name(i));
-  const char *s = result_str(out, "%s", t.len ? text_str(&t) : none);
-  text_clear(&t);
-  return s;
+  return t.len ? result_take(out, &t) : none;
 }
 
 /* The other row of (44) for the same z_i0. */
@@ -136,9 +134,8 @@ static void describe_assumptions(struct example_reading *r, struct audit_result 
   if (c->assumed[ASSUME_MIXED])
     text_printf(&t, "results truncated where most are rounded, or conversely: %d; ", c->assumed[ASSUME_MIXED]);
   if (t.len) t.data[t.len -= 2] = '\0';
-  r->assumed = result_str(out, "%s", t.len ? text_str(&t) : "nothing");
+  r->assumed = t.len ? result_take(out, &t) : "nothing";
   for (int i = 0; i < N_ASSUMPTIONS; i++) r->assumptions += c->assumed[i];
-  text_clear(&t);
 }
 
 void reading_describe(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
@@ -159,7 +156,7 @@ void reading_describe(struct example_reading *r, struct audit_result *out, const
 
 /* --- The whole procedure --- */
 
-static const unsigned whole_paper = 1U << EQ_12 | 1U << EQ_14 | 1U << EQ_16 | 1U << EQ_V2 | 1U << EQ_Z1 | 1U << EQ_Z2;
+static const unsigned whole_paper = EQUATIONS_OF_PAPER;
 
 static bool procedure_solve(arb_ptr x, const struct example *e, unsigned inputs, struct system *s,
                             struct system *search) {
