@@ -117,7 +117,7 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
       num_print_q(&where, &f->base.q[i]);
     }
   }
-  const char *place = result_str(b->j->out, "%s", text_str(&where));
+  const char *place = result_take(b->j->out, &where);
   t->third.of[stable ? TRUTH_FALSE : unstable ? TRUTH_TRUE : TRUTH_UNKNOWN]++;
   if (stable && !t->where) t->where = place;
   finding_state(b->f, b->j->out, "balls", "model", q->prec, 1, place,
@@ -133,7 +133,6 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
   if (stable && b->f->certificate.n == 0) certify(b, &at, o, q);
   if (o) iterate(t, q, &at);
   if (o) move(t, &at, o);
-  text_clear(&where);
   point_clear(&at);
   arb_clear(value);
 }

@@ -31,9 +31,7 @@ static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *
 /* The gap of r over every start in the box z, by the mean value theorem: the gap at the middle plus the slope over the
    box times the distance from the middle. */
 static int gap_over_box(arb_t gap, struct judge *j, arb_srcptr z) {
-  arb_ptr at_middle = _arb_vec_init(3), middle = _arb_vec_init(2), slope = _arb_vec_init(2), unused = _arb_vec_init(5);
-  arb_t d;
-  arb_init(d);
+  arb_ptr w = _arb_vec_init(13), at_middle = w, middle = w + 3, slope = w + 5, unused = w + 7, d = w + 12;
   for (int i = 0; i < 2; i++) arb_get_mid_arb(middle + i, z + i);
   int s = closing_gap(at_middle, unused + 3, NULL, j, middle);
   s |= closing_gap(unused, slope, NULL, j, z);
@@ -42,11 +40,7 @@ static int gap_over_box(arb_t gap, struct judge *j, arb_srcptr z) {
     arb_sub(d, z + i, middle + i, FIRST_PREC);
     arb_addmul(gap, slope + i, d, FIRST_PREC);
   }
-  arb_clear(d);
-  _arb_vec_clear(unused, 5);
-  _arb_vec_clear(slope, 2);
-  _arb_vec_clear(middle, 2);
-  _arb_vec_clear(at_middle, 3);
+  _arb_vec_clear(w, 13);
   return s;
 }
 

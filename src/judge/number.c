@@ -236,13 +236,12 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   if (have) {
     text_add(&note, "From the other printed numbers, taken exactly, ");
     add_value(&note, n, x, 8, t, how);
-    const char *where = "the printed numbers", *says = result_str(j->out, "%s", text_str(&note));
+    const char *where = "the printed numbers", *says = result_take(j->out, &note);
     if (decides)
       finding_add_route(f, j->out, w, "printed numbers", bits, where, says);
     else
       finding_state(f, j->out, "balls", "printed numbers", bits, 1, where, says);
   }
-  text_clear(&note);
   arb_clear(x);
   point_clear(&p);
   return w;

@@ -179,9 +179,7 @@ static void describe_space(struct hunt *h, const char *layers) {
 static const char *inputs_of(struct hunt *h, const struct example_reading *r) {
   struct text t = {0};
   for (int i = 0; i < r->n_inputs; i++) text_printf(&t, "%s%s", i ? ", " : "", r->inputs[i]);
-  const char *s = result_str(h->out, "%s", t.len ? text_str(&t) : "nothing");
-  text_clear(&t);
-  return s;
+  return t.len ? result_take(h->out, &t) : "nothing";
 }
 
 static void conclude_found(struct hunt *h) {

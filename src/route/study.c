@@ -76,18 +76,15 @@ static int propagator(arb_ptr out, struct study *s) {
   return status;
 }
 
-/* The paper's side of a sentence. */
-static int paper_side(arb_ptr out, struct study *s, struct sentence *sentence) {
+/* The paper's propagator of the phase, or its Jacobian. */
+static int paper_side(arb_ptr out, struct study *s) {
+  struct sentence *sentence = s->row == ROUTE_J_PAPER ? &s->jacobian : &s->propagator[s->site.p.phase];
   struct calc c = calc_begin(num_ctx_arb(s->prec));
   struct num_vec lhs = calc_vec(&c, sentence->n), rhs = calc_vec(&c, sentence->n);
   int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, VARIANT_CLOSED, s->j->cache);
   get_all(out, &lhs);
   calc_clear(&c);
   return status;
-}
-
-static int propagator_paper(arb_ptr out, struct study *s) {
-  return paper_side(out, s, &s->propagator[s->site.p.phase]);
 }
 
 /* --- Their derivatives, and their values at 0. --- */
@@ -237,9 +234,6 @@ static int events_simulation(arb_ptr out, struct study *s) {
 
 /* --- The return Jacobian. --- */
 
-static int jacobian_paper(arb_ptr out, struct study *s) {
-  return paper_side(out, s, &s->jacobian);
-}
 static int jacobian_by_model(arb_ptr out, struct study *s) {
   static const enum jacobian_method method[N_ROUTE_ROWS] = {
       [ROUTE_J_IMPLICIT] = METHOD_IMPLICIT, [ROUTE_J_SALTATION] = METHOD_SALTATION, [ROUTE_J_FD] = METHOD_FD};
@@ -266,7 +260,7 @@ static int jacobian_integration(arb_ptr out, struct study *s) {
 /* --- One point. --- */
 
 static int (*const compute[N_ROUTE_ROWS])(arb_ptr out, struct study *s) = {
-    [ROUTE_P_PAPER] = propagator_paper,
+    [ROUTE_P_PAPER] = paper_side,
     [ROUTE_P_EXPONENTIAL] = propagator,
     [ROUTE_P_CLOSED] = propagator,
     [ROUTE_P_TAYLOR] = propagator,
@@ -278,7 +272,7 @@ static int (*const compute[N_ROUTE_ROWS])(arb_ptr out, struct study *s) = {
     [ROUTE_E_SIMULATION] = events_simulation,
     [ROUTE_E_INTEGRATION] = events_integration,
     [ROUTE_E_SYSTEM] = events_system,
-    [ROUTE_J_PAPER] = jacobian_paper,
+    [ROUTE_J_PAPER] = paper_side,
     [ROUTE_J_IMPLICIT] = jacobian_by_model,
     [ROUTE_J_SALTATION] = jacobian_by_model,
     [ROUTE_J_FD] = jacobian_by_model,
@@ -562,7 +556,7 @@ static void add_pair(struct study *s, enum route_row a, enum route_row b) {
   struct route_pair pair = {.quantity = route_quantity_name[first->quantity],
                             .first = first->name,
                             .second = second->name,
-                            .shared = result_str(out, "%s", text_str(&shared)),
+                            .shared = result_take(out, &shared),
                             .comparisons = t->n,
                             .stated = result_str(out, "1e-%d", stated_digits(a, b)),
                             .within = t->within,
@@ -572,7 +566,6 @@ static void add_pair(struct study *s, enum route_row a, enum route_row b) {
                             .machine_worst = t->where};
   out->pairs = ss_grow(out->pairs, out->n_pairs, &out->cap_pairs, sizeof pair);
   out->pairs[out->n_pairs++] = pair;
-  text_clear(&shared);
 }
 
 bool study_routes(struct judge *j) {
