@@ -181,19 +181,21 @@ bool behaviour_jumps(struct behaviour *b) {
   for (int i = 0; i < 2; i++)
     all = all && sticks_inside(f, i) && slips_by_sliding_friction(f, i) && falls_by_e(f, i) &&
           passes_by_two_slides(f, i, 1) && passes_by_two_slides(f, i, -1);
-  behaviour_decide(
-      b,
-      smooth ? ROUTE_DIFFERS
-      : all  ? ROUTE_AGREES
-             : ROUTE_UNDECIDED,
-      smooth ? "exact: a mass that breaks loose has the same friction or acceleration before and after"
-      : all  ? "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its friction "
-               "falls from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta for m_2); x'' of the "
-               "other mass does not jump. Where a mass is caught, |f_i| < u_ri, its friction jumps from eps u_si to f_i "
-               "and x''_i to 0, unless f_i = eps u_si. Where a mass passes the belt's velocity without sticking, eps "
-               "f_i > u_ri, its friction turns from -eps u_si to eps u_si, and x''_i, which keeps its sign, changes by "
-               "2 u_si (times eta for m_2). In each branch (1) and (2) bound x''_i by the positions, so that positions "
-               "and velocities are continuous"
-             : "the jumps at the switches are not known in every case");
+  if (smooth)
+    behaviour_decide(b, ROUTE_DIFFERS,
+                     "exact: a mass that breaks loose has the same friction or acceleration before and after");
+  else if (!all)
+    behaviour_decide(b, ROUTE_UNDECIDED, "the jumps at the switches are not known in every case");
+  else
+    behaviour_decide(
+        b, ROUTE_AGREES,
+        "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its friction falls "
+        "from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta for m_2); x'' of the other mass "
+        "does "
+        "not jump. Where a mass is caught, |f_i| < u_ri, its friction jumps from eps u_si to f_i and x''_i to 0, "
+        "unless "
+        "f_i = eps u_si. Where a mass passes the belt's velocity without sticking, eps f_i > u_ri, its friction turns "
+        "from -eps u_si to eps u_si, and x''_i, which keeps its sign, changes by 2 u_si (times eta for m_2). In each "
+        "branch (1) and (2) bound x''_i by the positions, so that positions and velocities are continuous");
   return true;
 }

@@ -53,17 +53,19 @@ static truth is_linear(const struct friction *f, const int slips[2]) {
 }
 
 bool behaviour_linear(struct behaviour *b) {
+  static const char *const says[] = {
+      [TRUTH_TRUE] =
+          "exact, in each of the nine configurations (either mass slower than the belt, with it, or faster): "
+          "by (1) and (2) the accelerations at the state x + k y less those at x are k times those at y "
+          "less those at 0, for all x, y and k",
+      [TRUTH_FALSE] = "exact: in some configuration the accelerations are no such functions",
+      [TRUTH_UNKNOWN] = "the accelerations are not known in every configuration"};
   truth all = TRUTH_TRUE;
   for (int i = 0; i < N_PAIRS; i++) {
     const int slips[2] = {slips_of[i / N_SLIPS], slips_of[i % N_SLIPS]};
     all = truth_and(all, is_linear(b->law, slips));
   }
-  behaviour_decide(b, outcome_of_truth(all),
-                   all == TRUTH_TRUE ? "exact, in each of the nine configurations (either mass slower than the belt, "
-                                       "with it, or faster): by (1) and (2) the accelerations at the state x + k y "
-                                       "less those at x are k times those at y less those at 0, for all x, y and k"
-                   : all == TRUTH_FALSE ? "exact: in some configuration the accelerations are no such functions"
-                                        : "the accelerations are not known in every configuration");
+  behaviour_decide(b, outcome_of_truth(all), says[all]);
   return true;
 }
 

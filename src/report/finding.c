@@ -107,15 +107,10 @@ void failures_say(struct text *out, const struct audit_result *r) {
   bool first = true;
   for (int i = 0; i < N_SEVERITIES; i++) {
     if (of[i] == 0) continue;
-    text_printf(out, "%s%ld%s to %s",
-                first       ? ""
-                : i == last ? " and "
-                            : ", ",
-                of[i],
-                !first       ? ""
-                : of[i] == 1 ? " belongs"
-                             : " belong",
-                severity_words[i][1]);
+    if (!first) text_add(out, i == last ? " and " : ", ");
+    text_printf(out, "%ld", of[i]);
+    if (first) text_add(out, of[i] == 1 ? " belongs" : " belong");
+    text_printf(out, " to %s", severity_words[i][1]);
     first = false;
   }
   text_add_char(out, ')');
