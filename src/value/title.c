@@ -452,18 +452,15 @@ static bool make_solutions(struct text *out, const struct title *t) {
 /* --- Notation --- */
 
 /* "one symbol stands for the first mass", "different symbols stand for a stiffness matrix and the stiffness of a
-   spring". */
-static bool make_symbols(struct text *out, const char *stands_for) {
+   spring"; without such a list, of a text that is read. */
+static bool make_notation(struct text *out, const struct title *t) {
+  const char *stands_for = claim_get(t->c, "stands-for");
+  if (!stands_for) return make_sentence(out, t);
   struct text things = {0};
   int n = title_listed(&things, stands_for, ';');
   text_printf(out, "%s for %s", n == 1 ? "one symbol stands" : "different symbols stand", text_str(&things));
   text_clear(&things);
   return true;
-}
-
-static bool make_notation(struct text *out, const struct title *t) {
-  const char *stands_for = claim_get(t->c, "stands-for");
-  return stands_for ? make_symbols(out, stands_for) : make_sentence(out, t);
 }
 
 static bool make_scaling(struct text *out, const struct title *t) {
@@ -530,11 +527,6 @@ static bool make_behaviour(struct text *out, const struct title *t) {
   return missing(t);
 }
 
-static bool make_none(struct text *out, const struct title *t) {
-  (void)out;
-  return missing(t);
-}
-
 static maker *const makers[N_KINDS] = {
     [KIND_DEFINITION] = make_definition,   [KIND_MATRIX] = make_matrix,     [KIND_IDENTITY] = make_identity,
     [KIND_INEQUALITY] = make_inequality,   [KIND_SHARP] = make_sharp,       [KIND_INDEX_RANGE] = make_index_range,
@@ -543,12 +535,12 @@ static maker *const makers[N_KINDS] = {
     [KIND_SCALING] = make_scaling,         [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
     [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sentence, [KIND_EXISTENCE] = make_sentence,
     [KIND_CONSTRAINTS] = make_constraints, [KIND_RANGE] = make_range,       [KIND_LAW] = make_sentence,
-    [KIND_SOLUTIONS] = make_solutions,     [KIND_OUTSIDE] = make_none,      [KIND_REPORT] = make_sentence,
+    [KIND_SOLUTIONS] = make_solutions,     [KIND_REPORT] = make_sentence,
 };
 
 static bool title_made(struct text *out, const struct title *t) {
   enum kind kind = claim_kind(t->c);
-  return kind < N_KINDS ? makers[kind](out, t) : missing(t);
+  return kind < N_KINDS && makers[kind] ? makers[kind](out, t) : missing(t);
 }
 
 /* A title by hand where the attributes make one would be a second statement of what they say. */
