@@ -732,6 +732,10 @@ START_TEST(a_slow_belt_takes_few_steps) {
       ck_assert_int_eq(simulate(&r, route, p, x, &plan, &sink), SS_OK);
       ck_assert_int_lt(r.steps, 2000);
       ck_assert_uint_eq(log.n, 2);
+      struct text word = {0}; /* the slip-stick phase takes no time that the wait could be told apart by */
+      coulomb_log_word(&word, &log);
+      ck_assert_str_eq(text_str(&word), "GD");
+      text_clear(&word);
       ck_assert_double_eq_tol(log.event[0].at.t, wait, 1e-11 * wait);
       ck_assert_double_eq_tol(r.at.x[1], there, 1e-5);
       ck_assert_double_eq_tol(r.at.x[0], 2 * p[COULOMB_US1] - p[COULOMB_UR1] + chi * there, 1e-5);

@@ -201,16 +201,24 @@ START_TEST(differences_near_a_jump) {
 }
 END_TEST
 
-/* The return Jacobian's enclosures lose digits as V goes to 0; a route in balls gets the bits that its digits need. */
-START_TEST(enclosures_as_narrow_as_is_stated) {
+/* The return Jacobian's enclosures lose digits as V goes to 0; a route in balls gets the bits that its digits need.  Below
+   1e-16 the moments of one period's events are one double, and the integration tells its phases all the same. */
+static const char *const slow_belts[] = {"1e-12", "1e-20", "1e-30"};
+
+START_TEST(slow_belts_raise_no_false_alarm) {
+  static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
   struct audit_result r;
   struct diag d;
-  const char *path = scratch_put("slow.scene", "chi = 0.8\neta = 1\nV = 1e-12\ne1 = 2.7844\ne2 = 0.8587\n");
+  char text[100];
+  snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = %s\ne1 = 2.7844\ne2 = 0.8587\n", slow_belts[_i]);
   diag_init(&d);
   scene_clear(&scene);
-  ck_assert_msg(scene_load(&scene, path, "verify", &d), "%s", d.message);
+  ck_assert_msg(scene_load(&scene, scratch_put("slow.scene", text), "verify", &d), "%s", d.message);
   study(&r, NULL);
   check_pairs(&r, NULL, 0);
+  audit_result_clear(&r);
+  study(&r, &(struct paper_layers){.errata = ""});
+  check_pairs(&r, wrong, 3);
   audit_result_clear(&r);
 }
 END_TEST
@@ -518,7 +526,7 @@ Suite *routes_suite(void) {
   tcase_add_test(c, a_scene_without_forces);
   tcase_add_test(c, an_uncorrected_formula_disagrees_with_every_route);
   tcase_add_test(c, differences_near_a_jump);
-  tcase_add_test(c, enclosures_as_narrow_as_is_stated);
+  tcase_add_loop_test(c, slow_belts_raise_no_false_alarm, 0, (int)(sizeof slow_belts / sizeof *slow_belts));
   tcase_add_test(c, a_route_without_an_answer_disagrees);
   tcase_add_test(c, a_paper_that_cannot_be_read_is_left_out);
   suite_add_tcase(s, c);

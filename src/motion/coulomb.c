@@ -239,9 +239,15 @@ struct coulomb_sink coulomb_log_sink(struct coulomb_log *log) {
   return (struct coulomb_sink){log, log_event, NULL};
 }
 
+/* Whether the phase before b, which began with a, took no time.  On a slow belt, after a global stick phase of 1e20, two
+   moments that differ are one number; the masses have moved all the same. */
+static bool at_once(const struct coulomb_row *a, const struct coulomb_row *b) {
+  return b->t <= a->t && b->x[0] == a->x[0] && b->x[1] == a->x[1];
+}
+
 void coulomb_log_word(struct text *word, const struct coulomb_log *log) {
   for (size_t i = 0; i < log->n; i++) {
-    bool empty = i + 1 < log->n && log->event[i + 1].at.t <= log->event[i].at.t;
+    bool empty = i + 1 < log->n && at_once(&log->event[i].at, &log->event[i + 1].at);
     if (!empty) text_add_char(word, coulomb_letter(log->event[i].at.mode));
   }
 }

@@ -235,10 +235,11 @@ int conditions_sample(struct sampled *out, struct conditions *list, const struct
     for (int i = 0; s == SS_OK && i < list->n; i++) {
       struct condition *c = &list->at[i];
       s |= least_with_friction(&out[i].least, c, &v, &x, 0, 0);
+      double by = fmax(belt, fabs(out[i].least)); /* beside a large margin the belt alone would be rounded away */
       for (int m = 0; m < 2; m++) {
         double with = out[i].least;
-        if (c->friction[m]) s |= least_with_friction(&with, c, &v, &x, m == 0 ? belt : 0, m == 1 ? belt : 0);
-        out[i].slope[m] = (with - out[i].least) / belt;
+        if (c->friction[m]) s |= least_with_friction(&with, c, &v, &x, m == 0 ? by : 0, m == 1 ? by : 0);
+        out[i].slope[m] = (with - out[i].least) / by;
       }
       out[i].least /= belt;
     }
@@ -254,8 +255,11 @@ struct affine {
   struct num_vec c; /* N_MOVING + 1, the constant last */
 };
 
+/* Each coefficient from one step, so long that the constant's rounding is nothing beside it: where the coefficient is
+   zero it would be multiplied by the time, which on a slow belt is long. */
 static int affine_init(struct affine *f, struct bound *b) {
   const struct num_type *t = b->v->ctx.type;
+  slong prec = b->v->ctx.prec;
   f->c = calc_vec(&b->v->c, N_MOVING + 1);
   struct calc w = calc_begin(b->v->ctx);
   struct num_vec x = calc_vec(&w, N_MOVING), sum = calc_vec(&w, 2);
@@ -263,13 +267,16 @@ static int affine_init(struct affine *f, struct bound *b) {
   int s = margin_at(constant, b, &x);
   t->set(total, constant);
   for (int m = 0; m < N_MOVING; m++) {
-    s |= t->set_d(num_vec_at(&x, m), 1, b->v->ctx.prec);
-    s |= margin_at(num_vec_at(&f->c, m), b, &x);
-    s |= t->sub(num_vec_at(&f->c, m), num_vec_at(&f->c, m), constant, b->v->ctx.prec);
-    s |= t->add(total, total, num_vec_at(&f->c, m), b->v->ctx.prec);
-    s |= t->set_d(num_vec_at(&x, m), 0, b->v->ctx.prec);
+    arb_ptr at = num_vec_at(&x, m), c = num_vec_at(&f->c, m);
+    arb_set_ui(at, 1);
+    arb_mul_2exp_si(at, at, prec);
+    s |= margin_at(c, b, &x);
+    arb_sub(c, c, constant, prec);
+    arb_mul_2exp_si(c, c, -prec);
+    s |= t->add(total, total, c, prec);
+    arb_zero(at);
   }
-  for (int m = 0; m < N_MOVING; m++) s |= t->set_d(num_vec_at(&x, m), 1, b->v->ctx.prec);
+  for (int m = 0; m < N_MOVING; m++) s |= t->set_d(num_vec_at(&x, m), 1, prec);
   s |= margin_at(all, b, &x);
   if (!arb_overlaps(all, total)) s |= SS_UNABLE; /* not affine */
   calc_clear(&w);
@@ -365,17 +372,24 @@ static truth holds_along(double *where, arb_t value, struct bound *b, slong prec
   if (!arb_is_positive(a.length)) return arb_is_nonpositive(a.length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
   truth holds = TRUTH_UNKNOWN;
   int s = affine_init(&a.f, b);
-  arb_ptr w = _arb_vec_init(4);
+  arb_ptr w = _arb_vec_init(5);
   a.value = w;
   for (int end = 0; s == SS_OK && end < 2; end++) {
+    arb_ptr at = w + 3 + end;
     if (end) arb_set(w + 1, a.length);
-    s |= affine_at(w + 2, w + 3, &a.f, b->v, a.phase, w + 1);
-    a.zero[end] = arb_contains_zero(w + 2) && mag_cmp_2exp_si(arb_radref(w + 2), -prec / 2) < 0;
+    s |= affine_at(at, w + 2, &a.f, b->v, a.phase, w + 1);
+    a.zero[end] = arb_contains_zero(at) && mag_cmp_2exp_si(arb_radref(at), -prec / 2) < 0;
   }
   if (s == SS_OK) holds = piece_holds(&a, 0, 1, 0);
+  for (int end = 0; s == SS_OK && holds == TRUTH_UNKNOWN && end < 2; end++) {
+    if (!arb_is_negative(w + 3 + end)) continue; /* so it is beside the end, be it for less than doubles tell apart */
+    holds = TRUTH_FALSE;
+    a.where = end;
+    arb_set(a.value, w + 3 + end);
+  }
   *where = a.where;
   arb_set(value, a.value);
-  _arb_vec_clear(w, 4);
+  _arb_vec_clear(w, 5);
   return holds;
 }
 
