@@ -681,18 +681,42 @@ static void verified_one(const char *what) {
                 said);
 }
 
-START_TEST(systems_are_verified) {
-  static const char *const scene[] = {"chain3", "beside-wall", "soft-wall",  "driven", "den-hartog",
-                                      "chain4", "chain5",      "other-word", "overrun"};
-  for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
-    char command[1024], path[256];
-    snprintf(path, sizeof path, "%s", scratch_path("system.json"));
-    snprintf(command, sizeof command, "%s orbit %s --certificate '%s' > '%s'", program(), scene[i], path,
-             scratch_path("system.txt"));
-    ck_assert_int_eq(system(command), 0);
-    ck_assert_int_eq(checker_on(path), VERIFIED);
-    verified_one(scene[i]);
+/* Every certificate that a scene on file has, chi beside its bounds and each word among them. */
+START_TEST(all_scenes_are_verified) {
+  static const char *const one[] = {"chain3",     "beside-wall",   "soft-wall",  "driven",  "den-hartog",
+                                    "chain4",     "chain5",        "other-word", "overrun", "chi-near-0",
+                                    "chi-near-1", "near-singular", "stiff-slow", "stable"};
+  int status, n = 0;
+  char *all = shell_output(&status, "for f in verify/scenes/*.scene; do n=$(basename $f .scene); rm -f $D/c.json; "
+                                    "$P orbit $n --certificate $D/c.json > $D/out 2>&1; [ ! -f $D/c.json ] || "
+                                    "echo $n: $($P-checker $D/c.json 2>&1); done");
+  for (const char *line = all; *line; line = strchr(line, '\n') + 1, n++)
+    ck_assert_msg(strncmp(strchr(line, ' '), " verified: ", 11) == 0, "%s", line);
+  ck_assert_msg(n >= 36, "%d:\n%s", n, all);
+  for (size_t i = 0; i < sizeof one / sizeof *one; i++) {
+    char name[40];
+    snprintf(name, sizeof name, "%s: verified: 1 orbit; ", one[i]);
+    ck_assert_msg(strstr(all, name), "%s", one[i]);
   }
+  free(all);
+}
+END_TEST
+
+/* Where nothing else is on file: positions far wider than forces, phase C slow, t_a beside t_b as 1e6 to 1. */
+START_TEST(extreme_orbits_are_verified) {
+  static const char *const set[] = {"chi=1-1e-6", "chi=1-1e-8", "eta=1e-6", "eta=1e-9", "V=1e-5", "eta=1e12"};
+  for (size_t i = 0; i < sizeof set / sizeof *set; i++) {
+    shell_well("rm -f $D/c.json; $P orbit paper --set %s --certificate $D/c.json > $D/out 2>&1", set[i]);
+    ck_assert_msg(checker_on(scratch_path("c.json")) == VERIFIED, "%s: %s", set[i], said);
+  }
+  int status; /* of a t_a beyond what the checker takes */
+  char *slow = shell_output(&status, "$P orbit paper --set V=1e-20");
+  ck_assert_msg(strstr(slow, "  certified at "), "%s", slow);
+  free(slow);
+}
+END_TEST
+
+START_TEST(systems_are_verified) {
   struct system_study s; /* between two phases one number tells the whole state: nothing is free */
   system_open(&s, scratch_put("one.system", "title: a mass on a belt\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n"
                                             "  surface: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"));
@@ -1106,6 +1130,7 @@ END_TEST
 Suite *certify_suite(void) {
   Suite *s = suite_create("certify");
   TCase *proofs = tcase_create("proofs"), *lies = tcase_create("lies"), *systems = tcase_create("systems");
+  tcase_set_timeout(proofs, 120);
   tcase_set_timeout(lies, 120);
   tcase_add_checked_fixture(proofs, scratch_open, scratch_close);
   tcase_add_checked_fixture(lies, scratch_open, scratch_close);
@@ -1121,6 +1146,8 @@ Suite *certify_suite(void) {
   tcase_add_test(proofs, digits_are_cheap);
   tcase_add_test(proofs, an_orbit_costs_no_second_search);
   tcase_add_test(proofs, stiff_orbits_are_rechecked);
+  tcase_add_test(proofs, all_scenes_are_verified);
+  tcase_add_test(proofs, extreme_orbits_are_verified);
   tcase_add_test(systems, systems_are_verified);
   tcase_add_test(lies, some_of_all_forgeries);
   tcase_add_test(lies, a_changed_truth_is_rejected);

@@ -52,20 +52,42 @@ static int enclose_near(struct word_root *s, const struct word_data *d, const st
   return word_solve(s, d, prec);
 }
 
-/* Half widths 2^shift times the sum of all times, or of both limits. */
+/* Half widths 2^shift times the quantity's scale: of e1 or e2 the sum of both; of t_b, t_c or t_d itself; of t_a, which
+   can be zero, the sum of all times.  On a slow belt t_a is longer than all others by as many powers of ten as V has, and
+   as much less certain. */
 static void make_box(struct krawczyk *k, const val at[N_QUANTITIES], const struct word_data *d, slong shift) {
-  double sum[2] = {0, 0};
-  for (int i = 0; i < N_QUANTITIES; i++) sum[i >= QUANTITY_TA] += fabs(num_arb.get_d(at[i]));
+  double size[N_QUANTITIES], forces, times = 0;
+  for (int i = 0; i < N_QUANTITIES; i++) size[i] = fabs(num_arb.get_d(at[i]));
+  forces = size[QUANTITY_E1] + size[QUANTITY_E2];
+  for (int i = QUANTITY_TA; i < N_QUANTITIES; i++) times += size[i];
   num_vec_set(&k->box, &k->mid);
   for (int i = 0; i < WORD_FREE; i++) {
+    int which = d->unknown[i];
     mag_ptr radius = arb_radref((arb_ptr)num_vec_at(&k->box, i));
-    mag_set_d(radius, sum[d->unknown[i] >= QUANTITY_TA]);
+    mag_set_d(radius, which < QUANTITY_TA ? forces : which == QUANTITY_TA ? times : size[which]);
     mag_mul_2exp_si(radius, radius, shift);
   }
 }
 
+/* Bits by which a box must be narrower where positions and velocities are unknown besides the times: positions are as
+   wide as the forces between them over 1 - chi, and where phase C turns slowly its length is as wide as its velocity over
+   chi eta. */
+static slong bits_of_coordinates(const fmpq *model) {
+  fmpq_t gap, stiff;
+  fmpq_init(gap);
+  fmpq_init(stiff);
+  fmpq_one(gap);
+  fmpq_sub(gap, gap, model + P_CHI);
+  fmpq_mul(stiff, model + P_CHI, model + P_ETA);
+  slong bits = (slong)fmpz_bits(fmpq_denref(gap)) - (slong)fmpz_bits(fmpq_numref(gap));
+  slong slow = (slong)fmpz_bits(fmpq_denref(stiff)) - (slong)fmpz_bits(fmpq_numref(stiff));
+  fmpq_clear(stiff);
+  fmpq_clear(gap);
+  return bits + FLINT_MAX(slow, 0);
+}
+
 /* A box around the solution's enclosures s->x, far wider than these, in which it is the only one: the first that
-   Krawczyk's operator proves, made narrower by 2^-BOX_SAFETY so that another program's operator can prove it too. */
+   Krawczyk's operator proves, made narrower so that another program's operator can prove it too. */
 static int widen(struct word_root *s, const struct word_data *d, slong prec) {
   struct ball_params m;
   struct krawczyk k;
@@ -80,9 +102,9 @@ static int widen(struct word_root *s, const struct word_data *d, slong prec) {
   for (int i = 0; i < WORD_FREE; i++) arb_set(num_vec_at(&x, i), s->x[d->unknown[i]]);
   int status = krawczyk_centre(&k, &x);
   bool proved = false, safe = false;
-  slong shift = BOX_FIRST;
+  slong shift = BOX_FIRST, safety = BOX_SAFETY + bits_of_coordinates(d->model);
   for (int i = 0; i < BOX_TRIES && !safe && !status; i++) {
-    shift -= proved ? BOX_SAFETY : BOX_STEP;
+    shift -= proved ? safety : BOX_STEP;
     make_box(&k, w.known, d, shift);
     krawczyk_apply(&k);
     safe = proved && k.inside;
