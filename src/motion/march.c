@@ -4,7 +4,8 @@
    cell by cell.  A cell is passed once it is proved to hold no zero, or one; else the step is halved, or the strip is.
    The part of a strip on which p is proved positive has met its first root, since p starts below zero, and is cut off:
    this is what bounds t_c.  A strip that no time brings to a zero (strip_never, strip_turns, strip_misses) is done with
-   as well. */
+   as well, and where the frequencies of phase H are in a simple ratio also one that has been followed through a period:
+   what p does later it has done before. */
 #include "march.h"
 #include "cell.h"
 #include "num/pi.h"
@@ -32,6 +33,39 @@ struct front {
   double check; /* the time of the next look at free phases */
   double dir;
 };
+
+/* Whether om_1 : om_0 = p : q: of om^2 the sum is 1 + chi eta and the product chi eta (1 - chi), so that
+   p^2 q^2 (1 + chi eta)^2 = (p^2 + q^2)^2 chi eta (1 - chi). */
+static bool is_ratio(const fmpq *params, slong p, slong q) {
+  fmpq_t sum, product, gap;
+  fmpq_init(sum);
+  fmpq_init(product);
+  fmpq_init(gap);
+  fmpq_mul(product, params + P_CHI, params + P_ETA);
+  fmpq_add_si(sum, product, 1);
+  fmpq_mul(sum, sum, sum);
+  fmpq_mul_si(sum, sum, p * p * q * q);
+  fmpq_sub_si(gap, params + P_CHI, 1);
+  fmpq_neg(gap, gap);
+  fmpq_mul(product, product, gap);
+  fmpq_mul_si(product, product, (p * p + q * q) * (p * p + q * q));
+  bool is = fmpq_equal(sum, product);
+  fmpq_clear(gap);
+  fmpq_clear(product);
+  fmpq_clear(sum);
+  return is;
+}
+
+static double period_of(const struct disk_params *g, const fmpq *params) {
+  enum { MOST = 16 };
+  double ratio = g->om[1].mid / g->om[0].mid;
+  for (slong q = 1; q <= MOST && ratio < MOST; q++) {
+    double p = nearbyint(ratio * (double)q);
+    if (fabs(ratio * (double)q - p) < 1e-9 * p && is_ratio(params, (slong)p, q))
+      return 2 * PI * (double)q / disk_low(g->om[0]) * (1 + 0x1p-40);
+  }
+  return INFINITY;
+}
 
 static void advance(struct march *s, double low, double high, struct front m);
 
@@ -137,6 +171,7 @@ static void advance(struct march *s, double low, double high, struct front m) {
     if (!part) {
       clock_turn(&m.now, &middle, half);
       if (m.now.sine[0].rad + m.now.sine[1].rad > 1e-13) clock_set(&m.now, g, m.now.t);
+      if (m.now.t > s->period) return;
       if (m.level < s->level && fmod(m.now.t, 2 * s->step[m.level].t) == 0) m.level++;
       if (m.now.t <= m.check) continue;
       if (strip_misses(&p, &k)) return;
@@ -154,6 +189,7 @@ bool march_run(struct march *s, const fmpq *params, struct known *known, size_t 
   *s = (struct march){.budget = budget, .known = known, .n_known = n_known};
   int power;
   if (!disk_params_init(&s->params, params)) return false;
+  s->period = period_of(&s->params, params);
   frexp(s->params.om[1].mid, &power);
   s->level = MARCH_LOWEST - power - 1;
   if (s->level + 1 >= MARCH_LEVELS || s->level <= FINEST + 1) return false;

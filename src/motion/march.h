@@ -10,7 +10,8 @@ enum { MARCH_LEVELS = 64, MARCH_LOWEST = 44 }; /* of steps: 2^(index - MARCH_LOW
 struct march {
   struct disk_params params;
   struct clock step[MARCH_LEVELS];
-  int level; /* the usual step */
+  int level;     /* the usual step */
+  double period; /* after which phase H repeats itself; infinite where its frequencies are not in a simple ratio */
   struct known *known;
   size_t n_known;
   struct commons zeros;
