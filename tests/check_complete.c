@@ -129,6 +129,25 @@ START_TEST(missing_orbits_are_added) {
 }
 END_TEST
 
+/* Phase H lasts through 22 turns of its slow mode, and far more nearby: all steps of the search but those that the later
+   rises need go to the first one.  The times are a solution by tests/oracle/orbits.py at 60 digits. */
+START_TEST(a_late_event_is_found) {
+  static const char *const row[N_PARAMS] = {"0.07", "2.19", "4.82", "0.0434", "0.00891"};
+  fmpq p[N_PARAMS];
+  struct dyn_orbits list;
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(p + i);
+    parse(p + i, row[i]);
+  }
+  dyn_orbits_find(&list, p, 60, NULL);
+  ck_assert_int_eq(list.n, 1);
+  ck_assert_double_eq_tol(list.orbit[0].guess[1], 0.68055835521538336586, 1e-13);
+  ck_assert_double_eq_tol(list.orbit[0].guess[2], 367.71375338769858034, 1e-10);
+  dyn_orbits_clear(&list);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
+}
+END_TEST
+
 /* Phase H repeats itself where its frequencies are exactly 2 : 1, and the sum of their amplitudes, above V, is never
    reached; that there is no orbit is also what tests/oracle/scan.py finds.  The last row misses the first by 1e-15. */
 START_TEST(a_motion_that_repeats_itself) {
@@ -819,6 +838,7 @@ Suite *complete_suite(void) {
   tcase_add_loop_test(lists, missing_orbits_are_added, 0, 30);
   add_every(lists, the_return_map_has_no_other_fixed_point, 3, 30);
   tcase_add_loop_test(lists, random_parameters, 0, 2);
+  tcase_add_test(lists, a_late_event_is_found);
   tcase_add_test(lists, a_motion_that_repeats_itself);
   tcase_add_test(lists, a_small_budget_is_said);
   tcase_add_test(lists, hopeless_parameters_are_said);

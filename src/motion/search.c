@@ -20,7 +20,8 @@ enum {
   FIRST_SAMPLES = 96, /* of the first rise */
   LATER_SAMPLES = 12, /* of each later one */
   MAX_DEPTH = 56,
-  MAX_STEPS = 6000000, /* of all first-root searches together: below a second; half of it for the first rise */
+  MAX_STEPS = 6000000, /* of all first-root searches together: below a second; half of it for the later rises, all that
+                          they leave for the first */
   FREE_STEPS =
       1 << 20,   /* of a whole search, more than usual parameters ask for: counted as work when they are used up */
   PASS_STEPS = 4 /* what a pass costs besides its search, in the same coin */
@@ -143,11 +144,11 @@ int search_run(struct search *s, const double params[N_PARAMS], const struct dyn
   double last =
       fmin(1.001 * return_map_double_time(k, k->e2 / k->chi + 1.001 * return_map_double_reach(k)) + 1e-6, lim->t_max);
   long later = (long)(last / (2 * PI)) + 1;
-  scan_interval(s, 0, k->fall, FIRST_SAMPLES, last, MAX_STEPS / 2);
   for (long i = 1; 2 * PI * (double)i + k->rise < last; i++) {
     double turn = 2 * PI * (double)i;
     scan_interval(s, turn + k->rise, turn + k->fall, LATER_SAMPLES, last, MAX_STEPS / 2 / later);
   }
+  scan_interval(s, 0, k->fall, FIRST_SAMPLES, last, MAX_STEPS - s->steps);
   return SS_OK;
 }
 
