@@ -19,9 +19,9 @@
    4  The part of a strip on which p is proved positive at some time has its first root behind it, and is done with.
       That bounds t_c where p does become positive.
    5  Where it does not: a strip is done with for all time when the amplitudes of z_1's two oscillations together do not
-      reach V, or when no pair of phases of the two modes, taken as free, satisfies the equations.  Near
-      the s at which the sum of the amplitudes passes V, p returns to zero arbitrarily late, but only with both modes
-      near their crests, where R is known.
+      reach V, when no pair of phases of the two modes, taken as free, satisfies the equations, or after a whole period
+      where their frequencies are exactly in a simple ratio.  Near the s at which the sum of the amplitudes passes V, p
+      returns to zero arbitrarily late, but only with both modes near their crests, where R is known.
    6  At s = t* p starts at zero and rises; its first root is where it falls through zero again.  That one line is swept
       in the same way.
    7  Every zero that was proved is an orbit of the list, or is refined in balls and proved not to be one (an event
