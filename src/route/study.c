@@ -19,7 +19,7 @@
 #include "value/sentence.h"
 #include "value/system_orbit.h"
 
-/* Bits, and the most that a route in balls gets where its enclosures are wide. */
+/* Bits, and the most that a route in balls gets where its enclosures are wide and no phase is long. */
 enum { PREC = FD_PREC, MOST_PREC = 4 * PREC };
 enum { N_POINTS = 8, N_ADMISSIBLE = 12, N_FREE = 4, MOST_DRAWS = 400 };
 enum { MOST_ENTRIES = 2 * N_STATE * N_STATE, MATRIX = N_STATE * N_STATE };
@@ -390,12 +390,19 @@ static double width_of(arb_srcptr x, int n) {
   return width - scale;
 }
 
+/* On a slow belt the stick phase is long, and through it a matrix exponential loses as many bits as its length has. */
+static slong most_prec(const struct study *s) {
+  enum { EXPONENTIALS = 8 }; /* one after the other, and what a quotient of theirs loses */
+  return MOST_PREC + (s->site.orbit ? EXPONENTIALS * (slong)fmax(0, log2_upper(s->site.orbit->period)) : 0);
+}
+
 /* In balls with as many bits as the digits need that the route states. */
 static int compute_row(arb_ptr out, struct study *s, enum route_row row) {
   int n = entries[route_table[row].quantity], status = ask(out, s, row);
   double wanted = -route_table[row].digits * log2(10) - 2;
   bool in_balls = !(route_table[row].means & MEANS_DIFFERENCES);
-  while (in_balls && status == SS_OK && s->prec < MOST_PREC && width_of(out, n) > wanted) {
+  slong most = most_prec(s);
+  while (in_balls && s->prec < most && (status == SS_UNABLE || (status == SS_OK && width_of(out, n) > wanted))) {
     s->prec *= 2;
     status = ask(out, s, row);
   }
