@@ -67,7 +67,7 @@ TEST_LEVEL = -O1
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev nettle-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all quick long quick-input quick-paper check check-build digests verify mutate bench stability atlas scenes lint asan fuzz cover format install uninstall clean help
+.PHONY: deps all quick long quick-input quick-paper check check-build check-suites digests verify mutate bench stability atlas scenes lint asan fuzz cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/libstickslip.a $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -172,7 +172,7 @@ scenes: $(B)/stickslip ## what each scene leaves out, and what it costs: writes 
 check: ## run the tests, JOBS suites at a time; with MPI=1 those of mpirun too
 	@$(MAKE) --no-print-directory -j$(JOBS) check-build
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
-	@$(MAKE) --no-print-directory -j$(JOBS) -k -Otarget $(SUITES:%=suite-%)
+	@$(MAKE) --no-print-directory check-suites
 	@echo "$(words $(SUITES)) suites of tests passed"
 
 quick: ## in a minute: laws of numbers, reader, model and orbits, the paper's verdicts, bad input, digests
@@ -182,7 +182,7 @@ quick: ## in a minute: laws of numbers, reader, model and orbits, the paper's ve
 	@echo "quick: $(words $(QUICK)) suites of tests, bad input and the paper's verdicts passed"
 
 long: check-build ## an hour or so: the tests with every case where make check tries some, every forgery of certificates, and LONG scenes held against an independent program: writes reports/differ.md
-	@STICKSLIP_TESTS=all $(MAKE) --no-print-directory -j$(JOBS) -k -Otarget $(SUITES:%=suite-%)
+	@STICKSLIP_TESTS=all $(MAKE) --no-print-directory check-suites
 	$(PYTHON) tests/forge.py $(B)/stickslip paper above-one chi-near-0 chi-near-1 other-word chain3 driven beside-wall soft-wall den-hartog
 	$(PYTHON) tests/oracle/differ.py $(B)/stickslip --count $(LONG) --seed 21 --page reports/differ.md
 
@@ -193,6 +193,11 @@ quick-paper:
 	@$(B)/stickslip verify paper --quiet --out $(B)/quick
 
 check-build: all $(B)/check $(B)/faults.so $(FUZZ:%=$(B)/replay-%)
+
+# the audit of the paper first, which many suites read
+check-suites:
+	@sh tests/whole.sh $(B)/stickslip $(B)/whole paper
+	@STICKSLIP_WHOLE=$(B)/whole $(MAKE) --no-print-directory -j$(JOBS) -k -Otarget $(SUITES:%=suite-%)
 
 digests: $(B)/stickslip ## hold the bytes of outputs against tests/digests.tsv (DIGESTS=--quick: a part; --record: anew)
 	@$(PYTHON) tools/digests.py $(B)/stickslip $(DIGESTS)

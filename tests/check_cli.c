@@ -14,12 +14,12 @@
 #include "process.h"
 #include "scratch.h"
 #include "suites.h"
+#include "whole.h"
 
 /* --- verify --- */
 
-static struct job full; /* verify paper, all of it */
-static char *full_json, *full_md;
-static const char *full_json_path;
+/* Of the whole paper: what verify said, and the report. */
+static char *full_out, *full_json, *full_md;
 
 static char *report(const char *folder, const char *file) {
   char name[200];
@@ -27,45 +27,29 @@ static char *report(const char *folder, const char *file) {
   return file_text(scratch_path(name));
 }
 
-/* Two whole runs at once: the second must give the same bytes. */
 static void open_full(void) {
   scratch_open();
-  struct job again;
-  job_start(&full, NULL, program(), (const char *const[]){"verify", "paper", "--out", scratch_path("full"), NULL});
-  job_start(&again, NULL, program(), (const char *const[]){"verify", "--out", scratch_path("again"), "--quiet", NULL});
-  job_finish(&full);
-  job_finish(&again);
-  ck_assert_msg(full.status == 0 && !*full.err, "verify: status %d, %.1500s%.1500s", full.status, full.out, full.err);
-  ck_assert_msg(again.status == 0 && !*again.err, "verify: status %d, %.1500s%.1500s", again.status, again.out,
-                again.err);
-  full_json_path = scratch_path("full/audit.json");
-  full_json = report("full", "audit.json");
-  full_md = report("full", "audit.md");
-  char *json = report("again", "audit.json"), *md = report("again", "audit.md");
-  ck_assert(full_json && full_md && json && md);
-  ck_assert_msg(strcmp(full_json, json) == 0 && strcmp(full_md, md) == 0, "two runs gave different reports");
-  static const char *const others[] = {"index.html",      "audit.csv",     "junit.xml",      "errata.md",
-                                       "errata.tex",      "claims.dot",    "along-e2.tsv",   "figure-3.tsv",
-                                       "figure-4.tsv",    "margins.tsv",   "return-map.tsv", "long-run.tsv",
-                                       "differences.tsv", "statements.tsv"};
-  for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
-    char *one = report("full", others[i]), *two = report("again", others[i]);
-    ck_assert_msg(one && two && strcmp(one, two) == 0, "two runs gave different %s", others[i]);
-    free(two);
-    free(one);
-  }
-  ck_assert_msg(strchr(again.out, '\n') == again.out + strlen(again.out) - 1, "--quiet: %.1500s", again.out);
-  free(md);
-  free(json);
-  job_clear(&again);
+  whole_open();
+  full_out = report("whole", "said");
+  full_json = report("whole/paper", "audit.json");
+  full_md = report("whole/paper", "audit.md");
 }
 
 static void close_full(void) {
   free(full_md);
   free(full_json);
-  job_clear(&full);
+  free(full_out);
   scratch_close();
 }
+
+/* A second run, by another number of processes, gives the same bytes; run.json says how the run went. */
+START_TEST(two_runs_give_the_same_report) {
+  whole_again("again", "--quiet --jobs 7");
+  check_says("again/status", "0\n");
+  shell_well("diff $D/whole/errors /dev/null && diff $D/again/errors /dev/null && diff -r -x run.json $D/whole/paper "
+             "$D/again/paper && tail -n 1 $D/whole/said | diff - $D/again/said");
+}
+END_TEST
 
 START_TEST(the_report_on_record_is_the_computed_one) {
   char *json = file_text("reports/paper/audit.json"), *md = file_text("reports/paper/audit.md");
@@ -74,7 +58,8 @@ START_TEST(the_report_on_record_is_the_computed_one) {
   ck_assert_msg(strcmp(md, full_md) == 0, "reports/paper/audit.md is stale: run make verify");
   free(md);
   free(json);
-  ck_assert_str_eq(scratch_list(scratch_path("full")),
+  check_says("whole/status", "0\n");
+  ck_assert_str_eq(scratch_list(scratch_path("whole/paper")),
                    "along-e2.tsv audit.csv audit.json audit.md claims.dot differences.tsv errata.md errata.tex "
                    "figure-3.tsv figure-4.tsv "
                    "index.html junit.xml long-run.tsv margins.tsv return-map.tsv run.json statements.tsv");
@@ -99,9 +84,9 @@ enum { N_VERDICT_WORDS = sizeof verdicts / sizeof *verdicts };
 
 /* The last line of the output says what the summary of audit.json says. */
 START_TEST(the_last_line_is_the_summary) {
-  const char *end = full.out + strlen(full.out) - 1, *line = end;
+  const char *end = full_out + strlen(full_out) - 1, *line = end;
   ck_assert(*end == '\n');
-  while (line > full.out && line[-1] != '\n') line--;
+  while (line > full_out && line[-1] != '\n') line--;
   const char *summary = strstr(full_json, "\"summary\": {");
   ck_assert(summary != NULL && strncmp(line, "paper: ", 7) == 0);
   const char *checks = strstr(full_json, "\"checks\": {"), *semicolon = strchr(line, ';');
@@ -367,7 +352,7 @@ START_TEST(json_obeys_its_schemas) {
   const char *none = scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
   const char *stiff =
       scratch_put("stiff.scene", "chi = 5/7\neta = 8/3\nV = 2/3\ne1 = 28/9\ne2 = 3/14\nu_r1 = 28/5\nu_r2 = 3/10\n");
-  char *damaged = file_text(full_json_path), *total = strstr(damaged, "\"total\": ");
+  char *damaged = ss_strdup(full_json), *total = strstr(damaged, "\"total\": ");
   total[9] = total[9] == '9' ? '8' : '9';
   const char *phases_path =
       output_of("phases.json", (const char *const[]){"jacobian", stiff, "--phases", "--json", NULL});
@@ -381,7 +366,7 @@ START_TEST(json_obeys_its_schemas) {
     const char *schema, *file;
     int want;
   } checks[N] = {
-      {"schema/audit.schema.json", full_json_path, 0},
+      {"schema/audit.schema.json", scratch_path("whole/paper/audit.json"), 0},
       {"schema/audit.schema.json", scratch_path("skipping/audit.json"), 0},
       {"schema/audit.schema.json", scratch_put("damaged.json", damaged), 1},
       {"schema/orbit.schema.json", output_of("none.json", (const char *const[]){"orbit", none, "--json", NULL}), 0},
@@ -890,6 +875,7 @@ Suite *cli_suite(void) {
   TCase *c = tcase_create("verify");
   tcase_set_timeout(c, TIME_LIMIT);
   tcase_add_unchecked_fixture(c, open_full, close_full);
+  tcase_add_test(c, two_runs_give_the_same_report);
   tcase_add_test(c, the_report_on_record_is_the_computed_one);
   tcase_add_test(c, the_last_line_is_the_summary);
   tcase_add_test(c, the_markdown_holds_every_claim);

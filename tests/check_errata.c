@@ -17,11 +17,12 @@
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
+#include "whole.h"
 
-/* --- One audit of the paper, for all tests --- */
+/* --- The audit of the paper, for all tests --- */
 
 static struct model model;
-static struct claims claims, controls, statements, roots;
+static struct claims claims;
 static struct scene paper;
 static struct audit_result result;
 
@@ -32,24 +33,16 @@ static void load(struct model *m, const char *overlay, const char *errata) {
 }
 
 static void open_audit(void) {
-  struct diag d;
-  diag_init(&d);
-  const struct audit_options opt = {.readings = true, .statements = &statements, .roots = &roots};
   scratch_open();
   load(&model, NULL, NULL);
-  audit_result_init(&result);
   paper_scene(&paper);
-  paper_claims(&claims, &controls);
-  ck_assert_msg(claims_load(&statements, "verify", "paper", "statement", &d), "%s", d.message);
-  ck_assert_msg(claims_load(&roots, "verify", "claims", "root", &d), "%s", d.message);
-  ck_assert_msg(audit_run(&result, &model, &claims, &controls, &paper, &opt, &d), "%s", d.message);
+  paper_claims(&claims, NULL);
+  whole_open();
+  whole_record(&result);
 }
 
 static void close_audit(void) {
   audit_result_clear(&result);
-  claims_clear(&roots);
-  claims_clear(&statements);
-  claims_clear(&controls);
   claims_clear(&claims);
   scene_clear(&paper);
   model_clear(&model);

@@ -10,16 +10,14 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "claim/claims.h"
-#include "paper_model.h"
 #include "report/escape.h"
 #include "report/formula.h"
 #include "report/html.h"
 #include "report/report.h"
-#include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
+#include "whole.h"
 
 /* --- Formulas --- */
 
@@ -296,28 +294,13 @@ static void put_all(const struct audit_result *r) {
 
 /* The paper's own report: every formula in it is set. */
 START_TEST(the_papers_page) {
-  struct model m;
-  struct claims claims, controls, roots = {.n = 0};
-  struct scene scene;
   struct audit_result r;
-  struct diag d;
-  diag_init(&d);
-  audit_result_init(&r);
-  const struct audit_options opt = {.readings = true, .roots = &roots};
-  ck_assert_msg(claims_load(&roots, "verify", "claims", "root", &d), "%s", d.message);
-  paper_model(&m, &(struct paper_layers){.controls = true});
-  paper_claims(&claims, &controls);
-  paper_scene(&scene);
-  ck_assert_msg(audit_run(&r, &m, &claims, &controls, &scene, &opt, &d), "%s", d.message);
+  whole_open();
+  whole_record(&r);
   put_all(&r);
   ck_assert_int_eq(check_folder("0"), 0);
   if (system("command -v chromium >/dev/null") == 0) ck_assert_int_eq(check_with("browser.py", "build/npm"), 0);
   audit_result_clear(&r);
-  claims_clear(&roots);
-  claims_clear(&controls);
-  claims_clear(&claims);
-  scene_clear(&scene);
-  model_clear(&m);
 }
 END_TEST
 

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "claim/claims.h"
+#include "claim/near.h"
 #include "every.h"
 #include "paper_model.h"
 #include "report/audit_shape.h"
@@ -17,6 +18,7 @@
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
+#include "whole.h"
 
 /* --- Written from memory, written from what was read --- */
 
@@ -61,27 +63,35 @@ static void same_again(const char *what, const struct audit_result *r) {
 /* --- Audits --- */
 
 static struct model model;
-static struct claims claims, controls;
+static struct claims claims, controls, statements, roots;
 
 static void open_files(void) {
   scratch_open();
   paper_model(&model, &(struct paper_layers){.controls = true});
   paper_claims(&claims, &controls);
+  paper_statements(&statements, &roots);
 }
 
 static void close_files(void) {
+  claims_clear(&roots);
+  claims_clear(&statements);
   claims_clear(&controls);
   claims_clear(&claims);
   model_clear(&model);
   scratch_close();
 }
 
-static bool audit(struct audit_result *r, const char *name, const char *const *only, int n_only) {
+static bool audit(struct audit_result *r, const char *name, const char *const *only, int n_only, int jobs) {
   struct diag d;
   struct scene s;
   diag_init(&d);
   audit_result_init(r);
-  struct audit_options opt = {.only = only, .n_only = n_only, .readings = n_only == 0, .jobs = 2};
+  struct audit_options opt = {.only = only,
+                              .n_only = n_only,
+                              .readings = n_only == 0,
+                              .jobs = jobs,
+                              .statements = &statements,
+                              .roots = &roots};
   bool ok = scene_load_with(&s, name, "verify", NULL, SCENE_OF_ANY_SYSTEM, &d);
   if (ok && (s.system || !scene_papers_word(&s, &d))) { /* of another system or word nothing is claimed */
     scene_clear(&s);
@@ -94,24 +104,29 @@ static bool audit(struct audit_result *r, const char *name, const char *const *o
   return true;
 }
 
-/* The paper's whole audit, which two cases read. */
-static struct audit_result papers;
-
-static void open_papers(void) {
-  open_files();
-  audit(&papers, "paper", NULL, 0);
-}
-
-static void close_papers(void) {
-  audit_result_clear(&papers);
-  close_files();
-}
-
+/* The paper's whole audit, by this process alone: the bytes are those of the program, which shares the work among
+   several. */
 START_TEST(the_papers_record) {
-  const struct audit_result *r = &papers;
-  ck_assert(r->readings && r->n_tables > 3 && r->n_consequences > 10);
-  ck_assert(r->n_pairs && r->n_long_runs && r->n_independence);
-  same_again("paper", r);
+  struct audit_result r;
+  struct text json;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(near_controls_add(&model, &claims, &controls, &d), "%s", d.message);
+  audit(&r, "paper", NULL, 0, 1);
+  ck_assert(r.readings && r.n_tables > 3 && r.n_consequences > 10);
+  ck_assert(r.n_pairs && r.n_long_runs && r.n_independence);
+  ck_assert_uint_eq(r.n_precision, 4); /* the scene asks for no values */
+  for (size_t i = 0; i < r.n_precision; i++)
+    ck_assert(r.precision[i].enough > 0 && r.precision[i].tried >= r.precision[i].enough);
+  same_again("paper", &r);
+  text_init(&json);
+  report_json(&json, &r);
+  whole_open();
+  char *programs = file_text(scratch_path("whole/paper/audit.json"));
+  ck_assert_msg(strcmp(text_str(&json), programs) == 0, "the program has another record");
+  free(programs);
+  text_clear(&json);
+  audit_result_clear(&r);
 }
 END_TEST
 
@@ -128,7 +143,7 @@ START_TEST(the_record_of_every_scene) {
   ck_assert_msg(path && n > 20, "%s", d.message);
   for (size_t i = 0; i < n; i++) {
     struct audit_result r;
-    if (audit(&r, path[i], only, i % (size_t)every(5) == 0 ? N_ONLY : N_ONLY - 1)) same_again(path[i], &r);
+    if (audit(&r, path[i], only, i % (size_t)every(5) == 0 ? N_ONLY : N_ONLY - 1, 2)) same_again(path[i], &r);
     audit_result_clear(&r);
   }
   free(path);
@@ -214,23 +229,22 @@ END_TEST
 
 /* --- The command --- */
 
-/* verify to DIR/here, then report on its audit.json and tables in DIR/there; the same neighbours beside both. */
+/* verify to $D/here, then report on its audit.json and tables in $D/there; the same neighbours beside both.  Of "paper"
+   the whole audit is taken. */
 static void same_files(const char *environment, const char *words) {
-  const char *dir = scratch_path("");
-  ck_assert_int_eq(shell("rm -rf %s/*; mkdir -p %s/bench %s/mutation %s/there && cp reports/mutation/mutation.json "
-                         "%s/mutation && cp reports/bench/map.svg %s/bench",
-                         dir, dir, dir, dir, dir, dir),
-                   0);
-  int status = shell("%s %s verify %s --quiet --out %s/here > %s/said.here", environment, program(), words, dir, dir);
-  ck_assert_msg(status == 0 || status == 1, "%s: %d", words, status);
-  status =
-      shell("cd %s && cp here/audit.json there && { cp here/*.tsv there 2>/dev/null; true; } && p=$(cd \"$OLDPWD\" && "
-            "realpath %s) && STICKSLIP_DATA=/nonexistent \"$p\" report there > said.there",
-            dir, program());
-  ck_assert_msg(status == 0, "%s: report ends with %d", words, status);
-  status = shell("cd %s && rm here/run.json && diff -r here there && tail -n 1 said.here > last && tail -n 1 "
-                 "said.there | cmp - last",
-                 dir);
+  shell_well("mkdir -p $D/bench $D/mutation $D/there && cp reports/mutation/mutation.json $D/mutation && "
+             "cp reports/bench/map.svg $D/bench");
+  if (strcmp(words, "paper") == 0) {
+    whole_open();
+    shell_well("cp -R $D/whole/paper $D/here && cp $D/whole/said $D/said.here");
+  } else {
+    int status = shell("%s $P verify %s --quiet --out $D/here > $D/said.here", environment, words);
+    ck_assert_msg(status == 0 || status == 1, "%s: %d", words, status);
+  }
+  shell_well("cd $D && cp here/audit.json there && { cp here/*.tsv there 2>/dev/null; true; } && p=$(cd \"$OLDPWD\" && "
+             "realpath $P) && STICKSLIP_DATA=/nonexistent \"$p\" report there > said.there");
+  int status = shell("cd $D && rm here/run.json && diff -r here there && tail -n 1 said.here > last && tail -n 1 "
+                     "said.there | cmp - last");
   ck_assert_msg(status == 0, "%s: other files", words);
 }
 
@@ -355,21 +369,20 @@ static bool survives(const char *json) {
 }
 
 START_TEST(cut_off_anywhere) {
-  struct text json;
-  text_init(&json);
-  report_json(&json, &papers);
-  ck_assert_uint_gt(json.len, 300000);
-  json.data[json.len - 1] = '\0'; /* the newline behind the value may be missing */
-  const size_t step = 997 * (size_t)every(5);
-  for (size_t at = (json.len - 2) / step * step;; at -= step) {
-    json.data[at] = '\0';
+  whole_open();
+  char *json = file_text(scratch_path("whole/paper/audit.json"));
+  const size_t len = strlen(json), step = 997 * (size_t)every(5);
+  ck_assert_uint_gt(len, 300000);
+  json[len - 1] = '\0'; /* the newline behind the value may be missing */
+  for (size_t at = (len - 2) / step * step;; at -= step) {
+    json[at] = '\0';
     struct audit_result cut;
     struct diag d;
-    ck_assert(!read_text(&cut, json.data, &d) && d.set);
+    ck_assert(!read_text(&cut, json, &d) && d.set);
     audit_result_clear(&cut);
     if (at == 0) break;
   }
-  text_clear(&json);
+  free(json);
 }
 END_TEST
 
@@ -534,7 +547,7 @@ Suite *report_suite(void) {
   suite_add_tcase(s, c);
 
   c = tcase_create("paper");
-  tcase_add_unchecked_fixture(c, open_papers, close_papers);
+  tcase_add_checked_fixture(c, open_files, close_files);
   tcase_add_test(c, the_papers_record);
   tcase_add_test(c, cut_off_anywhere);
   suite_add_tcase(s, c);

@@ -12,6 +12,7 @@
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
+#include "whole.h"
 
 static int count(const char *text, const char *part) {
   int n = 0;
@@ -91,10 +92,9 @@ END_TEST
 static char *whole;
 
 static void open_whole(void) {
-  int status;
   scratch_open();
-  whole = shell_output(&status, "%s verify --out %s", program(), scratch_path("whole"));
-  ck_assert_int_eq(status, 0);
+  whole_open();
+  whole = file_text(scratch_path("whole/said"));
 }
 
 static void close_whole(void) {

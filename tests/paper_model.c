@@ -23,14 +23,21 @@ void paper_model(struct model *m, const struct paper_layers *with) {
   ck_assert_msg(paper_model_read(m, with, &d), "%s", d.message);
 }
 
-void paper_claims(struct claims *claims, struct claims *controls) {
+static void on_file(struct claims *all, const char *folder, const char *word) {
   struct diag d;
   diag_init(&d);
-  *claims = (struct claims){.n = 0};
-  ck_assert_msg(claims_load(claims, "verify", "claims", "claim", &d), "%s", d.message);
-  if (!controls) return;
-  *controls = (struct claims){.n = 0};
-  ck_assert_msg(claims_load(controls, "verify", "controls", "control", &d), "%s", d.message);
+  *all = (struct claims){.n = 0};
+  ck_assert_msg(claims_load(all, "verify", folder, word, &d), "%s", d.message);
+}
+
+void paper_claims(struct claims *claims, struct claims *controls) {
+  on_file(claims, "claims", "claim");
+  if (controls) on_file(controls, "controls", "control");
+}
+
+void paper_statements(struct claims *statements, struct claims *roots) {
+  on_file(statements, "paper", "statement");
+  on_file(roots, "claims", "root");
 }
 
 void paper_scene(struct scene *s) {

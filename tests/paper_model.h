@@ -24,6 +24,8 @@ bool paper_model_read(struct model *m, const struct paper_layers *with, struct d
 /* The claims on file, and the controls unless these are NULL; the scene of the paper's example.  To be cleared. */
 void paper_claims(struct claims *claims, struct claims *controls);
 void paper_scene(struct scene *s);
+/* The paper's statements and the roots of its discrepancies, with which an audit says what the program says. */
+void paper_statements(struct claims *statements, struct claims *roots);
 
 /* Judges claims of a test's own, those that `only` selects, without the studies of a whole audit; false with d set when
    they are at fault.  r is to be cleared in either case. */

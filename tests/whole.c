@@ -1,0 +1,49 @@
+#define _DEFAULT_SOURCE /* realpath, symlink */
+#include "whole.h"
+
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "report/report.h"
+#include "scratch.h"
+
+void whole_again(const char *name, const char *words) {
+  shell_well("sh tests/whole.sh \"$P\" \"$D/%s\" %s", name, words);
+}
+
+void whole_open(void) {
+  const char *made = getenv("STICKSLIP_WHOLE");
+  char *real = made && *made ? realpath(made, NULL) : NULL;
+  if (real)
+    ck_assert_msg(symlink(real, scratch_path("whole")) == 0, "%s", real);
+  else
+    whole_again("whole", "paper");
+  free(real);
+  char *status = file_text(scratch_path("whole/status")), *errors = file_text(scratch_path("whole/errors"));
+  ck_assert_msg(strcmp(status, "0\n") == 0 || strcmp(status, "1\n") == 0, "verify paper ends with %s%s", status,
+                errors);
+  free(errors);
+  free(status);
+}
+
+void whole_record(struct audit_result *r) {
+  struct source s;
+  struct diag d;
+  char *json = file_text(scratch_path("whole/paper/audit.json"));
+  diag_init(&d);
+  audit_result_init(r);
+  source_from_string(&s, "audit.json", json);
+  ck_assert_msg(report_read(r, &s, &d), "%s", d.message);
+  for (size_t i = 0; i < r->n_tables; i++) {
+    char name[100];
+    snprintf(name, sizeof name, "whole/paper/%s", r->tables[i].name);
+    char *text = file_text(scratch_path(name));
+    r->tables[i].text = arena_strndup(&r->arena, text, strlen(text));
+    free(text);
+  }
+  source_clear(&s);
+  free(json);
+}
