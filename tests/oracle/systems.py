@@ -101,7 +101,10 @@ class System:
         return a
 
     def carry(self, phase, y, t):
-        out = mp.expm(self.rate(phase) * t) * mp.matrix(list(y) + [1])
+        return self.carried(mp.expm(self.rate(phase) * t), y)
+
+    def carried(self, by, y):
+        out = by * mp.matrix(list(y) + [1])
         return [out[i] for i in range(self.states)]
 
     def hit(self, after):
@@ -162,16 +165,16 @@ class System:
         return out
 
     def to_event(self, phase, after, y, t):
+        a = self.rate(phase)
         for _ in range(30):
-            z = self.carry(phase, y, t)
-            a = self.rate(phase)
-            dz = [x for x in a * mp.matrix(list(z) + [1])][:self.states]
-            f, i, of = self.event(phase, after, z)
-            slope = {"position": dz[i], "velocity": dz[self.n + i], "force": self.force(dz, i)}[of]
-            t -= f / slope
-            if abs(f / slope) < mp.mpf(10) ** -38:
+            y = self.carry(phase, y, t)
+            dy = self.carried(a, y)
+            f, i, of = self.event(phase, after, y)
+            slope = {"position": dy[i], "velocity": dy[self.n + i], "force": self.force(dy, i)}[of]
+            t = -f / slope  # from here
+            if abs(t) < mp.mpf(10) ** -38:
                 break
-        return self.carry(phase, y, t)
+        return y
 
     def switched(self, phase, after, y):
         """The state behind an event at which the state is y."""
@@ -259,8 +262,10 @@ def check(system, orbit):
         if off > CLOSE or abs(f) > CLOSE:
             out.append(f"phase {k + 1}: ends {mp.nstr(off, 3)} beside the next state, event {mp.nstr(f, 3)}")
         if times[k] > 0:
-            for s in range(61):
-                broken |= bool(system.broken(phase, system.carry(phase, states[k], times[k] * s / 60), mp.mpf(10) ** -20))
+            step, y = mp.expm(system.rate(phase) * times[k] / 60), states[k]
+            for _ in range(61):
+                broken |= bool(system.broken(phase, y, mp.mpf(10) ** -20))
+                y = system.carried(step, y)
         else:
             broken = True
     if orbit["admissible"] and broken:
