@@ -10,6 +10,7 @@
 
 #include "accuracy.h"
 #include "base/arena.h"
+#include "every.h"
 #include "explore/batch_impl.h"
 #include "explore/family.h"
 #include "laws_num.h"
@@ -62,12 +63,36 @@ static void add_orbits(struct table *t, const double p[N_PARAMS], double off) {
   search_clear(&s);
 }
 
+/* Orbits at random parameters, found once for the tests that need many points. */
+static struct table found;
+
+/* One of these in turn, its times moved; its parameters. */
+static void add_found(double p[N_PARAMS], struct table *t, slong k, double off) {
+  slong j = k % found.n;
+  for (int i = 0; i < N_PARAMS; i++) p[i] = found.params[i][j];
+  table_add(t, p, found.guess[0][j] * (1 + off * (2 * rng_unit(&random_numbers) - 1)),
+            found.guess[1][j] * (1 + off * (2 * rng_unit(&random_numbers) - 1)));
+}
+
 static void any_params(double p[N_PARAMS]) {
   p[P_CHI] = 0.03 + 0.95 * rng_unit(&random_numbers);
   p[P_ETA] = exp(5 * rng_unit(&random_numbers) - 2.5);
   p[P_V] = exp(2 * rng_unit(&random_numbers) - 1);
   p[P_E1] = p[P_V] * exp(3 * rng_unit(&random_numbers) - 1.5);
   p[P_E2] = p[P_V] * exp(4 * rng_unit(&random_numbers) - 3);
+}
+
+static void find_many(void) {
+  table_init(&found, 3000 / every(4));
+  random_numbers.state = 35;
+  for (double p[N_PARAMS]; found.n < found.cap;) {
+    any_params(p);
+    add_orbits(&found, p, 0);
+  }
+}
+
+static void clear_found(void) {
+  table_clear(&found);
 }
 
 static void run(struct table *t) {
@@ -232,11 +257,8 @@ START_TEST(as_the_scalar_solver) {
   struct table t;
   slong both = 0, left = 0, alone = 0;
   table_init(&t, 3000);
-  random_numbers.state = 35;
-  for (double p[N_PARAMS]; t.n < t.cap;) {
-    any_params(p);
-    add_orbits(&t, p, 1e-5);
-  }
+  random_numbers.state = 37;
+  for (double p[N_PARAMS]; t.n < t.cap;) add_found(p, &t, t.n, 1e-5);
   run(&t);
   for (slong j = 0; j < t.n; j++) {
     double out[N_DYN_OUT], p[N_PARAMS], guess[2] = {t.guess[0][j], t.guess[1][j]};
@@ -280,8 +302,7 @@ static void mixture(struct table *t) {
   static const double odd[] = {0, -1, 1, NAN, INFINITY, -INFINITY, 1e-320, 1e308, 1e-200, 0x1p60};
   random_numbers.state = 36;
   for (double p[N_PARAMS]; t->n < t->cap;) {
-    any_params(p);
-    add_orbits(t, p, 1e-3);
+    add_found(p, t, t->n, 1e-3);
     if (t->n == t->cap) break;
     double guess[2] = {4 * rng_unit(&random_numbers), 20 * rng_unit(&random_numbers)},
            value = odd[(int)(rng_unit(&random_numbers) * 10)];
@@ -373,10 +394,13 @@ Suite *batch_suite(void) {
   tcase_add_loop_test(c, beside_changes_against_balls, 0, (int)(sizeof changes / sizeof *changes));
   tcase_add_test(c, extreme_points_against_balls);
   tcase_add_test(c, far_guesses_against_balls);
+  tcase_add_test(c, outside_the_domain);
+  suite_add_tcase(s, c);
+  c = tcase_create("many");
+  tcase_add_unchecked_fixture(c, find_many, clear_found);
   tcase_add_test(c, as_the_scalar_solver);
   tcase_add_test(c, same_bits_on_every_instruction_set);
   tcase_add_test(c, same_bits_alone_and_among_others);
-  tcase_add_test(c, outside_the_domain);
   suite_add_tcase(s, c);
   return s;
 }
