@@ -5,13 +5,16 @@
    must be rejected: every number and every truth of a real one is changed in turn, and solutions of the six equations
    that start an event too early are forged into certificates. */
 #include <check.h>
+#include <glob.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include <sys/wait.h>
 
 #include "base/random.h"
+#include "command.h"
 #include "effort.h"
 #include "explore/family.h"
 #include "mech/orbit.h"
@@ -681,27 +684,6 @@ static void verified_one(const char *what) {
                 said);
 }
 
-/* Every certificate that a scene on file has, chi beside its bounds and each word among them. */
-START_TEST(all_scenes_are_verified) {
-  static const char *const one[] = {"chain3",     "beside-wall",   "soft-wall",  "driven",  "den-hartog",
-                                    "chain4",     "chain5",        "other-word", "overrun", "chi-near-0",
-                                    "chi-near-1", "near-singular", "stiff-slow", "stable"};
-  int status, n = 0;
-  char *all = shell_output(&status, "for f in verify/scenes/*.scene; do n=$(basename $f .scene); rm -f $D/c.json; "
-                                    "$P orbit $n --certificate $D/c.json > $D/out 2>&1; [ ! -f $D/c.json ] || "
-                                    "echo $n: $($P-checker $D/c.json 2>&1); done");
-  for (const char *line = all; *line; line = strchr(line, '\n') + 1, n++)
-    ck_assert_msg(strncmp(strchr(line, ' '), " verified: ", 11) == 0, "%s", line);
-  ck_assert_msg(n >= 36, "%d:\n%s", n, all);
-  for (size_t i = 0; i < sizeof one / sizeof *one; i++) {
-    char name[40];
-    snprintf(name, sizeof name, "%s: verified: 1 orbit; ", one[i]);
-    ck_assert_msg(strstr(all, name), "%s", one[i]);
-  }
-  free(all);
-}
-END_TEST
-
 /* Where nothing else is on file: positions far wider than forces, phase C slow, t_a beside t_b as 1e6 to 1. */
 START_TEST(extreme_orbits_are_verified) {
   static const char *const set[] = {"chi=1-1e-6", "chi=1-1e-8", "eta=1e-6", "eta=1e-9", "V=1e-5", "eta=1e12"};
@@ -716,8 +698,78 @@ START_TEST(extreme_orbits_are_verified) {
 }
 END_TEST
 
-START_TEST(systems_are_verified) {
-  struct system_study s; /* between two phases one number tells the whole state: nothing is free */
+/* What of a scene on file is not proved, and why. */
+static const struct {
+  const char *scene, *lacks, *why;
+} unproved[] = {
+    {"solution-II", "complete", "no complete search for this pair of given quantities"},
+    {"paper-e1-t_a", "complete", "no complete search for this pair of given quantities"},
+    {"paper-e1-t_c", "complete", "no complete search for this pair of given quantities"},
+    {"paper-e2-t_a", "complete", "no complete search for this pair of given quantities"},
+    {"paper-t_a-t_b", "complete", "no complete search for this pair of given quantities"},
+    {"paper-t_c-t_d", "complete", "no complete search for this pair of given quantities"},
+};
+
+/* An exception must be one, and "complete" for the reason that the program gives. */
+static void is_proved_or_excepted(const char *path, const char *out, const char *lacks, bool proved) {
+  const char *name = strrchr(path, '/') + 1, *why = NULL;
+  for (size_t i = 0; i < sizeof unproved / sizeof *unproved; i++)
+    if (strncmp(name, unproved[i].scene, strlen(unproved[i].scene)) == 0 &&
+        strcmp(name + strlen(unproved[i].scene), ".scene") == 0 && strcmp(unproved[i].lacks, lacks) == 0)
+      why = unproved[i].why;
+  ck_assert_msg(proved == !why, "%s, %s: %.300s", path, lacks, out);
+  if (why && strcmp(lacks, "complete") == 0) ck_assert_msg(strstr(out, why) != NULL, "%s: %.300s", path, out);
+}
+
+/* Every scene on file has a list proved complete and orbits that are certified, to 30 digits, but for those above, and
+   for lists of other words than the paper's, whose search is not exhaustive and says so; of these the checker verifies
+   the one orbit that each has.  It verifies every certificate, which all have but those whose orbits break the word, and
+   solution II, where the masses never stick together. */
+START_TEST(scenes_on_file_are_proved) {
+  glob_t g;
+  ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0 && g.gl_pathc >= 25);
+  long proved = 0;
+  int verified = 0, verified_ones = 0;
+  for (size_t i = 0; i < g.gl_pathc; i++) {
+    struct job j;
+    const char *path = scratch_path("certificate.json");
+    char *scene = file_text(g.gl_pathv[i]);
+    bool others = (strstr(scene, "\nword: ") && !strstr(scene, "\nword: Gamma H C\n")) || strstr(scene, "\nsystem: ");
+    free(scene);
+    remove(path);
+    job_run(&j, "orbit", g.gl_pathv[i], "--digits", "30", "--json", "--certificate", path, NULL);
+    bool there = access(path, R_OK) == 0;
+    if (!there) {
+      ck_assert_msg(strstr(j.err, "--certificate is of") || strstr(j.err, "there is no certificate"), "%s", j.err);
+      job_clear(&j);
+      job_run_well(&j, "orbit", g.gl_pathv[i], "--digits", "30", "--json", NULL);
+    }
+    bool other = strstr(j.out, "\"fate\": \"open\"") != NULL, system = strstr(j.out, "\"system\": ") != NULL;
+    if (system)
+      ck_assert_msg(strstr(j.out, "there may be others") != NULL, "%s: %.300s", g.gl_pathv[i], j.out);
+    else if (other)
+      ck_assert_msg(strstr(j.out, "no proof of completeness") != NULL, "%s: %.300s", g.gl_pathv[i], j.out);
+    else
+      is_proved_or_excepted(g.gl_pathv[i], j.out, "complete", strstr(j.out, "\"complete\": true") != NULL);
+    is_proved_or_excepted(g.gl_pathv[i], j.out, "certified", strstr(j.out, "\"certified\": false") == NULL);
+    for (const char *p = strstr(j.out, "\"certified\": true"); p; p = strstr(p + 1, "\"certified\": true")) proved++;
+    job_clear(&j);
+    if (there) ck_assert_msg(checker_on(path) == VERIFIED, "%s: %s", g.gl_pathv[i], said);
+    verified += there;
+    if (!others) continue;
+    verified_one(g.gl_pathv[i]);
+    verified_ones++;
+  }
+  ck_assert_int_ge(proved, 35);
+  ck_assert_int_ge(verified, 36);
+  ck_assert_int_ge(verified_ones, 9);
+  globfree(&g);
+}
+END_TEST
+
+/* Between two phases one number tells the whole state. */
+START_TEST(nothing_is_free_of_one_mass) {
+  struct system_study s;
   system_open(&s, scratch_put("one.system", "title: a mass on a belt\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n"
                                             "  surface: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"));
   ck_assert_int_eq(s.list.orbit[0].n_free, 0);
@@ -1146,9 +1198,9 @@ Suite *certify_suite(void) {
   tcase_add_test(proofs, digits_are_cheap);
   tcase_add_test(proofs, an_orbit_costs_no_second_search);
   tcase_add_test(proofs, stiff_orbits_are_rechecked);
-  tcase_add_test(proofs, all_scenes_are_verified);
   tcase_add_test(proofs, extreme_orbits_are_verified);
-  tcase_add_test(systems, systems_are_verified);
+  tcase_add_test(systems, scenes_on_file_are_proved);
+  tcase_add_test(systems, nothing_is_free_of_one_mass);
   tcase_add_test(lies, some_of_all_forgeries);
   tcase_add_test(lies, a_changed_truth_is_rejected);
   tcase_add_test(lies, a_value_of_the_wrong_type_is_rejected);

@@ -447,54 +447,6 @@ START_TEST(the_projects_own_files_are_good) {
 }
 END_TEST
 
-/* What of a scene on file is not proved, and why. */
-static const struct {
-  const char *scene, *lacks, *why;
-} unproved[] = {
-    {"solution-II", "complete", "no complete search for this pair of given quantities"},
-    {"paper-e1-t_a", "complete", "no complete search for this pair of given quantities"},
-    {"paper-e1-t_c", "complete", "no complete search for this pair of given quantities"},
-    {"paper-e2-t_a", "complete", "no complete search for this pair of given quantities"},
-    {"paper-t_a-t_b", "complete", "no complete search for this pair of given quantities"},
-    {"paper-t_c-t_d", "complete", "no complete search for this pair of given quantities"},
-};
-
-/* An exception must be one, and "complete" for the reason that the program gives. */
-static void is_proved_or_excepted(const char *path, const char *out, const char *lacks, bool proved) {
-  const char *name = strrchr(path, '/') + 1, *why = NULL;
-  for (size_t i = 0; i < sizeof unproved / sizeof *unproved; i++)
-    if (strncmp(name, unproved[i].scene, strlen(unproved[i].scene)) == 0 &&
-        strcmp(name + strlen(unproved[i].scene), ".scene") == 0 && strcmp(unproved[i].lacks, lacks) == 0)
-      why = unproved[i].why;
-  ck_assert_msg(proved == !why, "%s, %s: %.300s", path, lacks, out);
-  if (why && strcmp(lacks, "complete") == 0) ck_assert_msg(strstr(out, why) != NULL, "%s: %.300s", path, out);
-}
-
-/* Every scene on file has a list proved complete and orbits that are certified, to 30 digits, but for those above, and
-   for lists of other words than the paper's, whose search is not exhaustive and says so. */
-START_TEST(scenes_on_file_are_proved) {
-  glob_t g;
-  ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0 && g.gl_pathc >= 25);
-  long proved = 0;
-  for (size_t i = 0; i < g.gl_pathc; i++) {
-    struct job j;
-    job_run_well(&j, "orbit", g.gl_pathv[i], "--digits", "30", "--json", NULL);
-    bool other = strstr(j.out, "\"fate\": \"open\"") != NULL, system = strstr(j.out, "\"system\": ") != NULL;
-    if (system)
-      ck_assert_msg(strstr(j.out, "there may be others") != NULL, "%s: %.300s", g.gl_pathv[i], j.out);
-    else if (other)
-      ck_assert_msg(strstr(j.out, "no proof of completeness") != NULL, "%s: %.300s", g.gl_pathv[i], j.out);
-    else
-      is_proved_or_excepted(g.gl_pathv[i], j.out, "complete", strstr(j.out, "\"complete\": true") != NULL);
-    is_proved_or_excepted(g.gl_pathv[i], j.out, "certified", strstr(j.out, "\"certified\": false") == NULL);
-    for (const char *p = strstr(j.out, "\"certified\": true"); p; p = strstr(p + 1, "\"certified\": true")) proved++;
-    job_clear(&j);
-  }
-  ck_assert_int_ge(proved, 35);
-  globfree(&g);
-}
-END_TEST
-
 START_TEST(one_bad_file_among_good_ones) {
   struct job j;
   const char *bad = scratch_put("bad.scene", "chi = 0\n");
@@ -895,7 +847,6 @@ Suite *cli_suite(void) {
   tcase_set_timeout(c, TIME_LIMIT);
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, the_projects_own_files_are_good);
-  tcase_add_test(c, scenes_on_file_are_proved);
   tcase_add_test(c, one_bad_file_among_good_ones);
   tcase_add_test(c, a_full_disk_is_noticed);
   tcase_add_test(c, a_reader_may_stop);
