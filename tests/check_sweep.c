@@ -603,7 +603,7 @@ static pid_t start_long(bool resume, off_t size) {
     process_as_from_a_shell();
     FILE *err = freopen(scratch_path("err"), "w", stderr);
     if (err)
-      execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:30", "--over", "e2=0.5:3:250", "--csv",
+      execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:30", "--over", "e2=0.5:3:150", "--csv",
             scratch_path("long"), resume ? "--resume" : (char *)NULL, (char *)NULL);
     _exit(127);
   }
@@ -629,7 +629,7 @@ START_TEST(one_run_continues_a_file) {
   interrupt_with(SIGINT);
   ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
   pid_t pid = start_long(true, st.st_size + 100000);
-  ck_assert_int_eq(shell("\"$P\" sweep paper --over e1=2:4:30 --over e2=0.5:3:250 --csv \"$D/long\" --resume 2> "
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e1=2:4:30 --over e2=0.5:3:150 --csv \"$D/long\" --resume 2> "
                          "\"$D/second\""),
                    3);
   check_says("second", "long.part: error: another process is writing this file");
@@ -643,8 +643,8 @@ START_TEST(signals_leave_a_file_to_resume) {
   interrupt_with(SIGINT);
   ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
   interrupt(start_long(true, st.st_size + 100000), SIGTERM);
-  shell_well("\"$P\" sweep paper --over e1=2:4:30 --over e2=0.5:3:250 --csv \"$D/long\" --resume");
-  shell_well("\"$P\" sweep paper --over e1=2:4:30 --over e2=0.5:3:250 | cmp - \"$D/long\"");
+  shell_well("\"$P\" sweep paper --over e1=2:4:30 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
+  shell_well("\"$P\" sweep paper --over e1=2:4:30 --over e2=0.5:3:150 | cmp - \"$D/long\"");
 }
 END_TEST
 
