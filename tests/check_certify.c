@@ -743,6 +743,8 @@ START_TEST(scenes_on_file_are_proved) {
       ck_assert_msg(strstr(j.err, "--certificate is of") || strstr(j.err, "there is no certificate"), "%s", j.err);
       job_clear(&j);
       job_run_well(&j, "orbit", g.gl_pathv[i], "--digits", "30", "--json", NULL);
+    } else {
+      ck_assert_msg(j.status == 0 && !*j.err, "%s: %s", g.gl_pathv[i], j.err);
     }
     bool other = strstr(j.out, "\"fate\": \"open\"") != NULL, system = strstr(j.out, "\"system\": ") != NULL;
     if (system)

@@ -60,9 +60,9 @@ START_TEST(the_report_on_record_is_the_computed_one) {
   free(json);
   check_says("whole/status", "0\n");
   ck_assert_str_eq(scratch_list(scratch_path("whole/paper")),
-                   "along-e2.tsv audit.csv audit.json audit.md claims.dot differences.tsv errata.md errata.tex "
-                   "figure-3.tsv figure-4.tsv "
-                   "index.html junit.xml long-run.tsv margins.tsv return-map.tsv run.json statements.tsv");
+                   "along-e2.tsv animation.tsv audit.csv audit.json audit.md claims.dot differences.tsv errata.md "
+                   "errata.tex figure-3.tsv figure-4.tsv index.html junit.xml long-run.tsv margins.tsv return-map.tsv "
+                   "run.json statements.tsv");
 }
 END_TEST
 

@@ -834,8 +834,7 @@ static const struct altered {
 enum { N_CHANGES = sizeof changes / sizeof *changes };
 
 /* Ways to use a command, one after the other, quick ones first, since a key that acts in one is not tried in the next;
-   on ranges with a change of orbits.  SCENE and OUT stand for the scene's
-   file and a folder.  list is told of the scene by its data folder; no orbit is known of the word with a faster mass,
+   on ranges with a change of orbits.  SCENE and OUT stand for the scene's file and a folder.  list is told of the scene by its data folder; no orbit is known of the word with a faster mass,
    but that it needs friction. */
 static const struct use {
   const char *word; /* of the scene, in place of the paper's */

@@ -11,6 +11,11 @@
 
 /* --- Evidence --- */
 
+const char *argument_place(struct argument *a, double where) {
+  if (where <= 0 || where >= 1) return where <= 0 ? "at its very beginning" : "at its very end";
+  return result_str(a->j->out, "after the fraction %.10g of it", where);
+}
+
 struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route,
                                        const struct answers *decided, bool decisive, const char *note) {
   struct route_result w = {route, answers_outcome(decided), decisive, answers_given(decided)};

@@ -24,6 +24,9 @@ struct argument {
 struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route,
                                        const struct answers *decided, bool decisive, const char *note);
 
+/* "after the fraction 1/2 of it", or beside an end of the phase. */
+const char *argument_place(struct argument *a, double where);
+
 /* --- argument_scene.c --- */
 
 /* The argument at the scene's orbit nearest to the printed numbers, for every friction that the premises allow. */

@@ -79,8 +79,8 @@ static const char *describe(struct argument *a, const struct argument_decision *
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
   if (d->premises != TRUTH_TRUE) return "the premises do not hold there";
   if (d->conclusion == TRUTH_FALSE)
-    return result_str(a->j->out, "%s fails in the %s phase, after the fraction %.10g of it: its margin is %s", c->text,
-                      phase_words[c->phase], d->where, ball_text(a->j, d->value, 6));
+    return result_str(a->j->out, "%s fails in the %s phase, %s: its margin is %s", c->text, phase_words[c->phase],
+                      argument_place(a, d->where), ball_text(a->j, d->value, 6));
   if (!a->uses_friction) return NULL;
   return result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, for which the premises hold",
                     rational_text(a->j, &p->q[Q_US1]), rational_text(a->j, &p->q[Q_US2]));

@@ -196,8 +196,8 @@ static const char *scene_text(struct argument *a, const struct point *p, const c
 static const char *certificate_text(struct argument *a, const struct point *p, const struct dyn_orbit *o,
                                     const struct argument_decision *d) {
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
-  const char *when = c->moving ? result_str(a->j->out, " in the %s phase, for instance after the fraction %.10g of it",
-                                            phase_words[c->phase], d->where)
+  const char *when = c->moving ? result_str(a->j->out, " in the %s phase, for instance %s", phase_words[c->phase],
+                                            argument_place(a, d->where))
                                : "";
   struct text premises = {0};
   arb_t short_by;

@@ -191,11 +191,10 @@ bool behaviour_jumps(struct behaviour *b) {
         b, ROUTE_AGREES,
         "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its friction falls "
         "from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta for m_2); x'' of the other mass "
-        "does "
-        "not jump. Where a mass is caught, |f_i| < u_ri, its friction jumps from eps u_si to f_i and x''_i to 0, "
-        "unless "
-        "f_i = eps u_si. Where a mass passes the belt's velocity without sticking, eps f_i > u_ri, its friction turns "
-        "from -eps u_si to eps u_si, and x''_i, which keeps its sign, changes by 2 u_si (times eta for m_2). In each "
+        "does not jump. Where a mass is caught, |f_i| < u_ri, its friction jumps from eps u_si to f_i and x''_i to 0, "
+        "unless f_i = eps u_si. Where a mass passes the belt's velocity without sticking, eps f_i > u_ri, its friction "
+        "turns from -eps u_si to eps u_si, and x''_i, which keeps its sign, changes by 2 u_si (times eta for m_2). In "
+        "each "
         "branch (1) and (2) bound x''_i by the positions, so that positions and velocities are continuous");
   return true;
 }

@@ -270,6 +270,17 @@ int dyn_orbits_by_z10(const void *x, const void *y) {
   return arf_cmp(arb_midref(a->z10), arb_midref(b->z10));
 }
 
+/* Whether chi is so near to 1 that the double beside it lies at another distance from 1. */
+static bool chi_is_lost(const fmpq *params) {
+  fmpq_t gap;
+  fmpq_init(gap);
+  fmpq_one(gap);
+  fmpq_sub(gap, gap, params + P_CHI);
+  bool lost = 2 * fmpq_get_d(gap) < 1 - fmpq_get_d(params + P_CHI);
+  fmpq_clear(gap);
+  return lost;
+}
+
 int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim) {
   struct search search;
   struct solutions found = {NULL, 0, 0};
@@ -278,7 +289,8 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
   if (!lim) lim = &dyn_limits_default;
   if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(params + i);
-  if (search_run(&search, p, lim)) return SS_UNABLE; /* in the domain, but not in that of double precision */
+  /* in the domain, but not in that of double precision */
+  if (chi_is_lost(params) || search_run(&search, p, lim)) return SS_UNABLE;
   list->evaluations = search.evaluations;
 
   int status = search.cut ? SS_UNABLE : SS_OK;

@@ -20,8 +20,8 @@ enum {
   FIRST_SAMPLES = 96, /* of the first rise */
   LATER_SAMPLES = 12, /* of each later one */
   MAX_DEPTH = 56,
-  MAX_STEPS = 6000000, /* of all first-root searches together: below a second; half of it for the later rises, all that
-                          they leave for the first */
+  MAX_STEPS = 6000000, /* of all first-root searches together: below a second; half of it for the later rises, what
+                          they leave, at least half, for the first */
   FREE_STEPS =
       1 << 20,   /* of a whole search, more than usual parameters ask for: counted as work when they are used up */
   PASS_STEPS = 4 /* what a pass costs besides its search, in the same coin */
@@ -148,7 +148,7 @@ int search_run(struct search *s, const double params[N_PARAMS], const struct dyn
     double turn = 2 * PI * (double)i;
     scan_interval(s, turn + k->rise, turn + k->fall, LATER_SAMPLES, last, MAX_STEPS / 2 / later);
   }
-  scan_interval(s, 0, k->fall, FIRST_SAMPLES, last, MAX_STEPS - s->steps);
+  scan_interval(s, 0, k->fall, FIRST_SAMPLES, last, s->steps < MAX_STEPS / 2 ? MAX_STEPS - s->steps : MAX_STEPS / 2);
   return SS_OK;
 }
 

@@ -12,8 +12,7 @@
 enum { DRAWS = 200, SHOWN = 10, PRECISION = 128 };
 
 /* For the start and the times; e_1 and e_2 are given. */
-static const unsigned six = EQUATIONS_OF_PAPER,
-                      wanted = 1U << X_Z10 | 1U << X_Z20 | 1U << X_TA | 1U << X_TB | 1U << X_TC | 1U << X_TD;
+static const unsigned wanted = 1U << X_Z10 | 1U << X_Z20 | 1U << X_TA | 1U << X_TB | 1U << X_TC | 1U << X_TD;
 
 /* The solution with these formulas next to the orbit, in balls. */
 static bool solve_beside(arb_ptr x, const struct formulas *f, const struct scene *data, const struct dyn_orbit *o) {
@@ -22,11 +21,11 @@ static bool solve_beside(arb_ptr x, const struct formulas *f, const struct scene
   for (int i = 0; i < N_X; i++) start[i] = arf_get_d(arb_midref(orbit_number(o, i)), ARF_RND_NEAR);
   system_init(&search, f, data, num_ctx_double());
   system_init(&proof, f, data, num_ctx_arb(PRECISION));
-  bool ok = readings_newton(start, &search, six, wanted);
+  bool ok = readings_newton(start, &search, EQUATIONS_OF_PAPER, wanted);
   for (int i = 0; i < N_X; i++) arb_set_d(x + i, start[i]);
   arb_set_fmpq(x + X_E1, &data->value[KEY_E1], PRECISION);
   arb_set_fmpq(x + X_E2, &data->value[KEY_E2], PRECISION);
-  ok = ok && readings_enclose(x, &proof, six, wanted);
+  ok = ok && readings_enclose(x, &proof, EQUATIONS_OF_PAPER, wanted);
   system_clear(&proof);
   system_clear(&search);
   return ok;

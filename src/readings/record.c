@@ -156,21 +156,19 @@ void reading_describe(struct example_reading *r, struct audit_result *out, const
 
 /* --- The whole procedure --- */
 
-static const unsigned whole_paper = EQUATIONS_OF_PAPER;
-
 static bool procedure_solve(arb_ptr x, const struct example *e, unsigned inputs, struct system *s,
                             struct system *search) {
   double near[N_X];
   unsigned unknown = ~inputs & ((1U << N_X) - 1);
   memcpy(near, e->value, sizeof near);
-  if (!readings_newton(near, search, whole_paper, unknown)) return false;
+  if (!readings_newton(near, search, EQUATIONS_OF_PAPER, unknown)) return false;
   for (int i = 0; i < N_X; i++) {
     if (unknown >> i & 1)
       arb_set_d(x + i, near[i]);
     else
       arb_set_fmpq(x + i, &e->printed[i]->value, PREC);
   }
-  return readings_enclose(x, s, whole_paper, unknown);
+  return readings_enclose(x, s, EQUATIONS_OF_PAPER, unknown);
 }
 
 static const char *end_of(struct audit_result *out, const arb_t x, bool upper) {
@@ -192,14 +190,14 @@ void readings_procedure(struct readings *r, struct audit_result *out, const stru
   p->inputs = names(out, e->data, "none");
   arb_ptr v = _arb_vec_init(2 * N_X + N_X * N_X);
   arb_ptr x = v, wide = v + N_X, slope = v + 2 * N_X;
-  if (procedure_solve(x, e, e->data, s, search) && readings_slopes(slope, NULL, s, x, whole_paper, unknown)) {
+  if (procedure_solve(x, e, e->data, s, search) && readings_slopes(slope, NULL, s, x, EQUATIONS_OF_PAPER, unknown)) {
     p->output = room(out, N_X, sizeof *p->output);
     p->slope = room(out, N_X * N_X, sizeof *p->slope);
     for (int i = 0; i < N_X; i++) {
       arb_set(wide + i, x + i);
       if (e->data >> i & 1) printed_ball(wide + i, e->printed[i]);
     }
-    bool bracket = readings_enclose(wide, s, whole_paper, unknown);
+    bool bracket = readings_enclose(wide, s, EQUATIONS_OF_PAPER, unknown);
     for (int i = 0; i < N_X; i++) {
       if (!(unknown >> i & 1)) continue;
       enum reading how;

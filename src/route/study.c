@@ -403,7 +403,7 @@ static int compute_row(arb_ptr out, struct study *s, enum route_row row) {
   bool in_balls = !(route_table[row].means & MEANS_DIFFERENCES);
   slong most = most_prec(s);
   while (in_balls && s->prec < most && (status == SS_UNABLE || (status == SS_OK && width_of(out, n) > wanted))) {
-    s->prec *= 2;
+    s->prec = FLINT_MIN(2 * s->prec, most);
     status = ask(out, s, row);
   }
   s->prec = PREC;

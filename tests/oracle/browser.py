@@ -128,9 +128,9 @@ def sheets(page):
 
 def errors(out, audit, dark):
     claims = audit["claims"]
-    verdicts = {v: n for v, n in audit["summary"].items() if n and v != "total"}
-    sections, routes = {}, {}
+    verdicts, sections, routes = {}, {}, {}
     for c in claims:
+        verdicts[c["verdict"]] = verdicts.get(c["verdict"], 0) + 1
         name = (c["section"] or "-").replace("_", " ")
         sections[name] = sections.get(name, 0) + 1
         for route in {e["route"] for e in c["evidence"]}:
