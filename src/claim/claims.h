@@ -53,6 +53,7 @@
      mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its
                  friction while it slips (eps being the sign of V - x'), while it sticks and where it breaks away
      heading     (law) the condition over the branches of a mass that has the belt's velocity
+     limits      (law) yes: the states in which the restoring force is equal to its limit, instead of all others
      reads, repaired       (notation) the text as printed, and as it should read, in the language of expr.h
      symbols, stands-for, found-in, repaired  (notation) lists with ";": symbols, what each is said to mean, and the
                  place, "quote" or a record, that prints it

@@ -144,18 +144,21 @@ static bool cell_agrees(const struct law *l, struct law_cell cell) {
   return ok;
 }
 
-/* How many branches apply where f is at a limit; -1: not decided. */
-static int at_limit(const struct law *l, int side) {
-  struct law_state s;
-  law_state_open_in(&s, (struct law_cell){l->mass, 0, PULL_AT, side});
-  int n = law_answer(l, &s, 0).n;
-  law_state_close(&s);
-  return n;
+/* How many branches apply where f is at a limit, whichever it is; -1: not decided. */
+static int at_limit(const struct law *l) {
+  int n[2];
+  for (int i = 0; i < 2; i++) {
+    struct law_state s;
+    law_state_open_in(&s, (struct law_cell){l->mass, 0, PULL_AT, i ? -1 : 1});
+    n[i] = law_answer(l, &s, 0).n;
+    law_state_close(&s);
+  }
+  return n[0] == n[1] ? n[0] : -1;
 }
 
 /* The finite split of all states: slower and faster than the belt, and with its velocity inside the limits and beyond
    either; f = +-u_r is left, of which the paper's text may say nothing, but not two things. */
-static bool prove_law(struct finding *f, const struct law *l) {
+static bool every_cell_agrees(const struct law *l) {
   const struct law_cell cell[] = {{l->mass, 1, PULL_ANY, 1},
                                   {l->mass, -1, PULL_ANY, 1},
                                   {l->mass, 0, PULL_INSIDE, 1},
@@ -163,26 +166,51 @@ static bool prove_law(struct finding *f, const struct law *l) {
                                   {l->mass, 0, PULL_BEYOND, -1}};
   bool all = true;
   for (size_t i = 0; i < sizeof cell / sizeof *cell; i++) all = all && cell_agrees(l, cell[i]);
-  int n[] = {at_limit(l, 1), at_limit(l, -1)};
-  if (!all || n[0] < 0 || n[1] < 0 || n[0] > 1 || n[1] > 1) {
-    exact_route(f, l->j->out, ROUTE_UNDECIDED,
-                "the signs of the conditions are not those of Coulomb's law in every case");
-    return false;
-  }
+  int n = at_limit(l);
+  return all && (n == 0 || n == 1);
+}
+
+static const char *pull_text(const struct law *l) {
+  return l->mass ? "chi (x_2 - x_1)" : "x_1 - chi x_2";
+}
+
+static bool prove_law(struct finding *f, const struct law *l) {
   int m = l->mass + 1;
+  bool all = every_cell_agrees(l);
   const char *note = result_str(
       l->j->out,
       "finite split of cases, exact in each: with f = %s, one branch alone applies and gives Coulomb's friction where "
       "x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and f < "
-      "-u_r%d (-u_s%d).%s",
-      l->mass ? "chi (x_2 - x_1)" : "x_1 - chi x_2", m, m, m, m, m, m, m, m, m, m,
-      n[0] + n[1] ? ""
-                  : result_str(l->j->out,
-                               " At x'_%d = V with |f| = u_r%d neither condition holds: (2) leaves the friction open "
-                               "there, and says nothing of a force that touches the limit and turns back",
-                               m, m));
-  exact_route(f, l->j->out, ROUTE_AGREES, note);
-  return true;
+      "-u_r%d (-u_s%d)",
+      pull_text(l), m, m, m, m, m, m, m, m, m, m);
+  exact_route(f, l->j->out, all ? ROUTE_AGREES : ROUTE_UNDECIDED,
+              all ? note : "the signs of the conditions are not those of Coulomb's law in every case");
+  return all;
+}
+
+/* The law where f is just at a limit.  If no branch applies there, the correction is that of a mass that sticks at its
+   limits too, and nothing else may change. */
+static void judge_limits(struct finding *f, struct law *l) {
+  int n = at_limit(l), m = l->mass + 1;
+  struct route_result w =
+      exact_route(f, l->j->out,
+                  n < 0    ? ROUTE_UNDECIDED
+                  : n == 1 ? ROUTE_AGREES
+                           : ROUTE_DIFFERS,
+                  result_str(l->j->out, "at x'_%d = V with |f| = u_r%d, where f = %s, %s", m, m, pull_text(l),
+                             n < 0    ? "the signs of the conditions are not known"
+                             : n == 0 ? "the condition of neither branch holds"
+                             : n == 1 ? "the condition of one branch holds"
+                                      : "the conditions of more than one branch hold"));
+  f->verdict = verdict_of(&w, 1, n == 1);
+  if (f->verdict != VERDICT_REFUTED || n != 0) return;
+  l->closed = true;
+  bool mended = at_limit(l) == 1 && every_cell_agrees(l);
+  f->correction = result_str(l->j->out, "<= in the place of < where the mass sticks");
+  f->correction_verdict = mended ? VERDICT_PROVED : VERDICT_REFUTED;
+  exact_route(f, l->j->out, mended ? ROUTE_AGREES : ROUTE_DIFFERS,
+              mended ? "so corrected, one branch alone applies in every state, and gives Coulomb's friction"
+                     : "so corrected, it is not one branch alone in every state that gives Coulomb's friction");
 }
 
 /* The heading is the claim's, or a correction in its place. */
@@ -239,8 +267,10 @@ void law_clear(struct law *l) {
 bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   static const char *const route[2] = {"balls", "integration"};
   struct law l;
-  bool ok = law_read(&l, j, c, view);
-  if (ok) {
+  bool limits, ok = law_read(&l, j, c, view) && judge_switch(&limits, j, c, "limits", "yes");
+  if (ok && limits) {
+    judge_limits(f, &l);
+  } else if (ok) {
     struct route_result w[2];
     struct tally n = {.where = NULL};
     try_states(&n, &l);

@@ -200,7 +200,9 @@ truth law_holds(const struct law *l, struct law_state *s, enum branch b) {
     const struct condition *c = &l->branch[b].at[k];
     if (c->equality) continue;
     int sign = law_sign(s, law_value(s, &c->s.tape, l));
-    truth holds = sign == NO_SIGN ? TRUTH_UNKNOWN : sign > 0 || (sign == 0 && !c->strict) ? TRUTH_TRUE : TRUTH_FALSE;
+    truth holds = sign == NO_SIGN                                                         ? TRUTH_UNKNOWN
+                  : sign > 0 || (sign == 0 && (!c->strict || (l->closed && b == STICKS))) ? TRUTH_TRUE
+                                                                                          : TRUTH_FALSE;
     all = truth_and(all, holds);
   }
   return all;

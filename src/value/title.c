@@ -28,11 +28,14 @@ static const char *const sentences[N_KINDS] = {
         "{equation} gives the friction of the {mass} mass while it slips, while it sticks and beyond its limit",
     [KIND_REPORT] = "the value of {formula} on the example",
 };
+static const char limits[] =
+    "{equation} gives the friction of the {mass} mass where the restoring force is equal to its limit";
 
 static bool make_sentence(struct text *out, const struct title *t) {
   struct diag unmade = {0};
   const struct title quiet = {t->m, t->c, &unmade};
-  return title_expand(out, &quiet, sentences[claim_kind(t->c)]) || missing(t);
+  const char *text = claim_get(t->c, "limits") ? limits : sentences[claim_kind(t->c)];
+  return title_expand(out, &quiet, text) || missing(t);
 }
 
 /* The record that the attribute names; NULL with t->d set. */
