@@ -115,6 +115,36 @@ START_TEST(branches_of_the_law) {
 }
 END_TEST
 
+static const struct {
+  const char *what, *sticks, *breaks;
+  enum verdict want;
+} at_limits[] = {
+    {"the law leaves both open", "-u_r1 < x_1(t) - chi*x_2(t) < u_r1", ">", VERDICT_REFUTED},
+    {"one is left open", "-u_r1 < x_1(t) - chi*x_2(t) <= u_r1", ">", VERDICT_REFUTED},
+    {"it sticks at both", "-u_r1 <= x_1(t) - chi*x_2(t) <= u_r1", ">", VERDICT_PROVED},
+    {"it breaks away at both", "-u_r1 < x_1(t) - chi*x_2(t) < u_r1", ">=", VERDICT_PROVED},
+    {"either at both", "-u_r1 <= x_1(t) - chi*x_2(t) <= u_r1", ">=", VERDICT_REFUTED},
+};
+
+START_TEST(a_force_at_its_limit) {
+  struct diag d;
+  struct text t;
+  text_init(&t);
+  text_printf(
+      &t,
+      SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  %s\n" RELATION(
+          "breaks") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1(t) - chi*x_2(t)) %s u_r1 for eps in {+1, -1}\n",
+      at_limits[_i].sticks, at_limits[_i].breaks);
+  enum verdict v = judged(text_str(&t),
+                          "  kind: law\n  limits: yes\n  mass: 1\n  slips: own-slips\n  sticks: own-sticks C\n"
+                          "  breaks: own-breaks C\n",
+                          &d);
+  ck_assert_msg(v == at_limits[_i].want, "%s: %s %s", at_limits[_i].what, v < N_VERDICTS ? verdict_name[v] : "",
+                d.message);
+  text_clear(&t);
+}
+END_TEST
+
 /* --- What (1) and (2) make of switches and configurations --- */
 
 #define MOVES(first, second)                                                                                           \
@@ -379,6 +409,7 @@ Suite *law_suite(void) {
   tcase_add_unchecked_fixture(c, open_all, close_all);
 #define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
   LOOP(branches_of_the_law, laws);
+  LOOP(a_force_at_its_limit, at_limits);
   LOOP(mechanics_of_the_law, mechanics);
   tcase_add_loop_test(c, blocks_obey_newton, 0, N_PHASES);
   tcase_add_test(c, patched_states_are_general);

@@ -144,16 +144,13 @@ static bool cell_agrees(const struct law *l, struct law_cell cell) {
   return ok;
 }
 
-/* How many branches apply where f is at a limit, whichever it is; -1: not decided. */
-static int at_limit(const struct law *l) {
-  int n[2];
-  for (int i = 0; i < 2; i++) {
-    struct law_state s;
-    law_state_open_in(&s, (struct law_cell){l->mass, 0, PULL_AT, i ? -1 : 1});
-    n[i] = law_answer(l, &s, 0).n;
-    law_state_close(&s);
-  }
-  return n[0] == n[1] ? n[0] : -1;
+/* How many branches apply where f is at a limit; -1: not decided. */
+static int at_limit(const struct law *l, int side) {
+  struct law_state s;
+  law_state_open_in(&s, (struct law_cell){l->mass, 0, PULL_AT, side});
+  int n = law_answer(l, &s, 0).n;
+  law_state_close(&s);
+  return n;
 }
 
 /* The finite split of all states: slower and faster than the belt, and with its velocity inside the limits and beyond
@@ -166,8 +163,8 @@ static bool every_cell_agrees(const struct law *l) {
                                   {l->mass, 0, PULL_BEYOND, -1}};
   bool all = true;
   for (size_t i = 0; i < sizeof cell / sizeof *cell; i++) all = all && cell_agrees(l, cell[i]);
-  int n = at_limit(l);
-  return all && (n == 0 || n == 1);
+  for (int side = -1; side <= 1; side += 2) all = all && at_limit(l, side) >= 0 && at_limit(l, side) <= 1;
+  return all;
 }
 
 static const char *pull_text(const struct law *l) {
@@ -188,24 +185,25 @@ static bool prove_law(struct finding *f, const struct law *l) {
   return all;
 }
 
-/* The law where f is just at a limit.  If no branch applies there, the correction is that of a mass that sticks at its
-   limits too, and nothing else may change. */
+/* The law where f is just at a limit.  The correction is that a mass sticks at its limits too, and nothing else may
+   change. */
 static void judge_limits(struct finding *f, struct law *l) {
-  int n = at_limit(l), m = l->mass + 1;
-  struct route_result w =
-      exact_route(f, l->j->out,
-                  n < 0    ? ROUTE_UNDECIDED
-                  : n == 1 ? ROUTE_AGREES
-                           : ROUTE_DIFFERS,
-                  result_str(l->j->out, "at x'_%d = V with |f| = u_r%d, where f = %s, %s", m, m, pull_text(l),
-                             n < 0    ? "the signs of the conditions are not known"
-                             : n == 0 ? "the condition of neither branch holds"
-                             : n == 1 ? "the condition of one branch holds"
-                                      : "the conditions of more than one branch hold"));
-  f->verdict = verdict_of(&w, 1, n == 1);
-  if (f->verdict != VERDICT_REFUTED || n != 0) return;
+  static const char *const applies[] = {"no branch applies", "one branch applies", "two branches apply", "three apply"};
+  int n[] = {at_limit(l, 1), at_limit(l, -1)}, m = l->mass + 1;
+  bool known = n[0] >= 0 && n[1] >= 0, once = n[0] == 1 && n[1] == 1;
+  const char *note =
+      known ? result_str(l->j->out, "at x'_%d = V, with f = %s, %s where f = u_r%d, and %s where f = -u_r%d", m,
+                         pull_text(l), applies[n[0]], m, applies[n[1]], m)
+            : "the signs of the conditions are not known";
+  struct route_result w = exact_route(f, l->j->out,
+                                      once    ? ROUTE_AGREES
+                                      : known ? ROUTE_DIFFERS
+                                              : ROUTE_UNDECIDED,
+                                      note);
+  f->verdict = verdict_of(&w, 1, once);
+  if (f->verdict != VERDICT_REFUTED) return;
   l->closed = true;
-  bool mended = at_limit(l) == 1 && every_cell_agrees(l);
+  bool mended = at_limit(l, 1) == 1 && at_limit(l, -1) == 1 && every_cell_agrees(l);
   f->correction = result_str(l->j->out, "<= in the place of < where the mass sticks");
   f->correction_verdict = mended ? VERDICT_PROVED : VERDICT_REFUTED;
   exact_route(f, l->j->out, mended ? ROUTE_AGREES : ROUTE_DIFFERS,
