@@ -181,7 +181,8 @@ START_TEST(values_of_the_oracle) {
 }
 END_TEST
 
-/* Brackets are nested as digits are asked for, one or two units wide, and hold at 60 digits too. */
+/* Brackets are nested as digits are asked for, one or two units wide, and hold at 60 digits too; the orbits at their ends
+   are told as much about. */
 START_TEST(more_digits_narrower_brackets) {
   const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
   struct line l;
@@ -190,7 +191,7 @@ START_TEST(more_digits_narrower_brackets) {
   fmpq_t width, unit;
   fmpq_init(width);
   fmpq_init(unit);
-  line_init(&l, params, P_E2, "1.7", "2.2");
+  line_init(&l, params, P_E2, "1.7", "2.6");
   for (int k = 0; k < 3; k++) {
     ck_assert_int_eq(find(&list[k], &l, digits[k]), SS_OK);
     ck_assert_int_eq(list[k].n, list[0].n);
@@ -203,6 +204,10 @@ START_TEST(more_digits_narrower_brackets) {
       fmpq_div(width, width, unit);
       ck_assert(fmpq_is_one(width) || fmpq_cmp_ui(width, 2) == 0);
       ck_assert(b->crosses && b->unique);
+      for (int end = 0; end < 2; end++)
+        for (int n = 0; n < b->beside[end].n; n++)
+          ck_assert(b->beside[end].orbit[n].stable != TRUTH_UNKNOWN &&
+                    b->beside[end].orbit[n].admissible != TRUTH_UNKNOWN);
       if (k > 0)
         ck_assert(fmpq_cmp(&b->low, &list[k - 1].at[i].low) >= 0 && fmpq_cmp(&b->high, &list[k - 1].at[i].high) <= 0);
     }

@@ -105,6 +105,10 @@ static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits
   for (int i = 0; z && i < n; i++) {
     text_add(out, i ? ", " : " ");
     print_known(out, acb_realref(z + i), digits);
+    if (arb_contains_zero(acb_realref(z + i)) && !arb_is_zero(acb_realref(z + i))) {
+      text_add(out, " within ");
+      print_radius(out, arb_radref(acb_realref(z + i)));
+    }
     if (arb_is_zero(acb_imagref(z + i))) continue;
     text_add(out, arb_is_negative(acb_imagref(z + i)) ? " " : " +");
     print_known(out, acb_imagref(z + i), digits);

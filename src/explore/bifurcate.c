@@ -311,7 +311,8 @@ struct line {
   slong n_starts, steps;
 };
 
-/* A bracket over which no proof succeeds is narrowed, and the precision raised. */
+/* A bracket over which no proof succeeds is narrowed, and the precision raised: at its ends conditions are nearly as
+   small as the square of its width. */
 static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool up, const struct crossing *c) {
   arb_ptr x = _arb_vec_init(4);
   for (int k = 0; k < 3; k++) arb_set_d(x + k, c->x[k]);
@@ -319,7 +320,7 @@ static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool u
   for (int i = 0; i < ATTEMPTS && !settled(b); i++) {
     struct curve curve;
     b->digits = l->digits + NARROWER * i;
-    b->prec = (slong)((double)b->digits * 3.33) + 96 * (i + 1);
+    b->prec = (slong)((double)b->digits * 3 * 3.33) + 96 * (i + 1);
     curve_init(&curve, l->of, up, c->x[1], b->prec);
     bool ok = curve_newton(x, x + 3, &curve, b->what) == SS_OK && arb_is_positive(x);
     if (ok) bracket(b, x);
