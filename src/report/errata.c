@@ -311,7 +311,7 @@ static void write_sheet(const struct sheet *s, const struct audit_result *r) {
   add_opening(s, r);
   add_roots(s, r, SEVERITY_SUBSTANCE, "What changes a result", true);
   add_roots(s, r, SEVERITY_REMARK, "Remarks", false);
-  add_roots(s, r, SEVERITY_NOTATION, "Slips of notation", false);
+  add_roots(s, r, SEVERITY_NOTATION, "Misprints and slips of notation", false);
   if (add_numbers(s, r)) {
     add_bounds(s, r);
     add_closure(s, r);

@@ -372,7 +372,7 @@ void page_findings(const struct page *p) {
     if (p->r->roots[i].severity == SEVERITY_SUBSTANCE) add_error(p, &p->r->roots[i]);
   add_others(p);
   add_list(p, SEVERITY_REMARK, "Remarks");
-  add_list(p, SEVERITY_NOTATION, "Slips of notation");
+  add_list(p, SEVERITY_NOTATION, "Misprints and slips of notation");
   add_undecided(p);
   text_add(p->out, "</section>\n");
 }
