@@ -456,8 +456,8 @@ class Scene:
 
     def simulate(self, start, duration=math.inf, returns=0, sample=0, route="closed"):
         """The motion under Coulomb's law (2) from orbit `start`, from the "printed" numbers, or from (x_1, x_2, x_1',
-        x_2'), until the duration is over or both masses have come to stick so many times; samples so far apart.  route:
-        closed forms in each mode, or integrated."""
+        x_2'), until the duration is over or both masses have come to stick so many times, of which one must be given;
+        samples so far apart.  route: closed forms in each mode, or integrated."""
         if start == "printed":
             asked = ("ss_motion_printed",)
         elif hasattr(start, "__index__"):

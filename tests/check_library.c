@@ -49,6 +49,13 @@ static void check_number(const ss_number *x, const char *decimal) {
     ck_assert_uint_gt(strlen(ss_error()), 0);                                                                          \
   } while (0)
 
+/* A wrong argument, of which the sentence says that. */
+#define FAILS_AT(call, which)                                                                                          \
+  do {                                                                                                                 \
+    FAILS(call, SS_ARGUMENT);                                                                                          \
+    ck_assert_msg(strstr(ss_error(), which) != NULL, "%s", ss_error());                                                \
+  } while (0)
+
 /* --- status.h, number.h --- */
 
 START_TEST(statuses_have_texts) {
@@ -641,10 +648,17 @@ START_TEST(a_motion_comes_back_after_a_period) {
     h = (struct heard){.most = 2};
     FAILS(ss_motion_run(NULL, m, route, 100, 0, 0, hear_event, NULL, &h), SS_STOPPED);
     ck_assert_int_eq(ss_motion_run(NULL, m, route, 1, 0, 0, NULL, NULL, NULL), SS_OK);
-    FAILS(ss_motion_run(&end, m, route, INFINITY, 0, 0, NULL, NULL, NULL), SS_DOMAIN);
-    FAILS(ss_motion_run(&end, m, route, NAN, 1, 0, NULL, NULL, NULL), SS_DOMAIN);
-    FAILS(ss_motion_run(&end, m, route, 1, -1, 0, NULL, NULL, NULL), SS_DOMAIN);
+    FAILS_AT(ss_motion_run(&end, m, route, INFINITY, 0, 0, NULL, NULL, NULL), "duration, or returns");
+    FAILS_AT(ss_motion_run(&end, m, route, NAN, 1, 0, NULL, NULL, NULL), "duration is");
+    FAILS_AT(ss_motion_run(&end, m, route, -1, 1, 0, NULL, NULL, NULL), "duration is");
+    FAILS_AT(ss_motion_run(&end, m, route, 1, -1, 0, NULL, NULL, NULL), "returns is");
+    FAILS_AT(ss_motion_run(&end, m, route, 1, 0, -1, NULL, NULL, NULL), "sample is");
+    FAILS_AT(ss_motion_run(&end, m, route, 1, 0, NAN, NULL, NULL, NULL), "sample is");
+    ck_assert_int_eq(ss_motion_run(NULL, m, route, 10, 0, 1e-300, NULL, NULL, NULL), SS_OK);
   }
+  struct heard all = {0};
+  FAILS(ss_motion_run(&end, m, SS_CLOSED, INFINITY, 1, 1e-300, NULL, hear_sample, &all), SS_UNABLE);
+  ck_assert_int_eq(all.samples, 10000000);
   FAILS(ss_motion_run(&end, m, 2, 1, 0, 0, NULL, NULL, NULL), SS_ARGUMENT);
   FAILS(ss_motion_run(&end, NULL, 0, 1, 0, 0, NULL, NULL, NULL), SS_ARGUMENT);
   ss_motion_free(m);

@@ -57,11 +57,12 @@ enum ss_route {
 };
 /* Runs from the start until the duration is reached, or the masses have come to stick both so many times (returns; 0:
    any number), whichever is first; one of them must be given (duration may be infinite, returns 0).  sample: the
-   distance of samples, at 0, sample, 2 sample, ...; 0: none.  Functions may be NULL.  end (or NULL) is the last
-   moment.  Measured on the paper's orbit over 200 periods: events within 1e-11 of multiprecision, by either route, in
-   about 10 ms. SS_STOPPED: a function said so.  SS_UNABLE: 10^6 events or 10^7 steps, no event will ever come, the
+   distance of samples, at 0, sample, 2 sample, ...; 0: none.  Functions may be NULL; without moment no sample is taken.
+   end (or NULL) is the last moment.  Measured on the paper's orbit over 200 periods: events within 1e-11 of
+   multiprecision, by either route, in about 10 ms.  SS_ARGUMENT: a motion without end, and what is negative or NaN.
+   SS_STOPPED: a function said so.  SS_UNABLE: 10^6 events, 10^7 samples or 10^7 steps, no event will ever come, the
    integrator gave up, or u_ri and u_si are nearer to each other than the rounding of the state; ss_error() says which,
-   and the moment is valid.  SS_DOMAIN: parameters that cannot be simulated, or a plan without end. */
+   and the moment is valid.  SS_DOMAIN: parameters that cannot be simulated. */
 SS_API int ss_motion_run(ss_moment *end, const ss_motion *m, int route, double duration, long returns, double sample,
                          ss_on_event event, ss_on_sample moment, void *self);
 

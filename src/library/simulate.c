@@ -86,7 +86,9 @@ struct listener {
   ss_on_event event;
   ss_on_sample sample;
   void *self;
+  long samples; /* told so far */
 };
+enum { MAX_SAMPLES = 10000000 };
 
 static struct ss_moment moment(const struct coulomb_row *r) {
   struct ss_moment m = {.t = r->t};
@@ -107,28 +109,43 @@ static bool on_event(void *self, const struct coulomb_event *e) {
 }
 
 static bool on_sample(void *self, const struct coulomb_row *r) {
-  const struct listener *l = self;
+  struct listener *l = self;
+  if (++l->samples > MAX_SAMPLES) return false;
   const struct ss_moment told = moment(r);
   return l->sample(l->self, &told) != 0;
+}
+
+/* SS_OK or SS_ARGUMENT, with the argument that is wrong. */
+static int plan_can_be(const char *function, double duration, long returns, double sample) {
+  if (!(duration >= 0))
+    return library_fail(SS_ARGUMENT, "%s: duration is a time from 0 to infinity, not %g", function, duration);
+  if (returns < 0) return library_fail(SS_ARGUMENT, "%s: returns is a number from 0, not %ld", function, returns);
+  if (!(sample >= 0 && isfinite(sample)))
+    return library_fail(SS_ARGUMENT, "%s: sample is a finite time from 0, not %g", function, sample);
+  if (isfinite(duration) || returns) return SS_OK;
+  return library_argument(function, "a motion without end; give a finite duration, or returns");
 }
 
 int ss_motion_run(ss_moment *end, const ss_motion *m, int route, double duration, long returns, double sample,
                   ss_on_event event, ss_on_sample sampled, void *self) {
   enum { MAX_STEPS = 10000000 };
   if (!m || (route != SS_INTEGRATED && route != SS_CLOSED)) return library_argument(__func__, "no motion or no route");
-  struct listener l = {event, sampled, self};
+  int status = plan_can_be(__func__, duration, returns, sample);
+  if (status) return status;
+  struct listener l = {event, sampled, self, 0};
   struct coulomb_sink sink = {&l, event ? on_event : NULL, sampled ? on_sample : NULL};
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result r = {.end = COULOMB_FAILED};
   plan.duration = duration;
   plan.returns = returns;
-  plan.sample = sample;
+  plan.sample = sampled ? sample : 0;
   plan.max_steps = MAX_STEPS;
-  int status = (route == SS_CLOSED ? coulomb_simulate_d : coulomb_simulate_ode)(&r, m->setup.params, m->setup.start,
-                                                                                &plan, &sink);
-  if (status & SS_DOMAIN)
-    return library_fail(SS_DOMAIN, "%s: parameters that cannot be simulated, or a plan without end", __func__);
+  status = (route == SS_CLOSED ? coulomb_simulate_d : coulomb_simulate_ode)(&r, m->setup.params, m->setup.start, &plan,
+                                                                            &sink);
+  if (status & SS_DOMAIN) return library_fail(SS_DOMAIN, "%s: parameters that cannot be simulated", __func__);
   if (end) *end = moment(&r.at);
+  if (l.samples > MAX_SAMPLES)
+    return library_fail(SS_UNABLE, "%s: ended early at t = %.10g: more than %d samples", __func__, r.at.t, MAX_SAMPLES);
   if (r.end == COULOMB_STOPPED) return library_fail(SS_STOPPED, "%s: stopped by the caller", __func__);
   return status ? library_fail(status, "%s: ended early at t = %.10g: %s", __func__, r.at.t, coulomb_end_name[r.end])
                 : SS_OK;

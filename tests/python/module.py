@@ -267,7 +267,9 @@ class Wrong(unittest.TestCase):
         self.fails(status.INPUT, scene.jacobian, 2)
         self.fails(status.ARGUMENT, scene.simulate, -1, returns=1)
         self.fails(status.ARGUMENT, scene.jacobian, -1)
-        self.fails(status.DOMAIN, scene.simulate, 1)
+        for says, wrong in {"duration, or returns": {}, "duration is": {"duration": -1}, "returns is": {"returns": -1},
+                            "sample is": {"duration": 1, "sample": -1}}.items():
+            self.assertIn(says, self.fails(status.ARGUMENT, scene.simulate, 1, **wrong).message)
         self.fails(status.ARGUMENT, scene.sweep, "u_r1", 1, 2, 3)
         self.fails(status.INPUT, scene.sweep, "chi", "1/2", 2, 3)
         self.fails(status.INPUT, scene.audit, "no-such-claim")
