@@ -169,8 +169,8 @@ __version__ = _lib.ss_version().decode()
 
 
 class Error(Exception):
-    """What the library could not do: status and its text, message, and where an input is wrong the file, line and
-    column, which are None elsewhere."""
+    """What the library could not do: status and its text, message, which counts orbits from 1 as the commands do, and
+    where an input is wrong the file, line and column, which are None elsewhere."""
 
     def __init__(self, status, message):
         super().__init__(status, message)

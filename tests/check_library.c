@@ -504,6 +504,7 @@ START_TEST(formulas_that_have_no_value) {
   FAILS(ss_formula_evaluate(f, s, SS_AT_PARAMETERS, "chi=2", 15), SS_INPUT);
   FAILS(ss_formula_evaluate(f, s, SS_AT_PARAMETERS, "one", 15), SS_INPUT);
   FAILS(ss_formula_evaluate(f, s, 2, NULL, 15), SS_INPUT);
+  ck_assert_ptr_nonnull(strstr(ss_error(), "no orbit 3; 2 are found"));
   FAILS(ss_formula_evaluate(f, s, -3, NULL, 15), SS_ARGUMENT);
   FAILS(ss_formula_evaluate(f, s, 0, NULL, 0), SS_ARGUMENT);
   FAILS(ss_formula_evaluate(f, NULL, 0, NULL, 15), SS_ARGUMENT);
@@ -585,6 +586,7 @@ START_TEST(jacobians_that_cannot_be_asked_for) {
   FAILS(ss_jacobian_find(&j, p, NULL, SS_ANALYTIC, SS_PRINTED, 1, 15), SS_ARGUMENT);
   FAILS(ss_jacobian_find(NULL, p, s, SS_ANALYTIC, SS_PRINTED, 1, 15), SS_ARGUMENT);
   FAILS(ss_jacobian_find(&j, p, s, SS_IMPLICIT, SS_PRINTED, 2, 15), SS_INPUT);
+  ck_assert_ptr_nonnull(strstr(ss_error(), "no orbit 3; 2 are found"));
   ck_assert_ptr_null(j);
   FAILS(ss_jacobian_find(&j, p, other, SS_IMPLICIT, SS_PRINTED, 0, 15), SS_INPUT);
   FAILS(ss_phases_find(&z, p, s, 2, 15), SS_INPUT);

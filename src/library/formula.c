@@ -132,7 +132,7 @@ static bool place(struct point *p, const struct scene *s, long at, const char *v
   else if (at == SS_AT_PRINTED && !printed_point(p, s))
     diag_set(d, "%.300s: error: the scene does not print the state and the times", s->path);
   else if (at >= 0 && at >= scene_orbits(s, cache)->n)
-    diag_set(d, "%.300s: error: there is no orbit %ld, counted from 0", s->path, at);
+    scene_lacks_orbit(s, at, scene_orbits(s, cache)->n, d);
   if (d->set) return false;
   if (at >= 0) {
     p->kind = POINT_ORBIT;
