@@ -99,7 +99,8 @@ static void check_answer(int status, const char *out, const char *err, char *con
 }
 
 static void try_command(char *column[MOST_COLUMNS]) {
-  static const char *const name[] = {"audit.json", "file.claim", "file.eq", "file.json", "file.scene", "file.tsv"};
+  static const char *const name[] = {"audit.json", "file.claim",  "file.eq", "file.json",
+                                     "file.scene", "file.system", "file.tsv"};
   struct text file, command;
   text_init(&file);
   text_init(&command);
@@ -110,7 +111,7 @@ static void try_command(char *column[MOST_COLUMNS]) {
   char *out = file_text(scratch_path("out")), *err = file_text(scratch_path("err"));
   check_answer(status, out, err, column);
   ck_assert_str_eq(scratch_list(scratch_path("")),
-                   "audit.json err file.claim file.eq file.json file.scene file.tsv out");
+                   "audit.json err file.claim file.eq file.json file.scene file.system file.tsv out");
   free(err);
   free(out);
   text_clear(&command);

@@ -62,7 +62,10 @@ static bool constant_root(fmpq_t z, const struct constant *c, const struct expr 
     return constant_complain(c, e, "the root of a negative number; give a number that is not negative");
   if (!fmpz_is_square(fmpq_numref(z)) || !fmpz_is_square(fmpq_denref(z)))
     return constant_complain(
-        c, e, "this root is irrational, and values are exact: give a decimal, or an interval [low, high] around it");
+        c, e,
+        c->or_interval
+            ? "this root is irrational, and values are exact: give a decimal, or an interval [low, high] around it"
+            : "this root is irrational, and values are exact: give a decimal");
   fmpz_sqrt(fmpq_numref(z), fmpq_numref(z));
   fmpz_sqrt(fmpq_denref(z), fmpq_denref(z));
   return true;

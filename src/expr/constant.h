@@ -19,6 +19,7 @@ struct constant {
   bool (*symbol)(fmpq_t z, void *arg, const struct constant *c, const struct expr *e);
   const char *names; /* what names stand for, "the scene's other parameters" */
   void *arg;
+  bool or_interval; /* an interval may stand in its place */
 };
 /* Is the statement NAME = VALUE, without a range? */
 bool constant_is_given(const struct stmt *s);

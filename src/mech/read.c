@@ -74,7 +74,7 @@ static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct ex
 }
 
 static bool evaluate(fmpq_t z, struct reader *r, const struct expr *e) {
-  struct constant c = {r->src, r->d, &r->depth, &r->work, refer, "the parameters above it", r};
+  struct constant c = {r->src, r->d, &r->depth, &r->work, refer, "the parameters above it", r, false};
   return constant_eval(z, &c, e);
 }
 
