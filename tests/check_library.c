@@ -132,7 +132,7 @@ static int count_names(void *self, const char *name) {
 }
 
 START_TEST(scenes_are_opened_read_and_changed) {
-  ss_scene *s, *t;
+  ss_scene *s, *t, *none;
   int n = 0;
   setenv("STICKSLIP_DATA", data, 1);
   ck_assert_str_eq(ss_data_folder(), data);
@@ -160,6 +160,8 @@ START_TEST(scenes_are_opened_read_and_changed) {
   check_number(ss_scene_printed(s, "x"), "3");
   ck_assert_int_eq(ss_scene_read(&t, "mine", "chi = 1/2\neta = 1\nV = 1\ne1 = [1, 2]\ne2 = 1\n"), SS_OK);
   ck_assert_str_eq(ss_scene_name(t), "mine");
+  FAILS(ss_scene_open(&none, "chain3", NULL), SS_INPUT);
+  ck_assert_ptr_nonnull(strstr(ss_error(), "the library takes none"));
   ck_assert_ptr_null(ss_scene_parameter(t, "e1"));
   ss_scene_free(t);
   ss_scene_free(s);

@@ -12,7 +12,8 @@
    Here e_i = u_ri - u_si.  Domain: 0 < chi < 1; all others positive but t_a, which has any sign; u_ri above e_i.
    Values are constant expressions, 0.8 or 4/5 or sqrt(4/9), and kept exact.  A line "word: D Gamma H Gamma" names
    another sequence of phases than the paper's D-Gamma-H-C (words.h); chi, eta, V, e1 and e2 may be intervals, e2 =
-   [1.7, 1.9], which audit.h alone takes.  The whole language: stickslip-scene(5). */
+   [1.7, 1.9], which audit.h alone takes.  A scene that names a system file is the program's alone, here SS_INPUT.  The
+   whole language: stickslip-scene(5). */
 #ifndef SS_SCENE_H
 #define SS_SCENE_H
 

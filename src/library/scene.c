@@ -71,7 +71,12 @@ static struct ss_scene *make(const char *spec, const char *text, const char *dat
   struct ss_scene *z = ss_malloc(sizeof *z);
   struct diag d = {0};
   const struct scene_overrides o = {(const char *const *)set, n_set, "--set"};
-  if (!(text ? scene_load_text(&z->s, spec, text, &o, true, &d) : scene_load_with(&z->s, spec, data, &o, true, &d))) {
+  bool ok = text ? scene_load_text(&z->s, spec, text, &o, SCENE_OF_ANY_SYSTEM, &d)
+                 : scene_load_with(&z->s, spec, data, &o, SCENE_OF_ANY_SYSTEM, &d);
+  if (ok && z->s.system)
+    diag_set(&d, "%.300s: error: a scene of the system file %.300s; the library takes none, only the program stickslip",
+             z->s.path, z->s.system);
+  if (!ok || z->s.system) {
     library_input(&d);
     scene_clear(&z->s);
     free(z);
