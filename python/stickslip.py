@@ -383,6 +383,7 @@ class Scene:
     has a slash or ends in .scene, or by its name on file.  Threads that share a scene wait for each other."""
 
     def __init__(self, spec="paper", data=None):
+        os.fspath(spec)  # TypeError where it is neither a text nor a path: 5 is not the file 5.scene
         self._hold(data, "ss_scene_open", _text(spec), _text(data))
 
     @classmethod

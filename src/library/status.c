@@ -26,7 +26,7 @@ int library_argument(const char *function, const char *what) {
 
 int library_digits(const char *function, size_t digits, size_t most) {
   if (digits >= 1 && digits <= most) return SS_OK;
-  return library_fail(SS_ARGUMENT, "%s: from 1 to %zu digits can be had, not %zu", function, most, digits);
+  return library_fail(SS_ARGUMENT, "%s: from 1 to %zu digits can be had", function, most);
 }
 
 char *library_take(struct text *t) {

@@ -263,10 +263,12 @@ class Wrong(unittest.TestCase):
         scene, status = stickslip.Scene(), stickslip.Status
         self.fails(status.ARGUMENT, scene.orbits, 0)
         self.fails(status.ARGUMENT, scene.orbits, -1)
-        self.fails(status.ARGUMENT, stickslip.Scene, None)
         self.fails(status.INPUT, scene.jacobian, 2)
         self.fails(status.ARGUMENT, scene.simulate, -1, returns=1)
         self.fails(status.ARGUMENT, scene.jacobian, -1)
+        self.assertTrue(self.fails(status.ARGUMENT, scene.orbits, -1).message.endswith("digits can be had"))
+        for neither in (5, None):
+            self.assertRaises(TypeError, stickslip.Scene, neither)
         for says, wrong in {"duration, or returns": {}, "duration is": {"duration": -1}, "returns is": {"returns": -1},
                             "sample is": {"duration": 1, "sample": -1}}.items():
             self.assertIn(says, self.fails(status.ARGUMENT, scene.simulate, 1, **wrong).message)
