@@ -11,6 +11,11 @@ int run_system(const struct options *o, const char *data, struct diag *d) {
   if (o->operands.n != 1) return usage("system takes one FILE");
   struct mech m;
   struct text path = {0};
+  if (path_has_suffix(o->operands.word[0], ".scene")) {
+    diag_set(d, "%.300s: error: a scene; system takes the file that its line \"system: FILE\" names",
+             o->operands.word[0]);
+    return EXIT_INPUT;
+  }
   scene_system_path(&path, o->operands.word[0], data);
   bool ok = mech_load(&m, text_str(&path), d);
   text_clear(&path);

@@ -522,7 +522,7 @@ static bool load(struct scene *s, const char *spec, const char *text, const char
   s->title = ss_strdup("");
   struct reader r = {.s = s, .d = d, .text = text};
   arena_init(&r.arena);
-  bool ok = (text || scene_is_there(s, spec, data, d)) && is_no_system(spec, d) && read_all(&r, o);
+  bool ok = is_no_system(spec, d) && (text || scene_is_there(s, spec, data, d)) && read_all(&r, o);
   arena_clear(&r.arena);
   bool exact = any == SCENE_EXACT || any == SCENE_EXACT_OR_SYSTEM, system = any >= SCENE_EXACT_OR_SYSTEM;
   if (!ok || !s->system) return ok && (!exact || (scene_one_point(s, d) && scene_papers_word(s, d)));

@@ -78,7 +78,10 @@ bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *
   if (ok) {
     ok = mech_load_with(m, text_str(&path), s->system_value, d);
   } else {
-    diag_at(d, s->system_src, s->system_at, "%s: %s", text_str(&path), strerror(errno));
+    int err = errno;
+    bool named = !scene_spec_is_path(s->system, SYSTEM_SUFFIX);
+    diag_at(d, s->system_src, s->system_at, "%s: %s%s", text_str(&path), strerror(err),
+            named ? "; the path of a file of one's own has a / or ends in .system" : "");
     mech_init(m);
   }
   text_clear(&path);
