@@ -126,8 +126,9 @@ static const char *const of_mass[] = {"inertia", "sliding", "static", "surface",
 static bool unknown_field(struct reader *r, const struct record *of, const struct field *f, const char *const *keys) {
   struct text known = {0};
   for (int k = 0; keys[k]; k++) text_printf(&known, "%s%s", k ? ", " : "", keys[k]);
-  diag_at(r->d, r->src, f->attribute ? f->key.begin : f->value.begin, "a %s has the lines %s only", of->kind_name,
-          text_str(&known));
+  diag_at(r->d, r->src, f->attribute ? f->key.begin : f->value.begin, "%s %s has the lines %s only%s",
+          of->kind_name[0] == 'o' ? "an" : "a", of->kind_name, text_str(&known),
+          f->attribute ? "" : ", each as \"NAME: VALUE\"");
   text_clear(&known);
   return false;
 }
