@@ -486,7 +486,7 @@ class Scene:
 
     def audit(self, only=None, jobs=1):
         """The paper's claims, judged: audit.json as a dictionary.  only: ids with commas between, "eq-40,num-t_a";
-        without, all that the scene asks for, which takes minutes.  jobs: how many processes."""
+        without, all that the scene asks for, which takes seconds.  jobs: how many processes."""
         with self._open() as s, _made("ss_paper_open", "ss_paper_free", _text(self._data)) as paper:
             with _made("ss_audit_run", "ss_audit_free", paper, s, _text(only), jobs, None, None) as audit:
                 return json.loads(_taken("ss_audit_json", audit))

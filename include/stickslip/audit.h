@@ -40,7 +40,7 @@ SS_API const char *ss_claim_attribute(const ss_paper *p, size_t i, const char *n
 
 typedef struct ss_audit ss_audit;
 /* Judges the claims that `only` selects and the scene asks for, and the controls beside them: ids with commas between,
-   "eq-40" or "eq-40,num-t_a", of which eq-27 selects eq-27b too; NULL: all, which takes minutes.  The same verdicts by
+   "eq-40" or "eq-40,num-t_a", of which eq-27 selects eq-27b too; NULL: all, which takes seconds.  The same verdicts by
    any number of jobs (processes, 1 to 64).  progress (or NULL) is told of pieces done, of all known so far.  SS_INPUT:
    nothing is selected, or the files are at fault. */
 SS_API int ss_audit_run(ss_audit **out, const ss_paper *p, const ss_scene *s, const char *only, int jobs,
