@@ -143,7 +143,7 @@ $(PARTS:%=$(B)/%.o): $(B)/%.o: % Makefile
 -include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(FOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(RANKS:.o=.d) $(B)/src/main.d
 
 verify: ## audit the paper: writes reports/paper/, fails when a verdict differs from its record
-	@$(MAKE) --no-print-directory -j$(JOBS) $(B)/stickslip
+	@$(MAKE) --no-print-directory -j$(JOBS) $(B)/stickslip $(B)/stickslip-checker
 	@$(B)/stickslip plot paper --out reports/paper > /dev/null
 	$(B)/stickslip verify
 

@@ -130,7 +130,7 @@ static int checker(const char *text) {
   return checker_on(scratch_put("certificate.json", text));
 }
 
-enum { VERIFIED = 0, REJECTED = 1, BAD_FILE = 3 };
+enum { VERIFIED = 0, REJECTED = 1, USAGE = 2, BAD_FILE = 3 };
 
 static void verified(const struct study *s) {
   ck_assert_msg(checker(text_str(&s->json)) == VERIFIED, "%s", said);
@@ -581,6 +581,12 @@ START_TEST(a_box_without_its_orbit_is_rejected) {
   ck_assert_msg(checker(text_str(&s.json)) == REJECTED, "%s", said);
   ck_assert(strstr(said, "its box") != NULL);
   study_close(&s);
+}
+END_TEST
+
+START_TEST(the_checker_says_how_it_is_called) {
+  ck_assert_int_eq(checker_on("--help"), USAGE);
+  ck_assert(strstr(said, "usage: stickslip-checker CERTIFICATE") != NULL);
 }
 END_TEST
 
@@ -1209,6 +1215,7 @@ Suite *certify_suite(void) {
   tcase_add_test(lies, a_margin_below_its_modulus_is_rejected);
   tcase_add_test(lies, later_events_are_no_orbits);
   tcase_add_test(lies, a_box_without_its_orbit_is_rejected);
+  tcase_add_test(lies, the_checker_says_how_it_is_called);
   tcase_add_test(lies, entries_are_different_orbits);
   tcase_add_test(lies, static_friction_has_a_range);
   tcase_add_test(lies, no_answer);

@@ -519,7 +519,9 @@ static int read_certificate(void) {
 
 int main(int argc, char **argv) {
   use_own_memory();
-  if (argc != 2) stop(USAGE, "usage: stickslip-checker CERTIFICATE");
+  if (argc != 2 || strcmp(argv[1], "--help") == 0)
+    stop(USAGE, "usage: stickslip-checker CERTIFICATE, a file of stickslip orbit --certificate; "
+                "status 0: verified, 1: rejected, 2: usage, 3: no certificate, 4: no answer");
   read_file(argv[1]);
   int n = read_certificate();
   for (int i = 0; i < n; i++) {
