@@ -878,7 +878,7 @@ static const char along_e2[] = "title: the paper's masses, with e_2 to vary\n"
 static void follow_to(struct mech_follow *f, slong to, enum mech_turn what) {
   struct diag d;
   static const struct mech_word papers = {N_PHASES, {"ss", "-s", "--", "s-"}};
-  struct mech_line l = {scratch_put("line.system", along_e2), "e2", NULL, {{19, 10}}, {{to, 10}}, 12, 128};
+  struct mech_line l = {scratch_put("line.system", along_e2), "e2", NULL, {{19, 10}}, {{to, 10}}, 12, 128, NULL};
   diag_init(&d);
   ck_assert_msg(mech_follow(f, &l, &papers, &d), "%s", d.message);
   ck_assert_int_eq(f->n_changes, 1);
@@ -893,7 +893,7 @@ static bool brackets_meet(const struct mech_change *c, const struct dyn_bifurcat
 static void follow_file(struct mech_follow *f, const char *written, const char *name, const fmpq *from,
                         const fmpq *to) {
   struct diag d;
-  struct mech_line l = {scratch_put("line.system", written), name, NULL, {*from}, {*to}, 12, 128};
+  struct mech_line l = {scratch_put("line.system", written), name, NULL, {*from}, {*to}, 12, 128, NULL};
   diag_init(&d);
   ck_assert_msg(mech_follow(f, &l, NULL, &d), "%s", d.message);
 }

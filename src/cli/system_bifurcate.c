@@ -186,7 +186,9 @@ static int show(const struct options *o, const struct shown *given, const struct
   struct mech_follow f;
   struct shown v = *given;
   struct text out = {0};
+  progress_begin();
   bool ok = mech_follow(&f, v.l, w->n ? w : NULL, d);
+  progress_end();
   v.f = &f;
   if (ok && f.spent)
     fprintf(stderr, "%s: warning: the search ran into its limit; there may be more changes\n", v.s->path);
@@ -224,8 +226,9 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
   int status = parse_along(&a, &name, o);
   if (!status) {
     scene_system_path(&path, s->system, data);
-    struct mech_line l = {text_str(&path), text_str(&name), s->system_value,  {a.from[0]},
-                          {a.to[0]},       digits,          word_bits(digits)};
+    struct mech_line l = {
+        text_str(&path), text_str(&name), s->system_value,   {a.from[0]},
+        {a.to[0]},       digits,          word_bits(digits), progress_wanted() ? progress_count : NULL};
     struct shown v = {.m = &m, .l = &l, .s = s, .digits = digits, .decimals = decimals_of(&l)};
     if (scene_load_system(&m, &w, s, data, d)) status = show(o, &v, &w, d);
     mech_clear(&m);

@@ -25,6 +25,7 @@ struct walker {
   bool ended;                 /* the branch, with the last change */
   fmpq_t least, small;        /* the width at which a bracket is narrow enough; one at which neighbours are orbits */
   struct mech_orbits arrived; /* at the end that was walked to */
+  size_t done, branches;      /* steps of all branches from this end; how many branches there are at most */
 };
 
 static bool has_stopped(const struct walker *w) {
@@ -91,6 +92,7 @@ static bool leads_back(struct walker *w, const struct station *to, const struct 
 /* The orbit at to->at that the one of `from` becomes, or the solution of its equations that is none of the word. */
 static void reach(struct walker *w, struct station *to, const struct station *from) {
   if (has_stopped(w)) return;
+  if (w->l->progress) w->l->progress((w->backward ? STEPS : 0) + w->done / w->branches, 2 * STEPS);
   if (to->found) mech_orbit_clear(&to->orbit);
   w->f->looks++;
   to->found = solve_at(to, w, &from->orbit);
@@ -228,6 +230,7 @@ static void walk(struct walker *w, struct mech_orbit *start) {
     bool on = between(w, &here, &next);
     station_clear(on ? &here : &next);
     if (on) here = next;
+    w->done++;
   }
   if (w->ended)
     side_copy(&b->end[!w->backward], &f->change[f->n_changes - 1].side[w->backward]);
@@ -248,7 +251,9 @@ static void walk_all(struct walker *w, const struct mech_word *word, bool backwa
   bool ok = load(&m, w, backward ? w->l->to : w->l->from);
   if (ok) mech_orbits_find(&list, &m, word, false, w->l->prec);
   mech_clear(&m);
+  w->branches = (size_t)list.n;
   for (int i = 0; i < list.n; i++) {
+    w->done = (size_t)i * STEPS;
     if (list.orbit[i].own == TRUTH_TRUE && list.orbit[i].certified && !mech_orbits_hold(&w->arrived, &list.orbit[i]))
       walk(w, &list.orbit[i]);
     else
