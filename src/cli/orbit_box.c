@@ -123,6 +123,14 @@ static void box_json(struct text *out, const struct dyn_box *box, const struct s
   arb_clear(x);
 }
 
+/* The i-th number where the scene gives it, and not as an interval; NULL elsewhere. */
+static const fmpq *exact_number(const struct scene *s, int i) {
+  const fmpq *given = scene_given_number(s, i);
+  for (int k = 0; k < N_SCENE_PARAMS; k++)
+    if (s->interval[k] && given == &s->value[k]) return NULL;
+  return given;
+}
+
 static void orbit_text(struct text *out, const struct dyn_box_orbit *b, const struct scene *s, slong digits) {
   const struct dyn_orbit *o = &b->orbit;
   truth u[2], admissible = box_admissible(u, s, b);
@@ -135,7 +143,9 @@ static void orbit_text(struct text *out, const struct dyn_box_orbit *b, const st
   if (b->proved && b->word != TRUTH_TRUE) text_add(out, "  perhaps not of the word all over the box\n");
   for (int i = 0; i < ORBIT_NUMBERS; i++) {
     text_printf(out, "  %-8s ", orbit_number_name(i));
-    if (b->proved)
+    if (exact_number(s, i))
+      num_print_rational(out, exact_number(s, i), digits);
+    else if (b->proved)
       add_interval(out, orbit_number(o, i), digits);
     else
       add_middle(out, orbit_number(o, i), digits);
