@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Bifurcation values along lines in parameter space; writes bifurcations.tsv.
 
-Unknowns are the parameter p and r = z_2 - z_1 at the stick phase.  The return map is equality.py's (matrix exponentials,
+Unknowns are the parameter p and r = z_2 - z_1 at the stick phase.  The return map is equality.py's (series,
 secant searches for events); its fixed point is followed in p, or at a fold p is solved for at given r, and a function of
 the orbit is brought to zero by the secant method.  Slopes are central differences of the map itself.  Nothing of the suite.
 
@@ -9,14 +9,14 @@ Fields: chi eta V e1 e2 (that of the line is -), name and ends of the line, kind
 import sys
 
 from equality import around, event, fixed, flow
-from mpmath import matrix, mp, mpf, nstr
+from mpmath import mp, mpf, nstr
 
 NAMES = ["chi", "eta", "V", "e1", "e2"]
 
 
 def states(par, r, times):
     chi, eta, V, e1, e2 = par
-    z = matrix([(e1 + chi * r) / (1 - chi), (e1 + r) / (1 - chi), V, V])
+    z = [(e1 + chi * r) / (1 - chi), (e1 + r) / (1 - chi), V, V]
     out = [z]
     for phase, t in zip("GHC", times):
         z = flow(phase, par, z, t)
@@ -39,20 +39,19 @@ def top(par, r, times, mass):
     """The greatest of the maxima of z' - V inside phase H, by a scan and a secant search on z''."""
     z = states(par, r, times)[1]
     h = times[1] / 400
-    step = flow("H", par, matrix(4, 4) + mp.eye(4), h)
 
     def force(y):
         w, chi_r = y[0] - par[0] * y[1], par[0] * (y[1] - y[0])
         return -w if mass == 0 else -par[1] * chi_r
 
-    best, y, t, before = None, step * z, h, force(z)
+    best, y, t, before = None, flow("H", par, z, h), h, force(z)
     for _ in range(398):
         now = force(y)
         if before > 0 >= now:
             s = mp.findroot(lambda s: force(flow("H", par, z, s)), (t - h, t), tol=mpf(10) ** -90)
             value = flow("H", par, z, s)[2 + mass] - par[2]
             best = value if best is None else max(best, value)
-        before, y, t = now, step * y, t + h
+        before, y, t = now, flow("H", par, y, h), t + h
     return best
 
 

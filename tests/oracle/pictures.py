@@ -1,6 +1,6 @@
 """pictures.py FOLDER SCENE [asked]: hold what stickslip plot SCENE has written against the equations of motion and other data.
 
-States along the motions are recomputed by mpmath's matrix exponential from the start and the times that orbits.tsv,
+States along the motions are recomputed by equality.py's flow from the start and the times that orbits.tsv,
 paper_1000.tsv and arcs.tsv hold (SCENE is a name in orbits.tsv); samples along e2 by equality.py, changes on the paper's line by
 bifurcations.tsv; the return map by Runge-Kutta steps of (1) with the events
 found by bisection; its slopes, and the rates of the long runs, are the traces of orbits.tsv; the printed start keeps its word
@@ -54,20 +54,15 @@ class Scene:
         arcs = [l.split() for l in (HERE / "arcs.tsv").read_text().splitlines() if not l.startswith("#")]
         self.printed = next((a for a in arcs if name == "paper" and a[5:7] == ["0.8921", "-2.1958"]), None)
 
-    def system(self, phase):
-        ce, rows = self.chi * self.eta, {1: (0, 0), 2: (0, 0)}
-        if phase in ("Gamma", "H"):
-            rows[1] = (-1, self.chi)
-        if phase in ("H", "C"):
-            rows[2] = (ce, -ce)
-        return mpmath.matrix([[0, 0, 1, 0], [0, 0, 0, 1], [*rows[1], 0, 0], [*rows[2], 0, 0]])
+    def flow(self, phase, z, t):
+        return equality.flow(phase[0], (self.chi, self.eta), z, t)
 
     def motion(self, z10, z20, times):
-        """For each phase its start in time, its system and its starting state."""
-        z, t, out = mpmath.matrix([z10, z20, self.v, self.v]), mpf(0), []
+        """For each phase its start in time and its starting state."""
+        z, t, out = [z10, z20, self.v, self.v], mpf(0), []
         for phase, last in zip(WORD, times):
-            out.append((t, self.system(phase), z))
-            z, t = mpmath.expm(self.system(phase) * last) * z, t + last
+            out.append((t, z))
+            z, t = self.flow(phase, z, last), t + last
         return out, t
 
     def next_r(self, r):
@@ -90,10 +85,11 @@ class Scene:
 
         below = {"Gamma": lambda y: chi * (y[1] - y[0]) < e2, "H": lambda y: y[2] < v, "C": lambda y: y[3] < v}
         for phase in WORD[1:]:
-            h, n, side = 1 / 256, 0, below[phase](y)
-            while below[phase](step(y, h, phase)) == side:
-                y, n = step(y, h, phase), n + 1
-                assert n < 256 * 200
+            h, n, side = 1 / 64, 0, below[phase](y)
+            after = step(y, h, phase)
+            while below[phase](after) == side:
+                y, after, n = after, step(after, h, phase), n + 1
+                assert n < 64 * 200
             low, high = 0, h
             for _ in range(50):
                 mid = (low + high) / 2
@@ -122,12 +118,11 @@ def motion_errors(folder, s):
     marks = {m: [] for m in times}
     for h, p in zip(history, portrait):
         name, phase = h["motion"], WORD.index(h["phase"])
-        (begin, system, z), last = motions[name][0][phase], times[name][phase]
+        (begin, z), last = motions[name][0][phase], times[name][phase]
         at = mpf(h["t"]) - begin
-        share = at / last * round(len([x for x in history if x["motion"] == name and x["phase"] == h["phase"]]) - 1)
-        exact = last * mpmath.nint(share) / (len([x for x in history if x["motion"] == name and
-                                                  x["phase"] == h["phase"]]) - 1)
-        z = mpmath.expm(system * exact) * z
+        parts = len([x for x in history if x["motion"] == name and x["phase"] == h["phase"]]) - 1
+        exact = last * mpmath.nint(at / last * parts) / parts
+        z = s.flow(h["phase"], z, exact)
         cells = [(h["t"], begin + exact), (h["z_1"], z[0]), (h["z_2"], z[1]), (p["z_1"], z[0]), (p["z'_1"], z[2]),
                  (p["z_2"], z[1]), (p["z'_2"], z[3])]
         if name == "orbit":
@@ -397,8 +392,8 @@ def animation_errors(folder, s):
     times = [mpf(orbit[k]) for k in ("t_a", "t_b", "t_c", "t_d")]
     motion, period = s.motion(mpf(orbit["z10"]), mpf(orbit["z20"]), times)
     for row in rows:
-        begin, system, z = motion[WORD.index(row["phase"])]
-        z = mpmath.expm(system * (mpf(row["t"]) - begin)) * z
+        begin, z = motion[WORD.index(row["phase"])]
+        z = s.flow(row["phase"], z, mpf(row["t"]) - begin)
         want = {"z_1": z[0], "z_2": z[1], "z'_1": z[2], "z'_2": z[3], "pull_1": z[0] - s.chi * z[1],
                 "pull_2": s.chi * (z[1] - z[0])}
         if any(abs(mpf(row[k]) - want[k]) > 5e-6 for k in want):
@@ -409,7 +404,7 @@ def animation_errors(folder, s):
             yield "animation: limits of %s" % row
     ends = [sum(times[:k]) for k in range(5)]
     at = ["%.2f" % (100 * t / period) for t in ends]
-    states = [m[2] for m in motion] + [motion[0][2]]
+    states = [z for _, z in motion] + [motion[0][1]]
     x = [[float(re.search(r"[\d.-]+", frames(text, "m%d" % k)[p])[0]) for p in at] for k in (1, 2)]
     scale = (x[0][2] - x[0][0]) / float(states[2][0] - states[0][0])
     for k in range(2):
