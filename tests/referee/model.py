@@ -9,6 +9,7 @@ from mpmath import findroot, matrix, mp, mpf
 
 mp.dps = 30
 FINE = 1 / mpf(64)  # step of the scan for first events, and of series
+BITS = 160  # of what is behind the point in series
 
 
 def number(text):
@@ -64,24 +65,26 @@ def system(c, phase):
 
 
 def times(a, b):
+    """Of matrices whose entries are whole multiples of 2^-BITS."""
     columns = list(zip(*b))
-    return [[sum(x * y for x, y in zip(row, column)) for column in columns] for row in a]
+    return [[sum(map(int.__mul__, row, column)) >> BITS for column in columns] for row in a]
 
 
 def exponential(a, t):
-    """exp(a t), a as a list of rows: Taylor's series for t/2^n below 1/64, squared n times; mpmath's own is slow."""
+    """exp(a t), a as a list of rows: Taylor's series for t/2^n below 1/64, squared n times, all in integers; mpmath's own
+    is slow."""
     n = 0
     while abs(t) > FINE * 2**n:
         n += 1
-    one = [[mpf(i == k) for k in range(len(a))] for i in range(len(a))]
-    a, e, term, k = [[x * t / 2**n for x in row] for row in a], one, one, 0
-    while max(abs(x) for row in term for x in row) > mpf(10) ** -38:
+    e = term = [[(i == k) << BITS for k in range(len(a))] for i in range(len(a))]
+    a, k = [[int(x * t * mpf(2) ** (BITS - n)) for x in row] for row in a], 0
+    while max(abs(x) for row in term for x in row) > 1:
         k += 1
-        term = [[x / k for x in row] for row in times(term, a)]
+        term = [[x // k for x in row] for row in times(term, a)]
         e = [[x + y for x, y in zip(p, q)] for p, q in zip(e, term)]
     for _ in range(n):
         e = times(e, e)
-    return e
+    return [[x / mpf(2) ** BITS for x in row] for row in e]
 
 
 def flow(c, phase, t):
