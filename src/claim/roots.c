@@ -29,10 +29,12 @@ static bool check_names(const struct claims *roots, size_t i, const struct claim
   const struct claim *root = &roots->claim[i];
   char name[64];
   for (const char *p = claim_get(root, "claims"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
-    const struct claim *before = root_of(roots, i, name);
-    if (claim_named(claims, name) && !before) continue;
-    return before ? claim_mistake(root, "claims", d, "%s stands at the root %s already", name, before->id)
-                  : claim_mistake(root, "claims", d, "there is no claim %s", name);
+    const struct claim *before = root_of(roots, i, name), *c = claim_named(claims, name);
+    if (before) return claim_mistake(root, "claims", d, "%s stands at the root %s already", name, before->id);
+    if (!c) return claim_mistake(root, "claims", d, "there is no claim %s", name);
+    const char *record = claim_get(c, "record");
+    if (record && !verdict_fails(verdict_parse(record)))
+      return claim_mistake(root, "claims", d, "%s is on record as %s", name, record);
   }
   return true;
 }

@@ -311,8 +311,8 @@ struct line {
   slong n_starts, steps;
 };
 
-/* A bracket over which no proof succeeds is narrowed, and the precision raised: at its ends conditions are nearly as
-   small as the square of its width. */
+/* A bracket over which no proof succeeds is narrowed, and the precision raised: it has the digits of the bracket
+   and twice as many again, since conditions at its ends may be as small as the square of its width. */
 static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool up, const struct crossing *c) {
   arb_ptr x = _arb_vec_init(4);
   for (int k = 0; k < 3; k++) arb_set_d(x + k, c->x[k]);

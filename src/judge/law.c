@@ -185,8 +185,8 @@ static bool prove_law(struct finding *f, const struct law *l) {
   return all;
 }
 
-/* The law where f is just at a limit.  The correction is that a mass sticks at its limits too, and nothing else may
-   change. */
+/* The law where f is just at a limit.  The correction is that of the text before (11): a mass breaks away
+   at its limits too, and nothing else may change. */
 static void judge_limits(struct finding *f, struct law *l) {
   static const char *const applies[] = {"no branch applies", "one branch applies", "two branches apply", "three apply"};
   int n[] = {at_limit(l, 1), at_limit(l, -1)}, m = l->mass + 1;
@@ -204,11 +204,11 @@ static void judge_limits(struct finding *f, struct law *l) {
   if (f->verdict != VERDICT_REFUTED) return;
   l->closed = true;
   bool mended = at_limit(l, 1) == 1 && at_limit(l, -1) == 1 && every_cell_agrees(l);
-  f->correction = result_str(l->j->out, "<= in the place of < where the mass sticks");
+  f->correction = result_str(l->j->out, ">= in the place of > where the mass breaks away");
   f->correction_verdict = mended ? VERDICT_PROVED : VERDICT_REFUTED;
   exact_route(f, l->j->out, mended ? ROUTE_AGREES : ROUTE_DIFFERS,
-              mended ? "so corrected, one branch alone applies in every state, and gives Coulomb's friction"
-                     : "so corrected, it is not one branch alone in every state that gives Coulomb's friction");
+              mended ? "so corrected, one branch alone applies in every state"
+                     : "so corrected, there are states in which it is not one branch alone that applies");
 }
 
 /* The heading is the claim's, or a correction in its place. */

@@ -21,7 +21,7 @@ struct law {
   bool headed;
   char names[2][16]; /* of the mass's sliding and static friction */
   int mass;          /* 0 or 1 */
-  bool closed;       /* a mass sticks at its limits too: "<=" where the text has "<" */
+  bool closed;       /* a mass breaks away at its limits too: ">=" where the text has ">" */
 };
 /* The law of a claim; false with j->d set.  Clear it in either case. */
 bool law_read(struct law *l, struct judge *j, const struct claim *c, struct view view);

@@ -201,7 +201,7 @@ truth law_holds(const struct law *l, struct law_state *s, enum branch b) {
     if (c->equality) continue;
     int sign = law_sign(s, law_value(s, &c->s.tape, l));
     truth holds = sign == NO_SIGN                                                         ? TRUTH_UNKNOWN
-                  : sign > 0 || (sign == 0 && (!c->strict || (l->closed && b == STICKS))) ? TRUTH_TRUE
+                  : sign > 0 || (sign == 0 && (!c->strict || (l->closed && b == BREAKS))) ? TRUTH_TRUE
                                                                                           : TRUTH_FALSE;
     all = truth_and(all, holds);
   }

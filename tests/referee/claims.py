@@ -25,18 +25,6 @@ def eq_10c(c):
     return sides(c, true, printed_d(c) * z) and c["V"] != 1 and c.claim["condition"] == "V = 1"
 
 
-# --- (2): the case that its conditions leave out
-
-def text_2_limit_1(c):
-    """With V = x', u_r = 1 and f = 1 or -1 neither |f| < u_r nor eps f > u_r holds; with |f| <= u_r one of the three does."""
-    def holds(sticks, f):
-        return [sticks(f)] + [eps * f > 1 for eps in (1, -1)]
-    return all(sum(holds(lambda f: abs(f) < 1, f)) == 0 and sum(holds(lambda f: abs(f) <= 1, f)) == 1 for f in (1, -1))
-
-
-text_2_limit_2 = text_2_limit_1
-
-
 # --- (27): what (24) and (25) leave open
 
 def text_27_from(c):
@@ -297,7 +285,6 @@ text_transpose = quoted(r"(o') = \frac{d(o)}{dt}", "z = (z_1, z_2)'", "z'_a = (V
 text_switch_times = quoted("$t_a, t_b, t_c, t_d$ = non dimensional times of switches")
 text_mass_name = quoted("masses $m_1, m_2$", "$M_1$ performs", "$M_2$ is still")
 text_start_name = quoted(r"Z_0 = \begin{pmatrix} z_0 \\ z'_0", "D(t_a + dt_a)(Z_0 + dZ_0)")
-text_first_moment = quoted(r"t_i (i=1, \dots, 4) = (t_a,", "Z(t_{k-1})", r"(k=1, \dots, 4)")
 text_trace_bars = quoted(r"$|\text{tr}(J) < 1|$")
 text_dimensions = quoted("$u_1, u_2$ = non dimensional friction forces", r"u_i = \frac{F_i}{k_1 + k_2}")
 text_belt_name = quoted("$V$ = belt velocity", r"u_{si} \text{sign}(V - x'_i)")
