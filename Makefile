@@ -48,7 +48,7 @@ BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
 FUZZ  = reader latex model claims scene system json report options certificate quotes
 # one for each tests/check_*.c; those that take longest are begun first
-SLOW  = scene mutate plan html mech report certify complete stable sweep jacobian terminal hostile cli
+SLOW  = html mutate mech scene certify report hostile exact plan cli jacobian messages pictures complete stable argument
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
 # make quick: suites that find most in a second
 QUICK = num base expr latex edit tape model dynamics map given argument law routes behaviour audit diff
