@@ -401,7 +401,7 @@ START_TEST(some_of_all_forgeries) {
   int status;
   char *text = shell_output(
       &status,
-      "$Y tests/forge.py --every 23 \"$P\" paper above-one other-word chain3 driven beside-wall den-hartog 2>&1");
+      "$Y tests/forge.py --every 47 \"$P\" paper above-one other-word chain3 driven beside-wall den-hartog 2>&1");
   ck_assert_msg(status == 0, "%s", text);
   free(text);
 }
