@@ -16,6 +16,7 @@
 #include "base/random.h"
 #include "command.h"
 #include "effort.h"
+#include "every.h"
 #include "explore/family.h"
 #include "mech/orbit.h"
 #include "motion/certify.h"
@@ -1086,7 +1087,7 @@ START_TEST(bad_files) {
   for (int i = 0; next_value(&at, &len, &s.json, from); i++) {
     from = at + len;
     if (i < 2 || i > 24) continue; /* the format, the scene's name; the first orbit's numbers */
-    for (size_t k = 0; k < sizeof number / sizeof *number; k++) {
+    for (size_t k = (size_t)(i % every(3)); k < sizeof number / sizeof *number; k += (size_t)every(3)) {
       if (strlen(number[k]) == len && strncmp(number[k], s.json.data + at, len) == 0) continue; /* eta = 1 */
       int status = checker_with(&s.json, at, len, number[k]);
       ck_assert_msg(status == REJECTED || status == BAD_FILE, "value %d, %s: %s", i, number[k], said);
