@@ -205,7 +205,7 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   arb_neg(short_by, d->value);
   for (int i = 0; i < a->part[PREMISES].n; i++)
     text_printf(&premises, "%s%s", i ? ", " : "", a->part[PREMISES].at[i].text);
-  if (premises.len) text_add(&premises, " hold, but ");
+  if (premises.len) text_add(&premises, a->part[PREMISES].n == 1 ? " holds, but " : " hold, but ");
   const char *said = result_str(
       a->j->out, "for %s (where e_1 = %s and e_2 = %s) there is a periodic solution on which %s%s is violated%s, by %s",
       scene_text(a, p, ", "), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8), text_str(&premises), c->text, when,
