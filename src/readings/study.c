@@ -275,8 +275,7 @@ static void conclude_rounding(struct hunt *h) {
     say(h, &r->conclusion, &r->n_conclusions,
         result_str(h->out,
                    "The rounding of the data %s does not explain the differences: for all values that their printed "
-                   "digits allow, "
-                   "these results remain different from the printed ones: %s.",
+                   "digits allow, these results lie within the following bounds, and none is the printed one: %s.",
                    r->procedure.inputs, text_str(&out)));
   if (r->procedure.n_outputs)
     say(h, &r->conclusion, &r->n_conclusions,
