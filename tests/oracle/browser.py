@@ -1,7 +1,7 @@
 """browser.py FOLDER [TOOLS]: open FOLDER/index.html in headless Chromium, wide and narrow, light and dark, and try it.
 
 The filters must show as many claims as audit.json has, sorting must put a failure first and back, a link to a claim must
-open it, every formula must have a size, nothing may be wider than the page (360 pixels when narrow, where tables of class stack need no scrolling and name the column
+open it, every formula must have a size, nothing may be wider than the page (360 pixels when narrow, where tables of class stack or few need no scrolling and name the column
 of each cell), no script may fail and
 nothing may be loaded; the letter takes two screens of 1280 x 800 at most, the archive is folded, and what is printed of the page
 takes 12 sheets at most; every link into the page must lead to something that is shown.  TOOLS: the folder for axe-core
@@ -69,7 +69,7 @@ window.addEventListener('load', async function () {
     if (e.parentElement.closest('.wide, .tex, svg, math')) return false;
     return e.getBoundingClientRect().right > width;
   }).map(function (e) { return e.outerHTML.slice(0, 80); }).slice(0, 5);
-  out.scrolls = !narrow ? [] : Array.from(document.querySelectorAll('.wide > .stack, .wide > .narrow')).filter(function (t) {
+  out.scrolls = !narrow ? [] : Array.from(document.querySelectorAll('.wide > .stack, .wide > .narrow, .wide > .few')).filter(function (t) {
     return t.parentElement.scrollWidth > t.parentElement.clientWidth + 1;
   }).map(function (t) { return t.textContent.slice(0, 80); }).slice(0, 5);
   out.unnamed = Array.from(document.querySelectorAll('.stack td')).filter(function (td) {
