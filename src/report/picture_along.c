@@ -55,11 +55,23 @@ static size_t add_range(struct text *out, const struct rows *t, size_t i) {
   return end;
 }
 
+/* "from x to y"; the table begins at half of the printed e2 and ends at three times it where no change ends it. */
+static void add_ends(struct text *out, const struct rows *t) {
+  static const char *const far[] = {"half of the printed $e_2$", "three times the printed $e_2$"};
+  for (int end = 0; end < 2; end++) {
+    size_t i = end ? t->n - 1 : 0;
+    bool change = is_change(t, i);
+    text_printf(out, " %s %s%s", end ? "to" : "from", change ? "where " : "", change ? t->cell[i][CHANGE] : far[end]);
+  }
+}
+
 static void say_along(struct text *out, const struct rows *t) {
   bool any = false;
   if (t->n == 0 || t->columns <= ADMISSIBLE) return;
-  text_printf(out, "The picture shows this solution for $%s \\le e_2 \\le %s$ with the other data of the example.",
+  text_printf(out, "The picture shows this solution for $%s \\le e_2 \\le %s$ with the other data of the example,",
               t->cell[0][E2], t->cell[t->n - 1][E2]);
+  add_ends(out, t);
+  text_add(out, "; what is dotted solves the equations and is no motion.");
   for (size_t i = 0; i < t->n; i++)
     if (is_good(t, i)) {
       i = add_range(out, t, i);
@@ -83,10 +95,9 @@ static void tell_along(struct text *out, const struct rows *t) {
                   t->cell[i][PERIOD]);
 }
 
-/* Which of the key's curves an orbit belongs to: without branches the good ones and all others. */
+/* Which of the key's curves an orbit belongs to. */
 static int class_of(const struct rows *t, size_t i) {
-  if (is_good(t, i)) return 0;
-  return has_branches(t) && !rows_is(t, i, ADMISSIBLE, "yes") ? 2 : 1;
+  return is_good(t, i) ? 0 : rows_is(t, i, ADMISSIBLE, "yes") ? 1 : 2;
 }
 
 /* The samples, curve by curve of the key; where there are branches they pass through the changes. */
@@ -131,11 +142,12 @@ static void add_panel(struct plot *p, const struct rows *t, size_t column, doubl
 }
 
 static void draw_along(struct plot *p, const struct rows *t) {
-  static const char *const key[][2] = {{"c0", "stable and admissible"},
-                                       {"c1", "not both"},
-                                       {"aid", "\xc2\xb1"
-                                               "1; changes"}};
-  double top = plot_key(p, key, 3);
+  static const char *const key[][2] = {{"c0", "stable"},
+                                       {"c1", "unstable"},
+                                       {"c2", "no motion"},
+                                       {"aid", "across: tr *J* = \xc2\xb1"
+                                               "1; upright: changes"}};
+  double top = plot_key(p, key, 4);
   add_panel(p, t, TRACE, top + 18, "tr *J*");
   add_panel(p, t, PERIOD, top + 146, "period");
 }

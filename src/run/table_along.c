@@ -22,8 +22,9 @@ enum { SAMPLES = 41, DIGITS = 6, STARTS = 65, DECIMALS = 6, SPOT_DIGITS = 9, STA
 static const char heading[] =
     "# The periodic orbit nearest to the printed numbers when e2 alone is another: samples, and between them what "
     "changes, each e2 there with two decimals that are proved to enclose it.\n"
+    "# From half of the e2 of the scene to three times it, as far as the branch reaches without turning back.\n"
     "# trace is tr J; stable, admissible: at the sample, or just above the change; - where that is not proved, or no "
-    "orbit is left.\n"
+    "orbit is left.  One that is not admissible solves the equations and is no motion.\n"
     "change\te2\te2_to\ttrace\tperiod\tstable\tadmissible\n";
 
 static const char *const says[N_CHANGES] = {
