@@ -41,6 +41,9 @@ def table(old):
     lines += ["", f"Besides, {len(audit['roots']) - len(substance)} remarks and slips of notation.", ""]
     lines += ["| verdict | statements of the paper | checks of the suite |", "| --- | ---: | ---: |"]
     lines += [f"| {k} | {v} | {checks[k]} |" for k, v in summary.items() if v or checks[k]]
+    numbers = {c["root"] for c in audit["claims"] if c["fault"] == "number" and c["root"]}
+    of_numbers = sum(c["root"] in numbers and c["verdict"] == "refuted" and c["of"] == "paper" for c in audit["claims"])
+    lines += ["", f"Of the {summary['refuted']} refuted statements {of_numbers} are about the numbers of the one example."] * (of_numbers > 0)
     asserted = summary["total"] - summary["definition"]
     decided = summary["proved"] + summary["conditional"] + summary["refuted"]
     lines += ["", f"Decided, that is proved, conditional or refuted, are {decided} of the {asserted} statements that assert "
