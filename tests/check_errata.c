@@ -236,7 +236,7 @@ static double number_after(const char *where, const char *name) {
 }
 
 /* (40) prints V in the denominator of k_4 where it belongs in the numerator: k_4 is off by V^2, so that J_f[1,1] = 1 + k_4
-   is 1 + k_4/V^2. */
+   is 1 + k_4/V^2; k_4 = V sin(omega t_d)/(omega (z_20 - z_10)). */
 START_TEST(size_of_the_error_in_40) {
   const struct derived *d = derived_of("eq-40", "J_f");
   ck_assert_int_eq(d->change, CHANGE_CHANGES);
@@ -244,6 +244,10 @@ START_TEST(size_of_the_error_in_40) {
   double v = number_after(d->where, "V"), ratio = (strtod(d->corrected, NULL) - 1) / (strtod(d->printed, NULL) - 1);
   ck_assert(v != 1);
   ck_assert_msg(fabs(ratio - v * v) < 1e-8 * v * v, "%g, V^2 = %g", ratio, v * v);
+  double omega = sqrt(number_after(d->where, "chi") * number_after(d->where, "eta"));
+  double apart = number_after(d->where, "z_20") - number_after(d->where, "z_10");
+  double k_4 = v * sin(omega * number_after(d->where, "t_d")) / (omega * apart);
+  ck_assert_double_eq_tol(strtod(d->corrected, NULL), 1 + k_4, 1e-8); /* by the orbit that is told */
   ck_assert_int_eq(derived_of("eq-40", "tr(J)")->change, CHANGE_AGREES);
   ck_assert_int_eq(derived_of("eq-40", "det(J)")->change, CHANGE_AGREES);
   ck_assert_int_eq(derived_of("eq-40", "P(lambda)")->change, CHANGE_AGREES);
@@ -550,7 +554,7 @@ START_TEST(lists_in_sentences) {
 }
 END_TEST
 
-/* A page for what changes a result, one for the slips, the numbers behind. */
+/* A page for what changes a result, two for the remarks and slips, the numbers and examples behind. */
 START_TEST(the_sheet_has_its_pages) {
   write_sheets(&result);
   if (shell("command -v pdflatex >/dev/null") != 0) {
@@ -558,7 +562,7 @@ START_TEST(the_sheet_has_its_pages) {
     return;
   }
   ck_assert_int_eq(
-      shell("cd '%s' && pdflatex -halt-on-error errata.tex | grep -q 'Output written on errata.pdf (3 pages'",
+      shell("cd '%s' && pdflatex -halt-on-error errata.tex | grep -q 'Output written on errata.pdf (4 pages'",
             scratch_path("")),
       0);
 }

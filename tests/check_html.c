@@ -466,6 +466,8 @@ START_TEST(what_stands_where) {
   f[1].condition = "V = 1";
   f[3].fault = "number";
   f[0].section = "appendix_a";
+  const char *on[] = {"eq-1", "text-5"};
+  f[2].depends_on = on, f[2].n_depends_on = 2;
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 5};
   char *page = written(report_html, &r);
   check_order(page, "tests/cases/order_page.tsv");
@@ -583,7 +585,8 @@ START_TEST(the_letter) {
       .found = &reading, .n_found = 1, .procedure = {.inputs = "e1", .output = &output, .n_outputs = 1}};
   struct data_table along = {"along-e2.tsv", "# x\nchange\te2\te2_to\ttrace\tperiod\tstable\tadmissible\n"
                                              "-\t1\t-\t-1.5\t6\tno\tyes\nIT FLIPS\t1.25\t1.26\t-\t-\tyes\tyes\n"
-                                             "-\t2\t-\t-0.5\t6\tyes\tyes\nIT ENDS\t2.75\t2.76\t-\t-\t-\t-\n"};
+                                             "-\t2\t-\t-0.5\t6\tyes\tyes\nIT ENDS\t2.75\t2.76\t-\t-\tyes\tno\n"
+                                             "-\t3\t-\t-0.25\t6\tyes\tno\nIT IS GONE\t3.5\t3.6\t-\t-\t-\t-\n"};
   struct audit_result r = {.scene = "s",
                            .findings = f,
                            .n_findings = sizeof f / sizeof *f,

@@ -47,7 +47,9 @@ void text_add_char(struct text *t, char c) {
 }
 
 void text_add_capital(struct text *t, const char *words) {
-  bool small = *words >= 'a' && *words <= 'z';
+  size_t n = 0;
+  while (char_is_letter(words[n])) n++;
+  bool word = strchr(" ,-", words[n]) && (n > 1 || *words == 'a'), small = word && *words >= 'a' && *words <= 'z';
   if (small) text_add_char(t, (char)(*words - 'a' + 'A'));
   text_add(t, words + small);
 }

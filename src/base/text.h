@@ -40,7 +40,7 @@ void text_reset(struct text *t); /* empties, keeps the memory */
 void text_add(struct text *t, const char *s);
 void text_add_n(struct text *t, const char *s, size_t len);
 void text_add_char(struct text *t, char c);
-/* The words, with a capital where they begin with a small letter. */
+/* The words, with a capital where they begin with one in small letters: not z_1 or det(A), which are formulas. */
 void text_add_capital(struct text *t, const char *words);
 void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
 void text_vprintf(struct text *t, const char *fmt, va_list ap) SS_PRINTF(2, 0);

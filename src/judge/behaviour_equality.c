@@ -64,7 +64,7 @@ void family_close(struct family *f) {
    Coulomb's law? */
 struct found {
   struct answers third, iterates, motions;
-  const char *where;
+  const char *where, *third_there; /* of the first that is stable; NULL without one */
 };
 
 /* Iterates approach or leave like 1/sqrt(n), so many steps are allowed; from 3% of r_0 on either side. */
@@ -83,16 +83,18 @@ static void move(struct found *t, const struct point *at, const struct dyn_orbit
   t->motions.of[ratio < 1 - 1e-4 ? TRUTH_FALSE : ratio > 1 + 1e-4 ? TRUTH_TRUE : TRUTH_UNKNOWN]++;
 }
 
-/* The first stable orbit at tr J = -1: parameters in the middle of its bracket, the orbit there, and c_2^2 + c_3. */
-static void certify(struct behaviour *b, const struct point *at, const struct dyn_orbit *o,
+/* The first stable orbit at tr J = -1: the middle of its bracket, the orbit there, and c_2^2 + c_3. */
+static void certify(struct behaviour *b, const struct point *at, int vary, const struct dyn_orbit *o,
                     const struct dyn_bifurcation *q) {
   struct certificate *c = &b->f->certificate;
   arb_t value;
   arb_init(value);
-  for (int i = 0; i < N_PARAMS; i++) {
-    arb_set_fmpq(value, &at->q[i], q->prec);
-    certify_ball(c, b->j, name_param[i], value);
-  }
+  arb_set_fmpq(value, &at->q[vary], q->prec);
+  for (int i = 0; i < N_PARAMS; i++)
+    if (i == vary)
+      certify_ball(c, b->j, name_param[i], value);
+    else
+      certify_exact(c, b->j, name_param[i], &at->q[i]);
   certify_orbit(c, b->j, o);
   certificate_add(c, b->j->out, "trace", "-1");
   certificate_add(c, b->j->out, "c_2^2 + c_3", ball_text(b->j, q->third, 6));
@@ -119,7 +121,10 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
   }
   const char *place = result_take(b->j->out, &where);
   t->third.of[stable ? TRUTH_FALSE : unstable ? TRUTH_TRUE : TRUTH_UNKNOWN]++;
-  if (stable && !t->where) t->where = place;
+  if (stable && !t->where) {
+    t->where = place;
+    t->third_there = ball_text(b->j, q->third, 6);
+  }
   finding_state(b->f, b->j->out, "balls", "model", q->prec, 1, place,
                 result_str(b->j->out,
                            "tr J passes through -1 there, in an interval whose ends agree to %ld digits%s, and on the "
@@ -130,7 +135,7 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
                            : unstable ? "unstable"
                                       : "not decided",
                            o ? "admissible" : "not known to be admissible"));
-  if (stable && b->f->certificate.n == 0) certify(b, &at, o, q);
+  if (stable && b->f->certificate.n == 0) certify(b, &at, f->vary, o, q);
   if (o) iterate(t, q, &at);
   if (o) move(t, &at, o);
   point_clear(&at);
@@ -170,12 +175,12 @@ static void conclude(struct behaviour *b, const struct found *t) {
       result_str(b->j->out,
                  "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., "
                  "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if "
-                 "c_2^2 + c_3 > 0. Of the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s",
+                 "c_2^2 + c_3 > 0. Of the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s%s%s",
                  found, stable, stable == 1 ? "is" : "are",
                  stable == 1 ? ", namely that for "
                  : stable    ? ", for example that for "
                              : "",
-                 stable ? t->where : ""));
+                 stable ? t->where : "", stable ? ", where c_2^2 + c_3 = " : "", stable ? t->third_there : ""));
   w[1] = behaviour_route(
       b, "iteration", answers_outcome(&t->iterates), false, answers_given(&t->iterates), NULL,
       result_str(b->j->out,

@@ -212,22 +212,25 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
   sheet_add(s, ". %t\n\n", reading_start(f));
 }
 
+/* By how much the motion from the printed start does not close, and that no other start with its digits does. */
 static void add_closure(const struct sheet *s, const struct audit_result *r) {
   const struct finding *f = audit_result_finding(r, "text-periodic");
   if (!f || !finding_fails(f) || !f->effect) return;
   sheet_sentence(s, f->effect);
+  const struct evidence *e = failure_evidence(f);
+  if (e && e->note) sheet_add(s, " %p%.", e->note);
   paragraph(s);
 }
 
-/* "chi = 1/2, ..., orbit 2" */
-static void add_place(const struct sheet *s, const char *where) {
-  const char *orbit = strstr(where, ", orbit ");
-  struct text t = {0};
-  text_add_n(&t, where, orbit ? (size_t)(orbit - where) : strlen(where));
-  sheet_prose(s, text_str(&t));
-  if (orbit) sheet_add(s, " (periodic solution %s in order of increasing $z_{10}$)", orbit + strlen(", orbit "));
-  sheet_stop(s);
-  text_clear(&t);
+/* Without the numbers that orbits have in lists, which the sheet does not show: states and times tell them. */
+static const char *unnumbered(struct text *t, const char *s) {
+  static const char number[] = ", orbit ";
+  for (const char *at; (at = strstr(s, number)) != NULL; s = at + strspn(at, "0123456789")) {
+    text_add_n(t, s, (size_t)(at - s));
+    at += sizeof number - 1;
+  }
+  text_add(t, s);
+  return text_str(t);
 }
 
 /* A result that changes, with its example. */
@@ -241,9 +244,9 @@ static void add_derived(const struct sheet *s, const struct consequence *q) {
     sheet_add(s, "%m is %p instead of %p", d->latex, d->printed, d->corrected);
     last = d;
   }
-  if (!last) return;
-  text_add(s->out, " for ");
-  add_place(s, last->where);
+  struct text where = {0};
+  if (last) sheet_add(s, " for %p%.", unnumbered(&where, last->where));
+  text_clear(&where);
 }
 
 static bool has_change(const struct consequence *q) {
@@ -252,30 +255,52 @@ static bool has_change(const struct consequence *q) {
   return q && q->solved;
 }
 
-/* What shows the root: an effect that was computed, else the certificate of its first claim. */
-static void add_evidence(const struct sheet *s, const struct audit_result *r, const struct root_cause *root) {
+/* Whether the note is an example that can be computed again: the certificate has an orbit, whose data it names. */
+static bool is_example(const struct finding *f, const char *note) {
+  struct text t = {0};
+  finding_orbit(&t, f);
+  bool is = t.len > 0;
+  text_reset(&t);
+  if (is) text_printf(&t, "%s = %s", f->certificate.at[0].name, f->certificate.at[0].value);
+  is = is && strstr(note, text_str(&t));
+  text_clear(&t);
+  return is;
+}
+
+/* The claim that shows the root: by an effect that was computed or by what decided it, if it is a remark by an example;
+   NULL for the numbers, which have a section of their own. */
+static const struct finding *shown_by(const struct audit_result *r, const struct root_cause *root) {
+  if (root->severity == SEVERITY_NOTATION || root == audit_root_of_numbers(r)) return NULL;
   for (int i = 0; i < root->n_claims; i++) {
     const struct finding *f = audit_result_finding(r, root->claims[i]);
-    const struct consequence *q = audit_result_consequence(r, root->claims[i]);
     const struct evidence *e = f ? failure_evidence(f) : NULL;
-    bool changes = has_change(q);
-    if (!f || failure_is_number(f) || (!changes && (!e || !e->note))) continue;
-    begin_item(s, 0);
-    strong(s, root->title);
-    text_add(s->out, ": ");
-    if (changes && !q->solved)
-      add_derived(s, q);
-    else
-      sheet_sentence(s, changes ? q->solved : e->note);
-    end_item(s);
+    bool noted = e && e->note;
+    if (root->severity == SEVERITY_SUBSTANCE ? noted || (f && has_change(audit_result_consequence(r, f->id)))
+                                             : noted && is_example(f, e->note))
+      return f;
+  }
+  return NULL;
+}
+
+static void add_evidence(const struct sheet *s, const struct finding *f, const struct consequence *q) {
+  if (has_change(q) && !q->solved) {
+    add_derived(s, q);
     return;
   }
+  struct text t = {0}, orbit = {0};
+  const char *note = has_change(q) ? q->solved : failure_evidence(f)->note;
+  sheet_sentence(s, unnumbered(&t, note));
+  if (is_example(f, note)) finding_orbit(&orbit, f);
+  if (orbit.len) sheet_add(s, " There %p.", text_str(&orbit));
+  text_clear(&orbit);
+  text_clear(&t);
 }
 
 static void add_evidences(const struct sheet *s, const struct audit_result *r) {
   bool any = false;
   for (size_t i = 0; i < r->n_roots; i++) {
-    if (r->roots[i].severity != SEVERITY_SUBSTANCE) continue;
+    const struct finding *f = shown_by(r, &r->roots[i]);
+    if (!f) continue;
     if (!any) {
       heading(s, "Effects and counterexamples");
       text_add(s->out, "A periodic solution is called admissible if every condition of the motion holds on it for some "
@@ -284,7 +309,11 @@ static void add_evidences(const struct sheet *s, const struct audit_result *r) {
       begin_items(s, false);
     }
     any = true;
-    add_evidence(s, r, &r->roots[i]);
+    begin_item(s, 0);
+    strong(s, r->roots[i].title);
+    text_add(s->out, ": ");
+    add_evidence(s, f, audit_result_consequence(r, f->id));
+    end_item(s);
   }
   if (any) end_items(s, false);
 }

@@ -32,6 +32,13 @@ int root_values(const char *value[MOST_VALUES], const struct audit_result *r, co
   return n;
 }
 
+const struct root_cause *audit_root_of_numbers(const struct audit_result *r) {
+  const char *value[MOST_VALUES];
+  for (size_t i = 0; i < r->n_roots; i++)
+    if (root_values(value, r, &r->roots[i])) return &r->roots[i];
+  return NULL;
+}
+
 const char *failure_words(const struct finding *f) {
   static const struct {
     const char *fault, *words;
@@ -70,6 +77,20 @@ const char *finding_recheck(const struct finding *f) {
   return f->reproduce ? f->reproduce : "stickslip verify";
 }
 
+const char *finding_certified(const struct finding *f, const char *name) {
+  for (int i = 0; i < f->certificate.n; i++)
+    if (strcmp(f->certificate.at[i].name, name) == 0) return f->certificate.at[i].value;
+  return NULL;
+}
+
+void finding_orbit(struct text *out, const struct finding *f) {
+  static const char *const names[] = {"e_1", "e_2", "z_10", "z_20", "t_a", "t_b", "t_c", "t_d"};
+  enum { N = sizeof names / sizeof *names };
+  for (int i = 0; i < N; i++)
+    if (!finding_certified(f, names[i])) return;
+  for (int i = 0; i < N; i++) text_printf(out, "%s%s = %s", i ? ", " : "", names[i], finding_certified(f, names[i]));
+}
+
 const char *failure_size(const struct audit_result *r, const struct finding *f) {
   return audit_result_consequence(r, f->id) ? f->size : f->effect;
 }
@@ -91,9 +112,15 @@ const char *const severity_words[N_SEVERITIES][2] = {
 
 void failures_say(struct text *out, const struct audit_result *r) {
   long count[N_VERDICTS], of[N_SEVERITIES + 1] = {0};
+  const struct root_cause *numbers = audit_root_of_numbers(r);
+  long of_numbers = 0;
   audit_result_count(count, r, OF_PAPER);
-  for (size_t i = 0; i < r->n_findings; i++)
-    if (r->findings[i].of == OF_PAPER && finding_fails(&r->findings[i])) of[r->findings[i].severity]++;
+  for (size_t i = 0; i < r->n_findings; i++) {
+    const struct finding *f = &r->findings[i];
+    if (f->of != OF_PAPER || !finding_fails(f)) continue;
+    of[f->severity]++;
+    of_numbers += numbers && f->verdict == VERDICT_REFUTED && f->root && strcmp(f->root, numbers->id) == 0;
+  }
   long due = 0;
   int last = 0;
   for (int i = 0; i < N_SEVERITIES; i++) {
@@ -102,6 +129,7 @@ void failures_say(struct text *out, const struct audit_result *r) {
   }
   if (count[VERDICT_CONDITIONAL]) text_printf(out, ", %ld hold under a condition", count[VERDICT_CONDITIONAL]);
   if (count[VERDICT_REFUTED]) text_printf(out, ", %ld do not hold as printed", count[VERDICT_REFUTED]);
+  if (of_numbers) text_printf(out, ", %ld of them about the numbers of the example", of_numbers);
   if (due == 0) return;
   text_printf(out, " (of these %ld, ", due);
   bool first = true;

@@ -16,6 +16,10 @@ bool finding_restricts(const struct finding *o, const struct finding *f);
 /* The paper's own text and the formula as read, where a part decides that part alone; NULL without one. */
 const char *finding_quote(const struct finding *f);
 const char *finding_printed(const struct finding *f);
+/* The value of that name in its certificate, or NULL; e_1 and e_2, state and times of the orbit there, "e_1 = 2.73, ...,
+   t_d = 3.49", or nothing. */
+const char *finding_certified(const struct finding *f, const char *name);
+void finding_orbit(struct text *out, const struct finding *f);
 /* The command that judges it again. */
 const char *finding_recheck(const struct finding *f);
 
@@ -34,7 +38,10 @@ bool failure_is_number(const struct finding *f);
 /* The right values of the printed numbers among the root's claims, as LaTeX: "t_{a} = 0.5323"; how many. */
 enum { MOST_VALUES = 32 };
 int root_values(const char *value[MOST_VALUES], const struct audit_result *r, const struct root_cause *root);
-/* ", 9 hold under a condition, 31 do not hold as printed (of these 40, 12 belong to errors of substance, ...)". */
+/* The root of the wrong numbers; NULL where there are none. */
+const struct root_cause *audit_root_of_numbers(const struct audit_result *r);
+/* ", 9 hold under a condition, 31 do not hold as printed, 9 of them about the numbers of the example (of these
+   40, 12 belong to errors of substance, ...)". */
 void failures_say(struct text *out, const struct audit_result *r);
 /* How large the effect is; NULL where that is not known. */
 const char *failure_size(const struct audit_result *r, const struct finding *f);

@@ -137,7 +137,11 @@ static void add_certificate(const struct page *p, const struct finding *f) {
   const struct evidence *e = failure_evidence(f);
   if (!e) return;
   begin_row(p, "Certificate");
+  struct text orbit = {0};
   add_note(p, e->note);
+  if (e->note) finding_orbit(&orbit, f);
+  if (orbit.len) page_add(p, "There %p. ", text_str(&orbit));
+  text_clear(&orbit);
   if (e->worst && (!e->note || !strstr(e->note, e->worst)))
     page_add(p, "%s%t%. ", e->residual ? "Largest difference at " : "Where: ", e->worst);
   page_add(p, "Route: %e", e->route);
@@ -342,7 +346,7 @@ static void add_unexpected(const struct page *p) {
   if (any) text_add(p->out, "</ul>\n");
 }
 
-/* With what the routes say. */
+/* With what the routes say, and what was decided of that on which it rests. */
 static void add_undecided(const struct page *p) {
   bool any = false;
   for (size_t i = 0; i < p->r->n_findings; i++) {
@@ -354,6 +358,13 @@ static void add_undecided(const struct page *p) {
     if (f->quote) page_add(p, "<p class=\"tex\">%t</p>\n", f->quote);
     if (f->condition) page_add(p, "<p>Condition: %t</p>\n", f->condition);
     page_statements(p, f);
+    for (int k = 0; k < f->n_depends_on; k++) {
+      const struct finding *on = audit_result_finding(p->r, f->depends_on[k]);
+      if (!on || on->verdict == VERDICT_UNKNOWN || on->verdict == VERDICT_SKIPPED) continue;
+      text_add(p->out, "<p>It rests on ");
+      page_claim(p, on->id);
+      page_add(p, ": %t %v</p>\n", on->title, verdict_name[on->verdict]);
+    }
     end_finding(p);
   }
 }

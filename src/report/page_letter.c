@@ -34,14 +34,6 @@ static bool is_wrong_number(const struct finding *f) {
   return finding_fails(f) && failure_is_number(f);
 }
 
-/* The root of the wrong numbers, which the table tells; NULL where there are none. */
-static const struct root_cause *root_of_numbers(const struct page *p) {
-  const char *value[MOST_VALUES];
-  for (size_t i = 0; i < p->r->n_roots; i++)
-    if (root_values(value, p->r, &p->r->roots[i])) return &p->r->roots[i];
-  return NULL;
-}
-
 /* The reading with the fewest assumptions, of those that give every number; NULL without one. */
 static const struct example_reading *best_reading(const struct page *p) {
   return p->r->readings && p->r->readings->n_found ? &p->r->readings->found[0] : NULL;
@@ -74,15 +66,9 @@ static void add_wrong_numbers(const struct page *p, const struct root_cause *roo
 static const struct column numbers[] = {
     {"number", false}, {"printed", true}, {"so computed", true}, {"nearest periodic solution", true}};
 
-static const char *true_value(const struct finding *f) {
-  for (int i = 0; i < f->certificate.n; i++)
-    if (strcmp(f->certificate.at[i].name, "value") == 0) return f->certificate.at[i].value;
-  return NULL;
-}
-
 /* A row; n: of the reading, or NULL; f: the claim that the number is wrong, or NULL. */
 static void add_number(const struct page *p, const struct reading_number *n, const struct finding *f) {
-  const char *value = f ? true_value(f) : NULL;
+  const char *value = f ? finding_certified(f, "value") : NULL;
   const char *name = n ? n->name : f ? f->id : "";
   if (f)
     page_add(p, "<tr id=\"f-%a\"><th scope=\"row\"><a href=\"#c-%a\">%p</a></th>", f->id, f->id, name);
@@ -119,7 +105,7 @@ static void add_numbers(const struct page *p, const struct example_reading *e) {
 
 static void add_example(const struct page *p) {
   const struct example_reading *e = best_reading(p);
-  const struct root_cause *root = root_of_numbers(p);
+  const struct root_cause *root = audit_root_of_numbers(p->r);
   bool any = e != NULL;
   for (size_t i = 0; i < p->r->n_findings; i++) any = any || is_wrong_number(&p->r->findings[i]);
   if (!any) return;
@@ -145,23 +131,27 @@ static void add_counts(const struct page *p, const char *before) {
   text_add_char(p->out, '.');
 }
 
-/* What was done or is forgotten, in a sentence. */
-static void add_error(const struct page *p, const struct root_cause *root) {
-  page_add(p, "<li><a href=\"#r-%a\">%t</a>, %t: ", root->id, root->where, root->title);
+/* What was done or is forgotten, in a sentence; numbered as on the sheet of errata. */
+static void add_error(const struct page *p, const struct root_cause *root, int number) {
+  text_printf(p->out, "<li value=\"%d\">", number);
+  page_add(p, "<a href=\"#r-%a\">%t</a>, %t: ", root->id, root->where, root->title);
   add_first_sentence(p, root->wrong);
   text_add(p->out, "</li>\n");
 }
 
 static void add_errors(const struct page *p) {
-  const struct root_cause *told = root_of_numbers(p);
+  const struct root_cause *told = audit_root_of_numbers(p->r);
   if (p->r->n_roots == 0) return;
   text_add(p->out, "<h3>What has to be corrected</h3>\n");
   add_counts(p, "<p>The audit has found ");
   text_add(p->out, told ? " Besides the numbers of the example these are, in order of consequence:</p>\n" : "</p>\n");
   text_add(p->out, "<ol class=\"errors\">\n");
+  int n = 0;
   for (size_t i = 0; i < p->r->n_roots; i++) {
     const struct root_cause *root = &p->r->roots[i];
-    if (root->severity == SEVERITY_SUBSTANCE && root != told) add_error(p, root);
+    if (root->severity != SEVERITY_SUBSTANCE) continue;
+    n++;
+    if (root != told) add_error(p, root, n);
   }
   text_add(p->out, "</ol>\n");
 }
@@ -177,13 +167,9 @@ static int equation_number(const struct finding *f) {
   return n > 0 && n < MOST_EQUATIONS && !*end ? (int)n : 0;
 }
 
-/* Whether all that was asked about it holds, and no correction or remark names it; false where nothing was asked. */
+/* Whether all that was asked about it holds; false where nothing was asked. */
 static bool equation_holds(const struct audit_result *r, int n) {
   bool any = false, all = true;
-  char place[20];
-  snprintf(place, sizeof place, "(%d)", n);
-  for (size_t i = 0; i < r->n_roots; i++)
-    if (strstr(r->roots[i].where, place)) return false;
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     if (equation_number(f) != n) continue;
@@ -195,7 +181,8 @@ static bool equation_holds(const struct audit_result *r, int n) {
 
 /* "(1)-(9), (11)". */
 static void add_sound_equations(const struct page *p) {
-  const char *before = " All that was examined of the equations themselves has been proved for ";
+  const char *before = " Apart from the remarks and slips of notation below, all that was examined of the equations "
+                       "themselves has been proved for ";
   static const char more[] = ", ";
   for (int i = 1, last; i < MOST_EQUATIONS; i = last + 1) {
     last = i;
@@ -205,7 +192,7 @@ static void add_sound_equations(const struct page *p) {
     if (last > i) text_printf(p->out, "%s(%d)", last > i + 1 ? "\xe2\x80\x93" : more, last);
     before = more;
   }
-  if (before == more) text_add(p->out, "; others are named below, some of them for a slip of notation alone.");
+  if (before == more) text_add(p->out, "; of the others, those that assert something are named below.");
 }
 
 static void add_what_holds(const struct page *p) {

@@ -128,7 +128,8 @@ static size_t add_sign(const struct sheet *s, const char *text, size_t i, size_t
 
 static void add_prose(const struct sheet *s, const char *text, size_t len) {
   for (size_t i = 0; i < len;) {
-    bool inside = i && (char_is_word(text[i - 1]) || text[i - 1] == '-');
+    bool owned = i > 1 && text[i - 1] == '\'' && char_is_letter(text[i - 2]); /* the s of "Newton's" */
+    bool inside = i && (char_is_word(text[i - 1]) || text[i - 1] == '-' || owned);
     size_t n = inside ? 0 : add_name(s, text + i);
     if (!n) n = add_sign(s, text, i, len);
     if (!n && text[i] == '*' && i && (char_is_word(text[i - 1]) || text[i - 1] == ')')) {

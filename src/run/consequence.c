@@ -128,6 +128,22 @@ static const char *chain_value(const struct failure *f, const struct result *r, 
   return s;
 }
 
+/* The point, and the orbit there by its state and times, as its number is one of a list that nobody else has. */
+static const char *place_text(const struct failure *f, const struct point *p, struct values *v) {
+  static const char *const names[] = {"z_10", "z_20", "t_a", "t_b", "t_c", "t_d"};
+  struct text where = {0};
+  point_print(&where, p);
+  struct calc c = calc_begin(v->ctx);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    bool known;
+    void *x = calc_new(&c);
+    if (values_bind(x, &known, v, names[i]) == SS_OK)
+      text_printf(&where, ", %s = %s", names[i], ball_text(f->j, x, 10));
+  }
+  calc_clear(&c);
+  return result_take(f->j->out, &where);
+}
+
 static void book_result(struct failure *f, struct result *r, const struct trial *t, const struct point *p,
                         struct values *v) {
   struct audit_result *out = f->j->out;
@@ -136,13 +152,11 @@ static void book_result(struct failure *f, struct result *r, const struct trial 
   if (t->outcome != OUTCOME_DIFFERS) return;
   r->worst_log = fmax(r->worst_log, t->log_diff);
   if (r->differs++) return;
-  struct text where = {0};
-  point_print(&where, p);
   const char *place = entry_place(out, r->rows * r->cols, r->cols, t->entry);
   r->out.entry = *place ? place : NULL;
   r->out.printed = result_str(out, "%s", t->lhs);
   r->out.corrected = result_str(out, "%s", t->rhs);
-  r->out.where = result_take(out, &where);
+  r->out.where = place_text(f, p, v);
   if (!f->number && !tape_same(&r->tape[READ_OWN], &r->tape[READ_PRINTED]))
     r->out.chain = chain_value(f, r, v, t->entry);
 }
