@@ -583,10 +583,12 @@ START_TEST(the_letter) {
   struct procedure_output output = {.name = "t_a", .within = "no"};
   struct readings readings = {
       .found = &reading, .n_found = 1, .procedure = {.inputs = "e1", .output = &output, .n_outputs = 1}};
-  struct data_table along = {"along-e2.tsv", "# x\nchange\te2\te2_to\ttrace\tperiod\tstable\tadmissible\n"
-                                             "-\t1\t-\t-1.5\t6\tno\tyes\nIT FLIPS\t1.25\t1.26\t-\t-\tyes\tyes\n"
-                                             "-\t2\t-\t-0.5\t6\tyes\tyes\nIT ENDS\t2.75\t2.76\t-\t-\tyes\tno\n"
-                                             "-\t3\t-\t-0.25\t6\tyes\tno\nIT IS GONE\t3.5\t3.6\t-\t-\t-\t-\n"};
+  struct data_table along = {"along-e2.tsv",
+                             "# x\nchange\te2\te2_to\ttrace\tperiod\tstable\tadmissible\n"
+                             "-\t1\t-\t-1.5\t6\tno\tyes\nIT FLIPS\t1.25\t1.26\t-\t-\tyes\tyes\n"
+                             "-\t2\t-\t-0.5\t6\tyes\tyes\nIT ENDS\t2.75\t2.76\t-\t-\tyes\tno\n"
+                             "-\t3\t-\t-0.25\t6\tyes\tno\nIT IS GONE\t3.5\t3.6\t-\t-\t-\t-\n",
+                             NULL};
   struct audit_result r = {.scene = "s",
                            .findings = f,
                            .n_findings = sizeof f / sizeof *f,
@@ -598,6 +600,27 @@ START_TEST(the_letter) {
   char *page = written(report_html, &r);
   check_order(page, "tests/cases/order_letter.tsv");
   ck_assert(!strstr(page, "SO 3") && !strstr(strstr(page, "r-slip\">"), "<article"));
+  free(page);
+}
+END_TEST
+
+/* A scene whose data are no example's in print: the data stand at the top of each text, nothing is addressed to the
+   authors, and the picture names its orbit. */
+START_TEST(other_data_are_no_letter) {
+  struct data_table along = {
+      "along-e2.tsv", "change\te2\te2_to\ttrace\tperiod\tstable\tadmissible\n-\t1\t-\t-1.5\t6\tno\tyes\n", "ORBIT 7"};
+  struct audit_result r = {.scene = "s", .title = "", .data = "chi = 2/3, e2 = 1/4", .tables = &along, .n_tables = 1};
+  char *page = written(report_html, &r), *md = written(report_markdown, &r), *sheet = written(report_errata, &r);
+  ck_assert(strstr(page, "<title>Audit: s</title>") && strstr(page, "The picture shows ORBIT 7 for"));
+  ck_assert(strstr(page, "with the other data of this scene.") && strstr(page, "scene, <var>\xcf\x87</var> = 2/3,"));
+  ck_assert(!strstr(page, "uthors") && !strstr(page, "Letter") && !strstr(page, "data of the example"));
+  ck_assert(strstr(md, "# Audit: s\n\nThe data are those of this scene, chi = 2/3, e2 = 1/4: "));
+  ck_assert(strstr(sheet, "# Errata\n\nThe data are those of this scene, $\\chi$ = 2/3, "));
+  free(page), free(md), free(sheet);
+  r.data = along.orbit = NULL;
+  page = written(report_html, &r);
+  ck_assert(strstr(page, ">To the authors</h2>") && strstr(page, "The picture shows this solution for"));
+  ck_assert(strstr(page, "with the other data of the example.") && !strstr(page, "this scene"));
   free(page);
 }
 END_TEST
@@ -712,6 +735,7 @@ Suite *html_suite(void) {
   tcase_add_test(c, power_and_digits);
   tcase_add_test(c, claims_by_one_route);
   tcase_add_test(c, the_letter);
+  tcase_add_test(c, other_data_are_no_letter);
   tcase_add_test(c, junit_fails_where_the_record_differs);
   tcase_add_test(c, csv_quotes);
   tcase_add_test(c, csv_is_no_formula);

@@ -75,7 +75,7 @@ START_TEST(pictures_come_from_their_tables_alone) {
     ck_assert_msg(source_read(&table, scratch_path(path), 1 << 20, &d), "%s", d.message);
     snprintf(path, sizeof path, "one/%s.svg", report_picture_id(i));
     ck_assert_msg(source_read(&svg, scratch_path(path), 1 << 20, &d), "%s", d.message);
-    struct data_table only = {name, table.text};
+    struct data_table only = {name, table.text, NULL};
     const struct audit_result r = {.tables = &only, .n_tables = 1};
     ck_assert(report_picture(&again, &r, i));
     ck_assert_str_eq(text_str(&again), svg.text);
@@ -149,7 +149,7 @@ START_TEST(hostile_tables) {
   for (size_t b = 0; b < sizeof bodies / sizeof *bodies; b++)
     for (int k = 0; k < report_pictures(); k++) {
       struct data_table data[N];
-      for (int i = 0; i < N; i++) data[i] = (struct data_table){tables[i], bodies[b]};
+      for (int i = 0; i < N; i++) data[i] = (struct data_table){tables[i], bodies[b], NULL};
       const struct audit_result r = {.tables = data, .n_tables = N};
       struct text one;
       text_init(&one);

@@ -93,11 +93,9 @@ static void describe_effect(struct finding *f, struct argument *a) {
   point_init(&p);
   if (nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
     const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p.orbit];
-    f->effect =
-        result_str(a->j->out,
-                   "On the periodic solution nearest to the printed numbers all inequalities together amount to "
-                   "%s and %s.",
-                   friction_needed(a->j, 0, o), friction_needed(a->j, 1, o));
+    f->effect = result_str(a->j->out, "On %s all inequalities together amount to %s and %s.",
+                           usual_orbit_text(a->j, "periodic solution"), friction_needed(a->j, 0, o),
+                           friction_needed(a->j, 1, o));
   }
   point_clear(&p);
 }
@@ -113,7 +111,7 @@ static void describe_scene(struct finding *f, struct argument *a) {
     arb_init(d.value);
     p.orbit = i;
     argument_decide(&d, a, &p, NULL);
-    text_printf(&t, "%son periodic solution %ld of the example: %s", i ? "; " : "", (long)i + 1,
+    text_printf(&t, "%son periodic solution %ld of %s: %s", i ? "; " : "", (long)i + 1, scene_data_of(a->j->scene),
                 d.conclusion == TRUTH_TRUE    ? "holds"
                 : d.conclusion == TRUTH_FALSE ? result_str(a->j->out, "%s fails", a->part[CONCLUSION].at[d.failed].text)
                                               : "undecided");

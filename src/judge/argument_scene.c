@@ -100,7 +100,8 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
     decided[1].of[d.by_exponentials]++;
   }
   w[0] = argument_add_route(f, a, "balls", &decided[0], true, describe(a, &d, p));
-  f->evidence[f->n_evidence - 1].worst = "the periodic solution nearest to the printed numbers, along the whole phase";
+  f->evidence[f->n_evidence - 1].worst =
+      result_str(a->j->out, "%s, along the whole phase", usual_orbit_text(a->j, "periodic solution"));
   w[1] = argument_add_route(f, a, "exponential", &decided[1], false, NULL);
   bool all = !a->uses_friction;
   if (a->uses_friction && !a->free_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE &&

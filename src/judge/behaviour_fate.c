@@ -220,9 +220,9 @@ static void scene_orbit_fates(struct behaviour *b) {
   if (!trials) return;
   struct text line = {0};
   text_printf(&line,
-              "the admissible orbit of the example, which is unstable, perturbed by 0.01 in the middle of each phase "
+              "the admissible orbit of %s, which is unstable, perturbed by 0.01 in the middle of each phase "
               "in each of eight directions: after %d returns the sequence of phases is",
-              PERIODS);
+              scene_data_of(s), PERIODS);
   for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
   finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
 }

@@ -267,7 +267,7 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
   struct point p;
   point_init(&p);
   slong nearest = j->scene->n_printed && nearest_orbit_point(&p, j->scene, j->cache) ? p.orbit : -1;
-  if (nearest >= 0) state_orbit(f, j, list, nearest, "the periodic solution nearest to the printed numbers");
+  if (nearest >= 0) state_orbit(f, j, list, nearest, usual_orbit_text(j, "periodic solution"));
   for (slong i = 0; i < list->n; i++)
     if (i != nearest) state_orbit(f, j, list, i, nearest >= 0 ? "another periodic solution" : "a periodic solution");
   for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {

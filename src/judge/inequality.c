@@ -98,7 +98,7 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
   bool ok = true;
   if (printed_point(&printed, j->scene)) ok = try_inequalities(&w[n++], f, j, r, view, &printed, "the printed numbers");
   if (ok && nearest_orbit_point(&orbit, j->scene, j->cache))
-    ok = try_inequalities(&w[n++], f, j, r, view, &orbit, "the periodic solution nearest to the printed numbers");
+    ok = try_inequalities(&w[n++], f, j, r, view, &orbit, usual_orbit_text(j, "periodic solution"));
   if (ok && n == 0)
     finding_skip(f, j, "the scene prints no solution and has no orbit");
   else if (ok)

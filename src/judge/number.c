@@ -149,8 +149,8 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     enum reading how;
     slong used = bits, nearest = p.orbit;
     t = printed_fits(x, n->p, &how);
-    where = "the periodic solution nearest to the printed numbers";
-    text_add(&note, "On the periodic solution nearest to the printed numbers ");
+    where = usual_orbit_text(j, "periodic solution");
+    text_printf(&note, "On %s ", where);
     add_value(&note, n, x, 10, t, how);
     if (t == TRUTH_FALSE) {
       correct_number(f, n, x);

@@ -376,9 +376,11 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
   bool have = r->j->model->system && scene_point(&p, &r->example, r->j->scene, r->j->cache);
   if (have) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
-    if (tr.outcome == OUTCOME_AGREES) f->effect = "For the data of the example the two sides are equal.";
+    const char *of = scene_data_of(r->j->scene);
+    if (tr.outcome == OUTCOME_AGREES)
+      f->effect = result_str(r->j->out, "For the data of %s the two sides are equal.", of);
     if (tr.outcome == OUTCOME_DIFFERS)
-      f->effect = result_str(r->j->out, "For the data of the example, %sthe left side is %s and the right side %s.",
+      f->effect = result_str(r->j->out, "For the data of %s, %sthe left side is %s and the right side %s.", of,
                              entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
   }
   point_clear(&p);

@@ -175,11 +175,12 @@ static struct route_result add_returns(struct finding *f, struct judge *j, const
   const struct dyn_orbit *o = list->n ? &list->orbit[0] : NULL;
   const char *note =
       o ? result_str(j->out,
-                     "%ld found for chi, eta and V of the example, %sproved to exist; the state returns for %ld of "
+                     "%ld found for chi, eta and V of %s, %sproved to exist; the state returns for %ld of "
                      "%ld; %s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
-                     (long)list->n, list->n == 1 ? "" : "each ", back.of[TRUTH_TRUE], (long)list->n,
-                     list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
-                     ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
+                     (long)list->n, scene_data_of(j->scene), list->n == 1 ? "" : "each ", back.of[TRUTH_TRUE],
+                     (long)list->n, list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6),
+                     ball_text(j, o->t[1], 6), ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6),
+                     ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
         : "none was found; the search is not exhaustive";
   back.of[TRUTH_UNKNOWN] += !o;
   return add(f, j, closed ? "balls" : "exponential", answers_outcome(&back), closed, list->n, note);

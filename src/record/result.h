@@ -267,6 +267,7 @@ struct piece_spent {
 /* A table that a picture is drawn from, as the file of that name beside audit.json holds it. */
 struct data_table {
   const char *name, *text;
+  const char *orbit; /* of along-e2.tsv, where the data are not the example's: which orbit it follows; else NULL */
 };
 
 /* What stands beside a report's folder, and is no part of audit.json: index.html alone shows it, and so is a function
@@ -287,6 +288,7 @@ struct mutation_score {
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
+  const char *data;       /* "chi = 2/3, ..., e2 = 1/4" where they are not those of an example in print; else NULL */
   const char *paper;      /* the title of the paper; NULL where its files say none */
   const char *paper_text; /* the digest of the text that is quoted (quote/quote.h); NULL likewise */
   const char

@@ -325,7 +325,10 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
 
 void report_markdown(struct text *out, const struct audit_result *r) {
   size_t begin = out->len;
-  text_printf(out, "# Audit: %s\n\nData: %s.\n\n", r->scene, r->title);
+  text_printf(out, "# Audit: %s\n\n", r->scene);
+  if (r->title && *r->title) text_printf(out, "Data: %s.%s", r->title, r->data ? " " : "");
+  audit_data(out, r);
+  text_add(out, "\n\n");
   add_roots(out, r);
   add_counts(out, r);
   add_severities(out, r);

@@ -210,7 +210,8 @@ static const char *check_table(const void *record) {
   return fine ? NULL : "the name of a table is letters, digits and hyphens, and .tsv";
 }
 
-static const struct member table_member[] = {STRING(struct data_table, name, MEMBER_NEEDED)};
+static const struct member table_member[] = {STRING(struct data_table, name, MEMBER_NEEDED),
+                                             STRING(struct data_table, orbit, MEMBER_SPARSE)};
 static const struct data_table no_table = {.text = ""};
 static SHAPE(table, struct data_table, .blank = &no_table, .check = check_table);
 
@@ -355,6 +356,7 @@ static const struct member audit_shape_member[] = {
     TOLD("schema", tell_schema),
     STRING(struct audit_result, scene, MEMBER_NEEDED),
     STRING(struct audit_result, title, MEMBER_NULLABLE),
+    STRING(struct audit_result, data, MEMBER_SPARSE),
     STRING(struct audit_result, paper, MEMBER_SPARSE),
     STRING(struct audit_result, paper_text, MEMBER_SPARSE),
     STRING(struct audit_result, subject, MEMBER_SPARSE),

@@ -129,6 +129,11 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
   size_t substance = audit_result_roots(r, SEVERITY_SUBSTANCE), slips = r->n_roots - substance;
   text_add(s->out, is_tex(s) ? "\\section*{Errata}\n" : "# Errata\n\n");
   if (r->paper) sheet_add(s, is_tex(s) ? "\\emph{%t}\n\n" : "*%t*\n\n", r->paper);
+  struct text data = {0};
+  audit_data(&data, r);
+  sheet_prose(s, text_str(&data));
+  text_add(s->out, data.len ? " " : "");
+  text_clear(&data);
   text_add(s->out, "The formulas and conclusions of the paper were compared with the equations of motion (1) and "
                    "Coulomb's law (2), by exact algebra and by computations with rigorous error bounds. ");
   if (substance)

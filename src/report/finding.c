@@ -95,6 +95,12 @@ const char *failure_size(const struct audit_result *r, const struct finding *f) 
   return audit_result_consequence(r, f->id) ? f->size : f->effect;
 }
 
+void audit_data(struct text *out, const struct audit_result *r) {
+  if (r->data)
+    text_printf(out, "The data are those of this scene, %s: what the paper says of its example was judged with them.",
+                r->data);
+}
+
 void audit_recheck(struct text *out, const struct audit_result *r) {
   const char *one = r->n_findings ? finding_recheck(&r->findings[0]) : "stickslip verify", *end = NULL;
   for (const char *p = one; (p = strstr(p, " --only ")) != NULL; p++) end = p; /* the last: a path may hold another */

@@ -48,6 +48,8 @@ const char *failure_size(const struct audit_result *r, const struct finding *f);
 
 /* --- The record --- */
 
+/* What the data are, in a sentence, where the record names them; else nothing. */
+void audit_data(struct text *out, const struct audit_result *r);
 /* The command that repeats the audit, by what is given with its claims; without one, that of the usual scene. */
 void audit_recheck(struct text *out, const struct audit_result *r);
 /* Statements made wrong on purpose that this run has noticed. */

@@ -13,21 +13,27 @@ static void add_head(const struct page *p) {
            "script-src 'unsafe-inline'; img-src data:\" />\n"
            "<meta name=\"color-scheme\" content=\"light dark\" />\n<link rel=\"icon\" href=\"data:,\" "
            "/>\n<title>Audit: %e</title>\n<style>\n%s%s</style>\n</head>\n",
-           p->r->title ? p->r->title : p->r->scene, page_css, picture_css);
+           p->r->title && *p->r->title ? p->r->title : p->r->scene, page_css, picture_css);
 }
 
 static void add_opening(const struct page *p) {
-  text_add(p->out, "<body>\n<a class=\"skip\" href=\"#s-letter\">To the letter</a>\n<header>\n<h1>Audit of a paper");
+  bool letter = !p->r->data; /* to the authors, of whose example the page then speaks */
+  text_printf(p->out, "<body>\n<a class=\"skip\" href=\"#s-letter\">To the %s</a>\n<header>\n<h1>Audit of a paper",
+              letter ? "letter" : "summary");
   if (p->r->paper) page_add(p, ": <cite>%e</cite>", p->r->paper);
-  page_add(p, "</h1>\n%s</header>\n<main>\n", page_nav_html);
+  text_printf(p->out,
+              "</h1>\n<nav aria-label=\"Sections\"><ul>\n<li><a href=\"#s-letter\">%s</a></li>\n%s</header>\n<main>\n",
+              letter ? "Letter" : "Summary", page_nav_html);
 }
 
 /* For who wants to look something up. */
 static void add_archive(const struct page *p) {
   page_begin_section(p, "archive", "Archive");
-  page_add(p,
-           "<p>Numerical values refer to %t%. Each part opens where it is clicked, or when a link leads into it.</p>\n",
-           p->r->title ? p->r->title : p->r->scene);
+  if (p->r->data)
+    page_add(p, "<p>Numerical values refer to %p.", p->r->data);
+  else
+    page_add(p, "<p>Numerical values refer to %t%.", p->r->title ? p->r->title : p->r->scene);
+  text_add(p->out, " Each part opens where it is clicked, or when a link leads into it.</p>\n");
   page_model(p);
   page_pictures(p);
   page_every_claim(p);
@@ -39,10 +45,12 @@ static void add_archive(const struct page *p) {
 static void add_closing(const struct page *p) {
   text_add(p->out, "</main>\n<footer><p>Written by ");
   page_recheck(p);
-  text_add(p->out, " from the result that <a href=\"audit.json\">audit.json</a> holds. Beside it: "
-                   "<a href=\"audit.md\">audit.md</a>, <a href=\"errata.md\">errata.md</a> for the authors, "
-                   "<a href=\"audit.csv\">audit.csv</a>, <a href=\"junit.xml\">junit.xml</a>, "
-                   "<a href=\"claims.dot\">claims.dot</a>.</p></footer>\n<script>\n");
+  text_printf(p->out,
+              " from the result that <a href=\"audit.json\">audit.json</a> holds. Beside it: "
+              "<a href=\"audit.md\">audit.md</a>, <a href=\"errata.md\">errata.md</a>%s, "
+              "<a href=\"audit.csv\">audit.csv</a>, <a href=\"junit.xml\">junit.xml</a>, "
+              "<a href=\"claims.dot\">claims.dot</a>.</p></footer>\n<script>\n",
+              p->r->data ? "" : " for the authors");
   text_printf(p->out, "%s</script>\n</body>\n</html>\n", page_js);
 }
 

@@ -1,4 +1,5 @@
-/* The letter: what the paper's authors should know, on two screens.  What was read; how the printed numbers come out;
+/* The letter: what the paper's authors should know, on two screens; where the data are not an example's in print,
+   a summary of the same, which says what they are.  What was read; how the printed numbers come out;
    the errors of substance; what holds; where the solution is stable.  Every sentence is made of the record, and
    what stands here is told in full below it. */
 #include <stdio.h>
@@ -218,10 +219,8 @@ static void add_multiplier(const struct page *p, const struct finding *f) {
   for (int i = 0; f && i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
     if (!e->note || !e->worst || strncmp(e->worst, meant, sizeof meant - 1) != 0) continue;
-    page_add(p,
-             "The paper does not apply its criterion to the example. At the periodic solution nearest to the printed "
-             "numbers <a href=\"#c-%a\">",
-             f->id);
+    page_add(p, "%sAt the periodic solution nearest to the printed numbers <a href=\"#c-%a\">",
+             p->r->data ? "" : "The paper does not apply its criterion to the example. ", f->id);
     html_prose_n(p->out, e->note, strcspn(e->note, ";"));
     text_add(p->out, "</a>. ");
     return;
@@ -250,7 +249,9 @@ static void add_gift(const struct page *p) {
   if (along) picture_along.say(&range, &t);
   rows_clear(&t);
   if (f || along) {
-    text_add(p->out, "<h3>What the paper does not say: where the solution is stable</h3>\n<div class=\"beside\">\n<p>");
+    text_printf(p->out, "<h3>%s</h3>\n<div class=\"beside\">\n<p>",
+                p->r->data ? "Where the solution is stable"
+                           : "What the paper does not say: where the solution is stable");
     add_multiplier(p, f);
     html_text(p->out, text_str(&range), NULL);
     add_later(p, audit_result_finding(p->r, "text-long-run"));
@@ -263,20 +264,32 @@ static void add_gift(const struct page *p) {
 
 /* --- The letter --- */
 
+static void add_data(const struct page *p) {
+  struct text data = {0};
+  audit_data(&data, p->r);
+  if (data.len) page_add(p, "<p>%p</p>\n", text_str(&data));
+  text_clear(&data);
+}
+
 void page_letter(const struct page *p) {
-  page_begin_section(p, "letter", "To the authors");
+  page_begin_section(p, "letter", p->r->data ? "The paper with the data of this scene" : "To the authors");
   text_add(p->out, "<p>The formulas and statements of the paper were compared, one by one, with its "
                    "equations of motion (1) and Coulomb's law (2): by exact algebra, by computations with rigorous "
                    "error bounds and by numerical integration. <strong>The text that was read is a machine conversion "
                    "of the printed paper</strong>; a misprint of a single symbol may be due to the conversion.</p>\n");
+  add_data(p);
   add_example(p);
   add_errors(p);
   add_what_holds(p);
   add_gift(p);
-  text_add(
+  text_printf(
       p->out,
       "<p>The <a href=\"#s-findings\">findings</a> follow with corrections and evidence, each with the command that "
-      "judges it again; <a href=\"errata.md\">errata.md</a> is the same as a sheet to be sent. <code>make deps "
-      "verify</code> in a copy of the project repeats the whole audit; what it does not show is said <a "
-      "href=\"#s-limits\">at the end</a>.</p>\n</section>\n");
+      "judges it again; <a href=\"errata.md\">errata.md</a> is the same as a sheet%s. ",
+      p->r->data ? "" : " to be sent");
+  if (p->r->data) page_recheck(p);
+  text_printf(p->out,
+              "%s repeats the whole audit; what it does not show is said <a "
+              "href=\"#s-limits\">at the end</a>.</p>\n</section>\n",
+              p->r->data ? "" : "<code>make deps verify</code> in a copy of the project");
 }

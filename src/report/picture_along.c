@@ -68,8 +68,9 @@ static void add_ends(struct text *out, const struct rows *t) {
 static void say_along(struct text *out, const struct rows *t) {
   bool any = false;
   if (t->n == 0 || t->columns <= ADMISSIBLE) return;
-  text_printf(out, "The picture shows this solution for $%s \\le e_2 \\le %s$ with the other data of the example,",
-              t->cell[0][E2], t->cell[t->n - 1][E2]);
+  text_printf(out, "The picture shows %s for $%s \\le e_2 \\le %s$ with the other data of %s,",
+              t->orbit ? t->orbit : "this solution", t->cell[0][E2], t->cell[t->n - 1][E2],
+              t->orbit ? "this scene" : "the example");
   add_ends(out, t);
   text_add(out, "; what is dotted solves the equations and is no motion.");
   for (size_t i = 0; i < t->n; i++)

@@ -31,9 +31,12 @@ static void read_row(struct rows *t, const char *line, size_t len) {
 
 bool rows_read(struct rows *t, const struct audit_result *r, const char *name) {
   const char *text = NULL;
-  for (size_t i = 0; i < r->n_tables; i++)
-    if (strcmp(r->tables[i].name, name) == 0) text = r->tables[i].text;
   *t = (struct rows){.n = 0};
+  for (size_t i = 0; i < r->n_tables; i++)
+    if (strcmp(r->tables[i].name, name) == 0) {
+      text = r->tables[i].text;
+      t->orbit = r->tables[i].orbit;
+    }
   arena_init(&t->arena);
   if (!text) return false;
   for (size_t len; *text; text += len + (text[len] == '\n')) {

@@ -15,6 +15,7 @@ struct rows {
   const char **heading;
   const char ***cell; /* [row][column] */
   size_t n, cap, columns;
+  const char *orbit; /* struct data_table; the record's */
 };
 /* false where the record has no such table. */
 bool rows_read(struct rows *t, const struct audit_result *r, const char *name);

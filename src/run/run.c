@@ -364,6 +364,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
                struct diag *d) {
   if (!run_check_selection(m, claims, opt, scene, d)) return false;
   name_subject(out, m, scene);
+  record_scene(out, scene);
   struct scene bare = without_data(scene);
   if (scene_is_box(scene)) scene = &bare;
   struct dependences *rests = dependences_new(m, claims);
@@ -377,8 +378,6 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   struct audit_work r = {.base = &base, .opt = opt, .findings = out};
   struct pieces first = {.n = 0}, second = {.n = 0};
   unsigned touched = 0;
-  out->scene = result_str(out, "%s", scene->name);
-  out->title = scene->title ? result_str(out, "%s", scene->title) : NULL;
   out->jobs = opt->jobs > 1 ? opt->jobs : 1;
   routes_describe(out);
   pieces_first(&first, m, claims, scene, opt);

@@ -12,6 +12,7 @@
 #include "explore/bifurcate.h"
 #include "motion/warm.h"
 #include "tables.h"
+#include "value/printed.h"
 #include "value/solved.h"
 
 /* The line of one orbit runs from half of the scene's e2 to three times it. */
@@ -20,7 +21,7 @@ enum { SAMPLES = 41, DIGITS = 6, STARTS = 65, DECIMALS = 6, SPOT_DIGITS = 9, STA
 #define ASTRAY 1e-3
 
 static const char heading[] =
-    "# The periodic orbit nearest to the printed numbers when e2 alone is another: samples, and between them what "
+    " when e2 alone is another: samples, and between them what "
     "changes, each e2 there with two decimals that are proved to enclose it.\n"
     "# From half of the e2 of the scene to three times it, as far as the branch reaches without turning back.\n"
     "# trace is tr J; stable, admissible: at the sample, or just above the change; - where that is not proved, or no "
@@ -191,6 +192,8 @@ void table_along_e2(struct table_source *s) {
   fmpq_div_2exp(from, e2, 1);
   fmpq_mul_si(to, e2, 3);
   dyn_axis_init(&axis, P_E2, from, to, SAMPLES);
+  text_add(&body, "# ");
+  text_add_capital(&body, usual_orbit_text(s->j, "periodic orbit"));
   text_add(&body, heading);
   const struct dyn_line line = {.params = scene->value, .vary = P_E2, .from = from, .to = to};
   if (dyn_bifurcations_find(&list, &line, DIGITS, STARTS) == SS_OK) {
@@ -201,6 +204,7 @@ void table_along_e2(struct table_source *s) {
     free(at);
   }
   table_finish(s->j->out, "along-e2.tsv", &body);
+  if (!scene_is_example(scene)) s->j->out->tables[s->j->out->n_tables - 1].orbit = usual_orbit_text(s->j, "orbit");
   dyn_bifurcations_clear(&list);
   dyn_axis_clear(&axis);
   fmpq_clear(l.at);

@@ -6,6 +6,7 @@
 
 #include "num/calc.h"
 #include "tables.h"
+#include "value/printed.h"
 
 enum { DECIMALS = 3, FIRST_STEP = 3, LAST_STEP = 84 };
 
@@ -104,13 +105,13 @@ static void add_rows(struct text *body, const struct fine *f) {
 void table_of_differences(struct table_source *s) {
   struct text body = {0};
   struct fine f;
-  text_add(
-      &body,
-      "# The error of tr J on the orbit nearest to the printed numbers by central differences of the event-located "
-      "return map, against their step h.\n"
-      "# Columns: log10 of h and of the error with so many bits in every operation; 53 are those of double "
-      "precision; - where it is not known or zero.\n"
-      "log10_h\tbits_53\tbits_113\tbits_256\n");
+  text_printf(&body,
+              "# The error of tr J on %s by central differences of the event-located "
+              "return map, against their step h.\n"
+              "# Columns: log10 of h and of the error with so many bits in every operation; 53 are those of double "
+              "precision; - where it is not known or zero.\n"
+              "log10_h\tbits_53\tbits_113\tbits_256\n",
+              usual_orbit_text(s->j, "orbit"));
   if (fine_init(&f, s) == SS_OK) add_rows(&body, &f);
   num_vec_clear(&f.params);
   table_finish(s->j->out, "differences.tsv", &body);

@@ -7,6 +7,7 @@
 #include "num/calc.h"
 #include "tables.h"
 #include "value/coulomb_setup.h"
+#include "value/printed.h"
 
 enum { DECIMALS = 4, MOST_PERIODS = 120, COULOMB_PERIODS = 120 };
 
@@ -114,10 +115,14 @@ void table_of_long_runs(struct table_source *s) {
       "# How far from a periodic orbit, period by period: log10 of |r - r*|, r = z_2 - z_1 at the end of the global "
       "stick phase, r* that of the orbit.\n"
       "# run orbit K, formal K: 1/1000 beside orbit K, by the return map (formal: an orbit that breaks a "
-      "condition);\n"
-      "# printed: the motion of the printed start under Coulomb's law, at every return to the stick phase, from the "
-      "orbit nearest to the printed numbers.\n"
-      "run\tn\tlog10\n");
+      "condition);\n");
+  if (s->printed[0])
+    text_printf(
+        &body,
+        "# printed: the motion of the printed start under Coulomb's law, at every return to the stick phase, from "
+        "%s.\n",
+        usual_orbit_text(s->j, "orbit"));
+  text_add(&body, "run\tn\tlog10\n");
   for (slong k = 0; k < s->list->n; k++) add_beside(&body, s, k);
   if (s->printed[0]) add_printed(&body, s);
   table_finish(s->j->out, "long-run.tsv", &body);

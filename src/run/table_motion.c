@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "tables.h"
+#include "value/printed.h"
 
 enum { DECIMALS = 6 };
 
@@ -120,11 +121,12 @@ static int run_printed(struct dyn_arc *arc, const struct table_source *s) {
   return status;
 }
 
-static void add_headings(struct motion_tables *t) {
-  static const char motions[] =
-      "# motion orbit: the periodic orbit nearest to the printed numbers; printed: what the printed start (z10, z20), "
-      "taken exactly, leads to.\n"
+static void add_headings(struct motion_tables *t, const struct table_source *s) {
+  static const char marks[] =
       "# phase D, Gamma, H, C; mark O a b c d: the ends of phases as the figures name them.  " TABLE_UNITS "\n";
+  const char *motions =
+      result_str(s->j->out, "# motion orbit: %s%s.\n%s", usual_orbit_text(s->j, "periodic orbit"),
+                 s->printed[0] ? "; printed: what the printed start (z10, z20), taken exactly, leads to" : "", marks);
   text_printf(&t->history, "# Time history of the masses (figure 3).\n%smotion\tphase\tmark\tt\tz_1\tz_2\n", motions);
   text_printf(&t->portrait, "# Phase plots of the system (figure 4).\n%smotion\tphase\tmark\tz_1\tz'_1\tz_2\tz'_2\n",
               motions);
@@ -144,7 +146,7 @@ void tables_of_motion(struct table_source *s) {
   text_init(&t.portrait);
   text_init(&t.margins);
   dyn_arc_init(&arc, s->params.ctx);
-  add_headings(&t);
+  add_headings(&t, s);
   if (orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK) add_motion(&t, s, "orbit", &arc);
   if (s->printed[0] && run_printed(&arc, s) == SS_OK) add_motion(&t, s, "printed", &arc);
   table_finish(s->j->out, "figure-3.tsv", &t.history);

@@ -8,6 +8,7 @@
 
 #include "motion/return_map.h"
 #include "tables.h"
+#include "value/printed.h"
 
 enum { DECIMALS = 6, GRID = 240, STEPS = 40 };
 
@@ -170,15 +171,16 @@ void table_of_return_map(struct table_source *s) {
   text_init(&t.body);
   num_vec_init(&t.r, 1, s->params.ctx);
   num_vec_init(&t.out, N_RETURN, s->params.ctx);
-  text_add(
+  text_printf(
       &t.body,
       "# The return map of the word: r = z_2 - z_1 at the end of the global stick phase, r' one period later, and "
       "the slope dr'/dr.\n"
-      "# curve map, near: the map, over all fixed points and close to the orbit nearest to the printed numbers, in "
+      "# curve map, near: the map, over all fixed points and close to %s, in "
       "pieces; orbit, formal: fixed points by number, formal where a condition is broken, with tr J as slope;\n"
       "# iterate: from the printed start (from beside the orbit where none is printed), by number.  No "
       "dimensions.\n"
-      "curve\tpiece\tr\tr'\tslope\n");
+      "curve\tpiece\tr\tr'\tslope\n",
+      usual_orbit_text(s->j, "orbit"));
   add_curves(&t);
   table_finish(s->j->out, "return-map.tsv", &t.body);
   num_vec_clear(&t.out);

@@ -2,6 +2,7 @@
 #include "tables.h"
 
 #include "judge/judge.h"
+#include "value/printed.h"
 
 /* NULL, or why there is nothing to be drawn. */
 static const char *source_init(struct table_source *s, struct judge *j, struct point *p) {
@@ -42,8 +43,7 @@ const char *study_tables(struct judge *j) {
 
 static void judge_open(struct judge *j, struct audit_result *out, const struct scene *scene, struct diag *d) {
   *j = (struct judge){.out = out, .scene = scene, .cache = orbit_cache_new(), .d = d};
-  out->scene = result_str(out, "%s", scene->name);
-  out->title = result_str(out, "%s", scene->title);
+  record_scene(out, scene);
 }
 
 const char *audit_tables(struct audit_result *out, const struct scene *scene) {

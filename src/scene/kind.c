@@ -17,6 +17,30 @@ bool scene_is_box(const struct scene *s) {
   return false;
 }
 
+bool scene_is_example(const struct scene *s) {
+  return s->n_printed > 0 && !s->changed;
+}
+
+const char *scene_data_of(const struct scene *s) {
+  return scene_is_example(s) ? "the example" : "this scene";
+}
+
+void scene_data_print(struct text *out, const struct scene *s) {
+  const char *sep = "";
+  for (int k = 0; k < N_KEYS; k++) {
+    bool interval = k < N_SCENE_PARAMS && s->interval[k];
+    if (!s->given[k]) continue;
+    text_printf(out, "%s%s = %s", sep, scene_key_name[k], interval ? "[" : "");
+    num_print_q(out, &s->value[k]);
+    if (interval) {
+      text_add(out, ", ");
+      num_print_q(out, &s->high[k]);
+      text_add_char(out, ']');
+    }
+    sep = ", ";
+  }
+}
+
 bool scene_is(const struct scene *s, const char *name) {
   return s->on_file && !s->changed && strcmp(s->file, name) == 0;
 }

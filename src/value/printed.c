@@ -116,18 +116,28 @@ bool printed_point(struct point *out, const struct scene *s) {
   return true;
 }
 
+void record_scene(struct audit_result *out, const struct scene *s) {
+  struct text data = {0};
+  out->scene = result_str(out, "%s", s->name);
+  out->title = s->title ? result_str(out, "%s", s->title) : NULL;
+  if (scene_is_example(s)) return;
+  scene_data_print(&data, s);
+  out->data = result_take(out, &data);
+}
+
+/* The numbers of an orbit of which some may be printed. */
+enum { N_OF_ORBIT = 6 };
+static const char *const of_orbit[N_OF_ORBIT] = {"z10", "z20", "t_a", "t_b", "t_c", "t_d"};
+
 /* Relative squared distance of an orbit from the printed numbers; 0 where none are printed. */
 static double distance(const struct dyn_orbit *o, const struct scene *s) {
-  const struct {
-    const char *name;
-    arb_srcptr value;
-  } of[] = {{"z10", o->z10}, {"z20", o->z20}, {"t_a", o->t[0]}, {"t_b", o->t[1]}, {"t_c", o->t[2]}, {"t_d", o->t[3]}};
+  const arb_srcptr value[N_OF_ORBIT] = {o->z10, o->z20, o->t[0], o->t[1], o->t[2], o->t[3]};
   double sum = 0;
-  for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
-    const struct printed_number *p = scene_printed(s, of[i].name);
+  for (int i = 0; i < N_OF_ORBIT; i++) {
+    const struct printed_number *p = scene_printed(s, of_orbit[i]);
     if (!p) continue;
     double want = fmpq_get_d(&p->value), unit = fmpq_get_d(&p->unit);
-    double rel = (num_arb.get_d(of[i].value) - want) / fmax(fabs(want), unit);
+    double rel = (num_arb.get_d(value[i]) - want) / fmax(fabs(want), unit);
     sum += rel * rel;
   }
   return sum;
@@ -146,6 +156,16 @@ slong usual_orbit(const struct dyn_orbits *list, const struct scene *s) {
     if (admissible == list->n && list->orbit[i].admissible == TRUTH_TRUE) admissible = i;
   }
   return most > 0 || admissible == list->n ? nearest : admissible;
+}
+
+const char *usual_orbit_text(struct judge *j, const char *noun) {
+  const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
+  for (int i = 0; i < N_OF_ORBIT; i++)
+    if (scene_printed(j->scene, of_orbit[i])) return result_str(j->out, "the %s nearest to the printed numbers", noun);
+  slong k = usual_orbit(list, j->scene);
+  bool admissible = k < list->n && list->orbit[k].admissible == TRUTH_TRUE;
+  return result_str(j->out, "%s %ld (%s)", noun, (long)k + 1,
+                    admissible ? "the first admissible one" : "the first; none is proved to be admissible");
 }
 
 slong scene_usual_orbit(const struct scene *s) {

@@ -11,10 +11,15 @@ const fmpq *scene_number(const struct scene *s, enum scene_key key);
 /* The printed state and times of the scene as a point, with what the scene gives in place of what it does not print;
    false when some are neither printed nor given. */
 bool printed_point(struct point *out, const struct scene *s);
+/* The scene's name and title into the record, and its data where they are not those of an example in print. */
+void record_scene(struct audit_result *out, const struct scene *s);
 /* Which orbit of the list is meant where nobody says which: the nearest to the scene's printed numbers; without any (or
    without a scene) the first that is admissible, else the first. */
 slong usual_orbit(const struct dyn_orbits *list, const struct scene *s);
-/* The same of the list that `orbit` shows. */
+/* What a text calls the one of the scene's orbits that is meant; noun: "orbit", "periodic solution".  "The orbit nearest
+   to the printed numbers" only where some are printed, else "orbit 2 (the first admissible one)". */
+const char *usual_orbit_text(struct judge *j, const char *noun);
+/* The number of the usual orbit in the list that `orbit` shows. */
 slong scene_usual_orbit(const struct scene *s);
 /* That orbit as a point; false when the scene has none. */
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache);
