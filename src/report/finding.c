@@ -137,7 +137,9 @@ void failures_say(struct text *out, const struct audit_result *r) {
   if (count[VERDICT_REFUTED]) text_printf(out, ", %ld do not hold as printed", count[VERDICT_REFUTED]);
   if (of_numbers) text_printf(out, ", %ld of them about the numbers of the example", of_numbers);
   if (due == 0) return;
-  text_printf(out, " (of these %ld, ", due);
+  text_printf(
+      out, count[VERDICT_CONDITIONAL] && count[VERDICT_REFUTED] ? " (of the %ld of both kinds, " : " (of these %ld, ",
+      due);
   bool first = true;
   for (int i = 0; i < N_SEVERITIES; i++) {
     if (of[i] == 0) continue;
