@@ -204,7 +204,6 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
   struct rank_system y;
   bool ok = rank_system_build(&y, j, c, view);
   if (ok && !said) ok = claim_error(j, c, "kind", "the attribute rank is missing");
-  if (ok && strtol(said, NULL, 10) > y.cols) ok = claim_error(j, c, "rank", "there are not so many unknowns");
   if (ok) {
     struct sampler s;
     struct point p;
