@@ -119,8 +119,10 @@ static bool set_interval(struct scene *s, enum scene_key key, const struct const
 
 static bool evaluate(struct reader *r, enum scene_key k) {
   struct parameter *p = &r->parameter[k];
-  struct constant c = {p->src, r->d, &r->depth, &r->work, refer, "the scene's other parameters", r,
-                       scene_keys[k].takes == TAKES_INTERVAL};
+  struct constant c = {p->src,    r->d,
+                       &r->depth, &r->work,
+                       refer,     "the scene's other parameters",
+                       r,         scene_keys[k].takes == TAKES_INTERVAL};
   if (p->state == EVALUATED) return true;
   p->state = IN_EVALUATION;
   r->chain[r->n_chain++] = k;
