@@ -612,7 +612,7 @@ START_TEST(other_data_are_no_letter) {
   struct audit_result r = {.scene = "s", .title = "", .data = "chi = 2/3, e2 = 1/4", .tables = &along, .n_tables = 1};
   char *page = written(report_html, &r), *md = written(report_markdown, &r), *sheet = written(report_errata, &r);
   ck_assert(strstr(page, "<title>Audit: s</title>") && strstr(page, "The picture shows ORBIT 7 for"));
-  ck_assert(strstr(page, "with the other data of this scene.") && strstr(page, "scene, <var>\xcf\x87</var> = 2/3,"));
+  ck_assert(strstr(page, "with the other data of this scene,") && strstr(page, "scene, <var>\xcf\x87</var> = 2/3,"));
   ck_assert(!strstr(page, "uthors") && !strstr(page, "Letter") && !strstr(page, "data of the example"));
   ck_assert(strstr(md, "# Audit: s\n\nThe data are those of this scene, chi = 2/3, e2 = 1/4: "));
   ck_assert(strstr(sheet, "# Errata\n\nThe data are those of this scene, $\\chi$ = 2/3, "));
@@ -620,7 +620,7 @@ START_TEST(other_data_are_no_letter) {
   r.data = along.orbit = NULL;
   page = written(report_html, &r);
   ck_assert(strstr(page, ">To the authors</h2>") && strstr(page, "The picture shows this solution for"));
-  ck_assert(strstr(page, "with the other data of the example.") && !strstr(page, "this scene"));
+  ck_assert(strstr(page, "with the other data of the example,") && !strstr(page, "this scene"));
   free(page);
 }
 END_TEST
