@@ -143,8 +143,9 @@ static void orbit_text(struct text *out, const struct dyn_box_orbit *b, const st
   if (b->proved && b->word != TRUTH_TRUE) text_add(out, "  perhaps not of the word all over the box\n");
   for (int i = 0; i < ORBIT_NUMBERS; i++) {
     text_printf(out, "  %-8s ", orbit_number_name(i));
-    if (exact_number(s, i))
-      num_print_rational(out, exact_number(s, i), digits);
+    const fmpq *exact = exact_number(s, i);
+    if (exact)
+      num_print_rational(out, exact, digits);
     else if (b->proved)
       add_interval(out, orbit_number(o, i), digits);
     else

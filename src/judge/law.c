@@ -173,22 +173,26 @@ static const char *pull_text(const struct law *l) {
 
 static bool prove_law(struct finding *f, const struct law *l) {
   int m = l->mass + 1;
-  bool all = every_cell_agrees(l);
+  if (!every_cell_agrees(l)) {
+    exact_route(f, l->j->out, ROUTE_UNDECIDED,
+                "the signs of the conditions are not those of Coulomb's law in every case");
+    return false;
+  }
   const char *note = result_str(
       l->j->out,
       "finite split of cases, exact in each: with f = %s, one branch alone applies and gives Coulomb's friction where "
       "x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and f < "
       "-u_r%d (-u_s%d)",
       pull_text(l), m, m, m, m, m, m, m, m, m, m);
-  exact_route(f, l->j->out, all ? ROUTE_AGREES : ROUTE_UNDECIDED,
-              all ? note : "the signs of the conditions are not those of Coulomb's law in every case");
-  return all;
+  exact_route(f, l->j->out, ROUTE_AGREES, note);
+  return true;
 }
 
 /* The law where f is just at a limit.  The correction is that of the text before (11): a mass breaks away
    at its limits too, and nothing else may change. */
 static void judge_limits(struct finding *f, struct law *l) {
-  static const char *const applies[] = {"no branch applies", "one branch applies", "two branches apply", "three apply"};
+  static const char *const applies[] = {"no branch applies", "one branch applies", "two branches apply",
+                                        "three branches apply"};
   int n[] = {at_limit(l, 1), at_limit(l, -1)}, m = l->mass + 1;
   bool known = n[0] >= 0 && n[1] >= 0, once = n[0] == 1 && n[1] == 1;
   const char *note =

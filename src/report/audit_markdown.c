@@ -65,9 +65,9 @@ static void add_roots(struct text *out, const struct audit_result *r) {
   int last = -1;
   for (size_t i = 0; i < r->n_roots; i++) {
     const struct root_cause *root = &r->roots[i];
-    static const char *const heading[N_SEVERITIES] = {"What changes a result, in order of consequence", "Remarks",
-                                                      "Misprints and slips of notation"};
-    if (last != (int)root->severity) text_printf(out, "%s## %s\n\n", i ? "\n" : "", heading[root->severity]);
+    if (last != (int)root->severity)
+      text_printf(out, "%s## %s%s\n\n", i ? "\n" : "", severity_heading[root->severity],
+                  root->severity == SEVERITY_SUBSTANCE ? ", in order of consequence" : "");
     last = (int)root->severity;
     sheet_add(&s, "- **%t**: %t. %t *It should read:* ", root->where, root->title, root->wrong);
     sheet_values(&s, r, root);

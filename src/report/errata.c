@@ -111,13 +111,13 @@ static void add_root(const struct sheet *s, const struct audit_result *r, const 
   end_item(s);
 }
 
-static void add_roots(const struct sheet *s, const struct audit_result *r, enum severity severity, const char *words,
-                      bool counted) {
+static void add_roots(const struct sheet *s, const struct audit_result *r, enum severity severity) {
+  bool counted = severity == SEVERITY_SUBSTANCE;
   int n = 0;
   for (size_t i = 0; i < r->n_roots; i++) {
     if (r->roots[i].severity != severity) continue;
     if (n++ == 0) {
-      heading(s, words);
+      heading(s, severity_heading[severity]);
       begin_items(s, counted);
     }
     add_root(s, r, &r->roots[i], counted ? n : 0);
@@ -343,9 +343,7 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
 
 static void write_sheet(const struct sheet *s, const struct audit_result *r) {
   add_opening(s, r);
-  add_roots(s, r, SEVERITY_SUBSTANCE, "What changes a result", true);
-  add_roots(s, r, SEVERITY_REMARK, "Remarks", false);
-  add_roots(s, r, SEVERITY_NOTATION, "Misprints and slips of notation", false);
+  for (int i = 0; i < N_SEVERITIES; i++) add_roots(s, r, (enum severity)i);
   if (add_numbers(s, r)) {
     add_bounds(s, r);
     add_closure(s, r);

@@ -57,6 +57,8 @@ size_t controls_noticed(const struct audit_result *r);
 
 /* One of them, and several: "remark", "remarks". */
 extern const char *const severity_words[N_SEVERITIES][2];
+/* Over the roots of that severity. */
+extern const char *const severity_heading[N_SEVERITIES];
 
 /* Where a reading takes the initial positions from, in a sentence with mathematics between dollar signs; "" where it
    solves both lines of (44), or neither. */

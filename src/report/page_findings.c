@@ -316,12 +316,12 @@ static void add_evidence(const struct page *p, const struct root_cause *root) {
   if (*before == '<') text_add(p->out, ")</span>");
 }
 
-static void add_list(const struct page *p, enum severity severity, const char *heading) {
+static void add_list(const struct page *p, enum severity severity) {
   bool any = false;
   for (size_t i = 0; i < p->r->n_roots; i++) {
     const struct root_cause *root = &p->r->roots[i];
     if (root->severity != severity) continue;
-    if (!any) text_printf(p->out, "<h3>%s</h3>\n<ul>\n", heading);
+    if (!any) text_printf(p->out, "<h3>%s</h3>\n<ul>\n", severity_heading[severity]);
     any = true;
     page_add(p, "<li id=\"r-%a\"><div class=\"tex\"><strong>%t: %t.</strong> ", root->id, root->where, root->title);
     add_words(p, root);
@@ -382,8 +382,8 @@ void page_findings(const struct page *p) {
   for (size_t i = 0; i < p->r->n_roots; i++)
     if (p->r->roots[i].severity == SEVERITY_SUBSTANCE) add_error(p, &p->r->roots[i]);
   add_others(p);
-  add_list(p, SEVERITY_REMARK, "Remarks");
-  add_list(p, SEVERITY_NOTATION, "Misprints and slips of notation");
+  add_list(p, SEVERITY_REMARK);
+  add_list(p, SEVERITY_NOTATION);
   add_undecided(p);
   text_add(p->out, "</section>\n");
 }
