@@ -240,19 +240,16 @@ int show_plan(const struct model *m, const struct claims *claims, const struct c
 int run_orbit_paper(const struct options *o, const char *data, struct diag *d);
 /* orbit on a scene with intervals. */
 int show_box(const struct options *o, const struct scene *s, slong digits);
-/* orbit and jacobian on a scene that names another word than the paper's. */
-int run_word_orbit(const struct options *o, const struct scene *s, slong digits, struct diag *d);
-/* orbit, words, jacobian and bifurcate on a scene that names a system file. */
+/* orbit and jacobian on a scene that names a system file or another word than the paper's. */
+int run_proved_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d);
+int run_proved_jacobian(const struct options *o, const struct scene *s, const char *data,
+                        const struct jacobian_request *asked, struct diag *d);
+/* words and bifurcate on a scene that names a system file. */
 int run_system_bifurcate(const struct options *o, const struct scene *s, const char *data, slong digits,
                          struct diag *d);
-int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d);
 /* longest: of --longest, where it is given. */
 int run_system_words(const struct options *o, const struct scene *s, const char *data, int longest, slong digits,
                      struct diag *d);
-int run_system_jacobian(const struct options *o, const struct scene *s, const char *data,
-                        const struct jacobian_request *asked, struct diag *d);
-int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
-                      struct diag *d);
 /* simulate --compare, from the start of that name, over at most the given time. */
 int compare_routes(const struct coulomb_setup *setup, const struct scene *s, const char *from, long periods,
                    double duration);

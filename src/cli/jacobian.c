@@ -122,11 +122,10 @@ int run_jacobian(const struct options *o, const char *data, struct diag *d) {
   model_init(&m);
   bool ok =
       load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d) && (s.system || scene_one_point(&s, d));
-  if (ok && q.orbit < 0) q.orbit = s.system || scene_other_word(&s) ? 0 : scene_usual_orbit(&s);
-  if (ok && s.system)
-    status = run_system_jacobian(o, &s, data, &q, d);
-  else if (ok && scene_other_word(&s))
-    status = run_word_jacobian(o, &s, &q, d);
+  bool proved = ok && (s.system || scene_other_word(&s));
+  if (ok && q.orbit < 0) q.orbit = proved ? 0 : scene_usual_orbit(&s);
+  if (proved)
+    status = run_proved_jacobian(o, &s, data, &q, d);
   else if (ok && load_model(&m, data, o, d))
     (option(o, OPT_PHASES) ? show_phases : show_jacobian)(o, &m, &s, &q, d);
   scene_clear(&s);

@@ -167,7 +167,7 @@ void json_truth(struct json *j, const char *key, truth t) {
 void admissible_text(struct text *out, truth admissible, const struct scene *s) {
   bool u1 = s->given[KEY_U_R1], u2 = s->given[KEY_U_R2];
   text_add(out, admissibility_name[admissible]);
-  if (admissible != TRUTH_TRUE || (u1 && u2)) return;
+  if (admissible != TRUTH_TRUE || s->system || (u1 && u2)) return;
   text_printf(out, " with %s",
               u1   ? "u_r2 above its bound"
               : u2 ? "u_r1 above its bound"

@@ -236,8 +236,7 @@ static const char *lacks(const struct options *o, const struct scene *s) {
 }
 
 static int show_scene(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
-  if (s->system) return run_system_orbit(o, s, data, digits, d);
-  if (scene_other_word(s)) return run_word_orbit(o, s, digits, d);
+  if (s->system || scene_other_word(s)) return run_proved_orbit(o, s, data, digits, d);
   const char *why = lacks(o, s);
   if (why) {
     diag_set(d, "%s: error: %s", s->path, why);

@@ -1,4 +1,5 @@
-/* stickslip system; orbit, words and jacobian on a scene that names a system file. */
+/* stickslip system; orbit, words and jacobian on a scene that names a system file, orbit and jacobian on one that names
+   another word of the two masses: the same orbits, by another search and with other names of phases. */
 #include "cli.h"
 #include "mech/describe.h"
 #include "mech/moments.h"
@@ -31,6 +32,11 @@ int run_system(const struct options *o, const char *data, struct diag *d) {
 
 /* --- Orbits --- */
 
+static void refuse_option(struct diag *d, const char *option, const struct scene *s) {
+  diag_set(d, "%s: error: %s is of %s", s->path, option,
+           s->system ? "the paper's two masses" : "the word D-Gamma-H-C, and the scene names another");
+}
+
 static const char not_complete[] = "orbits are those that simulated motions come near; there may be others";
 
 /* z: n multipliers, or NULL. */
@@ -62,14 +68,39 @@ static void find_radius(mag_t radius, const struct mech_orbit *o) {
   radius_raise(radius, o->state, o->word.n * o->states);
 }
 
-static void orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const char *system,
+/* "s-" in a system file, "C" in another word of the two masses. */
+static const char *phase_shown(const struct scene *s, const char *phase) {
+  return s->system ? phase : phase_name_of_system(phase);
+}
+
+static void word_shown(struct json *j, const struct mech_orbit *o, const struct scene *s) {
+  json_array(j, "word");
+  for (int k = 0; k < o->word.n; k++) json_string(j, NULL, phase_shown(s, o->word.phase[k]));
+  json_end_array(j);
+}
+
+static void violation(struct text *out, const struct mech_fact *f, const struct mech_orbit *o, const struct mech *m,
+                      const struct scene *s) {
+  mech_fact_print(out, m, f, s->system ? NULL : phase_name_of_system(o->word.phase[f->phase]));
+}
+
+/* The static friction that another word needs; false where it is given. */
+static bool friction_shown(arb_t least, const struct mech_orbit *o, const struct mech *m, int mass, slong digits) {
+  return word_orbit_friction(least, o, m, mass, system_bits(digits));
+}
+
+static const char *const friction_name[2] = {"u_r1_min", "u_r2_min"};
+
+void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
                        slong digits) {
   mag_t radius;
+  arb_t least;
   mag_init(radius);
+  arb_init(least);
   find_radius(radius, o);
   json_object(j, NULL);
-  json_string(j, "system", system);
-  mech_word_json(j, &o->word);
+  if (s->system) json_string(j, "system", s->system);
+  word_shown(j, o, s);
   json_numbers(j, "times", o->t, o->word.n, digits);
   states_json(j, o, digits);
   json_number(j, "period", o->period, digits);
@@ -84,23 +115,32 @@ static void orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   for (int i = 0; i < o->n_facts; i++) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
     json_begin_string(j, NULL);
-    mech_fact_print(j->out, m, &o->fact[i]);
+    violation(j->out, &o->fact[i], o, m, s);
     json_end_string(j);
   }
   json_end_array(j);
+  for (int i = 0; i < 2 && !s->system; i++)
+    if (friction_shown(least, o, m, i, digits))
+      json_number(j, friction_name[i], least, digits);
+    else
+      json_null(j, friction_name[i]);
   proof_json(j, o->certified, radius);
   json_end_object(j);
+  arb_clear(least);
   mag_clear(radius);
 }
 
-static void orbits_json(struct text *out, const struct mech_orbits *list, const struct mech *m, const struct scene *s,
-                        slong digits) {
+static void orbits_json(struct text *out, const struct word_orbits *list, const struct scene *s, slong digits) {
   struct json j;
   json_of_model(&j, out, s);
-  json_bool(&j, "complete", false);
-  json_string(&j, "gap", not_complete);
+  if (s->system) {
+    json_bool(&j, "complete", false);
+    json_string(&j, "gap", not_complete);
+  } else {
+    word_json(&j, s);
+  }
   json_array(&j, "orbits");
-  for (int i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], m, s->system, digits);
+  for (int i = 0; i < list->found.n; i++) proved_orbit_json(&j, &list->found.orbit[i], &list->m, s, digits);
   json_end_array(&j);
   json_end_object(&j);
 }
@@ -122,13 +162,18 @@ static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits
   text_add(out, !z ? " not told apart\n" : n ? "\n" : " none\n");
 }
 
-static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, slong digits) {
+static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
+                       slong digits) {
   mag_t radius;
+  arb_t least;
   mag_init(radius);
-  text_printf(out, "%s, %s\n", stability_name[o->stable], admissibility_name[o->admissible]);
+  arb_init(least);
+  text_printf(out, "%s, ", stability_name[o->stable]);
+  admissible_text(out, o->admissible, s);
+  text_add_char(out, '\n');
   for (int k = 0; k < o->word.n; k++) {
     char name[MECH_PHASE + 16];
-    snprintf(name, sizeof name, "t_%d %s", k + 1, o->word.phase[k]);
+    snprintf(name, sizeof name, "t_%d %s", k + 1, phase_shown(s, o->word.phase[k]));
     print_named(out, 12, name, o->t + k, digits);
   }
   print_named(out, 12, "period", o->period, digits);
@@ -139,15 +184,18 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
   }
   if (o->turns) print_named(out, 12, "load angle", o->angle, digits);
   if (o->turns) text_printf(out, "  %-12s %ld\n", "load turns", (long)o->turns);
+  for (int i = 0; i < 2 && !s->system; i++)
+    if (friction_shown(least, o, m, i, digits)) print_named(out, 12, friction_name[i], least, digits);
   multipliers_text(out, o->multipliers ? o->multiplier : NULL, o->n_free, digits);
   find_radius(radius, o);
   proof_text(out, o->certified, radius);
   for (int i = 0; i < o->n_facts; i++) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
     text_add(out, "  breaks       ");
-    mech_fact_print(out, m, &o->fact[i]);
+    violation(out, &o->fact[i], o, m, s);
     text_add_char(out, '\n');
   }
+  arb_clear(least);
   mag_clear(radius);
 }
 
@@ -163,25 +211,42 @@ static void search_text(struct text *out, const struct mech_orbits *list) {
         list->unfinished);
 }
 
-static void orbits_text(struct text *out, const struct mech_orbits *list, const struct mech *m, const struct scene *s,
-                        slong digits) {
-  text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, list->n, list->n == 1 ? "" : "s", s->system);
-  search_text(out, list);
-  mech_names_print(out, m);
-  for (int i = 0; i < list->n; i++) {
+static void orbits_text(struct text *out, const struct word_orbits *list, const struct scene *s, slong digits) {
+  const struct mech_orbits *found = &list->found;
+  if (s->system) {
+    text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, found->n, found->n == 1 ? "" : "s", s->system);
+    search_text(out, found);
+    mech_names_print(out, &list->m);
+  } else {
+    word_text(out, list, s);
+  }
+  for (int i = 0; i < found->n; i++) {
     text_printf(out, "orbit %d: ", i + 1);
-    orbit_text(out, &list->orbit[i], m, digits);
+    orbit_text(out, &found->orbit[i], &list->m, s, digits);
   }
 }
 
-bool write_system_certificate(const char *path, const struct mech_orbits *list, slong n, const struct mech *m,
-                              const struct scene *s, struct diag *d) {
-  if (!may_write_certificate(s, mech_orbits_certified(list), n, d)) return false;
+/* The orbits of another word become those of a system, with static friction in any case. */
+static void add_friction(struct word_orbits *list, const struct scene *s, slong prec) {
+  const fmpq *u_r[2];
+  scene_static_friction(u_r, s);
+  word_orbits_with_friction(list, u_r, prec);
+}
+
+static bool write_certificate(const char *path, struct word_orbits *list, const struct scene *s, slong digits,
+                              struct diag *d) {
+  int n = list->found.n;
   struct text out = {0};
-  mech_certificates_json(&out, s->name, m, list);
-  bool written = file_write(path, out.data, out.len, d);
+  if (!s->system) add_friction(list, s, system_bits(digits));
+  for (int k = 0; k < list->found.n && !s->system; k++)
+    mech_orbit_decide(&list->found.orbit[k], &list->m, system_bits(digits));
+  bool ok = may_write_certificate(s, mech_orbits_certified(&list->found), n, d);
+  if (ok) {
+    mech_certificates_json(&out, s->name, &list->m, &list->found);
+    ok = file_write(path, out.data, out.len, d);
+  }
   text_clear(&out);
-  return written;
+  return ok;
 }
 
 /* --- Words --- */
@@ -233,7 +298,7 @@ static void words_json(struct text *out, const struct survey *v, const struct me
     json_long(&j, "settled", motions);
     json_array(&j, "orbits");
     for (int i = 0; i < list->n; i++)
-      if (mech_word_same(&by, &list->orbit[i].word, w)) orbit_json(&j, &list->orbit[i], m, s->system, digits);
+      if (mech_word_same(&by, &list->orbit[i].word, w)) proved_orbit_json(&j, &list->orbit[i], m, s, digits);
     json_end_array(&j);
     json_end_object(&j);
   }
@@ -242,7 +307,7 @@ static void words_json(struct text *out, const struct survey *v, const struct me
 }
 
 /* A word with its orbits that are motions, as far as is known; *others: how many are not. */
-static void word_text(struct text *out, int *others, const struct mech_orbits *list, const struct mech_word *w,
+static void word_line(struct text *out, int *others, const struct mech_orbits *list, const struct mech_word *w,
                       int motions, slong digits) {
   struct text rows = {0};
   int by;
@@ -274,7 +339,7 @@ static void words_text(struct text *out, const struct survey *v, const struct sc
   text_add_char(out, '\n');
   for (int k = 0; k < v->orbits.n + t->n; k++) {
     const struct mech_word *w = word_number(&motions, v, k);
-    if (w) word_text(out, &others, &v->orbits, w, motions, digits);
+    if (w) word_line(out, &others, &v->orbits, w, motions, digits);
   }
   if (others)
     text_printf(
@@ -295,14 +360,30 @@ static void free_name(char name[16], const struct mech_orbit *o, int l) {
     snprintf(name, 16, "%c%d", at < o->n ? 'x' : 'v', at % o->n + 1);
 }
 
+static void return_json(struct json *j, const arb_mat_t x, slong digits) {
+  json_array(j, "J");
+  for (slong i = 0; i < arb_mat_nrows(x); i++) json_numbers(j, NULL, arb_mat_entry(x, i, 0), arb_mat_ncols(x), digits);
+  json_end_array(j);
+}
+
+static void return_text(struct text *out, const arb_mat_t x, slong digits) {
+  for (slong i = 0; i < arb_mat_nrows(x); i++) {
+    for (slong k = 0; k < arb_mat_ncols(x); k++) {
+      text_add(out, "  ");
+      print_known(out, arb_mat_entry(x, i, k), digits);
+    }
+    text_add_char(out, '\n');
+  }
+}
+
 static void jacobian_json(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,
                           const struct scene *s, const struct jacobian_request *q) {
   struct json j;
   char name[16];
   json_init(&j, out);
   json_object(&j, NULL);
-  json_string(&j, "system", s->system);
-  mech_word_json(&j, &o->word);
+  if (s->system) json_string(&j, "system", s->system);
+  word_shown(&j, o, s);
   json_array(&j, "free");
   for (int l = 0; l < o->n_free; l++) {
     free_name(name, o, l);
@@ -330,28 +411,61 @@ static void jacobian_text(struct text *out, const struct mech_orbit *o, const ar
     text_printf(out, " %s", name);
   }
   text_add(out, " at the entry of the first phase of ");
-  mech_word_print(out, &o->word);
+  for (int k = 0; k < o->word.n; k++)
+    text_printf(out, "%s%s", k == 0 ? "" : s->system ? " " : "-", phase_shown(s, o->word.phase[k]));
   text_add(out, o->n_free ? "\n" : ", so that every motion beside the orbit is on it after one period\n");
   return_text(out, x, q->digits);
   multipliers_text(out, z, o->n_free, q->digits);
 }
 
-static void show_jacobian(const struct options *o, const struct mech_orbits *list, const struct mech *m,
-                          const struct scene *s, const struct jacobian_request *q, enum mech_derivative how,
-                          struct diag *d) {
-  if (q->orbit >= list->n) {
-    scene_lacks_orbit(s, q->orbit, list->n, d);
+/* --method of such a Jacobian; false with d set where it is of the paper's word alone. */
+static bool find_route(enum mech_derivative *how, const struct jacobian_request *q, const struct scene *s,
+                       struct diag *d) {
+  static const struct {
+    enum jacobian_method method;
+    enum mech_derivative how;
+  } known[] = {{METHOD_IMPLICIT, MECH_IMPLICIT},
+               {METHOD_SALTATION, MECH_SALTATION},
+               {METHOD_FD_DOUBLE, MECH_BESIDE_PATCHED},
+               {METHOD_ODE, MECH_BESIDE_INTEGRATED}};
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+    *how = known[i].how;
+    if (known[i].method == q->method) return true;
+  }
+  diag_set(d, "%s: error: --method %s is of the paper's word; here it is implicit, saltation, fd-double or ode",
+           s->path, method_name[q->method]);
+  return false;
+}
+
+static void unknown(struct diag *d, const struct jacobian_request *q, const struct scene *s) {
+  bool simulated = q->method == METHOD_FD_DOUBLE || q->method == METHOD_ODE;
+  diag_set(d, "%s: error: --method %s has no value: %s", s->path, method_name[q->method],
+           simulated ? "a simulation beside the orbit does not follow the word"
+                     : "the orbit could not be enclosed again");
+}
+
+static void show_jacobian(const struct options *o, struct word_orbits *list, const struct scene *s,
+                          const struct jacobian_request *q, enum mech_derivative how, struct diag *d) {
+  slong prec = system_bits(q->digits);
+  int n = list->found.n;
+  if (q->orbit >= n) {
+    scene_lacks_orbit(s, q->orbit, n, d);
     return;
   }
-  const struct mech_orbit *orbit = &list->orbit[q->orbit];
+  if (!s->system) add_friction(list, s, prec);
+  if (list->found.n < n) {
+    unknown(d, q, s);
+    return;
+  }
+  const struct mech_orbit *orbit = &list->found.orbit[q->orbit];
   struct text out = {0};
   arb_mat_t x;
   acb_ptr z = _acb_vec_init(orbit->n_free);
   arb_mat_init(x, orbit->n_free, orbit->n_free);
-  if (mech_jacobian(x, m, orbit, how, system_bits(q->digits)) != SS_OK) {
-    return_unknown(d, q, s);
+  if (mech_jacobian(x, &list->m, orbit, how, prec) != SS_OK) {
+    unknown(d, q, s);
   } else {
-    bool known = mech_eigenvalues(z, x, system_bits(q->digits));
+    bool known = mech_eigenvalues(z, x, prec);
     (option(o, OPT_JSON) ? jacobian_json : jacobian_text)(&out, orbit, x, known ? z : NULL, s, q);
     fputs(text_str(&out), stdout);
   }
@@ -362,16 +476,17 @@ static void show_jacobian(const struct options *o, const struct mech_orbits *lis
 
 /* --- The commands --- */
 
-/* Options that are of the paper's two masses, or too many digits. */
+/* Options that are of the paper's word of its two masses, or too many digits. */
 static bool refuse(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
   static const struct {
     enum option id;
     const char *name;
-  } of_two[] = {{OPT_BASIN, "--basin"}, {OPT_PHASES, "--phases"}, {OPT_LAYER, "--layer"}};
-  for (size_t i = 0; i < sizeof of_two / sizeof *of_two && !d->set; i++)
-    if (option(o, of_two[i].id)) diag_set(d, "%s: error: %s is of the paper's two masses", s->path, of_two[i].name);
+  } of_paper[] = {{OPT_BASIN, "--basin"}, {OPT_PHASES, "--phases"}, {OPT_LAYER, "--layer"}};
+  for (size_t i = 0; i < sizeof of_paper / sizeof *of_paper && !d->set; i++)
+    if (option(o, of_paper[i].id)) refuse_option(d, of_paper[i].name, s);
   if (!d->set && digits > WORD_DIGITS)
-    diag_set(d, "%s: error: a scene of a system file takes at most %d --digits", s->path, WORD_DIGITS);
+    diag_set(d, "%s: error: a scene of %s takes at most %d --digits", s->path,
+             s->system ? "a system file" : "another word", WORD_DIGITS);
   return d->set;
 }
 
@@ -384,23 +499,28 @@ bool find_system_orbits(struct mech *m, struct mech_orbits *list, bool any, cons
   return true;
 }
 
-int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
+/* Those that a scene asks for; to be cleared in any case. */
+static bool find_orbits(struct word_orbits *list, const struct scene *s, const char *data, slong digits,
+                        struct diag *d) {
+  *list = (struct word_orbits){.evaluations = 0};
+  return s->system ? find_system_orbits(&list->m, &list->found, false, s, data, digits, d)
+                   : find_word_orbits(list, s, digits, d);
+}
+
+int run_proved_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
   const char *certificate = option(o, OPT_CERTIFICATE);
-  struct mech m;
-  struct mech_orbits list;
-  if (option(o, OPT_METHOD)) diag_set(d, "%s: error: --method is of the paper's two masses", s->path);
+  struct word_orbits list;
+  struct text out = {0};
+  if (s->system && option(o, OPT_METHOD)) refuse_option(d, "--method", s);
   if (d->set || refuse(o, s, digits, d)) return EXIT_INPUT;
-  bool ok = find_system_orbits(&m, &list, false, s, data, digits, d);
-  ok = ok && (!certificate || write_system_certificate(certificate, &list, list.n, &m, s, d));
-  if (ok) {
-    struct text out = {0};
-    (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, &m, s, digits);
+  bool ok = find_orbits(&list, s, data, digits, d);
+  if (ok) (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, s, digits);
+  if (ok && (!certificate || write_certificate(certificate, &list, s, digits, d))) {
     print_found(o, &out);
-    text_clear(&out);
     if (certificate) say_written(o, certificate);
   }
-  mech_orbits_clear(&list);
-  mech_clear(&m);
+  text_clear(&out);
+  word_orbits_clear(&list);
   return EXIT_AS_RECORDED;
 }
 
@@ -426,17 +546,15 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
   return EXIT_AS_RECORDED;
 }
 
-int run_system_jacobian(const struct options *o, const struct scene *s, const char *data,
+int run_proved_jacobian(const struct options *o, const struct scene *s, const char *data,
                         const struct jacobian_request *asked, struct diag *d) {
   struct jacobian_request q = *asked;
-  struct mech m;
-  struct mech_orbits list;
+  struct word_orbits list;
   enum mech_derivative how;
   if (!option(o, OPT_METHOD)) q.method = METHOD_SALTATION;
-  if (q.at_printed) diag_set(d, "%s: error: --at printed is of the paper's two masses", s->path);
-  if (d->set || !return_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return EXIT_INPUT;
-  if (find_system_orbits(&m, &list, false, s, data, q.digits, d)) show_jacobian(o, &list, &m, s, &q, how, d);
-  mech_orbits_clear(&list);
-  mech_clear(&m);
+  if (q.at_printed) refuse_option(d, "--at printed", s);
+  if (d->set || !find_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return EXIT_INPUT;
+  if (find_orbits(&list, s, data, q.digits, d)) show_jacobian(o, &list, s, &q, how, d);
+  word_orbits_clear(&list);
   return EXIT_AS_RECORDED;
 }

@@ -50,7 +50,7 @@ static void print_end(struct text *out, const struct shown *v, const fmpq_t end)
 static void facts(struct text *out, const struct shown *v, const struct mech_change *c) {
   for (int i = 0; i < c->n_facts; i++) {
     if (i) text_add(out, ", ");
-    mech_fact_print(out, v->m, &c->fact[i]);
+    mech_fact_print(out, v->m, &c->fact[i], NULL);
   }
 }
 
@@ -83,7 +83,7 @@ static void change_json(struct json *j, const struct shown *v, const struct mech
   json_array(j, "conditions");
   for (int i = 0; i < c->n_facts; i++) {
     json_begin_string(j, NULL);
-    mech_fact_print(j->out, v->m, &c->fact[i]);
+    mech_fact_print(j->out, v->m, &c->fact[i], NULL);
     json_end_string(j);
   }
   json_end_array(j);

@@ -1,4 +1,4 @@
-/* What the commands on other phase words share. */
+/* What the commands on system files and on other phase words share. */
 #ifndef STICKSLIP_WORD_ORBITS_H
 #define STICKSLIP_WORD_ORBITS_H
 
@@ -16,19 +16,15 @@ bool find_system_orbits(struct mech *m, struct mech_orbits *list, bool any, cons
                         slong digits, struct diag *d);
 /* --certificate: false with d set when no orbit is certified; a warning when some are not. */
 bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d);
-/* Writes the certified ones; the same.  n: the orbits that were found. */
-bool write_system_certificate(const char *path, const struct mech_orbits *list, slong n, const struct mech *m,
-                              const struct scene *s, struct diag *d);
-/* The Jacobian of a return: its rows; the member "J". */
-void return_text(struct text *out, const arb_mat_t x, slong digits);
-void return_json(struct json *j, const arb_mat_t x, slong digits);
-/* --method of such a Jacobian; false with d set where it is of the paper's word alone. */
-bool return_route(enum mech_derivative *how, const struct jacobian_request *q, const struct scene *s, struct diag *d);
-/* Sets d: it has no value by that method. */
-void return_unknown(struct diag *d, const struct jacobian_request *q, const struct scene *s);
+/* The orbits of a scene's other word; false with d set when the scene lacks what they need. */
+bool find_word_orbits(struct word_orbits *list, const struct scene *s, slong digits, struct diag *d);
+/* What is known of that word, and of the search: members, lines. */
+void word_json(struct json *j, const struct scene *s);
+void word_text(struct text *out, const struct word_orbits *list, const struct scene *s);
 /* A word as a string. */
 void json_word(struct json *j, const char *key, const struct phase_word *w);
-/* One orbit as a member of an array. */
-void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits);
+/* One orbit of a system file or of another word as a member of an array. */
+void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
+                       slong digits);
 
 #endif

@@ -65,10 +65,10 @@ static void row_json(struct survey *v, const struct phase_word *w, enum word_fat
   json_string(j, "reason", fate == WORD_OPEN ? NULL : why);
   json_long(j, "settled", settled_on(v, w));
   json_long(j, "evaluations", list->evaluations);
-  json_long(j, "starts", list->candidates);
-  json_long(j, "unresolved", list->failed);
+  json_long(j, "starts", list->found.candidates);
+  json_long(j, "unresolved", list->found.failed);
   json_array(j, "orbits");
-  for (slong i = 0; i < list->n; i++) word_orbit_json(j, &list->orbit[i], v->digits);
+  for (int i = 0; i < list->found.n; i++) proved_orbit_json(j, &list->found.orbit[i], &list->m, v->scene, v->digits);
   json_end_array(j);
   json_end_object(j);
 }
@@ -126,14 +126,14 @@ static void show_listed(struct text *out, const char *what, const struct listed 
   text_add_char(out, '\n');
 }
 
-static void orbit_line(struct text *out, const struct word_orbit *o, const struct scene *s, slong digits) {
+static void orbit_line(struct text *out, const struct mech_orbit *o, const struct scene *s, slong digits) {
   text_add(out, "    period ");
   print_known(out, o->period, digits);
   text_printf(out, ", %s, ", fate_name[o->stable]);
   admissible_text(out, o->admissible, s);
   text_add(out, o->certified ? "\n      " : ", not certified\n      ");
   for (int p = 0; p < o->word.n; p++) {
-    text_printf(out, "%s%s ", p ? ", " : "", phase_word_name(o->word.mode[p]));
+    text_printf(out, "%s%s ", p ? ", " : "", phase_name_of_system(o->word.phase[p]));
     print_known(out, o->t + p, digits);
   }
   text_add_char(out, '\n');
@@ -158,15 +158,16 @@ static void row_text(struct survey *v, const struct phase_word *w, enum word_fat
     text_printf(out, " %s\n", why);
     return;
   }
-  if (list->n == 0)
-    text_printf(out, " none found (%ld evaluations, %ld starts)", list->evaluations, list->candidates);
+  if (list->found.n == 0)
+    text_printf(out, " none found (%ld evaluations, %d starts)", list->evaluations, list->found.candidates);
   else
-    text_printf(out, " %ld orbit%s", (long)list->n, list->n == 1 ? "" : "s");
+    text_printf(out, " %d orbit%s", list->found.n, list->found.n == 1 ? "" : "s");
   int settled = settled_on(v, w);
   if (settled > 0) text_printf(out, ", where %d simulations settle", settled);
-  if (list->failed > 0) text_printf(out, "; %ld solutions in double precision could not be enclosed", list->failed);
+  if (list->found.failed > 0)
+    text_printf(out, "; %d solutions in double precision could not be enclosed", list->found.failed);
   text_add_char(out, '\n');
-  for (slong i = 0; i < list->n; i++) orbit_line(out, &list->orbit[i], v->scene, v->digits);
+  for (int i = 0; i < list->found.n; i++) orbit_line(out, &list->found.orbit[i], v->scene, v->digits);
 }
 
 static void simulations_text(struct text *out, const struct survey *v) {
@@ -204,7 +205,7 @@ static void all_text(struct text *out, const struct survey *v) {
 /* --- The survey. --- */
 
 static void one_word(struct survey *v, const struct phase_word *w) {
-  struct word_orbits list = {.n = 0};
+  struct word_orbits list = {.evaluations = 0};
   struct text why = {0};
   enum word_fate fate = phase_word_fate(&why, w);
   bool searched = is_searched(v, w, fate);
@@ -213,9 +214,9 @@ static void one_word(struct survey *v, const struct phase_word *w) {
     if (word_orbits_find(&list, w, v->scene->value, v->u_r, &v->seeds, word_bits(v->digits)) != SS_OK)
       abort(); /* the scene is in the domain, and has the friction that the word needs */
     v->searched++;
-    v->with_orbits += list.n > 0;
-    v->orbits += list.n;
-    v->failed += list.failed;
+    v->with_orbits += list.found.n > 0;
+    v->orbits += list.found.n;
+    v->failed += list.found.failed;
   }
   (v->json ? row_json : row_text)(v, w, fate, text_str(&why), &list, searched);
   word_orbits_clear(&list);

@@ -4,20 +4,19 @@
 #include "words.h"
 
 const char *const word_fate_name[] = {"open", "impossible", "coincidence", "unclosed", "family"};
-const char *const word_coordinate_name[] = {"w1", "w2", "p1", "p2"};
 
 enum { N_PAIRS = N_MODES * N_MODES };
 
 /* In the order of canonical words. */
 static const struct {
   char letter;
-  const char *name;
+  const char *name, *of_system; /* the phase of a word of src/mech */
   enum coulomb_mode mode[2];
-} pairs[N_PAIRS] = {{'D', "D", {MODE_STICK, MODE_STICK}},     {'G', "Gamma", {MODE_BELOW, MODE_STICK}},
-                    {'H', "H", {MODE_BELOW, MODE_BELOW}},     {'C', "C", {MODE_STICK, MODE_BELOW}},
-                    {'g', "gamma", {MODE_ABOVE, MODE_STICK}}, {'h', "h", {MODE_ABOVE, MODE_ABOVE}},
-                    {'c', "c", {MODE_STICK, MODE_ABOVE}},     {'X', "X", {MODE_BELOW, MODE_ABOVE}},
-                    {'x', "x", {MODE_ABOVE, MODE_BELOW}}};
+} pairs[N_PAIRS] = {{'D', "D", "ss", {MODE_STICK, MODE_STICK}},     {'G', "Gamma", "-s", {MODE_BELOW, MODE_STICK}},
+                    {'H', "H", "--", {MODE_BELOW, MODE_BELOW}},     {'C', "C", "s-", {MODE_STICK, MODE_BELOW}},
+                    {'g', "gamma", "+s", {MODE_ABOVE, MODE_STICK}}, {'h', "h", "++", {MODE_ABOVE, MODE_ABOVE}},
+                    {'c', "c", "s+", {MODE_STICK, MODE_ABOVE}},     {'X', "X", "-+", {MODE_BELOW, MODE_ABOVE}},
+                    {'x', "x", "+-", {MODE_ABOVE, MODE_BELOW}}};
 
 static int rank_of(const enum coulomb_mode mode[2]) {
   int k = 0;
@@ -27,6 +26,18 @@ static int rank_of(const enum coulomb_mode mode[2]) {
 
 const char *phase_word_name(const enum coulomb_mode mode[2]) {
   return pairs[rank_of(mode)].name;
+}
+
+const char *phase_name_of_system(const char *phase) {
+  int k = 0;
+  while (strcmp(pairs[k].of_system, phase) != 0) k++;
+  return pairs[k].name;
+}
+
+struct mech_word phase_word_of_system(const struct phase_word *w) {
+  struct mech_word out = {.n = w->n};
+  for (int i = 0; i < w->n; i++) strcpy(out.phase[i], pairs[rank_of(w->mode[i])].of_system);
+  return out;
 }
 
 /* --- Reading and printing. --- */

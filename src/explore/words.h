@@ -66,6 +66,9 @@ bool phase_word_parse(struct phase_word *w, size_t *at, const char **why, const 
 /* "D-Gamma-H-C", from the phase it begins with. */
 void phase_word_print(struct text *out, const struct phase_word *w);
 const char *phase_word_name(const enum coulomb_mode mode[2]);
+/* As a word of the system of both masses (mech/two_masses.h), "-s" for Gamma; the name of such a phase. */
+struct mech_word phase_word_of_system(const struct phase_word *w);
+const char *phase_name_of_system(const char *phase);
 /* The word turned to begin with its phase number by (0 to n-1); out may be in. */
 void phase_word_turn(struct phase_word *out, const struct phase_word *in, int by);
 /* Turned to come first in the order D Gamma H C gamma h c X x. */
@@ -97,34 +100,20 @@ long phase_word_count(int n);
 
 /* --- Orbits. --- */
 
+/* The coordinates of the state in double precision. */
 enum word_coordinate { WORD_W1, WORD_W2, WORD_P1, WORD_P2 };
-extern const char *const word_coordinate_name[4]; /* "w1", "w2", "p1", "p2" */
 
-enum { WORD_FREE_MOST = 3, WORD_CONDITIONS = 6 * WORD_MOST };
+enum { WORD_FREE_MOST = 3 };
 
-struct word_orbit {
-  struct phase_word word; /* turned so that the free coordinates are fewest */
-  int n_free;
-  enum word_coordinate free[WORD_FREE_MOST];
-  arb_ptr t;     /* lengths, word.n */
-  arb_ptr state; /* w1, w2, p1, p2 at the entry of each phase, 4 word.n */
-  arb_t period, trace, det;
-  arb_mat_t jacobian;                          /* of the first return of the free coordinates */
-  truth stable;                                /* every eigenvalue below 1 in modulus */
-  struct mech_fact condition[WORD_CONDITIONS]; /* of phases with a length; of a sticking mass's lower limit with u_r */
-  int n_conditions;
-  truth own;        /* an orbit of the word */
-  truth admissible; /* all conditions */
-  arb_t u_r_min[2]; /* infimum of u_ri from w_i where mass i is captured; for an admissible orbit without a faster phase
-                       that is the one of all its phases */
-  bool certified;   /* existence, uniqueness nearby, every condition and the stability are proved */
-};
+/* The orbits of a word as those of the system of both masses.  Of an orbit own, admissible, certified and the facts are
+   those of a word, see above: D may have any length, facts are those of phases with a length, and of a sticking mass's
+   lower limit with u_r; stable is known whatever they say. */
 struct word_orbits {
-  struct word_orbit *orbit;
-  slong n;
-  long evaluations; /* of the word's map, in the search */
-  long candidates;  /* starts of Newton's iteration */
-  long failed;      /* solutions in double precision that could not be enclosed */
+  struct phase_word word; /* turned so that the fewest coordinates are free */
+  struct mech m; /* with the sliding friction u_ri - e_i, none where u_ri is not given: x is then the paper's z */
+  struct mech_orbits found; /* by increasing period; candidates are starts of Newton's iteration in double precision,
+                               failed are solutions that could not be enclosed */
+  long evaluations;         /* of the word's map, in the search */
 };
 
 /* Where a search may start, in double precision: the lengths of the phases and the states at their entries. */
@@ -152,13 +141,12 @@ void word_seeds_clear(struct word_seeds *seeds);
 int word_orbits_find(struct word_orbits *list, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
                      const struct word_seeds *seeds, slong prec);
 void word_orbits_clear(struct word_orbits *list);
-/* The same Jacobian by that route; u_r that is not given is taken a quarter above the larger of e_i and what is needed.
-   Not 0: by differences, motions beside the orbit do not follow the word, as where it is not admissible; else it is not
-   enclosed again. */
-int word_jacobian(arb_mat_t j, const struct word_orbit *o, const fmpq *params, const fmpq *const u_r[2],
-                  enum mech_derivative how, slong prec);
-/* The same orbits as those of a system of two masses, with that friction, judged anew; both are to be cleared. */
-void word_orbits_as_system(struct mech *m, struct mech_orbits *out, const struct word_orbits *list, const fmpq *params,
-                           const fmpq *const u_r[2], slong prec);
+/* The infimum of u_ri from the forces at which mass i is captured, 0 without a capture; for an admissible orbit that is
+   the one of all its phases.  false: in some phase a mass is faster than the belt, so that u_r is given. */
+bool word_orbit_friction(arb_t least, const struct mech_orbit *o, const struct mech *m, int mass, slong prec);
+/* Makes them orbits of a system with static friction in any case: that is a quarter above the larger of e_i and what they
+   need where u_ri is not given.  Positions move with it; they are enclosed again, with up to eight times as many bits
+   where they need them, or left out; of what was judged they keep whether they are admissible. */
+void word_orbits_with_friction(struct word_orbits *list, const fmpq *const u_r[2], slong prec);
 
 #endif

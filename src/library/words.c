@@ -69,9 +69,9 @@ static int open_word(struct phase_word *w, const struct ss_scene *s, const char 
 }
 
 static void borrow(struct ss_word_orbits *o) {
-  o->number = ss_malloc((size_t)(o->list.n + 1) * sizeof *o->number);
-  for (slong k = 0; k < o->list.n; k++) {
-    const struct word_orbit *w = &o->list.orbit[k];
+  o->number = ss_malloc((size_t)(o->list.found.n + 1) * sizeof *o->number);
+  for (int k = 0; k < o->list.found.n; k++) {
+    const struct mech_orbit *w = &o->list.found.orbit[k];
     struct numbers *x = &o->number[k];
     for (int i = 0; i < w->word.n; i++) x->t[i] = (struct ss_number){w->t + i, NULL};
     for (int i = 0; i < w->word.n * N_STATE; i++) x->state[i] = (struct ss_number){w->state + i, NULL};
@@ -111,12 +111,12 @@ void ss_word_orbits_free(ss_word_orbits *o) {
   free(o);
 }
 
-static const struct word_orbit *orbit_of(const struct ss_word_orbits *o, size_t k) {
-  return o && k < (size_t)o->list.n ? &o->list.orbit[k] : NULL;
+static const struct mech_orbit *orbit_of(const struct ss_word_orbits *o, size_t k) {
+  return o && k < (size_t)o->list.found.n ? &o->list.found.orbit[k] : NULL;
 }
 
 size_t ss_word_orbits_count(const ss_word_orbits *o) {
-  return o ? (size_t)o->list.n : 0;
+  return o ? (size_t)o->list.found.n : 0;
 }
 
 size_t ss_word_orbits_phases(const ss_word_orbits *o) {
@@ -128,7 +128,7 @@ static bool has_phase(const struct ss_word_orbits *o, size_t k, size_t i) {
 }
 
 const char *ss_word_orbit_phase(const ss_word_orbits *o, size_t k, size_t i) {
-  return has_phase(o, k, i) ? phase_word_name(o->list.orbit[k].word.mode[i]) : NULL;
+  return has_phase(o, k, i) ? phase_word_name(o->list.word.mode[i]) : NULL;
 }
 
 const ss_number *ss_word_orbit_time(const ss_word_orbits *o, size_t k, size_t i) {
@@ -145,12 +145,13 @@ const ss_number *ss_word_orbit_period(const ss_word_orbits *o, size_t k) {
 }
 
 int ss_word_orbit_free_coordinates(const ss_word_orbits *o, size_t k) {
-  return orbit_of(o, k) ? o->list.orbit[k].n_free : 0;
+  return orbit_of(o, k) ? o->list.found.orbit[k].n_free : 0;
 }
 
 const char *ss_word_orbit_free_coordinate(const ss_word_orbits *o, size_t k, int i) {
+  static const char *const coordinate[N_STATE] = {"x1", "x2", "v1", "v2"};
   bool there = i >= 0 && i < ss_word_orbit_free_coordinates(o, k);
-  return there ? word_coordinate_name[o->list.orbit[k].free[i]] : NULL;
+  return there ? coordinate[o->list.found.orbit[k].free[i]] : NULL;
 }
 
 const ss_number *ss_word_orbit_jacobian(const ss_word_orbits *o, size_t k, int row, int column) {
@@ -159,13 +160,13 @@ const ss_number *ss_word_orbit_jacobian(const ss_word_orbits *o, size_t k, int r
 }
 
 enum ss_truth ss_word_orbit_stable(const ss_word_orbits *o, size_t k) {
-  return orbit_of(o, k) ? (enum ss_truth)o->list.orbit[k].stable : SS_UNKNOWN;
+  return orbit_of(o, k) ? (enum ss_truth)o->list.found.orbit[k].stable : SS_UNKNOWN;
 }
 
 enum ss_truth ss_word_orbit_admissible(const ss_word_orbits *o, size_t k) {
-  return orbit_of(o, k) ? (enum ss_truth)o->list.orbit[k].admissible : SS_UNKNOWN;
+  return orbit_of(o, k) ? (enum ss_truth)o->list.found.orbit[k].admissible : SS_UNKNOWN;
 }
 
 int ss_word_orbit_certified(const ss_word_orbits *o, size_t k) {
-  return orbit_of(o, k) && o->list.orbit[k].certified;
+  return orbit_of(o, k) && o->list.found.orbit[k].certified;
 }

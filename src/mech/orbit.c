@@ -15,8 +15,8 @@ enum { MOST_STEPS = 60, MOST_TIMES = 8 }; /* of Newton; the bits */
 const char *const mech_rule_name[MECH_BEYOND + 1] = {"length",    "slower",   "faster",  "break",
                                                      "break_low", "obstacle", "contact", "beyond"};
 
-void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f) {
-  text_printf(out, "%d-", f->phase + 1);
+void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f, const char *phase) {
+  text_printf(out, "%d-%s%s", f->phase + 1, phase ? phase : "", phase ? "-" : "");
   if (f->rule != MECH_LENGTH) text_printf(out, "%s-", m->mass[f->mass].name);
   text_add(out, mech_rule_name[f->rule]);
 }

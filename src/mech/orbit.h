@@ -35,8 +35,8 @@ struct mech_fact {
   truth holds;
   truth reversed; /* of one that ends the phase: it is broken from the entry on, and the event is its first zero */
 };
-/* "3-m2-break" of the third phase. */
-void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f);
+/* "3-m2-break" of the third phase; "3-Gamma-m2-break" where it has that name, else NULL. */
+void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f, const char *phase);
 
 struct mech_orbit {
   struct mech_word word;
@@ -122,5 +122,6 @@ bool mech_orbit_meets(const struct mech_orbit *a, const struct mech_orbit *b);
 bool mech_orbits_hold(const struct mech_orbits *list, const struct mech_orbit *o);
 /* Takes o over. */
 void mech_orbits_add(struct mech_orbits *list, const struct mech_orbit *o);
+void mech_orbits_sort(struct mech_orbits *list); /* by increasing period */
 
 #endif

@@ -209,6 +209,10 @@ static int by_period(const void *x, const void *y) {
   return arf_cmp(arb_midref(a->period), arb_midref(b->period));
 }
 
+void mech_orbits_sort(struct mech_orbits *list) {
+  if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_period);
+}
+
 /* The orbit near a stretch; of one that goes round several times the first round. */
 static int solve_near(struct mech_orbit *o, struct stretch *s, const struct mech *m, slong prec) {
   mech_word_best(&s->word, s->t, s->z, m);
@@ -258,7 +262,7 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
     if (any) found.n = 0;
     for (int i = 0; any && i < list->n; i++) done = done || mech_orbit_is_motion(&list->orbit[i]);
   }
-  if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_period);
+  mech_orbits_sort(list);
   free(found.at);
 }
 

@@ -7,7 +7,8 @@ Each phase is the exponential of a 5x5 matrix on (x1, x2, v1, v2, 1): no frequen
 the program.  Unknowns are the lengths of the phases and the whole state at the first one's entry, equations the events
 and the return; the multipliers are those of the return map in the coordinates x1, x2, v1, v2 that are free there, by central
 differences at 60 digits with every event solved anew.  A line: name, word, chi, eta, V, e1, e2, u_r1, u_r2 (0: any), lengths,
-multipliers (re, im by increasing real part, then imaginary part; moduli below 1e-25 left out).
+multipliers (re, im by increasing real part, then imaginary part; moduli below 1e-25 left out), x1, x2, v1, v2 at the entry of the
+first phase, without sliding friction where u_r is any.
 
 The last line is solution II: Gamma-H-C, where m2 comes to stick at the moment at which m1 breaks loose (t_a = 0), e2 given
 and e1 unknown; its place of e1 holds the solution.
@@ -191,7 +192,7 @@ def main():
 
         def make(extra):
             first = q(e1) if e1 else extra[0]
-            u_r = [q(u1), q(u2)] if given else [first + 7, e2 + 5]
+            u_r = [q(u1), q(u2)] if given else [first, e2]
             return Model(chi, eta, V, [first, e2], u_r)
 
         x = [mpf(t) for t in times]
@@ -217,7 +218,8 @@ def main():
         first = e1 or mp.nstr(x[n + 4], 32)
         print("\t".join([name, text.replace(" ", "-"), *(mp.nstr(v, 12) for v in (chi, eta, V)), first, mp.nstr(e2, 12), u1,
                          u2, " ".join(mp.nstr(t, 32) for t in x[:n]),
-                         " ".join(f"{mp.nstr(v.real, 20)},{mp.nstr(v.imag, 20)}" for v in values) or "-"]), flush=True)
+                         " ".join(f"{mp.nstr(v.real, 20)},{mp.nstr(v.imag, 20)}" for v in values) or "-",
+                         " ".join(mp.nstr(y, 32) for y in x[n:n + 4])]), flush=True)
 
 
 main()
