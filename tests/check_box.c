@@ -99,7 +99,7 @@ START_TEST(every_point_of_a_box_is_enclosed) {
   fmpq low[N_PARAMS], high[N_PARAMS];
   struct dyn_box box;
   read_box(low, high, &boxes[_i]);
-  ck_assert_int_eq(dyn_box_find(&box, low, high), SS_OK);
+  ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
   struct seen *seen = calloc((size_t)box.n + 1, sizeof *seen);
   ck_assert_int_gt(box.n, 0);
   for (slong k = 0; k < box.n; k++)
@@ -166,7 +166,7 @@ START_TEST(what_is_settled_and_what_changes) {
     struct dyn_box box;
     const struct ends e = {{"0.8", "1", "1", "2.7844", cases[i].low}, {"0.8", "1", "1", "2.7844", cases[i].high}};
     read_box(low, high, &e);
-    ck_assert_int_eq(dyn_box_find(&box, low, high), SS_OK);
+    ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
     int hits = 0;
     for (slong k = 0; k < box.n; k++) {
       const struct dyn_box_orbit *b = &box.at[k];
@@ -197,7 +197,7 @@ START_TEST(an_orbit_that_ends_is_not_proved) {
     struct dyn_box box;
     const struct ends e = {{"0.8", "1", "1", "2.7844", cases[i].low}, {"0.8", "1", "1", "2.7844", cases[i].high}};
     read_box(low, high, &e);
-    ck_assert_int_eq(dyn_box_find(&box, low, high), SS_OK);
+    ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
     int hits = 0;
     for (slong k = 0; k < box.n; k++) {
       const struct dyn_box_orbit *b = &box.at[k];
@@ -222,7 +222,7 @@ START_TEST(proved_pieces_are_cut) {
   struct dyn_orbits middle;
   const int half[N_PARAMS] = {2, 2, 2, 2, 2};
   read_box(low, high, &e);
-  ck_assert_int_eq(dyn_box_find(&box, low, high), SS_OK);
+  ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
   orbits_at(&middle, low, high, half);
   ck_assert_int_gt(box.n, 0);
   ck_assert_int_eq(box.n, middle.n);

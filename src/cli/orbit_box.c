@@ -184,7 +184,7 @@ int show_box(const struct options *o, const struct scene *s, slong digits) {
   if (digits > MOST_BOX_DIGITS)
     return usage("intervals are shown with at most 20 --digits, not %.200s", option(o, OPT_DIGITS));
   for (int k = 0; k < N_SCENE_PARAMS; k++) high[k] = s->interval[k] ? s->high[k] : s->value[k]; /* borrowed */
-  if (dyn_box_find(&box, s->value, high) != SS_OK)
+  if (dyn_box_find(&box, s->value, high, DYN_BOX_HALVINGS) != SS_OK)
     fprintf(stderr, "%s: warning: the search at the middle of the box ran into its limits; there may be more orbits\n",
             s->path);
   struct text out = {0};

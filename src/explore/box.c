@@ -13,7 +13,7 @@
 #include "motion/orbit_judge.h"
 #include "motion/warm.h"
 
-enum { BOX_PREC = 96, ALWAYS_DEPTH = 6, MOST_DEPTH = 24 };
+enum { BOX_PREC = 96, MOST_DEPTH = 24 };
 
 struct piece {
   struct tube tube;
@@ -111,8 +111,8 @@ static void examine(struct piece *p) {
   if (p->proved) tube_sharpen(&p->orbit, &p->tube, BOX_PREC);
 }
 
-static bool finished(const struct piece *p, const struct tally *t) {
-  if (!p->proved || p->depth < ALWAYS_DEPTH) return false;
+static bool finished(const struct piece *p, const struct tally *t, int halvings) {
+  if (!p->proved || p->depth < halvings) return false;
   for (int i = 0; i < N_TRUTHS; i++)
     if (truth_of(p, i) == TRUTH_UNKNOWN && !tally_changes(t, i)) return false;
   return true;
@@ -220,7 +220,8 @@ static bool passes(const struct pieces *list, const struct dyn_orbit *o, const f
 }
 
 /* From the orbit at the middle, which b->orbit is on entry. */
-static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS], const fmpq middle[N_PARAMS]) {
+static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS], const fmpq middle[N_PARAMS],
+                          int halvings) {
   struct pieces list = {NULL, 0, 0};
   struct tally tally = {{0}, {0}, {0}};
   struct tube *whole = &pieces_add(&list, 0)->tube;
@@ -231,7 +232,7 @@ static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS],
   for (size_t i = 0; i < list.n; i++) { /* the list grows */
     examine(&list.at[i]);
     bool room = list.at[i].depth < MOST_DEPTH && (size_t)b->pieces + (list.n - i) < DYN_BOX_PIECES;
-    if (!finished(&list.at[i], &tally) && room && cut(&list, i)) continue;
+    if (!finished(&list.at[i], &tally, halvings) && room && cut(&list, i)) continue;
     stuck = !list.at[i].proved;
     if (stuck) break;
     tally_add(&tally, &list.at[i]);
@@ -245,7 +246,7 @@ static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS],
   pieces_clear(&list);
 }
 
-int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high) {
+int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high, int halvings) {
   struct dyn_orbits list;
   fmpq middle[N_PARAMS];
   arb_ptr p = _arb_vec_init(N_PARAMS + 1), end = p + N_PARAMS;
@@ -263,7 +264,7 @@ int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high) {
   for (slong i = 0; i < list.n; i++) {
     struct dyn_box_orbit *b = &box->at[box->n];
     *b = (struct dyn_box_orbit){.orbit = list.orbit[i], .word = TRUTH_UNKNOWN}; /* taken over */
-    continue_over(b, p, middle);
+    continue_over(b, p, middle, halvings);
     box->n++;
   }
   free(list.orbit);

@@ -11,6 +11,7 @@
 #include "motion/margins.h"
 
 enum { DYN_BOX_PIECES = 1024 }; /* at most, for each orbit */
+enum { DYN_BOX_HALVINGS = 6 };  /* by which the enclosures over a box get narrow */
 
 struct dyn_box_orbit {
   struct dyn_orbit
@@ -27,10 +28,11 @@ struct dyn_box {
   slong n;
 };
 
-/* low, high: the ends of each parameter, equal where it is exact.  Orbits that exist in a part of the box that leaves
+/* low, high: the ends of each parameter, equal where it is exact.  halvings: how often the box is halved at least; what
+   is proved needs none, and each makes the enclosures narrower.  Orbits that exist in a part of the box that leaves
    out its middle are not found.  SS_DOMAIN outside the domain of dynamics.h; SS_UNABLE when the search at the middle
    ran into its limits. */
-int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high);
+int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high, int halvings);
 void dyn_box_clear(struct dyn_box *box);
 
 #endif

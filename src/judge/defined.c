@@ -175,7 +175,7 @@ static long zeros_between(struct defined *y, const struct family *f) {
     for (int k = 0; k < N_PARAMS; k++) fmpq_set(&end[i].q[k], &f->base.q[k]);
     fmpq_set(&end[i].q[f->vary], (fmpq_cmp(f->from, f->to) < 0) == (i == 0) ? f->from : f->to);
   }
-  int s = dyn_box_find(&box, end[0].q, end[1].q);
+  int s = dyn_box_find(&box, end[0].q, end[1].q, 0);
   for (int i = 0; s == SS_OK && i < y->n; i++)
     if (!y->reason[i] && !zero_at_touch(&y->divisor[i], y->b->view)) zeros += has_zero(y, &y->divisor[i], &box, end);
   dyn_box_clear(&box);

@@ -1,6 +1,8 @@
 /* Single shooting over a word: one state, carried through the phases with its derivatives. */
 #include "equations.h"
 
+#include <gsl/gsl_linalg.h>
+#include <math.h>
 #include <string.h>
 
 /* The obstacle at which a mass is at the entry of the first phase; NULL: at none. */
@@ -134,6 +136,27 @@ static void start(struct mech_equations *e, arb_srcptr x) {
   arb_mat_clear(q);
 }
 
+/* a = exp(a) in double precision, a fiftieth of the work; not finite where a is too large for it.  The constants in the
+   last column are scaled to 1 meanwhile: however large, they do not make the exponential large. */
+static void rough_exponential(arb_mat_t a) {
+  static const double largest = 700; /* exp(largest) is a double */
+  size_t n = (size_t)arb_mat_nrows(a), last = n - 1;
+  gsl_matrix *x = gsl_matrix_alloc(n, n), *z = gsl_matrix_alloc(n, n);
+  double constants = 1;
+  for (size_t i = 0; i < n * n; i++) x->data[i] = arf_get_d(arb_midref(a->entries + i), ARF_RND_NEAR);
+  for (size_t i = 0; i < last; i++) constants = fmax(constants, fabs(gsl_matrix_get(x, i, last)));
+  for (size_t i = 0; i < last; i++) gsl_matrix_set(x, i, last, gsl_matrix_get(x, i, last) / constants);
+  bool known = fmax(gsl_matrix_max(x), -gsl_matrix_min(x)) < largest &&
+               gsl_linalg_exponential_ss(x, z, GSL_PREC_DOUBLE) == GSL_SUCCESS;
+  for (size_t i = 0; i < n * n; i++)
+    if (known)
+      arb_set_d(a->entries + i, z->data[i] * (i % n == last && i / n < last ? constants : 1));
+    else
+      arb_indeterminate(a->entries + i);
+  gsl_matrix_free(z);
+  gsl_matrix_free(x);
+}
+
 /* Through phase k of length t; the event at its end. */
 static void pass(struct mech_equations *e, int k, const arb_t t) {
   arb_mat_t flow, moved, rate;
@@ -141,7 +164,10 @@ static void pass(struct mech_equations *e, int k, const arb_t t) {
   arb_mat_init(moved, e->side, arb_mat_ncols(e->change));
   arb_mat_init(rate, e->side, 1);
   arb_mat_scalar_mul_arb(flow, e->rate[k], t, e->prec);
-  arb_mat_exp(flow, flow, e->prec);
+  if (e->rough)
+    rough_exponential(flow);
+  else
+    arb_mat_exp(flow, flow, e->prec);
   arb_mat_mul(e->state[k + 1], flow, e->state[k], e->prec);
   arb_mat_mul(moved, flow, e->change, e->prec);
   arb_mat_swap(moved, e->change);

@@ -13,6 +13,7 @@ struct mech_equations {
   arb_t rebound[MECH_PHASES];          /* what its velocity is multiplied by */
   slong turns;                         /* of the loads in a period */
   slong prec;
+  bool rough; /* the exponentials are GSL's, in double precision: for Newton's first steps, not for a proof */
   arb_mat_t rate[MECH_PHASES], event[MECH_PHASES]; /* A of each phase; the row that is zero at its end */
   arb_mat_t
       entry; /* y = entry (free x and x', cos theta and sin theta with loads, 1) at the entry of the first phase */

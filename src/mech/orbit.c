@@ -10,7 +10,7 @@
 #include "num/pi.h"
 #include "num/solve.h"
 
-enum { MOST_STEPS = 60, MOST_TIMES = 8 }; /* of Newton; the bits */
+enum { MOST_STEPS = 60, DOUBLE_BITS = 64, MOST_TIMES = 8 }; /* of Newton; in double precision; the bits */
 
 const char *const mech_rule_name[MECH_BEYOND + 1] = {"length",    "slower",   "faster",  "break",
                                                      "break_low", "obstacle", "contact", "beyond"};
@@ -31,7 +31,24 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
     if (f) f[i] = arb_mat_entry(e->value, i, 0);
     for (slong l = 0; l < n; l++) j[i * n + l] = arb_mat_entry(e->slope, i, l);
   }
-  return SS_OK;
+  return e->rough && !arb_mat_is_finite(e->state[e->w->n]) ? SS_DOMAIN : SS_OK;
+}
+
+/* x: from a guess to where Newton's steps stop shrinking.  First in double precision, which most guesses do not survive;
+   where its numbers are too large, in balls from the guess. */
+static int settle(struct num_vec *x, const struct solve_system *system, struct mech_equations *e) {
+  slong prec = e->prec;
+  struct num_vec near;
+  num_vec_init(&near, x->len, num_ctx_arb(DOUBLE_BITS));
+  num_vec_set(&near, x);
+  e->rough = true;
+  e->prec = DOUBLE_BITS;
+  int status = newton_settle(&near, system, MOST_STEPS);
+  e->rough = false;
+  e->prec = prec;
+  if (!status) num_vec_set(x, &near);
+  num_vec_clear(&near);
+  return status == SS_OK || status & SS_DOMAIN ? newton_settle(x, system, MOST_STEPS) : status;
 }
 
 /* x: from a guess to the image of a proved box. */
@@ -39,7 +56,7 @@ static int enclose(struct num_vec *x, struct num_vec *box, struct mech_equations
   struct solve_system system = {x->len, values, e};
   struct krawczyk k;
   krawczyk_init(&k, &system, e->prec);
-  int status = newton_settle(x, &system, MOST_STEPS);
+  int status = settle(x, &system, e);
   if (!status) status = krawczyk_centre(&k, x);
   if (!status) status = krawczyk_grow(&k);
   if (!status) num_vec_set(x, &k.image);
@@ -224,6 +241,7 @@ void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech
   mech_equations_init(&e, m, w, 0, 64);
   arb_ptr x = _arb_vec_init(w->n + e.n_free);
   set_unknowns(x, &e, t, z);
+  e.rough = true;
   mech_equations_at(&e, x);
   for (int i = 0; i < m->states; i++) z[i] = arf_get_d(arb_midref(arb_mat_entry(e.state[by], i, 0)), ARF_RND_NEAR);
   _arb_vec_clear(x, w->n + e.n_free);

@@ -224,11 +224,12 @@ static int solve_near(struct mech_orbit *o, struct stretch *s, const struct mech
   return mech_orbit_near(o, m, &s->word, s->t, s->z, prec);
 }
 
-/* Newton's iteration from what was found. */
-static void solve(struct mech_orbits *list, struct stretches *found, const struct mech_word *wanted,
-                  const struct mech *m, slong prec) {
+/* Newton's iteration from what was found; any: up to the first motion, and whether there is one. */
+static bool solve(struct mech_orbits *list, struct stretches *found, const struct mech_word *wanted,
+                  const struct mech *m, bool any, slong prec) {
+  bool done = false;
   if (found->n > 1) qsort(found->at, (size_t)found->n, sizeof *found->at, by_gap);
-  for (int i = 0; i < found->n && i < MOST_CANDIDATES; i++) {
+  for (int i = 0; i < found->n && i < MOST_CANDIDATES && !done; i++) {
     struct mech_orbit o;
     list->candidates++;
     if (solve_near(&o, &found->at[i], m, prec) != SS_OK) {
@@ -241,7 +242,9 @@ static void solve(struct mech_orbits *list, struct stretches *found, const struc
     }
     mech_orbit_decide(&o, m, prec);
     mech_orbits_add(list, &o);
+    done = any && mech_orbit_is_motion(&o);
   }
+  return done;
 }
 
 void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec) {
@@ -258,9 +261,8 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
     if (status != SS_DOMAIN) look_through(&found, &x, w, m);
     list->unfinished += status != SS_OK;
     mech_motion_clear(&x);
-    if (++list->simulations == SIMULATIONS || any) solve(list, &found, w, m, prec);
+    if (++list->simulations == SIMULATIONS || any) done = solve(list, &found, w, m, any, prec);
     if (any) found.n = 0;
-    for (int i = 0; any && i < list->n; i++) done = done || mech_orbit_is_motion(&list->orbit[i]);
   }
   mech_orbits_sort(list);
   free(found.at);

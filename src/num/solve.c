@@ -7,7 +7,7 @@
 
 #include <stdlib.h>
 
-enum { FIRST_BITS = 192, LEVEL_GUARD = 24, MOST_BOXES = 12, FIRST_BOX = 3, GROWTH = 3 };
+enum { SETTLED = 10, SETTLE_GUARD = 4, FIRST_BITS = 192, LEVEL_GUARD = 24, MOST_BOXES = 12, FIRST_BOX = 3, GROWTH = 3 };
 
 static void gather(struct num_vec *z, const void *const *from) {
   for (slong i = 0; i < z->len; i++) z->ctx.type->set(num_vec_at(z, i), from[i]);
@@ -104,29 +104,46 @@ static int values_of(const void **f, const void **j, const struct num_vec *x, vo
   return s->of->values(f, j, x, s->of->self);
 }
 
-static enum newton_next still_shrinks(const struct num_vec *x, const struct num_vec *step, void *self) {
-  struct settling *s = self;
-  mag_t size, part;
-  mag_init(size);
+/* size = 2^shift of the largest element. */
+static void size_of(mag_t size, const struct num_vec *x, slong shift) {
+  mag_t part;
   mag_init(part);
+  mag_zero(size);
   for (slong k = 0; k < x->len; k++) {
-    arb_get_mag(part, num_vec_at(step, k));
+    arb_get_mag(part, num_vec_at(x, k));
     mag_max(size, size, part);
   }
-  bool less = mag_cmp(size, s->least) < 0;
-  mag_min(s->least, s->least, size);
+  mag_mul_2exp_si(size, size, shift);
   mag_clear(part);
+}
+
+static enum newton_next still_shrinks(const struct num_vec *x, const struct num_vec *step, void *self) {
+  struct settling *s = self;
+  mag_t size, last;
+  mag_init(size);
+  mag_init(last);
+  size_of(size, step, 0);
+  size_of(last, x, -x->ctx.prec / 2 - SETTLE_GUARD);
+  bool less = mag_cmp(size, s->least) < 0;
+  enum newton_next next = !less ? NEWTON_STAY : mag_cmp(size, last) < 0 ? NEWTON_LAST : NEWTON_ON;
+  mag_min(s->least, s->least, size);
+  mag_clear(last);
   mag_clear(size);
-  return less ? NEWTON_ON : NEWTON_STAY;
+  return next;
 }
 
 int newton_settle(struct num_vec *x, const struct solve_system *s, int most) {
   struct settling self = {.of = s};
   struct solve_system same = {s->n, values_of, &self};
+  mag_t far;
+  mag_init(far);
   mag_init(self.least);
   mag_inf(self.least);
   int status = newton_run(x, &same, x->ctx, most, still_shrinks);
+  size_of(far, x, -SETTLED);
+  if (mag_cmp(self.least, far) > 0) status |= SS_UNABLE;
   mag_clear(self.least);
+  mag_clear(far);
   return status;
 }
 

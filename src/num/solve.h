@@ -48,7 +48,8 @@ int newton_run(struct num_vec *x, const struct solve_system *s, struct num_ctx c
 /* Whether |step| <= 2^-bits |scale|, exactly for double, mpfr and exact balls. */
 bool newton_is_small(const struct num_type *type, const void *step, slong bits, const void *scale);
 
-/* newton_run in balls until the steps stop shrinking, which beside a double solution they soon do. */
+/* newton_run in balls until a step is so short that rounding hides the next one, or the steps stop shrinking, which
+   beside a double solution they soon do.  SS_UNABLE where they stop before 1/1024 of the largest unknown. */
 int newton_settle(struct num_vec *x, const struct solve_system *s, int most);
 
 /* Newton's iteration doubles the correct bits, so that only the last levels of precision cost: level is called from 192
