@@ -84,11 +84,6 @@ static void violation(struct text *out, const struct mech_fact *f, const struct 
   mech_fact_print(out, m, f, s->system ? NULL : phase_name_of_system(o->word.phase[f->phase]));
 }
 
-/* The static friction that another word needs; false where it is given. */
-static bool friction_shown(arb_t least, const struct mech_orbit *o, const struct mech *m, int mass, slong digits) {
-  return word_orbit_friction(least, o, m, mass, system_bits(digits));
-}
-
 static const char *const friction_name[2] = {"u_r1_min", "u_r2_min"};
 
 void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
@@ -120,7 +115,7 @@ void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   }
   json_end_array(j);
   for (int i = 0; i < 2 && !s->system; i++)
-    if (friction_shown(least, o, m, i, digits))
+    if (word_orbit_friction(least, o, m, i, system_bits(digits)))
       json_number(j, friction_name[i], least, digits);
     else
       json_null(j, friction_name[i]);
@@ -185,7 +180,7 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
   if (o->turns) print_named(out, 12, "load angle", o->angle, digits);
   if (o->turns) text_printf(out, "  %-12s %ld\n", "load turns", (long)o->turns);
   for (int i = 0; i < 2 && !s->system; i++)
-    if (friction_shown(least, o, m, i, digits)) print_named(out, 12, friction_name[i], least, digits);
+    if (word_orbit_friction(least, o, m, i, system_bits(digits))) print_named(out, 12, friction_name[i], least, digits);
   multipliers_text(out, o->multipliers ? o->multiplier : NULL, o->n_free, digits);
   find_radius(radius, o);
   proof_text(out, o->certified, radius);

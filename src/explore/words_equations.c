@@ -10,31 +10,11 @@ struct word_event word_event_of(const struct phase_word *w, int phase) {
   return (struct word_event){mass, from[mass], to[mass]};
 }
 
-int word_free(enum word_coordinate free[WORD_FREE_MOST], const struct phase_word *w) {
-  struct word_event e = word_event_of(w, w->n - 1);
-  int n = 0;
-  for (int mass = 0; mass < 2; mass++)
-    if (mass != e.mass || e.from != MODE_STICK) free[n++] = (enum word_coordinate)(WORD_W1 + mass);
-  for (int mass = 0; mass < 2; mass++)
-    if (mass != e.mass && w->mode[0][mass] != MODE_STICK) free[n++] = (enum word_coordinate)(WORD_P1 + mass);
-  return n;
-}
-
-void word_turn_best(struct phase_word *w) {
-  enum word_coordinate free[WORD_FREE_MOST];
-  struct phase_word best = *w, turned;
-  int least = word_free(free, w);
-  for (int by = 1; by < w->n; by++) {
-    phase_word_turn(&turned, w, by);
-    int n = word_free(free, &turned);
-    if (n >= least) continue;
-    least = n;
-    best = turned;
-  }
-  *w = best;
-}
-
-void word_law_make(struct word_law *m, struct calc *c, const fmpq *params, const fmpq *const u_r[2]) {
+void word_law_make(struct word_law *m, struct calc *c, const struct word_orbits *of, const fmpq *params,
+                   const fmpq *const u_r[2]) {
+  struct mech_word of_system = phase_word_of_system(&of->word);
+  m->w = &of->word;
+  m->n_free = mech_free(m->free, &of->m, &of_system);
   val chi = calc_q(c, params + P_CHI), eta = calc_q(c, params + P_ETA);
   motion_law_make(&m->law, c, chi, eta, calc_q(c, params + P_V), true);
   m->difference = m->law;
@@ -106,27 +86,24 @@ void word_settle(val state[N_STATE], const struct word_law *m, const enum coulom
     if (mode[i] == MODE_STICK) state[WORD_P1 + i] = m->law.zero;
 }
 
-void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const struct phase_word *w,
-                const val *free) {
-  enum word_coordinate at[WORD_FREE_MOST];
-  struct word_event e = word_event_of(w, w->n - 1);
-  int n = word_free(at, w);
+void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const val *free) {
+  struct word_event e = word_event_of(m->w, m->w->n - 1);
   for (int i = 0; i < N_STATE; i++) state[i] = m->law.zero;
   if (e.from == MODE_STICK) {
     val limit = m->e[e.mass];
     state[WORD_W1 + e.mass] = e.to == MODE_BELOW ? limit : calc_neg(c, calc_add(c, limit, m->over[e.mass]));
   }
-  for (int i = 0; i < n; i++) state[at[i]] = free[i];
+  for (int i = 0; i < m->n_free; i++) state[m->free[i]] = free[i];
 }
 
-void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, const struct phase_word *w,
-                    const val *x) {
-  enum word_coordinate free[WORD_FREE_MOST];
+void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, const val *x) {
+  const struct phase_word *w = m->w;
+  const int *free = m->free;
   val state[N_STATE], column[WORD_UNKNOWNS][N_STATE];
-  int n = word_free(free, w), size = w->n + n;
-  word_start(state, c, m, w, x + w->n);
+  int n = m->n_free, size = w->n + n;
+  word_start(state, c, m, x + w->n);
   for (int k = 0; k < n; k++)
-    for (int i = 0; i < N_STATE; i++) column[w->n + k][i] = i == (int)free[k] ? calc_d(c, 1) : m->law.zero;
+    for (int i = 0; i < N_STATE; i++) column[w->n + k][i] = i == free[k] ? calc_d(c, 1) : m->law.zero;
   for (int p = 0; p < w->n; p++) {
     struct word_event e = word_event_of(w, p);
     const enum coulomb_mode *mode = w->mode[p], *next = w->mode[(p + 1) % w->n];

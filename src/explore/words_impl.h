@@ -20,17 +20,15 @@ struct word_event {
 };
 struct word_event word_event_of(const struct phase_word *w, int phase);
 
-/* The coordinates that are free at the entry of the first phase; their number. */
-int word_free(enum word_coordinate free[WORD_FREE_MOST], const struct phase_word *w);
-/* The word turned so that they are fewest, and among those first in the word as it is. */
-void word_turn_best(struct phase_word *w);
-
-/* The parameters as elements of a calc. */
+/* A word, and the parameters as elements of a calc. */
 struct word_law {
+  const struct phase_word *w;
+  int n_free, free[MECH_STATES];     /* the coordinates that are free at the entry of the first phase */
   struct motion_law law, difference; /* difference has V = 0 */
   val e[2], over[2];                 /* over[i] = 2 u_si; NULL where u_ri is not given */
 };
-void word_law_make(struct word_law *m, struct calc *c, const fmpq *params, const fmpq *const u_r[2]);
+void word_law_make(struct word_law *m, struct calc *c, const struct word_orbits *of, const fmpq *params,
+                   const fmpq *const u_r[2]);
 /* The motion from the state w1, w2, p1, p2 (difference: of two motions), and its state after t. */
 void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
                  const val state[N_STATE], bool difference);
@@ -40,24 +38,23 @@ val word_event_value(struct calc *c, const struct word_law *m, const struct word
 /* Sticking masses have no p. */
 void word_settle(val state[N_STATE], const struct word_law *m, const enum coulomb_mode mode[2]);
 /* The state at the entry of the first phase, from the free coordinates. */
-void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const struct phase_word *w,
-                const val *free);
+void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const val *free);
 
 /* Unknowns: n lengths, then the free coordinates.  The defects f of the events and of the free coordinates' return
    and their derivatives j, row by row. */
-void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, const struct phase_word *w, const val *x);
+void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, const val *x);
 
 /* Solutions in double precision. */
 struct word_found {
-  double x[WORD_UNKNOWNS];
+  double t[WORD_MOST], state[N_STATE]; /* at the entry of the first phase */
 };
 struct word_finds {
   struct word_found *found;
   size_t n, cap;
   long evaluations, candidates;
 };
-/* w is turned best. */
-void word_search(struct word_finds *out, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
+/* Of the word and the system in `of`. */
+void word_search(struct word_finds *out, const struct word_orbits *of, const fmpq *params, const fmpq *const u_r[2],
                  const struct word_seeds *seeds);
 
 #endif

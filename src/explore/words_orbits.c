@@ -21,28 +21,20 @@ static void make_system(struct mech *m, const fmpq *params, const fmpq *const u_
 
 /* --- An orbit --- */
 
-/* Near the unknowns of words_impl.h, in double precision; not judged.  Positions are those at which the springs pull with
-   the forces w_i and the sliding friction. */
-static int near_unknowns(struct mech_orbit *o, const double *x, const struct word_orbits *list, slong prec) {
+/* Near what the search has found; not judged.  Positions are those at which the springs pull with the forces w_i and the
+   sliding friction. */
+static int near_found(struct mech_orbit *o, const struct word_found *found, const struct word_orbits *list,
+                      slong prec) {
   const struct mech *m = &list->m;
   struct mech_word w = phase_word_of_system(&list->word);
-  struct word_event before = word_event_of(&list->word, w.n - 1);
-  int free[MECH_STATES], n = mech_free(free, m, &w);
   double f[2], z[N_STATE];
   for (int i = 0; i < 2; i++) {
-    f[i] = fmpq_get_d(m->mass[i].limit) * (before.to == MODE_BELOW ? 1 : -1); /* of one that has just broken loose */
-    z[2 + i] = fmpq_get_d(m->mass[i].surface);
-  }
-  for (int l = 0; l < n; l++) {
-    double coordinate = x[w.n + l];
-    if (free[l] < 2)
-      f[free[l]] = coordinate + fmpq_get_d(m->mass[free[l]].sliding);
-    else
-      z[free[l]] += coordinate;
+    f[i] = found->state[WORD_W1 + i] + fmpq_get_d(m->mass[i].sliding);
+    z[2 + i] = found->state[WORD_P1 + i] + fmpq_get_d(m->mass[i].surface);
   }
   z[0] = (f[0] + f[1]) / fmpq_get_d(m->spring[0].size);
   z[1] = z[0] + f[1] / fmpq_get_d(m->spring[1].size);
-  return mech_orbit_near(o, m, &w, x, z, prec);
+  return mech_orbit_near(o, m, &w, found->t, z, prec);
 }
 
 /* What is said of an orbit of a word, see words.h. */
@@ -80,13 +72,13 @@ static slong accuracy(const struct mech_orbit *o, slong prec) {
 }
 
 /* Encloses near; the precision is raised as long as it is not enough. */
-static int enclose(struct mech_orbit *o, const double *near, const struct word_orbits *list, const fmpq *const u_r[2],
-                   slong prec) {
+static int enclose(struct mech_orbit *o, const struct word_found *near, const struct word_orbits *list,
+                   const fmpq *const u_r[2], slong prec) {
   slong work = prec + GUARD;
   int status = SS_UNABLE;
   for (int i = 0; i < RAISES; i++) {
     if (!status) mech_orbit_clear(o);
-    status = near_unknowns(o, near, list, work);
+    status = near_found(o, near, list, work);
     if (!status) {
       mech_orbit_judge(o, &list->m, work);
       conclude(o, u_r);
@@ -108,16 +100,17 @@ static bool in_domain(const struct phase_word *w, const fmpq *params, const fmpq
 int word_orbits_find(struct word_orbits *list, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
                      const struct word_seeds *seeds, slong prec) {
   struct word_finds finds;
+  struct mech_word of_system = phase_word_of_system(w);
   *list = (struct word_orbits){.word = *w};
   if (phase_word_fate(NULL, w) != WORD_OPEN || !in_domain(w, params, u_r)) return SS_DOMAIN;
-  word_turn_best(&list->word);
-  word_search(&finds, &list->word, params, u_r, seeds);
+  make_system(&list->m, params, u_r);
+  phase_word_turn(&list->word, w, mech_best_turn(&list->m, &of_system));
+  word_search(&finds, list, params, u_r, seeds);
   list->evaluations = finds.evaluations;
   list->found.candidates = (int)finds.candidates;
-  make_system(&list->m, params, u_r);
   for (size_t i = 0; i < finds.n; i++) {
     struct mech_orbit o;
-    int status = enclose(&o, finds.found[i].x, list, u_r, prec);
+    int status = enclose(&o, &finds.found[i], list, u_r, prec);
     if (status)
       list->found.failed++;
     else if (o.own == TRUTH_FALSE)

@@ -24,7 +24,7 @@ struct searcher {
   struct calc c;
   struct word_law m;
   slong mark; /* what lies above it in the calc belongs to one evaluation */
-  enum word_coordinate free[WORD_FREE_MOST];
+  const int *free;
   int n, size;                      /* free coordinates, unknowns */
   double force, speed[2], limit[2]; /* scales; limit: the greatest w of a sticking mass */
   struct dyn_limits lim;
@@ -73,7 +73,7 @@ static bool follow(double *x, double *gap, struct searcher *s) {
   c->status = SS_OK;
   s->out->evaluations++;
   for (int i = 0; i < s->n; i++) free[i] = calc_d(c, x[s->w->n + i]);
-  word_start(state, c, &s->m, s->w, free);
+  word_start(state, c, &s->m, free);
   for (int p = 0; p < s->w->n && ok; p++) {
     struct motion motion;
     word_motion(&motion, c, &s->m, s->w->mode[p], state, false);
@@ -101,7 +101,7 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
   calc_release(&s->c, s->mark);
   s->c.status = SS_OK;
   flow_vals(at, x, 0, x->len);
-  word_equations(f, j, &s->c, &s->m, s->w, at);
+  word_equations(f, j, &s->c, &s->m, at);
   return s->c.status;
 }
 
@@ -147,14 +147,20 @@ static bool turns_into_itself(const struct phase_word *w, int by) {
 }
 
 static void keep(struct searcher *s, const double *x) {
+  val free[WORD_FREE_MOST], state[N_STATE];
   int n = s->w->n;
   for (int by = 1; by < n; by++)
     if (turns_into_itself(s->w, by) && repeats(x, x, n, by)) return; /* a shorter word's */
   for (size_t i = 0; i < s->out->n; i++)
     for (int by = 0; by < n; by++)
-      if ((by == 0 || turns_into_itself(s->w, by)) && repeats(x, s->out->found[i].x, n, by)) return;
+      if ((by == 0 || turns_into_itself(s->w, by)) && repeats(x, s->out->found[i].t, n, by)) return;
   s->out->found = ss_grow(s->out->found, s->out->n, &s->out->cap, sizeof *s->out->found);
-  memcpy(s->out->found[s->out->n++].x, x, sizeof(double) * WORD_UNKNOWNS);
+  struct word_found *found = &s->out->found[s->out->n++];
+  for (int i = 0; i < s->n; i++) free[i] = calc_d(&s->c, x[n + i]);
+  word_start(state, &s->c, &s->m, free);
+  memcpy(found->t, x, sizeof found->t);
+  for (int i = 0; i < N_STATE; i++) found->state[i] = as_d(state[i]);
+  calc_release(&s->c, s->mark);
 }
 
 static void try_from(struct searcher *s, const double *start) {
@@ -172,8 +178,8 @@ struct node {
 };
 
 /* The coordinate at the share u of its range, denser towards the belt's speed and towards the limit. */
-static double place(const struct searcher *s, enum word_coordinate which, double u) {
-  int mass = which < WORD_P1 ? (int)which : (int)which - WORD_P1;
+static double place(const struct searcher *s, int which, double u) {
+  int mass = which < WORD_P1 ? which : which - WORD_P1;
   enum coulomb_mode mode = s->w->mode[0][mass];
   if (which >= WORD_P1) return (mode == MODE_ABOVE ? 1 : -1) * s->speed[mass] * u * u;
   if (mode == MODE_STICK) return s->limit[mass] - 2 * s->force * u * u;
@@ -327,14 +333,15 @@ static void scales(struct searcher *s, const fmpq *params, const fmpq *const u_r
   s->lim = (struct dyn_limits){200 / om[0], 2000};
 }
 
-void word_search(struct word_finds *out, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
+void word_search(struct word_finds *out, const struct word_orbits *of, const fmpq *params, const fmpq *const u_r[2],
                  const struct word_seeds *seeds) {
-  struct searcher s = {.w = w, .c = calc_begin(num_ctx_double()), .out = out};
+  struct searcher s = {.w = &of->word, .c = calc_begin(num_ctx_double()), .out = out};
   *out = (struct word_finds){.n = 0};
-  word_law_make(&s.m, &s.c, params, u_r);
+  word_law_make(&s.m, &s.c, of, params, u_r);
   s.mark = calc_mark(&s.c);
-  s.n = word_free(s.free, w);
-  s.size = w->n + s.n;
+  s.free = s.m.free;
+  s.n = s.m.n_free;
+  s.size = s.w->n + s.n;
   if (!s.c.status) {
     scales(&s, params, u_r);
     if (seeds) search_seeds(&s, seeds);

@@ -211,8 +211,7 @@ static void conclude(struct mech_orbit *o) {
   o->certified = settled && o->stable != TRUTH_UNKNOWN;
 }
 
-/* How far the word is turned so that the fewest coordinates are free. */
-static int best_turn(const struct mech *m, const struct mech_word *w) {
+int mech_best_turn(const struct mech *m, const struct mech_word *w) {
   int free[MECH_STATES], least = mech_free(free, m, w), by = 0;
   for (int k = 1; k < w->n; k++) {
     struct mech_word turned;
@@ -236,7 +235,7 @@ static void set_unknowns(arb_ptr x, const struct mech_equations *e, const double
 void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech *m) {
   struct mech_equations e;
   double lengths[MECH_PHASES];
-  int by = best_turn(m, w);
+  int by = mech_best_turn(m, w);
   if (by == 0) return;
   mech_equations_init(&e, m, w, 0, 64);
   arb_ptr x = _arb_vec_init(w->n + e.n_free);

@@ -58,6 +58,8 @@ struct mech_orbit {
 
 /* How many coordinates are free at the entry of the first phase of a word, and which. */
 int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_word *w);
+/* How far a word is turned so that they are fewest, and among those first in it as it is. */
+int mech_best_turn(const struct mech *m, const struct mech_word *w);
 /* Turns a word so that the fewest coordinates are free, with its lengths t, and the state z at the entry of its first
    phase (m->states numbers). */
 void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech *m);
