@@ -25,12 +25,20 @@ struct watch {
   bool open;           /* not yet settled to be false or unknown */
 };
 
+/* exp(A h), and a ball with exp(A s) for 0 <= s <= h: made for each length h of a step when it is first needed. */
+struct flows {
+  bool made;
+  arb_mat_t whole, tube;
+};
+
 struct march {
   struct mech_equations *e;
   int phase, n_watches;
   struct watch watch[FACTS_OF_MASS * MECH_MASSES + 1];
-  arb_t at, step, end;     /* the time; the length of the step; of the phase */
-  arb_mat_t y, flow, tube; /* the state at the time; exp(A h), and a ball with exp(A s) for 0 <= s <= h */
+  arb_t at, step, end; /* the time; the length of the step; of the phase */
+  arb_mat_t y;         /* the state at the time */
+  int level;           /* how often the first step is halved */
+  struct flows flows[FINEST + 1];
 };
 
 /* From 0 to x, which is exact. */
@@ -39,19 +47,23 @@ static void up_to(arb_t z, const arb_t x) {
   arb_get_mag(arb_radref(z), z);
 }
 
-static void make_flows(struct march *m) {
-  slong prec = m->e->prec;
-  arb_mat_t rate;
+/* Those of the present step. */
+static const struct flows *flows_now(struct march *m) {
+  slong prec = m->e->prec, side = m->e->side;
+  struct flows *f = &m->flows[m->level];
+  if (f->made) return f;
   arb_t span;
   arb_init(span);
-  arb_mat_init(rate, m->e->side, m->e->side);
-  arb_mat_scalar_mul_arb(rate, m->e->rate[m->phase], m->step, prec);
-  arb_mat_exp(m->flow, rate, prec);
+  arb_mat_init(f->whole, side, side);
+  arb_mat_init(f->tube, side, side);
+  arb_mat_scalar_mul_arb(f->whole, m->e->rate[m->phase], m->step, prec);
+  arb_mat_exp(f->whole, f->whole, prec);
   up_to(span, m->step);
-  arb_mat_scalar_mul_arb(rate, m->e->rate[m->phase], span, prec);
-  arb_mat_exp(m->tube, rate, prec);
-  arb_mat_clear(rate);
+  arb_mat_scalar_mul_arb(f->tube, m->e->rate[m->phase], span, prec);
+  arb_mat_exp(f->tube, f->tube, prec);
   arb_clear(span);
+  f->made = true;
+  return f;
 }
 
 static void value_of(arb_t z, const arb_mat_t row, const arb_mat_t y, slong prec) {
@@ -122,15 +134,16 @@ static void close_watch(struct watch *w, truth holds) {
 }
 
 /* All conditions on the step ahead; true: they are settled on it, and the step is made. */
-static bool make_step(struct march *m, bool finest) {
+static bool make_step(struct march *m) {
+  const struct flows *f = flows_now(m);
   arb_mat_t along, after;
   arb_t next;
-  bool all = true;
+  bool all = true, finest = m->level == FINEST;
   arb_init(next);
   arb_mat_init(along, m->e->side, 1);
   arb_mat_init(after, m->e->side, 1);
-  arb_mat_mul(along, m->tube, m->y, m->e->prec);
-  arb_mat_mul(after, m->flow, m->y, m->e->prec);
+  arb_mat_mul(along, f->tube, m->y, m->e->prec);
+  arb_mat_mul(after, f->whole, m->y, m->e->prec);
   arb_add(next, m->at, m->step, m->e->prec);
   bool last = arb_ge(next, m->end), before = arb_lt(next, m->end);
   for (int i = 0; i < m->n_watches; i++) {
@@ -168,22 +181,13 @@ static void refresh(struct march *m) {
 
 /* Along the whole phase.  Steps are a power of two of the first, and shorter where something is open. */
 static void march(struct march *m) {
-  int level = 0;
   long steps = 0;
-  make_flows(m);
   while (any_open(m) && !arb_ge(m->at, m->end) && steps++ < MOST_STEPS) {
     work_add(UNITS_OF_STEP);
     if (steps % FRESH == 0) refresh(m);
-    if (!make_step(m, level == FINEST)) {
-      level++;
-      arb_mul_2exp_si(m->step, m->step, -1);
-      make_flows(m);
-      continue;
-    }
-    if (level == 0) continue;
-    level--;
-    arb_mul_2exp_si(m->step, m->step, 1);
-    make_flows(m);
+    int change = !make_step(m) ? 1 : m->level > 0 ? -1 : 0;
+    m->level += change;
+    arb_mul_2exp_si(m->step, m->step, -change);
   }
   for (int i = 0; i < m->n_watches; i++)
     if (m->watch[i].open && arb_ge(m->at, m->end)) *m->watch[i].result = TRUTH_TRUE;
@@ -312,8 +316,6 @@ static void judge_phase(struct mech_orbit *o, struct mech_equations *e, int phas
   arb_init(m->at);
   arb_init(m->step);
   arb_init(m->end);
-  arb_mat_init(m->flow, e->side, e->side);
-  arb_mat_init(m->tube, e->side, e->side);
   arb_mat_init(m->y, e->side, 1);
   arb_mat_set(m->y, e->state[phase]);
   arb_set(m->end, o->t + phase);
@@ -325,8 +327,11 @@ static void judge_phase(struct mech_orbit *o, struct mech_equations *e, int phas
   for (int i = 0; i < m->n_watches; i++)
     for (int k = 0; k < ROWS; k++) arb_mat_clear(m->watch[i].row[k]);
   arb_mat_clear(m->y);
-  arb_mat_clear(m->tube);
-  arb_mat_clear(m->flow);
+  for (int i = 0; i <= FINEST; i++) {
+    if (!m->flows[i].made) continue;
+    arb_mat_clear(m->flows[i].whole);
+    arb_mat_clear(m->flows[i].tube);
+  }
   arb_clear(m->end);
   arb_clear(m->step);
   arb_clear(m->at);

@@ -204,7 +204,7 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
   add_ids(p, &q->falls, "<p>Statements that no longer hold with the printed formula: ");
   add_ids(p, &q->survives, "<p>Statements that use it and still hold: ");
   add_ids(p, &q->open, "<p>Undecided statements: ");
-  if (p->out->len == before) text_add(p->out, "No result that the paper derives changes.");
+  if (p->out->len == before) text_add(p->out, "No derived result is computed from this statement.");
   end_row(p);
 }
 

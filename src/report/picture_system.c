@@ -6,7 +6,8 @@
 
 #include "picture.h"
 
-enum { WHAT, PHASE, MARK, TIME, FIRST, PANEL = 240 }; /* x_1, x'_1, x_2, x'_2, ... follow */
+enum { WHAT, PHASE, MARK, TIME, FIRST }; /* x_1, x'_1, x_2, x'_2, ... follow */
+enum { PANEL = 240, NAMED = 12 };        /* orbits in the key */
 
 static size_t masses(const struct rows *t) {
   return t->columns > FIRST ? (t->columns - FIRST) / 2 : 0;
@@ -24,16 +25,15 @@ static int orbits(const struct rows *t) {
   return n;
 }
 
-static void say_planes(struct text *out, const struct rows *t) {
-  (void)t;
-  text_add(out, "Velocity against position for each mass, along each orbit that was found.");
+/* Does an orbit begin in the row? */
+static bool begins(const struct rows *t, size_t row) {
+  return orbit_of(t, row) && (row == 0 || orbit_of(t, row - 1) != orbit_of(t, row));
 }
 
 static void tell_planes(struct text *out, const struct rows *t) {
   for (size_t i = 0; i < t->n; i++) {
     if (!rows_is(t, i, MARK, "o")) continue;
-    bool begins = i == 0 || orbit_of(t, i - 1) != orbit_of(t, i);
-    if (begins) text_printf(out, "%sOrbit %d: ", i ? " " : "", orbit_of(t, i));
+    if (begins(t, i)) text_printf(out, "%sO%s: ", i ? " " : "", t->cell[i][WHAT] + 1);
     text_printf(out, "phase %s from t = %.3f (", t->cell[i][PHASE], rows_number(t, i, TIME));
     for (size_t c = FIRST; c < t->columns; c++)
       text_printf(out, "%sx%zu%s = %.3f", c > FIRST ? ", " : "", (c - FIRST) / 2 + 1, (c - FIRST) % 2 ? "'" : "",
@@ -73,12 +73,16 @@ static void draw_plane(struct plot *p, const struct rows *t, size_t mass, double
 }
 
 static void draw_planes(struct plot *p, const struct rows *t) {
-  static const char *const key[][2] = {{"aid", "surface"}, {"gap", "obstacle"}, {"c0", "orbit 1"},
-                                       {"c1", "orbit 2"},  {"c2", "orbit 3"},   {"c3", "orbit 4, ..."}};
-  int n = orbits(t);
-  double top = p->bottom = plot_key(p, key, 2 + (n < 4 ? n : 4));
+  const char *key[2 + NAMED][2] = {{"aid", "surface"}, {"gap", "obstacle"}};
+  int n = 0;
+  for (size_t i = 0; i < t->n && n < NAMED; i++) {
+    if (!begins(t, i)) continue;
+    key[2 + n][0] = plot_class[n % PLOT_CLASSES];
+    key[2 + n++][1] = t->cell[i][WHAT];
+  }
+  double top = p->bottom = plot_key(p, key, 2 + n);
   for (size_t mass = 0; mass < masses(t); mass++) draw_plane(p, t, mass, top + 18 + (double)mass * PANEL);
 }
 
 const struct picture picture_planes = {"phase-planes", "phase-planes.tsv", "Phase planes of a system's orbits",
-                                       say_planes,     tell_planes,        draw_planes};
+                                       NULL,           tell_planes,        draw_planes};

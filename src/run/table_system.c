@@ -64,19 +64,22 @@ void table_of_system(struct audit_result *out, const struct mech *m, const struc
   struct text t = {0};
   arb_t time;
   arb_init(time);
-  text_add(
-      &t,
-      "# Phase planes of the orbits of a system.\n"
-      "# what orbit K: the K-th orbit, its phases in order, mark o where one begins; surface: the velocities of the "
-      "surfaces; above, below: the places of the obstacles.  All in the units of the system "
-      "file.\nwhat\tphase\tmark\tt");
+  text_add(&t, "# Phase planes of the orbits of a system.\n"
+               "# what orbit K: the K-th orbit, and what keeps it from being a motion for certain, its phases in "
+               "order, mark o where one begins; surface: the velocities of the "
+               "surfaces; above, below: the places of the obstacles.  All in the units of the system "
+               "file.\nwhat\tphase\tmark\tt");
   for (int i = 1; i <= m->n; i++) text_printf(&t, "\tx_%d\tx'_%d", i, i);
   text_add_char(&t, '\n');
   for (int k = 0; k < list->n; k++) {
-    char what[32];
-    snprintf(what, sizeof what, "orbit %d", k + 1);
+    const struct mech_orbit *o = &list->orbit[k];
+    char what[48];
+    snprintf(what, sizeof what, "orbit %d%s", k + 1,
+             !o->certified                  ? " is not certified"
+             : o->admissible == TRUTH_FALSE ? " breaks Coulomb's law"
+                                            : "");
     arb_zero(time);
-    for (int ph = 0; ph < list->orbit[k].word.n; ph++) add_phase(&t, what, m, &list->orbit[k], ph, time);
+    for (int ph = 0; ph < o->word.n; ph++) add_phase(&t, what, m, o, ph, time);
   }
   static const char *const limits[] = {"surface", "above", "below"};
   for (int i = 0; i < 3; i++) add_limits(&t, limits[i], m);
