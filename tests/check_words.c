@@ -451,7 +451,7 @@ START_TEST(jacobians_are_those_of_simulations) {
     struct phase_word w = word_of(words[k]);
     struct word_orbits list;
     ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 64), SS_OK);
-    word_orbits_with_friction(&list, u_r, 128);
+    word_orbits_with_friction(&list, 128);
     for (int i = 0; i < list.found.n; i++) {
       const struct mech_orbit *o = &list.found.orbit[i];
       if (o->admissible != TRUTH_TRUE) continue;

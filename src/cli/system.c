@@ -221,18 +221,12 @@ static void orbits_text(struct text *out, const struct word_orbits *list, const 
   }
 }
 
-/* The orbits of another word become those of a system, with static friction in any case. */
-static void add_friction(struct word_orbits *list, const struct scene *s, slong prec) {
-  const fmpq *u_r[2];
-  scene_static_friction(u_r, s);
-  word_orbits_with_friction(list, u_r, prec);
-}
-
+/* Another word's are written as a system's, with static friction in any case, and judged as such. */
 static bool write_certificate(const char *path, struct word_orbits *list, const struct scene *s, slong digits,
                               struct diag *d) {
   int n = list->found.n;
   struct text out = {0};
-  if (!s->system) add_friction(list, s, system_bits(digits));
+  if (!s->system) word_orbits_with_friction(list, system_bits(digits));
   for (int k = 0; k < list->found.n && !s->system; k++)
     mech_orbit_decide(&list->found.orbit[k], &list->m, system_bits(digits));
   bool ok = may_write_certificate(s, mech_orbits_certified(&list->found), n, d);
@@ -447,7 +441,7 @@ static void show_jacobian(const struct options *o, struct word_orbits *list, con
     scene_lacks_orbit(s, q->orbit, n, d);
     return;
   }
-  if (!s->system) add_friction(list, s, prec);
+  if (!s->system) word_orbits_with_friction(list, prec);
   if (list->found.n < n) {
     unknown(d, q, s);
     return;

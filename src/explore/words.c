@@ -103,6 +103,12 @@ static int compare(const struct phase_word *a, const struct phase_word *b) {
   return a->n - b->n;
 }
 
+bool phase_word_turns_into(const struct phase_word *other, const struct phase_word *w, int by) {
+  struct phase_word turned;
+  phase_word_turn(&turned, w, by);
+  return compare(&turned, other) == 0;
+}
+
 void phase_word_canonical(struct phase_word *w) {
   struct phase_word best = *w, turned;
   for (int by = 1; by < w->n; by++) {

@@ -69,8 +69,9 @@ const char *phase_word_name(const enum coulomb_mode mode[2]);
 /* As a word of the system of both masses (mech/two_masses.h), "-s" for Gamma; the name of such a phase. */
 struct mech_word phase_word_of_system(const struct phase_word *w);
 const char *phase_name_of_system(const char *phase);
-/* The word turned to begin with its phase number by (0 to n-1); out may be in. */
+/* The word turned to begin with its phase number by (0 to n-1); out may be in.  Is it the other one then? */
 void phase_word_turn(struct phase_word *out, const struct phase_word *in, int by);
+bool phase_word_turns_into(const struct phase_word *other, const struct phase_word *w, int by);
 /* Turned to come first in the order D Gamma H C gamma h c X x. */
 void phase_word_canonical(struct phase_word *w);
 bool phase_word_same(const struct phase_word *a, const struct phase_word *b);
@@ -147,6 +148,6 @@ bool word_orbit_friction(arb_t least, const struct mech_orbit *o, const struct m
 /* Makes them orbits of a system with static friction in any case: that is a quarter above the larger of e_i and what they
    need where u_ri is not given.  Positions move with it; they are enclosed again, with up to eight times as many bits
    where they need them, or left out; of what was judged they keep whether they are admissible. */
-void word_orbits_with_friction(struct word_orbits *list, const fmpq *const u_r[2], slong prec);
+void word_orbits_with_friction(struct word_orbits *list, slong prec);
 
 #endif

@@ -19,6 +19,11 @@ static void make_system(struct mech *m, const fmpq *params, const fmpq *const u_
   for (int i = 0; i < 2; i++) fmpq_clear(sliding + i);
 }
 
+/* u_ri is larger than e_i where it is given. */
+static bool lacks_friction(const struct mech *m, int mass) {
+  return fmpq_is_zero(m->mass[mass].sliding);
+}
+
 /* --- An orbit --- */
 
 /* Near what the search has found; not judged.  Positions are those at which the springs pull with the forces w_i and the
@@ -38,7 +43,7 @@ static int near_found(struct mech_orbit *o, const struct word_found *found, cons
 }
 
 /* What is said of an orbit of a word, see words.h. */
-static void conclude(struct mech_orbit *o, const fmpq *const u_r[2]) {
+static void conclude(struct mech_orbit *o, const struct mech *m) {
   int n = 0;
   bool settled = true;
   o->own = o->admissible = TRUTH_TRUE;
@@ -47,7 +52,7 @@ static void conclude(struct mech_orbit *o, const fmpq *const u_r[2]) {
     struct mech_fact f = o->fact[i];
     bool length = f.rule == MECH_LENGTH, d = strcmp(o->word.phase[f.phase], "ss") == 0;
     if (!length && o->fact[f.phase].holds != TRUTH_TRUE) continue; /* the lengths come first */
-    if (f.rule == MECH_ABOVE && !u_r[f.mass]) continue;
+    if (f.rule == MECH_ABOVE && lacks_friction(m, f.mass)) continue;
     o->fact[n++] = f;
     o->admissible = truth_and(o->admissible, f.holds);
     if (length && !d) o->own = truth_and(o->own, f.holds);
@@ -72,8 +77,7 @@ static slong accuracy(const struct mech_orbit *o, slong prec) {
 }
 
 /* Encloses near; the precision is raised as long as it is not enough. */
-static int enclose(struct mech_orbit *o, const struct word_found *near, const struct word_orbits *list,
-                   const fmpq *const u_r[2], slong prec) {
+static int enclose(struct mech_orbit *o, const struct word_found *near, const struct word_orbits *list, slong prec) {
   slong work = prec + GUARD;
   int status = SS_UNABLE;
   for (int i = 0; i < RAISES; i++) {
@@ -81,7 +85,7 @@ static int enclose(struct mech_orbit *o, const struct word_found *near, const st
     status = near_found(o, near, list, work);
     if (!status) {
       mech_orbit_judge(o, &list->m, work);
-      conclude(o, u_r);
+      conclude(o, &list->m);
     }
     slong lacks = status ? work : prec - accuracy(o, work);
     if (!status && lacks <= 0 && o->certified) break;
@@ -110,7 +114,7 @@ int word_orbits_find(struct word_orbits *list, const struct phase_word *w, const
   list->found.candidates = (int)finds.candidates;
   for (size_t i = 0; i < finds.n; i++) {
     struct mech_orbit o;
-    int status = enclose(&o, &finds.found[i], list, u_r, prec);
+    int status = enclose(&o, &finds.found[i], list, prec);
     if (status)
       list->found.failed++;
     else if (o.own == TRUTH_FALSE)
@@ -183,7 +187,7 @@ static void find_raise(fmpq_t raise, const struct word_orbits *list, int mass, s
   fmpq_clear(need);
 }
 
-void word_orbits_with_friction(struct word_orbits *list, const fmpq *const u_r[2], slong prec) {
+void word_orbits_with_friction(struct word_orbits *list, slong prec) {
   struct mech_orbits old = list->found;
   fmpq_mat_t raise, move;
   arb_t by;
@@ -191,7 +195,7 @@ void word_orbits_with_friction(struct word_orbits *list, const fmpq *const u_r[2
   fmpq_mat_init(raise, 2, 1);
   fmpq_mat_init(move, 2, 1);
   for (int i = 0; i < 2; i++)
-    if (!u_r[i]) find_raise(fmpq_mat_entry(raise, i, 0), list, i, prec);
+    if (lacks_friction(&list->m, i)) find_raise(fmpq_mat_entry(raise, i, 0), list, i, prec);
   for (int i = 0; i < 2; i++) {
     struct mech_mass *mass = &list->m.mass[i];
     fmpq_add(mass->sliding, mass->sliding, fmpq_mat_entry(raise, i, 0));

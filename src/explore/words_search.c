@@ -139,21 +139,14 @@ static bool repeats(const double *x, const double *y, int n, int by) {
   return off < 1e-7 * total;
 }
 
-/* Does a turn by less than the whole leave the word as it is? */
-static bool turns_into_itself(const struct phase_word *w, int by) {
-  struct phase_word turned;
-  phase_word_turn(&turned, w, by);
-  return memcmp(turned.mode, w->mode, (size_t)w->n * sizeof w->mode[0]) == 0;
-}
-
 static void keep(struct searcher *s, const double *x) {
   val free[WORD_FREE_MOST], state[N_STATE];
   int n = s->w->n;
   for (int by = 1; by < n; by++)
-    if (turns_into_itself(s->w, by) && repeats(x, x, n, by)) return; /* a shorter word's */
+    if (phase_word_turns_into(s->w, s->w, by) && repeats(x, x, n, by)) return; /* a shorter word's */
   for (size_t i = 0; i < s->out->n; i++)
     for (int by = 0; by < n; by++)
-      if ((by == 0 || turns_into_itself(s->w, by)) && repeats(x, s->out->found[i].t, n, by)) return;
+      if ((by == 0 || phase_word_turns_into(s->w, s->w, by)) && repeats(x, s->out->found[i].t, n, by)) return;
   s->out->found = ss_grow(s->out->found, s->out->n, &s->out->cap, sizeof *s->out->found);
   struct word_found *found = &s->out->found[s->out->n++];
   for (int i = 0; i < s->n; i++) free[i] = calc_d(&s->c, x[n + i]);
@@ -306,14 +299,10 @@ static void from_seed(struct searcher *s, const struct word_seed *seed, int by) 
 
 static void search_seeds(struct searcher *s, const struct word_seeds *seeds) {
   for (size_t i = 0; i < seeds->n; i++) {
-    struct phase_word turned;
-    if (seeds->seed[i].word.n != s->w->n) continue;
-    for (int by = 0; by < s->w->n; by++) {
-      phase_word_turn(&turned, &seeds->seed[i].word, by);
-      if (memcmp(turned.mode, s->w->mode, (size_t)s->w->n * sizeof s->w->mode[0]) != 0) continue;
-      from_seed(s, &seeds->seed[i], by);
-      break;
-    }
+    const struct word_seed *seed = &seeds->seed[i];
+    int n = seed->word.n, by = 0;
+    while (by < n && !phase_word_turns_into(s->w, &seed->word, by)) by++;
+    if (by < n) from_seed(s, seed, by);
   }
 }
 

@@ -71,14 +71,11 @@ static bool remember(void *self, const struct coulomb_event *e) {
 static struct word_seed seed_of(const struct recent *r) {
   struct word_seed s = {.count = 1};
   int n = r->period, first = r->n - 1 - n, by = 0;
-  struct phase_word raw = {.n = n}, turned;
+  struct phase_word raw = {.n = n};
   for (int i = 0; i < n; i++) memcpy(raw.mode[i], r->at[first + i].mode, sizeof raw.mode[i]);
   s.word = raw;
   phase_word_canonical(&s.word);
-  for (;; by++) {
-    phase_word_turn(&turned, &raw, by);
-    if (memcmp(turned.mode, s.word.mode, (size_t)n * sizeof turned.mode[0]) == 0) break;
-  }
+  while (!phase_word_turns_into(&s.word, &raw, by)) by++;
   for (int i = 0; i < n; i++) {
     int at = first + (i + by) % n;
     s.t[i] = r->at[at + 1].t - r->at[at].t;
