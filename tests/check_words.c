@@ -624,6 +624,18 @@ START_TEST(solution_ii_has_three_phases) {
 }
 END_TEST
 
+/* A word that cannot come back has no orbit to certify or to differentiate, and says so. */
+START_TEST(a_word_without_orbits) {
+  const char *path = scratch_put("w.scene", EXAMPLE "word: D Gamma\n");
+  shell_well("\"$P\" orbit %s > \"$D/out\"", path);
+  check_says("out", "there is none: m2 is never slower than the belt");
+  ck_assert_int_eq(shell("\"$P\" orbit %s --certificate \"$D/c\" 2> \"$D/why\"", path), 3);
+  check_says("why", "no orbit is certified");
+  ck_assert_int_eq(shell("\"$P\" jacobian %s 2> \"$D/why\"", path), 3);
+  check_says("why", "there is no orbit");
+}
+END_TEST
+
 /* The budget is work, not time; what it leaves out is told, and what comes before is the same as without. */
 START_TEST(a_survey_keeps_to_its_budget) {
   const char *path = scratch_put("b.scene", EXAMPLE "budget: 1000000\n");
@@ -714,6 +726,7 @@ Suite *words_suite(void) {
   tcase_add_checked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, a_scene_names_a_word);
   tcase_add_test(c, solution_ii_has_three_phases);
+  tcase_add_test(c, a_word_without_orbits);
   tcase_add_test(c, a_survey_keeps_to_its_budget);
   tcase_add_test(c, output_obeys_its_schemas);
   tcase_add_test(c, the_survey_is_whole);

@@ -137,29 +137,24 @@ void word_orbits_clear(struct word_orbits *list) {
 /* A mass that is captured at f needs u_s >= -(e + w)/2, which makes |f| <= u_r: u_r is at least (e - w)/2 = (r - f)/2. */
 bool word_orbit_friction(arb_t least, const struct mech_orbit *o, const struct mech *m, int mass, slong prec) {
   bool faster = false;
-  fmpq_mat_t row;
-  arb_mat_t excess; /* the row f - r */
-  arb_t lack, limit;
-  fmpq_mat_init(row, 1, o->states + 1);
-  arb_mat_init(excess, 1, o->states + 1);
+  arb_t lack, stiffness;
   arb_init(lack);
-  arb_init(limit);
-  mech_condition(row, m, mass, 's', MECH_BREAKS_SLOWER);
-  arb_mat_set_fmpq_mat(excess, row, prec);
-  arb_neg(limit, arb_mat_entry(excess, 0, o->states));
+  arb_init(stiffness);
   arb_zero(least);
   for (int p = 0; p < o->word.n; p++) {
     const char *before = o->word.phase[(p + o->word.n - 1) % o->word.n], *now = o->word.phase[p];
     faster = faster || strchr(now, '+');
     if (before[mass] == 's' || now[mass] != 's') continue;
-    arb_dot(lack, limit, 1, excess->entries, 1, o->state + p * o->states, 1, o->states, prec);
+    arb_set_fmpq(lack, m->mass[mass].limit, prec);
+    for (int i = 0; i < o->n; i++) {
+      arb_set_fmpq(stiffness, fmpq_mat_entry(m->stiffness, mass, i), prec);
+      arb_submul(lack, stiffness, o->state + p * o->states + i, prec);
+    }
     arb_mul_2exp_si(lack, lack, -1);
     arb_max(least, least, lack, prec);
   }
-  arb_clear(limit);
+  arb_clear(stiffness);
   arb_clear(lack);
-  arb_mat_clear(excess);
-  fmpq_mat_clear(row);
   return !faster;
 }
 
@@ -191,6 +186,7 @@ void word_orbits_with_friction(struct word_orbits *list, slong prec) {
   struct mech_orbits old = list->found;
   fmpq_mat_t raise, move;
   arb_t by;
+  if (!old.n) return;
   arb_init(by);
   fmpq_mat_init(raise, 2, 1);
   fmpq_mat_init(move, 2, 1);
@@ -201,7 +197,7 @@ void word_orbits_with_friction(struct word_orbits *list, slong prec) {
     fmpq_add(mass->sliding, mass->sliding, fmpq_mat_entry(raise, i, 0));
     fmpq_add(mass->limit, mass->limit, fmpq_mat_entry(raise, i, 0));
   }
-  if (old.n) fmpq_mat_solve(move, list->m.stiffness, raise);
+  fmpq_mat_solve(move, list->m.stiffness, raise);
   list->found = (struct mech_orbits){.n = 0};
   for (int k = 0; k < old.n; k++) {
     struct mech_orbit again;
