@@ -43,6 +43,8 @@
    is admissibility: every length is positive, a sticking mass stays within its limits, a slower one slower and a faster
    one faster, and at a pass-through the force is beyond the limit.  These together are Coulomb's law: an admissible
    orbit is a motion.
+   They are searched for in these coordinates in double precision, and enclosed, judged and differentiated by src/mech, in
+   positions and velocities.
 
    Its Jacobian is that of the first return to the entry of the first phase in the free coordinates; the
    derivative of the whole return has, besides, the eigenvalues 1 (along the motion, no part of the return
