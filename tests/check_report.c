@@ -104,8 +104,8 @@ static bool audit(struct audit_result *r, const char *name, const char *const *o
   return true;
 }
 
-/* The paper's whole audit, by this process alone: the bytes are those of the program, which shares the work among
-   several. */
+/* The paper's whole audit, by this process alone: the bytes of the record and of the tables are those of the program,
+   which shares the work among several. */
 START_TEST(the_papers_record) {
   struct audit_result r;
   struct text json;
@@ -125,6 +125,13 @@ START_TEST(the_papers_record) {
   char *programs = file_text(scratch_path("whole/paper/audit.json"));
   ck_assert_msg(strcmp(text_str(&json), programs) == 0, "the program has another record");
   free(programs);
+  for (size_t i = 0; i < r.n_tables; i++) {
+    char name[100];
+    snprintf(name, sizeof name, "whole/paper/%s", r.tables[i].name);
+    char *table = file_text(scratch_path(name));
+    ck_assert_msg(strcmp(table, r.tables[i].text) == 0, "the program has another %s", r.tables[i].name);
+    free(table);
+  }
   text_clear(&json);
   audit_result_clear(&r);
 }
