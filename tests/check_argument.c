@@ -654,7 +654,7 @@ START_TEST(every_number_of_the_paper_is_covered) {
 }
 END_TEST
 
-/* All claims of these kinds on the scene: as recorded, their sum the total, every control noticed. */
+/* All claims of the whole audit: as recorded, every control noticed. */
 START_TEST(the_text_is_as_recorded) {
   struct audit_result r;
   whole_open();
