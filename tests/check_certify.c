@@ -431,7 +431,8 @@ START_TEST(a_changed_truth_is_rejected) {
 }
 END_TEST
 
-/* A truth in quotes, or what only begins like one, and a truth where a string belongs. */
+/* A truth in quotes, or what only begins like one, and a truth where a string belongs; in make check each value is
+   replaced once, by each of them in turn. */
 START_TEST(a_value_of_the_wrong_type_is_rejected) {
   struct study s;
   size_t at, len, from = 0;
@@ -442,10 +443,10 @@ START_TEST(a_value_of_the_wrong_type_is_rejected) {
     static const char *const no_truth[] = {"\"true\"", "\"false\"", "\"yes\"", "\"tfalse\"", "\"\""};
     bool quoted = s.json.data[at - 1] == '"';
     from = at + len;
-    for (int i = 0; !quoted && i < 5; i++)
+    for (int i = changed % every(5); !quoted && i < 5; i += every(5))
       ck_assert_msg(checker_with(&s.json, at, len, no_truth[i]) == BAD_FILE, "%s at %d: %s", no_truth[i], (int)at,
                     said);
-    for (int i = 0; quoted && i < 2; i++)
+    for (int i = changed % every(2); quoted && i < 2; i += every(2))
       ck_assert_msg(checker_with(&s.json, at - 1, len + 2, i ? "true" : "false") == BAD_FILE, "at %d: %s", (int)at,
                     said);
     changed++;
@@ -731,7 +732,8 @@ static void is_proved_or_excepted(const char *path, const char *out, const char 
 /* Every scene on file has a list proved complete and orbits that are certified, to 30 digits, but for those above, and
    for lists of other words than the paper's, whose search is not exhaustive and says so; of these the checker verifies
    the one orbit that each has.  It verifies every certificate, which all have but those whose orbits break the word, and
-   solution II, where the masses never stick together. */
+   solution II, where the masses never stick together.  The longest of the chains, which takes a third of the time, is for
+   make long. */
 START_TEST(scenes_on_file_are_proved) {
   glob_t g;
   ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0 && g.gl_pathc >= 25);
@@ -740,6 +742,7 @@ START_TEST(scenes_on_file_are_proved) {
   for (size_t i = 0; i < g.gl_pathc; i++) {
     struct job j;
     const char *path = scratch_path("certificate.json");
+    if (strstr(g.gl_pathv[i], "/chain5.") && !every_case()) continue;
     char *scene = file_text(g.gl_pathv[i]);
     bool others = (strstr(scene, "\nword: ") && !strstr(scene, "\nword: Gamma H C\n")) || strstr(scene, "\nsystem: ");
     free(scene);
@@ -769,9 +772,9 @@ START_TEST(scenes_on_file_are_proved) {
     verified_one(g.gl_pathv[i]);
     verified_ones++;
   }
-  ck_assert_int_ge(proved, 35);
-  ck_assert_int_ge(verified, 36);
-  ck_assert_int_ge(verified_ones, 9);
+  ck_assert_int_ge(proved, 34 + every_case());
+  ck_assert_int_ge(verified, 35 + every_case());
+  ck_assert_int_ge(verified_ones, 8 + every_case());
   globfree(&g);
 }
 END_TEST

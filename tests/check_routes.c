@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "every.h"
 #include "motion/long_run.h"
 #include "paper_model.h"
 #include "record/routes.h"
@@ -202,7 +203,8 @@ START_TEST(differences_near_a_jump) {
 END_TEST
 
 /* The return Jacobian's enclosures lose digits as V goes to 0; a route in balls gets the bits that its digits need.  Below
-   1e-16 the moments of one period's events are one double, and the integration tells its phases all the same. */
+   1e-16 the moments of one period's events are one double, and the integration tells its phases all the same.  That what is
+   wrong is found there too is asked of the first belt, in make long of all. */
 static const char *const slow_belts[] = {"1e-12", "1e-20", "1e-300"};
 
 START_TEST(slow_belts_raise_no_false_alarm) {
@@ -217,6 +219,7 @@ START_TEST(slow_belts_raise_no_false_alarm) {
   study(&r, NULL);
   check_pairs(&r, NULL, 0);
   audit_result_clear(&r);
+  if (_i % every(3) != 0) return;
   study(&r, &(struct paper_layers){.errata = ""});
   check_pairs(&r, wrong, 3);
   audit_result_clear(&r);

@@ -603,7 +603,7 @@ static pid_t start_long(bool resume, off_t size) {
     process_as_from_a_shell();
     FILE *err = freopen(scratch_path("err"), "w", stderr);
     if (err)
-      execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:30", "--over", "e2=0.5:3:150", "--csv",
+      execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:20", "--over", "e2=0.5:3:150", "--csv",
             scratch_path("long"), resume ? "--resume" : (char *)NULL, (char *)NULL);
     _exit(127);
   }
@@ -620,7 +620,7 @@ static void interrupt(pid_t pid, int number) {
 }
 
 static void interrupt_with(int number) {
-  interrupt(start_long(false, 100000), number);
+  interrupt(start_long(false, 60000), number);
 }
 
 /* The lock outlives that the file was read. */
@@ -628,8 +628,8 @@ START_TEST(one_run_continues_a_file) {
   struct stat st;
   interrupt_with(SIGINT);
   ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
-  pid_t pid = start_long(true, st.st_size + 100000);
-  ck_assert_int_eq(shell("\"$P\" sweep paper --over e1=2:4:30 --over e2=0.5:3:150 --csv \"$D/long\" --resume 2> "
+  pid_t pid = start_long(true, st.st_size + 60000);
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume 2> "
                          "\"$D/second\""),
                    3);
   check_says("second", "long.part: error: another process is writing this file");
@@ -642,9 +642,9 @@ START_TEST(signals_leave_a_file_to_resume) {
   struct stat st;
   interrupt_with(SIGINT);
   ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
-  interrupt(start_long(true, st.st_size + 100000), SIGTERM);
-  shell_well("\"$P\" sweep paper --over e1=2:4:30 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
-  shell_well("\"$P\" sweep paper --over e1=2:4:30 --over e2=0.5:3:150 | cmp - \"$D/long\"");
+  interrupt(start_long(true, st.st_size + 60000), SIGTERM);
+  shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
+  shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 | cmp - \"$D/long\"");
 }
 END_TEST
 
@@ -662,14 +662,14 @@ static pid_t child_of(pid_t pid) {
 /* What it had cannot be told from what the others have: the run ends, and another goes on. */
 START_TEST(a_process_that_is_killed_is_noticed) {
   int s;
-  pid_t pid = start_long(false, 100000), child = child_of(pid);
+  pid_t pid = start_long(false, 60000), child = child_of(pid);
   ck_assert_int_gt(child, 0);
   kill(child, SIGKILL);
   ck_assert(waitpid(pid, &s, 0) == pid);
   ck_assert_msg(WIFEXITED(s) && WEXITSTATUS(s) == 5, "ended with %x", (unsigned)s);
   check_says("err", "a worker process ended before its time");
   check_says("err", "long.part holds ");
-  interrupt(start_long(true, 200000), SIGINT);
+  interrupt(start_long(true, 120000), SIGINT);
 }
 END_TEST
 

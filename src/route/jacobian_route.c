@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "value/expression.h"
+#include "value/printed.h"
 
 const char *const method_name[N_METHODS] = {"analytic", "implicit", "saltation", "fd", "fd-double", "ode"};
 const char *const method_accuracy[N_METHODS] = {
@@ -122,9 +123,11 @@ static int read_pass(struct pass *pass, const struct jacobian_job *job, enum jac
 
 /* The simulation's start and friction, found once for a job. */
 static bool have_setup(struct jacobian_job *job) {
-  if (!job->setup_done)
+  if (!job->setup_done && job->point.kind == POINT_PRINTED)
+    job->setup_good = audit_coulomb_setup(&job->setup, job->scene, job->point.orbit, true, NULL);
+  else if (!job->setup_done)
     job->setup_good =
-        audit_coulomb_setup(&job->setup, job->scene, job->point.orbit, job->point.kind == POINT_PRINTED, NULL);
+        coulomb_setup_among(&job->setup, job->scene, scene_orbits(job->scene, job->cache), job->point.orbit);
   job->setup_done = true;
   return job->setup_good;
 }

@@ -84,6 +84,10 @@ bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong
   return ok;
 }
 
+bool coulomb_setup_among(struct coulomb_setup *sim, const struct scene *s, const struct dyn_orbits *list, slong orbit) {
+  return setup_from(sim, s, list, orbit, false, NULL);
+}
+
 bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit, struct diag *d) {
   struct dyn_orbits list;
   audit_orbits(&list, s, SETUP_PREC);

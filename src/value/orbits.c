@@ -1,5 +1,6 @@
 /* The orbits of a scene or of a set of parameters, searched once for each precision that is asked for. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/arena.h"
 #include "base/work.h"
@@ -64,6 +65,7 @@ struct cached {
   bool given[N_DATA];
   slong prec;
   struct dyn_orbits list;
+  bool added_nothing; /* the search for what the first one misses */
 };
 /* An orbit followed in one number type at one precision.  Its address alone does not tell it: another one may lie there
    when it is gone. */
@@ -114,6 +116,22 @@ static bool is_of(const struct cached *e, struct data data) {
   return true;
 }
 
+/* The proof that a list is complete is in double precision, and may use up its whole budget: where it has added nothing
+   to a list of as many orbits, it adds nothing to them enclosed to other digits. */
+static bool completed_before(struct dyn_orbits *list, const struct orbit_cache *c, struct data data) {
+  for (size_t i = 0; i < c->n; i++) {
+    const struct cached *e = c->item[i];
+    if (&e->list == list || !e->added_nothing || e->list.n != list->n || !is_of(e, data)) continue;
+    list->complete = e->list.complete;
+    list->gap = e->list.gap;
+    memcpy(list->gap_at, e->list.gap_at, sizeof list->gap_at);
+    list->t_c_max = e->list.t_c_max;
+    list->cells = e->list.cells;
+    return true;
+  }
+  return false;
+}
+
 static const struct dyn_orbits *cached_orbits(struct orbit_cache *c, struct data data, slong prec) {
   for (size_t i = 0; i < c->n; i++)
     if (c->item[i]->prec == prec && is_of(c->item[i], data)) return &c->item[i]->list;
@@ -127,7 +145,12 @@ static const struct dyn_orbits *cached_orbits(struct orbit_cache *c, struct data
     if (e->given[k]) fmpq_set(&e->value[k], &data.value[k]);
   }
   find_orbits(&e->list, data, prec);
-  if (c->completes) complete_orbits(&e->list, data, prec);
+  slong found = e->list.n;
+  e->added_nothing = c->completes && completed_before(&e->list, c, data);
+  if (c->completes && !e->added_nothing) {
+    complete_orbits(&e->list, data, prec);
+    e->added_nothing = e->list.n == found;
+  }
   return &e->list;
 }
 

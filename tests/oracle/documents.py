@@ -5,8 +5,9 @@ with @WORDS those before the first line that begins so.
 A command is a line indented by four blanks that begins with build/stickslip, with a variable set for it, or with cp; what
 follows at least two blanks and "#" is a comment, and says "exit status N" where that is not 0.  A block of code whose first
 line is "# NAME.scene" or "# NAME.eq", behind which words may follow, is the file NAME.  build/stickslip is PROGRAM there,
-build/stickslip-checker is CHECKER, and /tmp the folder itself.  make and compilers are left to other tests.  One line for
-each error; then how many commands ran.
+build/stickslip-checker is CHECKER, and /tmp the folder itself.  make and compilers are left to other tests.  A command that an
+earlier document had typed is not typed again, unless it reads a file of this document's folder; what it would have written is
+then not there for those that follow.  One line for each error; then how many commands ran.
 """
 import pathlib
 import re
@@ -32,15 +33,24 @@ def commands(text):
         yield command.strip(), int(status[1]) if status else 0
 
 
+GIVEN = ("verify", "tests", "examples", "build", "reports")
+
+
+def reads_a_file(command, folder):
+    """Whether it names one that the document had its reader write, or that a command before it wrote."""
+    words = re.sub(r"--out \S+", "", command).replace("/tmp/", "").split()
+    return any(pathlib.Path(folder, word).exists() for word in words if word.split("/")[0] not in GIVEN)
+
+
 def main():
-    program, checker, root, n, failed = sys.argv[1], sys.argv[2], pathlib.Path.cwd(), 0, 0
+    program, checker, root, n, failed, typed = sys.argv[1], sys.argv[2], pathlib.Path.cwd(), 0, 0, set()
     for path in sys.argv[3:]:
         path, _, words = path.partition("@")
         text = pathlib.Path(path).read_text(encoding="utf-8")
         if words:
             text = text[:text.index("\n" + words)]
         with tempfile.TemporaryDirectory() as folder:
-            for name in ("verify", "tests", "examples"):
+            for name in GIVEN[:3]:
                 pathlib.Path(folder, name).symlink_to(root / name)
             pathlib.Path(folder, "build").mkdir()
             for name, to in (("stickslip", program), ("stickslip-checker", checker)):
@@ -49,6 +59,9 @@ def main():
             for name, body in blocks(text):
                 pathlib.Path(folder, name).write_text(body, encoding="utf-8")
             for command, status in commands(text):
+                if (command, status) in typed and not reads_a_file(command, folder):
+                    continue
+                typed.add((command, status))
                 done = subprocess.run(["bash", "-o", "pipefail", "-c", command.replace("/tmp/", folder + "/")], cwd=folder,
                                       capture_output=True, text=True, check=False)
                 n += 1

@@ -40,7 +40,7 @@ class System:
         ce = self.chi * self.eta
         slip1, slip2, stick = (1, -self.chi), (-ce, ce), (0, 0)
         rows = {"D": (stick, stick), "Gamma": (slip1, stick), "H": (slip1, slip2), "C": (stick, slip2)}
-        self.matrix = {}
+        self.matrix, self.last = {}, (None, None)
         for ph, (r1, r2) in rows.items():
             self.matrix[ph] = mpmath.matrix([[0, 0, 1, 0], [0, 0, 0, 1], [-r1[0], -r1[1], 0, 0],
                                              [-r2[0], -r2[1], 0, 0]])
@@ -52,7 +52,10 @@ class System:
         }
 
     def step(self, ph, t):
-        return mpmath.expm(self.matrix[ph] * t)
+        """The last one is kept: Newton's iteration asks for the value and for the slope at one time."""
+        if self.last[0] != (ph, t, mp.dps):
+            self.last = (ph, t, mp.dps), mpmath.expm(self.matrix[ph] * t)
+        return self.last[1]
 
     def residual_and_jacobian(self, x):
         """The six equations (12), (14), (16), (18) at x = (z10, z20, t_a, t_b, t_c, t_d), and their derivative."""
@@ -96,7 +99,7 @@ class System:
             return (n * (self.step(ph, t) * z))[0] - c
 
         t = mpmath.findroot(value, guess, solver="newton", df=lambda t: (n * (a * (self.step(ph, t) * z)))[0],
-                            tol=mpf(10) ** (2 * (8 - mp.dps)), verify=False)
+                            tol=mpf(10) ** (8 - mp.dps), verify=False)  # of the last step, whose square is left
         d = mpf(10) ** (20 - mp.dps)
         if value(t - d) * value(t + d) >= 0:
             raise ArithmeticError("no change of sign at the event of phase " + ph)

@@ -362,7 +362,7 @@ def map_errors(folder, s):
                    for c in root.iter(SVG + "circle")):
             yield "map: %s is not marked" % kind
     cells = [r for r in rows if r["what"] == "cell"]
-    if len(cells) != 78:
+    if len(cells) != (78 if os.environ.get("STICKSLIP_TESTS") == "all" else 39):
         yield "map: %d cells" % len(cells)
     for i, c in enumerate(cells):
         e2 = mpf(c["e2"])

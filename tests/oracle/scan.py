@@ -77,7 +77,7 @@ class Flow:
             new = t - f / d if d else lo
             if not lo < new < hi:
                 new = 0.5 * (lo + hi)
-            if abs(new - t) < 1e-17 or hi - lo < 1e-16:
+            if abs(new - t) < 1e-16 or hi - lo < 1e-16:
                 return new
             t = new
         return t

@@ -5,13 +5,47 @@ class NeedsOmega(Exception):
     pass
 
 
+FACTORED = {}  # of polynomials that were asked for before
+
+
+def factors_of(polynomial):
+    """Its unit and monic factors with their powers; a long one counts as its only factor.  They are sought in the ring of the
+    generators that occur, since SymPy looks at each of the 48."""
+    if polynomial not in FACTORED:
+        unit, factors = polynomial.LC, [(polynomial.monic(), 1)]
+        if len(polynomial) <= 40:
+            used = sorted(generators(polynomial))
+            small = ring([polynomial.ring.symbols[i] for i in used], QQ)[0]
+            few = small.from_dict({tuple(m[i] for i in used): c for m, c in polynomial.terms()}) if used else None
+            unit, factors = few.factor_list() if used else (polynomial.LC, [])
+            whole = [(polynomial.ring.from_dict({spread(m, used, polynomial.ring.ngens): c for m, c in f.terms()}), k)
+                     for f, k in factors]
+            for f, k in whole:
+                unit *= f.LC**k
+            factors = [(f.monic(), k) for f, k in whole]
+        FACTORED[polynomial] = unit, factors
+    return FACTORED[polynomial]
+
+
+def spread(exponents, places, n):
+    out = [0] * n
+    for i, k in zip(places, exponents):
+        out[i] = k
+    return tuple(out)
+
+
+def may_divide(factor, polynomial):
+    """Not where its first term, or its last one, does not divide that of the polynomial."""
+    return all(i <= k for end in (max, min) for i, k in zip(end(factor), end(polynomial)))
+
+
 class Number:
     """num / product of factor^power; never cancelled completely, zero exactly when num is."""
 
     def __init__(self, num, den=None):
         self.num, self.den = num, {} if num == 0 else (den or {})
         for factor in [f for f in self.den if len(f) <= 12 and len(num) <= 2000]:
-            while self.den.get(factor):
+            while self.den.get(factor) and may_divide(factor, self.num):
                 quotient, rest = self.num.div([factor])
                 if rest != 0:
                     break
@@ -44,10 +78,8 @@ class Number:
         num, den = self.num.ring.one, {}
         for factor, k in self.den.items():
             num = num * factor**k
-        unit, factors = self.num.factor_list() if len(self.num) <= 40 else (self.num.LC, [(self.num.monic(), 1)])
+        unit, factors = factors_of(self.num)
         for factor, k in factors:
-            unit *= factor.LC**k
-            factor = factor.monic()
             den[factor] = den.get(factor, 0) + k
         return Number(num * (QQ(1) / unit), den)
 
@@ -205,8 +237,8 @@ class Field:
             share = identity
             for k, wk in enumerate(w):
                 if k != i:
-                    gap = wi * wi - wk * wk
-                    share = product(share, [[(minus[r][c] - wk * wk * identity[r][c]) / gap for c in range(4)] for r in range(4)])
+                    over = (wi * wi - wk * wk).inverse()
+                    share = product(share, [[(minus[r][c] - wk * wk * identity[r][c]) * over for c in range(4)] for r in range(4)])
             slope = product(a, share)
             # f' = -w^2 g and g' = f: P' = A P asks for A F = G and A G = -w^2 F
             assert all((x + wi * wi * y).is_zero() for r, s in zip(product(a, slope), share) for x, y in zip(r, s))

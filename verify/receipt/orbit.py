@@ -104,7 +104,9 @@ def orbit():
     r, h = mpf((in_print("z20") - in_print("z10")).mid), mpf(10) ** -9
     for _ in range(8):
         f, g = (mpf((period(iv.mpf(x))[0] - x).mid) for x in (r, r + h))
-        r -= f * h / (g - f)
+        r -= (step := f * h / (g - f))
+        if abs(step) < mpf(10) ** -15:  # far inside the box
+            break
     box = iv.mpf([r - h / 1000, r + h / 1000])
     ends = [period(iv.mpf(x))[0] - x for x in (box.a, box.b)]
     if not (ends[0] > 0 > ends[1] or ends[0] < 0 < ends[1]):
