@@ -48,7 +48,7 @@ BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
 FUZZ  = reader latex model claims scene system json report options certificate quotes
 # one for each tests/check_*.c; those that take longest are begun first
-SLOW  = html mutate mech scene certify report hostile exact plan cli jacobian messages pictures complete stable argument
+SLOW  = terminal html mutate scene certify report hostile cli messages plan mech jacobian stable pictures exact words complete sweep argument
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
 # make quick: suites that find most in a second
 QUICK = num base expr latex edit tape model dynamics map given argument law routes behaviour audit diff
