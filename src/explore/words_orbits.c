@@ -200,7 +200,7 @@ void word_orbits_with_friction(struct word_orbits *list, slong prec) {
   fmpq_mat_solve(move, list->m.stiffness, raise);
   list->found = (struct mech_orbits){.n = 0};
   for (int k = 0; k < old.n; k++) {
-    struct mech_orbit again;
+    struct mech_orbit again = {.n = 0};
     int status = SS_UNABLE;
     for (int i = 0; i < 2; i++) {
       arb_set_fmpq(by, fmpq_mat_entry(move, i, 0), prec);

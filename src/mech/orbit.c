@@ -240,7 +240,6 @@ void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech
   mech_equations_init(&e, m, w, 0, 64);
   arb_ptr x = _arb_vec_init(w->n + e.n_free);
   set_unknowns(x, &e, t, z);
-  e.rough = true;
   mech_equations_at(&e, x);
   for (int i = 0; i < m->states; i++) z[i] = arf_get_d(arb_midref(arb_mat_entry(e.state[by], i, 0)), ARF_RND_NEAR);
   _arb_vec_clear(x, w->n + e.n_free);
