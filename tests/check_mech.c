@@ -580,6 +580,38 @@ START_TEST(more_friction_moves_the_place) {
 }
 END_TEST
 
+/* A thousand times as stiff and as fast, so that exp(A t) has entries of e^1000 in its argument: the motions are the same,
+   in a thousandth of the time. */
+START_TEST(a_fast_system_has_the_same_orbits) {
+  static const char *const speed[] = {"w = 1\n", "w = 1000\n"};
+  struct mech_orbits list[2];
+  arb_t period;
+  arb_init(period);
+  for (int i = 0; i < 2; i++) {
+    struct text system;
+    text_init(&system);
+    text_printf(&system, "%s%s", speed[i],
+                "mass m1\n  inertia: 1/w^2\n  sliding: 1\n  static: 3.5\n  surface: w\n"
+                "mass m2\n  inertia: 1/w^2\n  sliding: 1\n  static: 2.5\n  surface: w\n"
+                "spring wall\n  between: ground, m1\n  stiffness: 0.4\n"
+                "spring middle\n  between: m1, m2\n  stiffness: 0.6\n");
+    read_text(text_str(&system));
+    mech_orbits_find(&list[i], &file, NULL, false, 128);
+    mech_clear(&file);
+    text_clear(&system);
+  }
+  ck_assert_int_ge(list[0].n, 1);
+  ck_assert_int_eq(list[0].n, list[1].n);
+  ck_assert_int_le(list[1].failed, list[0].failed + 2);
+  for (int k = 0; k < list[0].n; k++) {
+    arb_mul_ui(period, list[1].orbit[k].period, 1000, 128);
+    ck_assert(arb_overlaps(period, list[0].orbit[k].period));
+  }
+  for (int i = 0; i < 2; i++) mech_orbits_clear(&list[i]);
+  arb_clear(period);
+}
+END_TEST
+
 /* A state that is far out but has not come back. */
 START_TEST(far_out_is_not_settled) {
   struct mech_moment moment[] = {{.t = 0, .phase = "s", .z = {1e6, 1}},
@@ -1104,6 +1136,7 @@ Suite *mech_suite(void) {
   tcase_add_test(c, static_equal_to_sliding);
   suite_add_tcase(s, c);
   tcase_add_test(c, more_friction_moves_the_place);
+  tcase_add_test(c, a_fast_system_has_the_same_orbits);
   tcase_add_test(c, far_out_is_not_settled);
   tcase_add_loop_test(c, orbits_of_one_round_and_of_two, 0, sizeof in_rounds / sizeof *in_rounds);
   c = tcase_create("random orbits");

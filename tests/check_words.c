@@ -677,6 +677,18 @@ START_TEST(output_obeys_its_schemas) {
 }
 END_TEST
 
+/* Where friction is left open the orbit is enclosed a second time, as precisely as the first. */
+START_TEST(a_jacobian_has_the_digits_asked_for) {
+  static const char *const friction[] = {"--set e1=1e5", "--set u_r1=2e5", "--set u_r1=2e5 --set u_r2=3"};
+  int status;
+  char *said =
+      shell_output(&status, "\"$P\" jacobian other-word --set V=1e-6 %s --digits 100 | sed -n 2p | tr -dc 0-9 | wc -c",
+                   friction[_i]);
+  ck_assert_int_eq(atoi(said), 100);
+  free(said);
+}
+END_TEST
+
 /* The survey lists every word it says, and the same bytes twice. */
 START_TEST(the_survey_is_whole) {
   shell_well("\"$P\" words overrun --json > \"$D/first\" && \"$P\" words overrun --json | cmp - \"$D/first\"");
@@ -734,6 +746,7 @@ Suite *words_suite(void) {
   tcase_add_test(c, a_word_without_orbits);
   tcase_add_test(c, a_survey_keeps_to_its_budget);
   tcase_add_test(c, output_obeys_its_schemas);
+  tcase_add_loop_test(c, a_jacobian_has_the_digits_asked_for, 0, 3);
   tcase_add_test(c, the_survey_is_whole);
   suite_add_tcase(s, c);
   return s;

@@ -226,9 +226,10 @@ static bool write_certificate(const char *path, struct word_orbits *list, const 
                               struct diag *d) {
   int n = list->found.n;
   struct text out = {0};
-  if (!s->system) word_orbits_with_friction(list, system_bits(digits));
-  for (int k = 0; k < list->found.n && !s->system; k++)
-    mech_orbit_decide(&list->found.orbit[k], &list->m, system_bits(digits));
+  if (!s->system) {
+    word_orbits_with_friction(list, system_bits(digits));
+    for (int k = 0; k < list->found.n; k++) mech_orbit_decide(&list->found.orbit[k], &list->m, system_bits(digits));
+  }
   bool ok = may_write_certificate(s, mech_orbits_certified(&list->found), n, d);
   if (ok) {
     mech_certificates_json(&out, s->name, &list->m, &list->found);

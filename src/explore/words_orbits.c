@@ -182,11 +182,22 @@ static void find_raise(fmpq_t raise, const struct word_orbits *list, int mass, s
   fmpq_clear(need);
 }
 
+/* The orbit beside its enclosure, whose positions have moved with the friction; precise enough for prec bits of it. */
+static int enclose_again(struct mech_orbit *o, const struct mech_orbit *old, const struct mech *m, slong prec) {
+  int status = SS_UNABLE;
+  for (int times = 1; times <= MOST_TIMES; times *= 2) {
+    if (!status) mech_orbit_clear(o);
+    status = mech_orbit_beside(o, m, old, times * prec);
+    if (!status && accuracy(o, times * prec) >= prec - GUARD) break;
+  }
+  return status;
+}
+
 void word_orbits_with_friction(struct word_orbits *list, slong prec) {
   struct mech_orbits old = list->found;
   fmpq_mat_t raise, move;
   arb_t by;
-  if (!old.n) return;
+  if (!old.n || (!lacks_friction(&list->m, 0) && !lacks_friction(&list->m, 1))) return;
   arb_init(by);
   fmpq_mat_init(raise, 2, 1);
   fmpq_mat_init(move, 2, 1);
@@ -201,14 +212,11 @@ void word_orbits_with_friction(struct word_orbits *list, slong prec) {
   list->found = (struct mech_orbits){.n = 0};
   for (int k = 0; k < old.n; k++) {
     struct mech_orbit again = {.n = 0};
-    int status = SS_UNABLE;
     for (int i = 0; i < 2; i++) {
       arb_set_fmpq(by, fmpq_mat_entry(move, i, 0), prec);
       arb_add(old.orbit[k].state + i, old.orbit[k].state + i, by, prec);
     }
-    for (int times = 1; status && times <= MOST_TIMES; times *= 2)
-      status = mech_orbit_beside(&again, &list->m, &old.orbit[k], times * prec);
-    if (status) continue;
+    if (enclose_again(&again, &old.orbit[k], &list->m, prec) != SS_OK) continue;
     again.admissible = old.orbit[k].admissible;
     mech_orbits_add(&list->found, &again);
   }
