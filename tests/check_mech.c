@@ -551,10 +551,16 @@ START_TEST(orbits_of_one_round_and_of_two) {
 }
 END_TEST
 
-/* The orbits of the system of a text in two parts. */
-static void find_orbits_of(struct mech_orbits *list, const char *parameter, const char *rest, bool any) {
+/* The orbits of the paper's two masses with that friction, w times as fast. */
+static void find_orbits_with(struct mech_orbits *list, long friction, long w, bool any) {
   struct text system = {0};
-  text_printf(&system, "%s%s", parameter, rest);
+  text_printf(&system,
+              "friction = %ld\nw = %ld\n"
+              "mass m1\n  inertia: 1/w^2\n  sliding: friction\n  static: friction + 2.7844\n  surface: w\n"
+              "mass m2\n  inertia: 1/w^2\n  sliding: friction\n  static: friction + 0.8587\n  surface: w\n"
+              "spring wall\n  between: ground, m1\n  stiffness: 0.2\n"
+              "spring middle\n  between: m1, m2\n  stiffness: 0.8\n",
+              friction, w);
   read_text(text_str(&system));
   mech_orbits_find(list, &file, NULL, any, 128);
   mech_clear(&file);
@@ -563,16 +569,9 @@ static void find_orbits_of(struct mech_orbits *list, const char *parameter, cons
 
 /* More friction, static and sliding alike, only moves the place where masses swing that are never faster than the surface. */
 START_TEST(more_friction_moves_the_place) {
-  static const char *const friction[] = {"friction = 1\n", "friction = 1000000\n"};
   struct mech_orbits list[2];
   int shared = 0;
-  for (int i = 0; i < 2; i++)
-    find_orbits_of(&list[i], friction[i],
-                   "mass m1\n  inertia: 1\n  sliding: friction\n  static: friction + 2.7844\n  surface: 1\n"
-                   "mass m2\n  inertia: 1\n  sliding: friction\n  static: friction + 0.8587\n  surface: 1\n"
-                   "spring wall\n  between: ground, m1\n  stiffness: 0.2\n"
-                   "spring middle\n  between: m1, m2\n  stiffness: 0.8\n",
-                   i == 1);
+  for (int i = 0; i < 2; i++) find_orbits_with(&list[i], i ? 1000000 : 1, 1, i == 1);
   for (int k = 0; k < list[1].n; k++) {
     const struct mech_orbit *o = &list[1].orbit[k];
     for (int l = 0, by; l < list[0].n; l++)
@@ -587,17 +586,10 @@ END_TEST
 /* A thousand times as stiff and as fast, so that entries of A t pass 700, beyond which exp has no double: the motions are
    the same, in a thousandth of the time. */
 START_TEST(a_fast_system_has_the_same_orbits) {
-  static const char *const speed[] = {"w = 1\n", "w = 1000\n"};
   struct mech_orbits list[2];
   arb_t period;
   arb_init(period);
-  for (int i = 0; i < 2; i++)
-    find_orbits_of(&list[i], speed[i],
-                   "mass m1\n  inertia: 1/w^2\n  sliding: 1\n  static: 3.5\n  surface: w\n"
-                   "mass m2\n  inertia: 1/w^2\n  sliding: 1\n  static: 2.5\n  surface: w\n"
-                   "spring wall\n  between: ground, m1\n  stiffness: 0.4\n"
-                   "spring middle\n  between: m1, m2\n  stiffness: 0.6\n",
-                   false);
+  for (int i = 0; i < 2; i++) find_orbits_with(&list[i], 1, i ? 1000 : 1, false);
   ck_assert_int_ge(list[0].n, 1);
   ck_assert_int_eq(list[0].n, list[1].n);
   ck_assert_int_le(list[1].failed, list[0].failed + 2);
