@@ -1,9 +1,9 @@
 """stickslip orbit against a program that shares the equations of motion with it and nothing else.
 
-    python3 differ.py PROGRAM [--count N] [--seed S] [--seconds T] [--page FILE]
+    python3 differ.py PROGRAM [--count N] [--random R] [--seed S] [--seconds T] [--page FILE]
 
-Draws N scenes, in turn from the classes below.  The peer looks for the orbits itself in double precision (scan.py: Taylor series, two
-searches), and solves the six equations near each orbit by mpmath with matrix exponentials (orbits.py).  Held against each other:
+Draws N scenes, in turn from the classes below, and R more from the first.  The peer looks for the orbits itself in double precision (scan.py: Taylor series, two
+searches), and solves the six equations near each orbit by mpmath with matrix exponentials by power series (orbits.py).  Held against each other:
 how many orbits there are, each of the 40 digits that the program prints of each number, stability, admissibility with the
 conditions that are broken, and the least static frictions.  An orbit that the peer's search has not found counts as one
 where mpmath confirms it.  Where the search would take the peer too long, or a verdict is too close for double precision,
@@ -29,7 +29,7 @@ import orbits
 import scan
 
 DPS = 100
-LONGEST = 12  # seconds for the peer's search
+LONGEST = 12  # seconds of processor time for the peer's search
 NAMES = ("chi", "eta", "V", "e1", "e2")
 # parameters at a fold, a flip, a grazing event; from verify/scenes and tests/extreme
 NEAR = {"fold": (("0.66", "0.93", "0.75", "0.647", "2.71"), ("0.8", "1", "1", "2.7844", "1.1121101100551")),
@@ -117,14 +117,14 @@ def search(model):
     stiff = model.chi * model.eta
     if model.fastest > 40 or stiff < 1e-4 or scan.longest_gamma(model) > 300:
         return None
-    signal.signal(signal.SIGALRM, ring)
-    signal.alarm(LONGEST)
+    signal.signal(signal.SIGPROF, ring)
+    signal.setitimer(signal.ITIMER_PROF, LONGEST)
     try:
         return scan.distinct(scan.by_return_map(model, 1500)[0] + scan.by_plane(model))
     except TooLong:
         return None
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def same(orbit, guess):
@@ -208,7 +208,7 @@ def table(results):
 
 PAGE = """# Orbits held against an independent program
 
-`python3 tests/oracle/differ.py build/stickslip --count N --seed S --page FILE` draws scenes from classes of ordinary and extreme
+`python3 tests/oracle/differ.py build/stickslip --count N --random R --seed S --page FILE` draws scenes from classes of ordinary and extreme
 parameters and holds what `stickslip orbit` prints to 40 digits against a peer: two searches in double precision by Taylor
 series, and solutions of the six equations by mpmath with matrix exponentials. The peer shares with the program the equations
 of motion (1) and Coulomb's law (2), and the six equations that make a motion of this word periodic; no formula, no source, no number type.
@@ -228,11 +228,13 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--count", type=int, default=len(CLASSES))
+    parser.add_argument("--random", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=math.inf)
     parser.add_argument("--page")
     args = parser.parse_args()
-    tasks = [(args.program, list(CLASSES)[i % len(CLASSES)], "%d %d" % (args.seed, i)) for i in range(args.count)]
+    names = [list(CLASSES)[i % len(CLASSES)] for i in range(args.count)] + ["random"] * args.random
+    tasks = [(args.program, name, "%d %d" % (args.seed, i)) for i, name in enumerate(names)]
     results, begin = [], time.time()
     with multiprocessing.Pool() as pool:
         for r in pool.imap_unordered(study, tasks):

@@ -1,7 +1,7 @@
 """Periodic orbits of the word D-Gamma-H-C to many digits, from the equations of motion (1) and Coulomb's law (2).
 
-In each phase z'' = -K z, with the rows of K set to zero that belong to sticking masses; the motion is mpmath's matrix
-exponential of the 4x4 first-order system.  An orbit solves six equations in (z10, z20, t_a, t_b, t_c, t_d) by
+In each phase z'' = -K z, with the rows of K set to zero that belong to sticking masses; the motion is the exponential of
+the 4x4 first-order system, by its power series and doubling.  An orbit solves six equations in (z10, z20, t_a, t_b, t_c, t_d) by
 mpmath.findroot, started from the searches of scan.py.  No formula of the paper beyond (1) and (2), and none of the
 closed forms of the C program, is used.
 
@@ -32,6 +32,34 @@ def exact(q):
     return mpf(q.numerator) / q.denominator
 
 
+def product(a, b):
+    return [[a[i][0] * b[0][j] + a[i][1] * b[1][j] for j in range(2)] for i in range(2)]
+
+
+def exponential(k, t):
+    """The exponential of [[0, I], [-K, 0]] t for a 2x2 matrix K: blocks C = sum (-K t^2)^n / (2n)!, S = sum t (-K t^2)^n / (2n+1)!
+    at t / 2^d, where the series are short, then d doublings C -> 2 C^2 - I, S -> 2 S C.  Each loses two bits."""
+    size = max(abs(x) for row in k for x in row) * t * t
+    d = max(0, int(mpmath.ceil(mpmath.log(size, 4))) + 8) if size else 0
+    with mpmath.workprec(mp.prec + 2 * d + 20):
+        h = t / 2 ** d
+        power, c, s, n = [[mpf(1), mpf(0)], [mpf(0), mpf(1)]], [[mpf(0)] * 2 for _ in "12"], [[mpf(0)] * 2 for _ in "12"], 0
+        step = [[-x * h * h for x in row] for row in k]
+        while max(abs(x) for row in power for x in row) > mpf(2) ** -mp.prec:
+            for i in range(2):
+                for j in range(2):
+                    c[i][j] += power[i][j]
+                    s[i][j] += power[i][j] * h / (n + 1)
+            power = [[x / ((n + 1) * (n + 2)) for x in row] for row in product(power, step)]
+            n += 2
+        for _ in range(d):
+            c, s = product(c, c), product(s, c)
+            c = [[2 * c[i][j] - (i == j) for j in range(2)] for i in range(2)]
+            s = [[2 * x for x in row] for row in s]
+        lower = [[-x for x in row] for row in product(k, s)]
+    return +mpmath.matrix([c[0] + s[0], c[1] + s[1], lower[0] + c[0], lower[1] + c[1]])
+
+
 class System:
     """One parameter set, its exact values rounded once to the working precision in force."""
 
@@ -40,7 +68,7 @@ class System:
         ce = self.chi * self.eta
         slip1, slip2, stick = (1, -self.chi), (-ce, ce), (0, 0)
         rows = {"D": (stick, stick), "Gamma": (slip1, stick), "H": (slip1, slip2), "C": (stick, slip2)}
-        self.matrix, self.last = {}, (None, None)
+        self.stiffness, self.matrix, self.last = rows, {}, (None, None)
         for ph, (r1, r2) in rows.items():
             self.matrix[ph] = mpmath.matrix([[0, 0, 1, 0], [0, 0, 0, 1], [-r1[0], -r1[1], 0, 0],
                                              [-r2[0], -r2[1], 0, 0]])
@@ -54,7 +82,7 @@ class System:
     def step(self, ph, t):
         """The last one is kept: Newton's iteration asks for the value and for the slope at one time."""
         if self.last[0] != (ph, t, mp.dps):
-            self.last = (ph, t, mp.dps), mpmath.expm(self.matrix[ph] * t)
+            self.last = (ph, t, mp.dps), exponential(self.stiffness[ph], mpf(t))
         return self.last[1]
 
     def residual_and_jacobian(self, x):
