@@ -93,7 +93,7 @@ static void describe_effect(struct finding *f, struct argument *a) {
   point_init(&p);
   if (nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
     const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p.orbit];
-    f->effect = result_str(a->j->out, "On %s all inequalities together amount to %s and %s.",
+    f->effect = result_str(a->j->out, "On %s all inequalities together are equivalent to %s and %s.",
                            usual_orbit_text(a->j, "periodic solution"), friction_needed(a->j, 0, o),
                            friction_needed(a->j, 1, o));
   }
@@ -139,7 +139,7 @@ static bool argument_read(struct argument *a, struct judge *j, const struct clai
   return true;
 }
 
-/* The argument with the premises of the attribute repair added. */
+/* The argument with the premises of the attribute repair added, which are its condition where they save it. */
 static bool judge_repair(struct finding *f, struct argument *a, struct view view) {
   const char *repair = claim_get(a->c, "repair");
   if (!repair) return true;
@@ -156,12 +156,14 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   struct text t = {0};
   for (int k = 0; ok && k < more.n; k++) {
     if (more.at[k].equality || more.at[k].moving) continue; /* what every motion of the phase fulfils */
-    text_add(&t, t.len ? "; " : "with the further premise ");
+    text_add(&t, t.len ? "; " : "");
     if (more.at[k].equation) text_printf(&t, "(%s) ", more.at[k].equation);
     text_add(&t, more.at[k].text);
   }
   if (ok) {
-    f->correction = result_str(a->j->out, "%s", text_str(&t));
+    f->verdict = verdict_under_condition(f->verdict, again.verdict);
+    f->condition = f->verdict == VERDICT_CONDITIONAL ? result_str(a->j->out, "%s", text_str(&t)) : NULL;
+    f->correction = result_str(a->j->out, "with the further premise %s", text_str(&t));
     f->correction_verdict = again.verdict;
   }
   for (int i = 0; ok && i < again.n_evidence; i++) *finding_add(f, a->j->out) = again.evidence[i];

@@ -193,8 +193,7 @@ static const char *scene_text(struct argument *a, const struct point *p, const c
   return result_take(a->j->out, &t);
 }
 
-static const char *certificate_text(struct argument *a, const struct point *p, const struct dyn_orbit *o,
-                                    const struct argument_decision *d) {
+static const char *certificate_text(struct argument *a, const struct point *p, const struct argument_decision *d) {
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
   const char *when = c->moving ? result_str(a->j->out, " in the %s phase, for instance %s", phase_words[c->phase],
                                             argument_place(a, d->where))
@@ -207,9 +206,9 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
     text_printf(&premises, "%s%s", i ? ", " : "", a->part[PREMISES].at[i].text);
   if (premises.len) text_add(&premises, a->part[PREMISES].n == 1 ? " holds, but " : " hold, but ");
   const char *said = result_str(
-      a->j->out, "for %s (where e_1 = %s and e_2 = %s) there is a periodic solution on which %s%s is violated%s, by %s",
-      scene_text(a, p, ", "), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8), text_str(&premises), c->text, when,
-      ball_text(a->j, short_by, 6));
+      a->j->out,
+      "for %s there is a solution of the switching and periodicity equations on which %s%s is violated%s, by %s",
+      scene_text(a, p, ", "), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
   arb_clear(short_by);
   text_clear(&premises);
   return said;
@@ -248,7 +247,7 @@ static bool settle(struct argument_tally *t, struct argument *a, const struct ca
     t->decided[1].of[d.by_exponentials]++;
   }
   if (counterexample) {
-    t->certificate = certificate_text(a, &p, o, &d);
+    t->certificate = certificate_text(a, &p, &d);
     certify(t, a, &p, o, &d);
   }
   if (!t->nearest && d.premises == TRUTH_TRUE) t->nearest = scene_text(a, &p, "; ");

@@ -188,7 +188,7 @@ static void conclude_forms(struct behaviour *b, const struct described *n, bool 
   b->f->verdict = verdict_under_condition(b->f->verdict, verdict_of(&under, 1, true));
   b->f->condition = "no mass is faster than the belt";
   if (!n->with_signs) return;
-  b->f->correction = "with eps_i u_si, eps_i = sign(V - x'_i), in the place of u_si in d_01 and d_02 of (3)";
+  b->f->correction = "with -u_si in the place of u_si in d_01 and d_02 of (3) for a mass that is faster than the belt";
   b->f->correction_verdict = verdict_of(&under, 1, true);
 }
 

@@ -331,6 +331,16 @@ def starts(c, times):
     return lu_solve(n[:2, :2] - one, -n[:2, 2:] * v), lu_solve(n[2:, :2], (one - n[2:, 2:]) * v)
 
 
+def slope(c, h=mpf(10) ** -8):
+    """Of the return map of r = z_2 - z_1 on the orbit, which is tr J."""
+    p = orbit(c)
+    def back(s):
+        z = stick(c, c["e_1"], p.z[0][1] - p.z[0][0] + s)
+        q = Passage(c, z[0], z[1])
+        return q.z[4][1] - q.z[4][0]
+    return (back(h) - back(-h)) / (2 * h)
+
+
 def numbers_example(of):
     """At the printed times z_20 by either line of (44), t_a by the first of (45); the solution with t_b, t_c as printed."""
     c = of["text-periodic"]
@@ -345,8 +355,9 @@ def numbers_example(of):
     z_a = matrix([z[0] + c["V"] * t_a_kept, z[1] + c["V"] * t_a_kept, c["V"], c["V"]])
     z_b = flow(c, "G", t_b) * z_a
     found += [t_a_kept, t_d_kept, z[0], z[1], z_a[0] - c["chi"] * z_a[1], c["chi"] * (z_b[1] - z_b[0])]
-    found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d))]
-    return {rounded(x, 4) for x in found} | {of["num-t_d"].text("printed"), rounded(other, 3)}
+    found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d)) + starts(c, (found[0], t_b, t_c, t_d))]
+    return {rounded(x, 4) for x in found + [slope(of["num-t_a"])]} | {
+        of["num-t_d"].text("printed"), rounded(other, 3), rounded(found[0], 5)}
 
 
 def numbers_otherwise(of):
