@@ -154,7 +154,7 @@ static bool correct(double x[3], const struct trace *t, const double normal[3]) 
     }
     size = length_of(t, step);
     ok = ok && isfinite(size) && size < 1;
-    settled = size < 1e-13 * (1 + fabs(x[1]) + fabs(x[2]));
+    settled = size < 1e-7; /* of the last step, whose square is left */
     view_close(&v);
   }
   arb_mat_clear(f);
