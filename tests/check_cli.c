@@ -42,23 +42,12 @@ static void close_full(void) {
   scratch_close();
 }
 
-/* A second run, by another number of processes, gives the same bytes; run.json says how the run went. */
-START_TEST(two_runs_give_the_same_report) {
-  whole_again("again", "--quiet --jobs 7");
-  check_says("again/status", "0\n");
-  shell_well("diff $D/whole/errors /dev/null && diff $D/again/errors /dev/null && diff -r -x run.json $D/whole/paper "
-             "$D/again/paper && tail -n 1 $D/whole/said | diff - $D/again/said");
-}
-END_TEST
-
+/* What was computed at another time and perhaps on another machine, to the byte; run.json says how a run went.  Where a
+   file differs, make verify writes it anew. */
 START_TEST(the_report_on_record_is_the_computed_one) {
-  char *json = file_text("reports/paper/audit.json"), *md = file_text("reports/paper/audit.md");
-  ck_assert(json && md);
-  ck_assert_msg(strcmp(json, full_json) == 0, "reports/paper/audit.json is stale: run make verify");
-  ck_assert_msg(strcmp(md, full_md) == 0, "reports/paper/audit.md is stale: run make verify");
-  free(md);
-  free(json);
-  check_says("whole/status", "0\n");
+  shell_well(
+      "for f in $(ls $D/whole/paper); do [ $f = run.json ] || cmp $D/whole/paper/$f reports/paper/$f || exit; done");
+  shell_well("echo 0 | diff - $D/whole/status && diff /dev/null $D/whole/errors");
   ck_assert_str_eq(scratch_list(scratch_path("whole/paper")),
                    "along-e2.tsv animation.tsv audit.csv audit.json audit.md claims.dot differences.tsv errata.md "
                    "errata.tex figure-3.tsv figure-4.tsv index.html junit.xml long-run.tsv margins.tsv return-map.tsv "
@@ -827,7 +816,6 @@ Suite *cli_suite(void) {
   TCase *c = tcase_create("verify");
   tcase_set_timeout(c, TIME_LIMIT);
   tcase_add_unchecked_fixture(c, open_full, close_full);
-  tcase_add_test(c, two_runs_give_the_same_report);
   tcase_add_test(c, the_report_on_record_is_the_computed_one);
   tcase_add_test(c, the_last_line_is_the_summary);
   tcase_add_test(c, the_markdown_holds_every_claim);

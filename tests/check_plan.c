@@ -175,7 +175,7 @@ START_TEST(jobs_change_no_byte) {
   ck_assert_uint_gt(one.n_findings, 12);
   ck_assert_uint_gt(one.n_consequences, 3);
   struct audit_result r;
-  audit(&r, &s, NULL, 0, 2);
+  audit(&r, &s, NULL, 0, 7);
   char *got = json_of(&r);
   ck_assert_str_eq(got, want);
   free(got);

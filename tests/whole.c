@@ -10,17 +10,13 @@
 #include "report/report.h"
 #include "scratch.h"
 
-void whole_again(const char *name, const char *words) {
-  shell_well("sh tests/whole.sh \"$P\" \"$D/%s\" %s", name, words);
-}
-
 void whole_open(void) {
   const char *made = getenv("STICKSLIP_WHOLE");
   char *real = made && *made ? realpath(made, NULL) : NULL;
   if (real)
     ck_assert_msg(symlink(real, scratch_path("whole")) == 0, "%s", real);
   else
-    whole_again("whole", "paper");
+    shell_well("sh tests/whole.sh \"$P\" \"$D/whole\"");
   free(real);
   char *status = file_text(scratch_path("whole/status")), *errors = file_text(scratch_path("whole/errors"));
   ck_assert_msg(strcmp(status, "0\n") == 0 || strcmp(status, "1\n") == 0, "verify paper ends with %s%s", status,

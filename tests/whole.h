@@ -11,7 +11,5 @@
 void whole_open(void);
 /* Behind whole_open: the record as audit.json and the tables hold it; to be cleared. */
 void whole_record(struct audit_result *r);
-/* The audit made anew, into a folder of that name in the scratch folder, with words for verify. */
-void whole_again(const char *name, const char *words);
 
 #endif
