@@ -8,7 +8,7 @@
    Files: job_*.c hold the jobs with their tables of methods; methods, yardstick, six, newton_mpfr, formula, motion, ode
    and cvode what the methods are made of; harness.c measures, table.c reads off the rows, ratios.c, profile.c,
    verdicts.c and sides.c measure what no row holds, peers.c reads what was measured elsewhere (peers/); report.c,
-   pages.c, plot.c and machine.c write.
+   pages.c, figure.c and machine.c write.
 
    Clocks are read here and in the command line, nowhere else; the library knows no time. */
 #ifndef STICKSLIP_BENCH_H
@@ -245,22 +245,15 @@ const char *bench_outcome_name(enum bench_outcome o);                /* "met", "
 void bench_tsv(struct text *out, const struct bench_table *t);
 void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v);
 void bench_json(struct text *out, const struct bench_result *r);
-/* The page that holds all together; pages: it refers to those of the jobs, figures: to SVG files. */
-void bench_markdown(struct text *out, const struct bench_result *r, bool pages, bool figures);
-void bench_job_markdown(struct text *out, const struct bench_table *t, bool figures);
+/* The page that holds all together; files: it refers to those of the jobs, and to figures. */
+void bench_markdown(struct text *out, const struct bench_result *r, bool files);
+void bench_job_markdown(struct text *out, const struct bench_table *t, bool files);
 /* The page of a study. */
-void bench_study_markdown(struct text *out, const struct study_page *page, bool figure);
-/* JOB.svg, and JOB-steps.svg when there are methods with steps. */
-void bench_gnuplot(struct text *out, const struct bench_table *t);
+void bench_study_markdown(struct text *out, const struct study_page *page, bool files);
+/* Figures, SVG documents: JOB.svg, and JOB-steps.svg when there are methods with steps; verdicts.svg. */
+void bench_figure(struct text *out, const struct bench_table *t, bool steps);
 bool bench_has_steps(const struct bench_table *t);
-/* verdicts.svg. */
-void bench_verdicts_gnuplot(struct text *out, const struct bench_verdicts *v);
-/* The figure without the groups that hold nothing, which gnuplot writes in numbers. */
-void bench_squeeze(struct text *out, const char *svg);
-/* Of the k-th curve of a figure. */
-const char *bench_colour(int k);
-/* Runs gnuplot on a script in a folder; false when it is not there or fails. */
-bool bench_draw(const char *folder, const struct text *script);
+void bench_verdicts_figure(struct text *out, const struct bench_verdicts *v);
 /* CPU, cores, compiler, libraries, as "name: value" lines. */
 void bench_machine(struct text *out, const struct bench_result *r); /* r may be NULL */
 

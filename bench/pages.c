@@ -186,13 +186,13 @@ static double growth(const struct bench_verdicts *v, size_t i) {
   return log(w->seconds / last->seconds) / log((double)w->size / (double)last->size);
 }
 
-static void verdicts(struct text *out, const struct bench_verdicts *v, bool figures) {
+static void verdicts(struct text *out, const struct bench_verdicts *v, bool files) {
   if (v->n == 0) return;
   text_add(out,
            "\n## What verdicts cost\n\nOn the paper's scene: orbits, Jacobians and both sides of every claim that "
            "has two, at one of its\npoints, to a number of digits; the first claims judged together. Growth is the "
            "power of the size with which\nthe time has grown since the row above.\n");
-  if (figures) text_add(out, "\n![time against digits and claims](verdicts.svg)\n");
+  if (files) text_add(out, "\n![time against digits and claims](verdicts.svg)\n");
   text_add(out, "\n");
   markdown_head(out, "work|digits or claims:|time:|growth:");
   for (size_t i = 0; i < v->n; i++) {
@@ -274,12 +274,12 @@ static void costs(struct text *out, const struct bench_table *t) {
   }
 }
 
-void bench_job_markdown(struct text *out, const struct bench_table *t, bool figures) {
+void bench_job_markdown(struct text *out, const struct bench_table *t, bool files) {
   text_printf(out, "# %s\n\nGiven: %s. Wanted: %s.\n", t->job->title, t->job->inputs, t->job->outputs);
   text_printf(out, "%d inputs; the truth has %.0f digits or more; rounding each input to 53 bits can cost %.1e.\n",
               t->cases, floor(t->truth_digits), t->floor);
-  if (figures) text_printf(out, "\n![error against time](%s.svg)\n", t->job->id);
-  if (figures && bench_has_steps(t)) text_printf(out, "\n![error against step](%s-steps.svg)\n", t->job->id);
+  if (files) text_printf(out, "\n![error against time](%s.svg)\n", t->job->id);
+  if (files && bench_has_steps(t)) text_printf(out, "\n![error against step](%s-steps.svg)\n", t->job->id);
   front(out, t);
   costs(out, t);
   methods(out, t);
@@ -296,7 +296,7 @@ static void machine(struct text *out, const struct bench_result *r) {
 
 /* --- The page that holds all together. --- */
 
-void bench_markdown(struct text *out, const struct bench_result *r, bool pages, bool figures) {
+void bench_markdown(struct text *out, const struct bench_result *r, bool files) {
   text_add(
       out,
       "# Error against run time\n\nErrors are true ones, against enclosures, the worst and the median over the "
@@ -304,15 +304,15 @@ void bench_markdown(struct text *out, const struct bench_result *r, bool pages, 
       "least and the median of batches that go\nthrough all inputs. What failed has no time and is on no front.\n");
   if (r->quick) text_add(out, "\nA quick run: few inputs, few batches; its times are rough.\n");
   guide(out, r);
-  for (int i = 0; i < r->n && pages; i++)
+  for (int i = 0; i < r->n && files; i++)
     text_printf(out, "%s- [%s](%s.md)\n", i ? "" : "\n", r->table[i].job->title, r->table[i].job->id);
   ratios(out, r);
-  verdicts(out, &r->verdicts, figures);
+  verdicts(out, &r->verdicts, files);
   machine(out, r);
 }
 
-void bench_study_markdown(struct text *out, const struct study_page *page, bool figure) {
+void bench_study_markdown(struct text *out, const struct study_page *page, bool files) {
   text_printf(out, "# %s%s\n", page->study->apart ? "" : "Stability: ", page->study->title);
-  study_markdown(out, page, figure);
+  study_markdown(out, page, files);
   machine(out, NULL);
 }

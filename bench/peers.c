@@ -57,7 +57,7 @@ static bool split(struct line *l, struct arena *a, struct diag *d) {
   return false;
 }
 
-/* A plain word: it will stand in tables, in a script for gnuplot and in JSON. */
+/* A plain word: it will stand in tables, in figures and in JSON. */
 static bool plain(const char *s) {
   static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 _-+.,:;()^/";
   return *s && strspn(s, letters) == strlen(s);

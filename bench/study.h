@@ -23,8 +23,8 @@ struct study_page {
   const struct study *study;
   struct study_table table[STUDY_TABLES];
   int n;
-  struct text found; /* lines made from the tables */
-  struct text plot;  /* a script for gnuplot that carries its data; empty: no figure */
+  struct text found;  /* lines made from the tables */
+  struct text figure; /* an SVG document; empty: there is none */
   bool quick;
 };
 struct study {
@@ -47,11 +47,8 @@ struct study_table *study_table(struct study_page *page, const char *id, const c
 void study_text(struct study_table *t, const char *fmt, ...) SS_PRINTF(2, 3);
 void study_number(struct study_table *t, double x, int digits);
 void study_row(struct study_table *t);
-/* The cell of a row (0: the first below the names) and column, empty when there is none; valid until the next call. */
-const char *study_cell(struct text *out, const struct study_table *t, int row, const char *column);
-int study_rows(const struct study_table *t);
 
-void study_markdown(struct text *out, const struct study_page *page, bool figure);
+void study_markdown(struct text *out, const struct study_page *page, bool files);
 void study_json(struct json *j, const struct study_page *page);
 
 #endif

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "bench/figure.h"
 #include "bench/jobs.h"
 #include "bench/printed_digits.h"
 #include "bench/study.h"
@@ -195,8 +196,6 @@ static bool each_scene(struct tables *all, const char *data) {
 
 /* --- Beside the orbit at which N_1 - I is singular. --- */
 
-static const char singular_line[] = "chi = 15/64, eta = 2, V = 1, t_c = 43/32";
-
 static void line_model(fmpq *model) {
   fmpq_set_si(model, 15, 64);
   fmpq_set_si(model + 1, 2, 1);
@@ -323,29 +322,23 @@ static void summarize(struct tables *all) {
   free(x);
 }
 
-static void plot(struct study_page *page, const struct study_table *t) {
+static void draw(struct study_page *page, const struct study_table *t) {
   static const char *const column[] = {"paper", "six", "map"};
-  struct text *out = &page->plot, cell;
-  text_init(&cell);
+  struct figure f = {.id = "procedure", .title = page->study->title, .panels = 1};
+  f.panel[0] = (struct figure_panel){
+      .x = "distance in t_b from the orbit at which N_1 \xe2\x88\x92 I is singular",
+      .y = "digits of 16 lost in double, on the line *\xcf\x87* = 15/64, *\xce\xb7* = 2, *V* = 1, *t*_c = 43/32",
+      .power = {true}};
+  struct rows rows;
+  rows_parse(&rows, text_str(&t->tsv));
   for (int k = 0; k < COUNT(column); k++) {
-    text_printf(out, "$d%d << EOD\n", k);
-    for (int i = 0; i < study_rows(t); i++) {
-      text_printf(out, "%s ", study_cell(&cell, t, i, "distance"));
-      text_printf(out, "%s\n", study_cell(&cell, t, i, column[k]));
-    }
-    text_add(out, "EOD\n");
+    figure_curve(&f, column[k]);
+    for (size_t i = 0; i < rows.n; i++)
+      figure_point(&f, 0, log10(rows_number(&rows, i, rows_column(&rows, "distance"))),
+                   rows_number(&rows, i, rows_column(&rows, column[k])));
   }
-  text_printf(out,
-              "set terminal svg size 900,560 dynamic font 'sans,12' background '#ffffff'\n"
-              "set output 'procedure.svg'\nset title 'Beside the orbit at which N_1 - I is singular: %s'\n"
-              "set logscale x\nset format x '10^{%%T}'\nset grid lc '#d0d0d0'\nset xlabel 'distance in t_b'\n"
-              "set ylabel 'digits of 16 lost in double'\nset key top right\nset datafile missing 'fails'\nplot ",
-              singular_line);
-  for (int k = 0; k < COUNT(column); k++)
-    text_printf(out, "%s$d%d using 1:2 with linespoints pt %d dt %d lc '%s' title '%s'", k ? ", \\\n  " : "", k, k + 1,
-                k + 1, bench_colour(k), column[k]);
-  text_add(out, "\n");
-  text_clear(&cell);
+  figure_svg(&page->figure, &f);
+  rows_clear(&rows);
 }
 
 #define LOST "cond_paper\tcond_N1-I\tcond_N3\tcond_six\tcond_map\tpaper\tsix\tmap"
@@ -384,7 +377,7 @@ static bool run(struct study_page *page, const struct bench_env *env) {
               "map up to "
               "%.1f,\n  each at its own worst one; the paper's fail on %d\n",
               all.orbits, all.worst[0], all.worst[1], all.worst[2], all.failed);
-  plot(page, all.singular);
+  draw(page, all.singular);
   free(all.digit);
   return good;
 }

@@ -5,10 +5,12 @@
    of its greatest lag behind the belt.  Reference: the event-driven orbit's passage of the same section, by the closed
    forms. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
+#include "bench/figure.h"
 #include "bench/jobs.h"
 #include "bench/smooth.h"
 #include "bench/study.h"
@@ -298,35 +300,25 @@ static void keep(struct fall *f, int k, const struct reference *ref, const struc
   f->creep[k] = o->creep;
 }
 
-static void plot(struct study_page *page, const struct study_table *rates) {
-  struct text *out = &page->plot, cell;
+static void draw(struct study_page *page, const struct study_table *rates) {
   static const char *const scenes[] = {"stable", "paper"};
-  text_init(&cell);
-  text_add(out, "set terminal svg size 900,600 dynamic font 'sans,12' background '#ffffff'\nset output 'smooth.svg'\n"
-                "set logscale xy\nset format '10^{%T}'\nset grid lc '#d0d0d0'\nset xlabel 'slope s'\n"
-                "set ylabel 'distance from the event-driven orbit, relative'\nset key bottom left\n");
-  const char *comma = "";
-  struct text curves = {0};
+  struct figure f = {.id = "smooth", .title = page->study->title, .panels = 1};
+  f.panel[0] = (struct figure_panel){
+      .x = "slope *s*", .y = "distance from the event-driven orbit, relative", .power = {true, true}};
+  struct rows t;
+  char name[2 * N_LAWS][40];
+  rows_parse(&t, text_str(&rates->tsv));
   for (int k = 0; k < 2 * N_LAWS; k++) {
-    int points = 0;
-    text_printf(out, "$d%d << EOD\n", k);
-    for (int i = 0; i < study_rows(rates); i++) {
-      if (strcmp(study_cell(&cell, rates, i, "scene"), scenes[k / N_LAWS]) != 0) continue;
-      if (strcmp(study_cell(&cell, rates, i, "law"), smooth_law_name[k % N_LAWS]) != 0) continue;
-      if (strcmp(study_cell(&cell, rates, i, "state_error"), "-") == 0) continue;
-      text_printf(out, "%s ", study_cell(&cell, rates, i, "s"));
-      text_printf(out, "%s\n", study_cell(&cell, rates, i, "state_error"));
-      points++;
-    }
-    text_add(out, "EOD\n");
-    if (points == 0) continue;
-    text_printf(&curves, "%s$d%d using 1:2 with linespoints pt %d dt %d lc '%s' title '%s, %s'", comma, k, k + 1,
-                k / N_LAWS + 1, bench_colour(k % N_LAWS), scenes[k / N_LAWS], smooth_law_name[k % N_LAWS]);
-    comma = ", \\\n  ";
+    const char *scene = scenes[k / N_LAWS], *law = smooth_law_name[k % N_LAWS];
+    snprintf(name[k], sizeof name[k], "%s, %s", scene, law);
+    figure_curve(&f, name[k]);
+    for (size_t i = 0; i < t.n; i++)
+      if (rows_is(&t, i, rows_column(&t, "scene"), scene) && rows_is(&t, i, rows_column(&t, "law"), law))
+        figure_point(&f, 0, log10(rows_number(&t, i, rows_column(&t, "s"))),
+                     log10(rows_number(&t, i, rows_column(&t, "state_error"))));
   }
-  text_printf(out, "plot %s\n", text_str(&curves));
-  text_clear(&curves);
-  text_clear(&cell);
+  figure_svg(&page->figure, &f);
+  rows_clear(&t);
 }
 
 static bool run_smooth(struct study_page *page, const struct bench_env *env) {
@@ -380,7 +372,7 @@ static bool run_smooth(struct study_page *page, const struct bench_env *env) {
       say_rate(&page->found, &ref, (enum smooth_law)law, &fall, decades);
     }
   }
-  plot(page, rates);
+  draw(page, rates);
   return good;
 }
 

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "bench/figure.h"
 #include "bench/jobs.h"
 #include "bench/study.h"
 #include "motion/certify.h"
@@ -243,40 +244,27 @@ static void count(struct sums *c, const struct outcome *o) {
   c->given_up += !o->word && isnan(o->error);
 }
 
-/* Steps at one tolerance, and the error, against eta: a block of data for each method, made from the table of runs. */
-static void plot(struct study_page *page, const struct study_table *runs, double tolerance) {
-  struct text *out = &page->plot, cell;
-  char wanted[32];
-  text_init(&cell);
-  snprintf(wanted, sizeof wanted, "%.1g", tolerance);
+/* Time at one tolerance, and the error, against eta. */
+static void draw(struct study_page *page, const struct study_table *runs) {
+  static const char *const y[] = {"seconds of one Poincar\xc3\xa9 map, tolerance 1e-8", "largest relative error"};
+  struct figure f = {.id = "stiff", .title = page->study->title, .panels = 2};
+  for (int i = 0; i < 2; i++)
+    f.panel[i] = (struct figure_panel){.x = "ratio of masses *\xce\xb7*", .y = y[i], .power = {true, true}};
+  struct rows t;
+  rows_parse(&t, text_str(&runs->tsv));
   for (int k = 0; k < N_METHODS; k++) {
-    text_printf(out, "$m%d << EOD\n", k);
-    for (int i = 0; i < study_rows(runs); i++) {
-      if (strcmp(study_cell(&cell, runs, i, "method"), methods[k].id) != 0) continue;
-      if (methods[k].by && strcmp(study_cell(&cell, runs, i, "tolerance"), wanted) != 0) continue;
-      if (strcmp(study_cell(&cell, runs, i, "outcome"), "ok") != 0) continue;
-      text_printf(out, "%s ", study_cell(&cell, runs, i, "eta"));
-      text_printf(out, "%s ", study_cell(&cell, runs, i, "seconds"));
-      text_printf(out, "%s\n", study_cell(&cell, runs, i, "error"));
+    figure_curve(&f, methods[k].id);
+    for (size_t i = 0; i < t.n; i++) {
+      if (!rows_is(&t, i, rows_column(&t, "method"), methods[k].id)) continue;
+      if (methods[k].by && !rows_is(&t, i, rows_column(&t, "tolerance"), "1e-08")) continue;
+      if (!rows_is(&t, i, rows_column(&t, "outcome"), "ok")) continue;
+      double eta = log10(rows_number(&t, i, rows_column(&t, "eta")));
+      figure_point(&f, 0, eta, log10(rows_number(&t, i, rows_column(&t, "seconds"))));
+      figure_point(&f, 1, eta, log10(rows_number(&t, i, rows_column(&t, "error"))));
     }
-    text_add(out, "EOD\n");
   }
-  text_printf(out,
-              "set terminal svg size 1150,560 dynamic font 'sans,12' background '#ffffff'\nset output 'stiff.svg'\n"
-              "set multiplot layout 1,2 title 'One Poincare map against the ratio of masses, tolerance %s'\n"
-              "set logscale xy\nset format '10^{%%T}'\nset grid lc '#d0d0d0'\nset xlabel 'eta'\nset xrange "
-              "[1e-13:1e13]\n",
-              wanted);
-  for (int panel = 0; panel < 2; panel++) {
-    text_printf(out, "set ylabel '%s'\nset key %s noenhanced\nplot ", panel == 0 ? "seconds" : "largest relative error",
-                panel == 0 ? "top left" : "off");
-    for (int k = 0; k < N_METHODS; k++)
-      text_printf(out, "%s$m%d using 1:%d with linespoints pt %d dt %d lc '%s' title '%s'", k ? ", \\\n  " : "", k,
-                  2 + panel, k + 1, k + 1, bench_colour(k), methods[k].id);
-    text_add(out, "\n");
-  }
-  text_add(out, "unset multiplot\n");
-  text_clear(&cell);
+  figure_svg(&page->figure, &f);
+  rows_clear(&t);
 }
 
 static bool run(struct study_page *page, const struct bench_env *env) {
@@ -331,7 +319,7 @@ static bool run(struct study_page *page, const struct bench_env *env) {
   for (int k = 0; k < N_METHODS; k++)
     text_printf(&page->found, "- %s: the right word in %d of %d runs, another event in %d, none in %d\n", methods[k].id,
                 sums[k].word, sums[k].runs, sums[k].late + sums[k].early, sums[k].given_up);
-  plot(page, runs, 1e-8);
+  draw(page, runs);
   return sums[0].runs > 0;
 }
 

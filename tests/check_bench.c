@@ -472,18 +472,19 @@ START_TEST(failures_say_why_and_have_no_time) {
   else
     ck_assert(r->failures > 0 && r->failures < 12);
   ck_assert(!r->front && isnan(r->least_ns) && isnan(r->median_ns) && isnan(r->worst));
-  struct text script, tsv;
-  text_init(&script);
+  struct text figure, tsv;
+  text_init(&figure);
   text_init(&tsv);
-  bench_gnuplot(&script, &pair);
+  bench_figure(&figure, &pair, false);
   bench_tsv(&tsv, &pair);
   char title[80], state[200];
-  snprintf(title, sizeof title, "title '%s'", cases[_i].method);
+  snprintf(title, sizeof title, ">%s</text>", cases[_i].method);
   snprintf(state, sizeof state, "\t%s\t%s\t\t\tfailed: %s", cases[_i].method, r->method->type->name, r->failure);
-  ck_assert_msg(!strstr(text_str(&script), title), "a failed method in the figure");
+  ck_assert_msg(!strstr(text_str(&figure), title), "a failed method in the figure");
+  ck_assert_ptr_nonnull(strstr(text_str(&figure), ">right</text>"));
   ck_assert_msg(strstr(text_str(&tsv), state) != NULL, "%s", text_str(&tsv));
   text_clear(&tsv);
-  text_clear(&script);
+  text_clear(&figure);
 }
 END_TEST
 
@@ -598,53 +599,27 @@ END_TEST
 
 /* --- The command. --- */
 
-/* A gnuplot of the test's own: a shell script in bin/. */
-static const char *gnuplot(const char *script) {
-  ck_assert_int_eq(mkdir(scratch_path("bin"), 0755), 0);
-  ck_assert_int_eq(chmod(scratch_put("bin/gnuplot", script), 0755), 0);
-  return scratch_path("bin");
-}
-
 START_TEST(a_full_disk_is_noticed) {
   ck_assert_int_eq(shell("\"$P\" bench --quick --job propagator >/dev/full 2>\"$D/err\""), 3);
 }
 END_TEST
 
-static void run_out(const char *path) {
-  shell_well("PATH=%s \"$P\" bench --quick --job propagator --out \"$D/page\" >\"$D/out\" 2>\"$D/err\"", path);
-}
-
-START_TEST(without_gnuplot_there_is_no_figure) {
-  run_out(scratch_path("")); /* a folder without programs */
-  ck_assert(scratch_says("err", "no figures"));
-  ck_assert(scratch_has("page/bench.md") && scratch_has("page/bench.json") && scratch_has("page/propagator.tsv"));
-  ck_assert(!scratch_says("page/bench.md", ".svg") && !scratch_says("page/propagator.md", ".svg") &&
-            scratch_says("page/bench.md", "## Machine"));
-}
-END_TEST
-
-/* One that goes without having read anything. */
-START_TEST(a_gnuplot_that_dies_is_no_harm) {
-  run_out(gnuplot("#!/bin/sh\nexit 3\n"));
-  ck_assert(scratch_says("err", "no figures") && scratch_has("page/bench.json"));
-}
-END_TEST
-
-START_TEST(gnuplot_gets_its_script_in_the_folder) {
-  const char *bin = gnuplot("#!/bin/sh\nwhile IFS= read -r line; do printf '%s\\n' \"$line\"; done >propagator.svg\n");
-  run_out(bin);
-  ck_assert(!scratch_says("err", "no figures") && scratch_says("page/propagator.md", "(propagator.svg)"));
-  ck_assert(scratch_says("page/propagator.svg", "set output 'propagator.svg'"));
-  ck_assert(scratch_says("page/propagator.svg", "limit of rounded inputs") &&
-            scratch_says("page/propagator.svg", "closed-mpfr"));
+/* The figure is drawn by the program alone, and there are no other words about it. */
+START_TEST(a_job_has_its_page_and_figure) {
+  shell_well("PATH= \"$P\" bench --quick --job propagator --out \"$D/page\" >/dev/null 2>\"$D/err\"");
+  ck_assert_str_eq(scratch_list(scratch_path("page")),
+                   "bench.json bench.md propagator.md propagator.svg propagator.tsv");
+  ck_assert(scratch_says("page/propagator.md", "(propagator.svg)") && scratch_says("page/bench.md", "## Machine"));
+  ck_assert(!scratch_says("err", "stickslip:"));
+  shell_well("\"$Y\" -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' \"$D/page/propagator.svg\"");
 }
 END_TEST
 
 /* Differences have a second figure, over their steps. */
 START_TEST(steps_have_a_figure_of_their_own) {
-  struct text script;
+  struct text figure;
   struct bench_table t;
-  text_init(&script);
+  text_init(&figure);
   ck_assert(!bench_has_steps(&pair));
   struct bench_job job = bench_jacobian;
   struct bench_method central = {.id = NULL};
@@ -653,10 +628,11 @@ START_TEST(steps_have_a_figure_of_their_own) {
   job.methods = &central;
   job.n_methods = 1;
   ck_assert(bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));
-  bench_gnuplot(&script, &t);
-  ck_assert(bench_has_steps(&t) && strstr(text_str(&script), "set output 'jacobian-steps.svg'"));
+  bench_figure(&figure, &t, true);
+  ck_assert(bench_has_steps(&t) && strstr(text_str(&figure), ">step</text>"));
+  ck_assert_ptr_nonnull(strstr(text_str(&figure), ">central</text>"));
   bench_table_clear(&t);
-  text_clear(&script);
+  text_clear(&figure);
 }
 END_TEST
 
@@ -730,9 +706,7 @@ Suite *bench_suite(void) {
   c = tcase_create("command");
   tcase_add_checked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, a_full_disk_is_noticed);
-  tcase_add_test(c, without_gnuplot_there_is_no_figure);
-  tcase_add_test(c, a_gnuplot_that_dies_is_no_harm);
-  tcase_add_test(c, gnuplot_gets_its_script_in_the_folder);
+  tcase_add_test(c, a_job_has_its_page_and_figure);
   tcase_add_loop_test(c, peers_agree_with_the_truth, 0, 4);
   tcase_add_test(c, verdicts_are_timed);
   tcase_add_test(c, ratios_are_printed_with_their_goals);

@@ -242,7 +242,7 @@ START_TEST(losses_beyond_all_digits_are_ordered) {
   struct text t;
   struct diag d;
   text_init(&t);
-  report_stability_markdown(&t, &r, false);
+  report_stability_markdown(&t, &r);
   ck_assert_ptr_nonnull(strstr(text_str(&t), "all digits (relative error "));
   ck_assert_ptr_null(strstr(text_str(&t), "| 15.9 | 0.0 | 15.9 |"));
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -832,7 +832,7 @@ static void all_reports(struct text *out, int jobs) {
   struct stability_result r;
   run(&r, only, 3, true, jobs, LAYER_CORRECTED);
   report_stability_json(out, &r);
-  report_stability_markdown(out, &r, false);
+  report_stability_markdown(out, &r);
   report_stability_tsv(out, &r);
   report_stability_text(out, &r);
   stability_result_clear(&r);
@@ -864,6 +864,50 @@ START_TEST(points_outside_are_told) {
   for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
     ck_assert_msg(shell("\"$P\" stability %s >/dev/null 2>&1", points[i]) == status[i], "%s", points[i]);
   }
+}
+END_TEST
+
+/* Where the first part of a class begins, and its width, in cells from the lower left corner of the frame. */
+static void part_of(double at[3], const char *svg, const char *class) {
+  double x, y, width, height, to;
+  const char *frame = strstr(svg, "class=\"frame\""), *part = frame ? strstr(frame, class) : NULL;
+  ck_assert_msg(part != NULL, "%s", class);
+  ck_assert_int_eq(
+      sscanf(strstr(frame, " x="), " x=\"%lf\" y=\"%lf\" width=\"%lf\" height=\"%lf\"", &x, &y, &width, &height), 4);
+  ck_assert_int_eq(sscanf(strstr(part, " d="), " d=\"M%lf %lfH%lf", &at[0], &at[1], &to), 3);
+  at[2] = (to - at[0]) * STABILITY_MAP / width;
+  at[0] = (at[0] - x) * STABILITY_MAP / width;
+  at[1] = (y + height - at[1]) * STABILITY_MAP / height;
+}
+
+START_TEST(a_map_is_a_picture) {
+  static struct stability_map map = {.x = "chi", .y = "t_a"};
+  struct stability_formula formula = {.id = "eq-1"};
+  struct stability_result r = {.layer = "printed", .formula = &formula, .map = &map, .n_maps = 1};
+  struct text svg = {0};
+  for (int i = 0; i < STABILITY_MAP; i++) map.x_at[i] = map.y_at[i] = 0.8 * (i - STABILITY_MAP / 2);
+  map.lost[0][0] = INFINITY;
+  for (int k = 5; k < 8; k++) map.lost[20][k] = 9.96; /* 10.0 in the table */
+  map.lost[40][40] = NAN;
+  report_stability_picture(&svg, &r, 0, "map-1");
+  static const struct {
+    const char *class;
+    double at[3];
+  } parts[] = {{"\"shade d0\"", {1, 0, 40}},
+               {"\"shade d5\"", {5, 20, 3}},
+               {"\"shade d8\"", {0, 0, 1}},
+               {"\"shade d9\"", {40, 40, 1}}};
+  for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+    double at[3];
+    part_of(at, text_str(&svg), parts[i].class);
+    for (int k = 0; k < 3; k++) ck_assert_double_eq_tol(at[k], parts[i].at[k], 0.02);
+  }
+  const char *frame = strstr(text_str(&svg), "class=\"frame\"");
+  ck_assert(!strstr(frame, "shade d4") && !strstr(frame + 1, "class=\"frame\"")); /* one panel */
+  ck_assert(strstr(text_str(&svg), "digits lost by eq-1, printed</text>"));
+  shell_well("\"$Y\" -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' %s",
+             scratch_put_n("map.xml", svg.data, svg.len));
+  text_clear(&svg);
 }
 END_TEST
 
@@ -922,6 +966,7 @@ Suite *stability_suite(void) {
   tcase_add_test(c, condition_numbers_of_functions);
   tcase_add_test(c, any_number_of_processes_gives_the_same_bytes);
   tcase_add_test(c, points_outside_are_told);
+  tcase_add_test(c, a_map_is_a_picture);
   tcase_add_test(c, files_are_written_and_obey_the_schema);
   suite_add_tcase(s, c);
   return s;

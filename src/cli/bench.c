@@ -79,67 +79,35 @@ static void remove_stale(const struct output *out) {
   }
 }
 
-/* A figure that gnuplot has written, without what makes it large; false where it cannot be read. */
-static bool take_figure(struct output *out, const char *name, const char *suffix) {
-  enum { MOST = 1 << 24 };
-  struct source svg;
-  struct diag d = {0};
-  struct text *body = add(out, name, suffix);
-  bool ok = source_read(&svg, text_str(&out->path[out->n - 1]), MOST, &d);
-  if (ok) bench_squeeze(body, svg.text);
-  if (ok) source_clear(&svg);
-  return ok;
-}
-
-/* false when gnuplot is not there or fails: then there are no figures at all. */
-static bool draw_all(struct output *out, const struct bench_result *r) {
-  struct text script = {0};
-  bool drawn = true;
-  for (int i = 0; i < r->n && drawn; i++) {
-    const char *id = r->table[i].job->id;
-    text_reset(&script);
-    bench_gnuplot(&script, &r->table[i]);
-    drawn = bench_draw(out->folder, &script) && take_figure(out, id, ".svg") &&
-            (!bench_has_steps(&r->table[i]) || take_figure(out, id, "-steps.svg"));
-  }
-  text_reset(&script);
-  if (r->verdicts.n > 0 && drawn) {
-    bench_verdicts_gnuplot(&script, &r->verdicts);
-    drawn = bench_draw(out->folder, &script) && take_figure(out, verdicts, ".svg");
-  }
-  while (!drawn && out->n) output_drop(out);
-  if (!drawn) say_no_figures();
-  text_clear(&script);
-  return drawn;
-}
-
-/* ID.md, ID-TABLE.tsv and, with gnuplot, ID.svg. */
+/* ID.md, ID-TABLE.tsv and, where the study has one, ID.svg. */
 static void add_study(struct output *out, const struct study_page *page) {
   char name[100];
   for (int i = 0; i < page->n; i++) {
     snprintf(name, sizeof name, "%s-%s", page->study->id, page->table[i].id);
     text_add(add(out, name, ".tsv"), text_str(&page->table[i].tsv));
   }
-  bool figure = page->plot.len > 0 && bench_draw(out->folder, &page->plot);
-  if (page->plot.len > 0 && !figure) say_no_figures();
-  bench_study_markdown(add(out, page->study->id, ".md"), page, figure);
+  if (page->figure.len > 0) text_add(add(out, page->study->id, ".svg"), text_str(&page->figure));
+  bench_study_markdown(add(out, page->study->id, ".md"), page, true);
 }
 
-/* The figures first: the pages show those that there are. */
 static bool write_files(const char *folder, const struct bench_result *r, struct diag *d) {
   struct output out;
   bool ok = folder_make(folder, d), again = is_report(folder);
   output_init(&out, folder);
-  bool drawn = ok && draw_all(&out, r);
   for (int i = 0; i < r->n; i++) {
-    const char *id = r->table[i].job->id;
-    bench_tsv(add(&out, id, ".tsv"), &r->table[i]);
-    bench_job_markdown(add(&out, id, ".md"), &r->table[i], drawn);
+    const struct bench_table *t = &r->table[i];
+    bench_tsv(add(&out, t->job->id, ".tsv"), t);
+    bench_job_markdown(add(&out, t->job->id, ".md"), t, true);
+    bench_figure(add(&out, t->job->id, ".svg"), t, false);
+    if (bench_has_steps(t)) bench_figure(add(&out, t->job->id, "-steps.svg"), t, true);
   }
-  for (int i = 0; ok && i < r->n_pages; i++) add_study(&out, &r->page[i]);
-  if (r->verdicts.n > 0) bench_verdicts_tsv(add(&out, verdicts, ".tsv"), &r->verdicts);
+  for (int i = 0; i < r->n_pages; i++) add_study(&out, &r->page[i]);
+  if (r->verdicts.n > 0) {
+    bench_verdicts_tsv(add(&out, verdicts, ".tsv"), &r->verdicts);
+    bench_verdicts_figure(add(&out, verdicts, ".svg"), &r->verdicts);
+  }
   if (has_jobs(r)) {
-    bench_markdown(output_add(&out, "bench.md"), r, true, drawn);
+    bench_markdown(output_add(&out, "bench.md"), r, true);
     bench_json(output_add(&out, "bench.json"), r);
   }
   ok = ok && output_write(&out, d);
@@ -200,7 +168,7 @@ static bool deliver(const struct bench_result *r, const struct options *o, struc
   if (option(o, OPT_JSON))
     bench_json(&body, r);
   else if (has_jobs(r))
-    bench_markdown(&body, r, false, false);
+    bench_markdown(&body, r, false);
   for (int i = 0; i < r->n && !option(o, OPT_JSON); i++) {
     text_add(&body, "\n");
     bench_job_markdown(&body, &r->table[i], false);

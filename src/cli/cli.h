@@ -154,8 +154,6 @@ void print_found(const struct options *o, const struct text *found);
 enum paint { PAINT_NONE, PAINT_GOOD, PAINT_BAD, PAINT_DOUBT, PAINT_HEAD };
 /* The word at the right end of so many columns, with a negative width at the left. */
 void paint(struct text *out, bool colours, enum paint p, const char *word, int width);
-/* Says that gnuplot has drawn nothing. */
-void say_no_figures(void);
 /* Says where files were written: a folder, or a file; nothing where the standard output is JSON. */
 void say_written(const struct options *o, const char *where);
 /* What verify prints last: failures, worst first, with what shows and mends them when proofs is true, and counts by

@@ -33,10 +33,6 @@ void say_written(const struct options *o, const char *where) {
   if (!option(o, OPT_JSON)) printf("written to %s\n", where);
 }
 
-void say_no_figures(void) {
-  fputs("stickslip: no figures: gnuplot is not installed, or failed\n", stderr);
-}
-
 int bad_input(const struct diag *d) {
   fprintf(stderr, "%s%s\n", strncmp(d->message, "error:", 6) == 0 ? "stickslip: " : "", d->message);
   return EXIT_INPUT;

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bench/bench.h"
 #include "cli.h"
 #include "report/stability.h"
 #include "stability/digits.h"
@@ -60,35 +59,22 @@ static bool remove_maps(const char *folder, struct diag *d) {
   return ok;
 }
 
-/* Each map as a table and, where gnuplot is installed, as a picture; whether there are pictures. */
-static bool add_maps(struct output *out, const struct stability_result *r) {
-  struct text script = {0};
-  char name[40], picture[32];
-  bool drawn = r->n_maps > 0;
-  for (int i = 0; i < r->n_maps; i++) {
-    snprintf(picture, sizeof picture, "map-%d", i + 1);
-    snprintf(name, sizeof name, "%s.tsv", picture);
-    report_stability_map_tsv(output_add(out, name), r, i);
-    text_reset(&script);
-    report_stability_gnuplot(&script, r, i, picture);
-    drawn = drawn && bench_draw(out->folder, &script);
-  }
-  text_clear(&script);
-  if (r->n_maps > 0 && !drawn) say_no_figures();
-  return drawn;
-}
-
 static bool write_files(const char *folder, const struct stability_result *r, struct diag *d) {
   struct output out;
+  char name[32], file[40];
   output_init(&out, folder);
   bool ok = folder_make(folder, d) && remove_maps(folder, d);
-  if (ok) {
-    bool drawn = add_maps(&out, r);
-    report_stability_markdown(output_add(&out, "ledger.md"), r, drawn);
-    report_stability_tsv(output_add(&out, "ledger.tsv"), r);
-    report_stability_json(output_add(&out, "stability.json"), r);
-    ok = output_write(&out, d);
+  for (int i = 0; i < r->n_maps; i++) {
+    snprintf(name, sizeof name, "map-%d", i + 1);
+    snprintf(file, sizeof file, "%s.tsv", name);
+    report_stability_map_tsv(output_add(&out, file), r, i);
+    snprintf(file, sizeof file, "%s.svg", name);
+    report_stability_picture(output_add(&out, file), r, i, name);
   }
+  report_stability_markdown(output_add(&out, "ledger.md"), r);
+  report_stability_tsv(output_add(&out, "ledger.tsv"), r);
+  report_stability_json(output_add(&out, "stability.json"), r);
+  ok = ok && output_write(&out, d);
   output_clear(&out);
   return ok;
 }

@@ -11,23 +11,12 @@ static const struct picture *const pictures[] = {&picture_history,      &picture
                                                  &picture_bifurcations, &picture_map};
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
-static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *style) {
+static void add_svg(struct text *out, const struct picture *q, const struct rows *t, bool alone) {
   struct text told = {0}, drawn = {0};
-  struct plot p = {.out = &drawn, .id = q->id};
+  struct plot p = plot_begin(&drawn, q->id, PLOT_WIDTH);
   q->tell(&told, t);
   q->draw(&p, t);
-  if (style)
-    text_add(out, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
-  else
-    text_printf(out, "<svg width=\"%d\" height=\"%.0f\"", PLOT_WIDTH, p.bottom);
-  text_printf(out, " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %d %.0f\" role=\"img\" ", PLOT_WIDTH, p.bottom);
-  html_add(out, "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">%e</title>\n<desc id=\"d-%s\">%e</desc>\n", q->id,
-           q->id, q->id, q->title, q->id, text_str(&told));
-  if (style)
-    text_printf(out, "<style>\n%s%s</style>\n<rect width=\"%d\" height=\"%.0f\" style=\"fill: var(--bg)\" />\n", style,
-                picture_css, PLOT_WIDTH, p.bottom);
-  text_add(out, text_str(&drawn));
-  text_add(out, "</svg>\n");
+  plot_svg(out, &p, q->title, text_str(&told), alone);
   text_clear(&drawn);
   text_clear(&told);
 }
@@ -45,10 +34,7 @@ const char *report_picture_id(int i) {
 bool report_picture(struct text *out, const struct audit_result *r, int i) {
   struct rows t;
   bool there = rows_read(&t, r, pictures[i]->table);
-  if (there) {
-    text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    add_svg(out, pictures[i], &t, picture_alone_css);
-  }
+  if (there) add_svg(out, pictures[i], &t, true);
   rows_clear(&t);
   return there;
 }
@@ -62,7 +48,7 @@ static void add_figure(const struct page *p, const struct picture *q, const stru
   else
     q->say(&said, t);
   page_add(p, "<figure id=\"g-%s\">\n", q->id);
-  add_svg(p->out, q, t, NULL);
+  add_svg(p->out, q, t, false);
   page_add(p, "<figcaption><strong>%e.</strong> %t Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->title,
            text_str(&said), q->table, q->table);
   text_clear(&said);

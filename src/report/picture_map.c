@@ -52,17 +52,13 @@ static void tell_map(struct text *out, const struct rows *t) {
 
 /* The cells of one shade, those that follow one another in a column as one rectangle. */
 static void add_shade(struct plot *p, const struct rows *t, enum kind shade, const double half[2]) {
-  const char *class = key[shade][0];
-  text_printf(p->out, "<path class=\"%s\" %s d=\"", class, plot_shade(class));
   for (size_t i = 0; i < t->n; i++) {
     if (kind_of(t, i) != shade) continue;
-    double left = plot_x(p, rows_number(t, i, X) - half[0]), right = plot_x(p, rows_number(t, i, X) + half[0]);
-    double low = plot_y(p, rows_number(t, i, Y) - half[1]);
+    double x = rows_number(t, i, X), low = rows_number(t, i, Y);
     while (i + 1 < t->n && kind_of(t, i + 1) == shade && rows_is(t, i + 1, X, t->cell[i][X])) i++;
-    double high = plot_y(p, rows_number(t, i, Y) + half[1]);
-    text_printf(p->out, "M%.1f %.1fH%.1fV%.1fH%.1fz", left, low, right, high, left);
+    plot_box(p, key[shade][0], x - half[0], low - half[1], x + half[0], rows_number(t, i, Y) + half[1]);
   }
-  text_add(p->out, "\" />\n");
+  plot_end(p);
 }
 
 static double middle(const struct rows *t, size_t i, size_t column) {

@@ -8,6 +8,8 @@
 #include <string.h>
 
 #include "escape.h"
+#include "sections.h"
+#include "sheet.h"
 
 const char *const plot_class[] = {"c0", "c1", "c2", "c3"};
 
@@ -29,16 +31,9 @@ static void read_row(struct rows *t, const char *line, size_t len) {
   t->cell[t->n++] = cell;
 }
 
-bool rows_read(struct rows *t, const struct audit_result *r, const char *name) {
-  const char *text = NULL;
+void rows_parse(struct rows *t, const char *text) {
   *t = (struct rows){.n = 0};
-  for (size_t i = 0; i < r->n_tables; i++)
-    if (strcmp(r->tables[i].name, name) == 0) {
-      text = r->tables[i].text;
-      t->orbit = r->tables[i].orbit;
-    }
   arena_init(&t->arena);
-  if (!text) return false;
   for (size_t len; *text; text += len + (text[len] == '\n')) {
     len = strcspn(text, "\n");
     bool heading = t->columns == 0;
@@ -47,6 +42,14 @@ bool rows_read(struct rows *t, const struct audit_result *r, const char *name) {
     t->heading = t->cell[0];
     t->n = 0;
   }
+}
+
+bool rows_read(struct rows *t, const struct audit_result *r, const char *name) {
+  const struct data_table *found = NULL;
+  for (size_t i = 0; i < r->n_tables; i++)
+    if (strcmp(r->tables[i].name, name) == 0) found = &r->tables[i];
+  rows_parse(t, found ? found->text : "");
+  if (found) t->orbit = found->orbit;
   return t->n > 0;
 }
 
@@ -63,6 +66,12 @@ double rows_number(const struct rows *t, size_t row, size_t column) {
   return end == text || *end || !isfinite(x) ? (double)NAN : x;
 }
 
+size_t rows_column(const struct rows *t, const char *name) {
+  size_t c = 0;
+  while (c < t->columns && strcmp(t->heading[c], name) != 0) c++;
+  return c;
+}
+
 bool rows_is(const struct rows *t, size_t row, size_t column, const char *text) {
   return column < t->columns && strcmp(t->cell[row][column], text) == 0;
 }
@@ -74,15 +83,52 @@ size_t rows_end(const struct rows *t, size_t row, size_t column) {
 
 /* --- What holds without a style sheet too --- */
 
-/* Lines are lines and have their dashes; colours are the style sheet's. */
-static const char *stroke_of(const char *class) {
-  static const char *const dashed[][2] = {{"c1", PLOT_STROKE " stroke-dasharray=\"6 3\""},
-                                          {"c2", PLOT_STROKE " stroke-dasharray=\"2 2.5\""},
-                                          {"c3", PLOT_STROKE " stroke-dasharray=\"9 3 2 3\""},
-                                          {"aid", PLOT_STROKE " stroke-dasharray=\"1 3\""}};
-  for (size_t i = 0; i < sizeof dashed / sizeof *dashed; i++)
-    if (strcmp(class, dashed[i][0]) == 0) return dashed[i][1];
-  return PLOT_STROKE;
+static const char *const dashes[] = {"", " stroke-dasharray=\"6 3\"", " stroke-dasharray=\"2 2.5\"",
+                                     " stroke-dasharray=\"9 3 2 3\""};
+
+/* Of many curves: Okabe and Ito's colours, which also differ in lightness, and others between them; and markers around
+   their point.  13 of these and 4 dashes: only the 53rd curve looks like the first in grey. */
+static const char *const colours[] = {"#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9",
+                                      "#e69f00", "#7f7f7f", "#6a3d9a", "#8c510a", "#b2182b", "#1b7837",
+                                      "#e377c2", "#17becf", "#bcbd22", "#35478c", "#fb6a4a", "#66c2a4",
+                                      "#a6761d", "#807dba", "#4d4d4d", "#c51b7d", "#b3b3b3", "#01665e"};
+#define OPEN_AND_FILLED(path) "fill=\"none\" d=\"" path "\"", "fill=\"currentColor\" d=\"" path "\""
+static const char *const markers[] = {"d=\"M-3.2 0h6.4M0-3.2v6.4\"",
+                                      "d=\"M-2.6-2.6l5.2 5.2M2.6-2.6l-5.2 5.2\"",
+                                      "d=\"M-3.2 0h6.4M0-3.2v6.4M-2.3-2.3l4.6 4.6M2.3-2.3l-4.6 4.6\"",
+                                      OPEN_AND_FILLED("M-2.7-2.7h5.4v5.4h-5.4z"),
+                                      OPEN_AND_FILLED("M-3 0a3 3 0 1 0 6 0a3 3 0 1 0-6 0z"),
+                                      OPEN_AND_FILLED("M0-3.5L3.3 2.3H-3.3z"),
+                                      OPEN_AND_FILLED("M0 3.5L3.3-2.3H-3.3z"),
+                                      OPEN_AND_FILLED("M0-3.8L3.2 0L0 3.8L-3.2 0z")};
+enum {
+  N_DASHES = sizeof dashes / sizeof *dashes,
+  N_COLOURS = sizeof colours / sizeof *colours,
+  N_MARKERS = sizeof markers / sizeof *markers
+};
+
+static bool is_marked(const char *class) {
+  return *class == 'k';
+}
+
+/* Lines are lines and have their dashes; colours are the style sheet's, but for those of many, which have markers too,
+   in a key only in the middle. */
+static void begin_curve(struct plot *p, const char *class, bool in_key) {
+  int k = *class == 'c' || is_marked(class) ? atoi(class + 1) : 0;
+  text_printf(p->out, "<path class=\"curve %s\" " PLOT_STROKE "%s", class,
+              strcmp(class, "aid") == 0 ? " stroke-dasharray=\"1 3\"" : dashes[k % N_DASHES]);
+  if (!is_marked(class)) return;
+  text_printf(p->out, " color=\"%s\" marker-mid=\"url(#%s-%s)\"", colours[k % N_COLOURS], p->id, class);
+  if (!in_key)
+    text_printf(p->out, " marker-start=\"url(#%s-%s)\" marker-end=\"url(#%s-%s)\"", p->id, class, p->id, class);
+}
+
+static void define_marker(struct plot *p, const char *class) {
+  int k = atoi(class + 1);
+  text_printf(p->out,
+              "<marker id=\"%s-%s\" viewBox=\"-5 -5 10 10\" markerUnits=\"userSpaceOnUse\" markerWidth=\"10\" "
+              "markerHeight=\"10\"><path color=\"%s\" stroke=\"currentColor\" %s /></marker>\n",
+              p->id, class, colours[k % N_COLOURS], markers[k % N_MARKERS]);
 }
 
 /* A dot of another motion, or of an orbit that repels, is a ring. */
@@ -90,14 +136,20 @@ static const char *fill_of(const char *class) {
   return *class ? PLOT_STROKE : "fill=\"currentColor\" stroke=\"currentColor\"";
 }
 
-const char *plot_shade(const char *class) {
-  static const char *const fill[] = {"fill=\"none\"",
+/* By the last two characters of the class. */
+static const char *shade_of(const char *class) {
+#define HUE(colour) "fill=\"" colour "\" shape-rendering=\"crispEdges\""
+  static const char *const dark[] = {"fill=\"none\"",
                                      "fill=\"currentColor\" fill-opacity=\".15\"",
                                      "fill=\"currentColor\" fill-opacity=\".35\"",
                                      "fill=\"currentColor\" fill-opacity=\".6\"",
                                      "fill=\"currentColor\" fill-opacity=\".8\"",
                                      "fill=\"currentColor\""};
-  return fill[(size_t)(class[strlen(class) - 1] - '0') % (sizeof fill / sizeof *fill)];
+  static const char *const hue[] = {HUE("#fdf5c8"), HUE("#c6e39f"), HUE("#8fd175"), HUE("#5ab280"), HUE("#25938b"),
+                                    HUE("#30728a"), HUE("#3a5088"), HUE("#32346a"), HUE("#260a3c"), HUE("#bbbbbb")};
+  const char *end = class + strlen(class);
+  size_t k = (size_t)(end[-1] - '0');
+  return end[-2] == 'd' ? hue[k % (sizeof hue / sizeof *hue)] : dark[k % (sizeof dark / sizeof *dark)];
 }
 
 /* --- Text --- */
@@ -176,7 +228,7 @@ void plot_widen(struct plot *p, int axis, double below, double above) {
 }
 
 double plot_x(const struct plot *p, double x) {
-  return PLOT_LEFT + (x - p->low[0]) / (p->high[0] - p->low[0]) * (PLOT_WIDTH - PLOT_LEFT - PLOT_RIGHT);
+  return p->left + (x - p->low[0]) / (p->high[0] - p->low[0]) * (p->right - p->left);
 }
 
 double plot_y(const struct plot *p, double y) {
@@ -200,29 +252,36 @@ static double tick_step(double range, int most, bool whole, int *places) {
 
 static void add_tick(struct plot *p, int axis, double at, int places) {
   char label[64];
-  snprintf(label, sizeof label, p->power[axis] ? "10^{%.*f}" : "%.*f", places, at == 0 ? 0 : at);
-  if (strncmp(label, "10^{-", 5) == 0) snprintf(label, sizeof label, "10^{\xe2\x88\x92%.*f}", places, -at);
-  if (label[0] == '-') snprintf(label, sizeof label, "\xe2\x88\x92%.*f", places, -at);
-  double x = plot_x(p, at), y = plot_y(p, at), right = PLOT_WIDTH - PLOT_RIGHT;
+  double number = axis == 1 && p->exponents ? -pow(10, -at) : at;
+  snprintf(label, sizeof label, p->power[axis] ? "10^{%s%.*f}" : "%s%.*f", number < 0 ? "\xe2\x88\x92" : "", places,
+           fabs(number));
+  double x = plot_x(p, at), y = plot_y(p, at);
   if (axis == 0)
     text_printf(p->out, "<path class=\"tick\" " PLOT_FAINT " d=\"M%.1f %.1fV%.1f\" />\n", x, p->top,
                 p->top + p->height);
   else
-    text_printf(p->out, "<path class=\"tick\" " PLOT_FAINT " d=\"M%d %.1fH%.1f\" />\n", PLOT_LEFT, y, right);
+    text_printf(p->out, "<path class=\"tick\" " PLOT_FAINT " d=\"M%g %.1fH%.1f\" />\n", p->left, y, p->right);
   if (axis == 0)
     plot_text(p, x, p->top + p->height + 15, "middle", label);
   else
-    plot_text(p, PLOT_LEFT - 5, y + 4, "end", label);
+    plot_text(p, p->left - 5, y + 4, "end", label);
 }
 
 static void add_ticks(struct plot *p, int axis) {
   int places;
   double range = p->high[axis] - p->low[axis];
-  int most = axis == 0 ? 6 : p->height > 150 ? 6 : 4;
+  int most = axis == 0 ? (int)(p->right - p->left) / 50 : p->height > 150 ? 6 : 4;
   double step = tick_step(range, most, p->power[axis], &places);
   double first = ceil(p->low[axis] / step - 1e-9);
   for (int k = 0; k <= most && (first + k) * step <= p->high[axis] + 1e-9 * range; k++)
     add_tick(p, axis, (first + k) * step, places);
+}
+
+static void add_exponents(struct plot *p) {
+  for (const double *n = p->exponents; *n > 0; n++) {
+    double at = -log10(*n);
+    if (at >= p->low[1] && at <= p->high[1]) add_tick(p, 1, at, 0);
+  }
 }
 
 /* A range that ticks can be told apart on: around one number, or 0, where there is none. */
@@ -241,16 +300,19 @@ void plot_panel(struct plot *p, double top, double height, const char *x_label, 
   p->bottom = top + height + 36;
   for (int i = 0; i < 2; i++) settle(p, i);
   add_ticks(p, 0);
-  add_ticks(p, 1);
-  double width = PLOT_WIDTH - PLOT_LEFT - PLOT_RIGHT;
-  text_printf(p->out, "<rect class=\"frame\" " PLOT_STROKE " x=\"%d\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" />\n",
-              PLOT_LEFT, top, width, height);
-  plot_text(p, PLOT_LEFT + width / 2, top + height + 31, "middle", x_label);
-  plot_text(p, 2, top - 7, "start", y_label);
+  if (p->exponents)
+    add_exponents(p);
+  else
+    add_ticks(p, 1);
+  double width = p->right - p->left;
+  text_printf(p->out, "<rect class=\"frame\" " PLOT_STROKE " x=\"%g\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" />\n",
+              p->left, top, width, height);
+  plot_text(p, p->left + width / 2, top + height + 31, "middle", x_label);
+  plot_text(p, p->left - PLOT_LEFT + 2, top - 7, "start", y_label);
   text_printf(p->out,
-              "<clipPath id=\"%s-%d\"><rect x=\"%d\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" /></clipPath>\n"
+              "<clipPath id=\"%s-%d\"><rect x=\"%g\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" /></clipPath>\n"
               "<g clip-path=\"url(#%s-%d)\">\n",
-              p->id, p->panels, PLOT_LEFT, top, width, height, p->id, p->panels);
+              p->id, p->panels, p->left, top, width, height, p->id, p->panels);
 }
 
 void plot_free(struct plot *p) {
@@ -269,8 +331,8 @@ void plot_point(struct plot *p, const char *class, double x, double y) {
     plot_end(p);
     return;
   }
-  if (!p->open) text_printf(p->out, "<path class=\"curve %s\" %s d=\"M", class, stroke_of(class));
-  text_printf(p->out, "%s%.1f %.1f", p->open ? " " : "", near_frame(plot_x(p, x)), near_frame(plot_y(p, y)));
+  if (!p->open) begin_curve(p, class, false);
+  text_printf(p->out, "%s%.1f %.1f", p->open ? " " : " d=\"M", near_frame(plot_x(p, x)), near_frame(plot_y(p, y)));
   p->open = true;
 }
 
@@ -302,6 +364,13 @@ void plot_dot(struct plot *p, const char *class, double x, double y) {
   plot_dot_of(p, classes, x, y, 3.5);
 }
 
+void plot_box(struct plot *p, const char *class, double x0, double y0, double x1, double y1) {
+  if (!p->open) text_printf(p->out, "<path class=\"%s\" %s d=\"", class, shade_of(class));
+  text_printf(p->out, "M%.1f %.1fH%.1fV%.1fH%.1fz", plot_x(p, x0), plot_y(p, y0), plot_x(p, x1), plot_y(p, y1),
+              plot_x(p, x0));
+  p->open = true;
+}
+
 /* What a label is about as wide as, in pixels. */
 static double width_of(const char *text) {
   double n = 0;
@@ -310,7 +379,7 @@ static double width_of(const char *text) {
 }
 
 double plot_lines(struct plot *p, double x, double y, const char *words) {
-  size_t most = (size_t)((PLOT_WIDTH - x) / 6.3);
+  size_t most = (size_t)((p->width - x) / 6.3);
   for (; *words; y += 15) {
     size_t n = strlen(words);
     if (n > most)
@@ -327,23 +396,47 @@ double plot_key(struct plot *p, const char *const (*entry)[2], int n) {
   double x = 4, y = 14;
   for (int i = 0; i < n; i++) {
     double width = 32 + width_of(entry[i][1]);
-    if (i > 0 && x + width > PLOT_WIDTH) {
+    if (i > 0 && x + width > p->width) {
       x = 4;
       y += 16;
     }
     bool dot = strncmp(entry[i][0], "dot", 3) == 0, shade = strncmp(entry[i][0], "shade", 5) == 0;
+    bool marked = is_marked(entry[i][0]);
     if (shade)
       text_printf(p->out,
                   "<rect class=\"%s\" %s stroke=\"currentColor\" x=\"%.1f\" y=\"%.1f\" width=\"22\" height=\"10\" />\n",
-                  entry[i][0], plot_shade(entry[i][0]), x, y - 9);
+                  entry[i][0], shade_of(entry[i][0]), x, y - 9);
     else if (dot)
       text_printf(p->out, "<circle class=\"%s\" %s cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" />\n", entry[i][0],
                   fill_of(entry[i][0] + 3), x + 11, y - 4);
-    else
-      text_printf(p->out, "<path class=\"curve %s\" %s d=\"M%.1f %.1fh22\" />\n", entry[i][0], stroke_of(entry[i][0]),
-                  x, y - 4);
+    else {
+      if (marked) define_marker(p, entry[i][0]);
+      begin_curve(p, entry[i][0], true);
+      text_printf(p->out, marked ? " d=\"M%.1f %.1fh11h11\" />\n" : " d=\"M%.1f %.1fh22\" />\n", x, y - 4);
+    }
     plot_text(p, x + 26, y, "start", entry[i][1]);
-    x += width + 10;
+    x += width + (marked ? 20 : 10);
   }
   return y + 8;
+}
+
+/* --- The document --- */
+
+struct plot plot_begin(struct text *out, const char *id, double width) {
+  return (struct plot){.out = out, .id = id, .width = width, .left = PLOT_LEFT, .right = width - PLOT_RIGHT};
+}
+
+void plot_svg(struct text *out, const struct plot *p, const char *title, const char *told, bool alone) {
+  if (alone)
+    text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"");
+  else
+    text_printf(out, "<svg width=\"%g\" height=\"%.0f\"", p->width, p->bottom);
+  text_printf(out, " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %g %.0f\" role=\"img\" ", p->width, p->bottom);
+  html_add(out, "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">%e</title>\n<desc id=\"d-%s\">%e</desc>\n", p->id,
+           p->id, p->id, title, p->id, told);
+  if (alone)
+    text_printf(out, "<style>\n%s%s</style>\n<rect width=\"%g\" height=\"%.0f\" style=\"fill: var(--bg)\" />\n",
+                picture_alone_css, picture_css, p->width, p->bottom);
+  text_add(out, text_str(p->out));
+  text_add(out, "</svg>\n");
 }

@@ -17,9 +17,13 @@ struct rows {
   size_t n, cap, columns;
   const char *orbit; /* struct data_table; the record's */
 };
+/* From TSV: a line of names, then the rows; lines that begin with # are passed over. */
+void rows_parse(struct rows *t, const char *text);
 /* false where the record has no such table. */
 bool rows_read(struct rows *t, const struct audit_result *r, const char *name);
 void rows_clear(struct rows *t);
+/* The column of this name, or t->columns. */
+size_t rows_column(const struct rows *t, const char *name);
 /* NaN where the cell holds no number. */
 double rows_number(const struct rows *t, size_t row, size_t column);
 bool rows_is(const struct rows *t, size_t row, size_t column, const char *text);
@@ -32,18 +36,28 @@ size_t rows_end(const struct rows *t, size_t row, size_t column);
 #define PLOT_STROKE "fill=\"none\" stroke=\"currentColor\""
 #define PLOT_FAINT  PLOT_STROKE " stroke-width=\".3\""
 enum { PLOT_WIDTH = 360, PLOT_LEFT = 46, PLOT_RIGHT = 14, PLOT_CLASSES = 4 };
-extern const char *const plot_class[PLOT_CLASSES]; /* of curves that are told apart */
+/* Of curves that are told apart.  Those of many, "k0", "k1", ..., differ in marker and dash together, 52 of them, and
+   the first 24 in colour as well; they are drawn below a key that names them. */
+extern const char *const plot_class[PLOT_CLASSES];
 
 struct plot {
   struct text *out;
-  const char *id;         /* of the picture; those inside begin with it */
-  int panels;             /* begun so far */
-  double top, height;     /* of the panel, in pixels */
-  double bottom;          /* of the picture so far */
-  double low[2], high[2]; /* what it shows: x, y */
-  bool power[2];          /* the axis shows 10^x */
-  bool open;              /* a curve has begun */
+  const char *id;          /* of the picture; those inside begin with it */
+  double width;            /* of the picture, in pixels */
+  double left, right;      /* of the panel */
+  int panels;              /* begun so far */
+  double top, height;      /* of the panel */
+  double bottom;           /* of the picture so far */
+  double low[2], high[2];  /* what it shows: x, y */
+  bool power[2];           /* the axis shows 10^x */
+  const double *exponents; /* y shows 10^-n at -log10 n, with ticks at these, which 0 ends; NULL: it does not */
+  bool open;               /* a curve has begun */
 };
+/* A picture that is written to `out`, of this width, with panels of the picture's width. */
+struct plot plot_begin(struct text *out, const char *id, double width);
+/* The whole SVG of what was drawn, with a title and words for who does not see it, plain text; alone: a document of its
+   own. */
+void plot_svg(struct text *out, const struct plot *p, const char *title, const char *told, bool alone);
 
 /* Widens [low, high] to hold x; NaN is passed over. */
 void plot_hold(double *low, double *high, double x);
@@ -67,8 +81,9 @@ void plot_line(struct plot *p, const char *class, double x0, double y0, double x
 void plot_dot(struct plot *p, const char *class, double x, double y);
 /* The same with all of its classes and its radius. */
 void plot_dot_of(struct plot *p, const char *classes, double x, double y, double radius);
-/* Attributes of what is filled, for where no style sheet is read, by the class's last digit: darker and darker. */
-const char *plot_shade(const char *class);
+/* A filled part, in numbers of the axes; until plot_end one more of the same.  Classes "shade s0" to "shade s5" are
+   darker and darker, "shade d0" to "shade d8" run from light to dark in colours of their own, "shade d9" is grey. */
+void plot_box(struct plot *p, const char *class, double x0, double y0, double x1, double y1);
 /* Where a number lies, in pixels. */
 double plot_x(const struct plot *p, double x);
 double plot_y(const struct plot *p, double y);

@@ -1,8 +1,9 @@
-/* Maps of lost digits, as tables and as scripts for gnuplot. */
+/* Maps of lost digits, as tables and as pictures. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "plot.h"
 #include "stability.h"
 
 /* Failures stand at one digit above all. */
@@ -37,31 +38,64 @@ void report_stability_map_tsv(struct text *out, const struct stability_result *r
 }
 
 /* What an axis shows: of chi, chi/(1 - chi). */
-static const char *axis(char buffer[64], const char *input) {
-  bool chi = strcmp(input, "chi") == 0;
-  snprintf(buffer, 64, chi ? "log10 %s/(1 - chi)" : "log10 |%s|", input);
-  return buffer;
+static void axis(char label[2 * PLOT_LABEL], const char *input) {
+  char name[PLOT_LABEL];
+  parameter_label(name, input);
+  snprintf(label, 2 * PLOT_LABEL, strcmp(input, "chi") == 0 ? "%s/(1 \xe2\x88\x92 %s)" : "|%s|", name, name);
 }
 
-void report_stability_gnuplot(struct text *out, const struct stability_result *r, int map, const char *name) {
+static const char *const key[][2] = {{"shade d0", "0-2"},      {"shade d1", "2-4"},   {"shade d2", "4-6"},
+                                     {"shade d3", "6-8"},      {"shade d4", "8-10"},  {"shade d5", "10-12"},
+                                     {"shade d6", "12-14"},    {"shade d7", "14-16"}, {"shade d8", "no value"},
+                                     {"shade d9", "not known"}};
+enum { FAILED = 8, UNKNOWN, N_SHADES, WIDTH = 410 };
+
+/* Of the digits as the table has them. */
+static int shade_of(double lost) {
+  return isnan(lost) ? UNKNOWN : isinf(lost) ? FAILED : (int)lround(10 * lost) / 20;
+}
+
+/* The cells of each shade, those beside each other as one. */
+static void draw_cells(struct plot *p, const struct stability_map *m, const double lost[STABILITY_MAP][STABILITY_MAP]) {
+  double half = (m->x_at[1] - m->x_at[0]) / 2;
+  for (int shade = 0; shade < N_SHADES; shade++) {
+    for (int i = 0; i < STABILITY_MAP; i++)
+      for (int k = 0; k < STABILITY_MAP; k++) {
+        if (shade_of(lost[i][k]) != shade) continue;
+        int first = k;
+        while (k + 1 < STABILITY_MAP && shade_of(lost[i][k + 1]) == shade) k++;
+        plot_box(p, key[shade][0], m->x_at[first] - half, m->y_at[i] - half, m->x_at[k] + half, m->y_at[i] + half);
+      }
+    plot_end(p);
+  }
+}
+
+void report_stability_picture(struct text *out, const struct stability_result *r, int map, const char *id) {
   const struct stability_map *m = &r->map[map];
-  char x[64], y[64];
-  text_add(out, "$cells << EOD\n");
-  add_cells(out, m, "\n");
-  text_printf(out,
-              "EOD\nset terminal svg size %d,420 font 'sans,11'\nset output '%s.svg'\n"
-              "set palette defined (0 '#fdf5c8', 4 '#8fd175', 8 '#25938b', 12 '#3a5088', 17 '#260a3c')\n"
-              "set object rectangle from graph 0,0 to graph 1,1 behind fillcolor '#bbbbbb' fillstyle pattern 4\n"
-              "set cbrange [0:%.1f]\nset cblabel 'digits lost by the formula'\nset cbtics 0,2\n"
-              "set xrange [-16.4:16.4]\nset yrange [-16.4:16.4]\nset xtics 4\nset ytics 4\nset tics out nomirror\nset "
-              "xlabel \"%s\" noenhanced\n"
-              "set ylabel \"%s\" noenhanced\n",
-              r->after ? 1040 : 560, name, STABILITY_DIGITS + 1, axis(x, m->x), axis(y, m->y));
-  if (r->after) text_add(out, "set multiplot layout 1,2\n");
-  text_printf(out, "set title \"%s, %s\" noenhanced\nplot $cells using 1:2:3 with image notitle\n",
-              r->formula[m->formula].id, r->layer);
-  if (r->after)
-    text_printf(out, "set title \"%s, %s\" noenhanced\nplot $cells using 1:2:4 with image notitle\nunset multiplot\n",
-                r->formula[m->formula].id, r->after);
-  text_add(out, "unset output\n");
+  const char *const layers[] = {r->layer, r->after};
+  struct text drawn = {0}, caption = {0};
+  char x[2 * PLOT_LABEL], y[2 * PLOT_LABEL];
+  int panels = r->after ? 2 : 1;
+  struct plot p = plot_begin(&drawn, id, WIDTH * panels);
+  axis(x, m->x);
+  axis(y, m->y);
+  p.power[0] = p.power[1] = true;
+  double top = plot_key(&p, key, N_SHADES) + 22;
+  for (int i = 0; i < panels; i++) {
+    p.left = WIDTH * i + PLOT_LEFT;
+    p.right = WIDTH * (i + 1) - PLOT_RIGHT;
+    for (int k = 0; k < 2; k++) {
+      p.low[k] = -16.4;
+      p.high[k] = 16.4;
+    }
+    plot_panel(&p, top, 350, x, y);
+    draw_cells(&p, m, i ? m->after : m->lost);
+    plot_free(&p);
+    text_reset(&caption);
+    text_printf(&caption, "digits lost by %s, %s", r->formula[m->formula].id, layers[i]);
+    plot_text(&p, p.right, top - 7, "end", text_str(&caption));
+  }
+  plot_svg(out, &p, "Digits lost over two inputs", "The numbers are in the table beside it.", true);
+  text_clear(&drawn);
+  text_clear(&caption);
 }

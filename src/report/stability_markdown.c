@@ -249,7 +249,7 @@ static void add_regions(struct text *out, const struct stability_result *r) {
   text_add_char(out, '\n');
 }
 
-static void add_maps(struct text *out, const struct stability_result *r, bool pictures) {
+static void add_maps(struct text *out, const struct stability_result *r) {
   if (r->n_maps == 0) return;
   text_add(out,
            "## Maps\n\nDigits that the formula loses over two inputs, the others as at its witness; axes are log10 of "
@@ -259,7 +259,7 @@ static void add_maps(struct text *out, const struct stability_result *r, bool pi
     text_printf(out, "- `%s` over %s and %s: [map-%d.tsv](map-%d.tsv)\n", r->formula[m->formula].id, m->x, m->y, i + 1,
                 i + 1);
     if (*m->at) text_printf(out, "  with `%s`\n", m->at);
-    if (pictures) text_printf(out, "\n  ![%s](map-%d.svg)\n", r->formula[m->formula].id, i + 1);
+    text_printf(out, "\n  ![%s](map-%d.svg)\n", r->formula[m->formula].id, i + 1);
   }
   text_add_char(out, '\n');
 }
@@ -350,12 +350,12 @@ static void add_prediction(struct text *out, const struct stability_result *r) {
   stability_add_confusion(out, r);
 }
 
-void report_stability_markdown(struct text *out, const struct stability_result *r, bool maps) {
+void report_stability_markdown(struct text *out, const struct stability_result *r) {
   add_opening(out, r);
   add_losses(out, r);
   add_where(out, r);
   text_add(out, "## Regions\n\n");
   add_regions(out, r);
   add_prediction(out, r);
-  add_maps(out, r, maps);
+  add_maps(out, r);
 }
