@@ -117,12 +117,12 @@ struct family {
 /* "chi = 2/3, ..." with "e2 from 3/4 to 1", both up to a semicolon; false with j->d set.  Close it in either case. */
 bool family_open(struct family *f, struct behaviour *b, const char *at, const char *vary);
 void family_close(struct family *f);
-/* n random motions over the given time, sampled (0: not); sticking: from starts as in (11). */
-struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
-                               void *self);
-/* The words of both routes by what each counted, and the verdict: with that of a proof (friction.h), where there is one. */
-void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_ROUTES], long trials, const char *where,
-                        const char *note, const struct route_result *proof);
+/* Random motions from starts anywhere, sampled. */
+struct watched behaviour_watch(struct behaviour *b, watch_fn fn, void *self);
+/* The words of both routes by what each counted, and the verdict: with that of the proof (friction.h), unless it has
+   decided nothing. */
+void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_ROUTES], long trials, const char *note,
+                        const struct route_result *proof);
 
 /* The checks by name, and whether (1) and (2) as the paper states them are read for them. */
 #define BEHAVIOUR_CHECKS(X)                                                                                            \

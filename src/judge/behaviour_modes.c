@@ -42,7 +42,7 @@ static void watch_modes(void *self, const struct motion *m, const struct traject
 bool behaviour_modes(struct behaviour *b) {
   struct modes s = {.seen = {0}};
   struct route_result proof = events_prove_modes(b);
-  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_modes, &s);
+  struct watched w = behaviour_watch(b, watch_modes, &s);
   struct text note = {0};
   text_printf(
       &note,
@@ -52,7 +52,7 @@ bool behaviour_modes(struct behaviour *b) {
   for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
   text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
                   "belt, X x: one faster, one slower)");
-  behaviour_conclude(b, s.rows, w.motions, NULL, result_take(b->j->out, &note), &proof);
+  behaviour_conclude(b, s.rows, w.motions, result_take(b->j->out, &note), &proof);
   return true;
 }
 
@@ -87,7 +87,7 @@ static void watch_switches(void *self, const struct motion *m, const struct traj
 }
 
 static void conclude_switches(struct behaviour *b, struct switches *s, const struct route_result *proof) {
-  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_switches, s);
+  struct watched w = behaviour_watch(b, watch_switches, s);
   for (int r = 0; r < N_MOTION_ROUTES; r++) s->events[r].of[TRUTH_FALSE] += s->rows[r].of[TRUTH_FALSE];
   long events = answers_given(&s->events[0]);
   const char *note;
@@ -101,7 +101,7 @@ static void conclude_switches(struct behaviour *b, struct switches *s, const str
         b->j->out,
         "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a greater one",
         w.motions, events);
-  behaviour_conclude(b, s->events, events, NULL, note, proof);
+  behaviour_conclude(b, s->events, events, note, proof);
 }
 
 bool behaviour_switches(struct behaviour *b) {

@@ -101,16 +101,16 @@ static void motion_params(struct motion *m, struct sampler *s) {
   point_clear(&p);
 }
 
-/* A start anywhere, overrunning masses and sticking ones included; sticking: both stick, as in (11). */
-static void motion_start(struct motion *m, struct sampler *s, bool sticking) {
+/* A start anywhere, overrunning masses and sticking ones included. */
+static void motion_start(struct motion *m, struct sampler *s) {
   struct point p;
   double f[2];
   point_init(&p);
   sampler_next(&p, s);
   for (int i = 0; i < 2; i++) {
     double pull = fmpq_get_d(&p.q[Q_Z1 + i]), speed = fmpq_get_d(&p.q[Q_DZ1 + i]); /* both in eighths, up to 4 */
-    bool sticks = sticking || nearbyint(8 * pull) / 2 == floor(nearbyint(8 * pull) / 2);
-    f[i] = m->params[COULOMB_UR1 + i] * pull / (sticking ? 4.5 : 2);
+    bool sticks = nearbyint(8 * pull) / 2 == floor(nearbyint(8 * pull) / 2);
+    f[i] = m->params[COULOMB_UR1 + i] * pull / 2;
     m->start[DZ_1 + i] = m->params[COULOMB_V] * (sticks ? 1 : 1 + speed);
   }
   m->start[Z_1] = nearest_dyadic((f[0] + f[1]) / (1 - m->params[COULOMB_CHI]));
@@ -216,19 +216,19 @@ void behaviour_routes(struct route_result w[N_MOTION_ROUTES], struct behaviour *
 
 /* --- Random motions watched --- */
 
-struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
-                               void *self) {
+struct watched behaviour_watch(struct behaviour *b, watch_fn fn, void *self) {
+  enum { MOTIONS = 96 };
   struct watched w = {0, 0};
   struct sampler s;
   sampler_init(&s, b->c->id, POINT_PARAMS, PHASE_D, NULL);
-  for (long i = 0; i < n; i++) {
+  for (long i = 0; i < MOTIONS; i++) {
     struct motion m;
     struct trajectory trajectory[N_MOTION_ROUTES];
     struct coulomb_plan plan = coulomb_plan_default;
     motion_params(&m, &s);
-    motion_start(&m, &s, sticking);
-    plan.duration = duration;
-    plan.sample = sample;
+    motion_start(&m, &s);
+    plan.duration = 12;
+    plan.sample = 0.25;
     for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory[r] = motion_simulate((enum motion_route)r, &m, &plan);
     bool same = trajectories_agree(&trajectory[0], &trajectory[1]);
     w.motions += same;
@@ -239,13 +239,13 @@ struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, doubl
   return w;
 }
 
-void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_ROUTES], long trials, const char *where,
-                        const char *note, const struct route_result *proof) {
-  struct route_result w[1 + N_MOTION_ROUTES] = {proof ? *proof : (struct route_result){.outcome = ROUTE_UNDECIDED}};
+void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_ROUTES], long trials, const char *note,
+                        const struct route_result *proof) {
+  struct route_result w[1 + N_MOTION_ROUTES] = {*proof};
   enum route_outcome outcome[N_MOTION_ROUTES];
-  int n = w[0].outcome != ROUTE_UNDECIDED;
+  int n = proof->outcome != ROUTE_UNDECIDED;
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = answers_outcome(&said[r]);
-  behaviour_routes(w + n, b, outcome, trials, where, note);
+  behaviour_routes(w + n, b, outcome, trials, NULL, note);
   n += N_MOTION_ROUTES;
   b->f->verdict = verdict_of(w, n, n > N_MOTION_ROUTES);
 }

@@ -30,7 +30,7 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, 
       }
   orbit_walk_end(&walk);
   behaviour_conclude(
-      b, said, answers_given(&said[0]), NULL,
+      b, said, answers_given(&said[0]),
       result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note),
       proof);
 }
