@@ -271,7 +271,7 @@ START_TEST(bounds_of_an_independent_program) {
       const double near = bound[k] + side * 1e-7;
       ck_assert(k >= FIRST_MASS || bound[k] > certificates[_i].e1);
       point_of(&p, certificates[_i].q, k < FIRST_MASS ? near : 10, k < FIRST_MASS ? 10 : near);
-      truth holds = condition_holds(&where, value, &list.at[k], &p, FIRST_PREC, cache);
+      truth holds = condition_holds(&where, value, &list.at[k], &p, cache);
       ck_assert_msg(holds == (side > 0 ? TRUTH_TRUE : TRUTH_FALSE), "%s, %d: %d", list.at[k].text, side, (int)holds);
       point_clear(&p);
       arb_clear(value);
@@ -321,7 +321,7 @@ START_TEST(conditions_are_the_margins_of_the_orbit) {
       arb_t value;
       double where;
       arb_init(value);
-      truth holds = condition_holds(&where, value, &list.at[k], &p, FIRST_PREC, cache);
+      truth holds = condition_holds(&where, value, &list.at[k], &p, cache);
       ck_assert_msg(holds == o->holds[pairs[k].margin], "%s on %zu: %d, not %d", pairs[k].item, i, (int)holds,
                     (int)o->holds[pairs[k].margin]);
       said[holds]++;

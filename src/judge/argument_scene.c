@@ -33,14 +33,14 @@ static bool bounds_below(struct argument *a, const struct point *corner, int i) 
   for (int k = 0; k < a->part[PREMISES].n && !found; k++) {
     struct condition *c = &a->part[PREMISES].at[k];
     found = !c->equality && exact_friction_slope(c, i) == 1 && exact_friction_slope(c, 1 - i) == 0 &&
-            condition_holds(NULL, NULL, c, corner, FIRST_PREC, a->j->cache) == TRUTH_FALSE;
+            condition_holds(NULL, NULL, c, corner, a->j->cache) == TRUTH_FALSE;
   }
   return found;
 }
 
 static bool holds_beyond(struct argument *a, struct condition *c, const struct point *corner) {
   return exact_friction_slope(c, 0) >= 0 && exact_friction_slope(c, 1) >= 0 &&
-         condition_holds(NULL, NULL, c, corner, FIRST_PREC, a->j->cache) == TRUTH_TRUE;
+         condition_holds(NULL, NULL, c, corner, a->j->cache) == TRUTH_TRUE;
 }
 
 /* Every condition of the conclusion, whatever friction the premises allow. */

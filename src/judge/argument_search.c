@@ -149,13 +149,13 @@ void argument_decide(struct argument_decision *d, struct argument *a, const stru
                      const struct dyn_orbit *o) {
   struct orbit_cache *cache = a->j->cache;
   d->premises = p->kind == POINT_GIVEN ? friction_allowed(a, p, o) : TRUTH_TRUE;
-  if (d->premises == TRUTH_TRUE) d->premises = conditions_hold(&a->part[PREMISES], p, FIRST_PREC, cache);
+  if (d->premises == TRUTH_TRUE) d->premises = conditions_hold(&a->part[PREMISES], p, cache);
   d->conclusion = d->by_exponentials = TRUTH_TRUE;
   for (int k = 0; d->premises == TRUTH_TRUE && k < a->part[CONCLUSION].n; k++) {
     struct condition *c = &a->part[CONCLUSION].at[k];
     bool failed = d->conclusion == TRUTH_FALSE; /* another one */
     double where;
-    truth holds = condition_holds(&where, failed ? NULL : d->value, c, p, FIRST_PREC, cache);
+    truth holds = condition_holds(&where, failed ? NULL : d->value, c, p, cache);
     if (holds == TRUTH_FALSE && !failed) {
       d->failed = k;
       d->where = where;
@@ -165,7 +165,7 @@ void argument_decide(struct argument_decision *d, struct argument *a, const stru
       d->by_exponentials = TRUTH_UNKNOWN;
       continue;
     }
-    truth again = condition_holds_at(c, p, holds == TRUTH_FALSE ? where : -1, FIRST_PREC, cache);
+    truth again = condition_holds_at(c, p, holds == TRUTH_FALSE ? where : -1, cache);
     d->by_exponentials = truth_and(d->by_exponentials, again);
   }
 }

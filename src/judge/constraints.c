@@ -37,7 +37,7 @@ static const char *const least_attribute[2] = {"least-first", "least-second"};
 /* --- Balls --- */
 
 static void compare_lists(struct constraints *x, const struct point *p, const struct dyn_orbit *o) {
-  truth all = conditions_hold(&x->paper, p, FIRST_PREC, x->j->cache);
+  truth all = conditions_hold(&x->paper, p, x->j->cache);
   x->lists.of[truth_same(all, o->admissible)]++;
 }
 
@@ -192,7 +192,7 @@ static void by_simulation(struct constraints *x) {
       pool_point(&p, pool->item[i], k);
       if (count[0] >= SIMULATED && clearly_fails(x, &p)) continue;
       p.known = NULL;
-      truth listed = conditions_hold(&x->paper, &p, FIRST_PREC, x->j->cache);
+      truth listed = conditions_hold(&x->paper, &p, x->j->cache);
       if (listed == TRUTH_UNKNOWN || count[listed]++ >= SIMULATED) continue;
       simulate(x, pool->item[i], k, &p, listed);
     }

@@ -109,7 +109,7 @@ static truth sign(const arb_t x) {
 /* What the range says of the phase, and whether it has had a crest. */
 static truth expected(bool *late, struct range *r, arb_srcptr v, const struct point *p) {
   arb_ptr w = _arb_vec_init(2);
-  truth holds = conditions_hold(&r->premise, p, FIRST_PREC, r->j->cache);
+  truth holds = conditions_hold(&r->premise, p, r->j->cache);
   *late = false;
   if (r->form.there[RANGE_ODD]) {
     *late = distances(w, w + 1, v, r->form.rate) > 0;
@@ -213,7 +213,7 @@ static void try_orbit(struct range *r, const struct pool_item *item, slong index
       p.known = NULL; /* enclosed as narrowly as asked for */
       truth form = r->form.rate ? TRUTH_TRUE : numbers_at(v, r, &p) ? is_of_form(r, v, &p) : TRUTH_UNKNOWN;
       said = expected(&late, r, v, &p);
-      truth found = conditions_hold(&r->goal, &p, FIRST_PREC, r->j->cache);
+      truth found = conditions_hold(&r->goal, &p, r->j->cache);
       book(r, form, said, found, late, &p);
     }
   }

@@ -57,7 +57,7 @@ static bool letters_of(char out[16], const char *word) {
 
 static enum route_outcome hold_all(const char **note, struct judge *j, struct conditions *list, const struct point *p) {
   for (int k = 0; k < list->n; k++) {
-    truth holds = condition_holds(NULL, NULL, &list->at[k], p, FIRST_PREC, j->cache);
+    truth holds = condition_holds(NULL, NULL, &list->at[k], p, j->cache);
     if (holds == TRUTH_TRUE) continue;
     *note = result_str(j->out, "%s: %s", list->at[k].text, holds == TRUTH_FALSE ? "false" : "undecided");
     return outcome_of_truth(holds);

@@ -80,7 +80,7 @@ static void find(struct solutions *x) {
 static truth keeps(struct solutions *x, slong i) {
   truth all = TRUTH_TRUE;
   for (int k = 0; k < x->constraints.n; k++) {
-    truth holds = condition_holds(NULL, NULL, &x->constraints.at[k], &x->at, FIRST_PREC, x->cache);
+    truth holds = condition_holds(NULL, NULL, &x->constraints.at[k], &x->at, x->cache);
     x->broken[i][k] = holds == TRUTH_FALSE;
     all = truth_and(all, holds);
   }

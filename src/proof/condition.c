@@ -366,7 +366,7 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   return both_halves(a, lo, hi, depth);
 }
 
-static truth holds_along(double *where, arb_t value, struct bound *b, slong prec) {
+static truth holds_along(double *where, arb_t value, struct bound *b) {
   struct along a = {
       .budget = 5000, .v = b->v, .phase = b->c->phase, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
   if (!arb_is_positive(a.length)) return arb_is_nonpositive(a.length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
@@ -378,7 +378,7 @@ static truth holds_along(double *where, arb_t value, struct bound *b, slong prec
     arb_ptr at = w + 3 + end;
     if (end) arb_set(w + 1, a.length);
     s |= affine_at(at, w + 2, &a.f, b->v, a.phase, w + 1);
-    a.zero[end] = arb_contains_zero(at) && mag_cmp_2exp_si(arb_radref(at), -prec / 2) < 0;
+    a.zero[end] = arb_contains_zero(at) && mag_cmp_2exp_si(arb_radref(at), -FIRST_PREC / 2) < 0;
   }
   if (s == SS_OK) holds = piece_holds(&a, 0, 1, 0);
   for (int end = 0; s == SS_OK && holds == TRUTH_UNKNOWN && end < 2; end++) {
@@ -393,36 +393,36 @@ static truth holds_along(double *where, arb_t value, struct bound *b, slong prec
   return holds;
 }
 
-static truth sign_of(const struct condition *c, const arb_t m, slong prec) {
+static truth sign_of(const struct condition *c, const arb_t m) {
   if (c->equality && !arb_contains_zero(m)) return TRUTH_FALSE;
-  if (c->equality) return mag_cmp_2exp_si(arb_radref(m), -prec / 2) < 0 ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  if (c->equality) return mag_cmp_2exp_si(arb_radref(m), -FIRST_PREC / 2) < 0 ? TRUTH_TRUE : TRUTH_UNKNOWN;
   return arb_is_positive(m) ? TRUTH_TRUE : arb_is_nonpositive(m) ? TRUTH_FALSE : TRUTH_UNKNOWN;
 }
 
 /* At a fraction of the phase, or at the one moment that the condition names. */
-static truth holds_at(struct bound *b, double where, slong prec) {
+static truth holds_at(struct bound *b, double where) {
   struct calc w = calc_begin(b->v->ctx);
   struct num_vec x = calc_vec(&w, N_MOVING), tau = calc_vec(&w, 2);
   arb_ptr time = num_vec_at(&tau, 0), m = num_vec_at(&tau, 1);
   int s = SS_OK;
   if (b->c->moving) {
     arb_set_d(time, where);
-    arb_mul(time, time, num_vec_at(&b->v->arc.t, (int)b->c->phase), prec);
+    arb_mul(time, time, num_vec_at(&b->v->arc.t, (int)b->c->phase), FIRST_PREC);
     s |= moving_at(&x, b->v, b->c->phase, time);
   }
   s |= margin_at(m, b, b->c->moving ? &x : NULL);
-  truth holds = s == SS_OK ? sign_of(b->c, m, prec) : TRUTH_UNKNOWN;
+  truth holds = s == SS_OK ? sign_of(b->c, m) : TRUTH_UNKNOWN;
   calc_clear(&w);
   return holds;
 }
 
-static truth holds_at_samples(struct bound *b, slong prec) {
+static truth holds_at_samples(struct bound *b) {
   truth holds = TRUTH_TRUE;
-  for (int i = 1; i < (b->c->moving ? 16 : 2); i++) holds = truth_and(holds, holds_at(b, i / 16.0, prec));
+  for (int i = 1; i < (b->c->moving ? 16 : 2); i++) holds = truth_and(holds, holds_at(b, i / 16.0));
   return holds;
 }
 
-truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p, slong prec,
+truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p,
                       struct orbit_cache *cache) {
   struct values v;
   struct bound b;
@@ -430,15 +430,15 @@ truth condition_holds(double *where, arb_ptr value, struct condition *c, const s
   arb_t margin;
   truth holds = TRUTH_UNKNOWN;
   arb_init(margin);
-  int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(prec), cache);
+  int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache);
   if (s == SS_OK) {
     s |= bind(&b, c, &v);
     if (s == SS_OK && c->moving && !c->equality) {
-      holds = holds_along(&at, margin, &b, prec);
+      holds = holds_along(&at, margin, &b);
     } else if (s == SS_OK && c->moving) {
-      holds = holds_at_samples(&b, prec);
+      holds = holds_at_samples(&b);
     } else if (s == SS_OK && margin_at(margin, &b, NULL) == SS_OK) {
-      holds = sign_of(c, margin, prec);
+      holds = sign_of(c, margin);
     }
   }
   values_clear(&v);
@@ -448,22 +448,21 @@ truth condition_holds(double *where, arb_ptr value, struct condition *c, const s
   return holds;
 }
 
-truth conditions_hold(struct conditions *list, const struct point *p, slong prec, struct orbit_cache *cache) {
+truth conditions_hold(struct conditions *list, const struct point *p, struct orbit_cache *cache) {
   truth all = TRUTH_TRUE;
   for (int k = 0; k < list->n && all != TRUTH_FALSE; k++)
-    all = truth_and(all, condition_holds(NULL, NULL, &list->at[k], p, prec, cache));
+    all = truth_and(all, condition_holds(NULL, NULL, &list->at[k], p, cache));
   return all;
 }
 
-truth condition_holds_at(struct condition *c, const struct point *p, double where, slong prec,
-                         struct orbit_cache *cache) {
+truth condition_holds_at(struct condition *c, const struct point *p, double where, struct orbit_cache *cache) {
   struct values v;
   struct bound b;
   truth holds = TRUTH_UNKNOWN;
-  int s = values_init(&v, p, VARIANT_EXPONENTIAL, num_ctx_arb(prec), cache);
+  int s = values_init(&v, p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), cache);
   if (s == SS_OK) {
     s |= bind(&b, c, &v);
-    if (s == SS_OK) holds = where < 0 ? holds_at_samples(&b, prec) : holds_at(&b, where, prec);
+    if (s == SS_OK) holds = where < 0 ? holds_at_samples(&b) : holds_at(&b, where);
   }
   values_clear(&v);
   return holds;
