@@ -277,7 +277,7 @@ bool dependences_list(struct finding *f, struct judge *j, const struct claim *c)
   for (size_t b = 0; b < j->claims->n; b++) {
     const char *id = j->claims->claim[b].id;
     if (a < j->claims->n ? dependences_any(j->dependences, a, b) : dependences_named(c, id))
-      f->depends_on[f->n_depends_on++] = result_str(j->out, "%s", id);
+      f->depends_on[f->n_depends_on++] = result_copy(j->out, id);
   }
   return true;
 }

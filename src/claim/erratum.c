@@ -136,7 +136,7 @@ static void set_beside(struct beside *b, const struct model *m, const struct sta
 }
 
 static const char *keep(struct audit_result *out, struct text *t) {
-  const char *s = t->len ? result_str(out, "%s", text_str(t)) : NULL;
+  const char *s = t->len ? result_copy(out, text_str(t)) : NULL;
   text_clear(t);
   return s;
 }

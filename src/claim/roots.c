@@ -60,8 +60,7 @@ bool roots_keep_rules(const struct claims *claims, const struct claims *roots, s
 /* --- Of a result --- */
 
 static const char *text_of(struct audit_result *out, const struct claim *root, const char *key) {
-  const char *s = claim_get(root, key);
-  return s ? result_str(out, "%s", s) : NULL;
+  return result_copy(out, claim_get(root, key));
 }
 
 /* In the order of the root's own list. */
@@ -78,7 +77,7 @@ static void add_claim(struct root_cause *r, struct audit_result *out, const char
 static void add_root(struct audit_result *out, const struct claim *root) {
   out->roots = ss_grow(out->roots, out->n_roots, &out->cap_roots, sizeof *out->roots);
   struct root_cause *r = &out->roots[out->n_roots++];
-  *r = (struct root_cause){.id = result_str(out, "%s", root->id),
+  *r = (struct root_cause){.id = result_copy(out, root->id),
                            .title = text_of(out, root, "title"),
                            .severity = severity_parse(claim_get(root, "severity")),
                            .where = text_of(out, root, "where"),

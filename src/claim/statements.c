@@ -101,6 +101,6 @@ void statements_unanswered(struct audit_result *out, const struct claims *statem
       if (same && strcmp(same, reason) == 0)
         text_printf(&which, "%s%s", which.len ? ", " : "the paper's statements ", statements->claim[k].id);
     }
-    audit_leave_out(out, result_take(out, &which), result_str(out, "%s", reason));
+    audit_leave_out(out, result_take(out, &which), result_copy(out, reason));
   }
 }

@@ -162,7 +162,7 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   }
   if (ok) {
     f->verdict = verdict_under_condition(f->verdict, again.verdict);
-    f->condition = f->verdict == VERDICT_CONDITIONAL ? result_str(a->j->out, "%s", text_str(&t)) : NULL;
+    f->condition = f->verdict == VERDICT_CONDITIONAL ? result_copy(a->j->out, text_str(&t)) : NULL;
     f->correction = result_str(a->j->out, "with the further premise %s", text_str(&t));
     f->correction_verdict = again.verdict;
   }

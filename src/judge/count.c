@@ -46,7 +46,7 @@ bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, stru
     struct route_result w = {"algebra", found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
     if (all.len) all.data[all.len - 1] = '\0';
     finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], -1, NULL,
-                      found.len ? result_str(j->out, "%s", text_str(&found))
+                      found.len ? result_copy(j->out, text_str(&found))
                                 : result_str(j->out, "the equations contain%s, and nothing else", text_str(&all)));
     f->verdict = verdict_of(&w, 1, true);
   }

@@ -32,7 +32,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
       const char *name = tape.inputs[i];
       bool known, is_u_r = strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0;
       int key = strcmp(name, "u_r1") == 0 ? KEY_U_R1 : KEY_U_R2;
-      if (is_u_r && !j->scene->given[key]) *unbound = result_str(j->out, "%s", name);
+      if (is_u_r && !j->scene->given[key]) *unbound = result_copy(j->out, name);
       if (is_u_r)
         s |= ctx.type->set_q(num_vec_at(&in, i), &j->scene->value[key], prec);
       else
@@ -81,7 +81,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
   *w = (struct route_result){"balls", outcome_of_counts(tried, failed, unknown + !tried), true, tried};
   while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
   finding_add_route(f, j->out, *w, layer_name[view.layer], FIRST_PREC, where,
-                    note.len ? result_str(j->out, "%s", text_str(&note)) : NULL);
+                    note.len ? result_copy(j->out, text_str(&note)) : NULL);
   text_clear(&note);
   return ok;
 }

@@ -78,7 +78,7 @@ static bool judge_correction(struct finding *f, struct judge *j, const struct cl
     again.evidence = NULL;
     again.n_evidence = 0;
     ok = judge_subject(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
-    f->correction = result_str(j->out, "%s", text_str(&t));
+    f->correction = result_copy(j->out, text_str(&t));
     f->correction_verdict = again.verdict;
     erratum_typeset(f, j, c);
     for (int i = 0; ok && i < again.n_evidence; i++) *finding_add(f, j->out) = again.evidence[i];
@@ -104,15 +104,11 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
     }
   }
   if (quote)
-    f->quote = result_str(j->out, "%s", quote);
+    f->quote = result_copy(j->out, quote);
   else if (tex.len)
-    f->quote = result_str(j->out, "%s", text_str(&tex));
+    f->quote = result_copy(j->out, text_str(&tex));
   if (parsed.len) f->printed = result_take(j->out, &parsed);
   text_clear(&tex);
-}
-
-static const char *copy(struct audit_result *out, const char *s) {
-  return s ? result_str(out, "%s", s) : NULL;
 }
 
 enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
@@ -123,16 +119,16 @@ enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
 static bool title(struct finding *f, struct judge *j, const struct claim *c) {
   struct text t = {0};
   j->claim_at_fault = !claim_title(&t, j->model, c, j->d);
-  if (!j->claim_at_fault) f->title = result_str(j->out, "%s", text_str(&t));
+  if (!j->claim_at_fault) f->title = result_copy(j->out, text_str(&t));
   text_clear(&t);
   return !j->claim_at_fault;
 }
 
 bool finding_describe(struct finding *f, struct judge *j, const struct claim *c) {
   struct audit_result *out = j->out;
-  *f = (struct finding){.id = copy(out, c->id),
-                        .equation = copy(out, claim_get(c, "equation")),
-                        .section = copy(out, claim_get(c, "section")),
+  *f = (struct finding){.id = result_copy(out, c->id),
+                        .equation = result_copy(out, claim_get(c, "equation")),
+                        .section = result_copy(out, claim_get(c, "section")),
                         .verdict = VERDICT_UNKNOWN,
                         .recorded = N_VERDICTS};
   if (!title(f, j, c)) return false;
@@ -163,7 +159,7 @@ static bool about_paper(const struct judge *j) {
 static bool not_read(struct finding *f, struct judge *j) {
   if (!j->d->beyond || j->claim_at_fault) return false;
   f->verdict = VERDICT_UNKNOWN;
-  finding_state(f, j->out, "none", layer_name[LAYER_PRINTED], -1, 0, NULL, result_str(j->out, "%s", j->d->message));
+  finding_state(f, j->out, "none", layer_name[LAYER_PRINTED], -1, 0, NULL, result_copy(j->out, j->d->message));
   diag_init(j->d);
   return true;
 }
@@ -174,8 +170,7 @@ static bool not_read(struct finding *f, struct judge *j) {
 static bool notation_fault(struct finding *f, struct judge *j) {
   if (j->claim_at_fault || j->d->undeclared || !about_paper(j)) return false;
   struct route_result w = {"diagnostic", ROUTE_DIFFERS, true, 1};
-  finding_add_route(f, j->out, w, "own text printed, the rest corrected", -1, NULL,
-                    result_str(j->out, "%s", j->d->message));
+  finding_add_route(f, j->out, w, "own text printed, the rest corrected", -1, NULL, result_copy(j->out, j->d->message));
   f->verdict = VERDICT_REFUTED;
   f->fault = "notation";
   diag_init(j->d);
@@ -251,7 +246,7 @@ static bool measure_near(const char **distance, struct judge *j, const struct cl
   if (!near) return true;
   if (!isfinite(log2(strtod(near, NULL))))
     return claim_error(j, control, "near", "reads 1e-30: the most that the damage changes");
-  *distance = copy(j->out, near);
+  *distance = result_copy(j->out, near);
   if (near_made(control) || !control_distance(&log_distance, j, c, control->id)) return true;
   *distance = order_of_magnitude(j->out, log_distance);
   return true;
@@ -307,9 +302,9 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
   if (why) return leave_out(out, control, why);
   const char *distance = NULL;
   if (!measure_near(&distance, j, &c, control)) return false;
-  audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);
+  audit_control(out, result_copy(out, control->id), result_copy(out, claim->id), f.verdict);
   struct control_result *said = &out->controls[out->n_controls - 1];
-  said->near = copy(out, record_get(control->record, "near"));
+  said->near = result_copy(out, record_get(control->record, "near"));
   said->distance = distance;
   return true;
 }

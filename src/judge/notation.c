@@ -143,7 +143,7 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
   for (int i = 0; i < n; i++)
     if (!found_in_place(&u[i], c, &view)) return claim_error(j, c, "found-in", "a symbol is not printed at its place");
   clashes(&found, u, n);
-  settle(f, j, found.len ? result_str(j->out, "%s", text_str(&found)) : NULL, n);
+  settle(f, j, found.len ? result_copy(j->out, text_str(&found)) : NULL, n);
   const char *repaired = claim_get(c, "repaired");
   bool ok = true;
   if (found.len && repaired && !view.control) {
@@ -169,11 +169,11 @@ static bool judge_reading(struct finding *f, struct judge *j, const struct claim
   const char *reads = claim_get(c, "reads"), *repaired = claim_get(c, "repaired");
   struct diag d = {0};
   bool ok = read_text(reads, c->id, claim_section(c), view, &d);
-  settle(f, j, ok ? NULL : result_str(j->out, "%s", d.message), 1);
+  settle(f, j, ok ? NULL : result_copy(j->out, d.message), 1);
   if (!ok && repaired && !view.control) {
     diag_init(&d);
     bool again = read_text(repaired, c->id, claim_section(c), view, &d);
-    f->correction = result_str(j->out, "%s", repaired);
+    f->correction = result_copy(j->out, repaired);
     f->correction_verdict = again ? VERDICT_UNKNOWN : VERDICT_REFUTED;
     if (again && j->effort != EFFORT_REFUTE) return judge_repaired(f, j, c, repaired);
   }

@@ -129,7 +129,7 @@ static void certify_number(struct finding *f, const struct number_job *n, const 
   struct certificate *c = &f->certificate;
   certify_scene(c, j);
   certify_orbit(c, j, &scene_orbits(j->scene, j->cache)->orbit[p->orbit]);
-  certificate_add(c, j->out, "printed", result_str(j->out, "%s", n->p->decimal));
+  certificate_add(c, j->out, "printed", result_copy(j->out, n->p->decimal));
   certify_exact(c, j, "unit", &n->p->unit);
   certificate_add(c, j->out, "value", ball_text(j, x, 10));
 }

@@ -185,15 +185,15 @@ static void book_failure(struct point_trials *r, struct tally *t, const struct t
       out, matrix ? "%sit has %s where %s is right, at %s" : "%sthe left side is %s and the right side %s, at %s",
       entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where);
   t->certified[0] = (struct named_value){"entry", entry_place(out, t->sentence.n, t->sentence.cols, tr->entry)};
-  t->certified[1] = (struct named_value){"left", result_str(out, "%s", tr->lhs)};
-  t->certified[2] = (struct named_value){"right", result_str(out, "%s", tr->rhs)};
+  t->certified[1] = (struct named_value){"left", result_copy(out, tr->lhs)};
+  t->certified[2] = (struct named_value){"right", result_copy(out, tr->rhs)};
 }
 
 /* Books a trial; false when the claim itself cannot be evaluated. */
 static bool book(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
   if (tr->outcome == OUTCOME_UNBOUND && !(r->j->model->system && values_names(tr->unbound))) {
-    r->lacks = result_str(out, "%s", tr->unbound);
+    r->lacks = result_copy(out, tr->unbound);
     return true;
   }
   if (tr->outcome == OUTCOME_UNBOUND)
@@ -427,7 +427,7 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
   struct made_claim made;
   for (const char *p = claim_get(c, "restricted"); (p = claim_next_made(&made, p)) != NULL;) {
     if (strcmp(made.condition, text) != 0) continue;
-    *id = result_str(j->out, "%s", made.id);
+    *id = result_copy(j->out, made.id);
     return verdict_parse(made.record);
   }
   struct text t = {0};

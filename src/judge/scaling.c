@@ -279,11 +279,10 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     struct route_result w = {"algebra", faults.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, checked};
     finding_add_route(f, j->out, w, own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED], -1,
                       NULL,
-                      faults.len ? result_str(j->out, "%s", text_str(&faults))
+                      faults.len ? result_copy(j->out, text_str(&faults))
                       : only     ? "the formula is homogeneous"
                                  : "every formula is homogeneous");
-    if (own && faults.len)
-      certificate_add(&f->certificate, j->out, "degrees", result_str(j->out, "%s", text_str(&faults)));
+    if (own && faults.len) certificate_add(&f->certificate, j->out, "degrees", result_copy(j->out, text_str(&faults)));
     if (own || corrected_alone)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {

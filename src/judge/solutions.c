@@ -252,7 +252,7 @@ static void judge_constrained(struct finding *f, struct solutions *x) {
   if (x->asked == ASKED_MOTION) w[n++] = integrate(f, x, true);
   f->verdict = verdict_under_condition(f->verdict, verdict_of(w, n, true));
   if (f->verdict != VERDICT_CONDITIONAL) return;
-  f->condition = result_str(x->j->out, "%s", named);
+  f->condition = named;
   f->fault = fault_name[FAULT_ARGUMENT];
 }
 

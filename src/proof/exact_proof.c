@@ -279,12 +279,12 @@ static void prove_spec(struct exact_proof *p, struct job *b) {
   p->by_law = p->by_law || b->by_law;
   p->beyond = p->beyond || b->beyond || has_op(&b->s->tape, TAPE_exp);
   if (all_done(b)) {
-    p->field = result_str(b->j->out, "%s", text_str(&b->field));
+    p->field = result_copy(b->j->out, text_str(&b->field));
   } else {
     p->proved = false;
     p->why_not = why_open(b);
     p->holds_at = b->holds_at;
-    if (is_complete(b) && b->witness.len) p->differs = result_str(b->j->out, "%s", text_str(&b->witness));
+    if (is_complete(b) && b->witness.len) p->differs = result_copy(b->j->out, text_str(&b->witness));
   }
   text_clear(&b->witness);
   text_clear(&b->field);

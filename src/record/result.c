@@ -66,6 +66,10 @@ const char *result_str(struct audit_result *r, const char *fmt, ...) {
   return s;
 }
 
+const char *result_copy(struct audit_result *r, const char *s) {
+  return s ? arena_strdup(&r->arena, s) : NULL;
+}
+
 const char *result_take(struct audit_result *r, struct text *t) {
   return text_take(&r->arena, t);
 }

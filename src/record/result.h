@@ -331,6 +331,8 @@ void audit_result_clear(struct audit_result *r);
 void result_keep_pages(struct audit_result *r, void *pages, size_t size);
 /* A formatted string in the result's arena. */
 const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* A copy of a string there; of NULL, NULL. */
+const char *result_copy(struct audit_result *r, const char *s);
 /* What a text holds, kept likewise; the text is cleared. */
 const char *result_take(struct audit_result *r, struct text *t);
 /* The finding of that id, the root of that id, or NULL. */

@@ -144,7 +144,7 @@ void routes_describe(struct audit_result *out) {
     if (r->evidence && strcmp(r->evidence, r->name) != 0) text_printf(&t, " (in evidence: %s)", r->evidence);
     text_printf(&t, ": %s; rests on ", r->does);
     route_means_print(&t, r->means);
-    line[i] = result_str(out, "%s", text_str(&t));
+    line[i] = result_copy(out, text_str(&t));
   }
   text_clear(&t);
   out->independence = line;

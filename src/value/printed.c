@@ -118,8 +118,8 @@ bool printed_point(struct point *out, const struct scene *s) {
 
 void record_scene(struct audit_result *out, const struct scene *s) {
   struct text data = {0};
-  out->scene = result_str(out, "%s", s->name);
-  out->title = s->title ? result_str(out, "%s", s->title) : NULL;
+  out->scene = result_copy(out, s->name);
+  out->title = result_copy(out, s->title);
   if (scene_is_example(s)) return;
   scene_data_print(&data, s);
   out->data = result_take(out, &data);
@@ -196,7 +196,7 @@ void finding_skip(struct finding *f, struct judge *j, const char *why) {
     why = "the scene gives intervals, and this is about one set of parameters";
     f->recorded = N_VERDICTS;
   }
-  f->condition = result_str(j->out, "%s", why);
+  f->condition = result_copy(j->out, why);
 }
 
 const char *ball_text(struct judge *j, const arb_t x, slong n) {
