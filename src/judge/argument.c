@@ -148,9 +148,7 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   if (ok && a->part[PREMISES].n + more.n > MAX_CONDITIONS)
     ok = claim_error(a->j, a->c, "repair", "too many conditions");
   for (int k = 0; ok && k < more.n; k++) a->part[PREMISES].at[a->part[PREMISES].n++] = more.at[k];
-  struct finding again = *f;
-  again.evidence = NULL;
-  again.n_evidence = 0;
+  struct finding again = finding_again(f);
   a->tried = 0;
   if (ok) judge_everywhere(&again, a, view);
   struct text t = {0};
@@ -166,7 +164,7 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
     f->correction = result_str(a->j->out, "with the further premise %s", text_str(&t));
     f->correction_verdict = again.verdict;
   }
-  for (int i = 0; ok && i < again.n_evidence; i++) *finding_add(f, a->j->out) = again.evidence[i];
+  if (ok) finding_take_evidence(f, a->j->out, &again);
   text_clear(&t);
   if (!ok) conditions_clear(&more); /* else they belong to the premises */
   return ok;

@@ -21,7 +21,7 @@ bool judge_repaired(struct finding *f, struct judge *j, const struct claim *c, c
     finding_state(f, j->out, "diagnostic", layer_name[LAYER_CORRECTED], -1, 1, NULL,
                   result_str(j->out, "the correction: %s", d.message));
   }
-  for (int i = 0; i < again.n_evidence; i++) *finding_add(f, j->out) = again.evidence[i];
+  finding_take_evidence(f, j->out, &again);
   f->correction_verdict = again.verdict;
   return true;
 }

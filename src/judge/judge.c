@@ -74,14 +74,12 @@ static bool judge_correction(struct finding *f, struct judge *j, const struct cl
   struct text t = {0};
   bool ok = true;
   if (erratum_text(&t, j->model, c)) {
-    struct finding again = *f;
-    again.evidence = NULL;
-    again.n_evidence = 0;
+    struct finding again = finding_again(f);
     ok = judge_subject(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
     f->correction = result_copy(j->out, text_str(&t));
     f->correction_verdict = again.verdict;
     erratum_typeset(f, j, c);
-    for (int i = 0; ok && i < again.n_evidence; i++) *finding_add(f, j->out) = again.evidence[i];
+    if (ok) finding_take_evidence(f, j->out, &again);
   }
   text_clear(&t);
   return ok;
@@ -210,32 +208,25 @@ bool judge_claim(struct judge *j, const struct claim *c) {
   bool again = f.verdict == VERDICT_REFUTED && k->tried_at_points && !f.correction;
   if (again && !judge_correction(&f, j, c)) return false;
   struct audit_result *out = j->out;
-  out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof f);
   if (f.verdict == VERDICT_SUPPORTED && j->effort == EFFORT_FULL && route_is_asked(j->scene, "exact"))
     finding_why_not(&f, out, c);
-  size_t at = out->n_findings++;
-  out->findings[at] = f;
-  bool readable = f.n_evidence == 0 || strcmp(f.evidence[0].route, "diagnostic") != 0;
-  if (f.verdict != VERDICT_REFUTED || !k->tried_at_points || !readable) return true;
+  size_t at = out->n_findings;
+  audit_finding(out, &f);
+  if (f.verdict != VERDICT_REFUTED || !k->tried_at_points || finding_is_diagnostic(&f)) return true;
   return judge_restrictions(j, c, claim_view(j->model, c), &f) && take_condition(out, at);
 }
 
 /* --- Controls --- */
 
 static bool is_found(const struct audit_result *out, const char *id, enum verdict verdict) {
-  for (size_t i = 0; i < out->n_findings; i++)
-    if (strcmp(out->findings[i].id, id) == 0) return out->findings[i].verdict == verdict;
-  return false;
+  const struct finding *f = audit_result_finding(out, id);
+  return f && f->verdict == verdict;
 }
 
 /* Was the claim refuted because it cannot be read?  Then its damaged form says nothing. */
 static bool is_unreadable(const struct audit_result *out, const struct claim *c) {
-  for (size_t i = 0; i < out->n_findings; i++) {
-    const struct finding *f = &out->findings[i];
-    if (strcmp(f->id, c->id) == 0)
-      return claim_tried_at_points(c) && f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0;
-  }
-  return false;
+  const struct finding *f = audit_result_finding(out, c->id);
+  return f && claim_tried_at_points(c) && finding_is_diagnostic(f);
 }
 
 /* Of a control that says how near it is; where its claim is not tried at points, that is taken as said, and so it is

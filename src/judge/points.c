@@ -441,9 +441,7 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted) {
   for (int i = 0; j->model->system && i < n_restrictions; i++) {
     struct point_trials r;
-    struct finding f = *refuted;
-    f.evidence = NULL;
-    f.n_evidence = 0;
+    struct finding f = finding_again(refuted);
     f.correction = f.effect = f.fault = NULL;
     f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
     struct judge as_wanted = *j; /* unless it is on record, only support counts */
@@ -458,8 +456,7 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
     dep[0] = refuted->id;
     f.depends_on = dep;
     f.n_depends_on = 1;
-    j->out->findings = ss_grow(j->out->findings, j->out->n_findings, &j->out->cap_findings, sizeof f);
-    j->out->findings[j->out->n_findings++] = f;
+    audit_finding(j->out, &f);
   }
   return true;
 }

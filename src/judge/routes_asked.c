@@ -38,8 +38,7 @@ static void missing_of_claim(struct text *names, const struct judge *j, const st
 
 /* Verdicts that nothing was tried for; diagnostics of what cannot be read need no route. */
 static bool needs_no_route(const struct finding *f) {
-  return f->verdict == VERDICT_DEFINITION || f->verdict == VERDICT_SKIPPED ||
-         (f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0);
+  return f->verdict == VERDICT_DEFINITION || f->verdict == VERDICT_SKIPPED || finding_is_diagnostic(f);
 }
 
 void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c) {

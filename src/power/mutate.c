@@ -102,7 +102,7 @@ static bool reads(const struct reader *rd, const struct target *t) {
 enum notice { SAME, OPEN, LOST, CHANGED, BROKEN };
 
 static bool is_diagnostic(const struct finding *f, const struct claim *c) {
-  return claim_kind(c) != KIND_INDEX_RANGE && f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0;
+  return claim_kind(c) != KIND_INDEX_RANGE && finding_is_diagnostic(f);
 }
 
 /* That a proof fails, or succeeds, is not noticed by itself. */

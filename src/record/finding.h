@@ -18,6 +18,11 @@ struct route_result {
 /* The word as evidence, and the word.  bits is -1, where and note are NULL, when they do not apply. */
 struct route_result finding_add_route(struct finding *f, struct audit_result *out, struct route_result w,
                                       const char *layer, long bits, const char *where, const char *note);
+/* The finding without evidence, for its claim to be judged once more; and that evidence at the end of the finding's. */
+struct finding finding_again(const struct finding *f);
+void finding_take_evidence(struct finding *f, struct audit_result *out, const struct finding *again);
+/* Whether it rests on a text that cannot be read. */
+bool finding_is_diagnostic(const struct finding *f);
 /* Evidence that only states something. */
 void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,
                    long trials, const char *where, const char *note);
@@ -28,6 +33,8 @@ void certificate_add(struct certificate *c, struct audit_result *out, const char
 /* "1e-37", the next power of ten above 2^log2x; "0" for -inf. */
 const char *order_of_magnitude(struct audit_result *r, double log2x);
 
+/* A finding at the end of the record's. */
+void audit_finding(struct audit_result *out, const struct finding *f);
 /* What became of a control; it is noticed when it is refuted. */
 void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict);
 /* Other work left out, with the reason. */

@@ -136,6 +136,11 @@ void audit_leave_out(struct audit_result *out, const char *what, const char *why
   out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
 }
 
+void audit_finding(struct audit_result *out, const struct finding *f) {
+  out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof *f);
+  out->findings[out->n_findings++] = *f;
+}
+
 void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
   out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
   out->controls[out->n_controls++] =
@@ -161,6 +166,21 @@ struct evidence *finding_add(struct finding *f, struct audit_result *out) {
   e += f->n_evidence++;
   *e = (struct evidence){.bits = -1, .trials = -1, .machine_residual = NAN};
   return e;
+}
+
+struct finding finding_again(const struct finding *f) {
+  struct finding again = *f;
+  again.evidence = NULL;
+  again.n_evidence = 0;
+  return again;
+}
+
+void finding_take_evidence(struct finding *f, struct audit_result *out, const struct finding *again) {
+  for (int i = 0; i < again->n_evidence; i++) *finding_add(f, out) = again->evidence[i];
+}
+
+bool finding_is_diagnostic(const struct finding *f) {
+  return f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0;
 }
 
 void certificate_add(struct certificate *c, struct audit_result *out, const char *name, const char *value) {

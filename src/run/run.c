@@ -219,8 +219,7 @@ static void note_exhausted(struct audit_result *out, struct audit_work *r, const
     f.recorded = N_VERDICTS; /* the record knows of no budget */
     finding_state(&f, out, "none", layer_name[LAYER_CORRECTED], -1, 0, NULL,
                   result_str(out, "budget of %llu exhausted", j.scene->asked.budget));
-    out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof f);
-    out->findings[out->n_findings++] = f;
+    audit_finding(out, &f);
   }
 }
 
