@@ -241,16 +241,11 @@ bool claims_check_selection(const struct claims *claims, const char *const *only
   return true;
 }
 
-/* Items of a list separated by commas, into names. */
 int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list) {
   int n = 0;
-  for (const char *p = list; p && *p && n < max;) {
-    while (*p == ' ' || *p == ',') p++;
-    size_t len = strcspn(p, ", ");
-    if (len == 0) break;
+  size_t len;
+  for (const char *p = list_item(&len, list); p && n < max; p = list_item(&len, p + len))
     snprintf(names[n++], CLAIM_NAME, "%.*s", (int)(len < CLAIM_NAME ? len : CLAIM_NAME - 1), p);
-    p += len;
-  }
   return n;
 }
 

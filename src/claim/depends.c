@@ -32,10 +32,6 @@ struct dependences {
   size_t n;
 };
 
-static struct view view_of(const struct model *m, const struct claim *c) {
-  return (struct view){m, LAYER_CORRECTED, claim_own(c), NULL};
-}
-
 /* --- One claim --- */
 
 static void add_about(struct reach *r, const struct view *v, const char *name, const char *section) {
@@ -93,33 +89,24 @@ static void reach_record(struct elaboration *el, const struct view *v, const cha
   }
 }
 
-/* The id at the head of an item of a list, "eq-52#1.2 D", into id; the rest of the list, or NULL at its end. */
-static const char *next_record(char id[64], const char *list) {
-  list += strspn(list, ", ");
-  size_t n = strcspn(list, "#, ");
-  if (n == 0) return NULL;
-  snprintf(id, 64, "%.*s", (int)(n < 64 ? n : 63), list);
-  return list + strcspn(list, ",");
-}
-
 static bool lists_record(const char *list, const char *record) {
-  char id[64];
-  while (list && (list = next_record(id, list)) != NULL)
-    if (strcmp(id, record) == 0) return true;
+  struct cited at;
+  while ((list = claim_next_cited(&at, list)) != NULL)
+    if (strcmp(at.id, record) == 0) return true;
   return false;
 }
 
 /* What arguments, counts and sequences are made of. */
 static void reach_lists(struct elaboration *el, const struct view *v, const struct claim *c) {
   static const char *const lists[] = {"premises", "conclusion", "repair", "constraints", "conditions", "statements"};
-  char id[64];
+  struct cited at;
   for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
-    for (const char *p = claim_get(c, lists[i]); p && (p = next_record(id, p)) != NULL;) reach_record(el, v, id);
+    for (const char *p = claim_get(c, lists[i]); (p = claim_next_cited(&at, p)) != NULL;) reach_record(el, v, at.id);
 }
 
 static void look_at_claim(struct reach *r, const struct model *m, const struct claim *c) {
   const char *value = claim_get(c, "value");
-  struct view v = view_of(m, c);
+  struct view v = claim_view(m, c);
   r->number = claim_get(c, "number");
   r->record = claim_get(c, "statement");
   read_about(r, &v, value, claim_section(c));
@@ -136,7 +123,7 @@ static const struct reach *walk(struct dependences *d, size_t a) {
   const struct claim *c = &d->claims->claim[a];
   if (r->walked) return r;
   r->walked = true;
-  struct view v = view_of(d->model, c);
+  struct view v = claim_view(d->model, c);
   struct elaboration el;
   elaboration_init(&el, v, NULL, 0);
   reach_text(r, &el, claim_get(c, "value"), claim_section(c));
@@ -243,16 +230,11 @@ bool dependences_corrected(struct dependences *d, size_t a, const char *equation
 
 /* --- The list of a finding --- */
 
-/* Whether a comma-separated list names the id. */
-static bool names_id(const char *list, const char *id) {
+bool dependences_named(const struct claim *c, const char *id) {
   size_t len = strlen(id), n;
-  for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n))
+  for (const char *p = list_item(&n, claim_get(c, "depends-on")); p; p = list_item(&n, p + n))
     if (n == len && strncmp(p, id, n) == 0) return true;
   return false;
-}
-
-bool dependences_named(const struct claim *c, const char *id) {
-  return names_id(claim_get(c, "depends-on"), id);
 }
 
 /* Every id that is named by hand must be that of a claim. */
