@@ -3,9 +3,6 @@
 
 #include "value/values.h"
 
-static const char *const start_name[2] = {"z_10", "z_20"};
-static const char *const time_name[N_PHASES] = {"t_a", "t_b", "t_c", "t_d"};
-
 void certify_exact(struct certificate *c, struct judge *j, const char *name, const fmpq *x) {
   certificate_add(c, j->out, name, rational_text(j, x));
 }
@@ -24,17 +21,17 @@ void certify_scene(struct certificate *c, struct judge *j) {
 }
 
 void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o) {
-  certify_ball(c, j, start_name[0], o->z10);
-  certify_ball(c, j, start_name[1], o->z20);
-  for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, time_name[k], o->t[k]);
+  certify_ball(c, j, name_state[0][Z_1], o->z10);
+  certify_ball(c, j, name_state[0][Z_2], o->z20);
+  for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, name_time[k], o->t[k]);
 }
 
 /* The start and the four times of the point's pass. */
 static void certify_pass(struct certificate *c, struct judge *j, const struct point *p) {
   struct values v;
   if (values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK) {
-    for (int i = 0; i < 2; i++) certify_ball(c, j, start_name[i], num_vec_at(&v.arc.z, i));
-    for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, time_name[k], num_vec_at(&v.arc.t, k));
+    for (int i = 0; i < 2; i++) certify_ball(c, j, name_state[0][i], num_vec_at(&v.arc.z, i));
+    for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, name_time[k], num_vec_at(&v.arc.t, k));
   }
   values_clear(&v);
 }

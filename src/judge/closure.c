@@ -69,7 +69,7 @@ static void closure_by_times(struct finding *f, struct judge *j) {
 static void certify_gap(struct finding *f, struct judge *j, const struct printed_number *const z[2], arb_srcptr gap) {
   struct certificate *c = &f->certificate;
   certify_scene(c, j);
-  for (int i = 0; i < 2; i++) certify_exact(c, j, i ? "z_20" : "z_10", &z[i]->value);
+  for (int i = 0; i < 2; i++) certify_exact(c, j, name_state[0][i], &z[i]->value);
   certify_exact(c, j, "unit", &z[0]->unit);
   for (int i = 0; i < 2; i++) certify_ball(c, j, i ? "off in z_2" : "off in z_1", gap + 1 + i);
 }

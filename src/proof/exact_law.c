@@ -96,14 +96,13 @@ bool exact_follows(struct exact_motion *m, const element *x, const struct num_ve
 
 /* |dx/dname| as an element, where that is of one sign and does not depend on the positions. */
 static bool slope_of(element *slope, struct exact_motion *m, const element *x, const char *name) {
-  static const char *const position[2] = {"z_10", "z_20"};
   struct calc c = exact_calc(m->field);
   struct num_vec positive = calc_vec(&c, EXACT_POSITIVE);
   int n = exact_motion_positive(&positive, m);
   bool ok = exact_derivative(slope, m->field, x, name) == SS_OK;
   for (int i = 0; ok && i < 2; i++) {
     element *again = calc_new(&c);
-    ok = exact_derivative(again, m->field, slope, position[i]) == SS_OK && exact_is_zero(m->field, again);
+    ok = exact_derivative(again, m->field, slope, name_state[0][i]) == SS_OK && exact_is_zero(m->field, again);
   }
   int sign = ok && !exact_is_zero(m->field, slope) ? exact_product_sign(slope, num_vec_at(&positive, 0), n) : 0;
   if (sign < 0) num_exact.neg(slope, slope, 0);

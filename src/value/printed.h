@@ -45,13 +45,6 @@ void printed_release(struct printed_number *own);
 /* The number of decimals to which it is given; 0 where its unit is no decimal place. */
 slong printed_decimals(const struct printed_number *p);
 
-/* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to
-   the printed numbers.  Status flags. */
-int scene_numbers(struct num_vec *params, struct judge *j);
-
-/* The orbits at the scene's parameters. */
-const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache);
-
 /* Why a scene for which scene_has_forces is false has none: also a box, of which an audit keeps no data. */
 const char *scene_lacks_forces(const struct scene *s);
 /* Marks the claim as skipped, with the reason. */

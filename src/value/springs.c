@@ -9,9 +9,7 @@
 
 /* Where a mass slips in a phase, slower than the belt, its friction is u_si; where it sticks, the restoring force. */
 static val friction(struct calc *c, struct values *v, int mass) {
-  static const bool slips[2][N_PHASES] = {{[PHASE_GAMMA] = true, [PHASE_H] = true},
-                                          {[PHASE_H] = true, [PHASE_C] = true}};
-  if (slips[mass][v->point->phase]) return num_vec_at(&v->q, mass ? Q_US2 : Q_US1);
+  if (phase_slips[v->point->phase][mass]) return num_vec_at(&v->q, mass ? Q_US2 : Q_US1);
   bool known[2];
   void *x1 = calc_new(c), *x2 = calc_new(c);
   val chi = num_vec_at(&v->params, P_CHI);

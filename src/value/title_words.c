@@ -1,4 +1,5 @@
 /* The words of titles: records by number or formula, lists, phases, and the places that "points" names. */
+#include "names.h"
 #include "title_impl.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -171,12 +172,10 @@ const struct statement_record *title_record(const struct title *t, const char *i
 
 /* The phase whose interval of time the statement names as its range; N_PHASES: none. */
 static enum phase phase_of_range(const struct stmt *s) {
-  static const char *const end[N_PHASES] = {"t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
   if (!s->range_var || s->range_signs) return N_PHASES;
   struct text hi = {0};
   expr_print(&hi, s->range_hi);
-  int ph = 0;
-  while (ph < N_PHASES && strcmp(end[ph], text_str(&hi)) != 0) ph++;
+  int ph = word_find(text_str(&hi), name_switching + 1, N_PHASES);
   text_clear(&hi);
   return (enum phase)ph;
 }
