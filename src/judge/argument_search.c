@@ -84,12 +84,6 @@ static void weigh(struct candidate *c, struct argument *a) {
 
 /* --- Going downhill --- */
 
-static bool in_domain(const fmpq q[N_DRAW]) {
-  bool ok = fmpq_cmp_ui(&q[DRAW_CHI], 1) < 0;
-  for (int i = 0; i < N_DRAW; i++) ok = ok && fmpq_sgn(&q[i]) > 0;
-  return ok;
-}
-
 /* Coordinate steps, halved when none helps, until the conclusion fails clearly. */
 static void descend(struct candidate *best, struct argument *a) {
   enum { FINEST = 5, MOST = 80 };
@@ -109,7 +103,7 @@ static void descend(struct candidate *best, struct argument *a) {
         for (int k = 0; k < N_DRAW; k++) fmpq_set(&q[k], &best->item.q[k]);
         fmpq_set_si(step, move % 2 ? 1 : -1, unit[i] << level);
         fmpq_add(&q[i], &q[i], step);
-        if (!in_domain(q)) continue;
+        if (!dyn_in_domain(q, N_DRAW)) continue;
         struct candidate next;
         pool_item_init(&next.item, q);
         weigh(&next, a);

@@ -31,16 +31,6 @@ static bool parse_value(fmpq *z, const char *s, size_t len) {
   return ok;
 }
 
-static bool in_domain(const struct point *p) {
-  fmpq_t one;
-  fmpq_init(one);
-  fmpq_one(one);
-  bool ok = fmpq_cmp(&p->q[Q_CHI], one) < 0;
-  fmpq_clear(one);
-  for (int q = Q_CHI; q <= Q_E2; q++) ok = ok && fmpq_sgn(&p->q[q]) > 0;
-  return ok;
-}
-
 /* The error of an item of which len bytes may be a name; of one that is not known, which there are. */
 static bool complain(const char *item, size_t len, struct diag *d) {
   struct suggestion meant;
@@ -79,7 +69,7 @@ bool point_set(struct point *p, const char *at, struct diag *d) {
     s += n;
     if (*s == ',') s++;
   }
-  if (in_domain(p)) return true;
+  if (dyn_in_domain(p->q + Q_CHI, N_PARAMS)) return true;
   diag_set(d, "error: --at leaves the domain 0 < chi < 1, eta, V, e1, e2 > 0");
   return false;
 }
