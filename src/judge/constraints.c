@@ -139,7 +139,7 @@ static truth closes(const struct pool_item *item, slong index, const double u_r[
     fmpq_set_si(&s.value[KEY_U_R1 + i], (slong)ceil(ldexp(u_r[i], 20)), 1 << 20);
     s.given[KEY_U_R1 + i] = true;
   }
-  bool ok = coulomb_setup_listed(&sim, &s, index, NULL);
+  bool ok = coulomb_setup_listed(&sim, &s, index);
   for (int i = 0; i < 2; i++) fmpq_clear(&s.value[KEY_U_R1 + i]);
   if (!ok) return TRUTH_UNKNOWN;
   return coulomb_setup_closes(&sim);

@@ -26,7 +26,7 @@ static bool simulated_word(struct text *word, const struct scene *s, slong orbit
   struct coulomb_log log;
   struct coulomb_result end;
   struct coulomb_plan plan = coulomb_plan_default;
-  if (!coulomb_setup_listed(&sim, s, orbit, NULL)) return false;
+  if (!coulomb_setup_listed(&sim, s, orbit)) return false;
   plan.returns = 1;
   plan.duration = 4 * sim.period;
   coulomb_log_init(&log);

@@ -88,10 +88,10 @@ bool coulomb_setup_among(struct coulomb_setup *sim, const struct scene *s, const
   return setup_from(sim, s, list, orbit, false, NULL);
 }
 
-bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit, struct diag *d) {
+bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit) {
   struct dyn_orbits list;
   audit_orbits(&list, s, SETUP_PREC);
-  bool ok = setup_from(sim, s, &list, orbit, false, d);
+  bool ok = coulomb_setup_among(sim, s, &list, orbit);
   dyn_orbits_clear(&list);
   return ok;
 }

@@ -23,8 +23,9 @@ bool coulomb_start_read(double *z, int n, const char *start, const char *takes, 
    the stick phase is needed. */
 truth coulomb_setup_closes(const struct coulomb_setup *sim);
 
-/* audit_coulomb_setup on an orbit, by its number in the list of audit_orbits as it is, by which claims count. */
-bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit, struct diag *d);
+/* audit_coulomb_setup on an orbit, by its number in the list of audit_orbits as it is, by which claims count; nothing is
+   said where it fails. */
+bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit);
 /* The same by its number in a list of the scene's orbits that is at hand, of 128 bits or more. */
 bool coulomb_setup_among(struct coulomb_setup *sim, const struct scene *s, const struct dyn_orbits *list, slong orbit);
 /* Coulomb's law beside an orbit, under the friction u_ri = factor max(e_i, u_ri_min).  OWN_FRICTION is the factor that

@@ -48,11 +48,11 @@ const struct orbit_pool *orbit_pool_get(struct judge *j) {
   work_touch(WORK_ORBIT_POOL);
   if (j->pool) return j->pool;
   struct orbit_pool *p = j->pool = ss_malloc(sizeof *p);
-  *p = (struct orbit_pool){.draws = j->effort == EFFORT_REFUTE ? FEW : DRAWS};
+  *p = (struct orbit_pool){.n = 0};
   fmpq q[N_DRAW];
   uint64_t state = 1;
   for (int i = 0; i < N_DRAW; i++) fmpq_init(&q[i]);
-  for (long k = 0; k < p->draws; k++) {
+  for (int draws = j->effort == EFFORT_REFUTE ? FEW : DRAWS; draws > 0; draws--) {
     struct pool_item one;
     work_add(UNITS_OF_DRAW);
     draw(q, &state);

@@ -16,7 +16,7 @@ struct pool_item {
 struct orbit_pool {
   struct pool_item **item;
   size_t n, cap;
-  long draws, orbits, admissible;
+  long orbits, admissible;
 };
 
 /* The pool of a run, drawn when first asked for; it dies with the run. */

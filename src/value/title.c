@@ -38,11 +38,11 @@ static bool make_sentence(struct text *out, const struct title *t) {
   return title_expand(out, &quiet, text) || missing(t);
 }
 
-/* The record that the attribute names; NULL with t->d set. */
-static const struct statement_record *record_named(const struct title *t, const char *attribute) {
-  const char *id = claim_get(t->c, attribute);
+/* The record that is the claim's statement; NULL with t->d set. */
+static const struct statement_record *its_statement(const struct title *t) {
+  const char *id = claim_get(t->c, "statement");
   const struct statement_record *r = id ? title_record(t, id, strlen(id)) : NULL;
-  if (id && !r) title_no_record(t, attribute, id);
+  if (id && !r) title_no_record(t, "statement", id);
   if (!r) missing(t);
   return r;
 }
@@ -74,7 +74,7 @@ static void stated(struct text *out, const char **verb, const struct title *t, c
 }
 
 static bool make_identity(struct text *out, const struct title *t) {
-  const struct statement_record *r = record_named(t, "statement");
+  const struct statement_record *r = its_statement(t);
   const char *points = claim_points_asked(t->c);
   if (!r) return false;
   const char *verb;
@@ -131,7 +131,7 @@ static bool make_matrix(struct text *out, const struct title *t) {
 }
 
 static bool make_sharp(struct text *out, const struct title *t) {
-  const struct statement_record *r = record_named(t, "statement");
+  const struct statement_record *r = its_statement(t);
   const char *points = claim_points_asked(t->c);
   char phase[16];
   if (!r) return false;
@@ -152,7 +152,7 @@ static bool names_friction(const struct expr *e, const void *arg) {
 
 /* On an example that gives no u_r1 and u_r2 nothing can be said of them (judge/inequality.c). */
 static bool make_inequality(struct text *out, const struct title *t) {
-  const struct statement_record *r = record_named(t, "statement");
+  const struct statement_record *r = its_statement(t);
   if (!r) return false;
   bool friction = false;
   for (int k = 0; k < r->n_stmts; k++) friction = friction || stmt_any(r->stmts[k], names_friction, NULL);
@@ -276,14 +276,14 @@ static bool make_argument(struct text *out, const struct title *t) {
 }
 
 static bool make_rank(struct text *out, const struct title *t) {
-  const struct statement_record *r = record_named(t, "statement");
+  const struct statement_record *r = its_statement(t);
   const char *rank = claim_get(t->c, "rank"), *unknowns = claim_get(t->c, "unknowns");
   if (!r) return false;
   if (!rank || !unknowns) return missing(t);
   struct text name = {0};
   const char *verb;
   if (title_owns_number(t, r))
-    title_name(&name, t, r, true);
+    title_name(&name, r);
   else
     stated(&name, &verb, t, r, MOST_STATED);
   text_printf(out, "%s %s ", text_str(&name), title_is_plural(text_str(&name)) ? "amount to" : "amounts to");
@@ -396,7 +396,7 @@ static bool make_constraints(struct text *out, const struct title *t) {
 }
 
 static bool make_criterion(struct text *out, const struct title *t) {
-  const struct statement_record *r = record_named(t, "statement");
+  const struct statement_record *r = its_statement(t);
   const char *side = claim_get(t->c, "side");
   if (!r) return false;
   struct text formulas = {0};
@@ -433,7 +433,7 @@ static void listed_as_printed(struct text *out, const char *at) {
 
 /* "(18) has exactly one solution with positive times and t_c up to 20 on the example". */
 static bool make_solutions(struct text *out, const struct title *t) {
-  const struct statement_record *r = record_named(t, "statement");
+  const struct statement_record *r = its_statement(t);
   const char *count = claim_get(t->c, "count"), *every = claim_get(t->c, "every"), *at = claim_get(t->c, "at");
   const char *until = claim_get(t->c, "until"), *kept = claim_get(t->c, "kept"),
              *note = r ? title_note(r, false) : NULL;
@@ -468,10 +468,10 @@ static bool make_notation(struct text *out, const struct title *t) {
 
 static bool make_scaling(struct text *out, const struct title *t) {
   const char *scaled = claim_get(t->c, "scaled"), *statement = claim_get(t->c, "statement");
-  const struct statement_record *r = statement ? record_named(t, "statement") : NULL;
+  const struct statement_record *r = statement ? its_statement(t) : NULL;
   if (!scaled || (statement && !r)) return missing(t);
   if (r)
-    title_name(out, t, r, true);
+    title_name(out, r);
   else
     text_add(out, "every formula");
   struct title_list l;

@@ -15,7 +15,7 @@ static bool write_records(struct text *out, const struct title *t, const char *a
     const struct statement_record *r = title_record(t, item, strlen(item));
     struct text *to = title_list_next(&l);
     if (r)
-      title_name(to, t, r, true);
+      title_name(to, r);
     else
       text_add(to, item);
   }

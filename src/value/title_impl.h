@@ -46,9 +46,8 @@ bool title_owns_number(const struct title *t, const struct statement_record *r);
 /* "(18) and (16)": the note of a record that has no number, where it begins and ends with that of another, and when brief
    "(55) at t = 0", where it begins with one; else NULL. */
 const char *title_note(const struct statement_record *r, bool brief);
-/* A record by its note where that names others; by its equation number where that is its own, or when brief; else by its
-   formulas. */
-void title_name(struct text *out, const struct title *t, const struct statement_record *r, bool brief);
+/* A record by its note where that names others; by its equation number where it has one; else by its formulas. */
+void title_name(struct text *out, const struct statement_record *r);
 /* Items as formulas; by number where a formula is no shorter; by number wherever there is one. */
 enum title_detail { TITLE_FORMULAS, TITLE_BRIEF, TITLE_NUMBERS };
 /* Which items are written: all, or those that are equations alone, or those that are not. */

@@ -241,11 +241,11 @@ const char *title_note(const struct statement_record *r, bool brief) {
   return numbers || (brief && !strchr(note, ',')) ? note : NULL;
 }
 
-void title_name(struct text *out, const struct title *t, const struct statement_record *r, bool brief) {
+void title_name(struct text *out, const struct statement_record *r) {
   const char *note = title_note(r, false);
   if (note)
     text_add(out, note);
-  else if (title_owns_number(t, r) || (brief && *r->equation))
+  else if (*r->equation)
     text_printf(out, "(%s)", r->equation);
   else
     title_formulas(out, r);
