@@ -43,13 +43,8 @@ static void compare_lists(struct constraints *x, const struct point *p, const st
 
 /* The closed form for the least u_r1 or u_r2 at an orbit. */
 static bool form_at(arb_t z, struct constraints *x, int i, const struct point *p) {
-  const char *formula = claim_get(x->c, least_attribute[i]), *section = claim_get(x->c, "section");
-  int n;
-  arb_ptr v = _arb_vec_init(16);
-  int s = expression_at(v, &n, x->view, formula, section, p, FIRST_PREC, x->j->cache, x->j->d);
-  arb_set(z, v);
-  _arb_vec_clear(v, 16);
-  return s == SS_OK && n == 1;
+  return expression_number(z, x->view, claim_get(x->c, least_attribute[i]), claim_section(x->c), p, FIRST_PREC,
+                           x->j->cache, x->j->d) == SS_OK;
 }
 
 static void compare_form(struct constraints *x, int i, const arb_t least, const struct point *p) {

@@ -272,14 +272,14 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
     if (i != nearest) state_orbit(f, j, list, i, nearest >= 0 ? "another periodic solution" : "a periodic solution");
   for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {
     struct view v = {view.model, (enum layer)layer, NULL, view.control};
-    arb_ptr tr = _arb_vec_init(16);
-    int n;
-    if (expression_at(tr, &n, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
+    arb_t tr;
+    arb_init(tr);
+    if (expression_number(tr, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
       finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, NULL,
                     result_str(j->out, "with the printed numbers put in, the %s formulas give tr J = %s",
                                layer == LAYER_PRINTED ? "printed" : "corrected", ball_text(j, tr, 8)));
     }
-    _arb_vec_clear(tr, 16);
+    arb_clear(tr);
   }
   point_clear(&p);
   f->verdict = VERDICT_DEFINITION;

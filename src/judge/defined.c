@@ -55,13 +55,9 @@ static bool find_member(struct point *p, const struct dyn_box_orbit *family, str
 /* The sign of the divisor at one end of the family; 0: unknown. */
 static int sign_at(arb_t value, struct point *p, const struct divisor *q, const struct dyn_box_orbit *family,
                    struct behaviour *b) {
-  arb_ptr v = _arb_vec_init(16);
-  int n = 0;
-  bool known = find_member(p, family, b->j) && expression_at(v, &n, b->view, text_str(&q->formula), q->section, p,
-                                                             FD_PREC, b->j->cache, b->j->d) == SS_OK;
-  arb_set(value, v);
-  _arb_vec_clear(v, 16);
-  return known && n == 1 ? arb_is_positive(value) - arb_is_negative(value) : 0;
+  bool known = find_member(p, family, b->j) && expression_number(value, b->view, text_str(&q->formula), q->section, p,
+                                                                 FD_PREC, b->j->cache, b->j->d) == SS_OK;
+  return known ? arb_is_positive(value) - arb_is_negative(value) : 0;
 }
 
 /* The two members of the family, those of the second under names with "(2)". */

@@ -53,3 +53,12 @@ int expression_at(arb_ptr out, int *n, struct view view, const char *expression,
   expression_close(&x);
   return s;
 }
+
+int expression_number(arb_t z, struct view view, const char *expression, const char *section, const struct point *p,
+                      slong prec, struct orbit_cache *cache, struct diag *d) {
+  struct expression x;
+  bool ok = expression_open(&x, view, expression, section, d) && x.n == 1;
+  int s = ok ? expression_value(z, &x, p, prec, cache) : SS_UNABLE;
+  expression_close(&x);
+  return s;
+}

@@ -24,6 +24,10 @@ int expression_value(arb_ptr out, const struct expression *x, const struct point
 int expression_at(arb_ptr out, int *n, struct view v, const char *expression, const char *section,
                   const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d);
 
+/* The same of an expression that is one number; SS_UNABLE where it has more entries. */
+int expression_number(arb_t z, struct view v, const char *expression, const char *section, const struct point *p,
+                      slong prec, struct orbit_cache *cache, struct diag *d);
+
 /* The outputs of a tape at a point, in the context of out; *known is false where a symbol has no value at such a
    point. */
 int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const struct point *p,
