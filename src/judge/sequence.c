@@ -23,35 +23,34 @@ static struct route_result add(struct finding *f, struct judge *j, const char *r
 /* The letters of one period of the Coulomb simulation from the orbit's start; false when it cannot be simulated. */
 static bool simulated_word(struct text *word, const struct scene *s, slong orbit) {
   struct coulomb_setup sim;
-  struct coulomb_log log;
   struct coulomb_result end;
-  struct coulomb_plan plan = coulomb_plan_default;
   if (!coulomb_setup_listed(&sim, s, orbit)) return false;
-  plan.returns = 1;
-  plan.duration = 4 * sim.period;
-  coulomb_log_init(&log);
-  struct coulomb_sink sink = coulomb_log_sink(&log);
-  int status = coulomb_simulate_ode(&end, sim.params, sim.start, &plan, &sink);
   text_add_char(word, 'D');
-  coulomb_log_word(word, &log);
-  coulomb_log_clear(&log);
-  return status == SS_OK;
+  return coulomb_setup_return(word, &end, &sim, 4) == SS_OK;
+}
+
+/* The phases that a text names, at most so many of them; how many, 0 where one is no phase. */
+static int read_phases(enum phase *phase, int most, const char *text) {
+  char name[16];
+  int n = 0, used;
+  for (; text && n < most && sscanf(text, " %15s%n", name, &used) == 1; text += used) {
+    int ph = word_find(name, phase_name, N_PHASES);
+    if (ph == N_PHASES) return 0;
+    phase[n++] = (enum phase)ph;
+  }
+  return n;
 }
 
 /* "D Gamma H C" as the simulation spells it, with the phase that begins anew. */
 static bool letters_of(char out[16], const char *word) {
+  enum { MOST = 14 };
   static const char letter[N_PHASES] = {'D', 'G', 'H', 'C'};
-  char name[16];
-  size_t n = 0;
-  int used;
-  for (; n < 14 && sscanf(word, " %15s%n", name, &used) == 1; word += used) {
-    int ph = word_find(name, phase_name, N_PHASES);
-    if (ph == N_PHASES) return false;
-    out[n++] = letter[ph];
-  }
+  enum phase phase[MOST];
+  int n = read_phases(phase, MOST, word);
+  for (int i = 0; i < n; i++) out[i] = letter[phase[i]];
   if (n == 0) return false;
-  out[n++] = out[0];
-  out[n] = '\0';
+  out[n] = out[0];
+  out[n + 1] = '\0';
   return true;
 }
 
@@ -78,7 +77,7 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
   const char *word = claim_get(c, "word");
   struct conditions list = {.n = 0};
   struct point p;
-  if (!word || !letters_of(letters, word)) return claim_error(j, c, "word", "the names of phases are needed");
+  if (!letters_of(letters, word)) return claim_error(j, c, "word", "the names of phases are needed");
   bool ok = conditions_read(&list, j, c, "conditions", view);
   point_init(&p);
   if (ok && !nearest_orbit_point(&p, j->scene, j->cache)) {
@@ -157,17 +156,6 @@ static truth returns(const struct judge *j, const struct dyn_orbit *o, const enu
   return back;
 }
 
-static int read_phases(enum phase through[N_PHASES], const char *text) {
-  char name[16];
-  int n = 0, used;
-  for (; text && n < N_PHASES && sscanf(text, " %15s%n", name, &used) == 1; text += used) {
-    int ph = word_find(name, phase_name, N_PHASES);
-    if (ph == N_PHASES) return 0;
-    through[n++] = (enum phase)ph;
-  }
-  return n;
-}
-
 static struct route_result add_returns(struct finding *f, struct judge *j, const struct dyn_orbits *list,
                                        const enum phase *through, int n, bool closed) {
   struct answers back = {{0}};
@@ -197,7 +185,7 @@ bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, 
     return true;
   }
   for (int i = 0; i < 2; i++) fmpq_init(&value[i]);
-  int n = read_phases(through, claim_get(c, "through"));
+  int n = read_phases(through, N_PHASES, claim_get(c, "through"));
   bool ok = n > 0 || claim_error(j, c, "through", "the names of phases are needed");
   ok = ok && (read_given(which, value, claim_get(c, "given")) ||
               claim_error(j, c, "given", "reads NAME = VALUE, NAME = VALUE"));

@@ -135,22 +135,28 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
   return ok;
 }
 
-truth coulomb_setup_closes(const struct coulomb_setup *sim) {
+int coulomb_setup_return(struct text *word, struct coulomb_result *end, const struct coulomb_setup *sim,
+                         double periods) {
   struct coulomb_log log;
-  struct coulomb_result end;
   struct coulomb_plan plan = coulomb_plan_default;
-  struct text word = {0};
   plan.returns = 1;
-  plan.duration = 2 * sim->period;
+  plan.duration = periods * sim->period;
   coulomb_log_init(&log);
   struct coulomb_sink sink = coulomb_log_sink(&log);
-  int status = coulomb_simulate_ode(&end, sim->params, sim->start, &plan, &sink);
-  coulomb_log_word(&word, &log);
+  int status = coulomb_simulate_ode(end, sim->params, sim->start, &plan, &sink);
+  coulomb_log_word(word, &log);
+  coulomb_log_clear(&log);
+  return status;
+}
+
+truth coulomb_setup_closes(const struct coulomb_setup *sim) {
+  struct coulomb_result end;
+  struct text word = {0};
+  int status = coulomb_setup_return(&word, &end, sim, 2);
   double off = fabs(end.at.x[1] - end.at.x[0] - (sim->start[1] - sim->start[0])) /
                (1 + fabs(sim->start[0]) + fabs(sim->start[1]));
   bool same = strcmp(text_str(&word), "GHCD") == 0;
   text_clear(&word);
-  coulomb_log_clear(&log);
   if (status != SS_OK) return TRUTH_UNKNOWN;
   if (!same || off > 1e-3) return TRUTH_FALSE;
   return off < 1e-7 ? TRUTH_TRUE : TRUTH_UNKNOWN;
