@@ -96,12 +96,6 @@ static void add_quote(struct text *out, const struct statement_record **last, co
   *last = r;
 }
 
-static const struct statement_record *record_of(const struct model *m, const struct record *r) {
-  for (size_t i = 0; i < m->n_records; i++)
-    if (m->records[i].record == r) return &m->records[i];
-  return NULL;
-}
-
 /* What an erratum is set beside: texts that grow from one erratum of a claim to the next. */
 struct beside {
   struct arena *arena;
@@ -129,7 +123,7 @@ static void set_beside(struct beside *b, const struct model *m, const struct sta
       const struct definition *def = view_lookup(&printed, now->name, erratum->section, &d);
       before = def ? def->stmt : NULL;
       if (before) add_statement(&b->printed, b->arena, before);
-      if (def) add_quote(&b->quote, &b->quoted, record_of(m, def->record));
+      if (def) add_quote(&b->quote, &b->quoted, model_statements(m, def->record));
     }
     b->comparable = before && compare_statements(&b->change, before, now) && b->comparable;
   }

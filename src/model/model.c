@@ -53,6 +53,12 @@ bool model_is_symbol(const struct model *m, const char *name) {
   return false;
 }
 
+const struct statement_record *model_statements(const struct model *m, const struct record *r) {
+  for (size_t i = 0; i < m->n_records; i++)
+    if (m->records[i].record == r) return &m->records[i];
+  return NULL;
+}
+
 const struct symbol *model_own_symbol(const struct model *m, const char *name) {
   for (size_t i = 0; m->n_own && i < m->n_symbols; i++)
     if (strcmp(m->symbols[i].name, name) == 0) return m->symbols[i].has_domain ? &m->symbols[i] : NULL;

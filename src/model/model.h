@@ -138,6 +138,8 @@ bool model_is_symbol(const struct model *m, const char *name);
 const struct symbol *model_own_symbol(const struct model *m, const char *name);
 /* Whether the definition belongs to the view's layer (a higher rank may still hide it). */
 bool view_sees(const struct view *v, const struct definition *def);
+/* What a record of the files says, or NULL. */
+const struct statement_record *model_statements(const struct model *m, const struct record *r);
 /* The record of that id under the view, or NULL. */
 const struct statement_record *view_record(const struct view *v, const char *id);
 /* The same view without the stable forms, for proofs: they are proved equal to the corrected ones (proof/stable_forms.h),

@@ -214,18 +214,12 @@ static bool prove(struct stable_proofs *out, struct stable_proof p, const struct
 
 /* --- All forms --- */
 
-static const struct statement_record *home(const struct model *m, const struct definition *def) {
-  for (size_t i = 0; i < m->n_records; i++)
-    if (m->records[i].record == def->record) return &m->records[i];
-  return NULL;
-}
-
 /* What a definition equals in the corrected layer: its own name there (NAME or NAME(t)), or for the last one of a
    record what "equals" says; NULL when it is a part of others. */
 static const char *counterpart(const char *value, const struct model *m, const struct definition *def, struct diag *d) {
   struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
   bool own = view_lookup(&corrected, def->name, def->section, d) != NULL;
-  const struct statement_record *r = home(m, def);
+  const struct statement_record *r = model_statements(m, def->record);
   const char *equals = r->stmts[r->n_stmts - 1] == def->stmt ? record_get(def->record, "equals") : NULL;
   if (own && equals) diag_set(d, "%s has a corrected form; \"equals\" is for parts that have none", def->name);
   return own ? value : equals;
@@ -271,7 +265,7 @@ static bool prove_definition(struct stable_proofs *out, struct unknowns *u, cons
     struct sides of = {.value = {other, text_str(&own)}};
     ok = prove(out,
                (struct stable_proof){.section = def->section,
-                                     .record = home(m, def),
+                                     .record = model_statements(m, def->record),
                                      .stmt = def->stmt,
                                      .equals = other == text_str(&own) ? NULL : other},
                m, &of, u, d);
