@@ -80,11 +80,10 @@ static void add_side(struct text *out, const struct expr *e, bool beside_zero) {
 }
 
 static void add_relation(struct text *out, const struct stmt *s) {
-  static const char *const op[] = {" = ", " < ", " <= ", " > ", " >= "};
   bool zero = expr_is_zero(s->sides[s->n_sides - 1]);
   int damaged = zero ? s->n_sides - 2 : s->n_sides - 1;
   for (int i = 0; i < s->n_sides; i++) {
-    if (i) text_add(out, op[s->ops[i - 1]]);
+    if (i) text_add(out, relop_text[s->ops[i - 1]]);
     if (i == damaged)
       add_side(out, s->sides[i], zero);
     else

@@ -88,6 +88,7 @@ extern const char expr_pi[];
 
 enum stmt_kind { STMT_DEFINE, STMT_RELATION, STMT_ROOT, STMT_TRAJECTORY };
 enum relop { REL_EQ, REL_LT, REL_LE, REL_GT, REL_GE };
+extern const char *const relop_text[]; /* " = ", " < ", ... */
 
 struct stmt {
   enum stmt_kind kind;
@@ -118,6 +119,8 @@ const struct expr *expr_parse(struct arena *a, const struct source *src, struct 
 /* Infix text that parses back to an equal tree (scalars too: parentheses are put in where the grammar needs them). */
 void expr_print(struct text *out, const struct expr *e);
 void stmt_print(struct text *out, const struct stmt *s);
+/* Step k of a relation, "a < b". */
+void stmt_print_step(struct text *out, const struct stmt *s, int k);
 /* As a reader writes it in a line of prose, not to be read back: products by a blank, a^-1, |a|, M_12 for M[1,2], columns
    and transposed rows as (a, b); the argument t of a name in small letters is left out, z_1' for z_1'(t).  Of a statement
    the relations alone: without its range and without sides that are first_order(...); "name = ..." of a definition. */

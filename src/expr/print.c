@@ -227,7 +227,7 @@ void expr_plain(struct text *out, const struct expr *e) {
   expr_write(out, e, plain_between);
 }
 
-static const char *const relation_symbol[] = {
+const char *const relop_text[] = {
     [REL_EQ] = " = ", [REL_LT] = " < ", [REL_LE] = " <= ", [REL_GT] = " > ", [REL_GE] = " >= "};
 
 void stmt_plain(struct text *out, const struct stmt *s) {
@@ -239,15 +239,21 @@ void stmt_plain(struct text *out, const struct stmt *s) {
     if (s->sides[i]->kind == EXPR_FIRST_ORDER) continue;
     text_add(out, between);
     expr_plain(out, s->sides[i]);
-    between = s->kind == STMT_RELATION && i + 1 < s->n_sides ? relation_symbol[s->ops[i]] : "";
+    between = s->kind == STMT_RELATION && i + 1 < s->n_sides ? relop_text[s->ops[i]] : "";
   }
 }
 
 /* --- Statements --- */
 
+void stmt_print_step(struct text *out, const struct stmt *s, int k) {
+  expr_print(out, s->sides[k]);
+  text_add(out, relop_text[s->ops[k]]);
+  expr_print(out, s->sides[k + 1]);
+}
+
 static void print_relation(struct text *out, const struct stmt *s) {
   for (int i = 0; i < s->n_sides; i++) {
-    if (i > 0) text_add(out, relation_symbol[s->ops[i - 1]]);
+    if (i > 0) text_add(out, relop_text[s->ops[i - 1]]);
     expr_print(out, s->sides[i]);
   }
   if (!s->range_var) return;

@@ -63,9 +63,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
       const char *unbound;
       ok = holds_step(&holds, &unbound, j, r, r->stmts[i], k, view, p);
       struct text step = {0};
-      expr_print(&step, r->stmts[i]->sides[k]);
-      text_add(&step, r->stmts[i]->ops[k] == REL_LT ? " < " : r->stmts[i]->ops[k] == REL_GT ? " > " : " ? ");
-      expr_print(&step, r->stmts[i]->sides[k + 1]);
+      stmt_print_step(&step, r->stmts[i], k);
       if (unbound) {
         text_printf(&note, "%s was not tried, since %s is not given. ", text_str(&step), unbound);
         f->condition = "only for what does not contain u_r1 or u_r2, which are not given";

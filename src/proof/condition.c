@@ -81,10 +81,7 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
         return false;
       }
       struct text t = {0};
-      static const char *const ops[] = {" = ", " < ", " <= ", " > ", " >= "};
-      expr_print(&t, st->sides[k]);
-      text_add(&t, ops[st->ops[k]]);
-      expr_print(&t, st->sides[k + 1]);
+      stmt_print_step(&t, st, k);
       c->text = result_take(j->out, &t);
       bool ranged = st->range_hi;
       if (ranged && !phase_of_range(&c->phase, st, r->src, j->d)) return false;
