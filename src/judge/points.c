@@ -69,9 +69,8 @@ static bool read_overrides(int *n, struct point_trials *r) {
   *n = 0;
   if (!list) return claim_error(r->j, r->c, "routes", "route oracle needs the attribute oracle");
   while (*n < MAX_ROUTES && (list = claim_next_item(r->overridden[*n], sizeof *r->overridden, list)) != NULL) {
-    const struct oracle *q = oracle_find(r->overridden[*n]);
-    if (!q) return claim_error(r->j, r->c, "oracle", "the model has no matrix of that name");
-    r->override[*n] = (struct override){r->overridden[*n], oracle_rows(q), oracle_cols(q)};
+    if (!oracle_override(&r->override[*n], r->overridden[*n]))
+      return claim_error(r->j, r->c, "oracle", "the model has no matrix of that name");
     ++*n;
   }
   return true;

@@ -206,8 +206,7 @@ static void try_all(struct job *b) {
 /* --- One claim --- */
 
 static void add_unknown(struct override *o, int *n, const char *name) {
-  const struct oracle *q = oracle_find(name);
-  if (q && *n < EXACT_UNKNOWNS) o[(*n)++] = (struct override){name, oracle_rows(q), oracle_cols(q)};
+  if (*n < EXACT_UNKNOWNS) *n += oracle_override(&o[*n], name);
 }
 
 /* The matrix of the period or the states in which phases meet, where the claim names them; the local Jacobians, of

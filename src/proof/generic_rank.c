@@ -113,10 +113,7 @@ static bool is_analytic(struct text *why, const struct tape *t) {
 static int free_states(struct override *o) {
   static const char *const names[] = {"S_a", "S_b", "S_c"};
   int n = 0;
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-    const struct oracle *q = oracle_find(names[i]);
-    if (q) o[n++] = (struct override){names[i], oracle_rows(q), oracle_cols(q)};
-  }
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) n += oracle_override(&o[n], names[i]);
   return n;
 }
 

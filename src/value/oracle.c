@@ -192,6 +192,11 @@ int oracle_cols(const struct oracle *o) {
 int oracle_eval(struct num_vec *out, const struct oracle *o, struct values *v) {
   return o->eval(out, v, o->which);
 }
+bool oracle_override(struct override *out, const char *name) {
+  const struct oracle *o = oracle_find(name);
+  if (o) *out = (struct override){name, o->rows, o->cols};
+  return o != NULL;
+}
 const char *oracle_what(enum phase *phase, const struct oracle *o) {
   *phase = o->phase;
   return o->what;
