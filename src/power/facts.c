@@ -168,7 +168,7 @@ static int phase_of(const struct claim *c) {
   struct judge j = {.d = &d};
   int n = claim_points(spec, MAX, &j, c), phase = -1;
   for (int i = 0; i < n; i++) {
-    bool arc = spec[i].kind == POINT_ARC || spec[i].kind == POINT_ORBIT || spec[i].kind == POINT_PATCHED;
+    bool arc = point_has_word(spec[i].kind);
     if (!arc || (i > 0 && (int)spec[i].phase != phase)) return -1;
     phase = (int)spec[i].phase;
   }

@@ -24,7 +24,7 @@ static inline bool is_periodic(const struct exact_motion *m) {
 
 /* Whether its points lie on motions over the whole word. */
 static inline bool has_word(const struct exact_motion *m) {
-  return m->kind == POINT_ARC || m->kind == POINT_ORBIT || m->kind == POINT_PATCHED;
+  return point_has_word(m->kind);
 }
 
 /* --- exact_params.c --- */

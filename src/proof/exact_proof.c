@@ -174,14 +174,10 @@ static void try_with_modes(struct job *b, struct exact_attempt *a) {
   try_attempt(b, a);
 }
 
-static bool has_word(const struct job *b) {
-  return b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT || b->spec.kind == POINT_PATCHED;
-}
-
 /* How the states follow from each other, in the order of the attempts. */
 static int anchors(int list[6], const struct job *b) {
   list[0] = b->value && b->value[0] == 'S' ? 0 : 4; /* the paper patches its states from the start */
-  if (!has_word(b) || list[0] == 0) return 1;
+  if (!point_has_word(b->spec.kind) || list[0] == 0) return 1;
   bool orbit = b->spec.kind == POINT_ORBIT, last = orbit && reads_last_state(&b->s->tape);
   for (int n = 1; n < 6; n++) list[n] = last ? ANCHOR_BACK : 4 - n;
   return last ? 2 : orbit ? 6 : 5;
@@ -189,7 +185,7 @@ static int anchors(int list[6], const struct job *b) {
 
 /* From little to all of what holds on motions. */
 static void try_all(struct job *b) {
-  bool word = has_word(b);
+  bool word = point_has_word(b->spec.kind);
   struct exact_attempt a = {.modes = has_op(&b->s->tape, TAPE_ROOT)};
   int anchor[6], n = anchors(anchor, b);
   for (int i = 0; i < n; i++)
@@ -205,20 +201,16 @@ static void try_all(struct job *b) {
 
 /* --- One claim --- */
 
-static void add_unknown(struct override *o, int *n, const char *name) {
-  if (*n < EXACT_UNKNOWNS) *n += oracle_override(&o[*n], name);
-}
-
 /* The matrix of the period or the states in which phases meet, where the claim names them; the local Jacobians, of
-   which J is made. */
-static int choose_unknowns(struct override *o, const char *list, const char *value) {
+   which J is made: fewer than EXACT_UNKNOWNS. */
+static int choose_unknowns(struct override o[EXACT_UNKNOWNS], const char *list, const char *value) {
   int n = 0;
-  if (list && strcmp(list, "N") == 0) add_unknown(o, &n, "N");
+  if (list && strcmp(list, "N") == 0) n += oracle_override(&o[n], "N");
   static const char *const states[] = {"S_a", "S_b", "S_c"};
   for (size_t i = 0; list && i < sizeof states / sizeof *states; i++)
-    if (strstr(list, states[i])) add_unknown(o, &n, states[i]);
+    if (strstr(list, states[i])) n += oracle_override(&o[n], states[i]);
   bool about = value ? strcmp(value, "J") == 0 : list && list[0] == 'J';
-  for (int ph = 0; about && ph < N_PHASES; ph++) add_unknown(o, &n, local_maps[ph].name);
+  for (int ph = 0; about && ph < N_PHASES; ph++) n += oracle_override(&o[n], local_maps[ph].name);
   return n;
 }
 

@@ -7,6 +7,14 @@ const struct restriction restrictions[] = {{"V = 1", Q_V, "1"}, {"eta = 1", Q_ET
 
 const int n_restrictions = sizeof restrictions / sizeof *restrictions;
 
+bool point_has_word(enum point_kind kind) {
+  return kind == POINT_ARC || kind == POINT_ORBIT || kind == POINT_PATCHED;
+}
+
+bool point_has_events(enum point_kind kind) {
+  return kind == POINT_ARC || kind == POINT_ORBIT || kind == POINT_GIVEN;
+}
+
 void point_init(struct point *p) {
   *p = (struct point){.kind = POINT_PARAMS};
   for (int i = 0; i < N_Q; i++) fmpq_init(&p->q[i]);

@@ -62,6 +62,11 @@ struct point {
   const struct scene *scene; /* POINT_ORBIT: whose orbits are meant, which need not give e1 and e2; NULL: those of q */
 };
 
+/* Whether exact algebra takes a point of the kind as one on a motion over the whole word; and whether the events of the
+   motion through such a point are located. */
+bool point_has_word(enum point_kind kind);
+bool point_has_events(enum point_kind kind);
+
 void point_init(struct point *p);
 /* Whether the point is one of the model's, where names are worth what the model says: without a paper, or with one that
    is about its system.  Elsewhere the paper's own symbols alone have values. */

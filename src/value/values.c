@@ -37,7 +37,7 @@ static int init_flow(struct values *v) {
 /* The time t on an arc: the start of the point's phase and the fraction Q_S of its length. */
 int values_time(struct values *v) {
   enum point_kind kind = v->point->kind;
-  bool on_arc = kind == POINT_ARC || kind == POINT_ORBIT || kind == POINT_GIVEN || kind == POINT_PATCHED;
+  bool on_arc = point_has_events(kind) || kind == POINT_PATCHED;
   if (!on_arc || v->have_t) return SS_OK;
   const struct dyn_arc *arc = v->point->finite ? &v->perturbed : &v->arc;
   const struct num_type *t = v->ctx.type;
@@ -177,8 +177,7 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
 static void count_work(const struct point *p, enum variant variant, struct num_ctx ctx) {
   enum { UNITS_OF_ARC = 200, ARCS_OF_DIFFERENCES = 8 };
   unsigned long long words = ctx.prec > 128 ? (unsigned long long)ctx.prec / 128 : 1;
-  bool arc = p->kind == POINT_ARC || p->kind == POINT_ORBIT || p->kind == POINT_GIVEN;
-  if (arc) work_add(UNITS_OF_ARC * words * (variant == VARIANT_FD ? ARCS_OF_DIFFERENCES : 1));
+  if (point_has_events(p->kind)) work_add(UNITS_OF_ARC * words * (variant == VARIANT_FD ? ARCS_OF_DIFFERENCES : 1));
   if (p->kind == POINT_FLOW)
     work_touch((enum work_part)(WORK_PHASE_D + (int)p->phase));
   else if (p->kind != POINT_PARAMS)
@@ -212,7 +211,7 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
   if (s == SS_OK && p->kind == POINT_FLOW) s |= init_flow(v);
   if (s == SS_OK && (p->kind == POINT_PRINTED || p->kind == POINT_PATCHED)) s |= init_over_times(v);
   if (s == SS_OK && p->kind == POINT_PATCHED && variant == VARIANT_EXPONENTIAL) s |= carry_by_exponentials(&v->arc, v);
-  if (s == SS_OK && (p->kind == POINT_ARC || p->kind == POINT_ORBIT || p->kind == POINT_GIVEN)) s |= init_arc(v, cache);
+  if (s == SS_OK && point_has_events(p->kind)) s |= init_arc(v, cache);
   return s;
 }
 
