@@ -131,11 +131,8 @@ static bool add_record(struct text *out, const struct model *m, const struct cla
 
 static bool add_definition(struct text *out, const struct model *m, const struct claim *c, const char *id) {
   struct view v = {m, LAYER_CORRECTED, NULL, NULL};
-  const char *value = claim_get(c, "value");
-  char name[64];
   struct diag d = {0};
-  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
-  const struct definition *def = view_lookup(&v, name, claim_section(c), &d);
+  const struct definition *def = view_lookup_value(&v, claim_get(c, "value"), claim_section(c), &d);
   const struct stmt *s = def ? def->stmt : NULL;
   if (!s || (s->kind != STMT_DEFINE && s->kind != STMT_ROOT)) return false;
   text_printf(out, "define %s\n", id);

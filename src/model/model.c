@@ -405,6 +405,13 @@ const struct definition *view_lookup(const struct view *v, const char *name, con
   return def;
 }
 
+const struct definition *view_lookup_value(const struct view *v, const char *value, const char *section,
+                                           struct diag *d) {
+  char name[64];
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
+  return view_lookup(v, name, section, d);
+}
+
 const struct statement_record *view_record(const struct view *v, const char *id) {
   const struct model *m = v->model;
   const struct statement_record *best = NULL;

@@ -133,6 +133,9 @@ struct view {
 
 /* The definition of a name seen from a section, or NULL with d set (undefined, or ambiguous between sections). */
 const struct definition *view_lookup(const struct view *v, const char *name, const char *section, struct diag *d);
+/* That of what a value such as K or H(t) names, likewise. */
+const struct definition *view_lookup_value(const struct view *v, const char *value, const char *section,
+                                           struct diag *d);
 bool model_is_symbol(const struct model *m, const char *name);
 /* The symbol of that name whose domain is declared; NULL when there is none. */
 const struct symbol *model_own_symbol(const struct model *m, const char *name);

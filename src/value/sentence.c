@@ -19,9 +19,7 @@ static bool finish(struct sentence *s, const struct expr **e, slong n, struct di
 /* The mistake is the formula's, so the diagnostic points at its definition. */
 static void wrong_shape(const struct view *v, const char *value, const char *section, const struct matrix *m,
                         const struct oracle *o, struct diag *d) {
-  char name[32];
-  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
-  const struct definition *def = view_lookup(v, name, section, d);
+  const struct definition *def = view_lookup_value(v, value, section, d);
   if (def)
     diag_at(d, def->src, def->stmt->span.begin, "%s is %dx%d where the model has a %dx%d matrix", value, m->rows,
             m->cols, oracle_rows(o), oracle_cols(o));
@@ -103,10 +101,8 @@ const struct statement_record *claim_record(struct view v, const struct claim *c
 
 /* Does the paper define what a value such as K or H(t) names? */
 static bool defines_value(const struct view *v, const char *value, const char *section) {
-  char name[64];
   struct diag ambiguous = {0};
-  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
-  return view_lookup(v, name, section, &ambiguous) || ambiguous.set;
+  return view_lookup_value(v, value, section, &ambiguous) || ambiguous.set;
 }
 
 bool sentence_reads(struct view v, const struct claim *c, struct diag *d) {

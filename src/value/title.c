@@ -103,22 +103,13 @@ static bool make_definition(struct text *out, const struct title *t) {
   return any || missing(t);
 }
 
-/* Does the paper define what a value such as K or H(t) names? */
-static bool defines(const struct model *m, const char *value) {
-  size_t n = strcspn(value, "(");
-  for (size_t i = 0; i < m->n_defs; i++)
-    if (m->defs[i].rank <= RANK_USER && strlen(m->defs[i].name) == n && strncmp(m->defs[i].name, value, n) == 0)
-      return true;
-  return false;
-}
-
 static bool make_matrix(struct text *out, const struct title *t) {
   const char *value = claim_get(t->c, "value"), *what = NULL;
   enum phase phase = N_PHASES;
   const struct oracle *o = value ? oracle_find(value) : NULL;
   if (!value) return missing(t);
   if (o && t->m->system) what = oracle_what(&phase, o);
-  if (!what && !defines(t->m, value)) return missing(t);
+  if (!what && !title_defines(t->m, value, strcspn(value, "("))) return missing(t);
   if (!what) {
     text_printf(out, "%s is the quantity of the system that the paper is about", value);
     return true;

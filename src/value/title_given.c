@@ -112,13 +112,6 @@ static const char *write_slot(struct text *out, const struct title *t, const str
 
 /* --- What is named by hand --- */
 
-static bool is_name(const struct model *m, const char *word) {
-  if (model_is_symbol(m, word)) return true;
-  for (size_t i = 0; i < m->n_defs; i++)
-    if (m->defs[i].rank <= RANK_USER && strcmp(m->defs[i].name, word) == 0) return true;
-  return false;
-}
-
 /* A formula, a name of the paper, or a number. */
 static bool word_is_named(const struct model *m, const char *word, size_t len) {
   char name[64];
@@ -127,7 +120,7 @@ static bool word_is_named(const struct model *m, const char *word, size_t len) {
   if (len >= sizeof name) return false;
   memcpy(name, word, len);
   name[len] = '\0';
-  return title_is_count(word, len) || is_name(m, name);
+  return title_is_count(word, len) || model_is_symbol(m, name) || title_defines(m, name, len);
 }
 
 /* How long the name of a phase is that begins here; 0: none does. */

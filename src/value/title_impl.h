@@ -34,6 +34,8 @@ int title_list_write(struct text *out, struct title_list *l);
 /* A list with commas or semicolons between, as such a list. */
 int title_listed(struct text *out, const char *list, char between);
 
+/* Does the paper define the name, of that length? */
+bool title_defines(const struct model *m, const char *name, size_t len);
 /* The record of that id in the paper's own files, or NULL. */
 const struct statement_record *title_record(const struct title *t, const char *id, size_t len);
 /* The error at the attribute that names the item, or at the claim's head. */

@@ -161,6 +161,13 @@ void title_no_record(const struct title *t, const char *attribute, const char *i
           "%s: there is no record %.*s in the equation files", t->c->id, (int)strcspn(item, " "), item);
 }
 
+bool title_defines(const struct model *m, const char *name, size_t len) {
+  for (size_t i = 0; i < m->n_defs; i++)
+    if (m->defs[i].rank <= RANK_USER && strlen(m->defs[i].name) == len && strncmp(m->defs[i].name, name, len) == 0)
+      return true;
+  return false;
+}
+
 const struct statement_record *title_record(const struct title *t, const char *id, size_t len) {
   const struct statement_record *best = NULL;
   for (size_t i = 0; i < t->m->n_records; i++) {
