@@ -23,7 +23,7 @@ struct known {
 };
 
 struct scaling {
-  const char *scaled; /* prefixes of the names of degree 1, separated by blanks */
+  const char *scaled; /* prefixes of the names of degree 1, separated by blanks or commas */
   const struct elaboration *el;
   struct text *fault; /* the first one */
   struct known *known;
@@ -53,12 +53,9 @@ static void keep(struct scaling *s, const struct expr *e, struct degree d) {
 }
 
 static bool starts(const char *name, const char *prefixes) {
-  for (const char *p = prefixes; *p;) {
-    size_t n = strcspn(p, " ");
-    if (n && strncmp(name, p, n) == 0) return true;
-    p += n;
-    while (*p == ' ') p++;
-  }
+  size_t n;
+  for (const char *p = list_item(&n, prefixes); p; p = list_item(&n, p + n))
+    if (strncmp(name, p, n) == 0) return true;
   return false;
 }
 
@@ -225,11 +222,11 @@ static const char *names_with_unit(struct judge *j, const char *prefixes) {
 /* --- A correction of the names that scale --- */
 
 static bool starts_any(const char *names, const char *full) {
-  for (size_t n; *names; names += n + strspn(names + n, " ")) {
+  size_t n;
+  for (const char *p = list_item(&n, names); p; p = list_item(&n, p + n)) {
     char one[32];
-    n = strcspn(names, " ");
-    snprintf(one, sizeof one, "%.*s", (int)(n < sizeof one ? n : sizeof one - 1), names);
-    if (n && !starts(one, full)) return false;
+    snprintf(one, sizeof one, "%.*s", (int)(n < sizeof one ? n : sizeof one - 1), p);
+    if (!starts(one, full)) return false;
   }
   return true;
 }
