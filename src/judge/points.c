@@ -138,12 +138,7 @@ static struct trial try_ode(struct point_trials *r, const char *value, const str
   static const char *const taken[3] = {"(t)", "'(t)", "(0)"};
   struct trial t = {.outcome = OUTCOME_REJECTED, .bits = FIRST_PREC, .log_diff = -INFINITY};
   const char *section = claim_get(r->c, "section");
-  int phase = 0, name = (int)strcspn(value, "("), n = 0, s = SS_OK;
-  char form[32];
-  for (; phase < N_PHASES; phase++) {
-    snprintf(form, sizeof form, "%s(t)", phase_name[phase]);
-    if (strcmp(form, value) == 0) break;
-  }
+  int phase = name_of_propagator(value), name = (int)strcspn(value, "("), n = 0, s = SS_OK;
   struct num_vec m[3];
   for (int i = 0; i < 3; i++) {
     char text[64];
@@ -154,8 +149,7 @@ static struct trial try_ode(struct point_trials *r, const char *value, const str
   struct values v;
   s |= values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), r->j->cache);
   struct num_vec a = calc_vec(&v.c, 16);
-  if (s == SS_OK && phase < N_PHASES && n == 16 && dyn_system(&a, (enum phase)phase, &v.params) == SS_OK)
-    t = try_law(m, &a);
+  if (s == SS_OK && phase >= 0 && n == 16 && dyn_system(&a, (enum phase)phase, &v.params) == SS_OK) t = try_law(m, &a);
   values_clear(&v);
   for (int i = 0; i < 3; i++) num_vec_clear(&m[i]);
   return t;

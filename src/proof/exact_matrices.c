@@ -120,14 +120,13 @@ static int perturbation_named(const char *name) {
 int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char *name) {
   static const char *const rational[] = {"K", "K_1", "K_2", "d_01", "d_02"};
   if (word_find(name, rational, 5) < 5) return motion_of_params(out, m, name);
-  for (int ph = 0; ph < N_PHASES; ph++) {
-    char propagator[16];
-    snprintf(propagator, sizeof propagator, "%s(t)", phase_name[ph]);
+  for (int ph = 0; ph < N_PHASES; ph++)
     if (strcmp(name, local_maps[ph].name) == 0) return corner(out, m, ph);
-    if (strcmp(name, propagator) != 0) continue;
+  int phase = name_of_propagator(name);
+  if (phase >= 0) {
     struct num_vec u = calc_vec(&m->c, 1);
     int s = exact_symbol(at(&u, 0), m->field, "t");
-    return s == SS_OK ? exact_propagator(out, m, (enum phase)ph, at(&u, 0)) : s;
+    return s == SS_OK ? exact_propagator(out, m, (enum phase)phase, at(&u, 0)) : s;
   }
   if (strcmp(name, "N") == 0) return period_matrix(out, m);
   if (has_word(m) && motion_meeting(name)) {

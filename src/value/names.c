@@ -3,6 +3,8 @@
    exact algebra proof/exact_motion.c. */
 #include "names.h"
 
+#include <string.h>
+
 #include "base/text.h"
 
 const char *const name_param[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
@@ -34,6 +36,14 @@ bool name_of_tangent(const char *name, int *index) {
   int at = place_of(name, name_tangent[0], (N_PHASES + 1) * N_STATE, name_shift);
   if (at >= 0) *index = at;
   return at >= 0;
+}
+
+int name_of_propagator(const char *name) {
+  size_t len = strcspn(name, "(");
+  for (int ph = 0; ph < N_PHASES; ph++)
+    if (strlen(phase_name[ph]) == len && strncmp(phase_name[ph], name, len) == 0 && strcmp(name + len, "(t)") == 0)
+      return ph;
+  return -1;
 }
 
 bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument) {

@@ -18,6 +18,8 @@ extern const char
 int name_of_arc(const char *name);
 /* "x", "x_a" ... "v_f", "u" and "v": 4 times the state plus the component; "dt_a" ... "dt_d": 100 and more. */
 bool name_of_tangent(const char *name, int *index);
+/* "D(t)" ... "C(t)", the propagators of the phases: 0 to 3; -1 for another name. */
+int name_of_propagator(const char *name);
 /* "z_1''(t)", "x_2(t_a + dt_a)": component, number of primes, argument with its parentheses. */
 bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument);
 /* "(t_a)", "(t_a + t_b)", ...: 0 to 3, at the perturbed times 4 to 7; -1 for another argument. */
