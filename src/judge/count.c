@@ -65,9 +65,8 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
   int s = values_init(&v, p, VARIANT_CLOSED, ctx, cache);
   struct num_vec in = calc_vec(&v.c, y->s.tape.n_inputs), out = calc_vec(&v.c, y->s.tape.n_outputs),
                  back = calc_vec(&v.c, y->s.tape.n_outputs), w = calc_vec(&v.c, 2);
-  bool known;
-  for (slong i = 0; s == SS_OK && i < y->s.tape.n_inputs; i++)
-    s |= values_bind(num_vec_at(&in, i), &known, &v, y->s.tape.inputs[i]);
+  const char *unbound;
+  if (s == SS_OK) s |= values_bind_inputs(&in, &unbound, &v, &y->s.tape);
   if (s == SS_OK && t->rigorous) {
     s |= tape_eval(&out, NULL, &y->s.tape, &in);
     for (int i = 0; i < y->rows * y->cols; i++) t->set(num_vec_at(m, i), num_vec_at(&out, y->rows + i));

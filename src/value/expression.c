@@ -25,10 +25,10 @@ int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const 
   struct values v;
   int s = values_init(&v, p, VARIANT_CLOSED, out->ctx, cache);
   struct num_vec in = calc_vec(&v.c, t->n_inputs);
-  *known = true;
-  for (slong i = 0; s == SS_OK && *known && i < t->n_inputs; i++)
-    s |= values_bind(num_vec_at(&in, i), known, &v, t->inputs[i]);
+  const char *unbound = NULL;
+  if (s == SS_OK) s |= values_bind_inputs(&in, &unbound, &v, t);
   if (s == SS_OK) s = tape_eval(out, NULL, t, &in);
+  *known = !unbound;
   values_clear(&v);
   return s;
 }

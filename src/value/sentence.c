@@ -155,14 +155,11 @@ void sentence_clear(struct sentence *s) {
 /* Both sides into lhs and rhs (n each). */
 static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s, struct values *v) {
   struct num_vec in = calc_vec(&v->c, s->tape.n_inputs), out = calc_vec(&v->c, s->tape.n_outputs);
-  int status = SS_OK;
-  for (slong i = 0; status == SS_OK && i < s->tape.n_inputs; i++) {
-    bool known;
-    status |= values_bind(num_vec_at(&in, i), &known, v, s->tape.inputs[i]);
-    if (!known) {
-      t->outcome = OUTCOME_UNBOUND;
-      snprintf(t->unbound, sizeof t->unbound, "%s", s->tape.inputs[i]);
-    }
+  const char *unbound;
+  int status = values_bind_inputs(&in, &unbound, v, &s->tape);
+  if (unbound) {
+    t->outcome = OUTCOME_UNBOUND;
+    snprintf(t->unbound, sizeof t->unbound, "%s", unbound);
   }
   if (status == SS_OK) status |= tape_eval(&out, NULL, &s->tape, &in);
   for (slong i = 0; i < s->n; i++) v->ctx.type->set(num_vec_at(lhs, i), num_vec_at(&out, i));

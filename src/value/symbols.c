@@ -173,3 +173,14 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
   *known = false;
   return SS_UNABLE;
 }
+
+int values_bind_inputs(struct num_vec *in, const char **unbound, struct values *v, const struct tape *t) {
+  int s = SS_OK;
+  *unbound = NULL;
+  for (slong i = 0; s == SS_OK && i < t->n_inputs; i++) {
+    bool known;
+    s |= values_bind(num_vec_at(in, i), &known, v, t->inputs[i]);
+    if (!known) *unbound = t->inputs[i];
+  }
+  return s;
+}

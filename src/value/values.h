@@ -5,6 +5,7 @@
 #include "names.h"
 #include "num/calc.h"
 #include "point.h"
+#include "tape/tape.h"
 
 /* How they are got: closed form and implicit differentiation; states carried by matrix exponentials; tangents by finite
    differences; the return Jacobian by saltation matrices; orbits and their return Jacobian by the engine for any system,
@@ -46,6 +47,8 @@ int values_carry(struct num_vec *out, const struct values *v, enum phase ph, con
 int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
+/* Those of a tape's inputs, as many as in; *unbound becomes the first name without one, or NULL. */
+int values_bind_inputs(struct num_vec *in, const char **unbound, struct values *v, const struct tape *t);
 /* Whether the model has a quantity of that name, at points of some kind. */
 bool values_names(const char *name);
 /* Whether springs_bind has. */
