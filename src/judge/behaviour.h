@@ -5,6 +5,7 @@
 #define STICKSLIP_BEHAVIOUR_H
 
 #include "claim/judging.h"
+#include "explore/bifurcate.h"
 #include "model/model.h"
 #include "motion/coulomb.h"
 #include "record/finding.h"
@@ -117,6 +118,8 @@ struct family {
 /* "chi = 2/3, ..." with "e2 from 3/4 to 1", both up to a semicolon; false with j->d set.  Close it in either case. */
 bool family_open(struct family *f, struct behaviour *b, const char *at, const char *vary);
 void family_close(struct family *f);
+/* Where orbits change along it, to 18 digits. */
+void family_bifurcations(struct dyn_bifurcations *list, const struct family *f);
 /* Random motions from starts anywhere, sampled. */
 struct watched behaviour_watch(struct behaviour *b, watch_fn fn, void *self);
 /* The words of both routes by what each counted, and the verdict: with that of the proof (friction.h), unless it has

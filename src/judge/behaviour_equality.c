@@ -5,10 +5,7 @@
 
 #include "behaviour.h"
 #include "certificate.h"
-#include "explore/bifurcate.h"
 #include "judge.h"
-
-enum { FLIP_DIGITS = 18, FLIP_STARTS = 3 };
 
 /* At a flip R(r_0 + s) = r_0 + c_1 s + c_2 s^2 + c_3 s^3 + ... with c_1 = -1, and R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 +
    c_3) s^3 + ...: stable when c_2^2 + c_3 > 0, unstable when it is < 0.  It is proved when the slope passes -1 inside
@@ -60,6 +57,12 @@ void family_close(struct family *f) {
   point_clear(&f->base);
 }
 
+void family_bifurcations(struct dyn_bifurcations *list, const struct family *f) {
+  enum { DIGITS = 18, STARTS = 3 };
+  const struct dyn_line line = {.params = f->base.q, .vary = f->vary, .from = f->from, .to = f->to};
+  dyn_bifurcations_find(list, &line, DIGITS, STARTS);
+}
+
 /* What is found along all families: is it unstable by the third order, by iterates at the value, by motions under
    Coulomb's law? */
 struct found {
@@ -87,18 +90,10 @@ static void move(struct found *t, const struct point *at, const struct dyn_orbit
 static void certify(struct behaviour *b, const struct point *at, int vary, const struct dyn_orbit *o,
                     const struct dyn_bifurcation *q) {
   struct certificate *c = &b->f->certificate;
-  arb_t value;
-  arb_init(value);
-  arb_set_fmpq(value, &at->q[vary], q->prec);
-  for (int i = 0; i < N_PARAMS; i++)
-    if (i == vary)
-      certify_ball(c, b->j, name_param[i], value);
-    else
-      certify_exact(c, b->j, name_param[i], &at->q[i]);
+  certify_member(c, b->j, at->q, vary, &at->q[vary], q->prec);
   certify_orbit(c, b->j, o);
   certificate_add(c, b->j->out, "trace", "-1");
   certificate_add(c, b->j->out, "c_2^2 + c_3", ball_text(b->j, q->third, 6));
-  arb_clear(value);
 }
 
 static void add_flip(struct found *t, struct behaviour *b, const struct family *f, const struct dyn_bifurcation *q) {
@@ -144,10 +139,9 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
 
 /* Every admissible orbit of the family at which the slope is -1. */
 static void find_flips(struct found *t, struct behaviour *b, const struct family *f) {
-  const struct dyn_line line = {.params = f->base.q, .vary = f->vary, .from = f->from, .to = f->to};
   struct dyn_bifurcations list;
   long n = 0;
-  dyn_bifurcations_find(&list, &line, FLIP_DIGITS, FLIP_STARTS);
+  family_bifurcations(&list, f);
   for (slong i = 0; i < list.n; i++) {
     if (!flip_is_admissible(&list.at[i])) continue;
     add_flip(t, b, f, &list.at[i]);

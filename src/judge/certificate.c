@@ -15,6 +15,19 @@ void certify_params(struct certificate *c, struct judge *j, const fmpq *params) 
   for (int k = 0; k < N_PARAMS; k++) certify_exact(c, j, name_param[k], params + k);
 }
 
+void certify_member(struct certificate *c, struct judge *j, const fmpq *params, int vary, const fmpq *value,
+                    slong prec) {
+  arb_t x;
+  arb_init(x);
+  arb_set_fmpq(x, value, prec);
+  for (int k = 0; k < N_PARAMS; k++)
+    if (k == vary)
+      certify_ball(c, j, name_param[k], x);
+    else
+      certify_exact(c, j, name_param[k], params + k);
+  arb_clear(x);
+}
+
 void certify_scene(struct certificate *c, struct judge *j) {
   for (int k = KEY_CHI; k <= KEY_E2; k++)
     if (j->scene->given[k]) certify_exact(c, j, name_param[k], &j->scene->value[k]);

@@ -12,6 +12,9 @@ void certify_ball(struct certificate *c, struct judge *j, const char *name, cons
 /* chi, eta, V, e_1, e_2; what the scene gives of them. */
 void certify_params(struct certificate *c, struct judge *j, const fmpq *params);
 void certify_scene(struct certificate *c, struct judge *j);
+/* The parameters of a member of a family along one of them, whose value is given as a ball of prec bits. */
+void certify_member(struct certificate *c, struct judge *j, const fmpq *params, int vary, const fmpq *value,
+                    slong prec);
 /* z_10, z_20, t_a, t_b, t_c, t_d of an orbit. */
 void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o);
 /* The exact quantities of a point of kind FLOW, ARC, ORBIT or PARAMS, and the events of its pass where it has one. */

@@ -7,7 +7,6 @@
 
 #include "behaviour.h"
 #include "certificate.h"
-#include "explore/bifurcate.h"
 #include "explore/box.h"
 #include "judge.h"
 #include "motion/complete.h"
@@ -113,8 +112,6 @@ static bool has_zero(struct defined *y, const struct divisor *q, const struct dy
 
 /* --- Where the first mass only touches the belt's velocity --- */
 
-enum { TOUCH_DIGITS = 18, TOUCH_STARTS = 3 };
-
 static bool is_touch(const struct dyn_bifurcation *t, bool admissible) {
   bool first = t->what == CHANGE_TC && t->crosses;
   for (int ph = 0; ph < N_PHASES; ph++) first = first && t->touch.first[ph] == TRUTH_TRUE;
@@ -125,27 +122,18 @@ static bool is_touch(const struct dyn_bifurcation *t, bool admissible) {
 static void say_where(struct defined *y, const struct family *f, const struct dyn_bifurcation *t) {
   struct judge *j = y->b->j;
   struct certificate c = {.n = 0};
-  arb_t value;
-  arb_init(value);
-  arb_set_fmpq(value, &t->low, t->prec);
-  for (int i = 0; i < N_PARAMS; i++)
-    if (i == f->vary)
-      certify_ball(&c, j, name_param[i], value);
-    else
-      certify_exact(&c, j, name_param[i], &f->base.q[i]);
+  certify_member(&c, j, f->base.q, f->vary, &t->low, t->prec);
   for (int i = 0; i < c.n; i++)
     text_printf(&y->zero, "%s%s %s %s", i ? ", " : "", c.at[i].name, i == f->vary ? "near" : "=", c.at[i].value);
   certify_orbit(&c, j, &t->touch);
   if (y->b->f->certificate.n == 0) y->b->f->certificate = c;
-  arb_clear(value);
 }
 
 /* The divisor, which is zero there, on the first such orbit of the family. */
 static bool touches(struct defined *y, const struct divisor *q, const struct family *f) {
-  const struct dyn_line line = {.params = f->base.q, .vary = f->vary, .from = f->from, .to = f->to};
   struct dyn_bifurcations list;
   bool found = false;
-  dyn_bifurcations_find(&list, &line, TOUCH_DIGITS, TOUCH_STARTS);
+  family_bifurcations(&list, f);
   for (slong i = 0; i < list.n && !found; i++) {
     if (!is_touch(&list.at[i], y->admissible)) continue;
     found = true;
