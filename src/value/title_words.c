@@ -2,7 +2,6 @@
 #include "names.h"
 #include "title_impl.h"
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* --- Counts and lists --- */
@@ -80,13 +79,6 @@ bool title_is_plural(const char *text) {
 
 const char *const phase_words[N_PHASES] = {"global stick", "slip-stick", "global slip", "stick-slip"};
 
-/* The phase of that letter (D, Gamma, H, C), N_PHASES when there is none. */
-static enum phase title_phase(const char *word, size_t len) {
-  int ph = 0;
-  while (ph < N_PHASES && !(strlen(phase_name[ph]) == len && strncmp(phase_name[ph], word, len) == 0)) ph++;
-  return (enum phase)ph;
-}
-
 void title_phases(struct text *out, const enum phase *phase, int n) {
   struct title_list l;
   title_list_init(&l);
@@ -98,12 +90,13 @@ void title_phases(struct text *out, const enum phase *phase, int n) {
 }
 
 void title_phases_listed(struct text *out, const char *list) {
-  enum phase phase[16];
-  int n = 0;
-  size_t len;
-  for (const char *p = list_item(&len, list); p && n < 16; p = list_item(&len, p + len)) {
-    enum phase ph = title_phase(p, len);
-    if (ph < N_PHASES) phase[n++] = ph;
+  enum { MOST = 16 };
+  char name[MOST][CLAIM_NAME];
+  enum phase phase[MOST];
+  int n = 0, listed = claim_names_listed(name, MOST, list);
+  for (int i = 0; i < listed; i++) {
+    int ph = word_find(name[i], phase_name, N_PHASES);
+    if (ph < N_PHASES) phase[n++] = (enum phase)ph;
   }
   title_phases(out, phase, n);
 }
@@ -127,10 +120,10 @@ static void read_place(struct place *p, const char *points) {
     p->admissible = p->admissible || strcmp(word, "admissible") == 0;
     p->realistic = p->realistic || strcmp(word, "realistic") == 0;
     p->patched = p->patched || strcmp(word, "patched") == 0;
-    enum phase ph = n == 2 ? title_phase(letter, strlen(letter)) : N_PHASES;
+    int ph = n == 2 ? word_find(letter, phase_name, N_PHASES) : N_PHASES;
     bool known = ph == N_PHASES;
-    for (int i = 0; i < p->n_phases; i++) known = known || p->phase[i] == ph;
-    if (!known) p->phase[p->n_phases++] = ph;
+    for (int i = 0; i < p->n_phases; i++) known = known || (int)p->phase[i] == ph;
+    if (!known) p->phase[p->n_phases++] = (enum phase)ph;
   }
 }
 
@@ -268,18 +261,10 @@ struct part {
 
 /* "eq-59#1.2 C", without looking whether there is such a thing. */
 static struct part parse_part(const struct title *t, const char *item) {
-  size_t len = strcspn(item, "# ");
-  struct part p = {.r = title_record(t, item, len), .phase = N_PHASES};
-  const char *rest = item + len;
-  if (*rest == '#') {
-    char *end;
-    p.statement = (int)strtol(rest + 1, &end, 10);
-    if (*end == '.') p.step = (int)strtol(end + 1, &end, 10);
-    rest = end;
-  }
-  while (*rest == ' ') rest++;
-  if (*rest) p.phase = title_phase(rest, strlen(rest));
-  return p;
+  struct cited at = {.statement = 0};
+  claim_next_cited(&at, item);
+  return (struct part){title_record(t, at.id, strlen(at.id)), at.statement, at.step,
+                       (enum phase)word_find(at.phase, phase_name, N_PHASES)};
 }
 
 static bool part_is_there(const struct part *p) {
@@ -297,13 +282,13 @@ static bool read_part(struct part *p, const struct title *t, const char *attribu
 
 /* All records that state something under this number stand in the list. */
 static bool number_is_listed(const struct title *t, const char *list, const struct statement_record *r) {
-  char item[64];
+  struct cited at;
   for (size_t i = 0; i < t->m->n_records; i++) {
     const struct statement_record *other = &t->m->records[i];
     if (other->rank > RANK_USER || strcmp(other->equation, r->equation) != 0 || !says_something(other)) continue;
     bool found = false;
-    for (const char *p = list; !found && (p = claim_next_item(item, sizeof item, p)) != NULL;)
-      found = strlen(other->id) == strcspn(item, " ") && strncmp(item, other->id, strlen(other->id)) == 0;
+    for (const char *p = list; !found && (p = claim_next_cited(&at, p)) != NULL;)
+      found = at.statement == 0 && strcmp(at.id, other->id) == 0;
     if (!found) return false;
   }
   return *r->equation != '\0';
