@@ -512,7 +512,7 @@ static void take_point(double *x, const struct digits_formula *f, char *point) {
   for (char *p = strtok(point, ","); p; p = strtok(NULL, ",")) {
     char *equals = strchr(p, '=');
     *equals = '\0';
-    slong k = digits_input(&f->tape, p);
+    slong k = tape_input(&f->tape, p);
     if (k >= 0) x[k] = strtod(equals + 1, NULL);
   }
 }
@@ -674,8 +674,8 @@ START_TEST(regions_are_where_they_say) {
   diag_init(&d);
   ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
   struct digits_formula *f = (struct digits_formula *)digits_find(&s, "J[1,1]");
-  slong chi = digits_input(&f->tape, "chi"), eta = digits_input(&f->tape, "eta"), z1 = digits_input(&f->tape, "z_100"),
-        z2 = digits_input(&f->tape, "z_200");
+  slong chi = tape_input(&f->tape, "chi"), eta = tape_input(&f->tape, "eta"), z1 = tape_input(&f->tape, "z_100"),
+        z2 = tape_input(&f->tape, "z_200");
   struct digits_bench w;
   int near_one = 0, near_pole = 0;
   digits_bench_init(&w, f);
@@ -750,7 +750,7 @@ START_TEST(regions_reach_their_ends) {
       double u[DIGITS_COORDINATES], x[DIGITS_INPUTS], is = last ? ends[i].to : ends[i].from;
       for (int k = 0; k < DIGITS_COORDINATES; k++) u[k] = last ? 1 - 0x1p-53 : 0;
       ck_assert(digits_point(x, p, u));
-      double got = x[digits_input(&f->tape, ends[i].input)];
+      double got = x[tape_input(&f->tape, ends[i].input)];
       ck_assert_msg(fabs(got / is - 1) < 1e-9, "%s: %s = %g, not %g", ends[i].region, ends[i].input, got, is);
     }
     digits_place_free(p);

@@ -47,19 +47,13 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
   c->equality = st->ops[k] == REL_EQ;
   c->strict = st->ops[k] == REL_LT || st->ops[k] == REL_GT;
   for (int m = 0; m < N_MOVING; m++) {
-    c->input[m] = -1;
-    for (slong i = 0; i < c->s.tape.n_inputs; i++)
-      if (strcmp(c->s.tape.inputs[i], moving_name[m]) == 0) c->input[m] = i;
+    c->input[m] = tape_input(&c->s.tape, moving_name[m]);
     c->moving = c->moving || c->input[m] >= 0;
     c->in_x = c->in_x || (m >= MOVING_X && c->input[m] >= 0);
   }
-  c->friction[0] = c->friction[1] = c->in_x;
-  for (slong i = 0; i < c->s.tape.n_inputs; i++)
-    for (int m = 0; m < 2; m++) {
-      const char *names[] = {m ? "u_r2" : "u_r1", m ? "u_s2" : "u_s1"};
-      for (int q = 0; q < 2; q++)
-        if (strcmp(c->s.tape.inputs[i], names[q]) == 0) c->friction[m] = true;
-    }
+  for (int m = 0; m < 2; m++)
+    c->friction[m] =
+        c->in_x || tape_input(&c->s.tape, m ? "u_r2" : "u_r1") >= 0 || tape_input(&c->s.tape, m ? "u_s2" : "u_s1") >= 0;
   return true;
 }
 

@@ -147,12 +147,6 @@ static bool has_tangents(const struct tape *t) {
   return any;
 }
 
-static bool reads_last_state(const struct tape *t) {
-  for (slong i = 0; i < t->n_inputs; i++)
-    if (strncmp(t->inputs[i], "S_c[", 4) == 0) return true;
-  return false;
-}
-
 static bool has_op(const struct tape *t, enum tape_op op) {
   for (slong i = 0; i < t->n; i++)
     if (t->code[i].op == op) return true;
@@ -178,7 +172,7 @@ static void try_with_modes(struct job *b, struct exact_attempt *a) {
 static int anchors(int list[6], const struct job *b) {
   list[0] = b->value && b->value[0] == 'S' ? 0 : 4; /* the paper patches its states from the start */
   if (!point_has_word(b->spec.kind) || list[0] == 0) return 1;
-  bool orbit = b->spec.kind == POINT_ORBIT, last = orbit && reads_last_state(&b->s->tape);
+  bool orbit = b->spec.kind == POINT_ORBIT, last = orbit && tape_reads_matrix(&b->s->tape, "S_c");
   for (int n = 1; n < 6; n++) list[n] = last ? ANCHOR_BACK : 4 - n;
   return last ? 2 : orbit ? 6 : 5;
 }

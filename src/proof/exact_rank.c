@@ -144,9 +144,7 @@ bool rank_system_build(struct rank_system *y, struct judge *j, const struct clai
     for (int k = 0; k < y->cols; k++) out[y->rows + i * y->cols + k] = expr_diff(&y->s.el.pool, out[i], y->unknown[k]);
   if (!elaboration_tape(&y->s.tape, &y->s.el, out, y->rows * (1 + y->cols), j->d)) return false;
   for (int k = 0; k < y->cols; k++) {
-    y->input[k] = -1;
-    for (slong i = 0; i < y->s.tape.n_inputs; i++)
-      if (strcmp(y->s.tape.inputs[i], y->unknown[k]) == 0) y->input[k] = i;
+    y->input[k] = tape_input(&y->s.tape, y->unknown[k]);
     if (y->input[k] < 0 && !model_is_symbol(view.model, y->unknown[k]))
       return claim_error(j, c, "unknowns", "an unknown that the equations do not contain, and no symbol either");
   }

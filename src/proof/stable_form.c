@@ -55,13 +55,6 @@ bool reading_record(struct reading *r, const struct statement_record *of, struct
   return ok;
 }
 
-bool tape_meets(const struct tape *t, const char *part) {
-  size_t len = strlen(part);
-  for (slong k = 0; k < t->n_inputs; k++)
-    if (strncmp(t->inputs[k], part, len) == 0 && t->inputs[k][len] == '[') return true;
-  return false;
-}
-
 /* What the parts that a tape uses are equal to, in a field. */
 static bool value_parts(struct stable_field *s, struct part_value v[MOST_PARTS], const struct tape *used,
                         const struct model *m, const struct unknowns *u, struct diag *d) {
@@ -69,7 +62,7 @@ static bool value_parts(struct stable_field *s, struct part_value v[MOST_PARTS],
   s->part = v;
   for (int i = 0; ok && u->n > 0 && i < u->n_parts; i++) {
     struct reading r;
-    if (!tape_meets(used, u->part[i].name)) continue;
+    if (!tape_reads_matrix(used, u->part[i].name)) continue;
     reading_init(&r, m, LAYER_CORRECTED, u);
     ok = reading_value(&r, u->part[i].equals, u->part[i].section, d) && elaboration_tape(&r.tape, &r.el, r.e, r.n, d);
     if (ok) {
@@ -109,9 +102,8 @@ bool readings_same_shapes(const struct reading r[2]) {
 }
 
 static int times_in(const struct tape *t) {
-  int n = 0;
-  for (slong k = 0; k < t->n_inputs; k++)
-    n += strcmp(t->inputs[k], "t") == 0 || word_find(t->inputs[k], name_time, N_PHASES) < N_PHASES;
+  int n = tape_input(t, "t") >= 0;
+  for (int ph = 0; ph < N_PHASES; ph++) n += tape_input(t, name_time[ph]) >= 0;
   return n;
 }
 

@@ -146,7 +146,7 @@ static bool uses_parts(bool *yes, const char *section, const struct model *m, co
   reading_init(&r, m, LAYER_STABLE, parts);
   bool ok = (of->value[1] ? reading_value(&r, of->value[1], section, d) : reading_record(&r, of->record[1], d)) &&
             elaboration_tape(&r.tape, &r.el, r.e, r.n, d);
-  for (int i = 0; ok && i < parts->n_parts; i++) *yes = *yes || tape_meets(&r.tape, parts->part[i].name);
+  for (int i = 0; ok && i < parts->n_parts; i++) *yes = *yes || tape_reads_matrix(&r.tape, parts->part[i].name);
   reading_clear(&r);
   return ok;
 }
@@ -160,7 +160,7 @@ static bool names_time(bool *yes, const char *function, const char *section, enu
   text_printf(&there, "%.*s(%s)", (int)strcspn(function, "("), function, name_time[0]);
   reading_init(&r, m, layer, &none);
   bool ok = reading_value(&r, text_str(&there), section, d) && elaboration_tape(&r.tape, &r.el, r.e, r.n, d);
-  for (slong k = 0; ok && k < r.tape.n_inputs; k++) *yes = *yes || strcmp(r.tape.inputs[k], "t") == 0;
+  if (ok) *yes = *yes || tape_input(&r.tape, "t") >= 0;
   reading_clear(&r);
   text_clear(&there);
   return ok;

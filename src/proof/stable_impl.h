@@ -73,8 +73,6 @@ void reading_clear(struct reading *r);
 bool reading_value(struct reading *r, const char *value, const char *section, struct diag *d);
 /* Both sides of every relation of a record added to the reading. */
 bool reading_record(struct reading *r, const struct statement_record *of, struct diag *d);
-/* Whether the tape reads an entry of that matrix. */
-bool tape_meets(const struct tape *t, const char *part);
 bool readings_same_shapes(const struct reading r[2]);
 /* Sets p->why_not to the reason for which the two readings, whose tapes are made, are not shown equal, or to NULL. */
 bool readings_compare(struct stable_proof *p, struct reading r[2], const struct model *m, const struct unknowns *u,

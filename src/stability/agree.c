@@ -112,7 +112,7 @@ static enum agreement agree_at(struct digits_bench *f, struct digits_bench *g, c
 /* An input that the corrected form does without has an ordinary value. */
 static void other_inputs(double *y, const struct digits_formula *g, const struct digits_formula *f, const double *x) {
   for (slong k = 0; k < g->tape.n_inputs; k++) {
-    slong from = digits_input(&f->tape, g->tape.inputs[k]);
+    slong from = tape_input(&f->tape, g->tape.inputs[k]);
     y[k] = from >= 0 ? x[from] : 0.5;
   }
 }

@@ -23,7 +23,7 @@ static bool parse_pair(double *x, slong *k, const struct digits_formula *f, cons
     diag_set(d, "error: %s is no finite number that a double holds: %s", name, number);
     return false;
   }
-  *k = digits_input(&f->tape, name);
+  *k = tape_input(&f->tape, name);
   *x = v;
   return true;
 }

@@ -7,12 +7,6 @@
 
 /* --- What an input is --- */
 
-slong digits_input(const struct tape *t, const char *name) {
-  for (slong k = 0; k < t->n_inputs; k++)
-    if (strcmp(t->inputs[k], name) == 0) return k;
-  return -1;
-}
-
 enum input_class digits_class_of(const char *name) {
   static const struct {
     const char *begin;

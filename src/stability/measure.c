@@ -239,7 +239,7 @@ static double condition_at(struct digits_bench *w, slong from, slong to, slong p
   num_vec_init(&slope, f->n * n, num_ctx_arb(prec));
   int *flags = ss_malloc((size_t)(f->n * n) * sizeof *flags);
   for (slong k = 0; k < f->slopes.n_inputs; k++)
-    arb_set(num_vec_at(&in, k), num_vec_at(&w->bx, digits_input(&f->tape, f->slopes.inputs[k])));
+    arb_set(num_vec_at(&in, k), num_vec_at(&w->bx, tape_input(&f->tape, f->slopes.inputs[k])));
   tape_eval(&slope, flags, &f->slopes, &in);
   double most = -INFINITY, size = -INFINITY;
   bool known = true;

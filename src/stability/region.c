@@ -100,7 +100,7 @@ static bool ready_zero(struct digits_place *p, struct digits_set *s) {
   bool ok = digits_tape_of(&p->zero, s, region_table[p->region].name, region_table[p->region].section);
   ok = ok && p->zero.n_inputs <= DIGITS_INPUTS;
   for (slong k = 0; ok && k < p->zero.n_inputs; k++) {
-    p->input[k] = digits_input(&p->w->f->tape, p->zero.inputs[k]);
+    p->input[k] = tape_input(&p->w->f->tape, p->zero.inputs[k]);
     ok = p->input[k] >= 0;
   }
   return ok;
@@ -123,7 +123,7 @@ static bool ready(struct digits_place *p, struct digits_set *s) {
     return true;
   case MOVE_POWER:
   case MOVE_UP_TO_1:
-    return name ? digits_input(&f->tape, name) >= 0 : has_class(f, region_table[p->region].class);
+    return name ? tape_input(&f->tape, name) >= 0 : has_class(f, region_table[p->region].class);
   case MOVE_RESONANCE:
     return has_class(f, INPUT_CHI) && has_class(f, INPUT_ETA);
   case MOVE_TOGETHER:

@@ -74,7 +74,7 @@ static struct digits_loss measure_other(const struct search *s, struct digits_be
   struct digits_formula *f = other->f;
   double y[DIGITS_INPUTS] = {0};
   for (slong k = 0; k < f->tape.n_inputs; k++) {
-    slong i = digits_input(&s->bench.f->tape, f->tape.inputs[k]);
+    slong i = tape_input(&s->bench.f->tape, f->tape.inputs[k]);
     if (i >= 0) y[k] = x[i];
   }
   return digits_measure(other, y, floor);

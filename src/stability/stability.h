@@ -74,7 +74,6 @@ bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, cons
 
 /* --- One formula (formula.c) --- */
 
-slong digits_input(const struct tape *t, const char *name); /* -1 */
 enum input_class digits_class_of(const char *name);
 /* Makes the tape from the entries; values of a motion, z_1(t), become inputs. */
 bool digits_formula_make(struct digits_formula *f, struct digits_set *s, struct diag *d);

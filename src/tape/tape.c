@@ -75,10 +75,23 @@ static bool add_const(slong *index, struct builder *b, const char *decimal) {
   return false;
 }
 
-static slong add_input(struct builder *b, const char *name) {
-  struct tape *t = b->t;
+slong tape_input(const struct tape *t, const char *name) {
   for (slong i = 0; i < t->n_inputs; i++)
     if (strcmp(t->inputs[i], name) == 0) return i;
+  return -1;
+}
+
+bool tape_reads_matrix(const struct tape *t, const char *name) {
+  size_t len = strlen(name);
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (strncmp(t->inputs[i], name, len) == 0 && t->inputs[i][len] == '[') return true;
+  return false;
+}
+
+static slong add_input(struct builder *b, const char *name) {
+  struct tape *t = b->t;
+  slong known = tape_input(t, name);
+  if (known >= 0) return known;
   t->inputs = ss_grow(t->inputs, (size_t)t->n_inputs, &b->cap_inputs, sizeof *t->inputs);
   size_t len = strlen(name) + 1;
   t->inputs[t->n_inputs] = memcpy(ss_malloc(len), name, len);

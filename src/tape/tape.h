@@ -56,6 +56,10 @@ void tape_clear(struct tape *t);
 void tape_check(const struct tape *t);
 /* The same program: instructions, constants and inputs alike, so that the outputs are the same formulas. */
 bool tape_same(const struct tape *a, const struct tape *b);
+/* The index of the input of that name; -1 when there is none. */
+slong tape_input(const struct tape *t, const char *name);
+/* Whether an entry of the matrix of that name, "S_c[1,1]", is among the inputs. */
+bool tape_reads_matrix(const struct tape *t, const char *name);
 /* One instruction a line, "%3 = mul %1 %2", inputs and constants by name, outputs last. */
 void tape_dump(struct text *out, const struct tape *t);
 
