@@ -18,7 +18,8 @@ enum { INSIDE, OUTSIDE, N_SIDES };
 
 /* A second opinion of the sentence; not_tried: orbits against it of which this can tell nothing. */
 struct opinion {
-  long as_said, against, open, not_tried;
+  struct answers said;
+  long not_tried;
 };
 
 /* What is found at orbits; sides are those of the slope. */
@@ -57,7 +58,7 @@ static int slope_by_difference(double *margin, double *slope, const struct point
 }
 
 static void book(struct opinion *n, int fate, bool stable) {
-  *(fate == 0 ? &n->open : (fate > 0) == stable ? &n->as_said : &n->against) += 1;
+  n->said.of[fate == 0 ? TRUTH_UNKNOWN : (fate > 0) == stable ? TRUTH_TRUE : TRUTH_FALSE]++;
 }
 
 static void note_near(struct tried *t, double slope, int side) {
@@ -128,15 +129,16 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   long steps = 8 + (long)(1.5 / fabs(margin));
   book(&t->iterates, iterates_of(j, p, o, steps), stable);
   if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015) return;
-  if (t->motions.as_said + t->motions.against < MOTIONS) book(&t->motions, motion_of(j, p, o, steps), stable);
+  if (t->motions.said.of[TRUTH_TRUE] + t->motions.said.of[TRUTH_FALSE] < MOTIONS)
+    book(&t->motions, motion_of(j, p, o, steps), stable);
 }
 
 /* What agrees elsewhere says nothing of orbits that it could not try; bad: how many are against the sentence. */
 static struct route_result add_opinion(struct behaviour *b, const char *route, const struct opinion *n, long bad,
                                        const char *note) {
-  enum route_outcome said = outcome_of_counts(n->as_said, n->against, n->open);
+  enum route_outcome said = answers_outcome(&n->said);
   if (said == ROUTE_AGREES && bad && bad == n->not_tried) said = ROUTE_UNDECIDED;
-  return behaviour_route(b, route, said, false, n->as_said + n->against + n->open, NULL, note);
+  return behaviour_route(b, route, said, false, answers_given(&n->said), NULL, note);
 }
 
 static struct route_result add_theorem(struct behaviour *b, const struct linearized *l) {
@@ -166,17 +168,17 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   w[n++] = behaviour_route(b, "fd", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
                            result_take(b->j->out, &note));
   if (b->j->effort != EFFORT_REFUTE) {
-    const struct opinion *i = &t->iterates, *m = &t->motions;
-    w[n++] = add_opinion(b, "iteration", i, bad,
+    const long *iterates = t->iterates.said.of, *motions = t->motions.said.of;
+    w[n++] = add_opinion(b, "iteration", &t->iterates, bad,
                          result_str(b->j->out,
                                     "iterates of the return map from near the orbit return or depart as the "
                                     "criterion says at %ld orbits, otherwise at %ld, undecided at %ld",
-                                    i->as_said, i->against, i->open));
-    w[n++] = add_opinion(b, "integration", m, bad,
+                                    iterates[TRUTH_TRUE], iterates[TRUTH_FALSE], iterates[TRUTH_UNKNOWN]));
+    w[n++] = add_opinion(b, "integration", &t->motions, bad,
                          result_str(b->j->out,
                                     "motions under Coulomb's law from positions near admissible orbits agree with the "
                                     "criterion at %ld orbits and disagree at %ld",
-                                    m->as_said, m->against));
+                                    motions[TRUTH_TRUE], motions[TRUTH_FALSE]));
   }
   if (theorem->note) w[n] = add_theorem(b, theorem);
   n += theorem->proved;
