@@ -6,6 +6,8 @@
 
 #include "stable_impl.h"
 
+static const struct unknowns none;
+
 static const char *in_corrected(const char *name) {
   return strcmp(name, "g_1") == 0 ? "1 - omega_1^2" : name;
 }
@@ -58,7 +60,6 @@ static bool attempt(struct stable_proof *p, const struct model *m, const struct 
 /* Sets p->why_not where points refuse the equality; of the values themselves the algebra alone may be asked. */
 static bool try_points(struct stable_proof *p, const struct model *m, const struct sides *of, bool only_values,
                        struct diag *d) {
-  const struct unknowns none = {.n = 0};
   struct reading r[2];
   bool ok = read_sides(r, p->section, m, of, &none, d);
   p->why_not = ok && readings_same_shapes(r) ? readings_refused(r, only_values) : NULL;
@@ -82,7 +83,6 @@ static bool means_one_thing(const struct model *m, const char *name) {
 
 static bool direct(const struct model *m) {
   const struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
-  const struct unknowns none = {.n = 0};
   struct diag d = {0};
   bool yes = !view_lookup(&corrected, "g_1", "stability", &d);
   for (int i = 0; i < N_HELD; i++) yes = yes && means_one_thing(m, stable_held[i].name);
@@ -106,7 +106,6 @@ static bool note_use(struct model_use *used, const struct model *m, const char *
   struct reading r;
   struct matrix shape;
   struct diag d = {0};
-  const struct unknowns none = {.n = 0};
   reading_init(&r, &noting, LAYER_STABLE, &none);
   bool ok = elaborate_text(&shape, &r.el, name, name, section, &d);
   reading_clear(&r);
@@ -154,7 +153,6 @@ static bool uses_parts(bool *yes, const char *section, const struct model *m, co
 /* Whether a function says something of t, which is a symbol too, besides what it says of its argument. */
 static bool names_time(bool *yes, const char *function, const char *section, enum layer layer, const struct model *m,
                        struct diag *d) {
-  const struct unknowns none = {.n = 0};
   struct reading r;
   struct text there = {0};
   text_printf(&there, "%.*s(%s)", (int)strcspn(function, "("), function, name_time[0]);
@@ -230,7 +228,6 @@ static void keep_part(struct unknowns *u, const struct model *m, const struct de
   struct reading r;
   struct diag d = {0};
   struct matrix shape;
-  const struct unknowns none = {.n = 0};
   if (def->stmt->param || u->n_parts == MOST_PARTS || !means_one_thing(m, def->name)) return;
   reading_init(&r, m, LAYER_STABLE, &none);
   if (elaborate_text(&shape, &r.el, def->name, def->name, def->section, &d) && shape.rows < 10 && shape.cols < 10) {
@@ -245,9 +242,9 @@ static void keep_part(struct unknowns *u, const struct model *m, const struct de
 /* A part that takes the name of a free symbol would change what other formulas say. */
 static bool hides_symbol(const struct model *m, const struct definition *def, struct diag *d) {
   struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
-  struct diag none = {0};
+  struct diag unsaid = {0};
   if (def->rank != RANK_STABLE || !model_is_symbol(m, def->name) ||
-      view_lookup(&corrected, def->name, def->section, &none))
+      view_lookup(&corrected, def->name, def->section, &unsaid))
     return false;
   diag_set(d, "%s is a free symbol in the corrected layer; a part needs a name of its own", def->name);
   return true;
