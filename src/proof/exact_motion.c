@@ -215,7 +215,7 @@ static void note_motion(struct exact_motion *m, const char *argument) {
 static void note_reads(struct exact_motion *m, const struct tape *t) {
   m->first_state = m->attempt.anchor == ANCHOR_BACK ? 0 : 4;
   m->first_tangent = 4;
-  for (slong i = 0; has_word(m) && i < t->n_inputs; i++) {
+  for (slong i = 0; t && has_word(m) && i < t->n_inputs; i++) {
     bool in_x;
     int index, component, primes;
     const char *argument, *name = t->inputs[i];

@@ -59,7 +59,7 @@ struct exact_motion {
   char unbound[64]; /* or from this name */
 };
 
-/* The motion for a sentence at such points; reads: the inputs of its tape. */
+/* The motion for a sentence at such points; reads: the inputs of its tape, which may be NULL. */
 void exact_motion_init(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
                        bool finite, const struct restriction *restriction, const struct tape *reads);
 void exact_motion_clear(struct exact_motion *m);

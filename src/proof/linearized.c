@@ -88,9 +88,8 @@ static int rate_at(element *x, struct exact_motion *m, int k, int phase, int i) 
 }
 
 static bool others_strict(struct text *note) {
-  static const struct tape nothing;
   struct exact_motion m;
-  exact_motion_free(&m, false, 4, &nothing);
+  exact_motion_free(&m, false, 4, NULL);
   struct num_vec x = calc_vec(&m.c, 2);
   const char *first = first_mass_is_slower(), *second = second_mass_is_slower();
   int s = rate_at(at(&x, 0), &m, 1, PHASE_GAMMA, DZ_1) | rate_at(at(&x, 1), &m, 2, PHASE_H, DZ_2);

@@ -154,9 +154,8 @@ static bool energy_is_kept(struct exact_motion *m) {
 }
 
 const char *first_mass_is_slower(void) {
-  static const struct tape nothing;
   struct exact_motion m;
-  exact_motion_free(&m, false, 4, &nothing);
+  exact_motion_free(&m, false, 4, NULL);
   struct num_vec z, f = calc_vec(&m.c, 4);
   m.c.status = motion_state(&z, &m, 1) | motion_rate_at(&f, &m, 1, PHASE_GAMMA);
   val at_start = energy(&m.c, &m, &z, &f);
@@ -185,9 +184,8 @@ static bool second_mass_would_stay(struct exact_motion *m) {
 }
 
 const char *second_mass_is_slower(void) {
-  static const struct tape nothing;
   struct exact_motion m;
-  exact_motion_free(&m, false, 4, &nothing);
+  exact_motion_free(&m, false, 4, NULL);
   bool ok = continuous(&m, 3, PHASE_H, PHASE_C, DZ_2) && second_mass_would_stay(&m);
   exact_motion_clear(&m);
   return ok ? "z_2' < V at t_a + t_b + t_c, since with z_2' = V there z_2'' would be zero, being continuous, and z_2' "
