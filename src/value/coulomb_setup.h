@@ -19,16 +19,16 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
 /* n such numbers; takes: what is said where there are more or fewer. */
 bool coulomb_start_read(double *z, int n, const char *start, const char *takes, struct diag *d);
 
-/* The motion integrated up to its first return, or for so many of the orbit's periods: where it ends, and the letters of
-   its phases.  Status flags. */
+/* The motion integrated up to its first return, or for so many of the orbit's periods: where it ends, and the letters
+   of its phases.  Status flags. */
 int coulomb_setup_return(struct text *word, struct coulomb_result *end, const struct coulomb_setup *sim,
                          double periods);
 /* Does the motion close after one period of the word D-Gamma-H-C?  UNKNOWN between closed and clearly not.  A start in
    the stick phase is needed. */
 truth coulomb_setup_closes(const struct coulomb_setup *sim);
 
-/* audit_coulomb_setup on an orbit, by its number in the list of audit_orbits as it is, by which claims count; nothing is
-   said where it fails. */
+/* audit_coulomb_setup on an orbit, by its number in the list of audit_orbits as it is, by which claims count; nothing
+   is said where it fails. */
 bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit);
 /* The same by its number in a list of the scene's orbits that is at hand, of 128 bits or more. */
 bool coulomb_setup_among(struct coulomb_setup *sim, const struct scene *s, const struct dyn_orbits *list, slong orbit);
