@@ -558,6 +558,19 @@ START_TEST(explain_shows_both_sides) {
 }
 END_TEST
 
+/* At a point of the claim's kind.  The example's orbit needs u_r1 > 2.15516 and u_r2 > 1.67050 (tests/oracle/orbits.tsv), and
+   a realistic one has 5/4 of what is more, that or e_i, upwards to a 1024th: 3.4805 and 2.088128. */
+START_TEST(explain_takes_the_claims_points) {
+  struct job j;
+  job_run_well(&j, "explain", "eq-11b", NULL);
+  ck_assert(strstr(j.out, "orbit 2, u_r1 = 3565/1024, u_r2 = 2139/1024\n") && !strstr(j.out, "sides differ"));
+  job_clear(&j);
+  job_run_well(&j, "explain", "eq-11b", "--at", "V=2,e1=2,e2=1/4,eta=2,chi=2/3", NULL);
+  ck_assert(strstr(j.out, "\nat          these parameters have no admissible orbit\n"));
+  job_clear(&j);
+}
+END_TEST
+
 /* What the page shows by an id can be explained, be it a claim, one that a restriction makes, a root or a control; and
    there are as many claims in the list as in the report. */
 START_TEST(what_the_page_shows_can_be_explained) {
@@ -845,6 +858,7 @@ Suite *cli_suite(void) {
   tcase_set_timeout(c, TIME_LIMIT);
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, explain_shows_both_sides);
+  tcase_add_test(c, explain_takes_the_claims_points);
   tcase_add_test(c, what_the_page_shows_can_be_explained);
   tcase_add_test(c, an_equation_is_explained);
   suite_add_tcase(s, c);

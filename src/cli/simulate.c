@@ -168,7 +168,7 @@ static void print_table(const struct simulated *shown, const struct simulation *
   puts(TABLE_UNITS "\nstick: with the belt; below, above: slower, faster than it");
   coulomb_log_word(&word, log);
   coulomb_word_fold(&folded, text_str(&word));
-  puts("word: the phases in order, G for Gamma; ^3: three times over");
+  puts("word: the phases that begin after the start, in order, G for Gamma; ^3: three times over");
   printf("word %s\nended: %s at t = %.10f after %ld returns to the global stick phase\n", text_str(&folded),
          coulomb_end_name[r->end], r->at.t, r->returns);
   routes_line(shown);

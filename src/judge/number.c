@@ -213,7 +213,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
           : result_str(
                 j->out,
                 "With the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of the last "
-                "decimal below to one unit above) %s lies between %s and %s, and %s the printed digits.",
+                "decimal below to one unit above) %s takes values from %s to %s, rounded, and %s the printed digits.",
                 n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
   _arb_vec_clear(w, 3);

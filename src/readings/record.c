@@ -85,8 +85,8 @@ static void describe_numbers(struct example_reading *r, struct audit_result *out
   }
 }
 
-/* The fewest decimals of all inputs with which their rounding, to first order, moves an output by less than half a unit
-   of its last printed digit: 10^-d (sum of |slopes|) <= unit. */
+/* The fewest decimals of all inputs with which their rounding, to first order, moves an output by no more than half a unit
+   of its last printed decimal: 10^-d (sum of |slopes|) <= unit. */
 static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct printed_number *p) {
   enum { MOST = 99 };
   arb_ptr w = _arb_vec_init(3), sum = w, a = w + 1, unit = w + 2;
@@ -171,14 +171,19 @@ static bool procedure_solve(arb_ptr x, const struct example *e, unsigned inputs,
   return readings_enclose(x, s, EQUATIONS_OF_PAPER, unknown);
 }
 
+/* Rounded outwards: to nearest, after half a unit of the last digit shown. */
 static const char *end_of(struct audit_result *out, const arb_t x, bool upper) {
+  enum { DIGITS = 6 };
   arb_t end;
   arb_init(end);
   if (upper)
     arb_get_ubound_arf(arb_midref(end), x, PREC);
   else
     arb_get_lbound_arf(arb_midref(end), x, PREC);
-  const char *s = digits_of(out, end, 6);
+  double size = fabs(arf_get_d(arb_midref(end), ARF_RND_NEAR));
+  double half = size > 0 ? pow(10, floor(log10(size)) + 1 - DIGITS) / 2 : 0;
+  arf_set_d(arb_midref(end), arf_get_d(arb_midref(end), ARF_RND_NEAR) + (upper ? half : -half));
+  const char *s = digits_of(out, end, DIGITS);
   arb_clear(end);
   return s;
 }

@@ -238,7 +238,11 @@ static void conclude_first(struct hunt *h) {
     text_printf(&t, "%s %s %s (%s)", i ? "," : "", f->shift[i].of, f->shift[i].actual, f->shift[i].predicted);
   if (f->n_shifts) text_add(&t, ".");
   if (f->decimals >= 0)
-    text_printf(&t, "  Its data determine the printed digits only if they are accurate to %d decimals.", f->decimals);
+    text_printf(
+        &t,
+        "  Its data have to be accurate to %d decimals if its results are to be known to half a unit of the last "
+        "printed decimal.",
+        f->decimals);
   say(h, &r->conclusion, &r->n_conclusions, result_take(h->out, &t));
 }
 
@@ -279,10 +283,11 @@ static void conclude_rounding(struct hunt *h) {
                    r->procedure.inputs, text_str(&out)));
   if (r->procedure.n_outputs)
     say(h, &r->conclusion, &r->n_conclusions,
-        result_str(
-            h->out,
-            "Number of decimals of %s that determine the printed digits of the results of the whole procedure: %s.",
-            r->procedure.inputs, text_str(&need)));
+        result_str(h->out,
+                   "Number of decimals of %s with which the results of the whole procedure are known to half a unit of "
+                   "the last "
+                   "printed decimal: %s.",
+                   r->procedure.inputs, text_str(&need)));
   text_clear(&need);
   text_clear(&out);
 }

@@ -109,6 +109,18 @@ static void add_formulas(struct text *out, const struct model *m, const struct c
     add_line(out, "as read", f->printed);
 }
 
+/* The static friction that was taken for the orbit of a realistic point, where --at gives none. */
+static void print_friction(struct text *out, const struct point *p) {
+  fmpq_t u_r;
+  fmpq_init(u_r);
+  for (int i = 0; i < 2 && p->realistic; i++) {
+    fmpq_add(u_r, &p->q[Q_E1 + i], &p->q[Q_US1 + i]);
+    text_printf(out, ", u_r%d = ", i + 1);
+    num_print_q(out, u_r);
+  }
+  fmpq_clear(u_r);
+}
+
 /* The sentence at a point: like the claim's own points, at the scene's parameters, changed by --at. */
 static bool explain_point(struct text *out, struct judge *j, const struct claim *c, struct view view, const char *at,
                           bool tape) {
@@ -123,24 +135,26 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   struct point drawn, p;
   point_init(&drawn);
   point_init(&p);
-  sampler_init(&sampler, c->id, spec[0].kind == POINT_ARC ? POINT_ORBIT : spec[0].kind, spec[0].phase, NULL);
+  if (spec[0].kind == POINT_ARC) spec[0].kind = POINT_ORBIT;
+  sampler_of_points(&sampler, c->id, &spec[0], NULL);
   sampler.finite = claim_says(c, "perturbation", "finite");
-  sampler.paper = spec[0].paper;
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
   scene_point(&p, &drawn, j->scene, j->cache);
   if (at) p.scene = NULL; /* other data than the scene's */
   ok = ok && point_set(&p, at, j->d);
-  if (ok && p.kind == POINT_ORBIT && !p.admissible)
-    p.orbit = usual_orbit(point_orbits(&p, j->cache, FIRST_PREC), p.scene);
+  if (ok && p.kind == POINT_ORBIT)
+    p.orbit = p.admissible ? 0 : usual_orbit(point_orbits(&p, j->cache, FIRST_PREC), p.scene);
+  if (at && strstr(at, "u_s")) p.realistic = false;
   if (ok && point_settle(&p, j->cache)) {
     struct text where = {0};
     point_print(&where, &p);
+    print_friction(&where, &p);
     add_line(out, "at", text_str(&where));
     text_clear(&where);
     add_values(out, &s, &p, j->cache);
   } else if (ok) {
-    add_line(out, "at", "these parameters have no orbit");
+    add_line(out, "at", p.admissible ? "these parameters have no admissible orbit" : "these parameters have no orbit");
   }
   if (ok && tape) tape_dump(out, &s.tape);
   sentence_clear(&s);

@@ -254,8 +254,8 @@ int table_of_bifurcations(struct audit_result *out, const struct scene *s, int v
               "there.\n"
               "# trace is tr J, at a change that of an orbit at one end of its bracket; stable, admissible: at the "
               "sample, or just above the change; - where that is not "
-              "proved, or no orbit is left.  A branch that begins and ends between two searches can be missing.  No "
-              "dimensions.\n"
+              "proved, or no orbit is left.  A branch that begins and ends between two searches can be missing.  "
+              "trace and period are numbers, e1, e2 and V lengths in one unit.\n"
               "change\t%s\t%s_to\ttrace\tperiod\tstable\tadmissible\tbranch\n",
               name, name, name, name);
   int status = dyn_bifurcations_find(&list, &line, DIGITS, STARTS_OF_ALL);

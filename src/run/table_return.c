@@ -177,8 +177,8 @@ void table_of_return_map(struct table_source *s) {
       "the slope dr'/dr.\n"
       "# curve map, near: the map, over all fixed points and close to %s, in "
       "pieces; orbit, formal: fixed points by number, formal where a condition is broken, with tr J as slope;\n"
-      "# iterate: from the printed start (from beside the orbit where none is printed), by number.  No "
-      "dimensions.\n"
+      "# iterate: from the printed start (from beside the orbit where none is printed), by number.  r and r' "
+      "are lengths in the unit of the positions.\n"
       "curve\tpiece\tr\tr'\tslope\n",
       usual_orbit_text(s->j, "orbit"));
   add_curves(&t);
