@@ -158,8 +158,9 @@ static const struct study_table *table(const struct study_page *page, const char
 static int count(const struct study_table *t) {
   struct rows rows;
   rows_parse(&rows, text_str(&t->tsv));
+  int n = (int)rows.n;
   rows_clear(&rows);
-  return (int)rows.n;
+  return n;
 }
 
 static bool is(const struct study_table *t, int row, const char *column, const char *value) {

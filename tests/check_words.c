@@ -689,7 +689,7 @@ START_TEST(a_jacobian_has_the_digits_asked_for) {
 }
 END_TEST
 
-/* The survey lists every word it says, and the same bytes twice. */
+/* The survey lists every word it says. */
 START_TEST(the_survey_is_whole) {
   int status;
   char *first = shell_output(&status, "%s words overrun --json", program());

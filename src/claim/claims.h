@@ -44,8 +44,8 @@
      over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
-     repair      (argument) premises under which the conclusion follows: the condition, and what the corrected argument
-                 has besides; equations and what holds along a whole phase, which every motion fulfils, are not named
+     repair      (argument) further premises with which the conclusion follows: the condition, and the correction;
+                 equations and what holds along a whole phase, which every motion fulfils, are used and not named
      repaired-as (notation, scaling) the claim that judges the corrected text: a criterion reads it as its statement, a law
                  as its heading or, with ";", as the names of its friction; another scaling knows the degrees
      converse    (argument) yes: the inequalities among the premises must follow from the conclusion too

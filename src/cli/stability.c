@@ -37,13 +37,13 @@ static int parse_study(struct stability_options *q, const struct options *o) {
   return status ? status : parse_jobs(&q->jobs, o);
 }
 
-/* What an earlier study has left in the folder: maps, up to the first number without one. */
-static bool remove_maps(const char *folder, struct diag *d) {
+/* What an earlier study has left in the folder: maps from this number on, up to the first without one. */
+static bool remove_maps(const char *folder, int from, struct diag *d) {
   static const char *const suffix[] = {"tsv", "svg"};
   struct text path = {0};
   char name[32];
   bool ok = true, any = true;
-  for (int i = 1; ok && any; i++) {
+  for (int i = from; ok && any; i++) {
     any = false;
     for (size_t k = 0; ok && k < sizeof suffix / sizeof *suffix; k++) {
       snprintf(name, sizeof name, "map-%d.%s", i, suffix[k]);
@@ -63,7 +63,7 @@ static bool write_files(const char *folder, const struct stability_result *r, st
   struct output out;
   char name[32], file[40];
   output_init(&out, folder);
-  bool ok = folder_make(folder, d) && remove_maps(folder, d);
+  bool ok = folder_make(folder, d);
   for (int i = 0; i < r->n_maps; i++) {
     snprintf(name, sizeof name, "map-%d", i + 1);
     snprintf(file, sizeof file, "%s.tsv", name);
@@ -74,7 +74,7 @@ static bool write_files(const char *folder, const struct stability_result *r, st
   report_stability_markdown(output_add(&out, "ledger.md"), r);
   report_stability_tsv(output_add(&out, "ledger.tsv"), r);
   report_stability_json(output_add(&out, "stability.json"), r);
-  ok = ok && output_write(&out, d);
+  ok = ok && output_write(&out, d) && remove_maps(folder, r->n_maps + 1, d);
   output_clear(&out);
   return ok;
 }

@@ -93,7 +93,7 @@ static void describe_effect(struct finding *f, struct argument *a) {
   point_init(&p);
   if (nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
     const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p.orbit];
-    f->effect = result_str(a->j->out, "On %s all inequalities together are equivalent to %s and %s.",
+    f->effect = result_str(a->j->out, "On %s all inequalities together hold if and only if %s and %s, rounded.",
                            usual_orbit_text(a->j, "periodic solution"), friction_needed(a->j, 0, o),
                            friction_needed(a->j, 1, o));
   }

@@ -62,6 +62,20 @@ static bool read_asked(struct solutions *x) {
   return x->kept || claim_get(x->c, "until") || claim_error(x->j, x->c, "kind", "until, a bound of t_c, is needed");
 }
 
+/* That what keeps the constraints has first events is so of all of them: of a claim on these solutions alone none of the
+   list of the paper's constraints may be missing. */
+static bool lists_all(struct solutions *x) {
+  const struct claims *all = x->j->claims;
+  char id[64];
+  for (size_t i = 0; x->kept && i < all->n; i++) {
+    if (claim_kind(&all->claim[i]) != KIND_CONSTRAINTS) continue;
+    for (const char *p = claim_get(&all->claim[i], "constraints"); (p = claim_next_item(id, sizeof id, p)) != NULL;)
+      if (!claim_lists(x->c, "constraints", id))
+        return claim_mistake(x->c, "constraints", x->j->d, "with kept all those of %s are needed", all->claim[i].id);
+  }
+  return true;
+}
+
 /* --- The solutions --- */
 
 static void find(struct solutions *x) {
@@ -292,7 +306,7 @@ bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, 
   bool given = false;
   point_init(&x.at);
   bool ok = read_asked(&x) && read_parameters(&given, &x);
-  ok = ok && conditions_read(&x.constraints, j, c, "constraints", view);
+  ok = ok && lists_all(&x) && conditions_read(&x.constraints, j, c, "constraints", view);
   bool built = ok;
   ok = ok && sentence_from_claim(&x.equations, view, c, NULL, 0, j->d);
   if (ok && !given) {

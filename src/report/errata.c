@@ -308,8 +308,8 @@ static void add_evidences(const struct sheet *s, const struct audit_result *r) {
     if (!f) continue;
     if (!any) {
       heading(s, "Effects and counterexamples");
-      text_add(s->out, "A periodic solution is called admissible if every condition of the motion holds on it for some "
-                       "static friction, so that the masses can follow it.");
+      text_add(s->out, "A periodic solution is called admissible if every condition of the motion holds on it for "
+                       "suitable static friction, so that the masses can follow it.");
       paragraph(s);
       begin_items(s, false);
     }
@@ -324,6 +324,7 @@ static void add_evidences(const struct sheet *s, const struct audit_result *r) {
 }
 
 static void add_closing(const struct sheet *s, const struct audit_result *r) {
+  enum { MOST_NAMED = 3 };
   long count[N_VERDICTS], total = audit_result_count(count, r, OF_PAPER);
   heading(s, "What was compared");
   text_printf(s->out,
@@ -334,9 +335,9 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
     text_printf(s->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
   if (count[VERDICT_UNKNOWN]) text_printf(s->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
   const char *before = " (";
-  for (size_t i = 0; i < r->n_findings; i++) {
+  for (size_t i = 0; count[VERDICT_UNKNOWN] <= MOST_NAMED && i < r->n_findings; i++) {
     if (r->findings[i].of != OF_PAPER || r->findings[i].verdict != VERDICT_UNKNOWN) continue;
-    sheet_add(s, "%s%t", before, r->findings[i].title);
+    sheet_add(s, "%s%p", before, r->findings[i].title);
     before = "; ";
   }
   if (*before == ';') text_add_char(s->out, ')');

@@ -9,7 +9,7 @@ const struct glossary_entry glossary[] = {
     {"orbit", "a periodic solution that goes through the four phases once, each ending at the first time at which its "
               "condition is met; orbits of one set of data are numbered in order of increasing $z_{10}$"},
     {"admissible",
-     "said of an orbit on which every condition of the motion holds for suitable $u_{r1}$ and $u_{r2}$, so that the "
+     "said of an orbit on which every condition of the motion holds for suitable static friction, so that the "
      "masses can follow it"},
     {"tr J, criterion",
      "$\\operatorname{tr} J$ is the trace of the Jacobian of one period, its only eigenvalue besides "

@@ -109,7 +109,7 @@ static void add_formulas(struct text *out, const struct model *m, const struct c
     add_line(out, "as read", f->printed);
 }
 
-/* The static friction that was taken for the orbit of a realistic point, where --at gives none. */
+/* The static friction that was taken for the orbit of a realistic point. */
 static void print_friction(struct text *out, const struct point *p) {
   fmpq_t u_r;
   fmpq_init(u_r);
@@ -145,7 +145,11 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   ok = ok && point_set(&p, at, j->d);
   if (ok && p.kind == POINT_ORBIT)
     p.orbit = p.admissible ? 0 : usual_orbit(point_orbits(&p, j->cache, FIRST_PREC), p.scene);
-  if (at && strstr(at, "u_s")) p.realistic = false;
+  if (ok && p.realistic && at && strstr(at, "u_s")) {
+    diag_set(j->d, "error: --at: of a realistic orbit, of which %s speaks, u_s1 and u_s2 follow from what it needs",
+             c->id);
+    ok = false;
+  }
   if (ok && point_settle(&p, j->cache)) {
     struct text where = {0};
     point_print(&where, &p);

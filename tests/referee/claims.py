@@ -355,7 +355,7 @@ def numbers_example(of):
     z_a = matrix([z[0] + c["V"] * t_a_kept, z[1] + c["V"] * t_a_kept, c["V"], c["V"]])
     z_b = flow(c, "G", t_b) * z_a
     found += [t_a_kept, t_d_kept, z[0], z[1], z_a[0] - c["chi"] * z_a[1], c["chi"] * (z_b[1] - z_b[0])]
-    found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d)) + starts(c, (found[0], t_b, t_c, t_d))]
+    found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d))]
     return {rounded(x, 4) for x in found + [slope(of["num-t_a"])]} | {
         of["num-t_d"].text("printed"), rounded(other, 3), rounded(found[0], 5)}
 
