@@ -100,16 +100,20 @@ static bool is_proved(const struct stable_proofs *p, const struct stmt *stmt) {
   return false;
 }
 
-/* Notes what a name is made of in the stable layer. */
-static bool note_use(struct model_use *used, const struct model *m, const char *name, const char *section) {
-  const struct model noting = model_noting(used, m);
+/* Notes what a value is made of in the stable layer. */
+static bool note_use(const struct model *noting, const char *value, const char *section) {
   struct reading r;
-  struct matrix shape;
   struct diag d = {0};
-  reading_init(&r, &noting, LAYER_STABLE, &none);
-  bool ok = elaborate_text(&shape, &r.el, name, name, section, &d);
+  reading_init(&r, noting, LAYER_STABLE, &none);
+  bool ok = reading_value(&r, value, section, &d);
   reading_clear(&r);
   return ok;
+}
+
+static bool is_asked(const struct unknowns *u, const struct model *m, const char *name) {
+  bool yes = !u->asked;
+  for (size_t i = 0; !yes && i < m->n_defs; i++) yes = u->asked->def[i] && strcmp(m->defs[i].name, name) == 0;
+  return yes;
 }
 
 /* Whether every definition that the stable layer has in place of a corrected one, on the way to the name, is proved. */
@@ -117,7 +121,8 @@ static bool follows(const struct stable_proofs *p, const struct model *m, const 
   struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
   struct diag d = {0};
   struct model_use used;
-  bool yes = note_use(&used, m, name, section);
+  const struct model noting = model_noting(&used, m);
+  bool yes = note_use(&noting, name, section);
   for (size_t i = 0; yes && i < m->n_defs; i++) {
     const struct definition *def = &m->defs[i];
     if (used.def[i] && def->rank == RANK_STABLE && view_lookup(&corrected, def->name, def->section, &d))
@@ -127,12 +132,14 @@ static bool follows(const struct stable_proofs *p, const struct model *m, const 
   return yes;
 }
 
-/* How many of those that may be held are, for a proof of the name: none for one that is proved directly. */
+/* How many of those that may be held are, for a proof of the name: none for one that is proved directly.  One that is not
+   asked for is met in corrected forms at most, and what is equal whatever it is needs no proof of it. */
 static int holdable(struct unknowns *u, const struct stable_proofs *p, const struct model *m, const char *name) {
   int own = place_held(name);
   if (u->usable < 0) u->usable = direct(m) ? N_DIRECT : 0;
   if (own == N_HELD)
-    while (u->usable >= N_DIRECT && u->usable < N_HELD && follows(p, m, stable_held[u->usable].name, "stability"))
+    while (u->usable >= N_DIRECT && u->usable < N_HELD &&
+           (!is_asked(u, m, stable_held[u->usable].name) || follows(p, m, stable_held[u->usable].name, "stability")))
       u->usable++;
   return own < N_DIRECT ? 0 : own < N_HELD ? FLINT_MIN(u->usable, N_DIRECT) : u->usable;
 }
@@ -250,10 +257,16 @@ static bool hides_symbol(const struct model *m, const struct definition *def, st
   return true;
 }
 
-static bool prove_definition(struct stable_proofs *out, struct unknowns *u, const struct model *m,
-                             const struct definition *def, struct diag *d) {
+/* What a definition gives a value: NAME or NAME(t). */
+static struct text value_of(const struct definition *def) {
   struct text own = {0};
   text_printf(&own, def->stmt->param ? "%s(t)" : "%s", def->name);
+  return own;
+}
+
+static bool prove_definition(struct stable_proofs *out, struct unknowns *u, const struct model *m,
+                             const struct definition *def, struct diag *d) {
+  struct text own = value_of(def);
   struct diag unclear = {0};
   const char *other = def->rank == RANK_STABLE ? counterpart(text_str(&own), m, def, &unclear) : NULL;
   if (unclear.set) diag_again(d, unclear.message);
@@ -272,19 +285,22 @@ static bool prove_definition(struct stable_proofs *out, struct unknowns *u, cons
   return ok;
 }
 
-static bool prove_all(struct stable_proofs *out, const struct model *model, bool algebra_alone, struct diag *d) {
+/* Every form, or only those asked for. */
+static bool prove_all(struct stable_proofs *out, const struct model *model, bool algebra_alone,
+                      const struct model_use *asked, struct diag *d) {
   struct model both = *model;
   const struct model *m = &both;
   both.stable = false; /* else the stable layer would be held against itself */
-  struct unknowns u = {.n = N_HELD, .usable = -1, .algebra_alone = algebra_alone};
+  struct unknowns u = {.n = N_HELD, .usable = -1, .algebra_alone = algebra_alone, .asked = asked};
   memcpy(u.name, stable_held, sizeof stable_held);
   *out = (struct stable_proofs){.n = 0};
   arena_init(&out->arena);
   bool ok = true;
-  for (size_t i = 0; ok && i < m->n_defs; i++) ok = prove_definition(out, &u, m, &m->defs[i], d);
+  for (size_t i = 0; ok && i < m->n_defs; i++)
+    if (!asked || asked->def[i]) ok = prove_definition(out, &u, m, &m->defs[i], d);
   for (size_t i = 0; ok && i < m->n_records; i++) {
     const struct statement_record *r = &m->records[i];
-    if (r->rank != RANK_STABLE || strcmp(r->record->kind_name, "define") == 0) continue;
+    if (r->rank != RANK_STABLE || strcmp(r->record->kind_name, "define") == 0 || (asked && !asked->record[i])) continue;
     struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
     struct sides of = {.record = {view_record(&corrected, r->id), r}};
     if (!of.record[0]) diag_set(d, "%s replaces no record", r->id);
@@ -294,11 +310,28 @@ static bool prove_all(struct stable_proofs *out, const struct model *model, bool
 }
 
 bool stable_prove(struct stable_proofs *out, const struct model *m, struct diag *d) {
-  return prove_all(out, m, false, d);
+  return prove_all(out, m, false, NULL, d);
 }
 
 bool stable_prove_by_algebra(struct stable_proofs *out, const struct model *m, struct diag *d) {
-  return prove_all(out, m, true, d);
+  return prove_all(out, m, true, NULL, d);
+}
+
+/* Notes a record, and all that it is made of in the stable layer. */
+static void note_record(const struct model *noting, size_t i) {
+  const struct statement_record *of = &noting->records[i];
+  struct reading r;
+  struct diag d = {0};
+  noting->use->record[i] = true;
+  for (size_t k = 0; k < noting->n_defs; k++) {
+    if (noting->defs[k].record != of->record) continue;
+    struct text own = value_of(&noting->defs[k]);
+    note_use(noting, text_str(&own), of->section);
+    text_clear(&own);
+  }
+  reading_init(&r, noting, LAYER_STABLE, &none);
+  reading_record(&r, of, &d);
+  reading_clear(&r);
 }
 
 static bool concerns(const struct statement_record *r, const char *equation, const char *record) {
@@ -307,12 +340,17 @@ static bool concerns(const struct statement_record *r, const char *equation, con
 }
 
 void stable_explain(struct text *out, const struct model *m, const char *equation, const char *record) {
+  struct model_use used;
+  const struct model noting = model_noting(&used, m);
   bool any = false;
-  for (size_t i = 0; i < m->n_records; i++) any = any || concerns(&m->records[i], equation, record);
-  if (!any) return;
-  struct stable_proofs p;
+  for (size_t i = 0; i < m->n_records; i++) {
+    if (!concerns(&m->records[i], equation, record)) continue;
+    any = true;
+    note_record(&noting, i);
+  }
+  struct stable_proofs p = {.n = 0};
   struct diag d = {0};
-  bool ok = stable_prove(&p, m, &d);
+  bool ok = !any || prove_all(&p, m, false, &used, &d);
   if (!ok) text_printf(out, "%-11s cannot be read over these formulas: %s\n", "stable", d.message);
   for (size_t i = 0; ok && i < p.n; i++) {
     const struct statement_record *r = p.item[i].record;
@@ -326,6 +364,7 @@ void stable_explain(struct text *out, const struct model *m, const char *equatio
     }
   }
   stable_proofs_clear(&p);
+  model_use_clear(&used);
 }
 
 void stable_proofs_clear(struct stable_proofs *p) {

@@ -64,7 +64,8 @@ struct unknowns {
   struct part part[MOST_PARTS];
   int n, n_parts;
   bool algebra_alone;
-  int usable; /* of those that may be held, this many are known to be the same in both layers */
+  const struct model_use *asked; /* what the stable forms in question are made of; NULL: all forms are */
+  int usable; /* of those that may be held, this many are known to be the same in both layers, or are not asked for */
 };
 
 void reading_init(struct reading *r, const struct model *m, enum layer layer, const struct unknowns *u);
