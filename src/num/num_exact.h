@@ -6,7 +6,7 @@
 #include "num/num.h"
 
 /* Elements of num_exact are fmpz_mpoly_q_struct in this ring, ordered lexicographically. */
-enum { NUM_EXACT_GENERATORS = 64, NUM_EXACT_PRODUCT = 1 << 17 };
+enum { NUM_EXACT_GENERATORS = 40, NUM_EXACT_PRODUCT = 1 << 17 };
 const fmpz_mpoly_ctx_struct *num_exact_ctx(void);
 /* The larger of the numbers of terms of numerator and denominator. */
 slong num_exact_terms(const fmpz_mpoly_q_struct *x);
