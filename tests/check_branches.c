@@ -197,6 +197,27 @@ START_TEST(what_is_claimed_of_them) {
 }
 END_TEST
 
+/* Beside a claim that lists the constraints, one on the solutions that keep them alone must list them all. */
+START_TEST(solutions_keep_all_that_is_listed) {
+  static const char list[] = "claim list\n  section: periodic\n  kind: constraints\n  constraints: eq-51, eq-59#2\n";
+  static const char *const listed[] = {"eq-51, eq-57#1", "eq-59#2, eq-51"};
+  struct model m;
+  paper_model(&m, NULL);
+  for (int i = 0; i < 2; i++) {
+    struct text claims = {0};
+    struct audit_result r;
+    struct diag d;
+    text_printf(&claims, "%s%s  count: 2\n%s  constraints: %s\n", list, SIX, TWO, listed[i]);
+    bool ok = judge_own(&r, &m, text_str(&claims), &d);
+    ck_assert_msg(ok == (i == 1), "%s: %s", listed[i], d.message);
+    if (!ok) ck_assert_msg(strstr(d.message, "with kept all those of list are needed"), "%s", d.message);
+    audit_result_clear(&r);
+    text_clear(&claims);
+  }
+  model_clear(&m);
+}
+END_TEST
+
 Suite *branches_suite(void) {
   Suite *s = suite_create("branches");
   TCase *c = tcase_create("branches");
@@ -209,6 +230,7 @@ Suite *branches_suite(void) {
   TCase *claims = tcase_create("claims");
   tcase_add_checked_fixture(claims, scratch_open, scratch_close);
   tcase_add_loop_test(claims, what_is_claimed_of_them, 0, (int)(sizeof claims_tried / sizeof *claims_tried));
+  tcase_add_test(claims, solutions_keep_all_that_is_listed);
   suite_add_tcase(s, claims);
   return s;
 }
