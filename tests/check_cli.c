@@ -330,6 +330,9 @@ START_TEST(a_box_of_parameters) {
   char *json = file_text(scratch_path("box/audit.json"));
   ck_assert(strstr(json, "the scene gives intervals, and this is about one set of parameters"));
   free(json);
+  job_run_well(&j, "orbit", box, NULL);
+  ck_assert_msg(strstr(j.out, "\n  e2       [1.81200000000000, 2.10000000000000]\n"), "%s", j.out); /* the box's own ends, not enclosures */
+  job_clear(&j);
 }
 END_TEST
 

@@ -6,43 +6,40 @@
 #include "motion/complete.h"
 #include "orbit_numbers.h"
 
-/* The ends of x as decimals, rounded outwards. */
-static void print_ends(char *out[2], const arb_t x, slong digits) {
+/* An end of x as a decimal, rounded outwards. */
+static void add_end(struct text *out, const arb_t x, bool upper, slong digits) {
+  char shown[128];
   arf_t end;
   mpfr_t m;
   arf_init(end);
   mpfr_init2(m, 128);
-  for (int i = 0; i < 2; i++) {
-    if (i == 0) {
-      arb_get_lbound_arf(end, x, 128);
-      arf_get_mpfr(m, end, MPFR_RNDD);
-      mpfr_asprintf(&out[i], "%.*RDg", (int)digits, m);
-    } else {
-      arb_get_ubound_arf(end, x, 128);
-      arf_get_mpfr(m, end, MPFR_RNDU);
-      mpfr_asprintf(&out[i], "%.*RUg", (int)digits, m);
-    }
-  }
+  if (upper)
+    arb_get_ubound_arf(end, x, 128);
+  else
+    arb_get_lbound_arf(end, x, 128);
+  arf_get_mpfr(m, end, upper ? MPFR_RNDU : MPFR_RNDD);
+  mpfr_snprintf(shown, sizeof shown, "%.*R*g", (int)digits, upper ? MPFR_RNDU : MPFR_RNDD, m);
+  text_add(out, shown);
   mpfr_clear(m);
   arf_clear(end);
 }
 
-static void add_interval(struct text *out, const arb_t x, slong digits) {
-  char *end[2];
-  print_ends(end, x, digits);
-  text_printf(out, "[%s, %s]", end[0], end[1]);
-  for (int i = 0; i < 2; i++) mpfr_free_str(end[i]);
+/* The parameter that the i-th number of an orbit is where the scene gives it as an interval; -1 for another number. */
+static int box_side(const struct scene *s, int i) {
+  const fmpq *given = scene_given_number(s, i);
+  for (int k = 0; k < N_SCENE_PARAMS; k++)
+    if (s->interval[k] && given == &s->value[k]) return k;
+  return -1;
 }
 
-static void json_interval(struct json *j, const char *key, const arb_t x, slong digits) {
-  char *end[2];
-  print_ends(end, x, digits);
-  json_array(j, key);
-  for (int i = 0; i < 2; i++) {
-    json_string(j, NULL, end[i]);
-    mpfr_free_str(end[i]);
-  }
-  json_end_array(j);
+/* An end of the i-th number: of its enclosure, or of the box itself, rounded to nearest. */
+static void add_number_end(struct text *out, const struct dyn_orbit *o, int i, const struct scene *s, bool upper,
+                           slong digits) {
+  int k = box_side(s, i);
+  if (k < 0)
+    add_end(out, orbit_number(o, i), upper, digits);
+  else
+    num_print_rational(out, upper ? &s->high[k] : &s->value[k], digits);
 }
 
 static void add_middle(struct text *out, const arb_t x, slong digits) {
@@ -53,10 +50,18 @@ static void add_middle(struct text *out, const arb_t x, slong digits) {
   arb_clear(mid);
 }
 
-static void json_middle(struct json *j, const char *key, const arb_t x, slong digits) {
-  json_begin_string(j, key);
-  add_middle(j->out, x, digits);
-  json_end_string(j);
+static void add_number_middle(struct text *out, const struct dyn_orbit *o, int i, const struct scene *s, slong digits) {
+  int k = box_side(s, i);
+  if (k < 0) {
+    add_middle(out, orbit_number(o, i), digits);
+    return;
+  }
+  fmpq_t middle;
+  fmpq_init(middle);
+  fmpq_add(middle, &s->value[k], &s->high[k]);
+  fmpq_div_2exp(middle, middle, 1);
+  num_print_rational(out, middle, digits);
+  fmpq_clear(middle);
 }
 
 /* The given u_r count only where the numbers hold for the box. */
@@ -67,24 +72,39 @@ static truth box_admissible(truth u[2], const struct scene *s, const struct dyn_
   return TRUTH_UNKNOWN;
 }
 
+static void json_middle(struct json *j, const struct dyn_orbit *o, int i, const struct scene *s, slong digits) {
+  json_begin_string(j, orbit_number_name(i));
+  add_number_middle(j->out, o, i, s, digits);
+  json_end_string(j);
+}
+
 static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const struct scene *s, slong digits) {
   const struct dyn_orbit *o = &b->orbit;
   truth u[2], admissible = box_admissible(u, s, b);
   json_object(j, NULL);
-  for (int i = 0; i < ORBIT_NUMBERS; i++)
-    if (i < 10) json_middle(j, orbit_number_name(i), orbit_number(o, i), digits);
+  for (int i = 0; i < 10; i++) json_middle(j, o, i, s, digits);
   json_array(j, "eigenvalues");
   json_string(j, NULL, "0");
-  json_middle(j, NULL, o->trace, digits);
+  json_begin_string(j, NULL);
+  add_middle(j->out, o->trace, digits);
+  json_end_string(j);
   json_end_array(j);
   fate_json(j, o, admissible, u);
-  for (int i = 10; i < ORBIT_NUMBERS; i++) json_middle(j, orbit_number_name(i), orbit_number(o, i), digits);
+  for (int i = 10; i < ORBIT_NUMBERS; i++) json_middle(j, o, i, s, digits);
   json_bool(j, "certified", false);
   json_null(j, "radius");
   json_truth(j, "of_word", b->word);
   if (b->proved) {
     json_object(j, "enclosures");
-    for (int i = 0; i < ORBIT_NUMBERS; i++) json_interval(j, orbit_number_name(i), orbit_number(o, i), digits);
+    for (int i = 0; i < ORBIT_NUMBERS; i++) {
+      json_array(j, orbit_number_name(i));
+      for (int end = 0; end < 2; end++) {
+        json_begin_string(j, NULL);
+        add_number_end(j->out, o, i, s, end, digits);
+        json_end_string(j);
+      }
+      json_end_array(j);
+    }
     json_end_object(j);
   } else {
     json_null(j, "enclosures");
@@ -99,17 +119,17 @@ static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const stru
 
 static void box_json(struct text *out, const struct dyn_box *box, const struct scene *s, slong digits) {
   struct json j;
-  arb_t x, end;
-  arb_init(x);
-  arb_init(end);
   json_of_model(&j, out, s);
   json_object(&j, "box");
   for (int k = 0; k < N_SCENE_PARAMS; k++) {
     if (!s->interval[k]) continue;
-    arb_set_fmpq(x, &s->value[k], 128);
-    arb_set_fmpq(end, &s->high[k], 128);
-    arb_union(x, x, end, 128);
-    json_interval(&j, scene_key_name[k], x, digits);
+    json_array(&j, scene_key_name[k]);
+    for (int end = 0; end < 2; end++) {
+      json_begin_string(&j, NULL);
+      num_print_rational(out, end ? &s->high[k] : &s->value[k], digits);
+      json_end_string(&j);
+    }
+    json_end_array(&j);
   }
   json_end_object(&j);
   json_bool(&j, "complete", false);
@@ -119,16 +139,15 @@ static void box_json(struct text *out, const struct dyn_box *box, const struct s
   for (slong i = 0; i < box->n; i++) orbit_json(&j, &box->at[i], s, digits);
   json_end_array(&j);
   json_end_object(&j);
-  arb_clear(end);
-  arb_clear(x);
 }
 
-/* The i-th number where the scene gives it, and not as an interval; NULL elsewhere. */
-static const fmpq *exact_number(const struct scene *s, int i) {
-  const fmpq *given = scene_given_number(s, i);
-  for (int k = 0; k < N_SCENE_PARAMS; k++)
-    if (s->interval[k] && given == &s->value[k]) return NULL;
-  return given;
+static void add_number_interval(struct text *out, const struct dyn_orbit *o, int i, const struct scene *s,
+                                slong digits) {
+  text_add_char(out, '[');
+  add_number_end(out, o, i, s, false, digits);
+  text_add(out, ", ");
+  add_number_end(out, o, i, s, true, digits);
+  text_add_char(out, ']');
 }
 
 static void orbit_text(struct text *out, const struct dyn_box_orbit *b, const struct scene *s, slong digits) {
@@ -143,13 +162,13 @@ static void orbit_text(struct text *out, const struct dyn_box_orbit *b, const st
   if (b->proved && b->word != TRUTH_TRUE) text_add(out, "  perhaps not of the word all over the box\n");
   for (int i = 0; i < ORBIT_NUMBERS; i++) {
     text_printf(out, "  %-8s ", orbit_number_name(i));
-    const fmpq *exact = exact_number(s, i);
+    const fmpq *exact = box_side(s, i) < 0 ? scene_given_number(s, i) : NULL;
     if (exact)
       num_print_rational(out, exact, digits);
     else if (b->proved)
-      add_interval(out, orbit_number(o, i), digits);
+      add_number_interval(out, o, i, s, digits);
     else
-      add_middle(out, orbit_number(o, i), digits);
+      add_number_middle(out, o, i, s, digits);
     text_add_char(out, '\n');
   }
   for (int i = 0; i < N_CONDITIONS; i++) {
