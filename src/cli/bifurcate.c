@@ -124,6 +124,14 @@ static void change_text(struct text *out, const struct dyn_bifurcation *b, const
   text_add_char(out, '\n');
 }
 
+/* What the kinds that occur mean. */
+static void kinds_text(struct text *out, const struct dyn_bifurcations *list) {
+  bool met[N_CHANGES] = {false};
+  for (slong i = 0; i < list->n; i++) met[list->at[i].what] = true;
+  for (int k = 0; k < N_CHANGES; k++)
+    if (met[k]) text_printf(out, "%s: %s\n", dyn_change_id[k], dyn_change_text[k]);
+}
+
 static void all_text(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
                      const struct range *a, slong digits) {
   const char *name = scene_key_name[a->vary];
@@ -135,6 +143,7 @@ static void all_text(struct text *out, const struct dyn_bifurcations *list, cons
               (long)list->n_branches, list->n_branches == 1 ? "" : "es");
   text_printf(out, "  %-*s  %-9s %6s  %s\n", 2 * (int)digits + 7, name, "kind", "branch", "orbits below -> above");
   for (slong i = 0; i < list->n; i++) change_text(out, &list->at[i], s, digits);
+  kinds_text(out, list);
   for (slong i = 0; i < list->n_branches; i++) {
     const struct dyn_branch *b = &list->branch[i];
     text_printf(out, "branch %ld: %s from %.6g (%s) to %.6g (%s)", (long)i + 1, name, b->from[0],

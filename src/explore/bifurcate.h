@@ -43,6 +43,7 @@ enum dyn_change {
   N_CHANGES
 };
 extern const char *const dyn_change_id[N_CHANGES];
+extern const char *const dyn_change_text[N_CHANGES]; /* what happens there */
 
 /* The orbits that take part, at one end of the bracket, an exact value of the parameter. */
 struct dyn_beside {

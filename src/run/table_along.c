@@ -28,22 +28,6 @@ static const char heading[] =
     "orbit is left.  One that is not admissible solves the equations and is no motion.\n"
     "change\te2\te2_to\ttrace\tperiod\tstable\tadmissible\n";
 
-static const char *const says[N_CHANGES] = {
-    [CHANGE_FLIP] = "tr J passes -1",
-    [CHANGE_FOLD] = "the solution merges with another one",
-    [CHANGE_TA] = "t_a becomes zero",
-    [CHANGE_H_V2] = "the second mass reaches the velocity of the belt in the global slip phase",
-    [CHANGE_C_W_START] = "the force on the first mass reaches its limit where it begins to stick",
-    [CHANGE_C_W_HILL] = "the force on the first mass reaches its limit in the stick-slip phase",
-    [CHANGE_U_R1] = "the static friction of the first mass is no longer sufficient",
-    [CHANGE_U_R2] = "the static friction of the second mass is no longer sufficient",
-    [CHANGE_H_V1] = "the first mass reaches the velocity of the belt earlier in the global slip phase",
-    [CHANGE_TC] = "the first mass touches the velocity of the belt at the end of the global slip phase",
-    [CHANGE_C_V2] = "both masses reach the velocity of the belt at once",
-    [CHANGE_TB] = "t_b becomes zero",
-    [CHANGE_GAMMA_V1] = "t_c becomes zero",
-    [CHANGE_GAMMA_R] = "the force on the second mass reaches its limit earlier in the slip-stick phase"};
-
 static void add_state(struct text *body, truth is) {
   text_add(body, is == TRUTH_TRUE ? "\tyes" : is == TRUTH_FALSE ? "\tno" : "\t-");
 }
@@ -89,7 +73,7 @@ static bool add_sample(struct line *l, const double guess[2], bool up) {
    at the change, or NULL. */
 static void add_change(struct text *body, const struct scene *s, const struct dyn_bifurcation *b,
                        const struct dyn_orbit *beside) {
-  text_add(body, says[b->what]);
+  text_add(body, dyn_change_text[b->what]);
   table_bracket(body, b);
   table_number(body, beside && b->what != CHANGE_FOLD ? beside->trace : b->trace, DECIMALS);
   table_number(body, beside ? beside->period : NULL, DECIMALS);
