@@ -37,23 +37,9 @@ void csv_line(int n, const struct mech_moment *at) {
   text_clear(&line);
 }
 
-void events_table(const struct simulated *run, const bool *grazing) {
-  struct text out = {0};
-  mech_table_heading(&out, run->n, run->system != NULL);
-  for (int i = 1; i < run->main->n_moments; i++) {
-    const struct mech_moment *at = &run->main->moment[i];
-    mech_table_line(&out, run->n, run->system != NULL, at, at[-1].phase[at->mass]);
-    text_add(&out, grazing && grazing[i - 1] ? "  grazing\n" : "\n");
-  }
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
-}
-
-void routes_line(const struct simulated *run) {
-  int shared;
-  double worst = mech_compare(&shared, run->main, run->other, run->n);
-  printf("closed forms: the first %d of %d events are the same, times and states within %.1e\n", shared,
-         run->main->n_moments - 1, worst);
+void routes_line(long shared, long events, double worst) {
+  printf("closed forms: the first %ld of %ld events are the same, times and states within %.1e\n", shared, events,
+         worst);
 }
 
 void simulated_json(const struct simulated *run, const char *ended) {
@@ -154,48 +140,76 @@ static int simulate_csv(const struct simulation *run) {
   return early_status(&r);
 }
 
-static void print_table(const struct simulated *shown, const struct simulation *run, const struct coulomb_log *log,
-                        const struct coulomb_result *r) {
-  struct text word = {0}, folded = {0};
-  bool *grazing = ss_malloc((log->n + 1) * sizeof *grazing);
-  for (size_t i = 0; i < log->n; i++) grazing[i] = log->event[i].grazing;
-  printf("%s, %s: u_r1 = %.10g, u_r2 = %.10g\n%s", shown->scene, run->from, run->setup.params[COULOMB_UR1],
-         run->setup.params[COULOMB_UR2],
-         run->setup.own_friction ? "(where the scene gives none: 5/4 of what the orbits need)\n" : "");
+static void print_heading(const struct simulation *run, const struct scene *s) {
+  struct text out = {0};
+  text_printf(&out, "%s, %s: u_r1 = %.10g, u_r2 = %.10g\n%s", s->name, run->from, run->setup.params[COULOMB_UR1],
+              run->setup.params[COULOMB_UR2],
+              run->setup.own_friction ? "(where the scene gives none: 5/4 of what the orbits need)\n" : "");
   if (run->setup.broken)
-    printf("%s is not admissible: it breaks a condition of Coulomb's law, and the motion is another\n", run->from);
-  events_table(shown, grazing);
+    text_printf(&out, "%s is not admissible: it breaks a condition of Coulomb's law, and the motion is another\n",
+                run->from);
+  mech_table_heading(&out, 2, false);
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
+}
+
+/* A line of the table, of an event that the log keeps. */
+static bool print_event(void *self, const struct coulomb_event *e) {
+  struct coulomb_sink keep = coulomb_log_sink(self);
+  struct text out = {0};
+  struct mech_moment at = moment_of(&e->at);
+  at.mass = e->mass;
+  at.phase[e->mass] = letter_of[e->to];
+  mech_table_line(&out, 2, false, &at, letter_of[e->from]);
+  text_add(&out, e->grazing ? "  grazing\n" : "\n");
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
+  return keep.event(keep.self, e) && !ferror(stdout);
+}
+
+static void print_end(const struct coulomb_log *ode, const struct coulomb_log *exact, const struct coulomb_result *r) {
+  struct text word = {0}, folded = {0};
+  size_t shared;
+  double worst = coulomb_log_compare(&shared, ode, exact);
   puts(TABLE_UNITS "\nstick: with the belt; below, above: slower, faster than it");
-  coulomb_log_word(&word, log);
+  coulomb_log_word(&word, ode);
   coulomb_word_fold(&folded, text_str(&word));
   puts("word: the phases that begin after the start, in order, G for Gamma; ^3: three times over");
   printf("word %s\nended: %s at t = %.10f after %ld returns to the global stick phase\n", text_str(&folded),
          coulomb_end_name[r->end], r->at.t, r->returns);
-  routes_line(shown);
-  free(grazing);
+  routes_line((long)shared, (long)ode->n, worst);
   text_clear(&folded);
   text_clear(&word);
 }
 
+static void print_json(const struct simulation *run, const struct scene *s, const struct coulomb_log *ode,
+                       const struct coulomb_log *exact, const struct coulomb_result *r) {
+  struct mech_motion main, other;
+  motion_of(&main, &run->setup, ode);
+  motion_of(&other, &run->setup, exact);
+  main.t = r->at.t;
+  simulated_json(&(struct simulated){s->name, NULL, run->from, 2, N_STATE, &main, &other}, coulomb_end_name[r->end]);
+  mech_motion_clear(&main);
+  mech_motion_clear(&other);
+}
+
+/* The lines of the table are printed as the events come. */
 static int simulate_events(const struct simulation *run, const struct scene *s, bool json) {
   struct coulomb_log ode, exact;
   struct coulomb_result r = {.end = COULOMB_FAILED}, r_exact;
-  struct mech_motion main, other;
   coulomb_log_init(&ode);
   coulomb_log_init(&exact);
   struct coulomb_sink sink = coulomb_log_sink(&ode), sink_exact = coulomb_log_sink(&exact);
+  if (!json) {
+    print_heading(run, s);
+    sink = (struct coulomb_sink){.self = &ode, .event = print_event};
+  }
   coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
   coulomb_simulate_d(&r_exact, run->setup.params, run->setup.start, &run->plan, &sink_exact);
-  motion_of(&main, &run->setup, &ode);
-  motion_of(&other, &run->setup, &exact);
-  main.t = r.at.t;
-  struct simulated shown = {s->name, NULL, run->from, 2, N_STATE, &main, &other};
   if (json)
-    simulated_json(&shown, coulomb_end_name[r.end]);
+    print_json(run, s, &ode, &exact, &r);
   else
-    print_table(&shown, run, &ode, &r);
-  mech_motion_clear(&main);
-  mech_motion_clear(&other);
+    print_end(&ode, &exact, &r);
   coulomb_log_clear(&exact);
   coulomb_log_clear(&ode);
   return early_status(&r);

@@ -140,6 +140,18 @@ static void print_fate(const struct system_simulation *run, const struct mech_mo
   text_clear(&word);
 }
 
+static void print_events(const struct mech_motion *x, int n) {
+  struct text out = {0};
+  mech_table_heading(&out, n, true);
+  for (int i = 1; i < x->n_moments; i++) {
+    const struct mech_moment *at = &x->moment[i];
+    mech_table_line(&out, n, true, at, at[-1].phase[at->mass]);
+    text_add_char(&out, '\n');
+  }
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
+}
+
 static int print_motion(struct system_simulation *run, const struct scene *s, const struct options *o, struct diag *d) {
   struct mech_motion x, exact;
   bool csv = option(o, OPT_CSV) != NULL;
@@ -158,11 +170,13 @@ static int print_motion(struct system_simulation *run, const struct scene *s, co
       simulated_json(&shown, mech_outcome_name[x.end]);
     } else {
       print_start(run, &x, s);
-      events_table(&shown, NULL);
+      print_events(&x, run->m.n);
       print_names(&run->m);
       puts("stick: with its surface; below, above: slower, faster than it; phases as in docs/systems.md");
       print_fate(run, &x);
-      routes_line(&shown);
+      int shared;
+      double worst = mech_compare(&shared, &x, &exact, run->m.n);
+      routes_line(shared, x.n_moments - 1, worst);
     }
   }
   if (status == SS_UNABLE) ended_early(mech_outcome_name[x.end], "ode", x.t);

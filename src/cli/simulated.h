@@ -12,10 +12,8 @@ struct simulated {
 };
 /* A row of CSV; at: NULL for the heading. */
 void csv_line(int n, const struct mech_moment *at);
-/* The lines of the table; grazing, of each event, may be NULL. */
-void events_table(const struct simulated *run, const bool *grazing);
-/* How far both routes agree. */
-void routes_line(const struct simulated *run);
+/* How far both routes agree: of so many events so many are the same. */
+void routes_line(long shared, long events, double worst);
 void simulated_json(const struct simulated *run, const char *ended);
 
 /* simulate on a scene that names a system file: from the orbit of that number, counted from 0; time is 0 where it is not

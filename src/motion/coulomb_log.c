@@ -31,7 +31,7 @@ void coulomb_word_fold(struct text *out, const char *word) {
     if (word[len] == 'D') len++;
     long n = 0;
     const char *p = word;
-    for (; strncmp(p, word, len) == 0 && strlen(p) >= len; p += len) n++;
+    for (; strncmp(p, word, len) == 0; p += len) n++;
     text_printf(out, "%s(%.*s)^%ld", out->len ? " " : "", (int)len, word, n);
     word = p;
   }
