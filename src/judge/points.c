@@ -8,6 +8,7 @@
 #include "proof/exact_proof.h"
 #include "proof/propagator_law.h"
 #include "value/expression.h"
+#include "value/printed.h"
 
 enum { MAX_ROUTES = 8, MAX_SPECS = 4, DRAWS_PER_POINT = 8 };
 
@@ -348,9 +349,9 @@ bool scene_point(struct point *out, const struct point *p, const struct scene *s
   point_copy(out, p);
   out->scene = s;
   if (p->kind == POINT_ARC) out->kind = POINT_ORBIT;
-  out->orbit = 0;
   for (int k = 0; k < N_SCENE_PARAMS; k++)
     if (s->given[k]) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
+  out->orbit = out->kind == POINT_ORBIT && !out->admissible ? usual_orbit(scene_orbits(s, cache), s) : 0;
   return point_settle(out, cache);
 }
 
@@ -362,6 +363,25 @@ static void certify(struct finding *f, struct point_trials *r) {
   }
 }
 
+/* Whether both sides have the same values at the scene's data with another perturbation and other friction. */
+static bool scene_decides(const struct trial *tr, struct point_trials *r) {
+  struct sampler sampler;
+  struct point drawn, p;
+  point_init(&drawn);
+  point_init(&p);
+  sampler_of_points(&sampler, "effect", &r->spec[0], NULL);
+  sampler.finite = claim_says(r->c, "perturbation", "finite");
+  sampler_next(&drawn, &sampler);
+  bool same = scene_point(&p, &drawn, r->j->scene, r->j->cache);
+  if (same) {
+    struct trial other = sentence_try_balls(&r->tally[0].sentence, &p, VARIANT_CLOSED, r->j->cache);
+    same = other.outcome == tr->outcome && strcmp(other.lhs, tr->lhs) == 0 && strcmp(other.rhs, tr->rhs) == 0;
+  }
+  point_clear(&p);
+  point_clear(&drawn);
+  return same;
+}
+
 static void describe_effect(struct finding *f, struct point_trials *r) {
   struct point p;
   point_init(&p);
@@ -370,10 +390,13 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
   if (have) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
     const char *of = scene_data_of(r->j->scene);
+    const char *orbit = p.kind == POINT_ORBIT && !p.admissible
+                            ? result_str(r->j->out, "on %s, ", usual_orbit_text(r->j, "periodic solution"))
+                            : "";
     if (tr.outcome == OUTCOME_AGREES)
       f->effect = result_str(r->j->out, "For the data of %s the two sides are equal.", of);
-    if (tr.outcome == OUTCOME_DIFFERS)
-      f->effect = result_str(r->j->out, "For the data of %s, %sthe left side is %s and the right side %s.", of,
+    if (tr.outcome == OUTCOME_DIFFERS && scene_decides(&tr, r))
+      f->effect = result_str(r->j->out, "For the data of %s, %s%sthe left side is %s and the right side %s.", of, orbit,
                              entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
   }
   point_clear(&p);
