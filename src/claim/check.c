@@ -24,7 +24,7 @@ static bool known_attribute(const char *key) {
                                       "heading",      "count",          "every",        "kept",
                                       "until",        "even",           "odd",          "drift",
                                       "factor",       "frequency",      "rate",         "systems",
-                                      "defined",      "limits"};
+                                      "limits"};
   enum { N_KNOWN = sizeof known / sizeof *known };
   return word_find(key, known, N_KNOWN) < N_KNOWN;
 }

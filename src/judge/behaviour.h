@@ -147,8 +147,4 @@ void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_
 BEHAVIOUR_CHECKS(BEHAVIOUR_CHECK)
 #undef BEHAVIOUR_CHECK
 
-/* Is, on some orbit, zero what the formulas of `by`, a claim of kind defined, divide by?  The route that shows it, and
-   in the finding the condition that excludes it. */
-bool defined_fails(struct route_result *w, struct behaviour *b, const struct claim *by);
-
 #endif

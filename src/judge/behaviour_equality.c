@@ -6,6 +6,7 @@
 #include "behaviour.h"
 #include "certificate.h"
 #include "judge.h"
+#include "proof/linearized.h"
 
 /* At a flip R(r_0 + s) = r_0 + c_1 s + c_2 s^2 + c_3 s^3 + ... with c_1 = -1, and R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 +
    c_3) s^3 + ...: stable when c_2^2 + c_3 > 0, unstable when it is < 0.  It is proved when the slope passes -1 inside
@@ -159,8 +160,17 @@ static bool try_family(struct found *t, struct behaviour *b, const char *params,
   return ok;
 }
 
-/* One orbit that is stable refutes; no number of unstable ones proves. */
-static void conclude(struct behaviour *b, const struct found *t) {
+/* Where |tr(J)| is not 1 the theorem of linearized stability decides. */
+static void judge_off_the_boundary(struct behaviour *b, const struct statement_record *criterion) {
+  struct linearized theorem = linearized_stability(b->j, criterion, b->view);
+  if (!theorem.proved) return;
+  struct route_result w = exact_route(b->f, b->j->out, ROUTE_AGREES, theorem.note);
+  b->f->condition = "|tr(J)| is not 1";
+  b->f->verdict = verdict_under_condition(b->f->verdict, verdict_of(&w, 1, true));
+}
+
+/* One orbit on the boundary that is stable refutes; no number of unstable ones proves. */
+static void conclude(struct behaviour *b, const struct found *t, const struct statement_record *criterion) {
   struct route_result w[3];
   const long *third = t->third.of, *iterates = t->iterates.of, *motions = t->motions.of;
   long found = answers_given(&t->third), stable = third[TRUTH_FALSE];
@@ -187,15 +197,18 @@ static void conclude(struct behaviour *b, const struct found *t) {
                                     "%ld approach the solution, %ld depart from it",
                                     motions[TRUTH_FALSE], motions[TRUTH_TRUE]));
   b->f->verdict = verdict_of(w, 3, false);
-  if (b->f->verdict == VERDICT_REFUTED)
+  if (b->f->verdict == VERDICT_REFUTED && b->j->effort == EFFORT_FULL) judge_off_the_boundary(b, criterion);
+  if (b->f->verdict == VERDICT_REFUTED || b->f->verdict == VERDICT_CONDITIONAL)
     b->f->effect = "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" should "
                    "read \"If |tr(J)| > 1\"";
 }
 
 /* "at" and "vary" hold one entry for each family, separated by semicolons. */
 bool behaviour_equality(struct behaviour *b) {
-  const char *params = claim_get(b->c, "at"), *vary = claim_get(b->c, "vary");
+  const char *params = claim_get(b->c, "at"), *vary = claim_get(b->c, "vary"), *said = claim_get(b->c, "statement");
+  const struct statement_record *criterion = said ? claim_record(b->view, b->c, "statement", said, b->j->d) : NULL;
   struct found t = {.where = NULL};
+  if (!criterion) return claim_error(b->j, b->c, "statement", "the record that says when an orbit is stable");
   bool ok = params && vary;
   if (!ok) return claim_error(b->j, b->c, "at", "a family needs its parameters (at) and the one that is varied (vary)");
   while (ok && params && vary) {
@@ -206,6 +219,6 @@ bool behaviour_equality(struct behaviour *b) {
     if (params) params++;
     if (vary) vary++;
   }
-  if (ok) conclude(b, &t);
+  if (ok) conclude(b, &t, criterion);
   return ok;
 }

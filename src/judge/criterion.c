@@ -151,7 +151,6 @@ static struct route_result add_theorem(struct behaviour *b, const struct lineari
 static void conclude(struct behaviour *b, const struct tried *t, const struct linearized *theorem) {
   struct route_result w[5];
   int n = 0;
-  const char *defined = claim_get(b->c, "defined");
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
   struct text note = {0};
   text_printf(&note,
@@ -183,16 +182,9 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   if (theorem->note) w[n] = add_theorem(b, theorem);
   n += theorem->proved;
   b->f->verdict = verdict_of(w, n, theorem->proved);
-  /* the theorem speaks of orbits at which J has a value; of a correction the inequality alone is asked */
-  if (theorem->proved && defined && b->j->effort == EFFORT_FULL && !b->j->instead &&
-      defined_fails(&w[n], b, claim_named(b->j->claims, defined)))
-    b->f->verdict = verdict_under_condition(verdict_of(&w[n], 1, true), b->f->verdict);
 }
 
 static bool read_side(int *only, struct judge *j, const struct claim *c) {
-  const struct claim *defined = claim_get(c, "defined") ? claim_named(j->claims, claim_get(c, "defined")) : c;
-  if (!defined || (defined != c && claim_kind(defined) != KIND_DEFINED))
-    return claim_error(j, c, "defined", "a claim of kind defined");
   const char *side = claim_get(c, "side");
   *only = !side ? N_SIDES : strcmp(side, "inside") == 0 ? INSIDE : OUTSIDE;
   return !side || *only == INSIDE || strcmp(side, "outside") == 0 ||

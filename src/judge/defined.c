@@ -271,14 +271,3 @@ bool judge_defined(struct finding *f, struct judge *j, const struct claim *c, st
   defined_clear(&y);
   return ok;
 }
-
-bool defined_fails(struct route_result *w, struct behaviour *b, const struct claim *by) {
-  struct behaviour other = {b->f, b->j, by, b->view, NULL};
-  struct defined y = {.b = &other};
-  long open = 0, zeros = 0;
-  bool fails = look(&y, &open, &zeros) && zeros > 0;
-  if (fails) *w = zero_route(&y);
-  if (fails) b->f->condition = without_zeros(&y, open);
-  defined_clear(&y);
-  return fails;
-}

@@ -85,21 +85,22 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
   arb_clear(units);
 }
 
-/* The printed number as the rule reads it: "2 (that is, 2.0000)", or "0.6784" where no digit is left out. */
-static const char *as_given(const struct number_job *n) {
+/* "2.0000" for 2 beside numbers of four decimals. */
+static const char *with_all_digits(const struct number_job *n) {
   struct text t = {0};
   fmpz_t k;
   fmpz_init(k);
-  text_add(&t, n->p->decimal);
-  if (!fmpq_equal(&n->p->digit, &n->p->unit)) {
-    fmpz_divexact(k, fmpq_denref(&n->p->unit), fmpq_denref(&n->p->value));
-    fmpz_mul(k, k, fmpq_numref(&n->p->value));
-    text_add(&t, " (that is, ");
-    num_print_fixed(&t, k, printed_decimals(n->p));
-    text_add_char(&t, ')');
-  }
+  fmpz_divexact(k, fmpq_denref(&n->p->unit), fmpq_denref(&n->p->value));
+  fmpz_mul(k, k, fmpq_numref(&n->p->value));
+  num_print_fixed(&t, k, printed_decimals(n->p));
   fmpz_clear(k);
   return result_take(n->j->out, &t);
+}
+
+/* The printed number as the rule reads it: "2 (that is, 2.0000)", or "0.6784" where no digit is left out. */
+static const char *as_given(const struct number_job *n) {
+  bool whole = fmpq_equal(&n->p->digit, &n->p->unit);
+  return whole ? n->p->decimal : result_str(n->j->out, "%s (that is, %s)", n->p->decimal, with_all_digits(n));
 }
 
 /* "of the fourth decimal"; of a number that is given to no decimals, or has an exponent, "of its last digit". */
@@ -121,6 +122,16 @@ static void add_value(struct text *note, const struct number_job *n, const arb_t
   else
     text_printf(note, "; the printed %s differs from this by %s units %s.", as_given(n), units_off(n->j, x, n->p),
                 unit_name(n));
+}
+
+/* By the digits that are printed, and no others. */
+static void read_by_own_digits(struct finding *f, const struct number_job *n, const arb_t x) {
+  struct printed_number own = *n->p; /* borrowed */
+  enum reading how;
+  own.unit = own.digit;
+  if (printed_fits(x, &own, &how) == TRUTH_TRUE)
+    f->condition = result_str(n->j->out, "%s is taken by its own digits (%s), not as %s beside the other numbers",
+                              n->p->decimal, reading_name[how], with_all_digits(n));
 }
 
 /* The scene's data, the orbit, what is printed with its unit, and the value there. */
@@ -155,6 +166,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     if (t == TRUTH_FALSE) {
       correct_number(f, n, x);
       certify_number(f, n, &p, x);
+      read_by_own_digits(f, n, x);
     }
     if (t == TRUTH_FALSE)
       f->effect = result_str(j->out, "the printed value is %s, the computed one %s; they differ by %s units %s",
@@ -271,6 +283,7 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   if (on_orbits && w.outcome == ROUTE_DIFFERS) number_rescue(f, &n);
   if (on_orbits && claim_get(c, "also-printed")) number_from_printed(f, &n, false);
   f->verdict = verdict_of(&w, 1, true);
+  if (f->condition) f->verdict = verdict_under_condition(f->verdict, VERDICT_PROVED);
   if (owned) printed_release(&own);
   return !j->d->set;
 }

@@ -25,18 +25,6 @@ def eq_10c(c):
     return sides(c, true, printed_d(c) * z) and c["V"] != 1 and c.claim["condition"] == "V = 1"
 
 
-# --- (27): what (24) and (25) leave open
-
-def text_27_from(c):
-    """With z' = (V, V), V = 3, (24) and (25) give for x = 1, y = 2 one y_a for each dt_a, and (26) one dt_a (chi = 1/2)."""
-    def perturbed(dt):
-        return [1 + 3 * dt, 2 + 3 * dt]  # D(t_a) dZ_0 + D'(t_a) Z_0 dt_a
-    at = (mpf(2) / 2 - 1) / (3 * (1 - mpf(1) / 2))
-    j_a = (-1 * 1 + 1 * 2) / (1 - mpf(1) / 2)  # (27)
-    by_26 = perturbed(at)[0] == perturbed(at)[1] / 2 and perturbed(at)[1] == j_a
-    return by_26 and perturbed(0)[1] != perturbed(1)[1] and "(24), (25)" in c.claim["quote"]
-
-
 # --- (29) to (32): the perturbed slip-stick phase
 
 def eq_29(c):
@@ -245,24 +233,6 @@ def eq_36d(c):
     return same and slower and min(t_a, *t) > 0
 
 
-def reach(c, delta):
-    """By how much the first mass comes nearest to the belt's velocity in the global slip phase, from r + delta on."""
-    z, t = stick(c, c["e_1"], c["z_20"] - c["z_10"] + delta), c["t_b"]
-    t = findroot(lambda t: (lambda x: c["chi"] * (x[1] - x[0]) - c["e_2"])(flow(c, "G", t) * z), t)
-    z = flow(c, "G", t) * z
-    t = findroot(lambda t: (lambda x: x[0] - c["chi"] * x[1])(flow(c, "H", t) * z), c["t_c"])
-    return (flow(c, "H", t) * z)[2] - c["V"]
-
-
-def text_criterion(c):
-    """On the solution of eq-36d J_c has no value, and on one side of it the first mass misses the belt's velocity."""
-    delta = mpf(1) / 10**6
-    return eq_36d(c) and reach(c, -delta) > 0 > reach(c, delta)
-
-
-text_eigenvalues_inside = text_criterion
-
-
 # --- Symbols: the certificate is the paper's own text
 
 def quoted(*parts):
@@ -331,33 +301,42 @@ def starts(c, times):
     return lu_solve(n[:2, :2] - one, -n[:2, 2:] * v), lu_solve(n[2:, :2], (one - n[2:, 2:]) * v)
 
 
-def slope(c, h=mpf(10) ** -8):
-    """Of the return map of r = z_2 - z_1 on the orbit, which is tr J."""
-    p = orbit(c)
+def slope(c, z, h=mpf(10) ** -8):
+    """Of the return map of r = z_2 - z_1 on the orbit that begins at z, which is tr J."""
     def back(s):
-        z = stick(c, c["e_1"], p.z[0][1] - p.z[0][0] + s)
-        q = Passage(c, z[0], z[1])
+        start = stick(c, c["e_1"], z[1] - z[0] + s)
+        q = Passage(c, start[0], start[1])
         return q.z[4][1] - q.z[4][0]
     return (back(h) - back(-h)) / (2 * h)
 
 
+def printed_times(of):
+    return [of[number]["printed"] for number in ("num-t_a", "num-t_b", "num-t_c", "num-t_d")]
+
+
+def kept_times(of, apart):
+    """The solution with t_b, t_c as printed: times, start, e_1, e_2, the bounds (53) and tr J."""
+    c, (_, t_b, t_c, _) = of["text-periodic"], printed_times(of)
+    t_a, t_d = findroot(apart, (mpf(1) / 2, mpf("2.342")))
+    z = starts(c, (t_a, t_b, t_c, t_d))[0]
+    z_a = matrix([z[0] + c["V"] * t_a, z[1] + c["V"] * t_a, c["V"], c["V"]])
+    z_b = flow(c, "G", t_b) * z_a
+    e = z_a[0] - c["chi"] * z_a[1], c["chi"] * (z_b[1] - z_b[0])
+    data = {"chi": c["chi"], "eta": c["eta"], "V": c["V"], "e_1": e[0], "e_2": e[1]}
+    return [t_a, t_d, *z, *e, c["V"] * t_a * (1 - c["chi"]) / 2, (e[1] - c["chi"] * (z[1] - z[0])) / 2, slope(data, z)]
+
+
 def numbers_example(of):
     """At the printed times z_20 by either line of (44), t_a by the first of (45); the solution with t_b, t_c as printed."""
-    c = of["text-periodic"]
-    t_a, t_b, t_c, t_d = (of[number]["printed"] for number in ("num-t_a", "num-t_b", "num-t_c", "num-t_d"))
+    c, (t_a, t_b, t_c, t_d) = of["text-periodic"], printed_times(of)
     def apart(t_a, t_d):
         first, second = starts(c, (t_a, t_b, t_c, t_d))
         return [first[i] - second[i] for i in range(2)]
     other = mpf("2.342")
     found = [findroot(lambda t: apart(t, end)[0], (mpf(1) / 2, mpf(7) / 10)) for end in (t_d, other)]
-    t_a_kept, t_d_kept = findroot(apart, (mpf(1) / 2, other))
-    z = starts(c, (t_a_kept, t_b, t_c, t_d_kept))[0]
-    z_a = matrix([z[0] + c["V"] * t_a_kept, z[1] + c["V"] * t_a_kept, c["V"], c["V"]])
-    z_b = flow(c, "G", t_b) * z_a
-    found += [t_a_kept, t_d_kept, z[0], z[1], z_a[0] - c["chi"] * z_a[1], c["chi"] * (z_b[1] - z_b[0])]
-    found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d))]
-    return {rounded(x, 4) for x in found + [slope(of["num-t_a"])]} | {
-        of["num-t_d"].text("printed"), rounded(other, 3), rounded(found[0], 5)}
+    found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d))] + kept_times(of, apart)
+    found.append(slope(of["num-t_a"], orbit(of["num-t_a"]).z[0]))
+    return {rounded(x, 4) for x in found} | {of["num-t_d"].text("printed"), rounded(other, 3), rounded(found[0], 5)}
 
 
 def numbers_otherwise(of):
@@ -374,6 +353,15 @@ def numbers_inverses(of):
     """e_1, and values of e_2 on either side of the two that are certified."""
     c = of["text-inverses"]
     return {rounded(c["e_1"], 4), rounded(min(c["e_2"], c.second()["e_2"]), 5), rounded(max(c["e_2"], c.second()["e_2"]), 5)}
+
+
+def reach(c, delta):
+    """By how much the first mass comes nearest to the belt's velocity in the global slip phase, from r + delta on."""
+    z, t = stick(c, c["e_1"], c["z_20"] - c["z_10"] + delta), c["t_b"]
+    t = findroot(lambda t: (lambda x: c["chi"] * (x[1] - x[0]) - c["e_2"])(flow(c, "G", t) * z), t)
+    z = flow(c, "G", t) * z
+    t = findroot(lambda t: (lambda x: x[0] - c["chi"] * x[1])(flow(c, "H", t) * z), c["t_c"])
+    return (flow(c, "H", t) * z)[2] - c["V"]
 
 
 def numbers_touching(of):
