@@ -169,17 +169,17 @@ END_TEST
 START_TEST(a_claim_reproduces) {
   char *object = claim_object(full_json, "eq-31");
   ck_assert(object != NULL);
-  ck_assert_str_eq(member(object, "reproduce"), "stickslip verify paper --only eq-31");
+  ck_assert_str_eq(member(object, "reproduce"), "stickslip verify paper --only eq-31 --out recheck");
   ck_assert_str_eq(member(object, "verdict"), "refuted");
   ck_assert_str_eq(member(strstr(object, "\"correction\": {"), "verdict"), "proved");
   char command[2000];
   snprintf(
       command, sizeof command,
       "p=$(realpath %s) && v=$PWD/verify && cd %s && mkdir -p reports/paper && echo whole > reports/paper/audit.json "
-      "&& STICKSLIP_DATA=$v $p%s --out again > /dev/null && echo whole | cmp -s - reports/paper/audit.json",
+      "&& STICKSLIP_DATA=$v $p%s > /dev/null && echo whole | cmp -s - reports/paper/audit.json",
       program(), scratch_path(""), member(object, "reproduce") + strlen("stickslip"));
   ck_assert_int_eq(system(command), 0);
-  char *json = file_text(scratch_path("again/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
+  char *json = file_text(scratch_path("recheck/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
   ck_assert(again && strcmp(again, object) == 0);
   free(again);
   free(json);
@@ -331,7 +331,8 @@ START_TEST(a_box_of_parameters) {
   ck_assert(strstr(json, "the scene gives intervals, and this is about one set of parameters"));
   free(json);
   job_run_well(&j, "orbit", box, NULL);
-  ck_assert_msg(strstr(j.out, "\n  e2       [1.81200000000000, 2.10000000000000]\n"), "%s", j.out); /* the box's own ends, not enclosures */
+  ck_assert_msg(strstr(j.out, "\n  e2       [1.81200000000000, 2.10000000000000]\n"), "%s",
+                j.out); /* the box's own ends, not enclosures */
   job_clear(&j);
 }
 END_TEST

@@ -306,9 +306,9 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
     add_kept(&s, q, CHANGE_UNDECIDED, "- results left undecided: ");
     add_kept(&s, q, CHANGE_UNDEFINED, "- results that cannot be evaluated: ");
     if (all_same(q))
-      text_printf(out, "- results that do not contain it: all %d\n", q->n_derived);
+      text_printf(out, "- results whose formulas do not contain it: all %d\n", q->n_derived);
     else
-      add_kept(&s, q, CHANGE_SAME_FORMULA, "- results that do not contain it: ");
+      add_kept(&s, q, CHANGE_SAME_FORMULA, "- results whose formulas do not contain it: ");
     add_changes(&s, q);
     text_add_char(out, '\n');
   }

@@ -118,40 +118,37 @@ const char *const severity_heading[N_SEVERITIES] = {"What changes a result", "Re
 const char *const severity_words[N_SEVERITIES][2] = {
     {"error of substance", "errors of substance"}, {"remark", "remarks"}, {"slip of notation", "slips of notation"}};
 
+static bool fails_of_paper(const struct finding *f) {
+  return f && f->of == OF_PAPER && finding_fails(f);
+}
+
 void failures_say(struct text *out, const struct audit_result *r) {
-  long count[N_VERDICTS], of[N_SEVERITIES + 1] = {0};
+  long count[N_VERDICTS], of[N_SEVERITIES] = {0}, of_numbers = 0, due = 0;
   const struct root_cause *numbers = audit_root_of_numbers(r);
-  long of_numbers = 0;
   audit_result_count(count, r, OF_PAPER);
-  for (size_t i = 0; i < r->n_findings; i++) {
-    const struct finding *f = &r->findings[i];
-    if (f->of != OF_PAPER || !finding_fails(f)) continue;
-    of[f->severity]++;
-    of_numbers += numbers && f->verdict == VERDICT_REFUTED && f->root && strcmp(f->root, numbers->id) == 0;
-  }
-  long due = 0;
-  int last = 0;
-  for (int i = 0; i < N_SEVERITIES; i++) {
-    due += of[i];
-    if (of[i]) last = i;
+  for (size_t i = 0; i < r->n_roots; i++) {
+    long failing = 0, refuted = 0;
+    for (int k = 0; k < r->roots[i].n_claims; k++) {
+      const struct finding *f = audit_result_finding(r, r->roots[i].claims[k]);
+      failing += fails_of_paper(f);
+      refuted += fails_of_paper(f) && f->verdict == VERDICT_REFUTED;
+    }
+    due += failing > 0;
+    of[r->roots[i].severity] += failing > 0;
+    if (&r->roots[i] == numbers) of_numbers = refuted;
   }
   if (count[VERDICT_CONDITIONAL]) text_printf(out, ", %ld hold under a condition", count[VERDICT_CONDITIONAL]);
   if (count[VERDICT_REFUTED]) text_printf(out, ", %ld do not hold as printed", count[VERDICT_REFUTED]);
   if (of_numbers) text_printf(out, ", %ld of them about the numbers of the example", of_numbers);
-  if (due == 0) return;
-  text_printf(
-      out, count[VERDICT_CONDITIONAL] && count[VERDICT_REFUTED] ? " (of the %ld of both kinds, " : " (of these %ld, ",
-      due);
-  bool first = true;
-  for (int i = 0; i < N_SEVERITIES; i++) {
+  const char *before = " (they belong to ";
+  for (int i = 0; due; i++) {
     if (of[i] == 0) continue;
-    if (!first) text_add(out, i == last ? " and " : ", ");
-    text_printf(out, "%ld", of[i]);
-    if (first) text_add(out, of[i] == 1 ? " belongs" : " belong");
-    text_printf(out, " to %s", severity_words[i][1]);
-    first = false;
+    due -= of[i];
+    text_printf(out, "%s%ld %s%s", before, of[i], severity_words[i][of[i] != 1], due ? "" : ")");
+    int next = i + 1;
+    while (next < N_SEVERITIES - 1 && of[next] == 0) next++;
+    before = due == of[next] ? " and " : ", ";
   }
-  text_add_char(out, ')');
 }
 
 static bool any_begins(const char *const *list, int n, const char *with) {

@@ -10,7 +10,7 @@ const struct glossary_entry glossary[] = {
               "condition is met; orbits of one set of data are numbered in order of increasing $z_{10}$"},
     {"admissible",
      "said of an orbit on which every condition of the motion holds for suitable static friction, so that the "
-     "masses can follow it"},
+     "masses can follow it; realistic, where the static friction is given and suffices"},
     {"tr J, criterion",
      "$\\operatorname{tr} J$ is the trace of the Jacobian of one period, its only eigenvalue besides "
      "0; by the paper's criterion an orbit is conditionally stable if $|\\operatorname{tr} J| < 1$ "

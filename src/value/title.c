@@ -498,7 +498,8 @@ static const struct {
      "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "
      "than its static friction"},
     {"switches", "stick to slip",
-     "a transition from {transition} occurs where the force on a mass exceeds its static friction"},
+     "a transition from {transition} occurs where the force on a mass reaches its static friction and goes on to "
+     "exceed it"},
     {"jumps", NULL, "friction forces and accelerations jump at the switches, positions and velocities do not"},
     {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
     {"fixed-points", NULL,
