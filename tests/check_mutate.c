@@ -333,14 +333,20 @@ static const struct survivor *survivor_of(const struct mutation_result *r, const
 /* One run for all the fates below: every mutant of these records. */
 static const char *const known_records[] = {
     "eq-27",  "eq-41",         "err-10", "eq-31",  "eq-40b",     "eq-48b", "text-mode-shapes",
-    "eq-31b", "text-singular", "eq-56",  "eq-60c", "eq-57",      "eq-51",  "eq-2",
-    "eq-22",  "eq-9",          "eq-12",  "eq-1b",  "text-first", "eq-10",  "text-criterion"};
-enum { N_KNOWN = sizeof known_records / sizeof *known_records };
+    "eq-31b", "text-singular", "eq-56",  "eq-60c", "eq-51",      "eq-2",   "eq-22",
+    "eq-9",   "eq-12",         "eq-1b",  "eq-10",  "text-first", "eq-57",  "text-criterion"};
+enum { N_KNOWN = sizeof known_records / sizeof *known_records, N_DEAR = 2 };
 static struct mutation_result known;
 
-/* The last one takes longer than all the others, a search of orbits for each mutant. */
+/* The last ones take longer than all the others, searches of orbits for each mutant. */
 static int n_known(void) {
-  return every_case() ? N_KNOWN : N_KNOWN - 1;
+  return every_case() ? N_KNOWN : N_KNOWN - N_DEAR;
+}
+
+static bool is_known(const char *record) {
+  for (int i = 0; i < n_known(); i++)
+    if (strcmp(record, known_records[i]) == 0) return true;
+  return false;
 }
 
 static void open_known(void) {
@@ -389,7 +395,7 @@ static const struct {
 START_TEST(fates_known_beforehand) {
   const struct survivor *s = fates[_i].text ? survivor_of(&known, fates[_i].text) : NULL;
   bool noticed = fates[_i].fate == FATE_NOTICED;
-  if (n_known() < N_KNOWN && strcmp(fates[_i].record, known_records[N_KNOWN - 1]) == 0) return;
+  if (!is_known(fates[_i].record)) return;
   for (size_t i = 0; !fates[_i].text && i < known.n_survivors; i++)
     if (!known.survivor[i].corrected && strcmp(known.survivor[i].record, fates[_i].record) == 0)
       ck_abort_msg("%s survives", known.survivor[i].text);
@@ -428,6 +434,18 @@ START_TEST(the_run_adds_up_and_has_every_kind_of_damage) {
   ck_assert_int_eq(mutation_row_noticed(&known.errata), mutation_row_total(&known.errata));
   ck_assert_int_eq(known.formulas.count[FATE_UNDECIDED] + known.formulas.count[FATE_UNREAD],
                    known.printed.count[FATE_UNDECIDED]);
+}
+END_TEST
+
+START_TEST(the_run_obeys_its_schema) {
+  struct text t;
+  text_init(&t);
+  report_mutation_json(&t, &known);
+  scratch_put("m.json", text_str(&t));
+  text_clear(&t);
+  shell_well("$Y tests/oracle/validate.py schema/mutation.schema.json $D/m.json");
+  shell_well("sed 's/\"noticed\": [1-9]/&1/' $D/m.json > $D/bad.json; "
+             "! $Y tests/oracle/validate.py schema/mutation.schema.json $D/bad.json > /dev/null");
 }
 END_TEST
 
@@ -512,7 +530,7 @@ START_TEST(a_copy_of_the_text_is_not_noticed) {
       text_clear(&t);
       source_clear(src);
     }
-  for (size_t i = 0; i < claims.n; i++) {
+  for (size_t i = 0; i < claims.n; i += (size_t)every(3)) {
     const struct claim *c = &claims.claim[i];
     if (claim_asked(c) == ASKED_NEVER) continue;
     struct verdicts was = verdicts_of(c, &model, EFFORT_REFUTE, &pool, NULL);
@@ -530,7 +548,7 @@ END_TEST
 START_TEST(little_effort_proves_what_the_full_one_proves) {
   struct orbit_pool *few = NULL, *all = NULL;
   long proved = 0;
-  for (size_t i = 0; i < claims.n; i++) {
+  for (size_t i = 0; i < claims.n; i += (size_t)every(2)) {
     const struct claim *c = &claims.claim[i];
     if (claim_asked(c) != ASKED_LATE || claim_kind(c) == KIND_SCALING) continue;
     struct verdicts little = verdicts_of(c, &model, EFFORT_REFUTE, &few, NULL);
@@ -545,7 +563,7 @@ START_TEST(little_effort_proves_what_the_full_one_proves) {
                   "%s", c->id);
     proved += little.own == VERDICT_PROVED;
   }
-  ck_assert_int_gt(proved, 15);
+  ck_assert_int_gt(proved, 15 / every(2));
   orbit_pool_free(few);
   orbit_pool_free(all);
 }
@@ -584,6 +602,33 @@ START_TEST(what_little_effort_notices_the_full_one_notices) {
   orbit_pool_free(pool);
   mutants_clear(&m);
   overlay_clear(&o);
+}
+END_TEST
+
+/* Of the paper's damages, as claims notice them that draw orbits, which each process does for itself; without (57), the
+   first, whose damages take longer than all the others. */
+START_TEST(any_number_of_processes_finds_the_same) {
+  enum { N = 4 };
+  struct claim few[N];
+  const char *record[N];
+  struct claims asked = claims;
+  struct text said[2];
+  for (int i = 0; i < N; i++) {
+    few[i] = *claim_of(late[i + 1].claim);
+    record[i] = late[i + 1].record;
+  }
+  asked.claim = few;
+  asked.n = N;
+  for (int i = 0; i < 2; i++) {
+    struct mutation_result r;
+    mutate_records(&r, record, N, &asked, i ? 5 : 1);
+    ck_assert_int_gt(mutation_row_noticed(&r.formulas), 20);
+    text_init(&said[i]);
+    report_mutation_json(&said[i], &r);
+    mutation_result_clear(&r);
+  }
+  ck_assert_msg(strcmp(text_str(&said[0]), text_str(&said[1])) == 0, "five processes find something else than one");
+  for (int i = 0; i < 2; i++) text_clear(&said[i]);
 }
 END_TEST
 
@@ -817,13 +862,24 @@ END_TEST
 
 static struct repair_result all_repairs;
 
+/* In make check without (30), whose pairs of names take longer than all the rest; there are two claims that have nothing to
+   search, and one that is not refuted. */
 static void open_repairs(void) {
+  static const char *const some[] = {"eq-10",  "eq-10c", "eq-27", "eq-29",  "eq-31",  "eq-32b",
+                                     "eq-32c", "eq-32d", "eq-40", "eq-36b", "num-t_a"};
+  enum { N = sizeof some / sizeof *some };
+  struct claim few[N];
   struct diag d;
   open_paper();
   diag_init(&d);
   repair_result_init(&all_repairs);
+  struct claims asked = claims;
+  for (int i = 0; i < N; i++) few[i] = *claim_of(some[i]);
+  if (!every_case()) asked.claim = few, asked.n = N;
   const struct repair_options opt = {.jobs = 2};
-  ck_assert_msg(audit_repairs(&all_repairs, &model, &claims, &paper, &opt, &d), "%s", d.message);
+  ck_assert_msg(audit_repairs(&all_repairs, &model, &asked, &paper, &opt, &d), "%s", d.message);
+  ck_assert_uint_ge(all_repairs.n, N - 1);
+  for (size_t i = 0; i < all_repairs.n; i++) ck_assert_str_ne(all_repairs.claim[i].claim, "eq-27");
 }
 
 static void close_repairs(void) {
@@ -902,15 +958,17 @@ END_TEST
 
 /* --- The commands --- */
 
+/* Of a small audit, for every class of damages that it has. */
 START_TEST(any_number_of_processes_gives_the_same_bytes) {
   static const char *const jobs[] = {"1", "5"};
   for (int i = 0; i < 2; i++)
-    shell_well("\"$P\" mutate --count 12 --seed 5 --jobs %s --out \"$D/j%d\" | grep -v '^written to ' > \"$D/t%d\"",
+    shell_well("STICKSLIP_DATA=tests/another \"$P\" mutate --count 12 --seed 5 --jobs %s --out \"$D/j%d\" | "
+               "grep -v '^written to ' > \"$D/t%d\"",
                jobs[i], i, i);
   shell_well("diff -r \"$D/j0\" \"$D/j1\" && diff \"$D/t0\" \"$D/t1\"");
   ck_assert_str_eq(scratch_list(scratch_path("j0")), "mutation.json mutation.md");
-  /* the sample reaches from the first file to the last */
-  shell_well("grep -q 1-model.eq \"$D/t0\" && grep -q '^title' \"$D/t0\"");
+  /* the sample reaches from the first file to the last class */
+  shell_well("grep -q note.eq \"$D/t0\" && grep -q '^control' \"$D/t0\"");
   /* where each of the 12 went */
   shell_well("awk '/ damages of formulas: /{n=$1; sum=$5+$7+$10+$13} END{exit n!=12 || sum!=12}' \"$D/t0\"");
 }
@@ -918,13 +976,10 @@ END_TEST
 
 START_TEST(output_obeys_its_schemas) {
   const char *dir = scratch_path("");
-  ck_assert_int_eq(shell("%s mutate --only eq-10,eq-56,1-model --count 40 --json >%s/m.json", program(), dir), 0);
+  shell_well("STICKSLIP_DATA=tests/another \"$P\" mutate --count 40 --json > \"$D/m.json\"");
   ck_assert_int_eq(shell("%s repair eq-10 eq-36b eq-27 num-t_a --json >%s/r.json", program(), dir), 0);
   ck_assert_int_eq(shell("%s tests/oracle/validate.py schema/mutation.schema.json %s/m.json", python(), dir), 0);
   ck_assert_int_eq(shell("%s tests/oracle/validate.py schema/repairs.schema.json %s/r.json", python(), dir), 0);
-  ck_assert_int_eq(shell("sed 's/\"noticed\": [1-9]/&1/' %s/m.json >%s/bad.json", dir, dir), 0);
-  ck_assert_int_eq(
-      shell("%s tests/oracle/validate.py schema/mutation.schema.json %s/bad.json >/dev/null", python(), dir), 1);
 }
 END_TEST
 
@@ -939,7 +994,7 @@ END_TEST
 
 /* With its three processes, each of which has long begun. */
 static bool works(pid_t pid) {
-  return group_lives(pid) == 4 && group_seconds(pid) >= 1;
+  return group_lives(pid) == 4 && group_seconds(pid) >= 0.5;
 }
 
 /* Ended in the midst of its work, by Ctrl-C for all or by a signal for the parent alone: no file, no process is
@@ -988,6 +1043,7 @@ Suite *mutate_suite(void) {
   tcase_add_loop_test(c, fates_known_beforehand, 0, (int)(sizeof fates / sizeof *fates));
   tcase_add_test(c, every_known_fate_is_of_a_mutant);
   tcase_add_test(c, the_run_adds_up_and_has_every_kind_of_damage);
+  tcase_add_test(c, the_run_obeys_its_schema);
   tcase_add_test(c, printed_text_that_is_corrected_counts);
   suite_add_tcase(s, c);
   c = tcase_create("damage");
@@ -996,6 +1052,7 @@ Suite *mutate_suite(void) {
   tcase_add_test(c, a_copy_of_the_text_is_not_noticed);
   tcase_add_test(c, little_effort_proves_what_the_full_one_proves);
   tcase_add_loop_test(c, what_little_effort_notices_the_full_one_notices, 0, (int)(sizeof late / sizeof *late));
+  tcase_add_test(c, any_number_of_processes_finds_the_same);
   tcase_add_test(c, what_is_touched_is_enough_for_scaling);
   tcase_add_test(c, halves_that_change_places_are_the_same);
   tcase_add_test(c, a_correction_that_differs_is_not_called_the_same);
