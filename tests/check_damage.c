@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "every.h"
 #include "paper_model.h"
 #include "power/damage_study.h"
 #include "scratch.h"
@@ -222,19 +223,19 @@ END_TEST
 /* A rule that says "the same" is held against the audit: nothing notices such a damage. */
 START_TEST(what_says_the_same_is_not_noticed) {
   struct damages all;
-  size_t tried = 0;
+  size_t with_rule = 0, tried = 0;
   damages_init(&all, &material, NULL, 0);
   for (size_t i = 0; i < all.n; i++) {
     struct damage d = all.damage[i];
     struct damage_said said;
-    if (!d.rule) continue;
+    if (!d.rule || with_rule++ % (size_t)every(3) != 0) continue;
     d.rule = NULL;
     damage_try(&said, study, &d);
     ck_assert_msg(said.fate == FATE_UNDECIDED, "%s, %s: %s (%s): %s", d.record, d.attribute, d.now, all.damage[i].rule,
                   said.says);
     tried++;
   }
-  ck_assert_uint_gt(tried, 50);
+  ck_assert_uint_gt(tried, 50 / (size_t)every(3));
   damages_clear(&all);
 }
 END_TEST

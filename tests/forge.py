@@ -344,8 +344,10 @@ def attack(program, scene, every, folder):
         sys.exit(scene + ": its own certificate is not verified, or not true to 60 digits")
     tried = verified = true = 0
     for n, (what, whole) in enumerate(forgeries(copy.deepcopy(q.original))):
+        if n % every:
+            continue
         text = write(whole)
-        if text == original or n % every:
+        if text == original:
             continue
         tried += 1
         if checked(program, what, text, folder):
