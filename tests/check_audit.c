@@ -16,6 +16,7 @@
 #include "scratch.h"
 #include "suites.h"
 #include "value/expression.h"
+#include "whole.h"
 
 typedef long double real;
 
@@ -940,9 +941,8 @@ END_TEST
 
 /* --- Claims --- */
 
-/* Judges the claims that the items select, over the overlay. */
-static void judge_all(struct audit_result *r, const char *overlay, bool with_controls, const char *const *items,
-                      int n) {
+/* Judges the claims that `only` selects, over the overlay. */
+static void judge(struct audit_result *r, const char *overlay, bool with_controls, const char *only) {
   struct model m;
   struct claims claims, controls;
   struct diag d;
@@ -950,16 +950,12 @@ static void judge_all(struct audit_result *r, const char *overlay, bool with_con
   audit_result_init(r);
   paper_model(&m, &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL,
                                          .controls = with_controls});
-  const struct audit_options opt = {.only = items, .n_only = n};
+  const struct audit_options opt = {.only = &only, .n_only = 1};
   paper_claims(&claims, &controls);
   ck_assert_msg(audit_run(r, &m, &claims, &controls, &paper, &opt, &d), "%s", d.message);
   claims_clear(&controls);
   claims_clear(&claims);
   model_clear(&m);
-}
-
-static void judge(struct audit_result *r, const char *overlay, bool with_controls, const char *only) {
-  judge_all(r, overlay, with_controls, &only, 1);
 }
 
 static const struct {
@@ -996,14 +992,12 @@ static const struct {
 
 enum { N_DAMAGES = sizeof damages / sizeof *damages, N_REPAIRS = sizeof repairs / sizeof *repairs };
 
-static struct audit_result undamaged; /* the claims of both tables, as they stand */
+static struct audit_result undamaged; /* the whole audit, as things stand */
 
 static void open_claims(void) {
-  const char *ids[N_DAMAGES + N_REPAIRS];
-  for (int i = 0; i < N_DAMAGES; i++) ids[i] = damages[i].claim;
-  for (int i = 0; i < N_REPAIRS; i++) ids[N_DAMAGES + i] = repairs[i].claim;
   open_values();
-  judge_all(&undamaged, NULL, true, ids, N_DAMAGES + N_REPAIRS);
+  whole_open();
+  whole_record(&undamaged);
 }
 
 static void close_claims(void) {
@@ -1049,21 +1043,18 @@ END_TEST
 START_TEST(what_holds_when_v_is_one_is_said) {
   static const char *const ids[] = {"eq-10", "eq-40"};
   for (int i = 0; i < 2; i++) {
-    struct audit_result r;
     int restricted = 0;
-    judge(&r, NULL, true, ids[i]);
-    ck_assert(finding_with_id(&r, ids[i])->verdict == VERDICT_CONDITIONAL);
-    ck_assert_str_eq(finding_with_id(&r, ids[i])->condition, "V = 1");
-    for (size_t k = 0; k < r.n_findings; k++) {
-      const struct finding *f = &r.findings[k];
+    ck_assert(finding_with_id(&undamaged, ids[i])->verdict == VERDICT_CONDITIONAL);
+    ck_assert_str_eq(finding_with_id(&undamaged, ids[i])->condition, "V = 1");
+    for (size_t k = 0; k < undamaged.n_findings; k++) {
+      const struct finding *f = &undamaged.findings[k];
       if (!f->condition || strcmp(f->condition, "V = 1") != 0) continue;
-      if (f->verdict == VERDICT_CONDITIONAL) continue; /* "eq-10" selects eq-10c too */
+      if (f->verdict == VERDICT_CONDITIONAL) continue; /* of the claims themselves */
       ck_assert(f->verdict == VERDICT_PROVED && strcmp(f->id, ids[i]) != 0);
       ck_assert(f->n_depends_on == 1);
       restricted += strcmp(f->depends_on[0], ids[i]) == 0;
     }
     ck_assert_int_eq(restricted, 1);
-    audit_result_clear(&r);
   }
 }
 END_TEST
