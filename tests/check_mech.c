@@ -594,8 +594,8 @@ START_TEST(more_friction_moves_the_place) {
 }
 END_TEST
 
-/* So stiff and fast that entries of A t pass 700, beyond which exp has no double: the motions are the same, in a fraction
-   of the time. */
+/* So stiff and fast that entries of A t pass 700, beyond which exp has no double: the motions are the same, in a
+   fraction of the time. */
 START_TEST(a_fast_system_has_the_same_orbits) {
   enum { FASTER = 300 };
   struct mech_orbits list;

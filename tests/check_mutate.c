@@ -862,8 +862,8 @@ END_TEST
 
 static struct repair_result all_repairs;
 
-/* In make check without (30), whose pairs of names take longer than all the rest; there are two claims that have nothing to
-   search, and one that is not refuted. */
+/* In make check without (30), whose pairs of names take longer than all the rest; there are two claims that have nothing
+   to search, and one that is not refuted. */
 static void open_repairs(void) {
   static const char *const some[] = {"eq-10",  "eq-10c", "eq-27", "eq-29",  "eq-31",  "eq-32b",
                                      "eq-32c", "eq-32d", "eq-40", "eq-36b", "num-t_a"};

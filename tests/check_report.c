@@ -424,7 +424,8 @@ static size_t end_of_value(const char *text) {
   return i;
 }
 
-/* Every value of a small report in turn is put out of its place by values of all types; in make check by a part of them. */
+/* Every value of a small report in turn is put out of its place by values of all types; in make check each by a
+   part of them. */
 START_TEST(types_exchanged_and_huge_numbers) {
   static const char *const other[] = {"null",
                                       "true",

@@ -202,10 +202,10 @@ START_TEST(differences_near_a_jump) {
 }
 END_TEST
 
-/* The return Jacobian's enclosures lose digits as V goes to 0; a route in balls gets the bits that its digits need.  Below
-   1e-16 the moments of one period's events are one double, and the integration tells its phases all the same.  That what is
-   wrong is found there too is asked of the first belt, in make long of all; the last, for which all takes three times as
-   long, is for make long. */
+/* The return Jacobian's enclosures lose digits as V goes to 0; a route in balls gets the bits that its digits need.
+   Below 1e-16 the moments of one period's events are one double, and the integration tells its phases all the same.  That
+   what is wrong is found there too is asked of the first belt, in make long of all; the last, for which all takes three
+   times as long, is for make long. */
 static const char *const slow_belts[] = {"1e-12", "1e-20", "1e-300"};
 
 START_TEST(slow_belts_raise_no_false_alarm) {
