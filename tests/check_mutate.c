@@ -967,8 +967,9 @@ START_TEST(any_number_of_processes_gives_the_same_bytes) {
                jobs[i], i, i);
   shell_well("diff -r \"$D/j0\" \"$D/j1\" && diff \"$D/t0\" \"$D/t1\"");
   ck_assert_str_eq(scratch_list(scratch_path("j0")), "mutation.json mutation.md");
-  /* the sample reaches from the first file to the last class */
-  shell_well("grep -q note.eq \"$D/t0\" && grep -q '^control' \"$D/t0\"");
+  /* the sample reaches from the first file to the last, and to the last class */
+  shell_well("grep -q note.eq \"$D/t0\" && grep -q '^formulas of errata.eq *[1-9]' \"$D/t0\" && "
+             "grep -q '^control' \"$D/t0\"");
   /* where each of the 12 went */
   shell_well("awk '/ damages of formulas: /{n=$1; sum=$5+$7+$10+$13} END{exit n!=12 || sum!=12}' \"$D/t0\"");
 }
