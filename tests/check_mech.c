@@ -815,7 +815,7 @@ START_TEST(static_equal_to_sliding) {
   read_text("mass m1\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 1\n"
             "mass m2\n  inertia: 1\n  sliding: 1\n  static: 1\n  surface: 1\n"
             "spring a\n  between: ground, m1\n  stiffness: 1/5\nspring b\n  between: m1, m2\n  stiffness: 4/5\n");
-  mech_orbits_find(&list, &file, NULL, false, 128);
+  mech_orbits_find(&list, &file, NULL, true, 128);
   for (int i = 0; i < list.n; i++)
     for (int k = 0; k < list.orbit[i].word.n; k++) {
       const struct mech_orbit *o = &list.orbit[i];
