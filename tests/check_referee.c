@@ -50,13 +50,13 @@ START_TEST(what_has_no_script_or_is_damaged_fails) {
   const char *file = changed(audit, "\"id\": \"eq-40\"", "eq-40", "eq-999");
   file = changed(file, "\"id\": \"num-t_b\"", "\"value\": \"2.005332702", "\"value\": \"2.005332802");
   file = changed(file, "\"id\": \"text-time-name\"", "$t^*$ = time", "$t'$ = time");
+  file = changed(file, "Each line of (44)", "-2.1959", "-2.1958");
   ck_assert_int_eq(confirm(file, ""), 1);
   check_says("said", "eq-999 is conditional and has no script");
   check_says("said", "num-t_b is not confirmed");
   check_says("said", "text-time-name is not confirmed");
-  check_says("said", " statements confirmed, 3 faults");
-  ck_assert_int_eq(confirm(changed(audit, "Each line of (44)", "-2.1959", "-2.1958"), ""), 1);
   check_says("said", "the root example says -2.1958");
+  check_says("said", " statements confirmed, 4 faults");
 }
 END_TEST
 

@@ -5,7 +5,7 @@ import re
 
 from mpmath import cos, cot, findroot, lu_solve, matrix, mpf, sin, sqrt
 
-from model import Passage, derivative, ends, first_zero, flow, orbit, passage, sides, stick, system
+from model import Passage, derivative, ends, first_zero, flow, moments, orbit, passage, sides, stick, system
 
 
 # --- (10): D = (I, V t I; 0, I)
@@ -227,8 +227,8 @@ def eq_36d(c):
     x = list(findroot(lambda *x: touching(c, *x)[0], start))
     z, t = touching(c, *x)[1], x[2:]
     t_a = (c["e_1"] - z[3][0] + c["chi"] * z[3][1]) / (c["V"] * (1 - c["chi"]))
-    slower = all((flow(c, "GHC"[k], t[k] * i / 64) * z[k])[m] < c["V"]
-                 for k, masses in enumerate(([2], [2, 3], [3])) for m in masses for i in range(1, 64))
+    slower = all(inside[m] < c["V"] for k, masses in enumerate(([2], [2, 3], [3]))
+                 for inside in moments(c, "GHC"[k], z[k], t[k]) for m in masses)
     same = all(c.near(value, name) for value, name in zip([t_a, *t, x[0], z[3][0], z[3][1]], names))
     return same and slower and min(t_a, *t) > 0
 

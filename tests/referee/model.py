@@ -3,6 +3,7 @@ events (12), (14), (16), (39) that end them, Coulomb's law (2), in mpmath.
 
 A state is (z_1, z_2, z_1', z_2'); a phase is one of D (both stick), G (Gamma: m_2 sticks), H (both slip), C (m_1 sticks).
 """
+import functools
 import re
 
 from mpmath import findroot, matrix, mp, mpf
@@ -12,6 +13,7 @@ FINE = 1 / mpf(64)  # step of the scan for first events, and of series
 BITS = 160  # of what is behind the point in series
 
 
+@functools.lru_cache(maxsize=None)
 def number(text):
     """p/q or a decimal."""
     p, _, q = text.partition("/")
@@ -116,6 +118,14 @@ def stick(c, w, r):
     return matrix([z_1, z_1 + r, c["V"], c["V"]])
 
 
+def moments(c, phase, z, t):
+    """63 states inside a phase that begins at z and lasts t."""
+    step = flow(c, phase, t / 64)
+    for _ in range(63):
+        z = step * z
+        yield z
+
+
 class Passage:
     """One pass through D, Gamma, H and C: z[0] to z[4], their states, t[0] to t[3], their times."""
 
@@ -152,16 +162,12 @@ class Passage:
         return max(abs(x) for x in self.z[4] - self.z[0]) < mpf(10) ** -9
 
     def is_motion(self):
-        """t_a to t_d positive, no mass faster than the belt: tried at 40 moments of each phase."""
+        """t_a to t_d positive, no mass faster than the belt."""
         return min(self.t) > 0 and all(z[i] < self.c["V"] for k, masses in ((1, [2]), (2, [2, 3]), (3, [3]))
                                        for z in self.moments(k) for i in masses)
 
     def moments(self, k):
-        """40 states inside the phase."""
-        step, z = flow(self.c, "DGHC"[k], self.t[k] / 41), self.z[k]
-        for _ in range(40):
-            z = step * z
-            yield z
+        return moments(self.c, "DGHC"[k], self.z[k], self.t[k])
 
 
 def passage(c):
