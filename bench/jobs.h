@@ -114,7 +114,7 @@ struct bench_lanes {
   double gain[MOST_SETS];     /* the scalar solver's time over the lanes' */
   double bare;                /* dyn_orbit_bare, which has no digits to spare and judges nothing, over the widest */
 };
-void bench_lanes(struct bench_lanes *b);
+void bench_lanes(struct bench_lanes *b, bool quick);
 
 /* --- cvode.c: SUNDIALS' CVODE with its own rootfinding; the method's data is "adams" or "bdf". --- */
 

@@ -9,7 +9,7 @@
 #include "motion/search.h"
 #include "motion/warm.h"
 
-enum { LINE = 4096, ROUNDS = 100 };
+enum { LINE = 4096, ROUNDS = 100, QUICK_ROUNDS = 5 };
 static const double low = 0.80, high = 0.90; /* of e2 */
 
 struct sweep {
@@ -69,7 +69,7 @@ static double time_lanes(struct sweep *s, int set) {
   return took;
 }
 
-void bench_lanes(struct bench_lanes *b) {
+void bench_lanes(struct bench_lanes *b, bool quick) {
   struct search found;
   struct sweep s = {.n = 0};
   double p[N_PARAMS], scalar = INFINITY, bare = INFINITY, best[MOST_SETS];
@@ -81,7 +81,7 @@ void bench_lanes(struct bench_lanes *b) {
     family_lanes_room(&s.lanes, LINE * (slong)found.n + 1, p);
     for (size_t i = 0; i < found.n; i++) add_branch(&s, found.zeros[i].at.tb, found.zeros[i].at.tc);
     for (int i = 0; i < MOST_SETS; i++) best[i] = INFINITY;
-    for (int round = 0; round < ROUNDS; round++) {
+    for (int round = 0; round < (quick ? QUICK_ROUNDS : ROUNDS); round++) {
       scalar = fmin(scalar, time_scalar(&s));
       bare = fmin(bare, time_bare(&s));
       for (int set = 0; set < MOST_SETS && batch_set_name(set); set++)

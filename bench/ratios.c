@@ -243,7 +243,7 @@ static void orbit_ratios(struct bench_result *r, const struct bench_table *t) {
 
 static void sweep_ratios(struct bench_result *r) {
   struct bench_lanes b;
-  bench_lanes(&b);
+  bench_lanes(&b, r->quick);
   for (int i = 0; i < b.n; i++)
     add(r, b.gain[i], false, strcmp(b.set[i], "baseline") == 0 ? NAN : 4,
         "sweep, one core: dyn_orbit_warm / orbits in lanes (%s)", b.set[i]);
