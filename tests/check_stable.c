@@ -19,6 +19,7 @@
 #include "suites.h"
 #include "table.h"
 #include "tape/exact.h"
+#include "whole.h"
 
 static struct model model;
 
@@ -144,9 +145,9 @@ static void extract(struct text *out, const char *text, const char *damage, cons
 }
 
 /* Most of them in the part of the file that both names rest on; some in the whole file, all of whose forms are proved
-   again. */
+   again, in make check one. */
 START_TEST(a_damaged_form_is_not_proved) {
-  enum { WHOLE = 38 };
+  enum { WHOLE = 31, FIRST_WHOLE = 5 };
   struct source src;
   struct diag d;
   struct text t, part;
@@ -162,7 +163,7 @@ START_TEST(a_damaged_form_is_not_proved) {
   text_add(&t, damages.row[_i][D_NOW]);
   text_add(&t, at + strlen(damages.row[_i][D_WAS]));
   extract(&part, text_str(&t), damages.row[_i][D_NOW], damages.row[_i][D_REFUTED], damages.row[_i][D_PROVED]);
-  const char *file = scratch_put("stable.eq", text_str(_i % WHOLE == 0 ? &t : &part));
+  const char *file = scratch_put("stable.eq", text_str(_i % WHOLE == FIRST_WHOLE ? &t : &part));
   paper_model(&damaged, &(struct paper_layers){.stable = file});
   bool algebra = _i % 4 == 0; /* of the others points know it first */
   ck_assert_msg((algebra ? stable_prove_by_algebra : stable_prove)(&p, &damaged, &d), "%s", d.message);
@@ -506,9 +507,9 @@ START_TEST(a_value_wherever_the_corrected_form_has_one) {
   struct text fails;
   long points, undecided;
   text_init(&fails);
-  ck_assert_uint_gt(agree_everywhere(&fails, &points, &undecided, &model, every(2)), 60);
+  ck_assert_uint_gt(agree_everywhere(&fails, &points, &undecided, &model, every(3)), 60);
   ck_assert_msg(fails.len == 0, "%s", text_str(&fails));
-  ck_assert_int_gt(points, 1000);
+  ck_assert_int_gt(points, 2000 / every(3));
   ck_assert_msg(20 * undecided < points, "%ld of %ld", undecided, points); /* what is zero everywhere, as (43) */
   text_clear(&fails);
 }
@@ -543,7 +544,7 @@ END_TEST
 /* --- The audit --- */
 
 /* Every third claim in make check, without what follows of failures, which is no verdict. */
-static void judge(struct audit_result *out, bool stable) {
+static void judge_stable(struct audit_result *out) {
   struct claims claims, none = {.n = 0};
   struct scene paper;
   struct diag d;
@@ -553,7 +554,7 @@ static void judge(struct audit_result *out, bool stable) {
   paper_scene(&paper);
   size_t n_results = claims.n_results;
   claims.n_results = 0;
-  model.stable = stable;
+  model.stable = true;
   const char **only = ss_malloc(claims.n * sizeof *only);
   int n_only = 0;
   for (size_t i = 0; i < claims.n; i += (size_t)every(3)) only[n_only++] = claims.claim[i].id;
@@ -569,12 +570,12 @@ static void judge(struct audit_result *out, bool stable) {
 /* Proofs by exact algebra use the corrected forms in both; balls and rounded numbers do not. */
 START_TEST(both_layers_give_the_same_verdicts) {
   struct audit_result corrected, stable;
-  judge(&corrected, false);
-  judge(&stable, true);
-  ck_assert_uint_eq(corrected.n_findings, stable.n_findings);
+  whole_open();
+  whole_record(&corrected);
+  judge_stable(&stable);
+  ck_assert_uint_gt(stable.n_findings, 50);
   for (size_t i = 0; i < stable.n_findings; i++) {
-    const struct finding *a = &corrected.findings[i], *b = &stable.findings[i];
-    ck_assert_str_eq(a->id, b->id);
+    const struct finding *b = &stable.findings[i], *a = finding_with_id(&corrected, b->id);
     ck_assert_msg(a->verdict == b->verdict && a->correction_verdict == b->correction_verdict, "%s: %s, not %s", b->id,
                   verdict_name[b->verdict], verdict_name[a->verdict]);
   }
@@ -644,7 +645,7 @@ Suite *stable_suite(void) {
   tcase_set_tags(damaged, "long");
   tcase_add_checked_fixture(damaged, scratch_open, scratch_close);
   tcase_set_timeout(damaged, 120);
-  add_every(damaged, a_damaged_form_is_not_proved, 3, damages.n);
+  add_every(damaged, a_damaged_form_is_not_proved, 5, damages.n);
   suite_add_tcase(s, damaged);
   TCase *audits = tcase_create("audits");
   tcase_set_tags(audits, "long");
