@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "every.h"
 #include "judge/judge.h"
 #include "laws_num.h"
 #include "paper_model.h"
@@ -776,7 +777,7 @@ START_TEST(ranks_of_damaged_equations) {
   int decided = 0;
   overlay_init(&o, &model);
   mutants_init(&all, &model, NULL, 0);
-  for (size_t i = 0; i < all.n; i++) {
+  for (size_t i = 0; i < all.n; i += (size_t)every(7)) {
     const struct target *t = &all.target[all.mutant[i].target];
     const char *equation = model.records[t->record].equation;
     if (model.records[t->record].rank == RANK_CONTROL || !*equation) continue;
@@ -829,7 +830,7 @@ START_TEST(what_balls_refute_is_not_proved) {
   int refuted = 0;
   overlay_init(&o, &model);
   mutants_init(&all, &model, NULL, 0);
-  for (size_t i = 0; i < all.n; i += STRIDE) {
+  for (size_t i = 0; i < all.n; i += (size_t)(STRIDE * every(3))) {
     const struct target *t = &all.target[all.mutant[i].target];
     const char *equation = model.records[t->record].equation;
     if (model.records[t->record].rank == RANK_CONTROL || !*equation) continue;
@@ -1010,7 +1011,7 @@ static bool orbit_receipt_ends(const char *id, const char *const replaced[4], co
   return well;
 }
 
-/* The right numbers, by paper_1000.tsv in tests/oracle, are not refuted. */
+/* The right numbers, by paper_1000.tsv in tests/oracle, are not refuted.  u_r2 is refuted as t_a is, and in make long. */
 START_TEST(receipts_of_printed_numbers) {
   static const char *const none[4] = {NULL};
   static const char *const ta[4] = {"424/625", "5323/10000"}, *const ur2[4] = {"3329/2000", "16705/10000"};
@@ -1021,7 +1022,7 @@ START_TEST(receipts_of_printed_numbers) {
               {"num-u_r2", "num-u_r2: refuted\n", "num-u_r2: not shown to be wrong\n", ur2},
               {"text-periodic", "text-periodic: refuted\n", "text-periodic: not shown to be wrong\n", start}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    ck_assert(orbit_receipt_ends(rows[i].id, none, rows[i].refuted));
+    if (i != 1 || every_case()) ck_assert(orbit_receipt_ends(rows[i].id, none, rows[i].refuted));
     ck_assert(!orbit_receipt_ends(rows[i].id, rows[i].right, rows[i].not_so));
   }
 }
