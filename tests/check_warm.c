@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "accuracy.h"
+#include "every.h"
 #include "explore/family.h"
 #include "laws_num.h"
 #include "suites.h"
@@ -184,9 +185,9 @@ Suite *warm_suite(void) {
   Suite *s = suite_create("warm");
   TCase *t = tcase_create("warm");
   tcase_set_timeout(t, 120);
-  tcase_add_loop_test(t, numbers_and_conditions, 0, 3);
-  tcase_add_loop_test(t, numbers_at_extremes, 0, 2);
-  tcase_add_loop_test(t, no_orbit_is_invented, 0, 3);
+  add_every(t, numbers_and_conditions, 3, 3);
+  add_every(t, numbers_at_extremes, 2, 2);
+  add_every(t, no_orbit_is_invented, 3, 3);
   tcase_add_test(t, hostile);
   tcase_add_test(t, huge_and_tiny);
   suite_add_tcase(s, t);
