@@ -331,12 +331,12 @@ class Memory(unittest.TestCase):
 
         def fail():
             self.assertRaises(stickslip.Error, stickslip.Scene.read, "chi = 2")
-        self.assertLess(self.grown(1000, scene.orbits), 1000)
+        self.assertLess(self.grown(400, scene.orbits), 400)
         self.assertLess(self.grown(1000, lambda: stickslip.Scene.read(PAPER).name), 1000)
         self.assertLess(self.grown(1000, fail), 1000)
         self.assertLess(self.grown(200, lambda: scene.jacobian(1)), 1000)
         self.assertLess(self.grown(200, lambda: scene.simulate(1, returns=1, sample=0.1)), 1000)
-        self.assertLess(self.grown(200, lambda: scene.sweep("e2", 1, 2, 11)), 1000)
+        self.assertLess(self.grown(80, lambda: scene.sweep("e2", 1, 2, 11)), 400)
 
     def test_exit(self):
         open_scene = "import stickslip, threading\nscene = stickslip.Scene()\nscene.self = scene\nscene.orbits()\n"
