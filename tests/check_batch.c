@@ -226,7 +226,7 @@ START_TEST(extreme_points_against_balls) {
   struct table t;
   table_init(&t, 80);
   random_numbers.state = 33;
-  for (int i = 0; i < 250; i++) {
+  for (int i = 0; t.n < t.cap; i++) {
     double p[N_PARAMS];
     any_params(p);
     p[P_CHI] =

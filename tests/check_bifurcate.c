@@ -144,25 +144,31 @@ static bool inside(const struct dyn_bifurcation *b, const fmpq_t x) {
 }
 
 START_TEST(values_of_the_oracle) {
-  char row[400];
+  char row[400], whole[400], before[400] = "";
   int rows = 0;
+  struct line l;
+  struct dyn_bifurcations list;
   FILE *f = fopen("tests/oracle/bifurcations.tsv", "r");
   ck_assert_msg(f != NULL, "the tests run in the project's folder");
   while (fgets(row, sizeof row, f)) {
     static const char *const names[] = {"chi", "eta", "V", "e1", "e2"};
     char *field[11];
+    snprintf(whole, sizeof whole, "%s", row);
     int n = 0;
     for (char *p = strtok(row, "\t\n"); p && n < 11; p = strtok(NULL, "\t\n")) field[n++] = p;
     ck_assert_int_eq(n, 11);
     int vary = 0;
     while (strcmp(names[vary], field[5]) != 0) vary++;
-    struct line l;
-    struct dyn_bifurcations list;
     fmpq_t value;
     fmpq_init(value);
     set_decimal(value, field[9]);
-    line_init(&l, (const char *const *)field, vary, field[6], field[7]);
-    ck_assert_int_eq(find(&list, &l, 15), SS_OK);
+    if (strncmp(whole, before, (size_t)(field[8] - row)) != 0) { /* else several changes on one line */
+      if (rows > 0) dyn_bifurcations_clear(&list);
+      if (rows > 0) line_clear(&l);
+      line_init(&l, (const char *const *)field, vary, field[6], field[7]);
+      ck_assert_int_eq(find(&list, &l, 15), SS_OK);
+    }
+    memcpy(before, whole, sizeof before);
     int hits = 0;
     for (slong i = 0; i < list.n; i++)
       if (strcmp(dyn_change_id[list.at[i].what], field[8]) == 0 && inside(&list.at[i], value)) {
@@ -170,11 +176,11 @@ START_TEST(values_of_the_oracle) {
         ck_assert_msg(list.at[i].crosses && list.at[i].unique, "%s at %s", field[8], field[9]);
       }
     ck_assert_msg(hits == 1, "%s at %s: %d brackets", field[8], field[9], hits);
-    dyn_bifurcations_clear(&list);
-    line_clear(&l);
     fmpq_clear(value);
     rows++;
   }
+  dyn_bifurcations_clear(&list);
+  line_clear(&l);
   fclose(f);
   ck_assert_int_eq(rows, 7);
   flint_cleanup();

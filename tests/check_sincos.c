@@ -11,12 +11,13 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "every.h"
 #include "motion/sincos.h"
 #include "num/flint_compat.h"
 #include "num/flint_more.h"
 #include "suites.h"
 
-enum { BITS = 160, TERMS = 30, PIECES = 4096 };
+enum { BITS = 160, TERMS = 30, PIECES = 1024 };
 static const double unit = 0x1p-53;
 
 /* --- The rounding of one polynomial piece. --- */
@@ -308,11 +309,11 @@ static double uniform(uint64_t *state) {
 START_TEST(random_arguments) {
   struct worst w = {0};
   uint64_t state = 20;
-  for (int i = 0; i < 60000; i++) {
+  for (int i = 0; i < 60000 / every(4); i++) {
     double size = ldexp(1, (int)(uniform(&state) * 60) - 40); /* to 2^20 */
     measure(&w, (2 * uniform(&state) - 1) * size);
   }
-  for (int i = 0; i < 60000; i++) measure(&w, 40 * uniform(&state));
+  for (int i = 0; i < 60000 / every(4); i++) measure(&w, 40 * uniform(&state));
   check_worst(&w);
 }
 END_TEST
@@ -323,7 +324,7 @@ START_TEST(worst_arguments) {
   mpfr_t x;
   uint64_t state = 21;
   mpfr_init2(x, 200);
-  for (int i = 1; i < 24000; i++) {
+  for (int i = 1; i < 24000; i += every(3)) {
     long k = i < 12000 ? i : (long)(uniform(&state) * 0x1p20 * 4 / 3.15);
     mpfr_const_pi(x, MPFR_RNDN);
     mpfr_mul_si(x, x, k, MPFR_RNDN);
@@ -346,7 +347,7 @@ START_TEST(angles) {
   mpfr_t x, y;
   uint64_t state = 22;
   mpfr_inits2(200, x, y, (mpfr_ptr)NULL);
-  for (int i = 0; i < 60000; i++) {
+  for (int i = 0; i < 60000 / every(4); i++) {
     double angle = i % 2 == 0 ? 3.14159 * uniform(&state) : (double)(i % 18 / 2) * 0.39269908169872414;
     double size = ldexp(1, (int)(uniform(&state) * 40) - 20),
            near = i % 3 == 0 ? 0 : ldexp(uniform(&state) - 0.5, -(i % 50));
