@@ -243,7 +243,7 @@ def along_errors(folder, s):
     samples = [r for r in rows if r["change"] == "-"]
     first = min(range(len(samples)), key=lambda i: abs(mpf(samples[i]["e2"]) - s.e2))
     stride = 4 if STEP == 1 else 16
-    ways = (range(first, len(samples), stride), range(first, -1, -stride)) if s.printed else (range(first, -1, -1)[:2],)
+    ways = (range(first, len(samples), stride), range(first, -1, -stride)) if s.printed else (range(first, -1, -1)[STEP > 1:2],)
     if mpf(samples[first]["period"]) > 100:
         ways = ()  # equality.py would look for events for minutes
     for way in ways:
