@@ -1012,7 +1012,7 @@ static bool orbit_receipt_ends(const char *id, const char *const replaced[4], co
   return well;
 }
 
-/* The right numbers, by paper_1000.tsv in tests/oracle, are not refuted.  u_r2 is refuted as t_a is, and in make long. */
+/* The right numbers, by paper_1000.tsv in tests/oracle, are not refuted.  u_r2 is refuted in make long alone. */
 START_TEST(receipts_of_printed_numbers) {
   static const char *const none[4] = {NULL};
   static const char *const ta[4] = {"424/625", "5323/10000"}, *const ur2[4] = {"3329/2000", "16705/10000"};
