@@ -651,10 +651,10 @@ START_TEST(the_usual_orbit_is_named) {
     bool again = i == 3; /* with another parameter it is nobody's example */
     for (int k = 0; k <= again; k++) {
       const char *data = k ? "this scene" : cases[i].data, *called = strchr(cases[i].called, ' ');
-      shell_well("rm -rf $D/r $D/p && $P verify %s %s --only eq-31,text-first-always --quiet --out $D/r >/dev/null && "
+      shell_well("rm -rf $D/r $D/p && $P verify %s %s --only eq-32d,text-first-always --quiet --out $D/r >/dev/null && "
                  "$P plot %s %s --out $D/p >/dev/null",
                  scene, k ? "--set e2=0.86" : "", scene, k ? "--set e2=0.86" : "");
-      snprintf(head, sizeof head, "- effect: For the data of %s, the left", data);
+      snprintf(head, sizeof head, "- effect: For the data of %s, on ", data);
       check_says("r/audit.md", head);
       snprintf(head, sizeof head, "%s all inequalities together", called);
       check_says("r/audit.md", head);

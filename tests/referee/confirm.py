@@ -1,7 +1,7 @@
 """confirm.py audit.json [--damage] [--lines]: a referee's scripts against the certificates of an audit.
 
 Every refuted or conditional claim of the paper must have a function in claims.py, no function more than 20 lines, and
-each must confirm; the numbers in the sentences of the roots are found again.  --damage: a certificate that is damaged, one value or one quotation at a time, must not be confirmed.
+each must confirm, those of checks too; the numbers in the sentences of the roots are found again.  --damage: a certificate that is damaged, one value or one quotation at a time, must not be confirmed.
 Exit status 0 when all is so; else each fault on a line, and 1."""
 import copy
 import inspect
@@ -84,7 +84,7 @@ def main(path, *options):
     with open(path, encoding="utf-8") as f:
         audit = json.load(f)
     failing = [c for c in audit["claims"]
-               if c["verdict"] in ("refuted", "conditional") and c.get("of", "paper") == "paper"]
+               if c["verdict"] in ("refuted", "conditional") and (c.get("of", "paper") == "paper" or script_of(c["id"]))]
     faults = list(too_long()) + list(unexplained(audit))
     for claim in failing:
         if script_of(claim["id"]) is None:
