@@ -566,10 +566,10 @@ static const struct {
     {"verify --only eq-3 --out", "audit.json"},
     {"orbit paper --certificate", NULL},
     {"sweep paper --over e2=1:2:300 --csv", NULL},
-    {"stability H --quick --jobs 1 --out", "stability.json"},
+    {"stability lambda_2 --quick --jobs 1 --out", "stability.json"},
     {"bench --quick --job propagator --out", "bench.json"},
-    {"mutate --count 1 --jobs 1 --only 6-appendix-a.eq --out", "mutation.json"},
-    {"repair eq-40 --jobs 2 --out", "repairs.json"},
+    {"mutate --count 1 --jobs 1 --only title --out", "mutation.json"},
+    {"repair eq-31 --jobs 2 --out", "repairs.json"},
 };
 enum { N_WRITING = sizeof writing / sizeof *writing };
 
