@@ -685,7 +685,8 @@ START_TEST(a_changed_scene_is_not_the_recorded_one) {
   read_back(&audit, scratch_path("changed/audit.json"));
   ck_assert(strstr(audit.text, "\"verdict\": \"proved\"") || strstr(audit.text, "\"verdict\": \"supported\""));
   ck_assert(
-      strstr(audit.text, "\"reproduce\": \"stickslip verify paper --set 'printed=t_a = 0.5322' --only num-t_a\""));
+      strstr(audit.text,
+             "\"reproduce\": \"stickslip verify paper --set 'printed=t_a = 0.5322' --only num-t_a --out recheck\""));
   ck_assert(strstr(audit.text, "\"scene\": \"paper --set 'printed=t_a = 0.5322'\""));
   source_clear(&audit);
 }

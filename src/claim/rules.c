@@ -252,6 +252,21 @@ static bool check_errata(const struct model *m, const struct claims *claims, str
   return true;
 }
 
+/* A claim whose own text a correction replaced would be judged as corrected. */
+static bool check_own_text(const struct model *m, const struct claims *claims, struct diag *d) {
+  for (size_t i = 0; i < claims->n; i++) {
+    const struct claim *c = &claims->claim[i];
+    const struct view v = claim_view(m, c);
+    const char *statement = claim_get(c, "statement");
+    const struct statement_record *r = statement ? view_record(&v, statement) : NULL;
+    if (r && r->rank == RANK_ERRATA)
+      return claim_mistake(c, "statement", d,
+                           "a correction of %s stands in its place: the claim needs the equation number of that record",
+                           statement);
+  }
+  return true;
+}
+
 /* --- Controls --- */
 
 static enum kind control_kind(const struct claims *claims, const struct claim *control) {
@@ -349,5 +364,5 @@ bool claims_keep_rules(const struct model *m, const struct claims *claims, const
   for (size_t i = 0; ok && i < controls->n_files; i++) ok = records_counted(controls->files[i], d);
   ok = ok && check_near(m, controls, d) && check_kind_controls(claims, controls, d);
   for (size_t i = 0; ok && i < claims->n; i++) ok = check_correction_controls(claims, controls, i, d);
-  return ok && check_errata(m, claims, d) && check_graph(m, claims, d);
+  return ok && check_errata(m, claims, d) && check_own_text(m, claims, d) && check_graph(m, claims, d);
 }

@@ -359,7 +359,7 @@ static bool sees(const struct view *v, enum rank rank, const char *equation, con
   bool stable = v->layer == LAYER_STABLE || (v->model->stable && v->layer == LAYER_CORRECTED);
   if (rank == RANK_ERRATA || rank == RANK_STABLE)
     return (rank == RANK_STABLE ? stable : v->layer != LAYER_PRINTED) &&
-           !(v->own && *equation && strcmp(v->own, equation) == 0);
+           !(v->own && strcmp(v->own, *equation ? equation : id) == 0);
   if (rank == RANK_CONTROL) return v->control && strcmp(v->control, id) == 0;
   return true;
 }

@@ -122,8 +122,8 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
    both places. */
 bool model_check_tex(const struct model *m, enum rank last, struct diag *d);
 
-/* What a reader sees: corrected, except that everything with the equation number `own` (may be NULL) is read as
-   printed; controls with the id `control` (may be NULL) on top. */
+/* What a reader sees: corrected, except that everything with the equation number `own` (may be NULL), or without a number
+   and with that id, is read as printed; controls with the id `control` (may be NULL) on top. */
 struct view {
   const struct model *model;
   enum layer layer;
