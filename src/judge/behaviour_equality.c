@@ -208,9 +208,9 @@ bool behaviour_equality(struct behaviour *b) {
   const char *params = claim_get(b->c, "at"), *vary = claim_get(b->c, "vary"), *said = claim_get(b->c, "statement");
   const struct statement_record *criterion = said ? claim_record(b->view, b->c, "statement", said, b->j->d) : NULL;
   struct found t = {.where = NULL};
-  if (!criterion) return claim_error(b->j, b->c, "statement", "the record that says when an orbit is stable");
   bool ok = params && vary;
   if (!ok) return claim_error(b->j, b->c, "at", "a family needs its parameters (at) and the one that is varied (vary)");
+  if (!criterion) return claim_error(b->j, b->c, "statement", "the record that says when an orbit is stable");
   while (ok && params && vary) {
     ok = try_family(&t, b, params, vary);
     params = strchr(params, ';');
