@@ -70,8 +70,9 @@ def main():
                 if (command, status) in typed and not reads_a_file(command, folder):
                     continue
                 typed.add((command, status))
-                done = subprocess.run(["bash", "-o", "pipefail", "-c", typed_here(command).replace("/tmp/", folder + "/")], cwd=folder,
-                                      capture_output=True, text=True, check=False)
+                shown = typed_here(command).replace("/tmp/", folder + "/")
+                done = subprocess.run(["bash", "-o", "pipefail", "-c", shown], cwd=folder, capture_output=True, text=True,
+                                      check=False)
                 n += 1
                 if done.returncode != status:
                     failed = 1
