@@ -210,10 +210,12 @@ START_TEST(the_third_order_decides_at_equality) {
       "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1\n",
       "  at: chi = 79/100, eta = 2, V = 1, e1 = 4, e2 = 1/4\n  vary: chi from 79/100 to 78/100\n"};
   struct row row[2];
-  char text[400], want[64], place[64];
+  char text[600], want[64], place[64];
   struct audit_result r;
   read_equality(row);
-  snprintf(text, sizeof text, "%s  statement: text-criterion\n%s", CLAIM("equality"), families[_i]);
+  snprintf(text, sizeof text,
+           "%s%s  depends-on: own\nclaim own\n  section: stability\n  kind: criterion\n  statement: text-criterion\n",
+           CLAIM("equality"), families[_i]);
   const struct finding *f = judged(&r, text);
   double third = row[_i].c[2] * row[_i].c[2] + row[_i].c[3];
   ck_assert_int_eq((int)f->verdict, third > 0 ? VERDICT_CONDITIONAL : VERDICT_SUPPORTED); /* |tr J| is not 1 */

@@ -33,8 +33,6 @@
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
      side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
-     defined     (criterion) the claim of kind defined about what J divides by; where that is zero on an orbit the
-                 criterion is conditional
      systems     (patching) scenes of systems of more masses, names in the folder of the claim's own data
      states      (dimension, fixed-points) the conditions of the four phases, as in premises
      range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps

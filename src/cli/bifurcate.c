@@ -124,12 +124,19 @@ static void change_text(struct text *out, const struct dyn_bifurcation *b, const
   text_add_char(out, '\n');
 }
 
-/* What the kinds that occur mean. */
+/* What the kinds that occur mean; two of one id, on one line. */
 static void kinds_text(struct text *out, const struct dyn_bifurcations *list) {
+  const char *last = "";
   bool met[N_CHANGES] = {false};
   for (slong i = 0; i < list->n; i++) met[list->at[i].what] = true;
-  for (int k = 0; k < N_CHANGES; k++)
-    if (met[k]) text_printf(out, "%s: %s\n", dyn_change_id[k], dyn_change_text[k]);
+  for (int k = 0; k < N_CHANGES; k++) {
+    if (!met[k]) continue;
+    bool again = strcmp(dyn_change_id[k], last) == 0;
+    if (!again) text_printf(out, "%s%s: ", *last ? "\n" : "", dyn_change_id[k]);
+    text_printf(out, "%s%s", again ? ", or " : "", dyn_change_text[k]);
+    last = dyn_change_id[k];
+  }
+  if (*last) text_add_char(out, '\n');
 }
 
 static void all_text(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,

@@ -32,14 +32,33 @@ static int box_side(const struct scene *s, int i) {
   return -1;
 }
 
-/* An end of the i-th number: of its enclosure, or of the box itself, rounded to nearest. */
+/* An end of the box: exactly where it has so many digits, else rounded outwards. */
+static void add_box_end(struct text *out, const fmpq *end, bool upper, slong digits) {
+  struct text shown = {0};
+  fmpq_t read;
+  arb_t x;
+  fmpq_init(read);
+  arb_init(x);
+  num_print_rational(&shown, end, digits);
+  if (num_parse_decimal(read, text_str(&shown), shown.len) == SS_OK && fmpq_equal(read, end)) {
+    text_add(out, text_str(&shown));
+  } else {
+    arb_set_fmpq(x, end, 128);
+    add_end(out, x, upper, digits);
+  }
+  text_clear(&shown);
+  arb_clear(x);
+  fmpq_clear(read);
+}
+
+/* An end of the i-th number: of its enclosure, or of the box itself. */
 static void add_number_end(struct text *out, const struct dyn_orbit *o, int i, const struct scene *s, bool upper,
                            slong digits) {
   int k = box_side(s, i);
   if (k < 0)
     add_end(out, orbit_number(o, i), upper, digits);
   else
-    num_print_rational(out, upper ? &s->high[k] : &s->value[k], digits);
+    add_box_end(out, upper ? &s->high[k] : &s->value[k], upper, digits);
 }
 
 static void add_middle(struct text *out, const arb_t x, slong digits) {
@@ -126,7 +145,7 @@ static void box_json(struct text *out, const struct dyn_box *box, const struct s
     json_array(&j, scene_key_name[k]);
     for (int end = 0; end < 2; end++) {
       json_begin_string(&j, NULL);
-      num_print_rational(out, end ? &s->high[k] : &s->value[k], digits);
+      add_box_end(out, end ? &s->high[k] : &s->value[k], end, digits);
       json_end_string(&j);
     }
     json_end_array(&j);

@@ -149,7 +149,7 @@ static struct route_result add_theorem(struct behaviour *b, const struct lineari
 
 /* theorem: of the sentence, unless points have refuted it already. */
 static void conclude(struct behaviour *b, const struct tried *t, const struct linearized *theorem) {
-  struct route_result w[5];
+  struct route_result w[4];
   int n = 0;
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
   struct text note = {0};

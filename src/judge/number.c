@@ -131,7 +131,7 @@ static void read_by_own_digits(struct finding *f, const struct number_job *n, co
   own.unit = own.digit;
   if (printed_fits(x, &own, &how) == TRUTH_TRUE)
     f->condition = result_str(n->j->out, "%s is taken by its own digits (%s), not as %s beside the other numbers",
-                              n->p->decimal, reading_name[how], with_all_digits(n));
+                              n->p->decimal, how == READ_ROUNDED ? "rounded" : "cut off", with_all_digits(n));
 }
 
 /* The scene's data, the orbit, what is printed with its unit, and the value there. */
@@ -225,8 +225,9 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
           : result_str(
                 j->out,
                 "With the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of the last "
-                "decimal below to one unit above) %s takes values from %s to %s, rounded, and %s the printed digits.",
-                n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives");
+                "decimal below to one unit above) %s takes values from %s to %s, rounded, and %s %s.",
+                n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives",
+                f->condition ? with_all_digits(n) : "the printed digits");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
   _arb_vec_clear(w, 3);
   fmpq_clear(shift);

@@ -363,7 +363,8 @@ static void certify(struct finding *f, struct point_trials *r) {
   }
 }
 
-/* Whether both sides have the same values at the scene's data with another perturbation and other friction. */
+/* Whether both sides have the same values at the scene's data with another perturbation and other friction, of one draw;
+   where the claim's first points are of another kind it is not said. */
 static bool scene_decides(const struct trial *tr, struct point_trials *r) {
   struct sampler sampler;
   struct point drawn, p;
@@ -390,14 +391,13 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
   if (have) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
     const char *of = scene_data_of(r->j->scene);
-    const char *orbit = p.kind == POINT_ORBIT && !p.admissible
-                            ? result_str(r->j->out, "on %s, ", usual_orbit_text(r->j, "periodic solution"))
-                            : "";
+    bool usual = p.kind == POINT_ORBIT && !p.admissible;
     if (tr.outcome == OUTCOME_AGREES)
       f->effect = result_str(r->j->out, "For the data of %s the two sides are equal.", of);
     if (tr.outcome == OUTCOME_DIFFERS && scene_decides(&tr, r))
-      f->effect = result_str(r->j->out, "For the data of %s, %s%sthe left side is %s and the right side %s.", of, orbit,
-                             entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
+      f->effect = result_str(r->j->out, "For the data of %s, %s%s%s%sthe left side is %s and the right side %s.", of,
+                             usual ? "on " : "", usual ? usual_orbit_text(r->j, "periodic solution") : "",
+                             usual ? ", " : "", entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
   }
   point_clear(&p);
 }

@@ -300,7 +300,7 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
     text_printf(out, "### %s\n\n", q->failure);
     if (q->solved) sheet_add(&s, "- the equations solved with it: %p\n", q->solved);
     add_ids(out, "- statements that no longer hold: ", &q->falls);
-    add_ids(out, "- statements that use it and still hold: ", &q->survives);
+    add_ids(out, "- statements that use it and keep their verdict: ", &q->survives);
     add_ids(out, "- statements that use it, undecided: ", &q->open);
     add_kept(&s, q, CHANGE_AGREES, "- results that are unchanged: ");
     add_kept(&s, q, CHANGE_UNDECIDED, "- results left undecided: ");

@@ -140,15 +140,19 @@ void failures_say(struct text *out, const struct audit_result *r) {
   if (count[VERDICT_CONDITIONAL]) text_printf(out, ", %ld hold under a condition", count[VERDICT_CONDITIONAL]);
   if (count[VERDICT_REFUTED]) text_printf(out, ", %ld do not hold as printed", count[VERDICT_REFUTED]);
   if (of_numbers) text_printf(out, ", %ld of them about the numbers of the example", of_numbers);
-  const char *before = " (they belong to ";
+  if (due == 0) return;
+  bool others = (size_t)due < r->n_roots;
+  text_printf(out, " (these %ld belong to", count[VERDICT_CONDITIONAL] + count[VERDICT_REFUTED]);
+  const char *before = " ";
   for (int i = 0; due; i++) {
     if (of[i] == 0) continue;
     due -= of[i];
-    text_printf(out, "%s%ld %s%s", before, of[i], severity_words[i][of[i] != 1], due ? "" : ")");
+    text_printf(out, "%s%ld %s", before, of[i], severity_words[i][of[i] != 1]);
     int next = i + 1;
-    while (next < N_SEVERITIES - 1 && of[next] == 0) next++;
-    before = due == of[next] ? " and " : ", ";
+    while (due && of[next] == 0) next++;
+    before = due && due == of[next] ? " and " : ", ";
   }
+  text_add(out, others ? "; the other points rest on checks of the suite)" : ")");
 }
 
 static bool any_begins(const char *const *list, int n, const char *with) {

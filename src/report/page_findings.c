@@ -202,7 +202,7 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
   add_derived(p, q, CHANGE_AGREES, "<p>Unchanged at every point tried: ");
   add_derived(p, q, CHANGE_UNDECIDED, "<p>Undecided: ");
   add_ids(p, &q->falls, "<p>Statements that no longer hold with the printed formula: ");
-  add_ids(p, &q->survives, "<p>Statements that use it and still hold: ");
+  add_ids(p, &q->survives, "<p>Statements that use it and keep their verdict: ");
   add_ids(p, &q->open, "<p>Undecided statements: ");
   if (p->out->len == before) text_add(p->out, "No derived result is computed from this statement.");
   end_row(p);

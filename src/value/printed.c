@@ -74,7 +74,7 @@ bool printed_replace(struct printed_number *own, const struct printed_number **p
   fmpq_init(&own->unit);
   own->name = (*p)->name;
   own->decimal = (*p)->decimal;
-  fmpq_set(&own->digit, &(*p)->unit);
+  fmpq_set(&own->digit, &(*p)->unit); /* what is moved by units has their digits */
   fmpq_set(&own->unit, &(*p)->unit);
   fmpq_set_si(&own->value, strtol(shift, NULL, 10), 1);
   fmpq_mul(&own->value, &own->value, &own->unit);

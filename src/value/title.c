@@ -506,7 +506,7 @@ static const struct {
      "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law"},
     {"linearization", NULL,
      "linearizing within the phases alone, without regard to the switches, gives wrong results about stability"},
-    {"equality", NULL, "periodic solutions for which |tr(J)| < 1 does not hold are unstable"},
+    {"equality", NULL, "admissible periodic solutions are unstable unless |tr(J)| < 1"},
     {"perturb", NULL,
      "of the motions that result from arbitrarily small perturbations of a stable orbit some stay near it and others "
      "do not"},
