@@ -32,6 +32,7 @@
                  in premises; the claims of kind law, one for each mass, are among those of depends-on
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
+                 (what holds elsewhere is asked of the claim of kind criterion among those of depends-on)
      side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
      systems     (patching) scenes of systems of more masses, names in the folder of the claim's own data
      states      (dimension, fixed-points) the conditions of the four phases, as in premises
