@@ -590,6 +590,7 @@ START_TEST(the_letter) {
                              "-\t3\t-\t-0.25\t6\tyes\tno\nIT IS GONE\t3.5\t3.6\t-\t-\t-\t-\n",
                              NULL};
   struct audit_result r = {.scene = "s",
+                           .paper_text = "sha256 0",
                            .findings = f,
                            .n_findings = sizeof f / sizeof *f,
                            .roots = root,

@@ -17,7 +17,8 @@ enum fault claim_fault(const struct model *m, const struct claim *c) {
   const struct claim_kind *kind = claim_kind_of(c);
   const char *statement = claim_get(c, "statement");
   if (!kind) return FAULT_FORMULA;
-  if (claim_get(c, "limits")) return FAULT_ARGUMENT; /* no formula is wrong: there is none */
+  if (claim_get(c, "limits")) return FAULT_ARGUMENT;                        /* no formula is wrong: there is none */
+  if (!m->system && claim_kind(c) == KIND_INEQUALITY) return FAULT_FORMULA; /* of no example's numbers */
   if (kind->fault != FAULT_BY_EDIT) return kind->fault;
   if (!kind->tried_at_points) return statement ? FAULT_NOTATION : FAULT_FORMULA; /* scaling: of one record, or of all */
   if (has_inequality(m, statement)) return FAULT_ARGUMENT;

@@ -45,7 +45,7 @@ extern const char *const fault_name[N_FAULTS];
     2, 1, false)                                                                                                       \
   K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 6, 0, 1, true)        \
   K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true,            \
-    FAULT_NUMBER, 0, 0, 1, true)                                                                                       \
+    FAULT_NUMBER, 0, 0, 1, false)                                                                                      \
   K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1, true) \
   K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0, 1, \
     true)                                                                                                              \

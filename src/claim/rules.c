@@ -162,8 +162,8 @@ static bool check_quoted_numbers(const struct model *m, const struct claim *c, s
 }
 
 /* What is judged of one scene has its verdict on record for one scene. */
-static bool check_record_scene(const struct claim *c, struct diag *d) {
-  return !claim_of_scene(c) || !claim_get(c, "record") || claim_get(c, "record-scene") ||
+static bool check_record_scene(const struct model *m, const struct claim *c, struct diag *d) {
+  return !m->system || !claim_of_scene(c) || !claim_get(c, "record") || claim_get(c, "record-scene") ||
          claim_mistake(c, "record", d,
                        "what is judged of one scene says in \"record-scene:\" of which its verdict is on record");
 }
@@ -178,7 +178,9 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
   if (fault && strcmp(fault, follows) != 0)
     return claim_mistake(c, "fault", d,
                          "the fault is \"%s\": it follows from the kind of the claim and from its correction", follows);
-  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_record_scene(c, d) &&
+  if (m->system && claim_kind(c) == KIND_INEQUALITY && claim_get(c, "points"))
+    return claim_mistake(c, "points", d, "inequalities are judged with the example's own numbers; leave the line out");
+  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_record_scene(m, c, d) &&
          (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) && check_conclusion(m, c, d);
 }
 

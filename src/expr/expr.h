@@ -119,6 +119,8 @@ const struct expr *expr_parse(struct arena *a, const struct source *src, struct 
 /* Infix text that parses back to an equal tree (scalars too: parentheses are put in where the grammar needs them). */
 void expr_print(struct text *out, const struct expr *e);
 void stmt_print(struct text *out, const struct stmt *s);
+/* " for q in (0, 1)", where the statement has a range. */
+void stmt_print_range(struct text *out, const struct stmt *s);
 /* Step k of a relation, "a < b". */
 void stmt_print_step(struct text *out, const struct stmt *s, int k);
 /* As a reader writes it in a line of prose, not to be read back: products by a blank, a^-1, |a|, M_12 for M[1,2], columns

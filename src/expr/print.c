@@ -251,11 +251,7 @@ void stmt_print_step(struct text *out, const struct stmt *s, int k) {
   expr_print(out, s->sides[k + 1]);
 }
 
-static void print_relation(struct text *out, const struct stmt *s) {
-  for (int i = 0; i < s->n_sides; i++) {
-    if (i > 0) text_add(out, relop_text[s->ops[i - 1]]);
-    expr_print(out, s->sides[i]);
-  }
+void stmt_print_range(struct text *out, const struct stmt *s) {
   if (!s->range_var) return;
   text_printf(out, " for %s in ", s->range_var);
   if (s->range_signs) {
@@ -267,6 +263,14 @@ static void print_relation(struct text *out, const struct stmt *s) {
   text_add(out, ", ");
   expr_print(out, s->range_hi);
   text_add(out, s->hi_closed ? "]" : ")");
+}
+
+static void print_relation(struct text *out, const struct stmt *s) {
+  for (int i = 0; i < s->n_sides; i++) {
+    if (i > 0) text_add(out, relop_text[s->ops[i - 1]]);
+    expr_print(out, s->sides[i]);
+  }
+  stmt_print_range(out, s);
 }
 
 void stmt_print(struct text *out, const struct stmt *s) {

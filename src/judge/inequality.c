@@ -1,5 +1,5 @@
 /* Inequalities at the scene's own numbers.  The domain is one set of exact parameters, so an enclosure that settles it
-   is a proof. */
+   is a proof.  Those between a paper's own symbols are tried at points of their domains, where one can be refuted. */
 #include <string.h>
 
 #include "base/work.h"
@@ -85,6 +85,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
 }
 
 bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  if (!j->model->system) return judge_points(f, j, c, view);
   const char *id = claim_get(c, "statement");
   const struct statement_record *r = id ? view_record(&view, id) : NULL;
   if (!r) return claim_error(j, c, "statement", "there is no such record in the equation files");

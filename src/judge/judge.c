@@ -36,7 +36,8 @@ static const char *beyond(struct judge *j, const struct claim *c) {
   if (!j->model->system && claim_kind_of(c)->of_model)
     return "it is about the system that the program has a model of, and no file of the paper says \"model: two masses "
            "on a belt\"";
-  if (!j->model->system && claim_tried_at_points(c) && !at_own_symbols(j, c) && !j->d->set)
+  bool at_points = claim_tried_at_points(c) || claim_kind(c) == KIND_INEQUALITY;
+  if (!j->model->system && at_points && !at_own_symbols(j, c) && !j->d->set)
     return "its points are motions of two masses on a belt, and no file of the paper says that it is about them; "
            "\"points: params N\" are values of the paper's own symbols";
   if (!value || oracle_find(value)) return NULL;
@@ -69,17 +70,20 @@ bool judge_subject(struct finding *f, struct judge *j, const struct claim *c, st
 
 /* --- Corrections --- */
 
-/* Judges the sentence again with everything corrected and fills f->correction. */
+/* Judges the sentence again with everything corrected and fills f->correction: of what holds as printed only a
+   correction that does not. */
 static bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
   struct text t = {0};
   bool ok = true;
   if (erratum_text(&t, j->model, c)) {
     struct finding again = finding_again(f);
     ok = judge_subject(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
-    f->correction = result_copy(j->out, text_str(&t));
-    f->correction_verdict = again.verdict;
-    erratum_typeset(f, j, c);
-    if (ok) finding_take_evidence(f, j->out, &again);
+    if (ok && (f->verdict == VERDICT_REFUTED || again.verdict == VERDICT_REFUTED)) {
+      f->correction = result_copy(j->out, text_str(&t));
+      f->correction_verdict = again.verdict;
+      erratum_typeset(f, j, c);
+      finding_take_evidence(f, j->out, &again);
+    }
   }
   text_clear(&t);
   return ok;
@@ -205,7 +209,7 @@ bool judge_claim(struct judge *j, const struct claim *c) {
     f.verdict = verdict_under_condition(f.verdict, VERDICT_PROVED);
   if (!f.fault && (f.verdict == VERDICT_REFUTED || f.verdict == VERDICT_CONDITIONAL))
     f.fault = fault_name[claim_fault(j->model, c)];
-  bool again = f.verdict == VERDICT_REFUTED && k->tried_at_points && !f.correction;
+  bool again = (f.verdict == VERDICT_REFUTED || verdict_passes(f.verdict)) && k->tried_at_points && !f.correction;
   if (again && !judge_correction(&f, j, c)) return false;
   struct audit_result *out = j->out;
   if (f.verdict == VERDICT_SUPPORTED && j->effort == EFFORT_FULL && route_is_asked(j->scene, "exact"))

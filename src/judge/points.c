@@ -289,10 +289,13 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
   struct text note = {0};
   if (t->trials == 0) text_add(&note, "no point could be used");
   if (t->differs && t->certificate && !is_double)
-    text_printf(&note, "the sides differ at %ld of %ld points; %s", t->differs, t->trials, t->certificate);
+    text_printf(&note, "%s at %ld of %ld points; %s",
+                claim_kind(r->c) == KIND_INEQUALITY ? "it fails" : "the sides differ", t->differs, t->trials,
+                t->certificate);
   if (t->rejected)
-    text_printf(&note, "%s%ld further point%s could not be used", note.len ? "; " : "", t->rejected,
-                t->rejected == 1 ? "" : "s");
+    text_printf(&note, "%s%ld further point%s %s", note.len ? "; " : "", t->rejected, t->rejected == 1 ? "" : "s",
+                r->j->model->system ? "could not be used"
+                                    : "of the domains left out, where a side has no value or a range is left");
   if (note.len) e->note = result_take(out, &note);
 }
 

@@ -77,6 +77,9 @@ struct symbol {
   } low, high; /* of the domain; low < high */
 };
 
+/* Whether the number belongs to the domain. */
+bool symbol_takes(const struct symbol *s, const fmpq_t z);
+
 enum { MODEL_BUCKETS = 256 };
 
 struct model {

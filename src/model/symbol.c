@@ -19,6 +19,11 @@ void symbols_clear(struct symbol *s, size_t n) {
   free(s);
 }
 
+bool symbol_takes(const struct symbol *s, const fmpq_t z) {
+  int low = s->low.bounded ? fmpq_cmp(z, s->low.at) : 1, high = s->high.bounded ? fmpq_cmp(s->high.at, z) : 1;
+  return (low > 0 || (low == 0 && s->low.closed)) && (high > 0 || (high == 0 && s->high.closed));
+}
+
 /* The value of a number, a quotient of two, or either with a sign; false for other forms. */
 static bool exact_number(fmpq_t z, const struct expr *e) {
   fmpq_t by;

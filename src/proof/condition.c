@@ -15,23 +15,6 @@ static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)",
 
 /* --- Reading --- */
 
-static bool reads(const struct expr *e, const char *as) {
-  struct text t = {0};
-  expr_print(&t, e);
-  bool same = strcmp(text_str(&t), as) == 0;
-  text_clear(&t);
-  return same;
-}
-
-/* The phase that lasts just as long as the statement's range. */
-static bool phase_of_range(enum phase *ph, const struct stmt *st, const struct source *src, struct diag *d) {
-  int i = 0;
-  while (i < N_PHASES && !(reads(st->range_lo, name_switching[i]) && reads(st->range_hi, name_switching[i + 1]))) i++;
-  *ph = (enum phase)i;
-  if (i == N_PHASES) diag_at(d, src, st->range_lo->span.begin, "no phase of the motion begins and ends as this range");
-  return i < N_PHASES;
-}
-
 /* The scalar, with the motion's values as plain symbols. */
 static bool build(struct condition *c, bool *scalar, struct judge *j, const struct statement_record *r,
                   const struct stmt *st, int k, struct view view) {
@@ -78,7 +61,10 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
       stmt_print_step(&t, st, k);
       c->text = result_take(j->out, &t);
       bool ranged = st->range_hi;
-      if (ranged && !phase_of_range(&c->phase, st, r->src, j->d)) return false;
+      if (ranged && (c->phase = name_of_range(st)) == N_PHASES) {
+        diag_at(j->d, r->src, st->range_lo->span.begin, "no phase of the motion begins and ends as this range");
+        return false;
+      }
       if (c->moving && !ranged && phase < 0)
         return claim_error(j, claim, attribute, "a condition at the time t needs a phase");
       any = true;

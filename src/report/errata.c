@@ -134,8 +134,7 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
   sheet_prose(s, text_str(&data));
   text_add(s->out, data.len ? " " : "");
   text_clear(&data);
-  text_add(s->out, "The formulas and conclusions of the paper were compared with the equations of motion (1) and "
-                   "Coulomb's law (2), by exact algebra and by computations with rigorous error bounds. ");
+  text_printf(s->out, "%s %s%s", audit_method(r), audit_source(r), *audit_source(r) ? " " : "");
   if (substance)
     text_printf(s->out, "The %zu point%s listed first %s results, in order of consequence. ", substance,
                 substance == 1 ? "" : "s", substance == 1 ? "affects" : "affect");
@@ -144,10 +143,8 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
                 "The %zu remarks and slips of notation that follow concern gaps in an argument, exceptional cases or "
                 "the wording. ",
                 slips);
-  text_add(
-      s->out,
-      "Numerical values and counterexamples are collected at the end. A machine conversion of the printed paper was "
-      "used; a misprint of a single symbol may be due to it.\n");
+  if (r->n_roots) text_add(s->out, "Numerical values and counterexamples are collected at the end.");
+  text_add_char(s->out, '\n');
 }
 
 /* --- The numbers behind them --- */

@@ -95,6 +95,20 @@ const char *failure_size(const struct audit_result *r, const struct finding *f) 
   return audit_result_consequence(r, f->id) ? f->size : f->effect;
 }
 
+const char *audit_method(const struct audit_result *r) {
+  return r->model ? "The formulas and statements of the paper were compared, one by one, with its equations of motion "
+                    "(1) and Coulomb's law (2): by exact algebra, by computations with rigorous error bounds and by "
+                    "numerical integration."
+                  : "The formulas of the paper were compared with each other, one by one: by exact algebra, and by "
+                    "computations with rigorous error bounds at values of its own symbols.";
+}
+
+const char *audit_source(const struct audit_result *r) {
+  return r->paper_text ? "The text that was read is a machine conversion of the printed paper; a misprint of a single "
+                         "symbol may be due to the conversion."
+                       : "";
+}
+
 void audit_data(struct text *out, const struct audit_result *r) {
   if (r->data)
     text_printf(out, "The data are those of this scene, %s: what the paper says of its example was judged with them.",

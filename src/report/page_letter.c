@@ -273,10 +273,9 @@ static void add_data(const struct page *p) {
 
 void page_letter(const struct page *p) {
   page_begin_section(p, "letter", p->r->data ? "The paper with the data of this scene" : "To the authors");
-  text_add(p->out, "<p>The formulas and statements of the paper were compared, one by one, with its "
-                   "equations of motion (1) and Coulomb's law (2): by exact algebra, by computations with rigorous "
-                   "error bounds and by numerical integration. <strong>The text that was read is a machine conversion "
-                   "of the printed paper</strong>; a misprint of a single symbol may be due to the conversion.</p>\n");
+  page_add(p, "<p>%t", audit_method(p->r));
+  if (*audit_source(p->r)) page_add(p, " <strong>%t</strong>", audit_source(p->r));
+  text_add(p->out, "</p>\n");
   add_data(p);
   add_example(p);
   add_errors(p);

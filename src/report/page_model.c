@@ -1,4 +1,5 @@
 /* For a reader who has not seen the paper: the system in half a page; and what the audit takes as given. */
+#include "finding.h"
 #include "glossary.h"
 #include "sections.h"
 
@@ -33,7 +34,7 @@ static void add_words(const struct page *p) {
   text_add(p->out, "</dl>\n");
 }
 
-void page_model(const struct page *p) {
+static void add_system(const struct page *p) {
   static const char *const before[] = {
       "Two blocks of mass $m_1$ and $m_2$ lie on a belt that moves with the constant velocity $V$. A spring of "
       "stiffness "
@@ -53,12 +54,17 @@ void page_model(const struct page *p) {
       "the state returns after all four. Its stability is determined by the Jacobian $J$ of one period: a small "
       "deviation is multiplied by $\\operatorname{tr} J$ in each period, so that it decreases if "
       "$|\\operatorname{tr} J| < 1$ and grows if $|\\operatorname{tr} J| > 1$.";
-  page_begin_fold(p, "model", "The system in half a page, and the words used here");
   page_add(p, "<figure>\n%s<figcaption>The system as the equations of motion (1) describe it.</figcaption></figure>\n",
            page_belt_svg);
   for (size_t i = 0; i < sizeof before / sizeof *before; i++) page_add(p, "<p>%t</p>\n", before[i]);
   add_phases(p);
   page_add(p, "<p>%t</p>\n", after);
+}
+
+void page_model(const struct page *p) {
+  page_begin_fold(p, "model",
+                  p->r->model ? "The system in half a page, and the words used here" : "The words used here");
+  if (p->r->model) add_system(p);
   add_words(p);
   text_add(p->out, "</details>\n");
 }
@@ -66,7 +72,8 @@ void page_model(const struct page *p) {
 void page_limits(const struct page *p) {
   const struct audit_result *r = p->r;
   page_begin_fold(p, "limits", "What the audit does not show");
-  page_add(p, "<ul>\n%s", page_limits_html);
+  page_add(p, "<ul>\n%s%s", r->model ? page_limits_model_html : "", page_limits_html);
+  if (*audit_source(r)) page_add(p, "<li>What the printed page says: %t</li>\n", audit_source(r));
   if (r->paper_text)
     page_add(p,
              "<li>That your copy of the paper says what is quoted here: <code>stickslip quotes FILE</code> looks "

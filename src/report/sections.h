@@ -25,6 +25,6 @@ void page_picture(const struct page *p, const struct picture *q, const char *wor
    words; page_nav: the links at the head; page_filter: what the script alone can use; page_limits: items of a list. */
 extern const char page_css[], page_js[], picture_css[], picture_alone_css[], picture_map_css[], picture_animation_css[],
     page_belt_svg[];
-extern const char page_nav_html[], page_filter_html[], page_limits_html[];
+extern const char page_nav_html[], page_filter_html[], page_limits_html[], page_limits_model_html[];
 
 #endif

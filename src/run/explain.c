@@ -124,6 +124,7 @@ static void print_friction(struct text *out, const struct point *p) {
 /* The sentence at a point: like the claim's own points, at the scene's parameters, changed by --at. */
 static bool explain_point(struct text *out, struct judge *j, const struct claim *c, struct view view, const char *at,
                           bool tape) {
+  enum { MOST_DRAWS = 128 };
   struct point_spec spec[4];
   if (!claim_points_asked(c)) {
     if (at) diag_set(j->d, "error: --at: the claim %s is not tried at points that can be chosen", c->id);
@@ -140,6 +141,11 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   sampler.finite = claim_says(c, "perturbation", "finite");
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
+  for (int i = 0; ok && !at && !point_of_model(&drawn) && i < MOST_DRAWS;
+       i++) { /* one at which both sides have values */
+    if (sentence_try_balls(&s, &drawn, VARIANT_CLOSED, j->cache).outcome != OUTCOME_REJECTED) break;
+    sampler_next(&drawn, &sampler);
+  }
   scene_point(&p, &drawn, j->scene, j->cache);
   if (at) p.scene = NULL; /* other data than the scene's */
   ok = ok && point_set(&p, at, j->d);

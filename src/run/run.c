@@ -354,16 +354,18 @@ static void name_subject(struct audit_result *out, const struct model *m, const 
   struct text subject = {0};
   audit_fingerprint(&subject, m, scene);
   out->subject = result_take(out, &subject);
-  out->paper = m->paper ? result_str(out, "%s", m->paper) : NULL;
-  out->paper_text = m->paper_text ? result_str(out, "%s", m->paper_text) : NULL;
+  out->paper = result_copy(out, m->paper);
+  out->model = result_copy(out, m->system);
+  if (!m->system) out->data = NULL; /* which are of nothing that the paper speaks of */
+  out->paper_text = result_copy(out, m->paper_text);
 }
 
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d) {
   if (!run_check_selection(m, claims, opt, scene, d)) return false;
-  name_subject(out, m, scene);
   record_scene(out, scene);
+  name_subject(out, m, scene);
   struct scene bare = without_data(scene);
   if (scene_is_box(scene)) scene = &bare;
   struct dependences *rests = dependences_new(m, claims);

@@ -68,3 +68,19 @@ int name_of_switching_time(const char *argument) {
   int k = word_find(argument, times, 8);
   return k < 8 ? k : -1;
 }
+
+static bool reads(const struct expr *e, const char *as) {
+  struct text t = {0};
+  expr_print(&t, e);
+  bool same = strcmp(text_str(&t), as) == 0;
+  text_clear(&t);
+  return same;
+}
+
+enum phase name_of_range(const struct stmt *s) {
+  int i = 0;
+  while (i < N_PHASES &&
+         !(s->range_hi && reads(s->range_lo, name_switching[i]) && reads(s->range_hi, name_switching[i + 1])))
+    i++;
+  return (enum phase)i;
+}

@@ -3,6 +3,7 @@
 #ifndef STICKSLIP_NAMES_H
 #define STICKSLIP_NAMES_H
 
+#include "expr/expr.h"
 #include "motion/dynamics.h"
 
 extern const char *const name_param[N_PARAMS];              /* "chi", "eta", "V", "e_1", "e_2" */
@@ -24,5 +25,7 @@ int name_of_propagator(const char *name);
 bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument);
 /* "(t_a)", "(t_a + t_b)", ...: 0 to 3, at the perturbed times 4 to 7; -1 for another argument. */
 int name_of_switching_time(const char *argument);
+/* The phase that lasts just as long as the statement's range, "(t_a, t_a + t_b)"; N_PHASES: none. */
+enum phase name_of_range(const struct stmt *s);
 
 #endif

@@ -59,6 +59,7 @@ struct point {
   const struct model
       *paper; /* whose own symbols have values there, drawn by this number; NULL: the model's alone have */
   uint64_t draw;
+  const char *at;            /* "NAME=VALUE,...": those of the paper's own symbols that are not drawn; or NULL */
   const struct scene *scene; /* POINT_ORBIT: whose orbits are meant, which need not give e1 and e2; NULL: those of q */
 };
 
@@ -71,15 +72,17 @@ void point_init(struct point *p);
 /* Whether the point is one of the model's, where names are worth what the model says: without a paper, or with one that
    is about its system.  Elsewhere the paper's own symbols alone have values. */
 bool point_of_model(const struct point *p);
-/* What one of the paper's own symbols is worth there, a number of its domain. */
+/* What one of the paper's own symbols is worth there, a number of its domain: as point_set was told, or else drawn. */
 void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s);
 void point_clear(struct point *p);
 /* out, which is another point, becomes p. */
 void point_copy(struct point *out, const struct point *p);
 /* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
 void point_print(struct text *out, const struct point *p);
-/* Applies "chi=1/2,V=2" to the point. */
+/* Applies "chi=1/2,V=2" to the point, which keeps the string where its names are the paper's own symbols. */
 bool point_set(struct point *p, const char *at, struct diag *d);
+/* The value that such a string gives the name; false where it gives none. */
+bool point_told(fmpq_t z, const char *at, const char *name);
 
 /* A condition that narrows the domain, tried when a sentence fails on the whole of it. */
 struct restriction {

@@ -31,45 +31,83 @@ static bool parse_value(fmpq *z, const char *s, size_t len) {
   return ok;
 }
 
+bool point_told(fmpq_t z, const char *at, const char *name) {
+  size_t len = strlen(name);
+  for (const char *s = at; s && *s; s += strcspn(s, ","), s += *s == ',')
+    if (strncmp(s, name, len) == 0 && s[len] == '=') return parse_value(z, s + len + 1, strcspn(s, ",") - len - 1);
+  return false;
+}
+
+/* The names that can be set: the model's quantities, or the own symbols of a paper about another system. */
+static const char *settable_name(size_t *i, const struct point *p) {
+  if (point_of_model(p)) return *i < N_SETTABLE ? settable[*i].name : NULL;
+  while (*i < p->paper->n_symbols && !p->paper->symbols[*i].has_domain) ++*i;
+  return *i < p->paper->n_symbols ? p->paper->symbols[*i].name : NULL;
+}
+
 /* The error of an item of which len bytes may be a name; of one that is not known, which there are. */
-static bool complain(const char *item, size_t len, struct diag *d) {
+static bool complain(const struct point *p, const char *item, size_t len, struct diag *d) {
   struct suggestion meant;
   struct text says = {0};
   bool known = item[len] != '=';
   size_t whole = strcspn(item, ",");
+  const char *name;
   suggest_begin(&meant, item, len);
-  for (size_t i = 0; i < N_SETTABLE; i++) {
-    known |= strlen(settable[i].name) == len && strncmp(settable[i].name, item, len) == 0;
-    suggest_try(&meant, settable[i].name);
+  for (size_t i = 0; (name = settable_name(&i, p)) != NULL; i++) {
+    known |= strlen(name) == len && strncmp(name, item, len) == 0;
+    suggest_try(&meant, name);
   }
   if (!known) suggest_print(&says, &meant);
-  for (size_t i = 0; !known && i < N_SETTABLE; i++)
-    text_printf(&says, "%s %s", i ? "," : "; names are", settable[i].name);
+  const char *before = "; names are ";
+  for (size_t i = 0; !known && (name = settable_name(&i, p)) != NULL; i++, before = ", ")
+    text_printf(&says, "%s%s", before, name);
   diag_set(d, "error: --at takes NAME=VALUE,..., values like 1/2 or 0.8, not %.*s%s", (int)(whole > 80 ? 80 : whole),
            item, text_str(&says));
   text_clear(&says);
   return false;
 }
 
+/* Whether an item before s gives the name of len bytes there. */
+static bool is_told_before(const char *at, const char *s, size_t len) {
+  for (; at < s; at += strcspn(at, ",") + 1)
+    if (strncmp(at, s, len + 1) == 0) return true;
+  return false;
+}
+
+/* The item's value is taken by the i-th of the names. */
+static bool take(struct point *p, size_t i, const char *value, size_t len, struct diag *d) {
+  if (point_of_model(p)) return parse_value(&p->q[settable[i].q], value, len);
+  const struct symbol *s = &p->paper->symbols[i];
+  fmpq_t z;
+  fmpq_init(z);
+  bool ok = parse_value(z, value, len);
+  if (ok && !symbol_takes(s, z))
+    diag_set(d, "error: --at leaves the domain of %s, \"%s\"", s->name, record_get(s->record, "domain"));
+  fmpq_clear(z);
+  return ok;
+}
+
 bool point_set(struct point *p, const char *at, struct diag *d) {
-  bool given[N_SETTABLE] = {false};
   for (const char *s = at; s && *s;) {
-    size_t n = strcspn(s, ","), name = strcspn(s, "=");
+    size_t n = strcspn(s, ","), len = strcspn(s, "=");
     bool ok = false;
-    for (size_t i = 0; name < n && i < N_SETTABLE; i++)
-      if (strlen(settable[i].name) == name && strncmp(settable[i].name, s, name) == 0) {
-        if (given[i]) {
-          diag_set(d, "error: --at gives %s twice", settable[i].name);
-          return false;
-        }
-        given[i] = true;
-        ok = parse_value(&p->q[settable[i].q], s + name + 1, n - name - 1);
+    const char *name;
+    for (size_t i = 0; len < n && !ok && (name = settable_name(&i, p)) != NULL; i++) {
+      if (strlen(name) != len || strncmp(name, s, len) != 0) continue;
+      if (is_told_before(at, s, len)) {
+        diag_set(d, "error: --at gives %s twice", name);
+        return false;
       }
-    if (!ok) return complain(s, name < n ? name : n, d);
+      ok = take(p, i, s + len + 1, n - len - 1, d);
+      if (!ok) break;
+    }
+    if (!ok) return complain(p, s, len < n ? len : n, d);
+    if (d->set) return false;
     s += n;
     if (*s == ',') s++;
   }
-  if (dyn_in_domain(p->q + Q_CHI, N_PARAMS)) return true;
+  if (!point_of_model(p)) p->at = at;
+  if (!point_of_model(p) || dyn_in_domain(p->q + Q_CHI, N_PARAMS)) return true;
   diag_set(d, "error: --at leaves the domain 0 < chi < 1, eta, V, e1, e2 > 0");
   return false;
 }

@@ -14,6 +14,7 @@ static void draw(fmpq *q, uint64_t *state, slong lo, slong hi, ulong den) {
    A bound that belongs to the domain is drawn too. */
 void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s) {
   enum { PARTS = 64, UNIT = 16, MOST = 128 };
+  if (point_told(z, p->at, s->name)) return;
   uint64_t state = p->draw ^ random_seed(s->name);
   bool low = s->low.bounded, high = s->high.bounded;
   if (low && high) {

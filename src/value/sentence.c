@@ -70,6 +70,34 @@ static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n
   return *n > 0;
 }
 
+/* The ranges, "lo < q < hi" each, but for those that are a phase of the motion. */
+static bool collect_ranges(struct sentence *s, const struct statement_record *r, struct diag *d) {
+  const struct expr **both = ss_malloc(4 * (size_t)r->n_stmts * sizeof *both), **low = both,
+                    **high = both + 2 * r->n_stmts;
+  bool ok = true;
+  s->given_closed = ss_malloc(2 * (size_t)r->n_stmts * sizeof *s->given_closed);
+  for (int k = 0; ok && k < r->n_stmts; k++) {
+    const struct stmt *st = r->stmts[k];
+    if (!st->range_hi || (s->el.view.model->system && name_of_range(st) < N_PHASES)) continue;
+    const struct expr name = {.kind = EXPR_SYM, .name = st->range_var, .span = st->range_lo->span};
+    struct matrix lo, q, hi;
+    ok = elaborate(&lo, &s->el, st->range_lo, r->src, r->section, d) &&
+         elaborate(&q, &s->el, &name, r->src, r->section, d) &&
+         elaborate(&hi, &s->el, st->range_hi, r->src, r->section, d);
+    if (!ok) break;
+    s->given_closed[s->n_given] = st->lo_closed;
+    low[s->n_given] = lo.e[0];
+    high[s->n_given++] = q.e[0];
+    s->given_closed[s->n_given] = st->hi_closed;
+    low[s->n_given] = q.e[0];
+    high[s->n_given++] = hi.e[0];
+  }
+  memmove(both + s->n_given, high, (size_t)s->n_given * sizeof *both);
+  ok = ok && elaboration_tape(&s->given, &s->el, both, 2 * s->n_given, d);
+  free(both);
+  return ok;
+}
+
 bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
                              const struct override *overrides, int n_overrides, struct diag *d) {
   *s = (struct sentence){.n = 0};
@@ -80,7 +108,7 @@ bool sentence_from_relations(struct sentence *s, struct view v, const struct sta
     const struct expr **both = ss_malloc(2 * (size_t)s->n * sizeof *both);
     memcpy(both, lhs, (size_t)s->n * sizeof *both);
     memcpy(both + s->n, rhs, (size_t)s->n * sizeof *both);
-    ok = finish(s, both, 2 * s->n, d);
+    ok = finish(s, both, 2 * s->n, d) && collect_ranges(s, r, d);
     free(both);
   }
   free(lhs);
@@ -145,12 +173,27 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
 }
 
 void sentence_clear(struct sentence *s) {
+  tape_clear(&s->given);
   tape_clear(&s->tape);
   elaboration_clear(&s->el);
+  free(s->given_closed);
   free(s->ops);
 }
 
 /* --- Evaluating --- */
+
+/* Whether the point lies in the sentence's ranges for certain; else it is none of the sentence's points. */
+static int check_ranges(const struct sentence *s, struct values *v) {
+  struct num_vec in = calc_vec(&v->c, s->given.n_inputs), out = calc_vec(&v->c, s->given.n_outputs);
+  const char *unbound;
+  int status = values_bind_inputs(&in, &unbound, v, &s->given);
+  if (status == SS_OK) status = tape_eval(&out, NULL, &s->given, &in);
+  for (slong i = 0; status == SS_OK && i < s->n_given; i++)
+    if (inequality_holds(v->ctx.type, s->given_closed[i] ? REL_LE : REL_LT, num_vec_at(&out, i),
+                         num_vec_at(&out, s->n_given + i)) != TRUTH_TRUE)
+      status = SS_DOMAIN;
+  return status;
+}
 
 /* Both sides into lhs and rhs (n each). */
 static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s, struct values *v) {
@@ -161,6 +204,7 @@ static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, s
     t->outcome = OUTCOME_UNBOUND;
     snprintf(t->unbound, sizeof t->unbound, "%s", unbound);
   }
+  if (status == SS_OK && s->n_given) status = check_ranges(s, v);
   if (status == SS_OK) status |= tape_eval(&out, NULL, &s->tape, &in);
   for (slong i = 0; i < s->n; i++) v->ctx.type->set(num_vec_at(lhs, i), num_vec_at(&out, i));
   if (status == SS_OK && s->oracle) status |= oracle_eval(rhs, s->oracle, v);

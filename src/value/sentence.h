@@ -17,6 +17,9 @@ struct sentence {
   int cols;
   enum relop *ops;             /* of each entry */
   const struct oracle *oracle; /* the right side, or NULL when it is on the tape */
+  struct tape given;           /* of the ranges in which it is said: the lesser sides, then the greater */
+  bool *given_closed;          /* of each pair, whether the two may be equal */
+  slong n_given;
 };
 
 /* value = oracle of the same name, which there is, with names in it replaced by the model's quantities. */
@@ -26,7 +29,8 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
 const struct statement_record *claim_record(struct view v, const struct claim *c, const char *attribute, const char *id,
                                             struct diag *d);
 /* The entries of a record (every step of its relations, of which there are some), with names replaced by the model's
-   quantities. */
+   quantities.  At a point outside the range of one of them, "for q in (0, 1)", it has no value; where the range is a
+   phase of the motion, the points lie in it already. */
 bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
                              const struct override *overrides, int n_overrides, struct diag *d);
 /* What a matrix or identity claim says: by its statement or its value. */

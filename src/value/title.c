@@ -80,7 +80,7 @@ static bool make_identity(struct text *out, const struct title *t) {
   const char *verb;
   struct text where = {0};
   if (claim_says(t->c, "perturbation", "finite")) text_add(&where, " for finite perturbations");
-  if (points) title_place(&where, points);
+  if (points) title_place(&where, t, points);
   if (claim_says(t->c, "own", "-")) text_add(&where, ", with all that it uses corrected");
   size_t most = MOST_TITLE - where.len;
   stated(out, &verb, t, r, most < MOST_FORMULA ? most : MOST_FORMULA);
@@ -154,7 +154,7 @@ static bool make_inequality(struct text *out, const struct title *t) {
     stated(out, &verb, t, r, MOST_FORMULA);
     text_add(out, verb);
   }
-  text_add(out, " on the example");
+  text_add(out, t->m->system ? " on the example" : " wherever both sides have values");
   return true;
 }
 

@@ -72,7 +72,7 @@ bool title_moves(const struct title *t, const char *attribute);
 /* An attribute that is an expression or a relation, as a reader writes it. */
 bool title_formula(struct text *out, const struct title *t, const char *attribute);
 /* " in the global slip phase of every admissible orbit", from points; "" where nothing is to be said. */
-void title_place(struct text *out, const char *points);
+void title_place(struct text *out, const struct title *t, const char *points);
 /* Does the text speak of several things? */
 bool title_is_plural(const char *text);
 

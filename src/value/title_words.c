@@ -127,7 +127,7 @@ static void read_place(struct place *p, const char *points) {
   }
 }
 
-void title_place(struct text *out, const char *points) {
+void title_place(struct text *out, const struct title *t, const char *points) {
   struct place p = {.n_phases = 0};
   read_place(&p, points);
   const char *of = p.realistic    ? "every realistic orbit"
@@ -143,7 +143,7 @@ void title_place(struct text *out, const char *points) {
     title_phases(out, p.phase, p.n_phases);
   }
   if (of) text_printf(out, "%s%s", p.n_phases ? " of " : " on ", of);
-  if (p.params) text_add(out, " for all parameters");
+  if (p.params) text_add(out, t->m->system ? " for all parameters" : " wherever both sides have values");
 }
 
 /* --- Records --- */
@@ -170,16 +170,6 @@ const struct statement_record *title_record(const struct title *t, const char *i
   return best;
 }
 
-/* The phase whose interval of time the statement names as its range; N_PHASES: none. */
-static enum phase phase_of_range(const struct stmt *s) {
-  if (!s->range_var || s->range_signs) return N_PHASES;
-  struct text hi = {0};
-  expr_print(&hi, s->range_hi);
-  int ph = word_find(text_str(&hi), name_switching + 1, N_PHASES);
-  text_clear(&hi);
-  return (enum phase)ph;
-}
-
 static bool is_first_order(const struct stmt *s) {
   for (int i = 0; i < s->n_sides; i++)
     if (s->sides[i]->kind == EXPR_FIRST_ORDER) return true;
@@ -189,6 +179,7 @@ static bool is_first_order(const struct stmt *s) {
 /* What holds of a formula beyond what it shows. */
 static void restriction(struct text *out, const struct stmt *s) {
   if (s->range_signs) text_printf(out, " for %s = +1 and -1", s->range_var);
+  if (s->range_hi && name_of_range(s) == N_PHASES) stmt_print_range(out, s);
   if (is_first_order(s)) text_add(out, " to first order");
 }
 
@@ -275,7 +266,7 @@ static bool part_is_there(const struct part *p) {
 static bool read_part(struct part *p, const struct title *t, const char *attribute, const char *item) {
   *p = parse_part(t, item);
   bool ok = part_is_there(p);
-  if (ok && p->phase == N_PHASES) p->phase = phase_of_range(p->r->stmts[p->statement ? p->statement - 1 : 0]);
+  if (ok && p->phase == N_PHASES) p->phase = name_of_range(p->r->stmts[p->statement ? p->statement - 1 : 0]);
   if (!ok) title_no_record(t, attribute, item);
   return ok;
 }

@@ -57,3 +57,8 @@ equation eq-7
   equation: 7
   tex: \sin\theta = \kappa
   sin(theta) = kappa
+
+inequality eq-8
+  equation: 8
+  tex: \sqrt{\kappa} < 1 + \kappa
+  sqrt(kappa) < 1 + kappa
