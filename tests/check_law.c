@@ -48,7 +48,8 @@ static enum verdict judged(const char *formulas, const char *claim, struct diag 
 
 /* --- Coulomb's law --- */
 
-#define SLIPS "relation own-slips\n  section: appendix_b\n  u_1 = eps*u_s1 for eps in {+1, -1}\n"
+#define SLOWER "  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}\n"
+#define SLIPS  "relation own-slips\n  section: appendix_b\n  u_1 = eps*u_s1 for eps in {+1, -1}\n" SLOWER
 #define STICKS                                                                                                         \
   "relation own-sticks\n  section: appendix_b\n  u_1 = x_1(t) - chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) < u_r1\n"
 #define BREAKS                                                                                                         \
@@ -62,16 +63,22 @@ static const struct {
 } laws[] = {
     {"the law", SLIPS STICKS BREAKS, "1", VERDICT_PROVED},
     {"the same in other words",
-     RELATION("slips") "  eps*u_1 = u_s1 for eps in {+1, -1}\n" RELATION(
+     RELATION("slips") "  eps*u_1 = u_s1 for eps in {+1, -1}\n  eps*x_1'(t) < eps*V for eps in {+1, -1}\n" RELATION(
          "sticks") "  x_1(t) - u_1 = chi*x_2(t)\n"
                    "  x_1(t) < u_r1 + chi*x_2(t)\n  chi*x_2(t) - u_r1 < x_1(t)\n" RELATION(
                        "breaks") "  u_1 = u_s1/eps for eps in "
                                  "{+1, -1}\n  eps*x_1(t) > u_r1 + eps*chi*x_2(t) for eps in {+1, -1}\n",
      "1", VERDICT_PROVED},
-    {"friction that drives", RELATION("slips") "  u_1 = -eps*u_s1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
+    {"friction that drives", RELATION("slips") "  u_1 = -eps*u_s1 for eps in {+1, -1}\n" SLOWER STICKS BREAKS, "1",
      VERDICT_REFUTED},
-    {"the wrong limit while slipping", RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
+    {"friction that drives, by the sign of the velocity",
+     RELATION(
+         "slips") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1'(t) - V) > 0 for eps in {+1, -1}\n" STICKS BREAKS,
+     "1", VERDICT_REFUTED},
+    {"friction to either side", RELATION("slips") "  u_1 = eps*u_s1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
      VERDICT_REFUTED},
+    {"the wrong limit while slipping", RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" SLOWER STICKS BREAKS,
+     "1", VERDICT_REFUTED},
     {"sticks on one side only",
      SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  x_1(t) - chi*x_2(t) < u_r1\n" BREAKS, "1",
      VERDICT_REFUTED},
@@ -107,7 +114,7 @@ START_TEST(branches_of_the_law) {
   struct diag d;
   struct text t;
   text_init(&t);
-  text_printf(&t, "  kind: law\n  mass: %s\n  slips: own-slips\n  sticks: own-sticks C\n  breaks: own-breaks C\n",
+  text_printf(&t, "  kind: law\n  mass: %s\n  slips: own-slips H\n  sticks: own-sticks C\n  breaks: own-breaks C\n",
               laws[_i].mass);
   enum verdict v = judged(laws[_i].formulas, text_str(&t), &d);
   ck_assert_msg(v == laws[_i].want, "%s: %s %s", laws[_i].what, v < N_VERDICTS ? verdict_name[v] : "", d.message);
@@ -136,7 +143,7 @@ START_TEST(a_force_at_its_limit) {
           "breaks") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1(t) - chi*x_2(t)) %s u_r1 for eps in {+1, -1}\n",
       at_limits[_i].sticks, at_limits[_i].breaks);
   enum verdict v = judged(text_str(&t),
-                          "  kind: law\n  limits: yes\n  mass: 1\n  slips: own-slips\n  sticks: own-sticks C\n"
+                          "  kind: law\n  limits: yes\n  mass: 1\n  slips: own-slips H\n  sticks: own-sticks C\n"
                           "  breaks: own-breaks C\n",
                           &d);
   ck_assert_msg(v == at_limits[_i].want, "%s: %s %s", at_limits[_i].what, v < N_VERDICTS ? verdict_name[v] : "",
@@ -179,7 +186,7 @@ static const struct {
      "modes", VERDICT_SUPPORTED},
     {"jumps", LAW, "jumps", VERDICT_PROVED},
     {"sliding friction as large as static",
-     RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" STICKS BREAKS MOVES("u_1", "eta*u_2"), "jumps",
+     RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" SLOWER STICKS BREAKS MOVES("u_1", "eta*u_2"), "jumps",
      VERDICT_REFUTED},
     {"linear", LAW, "linear", VERDICT_PROVED},
     {"linear with a damper", SLIPS STICKS BREAKS MOVES("u_1 - 2*x_1'(t)", "eta*u_2"), "linear", VERDICT_PROVED},
@@ -201,9 +208,9 @@ START_TEST(mechanics_of_the_law) {
   text_init(&t);
   text_printf(&t,
               "  kind: behaviour\n  check: %s\n  moves: own-moves D\n  depends-on: first, second\n\n"
-              "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n  slips: own-slips\n"
+              "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n  slips: own-slips H\n"
               "  sticks: own-sticks C\n  breaks: own-breaks C\n\n"
-              "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n  slips: eq-2#2\n"
+              "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n  slips: eq-2#2, eq-2#4 H\n"
               "  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n",
               mechanics[_i].check);
   enum verdict v = judged(mechanics[_i].formulas, text_str(&t), &d);

@@ -50,11 +50,14 @@ struct latex_reader {
   int n_bound;
   int depth, bars;
   long n_nodes;
+  const struct expr *signed_by; /* q of the statement's sign(q); NULL: it has none */
 };
 
 /* Reports a mistake at the mark in hand. */
 void *latex_mistake(struct latex_reader *r, const char *fmt, ...) SS_PRINTF(2, 3);
 struct expr *latex_node(struct latex_reader *r, enum expr_kind kind, size_t at, int n_args);
+/* The name eps, for what stands at the mark. */
+const struct expr *latex_sign(struct latex_reader *r, size_t at);
 /* A sum as far as it goes. */
 const struct expr *latex_sum(struct latex_reader *r);
 /* The function that a mark names; EXPR_SYM for none. */

@@ -474,6 +474,11 @@ enum expr_kind latex_function(const struct mark *m) {
   return EXPR_SYM;
 }
 
+static bool is_sign_of(const struct mark *m) {
+  bool word = (mark_is_role(m, TEX_ROLE_TEXT) || mark_is_role(m, TEX_ROLE_FUNCTION)) && m->word->args > 0;
+  return word && ((m->len == 4 && memcmp(m->s, "sign", 4) == 0) || (m->len == 3 && memcmp(m->s, "sgn", 3) == 0));
+}
+
 static bool starts_factor(const struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
   static const enum tex_role roles[] = {TEX_ROLE_LETTER, TEX_ROLE_UPRIGHT, TEX_ROLE_ACCENT,
@@ -482,7 +487,7 @@ static bool starts_factor(const struct latex_reader *r) {
     if (mark_is_role(m, roles[i])) return true;
   return m->kind == TEX_LETTER || m->kind == TEX_DIGIT || m->kind == TEX_OPEN || m->kind == TEX_BEGIN ||
          mark_is_sign(m, '(') || mark_is_sign(m, '[') || (mark_is_sign(m, '|') && !r->bars) ||
-         latex_function(m) != EXPR_SYM;
+         latex_function(m) != EXPR_SYM || is_sign_of(m);
 }
 
 static bool is_times(const struct mark *m) {
@@ -537,6 +542,17 @@ static const struct expr *read_exponential(struct latex_reader *r) {
   return node1(r, EXPR_EXP, at, read_group(r, latex_sum));
 }
 
+/* sign(q) is eps; the statement eps q > 0 is its caller's to add. */
+static const struct expr *read_sign_of(struct latex_reader *r) {
+  size_t at = r->at++;
+  if (r->signed_by) return latex_mistake(r, "one sign in a statement is read");
+  if (!accept_sign(r, '(')) return latex_mistake(r, "the sign of what stands in parentheses is read");
+  r->signed_by = latex_sum(r);
+  if (!r->signed_by) return NULL;
+  if (!accept_sign(r, ')')) return latex_mistake(r, "one argument in parentheses is read here");
+  return latex_sign(r, at);
+}
+
 static const struct expr *read_primary(struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
   bool raised = r->at + 2 < r->end && m[1].kind == TEX_RAISED && m[2].kind == TEX_OPEN;
@@ -553,6 +569,7 @@ static const struct expr *read_primary(struct latex_reader *r) {
     return node1(r, EXPR_SQRT, at, read_group(r, latex_sum));
   }
   if (latex_function(m) != EXPR_SYM) return read_function(r);
+  if (is_sign_of(m)) return read_sign_of(r);
   if (starts_factor(r)) return read_name(r);
   return latex_mistake(
       r, r->at < r->end ? "\"%.*s\" does not stand here in a formula" : "something is missing behind this",

@@ -235,6 +235,34 @@ static bool spread_bars(struct latex_reader *r, struct stmt *s) {
   return true;
 }
 
+const struct expr *latex_sign(struct latex_reader *r, size_t at) {
+  struct expr *e = latex_node(r, EXPR_SYM, at, 0);
+  if (e) e->name = "eps";
+  return e;
+}
+
+/* eps q > 0, where the statement has a sign(q), which is eps in it. */
+static const struct stmt *condition_of_sign(struct latex_reader *r, struct stmt *s) {
+  struct stmt *c = arena_alloc(r->arena, sizeof *c);
+  struct expr *product = latex_node(r, EXPR_MUL, r->at - 1, 2), *zero = latex_node(r, EXPR_NUM, r->at - 1, 0);
+  const struct expr *eps = latex_sign(r, r->at - 1), **sides = arena_alloc(r->arena, 2 * sizeof *sides);
+  if (s->range_var) return latex_mistake(r, "one sign in a statement is read");
+  if (!product || !zero || !eps) return NULL;
+  product->args[0] = eps;
+  product->args[1] = r->signed_by;
+  zero->name = "0";
+  sides[0] = product;
+  sides[1] = zero;
+  s->range_var = "eps";
+  s->range_signs = true;
+  *c = *s;
+  c->n_sides = 2;
+  c->sides = sides;
+  c->ops = arena_alloc(r->arena, sizeof *c->ops);
+  c->ops[0] = REL_GT;
+  return c;
+}
+
 enum { MAX_SIDES = 16 };
 
 static size_t past_filler(const struct latex_reader *r) {
@@ -243,7 +271,7 @@ static size_t past_filler(const struct latex_reader *r) {
   return at;
 }
 
-static const struct stmt *read_statement(struct latex_reader *r, const struct part *p) {
+static struct stmt *read_statement(struct latex_reader *r, const struct part *p) {
   struct stmt *s = arena_alloc(r->arena, sizeof *s);
   *s = (struct stmt){.kind = STMT_RELATION};
   s->sides = arena_alloc(r->arena, MAX_SIDES * sizeof *s->sides);
@@ -253,6 +281,7 @@ static const struct stmt *read_statement(struct latex_reader *r, const struct pa
   r->at = p->begin;
   r->end = p->end;
   r->depth = r->bars = 0;
+  r->signed_by = NULL;
   for (;;) {
     if (s->n_sides == MAX_SIDES) return latex_mistake(r, "a chain of more than %d sides", MAX_SIDES);
     r->at = past_filler(r);
@@ -274,16 +303,26 @@ struct list {
   size_t n, cap;
 };
 
-static bool put_statement(struct list *out, struct latex_reader *r, const struct part *p) {
-  const struct stmt *s = read_statement(r, p);
+/* What is printed, and the conditions of its signs. */
+struct reading {
+  struct list said, signs;
+};
+
+static bool append(struct list *out, const struct stmt *s) {
   if (!s) return false;
   out->stmt = ss_grow(out->stmt, out->n, &out->cap, sizeof *out->stmt);
   out->stmt[out->n++] = s;
   return true;
 }
 
+static bool put_statement(struct reading *out, struct latex_reader *r, const struct part *p) {
+  struct stmt *s = read_statement(r, p);
+  if (!s || (r->signed_by && !append(&out->signs, condition_of_sign(r, s)))) return false;
+  return append(&out->said, s);
+}
+
 /* A statement for each value of its index, or each pair of values, the first letter's outermost. */
-static bool put_part_statements(struct list *out, struct latex_reader *r, const struct part *p) {
+static bool put_part_statements(struct reading *out, struct latex_reader *r, const struct part *p) {
   const struct family *f = &p->family;
   int second = f->n_letters > 1 ? f->n_values : 1;
   r->n_bound = f->n_letters;
@@ -300,7 +339,7 @@ static bool put_part_statements(struct list *out, struct latex_reader *r, const 
 const struct stmt **latex_statements(size_t *n, struct arena *a, const struct latex_formula *f,
                                      const struct latex_names *names, struct diag *d) {
   struct marks marks = {0};
-  struct list list = {0};
+  struct reading read = {.said = {.n = 0}};
   bool ok = latex_marks(&marks, f, d);
   struct splitter s = {.r = {.arena = a, .src = f->src, .names = names, .d = d, .m = marks.m, .end = marks.n}};
   if (ok && marks.n == 0) {
@@ -308,16 +347,18 @@ const struct stmt **latex_statements(size_t *n, struct arena *a, const struct la
     ok = false;
   }
   ok = ok && split(&s, 0, marks.n);
-  for (size_t i = 0; ok && i < s.n; i++) ok = put_part_statements(&list, &s.r, &s.part[i]);
-  if (ok && list.n == 0) {
+  for (size_t i = 0; ok && i < s.n; i++) ok = put_part_statements(&read, &s.r, &s.part[i]);
+  for (size_t i = 0; ok && i < read.signs.n; i++) ok = append(&read.said, read.signs.stmt[i]);
+  if (ok && read.said.n == 0) {
     diag_at(d, f->src, f->tex.begin, "the TeX states nothing");
     ok = false;
   }
-  const struct stmt **out = ok ? arena_alloc(a, list.n * sizeof *out) : NULL;
-  if (ok) memcpy(out, list.stmt, list.n * sizeof *out);
-  *n = ok ? list.n : 0;
+  const struct stmt **out = ok ? arena_alloc(a, read.said.n * sizeof *out) : NULL;
+  if (ok) memcpy(out, read.said.stmt, read.said.n * sizeof *out);
+  *n = ok ? read.said.n : 0;
   free(marks.m);
   free(s.part);
-  free(list.stmt);
+  free(read.said.stmt);
+  free(read.signs.stmt);
   return out;
 }

@@ -44,8 +44,19 @@ define ctl-equilibrium
 relation ctl-fall
   replaces: eq-2
   section: model
-  u_1 = eps*u_r1 for eps in {+1, -1}
-  u_2 = eps*u_s2 for eps in {+1, -1}
+  u_1 = u_r1*eps for eps in {+1, -1}
+  u_2 = u_s2*eps for eps in {+1, -1}
+  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}
+  eps*(V - x_2'(t)) > 0 for eps in {+1, -1}
+
+# sliding friction that drives the second mass away from the belt's velocity
+relation ctl-drag
+  replaces: eq-2
+  section: model
+  u_1 = u_s1*eps for eps in {+1, -1}
+  u_2 = u_s2*eps for eps in {+1, -1}
+  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}
+  eps*(x_2'(t) - V) > 0 for eps in {+1, -1}
 
 # a spring that is not linear
 relation ctl-linear
@@ -281,8 +292,10 @@ define ctl-polynomial
 relation ctl-slips
   replaces: eq-2
   section: model
-  u_1 = eps*u_s1*(1 + 1e-12) for eps in {+1, -1}
-  u_2 = eps*u_s2 for eps in {+1, -1}
+  u_1 = u_s1*eps*(1 + 1e-12) for eps in {+1, -1}
+  u_2 = u_s2*eps for eps in {+1, -1}
+  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}
+  eps*(V - x_2'(t)) > 0 for eps in {+1, -1}
 
 inequality ctl-stays-below
   replaces: eq-54

@@ -28,10 +28,10 @@ relation eq-2
   equation: 2
   tex: u_i = u_{si} \text{sign}(V - x'_i) \quad (i=1,2)
   place: 2238-2269
-  reads: u_{si} \text{sign}(V - x'_i) \quad (i=1,2) as \varepsilon u_{si} (i=1,2) (\varepsilon = \pm 1)
-  note: where eps (V - x'_i) > 0
-  u_1 = eps*u_s1 for eps in {+1, -1}
-  u_2 = eps*u_s2 for eps in {+1, -1}
+  u_1 = u_s1*eps for eps in {+1, -1}
+  u_2 = u_s2*eps for eps in {+1, -1}
+  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}
+  eps*(V - x_2'(t)) > 0 for eps in {+1, -1}
 
 relation eq-2b
   equation: 2
