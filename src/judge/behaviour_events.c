@@ -130,7 +130,8 @@ struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
       "finite split of cases, exact for either mass and either direction: beyond the limit, eps f_i > u_ri, (2) has "
       "the breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < 0 "
       "leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
-      "only touches the limit and turns back, (2) leaves open whether the mass slips. " STICKS_ON);
+      "only touches the limit and turns back, the mass slips by this statement, and by (2) with >= in the place of >; "
+      "(2) as printed leaves it open. " STICKS_ON);
 }
 
 struct route_result events_prove_modes(struct behaviour *b) {

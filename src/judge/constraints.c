@@ -213,11 +213,13 @@ static bool least_is_exact(struct constraints *x, int i) {
 
 static bool prove(struct finding *f, struct constraints *x) {
   if (!exact_constraints(&x->paper) || !least_is_exact(x, 0) || !least_is_exact(x, 1)) return false;
-  exact_route(f, x->j->out, ROUTE_AGREES,
-              "each of the paper's constraints follows, on motions computed from the first-order systems, from t_a > 0 "
-              "and what Coulomb's law (2) asks along the four phases, and each of these from the paper's constraints; "
-              "u_ri + f_i, f_i being the force on mass i, is twice u_ri less its closed form where the mass begins to "
-              "stick, and does not decrease while it sticks");
+  exact_route(
+      f, x->j->out, ROUTE_AGREES,
+      "each of the paper's constraints follows, on motions computed from the first-order systems, from t_a > 0 "
+      "and what Coulomb's law (2) asks along the four phases, and each of these from the paper's constraints; "
+      "u_ri + f_i, f_i being the force on mass i, is twice u_ri less its closed form where the mass begins to "
+      "stick, and does not decrease while it sticks; with u_ri equal to its closed form the condition holds inside "
+      "the phase alone, and for m_1 the inequality in (16) excludes that");
   return true;
 }
 

@@ -165,11 +165,18 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
   return ok;
 }
 
+/* Of "name:1:5: error: undefined symbol x_i; define it ..." and the line with its caret, what is wrong. */
+static const char *what_is_wrong(struct judge *j, const struct diag *d) {
+  const char *error = strstr(d->message, "error: ");
+  error = error ? error + strlen("error: ") : d->message;
+  return result_str(j->out, "it cannot be read as a formula: %.*s", (int)strcspn(error, ";\n"), error);
+}
+
 static bool judge_reading(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *reads = claim_get(c, "reads"), *repaired = claim_get(c, "repaired");
   struct diag d = {0};
   bool ok = read_text(reads, c->id, claim_section(c), view, &d);
-  settle(f, j, ok ? NULL : result_copy(j->out, d.message), 1);
+  settle(f, j, ok ? NULL : what_is_wrong(j, &d), 1);
   if (!ok && repaired && !view.control) {
     diag_init(&d);
     bool again = read_text(repaired, c->id, claim_section(c), view, &d);

@@ -124,14 +124,42 @@ static void add_value(struct text *note, const struct number_job *n, const arb_t
                 unit_name(n));
 }
 
+/* Whether the number is right when rounded, if the printed t_b and t_c are the data and e_1 and e_2 follow from them:
+   "t_b = 2 and t_c = 1.5", or NULL. */
+static const char *rounded_if_given(const struct number_job *n, const struct printed_number *own) {
+  const struct scene *s = n->j->scene;
+  const struct printed_number *t_b = scene_printed(s, "t_b"), *t_c = scene_printed(s, "t_c");
+  const char *given = NULL;
+  struct point p;
+  arb_t x;
+  if (!t_b || !t_c || !s->given[KEY_CHI] || !s->given[KEY_ETA] || !s->given[KEY_V]) return NULL;
+  point_init(&p);
+  arb_init(x);
+  p.kind = POINT_GIVEN;
+  for (int k = KEY_CHI; k <= KEY_V; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
+  fmpq_set(&p.q[Q_TB], &t_b->value);
+  fmpq_set(&p.q[Q_TC], &t_c->value);
+  for (slong n_orbits = point_orbits(&p, n->j->cache, FIRST_PREC)->n; !given && p.orbit < n_orbits; p.orbit++) {
+    enum reading how;
+    slong bits = FIRST_PREC;
+    if (number_at(x, &bits, n, &p) == SS_OK && printed_fits(x, own, &how) == TRUTH_TRUE && how == READ_ROUNDED)
+      given = result_str(n->j->out, "t_b = %s and t_c = %s", t_b->decimal, t_c->decimal);
+  }
+  arb_clear(x);
+  point_clear(&p);
+  return given;
+}
+
 /* By the digits that are printed, and no others. */
 static void read_by_own_digits(struct finding *f, const struct number_job *n, const arb_t x) {
   struct printed_number own = *n->p; /* borrowed */
   enum reading how;
   own.unit = own.digit;
-  if (printed_fits(x, &own, &how) == TRUTH_TRUE)
-    f->condition = result_str(n->j->out, "%s is taken by its own digits (%s), not as %s beside the other numbers",
-                              n->p->decimal, how == READ_ROUNDED ? "rounded" : "cut off", with_all_digits(n));
+  if (printed_fits(x, &own, &how) != TRUTH_TRUE) return;
+  const char *given = how == READ_ROUNDED ? NULL : rounded_if_given(n, &own);
+  f->condition = result_str(n->j->out, "%s is taken by its own digits (%s%s%s), not as %s beside the other numbers",
+                            n->p->decimal, reading_name[how], given ? ", or rounded if e_1 and e_2 follow from " : "",
+                            given ? given : "", with_all_digits(n));
 }
 
 /* The scene's data, the orbit, what is printed with its unit, and the value there. */

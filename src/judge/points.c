@@ -57,9 +57,9 @@ struct point_trials {
   int n_specs;
   struct exact_proof proof;
   bool proof_tried;
-  const char *lacks;    /* a name of the sentence that has no value at any point; NULL: none was met */
-  struct point example; /* the first point at which the sentence fails, else the last accepted */
-  bool have_example;
+  const char *lacks;          /* a name of the sentence that has no value at any point; NULL: none was met */
+  struct point example;       /* the first point at which the sentence fails, else the last accepted */
+  bool have_example, forward; /* is its orbit one that lasts, t_a > 0? */
 };
 
 /* --- Reading the claim --- */
@@ -183,6 +183,12 @@ static void book_failure(struct point_trials *r, struct tally *t, const struct t
   t->certified[2] = (struct named_value){"right", result_copy(out, tr->rhs)};
 }
 
+/* An orbit that satisfies the equations with t_a <= 0 shows a failure as well as another, and no reader likes it. */
+static bool is_forward(const struct point_trials *r, const struct point *p) {
+  if (p->kind != POINT_ORBIT) return true;
+  return point_orbits(p, r->j->cache, FIRST_PREC)->orbit[p->orbit].holds[COND_TA] == TRUTH_TRUE;
+}
+
 /* Books a trial; false when the claim itself cannot be evaluated. */
 static bool book(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
@@ -201,8 +207,10 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
   t->agrees += tr->outcome == OUTCOME_AGREES;
   t->undecided += tr->outcome == OUTCOME_UNDECIDED;
   if (tr->bits > t->bits) t->bits = tr->bits;
-  if (tr->outcome == OUTCOME_DIFFERS && t->differs++ == 0 && strcmp(t->route->name, "ode") != 0)
-    book_failure(r, t, tr, where);
+  if (tr->outcome == OUTCOME_DIFFERS) {
+    bool shown = t->differs++ == 0 || (!r->forward && is_forward(r, p));
+    if (shown && strcmp(t->route->name, "ode") != 0) book_failure(r, t, tr, where);
+  }
   if (t->trials == 1 || tr->log_diff > t->worst_log) {
     t->worst_log = tr->log_diff;
     t->worst = where;
@@ -221,9 +229,11 @@ static bool try_point(bool *accepted, struct point_trials *r, const struct point
     if (i == 0 && first->trials == before) break; /* the point is not accepted */
   }
   *accepted = first->trials > before;
-  if (*accepted && (!r->have_example || (first->differs > failures && failures == 0))) {
+  bool fails = first->differs > failures, shown = failures == 0 || (!r->forward && is_forward(r, p));
+  if (*accepted && (!r->have_example || (fails && shown))) {
     point_copy(&r->example, p);
     r->have_example = true;
+    r->forward = is_forward(r, p);
   }
   return true;
 }

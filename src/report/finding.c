@@ -127,7 +127,7 @@ size_t controls_noticed(const struct audit_result *r) {
   return n;
 }
 
-const char *const severity_heading[N_SEVERITIES] = {"What changes a result", "Remarks",
+const char *const severity_heading[N_SEVERITIES] = {"Errors of substance", "Remarks",
                                                     "Misprints and slips of notation"};
 const char *const severity_words[N_SEVERITIES][2] = {
     {"error of substance", "errors of substance"}, {"remark", "remarks"}, {"slip of notation", "slips of notation"}};

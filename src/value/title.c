@@ -21,7 +21,7 @@ static bool missing(const struct title *t) {
 /* Of kinds whose titles are the same but for attributes. */
 static const char *const sentences[N_KINDS] = {
     [KIND_CLOSURE] = "the printed numbers are those of a periodic solution",
-    [KIND_NOTATION] = "{reads} is well formed",
+    [KIND_NOTATION] = "{reads} can be read as a formula",
     [KIND_SEQUENCE] = "on the example one period consists of {word}, in this order",
     [KIND_EXISTENCE] = "there is a periodic solution through {through} with {given}",
     [KIND_LAW] =
@@ -362,7 +362,7 @@ static bool range_where(struct text *out, const struct title *t, struct title_pa
   bool rate = claim_get(t->c, "rate") != NULL;
   text_add(out, rate ? " modulo 2 pi" : "");
   if (!range_limit(out, t)) return false;
-  text_add(out, rate ? " and the left side ends above its crests" : "");
+  text_add(out, rate ? " and the left side is greater at the end than at every maximum before" : "");
   return true;
 }
 
@@ -386,26 +386,33 @@ static bool make_constraints(struct text *out, const struct title *t) {
   return true;
 }
 
+/* "-1 > tr(J) or tr(J) > 1" of -1 < tr(J) < 1. */
+static void reversed(struct text *out, const struct statement_record *r) {
+  static const char *const other[] = {" = ", " > ", " >= ", " < ", " <= "}; /* by relop */
+  const char *sep = "";
+  for (int k = 0; k < r->n_stmts; k++)
+    for (int i = 0; r->stmts[k]->kind == STMT_RELATION && i + 1 < r->stmts[k]->n_sides; i++, sep = " or ") {
+      text_add(out, sep);
+      expr_plain(out, r->stmts[k]->sides[i]);
+      text_add(out, other[r->stmts[k]->ops[i]]);
+      expr_plain(out, r->stmts[k]->sides[i + 1]);
+    }
+}
+
 static bool make_criterion(struct text *out, const struct title *t) {
   const struct statement_record *r = its_statement(t);
   const char *side = claim_get(t->c, "side");
   if (!r) return false;
-  struct text formulas = {0};
-  title_formulas(&formulas, r);
-  const char *f = text_str(&formulas);
-  if (!side)
-    text_printf(out,
-                "admissible periodic solutions are conditionally stable where %s and unstable "
-                "where one of the inequalities is reversed",
-                f);
-  else
-    text_printf(out,
-                strcmp(side, "inside") == 0
-                    ? "admissible periodic solutions are conditionally stable where %s"
-                    : "an eigenvalue of J outside the unit circle, one inequality of %s being reversed, makes an "
-                      "admissible periodic solution unstable",
-                f);
-  text_clear(&formulas);
+  text_add(out, "admissible periodic solutions are ");
+  if (!side || strcmp(side, "inside") == 0) {
+    text_add(out, "conditionally stable where ");
+    title_formulas(out, r);
+  }
+  if (!side) text_add(out, " and ");
+  if (!side || strcmp(side, "outside") == 0) {
+    text_add(out, side ? "unstable where an eigenvalue of J is outside the unit circle, that is, " : "unstable where ");
+    reversed(out, r);
+  }
   return true;
 }
 
@@ -473,11 +480,9 @@ static bool make_scaling(struct text *out, const struct title *t) {
     text_add_n(name, p, len);
     if (p[len - 1] == '_') text_add_char(name, 'i');
   }
-  text_add(out, " is dimensionally homogeneous if ");
+  text_add(out, " is homogeneous in the unit of length, those of time and stiffness being kept, if ");
   title_list_write(out, &l);
-  text_add(out, l.n == 1 ? " has" : " have");
-  text_add(out, l.n == 1 ? " a dimension and all other quantities are numbers"
-                         : " one dimension and all other quantities are numbers");
+  text_add(out, l.n == 1 ? " contains it and no other quantity does" : " contain it and no other quantity does");
   title_list_clear(&l);
   return true;
 }
@@ -498,9 +503,10 @@ static const struct {
      "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "
      "than its static friction"},
     {"switches", "stick to slip",
-     "a transition from {transition} occurs where the force on a mass reaches its static friction and goes on to "
-     "exceed it"},
-    {"jumps", NULL, "friction forces and accelerations jump at the switches, positions and velocities do not"},
+     "a transition from {transition} occurs where the force on a mass reaches its static friction"},
+    {"jumps", NULL,
+     "friction and acceleration of a mass jump where it breaks loose and, unless its force is then the sliding "
+     "friction, where it is caught, and positions and velocities never do"},
     {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
     {"fixed-points", NULL,
      "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law"},
@@ -512,7 +518,7 @@ static const struct {
      "do not"},
     {"long-run", NULL, "what becomes of the printed initial state over many returns"},
     {"patching", NULL,
-     "some chains of more than two masses have periodic motions that are patched from the solutions of their phases"}};
+     "periodic motions of chains of more than two masses can be patched from the solutions of their phases"}};
 
 static bool make_behaviour(struct text *out, const struct title *t) {
   for (size_t i = 0; i < sizeof checks / sizeof *checks; i++)
