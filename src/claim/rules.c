@@ -254,6 +254,21 @@ static bool check_errata(const struct model *m, const struct claims *claims, str
   return true;
 }
 
+/* A record that replaces nothing would be one more formula, which no claim is about. */
+static bool check_replaced(const struct model *m, struct diag *d) {
+  for (size_t i = 0; i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    const struct field *f = record_field(r->record, "replaces");
+    bool found = f == NULL;
+    for (size_t k = 0; !found && k < m->n_records; k++)
+      found = m->records[k].rank < r->rank && strcmp(m->records[k].id, f->text) == 0;
+    if (found) continue;
+    diag_at(d, r->src, f->value.begin, "%s: there is no record %s to be replaced", r->record->id_name, f->text);
+    return false;
+  }
+  return true;
+}
+
 /* A claim whose own text a correction replaced would be judged as corrected. */
 static bool check_own_text(const struct model *m, const struct claims *claims, struct diag *d) {
   for (size_t i = 0; i < claims->n; i++) {
@@ -366,5 +381,6 @@ bool claims_keep_rules(const struct model *m, const struct claims *claims, const
   for (size_t i = 0; ok && i < controls->n_files; i++) ok = records_counted(controls->files[i], d);
   ok = ok && check_near(m, controls, d) && check_kind_controls(claims, controls, d);
   for (size_t i = 0; ok && i < claims->n; i++) ok = check_correction_controls(claims, controls, i, d);
-  return ok && check_errata(m, claims, d) && check_own_text(m, claims, d) && check_graph(m, claims, d);
+  return ok && check_errata(m, claims, d) && check_own_text(m, claims, d) && check_replaced(m, d) &&
+         check_graph(m, claims, d);
 }
