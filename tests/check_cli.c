@@ -159,7 +159,7 @@ START_TEST(alone_or_together) {
     p += n;
   }
   ck_assert(claim_object(json, "eq-36") == NULL);
-  ck_assert_str_eq(member(strstr(json, "\"skipped\": ["), "why"), "not selected by --only");
+  ck_assert(strstr(strstr(json, "\"skipped\": ["), "\"why\": \"not selected by --only\"") != NULL);
   free(json);
   job_clear(&j);
 }

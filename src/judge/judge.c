@@ -258,7 +258,10 @@ static bool leave_out(struct audit_result *out, const struct claim *control, con
 static const char *says_nothing(const struct judge *j, const struct finding *f, const struct claim *control,
                                 const struct claim *claim) {
   bool off_record = f->recorded == N_VERDICTS; /* whether the claim holds in this scene was not known */
-  if (f->verdict == VERDICT_REFUTED) return NULL;
+  const struct finding *whole = audit_result_finding(j->out, claim->id);
+  bool mended = whole && whole->correction && verdict_passes(whole->correction_verdict);
+  if (f->verdict == VERDICT_REFUTED)
+    return is_found(j->out, claim->id, VERDICT_REFUTED) && !mended ? "its claim fails without damage, too" : NULL;
   if (off_record && is_found(j->out, claim->id, VERDICT_REFUTED)) return "its claim does not hold here without damage";
   if (f->verdict != VERDICT_UNKNOWN) return NULL;
   if (j->scene->asked.routes.n > 0) return "undecided by the routes that the scene asks for";
