@@ -746,7 +746,7 @@ START_TEST(the_score_has_one_denominator) {
   r.data[DAMAGE_TITLE].count[FATE_REFUSED] = 20;
   r.data[DAMAGE_TITLE].count[FATE_UNDECIDED] = 2;
   r.data[DAMAGE_QUOTATION].count[FATE_NEEDS_TEXT] = 11;
-  r.data[DAMAGE_FAULT].count[FATE_EQUIVALENT] = 4;
+  r.data[DAMAGE_POINTS].count[FATE_EQUIVALENT] = 4;
   r.data[DAMAGE_ERRATUM].count[FATE_UNDECIDED] = 13;
   mutation_score_of(&s, &r);
   ck_assert_int_eq(s.counted, 135);

@@ -503,7 +503,6 @@ START_TEST(groups_of_claims) {
                {"definitions", {"\n  kind: definition\n"}},
                {"kind notation", {"\n  kind: notation\n"}},
                {"record refuted", {"\n  record: refuted\n"}},
-               {"fault formula", {"\n  fault: formula\n"}},
                {"equations", {"\n  equation: "}}};
   struct claims c;
   paper_claims(&c, NULL);

@@ -3,28 +3,23 @@
 #include "claim.h"
 
 static bool known_attribute(const char *key) {
-  static const char *const known[] = {"equation",     "section",        "own",          "kind",
-                                      "value",        "statement",      "points",       "routes",
-                                      "oracle",       "number",         "from",         "formula",
-                                      "fault",        "title",          "quote",        "depends-on",
-                                      "record",       "restricted",     "claim",        "shift",
-                                      "relation",     "letter",         "range",        "perturbation",
-                                      "record-scene", "repaired-range", "also-printed", "premises",
-                                      "conclusion",   "over",           "friction",     "increasing",
-                                      "repair",       "reads",          "repaired",     "symbols",
-                                      "stands-for",   "found-in",       "scaled",       "statements",
-                                      "absent",       "unknowns",       "rank",         "constraints",
-                                      "least-first",  "least-second",   "word",         "conditions",
-                                      "given",        "through",        "needs",        "check",
-                                      "moves",        "states",         "at",           "transition",
-                                      "limit",        "jumps",          "side",         "vary",
-                                      "about",        "converse",       "mass",         "slips",
-                                      "sticks",       "breaks",         "place",        "few",
-                                      "converse-of",  "repaired-as",    "of",           "near",
-                                      "heading",      "count",          "every",        "kept",
-                                      "until",        "even",           "odd",          "drift",
-                                      "factor",       "frequency",      "rate",         "systems",
-                                      "limits"};
+  static const char *const known[] = {"equation",     "section",    "own",          "kind",         "value",
+                                      "statement",    "points",     "routes",       "oracle",       "number",
+                                      "from",         "formula",    "title",        "quote",        "depends-on",
+                                      "record",       "restricted", "claim",        "shift",        "relation",
+                                      "letter",       "range",      "perturbation", "record-scene", "repaired-range",
+                                      "also-printed", "premises",   "conclusion",   "over",         "friction",
+                                      "increasing",   "repair",     "reads",        "repaired",     "symbols",
+                                      "stands-for",   "found-in",   "scaled",       "statements",   "absent",
+                                      "unknowns",     "rank",       "constraints",  "least-first",  "least-second",
+                                      "word",         "conditions", "given",        "through",      "needs",
+                                      "check",        "moves",      "states",       "at",           "transition",
+                                      "limit",        "jumps",      "side",         "vary",         "about",
+                                      "converse",     "mass",       "slips",        "sticks",       "breaks",
+                                      "place",        "few",        "converse-of",  "repaired-as",  "of",
+                                      "near",         "heading",    "count",        "every",        "kept",
+                                      "until",        "even",       "odd",          "drift",        "factor",
+                                      "frequency",    "rate",       "systems",      "limits"};
   enum { N_KNOWN = sizeof known / sizeof *known };
   return word_find(key, known, N_KNOWN) < N_KNOWN;
 }

@@ -21,7 +21,6 @@
      number, from, formula             (number) the printed number, where its value comes from
      relation    (number) "<" or ">": the number is a bound; else it is a value
      formula     (report) the trace that decides
-     fault       the fault class that a refutation of this claim has (it follows, fault.c, and must be that)
      few         why the claim asks for fewer points or routes than its kind does (kinds.h)
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is

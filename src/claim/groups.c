@@ -20,7 +20,6 @@ static const struct group {
               {"section", "section", IS_NAMED, "NAME"},
               {"kind", "kind", IS_NAMED, "NAME"},
               {"record", "record", IS_NAMED, "VERDICT"},
-              {"fault", "fault", IS_NAMED, "CLASS"},
               {"equations", "equation", IS_THERE, NULL},
               {"sentences", "equation", IS_ABSENT, NULL},
               {"definitions", "kind", IS, "definition"},

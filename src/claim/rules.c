@@ -172,12 +172,7 @@ static bool check_record_scene(const struct model *m, const struct claim *c, str
 
 bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag *d) {
   const struct claim_kind *kind = claim_kind_of(c);
-  const char *fault = claim_get(c, "fault");
   if (!kind) return claim_mistake(c, "kind", d, "unknown kind of claim");
-  const char *follows = fault ? fault_name[claim_fault(m, c)] : NULL;
-  if (fault && strcmp(fault, follows) != 0)
-    return claim_mistake(c, "fault", d,
-                         "the fault is \"%s\": it follows from the kind of the claim and from its correction", follows);
   if (m->system && claim_kind(c) == KIND_INEQUALITY && claim_get(c, "points"))
     return claim_mistake(c, "points", d, "inequalities are judged with the example's own numbers; leave the line out");
   return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_record_scene(m, c, d) &&

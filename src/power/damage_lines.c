@@ -204,7 +204,7 @@ void damage_phases(struct maker *k) {
   EXCHANGE(k, other_phase);
 }
 
-/* --- Corrections, restrictions, fault classes --- */
+/* --- Corrections and restrictions --- */
 
 void damage_text_of_correction(struct maker *k) {
   maker_digits(k);
@@ -218,13 +218,6 @@ void damage_restriction(struct maker *k) {
       {"V", "eta"}, {"eta", "V"}, {"proved", "supported"}, {"supported", "proved"}};
   maker_digits(k);
   EXCHANGE(k, others);
-  maker_delete(k);
-}
-
-void damage_fault(struct maker *k) {
-  static const char *const faults[] = {"notation", "formula", "number", "argument"};
-  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
-    maker_put(k, k->field->value.begin, k->field->value.end, faults[i]);
   maker_delete(k);
 }
 

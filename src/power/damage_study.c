@@ -21,7 +21,6 @@ struct damage_study {
   struct orbit_cache *cache;
   struct orbit_pool *pool;
   struct undamaged *claim;
-  bool same_faults; /* of the claim judged last, with the damage and without */
 };
 
 struct damage_study *damage_study_new(const struct material *m, const struct paper_text *text) {
@@ -131,15 +130,6 @@ static bool findings_differ(struct damage_said *out, const struct audit_result *
   return false;
 }
 
-static bool same_faults(const struct audit_result *is, const struct audit_result *was) {
-  bool same = is->n_findings == was->n_findings;
-  for (size_t i = 0; same && i < is->n_findings; i++) {
-    const char *x = is->findings[i].fault, *y = was->findings[i].fault;
-    same = x && y ? strcmp(x, y) == 0 : x == y;
-  }
-  return same;
-}
-
 /* --- Claims and controls with the damage in place --- */
 
 static bool claim_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
@@ -157,10 +147,8 @@ static bool claim_notices(struct damage_said *out, struct damage_study *s, const
   if (!judge_one(&r, s, c, claim, NULL, &d)) {
     say(out, FATE_UNREADABLE, "%s", d.message);
     noticed = true;
-  } else {
+  } else
     noticed = findings_differ(out, &r, &u->said);
-    s->same_faults = same_faults(&r, &u->said);
-  }
   audit_result_clear(&r);
   return noticed;
 }
@@ -309,11 +297,8 @@ void damage_try(struct damage_said *out, struct damage_study *s, const struct da
     say(out, FATE_EQUIVALENT, "%s", d->rule);
     return;
   }
-  s->same_faults = false;
   bool titled = d->class == DAMAGE_TITLE; /* no judge reads a title */
   bool noticed = is_refused(out, &c, s, d) || (!titled && is_noticed(out, s, &c, d));
   if (!noticed && d->excuse) say(out, FATE_EQUIVALENT, "%s", d->excuse);
-  if (!noticed && d->class == DAMAGE_FAULT && s->same_faults)
-    say(out, FATE_EQUIVALENT, "the fault class that the report has is the same");
   changed_material_clear(&c);
 }

@@ -23,8 +23,7 @@ void damage_study_free(struct damage_study *s);
    another, or a control beside it is not refuted.  Concerned are the claim or control whose record it is, and the
    controls of that claim; of equations, where a typed line is another, the claims that read the record, or the control
    whose record it is; of a scene, the claims that are about one scene.  Equivalent is what nothing notices and the damage
-   excuses, or of a fault class what leaves every fault that is found the same.  Verdicts are held against those without
-   the damage, which are found when first asked for. */
+   excuses.  Verdicts are held against those without the damage, which are found when first asked for. */
 void damage_try(struct damage_said *out, struct damage_study *s, const struct damage *d);
 
 #endif

@@ -42,7 +42,6 @@ static const struct {
     {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repaired-range", damage_text_of_correction},
     {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repair", damage_repair},
     {DAMAGE_RESTRICTION, PART_CLAIMS, RANK_PAPER, "restricted", damage_restriction},
-    {DAMAGE_FAULT, PART_CLAIMS, RANK_PAPER, "fault", damage_fault},
     {DAMAGE_CONTROL, PART_EQUATIONS, RANK_CONTROL, NULL, damage_control_formula},
     {DAMAGE_CONTROL, PART_EQUATIONS, RANK_CONTROL, "", maker_delete},
     {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "", maker_delete},

@@ -38,14 +38,12 @@ struct damages {
      domain         parameters, the orbits meant, phases, the scene of the record
      correction     a digit, a sign or a relation in the text; of an argument a premise
      restriction    the same; another name; none
-     fault class    each of the others; none
      control        deleted, of a neighbouring claim, without its damage, or with another
      title          a number, a name, a phase or a direction for another
 
    Two items of a list exchanged say the same; such a damage names the rule.  Other parameters to try, a route that is as
-   independent, or a control that is wrong by another digit or sign say the same where nothing notices them; and so does
-   another fault class where the report has the same one (damage_study.h).  Only those of the named files, records or
-   classes ("4-stability", "eq-40", "title") when n_only > 0. */
+   independent, or a control that is wrong by another digit or sign say the same where nothing notices them.  Only those
+   of the named files, records or classes ("4-stability", "eq-40", "title") when n_only > 0. */
 void damages_init(struct damages *out, const struct material *m, const char *const *only, int n_only);
 void damages_clear(struct damages *d);
 /* Is some of them in the file or record, or of the class, of that name? */

@@ -37,7 +37,7 @@ void maker_indices(struct maker *k);
 
 /* By lines (damage_lines.c). */
 damage_fn damage_premises, damage_conclusion, damage_points, damage_routes, damage_one_of, damage_digits,
-    damage_parameters, damage_phases, damage_text_of_correction, damage_repair, damage_restriction, damage_fault,
+    damage_parameters, damage_phases, damage_text_of_correction, damage_repair, damage_restriction,
     damage_control_claim, damage_control_line, damage_control_formula;
 /* By words (damage_words.c). */
 damage_fn damage_tex, damage_quotation, damage_number, damage_title;

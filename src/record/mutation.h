@@ -62,7 +62,6 @@ struct survivor {
   X(DOMAIN, "domain", true)                                                                                            \
   X(CORRECTION, "correction", true)                                                                                    \
   X(RESTRICTION, "restriction", true)                                                                                  \
-  X(FAULT, "fault class", true)                                                                                        \
   X(CONTROL, "control", true)                                                                                          \
   X(TITLE, "title", true)                                                                                              \
   X(ERRATUM, "TeX of errata.eq", false)
