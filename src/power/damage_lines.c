@@ -116,13 +116,15 @@ void damage_repair(struct maker *k) {
 
 /* --- Where and how it is tried --- */
 
-static const struct exchange other_phase[] = {{"D", "Gamma"}, {"Gamma", "H"}, {"H", "C"}, {"C", "D"}};
-static const struct exchange other_points[] = {
-    {"params", "flow D"},        {"flow", "arcs"},   {"arcs", "orbits"}, {"orbits", "arcs"}, {"admissible", "orbits"},
-    {"realistic", "admissible"}, {"patched", "arcs"}};
-static const struct exchange other_route[] = {{"exponential", "taylor"}, {"taylor", "gsl"},        {"gsl", "ode"},
-                                              {"ode", "newton"},         {"newton", "fd"},         {"fd", "saltation"},
-                                              {"saltation", "oracle"},   {"oracle", "exponential"}};
+static const struct exchange other_phase[] = {
+    {"D", "Gamma", ONE_WAY}, {"Gamma", "H", ONE_WAY}, {"H", "C", ONE_WAY}, {"C", "D", ONE_WAY}};
+static const struct exchange other_points[] = {{"params", "flow D", ONE_WAY},        {"flow", "arcs", ONE_WAY},
+                                               {"arcs", "orbits", BOTH_WAYS},        {"admissible", "orbits", ONE_WAY},
+                                               {"realistic", "admissible", ONE_WAY}, {"patched", "arcs", ONE_WAY}};
+static const struct exchange other_route[] = {
+    {"exponential", "taylor", ONE_WAY}, {"taylor", "gsl", ONE_WAY},        {"gsl", "ode", ONE_WAY},
+    {"ode", "newton", ONE_WAY},         {"newton", "fd", ONE_WAY},         {"fd", "saltation", ONE_WAY},
+    {"saltation", "oracle", ONE_WAY},   {"oracle", "exponential", ONE_WAY}};
 enum { ROUTE_LENGTH = 32 };
 #define EXCHANGE(k, table) maker_exchange(k, table, sizeof(table) / sizeof *(table))
 
@@ -175,15 +177,11 @@ void damage_routes(struct maker *k) {
 }
 
 void damage_one_of(struct maker *k) {
-  static const struct exchange others[] = {{">", "<"},
-                                           {"<", ">"},
-                                           {"orbit", "printed"},
-                                           {"printed", "orbit"},
-                                           {"scene", "orbits"},
-                                           {"inside", "outside"},
-                                           {"outside", "inside"},
-                                           {"slip to stick", "stick to slip"},
-                                           {"stick to slip", "slip to stick"}};
+  static const struct exchange others[] = {{">", "<", BOTH_WAYS},
+                                           {"orbit", "printed", BOTH_WAYS},
+                                           {"scene", "orbits", ONE_WAY},
+                                           {"inside", "outside", BOTH_WAYS},
+                                           {"slip to stick", "stick to slip", BOTH_WAYS}};
   EXCHANGE(k, others);
   maker_delete(k);
 }
@@ -214,8 +212,7 @@ void damage_text_of_correction(struct maker *k) {
 }
 
 void damage_restriction(struct maker *k) {
-  static const struct exchange others[] = {
-      {"V", "eta"}, {"eta", "V"}, {"proved", "supported"}, {"supported", "proved"}};
+  static const struct exchange others[] = {{"V", "eta", BOTH_WAYS}, {"proved", "supported", BOTH_WAYS}};
   maker_digits(k);
   EXCHANGE(k, others);
   maker_delete(k);

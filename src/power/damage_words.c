@@ -9,11 +9,13 @@ static struct span value_of(const struct maker *k) {
   return k->field->value;
 }
 
+static void change_digit(struct maker *k, size_t i) {
+  char next = (char)('0' + (k->text[i] - '0' + 1) % 10);
+  if (char_is_digit(k->text[i])) maker_add(k, i, i + 1, &next, 1, NULL);
+}
+
 void maker_digits(struct maker *k) {
-  for (size_t i = value_of(k).begin; i < value_of(k).end; i++) {
-    char next = (char)('0' + (k->text[i] - '0' + 1) % 10);
-    if (char_is_digit(k->text[i])) maker_add(k, i, i + 1, &next, 1, NULL);
-  }
+  for (size_t i = value_of(k).begin; i < value_of(k).end; i++) change_digit(k, i);
 }
 
 static char turned(char c) {
@@ -38,13 +40,18 @@ static bool is_of_word(char c) {
   return char_is_word(c) || c == '-' || c == '\'';
 }
 
+static void exchange_word(struct maker *k, size_t i, const char *was, const char *now) {
+  size_t len = strlen(was);
+  if (i + len <= value_of(k).end && strncmp(k->text + i, was, len) == 0 && !is_of_word(k->text[i + len]))
+    maker_put(k, i, i + len, now);
+}
+
 void maker_exchange(struct maker *k, const struct exchange *table, size_t n) {
   struct span v = value_of(k);
   for (size_t i = v.begin; i < v.end; i++)
     for (size_t e = 0; e < n && (i == v.begin || !is_of_word(k->text[i - 1])); e++) {
-      size_t len = strlen(table[e].was);
-      if (i + len <= v.end && strncmp(k->text + i, table[e].was, len) == 0 && !is_of_word(k->text[i + len]))
-        maker_put(k, i, i + len, table[e].now);
+      exchange_word(k, i, table[e].was, table[e].now);
+      if (table[e].ways == BOTH_WAYS) exchange_word(k, i, table[e].now, table[e].was);
     }
 }
 
@@ -93,10 +100,13 @@ static void maker_bars(struct maker *k) {
 
 /* --- TeX --- */
 
+static bool is_name(const char *text, size_t n, const char *name) {
+  return strlen(name) == n && strncmp(text, name, n) == 0;
+}
+
 /* Commands with braces behind them that are no mathematics. */
-static bool is_plain_group(const char *name, size_t n) {
-  return (n == 4 && strncmp(name, "text", n) == 0) || (n == 5 && strncmp(name, "begin", n) == 0) ||
-         (n == 3 && strncmp(name, "end", n) == 0);
+static bool is_plain_group(const char *text, size_t n) {
+  return is_name(text, n, "\\text") || is_name(text, n, "\\begin") || is_name(text, n, "\\end");
 }
 
 static size_t command_length(const char *p) {
@@ -142,46 +152,39 @@ static bool is_factor(const struct maker *k, size_t begin, size_t end) {
 }
 
 /* Letters that are taken for one another, and commands. */
-static const struct exchange similar[] = {{"\\chi", "\\eta"},
-                                          {"\\eta", "\\chi"},
-                                          {"\\lambda", "\\Lambda"},
-                                          {"\\Lambda", "\\Gamma"},
-                                          {"\\Gamma", "\\gamma"},
-                                          {"\\gamma", "\\Gamma"},
-                                          {"\\omega", "\\psi"},
-                                          {"\\psi", "\\varphi"},
-                                          {"\\varphi", "\\psi"},
-                                          {"\\Pi", "\\Gamma"},
-                                          {"\\sin", "\\cos"},
-                                          {"\\cos", "\\sin"},
-                                          {"u", "v"},
-                                          {"v", "u"},
-                                          {"x", "z"},
-                                          {"z", "x"},
-                                          {"V", "v"},
-                                          {"K", "k"},
-                                          {"H", "N"},
-                                          {"N", "M"},
-                                          {"M", "N"},
-                                          {"J", "I"},
-                                          {"I", "J"},
-                                          {"C", "G"},
-                                          {"D", "O"},
-                                          {"Z", "z"},
-                                          {"h", "k"},
-                                          {"k", "h"},
-                                          {"t", "l"},
-                                          {"y", "g"},
-                                          {"e", "c"}};
+static const struct exchange similar[] = {{"\\chi", "\\eta", BOTH_WAYS},
+                                          {"\\lambda", "\\Lambda", ONE_WAY},
+                                          {"\\Lambda", "\\Gamma", ONE_WAY},
+                                          {"\\Gamma", "\\gamma", BOTH_WAYS},
+                                          {"\\omega", "\\psi", ONE_WAY},
+                                          {"\\psi", "\\varphi", BOTH_WAYS},
+                                          {"\\Pi", "\\Gamma", ONE_WAY},
+                                          {"\\sin", "\\cos", BOTH_WAYS},
+                                          {"u", "v", BOTH_WAYS},
+                                          {"x", "z", BOTH_WAYS},
+                                          {"V", "v", ONE_WAY},
+                                          {"K", "k", ONE_WAY},
+                                          {"H", "N", ONE_WAY},
+                                          {"N", "M", BOTH_WAYS},
+                                          {"J", "I", BOTH_WAYS},
+                                          {"C", "G", ONE_WAY},
+                                          {"D", "O", ONE_WAY},
+                                          {"Z", "z", ONE_WAY},
+                                          {"h", "k", BOTH_WAYS},
+                                          {"t", "l", ONE_WAY},
+                                          {"y", "g", ONE_WAY},
+                                          {"e", "c", ONE_WAY}};
 
 static void exchange_symbol(struct maker *k, size_t i, size_t n) {
   for (size_t e = 0; e < sizeof similar / sizeof *similar; e++)
-    if (strlen(similar[e].was) == n && strncmp(k->text + i, similar[e].was, n) == 0)
+    if (is_name(k->text + i, n, similar[e].was))
       maker_put(k, i, i + n, similar[e].now);
+    else if (similar[e].ways == BOTH_WAYS && is_name(k->text + i, n, similar[e].now))
+      maker_put(k, i, i + n, similar[e].was);
 }
 
-static bool is_accent(const char *name, size_t n) {
-  return (n == 4 && strncmp(name, "\\bar", n) == 0) || (n == 6 && strncmp(name, "\\tilde", n) == 0);
+static bool is_accent(const char *text, size_t n) {
+  return is_name(text, n, "\\bar") || is_name(text, n, "\\tilde");
 }
 
 /* \bar{h} becomes h. */
@@ -190,11 +193,11 @@ static void drop_accent(struct maker *k, size_t i, size_t n) {
   if (k->text[i + n] == '{' && end > i + n + 2) maker_add(k, i, end, k->text + i + n + 1, end - i - n - 2, NULL);
 }
 
-static bool is_greek(const char *name, size_t n) {
+static bool is_greek(const char *text, size_t n) {
   static const char *const letters[] = {"\\chi",   "\\eta",   "\\lambda", "\\Lambda",
                                         "\\Gamma", "\\omega", "\\psi",    "\\Pi"};
   for (size_t e = 0; e < sizeof letters / sizeof *letters; e++)
-    if (strlen(letters[e]) == n && strncmp(name, letters[e], n) == 0) return true;
+    if (is_name(text, n, letters[e])) return true;
   return false;
 }
 
@@ -207,7 +210,7 @@ static void drop_factor(struct maker *k, size_t i) {
 static size_t damage_command(struct maker *k, size_t i) {
   size_t n = command_length(k->text + i), end = value_of(k).end;
   if (n == 1) return i + 2;
-  if (is_plain_group(k->text + i + 1, n - 1)) return group_end(k->text, i + n, end);
+  if (is_plain_group(k->text + i, n)) return group_end(k->text, i + n, end);
   if (is_accent(k->text + i, n)) drop_accent(k, i, n);
   exchange_symbol(k, i, n);
   if (is_greek(k->text + i, n)) drop_factor(k, i);
@@ -228,10 +231,7 @@ static size_t damage_character(struct maker *k, size_t i) {
   char c = k->text[i], other = turned(c);
   if (other) maker_add(k, i, i + 1, &other, 1, NULL);
   if (c == '\'') maker_put(k, i, i + 1, "");
-  if (char_is_digit(c)) {
-    char next = (char)('0' + (c - '0' + 1) % 10);
-    maker_add(k, i, i + 1, &next, 1, NULL);
-  }
+  change_digit(k, i);
   if (char_is_letter(c)) {
     exchange_symbol(k, i, 1);
     drop_factor(k, i);
@@ -307,66 +307,47 @@ void damage_number(struct maker *k) {
   k->field = all;
 }
 
-static const struct exchange other_words[] = {{"first", "second"},
-                                              {"second", "first"},
-                                              {"slip-stick", "stick-slip"},
-                                              {"stick-slip", "slip-stick"},
-                                              {"stick", "slip"},
-                                              {"slip", "stick"},
-                                              {"sticks", "slips"},
-                                              {"slips", "sticks"},
-                                              {"sticking", "slipping"},
-                                              {"slipping", "sticking"},
-                                              {"above", "below"},
-                                              {"below", "above"},
-                                              {"lower", "upper"},
-                                              {"upper", "lower"},
-                                              {"slower", "faster"},
-                                              {"faster", "slower"},
-                                              {"start", "end"},
-                                              {"starts", "ends"},
-                                              {"ends", "starts"},
-                                              {"begins", "ends"},
-                                              {"increases", "decreases"},
-                                              {"increasing", "decreasing"},
-                                              {"positive", "negative"},
-                                              {"stable", "unstable"},
-                                              {"unstable", "stable"},
-                                              {"attract", "repel"},
-                                              {"attracts", "repels"},
-                                              {"repel", "attract"},
-                                              {"repels", "attracts"},
-                                              {"inside", "outside"},
-                                              {"outside", "inside"},
-                                              {"more", "less"},
-                                              {"before", "after"},
-                                              {"always", "never"},
-                                              {"every", "no"},
-                                              {"constant", "increasing"},
-                                              {"one", "two"},
-                                              {"two", "three"},
-                                              {"three", "four"},
-                                              {"four", "three"},
-                                              {"six", "five"},
-                                              {"least", "largest"},
-                                              {"velocity", "position"},
-                                              {"velocities", "positions"},
-                                              {"positions", "velocities"},
-                                              {"displacement", "velocity"},
-                                              {"determinant", "trace"},
-                                              {"trace", "determinant"},
-                                              {"lambda", "omega"},
-                                              {"chi", "eta"},
-                                              {"eta", "chi"},
-                                              {"Gamma", "H"},
-                                              {"H", "C"},
-                                              {"C", "D"},
-                                              {"D", "Gamma"},
-                                              {"x", "y"},
-                                              {"y", "x"},
-                                              {"u", "v"},
-                                              {"v", "u"},
-                                              {"=", "<"}};
+static const struct exchange other_words[] = {{"first", "second", BOTH_WAYS},
+                                              {"slip-stick", "stick-slip", BOTH_WAYS},
+                                              {"stick", "slip", BOTH_WAYS},
+                                              {"sticks", "slips", BOTH_WAYS},
+                                              {"sticking", "slipping", BOTH_WAYS},
+                                              {"above", "below", BOTH_WAYS},
+                                              {"lower", "upper", BOTH_WAYS},
+                                              {"slower", "faster", BOTH_WAYS},
+                                              {"start", "end", ONE_WAY},
+                                              {"starts", "ends", BOTH_WAYS},
+                                              {"begins", "ends", ONE_WAY},
+                                              {"increases", "decreases", ONE_WAY},
+                                              {"increasing", "decreasing", ONE_WAY},
+                                              {"positive", "negative", ONE_WAY},
+                                              {"stable", "unstable", BOTH_WAYS},
+                                              {"attract", "repel", BOTH_WAYS},
+                                              {"attracts", "repels", BOTH_WAYS},
+                                              {"inside", "outside", BOTH_WAYS},
+                                              {"more", "less", ONE_WAY},
+                                              {"before", "after", ONE_WAY},
+                                              {"always", "never", ONE_WAY},
+                                              {"every", "no", ONE_WAY},
+                                              {"constant", "increasing", ONE_WAY},
+                                              {"one", "two", ONE_WAY},
+                                              {"two", "three", ONE_WAY},
+                                              {"three", "four", BOTH_WAYS},
+                                              {"six", "five", ONE_WAY},
+                                              {"least", "largest", ONE_WAY},
+                                              {"velocity", "position", ONE_WAY},
+                                              {"velocities", "positions", BOTH_WAYS},
+                                              {"displacement", "velocity", ONE_WAY},
+                                              {"determinant", "trace", BOTH_WAYS},
+                                              {"lambda", "omega", ONE_WAY},
+                                              {"chi", "eta", BOTH_WAYS},
+                                              {"Gamma", "H", ONE_WAY},
+                                              {"H", "C", ONE_WAY},
+                                              {"C", "D", ONE_WAY},
+                                              {"D", "Gamma", ONE_WAY},
+                                              {"x", "y", BOTH_WAYS},
+                                              {"u", "v", BOTH_WAYS},
+                                              {"=", "<", ONE_WAY}};
 
 void damage_title(struct maker *k) {
   maker_digits(k);

@@ -17,9 +17,10 @@ struct maker {
 };
 typedef void damage_fn(struct maker *k);
 
-/* A text for another; only between characters that are part of no word. */
+/* A text for another, and perhaps that for it; only between characters that are part of no word. */
 struct exchange {
   const char *was, *now;
+  enum { ONE_WAY, BOTH_WAYS } ways;
 };
 
 /* Adds the damage: bytes of the file from begin to end become n bytes of now. */
