@@ -133,9 +133,9 @@ int range_check_friction(const struct range *r, const struct scene *s, const cha
 bool terminal_has_colours(void);
 /* Its columns; 0 where standard output is no terminal. */
 int terminal_width(void);
-/* One line of len bytes, broken at single blanks where it is wider; it goes on at that column.  A longer word stays
-   whole. */
-void text_fit(struct text *out, const char *line, size_t len, size_t width, size_t indent);
+/* What is len bytes long and begins in the column used, broken at single blanks where the line is wider; it goes on at
+   indent.  A longer word stays whole. */
+void text_fit(struct text *out, const char *line, size_t len, size_t used, size_t width, size_t indent);
 /* How far a command is, on one line of standard error, where that is a terminal; once there is something to judge it by,
    how long the rest takes.  begin: the time runs; show: so many of all, which are the given part of the work; count: the
    same with items that are equal; end: the line is wiped. */

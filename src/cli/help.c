@@ -30,7 +30,7 @@ static void add_paragraph(struct text *out, size_t indent, const char *fmt, ...)
   va_list ap;
   va_start(ap, fmt);
   text_vprintf(&line, fmt, ap);
-  text_fit(out, text_str(&line), line.len, WIDTH, indent);
+  text_fit(out, text_str(&line), line.len, 0, WIDTH, indent);
   text_add_char(out, '\n');
   text_clear(&line);
   va_end(ap);

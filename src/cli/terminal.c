@@ -76,8 +76,7 @@ static size_t hanging(const char *line, size_t len, size_t width) {
   return at;
 }
 
-void text_fit(struct text *out, const char *line, size_t len, size_t width, size_t indent) {
-  size_t used = 0;
+void text_fit(struct text *out, const char *line, size_t len, size_t used, size_t width, size_t indent) {
   while (used + len > width) {
     size_t cut = width - used, least = used ? 1 : indent + 1;
     while (cut > least && line[cut] != ' ') cut--;
@@ -103,7 +102,7 @@ static void fit_terminal(struct text *out, const char *s) {
   if (width < NARROWEST) text_add(out, s);
   for (size_t len; width >= NARROWEST && *s; s += len + (s[len] == '\n')) {
     len = strcspn(s, "\n");
-    text_fit(out, s, len, (size_t)width, hanging(s, len, (size_t)width));
+    text_fit(out, s, len, 0, (size_t)width, hanging(s, len, (size_t)width));
     if (s[len]) text_add_char(out, '\n');
   }
 }

@@ -26,23 +26,11 @@ static bool needs_attention(const struct finding *f) {
   return verdict_fails(f->verdict) || f->verdict == VERDICT_UNKNOWN;
 }
 
-/* A title that begins in that column, broken at blanks where the terminal ends; no width, no break. */
-static void add_wrapped(struct text *out, const char *s, int column, int width) {
-  int at = column;
-  while (*s) {
-    int word = (int)strcspn(s, " ");
-    if (width > column + 20 && at > column && at + 1 + word > width) {
-      text_printf(out, "\n%*s", column, "");
-      at = column;
-    } else if (at > column) {
-      text_add_char(out, ' ');
-      at++;
-    }
-    text_add_n(out, s, (size_t)word);
-    at += word;
-    s += word;
-    while (*s == ' ') s++;
-  }
+/* The rest of a line, from that column on, broken where the terminal ends; no width beside the column, no break. */
+static void add_rest(struct text *out, const char *s, size_t column) {
+  size_t width = (size_t)terminal_width();
+  text_fit(out, s, strlen(s), column, width > column + 20 ? width : SIZE_MAX, column);
+  text_add_char(out, '\n');
 }
 
 /* In the order of the roots, which is that of consequence, then what has none, what is unknown last. */
@@ -54,8 +42,7 @@ static size_t rank_of(const struct audit_result *r, const struct finding *f) {
 static void add_labelled(struct text *out, int column, const char *label, const char *s) {
   enum { LABEL = 12 };
   text_printf(out, "%*s%-*s", column, "", LABEL, label);
-  add_wrapped(out, s, column + LABEL, terminal_width());
-  text_add_char(out, '\n');
+  add_rest(out, s, (size_t)column + LABEL);
 }
 
 /* What shows the failure, and what mends it. */
@@ -73,12 +60,11 @@ static void add_proof(struct text *out, const struct finding *f, int column) {
 }
 
 static void add_failure(struct text *out, const struct finding *f, size_t widest, bool colours, bool proofs) {
-  int column = (int)widest + 13;
+  size_t column = widest + 13;
   paint(out, colours, paint_of(f->verdict), verdict_name[f->verdict], -11);
   text_printf(out, " %-*s ", (int)widest, f->id);
-  add_wrapped(out, f->title, column, terminal_width());
-  text_add_char(out, '\n');
-  if (proofs) add_proof(out, f, column);
+  add_rest(out, f->title, column);
+  if (proofs) add_proof(out, f, (int)column);
 }
 
 static void add_failures(struct text *out, const struct audit_result *r, bool colours, bool proofs) {
