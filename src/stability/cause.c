@@ -12,18 +12,6 @@
 
 enum { LEAST_NORMAL = -1022, LEAST_NUMBER = -1075, MOST_NUMBER = 1024 };
 
-static slong n_operands(const struct tape_instr *in) {
-  if (in->op == TAPE_CONST || in->op == TAPE_INPUT) return 0;
-  if (in->op == TAPE_ROOT) return in->b;
-  return in->b >= 0 ? 2 : 1;
-}
-
-static slong operand(const struct tape *t, slong i, slong k) {
-  const struct tape_instr *in = &t->code[i];
-  if (in->op == TAPE_ROOT) return t->links[in->a + k];
-  return k ? in->b : in->a;
-}
-
 static arb_ptr value(const struct digits_bench *w, slong i) {
   return num_vec_at(&w->b, i);
 }
@@ -85,7 +73,7 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
     arb_set_si(z, -1);
     break;
   case TAPE_mul:
-    arb_set(z, value(w, operand(t, i, 1 - k)));
+    arb_set(z, value(w, tape_operand(t, i, 1 - k)));
     break;
   case TAPE_div:
     arb_inv(z, value(w, in->b), prec);
@@ -124,7 +112,7 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
     partial_over_angle(z, w, i);
     break;
   case TAPE_hypot:
-    arb_div(z, value(w, operand(t, i, k)), value(w, i), prec);
+    arb_div(z, value(w, tape_operand(t, i, k)), value(w, i), prec);
     break;
   case TAPE_ROOT:
     partial_of_root(z, w, i, k);
@@ -176,8 +164,8 @@ static void fill_adjoint(struct digits_bench *w, slong which, bool through) {
   for (slong i = top; i >= 0; i--) {
     arb_srcptr a = num_vec_at(&w->adjoint, i);
     if (arb_is_zero(a) || (!through && t->code[i].op == TAPE_ROUNDED)) continue;
-    for (slong k = 0; k < n_operands(&t->code[i]); k++) {
-      arb_ptr z = num_vec_at(&w->adjoint, operand(t, i, k));
+    for (slong k = 0; k < tape_operands(t, i); k++) {
+      arb_ptr z = num_vec_at(&w->adjoint, tape_operand(t, i, k));
       partial(p, w, i, k);
       arb_addmul(z, a, p, w->prec);
     }
@@ -288,7 +276,7 @@ static double growth(const struct digits_bench *w, slong i, slong k) {
   arb_t p;
   arb_init(p);
   partial(p, w, i, k);
-  double g = digits_log2(p) + digits_log2(value(w, operand(&w->f->tape, i, k))) - digits_log2(value(w, i));
+  double g = digits_log2(p) + digits_log2(value(w, tape_operand(&w->f->tape, i, k))) - digits_log2(value(w, i));
   arb_clear(p);
   return g;
 }
@@ -304,8 +292,8 @@ static slong next_on_the_way(slong *by, const struct digits_bench *w, slong n, s
   slong best = -1;
   double most = -INFINITY;
   for (slong i = n + 1; i <= top; i++)
-    for (slong k = 0; k < n_operands(&t->code[i]); k++) {
-      if (operand(t, i, k) != n) continue;
+    for (slong k = 0; k < tape_operands(t, i); k++) {
+      if (tape_operand(t, i, k) != n) continue;
       double r = reach(w, i);
       if (!isfinite(r) || is_zero_all_the_same(w, i)) continue;
       r += growth(w, i, k);
@@ -450,9 +438,9 @@ static slong zero_source(const struct digits_bench *w, slong i) {
   const struct tape *t = &w->f->tape;
   for (bool on = true; on && t->code[i].op != TAPE_add && t->code[i].op != TAPE_sub;) {
     on = false;
-    for (slong k = 0; !on && k < n_operands(&t->code[i]); k++) {
-      on = is_wrong_zero(w, operand(t, i, k));
-      if (on) i = operand(t, i, k);
+    for (slong k = 0; !on && k < tape_operands(t, i); k++) {
+      on = is_wrong_zero(w, tape_operand(t, i, k));
+      if (on) i = tape_operand(t, i, k);
     }
   }
   return i;

@@ -35,16 +35,9 @@ static void name_nodes(struct digits_formula *f, const struct digits_set *s) {
   const struct tape *t = &f->tape;
   for (slong k = 0; k < f->n; k++) f->node[f->out[k]] = f->entry[k];
   for (slong i = t->n; i-- > 0;) {
-    const struct tape_instr *in = &t->code[i];
     const struct expr *e = f->node[i];
-    if (in->op == TAPE_ROOT) {
-      const struct tape_root *r = root_of(s, e);
-      for (slong k = 0; k < in->b; k++) f->node[t->links[in->a + k]] = r->coeff[k];
-      continue;
-    }
-    if (in->op == TAPE_CONST || in->op == TAPE_INPUT) continue;
-    f->node[in->a] = e->args[0];
-    if (in->b >= 0) f->node[in->b] = e->args[1];
+    const struct tape_root *r = root_of(s, e);
+    for (slong k = 0; k < tape_operands(t, i); k++) f->node[tape_operand(t, i, k)] = r ? r->coeff[k] : e->args[k];
   }
 }
 

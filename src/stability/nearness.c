@@ -8,10 +8,6 @@
 
 static const double MOST_NUMBER = 1024, LEAST_NORMAL = -1022, BITS = 53;
 
-static bool is_leaf(const struct tape *t, slong i) {
-  return t->code[i].op == TAPE_CONST || t->code[i].op == TAPE_INPUT;
-}
-
 static slong largest_entry(const struct digits_bench *w) {
   slong best = 0;
   for (slong k = 1; k < w->f->n; k++)
@@ -25,7 +21,7 @@ static void nearness_under(double *strain, struct digits_bench *w) {
   bool known = false;
   for (slong i = 0; i < t->n; i++) {
     arb_srcptr v = num_vec_at(&w->b, i);
-    if (is_leaf(t, i) || tape_shelters(t, i) || arb_contains_zero(v)) continue;
+    if (!tape_operands(t, i) || tape_shelters(t, i) || arb_contains_zero(v)) continue;
     double bits = -digits_log2(v);
     if (bits / -LEAST_NORMAL <= *strain) continue;
     if (bits > -LEAST_NORMAL) {
@@ -44,7 +40,8 @@ static double cancelled(const struct digits_bench *w, slong i) {
   const struct tape *t = &w->f->tape;
   const struct tape_instr *in = &t->code[i];
   bool sum = in->op == TAPE_add || in->op == TAPE_sub;
-  if (!sum || (is_leaf(t, in->a) && is_leaf(t, in->b))) return -INFINITY; /* exact operands: never a wrong zero */
+  if (!sum || (!tape_operands(t, in->a) && !tape_operands(t, in->b)))
+    return -INFINITY; /* exact operands: never a wrong zero */
   double most = fmax(digits_log2(num_vec_at(&w->b, in->a)), digits_log2(num_vec_at(&w->b, in->b)));
   return (most - digits_log2(num_vec_at(&w->b, i))) / BITS;
 }
@@ -55,7 +52,7 @@ void digits_nearness(double strain[N_NEARNESSES], struct digits_bench *w) {
   if (w->f->kernel) return;
   for (slong i = 0; i < t->n; i++) {
     if (w->b_flags[i] || tape_shelters(t, i)) continue;
-    if (!is_leaf(t, i))
+    if (tape_operands(t, i))
       strain[NEARNESS_OVER] = fmax(strain[NEARNESS_OVER], digits_log2(num_vec_at(&w->b, i)) / MOST_NUMBER);
     if (t->code[i].op == TAPE_div)
       strain[NEARNESS_DIVISOR] = fmax(strain[NEARNESS_DIVISOR], cancelled(w, t->code[i].b));

@@ -56,11 +56,8 @@ static const struct digits_source *find(const struct digits_set *s, const struct
 }
 
 static bool uses(const struct tape *t, slong i, slong node) {
-  const struct tape_instr *in = &t->code[i];
-  if (in->op == TAPE_CONST || in->op == TAPE_INPUT) return false;
-  if (in->op != TAPE_ROOT) return in->a == node || in->b == node;
-  for (slong k = 0; k < in->b; k++)
-    if (t->links[in->a + k] == node) return true;
+  for (slong k = 0; k < tape_operands(t, i); k++)
+    if (tape_operand(t, i, k) == node) return true;
   return false;
 }
 

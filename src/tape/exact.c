@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "exact_impl.h"
+#include "tape_impl.h"
 
 static int input(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name) {
   if (f->bind) return f->bind(z, f, name, f->bind_arg);
@@ -81,33 +82,14 @@ static int run(const struct tape *t, slong i, fmpz_mpoly_q_struct *reg, struct e
   }
 }
 
-/* The status of what an instruction reads. */
-static int operands(const struct tape *t, const struct tape_instr *in, const int *status) {
-  int s = SS_OK;
-  if (in->op == TAPE_CONST || in->op == TAPE_INPUT) return s;
-  if (in->op == TAPE_ROOT) {
-    for (slong i = 0; i < in->b; i++) s |= status[t->links[in->a + i]];
-    return s;
-  }
-  if (in->a >= 0) s |= status[in->a];
-  if (in->b >= 0) s |= status[in->b];
-  return s;
-}
-
 /* What the wanted outputs reach. */
 static bool *reached(const struct tape *t, const bool *wanted) {
   bool *needed = ss_malloc((size_t)(t->n + 1) * sizeof *needed);
   for (slong i = 0; i < t->n; i++) needed[i] = false;
   for (slong i = 0; i < t->n_outputs; i++)
     if (!wanted || wanted[i]) needed[t->outputs[i]] = true;
-  for (slong i = t->n; i-- > 0;) {
-    const struct tape_instr *in = &t->code[i];
-    if (!needed[i] || in->op == TAPE_CONST || in->op == TAPE_INPUT) continue;
-    for (slong k = 0; in->op == TAPE_ROOT && k < in->b; k++) needed[t->links[in->a + k]] = true;
-    if (in->op == TAPE_ROOT) continue;
-    if (in->a >= 0) needed[in->a] = true;
-    if (in->b >= 0) needed[in->b] = true;
-  }
+  for (slong i = t->n; i-- > 0;)
+    for (slong k = 0; needed[i] && k < tape_operands(t, i); k++) needed[tape_operand(t, i, k)] = true;
   return needed;
 }
 
@@ -120,7 +102,7 @@ int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exa
     exact_init(&reg[i], f);
     s[i] = SS_UNABLE;
     if (!needed[i]) continue;
-    s[i] = operands(t, &t->code[i], s);
+    s[i] = tape_inherited(t, i, s);
     if (s[i] == SS_OK) s[i] = run(t, i, reg, f);
     slong terms = num_exact_terms(&reg[i]);
     if (s[i] == SS_OK && terms > f->limit) s[i] = SS_UNABLE;

@@ -18,13 +18,9 @@ static int run_root(void *z, const struct tape *t, const struct tape_instr *in, 
   return status;
 }
 
-/* The flags of the operands: an instruction with a failed operand is not run. */
-static int inherited(const struct tape *t, const struct tape_instr *in, const int *flags) {
-  int n = tape_arity(in->op), s = SS_OK;
-  if (n > 0) s |= flags[in->a];
-  if (n > 1) s |= flags[in->b];
-  if (in->op == TAPE_ROOT)
-    for (slong k = in->a; k < in->a + in->b; k++) s |= flags[t->links[k]];
+int tape_inherited(const struct tape *t, slong i, const int *flags) {
+  int s = SS_OK;
+  for (slong k = 0; k < tape_operands(t, i); k++) s |= flags[tape_operand(t, i, k)];
   return s;
 }
 
@@ -64,7 +60,7 @@ static void run_all(struct num_vec *reg, int *flags, const struct tape *t, const
   work_add((unsigned long long)t->n * (prec > 128 ? (unsigned long long)prec / 128 : 1));
   for (slong i = 0; i < t->n; i++) {
     if (there && there[i]) continue;
-    flags[i] = inherited(t, &t->code[i], flags);
+    flags[i] = tape_inherited(t, i, flags);
     if (flags[i] == SS_OK) flags[i] = run(t, i, reg, in);
   }
 }

@@ -190,14 +190,6 @@ static bool place(struct builder *b, const struct expr *e) {
   return true;
 }
 
-static void mark_operands(bool *mark, const struct tape *t, const struct tape_instr *in) {
-  int n = tape_arity(in->op);
-  if (n > 0) mark[in->a] = true;
-  if (n > 1) mark[in->b] = true;
-  if (in->op == TAPE_ROOT)
-    for (slong k = in->a; k < in->a + in->b; k++) mark[t->links[k]] = true;
-}
-
 /* What the outputs reach without passing a TAPE_ROUNDED is open; the rest counts only under one. */
 static void find_only_under_rounded(struct tape *t) {
   bool any = false;
@@ -209,7 +201,8 @@ static void find_only_under_rounded(struct tape *t) {
   for (slong i = 0; i < t->n_outputs; i++) open[t->outputs[i]] = true;
   for (slong i = t->n - 1; i >= 0; i--) {
     t->only_under_rounded[i] = !open[i];
-    if (open[i] && t->code[i].op != TAPE_ROUNDED) mark_operands(open, t, &t->code[i]);
+    if (!open[i] || t->code[i].op == TAPE_ROUNDED) continue;
+    for (slong k = 0; k < tape_operands(t, i); k++) open[tape_operand(t, i, k)] = true;
   }
   free(open);
 }
@@ -293,8 +286,8 @@ bool tape_same(const struct tape *a, const struct tape *b) {
 
 /* --- Looking at it --- */
 
-int tape_arity(enum tape_op op) {
-  switch (op) {
+slong tape_operands(const struct tape *t, slong i) {
+  switch (t->code[i].op) {
 #define NUM_UNARY(name)                                                                                                \
   case TAPE_##name:                                                                                                    \
     return 1;
@@ -307,8 +300,9 @@ int tape_arity(enum tape_op op) {
     return 1;
   case TAPE_CONST:
   case TAPE_INPUT:
-  case TAPE_ROOT:
     return 0;
+  case TAPE_ROOT:
+    return t->code[i].b;
   }
   abort();
 }
@@ -343,15 +337,11 @@ static void insist(bool ok) {
 void tape_check(const struct tape *t) {
   for (slong i = 0; i < t->n; i++) {
     const struct tape_instr *in = &t->code[i];
-    int n = tape_arity(in->op);
-    insist(n < 1 || (in->a >= 0 && in->a < i));
-    insist(n < 2 || (in->b >= 0 && in->b < i));
     if (in->op == TAPE_CONST) insist(in->k >= 0 && in->k < t->n_consts);
     if (in->op == TAPE_INPUT) insist(in->k >= 0 && in->k < t->n_inputs);
     if (in->op == TAPE_ROUNDED) insist(t->only_under_rounded != NULL);
-    if (in->op != TAPE_ROOT) continue;
-    insist(in->a >= 0 && in->b >= 2 && in->a <= t->n_links - in->b);
-    for (slong k = in->a; k < in->a + in->b; k++) insist(t->links[k] >= 0 && t->links[k] < i);
+    if (in->op == TAPE_ROOT) insist(in->a >= 0 && in->b >= 2 && in->a <= t->n_links - in->b);
+    for (slong k = 0; k < tape_operands(t, i); k++) insist(tape_operand(t, i, k) >= 0 && tape_operand(t, i, k) < i);
   }
   for (slong i = 0; i < t->n_outputs; i++) insist(t->outputs[i] >= 0 && t->outputs[i] < t->n);
 }
@@ -366,12 +356,9 @@ static void dump_instr(struct text *out, const struct tape *t, slong i) {
     text_printf(out, " %s", t->inputs[in->k]);
   } else if (in->op == TAPE_ROOT) {
     text_add(out, in->k < 0 ? " largest" : " smallest");
-    for (slong k = in->a; k < in->a + in->b; k++) text_printf(out, " %%%ld", (long)t->links[k]);
-  } else {
-    text_printf(out, " %%%ld", (long)in->a);
-    if (tape_arity(in->op) == 2) text_printf(out, " %%%ld", (long)in->b);
-    if (in->op == TAPE_POW) text_printf(out, " %ld", (long)in->k);
   }
+  for (slong k = 0; k < tape_operands(t, i); k++) text_printf(out, " %%%ld", (long)tape_operand(t, i, k));
+  if (in->op == TAPE_POW) text_printf(out, " %ld", (long)in->k);
   text_add_char(out, '\n');
 }
 

@@ -63,6 +63,13 @@ bool tape_reads_matrix(const struct tape *t, const char *name);
 /* One instruction a line, "%3 = mul %1 %2", inputs and constants by name, outputs last. */
 void tape_dump(struct text *out, const struct tape *t);
 
+/* How many operands an instruction has, and where they stand; those of a root are its coefficients. */
+slong tape_operands(const struct tape *t, slong i);
+static inline slong tape_operand(const struct tape *t, slong i, slong k) {
+  const struct tape_instr *in = &t->code[i];
+  return in->op == TAPE_ROOT ? t->links[in->a + k] : k ? in->b : in->a;
+}
+
 static inline bool tape_shelters(const struct tape *t, slong i) {
   return t->only_under_rounded && t->only_under_rounded[i];
 }

@@ -4,7 +4,7 @@
 
 #include "tape.h"
 
-/* How many of a and b are operands; those of a root are links. */
-int tape_arity(enum tape_op op);
+/* The flags of the operands together: an instruction with a failed operand is not run. */
+int tape_inherited(const struct tape *t, slong i, const int *flags);
 
 #endif
