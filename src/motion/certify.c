@@ -38,14 +38,6 @@ static arb_srcptr quantity_of(const struct dyn_orbit *o, int i) {
   return i == QUANTITY_E1 ? o->e1 : i == QUANTITY_E2 ? o->e2 : o->t[i - QUANTITY_TA];
 }
 
-static struct word_data data_of(const struct dyn_question *q) {
-  struct word_data d = {q->model, q->value, q->which, {0}};
-  int n = 0;
-  for (int i = 0; i < N_QUANTITIES; i++)
-    if ((int)q->which[0] != i && (int)q->which[1] != i) d.unknown[n++] = i;
-  return d;
-}
-
 /* The solution near the orbit, enclosed at prec bits in a box of its own. */
 static int enclose_near(struct word_root *s, const struct word_data *d, const struct dyn_orbit *o, slong prec) {
   for (int i = 0; i < N_QUANTITIES; i++) arb_set(s->x[i], quantity_of(o, i));
@@ -221,7 +213,7 @@ static void decide(struct dyn_certificate *z, const struct dyn_question *q, cons
 }
 
 void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *orbit) {
-  struct word_data d = data_of(q);
+  struct word_data d = word_data_of(q->model, q->which, q->value);
   struct word_root s;
   bool boxed = false;
   word_root_init(&s);

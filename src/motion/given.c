@@ -96,8 +96,8 @@ static int collect(struct dyn_orbits *list, const struct seeds *seeds, const str
 
 static int problem_init(struct given_problem *q, const fmpq *model, const enum dyn_quantity which[2], const fmpq *value,
                         const struct dyn_limits *lim) {
-  *q = (struct given_problem){.data = {model, value, which, {0}}, .lim = lim ? *lim : dyn_given_limits};
   if (which[0] == which[1]) return SS_DOMAIN;
+  *q = (struct given_problem){.data = word_data_of(model, which, value), .lim = lim ? *lim : dyn_given_limits};
   double p[N_PARAMS] = {fmpq_get_d(model), fmpq_get_d(model + 1), fmpq_get_d(model + 2), 1, 1};
   if (!dyn_in_domain(model, 3)) return SS_DOMAIN;
   for (int i = 0; i < 2; i++) {
@@ -105,9 +105,6 @@ static int problem_init(struct given_problem *q, const fmpq *model, const enum d
     q->target[i] = fmpq_get_d(value + i);
     if (which[i] == QUANTITY_E1) p[P_E1] = q->target[i];
   }
-  int n = 0;
-  for (int i = 0; i < N_QUANTITIES; i++)
-    if (!given_problem_knows(q, (enum dyn_quantity)i)) q->data.unknown[n++] = i;
   if (return_map_double_init(&q->k, p)) return SS_UNABLE; /* in the domain, but not in that of double precision */
   return_map_double_records(&q->k);
   return SS_OK;

@@ -9,6 +9,14 @@
 #include "map_balls.h"
 #include "num/solve.h"
 
+struct word_data word_data_of(const fmpq *model, const enum dyn_quantity which[2], const fmpq *value) {
+  struct word_data d = {model, value, which, {0}};
+  int n = 0;
+  for (int i = 0; i < N_QUANTITIES; i++)
+    if ((int)which[0] != i && (int)which[1] != i) d.unknown[n++] = i;
+  return d;
+}
+
 /* cos(sqrt(K) t), sin(sqrt(K) t)/sqrt(K) and sqrt(K) sin(sqrt(K) t): velocities v and forces f = (w, chi eta r) become
    c v - s f and c f + n v. */
 struct slip_blocks {
@@ -214,13 +222,10 @@ int word_solve(struct word_root *s, const struct word_data *q, slong prec) {
    too; where enclosures cannot tell it, the direction of phase C will not be proved. */
 static void open_root(struct calc *c, struct ball_params *m, struct ball_pass *s, const struct word_root *root,
                       const fmpq *model, slong prec) {
-  struct word w;
-  val x[N_QUANTITIES];
   *c = calc_begin(num_ctx_arb(prec));
-  for (int i = 0; i < N_QUANTITIES; i++) x[i] = root->x[i];
-  ball_params_with(m, c, model, x[QUANTITY_E1], x[QUANTITY_E2]);
-  word_make(&w, c, m, x);
-  ball_pass_make(s, c, m, x[QUANTITY_TB], x[QUANTITY_TC], num_arb.get_d(w.end) > 0);
+  ball_params_with(m, c, model, root->x[QUANTITY_E1], root->x[QUANTITY_E2]);
+  ball_pass_slip(s, c, m, root->x[QUANTITY_TB], root->x[QUANTITY_TC]);
+  ball_pass_make(s, c, m, s->tb, s->tc, num_arb.get_d(s->r) > 0);
 }
 
 int word_describe(struct dyn_orbit *o, const struct word_root *s, const fmpq *model, slong prec) {

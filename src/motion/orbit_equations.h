@@ -14,6 +14,8 @@ struct word_data {
   const enum dyn_quantity *which;
   int unknown[WORD_FREE];
 };
+/* which: two that differ. */
+struct word_data word_data_of(const fmpq *model, const enum dyn_quantity which[2], const fmpq *value);
 /* Their left sides, zero on an orbit, and derivatives by the quantities. */
 struct word {
   val e[WORD_FREE], j[WORD_FREE][N_QUANTITIES];
