@@ -109,14 +109,6 @@ static enum agreement agree_at(struct digits_bench *f, struct digits_bench *g, c
   return all;
 }
 
-/* An input that the corrected form does without has an ordinary value. */
-static void other_inputs(double *y, const struct digits_formula *g, const struct digits_formula *f, const double *x) {
-  for (slong k = 0; k < g->tape.n_inputs; k++) {
-    slong from = tape_input(&f->tape, g->tape.inputs[k]);
-    y[k] = from >= 0 ? x[from] : 0.5;
-  }
-}
-
 static void count(struct digits_agreement *out, enum agreement a, int region, const double *x) {
   out->points += a != OUTSIDE;
   out->outside += a == OUTSIDE;
@@ -133,9 +125,10 @@ static void count(struct digits_agreement *out, enum agreement a, int region, co
 void digits_agree(struct digits_agreement *out, struct digits_pairs *p, size_t pair, int samples) {
   struct digits_formula *f = p->pair[pair].corrected, *g = p->pair[pair].stable;
   struct digits_bench w, v;
-  double x[DIGITS_INPUTS] = {0}, y[DIGITS_INPUTS] = {0}, u[DIGITS_COORDINATES];
+  double x[DIGITS_INPUTS] = {0}, y[DIGITS_INPUTS], u[DIGITS_COORDINATES];
   uint64_t random = 1;
   *out = (struct digits_agreement){.points = 0};
+  for (int k = 0; k < DIGITS_INPUTS; k++) y[k] = 0.5; /* an input that the corrected form does without is ordinary */
   digits_bench_init(&w, f);
   digits_bench_init(&v, g);
   for (int region = 0; region < n_digits_regions; region++) {
@@ -143,7 +136,7 @@ void digits_agree(struct digits_agreement *out, struct digits_pairs *p, size_t p
     for (int i = 0; place && i < samples * digits_region_width(region); i++) {
       for (int k = 0; k < DIGITS_COORDINATES; k++) u[k] = digits_uniform(&random);
       if (!digits_point(x, place, u)) continue;
-      other_inputs(y, g, f, x);
+      digits_inputs(y, g, f, x);
       count(out, agree_at(&w, &v, x, y), region, x);
     }
     digits_place_free(place);

@@ -121,10 +121,13 @@ bool digits_formula_same(const struct digits_formula *a, const struct digits_for
   return tape_same(&a->tape, &other);
 }
 
-void digits_print_point(struct text *out, const struct digits_formula *f, const double *x) {
-  for (slong k = 0; k < f->tape.n_inputs; k++) text_printf(out, "%s%s=%a", k ? "," : "", f->tape.inputs[k], x[k]);
+void digits_inputs(double *y, const struct digits_formula *g, const struct digits_formula *f, const double *x) {
+  for (slong k = 0; k < g->tape.n_inputs; k++) {
+    slong from = tape_input(&f->tape, g->tape.inputs[k]);
+    if (from >= 0) y[k] = x[from];
+  }
 }
 
-bool digits_is_number(const struct expr *e, const char *number) {
-  return e->kind == EXPR_NUM && strcmp(e->name, number) == 0;
+void digits_print_point(struct text *out, const struct digits_formula *f, const double *x) {
+  for (slong k = 0; k < f->tape.n_inputs; k++) text_printf(out, "%s%s=%a", k ? "," : "", f->tape.inputs[k], x[k]);
 }

@@ -107,10 +107,7 @@ static void map_item(void *result, size_t i, void *arg) {
   for (int k = 0; k < STABILITY_MAP; k++) {
     x[p->x] = map_value(f, p->x, map_scale(k, STABILITY_MAP), p->at[p->x]);
     line->lost[k] = (float)lost_at(&w, x);
-    for (slong j = 0; g && j < g->tape.n_inputs; j++) {
-      slong from = tape_input(&f->tape, g->tape.inputs[j]);
-      if (from >= 0) y[j] = x[from];
-    }
+    if (g) digits_inputs(y, g, f, x);
     line->after[k] = g ? (float)lost_at(&v, y) : NAN;
   }
   digits_bench_clear(&w);

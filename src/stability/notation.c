@@ -6,21 +6,17 @@
 
 enum { SHOWN_DEPTH = 3 };
 
-static bool is_zero(const struct expr *e) {
-  return digits_is_number(e, "0");
-}
-
 static bool is_one(const struct expr *e) {
-  return digits_is_number(e, "1");
+  return e->kind == EXPR_NUM && strcmp(e->name, "1") == 0;
 }
 
 /* Without the zeros and ones that matrix products bring along; for reading only. */
 static const struct expr *tidy(struct expr_pool *p, enum expr_kind k, const struct expr *a, const struct expr *b) {
-  if (k == EXPR_MUL && (is_zero(a) || is_one(b))) return a;
-  if (k == EXPR_MUL && (is_zero(b) || is_one(a))) return b;
-  if (k == EXPR_DIV && (is_one(b) || is_zero(a))) return a;
-  if (k == EXPR_ADD && is_zero(a)) return b;
-  if ((k == EXPR_ADD || k == EXPR_SUB) && is_zero(b)) return a;
+  if (k == EXPR_MUL && (expr_is_zero(a) || is_one(b))) return a;
+  if (k == EXPR_MUL && (expr_is_zero(b) || is_one(a))) return b;
+  if (k == EXPR_DIV && (is_one(b) || expr_is_zero(a))) return a;
+  if (k == EXPR_ADD && expr_is_zero(a)) return b;
+  if ((k == EXPR_ADD || k == EXPR_SUB) && expr_is_zero(b)) return a;
   return expr_op2(p, k, a, b);
 }
 

@@ -71,12 +71,8 @@ static bool is_worse(const struct digits_loss *r, const struct digits_loss *than
 /* The other layer's form at the same point. */
 static struct digits_loss measure_other(const struct search *s, struct digits_bench *other, const double *x,
                                         double floor) {
-  struct digits_formula *f = other->f;
   double y[DIGITS_INPUTS] = {0};
-  for (slong k = 0; k < f->tape.n_inputs; k++) {
-    slong i = tape_input(&s->bench.f->tape, f->tape.inputs[k]);
-    if (i >= 0) y[k] = x[i];
-  }
+  digits_inputs(y, other->f, s->bench.f, x);
   return digits_measure(other, y, floor);
 }
 
@@ -260,7 +256,6 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
   if (after) digits_bench_init(&q.other, after);
   if (after) digits_bench_init(&q.rounded, rounded);
   q.place = digits_place_new(region, &q.bench, s);
-  out->applies = q.place != NULL;
   if (q.place) {
     text_init(&seed);
     text_printf(&seed, "%s in %s", f->id, digits_region[region].id);

@@ -3,17 +3,13 @@
 
 #include "stability.h"
 
-static bool is_zero(const struct expr *e) {
-  return digits_is_number(e, "0");
-}
-
 /* a + b, where zeros leave no trace. */
 static const struct expr *plus(struct expr_pool *p, const struct expr *a, const struct expr *b) {
-  return is_zero(a) ? b : is_zero(b) ? a : expr_op2(p, EXPR_ADD, a, b);
+  return expr_is_zero(a) ? b : expr_is_zero(b) ? a : expr_op2(p, EXPR_ADD, a, b);
 }
 
 static const struct expr *times(struct expr_pool *p, const struct expr *a, const struct expr *b) {
-  return is_zero(a) ? a : is_zero(b) ? b : expr_op2(p, EXPR_MUL, a, b);
+  return expr_is_zero(a) ? a : expr_is_zero(b) ? b : expr_op2(p, EXPR_MUL, a, b);
 }
 
 static const struct expr *slope(struct digits_set *s, const struct expr *e, const char *sym);
@@ -27,7 +23,7 @@ static const struct expr *root_slope(struct digits_set *s, const struct tape_roo
     if (k == 0) continue;
     below = plus(p, below, times(p, expr_op2(p, EXPR_MUL, expr_int(p, k), r->coeff[k]), expr_pow(p, w, k - 1)));
   }
-  return is_zero(above) ? above : expr_op1(p, EXPR_NEG, expr_op2(p, EXPR_DIV, above, below));
+  return expr_is_zero(above) ? above : expr_op1(p, EXPR_NEG, expr_op2(p, EXPR_DIV, above, below));
 }
 
 /* The total derivative: roots depend on the inputs too. */
@@ -36,7 +32,7 @@ static const struct expr *slope(struct digits_set *s, const struct expr *e, cons
   const struct expr *sum = expr_diff(p, e, sym);
   for (size_t i = 0; i < s->el.n_roots; i++) {
     const struct expr *by = expr_diff(p, e, s->el.roots[i].name);
-    if (!is_zero(by)) sum = plus(p, sum, times(p, by, root_slope(s, &s->el.roots[i], sym)));
+    if (!expr_is_zero(by)) sum = plus(p, sum, times(p, by, root_slope(s, &s->el.roots[i], sym)));
   }
   return sum;
 }

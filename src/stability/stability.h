@@ -85,10 +85,10 @@ void digits_formula_clear(struct digits_formula *f);
 bool digits_formula_computes(const struct digits_formula *f);
 /* The same but for the names of inputs, which must be of one kind. */
 bool digits_formula_same(const struct digits_formula *a, const struct digits_formula *b);
+/* The inputs of g that have the names of f's at x; the others keep what y holds. */
+void digits_inputs(double *y, const struct digits_formula *g, const struct digits_formula *f, const double *x);
 /* chi=0x1.8p-3,... */
 void digits_print_point(struct text *out, const struct digits_formula *f, const double *x);
-/* Is it that number, as it is written? */
-bool digits_is_number(const struct expr *e, const char *number);
 
 /* --- Its derivatives (slopes.c) --- */
 
@@ -226,7 +226,7 @@ struct digits_effort {
 };
 /* What one search has found; plain bytes, since it crosses a pipe. */
 struct digits_found {
-  bool applies, found, failed, slopes_differ, slopes;
+  bool found, failed, slopes_differ, slopes;
   int points, outside, undecided, zero, failures;
   struct digits_loss loss, after; /* at the witness */
   struct digits_loss after_worst; /* of the other layer where it loses most by itself, by a climb of its own */
