@@ -837,29 +837,40 @@ static const struct altered {
 enum { N_CHANGES = sizeof changes / sizeof *changes };
 
 /* Ways to use a command, one after the other, quick ones first, since a key that acts in one is not tried in the next;
-   on ranges with a change of orbits.  SCENE and OUT stand for the scene's file and a folder.  list is told of the scene by its data folder; no orbit is known of the word with a faster mass,
-   but that it needs friction. */
+   on ranges with a change of orbits.  SCENE and OUT stand for the scene's file and a folder.  list is told of the scene
+   by its data folder; no orbit is known of the word with a faster mass, but that it needs friction; with so little
+   friction as words has, its simulations settle soon. */
 static const struct use {
   const char *word; /* of the scene, in place of the paper's */
   const char *argv[9];
-} uses[] = {{NULL, {"verify", "SCENE", "--out", "OUT", "--only", "eq-52,eq-54"}},
-            {NULL, {"verify", "SCENE", "--out", "OUT", "--only", "eq-27,eq-52,eq-54"}},
-            {NULL, {"orbit", "SCENE"}},
-            {NULL, {"jacobian", "SCENE"}},
-            {NULL, {"jacobian", "SCENE", "--at", "printed"}},
-            {"Gamma H Gamma gamma", {"jacobian", "SCENE"}},
-            {NULL, {"simulate", "SCENE"}},
-            {NULL, {"simulate", "SCENE", "--at", "printed"}},
-            {NULL, {"bifurcate", "SCENE", "--along", "e1=2.78:3.2"}},
-            {NULL, {"bifurcate", "SCENE", "--along", "V=0.9:1.1"}},
-            {NULL, {"words", "SCENE", "--longest", "2"}},
-            {NULL, {"readings", "SCENE"}},
-            {NULL, {"sweep", "SCENE", "--over", "V=0.9:1.1:3"}},
-            {NULL, {"sweep", "SCENE", "--over", "e1=2.7:2.9:3"}},
-            {NULL, {"plot", "SCENE", "--animate", "--out", "OUT"}},
-            {NULL, {"plot", "SCENE", "--out", "OUT"}},
-            {NULL, {"list", "scenes"}}};
+  const char *u_r1, *u_r2; /* of the scene, in place of its own */
+} uses[] = {{.argv = {"verify", "SCENE", "--out", "OUT", "--only", "eq-52,eq-54"}},
+            {.argv = {"verify", "SCENE", "--out", "OUT", "--only", "eq-27,eq-52,eq-54"}},
+            {.argv = {"orbit", "SCENE"}},
+            {.argv = {"jacobian", "SCENE"}},
+            {.argv = {"jacobian", "SCENE", "--at", "printed"}},
+            {.word = "Gamma H Gamma gamma", .argv = {"jacobian", "SCENE"}},
+            {.argv = {"simulate", "SCENE"}},
+            {.argv = {"simulate", "SCENE", "--at", "printed"}},
+            {.argv = {"bifurcate", "SCENE", "--along", "e1=2.78:3.2"}},
+            {.argv = {"bifurcate", "SCENE", "--along", "V=0.9:1.1"}},
+            {.argv = {"words", "SCENE", "--longest", "1"}, .u_r1 = "2.8", .u_r2 = "0.9"},
+            {.argv = {"words", "SCENE", "--longest", "2"}, .u_r1 = "2.8", .u_r2 = "0.9"},
+            {.argv = {"readings", "SCENE"}},
+            {.argv = {"sweep", "SCENE", "--over", "V=0.9:1.1:3"}},
+            {.argv = {"sweep", "SCENE", "--over", "e1=2.7:2.9:3"}},
+            {.argv = {"plot", "SCENE", "--animate", "--out", "OUT"}},
+            {.argv = {"plot", "SCENE", "--out", "OUT"}},
+            {.argv = {"list", "scenes"}}};
 enum { N_USES = sizeof uses / sizeof *uses };
+
+/* The scene before any change. */
+static struct lines unchanged(const struct use *u) {
+  struct lines l = full;
+  if (u->u_r1) l.of[KEY_U_R1] = u->u_r1;
+  if (u->u_r2) l.of[KEY_U_R2] = u->u_r2;
+  return l;
+}
 
 static void put_scene(const struct lines *l) {
   struct text t;
@@ -929,7 +940,7 @@ static bool told_to_be_refused(int key, const char *command) {
 /* Whether all changes at once of keys that should do nothing here do nothing: then none of them has to be tried alone.
    idle: those that were among them. */
 static void try_idle(bool idle[N_CHANGES], const struct use *u, const char *before) {
-  struct lines l = full;
+  struct lines l = unchanged(u);
   struct text after;
   bool changed[N_SCENE_KEYS] = {false};
   for (int i = 0; i < N_CHANGES; i++) {
@@ -957,12 +968,13 @@ START_TEST(keys_act_where_they_say) {
     int first = u; /* of the same command */
     while (first > 0 && strcmp(uses[first - 1].argv[0], uses[u].argv[0]) == 0) first--;
     text_init(&before);
-    int status = answer(&before, &uses[u], &full);
+    const struct lines as_it_was = unchanged(&uses[u]);
+    int status = answer(&before, &uses[u], &as_it_was);
     bool idle[N_CHANGES];
     try_idle(idle, &uses[u], text_str(&before));
     for (int i = 0; i < N_CHANGES; i++) {
       const struct altered *c = &changes[i];
-      struct lines l = c->key == KEY_SYSTEM ? alone : full;
+      struct lines l = c->key == KEY_SYSTEM ? alone : as_it_was;
       struct text after;
       bool spoilt = c->key == KEY_SYSTEM && status != 0; /* what is refused anyhow tells nothing */
       if (idle[i] || spoilt || acts[c->key][first] || (uses[u].word && c->key == KEY_WORD))
