@@ -1,7 +1,7 @@
 (function () {
   'use strict';
   var form = document.getElementById('filter'), table = document.getElementById('claims');
-  var rows = Array.prototype.slice.call(table.tBodies);
+  var rows = Array.prototype.slice.call(table.tBodies), due = false;
   function el(id) { return document.getElementById(id); }
   function is(key, row, value) { return value === '' || row.dataset[key] === value; }
   function has(row, words) { return words.every(function (w) { return row.textContent.toLowerCase().indexOf(w) !== -1; }); }
@@ -31,10 +31,19 @@
     }
     target.scrollIntoView();
   }
+  function folded(e) {
+    var summary = e.closest('summary');
+    return (summary ? summary.parentElement.parentElement : e).closest('details:not([open])') !== null;
+  }
   function reach() {
-    document.querySelectorAll('.wide, .tex').forEach(function (box) {
-      if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
-    });
+    due = false;
+    Array.from(document.querySelectorAll('.wide, .tex')).filter(function (box) {
+      return folded(box) ? false : box.scrollWidth > box.clientWidth;
+    }).forEach(function (box) { box.tabIndex = 0; });
+  }
+  function reach_soon() {
+    if (!due) setTimeout(reach, 0);
+    due = true;
   }
   form.hidden = false;
   form.addEventListener('input', function (e) { if (e.target.id === 'order') sort(); else filter(); });
@@ -49,7 +58,7 @@
     var now = root.dataset.theme || (dark ? 'dark' : 'light');
     root.dataset.theme = now === 'dark' ? 'light' : 'dark';
   });
-  table.addEventListener('toggle', reach, true);
+  document.addEventListener('toggle', reach_soon, true);
   window.addEventListener('hashchange', arrive);
   window.addEventListener('resize', reach);
   filter();
