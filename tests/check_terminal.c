@@ -276,8 +276,8 @@ END_TEST
 START_TEST(a_sweep_tells_how_long) {
   int status;
   char *out = shell_output(&status,
-                           "%s tests/oracle/terminal.py TERM=xterm -- %s sweep paper --over e1=2:4:20 --over "
-                           "e2=0.5:3:2000 --csv %s",
+                           "%s tests/oracle/terminal.py TERM=xterm -- %s sweep paper --jobs 1 --over e1=2:4:20 --over "
+                           "e2=0.5:3:100 --csv %s",
                            python(), program(), scratch_path("rows"));
   ck_assert_int_eq(status, 0);
   const char *first = strstr(out, "\r\033[K["), *left = strstr(out, " left\r\033[K");
