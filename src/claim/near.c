@@ -5,6 +5,7 @@
 
 #include "claim.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static const char source_name[] = "controls made by the program";
@@ -28,11 +29,19 @@ static bool can_notice(const struct claim *c) {
   return claim_kind(c) == KIND_MATRIX || claim_kind(c) == KIND_IDENTITY || claim_kind(c) == KIND_SHARP;
 }
 
-static bool is_damaged(const struct claim *c, const struct claims *claims, const struct claims *controls) {
+/* Of each control the claim whose own formula it damages, or NULL; to be freed. */
+static const struct claim **damaged_claims(const struct claims *claims, const struct claims *controls) {
+  const struct claim **of = ss_malloc((controls->n + 1) * sizeof(const struct claim *));
   for (size_t i = 0; i < controls->n; i++) {
-    const struct claim *of = claim_named(claims, record_get(controls->claim[i].record, "claim"));
-    if (of && !record_get(controls->claim[i].record, "of") && same_formula(of, c)) return true;
+    const struct record *r = controls->claim[i].record;
+    of[i] = record_get(r, "of") ? NULL : claim_named(claims, record_get(r, "claim"));
   }
+  return of;
+}
+
+static bool is_damaged(const struct claim *c, const struct claim *const *of, size_t n) {
+  for (size_t i = 0; i < n; i++)
+    if (of[i] && same_formula(of[i], c)) return true;
   return false;
 }
 
@@ -167,9 +176,9 @@ static bool add_definition(struct text *out, const struct model *m, const struct
 /* --- All of them --- */
 
 /* Whether the claim is asked of its formula: the first of those that can notice, where none is damaged on file. */
-static bool is_asked(const struct claims *claims, const struct claims *controls, size_t i) {
+static bool is_asked(const struct claims *claims, size_t i, const struct claim *const *damaged, size_t n) {
   const struct claim *c = &claims->claim[i];
-  if (!formula_of(c) || !can_notice(c) || is_damaged(c, claims, controls)) return false;
+  if (!formula_of(c) || !can_notice(c) || is_damaged(c, damaged, n)) return false;
   for (size_t k = 0; k < i; k++)
     if (same_formula(&claims->claim[k], c) && can_notice(&claims->claim[k])) return false;
   return true;
@@ -188,9 +197,10 @@ static bool add_damage(struct text *out, const struct model *m, const struct cla
 
 bool near_controls_add(struct model *m, const struct claims *claims, struct claims *controls, struct diag *d) {
   struct text formulas = {0}, records = {0};
+  const struct claim **damaged = damaged_claims(claims, controls);
   for (size_t i = 0; i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
-    if (!is_asked(claims, controls, i)) continue;
+    if (!is_asked(claims, i, damaged, controls->n)) continue;
     char id[CLAIM_NAME + 8];
     snprintf(id, sizeof id, "near-%s", c->id);
     bool made = add_damage(&formulas, m, c, id);
@@ -204,6 +214,7 @@ bool near_controls_add(struct model *m, const struct claims *claims, struct clai
                              claims_add_text(controls, source_name, text_str(&records), "control", d));
   text_clear(&records);
   text_clear(&formulas);
+  free(damaged);
   return ok;
 }
 
@@ -224,14 +235,17 @@ static bool is_replaced(const struct model *m, const char *statement, const char
 
 bool formulas_have_controls(const struct model *m, const struct claims *claims, const struct claims *controls,
                             struct diag *d) {
-  for (size_t i = 0; i < claims->n; i++) {
+  const struct claim **damaged = damaged_claims(claims, controls);
+  bool ok = true;
+  for (size_t i = 0; ok && i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
     const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value");
-    if (!formula_of(c) || is_damaged(c, claims, controls) || is_replaced(m, statement, value)) continue;
+    ok = !formula_of(c) || is_damaged(c, damaged, controls->n) || is_replaced(m, statement, value);
+    if (ok) continue;
     diag_at(d, &c->file->src, record_field(c->record, statement ? "statement" : "value")->value.begin,
             "%s: no control damages this formula, and none can be made for a claim of kind %s", c->id,
             claim_get(c, "kind"));
-    return false;
   }
-  return true;
+  free(damaged);
+  return ok;
 }
