@@ -382,7 +382,7 @@ static const struct {
     {"eq-22", "u*2 = v = 0", FATE_NOTICED}, /* zero is zero, but not in the TeX */
     {"eq-9", "z''(t)*2 = 0", FATE_EQUIVALENT},
     {"eq-2", "u_1 = u_s1/eps for eps in {+1, -1}", FATE_EQUIVALENT}, /* eps is a sign */
-    {"eq-2", "u_1 = -eps*u_s1 for eps in {+1, -1}", FATE_NOTICED},
+    {"eq-2", "u_1 = -u_s1*eps for eps in {+1, -1}", FATE_NOTICED},
     {"eq-51", "t_b*2 > 0", FATE_EQUIVALENT},
     {"eq-51", "t_c > 0", FATE_NOTICED}, /* true, but some other time is missing then */
     {"text-singular", "det(J*2) = 0", FATE_EQUIVALENT},
@@ -632,7 +632,7 @@ START_TEST(any_number_of_processes_finds_the_same) {
 }
 END_TEST
 
-/* Degrees are looked at in what a damage reaches alone: that is as good as everywhere. */
+/* Degrees are looked at in what a damage reaches alone: that finds as much as everywhere. */
 START_TEST(what_is_touched_is_enough_for_scaling) {
   static const char *const record[] = {"eq-36b", "err-40", "eq-32", "eq-1b", "eq-44"};
   const struct claim *c = claim_of("text-scaling");
@@ -643,13 +643,13 @@ START_TEST(what_is_touched_is_enough_for_scaling) {
   long refuted = 0, tried = 0;
   mutants_init(&m, &model, record, 5);
   overlay_init(&o, &model);
-  for (size_t i = 0; i < m.n; i += 37, tried++) {
+  for (size_t i = 0; i < m.n; i += 23, tried++) {
     const struct target *t = &m.target[m.mutant[i].target];
     overlay_set(&o, t, m.mutant[i].edit.stmt);
     target_reaches(touched, &model, t);
     enum verdict part = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, touched).own;
     enum verdict all = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, NULL).own;
-    ck_assert_msg(part == all, "%s", m.mutant[i].edit.text);
+    ck_assert_msg((part == VERDICT_REFUTED) == (all == VERDICT_REFUTED), "%s", m.mutant[i].edit.text);
     refuted += all == VERDICT_REFUTED;
     overlay_set(&o, t, NULL);
   }

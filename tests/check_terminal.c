@@ -110,7 +110,7 @@ START_TEST(what_fails_is_shown_worst_first) {
                                          "correction  t_a = 0.5323 (proved)\n",
                                          "conditional eq-40   J_f is",
                                          "\n                    holds when  V = 1\n",
-                                         "entry = [1,3], left = 0.5160091821, right = 0.6530741211\n",
+                                         "entry = [1,3], left = 2.212298604, right = 0.1382686627\n",
                                          "correction  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100)) (proved)\n",
                                          "refuted     eq-36b  the indices",
                                          "wrong       a slip of notation",
