@@ -1026,6 +1026,121 @@ START_TEST(a_damaged_formula_is_refuted) {
 }
 END_TEST
 
+/* --- Certificates --- */
+
+/* A number of the certificate. */
+static real certified(const struct finding *f, const char *name) {
+  const char *value = NULL;
+  for (int i = 0; i < f->certificate.n; i++)
+    if (strcmp(f->certificate.at[i].name, name) == 0) value = f->certificate.at[i].value;
+  ck_assert_msg(value != NULL, "the certificate of %s has no %s", f->id, name);
+  char *end;
+  real x = strtold(value, &end);
+  return *end == '/' ? x / strtold(end + 1, NULL) : x;
+}
+
+static void certified_numbers(real *x, const struct finding *f, const char *const *names, int n) {
+  for (int i = 0; i < n; i++) x[i] = certified(f, names[i]);
+}
+
+/* The state at the start of a pass and those at the ends of the first n phases, over the certified times. */
+static void certified_states(real z[][4], const struct finding *f, const struct plain *p, int n) {
+  for (int k = 0; k < n; k++) plain_flow(z[k + 1], p, k, z[k], certified(f, name_time[k]));
+}
+
+/* Z(t) = Gamma(t) Z_a in the slip-stick phase of a pass. */
+static void sides_13(real *left, real *right, const struct finding *f, const struct plain *p) {
+  real z[2][4] = {{certified(f, "z_10"), certified(f, "z_20"), p->v, p->v}}, t = certified(f, "t");
+  certified_states(z, f, p, 1);
+  plain_flow(left, p, PHASE_GAMMA, z[1], t - certified(f, "t_a"));
+  plain_flow(right, p, PHASE_GAMMA, z[1], t);
+}
+
+/* Z_a = D(t_a) Z_0, Z_b = H(t_b) Z_a, Z_c = H(t_c) Z_b over any times. */
+static void sides_states(real *left, real *right, const struct finding *f, const struct plain *p) {
+  real z[4][4];
+  certified_numbers(z[0], f, name_state[0], 4);
+  certified_states(z, f, p, 3);
+  for (int k = 0; k < 3; k++) {
+    memcpy(left + 4 * k, z[k + 1], sizeof z[0]);
+    plain_flow(right + 4 * k, p, k == 0 ? PHASE_D : PHASE_H, z[k], certified(f, name_time[k]));
+  }
+}
+
+/* dZ_a = (y_a, y_a, 0, 0), where the perturbations are any numbers. */
+static void sides_25(real *left, real *right, const struct finding *f, const struct plain *p) {
+  (void)p;
+  certified_numbers(right, f, name_tangent[1], 4);
+  for (int i = 0; i < 4; i++) left[i] = i < 2 ? right[1] : 0;
+}
+
+/* z_i = x_i - d_02 in a phase of the certificate, where x_i = z_i + d_0i. */
+static void sides_3(real *left, real *right, const struct finding *f, const struct plain *p) {
+  static const char *const start[] = {"z_1", "z_2", "z_1'", "z_2'"};
+  real z[4], u1 = certified(f, "u_s1"), u2 = certified(f, "u_s2"), at[4];
+  const real d_01 = (u1 + u2) / (1 - p->chi), d_02 = (p->chi * u1 + u2) / ((1 - p->chi) * p->chi);
+  int ph = N_PHASES;
+  for (int i = 0; i < f->certificate.n; i++)
+    if (strcmp(f->certificate.at[i].name, "phase") == 0)
+      ph = word_find(f->certificate.at[i].value, phase_name, N_PHASES);
+  ck_assert_int_lt(ph, N_PHASES);
+  certified_numbers(z, f, start, 4);
+  plain_flow(at, p, ph, z, certified(f, "t"));
+  for (int i = 0; i < 2; i++) {
+    left[i] = at[i];
+    right[i] = at[i] + (i ? d_02 : d_01) - d_02;
+  }
+}
+
+/* P(lambda) = lambda (lambda + tr J); P(lambda) = det(J - lambda I). */
+static void sides_charpoly(real *left, real *right, const struct finding *f, const struct plain *p) {
+  struct plain all = *p;
+  real z[4] = {certified(f, "z_10"), certified(f, "z_20"), p->v, p->v}, t[4], j[2][4], lambda = certified(f, "lambda");
+  all.e1 = certified(f, "e_1");
+  all.e2 = certified(f, "e_2");
+  certified_numbers(t, f, name_time, 4);
+  for (int i = 0; i < 2; i++)
+    plain_derivative(j[i], &all, PHASE_D, PHASE_C, z, (const real[4]){i == 0, i == 1, 0, 0}, t);
+  left[0] = (j[0][0] - lambda) * (j[1][1] - lambda) - j[0][1] * j[1][0];
+  right[0] = lambda * (lambda + j[0][0] + j[1][1]);
+}
+
+static const struct {
+  const char *claim, *overlay;
+  void (*sides)(real *left, real *right, const struct finding *f, const struct plain *p);
+} rechecks[] = {
+    {"eq-13", "equation eq-13\n  section: periodic\n  equation: 13\n  Z(t) = Gamma(t)*Z_a\n", sides_13},
+    {"text-states",
+     "equation text-states\n  section: stability\n  Z_a = D(t_a)*Z_0\n  Z_b = H(t_b)*Z_a\n  Z_c = H(t_c)*Z_b\n",
+     sides_states},
+    {"eq-25c", "define user\n  section: stability\n  dZ_a := [y_a; y_a; 0; 0]\n", sides_25},
+    {"text-shift", "equation text-shift\n  section: prediction\n  z_1(t) = x_1(t) - d_02\n  z_2(t) = x_2(t) - d_02\n",
+     sides_3},
+    {"text-charpoly", "equation text-charpoly\n  section: stability\n  P(lambda) = lambda*(lambda + tr(J))\n",
+     sides_charpoly},
+};
+
+/* The certificate alone, without the program's point, says where a damaged formula fails, and how. */
+START_TEST(a_refutation_is_recomputed_from_its_certificate) {
+  enum { MOST = 12 };
+  struct audit_result r;
+  real left[MOST] = {0}, right[MOST] = {0};
+  judge(&r, rechecks[_i].overlay, false, rechecks[_i].claim);
+  const struct finding *f = finding_with_id(&r, rechecks[_i].claim);
+  ck_assert_msg(f->verdict == VERDICT_REFUTED, "damaged %s: %s", f->id, verdict_name[f->verdict]);
+  const struct plain p = {.chi = certified(f, "chi"), .eta = certified(f, "eta"), .v = certified(f, "V")};
+  rechecks[_i].sides(left, right, f, &p);
+  int entry = strcmp(f->certificate.at[f->certificate.n - 3].name, "entry") == 0 ? (int)certified(f, "entry") - 1 : 0;
+  ck_assert(entry >= 0 && entry < MOST);
+  const real got[2] = {left[entry], right[entry]}, want[2] = {certified(f, "left"), certified(f, "right")};
+  for (int i = 0; i < 2; i++)
+    ck_assert_msg(fabsl(got[i] - want[i]) < 1e-7L * fmaxl(1, fabsl(want[i])), "%s: %s is %.12Lf, certified %.12Lf",
+                  f->id, i ? "the right side" : "the left side", got[i], want[i]);
+  ck_assert_msg(fabsl(got[0] - got[1]) > 1e-3L, "%s: the sides are equal", f->id);
+  audit_result_clear(&r);
+}
+END_TEST
+
 /* As printed the claim fails; written right by a user it is proved. */
 START_TEST(a_repaired_formula_is_supported) {
   const struct finding *f = finding_with_id(&undamaged, repairs[_i].claim);
@@ -1136,6 +1251,7 @@ Suite *audit_suite(void) {
   tcase_set_timeout(c, 60);
   tcase_add_unchecked_fixture(c, open_claims, close_claims);
   tcase_add_loop_test(c, a_damaged_formula_is_refuted, 0, N_DAMAGES);
+  tcase_add_loop_test(c, a_refutation_is_recomputed_from_its_certificate, 0, (int)(sizeof rechecks / sizeof *rechecks));
   tcase_add_loop_test(c, a_repaired_formula_is_supported, 0, N_REPAIRS);
   tcase_add_test(c, what_holds_when_v_is_one_is_said);
   tcase_add_test(c, what_cannot_be_read_is_a_fault_of_notation);

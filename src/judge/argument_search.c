@@ -166,23 +166,18 @@ void argument_decide(struct argument_decision *d, struct argument *a, const stru
 
 /* --- The search --- */
 
-/* The candidate's exact data; the last two with friction. */
-static const struct {
-  const char *name;
-  int q;
-} exact_data[] = {{"chi", Q_CHI}, {"eta", Q_ETA},  {"V", Q_V},     {"t_b", Q_TB},
-                  {"t_c", Q_TC},  {"u_r1", Q_US1}, {"u_r2", Q_US2}};
-
-static size_t n_exact_data(const struct argument *a) {
-  return a->uses_friction ? 7 : 5;
+/* The quantities that matter besides the parameters and times of a candidate. */
+static unsigned quantities_read(const struct argument *a) {
+  return a->uses_friction ? 1U << Q_US1 | 1U << Q_US2 : 0;
 }
 
 /* With that between them. */
 static const char *scene_text(struct argument *a, const struct point *p, const char *between) {
   struct text t = {0};
-  for (size_t i = 0; i < n_exact_data(a); i++) {
-    text_printf(&t, "%s%s = ", i ? between : "", exact_data[i].name);
-    num_print_q(&t, &p->q[exact_data[i].q]);
+  const struct point_quantity *row;
+  for (size_t i = 0; (row = point_certified(&i, p, quantities_read(a))) != NULL; i++) {
+    text_printf(&t, "%s%s = ", i ? between : "", row->name);
+    num_print_q(&t, &p->q[row->q]);
   }
   return result_take(a->j->out, &t);
 }
@@ -213,7 +208,7 @@ static void certify(struct argument_tally *t, struct argument *a, const struct p
   struct certificate *c = &t->certified;
   const struct condition *failed = &a->part[CONCLUSION].at[d->failed];
   c->n = 0;
-  for (size_t i = 0; i < n_exact_data(a); i++) certify_exact(c, a->j, exact_data[i].name, &p->q[exact_data[i].q]);
+  certify_quantities(c, a->j, p, quantities_read(a));
   certify_ball(c, a->j, "e_1", o->e1);
   certify_ball(c, a->j, "e_2", o->e2);
   certify_ball(c, a->j, "z_10", o->z10);

@@ -39,16 +39,6 @@ void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbi
   for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, name_time[k], o->t[k]);
 }
 
-/* The start and the four times of the point's pass. */
-static void certify_pass(struct certificate *c, struct judge *j, const struct point *p) {
-  struct values v;
-  if (values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK) {
-    for (int i = 0; i < 2; i++) certify_ball(c, j, name_state[0][i], num_vec_at(&v.arc.z, i));
-    for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, name_time[k], num_vec_at(&v.arc.t, k));
-  }
-  values_clear(&v);
-}
-
 /* The paper's own symbols. */
 static void certify_own(struct certificate *c, struct judge *j, const struct point *p) {
   fmpq_t x;
@@ -61,16 +51,35 @@ static void certify_own(struct certificate *c, struct judge *j, const struct poi
   fmpq_clear(x);
 }
 
-void certify_point(struct certificate *c, struct judge *j, const struct point *p) {
-  static const struct {
-    const char *name;
-    int q;
-    unsigned kinds; /* bit for each point_kind */
-  } of[] = {{"chi", Q_CHI, 15},  {"eta", Q_ETA, 15},  {"V", Q_V, 15},   {"e_1", Q_E1, 12},  {"e_2", Q_E2, 12},
-            {"t", Q_T, 3},       {"z_1", Q_Z1, 2},    {"z_2", Q_Z2, 2}, {"z_1'", Q_DZ1, 2}, {"z_2'", Q_DZ2, 2},
-            {"u_s1", Q_US1, 12}, {"u_s2", Q_US2, 12}, {"x", Q_X, 12},   {"y", Q_Y, 12}};
+void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read) {
+  const struct point_quantity *row;
+  for (size_t i = 0; (row = point_certified(&i, p, read)) != NULL; i++) certify_exact(c, j, row->name, &p->q[row->q]);
+}
+
+/* The start and the four times of a pass. */
+static void certify_pass(struct certificate *c, struct judge *j, const struct dyn_arc *arc) {
+  for (int i = 0; i < 2; i++) certify_ball(c, j, name_state[0][i], num_vec_at(&arc->z, i));
+  for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, name_time[k], num_vec_at(&arc->t, k));
+}
+
+/* The perturbations that were read, but for x and y. */
+static void certify_tangents(struct certificate *c, struct judge *j, const struct values *v) {
+  enum { N = (N_PHASES + 1) * N_STATE };
+  for (int i = 2; i < N; i++)
+    if (v->tangent_read >> i & 1U) certify_ball(c, j, name_tangent[0][i], num_vec_at(&v->tangent, i));
+  for (int k = 0; k < N_PHASES; k++)
+    if (v->tangent_read >> (N + k) & 1U) certify_ball(c, j, name_shift[k], num_vec_at(&v->dt, k));
+}
+
+void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s) {
+  struct values v;
   certify_own(c, j, p);
-  for (size_t i = 0; point_of_model(p) && i < sizeof of / sizeof *of; i++)
-    if (of[i].kinds >> p->kind & 1U) certify_exact(c, j, of[i].name, &p->q[of[i].q]);
-  if (p->kind == POINT_ARC || p->kind == POINT_ORBIT) certify_pass(c, j, p);
+  bool ok = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK;
+  struct num_vec lhs = calc_vec(&v.c, s->n), rhs = calc_vec(&v.c, s->n);
+  if (ok) sentence_evaluate(&lhs, &rhs, s, &v);
+  if (point_of_model(p)) certify_quantities(c, j, p, v.read);
+  if (ok && (p->kind == POINT_ARC || p->kind == POINT_ORBIT)) certify_pass(c, j, &v.arc);
+  if (v.have_t) certify_ball(c, j, "t", num_vec_at(&v.t, 0));
+  if (p->kind == POINT_PATCHED) certify_tangents(c, j, &v);
+  values_clear(&v);
 }

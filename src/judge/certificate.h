@@ -3,6 +3,7 @@
 #define STICKSLIP_JUDGE_CERTIFICATE_H
 
 #include "judge.h"
+#include "value/sentence.h"
 
 /* x as p/q. */
 void certify_exact(struct certificate *c, struct judge *j, const char *name, const fmpq *x);
@@ -17,7 +18,10 @@ void certify_member(struct certificate *c, struct judge *j, const fmpq *params, 
                     slong prec);
 /* z_10, z_20, t_a, t_b, t_c, t_d of an orbit. */
 void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o);
-/* The exact quantities of a point of kind FLOW, ARC, ORBIT or PARAMS, and the events of its pass where it has one. */
-void certify_point(struct certificate *c, struct judge *j, const struct point *p);
+/* The exact quantities of a point; read as of point_certified. */
+void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read);
+/* All numbers of a point on which what the sentence says there rests: its exact quantities, the events of its pass where
+   it has one, the time t where the sentence speaks of it, and what is perturbed where the perturbations are any numbers. */
+void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s);
 
 #endif

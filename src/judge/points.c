@@ -369,7 +369,10 @@ bool scene_point(struct point *out, const struct point *p, const struct scene *s
 }
 
 static void certify(struct finding *f, struct point_trials *r) {
-  certify_point(&f->certificate, r->j, &r->example);
+  certify_point(&f->certificate, r->j, &r->example, &r->tally[0].sentence);
+  bool several = false; /* phases, of which the claim does not say which it was */
+  for (int i = 1; i < r->n_specs; i++) several = several || r->spec[i].phase != r->spec[0].phase;
+  if (several) certificate_add(&f->certificate, r->j->out, "phase", phase_name[r->example.phase]);
   for (int i = 0; i < 3; i++) {
     const struct named_value *v = &r->tally[0].certified[i];
     if (v->value && *v->value) certificate_add(&f->certificate, r->j->out, v->name, v->value);

@@ -49,7 +49,7 @@ static int eval_j(struct num_vec *out, struct values *v, int which) {
 /* --- Matrices of the motion --- */
 
 static int eval_propagator(struct num_vec *out, struct values *v, int ph) {
-  return dyn_propagator(out, (enum phase)ph, &v->params, num_vec_at(&v->q, Q_T));
+  return dyn_propagator(out, (enum phase)ph, &v->params, values_exact(v, Q_T));
 }
 
 /* (44): exp(A_C t_d) exp(A_H t_c) exp(A_Gamma t_b) exp(A_D t_a). */
@@ -107,8 +107,8 @@ static int eval_equilibrium(struct num_vec *out, struct values *v, int mass) {
   struct calc c = calc_begin(v->ctx);
   struct num_vec k = calc_vec(&c, 4), d = calc_vec(&c, 2);
   int s = eval_stiffness(&k, v, PHASE_H);
-  calc_store(&c, num_vec_at(&d, 0), num_vec_at(&v->q, Q_US1));
-  calc_store(&c, num_vec_at(&d, 1), calc_mul(&c, num_vec_at(&v->q, Q_US2), num_vec_at(&v->params, P_ETA)));
+  calc_store(&c, num_vec_at(&d, 0), values_exact(v, Q_US1));
+  calc_store(&c, num_vec_at(&d, 1), calc_mul(&c, values_exact(v, Q_US2), num_vec_at(&v->params, P_ETA)));
   s |= c.status | num_mat_solve(&d, &k, &d, 2, 1);
   calc_store(&c, num_vec_at(out, 0), num_vec_at(&d, mass));
   calc_clear(&c);

@@ -53,16 +53,65 @@ static const char *print_own(struct text *out, const char *sep, const struct poi
   return sep;
 }
 
+/* Sets of kinds of points. */
+enum {
+  PARAMS = 1 << POINT_PARAMS,
+  FLOW = 1 << POINT_FLOW,
+  ARC = 1 << POINT_ARC,
+  ORBIT = 1 << POINT_ORBIT,
+  PRINTED = 1 << POINT_PRINTED,
+  GIVEN = 1 << POINT_GIVEN,
+  PATCHED = 1 << POINT_PATCHED,
+  PASS = ARC | ORBIT, /* where the motion passes through the word, with its events */
+  ALL = 2 * PATCHED - 1
+};
+
+/* The start of a pass stands in its certificate with the times. */
+static const struct point_quantity table[] = {
+    {"chi", "chi", Q_CHI, ALL, ALL, 0},
+    {"eta", "eta", Q_ETA, ALL, ALL, 0},
+    {"V", "V", Q_V, ALL, ALL, 0},
+    {"e_1", "e1", Q_E1, PASS | PRINTED, PASS | PRINTED, PARAMS | FLOW | PATCHED},
+    {"e_2", "e2", Q_E2, PASS | PRINTED, PASS | PRINTED, PARAMS | FLOW | PATCHED},
+    {"t_a", "t_a", Q_TA, PRINTED | PATCHED, PRINTED | PATCHED, 0},
+    {"t_b", "t_b", Q_TB, PRINTED | GIVEN | PATCHED, PRINTED | GIVEN | PATCHED, 0},
+    {"t_c", "t_c", Q_TC, PRINTED | GIVEN | PATCHED, PRINTED | GIVEN | PATCHED, 0},
+    {"t_d", "t_d", Q_TD, PRINTED | PATCHED, PRINTED | PATCHED, 0},
+    {"t", "t", Q_T, PARAMS | FLOW, PARAMS | FLOW, ALL},
+    {"s", "s", Q_S, 0, 0, 0},
+    {"z_10", "z_10", Q_Z1, ARC | PRINTED | PATCHED, PRINTED | PATCHED, 0},
+    {"z_20", "z_20", Q_Z2, ARC | PRINTED | PATCHED, PRINTED | PATCHED, 0},
+    {"z'_10", "z'_10", Q_DZ1, PATCHED, PATCHED, 0},
+    {"z'_20", "z'_20", Q_DZ2, PATCHED, PATCHED, 0},
+    {"z_1", "z_1", Q_Z1, FLOW, FLOW, 0},
+    {"z_2", "z_2", Q_Z2, FLOW, FLOW, 0},
+    {"z_1'", "z_1'", Q_DZ1, FLOW, FLOW, 0},
+    {"z_2'", "z_2'", Q_DZ2, FLOW, FLOW, 0},
+    {"u_s1", "u_s1", Q_US1, 0, PASS, ALL & ~GIVEN},
+    {"u_s2", "u_s2", Q_US2, 0, PASS, ALL & ~GIVEN},
+    {"u_r1", NULL, Q_US1, 0, 0, GIVEN},
+    {"u_r2", NULL, Q_US2, 0, 0, GIVEN},
+    {"x", "x", Q_X, 0, PASS, ALL},
+    {"y", "y", Q_Y, 0, PASS, ALL},
+    {"lambda", "lambda", Q_LAMBDA, 0, 0, ALL},
+};
+
+enum { N_TABLE = sizeof table / sizeof *table };
+
+const struct point_quantity *point_settable(size_t *i) {
+  while (*i < N_TABLE && !table[*i].key) ++*i;
+  return *i < N_TABLE ? &table[*i] : NULL;
+}
+
+const struct point_quantity *point_certified(size_t *i, const struct point *p, unsigned read) {
+  for (; *i < N_TABLE; ++*i) {
+    unsigned kinds = table[*i].certified | (read >> table[*i].q & 1U ? table[*i].if_read : 0);
+    if (kinds >> p->kind & 1U) return &table[*i];
+  }
+  return NULL;
+}
+
 void point_print(struct text *out, const struct point *p) {
-  static const struct {
-    const char *name;
-    int q;
-    unsigned kinds; /* bit for each point_kind */
-  } shown[] = {{"chi", Q_CHI, 127},   {"eta", Q_ETA, 127},  {"V", Q_V, 127},     {"e1", Q_E1, 28},
-               {"e2", Q_E2, 28},      {"t_a", Q_TA, 80},    {"t_b", Q_TB, 112},  {"t_c", Q_TC, 112},
-               {"t_d", Q_TD, 80},     {"t", Q_T, 3},        {"z_10", Q_Z1, 84},  {"z_20", Q_Z2, 84},
-               {"z'_10", Q_DZ1, 64},  {"z'_20", Q_DZ2, 64}, {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2},
-               {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
   const char *sep = print_own(out, "", p);
   if (!point_of_model(p)) return;
   bool of_scene = p->kind == POINT_ORBIT && p->scene;
@@ -72,10 +121,10 @@ void point_print(struct text *out, const struct point *p) {
     num_print_q(out, &p->scene->value[k]);
     sep = ", ";
   }
-  for (size_t i = 0; !of_scene && i < sizeof shown / sizeof *shown; i++) {
-    if (!(shown[i].kinds >> p->kind & 1U)) continue;
-    text_printf(out, "%s%s = ", sep, shown[i].name);
-    num_print_q(out, &p->q[shown[i].q]);
+  for (size_t i = 0; !of_scene && i < N_TABLE; i++) {
+    if (!(table[i].shown >> p->kind & 1U)) continue;
+    text_printf(out, "%s%s%s = ", sep, table[i].key, p->kind == POINT_FLOW && table[i].q >= Q_Z1 ? "(0)" : "");
+    num_print_q(out, &p->q[table[i].q]);
     sep = ", ";
   }
   if (p->kind == POINT_ORBIT || p->kind == POINT_GIVEN) text_printf(out, ", orbit %ld", (long)p->orbit + 1);

@@ -77,6 +77,21 @@ void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s);
 void point_clear(struct point *p);
 /* out, which is another point, becomes p. */
 void point_copy(struct point *out, const struct point *p);
+/* The exact quantities of points, in the order in which they are written: the texts of points, certificates and --at have
+   them from one table. */
+struct point_quantity {
+  const char *name;   /* in certificates, as the paper writes it */
+  const char *key;    /* in texts, and for --at; NULL where it cannot be set */
+  int q;              /* which of those above it is */
+  unsigned shown;     /* bit for each point_kind in whose texts it stands */
+  unsigned certified; /* and in whose certificates it stands */
+  unsigned if_read;   /* there only where a sentence reads it */
+};
+/* From the i-th on the first that --at can set; NULL: there is no other. */
+const struct point_quantity *point_settable(size_t *i);
+/* From the i-th on the first that the point's certificate has; NULL: there is no other.  read: bit for each quantity
+   (Q_CHI, ...) that a sentence reads there. */
+const struct point_quantity *point_certified(size_t *i, const struct point *p, unsigned read);
 /* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
 void point_print(struct text *out, const struct point *p);
 /* Applies "chi=1/2,V=2" to the point, which keeps the string where its names are the paper's own symbols. */

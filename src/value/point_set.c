@@ -5,16 +5,6 @@
 
 #include "base/suggest.h"
 
-/* Quantities that --at can set, and the point's quantity they are. */
-static const struct {
-  const char *name;
-  int q;
-} settable[] = {{"chi", Q_CHI},  {"eta", Q_ETA}, {"V", Q_V},     {"e1", Q_E1},   {"e2", Q_E2},    {"u_s1", Q_US1},
-                {"u_s2", Q_US2}, {"t", Q_T},     {"s", Q_S},     {"x", Q_X},     {"y", Q_Y},      {"lambda", Q_LAMBDA},
-                {"z_1", Q_Z1},   {"z_2", Q_Z2},  {"z_10", Q_Z1}, {"z_20", Q_Z2}, {"z_1'", Q_DZ1}, {"z_2'", Q_DZ2}};
-
-enum { N_SETTABLE = sizeof settable / sizeof *settable };
-
 /* p/q or a decimal with a sign. */
 static bool parse_value(fmpq *z, const char *s, size_t len) {
   bool negative = len > 0 && *s == '-';
@@ -40,7 +30,10 @@ bool point_told(fmpq_t z, const char *at, const char *name) {
 
 /* The names that can be set: the model's quantities, or the own symbols of a paper about another system. */
 static const char *settable_name(size_t *i, const struct point *p) {
-  if (point_of_model(p)) return *i < N_SETTABLE ? settable[*i].name : NULL;
+  if (point_of_model(p)) {
+    const struct point_quantity *row = point_settable(i);
+    return row ? row->key : NULL;
+  }
   while (*i < p->paper->n_symbols && !p->paper->symbols[*i].has_domain) ++*i;
   return *i < p->paper->n_symbols ? p->paper->symbols[*i].name : NULL;
 }
@@ -76,7 +69,7 @@ static bool is_told_before(const char *at, const char *s, size_t len) {
 
 /* The item's value is taken by the i-th of the names. */
 static bool take(struct point *p, size_t i, const char *value, size_t len, struct diag *d) {
-  if (point_of_model(p)) return parse_value(&p->q[settable[i].q], value, len);
+  if (point_of_model(p)) return parse_value(&p->q[point_settable(&i)->q], value, len);
   const struct symbol *s = &p->paper->symbols[i];
   fmpq_t z;
   fmpq_init(z);

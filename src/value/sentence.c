@@ -350,12 +350,16 @@ static struct trial try_once(struct sentence *s, struct comparison *c, const str
   return t;
 }
 
+int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, struct values *v) {
+  struct trial unused;
+  return evaluate(lhs, rhs, &unused, s, v);
+}
+
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
                     enum variant variant, struct orbit_cache *cache) {
-  struct trial t = {.outcome = OUTCOME_REJECTED};
   struct values v;
   int status = values_init(&v, p, variant, lhs->ctx, cache);
-  if (status == SS_OK) status = evaluate(lhs, rhs, &t, s, &v);
+  if (status == SS_OK) status = sentence_evaluate(lhs, rhs, s, &v);
   values_clear(&v);
   return status;
 }

@@ -39,7 +39,9 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
 /* Whether it can be read, though nothing may be known of its value; false with d set. */
 bool sentence_reads(struct view v, const struct claim *c, struct diag *d);
 void sentence_clear(struct sentence *s);
-/* Both sides (s->n each, in the context of lhs and rhs). */
+/* Both sides (s->n each, in the context of lhs and rhs) in the values of a point, which then know what of it was read, and
+   at a point. */
+int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, struct values *v);
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
                     enum variant variant, struct orbit_cache *cache);
 

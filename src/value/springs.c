@@ -9,7 +9,7 @@
 
 /* Where a mass slips in a phase, slower than the belt, its friction is u_si; where it sticks, the restoring force. */
 static val friction(struct calc *c, struct values *v, int mass) {
-  if (phase_slips[v->point->phase][mass]) return num_vec_at(&v->q, mass ? Q_US2 : Q_US1);
+  if (phase_slips[v->point->phase][mass]) return values_exact(v, mass ? Q_US2 : Q_US1);
   bool known[2];
   void *x1 = calc_new(c), *x2 = calc_new(c);
   val chi = num_vec_at(&v->params, P_CHI);
@@ -25,10 +25,10 @@ static val second_friction(struct calc *c, struct values *v) {
 
 /* k_1 + k_2 and m_2: a small number more than a quantity of the point. */
 static val stiffness(struct calc *c, struct values *v) {
-  return calc_add(c, calc_d(c, 1), num_vec_at(&v->q, Q_E1));
+  return calc_add(c, calc_d(c, 1), values_exact(v, Q_E1));
 }
 static val second_mass(struct calc *c, struct values *v) {
-  return calc_add(c, calc_d(c, 3), num_vec_at(&v->q, Q_E2));
+  return calc_add(c, calc_d(c, 3), values_exact(v, Q_E2));
 }
 
 /* chi is the part of k_2 in the stiffness of all springs. */

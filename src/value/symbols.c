@@ -22,14 +22,14 @@ static const void *arc_symbol(const struct values *v, const char *name) {
   return NULL;
 }
 
-static const void *exact_symbol(const struct values *v, const char *name) {
+static const void *exact_symbol(struct values *v, const char *name) {
   enum { N_REST = Q_T - Q_US1 };
   static const char *const rest[N_REST] = {"u_s1", "u_s2", "x", "y", "lambda"};
   int param = word_find(name, name_param, N_PARAMS), other = word_find(name, rest, N_REST);
-  if (param < N_PARAMS) return num_vec_at(&v->q, Q_CHI + param);
-  if (other < N_REST) return num_vec_at(&v->q, Q_US1 + other);
+  if (param < N_PARAMS) return values_exact(v, Q_CHI + param);
+  if (other < N_REST) return values_exact(v, Q_US1 + other);
   if (strcmp(name, "t") == 0)
-    return v->point->kind == POINT_PARAMS || v->point->timed ? num_vec_at(&v->q, Q_T) : num_vec_at(&v->t, 0);
+    return v->point->kind == POINT_PARAMS || v->point->timed ? values_exact(v, Q_T) : num_vec_at(&v->t, 0);
   return NULL;
 }
 
@@ -156,11 +156,12 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
     t->set(z, p);
     return status;
   }
-  if (strcmp(name, "u_r1") == 0) return t->add(z, num_vec_at(&v->q, Q_US1), num_vec_at(&v->q, Q_E1), v->ctx.prec);
-  if (strcmp(name, "u_r2") == 0) return t->add(z, num_vec_at(&v->q, Q_US2), num_vec_at(&v->q, Q_E2), v->ctx.prec);
+  if (strcmp(name, "u_r1") == 0) return t->add(z, values_exact(v, Q_US1), values_exact(v, Q_E1), v->ctx.prec);
+  if (strcmp(name, "u_r2") == 0) return t->add(z, values_exact(v, Q_US2), values_exact(v, Q_E2), v->ctx.prec);
   int index, component, primes;
   if (has_arc(v) && name_of_tangent(name, &index)) {
     int s = values_tangents(v);
+    v->tangent_read |= 1U << (index >= 100 ? index - 80 : index);
     t->set(z, index >= 100 ? num_vec_at(&v->dt, index - 100) : num_vec_at(&v->tangent, index));
     return s;
   }

@@ -9,6 +9,11 @@
 #include "base/work.h"
 #include "system_orbit.h"
 
+const void *values_exact(struct values *v, int q) {
+  v->read |= 1U << q;
+  return num_vec_at(&v->q, q);
+}
+
 int values_carry(struct num_vec *out, const struct values *v, enum phase ph, const struct num_vec *from,
                  const void *tau) {
   if (v->variant != VARIANT_EXPONENTIAL) return dyn_flow(out, ph, &v->params, from, tau);
@@ -44,7 +49,7 @@ int values_time(struct values *v) {
   struct num_vec tau = calc_vec(&v->c, 1);
   const struct num_vec z0 = dyn_arc_state(arc, v->point->phase);
   int ph = (int)v->point->phase;
-  int s = t->mul(num_vec_at(&tau, 0), num_vec_at(&v->q, Q_S), num_vec_at(&arc->t, ph), v->ctx.prec);
+  int s = t->mul(num_vec_at(&tau, 0), values_exact(v, Q_S), num_vec_at(&arc->t, ph), v->ctx.prec);
   t->set(num_vec_at(&v->t, 0), num_vec_at(&tau, 0));
   for (int k = 0; k < ph; k++)
     s |= t->add(num_vec_at(&v->t, 0), num_vec_at(&v->t, 0), num_vec_at(&arc->t, k), v->ctx.prec);

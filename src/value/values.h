@@ -18,6 +18,7 @@ struct values {
   enum variant variant;
   struct calc c;            /* whose vectors the next ones are */
   struct num_vec q;         /* N_Q */
+  unsigned read;            /* bit for each of them that symbols have been given the value of */
   struct num_vec params;    /* N_PARAMS */
   struct dyn_arc arc;       /* POINT_ARC, POINT_ORBIT */
   struct dyn_arc perturbed; /* finite perturbations */
@@ -32,6 +33,8 @@ struct values {
   struct num_vec tangent; /* dZ_0, dZ_a, dZ_b, dZ_c, dZ_f, 4 each */
   struct num_vec dt;      /* dt_a, dt_b, dt_c, dt_d */
   bool have_tangent;
+  unsigned tangent_read; /* bit for each of these 20 and 4, as of read */
+
   struct oracle_matrix *matrices; /* whose entries were asked for */
   size_t n_matrices, cap_matrices;
 };
@@ -40,6 +43,8 @@ struct values {
 int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
                 struct orbit_cache *cache);
 void values_clear(struct values *v);
+/* An exact quantity of the point for a symbol; that it was read is noted. */
+const void *values_exact(struct values *v, int q);
 /* The state after the time tau of a phase, by the variant's means; out may alias from. */
 int values_carry(struct num_vec *out, const struct values *v, enum phase ph, const struct num_vec *from,
                  const void *tau);
