@@ -20,8 +20,8 @@ enum { NEAR_MOST = 256 };
 static void vector_field(val f[N_STATE], struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
   f[Z_1] = z[DZ_1];
   f[Z_2] = z[DZ_2];
-  f[DZ_1] = ph == PHASE_GAMMA || ph == PHASE_H ? flow_switching_rate(c, PHASE_H, p, z) : NULL;
-  f[DZ_2] = ph == PHASE_H || ph == PHASE_C ? flow_switching_rate(c, PHASE_C, p, z) : NULL;
+  f[DZ_1] = phase_slips[ph][0] ? flow_switching_rate(c, PHASE_H, p, z) : NULL;
+  f[DZ_2] = phase_slips[ph][1] ? flow_switching_rate(c, PHASE_C, p, z) : NULL;
 }
 
 /* NULL where it is zero. */

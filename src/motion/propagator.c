@@ -16,12 +16,12 @@ int dyn_system(struct num_vec *a, enum phase ph, const struct num_vec *params) {
   struct calc c = calc_begin(a->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   val zero = calc_d(&c, 0), one = calc_d(&c, 1), stiff = calc_mul(&c, p[P_CHI], p[P_ETA]);
-  bool slips1 = ph == PHASE_GAMMA || ph == PHASE_H, slips2 = ph == PHASE_H || ph == PHASE_C;
+  const int *slips = phase_slips[ph];
   val rows[N_STATE][N_STATE] = {
       {zero, zero, one, zero},
       {zero, zero, zero, one},
-      {slips1 ? calc_neg(&c, one) : zero, slips1 ? p[P_CHI] : zero, zero, zero},
-      {slips2 ? stiff : zero, slips2 ? calc_neg(&c, stiff) : zero, zero, zero},
+      {slips[0] ? calc_neg(&c, one) : zero, slips[0] ? p[P_CHI] : zero, zero, zero},
+      {slips[1] ? stiff : zero, slips[1] ? calc_neg(&c, stiff) : zero, zero, zero},
   };
   for (slong i = 0; i < N_STATE * N_STATE; i++) a->ctx.type->set(num_vec_at(a, i), rows[i / N_STATE][i % N_STATE]);
   calc_clear(&c);

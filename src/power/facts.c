@@ -63,11 +63,8 @@ const int n_motion_facts = sizeof motion_facts / sizeof *motion_facts;
 static const struct {
   const char *name;
   bool rate; /* zero, not V */
-  bool holds[N_PHASES];
-} phase_facts[] = {{"z_1'(t)", false, {[PHASE_D] = true, [PHASE_C] = true}},
-                   {"z_2'(t)", false, {[PHASE_D] = true, [PHASE_GAMMA] = true}},
-                   {"z_1''(t)", true, {[PHASE_D] = true, [PHASE_C] = true}},
-                   {"z_2''(t)", true, {[PHASE_D] = true, [PHASE_GAMMA] = true}}};
+  int mass;  /* that sticks where it holds */
+} phase_facts[] = {{"z_1'(t)", false, 0}, {"z_2'(t)", false, 1}, {"z_1''(t)", true, 0}, {"z_2''(t)", true, 1}};
 enum {
   N_MOTION_FACTS = sizeof motion_facts / sizeof *motion_facts,
   N_PHASE_FACTS = sizeof phase_facts / sizeof *phase_facts
@@ -185,7 +182,7 @@ int facts_collect(struct exact_fact *out, const struct facts *f, const struct cl
   if (f->unused) return 0;
   for (int i = 0; (!c || on_motions(c)) && i < f->n; i++) out[n++] = f->fact[i];
   for (int i = 0; phase >= 0 && i < N_PHASE_FACTS; i++)
-    if (phase_facts[i].holds[phase])
+    if (!phase_slips[phase][phase_facts[i].mass])
       out[n++] = (struct exact_fact){phase_facts[i].name, phase_facts[i].rate ? f->zero : f->velocity};
   return n;
 }

@@ -28,17 +28,16 @@ static int obey(struct num_vec *v, struct exact_motion *m, int phase, int i, boo
   return s == SS_OK ? motion_op(num_exact.div, at(v, i), m, at(&w, 0), at(&w, 1)) : s;
 }
 
-/* For each end of a phase, from the start of the period on: which components are free, which one the event decides (-1:
-   none), and which are those of a mass that sticks to the belt. */
+/* For each end of a phase, from the start of the period on: which components are free, and which one the event decides
+   (-1: none). */
 static const struct {
   bool free[N_STATE];
   int decided;
-  bool sticks[N_STATE];
-} ends[5] = {{{[Z_1] = true, [Z_2] = true}, -1, {[DZ_1] = true, [DZ_2] = true}},
-             {{[Z_2] = true}, Z_1, {[DZ_1] = true, [DZ_2] = true}},
-             {{[Z_1] = true, [DZ_1] = true}, Z_2, {[DZ_2] = true}},
-             {{[Z_1] = true, [Z_2] = true, [DZ_2] = true}, DZ_1, {false}},
-             {{[Z_1] = true, [Z_2] = true}, DZ_2, {[DZ_1] = true}}};
+} ends[5] = {{{[Z_1] = true, [Z_2] = true}, -1},
+             {{[Z_2] = true}, Z_1},
+             {{[Z_1] = true, [DZ_1] = true}, Z_2},
+             {{[Z_1] = true, [Z_2] = true, [DZ_2] = true}, DZ_1},
+             {{[Z_1] = true, [Z_2] = true}, DZ_2}};
 
 /* Any state at all: no mass sticks, no event has been. */
 static int any_state(struct num_vec *v, struct exact_motion *m, int k) {
@@ -55,8 +54,11 @@ static int free_end(struct num_vec *v, struct exact_motion *m, int k, bool pertu
   int s = SS_OK;
   for (int i = 0; i < N_STATE; i++) {
     if (ends[k].free[i]) s |= exact_symbol(at(v, i), m->field, (perturbation ? name_tangent : name_state)[k][i]);
-    if (ends[k].sticks[i] && !perturbation) num_exact.set(at(v, i), at(&m->params, P_V));
-    if (ends[k].sticks[i] && perturbation) s |= num_exact.set_d(at(v, i), 0, 0);
+    if (i < DZ_1 || phase_slips[k == 0 ? PHASE_D : k - 1][i - DZ_1]) continue;
+    if (perturbation) /* of the velocity of a mass that sticks in the phase that ends */
+      s |= num_exact.set_d(at(v, i), 0, 0);
+    else
+      num_exact.set(at(v, i), at(&m->params, P_V));
   }
   return s == SS_OK && ends[k].decided >= 0 ? obey(v, m, k - 1, ends[k].decided, perturbation) : s;
 }
