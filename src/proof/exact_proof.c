@@ -200,9 +200,8 @@ static void try_all(struct job *b) {
 static int choose_unknowns(struct override o[EXACT_UNKNOWNS], const char *list, const char *value) {
   int n = 0;
   if (list && strcmp(list, "N") == 0) n += oracle_override(&o[n], "N");
-  static const char *const states[] = {"S_a", "S_b", "S_c"};
-  for (size_t i = 0; list && i < sizeof states / sizeof *states; i++)
-    if (strstr(list, states[i])) n += oracle_override(&o[n], states[i]);
+  for (int i = 0; list && i < N_PHASES - 1; i++)
+    if (strstr(list, name_meeting[i])) n += oracle_override(&o[n], name_meeting[i]);
   bool about = value ? strcmp(value, "J") == 0 : list && list[0] == 'J';
   for (int ph = 0; about && ph < N_PHASES; ph++) n += oracle_override(&o[n], local_maps[ph].name);
   return n;

@@ -103,9 +103,9 @@ int motion_state(struct num_vec *z, struct exact_motion *m, int k) {
 
 /* The number of the state of which "S_a", "S_b" or "S_c" is the name, or the start of one; 0 for another name. */
 int motion_meeting(const char *name) {
-  static const char places[] = "abc";
-  const char *c = strncmp(name, "S_", 2) == 0 && name[2] ? strchr(places, name[2]) : NULL;
-  return c ? (int)(c - places) + 1 : 0;
+  int k = 0;
+  while (k < N_PHASES - 1 && strncmp(name, name_meeting[k], strlen(name_meeting[k])) != 0) k++;
+  return k < N_PHASES - 1 ? k + 1 : 0;
 }
 
 /* --- Perturbations --- */

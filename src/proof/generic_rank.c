@@ -111,9 +111,8 @@ static bool is_analytic(struct text *why, const struct tape *t) {
 
 /* What the phases meet in, as free symbols: an identity whatever the states are is one. */
 static int free_states(struct override *o) {
-  static const char *const names[] = {"S_a", "S_b", "S_c"};
   int n = 0;
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) n += oracle_override(&o[n], names[i]);
+  for (int i = 0; i < N_PHASES - 1; i++) n += oracle_override(&o[n], name_meeting[i]);
   return n;
 }
 

@@ -130,15 +130,14 @@ static const char *chain_value(const struct failure *f, const struct result *r, 
 
 /* The point, and the orbit there by its state and times, as its number is one of a list that nobody else has. */
 static const char *place_text(const struct failure *f, const struct point *p, struct values *v) {
-  static const char *const names[] = {"z_10", "z_20", "t_a", "t_b", "t_c", "t_d"};
   struct text where = {0};
   point_print(&where, p);
   struct calc c = calc_begin(v->ctx);
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+  for (int i = 0; i < 2 + N_PHASES; i++) {
+    const char *name = i < 2 ? name_state[0][i] : name_time[i - 2];
     bool known;
     void *x = calc_new(&c);
-    if (values_bind(x, &known, v, names[i]) == SS_OK)
-      text_printf(&where, ", %s = %s", names[i], ball_text(f->j, x, 10));
+    if (values_bind(x, &known, v, name) == SS_OK) text_printf(&where, ", %s = %s", name, ball_text(f->j, x, 10));
   }
   calc_clear(&c);
   return result_take(f->j->out, &where);

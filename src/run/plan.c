@@ -58,11 +58,11 @@ static unsigned parts_of_points(struct planner *pl, const struct claim *c) {
 }
 
 static unsigned parts_of_names(const struct plan_list *matrices) {
-  static const char *const names[N_PHASES] = {"D(t)", "Gamma(t)", "H(t)", "C(t)"};
   unsigned parts = 0;
-  for (int i = 0; i < matrices->n; i++)
-    for (int ph = 0; ph < N_PHASES; ph++)
-      if (strcmp(matrices->item[i], names[ph]) == 0) parts |= 1U << (WORK_PHASE_D + ph);
+  for (int i = 0; i < matrices->n; i++) {
+    int ph = name_of_propagator(matrices->item[i]);
+    if (ph >= 0) parts |= 1U << (WORK_PHASE_D + ph);
+  }
   return parts;
 }
 

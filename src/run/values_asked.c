@@ -33,8 +33,7 @@ struct quantity {
 
 /* What is free at a point of ours, and so has no value at the scene. */
 static bool is_free(const char *input) {
-  static const char *const names[] = {"t", "x", "y", "lambda", "u_s1", "u_s2"};
-  return word_find(input, names, 6) < 6;
+  return strcmp(input, "t") == 0 || word_find(input, name_of_point, N_OF_POINT) < N_OF_POINT;
 }
 
 /* Which of an orbit's own numbers the outputs call so. */

@@ -9,6 +9,8 @@
 
 const char *const name_param[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
 const char *const name_time[N_PHASES] = {"t_a", "t_b", "t_c", "t_d"};
+const char *const name_meeting[N_PHASES - 1] = {"S_a", "S_b", "S_c"};
+const char *const name_of_point[N_OF_POINT] = {"u_s1", "u_s2", "x", "y", "lambda"};
 const char *const name_shift[N_PHASES] = {"dt_a", "dt_b", "dt_c", "dt_d"};
 const char *const name_switching[N_PHASES + 1] = {"0", "t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
 const char *const name_state[N_PHASES + 1][N_STATE] = {{"z_10", "z_20", "z'_10", "z'_20"},

@@ -12,7 +12,10 @@ extern const char *const name_shift[N_PHASES];              /* "dt_a" ... "dt_d"
 extern const char *const name_switching[N_PHASES + 1];      /* "0", "t_a", "t_a + t_b", ... */
 extern const char *const name_state[N_PHASES + 1][N_STATE]; /* of Z_0, Z_a, Z_b, Z_c and Z_f: "z_10" ... "z'_2f" */
 extern const char
-    *const name_tangent[N_PHASES + 1][N_STATE]; /* of dZ_0 ... dZ_f: "x", "y", "u", "v", "x_a" ... "v_f" */
+    *const name_tangent[N_PHASES + 1][N_STATE];      /* of dZ_0 ... dZ_f: "x", "y", "u", "v", "x_a" ... "v_f" */
+extern const char *const name_meeting[N_PHASES - 1]; /* "S_a", "S_b", "S_c": the states in which phases meet */
+enum { N_OF_POINT = 5 };
+extern const char *const name_of_point[N_OF_POINT]; /* in the order of Q_US1, ...: "u_s1", "u_s2", "x", "y", "lambda" */
 
 /* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
    "t_a" ... "t_d": 100 and more; -1 for another name. */

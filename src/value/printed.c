@@ -4,6 +4,7 @@
 #include "printed.h"
 #include "orbits.h"
 #include "record/result.h"
+#include "solved.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -125,19 +126,16 @@ void record_scene(struct audit_result *out, const struct scene *s) {
   out->data = result_take(out, &data);
 }
 
-/* The numbers of an orbit of which some may be printed. */
-enum { N_OF_ORBIT = 6 };
-static const char *const of_orbit[N_OF_ORBIT] = {"z10", "z20", "t_a", "t_b", "t_c", "t_d"};
+enum { N_OF_ORBIT = 6 }; /* numbers of an orbit (solved.h), of which some may be printed */
 
 /* Relative squared distance of an orbit from the printed numbers; 0 where none are printed. */
 static double distance(const struct dyn_orbit *o, const struct scene *s) {
-  const arb_srcptr value[N_OF_ORBIT] = {o->z10, o->z20, o->t[0], o->t[1], o->t[2], o->t[3]};
   double sum = 0;
   for (int i = 0; i < N_OF_ORBIT; i++) {
-    const struct printed_number *p = scene_printed(s, of_orbit[i]);
+    const struct printed_number *p = scene_printed(s, orbit_number_name(i));
     if (!p) continue;
     double want = fmpq_get_d(&p->value), unit = fmpq_get_d(&p->unit);
-    double rel = (num_arb.get_d(value[i]) - want) / fmax(fabs(want), unit);
+    double rel = (num_arb.get_d(orbit_number(o, i)) - want) / fmax(fabs(want), unit);
     sum += rel * rel;
   }
   return sum;
@@ -161,7 +159,8 @@ slong usual_orbit(const struct dyn_orbits *list, const struct scene *s) {
 const char *usual_orbit_text(struct judge *j, const char *noun) {
   const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
   for (int i = 0; i < N_OF_ORBIT; i++)
-    if (scene_printed(j->scene, of_orbit[i])) return result_str(j->out, "the %s nearest to the printed numbers", noun);
+    if (scene_printed(j->scene, orbit_number_name(i)))
+      return result_str(j->out, "the %s nearest to the printed numbers", noun);
   slong k = usual_orbit(list, j->scene);
   bool admissible = k < list->n && list->orbit[k].admissible == TRUTH_TRUE;
   return result_str(j->out, "%s %ld (%s)", noun, (long)k + 1,

@@ -23,11 +23,9 @@ static const void *arc_symbol(const struct values *v, const char *name) {
 }
 
 static const void *exact_symbol(struct values *v, const char *name) {
-  enum { N_REST = Q_T - Q_US1 };
-  static const char *const rest[N_REST] = {"u_s1", "u_s2", "x", "y", "lambda"};
-  int param = word_find(name, name_param, N_PARAMS), other = word_find(name, rest, N_REST);
+  int param = word_find(name, name_param, N_PARAMS), other = word_find(name, name_of_point, N_OF_POINT);
   if (param < N_PARAMS) return values_exact(v, Q_CHI + param);
-  if (other < N_REST) return values_exact(v, Q_US1 + other);
+  if (other < N_OF_POINT) return values_exact(v, Q_US1 + other);
   if (strcmp(name, "t") == 0)
     return v->point->kind == POINT_PARAMS || v->point->timed ? values_exact(v, Q_T) : num_vec_at(&v->t, 0);
   return NULL;
@@ -129,14 +127,14 @@ static int bind_own(void *z, struct values *v, const struct symbol *own) {
 }
 
 bool values_names(const char *name) {
-  static const char *const more[] = {"u_s1", "u_s2", "u_r1", "u_r2", "x", "y", "lambda", "t", "z_100", "z_200"};
+  static const char *const more[] = {"u_r1", "u_r2", "t", "z_100", "z_200"};
   enum { N_MORE = sizeof more / sizeof *more };
   int index, component, primes;
   bool in_x;
   const char *argument;
-  return word_find(name, name_param, N_PARAMS) < N_PARAMS || word_find(name, more, N_MORE) < N_MORE ||
-         name_of_arc(name) >= 0 || name_of_tangent(name, &index) || springs_names(name) ||
-         name_of_motion(name, &in_x, &component, &primes, &argument) || strchr(name, '[');
+  return word_find(name, name_param, N_PARAMS) < N_PARAMS || word_find(name, name_of_point, N_OF_POINT) < N_OF_POINT ||
+         word_find(name, more, N_MORE) < N_MORE || name_of_arc(name) >= 0 || name_of_tangent(name, &index) ||
+         springs_names(name) || name_of_motion(name, &in_x, &component, &primes, &argument) || strchr(name, '[');
 }
 
 int values_bind(void *z, bool *known, struct values *v, const char *name) {
