@@ -108,12 +108,6 @@ void output_add_views(struct output *out, struct audit_result *r, const struct m
   r->neighbours = NULL;
 }
 
-static const struct data_table *table_of(const struct audit_result *r, const char *name) {
-  for (size_t i = 0; i < r->n_tables; i++)
-    if (strcmp(r->tables[i].name, name) == 0) return &r->tables[i];
-  return NULL;
-}
-
 bool output_add_report(struct output *out, const struct audit_result *r, const struct mutation_score *score,
                        struct diag *d) {
   struct audit_result again;
@@ -126,7 +120,7 @@ bool output_add_report(struct output *out, const struct audit_result *r, const s
   if (!ok)
     diag_set(d, "%s: error: audit.json would have more than %d bytes, which no reader takes", r->scene, LARGEST_AUDIT);
   ok = ok && report_read(&again, &s, d);
-  for (size_t i = 0; ok && i < again.n_tables; i++) again.tables[i].text = table_of(r, again.tables[i].name)->text;
+  for (size_t i = 0; ok && i < again.n_tables; i++) again.tables[i].text = r->tables[i].text; /* in order */
   if (ok) output_add_views(out, &again, score);
   source_clear(&s);
   audit_result_clear(&again);

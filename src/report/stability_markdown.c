@@ -27,14 +27,14 @@ static const char *power_of_ten(char buffer[32], double x) {
 /* --- The formulas and what replaces them --- */
 
 /* "stable-45 and 9 more, proved": the last record of the replacement is the nearest to the formula. */
-static void add_replacement(struct text *out, const struct stability_formula *f, bool all) {
+static void add_replacement(struct text *out, const struct stability_formula *f) {
   if (!f->replacement) {
     text_add_char(out, '-');
     return;
   }
   int more = 0;
   const char *last = f->replacement;
-  for (const char *p = f->replacement; !all && (p = strstr(p, ", ")); p += 2) {
+  for (const char *p = f->replacement; (p = strstr(p, ", ")); p += 2) {
     last = p + 2;
     more++;
   }
@@ -61,7 +61,7 @@ static struct other_form other_form(const struct stability_result *r, int formul
 static void add_after(struct text *out, const struct stability_result *r, const struct stability_row *row) {
   char a[32], b[32], c[32];
   struct other_form o = other_form(r, row->formula);
-  add_replacement(out, &r->formula[row->formula], false);
+  add_replacement(out, &r->formula[row->formula]);
   text_printf(out, " | %s | %s | %s | %ld | ", stability_digits(a, row->after),
               stability_digits(b, stability_gained(row)), stability_digits(c, o.most), o.failures);
 }
@@ -109,7 +109,7 @@ static void add_unmended(struct text *out, const struct stability_result *r) {
     }
     if (n++ >= MOST_NODES) continue;
     text_printf(out, "| `%s` | ", r->formula[i].id);
-    add_replacement(out, &r->formula[i], false);
+    add_replacement(out, &r->formula[i]);
     text_printf(out, " | %s | %s | `%s` |\n", r->region[worst->region].id, stability_digits(a, worst->after_most),
                 worst->after_witness);
   }
