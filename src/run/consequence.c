@@ -7,11 +7,11 @@
 #include <string.h>
 
 #include "base/work.h"
-#include "consequence.h"
 #include "judge/judge.h"
 #include "num/calc.h"
 #include "proof/exact_proof.h"
 #include "readings/study.h"
+#include "run.h"
 
 enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
 

@@ -8,13 +8,11 @@
 
 #include "audit.h"
 #include "base/work.h"
-#include "consequence.h"
 #include "judge/judge.h"
 #include "readings/study.h"
 #include "record/routes.h"
 #include "route/studies.h"
 #include "scene/fingerprint.h"
-#include "skipped.h"
 #include "tables.h"
 #include "value/orbit_pool.h"
 

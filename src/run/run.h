@@ -1,4 +1,5 @@
-/* An audit as pieces: what is selected, and which pieces that makes.  The planner prints them, the run does them. */
+/* An audit as pieces: what is selected, which pieces that makes, what some of them do, and what is left out.  The planner
+   prints them, the run does them. */
 #ifndef STICKSLIP_AUDIT_RUN_H
 #define STICKSLIP_AUDIT_RUN_H
 
@@ -43,6 +44,17 @@ void pieces_clear(struct pieces *p);
 /* The values that the scene asks for, into the result (values_asked.c); false with j->d set, at the scene's line, where
    they are more than an audit.json may hold. */
 bool values_asked(struct judge *j);
+/* The claim that a finding is about when its failure has consequences: it fails and has a correction; the number of
+   claims when not (consequence.c). */
+size_t consequence_claim(const struct judge *j, const struct finding *f);
+/* What refuted claims do to what is derived from them: of the n findings of the result at these places, which share
+   what they read as printed (claim_own); completes their effects. */
+bool judge_consequences(struct judge *j, const size_t *at, size_t n);
+/* What the run left out, and why, made from what was really not done (skipped.c); touched: the parts of work.h that some
+   piece has used. */
+void skipped_describe(struct audit_result *out, const struct claims *claims, const struct claims *controls,
+                      const struct scene *s, const struct audit_options *opt, const struct pieces *first,
+                      const struct pieces *second, unsigned touched);
 /* What the piece is expected to take, in milliseconds. */
 double piece_cost(const struct piece *p, const struct costs *costs);
 

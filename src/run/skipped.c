@@ -1,16 +1,13 @@
 /* The ledger of what was not done: claims, controls and studies by the pieces that were made, routes by the evidence,
    the rest by what the work has touched. */
-#include "skipped.h"
-
-#include "claim/claim.h"
-
 #include <string.h>
 
-#include "audit.h"
 #include "base/work.h"
+#include "claim/claim.h"
 #include "claim/kinds.h"
 #include "record/finding.h"
 #include "record/routes.h"
+#include "run.h"
 
 static size_t count(const struct pieces *p, enum piece_kind kind) {
   size_t n = 0;
