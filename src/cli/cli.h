@@ -197,8 +197,6 @@ bool load_model(struct model *m, const char *data, const struct options *o, stru
 
 /* As many of the digits as are known; a ball in which not even the first is: 0. */
 void print_known(struct text *out, const arb_struct *x, slong digits);
-/* The same on a line, behind its name in so many columns. */
-void print_named(struct text *out, int width, const char *name, const arb_struct *x, slong digits);
 /* The same as a member or, without a key, an element. */
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits);
 /* An array of n of them. */
@@ -221,6 +219,8 @@ void json_at(struct json *j, const struct jacobian_request *q);
 void json_of_model(struct json *j, struct text *out, const struct scene *s);
 /* The eigenvalues of a 2x2 matrix by GSL, two texts: real numbers, or "a+bi" and "a-bi". */
 bool print_eigenvalues(struct text out[2], arb_srcptr j);
+/* The same as lines, with what is exact; of: "of J " or "". */
+void eigenvalues_text(struct text *out, const char *of, arb_srcptr j, slong digits);
 /* jacobian --phases */
 void show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d);

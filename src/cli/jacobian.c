@@ -53,19 +53,14 @@ static void jacobian_json(struct text *out, const struct text e[N_NUMBERS], cons
 
 static void jacobian_text(struct text *out, const struct text e[N_NUMBERS], arb_srcptr x,
                           const struct jacobian_request *q) {
-  struct text gsl[2];
   arb_t worst;
   arb_init(worst);
-  for (int i = 0; i < 2; i++) text_init(&gsl[i]);
   for (int i = 0; i < 2; i++) text_printf(out, "  %s  %s\n", text_str(&e[2 * i]), text_str(&e[2 * i + 1]));
   text_printf(out, "trace %s\ndet   %s\naccuracy ", text_str(&e[TRACE]), text_str(&e[DET]));
   jacobian_accuracy(worst, x, 4);
   print_accuracy(out, worst);
   text_printf(out, " (%s)\n", method_accuracy[q->method]);
-  if (arb_is_zero(x + DET)) text_printf(out, "eigenvalues 0 and %s (exactly: 0 and the trace)\n", text_str(&e[TRACE]));
-  if (print_eigenvalues(gsl, x))
-    text_printf(out, "eigenvalues %s and %s (GSL)\n", text_str(&gsl[0]), text_str(&gsl[1]));
-  for (int i = 0; i < 2; i++) text_clear(&gsl[i]);
+  eigenvalues_text(out, "", x, q->digits);
   arb_clear(worst);
 }
 

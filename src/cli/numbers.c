@@ -50,12 +50,6 @@ void print_known(struct text *out, const arb_struct *x, slong digits) {
   if (n > 0 && n < digits) show_as_power(out, from, n);
 }
 
-void print_named(struct text *out, int width, const char *name, const arb_struct *x, slong digits) {
-  text_printf(out, "  %-*s ", width, name);
-  print_known(out, x, digits);
-  text_add_char(out, '\n');
-}
-
 void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits) {
   json_begin_string(j, key);
   num_print_rational(j->out, q, digits);
@@ -155,6 +149,21 @@ bool print_eigenvalues(struct text out[2], arb_srcptr j) {
     text_add_char(&out[i], 'i');
   }
   return true;
+}
+
+void eigenvalues_text(struct text *out, const char *of, arb_srcptr j, slong digits) {
+  struct text gsl[2] = {{0}, {0}};
+  arb_ptr x = _arb_vec_init(2);
+  jacobian_invariants(x, x + 1, j);
+  if (arb_is_zero(x + 1)) {
+    text_printf(out, "eigenvalues %s0 and ", of);
+    print_known(out, x, digits);
+    text_add(out, " (exactly: 0 and the trace)\n");
+  }
+  if (print_eigenvalues(gsl, j))
+    text_printf(out, "eigenvalues %s%s and %s (GSL)\n", of, text_str(&gsl[0]), text_str(&gsl[1]));
+  for (int i = 0; i < 2; i++) text_clear(&gsl[i]);
+  _arb_vec_clear(x, 2);
 }
 
 void json_truth(struct json *j, const char *key, truth t) {

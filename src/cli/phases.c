@@ -170,24 +170,6 @@ static void phases_text(struct text *out, const struct jacobian_phases *p, const
              "printed and corrected stand at the printed times, the others find the events of the printed start\n");
 }
 
-static void add_eigenvalues(struct text *out, const struct jacobian_phases *p, slong digits) {
-  int c = column_of_j(p);
-  if (c < 0) return;
-  struct text gsl[2];
-  arb_ptr x = _arb_vec_init(2);
-  for (int i = 0; i < 2; i++) text_init(&gsl[i]);
-  jacobian_invariants(x, x + 1, p->matrix[MATRIX_J].entry[c]);
-  if (arb_is_zero(x + 1)) {
-    text_add(out, "eigenvalues of J 0 and ");
-    print_known(out, x, digits);
-    text_add(out, " (exactly: 0 and the trace)\n");
-  }
-  if (print_eigenvalues(gsl, p->matrix[MATRIX_J].entry[c]))
-    text_printf(out, "eigenvalues of J %s and %s (GSL)\n", text_str(&gsl[0]), text_str(&gsl[1]));
-  for (int i = 0; i < 2; i++) text_clear(&gsl[i]);
-  _arb_vec_clear(x, 2);
-}
-
 /* --- JSON --- */
 
 static void json_accuracy(struct json *w, const char *key, const arb_struct *worst) {
@@ -326,8 +308,9 @@ void show_phases(const struct options *o, const struct model *m, const struct sc
   bool ok = audit_phases(&p, m, s, q, d);
   if (ok && option(o, OPT_JSON)) phases_json(&out, &p, s, q);
   if (ok && !option(o, OPT_JSON)) {
+    int c = column_of_j(&p);
     phases_text(&out, &p, s, q);
-    add_eigenvalues(&out, &p, q->digits);
+    if (c >= 0) eigenvalues_text(&out, "of J ", p.matrix[MATRIX_J].entry[c], q->digits);
   }
   fputs(text_str(&out), stdout);
   text_clear(&out);

@@ -157,6 +157,12 @@ static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits
   text_add(out, !z ? " not told apart\n" : n ? "\n" : " none\n");
 }
 
+static void print_named(struct text *out, const char *name, const arb_struct *x, slong digits) {
+  text_printf(out, "  %-12s ", name);
+  print_known(out, x, digits);
+  text_add_char(out, '\n');
+}
+
 static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
                        slong digits) {
   mag_t radius;
@@ -169,18 +175,18 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
   for (int k = 0; k < o->word.n; k++) {
     char name[MECH_PHASE + 16];
     snprintf(name, sizeof name, "t_%d %s", k + 1, phase_shown(s, o->word.phase[k]));
-    print_named(out, 12, name, o->t + k, digits);
+    print_named(out, name, o->t + k, digits);
   }
-  print_named(out, 12, "period", o->period, digits);
+  print_named(out, "period", o->period, digits);
   for (int i = 0; i < 2 * o->n; i++) {
     char name[24];
     snprintf(name, sizeof name, "x_%d%s", i % o->n + 1, i < o->n ? "" : "'");
-    print_named(out, 12, name, o->state + i, digits);
+    print_named(out, name, o->state + i, digits);
   }
-  if (o->turns) print_named(out, 12, "load angle", o->angle, digits);
+  if (o->turns) print_named(out, "load angle", o->angle, digits);
   if (o->turns) text_printf(out, "  %-12s %ld\n", "load turns", (long)o->turns);
   for (int i = 0; i < 2 && !s->system; i++)
-    if (word_orbit_friction(least, o, m, i, system_bits(digits))) print_named(out, 12, friction_name[i], least, digits);
+    if (word_orbit_friction(least, o, m, i, system_bits(digits))) print_named(out, friction_name[i], least, digits);
   multipliers_text(out, o->multipliers ? o->multiplier : NULL, o->n_free, digits);
   find_radius(radius, o);
   proof_text(out, o->certified, radius);
