@@ -168,9 +168,9 @@ static bool says(const struct finding *f, const char *words) {
 #define MECHANICS                                                                                                      \
   "  moves: eq-1 D\n  depends-on: first, second\n\n"                                                                   \
   "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n"                                              \
-  "  slips: eq-2#1\n  sticks: eq-2b C\n  breaks: eq-2c C\n\n"                                                          \
+  "  slips: eq-2#1, eq-2#3 H\n  sticks: eq-2b C\n  breaks: eq-2c C\n\n"                                                \
   "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n"                                             \
-  "  slips: eq-2#2\n  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n"
+  "  slips: eq-2#2, eq-2#4 H\n  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n"
 #define CLAIM(check) "claim text-case\n  kind: behaviour\n  title: a case\n  check: " check "\n"
 
 START_TEST(dimensions_are_those_of_the_constraints) {

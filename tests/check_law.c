@@ -75,6 +75,11 @@ static const struct {
      RELATION(
          "slips") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1'(t) - V) > 0 for eps in {+1, -1}\n" STICKS BREAKS,
      "1", VERDICT_REFUTED},
+    {"both signs turned round",
+     RELATION("slips") "  u_1 = -eps*u_s1 for eps in {+1, -1}\n  eps*(x_1'(t) - V) > 0 for eps in {+1, -1}\n" STICKS
+         RELATION("breaks") "  u_1 = -eps*u_s1 for eps in {+1, -1}\n  -eps*(x_1(t) - chi*x_2(t)) > u_r1 for eps in "
+                            "{+1, -1}\n",
+     "1", VERDICT_PROVED},
     {"friction to either side", RELATION("slips") "  u_1 = eps*u_s1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
      VERDICT_REFUTED},
     {"the wrong limit while slipping", RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" SLOWER STICKS BREAKS,

@@ -75,12 +75,11 @@ static bool takes_word(const struct tex_token *t) {
           (t->word->role == TEX_ROLE_TEXT || t->word->role == TEX_ROLE_FUNCTION));
 }
 
-/* Environments that only set lines below each other say nothing. */
+/* The environment that only sets lines below each other says nothing. */
 static bool is_layout(const struct mark *m) {
-  static const char *const layouts[] = {"aligned", "cases"};
-  for (size_t i = 0; (m->kind == TEX_BEGIN || m->kind == TEX_FINISH) && i < 2; i++)
-    if (strlen(layouts[i]) == m->len && memcmp(layouts[i], m->s, m->len) == 0) return true;
-  return false;
+  static const char layout[] = "aligned";
+  return (m->kind == TEX_BEGIN || m->kind == TEX_FINISH) && m->len == sizeof layout - 1 &&
+         memcmp(m->s, layout, m->len) == 0;
 }
 
 static bool read_token(struct marks *out, const char **s, const char *end, const struct source *src, struct diag *d) {

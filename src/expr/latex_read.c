@@ -368,6 +368,8 @@ static const struct expr *read_matrix(struct latex_reader *r) {
   const struct mark *begin = mark_in_hand(r);
   const struct tex_environment *kind = tex_environment(begin->s, begin->len);
   if (!kind) return latex_mistake(r, "{%.*s} is no matrix", (int)(begin->len < 40 ? begin->len : 40), begin->s);
+  if (begin->len == 5 && memcmp(begin->s, "cases", 5) == 0)
+    return latex_mistake(r, "cases are read one by one: leave out what stands around one of them with \"...\"");
   size_t at = r->at++;
   const struct expr *entries[MAX_ENTRIES];
   int n = 0, rows = 1, cols = 0;

@@ -40,7 +40,8 @@ val friction_acceleration(const struct friction *f, struct law_state *s, int mas
 }
 
 bool friction_apply(const struct friction *f, struct law_state *s, int mass, int slips) {
-  s->eps = calc_d(&s->c, slips ? slips : 1);
+  if (slips && !f->law[mass].slower) return false;
+  s->eps = calc_d(&s->c, slips ? slips * f->law[mass].slower : 1);
   val u = law_friction(&f->law[mass], s, slips ? SLIPS : STICKS);
   if (u) s->u[mass] = u;
   if (!slips) s->v[mass] = s->belt;

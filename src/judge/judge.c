@@ -30,6 +30,16 @@ static bool at_own_symbols(struct judge *j, const struct claim *c) {
   return own;
 }
 
+/* Is the claim's formula said for either sign of a symbol? */
+static bool for_either_sign(struct judge *j, const struct claim *c) {
+  const char *id = claim_get(c, "statement");
+  const struct view v = {j->model, LAYER_PRINTED, NULL, NULL};
+  const struct statement_record *r = id ? view_record(&v, id) : NULL;
+  bool any = false;
+  for (int k = 0; r && k < r->n_stmts; k++) any = any || r->stmts[k]->range_signs;
+  return any;
+}
+
 /* Why the program can compute nothing of what the claim is about; NULL where it can. */
 static const char *beyond(struct judge *j, const struct claim *c) {
   const char *value = claim_kind(c) == KIND_MATRIX ? claim_get(c, "value") : NULL;
@@ -40,6 +50,8 @@ static const char *beyond(struct judge *j, const struct claim *c) {
   if (!j->model->system && at_points && !at_own_symbols(j, c) && !j->d->set)
     return "its points are motions of two masses on a belt, and no file of the paper says that it is about them; "
            "\"points: params N\" are values of the paper's own symbols";
+  if (!j->model->system && at_points && for_either_sign(j, c))
+    return "it is said for either sign of a symbol, at which its formula is not tried";
   if (!value || oracle_find(value)) return NULL;
   return result_str(j->out, "the model has no quantity named %s", value);
 }
@@ -264,6 +276,7 @@ static const char *says_nothing(const struct judge *j, const struct finding *f, 
     return is_found(j->out, claim->id, VERDICT_REFUTED) && !mended ? "its claim fails without damage, too" : NULL;
   if (off_record && is_found(j->out, claim->id, VERDICT_REFUTED)) return "its claim does not hold here without damage";
   if (f->verdict != VERDICT_UNKNOWN) return NULL;
+  if (near_made(control) && f->n_evidence && f->evidence[0].trials < 2) return "fewer than two points could be used";
   if (j->scene->asked.routes.n > 0) return "undecided by the routes that the scene asks for";
   if (is_found(j->out, claim->id, VERDICT_UNKNOWN)) return "its claim is undecided here without damage";
   return record_get(control->record, "near") && j->scene->changed

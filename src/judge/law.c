@@ -29,16 +29,16 @@ static double pull(const struct state *s, int mass) {
   return mass ? s->chi * (s->x[1] - s->x[0]) : s->x[0] - s->chi * s->x[1];
 }
 
-/* u of the mass, and which branch with which eps. */
-static double law_force(enum branch *b, int *eps, const struct state *s, int mass) {
+/* u of the mass, and which branch. */
+static double law_force(enum branch *b, const struct state *s, int mass) {
   double f = pull(s, mass);
-  *eps = s->speed ? s->speed : f > 0 ? 1 : -1;
+  int eps = s->speed ? s->speed : f > 0 ? 1 : -1;
   *b = s->speed ? SLIPS : fabs(f) < s->limit[mass] ? STICKS : BREAKS;
-  return *b == STICKS ? f : *eps * s->slide[mass];
+  return *b == STICKS ? f : eps * s->slide[mass];
 }
 
 /* The same as the simulation has it; NaN when it does not start. */
-static double simulated_force(enum branch *b, int *eps, const struct state *s, int mass) {
+static double simulated_force(enum branch *b, const struct state *s, int mass) {
   const double params[N_COULOMB] = {s->chi, s->eta, s->belt, s->slide[0], s->slide[1], s->limit[0], s->limit[1]};
   double start[N_STATE] = {s->x[0], s->x[1], 0.5 * s->belt, 0.5 * s->belt};
   start[2 + mass] = s->belt * (1 - 0.25 * s->speed);
@@ -48,7 +48,6 @@ static double simulated_force(enum branch *b, int *eps, const struct state *s, i
   if (coulomb_simulate_ode(&end, params, start, &plan, NULL) != SS_OK) return NAN;
   enum coulomb_mode m = end.at.mode[mass];
   *b = m == MODE_STICK ? STICKS : s->speed ? SLIPS : BREAKS;
-  *eps = m == MODE_ABOVE ? -1 : 1;
   return end.at.u[mass];
 }
 
@@ -68,14 +67,12 @@ static void enter(struct law_state *s, const struct state *at, int mass) {
 }
 
 /* Does the text name this branch alone, with the force, and its heading hold just at the belt's velocity? */
-static truth text_agrees(const struct law *l, const struct state *at, enum branch b, int eps, double force,
-                         double tolerance) {
+static truth text_agrees(const struct law *l, const struct state *at, enum branch b, double force, double tolerance) {
   struct law_state s;
   enter(&s, at, l->mass);
   struct law_answer a = law_answer(l, &s, at->speed);
   truth headed = l->headed ? law_headed(l, &s) : at->speed == 0 ? TRUTH_TRUE : TRUTH_FALSE;
-  bool said = a.n == 1 && a.b == b && (b == STICKS || a.eps == eps) &&
-              fabs(num_arb.get_d(calc_sub(&s.c, a.u, calc_d(&s.c, force)))) <= tolerance;
+  bool said = a.n == 1 && a.b == b && fabs(num_arb.get_d(calc_sub(&s.c, a.u, calc_d(&s.c, force)))) <= tolerance;
   bool known = s.c.status == SS_OK && headed != TRUTH_UNKNOWN;
   for (int sign = -1; at->speed == 0 && sign <= 1; sign++) {
     s.eps = calc_d(&s.c, sign ? sign : 1);
@@ -110,11 +107,10 @@ static void try_states(struct tally *n, const struct law *l) {
   for (int i = 0; i < STATES; i++) {
     struct state s;
     enum branch b;
-    int eps;
     draw(&s, &state, i, l->mass);
     for (int route = 0; route < (l->j->effort == EFFORT_REFUTE ? 1 : 2); route++) {
-      double force = route ? simulated_force(&b, &eps, &s, l->mass) : law_force(&b, &eps, &s, l->mass);
-      truth ok = isnan(force) ? TRUTH_UNKNOWN : text_agrees(l, &s, b, eps, force, ldexp(1 + fabs(force), -44));
+      double force = route ? simulated_force(&b, &s, l->mass) : law_force(&b, &s, l->mass);
+      truth ok = isnan(force) ? TRUTH_UNKNOWN : text_agrees(l, &s, b, force, ldexp(1 + fabs(force), -44));
       n->as_said[route] += ok == TRUTH_TRUE;
       n->against[route] += ok == TRUTH_FALSE;
       if (ok == TRUTH_FALSE && !n->where)
@@ -138,7 +134,7 @@ static bool cell_agrees(const struct law *l, struct law_cell cell) {
   struct law_answer a = law_answer(l, &s, cell.speed);
   truth headed = law_headed(l, &s);
   bool ok = a.n == 1 && law_sign(&s, calc_sub(&s.c, a.u, coulomb)) == 0;
-  ok = ok && a.b == (cell.speed ? SLIPS : sticks ? STICKS : BREAKS) && (sticks || a.eps == eps);
+  ok = ok && a.b == (cell.speed ? SLIPS : sticks ? STICKS : BREAKS);
   ok = ok && (!l->headed || headed == (cell.speed ? TRUTH_FALSE : TRUTH_TRUE));
   law_state_close(&s);
   return ok;
@@ -257,8 +253,14 @@ bool law_read(struct law *l, struct judge *j, const struct claim *c, struct view
     if (ok && l->branch[b].n == 0) ok = claim_error(j, c, branch_name[b], "the statements of this branch are needed");
   }
   struct reread in;
-  if (ok) read_names(l);
-  return ok && read_heading(l, &in, c, view);
+  if (!ok) return false;
+  read_names(l);
+  struct law_state s;
+  law_state_open_in(&s, (struct law_cell){l->mass, 1, PULL_ANY, 1});
+  struct law_answer a = law_answer(l, &s, 1);
+  l->slower = a.n == 1 ? a.eps : 0;
+  law_state_close(&s);
+  return read_heading(l, &in, c, view);
 }
 
 void law_clear(struct law *l) {

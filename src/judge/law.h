@@ -21,6 +21,7 @@ struct law {
   bool headed;
   char names[2][16]; /* of the mass's sliding and static friction */
   int mass;          /* 0 or 1 */
+  int slower;        /* the eps of a slower mass that slips, which the text may choose; 0: not known */
   bool closed;       /* a mass breaks away at its limits too: ">=" where the text has ">" */
 };
 /* The law of a claim; false with j->d set.  Clear it in either case. */

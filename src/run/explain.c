@@ -86,7 +86,9 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
     int status = sentence_values(&lhs, &rhs, s, p, VARIANT_CLOSED, cache);
     if (status) {
       text_printf(out, "%-11s %s at this point\n", types[i].type->name,
-                  status & SS_DOMAIN ? "undefined" : "cannot be told");
+                  !(status & SS_DOMAIN) ? "cannot be told"
+                  : s->n_given          ? "undefined, or said elsewhere,"
+                                        : "undefined");
     } else {
       text_printf(out, "%-6s left ", types[i].type->name);
       add_side(out, &lhs, s->cols, differs);

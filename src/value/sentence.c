@@ -47,12 +47,25 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
   return ok;
 }
 
+static bool has_equality(const struct stmt *s) {
+  bool any = false;
+  for (int i = 0; s->kind == STMT_RELATION && i + 1 < s->n_sides; i++) any = any || s->ops[i] == REL_EQ;
+  return any;
+}
+
+bool statement_is_condition(const struct statement_record *r, const struct stmt *s) {
+  bool equations = false;
+  for (int k = 0; k < r->n_stmts; k++) equations = equations || has_equality(r->stmts[k]);
+  return equations && s->kind == STMT_RELATION && !has_equality(s);
+}
+
 /* All steps of the record's relations, entry by entry. */
 static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n, struct sentence *s,
                     const struct statement_record *r, struct diag *d) {
   size_t cap_l = 0, cap_r = 0, cap_o = 0;
   for (int k = 0; k < r->n_stmts; k++) {
     const struct stmt *st = r->stmts[k];
+    if (!s->el.view.model->system && statement_is_condition(r, st)) continue;
     for (int i = 0; st->kind == STMT_RELATION && i + 1 < st->n_sides; i++) {
       struct matrix a, b;
       if (!elaborate_sides(&a, &b, &s->el, st, i, r->src, r->section, d)) return false;
@@ -70,29 +83,59 @@ static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n
   return *n > 0;
 }
 
-/* The ranges, "lo < q < hi" each, but for those that are a phase of the motion. */
-static bool collect_ranges(struct sentence *s, const struct statement_record *r, struct diag *d) {
-  const struct expr **both = ss_malloc(4 * (size_t)r->n_stmts * sizeof *both), **low = both,
-                    **high = both + 2 * r->n_stmts;
-  bool ok = true;
-  s->given_closed = ss_malloc(2 * (size_t)r->n_stmts * sizeof *s->given_closed);
-  for (int k = 0; ok && k < r->n_stmts; k++) {
-    const struct stmt *st = r->stmts[k];
-    if (!st->range_hi || (s->el.view.model->system && name_of_range(st) < N_PHASES)) continue;
-    const struct expr name = {.kind = EXPR_SYM, .name = st->range_var, .span = st->range_lo->span};
-    struct matrix lo, q, hi;
-    ok = elaborate(&lo, &s->el, st->range_lo, r->src, r->section, d) &&
-         elaborate(&q, &s->el, &name, r->src, r->section, d) &&
-         elaborate(&hi, &s->el, st->range_hi, r->src, r->section, d);
-    if (!ok) break;
-    s->given_closed[s->n_given] = st->lo_closed;
-    low[s->n_given] = lo.e[0];
-    high[s->n_given++] = q.e[0];
-    s->given_closed[s->n_given] = st->hi_closed;
-    low[s->n_given] = q.e[0];
-    high[s->n_given++] = hi.e[0];
+/* Pairs of which the first must be less than the second. */
+struct pairs {
+  const struct expr **low, **high;
+  slong n;
+};
+
+static void add_pair(struct pairs *p, struct sentence *s, const struct matrix *low, const struct matrix *high,
+                     bool closed) {
+  s->given_closed[p->n] = closed;
+  p->low[p->n] = low->e[0];
+  p->high[p->n++] = high->e[0];
+}
+
+/* The range of a statement, "lo < q < hi", unless it is a phase of the motion. */
+static bool add_range(struct pairs *p, struct sentence *s, const struct statement_record *r, const struct stmt *st,
+                      struct diag *d) {
+  struct matrix lo, q, hi;
+  if (!st->range_hi || (s->el.view.model->system && name_of_range(st) < N_PHASES)) return true;
+  const struct expr name = {.kind = EXPR_SYM, .name = st->range_var, .span = st->range_lo->span};
+  if (!elaborate(&lo, &s->el, st->range_lo, r->src, r->section, d) ||
+      !elaborate(&q, &s->el, &name, r->src, r->section, d) ||
+      !elaborate(&hi, &s->el, st->range_hi, r->src, r->section, d))
+    return false;
+  add_pair(p, s, &lo, &q, st->lo_closed);
+  add_pair(p, s, &q, &hi, st->hi_closed);
+  return true;
+}
+
+/* The steps of a statement that is a condition. */
+static bool add_condition(struct pairs *p, struct sentence *s, const struct statement_record *r, const struct stmt *st,
+                          struct diag *d) {
+  if (s->el.view.model->system || !statement_is_condition(r, st)) return true;
+  for (int i = 0; i + 1 < st->n_sides; i++) {
+    struct matrix a, b;
+    bool less = st->ops[i] == REL_LT || st->ops[i] == REL_LE;
+    if (!elaborate_sides(&a, &b, &s->el, st, i, r->src, r->section, d)) return false;
+    add_pair(p, s, less ? &a : &b, less ? &b : &a, st->ops[i] == REL_LE || st->ops[i] == REL_GE);
   }
-  memmove(both + s->n_given, high, (size_t)s->n_given * sizeof *both);
+  return true;
+}
+
+/* Where the statements are said. */
+static bool collect_given(struct sentence *s, const struct statement_record *r, struct diag *d) {
+  size_t most = 0;
+  for (int k = 0; k < r->n_stmts; k++) most += 2 + (size_t)r->stmts[k]->n_sides;
+  const struct expr **both = ss_malloc((2 * most + 1) * sizeof *both);
+  struct pairs p = {both, both + most, 0};
+  bool ok = true;
+  s->given_closed = ss_malloc((most + 1) * sizeof *s->given_closed);
+  for (int k = 0; ok && k < r->n_stmts; k++)
+    ok = add_range(&p, s, r, r->stmts[k], d) && add_condition(&p, s, r, r->stmts[k], d);
+  s->n_given = ok ? p.n : 0;
+  memmove(both + s->n_given, p.high, (size_t)s->n_given * sizeof *both);
   ok = ok && elaboration_tape(&s->given, &s->el, both, 2 * s->n_given, d);
   free(both);
   return ok;
@@ -108,7 +151,7 @@ bool sentence_from_relations(struct sentence *s, struct view v, const struct sta
     const struct expr **both = ss_malloc(2 * (size_t)s->n * sizeof *both);
     memcpy(both, lhs, (size_t)s->n * sizeof *both);
     memcpy(both + s->n, rhs, (size_t)s->n * sizeof *both);
-    ok = finish(s, both, 2 * s->n, d) && collect_ranges(s, r, d);
+    ok = finish(s, both, 2 * s->n, d) && collect_given(s, r, d);
     free(both);
   }
   free(lhs);
@@ -221,16 +264,16 @@ double log2_upper(const arb_t x) {
   return r;
 }
 
-/* Ten digits; what cannot be told from zero in twenty is zero in ten. */
-static void describe(char *out, size_t size, const struct num_vec *v, slong i) {
+/* What cannot be told from zero in twenty digits is zero in ten. */
+static void describe(char *out, size_t size, const struct num_vec *v, slong i, slong digits) {
   arb_t x;
   arb_init(x);
   struct text t = {0};
   v->ctx.type->get_arb(x, num_vec_at(v, i));
   if (arb_contains_zero(x) && log2_upper(x) < -64)
     text_add(&t, "0");
-  else if (num_print(&t, x, 10) != SS_OK)
-    num_print_ball(&t, x, 10);
+  else if (num_print(&t, x, digits) != SS_OK)
+    num_print_ball(&t, x, digits);
   snprintf(out, size, "%s", text_str(&t));
   text_clear(&t);
   arb_clear(x);
@@ -309,8 +352,11 @@ static void compare(struct trial *t, struct comparison *c, const struct sentence
     c->apart = true;
     t->entry = i;
   }
-  describe(t->lhs, sizeof t->lhs, lhs, t->entry);
-  describe(t->rhs, sizeof t->rhs, rhs, t->entry);
+  for (slong digits = 10; digits <= 40; digits *= 2) { /* as many as show a difference */
+    describe(t->lhs, sizeof t->lhs, lhs, t->entry, digits);
+    describe(t->rhs, sizeof t->rhs, rhs, t->entry, digits);
+    if (!c->apart || strcmp(t->lhs, t->rhs) != 0) break;
+  }
 }
 
 /* What balls at this precision say. */

@@ -55,7 +55,7 @@ static const struct statement_record *its_statement(const struct title *t) {
 static void stated(struct text *out, const char **verb, const struct title *t, const struct statement_record *r,
                    size_t most) {
   struct text formulas = {0};
-  title_formulas(&formulas, r);
+  t->m->system ? title_formulas(&formulas, r) : title_conditional(&formulas, r);
   const char *note = title_note(r, false);
   *verb = note && title_is_plural(note) ? " hold" : " holds";
   if (note)

@@ -1,5 +1,6 @@
 /* The words of titles: records by number or formula, lists, phases, and the places that "points" names. */
 #include "names.h"
+#include "sentence.h"
 #include "title_impl.h"
 #include <stdio.h>
 #include <string.h>
@@ -179,17 +180,23 @@ static bool is_first_order(const struct stmt *s) {
 /* What holds of a formula beyond what it shows. */
 static void restriction(struct text *out, const struct stmt *s) {
   if (s->range_signs) text_printf(out, " for %s = +1 and -1", s->range_var);
-  if (s->range_hi && name_of_range(s) == N_PHASES) stmt_print_range(out, s);
   if (is_first_order(s)) text_add(out, " to first order");
 }
 
+/* Which of a record's statements: all, or those that are conditions of others, or the others. */
+enum listed { ALL, CONDITIONS, SAID };
+
 /* A record's statements as items of the list; the last one. */
-static const struct stmt *list_formulas(struct title_list *l, const struct statement_record *r) {
+static const struct stmt *list_formulas(struct title_list *l, const struct statement_record *r, enum listed which) {
   const struct stmt *last = NULL;
   for (int k = 0; k < r->n_stmts; k++) {
-    if (r->stmts[k]->kind == STMT_TRAJECTORY) continue;
-    last = r->stmts[k];
-    stmt_plain(title_list_next(l), last);
+    const struct stmt *s = r->stmts[k];
+    if (s->kind == STMT_TRAJECTORY) continue;
+    if (which != ALL && statement_is_condition(r, s) != (which == CONDITIONS)) continue;
+    struct text *item = title_list_next(l);
+    stmt_plain(item, s);
+    if (s->range_hi && name_of_range(s) == N_PHASES) stmt_print_range(item, s);
+    last = s;
   }
   return last;
 }
@@ -197,10 +204,24 @@ static const struct stmt *list_formulas(struct title_list *l, const struct state
 void title_formulas(struct text *out, const struct statement_record *r) {
   struct title_list l;
   title_list_init(&l);
-  const struct stmt *last = list_formulas(&l, r);
+  const struct stmt *last = list_formulas(&l, r, ALL);
   title_list_write(out, &l);
   if (last) restriction(out, last);
   title_list_clear(&l);
+}
+
+void title_conditional(struct text *out, const struct statement_record *r) {
+  struct title_list said, conditions;
+  title_list_init(&said);
+  title_list_init(&conditions);
+  const struct stmt *last = list_formulas(&said, r, SAID);
+  bool any = list_formulas(&conditions, r, CONDITIONS) != NULL;
+  title_list_write(out, &said);
+  text_add(out, any ? " where " : "");
+  title_list_write(out, &conditions);
+  if (last) restriction(out, last);
+  title_list_clear(&conditions);
+  title_list_clear(&said);
 }
 
 void title_first_formula(struct text *out, const struct statement_record *r) {
@@ -412,7 +433,7 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
     bool numbered = is_numbered(t, &part, list, p->detail);
     bool with_phase = !numbered && p->several && part.phase != N_PHASES;
     if (is_spread(&part, numbered, with_phase)) {
-      list_formulas(&l, part.r);
+      list_formulas(&l, part.r, ALL);
       continue;
     }
     struct text *to = title_list_next(&l);
