@@ -127,16 +127,17 @@ static bool decide(struct coulomb_run *run) {
 static enum coulomb_end change_modes(struct coulomb_run *run) {
   enum coulomb_mode before[2] = {run->mode[0], run->mode[1]};
   if (!decide(run)) return COULOMB_BLURRED;
-  bool both = run->mode[0] != before[0] && run->mode[1] != before[1], sticks = true, stuck = true;
+  bool changes[2] = {run->mode[0] != before[0], run->mode[1] != before[1]}, both = changes[0] && changes[1];
+  bool back = (changes[0] || changes[1]) && run->mode[0] == MODE_STICK && run->mode[1] == MODE_STICK;
+  run->result->returns += back;
   for (int i = 0; i < 2; i++) {
-    sticks = sticks && run->mode[i] == MODE_STICK;
-    stuck = stuck && before[i] == MODE_STICK;
-  }
-  if (sticks && !stuck) run->result->returns++;
-  for (int i = 0; i < 2; i++) {
-    if (run->mode[i] == before[i]) continue;
-    struct coulomb_event e = {
-        .mass = i, .from = before[i], .to = run->mode[i], .simultaneous = both, .grazing = run->grazing[i]};
+    if (!changes[i]) continue;
+    struct coulomb_event e = {.mass = i,
+                              .from = before[i],
+                              .to = run->mode[i],
+                              .simultaneous = both,
+                              .returns = back && (i == 1 || !both),
+                              .grazing = run->grazing[i]};
     run->result->events++;
     fill_row(run, &e.at, run->route.time(run->route.self));
     if (run->sink && run->sink->event && !run->sink->event(run->sink->self, &e)) return COULOMB_STOPPED;

@@ -57,6 +57,7 @@ struct coulomb_event {
   int mass; /* 0 or 1 */
   enum coulomb_mode from, to;
   bool simultaneous; /* the other mass changes too */
+  bool returns;      /* both masses stick from here on: of two changes at once the second */
   bool grazing;      /* the speed touched V, or crossed it so flatly that rounding decides */
 };
 

@@ -67,12 +67,10 @@ static void keep(struct listener *l, const struct coulomb_row *row) {
   run->n[l->route]++;
 }
 
-/* Where both masses begin to stick at once the second report completes the event. */
 static bool listen(void *self, const struct coulomb_event *e) {
   struct listener *l = self;
-  bool first_of_two = e->simultaneous && e->mass == 0;
   if (!l->log.event(l->log.self, e)) return false;
-  if (!first_of_two && e->at.mode[0] == MODE_STICK && e->at.mode[1] == MODE_STICK) keep(l, &e->at);
+  if (e->returns) keep(l, &e->at);
   return true;
 }
 

@@ -68,11 +68,8 @@ static void tell(struct listener *l, const void *x_1, const void *x_2) {
   _arb_vec_clear(w, 2);
 }
 
-/* Where both masses begin to stick at once the second report completes the event. */
 static bool listen(void *self, const struct coulomb_event *e) {
-  bool first_of_two = e->simultaneous && e->mass == 0;
-  if (!first_of_two && e->at.mode[0] == MODE_STICK && e->at.mode[1] == MODE_STICK)
-    tell(self, num_vec_at(e->at.exact, 1), num_vec_at(e->at.exact, 2));
+  if (e->returns) tell(self, num_vec_at(e->at.exact, 1), num_vec_at(e->at.exact, 2));
   return true;
 }
 
