@@ -583,7 +583,7 @@ static double crest_defect(const double p[N_PARAMS]) {
 
 START_TEST(at_the_crest) {
   int met = 0;
-  for (int i = 0; i < 10; i++) {
+  for (int i = 0; i < 10; i += every(2)) {
     double p[N_PARAMS], low = 0, high = 0, before = 0;
     fmpq q[N_PARAMS];
     params_d(p, &set[i]);
@@ -621,7 +621,7 @@ START_TEST(at_the_crest) {
     }
     for (int k = 0; k < N_PARAMS; k++) fmpq_clear(q + k);
   }
-  ck_assert_msg(met > 2, "%d", met);
+  ck_assert_msg(met > 2 / every(2), "%d", met);
 }
 END_TEST
 
