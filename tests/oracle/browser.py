@@ -5,9 +5,10 @@ open it, every formula must have a size, nothing may be wider than the page (360
 of each cell), no script may fail and
 nothing may be loaded; the letter takes two screens of 1280 x 800 at most, the archive is folded, and what is printed of the page
 takes 12 sheets at most; every link into the page must lead to something that is shown.  TOOLS: the folder for axe-core
-(axe.py), by which the page must then be accessible, narrow in light and wide in dark, with every 24th claim and the first of
-each verdict or, with STICKSLIP_TESTS=all in the environment, at both widths in light and in dark with all of them; where it
-cannot be had, a line says why.  One line for each error; exit status 0, 1 with errors, 2 where the browser gave no answer.
+(axe.py), by which the page must then be accessible, narrow in light and wide in dark, with every 24th claim and the
+first of each verdict or, with STICKSLIP_TESTS=all in the environment, at both widths in light and in dark with all of
+them; where it cannot be had, a line says why.  One line for each error; exit status 0, 1 with errors, 2 where the
+browser gave no answer.
 """
 import concurrent.futures
 import html

@@ -7,9 +7,9 @@ follows at least two blanks and "#" is a comment, and says "exit status N" where
 line is "# NAME.scene" or "# NAME.eq", behind which words may follow, is the file NAME.  build/stickslip is PROGRAM there,
 build/stickslip-checker is CHECKER, and /tmp the folder itself.  make and compilers are left to other tests.  A command that an
 earlier document had typed is not typed again, unless it reads a file of this document's folder; what it would have written is
-then not there for those that follow.  A plane is drawn with 5 values a side, and a scene of the document's own that is asked
-everything is asked of two claims, unless STICKSLIP_TESTS=all in the environment.  One line for each error; then how many
-commands ran.
+then not there for those that follow.  A plane is drawn with 5 values a side, and a scene of the document's own that is
+asked everything is asked of two claims, unless STICKSLIP_TESTS=all in the environment.  One line for each error; then
+how many commands ran.
 """
 import os
 import pathlib
