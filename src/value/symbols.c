@@ -159,7 +159,7 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
   int index, component, primes;
   if (has_arc(v) && name_of_tangent(name, &index)) {
     int s = values_tangents(v);
-    v->tangent_read |= 1U << (index >= 100 ? index - 80 : index);
+    v->tangent_read |= 1U << index % 80; /* dt_a, of index 100, has bit 20 */
     t->set(z, index >= 100 ? num_vec_at(&v->dt, index - 100) : num_vec_at(&v->tangent, index));
     return s;
   }
