@@ -81,6 +81,33 @@ static const char *joined(const char *const *list, int n) {
   return s;
 }
 
+/* --- Equations in words --- */
+
+/* Each stands under the number that the paper's record has, and a switching condition is the record's own formula. */
+START_TEST(equations_are_called_as_the_paper_has_them) {
+  static const char *const records[N_EQ] = {
+      [EQ_12] = "eq-12b", [EQ_14] = "eq-14b", [EQ_16] = "eq-16",  [EQ_V2] = "eq-18",
+      [EQ_Z1] = "eq-18",  [EQ_Z2] = "eq-18",  [EQ_W] = "eq-18",   [EQ_R] = "eq-18",
+      [EQ_F1] = "eq-46",  [EQ_F2] = "eq-46",  [EQ_G1] = "eq-44c", [EQ_G2] = "eq-44c"};
+  paper_model(&model, NULL);
+  for (int eq = 0; eq < N_EQ; eq++) {
+    const struct statement_record *r = NULL;
+    for (size_t i = 0; i < model.n_records; i++)
+      if (strcmp(model.records[i].id, records[eq]) == 0) r = &model.records[i];
+    ck_assert_msg(r != NULL, "no record %s", records[eq]);
+    struct text want = {0};
+    text_printf(&want, "(%s)", r->equation);
+    const char *text = equations[eq].text;
+    ck_assert_msg(strncmp(text, text_str(&want), want.len) == 0, "%s is of %s", text, text_str(&want));
+    text_add_char(&want, ' ');
+    stmt_plain(&want, r->stmts[0]);
+    if (eq == EQ_12 || eq == EQ_14) ck_assert_str_eq(text, text_str(&want));
+    text_clear(&want);
+  }
+  model_clear(&model);
+}
+END_TEST
+
 /* --- Procedures --- */
 
 static void values_are_the_oracles(const struct example_reading *r, const char *id) {
@@ -543,6 +570,7 @@ Suite *readings_suite(void) {
   tcase_add_test(c, what_the_digits_of_the_data_leave_room_for);
   tcase_add_test(c, slopes_and_both_sources_of_the_equations);
   tcase_add_test(c, rows_solved_for_the_start);
+  tcase_add_test(c, equations_are_called_as_the_paper_has_them);
   tcase_add_test(c, forms_of_the_periodicity_conditions);
   tcase_add_test(c, solutions_are_enclosed_or_refused);
   tcase_add_test(c, numbers_that_nothing_gives);
