@@ -16,6 +16,7 @@
 #include "scratch.h"
 #include "suites.h"
 #include "value/expression.h"
+#include "value/title.h"
 #include "whole.h"
 
 typedef long double real;
@@ -1174,6 +1175,41 @@ START_TEST(what_holds_when_v_is_one_is_said) {
 }
 END_TEST
 
+/* The words for the model's conditions are the paper's own inequalities, each in its phase and in the model's order. */
+START_TEST(conditions_are_called_as_the_paper_has_them) {
+  static const struct {
+    const char *record;
+    int statement, phase;
+    bool upper; /* of a < b < c the latter part */
+  } conditions[N_CONDITIONS] = {{"eq-51", 0, N_PHASES, false},       {"eq-57", 0, PHASE_GAMMA, false},
+                                {"text-h-phase", 0, PHASE_H, false}, {"text-h-phase", 1, PHASE_H, false},
+                                {"eq-59", 1, PHASE_C, false},        {"eq-59", 0, PHASE_C, true},
+                                {"eq-54", 1, PHASE_D, true},         {"eq-5b", 2, PHASE_GAMMA, true}};
+  const struct finding *f = finding_with_id(&undamaged, "text-constraints");
+  const char *said = NULL;
+  for (int i = 0; i < f->n_evidence; i++)
+    if (f->evidence[i].note && strstr(f->evidence[i].note, " violate ")) said = f->evidence[i].note;
+  struct model m;
+  paper_model(&m, NULL);
+  for (int k = 0; k < N_CONDITIONS; k++) {
+    const struct statement_record *r = record_with_id(&m, conditions[k].record);
+    ck_assert_int_lt(conditions[k].statement, r->n_stmts);
+    struct text plain = {0}, want = {0};
+    stmt_plain(&plain, r->stmts[conditions[k].statement]);
+    text_printf(&want, " violate %s",
+                conditions[k].upper ? strstr(text_str(&plain), " < ") + strlen(" < ") : text_str(&plain));
+    if (conditions[k].phase < N_PHASES) text_printf(&want, " in the %s phase", phase_words[conditions[k].phase]);
+    said = said ? strstr(said, " violate ") : NULL;
+    ck_assert_msg(said && strncmp(said, text_str(&want), want.len) == 0 && strchr(",;", said[want.len]),
+                  "expected%s, not%.60s", text_str(&want), said ? said : " the end");
+    said += want.len;
+    text_clear(&want);
+    text_clear(&plain);
+  }
+  model_clear(&m);
+}
+END_TEST
+
 START_TEST(what_cannot_be_read_is_a_fault_of_notation) {
   static const struct {
     const char *overlay, *outcome;
@@ -1254,6 +1290,7 @@ Suite *audit_suite(void) {
   tcase_add_loop_test(c, a_refutation_is_recomputed_from_its_certificate, 0, (int)(sizeof rechecks / sizeof *rechecks));
   tcase_add_loop_test(c, a_repaired_formula_is_supported, 0, N_REPAIRS);
   tcase_add_test(c, what_holds_when_v_is_one_is_said);
+  tcase_add_test(c, conditions_are_called_as_the_paper_has_them);
   tcase_add_test(c, what_cannot_be_read_is_a_fault_of_notation);
   tcase_add_test(c, an_undamaged_control_is_a_failure);
   suite_add_tcase(s, c);

@@ -91,10 +91,7 @@ START_TEST(equations_are_called_as_the_paper_has_them) {
       [EQ_F1] = "eq-46",  [EQ_F2] = "eq-46",  [EQ_G1] = "eq-44c", [EQ_G2] = "eq-44c"};
   paper_model(&model, NULL);
   for (int eq = 0; eq < N_EQ; eq++) {
-    const struct statement_record *r = NULL;
-    for (size_t i = 0; i < model.n_records; i++)
-      if (strcmp(model.records[i].id, records[eq]) == 0) r = &model.records[i];
-    ck_assert_msg(r != NULL, "no record %s", records[eq]);
+    const struct statement_record *r = record_with_id(&model, records[eq]);
     struct text want = {0};
     text_printf(&want, "(%s)", r->equation);
     const char *text = equations[eq].text;

@@ -64,6 +64,12 @@ const struct claim *claim_with_id(const struct claims *all, const char *id) {
   ck_abort_msg("no claim %s", id);
 }
 
+const struct statement_record *record_with_id(const struct model *m, const char *id) {
+  for (size_t i = 0; i < m->n_records; i++)
+    if (m->records[i].rank <= RANK_USER && strcmp(m->records[i].id, id) == 0) return &m->records[i];
+  ck_abort_msg("no record %s", id);
+}
+
 const struct finding *finding_with_id(const struct audit_result *r, const char *id) {
   for (size_t i = 0; i < r->n_findings; i++)
     if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];

@@ -34,6 +34,8 @@ bool judge_text(struct audit_result *r, const struct model *m, const char *text,
 
 /* By its id; fails the test where there is none. */
 const struct claim *claim_with_id(const struct claims *all, const char *id);
+const struct statement_record *record_with_id(const struct model *m,
+                                              const char *id); /* the paper's, not a correction */
 const struct finding *finding_with_id(const struct audit_result *r, const char *id);
 
 #endif
