@@ -61,5 +61,5 @@ bool data_check(const struct audit_data *a, struct diag *d) {
   return claims_check(a->claims, false, d) && claims_check(a->controls, true, d) &&
          claims_keep_rules(a->model, a->claims, a->controls, d) &&
          (!a->statements || statements_keep_rules(a->model, a->claims, a->statements, d)) &&
-         (!a->roots || roots_keep_rules(a->claims, a->roots, d));
+         (!a->roots || roots_keep_rules(a->model, a->claims, a->roots, d));
 }

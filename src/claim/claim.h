@@ -160,14 +160,18 @@ bool statements_claim(const struct claims *statements, const char *id);
      title        what it is about
      severity     substance, remark or notation
      where        the numbers or sections of the paper
-     wrong, correct, consequence   sentences, with TeX between dollar signs
+     wrong, correct, consequence   sentences, with TeX between dollar signs.  In correct {err-40}, outside of TeX, is
+                  the TeX of that record of errata.eq, or of the paper, and {text-free-index.repaired} what the claim's
+                  own file says in its place
      by-hand      one way to see it; may be missing
      claims       those that fail for it */
 bool root_check(const struct claim *root, struct diag *d);
-/* All together: the claims that they name are there, each at one root, and a claim on record as refuted or conditional
-   has one. */
-bool roots_keep_rules(const struct claims *claims, const struct claims *roots, struct diag *d);
-/* Says of each finding whose it is and, where it fails, of what root; adds the roots that have such findings. */
-void roots_attach(struct audit_result *out, const struct claims *statements, const struct claims *roots);
+/* All together: the claims that they name are there, each at one root; where errata.eq or a claim's own file corrects
+   it, its root cites that, or has the corrected symbols in their order; a claim on record as refuted or conditional has a root. */
+bool roots_keep_rules(const struct model *m, const struct claims *claims, const struct claims *roots, struct diag *d);
+/* Says of each finding whose it is and, where it fails, of what root; adds the roots that have such findings.  false
+   with d set where a root cites what is not there. */
+bool roots_attach(struct audit_result *out, const struct model *m, const struct claims *claims,
+                  const struct claims *statements, const struct claims *roots, struct diag *d);
 
 #endif

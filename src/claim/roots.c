@@ -1,6 +1,7 @@
 /* The roots of discrepancies: several claims can fail for one cause, which is told once. */
 #include "claim.h"
 
+#include <stdio.h>
 #include <string.h>
 
 bool root_check(const struct claim *root, struct diag *d) {
@@ -18,6 +19,126 @@ bool root_check(const struct claim *root, struct diag *d) {
          claim_mistake(root, "severity", d, "a severity is substance, remark or notation");
 }
 
+/* --- What a correction cites --- */
+
+/* A statement in the notation of the files, as TeX. */
+static bool add_statement(struct text *out, const char *statement, struct diag *d) {
+  struct source src;
+  struct arena a;
+  source_from_string(&src, "repaired", statement);
+  arena_init(&a);
+  const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, d);
+  if (s) {
+    text_add_char(out, '$');
+    stmt_latex(out, s);
+    text_add_char(out, '$');
+  }
+  arena_clear(&a);
+  source_clear(&src);
+  return s != NULL;
+}
+
+/* What the claim's own file holds as its correction, where that is a formula or the range of the indices. */
+static bool add_repaired(struct text *out, const struct claim *c, const char *key, struct diag *d) {
+  const char *value = claim_get(c, key);
+  int first, last;
+  if (value && strcmp(key, "repaired") == 0 && claim_get(c, "reads")) return add_statement(out, value, d);
+  if (!value || strcmp(key, "repaired-range") != 0 || sscanf(value, "%d %d", &first, &last) != 2) return false;
+  text_printf(out, "$i,j=%d,\\dots,%d$", first, last);
+  return true;
+}
+
+/* "err-40": the TeX of the record, of its correction where it has one; "text-free-index.repaired": the claim's. */
+static bool add_cited(struct text *out, const struct model *m, const struct claims *claims, const char *cited,
+                      struct diag *d) {
+  struct model plain;
+  const struct view v = {m, LAYER_CORRECTED, NULL, NULL}, corrected = view_without_stable(&v, &plain);
+  const char *key = strchr(cited, '.');
+  if (!key) {
+    const struct statement_record *r = view_record(&corrected, cited);
+    for (const char *s = r ? r->tex : ""; *s;) {
+      const char *gap = strstr(s, " ... ");
+      size_t n = gap ? (size_t)(gap - s) : strlen(s);
+      text_printf(out, "%s$%.*s$", s == r->tex ? "" : ", ", (int)n, s);
+      s += gap ? n + strlen(" ... ") : n;
+    }
+    return r && *r->tex;
+  }
+  char id[CLAIM_NAME];
+  snprintf(id, sizeof id, "%.*s", (int)(key - cited), cited);
+  const struct claim *c = claim_named(claims, id);
+  return c && add_repaired(out, c, key + 1, d);
+}
+
+/* The root's correction with what it cites, in braces outside of TeX. */
+static bool add_correct(struct text *out, const struct model *m, const struct claims *claims, const struct claim *root,
+                        struct diag *d) {
+  bool tex = false;
+  for (const char *p = claim_get(root, "correct"); *p; p++) {
+    tex = tex != (*p == '$');
+    if (tex || *p != '{') {
+      text_add_char(out, *p);
+      continue;
+    }
+    char cited[64];
+    size_t n = strcspn(++p, "}");
+    snprintf(cited, sizeof cited, "%.*s", (int)n, p);
+    if (!p[n] || !add_cited(out, m, claims, cited, d))
+      return claim_mistake(root, "correct", d,
+                           "there is no {%s}, a record with its TeX or a correction \"CLAIM.repaired\"", cited);
+    p += n;
+  }
+  return true;
+}
+
+/* The symbols of a claim's correction stand in the text in their order, each once. */
+static bool shows_symbols(const struct claim *c, const char *correct) {
+  const char *list = claim_get(c, "symbols") ? claim_get(c, "repaired") : NULL;
+  struct text seen = {0};
+  for (const char *p = list; p && *p && correct; p += strspn(p, "; ")) {
+    size_t n = strcspn(p, ";");
+    struct text symbol = {0};
+    text_add_n(&symbol, p, n);
+    if (!strstr(text_str(&seen), text_str(&symbol))) {
+      correct = strstr(correct, text_str(&symbol));
+      text_printf(&seen, "%s;", text_str(&symbol));
+    }
+    text_clear(&symbol);
+    p += n;
+  }
+  text_clear(&seen);
+  return correct != NULL;
+}
+
+static bool cites(const struct claim *root, const char *id, const char *key) {
+  char cited[80];
+  snprintf(cited, sizeof cited, "{%s%s}", id, key);
+  return strstr(claim_get(root, "correct"), cited) != NULL;
+}
+
+/* A correction on file is cited by the root of its claim, and not restated. */
+static bool check_correct(const struct model *m, const struct claim *root, const struct claim *c, const char *correct,
+                          struct diag *d) {
+  for (size_t i = 0; i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    bool of = erratum_is_about(r, c, true) || erratum_is_about(r, c, false);
+    if (of && claim_tried_at_points(c) && !cites(root, r->id, ""))
+      return claim_mistake(root, "correct", d, "the correction of %s is on file, and is cited as {%s}", c->id, r->id);
+  }
+  bool range = claim_get(c, "repaired-range") != NULL;
+  if (range || (claim_get(c, "repaired") && claim_get(c, "reads"))) {
+    const char *key = range ? ".repaired-range" : ".repaired";
+    return cites(root, c->id, key) ||
+           claim_mistake(root, "correct", d, "the correction of %s is on file, and is cited as {%s%s}", c->id, c->id,
+                         key);
+  }
+  return shows_symbols(c, correct) ||
+         claim_mistake(root, "correct", d, "the symbols by which %s is corrected do not stand here in their order",
+                       c->id);
+}
+
+/* --- What roots must keep --- */
+
 /* The root that has the claim on its list, among the first n. */
 static const struct claim *root_of(const struct claims *roots, size_t n, const char *id) {
   for (size_t i = 0; i < n; i++)
@@ -25,7 +146,8 @@ static const struct claim *root_of(const struct claims *roots, size_t n, const c
   return NULL;
 }
 
-static bool check_names(const struct claims *roots, size_t i, const struct claims *claims, struct diag *d) {
+static bool check_claims(const struct model *m, const struct claims *roots, size_t i, const struct claims *claims,
+                         const char *correct, struct diag *d) {
   const struct claim *root = &roots->claim[i];
   char name[64];
   for (const char *p = claim_get(root, "claims"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
@@ -35,15 +157,25 @@ static bool check_names(const struct claims *roots, size_t i, const struct claim
     const char *record = claim_get(c, "record");
     if (record && !verdict_fails(verdict_parse(record)))
       return claim_mistake(root, "claims", d, "%s is on record as %s", name, record);
+    if (!check_correct(m, root, c, correct, d)) return false;
   }
   return true;
 }
 
-bool roots_keep_rules(const struct claims *claims, const struct claims *roots, struct diag *d) {
+static bool root_keeps_rules(const struct model *m, const struct claims *roots, size_t i, const struct claims *claims,
+                             struct diag *d) {
+  struct text correct = {0};
+  bool ok = root_check(&roots->claim[i], d) && add_correct(&correct, m, claims, &roots->claim[i], d) &&
+            check_claims(m, roots, i, claims, text_str(&correct), d);
+  text_clear(&correct);
+  return ok;
+}
+
+bool roots_keep_rules(const struct model *m, const struct claims *claims, const struct claims *roots, struct diag *d) {
   enum severity last = SEVERITY_SUBSTANCE;
   for (size_t i = 0; i < roots->n; i++) {
     const struct claim *root = &roots->claim[i];
-    if (!root_check(root, d) || !check_names(roots, i, claims, d)) return false;
+    if (!root_keeps_rules(m, roots, i, claims, d)) return false;
     enum severity mine = severity_parse(claim_get(root, "severity"));
     if (mine < last) return claim_mistake(root, "severity", d, "those of more consequence stand before it");
     last = mine;
@@ -74,7 +206,13 @@ static void add_claim(struct root_cause *r, struct audit_result *out, const char
   }
 }
 
-static void add_root(struct audit_result *out, const struct claim *root) {
+static bool add_root(struct audit_result *out, const struct model *m, const struct claims *claims,
+                     const struct claim *root, struct diag *d) {
+  struct text correct = {0};
+  if (!add_correct(&correct, m, claims, root, d)) {
+    text_clear(&correct);
+    return false;
+  }
   out->roots = ss_grow(out->roots, out->n_roots, &out->cap_roots, sizeof *out->roots);
   struct root_cause *r = &out->roots[out->n_roots++];
   *r = (struct root_cause){.id = result_copy(out, root->id),
@@ -82,7 +220,7 @@ static void add_root(struct audit_result *out, const struct claim *root) {
                            .severity = severity_parse(claim_get(root, "severity")),
                            .where = text_of(out, root, "where"),
                            .wrong = text_of(out, root, "wrong"),
-                           .correct = text_of(out, root, "correct"),
+                           .correct = result_take(out, &correct),
                            .consequence = text_of(out, root, "consequence"),
                            .by_hand = text_of(out, root, "by-hand")};
   r->claims = arena_alloc(&out->arena, out->n_findings * sizeof *r->claims);
@@ -90,9 +228,11 @@ static void add_root(struct audit_result *out, const struct claim *root) {
   for (const char *list = claim_get(root, "claims"); list && (list = claim_next_item(name, sizeof name, list)) != NULL;)
     add_claim(r, out, name);
   out->n_roots -= r->n_claims == 0;
+  return true;
 }
 
-void roots_attach(struct audit_result *out, const struct claims *statements, const struct claims *roots) {
+bool roots_attach(struct audit_result *out, const struct model *m, const struct claims *claims,
+                  const struct claims *statements, const struct claims *roots, struct diag *d) {
   for (size_t i = 0; i < out->n_findings; i++) {
     struct finding *f = &out->findings[i];
     f->of = !statements || statements_claim(statements, f->id) ? OF_PAPER : OF_SUITE;
@@ -100,5 +240,7 @@ void roots_attach(struct audit_result *out, const struct claims *statements, con
     f->root = root ? root->id : NULL;
     f->severity = N_SEVERITIES;
   }
-  for (size_t i = 0; roots && i < roots->n; i++) add_root(out, &roots->claim[i]);
+  bool ok = true;
+  for (size_t i = 0; ok && roots && i < roots->n; i++) ok = add_root(out, m, claims, &roots->claim[i], d);
+  return ok;
 }

@@ -163,7 +163,8 @@ static bool check_statements(struct checked *x) {
 
 static bool check_roots(struct checked *x) {
   return check_each(x, "root", root_check, "claims") &&
-         (!has_file(&x->all, x->path) || (load_claims(x) && roots_keep_rules(&x->claims, &x->all, x->d)));
+         (!has_file(&x->all, x->path) ||
+          (load_model(x) && load_claims(x) && roots_keep_rules(&x->model, &x->claims, &x->all, x->d)));
 }
 
 /* The claims and the quantities that a scene asks for are looked up where it asks for any. */

@@ -382,7 +382,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   pieces_first(&first, m, claims, scene, opt);
   bool ok =
       pieces_controls(&second, claims, controls, scene, opt, d) && run_pieces(out, &r, &first, &second, &touched, d);
-  if (ok) roots_attach(out, opt->statements, opt->roots);
+  ok = ok && roots_attach(out, m, claims, opt->statements, opt->roots, d);
   if (ok && opt->statements && run_is_whole(opt, scene)) table_of_statements(out, opt->statements);
   if (ok) add_raises(out, &r.raises);
   if (ok) skipped_describe(out, claims, controls, scene, opt, &first, &second, touched);
