@@ -161,6 +161,18 @@ static bool check_quoted_numbers(const struct model *m, const struct claim *c, s
   return true;
 }
 
+/* What the claim takes from its sentence stands there in the same words. */
+static bool check_quoted_words(const struct claim *c, struct diag *d) {
+  static const char *const keys[] = {"transition", "side"};
+  const char *quote = claim_get(c, "quote");
+  for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+    const char *words = claim_get(c, keys[i]);
+    if (words && quote && !strstr(quote, words))
+      return claim_mistake(c, keys[i], d, "the sentence does not say \"%s\"", words);
+  }
+  return true;
+}
+
 /* What is judged of one scene has its verdict on record for one scene. */
 static bool check_record_scene(const struct model *m, const struct claim *c, struct diag *d) {
   return !m->system || !claim_of_scene(c) || !claim_get(c, "record") || claim_get(c, "record-scene") ||
@@ -175,7 +187,7 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
   if (!kind) return claim_mistake(c, "kind", d, "unknown kind of claim");
   if (m->system && claim_kind(c) == KIND_INEQUALITY && claim_get(c, "points"))
     return claim_mistake(c, "points", d, "inequalities are judged with the example's own numbers; leave the line out");
-  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_record_scene(m, c, d) &&
+  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_quoted_words(c, d) && check_record_scene(m, c, d) &&
          (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) && check_conclusion(m, c, d);
 }
 
