@@ -1,4 +1,4 @@
-/* Lists of records that arguments cite: "eq-52#1.2, eq-59#2, eq-56 D". */
+/* Records that claims cite: an argument's "eq-52#1.2, eq-59#2, eq-56 D", the formula of a number. */
 #include "claim.h"
 
 #include <stdio.h>
@@ -37,6 +37,23 @@ bool cited_share(const char *a, const char *b) {
   while ((a = claim_next_cited(&one, a)) != NULL)
     if (cited_in(&one, b)) return true;
   return false;
+}
+
+const char *claim_formula(struct arena *a, const struct model *m, const struct claim *c, const char *key) {
+  const struct view v = {m, LAYER_CORRECTED, NULL, NULL};
+  const char *text = claim_get(c, key), *formula = text;
+  char id[48];
+  int n, end;
+  if (!text || sscanf(text, "%47[^# ]#%d%n", id, &n, &end) != 2 || text[end]) return text;
+  const struct statement_record *r = view_record(&v, id);
+  if (r && n > 0 && n <= r->n_stmts) {
+    const struct stmt *s = r->stmts[n - 1];
+    struct text right = {0};
+    if (s->kind == STMT_RELATION) expr_print(&right, s->sides[s->n_sides - 1]);
+    if (right.len) formula = arena_strdup(a, text_str(&right));
+    text_clear(&right);
+  }
+  return formula;
 }
 
 /* A conclusion that is drawn from premises alone: not at one scene, and not a repetition of them in other words. */

@@ -20,7 +20,8 @@
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
      relation    (number) "<" or ">": the number is a bound; else it is a value
-     formula     (report) the trace that decides
+     formula     (report) the trace that decides; "eq-53#2", of a number or a result, is the right
+                 side of that statement
      few         why the claim asks for fewer points or routes than its kind does (kinds.h)
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
@@ -74,7 +75,7 @@
      every       (solutions) first: the events of each are first ones; motion: each is a motion under Coulomb's law
      until       (solutions) t_c up to this; kept: yes, those alone that keep the constraints, whatever their t_c
      constraints  (constraints, solutions) records as in premises
-     least-first, least-second  (constraints) closed forms of the least u_r1, u_r2
+     least-first, least-second  (constraints) closed forms of the least u_r1, u_r2, or statements as in formula
      needs       (outside) what a decision would take
      record      the verdict on record; record-scene: the only scene it speaks of
 

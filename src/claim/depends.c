@@ -125,9 +125,11 @@ static const struct reach *walk(struct dependences *d, size_t a) {
   r->walked = true;
   struct view v = claim_view(d->model, c);
   struct elaboration el;
+  struct arena formulas;
+  arena_init(&formulas);
   elaboration_init(&el, v, NULL, 0);
   reach_text(r, &el, claim_get(c, "value"), claim_section(c));
-  reach_text(r, &el, claim_get(c, "formula"), claim_section(c));
+  reach_text(r, &el, claim_formula(&formulas, d->model, c, "formula"), claim_section(c));
   reach_record(&el, &v, claim_get(c, "statement"));
   reach_lists(&el, &v, c);
   for (size_t i = 0; i < elaboration_n_used(&el); i++) {
@@ -137,6 +139,7 @@ static const struct reach *walk(struct dependences *d, size_t a) {
     r->used[r->n_used++] = def;
   }
   elaboration_clear(&el);
+  arena_clear(&formulas);
   return r;
 }
 

@@ -173,6 +173,21 @@ static bool check_quoted_words(const struct claim *c, struct diag *d) {
   return true;
 }
 
+/* A formula that cites a statement is the right side of one. */
+static bool check_formula(const struct model *m, const struct claim *c, struct diag *d) {
+  static const char *const keys[] = {"formula", "least-first", "least-second"};
+  struct arena a;
+  bool ok = true;
+  arena_init(&a);
+  for (size_t i = 0; ok && i < sizeof keys / sizeof *keys; i++) {
+    const char *formula = claim_formula(&a, m, c, keys[i]);
+    ok = !formula || !strchr(formula, '#') ||
+         claim_mistake(c, keys[i], d, "there is no statement %s with a right side", formula);
+  }
+  arena_clear(&a);
+  return ok;
+}
+
 /* What is judged of one scene has its verdict on record for one scene. */
 static bool check_record_scene(const struct model *m, const struct claim *c, struct diag *d) {
   return !m->system || !claim_of_scene(c) || !claim_get(c, "record") || claim_get(c, "record-scene") ||
@@ -187,8 +202,9 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
   if (!kind) return claim_mistake(c, "kind", d, "unknown kind of claim");
   if (m->system && claim_kind(c) == KIND_INEQUALITY && claim_get(c, "points"))
     return claim_mistake(c, "points", d, "inequalities are judged with the example's own numbers; leave the line out");
-  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_quoted_words(c, d) && check_record_scene(m, c, d) &&
-         (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) && check_conclusion(m, c, d);
+  return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_quoted_words(c, d) && check_formula(m, c, d) &&
+         check_record_scene(m, c, d) && (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) &&
+         check_conclusion(m, c, d);
 }
 
 /* --- The whole --- */
@@ -385,6 +401,7 @@ bool claims_keep_rules(const struct model *m, const struct claims *claims, const
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++)
     ok = claim_keeps_rules(m, &claims->claim[i], d) && check_turned(claims, &claims->claim[i], d);
+  for (size_t i = 0; ok && i < claims->n_results; i++) ok = check_formula(m, &claims->result[i], d);
   for (size_t i = 0; ok && i < controls->n_files; i++) ok = records_counted(controls->files[i], d);
   ok = ok && check_near(m, controls, d) && check_kind_controls(claims, controls, d);
   for (size_t i = 0; ok && i < claims->n; i++) ok = check_correction_controls(claims, controls, i, d);

@@ -19,6 +19,7 @@ struct constraints {
   struct judge *j;
   const struct claim *c;
   struct view view;
+  const char *least[2]; /* the closed forms of the least u_r1 and u_r2 */
   struct conditions paper;
   struct answers lists, forms, motions; /* do both lists, the closed form and the infimum, law and list agree? */
 };
@@ -32,7 +33,6 @@ static const char *const condition_words[N_CONDITIONS] = {"t_a > 0",
                                                           "z_1 - chi z_2 < e_1 in the stick-slip phase",
                                                           "chi (z_2 - z_1) < e_2 in the global stick phase",
                                                           "chi (z_2 - z_1) < e_2 in the slip-stick phase"};
-static const char *const least_attribute[2] = {"least-first", "least-second"};
 
 /* --- Balls --- */
 
@@ -43,8 +43,7 @@ static void compare_lists(struct constraints *x, const struct point *p, const st
 
 /* The closed form for the least u_r1 or u_r2 at an orbit. */
 static bool form_at(arb_t z, struct constraints *x, int i, const struct point *p) {
-  return expression_number(z, x->view, claim_get(x->c, least_attribute[i]), claim_section(x->c), p, FIRST_PREC,
-                           x->j->cache, x->j->d) == SS_OK;
+  return expression_number(z, x->view, x->least[i], claim_section(x->c), p, FIRST_PREC, x->j->cache, x->j->d) == SS_OK;
 }
 
 static void compare_form(struct constraints *x, int i, const arb_t least, const struct point *p) {
@@ -205,8 +204,8 @@ static struct route_result add(struct finding *f, struct constraints *x, const c
 /* The closed form of the attribute, for exact algebra. */
 static bool least_is_exact(struct constraints *x, int i) {
   struct expression e;
-  bool ok = expression_open(&e, x->view, claim_get(x->c, least_attribute[i]), claim_section(x->c), x->j->d) &&
-            e.n == 1 && exact_least_friction(&e.tape, i);
+  bool ok = expression_open(&e, x->view, x->least[i], claim_section(x->c), x->j->d) && e.n == 1 &&
+            exact_least_friction(&e.tape, i);
   expression_close(&e);
   return ok;
 }
@@ -246,9 +245,14 @@ static void describe(struct finding *f, struct constraints *x) {
 }
 
 bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct constraints x = {.j = j, .c = c, .view = view};
+  struct arena *a = &j->out->arena;
+  struct constraints x = {
+      .j = j,
+      .c = c,
+      .view = view,
+      .least = {claim_formula(a, j->model, c, "least-first"), claim_formula(a, j->model, c, "least-second")}};
   bool ok = conditions_read(&x.paper, j, c, "constraints", view);
-  if (ok && (x.paper.n == 0 || !claim_get(c, "least-first") || !claim_get(c, "least-second")))
+  if (ok && (x.paper.n == 0 || !x.least[0] || !x.least[1]))
     ok = claim_error(j, c, "kind", "constraints, least-first and least-second are needed");
   if (ok) {
     by_balls(&x);

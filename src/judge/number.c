@@ -291,7 +291,13 @@ static struct route_result number_from_printed(struct finding *f, const struct n
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *name = claim_get(c, "number"), *from = claim_get(c, "from");
   const char *relation = claim_get(c, "relation");
-  struct number_job n = {j, c, view, NULL, claim_get(c, "formula"), claim_get(c, "section"), relation ? relation : "="};
+  struct number_job n = {j,
+                         c,
+                         view,
+                         NULL,
+                         claim_formula(&j->out->arena, j->model, c, "formula"),
+                         claim_get(c, "section"),
+                         relation ? relation : "="};
   n.view.layer = LAYER_CORRECTED;
   if (!name || !n.formula || !from) return claim_error(j, c, "kind", "number, formula and from are needed");
   if (relation && strcmp(relation, "<") != 0 && strcmp(relation, ">") != 0)

@@ -19,6 +19,7 @@ enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
 enum { READ_OWN, READ_CORRECTED, READ_PRINTED, N_READ };
 struct result {
   const struct claim *c;
+  const char *formula;
   struct tape tape[N_READ];
   bool readable[N_READ];
   int rows, cols;
@@ -41,12 +42,11 @@ struct failure {
 /* --- Reading the results --- */
 
 static bool read_result(struct result *r, int reading, struct view v) {
-  const char *formula = claim_get(r->c, "formula");
   struct elaboration el;
   struct matrix m;
   struct diag d = {0};
   elaboration_init(&el, v, NULL, 0);
-  bool ok = elaborate_tape(&r->tape[reading], &m, &el, formula, formula, claim_section(r->c), &d);
+  bool ok = elaborate_tape(&r->tape[reading], &m, &el, r->formula, r->formula, claim_section(r->c), &d);
   if (ok) {
     r->rows = m.rows;
     r->cols = m.cols;
@@ -73,7 +73,8 @@ static void read_results(struct failure *f) {
   for (size_t i = 0; i < f->n; i++) {
     struct result *r = &f->result[i];
     *r = (struct result){.c = &f->j->claims->result[i], .worst_log = -INFINITY};
-    expr_latex_of(&r->latex, claim_get(r->c, "formula"));
+    r->formula = claim_formula(&f->j->out->arena, m, r->c, "formula");
+    expr_latex_of(&r->latex, r->formula);
     for (int k = 0; k < N_READ; k++) read_result(r, k, views[k]);
     if (!r->readable[READ_OWN])
       r->out.change = CHANGE_UNDEFINED;
@@ -214,14 +215,14 @@ static bool proved_unchanged(const struct failure *f, const struct result *r) {
                            {m, LAYER_CORRECTED, NULL, NULL},
                            {f->symbol, f->alias},
                            f->number ? 1 + (f->alias != NULL) : 0};
-  return exact_unchanged(&c, claim_get(r->c, "formula"), claim_section(r->c));
+  return exact_unchanged(&c, r->formula, claim_section(r->c));
 }
 
 static void conclude_result(struct failure *f, struct result *r) {
   struct audit_result *out = f->j->out;
   struct derived *d = &r->out;
   long points = r->agrees + r->differs + r->undecided;
-  d->formula = result_str(out, "%s", claim_get(r->c, "formula"));
+  d->formula = r->formula;
   d->title = result_str(out, "%s", claim_get(r->c, "title"));
   d->latex = r->latex.len ? result_str(out, "%s", text_str(&r->latex)) : NULL;
   if (r->differs) {

@@ -453,12 +453,12 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
 /* --- Formulas of attributes --- */
 
 bool title_formula(struct text *out, const struct title *t, const char *attribute) {
-  const char *text = claim_get(t->c, attribute);
-  if (!text) return false;
   struct arena a;
   struct source src;
   struct diag unread = {0};
+  if (!claim_get(t->c, attribute)) return false;
   arena_init(&a);
+  const char *text = claim_formula(&a, t->m, t->c, attribute);
   source_from_string(&src, attribute, text);
   const struct span all = {0, src.len};
   const struct expr *e = expr_parse(&a, &src, all, &unread);

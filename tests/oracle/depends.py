@@ -55,7 +55,7 @@ def load(paths, rank):
                 m = re.match(r"(?:root )?([^\s(:=]+)(?:\([^)]*\))?\s*(?::=|=|:)(.*)", f)
                 definitions.append(dict(name=m.group(1), section=where, equation=equation, body=m.group(2), rank=rank))
             if kind != "define":
-                statements.append(dict(id=a.get("replaces", ident), section=where, equation=equation, rank=rank,
+                statements.append(dict(id=a.get("replaces", ident), section=where, equation=equation, rank=rank, each=formulas,
                                        body=" ".join(f for f in formulas if not f.startswith("trajectory"))))
     return definitions, statements
 
@@ -86,6 +86,13 @@ class View:
                 seen.add((d["name"], d["section"]))
                 self.reach(d["body"], d["section"], seen)
         return seen
+
+
+def formula(view, a):
+    """The claim's formula; of "eq-53#2" the right side of that statement."""
+    text = a.get("formula", "")
+    m = re.fullmatch(r"(\S+)#(\d+)", text)
+    return re.split("[<=>]", view.statement(m.group(1))["each"][int(m.group(2)) - 1])[-1] if m else text
 
 
 def without_ranges(body):
@@ -133,7 +140,7 @@ def main():
             d = view.lookup(n, section)
             if d:
                 about[ident].add((d["name"], d["section"]))
-        for text in (a.get("value", ""), a.get("formula", "")):
+        for text in (a.get("value", ""), formula(view, a)):
             view.reach(text, section, seen)
         for rec in (view.statement(a.get("statement", "")), view.statement(a.get("bound", ""))):
             if rec:
@@ -159,7 +166,7 @@ def main():
             if "bound" in a and a["statement"] == b.get("bound", b.get("statement")):
                 want.add(other)
             if "number" in a and "number" in b:
-                symbols = {n.replace("_", "") for n in names(a["formula"])}
+                symbols = {n.replace("_", "") for n in names(formula(View(definitions, statements, None), a))}
                 if a["number"] != b["number"] and b["number"].replace("_", "") in symbols:
                     want.add(other)
         have = judged[ident]["depends_on"]
