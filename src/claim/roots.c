@@ -21,6 +21,12 @@ bool root_check(const struct claim *root, struct diag *d) {
 
 /* --- What a correction cites --- */
 
+static void add_formula(struct text *out, const char *before, const struct stmt *s) {
+  text_printf(out, "%s$", before);
+  stmt_latex(out, s);
+  text_add_char(out, '$');
+}
+
 /* A statement in the notation of the files, as TeX. */
 static bool add_statement(struct text *out, const char *statement, struct diag *d) {
   struct source src;
@@ -28,14 +34,21 @@ static bool add_statement(struct text *out, const char *statement, struct diag *
   source_from_string(&src, "repaired", statement);
   arena_init(&a);
   const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, d);
-  if (s) {
-    text_add_char(out, '$');
-    stmt_latex(out, s);
-    text_add_char(out, '$');
-  }
+  if (s) add_formula(out, "", s);
   arena_clear(&a);
   source_clear(&src);
   return s != NULL;
+}
+
+/* What the record says, in its own TeX where it has some. */
+static void add_record(struct text *out, const struct statement_record *r) {
+  for (const char *s = r->tex; *s;) {
+    const char *gap = strstr(s, " ... ");
+    size_t n = gap ? (size_t)(gap - s) : strlen(s);
+    text_printf(out, "%s$%.*s$", s == r->tex ? "" : ", ", (int)n, s);
+    s += gap ? n + strlen(" ... ") : n;
+  }
+  for (int k = 0; !*r->tex && k < r->n_stmts; k++) add_formula(out, k ? ", " : "", r->stmts[k]);
 }
 
 /* What the claim's own file holds as its correction, where that is a formula or the range of the indices. */
@@ -56,13 +69,8 @@ static bool add_cited(struct text *out, const struct model *m, const struct clai
   const char *key = strchr(cited, '.');
   if (!key) {
     const struct statement_record *r = view_record(&corrected, cited);
-    for (const char *s = r ? r->tex : ""; *s;) {
-      const char *gap = strstr(s, " ... ");
-      size_t n = gap ? (size_t)(gap - s) : strlen(s);
-      text_printf(out, "%s$%.*s$", s == r->tex ? "" : ", ", (int)n, s);
-      s += gap ? n + strlen(" ... ") : n;
-    }
-    return r && *r->tex;
+    if (r) add_record(out, r);
+    return r != NULL;
   }
   char id[CLAIM_NAME];
   snprintf(id, sizeof id, "%.*s", (int)(key - cited), cited);
@@ -84,8 +92,7 @@ static bool add_correct(struct text *out, const struct model *m, const struct cl
     size_t n = strcspn(++p, "}");
     snprintf(cited, sizeof cited, "%.*s", (int)n, p);
     if (!p[n] || !add_cited(out, m, claims, cited, d))
-      return claim_mistake(root, "correct", d,
-                           "there is no {%s}, a record with its TeX or a correction \"CLAIM.repaired\"", cited);
+      return claim_mistake(root, "correct", d, "there is no {%s}, a record or a correction \"CLAIM.repaired\"", cited);
     p += n;
   }
   return true;
