@@ -80,6 +80,10 @@ static const struct {
          RELATION("breaks") "  u_1 = -eps*u_s1 for eps in {+1, -1}\n  -eps*(x_1(t) - chi*x_2(t)) > u_r1 for eps in "
                             "{+1, -1}\n",
      "1", VERDICT_PROVED},
+    {"sliding friction at the belt's velocity, too",
+     RELATION(
+         "slips") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(V - x_1'(t)) >= 0 for eps in {+1, -1}\n" STICKS BREAKS,
+     "1", VERDICT_REFUTED},
     {"friction to either side", RELATION("slips") "  u_1 = eps*u_s1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
      VERDICT_REFUTED},
     {"the wrong limit while slipping", RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" SLOWER STICKS BREAKS,

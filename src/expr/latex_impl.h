@@ -50,7 +50,7 @@ struct latex_reader {
   int n_bound;
   int depth, bars;
   long n_nodes;
-  const struct expr *signed_by; /* q of the statement's sign(q); NULL: it has none */
+  const struct expr *signed_by, *sign; /* q of the statement's sign(q), and the eps that it is; NULL: it has none */
 };
 
 /* Reports a mistake at the mark in hand. */

@@ -552,7 +552,7 @@ static const struct expr *read_sign_of(struct latex_reader *r) {
   r->signed_by = latex_sum(r);
   if (!r->signed_by) return NULL;
   if (!accept_sign(r, ')')) return latex_mistake(r, "one argument in parentheses is read here");
-  return latex_sign(r, at);
+  return r->sign = latex_sign(r, at);
 }
 
 static const struct expr *read_primary(struct latex_reader *r) {

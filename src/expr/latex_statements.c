@@ -241,12 +241,17 @@ const struct expr *latex_sign(struct latex_reader *r, size_t at) {
   return e;
 }
 
+static bool is_another_eps(const struct expr *e, const void *sign) {
+  return e != sign && e->kind == EXPR_SYM && strcmp(e->name, "eps") == 0;
+}
+
 /* eps q > 0, where the statement has a sign(q), which is eps in it. */
 static const struct stmt *condition_of_sign(struct latex_reader *r, struct stmt *s) {
   struct stmt *c = arena_alloc(r->arena, sizeof *c);
   struct expr *product = latex_node(r, EXPR_MUL, r->at - 1, 2), *zero = latex_node(r, EXPR_NUM, r->at - 1, 0);
   const struct expr *eps = latex_sign(r, r->at - 1), **sides = arena_alloc(r->arena, 2 * sizeof *sides);
-  if (s->range_var) return latex_mistake(r, "one sign in a statement is read");
+  bool another = stmt_any(s, is_another_eps, r->sign) || expr_any(r->signed_by, is_another_eps, NULL);
+  if (s->range_var || another) return latex_mistake(r, "the sign is called eps, and eps stands here besides");
   if (!product || !zero || !eps) return NULL;
   product->args[0] = eps;
   product->args[1] = r->signed_by;

@@ -76,8 +76,8 @@ val law_friction(const struct law *l, struct law_state *s, enum branch b);
 /* Does the heading hold (a mass without one: UNKNOWN)? */
 truth law_headed(const struct law *l, struct law_state *s);
 
-/* Which branches (2) has for a mass in the state, those whose conditions hold: SLIPS with either sign of a mass that
-   has not the belt's velocity, the others of one that has it.  n = -1 when that is not decided; else b, eps and u are those of the first of the n. */
+/* Which branches (2) has for a mass in the state, those whose conditions hold: SLIPS with either sign, and the
+   others where the mass has the belt's velocity.  n = -1 when that is not decided; else b, eps and u are those of the first of the n. */
 struct law_answer {
   int n;
   enum branch b;

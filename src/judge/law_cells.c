@@ -232,9 +232,9 @@ truth law_headed(const struct law *l, struct law_state *s) {
 
 struct law_answer law_answer(const struct law *l, struct law_state *s, int speed) {
   struct law_answer a = {0, SLIPS, speed, NULL};
-  static const int eps_of[] = {0, 1, -1};
-  for (int i = speed ? 1 : 0; i < 3 && a.n >= 0; i++) {
-    enum branch b = speed ? SLIPS : eps_of[i] ? BREAKS : STICKS;
+  static const int eps_of[] = {0, 1, -1, 1, -1};
+  for (int i = speed ? 3 : 0; i < 5 && a.n >= 0; i++) { /* that of slipping might hold at the belt's velocity, too */
+    enum branch b = i > 2 ? SLIPS : i > 0 ? BREAKS : STICKS;
     s->eps = calc_d(&s->c, eps_of[i] ? eps_of[i] : 1);
     truth holds = law_holds(l, s, b);
     if (holds == TRUTH_FALSE) continue;

@@ -132,7 +132,8 @@ static const char *rounded_if_given(const struct number_job *n, const struct pri
   const char *given = NULL;
   struct point p;
   arb_t x;
-  if (!t_b || !t_c || !s->given[KEY_CHI] || !s->given[KEY_ETA] || !s->given[KEY_V]) return NULL;
+  if (!t_b || !t_c || n->p == t_b || n->p == t_c || !s->given[KEY_CHI] || !s->given[KEY_ETA] || !s->given[KEY_V])
+    return NULL;
   point_init(&p);
   arb_init(x);
   p.kind = POINT_GIVEN;

@@ -57,9 +57,10 @@ struct point_trials {
   int n_specs;
   struct exact_proof proof;
   bool proof_tried;
-  const char *lacks;          /* a name of the sentence that has no value at any point; NULL: none was met */
-  struct point example;       /* the first point at which the sentence fails, else the last accepted */
-  bool have_example, forward; /* is its orbit one that lasts, t_a > 0? */
+  const char *lacks; /* a name of the sentence that has no value at any point; NULL: none was met */
+  struct point
+      example; /* the first point at which the sentence fails, one with t_a > 0 if there is one; else the first */
+  bool have_example, forward; /* t_a > 0 on its orbit, where it is one */
 };
 
 /* --- Reading the claim --- */

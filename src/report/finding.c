@@ -43,7 +43,7 @@ const char *failure_words(const struct finding *f) {
   static const struct {
     const char *fault, *words;
   } of[] = {{"notation", "a slip of notation; taken literally, the statement does not hold"},
-            {"formula", "the formula is not what the others of the paper, or the equations of motion, give"},
+            {"formula", "the formula does not follow from those that it rests on"},
             {"number", "the paper's own equations give another value for its data"},
             {"argument", "the assertion does not hold in general"}};
   for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)

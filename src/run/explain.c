@@ -87,7 +87,7 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
     if (status) {
       text_printf(out, "%-11s %s at this point\n", types[i].type->name,
                   !(status & SS_DOMAIN) ? "cannot be told"
-                  : s->n_given          ? "undefined, or said elsewhere,"
+                  : s->n_given          ? "undefined, or outside the formula's range,"
                                         : "undefined");
     } else {
       text_printf(out, "%-6s left ", types[i].type->name);

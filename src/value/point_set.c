@@ -67,9 +67,18 @@ static bool is_told_before(const char *at, const char *s, size_t len) {
   return false;
 }
 
+/* A quantity of the model that is none of the point's, since others determine it there, would be ignored. */
+static bool take_quantity(struct point *p, const struct point_quantity *row, const char *value, size_t len,
+                          struct diag *d) {
+  if (!parse_value(&p->q[row->q], value, len)) return false;
+  if (row->q != Q_S && !((row->shown | row->certified | row->if_read) >> p->kind & 1U))
+    diag_set(d, "error: --at cannot set %s here, where it follows from the others", row->key);
+  return true;
+}
+
 /* The item's value is taken by the i-th of the names. */
 static bool take(struct point *p, size_t i, const char *value, size_t len, struct diag *d) {
-  if (point_of_model(p)) return parse_value(&p->q[point_settable(&i)->q], value, len);
+  if (point_of_model(p)) return take_quantity(p, point_settable(&i), value, len, d);
   const struct symbol *s = &p->paper->symbols[i];
   fmpq_t z;
   fmpq_init(z);

@@ -225,11 +225,19 @@ void sentence_clear(struct sentence *s) {
 
 /* --- Evaluating --- */
 
+/* A name that has no value at the point; NULL: all have. */
+static void lacks(struct trial *t, const char *unbound) {
+  if (!unbound) return;
+  t->outcome = OUTCOME_UNBOUND;
+  snprintf(t->unbound, sizeof t->unbound, "%s", unbound);
+}
+
 /* Whether the point lies in the sentence's ranges for certain; else it is none of the sentence's points. */
-static int check_ranges(const struct sentence *s, struct values *v) {
+static int check_ranges(struct trial *t, const struct sentence *s, struct values *v) {
   struct num_vec in = calc_vec(&v->c, s->given.n_inputs), out = calc_vec(&v->c, s->given.n_outputs);
   const char *unbound;
   int status = values_bind_inputs(&in, &unbound, v, &s->given);
+  lacks(t, unbound);
   if (status == SS_OK) status = tape_eval(&out, NULL, &s->given, &in);
   for (slong i = 0; status == SS_OK && i < s->n_given; i++)
     if (inequality_holds(v->ctx.type, s->given_closed[i] ? REL_LE : REL_LT, num_vec_at(&out, i),
@@ -243,11 +251,8 @@ static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, s
   struct num_vec in = calc_vec(&v->c, s->tape.n_inputs), out = calc_vec(&v->c, s->tape.n_outputs);
   const char *unbound;
   int status = values_bind_inputs(&in, &unbound, v, &s->tape);
-  if (unbound) {
-    t->outcome = OUTCOME_UNBOUND;
-    snprintf(t->unbound, sizeof t->unbound, "%s", unbound);
-  }
-  if (status == SS_OK && s->n_given) status = check_ranges(s, v);
+  lacks(t, unbound);
+  if (status == SS_OK && s->n_given) status = check_ranges(t, s, v);
   if (status == SS_OK) status |= tape_eval(&out, NULL, &s->tape, &in);
   for (slong i = 0; i < s->n; i++) v->ctx.type->set(num_vec_at(lhs, i), num_vec_at(&out, i));
   if (status == SS_OK && s->oracle) status |= oracle_eval(rhs, s->oracle, v);
@@ -355,7 +360,7 @@ static void compare(struct trial *t, struct comparison *c, const struct sentence
   for (slong digits = 10; digits <= 40; digits *= 2) { /* as many as show a difference */
     describe(t->lhs, sizeof t->lhs, lhs, t->entry, digits);
     describe(t->rhs, sizeof t->rhs, rhs, t->entry, digits);
-    if (!c->apart || strcmp(t->lhs, t->rhs) != 0) break;
+    if (!c->apart || s->ops[t->entry] != REL_EQ || strcmp(t->lhs, t->rhs) != 0) break;
   }
 }
 

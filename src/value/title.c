@@ -482,7 +482,7 @@ static bool make_scaling(struct text *out, const struct title *t) {
   }
   text_add(out, " is homogeneous in the unit of length, those of time and stiffness being kept, if ");
   title_list_write(out, &l);
-  text_add(out, l.n == 1 ? " contains it and no other quantity does" : " contain it and no other quantity does");
+  text_add(out, l.n == 1 ? " alone scales with it" : " alone scale with it");
   title_list_clear(&l);
   return true;
 }

@@ -42,7 +42,7 @@ const struct statement_record *title_record(const struct title *t, const char *i
 void title_no_record(const struct title *t, const char *attribute, const char *item);
 /* All that a record says, as formulas; the first of them. */
 void title_formulas(struct text *out, const struct statement_record *r);
-/* Of a paper about another system, with what statement_is_condition tells: "a = b and c = d where x > 0". */
+/* Of a paper about another system, with what statement_is_condition tells: "a = b and c = d when x > 0". */
 void title_conditional(struct text *out, const struct statement_record *r);
 void title_first_formula(struct text *out, const struct statement_record *r);
 /* No other record of the paper states something under the same number. */

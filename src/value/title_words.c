@@ -217,7 +217,7 @@ void title_conditional(struct text *out, const struct statement_record *r) {
   const struct stmt *last = list_formulas(&said, r, SAID);
   bool any = list_formulas(&conditions, r, CONDITIONS) != NULL;
   title_list_write(out, &said);
-  text_add(out, any ? " where " : "");
+  text_add(out, any ? " when " : "");
   title_list_write(out, &conditions);
   if (last) restriction(out, last);
   title_list_clear(&conditions);
