@@ -70,6 +70,9 @@ bool erratum_renames(const struct model *m, const struct claim *c);
    an argument's where an inequality is claimed, else a slip of notation where the correction only renames, else a
    formula's.  A text that cannot be read at all is a slip of notation, whatever stands here. */
 enum fault claim_fault(const struct model *m, const struct claim *c);
+/* Whether it is tried at points: by its kind or, of an inequality, since it is between the symbols of a paper about
+   another system. */
+bool claim_judged_at_points(const struct model *m, const struct claim *c);
 /* The correction that errata.eq holds for the sentence of a claim; false when it holds none. */
 bool erratum_text(struct text *out, const struct model *m, const struct claim *c);
 

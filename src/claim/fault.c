@@ -13,6 +13,10 @@ static bool has_inequality(const struct model *m, const char *statement) {
   return false;
 }
 
+bool claim_judged_at_points(const struct model *m, const struct claim *c) {
+  return claim_tried_at_points(c) || (!m->system && claim_kind(c) == KIND_INEQUALITY);
+}
+
 enum fault claim_fault(const struct model *m, const struct claim *c) {
   const struct claim_kind *kind = claim_kind_of(c);
   const char *statement = claim_get(c, "statement");

@@ -268,8 +268,7 @@ static bool check_errata(const struct model *m, const struct claims *claims, str
     const struct statement_record *r = &m->records[i];
     bool asked = r->rank != RANK_ERRATA;
     for (size_t k = 0; !asked && k < claims->n; k++)
-      asked = (claim_tried_at_points(&claims->claim[k]) ||
-               (!m->system && claim_kind(&claims->claim[k]) == KIND_INEQUALITY)) &&
+      asked = claim_judged_at_points(m, &claims->claim[k]) &&
               (erratum_is_about(r, &claims->claim[k], true) || erratum_is_about(r, &claims->claim[k], false));
     if (asked) continue;
     diag_at(d, r->src, r->record->id.begin, "%s: no claim is corrected by this", r->record->id_name);

@@ -30,11 +30,6 @@ static bool at_own_symbols(struct judge *j, const struct claim *c) {
   return own;
 }
 
-/* Of an inequality too, where it is between the symbols of a paper about another system. */
-static bool judged_at_points(const struct judge *j, const struct claim *c) {
-  return claim_tried_at_points(c) || (!j->model->system && claim_kind(c) == KIND_INEQUALITY);
-}
-
 /* Is the claim's formula said for either sign of a symbol? */
 static bool for_either_sign(struct judge *j, const struct claim *c) {
   const char *id = claim_get(c, "statement");
@@ -51,7 +46,7 @@ static const char *beyond(struct judge *j, const struct claim *c) {
   if (!j->model->system && claim_kind_of(c)->of_model)
     return "it is about the system that the program has a model of, and no file of the paper says \"model: two masses "
            "on a belt\"";
-  bool at_points = judged_at_points(j, c);
+  bool at_points = claim_judged_at_points(j->model, c);
   if (!j->model->system && at_points && !at_own_symbols(j, c) && !j->d->set)
     return "its points are motions of two masses on a belt, and no file of the paper says that it is about them; "
            "\"points: params N\" are values of the paper's own symbols";
@@ -226,7 +221,8 @@ bool judge_claim(struct judge *j, const struct claim *c) {
     f.verdict = verdict_under_condition(f.verdict, VERDICT_PROVED);
   if (!f.fault && (f.verdict == VERDICT_REFUTED || f.verdict == VERDICT_CONDITIONAL))
     f.fault = fault_name[claim_fault(j->model, c)];
-  bool again = (f.verdict == VERDICT_REFUTED || verdict_passes(f.verdict)) && judged_at_points(j, c) && !f.correction;
+  bool again = (f.verdict == VERDICT_REFUTED || verdict_passes(f.verdict)) && claim_judged_at_points(j->model, c) &&
+               !f.correction;
   if (again && !judge_correction(&f, j, c)) return false;
   struct audit_result *out = j->out;
   if (f.verdict == VERDICT_SUPPORTED && j->effort == EFFORT_FULL && route_is_asked(j->scene, "exact"))
