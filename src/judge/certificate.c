@@ -66,7 +66,8 @@ static void certify_pass(struct certificate *c, struct judge *j, const struct dy
 static void certify_tangents(struct certificate *c, struct judge *j, const struct values *v) {
   enum { N = (N_PHASES + 1) * N_STATE };
   for (int i = 2; i < N; i++)
-    if (v->tangent_read >> i & 1U) certify_ball(c, j, name_tangent[0][i], num_vec_at(&v->tangent, i));
+    if (v->tangent_read >> i & 1U)
+      certify_ball(c, j, name_tangent[i / N_STATE][i % N_STATE], num_vec_at(&v->tangent, i));
   for (int k = 0; k < N_PHASES; k++)
     if (v->tangent_read >> (N + k) & 1U) certify_ball(c, j, name_shift[k], num_vec_at(&v->dt, k));
 }
