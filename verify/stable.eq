@@ -18,7 +18,6 @@ define stable-omega-40
 
 define stable-48
   section: appendix_a
-  equation: 48
   note: the coefficients of the polynomial hold half the digits of roots that are close to each other (chi -> 0, chi*eta -> 1)
   slip_s := sqrt(1 - chi)
   omega_p := hypot(omega + slip_s, sqrt(chi))
@@ -28,7 +27,6 @@ define stable-48
 
 define stable-48b
   section: appendix_a
-  equation: 48
   note: 1 - omega_1^2 and omega_2^2 - 1 cancel where a frequency is near 1; here every term is positive
   bend := (chi/2)*(1/(omega_p + (omega + slip_s)) + 1/(omega_m + abs(slip_s - omega)))
   g_1 := ((abs(slip_s - omega) + (slip_s - omega))/2 + bend)*(omega_2 + omega)
@@ -38,7 +36,6 @@ define stable-48b
 
 define stable-47
   section: appendix_a
-  equation: 47
   note: the inverse of Lambda divides by lambda_2 - lambda_1.  Each entry is the sum of two forms of itself: in the half sum
     and difference of the frequencies, for close ones, and in the frequencies, for distant ones.  Their weights are rho and
     apart = 1 - rho, the square of detune = 1 - omega_1^2/omega_2^2.  Y is in turn the sum of a form for small times and one for large ones
@@ -113,7 +110,6 @@ define stable-47-less
 
 define stable-49
   section: appendix_a
-  equation: 49
   note: 1 - cos t and t - sin t cancel at small times
   Gamma_1(t) := [cos(t), chi*(2*sin(t/2)^2); 0, 1]
   Gamma_2(t) := [sin(t), chi*(t^3*stumpff(t)); 0, t]
@@ -121,7 +117,6 @@ define stable-49
 
 define stable-50
   section: appendix_a
-  equation: 50
   note: as in (49)
   C_1(t) := [1, 0; 2*sin(omega*t/2)^2, cos(omega*t)]
   C_2(t) := [t, 0; t*((omega*t)^2*stumpff(omega*t)), t*sinc(omega*t)]
@@ -139,7 +134,6 @@ define stable-50-less
 
 define stable-44
   section: validation
-  equation: 44
   note: the blocks of H Gamma, and of those without the 1 of the identity; at some times the three motions cancel in an entry of N
   N := rounded(C(t_d)*H(t_c)*Gamma(t_b)*D(t_a))
   G_1 := H_1(t_c)*Gamma_1(t_b) + H_2(t_c)*Gamma_3(t_b)
@@ -301,7 +295,6 @@ define stable-44-drift
 
 define stable-45
   section: validation
-  equation: 45
   note: by the images of (1, 1) and (chi, 1), so that the determinants are formed without their factor 1 - chi, and by
     the first mass and the distance of the second, each of size 1; t_a I stands in both terms of M and is left out
   even_size_1 := hypot(even_1[1], edge_1)
@@ -333,14 +326,12 @@ define stable-46
 
 define stable-32
   section: stability
-  equation: 32
   note: chi_b overflows where V is far below z'_1b, and the coefficients do not
   gammatilde_1 := (chi*V - z'_1b)/(V - z'_1b)
   gammatilde_2 := (chi*z_2b - z_1b)*((chi - 1)/(V - z'_1b))
 
 define stable-36
   section: stability
-  equation: 36
   note: the sums of two entries cancel at small t_c (the last one) and large omega_2 t_c; they are the motion from z_1 = z_2
   g_3 := chi*(1 - chi)/(g_2 + chi)
   alpha_c := (g_2 + chi)/(g_2 + chi + g_3)
@@ -405,7 +396,6 @@ define stable-patched-5
 
 define stable-40
   section: stability
-  equation: 40
   note: 1 - cos(omega t_d) cancels at small t_d; sin and cot of one angle are taken together
   ktilde_4 := (V/(z_200 - z_100))*(t_d*sinc(omega*t_d))
   ktilde_5 := ((V/(z_200 - z_100))*cos(omega*t_d)/omega)/omega
@@ -432,7 +422,6 @@ define stable-trace
 
 define stable-41
   section: stability
-  equation: 41
   note: y_c - x_c is formed once
   climb := J_c[1:2,1:2]*J_b
   J := [climb[1] - ktilde_4*turn + ktilde_5*rate;
@@ -440,7 +429,6 @@ define stable-41
 
 define stable-42
   section: stability
-  equation: 42
   note: J is singular
   P(lambda) := lambda*(lambda - trace_J)
 
@@ -451,7 +439,6 @@ inequality text-criterion
 
 equation eq-34b
   section: stability
-  equation: 34
   note: H' by the forms of its entries, not by their derivatives
   dZ_c = H(t_c)*dZ_b + [H_3(t_c), H_1(t_c); bend_H(t_c), H_3(t_c)]*Z_b*dt_c
     = H(t_c)*dZ_b + [H_3(t_c), H_1(t_c); bend_H(t_c), H_3(t_c)]*Z_b*dt_c
@@ -470,25 +457,21 @@ equation text-six-equations
 
 equation eq-44b
   section: validation
-  equation: 44
   note: N_1 - I as one matrix
   rounded(less_N_1*z_0 + N_2*z'_0) = 0
 
 equation eq-44c
   section: validation
-  equation: 44
   note: N_4 - I without the 1 of the identity
   rounded(N_3*(z_0 + t_a*z'_0) + rest_4*z'_0) = 0
 
 equation eq-45b
   section: validation
-  equation: 45
   rounded(-((chi*share_r + share_w)/(1 - chi) + (chi*rate_r + rate_w))) = 0
   rounded(-((share_r + share_w)/(1 - chi) + (rate_r + rate_w))) = 0
 
 equation eq-46
   section: validation
-  equation: 46
   z_0 = rounded(V*[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - chi) - t_a])
 
 equation text-45-suffices

@@ -65,12 +65,24 @@ static bool head(const struct source *s, const struct line *l, struct span *kind
   return i == l->end || t[i] == '#';
 }
 
+/* The number in an id such as eq-44b, or NULL. */
+static char *number_in(const char *id) {
+  static const char *const begins[] = {"eq-", "err-", "stable-"};
+  size_t n = 0;
+  for (size_t i = 0; n == 0 && i < sizeof begins / sizeof *begins; i++)
+    if (strncmp(id, begins[i], strlen(begins[i])) == 0) n = strlen(begins[i]);
+  size_t digits = strspn(id + n, "0123456789");
+  const char *rest = id + n + digits;
+  return n && digits && !rest[strspn(rest, "abcdefghijklmnopqrstuvwxyz")] ? ss_strndup(id + n, digits) : NULL;
+}
+
 static struct record *add_record(struct record_file *f, struct span kind, struct span id) {
   f->records = ss_grow(f->records, f->n_records, &f->cap_records, sizeof *f->records);
   struct record *r = &f->records[f->n_records++];
   *r = (struct record){.kind = kind, .id = id};
   r->kind_name = copy(&f->src, kind);
   r->id_name = copy(&f->src, id);
+  r->number = number_in(r->id_name);
   return r;
 }
 
@@ -160,6 +172,7 @@ void record_file_clear(struct record_file *f) {
     free(r->fields);
     free(r->kind_name);
     free(r->id_name);
+    free(r->number);
   }
   free(f->records);
   source_clear(&f->src);
@@ -176,5 +189,5 @@ const struct field *record_field(const struct record *r, const char *key) {
 
 const char *record_get(const struct record *r, const char *key) {
   const struct field *f = record_field(r, key);
-  return f ? f->text : NULL;
+  return f ? f->text : strcmp(key, "equation") == 0 ? r->number : NULL;
 }

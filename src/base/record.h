@@ -31,6 +31,7 @@ struct field {
 struct record {
   struct span kind, id; /* empty for record 0 */
   char *kind_name, *id_name;
+  char *number; /* 44 of eq-44b, err-44 or stable-44; else NULL */
   struct field *fields;
   size_t n_fields, cap_fields;
 };
@@ -46,7 +47,7 @@ struct record_file {
 bool record_file_parse(struct record_file *f, struct source src, struct diag *d);
 void record_file_clear(struct record_file *f);
 
-/* The text of the first attribute of that name, or NULL. */
+/* The text of the first attribute of that name, or NULL; of "equation", where there is none, the number in the id. */
 const char *record_get(const struct record *r, const char *key);
 /* The field itself, for diagnostics, or NULL. */
 const struct field *record_field(const struct record *r, const char *key);

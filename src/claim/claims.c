@@ -26,8 +26,8 @@ static bool add_source(struct claims *c, struct source src, const char *kind, st
   c->files[c->n_files++] = f;
   if (!record_file_parse(f, src, d)) return false;
   const struct record *top = &f->records[0];
-  bool counted = top->n_fields == 1 && record_field(top, "count") && strcmp(kind, "claim") != 0;
-  if (top->n_fields > 0 && !counted) {
+  const char *says = strcmp(kind, "claim") == 0 ? "section" : "count"; /* the one thing said of a whole file */
+  if (top->n_fields > 1 || (top->n_fields == 1 && !record_field(top, says))) {
     diag_at(d, &f->src, top->fields[0].attribute ? top->fields[0].key.begin : top->fields[0].value.begin,
             "outside a record; begin one with \"%s ID\"", kind);
     return false;
@@ -101,7 +101,8 @@ void claims_clear(struct claims *c) {
 
 const char *claim_get(const struct claim *c, const char *key) {
   const char *v = c->control ? record_get(c->control, key) : NULL;
-  return v ? v : record_get(c->record, key);
+  if (!v) v = record_get(c->record, key);
+  return v || strcmp(key, "section") != 0 ? v : record_get(&c->file->records[0], key);
 }
 
 bool claim_says(const struct claim *c, const char *key, const char *words) {

@@ -2,7 +2,8 @@
 
    A claim file holds records "claim ID" with these attributes:
 
-     equation, section   where the claim stands
+     equation, section   where the claim stands: the equation, where its id does not have it (base/record.h); the section,
+                 where the file does not say it before its first record
      title       (outside, and where the other attributes make none) what it says, in words; value/title.h says how titles
                  are made, and what stands in braces in one that is given
      quote, place   what the paper says, to the letter, and where in its text (quote/quote.h)

@@ -1,6 +1,5 @@
 # Corrections of the note.
 
 equation eq-2
-  equation: 2
   section: note
   det(D(t)) = 1

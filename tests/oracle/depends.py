@@ -44,13 +44,19 @@ def records(path):
     return found
 
 
+def number(ident, attributes):
+    """That of the equation: as the record says it, or as its id does."""
+    found = re.fullmatch("(?:eq|err|stable)-([0-9]+)[a-z]*", ident)
+    return attributes.get("equation", found and found.group(1))
+
+
 def load(paths, rank):
     definitions, statements = [], []
     for path in paths:
         found = records(path)
         section = found[0][2].get("section", "")
         for kind, ident, a, formulas in found[1:]:
-            where, equation = a.get("section", section), a.get("equation", "")
+            where, equation = a.get("section", section), number(ident, a) or ""
             for f in formulas if kind == "define" else []:
                 m = re.match(r"(?:root )?([^\s(:=]+)(?:\([^)]*\))?\s*(?::=|=|:)(.*)", f)
                 definitions.append(dict(name=m.group(1), section=where, equation=equation, body=m.group(2), rank=rank))
@@ -130,10 +136,11 @@ def main():
     definitions, statements = load(sorted(glob.glob(verify + "/paper/*.eq")), 0)
     more = load([verify + "/errata.eq"], 1)
     definitions, statements = definitions + more[0], statements + more[1]
-    claims = [(i, a) for p in sorted(glob.glob(verify + "/claims/*.claim")) for k, i, a, _ in records(p)[1:] if k == "claim"]
+    claims = [(i, found[0][2] | a) for found in map(records, sorted(glob.glob(verify + "/claims/*.claim")))
+              for k, i, a, _ in found[1:] if k == "claim"]
     about, reach = {}, {}
     for ident, a in claims:
-        view = View(definitions, statements, a.get("own", a.get("equation", ident)))
+        view = View(definitions, statements, a.get("own", number(ident, a) or ident))
         section, seen = a.get("section", ""), set()
         about[ident] = set()
         for n in names(a.get("value", "").split("(")[0]) + re.split(r",\s*", a.get("about", "")):

@@ -1,6 +1,5 @@
 # Corrections of the note.
 
 equation eq-6
-  equation: 6
   section: note
   exp(2*pi*zeta) = exp(pi*zeta)^2

@@ -2,13 +2,11 @@
 section: prediction
 
 define eq-3
-  equation: 3
   tex: K = \begin{pmatrix} 1 & -\chi \\ -\chi \eta & \chi \eta \end{pmatrix}
   place: 3060-3074
   K := [1, -chi; -chi*eta, chi*eta]
 
 define eq-3b
-  equation: 3
   tex: d_{01} = \frac{u_{s1} + u_{s2}}{1 - \chi}, \quad
     d_{02} = \frac{u_{s1} \chi + u_{s2}}{(1 - \chi) \chi}
   place: 3117-3175
@@ -16,46 +14,39 @@ define eq-3b
   d_02 := (u_s1*chi + u_s2)/((1 - chi)*chi)
 
 relation eq-3c
-  equation: 3
   tex: z'' + Kz = 0
   place: 3051-3058
   trajectory z_1(t), z_2(t)
   z''(t) + K*z(t) = 0
 
 define eq-3e
-  equation: 3
   tex: z = (z_1, z_2)'
   place: 3075-3086
   z(t) := transpose([z_1(t), z_2(t)])
 
 inequality eq-3d
-  equation: 3
   tex: z'_i < V, \quad (i=1,2)
   place: 3102-3115
   z_1'(t) < V
   z_2'(t) < V
 
 relation eq-4
-  equation: 4
   tex: Z(t) = H(t)Z_0
   place: 3196-3207
   Z(t) = H(t)*Z_0
 
 define eq-4b
-  equation: 4
   tex: Z = \begin{pmatrix} z \\ z' \end{pmatrix}, \quad Z_0 = Z(0)
   place: 3209-3225
   Z(t) := [z(t); z'(t)]
   Z_0 := Z(0)
 
 define eq-5
-  equation: 5
   tex: K_1 = \begin{pmatrix} 1 & -\chi \\ 0 & 0 \end{pmatrix}
   place: 3383-3396
   K_1 := [1, -chi; 0, 0]
 
 relation eq-5b
-  equation: 5
   tex: z'_1 < V, z'_2 = V, \quad e_2 - 2u_{r2} < \chi(z_2 - z_1) < e_2, \quad (e_2 = u_{r2} - u_{s2})
   place: 3397-3456
   z_1'(t) < V
@@ -64,19 +55,16 @@ relation eq-5b
   e_2 = u_r2 - u_s2
 
 relation eq-6
-  equation: 6
   tex: Z(t) = \Gamma(t)Z_0
   place: 3506-3517
   Z(t) = Gamma(t)*Z_0
 
 define eq-7
-  equation: 7
   tex: K_2 = \begin{pmatrix} 0 & 0 \\ -\chi \eta & \chi \eta \end{pmatrix}
   place: 3631-3646
   K_2 := [0, 0; -chi*eta, chi*eta]
 
 relation eq-7b
-  equation: 7
   tex: z'_1 = V, z'_2 < V, \quad e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad (e_1 = u_{r1} - u_{s1})
   place: 3647-3704
   z_1'(t) = V
@@ -85,13 +73,11 @@ relation eq-7b
   e_1 = u_r1 - u_s1
 
 relation eq-8
-  equation: 8
   tex: Z(t) = C(t)Z_0
   place: 3728-3739
   Z(t) = C(t)*Z_0
 
 relation eq-9
-  equation: 9
   tex: z'' = 0, \quad z'_1 = z'_2 = V, \quad e_1 - 2u_{r1} < z_{10} - \chi z_{20} < e_1 \quad
     e_2 - 2u_{r2} < \chi(z_{20} - z_{10}) < e_2
   place: 3819-3894
@@ -101,7 +87,6 @@ relation eq-9
   e_2 - 2*u_r2 < chi*(z_20 - z_10) < e_2
 
 define eq-10
-  equation: 10
   tex: D = \begin{pmatrix} I & VtI \\ 0 & I \end{pmatrix}, \quad
     I = \begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix}
   place: 3940-3964
@@ -109,7 +94,6 @@ define eq-10
   I := [1, 0; 0, 1]
 
 relation eq-10b
-  equation: 10
   tex: Z(t) = D(t)Z_0
   place: 3927-3938
   Z(t) = D(t)*Z_0

@@ -2,7 +2,6 @@
 section: periodic
 
 relation eq-11
-  equation: 11
   tex: z'_{i0} = V, (i=1,2), \quad e_1 - 2u_{r1} < z_{10} - \chi z_{20} < e_1, \quad
     e_2 - 2u_{r2} < \chi(z_{20} - z_{10}) < e_2
   place: 4709-4785
@@ -12,7 +11,6 @@ relation eq-11
   e_2 - 2*u_r2 < chi*(z_20 - z_10) < e_2
 
 equation eq-12
-  equation: 12
   tex: Z_a \equiv Z(t_a) = D(t_a)Z_0, \quad Z_a = \begin{pmatrix} z_a \\ z'_a \end{pmatrix}, \quad
     z'_a = (V, V)^t, \quad z_a = (z_{1a}, z_{2a})^t
   place: 5118-5187
@@ -22,19 +20,16 @@ equation eq-12
   z_a = transpose([z_1a, z_2a])
 
 equation eq-12b
-  equation: 12
   tex: z_{1a} - \chi z_{2a} = e_1
   place: 5189-5206
   z_1a - chi*z_2a = e_1
 
 equation eq-13
-  equation: 13
   tex: Z(t) = \Gamma(t - t_a)Z_a
   place: 5293-5308
   Z(t) = Gamma(t - t_a)*Z_a
 
 equation eq-14
-  equation: 14
   tex: Z_b \equiv Z(t_a + t_b) = \Gamma(t_b)Z_a, \quad Z_b = \begin{pmatrix} z_b \\ z'_b \end{pmatrix}, \quad
     z'_b = (z'_{1b}, V)^t, \quad z_b = (z_{1b}, z_{2b})^t
   place: 5413-5492
@@ -44,31 +39,26 @@ equation eq-14
   z_b = transpose([z_1b, z_2b])
 
 equation eq-14b
-  equation: 14
   tex: \chi(z_{2b} - z_{1b}) = e_2
   place: 5494-5513
   chi*(z_2b - z_1b) = e_2
 
 equation eq-15
-  equation: 15
   tex: Z(t) = H(t - t_a - t_b)Z_b
   place: 5601-5620
   Z(t) = H(t - t_a - t_b)*Z_b
 
 equation eq-16
-  equation: 16
   tex: z'_{1c} \equiv z'_1(t_a + t_b + t_c) = V
   place: 5663-5689
   z'_1c = z_1'(t_a + t_b + t_c) = V
 
 inequality eq-16b
-  equation: 16
   tex: e_1 - 2u_{r1} < z_{1c} - \chi z_{2c} < e_1
   place: 5691-5720
   e_1 - 2*u_r1 < z_1c - chi*z_2c < e_1
 
 equation eq-17
-  equation: 17
   tex: Z(t) = C(t - t_a - t_b - t_c)Z_c, \quad Z_c = Z(t_a + t_b + t_c)
   place: 5863-5905
   Z(t) = C(t - t_a - t_b - t_c)*Z_c
@@ -81,7 +71,6 @@ equation text-c-start
   z_2(t) = z_2c
 
 equation eq-18
-  equation: 18
   tex: Z(t_a + t_b + t_c + t_d) = Z_0
   place: 5956-5977
   Z(t_a + t_b + t_c + t_d) = Z_0
@@ -117,7 +106,6 @@ equation text-periodicity-alone
   S_f = S_0
 
 equation eq-16c
-  equation: 16
   tex: z_{ic} = z_i(t_a + t_b + t_c), (i=1,2)
   place: 5722-5752
   z_1c = z_1(t_a + t_b + t_c)

@@ -4,7 +4,6 @@
 section: stability
 
 define eq-19
-  equation: 19
   tex: \varphi_1 = D, \varphi_2 = \Gamma, \varphi_3 = H, \varphi_4 = C
   place: 6968-6990
   phi_1(t) := D(t)
@@ -14,7 +13,6 @@ define eq-19
 
 # P_k as a function of the state at its start would need a matrix argument; the composition over the printed phases is here.
 equation eq-20
-  equation: 20
   tex: Z(t_k) = \varphi_k(t_k - t_{k-1})Z(t_{k-1}), \quad (k=1, \dots, 4)
   place: 7234-7276
   reads: Z(t_k) = \varphi_k(t_k - t_{k-1})Z(t_{k-1}), \quad (k=1, \dots, 4) as
@@ -26,20 +24,17 @@ equation eq-20
   Z(t_a + t_b + t_c + t_d) = phi_4(t_d)*Z_c
 
 define eq-21
-  equation: 21
   tex: dz_0 = (x, y)^t, dz'_0 = (u, v)^t
   place: 7904-7929
   dz_0 := transpose([x, y])
   dz'_0 := transpose([u, v])
 
 equation eq-22
-  equation: 22
   tex: u = v = 0
   place: 8028-8032
   u = v = 0
 
 equation eq-23
-  equation: 23
   tex: Z(t) = D(t)Z_0
   place: 8189-8200
   reads: D(t)Z_0 as D(t)(Z_0 + dZ_0)
@@ -47,13 +42,11 @@ equation eq-23
   Z(t) = D(t)*(Z_0 + dZ_0)
 
 equation eq-24
-  equation: 24
   tex: Z(t_a + dt_a) = D(t_a + dt_a)(Z_0 + dZ_0)
   place: 8315-8347
   Z(t_a + dt_a) = D(t_a + dt_a)*(Z_0 + dZ_0)
 
 define eq-25
-  equation: 25
   tex: dZ_a = \begin{pmatrix} dz_a \\ dz'_a \end{pmatrix}, dz_a = \begin{pmatrix} x_a \\ y_a \end{pmatrix}, dz'_a = 0
   place: 8423-8462
   dZ_a := [dz_a; dz'_a]
@@ -61,7 +54,6 @@ define eq-25
   dz'_a := [0; 0]
 
 equation eq-25b
-  equation: 25
   tex: dZ_a = Z(t_a + dt_a) - Z(t_a) = D(t_a)dZ_0 + D'(t_a)Z_0 dt_a
   place: 8374-8422
   reads: Z(t_a + dt_a) - Z(t_a) as [D(t_a + dt_a)(Z_0 + dZ_0) - D(t_a)Z_0]_{O(x, y, u, v, dt_a)^{\le 1}}
@@ -70,37 +62,31 @@ equation eq-25b
     = D(t_a)*dZ_0 + D'(t_a)*Z_0*dt_a
 
 equation eq-26
-  equation: 26
   tex: x_1(t_a + dt_a) - \chi x_2(t_a + dt_a) = u_{r1}
   place: 8503-8537
   x_1(t_a + dt_a) - chi*x_2(t_a + dt_a) = u_r1
 
 equation eq-26b
-  equation: 26
   tex: x_a = \chi y_a
   place: 8546-8553
   x_a = chi*y_a
 
 define eq-27
-  equation: 27
   tex: J_a = \frac{1}{1-\chi} \begin{pmatrix} -1 & 1 \end{pmatrix}
   place: 8587-8605
   J_a := (1/(1 - chi))*[-1, 1]
 
 equation eq-28
-  equation: 28
   tex: Z(t) = \Gamma(t - t_a - dt_a)(Z_a + dZ_a)
   place: 8643-8670
   Z(t) = Gamma(t - t_a - dt_a)*(Z_a + dZ_a)
 
 equation eq-29
-  equation: 29
   tex: Z(t_a + dt_a + t_b + dt_b) = \Gamma(t_b + dt_b)(Z_b + dZ_b)
   place: 8780-8821
   Z(t_a + dt_a + t_b + dt_b) = Gamma(t_b + dt_b)*(Z_b + dZ_b)
 
 define eq-30
-  equation: 30
   tex: dZ_b = \begin{pmatrix} dz_b \\ dz'_b \end{pmatrix}, dz_b = \begin{pmatrix} x_b \\ y_b \end{pmatrix},
     dz'_b = \begin{pmatrix} u_b \\ 0 \end{pmatrix}
   place: 8910-8955
@@ -109,7 +95,6 @@ define eq-30
   dz'_b := [u_b; 0]
 
 equation eq-30b
-  equation: 30
   tex: dZ_b = Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) = \Gamma(t_b)dZ_b + \Gamma'(t_b)Z_b dt_b
   place: 8848-8909
   reads: Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) as
@@ -119,19 +104,16 @@ equation eq-30b
     = Gamma(t_b)*dZ_b + Gamma'(t_b)*Z_b*dt_b
 
 equation eq-31
-  equation: 31
   tex: \chi(x_2(t_a + dt_a + t_b + dt_b) - x_1(t_a + dt_a + t_b + dt_b)) = u_{r1}
   place: 8996-9050
   chi*(x_2(t_a + dt_a + t_b + dt_b) - x_1(t_a + dt_a + t_b + dt_b)) = u_r1
 
 equation eq-31b
-  equation: 31
   tex: x_b = y_b
   place: 9059-9065
   x_b = y_b
 
 define eq-32
-  equation: 32
   tex: J_b = \begin{pmatrix} \tilde{\gamma}_1 \\ \tilde{\gamma}_2 \end{pmatrix},
     \tilde{\gamma}_1 = \frac{\chi - \chi_b}{1 - \chi_b},
     \tilde{\gamma}_2 = (\chi z_{2b} - z_{1b}) \frac{(\chi - 1)}{V(1 - \chi_b)}
@@ -142,7 +124,6 @@ define eq-32
 
 # chi_b is printed for i = 1 and for i = 2 alike; the first reading is used wherever chi_b stands.
 define eq-32b
-  equation: 32
   tex: \chi_b = z'_i(t_b) / V, \quad (i=1,2)
   place: 9175-9197
   reads: z'_i(t_b) / V, \quad (i=1,2) as z'_{1b} / V
@@ -150,7 +131,6 @@ define eq-32b
   chi_b := z'_1b/V
 
 equation eq-32c
-  equation: 32
   tex: \chi_b = z'_i(t_b) / V, \quad (i=1,2)
   place: 9175-9197
   reads: z'_i(t_b) as z'_{ib}
@@ -158,7 +138,6 @@ equation eq-32c
   chi_b = z'_2b/V
 
 equation eq-32e
-  equation: 32
   tex: \chi_b = z'_i(t_b) / V
   place: 9175-9189
   reads: z'_i as z'_1
@@ -166,19 +145,16 @@ equation eq-32e
   chi_b = z_1'(t_b)/V
 
 equation eq-32d
-  equation: 32
   tex: \begin{pmatrix} y_b \\ u_b \end{pmatrix} = J_b y_b
   place: 9074-9089
   [y_b; u_b] = J_b*y_b
 
 equation eq-33
-  equation: 33
   tex: Z(t) = H(t - t_a - dt_a - t_b - dt_b)(Z_b + dZ_b)
   place: 9232-9268
   Z(t) = H(t - t_a - dt_a - t_b - dt_b)*(Z_b + dZ_b)
 
 define eq-34
-  equation: 34
   tex: dZ_c = \begin{pmatrix} dz_c \\ dz'_c \end{pmatrix}, dz_c = \begin{pmatrix} x_c \\ y_c \end{pmatrix},
     dz'_c = \begin{pmatrix} u_c \\ v_c \end{pmatrix}
   place: 9535-9582
@@ -187,7 +163,6 @@ define eq-34
   dz'_c := [u_c; v_c]
 
 equation eq-34b
-  equation: 34
   tex: dZ_c = Z(t_a + dt_a + t_b + dt_b + t_c + dt_c) - Z(t_a + t_b + t_c) = H(t_c)dZ_b + H'(t_c)Z_b dt_c
   place: 9460-9534
   reads: Z(t_a + dt_a + t_b + dt_b + t_c + dt_c) - Z(t_a + t_b + t_c) as
@@ -203,19 +178,16 @@ equation text-states
   Z_c = H(t_c)*Z_b
 
 equation eq-35
-  equation: 35
   tex: x'_1(t_a + dt_a + t_b + dt_b + t_c + dt_c) = V
   place: 9623-9656
   x_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c) = V
 
 equation eq-35b
-  equation: 35
   tex: u_c = 0
   place: 9665-9669
   u_c = 0
 
 define eq-36
-  equation: 36
   tex: J_c = \begin{pmatrix}
     (H_{11} + H_{12} + \tilde{k}_1(H_{31} + H_{32})), & H_{13} + \tilde{k}_1 H_{11} \\
     (H_{21} + H_{22} + \tilde{k}_2(H_{31} + H_{32})), & H_{23} + \tilde{k}_2 H_{11} \\
@@ -226,7 +198,6 @@ define eq-36
           (H_41 + H_42 + ktilde_3*(H_31 + H_32)), H_21 + ktilde_3*H_11]
 
 define eq-36b
-  equation: 36
   tex: \tilde{k}_1 = \frac{V}{z_{1c} - \chi z_{2c}}, \tilde{k}_2 = \tilde{k}_1 z'_{2c} / V,
     \tilde{k}_3 = \tilde{k}_1 \chi \eta (z_{1c} - z_{2c}) / V
   place: 9901-9983
@@ -235,7 +206,6 @@ define eq-36b
   ktilde_3 := ktilde_1*chi*eta*(z_1c - z_2c)/V
 
 define eq-36c
-  equation: 36
   tex: H_{ij} = H_{ij}(t_c), (i, j = 1, 2, 3)
   place: 9870-9899
   reads: (i, j = 1, 2, 3) as (i, j = 1, 2, 3, 4)
@@ -258,7 +228,6 @@ define eq-36c
   H_44 := H(t_c)[4,4]
 
 equation eq-36d
-  equation: 36
   tex: \begin{pmatrix} x_c \\ y_c \\ v_c \end{pmatrix} = J_c \begin{pmatrix} x_b \\ u_b \end{pmatrix}
   place: 9679-9704
   [x_c; y_c; v_c] = J_c*[x_b; u_b]
@@ -268,13 +237,11 @@ equation text-36-cancels
   J_f*[0; z'_2c; chi*eta*(z_1c - z_2c)] = -J_f*[V; 0; 0]
 
 equation eq-37
-  equation: 37
   tex: Z(t) = C(t - t_a - dt_a - t_b - dt_b - t_c - dt_c)(Z_c + dZ_c)
   place: 10020-10065
   Z(t) = C(t - t_a - dt_a - t_b - dt_b - t_c - dt_c)*(Z_c + dZ_c)
 
 define eq-38
-  equation: 38
   tex: dZ_f = \begin{pmatrix} dz_f \\ dz'_f \end{pmatrix}, dz_f = \begin{pmatrix} x_f \\ y_f \end{pmatrix},
     dz'_f = \begin{pmatrix} 0 \\ v_f \end{pmatrix}
   place: 10270-10315
@@ -283,7 +250,6 @@ define eq-38
   dz'_f := [0; v_f]
 
 equation eq-38b
-  equation: 38
   tex: dZ_f = Z(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d) - Z(t_a + t_b + t_c + t_d)
     = C(t_d) dZ_c + C'(t_d) Z_c dt_d
   place: 10182-10269
@@ -294,26 +260,22 @@ equation eq-38b
     = C(t_d)*dZ_c + C'(t_d)*Z_c*dt_d
 
 equation eq-39
-  equation: 39
   tex: x'_2(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d) = V
   place: 10356-10398
   x_2'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d) = V
 
 equation eq-39b
-  equation: 39
   tex: v_f = 0
   place: 10404-10408
   v_f = 0
 
 define eq-40
-  equation: 40
   tex: J_f = \begin{pmatrix} 1 + \tilde{k}_4, & -\tilde{k}_4, & \tilde{k}_5 \\
     1 - \tilde{k}_6, & \tilde{k}_6, & \tilde{k}_7 \end{pmatrix}
   place: 10444-10499
   J_f := [1 + ktilde_4, -ktilde_4, ktilde_5; 1 - ktilde_6, ktilde_6, ktilde_7]
 
 define eq-40b
-  equation: 40
   tex: \tilde{k}_4 = \frac{\sin(\omega t_d)}{V \omega (z_{200} - z_{100})},
     \tilde{k}_5 = \frac{\tilde{k}_4}{\omega} \cot(\omega t_d),
     \tilde{k}_6 = \cos(\omega t_d) - \tilde{k}_4, \tilde{k}_7 = \frac{\sin(\omega t_d)}{\omega} + \tilde{k}_5,
@@ -326,31 +288,26 @@ define eq-40b
   omega := sqrt(chi*eta)
 
 equation eq-40c
-  equation: 40
   tex: \begin{pmatrix} x_f \\ y_f \end{pmatrix} = J_f \begin{pmatrix} x_c \\ y_c \\ v_c \end{pmatrix}
   place: 10417-10442
   [x_f; y_f] = J_f*[x_c; y_c; v_c]
 
 define eq-41
-  equation: 41
   tex: J = J_f J_c J_b J_a
   place: 10715-10728
   J := J_f*J_c*J_b*J_a
 
 define eq-42
-  equation: 42
   tex: P(\lambda) \equiv \det(J - \lambda I)
   place: 11001-11012
   P(lambda) := det(J - lambda*I)
 
 equation eq-43
-  equation: 43
   tex: \det(J) = \det(J_f J_c) \det(J_b J_a)
   place: 11033-11055
   det(J) = det(J_f*J_c)*det(J_b*J_a)
 
 equation eq-43b
-  equation: 43
   tex: \det(J_b J_a) = 0
   place: 11057-11067
   det(J_b*J_a) = 0

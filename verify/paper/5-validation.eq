@@ -2,7 +2,6 @@
 section: validation
 
 define eq-44
-  equation: 44
   tex: N = C(t_d) H(t_c) \Gamma(t_b) D(t_a) = \begin{pmatrix} N_1 & N_2 \\ N_3 & N_4 \end{pmatrix} \quad z'_0 = (V, V)'
   place: 11310-11364
   reads: = \begin{pmatrix} N_1 & N_2 \\ N_3 & N_4 \end{pmatrix} as
@@ -15,25 +14,21 @@ define eq-44
   z'_0 := transpose([V, V])
 
 equation eq-44b
-  equation: 44
   tex: (N_1 - I)z_0 + N_2 z'_0 = 0
   place: 11270-11289
   (N_1 - I)*z_0 + N_2*z'_0 = 0
 
 equation eq-44c
-  equation: 44
   tex: N_3 z_0 + (N_4 - I)z'_0 = 0
   place: 11290-11309
   N_3*z_0 + (N_4 - I)*z'_0 = 0
 
 define eq-45
-  equation: 45
   tex: M = (N_1 - I)^{-1} N_2 - (N_3)^{-1} (N_4 - I)
   place: 11515-11549
   M := inv(N_1 - I)*N_2 - inv(N_3)*(N_4 - I)
 
 equation eq-45b
-  equation: 45
   tex: M_{11} + M_{12} = 0 \quad M_{21} + M_{22} = 0
   place: 11469-11494
   M[1,1] + M[1,2] = 0
@@ -65,7 +60,6 @@ equation text-times-alone
   [-chi, chi, 0, 0]*Gamma(t_b)*D(t_a)*[-inv(N_1 - I)*N_2*z'_0; z'_0] = e_2
 
 equation eq-46
-  equation: 46
   tex: z_0 = -(N_1 - I)^{-1} N_2 z'_0
   place: 11674-11697
   z_0 = -inv(N_1 - I)*N_2*z'_0

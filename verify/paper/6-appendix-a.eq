@@ -2,7 +2,6 @@
 section: appendix_a
 
 define eq-47
-  equation: 47
   tex: H = \begin{pmatrix} H_1 & H_2 \\ H_3 & H_1 \end{pmatrix} \quad H_i = \Lambda B_i \Lambda^{-1} \quad (i = 1,2,3) \quad
     \Lambda = \begin{pmatrix} 1 & 1 \\ \lambda_1 & \lambda_2 \end{pmatrix} \quad
     B_1 = \begin{pmatrix} c_1 & 0 \\ 0 & c_2 \end{pmatrix},
@@ -23,7 +22,6 @@ define eq-47
   s_2(t) := sin(omega_2*t)
 
 define eq-48
-  equation: 48
   tex: \det(K - I\omega^2) = 0
   place: 13374-13384
   reads: \omega^2) = 0 as \omega_i^2) = 0, (i = 1, 2)
@@ -32,7 +30,6 @@ define eq-48
   root omega_2: det(K - I*omega_2^2), largest positive
 
 define eq-48b
-  equation: 48
   tex: \psi_i = \begin{pmatrix} 1 \\ \lambda_i \end{pmatrix}, \quad (i = 1,2)
   place: 13386-13404
   psi_1 := [1; lambda_1]
@@ -45,7 +42,6 @@ define text-mode-shapes
   lambda_2 := (1 - omega_2^2)/chi
 
 equation eq-48c
-  equation: 48
   tex: (K - I\omega_i^2)\psi_i = 0
   place: 13405-13419
   reads: \psi_i = 0 as \psi_i = 0, (i = 1, 2)
@@ -53,7 +49,6 @@ equation eq-48c
   (K - I*omega_2^2)*psi_2 = 0
 
 define eq-49
-  equation: 49
   tex: \Gamma = \begin{pmatrix} \Gamma_1 & \Gamma_2 \\ \Gamma_3 & \Gamma_1 \end{pmatrix}, \quad
     \Gamma_i = \Sigma \gamma_i \Sigma^{-1}, \quad (i = 1,2,3) \quad
     \Sigma = \begin{pmatrix} 1 & \mathcal{X} \\ 0 & 1 \end{pmatrix}, \quad
@@ -72,7 +67,6 @@ define eq-49
   gamma_3(t) := gamma_1'(t)
 
 define eq-50
-  equation: 50
   tex: C = \begin{pmatrix} C_1 & C_2 \\ C_3 & C_1 \end{pmatrix}, \quad C_i = \Pi A_i \Pi^{-1} \quad (i = 1, 2, 3), \quad
     \Pi = \begin{pmatrix} 1 & 0 \\ 1 & 1 \end{pmatrix} \quad
     A_1 = \begin{pmatrix} 1 & 0 \\ 0 & \cos(\omega t) \end{pmatrix}, \quad

@@ -2,7 +2,6 @@
 section: appendix_b
 
 inequality eq-51
-  equation: 51
   tex: t_a > 0, t_b > 0, t_c > 0, t_d > 0
   place: 13842-13864
   t_a > 0
@@ -11,46 +10,39 @@ inequality eq-51
   t_d > 0
 
 inequality eq-52
-  equation: 52
   tex: e_1 - 2u_{r1} < z_{10} - \chi z_{20} < e_1 \quad e_2 - 2u_{r2} < \chi(z_{20} - z_{10}) < e_2
   place: 13865-13922
   e_1 - 2*u_r1 < z_10 - chi*z_20 < e_1
   e_2 - 2*u_r2 < chi*(z_20 - z_10) < e_2
 
 inequality eq-53
-  equation: 53
   tex: u_{r1} > \frac{V t_a (1 - \chi)}{2}, \quad u_{r2} > \frac{e_2 - \chi(z_{20} - z_{10})}{2}
   place: 14183-14236
   u_r1 > V*t_a*(1 - chi)/2
   u_r2 > (e_2 - chi*(z_20 - z_10))/2
 
 inequality eq-54
-  equation: 54
   tex: 0 < t < t_a ... e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad e_2 - 2u_{r2} < \chi(z_2 - z_1) < e_2
   place: 14376-14382 14383-14433
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (0, t_a)
   e_2 - 2*u_r2 < chi*(z_2(t) - z_1(t)) < e_2 for t in (0, t_a)
 
 equation eq-55
-  equation: 55
   tex: z_1 - \chi z_2 = z_{10} - \chi z_{20} + V t (1 - \chi) = e_1 + V(t - t_a)(1 - \chi)
   place: 14438-14484
   z_1(t) - chi*z_2(t) = z_10 - chi*z_20 + V*t*(1 - chi) = e_1 + V*(t - t_a)*(1 - chi)
 
 equation eq-55b
-  equation: 55
   tex: \chi(z_2 - z_1) = \chi(z_{20} - z_{10})
   place: 14485-14509
   chi*(z_2(t) - z_1(t)) = chi*(z_20 - z_10)
 
 inequality eq-56
-  equation: 56
   tex: z_{10} - \chi z_{20} < z_1 - \chi z_2 < e_1
   place: 14518-14542
   z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_1
 
 inequality eq-57
-  equation: 57
   tex: t_a < t < t_a + t_b ... z'_1 < V, \quad e_2 - 2u_{r2} < h(t) \equiv \chi(z_2 - z_1) < e_2
   place: 14611-14623 14624-14661
   reads: h(t) \equiv \chi(z_2 - z_1) as h(t)
@@ -58,7 +50,6 @@ inequality eq-57
   e_2 - 2*u_r2 < h(t) < e_2 for t in (t_a, t_a + t_b)
 
 define eq-57b
-  equation: 57
   tex: h(t) \equiv \chi(z_2 - z_1)
   place: 14643-14657
   h(t) := chi*(z_2(t) - z_1(t))
@@ -74,44 +65,37 @@ inequality text-h-increases
   chi*(V - z_1'(t)) > 0
 
 inequality eq-58
-  equation: 58
   tex: e_2 - 2u_{r2} < h(t_a) < e_2
   place: 14806-14827
   e_2 - 2*u_r2 < h(t_a) < e_2
 
 equation eq-58b
-  equation: 58
   tex: h(t_a + t_b) = e_2
   place: 14829-14842
   h(t_a + t_b) = e_2
 
 inequality eq-59
-  equation: 59
   tex: t_a + t_b + t_c < t < t_a + t_b + t_c + t_d ... e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad z'_2 < V
   place: 14946-14974 14975-15005
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
   z_2'(t) < V for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
 
 define eq-60
-  equation: 60
   tex: \bar{h}(t) = z_1 - \chi z_2
   place: 15056-15071
   hbar(t) := z_1(t) - chi*z_2(t)
 
 equation eq-60b
-  equation: 60
   tex: \bar{h}'(t) = z'_1 - \chi z'_2 = V - \chi z'_2
   place: 15072-15098
   hbar'(t) = z_1'(t) - chi*z_2'(t) = V - chi*z_2'(t)
 
 inequality eq-60c
-  equation: 60
   tex: V - \chi z'_2 > 0
   place: 15092-15100
   V - chi*z_2'(t) > 0
 
 equation eq-61
-  equation: 61
   tex: \bar{h}(t_a + t_b + t_c + t_d) = z_{10} - \chi z_{20}
   place: 15193-15226
   hbar(t_a + t_b + t_c + t_d) = z_10 - chi*z_20

@@ -9,7 +9,6 @@ symbol t
   means: time since the phase began
 
 define eq-1
-  equation: 1
   tex: D(t) = \begin{pmatrix} I & tI \\ 0 & I \end{pmatrix}
   place: 83-97
   D(t) := [I, t*I; 0, I]
@@ -18,7 +17,6 @@ define identity
   I := [1, 0; 0, 1]
 
 equation eq-2
-  equation: 2
   tex: \det D(t) = 1 + t
   place: 179-187
   det(D(t)) = 1 + t

@@ -22,43 +22,35 @@ symbol theta
   means: an angle of which the note says nothing more
 
 define eq-1
-  equation: 1
   tex: K = \begin{pmatrix} 2\kappa & -\kappa & 0 \\ -\kappa & 2\kappa & -\kappa \\ 0 & -\kappa & \kappa \end{pmatrix}
   K := [2*kappa, -kappa, 0; -kappa, 2*kappa, -kappa; 0, -kappa, kappa]
 
 equation eq-2
-  equation: 2
   tex: \det K = \kappa^3
   det(K) = kappa^3
 
 define eq-3
-  equation: 3
   tex: \omega = \sqrt{\frac{\kappa}{\mu}}, \quad q(t) = q_0 e^{-\zeta \omega t} \sin(\sqrt{1 - \zeta^2} \omega t)
   omega := sqrt(kappa/mu)
   q(t) := q_0*exp(-zeta*omega*t)*sin(sqrt(1 - zeta^2)*omega*t)
 
 equation eq-4
-  equation: 4
   tex: q''(t) + 2\zeta\omega q'(t) + \omega^2 q(t) = 0
   q''(t) + 2*zeta*omega*q'(t) + omega^2*q(t) = 0
 
 equation eq-5
-  equation: 5
   tex: \omega^2 = \frac{\kappa}{\mu}, \quad \sqrt{\kappa^2} = \kappa
   omega^2 = kappa/mu
   sqrt(kappa^2) = kappa
 
 equation eq-6
-  equation: 6
   tex: e^{2\pi\zeta} = e^{\pi\zeta}
   exp(2*pi*zeta) = exp(pi*zeta)
 
 equation eq-7
-  equation: 7
   tex: \sin\theta = \kappa
   sin(theta) = kappa
 
 inequality eq-8
-  equation: 8
   tex: \sqrt{\kappa} < 1 + \kappa
   sqrt(kappa) < 1 + kappa
