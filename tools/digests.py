@@ -6,7 +6,7 @@ usage: digests.py PROGRAM [--quick] [--record]
 A row of the file is: digest, scope, command line.  The digest is that of the exit status, standard output, standard error
 (this checkout's own path as ".") and every file that the command writes into its --out folder but run.json, which holds
 times.  A row of scope `libm` rests on the last bits of the C library's functions; it is left out, and said to be, where
-these differ from those recorded with.  --quick asks for the rows marked so alone.  --record writes the file anew: only for a change that is meant."""
+these differ from those recorded with.  --quick asks for the rows marked so alone.  --record puts those of the rows in the file: only for a change that is meant."""
 import concurrent.futures
 import hashlib
 import math
@@ -119,8 +119,9 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(max(1, (os.cpu_count() or 2) // 2)) as pool:
         found = list(pool.map(lambda r: digest(program, r[2]), rows))
     if "--record" in options:
-        text = [f"{libm}\t{LIBM}\tlibm\n"] + [f"{v}\t{scope}\t{line}\n" for v, (_, scope, line) in zip(found, rows)]
-        FILE.write_text("".join(text))
+        recorded |= {line: (v, scope) for v, (_, scope, line) in zip(found, rows)}
+        kept = [(recorded[line][0], scope, line) for _, scope, line in commands() if line in recorded]
+        FILE.write_text("".join(f"{v}\t{scope}\t{line}\n" for v, scope, line in [(libm, LIBM, "libm"), *kept]))
         print(f"digests: {len(rows)} recorded")
         return 0
     bad = [line for v, (_, _, line) in zip(found, rows) if recorded.get(line, ("", ""))[0] != v]
