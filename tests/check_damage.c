@@ -159,7 +159,7 @@ static const struct {
     {DAMAGE_DOMAIN, 100, "text-start-at-rest", "t_b = 3"},
     {DAMAGE_CORRECTION, 20, "eq-36b", "repaired-range: 1 5"},
     {DAMAGE_CORRECTION, 20, "text-trace-bars", "abs(tr(J)) < 2"},
-    {DAMAGE_CORRECTION, 20, "text-free-index", "V - x_2'(t) = 0"},
+    {DAMAGE_CORRECTION, 20, "text-free-index", "repaired: V - x_2'(t) = 0"},
     {DAMAGE_RESTRICTION, 10, "eq-10", "V = 2: proved"},
     {DAMAGE_CONTROL, 100, "ctl-number", "claim: num-e2"},
     {DAMAGE_CONTROL, 100, "ctl-exact-matrix", "1e+90*(1 - chi)"},
