@@ -1,4 +1,4 @@
-/* Papers of somebody else's: tests/another is about the program's system and says so, tests/row and examples/den-hartog are
+/* Papers that say something else, and papers of somebody else's: tests/another is about the program's system and says so, tests/row and examples/den-hartog are
    about others and have symbols of their own.  Nothing that the program does not know is refuted, and no slip of the one who types is charged to
    the paper.  Each case damages a copy of a folder; what must be said stands beside it, written by hand. */
 #include <check.h>
@@ -22,6 +22,26 @@ START_TEST(papers_of_others) {
                            *x[X_ONLY] ? "--only " : "", x[X_ONLY]);
   ck_assert_msg(status == atoi(x[X_STATUS]) && strstr(out, x[X_SAYS]), "%s: status %d, not %s with \"%s\":\n%s",
                 x[X_SCRIPT], status, x[X_STATUS], x[X_SAYS], out);
+  free(out);
+}
+END_TEST
+
+static struct table sentences;              /* cases/other_sentences.tsv */
+enum { Y_ID, Y_VERDICTS, Y_WHY, Y_RECORD }; /* its columns */
+
+/* The paper itself, where one record says something else. */
+START_TEST(other_sentences) {
+  char **y = sentences.row[_i], want[64], verdict[24];
+  int status, n = 0;
+  scratch_put("other.eq", y[Y_RECORD]);
+  char *out = shell_output(
+      &status, "\"$P\" verify paper --overlay \"$D/other.eq\" --only %s --quiet --out \"$D/out\" 2>&1", y[Y_ID]);
+  bool met = false;
+  for (const char *p = y[Y_VERDICTS]; sscanf(p, "%23s%n", verdict, &n) == 1; p += n) {
+    snprintf(want, sizeof want, "%s: %s, recorded as proved", y[Y_ID], verdict);
+    met = met || strstr(out, want);
+  }
+  ck_assert_msg(status == 1 && met, "%s, not %s, though %s:\n%s", y[Y_ID], y[Y_VERDICTS], y[Y_WHY], out);
   free(out);
 }
 END_TEST
@@ -98,10 +118,12 @@ END_TEST
 Suite *another_suite(void) {
   Suite *s = suite_create("another");
   table_read(&audits, "tests/cases/papers_of_others.tsv", 6);
+  table_read(&sentences, "tests/cases/other_sentences.tsv", 4);
   TCase *t = tcase_create("papers");
   tcase_set_timeout(t, 120);
   tcase_add_checked_fixture(t, scratch_open, scratch_close);
   tcase_add_loop_test(t, papers_of_others, 0, audits.n);
+  tcase_add_loop_test(t, other_sentences, 0, sentences.n);
   tcase_add_loop_test(t, amplitudes_and_phases_of_motions, 0, 40);
   tcase_add_loop_test(t, files_are_checked_with_their_own_paper, 0, 4);
   suite_add_tcase(s, t);

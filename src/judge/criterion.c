@@ -97,7 +97,7 @@ static int motion_of(struct judge *j, const struct point *p, const struct dyn_or
   return k->motion;
 }
 
-/* What a claim tries: the sentence, orbits so far, the side it speaks of or N_SIDES. */
+/* What a claim tries: the sentence, orbits so far, the side on which its sentence puts the orbits it speaks of, or N_SIDES. */
 struct trying {
   struct tried t;
   struct sentence sentence;
@@ -114,11 +114,11 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   const struct point *p = &y->walk.p;
   double margin, slope;
   if (o->grazing || slope_of(&margin, &slope, j, p, o) != SS_OK || fabs(margin) < 1e-9) return;
-  int side = margin < 0 ? INSIDE : OUTSIDE;
-  if (y->only != N_SIDES && y->only != side) return;
   struct trial said = sentence_try_balls(&y->sentence, p, VARIANT_CLOSED, j->cache);
   if (said.outcome != OUTCOME_AGREES && said.outcome != OUTCOME_DIFFERS) return;
   bool stable = said.outcome == OUTCOME_AGREES;
+  int side = margin < 0 ? INSIDE : OUTSIDE, premise = stable ? INSIDE : OUTSIDE;
+  if (y->only != N_SIDES && y->only != premise) return;
   note_near(t, slope, side);
   bool against = stable != (side == INSIDE), slow = fabs(margin) < 0.002; /* the iterates would need too long */
   ++*(against ? &t->against[side] : &t->as_said[side]);

@@ -105,6 +105,7 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
     finding_skip(f, j, "the scene prints no solution and has no orbit");
   else if (ok)
     f->verdict = verdict_of(w, n, true);
+  if (f->verdict == VERDICT_REFUTED) f->condition = NULL; /* whatever could not be tried */
   point_clear(&orbit);
   point_clear(&printed);
   return ok;

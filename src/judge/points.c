@@ -224,7 +224,8 @@ static bool try_point(bool *accepted, struct point_trials *r, const struct point
   long before = first->trials, failures = first->differs;
   for (int i = 0; i < r->n_routes; i++) {
     struct tally *t = &r->tally[i];
-    if (i > 0 && nth >= t->route->most) continue;
+    bool fails = i > 0 && first->differs > failures; /* then a route that found no failure yet is asked here too */
+    if (i > 0 && nth >= t->route->most && !(fails && t->differs == 0)) continue;
     struct trial tr = try_route(r, t, p);
     if (r->j->d->set || !book(r, t, &tr, p)) return false;
     if (i == 0 && first->trials == before) break; /* the point is not accepted */

@@ -79,6 +79,16 @@ static void draw_arc(struct point *p, uint64_t *st) {
   fmpq_clear(u);
 }
 
+/* An inequality along a phase fails first beside an end: less than a quarter of the phase becomes a 1024th. */
+static void move_outwards(fmpq_t fraction) {
+  fmpq_t quarters;
+  fmpq_init(quarters);
+  fmpq_mul_si(quarters, fraction, 4);
+  if (fmpq_cmp_si(quarters, 1) < 0) fmpq_set_si(fraction, 1, 1024);
+  if (fmpq_cmp_si(quarters, 3) > 0) fmpq_set_si(fraction, 1023, 1024);
+  fmpq_clear(quarters);
+}
+
 void sampler_next(struct point *p, struct sampler *s) {
   enum { POOL = 64 };
   p->kind = s->kind;
@@ -106,6 +116,7 @@ void sampler_next(struct point *p, struct sampler *s) {
   draw(&p->q[Q_LAMBDA], st, -40, 40, 9);
   draw(&p->q[Q_T], st, 1, 128, 16);
   draw(&p->q[Q_S], st, 1, 15, 16);
+  if (s->admissible) move_outwards(&p->q[Q_S]);
   for (int i = Q_Z1; i <= Q_DZ2; i++) draw(&p->q[i], st, -32, 32, 8);
   if (s->kind == POINT_ARC) draw_arc(p, st);
   for (int i = Q_TA; s->kind == POINT_PATCHED && i <= Q_TD; i++) draw(&p->q[i], st, 1, 48, 16);
