@@ -13,6 +13,7 @@
 
 const char *argument_place(struct argument *a, double where) {
   if (where <= 0 || where >= 1) return where <= 0 ? "at its very beginning" : "at its very end";
+  if (where == 0.5) return "at its middle";
   return result_str(a->j->out, "after the fraction %.10g of it", where);
 }
 

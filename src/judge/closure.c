@@ -87,7 +87,7 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
     if (apart) certify_gap(f, j, z, gap);
     if (apart)
       f->effect = result_str(j->out,
-                             "the motion from the printed initial state does not close: after one period z_1 has "
+                             "the motion from the printed initial state does not close: after one passage through the phases z_1 has "
                              "changed by %s and z_2 by %s",
                              ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
   }
@@ -125,7 +125,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   const char *note = NULL;
   if (s == SS_OK)
     note = result_str(j->out,
-                      "For every initial state with the printed digits, z_2 - z_1 changes during one period by an "
+                      "For every initial state with the printed digits, z_2 - z_1 changes during one passage by an "
                       "amount between %.3g and %.3g%s",
                       bound(gap, true), bound(gap, false), apart ? ", so that none of them is periodic." : ".");
   finding_add_route(f, j->out, w, "model", FIRST_PREC,

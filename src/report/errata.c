@@ -135,9 +135,9 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
   text_add(s->out, data.len ? " " : "");
   text_clear(&data);
   text_printf(s->out, "%s %s%s", audit_method(r), audit_source(r), *audit_source(r) ? " " : "");
-  if (substance)
-    text_printf(s->out, "The %zu point%s listed first %s results, in order of consequence. ", substance,
-                substance == 1 ? "" : "s", substance == 1 ? "affects" : "affect");
+  if (substance == 1) text_add(s->out, "The first point affects results. ");
+  if (substance > 1)
+    text_printf(s->out, "The first %zu points affect results; they are given in order of consequence. ", substance);
   if (slips)
     text_printf(s->out,
                 "The %zu remarks and slips of notation that follow concern gaps in an argument, exceptional cases or "

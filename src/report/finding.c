@@ -166,7 +166,7 @@ void failures_say(struct text *out, const struct audit_result *r) {
     while (due && of[next] == 0) next++;
     before = due && due == of[next] ? " and " : ", ";
   }
-  text_add(out, others ? "; the other points rest on checks of the suite)" : ")");
+  text_add(out, others ? "; the other points were found by further checks)" : ")");
 }
 
 static bool any_begins(const char *const *list, int n, const char *with) {

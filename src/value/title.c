@@ -505,8 +505,9 @@ static const struct {
     {"switches", "stick to slip",
      "a transition from {transition} occurs where the force on a mass reaches its static friction"},
     {"jumps", NULL,
-     "friction and acceleration of a mass jump where it breaks loose and, unless its force is then the sliding "
-     "friction, where it is caught, and positions and velocities never do"},
+     "friction and acceleration of a mass are discontinuous where it breaks loose or is caught, unless its force is "
+     "then "
+     "the sliding friction, and position and velocity never are"},
     {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
     {"fixed-points", NULL,
      "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law"},
