@@ -335,7 +335,8 @@ def numbers_example(of):
     other = mpf("2.342")
     found = [findroot(lambda t: apart(t, end)[0], (mpf(1) / 2, mpf(7) / 10)) for end in (t_d, other)]
     found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d))] + kept_times(of, apart)
-    found.append(slope(of["num-t_a"], orbit(of["num-t_a"]).z[0]))
+    nearest = orbit(of["num-t_a"])
+    found += [slope(of["num-t_a"], nearest.z[0]), *nearest.t]
     return {rounded(x, 4) for x in found} | {of["num-t_d"].text("printed"), rounded(other, 3), rounded(found[0], 5)}
 
 
@@ -347,12 +348,6 @@ def numbers_otherwise(of):
 def numbers_first_roots(of):
     """The data of the claim that has several solutions, p/q of its title as decimals."""
     return {rounded(mpf(p) / mpf(q), 2) for p, q in re.findall(r"(\d+)/(\d+)", of["text-several-motions"].claim["title"])}
-
-
-def numbers_inverses(of):
-    """e_1, and values of e_2 on either side of the two that are certified."""
-    c = of["text-inverses"]
-    return {rounded(c["e_1"], 4), rounded(min(c["e_2"], c.second()["e_2"]), 5), rounded(max(c["e_2"], c.second()["e_2"]), 5)}
 
 
 def reach(c, delta):
