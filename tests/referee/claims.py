@@ -3,7 +3,7 @@
 None is longer than 20 lines; none knows a formula of the program."""
 import re
 
-from mpmath import cos, cot, findroot, lu_solve, matrix, mpf, sin, sqrt
+from mpmath import ceil, cos, cot, findroot, lu_solve, matrix, mpf, sin, sqrt
 
 from model import Passage, derivative, ends, first_zero, flow, moments, orbit, passage, sides, stick, system
 
@@ -346,8 +346,12 @@ def numbers_otherwise(of):
 
 
 def numbers_first_roots(of):
-    """The data of the claim that has several solutions, p/q of its title as decimals."""
-    return {rounded(mpf(p) / mpf(q), 2) for p, q in re.findall(r"(\d+)/(\d+)", of["text-several-motions"].claim["title"])}
+    """How many solutions, up to which t_c; the data of the claim that has several, p/q of its title as decimals, and their t_c."""
+    six, several = of["text-six-determine"].claim, of["text-several-motions"].claim
+    count, last = re.match(r"\d+", six["evidence"][0]["note"])[0], re.search(r"t_c up to (\d+)", six["title"])[1]
+    longest = max(mpf(times.split(", ")[2]) for times in re.findall(r"\(([\d., ]+)\)", several["evidence"][1]["note"]))
+    return {count, last, str(int(ceil(longest)))} | {
+        rounded(mpf(p) / mpf(q), 2) for p, q in re.findall(r"(\d+)/(\d+)", several["title"])}
 
 
 def reach(c, delta):

@@ -71,12 +71,14 @@ def too_long():
 
 
 def unexplained(audit):
-    """Numbers of two decimals or more in the sentences of a root that its function in claims.py does not find."""
+    """Numbers of two decimals or more, and counts of two digits or more, in the sentences of a root that its function in claims.py
+    does not find.  (12) is an equation, and what stands in indices no number."""
     of = {c["id"]: Certificate(c) for c in audit["claims"]}
     for root in audit["roots"]:
         find = getattr(claims, "numbers_" + root["id"].replace("-", "_"), lambda of: set())
         text = " ".join(root.get(part) or "" for part in ("wrong", "correct", "consequence", "by_hand"))
-        for stray in set(re.findall(r"-?\d+\.\d{2,}", text)) - find(of):
+        numbers = re.findall(r"-?\d+\.\d{2,}|(?<![\d.({_])\d{2,}(?![\d.)}])", text)
+        for stray in set(numbers) - find(of):
             yield "the root %s says %s" % (root["id"], stray)
 
 
