@@ -1,27 +1,52 @@
 /* What can be said against claims and controls before anything is judged: attributes that nothing reads, kinds and
    verdicts that there are not, and what is missing. */
+#include <string.h>
+
 #include "claim.h"
 
-static bool known_attribute(const char *key) {
-  static const char *const known[] = {"equation",     "section",    "own",          "kind",         "value",
-                                      "statement",    "points",     "routes",       "oracle",       "number",
-                                      "from",         "formula",    "title",        "quote",        "depends-on",
-                                      "record",       "restricted", "claim",        "shift",        "relation",
-                                      "letter",       "range",      "perturbation", "record-scene", "repaired-range",
-                                      "also-printed", "premises",   "conclusion",   "over",         "friction",
-                                      "increasing",   "repair",     "reads",        "repaired",     "symbols",
-                                      "stands-for",   "found-in",   "scaled",       "statements",   "absent",
-                                      "unknowns",     "rank",       "constraints",  "least-first",  "least-second",
-                                      "word",         "conditions", "given",        "through",      "needs",
-                                      "check",        "moves",      "states",       "at",           "transition",
-                                      "limit",        "jumps",      "side",         "vary",         "about",
-                                      "converse",     "mass",       "slips",        "sticks",       "breaks",
-                                      "place",        "few",        "converse-of",  "repaired-as",  "of",
-                                      "near",         "heading",    "count",        "every",        "kept",
-                                      "until",        "even",       "odd",          "drift",        "factor",
-                                      "frequency",    "rate",       "systems",      "limits"};
-  enum { N_KNOWN = sizeof known / sizeof *known };
-  return word_find(key, known, N_KNOWN) < N_KNOWN;
+/* What claims of each kind have; the first row, what all have; the last, what controls may have besides. */
+static const struct {
+  const char *kind, *attributes;
+} read_by[] = {
+    {"", "equation section own kind title quote place depends-on about few record record-scene restricted"},
+    {"definition", "value statement"},
+    {"matrix", "value points routes"},
+    {"identity", "statement points routes oracle perturbation"},
+    {"sharp", "statement points"},
+    {"inequality", "statement points"},
+    {"index-range", "statement letter range repaired-range"},
+    {"number", "number from formula relation also-printed"},
+    {"closure", ""},
+    {"criterion", "statement at side"},
+    {"behaviour", "check moves states range transition limit jumps friction at vary systems"},
+    {"report", "formula"},
+    {"argument", "statement premises conclusion over friction increasing repair converse converse-of"},
+    {"notation", "reads repaired repaired-as symbols stands-for found-in"},
+    {"scaling", "statement scaled repaired repaired-as"},
+    {"reach", "statements absent"},
+    {"rank", "statement unknowns rank"},
+    {"defined", "statements over at vary"},
+    {"sequence", "word conditions"},
+    {"existence", "given through"},
+    {"constraints", "constraints least-first least-second"},
+    {"solutions", "statement count every until kept constraints at"},
+    {"range", "premises conclusion even odd factor frequency drift rate from"},
+    {"law", "mass slips sticks breaks heading limits"},
+    {"outside", "needs"},
+    {NULL, "claim of near shift"},
+};
+enum { N_READ_BY = sizeof read_by / sizeof *read_by };
+
+/* kind: that of the claim; NULL: any, a control's too. */
+static bool is_read(const char *attribute, const char *kind) {
+  size_t n;
+  for (size_t i = 0; i < N_READ_BY; i++) {
+    const char *of = read_by[i].kind, *list = read_by[i].attributes;
+    if (kind && (!of || (*of && strcmp(of, kind) != 0))) continue;
+    for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n))
+      if (strlen(attribute) == n && strncmp(p, attribute, n) == 0) return true;
+  }
+  return false;
 }
 
 static bool complain(const struct claim *c, size_t at, struct diag *d, const char *what) {
@@ -34,11 +59,15 @@ static bool check_claim(const struct claim *c, bool control, struct diag *d) {
   for (size_t k = 0; k < c->record->n_fields; k++) {
     const struct field *f = &c->record->fields[k];
     if (!f->attribute) return complain(c, f->value.begin, d, "a claim has attributes only, \"word: text\"");
-    if (!known_attribute(f->key_name)) return complain(c, f->key.begin, d, "unknown attribute");
+    if (!is_read(f->key_name, NULL)) return complain(c, f->key.begin, d, "unknown attribute");
   }
   if (control) return claim_get(c, "claim") || claim_mistake(c, "", d, "a control names the claim that it damages");
   if (!kind) return claim_mistake(c, "", d, "a claim has a kind and a title, or the attributes that make one");
   if (!claim_kind_of(c)) return claim_mistake(c, "kind", d, "unknown kind of claim");
+  for (size_t k = 0; k < c->record->n_fields; k++) {
+    const char *name = c->record->fields[k].key_name;
+    if (!is_read(name, kind)) return claim_mistake(c, name, d, "nothing reads this of a claim of kind %s", kind);
+  }
   if (record && verdict_parse(record) == N_VERDICTS) return claim_mistake(c, "record", d, "not a verdict");
   return true;
 }
