@@ -55,8 +55,8 @@
      heading     (law) the condition over the branches of a mass that has the belt's velocity
      limits      (law) yes: the states in which the restoring force is equal to its limit, instead of all others
      reads, repaired       (notation) the text as printed, and as it should read, in the language of expr.h
-     symbols, stands-for, found-in, repaired  (notation) lists with ";": symbols, what each is said to mean, and the
-                 place, "quote" or a record, that prints it
+     symbols, stands-for, found-in, repaired  (notation) lists with ";": symbols, what each is said to mean, and, where
+                 it is not the quotation for all, the place that prints it, "quote" or a record
      scaled      (scaling) prefixes of the names that are multiplied; of one statement, or of all; repaired: those of
                  the correction
      statements, absent    (reach) records, and the symbols that they must not contain

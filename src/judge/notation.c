@@ -53,7 +53,8 @@ static int read_uses(struct use u[MAX_USES], const struct claim *c, const char *
   int n = 0;
   const char *meanings = claim_get(c, "stands-for"), *places = claim_get(c, "found-in");
   while (n < MAX_USES && item(u[n].symbol, sizeof u[n].symbol, symbols, n) &&
-         item(u[n].meaning, sizeof u[n].meaning, meanings, n) && item(u[n].place, sizeof u[n].place, places, n))
+         item(u[n].meaning, sizeof u[n].meaning, meanings, n) &&
+         item(u[n].place, sizeof u[n].place, places ? places : "quote", places ? n : 0))
     n++;
   return n;
 }
