@@ -86,8 +86,8 @@ static void print_cause(struct text *out, struct digits_study *st, const struct 
                         struct digits_cause c) {
   text_printf(out, "  %s, at ", loss_cause_says[c.cause]);
   digits_print_node(out, &st->set, f, c.node, false);
-  text_add(out, ", ");
-  if (!digits_print_place(out, &st->set, f, c.node)) text_add(out, "which is written nowhere");
+  const char *id = digits_record_of(&st->set, f, c.node);
+  text_printf(out, ", %s", id ? id : "which is written nowhere");
   if (c.grows > 0) text_printf(out, " (a relative error grows by %.1f digits there)", c.grows * log10(2));
   text_add_char(out, '\n');
 }

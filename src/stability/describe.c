@@ -14,11 +14,9 @@ static const char *node_text(struct digits_study *st, const struct digits_formul
   return text_take(&st->out->arena, &t);
 }
 
-static const char *place_text(struct digits_study *st, const struct digits_formula *f, slong node) {
-  struct text t = {0};
-  const char *s = digits_print_place(&t, &st->set, f, node) ? arena_strdup(&st->out->arena, text_str(&t)) : NULL;
-  text_clear(&t);
-  return s;
+static const char *record_text(struct digits_study *st, const struct digits_formula *f, slong node) {
+  const char *id = digits_record_of(&st->set, f, node);
+  return id ? kept_str(st->out, id) : NULL;
 }
 
 static const char *point_text(struct digits_study *st, const struct digits_formula *f, const double *x) {
@@ -56,7 +54,7 @@ static void describe_cause(struct stability_row *z, struct digits_study *st, con
   z->cause = found->why.cause;
   z->node_grows = found->why.grows * log10(2);
   z->node = node_text(st, f, found->why.node, false);
-  z->source = place_text(st, f, found->why.node);
+  z->source = record_text(st, f, found->why.node);
   if (f->kernel) return;
   const struct tape_instr *in = &f->tape.code[found->why.node];
   if (in->op == TAPE_CONST || in->op == TAPE_INPUT || in->op == TAPE_ROOT) return;
@@ -110,7 +108,7 @@ void digits_describe_row(struct stability_row *z, struct digits_study *st, int f
   if (!found->failed) return;
   z->failure = found->failure.cause;
   z->failure_node = node_text(st, f, found->failure.node, false);
-  z->failure_source = place_text(st, f, found->failure.node);
+  z->failure_source = record_text(st, f, found->failure.node);
   z->failure_size = found->failure_size * log10(2);
   z->failure_witness = point_text(st, f, found->failure_x);
 }

@@ -24,8 +24,7 @@ struct digits_name {
 /* A scalar and where it is written. */
 struct digits_source {
   const struct expr *e;
-  const struct source *src;
-  size_t at;
+  const char *id; /* of the record in which it is written */
 };
 
 struct digits_kernel;
@@ -105,8 +104,8 @@ void digits_print_node(struct text *out, struct digits_set *s, const struct digi
 
 void digits_note_definition(struct digits_set *s, const struct definition *def);
 void digits_note_record(struct digits_set *s, const struct statement_record *r);
-/* "paper/4-stability.eq:57", of the node or of what it is part of; false where it is written nowhere. */
-bool digits_print_place(struct text *out, const struct digits_set *s, const struct digits_formula *f, slong node);
+/* The id of the record in which the node is written, or what it is part of; NULL where it is written nowhere. */
+const char *digits_record_of(const struct digits_set *s, const struct digits_formula *f, slong node);
 
 /* --- The program's own functions (kernel.c) --- */
 
