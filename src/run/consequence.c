@@ -291,9 +291,8 @@ static enum verdict judge_as_is(struct judge *j, const struct claim *c) {
 /* Or nothing that another formula's failure would change: what a formula divides by is its own, and the solutions that
    are counted are those of the model, on which the formulas are tried. */
 static bool asserts_nothing(const struct claim *c) {
-  static const char *const kinds[] = {"definition", "report", "defined", "solutions"};
-  const char *kind = claim_get(c, "kind");
-  return !kind || word_find(kind, kinds, 4) < 4;
+  enum kind kind = claim_kind(c);
+  return kind == KIND_DEFINITION || kind == KIND_REPORT || kind == KIND_DEFINED || kind == KIND_SOLUTIONS;
 }
 
 /* Is the claim conditional, and on something else than the one that failed? */

@@ -8,13 +8,6 @@
 #include "judge/judge.h"
 #include "run.h"
 
-enum {
-  PHASES = 1U << WORK_PHASE_D | 1U << WORK_PHASE_GAMMA | 1U << WORK_PHASE_H | 1U << WORK_PHASE_C,
-  SCENE = 1U << WORK_SCENE_ORBITS,
-  OTHER = 1U << WORK_OTHER_ORBITS,
-  ALGEBRA = 1U << WORK_ALGEBRA
-};
-
 struct planner {
   struct audit_plan *out;
   struct judge judge; /* nothing is judged with it */
@@ -30,6 +23,12 @@ static void add_name(struct planner *pl, struct plan_list *list, const char *nam
   if (list->n) memcpy(item, list->item, (size_t)list->n * sizeof *item);
   item[list->n++] = arena_strdup(a, name);
   list->item = item;
+}
+
+static bool lists(const struct plan_list *l, const char *name) {
+  for (int i = 0; i < l->n; i++)
+    if (strcmp(l->item[i], name) == 0) return true;
+  return false;
 }
 
 /* --- A claim --- */
@@ -51,8 +50,8 @@ static unsigned parts_of_points(struct planner *pl, const struct claim *c) {
   int n = claim_points_asked(c) ? claim_points(spec, MOST, &pl->judge, c) : 0;
   for (int i = 0; i < n; i++) {
     if (spec[i].kind == POINT_FLOW) parts |= 1U << (WORK_PHASE_D + (int)spec[i].phase);
-    if (spec[i].kind > POINT_FLOW) parts |= PHASES;
-    if (spec[i].kind == POINT_ORBIT) parts |= OTHER;
+    if (spec[i].kind > POINT_FLOW) parts |= NEEDS_PHASES;
+    if (spec[i].kind == POINT_ORBIT) parts |= NEEDS_OTHER;
   }
   return parts;
 }
@@ -71,11 +70,9 @@ static void plan_matrices(struct planner *pl, struct planned_claim *p, size_t a)
   for (size_t i = 0; i < dependences_n_used(pl->rests, a); i++) {
     char name[64];
     const char *reached = dependences_used(pl->rests, a, i)->name;
-    bool known = false;
     snprintf(name, sizeof name, "%.56s", reached);
     if (!oracle_find(name)) snprintf(name, sizeof name, "%.56s(t)", reached);
-    for (int k = 0; k < p->matrices.n; k++) known = known || strcmp(p->matrices.item[k], name) == 0;
-    if (!known && oracle_find(name)) add_name(pl, &p->matrices, name);
+    if (oracle_find(name) && !lists(&p->matrices, name)) add_name(pl, &p->matrices, name);
   }
 }
 
@@ -94,9 +91,9 @@ static void plan_parts(struct planner *pl, struct planned_claim *p, const struct
   p->first_bits = p->last_bits = 0;
   unsigned parts = parts_of_points(pl, c), own = parts_of_kind(p, c);
   parts |= own | parts_of_kind(p, claim_named(pl->judge.claims, claim_get(c, "repaired-as")));
-  if (own & ALGEBRA) parts |= parts_of_names(&p->matrices);
-  if (own & ALGEBRA && parts & (OTHER | SCENE) && p->matrices.n) parts |= PHASES;
-  if (pl->box) parts &= ~(unsigned)SCENE;
+  if (own & NEEDS_ALGEBRA) parts |= parts_of_names(&p->matrices);
+  if (own & NEEDS_ALGEBRA && parts & (NEEDS_OTHER | NEEDS_SCENE) && p->matrices.n) parts |= NEEDS_PHASES;
+  if (pl->box) parts &= ~(unsigned)NEEDS_SCENE;
   for (int part = 0; part < WORK_BITS_128; part++)
     if (parts >> part & 1U) add_name(pl, &p->parts, work_part_name[part]);
 }
@@ -140,12 +137,6 @@ static struct planned_work *add_work(struct planner *pl, const char *what, const
   return w;
 }
 
-static bool lists(const struct plan_list *l, const char *name) {
-  for (int i = 0; i < l->n; i++)
-    if (strcmp(l->item[i], name) == 0) return true;
-  return false;
-}
-
 /* A study or a search that needs the scene's own numbers does nothing in a box. */
 static bool does_nothing(const struct planner *pl, const struct piece *p) {
   return pl->box && (p->kind == PIECE_TABLES || p->kind == PIECE_READINGS || p->kind == PIECE_VALUES);
@@ -168,19 +159,13 @@ static void plan_shared(struct planner *pl, const struct pieces *first) {
 
 /* --- Consequences --- */
 
-/* Whether a and b fail together: the same text is read as printed, once for both. */
-static bool fails_with(const struct claim *a, const struct claim *b) {
-  if (claim_get(a, "number") || claim_get(b, "number")) return a == b;
-  return strcmp(claim_own(a), claim_own(b)) == 0;
-}
-
 /* The row of the claim, or of another that fails together with it, since a run names the first of those that it
    judges. */
 static const struct cost *consequence_cost(const struct planner *pl, const struct claim *c) {
   const struct claims *all = pl->judge.claims;
   for (size_t i = 0; i < all->n; i++) {
     const struct cost *row = cost_of(pl->opt->costs, "consequence", all->claim[i].id);
-    if (row && fails_with(&all->claim[i], c)) return row;
+    if (row && claims_fail_together(&all->claim[i], c)) return row;
   }
   return NULL;
 }
@@ -197,7 +182,7 @@ static void plan_consequences(struct planner *pl, const struct pieces *first) {
     if (!fails_on_record(pl, c)) continue;
     bool seen = false;
     for (size_t k = 0; k < i && !seen; k++)
-      seen = fails_on_record(pl, first->item[k].claim) && fails_with(first->item[k].claim, c);
+      seen = fails_on_record(pl, first->item[k].claim) && claims_fail_together(first->item[k].claim, c);
     const struct cost *row = seen ? NULL : consequence_cost(pl, c);
     if (row) add_work(pl, arena_printf(&pl->out->arena, "consequences of %s", c->id), row);
   }

@@ -52,8 +52,7 @@ static struct piece *add_piece(struct pieces *p, enum piece_kind kind, const cha
 
 /* The readings are about printed numbers: they are searched when some claim of such a kind is judged. */
 static bool wants_readings(const struct claim *c) {
-  const char *kind = claim_get(c, "kind");
-  return kind && (strcmp(kind, "number") == 0 || strcmp(kind, "closure") == 0);
+  return claim_kind(c) == KIND_NUMBER || claim_kind(c) == KIND_CLOSURE;
 }
 
 void pieces_first(struct pieces *p, const struct model *m, const struct claims *claims, const struct scene *s,
@@ -79,16 +78,18 @@ bool pieces_controls(struct pieces *p, const struct claims *claims, const struct
   for (size_t i = 0; i < controls->n; i++) {
     const struct claim *control = &controls->claim[i];
     const struct claim *claim = claim_named(claims, record_get(control->record, "claim"));
-    if (!claim) {
-      struct judge nobody = {.d = d};
-      return claim_error(&nobody, control, "claim", "a control names the claim that it damages");
-    }
+    if (!claim) return claim_mistake(control, "claim", d, "a control names the claim that it damages");
     if (!run_selects(opt, s, claim)) continue;
     struct piece *q = add_piece(p, PIECE_CONTROL, control->id);
     q->claim = claim;
     q->control = control;
   }
   return true;
+}
+
+bool claims_fail_together(const struct claim *a, const struct claim *b) {
+  if (claim_get(a, "number") || claim_get(b, "number")) return a == b;
+  return strcmp(claim_own(a), claim_own(b)) == 0;
 }
 
 /* Failures about one equation are a piece together, since claims are judged again with its text but once. */
@@ -99,9 +100,8 @@ static void pieces_consequences(struct pieces *p, const struct judge *j) {
     if (k == j->claims->n) continue;
     const struct claim *c = &j->claims->claim[k];
     struct piece *q = NULL;
-    for (size_t g = 0; g < p->n && !claim_get(c, "number"); g++)
-      if (!claim_get(p->item[g].claim, "number") && strcmp(claim_own(p->item[g].claim), claim_own(c)) == 0)
-        q = &p->item[g];
+    for (size_t g = 0; g < p->n; g++)
+      if (claims_fail_together(p->item[g].claim, c)) q = &p->item[g];
     if (!q) {
       q = add_piece(p, PIECE_CONSEQUENCE, c->id);
       q->claim = c;
@@ -314,11 +314,8 @@ static bool run_pieces(struct audit_result *out, struct audit_work *r, struct pi
     struct judge j = *r->base;
     j.out = out;
     pieces_consequences(&both, &j);
-    for (size_t i = 0; i < second->n; i++) {
-      struct piece *q = add_piece(&both, PIECE_CONTROL, second->item[i].name);
-      q->claim = second->item[i].claim;
-      q->control = second->item[i].control;
-    }
+    for (size_t i = 0; i < second->n; i++)
+      *add_piece(&both, PIECE_CONTROL, NULL) = second->item[i]; /* controls have no findings of their own to free */
     teller = (struct teller){r->opt, teller.total, first->n, second->n, both.n, share, 1 - share};
     u = do_pieces(out, r, &both, &teller, touched);
     ok = take(out, r, &both, u, PIECE_CONSEQUENCE, PIECE_CONTROL, d);

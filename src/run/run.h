@@ -47,6 +47,8 @@ bool values_asked(struct judge *j);
 /* The claim that a finding is about when its failure has consequences: it fails and has a correction; the number of
    claims when not (consequence.c). */
 size_t consequence_claim(const struct judge *j, const struct finding *f);
+/* Whether the claims fail together: the same text is read as printed, once for both. */
+bool claims_fail_together(const struct claim *a, const struct claim *b);
 /* What refuted claims do to what is derived from them: of the n findings of the result at these places, which share
    what they read as printed (claim_own); completes their effects. */
 bool judge_consequences(struct judge *j, const size_t *at, size_t n);
