@@ -58,9 +58,13 @@ struct view claim_view(const struct model *m, const struct claim *c);
 /* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the
    claim's equation number, since a formula is printed together with its parts? */
 bool claim_is_about(const struct statement_record *r, const struct claim *c);
+/* Is it a definition under the claim's equation number? */
+bool claim_numbers(const struct claim *c, const struct statement_record *r);
 /* Whether an erratum is about the claim: it replaces its statement or, not by statement, defines something anew under
    the claim's equation number. */
 bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement);
+/* Is there one that replaces the claim's statement? */
+bool erratum_replaces(const struct model *m, const struct claim *c);
 /* The correction of a claim and what it replaces as LaTeX, and where they differ. */
 void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c);
 /* Whether the correction that errata.eq holds for the claim puts other symbols in the place of symbols, or keeps

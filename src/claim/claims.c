@@ -182,12 +182,14 @@ const struct claim *claim_named(const struct claims *claims, const char *id) {
   return NULL;
 }
 
+bool claim_numbers(const struct claim *c, const struct statement_record *r) {
+  return strcmp(r->record->kind_name, "define") == 0 && claim_says(c, "equation", r->equation);
+}
+
 bool claim_is_about(const struct statement_record *r, const struct claim *c) {
-  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"),
-             *equation = claim_get(c, "equation");
   if (r->rank > RANK_USER) return false;
-  if (statement) return strcmp(r->id, statement) == 0;
-  return value && equation && strcmp(r->record->kind_name, "define") == 0 && strcmp(r->equation, equation) == 0;
+  if (claim_get(c, "statement")) return claim_says(c, "statement", r->id);
+  return claim_get(c, "value") && claim_numbers(c, r);
 }
 
 int claim_formulas(struct text *out, const struct model *m, const struct claim *c, const char *prefix) {

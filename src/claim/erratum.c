@@ -137,12 +137,12 @@ static const char *keep(struct audit_result *out, struct text *t) {
 
 /* By statement; where no erratum is, by definition. */
 static void set_all_beside(struct beside *b, const struct model *m, const struct claim *c) {
+  bool by_statement = erratum_replaces(m, c);
   text_init(&b->corrected);
   text_init(&b->printed);
   text_init(&b->quote);
-  for (int pass = 0; pass < 2 && !b->corrected.len; pass++)
-    for (size_t i = 0; i < m->n_records; i++)
-      if (erratum_is_about(&m->records[i], c, pass == 0)) set_beside(b, m, &m->records[i], pass == 0);
+  for (size_t i = 0; i < m->n_records; i++)
+    if (erratum_is_about(&m->records[i], c, by_statement)) set_beside(b, m, &m->records[i], by_statement);
 }
 
 /* Whether every statement of the erratum is one of the printed ones, of which there are more: it keeps some readings of
@@ -194,25 +194,27 @@ void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c) 
 }
 
 bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement) {
-  const char *statement = claim_get(c, "statement"), *equation = claim_get(c, "equation");
-  if (r->rank != RANK_ERRATA) return false;
-  if (by_statement) return statement && strcmp(r->id, statement) == 0;
-  return strcmp(r->record->kind_name, "define") == 0 && equation && strcmp(r->equation, equation) == 0;
+  return r->rank == RANK_ERRATA && (by_statement ? claim_says(c, "statement", r->id) : claim_numbers(c, r));
+}
+
+bool erratum_replaces(const struct model *m, const struct claim *c) {
+  for (size_t i = 0; i < m->n_records; i++)
+    if (erratum_is_about(&m->records[i], c, true)) return true;
+  return false;
 }
 
 bool erratum_text(struct text *out, const struct model *m, const struct claim *c) {
   const char *sep = "";
-  bool found = false;
-  for (int pass = 0; pass < 2 && !found; pass++)
-    for (size_t i = 0; i < m->n_records; i++) {
-      const struct statement_record *r = &m->records[i];
-      if (!erratum_is_about(r, c, pass == 0)) continue;
-      for (int k = 0; k < r->n_stmts; k++) {
-        text_add(out, sep);
-        stmt_print(out, r->stmts[k]);
-        sep = "; ";
-      }
-      found = true;
+  bool found = false, by_statement = erratum_replaces(m, c);
+  for (size_t i = 0; i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    if (!erratum_is_about(r, c, by_statement)) continue;
+    for (int k = 0; k < r->n_stmts; k++) {
+      text_add(out, sep);
+      stmt_print(out, r->stmts[k]);
+      sep = "; ";
     }
+    found = true;
+  }
   return found;
 }

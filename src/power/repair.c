@@ -42,29 +42,16 @@ struct search {
 
 /* --- Candidates --- */
 
-/* Do the errata correct the claim's statement itself, not a definition that it uses? */
-static bool statement_is_corrected(const struct search *s) {
-  for (size_t i = 0; i < s->model->n_records; i++)
-    if (erratum_is_about(&s->model->records[i], s->claim, true)) return true;
-  return false;
-}
-
-/* Is it a printed definition under the claim's equation number? */
-static bool is_own_definition(const struct statement_record *r, const struct claim *c) {
-  const char *equation = claim_get(c, "equation");
-  return r->rank <= RANK_USER && equation && strcmp(r->record->kind_name, "define") == 0 &&
-         strcmp(r->equation, equation) == 0;
-}
-
 /* The printed statements that the claim is about, and the definitions printed with them unless it is the statement that
    the errata correct. */
 static void find_targets(struct search *s) {
   struct view v = claim_view(s->model, s->claim);
-  bool with_definitions = !statement_is_corrected(s);
+  bool with_definitions = !erratum_replaces(s->model, s->claim);
   for (size_t i = 0; i < s->model->n_records; i++) {
     const struct statement_record *r = &s->model->records[i];
     bool defines = strcmp(r->record->kind_name, "define") == 0;
-    bool subject = claim_is_about(r, s->claim) || (with_definitions && is_own_definition(r, s->claim));
+    bool own = with_definitions && r->rank <= RANK_USER && claim_numbers(s->claim, r);
+    bool subject = own || claim_is_about(r, s->claim);
     if (!subject || (!defines && view_record(&v, r->id) != r)) continue;
     for (int k = 0; k < r->n_stmts; k++) {
       if (r->stmts[k]->kind == STMT_TRAJECTORY) continue;
