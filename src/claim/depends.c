@@ -89,13 +89,6 @@ static void reach_record(struct elaboration *el, const struct view *v, const cha
   }
 }
 
-static bool lists_record(const char *list, const char *record) {
-  struct cited at;
-  while ((list = claim_next_cited(&at, list)) != NULL)
-    if (strcmp(at.id, record) == 0) return true;
-  return false;
-}
-
 /* What arguments, counts and sequences are made of. */
 static void reach_lists(struct elaboration *el, const struct view *v, const struct claim *c) {
   static const char *const lists[] = {"premises", "conclusion", "repair", "constraints", "conditions", "statements"};
@@ -197,7 +190,7 @@ bool dependences_on(struct dependences *d, size_t a, size_t b) {
   for (size_t i = 0; i < ra->n_used; i++)
     if (is_about(rb, ra->used[i]) && !is_about(ra, ra->used[i])) return true;
   for (int i = 0; i < 2 && rb->record; i++)
-    if (lists_record(ra->premises[i], rb->record) && (!ra->record || strcmp(ra->record, rb->record) != 0)) return true;
+    if (cited_share(ra->premises[i], rb->record) && (!ra->record || strcmp(ra->record, rb->record) != 0)) return true;
   if (!ra->number || !rb->number || strcmp(ra->number, rb->number) == 0) return false;
   for (size_t i = 0; i < ra->n_symbols; i++)
     if (same_number(rb->number, ra->symbols[i])) return true;

@@ -187,9 +187,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
   struct audit_options opt = {.only = &id, .n_only = 1};
   audit_result_init(&r);
   bool ok = audit_run(&r, m, claims, &no_controls, scene, &opt, d);
-  const struct finding *f = NULL;
-  for (size_t i = 0; ok && i < r.n_findings; i++)
-    if (strcmp(r.findings[i].id, id) == 0) f = &r.findings[i];
+  const struct finding *f = ok ? audit_result_finding(&r, id) : NULL;
   if (f) {
     text_printf(out, "%s, the claim: %s\n", f->id, f->title);
     add_line(out, "equation", f->equation);
@@ -202,7 +200,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     add_verdict(out, f);
     stable_explain(out, m, f->equation, claim_get(c, "statement"));
     struct judge j = {.out = &r, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
-    ok = explain_point(out, &j, c, (struct view){m, LAYER_CORRECTED, claim_own(c), NULL}, at, tape);
+    ok = explain_point(out, &j, c, claim_view(m, c), at, tape);
     orbit_cache_free(j.cache);
   }
   audit_result_clear(&r);

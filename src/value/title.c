@@ -287,7 +287,7 @@ static bool make_rank(struct text *out, const struct title *t) {
 
 /* "(45)" or "(45) and (46)": the equation numbers of the records, each once. */
 static bool numbers_of(struct text *out, const struct title *t, const char *list) {
-  const struct view v = {t->m, LAYER_CORRECTED, claim_own(t->c), NULL};
+  const struct view v = claim_view(t->m, t->c);
   struct text numbers = {0};
   const char *last = "";
   char id[64];
