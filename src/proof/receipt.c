@@ -102,11 +102,6 @@ static const char *relation(const struct exact_part *p, const struct sentence *s
 static void add_part(struct text *out, const struct exact_part *p, const struct sentence *s, const char *list, int i,
                      const struct restriction *r) {
   const struct tape *t = &s->tape;
-  static const char *const kinds[] = {[POINT_PARAMS] = "params",
-                                      [POINT_FLOW] = "flow",
-                                      [POINT_ARC] = "arcs",
-                                      [POINT_ORBIT] = "orbits",
-                                      [POINT_PATCHED] = "patched"};
   text_printf(out, "%s.append(dict(\n    values=%s_%d,\n    sides=[", list, list, i);
   for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
   text_add(out, "],\n    relations=\"");
@@ -114,7 +109,7 @@ static void add_part(struct text *out, const struct exact_part *p, const struct 
   text_add(out, "\",\n    oracle=");
   text_printf(out, p->question->value ? "\"%s\"" : "None", p->question->value);
   text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    law=\"%s\",\n    fixed={",
-              kinds[p->spec.kind], phase_name[p->spec.phase], p->question->finite ? "True" : "False",
+              point_kind_word[p->spec.kind], phase_name[p->spec.phase], p->question->finite ? "True" : "False",
               p->spec.realistic    ? "realistic"
               : p->spec.admissible ? "admissible"
                                    : "");

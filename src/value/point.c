@@ -7,6 +7,11 @@ const struct restriction restrictions[] = {{"V = 1", Q_V, "1"}, {"eta = 1", Q_ET
 
 const int n_restrictions = sizeof restrictions / sizeof *restrictions;
 
+const char *const point_kind_word[N_POINT_KINDS] = {
+    [POINT_PARAMS] = "params", [POINT_FLOW] = "flow", [POINT_ARC] = "arcs",        [POINT_ORBIT] = "orbits",
+    [POINT_PRINTED] = "",      [POINT_GIVEN] = "",    [POINT_PATCHED] = "patched",
+};
+
 bool point_has_word(enum point_kind kind) {
   return kind == POINT_ARC || kind == POINT_ORBIT || kind == POINT_PATCHED;
 }

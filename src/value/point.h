@@ -17,9 +17,11 @@ enum point_kind {
   POINT_ORBIT,   /* a periodic orbit */
   POINT_PRINTED, /* the printed state carried over the printed times, events or not */
   POINT_GIVEN,   /* a periodic orbit of exact t_b and t_c, with the e1 and e2 that it needs, and exact u_r1 and u_r2 */
-  POINT_PATCHED /* any exact state carried by the linear systems of the four phases over any exact times, no events; its
-                    perturbations are any numbers, but for the velocities that (25), (30) and (38) leave alone */
+  POINT_PATCHED, /* any exact state carried by the linear systems of the four phases over any exact times, no events;
+                    its perturbations are any numbers, but for the velocities that (25), (30) and (38) leave alone */
+  N_POINT_KINDS
 };
+extern const char *const point_kind_word[N_POINT_KINDS]; /* in claims and receipts; "" for those that neither has */
 
 /* Exact quantities of a point. */
 enum {

@@ -6,32 +6,19 @@
 
 static bool parse_spec(struct point_spec *s, const char *item) {
   char word[16], phase[16];
-  long n;
   *s = (struct point_spec){.n = 0};
-  if (sscanf(item, "%15s %15s %ld", word, phase, &n) == 3) {
+  if (sscanf(item, "%15s %15s %ld", word, phase, &s->n) == 3) {
     int ph = word_find(phase, phase_name, N_PHASES);
     if (ph == N_PHASES) return false;
     s->phase = (enum phase)ph;
-  } else if (sscanf(item, "%15s %ld", word, &n) != 2) {
+  } else if (sscanf(item, "%15s %ld", word, &s->n) != 2) {
     return false;
   }
-  if (n <= 0) return false;
-  s->n = n;
-  if (strcmp(word, "flow") == 0)
-    s->kind = POINT_FLOW;
-  else if (strcmp(word, "params") == 0)
-    s->kind = POINT_PARAMS;
-  else if (strcmp(word, "arcs") == 0)
-    s->kind = POINT_ARC;
-  else if (strcmp(word, "patched") == 0)
-    s->kind = POINT_PATCHED;
-  else if (strcmp(word, "orbits") == 0 || strcmp(word, "admissible") == 0 || strcmp(word, "realistic") == 0)
-    s->kind = POINT_ORBIT;
-  else
-    return false;
   s->realistic = strcmp(word, "realistic") == 0;
   s->admissible = s->realistic || strcmp(word, "admissible") == 0;
-  return true;
+  int kind = s->admissible ? POINT_ORBIT : word_find(word, point_kind_word, N_POINT_KINDS);
+  s->kind = (enum point_kind)kind;
+  return kind < N_POINT_KINDS && s->n > 0;
 }
 
 int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c) {
