@@ -4,7 +4,7 @@
 #include "friction.h"
 #include "judge.h"
 #include "num/calc.h"
-#include "value/values.h"
+#include "value/oracle.h"
 
 /* Is some eigenvalue of the 4x4 matrix surely outside the unit circle?  Yes when |tr M^k| > 4 for some k. */
 static truth has_growth(const struct num_vec *m) {
@@ -29,13 +29,8 @@ static truth has_growth(const struct num_vec *m) {
 
 /* Unstable by the product of the phases' propagators? */
 static truth unstable_by_propagators(struct values *v) {
-  struct num_vec step = calc_vec(&v->c, N_STATE * N_STATE), product = calc_vec(&v->c, N_STATE * N_STATE);
-  int s = values_propagator(&product, v, PHASE_D);
-  for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
-    s |= values_propagator(&step, v, (enum phase)ph);
-    s |= num_mat_mul(&product, &step, &product, N_STATE, N_STATE, N_STATE);
-  }
-  return s == SS_OK ? has_growth(&product) : TRUTH_UNKNOWN;
+  struct num_vec product = calc_vec(&v->c, N_STATE * N_STATE);
+  return oracle_eval(&product, oracle_find("N"), v) == SS_OK ? has_growth(&product) : TRUTH_UNKNOWN;
 }
 
 /* Unstable by the Jacobian with saltation matrices, which has one eigenvalue that is not 0? */

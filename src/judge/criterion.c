@@ -141,12 +141,6 @@ static struct route_result add_opinion(struct behaviour *b, const char *route, c
   return behaviour_route(b, route, said, false, answers_given(&n->said), NULL, note);
 }
 
-static struct route_result add_theorem(struct behaviour *b, const struct linearized *l) {
-  if (l->proved) return exact_route(b->f, b->j->out, ROUTE_AGREES, l->note);
-  finding_state(b->f, b->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL, l->note);
-  return (struct route_result){"exact", ROUTE_AGREES, true, 1};
-}
-
 /* theorem: of the sentence, unless points have refuted it already. */
 static void conclude(struct behaviour *b, const struct tried *t, const struct linearized *theorem) {
   struct route_result w[4];
@@ -179,8 +173,10 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
                                     "criterion at %ld orbits and disagree at %ld",
                                     motions[TRUTH_TRUE], motions[TRUTH_FALSE]));
   }
-  if (theorem->note) w[n] = add_theorem(b, theorem);
-  n += theorem->proved;
+  if (theorem->proved)
+    w[n++] = exact_route(b->f, b->j->out, ROUTE_AGREES, theorem->note);
+  else if (theorem->note)
+    finding_state(b->f, b->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL, theorem->note);
   b->f->verdict = verdict_of(w, n, theorem->proved);
 }
 

@@ -24,7 +24,6 @@ static const char *units_off(struct judge *j, const arb_t x, const struct printe
 
 struct number_job {
   struct judge *j;
-  const struct claim *c;
   struct view view;
   const struct printed_number *p;
   const char *formula, *section, *relation;
@@ -293,7 +292,6 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   const char *name = claim_get(c, "number"), *from = claim_get(c, "from");
   const char *relation = claim_get(c, "relation");
   struct number_job n = {j,
-                         c,
                          view,
                          NULL,
                          claim_formula(&j->out->arena, j->model, c, "formula"),

@@ -8,9 +8,9 @@ bool route_is_asked(const struct scene *s, const char *route) {
   return !s || s->asked.routes.n == 0;
 }
 
-static void add_missing(struct text *names, const char *route, size_t len) {
-  char name[34];
-  snprintf(name, sizeof name, ", %.*s", (int)(len < 31 ? len : 31), route);
+static void add_missing(struct text *names, const char *route) {
+  char name[ROUTE_NAME + 2];
+  snprintf(name, sizeof name, ", %.*s", ROUTE_NAME - 1, route);
   if (!strstr(text_str(names), name)) text_add(names, name);
 }
 
@@ -33,7 +33,7 @@ static void missing_of_claim(struct text *names, const struct judge *j, const st
   char name[MOST_CLAIM_ROUTES][ROUTE_NAME];
   int n = claim_routes(name, c);
   for (int i = 0; i < n; i++)
-    if (!route_is_asked(j->scene, name[i])) add_missing(names, name[i], strlen(name[i]));
+    if (!route_is_asked(j->scene, name[i])) add_missing(names, name[i]);
 }
 
 /* Verdicts that nothing was tried for; diagnostics of what cannot be read need no route. */
@@ -51,7 +51,7 @@ void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c
       f->evidence[kept++] = f->evidence[i];
       continue;
     }
-    add_missing(&missing, f->evidence[i].route, strlen(f->evidence[i].route));
+    add_missing(&missing, f->evidence[i].route);
     f->verdict = VERDICT_UNKNOWN;
   }
   if (kept < f->n_evidence) f->correction = f->effect = f->fault = f->condition = NULL;

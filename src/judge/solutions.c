@@ -33,7 +33,7 @@ struct solutions {
   struct dyn_orbits list;
   truth *keeps; /* of each solution, the constraints */
   bool (*broken)[MAX_CONDITIONS];
-  long n_solve, n_fail; /* solutions on which the paper's equations hold, do not */
+  long n_solve; /* solutions on which the paper's equations hold */
 };
 
 /* --- Reading --- */
@@ -106,7 +106,6 @@ static void try_each(struct solutions *x) {
     x->at.known = &x->list.orbit[i];
     struct trial t = sentence_try_balls(&x->equations, &x->at, VARIANT_CLOSED, x->cache);
     x->n_solve += t.outcome == OUTCOME_AGREES;
-    x->n_fail += t.outcome == OUTCOME_DIFFERS;
     x->keeps[i] = keeps(x, i);
   }
   x->at.known = NULL;

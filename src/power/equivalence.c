@@ -134,8 +134,6 @@ static bool same_range(const struct target *t, const struct model *a, const stru
   return same_end(x->range_lo, y->range_lo, r, a) && same_end(x->range_hi, y->range_hi, r, a);
 }
 
-enum { MAX_UNKNOWNS = 32 };
-
 static bool same_condition(const struct condition *x, const struct condition *y) {
   struct exact_field *f = exact_field_new(NULL, 0);
   struct calc c = exact_calc(f);
@@ -174,10 +172,10 @@ static bool argument_same_in(const struct claim *c, const struct model *a, const
 bool claim_same_in(const struct claim *c, const struct target *t, const struct model *a, const struct model *b,
                    const struct facts *f) {
   struct view whole_a = {a, LAYER_CORRECTED, NULL, NULL}, whole_b = {b, LAYER_CORRECTED, NULL, NULL};
-  struct override o[MAX_UNKNOWNS];
+  struct override o[MOST_UNKNOWNS];
   const char *id = claim_get(c, "statement");
   bool written_out = claim_get(c, "value") || record_linearizes(whole_a, id) || record_linearizes(whole_b, id);
-  int most = written_out ? 0 : facts_unknowns(o, MAX_UNKNOWNS, f, t);
+  int most = written_out ? 0 : facts_unknowns(o, f, t);
   if (claim_kind(c) == KIND_ARGUMENT) return argument_same_in(c, a, b);
   if (!same_range(t, a, b)) return false;
   for (int n = 0; claim_tried_at_points(c) && n <= most; n += most ? most : 1)
@@ -214,10 +212,10 @@ static bool target_sentence(struct sentence *s, const struct target *t, const st
 /* Whether statement t says the same in both models, the damaged statement being `damaged`. */
 static bool statement_same_in(const struct target *t, const struct target *damaged, const struct model *a,
                               const struct model *b, const struct facts *f) {
-  struct override o[MAX_UNKNOWNS];
+  struct override o[MOST_UNKNOWNS];
   bool written_out =
       linearizes(a->records[t->record].stmts[t->stmt]) || linearizes(b->records[t->record].stmts[t->stmt]);
-  int most = written_out ? 0 : facts_unknowns(o, MAX_UNKNOWNS, f, damaged);
+  int most = written_out ? 0 : facts_unknowns(o, f, damaged);
   bool ok = false;
   if (t == damaged && !same_range(t, a, b)) return false;
   for (int n = 0; !ok && n <= most; n += most ? most : 1) {

@@ -117,9 +117,9 @@ static void add_opaque(struct facts *f, const struct model *m, size_t def) {
   elaboration_clear(&el);
 }
 
-int facts_unknowns(struct override *out, int max, const struct facts *f, const struct target *t) {
+int facts_unknowns(struct override out[MOST_UNKNOWNS], const struct facts *f, const struct target *t) {
   int n = 0;
-  for (size_t i = 0; !t->corrected && n < max && i < f->n_opaque; i++)
+  for (size_t i = 0; !t->corrected && n < MOST_UNKNOWNS && i < f->n_opaque; i++)
     if (t->def < 0 || !f->opaque[i].use.def[t->def]) out[n++] = f->opaque[i].name;
   return n;
 }

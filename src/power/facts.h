@@ -26,7 +26,8 @@ struct facts {
 
 /* The facts that hold where a claim is tried, at most MOST_FACTS; c NULL: the statement itself, wherever it is read. */
 int facts_collect(struct exact_fact *out, const struct facts *f, const struct claim *c);
-/* The matrices held as unknowns that do not read the target; at most max. */
-int facts_unknowns(struct override *out, int max, const struct facts *f, const struct target *t);
+/* The matrices held as unknowns that do not read the target. */
+enum { MOST_UNKNOWNS = 32 };
+int facts_unknowns(struct override out[MOST_UNKNOWNS], const struct facts *f, const struct target *t);
 
 #endif

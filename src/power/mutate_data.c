@@ -58,14 +58,13 @@ static void try_one(void *result, size_t i, void *arg) {
 enum { EXAMPLES = 3, SHOWN = 90 };
 
 /* Some bytes on one line, with a few words around them where they are few. */
-static const char *shown(struct mutation_result *out, const char *text, size_t begin, size_t end, const char *tail) {
+static const char *shown(struct mutation_result *out, const char *text, size_t begin, size_t end) {
   struct text t = {0};
   for (size_t i = begin; i < end; i++)
     if (text[i] != '\n')
       text_add_char(&t, text[i]);
     else if (i + 1 < end)
       text_add(&t, " / ");
-  text_add(&t, tail);
   t.len = text_valid_prefix(text_str(&t), t.len < SHOWN ? t.len : SHOWN);
   return text_take(&out->arena, &t);
 }
@@ -77,12 +76,12 @@ static void show_place(struct damaged *g, struct mutation_result *out, const str
   while (begin > 0 && d->begin - begin < SHOWN / 4 && !strchr(" \n", src->text[begin - 1])) begin--;
   while (end < src->len && end - d->end < SHOWN / 4 && !strchr(" \n", src->text[end])) end++;
   bool lines = d->end > d->begin && src->text[d->end - 1] == '\n';
-  g->was = shown(out, src->text, begin, lines ? d->end : end, "");
+  g->was = shown(out, src->text, begin, lines ? d->end : end);
   struct text now = {0};
   text_add_n(&now, src->text + begin, d->begin - begin);
   text_add(&now, d->now);
   if (!lines) text_add_n(&now, src->text + d->end, end - d->end);
-  g->now = shown(out, text_str(&now), 0, now.len, "");
+  g->now = shown(out, text_str(&now), 0, now.len);
   text_clear(&now);
   source_place(&g->line, &column, src, d->begin);
 }

@@ -359,9 +359,9 @@ static struct exact_proof prove_question(struct judge *j, const struct exact_que
   return p;
 }
 
-struct exact_proof exact_prove_value(struct judge *j, const char *value, const char *section, struct view view) {
+struct exact_proof exact_prove_jacobian(struct judge *j, struct view view) {
   const struct exact_question q = {
-      .value = value, .section = section, .spec = {{.kind = POINT_ORBIT, .n = 1}}, .n_specs = 1};
+      .value = "J", .section = "stability", .spec = {{.kind = POINT_ORBIT, .n = 1}}, .n_specs = 1};
   return prove_question(j, &q, NULL, view, NULL);
 }
 

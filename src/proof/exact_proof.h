@@ -46,8 +46,8 @@ bool exact_sentence(struct sentence *s, const struct exact_question *q, struct v
 /* The sentence of a claim that is tried at points, or is sharp, under a restriction or (NULL) without. */
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r);
 
-/* That the matrix of that name (J, J_a, ...) is the model's on every periodic motion of the word. */
-struct exact_proof exact_prove_value(struct judge *j, const char *value, const char *section, struct view view);
+/* That J is the model's on every periodic motion of the word. */
+struct exact_proof exact_prove_jacobian(struct judge *j, struct view view);
 
 /* Two readings of the paper, in the first of which some quantities have other values. */
 struct exact_change {

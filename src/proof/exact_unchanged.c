@@ -40,11 +40,6 @@ static int bind_moved(fmpz_mpoly_q_struct *z, struct exact_field *f, const char 
   return exact_symbol(z, f, other);
 }
 
-static int bind_plain(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name, void *arg) {
-  (void)arg;
-  return exact_symbol(z, f, name);
-}
-
 static bool reads_moved(const struct exact_change *c, const struct tape *t) {
   for (slong i = 0; i < t->n_inputs; i++)
     if (is_moved(c, t->inputs[i])) return true;
@@ -59,7 +54,7 @@ static bool same_element(const struct exact_change *c, const struct formula_read
   exact_field_limit(f, TERMS);
   exact_field_bind(f, bind_moved, (void *)(uintptr_t)c);
   int s = exact_eval(&x, &w, f, &a->tape);
-  exact_field_bind(f, bind_plain, NULL);
+  exact_field_bind(f, NULL, NULL);
   s |= exact_eval(&y, &w, f, &b->tape);
   bool same = s == SS_OK && x.len == y.len;
   for (slong i = 0; same && i < x.len; i++) same = exact_equal(f, num_vec_at(&x, i), num_vec_at(&y, i));

@@ -212,7 +212,7 @@ struct linearized linearized_stability(struct judge *j, const struct statement_r
     missing = "that each phase ends transversally";
   else if (!others_strict(&note))
     missing = "that the other conditions are strict";
-  else if (!exact_prove_value(j, "J", "stability", view).proved)
+  else if (!exact_prove_jacobian(j, view).proved)
     missing = "that J is the derivative of the return map";
   else
     text_add(&note,

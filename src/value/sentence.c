@@ -12,10 +12,6 @@
 
 /* --- Building --- */
 
-static bool finish(struct sentence *s, const struct expr **e, slong n, struct diag *d) {
-  return elaboration_tape(&s->tape, &s->el, e, n, d);
-}
-
 /* The mistake is the formula's, so the diagnostic points at its definition. */
 static void wrong_shape(const struct view *v, const char *value, const char *section, const struct matrix *m,
                         const struct oracle *o, struct diag *d) {
@@ -42,7 +38,7 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
     s->cols = m.cols;
     s->ops = ss_malloc((size_t)s->n * sizeof *s->ops);
     for (slong i = 0; i < s->n; i++) s->ops[i] = REL_EQ;
-    ok = finish(s, m.e, s->n, d);
+    ok = elaboration_tape(&s->tape, &s->el, m.e, s->n, d);
   }
   return ok;
 }
@@ -151,7 +147,7 @@ bool sentence_from_relations(struct sentence *s, struct view v, const struct sta
     const struct expr **both = ss_malloc(2 * (size_t)s->n * sizeof *both);
     memcpy(both, lhs, (size_t)s->n * sizeof *both);
     memcpy(both + s->n, rhs, (size_t)s->n * sizeof *both);
-    ok = finish(s, both, 2 * s->n, d) && collect_given(s, r, d);
+    ok = elaboration_tape(&s->tape, &s->el, both, 2 * s->n, d) && collect_given(s, r, d);
     free(both);
   }
   free(lhs);

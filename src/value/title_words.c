@@ -201,27 +201,28 @@ static const struct stmt *list_formulas(struct title_list *l, const struct state
   return last;
 }
 
-void title_formulas(struct text *out, const struct statement_record *r) {
+/* The same, written. */
+static const struct stmt *write_formulas(struct text *out, const struct statement_record *r, enum listed which) {
   struct title_list l;
   title_list_init(&l);
-  const struct stmt *last = list_formulas(&l, r, ALL);
+  const struct stmt *last = list_formulas(&l, r, which);
   title_list_write(out, &l);
-  if (last) restriction(out, last);
   title_list_clear(&l);
+  return last;
+}
+
+void title_formulas(struct text *out, const struct statement_record *r) {
+  const struct stmt *last = write_formulas(out, r, ALL);
+  if (last) restriction(out, last);
 }
 
 void title_conditional(struct text *out, const struct statement_record *r) {
-  struct title_list said, conditions;
-  title_list_init(&said);
-  title_list_init(&conditions);
-  const struct stmt *last = list_formulas(&said, r, SAID);
-  bool any = list_formulas(&conditions, r, CONDITIONS) != NULL;
-  title_list_write(out, &said);
-  text_add(out, any ? " when " : "");
-  title_list_write(out, &conditions);
+  struct text conditions = {0};
+  const struct stmt *last = write_formulas(out, r, SAID);
+  if (write_formulas(&conditions, r, CONDITIONS)) text_add(out, " when ");
+  text_add(out, text_str(&conditions));
   if (last) restriction(out, last);
-  title_list_clear(&conditions);
-  title_list_clear(&said);
+  text_clear(&conditions);
 }
 
 void title_first_formula(struct text *out, const struct statement_record *r) {
