@@ -47,12 +47,8 @@ bool bench_sides_run(struct bench_sides *b, long digits) {
 /* The first of the claim's points at which both sides have values. */
 static bool find_point(struct bench_sides *b, const struct claim *c, const struct point_spec *spec) {
   struct sampler s;
-  const char *perturbation = claim_get(c, "perturbation");
   bool found = false;
-  sampler_init(&s, c->id, spec->kind, spec->phase, NULL);
-  s.admissible = spec->admissible;
-  s.realistic = spec->realistic;
-  s.finite = perturbation && strcmp(perturbation, "finite") == 0;
+  sampler_init(&s, c->id, spec, NULL);
   for (int i = 0; i < DRAWS && !found; i++) {
     struct orbit_cache *cache = orbit_cache_new();
     sampler_next(&b->p, &s);

@@ -458,7 +458,7 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
   if (room) assign(g, &omega, w[2]);
   const element *frequency[4] = {num_vec_at(&m->frequency, 0), num_vec_at(&m->frequency, 1), &omega, NULL};
   for (int k = 0; k < 5; k++) { /* frequencies 1; w_1, w_2; omega in the phases Gamma, H, C and at tau */
-    int phase = k < 4 ? k : (int)m->phase;
+    int phase = k < 4 ? k : (int)m->spec.phase;
     if (k < 4)
       bind_ball(x, v, times[k]);
     else
@@ -481,7 +481,7 @@ static void compare_motion(struct values *v, const struct exact_attempt *a, enum
   arb_init(x);
   arb_init(y);
   values_open(&g);
-  exact_motion_init(&m, a, &spec, false, NULL, &reads);
+  exact_motion_init(&m, a, &spec, NULL, &reads);
   element e[N_MOTION_NAMES];
   int status[N_MOTION_NAMES], compared = 0;
   for (int i = 0; i < N_MOTION_NAMES; i++) {
@@ -513,7 +513,7 @@ START_TEST(motions_have_the_values_of_motions) {
     struct sampler s;
     struct point p;
     point_init(&p);
-    sampler_init(&s, "exact motions", POINT_ARC, (enum phase)ph, NULL);
+    sampler_init(&s, "exact motions", &(struct point_spec){.kind = POINT_ARC, .phase = (enum phase)ph}, NULL);
     for (int draws = 0, accepted = 0; draws < 12 && accepted < points; draws++) {
       struct values v;
       sampler_next(&p, &s);
@@ -555,9 +555,9 @@ START_TEST(perturbations_at_patched_points) {
     arb_t x;
     arb_init(x);
     point_init(&p);
-    sampler_init(&s, "patched", POINT_PATCHED, PHASE_D, NULL);
+    sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED}, NULL);
     sampler_next(&p, &s);
-    exact_motion_init(&m, &a, &spec, false, NULL, &nothing);
+    exact_motion_init(&m, &a, &spec, NULL, &nothing);
     exact_init(&e, m.field);
     exact_init(&own, m.field);
     ck_assert_int_eq(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), cache), SS_OK);

@@ -176,15 +176,14 @@ double motion_distance(const struct point *params, const struct dyn_orbit *o, do
 
 void orbit_walk_begin(struct orbit_walk *w, struct behaviour *b, bool admissible, int draws) {
   *w = (struct orbit_walk){.cache = b->j->cache, .draws = draws};
-  sampler_init(&w->sampler, b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  w->sampler.admissible = admissible;
+  sampler_init(&w->sampler, b->c->id, &(struct point_spec){.kind = POINT_ORBIT, .admissible = admissible}, NULL);
   point_init(&w->p);
 }
 
 const struct dyn_orbit *orbit_walk_next(struct orbit_walk *w) {
   while (w->draws-- > 0) {
     sampler_next(&w->p, &w->sampler);
-    if (w->in_turn) w->sampler.admissible = !w->sampler.admissible;
+    if (w->in_turn) w->sampler.spec.admissible = !w->sampler.spec.admissible;
     if (!point_settle(&w->p, w->cache)) continue;
     const struct dyn_orbit *o = &orbit_cache_get(w->cache, w->p.q, FD_PREC + 64)->orbit[w->p.orbit];
     if (!o->grazing && orbit_is_new(&w->met, o)) return o;
@@ -220,7 +219,7 @@ struct watched behaviour_watch(struct behaviour *b, watch_fn fn, void *self) {
   enum { MOTIONS = 96 };
   struct watched w = {0, 0};
   struct sampler s;
-  sampler_init(&s, b->c->id, POINT_PARAMS, PHASE_D, NULL);
+  sampler_init(&s, b->c->id, &(struct point_spec){.kind = POINT_PARAMS}, NULL);
   for (long i = 0; i < MOTIONS; i++) {
     struct motion m;
     struct trajectory trajectory[N_MOTION_ROUTES];

@@ -267,8 +267,7 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   struct point p;
   char seed[128];
   snprintf(seed, sizeof seed, "%s%s", r->c->id, r->restriction ? r->restriction->text : "");
-  sampler_of_points(&s, seed, spec, r->restriction);
-  s.finite = claim_says(r->c, "perturbation", "finite");
+  sampler_init(&s, seed, spec, r->restriction);
   point_init(&p);
   bool ok = true;
   long done = 0;
@@ -388,8 +387,7 @@ static bool scene_decides(const struct trial *tr, struct point_trials *r) {
   struct point drawn, p;
   point_init(&drawn);
   point_init(&p);
-  sampler_of_points(&sampler, "effect", &r->spec[0], NULL);
-  sampler.finite = claim_says(r->c, "perturbation", "finite");
+  sampler_init(&sampler, "effect", &r->spec[0], NULL);
   sampler_next(&drawn, &sampler);
   bool same = scene_point(&p, &drawn, r->j->scene, r->j->cache);
   if (same) {

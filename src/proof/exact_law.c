@@ -32,7 +32,7 @@ static void add_force(struct law *law, struct calc *c, struct exact_motion *m, s
   val z1 = named(c, m, z[0]), z2 = named(c, m, z[1]), chi = at(&m->params, P_CHI);
   val f = second ? calc_mul(c, chi, calc_sub(c, z2, z1)) : calc_sub(c, z1, calc_mul(c, chi, z2));
   add(law, c, calc_sub(c, named(c, m, second ? "e_2" : "e_1"), f), bound);
-  if (!m->realistic) return;
+  if (!m->spec.realistic) return;
   val limit = calc_add(c, named(c, m, second ? "u_r2" : "u_r1"), named(c, m, second ? "u_s2" : "u_s1"));
   bound.lower = true;
   add(law, c, calc_add(c, limit, f), bound);
@@ -40,13 +40,14 @@ static void add_force(struct law *law, struct calc *c, struct exact_motion *m, s
 
 int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exact_motion *m) {
   static const char *const now[2] = {"z_1(t)", "z_2(t)"}, *const speed[2] = {"z_1'(t)", "z_2'(t)"};
-  if (!m->admissible || m->attempt.time != TIME_INSIDE) return 0;
+  if (!m->spec.admissible || m->attempt.time != TIME_INSIDE) return 0;
   struct calc c = exact_calc(m->field);
   struct law law = {.margin = out};
   for (int mass = 0; mass < 2; mass++) {
-    if (!phase_slips[m->phase][mass]) {
+    if (!phase_slips[m->spec.phase][mass]) {
       add_force(&law, &c, m, (struct exact_bound){.mass = mass, .force = true}, now);
-      add_force(&law, &c, m, (struct exact_bound){.mass = mass, .force = true, .start = true}, name_state[m->phase]);
+      add_force(&law, &c, m, (struct exact_bound){.mass = mass, .force = true, .start = true},
+                name_state[m->spec.phase]);
     } else {
       val margin = calc_sub(&c, at(&m->params, P_V), named(&c, m, speed[mass]));
       add(&law, &c, margin, (struct exact_bound){.mass = mass});
@@ -61,7 +62,7 @@ int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exa
 void exact_orbit_init(struct exact_motion *m, enum phase ph, int anchor, enum exact_time time, bool friction) {
   const struct point_spec spec = {.kind = POINT_ORBIT, .phase = ph, .admissible = true, .realistic = friction};
   const struct exact_attempt attempt = {.modes = ph == PHASE_H, .anchor = anchor, .time = time};
-  exact_motion_init(m, &attempt, &spec, false, NULL, NULL);
+  exact_motion_init(m, &attempt, &spec, NULL, NULL);
   m->first_state = 0;
 }
 

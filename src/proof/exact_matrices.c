@@ -135,7 +135,7 @@ int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char 
     num_vec_set(out, &z);
     return s;
   }
-  int end = m->kind == POINT_PATCHED ? perturbation_named(name) : -1;
+  int end = m->spec.kind == POINT_PATCHED ? perturbation_named(name) : -1;
   if (end >= 0) {
     struct num_vec dz;
     int s = motion_tangent(&dz, m, end);

@@ -9,7 +9,7 @@
 
 /* The last switch before the time t, or at it. */
 static int end_now(const struct exact_motion *m) {
-  return (int)m->phase + (m->attempt.time == TIME_END);
+  return (int)m->spec.phase + (m->attempt.time == TIME_END);
 }
 
 /* The time t: on an arc that of the phases before, of the perturbed motion where there is one, and tau. */
@@ -20,7 +20,7 @@ static int time_now(element *z, struct exact_motion *m) {
   for (int k = 0; s == SS_OK && k < end_now(m); k++) {
     s = motion_length(at(&w, 0), m, k);
     if (s == SS_OK) s = motion_op(num_exact.add, z, m, z, at(&w, 0));
-    if (s != SS_OK || !m->finite) continue;
+    if (s != SS_OK || !m->spec.finite) continue;
     s = motion_tangent(&dz, m, k + 1);
     if (s == SS_OK) s = motion_op(num_exact.add, z, m, z, at(&m->shift, k));
   }
@@ -33,22 +33,22 @@ static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   struct num_vec p = calc_vec(&m->c, 16), u = calc_vec(&m->c, 1);
   int s = exact_symbol(at(&u, 0), m->field, has_word(m) ? "tau" : "t");
   if (has_word(m) && m->attempt.time != TIME_INSIDE) num_exact.set_d(at(&u, 0), 0, 0);
-  if (has_word(m)) s |= motion_perturbed(out, m, end_now(m), m->finite);
+  if (has_word(m)) s |= motion_perturbed(out, m, end_now(m), m->spec.finite);
   for (int i = 0; !has_word(m) && i < 4; i++) s |= exact_symbol(at(out, i), m->field, start[i]);
-  s |= exact_propagator(&p, m, m->phase, at(&u, 0));
+  s |= exact_propagator(&p, m, m->spec.phase, at(&u, 0));
   if (s == SS_OK) s = motion_multiply(out, m, &p, out, 4, 4, 1);
-  return s == SS_OK && rate ? motion_rate(out, m, (int)m->phase, out) : s;
+  return s == SS_OK && rate ? motion_rate(out, m, (int)m->spec.phase, out) : s;
 }
 
 static int value_of_motion(element *z, struct exact_motion *m, const char *name, int component, int primes,
                            const char *argument) {
   struct num_vec out = calc_vec(&m->c, 4);
   int s = SS_OK, k = name_of_switching_time(argument);
-  if (m->kind == POINT_FLOW && strcmp(argument, "(0)") == 0 && primes < 2)
+  if (m->spec.kind == POINT_FLOW && strcmp(argument, "(0)") == 0 && primes < 2)
     s = exact_symbol(at(&out, component + 2 * primes), m->field, name);
-  else if (m->kind != POINT_PARAMS && strcmp(argument, "(t)") == 0)
+  else if (m->spec.kind != POINT_PARAMS && strcmp(argument, "(t)") == 0)
     s = state_now(&out, m, primes == 2);
-  else if (has_word(m) && primes < 2 && k >= 0 && (k < 4 || m->finite))
+  else if (has_word(m) && primes < 2 && k >= 0 && (k < 4 || m->spec.finite))
     s = motion_perturbed(&out, m, k % 4 + 1, k >= 4);
   else
     s = motion_unknown(m, name);
@@ -85,7 +85,7 @@ static int block_time(element *z, struct exact_motion *m, struct values *v, bool
 
 /* The blocks and springs behind (1): value/springs.c.  The friction of a mass that sticks is read off the motion. */
 static bool bind_block(int *status, element *z, struct exact_motion *m, const char *name) {
-  const struct point p = {.kind = POINT_FLOW, .phase = m->phase};
+  const struct point p = {.kind = POINT_FLOW, .phase = m->spec.phase};
   struct values v;
   bool old_time = strcmp(name, "t_prime") == 0, known = true;
   int s = motion_as_values(&v, m, &p);
@@ -117,7 +117,7 @@ static int bind_arc(element *z, struct exact_motion *m, int index) {
 static int bind_param(element *z, struct exact_motion *m, int i) {
   struct num_vec v;
   int s = SS_OK, end = i == P_E1 ? 1 : 2;
-  if (i >= P_E1 && has_word(m) && m->kind != POINT_PATCHED && m->attempt.anchor < end && m->first_state < end)
+  if (i >= P_E1 && has_word(m) && m->spec.kind != POINT_PATCHED && m->attempt.anchor < end && m->first_state < end)
     s = motion_state(&v, m, end);
   num_exact.set(z, at(&m->params, i));
   return s;
@@ -159,7 +159,7 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   static const char *const free_names[] = {"u_s1", "u_s2", "lambda"};
   struct exact_motion *m = motion;
   int index, status, param = word_find(name, name_param, N_PARAMS);
-  bool own = m->paper && model_own_symbol(m->paper, name);
+  bool own = m->spec.paper && model_own_symbol(m->spec.paper, name);
   if (own || strcmp(name, expr_pi) == 0) {
     m->beyond = true;
     return exact_symbol(z, f, name);
@@ -179,7 +179,7 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   if (is_periodic(m) && (strcmp(name, "z_100") == 0 || strcmp(name, "z_200") == 0))
     return bind_arc(z, m, name[2] == '1' ? Z_1 : Z_2);
   if (has_word(m) && name_of_tangent(name, &index)) return bind_tangent(z, m, index);
-  if (m->kind == POINT_FLOW && bind_block(&status, z, m, name)) return status;
+  if (m->spec.kind == POINT_FLOW && bind_block(&status, z, m, name)) return status;
   return bind_motion(z, m, name);
 }
 
@@ -190,9 +190,9 @@ int exact_motion_positive(struct num_vec *out, struct exact_motion *m) {
   s |= num_exact.set_d(at(out, n), 1, 0);
   s |= num_exact.sub(at(out, n), at(out, n), at(&m->params, P_CHI), 0);
   n++;
-  if (has_word(m) && !m->finite && m->attempt.time == TIME_INSIDE) {
+  if (has_word(m) && !m->spec.finite && m->attempt.time == TIME_INSIDE) {
     s |= exact_symbol(at(out, n), m->field, "tau");
-    s |= motion_length(at(out, n + 1), m, (int)m->phase);
+    s |= motion_length(at(out, n + 1), m, (int)m->spec.phase);
     s |= num_exact.sub(at(out, n + 1), at(out, n + 1), at(out, n), 0);
     n += 2;
   }
@@ -209,7 +209,7 @@ static void note_motion(struct exact_motion *m, const char *argument) {
   int k = name_of_switching_time(argument);
   int end = k >= 0 ? k % 4 + 1 : end_now(m);
   note(&m->first_state, end);
-  if (m->finite) note(&m->first_tangent, end);
+  if (m->spec.finite) note(&m->first_tangent, end);
 }
 
 static void note_reads(struct exact_motion *m, const struct tape *t) {
@@ -244,8 +244,8 @@ static void take_own(struct exact_motion *m, const struct model *paper) {
 }
 
 void exact_motion_init(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
-                       bool finite, const struct restriction *restriction, const struct tape *reads) {
-  exact_motion_begin(m, a, spec, finite, restriction);
+                       const struct restriction *restriction, const struct tape *reads) {
+  exact_motion_begin(m, a, spec, restriction);
   exact_field_bind(m->field, exact_motion_bind, m);
   if (spec->paper && spec->paper->n_own) take_own(m, spec->paper);
   note_reads(m, reads);

@@ -19,19 +19,19 @@ static inline struct num_vec part(const struct num_vec *v, slong i, slong n) {
 }
 
 static inline bool is_periodic(const struct exact_motion *m) {
-  return m->kind == POINT_ORBIT;
+  return m->spec.kind == POINT_ORBIT;
 }
 
 /* Whether its points lie on motions over the whole word. */
 static inline bool has_word(const struct exact_motion *m) {
-  return point_has_word(m->kind);
+  return point_has_word(m->spec.kind);
 }
 
 /* --- exact_params.c --- */
 
 /* A motion without its binder, of which only the parameters and propagators may be asked. */
 void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
-                        bool finite, const struct restriction *restriction);
+                        const struct restriction *restriction);
 int motion_reduce(struct num_vec *v, const struct exact_motion *m);
 int motion_op(num_binary f, element *z, const struct exact_motion *m, const element *x, const element *y);
 /* z = x y, matrices of rows x inner and inner x cols. */

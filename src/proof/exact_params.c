@@ -106,16 +106,9 @@ int motion_of_params(struct num_vec *out, struct exact_motion *m, const char *na
 }
 
 void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
-                        bool finite, const struct restriction *restriction) {
-  *m = (struct exact_motion){.attempt = *a,
-                             .kind = spec->kind,
-                             .phase = spec->phase,
-                             .finite = finite,
-                             .admissible = spec->admissible,
-                             .realistic = spec->realistic,
-                             .restriction = restriction,
-                             .paper = spec->paper,
-                             .bare = spec->paper && !spec->paper->system};
+                        const struct restriction *restriction) {
+  *m = (struct exact_motion){
+      .attempt = *a, .spec = *spec, .restriction = restriction, .bare = spec->paper && !spec->paper->system};
   m->field = exact_field_new(NULL, 0);
   exact_field_limit(m->field, TERMS);
   m->c = exact_calc(m->field);

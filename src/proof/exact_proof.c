@@ -19,7 +19,7 @@ struct job {
   const char *value; /* what the sentence's oracle is called */
   const struct restriction *restriction;
   struct point_spec spec;
-  bool finite, sharp, has_tangents;
+  bool sharp, has_tangents;
   struct sentence *s;
   bool done[MAX_ENTRIES];  /* proved */
   bool apart[MAX_ENTRIES]; /* the difference is an element other than zero, by the last attempt that could tell */
@@ -102,7 +102,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   bool keep[MAX_RESTRICTIONS], apart = false;
   for (int r = 0; r < n_restrictions; r++) keep[r] = true;
   b->undefined = false;
-  exact_motion_init(&m, a, &b->spec, b->finite, b->restriction, &b->s->tape);
+  exact_motion_init(&m, a, &b->spec, b->restriction, &b->s->tape);
   sides_make(&v, b, &m);
   fmpz_mpoly_q_struct *d = calc_new(&m.c);
   text_reset(&b->witness);
@@ -188,7 +188,7 @@ static void try_all(struct job *b) {
         a.anchor = anchor[i];
         a.tangents = (enum exact_tangents)k;
         a.time = (enum exact_time)time;
-        bool useless = (b->finite && k == TANGENTS_LOCATED) || (k > 0 && !b->has_tangents);
+        bool useless = (b->spec.finite && k == TANGENTS_LOCATED) || (k > 0 && !b->has_tangents);
         if (!useless && !all_done(b)) try_with_modes(b, &a);
       }
 }
@@ -293,9 +293,8 @@ static void prove_with(struct exact_proof *p, struct judge *j, const struct exac
                     .value = q->value,
                     .restriction = r,
                     .spec = q->spec[i],
-                    .finite = q->finite,
                     .sharp = q->sharp,
-                    .has_tangents = has_tangents(&s.tape) || q->finite,
+                    .has_tangents = has_tangents(&s.tape) || q->spec[i].finite,
                     .s = &s};
     prove_spec(p, &b);
     if (p->proved) record_part(p, &b, q, o, n);
@@ -369,11 +368,8 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
   struct diag d = {0};
   struct judge quiet = *j;
   quiet.d = &d;
-  struct exact_question asked = {.c = c,
-                                 .value = claim_get(c, "value"),
-                                 .section = claim_section(c),
-                                 .finite = claim_says(c, "perturbation", "finite"),
-                                 .sharp = claim_kind(c) == KIND_SHARP};
+  struct exact_question asked = {
+      .c = c, .value = claim_get(c, "value"), .section = claim_section(c), .sharp = claim_kind(c) == KIND_SHARP};
   asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
   if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
   return prove_question(j, &asked, claim_get(c, "oracle"), view, r);

@@ -13,7 +13,7 @@ struct exact_question {
   const char *value, *section;
   struct point_spec spec[EXACT_SPECS];
   int n_specs;
-  bool finite, sharp; /* sharp: each step is an equality at one end of the phase */
+  bool sharp; /* each step is an equality at one end of the phase */
 };
 
 /* A sentence that was proved at one kind of point: with which matrices as unknowns, and by which attempt each entry. */

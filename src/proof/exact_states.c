@@ -90,7 +90,7 @@ int motion_state(struct num_vec *z, struct exact_motion *m, int k) {
   *z = part(&m->state, 4 * k, 4);
   if (m->have_state[k]) return m->state_status;
   m->have_state[k] = true;
-  bool patched = m->kind == POINT_PATCHED;
+  bool patched = m->spec.kind == POINT_PATCHED;
   if (k <= m->attempt.anchor || k <= m->first_state || (k == 0 && is_periodic(m)))
     return m->state_status |= patched ? any_state(z, m, k) : free_end(z, m, k, false);
   struct num_vec before;
@@ -183,14 +183,14 @@ int motion_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
   *dz = part(&m->tangent, 4 * k, 4);
   if (m->have_tangent[k]) return m->tangent_status;
   m->have_tangent[k] = true;
-  bool patched = m->kind == POINT_PATCHED;
+  bool patched = m->spec.kind == POINT_PATCHED;
   if (patched || m->attempt.tangents == TANGENTS_FREE || k <= m->first_tangent) {
     if (k > 0) m->tangent_status |= free_shift(at(&m->shift, k - 1), m, k - 1);
     return m->tangent_status |= patched ? any_tangent(dz, m, k) : free_end(dz, m, k, true);
   }
   struct num_vec before;
   int s = motion_tangent(&before, m, k - 1);
-  if (s == SS_OK) s = m->finite ? difference(dz, m, k, &before) : first_order(dz, m, k, &before);
+  if (s == SS_OK) s = m->spec.finite ? difference(dz, m, k, &before) : first_order(dz, m, k, &before);
   return m->tangent_status |= s;
 }
 

@@ -109,7 +109,7 @@ static void add_part(struct text *out, const struct exact_part *p, const struct 
   text_add(out, "\",\n    oracle=");
   text_printf(out, p->question->value ? "\"%s\"" : "None", p->question->value);
   text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    law=\"%s\",\n    fixed={",
-              point_kind_word[p->spec.kind], phase_name[p->spec.phase], p->question->finite ? "True" : "False",
+              point_kind_word[p->spec.kind], phase_name[p->spec.phase], p->spec.finite ? "True" : "False",
               p->spec.realistic    ? "realistic"
               : p->spec.admissible ? "admissible"
                                    : "");

@@ -196,8 +196,8 @@ static void try_everywhere(struct failure *f) {
     for (p.orbit = 0; !f->number && p.orbit < n && p.orbit < MAX_SCENE_ORBITS; p.orbit++)
       if (p.orbit != nearest) try_results(f, &p);
   }
-  sampler_init(&s, f->c->id, POINT_ORBIT, PHASE_D, NULL);
-  s.admissible = true; /* what nobody meets is no effect */
+  /* admissible: what nobody meets is no effect */
+  sampler_init(&s, f->c->id, &(struct point_spec){.kind = POINT_ORBIT, .admissible = true}, NULL);
   int done = 0;
   for (int i = 0; !f->number && i < DRAWS && done < RANDOM_ORBITS; i++) {
     sampler_next(&p, &s);

@@ -141,16 +141,21 @@ struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_or
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
 
-/* A stream of random points of one kind, seeded from an id. */
-struct sampler {
-  uint64_t state;
+/* Which points are meant: what they all have in common, as struct point says it, and how many of them. */
+struct point_spec {
   enum point_kind kind;
   enum phase phase;
   bool admissible, realistic, finite;
-  const struct restriction *restriction;
-  const struct model *paper; /* whose own symbols have values at the points; NULL after sampler_init */
+  long n;
+  const struct model *paper;
 };
-void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
+/* A stream of such points at random, seeded from an id. */
+struct sampler {
+  uint64_t state;
+  struct point_spec spec;
+  const struct restriction *restriction;
+};
+void sampler_init(struct sampler *s, const char *id, const struct point_spec *spec,
                   const struct restriction *restriction);
 void sampler_next(struct point *p, struct sampler *s);
 

@@ -31,14 +31,9 @@ int claim_points(struct point_spec *spec, int max, struct judge *j, const struct
          claim_error(j, c, "points",
                      "points read \"params N\", \"flow PHASE N\", \"arcs [PHASE] N\", \"orbits [PHASE] N\" "
                      "or \"admissible [PHASE] N\"");
-  for (int i = 0; ok && i < n; i++) spec[i].paper = j->model;
+  for (int i = 0; ok && i < n; i++) {
+    spec[i].finite = claim_says(c, "perturbation", "finite");
+    spec[i].paper = j->model;
+  }
   return ok ? n : -1;
-}
-
-void sampler_of_points(struct sampler *s, const char *id, const struct point_spec *spec,
-                       const struct restriction *restriction) {
-  sampler_init(s, id, spec->kind, spec->phase, restriction);
-  s->admissible = spec->admissible;
-  s->realistic = spec->realistic;
-  s->paper = spec->paper;
 }

@@ -33,9 +33,9 @@ void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s) {
   if (low || high) fmpq_add(z, z, low ? s->low.at : s->high.at);
 }
 
-void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
+void sampler_init(struct sampler *s, const char *id, const struct point_spec *spec,
                   const struct restriction *restriction) {
-  *s = (struct sampler){.state = random_seed(id), .kind = kind, .phase = phase, .restriction = restriction};
+  *s = (struct sampler){random_seed(id), *spec, restriction};
 }
 
 /* The parameters, with e1 and e2 in units of V, so that orbits and arcs are not rare. */
@@ -91,16 +91,16 @@ static void move_outwards(fmpq_t fraction) {
 
 void sampler_next(struct point *p, struct sampler *s) {
   enum { POOL = 64 };
-  p->kind = s->kind;
-  p->phase = s->phase;
-  p->finite = s->finite;
-  p->admissible = s->admissible;
-  p->realistic = s->realistic;
+  enum point_kind kind = p->kind = s->spec.kind;
+  p->phase = s->spec.phase;
+  p->finite = s->spec.finite;
+  p->admissible = s->spec.admissible;
+  p->realistic = s->spec.realistic;
   p->scene = NULL;
-  p->paper = s->paper;
+  p->paper = s->spec.paper;
   p->draw = s->state;
   uint64_t *st = &s->state;
-  if (s->kind == POINT_ORBIT) {
+  if (kind == POINT_ORBIT) {
     /* all claims draw their parameter sets from one pool, so that an orbit is searched once */
     uint64_t pool = random_seed("orbits") + random_next(st) % POOL;
     random_next(&pool);
@@ -118,6 +118,6 @@ void sampler_next(struct point *p, struct sampler *s) {
   draw(&p->q[Q_S], st, 1, 15, 16);
   if (s->admissible) move_outwards(&p->q[Q_S]);
   for (int i = Q_Z1; i <= Q_DZ2; i++) draw(&p->q[i], st, -32, 32, 8);
-  if (s->kind == POINT_ARC) draw_arc(p, st);
-  for (int i = Q_TA; s->kind == POINT_PATCHED && i <= Q_TD; i++) draw(&p->q[i], st, 1, 48, 16);
+  if (kind == POINT_ARC) draw_arc(p, st);
+  for (int i = Q_TA; kind == POINT_PATCHED && i <= Q_TD; i++) draw(&p->q[i], st, 1, 48, 16);
 }

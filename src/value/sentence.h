@@ -81,17 +81,6 @@ double log2_upper(const arb_t x);
 /* "[2,3]" for an entry of a matrix, counted from 0 by rows; "2" in a column, "" in a scalar. */
 const char *entry_place(struct audit_result *out, slong n, int cols, slong entry);
 
-/* One kind of point that a claim names. */
-struct point_spec {
-  enum point_kind kind;
-  enum phase phase;
-  bool admissible, realistic;
-  long n;
-  const struct model *paper; /* whose own symbols have values there; NULL: the model's names alone have */
-};
-/* A stream of such points, seeded from an id. */
-void sampler_of_points(struct sampler *s, const char *id, const struct point_spec *spec,
-                       const struct restriction *restriction);
 /* Reads the claim's points into at most max specs; the number of them, or -1 with j->d set. */
 int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c);
 
