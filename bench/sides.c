@@ -48,7 +48,7 @@ bool bench_sides_run(struct bench_sides *b, long digits) {
 static bool find_point(struct bench_sides *b, const struct claim *c, const struct point_spec *spec) {
   struct sampler s;
   bool found = false;
-  sampler_init(&s, c->id, spec, NULL);
+  sampler_init(&s, c->id, spec);
   for (int i = 0; i < DRAWS && !found; i++) {
     struct orbit_cache *cache = orbit_cache_new();
     sampler_next(&b->p, &s);

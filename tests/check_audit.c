@@ -362,9 +362,9 @@ START_TEST(an_id_has_its_own_points) {
   point_init(&b);
   point_init(&c);
   point_init(&last);
-  sampler_init(&once, "eq-27", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase}, NULL);
-  sampler_init(&again, "eq-27", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase}, NULL);
-  sampler_init(&other, "eq-28", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase}, NULL);
+  sampler_init(&once, "eq-27", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase});
+  sampler_init(&again, "eq-27", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase});
+  sampler_init(&other, "eq-28", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase});
   for (int i = 0; i < DRAWN; i++) {
     sampler_next(&a, &once);
     sampler_next(&b, &again);
@@ -397,8 +397,9 @@ START_TEST(points_lie_in_the_domain) {
     struct sampler s;
     struct point p;
     point_init(&p);
-    sampler_init(&s, "domain", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase},
-                 r < 0 ? NULL : &restrictions[r]);
+    const struct point_spec spec = {sampled[_i].kind, sampled[_i].phase,
+                                    .restriction = r < 0 ? NULL : &restrictions[r]};
+    sampler_init(&s, "domain", &spec);
     for (int i = 0; i < DRAWN; i++) {
       struct text at;
       text_init(&at);
@@ -521,7 +522,7 @@ enum { ARC_DRAWS = 12 };
 /* Opens values on arc n of the test's own stream; false when it has no such arc. */
 static bool open_arc(struct values *v, struct point *p, int n, enum variant variant, struct num_ctx ctx) {
   struct sampler s;
-  sampler_init(&s, "check_audit", &(struct point_spec){.kind = POINT_ARC, .phase = (enum phase)(n % N_PHASES)}, NULL);
+  sampler_init(&s, "check_audit", &(struct point_spec){.kind = POINT_ARC, .phase = (enum phase)(n % N_PHASES)});
   for (int i = 0; i <= n; i++) sampler_next(p, &s);
   return values_init(v, p, variant, ctx, cache) == SS_OK;
 }
@@ -579,7 +580,7 @@ START_TEST(tangents_are_linear) {
       struct values v;
       struct point p;
       point_init(&p);
-      sampler_init(&s, "check_audit", &(struct point_spec){.kind = POINT_ARC}, NULL);
+      sampler_init(&s, "check_audit", &(struct point_spec){.kind = POINT_ARC});
       for (int i = 0; i <= n; i++) sampler_next(&p, &s);
       if (k == 1) fmpq_zero(&p.q[Q_Y]);
       if (k == 2) fmpq_zero(&p.q[Q_X]);
@@ -605,7 +606,7 @@ START_TEST(flows_solve_their_equations) {
       struct point p;
       struct values v;
       point_init(&p);
-      sampler_init(&s, "check_audit", &(struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)ph}, NULL);
+      sampler_init(&s, "check_audit", &(struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)ph});
       for (int i = 0; i <= n; i++) sampler_next(&p, &s);
       ck_assert(values_init(&v, &p, n % 2 ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache) ==
                 SS_OK);
@@ -727,7 +728,7 @@ START_TEST(matrices_of_the_motion_are_those_of_a_second_model) {
   struct sampler s;
   struct point p;
   point_init(&p);
-  sampler_init(&s, "matrices", &(struct point_spec){.kind = POINT_PARAMS}, NULL);
+  sampler_init(&s, "matrices", &(struct point_spec){.kind = POINT_PARAMS});
   for (int n = 0; n < 8; n++) {
     static const char *const propagators[] = {"D(t)", "Gamma(t)", "H(t)", "C(t)"};
     static const char *const stiff[] = {NULL, "K_1", "K", "K_2"};
@@ -923,7 +924,7 @@ START_TEST(two_sides_at_a_point) {
   char text[200];
   point_init(&p);
   diag_init(&d);
-  sampler_init(&s, "sentences", &(struct point_spec){.kind = POINT_PARAMS}, NULL);
+  sampler_init(&s, "sentences", &(struct point_spec){.kind = POINT_PARAMS});
   sampler_next(&p, &s);
   snprintf(text, sizeof text, "equation user\n  section: stability\n  %s\n", sentences[_i].sentence);
   paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text)});

@@ -317,7 +317,7 @@ static long stretched(const char *id) {
   struct sampler s;
   struct point p;
   long count = 0;
-  sampler_init(&s, id, &(struct point_spec){.kind = POINT_ORBIT}, NULL);
+  sampler_init(&s, id, &(struct point_spec){.kind = POINT_ORBIT});
   point_init(&p);
   for (int i = 0; i < DRAWS && seen.n < WANTED; i++) {
     sampler_next(&p, &s);

@@ -481,7 +481,7 @@ static void compare_motion(struct values *v, const struct exact_attempt *a, enum
   arb_init(x);
   arb_init(y);
   values_open(&g);
-  exact_motion_init(&m, a, &spec, NULL, &reads);
+  exact_motion_init(&m, a, &spec, &reads);
   element e[N_MOTION_NAMES];
   int status[N_MOTION_NAMES], compared = 0;
   for (int i = 0; i < N_MOTION_NAMES; i++) {
@@ -513,7 +513,7 @@ START_TEST(motions_have_the_values_of_motions) {
     struct sampler s;
     struct point p;
     point_init(&p);
-    sampler_init(&s, "exact motions", &(struct point_spec){.kind = POINT_ARC, .phase = (enum phase)ph}, NULL);
+    sampler_init(&s, "exact motions", &(struct point_spec){.kind = POINT_ARC, .phase = (enum phase)ph});
     for (int draws = 0, accepted = 0; draws < 12 && accepted < points; draws++) {
       struct values v;
       sampler_next(&p, &s);
@@ -555,9 +555,9 @@ START_TEST(perturbations_at_patched_points) {
     arb_t x;
     arb_init(x);
     point_init(&p);
-    sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED}, NULL);
+    sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED});
     sampler_next(&p, &s);
-    exact_motion_init(&m, &a, &spec, NULL, &nothing);
+    exact_motion_init(&m, &a, &spec, &nothing);
     exact_init(&e, m.field);
     exact_init(&own, m.field);
     ck_assert_int_eq(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), cache), SS_OK);

@@ -265,7 +265,7 @@ START_TEST(blocks_obey_newton) {
   struct sampler s;
   struct point p;
   point_init(&p);
-  sampler_init(&s, "blocks", &(struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)_i}, NULL);
+  sampler_init(&s, "blocks", &(struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)_i});
   for (int n = 0; n < 4; n++) {
     struct values v;
     sampler_next(&p, &s);
@@ -286,7 +286,7 @@ START_TEST(patched_states_are_general) {
   struct sampler s;
   struct point p;
   point_init(&p);
-  sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED, .phase = PHASE_C}, NULL);
+  sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED, .phase = PHASE_C});
   for (int n = 0; n < 6; n++) {
     struct values v[2];
     arb_t x[N_TANGENT], belt;
@@ -322,7 +322,7 @@ START_TEST(realistic_friction_is_a_quarter_above_what_is_asked) {
   struct point p;
   long seen = 0;
   point_init(&p);
-  sampler_init(&s, "realistic", &(struct point_spec){.kind = POINT_ORBIT, .admissible = true, .realistic = true}, NULL);
+  sampler_init(&s, "realistic", &(struct point_spec){.kind = POINT_ORBIT, .admissible = true, .realistic = true});
   for (int draws = 0; draws < 40 && seen < 6; draws++) {
     sampler_next(&p, &s);
     if (!point_settle(&p, cache)) continue;

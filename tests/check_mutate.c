@@ -210,7 +210,7 @@ END_TEST
 static void try_facts(long *held, enum point_kind kind, bool finite) {
   struct sampler s;
   struct point p;
-  sampler_init(&s, "facts", &(struct point_spec){.kind = kind, .phase = PHASE_H, .finite = finite}, NULL);
+  sampler_init(&s, "facts", &(struct point_spec){.kind = kind, .phase = PHASE_H, .finite = finite});
   point_init(&p);
   struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
   for (int done = 0, draws = 0; done < 4 && draws < 40; draws++) {
@@ -846,7 +846,7 @@ START_TEST(oracles_are_not_interchangeable) {
       struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
       ck_assert_msg(sentence_from_value(&s, v, names[i], "prediction", NULL, 0, &d), "%s", d.message);
       s.oracle = other;
-      sampler_init(&sampler, "oracles", &(struct point_spec){.kind = POINT_PARAMS, .phase = PHASE_H}, NULL);
+      sampler_init(&sampler, "oracles", &(struct point_spec){.kind = POINT_PARAMS, .phase = PHASE_H});
       point_init(&p);
       sampler_next(&p, &sampler);
       struct trial t = sentence_try_balls(&s, &p, VARIANT_CLOSED, cache);

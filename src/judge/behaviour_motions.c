@@ -176,7 +176,7 @@ double motion_distance(const struct point *params, const struct dyn_orbit *o, do
 
 void orbit_walk_begin(struct orbit_walk *w, struct behaviour *b, bool admissible, int draws) {
   *w = (struct orbit_walk){.cache = b->j->cache, .draws = draws};
-  sampler_init(&w->sampler, b->c->id, &(struct point_spec){.kind = POINT_ORBIT, .admissible = admissible}, NULL);
+  sampler_init(&w->sampler, b->c->id, &(struct point_spec){.kind = POINT_ORBIT, .admissible = admissible});
   point_init(&w->p);
 }
 
@@ -219,7 +219,7 @@ struct watched behaviour_watch(struct behaviour *b, watch_fn fn, void *self) {
   enum { MOTIONS = 96 };
   struct watched w = {0, 0};
   struct sampler s;
-  sampler_init(&s, b->c->id, &(struct point_spec){.kind = POINT_PARAMS}, NULL);
+  sampler_init(&s, b->c->id, &(struct point_spec){.kind = POINT_PARAMS});
   for (long i = 0; i < MOTIONS; i++) {
     struct motion m;
     struct trajectory trajectory[N_MOTION_ROUTES];

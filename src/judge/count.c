@@ -209,7 +209,7 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     struct count balls = {0}, differences = {0};
     bool refute = j->effort == EFFORT_REFUTE;
     int wanted = (int)strtol(said, NULL, 10);
-    sampler_init(&s, c->id, &(struct point_spec){.kind = POINT_ORBIT}, NULL);
+    sampler_init(&s, c->id, &(struct point_spec){.kind = POINT_ORBIT});
     point_init(&p);
     for (int i = 0; i < DRAWS && balls.trials < ORBITS; i++) {
       sampler_next(&p, &s);

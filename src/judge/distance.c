@@ -49,7 +49,7 @@ bool control_distance(double *log_distance, struct judge *j, const struct claim 
   for (int i = 0; i < 2; i++)
     made[i] = sentence_from_claim(&q.s[i], (struct view){j->model, LAYER_CORRECTED, NULL, i ? control : NULL}, c, NULL,
                                   0, j->d);
-  sampler_init(&sampler, c->id, &spec[0], NULL);
+  sampler_init(&sampler, c->id, &spec[0]);
   point_init(&p);
   for (int i = 0; made[0] && made[1] && q.s[0].n == q.s[1].n && !found && i < DRAWS; i++) {
     sampler_next(&p, &sampler);

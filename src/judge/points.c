@@ -48,7 +48,6 @@ struct point_trials {
   struct judge *j;
   const struct claim *c;
   struct view view;
-  const struct restriction *restriction;
   struct tally tally[MAX_ROUTES];
   int n_routes;
   struct override override[MAX_ROUTES]; /* of route oracle, by these names */
@@ -247,7 +246,7 @@ static long points_wanted(struct point_trials *r, const struct point_spec *spec,
       (r->j->effort == EFFORT_FULL || r->j->effort == EFFORT_DIFFERENCE) && route_is_asked(r->j->scene, "exact");
   if (done == 1 && wants_proof && !r->proof_tried && !r->tally[0].differs) {
     r->proof_tried = true;
-    r->proof = exact_prove(r->j, r->c, r->view, r->restriction);
+    r->proof = exact_prove(r->j, r->c, r->view, spec->restriction);
   }
   return r->proof.proved ? (spec->n + 3) / 4 : spec->n;
 }
@@ -266,8 +265,8 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   struct sampler s;
   struct point p;
   char seed[128];
-  snprintf(seed, sizeof seed, "%s%s", r->c->id, r->restriction ? r->restriction->text : "");
-  sampler_init(&s, seed, spec, r->restriction);
+  snprintf(seed, sizeof seed, "%s%s", r->c->id, spec->restriction ? spec->restriction->text : "");
+  sampler_init(&s, seed, spec);
   point_init(&p);
   bool ok = true;
   long done = 0;
@@ -334,9 +333,10 @@ static void conclude(struct finding *f, struct point_trials *r) {
 
 static bool run_init(struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
                      const struct restriction *restriction) {
-  *r = (struct point_trials){.j = j, .c = c, .view = view, .restriction = restriction};
+  *r = (struct point_trials){.j = j, .c = c, .view = view};
   point_init(&r->example);
   r->n_specs = claim_points(r->spec, MAX_SPECS, j, c);
+  for (int i = 0; i < r->n_specs; i++) r->spec[i].restriction = restriction;
   if (r->n_specs < 0 || !read_routes(r)) return false;
   for (int i = 0; i < r->n_routes; i++)
     if (strcmp(r->tally[i].route->name, "ode") != 0 && !build_sentence(&r->tally[i], r)) return false;
@@ -387,7 +387,7 @@ static bool scene_decides(const struct trial *tr, struct point_trials *r) {
   struct point drawn, p;
   point_init(&drawn);
   point_init(&p);
-  sampler_init(&sampler, "effect", &r->spec[0], NULL);
+  sampler_init(&sampler, "effect", &r->spec[0]);
   sampler_next(&drawn, &sampler);
   bool same = scene_point(&p, &drawn, r->j->scene, r->j->cache);
   if (same) {

@@ -51,7 +51,7 @@ static void run_route(struct tally *t, struct judge *j, const struct claim *c, s
   enum { DRAWS_PER_POINT = 8 };
   struct sampler sampler;
   struct point p;
-  sampler_init(&sampler, c->id, spec, NULL);
+  sampler_init(&sampler, c->id, spec);
   point_init(&p);
   for (long draws = 0; answers_given(&t->reached) < spec->n && draws < DRAWS_PER_POINT * spec->n; draws++) {
     if (j->effort == EFFORT_REFUTE && t->reached.of[TRUTH_FALSE]) break;

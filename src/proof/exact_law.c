@@ -62,7 +62,7 @@ int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exa
 void exact_orbit_init(struct exact_motion *m, enum phase ph, int anchor, enum exact_time time, bool friction) {
   const struct point_spec spec = {.kind = POINT_ORBIT, .phase = ph, .admissible = true, .realistic = friction};
   const struct exact_attempt attempt = {.modes = ph == PHASE_H, .anchor = anchor, .time = time};
-  exact_motion_init(m, &attempt, &spec, NULL, NULL);
+  exact_motion_init(m, &attempt, &spec, NULL);
   m->first_state = 0;
 }
 

@@ -244,8 +244,8 @@ static void take_own(struct exact_motion *m, const struct model *paper) {
 }
 
 void exact_motion_init(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
-                       const struct restriction *restriction, const struct tape *reads) {
-  exact_motion_begin(m, a, spec, restriction);
+                       const struct tape *reads) {
+  exact_motion_begin(m, a, spec);
   exact_field_bind(m->field, exact_motion_bind, m);
   if (spec->paper && spec->paper->n_own) take_own(m, spec->paper);
   note_reads(m, reads);

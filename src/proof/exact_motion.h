@@ -38,10 +38,9 @@ struct exact_motion {
   struct calc c; /* elements and vectors of the field that live as long as the motion */
   struct exact_attempt attempt;
   struct point_spec spec; /* the points on it; the own symbols of their paper are free */
-  const struct restriction *restriction;
-  bool bare;          /* a paper about another system: names are its own symbols' or nothing's */
-  bool beyond;        /* one of those symbols, or pi, was asked for: free, but for what is not known of it here */
-  struct num_vec own; /* those of its symbols that are never negative, n_own of them */
+  bool bare;              /* a paper about another system: names are its own symbols' or nothing's */
+  bool beyond;            /* one of those symbols, or pi, was asked for: free, but for what is not known of it here */
+  struct num_vec own;     /* those of its symbols that are never negative, n_own of them */
   int n_own;
   int first_state, first_tangent; /* the earliest that the sentence reads */
   struct num_vec frequency;       /* two, with modes */
@@ -57,7 +56,7 @@ struct exact_motion {
 
 /* The motion for a sentence at such points; reads: the inputs of its tape, which may be NULL. */
 void exact_motion_init(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
-                       const struct restriction *restriction, const struct tape *reads);
+                       const struct tape *reads);
 void exact_motion_clear(struct exact_motion *m);
 /* The binder of its field. */
 int exact_motion_bind(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name, void *motion);

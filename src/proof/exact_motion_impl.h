@@ -30,8 +30,7 @@ static inline bool has_word(const struct exact_motion *m) {
 /* --- exact_params.c --- */
 
 /* A motion without its binder, of which only the parameters and propagators may be asked. */
-void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
-                        const struct restriction *restriction);
+void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec);
 int motion_reduce(struct num_vec *v, const struct exact_motion *m);
 int motion_op(num_binary f, element *z, const struct exact_motion *m, const element *x, const element *y);
 /* z = x y, matrices of rows x inner and inner x cols. */

@@ -27,7 +27,7 @@ int motion_op(num_binary f, element *z, const struct exact_motion *m, const elem
 }
 
 int motion_symbol(element *z, struct exact_motion *m, const char *name) {
-  const struct restriction *r = m->restriction;
+  const struct restriction *r = m->spec.restriction;
   if (!r || r->quantity > Q_V || strcmp(name_param[r->quantity - Q_CHI], name) != 0)
     return exact_symbol(z, m->field, name);
   fmpq_t q;
@@ -85,7 +85,8 @@ static int take_params(struct exact_motion *m) {
   for (int i = m->attempt.modes ? P_V : P_CHI; i < N_PARAMS; i++)
     s |= motion_symbol(at(&m->params, i), m, name_param[i]);
   if (!m->attempt.modes) return s;
-  if (m->restriction && (m->restriction->quantity == Q_ETA || m->restriction->quantity == Q_CHI)) return SS_UNABLE;
+  if (m->spec.restriction && (m->spec.restriction->quantity == Q_ETA || m->spec.restriction->quantity == Q_CHI))
+    return SS_UNABLE;
   return s | take_modes(m);
 }
 
@@ -105,10 +106,8 @@ int motion_of_params(struct num_vec *out, struct exact_motion *m, const char *na
   return s ? s : motion_reduce(out, m);
 }
 
-void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
-                        const struct restriction *restriction) {
-  *m = (struct exact_motion){
-      .attempt = *a, .spec = *spec, .restriction = restriction, .bare = spec->paper && !spec->paper->system};
+void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec) {
+  *m = (struct exact_motion){.attempt = *a, .spec = *spec, .bare = spec->paper && !spec->paper->system};
   m->field = exact_field_new(NULL, 0);
   exact_field_limit(m->field, TERMS);
   m->c = exact_calc(m->field);

@@ -17,7 +17,6 @@ enum { MAX_ENTRIES = 64 };
 struct job {
   struct judge *j;
   const char *value; /* what the sentence's oracle is called */
-  const struct restriction *restriction;
   struct point_spec spec;
   bool sharp, has_tangents;
   struct sentence *s;
@@ -102,7 +101,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   bool keep[MAX_RESTRICTIONS], apart = false;
   for (int r = 0; r < n_restrictions; r++) keep[r] = true;
   b->undefined = false;
-  exact_motion_init(&m, a, &b->spec, b->restriction, &b->s->tape);
+  exact_motion_init(&m, a, &b->spec, &b->s->tape);
   sides_make(&v, b, &m);
   fmpz_mpoly_q_struct *d = calc_new(&m.c);
   text_reset(&b->witness);
@@ -282,7 +281,7 @@ bool exact_sentence(struct sentence *s, const struct exact_question *q, struct v
 
 /* With n matrices held as unknowns; adds to the proof, which stays one. */
 static void prove_with(struct exact_proof *p, struct judge *j, const struct exact_question *q, struct view view,
-                       const struct restriction *r, const struct override *o, int n) {
+                       const struct override *o, int n) {
   struct sentence s;
   struct diag d = {0};
   if (!exact_sentence(&s, q, view, o, n, &d) || s.n > MAX_ENTRIES)
@@ -291,7 +290,6 @@ static void prove_with(struct exact_proof *p, struct judge *j, const struct exac
     if (covered(q->spec, q->n_specs, i)) continue;
     struct job b = {.j = j,
                     .value = q->value,
-                    .restriction = r,
                     .spec = q->spec[i],
                     .sharp = q->sharp,
                     .has_tangents = has_tangents(&s.tape) || q->spec[i].finite,
@@ -311,13 +309,13 @@ static struct exact_question *keep_question(struct judge *j, const struct exact_
 
 /* What a matrix held as unknowns is known to do is known of the model's: so the paper's must be the model's. */
 static void are_the_models(struct exact_proof *p, struct judge *j, const struct exact_question *q, struct view view,
-                           const struct restriction *r, const struct override *o, int n) {
+                           const struct override *o, int n) {
   const char *field = p->field;
   for (int i = 0; p->proved && i < n; i++) {
     struct exact_question *lemma = keep_question(j, q);
     lemma->c = NULL;
     lemma->value = o[i].name;
-    prove_with(p, j, lemma, view, r, NULL, 0);
+    prove_with(p, j, lemma, view, NULL, 0);
     if (!p->proved) p->why_not = result_str(j->out, "%s in it is not the model's", o[i].name);
   }
   p->field = field;
@@ -345,15 +343,15 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
 
 /* oracle: the matrices that are held as unknowns, as a claim lists them. */
 static struct exact_proof prove_question(struct judge *j, const struct exact_question *asked, const char *oracle,
-                                         struct view view, const struct restriction *r) {
+                                         struct view view) {
   struct model plain;
   view = view_without_stable(&view, &plain);
   struct override o[EXACT_UNKNOWNS];
   const struct exact_question *q = keep_question(j, asked);
   int n = choose_unknowns(o, oracle, q->value);
   struct exact_proof p = {.proved = true};
-  prove_with(&p, j, q, view, r, o, n);
-  if (p.proved && p.uses_matrices) are_the_models(&p, j, q, view, r, o, n);
+  prove_with(&p, j, q, view, o, n);
+  if (p.proved && p.uses_matrices) are_the_models(&p, j, q, view, o, n);
   if (p.proved) p.note = describe(j, &p, q, n);
   return p;
 }
@@ -361,7 +359,7 @@ static struct exact_proof prove_question(struct judge *j, const struct exact_que
 struct exact_proof exact_prove_jacobian(struct judge *j, struct view view) {
   const struct exact_question q = {
       .value = "J", .section = "stability", .spec = {{.kind = POINT_ORBIT, .n = 1}}, .n_specs = 1};
-  return prove_question(j, &q, NULL, view, NULL);
+  return prove_question(j, &q, NULL, view);
 }
 
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
@@ -372,7 +370,8 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
       .c = c, .value = claim_get(c, "value"), .section = claim_section(c), .sharp = claim_kind(c) == KIND_SHARP};
   asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
   if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
-  return prove_question(j, &asked, claim_get(c, "oracle"), view, r);
+  for (int i = 0; i < asked.n_specs; i++) asked.spec[i].restriction = r;
+  return prove_question(j, &asked, claim_get(c, "oracle"), view);
 }
 
 void finding_add_proof(struct finding *f, struct audit_result *out, const struct exact_proof *p, const char *layer,

@@ -51,7 +51,7 @@ static bool roots_are_simple(slong *n, const struct tape *t, slong *outputs) {
   struct tape p = probe(t, outputs, TAPE_ROOT, false);
   struct exact_motion m;
   struct num_vec v;
-  exact_motion_begin(&m, &modes, &anywhere, NULL);
+  exact_motion_begin(&m, &modes, &anywhere);
   exact_field_bind(m.field, bind_parameter, &m);
   bool ok = exact_eval(&v, &m.c, m.field, &p) == SS_OK && m.state_status == SS_OK;
   for (slong i = 0; ok && i < v.len; i++)

@@ -60,7 +60,7 @@ void divisors_clear(struct divisor *list, int n) {
 void exact_motion_free(struct exact_motion *m, bool modes, int anchor, const struct tape *reads) {
   const struct exact_attempt a = {.modes = modes, .anchor = anchor};
   static const struct point_spec orbit = {.kind = POINT_ORBIT};
-  exact_motion_init(m, &a, &orbit, NULL, reads);
+  exact_motion_init(m, &a, &orbit, reads);
 }
 
 /* The blocks behind (1) are positive numbers of their own. */

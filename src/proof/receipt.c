@@ -99,9 +99,9 @@ static const char *relation(const struct exact_part *p, const struct sentence *s
   return p->question->sharp || s->ops[i] == REL_EQ ? "=" : s->ops[i] == REL_LT ? "<" : ">";
 }
 
-static void add_part(struct text *out, const struct exact_part *p, const struct sentence *s, const char *list, int i,
-                     const struct restriction *r) {
+static void add_part(struct text *out, const struct exact_part *p, const struct sentence *s, const char *list, int i) {
   const struct tape *t = &s->tape;
+  const struct restriction *r = p->spec.restriction;
   text_printf(out, "%s.append(dict(\n    values=%s_%d,\n    sides=[", list, list, i);
   for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
   text_add(out, "],\n    relations=\"");
@@ -145,14 +145,14 @@ static void add_matrix(struct text *out, const struct rank_system *y, int rank) 
 
 /* To a list of the script: PARTS, which it proves, or PRINTED, of which it says by how much they are wrong. */
 static bool add_parts(struct text *out, const struct exact_proof *p, struct view view, const char *list,
-                      const struct restriction *r, struct diag *d) {
+                      struct diag *d) {
   bool ok = true;
   for (int i = 0; ok && i < p->n_parts; i++) {
     struct sentence s;
     ok = exact_sentence(&s, p->part[i].question, view, p->part[i].unknown, p->part[i].n_unknowns, d);
     if (ok) add_sides(out, &s.tape, list, i);
     if (ok) text_add(out, "\n\n");
-    if (ok) add_part(out, &p->part[i], &s, list, i, r);
+    if (ok) add_part(out, &p->part[i], &s, list, i);
     sentence_clear(&s);
   }
   return ok;
@@ -223,9 +223,9 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
   }
   ok = ok && add_head(out, j, c, id, corrected);
   if (ok) add_system(out);
-  ok = ok && add_parts(out, &p, view, "PARTS", r, j->d);
+  ok = ok && add_parts(out, &p, view, "PARTS", j->d);
   bool a_matrix = p.n_parts > 0 && p.part[0].question->value; /* entry by entry as printed */
-  return ok && (!corrected || !a_matrix || add_parts(out, &p, claim_view(j->model, c), "PRINTED", r, j->d));
+  return ok && (!corrected || !a_matrix || add_parts(out, &p, claim_view(j->model, c), "PRINTED", j->d));
 }
 
 /* --- Printed numbers against the orbit, by intervals --- */

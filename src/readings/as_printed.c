@@ -108,7 +108,7 @@ const char *readings_as_printed(struct judge *j, const char *own) {
   struct point p;
   struct sampler s;
   point_init(&p);
-  sampler_init(&s, "as printed", &(struct point_spec){.kind = POINT_ORBIT, .admissible = true}, NULL);
+  sampler_init(&s, "as printed", &(struct point_spec){.kind = POINT_ORBIT, .admissible = true});
   for (int i = 0; ok && !says && i < DRAWS; i++) {
     sampler_next(&p, &s);
     if (point_settle(&p, j->cache)) says = compare_at(j, &printed, &p);

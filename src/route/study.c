@@ -459,7 +459,7 @@ static void control(struct study *s) {
 
 static void at_parameters(struct study *s) {
   struct sampler sampler;
-  sampler_init(&sampler, "routes: parameters", &(struct point_spec){.kind = POINT_PARAMS}, NULL);
+  sampler_init(&sampler, "routes: parameters", &(struct point_spec){.kind = POINT_PARAMS});
   for (int i = 0; i < N_POINTS; i++) {
     sampler_next(&s->site.p, &sampler);
     for (int ph = 0; ph < N_PHASES; ph++) {
@@ -476,7 +476,7 @@ static void at_parameters(struct study *s) {
 static void on_arcs(struct study *s) {
   struct sampler sampler;
   struct values v;
-  sampler_init(&sampler, "routes: arcs", &(struct point_spec){.kind = POINT_ARC}, NULL);
+  sampler_init(&sampler, "routes: arcs", &(struct point_spec){.kind = POINT_ARC});
   for (int i = 0, done = 0; i < MOST_DRAWS && done < N_POINTS; i++) {
     sampler_next(&s->site.p, &sampler);
     bool accepted = values_init(&v, &s->site.p, VARIANT_CLOSED, num_ctx_arb(PREC), s->j->cache) == SS_OK;
@@ -502,7 +502,7 @@ static void on_random_orbits(struct study *s, int n, bool admissible) {
   struct sampler sampler;
   int done = 0;
   sampler_init(&sampler, admissible ? "routes: admissible" : "routes: orbits",
-               &(struct point_spec){.kind = POINT_ORBIT, .admissible = admissible}, NULL);
+               &(struct point_spec){.kind = POINT_ORBIT, .admissible = admissible});
   for (int i = 0; i < MOST_DRAWS && done < n; i++) {
     struct text name = {0};
     sampler_next(&s->site.p, &sampler);

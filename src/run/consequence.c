@@ -197,7 +197,7 @@ static void try_everywhere(struct failure *f) {
       if (p.orbit != nearest) try_results(f, &p);
   }
   /* admissible: what nobody meets is no effect */
-  sampler_init(&s, f->c->id, &(struct point_spec){.kind = POINT_ORBIT, .admissible = true}, NULL);
+  sampler_init(&s, f->c->id, &(struct point_spec){.kind = POINT_ORBIT, .admissible = true});
   int done = 0;
   for (int i = 0; !f->number && i < DRAWS && done < RANDOM_ORBITS; i++) {
     sampler_next(&p, &s);

@@ -139,7 +139,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   point_init(&drawn);
   point_init(&p);
   if (spec[0].kind == POINT_ARC) spec[0].kind = POINT_ORBIT;
-  sampler_init(&sampler, c->id, &spec[0], NULL);
+  sampler_init(&sampler, c->id, &spec[0]);
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
   for (int i = 0; ok && !at && !point_of_model(&drawn) && i < MOST_DRAWS;

@@ -148,15 +148,14 @@ struct point_spec {
   bool admissible, realistic, finite;
   long n;
   const struct model *paper;
+  const struct restriction *restriction; /* NULL: none */
 };
 /* A stream of such points at random, seeded from an id. */
 struct sampler {
   uint64_t state;
   struct point_spec spec;
-  const struct restriction *restriction;
 };
-void sampler_init(struct sampler *s, const char *id, const struct point_spec *spec,
-                  const struct restriction *restriction);
+void sampler_init(struct sampler *s, const char *id, const struct point_spec *spec);
 void sampler_next(struct point *p, struct sampler *s);
 
 /* The point at the scene's own parameters that is like p in everything else; false when the scene has no orbit. */

@@ -33,9 +33,8 @@ void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s) {
   if (low || high) fmpq_add(z, z, low ? s->low.at : s->high.at);
 }
 
-void sampler_init(struct sampler *s, const char *id, const struct point_spec *spec,
-                  const struct restriction *restriction) {
-  *s = (struct sampler){random_seed(id), *spec, restriction};
+void sampler_init(struct sampler *s, const char *id, const struct point_spec *spec) {
+  *s = (struct sampler){random_seed(id), *spec};
 }
 
 /* The parameters, with e1 and e2 in units of V, so that orbits and arcs are not rare. */
@@ -104,9 +103,9 @@ void sampler_next(struct point *p, struct sampler *s) {
     /* all claims draw their parameter sets from one pool, so that an orbit is searched once */
     uint64_t pool = random_seed("orbits") + random_next(st) % POOL;
     random_next(&pool);
-    draw_params(p, &pool, s->restriction);
+    draw_params(p, &pool, s->spec.restriction);
   } else {
-    draw_params(p, st, s->restriction);
+    draw_params(p, st, s->spec.restriction);
   }
   p->orbit = (slong)(random_next(st) % 1000);
   draw(&p->q[Q_US1], st, 1, 40, 8);
