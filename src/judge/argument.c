@@ -90,15 +90,11 @@ static const char *friction_needed(struct judge *j, int i, const struct dyn_orbi
 
 /* What the friction forces must exceed on the scene's orbit, whatever the argument says. */
 static void describe_effect(struct finding *f, struct argument *a) {
-  struct point p;
-  point_init(&p);
-  if (nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
-    const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p.orbit];
-    f->effect = result_str(a->j->out, "On %s all inequalities together hold if and only if %s and %s, rounded.",
-                           usual_orbit_text(a->j, "periodic solution"), friction_needed(a->j, 0, o),
-                           friction_needed(a->j, 1, o));
-  }
-  point_clear(&p);
+  const struct dyn_orbit *o = scene_orbit(a->j->scene, a->j->cache);
+  if (!o) return;
+  f->effect =
+      result_str(a->j->out, "On %s all inequalities together hold if and only if %s and %s, rounded.",
+                 usual_orbit_text(a->j, "periodic solution"), friction_needed(a->j, 0, o), friction_needed(a->j, 1, o));
 }
 
 /* Whether the conclusion of an argument over all orbits holds on those of the scene. */

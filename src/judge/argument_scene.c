@@ -87,7 +87,6 @@ static const char *describe(struct argument *a, const struct argument_decision *
 }
 
 static void judge_point(struct finding *f, struct argument *a, struct point *p) {
-  const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p->orbit];
   struct argument_decision d = {.where = 0};
   struct route_result w[2];
   struct answers decided[2] = {{{0}}, {{0}}};
@@ -106,7 +105,7 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
   bool all = !a->uses_friction;
   if (a->uses_friction && !a->free_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE &&
       a->j->effort == EFFORT_FULL)
-    all = prove_for_all(f, a, o->admissible == TRUTH_TRUE);
+    all = prove_for_all(f, a, scene_orbit(a->j->scene, a->j->cache)->admissible == TRUTH_TRUE);
   f->verdict = verdict_of(w, 2, all);
   arb_clear(d.value);
 }

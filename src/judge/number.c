@@ -163,11 +163,11 @@ static void read_by_own_digits(struct finding *f, const struct number_job *n, co
 }
 
 /* The scene's data, the orbit, what is printed with its unit, and the value there. */
-static void certify_number(struct finding *f, const struct number_job *n, const struct point *p, const arb_t x) {
+static void certify_number(struct finding *f, const struct number_job *n, const arb_t x) {
   struct judge *j = n->j;
   struct certificate *c = &f->certificate;
   certify_scene(c, j);
-  certify_orbit(c, j, &scene_orbits(j->scene, j->cache)->orbit[p->orbit]);
+  certify_orbit(c, j, scene_orbit(j->scene, j->cache));
   certificate_add(c, j->out, "printed", result_copy(j->out, n->p->decimal));
   certify_exact(c, j, "unit", &n->p->unit);
   certificate_add(c, j->out, "value", ball_text(j, x, 10));
@@ -193,7 +193,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     add_value(&note, n, x, 10, t, how);
     if (t == TRUTH_FALSE) {
       correct_number(f, n, x);
-      certify_number(f, n, &p, x);
+      certify_number(f, n, x);
       read_by_own_digits(f, n, x);
     }
     if (t == TRUTH_FALSE)

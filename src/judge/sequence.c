@@ -65,8 +65,8 @@ static enum route_outcome hold_all(const char **note, struct judge *j, struct co
 }
 
 /* Every event is proved to be the first of its phase and every condition to hold throughout it, in the model's word. */
-static bool is_certified(struct judge *j, const struct point *p, const char *letters) {
-  const struct dyn_orbit *o = &scene_orbits(j->scene, j->cache)->orbit[p->orbit];
+static bool is_certified(struct judge *j, const char *letters) {
+  const struct dyn_orbit *o = scene_orbit(j->scene, j->cache);
   bool certified = o->admissible == TRUTH_TRUE && strcmp(letters, "DGHCD") == 0;
   for (int ph = 0; ph < N_PHASES; ph++) certified = certified && o->first[ph] == TRUTH_TRUE;
   return certified;
@@ -87,7 +87,7 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     struct text got = {0};
     const char *note = NULL;
     enum route_outcome balls = hold_all(&note, j, &list, &p);
-    bool certified = is_certified(j, &p, letters);
+    bool certified = is_certified(j, letters);
     if (certified && !note)
       note = "each phase is proved to end at the first of its events, and every condition of Coulomb's law (2) to hold "
              "throughout its phase";

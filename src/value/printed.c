@@ -176,6 +176,11 @@ slong scene_usual_orbit(const struct scene *s) {
   return k;
 }
 
+const struct dyn_orbit *scene_orbit(const struct scene *s, struct orbit_cache *cache) {
+  const struct dyn_orbits *list = scene_orbits(s, cache);
+  return list->n ? &list->orbit[usual_orbit(list, s)] : NULL;
+}
+
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache) {
   const struct dyn_orbits *list = scene_orbits(s, cache);
   out->kind = POINT_ORBIT;
@@ -218,18 +223,12 @@ const char *point_text(struct judge *j, const struct point *p) {
 
 int scene_numbers(struct num_vec *params, struct judge *j) {
   const struct num_type *t = params->ctx.type;
-  struct point p;
   int s = SS_OK;
   for (int k = 0; k < N_PARAMS; k++) s |= t->set_q(num_vec_at(params, k), &j->scene->value[k], params->ctx.prec);
   if (scene_has_forces(j->scene)) return s;
-  point_init(&p);
-  if (nearest_orbit_point(&p, j->scene, j->cache)) {
-    const struct dyn_orbit *o = &scene_orbits(j->scene, j->cache)->orbit[p.orbit];
-    if (!j->scene->given[KEY_E1]) s |= t->set_arb(num_vec_at(params, P_E1), o->e1, params->ctx.prec);
-    if (!j->scene->given[KEY_E2]) s |= t->set_arb(num_vec_at(params, P_E2), o->e2, params->ctx.prec);
-  } else {
-    s |= SS_DOMAIN;
-  }
-  point_clear(&p);
+  const struct dyn_orbit *o = scene_orbit(j->scene, j->cache);
+  if (!o) return s | SS_DOMAIN;
+  if (!j->scene->given[KEY_E1]) s |= t->set_arb(num_vec_at(params, P_E1), o->e1, params->ctx.prec);
+  if (!j->scene->given[KEY_E2]) s |= t->set_arb(num_vec_at(params, P_E2), o->e2, params->ctx.prec);
   return s;
 }

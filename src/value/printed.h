@@ -21,7 +21,8 @@ slong usual_orbit(const struct dyn_orbits *list, const struct scene *s);
 const char *usual_orbit_text(struct judge *j, const char *noun);
 /* The number of the usual orbit in the list that `orbit` shows. */
 slong scene_usual_orbit(const struct scene *s);
-/* That orbit as a point; false when the scene has none. */
+/* That orbit, and as a point; NULL and false when the scene has none. */
+const struct dyn_orbit *scene_orbit(const struct scene *s, struct orbit_cache *cache);
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache);
 
 /* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to
