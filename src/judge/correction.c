@@ -1,6 +1,27 @@
-/* Corrections that stand in a claim's own file, judged by the judge of the claim that rests on the corrected text: a
-   reading of the criterion by what the return map does, the heading of a law by the law. */
+/* Corrections that stand in a claim's own file: read in the place of a record's statements, and judged by the judge of
+   the claim that rests on the corrected text, a reading of the criterion by what the return map does, the heading of a
+   law by the law. */
 #include "judge.h"
+
+const struct statement_record *reread_open(struct reread *r, const struct statement_record *in, const char *text,
+                                           const char *name, struct diag *d) {
+  source_from_string(&r->src, name, text);
+  arena_init(&r->arena);
+  const struct stmt *s = stmt_parse(&r->arena, &r->src, (struct span){0, r->src.len}, d);
+  if (s && s->kind != STMT_RELATION) diag_at(d, &r->src, s->span.begin, "an equation or an inequality is needed");
+  if (!s || s->kind != STMT_RELATION) return NULL;
+  r->stmt = s;
+  r->record = *in;
+  r->record.stmts = &r->stmt;
+  r->record.n_stmts = 1;
+  r->record.src = &r->src;
+  return &r->record;
+}
+
+void reread_close(struct reread *r) {
+  arena_clear(&r->arena);
+  source_clear(&r->src);
+}
 
 /* What cannot be read in the other claim's place is a wrong correction, and no error of that claim. */
 bool judge_repaired(struct finding *f, struct judge *j, const struct claim *c, const char *repaired) {

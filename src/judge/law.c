@@ -212,15 +212,16 @@ static void judge_limits(struct finding *f, struct law *l) {
 }
 
 /* The heading is the claim's, or a correction in its place. */
-static bool read_heading(struct law *l, struct reread *in, const struct claim *c, struct view view) {
+static bool read_heading(struct law *l, const struct claim *c, struct view view) {
+  struct reread in;
   bool corrected = l->j->instead && !strchr(l->j->instead, ';');
   const char *text = corrected ? l->j->instead : claim_get(c, "heading");
   static const struct statement_record nowhere = {.id = "heading", .section = "", .equation = "", .tex = ""};
   if (!text) return true;
-  const struct statement_record *r = reread_open(in, &nowhere, text, c->id, l->j->d);
+  const struct statement_record *r = reread_open(&in, &nowhere, text, c->id, l->j->d);
   l->headed = r && sentence_from_relations(&l->heading, view, r, NULL, 0, l->j->d);
   if (r && !l->headed) sentence_clear(&l->heading);
-  reread_close(in);
+  reread_close(&in);
   return l->headed;
 }
 
@@ -252,7 +253,6 @@ bool law_read(struct law *l, struct judge *j, const struct claim *c, struct view
     ok = conditions_read(&l->branch[b], j, c, branch_name[b], view);
     if (ok && l->branch[b].n == 0) ok = claim_error(j, c, branch_name[b], "the statements of this branch are needed");
   }
-  struct reread in;
   if (!ok) return false;
   read_names(l);
   struct law_state s;
@@ -260,7 +260,7 @@ bool law_read(struct law *l, struct judge *j, const struct claim *c, struct view
   struct law_answer a = law_answer(l, &s, 1);
   l->slower = a.n == 1 ? a.eps : 0;
   law_state_close(&s);
-  return read_heading(l, &in, c, view);
+  return read_heading(l, c, view);
 }
 
 void law_clear(struct law *l) {

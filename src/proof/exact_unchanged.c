@@ -7,23 +7,15 @@
 #include "value/local_maps.h"
 
 /* A formula under a view. */
-struct formula_read {
-  struct elaboration el;
-  struct tape tape;
-  bool ok;
-};
-
-static void read_formula(struct formula_read *r, struct view v, const char *formula, const char *section,
+static bool read_formula(struct tape *t, struct view v, const char *formula, const char *section,
                          const struct override *o, int n) {
+  struct elaboration el;
   struct matrix m;
   struct diag d = {0};
-  elaboration_init(&r->el, v, o, n);
-  r->ok = elaborate_tape(&r->tape, &m, &r->el, formula, formula, section, &d);
-}
-
-static void formula_clear(struct formula_read *r) {
-  tape_clear(&r->tape);
-  elaboration_clear(&r->el);
+  elaboration_init(&el, v, o, n);
+  bool ok = elaborate_tape(t, &m, &el, formula, formula, section, &d);
+  elaboration_clear(&el);
+  return ok;
 }
 
 static bool is_moved(const struct exact_change *c, const char *name) {
@@ -46,16 +38,16 @@ static bool reads_moved(const struct exact_change *c, const struct tape *t) {
   return false;
 }
 
-static bool same_element(const struct exact_change *c, const struct formula_read *a, const struct formula_read *b) {
+static bool same_element(const struct exact_change *c, const struct tape *a, const struct tape *b) {
   enum { TERMS = 1500 };
   struct exact_field *f = exact_field_new(NULL, 0);
   struct calc w = exact_calc(f);
   struct num_vec x, y;
   exact_field_limit(f, TERMS);
   exact_field_bind(f, bind_moved, (void *)(uintptr_t)c);
-  int s = exact_eval(&x, &w, f, &a->tape);
+  int s = exact_eval(&x, &w, f, a);
   exact_field_bind(f, NULL, NULL);
-  s |= exact_eval(&y, &w, f, &b->tape);
+  s |= exact_eval(&y, &w, f, b);
   bool same = s == SS_OK && x.len == y.len;
   for (slong i = 0; same && i < x.len; i++) same = exact_equal(f, num_vec_at(&x, i), num_vec_at(&y, i));
   calc_clear(&w);
@@ -68,25 +60,24 @@ static int common_jacobians(struct override *o, const struct exact_change *c) {
   int n = 0;
   for (int ph = 0; ph < N_PHASES; ph++) {
     const struct local_map *map = &local_maps[ph];
-    struct formula_read a, b;
-    read_formula(&a, c->first, map->name, "stability", NULL, 0);
-    read_formula(&b, c->second, map->name, "stability", NULL, 0);
-    if (a.ok && b.ok && tape_same(&a.tape, &b.tape) && !reads_moved(c, &a.tape))
-      o[n++] = (struct override){map->name, map->rows, map->cols};
-    formula_clear(&b);
-    formula_clear(&a);
+    struct tape a, b;
+    bool ok = read_formula(&a, c->first, map->name, "stability", NULL, 0);
+    ok = read_formula(&b, c->second, map->name, "stability", NULL, 0) && ok;
+    if (ok && tape_same(&a, &b) && !reads_moved(c, &a)) o[n++] = (struct override){map->name, map->rows, map->cols};
+    tape_clear(&b);
+    tape_clear(&a);
   }
   return n;
 }
 
 static bool same_with(const struct exact_change *c, const char *formula, const char *section, const struct override *o,
                       int n) {
-  struct formula_read a, b;
-  read_formula(&a, c->first, formula, section, o, n);
-  read_formula(&b, c->second, formula, section, o, n);
-  bool same = a.ok && b.ok && same_element(c, &a, &b);
-  formula_clear(&b);
-  formula_clear(&a);
+  struct tape a, b;
+  bool ok = read_formula(&a, c->first, formula, section, o, n);
+  ok = read_formula(&b, c->second, formula, section, o, n) && ok;
+  bool same = ok && same_element(c, &a, &b);
+  tape_clear(&b);
+  tape_clear(&a);
   return same;
 }
 

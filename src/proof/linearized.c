@@ -110,13 +110,6 @@ static bool others_strict(struct text *note) {
 
 /* --- The eigenvalues, and what the criterion says of them --- */
 
-/* The paper's chain, its factors held as unknowns. */
-static int factors(struct override *o) {
-  for (int ph = 0; ph < N_PHASES; ph++)
-    o[ph] = (struct override){local_maps[ph].name, local_maps[ph].rows, local_maps[ph].cols};
-  return N_PHASES;
-}
-
 /* By how much step i of the inequalities holds; SS_UNABLE for an equality, or one that holds at the limit too. */
 static int margin(element *z, const struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
                   slong i) {
@@ -176,7 +169,8 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
   struct diag d = {0};
   struct matrix trace, det;
   struct tape t = {.n = 0};
-  int n = factors(o);
+  int n = 0;
+  for (int ph = 0; ph < N_PHASES; ph++) n += oracle_override(&o[n], local_maps[ph].name); /* of the paper's chain */
   bool ok = sentence_from_relations(&s, view, without_modulus(&u, r), o, n, &d) && s.n == 2 &&
             elaborate_text(&trace, &s.el, "tr(J)", "tr(J)", "stability", &d) &&
             elaborate_text(&det, &s.el, "det(J)", "det(J)", "stability", &d);
