@@ -653,7 +653,7 @@ END_TEST
 
 static void oracle_is(struct values *v, const char *name, int rows, int cols, const real *want, real tolerance) {
   const struct oracle *o = oracle_find(name);
-  ck_assert_msg(o && oracle_rows(o) == rows && oracle_cols(o) == cols, "%s has another shape", name);
+  ck_assert_msg(o && o->rows == rows && o->cols == cols, "%s has another shape", name);
   struct num_vec m;
   num_vec_init(&m, rows * cols, v->ctx);
   ck_assert_msg(oracle_eval(&m, o, v) == SS_OK, "%s cannot be had", name);

@@ -801,7 +801,7 @@ START_TEST(every_entry_is_held_against_the_model) {
     const char *value = claim_get(c, "value");
     if (strcmp(claim_get(c, "kind"), "matrix") != 0 || strncmp(value, "omega_", 6) == 0) continue; /* roots */
     const struct oracle *q = oracle_find(value);
-    for (int e = 0; e < oracle_rows(q) * oracle_cols(q); e++, tried++) {
+    for (int e = 0; e < q->rows * q->cols; e++, tried++) {
       struct overlay o;
       struct arena a;
       struct audit_result out;
@@ -811,7 +811,7 @@ START_TEST(every_entry_is_held_against_the_model) {
       diag_init(&d);
       audit_result_init(&out);
       overlay_init(&o, &model);
-      offset_value(&o, &a, c, oracle_rows(q), oracle_cols(q), e);
+      offset_value(&o, &a, c, q->rows, q->cols, e);
       struct judge j = {.out = &out,
                         .model = &o.model,
                         .claims = &claims,
@@ -842,7 +842,7 @@ START_TEST(oracles_are_not_interchangeable) {
       struct diag d;
       diag_init(&d);
       const struct oracle *other = oracle_find(names[k]);
-      if (oracle_rows(other) != oracle_rows(oracle_find(names[i]))) continue;
+      if (other->rows != oracle_find(names[i])->rows) continue;
       struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
       ck_assert_msg(sentence_from_value(&s, v, names[i], "prediction", NULL, 0, &d), "%s", d.message);
       s.oracle = other;

@@ -90,14 +90,12 @@ static int take_params(struct exact_motion *m) {
   return s | take_modes(m);
 }
 
-/* The motion's parameters as those of a point, for what is defined for every number type. */
 int motion_as_values(struct values *v, struct exact_motion *m, const struct point *p) {
   *v = (struct values){.ctx = num_ctx_exact(), .point = p, .params = m->params, .q = calc_vec(&m->c, N_Q)};
   for (int i = 0; i < N_PARAMS; i++) num_exact.set(at(&v->q, Q_CHI + i), at(&m->params, i));
   return exact_symbol(at(&v->q, Q_US1), m->field, "u_s1") | exact_symbol(at(&v->q, Q_US2), m->field, "u_s2");
 }
 
-/* Quantities of the parameters alone, as for every number type. */
 int motion_of_params(struct num_vec *out, struct exact_motion *m, const char *name) {
   const struct point p = {.kind = POINT_PARAMS};
   struct values v;

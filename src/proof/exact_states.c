@@ -84,7 +84,6 @@ static int carried(struct num_vec *z, struct exact_motion *m, int phase, const s
   return s == SS_OK ? motion_multiply(z, m, &p, from, 4, 4, 1) : s;
 }
 
-/* Z_0, Z_a, Z_b, Z_c, Z_f; on a periodic motion the last is the first. */
 int motion_state(struct num_vec *z, struct exact_motion *m, int k) {
   if (k == 4 && is_periodic(m)) k = 0;
   *z = part(&m->state, 4 * k, 4);
@@ -101,7 +100,6 @@ int motion_state(struct num_vec *z, struct exact_motion *m, int k) {
   return m->state_status |= s;
 }
 
-/* The number of the state of which "S_a", "S_b" or "S_c" is the name, or the start of one; 0 for another name. */
 int motion_meeting(const char *name) {
   int k = 0;
   while (k < N_PHASES - 1 && strncmp(name, name_meeting[k], strlen(name_meeting[k])) != 0) k++;
@@ -194,7 +192,6 @@ int motion_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
   return m->tangent_status |= s;
 }
 
-/* Z, or the perturbed one. */
 int motion_perturbed(struct num_vec *out, struct exact_motion *m, int k, bool perturbed) {
   struct num_vec z, dz;
   int s = motion_state(&z, m, k);

@@ -51,8 +51,7 @@ const char *example_init(struct example *e, const struct scene *s) {
       fmpq_set(&e->fed[c][i], &p->value);
       if (decimals_fed[c] && decimals_fed[c] < after) round_decimals(&e->fed[c][i], &p->value, decimals_fed[c]);
     }
-    for (int k = KEY_E1; k <= KEY_TD; k++)
-      if (s->given[k] && strcmp(scene_key_name[k], orbit_number_name(i)) == 0) e->data |= 1U << i;
+    if (scene_given_number(s, i)) e->data |= 1U << i;
   }
   for (int i = 0; i < N_BOUNDS; i++) {
     const struct printed_number *p = e->printed[N_X + i] = scene_printed(s, bound_name[i]);

@@ -20,7 +20,6 @@ const char *const piece_what[] = {"claim", "consequence", "control", "study", "s
 
 /* --- What is selected --- */
 
-/* Whether nothing narrows the audit. */
 bool run_is_whole(const struct audit_options *opt, const struct scene *s) {
   return opt->n_only == 0 && s->asked.claims.n == 0 && s->asked.values.n == 0 && s->asked.routes.n == 0;
 }

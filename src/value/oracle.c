@@ -5,15 +5,6 @@
 
 #include <string.h>
 
-struct oracle {
-  const char *name;
-  int rows, cols;
-  int (*eval)(struct num_vec *out, struct values *v, int which);
-  int which;        /* of the quantities that eval makes: a phase, a number */
-  const char *what; /* with %s where the name of the phase stands; NULL: a second way to a quantity above */
-  enum phase phase; /* N_PHASES where it has none */
-};
-
 /* --- Local Jacobians --- */
 
 static int ensure_local(struct values *v, enum phase ph) {
@@ -183,21 +174,12 @@ const struct oracle *oracle_find(const char *name) {
   return NULL;
 }
 
-int oracle_rows(const struct oracle *o) {
-  return o->rows;
-}
-int oracle_cols(const struct oracle *o) {
-  return o->cols;
-}
 int oracle_eval(struct num_vec *out, const struct oracle *o, struct values *v) {
   return o->eval(out, v, o->which);
 }
+
 bool oracle_override(struct override *out, const char *name) {
   const struct oracle *o = oracle_find(name);
   if (o) *out = (struct override){name, o->rows, o->cols};
   return o != NULL;
-}
-const char *oracle_what(enum phase *phase, const struct oracle *o) {
-  *phase = o->phase;
-  return o->what;
 }

@@ -41,7 +41,6 @@ static truth in_bracket(const arb_t x, const struct printed_number *p, enum read
   return t;
 }
 
-/* TRUE under some reading, FALSE under none; *how is the reading. */
 truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how) {
   truth t = TRUTH_FALSE;
   for (int r = 0; r < N_READINGS && t != TRUTH_TRUE; r++) {
@@ -51,7 +50,6 @@ truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *
   return t;
 }
 
-/* A ball over both readings of a printed decimal. */
 void printed_ball(arb_t x, const struct printed_number *p) {
   arb_ptr w = _arb_vec_init(2), lo = w, hi = w + 1;
   arb_zero(x);
@@ -66,7 +64,6 @@ void printed_ball(arb_t x, const struct printed_number *p) {
   _arb_vec_clear(w, 2);
 }
 
-/* A control moves the printed decimal by some units of its last digit. */
 bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c) {
   const char *shift = claim_get(c, "shift");
   if (!shift || !*p) return false;

@@ -18,7 +18,7 @@ static void wrong_shape(const struct view *v, const char *value, const char *sec
   const struct definition *def = view_lookup_value(v, value, section, d);
   if (def)
     diag_at(d, def->src, def->stmt->span.begin, "%s is %dx%d where the model has a %dx%d matrix", value, m->rows,
-            m->cols, oracle_rows(o), oracle_cols(o));
+            m->cols, o->rows, o->cols);
 }
 
 bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section,
@@ -29,7 +29,7 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
   if (!s->oracle) abort(); /* the callers look first */
   struct matrix m;
   bool ok = elaborate_text(&m, &s->el, value, value, section, d);
-  if (ok && (m.rows != oracle_rows(s->oracle) || m.cols != oracle_cols(s->oracle))) {
+  if (ok && (m.rows != s->oracle->rows || m.cols != s->oracle->cols)) {
     wrong_shape(&v, value, section, &m, s->oracle, d);
     ok = false;
   }

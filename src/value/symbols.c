@@ -95,7 +95,7 @@ static const struct oracle_matrix *oracle_matrix(struct values *v, const struct 
   v->matrices = ss_grow(v->matrices, v->n_matrices, &v->cap_matrices, sizeof *v->matrices);
   struct oracle_matrix *m = &v->matrices[v->n_matrices++];
   m->of = o;
-  m->entry = calc_vec(&v->c, oracle_rows(o) * oracle_cols(o));
+  m->entry = calc_vec(&v->c, o->rows * o->cols);
   m->status = oracle_eval(&m->entry, o, v);
   return m;
 }
@@ -110,10 +110,10 @@ static int bind_entry(void *z, bool *known, struct values *v, const char *name, 
   base[n] = '\0';
   const struct oracle *o = oracle_find(base);
   int i = atoi(bracket + 1), j = atoi(strchr(bracket, ',') + 1);
-  if (!o || i > oracle_rows(o) || j > oracle_cols(o)) return SS_UNABLE;
+  if (!o || i > o->rows || j > o->cols) return SS_UNABLE;
   *known = true;
   const struct oracle_matrix *m = oracle_matrix(v, o);
-  v->ctx.type->set(z, num_vec_at(&m->entry, (i - 1) * oracle_cols(o) + j - 1));
+  v->ctx.type->set(z, num_vec_at(&m->entry, (i - 1) * o->cols + j - 1));
   return m->status;
 }
 

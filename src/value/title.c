@@ -104,11 +104,10 @@ static bool make_definition(struct text *out, const struct title *t) {
 }
 
 static bool make_matrix(struct text *out, const struct title *t) {
-  const char *value = claim_get(t->c, "value"), *what = NULL;
-  enum phase phase = N_PHASES;
-  const struct oracle *o = value ? oracle_find(value) : NULL;
+  const char *value = claim_get(t->c, "value");
   if (!value) return missing(t);
-  if (o && t->m->system) what = oracle_what(&phase, o);
+  const struct oracle *o = oracle_find(value);
+  const char *what = o && t->m->system ? o->what : NULL;
   if (!what && !title_defines(t->m, value, strcspn(value, "("))) return missing(t);
   if (!what) {
     text_printf(out, "%s is the quantity of the system that the paper is about", value);
@@ -117,7 +116,7 @@ static bool make_matrix(struct text *out, const struct title *t) {
   text_printf(out, "%s is ", value);
   const char *slot = strstr(what, "%s");
   text_add_n(out, what, slot ? (size_t)(slot - what) : strlen(what));
-  if (slot) title_phases(out, &phase, 1);
+  if (slot) title_phases(out, &o->phase, 1);
   return true;
 }
 
