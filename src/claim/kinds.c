@@ -6,8 +6,8 @@
 const char *const fault_name[N_FAULTS] = {"notation", "formula", "number", "argument"};
 
 const struct claim_kind claim_kinds[N_KINDS] = {
-#define KIND_ROW(name, word, judge, tried, asked, scene, parts, balls, fault, points, routes, controls, of_model)      \
-  {word, tried, asked, scene, parts, balls, fault, points, routes, controls, of_model},
+#define KIND_ROW(name, word, judge, tried, asked, scene, parts, fault, points, routes, controls, of_model)             \
+  {word, tried, asked, scene, parts, fault, points, routes, controls, of_model},
     CLAIM_KINDS(KIND_ROW)
 #undef KIND_ROW
 };

@@ -3,8 +3,7 @@
      tried at points  it can be restricted, corrected by an erratum, and refuted with little effort
      asked            when it is asked about a damaged formula
      of scene         it is about the numbers of one scene, and of a box of parameters says nothing
-     parts            those of work.h that it may need besides what its points are
-     balls            it works in them
+     parts            those of work.h that it may need besides what its points are; what needs some works in balls
      fault            the class of its refutations; FAULT_BY_EDIT: what the correction says of it (fault.c)
      points           the fewest points that a claim may ask for, over all items of its attribute points, each of which
                       asks for half as many; 0: its judge has its own
@@ -35,50 +34,48 @@ enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
 enum fault { FAULT_NOTATION, FAULT_FORMULA, FAULT_NUMBER, FAULT_ARGUMENT, N_FAULTS, FAULT_BY_EDIT };
 extern const char *const fault_name[N_FAULTS];
 
-/* K(name, word in files, judge, tried at points, asked, of scene, parts, balls, fault, points, routes, controls,
-     of model) */
+/* K(name, word in files, judge, tried at points, asked, of scene, parts, fault, points, routes, controls, of model) */
 #define CLAIM_KINDS(K)                                                                                                 \
-  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 0, false)   \
-  K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, 2,  \
-    1, true)                                                                                                           \
-  K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, \
-    2, 1, false)                                                                                                       \
-  K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 6, 0, 1, true)        \
-  K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true,            \
-    FAULT_NUMBER, 0, 0, 1, false)                                                                                      \
-  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1, true) \
-  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0, 1, \
+  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, 0, 0, false)          \
+  K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 6, 2, 1,     \
     true)                                                                                                              \
-  K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0, \
-    1, true)                                                                                                           \
+  K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 6, 2, 1, \
+    false)                                                                                                             \
+  K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, FAULT_ARGUMENT, 6, 0, 1, true)              \
+  K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, \
+    0, 1, false)                                                                                                       \
+  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, 0, 1, true)        \
+  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, 0, 1, true) \
+  K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, 0, 1,    \
+    true)                                                                                                              \
   K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_FORMULA, 0, 0, 1, true)       \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_FORMULA, 0, 0, 1, true)             \
   K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 1, true)      \
-  K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0,   \
-    0, true)                                                                                                           \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, 0, 1, true)            \
+  K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, 0, 0,      \
+    true)                                                                                                              \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 1, true)        \
-  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1, false)         \
-  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, false, FAULT_BY_EDIT, 0, 0, 1, false)              \
-  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, false, FAULT_ARGUMENT, 0, 0, 1, false)                   \
-  K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,              \
-    FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
-  K(DEFINED, "defined", judge_defined, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,     \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, 0, 1, true)              \
+  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, 0, 1, false)                \
+  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, FAULT_BY_EDIT, 0, 0, 1, false)                     \
+  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, FAULT_ARGUMENT, 0, 0, 1, false)                          \
+  K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, \
+    0, 1, true)                                                                                                        \
+  K(DEFINED, "defined", judge_defined, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA,           \
     FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
   K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0,  \
-    1, true)                                                                                                           \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, 0, 1,     \
+    true)                                                                                                              \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1, true)                      \
-  K(EXISTENCE, "existence", judge_existence, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_SCENE, true,               \
-    FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, FAULT_ARGUMENT, 0, 0, 1, true)                            \
+  K(EXISTENCE, "existence", judge_existence, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_ARGUMENT, 0,  \
+    0, 1, true)                                                                                                        \
   K(SOLUTIONS, "solutions", judge_solutions, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION,      \
-    true, FAULT_ARGUMENT, 0, 0, 1, true)                                                                               \
+    FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
   K(RANGE, "range", judge_range, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA,    \
-    true, FAULT_ARGUMENT, 0, 0, 1, true)                                                                               \
-  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, true, FAULT_FORMULA, 0, 0, 1, true)                \
-  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, false, FAULT_ARGUMENT, 0, 0, 0, false)
+    FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
+  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, FAULT_FORMULA, 0, 0, 1, true)                      \
+  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, FAULT_ARGUMENT, 0, 0, 0, false)
 
 enum kind {
 #define KIND_ENUM(name, ...) KIND_##name,
@@ -93,7 +90,6 @@ struct claim_kind {
   enum asked asked;
   bool of_scene;
   unsigned parts;
-  bool balls;
   enum fault fault;
   int points, routes, controls;
   bool of_model;

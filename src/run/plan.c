@@ -79,11 +79,9 @@ static void plan_matrices(struct planner *pl, struct planned_claim *p, size_t a)
 /* What judging the claim looks at besides its points; a correction is judged by another claim's judge. */
 static unsigned parts_of_kind(struct planned_claim *p, const struct claim *c) {
   const struct claim_kind *kind = c ? claim_kind_of(c) : NULL;
-  if (!kind) return 0;
-  if (kind->balls) {
-    p->first_bits = FIRST_PREC;
-    p->last_bits = LAST_PREC;
-  }
+  if (!kind || !kind->parts) return 0;
+  p->first_bits = FIRST_PREC;
+  p->last_bits = LAST_PREC;
   return kind->parts;
 }
 
