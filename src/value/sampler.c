@@ -115,7 +115,7 @@ void sampler_next(struct point *p, struct sampler *s) {
   draw(&p->q[Q_LAMBDA], st, -40, 40, 9);
   draw(&p->q[Q_T], st, 1, 128, 16);
   draw(&p->q[Q_S], st, 1, 15, 16);
-  if (s->admissible) move_outwards(&p->q[Q_S]);
+  if (p->admissible) move_outwards(&p->q[Q_S]);
   for (int i = Q_Z1; i <= Q_DZ2; i++) draw(&p->q[i], st, -32, 32, 8);
   if (kind == POINT_ARC) draw_arc(p, st);
   for (int i = Q_TA; kind == POINT_PATCHED && i <= Q_TD; i++) draw(&p->q[i], st, 1, 48, 16);
