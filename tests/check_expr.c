@@ -196,6 +196,22 @@ static void check_spans(const char *text, const struct expr *e) {
   for (int i = 0; i < e->n_args; i++) check_spans(text, e->args[i]);
 }
 
+/* A title says all sides, but for a first-order part that two others say. */
+START_TEST(test_first_order_in_prose) {
+  static const char *const cases[][2] = {
+      {"first_order(sin(x + y); x, y) = x + y", "sin(x + y) = x + y"},
+      {"d = first_order(sin(x + y); x, y) = x + y", "d = x + y"},
+      {"d = first_order(sin(x + y); x, y)", "d = sin(x + y)"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct text t = {0};
+    stmt_plain(&t, statement(cases[i][0]));
+    ck_assert_str_eq(text_str(&t), cases[i][1]);
+    text_clear(&t);
+  }
+}
+END_TEST
+
 START_TEST(test_spans) {
   static const char *const text = "-a*b + [1, x ; H'(t_c)[1:2,3], (p)] - sin( u )^(-2) / v'_1 + [a] [1]";
   const struct expr *e = tree(text);
@@ -898,6 +914,7 @@ Suite *expr_suite(void) {
   tcase_set_timeout(language, 60); /* for sanitized builds on busy machines */
   tcase_add_test(language, test_grammar);
   tcase_add_test(language, test_statements);
+  tcase_add_test(language, test_first_order_in_prose);
   tcase_add_test(language, test_spans);
   tcase_add_test(language, test_mistakes);
   tcase_add_test(language, test_limits);

@@ -236,9 +236,10 @@ void stmt_plain(struct text *out, const struct stmt *s) {
     text_printf(out, "%s is the %s positive root of ", s->name, s->largest ? "largest" : "smallest");
   const char *between = "";
   for (int i = 0; i < s->n_sides; i++) {
-    if (s->sides[i]->kind == EXPR_FIRST_ORDER) continue;
+    const struct expr *side = s->sides[i];
+    if (side->kind == EXPR_FIRST_ORDER && s->n_sides > 2) continue; /* the others say it */
     text_add(out, between);
-    expr_plain(out, s->sides[i]);
+    expr_plain(out, side->kind == EXPR_FIRST_ORDER ? side->args[0] : side);
     between = s->kind == STMT_RELATION && i + 1 < s->n_sides ? relop_text[s->ops[i]] : "";
   }
 }

@@ -261,6 +261,7 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
   if (!scaled) return claim_error(j, c, "kind", "the attribute scaled is missing");
   if (only && !view_record(&view, only)) return claim_error(j, c, "statement", "there is no such record");
   struct text faults = {0};
+  const char *printed = NULL; /* what is found in the printed text */
   bool corrected_alone =
       view.control || j->effort == EFFORT_REFUTE; /* controls and mutants damage the corrected text */
   for (int pass = corrected_alone ? 1 : 0; pass < 2; pass++) {
@@ -279,10 +280,13 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
                       faults.len ? result_copy(j->out, text_str(&faults))
                       : only     ? "the formula is homogeneous"
                                  : "every formula is homogeneous");
-    if (own && faults.len) certificate_add(&f->certificate, j->out, "degrees", result_copy(j->out, text_str(&faults)));
+    if (own && faults.len) {
+      printed = result_copy(j->out, text_str(&faults));
+      certificate_add(&f->certificate, j->out, "degrees", printed);
+    }
     if (own || corrected_alone)
       f->verdict = verdict_of(&w, 1, true);
-    else if (f->verdict == VERDICT_REFUTED) {
+    else if (f->verdict == VERDICT_REFUTED && (repaired || strcmp(printed, text_str(&faults)) != 0)) {
       f->correction =
           repaired ? names_with_unit(j, repaired) : "the same formulas with the corrections proposed in this report";
       f->correction_verdict = verdict_of(&w, 1, true);

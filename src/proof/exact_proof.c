@@ -223,15 +223,16 @@ static const char *why_open(struct job *b) {
     apart += b->apart[i];
   }
   if (inequalities && !b->sharp)
-    return "an inequality, which exact algebra does not decide unless it follows from what (2) asks and from positive "
-           "factors";
+    return b->j->model->system ? "an inequality, which exact algebra does not decide unless it follows from what (2) "
+                                 "asks and from positive factors"
+                               : "an inequality, which exact algebra does not decide";
   if (b->sharp) return "the sides of some step are not shown equal at either end of the phase";
   if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
   if (apart == open)
     return result_str(out,
                       "%ld of %ld entries differ as functions of the generators %s: more than exact algebra knows of "
-                      "these motions would be needed",
-                      (long)apart, (long)b->s->n, text_str(&b->field));
+                      "these %s would be needed",
+                      (long)apart, (long)b->s->n, text_str(&b->field), b->j->model->system ? "motions" : "functions");
   if (b->undefined) return "a divisor is zero for all parameters";
   return result_str(out, "an expression outgrew the budget of exact algebra (%ld terms)", (long)b->largest);
 }
