@@ -13,13 +13,14 @@ static slong make_angle(struct exact_field *f, const fmpz_mpoly_q_struct *arg) {
   slong s = exact_generator(f, TAPE_sin, NULL, arg, 1, 0),
         c = s < 0 ? -1 : exact_generator(f, TAPE_cos, NULL, arg, 1, 0);
   if (c < 0 || f->gen[c].squared) return c < 0 ? -1 : s;
-  struct generator *g = &f->gen[c];
-  g->squared = true;
-  fmpz_mpoly_init(g->square, ring());
-  fmpz_mpoly_gen(g->square, variable(s), ring());
-  fmpz_mpoly_pow_ui(g->square, g->square, 2, ring());
-  fmpz_mpoly_neg(g->square, g->square, ring());
-  fmpz_mpoly_add_si(g->square, g->square, 1, ring());
+  fmpz_mpoly_t square;
+  fmpz_mpoly_init(square, ring());
+  fmpz_mpoly_gen(square, variable(s), ring());
+  fmpz_mpoly_mul(square, square, square, ring());
+  fmpz_mpoly_neg(square, square, ring());
+  fmpz_mpoly_add_si(square, square, 1, ring());
+  exact_set_square(&f->gen[c], square);
+  fmpz_mpoly_clear(square, ring());
   return s;
 }
 
@@ -71,33 +72,24 @@ static int own_angle(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exac
 }
 
 /* The pair of an angle and that of another: the pair of their sum. */
-static int add_angle(fmpz_mpoly_q_struct p[2], struct exact_field *f, const fmpz_mpoly_q_struct by[2]) {
-  fmpz_mpoly_q_struct t[4];
-  int s = SS_OK;
-  for (int i = 0; i < 4; i++) exact_init(&t[i], f);
-  for (int i = 0; s == SS_OK && i < 4; i++) s = exact_apply(num_exact.mul, &t[i], f, &p[i / 2], &by[i % 2]);
-  if (s == SS_OK) s = exact_apply(num_exact.add, &p[0], f, &t[1], &t[2]);
-  if (s == SS_OK) s = exact_apply(num_exact.sub, &p[1], f, &t[3], &t[0]);
-  for (int i = 0; i < 4; i++) exact_clear(&t[i], f);
-  return s;
+static void add_angle(val p[2], struct calc *c, const val by[2]) {
+  val sine = calc_dot(c, p[0], by[1], p[1], by[0]);
+  p[1] = calc_dot_from(c, NULL, p[1], by[1], true, p[0], by[0]);
+  p[0] = sine;
 }
 
 /* The pair of i a + k b. */
-static int make_sum(fmpz_mpoly_q_struct p[2], struct exact_field *f, int a, int i, int b, int k) {
+static void make_sum(val p[2], struct calc *c, struct exact_field *f, int a, int i, int b, int k) {
   const int of[2] = {a, b}, times[2] = {i, k};
-  fmpz_mpoly_q_struct by[2];
-  int s = SS_OK;
-  for (int j = 0; j < 2; j++) exact_init(&by[j], f);
-  fmpz_mpoly_q_zero(&p[0], ring());
-  fmpz_mpoly_q_set_si(&p[1], 1, ring());
-  for (int j = 0; s == SS_OK && j < 2; j++) {
+  p[0] = calc_d(c, 0);
+  p[1] = calc_d(c, 1);
+  for (int j = 0; j < 2; j++) {
     if (times[j] == 0) continue;
-    s = own_angle(&by[0], &by[1], f, &f->angle[of[j]]);
-    if (times[j] < 0) fmpz_mpoly_q_neg(&by[0], &by[0], ring());
-    for (int n = 0; s == SS_OK && n < abs(times[j]); n++) s = add_angle(p, f, by);
+    fmpz_mpoly_q_struct *sine = calc_new(c), *cosine = calc_new(c);
+    c->status |= own_angle(sine, cosine, f, &f->angle[of[j]]);
+    const val by[2] = {times[j] < 0 ? calc_neg(c, sine) : sine, cosine};
+    for (int n = 0; n < abs(times[j]); n++) add_angle(p, c, by);
   }
-  for (int j = 0; j < 2; j++) exact_clear(&by[j], f);
-  return s;
 }
 
 /* The integer i from -MOST_ANGLES to MOST_ANGLES for which x and i a agree at the one monomial of a; false without
@@ -124,26 +116,32 @@ static bool multiple_at(int *i, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q
   return whole;
 }
 
+/* a - b g of p = a + b g, g with a square. */
+static void conjugate_of(fmpz_mpoly_t z, const fmpz_mpoly_struct *p, slong var) {
+  fmpz_mpoly_t g;
+  fmpz_mpoly_init(g, ring());
+  fmpz_mpoly_gen(g, var, ring());
+  fmpz_mpoly_derivative(z, p, var, ring());
+  fmpz_mpoly_mul(z, z, g, ring());
+  fmpz_mpoly_scalar_mul_si(z, z, -2, ring());
+  fmpz_mpoly_add(z, z, p, ring());
+  fmpz_mpoly_clear(g, ring());
+}
+
 /* x with a denominator free of generators that have a square: a + b g times a - b g is. */
 static int rationalise(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  fmpz_mpoly_t conjugate, odd;
+  fmpz_mpoly_t conjugate;
   int s = SS_OK;
   fmpz_mpoly_init(conjugate, ring());
-  fmpz_mpoly_init(odd, ring());
   fmpz_mpoly_q_set(z, x, ring());
   for (slong i = f->n - 1; s == SS_OK && i >= 0; i--) {
     if (!f->gen[i].squared || fmpz_mpoly_degree_si(&z->den, variable(i), ring()) < 1) continue;
-    fmpz_mpoly_derivative(odd, &z->den, variable(i), ring());
-    fmpz_mpoly_gen(conjugate, variable(i), ring());
-    fmpz_mpoly_mul(odd, odd, conjugate, ring());
-    fmpz_mpoly_sub(conjugate, &z->den, odd, ring());
-    fmpz_mpoly_sub(conjugate, conjugate, odd, ring());
+    conjugate_of(conjugate, &z->den, variable(i));
     fmpz_mpoly_mul(&z->num, &z->num, conjugate, ring());
     fmpz_mpoly_mul(&z->den, &z->den, conjugate, ring());
     s = exact_reduce(z, f);
     if (s == SS_OK) fmpz_mpoly_q_canonicalise(z, ring());
   }
-  fmpz_mpoly_clear(odd, ring());
   fmpz_mpoly_clear(conjugate, ring());
   return s;
 }
@@ -152,79 +150,51 @@ static int rationalise(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz
 static bool is_sum(int *i, int *k, struct exact_field *f, const fmpz_mpoly_q_struct *x, int a, int b) {
   if (!fmpz_mpoly_is_fmpz(&x->den, ring()) || !multiple_at(i, x, &f->angle[a]) || !multiple_at(k, x, &f->angle[b]))
     return false;
-  fmpz_mpoly_q_struct u, v, n;
-  exact_init(&u, f);
-  exact_init(&v, f);
-  exact_init(&n, f);
-  fmpz_mpoly_q_set_si(&n, *i, ring());
-  bool ok = exact_apply(num_exact.mul, &u, f, &f->angle[a], &n) == SS_OK;
-  fmpz_mpoly_q_set_si(&n, *k, ring());
-  ok = ok && exact_apply(num_exact.mul, &v, f, &f->angle[b], &n) == SS_OK;
-  ok = ok && exact_apply(num_exact.add, &u, f, &u, &v) == SS_OK && exact_equal(f, x, &u);
-  exact_clear(&n, f);
-  exact_clear(&v, f);
-  exact_clear(&u, f);
+  struct calc c = exact_calc(f);
+  val sum = calc_dot(&c, &f->angle[a], calc_d(&c, *i), &f->angle[b], calc_d(&c, *k));
+  bool ok = c.status == SS_OK && exact_equal(f, x, sum);
+  calc_clear(&c);
   return ok;
 }
 
 int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  fmpz_mpoly_q_struct p[2], plain;
+  struct calc w = exact_calc(f);
+  fmpz_mpoly_q_struct *plain = calc_new(&w), *own[2] = {calc_new(&w), calc_new(&w)};
+  val p[2] = {own[0], own[1]};
   int i, k;
   bool found = false;
-  exact_init(&plain, f);
-  for (int j = 0; j < 2; j++) exact_init(&p[j], f);
-  if (rationalise(&plain, f, x) != SS_OK) fmpz_mpoly_q_set(&plain, x, ring());
-  int status = SS_OK;
+  if (rationalise(plain, f, x) != SS_OK) fmpz_mpoly_q_set(plain, x, ring());
   for (int a = 0; !found && a < f->n_angles; a++)
     for (int b = a + 1; !found && b < f->n_angles && b / f->group == a / f->group; b++) {
-      found = is_sum(&i, &k, f, &plain, a, b);
-      if (found) status = make_sum(p, f, a, i, b, k);
+      found = is_sum(&i, &k, f, plain, a, b);
+      if (found) make_sum(p, &w, f, a, i, b, k);
     }
-  if (!found) status = own_angle(&p[0], &p[1], f, x);
-  fmpz_mpoly_q_swap(s, &p[0], ring());
-  fmpz_mpoly_q_swap(c, &p[1], ring());
-  for (int j = 0; j < 2; j++) exact_clear(&p[j], f);
-  exact_clear(&plain, f);
-  return status;
+  if (!found) w.status = own_angle(own[0], own[1], f, x);
+  if (w.status == SS_OK) calc_store(&w, s, p[0]);
+  return exact_finish(c, &w, p[1]);
 }
 
 int exact_circular(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op op, const fmpz_mpoly_q_struct *x) {
-  fmpz_mpoly_q_struct s, c;
-  exact_init(&s, f);
-  exact_init(&c, f);
-  int status = exact_sin_cos(&s, &c, f, x);
-  if (status == SS_OK && op == TAPE_cot)
-    status = exact_apply(num_exact.div, z, f, &c, &s);
-  else
-    fmpz_mpoly_q_swap(z, op == TAPE_sin ? &s : &c, ring());
-  exact_clear(&c, f);
-  exact_clear(&s, f);
-  return status;
+  struct calc w = exact_calc(f);
+  fmpz_mpoly_q_struct *s = calc_new(&w), *c = calc_new(&w);
+  w.status = exact_sin_cos(s, c, f, x);
+  return exact_finish(z, &w, op == TAPE_cot ? calc_div(&w, c, s) : op == TAPE_sin ? s : c);
 }
 
 /* Can the numerator vanish on a whole domain though it is not zero here, as sqrt(4 V) - 2 sqrt(V) or |z| - z do?  Not
-                                                                                                                   when
-   the product over all signs of the generators that have squares is no zero.  True also when that grows too large. */
+   when the product over all signs of the generators that have squares is no zero.  True also when that grows too
+   large. */
 static bool may_vanish(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  fmpz_mpoly_q_struct p, conjugate;
-  exact_init(&p, f);
-  exact_init(&conjugate, f);
-  fmpz_mpoly_set(&p.num, &x->num, ring());
-  int s = SS_OK;
-  for (slong i = f->n - 1; s == SS_OK && i >= 0; i--) {
-    slong var = variable(i);
-    if (!f->gen[i].squared || fmpz_mpoly_degree_si(&p.num, var, ring()) < 1) continue;
-    fmpz_mpoly_derivative(&conjugate.num, &p.num, var, ring()); /* of a + b g with a square g^2: b */
-    fmpz_mpoly_gen(&conjugate.den, var, ring());
-    fmpz_mpoly_mul(&conjugate.num, &conjugate.num, &conjugate.den, ring());
-    fmpz_mpoly_scalar_mul_si(&conjugate.num, &conjugate.num, -2, ring());
-    fmpz_mpoly_add(&conjugate.num, &conjugate.num, &p.num, ring());
-    fmpz_mpoly_one(&conjugate.den, ring());
-    s = exact_apply(num_exact.mul, &p, f, &p, &conjugate);
+  struct calc c = exact_calc(f);
+  const fmpz_mpoly_q_struct *p = exact_polynomial(&c, &x->num);
+  for (slong i = f->n - 1; c.status == SS_OK && i >= 0; i--) {
+    if (!f->gen[i].squared || fmpz_mpoly_degree_si(&p->num, variable(i), ring()) < 1) continue;
+    fmpz_mpoly_q_struct *conjugate = calc_new(&c);
+    conjugate_of(&conjugate->num, &p->num, variable(i));
+    p = calc_mul(&c, p, conjugate);
   }
-  bool may = s != SS_OK || exact_is_zero(f, &p);
-  exact_clear(&conjugate, f);
-  exact_clear(&p, f);
+  bool may = c.status != SS_OK || exact_is_zero(f, p);
+  calc_clear(&c);
   return may;
 }
 
@@ -237,13 +207,10 @@ int exact_over_angle(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op
     return SS_OK;
   }
   if (may_vanish(f, x)) return SS_UNABLE;
-  fmpz_mpoly_q_struct sine;
-  exact_init(&sine, f);
-  int s = exact_circular(&sine, f, TAPE_sin, x);
-  if (s == SS_OK && op == TAPE_stumpff) s = exact_apply(num_exact.sub, &sine, f, x, &sine);
-  for (int i = 0; s == SS_OK && i < (op == TAPE_stumpff ? 3 : 1); i++)
-    s = exact_apply(num_exact.div, &sine, f, &sine, x);
-  fmpz_mpoly_q_swap(z, &sine, ring());
-  exact_clear(&sine, f);
-  return s;
+  struct calc c = exact_calc(f);
+  fmpz_mpoly_q_struct *sine = calc_new(&c);
+  c.status = exact_circular(sine, f, TAPE_sin, x);
+  val y = op == TAPE_stumpff ? calc_sub(&c, x, sine) : sine;
+  for (int i = 0; i < (op == TAPE_stumpff ? 3 : 1); i++) y = calc_div(&c, y, x);
+  return exact_finish(z, &c, y);
 }

@@ -22,58 +22,37 @@ static void partial(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, slong 
 }
 
 /* How generator i changes with the symbol: cos u u', -sin u u' and exp u u'. */
-static int generator_rate(fmpz_mpoly_q_struct *z, struct exact_field *f, slong i, const char *name) {
+static val generator_rate(struct calc *c, struct exact_field *f, slong i, const char *name) {
   const struct generator *g = &f->gen[i];
-  fmpz_mpoly_q_zero(z, ring());
-  if (g->op == TAPE_INPUT) {
-    if (strcmp(g->name, name) == 0) fmpz_mpoly_q_set_si(z, 1, ring());
-    return SS_OK;
+  if (g->op == TAPE_INPUT) return calc_d(c, strcmp(g->name, name) == 0);
+  fmpz_mpoly_q_struct *rate = calc_new(c), *sine = calc_new(c), *cosine = calc_new(c);
+  bool smooth = g->op == TAPE_sin || g->op == TAPE_cos || g->op == TAPE_exp;
+  for (slong k = 0; c->status == SS_OK && k < g->n_args; k++) {
+    c->status = exact_derivative(rate, f, &g->args[k], name);
+    if (c->status == SS_OK && !exact_is_zero(f, rate) && !smooth) c->status = SS_UNABLE;
   }
-  int s = SS_OK;
-  for (slong k = 0; s == SS_OK && k < g->n_args; k++) {
-    s = exact_derivative(z, f, &g->args[k], name);
-    if (s == SS_OK && !exact_is_zero(f, z) && g->op != TAPE_sin && g->op != TAPE_cos && g->op != TAPE_exp)
-      s = SS_UNABLE;
-  }
-  if (s != SS_OK || exact_is_zero(f, z)) return s;
+  if (c->status != SS_OK || exact_is_zero(f, rate)) return rate;
   if (g->op == TAPE_exp) {
-    fmpz_mpoly_q_struct itself;
-    exact_init(&itself, f);
-    s = exact_set_generator(&itself, i);
-    if (s == SS_OK) s = exact_apply(num_exact.mul, z, f, z, &itself);
-    exact_clear(&itself, f);
-    return s;
+    fmpz_mpoly_q_gen(sine, variable(i), ring());
+    return calc_mul(c, rate, sine);
   }
-  fmpz_mpoly_q_struct sine, cosine;
-  exact_init(&sine, f);
-  exact_init(&cosine, f);
-  s = exact_sin_cos(&sine, &cosine, f, &g->args[0]);
-  if (s == SS_OK) s = exact_apply(num_exact.mul, z, f, z, g->op == TAPE_sin ? &cosine : &sine);
-  if (g->op == TAPE_cos) fmpz_mpoly_q_neg(z, z, ring());
-  exact_clear(&cosine, f);
-  exact_clear(&sine, f);
-  return s;
+  c->status = exact_sin_cos(sine, cosine, f, &g->args[0]);
+  return g->op == TAPE_sin ? calc_mul(c, rate, cosine) : calc_neg(c, calc_mul(c, rate, sine));
 }
 
 int exact_derivative(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x, const char *name) {
-  fmpz_mpoly_q_struct sum, rate, slope;
-  int used[EXACT_GENERATORS], s = SS_OK;
-  exact_init(&sum, f);
-  exact_init(&rate, f);
-  exact_init(&slope, f);
+  int used[EXACT_GENERATORS];
+  struct calc c = exact_calc(f);
+  val sum = calc_d(&c, 0);
   fmpz_mpoly_q_used_vars(used, x, ring());
-  for (slong i = 0; s == SS_OK && i < f->n; i++) {
+  for (slong i = 0; c.status == SS_OK && i < f->n; i++) {
     if (!used[variable(i)]) continue;
-    s = generator_rate(&rate, f, i, name);
-    if (s != SS_OK || exact_is_zero(f, &rate)) continue;
-    partial(&slope, x, variable(i));
-    s = exact_reduce(&slope, f);
-    if (s == SS_OK) s = exact_apply(num_exact.mul, &slope, f, &slope, &rate);
-    if (s == SS_OK) s = exact_apply(num_exact.add, &sum, f, &sum, &slope);
+    val rate = generator_rate(&c, f, i, name);
+    if (c.status != SS_OK || exact_is_zero(f, rate)) continue;
+    fmpz_mpoly_q_struct *slope = calc_new(&c);
+    partial(slope, x, variable(i));
+    c.status = exact_reduce(slope, f);
+    sum = calc_add(&c, sum, calc_mul(&c, slope, rate));
   }
-  fmpz_mpoly_q_swap(z, &sum, ring());
-  exact_clear(&slope, f);
-  exact_clear(&rate, f);
-  exact_clear(&sum, f);
-  return s;
+  return exact_finish(z, &c, sum);
 }

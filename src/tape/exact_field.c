@@ -128,6 +128,19 @@ struct calc exact_calc(const struct exact_field *f) {
   return c;
 }
 
+val exact_polynomial(struct calc *c, const fmpz_mpoly_struct *p) {
+  fmpz_mpoly_q_struct *z = calc_new(c);
+  fmpz_mpoly_set(&z->num, p, ring());
+  return z;
+}
+
+int exact_finish(fmpz_mpoly_q_struct *z, struct calc *c, val x) {
+  int s = c->status;
+  if (s == SS_OK) calc_store(c, z, x);
+  calc_clear(c);
+  return s;
+}
+
 bool exact_is_zero(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   (void)f;
   return fmpz_mpoly_q_is_zero(x, ring());
@@ -201,6 +214,12 @@ slong exact_generator(struct exact_field *f, enum tape_op op, const char *name, 
     fmpz_mpoly_q_set(&g->args[a], &args[a], ring());
   }
   return i;
+}
+
+void exact_set_square(struct generator *g, const fmpz_mpoly_struct *square) {
+  g->squared = true;
+  fmpz_mpoly_init(g->square, ring());
+  fmpz_mpoly_set(g->square, square, ring());
 }
 
 int exact_set_generator(fmpz_mpoly_q_struct *z, slong i) {

@@ -51,6 +51,12 @@ slong exact_generator(struct exact_field *f, enum tape_op op, const char *name, 
                       slong n, slong k);
 /* The element that is generator i; SS_UNABLE for -1. */
 int exact_set_generator(fmpz_mpoly_q_struct *z, slong i);
+/* A polynomial as an element. */
+val exact_polynomial(struct calc *c, const fmpz_mpoly_struct *p);
+/* z = x, unless something in the calc, which is cleared, has failed; its status. */
+int exact_finish(fmpz_mpoly_q_struct *z, struct calc *c, val x);
+/* Its square is that polynomial. */
+void exact_set_square(struct generator *g, const fmpz_mpoly_struct *square);
 /* x without its sign, which is that of the leading coefficient of its numerator; whether that is negative. */
 bool exact_take_sign(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x);
 
@@ -60,6 +66,11 @@ bool exact_take_sign(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x);
 int exact_circular(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op op, const fmpz_mpoly_q_struct *x);
 /* TAPE_sinc, sin x/x, or TAPE_stumpff, (x - sin x)/x^3. */
 int exact_over_angle(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op op, const fmpz_mpoly_q_struct *x);
+
+/* --- exact_sign.c --- */
+
+/* As exact_product_sign, of a polynomial. */
+int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n);
 
 /* --- exact_exp.c --- */
 

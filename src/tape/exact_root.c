@@ -19,45 +19,20 @@ static const fmpz_mpoly_q_struct *known_square_root(const struct exact_field *f,
 
 /* sqrt(p/n) = sqrt(p n)/n for n > 0, an integer or a product of elements that are positive. */
 static int root_over(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  fmpz_mpoly_q_struct n, product;
-  exact_init(&n, f);
-  exact_init(&product, f);
-  fmpz_mpoly_set(&n.num, &x->den, ring());
-  fmpz_mpoly_set(&product.num, &x->num, ring());
-  int s = exact_apply(num_exact.mul, &product, f, &product, &n);
-  if (s == SS_OK) s = exact_sqrt(z, f, &product);
-  if (s == SS_OK) s = exact_apply(num_exact.div, z, f, z, &n);
-  exact_clear(&product, f);
-  exact_clear(&n, f);
-  return s;
-}
-
-/* Is the denominator known to be positive? */
-static bool is_positive(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  if (fmpz_mpoly_is_fmpz(&x->den, ring())) return true;
-  fmpz_mpoly_q_struct den;
-  exact_init(&den, f);
-  fmpz_mpoly_set(&den.num, &x->den, ring());
-  bool positive = exact_product_sign(&den, f->positive, f->n_positive) > 0;
-  exact_clear(&den, f);
-  return positive;
+  struct calc c = exact_calc(f);
+  fmpz_mpoly_q_struct *root = calc_new(&c);
+  val n = exact_polynomial(&c, &x->den), product = calc_mul(&c, exact_polynomial(&c, &x->num), n);
+  if (c.status == SS_OK) c.status = exact_sqrt(root, f, product);
+  return exact_finish(z, &c, calc_div(&c, root, n));
 }
 
 /* The square of a new generator of sqrt(p/n), which stands for n sqrt(p/n); left out where it is too large. */
 static void square_of_root(struct exact_field *f, slong i) {
-  struct generator *g = &f->gen[i];
-  fmpz_mpoly_q_struct num, den;
-  exact_init(&num, f);
-  exact_init(&den, f);
-  fmpz_mpoly_set(&num.num, &g->args[0].num, ring());
-  fmpz_mpoly_set(&den.num, &g->args[0].den, ring());
-  g->squared = exact_apply(num_exact.mul, &num, f, &num, &den) == SS_OK;
-  if (g->squared) {
-    fmpz_mpoly_init(g->square, ring());
-    fmpz_mpoly_swap(g->square, &num.num, ring());
-  }
-  exact_clear(&den, f);
-  exact_clear(&num, f);
+  const fmpz_mpoly_q_struct *x = &f->gen[i].args[0];
+  struct calc c = exact_calc(f);
+  const fmpz_mpoly_q_struct *square = calc_mul(&c, exact_polynomial(&c, &x->num), exact_polynomial(&c, &x->den));
+  if (c.status == SS_OK) exact_set_square(&f->gen[i], &square->num);
+  calc_clear(&c);
 }
 
 int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
@@ -66,29 +41,25 @@ int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q
     fmpz_mpoly_q_set(z, known, ring());
     return SS_OK;
   }
-  if (!fmpz_mpoly_is_one(&x->den, ring()) && is_positive(f, x)) return root_over(z, f, x);
+  if (!fmpz_mpoly_is_one(&x->den, ring()) && exact_polynomial_sign(&x->den, f->positive, f->n_positive) > 0)
+    return root_over(z, f, x);
   slong before = f->n, i = exact_generator(f, TAPE_sqrt, NULL, x, 1, 0);
   if (f->n > before) square_of_root(f, i);
-  int s = exact_set_generator(z, i);
-  if (s != SS_OK || fmpz_mpoly_is_one(&f->gen[i].args[0].den, ring())) return s;
-  fmpz_mpoly_q_struct den;
-  exact_init(&den, f);
-  fmpz_mpoly_set(&den.num, &f->gen[i].args[0].den, ring());
-  s = exact_apply(num_exact.div, z, f, z, &den);
-  exact_clear(&den, f);
-  return s;
+  if (i < 0) return SS_UNABLE;
+  struct calc c = exact_calc(f);
+  fmpz_mpoly_q_struct *root = calc_new(&c);
+  const fmpz_mpoly_struct *den = &f->gen[i].args[0].den;
+  fmpz_mpoly_q_gen(root, variable(i), ring());
+  return exact_finish(z, &c, fmpz_mpoly_is_one(den, ring()) ? root : calc_div(&c, root, exact_polynomial(&c, den)));
 }
 
 int exact_hypot(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x,
                 const fmpz_mpoly_q_struct *y) {
-  fmpz_mpoly_q_struct square;
-  exact_init(&square, f);
-  int s = exact_apply(num_exact.mul, &square, f, y, y);
-  if (s == SS_OK) s = exact_apply(num_exact.mul, z, f, x, x);
-  if (s == SS_OK) s = exact_apply(num_exact.add, &square, f, &square, z);
-  if (s == SS_OK) s = exact_sqrt(z, f, &square);
-  exact_clear(&square, f);
-  return s;
+  struct calc c = exact_calc(f);
+  fmpz_mpoly_q_struct *root = calc_new(&c);
+  val square = calc_dot(&c, y, y, x, x);
+  if (c.status == SS_OK) c.status = exact_sqrt(root, f, square);
+  return exact_finish(z, &c, root);
 }
 
 /* |p/q| = |p q|/q^2: the generator stands for the absolute value of a polynomial. */
@@ -97,45 +68,31 @@ int exact_abs(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_
     fmpz_mpoly_q_zero(z, ring());
     return SS_OK;
   }
-  fmpz_mpoly_q_struct den, arg;
-  exact_init(&den, f);
-  exact_init(&arg, f);
-  fmpz_mpoly_set(&den.num, &x->den, ring());
-  fmpz_mpoly_set(&arg.num, &x->num, ring());
-  int s = exact_apply(num_exact.mul, &arg, f, &arg, &den);
-  if (s == SS_OK) s = exact_apply(num_exact.mul, &den, f, &den, &den);
-  if (s == SS_OK) exact_take_sign(&arg, &arg);
-  if (s == SS_OK && exact_product_sign(&arg, f->positive, f->n_positive) > 0) {
-    s = exact_apply(num_exact.div, z, f, &arg, &den);
-    exact_clear(&arg, f);
-    exact_clear(&den, f);
-    return s;
+  struct calc c = exact_calc(f);
+  fmpz_mpoly_q_struct *size = calc_new(&c);
+  val den = exact_polynomial(&c, &x->den), product = calc_mul(&c, exact_polynomial(&c, &x->num), den);
+  val square = calc_mul(&c, den, den);
+  if (c.status == SS_OK) exact_take_sign(size, product);
+  if (c.status == SS_OK && exact_polynomial_sign(&size->num, f->positive, f->n_positive) <= 0) {
+    slong i = exact_generator(f, TAPE_abs, NULL, size, 1, 0);
+    if (i >= 0 && !f->gen[i].squared) {
+      exact_set_square(&f->gen[i], &size->num);
+      fmpz_mpoly_mul(f->gen[i].square, f->gen[i].square, f->gen[i].square, ring());
+      exact_rewrite(f->gen[i].square, f);
+    }
+    c.status = exact_set_generator(size, i);
   }
-  slong i = s == SS_OK ? exact_generator(f, TAPE_abs, NULL, &arg, 1, 0) : -1;
-  if (i >= 0 && !f->gen[i].squared) {
-    f->gen[i].squared = true;
-    fmpz_mpoly_init(f->gen[i].square, ring());
-    fmpz_mpoly_mul(f->gen[i].square, &arg.num, &arg.num, ring());
-    exact_rewrite(f->gen[i].square, f);
-  }
-  if (s == SS_OK) s = exact_set_generator(z, i);
-  if (s == SS_OK) s = exact_apply(num_exact.div, z, f, z, &den);
-  exact_clear(&arg, f);
-  exact_clear(&den, f);
-  return s;
+  return exact_finish(z, &c, calc_div(&c, size, square));
 }
 
 /* Is the polynomial zero at x?  false also when that grows too large. */
-static bool is_root(const struct exact_field *f, const fmpz_mpoly_q_struct *c, slong n, const fmpz_mpoly_q_struct *x) {
-  fmpz_mpoly_q_struct y;
-  exact_init(&y, f);
-  int s = SS_OK;
-  for (slong i = n - 1; s == SS_OK && i >= 0; i--) {
-    s = exact_apply(num_exact.mul, &y, f, &y, x);
-    if (s == SS_OK) s = exact_apply(num_exact.add, &y, f, &y, &c[i]);
-  }
-  bool zero = s == SS_OK && exact_is_zero(f, &y);
-  exact_clear(&y, f);
+static bool is_root(const struct exact_field *f, const fmpz_mpoly_q_struct *coeff, slong n,
+                    const fmpz_mpoly_q_struct *x) {
+  struct calc c = exact_calc(f);
+  val y = calc_d(&c, 0);
+  for (slong i = n - 1; i >= 0; i--) y = calc_add(&c, calc_mul(&c, y, x), &coeff[i]);
+  bool zero = c.status == SS_OK && exact_is_zero(f, y);
+  calc_clear(&c);
   return zero;
 }
 
@@ -158,18 +115,13 @@ static const fmpz_mpoly_q_struct *known_root(const struct exact_field *f, const 
 /* Which root of which polynomial, up to a factor of the polynomial. */
 int exact_root(fmpz_mpoly_q_struct *z, struct exact_field *f, const struct tape *t, const struct tape_instr *in,
                const fmpz_mpoly_q_struct *reg) {
-  fmpz_mpoly_q_struct *c = ss_malloc((size_t)in->b * sizeof *c);
+  struct calc c = exact_calc(f);
+  struct num_vec over = calc_vec(&c, in->b);
+  fmpz_mpoly_q_struct *coeff = num_vec_at(&over, 0), *root = calc_new(&c);
   const fmpz_mpoly_q_struct *lead = &reg[t->links[in->a + in->b - 1]];
-  int s = SS_OK;
-  for (slong i = 0; i < in->b; i++) exact_init(&c[i], f);
-  for (slong i = 0; s == SS_OK && i < in->b; i++)
-    s = exact_apply(num_exact.div, &c[i], f, &reg[t->links[in->a + i]], lead);
-  const fmpz_mpoly_q_struct *known = s == SS_OK ? known_root(f, c, in->b, in->k) : NULL;
-  if (known)
-    fmpz_mpoly_q_set(z, known, ring());
-  else if (s == SS_OK)
-    s = exact_set_generator(z, exact_generator(f, TAPE_ROOT, NULL, c, in->b, in->k));
-  for (slong i = 0; i < in->b; i++) exact_clear(&c[i], f);
-  free(c);
-  return s;
+  for (slong i = 0; i < in->b; i++) calc_store(&c, &coeff[i], calc_div(&c, &reg[t->links[in->a + i]], lead));
+  const fmpz_mpoly_q_struct *known = c.status == SS_OK ? known_root(f, coeff, in->b, in->k) : NULL;
+  if (!known && c.status == SS_OK)
+    c.status = exact_set_generator(root, exact_generator(f, TAPE_ROOT, NULL, coeff, in->b, in->k));
+  return exact_finish(z, &c, known ? known : root);
 }

@@ -38,7 +38,7 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
 }
 
 /* What is left of p when these factors are taken out is a constant: its sign, else 0. */
-static int sign_by_factors(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
+int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
   fmpz_mpoly_t rest, quotient;
   fmpz_t c;
   fmpz_mpoly_init(rest, ring());
@@ -61,7 +61,7 @@ static int sign_by_factors(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct
 }
 
 int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n) {
-  return sign_by_factors(&x->num, positive, n) * sign_by_factors(&x->den, positive, n);
+  return exact_polynomial_sign(&x->num, positive, n) * exact_polynomial_sign(&x->den, positive, n);
 }
 
 /* --- Independence --- */
