@@ -50,10 +50,6 @@ static void function_of(val out[4], struct calc *c, const struct spectrum *s, va
   out[3] = calc_dot(c, s->below, f1, s->above, f2);
 }
 
-void flow_function(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2) {
-  function_of(out, c, s, f1, f2, calc_sub(c, f1, f2));
-}
-
 /* sin x, cos x, 1 - cos x and x - sin x; the last two cancel where x is small. */
 struct circular {
   val sine, cosine, versine, lag;
@@ -112,7 +108,7 @@ static void blocks_c(struct blocks *b, struct calc *c, val omega, val t) {
   set_block(b->n, zero, zero, fast, calc_neg(c, fast));
 }
 
-static void blocks_h(struct blocks *b, struct calc *c, const struct spectrum *s, val t) {
+void flow_blocks_h(struct blocks *b, struct calc *c, const struct spectrum *s, val t) {
   struct circular x[2];
   val slow[2], fast[2];
   for (int i = 0; i < 2; i++) {
@@ -126,7 +122,7 @@ static void blocks_h(struct blocks *b, struct calc *c, const struct spectrum *s,
                     : calc_sub(c, slow[0], slow[1]);
   function_of(b->c, c, s, x[0].cosine, x[1].cosine, turned);
   function_of(b->s, c, s, slow[0], slow[1], moved);
-  flow_function(b->n, c, s, fast[0], fast[1]);
+  function_of(b->n, c, s, fast[0], fast[1], calc_sub(c, fast[0], fast[1]));
 }
 
 struct blocks flow_blocks(struct calc *c, enum phase ph, const val p[N_PARAMS], val t) {
@@ -137,7 +133,7 @@ struct blocks flow_blocks(struct calc *c, enum phase ph, const val p[N_PARAMS], 
     blocks_gamma(&b, c, p[P_CHI], t);
   } else if (ph == PHASE_H) {
     struct spectrum s = flow_spectrum(c, p);
-    blocks_h(&b, c, &s, t);
+    flow_blocks_h(&b, c, &s, t);
   } else {
     blocks_c(&b, c, calc_sqrt(c, calc_mul(c, p[P_CHI], p[P_ETA])), t);
   }

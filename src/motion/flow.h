@@ -21,7 +21,8 @@ struct spectrum {
    of vectors, return_map_double.c one that holds to the ends of the range of doubles, and check_dynamics.c compares all
    four.  Of p, chi and eta alone are read. */
 struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]);
-void flow_function(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2);
+/* Those of phase H. */
+void flow_blocks_h(struct blocks *b, struct calc *c, const struct spectrum *s, val t);
 struct blocks flow_blocks(struct calc *c, enum phase ph, const val p[N_PARAMS], val t);
 void flow_apply(val out[N_STATE], struct calc *c, const struct blocks *b, const val in[N_STATE]);
 /* An entry of the 4x4 matrix that the blocks are. */

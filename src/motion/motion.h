@@ -18,8 +18,9 @@
      numbers              rounded (right to the last bit), turn, disk, dual, double_double, sincos; gsl_errors
 
    The formulas of the phases are stated over the number table by flow (any time, in positions), map_balls (a pass of
-   the word, in w and r), orbit_equations (the same by six quantities), mode_motion (any modes); in double by slip
-   (half angles, lanes too), which polish repeats in twice the precision, and return_map_double (searches, sheet).
+   the word, in w and r), orbit_equations (the same by six quantities, phase H by flow), mode_motion (any modes); in
+   double by slip (half angles, lanes too), which polish repeats in twice the precision, and return_map_double
+   (searches, sheet).
 
    The room knows base and num alone.  Simulations by GSL (simulate_ode, jacobian_ode) and the matrix exponentials
    (propagator, saltation) share no closed form with the rest: they are what it is held against. */

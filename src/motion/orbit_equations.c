@@ -17,31 +17,13 @@ struct word_data word_data_of(const fmpq *model, const enum dyn_quantity which[2
   return d;
 }
 
-/* cos(sqrt(K) t), sin(sqrt(K) t)/sqrt(K) and sqrt(K) sin(sqrt(K) t): velocities v and forces f = (w, chi eta r) become
-   c v - s f and c f + n v. */
-struct slip_blocks {
-  val c[4], s[4], n[4];
-};
-
-static void blocks_at(struct slip_blocks *h, struct calc *c, const struct spectrum *s, val t) {
-  val sine[2], cosine[2], slow[2], fast[2];
-  for (int i = 0; i < 2; i++) {
-    calc_sin_cos(c, &sine[i], &cosine[i], calc_mul(c, s->om[i], t));
-    slow[i] = calc_div(c, sine[i], s->om[i]);
-    fast[i] = calc_mul(c, sine[i], s->om[i]);
-  }
-  flow_function(h->c, c, s, cosine[0], cosine[1]);
-  flow_function(h->s, c, s, slow[0], slow[1]);
-  flow_function(h->n, c, s, fast[0], fast[1]);
-}
-
-/* After phase H. */
-static struct moving carry(struct calc *c, const struct slip_blocks *h, const struct moving *m) {
+/* After phase H, of which h are the blocks: f = K z, so that v becomes c v - s f, and f becomes c f - n v. */
+static struct moving carry(struct calc *c, const struct blocks *h, const struct moving *m) {
   struct moving to;
   for (int i = 0; i < 2; i++) {
     const val *co = h->c + 2 * i, *s = h->s + 2 * i, *n = h->n + 2 * i;
     to.v[i] = calc_sub(c, calc_dot(c, co[0], m->v[0], co[1], m->v[1]), calc_dot(c, s[0], m->f[0], s[1], m->f[1]));
-    to.f[i] = calc_add(c, calc_dot(c, co[0], m->f[0], co[1], m->f[1]), calc_dot(c, n[0], m->v[0], n[1], m->v[1]));
+    to.f[i] = calc_sub(c, calc_dot(c, co[0], m->f[0], co[1], m->f[1]), calc_dot(c, n[0], m->v[0], n[1], m->v[1]));
   }
   return to;
 }
@@ -60,8 +42,8 @@ static void column(struct word *w, enum dyn_quantity x, struct calc *c, const st
 void word_make(struct word *w, struct calc *c, const struct ball_params *m, const val x[N_QUANTITIES]) {
   val e1 = x[QUANTITY_E1], e2 = x[QUANTITY_E2], tb = x[QUANTITY_TB], td = x[QUANTITY_TD], V = m->p[P_V];
   val chi = m->p[P_CHI], eta = m->p[P_ETA], zero = m->zero, s, co;
-  struct slip_blocks h;
-  blocks_at(&h, c, &m->spectrum, x[QUANTITY_TC]);
+  struct blocks h;
+  flow_blocks_h(&h, c, &m->spectrum, x[QUANTITY_TC]);
   calc_sin_cos(c, &s, &co, tb);
   calc_sin_cos(c, &w->sine, &w->cosine, calc_mul(c, m->omega, td));
   val wb = calc_dot(c, e1, co, m->a, s), dwb = calc_sub(c, calc_mul(c, m->a, co), calc_mul(c, e1, s));
