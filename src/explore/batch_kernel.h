@@ -19,19 +19,6 @@ static const double NOISE = 16 * 0x1p-53; /* of the terms of an equation: a step
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */
 static const double PART_ANGLE = 2.0;     /* of the fast oscillation in a part of phase H */
 
-/* Everything at a pair (t_b, t_c), as in warm.c. */
-struct lane {
-  struct slip k;
-  double tb, tc;
-  struct half_angle b, c[2];
-  struct gamma_end g;
-  struct slip_modes m;
-  struct node n;
-  double r, r_end;
-  double p_tb, turn_tb, defect_tb; /* by t_b; the last two times r_end, turn_tb that of r_end */
-  double step[2];
-};
-
 SINCOS_INLINE struct half_angle lane_half(double x) {
   struct sine_cosine t = sincos_of(0.5 * x);
   return (struct half_angle){t.sine, t.cosine};
@@ -42,54 +29,34 @@ SINCOS_INLINE struct half_angle lane_nudge(struct half_angle x, double off) {
 }
 
 /* The half angles at t_b and t_c moved by the steps, which stay unrounded, as what om t lost does. */
-SINCOS_INLINE void lane_place(struct lane *x, const struct half_angle at[3], double step_b, double step_c) {
+SINCOS_INLINE void lane_place(struct slip_pair *x, const struct half_angle at[3], double step_b, double step_c) {
   const struct slip *k = &x->k;
   x->b = lane_nudge(at[0], 0.5 * step_b);
   for (int i = 0; i < 2; i++)
     x->c[i] = lane_nudge(at[1 + i], 0.5 * (product_rest(k->om[i], x->tc) + k->rest[i] * x->tc + k->om[i] * step_c));
 }
 
-SINCOS_INLINE void lane_turn(struct half_angle at[3], const struct lane *x) {
+SINCOS_INLINE void lane_turn(struct half_angle at[3], const struct slip_pair *x) {
   at[0] = lane_half(x->tb);
   at[1] = lane_half(x->k.om[0] * x->tc);
   at[2] = lane_half(x->k.om[1] * x->tc);
 }
 
-SINCOS_INLINE void lane_step(struct lane *x) {
+SINCOS_INLINE void lane_step(struct slip_pair *x) {
   x->tb += x->step[0];
   x->tc += x->step[1];
 }
 
-SINCOS_INLINE void lane_move(struct lane *x) {
+SINCOS_INLINE void lane_move(struct slip_pair *x) {
   lane_step(x);
   x->b = half_angle_move(x->b, x->step[0]);
   x->c[0] = half_angle_move(x->c[0], x->k.om[0] * x->step[1]);
   x->c[1] = half_angle_move(x->c[1], x->k.om[1] * x->step[1]);
 }
 
-/* The equations, their derivatives and Newton's step; that of r_end is multiplied by r_end, which saves divisions.
-   exact: with the defect formed from changes. */
-SINCOS_INLINE void lane_evaluate(struct lane *x, bool exact) {
-  const struct slip *k = &x->k;
-  x->g = gamma_at(k, x->tb, x->b);
-  x->m = slip_modes(k, &x->g);
-  x->n = slip_node(k, &x->m, &x->g, x->c);
-  struct change d = slip_change(k, &x->g, x->c);
-  double r = x->n.pull * k->soft;
-  x->r = k->rb - x->g.rise;
-  x->r_end = slip_radius(k, &x->n);
-  double defect = x->r_end * (exact ? slip_gain(k, &x->n, x->r_end) + x->g.rise : x->r_end - x->r);
-  x->p_tb = d.p;
-  x->turn_tb = k->soft * (r * d.pull + x->n.q * d.q);
-  x->defect_tb = x->turn_tb - x->r_end * x->g.p;
-  double defect_tc = -r * x->n.p, scale = 1 / (x->p_tb * defect_tc + x->n.w * x->defect_tb);
-  x->step[0] = -(defect_tc * x->n.p + x->n.w * defect) * scale;
-  x->step[1] = -(x->p_tb * defect - x->defect_tb * x->n.p) * scale;
-}
-
 /* Another step would be rounding, and rounding leaves digits: t_b is off by units of all_b/steep_b, t_c of
    all_c/steep_c. */
-SINCOS_INLINE bool lane_converged(const struct lane *x, double guess_b, double guess_c) {
+SINCOS_INLINE bool lane_converged(const struct slip_pair *x, double guess_b, double guess_c) {
   const struct slip *k = &x->k;
   double reach = fabs(x->n.pull * k->soft) + fabs(x->n.q) * (k->soft * k->omc), radius = fabs(x->r_end);
   double size = fabs(x->m.a[0]) + fabs(x->m.b[0]) + fabs(x->m.a[1]) + fabs(x->m.b[1]) + fabs(x->g.p);
@@ -109,8 +76,8 @@ struct below {
   bool first, second;
 };
 
-SINCOS_INLINE struct below lane_below(const struct lane *x, const struct node *from, const struct node *to, double h,
-                                      bool at_root) {
+SINCOS_INLINE struct below lane_below(const struct slip_pair *x, const struct node *from, const struct node *to,
+                                      double h, bool at_root) {
   double sixth[2], size[2];
   slip_bounds(sixth, size, &x->k, &x->m);
   struct course a = course_1(&x->k, from), b = course_1(&x->k, to), c = course_2(&x->k, from), d = course_2(&x->k, to);
@@ -120,7 +87,7 @@ SINCOS_INLINE struct below lane_below(const struct lane *x, const struct node *f
 }
 
 /* At half the time the whole angles are the half angles of the end. */
-SINCOS_INLINE struct node lane_middle(const struct lane *x) {
+SINCOS_INLINE struct node lane_middle(const struct slip_pair *x) {
   const struct slip *k = &x->k;
   const struct slip_modes *m = &x->m;
   double v0 = 1 - x->c[0].c, v1 = 1 - x->c[1].c;
@@ -142,7 +109,7 @@ struct close {
 /* t_a from two sums, whichever has the smaller terms: what w is short of e1, and the belt's way that m1 is behind.
    Inside phase C w' = a - chi q vanishes only where q > 0: in a valley at the angle u before the end, and on a hill at
    pi - u. */
-SINCOS_INLINE struct close lane_close(const struct lane *x) {
+SINCOS_INLINE struct close lane_close(const struct slip_pair *x) {
   const struct slip *k = &x->k;
   bool up = x->n.q > 0;
   double r = x->n.pull * k->soft, turn = sincos_angle(fabs(x->n.q), (up ? k->omc : -k->omc) * r), td = turn / k->omc;
@@ -170,7 +137,7 @@ SINCOS_INLINE bool in_domain(const double p[N_PARAMS]) {
 }
 
 SINCOS_INLINE void lane_run(struct lanes *l, int j) {
-  struct lane x = {.tb = l->guess[0][j], .tc = l->guess[1][j]};
+  struct slip_pair x = {.tb = l->guess[0][j], .tc = l->guess[1][j]};
   double p[N_PARAMS];
   for (int i = 0; i < N_PARAMS; i++) p[i] = l->params[i][j];
   slip_set(&x.k, p);
@@ -179,16 +146,16 @@ SINCOS_INLINE void lane_run(struct lanes *l, int j) {
   x.b = at[0];
   x.c[0] = at[1];
   x.c[1] = at[2];
-  lane_evaluate(&x, false);
+  slip_evaluate(&x, false);
   lane_move(&x);
-  lane_evaluate(&x, false);
+  slip_evaluate(&x, false);
   lane_step(&x);
   lane_turn(at, &x);
   lane_place(&x, at, 0, 0);
-  lane_evaluate(&x, true);
+  slip_evaluate(&x, true);
   lane_place(&x, at, x.step[0], x.step[1]);
   lane_step(&x);
-  lane_evaluate(&x, true);
+  slip_evaluate(&x, true);
 
   const struct slip *k = &x.k;
   bool ok = lane_converged(&x, l->guess[0][j], l->guess[1][j]);
@@ -231,7 +198,7 @@ SINCOS_INLINE void lane_polish(struct lanes *l, int j) {
 /* --- A closer look at phase H: in parts, all lanes part by part. --- */
 
 SINCOS_INLINE void march_start(struct march *m, const struct lanes *l, int j) {
-  struct lane x = {.tb = l->out[DYN_OUT_TB][j]};
+  struct slip_pair x = {.tb = l->out[DYN_OUT_TB][j]};
   double p[N_PARAMS], parts = l->parts[j];
   for (int i = 0; i < N_PARAMS; i++) p[i] = l->params[i][j];
   slip_set(&x.k, p);
@@ -269,7 +236,7 @@ SINCOS_INLINE void march_start(struct march *m, const struct lanes *l, int j) {
 }
 
 SINCOS_INLINE void march_part(struct march *m, double part, int j) {
-  struct lane x;
+  struct slip_pair x;
   struct slip *k = &x.k;
   k->chi = m->chi[j];
   k->a = m->a[j];

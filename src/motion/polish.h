@@ -128,9 +128,7 @@ SINCOS_INLINE void fine_step(struct fine_state *x, const struct fine_slip *k) {
   double p = dd_sub(x->p, x->change_p).high, w = x->w.high + x->change_w.high;
   double defect = dd_add(dd_sub(x->r_end, k->rb), x->rise).high, per = 1 / x->r_end.high;
   double defect_tb = x->turn_tb.high * per - x->p.high, defect_tc = -r.high * p * per;
-  double scale = 1 / (x->p_tb * defect_tc + w * defect_tb);
-  x->step[0] = -(defect_tc * p + w * defect) * scale;
-  x->step[1] = -(x->p_tb * defect - defect_tb * p) * scale;
+  slip_newton(x->step, p, w, x->p_tb, defect, defect_tb, defect_tc);
 }
 
 /* Follows the step, but for r_end.  At its end z_1' = V, so that neither r_end nor `behind` changes with t_c. */

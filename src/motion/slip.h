@@ -284,4 +284,45 @@ static inline double slip_behind(const struct slip *k, const struct gamma_end *g
   return g->rise + ((k->V * tc - way[0]) - way[1]);
 }
 
+/* --- Newton's iteration for an orbit, in (t_b, t_c). --- */
+
+/* Of p = 0 and defect = 0; the derivative of p by t_c is -w. */
+SINCOS_INLINE void slip_newton(double step[2], double p, double w, double p_tb, double defect, double defect_tb,
+                               double defect_tc) {
+  double scale = 1 / (p_tb * defect_tc + w * defect_tb);
+  step[0] = -(defect_tc * p + w * defect) * scale;
+  step[1] = -(p_tb * defect - defect_tb * p) * scale;
+}
+
+/* Everything at a pair (t_b, t_c), and the step from there. */
+struct slip_pair {
+  struct slip k;
+  double tb, tc;
+  struct half_angle b, c[2];
+  struct gamma_end g;
+  struct slip_modes m;
+  struct node n;
+  double r, r_end;
+  double p_tb, turn_tb, defect_tb; /* by t_b; the last two times r_end, turn_tb that of r_end */
+  double step[2];
+};
+
+/* From k, the times and the half angles.  The defect and its derivatives are multiplied by r_end, which saves
+   divisions.  exact: with the defect formed from changes. */
+SINCOS_INLINE void slip_evaluate(struct slip_pair *x, bool exact) {
+  const struct slip *k = &x->k;
+  x->g = gamma_at(k, x->tb, x->b);
+  x->m = slip_modes(k, &x->g);
+  x->n = slip_node(k, &x->m, &x->g, x->c);
+  struct change d = slip_change(k, &x->g, x->c);
+  double r = x->n.pull * k->soft;
+  x->r = k->rb - x->g.rise;
+  x->r_end = slip_radius(k, &x->n);
+  double defect = x->r_end * (exact ? slip_gain(k, &x->n, x->r_end) + x->g.rise : x->r_end - x->r);
+  x->p_tb = d.p;
+  x->turn_tb = k->soft * (r * d.pull + x->n.q * d.q);
+  x->defect_tb = x->turn_tb - x->r_end * x->g.p;
+  slip_newton(x->step, x->n.p, x->n.w, x->p_tb, defect, x->defect_tb, -r * x->n.p);
+}
+
 #endif
