@@ -130,12 +130,6 @@ SINCOS_INLINE struct close lane_close(const struct slip_pair *x) {
   return (struct close){ta, period, on_hill ? hill : least};
 }
 
-SINCOS_INLINE bool in_domain(const double p[N_PARAMS]) {
-  bool in = p[P_CHI] < 1;
-  for (int i = 0; i < N_PARAMS; i++) in &= (p[i] > 0) & (p[i] < INFINITY);
-  return in;
-}
-
 SINCOS_INLINE void lane_run(struct lanes *l, int j) {
   struct slip_pair x = {.tb = l->guess[0][j], .tc = l->guess[1][j]};
   double p[N_PARAMS];
@@ -176,7 +170,7 @@ SINCOS_INLINE void lane_run(struct lanes *l, int j) {
   const double fine = SS_OK, outside = SS_DOMAIN,
                unable = SS_UNABLE; /* as numbers: SSE2 has no masks for integers of 64 bits */
   double broken = (e.ta < 0 ? no_ta : 0.0) + (e.least < 0 ? no_w : 0.0) + (up ? no_v2 : 0.0);
-  bool in = in_domain(p);
+  bool in = dyn_in_domain_d(p);
   ok &= in;
   l->broken[j] = ok ? broken : 0.0;
   l->status[j] = !in ? outside : (ok & below) ? fine : unable;

@@ -62,17 +62,11 @@ int ss_orbits_batch(double *const out[SS_OUTPUTS], unsigned *violations, int *st
   return dyn_orbits_batch(out, violations, status, params, guess, (slong)n);
 }
 
-static bool in_domain(const double params[SS_PARAMS]) {
-  for (int i = 0; i < SS_PARAMS; i++)
-    if (!(params[i] > 0 && params[i] < INFINITY)) return false;
-  return params[SS_PARAM_CHI] < 1;
-}
-
 int ss_return_jacobian(double j[4], double *err, const double params[SS_PARAMS], const double start[2],
                        const double guess[4]) {
   if (!j || !params || !start || !isfinite(start[0]) || !isfinite(start[1]))
     return library_argument(__func__, "no parameters, no finite start or no place for the matrix");
-  if (!in_domain(params)) return SS_DOMAIN;
+  if (!dyn_in_domain_d(params)) return SS_DOMAIN;
   int status = dyn_return_jacobian_from(j, params, start, guess);
   if (status || !err) return status;
   *err = 0;

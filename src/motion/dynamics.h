@@ -22,6 +22,8 @@
 #ifndef STICKSLIP_MOTION_DYNAMICS_H
 #define STICKSLIP_MOTION_DYNAMICS_H
 
+#include <math.h>
+
 #include "num/num.h"
 
 enum phase { PHASE_D, PHASE_GAMMA, PHASE_H, PHASE_C, N_PHASES };
@@ -32,6 +34,12 @@ extern const int phase_slips[N_PHASES][2];     /* 1 for a mass that slips in the
 enum { P_CHI, P_ETA, P_V, P_E1, P_E2, N_PARAMS };
 /* Whether the first n of them are positive, and chi below 1. */
 bool dyn_in_domain(const fmpq *params, int n);
+/* The same of all of them, which are finite too; without a branch, for lanes. */
+static inline bool dyn_in_domain_d(const double params[N_PARAMS]) {
+  bool in = params[P_CHI] < 1;
+  for (int i = 0; i < N_PARAMS; i++) in &= (params[i] > 0) & (params[i] < INFINITY);
+  return in;
+}
 /* State: elements z_1, z_2, z_1', z_2'. */
 enum { Z_1, Z_2, DZ_1, DZ_2, N_STATE };
 

@@ -7,7 +7,6 @@
 
 #include "event.h"
 #include "mode_motion.h"
-#include "return_map_double.h"
 
 /* The switching function of a phase other than D as a wave: a force or a speed in that pair of modes, where what sticks
    keeps the velocity that it has. */
@@ -53,7 +52,7 @@ int event_first(double *t, bool *grazing, enum phase ph, const struct num_vec *p
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
   for (int i = 0; i < N_PARAMS; i++) all[i] = c.ctx.type->get_d(p[i]);
-  int status = return_map_double_domain(all) ? first_in_calc(&root, &c, ph, p, z, lim) : SS_DOMAIN;
+  int status = dyn_in_domain_d(all) ? first_in_calc(&root, &c, ph, p, z, lim) : SS_DOMAIN;
   *t = root.t;
   if (grazing) *grazing = root.grazing;
   calc_clear(&c);

@@ -12,14 +12,8 @@
 #include "return_map_double.h"
 #include "trig_sum.h"
 
-bool return_map_double_domain(const double params[N_PARAMS]) {
-  bool in = params[P_CHI] < 1;
-  for (int i = 0; i < N_PARAMS; i++) in = in && params[i] > 0 && isfinite(params[i]);
-  return in;
-}
-
 int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]) {
-  if (!return_map_double_domain(params)) return SS_DOMAIN;
+  if (!dyn_in_domain_d(params)) return SS_DOMAIN;
   k->chi = params[P_CHI];
   k->eta = params[P_ETA];
   k->V = params[P_V];

@@ -27,9 +27,7 @@ struct pass {
   bool grazing;
   long steps;
 };
-/* Whether they are in the domain of dynamics.h, and finite. */
-bool return_map_double_domain(const double params[N_PARAMS]);
-/* SS_DOMAIN outside it.  rise is left to return_map_double_records: few need it, and it takes an
+/* SS_DOMAIN outside the domain of dynamics.h.  rise is left to return_map_double_records: few need it, and it takes an
    iteration. */
 int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]);
 void return_map_double_records(struct return_map_double *k);

@@ -89,13 +89,7 @@ static inline void slip_set(struct slip *k, const double p[N_PARAMS]) {
 }
 
 static inline bool slip_init(struct slip *k, const double p[N_PARAMS]) {
-  double least = INFINITY, most = 0;
-  for (int i = 0; i < N_PARAMS; i++) {
-    least = fmin(least, p[i]);
-    most = fmax(most, p[i]);
-    if (isnan(p[i])) return false;
-  }
-  if (!(least > 0 && most < INFINITY && p[P_CHI] < 1)) return false;
+  if (!dyn_in_domain_d(p)) return false;
   slip_set(k, p);
   return true;
 }
