@@ -87,7 +87,7 @@ extern const struct dyn_limits dyn_limits_default;
 int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
                       const struct dyn_limits *lim);
 /* The root near t0, in the context of t: Newton in mpfr (working precision doubled up to prec); in balls an enclosure
-   proved to hold exactly one root (interval Newton), SS_UNABLE when that fails. */
+   proved to hold exactly one root (Krawczyk's operator), SS_UNABLE when that fails. */
 int dyn_event(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, double t0);
 
 /* One pass through the word from the positions (z10, z20) at the start of the stick phase, velocities V. */

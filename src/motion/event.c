@@ -1,12 +1,15 @@
 /* Where a phase ends.
 
    The first event is found in double precision from the wave that the phase shows to its switching function.  A known
-   event is refined by Newton's iteration at a precision that doubles; in balls one interval Newton step then proves
-   that the enclosure holds exactly one root, for every point of the balls of parameters and state. */
+   event is refined by Newton's iteration at a precision that doubles; in balls Krawczyk's operator then proves that the
+   enclosure holds exactly one root, for every point of the balls of parameters and state. */
 #include <math.h>
 
 #include "event.h"
 #include "mode_motion.h"
+#include "num/solve.h"
+
+enum { MOST_STEPS = 60 }; /* of Newton's iteration */
 
 /* The switching function of a phase other than D as a wave: a force or a speed in that pair of modes, where what sticks
    keeps the velocity that it has. */
@@ -82,7 +85,7 @@ val event_newton(struct calc *c, enum phase ph, const val p[N_PARAMS], const val
   type->set(t, start);
   val small = calc_two_to(c, -c->ctx.prec / 2 - 6);
   slong mark = calc_mark(c);
-  for (int i = 0; i < 60 && !c->status; i++) {
+  for (int i = 0; i < MOST_STEPS && !c->status; i++) {
     val step = newton_step(c, ph, p, in, t);
     c->status |= type->add(t, t, step, c->ctx.prec);
     bool settled = !calc_lt(c, calc_mul(c, small, calc_abs(c, t)), calc_abs(c, step));
@@ -93,80 +96,62 @@ val event_newton(struct calc *c, enum phase ph, const val p[N_PARAMS], const val
   return t;
 }
 
+/* The end of a phase as an equation in t. */
+struct ending {
+  struct calc *c;
+  enum phase phase;
+  const val *p, *in;
+  struct num_vec t; /* where it has come to */
+  slong mark;       /* what lies above it in the calc belongs to one evaluation */
+};
+
+static int level(slong bits, void *self) {
+  const struct ending *e = self;
+  struct calc c = calc_begin(num_ctx_mpfr(bits));
+  calc_store(&c, num_vec_at(&e->t, 0), event_newton(&c, e->phase, e->p, e->in, num_vec_at(&e->t, 0)));
+  calc_clear(&c);
+  return c.status;
+}
+
 /* The root near t0 for exact mpfr data, with guard bits over the precision of *t. */
 static int event_mpfr(void *t, slong prec, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], double t0) {
-  struct num_vec start;
-  int status = SS_OK;
-  prec += 32;
-  slong ladder[FLINT_BITS], n = 0;
-  for (slong bits = prec; bits > 128; bits = bits / 2 + 16) ladder[n++] = bits;
-  ladder[n++] = FLINT_MIN(prec, 128);
-  num_vec_init(&start, 1, num_ctx_mpfr(prec));
-  status |= num_mpfr.set_d(num_vec_at(&start, 0), t0, prec);
-  while (n > 0 && !status) {
-    struct calc c = calc_begin(num_ctx_mpfr(ladder[--n]));
-    num_mpfr.set(num_vec_at(&start, 0), event_newton(&c, ph, p, in, num_vec_at(&start, 0)));
-    status |= c.status;
-    calc_clear(&c);
-  }
-  num_mpfr.set(t, num_vec_at(&start, 0));
-  num_vec_clear(&start);
+  struct ending e = {.phase = ph, .p = p, .in = in};
+  num_vec_init(&e.t, 1, num_ctx_mpfr(prec + 32));
+  int status = num_mpfr.set_d(num_vec_at(&e.t, 0), t0, prec + 32);
+  if (!status) status = newton_rising(level, &e, prec + 32);
+  num_mpfr.set(t, num_vec_at(&e.t, 0));
+  num_vec_clear(&e.t);
   return status;
 }
 
-/* Interval Newton on balls of growing radius around mid: mid - f(mid)/f'(ball) inside the ball proves one root. */
-static int prove_event(arb_t t, struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE],
-                       const arb_t mid) {
+static int values(const void **f, const void **j, const struct num_vec *t, void *self) {
+  const struct ending *e = self;
   val z[N_STATE];
-  struct blocks b = flow_blocks(c, ph, p, mid);
-  flow_apply(z, c, &b, in);
-  val f = flow_switching(c, ph, p, z), rough = calc_div(c, f, flow_switching_rate(c, ph, p, z));
-  arb_t ball;
-  mag_t radius;
-  arb_init(ball);
-  mag_init(radius);
-  arb_get_mag(radius, rough);
-  mag_mul_2exp_si(radius, radius, 1);
-  bool proved = false;
-  for (int i = 0; i < 12 && !proved && !c->status; i++) {
-    arb_set(ball, mid);
-    mag_set(arb_radref(ball), radius);
-    b = flow_blocks(c, ph, p, ball);
-    flow_apply(z, c, &b, in);
-    val root = calc_sub(c, mid, calc_div(c, f, flow_switching_rate(c, ph, p, z)));
-    if (!c->status && arb_contains_interior(ball, root)) {
-      arb_set(t, root);
-      proved = true;
-    }
-    mag_mul_2exp_si(radius, radius, 2);
-  }
-  arb_clear(ball);
-  mag_clear(radius);
-  return proved ? SS_OK : SS_UNABLE;
+  calc_release(e->c, e->mark);
+  e->c->status = SS_OK;
+  struct blocks b = flow_blocks(e->c, e->phase, e->p, num_vec_at(t, 0));
+  flow_apply(z, e->c, &b, e->in);
+  if (f) f[0] = flow_switching(e->c, e->phase, e->p, z);
+  j[0] = flow_switching_rate(e->c, e->phase, e->p, z);
+  return e->c->status;
 }
 
-static int event_arb(arb_t t, slong prec, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-                     double t0) {
-  struct num_vec mid;
-  val all[N_PARAMS + N_STATE], p[N_PARAMS], z[N_STATE];
-  arb_t start;
-  int status = SS_OK;
-  num_vec_init(&mid, N_PARAMS + N_STATE + 1, num_ctx_mpfr(prec + 32));
+/* In balls: from the root of their middles, for every point of the parameters and of the state. */
+static int event_arb(arb_t t, slong prec, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], double t0) {
+  val middle_p[N_PARAMS], middle_in[N_STATE];
   struct calc c = calc_begin(num_ctx_arb(prec + 32));
-  arb_init(start);
-  flow_vals(all, params, 0, N_PARAMS);
-  flow_vals(all + N_PARAMS, in, 0, N_STATE);
-  for (slong i = 0; i < N_PARAMS + N_STATE; i++) status |= num_mpfr.set_arb(num_vec_at(&mid, i), all[i], prec + 32);
-  flow_vals(p, &mid, 0, N_PARAMS);
-  flow_vals(z, &mid, N_PARAMS, N_STATE);
-  void *root = num_vec_at(&mid, N_PARAMS + N_STATE);
-  if (!status) status = event_mpfr(root, prec, ph, p, z, t0);
-  num_mpfr.get_arb(start, root);
-  if (!status) status = prove_event(t, &c, ph, all, all + N_PARAMS, start);
-  if (!status) arb_set_round(t, t, prec);
-  arb_clear(start);
+  struct ending e = {&c, ph, middle_p, middle_in, calc_vec(&c, 1), 0};
+  const struct solve_system system = {1, values, &e};
+  for (int i = 0; i < N_PARAMS; i++) middle_p[i] = calc_middle(&c, p[i]);
+  for (int i = 0; i < N_STATE; i++) middle_in[i] = calc_middle(&c, in[i]);
+  e.mark = calc_mark(&c);
+  int status = num_arb.set_d(num_vec_at(&e.t, 0), t0, prec);
+  if (!status) status = newton_settle(&e.t, &system, MOST_STEPS);
+  e.p = p;
+  e.in = in;
+  if (!status) status = krawczyk_enclose(&e.t, NULL, &system);
+  if (!status) arb_set_round(t, num_vec_at(&e.t, 0), prec);
   calc_clear(&c);
-  num_vec_clear(&mid);
   return status;
 }
 
@@ -180,7 +165,7 @@ int dyn_event(void *t, enum phase ph, const struct num_vec *params, const struct
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
   if (ph != PHASE_D && type == &num_mpfr) return event_mpfr(t, params->ctx.prec, ph, p, z, t0);
-  if (ph != PHASE_D && type != &num_double) return event_arb(t, params->ctx.prec, ph, params, in, t0);
+  if (ph != PHASE_D && type != &num_double) return event_arb(t, params->ctx.prec, ph, p, z, t0);
   struct calc c = calc_begin(params->ctx);
   type->set(t, ph == PHASE_D ? event_stick(&c, p, z) : event_newton(&c, ph, p, z, &t0));
   calc_clear(&c);
