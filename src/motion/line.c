@@ -23,15 +23,6 @@ struct course {
   bool never;                               /* t_b belongs to no orbit */
 };
 
-/* The start of phase H from velocities v, the force w on z_1 and the pull chi eta r on z_2. */
-static void set_modes(struct course *o, int part, struct disk v1, struct disk v2, struct disk w, struct disk pull) {
-  const struct disk_params *g = &o->params;
-  for (int i = 0; i < 2; i++) {
-    o->a[part][i] = disk_dot(g->x[i], v1, g->y[i], v2);
-    o->b[part][i] = disk_mul(g->inverse[i], disk_dot(g->x[i], w, g->y[i], pull));
-  }
-}
-
 /* The rise is surely not at a record at t_b: no orbit has this e1 and t_b. */
 static bool overtaken(const struct disk_params *g, arb_srcptr tb) {
   struct strip p;
@@ -68,15 +59,15 @@ static bool course_init(struct course *o, const fmpq *params, int unknown, const
     v1 = disk_sub(v1, disk_mul(g->e1, sine));
     w = disk_add(w, disk_mul(g->e1, cosine));
     r = disk_sub(r, disk_mul(g->e1, versine));
-    set_modes(o, LINEAR, zero, zero, zero, g->eta);
+    disk_modes(o->a[LINEAR], o->b[LINEAR], g, zero, zero, zero, g->eta);
     o->c[LINEAR] = g->span; /* of e2 = 1 */
   } else {
     pull = g->pull;
     r = disk_add(r, g->span);
-    set_modes(o, LINEAR, disk_scale(sine, -1), zero, cosine, zero);
+    disk_modes(o->a[LINEAR], o->b[LINEAR], g, disk_scale(sine, -1), zero, cosine, zero);
     o->c[LINEAR] = disk_scale(versine, -1);
   }
-  set_modes(o, CONSTANT, v1, g->V, w, pull);
+  disk_modes(o->a[CONSTANT], o->b[CONSTANT], g, v1, g->V, w, pull);
   o->c[CONSTANT] = r;
   return fits;
 }

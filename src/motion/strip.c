@@ -101,6 +101,14 @@ void clock_turn(struct clock *to, const struct clock *c, const struct clock *ste
   *to = sum;
 }
 
+void disk_modes(struct disk a[2], struct disk b[2], const struct disk_params *s, struct disk v1, struct disk v2,
+                struct disk w, struct disk pull) {
+  for (int i = 0; i < 2; i++) {
+    a[i] = disk_dot(s->x[i], v1, s->y[i], v2);
+    b[i] = disk_mul(s->inverse[i], disk_dot(s->x[i], w, s->y[i], pull));
+  }
+}
+
 struct disk disk_less_turns(arb_srcptr t, double k) {
   arb_t x, turns;
   arb_init(x);
@@ -159,7 +167,7 @@ void strip_reach(struct strip *p, double reach) {
 }
 
 void strip_make(struct strip *p, const struct disk_params *s, double low, double high, double reach) {
-  struct disk sine, cosine, pull[2];
+  struct disk sine, cosine;
   p->s = s;
   p->angle = 0.5 * (low + high);
   p->half = disk_up(fmax(high - p->angle, p->angle - low));
@@ -172,11 +180,8 @@ void strip_make(struct strip *p, const struct disk_params *s, double low, double
   double move = disk_up(disk_mag(s->rho) * p->half);
   double climb = disk_up((disk_mag(p->pb) + move) * p->half);
   p->later = !disk_negative(disk_add(disk_sub(disk_widen(rise, climb), s->crest), s->turn));
-  struct disk speed = disk_add(disk_sub(s->V, s->a), p->u);
+  disk_modes(p->a, p->b, s, disk_add(disk_sub(s->V, s->a), p->u), s->V, p->w, s->pull);
   for (int i = 0; i < 2; i++) {
-    pull[i] = disk_mul(s->y[i], s->pull);
-    p->a[i] = disk_dot(s->x[i], speed, s->y[i], s->V);
-    p->b[i] = disk_mul(s->inverse[i], disk_add(disk_mul(s->x[i], p->w), pull[i]));
     p->da[i] = disk_scale(disk_mul(s->x[i], p->w), -1);
     p->db[i] = disk_mul(s->inverse[i], disk_mul(s->x[i], p->u));
   }

@@ -58,6 +58,10 @@ static inline struct disk_motion disk_motion_at(const struct disk_params *s, con
                               disk_dot(s->force2[0], f[0], s->force2[1], f[1])};
 }
 
+/* The modes a, b of the motion that starts with velocities v1, v2, the force w on z_1 and the pull chi eta r on z_2. */
+void disk_modes(struct disk a[2], struct disk b[2], const struct disk_params *s, struct disk v1, struct disk v2,
+                struct disk w, struct disk pull);
+
 /* t - 2 pi k */
 struct disk disk_less_turns(arb_srcptr t, double k);
 
