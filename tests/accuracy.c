@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "motion/event.h"
+
 enum { MOVE = 60 };
 
 /* |x - y| / |y| */
@@ -83,3 +85,12 @@ static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg
 }
 
 const struct method orbit_method = {N_PARAMS, N_DYN_OUT, orbit_at};
+
+int first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
+                  const struct dyn_limits *lim) {
+  struct calc c = calc_begin(num_ctx_mpfr(128));
+  const struct num_vec p = calc_vec_d(&c, params, N_PARAMS), z = calc_vec_d(&c, in, N_STATE);
+  int status = event_first(t, grazing, ph, &p, &z, lim);
+  calc_clear(&c);
+  return status;
+}

@@ -17,6 +17,10 @@ struct method {
 bool accuracy_of(double *error, double *condition, const struct method *m, const double *in, const double *got,
                  void *arg);
 
+/* event_first of the program from plain doubles, of whose positions the forces are formed at 128 bits. */
+int first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
+                  const struct dyn_limits *lim);
+
 /* An orbit: from five parameters the numbers of enum dyn_output; arg says near which times, and keeps what is proved of
    the orbit of the parameters themselves. */
 struct orbit_truth {

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "accuracy.h"
 #include "effort.h"
 #include "every.h"
 #include "explore/family.h"
@@ -229,7 +230,7 @@ START_TEST(first_event_is_a_root_and_the_first) {
   random_params(p, &r);
   for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
     random_state(z, &r);
-    int status = dyn_first_event_d(&t, &grazing, (enum phase)ph, p, z, NULL);
+    int status = first_event_d(&t, &grazing, (enum phase)ph, p, z, NULL);
     double start = switching_d((enum phase)ph, p, z, &rate), size = 20 * (fabs(start) + fabs(rate) + 1);
     if (start == 0) continue;
     double span = status ? 60 : t;
@@ -250,7 +251,7 @@ END_TEST
 /* Phase C with chi eta = 1, z_1' = 0 and r = 0: z_2' = z_2'(0) cos t. */
 static int cosine_event(double *t, bool *grazing, double amplitude) {
   const double p[N_PARAMS] = {0.5, 2, 1, 1, 1}, z[N_STATE] = {0.25, 0.25, 0, amplitude};
-  return dyn_first_event_d(t, grazing, PHASE_C, p, z, NULL);
+  return first_event_d(t, grazing, PHASE_C, p, z, NULL);
 }
 
 START_TEST(close_roots_grazing_and_none_are_told_apart) {
@@ -274,17 +275,17 @@ START_TEST(a_root_at_the_start_does_not_count) {
   /* Phase C: q = -r sin t from q = 0, both signs of r: the first positive root is pi. */
   for (int sign = -1; sign <= 1; sign += 2) {
     double z[N_STATE] = {0, sign, 1, 1};
-    ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_C, p, z, NULL), SS_OK);
+    ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_C, p, z, NULL), SS_OK);
     ck_assert(fabs(t - acos(-1.0)) < 1e-15 && !grazing);
   }
   /* Phase Gamma from chi r = e2 with both velocities V: r only grows, since e1, V > 0. */
   double z[N_STATE] = {0, 0, 1, 1};
   z[Z_1] = (p[P_E1] + p[P_E2]) / (1 - p[P_CHI]); /* w = e1, chi r = e2 */
   z[Z_2] = z[Z_1] + p[P_E2] / p[P_CHI];
-  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_GAMMA, p, z, NULL), SS_DOMAIN);
+  ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_GAMMA, p, z, NULL), SS_DOMAIN);
   /* Phase H from p = 0 with w < 0: p starts upwards and the first root is where it comes down again. */
   double y[N_STATE] = {-1, -1, 1, 1}, at[N_STATE], rate;
-  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_H, p, y, NULL), SS_OK);
+  ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_H, p, y, NULL), SS_OK);
   flow_d(at, PHASE_H, p, y, t);
   ck_assert(t > 0.1 && fabs(switching_d(PHASE_H, p, at, &rate)) < 1e-14 && rate < 0);
   flow_d(at, PHASE_H, p, y, 0.5 * t);
@@ -300,7 +301,7 @@ START_TEST(a_long_wait_ends_at_the_first_root) {
   bool grazing;
   flow_d(z, PHASE_H, p, crest, -wait);
   ck_assert(switching_d(PHASE_H, p, z, &rate) < 0);
-  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_H, p, z, NULL), SS_OK);
+  ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_H, p, z, NULL), SS_OK);
   for (int i = 1; sampled == 0 && i < 80000; i++) {
     flow_d(at, PHASE_H, p, z, wait * i / 80000);
     if (switching_d(PHASE_H, p, at, &rate) > 0) sampled = wait * i / 80000;
@@ -308,8 +309,8 @@ START_TEST(a_long_wait_ends_at_the_first_root) {
   if (sampled == 0) sampled = wait;
   ck_assert_msg(t <= sampled && t > sampled - 0.1 && t > 100, "found %.17g sampled %.17g", t, sampled);
   struct dyn_limits shorter = {0.5 * t, 100000}, fewer = {1000, 3};
-  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_H, p, z, &shorter), SS_UNABLE);
-  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_H, p, z, &fewer), SS_UNABLE);
+  ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_H, p, z, &shorter), SS_UNABLE);
+  ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_H, p, z, &fewer), SS_UNABLE);
 }
 END_TEST
 
@@ -369,13 +370,13 @@ START_TEST(stick_phase_ends_at_either_sign) {
   const double p[N_PARAMS] = {0.5, 2, 1, 1, 1};
   double z[N_STATE] = {0, 0, 1, 1}, t;
   bool grazing;
-  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
+  ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
   ck_assert(t == 2); /* w = t/2 reaches e1 = 1 */
   z[Z_1] = 3;
-  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
+  ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
   ck_assert(t == -4);
   z[DZ_1] = 0.5; /* w' = 0 */
-  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_DOMAIN);
+  ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_DOMAIN);
 }
 END_TEST
 
@@ -385,7 +386,7 @@ START_TEST(forces_are_not_lost_in_positions) {
   const double tiny = 0x1p-30, p[N_PARAMS] = {1 - tiny, 1, 1, tiny, 1}, z[N_STATE] = {1 + tiny, 1 + tiny, 1, 1};
   double t;
   bool grazing;
-  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
+  ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
   ck_assert_double_eq(t, -tiny);
 }
 END_TEST
@@ -397,7 +398,7 @@ START_TEST(refined_events_agree_and_are_proved) {
   random_params(pd, &r);
   for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
     random_state(zd, &r);
-    if (dyn_first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
+    if (first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
     struct num_ctx ctx[3] = {num_ctx_arb(400), num_ctx_mpfr(300), num_ctx_double()};
     double bound[3] = {ldexp(1, 30 - 400), ldexp(1, 2 - 300), 1e-10}; /* double: the root may be flat */
     struct num_vec t[3];
@@ -431,7 +432,7 @@ START_TEST(an_event_of_balls_holds_the_events_of_its_points) {
   for (int k = 1; k < 40; k++) {
     double radius = k * 0.02, zd[N_STATE] = {0.25, 0.25, 0, -2}, t0;
     bool grazing;
-    ck_assert_int_eq(dyn_first_event_d(&t0, &grazing, PHASE_C, pd, zd, NULL), SS_OK);
+    ck_assert_int_eq(first_event_d(&t0, &grazing, PHASE_C, pd, zd, NULL), SS_OK);
     struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_arb(64)), z = vec_of(zd, N_STATE, num_ctx_arb(64)), t;
     num_vec_init(&t, 1, num_ctx_arb(64));
     mag_set_d(arb_radref((arb_ptr)num_vec_at(&z, DZ_2)), radius);
@@ -474,7 +475,7 @@ START_TEST(local_jacobians_match_differences) {
   random_params(pd, &r);
   for (int ph = 0; ph < N_PHASES; ph++) {
     random_state(zd, &r);
-    if (dyn_first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
+    if (first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
     flow_d(zd, (enum phase)ph, pd, zd, 0);
     double at[N_STATE];
     flow_d(at, (enum phase)ph, pd, zd, t0);
@@ -510,7 +511,7 @@ START_TEST(a_pinned_velocity_is_not_displaced) {
   random_params(pd, &r);
   for (int ph = PHASE_H; ph < N_PHASES; ph++) {
     random_state(zd, &r);
-    if (dyn_first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
+    if (first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
     for (int k = 0; k < 3; k++) {
       struct num_ctx ctx = {types[k], 96};
       struct num_vec p = vec_of(pd, N_PARAMS, ctx), z = vec_of(zd, N_STATE, ctx), t = vec_of(&t0, 1, ctx), j;
@@ -641,7 +642,7 @@ START_TEST(what_is_not_wanted_may_be_null) {
   dyn_orbit_clear(&o);
   ck_assert_int_eq(dyn_orbit_warm(out, NULL, NULL, pd, guess), SS_OK);
   ck_assert_int_eq(dyn_return_map_d(&r, NULL, NULL, pd, -3, NULL), SS_OK);
-  ck_assert_int_eq(dyn_first_event_d(&t, NULL, PHASE_D, pd, start, NULL), SS_OK);
+  ck_assert_int_eq(first_event_d(&t, NULL, PHASE_D, pd, start, NULL), SS_OK);
   ck_assert_int_eq(dyn_return_jacobian_d(out, NULL, pd, start, NULL), SS_OK);
   const struct dyn_stretch stretch = {PHASE_D, start, t};
   ck_assert_int_eq(dyn_local_differences_d(out, NULL, pd, &stretch, along, 1), SS_OK);

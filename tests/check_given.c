@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "accuracy.h"
 #include "explore/family.h"
 #include "motion/given.h"
 #include "motion/margins.h"
@@ -174,7 +175,7 @@ static void check_orbit(const struct sample *s, const struct dyn_orbit *o, slong
     double zd[N_STATE], t;
     bool grazing;
     for (int i = 0; i < N_STATE; i++) zd[i] = mid(num_vec_at(&z, i));
-    ck_assert_int_eq(dyn_first_event_d(&t, &grazing, (enum phase)ph, pd, zd, NULL), SS_OK);
+    ck_assert_int_eq(first_event_d(&t, &grazing, (enum phase)ph, pd, zd, NULL), SS_OK);
     double want = mid(o->t[ph]);
     ck_assert_msg(fabs(t - want) < 1e-5 * (1 + fabs(want)), "%s %d %s: phase %d ends at %.12g, not %.12g", s->name,
                   s->index, pair, ph, t, want);

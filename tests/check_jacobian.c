@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "accuracy.h"
 #include "every.h"
 #include "paper_model.h"
 #include "route/jacobian.h"
@@ -198,7 +199,7 @@ START_TEST(cases_that_stated_too_little) {
                {PHASE_H, {0.09643, 19.57, 4.4283, 2.2775, 1.0656}, {-0.14831, -0.90453, 4.4283, 1.2185}}};
   double near;
   bool grazing;
-  ck_assert_int_eq(dyn_first_event_d(&near, &grazing, cases[_i].phase, cases[_i].params, cases[_i].z, NULL), SS_OK);
+  ck_assert_int_eq(first_event_d(&near, &grazing, cases[_i].phase, cases[_i].params, cases[_i].z, NULL), SS_OK);
   ck_assert(near > 0.02);
   double s = strain(cases[_i].phase, cases[_i].params, cases[_i].z, near);
   ck_assert_msg(s < 1, "%g of what is stated", s);
@@ -221,7 +222,7 @@ START_TEST(fd_double_keeps_its_word_on_random_phases) {
     for (int ph = PHASE_D; ph < N_PHASES; ph++) {
       bool grazing;
       if (ph == PHASE_D || ph == PHASE_C) z[DZ_1] = params[P_V];
-      if (dyn_first_event_d(&near, &grazing, (enum phase)ph, params, z, NULL) != SS_OK || grazing) continue;
+      if (first_event_d(&near, &grazing, (enum phase)ph, params, z, NULL) != SS_OK || grazing) continue;
       if (ph != PHASE_D && near < 1e-3) continue; /* starts on its own switching surface, or nearly */
       double s = strain((enum phase)ph, params, z, near);
       ck_assert_msg(s < 1, "set %d, phase %s: %g of what is stated", n, phase_name[ph], s);

@@ -78,14 +78,6 @@ struct dyn_limits {
 };
 extern const struct dyn_limits dyn_limits_default;
 
-/* The first positive root of the phase's switching function from the state in, in double precision: a march whose
-   steps are bounded by the second derivative, and when it gets long by envelopes in which one oscillation stays at its
-   crest, so that no root is stepped over; *grazing is set when the root found is double within rounding, or when a
-   touching that could not be told from a crossing lies before it.  PHASE_D: t of any sign.  Returns SS_OK, SS_DOMAIN
-   (proved by periodicity that there is none) or SS_UNABLE (none up to the limits, or up to a time at which the rounding
-   of t leaves nothing of an angle).  grazing and lim may be NULL. */
-int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
-                      const struct dyn_limits *lim);
 /* The root near t0, in the context of t: Newton in mpfr (working precision doubled up to prec); in balls an enclosure
    proved to hold exactly one root (Krawczyk's operator), SS_UNABLE when that fails. */
 int dyn_event(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, double t0);

@@ -62,15 +62,6 @@ int event_first(double *t, bool *grazing, enum phase ph, const struct num_vec *p
   return status;
 }
 
-int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
-                      const struct dyn_limits *lim) {
-  struct calc c = calc_begin(num_ctx_mpfr(128)); /* in which the forces of the positions are formed */
-  const struct num_vec p = calc_vec_d(&c, params, N_PARAMS), z = calc_vec_d(&c, in, N_STATE);
-  int status = event_first(t, grazing, ph, &p, &z, lim);
-  calc_clear(&c);
-  return status;
-}
-
 /* One Newton step from t for the state in: *step = -f/f'. */
 static val newton_step(struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val t) {
   val z[N_STATE];

@@ -3,7 +3,7 @@
 
    Every event is the first positive root of its switching function: t_b by the shape of the rise, t_c by polynomials
    whose error has a bound for all time, t_d by the circle that phase C turns on.  Where that is not plain - an event
-   that grazes, close roots, a very long phase - the parabolas of dyn_first_event_d decide, slower, and grazing says so.
+   that grazes, close roots, a very long phase - the parabolas of event_first decide, slower, and grazing says so.
 
    dyn_return_map forms its outputs once the events are known in twice the precision, or in balls, and rounds each once:
    about a microsecond more than dyn_return_map_d of dynamics.h, which gives what plain double precision does.
@@ -28,7 +28,7 @@ struct dyn_return {
   double t[N_PHASES]; /* by phase; that of D, of any sign, is the one of the next stick phase */
   double r_end;
   double slope;  /* d r_end / d r; infinite or meaningless where an event grazes */
-  bool grazing;  /* as dyn_first_event_d; the numbers are rough */
+  bool grazing;  /* as event_first; the numbers are rough */
   bool searched; /* the slow way was taken */
 };
 

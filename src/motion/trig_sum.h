@@ -25,7 +25,7 @@ struct trig_sum_root {
 enum { UNITS_OF_STEP = 10 }; /* of work (work.h): a step of the search for a root */
 /* value[0..2] = f, f', f'' at t. */
 void trig_sum_at(double value[3], const struct trig_sum *w, double t);
-/* The first positive root of w, with the statuses of dyn_first_event_d.  shift may be NULL when safe is not wanted.
+/* The first positive root of w, with the statuses of event_first.  shift may be NULL when safe is not wanted.
    When there is no root, safe and steps are still set. */
 int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, const struct trig_sum_shift *shift,
                         const struct dyn_limits *lim);
