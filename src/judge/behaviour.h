@@ -26,7 +26,6 @@ struct behaviour {
 /* --- Motions --- */
 
 enum motion_route { BY_INTEGRATION, BY_CLOSED_FORMS, N_MOTION_ROUTES };
-extern const char *const motion_route_name[N_MOTION_ROUTES]; /* "integration", "motion" */
 
 struct motion {
   double params[N_COULOMB], start[N_STATE];

@@ -10,7 +10,7 @@
 #include "value/coulomb_setup.h"
 #include "verdict.h"
 
-const char *const motion_route_name[N_MOTION_ROUTES] = {"integration", "motion"};
+static const char *const motion_route_name[N_MOTION_ROUTES] = {"integration", "motion"};
 
 static bool keep_event(void *self, const struct coulomb_event *e) {
   struct trajectory *t = self;

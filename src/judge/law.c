@@ -11,10 +11,10 @@
 #include "law.h"
 #include "motion/coulomb.h"
 
-const char *const branch_name[N_BRANCHES] = {"slips", "sticks", "breaks"};
+static const char *const branch_name[N_BRANCHES] = {"slips", "sticks", "breaks"}; /* attributes of the claim too */
 
 struct tally {
-  long as_said[2], against[2]; /* balls, integration */
+  struct answers said[2]; /* balls, integration; states of which neither is known are left out */
   const char *where;
 };
 
@@ -111,8 +111,7 @@ static void try_states(struct tally *n, const struct law *l) {
     for (int route = 0; route < (l->j->effort == EFFORT_REFUTE ? 1 : 2); route++) {
       double force = route ? simulated_force(&b, &s, l->mass) : law_force(&b, &s, l->mass);
       truth ok = isnan(force) ? TRUTH_UNKNOWN : text_agrees(l, &s, b, force, ldexp(1 + fabs(force), -44));
-      n->as_said[route] += ok == TRUTH_TRUE;
-      n->against[route] += ok == TRUTH_FALSE;
+      if (ok != TRUTH_UNKNOWN) n->said[route].of[ok]++;
       if (ok == TRUTH_FALSE && !n->where)
         n->where =
             result_str(l->j->out, "chi = %g, x_1 = %g, x_2 = %g, u_r%d = %g, u_s%d = %g, where the mass %s", s.chi,
@@ -280,13 +279,12 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
     try_states(&n, &l);
     bool proved = j->effort != EFFORT_REFUTE && prove_law(f, &l);
     for (int i = 0; i < 2; i++) {
-      long trials = n.as_said[i] + n.against[i];
-      w[i] = (struct route_result){route[i], outcome_of_counts(n.as_said[i], n.against[i], 0), i == 0, trials};
+      w[i] = (struct route_result){route[i], answers_outcome(&n.said[i]), i == 0, answers_given(&n.said[i])};
       finding_add_route(f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : n.where,
                         result_str(j->out,
                                    "at %ld of %ld states, at and beside the belt's velocity, one branch alone "
                                    "applies%s, and gives the friction of the law",
-                                   n.as_said[i], trials, l.headed ? ", under its heading" : ""));
+                                   n.said[i].of[TRUTH_TRUE], w[i].trials, l.headed ? ", under its heading" : ""));
     }
     f->verdict = verdict_of(w, 2, proved);
   }

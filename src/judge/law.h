@@ -12,7 +12,6 @@
 #include "proof/condition.h"
 
 enum branch { SLIPS, STICKS, BREAKS, N_BRANCHES };
-extern const char *const branch_name[N_BRANCHES]; /* "slips", "sticks", "breaks": attributes of the claim too */
 
 struct law {
   struct judge *j;

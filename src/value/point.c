@@ -43,7 +43,8 @@ bool point_of_model(const struct point *p) {
 }
 
 /* The values of the paper's own symbols. */
-static const char *print_own(struct text *out, const char *sep, const struct point *p) {
+static const char *print_own(struct text *out, const struct point *p) {
+  const char *sep = "";
   fmpq_t z;
   fmpq_init(z);
   for (size_t i = 0; p->paper && p->paper->n_own && i < p->paper->n_symbols; i++) {
@@ -117,7 +118,7 @@ const struct point_quantity *point_certified(size_t *i, const struct point *p, u
 }
 
 void point_print(struct text *out, const struct point *p) {
-  const char *sep = print_own(out, "", p);
+  const char *sep = print_own(out, p);
   if (!point_of_model(p)) return;
   bool of_scene = p->kind == POINT_ORBIT && p->scene;
   for (int k = KEY_CHI; of_scene && k <= KEY_TD; k++) {

@@ -233,8 +233,7 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
   else
     text_add(out, plural ? " hold" : " holds");
   size_t from = out->len;
-  bool apart =
-      both && title_has_items(t, "premises", TITLE_EQUATIONS) && title_has_items(t, "premises", TITLE_INEQUALITIES);
+  bool apart = both && title_has_premises(t, TITLE_EQUATIONS) && title_has_premises(t, TITLE_INEQUALITIES);
   with.items = apart ? TITLE_INEQUALITIES : TITLE_ALL;
   if (premises && !title_parts_write(out, &with, t, "premises")) return false;
   bool same = premises && out->len - from == length && strncmp(text_str(out), text_str(out) + from, length) == 0;

@@ -65,8 +65,8 @@ struct title_parts {
   bool several; /* phases: each formula says its own */
   enum title_items items;
 };
-/* Are there such items? */
-bool title_has_items(const struct title *t, const char *attribute, enum title_items items);
+/* Are there such premises? */
+bool title_has_premises(const struct title *t, enum title_items items);
 bool title_parts_scan(struct title_parts *p, const struct title *t, const char *attribute);
 bool title_parts_write(struct text *out, struct title_parts *p, const struct title *t, const char *attribute);
 /* Whether the first item's statement speaks of the time t. */

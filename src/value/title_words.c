@@ -382,10 +382,10 @@ static bool is_wanted(const struct part *p, enum title_items items) {
   return items == TITLE_ALL || is_equation(p) == (items == TITLE_EQUATIONS);
 }
 
-bool title_has_items(const struct title *t, const char *attribute, enum title_items items) {
+bool title_has_premises(const struct title *t, enum title_items items) {
   char item[64];
   bool found = false;
-  for (const char *at = claim_get(t->c, attribute); at && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
+  for (const char *at = claim_get(t->c, "premises"); at && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     struct part part = parse_part(t, item);
     found = found || (part_is_there(&part) && is_wanted(&part, items));
   }
