@@ -12,7 +12,7 @@
 
 #include "report/escape.h"
 #include "report/formula.h"
-#include "report/html.h"
+#include "report/sheet.h"
 #include "report/report.h"
 #include "scratch.h"
 #include "suites.h"

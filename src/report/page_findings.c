@@ -8,7 +8,6 @@
 #include "escape.h"
 #include "finding.h"
 #include "formula.h"
-#include "html.h"
 #include "sections.h"
 
 /* --- Rows of a description --- */
@@ -112,7 +111,7 @@ static void add_fault(const struct page *p, const struct finding *f) {
   if (f->condition)
     page_add(p, "%s%scondition: %t", told ? "" : "; ", f->verdict == VERDICT_CONDITIONAL ? "proved under the " : "",
              f->condition);
-  html_stop(p->out);
+  sheet_stop(HTML(p->out));
   add_restrictions(p, f);
   end_row(p);
 }
@@ -270,7 +269,7 @@ static void add_labelled(const struct page *p, const char *word, const char *tex
 /* What is wrong, the right numbers where it is numbers, what should stand there, what comes of it, how to see it. */
 static void add_words(const struct page *p, const struct root_cause *root) {
   page_add(p, "%t%. <em>It should read:</em> ", root->wrong);
-  sheet_values(&(struct sheet){p->out, DIALECT_HTML}, p->r, root);
+  sheet_values(HTML(p->out), p->r, root);
   page_add(p, "%t%.", root->correct);
   if (root->severity != SEVERITY_NOTATION) add_labelled(p, "Consequence", root->consequence);
   add_labelled(p, "To see it", root->by_hand);

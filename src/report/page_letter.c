@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "finding.h"
-#include "html.h"
 #include "picture.h"
 #include "sections.h"
 
@@ -42,7 +41,7 @@ static const struct example_reading *best_reading(const struct page *p) {
 
 static void add_reading(const struct page *p, const struct example_reading *e) {
   text_add(p->out, "<p><strong>If ");
-  sheet_list(&(struct sheet){p->out, DIALECT_HTML}, e->inputs, e->n_inputs);
+  sheet_list(HTML(p->out), e->inputs, e->n_inputs);
   text_add(p->out, " are taken as exact");
   for (int i = 0; i < e->n_dropped; i++)
     page_add(p, "%s%p, whose sides then differ by %p", i ? ", and " : " and one equation is left out, ",
@@ -221,7 +220,7 @@ static void add_multiplier(const struct page *p, const struct finding *f) {
     if (!e->note || !e->worst || strncmp(e->worst, meant, sizeof meant - 1) != 0) continue;
     page_add(p, "%sAt the periodic solution nearest to the printed numbers <a href=\"#c-%a\">",
              p->r->data ? "" : "The paper does not apply its criterion to the example. ", f->id);
-    html_prose_n(p->out, e->note, strcspn(e->note, ";"));
+    sheet_prose_n(HTML(p->out), e->note, strcspn(e->note, ";"));
     text_add(p->out, "</a>. ");
     return;
   }
@@ -237,7 +236,7 @@ static void add_later(const struct page *p, const struct finding *f) {
            "letters of "
            "the phases' matrices (G for \xce\x93), <a href=\"#c-%a\">",
            f->id);
-  html_prose_n(p->out, end, strcspn(end, ";"));
+  sheet_prose_n(HTML(p->out), end, strcspn(end, ";"));
   text_add(p->out, "</a>.");
 }
 

@@ -4,7 +4,6 @@
 
 #include "escape.h"
 #include "finding.h"
-#include "html.h"
 #include "page.h"
 
 void page_claim(const struct page *p, const char *id) {
@@ -29,9 +28,9 @@ static void add_statement(const struct page *p, const char *note) {
     html_text(p->out, note, NULL);
     return;
   }
-  html_prose_n(p->out, note, (size_t)(colon + 2 - note));
+  sheet_prose_n(HTML(p->out), note, (size_t)(colon + 2 - note));
   text_add(p->out, "<strong>");
-  html_prose_n(p->out, colon + 2, (size_t)(end - colon - 2));
+  sheet_prose_n(HTML(p->out), colon + 2, (size_t)(end - colon - 2));
   text_add(p->out, "</strong>");
   html_text(p->out, end, NULL);
 }
@@ -44,7 +43,7 @@ void page_statements(const struct page *p, const struct finding *f) {
     page_add(p, "%s<li>%t%s", last ? "" : "<ul>\n", e->worst, e->worst ? ": " : NULL);
     last = e->note;
     add_statement(p, e->note);
-    html_stop(p->out);
+    sheet_stop(HTML(p->out));
     text_add(p->out, "</li>\n");
   }
   if (last) text_add(p->out, "</ul>\n");

@@ -5,7 +5,7 @@
 #include "plot.h"
 
 struct picture {
-  const char *id, *table, *title; /* the SVG's file is id.svg; text with mathematics as html_text has it */
+  const char *id, *table, *title; /* the SVG's file is id.svg; text with mathematics as sheet_text has it */
   /* For who sees it: what follows, $...$ being mathematics; NULL for a picture that does not stand in the page. */
   void (*say)(struct text *out, const struct rows *t);
   void (*tell)(struct text *out, const struct rows *t); /* for who does not: what is there; plain text */

@@ -2,7 +2,7 @@
    text. In src/report a writer for each file that a run leaves (audit_json.c, audit_markdown.c, errata.c, csv.c,
    junit.c, dot.c; page.c with its sections, page_*.c, its style sheets and script, *.css and *.js, for index.html;
    picture*.c for the SVG files) stands on what they share: questions to the record (finding.h, graph.h), formulas
-   (formula.h), text as each format shows it (escape.h, html.h, sheet.h), and JSON by one table for writer and reader
+   (formula.h), text as each format shows it (escape.h, sheet.h), and JSON by one table for writer and reader
    (audit_shape.h). */
 #ifndef STICKSLIP_REPORT_REPORT_H
 #define STICKSLIP_REPORT_REPORT_H

@@ -20,7 +20,8 @@ struct sheet {
 #define sheet_add(sheet, words, ...)                                                                                   \
   sheet_add_texts(sheet, words, (const char *const[]){__VA_ARGS__},                                                    \
                   sizeof((const char *const[]){__VA_ARGS__}) / sizeof(const char *))
-#define html_add(out, ...) sheet_add((&(struct sheet){out, DIALECT_HTML}), __VA_ARGS__)
+#define HTML(out)          (&(struct sheet){out, DIALECT_HTML})
+#define html_add(out, ...) sheet_add(HTML(out), __VA_ARGS__)
 void sheet_add_texts(const struct sheet *s, const char *words, const char *const *text, size_t n);
 
 /* Text in which $...$ is mathematics; everything else is escaped, so that it shows as it is.  Mathematics that the
@@ -29,6 +30,12 @@ void sheet_text(const struct sheet *s, const char *text);
 /* The same where names and products outside dollar signs are those of a sentence of the program: z_10, e1, chi and
    V*t_a are typeset.  In HTML sheet_text does so too, and here a dollar sign is one. */
 void sheet_prose(const struct sheet *s, const char *text);
+void sheet_prose_n(const struct sheet *s, const char *text, size_t len);
+/* Escaped, so that it shows as it is. */
+void sheet_plain(const struct sheet *s, const char *text, size_t len);
+/* A text and a formula in HTML with marks in what has changed, as in formula_mathml; NULL for none. */
+void html_text(struct text *out, const char *text, const bool *changed);
+void html_math(struct text *out, const char *tex, const bool *changed);
 /* The right values of the root's printed numbers, as a sentence; nothing where it has none. */
 void sheet_values(const struct sheet *s, const struct audit_result *r, const struct root_cause *root);
 /* "a, b and c", each as sheet_prose has it. */
