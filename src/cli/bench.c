@@ -174,9 +174,8 @@ static bool deliver(const struct bench_result *r, const struct options *o, struc
     bench_job_markdown(&body, &r->table[i], false);
   }
   for (int i = 0; i < r->n_pages && !option(o, OPT_JSON); i++) bench_study_markdown(&body, &r->page[i], false);
-  fputs(text_str(&body), stdout);
+  print_text(&body);
   if (folder) say_written(o, folder);
-  text_clear(&body);
   return true;
 }
 

@@ -175,12 +175,8 @@ static int show(const struct scene *s, const struct range *a, const struct optio
   int found = dyn_bifurcations_find(&list, &line, digits, STARTS);
   if (found != SS_OK || list.missed) warn_missed(s);
   struct text out = {0};
-  if (option(o, OPT_JSON))
-    all_json(&out, &list, s, a, digits);
-  else
-    all_text(&out, &list, s, a, digits);
+  (option(o, OPT_JSON) ? all_json : all_text)(&out, &list, s, a, digits);
   print_found(o, &out);
-  text_clear(&out);
   dyn_bifurcations_clear(&list);
   return EXIT_AS_RECORDED;
 }

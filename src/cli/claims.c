@@ -23,8 +23,7 @@ static int list_scenes(const char *data) {
       status = bad_input(&d);
     scene_clear(&s);
   }
-  terminal_print(text_str(&out));
-  text_clear(&out);
+  terminal_print(&out);
   free(name);
   arena_clear(&a);
   return status;
@@ -61,7 +60,7 @@ int run_list(const struct options *o, const char *data, struct diag *d) {
   bool ok = load_model(&m, data, o, d) && claims_load(&c, data, "claims", "claim", d);
   struct text out = {0};
   for (size_t i = 0; ok && i < c.n; i++) ok = list_claim(&out, &m, &c.claim[i], d);
-  if (ok) terminal_print(text_str(&out));
+  if (ok) terminal_print(&out);
   text_clear(&out);
   claims_clear(&c);
   model_clear(&m);

@@ -144,13 +144,14 @@ bool progress_wanted(void);
 void progress_show(size_t done, size_t of, double share);
 void progress_count(size_t done, size_t of);
 void progress_end(void);
-/* Prints lines, with those that are wider than the terminal broken at blanks; as they are where there is no
-   terminal. */
-void terminal_print(const char *s);
-/* The same with the marks of audit_explain as colours, where the terminal has them. */
+/* Prints the text, and clears it. */
+void print_text(struct text *t);
+/* The same, with lines that are wider than the terminal broken at blanks; as they are where there is no terminal. */
+void terminal_print(struct text *t);
+/* Lines with the marks of audit_explain as colours, where the terminal has them. */
 void terminal_print_marked(const char *s);
-/* What a command has found: lines as terminal_print has them, or JSON as it is. */
-void print_found(const struct options *o, const struct text *found);
+/* What a command has found, which is cleared: lines as terminal_print has them, or JSON as it is. */
+void print_found(const struct options *o, struct text *found);
 enum paint { PAINT_NONE, PAINT_GOOD, PAINT_BAD, PAINT_DOUBT, PAINT_HEAD };
 /* The word at the right end of so many columns, with a negative width at the left. */
 void paint(struct text *out, bool colours, enum paint p, const char *word, int width);

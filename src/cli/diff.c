@@ -212,8 +212,7 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
   json_end_array(&j);
   json_bool(&j, "changed", l.any);
   json_end_object(&j);
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
+  print_text(&out);
   return l.any;
 }
 

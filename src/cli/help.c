@@ -100,9 +100,8 @@ void help_page(const struct command *c) {
   add_options(&out, c);
   text_printf(&out, "\nexamples:\n  %s\n  %s\n", c->example[0], c->example[1]);
   add_statuses(&out);
-  terminal_print(text_str(&out));
+  terminal_print(&out);
   text_clear(&about);
-  text_clear(&out);
 }
 
 static void overview(void) {
@@ -114,9 +113,8 @@ static void overview(void) {
   for (int i = 0; i < N_STATUSES; i++)
     text_printf(&line, "%s %d %s", i ? ";" : "", statuses[i].number, statuses[i].brief);
   add_paragraph(&out, strlen("exit status: "), "exit status:%s", text_str(&line));
-  terminal_print(text_str(&out));
+  terminal_print(&out);
   text_clear(&line);
-  text_clear(&out);
 }
 
 /* Each row is one of: COMMAND usage OPERANDS PURPOSE, COMMAND text - PARAGRAPH, COMMAND example - LINE, COMMAND

@@ -81,9 +81,8 @@ static void print_jacobian(arb_srcptr x, const struct jacobian_request *q, const
     text_printf(&out, ", method %s, layer %s\n", method_name[q->method], layer);
     jacobian_text(&out, e, x, q);
   }
-  fputs(text_str(&out), stdout);
+  print_text(&out);
   for (int i = 0; i < N_NUMBERS; i++) text_clear(&e[i]);
-  text_clear(&out);
 }
 
 /* Whether an entry or the trace would be printed as 0 though all that is known is that it is not large. */

@@ -199,12 +199,8 @@ static bool write_certificate(const char *path, const struct scene *s, const str
 
 static void print_orbits(const struct options *o, const struct solved *z, const struct scene *s, slong digits) {
   struct text out = {0};
-  if (option(o, OPT_JSON))
-    orbits_json(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
-  else
-    orbits_text(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
+  (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
   print_found(o, &out);
-  text_clear(&out);
 }
 
 static int show_orbits(const struct options *o, const struct scene *s, slong digits, struct diag *d) {

@@ -226,12 +226,8 @@ int show_box(const struct options *o, const struct scene *s, slong digits) {
     fprintf(stderr, "%s: warning: the search at the middle of the box ran into its limits; there may be more orbits\n",
             s->path);
   struct text out = {0};
-  if (option(o, OPT_JSON))
-    box_json(&out, &box, s, digits);
-  else
-    box_text(&out, &box, s, digits);
+  (option(o, OPT_JSON) ? box_json : box_text)(&out, &box, s, digits);
   print_found(o, &out);
-  text_clear(&out);
   dyn_box_clear(&box);
   return EXIT_AS_RECORDED;
 }

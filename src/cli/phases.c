@@ -312,7 +312,6 @@ void show_phases(const struct options *o, const struct model *m, const struct sc
     phases_text(&out, &p, s, q);
     if (c >= 0) eigenvalues_text(&out, "of J ", p.matrix[MATRIX_J].entry[c], q->digits);
   }
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
+  print_text(&out);
   jacobian_phases_clear(&p);
 }

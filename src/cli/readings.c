@@ -22,7 +22,7 @@ int run_readings(const struct options *o, const char *data, struct diag *d) {
     report_readings_json(&out, &r);
   else if (ok)
     report_readings_markdown(&out, r.readings);
-  if (ok) fputs(text_str(&out), stdout);
+  if (ok) print_text(&out);
   text_clear(&out);
   audit_result_clear(&r);
   scene_clear(&s);

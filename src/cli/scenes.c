@@ -50,6 +50,5 @@ int list_scene_keys(const struct options *o) {
   struct text out = {0};
   (option(o, OPT_JSON) ? keys_json : keys_text)(&out);
   print_found(o, &out);
-  text_clear(&out);
   return EXIT_AS_RECORDED;
 }

@@ -33,8 +33,7 @@ void csv_line(int n, const struct mech_moment *at) {
     mech_csv_row(&line, n, at);
   else
     mech_csv_heading(&line, n);
-  fputs(text_str(&line), stdout);
-  text_clear(&line);
+  print_text(&line);
 }
 
 void routes_line(long shared, long events, double worst) {
@@ -71,8 +70,7 @@ void simulated_json(const struct simulated *run, const char *ended) {
   json_long(&j, "shared", shared);
   mech_double_json(&j, "apart", apart);
   json_end_object(&j);
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
+  print_text(&out);
 }
 
 int ended_early(const char *why, const char *route, double t) {
@@ -149,8 +147,7 @@ static void print_heading(const struct simulation *run, const struct scene *s) {
     text_printf(&out, "%s is not admissible: it breaks a condition of Coulomb's law, and the motion is another\n",
                 run->from);
   mech_table_heading(&out, 2, false);
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
+  print_text(&out);
 }
 
 /* A line of the table, of an event that the log keeps. */
@@ -162,8 +159,7 @@ static bool print_event(void *self, const struct coulomb_event *e) {
   at.phase[e->mass] = letter_of[e->to];
   mech_table_line(&out, 2, false, &at, letter_of[e->from]);
   text_add(&out, e->grazing ? "  grazing\n" : "\n");
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
+  print_text(&out);
   return keep.event(keep.self, e) && !ferror(stdout);
 }
 

@@ -119,8 +119,7 @@ static void print_start(const struct system_simulation *run, const struct mech_m
 static void print_names(const struct mech *m) {
   struct text out = {0};
   mech_names_print(&out, m);
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
+  print_text(&out);
 }
 
 /* What becomes of it. */
@@ -148,8 +147,7 @@ static void print_events(const struct mech_motion *x, int n) {
     mech_table_line(&out, n, true, at, at[-1].phase[at->mass]);
     text_add_char(&out, '\n');
   }
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
+  print_text(&out);
 }
 
 static int print_motion(struct system_simulation *run, const struct scene *s, const struct options *o, struct diag *d) {

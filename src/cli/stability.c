@@ -119,7 +119,7 @@ static void study(const struct model *m, const struct stability_options *q, cons
 static void show_point(const struct model *m, const struct stability_options *q, const char *at, struct diag *d) {
   struct text body = {0};
   bool ok = audit_stability_at(&body, m, q, at, d);
-  if (ok) fputs(text_str(&body), stdout);
+  if (ok) print_text(&body);
   text_clear(&body);
 }
 

@@ -23,8 +23,7 @@ int run_system(const struct options *o, const char *data, struct diag *d) {
   if (ok) {
     struct text out = {0};
     mech_describe(&out, &m, option(o, OPT_TEX), MODE_DIGITS);
-    fputs(text_str(&out), stdout);
-    text_clear(&out);
+    print_text(&out);
   }
   mech_clear(&m);
   return EXIT_AS_RECORDED;
@@ -534,7 +533,6 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
     else
       words_text(&out, &v, s, digits);
     print_found(o, &out);
-    text_clear(&out);
     mech_settling_clear(&v.settling);
   }
   mech_orbits_clear(&v.orbits);

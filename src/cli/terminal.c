@@ -107,18 +107,20 @@ static void fit_terminal(struct text *out, const char *s) {
   }
 }
 
-void terminal_print(const char *s) {
-  struct text out = {0};
-  fit_terminal(&out, s);
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
+void print_text(struct text *t) {
+  fputs(text_str(t), stdout);
+  text_clear(t);
 }
 
-void print_found(const struct options *o, const struct text *found) {
-  if (option(o, OPT_JSON))
-    fputs(text_str(found), stdout);
-  else
-    terminal_print(text_str(found));
+void terminal_print(struct text *t) {
+  struct text out = {0};
+  fit_terminal(&out, text_str(t));
+  print_text(&out);
+  text_clear(t);
+}
+
+void print_found(const struct options *o, struct text *found) {
+  (option(o, OPT_JSON) ? print_text : terminal_print)(found);
 }
 
 void terminal_print_marked(const char *s) {
@@ -141,9 +143,8 @@ void terminal_print_marked(const char *s) {
     paint(&out, colours, painted[(int)*p], text_str(&word), 0);
     p += 1 + len + (p[1 + len] == EXPLAIN_END);
   }
-  fputs(text_str(&out), stdout);
+  print_text(&out);
   text_clear(&word);
-  text_clear(&out);
   text_clear(&fitted);
 }
 

@@ -137,8 +137,7 @@ void verify_tables(const struct audit_result *r, bool proofs) {
   text_add(&out, out.len ? "\n" : "");
   if (r->n_findings) add_sections(&out, r, colours);
   text_add_char(&out, '\n');
-  fputs(text_str(&out), stdout);
-  text_clear(&out);
+  print_text(&out);
 }
 
 void verify_line(const struct audit_result *r) {

@@ -273,7 +273,6 @@ static void show_survey(struct survey *v, const struct options *o) {
   text_clear(&v->needs.words);
   text_clear(&v->unclosed.words);
   text_clear(&v->rows);
-  text_clear(&out);
 }
 
 int run_words(const struct options *o, const char *data, struct diag *d) {
