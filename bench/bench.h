@@ -64,7 +64,7 @@ struct bench_method {
 struct bench_job {
   const char *id, *title;
   const char *inputs, *outputs; /* in words */
-  int n_in, n_out, n_given, n_hint;
+  int n_in, n_out, n_given;
   int n_cases, n_quick;
   double worst_condition; /* inputs with a larger condition number are not taken */
   const int *group;       /* of each output: outputs of one group have one scale, their largest magnitude */

@@ -79,29 +79,7 @@ static int run_phase(double *t, void *self, double y[N_Y], long *steps) {
   return end == CV_ROOT_RETURN ? SS_OK : SS_UNABLE;
 }
 
-int bench_cvode_map(double out[N_MAP], long *steps, void *self, const double *x) {
-  return bench_motion_pass(out, steps, self, x, run_phase);
-}
-#else
-const char *bench_cvode_version(void) {
-  return "not installed";
-}
-
-void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env) {
-  (void)m, (void)tolerance, (void)env;
-  return NULL;
-}
-
-void bench_cvode_close(void *self) {
-  (void)self;
-}
-
-void bench_cvode_limits(void *self, const struct bench_limits *limits) {
-  (void)self, (void)limits;
-}
-
-int bench_cvode_map(double out[N_MAP], long *steps, void *self, const double *x) {
-  (void)out, (void)steps, (void)self, (void)x;
-  return SS_UNABLE;
+int bench_cvode_run(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  return bench_motion_pass(out, steps, self, c->x, run_phase);
 }
 #endif

@@ -96,16 +96,6 @@ static int run_yardstick(void *self, struct num_vec *out, long *steps, const str
   return *steps > 0 ? SS_OK : SS_UNABLE;
 }
 
-/* --- GSL's integrators. --- */
-
-static int run_ode(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  return bench_ode_map((double *)(void *)out->data, steps, self, c->x);
-}
-
-static int run_cvode(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  return bench_cvode_map((double *)(void *)out->data, steps, self, c->x);
-}
-
 /* --- The table. --- */
 
 static const double tolerances[] = {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13};
@@ -116,7 +106,7 @@ static const double few_tolerances[] = {1e-6, 1e-8, 1e-10, 1e-13};
 #define ODE(name)                                                                                                      \
   {                                                                                                                    \
     "gsl-" #name, "GSL's " #name ", event located by Newton's iteration on the length of a step", TOLERANCES,          \
-        .data = #name, .open = bench_ode_open, .close = bench_ode_close, .run = run_ode                                \
+        .data = #name, .open = bench_ode_open, .close = bench_ode_close, .run = bench_ode_run                          \
   }
 
 static const struct bench_method methods[] = {
@@ -124,12 +114,10 @@ static const struct bench_method methods[] = {
      .bare = true, .run = run_yardstick},
     {"closed-double", "the suite's return map in double, first roots searched", .type = &num_double,
      .run = run_return_map},
-    {"arc-double", "the suite's arc over any number type, in double", .type = &num_double, .open = bench_arc_open,
-     .close = bench_arc_close, .run = run_word},
+    {"arc-double", "the suite's arc over any number type, in double", .type = &num_double, ARC(run_word)},
     {"closed-mpfr", "the suite's arc in MPFR, first roots searched in double", .type = &num_mpfr, BITS(7, 4),
-     .open = bench_arc_open, .close = bench_arc_close, .run = run_word},
-    {"closed-arb", "the suite's arc in balls", .type = &num_arb, BITS(7, 4), .open = bench_arc_open,
-     .close = bench_arc_close, .run = run_word},
+     ARC(run_word)},
+    {"closed-arb", "the suite's arc in balls", .type = &num_arb, BITS(7, 4), ARC(run_word)},
     ODE(rk8pd),
     ODE(rkck),
     ODE(rkf45),
@@ -137,9 +125,9 @@ static const struct bench_method methods[] = {
     ODE(bsimp),
     ODE(msbdf),
     {"cvode-adams", "SUNDIALS' CVODE, Adams formulas, with its rootfinding", TOLERANCES, .data = "adams",
-     .absent = !HAS_CVODE, .open = bench_cvode_open, .close = bench_cvode_close, .run = run_cvode},
+     .absent = !HAS_CVODE, .open = bench_cvode_open, .close = bench_cvode_close, .run = bench_cvode_run},
     {"cvode-bdf", "SUNDIALS' CVODE, BDF formulas, with its rootfinding", TOLERANCES, .data = "bdf",
-     .absent = !HAS_CVODE, .open = bench_cvode_open, .close = bench_cvode_close, .run = run_cvode},
+     .absent = !HAS_CVODE, .open = bench_cvode_open, .close = bench_cvode_close, .run = bench_cvode_run},
 };
 
 const struct bench_job bench_map = {
@@ -149,7 +137,6 @@ const struct bench_job bench_map = {
     .outputs = "t_b, t_c, t_d and r at the end of the stick-slip phase; errors relative",
     .n_in = N_MAP_IN,
     .n_out = N_MAP_OUT,
-    .n_hint = 3,
     .n_cases = 64,
     .n_quick = 16,
     .worst_condition = 1e3,

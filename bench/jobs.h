@@ -32,6 +32,8 @@ int bench_formula_run(void *self, struct num_vec *out, const double *value);
 extern const double bench_precisions[7];
 #define BITS(most, few)                                                                                                \
   .kind = SET_BITS, .settings = bench_precisions, .n = (most), .quick = bench_precisions, .n_quick = (few)
+/* A method with an arc of its own for all calls. */
+#define ARC(call) .open = bench_arc_open, .close = bench_arc_close, .run = (call)
 /* A time a 64th off: of itself, or of the unit of time when it is long. */
 double bench_hint(double t);
 /* chi, eta, V, e1, e2 from five numbers in (0, 1): a domain in which arcs and orbits are common. */
@@ -103,7 +105,7 @@ enum { MAP_R = 3, N_MAP };
 /* Goes through the phases; run, whose self begins with the motion, takes y to the event of the phase and returns a
    status. */
 typedef int (*bench_phase_run)(double *t, void *self, double y[N_Y], long *steps);
-int bench_motion_pass(double out[N_MAP], long *steps, void *self, const double *x, bench_phase_run run);
+int bench_motion_pass(struct num_vec *out, long *steps, void *self, const double *x, bench_phase_run run);
 
 /* --- lanes.c: a sweep by the scalar solver and in lanes. --- */
 
@@ -120,20 +122,25 @@ void bench_lanes(struct bench_lanes *b, bool quick);
 
 #ifdef STICKSLIP_SUNDIALS
 enum { HAS_CVODE = 1 };
-#else
-enum { HAS_CVODE = 0 }; /* then it cannot be opened, and its version is "not installed" */
-#endif
 const char *bench_cvode_version(void);
 void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_cvode_close(void *self);
 void bench_cvode_limits(void *self, const struct bench_limits *limits);
-int bench_cvode_map(double out[N_MAP], long *steps, void *self, const double *x);
+int bench_cvode_run(void *self, struct num_vec *out, long *steps, const struct bench_case *c);
+#else /* its methods are absent */
+enum { HAS_CVODE = 0 };
+#define bench_cvode_version() "not installed"
+#define bench_cvode_open      NULL
+#define bench_cvode_close     NULL
+#define bench_cvode_limits    NULL
+#define bench_cvode_run       NULL
+#endif
 
 /* --- ode.c: GSL's integrators; the method's data is the name. --- */
 
 void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_ode_close(void *self);
 void bench_ode_limits(void *self, const struct bench_limits *limits);
-int bench_ode_map(double out[N_MAP], long *steps, void *self, const double *x);
+int bench_ode_run(void *self, struct num_vec *out, long *steps, const struct bench_case *c);
 
 #endif

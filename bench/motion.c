@@ -56,8 +56,9 @@ double bench_motion_switch(double *rate, const struct bench_motion *m, const dou
   }
 }
 
-int bench_motion_pass(double out[N_MAP], long *steps, void *self, const double *x, bench_phase_run run) {
+int bench_motion_pass(struct num_vec *to, long *steps, void *self, const double *x, bench_phase_run run) {
   struct bench_motion *m = self;
+  double *out = (double *)(void *)to->data;
   double y[N_Y] = {x[P_E1], x[N_PARAMS], x[P_V], x[P_V]};
   bench_motion_init(m, x);
   *steps = 0;

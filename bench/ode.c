@@ -163,11 +163,11 @@ static int run_phase(double *t_event, void *self, double y[N_Y], long *steps) {
   return SS_UNABLE;
 }
 
-int bench_ode_map(double out[N_MAP], long *steps, void *self, const double *x) {
+int bench_ode_run(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   struct ode *o = self;
   gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
   o->hint = 0.01;
-  int status = bench_motion_pass(out, steps, o, x, run_phase);
+  int status = bench_motion_pass(out, steps, o, c->x, run_phase);
   gsl_set_error_handler(old);
   return status;
 }

@@ -9,6 +9,7 @@
 
 #include "base/arena.h"
 #include "report/plot.h"
+#include "report/sheet.h"
 
 bool study_run(struct study_page *page, const struct study *study, const struct bench_env *env, bool quick) {
   *page = (struct study_page){.study = study, .quick = quick};
@@ -56,21 +57,16 @@ void study_row(struct study_table *t) {
   t->open = false;
 }
 
-static void markdown_line(struct text *out, const char *const *cell, size_t n) {
-  text_add(out, "|");
-  for (size_t i = 0; i < n; i++) text_printf(out, " %s |", cell[i]);
-  text_add(out, "\n");
-}
-
 static void markdown_table(struct text *out, const struct study_table *table) {
   struct rows t;
   rows_parse(&t, text_str(&table->tsv));
   text_printf(out, "\n### %s\n\n%s\n\n", table->title, table->note);
-  markdown_line(out, t.heading, t.columns);
-  text_add(out, "|");
-  for (size_t i = 0; i < t.columns; i++) text_add(out, i == 0 ? " --- |" : " ---: |");
-  text_add(out, "\n");
-  for (size_t i = 0; i < t.n; i++) markdown_line(out, t.cell[i], t.columns);
+  markdown_head_of(out, t.heading[0], t.heading + 1, (int)t.columns - 1);
+  for (size_t i = 0; i < t.n; i++) {
+    text_add(out, "|");
+    for (size_t c = 0; c < t.columns; c++) text_printf(out, " %s |", t.cell[i][c]);
+    text_add(out, "\n");
+  }
   rows_clear(&t);
 }
 

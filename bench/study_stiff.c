@@ -105,11 +105,11 @@ static void find_scene(struct scene_at *s, int decade) {
 struct integrator {
   void *(*open)(const struct bench_method *m, double tolerance, const struct bench_env *env);
   void (*limits)(void *self, const struct bench_limits *limits);
-  int (*map)(double out[N_MAP], long *steps, void *self, const double *x);
+  int (*run)(void *self, struct num_vec *out, long *steps, const struct bench_case *c);
   void (*close)(void *self);
 };
-static const struct integrator gsl = {bench_ode_open, bench_ode_limits, bench_ode_map, bench_ode_close};
-static const struct integrator cvode = {bench_cvode_open, bench_cvode_limits, bench_cvode_map, bench_cvode_close};
+static const struct integrator gsl = {bench_ode_open, bench_ode_limits, bench_ode_run, bench_ode_close};
+static const struct integrator cvode = {bench_cvode_open, bench_cvode_limits, bench_cvode_run, bench_cvode_close};
 
 struct method {
   const char *id;
@@ -132,7 +132,8 @@ struct outcome {
 
 static int run_once(double out[N_OUT], long *steps, const struct method *m, void *self, const struct scene_at *s) {
   double t[N_PHASES];
-  if (m->by) return m->by->map(out, steps, self, s->p);
+  struct num_vec to = {num_ctx_double(), N_OUT, (char *)out};
+  if (m->by) return m->by->run(self, &to, steps, &(struct bench_case){.x = s->p});
   *steps = 1;
   int status = dyn_return_map_d(&out[R_END], NULL, t, s->p, s->p[N_PARAMS], NULL);
   for (int k = 0; k < 3; k++) out[k] = t[1 + k];
