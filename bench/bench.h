@@ -185,6 +185,8 @@ struct bench_result {
 extern const struct bench_job *const bench_jobs[];
 extern const int n_bench_jobs;
 
+/* The job's method of that name; NULL without one. */
+const struct bench_method *bench_method_of(const struct bench_job *job, const char *id);
 /* Runs the job, every method at every setting.  false when no inputs or no truth could be had. */
 bool bench_run(struct bench_table *out, const struct bench_job *job, const struct bench_env *env, bool quick);
 void bench_table_clear(struct bench_table *t);

@@ -58,10 +58,6 @@ void bench_cvode_close(void *self) {
   free(self);
 }
 
-void bench_cvode_limits(void *self, const struct bench_limits *limits) {
-  ((struct peer *)self)->motion.limits = *limits;
-}
-
 static int run_phase(double *t, void *self, double y[N_Y], long *steps) {
   struct bench_motion *m = &((struct peer *)self)->motion;
   struct cvode *c = &((struct peer *)self)->c;

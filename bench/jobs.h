@@ -125,14 +125,12 @@ enum { HAS_CVODE = 1 };
 const char *bench_cvode_version(void);
 void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_cvode_close(void *self);
-void bench_cvode_limits(void *self, const struct bench_limits *limits);
 int bench_cvode_run(void *self, struct num_vec *out, long *steps, const struct bench_case *c);
 #else /* its methods are absent */
 enum { HAS_CVODE = 0 };
 #define bench_cvode_version() "not installed"
 #define bench_cvode_open      NULL
 #define bench_cvode_close     NULL
-#define bench_cvode_limits    NULL
 #define bench_cvode_run       NULL
 #endif
 
@@ -140,7 +138,6 @@ enum { HAS_CVODE = 0 };
 
 void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_ode_close(void *self);
-void bench_ode_limits(void *self, const struct bench_limits *limits);
 int bench_ode_run(void *self, struct num_vec *out, long *steps, const struct bench_case *c);
 
 #endif

@@ -69,10 +69,6 @@ void bench_ode_close(void *self) {
   free(o);
 }
 
-void bench_ode_limits(void *self, const struct bench_limits *limits) {
-  ((struct ode *)self)->motion.limits = *limits;
-}
-
 /* --- Events. --- */
 
 struct point {

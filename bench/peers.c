@@ -84,8 +84,7 @@ static bool read_names(struct bench_peer *p, const struct line *l, struct diag *
     if (strcmp(bench_jobs[i]->id, l->field[AT_JOB]) == 0) p->job = bench_jobs[i];
   if (!p->job) return refuse(l, AT_JOB, "there is no such job", d);
   *m = (struct bench_method){l->field[AT_METHOD], l->field[AT_TITLE], .arithmetic = l->field[AT_ARITHMETIC]};
-  for (int i = 0; i < p->job->n_methods; i++)
-    if (strcmp(p->job->methods[i].id, m->id) == 0) return refuse(l, AT_METHOD, "the job has a method of this name", d);
+  if (bench_method_of(p->job, m->id)) return refuse(l, AT_METHOD, "the job has a method of this name", d);
   int kind = 0;
   while (kind < N_SETS && strcmp(bench_kind_name[kind], l->field[AT_KIND]) != 0) kind++;
   if (kind == N_SETS) return refuse(l, AT_KIND, "bits, tolerance, step, digits or nothing is expected here", d);

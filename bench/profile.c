@@ -190,12 +190,6 @@ static const struct {
                 {"map in double", &bench_map, "closed-double"},
                 {"the suite's orbit", &bench_orbit, "from-guess"}};
 
-static const struct bench_method *method_of(const struct bench_job *job, const char *id) {
-  for (int i = 0; i < job->n_methods; i++)
-    if (strcmp(job->methods[i].id, id) == 0) return &job->methods[i];
-  return NULL;
-}
-
 static double bits_in(const char *name) {
   const char *bits = strstr(name, " bits"), *digit = bits;
   while (digit && digit > name && digit[-1] >= '0' && digit[-1] <= '9') digit--;
@@ -208,7 +202,7 @@ static void profile(struct bench_ratio *r, const struct bench_env *env, bool qui
   for (int k = 0; k < COUNT(subjects) && !m; k++)
     if (strstr(r->name, subjects[k].words)) {
       job = subjects[k].job;
-      m = method_of(job, subjects[k].method);
+      m = bench_method_of(job, subjects[k].method);
     }
   double setting = m && m->kind == SET_BITS ? bits_in(r->name) : NAN;
   if (!m || (m->kind == SET_BITS && isnan(setting))) return;

@@ -208,9 +208,7 @@ static void growth_ratio(struct bench_result *r) {
   static const double bits[] = {3322, 33220};
   double value = NAN;
   if (!r->quick) {
-    struct bench_method m = bench_map.methods[0];
-    for (int i = 0; i < bench_map.n_methods; i++)
-      if (strcmp(bench_map.methods[i].id, "closed-mpfr") == 0) m = bench_map.methods[i];
+    struct bench_method m = *bench_method_of(&bench_map, "closed-mpfr");
     struct bench_job job = bench_map;
     struct bench_table t;
     m.settings = bits;

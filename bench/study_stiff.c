@@ -102,25 +102,14 @@ static void find_scene(struct scene_at *s, int decade) {
 
 /* --- Methods. --- */
 
-struct integrator {
-  void *(*open)(const struct bench_method *m, double tolerance, const struct bench_env *env);
-  void (*limits)(void *self, const struct bench_limits *limits);
-  int (*run)(void *self, struct num_vec *out, long *steps, const struct bench_case *c);
-  void (*close)(void *self);
-};
-static const struct integrator gsl = {bench_ode_open, bench_ode_limits, bench_ode_run, bench_ode_close};
-static const struct integrator cvode = {bench_cvode_open, bench_cvode_limits, bench_cvode_run, bench_cvode_close};
+/* Of the map's job.  CVODE is the last one, and left out where it is not installed. */
+static const char *const method_id[] = {"closed-double", "gsl-rk8pd", "gsl-rkf45",
+                                        "gsl-bsimp",     "gsl-msbdf", "cvode-bdf"};
+enum { N_METHODS = COUNT(method_id) - !HAS_CVODE };
 
-struct method {
-  const char *id;
-  const struct integrator *by; /* NULL: the suite's closed form */
-  const char *name;            /* the integrator's */
-};
-/* CVODE is the last one, and left out where it is not installed. */
-static const struct method methods[] = {{"closed-double", NULL, NULL}, {"gsl-rk8pd", &gsl, "rk8pd"},
-                                        {"gsl-rkf45", &gsl, "rkf45"},  {"gsl-bsimp", &gsl, "bsimp"},
-                                        {"gsl-msbdf", &gsl, "msbdf"},  {"cvode-bdf", &cvode, "bdf"}};
-enum { N_METHODS = COUNT(methods) - !HAS_CVODE };
+static bool integrates(const struct bench_method *m) {
+  return m->kind == SET_TOLERANCE;
+}
 
 struct outcome {
   const char *state; /* "ok", or what went wrong */
@@ -130,19 +119,10 @@ struct outcome {
   double seconds;
 };
 
-static int run_once(double out[N_OUT], long *steps, const struct method *m, void *self, const struct scene_at *s) {
-  double t[N_PHASES];
-  struct num_vec to = {num_ctx_double(), N_OUT, (char *)out};
-  if (m->by) return m->by->run(self, &to, steps, &(struct bench_case){.x = s->p});
-  *steps = 1;
-  int status = dyn_return_map_d(&out[R_END], NULL, t, s->p, s->p[N_PARAMS], NULL);
-  for (int k = 0; k < 3; k++) out[k] = t[1 + k];
-  return status;
-}
-
-static void *open_method(const struct method *m, double tolerance, long most_steps) {
-  void *self = m->by ? m->by->open(&(struct bench_method){.data = m->name}, tolerance, NULL) : NULL;
-  if (self) m->by->limits(self, &(struct bench_limits){true, most_steps});
+/* What an integrator opens begins with its motion. */
+static void *open_method(const struct bench_method *m, double tolerance, long most_steps) {
+  void *self = m->open ? m->open(m, tolerance, NULL) : NULL;
+  if (self) ((struct bench_motion *)self)->limits = (struct bench_limits){true, most_steps};
   return self;
 }
 
@@ -171,21 +151,23 @@ static const char *judge(const double out[N_OUT], const struct scene_at *s) {
   return NULL;
 }
 
-static struct outcome measure(const struct method *m, const struct scene_at *s, double tolerance, bool quick) {
+static struct outcome measure(const struct bench_method *m, const struct scene_at *s, double tolerance, bool quick) {
   struct outcome o = {.state = "ok", .seconds = INFINITY};
   double out[N_OUT], spent = 0;
+  struct num_vec to = {num_ctx_double(), N_OUT, (char *)out};
+  const struct bench_case c = {.x = s->p};
   void *self = open_method(m, tolerance, quick ? 20000 : 200000);
-  if (m->by && !self) return (struct outcome){.state = "cannot be set up", .error = NAN, .seconds = NAN};
+  if (m->open && !self) return (struct outcome){.state = "cannot be set up", .error = NAN, .seconds = NAN};
   int status = SS_OK;
   do {
     for (int k = 0; k < N_OUT; k++) out[k] = NAN;
     double begin = bench_now();
-    status = run_once(out, &o.steps, m, self, s);
+    status = m->run(self, &to, &o.steps, &c);
     double took = bench_now() - begin;
     o.seconds = fmin(o.seconds, took);
     spent += took;
   } while (!status && spent < (quick ? 0.001 : 0.01));
-  if (self) m->by->close(self);
+  if (self) m->close(self);
   const char *wrong = status ? NULL : judge(out, s);
   o.error = status ? NAN : error_of(out, s);
   if (status)
@@ -221,11 +203,11 @@ static void add_scene(struct study_table *t, const struct scene_at *s) {
   study_row(t);
 }
 
-static void add_run(struct study_table *t, const struct scene_at *s, const struct method *m, double tolerance,
+static void add_run(struct study_table *t, const struct scene_at *s, const struct bench_method *m, double tolerance,
                     const struct outcome *o) {
   study_text(t, "1e%+d", s->decade);
   study_text(t, "%s", m->id);
-  study_number(t, m->by ? tolerance : NAN, 1);
+  study_number(t, integrates(m) ? tolerance : NAN, 1);
   study_text(t, "%s", o->state);
   study_number(t, o->error, 2);
   study_text(t, "%ld", o->steps);
@@ -254,10 +236,11 @@ static void draw(struct study_page *page, const struct study_table *runs) {
   struct rows t;
   rows_parse(&t, text_str(&runs->tsv));
   for (int k = 0; k < N_METHODS; k++) {
-    figure_curve(&f, methods[k].id);
+    const struct bench_method *m = bench_method_of(&bench_map, method_id[k]);
+    figure_curve(&f, m->id);
     for (size_t i = 0; i < t.n; i++) {
-      if (!rows_is(&t, i, rows_column(&t, "method"), methods[k].id)) continue;
-      if (methods[k].by && !rows_is(&t, i, rows_column(&t, "tolerance"), "1e-08")) continue;
+      if (!rows_is(&t, i, rows_column(&t, "method"), m->id)) continue;
+      if (integrates(m) && !rows_is(&t, i, rows_column(&t, "tolerance"), "1e-08")) continue;
       if (!rows_is(&t, i, rows_column(&t, "outcome"), "ok")) continue;
       double eta = log10(rows_number(&t, i, rows_column(&t, "eta")));
       figure_point(&f, 0, eta, log10(rows_number(&t, i, rows_column(&t, "seconds"))));
@@ -295,18 +278,19 @@ static bool run(struct study_page *page, const struct bench_env *env) {
     find_scene(&s, page->quick ? few_decades[i] : FIRST_DECADE + i);
     add_scene(orbits, &s);
     for (int k = 0; k < N_METHODS && s.found; k++) {
+      const struct bench_method *m = bench_method_of(&bench_map, method_id[k]);
       struct outcome o[COUNT(tolerances)];
-      int settings = methods[k].by ? n : 1;
+      int settings = integrates(m) ? n : 1;
       for (int j = 0; j < settings; j++) {
-        o[j] = measure(&methods[k], &s, tolerance[j], page->quick);
-        add_run(runs, &s, &methods[k], tolerance[j], &o[j]);
+        o[j] = measure(m, &s, tolerance[j], page->quick);
+        add_run(runs, &s, m, tolerance[j], &o[j]);
         count(&sums[k], &o[j]);
       }
       int tighter = 0;
       while (tighter < settings && o[settings - 1 - tighter].word) tighter++;
       study_text(words, "1e%+d", s.decade);
-      study_text(words, "%s", methods[k].id);
-      study_text(words, !tighter ? "none" : methods[k].by ? "%.0e" : "-", tolerance[tighter ? settings - tighter : 0]);
+      study_text(words, "%s", method_id[k]);
+      study_text(words, !tighter ? "none" : integrates(m) ? "%.0e" : "-", tolerance[tighter ? settings - tighter : 0]);
       study_text(words, "%d of %d", tighter, settings);
       study_row(words);
     }
@@ -314,11 +298,11 @@ static bool run(struct study_page *page, const struct bench_env *env) {
   }
   for (int k = 0; k < N_METHODS; k++) {
     const struct sums *c = &sums[k];
-    study_text(totals, "%s\t%d\t%d\t%d\t%d\t%d", methods[k].id, c->runs, c->word, c->late, c->early, c->given_up);
+    study_text(totals, "%s\t%d\t%d\t%d\t%d\t%d", method_id[k], c->runs, c->word, c->late, c->early, c->given_up);
     study_row(totals);
   }
   for (int k = 0; k < N_METHODS; k++)
-    text_printf(&page->found, "- %s: the right word in %d of %d runs, another event in %d, none in %d\n", methods[k].id,
+    text_printf(&page->found, "- %s: the right word in %d of %d runs, another event in %d, none in %d\n", method_id[k],
                 sums[k].word, sums[k].runs, sums[k].late + sums[k].early, sums[k].given_up);
   draw(page, runs);
   return sums[0].runs > 0;

@@ -40,6 +40,12 @@ void bench_add_row(struct bench_table *t, const struct bench_method *m, const st
   find_front(t);
 }
 
+const struct bench_method *bench_method_of(const struct bench_job *job, const char *id) {
+  for (int i = 0; i < job->n_methods; i++)
+    if (strcmp(job->methods[i].id, id) == 0) return &job->methods[i];
+  return NULL;
+}
+
 const int bench_targets[] = {-6, -12, -30, -100, -300};
 const int n_bench_targets = sizeof bench_targets / sizeof *bench_targets;
 
