@@ -18,10 +18,8 @@ static const char *ending_word(enum dyn_branch_end end, enum dyn_change change) 
 /* --- JSON --- */
 
 static void json_known(struct json *j, const char *key, const arb_t x, slong digits) {
-  if (arb_is_finite(x) && (arb_is_exact(x) || arb_rel_accuracy_bits(x) > 4))
-    json_number(j, key, x, digits);
-  else
-    json_null(j, key);
+  bool known = arb_is_finite(x) && (arb_is_exact(x) || arb_rel_accuracy_bits(x) > 4);
+  json_number(j, key, known ? x : NULL, digits);
 }
 
 static void side_json(struct json *j, const char *key, const struct dyn_beside *side, const struct scene *s,

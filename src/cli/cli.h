@@ -198,7 +198,7 @@ bool load_model(struct model *m, const char *data, const struct options *o, stru
 
 /* As many of the digits as are known; a ball in which not even the first is: 0. */
 void print_known(struct text *out, const arb_struct *x, slong digits);
-/* The same as a member or, without a key, an element. */
+/* The same as a member or, without a key, an element; null for NULL. */
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits);
 /* An array of n of them. */
 void json_numbers(struct json *j, const char *key, arb_srcptr x, slong n, slong digits);

@@ -31,32 +31,34 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
 /* What is printed about one Jacobian: entries, trace, det. */
 enum { TRACE = 4, DET = 5, N_NUMBERS = 6 };
 
-static void jacobian_json(struct text *out, const struct text e[N_NUMBERS], const char *layer,
-                          const struct jacobian_request *q) {
+static void jacobian_json(struct text *out, arb_srcptr x, const char *layer, const struct jacobian_request *q) {
   struct json w;
   json_init(&w, out);
   json_object(&w, NULL);
   json_array(&w, "J");
-  for (int i = 0; i < 2; i++) {
-    json_array(&w, NULL);
-    for (int k = 0; k < 2; k++) json_string(&w, NULL, text_str(&e[2 * i + k]));
-    json_end_array(&w);
-  }
+  for (int i = 0; i < 2; i++) json_numbers(&w, NULL, x + 2 * i, 2, q->digits);
   json_end_array(&w);
-  json_string(&w, "trace", text_str(&e[TRACE]));
-  json_string(&w, "det", text_str(&e[DET]));
+  json_number(&w, "trace", x + TRACE, q->digits);
+  json_number(&w, "det", x + DET, q->digits);
   json_string(&w, "method", method_name[q->method]);
   json_string(&w, "layer", layer);
   json_at(&w, q);
   json_end_object(&w);
 }
 
-static void jacobian_text(struct text *out, const struct text e[N_NUMBERS], arb_srcptr x,
+static void jacobian_text(struct text *out, arb_srcptr x, const struct scene *s, const char *layer,
                           const struct jacobian_request *q) {
+  static const char *const before[N_NUMBERS + 1] = {"  ", "  ", "\n  ", "  ", "\ntrace ", "\ndet   ", "\naccuracy "};
   arb_t worst;
   arb_init(worst);
-  for (int i = 0; i < 2; i++) text_printf(out, "  %s  %s\n", text_str(&e[2 * i]), text_str(&e[2 * i + 1]));
-  text_printf(out, "trace %s\ndet   %s\naccuracy ", text_str(&e[TRACE]), text_str(&e[DET]));
+  text_printf(out, "%s, ", s->name);
+  print_at(out, q);
+  text_printf(out, ", method %s, layer %s\n", method_name[q->method], layer);
+  for (int i = 0; i < N_NUMBERS; i++) {
+    text_add(out, before[i]);
+    print_known(out, x + i, q->digits);
+  }
+  text_add(out, before[N_NUMBERS]);
   jacobian_accuracy(worst, x, 4);
   print_accuracy(out, worst);
   text_printf(out, " (%s)\n", method_accuracy[q->method]);
@@ -66,23 +68,13 @@ static void jacobian_text(struct text *out, const struct text e[N_NUMBERS], arb_
 
 /* x: J, trace and det. */
 static void print_jacobian(arb_srcptr x, const struct jacobian_request *q, const struct scene *s, bool as_json) {
-  struct text e[N_NUMBERS], out;
-  for (int i = 0; i < N_NUMBERS; i++) {
-    text_init(&e[i]);
-    print_known(&e[i], x + i, q->digits);
-  }
-  text_init(&out);
+  struct text out = {0};
   const char *layer = q->method == METHOD_ANALYTIC ? layer_name[q->layer] : "model";
-  if (as_json) {
-    jacobian_json(&out, e, layer, q);
-  } else {
-    text_printf(&out, "%s, ", s->name);
-    print_at(&out, q);
-    text_printf(&out, ", method %s, layer %s\n", method_name[q->method], layer);
-    jacobian_text(&out, e, x, q);
-  }
+  if (as_json)
+    jacobian_json(&out, x, layer, q);
+  else
+    jacobian_text(&out, x, s, layer, q);
   print_text(&out);
-  for (int i = 0; i < N_NUMBERS; i++) text_clear(&e[i]);
 }
 
 /* Whether an entry or the trace would be printed as 0 though all that is known is that it is not large. */

@@ -57,6 +57,10 @@ void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits
 }
 
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits) {
+  if (!x) {
+    json_null(j, key);
+    return;
+  }
   json_begin_string(j, key);
   print_known(j->out, x, digits);
   json_end_string(j);

@@ -9,42 +9,39 @@
 #include "value/orbits.h"
 #include "word_orbits.h"
 
-enum { N_SHOWN = ORBIT_NUMBERS };
+/* What is enclosed to so many digits is printed to them. */
+static void print_number(struct text *out, const struct dyn_orbit *o, int i, const struct scene *s, slong digits) {
+  const fmpq *exact = scene_given_number(s, i);
+  if (exact)
+    num_print_rational(out, exact, digits);
+  else
+    num_print(out, orbit_number(o, i), digits);
+}
 
-static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, const struct scene *s, slong digits) {
-  for (int i = 0; i < N_SHOWN; i++) {
-    const fmpq *exact = scene_given_number(s, i);
-    text_reset(&out[i]);
-    if (exact)
-      num_print_rational(&out[i], exact, digits);
-    else if (num_print(&out[i], orbit_number(o, i), digits) != SS_OK)
-      return false;
-  }
-  return true;
+static void number_json(struct json *j, const char *key, const struct dyn_orbit *o, int i, const struct scene *s,
+                        slong digits) {
+  json_begin_string(j, key);
+  print_number(j->out, o, i, s, digits);
+  json_end_string(j);
 }
 
 static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct dyn_certificate *proof,
                        const struct scene *s, slong digits, bool basin) {
-  struct text t[N_SHOWN];
   mag_t radius;
   mag_init(radius);
-  for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
-  print_numbers(t, o, s, digits);
   truth u[2], admissible = orbit_admissible(u, s, o);
   json_object(j, NULL);
-  for (int i = 0; i < 10; i++) json_string(j, orbit_number_name(i), text_str(&t[i]));
+  for (int i = 0; i < 10; i++) number_json(j, orbit_number_name(i), o, i, s, digits);
   json_array(j, "eigenvalues");
   json_string(j, NULL, "0");
-  json_string(j, NULL, text_str(&t[9]));
+  number_json(j, NULL, o, 9, s, digits);
   json_end_array(j);
   fate_json(j, o, admissible, u);
-  json_string(j, "u_r1_min", text_str(&t[10]));
-  json_string(j, "u_r2_min", text_str(&t[11]));
+  for (int i = 10; i < ORBIT_NUMBERS; i++) number_json(j, orbit_number_name(i), o, i, s, digits);
   dyn_orbit_radius(radius, o);
   proof_json(j, proof->certified, radius);
   if (basin) basin_json(j, o, s);
   json_end_object(j);
-  for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
   mag_clear(radius);
 }
 
@@ -81,14 +78,14 @@ static void add_completeness(struct text *out, const struct dyn_orbits *list, co
   }
 }
 
-static void orbits_json(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
-                        const struct scene *s, slong digits, bool basin) {
+static void orbits_json(struct text *out, const struct solved *z, const struct scene *s, slong digits, bool basin) {
+  const struct dyn_orbits *list = &z->list;
   struct json j;
   json_of_model(&j, out, s);
   json_bool(&j, "complete", list->complete);
   completeness_json(&j, list);
   json_array(&j, "orbits");
-  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], &proof[i], s, digits, basin);
+  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], &z->proof[i], s, digits, basin);
   json_end_array(&j);
   json_end_object(&j);
 }
@@ -141,29 +138,32 @@ static void add_proof(struct text *out, const struct dyn_orbit *o, const struct 
 }
 
 /* Name, value and meaning in columns. */
-static void numbers_text(struct text *out, const struct text t[N_SHOWN]) {
+static void numbers_text(struct text *out, const struct dyn_orbit *o, const struct scene *s, slong digits) {
+  struct text t[ORBIT_NUMBERS] = {{0}};
   size_t widest = 0;
-  for (int k = 0; k < N_SHOWN; k++) widest = t[k].len > widest ? t[k].len : widest;
-  for (int k = 0; k < N_SHOWN; k++)
+  for (int k = 0; k < ORBIT_NUMBERS; k++) {
+    print_number(&t[k], o, k, s, digits);
+    widest = t[k].len > widest ? t[k].len : widest;
+  }
+  for (int k = 0; k < ORBIT_NUMBERS; k++) {
     text_printf(out, "  %-8s %-*s  %s\n", orbit_number_name(k), (int)widest, text_str(&t[k]), orbit_number_meaning(k));
+    text_clear(&t[k]);
+  }
 }
 
-static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
-                        const struct scene *s, slong digits, bool basin) {
-  struct text t[N_SHOWN];
-  for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
+static void orbits_text(struct text *out, const struct solved *z, const struct scene *s, slong digits, bool basin) {
+  const struct dyn_orbits *list = &z->list;
   text_printf(out, "%s: %ld orbit%s of the word %s found\n", s->name, (long)list->n, list->n == 1 ? "" : "s",
               scene_solution_ii(s) ? "Gamma-H-C" : "D-Gamma-H-C");
   add_completeness(out, list, s);
   for (slong i = 0; i < list->n; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
-    print_numbers(t, o, s, digits);
     truth u[2], admissible = orbit_admissible(u, s, o);
     text_printf(out, "orbit %ld: %s, ", (long)i + 1, stability_name[o->stable]);
     admissible_text(out, admissible, s);
     text_add_char(out, '\n');
-    numbers_text(out, t);
-    add_proof(out, o, &proof[i]);
+    numbers_text(out, o, s, digits);
+    add_proof(out, o, &z->proof[i]);
     for (int k = 0; k < N_CONDITIONS; k++)
       if (o->holds[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[k]);
     for (int k = 0; k < 2; k++)
@@ -171,7 +171,6 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
     if (basin) basin_text(out, o, s);
     add_margins(out, o, s);
   }
-  for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
 }
 
 bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d) {
@@ -199,7 +198,7 @@ static bool write_certificate(const char *path, const struct scene *s, const str
 
 static void print_orbits(const struct options *o, const struct solved *z, const struct scene *s, slong digits) {
   struct text out = {0};
-  (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
+  (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, z, s, digits, option(o, OPT_BASIN));
   print_found(o, &out);
 }
 

@@ -188,10 +188,7 @@ static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, s
   for (int c = 0; c < N_COLUMNS; c++) {
     if (!a->known[c]) continue;
     json_object(w, jacobian_columns[c].name);
-    if (is_told(a, c, e, digits))
-      json_number(w, "value", a->entry[c] + e, digits);
-    else
-      json_null(w, "value");
+    json_number(w, "value", is_told(a, c, e, digits) ? a->entry[c] + e : NULL, digits);
     jacobian_accuracy(radius, a->entry[c] + e, 1);
     json_accuracy(w, "accuracy", radius);
     json_end_object(w);

@@ -114,10 +114,7 @@ void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   }
   json_end_array(j);
   for (int i = 0; i < 2 && !s->system; i++)
-    if (word_orbit_friction(least, o, m, i, system_bits(digits)))
-      json_number(j, friction_name[i], least, digits);
-    else
-      json_null(j, friction_name[i]);
+    json_number(j, friction_name[i], word_orbit_friction(least, o, m, i, system_bits(digits)) ? least : NULL, digits);
   proof_json(j, o->certified, radius);
   json_end_object(j);
   arb_clear(least);

@@ -9,10 +9,7 @@ void report_readings_json(struct text *out, const struct audit_result *r) {
   struct json j;
   json_document(&j, out, "stickslip-readings-1");
   json_string(&j, "scene", r->scene);
-  if (r->readings)
-    shape_write(&j, "readings", &readings_shape, r->readings);
-  else
-    json_null(&j, "readings");
+  shape_write(&j, "readings", &readings_shape, r->readings);
   json_end_object(&j);
 }
 
