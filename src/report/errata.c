@@ -327,10 +327,7 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
   text_printf(s->out, "Of the %ld statements of the paper that were examined, ", total);
   if (count[VERDICT_DEFINITION]) text_printf(s->out, "%ld are definitions, ", count[VERDICT_DEFINITION]);
   text_printf(s->out, "%ld have been proved", count[VERDICT_PROVED]);
-  failures_say(s->out, r);
-  if (count[VERDICT_SUPPORTED])
-    text_printf(s->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
-  if (count[VERDICT_UNKNOWN]) text_printf(s->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
+  verdicts_say(s->out, r);
   const char *before = " (";
   for (size_t i = 0; count[VERDICT_UNKNOWN] <= MOST_NAMED && i < r->n_findings; i++) {
     if (r->findings[i].of != OF_PAPER || r->findings[i].verdict != VERDICT_UNKNOWN) continue;

@@ -136,7 +136,7 @@ static bool fails_of_paper(const struct finding *f) {
   return f && f->of == OF_PAPER && finding_fails(f);
 }
 
-void failures_say(struct text *out, const struct audit_result *r) {
+void verdicts_say(struct text *out, const struct audit_result *r) {
   long count[N_VERDICTS], of[N_SEVERITIES] = {0}, of_numbers = 0, due = 0;
   const struct root_cause *numbers = audit_root_of_numbers(r);
   audit_result_count(count, r, OF_PAPER);
@@ -154,9 +154,8 @@ void failures_say(struct text *out, const struct audit_result *r) {
   if (count[VERDICT_CONDITIONAL]) text_printf(out, ", %ld hold under a condition", count[VERDICT_CONDITIONAL]);
   if (count[VERDICT_REFUTED]) text_printf(out, ", %ld do not hold as printed", count[VERDICT_REFUTED]);
   if (of_numbers) text_printf(out, ", %ld of them about the numbers of the example", of_numbers);
-  if (due == 0) return;
-  bool others = (size_t)due < r->n_roots;
-  text_printf(out, " (these %ld belong to", count[VERDICT_CONDITIONAL] + count[VERDICT_REFUTED]);
+  const char *end = due == 0 ? "" : (size_t)due < r->n_roots ? "; the other points were found by further checks)" : ")";
+  if (due) text_printf(out, " (these %ld belong to", count[VERDICT_CONDITIONAL] + count[VERDICT_REFUTED]);
   const char *before = " ";
   for (int i = 0; due; i++) {
     if (of[i] == 0) continue;
@@ -166,7 +165,9 @@ void failures_say(struct text *out, const struct audit_result *r) {
     while (due && of[next] == 0) next++;
     before = due && due == of[next] ? " and " : ", ";
   }
-  text_add(out, others ? "; the other points were found by further checks)" : ")");
+  text_add(out, end);
+  if (count[VERDICT_SUPPORTED]) text_printf(out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
+  if (count[VERDICT_UNKNOWN]) text_printf(out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
 }
 
 static bool any_begins(const char *const *list, int n, const char *with) {

@@ -40,9 +40,9 @@ enum { MOST_VALUES = 32 };
 int root_values(const char *value[MOST_VALUES], const struct audit_result *r, const struct root_cause *root);
 /* The root of the wrong numbers; NULL where there are none. */
 const struct root_cause *audit_root_of_numbers(const struct audit_result *r);
-/* ", 11 hold under a condition, 19 do not hold as printed, 6 of them about the numbers of the example (these 30 belong to
-   3 errors of substance, ...)". */
-void failures_say(struct text *out, const struct audit_result *r);
+/* What is said of the paper's statements behind those proved: ", 11 hold under a condition, 19 do not hold as printed, 6 of
+   them about the numbers of the example (these 30 belong to 3 errors of substance, ...); 2 could not be decided". */
+void verdicts_say(struct text *out, const struct audit_result *r);
 /* How large the effect is; NULL where that is not known. */
 const char *failure_size(const struct audit_result *r, const struct finding *f);
 

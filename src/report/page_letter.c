@@ -200,10 +200,7 @@ static void add_what_holds(const struct page *p) {
   text_printf(p->out,
               "<h3>What holds</h3>\n<p>Of the %ld statements of the paper that assert something, %ld %s been proved",
               total - count[VERDICT_DEFINITION], count[VERDICT_PROVED], count[VERDICT_PROVED] == 1 ? "has" : "have");
-  failures_say(p->out, p->r);
-  if (count[VERDICT_SUPPORTED])
-    text_printf(p->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
-  if (count[VERDICT_UNKNOWN]) text_printf(p->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
+  verdicts_say(p->out, p->r);
   if (count[VERDICT_SKIPPED]) text_printf(p->out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);
   text_add_char(p->out, '.');
   add_sound_equations(p);
