@@ -3,7 +3,6 @@
    read it. */
 #include "page.h"
 #include "report.h"
-#include "sections.h"
 
 static void add_head(const struct page *p) {
   page_add(p,

@@ -6,7 +6,7 @@
 #include "base/arena.h"
 #include "finding.h"
 #include "names.h"
-#include "sections.h"
+#include "page.h"
 
 /* --- The paper's order: sections as they are first named, appendices after the rest --- */
 

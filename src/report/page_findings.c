@@ -8,7 +8,7 @@
 #include "escape.h"
 #include "finding.h"
 #include "formula.h"
-#include "sections.h"
+#include "page.h"
 
 /* --- Rows of a description --- */
 

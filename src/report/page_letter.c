@@ -7,8 +7,7 @@
 #include <string.h>
 
 #include "finding.h"
-#include "picture.h"
-#include "sections.h"
+#include "page.h"
 
 /* Up to the end of the first sentence of a text with mathematics between dollar signs. */
 static size_t first_sentence(const char *s) {

@@ -1,7 +1,7 @@
 /* For a reader who has not seen the paper: the system in half a page; and what the audit takes as given. */
 #include "finding.h"
 #include "glossary.h"
-#include "sections.h"
+#include "page.h"
 
 static void add_phases(const struct page *p) {
   static const struct {

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "finding.h"
-#include "sections.h"
+#include "page.h"
 
 static const char *const meaning[N_VERDICTS] = {
     [VERDICT_PROVED] = "by exact algebra, or by rigorous error bounds on the whole domain",

@@ -1,9 +1,8 @@
 /* The pictures of a record: the section of the page, and each as a document of its own. */
 #include <string.h>
 
-#include "picture.h"
+#include "page.h"
 #include "report.h"
-#include "sections.h"
 
 static const struct picture *const pictures[] = {&picture_history,      &picture_animation,  &picture_margins,
                                                  &picture_portrait,     &picture_return_map, &picture_long_run,

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "page.h"
 #include "picture.h"
-#include "sections.h"
 
 enum { PHASE, MARK, TIME, POSITION, VELOCITY, PULL = 7, LIMIT = 9, COLUMNS = 11 };
 

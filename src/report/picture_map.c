@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "page.h"
 #include "picture.h"
-#include "sections.h"
 
 enum { WHAT, X, X_TO, Y, Y_TO, ORBITS, ADMISSIBLE, STABLE, STATUS };
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "escape.h"
-#include "sections.h"
+#include "page.h"
 #include "sheet.h"
 
 const char *const plot_class[] = {"c0", "c1", "c2", "c3"};
