@@ -283,9 +283,7 @@ void bench_json(struct text *out, const struct bench_result *r) {
   struct json w;
   struct text machine = {0};
   bench_machine(&machine, r);
-  json_init(&w, out);
-  json_object(&w, NULL);
-  json_string(&w, "schema", "stickslip-bench-2");
+  json_document(&w, out, "stickslip-bench-2");
   json_bool(&w, "quick", r->quick);
   json_array(&w, "jobs");
   for (int i = 0; i < r->n; i++) json_table(&w, &r->table[i]);

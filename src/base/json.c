@@ -63,7 +63,7 @@ void json_object(struct json *j, const char *key) {
 void json_document(struct json *j, struct text *out, const char *schema) {
   json_init(j, out);
   json_object(j, NULL);
-  json_string(j, "schema", schema);
+  if (schema) json_string(j, "schema", schema);
 }
 void json_array(struct json *j, const char *key) {
   open_container(j, key, '[');

@@ -17,7 +17,7 @@ struct json {
 };
 
 void json_init(struct json *j, struct text *out);
-/* Begins a document: an object with its schema first. */
+/* Begins a document: an object with its schema first, where it has one. */
 void json_document(struct json *j, struct text *out, const char *schema);
 /* key is NULL inside an array and at the top. */
 void json_object(struct json *j, const char *key);

@@ -129,8 +129,7 @@ void json_at(struct json *j, const struct jacobian_request *q) {
 }
 
 void json_of_model(struct json *j, struct text *out, const struct scene *s) {
-  json_init(j, out);
-  json_object(j, NULL);
+  json_document(j, out, NULL);
   json_string(j, "scene", s->name);
   json_string(j, "layer", "model");
 }

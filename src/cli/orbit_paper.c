@@ -99,8 +99,7 @@ static void write_solution(struct json *j, const struct paper_orbit *p, slong di
 
 static void write_json(struct text *out, const struct paper_orbits *list, const struct scene *s, slong digits) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
+  json_document(&j, out, NULL);
   json_string(&j, "scene", s->name);
   json_string(&j, "method", "paper");
   json_array(&j, "solutions");

@@ -277,8 +277,7 @@ static void left_out_json(struct json *w, const struct jacobian_phases *p) {
 static void phases_json(struct text *out, const struct jacobian_phases *p, const struct scene *s,
                         const struct jacobian_request *q) {
   struct json w;
-  json_init(&w, out);
-  json_object(&w, NULL);
+  json_document(&w, out, NULL);
   json_string(&w, "scene", s->name);
   json_at(&w, q);
   json_array(&w, "phases");

@@ -47,8 +47,7 @@ void simulated_json(const struct simulated *run, const char *ended) {
   struct mech_word word;
   double period, gap;
   int shared;
-  json_init(&j, &out);
-  json_object(&j, NULL);
+  json_document(&j, &out, NULL);
   json_string(&j, "scene", run->scene);
   json_string(&j, "system", run->system);
   json_string(&j, "at", run->at);

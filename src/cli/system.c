@@ -269,8 +269,7 @@ static void words_json(struct text *out, const struct survey *v, const struct me
   const struct mech_orbits *list = &v->orbits;
   struct json j;
   int motions, by;
-  json_init(&j, out);
-  json_object(&j, NULL);
+  json_document(&j, out, NULL);
   json_string(&j, "scene", s->name);
   json_string(&j, "system", s->system);
   json_string(&j, "layer", "model");
@@ -372,8 +371,7 @@ static void jacobian_json(struct text *out, const struct mech_orbit *o, const ar
                           const struct scene *s, const struct jacobian_request *q) {
   struct json j;
   char name[16];
-  json_init(&j, out);
-  json_object(&j, NULL);
+  json_document(&j, out, NULL);
   if (s->system) json_string(&j, "system", s->system);
   word_shown(&j, o, s);
   json_array(&j, "free");

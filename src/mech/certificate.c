@@ -119,8 +119,7 @@ static void orbit_json(struct json *j, const struct mech_orbit *o) {
 
 void mech_certificates_json(struct text *out, const char *scene, const struct mech *m, const struct mech_orbits *list) {
   struct json j;
-  json_init(&j, out);
-  json_object(&j, NULL);
+  json_document(&j, out, NULL);
   json_string(&j, "format", "stickslip orbits of a system, version 1");
   json_string(&j, "scene", scene);
   system_json(&j, m);
