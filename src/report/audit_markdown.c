@@ -249,9 +249,7 @@ static void add_ids(struct text *out, const char *label, const struct id_list *l
 /* The formulas of those that a change leaves as they are, on one line. */
 static void add_kept(const struct sheet *s, const struct consequence *q, enum change change, const char *label) {
   const char *sep = label;
-  for (int i = 0; i < q->n_derived; i++) {
-    const struct derived *d = &q->derived[i];
-    if (d->change != change) continue;
+  for (const struct derived *d = NULL; (d = derived_next(q, d, change)) != NULL;) {
     sheet_add(s, "%s%m", sep, d->latex);
     if (change != CHANGE_SAME_FORMULA) text_printf(s->out, " (%s)", d->verdict);
     sep = ", ";
@@ -271,18 +269,12 @@ static bool is_idle(const struct consequence *q) {
 }
 
 static void add_changes(const struct sheet *s, const struct consequence *q) {
-  bool any = false;
-  for (int i = 0; i < q->n_derived; i++) {
-    const struct derived *d = &q->derived[i];
-    if (d->change != CHANGE_CHANGES) continue;
-    if (!any) {
-      text_add(s->out, "\n");
-      markdown_head(s->out, "result||relative difference|entry|as printed|corrected|at");
-    }
-    any = true;
+  if (!derived_next(q, NULL, CHANGE_CHANGES)) return;
+  text_add(s->out, "\n");
+  markdown_head(s->out, "result||relative difference|entry|as printed|corrected|at");
+  for (const struct derived *d = NULL; (d = derived_next(q, d, CHANGE_CHANGES)) != NULL;)
     sheet_add(s, "| %m, %t | %s | below %s | %s | %s%s%s | %s | %s |\n", d->latex, d->title, d->verdict, d->size,
               or_dash(d->entry), d->printed, d->chain ? "; all printed: " : NULL, d->chain, d->corrected, d->where);
-  }
 }
 
 static void add_consequences(struct text *out, const struct audit_result *r) {

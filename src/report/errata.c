@@ -238,13 +238,10 @@ static const char *unnumbered(struct text *t, const char *s) {
 /* A result that changes, with its example. */
 static void add_derived(const struct sheet *s, const struct consequence *q) {
   const struct derived *last = NULL;
-  for (int i = 0; i < q->n_derived; i++) {
-    const struct derived *d = &q->derived[i];
-    if (d->change != CHANGE_CHANGES) continue;
+  for (const struct derived *d = NULL; (d = derived_next(q, d, CHANGE_CHANGES)) != NULL; last = d) {
     text_add(s->out, last ? ", and " : "As printed, ");
     if (d->entry) sheet_add(s, "the entry %s of ", d->entry);
     sheet_add(s, "%m is %p instead of %p", d->latex, d->printed, d->corrected);
-    last = d;
   }
   struct text where = {0};
   if (last) sheet_add(s, " for %p%.", unnumbered(&where, last->where));
@@ -252,9 +249,7 @@ static void add_derived(const struct sheet *s, const struct consequence *q) {
 }
 
 static bool has_change(const struct consequence *q) {
-  for (int i = 0; q && i < q->n_derived; i++)
-    if (q->derived[i].change == CHANGE_CHANGES) return true;
-  return q && q->solved;
+  return q && (q->solved || derived_next(q, NULL, CHANGE_CHANGES));
 }
 
 /* Whether the note is an example that can be computed again: the certificate has an orbit, whose data it names. */

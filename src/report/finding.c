@@ -91,6 +91,12 @@ void finding_orbit(struct text *out, const struct finding *f) {
   for (int i = 0; i < N; i++) text_printf(out, "%s%s = %s", i ? ", " : "", names[i], finding_certified(f, names[i]));
 }
 
+const struct derived *derived_next(const struct consequence *q, const struct derived *last, enum change change) {
+  for (int i = last ? (int)(last - q->derived) + 1 : 0; i < q->n_derived; i++)
+    if (q->derived[i].change == change) return &q->derived[i];
+  return NULL;
+}
+
 const char *failure_size(const struct audit_result *r, const struct finding *f) {
   return audit_result_consequence(r, f->id) ? f->size : f->effect;
 }

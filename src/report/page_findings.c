@@ -156,14 +156,9 @@ static const struct column changed[] = {
     {"result", false}, {"with the printed formula", false}, {"with the corrected one", false}, {"at", false}};
 
 static void add_changed(const struct page *p, const struct consequence *q) {
-  bool any = false;
-  for (int i = 0; i < q->n_derived; i++) {
-    const struct derived *d = &q->derived[i];
-    if (d->change != CHANGE_CHANGES) continue;
-    if (!any)
-      page_begin_table(p, "stack", "Results that change, each with one example", changed,
-                       sizeof changed / sizeof *changed);
-    any = true;
+  if (!derived_next(q, NULL, CHANGE_CHANGES)) return;
+  page_begin_table(p, "stack", "Results that change, each with one example", changed, sizeof changed / sizeof *changed);
+  for (const struct derived *d = NULL; (d = derived_next(q, d, CHANGE_CHANGES)) != NULL;) {
     page_add(p, "<tr><th scope=\"row\">%m%s%e<br /><small>%e</small></th>", d->latex, d->entry ? ", entry " : NULL,
              d->entry, d->title);
     page_cell(p, &changed[1], "%t", d->printed);
@@ -171,16 +166,13 @@ static void add_changed(const struct page *p, const struct consequence *q) {
     page_cell(p, &changed[3], "%t", d->where);
     text_add(p->out, "</tr>\n");
   }
-  if (any) page_end_table(p);
+  page_end_table(p);
 }
 
 static void add_derived(const struct page *p, const struct consequence *q, enum change change, const char *words) {
   const char *sep = words;
-  for (int i = 0; i < q->n_derived; i++) {
-    if (q->derived[i].change != change) continue;
-    page_add(p, "%s%m", sep, q->derived[i].latex);
-    sep = ", ";
-  }
+  for (const struct derived *d = NULL; (d = derived_next(q, d, change)) != NULL; sep = ", ")
+    page_add(p, "%s%m", sep, d->latex);
   if (sep != words) text_add(p->out, ".</p>\n");
 }
 
