@@ -2,6 +2,8 @@
 #ifndef STICKSLIP_BENCH_JOBS_H
 #define STICKSLIP_BENCH_JOBS_H
 
+#include <gsl/gsl_odeiv2.h>
+
 #include "bench/bench.h"
 #include "motion/dynamics.h"
 
@@ -136,6 +138,8 @@ enum { HAS_CVODE = 0 };
 
 /* --- ode.c: GSL's integrators; the method's data is the name. --- */
 
+/* Of that name; NULL without one. */
+const gsl_odeiv2_step_type *bench_gsl_step(const char *name);
 void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_ode_close(void *self);
 int bench_ode_run(void *self, struct num_vec *out, long *steps, const struct bench_case *c);

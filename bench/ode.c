@@ -6,7 +6,6 @@
    beginning: by the method itself where it is a one-step method.  A multistep method cannot repeat a step, so there
    rk8pd does. */
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,8 +36,7 @@ static int jacobian(double t, const double y[], double *dfdy, double dfdt[], voi
   return GSL_SUCCESS;
 }
 
-static const gsl_odeiv2_step_type *step_type(const char *name, bool *multistep) {
-  *multistep = strncmp(name, "ms", 2) == 0;
+const gsl_odeiv2_step_type *bench_gsl_step(const char *name) {
   const struct {
     const char *name;
     const gsl_odeiv2_step_type *type;
@@ -51,13 +49,12 @@ static const gsl_odeiv2_step_type *step_type(const char *name, bool *multistep) 
 }
 
 void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env) {
-  bool multistep;
+  bool multistep = strncmp(m->data, "ms", 2) == 0;
   (void)env;
-  const gsl_odeiv2_step_type *type = step_type(m->data, &multistep);
   struct ode *o = ss_malloc(sizeof *o);
   *o = (struct ode){.own = multistep};
   o->system = (gsl_odeiv2_system){right_side, jacobian, N_Y, o};
-  o->driver = gsl_odeiv2_driver_alloc_y_new(&o->system, type, 0.01, tolerance, tolerance);
+  o->driver = gsl_odeiv2_driver_alloc_y_new(&o->system, bench_gsl_step(m->data), 0.01, tolerance, tolerance);
   o->locator = multistep ? gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, N_Y) : o->driver->s;
   return o;
 }

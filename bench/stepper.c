@@ -2,15 +2,13 @@
 #include "bench/stepper.h"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
-#include "base/status.h"
-#include "motion/dynamics.h"
+#include "bench/jobs.h"
 
 #ifdef STICKSLIP_SUNDIALS
 #include "bench/sundials.h"
@@ -45,20 +43,14 @@ static int jacobian(double t, const double y[], double *dfdy, double dfdt[], voi
 }
 
 static bool open_gsl(struct stepper *s, const char *name) {
-  const struct {
-    const char *name;
-    const gsl_odeiv2_step_type *type;
-  } types[] = {{"rk8pd", gsl_odeiv2_step_rk8pd}, {"bsimp", gsl_odeiv2_step_bsimp}, {"msbdf", gsl_odeiv2_step_msbdf}};
+  const gsl_odeiv2_step_type *type = bench_gsl_step(name);
   double least = INFINITY, scale[N];
   for (int i = 0; i < N; i++) least = fmin(least, s->system->absolute[i]);
   for (int i = 0; i < N; i++) scale[i] = s->system->absolute[i] / least;
-  for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
-    if (strcmp(types[i].name, name) != 0) continue;
-    s->gsl = (gsl_odeiv2_system){right_side, jacobian, N, s};
-    s->driver =
-        gsl_odeiv2_driver_alloc_scaled_new(&s->gsl, types[i].type, 1e-6, least, s->system->relative, 1, 0, scale);
-  }
-  return s->driver != NULL;
+  s->gsl = (gsl_odeiv2_system){right_side, jacobian, N, s};
+  if (type)
+    s->driver = gsl_odeiv2_driver_alloc_scaled_new(&s->gsl, type, 1e-6, least, s->system->relative, 1, 0, scale);
+  return type != NULL;
 }
 
 #ifdef STICKSLIP_SUNDIALS
