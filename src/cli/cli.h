@@ -162,6 +162,18 @@ void say_written(const struct options *o, const char *where);
 void verify_tables(const struct audit_result *r, bool proofs);
 void verify_line(const struct audit_result *r);
 
+/* --- An end from outside: Ctrl-C, SIGTERM, SIGHUP, or the clock of --timeout (interrupt.c) --- */
+
+/* From here on each of them ends the program with status 5, a message and no process left, wherever it is; a report is
+   the old one or the new one, whole, and the message says which.  seconds: of the clock, 0 for none.  false when the
+   clock cannot be set. */
+bool interrupt_begin(double seconds);
+/* Another scene begins. */
+void interrupt_next(void);
+void interrupt_end(void);
+
+/* --- Files and scenes --- */
+
 /* The score of the whole study of damages beside a report's folder, when it was made of the same paper, overlay and
    scene; false when there is none. */
 bool score_beside(struct mutation_score *s, const char *folder, const struct audit_result *r);

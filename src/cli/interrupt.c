@@ -1,8 +1,6 @@
-/* Nothing but files needs care at such an end, and text.h settles those: so the handler kills what processes there are,
-   says how the report stands, and leaves at once, in the middle of whatever was being computed. */
+/* Nothing but files needs care at an end from outside, and text.h settles those: so the handler kills what processes
+   there are, says how the report stands, and leaves at once, in the middle of whatever was being computed. */
 #define _DEFAULT_SOURCE /* setitimer */
-#include "interrupt.h"
-
 #include <signal.h>
 #include <stddef.h>
 #include <string.h>

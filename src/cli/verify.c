@@ -8,7 +8,6 @@
 #include "claim/claim.h"
 #include "claim/near.h"
 #include "cli.h"
-#include "interrupt.h"
 #include "report/report.h"
 #include "value/title.h"
 
