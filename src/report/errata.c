@@ -35,22 +35,15 @@ static void begin_item(const struct sheet *s, int number) {
 static void end_item(const struct sheet *s) {
   text_add(s->out, is_tex(s) ? "\n" : "\n\n");
 }
-/* The next line of an item. */
-static void line(const struct sheet *s) {
-  text_add(s->out, is_tex(s) ? "\\\\\n" : "  \n   ");
-}
 /* A word and a colon, on a line of its own, but for slips, which take little room. */
 static void label(const struct sheet *s, enum severity severity, const char *word) {
   if (severity == SEVERITY_NOTATION) {
     sheet_stop(s);
     text_add_char(s->out, ' ');
   } else {
-    line(s);
+    text_add(s->out, is_tex(s) ? "\\\\\n" : "  \n   ");
   }
   sheet_add(s, is_tex(s) ? "\\emph{%s:} " : "*%s:* ", word);
-}
-static void paragraph(const struct sheet *s) {
-  text_add(s->out, "\n\n");
 }
 static void strong(const struct sheet *s, const char *words) {
   sheet_add(s, is_tex(s) ? "\\textbf{%t}" : "**%t**", words);
@@ -177,7 +170,7 @@ static void add_bounds(const struct sheet *s, const struct audit_result *r) {
   text_add(s->out,
            "The bounds in the table are those of (53), for either set of values; they are not all that is required. ");
   sheet_sentence(s, f->effect);
-  paragraph(s);
+  text_add(s->out, "\n\n");
 }
 
 /* What an equation says, without the words in brackets behind it. */
@@ -221,7 +214,7 @@ static void add_closure(const struct sheet *s, const struct audit_result *r) {
   sheet_sentence(s, f->effect);
   const struct evidence *e = failure_evidence(f);
   if (e && e->note) sheet_add(s, " %p%.", e->note);
-  paragraph(s);
+  text_add(s->out, "\n\n");
 }
 
 /* Without the numbers that orbits have in lists, which the sheet does not show: states and times tell them. */
@@ -302,7 +295,7 @@ static void add_evidences(const struct sheet *s, const struct audit_result *r) {
       heading(s, "Effects and counterexamples");
       text_add(s->out, "A periodic solution is called admissible if every condition of the motion holds on it for "
                        "suitable static friction, so that the masses can follow it.");
-      paragraph(s);
+      text_add(s->out, "\n\n");
       begin_items(s, false);
     }
     any = true;

@@ -23,19 +23,15 @@ bool failure_is_number(const struct finding *f) {
   return f->correction_latex && f->fault && strcmp(f->fault, "number") == 0;
 }
 
-int root_values(const char *value[MOST_VALUES], const struct audit_result *r, const struct root_cause *root) {
-  int n = 0;
-  for (int i = 0; i < root->n_claims && n < MOST_VALUES; i++) {
-    const struct finding *f = audit_result_finding(r, root->claims[i]);
-    if (f && failure_is_number(f)) value[n++] = f->correction_latex;
-  }
-  return n;
+const char *root_value(const struct audit_result *r, const struct root_cause *root, int claim) {
+  const struct finding *f = audit_result_finding(r, root->claims[claim]);
+  return f && failure_is_number(f) ? f->correction_latex : NULL;
 }
 
 const struct root_cause *audit_root_of_numbers(const struct audit_result *r) {
-  const char *value[MOST_VALUES];
   for (size_t i = 0; i < r->n_roots; i++)
-    if (root_values(value, r, &r->roots[i])) return &r->roots[i];
+    for (int k = 0; k < r->roots[i].n_claims; k++)
+      if (root_value(r, &r->roots[i], k)) return &r->roots[i];
   return NULL;
 }
 

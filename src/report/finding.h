@@ -35,9 +35,9 @@ const char *failure_heading(const struct finding *f);
 const char *failure_words(const struct finding *f);
 /* Whether it is a printed number with the value it should have. */
 bool failure_is_number(const struct finding *f);
-/* The right values of the printed numbers among the root's claims, as LaTeX: "t_{a} = 0.5323"; how many. */
-enum { MOST_VALUES = 32 };
-int root_values(const char *value[MOST_VALUES], const struct audit_result *r, const struct root_cause *root);
+/* The right value of the printed number that the root's claim is about, as LaTeX: "t_{a} = 0.5323"; NULL for another
+   claim. */
+const char *root_value(const struct audit_result *r, const struct root_cause *root, int claim);
 /* The root of the wrong numbers; NULL where there are none. */
 const struct root_cause *audit_root_of_numbers(const struct audit_result *r);
 /* What is said of the paper's statements behind those proved: ", 11 hold under a condition, 19 do not hold as printed, 6 of

@@ -63,10 +63,13 @@ void html_math(struct text *out, const char *tex, const bool *changed) {
 }
 
 void sheet_values(const struct sheet *s, const struct audit_result *r, const struct root_cause *root) {
-  const char *value[MOST_VALUES];
-  int n = root_values(value, r, root);
-  for (int i = 0; i < n; i++) sheet_add(s, "%s%m", i ? ", " : NULL, value[i]);
-  if (n) text_add(s->out, ". ");
+  const char *before = NULL;
+  for (int i = 0; i < root->n_claims; i++) {
+    if (!root_value(r, root, i)) continue;
+    sheet_add(s, "%s%m", before, root_value(r, root, i));
+    before = ", ";
+  }
+  if (before) text_add(s->out, ". ");
 }
 
 /* --- Sentences --- */

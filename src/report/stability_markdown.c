@@ -72,10 +72,9 @@ static void add_ledger(struct text *out, const struct stability_result *r, bool 
   int n, shown = 0, most = kernels ? MOST_KERNELS : MOST_LOSING;
   bool after = r->after && !kernels;
   const struct stability_row **row = stability_ledger(&n, r);
-  text_printf(out, "| formula | equation | region | lost | by the problem | by the formula | cause | %switness |\n",
-              after ? "replacement | after | gained | after, most | fails | " : "");
-  text_printf(out, "| --- | --- | --- | ---: | ---: | ---: | --- | %s--- |\n",
-              after ? "--- | ---: | ---: | ---: | ---: | " : "");
+  markdown_head(out, after ? "formula|equation|region|lost:|by the problem:|by the formula:|cause|replacement|after:|"
+                             "gained:|after, most:|fails:|witness"
+                           : "formula|equation|region|lost:|by the problem:|by the formula:|cause|witness");
   for (int i = 0; i < n; i++) {
     const struct stability_formula *f = &r->formula[row[i]->formula];
     if (!stability_loses(row[i]) || f->kernel != kernels || shown++ >= most) continue;
