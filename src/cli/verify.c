@@ -40,7 +40,7 @@ static bool write_reports(const char *folder, const struct audit_result *r, doub
 static void print_surprises(const struct audit_result *r) {
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
-    if (f->recorded != N_VERDICTS && f->recorded != f->verdict)
+    if (finding_unexpected(f))
       printf("%s: %s, recorded as %s\n", f->id, verdict_name[f->verdict], verdict_name[f->recorded]);
     if (finding_miscorrected(f))
       printf("%s: the correction is %s: %s\n", f->id, verdict_name[f->correction_verdict], f->correction);
@@ -50,7 +50,7 @@ static void print_surprises(const struct audit_result *r) {
       printf("routes %s and %s: %s, beyond %s\n", r->pairs[i].first, r->pairs[i].second, r->pairs[i].quantity,
              r->pairs[i].stated);
   for (size_t i = 0; i < r->n_long_runs; i++)
-    if (!r->long_runs[i].obeys || !r->long_runs[i].displaced)
+    if (long_result_fails(&r->long_runs[i]))
       printf("long runs beside %s: not as tr J = %s says\n", r->long_runs[i].orbit, r->long_runs[i].multiplier);
   for (size_t i = 0; i < r->n_controls; i++)
     if (!r->controls[i].noticed)

@@ -109,6 +109,14 @@ long audit_result_count(long count[N_VERDICTS], const struct audit_result *r, en
   return total;
 }
 
+bool finding_unexpected(const struct finding *f) {
+  return f->recorded != N_VERDICTS && f->recorded != f->verdict;
+}
+
+bool long_result_fails(const struct long_result *l) {
+  return !l->obeys || !l->displaced;
+}
+
 bool finding_miscorrected(const struct finding *f) {
   if (!f->correction) return false;
   bool holds = verdict_passes(f->correction_verdict);
@@ -121,13 +129,11 @@ bool control_is_far(const struct control_result *c) {
 
 long audit_result_unexpected(const struct audit_result *r) {
   long n = 0;
-  for (size_t i = 0; i < r->n_findings; i++) {
-    n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
-    n += finding_miscorrected(&r->findings[i]);
-  }
+  for (size_t i = 0; i < r->n_findings; i++)
+    n += finding_unexpected(&r->findings[i]) + finding_miscorrected(&r->findings[i]);
   for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed || control_is_far(&r->controls[i]);
   for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
-  for (size_t i = 0; i < r->n_long_runs; i++) n += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
+  for (size_t i = 0; i < r->n_long_runs; i++) n += long_result_fails(&r->long_runs[i]);
   return n;
 }
 

@@ -345,6 +345,10 @@ size_t audit_result_roots(const struct audit_result *r, enum severity severity);
 const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure);
 /* How many of the findings that are the paper's, or the suite's, have each verdict; their sum. */
 long audit_result_count(long count[N_VERDICTS], const struct audit_result *r, enum claimant of);
+/* Whether the verdict is another than the one recorded beside the claim. */
+bool finding_unexpected(const struct finding *f);
+/* A run that does not do what the multiplier says. */
+bool long_result_fails(const struct long_result *l);
 /* A correction that is refuted itself; or, where the verdict is on record, is neither proved nor supported. */
 bool finding_miscorrected(const struct finding *f);
 /* A control that is farther from what it damages than it says. */

@@ -191,7 +191,7 @@ static void add_long_run_rows(struct text *out, const struct audit_result *r, bo
                      "predicted|displacement as predicted");
   for (size_t i = 0; i < r->n_long_runs; i++) {
     const struct long_result *l = &r->long_runs[i];
-    if (failing && l->obeys && l->displaced) continue;
+    if (failing && !long_result_fails(l)) continue;
     text_printf(out, "| %s | %s | %ld | %s | %s | %s |\n", l->orbit, l->multiplier, l->periods, l->expected,
                 l->obeys ? "yes" : "**NO**", l->displaced ? "yes" : "**NO**");
   }
@@ -225,7 +225,7 @@ static void add_precision(struct text *out, const struct audit_result *r) {
 
 static void add_disagreeing_long_runs(struct text *out, const struct audit_result *r) {
   bool any = false;
-  for (size_t i = 0; i < r->n_long_runs; i++) any = any || !r->long_runs[i].obeys || !r->long_runs[i].displaced;
+  for (size_t i = 0; i < r->n_long_runs; i++) any = any || long_result_fails(&r->long_runs[i]);
   if (!any) return;
   text_add(out, "## Long runs that the multiplier does not explain\n\n");
   add_long_run_rows(out, r, true);

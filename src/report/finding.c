@@ -57,10 +57,6 @@ bool finding_restricts(const struct finding *o, const struct finding *f) {
   return o->verdict == VERDICT_PROVED || o->verdict == VERDICT_SUPPORTED;
 }
 
-bool finding_unexpected(const struct finding *f) {
-  return f->recorded != N_VERDICTS && f->recorded != f->verdict;
-}
-
 const char *finding_quote(const struct finding *f) {
   return f->quote_part ? f->quote_part : f->quote;
 }

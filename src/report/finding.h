@@ -9,8 +9,6 @@
 
 /* Whether it does not hold as printed. */
 bool finding_fails(const struct finding *f);
-/* Whether the verdict is another than the one recorded beside the claim. */
-bool finding_unexpected(const struct finding *f);
 /* Whether o says the sentence of f under a restriction that saves it. */
 bool finding_restricts(const struct finding *o, const struct finding *f);
 /* The paper's own text and the formula as read, where a part decides that part alone; NULL without one. */

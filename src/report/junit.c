@@ -64,7 +64,7 @@ static void add_controls(struct text *out, const struct audit_result *r) {
 static void add_routes(struct text *out, const struct audit_result *r) {
   size_t failed = 0;
   for (size_t i = 0; i < r->n_pairs; i++) failed += !r->pairs[i].within;
-  for (size_t i = 0; i < r->n_long_runs; i++) failed += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
+  for (size_t i = 0; i < r->n_long_runs; i++) failed += long_result_fails(&r->long_runs[i]);
   begin_suite(out, "routes", r->n_pairs + r->n_long_runs, failed, 0);
   for (size_t i = 0; i < r->n_pairs; i++) {
     const struct route_pair *p = &r->pairs[i];
@@ -78,7 +78,7 @@ static void add_routes(struct text *out, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_long_runs; i++) {
     const struct long_result *l = &r->long_runs[i];
     begin_case(out, r->scene, "long runs", l->orbit, NULL);
-    if (!l->obeys || !l->displaced) text_add(out, "<failure message=\"not as the multiplier says\" />");
+    if (long_result_fails(l)) text_add(out, "<failure message=\"not as the multiplier says\" />");
     end_case(out);
   }
   end_suite(out);
