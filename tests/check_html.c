@@ -12,8 +12,8 @@
 
 #include "report/escape.h"
 #include "report/formula.h"
-#include "report/sheet.h"
 #include "report/report.h"
+#include "report/sheet.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
