@@ -67,7 +67,7 @@ static void set_character(struct setter *m) {
     set_binary(m, "\xe2\x88\x92", 3);
   else if (*c == '+')
     set_binary(m, c, 1);
-  else if (strchr("=<>:", *c))
+  else if (strchr("=<>:,;", *c))
     set_sign(m, "", c, 1, BEFORE_OPERATOR);
   else if (strchr("([", *c))
     set_sign(m, " stretchy=\"false\"", c, 1, BEFORE_NOTHING);
@@ -76,7 +76,7 @@ static void set_character(struct setter *m) {
   else if (*c == '|')
     set_sign(m, " stretchy=\"false\" lspace=\"0\" rspace=\"0\"", c, 1, BEFORE_ATOM);
   else
-    set_sign(m, "", c, 1, strchr(",;", *c) ? BEFORE_OPERATOR : BEFORE_ATOM);
+    set_sign(m, "", c, 1, BEFORE_ATOM);
   pass(m);
 }
 
@@ -177,11 +177,8 @@ static void set_word(struct setter *m, const struct tex_word *w) {
   size_t at = m->out->len;
   switch (w->role) {
   case TEX_ROLE_LETTER:
-    text_printf(m->out, "<mi>%s</mi>", w->text);
-    m->before = BEFORE_ATOM;
-    return;
   case TEX_ROLE_UPRIGHT:
-    text_printf(m->out, "<mi mathvariant=\"normal\">%s</mi>", w->text);
+    text_printf(m->out, w->role == TEX_ROLE_LETTER ? "<mi>%s</mi>" : "<mi mathvariant=\"normal\">%s</mi>", w->text);
     m->before = BEFORE_ATOM;
     return;
   case TEX_ROLE_ORDINARY:
