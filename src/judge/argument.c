@@ -167,6 +167,19 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   return ok;
 }
 
+static bool any_strict(const struct conditions *list) {
+  bool any = false;
+  for (int k = 0; k < list->n; k++) any = any || list->at[k].strict;
+  return any;
+}
+
+/* A conclusion with > may fail where a premise with >= is an equality; points lie beside that. */
+static bool open_at_equality(const struct argument *a) {
+  const struct conditions *from = &a->part[PREMISES], *to = &a->part[CONCLUSION];
+  return (conditions_admit_equality(from) && any_strict(to)) ||
+         (a->converse && conditions_admit_equality(to) && any_strict(from));
+}
+
 bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct argument a;
   bool ok = argument_read(&a, j, c, view);
@@ -175,6 +188,7 @@ bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, s
   else if (ok)
     judge_everywhere(f, &a, view);
   ok = ok && !j->d->set;
+  if (ok && open_at_equality(&a)) verdict_leave_open(f, j->out, "a premise holds with equality, as <= and >= admit");
   if (ok && f->verdict == VERDICT_REFUTED && !view.control && j->effort == EFFORT_FULL) {
     if (a.uses_friction)
       describe_effect(f, &a);

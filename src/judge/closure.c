@@ -86,10 +86,11 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
                              ball_text(j, t + 3, 8)));
     if (apart) certify_gap(f, j, z, gap);
     if (apart)
-      f->effect = result_str(j->out,
-                             "the motion from the printed initial state does not close: after one passage through the phases z_1 has "
-                             "changed by %s and z_2 by %s",
-                             ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
+      f->effect = result_str(
+          j->out,
+          "the motion from the printed initial state does not close: after one passage through the phases z_1 has "
+          "changed by %s and z_2 by %s",
+          ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
   }
   _arb_vec_clear(v, 11);
 }

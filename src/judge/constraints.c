@@ -13,7 +13,7 @@
 #include "value/expression.h"
 #include "value/orbit_pool.h"
 
-enum { EACH = 8, SIMULATED = 3 };
+enum { EACH = 8, ALONE = 2, SIMULATED = 3 };
 
 struct constraints {
   struct judge *j;
@@ -59,17 +59,27 @@ static bool lists_differ(const struct constraints *x) {
   return x->lists.of[TRUTH_FALSE] + x->forms.of[TRUTH_FALSE] > 0;
 }
 
+/* The one condition that the orbit violates; N_CONDITIONS: none, or several. */
+static int sole_violation(const struct dyn_orbit *o) {
+  int sole = N_CONDITIONS, n = 0;
+  for (int a = 0; a < N_CONDITIONS; a++)
+    if (o->holds[a] != TRUTH_TRUE) sole = a, n++;
+  return n == 1 ? sole : N_CONDITIONS;
+}
+
+/* Orbits that are admissible, some that violate each condition alone, which show that the list has it, and others. */
 static void by_balls(struct constraints *x) {
   const struct orbit_pool *pool = orbit_pool_get(x->j);
   struct point p;
-  long good = 0, bad = 0;
+  long good = 0, bad[N_CONDITIONS + 1] = {0};
   point_init(&p);
   bool refute = x->j->effort == EFFORT_REFUTE;
-  for (size_t i = 0; i < pool->n && (good < EACH || bad < EACH) && !(refute && lists_differ(x)); i++)
+  for (size_t i = 0; i < pool->n && !(refute && lists_differ(x)); i++)
     for (slong k = 0; k < pool->item[i]->list.n; k++) {
       const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
-      long *count = o->admissible == TRUTH_TRUE ? &good : &bad;
-      if (o->grazing || *count == EACH) continue;
+      int sole = sole_violation(o);
+      long *count = o->admissible == TRUTH_TRUE ? &good : &bad[sole];
+      if (o->grazing || *count == (sole < N_CONDITIONS ? ALONE : EACH)) continue;
       ++*count;
       pool_point(&p, pool->item[i], k);
       p.known = NULL;
@@ -240,8 +250,9 @@ static void describe(struct finding *f, struct constraints *x) {
                     motions[TRUTH_TRUE], motions[TRUTH_FALSE], motions[TRUTH_UNKNOWN]);
   w[1] = add(f, x, "integration", answers_outcome(&x->motions), false, answers_given(&x->motions), note);
   finding_state(f, x->j->out, "balls", "model", 64, 1, NULL, table(x));
-  f->verdict = verdict_of(w, x->j->effort == EFFORT_REFUTE ? 1 : 2,
-                          (x->j->effort == EFFORT_FULL || x->j->effort == EFFORT_REFUTE) && prove(f, x));
+  bool alone = x->j->effort == EFFORT_REFUTE || balls == ROUTE_DIFFERS; /* motions are of other orbits, or bounds */
+  f->verdict =
+      verdict_of(w, alone ? 1 : 2, (x->j->effort == EFFORT_FULL || x->j->effort == EFFORT_REFUTE) && prove(f, x));
 }
 
 bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -258,6 +269,8 @@ bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c
     by_balls(&x);
     if (j->effort != EFFORT_REFUTE) by_simulation(&x);
     describe(f, &x);
+    if (conditions_admit_equality(&x.paper))
+      verdict_leave_open(f, j->out, "a constraint holds with equality, as <= and >= admit");
   }
   conditions_clear(&x.paper);
   return ok && !j->d->set;

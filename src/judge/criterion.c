@@ -221,17 +221,21 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
   const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
   struct reread in;
-  if (r && j->instead) r = reread_open(&in, r, j->instead, c->id, j->d);
-  if (r && j->instead) in.record.rank = RANK_USER; /* no stable form stands for it */
+  if (!r) return false;
+  if (j->instead) r = reread_open(&in, r, j->instead, c->id, j->d);
+  if (j->instead) in.record.rank = RANK_USER; /* no stable form stands for it */
   if (!r) {
-    if (j->instead) reread_close(&in);
+    reread_close(&in);
     return false;
   }
-  bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_orbits(&y);
+  bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_orbits(&y), weak = false;
+  for (slong i = 0; ok && i < y.sentence.n; i++)
+    weak = weak || y.sentence.ops[i] == REL_LE || y.sentence.ops[i] == REL_GE;
   sentence_clear(&y.sentence);
   struct linearized theorem = {.proved = false};
   if (ok && !y.t.where && route_is_asked(j->scene, "exact")) theorem = linearized_stability(j, r, view);
   if (ok) conclude(&b, &y.t, &theorem);
+  if (weak) verdict_leave_open(f, j->out, "the criterion's <= or >= is an equality");
   if (j->instead) reread_close(&in);
   return ok && !j->d->set;
 }

@@ -92,6 +92,10 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
       return claim_error(j, c, "statement", "beside an equation an inequality is its condition, which is not judged");
   if (!j->model->system) return judge_points(f, j, c, view);
   if (!r) return claim_error(j, c, "statement", "there is no such record in the equation files");
+  for (int k = 0; k < r->n_stmts; k++)
+    if (r->stmts[k]->range_hi)
+      return claim_error(j, c, "statement",
+                         "what holds along a phase is no inequality of numbers: kind argument, over scene");
   struct point printed, orbit;
   point_init(&printed);
   point_init(&orbit);

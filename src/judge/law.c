@@ -221,6 +221,9 @@ static bool read_heading(struct law *l, const struct claim *c, struct view view)
   l->headed = r && sentence_from_relations(&l->heading, view, r, NULL, 0, l->j->d);
   if (r && !l->headed) sentence_clear(&l->heading);
   reread_close(&in);
+  for (slong i = 0; l->headed && i < l->heading.n; i++)
+    if (l->heading.ops[i] != REL_EQ)
+      return claim_error(l->j, c, "heading", "the belt's velocity is given by an equation");
   return l->headed;
 }
 

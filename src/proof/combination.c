@@ -285,6 +285,7 @@ struct extra {
   int phase;   /* of the conclusion's time t; -1 when nothing moves there, N_PHASES when several do */
   int premise; /* of the premises' time t where the conclusion has none: any moment of that phase, its ends too */
   bool monotone;
+  bool strict; /* some inequality of the conclusion */
 };
 
 static void take_phase(int *phase, int ph) {
@@ -300,7 +301,7 @@ static bool monotone_tape(struct extra *x, struct judge *j, const struct claim *
   int ph = word_find(phase, phase_name, N_PHASES);
   if (ph == N_PHASES) return claim_error(j, c, "increasing", "no such phase");
   take_phase(&x->phase, ph);
-  x->monotone = true;
+  x->monotone = x->strict = true;
   x->increase_text[0] = result_str(j->out, "%s'(t)", name);
   x->increase_text[1] = result_str(j->out, "%s(t) - %s(%s)", name, name, name_switching[ph]);
   x->increase_text[2] = result_str(j->out, "%s(%s) - %s(t)", name, name_switching[ph + 1], name);
@@ -315,9 +316,10 @@ static bool clock_tape(struct extra *x, struct judge *j) {
   return expressions_tape(&x->clock, &x->el, x->clock_text, 2, "", j->d);
 }
 
-/* Whether a condition speaks of the time t of the proof, or of no time t. */
+/* Whether a condition speaks of the time t of the proof, or of no time t, and is as strict as what is to follow. */
 static bool usable(const struct condition *c, const struct extra *x) {
-  return !c->moving || (int)c->phase == (x->phase < 0 ? x->premise : x->phase);
+  bool there = !c->moving || (int)c->phase == (x->phase < 0 ? x->premise : x->phase);
+  return there && (c->equality || c->strict || !x->strict);
 }
 
 static bool name_all(struct proof *p, const struct extra *x, const struct conditions *premises,
@@ -381,6 +383,7 @@ bool certificate_find(struct text *out, struct judge *j, const struct claim *c, 
   bool inequalities = true;
   for (int i = 0; i < conclusion->n; i++) {
     inequalities = inequalities && !conclusion->at[i].equality;
+    x.strict = x.strict || conclusion->at[i].strict;
     if (conclusion->at[i].moving) take_phase(&x.phase, (int)conclusion->at[i].phase);
   }
   for (int i = 0; i < premises->n; i++)

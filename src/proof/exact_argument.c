@@ -18,7 +18,7 @@ int exact_premises(struct num_vec *facts, int n, struct exact_motion *m, const s
   for (int k = 0; k < premises->n; k++) {
     const struct condition *c = &premises->at[k];
     bool there = !c->moving || (m->attempt.time == TIME_INSIDE && c->phase == m->spec.phase);
-    if (there && !c->equality) n += exact_margin(num_vec_at(facts, n), m, &c->s.tape);
+    if (there && c->strict) n += exact_margin(num_vec_at(facts, n), m, &c->s.tape);
   }
   return n;
 }

@@ -80,7 +80,7 @@ static bool reads(const struct expr *e, const char *as) {
 }
 
 enum phase name_of_range(const struct stmt *s) {
-  int i = 0;
+  int i = (s->lo_closed || s->hi_closed) && s->n_sides > 1 && s->ops[0] != REL_EQ ? N_PHASES : 0;
   while (i < N_PHASES &&
          !(s->range_hi && reads(s->range_lo, name_switching[i]) && reads(s->range_hi, name_switching[i + 1])))
     i++;

@@ -1,5 +1,6 @@
 /* Where a claim is tried: its attribute "points". */
 #include "claim/claim.h"
+#include "names.h"
 #include "sentence.h"
 #include <stdio.h>
 #include <string.h>
@@ -21,6 +22,19 @@ static bool parse_spec(struct point_spec *s, const char *item) {
   return kind < N_POINT_KINDS && s->n > 0;
 }
 
+/* A range of the time t must be the phase at whose points the claim is tried. */
+static bool ranges_are_met(const struct point_spec *spec, int n, struct judge *j, const struct claim *c) {
+  const char *id = claim_get(c, "statement");
+  struct view view = claim_view(j->model, c);
+  const struct statement_record *r = id && j->model->system ? view_record(&view, id) : NULL;
+  for (int k = 0; r && k < r->n_stmts; k++)
+    for (int i = 0; i < n && r->stmts[k]->range_hi && !r->stmts[k]->range_signs; i++)
+      if (spec[i].kind != POINT_PARAMS && name_of_range(r->stmts[k]) != spec[i].phase)
+        return claim_error(j, c, "points",
+                           "the range of the statement is not the phase, its ends left out, of these points");
+  return true;
+}
+
 int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c) {
   const char *list = claim_points_asked(c);
   char item[64];
@@ -35,5 +49,5 @@ int claim_points(struct point_spec *spec, int max, struct judge *j, const struct
     spec[i].finite = claim_says(c, "perturbation", "finite");
     spec[i].paper = j->model;
   }
-  return ok ? n : -1;
+  return ok && ranges_are_met(spec, n, j, c) ? n : -1;
 }

@@ -386,7 +386,7 @@ static bool make_constraints(struct text *out, const struct title *t) {
 
 /* "-1 > tr(J) or tr(J) > 1" of -1 < tr(J) < 1. */
 static void reversed(struct text *out, const struct statement_record *r) {
-  static const char *const other[] = {" = ", " > ", " >= ", " < ", " <= "}; /* by relop */
+  static const char *const other[] = {" = ", " > ", " > ", " < ", " < "}; /* by relop */
   const char *sep = "";
   for (int k = 0; k < r->n_stmts; k++)
     for (int i = 0; r->stmts[k]->kind == STMT_RELATION && i + 1 < r->stmts[k]->n_sides; i++, sep = " or ") {
