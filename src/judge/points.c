@@ -37,6 +37,7 @@ struct tally {
   struct sentence sentence;
   bool ready;
   long trials, agrees, differs, undecided, rejected;
+  long on_orbits; /* trials that agree on periodic solutions; -1: one differs there */
   long bits;
   double worst_log;
   const char *worst, *certificate;
@@ -206,6 +207,8 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
   t->trials++;
   t->agrees += tr->outcome == OUTCOME_AGREES;
   t->undecided += tr->outcome == OUTCOME_UNDECIDED;
+  if (p->kind == POINT_ORBIT && t->on_orbits >= 0)
+    t->on_orbits = tr->outcome == OUTCOME_DIFFERS ? -1 : t->on_orbits + (tr->outcome == OUTCOME_AGREES);
   if (tr->bits > t->bits) t->bits = tr->bits;
   if (tr->outcome == OUTCOME_DIFFERS) {
     bool shown = t->differs++ == 0 || (!r->forward && is_forward(r, p));
@@ -440,8 +443,14 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
     f->verdict = VERDICT_UNKNOWN; /* nothing that decides is asked for */
     return true;
   }
+  enum { SEVERAL = 3 };
   bool ok = run_all(f, &r, j, c, view, NULL);
   bool explained = view.own && j->effort == EFFORT_FULL;
+  if (ok && f->verdict == VERDICT_REFUTED && explained && r.tally[0].on_orbits >= SEVERAL) {
+    f->verdict = VERDICT_UNKNOWN;
+    finding_state(f, j->out, "balls", layer_of(&r), -1, r.tally[0].on_orbits, NULL,
+                  "what differs is no periodic solution; on these the sides agree, which is not proved");
+  }
   if (ok && f->verdict == VERDICT_REFUTED && explained) {
     describe_effect(f, &r);
     certify(f, &r);
