@@ -242,8 +242,14 @@ static bool try_point(bool *accepted, struct point_trials *r, const struct point
   return true;
 }
 
+static bool has_inequality(const struct sentence *s) {
+  bool any = false;
+  for (slong i = 0; i < s->n; i++) any = any || s->ops[i] != REL_EQ;
+  return any;
+}
+
 /* A proof is tried once a point has not refuted the sentence; then a quarter of the points is left to speak for the
-   transcription of the model's side. */
+   transcription of the model's side.  An inequality without a proof may fail on a part of the domain alone. */
 static long points_wanted(struct point_trials *r, const struct point_spec *spec, long done) {
   bool wants_proof =
       (r->j->effort == EFFORT_FULL || r->j->effort == EFFORT_DIFFERENCE) && route_is_asked(r->j->scene, "exact");
@@ -251,7 +257,8 @@ static long points_wanted(struct point_trials *r, const struct point_spec *spec,
     r->proof_tried = true;
     r->proof = exact_prove(r->j, r->c, r->view, spec->restriction);
   }
-  return r->proof.proved ? (spec->n + 3) / 4 : spec->n;
+  if (r->proof.proved) return (spec->n + 3) / 4;
+  return (r->proof_tried && has_inequality(&r->tally[0].sentence) ? 8 : 1) * spec->n;
 }
 
 /* Nothing that further points could say is asked for. */
@@ -273,7 +280,8 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   point_init(&p);
   bool ok = true;
   long done = 0;
-  for (long draws = 0; ok && done < points_wanted(r, spec, done) && draws < DRAWS_PER_POINT * spec->n; draws++) {
+  for (long draws = 0;
+       ok && done < points_wanted(r, spec, done) && draws < DRAWS_PER_POINT * points_wanted(r, spec, done); draws++) {
     if (enough(r)) break;
     bool accepted = false;
     sampler_next(&p, &s);
