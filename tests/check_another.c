@@ -57,13 +57,10 @@ static int near_value(char *out, size_t size, const char *name, const char *valu
    room for these equations, and the row's data for the symbols. */
 START_TEST(amplitudes_and_phases_of_motions) {
   static const char *const shift[] = {"", " + 2e-32"};
-  char row[256] = "", *field[4], cosine[128], sine[128], text[2048], command[2048];
-  FILE *in = fopen("tests/oracle/den_hartog.tsv", "r");
-  ck_assert_ptr_nonnull(in);
-  for (int i = 0; i <= _i / 4; i++) ck_assert_ptr_nonnull(fgets(row, sizeof row, in));
-  fclose(in);
-  row[strcspn(row, "\n")] = '\0';
-  ck_assert_int_eq(split_tabs(field, 4, row), 4);
+  char cosine[128], sine[128], text[2048], command[2048];
+  struct table motions;
+  table_read(&motions, "tests/oracle/den_hartog.tsv", 4);
+  char *const *field = motions.row[_i / 4];
   snprintf(cosine, sizeof cosine, "cos(%s)", field[3]);
   snprintf(sine, sizeof sine, "sin(%s)", field[3]);
   const char *const held[][2] = {{"x_0", field[2]}, {"u", cosine}, {"v", sine}};
@@ -86,6 +83,7 @@ START_TEST(amplitudes_and_phases_of_motions) {
   ck_assert_msg(status == 1 && strstr(out, wrong ? "eq-9: refuted" : "eq-9: unknown"), "beta = %s, %d: %s", field[0],
                 wrong, out);
   free(out);
+  table_clear(&motions);
 }
 END_TEST
 

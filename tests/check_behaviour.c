@@ -15,6 +15,7 @@
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 /* --- The return map as a series --- */
 
@@ -30,17 +31,16 @@ static double ratio(const char *s) {
 }
 
 static void read_equality(struct row row[2]) {
-  FILE *f = fopen("tests/oracle/equality.tsv", "r");
-  ck_assert_ptr_nonnull(f);
+  struct table t;
+  table_read(&t, "tests/oracle/equality.tsv", 11);
   for (int k = 0; k < 2; k++) {
-    char par[N_PARAMS][32];
-    ck_assert_int_eq(fscanf(f, "%31s %31s %31s %31s %31s %d %lf %lf %lf %lf %lf", par[0], par[1], par[2], par[3],
-                            par[4], &row[k].vary, &row[k].value, &row[k].r, &row[k].c[1], &row[k].c[2], &row[k].c[3]),
-                     11);
-    for (int i = 0; i < N_PARAMS; i++) row[k].par[i] = ratio(par[i]);
-    row[k].par[row[k].vary] = row[k].value;
+    for (int i = 0; i < N_PARAMS; i++) row[k].par[i] = ratio(t.row[k][i]);
+    row[k].vary = atoi(t.row[k][5]);
+    row[k].value = row[k].par[row[k].vary] = atof(t.row[k][6]);
+    row[k].r = atof(t.row[k][7]);
+    for (int i = 1; i < 4; i++) row[k].c[i] = atof(t.row[k][7 + i]);
   }
-  fclose(f);
+  table_clear(&t);
 }
 
 /* The series at r, the start lying on w = e1, in balls of 200 bits; radius: of r, as a power of 2, or 0. */
@@ -229,19 +229,16 @@ END_TEST
 
 /* Word and period of longrun.tsv. */
 START_TEST(the_long_run_of_the_printed_start) {
-  FILE *f = fopen("tests/oracle/longrun.tsv", "r");
-  char line[600];
+  struct table runs;
+  table_read(&runs, "tests/oracle/longrun.tsv", 10);
   struct audit_result r;
   const struct finding *g = judged(&r, CLAIM("long-run") "  friction: 1.25 2\n");
   ck_assert_int_eq((int)g->verdict, VERDICT_DEFINITION);
   ck_assert_int_eq(g->n_evidence, 2);
-  ck_assert_ptr_nonnull(f);
   for (int k = 0; k < 2; k++) {
-    ck_assert_ptr_nonnull(fgets(line, sizeof line, f));
-    char *field[16], period[32];
-    int n = split_tabs(field, 16, line);
-    const char *word = field[n - 2];
-    snprintf(period, sizeof period, "the period %.6f", atof(field[n - 1]));
+    char *const *field = runs.row[k], period[32];
+    const char *word = field[8];
+    snprintf(period, sizeof period, "the period %.6f", atof(field[9]));
     ck_assert_msg(strstr(g->evidence[k].note, word) != NULL, "%s, not %s", g->evidence[k].note, word);
     ck_assert_msg(strstr(g->evidence[k].note, period) != NULL, "%s, not %s", g->evidence[k].note, period);
     ck_assert(strstr(g->evidence[k].note, "give the same events") != NULL);
@@ -249,7 +246,7 @@ START_TEST(the_long_run_of_the_printed_start) {
     snprintf(friction, sizeof friction, "u_r1 = %.6f, u_r2 = %.6f", atof(field[1]), atof(field[2]));
     ck_assert_str_eq(g->evidence[k].worst, friction);
   }
-  fclose(f);
+  table_clear(&runs);
   audit_result_clear(&r);
 }
 END_TEST

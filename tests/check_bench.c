@@ -16,20 +16,11 @@
 #include "paper_model.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 /* --- The truths of the jobs against numbers made elsewhere. --- */
 
-enum { PREC = 400, N_FIELDS = 16 };
-
-/* Calls f on the fields of each line of a file that is no comment. */
-static void each_line(const char *path, void (*f)(char **field, void *self), void *self) {
-  char line[4000], *field[N_FIELDS];
-  FILE *file = fopen(path, "r");
-  ck_assert_msg(file != NULL, "no %s; the tests run in the project's folder", path);
-  while (fgets(line, sizeof line, file))
-    if (line[0] != '#' && split_tabs(field, N_FIELDS, line) > 1) f(field, self);
-  fclose(file);
-}
+enum { PREC = 400 };
 
 static void set_decimal(arb_ptr x, const char *decimal) {
   ck_assert_int_eq(arb_set_str(x, decimal, PREC), 0);
@@ -65,25 +56,20 @@ static void truth_clear(struct truth *t) {
   num_vec_clear(&t->given);
 }
 
-struct matrix_check {
-  struct truth t;
-  int seen;
-};
-
-static void propagator_line(char **field, void *self) {
-  struct matrix_check *m = self;
-  for (int i = 0; i < 3; i++) set_decimal(num_vec_at(&m->t.in, i), field[i]);
-  ck_assert_int_eq(bench_propagator.truth(&m->t.out, &m->t.given, m->t.hint, &m->t.in, NULL), SS_OK);
-  same_digits(num_vec_at(&m->t.out, 4 * (atoi(field[3]) - 1) + atoi(field[4]) - 1), field[5], 43, "H(t)");
-  m->seen++;
-}
-
 START_TEST(the_propagator_is_that_of_mpmath) {
-  struct matrix_check m = {.seen = 0};
-  truth_init(&m.t, &bench_propagator);
-  each_line("tests/oracle/bench.tsv", propagator_line, &m);
-  ck_assert_int_eq(m.seen, 48);
-  truth_clear(&m.t);
+  struct table entries;
+  struct truth t;
+  table_read(&entries, "tests/oracle/bench.tsv", 6);
+  ck_assert_int_eq(entries.n, 48);
+  truth_init(&t, &bench_propagator);
+  for (int n = 0; n < entries.n; n++) {
+    char *const *field = entries.row[n];
+    for (int i = 0; i < 3; i++) set_decimal(num_vec_at(&t.in, i), field[i]);
+    ck_assert_int_eq(bench_propagator.truth(&t.out, &t.given, t.hint, &t.in, NULL), SS_OK);
+    same_digits(num_vec_at(&t.out, 4 * (atoi(field[3]) - 1) + atoi(field[4]) - 1), field[5], 43, "H(t)");
+  }
+  truth_clear(&t);
+  table_clear(&entries);
 }
 END_TEST
 
@@ -112,69 +98,54 @@ START_TEST(closed_form_and_exponential_agree) {
 }
 END_TEST
 
-/* The orbit beside the paper's numbers: the fields of its line and those of the set. */
-struct example {
-  char set[5][80], field[N_FIELDS][80];
-  char jacobian[4][80];
-};
-
-static void orbit_line(char **field, void *self) {
-  struct example *o = self;
-  if (strcmp(field[1], "paper") == 0 && strcmp(field[0], "set") == 0)
-    for (int i = 0; i < 5; i++) snprintf(o->set[i], sizeof o->set[i], "%s", field[2 + i]);
-  if (strcmp(field[1], "paper") == 0 && strcmp(field[0], "orbit") == 0 && strcmp(field[2], "1") == 0)
-    for (int i = 0; i < 11; i++) snprintf(o->field[i], sizeof o->field[i], "%s", field[i]);
-}
-
-static void jacobian_line(char **field, void *self) {
-  struct example *o = self;
-  if (strcmp(field[0], "paper") != 0 || strcmp(field[1], "1") != 0 || strcmp(field[2], "return") != 0) return;
-  char *entry = o->jacobian[2 * (atoi(field[3]) - 1) + atoi(field[4]) - 1];
-  snprintf(entry, sizeof o->jacobian[0], "%s", field[5]);
-}
-
-enum { F_Z10 = 3, F_Z20, F_TA, F_TB, F_TC, F_TD, F_PERIOD, F_TRACE };
-
-static void read_orbit(struct example *o) {
-  *o = (struct example){.set = {""}};
-  each_line("tests/oracle/orbits.tsv", orbit_line, o);
-  each_line("tests/oracle/jacobian.tsv", jacobian_line, o);
-  ck_assert(o->set[0][0] && o->field[F_TRACE][0] && o->jacobian[3][0]);
-}
+/* Of the orbit beside the paper's numbers, the set's second. */
+enum { F_INDEX = 2, F_Z10, F_Z20, F_TA, F_TB, F_TC, F_TD, F_PERIOD, F_TRACE };
 
 START_TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
-  struct example o;
+  struct table orbits, entries;
   struct truth map, jac, orbit;
-  read_orbit(&o);
+  table_read(&orbits, "tests/oracle/orbits.tsv", ANY_COLUMNS);
+  table_read(&entries, "tests/oracle/jacobian.tsv", 6);
+  int set = table_row(&orbits, "set", "paper"), seen = 0;
+  char *const *params = orbits.row[set] + 2, *const *field = orbits.row[set + 2];
+  ck_assert_str_eq(field[F_INDEX], "1");
   truth_init(&map, &bench_map);
   truth_init(&jac, &bench_jacobian);
   truth_init(&orbit, &bench_orbit);
   for (int i = 0; i < N_PARAMS; i++) {
-    set_decimal(num_vec_at(&map.in, i), o.set[i]);
-    set_decimal(num_vec_at(&jac.in, i), o.set[i]);
-    set_decimal(num_vec_at(&orbit.in, i), o.set[i]);
+    set_decimal(num_vec_at(&map.in, i), params[i]);
+    set_decimal(num_vec_at(&jac.in, i), params[i]);
+    set_decimal(num_vec_at(&orbit.in, i), params[i]);
   }
-  set_decimal(num_vec_at(&jac.in, N_PARAMS), o.field[F_Z10]);
-  set_decimal(num_vec_at(&jac.in, N_PARAMS + 1), o.field[F_Z20]);
+  set_decimal(num_vec_at(&jac.in, N_PARAMS), field[F_Z10]);
+  set_decimal(num_vec_at(&jac.in, N_PARAMS + 1), field[F_Z20]);
   arb_sub(num_vec_at(&map.in, N_PARAMS), num_vec_at(&jac.in, N_PARAMS + 1), num_vec_at(&jac.in, N_PARAMS), PREC);
   ck_assert_int_eq(bench_map.truth(&map.out, &map.given, map.hint, &map.in, NULL), SS_OK);
   ck_assert_int_eq(bench_jacobian.truth(&jac.out, &jac.given, jac.hint, &jac.in, NULL), SS_OK);
   ck_assert_int_eq(bench_orbit.truth(&orbit.out, &orbit.given, orbit.hint, &orbit.in, NULL), SS_OK);
   for (int i = 0; i < 3; i++) {
-    same_digits(num_vec_at(&map.out, i), o.field[F_TB + i], 55, "map");
-    double t = atof(o.field[F_TB + i]);
+    same_digits(num_vec_at(&map.out, i), field[F_TB + i], 55, "map");
+    double t = atof(field[F_TB + i]);
     ck_assert(map.hint[i] != t && fabs(map.hint[i] - t) < 0.02 * t);
   }
   arb_sub(num_vec_at(&map.out, 3), num_vec_at(&map.out, 3), num_vec_at(&map.in, N_PARAMS), PREC);
   ck_assert(fabs(arf_get_d(arb_midref((arb_srcptr)num_vec_at(&map.out, 3)), ARF_RND_NEAR)) < 1e-55);
-  for (int i = 0; i < 4; i++) same_digits(num_vec_at(&jac.out, i), o.jacobian[i], 38, "Jacobian");
-  for (int i = 0; i < 4; i++) same_digits(num_vec_at(&orbit.out, i), o.field[F_TA + i], 55, "times");
-  same_digits(num_vec_at(&orbit.out, 4), o.field[F_Z10], 55, "z10");
-  same_digits(num_vec_at(&orbit.out, 5), o.field[F_Z20], 55, "z20");
-  same_digits(num_vec_at(&orbit.out, 6), o.field[F_TRACE], 55, "trace");
+  for (int i = 0; i < entries.n; i++) {
+    char *const *f = entries.row[i];
+    if (strcmp(f[0], "paper") != 0 || strcmp(f[1], "1") != 0 || strcmp(f[2], "return") != 0) continue;
+    same_digits(num_vec_at(&jac.out, 2 * (atoi(f[3]) - 1) + atoi(f[4]) - 1), f[5], 38, "Jacobian");
+    seen++;
+  }
+  ck_assert_int_eq(seen, 4);
+  for (int i = 0; i < 4; i++) same_digits(num_vec_at(&orbit.out, i), field[F_TA + i], 55, "times");
+  same_digits(num_vec_at(&orbit.out, 4), field[F_Z10], 55, "z10");
+  same_digits(num_vec_at(&orbit.out, 5), field[F_Z20], 55, "z20");
+  same_digits(num_vec_at(&orbit.out, 6), field[F_TRACE], 55, "trace");
   truth_clear(&map);
   truth_clear(&jac);
   truth_clear(&orbit);
+  table_clear(&entries);
+  table_clear(&orbits);
 }
 END_TEST
 
@@ -643,16 +614,15 @@ START_TEST(peers_agree_with_the_truth) {
   int agreed = 0;
   shell_well("\"$P\" bench --quick --job %s --inputs \"$D/page\" >/dev/null", bench_jobs[_i]->id);
   shell_well("\"$Y\" bench/peers/peers.py \"$D/page\" --quick >/dev/null");
-  char *peers = file_text(scratch_path("page/peers.tsv"));
-  for (char *at = peers, *field[N_FIELDS]; at && *at;) {
-    char *next = strchr(at, '\n');
-    if (next) *next++ = '\0';
-    if (split_tabs(field, N_FIELDS, at) == 14 && strcmp(field[1], method[_i]) == 0 && strcmp(field[5], "50") == 0)
+  struct table peers;
+  table_read(&peers, scratch_path("page/peers.tsv"), ANY_COLUMNS);
+  for (int i = 0; i < peers.n; i++) {
+    char *const *field = peers.row[i];
+    if (field[13] && strcmp(field[1], method[_i]) == 0 && strcmp(field[5], "50") == 0)
       agreed += strcmp(field[7], "ok") == 0 && atof(field[10]) < 1e-47;
-    at = next;
   }
   ck_assert_int_eq(agreed, 1);
-  free(peers);
+  table_clear(&peers);
 }
 END_TEST
 

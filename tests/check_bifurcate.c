@@ -16,6 +16,7 @@
 #include "motion/dual.h"
 #include "motion/map_balls.h"
 #include "suites.h"
+#include "table.h"
 
 static void set_decimal(fmpq_t q, const char *s) {
   ck_assert_msg(num_parse_decimal(q, s, strlen(s)) == SS_OK, "%s", s);
@@ -144,31 +145,26 @@ static bool inside(const struct dyn_bifurcation *b, const fmpq_t x) {
 }
 
 START_TEST(values_of_the_oracle) {
-  char row[400], whole[400], before[400] = "";
-  int rows = 0;
+  struct table changes;
+  table_read(&changes, "tests/oracle/bifurcations.tsv", 11);
+  ck_assert_int_eq(changes.n, 7);
   struct line l;
   struct dyn_bifurcations list;
-  FILE *f = fopen("tests/oracle/bifurcations.tsv", "r");
-  ck_assert_msg(f != NULL, "the tests run in the project's folder");
-  while (fgets(row, sizeof row, f)) {
+  for (int row = 0; row < changes.n; row++) {
     static const char *const names[] = {"chi", "eta", "V", "e1", "e2"};
-    char *field[11];
-    snprintf(whole, sizeof whole, "%s", row);
-    int n = 0;
-    for (char *p = strtok(row, "\t\n"); p && n < 11; p = strtok(NULL, "\t\n")) field[n++] = p;
-    ck_assert_int_eq(n, 11);
-    int vary = 0;
+    char *const *field = changes.row[row];
+    int vary = 0, same = 0; /* fields that are those of the row before */
+    while (row > 0 && same < 8 && strcmp(field[same], changes.row[row - 1][same]) == 0) same++;
     while (strcmp(names[vary], field[5]) != 0) vary++;
     fmpq_t value;
     fmpq_init(value);
     set_decimal(value, field[9]);
-    if (strncmp(whole, before, (size_t)(field[8] - row)) != 0) { /* else several changes on one line */
-      if (rows > 0) dyn_bifurcations_clear(&list);
-      if (rows > 0) line_clear(&l);
+    if (same < 8) { /* else several changes on one line */
+      if (row > 0) dyn_bifurcations_clear(&list);
+      if (row > 0) line_clear(&l);
       line_init(&l, (const char *const *)field, vary, field[6], field[7]);
       ck_assert_int_eq(find(&list, &l, 15), SS_OK);
     }
-    memcpy(before, whole, sizeof before);
     int hits = 0;
     for (slong i = 0; i < list.n; i++)
       if (strcmp(dyn_change_id[list.at[i].what], field[8]) == 0 && inside(&list.at[i], value)) {
@@ -177,12 +173,10 @@ START_TEST(values_of_the_oracle) {
       }
     ck_assert_msg(hits == 1, "%s at %s: %d brackets", field[8], field[9], hits);
     fmpq_clear(value);
-    rows++;
   }
   dyn_bifurcations_clear(&list);
   line_clear(&l);
-  fclose(f);
-  ck_assert_int_eq(rows, 7);
+  table_clear(&changes);
   flint_cleanup();
 }
 END_TEST
@@ -396,15 +390,11 @@ END_TEST
 
 /* The third order at a flip, against tests/oracle/equality.tsv: c_2^2 + c_3 = 0.206... there is positive. */
 START_TEST(third_order_of_the_oracle) {
-  FILE *f = fopen("tests/oracle/equality.tsv", "r");
-  char row[400];
-  ck_assert(f != NULL);
-  int rows = 0;
-  while (fgets(row, sizeof row, f)) {
-    char *field[11];
-    int n = 0;
-    for (char *p = strtok(row, "\t\n"); p && n < 11; p = strtok(NULL, "\t\n")) field[n++] = p;
-    ck_assert_int_eq(n, 11);
+  struct table flips;
+  table_read(&flips, "tests/oracle/equality.tsv", 11);
+  ck_assert_int_eq(flips.n, 2);
+  for (int row = 0; row < flips.n; row++) {
+    char *const *field = flips.row[row];
     struct line l;
     struct dyn_bifurcations list;
     char from[40], to[40];
@@ -430,10 +420,8 @@ START_TEST(third_order_of_the_oracle) {
     ck_assert_msg(hits == 1, "%s: %d flips", field[6], hits);
     dyn_bifurcations_clear(&list);
     line_clear(&l);
-    rows++;
   }
-  fclose(f);
-  ck_assert_int_eq(rows, 2);
+  table_clear(&flips);
   flint_cleanup();
 }
 END_TEST

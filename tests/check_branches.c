@@ -12,6 +12,7 @@
 #include "run/run.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 enum { MOST_SETS = 4, MOST_SOLUTIONS = 200 };
 static const double LAST = 20; /* t_c of the file */
@@ -26,28 +27,28 @@ static struct set set[MOST_SETS];
 static int n_sets;
 
 static void read_sets(void) {
-  char line[400], number[N_PARAMS][24];
-  FILE *f = fopen("tests/oracle/later.tsv", "r");
-  ck_assert_msg(f != NULL, "no tests/oracle/later.tsv; the tests run in the project's folder");
+  struct table t;
+  table_read(&t, "tests/oracle/later.tsv", ANY_COLUMNS);
   n_sets = 0;
-  while (fgets(line, sizeof line, f)) {
+  for (int k = 0; k < t.n; k++) {
+    char *const *field = t.row[k];
     struct set *s = &set[n_sets];
-    if (sscanf(line, "set %31s %23s %23s %23s %23s %23s", s->name, number[0], number[1], number[2], number[3],
-               number[4]) == 6) {
+    if (strcmp(field[0], "set") == 0) {
       ck_assert_int_lt(n_sets++, MOST_SETS);
+      snprintf(s->name, sizeof s->name, "%s", field[1]);
       s->n = 0;
       for (int i = 0; i < N_PARAMS; i++) {
         fmpq_init(s->p + i);
-        ck_assert_int_eq(num_parse_decimal(s->p + i, number[i], strlen(number[i])), SS_OK);
+        ck_assert_int_eq(num_parse_decimal(s->p + i, field[2 + i], strlen(field[2 + i])), SS_OK);
       }
       continue;
     }
     s--;
     ck_assert_int_lt(s->n, MOST_SOLUTIONS);
-    double *t = s->t[s->n++];
-    ck_assert_int_eq(sscanf(line, "solution %lf %lf %lf %lf", t, t + 1, t + 2, t + 3), 4);
+    for (int i = 0; i < N_PHASES; i++) s->t[s->n][i] = atof(field[1 + i]);
+    s->n++;
   }
-  fclose(f);
+  table_clear(&t);
 }
 
 static void forget_sets(void) {

@@ -28,6 +28,7 @@
 #include "motion/warm.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 /* --- A question and its answer --- */
 
@@ -159,14 +160,8 @@ static bool decimal_within(const char *decimal, arb_srcptr x, slong bits) {
   return overlap;
 }
 
-static int split(char *line, char *field[20]) {
-  int n = 0;
-  for (char *p = strtok(line, "\t\n"); p && n < 20; p = strtok(NULL, "\t\n")) field[n++] = p;
-  return n;
-}
-
 /* One orbit's line: name index z10 z20 t_a t_b t_c t_d period trace u_r1_min u_r2_min admissible violations. */
-static void check_orbit(const struct study *s, slong i, char *field[20]) {
+static void check_orbit(const struct study *s, slong i, char *const *field) {
   const struct dyn_orbit *o = &s->list.orbit[i];
   const struct dyn_certificate *z = &s->proof[i];
   arb_srcptr x[] = {o->z10, o->z20, o->t[0], o->t[1], o->t[2], o->t[3], o->period, o->trace, o->u_r1_min, o->u_r2_min};
@@ -190,20 +185,18 @@ static void check_orbit(const struct study *s, slong i, char *field[20]) {
 
 /* t_b > pi, t_a < 0, tr J beyond 1, coexisting orbits, t_c near 76, an orbit beside its fold, ...: see sets.tsv. */
 START_TEST(every_set_is_certified_and_verified) {
-  char line[4000], *field[20];
-  FILE *f = fopen("tests/oracle/orbits.tsv", "r");
-  ck_assert_msg(f != NULL, "no tests/oracle/orbits.tsv; the tests run in the project's folder");
+  struct table t;
+  table_read(&t, "tests/oracle/orbits.tsv", ANY_COLUMNS);
   int sets = 0, orbits = 0;
-  while (fgets(line, sizeof line, f)) {
-    if (split(line, field) < 9 || strcmp(field[0], "set") != 0) continue;
+  for (int row = 0; row < t.n; row++) {
+    char *const *field = t.row[row];
+    if (strcmp(field[0], "set") != 0) continue;
     struct study s;
     slong n = atoi(field[7]);
     study_forces(&s, field[2], field[3], field[4], field[5], field[6]);
     all_certified(&s, n);
     for (slong i = 0; i < n; i++) {
-      ck_assert(fgets(line, sizeof line, f) != NULL);
-      ck_assert_int_eq(split(line, field), 15);
-      check_orbit(&s, i, field);
+      check_orbit(&s, i, t.row[row + 1 + i]);
       orbits++;
     }
     if (n > 0)
@@ -213,7 +206,7 @@ START_TEST(every_set_is_certified_and_verified) {
     study_close(&s);
     sets++;
   }
-  fclose(f);
+  table_clear(&t);
   ck_assert_msg(sets >= 28 && orbits >= 55, "%d sets, %d orbits", sets, orbits);
 }
 END_TEST
@@ -292,22 +285,19 @@ START_TEST(long_slip_and_given_times) {
   study_close(&s);
 
   static const char *const times[N_PARAMS] = {"0.8", "1", "1", "2", "1.5"};
-  char t_a[60], line[100] = "";
-  FILE *f = fopen("tests/oracle/times.tsv", "r");
-  ck_assert(f != NULL);
-  while (strncmp(line, "t_a", 3) != 0) ck_assert(fgets(line, sizeof line, f) != NULL);
-  ck_assert_int_eq(sscanf(line, "t_a %59s", t_a), 1);
-  fclose(f);
+  struct table given;
+  table_read(&given, "tests/oracle/times.tsv", 2);
   static const char *const u[2][2] = {{"100", "100"}, {"1", "100"}};
   for (int i = 0; i < 2; i++) { /* w < 0 where C starts: u_r1_min > e1/2 > 1 */
     study_open(&s, times, QUANTITY_TB, QUANTITY_TC, u[i], 128);
     all_certified(&s, 1);
-    ck_assert(decimal_within(t_a, s.list.orbit[0].t[0], 130));
+    ck_assert(decimal_within(given.row[table_row(&given, "t_a", NULL)][1], s.list.orbit[0].t[0], 130));
     ck_assert_int_eq(s.proof[0].u_r[0], i == 0);
     ck_assert_int_eq(s.proof[0].admissible, i == 0);
     verified(&s);
     study_close(&s);
   }
+  table_clear(&given);
 
   static const char *const short_stick[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1e-9"};
   study_open(&s, short_stick, QUANTITY_E1, QUANTITY_TA, NULL, 128);
@@ -1120,14 +1110,10 @@ START_TEST(thousand_digits) {
   dyn_orbit_radius(radius, &s.list.orbit[1]);
   ck_assert_int_lt(mag_cmp_2exp_si(radius, -3380), 0);
   mag_clear(radius);
-  char name[20], decimal[1100];
-  FILE *f = fopen("tests/oracle/paper_1000.tsv", "r");
-  ck_assert(f != NULL);
-  for (int c = fgetc(f); c == '#'; c = fgetc(f))
-    while (fgetc(f) != '\n') continue;
-  ck_assert(fscanf(f, "%19s %1099s", name, decimal) == 2); /* z10, its z read */
-  ck_assert(decimal_within(decimal, s.list.orbit[1].z10, 3350));
-  fclose(f);
+  struct table digits;
+  table_read(&digits, "tests/oracle/paper_1000.tsv", 2);
+  ck_assert(decimal_within(digits.row[table_row(&digits, "z10", NULL)][1], s.list.orbit[1].z10, 3350));
+  table_clear(&digits);
   verified(&s);
   study_close(&s);
 }

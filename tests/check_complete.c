@@ -20,6 +20,7 @@
 #include "num/pi.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 enum { MAX_SETS = 40, MAX_ORBITS = 8 };
 
@@ -40,15 +41,11 @@ static void parse(fmpq *q, const char *s) {
 }
 
 static void read_sets(void) {
-  static char line[4000];
-  FILE *f = fopen("tests/oracle/orbits.tsv", "r");
-  ck_assert_msg(f != NULL, "no tests/oracle/orbits.tsv; the tests run in the project's folder");
+  struct table t;
+  table_read(&t, "tests/oracle/orbits.tsv", ANY_COLUMNS);
   n_sets = 0;
-  while (fgets(line, sizeof line, f)) {
-    char *field[10] = {line};
-    if (line[0] == '#') continue;
-    for (int n = 1; n < 10 && field[n - 1]; n++)
-      if ((field[n] = strpbrk(field[n - 1], "\t\n"))) *field[n]++ = '\0';
+  for (int row = 0; row < t.n; row++) {
+    char *const *field = t.row[row];
     if (strcmp(field[0], "set") == 0) {
       struct set *s = &set[n_sets++];
       ck_assert(n_sets <= MAX_SETS);
@@ -65,7 +62,7 @@ static void read_sets(void) {
       s->n++;
     }
   }
-  fclose(f);
+  table_clear(&t);
   ck_assert_int_eq(n_sets, 30);
 }
 

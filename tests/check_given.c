@@ -16,6 +16,7 @@
 #include "motion/margins.h"
 #include "motion/paper_route.h"
 #include "suites.h"
+#include "table.h"
 
 /* --- The independent data. --- */
 
@@ -47,7 +48,7 @@ static void parse(fmpq_t q, const char *s, int digits) {
   if (negative) fmpq_neg(q, q);
 }
 
-static void read_orbit(struct sample *s, char **field, const fmpq *params, int digits) {
+static void read_orbit(struct sample *s, char *const *field, const fmpq *params, int digits) {
   snprintf(s->name, sizeof s->name, "%s", field[1]);
   snprintf(s->violations, sizeof s->violations, "%s", field[14]);
   s->index = atoi(field[2]);
@@ -70,18 +71,13 @@ static void read_orbit(struct sample *s, char **field, const fmpq *params, int d
 
 /* The times are cut to the given number of digits. */
 static void read_samples(int digits) {
-  FILE *f = fopen("tests/oracle/orbits.tsv", "r");
-  ck_assert_msg(f != NULL, "no tests/oracle/orbits.tsv; the tests run in the project's folder");
-  static char line[4000];
+  struct table t;
   fmpq params[N_PARAMS];
+  table_read(&t, "tests/oracle/orbits.tsv", ANY_COLUMNS);
   for (int i = 0; i < N_PARAMS; i++) fmpq_init(params + i);
   n_samples = 0;
-  while (fgets(line, sizeof line, f)) {
-    char *field[16] = {line};
-    if (line[0] == '#') continue;
-    line[strcspn(line, "\n")] = '\0';
-    for (int n = 1; n < 16 && field[n - 1]; n++)
-      if ((field[n] = strchr(field[n - 1], '\t'))) *field[n]++ = '\0';
+  for (int row = 0; row < t.n; row++) {
+    char *const *field = t.row[row];
     if (strcmp(field[0], "set") == 0) {
       for (int i = 0; i < N_PARAMS; i++) parse(params + i, field[2 + i], 60);
     } else {
@@ -90,7 +86,7 @@ static void read_samples(int digits) {
     }
   }
   for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
-  fclose(f);
+  table_clear(&t);
   ck_assert_int_eq(n_samples, N_SAMPLES);
 }
 

@@ -16,20 +16,22 @@
 #include "route/jacobian.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 #include "value/orbits.h"
 
-enum { N_ORBITS = 60, N_SETS = 40, N_FIELDS = 16 };
+enum { N_ORBITS = 60, N_SETS = 40 };
 /* Fields of an orbit's line in orbits.tsv. */
 enum { F_NAME = 1, F_INDEX = 2, F_Z10 = 3, F_TA = 5, F_TB = 6, F_TC = 7, F_TD = 8, F_TRACE = 10, F_ADMISSIBLE = 13 };
 
 struct set {
-  char name[32], chi[16], eta[16], v[16], e[2][16];
+  const char *name, *chi, *eta, *v, *e[2];
   struct scene scene;
 };
 struct sample {
   struct set *set;
-  char line[4000], *field[N_FIELDS];
+  char *const *field;
 };
+static struct table orbits;
 static struct set sets[N_SETS];
 static struct sample samples[N_ORBITS];
 static int n_sets, n_samples;
@@ -45,39 +47,26 @@ static void load_scene(struct scene *s, const char *text) {
   ck_assert_msg(scene_load(s, scratch_put(name, text), "verify", &d), "%s", d.message);
 }
 
-static void read_line(char *line) {
-  char copy[4000], *field[N_FIELDS], text[400];
-  if (line[0] == '#') return;
-  snprintf(copy, sizeof copy, "%s", line);
-  ck_assert_int_ge(split_tabs(field, N_FIELDS, copy), 10);
+static void read_row(char *const *field) {
   if (strcmp(field[0], "set") == 0) {
     struct set *s = &sets[n_sets++];
+    char text[400];
     ck_assert_int_le(n_sets, N_SETS);
-    snprintf(s->name, sizeof s->name, "%s", field[1]);
-    snprintf(s->chi, sizeof s->chi, "%s", field[2]);
-    snprintf(s->eta, sizeof s->eta, "%s", field[3]);
-    snprintf(s->v, sizeof s->v, "%s", field[4]);
-    for (int i = 0; i < 2; i++) snprintf(s->e[i], sizeof s->e[i], "%s", field[5 + i]);
+    *s = (struct set){.name = field[1], .chi = field[2], .eta = field[3], .v = field[4], .e = {field[5], field[6]}};
     snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\ne1 = %s\ne2 = %s\n", s->chi, s->eta, s->v, s->e[0],
              s->e[1]);
     load_scene(&s->scene, text);
     return;
   }
-  struct sample *o = &samples[n_samples++];
-  ck_assert_int_le(n_samples, N_ORBITS);
-  o->set = &sets[n_sets - 1];
-  snprintf(o->line, sizeof o->line, "%s", line);
-  ck_assert_int_ge(split_tabs(o->field, N_FIELDS, o->line), 14);
+  ck_assert_int_lt(n_samples, N_ORBITS);
+  samples[n_samples++] = (struct sample){&sets[n_sets - 1], field};
 }
 
 static void open_data(void) {
-  static char line[4000];
   scratch_open();
   n_sets = n_samples = 0;
-  FILE *f = fopen("tests/oracle/orbits.tsv", "r");
-  ck_assert_msg(f != NULL, "no tests/oracle/orbits.tsv; the tests run in the project's folder");
-  while (fgets(line, sizeof line, f)) read_line(line);
-  fclose(f);
+  table_read(&orbits, "tests/oracle/orbits.tsv", ANY_COLUMNS);
+  for (int i = 0; i < orbits.n; i++) read_row(orbits.row[i]);
   ck_assert_int_eq(n_samples, N_ORBITS);
   paper_model(&model, NULL);
   paper_model(&damaged,
@@ -91,6 +80,7 @@ static void close_data(void) {
   model_clear(&damaged);
   model_clear(&model);
   for (int i = 0; i < n_sets; i++) scene_clear(&sets[i].scene);
+  table_clear(&orbits);
   scratch_close();
 }
 
@@ -360,13 +350,11 @@ static void corners(double want[N_PHASES][6], double (*l)[4][4], double chi) {
 }
 
 static void read_locals(double (*l)[4][4], const struct sample *o) {
-  static char line[400];
-  char *field[N_FIELDS];
+  struct table t;
   int n = 0;
-  FILE *f = fopen("tests/oracle/jacobian.tsv", "r");
-  ck_assert(f != NULL);
-  while (fgets(line, sizeof line, f)) {
-    if (line[0] == '#' || split_tabs(field, N_FIELDS, line) != 6) continue;
+  table_read(&t, "tests/oracle/jacobian.tsv", 6);
+  for (int i = 0; i < t.n; i++) {
+    char *const *field = t.row[i];
     if (strcmp(field[0], o->set->name) != 0 || strcmp(field[1], o->field[F_INDEX]) != 0) continue;
     for (int ph = 0; ph < N_PHASES; ph++) {
       if (strcmp(field[2], phase_name[ph]) != 0) continue;
@@ -374,7 +362,7 @@ static void read_locals(double (*l)[4][4], const struct sample *o) {
       n++;
     }
   }
-  fclose(f);
+  table_clear(&t);
   ck_assert_int_eq(n, 64);
 }
 
@@ -508,16 +496,10 @@ END_TEST
 
 /* A value of times.tsv as a ball. */
 static void from_times(arb_t x, const char *name) {
-  char line[200], *field[N_FIELDS];
-  FILE *f = fopen("tests/oracle/times.tsv", "r");
-  bool found = false;
-  ck_assert(f != NULL);
-  while (!found && fgets(line, sizeof line, f)) {
-    found = line[0] != '#' && split_tabs(field, N_FIELDS, line) == 2 && strcmp(field[0], name) == 0;
-    if (found) ball_from(x, field[1], 39);
-  }
-  fclose(f);
-  ck_assert_msg(found, "%s", name);
+  struct table t;
+  table_read(&t, "tests/oracle/times.tsv", 2);
+  ball_from(x, t.row[table_row(&t, name, NULL)][1], 39);
+  table_clear(&t);
 }
 
 START_TEST(every_method_at_given_times) {

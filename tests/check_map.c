@@ -14,6 +14,7 @@
 #include "motion/turn.h"
 #include "num/pi.h"
 #include "suites.h"
+#include "table.h"
 
 enum { N_START = N_PARAMS + 2, VALUES = N_PHASES + (N_PHASES + 1) * N_STATE };
 
@@ -159,15 +160,12 @@ END_TEST
 
 /* Each line: parameters, start, four times, two positions, of which digits are rounded at the 60th. */
 START_TEST(arcs_of_mpmath) {
-  FILE *f = fopen("tests/oracle/arcs.tsv", "r");
-  ck_assert_msg(f != NULL, "no tests/oracle/arcs.tsv; the tests run in the project's folder");
-  char line[2000];
-  int rows = 0;
-  while (fgets(line, sizeof line, f)) {
-    if (*line == '#') continue;
+  struct table arcs;
+  table_read(&arcs, "tests/oracle/arcs.tsv", N_START + N_PHASES + 2);
+  ck_assert_int_eq(arcs.n, 8);
+  for (int row = 0; row < arcs.n; row++) {
     double x[N_START];
-    char *at = strtok(line, "\t\n");
-    for (int i = 0; i < N_START; i++, at = strtok(NULL, "\t\n")) x[i] = strtod(at, NULL);
+    for (int i = 0; i < N_START; i++) x[i] = strtod(arcs.row[row][i], NULL);
     struct trip p[2];
     double t[N_PHASES], end;
     ck_assert_int_eq(dyn_return_map_d(&end, NULL, t, x, x[N_PARAMS + 1] - x[N_PARAMS], NULL), SS_OK);
@@ -177,8 +175,8 @@ START_TEST(arcs_of_mpmath) {
       ck_assert_msg(pass_quick(&p[k], NULL, t) == SS_OK, "%s %s", show(x), k ? "mpfr" : "balls");
     arb_t value;
     arb_init(value);
-    for (int i = 0; i < N_PHASES + 2; i++, at = strtok(NULL, "\t\n")) {
-      ck_assert(at != NULL && arb_set_str(value, at, 400) == 0);
+    for (int i = 0; i < N_PHASES + 2; i++) {
+      ck_assert(arb_set_str(value, arcs.row[row][N_START + i], 400) == 0);
       mag_t last;
       mag_init(last);
       arb_get_mag(last, value);
@@ -195,10 +193,8 @@ START_TEST(arcs_of_mpmath) {
     }
     arb_clear(value);
     for (int k = 0; k < 2; k++) pass_close(&p[k]);
-    rows++;
   }
-  fclose(f);
-  ck_assert_int_eq(rows, 8);
+  table_clear(&arcs);
   flint_cleanup();
 }
 END_TEST

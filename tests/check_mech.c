@@ -745,15 +745,14 @@ static void check_decimal(arb_srcptr x, const char *want) {
 /* Amplitude and phase of Den Hartog's oscillator, of tests/oracle/den_hartog.py: at an upper extreme, where the mass
    begins to move down. */
 START_TEST(den_hartogs_motions) {
-  char row[256] = "", text[512], beta[20], force[20], x0[60], phi[60];
+  char text[512];
+  struct table motions;
   struct mech_orbits list;
   struct mech_word w = {2, {"-", "+"}};
   arb_t angle, part[2];
-  FILE *in = fopen("tests/oracle/den_hartog.tsv", "r");
-  ck_assert_ptr_nonnull(in);
-  for (int i = 0; i <= _i; i++) ck_assert_ptr_nonnull(fgets(row, sizeof row, in));
-  fclose(in);
-  ck_assert_int_eq(sscanf(row, "%19s %19s %59s %59s", beta, force, x0, phi), 4);
+  table_read(&motions, "tests/oracle/den_hartog.tsv", 4);
+  const char *beta = motions.row[_i][0], *force = motions.row[_i][1], *x0 = motions.row[_i][2],
+             *phi = motions.row[_i][3];
   snprintf(text, sizeof text,
            "mass m\n  inertia: 1\n  sliding: %s\n  static: %s\n  surface: 0\nspring k\n  between: ground, m\n"
            "  stiffness: 1\nload p\n  on: m\n  frequency: %s\n  cosine: 1\n",
@@ -776,6 +775,7 @@ START_TEST(den_hartogs_motions) {
     arb_clear(part[i]);
   }
   arb_clear(angle);
+  table_clear(&motions);
   mech_orbits_clear(&list);
   mech_clear(&file);
 }

@@ -65,15 +65,9 @@ END_TEST
 static struct table orbits; /* lines "set NAME chi eta V e1 e2 ..." and "orbit NAME INDEX z10 ..." */
 enum { F_NAME = 1, F_CHI, F_N_ORBITS = 7, F_Z10 = 3, F_TRACE = 10, F_ADMISSIBLE = 13, F_VIOLATIONS };
 
-static int set_row(const char *name) {
-  for (int i = 0; i < orbits.n; i++)
-    if (strcmp(orbits.row[i][0], "set") == 0 && strcmp(orbits.row[i][F_NAME], name) == 0) return i;
-  ck_abort_msg("no set %s", name);
-}
-
 /* Writes the scene of a set. */
 static const char *scene_of(const char *name) {
-  char *const *f = orbits.row[set_row(name)] + F_CHI;
+  char *const *f = orbits.row[table_row(&orbits, "set", name)] + F_CHI;
   char file[80], text[600];
   snprintf(file, sizeof file, "%s.scene", name);
   snprintf(text, sizeof text, "title: %s\nchi = %s\neta = %s\nV = %s\ne1 = %s\ne2 = %s\n", name, f[0], f[1], f[2], f[3],
@@ -116,7 +110,7 @@ static void check_orbit(const char *at, char *const *row, char *const *set, int 
 
 /* Every orbit of a set and no other, in the order of the data, which is that of z10. */
 static void check_orbits(const char *json, const char *name, int digits) {
-  int row = set_row(name), n = atoi(orbits.row[row][F_N_ORBITS]);
+  int row = table_row(&orbits, "set", name), n = atoi(orbits.row[row][F_N_ORBITS]);
   const char *at = json;
   for (int k = 0; k < n; k++) {
     at = strstr(at, "\"z10\"");
@@ -260,7 +254,8 @@ static void check_return_map(int r, const char *method, int digits) {
     ck_assert_msg(strcmp(entry(j.out, k), rounded(jacobians.row[r + k][5], digits)) == 0,
                   "%s %s %s, entry %d: %s, not %s", f[0], at, method, k, entry(j.out, k),
                   rounded(jacobians.row[r + k][5], digits));
-  ck_assert_str_eq(member(j.out, "trace"), rounded(orbits.row[set_row(f[0]) + atoi(at + 6)][F_TRACE], digits));
+  ck_assert_str_eq(member(j.out, "trace"),
+                   rounded(orbits.row[table_row(&orbits, "set", f[0]) + atoi(at + 6)][F_TRACE], digits));
   ck_assert_str_eq(member(j.out, "det"), "0");
   ck_assert_str_eq(member(j.out, "method"), method);
   ck_assert_str_eq(member(j.out, "layer"), strcmp(method, "analytic") == 0 ? "corrected" : "model");
@@ -424,7 +419,7 @@ START_TEST(the_papers_equations_have_the_same_orbits) {
                {"chi-small2", 0}, {"negative-ta", 1}, {"eta-large", 0},      {"spread", 1}};
   static const char *const names[] = {"z10", "z20", "t_a", "t_b", "t_c", "t_d"};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    char *const *f = orbits.row[set_row(cases[i].set) + 1 + cases[i].index];
+    char *const *f = orbits.row[table_row(&orbits, "set", cases[i].set) + 1 + cases[i].index];
     struct job j;
     char from[40], nearest[20];
     job_run_well(&j, "orbit", scene_of(cases[i].set), "--method", "paper", "--digits", "50", "--json", NULL);
@@ -676,7 +671,7 @@ END_TEST
 /* The distances from MPFR and their growth, against the trace of orbits.tsv; and a table of three lines a period. */
 START_TEST(routes_compared_over_many_periods) {
   struct job j;
-  char *const *f = orbits.row[set_row("chi-large") + 2];
+  char *const *f = orbits.row[table_row(&orbits, "set", "chi-large") + 2];
   double trace = strtod(f[F_TRACE], NULL), tr = 0, expected = 0, measured = 0;
   long lines = 0, from, to;
   job_run_well(&j, "simulate", scene_of("chi-large"), "--at", "orbit:2", "--periods", "60", "--compare", NULL);
@@ -699,7 +694,7 @@ END_TEST
 START_TEST(any_two_of_six) {
   static const char *const names[] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
   static const int pairs[][2] = {{3, 4}, {0, 3}, {1, 4}, {2, 3}, {3, 5}};
-  int r = set_row("paper");
+  int r = table_row(&orbits, "set", "paper");
   char *const *set = orbits.row[r], *const *f = orbits.row[r + 2];
   for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) {
     char text[800];

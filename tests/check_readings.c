@@ -16,35 +16,26 @@
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 #include "value/expression.h"
 #include "value/point.h"
 #include "value/printed.h"
 
 /* --- The independent data --- */
 
-/* The value of name in the line of the file that starts with kind and id, as text; NULL without such a line. */
+/* The value of name in the row that begins with kind and id, or the field behind these where name is NULL. */
 static const char *oracle_field(const char *kind, const char *id, const char *name) {
-  static char line[1000];
-  FILE *f = fopen("tests/oracle/readings.tsv", "r");
-  ck_assert_msg(f != NULL, "no tests/oracle/readings.tsv; the tests run in the project's folder");
-  const char *found = NULL;
-  while (!found && fgets(line, sizeof line, f)) {
-    line[strcspn(line, "\n")] = '\0';
-    char *k = strtok(line, "\t"), *i = strtok(NULL, "\t"), *field = strtok(NULL, "\t");
-    if (!field || strcmp(k, kind) != 0 || strcmp(i, id) != 0) continue;
-    size_t n = name ? strlen(name) : 0;
-    while (name && field && !(strncmp(field, name, n) == 0 && field[n] == '=')) field = strtok(NULL, "\t");
-    ck_assert_msg(field != NULL, "no %s in %s", name, id);
-    found = name ? field + n + 1 : field;
-  }
-  fclose(f);
-  return found;
+  static struct table t;
+  if (!t.n) table_read(&t, "tests/oracle/readings.tsv", ANY_COLUMNS);
+  char *const *row = t.row[table_row(&t, kind, id)];
+  size_t n = name ? strlen(name) : 0;
+  for (int i = 2; row[i]; i++)
+    if (!name || (strncmp(row[i], name, n) == 0 && row[i][n] == '=')) return row[i] + n + (name != NULL);
+  ck_abort_msg("no %s in %s", name, id);
 }
 
 static double oracle_value(const char *kind, const char *id, const char *name) {
-  const char *s = oracle_field(kind, id, name);
-  ck_assert_msg(s != NULL, "no line %s %s", kind, id);
-  return strtod(s, NULL);
+  return strtod(oracle_field(kind, id, name), NULL);
 }
 
 /* --- Fixtures --- */

@@ -16,6 +16,7 @@
 #include "scratch.h"
 #include "stability/stability.h"
 #include "suites.h"
+#include "table.h"
 
 static struct model model;
 
@@ -544,19 +545,13 @@ static void check_case(struct digits_set *s, char **field) {
 START_TEST(truth_and_condition_agree_with_mpmath) {
   struct digits_set s;
   struct diag d;
-  char line[4000], *field[N_FIELDS];
-  int n = 0;
+  struct table cases;
   diag_init(&d);
   ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
-  FILE *file = fopen("tests/oracle/stability.tsv", "r");
-  ck_assert_msg(file != NULL, "no tests/oracle/stability.tsv; the tests run in the project's folder");
-  while (fgets(line, sizeof line, file))
-    if (split_tabs(field, N_FIELDS, line) == N_FIELDS && line[0] != '#') {
-      check_case(&s, field);
-      n++;
-    }
-  fclose(file);
-  ck_assert_int_ge(n, 40);
+  table_read(&cases, "tests/oracle/stability.tsv", 4);
+  ck_assert_int_ge(cases.n, 40);
+  for (int i = 0; i < cases.n; i++) check_case(&s, cases.row[i]);
+  table_clear(&cases);
   digits_set_clear(&s);
 }
 END_TEST
@@ -586,21 +581,13 @@ static void check_worst(struct digits_set *s, char *id, char *point) {
 static int at_kept_points(const char *path, void (*check)(struct digits_set *s, char *id, char *point)) {
   struct digits_set s;
   struct diag d;
-  char line[4000];
-  int n = 0;
+  struct table points;
   diag_init(&d);
   ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
-  FILE *file = fopen(path, "r");
-  ck_assert_msg(file != NULL, "no %s; the tests run in the project's folder", path);
-  while (fgets(line, sizeof line, file)) {
-    char *tab = strchr(line, '\t');
-    if (line[0] == '#' || !tab) continue;
-    *tab = '\0';
-    tab[1 + strcspn(tab + 1, "\n")] = '\0';
-    check(&s, line, tab + 1);
-    n++;
-  }
-  fclose(file);
+  table_read(&points, path, 2);
+  int n = points.n;
+  for (int i = 0; i < n; i++) check(&s, points.row[i][0], points.row[i][1]);
+  table_clear(&points);
   digits_set_clear(&s);
   return n;
 }

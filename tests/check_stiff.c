@@ -17,6 +17,7 @@
 #include "report/plot.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 /* --- Tables. --- */
 
@@ -80,35 +81,35 @@ START_TEST(laws_have_their_values) {
 }
 END_TEST
 
-static int fields(double *x, int most, char *line) {
+/* The numbers behind the first field of a row. */
+static int numbers(double *x, char *const *row) {
   int n = 0;
-  strtok(line, "\t\n");
-  for (char *p; n < most && (p = strtok(NULL, "\t\n")) != NULL;) x[n++] = atof(p);
+  for (; row[n + 1]; n++) x[n] = atof(row[n + 1]);
   return n;
 }
 
 START_TEST(passages_are_those_of_scipy) {
   static const char *const solvers[] = {"msbdf", "bsimp", "rk8pd"};
-  char line[1000];
-  double x[13], y[STEPPER_SIZE], t = 0;
+  struct table rows;
+  double x[MOST_COLUMNS], y[STEPPER_SIZE], t = 0;
   int passages = 0;
   struct smooth m;
   struct stepper *stepper = NULL;
   struct stepper_system system;
-  FILE *file = fopen("tests/oracle/smooth.tsv", "r");
-  ck_assert_ptr_nonnull(file);
-  while (fgets(line, sizeof line, file)) {
-    if (strncmp(line, "start", 5) == 0) {
-      ck_assert_int_eq(fields(x, 13, line), 13);
+  table_read(&rows, "tests/oracle/smooth.tsv", ANY_COLUMNS);
+  for (int row = 0; row < rows.n; row++) {
+    int n = numbers(x, rows.row[row]);
+    if (strcmp(rows.row[row][0], "start") == 0) {
+      ck_assert_int_eq(n, 13);
       smooth_init(&m, LAW_STRIBECK, x[7], x, x + 5);
       m.level = x[8];
       memcpy(y, x + 9, sizeof y);
       system = smooth_system(&m, 1e-10, 0.1);
       stepper = stepper_open(solvers[_i], &system);
       ck_assert_ptr_nonnull(stepper);
-    } else if (strncmp(line, "passage", 7) == 0) {
+    } else {
       struct smooth_passage s;
-      ck_assert_int_eq(fields(x, 4, line), 4);
+      ck_assert_int_eq(n, 4);
       ck_assert_int_eq(smooth_return(&s, y, &(struct smooth_way){&m, stepper, 1, 100, 100000}), SS_OK);
       t += s.time;
       ck_assert_msg(fabs(t - x[0]) < 1e-6, "%s: %.12g, not %.12g", solvers[_i], t, x[0]);
@@ -116,7 +117,7 @@ START_TEST(passages_are_those_of_scipy) {
       passages++;
     }
   }
-  fclose(file);
+  table_clear(&rows);
   stepper_close(stepper);
   ck_assert_int_eq(passages, 3);
 }
@@ -234,26 +235,21 @@ START_TEST(smoothed_laws) {
 END_TEST
 
 START_TEST(printed_times_as_mpmath_has_them) {
-  char line[1000];
+  struct table rows;
   struct num_ctx ctx = dual_ctx(PRINTED_BITS);
   struct num_vec params, t;
   arb_ptr out = _arb_vec_init(N_WANTED), value = _arb_vec_init(1);
   static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0.8587"};
-  int seen = 0;
   num_vec_init(&params, N_PARAMS, ctx);
   num_vec_init(&t, 3, ctx);
   for (int i = 0; i < N_PARAMS; i++) {
     arb_set_str(value, data[i], PRINTED_BITS);
     num_dual.set_arb(num_vec_at(&params, i), value, PRINTED_BITS);
   }
-  FILE *file = fopen("tests/oracle/procedure.tsv", "r");
-  ck_assert_ptr_nonnull(file);
-  while (fgets(line, sizeof line, file)) {
-    char *field[8];
-    int n = 0;
-    if (line[0] == '#') continue;
-    for (char *p = strtok(line, "\t\n"); p && n < 8; p = strtok(NULL, "\t\n")) field[n++] = p;
-    ck_assert_int_eq(n, 8);
+  table_read(&rows, "tests/oracle/procedure.tsv", 8);
+  ck_assert_int_eq(rows.n, 8);
+  for (int seen = 0; seen < rows.n; seen++) {
+    char *const *field = rows.row[seen];
     for (int k = 0; k < 3; k++) {
       arb_set_str(value, field[2 + k], PRINTED_BITS);
       num_dual.set_arb(num_vec_at(&t, k), value, PRINTED_BITS);
@@ -265,10 +261,8 @@ START_TEST(printed_times_as_mpmath_has_them) {
       ck_assert_msg(fabs(arf_get_d(arb_midref(value), ARF_RND_NEAR)) < 1e-26, "row %d, number %d", seen, k);
       ck_assert(arb_rel_accuracy_bits(out + k) > 150);
     }
-    seen++;
   }
-  fclose(file);
-  ck_assert_int_eq(seen, 8);
+  table_clear(&rows);
   num_vec_clear(&params);
   num_vec_clear(&t);
   _arb_vec_clear(out, N_WANTED);

@@ -11,6 +11,7 @@
 #include "scene/scene.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 static struct phase_word word_of(const char *text) {
   struct phase_word w;
@@ -327,20 +328,12 @@ END_TEST
 
 /* --- The oracle's table --- */
 
-struct row {
-  char line[2048], *field[12];
-};
+static struct table oracle;
 
-static bool row_named(struct row *r, const char *name) {
-  FILE *f = fopen("tests/oracle/words.tsv", "r");
-  bool found = false;
-  ck_assert(f != NULL);
-  while (!found && fgets(r->line, sizeof r->line, f)) {
-    r->line[strcspn(r->line, "\n")] = '\0';
-    found = split_tabs(r->field, 12, r->line) == 12 && strcmp(r->field[0], name) == 0;
-  }
-  fclose(f);
-  return found;
+/* Its row for an orbit. */
+static char *const *row_named(const char *name) {
+  if (!oracle.n) table_read(&oracle, "tests/oracle/words.tsv", 12);
+  return oracle.row[table_row(&oracle, name, NULL)];
 }
 
 static void decimal(fmpq *q, const char *text) {
@@ -366,22 +359,21 @@ static bool near(arb_srcptr x, const char *text, int exponent) {
 }
 
 static void compare_with_oracle(const char *name) {
-  struct row r;
   fmpq params[N_PARAMS], limit[2];
   const fmpq *u_r[2] = {NULL, NULL};
-  ck_assert(row_named(&r, name));
-  for (int i = 0; i < N_PARAMS; i++) decimal(params + i, r.field[2 + i]);
+  char *const *field = row_named(name);
+  for (int i = 0; i < N_PARAMS; i++) decimal(params + i, field[2 + i]);
   for (int i = 0; i < 2; i++) {
-    decimal(limit + i, r.field[7 + i]);
+    decimal(limit + i, field[7 + i]);
     if (!fmpq_is_zero(limit + i)) u_r[i] = limit + i;
   }
-  struct phase_word w = word_of(r.field[1]);
+  struct phase_word w = word_of(field[1]);
   struct word_orbits list;
   ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 160), SS_OK);
   const struct mech_orbit *o = NULL;
   char *t[WORD_MOST];
   int n = 0;
-  for (char *p = strtok(r.field[9], " "); p; p = strtok(NULL, " ")) t[n++] = p;
+  for (char *p = strtok(field[9], " "); p; p = strtok(NULL, " ")) t[n++] = p;
   ck_assert_int_eq(n, w.n);
   for (int i = 0; i < list.found.n && !o; i++)
     if (near(list.found.orbit[i].t, t[0], 3)) o = &list.found.orbit[i];
@@ -389,13 +381,13 @@ static void compare_with_oracle(const char *name) {
   ck_assert_int_eq(memcmp(list.word.mode, w.mode, (size_t)n * sizeof w.mode[0]), 0);
   for (int p = 0; p < n; p++) ck_assert_msg(near(o->t + p, t[p], 28), "%s: time %d", name, p + 1);
   int m = 0;
-  for (char *p = strtok(r.field[11], " "); p; p = strtok(NULL, " "), m++)
+  for (char *p = strtok(field[11], " "); p; p = strtok(NULL, " "), m++)
     ck_assert_msg(near(o->state + m, p, 28), "%s: state %d", name, m + 1);
   ck_assert_int_eq(m, N_STATE);
   ck_assert(o->multipliers);
   acb_srcptr z = o->multiplier;
   m = 0;
-  for (char *p = strtok(r.field[10], " "); p; p = strtok(NULL, " "), m++) {
+  for (char *p = strtok(field[10], " "); p; p = strtok(NULL, " "), m++) {
     char *comma = strchr(p, ',');
     *comma = '\0';
     int k = 0;
@@ -608,14 +600,13 @@ END_TEST
 
 /* Solution II: t_a = 0 and the three phases Gamma-H-C; times and e1 of the oracle. */
 START_TEST(solution_ii_has_three_phases) {
-  struct row r;
   char *t[3];
-  ck_assert(row_named(&r, "solution-ii"));
+  char *const *field = row_named("solution-ii");
   int n = 0;
-  for (char *p = strtok(r.field[9], " "); p && n < 3; p = strtok(NULL, " ")) t[n++] = p;
+  for (char *p = strtok(field[9], " "); p && n < 3; p = strtok(NULL, " ")) t[n++] = p;
   const char *path = scratch_put("two.scene", "chi = 0.8\neta = 1\nV = 1\nt_a = 0\ne2 = 0.8587\nword: Gamma H C\n");
   shell_well("\"$P\" orbit %s --digits 25 > \"$D/out\"", path);
-  const char *names[] = {"t_b", "t_c", "t_d", "e1"}, *want[] = {t[0], t[1], t[2], r.field[5]};
+  const char *names[] = {"t_b", "t_c", "t_d", "e1"}, *want[] = {t[0], t[1], t[2], field[5]};
   for (int i = 0; i < 4; i++) {
     char line[64];
     snprintf(line, sizeof line, "  %-8s %.22s", names[i], want[i]);

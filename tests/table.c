@@ -63,6 +63,12 @@ void table_clear(struct table *t) {
   *t = (struct table){.n = 0};
 }
 
+int table_row(const struct table *t, const char *first, const char *second) {
+  for (int i = 0; i < t->n; i++)
+    if (strcmp(t->row[i][0], first) == 0 && (!second || strcmp(t->row[i][1], second) == 0)) return i;
+  ck_abort_msg("no row %s %s", first, second ? second : "");
+}
+
 void check_order(const char *text, const char *path) {
   struct table order;
   table_read(&order, path, 1);

@@ -15,6 +15,9 @@ struct table {
 void table_read(struct table *t, const char *path, int columns);
 void table_clear(struct table *t);
 
+/* The first row that begins with this field and, unless NULL, that one; fails the test where there is none. */
+int table_row(const struct table *t, const char *first, const char *second);
+
 /* Whether the rows of a table of one column stand in a text in this order; fails the test where they do not. */
 void check_order(const char *text, const char *path);
 
