@@ -140,24 +140,16 @@ END_TEST
 
 /* Compares two texts; the exit status.  What is printed goes to the files out and err. */
 static int diff(const char *a, const char *b, const char *option) {
-  char command[2000], out[200], err[200], first[200];
-  snprintf(first, sizeof first, "%s", scratch_put("a.json", a));
-  snprintf(out, sizeof out, "%s", scratch_path("out"));
-  snprintf(err, sizeof err, "%s", scratch_path("err"));
-  snprintf(command, sizeof command, "'%s' diff '%s' '%s' %s >'%s' 2>'%s'", program(), first, scratch_put("b.json", b),
-           option, out, err);
-  int s = system(command);
-  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+  scratch_put("a.json", a);
+  scratch_put("b.json", b);
+  return shell("\"$P\" diff \"$D/a.json\" \"$D/b.json\" %s > \"$D/out\" 2> \"$D/err\"", option);
 }
 
-static bool printed(const char *file, const char *text) {
-  struct source s;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(source_read(&s, scratch_path(file), 1 << 20, &d), "%s", d.message);
-  bool same = strcmp(s.text, text) == 0;
-  if (!same) fprintf(stderr, "%s", s.text);
-  source_clear(&s);
+static bool printed(const char *file, const char *want) {
+  char *text = file_text(scratch_path(file));
+  bool same = strcmp(text, want) == 0;
+  if (!same) fprintf(stderr, "%s", text);
+  free(text);
   return same;
 }
 
@@ -186,10 +178,7 @@ START_TEST(changes_are_told) {
                            "added    z: unknown\nverdict  x: proved -> refuted\nremoved  y: proved\n"
                            "changed  x: effect\nchanged  x: fault\nchanged  routes: another value\n"));
   ck_assert_int_eq(diff(A, b, "--json"), 1);
-  char command[1000];
-  snprintf(command, sizeof command, "%s tests/oracle/validate.py schema/diff.schema.json '%s'", python(),
-           scratch_path("out"));
-  ck_assert_int_eq(system(command), 0);
+  shell_well("\"$Y\" tests/oracle/validate.py schema/diff.schema.json \"$D/out\"");
 }
 END_TEST
 

@@ -638,11 +638,7 @@ static int scenes_tried(void) {
 }
 
 START_TEST(orbits_recomputed) {
-  int status;
-  char *out =
-      shell_output(&status, "%s tests/oracle/systems.py %s %s 2>&1", python(), program(), scenes_of_systems[_i]);
-  ck_assert_msg(status == 0, "%s", out);
-  free(out);
+  shell_well("\"$Y\" tests/oracle/systems.py \"$P\" %s", scenes_of_systems[_i]);
 }
 END_TEST
 
@@ -1044,10 +1040,7 @@ START_TEST(the_papers_system_from_a_file) {
   snprintf(text, sizeof text, "%seta = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 3.7844\nu_r2 = 1.8587\n", papers[_i]);
   snprintf(paper, sizeof paper, "%s", scratch_put("same.scene", text));
   for (int k = 0; k < 2; k++) {
-    int status;
-    char *out =
-        shell_output(&status, "%s simulate '%s' --start %s --time 60 2>&1", program(), k ? paper : system, starts[_i]);
-    ck_assert_msg(status == 0, "%s", out);
+    char *out = shell_said("\"$P\" simulate '%s' --start %s --time 60", k ? paper : system, starts[_i]);
     n[k] = read_lines(lines[k], MOST, out);
     free(out);
   }
@@ -1060,16 +1053,16 @@ START_TEST(the_papers_system_from_a_file) {
 }
 END_TEST
 
+static void obeys(const char *command, const char *asked, const char *schema) {
+  shell_well("\"$P\" %s %s --json > \"$D/j\" && \"$Y\" tests/oracle/validate.py schema/%s.schema.json \"$D/j\"",
+             command, asked, schema);
+}
+
 START_TEST(json_of_simulations) {
   static const char *const commands_of[] = {
       "chain3", "beside-wall --periods 2",        "driven --start 0,0,0,0,0 --time 3",
       "paper",  "paper --at printed --periods 3", "paper --start 1,2,0,0 --time 0.5"};
-  int status;
-  char *out = shell_output(
-      &status, "%s simulate %s --json > %s && %s tests/oracle/validate.py schema/simulate.schema.json %s 2>&1",
-      program(), commands_of[_i], scratch_path("j"), python(), scratch_path("j"));
-  ck_assert_msg(status == 0, "%s", out);
-  free(out);
+  obeys("simulate", commands_of[_i], "simulate");
 }
 END_TEST
 
@@ -1078,12 +1071,7 @@ START_TEST(json_of_systems) {
   static const char *const runs[] = {"orbit chain3",    "orbit driven --digits 40",
                                      "words soft-wall", "orbit beside-wall",
                                      "jacobian driven", "jacobian den-hartog --method ode"};
-  int status;
-  char *out =
-      shell_output(&status, "%s %s --json > %s && %s tests/oracle/validate.py schema/system.schema.json %s 2>&1",
-                   program(), runs[_i], scratch_path("j"), python(), scratch_path("j"));
-  ck_assert_msg(status == 0, "%s", out);
-  free(out);
+  obeys("", runs[_i], "system");
 }
 END_TEST
 
@@ -1094,17 +1082,11 @@ START_TEST(the_papers_multiplier) {
       "system, special = [json.load(open(name)) for name in sys.argv[1:]]\n"
       "assert [z[\"im\"] for z in system[\"multipliers\"]] == [\"0\"]\n"
       "assert system[\"J\"] == [[system[\"multipliers\"][0][\"re\"]]] == [[special[\"trace\"]]]\n";
-  char paths[3][400];
-  int status;
-  snprintf(paths[0], sizeof paths[0], "%s", scratch_put("m.scene", "system: two-masses\nword: ss -s -- s-\n"));
-  snprintf(paths[1], sizeof paths[1], "%s", scratch_path("system.json"));
-  snprintf(paths[2], sizeof paths[2], "%s", scratch_path("special.json"));
-  char *out = shell_output(&status,
-                           "%s jacobian %s --digits 40 --json > %s && %s jacobian paper --method implicit --at orbit:2 "
-                           "--digits 40 --json > %s && %s -c '%s' %s %s 2>&1",
-                           program(), paths[0], paths[1], program(), paths[2], python(), script, paths[1], paths[2]);
-  ck_assert_msg(status == 0, "%s", out);
-  free(out);
+  scratch_put("m.scene", "system: two-masses\nword: ss -s -- s-\n");
+  shell_well("$P jacobian $D/m.scene --digits 40 --json > $D/system.json && "
+             "$P jacobian paper --method implicit --at orbit:2 --digits 40 --json > $D/special.json && "
+             "$Y -c '%s' $D/system.json $D/special.json",
+             script);
 }
 END_TEST
 

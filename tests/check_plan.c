@@ -926,12 +926,7 @@ END_TEST
 
 /* A damaged table of costs takes away estimates, and no verdict. */
 START_TEST(no_verdict_rests_on_costs) {
-  struct text command;
-  text_init(&command);
-  text_printf(&command, "cp -R verify %s && echo 'claim\teq-27\tmany' >> %s/data/costs.tsv", scratch_path("data"),
-              scratch_path(""));
-  ck_assert_int_eq(system(text_str(&command)), 0);
-  text_clear(&command);
+  shell_well("cp -R verify \"$D/data\" && echo 'claim\teq-27\tmany' >> \"$D/data/costs.tsv\"");
   setenv("STICKSLIP_DATA", scratch_path("data"), 1);
   const char *args[] = {"paper", "--only", "eq-27,eq-3", "--out", scratch_path("out"), NULL};
   ck_assert_int_eq(process_end(start(args)), 0);
@@ -961,14 +956,11 @@ static const char *asking_much(int n, const char *more) {
 /* What verify writes report reads: 312 times 32 values and 8 of each orbit are the most that there can be. */
 START_TEST(values_have_one_limit) {
   static const char numbers[] = "z10, z20, t_a, t_b, t_c, t_d, period, trace";
-  char command[500];
   const char *out = scratch_path("out");
   const char *most[] = {asking_much(312, numbers), "--out", out, NULL};
   ck_assert_int_eq(process_end(start(most)), 0);
   check_says("said", ": 0 statements; 10000 values; as recorded\n");
-  snprintf(command, sizeof command, "%s report %s > /dev/null && %s diff %s/audit.json %s/audit.json > /dev/null",
-           program(), out, program(), out, out);
-  ck_assert_int_eq(system(command), 0);
+  shell_well("\"$P\" report %s && \"$P\" diff %s/audit.json %s/audit.json", out, out, out);
   const char *more[] = {asking_much(312, "z10, z20, t_a, t_b, t_c, t_d, period, trace, chi"), "--out",
                         scratch_path("more"), NULL};
   ck_assert_int_eq(process_end(start(more)), 3);
@@ -991,18 +983,7 @@ START_TEST(plans_write_nothing) {
   check_says("said", "estimate: ");
   const char *json[] = {"paper", "--plan", "--json", "--only", "eq-27,num-t_a", NULL};
   ck_assert_int_eq(process_end(start(json)), 0);
-  char *text = file_text(scratch_path("said"));
-  scratch_put("plan.json", text);
-  free(text);
-  static const char script[] = "import json, sys, jsonschema\n"
-                               "jsonschema.Draft202012Validator(json.load(open(sys.argv[1]))).validate("
-                               "json.load(open(sys.argv[2])))\n";
-  struct text command;
-  text_init(&command);
-  text_printf(&command, "%s %s schema/plan.schema.json %s", python(), scratch_put("check.py", script),
-              scratch_path("plan.json"));
-  ck_assert_int_eq(system(text_str(&command)), 0);
-  text_clear(&command);
+  shell_well("\"$Y\" tests/oracle/validate.py schema/plan.schema.json \"$D/said\"");
 }
 END_TEST
 

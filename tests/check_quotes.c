@@ -205,46 +205,16 @@ END_TEST
 
 /* --- The command --- */
 
-/* What the command says of a text against a data folder. */
-static const char *say(int *status, const char *data, const char *path) {
-  static char out[60000];
-  char line[9000];
-  snprintf(line, sizeof line, "STICKSLIP_DATA=%s %s quotes %s 2>&1", data, program(), path);
-  FILE *p = popen(line, "r");
-  ck_assert_ptr_nonnull(p);
-  out[fread(out, 1, sizeof out - 1, p)] = '\0';
-  *status = pclose(p) >> 8;
-  return out;
-}
-
-static void copy_of_another(void) {
-  char line[9000];
-  snprintf(line, sizeof line, "cp -R tests/another %s", scratch_path("data"));
-  ck_assert_int_eq(system(line), 0);
-}
-
-/* A sed command on a file of the copy. */
-static void edit(const char *file, const char *command) {
-  char line[9000];
-  snprintf(line, sizeof line, "sed -i '%s' %s/%s", command, scratch_path("data"), file);
-  ck_assert_int_eq(system(line), 0);
-}
-
 /* The copy, with one edit, says this and ends so. */
 START_TEST(differences_are_told) {
   enum { FILE_EDITED, COMMAND, STATUS, SAYS };
   struct table cases;
   table_read(&cases, "tests/cases/quotes.tsv", 4);
   for (int i = 0; i < cases.n; i++) {
-    int status;
+    char *const *x = cases.row[i];
     scratch_open();
-    copy_of_another();
-    edit(cases.row[i][FILE_EDITED], cases.row[i][COMMAND]);
-    char path[4096];
-    snprintf(path, sizeof path, "%s/note.md", scratch_path("data"));
-    const char *out = say(&status, scratch_path("data"), path);
-    ck_assert_msg(status == atoi(cases.row[i][STATUS]) && strstr(out, cases.row[i][SAYS]), "%s: %d %s",
-                  cases.row[i][COMMAND], status, out);
+    shell_well("cp -R tests/another $D/data && sed -i '%s' $D/data/%s", x[COMMAND], x[FILE_EDITED]);
+    shell_ends(atoi(x[STATUS]), x[SAYS], "STICKSLIP_DATA=$D/data $P quotes $D/data/note.md");
     scratch_close();
   }
   table_clear(&cases);
@@ -266,17 +236,12 @@ START_TEST(printed_numbers) {
   static const char claim[] =
       "\\nclaim num-t_a\\n  kind: number\\n  number: t_a\\n  quote: $t^* = 1.25$\\n  place: 147-151\\n";
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    int status;
-    char line[9000];
     scratch_open();
-    copy_of_another();
-    snprintf(line, sizeof line,
-             "printf '%s' >> %s/claims/note.claim; printf '%%0.s\\n' $(seq 98) > %s/scenes/paper.scene; "
-             "echo 'printed: %s' >> %s/scenes/paper.scene",
-             claim, scratch_path("data"), scratch_path("data"), cases[i].printed, scratch_path("data"));
-    ck_assert_int_eq(system(line), 0);
-    const char *out = say(&status, scratch_path("data"), note);
-    ck_assert_msg(status == cases[i].status && strstr(out, cases[i].says), "%s: %d %s", cases[i].printed, status, out);
+    shell_well("cp -R tests/another $D/data; printf '%s' >> $D/data/claims/note.claim; "
+               "printf '%%0.s\\n' $(seq 98) > $D/data/scenes/paper.scene; "
+               "echo 'printed: %s' >> $D/data/scenes/paper.scene",
+               claim, cases[i].printed);
+    shell_ends(cases[i].status, cases[i].says, "STICKSLIP_DATA=$D/data $P quotes %s", note);
     scratch_close();
   }
 }

@@ -9,15 +9,6 @@
 #include "suites.h"
 #include "table.h"
 
-/* The output of a command, and its exit status. */
-static char *said(int *status, const char *command) {
-  static char out[1 << 16];
-  char *all = shell_output(status, "%s", command);
-  snprintf(out, sizeof out, "%s", all);
-  free(all);
-  return out;
-}
-
 /* What is done to which file (a script of sed), what the program is asked, how it ends and what it says. */
 enum { D_FILE, D_SCRIPT, D_ASK, D_STATUS, D_SAYS };
 static struct table rules; /* cases/rules.tsv */
@@ -29,12 +20,8 @@ static void damage_and_ask(char *const x[]) {
   shell_well("rm -rf \"$D/data\" && cp -R verify \"$D/data\" && cp \"$D/data/%s\" \"$D/was\" && "
              "sed -i \"%s\" \"$D/data/%s\" && ! cmp -s \"$D/was\" \"$D/data/%s\"",
              x[D_FILE], x[D_SCRIPT], x[D_FILE], x[D_FILE]);
-  int status;
-  char *out = shell_output(&status, "STICKSLIP_DATA=\"$D/data\" \"$P\" %s %s 2>&1", x[D_ASK],
-                           planned ? "" : "--out \"$D/out\"");
-  ck_assert_msg(status == atoi(x[D_STATUS]) && strstr(out, x[D_SAYS]), "%s: status %d, not %s with \"%s\":\n%s",
-                x[D_SCRIPT], status, x[D_STATUS], x[D_SAYS], out);
-  free(out);
+  shell_ends(atoi(x[D_STATUS]), x[D_SAYS], "STICKSLIP_DATA=\"$D/data\" \"$P\" %s %s", x[D_ASK],
+             planned ? "" : "--out \"$D/out\"");
 }
 
 START_TEST(rules_name_what_breaks_them) {
@@ -49,28 +36,14 @@ END_TEST
 
 /* check says the same of the file alone, wherever it lies. */
 START_TEST(check_knows_the_rules) {
-  int status;
-  char command[1024];
-  const char *file = scratch_path("7-appendix-b.claim");
-  snprintf(
-      command, sizeof command,
-      "sed '/^claim text-54-fulfilled$/,/^$/{s/eq-56 D/eq-56 D, eq-54/}' verify/claims/7-appendix-b.claim > %s && %s check "
-      "%s 2>&1",
-      file, program(), file);
-  const char *out = said(&status, command);
-  ck_assert_msg(status == 3 && strstr(out, "the conclusion eq-54 is among its own premises"), "%s", out);
-  file = scratch_path("paper.statements");
-  snprintf(command, sizeof command,
-           "sed 's/claims: text-charpoly$/claims: eq-14/' verify/paper/paper.statements > %s && %s check %s 2>&1", file,
-           program(), file);
-  out = said(&status, command);
-  ck_assert_msg(status == 3 && strstr(out, "text-charpoly: no statement of the paper names this claim"), "%s", out);
-  snprintf(command, sizeof command,
-           "%s check verify/paper/paper.statements && %s check verify/controls/controls.claim && %s check "
-           "verify/claims/paper.roots",
-           program(), program(), program());
-  said(&status, command);
-  ck_assert_int_eq(status, 0);
+  shell_ends(3, "the conclusion eq-54 is among its own premises",
+             "sed '/^claim text-54-fulfilled$/,/^$/{s/eq-56 D/eq-56 D, eq-54/}' verify/claims/7-appendix-b.claim "
+             "> $D/7-appendix-b.claim && $P check $D/7-appendix-b.claim");
+  shell_ends(3, "text-charpoly: no statement of the paper names this claim",
+             "sed 's/claims: text-charpoly$/claims: eq-14/' verify/paper/paper.statements > $D/paper.statements && "
+             "$P check $D/paper.statements");
+  shell_well("$P check verify/paper/paper.statements && $P check verify/controls/controls.claim && "
+             "$P check verify/claims/paper.roots");
 }
 END_TEST
 
@@ -78,32 +51,21 @@ END_TEST
 START_TEST(a_reason_is_printed) {
   static char *const few[] = {"claims/4-stability.claim", "/^claim eq-26$/a\\  points: arcs 2\\n  few: a test",
                               "verify paper --only eq-26 --quiet", "0", "as recorded"};
-  int status;
-  char command[1024];
   damage_and_ask(few);
-  snprintf(command, sizeof command, "grep -c 'fewer points or routes than its kind asks for: a test' %s/audit.json",
-           scratch_path("out"));
-  ck_assert_int_eq(atoi(said(&status, command)), 1);
+  shell_well("test 1 = $(grep -c 'fewer points or routes than its kind asks for: a test' $D/out/audit.json)");
 }
 END_TEST
 
 /* A formula without a control on file has one that the program makes, and it is noticed; one on file that is near says by
    how much: 1 - chi is less than 1, so that 1e-90 (1 - chi) is less than 1e-90 and more than 1e-91 for most chi. */
 START_TEST(near_controls_are_made_and_measured) {
-  int status;
-  char command[1024];
-  snprintf(command, sizeof command, "%s verify paper --only eq-3,eq-4,eq-48b --quiet --out %s", program(),
-           scratch_path("out"));
-  const char *out = said(&status, command);
-  ck_assert_msg(status == 0 && strstr(out, "as recorded"), "%s", out);
-  snprintf(command, sizeof command,
-           "%s -c 'import json; print(*sorted((c[\"id\"], c[\"noticed\"], c.get(\"distance\")) for c in "
-           "json.load(open(\"%s/audit.json\"))[\"controls\"] if \"distance\" in c))'",
-           python(), scratch_path("out"));
-  out = said(&status, command);
+  shell_ends(0, "as recorded", "$P verify paper --only eq-3,eq-4,eq-48b --quiet --out $D/out");
+  char *out = shell_said("$Y -c 'import json; print(*sorted((c[\"id\"], c[\"noticed\"], c.get(\"distance\")) for c in "
+                         "json.load(open(\"'$D'/out/audit.json\"))[\"controls\"] if \"distance\" in c))'");
   ck_assert_str_eq(out,
                    "('ctl-exact-matrix', True, '1e-90') ('near-eq-3b', True, '1e-30') ('near-eq-3d', True, '1e-30') "
                    "('near-eq-3e', True, '1e-30') ('near-eq-4', True, '1e-30') ('near-eq-48b', True, '1e-30')\n");
+  free(out);
 }
 END_TEST
 

@@ -656,15 +656,13 @@ START_TEST(output_obeys_its_schemas) {
     shell_well("\"$P\" %s > \"$D/%zu.json\"", runs[i][0], i);
     text_printf(&line, " schema/%s.schema.json \"$D/%zu.json\"", runs[i][1], i);
   }
-  shell_well("\"$Y\" tests/oracle/validate.py %s 2>&1", text_str(&line));
+  shell_well("\"$Y\" tests/oracle/validate.py %s", text_str(&line));
   text_clear(&line);
   scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"x1\"], \"J\": [[\"1\"]]}");
-  int status;
-  char *said =
-      shell_output(&status, "\"$Y\" tests/oracle/validate.py schema/word-jacobian.schema.json \"$D/d.json\" 2>&1");
-  ck_assert_int_eq(status, 1);
-  ck_assert(strstr(said, "word/1: 'Q' is not one of") && strstr(said, "'multipliers' is a required property"));
-  free(said);
+  ck_assert_int_eq(
+      shell("\"$Y\" tests/oracle/validate.py schema/word-jacobian.schema.json \"$D/d.json\" > \"$D/said\" 2>&1"), 1);
+  check_says("said", "word/1: 'Q' is not one of");
+  check_says("said", "'multipliers' is a required property");
 }
 END_TEST
 

@@ -192,9 +192,23 @@ static const char *shell_line(const char *fmt, va_list ap) {
   return line;
 }
 
-static int shell_status(const char *line) {
-  int s = system(line);
+static int ended(int s) {
   return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+/* What a line prints on standard output, and on standard error too where both are asked for. */
+static char *run_line(int *status, const char *line, bool both) {
+  struct text t;
+  text_init(&t);
+  if (both) text_printf(&t, "exec 2>&1\n%s", line);
+  FILE *f = popen(both ? text_str(&t) : line, "r");
+  ck_assert(f != NULL);
+  text_reset(&t);
+  char part[4096];
+  for (size_t n = fread(part, 1, sizeof part, f); n > 0; n = fread(part, 1, sizeof part, f)) text_add_n(&t, part, n);
+  text_add(&t, "");
+  *status = ended(pclose(f));
+  return t.data;
 }
 
 int shell(const char *fmt, ...) {
@@ -202,7 +216,15 @@ int shell(const char *fmt, ...) {
   va_start(ap, fmt);
   const char *line = shell_line(fmt, ap);
   va_end(ap);
-  return shell_status(line);
+  return ended(system(line));
+}
+
+char *shell_output(int *status, const char *fmt, ...) {
+  va_list ap;
+  va_start(ap, fmt);
+  const char *line = shell_line(fmt, ap);
+  va_end(ap);
+  return run_line(status, line, false);
 }
 
 void shell_well(const char *fmt, ...) {
@@ -210,25 +232,33 @@ void shell_well(const char *fmt, ...) {
   va_start(ap, fmt);
   const char *line = shell_line(fmt, ap);
   va_end(ap);
-  int status = shell_status(line);
-  ck_assert_msg(status == 0, "status %d: %s", status, line);
+  int status;
+  char *out = run_line(&status, line, true);
+  ck_assert_msg(status == 0, "status %d: %s\n%.4000s", status, line, out);
+  free(out);
 }
 
-char *shell_output(int *status, const char *fmt, ...) {
-  struct text t;
+void shell_ends(int want, const char *says, const char *fmt, ...) {
   va_list ap;
   va_start(ap, fmt);
   const char *line = shell_line(fmt, ap);
   va_end(ap);
-  FILE *f = popen(line, "r");
-  ck_assert(f != NULL);
-  text_init(&t);
-  char part[4096];
-  for (size_t n = fread(part, 1, sizeof part, f); n > 0; n = fread(part, 1, sizeof part, f)) text_add_n(&t, part, n);
-  text_add(&t, "");
-  int s = pclose(f);
-  *status = WIFEXITED(s) ? WEXITSTATUS(s) : -1;
-  return t.data;
+  int status;
+  char *out = run_line(&status, line, true);
+  ck_assert_msg(status == want && strstr(out, says), "status %d, not %d with \"%s\": %s\n%.4000s", status, want, says,
+                line, out);
+  free(out);
+}
+
+char *shell_said(const char *fmt, ...) {
+  va_list ap;
+  va_start(ap, fmt);
+  const char *line = shell_line(fmt, ap);
+  va_end(ap);
+  int status;
+  char *out = run_line(&status, line, false);
+  ck_assert_msg(status == 0, "status %d: %s\n%.4000s", status, line, out);
+  return out;
 }
 
 /* The column of "NAME:LINE:COLUMN: error: ", which begins the message; 0 where it begins otherwise. */
