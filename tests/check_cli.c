@@ -173,13 +173,10 @@ START_TEST(a_claim_reproduces) {
   ck_assert_str_eq(member(object, "reproduce"), "stickslip verify paper --only eq-31 --out recheck");
   ck_assert_str_eq(member(object, "verdict"), "refuted");
   ck_assert_str_eq(member(strstr(object, "\"correction\": {"), "verdict"), "proved");
-  char command[2000];
-  snprintf(
-      command, sizeof command,
-      "p=$(realpath %s) && v=$PWD/verify && cd %s && mkdir -p reports/paper && echo whole > reports/paper/audit.json "
-      "&& STICKSLIP_DATA=$v $p%s > /dev/null && echo whole | cmp -s - reports/paper/audit.json",
-      program(), scratch_path(""), member(object, "reproduce") + strlen("stickslip"));
-  ck_assert_int_eq(system(command), 0);
+  shell_well("p=$(realpath $P) && v=$PWD/verify && cd $D && mkdir -p reports/paper && "
+             "echo whole > reports/paper/audit.json && STICKSLIP_DATA=$v $p%s && "
+             "echo whole | cmp -s - reports/paper/audit.json",
+             member(object, "reproduce") + strlen("stickslip"));
   char *json = file_text(scratch_path("recheck/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
   ck_assert(again && strcmp(again, object) == 0);
   free(again);
@@ -277,9 +274,9 @@ START_TEST(a_report_that_does_not_fit_leaves_the_old_one) {
   struct job j;
   ck_assert(mkdir(scratch_path("small"), 0700) == 0);
   scratch_put("small/audit.json", "old json");
-  largest_file = 1024;
-  job_run(&j, "verify", "--only", "eq-3", "--out", scratch_path("small"), NULL);
-  largest_file = 0;
+  job_start(&j, &(struct job_place){.file = 1024}, program(),
+            (const char *const[]){"verify", "--only", "eq-3", "--out", scratch_path("small"), NULL});
+  job_finish(&j);
   ck_assert_msg(j.status == 3 && strstr(j.err, "audit.json: error: cannot be written"), "%d, %.1500s", j.status, j.err);
   char *json = report("small", "audit.json");
   ck_assert_str_eq(json, "old json");
@@ -463,7 +460,7 @@ START_TEST(a_full_disk_is_noticed) {
                                             {"orbit", "--help"}};
   for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
     struct job j;
-    job_start(&j, "/dev/full", program(), commands[i]);
+    job_start(&j, &(struct job_place){.out = "/dev/full"}, program(), commands[i]);
     job_finish(&j);
     ck_assert_msg(j.status == 3 && strstr(j.err, "standard output cannot be written"), "%s: status %d, %.1500s",
                   commands[i][0], j.status, j.err);
@@ -477,11 +474,7 @@ START_TEST(a_reader_may_stop) {
   static const char *const commands[] = {"list", "simulate paper --csv --periods 2000", "help orbit",
                                          "sweep paper --over e2=0.5:3:2000 --over e1=2:3:500"};
   for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
-    int status;
-    char *out = shell_output(&status, "bash -c '{ %s %s; echo $? >&2; } 2>%s | true; cat %s'", program(), commands[i],
-                             scratch_path("said"), scratch_path("said"));
-    ck_assert_msg(strcmp(out, "0\n") == 0, "%s: %s", commands[i], out);
-    free(out);
+    shell_well("bash -c '{ $P %s; echo $? >&2; } 2>$D/said | true; test \"$(cat $D/said)\" = 0'", commands[i]);
   }
 }
 END_TEST
@@ -489,12 +482,8 @@ END_TEST
 /* A copy of the program beside which there is none of the folders. */
 START_TEST(no_data_folder_is_noticed) {
   struct job j;
-  struct text command;
   if (access(STICKSLIP_DATADIR, F_OK) == 0) return; /* installed */
-  text_init(&command);
-  text_printf(&command, "mkdir -p %s/a/b && cp %s %s/a/b/copy", scratch_path(""), program(), scratch_path(""));
-  ck_assert_int_eq(system(text_str(&command)), 0);
-  text_clear(&command);
+  shell_well("mkdir -p $D/a/b && cp $P $D/a/b/copy");
   const char *const words[] = {"list", NULL};
   unsetenv("STICKSLIP_DATA");
   job_start(&j, NULL, scratch_path("a/b/copy"), words);

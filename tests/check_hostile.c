@@ -17,39 +17,30 @@
 
 #include "base/arena.h"
 #include "base/text.h"
+#include "command.h"
 #include "every.h"
 #include "process.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
-#ifdef __SANITIZE_ADDRESS__
-enum { SANITIZED = 1 }; /* with memory and an allocator of its own, and slow */
-#else
-enum { SANITIZED = 0 };
-#endif
 #ifdef STICKSLIP_COUNTED
 enum { COUNTED = 1 }; /* make cover: complains besides when it may not write its counts */
 #else
 enum { COUNTED = 0 };
 #endif
 
-enum { MOST_WORDS = 40, MOST_MEMORY = 200 << 20, MOST_MESSAGE = 1000, HANGS = 100, NOBODY = 65534 };
+enum { MOST_WORDS = 40, MOST_MEMORY = 200 << 20, MOST_MESSAGE = 1000 };
 
 /* --- The program as a process --- */
 
-struct job {
+/* What is tried: a command line, and how it ended. */
+struct trial {
   const char *file;
   char *argv[MOST_WORDS];
   int argc;
-  const char *out;          /* where standard output goes: a path; NULL: a file; "closed", "pipe": nobody reads */
-  rlim_t memory, file_size; /* 0: any */
-  bool nobody;              /* without root's rights */
-  const char *env[3];       /* NAME=VALUE */
-  /* how it ended */
-  int status; /* exit status, or minus the signal */
-  double seconds;
-  struct text err;
-  long out_size; /* bytes on standard output, where that is a file */
+  struct job_place place;
+  struct job end;
 };
 
 /* Beside the program: what is built with it. */
@@ -60,99 +51,35 @@ static const char *beside(const char *name) {
   return path;
 }
 
-static void add_word(struct job *j, const char *word) {
+static void add_word(struct trial *j, const char *word) {
   ck_assert(j->argc + 1 < MOST_WORDS);
-  size_t n = strlen(word) + 1;
-  j->argv[j->argc++] = memcpy(ss_malloc(n), word, n);
+  j->argv[j->argc++] = ss_strdup(word);
   j->argv[j->argc] = NULL;
 }
 
-static void add_words(struct job *j, const char *words) {
+static void trial_init(struct trial *j, const char *words) {
+  *j = (struct trial){.file = program()};
   char *all = ss_strdup(words);
   for (char *p = strtok(all, " "); p; p = strtok(NULL, " ")) add_word(j, p);
   free(all);
 }
 
-static void job_init(struct job *j, const char *words) {
-  *j = (struct job){.file = program()};
-  text_init(&j->err);
-  add_word(j, "stickslip");
-  add_words(j, words);
-}
-
-static void job_clear(struct job *j) {
+static void trial_clear(struct trial *j) {
   for (int i = 0; i < j->argc; i++) free(j->argv[i]);
-  text_clear(&j->err);
+  job_clear(&j->end);
 }
 
-static void lead(const char *path, int to) {
-  int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  if (fd < 0 || dup2(fd, to) < 0) _exit(126);
-  close(fd);
+static void begin(struct trial *j) {
+  job_clear(&j->end);
+  job_start(&j->end, &j->place, j->file, (const char *const *)j->argv);
 }
 
-static void lead_nowhere(void) {
-  int ends[2];
-  if (pipe(ends) != 0 || dup2(ends[1], STDOUT_FILENO) < 0) _exit(126);
-  close(ends[0]);
-  close(ends[1]);
+static void run(struct trial *j) {
+  begin(j);
+  job_finish(&j->end);
 }
 
-static void set_in_environment(const char *pair) {
-  char name[40];
-  size_t n = strcspn(pair, "=");
-  snprintf(name, sizeof name, "%.*s", (int)n, pair);
-  setenv(name, pair + n + 1, 1);
-}
-
-/* In the child; never returns. */
-static void become(const struct job *j, const char *out, const char *err) {
-  lead(err, STDERR_FILENO);
-  if (strcmp(out, "closed") == 0)
-    close(STDOUT_FILENO);
-  else if (strcmp(out, "pipe") == 0)
-    lead_nowhere();
-  else
-    lead(out, STDOUT_FILENO);
-  process_as_from_a_shell();
-  for (int i = 0; i < 3 && j->env[i]; i++) set_in_environment(j->env[i]);
-  if (j->nobody && geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)) _exit(126);
-  if (j->memory && !SANITIZED) setrlimit(RLIMIT_AS, &(struct rlimit){j->memory, j->memory});
-  if (j->file_size) {
-    setrlimit(RLIMIT_FSIZE, &(struct rlimit){j->file_size, j->file_size});
-    count_nothing();
-  }
-  alarm(HANGS);
-  execv(j->file, j->argv);
-  _exit(127);
-}
-
-static void slurp(struct text *out, const char *path) {
-  FILE *f = fopen(path, "rb");
-  ck_assert_msg(f != NULL, "%s", path);
-  char chunk[4096];
-  for (size_t n = fread(chunk, 1, sizeof chunk, f); n > 0; n = fread(chunk, 1, sizeof chunk, f))
-    text_add_n(out, chunk, n);
-  fclose(f);
-}
-
-static void run(struct job *j) {
-  const char *out = j->out ? j->out : scratch_path("job.out"), *err = scratch_path("job.err");
-  double before = children_seconds();
-  fflush(NULL);
-  pid_t pid = fork();
-  ck_assert(pid >= 0);
-  if (pid == 0) become(j, out, err);
-  j->status = process_end(pid);
-  j->seconds = children_seconds() - before;
-  struct stat st;
-  j->out_size = !j->out && stat(out, &st) == 0 ? (long)st.st_size : 0;
-  text_reset(&j->err);
-  slurp(&j->err, err);
-  ck_assert_msg((j->status != 127 || j->memory) && j->status != 126, "cannot start %s", j->file);
-}
-
-static const char *shown(const struct job *j) {
+static const char *shown(const struct trial *j) {
   static char line[600];
   size_t n = 0;
   for (int i = 0; i < j->argc && n + 70 < sizeof line; i++)
@@ -161,129 +88,90 @@ static const char *shown(const struct job *j) {
 }
 
 /* Refused as the contract says: the status, nothing on stdout, one message that fits. */
-static void refused(const struct job *j, int status, const char *wrong) {
-  const char *err = text_str(&j->err);
+static void refused(const struct trial *j, int status, const char *wrong) {
+  const char *err = j->end.err;
   size_t lines = 0, controls = 0;
   for (const char *p = err; *p; p++) {
     lines += *p == '\n';
     controls += ((unsigned char)*p < ' ' && *p != '\n') || *p == 0x7F;
   }
-  ck_assert_msg(j->status == status, "%s(%s): status %d instead of %d, %.600s", shown(j), wrong, j->status, status,
-                err);
-  if (COUNTED && j->nobody && geteuid() == 0) return;
-  ck_assert_msg(j->out_size == 0, "%s(%s): output besides the message", shown(j), wrong);
-  ck_assert_msg(j->err.len > 10 && j->err.len <= MOST_MESSAGE + 40 && err[j->err.len - 1] == '\n', "%s(%s): %.1500s",
-                shown(j), wrong, err);
+  ck_assert_msg(j->end.status == status, "%s(%s): status %d instead of %d, %.600s", shown(j), wrong, j->end.status,
+                status, err);
+  if (COUNTED && j->place.nobody && geteuid() == 0) return;
+  ck_assert_msg(j->end.out_size == 0, "%s(%s): output besides the message", shown(j), wrong);
+  ck_assert_msg(j->end.err_size > 10 && j->end.err_size <= MOST_MESSAGE + 40 && err[j->end.err_size - 1] == '\n',
+                "%s(%s): %.1500s", shown(j), wrong, err);
   ck_assert_msg(lines == 1 || (lines == 3 && strstr(err, "^\n")), "%s(%s): not one message: %.1500s", shown(j), wrong,
                 err);
-  ck_assert_msg(controls == 0 && text_valid_prefix(err, j->err.len) == j->err.len, "%s(%s): %.600s", shown(j), wrong,
-                err);
-  ck_assert_msg(SANITIZED || j->seconds < 1, "%s(%s): takes %.2f s", shown(j), wrong, j->seconds);
+  ck_assert_msg(controls == 0 && text_valid_prefix(err, j->end.err_size) == j->end.err_size, "%s(%s): %.600s", shown(j),
+                wrong, err);
+  ck_assert_msg(SANITIZED || j->end.seconds < 1, "%s(%s): takes %.2f s", shown(j), wrong, j->end.seconds);
 }
 
-/* --- Tables --- */
-
-enum { MOST_COLUMNS = 4 };
-typedef void row_fn(char *column[MOST_COLUMNS], void *arg);
-
-static void each_row(const char *table, int columns, row_fn *f, void *arg) {
-  struct text t;
+/* Rows of a table in tests/hostile. */
+static void open_table(struct table *t, const char *name, int columns) {
   char path[100];
-  int n = 0;
-  text_init(&t);
-  snprintf(path, sizeof path, "tests/hostile/%s", table);
-  slurp(&t, path);
-  for (char *line = t.data, *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
-    char *column[MOST_COLUMNS];
-    *end = '\0';
-    if (*line == '#') continue;
-    ck_assert_msg(split_tabs(column, MOST_COLUMNS, line) == columns, "%s: %s", table, line);
-    f(column, arg);
-    n++;
-  }
-  ck_assert_msg(n > 5, "%s", table);
-  text_clear(&t);
-}
-
-/* @N{text} repeats, @D is the test's folder, \xHH is a byte. */
-static void expand(struct text *out, const char *v) {
-  while (*v) {
-    char *end;
-    if (v[0] == '\\' && v[1] == 'x') {
-      text_add_char(out, (char)strtol((char[]){v[2], v[3], '\0'}, NULL, 16));
-      v += 4;
-    } else if (v[0] == '@' && v[1] == 'D') {
-      text_add(out, scratch_path(""));
-      v += 2;
-    } else if (v[0] == '@') {
-      long n = strtol(v + 1, &end, 10);
-      size_t len = strcspn(end, "}") - 1;
-      for (long i = 0; i < n; i++) text_add_n(out, end + 1, len);
-      v = end + 1 + len + 1;
-    } else {
-      text_add_char(out, *v++);
-    }
-  }
+  snprintf(path, sizeof path, "tests/hostile/%s", name);
+  table_read(t, path, columns);
 }
 
 /* --- Options --- */
 
 /* Less than a second of processor time: of what takes longer once, on a machine that does other things, the third time
    says. */
-static void run_in_a_second(struct job *j) {
-  for (int i = 0; i < 3 && (i == 0 || j->seconds >= 1); i++) run(j);
+static void run_in_a_second(struct trial *j) {
+  for (int i = 0; i < 3 && (i == 0 || j->end.seconds >= 1); i++) run(j);
 }
 
 static void refuse_words(const char *words, const char *option, const char *value, int status, const char *wrong) {
-  struct job j;
-  job_init(&j, words);
+  struct trial j;
+  trial_init(&j, words);
   if (option) add_word(&j, option);
   if (value) add_word(&j, value);
-  j.memory = MOST_MEMORY;
+  j.place.memory = MOST_MEMORY;
   run_in_a_second(&j);
   refused(&j, status, wrong);
-  job_clear(&j);
+  trial_clear(&j);
 }
-
-struct option {
-  const char *words, *name, *kind;
-};
 
 /* Options that take a count read it by one function: each of them has every 5th value, in turn, and each value some of
    them. */
-static int counts;
-
-static void try_value(char *column[MOST_COLUMNS], void *arg) {
-  const struct option *o = arg;
-  if (strcmp(column[0], o->kind) != 0) return;
-  if (strcmp(o->kind, "count") == 0 && counts++ % every(5) != 0) return;
-  struct text value;
-  text_init(&value);
-  expand(&value, column[2]);
-  refuse_words(o->words, o->name, text_str(&value), atoi(column[1]), column[3]);
-  text_clear(&value);
-}
-
-static void try_option(char *column[MOST_COLUMNS], void *arg) {
-  struct option o = {column[0], column[1], column[2]};
-  bool often = strcmp(o.name, "--only") == 0 || strcmp(o.name, "--over") == 0 || strcmp(o.name, "--set") == 0;
+static void try_option(char *const *option, const struct table *values) {
+  enum { WORDS, NAME, KIND };
+  static int counts;
+  const char *words = option[WORDS], *name = option[NAME], *kind = option[KIND];
+  bool often = strcmp(name, "--only") == 0 || strcmp(name, "--over") == 0 || strcmp(name, "--set") == 0;
   char twice[300];
-  (void)arg;
-  refuse_words(o.words, o.name, NULL, 2, "no value");
-  refuse_words(o.words, o.name, "", 2, "an empty value");
-  snprintf(twice, sizeof twice, "%s %s 1 %s", o.words, o.name, o.name);
+  refuse_words(words, name, NULL, 2, "no value");
+  refuse_words(words, name, "", 2, "an empty value");
+  snprintf(twice, sizeof twice, "%s %s 1 %s", words, name, name);
   if (!often) refuse_words(twice, "1", NULL, 2, "given twice");
-  each_row("values.tsv", 4, try_value, &o);
+  for (int i = 0; i < values->n; i++) {
+    char *const *column = values->row[i];
+    if (strcmp(column[0], kind) != 0) continue;
+    if (strcmp(kind, "count") == 0 && counts++ % every(5) != 0) continue;
+    struct text value;
+    text_init(&value);
+    field_expand(&value, column[2], NULL);
+    refuse_words(words, name, text_str(&value), atoi(column[1]), column[3]);
+    text_clear(&value);
+  }
 }
 
-static void try_flag(char *column[MOST_COLUMNS], void *arg) {
+static void try_flag(char *const *column) {
   char word[100];
-  (void)arg;
   for (int i = 0; i < 2; i++) {
     snprintf(word, sizeof word, "%s=%s", column[1], i ? "yes" : "");
     refuse_words(column[0], word, NULL, 2, "a value for a flag");
   }
   refuse_words(column[0], column[1], column[1], 2, "given twice");
+}
+
+/* A file in the folder is this text. */
+static void is_text(const char *name, const char *want) {
+  char *text = file_text(scratch_path(name));
+  ck_assert_str_eq(text, want);
+  free(text);
 }
 
 static void make_bad_places(void) {
@@ -295,50 +183,43 @@ static void make_bad_places(void) {
 }
 
 START_TEST(bad_values_of_options) {
+  struct table options, values, flags;
   make_bad_places();
-  each_row("options.tsv", 3, try_option, NULL);
-  each_row("flags.tsv", 2, try_flag, NULL);
-  struct text file;
-  text_init(&file);
-  slurp(&file, scratch_path("file"));
-  ck_assert_str_eq(text_str(&file), "a file\n");
-  ck_assert_str_eq(scratch_list(scratch_path("")), "binary empty fifo file job.err job.out loop");
+  open_table(&options, "options.tsv", 3);
+  open_table(&values, "values.tsv", 4);
+  open_table(&flags, "flags.tsv", 2);
+  for (int i = 0; i < options.n; i++) try_option(options.row[i], &values);
+  for (int i = 0; i < flags.n; i++) try_flag(flags.row[i]);
+  is_text("file", "a file\n");
+  ck_assert_str_eq(scratch_list(scratch_path("")), "binary empty fifo file loop");
   ck_assert_str_eq(scratch_list(scratch_path("empty")), "");
-  text_clear(&file);
+  table_clear(&flags);
+  table_clear(&values);
+  table_clear(&options);
 }
 END_TEST
 
-/* Whether a table names an option; each option that the program has must be in that of its kind. */
-struct search {
-  const char *name;
-  bool found;
-};
-
-static void look_at(char *column[MOST_COLUMNS], void *arg) {
-  struct search *s = arg;
-  s->found = s->found || strcmp(column[1], s->name) == 0;
-}
-
+/* Each option that the program has must be in the table of its kind. */
 START_TEST(every_option_is_in_the_tables) {
-  struct job j;
-  struct text table;
-  job_init(&j, "help --table");
-  text_init(&table);
+  struct trial j;
+  struct table tables[2];
+  open_table(&tables[0], "options.tsv", 3);
+  open_table(&tables[1], "flags.tsv", 2);
+  trial_init(&j, "help --table");
   run(&j);
-  slurp(&table, scratch_path("job.out"));
   int n = 0;
-  for (char *p = table.data; (p = strstr(p, "\t--")) != NULL; n++) {
+  for (char *p = j.end.out; (p = strstr(p, "\t--")) != NULL; n++) {
     char *name = p + 1, *value = strchr(name, '\t') + 1;
     p = value;
     value[-1] = '\0';
-    bool flag = value[0] == '-';
-    struct search s = {name, strcmp(name, "--help") == 0};
-    each_row(flag ? "flags.tsv" : "options.tsv", flag ? 2 : 3, look_at, &s);
-    ck_assert_msg(s.found, "%s is not in tests/hostile/%s.tsv", name, flag ? "flags" : "options");
+    const struct table *t = &tables[value[0] == '-'];
+    bool found = strcmp(name, "--help") == 0;
+    for (int i = 0; i < t->n; i++) found = found || strcmp(t->row[i][1], name) == 0;
+    ck_assert_msg(found, "%s is not in tests/hostile/%s.tsv", name, value[0] == '-' ? "flags" : "options");
   }
   ck_assert_int_gt(n, 30);
-  text_clear(&table);
-  job_clear(&j);
+  for (int i = 0; i < 2; i++) table_clear(&tables[i]);
+  trial_clear(&j);
 }
 END_TEST
 
@@ -469,7 +350,7 @@ static void make_file(const char *recipe, const struct place *p, const char *pat
 
 static void try_place(const struct place *p, const char *recipe, int status, const char *wrong) {
   char folder[40], words[1000];
-  struct job j;
+  struct trial j;
   snprintf(folder, sizeof folder, "%s-%s", recipe, p->name);
   ck_assert(mkdir(scratch_path(folder), 0755) == 0);
   struct text path;
@@ -479,33 +360,33 @@ static void try_place(const struct place *p, const char *recipe, int status, con
   bool whole = strcmp(p->name, "paper") == 0 || strcmp(p->name, "report") == 0; /* the command takes the folder */
   const char *target = whole ? scratch_path(folder) : text_str(&path);
   snprintf(words, sizeof words, p->words, target, target);
-  job_init(&j, words);
+  trial_init(&j, words);
   if (strcmp(p->name, "certificate") == 0) j.file = beside("stickslip-checker");
-  j.memory = MOST_MEMORY;
-  j.nobody = strcmp(recipe, "unreadable") == 0;
+  j.place.memory = MOST_MEMORY;
+  j.place.nobody = strcmp(recipe, "unreadable") == 0;
   run(&j);
   if (status)
     refused(&j, status, wrong);
   else
-    ck_assert_msg(j.status == 0 && j.err.len == 0, "%s(%s): %d, %.600s", shown(&j), wrong, j.status, text_str(&j.err));
+    ck_assert_msg(j.end.status == 0 && j.end.err_size == 0, "%s(%s): %d, %.600s", shown(&j), wrong, j.end.status,
+                  j.end.err);
   text_clear(&path);
-  job_clear(&j);
-}
-
-static void try_file(char *column[MOST_COLUMNS], void *arg) {
-  (void)arg;
-  bool all = strcmp(column[1], "all") == 0;
-  char named[200];
-  snprintf(named, sizeof named, " %s ", column[1]);
-  for (int i = 0; i < N_PLACES; i++) {
-    char name[20];
-    snprintf(name, sizeof name, " %s ", places[i].name);
-    if (all || strstr(named, name)) try_place(&places[i], column[0], atoi(column[2]), column[3]);
-  }
+  trial_clear(&j);
 }
 
 START_TEST(bad_files) {
-  each_row("files.tsv", 4, try_file, NULL);
+  struct table files;
+  open_table(&files, "files.tsv", 4);
+  for (int i = 0; i < files.n; i++) {
+    char *const *column = files.row[i], named[200], name[20];
+    snprintf(named, sizeof named, " %s ", column[1]);
+    for (int k = 0; k < N_PLACES; k++) {
+      snprintf(name, sizeof name, " %s ", places[k].name);
+      if (strcmp(column[1], "all") == 0 || strstr(named, name))
+        try_place(&places[k], column[0], atoi(column[2]), column[3]);
+    }
+  }
+  table_clear(&files);
 }
 END_TEST
 
@@ -535,32 +416,32 @@ START_TEST(nobody_reads) {
   static const char *const out[] = {"/dev/full", "closed", "pipe"};
   static const char *const why[] = {"No space left on device", "Bad file descriptor", NULL}; /* a reader may stop */
   for (size_t i = 0; i < sizeof printing / sizeof *printing; i++) {
-    struct job j;
-    job_init(&j, printing[i]);
-    j.out = out[_i];
+    struct trial j;
+    trial_init(&j, printing[i]);
+    j.place.out = out[_i];
     run(&j);
-    bool said = why[_i] ? j.status == 3 && strstr(text_str(&j.err), "standard output cannot be written") &&
-                              strstr(text_str(&j.err), why[_i])
-                        : j.status == 0 && j.err.len == 0;
-    ck_assert_msg(said, "%s: %d, %.600s", printing[i], j.status, text_str(&j.err));
-    job_clear(&j);
+    bool said = why[_i] ? j.end.status == 3 && strstr(j.end.err, "standard output cannot be written") &&
+                              strstr(j.end.err, why[_i])
+                        : j.end.status == 0 && j.end.err_size == 0;
+    ck_assert_msg(said, "%s: %d, %.600s", printing[i], j.end.status, j.end.err);
+    trial_clear(&j);
   }
 }
 END_TEST
 
 /* Differences that nobody can read are no answer. */
 START_TEST(a_difference_that_cannot_be_said) {
-  struct job j;
+  struct trial j;
   const char *other =
       scratch_put("other.json", "{\"schema\": \"stickslip-audit-2\", \"summary\": {}, \"checks\": {}, \"claims\": []}");
-  job_init(&j, "diff reports/paper/audit.json");
+  trial_init(&j, "diff reports/paper/audit.json");
   add_word(&j, other);
   run(&j);
-  ck_assert_int_eq(j.status, 1);
-  j.out = "/dev/full";
+  ck_assert_int_eq(j.end.status, 1);
+  j.place.out = "/dev/full";
   run(&j);
-  ck_assert_int_eq(j.status, 3);
-  job_clear(&j);
+  ck_assert_int_eq(j.end.status, 3);
+  trial_clear(&j);
 }
 END_TEST
 
@@ -580,58 +461,58 @@ static const struct {
 enum { N_WRITING = sizeof writing / sizeof *writing };
 
 /* A folder named after the command with an old file in it, and the command that writes over it. */
-static const char *old_file(struct job *j, int i, mode_t mode) {
+static const char *old_file(struct trial *j, int i, mode_t mode) {
   char folder[20], file[60];
   snprintf(folder, sizeof folder, "out%d", i);
   snprintf(file, sizeof file, "out%d/%s", i, writing[i].file ? writing[i].file : "old");
   ck_assert(mkdir(scratch_path(folder), 0755) == 0);
   const char *path = scratch_put(file, "old\n");
   ck_assert(chmod(scratch_path(folder), mode) == 0);
-  job_init(j, writing[i].words);
+  trial_init(j, writing[i].words);
   add_word(j, writing[i].file ? scratch_path(folder) : path);
   return path;
 }
 
 /* The old file is as it was, and alone but for a FILE.part to go on with. */
-static void old_one_stays(const struct job *j, int i, const char *path) {
+static void old_one_stays(const struct trial *j, int i, const char *path) {
   char folder[20];
   const char *name = strrchr(path, '/') + 1, *list;
   struct text t;
   text_init(&t);
-  slurp(&t, path);
-  ck_assert_msg(strcmp(text_str(&t), "old\n") == 0, "%s: not the old file: %.100s", shown(j), text_str(&t));
+  char *now = file_text(path);
+  ck_assert_msg(strcmp(now, "old\n") == 0, "%s: not the old file: %.100s", shown(j), now);
+  free(now);
   snprintf(folder, sizeof folder, "out%d", i);
   list = scratch_list(scratch_path(folder));
-  text_reset(&t);
   text_printf(&t, "%s %s.part %s.part.sum", name, name, name);
-  bool part = strcmp(j->argv[1], "sweep") == 0 && strcmp(list, text_str(&t)) == 0;
+  bool part = strcmp(j->argv[0], "sweep") == 0 && strcmp(list, text_str(&t)) == 0;
   ck_assert_msg(part || strcmp(list, name) == 0, "%s leaves %s", shown(j), list);
   text_clear(&t);
 }
 
 START_TEST(a_read_only_folder) {
-  struct job j;
+  struct trial j;
   const char *path = old_file(&j, _i, 0555);
-  j.nobody = true;
+  j.place.nobody = true;
   run(&j);
-  ck_assert_msg(j.status == 3 && strstr(text_str(&j.err), "Permission denied"), "%s: %d, %.600s", shown(&j), j.status,
-                text_str(&j.err));
+  ck_assert_msg(j.end.status == 3 && strstr(j.end.err, "Permission denied"), "%s: %d, %.600s", shown(&j), j.end.status,
+                j.end.err);
   old_one_stays(&j, _i, path);
-  job_clear(&j);
+  trial_clear(&j);
 }
 END_TEST
 
 /* The signal that comes with it must not end the program. */
 START_TEST(a_full_disk) {
-  struct job j;
+  struct trial j;
   const char *path = old_file(&j, _i, 0755);
-  j.file_size = 600;
-  j.out = "/dev/null";
+  j.place.file = 600;
+  j.place.out = "/dev/null";
   run(&j);
-  ck_assert_msg(j.status == 3 && strstr(text_str(&j.err), "File too large"), "%s: %d, %.600s", shown(&j), j.status,
-                text_str(&j.err));
+  ck_assert_msg(j.end.status == 3 && strstr(j.end.err, "File too large"), "%s: %d, %.600s", shown(&j), j.end.status,
+                j.end.err);
   old_one_stays(&j, _i, path);
-  job_clear(&j);
+  trial_clear(&j);
 }
 END_TEST
 
@@ -641,15 +522,15 @@ START_TEST(a_new_folder_goes_again) {
                                        "bench --quick --job propagator --inputs"};
   const char *words = _i < N_WRITING ? writing[_i].words : others[_i - N_WRITING];
   if (_i < N_WRITING && !writing[_i].file) return;
-  struct job j;
-  job_init(&j, words);
+  struct trial j;
+  trial_init(&j, words);
   add_word(&j, scratch_path("new/a//b"));
-  j.file_size = 600;
-  j.out = "/dev/null";
+  j.place.file = 600;
+  j.place.out = "/dev/null";
   run(&j);
-  ck_assert_msg(j.status == 3, "%s: %d, %.600s", shown(&j), j.status, text_str(&j.err));
+  ck_assert_msg(j.end.status == 3, "%s: %d, %.600s", shown(&j), j.end.status, j.end.err);
   ck_assert_msg(access(scratch_path("new"), F_OK) != 0, "%s leaves a folder", shown(&j));
-  job_clear(&j);
+  trial_clear(&j);
 }
 END_TEST
 
@@ -678,103 +559,77 @@ enum { N_ENDINGS = sizeof endings / sizeof *endings };
 START_TEST(a_signal_while_files_are_written) {
   if (!can_preload()) return;
   for (int i = 0; i < 2; i++) { /* a report of several files, a certificate */
-    struct job j;
+    struct trial j;
     const char *path = old_file(&j, i, 0755);
-    bool verify = strcmp(j.argv[1], "verify") == 0;
-    j.env[0] = preloaded();
-    j.env[1] = endings[_i].set[0];
+    bool verify = strcmp(j.argv[0], "verify") == 0;
+    j.place.env[0] = preloaded();
+    j.place.env[1] = endings[_i].set[0];
     run(&j);
-    ck_assert_msg(j.status == (verify ? 5 : -endings[_i].number), "%s: %d, %.600s", shown(&j), j.status,
-                  text_str(&j.err));
-    ck_assert_str_eq(text_str(&j.err),
-                     verify ? "stickslip: error: interrupted; nothing was written for this scene\n" : "");
+    ck_assert_msg(j.end.status == (verify ? 5 : -endings[_i].number), "%s: %d, %.600s", shown(&j), j.end.status,
+                  j.end.err);
+    ck_assert_str_eq(j.end.err, verify ? "stickslip: error: interrupted; nothing was written for this scene\n" : "");
     old_one_stays(&j, i, path);
-    job_clear(&j);
+    trial_clear(&j);
   }
 }
 END_TEST
 
-/* The report as it should be. */
-static void whole_report(struct text *out, const char *words) {
-  struct job j;
-  job_init(&j, words);
-  add_word(&j, scratch_path("whole"));
-  run(&j);
-  ck_assert_int_eq(j.status, 0);
-  slurp(out, scratch_path("whole/audit.md"));
-  job_clear(&j);
-}
-
 /* When some files are renamed, the others follow: a folder never holds a report that is half new. */
 START_TEST(a_signal_between_two_renames) {
   if (!can_preload()) return;
-  struct job j;
-  struct text whole, now;
-  text_init(&whole);
-  text_init(&now);
-  whole_report(&whole, "verify --only eq-3 --quiet --out");
+  struct trial j;
+  shell_well("$P verify --only eq-3 --quiet --out $D/whole");
   old_file(&j, 0, 0755);
   scratch_put("out0/audit.md", "old\n");
   scratch_put("out0/run.json", "old\n");
-  j.env[0] = preloaded();
-  j.env[1] = endings[_i].set[1];
+  j.place.env[0] = preloaded();
+  j.place.env[1] = endings[_i].set[1];
   run(&j);
-  ck_assert_int_eq(j.status, 5);
-  ck_assert_str_eq(text_str(&j.err), "stickslip: error: interrupted; this scene's report is written, and whole\n");
-  slurp(&now, scratch_path("out0/audit.md"));
-  ck_assert_str_eq(text_str(&now), text_str(&whole));
-  text_reset(&now);
-  slurp(&now, scratch_path("out0/run.json"));
-  ck_assert_str_ne(text_str(&now), "old\n");
-  text_reset(&now);
-  text_add(&now, scratch_list(scratch_path("whole")));
-  ck_assert_str_eq(scratch_list(scratch_path("out0")), text_str(&now));
-  text_clear(&now);
-  text_clear(&whole);
-  job_clear(&j);
+  ck_assert_int_eq(j.end.status, 5);
+  ck_assert_str_eq(j.end.err, "stickslip: error: interrupted; this scene's report is written, and whole\n");
+  shell_well("cmp $D/out0/audit.md $D/whole/audit.md");
+  ck_assert(!scratch_says("out0/run.json", "old\n"));
+  ck_assert_str_eq(scratch_list(scratch_path("out0")), scratch_list(scratch_path("whole")));
+  trial_clear(&j);
 }
 END_TEST
 
 /* What a run that was killed between two renames left goes with the next run; a file of the user's does not. */
 START_TEST(a_killed_run_leaves_nothing_for_long) {
   if (!can_preload()) return;
-  struct job j;
+  struct trial j;
   old_file(&j, 0, 0755);
   scratch_put("out0/audit.json.backup", "mine\n");
-  j.env[0] = preloaded();
-  j.env[1] = "SIGNAL_AT_RENAME=9:3";
+  j.place.env[0] = preloaded();
+  j.place.env[1] = "SIGNAL_AT_RENAME=9:3";
   run(&j);
-  ck_assert_int_eq(j.status, -SIGKILL);
+  ck_assert_int_eq(j.end.status, -SIGKILL);
   ck_assert_ptr_nonnull(strstr(scratch_list(scratch_path("out0")), ".stickslip-"));
-  j.env[0] = NULL;
+  j.place.env[0] = NULL;
   run(&j);
-  ck_assert_int_eq(j.status, 0);
+  ck_assert_int_eq(j.end.status, 0);
   ck_assert_ptr_null(strstr(scratch_list(scratch_path("out0")), ".stickslip-"));
   ck_assert(scratch_says("out0/audit.json.backup", "mine\n"));
-  job_clear(&j);
+  trial_clear(&j);
 }
 END_TEST
 
 /* A run at a folder to which another one is writing waits for it. */
 START_TEST(two_runs_at_one_folder) {
-  struct job j;
-  struct text now;
+  struct trial j;
   const char *path = old_file(&j, 0, 0755);
   int other = open(scratch_path("out0"), O_RDONLY | O_CLOEXEC);
   ck_assert(other >= 0 && flock(other, LOCK_EX) == 0);
-  fflush(NULL);
-  pid_t pid = fork();
-  ck_assert(pid >= 0);
-  if (pid == 0) become(&j, "/dev/null", "/dev/null");
-  ck_assert(process_until(process_waits_for_a_lock, pid));
+  begin(&j);
+  ck_assert(process_until(process_waits_for_a_lock, j.end.pid));
   old_one_stays(&j, 0, path);
   close(other);
-  ck_assert_int_eq(process_end(pid), 0);
-  text_init(&now);
-  slurp(&now, path);
-  ck_assert_uint_gt(now.len, 1000);
-  text_clear(&now);
-  job_clear(&j);
+  job_finish(&j.end);
+  ck_assert_int_eq(j.end.status, 0);
+  char *now = file_text(path);
+  ck_assert_uint_gt(strlen(now), 1000);
+  free(now);
+  trial_clear(&j);
 }
 END_TEST
 
@@ -789,9 +644,7 @@ START_TEST(a_hardened_build) {
                                        "_chk@"
 #endif
   };
-  int status;
-  char *out = shell_output(&status, "LC_ALL=C readelf -Wlds --dyn-syms %s", beside(file[_i]));
-  ck_assert_int_eq(status, 0);
+  char *out = shell_said("LC_ALL=C readelf -Wlds --dyn-syms %s", beside(file[_i]));
   for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
     ck_assert_msg(strstr(out, wanted[i]) != NULL, "%s: no %s", file[_i], wanted[i]);
   free(out);
@@ -810,10 +663,7 @@ START_TEST(a_small_stack) {
                     strchr(out, '\n')[1] == '\0',
                 "%d: %s", status, out);
   free(out);
-  out = shell_output(&status, "ulimit -c 0; ulimit -S -s 64; exec %s verify --only eq-3 --out %s 2>&1", program(),
-                     scratch_path("r"));
-  ck_assert_msg(status == 0, "%d: %s", status, out);
-  free(out);
+  shell_well("ulimit -c 0; ulimit -S -s 64; exec $P verify --only eq-3 --out $D/r");
 }
 END_TEST
 
@@ -834,66 +684,60 @@ static const char *const allocating[] = {
 enum { N_ALLOCATING = sizeof allocating / sizeof *allocating };
 
 /* Asked for without any failure: how many allocations there are, and the report. */
-static long count_allocations(struct job *j) {
+static long count_allocations(struct trial *j) {
   static char count[400];
-  struct text t;
   snprintf(count, sizeof count, "FAIL_ALLOC_COUNT=%s", scratch_path("count"));
-  j->env[0] = preloaded();
-  j->env[1] = count;
+  j->place.env[0] = preloaded();
+  j->place.env[1] = count;
   run(j);
-  ck_assert_msg(j->status == 0, "%s: %d, %.600s", shown(j), j->status, text_str(&j->err));
-  text_init(&t);
-  slurp(&t, scratch_path("count"));
-  long n = atol(text_str(&t));
-  text_clear(&t);
+  ck_assert_msg(j->end.status == 0, "%s: %d, %.600s", shown(j), j->end.status, j->end.err);
+  char *text = file_text(scratch_path("count"));
+  long n = atol(text);
+  free(text);
   ck_assert_int_gt(n, 20);
   return n;
 }
 
 /* Ends with the message and the status, or does as it would have done; the report is the old one or the new. */
-static void fails_well(struct job *j, const char *which, const char *report, const struct text *whole) {
+static void fails_well(struct trial *j, const char *which, const char *report, const char *whole) {
   char set[60];
   snprintf(set, sizeof set, "FAIL_ALLOC=%s", which);
-  j->env[1] = set;
+  j->place.env[1] = set;
   if (report) scratch_put("out/audit.json", "old\n");
   run(j);
-  bool said = strcmp(text_str(&j->err), "stickslip: out of memory\n") == 0;
-  ck_assert_msg(j->status == 0 || (j->status == 5 && said), "%s, allocation %s: status %d, %.600s", shown(j), which,
-                j->status, text_str(&j->err));
+  bool said = strcmp(j->end.err, "stickslip: out of memory\n") == 0;
+  ck_assert_msg(j->end.status == 0 || (j->end.status == 5 && said), "%s, allocation %s: status %d, %.600s", shown(j),
+                which, j->end.status, j->end.err);
   if (!report) return;
-  struct text t;
-  text_init(&t);
-  slurp(&t, report);
-  const char *now = text_str(&t);
-  ck_assert_msg(strcmp(now, text_str(whole)) == 0 || (j->status == 5 && strcmp(now, "old\n") == 0),
+  char *now = file_text(report);
+  ck_assert_msg(strcmp(now, whole) == 0 || (j->end.status == 5 && strcmp(now, "old\n") == 0),
                 "allocation %s damages the report", which);
   ck_assert_msg(!strstr(scratch_list(scratch_path("out")), "json."), "allocation %s leaves a file", which);
-  text_clear(&t);
+  free(now);
 }
 
 /* The n-th fails, and from the n-th on all fail; n grows by so much per cent and so much. */
 static void every_allocation(const char *words, long percent, long most) {
-  struct job j;
-  struct text whole;
+  struct trial j;
+  char *whole = NULL;
   const char *report = NULL;
-  text_init(&whole);
-  job_init(&j, words);
+  trial_init(&j, words);
   if (strstr(words, "--out")) {
     ck_assert(mkdir(scratch_path("out"), 0755) == 0);
     add_word(&j, scratch_path("out"));
     report = scratch_path("out/audit.json");
   }
   long all = count_allocations(&j);
-  if (report) slurp(&whole, report);
+  if (report) whole = file_text(report);
   if (most && most < all) all = most;
   for (long n = 1; n <= all; n += 1 + n * percent / 100)
     for (int on = 0; on < 2; on++) {
       char which[30];
       snprintf(which, sizeof which, "%ld%s", n, on ? "+" : "");
-      fails_well(&j, which, report, &whole);
+      fails_well(&j, which, report, whole);
     }
-  text_clear(&whole);
-  job_clear(&j);
+  free(whole);
+  trial_clear(&j);
 }
 
 START_TEST(some_allocations_fail) {
@@ -912,19 +756,19 @@ START_TEST(little_memory) {
   if (SANITIZED) return;
   static const char *const words[] = {"orbit paper --digits 30000", "readings paper", "orbit four --digits 3000"};
   for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-    struct job j;
-    job_init(&j, words[i]);
+    struct trial j;
+    trial_init(&j, words[i]);
     bool ended = false;
     const rlim_t least = 28, started = 32; /* with less the loader has no room for the libraries */
     for (rlim_t mb = least; mb <= 128 && !ended; mb += 2) {
-      j.memory = mb << 20;
+      j.place.memory = mb << 20;
       run(&j);
-      ended = j.status == 0;
-      bool too_large = mb < started && j.status == 127; /* a build of make cover */
-      ck_assert_msg(ended || too_large || (j.status == 5 && strstr(text_str(&j.err), "out of memory")),
-                    "%s in %ld MB: %d, %.600s", words[i], (long)mb, j.status, text_str(&j.err));
+      ended = j.end.status == 0;
+      bool too_large = mb < started && j.end.status == 127; /* a build of make cover */
+      ck_assert_msg(ended || too_large || (j.end.status == 5 && strstr(j.end.err, "out of memory")),
+                    "%s in %ld MB: %d, %.600s", words[i], (long)mb, j.end.status, j.end.err);
     }
-    job_clear(&j);
+    trial_clear(&j);
   }
 }
 END_TEST
@@ -936,20 +780,16 @@ static const char *const targets[] = {"reader", "latex",  "model",   "claims",  
 enum { N_TARGETS = sizeof targets / sizeof *targets };
 
 START_TEST(the_corpus_of_a_fuzzer) {
-  struct job j;
+  struct trial j;
   char name[40], corpus[60];
-  struct text out;
   snprintf(name, sizeof name, "replay-%s", targets[_i]);
   snprintf(corpus, sizeof corpus, "tests/fuzz/corpus/%s", targets[_i]);
-  job_init(&j, corpus);
+  trial_init(&j, corpus);
   j.file = beside(name);
-  text_init(&out);
   run(&j);
-  slurp(&out, scratch_path("job.out"));
-  const char *last = strstr(text_str(&out), " inputs\n");
-  ck_assert_msg(j.status == 0 && last, "%s: %d, %.1500s", name, j.status, text_str(&j.err));
-  text_clear(&out);
-  job_clear(&j);
+  const char *last = strstr(j.end.out, " inputs\n");
+  ck_assert_msg(j.end.status == 0 && last, "%s: %d, %.1500s", name, j.end.status, j.end.err);
+  trial_clear(&j);
 }
 END_TEST
 

@@ -12,61 +12,17 @@
 #include "run/plan.h"
 #include "scratch.h"
 #include "suites.h"
-
-enum { MOST_COLUMNS = 5 };
-
-/* Lines that are no comments, cut up; how many there were. */
-static int each_row(const char *path, int columns, void (*f)(char *column[MOST_COLUMNS])) {
-  struct source s;
-  struct diag d;
-  int n = 0;
-  diag_init(&d);
-  ck_assert_msg(source_read(&s, path, 1 << 20, &d), "%s", d.message);
-  for (char *line = s.text, *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
-    char *column[MOST_COLUMNS];
-    *end = '\0';
-    if (*line == '#') continue;
-    ck_assert_msg(split_tabs(column, MOST_COLUMNS, line) == columns, "%s: %s", path, line);
-    f(column);
-    n++;
-  }
-  source_clear(&s);
-  return n;
-}
+#include "table.h"
 
 /* --- Command lines and files --- */
 
-/* @N{text} repeats, {report} begins an audit.json whose first members are as they should be, \n ends a line, \\ is
-   one. */
-static void expand(struct text *out, const char *v) {
-  static const char report[] = "{\"schema\": \"stickslip-audit-2\", ";
-  while (*v) {
-    char *end;
-    long n = v[0] == '@' ? strtol(v + 1, &end, 10) : 0;
-    if (n > 0) {
-      size_t len = strcspn(end, "}") - 1;
-      for (long i = 0; i < n; i++) text_add_n(out, end + 1, len);
-      v = end + 1 + len + 1;
-    } else if (strncmp(v, "{report}", 8) == 0) {
-      text_add(out, report);
-      v += 8;
-    } else if (v[0] == '\\') {
-      text_add_char(out, (char)(v[1] == 'n' ? '\n' : v[1]));
-      v += 2;
-    } else if (v[0] == '@' && (v[1] == 'F' || v[1] == 'D')) {
-      text_add(out, scratch_path(v[1] == 'F' ? "file" : ""));
-      v += 2;
-    } else {
-      text_add_char(out, *v++);
-    }
-  }
-}
+static const char *const abbreviated[][2] = {{"report", "{\"schema\": \"stickslip-audit-2\", "}, {NULL, NULL}};
 
 /* Each of what is to be said, with " && " between, stands there, and none behind a "!" does. */
 static void check_said(const char *said, const char *parts, const char *what) {
   struct text all;
   text_init(&all);
-  expand(&all, parts);
+  field_expand(&all, parts, abbreviated);
   for (char *part = all.data, *next; part; part = next) {
     next = strstr(part, " && ");
     if (next) {
@@ -80,7 +36,7 @@ static void check_said(const char *said, const char *parts, const char *what) {
 }
 
 /* A refusal says why on standard error, in lines, and nothing on standard output. */
-static void check_answer(int status, const char *out, const char *err, char *const column[MOST_COLUMNS]) {
+static void check_answer(int status, const char *out, const char *err, char *const *column) {
   const char *what = *column[0] ? column[0] : column[3];
   size_t len = strlen(err);
   ck_assert_msg(status == atoi(column[1]), "%s: ended with %d: %s", what, status, err);
@@ -98,15 +54,15 @@ static void check_answer(int status, const char *out, const char *err, char *con
   check_caret(err, what);
 }
 
-static void try_command(char *column[MOST_COLUMNS]) {
+static void try_command(char *const *column) {
   static const char *const name[] = {"audit.json", "file.claim",  "file.eq", "file.json",
                                      "file.scene", "file.system", "file.tsv"};
   struct text file, command;
   text_init(&file);
   text_init(&command);
-  expand(&file, column[4]);
+  field_expand(&file, column[4], abbreviated);
   for (size_t i = 0; i < sizeof name / sizeof *name; i++) scratch_put_n(name[i], text_str(&file), file.len);
-  expand(&command, column[3]);
+  field_expand(&command, column[3], abbreviated);
   int status = shell("\"$P\" %s > \"$D/out\" 2> \"$D/err\"", text_str(&command));
   char *out = file_text(scratch_path("out")), *err = file_text(scratch_path("err"));
   check_answer(status, out, err, column);
@@ -119,7 +75,11 @@ static void try_command(char *column[MOST_COLUMNS]) {
 }
 
 START_TEST(commands_answer_as_said) {
-  ck_assert_int_ge(each_row("tests/hostile/messages.tsv", 5, try_command), 500);
+  struct table commands;
+  table_read(&commands, "tests/hostile/messages.tsv", 5);
+  ck_assert_int_ge(commands.n, 500);
+  for (int i = 0; i < commands.n; i++) try_command(commands.row[i]);
+  table_clear(&commands);
 }
 END_TEST
 
@@ -163,7 +123,7 @@ static const struct model *model_with(struct model *own, const char *records) {
   return own;
 }
 
-static void refuse_claim(char *column[MOST_COLUMNS]) {
+static void refuse_claim(char *const *column) {
   struct audit_result r;
   struct model more;
   struct text text;
@@ -182,7 +142,10 @@ static void refuse_claim(char *column[MOST_COLUMNS]) {
 }
 
 START_TEST(claims_are_refused_as_said) {
-  ck_assert_int_gt(each_row("tests/hostile/claims.tsv", 4, refuse_claim), 0);
+  struct table claims;
+  table_read(&claims, "tests/hostile/claims.tsv", 4);
+  for (int i = 0; i < claims.n; i++) refuse_claim(claims.row[i]);
+  table_clear(&claims);
 }
 END_TEST
 

@@ -16,36 +16,21 @@
 #include "base/arena.h"
 #include "base/text.h"
 #include "claim/claims.h"
+#include "command.h"
+#include "every.h"
 #include "paper_model.h"
 #include "process.h"
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 #define REST "eta = 1\nV = 1\ne1 = 2\ne2 = 1\n"
 #define GOOD "chi = 0.8\n" REST
 
-#ifdef __SANITIZE_ADDRESS__
-enum { SECONDS = 10, SANITIZED = 1 }; /* with an allocator of its own, which reserves terabytes */
-#else
-enum { SECONDS = 1, SANITIZED = 0 };
-#endif
-enum { MEMORY = 200 << 20 };
-
-enum { MAX_FIELDS = 80 };
+enum { SECONDS = SANITIZED ? 10 : 1, MEMORY = 200 << 20 };
 
 /* --- Processes --- */
-
-struct run {
-  int status; /* exit status, or minus the signal */
-  double seconds;
-  struct source out, err;
-};
-
-static void redirect(const char *path, int to) {
-  int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  if (fd < 0 || dup2(fd, to) < 0) _exit(126);
-}
 
 static void read_back(struct source *s, const char *path) {
   struct diag d;
@@ -53,101 +38,34 @@ static void read_back(struct source *s, const char *path) {
   ck_assert_msg(source_read(s, path, 16 << 20, &d), "%s", d.message);
 }
 
-/* The program with these words, in at most 200 MiB of address space; its processor time. */
-static void run_once(struct run *r, const char *const *words) {
-  const char *out = scratch_path("run.out"), *err = scratch_path("run.err");
-  char *argv[2 * MAX_FIELDS] = {(char *)(uintptr_t)program()};
-  for (int i = 0; words[i]; i++) argv[i + 1] = (char *)(uintptr_t)words[i];
-  fflush(NULL);
-  pid_t pid = fork();
-  ck_assert(pid >= 0);
-  if (pid == 0) {
-    process_as_from_a_shell();
-    redirect(out, STDOUT_FILENO);
-    redirect(err, STDERR_FILENO);
-    if (!SANITIZED) setrlimit(RLIMIT_AS, &(struct rlimit){MEMORY, MEMORY});
-    alarm(60);
-    execv(argv[0], argv);
-    _exit(127);
-  }
-  double before = children_seconds();
-  r->status = process_end(pid);
-  r->seconds = children_seconds() - before;
-  read_back(&r->out, out);
-  read_back(&r->err, err);
-}
-
-static void run_clear(struct run *r) {
-  source_clear(&r->out);
-  source_clear(&r->err);
+/* The program with these words, in at most 200 MiB of address space. */
+static void run_once(struct job *r, const char *const *words) {
+  job_start(r, &(struct job_place){.memory = MEMORY}, program(), words);
+  job_finish(r);
 }
 
 /* Of what takes too long once, on a machine that does other things, the third time says. */
-static void run_words(struct run *r, const char *const *words) {
+static void run_words(struct job *r, const char *const *words) {
   run_once(r, words);
   for (int i = 0; i < 2 && r->seconds >= SECONDS; i++) {
-    run_clear(r);
+    job_clear(r);
     run_once(r, words);
   }
 }
 
 /* --- The tables --- */
 
-static unsigned hex(const char *p) {
-  unsigned x = 16;
-  ck_assert(sscanf(p, "%2x", &x) == 1);
-  return x;
-}
-
-/* One character as the tables write it; what is behind it. */
-static const char *add_character(struct text *out, const char *p) {
-  if (*p != '\\') {
-    text_add_char(out, *p);
-    return p + 1;
-  }
-  if (p[1] == 'x') {
-    text_add_char(out, (char)hex(p + 2));
-    return p + 4;
-  }
-  text_add_char(out, (char)(p[1] == 'n' ? '\n' : p[1] == 'r' ? '\r' : p[1]));
-  return p + 2;
-}
-
-/* {good}, {rest}, {N*TEXT}; any other brace is one. */
-static const char *add_brace(struct text *out, const char *p) {
-  long n;
-  int used = 0;
-  const char *end = strchr(p, '}');
-  if (strncmp(p, "{good}", 6) == 0) {
-    text_add(out, GOOD);
-  } else if (strncmp(p, "{rest}", 6) == 0) {
-    text_add(out, REST);
-  } else if (end && sscanf(p, "{%ld*%n", &n, &used) == 1 && used) {
-    struct text one;
-    text_init(&one);
-    for (const char *q = p + used; q < end;) q = add_character(&one, q);
-    for (; n > 0; n--) text_add_n(out, one.data, one.len);
-    text_clear(&one);
-  } else {
-    text_add_char(out, '{');
-    return p + 1;
-  }
-  return end + 1;
-}
-
-static void expand(struct text *out, const char *p) {
-  while (*p) p = *p == '{' ? add_brace(out, p) : add_character(out, p);
-}
+static const char *const abbreviated[][2] = {{"good", GOOD}, {"rest", REST}, {NULL, NULL}};
 
 /* One message that names the place, says what it should and stays within the limits. */
-static void is_refused(const struct run *r, const char *what, int status, const char *place, const char *says,
+static void is_refused(const struct job *r, const char *what, int status, const char *place, const char *says,
                        const char *name) {
-  const char *m = r->err.text;
+  const char *m = r->err;
   char begin[400];
   ck_assert_msg(r->status == status, "%s: status %d, not %d: %.1500s", what, r->status, status, m);
-  ck_assert_msg(r->err.len > 1 && r->err.len < 1000 && m[r->err.len - 1] == '\n', "%s: a message of %zu bytes: %.1500s",
-                what, r->err.len, m);
-  ck_assert_msg(r->out.len == 0, "%s: printed %.200s", what, r->out.text);
+  ck_assert_msg(r->err_size > 1 && r->err_size < 1000 && m[r->err_size - 1] == '\n',
+                "%s: a message of %zu bytes: %.1500s", what, r->err_size, m);
+  ck_assert_msg(r->out_size == 0, "%s: printed %.200s", what, r->out);
   ck_assert_msg(strstr(m, says) != NULL, "%s\ndoes not say: %s\n%s", what, says, m);
   if (strcmp(place, "-") != 0) {
     snprintf(begin, sizeof begin, "%s:%s: error: ", name, place);
@@ -157,33 +75,16 @@ static void is_refused(const struct run *r, const char *what, int status, const 
   ck_assert_msg(strstr(m, "error: ") || status == 2, "%s: %s", what, m);
 }
 
-static void is_harmless(const struct run *r, const char *what) {
+static void is_harmless(const struct job *r, const char *what) {
   ck_assert_msg(r->seconds < SECONDS, "%s: %.2f s", what, r->seconds);
 }
 
-/* Calls f with the fields of each line that is no comment; returns how many there were. */
-static int each_line(const char *path, void (*f)(char *const *field, int n)) {
-  struct source s;
-  read_back(&s, path);
-  int lines = 0;
-  char *rest = NULL;
-  for (char *line = strtok_r(s.text, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest)) {
-    char *field[MAX_FIELDS] = {NULL};
-    if (*line == '#') continue;
-    int n = split_tabs(field, MAX_FIELDS, line);
-    f(field, n);
-    lines++;
-  }
-  source_clear(&s);
-  return lines;
-}
-
-static void hostile_scene(char *const *field, int n) {
-  ck_assert_msg(n == 4 || n == 5, "%s: %d fields", field[0], n);
+/* check reads the file, and so does orbit, by the same function. */
+static void hostile_scene(char *const *field, bool by_orbit) {
   struct text text;
-  struct run r;
+  struct job r;
   text_init(&text);
-  expand(&text, n == 5 ? field[4] : "");
+  field_expand(&text, field[4], abbreviated);
   const char *path = scratch_put_n("case.scene", text_str(&text), text.len);
   int status = atoi(field[1]);
   run_words(&r, (const char *const[]){"check", path, NULL});
@@ -191,58 +92,66 @@ static void hostile_scene(char *const *field, int n) {
   if (status)
     is_refused(&r, field[0], status, field[2], field[3], path);
   else
-    ck_assert_msg(r.status == 0 && r.err.len == 0, "%s: %d, %s", field[0], r.status, r.err.text);
-  run_clear(&r);
-  if (status) {
+    ck_assert_msg(r.status == 0 && r.err_size == 0, "%s: %d, %s", field[0], r.status, r.err);
+  job_clear(&r);
+  if (status && by_orbit) {
     run_words(&r, (const char *const[]){"orbit", path, NULL});
     is_refused(&r, field[0], status, field[2], field[3], path);
-    run_clear(&r);
+    job_clear(&r);
   }
   text_clear(&text);
 }
 
 START_TEST(hostile_scenes) {
-  ck_assert_int_ge(each_line("tests/hostile/scenes.tsv", hostile_scene), 150);
+  struct table scenes;
+  table_read(&scenes, "tests/hostile/scenes.tsv", 5);
+  ck_assert_int_ge(scenes.n, 150);
+  for (int i = 0; i < scenes.n; i++) hostile_scene(scenes.row[i], true);
+  table_clear(&scenes);
 }
 END_TEST
 
-static void hostile_set(char *const *field, int n) {
-  ck_assert_msg(n > 5, "%s: %d fields", field[0], n);
-  struct text value[MAX_FIELDS];
-  const char *scene = field[4], *words[2 * MAX_FIELDS] = {"orbit"};
+static void hostile_set(char *const *field) {
+  struct text value[MOST_COLUMNS];
+  const char *scene = field[4], *words[2 * MOST_COLUMNS] = {"orbit"};
+  int n = 5;
   if (strcmp(scene, "{bad}") == 0) scene = scratch_put("bad.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 0\ne2 = 1\n");
   if (strcmp(scene, "{friction}") == 0) scene = scratch_put("friction.scene", GOOD "u_r1 = 2.5\n");
   words[1] = scene;
-  for (int i = 5; i < n; i++) {
+  for (int i = 5; field[i]; i++, n++) {
     text_init(&value[i]);
-    expand(&value[i], field[i]);
+    field_expand(&value[i], field[i], abbreviated);
     words[2 * i - 8] = "--set";
     words[2 * i - 7] = text_str(&value[i]);
   }
-  struct run r;
+  struct job r;
   run_words(&r, words);
   if (strcmp(field[1], "0") != 0) {
     is_harmless(&r, field[0]);
     is_refused(&r, field[0], atoi(field[1]), field[2], field[3], "--set");
   } else {
-    ck_assert_msg(r.status == 0 && r.err.len == 0, "%s: %d, %s", field[0], r.status, r.err.text);
+    ck_assert_msg(r.status == 0 && r.err_size == 0, "%s: %d, %s", field[0], r.status, r.err);
   }
-  run_clear(&r);
+  job_clear(&r);
   for (int i = 5; i < n; i++) text_clear(&value[i]);
 }
 
 START_TEST(hostile_sets) {
-  ck_assert_int_ge(each_line("tests/hostile/sets.tsv", hostile_set), 50);
+  struct table sets;
+  table_read(&sets, "tests/hostile/sets.tsv", ANY_COLUMNS);
+  ck_assert_int_ge(sets.n, 50);
+  for (int i = 0; i < sets.n; i++) hostile_set(sets.row[i]);
+  table_clear(&sets);
 }
 END_TEST
 
 /* What is no file of text. */
 static void refuse_path(const char *path, const char *says) {
-  struct run r;
+  struct job r;
   run_words(&r, (const char *const[]){"orbit", path, NULL});
   is_harmless(&r, path);
   is_refused(&r, path, 3, "-", says, path);
-  run_clear(&r);
+  job_clear(&r);
 }
 
 START_TEST(what_is_no_file) {
@@ -282,13 +191,13 @@ START_TEST(values_beyond_double_precision) {
   } uses[] = {{"orbit", "--digits", "30", 0}, {"simulate", "--periods", "1", 3}, {"jacobian", "--digits", "30", 3}};
   for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
     for (size_t k = 0; k < sizeof uses / sizeof *uses; k++) {
-      struct run r;
+      struct job r;
       run_words(&r,
                 (const char *const[]){uses[k].command, "paper", "--set", sets[i], uses[k].option, uses[k].value, NULL});
       is_harmless(&r, sets[i]);
-      ck_assert_msg(r.status == uses[k].status, "%s, %s: %d, %s", uses[k].command, sets[i], r.status, r.err.text);
-      if (r.status == 0) ck_assert(strstr(r.out.text, "not proved complete: the parameters are outside") != NULL);
-      run_clear(&r);
+      ck_assert_msg(r.status == uses[k].status, "%s, %s: %d, %s", uses[k].command, sets[i], r.status, r.err);
+      if (r.status == 0) ck_assert(strstr(r.out, "not proved complete: the parameters are outside") != NULL);
+      job_clear(&r);
     }
 }
 END_TEST
@@ -452,7 +361,7 @@ START_TEST(what_is_asked_must_exist) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct text text;
     char begin[300];
-    struct run r;
+    struct job r;
     text_init(&text);
     text_printf(&text, GOOD "%s", cases[i].text);
     const char *path = scratch_put("asks.scene", text_str(&text));
@@ -462,9 +371,8 @@ START_TEST(what_is_asked_must_exist) {
         run_words(&r, (const char *const[]){"check", path, NULL});
       else
         run_words(&r, (const char *const[]){"verify", path, "--out", scratch_path("out"), NULL});
-      ck_assert_msg(r.status == 3 && begins(r.err.text, begin) && strstr(r.err.text, cases[i].says), "%d: %s", r.status,
-                    r.err.text);
-      run_clear(&r);
+      ck_assert_msg(r.status == 3 && begins(r.err, begin) && strstr(r.err, cases[i].says), "%d: %s", r.status, r.err);
+      job_clear(&r);
     }
     text_clear(&text);
   }
@@ -640,47 +548,47 @@ START_TEST(set_reaches_every_command) {
                                              {"sweep", "paper", "--over", "V=1:1.1:2", "--set", "e2=1"},
                                              {"repair", "eq-27", "--json", "--set", "e2=1"}};
   for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
-    struct run r;
+    struct job r;
     run_words(&r, commands[i]);
-    ck_assert_msg(r.status == 0 && strstr(r.out.text, "paper --set e2=1"), "%s %s: %d, %.500s %s", commands[i][0],
-                  commands[i][2], r.status, r.out.text, r.err.text);
-    run_clear(&r);
+    ck_assert_msg(r.status == 0 && strstr(r.out, "paper --set e2=1"), "%s %s: %d, %.500s %s", commands[i][0],
+                  commands[i][2], r.status, r.out, r.err);
+    job_clear(&r);
   }
-  struct run r;
+  struct job r;
   run_words(&r, (const char *const[]){"explain", "num-t_a", "--set", "printed=t_a = 0.5", NULL});
-  ck_assert_msg(r.status == 0 && strstr(r.out.text, "0.5"), "%s", r.err.text);
-  run_clear(&r);
+  ck_assert_msg(r.status == 0 && strstr(r.out, "0.5"), "%s", r.err);
+  job_clear(&r);
   run_words(&r, (const char *const[]){"list", "--set", "e2=1", NULL});
   ck_assert(r.status == 2);
-  run_clear(&r);
+  job_clear(&r);
 }
 END_TEST
 
 /* A changed scene and a file with the same value give the same numbers. */
 START_TEST(set_is_what_the_file_says) {
-  struct run a, b;
+  struct job a, b;
   const char *path =
       scratch_put("paper-too.scene", "chi = 0.7\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 1/2\nprinted: t_a = 0.6784\n");
   run_words(&a, (const char *const[]){"orbit", "paper", "--set", "chi=0.7", "--set", "e2=1/2", NULL});
   run_words(&b, (const char *const[]){"orbit", path, NULL});
   ck_assert(a.status == 0 && b.status == 0);
-  ck_assert_str_eq(strchr(a.out.text, '\n'), strchr(b.out.text, '\n'));
-  run_clear(&b);
-  run_clear(&a);
+  ck_assert_str_eq(strchr(a.out, '\n'), strchr(b.out, '\n'));
+  job_clear(&b);
+  job_clear(&a);
 }
 END_TEST
 
 /* Verdicts recorded for the paper's example alone do not judge a changed one; the command that repeats the claim says
    how it was changed, and the paper's own report stays. */
 START_TEST(a_changed_scene_is_not_the_recorded_one) {
-  struct run r;
+  struct job r;
   struct source audit;
   /* e2 = 0.8587 is what the scene says: the printed t_a is refuted as on record, for which a changed scene is not
      asked */
   run_words(&r, (const char *const[]){"verify", "paper", "--only", "num-t_a", "--set", "printed=t_a = 0.5322", "--out",
                                       scratch_path("changed"), NULL});
-  ck_assert_msg(r.status == 0, "%d: %s%s", r.status, r.out.text, r.err.text);
-  run_clear(&r);
+  ck_assert_msg(r.status == 0, "%d: %s%s", r.status, r.out, r.err);
+  job_clear(&r);
   read_back(&audit, scratch_path("changed/audit.json"));
   ck_assert(strstr(audit.text, "\"verdict\": \"proved\"") || strstr(audit.text, "\"verdict\": \"supported\""));
   ck_assert(
@@ -710,17 +618,17 @@ START_TEST(names_of_files_do_not_break_lines) {
                {"a\x1B[31m.scene", 2},
                {"a\xE2\x80\xA8.scene", 2}};
   for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-    struct run r;
+    struct job r;
     const char *path = scratch_put(names[i].name, GOOD);
     run_words(&r, (const char *const[]){"sweep", path, "--over", "e2=0.5:0.6:2", NULL});
-    ck_assert_msg(r.status == names[i].status, "%s", r.err.text);
+    ck_assert_msg(r.status == names[i].status, "%s", r.err);
     bool rows = false;
-    for (const char *line = r.out.text; *line; line = strchr(line, '\n') + 1) {
+    for (const char *line = r.out; *line; line = strchr(line, '\n') + 1) {
       if (begins(line, "point,e2,orbit,")) rows = true;
       ck_assert_msg(*line == '#' || (rows && (*line == 'p' || (*line >= '0' && *line <= '9'))), "%.100s", line);
       for (const char *p = line; *p && *p != '\n'; p++) ck_assert(*p >= ' ' && *p != 0x7F);
     }
-    run_clear(&r);
+    job_clear(&r);
   }
 }
 END_TEST
@@ -733,16 +641,11 @@ START_TEST(commands_of_a_report_can_be_typed) {
                                       " | sed \"s/&#39;/'/g;s/&gt;/>/g;s/&amp;/\\\\&/g\""};
   scratch_put("a;id>X;b --only 'c&.scene", GOOD);
   for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
-    int status;
-    char *left =
-        shell_output(&status,
-                     "export STICKSLIP_DATA=$PWD/verify; p=$(realpath %s); cd '%s'; rm -rf r again;"
-                     "\"$p\" verify \"./a;id>X;b --only 'c&.scene\" --only eq-3 --out r --set e2=1/2 > /dev/null;"
-                     "stickslip() { \"$p\" \"$@\" --only eq-3 --out again > /dev/null; };"
-                     "eval \"$(%s)\"; cmp r/audit.json again/audit.json && ! [ -e X ]",
-                     program(), scratch_path(""), pages[i]);
-    ck_assert_msg(status == 0, "%s: %s", pages[i], left);
-    free(left);
+    shell_well("export STICKSLIP_DATA=$PWD/verify; p=$(realpath $P); cd \"$D\"; rm -rf r again;"
+               "\"$p\" verify \"./a;id>X;b --only 'c&.scene\" --only eq-3 --out r --set e2=1/2 > /dev/null;"
+               "stickslip() { \"$p\" \"$@\" --only eq-3 --out again > /dev/null; };"
+               "eval \"$(%s)\"; cmp r/audit.json again/audit.json && ! [ -e X ]",
+               pages[i]);
   }
 }
 END_TEST
@@ -751,7 +654,7 @@ END_TEST
 
 START_TEST(keys_are_documented) {
   struct source page;
-  struct run r, json;
+  struct job r, json;
   read_back(&page, "man/stickslip-scene.5");
   run_words(&r, (const char *const[]){"list", "--scene-keys", NULL});
   run_words(&json, (const char *const[]){"list", "--scene-keys", "--json", NULL});
@@ -761,25 +664,18 @@ START_TEST(keys_are_documented) {
     snprintf(line, sizeof line, "%s%s", scene_keys[k].name, k < N_KEYS ? " =" : ":");
     snprintf(member, sizeof member, "\"name\": \"%s\"", scene_keys[k].name);
     ck_assert_msg(strstr(page.text, item), "%s is not in the man page", scene_keys[k].name);
-    ck_assert_msg(strstr(r.out.text, line) && strstr(r.out.text, scene_keys[k].meaning), "%s", line);
-    ck_assert_msg(strstr(json.out.text, member), "%s", member);
+    ck_assert_msg(strstr(r.out, line) && strstr(r.out, scene_keys[k].meaning), "%s", line);
+    ck_assert_msg(strstr(json.out, member), "%s", member);
   }
-  run_clear(&json);
-  run_clear(&r);
+  job_clear(&json);
+  job_clear(&r);
   source_clear(&page);
 }
 END_TEST
 
 START_TEST(keys_obey_their_schema) {
-  struct run r;
-  run_words(&r, (const char *const[]){"list", "--scene-keys", "--json", NULL});
-  const char *path = scratch_put_n("keys.json", r.out.text, r.out.len);
-  struct text command;
-  text_init(&command);
-  text_printf(&command, "%s tests/oracle/validate.py schema/scene-keys.schema.json %s", python(), path);
-  ck_assert(system(text_str(&command)) == 0);
-  text_clear(&command);
-  run_clear(&r);
+  shell_well("\"$P\" list --scene-keys --json > \"$D/keys.json\" && "
+             "\"$Y\" tests/oracle/validate.py schema/scene-keys.schema.json \"$D/keys.json\"");
 }
 END_TEST
 
@@ -886,7 +782,7 @@ static void put_scene(const struct lines *l) {
 /* All that the command says and writes, but for what belongs to the machine; its exit status. */
 static int answer(struct text *out, const struct use *u, const struct lines *l) {
   const char *words[10] = {NULL}, *folder = scratch_path("keys-out");
-  struct run r;
+  struct job r;
   struct lines own = *l;
   if (u->word) own.of[KEY_WORD] = u->word;
   put_scene(&own);
@@ -897,7 +793,7 @@ static int answer(struct text *out, const struct use *u, const struct lines *l) 
   if (strcmp(words[0], "list") == 0) setenv("STICKSLIP_DATA", scratch_path(""), 1);
   run_once(&r, words);
   unsetenv("STICKSLIP_DATA");
-  text_printf(out, "%d\n%s%s", r.status, r.out.text, r.err.text);
+  text_printf(out, "%d\n%s%s", r.status, r.out, r.err);
   if (access(folder, F_OK) == 0) {
     char *list = ss_strdup(scratch_list(folder));
     for (char *name = strtok(list, " "); name; name = strtok(NULL, " ")) {
@@ -913,7 +809,7 @@ static int answer(struct text *out, const struct use *u, const struct lines *l) 
     ck_assert(rmdir(folder) == 0);
   }
   int status = r.status;
-  run_clear(&r);
+  job_clear(&r);
   return status;
 }
 

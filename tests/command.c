@@ -4,15 +4,17 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdarg.h>
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "process.h"
 #include "scratch.h"
+
+enum { NOBODY = 65534 };
 
 static void redirect(const char *path, int to) {
   int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -20,21 +22,47 @@ static void redirect(const char *path, int to) {
   close(fd);
 }
 
-rlim_t largest_file;
-
-static void limit_files(void) {
-  struct rlimit limit = {largest_file, largest_file};
-  if (!largest_file) return;
-  signal(SIGXFSZ, SIG_IGN);
-  setrlimit(RLIMIT_FSIZE, &limit);
-  count_nothing();
+static void redirect_to_nobody(void) {
+  int ends[2];
+  if (pipe(ends) != 0 || dup2(ends[1], STDOUT_FILENO) < 0) _exit(126);
+  close(ends[0]);
+  close(ends[1]);
 }
 
-void job_start(struct job *j, const char *stdout_to, const char *file, const char *const *args) {
+static void set_in_environment(const char *pair) {
+  char name[40];
+  size_t n = strcspn(pair, "=");
+  snprintf(name, sizeof name, "%.*s", (int)n, pair);
+  setenv(name, pair + n + 1, 1);
+}
+
+/* In the child. */
+static void go_to(const struct job_place *p, const char *out, const char *err) {
+  process_as_from_a_shell();
+  redirect(err, STDERR_FILENO);
+  if (strcmp(out, "closed") == 0)
+    close(STDOUT_FILENO);
+  else if (strcmp(out, "pipe") == 0)
+    redirect_to_nobody();
+  else
+    redirect(out, STDOUT_FILENO);
+  for (int i = 0; i < 3 && p->env[i]; i++) set_in_environment(p->env[i]);
+  if (p->nobody && geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)) _exit(126);
+  if (p->memory && !SANITIZED) setrlimit(RLIMIT_AS, &(struct rlimit){p->memory, p->memory});
+  if (p->file) {
+    setrlimit(RLIMIT_FSIZE, &(struct rlimit){p->file, p->file});
+    count_nothing();
+  }
+}
+
+void job_start(struct job *j, const struct job_place *place, const char *file, const char *const *args) {
+  static const struct job_place here = {.out = NULL};
   static int serial;
   char name[32];
+  if (!place) place = &here;
+  *j = (struct job){.status = -1000, .short_of_memory = place->memory > 0, .seconds = children_seconds()};
   snprintf(name, sizeof name, "job%d.out", ++serial);
-  *j = (struct job){.status = -1000, .out_path = stdout_to ? stdout_to : scratch_path(name)};
+  if (!place->out) j->out_path = scratch_path(name);
   snprintf(name, sizeof name, "job%d.err", serial);
   j->err_path = scratch_path(name);
   char *argv[MAX_ARGS + 2] = {(char *)(uintptr_t)file};
@@ -46,21 +74,29 @@ void job_start(struct job *j, const char *stdout_to, const char *file, const cha
   j->pid = fork();
   ck_assert(j->pid >= 0);
   if (j->pid == 0) {
-    process_as_from_a_shell();
-    redirect(j->out_path, STDOUT_FILENO);
-    redirect(j->err_path, STDERR_FILENO);
-    limit_files();
+    go_to(place, place->out ? place->out : j->out_path, j->err_path);
     alarm(TIME_LIMIT);
     execv(file, argv);
     _exit(127);
   }
 }
 
+/* What it has printed; the file goes. */
+static char *printed(size_t *size, const char *path) {
+  struct stat st;
+  ck_assert(stat(path, &st) == 0);
+  *size = (size_t)st.st_size;
+  char *text = file_text(path);
+  unlink(path);
+  return text;
+}
+
 void job_finish(struct job *j) {
   j->status = process_end(j->pid);
-  ck_assert_msg(j->status != 127 && j->status != 126, "cannot start %s", program());
-  j->out = strncmp(j->out_path, "/dev/", 5) == 0 ? NULL : file_text(j->out_path);
-  j->err = file_text(j->err_path);
+  j->seconds = children_seconds() - j->seconds;
+  ck_assert_msg((j->status != 127 || j->short_of_memory) && j->status != 126, "cannot start %s", program());
+  if (j->out_path) j->out = printed(&j->out_size, j->out_path);
+  j->err = printed(&j->err_size, j->err_path);
 }
 
 void job_clear(struct job *j) {

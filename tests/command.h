@@ -3,22 +3,34 @@
 #ifndef STICKSLIP_TESTS_COMMAND_H
 #define STICKSLIP_TESTS_COMMAND_H
 
+#include <stdbool.h>
+#include <stddef.h>
 #include <sys/resource.h>
 #include <sys/types.h>
 
-enum { MAX_ARGS = 120, TIME_LIMIT = 300, MOST_VALUE = 1100 };
+enum { MAX_ARGS = 160, TIME_LIMIT = 300, MOST_VALUE = 1100 };
+
+/* What surrounds a program that is started; all zero: what the tests have themselves. */
+struct job_place {
+  const char *out;    /* where standard output goes: a path; NULL: it is read back; "closed", "pipe": nobody reads */
+  rlim_t memory;      /* bytes that it may have, but under a sanitizer; 0: any */
+  rlim_t file;        /* bytes that it can write to a file, as on a disk that is full; 0: any */
+  bool nobody;        /* without root's rights */
+  const char *env[3]; /* NAME=VALUE */
+};
 
 struct job {
   pid_t pid;
-  const char *out_path, *err_path;
-  int status; /* exit status, or minus the signal; -1000 while it runs */
+  const char *out_path, *err_path; /* the first is NULL where it is not read back */
+  bool short_of_memory;
+  double seconds; /* of processor time, where no other child has ended meanwhile */
+  int status;     /* exit status, or minus the signal; -1000 while it runs */
   char *out, *err;
+  size_t out_size, err_size;
 };
 
-extern rlim_t largest_file; /* bytes that a started program can write to a file, as on a disk that is full; 0: any */
-
-/* stdout_to: a device to write to, or NULL for a file that is read back. */
-void job_start(struct job *j, const char *stdout_to, const char *file, const char *const *args);
+/* place: NULL as all zero. */
+void job_start(struct job *j, const struct job_place *place, const char *file, const char *const *args);
 void job_finish(struct job *j);
 void job_clear(struct job *j);
 

@@ -7,6 +7,12 @@
 #include <stdbool.h>
 #include <sys/types.h>
 
+#ifdef __SANITIZE_ADDRESS__
+enum { SANITIZED = 1 }; /* with memory and an allocator of its own, which reserves terabytes, and slow */
+#else
+enum { SANITIZED = 0 };
+#endif
+
 /* In a child: no signal is ignored, whatever the tests were started by; under nohup a hangup is, and a program leaves
    that so. */
 void process_as_from_a_shell(void);

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "base/arena.h"
-#include "base/text.h"
 #include "scratch.h"
 
 static void give_up(const char *path, const char *why) {
@@ -61,6 +60,41 @@ void table_clear(struct table *t) {
   free(t->row);
   free(t->text);
   *t = (struct table){.n = 0};
+}
+
+/* What stands in braces at p is in the list: behind them. */
+static const char *add_named(struct text *out, const char *p, const char *const (*list)[2]) {
+  for (; list && **list; list++) {
+    size_t n = strlen(**list);
+    if (strncmp(p + 1, **list, n) == 0 && p[1 + n] == '}') {
+      text_add(out, (*list)[1]);
+      return p + n + 2;
+    }
+  }
+  return NULL;
+}
+
+void field_expand(struct text *out, const char *v, const char *const (*list)[2]) {
+  while (*v) {
+    char *end;
+    const char *behind = *v == '{' ? add_named(out, v, list) : NULL;
+    long n = v[0] == '@' ? strtol(v + 1, &end, 10) : 0;
+    if (behind) {
+      v = behind;
+    } else if (n > 0) {
+      size_t len = strcspn(end, "}") - 1;
+      for (long i = 0; i < n; i++) text_add_n(out, end + 1, len);
+      v = end + 1 + len + 1;
+    } else if (v[0] == '@' && v[1] && strchr("DF0", v[1])) {
+      if (v[1] == '0')
+        text_add_n(out, "", 1);
+      else
+        text_add(out, scratch_path(v[1] == 'F' ? "file" : ""));
+      v += 2;
+    } else {
+      text_add_char(out, *v++);
+    }
+  }
 }
 
 int table_row(const struct table *t, const char *first, const char *second) {

@@ -3,7 +3,9 @@
 #ifndef STICKSLIP_TESTS_TABLE_H
 #define STICKSLIP_TESTS_TABLE_H
 
-enum { MOST_COLUMNS = 16, ANY_COLUMNS = 0 };
+enum { MOST_COLUMNS = 80, ANY_COLUMNS = 0 };
+
+#include "base/text.h"
 
 struct table {
   int n;
@@ -14,6 +16,10 @@ struct table {
 /* Reads a table in which each row has that many fields, or any number; ends the tests where it cannot. */
 void table_read(struct table *t, const char *path, int columns);
 void table_clear(struct table *t);
+
+/* A field with what it abbreviates: @N{TEXT} is TEXT N times, @D the scratch folder, @F a path in it that has no extension yet,
+   @0 a NUL; {NAME} is what the list, of pairs of names and texts, has for it (NULL: there is none). */
+void field_expand(struct text *out, const char *field, const char *const (*list)[2]);
 
 /* The first row that begins with this field and, unless NULL, that one; fails the test where there is none. */
 int table_row(const struct table *t, const char *first, const char *second);
