@@ -150,34 +150,6 @@ static const struct asked lists[] = {
      VERDICT_UNKNOWN},
 };
 
-START_TEST(what_a_list_of_constraints_says) {
-  struct model m;
-  paper_model(
-      &m, &(struct paper_layers){
-              .overlay = scratch_put("overlay.eq", "inequality text-more\n  section: appendix_b\n  z_1b < 1000*e_1\n"),
-              .controls = true});
-  check_verdicts(&m, "  section: appendix_b\n  title: of the test\n  kind: constraints\n", lists,
-                 sizeof lists / sizeof *lists);
-  model_clear(&m);
-}
-END_TEST
-
-START_TEST(what_follows_and_what_does_not) {
-  struct model m;
-  paper_model(&m, &(struct paper_layers){
-                      .overlay = scratch_put(
-                          "overlay.eq",
-                          "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
-                          "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
-                          "inequality text-less\n  section: appendix_b\n  u_r2 > (e_2 - chi*(z_20 - z_10))/2 - 1e-6\n"
-                          "inequality text-above\n  section: appendix_b\n  u_r1 < 100\n"
-                          "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n"),
-                      .controls = true});
-  check_verdicts(&m, "  section: appendix_b\n  title: of the test\n", arguments, sizeof arguments / sizeof *arguments);
-  model_clear(&m);
-}
-END_TEST
-
 /* --- Ranges --- */
 
 static const struct asked ranges[] = {
@@ -201,16 +173,28 @@ static const struct asked ranges[] = {
      "  conclusion: text-later Gamma\n  rate: yes\n  factor: chi\n  even: (1 - chi)*V\n  odd: e_1\n", VERDICT_UNKNOWN},
 };
 
-START_TEST(for_how_long_a_condition_holds) {
+/* Each list under the paper's files, the controls and records of its own. */
+static const struct {
+  const char *records, *head;
+  const struct asked *asked;
+  int n;
+} verdicts[] = {
+    {"inequality text-never\n  section: appendix_b\n  t_b < 0\n"
+     "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
+     "inequality text-less\n  section: appendix_b\n  u_r2 > (e_2 - chi*(z_20 - z_10))/2 - 1e-6\n"
+     "inequality text-above\n  section: appendix_b\n  u_r1 < 100\n"
+     "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n",
+     "  section: appendix_b\n  title: of the test\n", arguments, sizeof arguments / sizeof *arguments},
+    {"inequality text-more\n  section: appendix_b\n  z_1b < 1000*e_1\n",
+     "  section: appendix_b\n  title: of the test\n  kind: constraints\n", lists, sizeof lists / sizeof *lists},
+    {"inequality text-nearly\n  section: appendix_b\n  u_r2 > (e_2 - chi*(z_20 - z_10))/2 - 1e-9\n"
+     "inequality text-later\n  section: appendix_b\n  h(t) < e_2 + 1e-9\n",
+     "  section: appendix_a\n  title: of the test\n  kind: range\n", ranges, sizeof ranges / sizeof *ranges}};
+
+START_TEST(what_follows_and_what_does_not) {
   struct model m;
-  paper_model(&m, &(struct paper_layers){
-                      .overlay = scratch_put("overlay.eq",
-                                             "inequality text-nearly\n  section: appendix_b\n  u_r2 > (e_2 - "
-                                             "chi*(z_20 - z_10))/2 - 1e-9\n"
-                                             "inequality text-later\n  section: appendix_b\n  h(t) < e_2 + 1e-9\n"),
-                      .controls = true});
-  check_verdicts(&m, "  section: appendix_a\n  title: of the test\n  kind: range\n", ranges,
-                 sizeof ranges / sizeof *ranges);
+  paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", verdicts[_i].records), .controls = true});
+  check_verdicts(&m, verdicts[_i].head, verdicts[_i].asked, verdicts[_i].n);
   model_clear(&m);
 }
 END_TEST
@@ -686,9 +670,7 @@ Suite *argument_suite(void) {
   tcase_set_timeout(c, 120);
   tcase_add_unchecked_fixture(c, open_all, close_all);
 #define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
-  tcase_add_test(c, what_follows_and_what_does_not);
-  tcase_add_test(c, what_a_list_of_constraints_says);
-  tcase_add_test(c, for_how_long_a_condition_holds);
+  tcase_add_loop_test(c, what_follows_and_what_does_not, 0, 3);
   LOOP(bounds_of_an_independent_program, certificates);
   tcase_add_test(c, a_condition_broken_for_a_moment);
   tcase_add_test(c, conditions_are_the_margins_of_the_orbit);

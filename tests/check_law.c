@@ -46,6 +46,13 @@ static enum verdict judged(const char *formulas, const char *claim, struct diag 
   return v;
 }
 
+/* Under these formulas the claim comes to that verdict; what: the case. */
+static void expect(enum verdict want, const char *what, const char *formulas, const char *claim) {
+  struct diag d;
+  enum verdict v = judged(formulas, claim, &d);
+  ck_assert_msg(v == want, "%s: %s %s", what, v < N_VERDICTS ? verdict_name[v] : "", d.message);
+}
+
 /* --- Coulomb's law --- */
 
 #define SLOWER "  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}\n"
@@ -120,14 +127,11 @@ static const struct {
 };
 
 START_TEST(branches_of_the_law) {
-  struct diag d;
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "  kind: law\n  mass: %s\n  slips: own-slips H\n  sticks: own-sticks C\n  breaks: own-breaks C\n",
-              laws[_i].mass);
-  enum verdict v = judged(laws[_i].formulas, text_str(&t), &d);
-  ck_assert_msg(v == laws[_i].want, "%s: %s %s", laws[_i].what, v < N_VERDICTS ? verdict_name[v] : "", d.message);
-  text_clear(&t);
+  char claim[200];
+  snprintf(claim, sizeof claim,
+           "  kind: law\n  mass: %s\n  slips: own-slips H\n  sticks: own-sticks C\n  breaks: own-breaks C\n",
+           laws[_i].mass);
+  expect(laws[_i].want, laws[_i].what, laws[_i].formulas, claim);
 }
 END_TEST
 
@@ -143,21 +147,15 @@ static const struct {
 };
 
 START_TEST(a_force_at_its_limit) {
-  struct diag d;
-  struct text t;
-  text_init(&t);
-  text_printf(
-      &t,
+  char formulas[800];
+  snprintf(
+      formulas, sizeof formulas,
       SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  %s\n" RELATION(
           "breaks") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1(t) - chi*x_2(t)) %s u_r1 for eps in {+1, -1}\n",
       at_limits[_i].sticks, at_limits[_i].breaks);
-  enum verdict v = judged(text_str(&t),
-                          "  kind: law\n  limits: yes\n  mass: 1\n  slips: own-slips H\n  sticks: own-sticks C\n"
-                          "  breaks: own-breaks C\n",
-                          &d);
-  ck_assert_msg(v == at_limits[_i].want, "%s: %s %s", at_limits[_i].what, v < N_VERDICTS ? verdict_name[v] : "",
-                d.message);
-  text_clear(&t);
+  expect(at_limits[_i].want, at_limits[_i].what, formulas,
+         "  kind: law\n  limits: yes\n  mass: 1\n  slips: own-slips H\n  sticks: own-sticks C\n"
+         "  breaks: own-breaks C\n");
 }
 END_TEST
 
@@ -212,20 +210,15 @@ static const struct {
 };
 
 START_TEST(mechanics_of_the_law) {
-  struct diag d;
-  struct text t;
-  text_init(&t);
-  text_printf(&t,
-              "  kind: behaviour\n  check: %s\n  moves: own-moves D\n  depends-on: first, second\n\n"
-              "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n  slips: own-slips H\n"
-              "  sticks: own-sticks C\n  breaks: own-breaks C\n\n"
-              "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n  slips: eq-2#2, eq-2#4 H\n"
-              "  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n",
-              mechanics[_i].check);
-  enum verdict v = judged(mechanics[_i].formulas, text_str(&t), &d);
-  ck_assert_msg(v == mechanics[_i].want, "%s: %s %s", mechanics[_i].what, v < N_VERDICTS ? verdict_name[v] : "",
-                d.message);
-  text_clear(&t);
+  char claim[800];
+  snprintf(claim, sizeof claim,
+           "  kind: behaviour\n  check: %s\n  moves: own-moves D\n  depends-on: first, second\n\n"
+           "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n  slips: own-slips H\n"
+           "  sticks: own-sticks C\n  breaks: own-breaks C\n\n"
+           "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n  slips: eq-2#2, eq-2#4 H\n"
+           "  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n",
+           mechanics[_i].check);
+  expect(mechanics[_i].want, mechanics[_i].what, mechanics[_i].formulas, claim);
 }
 END_TEST
 
@@ -411,10 +404,7 @@ static const struct {
 };
 
 START_TEST(sentences_known_by_hand) {
-  struct diag d;
-  enum verdict v = judged(sentences[_i].formulas, sentences[_i].claim, &d);
-  ck_assert_msg(v == sentences[_i].want, "%s: %s %s", sentences[_i].what, v < N_VERDICTS ? verdict_name[v] : "",
-                d.message);
+  expect(sentences[_i].want, sentences[_i].what, sentences[_i].formulas, sentences[_i].claim);
 }
 END_TEST
 
