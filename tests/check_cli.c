@@ -270,22 +270,6 @@ START_TEST(output_that_cannot_be_written) {
 }
 END_TEST
 
-START_TEST(a_report_that_does_not_fit_leaves_the_old_one) {
-  struct job j;
-  ck_assert(mkdir(scratch_path("small"), 0700) == 0);
-  scratch_put("small/audit.json", "old json");
-  job_start(&j, &(struct job_place){.file = 1024}, program(),
-            (const char *const[]){"verify", "--only", "eq-3", "--out", scratch_path("small"), NULL});
-  job_finish(&j);
-  ck_assert_msg(j.status == 3 && strstr(j.err, "audit.json: error: cannot be written"), "%d, %.1500s", j.status, j.err);
-  char *json = report("small", "audit.json");
-  ck_assert_str_eq(json, "old json");
-  ck_assert_str_eq(scratch_list(scratch_path("small")), "audit.json");
-  free(json);
-  job_clear(&j);
-}
-END_TEST
-
 START_TEST(bad_input_leaves_the_old_report) {
   struct job j;
   ck_assert(mkdir(scratch_path("old"), 0700) == 0);
@@ -446,36 +430,6 @@ START_TEST(one_bad_file_among_good_ones) {
   ck_assert_str_eq(j.out, "verify/scenes/paper.scene: ok\nverify/errata.eq: ok\n");
   ck_assert(strncmp(j.err, bad, strlen(bad)) == 0);
   job_clear(&j);
-}
-END_TEST
-
-START_TEST(a_full_disk_is_noticed) {
-  static const char *const commands[][6] = {{"orbit", "paper"},
-                                            {"orbit", "paper", "--json"},
-                                            {"jacobian", "paper"},
-                                            {"list"},
-                                            {"check", "verify/errata.eq"},
-                                            {"--help"},
-                                            {"--version"},
-                                            {"orbit", "--help"}};
-  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
-    struct job j;
-    job_start(&j, &(struct job_place){.out = "/dev/full"}, program(), commands[i]);
-    job_finish(&j);
-    ck_assert_msg(j.status == 3 && strstr(j.err, "standard output cannot be written"), "%s: status %d, %.1500s",
-                  commands[i][0], j.status, j.err);
-    job_clear(&j);
-  }
-}
-END_TEST
-
-/* A reader who has read enough, as behind "| head", is no error. */
-START_TEST(a_reader_may_stop) {
-  static const char *const commands[] = {"list", "simulate paper --csv --periods 2000", "help orbit",
-                                         "sweep paper --over e2=0.5:3:2000 --over e1=2:3:500"};
-  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
-    shell_well("bash -c '{ $P %s; echo $? >&2; } 2>$D/said | true; test \"$(cat $D/said)\" = 0'", commands[i]);
-  }
 }
 END_TEST
 
@@ -834,7 +788,6 @@ Suite *cli_suite(void) {
   tcase_add_test(c, strict_means_no_discrepancies);
   tcase_add_test(c, several_scenes);
   tcase_add_test(c, output_that_cannot_be_written);
-  tcase_add_test(c, a_report_that_does_not_fit_leaves_the_old_one);
   tcase_add_test(c, bad_input_leaves_the_old_report);
   tcase_add_test(c, json_obeys_its_schemas);
   tcase_add_test(c, a_box_of_parameters);
@@ -844,8 +797,6 @@ Suite *cli_suite(void) {
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, the_projects_own_files_are_good);
   tcase_add_test(c, one_bad_file_among_good_ones);
-  tcase_add_test(c, a_full_disk_is_noticed);
-  tcase_add_test(c, a_reader_may_stop);
   tcase_add_test(c, no_data_folder_is_noticed);
   tcase_add_test(c, a_missing_data_folder_is_noticed);
   suite_add_tcase(s, c);

@@ -408,8 +408,10 @@ static const char *const printing[] = {"list",
                                        "bifurcate paper --along e2=0.85:0.86",
                                        "sweep paper --over e2=1:2:3",
                                        "sweep paper --over e2=1:2:3 --json",
+                                       "sweep paper --over e2=0.5:3:2000 --over e1=2:3:500",
                                        "stability lambda_2 --at chi=0.5,eta=1",
                                        "--help",
+                                       "orbit --help",
                                        "--version"};
 
 START_TEST(nobody_reads) {
@@ -509,8 +511,9 @@ START_TEST(a_full_disk) {
   j.place.file = 600;
   j.place.out = "/dev/null";
   run(&j);
-  ck_assert_msg(j.end.status == 3 && strstr(j.end.err, "File too large"), "%s: %d, %.600s", shown(&j), j.end.status,
-                j.end.err);
+  ck_assert_msg(j.end.status == 3 && strncmp(j.end.err, path, (size_t)(strrchr(path, '/') - path)) == 0 &&
+                    strstr(j.end.err, ": error: cannot be written: File too large"),
+                "%s: %d, %.600s", shown(&j), j.end.status, j.end.err);
   old_one_stays(&j, _i, path);
   trial_clear(&j);
 }
