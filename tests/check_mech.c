@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "command.h"
 #include "every.h"
 #include "explore/bifurcate.h"
 #include "explore/words.h"
@@ -1053,25 +1054,21 @@ START_TEST(the_papers_system_from_a_file) {
 }
 END_TEST
 
-static void obeys(const char *command, const char *asked, const char *schema) {
-  shell_well("\"$P\" %s %s --json > \"$D/j\" && \"$Y\" tests/oracle/validate.py schema/%s.schema.json \"$D/j\"",
-             command, asked, schema);
-}
-
-START_TEST(json_of_simulations) {
-  static const char *const commands_of[] = {
-      "chain3", "beside-wall --periods 2",        "driven --start 0,0,0,0,0 --time 3",
-      "paper",  "paper --at printed --periods 3", "paper --start 1,2,0,0 --time 0.5"};
-  obeys("simulate", commands_of[_i], "simulate");
-}
-END_TEST
-
-/* Both lists are the same orbits, by different commands and formats: J has the multipliers of the orbit. */
-START_TEST(json_of_systems) {
-  static const char *const runs[] = {"orbit chain3",    "orbit driven --digits 40",
-                                     "words soft-wall", "orbit beside-wall",
-                                     "jacobian driven", "jacobian den-hartog --method ode"};
-  obeys("", runs[_i], "system");
+/* Both lists of a system's are the same orbits, by different commands and formats: J has the multipliers of the orbit. */
+START_TEST(output_obeys_its_schemas) {
+  static const char *const runs[][2] = {{"simulate chain3 --json", "simulate"},
+                                        {"simulate beside-wall --periods 2 --json", "simulate"},
+                                        {"simulate driven --start 0,0,0,0,0 --time 3 --json", "simulate"},
+                                        {"simulate paper --json", "simulate"},
+                                        {"simulate paper --at printed --periods 3 --json", "simulate"},
+                                        {"simulate paper --start 1,2,0,0 --time 0.5 --json", "simulate"},
+                                        {"orbit chain3 --json", "system"},
+                                        {"orbit driven --digits 40 --json", "system"},
+                                        {"words soft-wall --json", "system"},
+                                        {"orbit beside-wall --json", "system"},
+                                        {"jacobian driven --json", "system"},
+                                        {"jacobian den-hartog --method ode --json", "system"}};
+  check_schemas(runs, sizeof runs / sizeof *runs);
 }
 END_TEST
 
@@ -1140,8 +1137,7 @@ Suite *mech_suite(void) {
   tcase_add_loop_test(c, no_change_where_there_is_none, 0, 2);
   tcase_add_test(c, an_end_at_a_grazing_event_is_no_flip);
   tcase_add_loop_test(c, the_papers_system_from_a_file, 0, 3);
-  tcase_add_loop_test(c, json_of_simulations, 0, 6);
-  tcase_add_loop_test(c, json_of_systems, 0, 6);
+  tcase_add_test(c, output_obeys_its_schemas);
   tcase_add_test(c, the_papers_multiplier);
   suite_add_tcase(s, c);
   return s;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "command.h"
 #include "explore/words.h"
 #include "scene/scene.h"
 #include "scratch.h"
@@ -630,7 +631,7 @@ END_TEST
 /* The budget is work, not time; what it leaves out is told, and what comes before is the same as without. */
 START_TEST(a_survey_keeps_to_its_budget) {
   const char *path = scratch_put("b.scene", EXAMPLE "budget: 1000000\n");
-  shell_well("\"$P\" words %s > \"$D/out\" && \"$P\" words paper > \"$D/whole\"", path);
+  shell_well("\"$P\" words %s > \"$D/out\" && \"$P\" words paper --longest 2 > \"$D/whole\"", path);
   char *out = file_text(scratch_path("out")), row[64];
   const char *late = strstr(out, "not searched, as the budget of work is used up: "),
              *first = strstr(out, "  Gamma-H  ");
@@ -650,14 +651,7 @@ START_TEST(output_obeys_its_schemas) {
       {"words overrun --longest 2 --json", "words"}, {"words none --longest 2 --digits 30 --json", "words"},
       {"orbit overrun --json", "word-orbit"},        {"orbit other-word --json --digits 40", "word-orbit"},
       {"jacobian overrun --json", "word-jacobian"},  {"jacobian other-word --method ode --json", "word-jacobian"}};
-  struct text line;
-  text_init(&line);
-  for (size_t i = 0; i < sizeof runs / sizeof *runs; i++) {
-    shell_well("\"$P\" %s > \"$D/%zu.json\"", runs[i][0], i);
-    text_printf(&line, " schema/%s.schema.json \"$D/%zu.json\"", runs[i][1], i);
-  }
-  shell_well("\"$Y\" tests/oracle/validate.py %s", text_str(&line));
-  text_clear(&line);
+  check_schemas(runs, sizeof runs / sizeof *runs);
   scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"x1\"], \"J\": [[\"1\"]]}");
   ck_assert_int_eq(
       shell("\"$Y\" tests/oracle/validate.py schema/word-jacobian.schema.json \"$D/d.json\" > \"$D/said\" 2>&1"), 1);

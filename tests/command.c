@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "process.h"
 #include "scratch.h"
 
@@ -136,6 +137,17 @@ void job_run_well(struct job *j, const char *first, ...) {
   va_end(ap);
   ck_assert_msg(j->status == 0 && !*j->err, "%s %s...: status %d, %.1500s", first, args[1] ? args[1] : "", j->status,
                 j->err);
+}
+
+void check_schemas(const char *const (*runs)[2], size_t n) {
+  struct text files;
+  text_init(&files);
+  for (size_t i = 0; i < n; i++) {
+    shell_well("\"$P\" %s > \"$D/%zu.json\"", runs[i][0], i);
+    text_printf(&files, " schema/%s.schema.json \"$D/%zu.json\"", runs[i][1], i);
+  }
+  shell_well("\"$Y\" tests/oracle/validate.py%s", text_str(&files));
+  text_clear(&files);
 }
 
 const char *member(const char *from, const char *key) {

@@ -38,6 +38,9 @@ void job_clear(struct job *j);
 void job_run(struct job *j, const char *first, ...);
 void job_run_well(struct job *j, const char *first, ...);
 
+/* What each command prints obeys a schema, by one interpreter for all; runs: words and the name of the schema. */
+void check_schemas(const char *const (*runs)[2], size_t n);
+
 /* The value of the first "key": after from, without quotes; lists are cut at their first line. */
 const char *member(const char *from, const char *key);
 /* The strings of the list "key": [...] after from, joined with commas. */
