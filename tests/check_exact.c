@@ -1012,7 +1012,7 @@ static bool orbit_receipt_ends(const char *id, const char *const replaced[4], co
   return well;
 }
 
-/* The right numbers, by paper_1000.tsv in tests/oracle, are not refuted.  u_r2 is refuted in make long alone. */
+/* The right numbers, by paper_1000.tsv in tests/oracle, are not refuted.  u_r2 is left to make long. */
 START_TEST(receipts_of_printed_numbers) {
   static const char *const none[4] = {NULL};
   static const char *const ta[4] = {"424/625", "5323/10000"}, *const ur2[4] = {"3329/2000", "16705/10000"};
@@ -1023,7 +1023,8 @@ START_TEST(receipts_of_printed_numbers) {
               {"num-u_r2", "num-u_r2: refuted\n", "num-u_r2: not shown to be wrong\n", ur2},
               {"text-periodic", "text-periodic: refuted\n", "text-periodic: not shown to be wrong\n", start}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    if (i != 1 || every_case()) ck_assert(orbit_receipt_ends(rows[i].id, none, rows[i].refuted));
+    if (i == 1 && !every_case()) continue;
+    ck_assert(orbit_receipt_ends(rows[i].id, none, rows[i].refuted));
     ck_assert(!orbit_receipt_ends(rows[i].id, rows[i].right, rows[i].not_so));
   }
 }

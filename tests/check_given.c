@@ -598,7 +598,7 @@ END_TEST
 Suite *given_suite(void) {
   Suite *s = suite_create("given");
   TCase *c = tcase_create("given");
-  tcase_add_checked_fixture(c, read_cut, clear_samples);
+  tcase_add_unchecked_fixture(c, read_cut, clear_samples);
   tcase_add_loop_test(c, every_pair_finds_the_orbit_again, 0, N_CHOSEN);
   tcase_add_test(c, given_times_fix_the_limits_to_any_precision);
   tcase_add_test(c, the_first_precision_is_planned_from_times);
@@ -606,13 +606,13 @@ Suite *given_suite(void) {
   tcase_add_test(c, impossible_values_are_told);
   suite_add_tcase(s, c);
   c = tcase_create("margins");
-  tcase_add_checked_fixture(c, read_full, clear_samples);
+  tcase_add_unchecked_fixture(c, read_full, clear_samples);
   tcase_add_loop_test(c, margins_are_those_of_the_motion, 0, N_SAMPLES);
   tcase_add_test(c, a_crest_before_the_event_is_seen);
   tcase_add_loop_test(c, force_bounds_are_sharp, 0, N_SAMPLES);
   suite_add_tcase(s, c);
   c = tcase_create("paper route");
-  tcase_add_checked_fixture(c, read_full, clear_samples);
+  tcase_add_unchecked_fixture(c, read_full, clear_samples);
   tcase_add_loop_test(c, the_papers_route_leads_to_the_same_orbits, 0, N_CHOSEN);
   tcase_add_test(c, the_papers_printed_times_lead_to_its_orbit);
   suite_add_tcase(s, c);

@@ -106,7 +106,7 @@ START_TEST(hostile_scenes) {
   struct table scenes;
   table_read(&scenes, "tests/hostile/scenes.tsv", 5);
   ck_assert_int_ge(scenes.n, 150);
-  for (int i = 0; i < scenes.n; i++) hostile_scene(scenes.row[i], true);
+  for (int i = 0; i < scenes.n; i++) hostile_scene(scenes.row[i], i % every(7) == 0);
   table_clear(&scenes);
 }
 END_TEST
@@ -853,6 +853,13 @@ static void try_idle(bool idle[N_CHANGES], const struct use *u, const char *befo
   text_clear(&after);
 }
 
+/* Whether it is tried that a key acts where it is told to: in make check with a third of the commands, and of the frictions,
+   which are read as a pair, both or none. */
+static bool is_tried(int key, int first) {
+  const int k = key == KEY_U_R2 ? KEY_U_R1 : key;
+  return !told_to_act(key, uses[first].argv[0]) || (k + first) % every(3) == 0;
+}
+
 /* What the table says a key is used by is what it acts on: all that a command says and writes stays the same byte for
    byte, or does not. */
 START_TEST(keys_act_where_they_say) {
@@ -873,7 +880,7 @@ START_TEST(keys_act_where_they_say) {
       struct lines l = c->key == KEY_SYSTEM ? alone : as_it_was;
       struct text after;
       bool spoilt = c->key == KEY_SYSTEM && status != 0; /* what is refused anyhow tells nothing */
-      if (idle[i] || spoilt || acts[c->key][first] || (uses[u].word && c->key == KEY_WORD))
+      if (idle[i] || spoilt || acts[c->key][first] || !is_tried(c->key, first) || (uses[u].word && c->key == KEY_WORD))
         continue; /* nothing more to learn of it */
       text_init(&after);
       l.of[c->key] = c->value;
@@ -895,6 +902,7 @@ START_TEST(keys_act_where_they_say) {
       const char *command = uses[u].argv[0];
       if (u > 0 && strcmp(uses[u - 1].argv[0], command) == 0) continue;
       bool told = told_to_act(k, command), barred = told_to_be_refused(k, command);
+      if (!is_tried(k, u)) continue;
       ck_assert_msg(acts[k][u] == told, "%s %s in %s", scene_keys[k].name, told ? "does not act" : "acts", command);
       ck_assert_msg((refused[k][u] && !acts[k][u]) == barred, "%s is %s by %s", scene_keys[k].name,
                     barred ? "not refused" : "refused", command);
