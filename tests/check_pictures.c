@@ -20,7 +20,7 @@ static void plot(const char *scene, const char *to) {
 }
 
 START_TEST(numbers_are_those_of_other_programs) {
-  static const char *const scenes[] = {"paper", "two-admissible", "above-one", "long-slip", "four"};
+  static const char *const scenes[] = {"paper", "above-one", "two-admissible", "long-slip", "four"};
   if (_i > 0) plot(scenes[_i], scenes[_i]);
   shell_well("\"$Y\" tests/oracle/pictures.py \"$D/%s\" %s", scenes[_i], scenes[_i]);
 }
@@ -247,7 +247,7 @@ Suite *pictures_suite(void) {
   TCase *c = tcase_create("pictures");
   tcase_add_unchecked_fixture(c, draw, scratch_close);
   tcase_set_timeout(c, 120);
-  tcase_add_loop_test(c, numbers_are_those_of_other_programs, 0, 5);
+  add_every(c, numbers_are_those_of_other_programs, 2, 5);
   tcase_add_test(c, pictures_that_are_asked_for);
   tcase_add_test(c, the_same_bytes_twice);
   tcase_add_test(c, pictures_come_from_their_tables_alone);
