@@ -12,7 +12,6 @@
 #include "base/text.h"
 #include "command.h"
 #include "every.h"
-#include "process.h"
 #include "scratch.h"
 #include "suites.h"
 #include "whole.h"

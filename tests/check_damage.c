@@ -11,6 +11,7 @@
 #include "power/damage_study.h"
 #include "scratch.h"
 #include "suites.h"
+#include "table.h"
 
 static struct model model;
 static struct claims claims, controls;
@@ -109,21 +110,11 @@ static void try_row(char **column) {
 }
 
 START_TEST(each_meets_its_fate) {
-  struct source src;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(source_read(&src, "tests/damage.tsv", 1 << 20, &d), "%s", d.message);
-  int n = 0;
-  for (char *line = src.text, *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
-    char *column[N_COLUMNS];
-    *end = '\0';
-    if (*line == '#') continue;
-    ck_assert_msg(split_tabs(column, N_COLUMNS, line) == N_COLUMNS, "%s", line);
-    try_row(column);
-    n++;
-  }
-  ck_assert_int_eq(n, 24);
-  source_clear(&src);
+  struct table damages;
+  table_read(&damages, "tests/damage.tsv", N_COLUMNS);
+  ck_assert_int_eq(damages.n, 24);
+  for (int i = 0; i < damages.n; i++) try_row(damages.row[i]);
+  table_clear(&damages);
 }
 END_TEST
 

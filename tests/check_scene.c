@@ -2,15 +2,11 @@
    says, one message that names the place and the remedy, and without harm to time or memory; the library of scenes;
    what --set changes and what it does not. */
 #include <check.h>
-#include <fcntl.h>
 #include <glob.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/arena.h"
