@@ -133,7 +133,7 @@ static void refuse_words(const char *words, const char *option, const char *valu
   trial_clear(&j);
 }
 
-/* Options that take a count read it by one function: each of them has every 11th value, in turn, and each value some of
+/* Options that take a count read it by one function: each of them has every 5th value, in turn, and each value some of
    them. */
 static void try_option(char *const *option, const struct table *values) {
   enum { WORDS, NAME, KIND };
@@ -148,7 +148,7 @@ static void try_option(char *const *option, const struct table *values) {
   for (int i = 0; i < values->n; i++) {
     char *const *column = values->row[i];
     if (strcmp(column[0], kind) != 0) continue;
-    if (strcmp(kind, "count") == 0 && counts++ % every(11) != 0) continue;
+    if (strcmp(kind, "count") == 0 && counts++ % every(5) != 0) continue;
     struct text value;
     text_init(&value);
     field_expand(&value, column[2], NULL);

@@ -309,11 +309,11 @@ START_TEST(patched_states_are_general) {
 }
 END_TEST
 
-/* Every u_ri exceeds e_i and what the orbit asks by a quarter, and by no more than the grid. */
-START_TEST(realistic_friction_is_a_quarter_above_what_is_asked) {
+/* Every u_ri exceeds e_i and what the orbit asks by a quarter or a 1024th, and by no more than the grid; both occur. */
+START_TEST(realistic_friction_is_above_what_is_asked) {
   struct sampler s;
   struct point p;
-  long seen = 0;
+  long seen = 0, few = 0;
   point_init(&p);
   sampler_init(&s, "realistic", &(struct point_spec){.kind = POINT_ORBIT, .admissible = true, .realistic = true});
   for (int draws = 0; draws < 40 && seen < 6; draws++) {
@@ -325,11 +325,14 @@ START_TEST(realistic_friction_is_a_quarter_above_what_is_asked) {
       double e = fmpq_get_d(&p.q[Q_E1 + i]), u_r = fmpq_get_d(&p.q[Q_US1 + i]) + e;
       double least = num_arb.get_d(i ? o->u_r2_min : o->u_r1_min);
       if (least < e) least = e;
-      ck_assert(u_r >= 1.25 * least - 1e-12 && u_r <= 1.25 * least + 1.0 / 1024 + 1e-12);
+      double above = u_r > 1.1 * least ? 1.25 : 1025.0 / 1024;
+      ck_assert(u_r >= above * least - 1e-12 && u_r <= above * least + 1.0 / 1024 + 1e-12);
+      few += above < 1.25;
     }
     seen++;
   }
   ck_assert_int_eq(seen, 6);
+  ck_assert(few > 0 && few < 12);
   point_clear(&p);
 }
 END_TEST
@@ -418,7 +421,7 @@ Suite *law_suite(void) {
   LOOP(mechanics_of_the_law, mechanics);
   tcase_add_loop_test(c, blocks_obey_newton, 0, N_PHASES);
   tcase_add_test(c, patched_states_are_general);
-  tcase_add_test(c, realistic_friction_is_a_quarter_above_what_is_asked);
+  tcase_add_test(c, realistic_friction_is_above_what_is_asked);
   LOOP(sentences_known_by_hand, sentences);
 #undef LOOP
   suite_add_tcase(s, c);

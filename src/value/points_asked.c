@@ -26,7 +26,7 @@ static bool parse_spec(struct point_spec *s, const char *item) {
 static bool ranges_are_met(const struct point_spec *spec, int n, struct judge *j, const struct claim *c) {
   const char *id = claim_get(c, "statement");
   struct view view = claim_view(j->model, c);
-  const struct statement_record *r = id && j->model->system ? view_record(&view, id) : NULL;
+  const struct statement_record *r = id && j->model && j->model->system ? view_record(&view, id) : NULL;
   for (int k = 0; r && k < r->n_stmts; k++)
     for (int i = 0; i < n && r->stmts[k]->range_hi && !r->stmts[k]->range_signs; i++)
       if (spec[i].kind != POINT_PARAMS && name_of_range(r->stmts[k]) != spec[i].phase)
