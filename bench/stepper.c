@@ -50,7 +50,7 @@ static bool open_gsl(struct stepper *s, const char *name) {
   s->gsl = (gsl_odeiv2_system){right_side, jacobian, N, s};
   if (type)
     s->driver = gsl_odeiv2_driver_alloc_scaled_new(&s->gsl, type, 1e-6, least, s->system->relative, 1, 0, scale);
-  return type != NULL;
+  return s->driver != NULL;
 }
 
 #ifdef STICKSLIP_SUNDIALS

@@ -6,7 +6,7 @@ usage: digests.py PROGRAM [--quick] [--record]
 A row of the file is: digest, scope, command line.  The digest is that of the exit status, standard output, standard error
 (this checkout's own path as ".") and every file that the command writes into its --out folder but run.json, which holds
 times.  A row of scope `libm` rests on the last bits of the C library's functions; it is left out, and said to be, where
-these differ from those recorded with.  --quick asks for the rows marked so alone.  --record puts those of the rows in the file: only for a change that is meant."""
+these differ from those recorded with.  --quick asks for the rows marked so alone.  --record writes the digests of these rows into the file: only for a change that is meant."""
 import concurrent.futures
 import hashlib
 import math

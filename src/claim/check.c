@@ -10,10 +10,10 @@ static const struct {
 } read_by[] = {
     {"", "equation section own kind title quote place depends-on about few record record-scene restricted"},
     {"definition", "value statement"},
-    {"matrix", "value points routes"},
+    {"matrix", "value points routes oracle perturbation"},
     {"identity", "statement points routes oracle perturbation"},
-    {"sharp", "statement points"},
-    {"inequality", "statement points"},
+    {"sharp", "statement points perturbation"},
+    {"inequality", "statement points routes"},
     {"index-range", "statement letter range repaired-range"},
     {"number", "number from formula relation also-printed"},
     {"closure", ""},
@@ -66,7 +66,7 @@ static bool check_claim(const struct claim *c, bool control, struct diag *d) {
   if (!claim_kind_of(c)) return claim_mistake(c, "kind", d, "unknown kind of claim");
   for (size_t k = 0; k < c->record->n_fields; k++) {
     const char *name = c->record->fields[k].key_name;
-    if (!is_read(name, kind)) return claim_mistake(c, name, d, "nothing reads this of a claim of kind %s", kind);
+    if (!is_read(name, kind)) return claim_mistake(c, name, d, "a claim of kind %s has no such attribute", kind);
   }
   if (record && verdict_parse(record) == N_VERDICTS) return claim_mistake(c, "record", d, "not a verdict");
   return true;

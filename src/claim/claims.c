@@ -100,8 +100,8 @@ void claims_clear(struct claims *c) {
 }
 
 const char *claim_get(const struct claim *c, const char *key) {
-  const char *v = c->control ? record_get(c->control, key) : NULL;
-  if (!v) v = record_get(c->record, key);
+  const struct field *own = c->control ? record_field(c->control, key) : NULL;
+  const char *v = own ? own->text : record_get(c->record, key);
   return v || strcmp(key, "section") != 0 ? v : record_get(&c->file->records[0], key);
 }
 

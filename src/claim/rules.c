@@ -93,7 +93,8 @@ static bool check_numbers(const struct model *m, const struct claim *c, const st
 
 static bool same_range(const struct stmt *a, const struct stmt *b) {
   if (!a->range_hi || !b->range_hi) return !a->range_hi && !b->range_hi;
-  return expr_same(a->range_lo, b->range_lo) && expr_same(a->range_hi, b->range_hi);
+  return expr_same(a->range_lo, b->range_lo) && expr_same(a->range_hi, b->range_hi) && a->lo_closed == b->lo_closed &&
+         a->hi_closed == b->hi_closed;
 }
 
 /* Some step of either statement that the other has too, of those that are cited. */

@@ -235,9 +235,11 @@ void stmt_plain(struct text *out, const struct stmt *s) {
   if (s->kind == STMT_ROOT)
     text_printf(out, "%s is the %s positive root of ", s->name, s->largest ? "largest" : "smallest");
   const char *between = "";
+  int others = 0;
+  for (int i = 0; i < s->n_sides; i++) others += s->sides[i]->kind != EXPR_FIRST_ORDER;
   for (int i = 0; i < s->n_sides; i++) {
     const struct expr *side = s->sides[i];
-    if (side->kind == EXPR_FIRST_ORDER && s->n_sides > 2) continue; /* the others say it */
+    if (side->kind == EXPR_FIRST_ORDER && others > 1) continue; /* the others say it */
     text_add(out, between);
     expr_plain(out, side->kind == EXPR_FIRST_ORDER ? side->args[0] : side);
     between = s->kind == STMT_RELATION && i + 1 < s->n_sides ? relop_text[s->ops[i]] : "";

@@ -70,15 +70,27 @@ static struct argument converse_of(const struct argument *a) {
   return b;
 }
 
+/* A conclusion with > may fail where a premise with >= is an equality; points lie beside that. */
+static bool open_at_equality(const struct argument *a) {
+  return conditions_admit_equality(&a->part[PREMISES]) && conditions_any_strict(&a->part[CONCLUSION]);
+}
+
+static void leave_open(struct finding *f, const struct argument *a) {
+  verdict_leave_open(f, a->j->out, "not decided where a premise holds with equality, as <= and >= admit");
+}
+
 /* Both directions, when the claim says so, are worth what the weaker one is. */
 static void judge_everywhere(struct finding *f, struct argument *a, struct view view) {
   static const int weakness[N_VERDICTS] = {[VERDICT_SUPPORTED] = 1, [VERDICT_UNKNOWN] = 2, [VERDICT_REFUTED] = 3};
-  bool little = a->j->effort == EFFORT_REFUTE;
+  bool little = a->j->effort == EFFORT_REFUTE, open = open_at_equality(a);
   f->verdict = judge_direction(f, a, view, little);
-  if (!a->converse || a->j->d->set) return;
-  struct argument b = converse_of(a); /* its conditions are borrowed */
-  enum verdict again = judge_direction(f, &b, view, true);
-  if (weakness[again] > weakness[f->verdict]) f->verdict = again;
+  if (a->converse && !a->j->d->set) {
+    struct argument b = converse_of(a); /* its conditions are borrowed */
+    enum verdict again = judge_direction(f, &b, view, true);
+    open = (open && f->verdict == VERDICT_SUPPORTED) || (open_at_equality(&b) && again == VERDICT_SUPPORTED);
+    if (weakness[again] > weakness[f->verdict]) f->verdict = again;
+  }
+  if (open && f->verdict == VERDICT_SUPPORTED) leave_open(f, a);
 }
 
 /* What a friction force must exceed on an orbit: e, or the least that the inequalities allow. */
@@ -167,28 +179,16 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   return ok;
 }
 
-static bool any_strict(const struct conditions *list) {
-  bool any = false;
-  for (int k = 0; k < list->n; k++) any = any || list->at[k].strict;
-  return any;
-}
-
-/* A conclusion with > may fail where a premise with >= is an equality; points lie beside that. */
-static bool open_at_equality(const struct argument *a) {
-  const struct conditions *from = &a->part[PREMISES], *to = &a->part[CONCLUSION];
-  return (conditions_admit_equality(from) && any_strict(to)) ||
-         (a->converse && conditions_admit_equality(to) && any_strict(from));
-}
-
 bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct argument a;
   bool ok = argument_read(&a, j, c, view);
-  if (ok && claim_says(c, "over", "scene"))
+  bool scene = claim_says(c, "over", "scene");
+  if (ok && scene)
     argument_at_scene(f, &a);
   else if (ok)
     judge_everywhere(f, &a, view);
+  if (ok && scene && open_at_equality(&a) && f->verdict == VERDICT_SUPPORTED) leave_open(f, &a);
   ok = ok && !j->d->set;
-  if (ok && open_at_equality(&a)) verdict_leave_open(f, j->out, "a premise holds with equality, as <= and >= admit");
   if (ok && f->verdict == VERDICT_REFUTED && !view.control && j->effort == EFFORT_FULL) {
     if (a.uses_friction)
       describe_effect(f, &a);

@@ -59,12 +59,12 @@ static bool lists_differ(const struct constraints *x) {
   return x->lists.of[TRUTH_FALSE] + x->forms.of[TRUTH_FALSE] > 0;
 }
 
-/* The one condition that the orbit violates; N_CONDITIONS: none, or several. */
+/* The one condition that the orbit violates, where the others hold; else N_CONDITIONS. */
 static int sole_violation(const struct dyn_orbit *o) {
   int sole = N_CONDITIONS, n = 0;
   for (int a = 0; a < N_CONDITIONS; a++)
     if (o->holds[a] != TRUTH_TRUE) sole = a, n++;
-  return n == 1 ? sole : N_CONDITIONS;
+  return n == 1 && o->holds[sole] == TRUTH_FALSE ? sole : N_CONDITIONS;
 }
 
 /* Orbits that are admissible, some that violate each condition alone, which show that the list has it, and others. */
@@ -269,8 +269,8 @@ bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c
     by_balls(&x);
     if (j->effort != EFFORT_REFUTE) by_simulation(&x);
     describe(f, &x);
-    if (conditions_admit_equality(&x.paper))
-      verdict_leave_open(f, j->out, "a constraint holds with equality, as <= and >= admit");
+    if (conditions_admit_equality(&x.paper) && f->verdict != VERDICT_REFUTED)
+      verdict_leave_open(f, j->out, "not decided where a constraint holds with equality, as <= and >= admit");
   }
   conditions_clear(&x.paper);
   return ok && !j->d->set;

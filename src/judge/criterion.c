@@ -97,7 +97,7 @@ static int motion_of(struct judge *j, const struct point *p, const struct dyn_or
   return k->motion;
 }
 
-/* What a claim tries: the sentence, orbits so far, the side on which its sentence puts the orbits it speaks of, or N_SIDES. */
+/* What a claim tries: the sentence, orbits so far, the side on which it puts the orbits it speaks of, or N_SIDES. */
 struct trying {
   struct tried t;
   struct sentence sentence;
@@ -235,7 +235,8 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   struct linearized theorem = {.proved = false};
   if (ok && !y.t.where && route_is_asked(j->scene, "exact")) theorem = linearized_stability(j, r, view);
   if (ok) conclude(&b, &y.t, &theorem);
-  if (weak) verdict_leave_open(f, j->out, "the criterion's <= or >= is an equality");
+  if (weak && f->verdict == VERDICT_SUPPORTED)
+    verdict_leave_open(f, j->out, "not decided where the criterion's <= or >= is an equality");
   if (j->instead) reread_close(&in);
   return ok && !j->d->set;
 }

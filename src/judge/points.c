@@ -258,7 +258,7 @@ static long points_wanted(struct point_trials *r, const struct point_spec *spec,
     r->proof = exact_prove(r->j, r->c, r->view, spec->restriction);
   }
   if (r->proof.proved) return (spec->n + 3) / 4;
-  return (r->proof_tried && has_inequality(&r->tally[0].sentence) ? 8 : 1) * spec->n;
+  return (r->j->effort == EFFORT_FULL && has_inequality(&r->tally[0].sentence) ? 8 : 1) * spec->n;
 }
 
 /* Nothing that further points could say is asked for. */
@@ -454,11 +454,11 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
   enum { SEVERAL = 3 };
   bool ok = run_all(f, &r, j, c, view, NULL);
   bool explained = view.own && j->effort == EFFORT_FULL;
-  if (ok && f->verdict == VERDICT_REFUTED && explained && r.tally[0].on_orbits >= SEVERAL) {
-    f->verdict = VERDICT_UNKNOWN;
-    finding_state(f, j->out, "balls", layer_of(&r), -1, r.tally[0].on_orbits, NULL,
-                  "what differs is no periodic solution; on these the sides agree, which is not proved");
-  }
+  if (ok && f->verdict == VERDICT_REFUTED && explained && r.tally[0].on_orbits >= SEVERAL &&
+      !has_inequality(&r.tally[0].sentence))
+    verdict_leave_open(f, j->out,
+                       "the sides differ on passes that do not close; on the periodic solutions that were tried they "
+                       "agree, which is not proved");
   if (ok && f->verdict == VERDICT_REFUTED && explained) {
     describe_effect(f, &r);
     certify(f, &r);

@@ -152,8 +152,9 @@ static truth returns(const struct judge *j, const struct dyn_orbit *o, const enu
   truth back = s == SS_OK ? TRUTH_TRUE : TRUTH_UNKNOWN;
   for (int i = 0; s == SS_OK && i < 4; i++)
     if (!arb_overlaps(num_vec_at(&z, i), num_vec_at(&start, i))) back = TRUTH_FALSE;
-  for (int k = COND_GAMMA_V1; k < N_CONDITIONS; k++) /* without phase D: t_a = 0 is its end */
-    if (k != COND_D_R && o->holds[k] == TRUTH_FALSE) back = TRUTH_FALSE;
+  /* such a solution shows nothing; at t_a = 0 phase D has no time, and the force ends phase C with e_1 */
+  for (int k = COND_GAMMA_V1; k < N_CONDITIONS; k++)
+    if (k != COND_D_R && k != COND_C_W) back = truth_and(back, o->holds[k] == TRUTH_TRUE ? TRUTH_TRUE : TRUTH_UNKNOWN);
   calc_clear(&c);
   return back;
 }
@@ -164,16 +165,16 @@ static struct route_result add_returns(struct finding *f, struct judge *j, const
   for (slong i = 0; i < list->n; i++) back.of[returns(j, &list->orbit[i], through, n, closed)]++;
   const struct dyn_orbit *o = list->n ? &list->orbit[0] : NULL;
   const char *note =
-      o ? result_str(
-              j->out,
-              "%ld found for chi, eta and V of %s, %sproved to exist; the state returns, and no condition of these "
-              "phases is violated, for %ld of %ld; %s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
-              (long)list->n, scene_data_of(j->scene), list->n == 1 ? "" : "each ", back.of[TRUTH_TRUE], (long)list->n,
-              list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
-              ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
+      o ? result_str(j->out,
+                     "%ld found for chi, eta and V of %s, %sproved to exist; the state returns, and the conditions of "
+                     "the phases are kept, for %ld of %ld; %s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
+                     (long)list->n, scene_data_of(j->scene), list->n == 1 ? "" : "each ", back.of[TRUTH_TRUE],
+                     (long)list->n, list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6),
+                     ball_text(j, o->t[1], 6), ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6),
+                     ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
         : "none was found; the search is not exhaustive";
   back.of[TRUTH_UNKNOWN] += !o;
-  if (back.of[TRUTH_TRUE]) back.of[TRUTH_FALSE] = 0; /* one is enough */
+  if (back.of[TRUTH_TRUE]) back.of[TRUTH_FALSE] = back.of[TRUTH_UNKNOWN] = 0; /* one is enough */
   return add(f, j, closed ? "balls" : "exponential", answers_outcome(&back), closed, list->n, note);
 }
 

@@ -30,11 +30,9 @@ struct route_result exact_route(struct finding *f, struct audit_result *out, enu
   return (struct route_result){"exact", outcome, true, 1};
 }
 
-void verdict_leave_open(struct finding *f, struct audit_result *out, const char *where) {
-  if (f->verdict != VERDICT_PROVED && f->verdict != VERDICT_SUPPORTED) return;
+void verdict_leave_open(struct finding *f, struct audit_result *out, const char *why) {
   f->verdict = VERDICT_UNKNOWN;
-  finding_state(f, out, "balls", layer_name[LAYER_CORRECTED], -1, 0, NULL,
-                result_str(out, "not decided where %s", where));
+  finding_state(f, out, "balls", layer_name[LAYER_CORRECTED], -1, 0, NULL, why);
 }
 
 int independent_routes(const struct route_result *w, int n) {

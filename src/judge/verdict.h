@@ -22,8 +22,8 @@ struct route_result exact_route(struct finding *f, struct audit_result *out, enu
 enum verdict verdict_of(const struct route_result *w, int n, bool whole_domain);
 /* Of a sentence with that verdict, judged again under a condition. */
 enum verdict verdict_under_condition(enum verdict whole, enum verdict under);
-/* What is proved or supported is unknown all the same where a case was left out: "not decided where ...". */
-void verdict_leave_open(struct finding *f, struct audit_result *out, const char *where);
+/* Unknown in spite of the table, since a case that the sentence includes was not tried, or one that it leaves out was. */
+void verdict_leave_open(struct finding *f, struct audit_result *out, const char *why);
 /* How many of the routes agree and are pairwise independent by the table of routes.h. */
 int independent_routes(const struct route_result *w, int n);
 

@@ -12,9 +12,9 @@
      inequality ID      chains lhs < mid < rhs, perhaps "for t in (a, b)"
      relation ID        statements that hold along a motion: "trajectory z_1(t)" names an unknown function of time
 
-   with the attributes section, equation (the paper's number, where the id does not have it, record.h), tex (in the paper's own files a quotation to the letter),
-   place (where it stands, quote/quote.h), reads (how the TeX departs from what it says to the letter, "PIECE as TEX";
-   perhaps several), note and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined
+   with the attributes section, equation (the paper's number, where the id does not have it, record.h), tex (in the
+   paper's own files a quotation to the letter), place (where it stands, quote/quote.h), reads (how the TeX departs from
+   what it says to the letter, "PIECE as TEX"; perhaps several), note and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined
    nor a symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one
    without a section, then that of another section, if there is only one.
 

@@ -131,14 +131,15 @@ static bool same_end(const struct expr *x, const struct expr *y, const struct st
 static bool same_range(const struct target *t, const struct model *a, const struct model *b) {
   const struct statement_record *r = &a->records[t->record];
   const struct stmt *x = r->stmts[t->stmt], *y = b->records[t->record].stmts[t->stmt];
-  return same_end(x->range_lo, y->range_lo, r, a) && same_end(x->range_hi, y->range_hi, r, a);
+  return same_end(x->range_lo, y->range_lo, r, a) && same_end(x->range_hi, y->range_hi, r, a) &&
+         x->lo_closed == y->lo_closed && x->hi_closed == y->hi_closed;
 }
 
 static bool same_condition(const struct condition *x, const struct condition *y) {
   struct exact_field *f = exact_field_new(NULL, 0);
   struct calc c = exact_calc(f);
   struct num_vec v, w;
-  bool same = x->equality == y->equality && x->phase == y->phase;
+  bool same = x->equality == y->equality && x->strict == y->strict && x->phase == y->phase;
   same = exact_eval(&v, &c, f, &x->s.tape) == SS_OK && same;
   same = exact_eval(&w, &c, f, &y->s.tape) == SS_OK && same;
   same = same && exact_equal(f, num_vec_at(&v, 0), num_vec_at(&w, 0));

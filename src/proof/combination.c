@@ -379,11 +379,10 @@ static void proof_clear(struct proof *p) {
 
 bool certificate_find(struct text *out, struct judge *j, const struct claim *c, const struct conditions *premises,
                       const struct conditions *conclusion, bool sliding_friction, struct view view) {
-  struct extra x = {.phase = -1, .premise = -1};
+  struct extra x = {.phase = -1, .premise = -1, .strict = conditions_any_strict(conclusion)};
   bool inequalities = true;
   for (int i = 0; i < conclusion->n; i++) {
     inequalities = inequalities && !conclusion->at[i].equality;
-    x.strict = x.strict || conclusion->at[i].strict;
     if (conclusion->at[i].moving) take_phase(&x.phase, (int)conclusion->at[i].phase);
   }
   for (int i = 0; i < premises->n; i++)

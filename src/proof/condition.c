@@ -62,7 +62,7 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
       c->text = result_take(j->out, &t);
       bool ranged = st->range_hi;
       if (ranged && (c->phase = name_of_range(st)) == N_PHASES) {
-        diag_at(j->d, r->src, st->range_lo->span.begin, "no phase of the motion, its ends left out, is this range");
+        diag_at(j->d, r->src, st->range_lo->span.begin, "this range is no phase of the motion without its ends");
         return false;
       }
       if (c->moving && !ranged && phase < 0)
@@ -97,6 +97,12 @@ bool conditions_read(struct conditions *list, struct judge *j, const struct clai
     if (!add_record(list, j, c, attribute, r, only - 1, step - 1, ph, view)) return false;
   }
   return true;
+}
+
+bool conditions_any_strict(const struct conditions *list) {
+  bool any = false;
+  for (int k = 0; k < list->n; k++) any = any || list->at[k].strict;
+  return any;
 }
 
 bool conditions_admit_equality(const struct conditions *list) {

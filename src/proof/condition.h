@@ -34,7 +34,8 @@ struct conditions {
 bool conditions_read(struct conditions *list, struct judge *j, const struct claim *c, const char *attribute,
                      struct view view);
 void conditions_clear(struct conditions *list);
-/* Whether an inequality of the list is a <= or >=. */
+/* Whether an inequality of the list is a < or >; a <= or >=. */
+bool conditions_any_strict(const struct conditions *list);
 bool conditions_admit_equality(const struct conditions *list);
 
 /* The least margin over samples of the open phase at u_s1 = u_s2 = 0 (of an equality minus the largest deviation), and

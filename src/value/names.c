@@ -80,7 +80,9 @@ static bool reads(const struct expr *e, const char *as) {
 }
 
 enum phase name_of_range(const struct stmt *s) {
-  int i = (s->lo_closed || s->hi_closed) && s->n_sides > 1 && s->ops[0] != REL_EQ ? N_PHASES : 0;
+  bool closed = s->lo_closed || s->hi_closed, equations = true;
+  for (int k = 0; k + 1 < s->n_sides; k++) equations = equations && s->ops[k] == REL_EQ;
+  int i = closed && !equations ? N_PHASES : 0;
   while (i < N_PHASES &&
          !(s->range_hi && reads(s->range_lo, name_switching[i]) && reads(s->range_hi, name_switching[i + 1])))
     i++;

@@ -139,12 +139,14 @@ void point_print(struct text *out, const struct point *p) {
 /* u_ri = 5/4 max(e_i, u_ri_min), or just above that maximum, upwards to a 1024th. */
 static void take_realistic_friction(struct point *p, const struct dyn_orbit *o) {
   fmpz_t k;
+  uint64_t state = p->draw;
+  bool much = random_next(&state) >> 32 & 1;
   arb_ptr w = _arb_vec_init(2), least = w, e = w + 1;
   fmpz_init(k);
   for (int i = 0; i < 2; i++) {
     arb_set_fmpq(e, &p->q[Q_E1 + i], FIRST_PREC);
     arb_max(least, i ? o->u_r2_min : o->u_r1_min, e, FIRST_PREC);
-    arb_mul_si(least, least, p->draw & 1 ? 1280 : 1025, FIRST_PREC);
+    arb_mul_si(least, least, much ? 1280 : 1025, FIRST_PREC);
     arf_get_fmpz(k, arb_midref(least), ARF_RND_CEIL);
     fmpq_set_fmpz(&p->q[Q_US1 + i], k);
     fmpq_div_2exp(&p->q[Q_US1 + i], &p->q[Q_US1 + i], 10);

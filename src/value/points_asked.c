@@ -30,8 +30,7 @@ static bool ranges_are_met(const struct point_spec *spec, int n, struct judge *j
   for (int k = 0; r && k < r->n_stmts; k++)
     for (int i = 0; i < n && r->stmts[k]->range_hi && !r->stmts[k]->range_signs; i++)
       if (spec[i].kind != POINT_PARAMS && name_of_range(r->stmts[k]) != spec[i].phase)
-        return claim_error(j, c, "points",
-                           "the range of the statement is not the phase, its ends left out, of these points");
+        return claim_error(j, c, "points", "the statement's range is not the phase of these points, without its ends");
   return true;
 }
 

@@ -503,8 +503,8 @@ static const struct {
     {"switches", "stick to slip",
      "a transition from {transition} occurs where the force on a mass reaches its static friction"},
     {"jumps", NULL,
-     "friction and acceleration of a mass are discontinuous where it breaks loose or is caught, unless its force is "
-     "then "
+     "friction and acceleration of a mass are discontinuous where it breaks loose or is caught, unless the force on it "
+     "is "
      "the sliding friction, and position and velocity never are"},
     {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
     {"fixed-points", NULL,
