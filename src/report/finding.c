@@ -102,9 +102,10 @@ const char *audit_method(const struct audit_result *r) {
 }
 
 const char *audit_source(const struct audit_result *r) {
-  return r->paper_text ? "The text that was read is a machine conversion of the printed paper; a misprint of a single "
-                         "symbol may be due to the conversion."
-                       : "";
+  return r->paper_text
+             ? "The text that was read is a machine conversion of the printed paper, without its figures; a misprint "
+               "of a single symbol may be due to the conversion."
+             : "";
 }
 
 void audit_data(struct text *out, const struct audit_result *r) {
