@@ -70,27 +70,25 @@ static struct argument converse_of(const struct argument *a) {
   return b;
 }
 
-/* A conclusion with > may fail where a premise with >= is an equality; points lie beside that. */
-static bool open_at_equality(const struct argument *a) {
-  return conditions_admit_equality(&a->part[PREMISES]) && conditions_any_strict(&a->part[CONCLUSION]);
-}
-
-static void leave_open(struct finding *f, const struct argument *a) {
-  verdict_leave_open(f, a->j->out, "not decided where a premise holds with equality, as <= and >= admit");
+/* A conclusion with > may fail where a premise with >= is an equality; points lie beside that, proofs do without. */
+static void leave_open_at_equality(struct finding *f, const struct argument *a) {
+  if (f->verdict == VERDICT_SUPPORTED && conditions_admit_equality(&a->part[PREMISES]) &&
+      conditions_any_strict(&a->part[CONCLUSION]))
+    verdict_leave_open(f, a->j->out, "not decided where a premise holds with equality, as <= and >= admit");
 }
 
 /* Both directions, when the claim says so, are worth what the weaker one is. */
 static void judge_everywhere(struct finding *f, struct argument *a, struct view view) {
   static const int weakness[N_VERDICTS] = {[VERDICT_SUPPORTED] = 1, [VERDICT_UNKNOWN] = 2, [VERDICT_REFUTED] = 3};
-  bool little = a->j->effort == EFFORT_REFUTE, open = open_at_equality(a);
+  bool little = a->j->effort == EFFORT_REFUTE;
   f->verdict = judge_direction(f, a, view, little);
-  if (a->converse && !a->j->d->set) {
-    struct argument b = converse_of(a); /* its conditions are borrowed */
-    enum verdict again = judge_direction(f, &b, view, true);
-    open = (open && f->verdict == VERDICT_SUPPORTED) || (open_at_equality(&b) && again == VERDICT_SUPPORTED);
-    if (weakness[again] > weakness[f->verdict]) f->verdict = again;
-  }
-  if (open && f->verdict == VERDICT_SUPPORTED) leave_open(f, a);
+  leave_open_at_equality(f, a);
+  if (!a->converse || a->j->d->set) return;
+  enum verdict forwards = f->verdict;
+  struct argument b = converse_of(a); /* its conditions are borrowed */
+  f->verdict = judge_direction(f, &b, view, true);
+  leave_open_at_equality(f, &b);
+  if (weakness[forwards] >= weakness[f->verdict]) f->verdict = forwards;
 }
 
 /* What a friction force must exceed on an orbit: e, or the least that the inequalities allow. */
@@ -182,12 +180,12 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
 bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct argument a;
   bool ok = argument_read(&a, j, c, view);
-  bool scene = claim_says(c, "over", "scene");
-  if (ok && scene)
+  if (ok && claim_says(c, "over", "scene")) {
     argument_at_scene(f, &a);
-  else if (ok)
+    leave_open_at_equality(f, &a);
+  } else if (ok) {
     judge_everywhere(f, &a, view);
-  if (ok && scene && open_at_equality(&a) && f->verdict == VERDICT_SUPPORTED) leave_open(f, &a);
+  }
   ok = ok && !j->d->set;
   if (ok && f->verdict == VERDICT_REFUTED && !view.control && j->effort == EFFORT_FULL) {
     if (a.uses_friction)

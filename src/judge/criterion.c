@@ -222,8 +222,10 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
   struct reread in;
   if (!r) return false;
-  if (j->instead) r = reread_open(&in, r, j->instead, c->id, j->d);
-  if (j->instead) in.record.rank = RANK_USER; /* no stable form stands for it */
+  if (j->instead) {
+    r = reread_open(&in, r, j->instead, c->id, j->d);
+    in.record.rank = RANK_USER; /* no stable form stands for it */
+  }
   if (!r) {
     reread_close(&in);
     return false;

@@ -279,10 +279,8 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   sampler_init(&s, seed, spec);
   point_init(&p);
   bool ok = true;
-  long done = 0;
-  for (long draws = 0;
-       ok && done < points_wanted(r, spec, done) && draws < DRAWS_PER_POINT * points_wanted(r, spec, done); draws++) {
-    if (enough(r)) break;
+  long done = 0, draws = 0, wanted;
+  while (ok && done < (wanted = points_wanted(r, spec, done)) && draws++ < DRAWS_PER_POINT * wanted && !enough(r)) {
     bool accepted = false;
     sampler_next(&p, &s);
     if (point_settle(&p, r->j->cache)) ok = try_point(&accepted, r, &p, done);

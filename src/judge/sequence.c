@@ -152,9 +152,12 @@ static truth returns(const struct judge *j, const struct dyn_orbit *o, const enu
   truth back = s == SS_OK ? TRUTH_TRUE : TRUTH_UNKNOWN;
   for (int i = 0; s == SS_OK && i < 4; i++)
     if (!arb_overlaps(num_vec_at(&z, i), num_vec_at(&start, i))) back = TRUTH_FALSE;
-  /* such a solution shows nothing; at t_a = 0 phase D has no time, and the force ends phase C with e_1 */
-  for (int k = COND_GAMMA_V1; k < N_CONDITIONS; k++)
-    if (k != COND_D_R && k != COND_C_W) back = truth_and(back, o->holds[k] == TRUTH_TRUE ? TRUTH_TRUE : TRUTH_UNKNOWN);
+  /* A solution that is no motion shows nothing.  Without phase D, t_a = 0, the force is e_1 where phase C ends. */
+  bool sticks = false;
+  for (int i = 0; i < n; i++) sticks = sticks || through[i] == PHASE_D;
+  for (int k = 0; k < N_CONDITIONS; k++)
+    if (sticks || (k != COND_TA && k != COND_D_R && k != COND_C_W))
+      back = truth_and(back, o->holds[k] == TRUTH_TRUE ? TRUTH_TRUE : TRUTH_UNKNOWN);
   calc_clear(&c);
   return back;
 }
