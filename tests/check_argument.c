@@ -292,14 +292,14 @@ START_TEST(conditions_are_the_margins_of_the_orbit) {
   struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
   ck_assert_msg(conditions_read(&list, &j, &claims.claim[0], "conclusion", view), "%s", d.message);
   ck_assert_int_eq(list.n, PAIRS);
-  const struct orbit_pool *pool = orbit_pool_get(&j);
+  struct orbit_pool pool = orbit_pool_get(&j);
   long said[3] = {0}, done = 0;
-  for (size_t i = 0; i < pool->n && done < ORBITS; i++) {
-    const struct dyn_orbit *o = &pool->item[i]->list.orbit[0];
+  for (size_t i = 0; i < pool.n && done < ORBITS; i++) {
+    const struct dyn_orbit *o = &pool.item[i]->list.orbit[0];
     if (o->grazing || !arb_is_positive(o->t[0])) continue; /* a stick phase that runs backwards has no interval */
     struct point p;
     point_init(&p);
-    pool_point(&p, pool->item[i], 0);
+    pool_point(&p, pool.item[i], 0);
     p.known = NULL;
     done++;
     for (int k = 0; k < PAIRS; k++) {
@@ -326,15 +326,15 @@ END_TEST
 /* Orbits of a search come and go, and one may lie where another was. */
 START_TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
   struct judge j = {.cache = cache};
-  const struct orbit_pool *pool = orbit_pool_get(&j);
+  struct orbit_pool pool = orbit_pool_get(&j);
   struct dyn_orbit o;
   struct num_vec params;
   struct dyn_arc arc;
   num_vec_init(&params, N_PARAMS, num_ctx_double());
   dyn_arc_init(&arc, params.ctx);
   for (int i = 0; i < 2; i++) {
-    o = pool->item[i]->list.orbit[0];
-    for (int k = P_CHI; k <= P_V; k++) params.ctx.type->set_q(num_vec_at(&params, k), &pool->item[i]->q[k], 53);
+    o = pool.item[i]->list.orbit[0];
+    for (int k = P_CHI; k <= P_V; k++) params.ctx.type->set_q(num_vec_at(&params, k), &pool.item[i]->q[k], 53);
     params.ctx.type->set_arb(num_vec_at(&params, P_E1), o.e1, 53);
     params.ctx.type->set_arb(num_vec_at(&params, P_E2), o.e2, 53);
     orbit_arc(&arc, cache, &o, &params);
@@ -343,6 +343,24 @@ START_TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
   dyn_arc_clear(&arc);
   num_vec_clear(&params);
   orbit_pool_free(j.pool);
+}
+END_TEST
+
+/* Nor does an answer depend on which claims were judged before: a control that only has to be refuted draws few orbits,
+   and what is asked next has all of them, of which those few are the first. */
+START_TEST(the_pool_does_not_remember_who_asked_first) {
+  struct judge refute = {.cache = cache, .effort = EFFORT_REFUTE}, full = {.cache = cache};
+  size_t few = orbit_pool_get(&refute).n;
+  full.pool = refute.pool;
+  struct judge fresh = {.cache = cache};
+  struct orbit_pool all = orbit_pool_get(&full), first = orbit_pool_get(&fresh), again = orbit_pool_get(&refute);
+  ck_assert_uint_lt(few, all.n);
+  ck_assert_uint_eq(all.n, first.n);
+  ck_assert_uint_eq(again.n, few);
+  for (size_t i = 0; i < all.n; i++)
+    for (int k = 0; k < N_DRAW; k++) ck_assert(fmpq_equal(&all.item[i]->q[k], &first.item[i]->q[k]));
+  orbit_pool_free(full.pool);
+  orbit_pool_free(fresh.pool);
 }
 END_TEST
 
@@ -675,6 +693,7 @@ Suite *argument_suite(void) {
   tcase_add_test(c, a_condition_broken_for_a_moment);
   tcase_add_test(c, conditions_are_the_margins_of_the_orbit);
   tcase_add_test(c, an_orbit_in_the_place_of_another_has_its_own_arc);
+  tcase_add_test(c, the_pool_does_not_remember_who_asked_first);
   tcase_add_test(c, a_certificate_is_a_scene);
   LOOP(symbols_and_readings, symbols);
   tcase_add_loop_test(c, formulas_without_a_degree, 0, 7);

@@ -252,10 +252,10 @@ static int stratum(const fmpq *t_b) {
 
 /* The most promising orbit of the pool in each stretch of t_b, up to the first clear failure, or `most` orbits. */
 static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struct argument *a, long most) {
-  const struct orbit_pool *pool = orbit_pool_get(a->j);
+  struct orbit_pool pool = orbit_pool_get(a->j);
   bool clear = false;
-  for (size_t i = 0; i < pool->n && !clear && a->tried < most; i++) {
-    struct candidate c = {.item = *pool->item[i]}; /* borrowed */
+  for (size_t i = 0; i < pool.n && !clear && a->tried < most; i++) {
+    struct candidate c = {.item = *pool.item[i]}; /* borrowed */
     weigh(&c, a);
     clear = c.margin < -0.02;
     int s = stratum(&c.item.q[DRAW_TB]);
@@ -263,7 +263,7 @@ static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struc
     if (have[s]) pool_item_clear(&best[s].item);
     have[s] = true;
     best[s] = c;
-    pool_item_init(&best[s].item, pool->item[i]->q);
+    pool_item_init(&best[s].item, pool.item[i]->q);
   }
 }
 

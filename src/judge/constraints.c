@@ -69,19 +69,19 @@ static int sole_violation(const struct dyn_orbit *o) {
 
 /* Orbits that are admissible, some that violate each condition alone, which show that the list has it, and others. */
 static void by_balls(struct constraints *x) {
-  const struct orbit_pool *pool = orbit_pool_get(x->j);
+  struct orbit_pool pool = orbit_pool_get(x->j);
   struct point p;
   long good = 0, bad[N_CONDITIONS + 1] = {0};
   point_init(&p);
   bool refute = x->j->effort == EFFORT_REFUTE;
-  for (size_t i = 0; i < pool->n && !(refute && lists_differ(x)); i++)
-    for (slong k = 0; k < pool->item[i]->list.n; k++) {
-      const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
+  for (size_t i = 0; i < pool.n && !(refute && lists_differ(x)); i++)
+    for (slong k = 0; k < pool.item[i]->list.n; k++) {
+      const struct dyn_orbit *o = &pool.item[i]->list.orbit[k];
       int sole = sole_violation(o);
       long *count = o->admissible == TRUTH_TRUE ? &good : &bad[sole];
       if (o->grazing || *count == (sole < N_CONDITIONS ? ALONE : EACH)) continue;
       ++*count;
-      pool_point(&p, pool->item[i], k);
+      pool_point(&p, pool.item[i], k);
       p.known = NULL;
       compare_lists(x, &p, o);
       if (o->admissible != TRUTH_TRUE) continue;
@@ -95,12 +95,14 @@ static void by_balls(struct constraints *x) {
 
 /* How often each condition is broken, broken alone, and holds where another is broken. */
 struct counts {
-  long broken[N_CONDITIONS], alone[N_CONDITIONS], despite[N_CONDITIONS][N_CONDITIONS];
+  long orbits, admissible, broken[N_CONDITIONS], alone[N_CONDITIONS], despite[N_CONDITIONS][N_CONDITIONS];
 };
 
 static void count_orbit(struct counts *n, const truth holds[N_CONDITIONS]) {
   int failures = 0;
   for (int a = 0; a < N_CONDITIONS; a++) failures += holds[a] != TRUTH_TRUE;
+  n->orbits++;
+  n->admissible += failures == 0;
   for (int a = 0; a < N_CONDITIONS; a++) {
     if (holds[a] != TRUTH_FALSE) continue;
     n->broken[a]++;
@@ -110,12 +112,12 @@ static void count_orbit(struct counts *n, const truth holds[N_CONDITIONS]) {
 }
 
 static const char *table(struct constraints *x) {
-  const struct orbit_pool *pool = orbit_pool_get(x->j);
-  struct counts n = {{0}, {0}, {{0}}};
-  for (size_t i = 0; i < pool->n; i++)
-    for (slong k = 0; k < pool->item[i]->list.n; k++) count_orbit(&n, pool->item[i]->list.orbit[k].holds);
+  struct orbit_pool pool = orbit_pool_get(x->j);
+  struct counts n = {.orbits = 0};
+  for (size_t i = 0; i < pool.n; i++)
+    for (slong k = 0; k < pool.item[i]->list.n; k++) count_orbit(&n, pool.item[i]->list.orbit[k].holds);
   struct text t = {0};
-  text_printf(&t, "of %ld periodic solutions, %ld of them admissible,", pool->orbits, pool->admissible);
+  text_printf(&t, "of %ld periodic solutions, %ld of them admissible,", n.orbits, n.admissible);
   for (int a = 0; a < N_CONDITIONS; a++) {
     text_printf(&t, "%s %ld violate %s", a ? ";" : "", n.broken[a], condition_words[a]);
     if (n.broken[a]) text_printf(&t, ", %ld of these no other condition", n.alone[a]);
@@ -185,20 +187,20 @@ static bool enough(const struct constraints *x) {
 }
 
 static void by_simulation(struct constraints *x) {
-  const struct orbit_pool *pool = orbit_pool_get(x->j);
+  struct orbit_pool pool = orbit_pool_get(x->j);
   struct point p;
   long count[3] = {0}; /* orbits on which the list fails, holds */
   point_init(&p);
-  for (size_t i = 0; i < pool->n && !enough(x) && (count[0] < SIMULATED || count[1] < SIMULATED); i++)
-    for (slong k = 0; k < pool->item[i]->list.n; k++) {
-      const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
+  for (size_t i = 0; i < pool.n && !enough(x) && (count[0] < SIMULATED || count[1] < SIMULATED); i++)
+    for (slong k = 0; k < pool.item[i]->list.n; k++) {
+      const struct dyn_orbit *o = &pool.item[i]->list.orbit[k];
       if (o->grazing || num_arb.get_d(o->t[0]) < 0.01) continue; /* the simulation starts in the stick phase */
-      pool_point(&p, pool->item[i], k);
+      pool_point(&p, pool.item[i], k);
       if (count[0] >= SIMULATED && clearly_fails(x, &p)) continue;
       p.known = NULL;
       truth listed = conditions_hold(&x->paper, &p, x->j->cache);
       if (listed == TRUTH_UNKNOWN || count[listed]++ >= SIMULATED) continue;
-      simulate(x, pool->item[i], k, &p, listed);
+      simulate(x, pool.item[i], k, &p, listed);
     }
   point_clear(&p);
 }

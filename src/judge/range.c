@@ -222,11 +222,11 @@ static void try_orbit(struct range *r, const struct pool_item *item, slong index
 }
 
 static void by_balls(struct range *r) {
-  const struct orbit_pool *pool = orbit_pool_get(r->j);
+  struct orbit_pool pool = orbit_pool_get(r->j);
   long tried = 0;
-  for (size_t i = 0; i < pool->n && tried < MOST && !(r->other && r->j->effort != EFFORT_FULL); i++)
-    for (slong k = 0; k < pool->item[i]->list.n; k++, tried++)
-      for (int side = 0; side < 1 + r->uses_friction; side++) try_orbit(r, pool->item[i], k, side);
+  for (size_t i = 0; i < pool.n && tried < MOST && !(r->other && r->j->effort != EFFORT_FULL); i++)
+    for (slong k = 0; k < pool.item[i]->list.n; k++, tried++)
+      for (int side = 0; side < 1 + r->uses_friction; side++) try_orbit(r, pool.item[i], k, side);
 }
 
 /* --- The kind --- */

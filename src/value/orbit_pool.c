@@ -43,19 +43,15 @@ static void draw(fmpq q[N_DRAW], uint64_t *state) {
   }
 }
 
-const struct orbit_pool *orbit_pool_get(struct judge *j) {
-  enum { DRAWS = 6000, FEW = 600, UNITS_OF_DRAW = 200 };
-  work_touch(WORK_ORBIT_POOL);
-  if (j->pool) return j->pool;
-  struct orbit_pool *p = j->pool = ss_malloc(sizeof *p);
-  *p = (struct orbit_pool){.n = 0};
+/* Draws on until that many draws are made. */
+static void draw_up_to(struct orbit_pool *p, long draws) {
+  enum { UNITS_OF_DRAW = 200 };
   fmpq q[N_DRAW];
-  uint64_t state = 1;
   for (int i = 0; i < N_DRAW; i++) fmpq_init(&q[i]);
-  for (int draws = j->effort == EFFORT_REFUTE ? FEW : DRAWS; draws > 0; draws--) {
+  for (; p->draws < draws; p->draws++) {
     struct pool_item one;
     work_add(UNITS_OF_DRAW);
-    draw(q, &state);
+    draw(q, &p->state);
     pool_item_init(&one, q);
     if (one.list.n == 0) {
       pool_item_clear(&one);
@@ -64,11 +60,23 @@ const struct orbit_pool *orbit_pool_get(struct judge *j) {
     p->item = ss_grow(p->item, p->n, &p->cap, sizeof *p->item);
     p->item[p->n] = ss_malloc(sizeof one);
     *p->item[p->n++] = one;
-    p->orbits += one.list.n;
-    for (slong i = 0; i < one.list.n; i++) p->admissible += one.list.orbit[i].admissible == TRUTH_TRUE;
   }
   for (int i = 0; i < N_DRAW; i++) fmpq_clear(&q[i]);
-  return p;
+}
+
+struct orbit_pool orbit_pool_get(struct judge *j) {
+  enum { DRAWS = 6000, FEW = 600 };
+  work_touch(WORK_ORBIT_POOL);
+  if (!j->pool) {
+    j->pool = ss_malloc(sizeof *j->pool);
+    *j->pool = (struct orbit_pool){.state = 1};
+    draw_up_to(j->pool, FEW);
+    j->pool->few = j->pool->n;
+  }
+  if (j->effort != EFFORT_REFUTE) draw_up_to(j->pool, DRAWS);
+  struct orbit_pool seen = *j->pool;
+  if (j->effort == EFFORT_REFUTE) seen.n = seen.few;
+  return seen;
 }
 
 void orbit_pool_free(struct orbit_pool *p) {

@@ -3,6 +3,8 @@
 #ifndef STICKSLIP_ORBIT_POOL_H
 #define STICKSLIP_ORBIT_POOL_H
 
+#include <stdint.h>
+
 #include "claim/judging.h"
 #include "point.h"
 
@@ -15,12 +17,14 @@ struct pool_item {
 };
 struct orbit_pool {
   struct pool_item **item;
-  size_t n, cap;
-  long orbits, admissible;
+  size_t n, cap, few; /* few: of the first draws */
+  long draws;
+  uint64_t state; /* of the generator of draws */
 };
 
-/* The pool of a run, drawn when first asked for; it dies with the run. */
-const struct orbit_pool *orbit_pool_get(struct judge *j);
+/* The pool of a run, drawn when first asked for; it dies with the run.  Its first items for EFFORT_REFUTE, whatever
+   has been drawn already, so that no answer depends on what was asked before. */
+struct orbit_pool orbit_pool_get(struct judge *j);
 void orbit_pool_free(struct orbit_pool *p);
 
 /* One draw with the orbits it has, which may be none. */
