@@ -94,6 +94,18 @@ static void book_difference(struct job *b, struct exact_motion *m, slong i, cons
   if (!exact_witness(&b->witness, m->field, d)) text_add(&b->witness, "not zero");
 }
 
+/* "Q(V, e_1, e_2, w_1, w_2), where w_1 and w_2 are ..." */
+static void print_field(struct text *out, const struct exact_motion *m) {
+  text_reset(out);
+  text_add(out, "Q(");
+  exact_print_generators(out, m->field);
+  text_add(out, ")");
+  if (!m->bare && strstr(text_str(out), "tau")) text_add(out, ", where tau is the time since the phase began");
+  if (m->attempt.modes)
+    text_printf(out, "%s w_1 and w_2 are the frequencies of the global slip phase",
+                strstr(text_str(out), "where") ? " and" : ", where");
+}
+
 static void try_attempt(struct job *b, const struct exact_attempt *a) {
   enum { MAX_RESTRICTIONS = 8 };
   struct exact_motion m;
@@ -122,8 +134,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   for (int r = n_restrictions; apart && r > 0; r--)
     if (keep[r - 1]) b->holds_at = &restrictions[r - 1];
   if (exact_largest(m.field) > b->largest) b->largest = exact_largest(m.field);
-  text_reset(&b->field);
-  exact_print_generators(&b->field, m.field);
+  print_field(&b->field, &m);
   b->wants_modes = m.wants_modes;
   b->independent = exact_independent(m.field) && !m.beyond;
   b->beyond = b->beyond || m.beyond;
@@ -230,8 +241,8 @@ static const char *why_open(struct job *b) {
   if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
   if (apart == open)
     return result_str(out,
-                      "%ld of %ld entries differ as functions of the generators %s: more than exact algebra knows of "
-                      "these %s would be needed",
+                      "%ld of %ld entries differ in the field %s: more than exact algebra knows of these %s would be "
+                      "needed",
                       (long)apart, (long)b->s->n, text_str(&b->field), b->j->model->system ? "motions" : "functions");
   if (b->undefined) return "a divisor is zero for all parameters";
   return result_str(out, "an expression outgrew the budget of exact algebra (%ld terms)", (long)b->largest);
@@ -325,7 +336,7 @@ static void are_the_models(struct exact_proof *p, struct judge *j, const struct 
 static const char *describe(struct judge *j, const struct exact_proof *p, const struct exact_question *q,
                             int unknowns) {
   return result_str(
-      j->out, "%s%s in the field Q(%s)%s; the largest polynomial has %ld term%s",
+      j->out, "%s%s%s in the field %s; the largest polynomial has %ld term%s",
       p->by_factors
           ? "the sides of each step, on motions computed from the first-order systems, are equal or, where one is to "
             "be "
@@ -339,7 +350,8 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
       p->by_law
           ? ", by 1, 2, 1/2 or chi times what Coulomb's law (2) asks of a mass in that phase, or by the sum of both,"
           : "",
-      p->field, unknowns ? ", whose matrices are unknowns" : "", (long)p->largest, p->largest == 1 ? "" : "s");
+      unknowns ? ", with the matrices in them held as unknowns," : "", p->field, (long)p->largest,
+      p->largest == 1 ? "" : "s");
 }
 
 /* oracle: the matrices that are held as unknowns, as a claim lists them. */

@@ -44,7 +44,7 @@ static int any_state(struct num_vec *v, struct exact_motion *m, int k) {
   int s = SS_OK;
   for (int i = 0; i < N_STATE; i++) {
     char name[16];
-    snprintf(name, sizeof name, "Z%d[%d]", k, i + 1);
+    snprintf(name, sizeof name, "Z_%c[%d]", "0abcd"[k], i + 1);
     s |= exact_symbol(at(v, i), m->field, name);
   }
   return s;

@@ -293,9 +293,9 @@ static void add_evidences(const struct sheet *s, const struct audit_result *r) {
     if (!f) continue;
     if (!any) {
       heading(s, "Effects and counterexamples");
-      text_add(s->out, "A periodic solution is called admissible if every condition of the motion holds on it for "
-                       "suitable static friction, so that the masses can follow it.");
-      text_add(s->out, "\n\n");
+      if (r->model)
+        text_add(s->out, "A periodic solution is called admissible if every condition of the motion holds on it for "
+                         "suitable static friction, so that the masses can follow it.\n\n");
       begin_items(s, false);
     }
     any = true;
@@ -313,8 +313,10 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
   long count[N_VERDICTS], total = audit_result_count(count, r, OF_PAPER);
   heading(s, "What was compared");
   text_printf(s->out, "Of the %ld statements of the paper that were examined, ", total);
-  if (count[VERDICT_DEFINITION]) text_printf(s->out, "%ld are definitions, ", count[VERDICT_DEFINITION]);
-  text_printf(s->out, "%ld have been proved", count[VERDICT_PROVED]);
+  long definitions = count[VERDICT_DEFINITION], proved = count[VERDICT_PROVED];
+  if (definitions)
+    text_printf(s->out, "%ld %s, ", definitions, definitions == 1 ? "is a definition" : "are definitions");
+  text_printf(s->out, "%ld %s been proved", proved, proved == 1 ? "has" : "have");
   verdicts_say(s->out, r);
   const char *before = " (";
   for (size_t i = 0; count[VERDICT_UNKNOWN] <= MOST_NAMED && i < r->n_findings; i++) {

@@ -150,11 +150,15 @@ void verdicts_say(struct text *out, const struct audit_result *r) {
     of[r->roots[i].severity] += failing > 0;
     if (&r->roots[i] == numbers) of_numbers = refuted;
   }
-  if (count[VERDICT_CONDITIONAL]) text_printf(out, ", %ld hold under a condition", count[VERDICT_CONDITIONAL]);
-  if (count[VERDICT_REFUTED]) text_printf(out, ", %ld do not hold as printed", count[VERDICT_REFUTED]);
+  long conditional = count[VERDICT_CONDITIONAL], fail = count[VERDICT_REFUTED];
+  if (conditional) text_printf(out, ", %ld hold%s under a condition", conditional, conditional == 1 ? "s" : "");
+  if (fail) text_printf(out, ", %ld do%s not hold as printed", fail, fail == 1 ? "es" : "");
   if (of_numbers) text_printf(out, ", %ld of them about the numbers of the example", of_numbers);
   const char *end = due == 0 ? "" : (size_t)due < r->n_roots ? "; the other points were found by further checks)" : ")";
-  if (due) text_printf(out, " (these %ld belong to", count[VERDICT_CONDITIONAL] + count[VERDICT_REFUTED]);
+  if (due && conditional + fail == 1)
+    text_add(out, " (it belongs to");
+  else if (due)
+    text_printf(out, " (these %ld belong to", conditional + fail);
   const char *before = " ";
   for (int i = 0; due; i++) {
     if (of[i] == 0) continue;

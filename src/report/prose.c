@@ -45,17 +45,21 @@ static bool is_index(char c) {
 
 /* --- Names --- */
 
-/* A letter by its name; one without HTML stays a word there, as the name of a phase. */
-static const struct letter {
-  const char *name, *tex, *html;
-} letters[] = {{"chi", "\\chi", "\xcf\x87"},       {"eta", "\\eta", "\xce\xb7"}, {"omega", "\\omega", "\xcf\x89"},
-               {"lambda", "\\lambda", "\xce\xbb"}, {"Gamma", "\\Gamma", NULL},   {"hbar", "\\bar{h}", NULL}};
+/* What the paper calls hbar is an h with a bar. */
+static const struct tex_word barred = {"bar{h}", TEX_ROLE_UPRIGHT, 0, true, ""};
+
+/* The Greek letter of that name, or hbar; NULL for others.  An upright one, as Gamma, stays a word in HTML, where it names a phase. */
+static const struct tex_word *letter_named(const struct sheet *s, const char *name, size_t len) {
+  const struct tex_word *w = len == 4 && memcmp(name, "hbar", 4) == 0 ? &barred : tex_word(name, len);
+  bool letter = w && (w->role == TEX_ROLE_LETTER || w->role == TEX_ROLE_UPRIGHT);
+  return letter && !(is_html(s) && w->role == TEX_ROLE_UPRIGHT) ? w : NULL;
+}
 
 /* t_a, z'_0, z_1', dZ_b, e1, chi. */
 struct name {
   const char *s;
   size_t letters, before, index, after; /* how many; before, after: primes before and after the index */
-  const struct letter *as;              /* NULL: the letters stand for themselves */
+  const struct tex_word *as;            /* NULL: the letters stand for themselves */
   const char *low;                      /* the index, which may be empty */
 };
 
@@ -63,10 +67,7 @@ struct name {
 static size_t read_name(struct name *n, const struct sheet *s, const struct prose *p) {
   *n = (struct name){.s = p->s, .letters = count(p, 0, char_is_letter)};
   n->before = count(p, n->letters, is_prime);
-  for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
-    if (strlen(letters[i].name) == n->letters && strncmp(letters[i].name, p->s, n->letters) == 0 &&
-        (letters[i].html || !is_html(s)))
-      n->as = &letters[i];
+  n->as = letter_named(s, p->s, n->letters);
   size_t i = n->letters + n->before, gap = at(p, i) == '_';
   n->low = p->s + i + gap;
   n->index = count(p, i + gap, is_index);
@@ -88,7 +89,7 @@ static void add_html_name(struct text *out, const struct name *n) {
   const struct prose low = {n->low, n->index};
   size_t slanted = count(&low, 0, char_is_letter);
   text_add(out, "<var>");
-  text_add_n(out, n->as ? n->as->html : n->s, n->as ? strlen(n->as->html) : n->letters);
+  text_add_n(out, n->as ? n->as->text : n->s, n->as ? strlen(n->as->text) : n->letters);
   add_primes(out, n->before);
   if (slanted) text_printf(out, "<sub><i>%.*s</i>", (int)slanted, low.s);
   if (low.len) text_printf(out, "%s%.*s</sub>", slanted ? "" : "<sub>", (int)(low.len - slanted), low.s + slanted);
@@ -104,7 +105,7 @@ static size_t add_name(const struct sheet *s, const struct prose *p) {
   if (!read || is_html(s)) return read;
   size_t power = at(p, read) == '^' && char_is_digit(at(p, read + 1)) ? 2 : 0;
   text_printf(s->out, "$%.*s", (int)(n.as ? 0 : n.letters), n.s);
-  text_printf(s->out, "%s%.*s", n.as ? n.as->tex : "", (int)n.before, n.s + n.letters);
+  text_printf(s->out, "%s%s%.*s", n.as ? "\\" : "", n.as ? n.as->name : "", (int)n.before, n.s + n.letters);
   if (n.index) text_printf(s->out, "_{%.*s}", (int)n.index, n.low);
   text_printf(s->out, "%.*s$", (int)(n.after + power), n.low + n.index);
   return read + power;

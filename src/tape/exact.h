@@ -70,7 +70,7 @@ int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exa
                     const bool *wanted);
 /* The largest number of terms that any register has had. */
 slong exact_largest(const struct exact_field *f);
-/* An element by the names of its free symbols, other generators as g0, g1, ... in the order of their making. */
+/* An element by the names of its free symbols and the functions that other generators stand for. */
 void exact_print(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x);
 /* The generators in use, by name and joined by ", ": chi, omega_1, sin(...). */
 void exact_print_generators(struct text *out, const struct exact_field *f);

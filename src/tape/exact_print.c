@@ -4,26 +4,19 @@
 
 #include "exact_impl.h"
 
-void exact_print(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  char label[EXACT_GENERATORS][8];
-  const char *names[EXACT_GENERATORS];
-  for (slong k = 0; k < EXACT_GENERATORS; k++) {
-    slong i = variable(k);
-    snprintf(label[k], sizeof label[k], "g%ld", (long)i);
-    names[k] = i < f->n && f->gen[i].op == TAPE_INPUT ? f->gen[i].name : label[k];
-  }
-  char *num = fmpz_mpoly_get_str_pretty(&x->num, names, ring());
-  char *den = fmpz_mpoly_get_str_pretty(&x->den, names, ring());
-  text_printf(out, strcmp(den, "1") == 0 ? "%s" : "(%s)/(%s)", num, den);
-  flint_free(den);
-  flint_free(num);
-}
+static void print_polynomial(struct text *out, const struct exact_field *f, const fmpz_mpoly_struct *p);
 
-static void print_generator(struct text *out, const struct exact_field *f, slong i) {
+/* "sin(sqrt(eta*chi)*tau)"; as a factor of an element, n sqrt(p/n) is that and not sqrt(p/n). */
+static void print_generator(struct text *out, const struct exact_field *f, slong i, bool factor) {
   const struct generator *g = &f->gen[i];
   if (g->op == TAPE_INPUT) {
     text_add(out, g->name);
     return;
+  }
+  if (factor && g->op == TAPE_sqrt && !fmpz_mpoly_is_one(&g->args[0].den, ring())) {
+    text_add(out, "(");
+    print_polynomial(out, f, &g->args[0].den);
+    text_add(out, ")*");
   }
   text_add(out, g->op == TAPE_sin    ? "sin("
                 : g->op == TAPE_cos  ? "cos("
@@ -38,10 +31,37 @@ static void print_generator(struct text *out, const struct exact_field *f, slong
   text_add(out, ")");
 }
 
+/* Generators are made of older ones, so that this comes to an end. */
+static void print_polynomial(struct text *out, const struct exact_field *f, const fmpz_mpoly_struct *p) {
+  int used[EXACT_GENERATORS];
+  struct text label[EXACT_GENERATORS];
+  const char *names[EXACT_GENERATORS];
+  fmpz_mpoly_used_vars(used, p, ring());
+  for (slong k = 0; k < EXACT_GENERATORS; k++) {
+    text_init(&label[k]);
+    if (used[k]) print_generator(&label[k], f, variable(k), true);
+    names[k] = text_str(&label[k]);
+  }
+  char *printed = fmpz_mpoly_get_str_pretty(p, names, ring());
+  text_add(out, printed);
+  flint_free(printed);
+  for (slong k = 0; k < EXACT_GENERATORS; k++) text_clear(&label[k]);
+}
+
+void exact_print(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  bool whole = fmpz_mpoly_is_one(&x->den, ring()) != 0;
+  text_add(out, whole ? "" : "(");
+  print_polynomial(out, f, &x->num);
+  if (whole) return;
+  text_add(out, ")/(");
+  print_polynomial(out, f, &x->den);
+  text_add(out, ")");
+}
+
 void exact_print_generators(struct text *out, const struct exact_field *f) {
   for (slong i = 0; i < f->n; i++) {
     if (i) text_add(out, ", ");
-    print_generator(out, f, i);
+    print_generator(out, f, i, false);
   }
 }
 
@@ -97,7 +117,7 @@ static void print_witness(struct text *out, const struct exact_field *f, const f
   for (slong i = 0; i < f->n; i++) {
     if (!used[variable(i)]) continue;
     text_add(out, sep);
-    print_generator(out, f, i);
+    print_generator(out, f, i, false);
     text_add(out, " = ");
     if (scale_of(z, &f->gen[i], value)) fmpq_div(z, &value[variable(i)], z);
     num_print_q(out, z);

@@ -155,7 +155,8 @@ def shown(s):
 
 def plain(s):
     """Without what the page sets as a book does: lowered indices, Greek letters, primes, exponents, powers of ten."""
-    for letter, name in zip("\u03c7\u03b7\u03c9\u03bb\u2032\u00b1\u2212\u00b7\u22c5", ("chi", "eta", "omega", "lambda", "'", "+/-", "-", "e", "*")):
+    signs = {"'": "\u2032", "+/-": "\u00b1", "-": "\u2212", "e": "\u00b7", "*": "\u22c5"}
+    for name, letter in (GREEK | signs).items():
         s = s.replace(letter, name)
     s = re.sub(r"\^(\{?)(-?[0-9]+)(\}?)", lambda m: m[2] if len(m[1]) == len(m[3]) else m[0], s)
     return re.sub(r"\b10-", "1e-", s.replace("_", ""))
