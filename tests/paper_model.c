@@ -31,7 +31,11 @@ static void on_file(struct claims *all, const char *folder, const char *word) {
 }
 
 void paper_claims(struct claims *claims, struct claims *controls) {
+  static struct claims statements; /* their words are the claims' */
+  struct diag d;
   on_file(claims, "claims", "claim");
+  if (!statements.n) on_file(&statements, "paper", "statement");
+  ck_assert_msg(claims_complete(claims, &statements, &d), "%s", d.message);
   if (controls) on_file(controls, "controls", "control");
 }
 

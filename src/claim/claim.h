@@ -147,7 +147,7 @@ bool records_counted(const struct record_file *f, struct diag *d);
 
 /* Records "statement ID" of files *.statements beside the paper's equations, in the order of the paper:
 
-     quote     a few words that find it in the text, and it alone; place: where (quote/quote.h)
+     quote     what it says, or a few words that find it in the text, and it alone; place: where (quote/quote.h)
      equation  the number that is printed at it
      claims    what answers what it asserts; or
      reason    why nothing does

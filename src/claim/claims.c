@@ -88,6 +88,40 @@ bool claims_load(struct claims *c, const char *data, const char *folder, const c
   return claims_load_around(c, data, folder, kind, NULL, d);
 }
 
+/* "as ID" in the place of a list that several claims share is that claim's list. */
+static bool take_list(struct field *f, const struct record_file *of, const struct claims *c, struct diag *d) {
+  bool shared = f->attribute && (strcmp(f->key_name, "at") == 0 || strcmp(f->key_name, "constraints") == 0);
+  if (!shared || strncmp(f->text, "as ", 3) != 0) return true;
+  const struct claim *owner = claim_named(c, f->text + 3);
+  const char *list = owner ? claim_get(owner, f->key_name) : NULL;
+  if (!list || strncmp(list, "as ", 3) == 0) {
+    diag_at(d, &of->src, f->value.begin, "no claim %s has a list of its own there", f->text + 3);
+    return false;
+  }
+  char *taken = ss_strdup(list);
+  free(f->text);
+  f->text = taken;
+  return true;
+}
+
+/* The first that names the claim. */
+static const struct record *statement_naming(const struct claims *statements, const char *id) {
+  for (size_t i = 0; i < statements->n; i++) {
+    const struct claim *s = &statements->claim[i];
+    if (claim_lists(s, "claims", id) || claim_lists(s, "checks", id)) return s->record;
+  }
+  return NULL;
+}
+
+bool claims_complete(struct claims *c, const struct claims *statements, struct diag *d) {
+  for (size_t i = 0; statements && i < c->n; i++) c->claim[i].statement = statement_naming(statements, c->claim[i].id);
+  for (size_t i = 0; i < c->n_files; i++)
+    for (size_t k = 0; k < c->files[i]->n_records; k++)
+      for (size_t n = 0; n < c->files[i]->records[k].n_fields; n++)
+        if (!take_list(&c->files[i]->records[k].fields[n], c->files[i], c, d)) return false;
+  return true;
+}
+
 void claims_clear(struct claims *c) {
   for (size_t i = 0; i < c->n_files; i++) {
     record_file_clear(c->files[i]);
@@ -102,7 +136,9 @@ void claims_clear(struct claims *c) {
 const char *claim_get(const struct claim *c, const char *key) {
   const struct field *own = c->control ? record_field(c->control, key) : NULL;
   const char *v = own ? own->text : record_get(c->record, key);
-  return v || strcmp(key, "section") != 0 ? v : record_get(&c->file->records[0], key);
+  if (!v && strcmp(key, "section") == 0) return record_get(&c->file->records[0], key);
+  bool statement = v && strcmp(key, "quote") == 0 && strcmp(v, "statement") == 0;
+  return statement ? c->statement ? record_get(c->statement, key) : NULL : v;
 }
 
 bool claim_says(const struct claim *c, const char *key, const char *words) {

@@ -6,7 +6,8 @@
                  where the file does not say it before its first record
      title       (outside, and where the other attributes make none) what it says, in words; value/title.h says how titles
                  are made, and what stands in braces in one that is given
-     quote, place   what the paper says, to the letter, and where in its text (quote/quote.h)
+     quote, place   what the paper says, to the letter, and where in its text (quote/quote.h); or "quote: statement" for
+                 the words of the statement that names the claim (claim.h)
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below
      value       (matrix) the name, with its argument, held against the model's quantity of that name
@@ -33,7 +34,8 @@
                  linearization, equality, perturb, long-run, patching
      moves       (modes, switches, linear, jumps, closed-forms, fixed-points) the equations of motion of both masses, as
                  in premises; the claims of kind law, one for each mass, are among those of depends-on
-     at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
+     at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try;
+                 this list and constraints may be "as ID", those of that claim
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
                  (what holds elsewhere is asked of the claim of kind criterion among those of depends-on)
      side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
@@ -118,7 +120,8 @@ struct claim {
   const char *id;
   const struct record *record;
   const struct record_file *file;
-  const struct record *control; /* attributes that stand before the record's own; NULL outside controls */
+  const struct record *control;   /* attributes that stand before the record's own; NULL outside controls */
+  const struct record *statement; /* of the paper, the first that names the claim; NULL: none is known */
 };
 
 struct claims {
@@ -141,6 +144,9 @@ bool claims_load_around(struct claims *c, const char *data, const char *folder, 
 bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d);
 /* A text that messages call by the name. */
 bool claims_add_text(struct claims *c, const char *name, const char *text, const char *kind, struct diag *d);
+/* Gives each claim its statement (where there are any: NULL), and the lists that it shares with another.  false with d
+   set when that has none. */
+bool claims_complete(struct claims *c, const struct claims *statements, struct diag *d);
 void claims_clear(struct claims *c);
 
 /* An attribute of the claim, or NULL. */

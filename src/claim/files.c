@@ -10,7 +10,7 @@ bool paper_files_load(struct paper_files *f, const char *data, const char *paper
   return model_load(&f->model, data, paper, overlay, d) && claims_load(&f->claims, data, "claims", "claim", d) &&
          claims_load(&f->controls, data, "controls", "control", d) &&
          claims_load(&f->statements, data, "paper", "statement", d) &&
-         claims_load(&f->roots, data, "claims", "root", d);
+         claims_load(&f->roots, data, "claims", "root", d) && claims_complete(&f->claims, &f->statements, d);
 }
 
 void paper_files_clear(struct paper_files *f) {

@@ -57,7 +57,7 @@ int run_list(const struct options *o, const char *data, struct diag *d) {
   struct model m;
   struct claims c = {.n = 0};
   model_init(&m);
-  bool ok = load_model(&m, data, o, d) && claims_load(&c, data, "claims", "claim", d);
+  bool ok = load_model(&m, data, o, d) && claims_load(&c, data, "claims", "claim", d) && claims_complete(&c, NULL, d);
   struct text out = {0};
   for (size_t i = 0; ok && i < c.n; i++) ok = list_claim(&out, &m, &c.claim[i], d);
   if (ok) terminal_print(&out);

@@ -44,7 +44,7 @@ static bool change_claims(struct claims *out, const struct material *m, size_t f
   for (size_t i = 0; ok && i < m->n; i++)
     if (m->file[i].part == m->file[file].part)
       ok = claims_add_text(out, m->file[i].name, text_of(m, i, file, text), kind, d);
-  return ok;
+  return ok && (m->file[file].part == PART_CONTROLS || claims_complete(out, m->data.statements, d));
 }
 
 static bool change_model(struct model *out, const struct material *m, size_t file, const char *text, struct diag *d) {

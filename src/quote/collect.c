@@ -77,7 +77,8 @@ static bool read_places(struct quotations *q, const struct quotation *item, cons
 static bool add(struct quotations *q, enum quote_kind kind, const struct source *src, const struct record *r,
                 const char *key, struct diag *d) {
   const struct field *f = record_field(r, key), *place = record_field(r, "place");
-  if (!f) return true;
+  bool statement = kind == QUOTE_CLAIM && f && strcmp(f->text, "statement") == 0; /* quoted there */
+  if (!f || statement) return true;
   struct quotation item = {.kind = kind, .id = r->id_name ? r->id_name : "", .src = src, .field = f};
   item.equation = record_get(r, "equation");
   item.first = q->n_pieces;

@@ -138,6 +138,8 @@ def main():
     definitions, statements = definitions + more[0], statements + more[1]
     claims = [(i, found[0][2] | a) for found in map(records, sorted(glob.glob(verify + "/claims/*.claim")))
               for k, i, a, _ in found[1:] if k == "claim"]
+    for _, a in claims:
+        a.update({key: dict(claims)[text[3:]][key] for key, text in a.items() if key in ("at", "constraints") and text.startswith("as ")})
     about, reach = {}, {}
     for ident, a in claims:
         view = View(definitions, statements, a.get("own", number(ident, a) or ident))
