@@ -194,10 +194,11 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   for (int i = 0; i < a->part[PREMISES].n; i++)
     text_printf(&premises, "%s%s", i ? ", " : "", a->part[PREMISES].at[i].text);
   if (premises.len) text_add(&premises, a->part[PREMISES].n == 1 ? " holds, but " : " hold, but ");
-  const char *said = result_str(
-      a->j->out,
-      "for %s there is a solution of the switching and periodicity equations on which %s%s is violated%s, by %s",
-      scene_text(a, p, ", "), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
+  const char *said =
+      result_str(a->j->out,
+                 "for %s there is a solution of the switching and periodicity conditions, those that are inequalities "
+                 "left aside, on which %s%s is violated%s, by %s",
+                 scene_text(a, p, ", "), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
   arb_clear(short_by);
   text_clear(&premises);
   return said;

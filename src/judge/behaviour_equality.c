@@ -190,8 +190,8 @@ static void conclude(struct behaviour *b, const struct found *t) {
       b, "balls", answers_outcome(&t->third), true, found, t->where,
       result_str(b->j->out,
                  "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., "
-                 "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if "
-                 "c_2^2 + c_3 > 0. Of the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s%s%s",
+                 "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is conditionally "
+                 "stable if c_2^2 + c_3 > 0. Of the %ld solutions with tr J = -1 that were found, %ld %s so%s%s%s%s",
                  found, stable, stable == 1 ? "is" : "are",
                  stable == 1 ? ", namely that for "
                  : stable    ? ", for example that for "

@@ -126,7 +126,8 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   const char *note = NULL;
   if (s == SS_OK)
     note = result_str(j->out,
-                      "For every initial state with the printed digits, z_2 - z_1 changes during one passage by an "
+                      "For every initial state with the printed digits and e_1, e_2 as printed, z_2 - z_1 changes "
+                      "during one passage by an "
                       "amount between %.3g and %.3g%s",
                       bound(gap, true), bound(gap, false), apart ? ", so that none of them is periodic." : ".");
   finding_add_route(f, j->out, w, "model", FIRST_PREC,

@@ -91,8 +91,8 @@ static bool changes_sign(struct defined *y, const struct divisor *q, const struc
       point_print(&y->zero, &end[i]);
     }
     text_printf(&y->zero,
-                ", and there is one %speriodic solution for each value between (Krawczyk's operator over the whole "
-                "interval), so that it is zero on one of them",
+                ", and there is one %speriodic solution for each value between (by Krawczyk's test in interval "
+                "arithmetic over the whole interval), so that it is zero on one of them",
                 family->orbit.admissible == TRUTH_TRUE ? "admissible " : "");
     if (y->b->f->certificate.n == 0) certify(y, end, value);
   }
@@ -141,7 +141,8 @@ static bool touches(struct defined *y, const struct divisor *q, const struct fam
                 text_str(&q->formula), list.at[i].touch.admissible == TRUTH_TRUE ? "admissible " : "");
     say_where(y, f, &list.at[i]);
     text_add(&y->zero, ", on which z_1' = V and z_1'' = 0 at the end of the global slip phase and z_1' < V before it "
-                       "(Krawczyk's operator on the equations of the periodic solution together with z_1'' = 0)");
+                       "(by Krawczyk's test in interval arithmetic on the equations of the periodic solution together "
+                       "with z_1'' = 0)");
   }
   dyn_bifurcations_clear(&list);
   return found;

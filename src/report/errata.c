@@ -80,7 +80,7 @@ static void add_printed(const struct sheet *s, const struct audit_result *r, con
     if (!*last)
       label(s, root->severity, "Printed");
     else
-      text_add(s->out, is_tex(s) ? " \\dots\\ " : " … ");
+      text_add(s->out, is_tex(s) ? " \\dots\\ " : " ... ");
     sheet_text(s, quote);
     last = quote;
   }
@@ -91,7 +91,7 @@ static void add_root(const struct sheet *s, const struct audit_result *r, const 
   strong(s, root->where);
   sheet_add(s, ": %t%.", root->title);
   add_printed(s, r, root);
-  label(s, root->severity, "Should read");
+  label(s, root->severity, severity_correction[root->severity]);
   sheet_values(s, r, root);
   sheet_text(s, root->correct);
   label(s, root->severity, "Reason");
@@ -130,7 +130,10 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
   text_printf(s->out, "%s %s%s", audit_method(r), audit_source(r), *audit_source(r) ? " " : "");
   if (substance == 1) text_add(s->out, "The first point affects results. ");
   if (substance > 1)
-    text_printf(s->out, "The first %zu points affect results; they are given in order of consequence. ", substance);
+    text_printf(
+        s->out,
+        "The first %zu points affect results, for the data that they name; they are given in order of consequence. ",
+        substance);
   if (slips)
     text_printf(s->out,
                 "The %zu remarks and slips of notation that follow concern gaps in an argument, exceptional cases or "

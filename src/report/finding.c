@@ -128,6 +128,7 @@ size_t controls_noticed(const struct audit_result *r) {
 
 const char *const severity_heading[N_SEVERITIES] = {"Errors of substance", "Remarks",
                                                     "Misprints and slips of notation"};
+const char *const severity_correction[N_SEVERITIES] = {"Should read", "Suggested", "Should read"};
 const char *const severity_words[N_SEVERITIES][2] = {
     {"error of substance", "errors of substance"}, {"remark", "remarks"}, {"slip of notation", "slips of notation"}};
 
@@ -136,7 +137,7 @@ static bool fails_of_paper(const struct finding *f) {
 }
 
 void verdicts_say(struct text *out, const struct audit_result *r) {
-  long count[N_VERDICTS], of[N_SEVERITIES] = {0}, of_numbers = 0, due = 0;
+  long count[N_VERDICTS], of[N_SEVERITIES] = {0}, of_numbers = 0, of_notation = 0, due = 0;
   const struct root_cause *numbers = audit_root_of_numbers(r);
   audit_result_count(count, r, OF_PAPER);
   for (size_t i = 0; i < r->n_roots; i++) {
@@ -149,11 +150,15 @@ void verdicts_say(struct text *out, const struct audit_result *r) {
     due += failing > 0;
     of[r->roots[i].severity] += failing > 0;
     if (&r->roots[i] == numbers) of_numbers = refuted;
+    if (r->roots[i].severity == SEVERITY_NOTATION) of_notation += refuted;
   }
   long conditional = count[VERDICT_CONDITIONAL], fail = count[VERDICT_REFUTED];
   if (conditional) text_printf(out, ", %ld hold%s under a condition", conditional, conditional == 1 ? "s" : "");
   if (fail) text_printf(out, ", %ld do%s not hold as printed", fail, fail == 1 ? "es" : "");
   if (of_numbers) text_printf(out, ", %ld of them about the numbers of the example", of_numbers);
+  if (of_notation)
+    text_printf(out, "%s%ld %sby a misprint or slip of notation", of_numbers ? " and " : ", ", of_notation,
+                of_numbers ? "" : "of them ");
   const char *end = due == 0 ? "" : (size_t)due < r->n_roots ? "; the other points were found by further checks)" : ")";
   if (due && conditional + fail == 1)
     text_add(out, " (it belongs to");

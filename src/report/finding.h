@@ -62,6 +62,8 @@ size_t controls_noticed(const struct audit_result *r);
 extern const char *const severity_words[N_SEVERITIES][2];
 /* Over the roots of that severity. */
 extern const char *const severity_heading[N_SEVERITIES];
+/* What stands before the correction: "Should read", or "Suggested" where nothing is wrong as printed. */
+extern const char *const severity_correction[N_SEVERITIES];
 
 /* Where a reading takes the initial positions from, in a sentence with mathematics between dollar signs; "" where it
    solves both lines of (44), or neither. */

@@ -260,7 +260,7 @@ static void add_labelled(const struct page *p, const char *word, const char *tex
 
 /* What is wrong, the right numbers where it is numbers, what should stand there, what comes of it, how to see it. */
 static void add_words(const struct page *p, const struct root_cause *root) {
-  page_add(p, "%t%. <em>It should read:</em> ", root->wrong);
+  page_add(p, "%t%. <em>%s:</em> ", root->wrong, severity_correction[root->severity]);
   sheet_values(HTML(p->out), p->r, root);
   page_add(p, "%t%.", root->correct);
   if (root->severity != SEVERITY_NOTATION) add_labelled(p, "Consequence", root->consequence);

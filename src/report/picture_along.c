@@ -43,8 +43,8 @@ static size_t add_range(struct text *out, const struct rows *t, size_t i) {
   double least;
   size_t end = end_of_good(t, i, &least);
   bool left = end < t->n && is_change(t, end);
-  text_printf(out, " It is stable and admissible for $%s < e_2 < %s$", t->cell[i][is_change(t, i) ? E2_TO : E2],
-              t->cell[left ? end : end - 1][E2]);
+  text_printf(out, " It is conditionally stable and admissible for $%s < e_2 < %s$",
+              t->cell[i][is_change(t, i) ? E2_TO : E2], t->cell[left ? end : end - 1][E2]);
   add_edge(out, t, i, "lower");
   add_edge(out, t, end, "upper");
   if (!isnan(least))
@@ -81,7 +81,7 @@ static void say_along(struct text *out, const struct rows *t) {
   text_add(out,
            any ? " The values drawn and the ends of the range are proved to the digits given; the curve between is "
                  "interpolated."
-               : " It is nowhere both stable and admissible there.");
+               : " It is nowhere both conditionally stable and admissible there.");
 }
 
 static void tell_along(struct text *out, const struct rows *t) {

@@ -327,17 +327,15 @@ def kept_times(of, apart):
 
 
 def numbers_example(of):
-    """At the printed times z_20 by either line of (44), t_a by the first of (45); the solution with t_b, t_c as printed."""
+    """The passage from the printed start; z_20 by either line of (44) at the printed times; the solution with t_b, t_c as printed."""
     c, (t_a, t_b, t_c, t_d) = of["text-periodic"], printed_times(of)
     def apart(t_a, t_d):
         first, second = starts(c, (t_a, t_b, t_c, t_d))
         return [first[i] - second[i] for i in range(2)]
-    other = mpf("2.342")
-    found = [findroot(lambda t: apart(t, end)[0], (mpf(1) / 2, mpf(7) / 10)) for end in (t_d, other)]
-    found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d))] + kept_times(of, apart)
-    nearest = orbit(of["num-t_a"])
-    found += [slope(of["num-t_a"], nearest.z[0]), *nearest.t]
-    return {rounded(x, 4) for x in found} | {of["num-t_d"].text("printed"), rounded(other, 3), rounded(found[0], 5)}
+    kept, once, nearest = kept_times(of, apart), Passage(c, c["z_10"], c["z_20"]), orbit(of["num-t_a"])
+    found = [findroot(lambda t: apart(t, t_d)[0], (mpf(1) / 2, mpf(7) / 10)), *once.t, *once.z[4][:2], *kept]
+    found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d))] + [slope(of["num-t_a"], nearest.z[0]), *nearest.t]
+    return {rounded(x, 4) for x in found} | {of["num-t_d"].text("printed"), rounded(kept[1], 6)}
 
 
 def numbers_otherwise(of):
