@@ -966,6 +966,25 @@ START_TEST(an_end_at_a_grazing_event_is_no_flip) {
 }
 END_TEST
 
+/* A mass rests only at an obstacle that does not throw it back: by the law of the rebound no such orbit has a restitution
+   above 0. */
+START_TEST(no_mass_rests_where_it_is_thrown_back) {
+  static const char wall[] = "title: a soft wall\ne = 0\n"
+                             "mass m1\n  inertia: 1\n  sliding: 1/2\n  static: 3/2\n  surface: 1\n"
+                             "mass m2\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
+                             "spring k1\n  between: ground, m1\n  stiffness: 1\n"
+                             "spring k2\n  between: m1, m2\n  stiffness: 1/2\n"
+                             "obstacle wall\n  stops: m2\n  above: 1\n  restitution: e\n";
+  fmpq from = {0, 1}, to = {1, 2};
+  struct mech_follow f;
+  follow_file(&f, wall, "e", &from, &to);
+  ck_assert_int_eq(f.n_branches, 1);
+  ck_assert(f.n_changes == 1 && f.change[0].what == MECH_NO_FURTHER && !f.change[0].side[1].found);
+  ck_assert_double_lt(fmpq_get_d(f.change[0].side[1].at), 1e-12);
+  mech_follow_clear(&f);
+}
+END_TEST
+
 /* The brackets that motion/ and explore/bifurcate.c prove for the paper's two masses with formulas of their own. */
 START_TEST(changes_along_the_papers_line) {
   struct mech_follow f[2];
@@ -1136,6 +1155,7 @@ Suite *mech_suite(void) {
   tcase_add_test(c, changes_along_the_papers_line);
   tcase_add_loop_test(c, no_change_where_there_is_none, 0, 2);
   tcase_add_test(c, an_end_at_a_grazing_event_is_no_flip);
+  tcase_add_test(c, no_mass_rests_where_it_is_thrown_back);
   tcase_add_loop_test(c, the_papers_system_from_a_file, 0, 3);
   tcase_add_test(c, output_obeys_its_schemas);
   tcase_add_test(c, the_papers_multiplier);

@@ -363,6 +363,12 @@ bool mech_word_good(const struct mech_word *w) {
   return good;
 }
 
+bool mech_word_is_of(const struct mech_word *w, const struct mech *m) {
+  bool all = true;
+  for (int k = 0; k < w->n; k++) all = all && !wrong_with_phase(w->phase[k], strlen(w->phase[k]), m);
+  return all;
+}
+
 bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, const struct mech *m) {
   size_t place[MECH_PHASES];
   w->n = 0;

@@ -119,6 +119,8 @@ struct mech_word {
 /* "ss -s -- s-"; false with *why set, and *at to the offset of what is wrong: no phase of this system, a phase that
    equals the next one, two masses that change at once, a rebound where there is no obstacle. */
 bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, const struct mech *m);
+/* Whether each phase is one of this system, which may have other data than that for which the word was read. */
+bool mech_word_is_of(const struct mech_word *w, const struct mech *m);
 /* Whether each phase differs from the next by one mass. */
 bool mech_word_good(const struct mech_word *w);
 void mech_word_print(struct text *out, const struct mech_word *w);

@@ -260,6 +260,7 @@ int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mec
                     const double *z, slong prec) {
   struct mech_equations e;
   struct num_vec x, box;
+  if (!mech_word_is_of(w, m)) return SS_DOMAIN;
   mech_equations_init(&e, m, w, turns_in(m, t, w->n), prec);
   int status = w->n + e.n_free <= SOLVE_MOST && (e.turns > 0 || !m->n_loads) ? SS_OK : SS_UNABLE;
   num_vec_init(&x, w->n + e.n_free, num_ctx_arb(prec));

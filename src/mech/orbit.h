@@ -64,7 +64,7 @@ int mech_best_turn(const struct mech *m, const struct mech_word *w);
    phase (m->states numbers). */
 void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech *m);
 /* The orbit near such lengths and such a state, to prec bits where its conditioning allows; its conditions are not looked
-   at.  SS_UNABLE: none is proved there, and the orbit needs no clearing. */
+   at.  SS_UNABLE: none is proved there, SS_DOMAIN: the word is not one of the system, and the orbit needs no clearing. */
 int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                     const double *z, slong prec);
 /* Its conditions: Coulomb's law. */
