@@ -360,7 +360,8 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
                              (enum claimant)(i % N_CLAIMANTS),
                              trap,
                              (enum severity)(i % (N_SEVERITIES + 1)),
-                             {&t->v[i], 1}};
+                             {&t->v[i], 1},
+                             false};
 }
 
 static void hostile(struct audit_result *r, struct traps *t, const char *const *traps, size_t n) {

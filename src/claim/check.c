@@ -8,7 +8,7 @@
 static const struct {
   const char *kind, *attributes;
 } read_by[] = {
-    {"", "equation section own kind title quote place depends-on about few record record-scene restricted"},
+    {"", "equation section own kind title quote place depends-on about few record record-scene correction restricted"},
     {"definition", "value statement"},
     {"matrix", "value points routes oracle perturbation"},
     {"identity", "statement points routes oracle perturbation"},
@@ -69,6 +69,8 @@ static bool check_claim(const struct claim *c, bool control, struct diag *d) {
     if (!is_read(name, kind)) return claim_mistake(c, name, d, "a claim of kind %s has no such attribute", kind);
   }
   if (record && verdict_parse(record) == N_VERDICTS) return claim_mistake(c, "record", d, "not a verdict");
+  if (claim_get(c, "correction") && !claim_says(c, "correction", "unknown"))
+    return claim_mistake(c, "correction", d, "only \"unknown\" can be on record: it is expected to hold");
   return true;
 }
 

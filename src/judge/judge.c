@@ -152,6 +152,7 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
   const char *record = claim_get(c, "record");
   if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
   f->recorded = claim_recorded(c, j->scene);
+  f->correction_open = claim_says(c, "correction", "unknown");
   return true;
 }
 

@@ -119,7 +119,7 @@ bool long_result_fails(const struct long_result *l) {
 
 bool finding_miscorrected(const struct finding *f) {
   if (!f->correction) return false;
-  bool holds = verdict_passes(f->correction_verdict);
+  bool holds = verdict_passes(f->correction_verdict) || f->correction_open;
   return f->correction_verdict == VERDICT_REFUTED || (f->recorded != N_VERDICTS && !holds);
 }
 

@@ -86,7 +86,19 @@ static void add_printed(const struct sheet *s, const struct audit_result *r, con
   }
 }
 
+/* The worst that became of a correction of its claims; N_VERDICTS: all hold. */
+static enum verdict correction_of(const struct audit_result *r, const struct root_cause *root) {
+  enum verdict worst = N_VERDICTS;
+  for (int i = 0; i < root->n_claims; i++) {
+    const struct finding *f = audit_result_finding(r, root->claims[i]);
+    bool fails = f && f->correction && !verdict_passes(f->correction_verdict);
+    if (fails && worst != VERDICT_REFUTED) worst = f->correction_verdict;
+  }
+  return worst;
+}
+
 static void add_root(const struct sheet *s, const struct audit_result *r, const struct root_cause *root, int number) {
+  enum verdict corrected = correction_of(r, root);
   begin_item(s, number);
   strong(s, root->where);
   sheet_add(s, ": %t%.", root->title);
@@ -94,6 +106,8 @@ static void add_root(const struct sheet *s, const struct audit_result *r, const 
   label(s, root->severity, severity_correction[root->severity]);
   sheet_values(s, r, root);
   sheet_text(s, root->correct);
+  if (corrected != N_VERDICTS)
+    text_add(s->out, corrected == VERDICT_REFUTED ? " (which does not hold either)" : " (which is not proved)");
   label(s, root->severity, "Reason");
   sheet_text(s, root->wrong);
   if (root->by_hand) sheet_add(s, is_tex(s) ? " \\emph{To see it:} %t" : " *To see it:* %t", root->by_hand);
