@@ -76,9 +76,22 @@ static size_t bucket_of(const char *name) {
   return (h ^ h >> 16) % MODEL_BUCKETS;
 }
 
+static bool is_defined(const struct model *m, const char *name) {
+  size_t i = m->bucket[bucket_of(name)].first;
+  while (i && strcmp(m->defs[i - 1].name, name) != 0) i = m->defs[i - 1].next;
+  return i > 0;
+}
+
+static const char own_and_defined[] = "%s has a domain as a symbol, and is not defined besides";
+
 /* A definition of the same name, section, rank and record kind twice is a mistake of the file. */
 static bool add_definition(struct model *m, struct definition def, struct diag *d) {
   size_t b = bucket_of(def.name);
+  bool pi = strcmp(def.name, expr_pi) == 0;
+  if (pi || model_own_symbol(m, def.name)) {
+    diag_at(d, def.src, def.stmt->span.begin, pi ? "%s is the number and is not defined" : own_and_defined, def.name);
+    return false;
+  }
   for (size_t i = m->bucket[b].first; i; i = m->defs[i - 1].next) {
     const struct definition *o = &m->defs[i - 1];
     if (o->rank == def.rank && def.rank != RANK_CONTROL && strcmp(o->name, def.name) == 0 &&
@@ -164,6 +177,10 @@ static bool load_symbol(struct model *m, const struct record_file *f, const stru
   struct symbol *s = &m->symbols[m->n_symbols++];
   symbol_init(s, r, &f->src);
   if (!symbol_read_domain(s, d)) return false;
+  if (s->has_domain && is_defined(m, s->name)) {
+    diag_at(d, &f->src, r->id.begin, own_and_defined, s->name);
+    return false;
+  }
   m->n_own += s->has_domain;
   return true;
 }
