@@ -395,7 +395,6 @@ static void follow(const struct mech_orbit *o, enum mech_route route, int first)
   struct mech_motion z;
   struct mech_word w;
   double start[MECH_STATES], period = arf_get_d(arb_midref(o->period), ARF_RND_NEAR), t = 0, gap;
-  int by;
   for (int i = 0; i < o->states; i++) start[i] = arf_get_d(arb_midref(o->state + first * o->states + i), ARF_RND_NEAR);
   struct mech_plan plan = {.duration = 2.000001 * period, .most = 1000, .phase = o->word.phase[first]};
   ck_assert_int_eq(mech_simulate(&z, route, &file, start, &plan), SS_OK);
@@ -409,7 +408,7 @@ static void follow(const struct mech_orbit *o, enum mech_route route, int first)
                               1e-9);
     t += arf_get_d(arb_midref(o->t + at), ARF_RND_NEAR);
   }
-  ck_assert(mech_settles(&w, &t, &gap, &z, o->n, o->states) && mech_word_same(&by, &w, &o->word));
+  ck_assert(mech_settles(&w, &t, &gap, &z, o->n, o->states) && mech_word_same(&w, &o->word));
   ck_assert_double_eq_tol(t, period, 1e-9);
   mech_motion_clear(&z);
 }
@@ -446,13 +445,13 @@ static int found_again(const fmpq *params) {
     struct mech_orbit got;
     struct mech_word best = w;
     double x[4], t[4];
-    int by;
     state_of(x, o, &m, params);
     memcpy(t, o->guess, sizeof t);
     mech_word_best(&best, t, x, &m);
     ck_assert_int_eq(mech_orbit_near(&got, &m, &best, t, x, 256), SS_OK);
     mech_orbit_judge(&got, &m, 256);
-    ck_assert(mech_word_same(&by, &w, &got.word));
+    int by = mech_word_turned(&w, &got.word);
+    ck_assert_int_ge(by, 0);
     for (int k = 0; k < 4; k++) ck_assert(digits_agree(o->t[k], got.t + (k + by) % 4));
     ck_assert_int_eq(got.n_free, 1);
     ck_assert(got.multipliers && arb_is_zero(acb_imagref(got.multiplier)));
@@ -521,7 +520,7 @@ static const struct {
 START_TEST(orbits_of_one_round_and_of_two) {
   const fmpq *none[2] = {NULL, NULL};
   fmpq *params = _fmpq_vec_init(N_PARAMS), *sliding = _fmpq_vec_init(2);
-  struct phase_word word;
+  struct mech_word word;
   struct word_orbits special;
   struct mech m;
   struct mech_orbits list;
@@ -586,8 +585,8 @@ START_TEST(more_friction_moves_the_place) {
   find_orbits_with(&list, 1000000, 1, true);
   for (int k = 0; k < list.n; k++) {
     const struct mech_orbit *o = &list.orbit[k];
-    for (int l = 0, by; l < plain.n; l++)
-      shared += mech_orbit_is_motion(o) && mech_word_same(&by, &o->word, &plain.orbit[l].word) &&
+    for (int l = 0; l < plain.n; l++)
+      shared += mech_orbit_is_motion(o) && mech_word_same(&o->word, &plain.orbit[l].word) &&
                 arb_overlaps(o->period, plain.orbit[l].period);
   }
   ck_assert_int_ge(shared, 1);
@@ -696,19 +695,17 @@ static void settle_beside(const struct mech_orbit *o) {
   struct mech_motion x;
   struct mech_word w;
   double z[MECH_STATES], period, gap;
-  int by;
   for (int i = 0; i < file.states; i++)
     z[i] = arf_get_d(arb_midref(o->state + i), ARF_RND_NEAR) * (i < file.n ? 0.999 : 1);
   struct mech_plan plan = PLAN(2000, 2000);
   ck_assert_int_eq(mech_simulate(&x, MECH_INTEGRATED, &file, z, &plan), SS_OK);
-  ck_assert(mech_settles(&w, &period, &gap, &x, file.n, file.states) && mech_word_same(&by, &w, &o->word));
+  ck_assert(mech_settles(&w, &period, &gap, &x, file.n, file.states) && mech_word_same(&w, &o->word));
   mech_motion_clear(&x);
 }
 
 START_TEST(words_of_settled_motions) {
   struct mech_orbits list;
   struct mech_settling settling;
-  int by;
   load_system(scenes_of_systems[_i]);
   mech_settle(&settling, &file);
   mech_orbits_find(&list, &file, NULL, false, 128);
@@ -717,7 +714,7 @@ START_TEST(words_of_settled_motions) {
     int stable = 0;
     for (int k = 0; k < list.n; k++) {
       const struct mech_orbit *o = &list.orbit[k];
-      if (!mech_word_same(&by, &o->word, &settling.on[i].word) || !mech_orbit_is_motion(o)) continue;
+      if (!mech_word_same(&o->word, &settling.on[i].word) || !mech_orbit_is_motion(o)) continue;
       if (o->stable != TRUTH_TRUE) continue;
       stable++;
       settle_beside(o);

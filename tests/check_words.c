@@ -9,20 +9,21 @@
 #include "base/json.h"
 #include "command.h"
 #include "explore/words.h"
+#include "motion/coulomb.h"
 #include "scene/scene.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
 
-static struct phase_word word_of(const char *text) {
-  struct phase_word w;
+static struct mech_word word_of(const char *text) {
+  struct mech_word w;
   size_t at;
   const char *why;
   ck_assert_msg(phase_word_parse(&w, &at, &why, text, strlen(text)), "%s: %s", text, why);
   return w;
 }
 
-static const char *shown(const struct phase_word *w) {
+static const char *shown(const struct mech_word *w) {
   static char line[256];
   struct text t;
   text_init(&t);
@@ -45,7 +46,7 @@ START_TEST(a_word_is_read_and_printed) {
                                         {"G gamma", "Gamma-gamma"},
                                         {"HCHCHCHCHCHC", "H-C-H-C-H-C-H-C-H-C-H-C"}};
   for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
-    struct phase_word w = word_of(same[i][0]);
+    struct mech_word w = word_of(same[i][0]);
     ck_assert_str_eq(shown(&w), same[i][1]);
   }
 }
@@ -62,7 +63,7 @@ START_TEST(what_is_no_word) {
              {"HCHCHCHCHCHCH", "at most 12", 12}, {"d", "the phases are", 0},       {"D\n", "the phases are", 1},
              {"D 1", "the phases are", 2}};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    struct phase_word w;
+    struct mech_word w;
     size_t at = 99;
     const char *why = NULL;
     ck_assert_msg(!phase_word_parse(&w, &at, &why, bad[i].text, strlen(bad[i].text)), "%s", bad[i].text);
@@ -85,14 +86,14 @@ START_TEST(any_bytes_are_a_word_or_not) {
     char *exact = malloc(len + 1); /* so that a sanitizer sees a byte too many read */
     memcpy(exact, bytes, len);
     exact = realloc(exact, len ? len : 1);
-    struct phase_word w, again;
+    struct mech_word w, again;
     size_t at = 99;
     const char *why = NULL;
     if (phase_word_parse(&w, &at, &why, exact, len)) {
       words++;
       ck_assert(w.n >= 1 && w.n <= WORD_MOST);
       again = word_of(shown(&w));
-      ck_assert(again.n == w.n && memcmp(again.mode, w.mode, (size_t)w.n * sizeof w.mode[0]) == 0);
+      ck_assert(mech_word_turned(&again, &w) == 0);
     } else {
       ck_assert(why != NULL && (at < len || len == 0));
     }
@@ -103,12 +104,12 @@ START_TEST(any_bytes_are_a_word_or_not) {
 END_TEST
 
 START_TEST(a_word_has_no_beginning) {
-  struct phase_word w = word_of("H C D Gamma"), other = word_of("C H D Gamma");
+  struct mech_word w = word_of("H C D Gamma"), other = word_of("C H D Gamma");
   ck_assert(phase_word_is_papers(&w) && !phase_word_is_papers(&other));
-  ck_assert(!phase_word_same(&w, &other) && !phase_word_has_faster(&w));
+  ck_assert(!mech_word_same(&w, &other) && !phase_word_has_faster(&w));
   phase_word_canonical(&w);
   ck_assert_str_eq(shown(&w), "D-Gamma-H-C");
-  phase_word_turn(&w, &w, 3);
+  mech_word_turn(&w, &w, 3);
   ck_assert_str_eq(shown(&w), "C-D-Gamma-H");
   w = word_of("DGHCDGHC");
   ck_assert(!phase_word_is_papers(&w));
@@ -140,13 +141,13 @@ START_TEST(all_words_are_counted_and_listed) {
         }
       if (repeats || !least) continue;
       canonical++;
-      struct phase_word w = word_of(text), turned = w;
+      struct mech_word w = word_of(text), turned = w;
       phase_word_canonical(&turned);
-      ck_assert_int_eq(memcmp(&turned.mode, &w.mode, (size_t)n * sizeof w.mode[0]), 0);
-      for (int i = 0; i < n && n > 1; i++) barred |= phase_word_barrier(w.mode[i], w.mode[(i + 1) % n]) != NULL;
+      ck_assert_int_eq(mech_word_turned(&turned, &w), 0);
+      for (int i = 0; i < n && n > 1; i++) barred |= phase_word_barrier(w.phase[i], w.phase[(i + 1) % n]) != NULL;
       possible += !barred;
     }
-    for (struct phase_word w = {.n = 0}; phase_word_next(&w, n);) listed++;
+    for (struct mech_word w = {.n = 0}; phase_word_next(&w, n);) listed++;
     ck_assert_int_eq(phase_word_count(n), canonical);
     ck_assert_int_eq(listed, possible);
   }
@@ -166,6 +167,16 @@ static void random_start(double start[N_STATE], const double p[N_COULOMB], doubl
   start[Z_1] = (f1 + f2) / (1 - p[COULOMB_CHI]);
   start[Z_2] = start[Z_1] + f2 / p[COULOMB_CHI];
   for (int i = 0; i < 2; i++) start[DZ_1 + i] = p[COULOMB_V] * uniform(-2, 4);
+}
+
+static void phase_of(char *phase, const enum coulomb_mode mode[2]) {
+  for (int i = 0; i < 2; i++) phase[i] = coulomb_mode_letter[mode[i]];
+}
+
+/* Its place among the nine. */
+static int kind_of(const char *phase) {
+  const char *letters = "s-+";
+  return 3 * (int)strcspn(letters, (char[]){phase[0], '\0'}) + (int)strcspn(letters, (char[]){phase[1], '\0'});
 }
 
 /* GSL's integration of the equations knows no list of transitions: none that is barred may occur in it, and the others
@@ -192,20 +203,22 @@ START_TEST(simulations_know_the_barriers) {
     plan.tolerance = 1e-9;
     coulomb_simulate_ode(&r, p, start, &plan, &sink);
     for (size_t i = 1; i < log.n; i++) {
-      const enum coulomb_mode *from = log.event[i - 1].at.mode, *to = log.event[i].at.mode;
+      char from[3] = "", to[3] = "";
+      phase_of(from, log.event[i - 1].at.mode);
+      phase_of(to, log.event[i].at.mode);
       if (log.event[i].at.t - log.event[i - 1].at.t < 1e-6 || log.event[i].simultaneous || log.event[i].grazing)
         continue;
       const char *why = phase_word_barrier(from, to);
       ck_assert_msg(!why, "run %d: %s to %s: %s", k, phase_word_name(from), phase_word_name(to), why);
-      seen[from[0] * 3 + from[1]][to[0] * 3 + to[1]]++;
+      seen[kind_of(from)][kind_of(to)]++;
     }
     coulomb_log_clear(&log);
   }
-  for (struct phase_word a = {.n = 0}; phase_word_next(&a, 1);)
-    for (struct phase_word b = {.n = 0}; phase_word_next(&b, 1);) {
-      if (phase_word_barrier(a.mode[0], b.mode[0])) continue;
-      long n = seen[a.mode[0][0] * 3 + a.mode[0][1]][b.mode[0][0] * 3 + b.mode[0][1]];
-      ck_assert_msg(n > 0, "%s to %s never seen", phase_word_name(a.mode[0]), phase_word_name(b.mode[0]));
+  for (struct mech_word a = {.n = 0}; phase_word_next(&a, 1);)
+    for (struct mech_word b = {.n = 0}; phase_word_next(&b, 1);) {
+      if (phase_word_barrier(a.phase[0], b.phase[0])) continue;
+      long n = seen[kind_of(a.phase[0])][kind_of(b.phase[0])];
+      ck_assert_msg(n > 0, "%s to %s never seen", phase_word_name(a.phase[0]), phase_word_name(b.phase[0]));
     }
 }
 END_TEST
@@ -230,7 +243,7 @@ START_TEST(what_is_known_against_a_word) {
   for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
     struct text why;
     text_init(&why);
-    struct phase_word w = word_of(known[i].word);
+    struct mech_word w = word_of(known[i].word);
     ck_assert_msg(phase_word_fate(&why, &w) == known[i].fate, "%s: %s", known[i].word, text_str(&why));
     ck_assert_msg(strstr(text_str(&why), known[i].why) != NULL, "%s: %s", known[i].word, text_str(&why));
     text_clear(&why);
@@ -287,7 +300,7 @@ START_TEST(the_papers_word_is_one_of_them) {
                                                {"2/3", "2", "1", "2", "1/4"},
                                                {"71/100", "12/10", "19/10", "59/10", "158/1000"}};
   const fmpq *none[2] = {NULL, NULL};
-  struct phase_word papers = word_of("DGHC");
+  struct mech_word papers = word_of("DGHC");
   long orbits = 0;
   arb_t least;
   arb_init(least);
@@ -368,7 +381,7 @@ static void compare_with_oracle(const char *name) {
     decimal(limit + i, field[7 + i]);
     if (!fmpq_is_zero(limit + i)) u_r[i] = limit + i;
   }
-  struct phase_word w = word_of(field[1]);
+  struct mech_word w = word_of(field[1]);
   struct word_orbits list;
   ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 160), SS_OK);
   const struct mech_orbit *o = NULL;
@@ -379,7 +392,7 @@ static void compare_with_oracle(const char *name) {
   for (int i = 0; i < list.found.n && !o; i++)
     if (near(list.found.orbit[i].t, t[0], 3)) o = &list.found.orbit[i];
   ck_assert_msg(o != NULL, "%s: not found", name);
-  ck_assert_int_eq(memcmp(list.word.mode, w.mode, (size_t)n * sizeof w.mode[0]), 0);
+  ck_assert_int_eq(mech_word_turned(&list.word, &w), 0);
   for (int p = 0; p < n; p++) ck_assert_msg(near(o->t + p, t[p], 28), "%s: time %d", name, p + 1);
   int m = 0;
   for (char *p = strtok(field[11], " "); p; p = strtok(NULL, " "), m++)
@@ -441,7 +454,7 @@ START_TEST(jacobians_are_those_of_simulations) {
   decimal(limit, "0.52");
   decimal(limit + 1, "0.42");
   for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
-    struct phase_word w = word_of(words[k]);
+    struct mech_word w = word_of(words[k]);
     struct word_orbits list;
     ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 64), SS_OK);
     word_orbits_with_friction(&list, 128);
@@ -466,7 +479,7 @@ START_TEST(long_phases_are_decided) {
   static const char *const text[][N_PARAMS] = {{"19/20", "23/25", "19/100", "34/25", "4/25"},
                                                {"9999/10000", "1", "1", "6961/2500", "8587/10000"}};
   const fmpq *none[2] = {NULL, NULL};
-  struct phase_word w = word_of(words[_i]);
+  struct mech_word w = word_of(words[_i]);
   struct word_orbits list;
   fmpq params[N_PARAMS];
   slong longer = 0;
@@ -532,11 +545,11 @@ START_TEST(what_simulations_settle_on_is_found) {
       coulomb_simulate_ode(&r, p, start, &plan, &sink);
       int n = settled(&log, 6);
       if (n > 0) {
-        struct phase_word w = {.n = n};
+        struct mech_word w = {.n = n};
         double t[WORD_MOST];
         const struct coulomb_event *e = log.event + log.n - 1 - n;
         for (int i = 0; i < n; i++) {
-          memcpy(w.mode[i], e[i].at.mode, sizeof w.mode[i]);
+          phase_of(w.phase[i], e[i].at.mode);
           t[i] = e[i + 1].at.t - e[i].at.t;
         }
         struct word_orbits list;
@@ -545,7 +558,7 @@ START_TEST(what_simulations_settle_on_is_found) {
         for (int i = 0; i < list.found.n && !same; i++) {
           const struct mech_orbit *o = &list.found.orbit[i];
           for (int by = 0; by < n && !same; by++) {
-            same = memcmp(list.word.mode[0], w.mode[by], sizeof w.mode[0]) == 0;
+            same = strcmp(list.word.phase[0], w.phase[by]) == 0;
             for (int q = 0; q < n && same; q++)
               same = fabs(arf_get_d(arb_midref(o->t + q), ARF_RND_NEAR) - t[(q + by) % n]) < 1e-4;
           }
@@ -687,7 +700,7 @@ START_TEST(the_survey_is_whole) {
   ck_assert_msg(json_parse(&v, &a, &src, &d), "%s", d.message);
   long words = 0, canonical = 0;
   for (int n = 1; n <= 3; n++) {
-    for (struct phase_word w = {.n = 0}; phase_word_next(&w, n);) words++;
+    for (struct mech_word w = {.n = 0}; phase_word_next(&w, n);) words++;
     canonical += phase_word_count(n);
   }
   ck_assert_int_eq((long)json_member(&v, "words")->n, words);

@@ -79,15 +79,13 @@ int ended_early(const char *why, const char *route, double t) {
 
 /* --- The paper's two masses --- */
 
-static const char letter_of[N_MODES] = {[MODE_STICK] = 's', [MODE_BELOW] = '-', [MODE_ABOVE] = '+'};
-
 static struct mech_moment moment_of(const struct coulomb_row *r) {
   struct mech_moment at = {.t = r->t, .mass = -1};
   for (int i = 0; i < 2; i++) {
     at.z[i] = r->x[i];
     at.z[2 + i] = r->v[i];
     at.u[i] = r->u[i];
-    at.phase[i] = letter_of[r->mode[i]];
+    at.phase[i] = coulomb_mode_letter[r->mode[i]];
   }
   return at;
 }
@@ -97,7 +95,8 @@ static void motion_of(struct mech_motion *out, const struct coulomb_setup *setup
   enum coulomb_mode mode[2];
   *out = (struct mech_motion){.moment = ss_malloc((log->n + 1) * sizeof *out->moment), .n_moments = (int)log->n + 1};
   coulomb_law_d(mode, setup->params, setup->start);
-  out->moment[0] = (struct mech_moment){.mass = -1, .phase = {letter_of[mode[0]], letter_of[mode[1]]}};
+  out->moment[0] =
+      (struct mech_moment){.mass = -1, .phase = {coulomb_mode_letter[mode[0]], coulomb_mode_letter[mode[1]]}};
   memcpy(out->moment[0].z, setup->start, sizeof setup->start);
   for (size_t i = 0; i < log->n; i++) {
     const struct coulomb_event *e = &log->event[i];
@@ -105,7 +104,7 @@ static void motion_of(struct mech_motion *out, const struct coulomb_setup *setup
     *at = moment_of(&e->at);
     at->mass = e->mass;
     memcpy(at->phase, at[-1].phase, sizeof at->phase);
-    at->phase[e->mass] = letter_of[e->to];
+    at->phase[e->mass] = coulomb_mode_letter[e->to];
   }
 }
 
@@ -155,8 +154,8 @@ static bool print_event(void *self, const struct coulomb_event *e) {
   struct text out = {0};
   struct mech_moment at = moment_of(&e->at);
   at.mass = e->mass;
-  at.phase[e->mass] = letter_of[e->to];
-  mech_table_line(&out, 2, false, &at, letter_of[e->from]);
+  at.phase[e->mass] = coulomb_mode_letter[e->to];
+  mech_table_line(&out, 2, false, &at, coulomb_mode_letter[e->from]);
   text_add(&out, e->grazing ? "  grazing\n" : "\n");
   print_text(&out);
   return keep.event(keep.self, e) && !ferror(stdout);

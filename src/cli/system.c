@@ -69,7 +69,7 @@ static void find_radius(mag_t radius, const struct mech_orbit *o) {
 
 /* "s-" in a system file, "C" in another word of the two masses. */
 static const char *phase_shown(const struct scene *s, const char *phase) {
-  return s->system ? phase : phase_name_of_system(phase);
+  return s->system ? phase : phase_word_name(phase);
 }
 
 static void word_shown(struct json *j, const struct mech_orbit *o, const struct scene *s) {
@@ -80,7 +80,7 @@ static void word_shown(struct json *j, const struct mech_orbit *o, const struct 
 
 static void violation(struct text *out, const struct mech_fact *f, const struct mech_orbit *o, const struct mech *m,
                       const struct scene *s) {
-  mech_fact_print(out, m, f, s->system ? NULL : phase_name_of_system(o->word.phase[f->phase]));
+  mech_fact_print(out, m, f, s->system ? NULL : phase_word_name(o->word.phase[f->phase]));
 }
 
 static const char *const friction_name[2] = {"u_r1_min", "u_r2_min"};
@@ -254,13 +254,12 @@ struct survey {
 static const struct mech_word *word_number(int *motions, const struct survey *v, int k) {
   const struct mech_orbits *list = &v->orbits;
   const struct mech_word *w = k < list->n ? &list->orbit[k].word : &v->settling.on[k - list->n].word;
-  int by;
   if (w->n > v->longest) return NULL;
   for (int i = 0; i < k && i < list->n; i++)
-    if (mech_word_same(&by, &list->orbit[i].word, w)) return NULL;
+    if (mech_word_same(&list->orbit[i].word, w)) return NULL;
   *motions = 0;
   for (int i = 0; i < v->settling.n; i++)
-    if (mech_word_same(&by, &v->settling.on[i].word, w)) *motions = v->settling.on[i].motions;
+    if (mech_word_same(&v->settling.on[i].word, w)) *motions = v->settling.on[i].motions;
   return w;
 }
 
@@ -268,7 +267,7 @@ static void words_json(struct text *out, const struct survey *v, const struct me
                        slong digits) {
   const struct mech_orbits *list = &v->orbits;
   struct json j;
-  int motions, by;
+  int motions;
   json_document(&j, out, NULL);
   json_string(&j, "scene", s->name);
   json_string(&j, "system", s->system);
@@ -289,7 +288,7 @@ static void words_json(struct text *out, const struct survey *v, const struct me
     json_long(&j, "settled", motions);
     json_array(&j, "orbits");
     for (int i = 0; i < list->n; i++)
-      if (mech_word_same(&by, &list->orbit[i].word, w)) proved_orbit_json(&j, &list->orbit[i], m, s, digits);
+      if (mech_word_same(&list->orbit[i].word, w)) proved_orbit_json(&j, &list->orbit[i], m, s, digits);
     json_end_array(&j);
     json_end_object(&j);
   }
@@ -301,10 +300,9 @@ static void words_json(struct text *out, const struct survey *v, const struct me
 static void word_line(struct text *out, int *others, const struct mech_orbits *list, const struct mech_word *w,
                       int motions, slong digits) {
   struct text rows = {0};
-  int by;
   for (int i = 0; i < list->n; i++) {
     const struct mech_orbit *o = &list->orbit[i];
-    if (!mech_word_same(&by, &o->word, w)) continue;
+    if (!mech_word_same(&o->word, w)) continue;
     *others += o->admissible == TRUTH_FALSE;
     if (o->admissible == TRUTH_FALSE) continue;
     text_add(&rows, "    orbit of period ");

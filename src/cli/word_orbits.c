@@ -12,7 +12,7 @@ slong system_bits(slong digits) {
   return word_bits(digits) + 64;
 }
 
-void json_word(struct json *j, const char *key, const struct phase_word *w) {
+void json_word(struct json *j, const char *key, const struct mech_word *w) {
   json_begin_string(j, key);
   phase_word_print(j->out, w);
   json_end_string(j);

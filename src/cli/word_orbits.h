@@ -22,7 +22,7 @@ bool find_word_orbits(struct word_orbits *list, const struct scene *s, slong dig
 void word_json(struct json *j, const struct scene *s);
 void word_text(struct text *out, const struct word_orbits *list, const struct scene *s);
 /* A word as a string. */
-void json_word(struct json *j, const char *key, const struct phase_word *w);
+void json_word(struct json *j, const char *key, const struct mech_word *w);
 /* One orbit of a system file or of another word as a member of an array. */
 void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
                        slong digits);

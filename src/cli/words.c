@@ -27,11 +27,11 @@ struct survey {
   long possible, searched, with_orbits, orbits, failed;
 };
 
-static bool lacks_friction(const struct survey *v, const struct phase_word *w) {
+static bool lacks_friction(const struct survey *v, const struct mech_word *w) {
   return phase_word_has_faster(w) && (!v->u_r[0] || !v->u_r[1]);
 }
 
-static bool is_searched(const struct survey *v, const struct phase_word *w, enum word_fate fate) {
+static bool is_searched(const struct survey *v, const struct mech_word *w, enum word_fate fate) {
   unsigned long long budget = v->scene->asked.budget ? v->scene->asked.budget : most_work;
   return fate == WORD_OPEN && !lacks_friction(v, w) && work_units() <= budget;
 }
@@ -39,21 +39,21 @@ static bool is_searched(const struct survey *v, const struct phase_word *w, enum
 /* Is it the first seed of its word? */
 static bool is_first(const struct word_seeds *s, size_t i) {
   for (size_t k = 0; k < i; k++)
-    if (phase_word_same(&s->seed[k].word, &s->seed[i].word)) return false;
+    if (mech_word_same(&s->seed[k].word, &s->seed[i].word)) return false;
   return true;
 }
 
 /* How many simulations settled on the word. */
-static int settled_on(const struct survey *v, const struct phase_word *w) {
+static int settled_on(const struct survey *v, const struct mech_word *w) {
   int n = 0;
   for (size_t i = 0; i < v->seeds.n; i++)
-    if (phase_word_same(&v->seeds.seed[i].word, w)) n += v->seeds.seed[i].count;
+    if (mech_word_same(&v->seeds.seed[i].word, w)) n += v->seeds.seed[i].count;
   return n;
 }
 
 /* --- JSON --- */
 
-static void row_json(struct survey *v, const struct phase_word *w, enum word_fate fate, const char *why,
+static void row_json(struct survey *v, const struct mech_word *w, enum word_fate fate, const char *why,
                      const struct word_orbits *list, bool searched) {
   struct json *j = v->json;
   const char *told = fate != WORD_OPEN || searched ? word_fate_name[fate]
@@ -74,11 +74,11 @@ static void row_json(struct survey *v, const struct phase_word *w, enum word_fat
 }
 
 static void barriers_json(struct json *j) {
-  struct phase_word from = {.n = 0}, to;
+  struct mech_word from = {.n = 0}, to;
   json_array(j, "barriers");
   while (phase_word_next(&from, 1))
     for (to.n = 0; phase_word_next(&to, 1);) {
-      const char *why = phase_word_barrier(from.mode[0], to.mode[0]);
+      const char *why = phase_word_barrier(from.phase[0], to.phase[0]);
       if (!why) continue;
       json_object(j, NULL);
       json_word(j, "from", &from);
@@ -109,7 +109,7 @@ static void simulations_json(struct survey *v) {
 
 /* --- Text --- */
 
-static void add_listed(struct listed *list, const struct phase_word *w) {
+static void add_listed(struct listed *list, const struct mech_word *w) {
   enum { MOST_LISTED = 800 };
   if (list->words.len > MOST_LISTED) {
     list->more++;
@@ -133,13 +133,13 @@ static void orbit_line(struct text *out, const struct mech_orbit *o, const struc
   admissible_text(out, o->admissible, s);
   text_add(out, o->certified ? "\n      " : ", not certified\n      ");
   for (int p = 0; p < o->word.n; p++) {
-    text_printf(out, "%s%s ", p ? ", " : "", phase_name_of_system(o->word.phase[p]));
+    text_printf(out, "%s%s ", p ? ", " : "", phase_word_name(o->word.phase[p]));
     print_known(out, o->t + p, digits);
   }
   text_add_char(out, '\n');
 }
 
-static void row_text(struct survey *v, const struct phase_word *w, enum word_fate fate, const char *why,
+static void row_text(struct survey *v, const struct mech_word *w, enum word_fate fate, const char *why,
                      const struct word_orbits *list, bool searched) {
   struct text *out = &v->rows;
   if (fate == WORD_UNCLOSED) {
@@ -204,7 +204,7 @@ static void all_text(struct text *out, const struct survey *v) {
 
 /* --- The survey. --- */
 
-static void one_word(struct survey *v, const struct phase_word *w) {
+static void one_word(struct survey *v, const struct mech_word *w) {
   struct word_orbits list = {.evaluations = 0};
   struct text why = {0};
   enum word_fate fate = phase_word_fate(&why, w);
@@ -225,7 +225,7 @@ static void one_word(struct survey *v, const struct phase_word *w) {
 
 static void all_words(struct survey *v) {
   for (int n = 1; n <= v->longest; n++)
-    for (struct phase_word w = {.n = 0}; phase_word_next(&w, n);) one_word(v, &w);
+    for (struct mech_word w = {.n = 0}; phase_word_next(&w, n);) one_word(v, &w);
 }
 
 static void all_json(struct survey *v, struct text *out) {

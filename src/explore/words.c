@@ -5,39 +5,23 @@
 
 const char *const word_fate_name[] = {"open", "impossible", "coincidence", "unclosed", "family"};
 
-enum { N_PAIRS = N_MODES * N_MODES };
+enum { N_PAIRS = 9 };
 
 /* In the order of canonical words. */
 static const struct {
   char letter;
-  const char *name, *of_system; /* the phase of a word of src/mech */
-  enum coulomb_mode mode[2];
-} pairs[N_PAIRS] = {{'D', "D", "ss", {MODE_STICK, MODE_STICK}},     {'G', "Gamma", "-s", {MODE_BELOW, MODE_STICK}},
-                    {'H', "H", "--", {MODE_BELOW, MODE_BELOW}},     {'C', "C", "s-", {MODE_STICK, MODE_BELOW}},
-                    {'g', "gamma", "+s", {MODE_ABOVE, MODE_STICK}}, {'h', "h", "++", {MODE_ABOVE, MODE_ABOVE}},
-                    {'c', "c", "s+", {MODE_STICK, MODE_ABOVE}},     {'X', "X", "-+", {MODE_BELOW, MODE_ABOVE}},
-                    {'x', "x", "+-", {MODE_ABOVE, MODE_BELOW}}};
+  const char *name, *phase;
+} pairs[N_PAIRS] = {{'D', "D", "ss"}, {'G', "Gamma", "-s"}, {'H', "H", "--"}, {'C', "C", "s-"}, {'g', "gamma", "+s"},
+                    {'h', "h", "++"}, {'c', "c", "s+"},     {'X', "X", "-+"}, {'x', "x", "+-"}};
 
-static int rank_of(const enum coulomb_mode mode[2]) {
+static int rank_of(const char *phase) {
   int k = 0;
-  while (pairs[k].mode[0] != mode[0] || pairs[k].mode[1] != mode[1]) k++;
+  while (strcmp(pairs[k].phase, phase) != 0) k++;
   return k;
 }
 
-const char *phase_word_name(const enum coulomb_mode mode[2]) {
-  return pairs[rank_of(mode)].name;
-}
-
-const char *phase_name_of_system(const char *phase) {
-  int k = 0;
-  while (strcmp(pairs[k].of_system, phase) != 0) k++;
-  return pairs[k].name;
-}
-
-struct mech_word phase_word_of_system(const struct phase_word *w) {
-  struct mech_word out = {.n = w->n};
-  for (int i = 0; i < w->n; i++) strcpy(out.phase[i], pairs[rank_of(w->mode[i])].of_system);
-  return out;
+const char *phase_word_name(const char *phase) {
+  return pairs[rank_of(phase)].name;
 }
 
 /* --- Reading and printing. --- */
@@ -57,7 +41,7 @@ static size_t phase_at(int *k, const char *text, size_t len) {
   return 0;
 }
 
-bool phase_word_parse(struct phase_word *w, size_t *at, const char **why, const char *text, size_t len) {
+bool phase_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, size_t len) {
   w->n = 0;
   bool apart = false; /* a hyphen waits for its phase */
   for (size_t i = 0; i < len;) {
@@ -74,7 +58,7 @@ bool phase_word_parse(struct phase_word *w, size_t *at, const char **why, const 
     size_t taken = end == i ? 0 : phase_at(&k, text + i, whole ? end - i : 1);
     if (taken == 0) return complain(at, why, i, "the phases are D, Gamma, H, C, gamma, h, c, X and x");
     if (w->n == WORD_MOST) return complain(at, why, i, "a word has at most 12 phases");
-    memcpy(w->mode[w->n++], pairs[k].mode, sizeof pairs[k].mode);
+    strcpy(w->phase[w->n++], pairs[k].phase);
     apart = false;
     i += taken;
   }
@@ -82,90 +66,68 @@ bool phase_word_parse(struct phase_word *w, size_t *at, const char **why, const 
   return w->n > 0 || complain(at, why, 0, "a word has at least one phase");
 }
 
-void phase_word_print(struct text *out, const struct phase_word *w) {
-  for (int i = 0; i < w->n; i++) text_printf(out, "%s%s", i ? "-" : "", phase_word_name(w->mode[i]));
+void phase_word_print(struct text *out, const struct mech_word *w) {
+  for (int i = 0; i < w->n; i++) text_printf(out, "%s%s", i ? "-" : "", phase_word_name(w->phase[i]));
 }
 
 /* --- Turning. --- */
 
-void phase_word_turn(struct phase_word *out, const struct phase_word *in, int by) {
-  struct phase_word turned = {.n = in->n};
-  for (int i = 0; i < in->n; i++) memcpy(turned.mode[i], in->mode[(i + by) % in->n], sizeof turned.mode[i]);
-  *out = turned;
-}
-
-/* By the order of the phases, from their first. */
-static int compare(const struct phase_word *a, const struct phase_word *b) {
-  for (int i = 0; i < a->n && i < b->n; i++) {
-    int order = rank_of(a->mode[i]) - rank_of(b->mode[i]);
-    if (order) return order;
-  }
-  return a->n - b->n;
-}
-
-bool phase_word_turns_into(const struct phase_word *other, const struct phase_word *w, int by) {
-  struct phase_word turned;
-  phase_word_turn(&turned, w, by);
-  return compare(&turned, other) == 0;
-}
-
-void phase_word_canonical(struct phase_word *w) {
-  struct phase_word best = *w, turned;
+/* Where the turn of the word comes first that begins with its phase number 0, 1, ...; of equal ones the first. */
+static int first_turn(const struct mech_word *w) {
+  int best = 0;
   for (int by = 1; by < w->n; by++) {
-    phase_word_turn(&turned, w, by);
-    if (compare(&turned, &best) < 0) best = turned;
+    int order = 0;
+    for (int i = 0; i < w->n && !order; i++)
+      order = rank_of(w->phase[(i + by) % w->n]) - rank_of(w->phase[(i + best) % w->n]);
+    if (order < 0) best = by;
   }
-  *w = best;
+  return best;
 }
 
-bool phase_word_same(const struct phase_word *a, const struct phase_word *b) {
-  struct phase_word x = *a, y = *b;
-  phase_word_canonical(&x);
-  phase_word_canonical(&y);
-  return compare(&x, &y) == 0;
+void phase_word_canonical(struct mech_word *w) {
+  mech_word_turn(w, w, first_turn(w));
 }
 
-bool phase_word_is_papers(const struct phase_word *w) {
-  static const struct phase_word papers = {
-      4, {{MODE_STICK, MODE_STICK}, {MODE_BELOW, MODE_STICK}, {MODE_BELOW, MODE_BELOW}, {MODE_STICK, MODE_BELOW}}};
-  return phase_word_same(w, &papers);
+bool phase_word_is_papers(const struct mech_word *w) {
+  static const struct mech_word papers = {4, {"ss", "-s", "--", "s-"}};
+  return mech_word_same(w, &papers);
 }
 
-bool phase_word_has_faster(const struct phase_word *w) {
+bool phase_word_has_faster(const struct mech_word *w) {
   for (int i = 0; i < w->n; i++)
-    if (w->mode[i][0] == MODE_ABOVE || w->mode[i][1] == MODE_ABOVE) return true;
+    if (strchr(w->phase[i], '+')) return true;
   return false;
 }
 
 /* --- What can happen. --- */
 
-const char *phase_word_barrier(const enum coulomb_mode from[2], const enum coulomb_mode to[2]) {
+const char *phase_word_barrier(const char *from, const char *to) {
   bool one = from[0] != to[0], two = from[1] != to[1];
   if (!one && !two) return "a phase does not follow itself";
   if (one && two) return "both masses change at once, which needs a coincidence of two events";
-  if (one && from[0] == MODE_STICK && to[0] == MODE_ABOVE && from[1] != MODE_ABOVE)
+  if (one && from[0] == 's' && to[0] == '+' && from[1] != '+')
     return "the force on m1 only rises while it sticks and m2 is not faster than the belt, so it breaks loose to the "
            "slower side";
-  if (two && from[1] == MODE_STICK) {
-    if (from[0] == MODE_STICK) return "the force on m2 is constant while both masses stick";
-    if (from[0] == MODE_BELOW && to[1] == MODE_ABOVE)
+  if (two && from[1] == 's') {
+    if (from[0] == 's') return "the force on m2 is constant while both masses stick";
+    if (from[0] == '-' && to[1] == '+')
       return "the force on m2 only rises while it sticks and m1 is slower than the belt";
-    if (from[0] == MODE_ABOVE && to[1] == MODE_BELOW)
+    if (from[0] == '+' && to[1] == '-')
       return "the force on m2 only falls while it sticks and m1 is faster than the belt";
   }
   return NULL;
 }
 
-static bool ever_slower(const struct phase_word *w, int mass) {
+static bool ever_slower(const struct mech_word *w, int mass) {
   for (int i = 0; i < w->n; i++)
-    if (w->mode[i][mass] == MODE_BELOW) return true;
+    if (w->phase[i][mass] == '-') return true;
   return false;
 }
 
-enum word_fate phase_word_fate(struct text *why, const struct phase_word *w) {
+enum word_fate phase_word_fate(struct text *why, const struct mech_word *w) {
   for (int both = 0; both < 2 && w->n > 1; both++)
     for (int i = 0; i < w->n; i++) {
-      const enum coulomb_mode *from = w->mode[i], *to = w->mode[(i + 1) % w->n];
+      const char *from = w->phase[i], *to = w->phase[(i + 1) % w->n];
       const char *barrier = phase_word_barrier(from, to);
       if (!barrier || (from[0] != to[0] && from[1] != to[1]) != both) continue;
       if (why) text_printf(why, "%s to %s: %s", phase_word_name(from), phase_word_name(to), barrier);
@@ -183,34 +145,24 @@ enum word_fate phase_word_fate(struct text *why, const struct phase_word *w) {
 
 /* --- All of them. --- */
 
-static void set_phase(struct phase_word *w, int i, int k) {
-  memcpy(w->mode[i], pairs[k].mode, sizeof w->mode[i]);
-}
-
-static bool is_canonical(const struct phase_word *w) {
-  struct phase_word least = *w;
-  phase_word_canonical(&least);
-  return compare(w, &least) == 0;
-}
-
 /* Counts like an odometer, and skips what a barrier forbids at the first place where it does. */
-bool phase_word_next(struct phase_word *w, int n) {
+bool phase_word_next(struct mech_word *w, int n) {
   int at[WORD_MOST], i = w->n == 0 ? 0 : n - 1;
   bool fresh = w->n == 0;
-  for (int k = 0; k < n; k++) at[k] = fresh ? -1 : rank_of(w->mode[k]);
+  for (int k = 0; k < n; k++) at[k] = fresh ? -1 : rank_of(w->phase[k]);
   w->n = n;
   while (i >= 0) {
     if (++at[i] == N_PAIRS) {
       at[i--] = -1;
       continue;
     }
-    set_phase(w, i, at[i]);
-    if (at[i] < at[0] || (i > 0 && phase_word_barrier(w->mode[i - 1], w->mode[i]))) continue;
+    strcpy(w->phase[i], pairs[at[i]].phase);
+    if (at[i] < at[0] || (i > 0 && phase_word_barrier(w->phase[i - 1], w->phase[i]))) continue;
     if (i < n - 1) {
       i++;
       continue;
     }
-    if ((n == 1 || !phase_word_barrier(w->mode[n - 1], w->mode[0])) && is_canonical(w)) return true;
+    if ((n == 1 || !phase_word_barrier(w->phase[n - 1], w->phase[0])) && first_turn(w) == 0) return true;
   }
   return false;
 }

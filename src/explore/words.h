@@ -1,6 +1,6 @@
 /* Periodic motions with any sequence of phases.
 
-   A phase is a pair of modes (coulomb.h): each mass sticks, slips slower than the belt (friction +u_s) or faster
+   A phase is a pair of modes (motion/coulomb.h): each mass sticks, slips slower than the belt (friction +u_s) or faster
    (-u_s). The nine of them, with the letters of coulomb_letter; the paper's four are those without a faster mass:
 
      m1 \ m2    sticks   slower   faster
@@ -8,7 +8,8 @@
      slower     Gamma    H        X
      faster     gamma    x        h
 
-   A word is a cyclic sequence of phases, written D-Gamma-H-C or "D Gamma H C" or DGHC (G and g for Gamma and gamma).
+   A word is a cyclic sequence of phases, written D-Gamma-H-C or "D Gamma H C" or DGHC (G and g for Gamma and gamma).  It
+   is a word of the system of both masses (mech/two_masses.h), whose phases are "ss", "-s", "--", "s-" and so on.
 
    Coordinates.  With the forces f_1 = x_1 - chi x_2 and f_2 = chi (x_2 - x_1) the state is w_i = f_i - u_si (so that
    w_1 = z_1 - chi z_2 and w_2 = chi (z_2 - z_1) in the paper's z) and p_i = x_i' - V:
@@ -54,35 +55,25 @@
 #define STICKSLIP_EXPLORE_WORDS_H
 
 #include "mech/orbit.h"
-#include "motion/coulomb.h"
+#include "motion/dynamics.h"
 
 /* --- Words. --- */
 
-enum { WORD_MOST = 12 };
-struct phase_word {
-  int n; /* 1 to WORD_MOST */
-  enum coulomb_mode mode[WORD_MOST][2];
-};
+enum { WORD_MOST = 12 }; /* phases of a word */
 /* From len bytes; false with *why set, and *at to the offset of what is wrong. */
-bool phase_word_parse(struct phase_word *w, size_t *at, const char **why, const char *text, size_t len);
+bool phase_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, size_t len);
 /* "D-Gamma-H-C", from the phase it begins with. */
-void phase_word_print(struct text *out, const struct phase_word *w);
-const char *phase_word_name(const enum coulomb_mode mode[2]);
-/* As a word of the system of both masses (mech/two_masses.h), "-s" for Gamma; the name of such a phase. */
-struct mech_word phase_word_of_system(const struct phase_word *w);
-const char *phase_name_of_system(const char *phase);
-/* The word turned to begin with its phase number by (0 to n-1); out may be in.  Is it the other one then? */
-void phase_word_turn(struct phase_word *out, const struct phase_word *in, int by);
-bool phase_word_turns_into(const struct phase_word *other, const struct phase_word *w, int by);
+void phase_word_print(struct text *out, const struct mech_word *w);
+/* "Gamma" of "-s". */
+const char *phase_word_name(const char *phase);
 /* Turned to come first in the order D Gamma H C gamma h c X x. */
-void phase_word_canonical(struct phase_word *w);
-bool phase_word_same(const struct phase_word *a, const struct phase_word *b);
+void phase_word_canonical(struct mech_word *w);
 /* D-Gamma-H-C, from whichever phase. */
-bool phase_word_is_papers(const struct phase_word *w);
-bool phase_word_has_faster(const struct phase_word *w);
+bool phase_word_is_papers(const struct mech_word *w);
+bool phase_word_has_faster(const struct mech_word *w);
 
 /* Why the phase to cannot follow the phase from; NULL when it can. */
-const char *phase_word_barrier(const enum coulomb_mode from[2], const enum coulomb_mode to[2]);
+const char *phase_word_barrier(const char *from, const char *to);
 
 enum word_fate {
   WORD_OPEN,        /* nothing is known against it */
@@ -93,11 +84,11 @@ enum word_fate {
 };
 extern const char *const word_fate_name[WORD_FAMILY + 1]; /* "open", "impossible", "coincidence", ... */
 /* With the reason in why (may be NULL), which names the two phases of an impossible transition. */
-enum word_fate phase_word_fate(struct text *why, const struct phase_word *w);
+enum word_fate phase_word_fate(struct text *why, const struct mech_word *w);
 
 /* The next word of n phases after *w in the order of canonical words whose transitions all can happen; *w with n = 0
    starts.  false: there is none. */
-bool phase_word_next(struct phase_word *w, int n);
+bool phase_word_next(struct mech_word *w, int n);
 /* How many canonical words of n phases there are without a phase that follows itself (n = 1: nine). */
 long phase_word_count(int n);
 
@@ -112,7 +103,7 @@ enum { WORD_FREE_MOST = 3 };
    those of a word, see above: D may have any length, facts are those of phases with a length, and of a sticking mass's
    lower limit with u_r; stable is known whatever they say. */
 struct word_orbits {
-  struct phase_word word; /* turned so that the fewest coordinates are free */
+  struct mech_word word; /* turned so that the fewest coordinates are free */
   struct mech m; /* with the sliding friction u_ri - e_i, none where u_ri is not given: x is then the paper's z */
   struct mech_orbits found; /* by increasing period; candidates are starts of Newton's iteration in double precision,
                                failed are solutions that could not be enclosed */
@@ -121,7 +112,7 @@ struct word_orbits {
 
 /* Where a search may start, in double precision: the lengths of the phases and the states at their entries. */
 struct word_seed {
-  struct phase_word word;
+  struct mech_word word;
   double t[WORD_MOST], state[WORD_MOST][N_STATE]; /* w1, w2, p1, p2 */
   int count;                                      /* how many simulations settled there */
 };
@@ -141,7 +132,7 @@ void word_seeds_clear(struct word_seeds *seeds);
    and from the seeds of this word (seeds may be NULL), then Krawczyk's operator in balls.  None found is no proof.  An
    orbit that is a shorter word's, repeated, is left out.  params: chi, eta, V, e1, e2.  SS_DOMAIN: a faster phase needs
    u_r1 and u_r2; parameters outside the domain. */
-int word_orbits_find(struct word_orbits *list, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
+int word_orbits_find(struct word_orbits *list, const struct mech_word *w, const fmpq *params, const fmpq *const u_r[2],
                      const struct word_seeds *seeds, slong prec);
 void word_orbits_clear(struct word_orbits *list);
 /* The infimum of u_ri from the forces at which mass i is captured, 0 without a capture; for an admissible orbit that is

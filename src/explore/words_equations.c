@@ -4,17 +4,16 @@
    derivatives come out of one pass. */
 #include "words_impl.h"
 
-struct word_event word_event_of(const struct phase_word *w, int phase) {
-  const enum coulomb_mode *from = w->mode[phase], *to = w->mode[(phase + 1) % w->n];
-  int mass = from[0] == to[0];
-  return (struct word_event){mass, from[mass], to[mass]};
+struct word_event word_event_of(const struct mech_word *w, int phase) {
+  struct word_event e;
+  e.mass = mech_event(&e.end, w->phase[phase], w->phase[(phase + 1) % w->n]);
+  return e;
 }
 
 void word_law_make(struct word_law *m, struct calc *c, const struct word_orbits *of, const fmpq *params,
                    const fmpq *const u_r[2]) {
-  struct mech_word of_system = phase_word_of_system(&of->word);
   m->w = &of->word;
-  m->n_free = mech_free(m->free, &of->m, &of_system);
+  m->n_free = mech_free(m->free, &of->m, &of->word);
   val chi = calc_q(c, params + P_CHI), eta = calc_q(c, params + P_ETA);
   motion_law_make(&m->law, c, chi, eta, calc_q(c, params + P_V), true);
   m->difference = m->law;
@@ -33,19 +32,20 @@ void word_law_make(struct word_law *m, struct calc *c, const struct word_orbits 
 }
 
 /* u_i - f_i of a slipping mass, before the factor eta. */
-static val pull_on(struct calc *c, const struct word_law *m, enum coulomb_mode mode, int mass, val w, bool difference) {
-  return calc_neg(c, mode == MODE_ABOVE && !difference ? calc_add(c, w, m->over[mass]) : w);
+static val pull_on(struct calc *c, const struct word_law *m, char mode, int mass, val w, bool difference) {
+  return calc_neg(c, mode == '+' && !difference ? calc_add(c, w, m->over[mass]) : w);
 }
 
-void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
+void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const char *phase,
                  const val state[N_STATE], bool difference) {
+  const int slips[2] = {phase[0] != 's', phase[1] != 's'};
   struct motion_start at;
   for (int i = 0; i < 2; i++) {
     at.force[i] = state[WORD_W1 + i];
     at.slip[i] = state[WORD_P1 + i];
-    at.pull[i] = pull_on(c, m, mode[i], i, at.force[i], difference);
+    at.pull[i] = pull_on(c, m, phase[i], i, at.force[i], difference);
   }
-  motion_make(out, c, difference ? &m->difference : &m->law, mode, &at);
+  motion_make(out, c, difference ? &m->difference : &m->law, slips, &at);
 }
 
 void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t) {
@@ -58,46 +58,46 @@ void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motio
 }
 
 /* The vector field. */
-static void vector_field(val out[N_STATE], struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
+static void vector_field(val out[N_STATE], struct calc *c, const struct word_law *m, const char *phase,
                          const val state[N_STATE]) {
   val lead = calc_sub(c, state[WORD_P1], calc_mul(c, m->law.chi, state[WORD_P2]));
   out[WORD_W1] = calc_add(c, m->law.gap, lead);
   out[WORD_W2] = calc_mul(c, m->law.chi, calc_sub(c, state[WORD_P2], state[WORD_P1]));
   for (int i = 0; i < 2; i++) {
-    val pull = mode[i] == MODE_STICK ? m->law.zero : pull_on(c, m, mode[i], i, state[WORD_W1 + i], false);
+    val pull = phase[i] == 's' ? m->law.zero : pull_on(c, m, phase[i], i, state[WORD_W1 + i], false);
     out[WORD_P1 + i] = i == 0 ? pull : calc_mul(c, m->law.eta, pull);
   }
 }
 
 val word_event_value(struct calc *c, const struct word_law *m, const struct word_event *e, const val state[N_STATE]) {
-  if (e->from != MODE_STICK) return state[WORD_P1 + e->mass];
+  if (e->end == MECH_REACHES) return state[WORD_P1 + e->mass];
   val w = state[WORD_W1 + e->mass], limit = m->e[e->mass];
-  if (e->to == MODE_BELOW) return calc_sub(c, w, limit);
+  if (e->end == MECH_BREAKS_SLOWER) return calc_sub(c, w, limit);
   return calc_add(c, w, calc_add(c, limit, m->over[e->mass]));
 }
 
 /* How that changes with the state. */
 static val event_slope(const struct word_event *e, const val change[N_STATE]) {
-  return change[(e->from != MODE_STICK ? WORD_P1 : WORD_W1) + e->mass];
+  return change[(e->end == MECH_REACHES ? WORD_P1 : WORD_W1) + e->mass];
 }
 
-void word_settle(val state[N_STATE], const struct word_law *m, const enum coulomb_mode mode[2]) {
+void word_settle(val state[N_STATE], const struct word_law *m, const char *phase) {
   for (int i = 0; i < 2; i++)
-    if (mode[i] == MODE_STICK) state[WORD_P1 + i] = m->law.zero;
+    if (phase[i] == 's') state[WORD_P1 + i] = m->law.zero;
 }
 
 void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const val *free) {
   struct word_event e = word_event_of(m->w, m->w->n - 1);
   for (int i = 0; i < N_STATE; i++) state[i] = m->law.zero;
-  if (e.from == MODE_STICK) {
+  if (e.end != MECH_REACHES) {
     val limit = m->e[e.mass];
-    state[WORD_W1 + e.mass] = e.to == MODE_BELOW ? limit : calc_neg(c, calc_add(c, limit, m->over[e.mass]));
+    state[WORD_W1 + e.mass] = e.end == MECH_BREAKS_SLOWER ? limit : calc_neg(c, calc_add(c, limit, m->over[e.mass]));
   }
   for (int i = 0; i < m->n_free; i++) state[m->free[i]] = free[i];
 }
 
 void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, const val *x) {
-  const struct phase_word *w = m->w;
+  const struct mech_word *w = m->w;
   const int *free = m->free;
   val state[N_STATE], column[WORD_UNKNOWNS][N_STATE];
   int n = m->n_free, size = w->n + n;
@@ -106,17 +106,17 @@ void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, co
     for (int i = 0; i < N_STATE; i++) column[w->n + k][i] = i == free[k] ? calc_d(c, 1) : m->law.zero;
   for (int p = 0; p < w->n; p++) {
     struct word_event e = word_event_of(w, p);
-    const enum coulomb_mode *mode = w->mode[p], *next = w->mode[(p + 1) % w->n];
+    const char *now = w->phase[p], *next = w->phase[(p + 1) % w->n];
     struct motion motion;
-    word_motion(&motion, c, m, mode, state, false);
+    word_motion(&motion, c, m, now, state, false);
     word_motion_at(state, c, &motion, x[p]);
     f[p] = word_event_value(c, m, &e, state);
     for (int k = 0; k < size; k++) {
       bool moves = k <= p || k >= w->n;
       if (moves && k == p) {
-        vector_field(column[k], c, m, mode, state);
+        vector_field(column[k], c, m, now, state);
       } else if (moves) {
-        word_motion(&motion, c, m, mode, column[k], true);
+        word_motion(&motion, c, m, now, column[k], true);
         word_motion_at(column[k], c, &motion, x[p]);
       }
       j[p * size + k] = moves ? event_slope(&e, column[k]) : m->law.zero;

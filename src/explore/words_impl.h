@@ -16,13 +16,13 @@ enum { WORD_UNKNOWNS = WORD_MOST + WORD_FREE_MOST };
 /* How a phase ends. */
 struct word_event {
   int mass;
-  enum coulomb_mode from, to;
+  enum mech_end end;
 };
-struct word_event word_event_of(const struct phase_word *w, int phase);
+struct word_event word_event_of(const struct mech_word *w, int phase);
 
 /* A word, and the parameters as elements of a calc. */
 struct word_law {
-  const struct phase_word *w;
+  const struct mech_word *w;
   int n_free, free[MECH_STATES];     /* the coordinates that are free at the entry of the first phase */
   struct motion_law law, difference; /* difference has V = 0 */
   val e[2], over[2];                 /* over[i] = 2 u_si; NULL where u_ri is not given */
@@ -30,13 +30,13 @@ struct word_law {
 void word_law_make(struct word_law *m, struct calc *c, const struct word_orbits *of, const fmpq *params,
                    const fmpq *const u_r[2]);
 /* The motion from the state w1, w2, p1, p2 (difference: of two motions), and its state after t. */
-void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
+void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const char *phase,
                  const val state[N_STATE], bool difference);
 void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t);
 /* What is zero at an event. */
 val word_event_value(struct calc *c, const struct word_law *m, const struct word_event *e, const val state[N_STATE]);
 /* Sticking masses have no p. */
-void word_settle(val state[N_STATE], const struct word_law *m, const enum coulomb_mode mode[2]);
+void word_settle(val state[N_STATE], const struct word_law *m, const char *phase);
 /* The state at the entry of the first phase, from the free coordinates. */
 void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const val *free);
 

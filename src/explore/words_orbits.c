@@ -31,7 +31,6 @@ static bool lacks_friction(const struct mech *m, int mass) {
 static int near_found(struct mech_orbit *o, const struct word_found *found, const struct word_orbits *list,
                       slong prec) {
   const struct mech *m = &list->m;
-  struct mech_word w = phase_word_of_system(&list->word);
   double f[2], z[N_STATE];
   for (int i = 0; i < 2; i++) {
     f[i] = found->state[WORD_W1 + i] + fmpq_get_d(m->mass[i].sliding);
@@ -39,7 +38,7 @@ static int near_found(struct mech_orbit *o, const struct word_found *found, cons
   }
   z[0] = (f[0] + f[1]) / fmpq_get_d(m->spring[0].size);
   z[1] = z[0] + f[1] / fmpq_get_d(m->spring[1].size);
-  return mech_orbit_near(o, m, &w, found->t, z, prec);
+  return mech_orbit_near(o, m, &list->word, found->t, z, prec);
 }
 
 /* What is said of an orbit of a word, see words.h. */
@@ -94,21 +93,20 @@ static int enclose(struct mech_orbit *o, const struct word_found *near, const st
   return status;
 }
 
-static bool in_domain(const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2]) {
+static bool in_domain(const struct mech_word *w, const fmpq *params, const fmpq *const u_r[2]) {
   if (!dyn_in_domain(params, N_PARAMS)) return false;
   for (int i = 0; i < 2; i++)
     if (u_r[i] && fmpq_cmp(u_r[i], params + P_E1 + i) <= 0) return false;
   return !phase_word_has_faster(w) || (u_r[0] && u_r[1]);
 }
 
-int word_orbits_find(struct word_orbits *list, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
+int word_orbits_find(struct word_orbits *list, const struct mech_word *w, const fmpq *params, const fmpq *const u_r[2],
                      const struct word_seeds *seeds, slong prec) {
   struct word_finds finds;
-  struct mech_word of_system = phase_word_of_system(w);
   *list = (struct word_orbits){.word = *w};
   if (phase_word_fate(NULL, w) != WORD_OPEN || !in_domain(w, params, u_r)) return SS_DOMAIN;
   make_system(&list->m, params, u_r);
-  phase_word_turn(&list->word, w, mech_best_turn(&list->m, &of_system));
+  mech_word_turn(&list->word, w, mech_best_turn(&list->m, w));
   word_search(&finds, list, params, u_r, seeds);
   list->evaluations = finds.evaluations;
   list->found.candidates = (int)finds.candidates;

@@ -20,7 +20,7 @@ enum { UNITS_OF_PHASE = 100 }; /* of work: the motion of a phase */
 static const int points_along[WORD_FREE_MOST + 1] = {0, 2000, 56, 16};
 
 struct searcher {
-  const struct phase_word *w;
+  const struct mech_word *w;
   struct calc c;
   struct word_law m;
   slong mark; /* what lies above it in the calc belongs to one evaluation */
@@ -37,8 +37,8 @@ static double as_d(val x) {
   return d;
 }
 
-static bool is_d(const enum coulomb_mode mode[2]) {
-  return mode[0] == MODE_STICK && mode[1] == MODE_STICK;
+static bool is_d(const char *phase) {
+  return strcmp(phase, "ss") == 0;
 }
 
 /* --- The map of the free coordinates. --- */
@@ -47,12 +47,12 @@ static bool is_d(const enum coulomb_mode mode[2]) {
 static bool own_length(double *t, struct searcher *s, int phase, const struct motion *motion,
                        const val state[N_STATE]) {
   struct word_event e = word_event_of(s->w, phase);
-  if (is_d(s->w->mode[phase])) {
+  if (is_d(s->w->phase[phase])) {
     *t = -as_d(word_event_value(&s->c, &s->m, &e, state)) / as_d(s->m.law.gap);
     return true;
   }
   struct trig_sum wave =
-      harmonic_trig_sum(&s->c, e.from == MODE_STICK ? &motion->force[e.mass] : &motion->speed[e.mass]);
+      harmonic_trig_sum(&s->c, e.end == MECH_REACHES ? &motion->speed[e.mass] : &motion->force[e.mass]);
   wave.start = as_d(word_event_value(&s->c, &s->m, &e, state));
   if (fabs(wave.start) < 1e-14 * s->force) wave.start = 0; /* the mass has just broken loose */
   struct trig_sum_root root;
@@ -76,12 +76,12 @@ static bool follow(double *x, double *gap, struct searcher *s) {
   word_start(state, c, &s->m, free);
   for (int p = 0; p < s->w->n && ok; p++) {
     struct motion motion;
-    word_motion(&motion, c, &s->m, s->w->mode[p], state, false);
+    word_motion(&motion, c, &s->m, s->w->phase[p], state, false);
     work_add(UNITS_OF_PHASE);
     ok = own_length(&x[p], s, p, &motion, state);
     if (!ok) break;
     word_motion_at(state, c, &motion, calc_d(c, x[p]));
-    word_settle(state, &s->m, s->w->mode[(p + 1) % s->w->n]);
+    word_settle(state, &s->m, s->w->phase[(p + 1) % s->w->n]);
     ok = !c->status;
   }
   for (int i = 0; i < s->n && ok; i++) {
@@ -125,7 +125,7 @@ static bool newton(double *x, struct searcher *s) {
   int status = newton_run(&at, &system, s->c.ctx, MOST_NEWTON, judge);
   calc_release(&s->c, s->mark);
   for (int p = 0; p < s->w->n && !status; p++)
-    if (!is_d(s->w->mode[p]) && !(x[p] > 1e-9)) return false;
+    if (!is_d(s->w->phase[p]) && !(x[p] > 1e-9)) return false;
   return !status;
 }
 
@@ -143,10 +143,10 @@ static void keep(struct searcher *s, const double *x) {
   val free[WORD_FREE_MOST], state[N_STATE];
   int n = s->w->n;
   for (int by = 1; by < n; by++)
-    if (phase_word_turns_into(s->w, s->w, by) && repeats(x, x, n, by)) return; /* a shorter word's */
+    if (mech_word_goes_through(s->w, s->w, by) && repeats(x, x, n, by)) return; /* a shorter word's */
   for (size_t i = 0; i < s->out->n; i++)
     for (int by = 0; by < n; by++)
-      if ((by == 0 || phase_word_turns_into(s->w, s->w, by)) && repeats(x, s->out->found[i].t, n, by)) return;
+      if (mech_word_goes_through(s->w, s->w, by) && repeats(x, s->out->found[i].t, n, by)) return;
   s->out->found = ss_grow(s->out->found, s->out->n, &s->out->cap, sizeof *s->out->found);
   struct word_found *found = &s->out->found[s->out->n++];
   for (int i = 0; i < s->n; i++) free[i] = calc_d(&s->c, x[n + i]);
@@ -173,9 +173,9 @@ struct node {
 /* The coordinate at the share u of its range, denser towards the belt's speed and towards the limit. */
 static double place(const struct searcher *s, int which, double u) {
   int mass = which < WORD_P1 ? which : which - WORD_P1;
-  enum coulomb_mode mode = s->w->mode[0][mass];
-  if (which >= WORD_P1) return (mode == MODE_ABOVE ? 1 : -1) * s->speed[mass] * u * u;
-  if (mode == MODE_STICK) return s->limit[mass] - 2 * s->force * u * u;
+  char mode = s->w->phase[0][mass];
+  if (which >= WORD_P1) return (mode == '+' ? 1 : -1) * s->speed[mass] * u * u;
+  if (mode == 's') return s->limit[mass] - 2 * s->force * u * u;
   double v = 2 * u - 1;
   return s->force * v * (0.2 + 0.8 * fabs(v));
 }
@@ -299,10 +299,8 @@ static void from_seed(struct searcher *s, const struct word_seed *seed, int by) 
 
 static void search_seeds(struct searcher *s, const struct word_seeds *seeds) {
   for (size_t i = 0; i < seeds->n; i++) {
-    const struct word_seed *seed = &seeds->seed[i];
-    int n = seed->word.n, by = 0;
-    while (by < n && !phase_word_turns_into(s->w, &seed->word, by)) by++;
-    if (by < n) from_seed(s, seed, by);
+    int by = mech_word_turned(s->w, &seeds->seed[i].word);
+    if (by >= 0) from_seed(s, &seeds->seed[i], by);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "base/random.h"
+#include "motion/coulomb.h"
 #include "words_impl.h"
 
 enum { MOST_EVENTS = 3000, MOST_STEPS = 100000, RECENT = 6 * WORD_MOST };
@@ -24,14 +25,14 @@ struct recent {
   int n; /* at most RECENT */
   struct {
     double t, state[N_STATE];
-    enum coulomb_mode mode[2];
+    char phase[MECH_PHASE + 1];
     bool both;
   } at[RECENT];
   int period; /* 0: none yet */
 };
 
 static bool same(const struct recent *r, int i, int k) {
-  if (memcmp(r->at[i].mode, r->at[k].mode, sizeof r->at[i].mode) != 0 || r->at[i].both || r->at[k].both) return false;
+  if (strcmp(r->at[i].phase, r->at[k].phase) != 0 || r->at[i].both || r->at[k].both) return false;
   double off = 0;
   for (int c = 0; c < N_STATE; c++) off = fmax(off, fabs(r->at[i].state[c] - r->at[k].state[c]));
   return off < same_state * r->scale;
@@ -58,7 +59,7 @@ static bool remember(void *self, const struct coulomb_event *e) {
   r->at[r->n].t = e->at.t;
   r->at[r->n].both = e->simultaneous;
   for (int i = 0; i < 2; i++) {
-    r->at[r->n].mode[i] = e->at.mode[i];
+    r->at[r->n].phase[i] = coulomb_mode_letter[e->at.mode[i]];
     r->at[r->n].state[WORD_W1 + i] = f[i] - p[COULOMB_US1 + i];
     r->at[r->n].state[WORD_P1 + i] = e->at.mode[i] == MODE_STICK ? 0 : e->at.v[i] - p[COULOMB_V];
   }
@@ -70,12 +71,12 @@ static bool remember(void *self, const struct coulomb_event *e) {
 /* The settled motion as a seed that begins with the first phase of the canonical word. */
 static struct word_seed seed_of(const struct recent *r) {
   struct word_seed s = {.count = 1};
-  int n = r->period, first = r->n - 1 - n, by = 0;
-  struct phase_word raw = {.n = n};
-  for (int i = 0; i < n; i++) memcpy(raw.mode[i], r->at[first + i].mode, sizeof raw.mode[i]);
+  int n = r->period, first = r->n - 1 - n;
+  struct mech_word raw = {.n = n};
+  for (int i = 0; i < n; i++) memcpy(raw.phase[i], r->at[first + i].phase, sizeof raw.phase[i]);
   s.word = raw;
   phase_word_canonical(&s.word);
-  while (!phase_word_turns_into(&s.word, &raw, by)) by++;
+  int by = mech_word_turned(&s.word, &raw);
   for (int i = 0; i < n; i++) {
     int at = first + (i + by) % n;
     s.t[i] = r->at[at + 1].t - r->at[at].t;
@@ -86,7 +87,7 @@ static struct word_seed seed_of(const struct recent *r) {
 
 static bool same_seed(const struct word_seed *a, const struct word_seed *b) {
   double total = 0, off = 0;
-  if (!phase_word_same(&a->word, &b->word)) return false;
+  if (!mech_word_same(&a->word, &b->word)) return false;
   for (int i = 0; i < a->word.n; i++) {
     total += a->t[i];
     off = fmax(off, fabs(a->t[i] - b->t[i]));

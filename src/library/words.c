@@ -13,12 +13,12 @@ struct numbers {
 };
 
 struct ss_word_orbits {
-  struct phase_word word;
+  struct mech_word word;
   struct word_orbits list;
   struct numbers *number;
 };
 
-static int read_word(struct phase_word *w, const char *text) {
+static int read_word(struct mech_word *w, const char *text) {
   const char *why;
   size_t at;
   if (phase_word_parse(w, &at, &why, text, strlen(text))) return SS_OK;
@@ -26,7 +26,7 @@ static int read_word(struct phase_word *w, const char *text) {
 }
 
 int ss_word_fate(enum ss_fate *fate, char **why, const char *word) {
-  struct phase_word w;
+  struct mech_word w;
   struct text t = {0};
   if (why) *why = NULL;
   if (!fate || !word) return library_argument(__func__, "no word, or no place for its fate");
@@ -44,7 +44,7 @@ int ss_word_each(int longest, int (*f)(void *self, const char *word), void *self
   struct text t = {0};
   bool on = true;
   for (int n = 1; n <= longest && on; n++)
-    for (struct phase_word w = {.n = 0}; on && phase_word_next(&w, n);) {
+    for (struct mech_word w = {.n = 0}; on && phase_word_next(&w, n);) {
       text_reset(&t);
       phase_word_print(&t, &w);
       on = f(self, text_str(&t)) != 0;
@@ -54,7 +54,7 @@ int ss_word_each(int longest, int (*f)(void *self, const char *word), void *self
 }
 
 /* The word that is asked for, whose orbits can be searched for at the scene; an SS_ status. */
-static int open_word(struct phase_word *w, const struct ss_scene *s, const char *word) {
+static int open_word(struct mech_word *w, const struct ss_scene *s, const char *word) {
   struct text why = {0};
   *w = s->s.word;
   int status = word || w->n == 0 ? read_word(w, word ? word : "D Gamma H C") : SS_OK;
@@ -81,7 +81,7 @@ static void borrow(struct ss_word_orbits *o) {
 }
 
 int ss_word_orbits_find(ss_word_orbits **out, const ss_scene *s, const char *word, size_t digits) {
-  struct phase_word w;
+  struct mech_word w;
   struct word_seeds seeds;
   const fmpq *u_r[2];
   if (!out) return library_argument(__func__, "no place for the orbits");
@@ -128,7 +128,7 @@ static bool has_phase(const struct ss_word_orbits *o, size_t k, size_t i) {
 }
 
 const char *ss_word_orbit_phase(const ss_word_orbits *o, size_t k, size_t i) {
-  return has_phase(o, k, i) ? phase_word_name(o->list.word.mode[i]) : NULL;
+  return has_phase(o, k, i) ? phase_word_name(o->list.word.phase[i]) : NULL;
 }
 
 const ss_number *ss_word_orbit_time(const ss_word_orbits *o, size_t k, size_t i) {

@@ -409,8 +409,12 @@ bool mech_word_goes_through(const struct mech_word *w, const struct mech_word *o
   return same;
 }
 
-bool mech_word_same(int *by, const struct mech_word *a, const struct mech_word *b) {
-  for (*by = 0; a->n == b->n && *by < a->n; ++*by)
-    if (mech_word_goes_through(a, b, *by)) return true;
-  return false;
+int mech_word_turned(const struct mech_word *a, const struct mech_word *b) {
+  for (int by = 0; a->n == b->n && by < a->n; by++)
+    if (mech_word_goes_through(a, b, by)) return by;
+  return -1;
+}
+
+bool mech_word_same(const struct mech_word *a, const struct mech_word *b) {
+  return mech_word_turned(a, b) >= 0;
 }

@@ -128,8 +128,10 @@ void mech_word_print(struct text *out, const struct mech_word *w);
 void mech_word_turn(struct mech_word *out, const struct mech_word *in, int by);
 /* Is it the word `once`, begun at its phase number by, once or several times over? */
 bool mech_word_goes_through(const struct mech_word *w, const struct mech_word *once, int by);
-/* The same word, from whichever phase; *by: how far b is turned. */
-bool mech_word_same(int *by, const struct mech_word *a, const struct mech_word *b);
+/* The same word, from whichever phase? */
+bool mech_word_same(const struct mech_word *a, const struct mech_word *b);
+/* How far b is turned to be a; -1 where they are not the same word. */
+int mech_word_turned(const struct mech_word *a, const struct mech_word *b);
 
 /* A of a phase, a square matrix of side states + 1. */
 void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase);

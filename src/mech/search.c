@@ -101,9 +101,9 @@ static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i
 
 /* Of each word the few that return most nearly. */
 static void keep(struct stretches *list, const struct stretch *s) {
-  int same = 0, worst = -1, by;
+  int same = 0, worst = -1;
   for (int i = 0; i < list->n; i++) {
-    if (!mech_word_same(&by, &list->at[i].word, &s->word)) continue;
+    if (!mech_word_same(&list->at[i].word, &s->word)) continue;
     same++;
     if (worst < 0 || list->at[i].gap > list->at[worst].gap) worst = i;
   }
@@ -282,8 +282,8 @@ int mech_orbits_certified(const struct mech_orbits *list) {
 /* --- Where motions settle --- */
 
 static void count(struct mech_settling *s, const struct mech_word *w) {
-  int by, i = 0;
-  while (i < s->n && !mech_word_same(&by, &s->on[i].word, w)) i++;
+  int i = 0;
+  while (i < s->n && !mech_word_same(&s->on[i].word, w)) i++;
   if (i == s->n) {
     s->on = ss_realloc(s->on, (size_t)(s->n + 1) * sizeof *s->on);
     s->on[s->n++] = (struct mech_settled){*w, 0};

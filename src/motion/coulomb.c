@@ -26,6 +26,8 @@ const char *const coulomb_end_name[] = {
     "failed"};
 const struct coulomb_plan coulomb_plan_default = {INFINITY, 0, 0, 1000000, 1000000, 1e-13};
 
+const char coulomb_mode_letter[N_MODES] = {[MODE_STICK] = 's', [MODE_BELOW] = '-', [MODE_ABOVE] = '+'};
+
 char coulomb_letter(const enum coulomb_mode mode[2]) {
   static const char letter[N_MODES][N_MODES] = {{'D', 'C', 'c'}, {'G', 'H', 'X'}, {'g', 'x', 'h'}};
   return letter[mode[0]][mode[1]];

@@ -32,6 +32,7 @@
 enum { COULOMB_CHI, COULOMB_ETA, COULOMB_V, COULOMB_US1, COULOMB_US2, COULOMB_UR1, COULOMB_UR2, N_COULOMB };
 
 enum coulomb_mode { MODE_STICK, MODE_BELOW, MODE_ABOVE, N_MODES };
+extern const char coulomb_mode_letter[N_MODES]; /* 's', '-', '+', as in the phases of any system (mech/mech.h) */
 
 /* The letter of a pair of modes (rows m1, columns m2); D G H C are the paper's phases (G for Gamma), a small letter is
    the same phase with the slipping masses faster than the belt, X and x have one mass on each side.

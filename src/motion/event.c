@@ -15,7 +15,6 @@ enum { MOST_STEPS = 60 }; /* of Newton's iteration */
    keeps the velocity that it has. */
 static struct trig_sum phase_wave(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
   const int *slips = phase_slips[ph];
-  const enum coulomb_mode mode[2] = {slips[0] ? MODE_BELOW : MODE_STICK, slips[1] ? MODE_BELOW : MODE_STICK};
   val chi = p[P_CHI], belt = !slips[0] ? z[DZ_1] : !slips[1] ? z[DZ_2] : p[P_V];
   val w = calc_sub(c, z[Z_1], calc_mul(c, chi, z[Z_2])), pull = calc_mul(c, chi, calc_sub(c, z[Z_2], z[Z_1]));
   const struct motion_start at = {
@@ -23,7 +22,7 @@ static struct trig_sum phase_wave(struct calc *c, enum phase ph, const val p[N_P
   struct motion_law law;
   struct motion m;
   motion_law_make(&law, c, chi, p[P_ETA], belt, ph == PHASE_H);
-  motion_make(&m, c, &law, mode, &at);
+  motion_make(&m, c, &law, slips, &at);
   struct trig_sum wave = harmonic_trig_sum(c, ph == PHASE_GAMMA ? &m.force[1] : &m.speed[ph == PHASE_C]);
   wave.start = c->ctx.type->get_d(flow_switching(c, ph, p, z));
   return wave;

@@ -53,7 +53,7 @@ struct swing {
   val om[2], cs[2][2], sn[2][2], drift[2]; /* cs, sn: [mass][oscillation] of the speed; drift of the force */
 };
 
-static struct swing swing_make(struct calc *c, const struct motion_law *law, const enum coulomb_mode mode[2],
+static struct swing swing_make(struct calc *c, const struct motion_law *law, const int slips[2],
                                const struct motion_start *at) {
   const val *slip = at->slip;
   struct swing w = {.n = 0};
@@ -63,16 +63,15 @@ static struct swing swing_make(struct calc *c, const struct motion_law *law, con
     w.drift[i] = law->zero;
     for (int k = 0; k < 2; k++) w.cs[i][k] = w.sn[i][k] = law->zero;
   }
-  bool sticks[2] = {mode[0] == MODE_STICK, mode[1] == MODE_STICK};
-  if (sticks[0]) w.drift[0] = law->gap;
-  if (sticks[0] && sticks[1]) return w;
+  if (!slips[0]) w.drift[0] = law->gap;
+  if (!slips[0] && !slips[1]) return w;
   w.n = 1;
-  if (sticks[1]) {
+  if (!slips[1]) {
     w.drift[1] = calc_mul(c, law->chi, law->gap);
     w.om[0] = calc_d(c, 1);
     w.cs[0][0] = calc_add(c, slip[0], law->gap); /* x_1' - chi V */
     w.sn[0][0] = pull[0];
-  } else if (sticks[0]) {
+  } else if (!slips[0]) {
     w.om[0] = law->omega;
     w.cs[1][0] = slip[1];
     w.sn[1][0] = calc_div(c, pull[1], law->omega);
@@ -105,9 +104,9 @@ void motion_law_make(struct motion_law *law, struct calc *c, val chi, val eta, v
   if (slip) law->spectrum = flow_spectrum(c, model);
 }
 
-void motion_make(struct motion *m, struct calc *c, const struct motion_law *law, const enum coulomb_mode mode[2],
+void motion_make(struct motion *m, struct calc *c, const struct motion_law *law, const int slips[2],
                  const struct motion_start *at) {
-  struct swing w = swing_make(c, law, mode, at);
+  struct swing w = swing_make(c, law, slips, at);
   val chi = law->chi, minus = calc_neg(c, chi), one = calc_d(c, 1);
   val weight[2][2] = {{one, minus}, {minus, chi}};
   for (int i = 0; i < 2; i++) {

@@ -4,7 +4,6 @@
 #ifndef STICKSLIP_MODE_MOTION_H
 #define STICKSLIP_MODE_MOTION_H
 
-#include "coulomb.h"
 #include "flow.h"
 #include "trig_sum.h"
 
@@ -44,7 +43,8 @@ struct motion {
 struct motion_start {
   val force[2], slip[2], pull[2];
 };
-void motion_make(struct motion *m, struct calc *c, const struct motion_law *law, const enum coulomb_mode mode[2],
+/* slips: which of the masses do. */
+void motion_make(struct motion *m, struct calc *c, const struct motion_law *law, const int slips[2],
                  const struct motion_start *at);
 
 #endif

@@ -43,13 +43,14 @@ static val sided(struct calc *c, val x, int side) {
 
 static void curves_make(struct exact *e) {
   struct calc *c = &e->c;
+  const int slips[2] = {e->mode[0] != MODE_STICK, e->mode[1] != MODE_STICK};
   struct motion_start at;
   for (int i = 0; i < 2; i++) {
     at.force[i] = element(&e->now, F_1 + i);
     at.slip[i] = element(&e->now, P_1 + i);
     at.pull[i] = calc_sub(c, sided(c, e->p[COULOMB_US1 + i], e->mode[i] == MODE_BELOW ? 1 : -1), at.force[i]);
   }
-  motion_make(&e->motion, c, &e->law, e->mode, &at);
+  motion_make(&e->motion, c, &e->law, slips, &at);
 }
 
 /* The state after time t of the present curves. */

@@ -46,9 +46,8 @@ bool scene_is(const struct scene *s, const char *name) {
 }
 
 bool scene_solution_ii(const struct scene *s) {
-  static const struct phase_word three = {
-      3, {{MODE_BELOW, MODE_STICK}, {MODE_BELOW, MODE_BELOW}, {MODE_STICK, MODE_BELOW}}};
-  return s->given[KEY_TA] && fmpq_is_zero(&s->value[KEY_TA]) && phase_word_same(&s->word, &three);
+  static const struct mech_word three = {3, {"-s", "--", "s-"}};
+  return s->given[KEY_TA] && fmpq_is_zero(&s->value[KEY_TA]) && mech_word_same(&s->word, &three);
 }
 
 bool scene_four_phases(const struct scene *s, struct diag *d) {

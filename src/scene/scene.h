@@ -149,10 +149,10 @@ struct scene {
   char *command; /* how a command names it: as it was named, and the overrides, quoted for a shell */
   char *folder;  /* for its reports */
   char *path, *title;
-  bool on_file;           /* it stands in the data folder\'s scenes */
-  bool changed;           /* some parameter, printed number or the word is not the file's */
-  struct phase_word word; /* n = 0: none is named, the paper's */
-  char *system;           /* its name, or its path from the working directory; NULL: the paper's */
+  bool on_file;          /* it stands in the data folder\'s scenes */
+  bool changed;          /* some parameter, printed number or the word is not the file's */
+  struct mech_word word; /* n = 0: none is named, the paper's */
+  char *system;          /* its name, or its path from the working directory; NULL: the paper's */
   const struct source *system_src;
   size_t system_at; /* the place of the line's value, for diagnostics */
   struct {

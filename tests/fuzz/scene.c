@@ -26,7 +26,7 @@ static bool harmless(const char *text) {
 }
 
 static void check_word(const struct scene *s) {
-  struct phase_word again;
+  struct mech_word again;
   struct text t;
   size_t at;
   const char *why;
@@ -34,7 +34,7 @@ static void check_word(const struct scene *s) {
   text_init(&t);
   phase_word_print(&t, &s->word);
   fuzz_law(phase_word_parse(&again, &at, &why, t.data, t.len), "a word that is printed can be read");
-  fuzz_law(phase_word_same(&again, &s->word), "it is the same word");
+  fuzz_law(mech_word_same(&again, &s->word), "it is the same word");
   text_clear(&t);
 }
 
