@@ -55,7 +55,8 @@ static bool remember(void *self, const struct coulomb_event *e) {
     memmove(&r->at[0], &r->at[1], (RECENT - 1) * sizeof r->at[0]);
     r->n--;
   }
-  double f[2] = {e->at.x[0] - p[COULOMB_CHI] * e->at.x[1], p[COULOMB_CHI] * (e->at.x[1] - e->at.x[0])};
+  double f[2];
+  coulomb_forces(f, p, e->at.x);
   r->at[r->n].t = e->at.t;
   r->at[r->n].both = e->simultaneous;
   for (int i = 0; i < 2; i++) {

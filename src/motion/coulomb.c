@@ -59,12 +59,17 @@ static void coulomb_law(enum coulomb_mode mode[2], const struct coulomb_signs *s
   }
 }
 
+double coulomb_scale(const double p[N_COULOMB], const double z[N_STATE]) {
+  return fabs(z[Z_1]) + fabs(z[Z_2]) + p[COULOMB_V];
+}
+
 static int sign(double x) {
   return (x > 0) - (x < 0);
 }
 
 void coulomb_law_d(enum coulomb_mode mode[2], const double p[N_COULOMB], const double z[N_STATE]) {
-  double f[2] = {z[Z_1] - p[COULOMB_CHI] * z[Z_2], p[COULOMB_CHI] * (z[Z_2] - z[Z_1])};
+  double f[2];
+  coulomb_forces(f, p, z);
   struct coulomb_signs s = {.lead = sign(p[COULOMB_V] - p[COULOMB_CHI] * z[DZ_2]), .drag = sign(f[1] + p[COULOMB_US2])};
   for (int i = 0; i < 2; i++) {
     s.speed[i] = sign(z[DZ_1 + i] - p[COULOMB_V]);

@@ -30,6 +30,13 @@
 
 /* Parameters, in this order.  A state is x_1, x_2, x_1', x_2'. */
 enum { COULOMB_CHI, COULOMB_ETA, COULOMB_V, COULOMB_US1, COULOMB_US2, COULOMB_UR1, COULOMB_UR2, N_COULOMB };
+/* f_1 and f_2 at the positions x; at velocities, their rates. */
+static inline void coulomb_forces(double f[2], const double params[N_COULOMB], const double x[2]) {
+  f[0] = x[0] - params[COULOMB_CHI] * x[1];
+  f[1] = params[COULOMB_CHI] * (x[1] - x[0]);
+}
+/* |x_1| + |x_2| + V */
+double coulomb_scale(const double params[N_COULOMB], const double state[N_STATE]);
 
 enum coulomb_mode { MODE_STICK, MODE_BELOW, MODE_ABOVE, N_MODES };
 extern const char coulomb_mode_letter[N_MODES]; /* 's', '-', '+', as in the phases of any system (mech/mech.h) */

@@ -63,8 +63,7 @@ static int phase_end(double *z, const double *start, const void *self) {
 
 static struct double_map map_from(int (*run)(double *, const double *, const void *), const void *self,
                                   const double *params, const double *start, int n_out) {
-  double scale = fabs(start[0]) + fabs(start[1]) + params[COULOMB_V];
-  return (struct double_map){run, self, N_STATE, n_out, scale, integration_error, 0};
+  return (struct double_map){run, self, N_STATE, n_out, coulomb_scale(params, start), integration_error, 0};
 }
 
 int coulomb_return_jacobian(double j[4], double *err, const double params[N_COULOMB], const double start[N_STATE]) {
@@ -74,10 +73,10 @@ int coulomb_return_jacobian(double j[4], double *err, const double params[N_COUL
 
 double coulomb_return_jacobian_floor(const double params[N_COULOMB], const double start[N_STATE]) {
   const double rungs = 16; /* the ladder of steps takes four, each half of the one before */
-  double chi = params[COULOMB_CHI], size = fabs(start[Z_1]) + fabs(start[Z_2]) + params[COULOMB_V];
-  double room[2] = {params[COULOMB_UR1] - fabs(start[Z_1] - chi * start[Z_2]),
-                    (params[COULOMB_UR2] - chi * fabs(start[Z_2] - start[Z_1])) / chi};
-  return 3 * rungs * integration_error * size / fmin(room[0], room[1]);
+  double f[2];
+  coulomb_forces(f, params, start);
+  double room[2] = {params[COULOMB_UR1] - fabs(f[0]), (params[COULOMB_UR2] - fabs(f[1])) / params[COULOMB_CHI]};
+  return 3 * rungs * integration_error * coulomb_scale(params, start) / fmin(room[0], room[1]);
 }
 
 int coulomb_local_differences(double *out, double *err, const double params[N_COULOMB], const struct dyn_stretch *of,

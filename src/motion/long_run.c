@@ -13,18 +13,15 @@ static const double ROUNDING = 1e-11, SATURATED = 1e-6; /* of the scale */
 
 const char *const long_route_name[N_LONG_ROUTES] = {"ode", "closed", "mpfr"};
 
-static double scale_of(const double params[N_COULOMB], const double start[N_STATE]) {
-  return fabs(start[Z_1]) + fabs(start[Z_2]) + params[COULOMB_V];
-}
-
 double long_run_reach(const double params[N_COULOMB], const double start[N_STATE]) {
-  double chi = params[COULOMB_CHI];
-  return 0.01 * (params[COULOMB_UR1] - (start[Z_1] - chi * start[Z_2])) / (1 - chi);
+  double f[2];
+  coulomb_forces(f, params, start);
+  return 0.01 * (params[COULOMB_UR1] - f[0]) / (1 - params[COULOMB_CHI]);
 }
 
 bool long_run_has_room(const double params[N_COULOMB], const double start[N_STATE]) {
   const double decades = 1e4;
-  return long_run_reach(params, start) >= decades * ROUNDING * scale_of(params, start);
+  return long_run_reach(params, start) >= decades * ROUNDING * coulomb_scale(params, start);
 }
 
 /* What listens to one route. */
@@ -99,7 +96,7 @@ static int run_all_routes(struct long_run *run, const double params[N_COULOMB], 
                           long returns, double duration, slong prec) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct num_vec kept;
-  run->scale = scale_of(params, start);
+  run->scale = coulomb_scale(params, start);
   run->reach = INFINITY;
   for (int i = 0; i < 2; i++) run->from[i] = start[Z_1 + i];
   plan.returns = returns;
@@ -198,7 +195,7 @@ bool long_run_growth(struct long_growth *growth, const struct long_run *run, str
 bool long_run_displaced(struct long_growth *growth, const double params[N_COULOMB], const double start[N_STATE],
                         double multiplier, double duration) {
   enum { RETURNS = 64 };
-  struct long_run run = {.displaced = ldexp(scale_of(params, start), fabs(multiplier) < 1 ? -21 : -34)};
+  struct long_run run = {.displaced = ldexp(coulomb_scale(params, start), fabs(multiplier) < 1 ? -21 : -34)};
   bool ok = run_all_routes(&run, params, start, RETURNS, duration, 0) != SS_DOMAIN &&
             long_run_growth(growth, &run, (struct long_pair){LONG_ODE, LONG_CLOSED});
   long_run_clear(&run);

@@ -35,14 +35,9 @@ struct ode {
   bool touched;                          /* some margin came within tol of zero without crossing it */
 };
 
-static void forces(double f[2], const double p[N_COULOMB], const double y[N_STATE]) {
-  f[0] = y[Z_1] - p[COULOMB_CHI] * y[Z_2];
-  f[1] = p[COULOMB_CHI] * (y[Z_2] - y[Z_1]);
-}
-
 static void accelerations(double a[2], const struct ode *o, const double y[N_STATE]) {
   double f[2];
-  forces(f, o->p, y);
+  coulomb_forces(f, o->p, y);
   for (int i = 0; i < 2; i++) a[i] = o->gain[i] * (o->u[i] - f[i]);
 }
 
@@ -81,14 +76,14 @@ struct point {
 
 /* In the state y, s after the beginning of the step. */
 static struct point margin_in(const struct ode *o, struct margin m, double s, const double y[N_STATE]) {
-  double f[2], a[2];
+  double f[2], rate[2], a[2];
   if (o->mode[m.mass] != MODE_STICK) {
     accelerations(a, o, y);
     return (struct point){s, m.side * (y[DZ_1 + m.mass] - o->p[COULOMB_V]), m.side * a[m.mass]};
   }
-  forces(f, o->p, y);
-  double pull = m.mass == 0 ? y[DZ_1] - o->p[COULOMB_CHI] * y[DZ_2] : o->p[COULOMB_CHI] * (y[DZ_2] - y[DZ_1]);
-  return (struct point){s, m.side * f[m.mass] - o->p[COULOMB_UR1 + m.mass], m.side * pull};
+  coulomb_forces(f, o->p, y);
+  coulomb_forces(rate, o->p, y + DZ_1);
+  return (struct point){s, m.side * f[m.mass] - o->p[COULOMB_UR1 + m.mass], m.side * rate[m.mass]};
 }
 
 static struct point margin_at(struct ode *o, struct margin m, double s) {
@@ -210,7 +205,7 @@ static void ode_row(void *self, struct coulomb_row *row, double t) {
   else
     state_at(y, o, t - o->began - o->step_since);
   *row = (struct coulomb_row){.t = t, .x = {y[Z_1], y[Z_2]}, .v = {y[DZ_1], y[DZ_2]}};
-  forces(row->u, o->p, y);
+  coulomb_forces(row->u, o->p, y);
 }
 
 static int sign(double x, double tol) {
@@ -220,7 +215,7 @@ static int sign(double x, double tol) {
 static void ode_signs(void *self, struct coulomb_signs *s) {
   struct ode *o = self;
   double f[2], belt = o->p[COULOMB_V];
-  forces(f, o->p, o->y);
+  coulomb_forces(f, o->p, o->y);
   s->drag = sign(f[1] + o->p[COULOMB_US2], o->tol);
   for (int i = 0; i < 2; i++) {
     s->speed[i] = sign(o->y[DZ_1 + i] - belt, o->tol);
