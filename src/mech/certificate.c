@@ -3,13 +3,6 @@
 #include "num/exact_json.h"
 #include "orbit.h"
 
-static void number_json(struct json *j, const char *key, long x) {
-  struct text t = {0};
-  text_printf(&t, "%ld", x);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
-}
-
 static void mass_json(struct json *j, const struct mech_mass *mass) {
   static const char *const side[2] = {"below", "above"};
   json_object(j, NULL);
@@ -35,7 +28,7 @@ static void links_json(struct json *j, const char *list, const char *size, const
   for (int l = 0; l < n; l++) {
     json_object(j, NULL);
     json_array(j, "between");
-    for (int s = 0; s < 2; s++) number_json(j, NULL, link[l].end[s] + 1);
+    for (int s = 0; s < 2; s++) json_printf(j, NULL, "%d", link[l].end[s] + 1);
     json_end_array(j);
     json_fraction(j, size, link[l].size);
     json_end_object(j);
@@ -53,7 +46,7 @@ static void system_json(struct json *j, const struct mech *m) {
   json_array(j, "loads");
   for (int l = 0; l < m->n_loads; l++) {
     json_object(j, NULL);
-    number_json(j, "mass", m->load[l].mass + 1);
+    json_printf(j, "mass", "%d", m->load[l].mass + 1);
     json_fraction(j, "cosine", m->load[l].cosine);
     json_fraction(j, "sine", m->load[l].sine);
     json_end_object(j);
@@ -104,7 +97,7 @@ static void enclosures_json(struct json *j, const struct mech_orbit *o) {
 static void orbit_json(struct json *j, const struct mech_orbit *o) {
   json_object(j, NULL);
   mech_word_json(j, &o->word);
-  if (o->turns) number_json(j, "turns", o->turns);
+  if (o->turns) json_printf(j, "turns", "%ld", (long)o->turns);
   json_object(j, "box");
   balls_json(j, "times", o->box, o->word.n, false);
   balls_json(j, "free", o->box + o->word.n, o->n_free, false);

@@ -23,17 +23,10 @@ static void add_factor(const struct printer *p, const fmpq_t q) {
   if (!fmpq_is_one(size)) {
     if (p->latex && !fmpz_is_one(fmpq_denref(size))) {
       text_add(p->out, "\\frac{");
-      struct text parts[2];
-      for (int i = 0; i < 2; i++) {
-        fmpq_t part;
-        fmpq_init(part);
-        fmpz_set(fmpq_numref(part), i ? fmpq_denref(size) : fmpq_numref(size));
-        text_init(&parts[i]);
-        num_print_q(&parts[i], part);
-        fmpq_clear(part);
-      }
-      text_printf(p->out, "%s}{%s} ", text_str(&parts[0]), text_str(&parts[1]));
-      for (int i = 0; i < 2; i++) text_clear(&parts[i]);
+      num_print_fixed(p->out, fmpq_numref(size), 0);
+      text_add(p->out, "}{");
+      num_print_fixed(p->out, fmpq_denref(size), 0);
+      text_add(p->out, "} ");
     } else {
       num_print_q(p->out, size);
       text_add_char(p->out, ' ');

@@ -75,9 +75,7 @@ void mech_word_json(struct json *j, const struct mech_word *w) {
 }
 
 void mech_double_json(struct json *j, const char *key, double x) {
-  char number[40];
-  snprintf(number, sizeof number, "%.17g", x);
-  json_string(j, key, number);
+  json_printf(j, key, "%.17g", x);
 }
 
 void mech_events_json(struct json *j, int n, const struct mech_motion *x) {

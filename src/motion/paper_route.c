@@ -156,9 +156,9 @@ static double entry(const struct num_vec *v, slong i) {
   return v->ctx.type->get_d(num_vec_at(v, i));
 }
 
-static double largest(const struct num_vec *v, slong n) {
+static double largest(const struct num_vec *v) {
   double most = 0;
-  for (slong i = 0; i < n; i++) most = fmax(most, fabs(entry(v, i)));
+  for (slong i = 0; i < v->len; i++) most = fmax(most, fabs(entry(v, i)));
   return most;
 }
 
@@ -175,8 +175,8 @@ int paper_route_newton(struct num_vec *x, int *steps, const struct num_vec *para
     status |= num_mat_solve(&q.e, &q.j, &q.e, TIMES, 1);
     for (slong i = 0; i < TIMES; i++)
       status |= type->sub(num_vec_at(&t, i), num_vec_at(&t, i), num_vec_at(&q.e, i), x->ctx.prec);
-    if (left < 3 || largest(&q.e, TIMES) <= small * largest(&t, TIMES)) left--;
-    if (!(largest(&t, TIMES) < 1000)) status |= SS_UNABLE;
+    if (left < 3 || largest(&q.e) <= small * largest(&t)) left--;
+    if (!(largest(&t) < 1000)) status |= SS_UNABLE;
   }
   if (!status) status = equations_make(&q, params, &t);
   for (slong i = 0; i < 2; i++) type->set(num_vec_at(x, ROUTE_Z + i), num_vec_at(&q.z, i));

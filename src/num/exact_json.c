@@ -1,10 +1,9 @@
 #include "exact_json.h"
 
 void json_fraction(struct json *j, const char *key, const fmpq *x) {
-  struct text t = {0};
-  num_print_q(&t, x);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
+  json_begin_string(j, key);
+  num_print_q(j->out, x);
+  json_end_string(j);
 }
 
 void json_ball(struct json *j, const char *key, arb_srcptr x) {
