@@ -228,9 +228,7 @@ void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec) {
     num_arb.abs(o->margin, o->trace, prec);
     arb_sub_si(o->margin, o->margin, 1, prec);
     o->stable = arb_is_negative(o->margin) ? TRUTH_TRUE : arb_is_positive(o->margin) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-    o->holds[COND_TA] = arb_is_positive(o->t[PHASE_D])      ? TRUTH_TRUE
-                        : arb_is_nonpositive(o->t[PHASE_D]) ? TRUTH_FALSE
-                                                            : TRUTH_UNKNOWN;
+    o->holds[COND_TA] = num_ball_positive(o->t[PHASE_D]);
     if (!t->up) o->holds[COND_C_W] = o->holds[COND_TA]; /* w rises in phase C, up to e1 - a t_a */
   }
   tube_clear(&middle);

@@ -143,7 +143,7 @@ static void rough_exponential(arb_mat_t a) {
   size_t n = (size_t)arb_mat_nrows(a), last = n - 1;
   gsl_matrix *x = gsl_matrix_alloc(n, n), *z = gsl_matrix_alloc(n, n);
   double constants = 1;
-  for (size_t i = 0; i < n * n; i++) x->data[i] = arf_get_d(arb_midref(a->entries + i), ARF_RND_NEAR);
+  for (size_t i = 0; i < n * n; i++) x->data[i] = num_arb.get_d(a->entries + i);
   for (size_t i = 0; i < last; i++) constants = fmax(constants, fabs(gsl_matrix_get(x, i, last)));
   for (size_t i = 0; i < last; i++) gsl_matrix_set(x, i, last, gsl_matrix_get(x, i, last) / constants);
   bool known = fmax(gsl_matrix_max(x), -gsl_matrix_min(x)) < largest &&
@@ -157,17 +157,21 @@ static void rough_exponential(arb_mat_t a) {
   gsl_matrix_free(x);
 }
 
+void mech_flow(arb_mat_t flow, const struct mech_equations *e, int phase, const arb_t t) {
+  arb_mat_scalar_mul_arb(flow, e->rate[phase], t, e->prec);
+  if (e->rough)
+    rough_exponential(flow);
+  else
+    arb_mat_exp(flow, flow, e->prec);
+}
+
 /* Through phase k of length t; the event at its end. */
 static void pass(struct mech_equations *e, int k, const arb_t t) {
   arb_mat_t flow, moved, rate;
   arb_mat_init(flow, e->side, e->side);
   arb_mat_init(moved, e->side, arb_mat_ncols(e->change));
   arb_mat_init(rate, e->side, 1);
-  arb_mat_scalar_mul_arb(flow, e->rate[k], t, e->prec);
-  if (e->rough)
-    rough_exponential(flow);
-  else
-    arb_mat_exp(flow, flow, e->prec);
+  mech_flow(flow, e, k, t);
   arb_mat_mul(e->state[k + 1], flow, e->state[k], e->prec);
   arb_mat_mul(moved, flow, e->change, e->prec);
   arb_mat_swap(moved, e->change);

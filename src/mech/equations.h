@@ -23,6 +23,8 @@ struct mech_equations {
 void mech_equations_init(struct mech_equations *e, const struct mech *m, const struct mech_word *w, slong turns,
                          slong prec);
 void mech_equations_clear(struct mech_equations *e);
+/* exp(A t) of a phase. */
+void mech_flow(arb_mat_t flow, const struct mech_equations *e, int phase, const arb_t t);
 /* At unknowns (t, free), points or balls. */
 void mech_equations_at(struct mech_equations *e, arb_srcptr x);
 

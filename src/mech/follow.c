@@ -45,7 +45,7 @@ static void side_init(struct mech_side *out, const struct station *s) {
   out->own = s->orbit.own;
   out->admissible = s->orbit.admissible;
   out->stable = s->orbit.stable;
-  out->period = arf_get_d(arb_midref(s->orbit.period), ARF_RND_NEAR);
+  out->period = num_arb.get_d(s->orbit.period);
 }
 
 static void side_copy(struct mech_side *to, const struct mech_side *from) {
@@ -117,7 +117,7 @@ static double nearest(acb_srcptr *z, const struct mech_orbit *o) {
   arb_init(size);
   for (int i = 0; i < o->n_free; i++) {
     acb_abs(size, o->multiplier + i, 64);
-    double off = fabs(arf_get_d(arb_midref(size), ARF_RND_NEAR) - 1);
+    double off = fabs(num_arb.get_d(size) - 1);
     if (!(off < least)) continue;
     least = off;
     *z = o->multiplier + i;

@@ -70,8 +70,7 @@ static void by_saltation(arb_mat_t j, const struct mech_equations *e, const stru
   arb_mat_init(flow, e->side, e->side);
   enter(d, e, o);
   for (int k = 0; k < o->word.n; k++) {
-    arb_mat_scalar_mul_arb(flow, e->rate[k], o->t + k, e->prec);
-    arb_mat_exp(flow, flow, e->prec);
+    mech_flow(flow, e, k, o->t + k);
     arb_mat_mul(d, flow, d, e->prec);
     cross(d, e, k);
   }
@@ -111,8 +110,7 @@ static void state_at(double z[MECH_STATES], const struct replay *r, const double
   q[columns - 1] = 1;
   for (int i = 0; i < r->m->states; i++) {
     z[i] = 0;
-    for (int l = 0; l < columns; l++)
-      z[i] += arf_get_d(arb_midref(arb_mat_entry(r->e->entry, i, l)), ARF_RND_NEAR) * q[l];
+    for (int l = 0; l < columns; l++) z[i] += num_arb.get_d(arb_mat_entry(r->e->entry, i, l)) * q[l];
   }
 }
 
@@ -128,8 +126,7 @@ static int return_of(double *out, const double *x, const void *self) {
   struct mech_motion motion;
   double z[MECH_STATES];
   state_at(z, r, x);
-  struct mech_plan plan = {
-      .duration = 2 * arf_get_d(arb_midref(o->period), ARF_RND_NEAR), .most = o->word.n + 1, .phase = o->word.phase[0]};
+  struct mech_plan plan = {.duration = 2 * num_arb.get_d(o->period), .most = o->word.n + 1, .phase = o->word.phase[0]};
   int status = mech_simulate(&motion, r->route, r->m, z, &plan);
   if (!status && !same_word(&motion, &o->word)) status = SS_DOMAIN;
   for (int l = 0; !status && l < o->n_free; l++) {
@@ -146,9 +143,8 @@ static int by_differences(arb_mat_t j, const struct mech_equations *e, const str
   struct replay r = {e->m, o, e, route};
   double x[MECH_STATES], scale = 0, worst = 0;
   int status = SS_OK;
-  for (int i = 0; i < 2 * o->n; i++) scale = fmax(scale, fabs(arf_get_d(arb_midref(o->state + i), ARF_RND_NEAR)));
-  for (int l = 0; l < o->n_free; l++)
-    x[l] = arf_get_d(arb_midref(o->free[l] < 2 * o->n ? o->state + o->free[l] : o->angle), ARF_RND_NEAR);
+  for (int i = 0; i < 2 * o->n; i++) scale = fmax(scale, fabs(num_arb.get_d(o->state + i)));
+  for (int l = 0; l < o->n_free; l++) x[l] = num_arb.get_d(o->free[l] < 2 * o->n ? o->state + o->free[l] : o->angle);
   struct double_map map = {return_of, &r, o->n_free, o->n_free, scale, route == MECH_INTEGRATED ? 1e-12 : 1e-14, 0};
   for (int l = 0; l < o->n_free && !status; l++) {
     double column[DIFFERENCES_MOST], direction[DIFFERENCES_MOST] = {0}, off;

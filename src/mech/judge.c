@@ -49,18 +49,16 @@ static void up_to(arb_t z, const arb_t x) {
 
 /* Those of the present step. */
 static const struct flows *flows_now(struct march *m) {
-  slong prec = m->e->prec, side = m->e->side;
+  slong side = m->e->side;
   struct flows *f = &m->flows[m->level];
   if (f->made) return f;
   arb_t span;
   arb_init(span);
   arb_mat_init(f->whole, side, side);
   arb_mat_init(f->tube, side, side);
-  arb_mat_scalar_mul_arb(f->whole, m->e->rate[m->phase], m->step, prec);
-  arb_mat_exp(f->whole, f->whole, prec);
+  mech_flow(f->whole, m->e, m->phase, m->step);
   up_to(span, m->step);
-  arb_mat_scalar_mul_arb(f->tube, m->e->rate[m->phase], span, prec);
-  arb_mat_exp(f->tube, f->tube, prec);
+  mech_flow(f->tube, m->e, m->phase, span);
   arb_clear(span);
   f->made = true;
   return f;
@@ -173,8 +171,7 @@ static bool any_open(const struct march *m) {
 static void refresh(struct march *m) {
   arb_mat_t flow;
   arb_mat_init(flow, m->e->side, m->e->side);
-  arb_mat_scalar_mul_arb(flow, m->e->rate[m->phase], m->at, m->e->prec);
-  arb_mat_exp(flow, flow, m->e->prec);
+  mech_flow(flow, m->e, m->phase, m->at);
   arb_mat_mul(m->y, flow, m->e->state[m->phase], m->e->prec);
   arb_mat_clear(flow);
 }
@@ -344,9 +341,6 @@ void mech_judge(struct mech_orbit *o, struct mech_equations *e) {
   free(o->fact);
   o->n_facts = 0;
   o->fact = ss_malloc((size_t)phases * (2 + FACTS_OF_MASS * (size_t)o->n) * sizeof *o->fact);
-  for (int k = 0; k < phases; k++)
-    add_fact(o, k, 0, MECH_LENGTH)->holds = arb_is_positive(o->t + k)      ? TRUTH_TRUE
-                                            : arb_is_nonpositive(o->t + k) ? TRUTH_FALSE
-                                                                           : TRUTH_UNKNOWN;
+  for (int k = 0; k < phases; k++) add_fact(o, k, 0, MECH_LENGTH)->holds = num_ball_positive(o->t + k);
   for (int k = 0; k < phases; k++) judge_phase(o, e, k);
 }

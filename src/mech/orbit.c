@@ -241,7 +241,7 @@ void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech
   arb_ptr x = _arb_vec_init(w->n + e.n_free);
   set_unknowns(x, &e, t, z);
   mech_equations_at(&e, x);
-  for (int i = 0; i < m->states; i++) z[i] = arf_get_d(arb_midref(arb_mat_entry(e.state[by], i, 0)), ARF_RND_NEAR);
+  for (int i = 0; i < m->states; i++) z[i] = num_arb.get_d(arb_mat_entry(e.state[by], i, 0));
   _arb_vec_clear(x, w->n + e.n_free);
   mech_equations_clear(&e);
   memcpy(lengths, t, (size_t)w->n * sizeof *t);
@@ -296,8 +296,8 @@ void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec) {
 
 int mech_orbit_beside(struct mech_orbit *o, const struct mech *m, const struct mech_orbit *near, slong prec) {
   double t[MECH_PHASES], z[MECH_STATES];
-  for (int k = 0; k < near->word.n; k++) t[k] = arf_get_d(arb_midref(near->t + k), ARF_RND_NEAR);
-  for (int i = 0; i < near->states; i++) z[i] = arf_get_d(arb_midref(near->state + i), ARF_RND_NEAR);
+  for (int k = 0; k < near->word.n; k++) t[k] = num_arb.get_d(near->t + k);
+  for (int i = 0; i < near->states; i++) z[i] = num_arb.get_d(near->state + i);
   return mech_orbit_near(o, m, &near->word, t, z, prec);
 }
 

@@ -180,12 +180,11 @@ static bool falls_from_start(const struct cell *c, const struct range *g, double
   return c->first && dir * c->w.mid - disk_up(c->w.rad + b->ft * g->d + b->tt * g->e) > 0;
 }
 
-/* The base over the whole strip, and the radius over the whole cell. */
+/* With the radius over the whole cell. */
 static struct turns turns_on(const struct range *g, const struct strip *p, const struct turns *k, bool negative,
                              bool positive) {
-  struct disk base = disk_widen(p->base, (disk_mag(p->pb) + 0.5 * disk_mag(p->s->rho) * g->d) * g->d);
   struct disk radius = disk_sqrt((struct disk){g->g.mid, g->g_width});
-  return turns_of(k, p->s, base, radius, negative, positive);
+  return turns_of(k, p->s, strip_base(p), radius, negative, positive);
 }
 
 enum look cell_look(struct common *zero, const struct cell *c, const struct turns *k, double dir) {

@@ -15,6 +15,7 @@
 
 #include "base/arena.h"
 #include "given_search.h"
+#include "num/solve.h"
 #include "orbit_judge.h"
 
 const char *const dyn_quantity_id[N_QUANTITIES] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
@@ -40,13 +41,6 @@ static int solve(void *self, slong prec) {
 static int describe(struct dyn_orbit *o, void *self, slong prec) {
   const struct solution *s = self;
   return word_describe(o, &s->root, s->q->data.model, prec);
-}
-
-static bool same_solution(const struct word_root *s, const struct word_root *t) {
-  bool same = true;
-  for (int k = 0; k < N_QUANTITIES && same; k++)
-    same = arb_overlaps(s->x[k], t->x[k]) && (arb_contains(s->box[k], t->x[k]) || arb_contains(t->box[k], s->x[k]));
-  return same;
 }
 
 /* Its conditions.  Returns whether e1 and e2 are positive and the events proved to be the first ones. */
@@ -78,7 +72,8 @@ static int collect(struct dyn_orbits *list, const struct seeds *seeds, const str
     slong work = orbit_planned_bits(&source, prec);
     int failed = settle(s, work);
     bool known = false;
-    for (size_t k = 0; k < n && !failed; k++) known = known || same_solution(&found[k].root, &s->root);
+    for (size_t k = 0; k < n && !failed && !known; k++)
+      known = krawczyk_same(found[k].root.x, found[k].root.box, s->root.x, s->root.box, N_QUANTITIES);
     status |= failed;
     if (failed || known) {
       word_root_clear(&s->root);

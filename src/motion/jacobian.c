@@ -14,8 +14,6 @@
 #include "num/calc.h"
 #include "rounded.h"
 
-enum { NEAR_MOST = 256 };
-
 /* f = Z' at the state z; NULL where it is zero for all states. */
 static void vector_field(val f[N_STATE], struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
   f[Z_1] = z[DZ_1];
@@ -130,12 +128,8 @@ static void start_formula(val *j, struct calc *c, enum phase ph, const val p[N_P
   (void)ph, (void)t;
   for (int i = 0; i < N_PHASES; i++) guess[i] = num_arb.get_d(in[START_T + i]);
   dyn_arc_init(&arc, c->ctx);
-  int status = arc_run(&arc, &params, in[START_Z], in[START_Z + 1], NULL, guess);
-  if (!status)
-    status = dyn_return_jacobian(&out, &params, &arc);
-  else if (c->ctx.prec >= NEAR_MOST)
-    status = SS_DOMAIN; /* the guess is not near: no precision helps */
-  c->status |= status;
+  int status = rounded_from_guess(arc_run(&arc, &params, in[START_Z], in[START_Z + 1], NULL, guess), c);
+  c->status |= status ? status : dyn_return_jacobian(&out, &params, &arc);
   flow_vals(j, &out, 0, 4);
   dyn_arc_clear(&arc);
 }

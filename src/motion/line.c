@@ -26,7 +26,7 @@ struct course {
 /* The rise is surely not at a record at t_b: no orbit has this e1 and t_b. */
 static bool overtaken(const struct disk_params *g, arb_srcptr tb) {
   struct strip p;
-  double k = floor(arf_get_d(arb_midref(tb), ARF_RND_NEAR) / (2 * PI));
+  double k = floor(num_arb.get_d(tb) / (2 * PI));
   struct disk angle = disk_less_turns(tb, k);
   if (disk_positive(disk_sub(angle, g->fall))) return true;
   strip_make(&p, g, disk_low(angle), disk_high(angle), 0);

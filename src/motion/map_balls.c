@@ -14,9 +14,7 @@
 enum { UNITS_OF_VELOCITY = 60 }; /* of work: the velocity of a mass at one time */
 
 void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params) {
-  val p[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) p[i] = calc_q(c, params + i);
-  ball_params_make(m, c, p);
+  ball_params_with(m, c, params, calc_q(c, params + P_E1), calc_q(c, params + P_E2));
 }
 
 void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAMS]) {
@@ -156,7 +154,7 @@ truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct 
   val turn = calc_mul(c, m->two, calc_pi(c)), fall = ball_crest(c, m);
   *before_crest = num_arb.lt(s->tb, fall);
   if (*before_crest == TRUTH_TRUE) return TRUTH_TRUE;
-  double whole = floor(arf_get_d(arb_midref((arb_srcptr)s->tb), ARF_RND_NEAR) / (2 * PI));
+  double whole = floor(num_arb.get_d(s->tb) / (2 * PI));
   if (whole < 1) return *before_crest;
   val local = calc_sub(c, s->tb, calc_mul(c, calc_d(c, whole), turn));
   val before = calc_add(c, ball_rise(c, m, fall), calc_mul(c, calc_mul(c, calc_d(c, whole - 1), turn), m->a));

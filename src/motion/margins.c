@@ -94,17 +94,13 @@ static void start_at_zero(struct dyn_margin *m, struct calc *c, val time, enum d
   arb_set(m->rate, m->order == 1 ? first : second);
 }
 
-static truth positive(const arb_t x) {
-  return arb_is_positive(x) ? TRUTH_TRUE : arb_is_nonpositive(x) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-}
-
 static void conclude(struct dyn_margin *m) {
   if (m->by_definition) {
-    m->holds = m->order > 0 ? positive(m->rate) : TRUTH_UNKNOWN;
+    m->holds = m->order > 0 ? num_ball_positive(m->rate) : TRUTH_UNKNOWN;
   } else {
     m->order = 0;
     arb_zero(m->rate);
-    m->holds = positive(m->margin);
+    m->holds = num_ball_positive(m->margin);
   }
 }
 

@@ -115,10 +115,7 @@ static int solve(void *self, slong prec) {
 }
 
 static bool same_solution(const struct solution *s, const struct solution *t) {
-  bool same = s->up == t->up;
-  for (int k = 0; k < 2 && same; k++)
-    same = arb_overlaps(s->x[k], t->x[k]) && (arb_contains(s->box[k], t->x[k]) || arb_contains(t->box[k], s->x[k]));
-  return same;
+  return s->up == t->up && krawczyk_same(s->x, s->box, t->x, t->box, 2);
 }
 
 /* --- Folds. --- */
@@ -189,7 +186,7 @@ static int resolve(struct solution pair[2], int *n, const fmpq *params, const st
     pair[0].grazing = zero->grazing;
     double slack = 1e-9 * zero->high + 0.01 * (zero->high - zero->low);
     if (!solve(&pair[0], prec)) {
-      double tb = arf_get_d(arb_midref(pair[0].x[0]), ARF_RND_NEAR);
+      double tb = num_arb.get_d(pair[0].x[0]);
       if (tb > zero->low - slack && tb < zero->high + slack) return SS_OK;
     }
   }

@@ -16,7 +16,7 @@
 #include "return_map_double.h"
 #include "rounded.h"
 
-enum { MOST_STEPS = 8, NEAR_MOST = 256 };
+enum { MOST_STEPS = 8 };
 static const double MOST_CHI = 0x1p4, MOST_ETA = 0x1p3, MOST_SIZE = 0x1p5;
 static const double SETTLED = 0x1p-13; /* relative: the error after a step of this size is its fourth power */
 
@@ -141,8 +141,7 @@ static void near_formula(val *out, struct calc *c, enum phase ph, const val p[N_
   double guess[N_PHASES] = {0};
   (void)ph, (void)t;
   for (int i = PHASE_GAMMA; i < N_PHASES; i++) guess[i] = num_arb.get_d(in[i]);
-  int status = dyn_return_near(&to, &params, in[0], guess);
-  c->status |= status && c->ctx.prec >= NEAR_MOST ? SS_DOMAIN : status; /* not near: no precision helps */
+  c->status |= rounded_from_guess(dyn_return_near(&to, &params, in[0], guess), c);
   flow_vals(out, &to, 0, N_RETURN);
 }
 

@@ -30,7 +30,7 @@ static void most_radius(double *down, double *up, const struct strip *p) {
   *up = disk_up(sqrt(disk_up(less < 0 ? 0 : less))) / omega;
 }
 
-static struct disk base_along(const struct strip *p) {
+struct disk strip_base(const struct strip *p) {
   return disk_widen(p->base, disk_up((disk_mag(p->pb) + 0.5 * disk_mag(p->s->rho) * p->half) * p->half));
 }
 
@@ -38,7 +38,7 @@ struct turns strip_turns(const struct strip *p, bool later) {
   struct turns k;
   double down, up, turn = p->s->turn.mid, last = later || p->later ? INFINITY : 0;
   most_radius(&down, &up, p);
-  struct disk base = base_along(p);
+  struct disk base = strip_base(p);
   double low = disk_low(base), high = disk_high(base);
   clip(&k, 0, (later ? low - down : low) / turn, (high + down) / turn, 0, last);
   clip(&k, 1, (later ? low - down : low - up) / turn, (later ? high + down : high) / turn, 0, last);
@@ -134,7 +134,7 @@ bool strip_misses(const struct strip *p, const struct turns *k) {
     o.most[i] = disk_sqrt(disk_dot(a, a, b, b));
     o.share[i] = disk_mul(s->back[i], o.most[i]);
   }
-  o.base = disk_widen(p->base, (disk_mag(p->pb) + 0.5 * disk_mag(s->rho) * p->half) * p->half);
+  o.base = strip_base(p);
   o.free = o.share[0].mid < o.share[1].mid ? 0 : 1;
   return piece_misses(&o, -1, 1, DEPTH);
 }

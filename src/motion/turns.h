@@ -12,6 +12,8 @@ struct turns {
 /* The k for which the energy of phase H suffices; empty ranges when there is none.  later: t_b need not be a first root,
    and r_end is of either sign whatever that of q. */
 struct turns strip_turns(const struct strip *p, bool later);
+/* r at the stick phase for k = 0, over the whole strip. */
+struct disk strip_base(const struct strip *p);
 /* The k for which r at the stick phase, base - k turn, is r_end: |r_end| in radius, its signs as told. */
 struct turns turns_of(const struct turns *within, const struct disk_params *s, struct disk base, struct disk radius,
                       bool negative, bool positive);

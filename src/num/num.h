@@ -66,6 +66,8 @@ struct num_type {
 };
 
 extern const struct num_type num_double, num_mpfr, num_arb, num_exact;
+/* Whether a ball is positive: at all of its points, at none. */
+truth num_ball_positive(const arb_t x);
 
 /* A number type with a precision in bits (double: 53). */
 struct num_ctx {

@@ -254,8 +254,12 @@ static truth b_is_zero(const void *x) {
   return arb_contains_zero(x) ? TRUTH_UNKNOWN : TRUTH_FALSE;
 }
 
+truth num_ball_positive(const arb_t x) {
+  return arb_is_positive(x) ? TRUTH_TRUE : arb_is_nonpositive(x) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
 static truth b_lt(const void *x, const void *y) {
-  if (arb_is_zero(x)) return arb_is_positive(y) ? TRUTH_TRUE : arb_is_nonpositive(y) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+  if (arb_is_zero(x)) return num_ball_positive(y);
   if (arb_is_zero(y)) return arb_is_negative(x) ? TRUTH_TRUE : arb_is_nonnegative(x) ? TRUTH_FALSE : TRUTH_UNKNOWN;
   if (arb_lt(x, y)) return TRUTH_TRUE;
   return arb_ge(x, y) ? TRUTH_FALSE : TRUTH_UNKNOWN;

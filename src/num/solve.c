@@ -284,3 +284,10 @@ int krawczyk_enclose(struct num_vec *x, struct num_vec *box, const struct solve_
   krawczyk_clear(&k);
   return status;
 }
+
+bool krawczyk_same(const arb_t *x, const arb_t *x_box, const arb_t *y, const arb_t *y_box, int n) {
+  bool same = true;
+  for (int k = 0; k < n && same; k++)
+    same = arb_overlaps(x[k], y[k]) && (arb_contains(x_box[k], y[k]) || arb_contains(y_box[k], x[k]));
+  return same;
+}

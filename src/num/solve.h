@@ -83,5 +83,7 @@ int krawczyk_grow(struct krawczyk *k);
 int krawczyk_follow(struct krawczyk *k, slong wider);
 /* The operator at x, boxes grown around it: x becomes the image, and box, unless it is NULL, the one that is proved. */
 int krawczyk_enclose(struct num_vec *x, struct num_vec *box, const struct solve_system *s);
+/* Whether two solutions of n unknowns, enclosed in x and y and the only ones in their boxes, are one. */
+bool krawczyk_same(const arb_t *x, const arb_t *x_box, const arb_t *y, const arb_t *y_box, int n);
 
 #endif
