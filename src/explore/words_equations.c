@@ -48,15 +48,6 @@ void word_motion(struct motion *out, struct calc *c, const struct word_law *m, c
   motion_make(out, c, difference ? &m->difference : &m->law, slips, &at);
 }
 
-void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t) {
-  struct angle angle[2];
-  harmonic_angles(angle, c, &motion->force[0], t);
-  for (int i = 0; i < 2; i++) {
-    out[WORD_W1 + i] = harmonic_value(c, &motion->force[i], angle, t);
-    out[WORD_P1 + i] = harmonic_value(c, &motion->speed[i], angle, t);
-  }
-}
-
 /* The vector field. */
 static void vector_field(val out[N_STATE], struct calc *c, const struct word_law *m, const char *phase,
                          const val state[N_STATE]) {
@@ -109,7 +100,7 @@ void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, co
     const char *now = w->phase[p], *next = w->phase[(p + 1) % w->n];
     struct motion motion;
     word_motion(&motion, c, m, now, state, false);
-    word_motion_at(state, c, &motion, x[p]);
+    motion_at(state, c, &motion, x[p]);
     f[p] = word_event_value(c, m, &e, state);
     for (int k = 0; k < size; k++) {
       bool moves = k <= p || k >= w->n;
@@ -117,7 +108,7 @@ void word_equations(val *f, val *j, struct calc *c, const struct word_law *m, co
         vector_field(column[k], c, m, now, state);
       } else if (moves) {
         word_motion(&motion, c, m, now, column[k], true);
-        word_motion_at(column[k], c, &motion, x[p]);
+        motion_at(column[k], c, &motion, x[p]);
       }
       j[p * size + k] = moves ? event_slope(&e, column[k]) : m->law.zero;
       if (moves) word_settle(column[k], m, next);

@@ -29,10 +29,9 @@ struct word_law {
 };
 void word_law_make(struct word_law *m, struct calc *c, const struct word_orbits *of, const fmpq *params,
                    const fmpq *const u_r[2]);
-/* The motion from the state w1, w2, p1, p2 (difference: of two motions), and its state after t. */
+/* The motion from the state w1, w2, p1, p2 (difference: of two motions); motion_at tells the state after t. */
 void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const char *phase,
                  const val state[N_STATE], bool difference);
-void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t);
 /* What is zero at an event. */
 val word_event_value(struct calc *c, const struct word_law *m, const struct word_event *e, const val state[N_STATE]);
 /* Sticking masses have no p. */

@@ -31,12 +31,6 @@ struct searcher {
   struct word_finds *out;
 };
 
-static double as_d(val x) {
-  double d;
-  memcpy(&d, x, sizeof d);
-  return d;
-}
-
 static bool is_d(const char *phase) {
   return strcmp(phase, "ss") == 0;
 }
@@ -48,12 +42,12 @@ static bool own_length(double *t, struct searcher *s, int phase, const struct mo
                        const val state[N_STATE]) {
   struct word_event e = word_event_of(s->w, phase);
   if (is_d(s->w->phase[phase])) {
-    *t = -as_d(word_event_value(&s->c, &s->m, &e, state)) / as_d(s->m.law.gap);
+    *t = -num_double.get_d(word_event_value(&s->c, &s->m, &e, state)) / num_double.get_d(s->m.law.gap);
     return true;
   }
   struct trig_sum wave =
       harmonic_trig_sum(&s->c, e.end == MECH_REACHES ? &motion->speed[e.mass] : &motion->force[e.mass]);
-  wave.start = as_d(word_event_value(&s->c, &s->m, &e, state));
+  wave.start = num_double.get_d(word_event_value(&s->c, &s->m, &e, state));
   if (fabs(wave.start) < 1e-14 * s->force) wave.start = 0; /* the mass has just broken loose */
   struct trig_sum_root root;
   int status = trig_sum_first_root(&root, &wave, NULL, &s->lim);
@@ -80,13 +74,13 @@ static bool follow(double *x, double *gap, struct searcher *s) {
     work_add(UNITS_OF_PHASE);
     ok = own_length(&x[p], s, p, &motion, state);
     if (!ok) break;
-    word_motion_at(state, c, &motion, calc_d(c, x[p]));
+    motion_at(state, c, &motion, calc_d(c, x[p]));
     word_settle(state, &s->m, s->w->phase[(p + 1) % s->w->n]);
     ok = !c->status;
   }
   for (int i = 0; i < s->n && ok; i++) {
     double scale = s->free[i] < WORD_P1 ? s->force : s->speed[s->free[i] - WORD_P1];
-    gap[i] = (as_d(state[s->free[i]]) - x[s->w->n + i]) / scale;
+    gap[i] = (num_double.get_d(state[s->free[i]]) - x[s->w->n + i]) / scale;
   }
   calc_release(c, mark);
   return ok;
@@ -109,12 +103,12 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
 static enum newton_next judge(const struct num_vec *x, const struct num_vec *step, void *self) {
   const struct searcher *s = self;
   double change = 0, total = 0;
-  for (int i = 0; i < s->w->n; i++) total += fabs(as_d(num_vec_at(x, i)));
+  for (int i = 0; i < s->w->n; i++) total += fabs(num_double.get_d(num_vec_at(x, i)));
   for (int i = 0; i < s->size; i++) {
     double scale = i < s->w->n                      ? total + 1e-300
                    : s->free[i - s->w->n] < WORD_P1 ? s->force
                                                     : s->speed[s->free[i - s->w->n] - WORD_P1];
-    change = fmax(change, fabs(as_d(num_vec_at(step, i))) / scale);
+    change = fmax(change, fabs(num_double.get_d(num_vec_at(step, i))) / scale);
   }
   return !(change <= 1e3) ? NEWTON_LOST : change < 1e-11 ? NEWTON_LAST : NEWTON_ON;
 }
@@ -152,7 +146,7 @@ static void keep(struct searcher *s, const double *x) {
   for (int i = 0; i < s->n; i++) free[i] = calc_d(&s->c, x[n + i]);
   word_start(state, &s->c, &s->m, free);
   memcpy(found->t, x, sizeof found->t);
-  for (int i = 0; i < N_STATE; i++) found->state[i] = as_d(state[i]);
+  for (int i = 0; i < N_STATE; i++) found->state[i] = num_double.get_d(state[i]);
   calc_release(&s->c, s->mark);
 }
 
@@ -309,14 +303,14 @@ static void search_seeds(struct searcher *s, const struct word_seeds *seeds) {
 static void scales(struct searcher *s, const fmpq *params, const fmpq *const u_r[2]) {
   double p[N_PARAMS], reach = 0;
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(params + i);
-  double om[2] = {as_d(s->m.law.spectrum.om[0]), as_d(s->m.law.spectrum.om[1])};
+  double om[2] = {num_double.get_d(s->m.law.spectrum.om[0]), num_double.get_d(s->m.law.spectrum.om[1])};
   for (int i = 0; i < 2; i++) {
     s->limit[i] = p[P_E1 + i];
     reach += 2 * p[P_E1 + i] + (u_r[i] ? fmpq_get_d(u_r[i]) : 0);
   }
-  s->force = 2 * reach + 4 * p[P_V] * (1 + as_d(s->m.law.omega));
+  s->force = 2 * reach + 4 * p[P_V] * (1 + num_double.get_d(s->m.law.omega));
   s->speed[0] = 4 * p[P_V] + s->force;
-  s->speed[1] = 4 * p[P_V] + s->force * p[P_ETA] / as_d(s->m.law.omega);
+  s->speed[1] = 4 * p[P_V] + s->force * p[P_ETA] / num_double.get_d(s->m.law.omega);
   s->lim = (struct dyn_limits){200 / om[0], 2000};
 }
 

@@ -189,11 +189,10 @@ static val first_speed(const struct ball_params *m, const struct ball_pass *s, i
 }
 
 static struct speed speed_at(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, val t) {
-  val over = first_speed(m, s, mass), force = m->zero, half = calc_d(c, 0.5);
+  val over = first_speed(m, s, mass), force = m->zero;
   for (int k = 0; k < 2; k++) {
-    val sin, co, a = s->modes.a[mass][k], b = s->modes.b[mass][k], om = m->spectrum.om[k];
-    calc_sin_cos(c, &sin, &co, calc_mul(c, half, calc_mul(c, om, t)));
-    val sine = calc_mul(c, m->two, calc_mul(c, sin, co)), versine = calc_mul(c, m->two, calc_mul(c, sin, sin));
+    val sine, versine, a = s->modes.a[mass][k], b = s->modes.b[mass][k], om = m->spectrum.om[k];
+    calc_sin_versine(c, &sine, &versine, calc_mul(c, om, t));
     over = calc_sub(c, over, calc_dot(c, a, versine, b, sine));
     val turn = calc_dot(c, a, sine, b, calc_sub(c, m->one, versine));
     force = calc_add(c, force, calc_mul(c, om, turn));

@@ -316,9 +316,8 @@ static void slip_margins(struct dyn_margins *m, const struct shape *x) {
 /* e1 - w at the angle u. */
 static val w_margin(const struct shape *x, val u) {
   struct calc *c = x->c;
-  val half = calc_mul(c, calc_d(c, 0.5), u), s, co;
-  calc_sin_cos(c, &s, &co, half);
-  val versine = calc_mul(c, x->m.two, calc_mul(c, s, s));
+  val sine, versine;
+  calc_sin_versine(c, &sine, &versine, u);
   val back = calc_mul(c, x->m.a, calc_div(c, u, x->m.omega));
   val swing = calc_mul(c, x->m.p[P_CHI], calc_mul(c, x->s.r, versine));
   return calc_add(c, x->slack, calc_sub(c, back, swing));

@@ -2,12 +2,7 @@
 #include "mode_motion.h"
 
 void harmonic_angles(struct angle angle[2], struct calc *c, const struct harmonic *f, val t) {
-  val half = calc_d(c, 0.5), two = calc_d(c, 2);
-  for (int k = 0; k < f->n; k++) {
-    val s, co;
-    calc_sin_cos(c, &s, &co, calc_mul(c, half, calc_mul(c, f->om[k], t)));
-    angle[k] = (struct angle){calc_mul(c, two, calc_mul(c, s, co)), calc_mul(c, two, calc_mul(c, s, s))};
-  }
+  for (int k = 0; k < f->n; k++) calc_sin_versine(c, &angle[k].sine, &angle[k].versine, calc_mul(c, f->om[k], t));
 }
 
 val harmonic_value(struct calc *c, const struct harmonic *f, const struct angle angle[2], val t) {
@@ -121,6 +116,15 @@ void motion_make(struct motion *m, struct calc *c, const struct motion_law *law,
       m->force[i].sn[k] = calc_div(c, cs, w.om[k]);
       m->force[i].cs[k] = calc_neg(c, calc_div(c, sn, w.om[k]));
     }
+  }
+}
+
+void motion_at(val out[N_STATE], struct calc *c, const struct motion *m, val t) {
+  struct angle angle[2];
+  harmonic_angles(angle, c, &m->force[0], t);
+  for (int i = 0; i < 2; i++) {
+    out[i] = harmonic_value(c, &m->force[i], angle, t);
+    out[2 + i] = harmonic_value(c, &m->speed[i], angle, t);
   }
 }
 

@@ -46,5 +46,7 @@ struct motion_start {
 /* slips: which of the masses do. */
 void motion_make(struct motion *m, struct calc *c, const struct motion_law *law, const int slips[2],
                  const struct motion_start *at);
+/* f_1, f_2, p_1, p_2 at a time. */
+void motion_at(val out[N_STATE], struct calc *c, const struct motion *m, val t);
 
 #endif

@@ -58,12 +58,9 @@ static void advance(struct exact *e, val t) {
   struct calc *c = &e->c;
   const struct num_type *type = c->ctx.type;
   slong mark = calc_mark(c);
-  struct angle angle[2];
-  harmonic_angles(angle, c, &e->motion.force[0], t);
-  for (int i = 0; i < 2; i++) {
-    type->set(num_vec_at(&e->moved, F_1 + i), harmonic_value(c, &e->motion.force[i], angle, t));
-    type->set(num_vec_at(&e->moved, P_1 + i), harmonic_value(c, &e->motion.speed[i], angle, t));
-  }
+  val z[N_STATE];
+  motion_at(z, c, &e->motion, t);
+  for (int i = 0; i < N_STATE; i++) type->set(num_vec_at(&e->moved, F_1 + i), z[i]);
   type->set(num_vec_at(&e->moved, TIME), calc_add(c, element(&e->now, TIME), t));
   calc_release(c, mark);
 }

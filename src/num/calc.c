@@ -207,6 +207,13 @@ void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x) {
   *cosine = co;
 }
 
+void calc_sin_versine(struct calc *c, val *sine, val *versine, val x) {
+  val two = calc_d(c, 2), s, co;
+  calc_sin_cos(c, &s, &co, calc_mul(c, calc_d(c, 0.5), x));
+  *sine = calc_mul(c, two, calc_mul(c, s, co));
+  *versine = calc_mul(c, two, calc_mul(c, s, s));
+}
+
 val calc_div_ui(struct calc *c, val x, ulong n) {
   void *z = calc_new(c);
   if (c->ctx.type == &num_arb)

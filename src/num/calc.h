@@ -56,6 +56,8 @@ val calc_dot_from(struct calc *c, val start, val a, val x, bool minus, val b, va
 void calc_store(const struct calc *c, void *z, val x); /* z = x */
 val calc_round(struct calc *c, val x);                 /* to the calc's precision */
 void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x);
+/* sin x and 1 - cos x, from the half angle: neither loses digits near 0. */
+void calc_sin_versine(struct calc *c, val *sine, val *versine, val x);
 bool calc_lt(const struct calc *c, val x, val y); /* surely */
 val calc_div_ui(struct calc *c, val x, ulong n);
 val calc_middle(struct calc *c, val x); /* of a ball, as an exact one; else x */

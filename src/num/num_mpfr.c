@@ -134,6 +134,7 @@ static int m_cot(void *z, const void *x, slong prec) {
 static int rounded_by_balls(mpfr_ptr z, mpfr_srcptr x, num_unary f) {
   slong prec = mpfr_get_prec(z);
   arb_t at, y;
+  if (mpfr_nan_p(x) || too_far_out(x)) return failed(z, SS_UNABLE);
   arb_init(at);
   arb_init(y);
   arf_set_mpfr(arb_midref(at), x);
@@ -150,13 +151,11 @@ static int rounded_by_balls(mpfr_ptr z, mpfr_srcptr x, num_unary f) {
 
 static int m_sinc(void *z, const void *x, slong prec) {
   (void)prec;
-  if (mpfr_nan_p((mpfr_srcptr)x) || too_far_out(x)) return failed(z, SS_UNABLE);
   return rounded_by_balls(z, x, num_arb.sinc);
 }
 
 static int m_stumpff(void *z, const void *x, slong prec) {
   (void)prec;
-  if (mpfr_nan_p((mpfr_srcptr)x) || too_far_out(x)) return failed(z, SS_UNABLE);
   return rounded_by_balls(z, x, num_arb.stumpff);
 }
 

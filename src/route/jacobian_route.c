@@ -96,12 +96,8 @@ static int by_model(arb_ptr out, const struct jacobian_job *job, enum jacobian_m
 /* --- In double precision --- */
 
 static void ball_of(arb_t out, double value, double err) {
-  mag_t radius;
-  mag_init(radius);
-  mag_set_d(radius, err);
   arb_set_d(out, value);
-  mag_set(arb_radref(out), radius);
-  mag_clear(radius);
+  mag_set_d(arb_radref(out), err);
 }
 
 /* The pass in doubles: parameters, states and times. */
@@ -208,11 +204,8 @@ static int rounding_of_inputs(double off[MATRIX_MOST], const struct jacobian_job
   for (int i = 0; i < entries(map) && !s; i++) {
     arb_ptr d = num_vec_at(&j[1], i);
     arb_sub(d, d, num_vec_at(&j[0], i), FIRST_PREC);
-    mag_t most;
-    mag_init(most);
-    arb_get_mag(most, d);
-    off[i] = mag_get_d(most);
-    mag_clear(most);
+    arb_get_mag(arb_radref(d), d);
+    off[i] = mag_get_d(arb_radref(d));
   }
   for (int i = 0; i < 2; i++) num_vec_clear(&j[i]);
   values_clear(&v);

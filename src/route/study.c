@@ -215,13 +215,11 @@ static int events_simulation(arb_ptr out, struct study *s) {
   status |= coulomb_start_set(&start, &params, num_vec_at(&z, 0), num_vec_at(&z, 1));
   get_all(shift, &z);
   for (int i = 0; i < 2; i++) {
-    arb_neg(shift + i, shift + i);
-    mpfr_ptr x = num_vec_at(&start, i);
-    arf_t exact;
-    arf_init(exact);
-    arf_set_mpfr(exact, x);
-    arb_add_arf(shift + i, shift + i, exact, PREC);
-    arf_clear(exact);
+    arb_t x;
+    arb_init(x);
+    num_mpfr.get_arb(x, num_vec_at(&start, i));
+    arb_sub(shift + i, x, shift + i, PREC);
+    arb_clear(x);
   }
   struct catcher c = {out, shift, 0, false};
   struct coulomb_sink sink = {&c, catch_event, NULL};
