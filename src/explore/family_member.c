@@ -10,7 +10,6 @@
 #include "family_impl.h"
 #include "motion/orbit_judge.h"
 #include "motion/search.h"
-#include "num/pi.h"
 
 enum { PREC = 64 };
 static const double narrow = 1e-6; /* of |trace| - 1, and of a static friction over its bound */
@@ -29,9 +28,8 @@ void family_move(struct family_line *l, slong i) {
   l->params[l->q->axis->vary] = dyn_axis_d(l->q->axis, i);
 }
 
-/* The first crest of phase Gamma. */
 static double crest(const struct family_line *l) {
-  return PI + 2 * atan2((1 - l->params[P_CHI]) * l->params[P_V], l->params[P_E1]);
+  return gamma_crest((1 - l->params[P_CHI]) * l->params[P_V], l->params[P_E1]);
 }
 
 double family_apart(const struct dyn_member *a, const struct dyn_member *b) {

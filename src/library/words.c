@@ -13,7 +13,6 @@ struct numbers {
 };
 
 struct ss_word_orbits {
-  struct mech_word word;
   struct word_orbits list;
   struct numbers *number;
 };
@@ -92,7 +91,6 @@ int ss_word_orbits_find(ss_word_orbits **out, const ss_scene *s, const char *wor
   if (status) return status;
   scene_static_friction(u_r, &s->s);
   struct ss_word_orbits *o = ss_malloc(sizeof *o);
-  *o = (struct ss_word_orbits){.word = w};
   word_seeds_find(&seeds, s->s.value, u_r, SIMULATIONS);
   status = word_orbits_find(&o->list, &w, s->s.value, u_r, &seeds, (slong)((double)digits * 3.33) + 32);
   word_seeds_clear(&seeds);
@@ -120,11 +118,11 @@ size_t ss_word_orbits_count(const ss_word_orbits *o) {
 }
 
 size_t ss_word_orbits_phases(const ss_word_orbits *o) {
-  return o ? (size_t)o->word.n : 0;
+  return o ? (size_t)o->list.word.n : 0;
 }
 
 static bool has_phase(const struct ss_word_orbits *o, size_t k, size_t i) {
-  return orbit_of(o, k) && i < (size_t)o->word.n;
+  return orbit_of(o, k) && i < (size_t)o->list.word.n;
 }
 
 const char *ss_word_orbit_phase(const ss_word_orbits *o, size_t k, size_t i) {

@@ -52,7 +52,7 @@ static bool first_half(struct rise_end *x, const struct slip *k, double g) {
 /* The first time at which the rise is g > 0. */
 static bool rise_reaches(struct rise_end *x, const struct slip *k, double g) {
   if (g < 1.2283 * k->a + 1.5 * k->e1) return first_half(x, k, g); /* at 2 pi/3, where it is steep */
-  double fall = PI + 2 * atan2(k->a, k->e1), top = k->a * fall + 2 * k->e1, turn = 2 * PI * k->a, whole = 0;
+  double fall = gamma_crest(k->a, k->e1), top = k->a * fall + 2 * k->e1, turn = 2 * PI * k->a, whole = 0;
   double doubt = SLIP_DOUBT * (top + g);
   if (g > top) whole = ceil((g - top) / turn);
   g -= whole * turn;

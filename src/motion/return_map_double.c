@@ -21,7 +21,7 @@ int return_map_double_init(struct return_map_double *k, const double params[N_PA
   k->e2 = params[P_E2];
   k->a = (1 - k->chi) * k->V;
   k->rho = hypot(k->a, k->e1);
-  k->fall = PI + 2 * atan2(k->a, k->e1);
+  k->fall = gamma_crest(k->a, k->e1);
   k->root_eta = sqrt(k->eta);
 
   /* Matrix [1, -chi sqrt(eta); -chi sqrt(eta), chi eta]: the larger eigenvalue lies `above` above 1, the smaller

@@ -3,13 +3,19 @@
 #ifndef STICKSLIP_RETURN_MAP_DOUBLE_H
 #define STICKSLIP_RETURN_MAP_DOUBLE_H
 
+#include "num/pi.h"
 #include "trig_sum.h"
+
+/* t*: the first time in phase Gamma at which m1 would reach the belt's speed, where the rise of chi r has its first crest. */
+static inline double gamma_crest(double a, double e1) {
+  return PI + 2 * atan2(a, e1);
+}
 
 struct return_map_double {
   double chi, eta, V, e1, e2;
   double a;          /* (1 - chi) V, the speed of w while both stick */
   double rho;        /* hypot(a, e1) */
-  double fall;       /* t*: the first time at which m1 would reach the belt's speed in phase Gamma */
+  double fall;       /* t* */
   double rise;       /* a record of chi r that falls into a later period begins this long after its start */
   double om[2], omc; /* frequencies of phases H and C */
   double x, y;       /* the slow mode is (x, y), the fast one (y, -x), in (sqrt(eta) z_1, z_2) */

@@ -26,10 +26,6 @@ struct exact {
   struct num_vec now, moved, row; /* row: t, x_1, x_2, x_1', x_2' */
 };
 
-static val element(const struct num_vec *v, slong i) {
-  return num_vec_at(v, i);
-}
-
 /* -1, 0 or 1; zero when within tol. */
 static int sign_of(struct calc *c, val x, val tol) {
   return calc_lt(c, tol, x) ? 1 : calc_lt(c, x, calc_neg(c, tol)) ? -1 : 0;
@@ -46,8 +42,8 @@ static void curves_make(struct exact *e) {
   const int slips[2] = {e->mode[0] != MODE_STICK, e->mode[1] != MODE_STICK};
   struct motion_start at;
   for (int i = 0; i < 2; i++) {
-    at.force[i] = element(&e->now, F_1 + i);
-    at.slip[i] = element(&e->now, P_1 + i);
+    at.force[i] = num_vec_at(&e->now, F_1 + i);
+    at.slip[i] = num_vec_at(&e->now, P_1 + i);
     at.pull[i] = calc_sub(c, sided(c, e->p[COULOMB_US1 + i], e->mode[i] == MODE_BELOW ? 1 : -1), at.force[i]);
   }
   motion_make(&e->motion, c, &e->law, slips, &at);
@@ -61,7 +57,7 @@ static void advance(struct exact *e, val t) {
   val z[N_STATE];
   motion_at(z, c, &e->motion, t);
   for (int i = 0; i < N_STATE; i++) type->set(num_vec_at(&e->moved, F_1 + i), z[i]);
-  type->set(num_vec_at(&e->moved, TIME), calc_add(c, element(&e->now, TIME), t));
+  type->set(num_vec_at(&e->moved, TIME), calc_add(c, num_vec_at(&e->now, TIME), t));
   calc_release(c, mark);
 }
 
@@ -176,7 +172,7 @@ static struct event first_event(int *status, struct exact *e, double t_max) {
 
 static double exact_time(const void *self) {
   const struct exact *e = self;
-  return as_double(&e->c, element(&e->now, TIME));
+  return as_double(&e->c, num_vec_at(&e->now, TIME));
 }
 
 static void exact_row(void *self, struct coulomb_row *row, double t) {
@@ -186,20 +182,20 @@ static void exact_row(void *self, struct coulomb_row *row, double t) {
   slong mark = calc_mark(c);
   const struct num_vec *z = &e->now;
   if (t > exact_time(e)) {
-    advance(e, calc_sub(c, calc_d(c, t), element(&e->now, TIME)));
+    advance(e, calc_sub(c, calc_d(c, t), num_vec_at(&e->now, TIME)));
     z = &e->moved;
   }
   *row = (struct coulomb_row){.t = t, .exact = &e->row};
-  type->set(num_vec_at(&e->row, 0), element(z, TIME));
-  val x1 = calc_div(c, calc_add(c, element(z, F_1), element(z, F_1 + 1)), e->span);
-  val x2 = calc_add(c, x1, calc_div(c, element(z, F_1 + 1), e->p[COULOMB_CHI]));
+  type->set(num_vec_at(&e->row, 0), num_vec_at(z, TIME));
+  val x1 = calc_div(c, calc_add(c, num_vec_at(z, F_1), num_vec_at(z, F_1 + 1)), e->span);
+  val x2 = calc_add(c, x1, calc_div(c, num_vec_at(z, F_1 + 1), e->p[COULOMB_CHI]));
   type->set(num_vec_at(&e->row, 1), x1);
   type->set(num_vec_at(&e->row, 2), x2);
   for (int i = 0; i < 2; i++) {
-    type->set(num_vec_at(&e->row, 3 + i), calc_add(c, e->p[COULOMB_V], element(z, P_1 + i)));
-    row->x[i] = as_double(c, element(&e->row, 1 + i));
-    row->v[i] = as_double(c, element(&e->row, 3 + i));
-    row->u[i] = as_double(c, element(z, F_1 + i));
+    type->set(num_vec_at(&e->row, 3 + i), calc_add(c, e->p[COULOMB_V], num_vec_at(z, P_1 + i)));
+    row->x[i] = as_double(c, num_vec_at(&e->row, 1 + i));
+    row->v[i] = as_double(c, num_vec_at(&e->row, 3 + i));
+    row->u[i] = as_double(c, num_vec_at(z, F_1 + i));
   }
   calc_release(c, mark);
 }
@@ -209,15 +205,15 @@ static void exact_signs(void *self, struct coulomb_signs *s) {
   struct calc *c = &e->c;
   slong mark = calc_mark(c);
   for (int i = 0; i < 2; i++) {
-    val f = element(&e->now, F_1 + i);
-    s->speed[i] = sign_of(c, element(&e->now, P_1 + i), e->tol);
+    val f = num_vec_at(&e->now, F_1 + i);
+    s->speed[i] = sign_of(c, num_vec_at(&e->now, P_1 + i), e->tol);
     if (s->speed[i] == 0) c->ctx.type->set(num_vec_at(&e->now, P_1 + i), e->law.zero);
     s->pull[i] = sign_of(c, f, e->law.zero);
     s->excess[i] = sign_of(c, calc_sub(c, calc_abs(c, f), e->p[COULOMB_UR1 + i]), e->tol);
   }
-  val lead = calc_sub(c, e->law.gap, calc_mul(c, e->p[COULOMB_CHI], element(&e->now, P_1 + 1)));
+  val lead = calc_sub(c, e->law.gap, calc_mul(c, e->p[COULOMB_CHI], num_vec_at(&e->now, P_1 + 1)));
   s->lead = s->speed[1] == 0 ? 1 : sign_of(c, lead, e->tol); /* chi V < V */
-  s->drag = sign_of(c, calc_add(c, element(&e->now, F_1 + 1), e->p[COULOMB_US2]), e->tol);
+  s->drag = sign_of(c, calc_add(c, num_vec_at(&e->now, F_1 + 1), e->p[COULOMB_US2]), e->tol);
   calc_release(c, mark);
 }
 
@@ -227,7 +223,7 @@ static void settle(struct exact *e, const struct event *event) {
   const struct num_type *type = c->ctx.type;
   for (int i = 0; i < 2; i++) {
     bool sticks = e->mode[i] == MODE_STICK;
-    val wrong = sided(c, element(&e->now, P_1 + i), e->mode[i] == MODE_BELOW ? 1 : -1);
+    val wrong = sided(c, num_vec_at(&e->now, P_1 + i), e->mode[i] == MODE_BELOW ? 1 : -1);
     if (sticks || event->mass == i || calc_lt(c, e->law.zero, wrong))
       type->set(num_vec_at(&e->now, P_1 + i), e->law.zero);
     if (sticks && event->mass == i)
@@ -250,7 +246,7 @@ static enum move exact_move(void *self, struct coulomb_run *run) {
   if (!event.t && run->result->steps >= run->plan->max_steps) return MOVE_BUDGET;
   if (!event.t && !isfinite(duration)) return status == SS_DOMAIN ? MOVE_QUIET : MOVE_BUDGET;
   if (isfinite(duration)) {
-    val rest = calc_sub(c, calc_d(c, duration), element(&e->now, TIME));
+    val rest = calc_sub(c, calc_d(c, duration), num_vec_at(&e->now, TIME));
     if (!event.t || calc_lt(c, rest, event.t)) {
       if (!run_samples(run, duration, true)) return MOVE_STOPPED;
       advance(e, rest);
@@ -259,7 +255,7 @@ static enum move exact_move(void *self, struct coulomb_run *run) {
       return c->status ? MOVE_FAILED : MOVE_END;
     }
   }
-  val then = calc_add(c, element(&e->now, TIME), event.t);
+  val then = calc_add(c, num_vec_at(&e->now, TIME), event.t);
   if (!run_samples(run, as_double(c, then), false)) return MOVE_STOPPED;
   advance(e, event.t);
   num_vec_set(&e->now, &e->moved);

@@ -7,37 +7,33 @@
 #include "flow.h"
 #include "map_balls.h"
 
-static struct disk disk_of(val x) {
-  return disk_arb(x);
-}
-
 /* What depends on the parameters alone, in balls first. */
 static void disk_params_from(struct disk_params *s, struct calc *c, const struct ball_params *m) {
   const struct spectrum *f = &m->spectrum;
   val root = calc_sqrt(c, m->p[P_ETA]), share[2] = {calc_sqrt(c, f->above), calc_sqrt(c, f->below)};
   val second[2] = {share[1], calc_neg(c, share[0])}, fall = ball_crest(c, m);
-  s->chi = disk_of(m->p[P_CHI]);
-  s->V = disk_of(m->p[P_V]);
-  s->a = disk_of(m->a);
-  s->e1 = disk_of(m->p[P_E1]);
-  s->e2 = disk_of(m->p[P_E2]);
-  s->span = disk_of(calc_div(c, m->p[P_E2], m->p[P_CHI]));
-  s->eta = disk_of(m->p[P_ETA]);
-  s->pull = disk_of(calc_mul(c, m->p[P_ETA], m->p[P_E2]));
-  s->stiff = disk_of(m->stiff);
-  s->soft = disk_of(calc_div(c, m->one, m->stiff));
-  s->omega = disk_of(m->omega);
-  s->rho = disk_of(calc_sqrt(c, calc_dot(c, m->a, m->a, m->p[P_E1], m->p[P_E1])));
-  s->turn = disk_of(calc_mul(c, m->two, calc_mul(c, calc_pi(c), m->a)));
-  s->fall = disk_of(fall);
-  s->crest = disk_of(ball_rise(c, m, fall));
+  s->chi = disk_arb(m->p[P_CHI]);
+  s->V = disk_arb(m->p[P_V]);
+  s->a = disk_arb(m->a);
+  s->e1 = disk_arb(m->p[P_E1]);
+  s->e2 = disk_arb(m->p[P_E2]);
+  s->span = disk_arb(calc_div(c, m->p[P_E2], m->p[P_CHI]));
+  s->eta = disk_arb(m->p[P_ETA]);
+  s->pull = disk_arb(calc_mul(c, m->p[P_ETA], m->p[P_E2]));
+  s->stiff = disk_arb(m->stiff);
+  s->soft = disk_arb(calc_div(c, m->one, m->stiff));
+  s->omega = disk_arb(m->omega);
+  s->rho = disk_arb(calc_sqrt(c, calc_dot(c, m->a, m->a, m->p[P_E1], m->p[P_E1])));
+  s->turn = disk_arb(calc_mul(c, m->two, calc_mul(c, calc_pi(c), m->a)));
+  s->fall = disk_arb(fall);
+  s->crest = disk_arb(ball_rise(c, m, fall));
   for (int i = 0; i < 2; i++) {
     arb_set(s->exact[i], f->om[i]);
-    s->om[i] = disk_of(f->om[i]);
-    s->inverse[i] = disk_of(calc_div(c, m->one, f->om[i]));
-    s->x[i] = disk_of(calc_mul(c, root, share[i]));
-    s->y[i] = disk_of(second[i]);
-    s->back[i] = disk_of(calc_div(c, share[i], root));
+    s->om[i] = disk_arb(f->om[i]);
+    s->inverse[i] = disk_arb(calc_div(c, m->one, f->om[i]));
+    s->x[i] = disk_arb(calc_mul(c, root, share[i]));
+    s->y[i] = disk_arb(second[i]);
+    s->back[i] = disk_arb(calc_div(c, share[i], root));
     s->force1[i] = disk_mul(s->om[i], s->back[i]);
     s->force2[i] = disk_mul(s->soft, disk_mul(s->om[i], s->y[i]));
   }
