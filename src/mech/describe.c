@@ -54,15 +54,11 @@ static void add_state(const struct printer *p, int j) {
 }
 
 static void add_constant(const struct printer *p, const fmpq_t q) {
-  fmpq_t size;
-  fmpq_init(size);
-  fmpq_abs(size, q);
-  if (fmpq_is_one(size))
+  if (fmpq_is_pm1(q))
     text_add_char(p->out, '1');
   else
-    add_factor(p, size);
+    add_factor(p, q);
   while (p->out->len && p->out->data[p->out->len - 1] == ' ') p->out->data[--p->out->len] = '\0';
-  fmpq_clear(size);
 }
 
 /* row y, y as in mech.h. */

@@ -28,6 +28,10 @@ void mech_flow(arb_mat_t flow, const struct mech_equations *e, int phase, const 
 /* At unknowns (t, free), points or balls. */
 void mech_equations_at(struct mech_equations *e, arb_srcptr x);
 
+/* A condition g < 0; where it may just be zero it is not told. */
+static inline truth mech_holds(const arb_t g) {
+  return arb_is_negative(g) ? TRUTH_TRUE : arb_is_positive(g) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
 /* The facts of an orbit whose lengths and states are known. */
 void mech_judge(struct mech_orbit *o, struct mech_equations *e);
 

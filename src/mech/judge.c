@@ -68,11 +68,6 @@ static void value_of(arb_t z, const arb_mat_t row, const arb_mat_t y, slong prec
   arb_dot(z, NULL, 0, row->entries, 1, y->entries, 1, arb_mat_ncols(row), prec);
 }
 
-/* Negative: the condition holds. */
-static truth by_sign(const arb_t g) {
-  return arb_is_negative(g) ? TRUTH_TRUE : arb_is_positive(g) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-}
-
 /* The bounds of a condition on a step: g, g' at its start and g'' on it; g' on it, (g - g(a))/s and g on it. */
 struct bounds {
   arb_t g, rate, curve, slope, quotient, range;
@@ -113,7 +108,7 @@ static truth on_step(const struct march *m, const struct watch *w, const arb_mat
   truth out;
   if (zeros == 3) value_of(b.curve, w->row[3], along, m->e->prec);
   if (zeros >= 2)
-    out = by_sign(b.curve);
+    out = mech_holds(b.curve);
   else if (meets || arb_is_negative(zeros ? b.quotient : b.range))
     out = TRUTH_TRUE;
   else
@@ -279,7 +274,7 @@ static void judge_passing(struct mech_orbit *o, const struct mech_equations *e, 
   mech_condition(row, e->m, mass, 's', next[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER);
   arb_mat_set_fmpq_mat(c, row, e->prec);
   value_of(g, c, e->state[phase + 1], e->prec);
-  add_fact(o, phase, mass, MECH_BEYOND)->holds = truth_not(by_sign(g));
+  add_fact(o, phase, mass, MECH_BEYOND)->holds = truth_not(mech_holds(g));
   arb_mat_clear(c);
   fmpq_mat_clear(row);
   arb_clear(g);

@@ -146,9 +146,7 @@ truth mech_all_inside(acb_srcptr z, int n) {
   for (int i = 0; i < n; i++) {
     acb_abs(size, z + i, 128);
     arb_sub_ui(size, size, 1, 128);
-    stable = truth_and(stable, arb_is_negative(size)   ? TRUTH_TRUE
-                               : arb_is_positive(size) ? TRUTH_FALSE
-                                                       : TRUTH_UNKNOWN);
+    stable = truth_and(stable, mech_holds(size));
   }
   arb_clear(size);
   return stable;
