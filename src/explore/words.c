@@ -7,12 +7,11 @@ const char *const word_fate_name[] = {"open", "impossible", "coincidence", "uncl
 
 enum { N_PAIRS = 9 };
 
-/* In the order of canonical words. */
+/* In the order of canonical words.  The first letter of a name stands for it. */
 static const struct {
-  char letter;
   const char *name, *phase;
-} pairs[N_PAIRS] = {{'D', "D", "ss"}, {'G', "Gamma", "-s"}, {'H', "H", "--"}, {'C', "C", "s-"}, {'g', "gamma", "+s"},
-                    {'h', "h", "++"}, {'c', "c", "s+"},     {'X', "X", "-+"}, {'x', "x", "+-"}};
+} pairs[N_PAIRS] = {{"D", "ss"}, {"Gamma", "-s"}, {"H", "--"}, {"C", "s-"}, {"gamma", "+s"},
+                    {"h", "++"}, {"c", "s+"},     {"X", "-+"}, {"x", "+-"}};
 
 static int rank_of(const char *phase) {
   int k = 0;
@@ -37,7 +36,7 @@ static size_t phase_at(int *k, const char *text, size_t len) {
   for (*k = 0; *k < N_PAIRS; ++*k)
     if (strlen(pairs[*k].name) == len && strncmp(pairs[*k].name, text, len) == 0) return len;
   for (*k = 0; *k < N_PAIRS; ++*k)
-    if (pairs[*k].letter == text[0]) return 1;
+    if (pairs[*k].name[0] == text[0]) return 1;
   return 0;
 }
 
