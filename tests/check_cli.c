@@ -172,12 +172,14 @@ START_TEST(a_claim_reproduces) {
   ck_assert_str_eq(member(object, "reproduce"), "stickslip verify paper --only eq-31 --out recheck");
   ck_assert_str_eq(member(object, "verdict"), "refuted");
   ck_assert_str_eq(member(strstr(object, "\"correction\": {"), "verdict"), "proved");
-  shell_well("p=$(realpath $P) && v=$PWD/verify && cd $D && mkdir -p reports/paper && "
-             "echo whole > reports/paper/audit.json && STICKSLIP_DATA=$v $p%s && "
+  shell_well("p=$(realpath $P) && cd $D && mkdir -p reports/paper && "
+             "echo whole > reports/paper/audit.json && $p%s && "
              "echo whole | cmp -s - reports/paper/audit.json",
              member(object, "reproduce") + strlen("stickslip"));
   char *json = file_text(scratch_path("recheck/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
   ck_assert(again && strcmp(again, object) == 0);
+  shell_well("STICKSLIP_DATA=tests/row $P verify --only eq-6 --out $D/row && "
+             "grep -q '\"STICKSLIP_DATA=tests/row stickslip verify paper --only eq-6 --out recheck\"' $D/row/audit.json");
   free(again);
   free(json);
   free(object);

@@ -272,7 +272,9 @@ static bool check_errata(const struct model *m, const struct claims *claims, str
       asked = claim_judged_at_points(m, &claims->claim[k]) &&
               (erratum_is_about(r, &claims->claim[k], true) || erratum_is_about(r, &claims->claim[k], false));
     if (asked) continue;
-    diag_at(d, r->src, r->record->id.begin, "%s: no claim is corrected by this", r->record->id_name);
+    diag_at(d, r->src, r->record->id.begin,
+            "%s: no claim is corrected by this; one with this equation number, on a statement that uses it, is",
+            r->record->id_name);
     return false;
   }
   return true;

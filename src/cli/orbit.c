@@ -111,7 +111,8 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
       else if (num_print(out, k->margin, 6) != SS_OK)
         num_print_ball(out, k->margin, 6);
       if (low) text_printf(out, " + 2 %s", i >= MARGIN_D_R_LOW ? "u_r2" : "u_r1");
-      while (out->len - column < 21) text_add_char(out, ' ');
+      do text_add_char(out, ' ');
+      while (out->len - column < 21);
       if (num_print(out, k->time, 8) != SS_OK) num_print_ball(out, k->time, 8);
       text_printf(out, " (%s)\n", dyn_where_name[k->where]);
     }

@@ -77,7 +77,7 @@ static void add_side(struct text *out, const struct num_vec *v, int cols, const 
 
 static void add_values(struct text *out, struct sentence *s, const struct point *p, struct orbit_cache *cache) {
   const struct num_ctx types[] = {num_ctx_double(), num_ctx_mpfr(128), num_ctx_arb(128)};
-  bool differs[MOST_ENTRIES] = {false}, any = false;
+  bool differs[MOST_ENTRIES] = {false}, any = false, equations = true;
   find_differences(differs, s, p, cache);
   for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
     struct num_vec lhs, rhs;
@@ -98,8 +98,11 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
     num_vec_clear(&rhs);
     num_vec_clear(&lhs);
   }
-  for (int i = 0; i < MOST_ENTRIES; i++) any |= differs[i];
-  if (any) add_line(out, "*", "the two sides differ here");
+  for (slong i = 0; i < s->n && i < MOST_ENTRIES; i++) {
+    any |= differs[i];
+    equations &= !differs[i] || s->ops[i] == REL_EQ;
+  }
+  if (any) add_line(out, "*", equations ? "the two sides differ here" : "this fails here");
 }
 
 /* As the files write it, or what is no formula as it is printed. */
@@ -125,7 +128,7 @@ static void print_friction(struct text *out, const struct point *p) {
 
 /* The sentence at a point: like the claim's own points, at the scene's parameters, changed by --at. */
 static bool explain_point(struct text *out, struct judge *j, const struct claim *c, struct view view, const char *at,
-                          bool tape) {
+                          bool tape, bool fails) {
   enum { MOST_DRAWS = 128 };
   struct point_spec spec[4];
   if (!claim_points_asked(c)) {
@@ -143,8 +146,9 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
   for (int i = 0; ok && !at && !point_of_model(&drawn) && i < MOST_DRAWS;
-       i++) { /* one at which both sides have values */
-    if (sentence_try_balls(&s, &drawn, VARIANT_CLOSED, j->cache).outcome != OUTCOME_REJECTED) break;
+       i++) { /* one at which both sides have values; where the claim fails, one at which it does */
+    enum outcome outcome = sentence_try_balls(&s, &drawn, VARIANT_CLOSED, j->cache).outcome;
+    if (fails ? outcome == OUTCOME_DIFFERS : outcome != OUTCOME_REJECTED) break;
     sampler_next(&drawn, &sampler);
   }
   scene_point(&p, &drawn, j->scene, j->cache);
@@ -199,7 +203,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     add_verdict(out, f);
     stable_explain(out, m, f->equation, claim_get(c, "statement"));
     struct judge j = {.out = &r, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
-    ok = explain_point(out, &j, c, claim_view(m, c), at, tape);
+    ok = explain_point(out, &j, c, claim_view(m, c), at, tape, f->verdict == VERDICT_REFUTED);
     orbit_cache_free(j.cache);
   }
   audit_result_clear(&r);

@@ -165,6 +165,12 @@ void scene_set_names(struct scene *s, const char *spec, const char *data, const 
     text_printf(&suffix, " %s ", o->option);
     add_quoted(&suffix, o->item[i]);
   }
+  if (getenv("STICKSLIP_DATA")) {
+    text_add(&command, "STICKSLIP_DATA=");
+    add_quoted(&command, getenv("STICKSLIP_DATA"));
+    text_add_char(&command, ' ');
+  }
+  text_add(&command, "stickslip verify ");
   add_quoted(&command, spec);
   text_add(&command, text_str(&suffix));
   text_printf(&name, "%s%s", s->file, text_str(&suffix));

@@ -146,7 +146,7 @@ struct scene_overrides {
 struct scene {
   char *name; /* as outputs show it: its file's, without folder and suffix, and the overrides: "paper --set e2=1/2" */
   char *file; /* its file's alone */
-  char *command; /* how a command names it: as it was named, and the overrides, quoted for a shell */
+  char *command; /* "stickslip verify" of it, as it was named, with the overrides and the data folder, for a shell */
   char *folder;  /* for its reports */
   char *path, *title;
   bool on_file;          /* it stands in the data folder\'s scenes */

@@ -14,7 +14,7 @@ typedef bool maker(struct text *out, const struct title *t);
 static bool missing(const struct title *t) {
   if (!t->d->set)
     diag_at(t->d, &t->c->file->src, t->c->record->id.begin,
-            "%s: a claim has a kind and a title, or the attributes that make one", t->c->id);
+            "%s: a title is missing; the attributes of this kind make none here", t->c->id);
   return false;
 }
 
