@@ -50,7 +50,8 @@ static void add_decided(struct text *out, const struct audit_result *r) {
 static void add_words(struct text *out, const struct audit_result *r) {
   const struct sheet s = {out, DIALECT_MARKDOWN};
   text_add(out, "## Words used in this report\n\n");
-  for (size_t i = 0; i < n_glossary; i++) sheet_add(&s, "- %s: %t.\n", glossary[i].word, glossary[i].meaning);
+  for (const struct glossary_entry *g = NULL; (g = glossary_next(g, r)) != NULL;)
+    sheet_add(&s, "- %s: %t.\n", g->word, g->meaning);
   text_add_char(out, '\n');
   if (r->paper_text)
     text_printf(out,
@@ -173,6 +174,7 @@ static void add_route_pairs(struct text *out, const struct audit_result *r, bool
 }
 
 static void add_routes(struct text *out, const struct audit_result *r) {
+  if (!r->model) return;
   text_add(out, "## What the routes have in common\n\n");
   if (r->n_pairs)
     text_add(out,

@@ -2,12 +2,13 @@
 #ifndef STICKSLIP_GLOSSARY_H
 #define STICKSLIP_GLOSSARY_H
 
-#include <stddef.h>
+#include "record/result.h"
 
 struct glossary_entry {
   const char *word, *meaning; /* the meaning as a sentence without its stop, formulas between dollar signs */
+  bool of_motion;             /* said only where the paper is about the program's system */
 };
-extern const struct glossary_entry glossary[];
-extern const size_t n_glossary;
+/* The entry that follows, the first after NULL; NULL behind the last. */
+const struct glossary_entry *glossary_next(const struct glossary_entry *last, const struct audit_result *r);
 
 #endif

@@ -280,9 +280,10 @@ void page_letter(const struct page *p) {
       "<p>The <a href=\"#s-findings\">findings</a> follow with corrections and evidence, each with the command that "
       "judges it again; <a href=\"errata.md\">errata.md</a> is the same as a sheet%s. ",
       p->r->data ? "" : " to be sent");
-  if (p->r->data) page_recheck(p);
+  bool shipped = p->r->model && !p->r->data;
+  if (!shipped) page_recheck(p);
   text_printf(p->out,
               "%s repeats the whole audit; what it does not show is said <a "
               "href=\"#s-limits\">at the end</a>.</p>\n</section>\n",
-              p->r->data ? "" : "<code>make deps verify</code> in a copy of the project");
+              shipped ? "<code>make deps verify</code> in a copy of the project" : "");
 }

@@ -29,8 +29,8 @@ static void add_phases(const struct page *p) {
 static void add_words(const struct page *p) {
   text_add(p->out, "<h4 id=\"s-words\">Words used on this page</h4>\n<p>What the verdicts mean is said <a "
                    "href=\"#s-power\">below</a>.</p>\n<dl>\n");
-  for (size_t i = 0; i < n_glossary; i++)
-    page_add(p, "<dt>%s</dt>\n<dd>%t.</dd>\n", glossary[i].word, glossary[i].meaning);
+  for (const struct glossary_entry *g = NULL; (g = glossary_next(g, p->r)) != NULL;)
+    page_add(p, "<dt>%s</dt>\n<dd>%t.</dd>\n", g->word, g->meaning);
   text_add(p->out, "</dl>\n");
 }
 
