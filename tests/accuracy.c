@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "motion/event.h"
+#include "rational.h"
 
 enum { MOVE = 60 };
 
@@ -43,21 +44,15 @@ bool accuracy_of(double *error, double *condition, const struct method *m, const
   return good;
 }
 
-fmpq *exact_params(const double p[N_PARAMS], int moved) {
-  fmpq *q = _fmpq_vec_init(N_PARAMS);
+/* The parameters in exact numbers, one of them moved. */
+static fmpq *moved_params(const double p[N_PARAMS], int moved) {
+  fmpq *q = rationals_d(p, N_PARAMS);
   fmpq_t more;
-  arf_t x;
   fmpq_init(more);
-  arf_init(x);
-  for (int i = 0; i < N_PARAMS; i++) {
-    arf_set_d(x, p[i]);
-    arf_get_fmpq(q + i, x);
-  }
   if (moved >= 0) {
     fmpq_div_2exp(more, q + moved, MOVE);
     fmpq_add(q + moved, q + moved, more);
   }
-  arf_clear(x);
   fmpq_clear(more);
   return q;
 }
@@ -66,7 +61,7 @@ static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg
   struct orbit_truth *t = arg;
   struct dyn_orbit o;
   truth first = TRUTH_UNKNOWN;
-  fmpq *params = exact_params(in, moved);
+  fmpq *params = moved_params(in, moved);
   bool found =
       dyn_orbit_near(&o, &first, params, (struct dyn_place){t->tb, t->tc, t->up}, ACCURACY_BITS, NULL) == SS_OK;
   if (found) {

@@ -32,7 +32,4 @@ struct orbit_truth {
 };
 extern const struct method orbit_method;
 
-/* The parameters in exact numbers, to be cleared with _fmpq_vec_clear; moved as above. */
-fmpq *exact_params(const double p[N_PARAMS], int moved);
-
 #endif

@@ -10,6 +10,7 @@
 
 #include "judge/judge.h"
 #include "paper_model.h"
+#include "rational.h"
 #include "report/report.h"
 #include "route/jacobian.h"
 #include "run/audit.h"
@@ -121,16 +122,6 @@ END_TEST
 static bool load_text(struct scene *s, struct diag *d, const char *text) {
   diag_init(d);
   return scene_load(s, scratch_put("case.scene", text), "no-such-folder", d);
-}
-
-/* "p/q" or "p" */
-static void is_rational(const fmpq_t x, const char *want) {
-  fmpq_t w;
-  fmpq_init(w);
-  ck_assert(fmpq_set_str(w, want, 10) == 0);
-  fmpq_canonicalise(w);
-  ck_assert_msg(fmpq_equal(x, w), "not %s", want);
-  fmpq_clear(w);
 }
 
 START_TEST(scenes_are_exact) {

@@ -7,23 +7,20 @@
 
 #include "explore/basin.h"
 #include "explore/family.h"
+#include "rational.h"
 #include "suites.h"
 
-static const struct {
-  const char *params[N_PARAMS];
-} sets[] = {{{"0.8", "1", "1", "2.7844", "1.85"}},
-            {{"0.66", "2", "1", "2", "0.25"}},
-            {{"0.78", "2", "1", "4", "0.25"}},
-            {{"0.8", "1", "1", "8", "0.8587"}},
-            {{"0.8", "1", "1", "2.7844", "2.1"}}};
+static const char *const sets[][N_PARAMS] = {{"0.8", "1", "1", "2.7844", "1.85"},
+                                             {"0.66", "2", "1", "2", "0.25"},
+                                             {"0.78", "2", "1", "4", "0.25"},
+                                             {"0.8", "1", "1", "8", "0.8587"},
+                                             {"0.8", "1", "1", "2.7844", "2.1"}};
 enum { N_SETS = sizeof sets / sizeof *sets };
 
-static void read_set(fmpq *params, double p[N_PARAMS], int i) {
-  for (int k = 0; k < N_PARAMS; k++) {
-    fmpq_init(params + k);
-    ck_assert(num_parse_decimal(params + k, sets[i].params[k], strlen(sets[i].params[k])) == SS_OK);
-    p[k] = fmpq_get_d(params + k);
-  }
+static fmpq *read_set(double p[N_PARAMS], int i) {
+  fmpq *params = rationals(sets[i], N_PARAMS);
+  for (int k = 0; k < N_PARAMS; k++) p[k] = fmpq_get_d(params + k);
+  return params;
 }
 
 static double r_of(const struct dyn_orbit *o) {
@@ -42,14 +39,11 @@ static const struct dyn_orbit *stable_orbit(const struct dyn_orbits *list) {
 /* The greatest z_2' - V after a hundredth of phase H that starts from r, by steps of the matrix exponential. */
 static double highest_v2(const double p[N_PARAMS], double r, const double t[4]) {
   enum { STEPS = 4000 };
-  struct num_vec params, step, z;
+  struct num_vec params = vec_of(p, N_PARAMS, num_ctx_double()), step;
   double highest = -HUGE_VAL, gamma = t[PHASE_GAMMA], h = t[PHASE_H] / STEPS;
-  num_vec_init(&params, N_PARAMS, num_ctx_double());
   num_vec_init(&step, 16, num_ctx_double());
-  num_vec_init(&z, 4, num_ctx_double());
-  for (int i = 0; i < N_PARAMS; i++) *(double *)num_vec_at(&params, i) = p[i];
   double start[4] = {(p[P_E1] + p[P_CHI] * r) / (1 - p[P_CHI]), (p[P_E1] + r) / (1 - p[P_CHI]), p[P_V], p[P_V]};
-  for (int i = 0; i < 4; i++) *(double *)num_vec_at(&z, i) = start[i];
+  struct num_vec z = vec_of(start, 4, num_ctx_double());
   ck_assert_int_eq(dyn_propagator(&step, PHASE_GAMMA, &params, &gamma), SS_OK);
   ck_assert_int_eq(num_mat_mul(&z, &step, &z, 4, 4, 1), SS_OK);
   ck_assert_int_eq(dyn_propagator(&step, PHASE_H, &params, &h), SS_OK);
@@ -78,12 +72,11 @@ static void check_failure(const struct dyn_basin *b, const double p[N_PARAMS], d
 }
 
 START_TEST(starts_inside_come_nearer) {
-  fmpq params[N_PARAMS];
   double p[N_PARAMS];
   const fmpq *none[2] = {NULL, NULL};
   struct dyn_orbits list;
   struct dyn_basin b;
-  read_set(params, p, _i);
+  fmpq *params = read_set(p, _i);
   ck_assert_int_eq(dyn_orbits_find(&list, params, 96, NULL), SS_OK);
   const struct dyn_orbit *o = stable_orbit(&list);
   dyn_basin_init(&b);
@@ -102,7 +95,7 @@ START_TEST(starts_inside_come_nearer) {
   check_failure(&b, p, r);
   dyn_basin_clear(&b);
   dyn_orbits_clear(&list);
-  for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&params[k]);
+  _fmpq_vec_clear(params, N_PARAMS);
   flint_cleanup();
 }
 END_TEST
@@ -110,12 +103,11 @@ END_TEST
 /* The slope passes -1 at r near -3.0962 for the first set: by bisection on the return map in double precision.  The
    interval reaches four fifths of the way there at least. */
 START_TEST(the_interval_is_wide) {
-  fmpq params[N_PARAMS];
   double p[N_PARAMS], image, slope, t[4];
   const fmpq *none[2] = {NULL, NULL};
   struct dyn_orbits list;
   struct dyn_basin b;
-  read_set(params, p, 0);
+  fmpq *params = read_set(p, 0);
   ck_assert_int_eq(dyn_orbits_find(&list, params, 96, NULL), SS_OK);
   const struct dyn_orbit *o = stable_orbit(&list);
   dyn_basin_init(&b);
@@ -131,18 +123,18 @@ START_TEST(the_interval_is_wide) {
   ck_assert_double_ge(fmpq_get_d(&b.high) - r, 0.8 * (outside - r));
   dyn_basin_clear(&b);
   dyn_orbits_clear(&list);
-  for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&params[k]);
+  _fmpq_vec_clear(params, N_PARAMS);
   flint_cleanup();
 }
 END_TEST
 
 /* Static friction a little above its bound on the orbit is too little a little beside it. */
 START_TEST(given_friction_narrows_it) {
-  fmpq params[N_PARAMS], u;
+  fmpq u;
   double p[N_PARAMS];
   struct dyn_orbits list;
   struct dyn_basin b[2];
-  read_set(params, p, 1);
+  fmpq *params = read_set(p, 1);
   fmpq_init(&u);
   ck_assert_int_eq(dyn_orbits_find(&list, params, 96, NULL), SS_OK);
   const struct dyn_orbit *o = stable_orbit(&list);
@@ -160,20 +152,19 @@ START_TEST(given_friction_narrows_it) {
   for (int i = 0; i < 2; i++) dyn_basin_clear(&b[i]);
   dyn_orbits_clear(&list);
   fmpq_clear(&u);
-  for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&params[k]);
+  _fmpq_vec_clear(params, N_PARAMS);
   flint_cleanup();
 }
 END_TEST
 
 /* Orbits that are unstable or not admissible have none. */
 START_TEST(no_interval_where_there_is_none) {
-  fmpq params[N_PARAMS];
   double p[N_PARAMS];
   const fmpq *none[2] = {NULL, NULL};
   int others = 0;
   for (int i = 0; i < N_SETS; i++) {
     struct dyn_orbits list;
-    read_set(params, p, i);
+    fmpq *params = read_set(p, i);
     ck_assert_int_eq(dyn_orbits_find(&list, params, 96, NULL), SS_OK);
     for (slong k = 0; k < list.n; k++) {
       if (&list.orbit[k] == stable_orbit(&list)) continue;
@@ -185,7 +176,7 @@ START_TEST(no_interval_where_there_is_none) {
       others++;
     }
     dyn_orbits_clear(&list);
-    for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&params[k]);
+    _fmpq_vec_clear(params, N_PARAMS);
   }
   ck_assert_int_gt(others, 2);
   flint_cleanup();

@@ -12,6 +12,7 @@
 #include "judge/behaviour.h"
 #include "laws_num.h"
 #include "paper_model.h"
+#include "rational.h"
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
@@ -46,14 +47,12 @@ static void read_equality(struct row row[2]) {
 /* The series at r, the start lying on w = e1, in balls of 200 bits; radius: of r, as a power of 2, or 0. */
 static int series(arb_ptr c, slong n, const double par[N_PARAMS], double r, slong radius) {
   struct num_ctx ctx = num_ctx_arb(200);
-  struct num_vec params;
+  struct num_vec params = vec_of(par, N_PARAMS, ctx);
   struct dyn_arc arc;
   double t[4], out;
   arb_ptr z = _arb_vec_init(3);
   ck_assert_int_eq(dyn_return_map_d(&out, NULL, t, par, r, &dyn_limits_default), SS_OK);
-  num_vec_init(&params, N_PARAMS, ctx);
   dyn_arc_init(&arc, ctx);
-  for (int i = 0; i < N_PARAMS; i++) ctx.type->set_d(num_vec_at(&params, i), par[i], 200);
   arb_set_d(z + 2, r);
   if (radius) mag_set_ui_2exp_si(arb_radref(z + 2), 1, radius);
   const void *chi = num_vec_at(&params, P_CHI), *e1 = num_vec_at(&params, P_E1);

@@ -15,34 +15,30 @@
 #include "explore/family.h"
 #include "motion/dual.h"
 #include "motion/map_balls.h"
+#include "rational.h"
 #include "suites.h"
 #include "table.h"
 
-static void set_decimal(fmpq_t q, const char *s) {
-  ck_assert_msg(num_parse_decimal(q, s, strlen(s)) == SS_OK, "%s", s);
-}
-
 /* A line: five parameters and two ends, as decimals. */
 struct line {
-  fmpq params[N_PARAMS];
+  fmpq *params;
   fmpq_t from, to;
   int vary;
 };
 
 static void line_init(struct line *l, const char *const params[N_PARAMS], int vary, const char *from, const char *to) {
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&l->params[i]);
-    if (i != vary) set_decimal(&l->params[i], params[i]);
-  }
+  l->params = _fmpq_vec_init(N_PARAMS);
+  for (int i = 0; i < N_PARAMS; i++)
+    if (i != vary) rational_set(l->params + i, params[i]);
   fmpq_init(l->from);
   fmpq_init(l->to);
-  set_decimal(l->from, from);
-  set_decimal(l->to, to);
+  rational_set(l->from, from);
+  rational_set(l->to, to);
   l->vary = vary;
 }
 
 static void line_clear(struct line *l) {
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&l->params[i]);
+  _fmpq_vec_clear(l->params, N_PARAMS);
   fmpq_clear(l->from);
   fmpq_clear(l->to);
 }
@@ -158,7 +154,7 @@ START_TEST(values_of_the_oracle) {
     while (strcmp(names[vary], field[5]) != 0) vary++;
     fmpq_t value;
     fmpq_init(value);
-    set_decimal(value, field[9]);
+    rational_set(value, field[9]);
     if (same < 8) { /* else several changes on one line */
       if (row > 0) dyn_bifurcations_clear(&list);
       if (row > 0) line_clear(&l);
@@ -223,13 +219,10 @@ END_TEST
 /* --- What happens at a change --- */
 
 static slong orbits_at(struct dyn_orbits *list, const struct line *l, const fmpq_t x) {
-  fmpq p[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&p[i]);
-    fmpq_set(&p[i], i == l->vary ? x : &l->params[i]);
-  }
+  fmpq *p = rationals_of(l->params, N_PARAMS);
+  fmpq_set(p + l->vary, x);
   ck_assert_int_eq(dyn_orbits_find(list, p, 64, NULL), SS_OK);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&p[i]);
+  _fmpq_vec_clear(p, N_PARAMS);
   return list->n;
 }
 
@@ -349,7 +342,7 @@ START_TEST(touch_of_the_oracle) {
   struct dyn_bifurcations list;
   fmpq_t value;
   fmpq_init(value);
-  set_decimal(value, "1.109697612188447494143523204199");
+  rational_set(value, "1.109697612188447494143523204199");
   line_init(&l, params, P_E2, "1.1", "1.12");
   ck_assert_int_eq(find(&list, &l, 25), SS_OK);
   int hits = 0;
@@ -368,17 +361,13 @@ START_TEST(touch_of_the_oracle) {
   for (int late = 0; late < 2; late++) { /* the example: its t_c is 1.4898... */
     struct ball_params m;
     struct ball_pass s;
-    fmpq at[N_PARAMS];
     const char *const example[] = {"0.8", "1", "1", "2.7844", "0.8587"};
     struct calc c = calc_begin(num_ctx_arb(96));
-    for (int i = 0; i < N_PARAMS; i++) {
-      fmpq_init(&at[i]);
-      set_decimal(&at[i], example[i]);
-    }
+    fmpq *at = rationals(example, N_PARAMS);
     ball_params_init(&m, &c, at);
     ball_pass_slip(&s, &c, &m, calc_d(&c, 2.00532), calc_d(&c, late ? 2.5 : 1.48));
     ck_assert_int_eq(ball_touches(&c, &m, &s, 10000), late ? TRUTH_UNKNOWN : TRUTH_TRUE);
-    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&at[i]);
+    _fmpq_vec_clear(at, N_PARAMS);
     calc_clear(&c);
   }
   dyn_bifurcations_clear(&list);
@@ -435,8 +424,8 @@ START_TEST(friction_that_is_just_enough) {
   fmpq u[2];
   int hits[2] = {0, 0};
   for (int i = 0; i < 2; i++) fmpq_init(&u[i]);
-  set_decimal(&u[0], "2.2");
-  set_decimal(&u[1], "1.7");
+  rational_set(&u[0], "2.2");
+  rational_set(&u[1], "1.7");
   line_init(&l, params, P_E2, "0.7", "1.2");
   const struct dyn_line line = {l.params, l.vary, l.from, l.to, {&u[0], &u[1]}};
   ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 10, 33), SS_OK);

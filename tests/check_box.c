@@ -10,42 +10,26 @@
 
 #include "every.h"
 #include "explore/box.h"
+#include "rational.h"
 #include "suites.h"
 
 struct ends {
   const char *low[N_PARAMS], *high[N_PARAMS];
 };
 
-static void read_box(fmpq *low, fmpq *high, const struct ends *e) {
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(low + i);
-    fmpq_init(high + i);
-    ck_assert(num_parse_decimal(low + i, e->low[i], strlen(e->low[i])) == SS_OK);
-    ck_assert(num_parse_decimal(high + i, e->high[i], strlen(e->high[i])) == SS_OK);
-  }
-}
-
-static void clear_box(fmpq *low, fmpq *high) {
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_clear(low + i);
-    fmpq_clear(high + i);
-  }
-}
-
 /* Orbits at low + part (high - low), part in quarters for each parameter. */
 static void orbits_at(struct dyn_orbits *list, const fmpq *low, const fmpq *high, const int part[N_PARAMS]) {
-  fmpq at[N_PARAMS];
+  fmpq *at = _fmpq_vec_init(N_PARAMS);
   fmpq_t share;
   fmpq_init(share);
   for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&at[i]);
     fmpq_set_si(share, part[i], 4);
     fmpq_sub(&at[i], high + i, low + i);
     fmpq_mul(&at[i], &at[i], share);
     fmpq_add(&at[i], &at[i], low + i);
   }
   ck_assert_int_eq(dyn_orbits_find(list, at, 64, NULL), SS_OK);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&at[i]);
+  _fmpq_vec_clear(at, N_PARAMS);
   fmpq_clear(share);
 }
 
@@ -97,9 +81,8 @@ static const struct ends boxes[] = {
 enum { N_BOXES = sizeof boxes / sizeof *boxes };
 
 START_TEST(every_point_of_a_box_is_enclosed) {
-  fmpq low[N_PARAMS], high[N_PARAMS];
   struct dyn_box box;
-  read_box(low, high, &boxes[_i]);
+  fmpq *low = rationals(boxes[_i].low, N_PARAMS), *high = rationals(boxes[_i].high, N_PARAMS);
   ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
   struct seen *seen = calloc((size_t)box.n + 1, sizeof *seen);
   ck_assert_int_gt(box.n, 0);
@@ -146,7 +129,8 @@ START_TEST(every_point_of_a_box_is_enclosed) {
   ck_assert_int_gt(proved, 0);
   free(seen);
   dyn_box_clear(&box);
-  clear_box(low, high);
+  _fmpq_vec_clear(high, N_PARAMS);
+  _fmpq_vec_clear(low, N_PARAMS);
   flint_cleanup();
 }
 END_TEST
@@ -166,10 +150,9 @@ START_TEST(what_is_settled_and_what_changes) {
                {"2.1", "2.11", TRUTH_TRUE, TRUTH_UNKNOWN, false, true},
                {"2.11", "2.3", TRUTH_TRUE, TRUTH_FALSE, false, false}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    fmpq low[N_PARAMS], high[N_PARAMS];
     struct dyn_box box;
     const struct ends e = {{"0.8", "1", "1", "2.7844", cases[i].low}, {"0.8", "1", "1", "2.7844", cases[i].high}};
-    read_box(low, high, &e);
+    fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
     ck_assert_int_eq(dyn_box_find(&box, low, high, FEW_HALVINGS), SS_OK);
     int hits = 0;
     for (slong k = 0; k < box.n; k++) {
@@ -183,7 +166,8 @@ START_TEST(what_is_settled_and_what_changes) {
     }
     ck_assert_int_eq(hits, 1);
     dyn_box_clear(&box);
-    clear_box(low, high);
+    _fmpq_vec_clear(high, N_PARAMS);
+    _fmpq_vec_clear(low, N_PARAMS);
   }
   flint_cleanup();
 }
@@ -197,10 +181,9 @@ START_TEST(an_orbit_that_ends_is_not_proved) {
     double tb;
   } cases[] = {{"1.75", "1.85", 1.2486}, {"1.3", "1.4", 1.914}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    fmpq low[N_PARAMS], high[N_PARAMS];
     struct dyn_box box;
     const struct ends e = {{"0.8", "1", "1", "2.7844", cases[i].low}, {"0.8", "1", "1", "2.7844", cases[i].high}};
-    read_box(low, high, &e);
+    fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
     ck_assert_int_eq(dyn_box_find(&box, low, high, FEW_HALVINGS), SS_OK);
     int hits = 0;
     for (slong k = 0; k < box.n; k++) {
@@ -211,7 +194,8 @@ START_TEST(an_orbit_that_ends_is_not_proved) {
     }
     ck_assert_int_eq(hits, 1);
     dyn_box_clear(&box);
-    clear_box(low, high);
+    _fmpq_vec_clear(high, N_PARAMS);
+    _fmpq_vec_clear(low, N_PARAMS);
   }
   flint_cleanup();
 }
@@ -221,11 +205,10 @@ END_TEST
 START_TEST(proved_pieces_are_cut) {
   static const struct ends e = {{"0.737754", "1.98746", "0.984371", "3.48531", "0.165766"},
                                 {"0.737754", "1.98746", "1.01563", "3.59598", "0.17103"}};
-  fmpq low[N_PARAMS], high[N_PARAMS];
   struct dyn_box box;
   struct dyn_orbits middle;
   const int half[N_PARAMS] = {2, 2, 2, 2, 2};
-  read_box(low, high, &e);
+  fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
   ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
   orbits_at(&middle, low, high, half);
   ck_assert_int_gt(box.n, 0);
@@ -233,7 +216,8 @@ START_TEST(proved_pieces_are_cut) {
   for (slong k = 0; k < box.n; k++) ck_assert(!box.at[k].proved || inside(&box.at[k], &middle.orbit[k]));
   dyn_orbits_clear(&middle);
   dyn_box_clear(&box);
-  clear_box(low, high);
+  _fmpq_vec_clear(high, N_PARAMS);
+  _fmpq_vec_clear(low, N_PARAMS);
   flint_cleanup();
 }
 END_TEST

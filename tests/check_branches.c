@@ -9,6 +9,7 @@
 #include "motion/branches.h"
 #include "motion/complete.h"
 #include "paper_model.h"
+#include "rational.h"
 #include "run/run.h"
 #include "scratch.h"
 #include "suites.h"
@@ -19,7 +20,7 @@ static const double LAST = 20; /* t_c of the file */
 
 struct set {
   char name[32];
-  fmpq p[N_PARAMS];
+  fmpq *p;
   int n;
   double t[MOST_SOLUTIONS][N_PHASES];
 };
@@ -37,10 +38,7 @@ static void read_sets(void) {
       ck_assert_int_lt(n_sets++, MOST_SETS);
       snprintf(s->name, sizeof s->name, "%s", field[1]);
       s->n = 0;
-      for (int i = 0; i < N_PARAMS; i++) {
-        fmpq_init(s->p + i);
-        ck_assert_int_eq(num_parse_decimal(s->p + i, field[2 + i], strlen(field[2 + i])), SS_OK);
-      }
+      s->p = rationals((const char *const *)field + 2, N_PARAMS);
       continue;
     }
     s--;
@@ -52,8 +50,7 @@ static void read_sets(void) {
 }
 
 static void forget_sets(void) {
-  for (int k = 0; k < n_sets; k++)
-    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(set[k].p + i);
+  for (int k = 0; k < n_sets; k++) _fmpq_vec_clear(set[k].p, N_PARAMS);
 }
 
 static bool is_at(const struct dyn_orbit *o, const double t[N_PHASES]) {

@@ -26,6 +26,7 @@
 #include "motion/orbit_equations.h"
 #include "motion/orbit_judge.h"
 #include "motion/warm.h"
+#include "rational.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -33,24 +34,13 @@
 /* --- A question and its answer --- */
 
 struct study {
-  fmpq params[N_PARAMS], u[2];
+  fmpq *params, *u;
   enum dyn_quantity which[2];
   struct dyn_question q;
   struct dyn_orbits list;
   struct dyn_certificate *proof;
   struct text json;
 };
-
-static void rational(fmpq_t q, const char *s) {
-  fmpq_init(q);
-  bool negative = s[0] == '-';
-  if (strchr(s, '/')) {
-    ck_assert_int_eq(fmpq_set_str(q, s, 10), 0);
-    return;
-  }
-  ck_assert_msg(num_parse_decimal(q, s + negative, strlen(s) - negative) == SS_OK, "%s", s);
-  if (negative) fmpq_neg(q, q);
-}
 
 static void certify_all(struct study *s) {
   s->proof = malloc((size_t)(s->list.n + 1) * sizeof *s->proof);
@@ -65,14 +55,11 @@ static void certify_all(struct study *s) {
 /* chi, eta, V and two quantities; u_r1, u_r2 or NULL. */
 static void study_open(struct study *s, const char *const text[N_PARAMS], enum dyn_quantity first,
                        enum dyn_quantity second, const char *const u[2], slong prec) {
-  *s = (struct study){.which = {first, second}};
-  for (int i = 0; i < N_PARAMS; i++) rational(&s->params[i], text[i]);
+  *s = (struct study){.params = rationals(text, N_PARAMS), .u = _fmpq_vec_init(2), .which = {first, second}};
   s->q = (struct dyn_question){.model = s->params, .value = s->params + 3, .which = s->which};
   for (int i = 0; i < 2; i++) {
-    fmpq_init(&s->u[i]);
     if (!u || !u[i]) continue;
-    fmpq_clear(&s->u[i]);
-    rational(&s->u[i], u[i]);
+    rational_set(&s->u[i], u[i]);
     s->q.u_r[i] = &s->u[i];
   }
   dyn_orbits_given(&s->list, s->params, s->which, s->params + 3, prec, NULL);
@@ -96,8 +83,8 @@ static void study_close(struct study *s) {
   free(s->proof);
   dyn_orbits_clear(&s->list);
   text_clear(&s->json);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&s->params[i]);
-  for (int i = 0; i < 2; i++) fmpq_clear(&s->u[i]);
+  _fmpq_vec_clear(s->params, N_PARAMS);
+  _fmpq_vec_clear(s->u, 2);
 }
 
 static void all_certified(const struct study *s, slong n) {
@@ -349,14 +336,13 @@ START_TEST(extremes_end) {
   text_clear(&why);
   study_close(&s);
 
-  fmpq_t p[N_PARAMS];
   static const char *const hard[N_PARAMS] = {"0.999999999", "1e300", "1", "1e-300", "1e-300"};
   struct dyn_orbits list;
-  for (int i = 0; i < N_PARAMS; i++) rational(p[i], hard[i]);
-  ck_assert_int_eq(dyn_orbits_find(&list, p[0], 64, NULL), SS_UNABLE);
+  fmpq *p = rationals(hard, N_PARAMS);
+  ck_assert_int_eq(dyn_orbits_find(&list, p, 64, NULL), SS_UNABLE);
   ck_assert_int_lt(list.evaluations, 2000000);
   dyn_orbits_clear(&list);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p[i]);
+  _fmpq_vec_clear(p, N_PARAMS);
 }
 END_TEST
 

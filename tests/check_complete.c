@@ -18,6 +18,7 @@
 #include "motion/strip.h"
 #include "motion/turns.h"
 #include "num/pi.h"
+#include "rational.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -26,19 +27,12 @@ enum { MAX_SETS = 40, MAX_ORBITS = 8 };
 
 struct set {
   char name[32];
-  fmpq p[N_PARAMS];
+  fmpq *p;
   int n;
   double at[MAX_ORBITS][2]; /* t_b, t_c */
 };
 static struct set set[MAX_SETS];
 static int n_sets;
-
-static void parse(fmpq *q, const char *s) {
-  if (strchr(s, '/'))
-    ck_assert_int_eq(fmpq_set_str(q, s, 10), 0);
-  else
-    ck_assert_int_eq(num_parse_decimal(q, s, strlen(s)), SS_OK);
-}
 
 static void read_sets(void) {
   struct table t;
@@ -51,10 +45,7 @@ static void read_sets(void) {
       ck_assert(n_sets <= MAX_SETS);
       snprintf(s->name, sizeof s->name, "%s", field[1]);
       s->n = 0;
-      for (int i = 0; i < N_PARAMS; i++) {
-        fmpq_init(s->p + i);
-        parse(s->p + i, field[2 + i]);
-      }
+      s->p = rationals((const char *const *)field + 2, N_PARAMS);
     } else {
       struct set *s = &set[n_sets - 1];
       ck_assert(s->n < MAX_ORBITS);
@@ -67,8 +58,7 @@ static void read_sets(void) {
 }
 
 static void clear_sets(void) {
-  for (int i = 0; i < n_sets; i++)
-    for (int k = 0; k < N_PARAMS; k++) fmpq_clear(set[i].p + k);
+  for (int i = 0; i < n_sets; i++) _fmpq_vec_clear(set[i].p, N_PARAMS);
 }
 
 static struct set *find_set(const char *name) {
@@ -130,18 +120,14 @@ END_TEST
    rises need go to the first one.  The times are a solution by tests/oracle/orbits.py at 60 digits. */
 START_TEST(a_late_event_is_found) {
   static const char *const row[N_PARAMS] = {"0.07", "2.19", "4.82", "0.0434", "0.00891"};
-  fmpq p[N_PARAMS];
+  fmpq *p = rationals(row, N_PARAMS);
   struct dyn_orbits list;
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(p + i);
-    parse(p + i, row[i]);
-  }
   dyn_orbits_find(&list, p, 60, NULL);
   ck_assert_int_eq(list.n, 1);
   ck_assert_double_eq_tol(list.orbit[0].guess[1], 0.68055835521538336586, 1e-13);
   ck_assert_double_eq_tol(list.orbit[0].guess[2], 367.71375338769858034, 1e-10);
   dyn_orbits_clear(&list);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
+  _fmpq_vec_clear(p, N_PARAMS);
 }
 END_TEST
 
@@ -154,17 +140,15 @@ START_TEST(a_motion_that_repeats_itself) {
   } row[] = {{{"9/25", "25/9", "1", "1.3", "0.4"}, true},
              {{"44/125", "25/11", "1", "0.8", "0.3"}, true},
              {{"9/25", "2.777777777777777", "1", "1.3", "0.4"}, false}};
-  fmpq p[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) fmpq_init(p + i);
   for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
     struct dyn_orbits list = {.n = 0};
-    for (int i = 0; i < N_PARAMS; i++) parse(p + i, row[k].p[i]);
+    fmpq *p = rationals(row[k].p, N_PARAMS);
     ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, NULL, DYN_CELLS / 10), SS_OK);
     ck_assert_msg(list.complete == row[k].complete && list.n == 0, "row %zu: %s, %ld orbits", k, dyn_gap_text[list.gap],
                   (long)list.n);
     dyn_orbits_clear(&list);
+    _fmpq_vec_clear(p, N_PARAMS);
   }
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
 }
 END_TEST
 
@@ -195,20 +179,14 @@ START_TEST(hopeless_parameters_are_said) {
       {{"1/2", "1", "1e400", "1", "1"}, SS_OK, GAP_RANGE},
       {{"0.99999999999999999999999999999999999999999999999999", "1", "1", "1", "1"}, SS_OK, GAP_RANGE},
   };
-  fmpq p[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) fmpq_init(p + i);
   for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
     struct dyn_orbits list = {.n = 0};
-    for (int i = 0; i < N_PARAMS; i++)
-      if (row[k].p[i][0] == '-')
-        fmpq_set_si(p + i, -1, 1);
-      else
-        parse(p + i, row[k].p[i]);
+    fmpq *p = rationals(row[k].p, N_PARAMS);
     ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, NULL, 1000000), row[k].status);
     ck_assert_msg(!list.complete && list.gap == row[k].gap, "row %zu: %s", k, dyn_gap_text[list.gap]);
     dyn_orbits_clear(&list);
+    _fmpq_vec_clear(p, N_PARAMS);
   }
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
 }
 END_TEST
 
@@ -486,13 +464,8 @@ START_TEST(random_parameters) {
     double p[N_PARAMS] = {0.03 + 0.94 * uniform(&state), 0.05 * pow(400, uniform(&state)),
                           0.2 * pow(15, uniform(&state)), 0.2 * pow(30, uniform(&state)),
                           0.05 * pow(100, uniform(&state))};
-    fmpq q[N_PARAMS];
-    for (int i = 0; i < N_PARAMS; i++) {
-      fmpq_init(q + i);
-      p[i] = floor(p[i] * 4096 + 1) / 4096;
-      fmpq_set_si(q + i, (slong)(p[i] * 4096), 4096);
-      fmpq_canonicalise(q + i);
-    }
+    for (int i = 0; i < N_PARAMS; i++) p[i] = floor(p[i] * 4096 + 1) / 4096;
+    fmpq *q = rationals_d(p, N_PARAMS);
     struct dyn_orbits empty = {.n = 0}, list;
     dyn_orbits_find(&list, q, 60, NULL);
     slong found = list.n;
@@ -508,7 +481,7 @@ START_TEST(random_parameters) {
     }
     dyn_orbits_clear(&list);
     dyn_orbits_clear(&empty);
-    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(q + i);
+    _fmpq_vec_clear(q, N_PARAMS);
   }
   ck_assert_msg(complete > TRIALS - 3 && seen > 5 && orbits > TRIALS, "%ld complete, %ld seen, %ld orbits", complete,
                 seen, orbits);
@@ -520,15 +493,11 @@ END_TEST
 /* Two orbits of the set "fold" meet between e2 = 2.72 and 2.75.  On the way there a list is complete with both orbits
    or with none; it says that a double zero may be there once they are too close; it is never complete with one. */
 START_TEST(near_a_fold) {
-  fmpq p[N_PARAMS];
+  fmpq *p = rationals_of(find_set("fold")->p, N_PARAMS);
   fmpq_t two, none;
   int resolved = 0, doubtful = 0;
   fmpq_init(two);
   fmpq_init(none);
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(p + i);
-    fmpq_set(p + i, find_set("fold")->p + i);
-  }
   fmpq_set_si(two, 272, 100);
   fmpq_set_si(none, 275, 100);
   for (int step = 0; step < 60; step++) {
@@ -554,7 +523,7 @@ START_TEST(near_a_fold) {
     dyn_orbits_clear(&empty);
   }
   ck_assert_msg(resolved > 25 && doubtful > 5, "%d, %d", resolved, doubtful);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
+  _fmpq_vec_clear(p, N_PARAMS);
   fmpq_clear(two);
   fmpq_clear(none);
 }
@@ -582,7 +551,6 @@ START_TEST(at_the_crest) {
   int met = 0;
   for (int i = 0; i < 10; i += every(2)) {
     double p[N_PARAMS], low = 0, high = 0, before = 0;
-    fmpq q[N_PARAMS];
     params_d(p, &set[i]);
     for (p[P_E2] = 0.05; p[P_E2] < 8 && low == 0; p[P_E2] += 0.1) {
       double now = crest_defect(p);
@@ -601,10 +569,7 @@ START_TEST(at_the_crest) {
     }
     if (fabs(crest_defect(p)) > 1e-9) continue;
     met++;
-    for (int k = 0; k < N_PARAMS; k++) {
-      fmpq_init(q + k);
-      fmpq_set(q + k, set[i].p + k);
-    }
+    fmpq *q = rationals_of(set[i].p, N_PARAMS);
     for (int near = -1; near <= 1; near++) { /* the very place, and beside it */
       struct dyn_orbits list;
       fmpz_set_d(fmpq_numref(q + P_E2), ldexp(p[P_E2] * (1 + 1e-3 * near), 50));
@@ -616,7 +581,7 @@ START_TEST(at_the_crest) {
                     set[i].name, p[P_E2], list.complete, dyn_gap_text[list.gap]);
       dyn_orbits_clear(&list);
     }
-    for (int k = 0; k < N_PARAMS; k++) fmpq_clear(q + k);
+    _fmpq_vec_clear(q, N_PARAMS);
   }
   ck_assert_msg(met > 2 / every(2), "%d", met);
 }
@@ -665,9 +630,7 @@ START_TEST(times_given) {
   static const enum dyn_quantity which[2] = {QUANTITY_TC, QUANTITY_TB};
   uint64_t state = (uint64_t)_i + 1;
   long none = 0, some = 0;
-  fmpq model[3], value[2];
-  for (int i = 0; i < 3; i++) fmpq_init(model + i);
-  for (int i = 0; i < 2; i++) fmpq_init(value + i);
+  fmpq *model = _fmpq_vec_init(3), *value = _fmpq_vec_init(2);
   for (int trial = 0; trial < 100; trial++) {
     struct dyn_orbits list;
     fmpq_set_si(model, 1 + (slong)(62 * uniform(&state)), 64);
@@ -687,8 +650,8 @@ START_TEST(times_given) {
     dyn_orbits_clear(&list);
   }
   ck_assert(some > 3 && none > 3);
-  for (int i = 0; i < 3; i++) fmpq_clear(model + i);
-  for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+  _fmpq_vec_clear(model, 3);
+  _fmpq_vec_clear(value, 2);
 }
 END_TEST
 
@@ -701,10 +664,9 @@ START_TEST(a_time_and_a_limit_given) {
     for (int e = 0; e < 2; e++) {
       const enum dyn_quantity which[2] = {QUANTITY_TB, e == 0 ? QUANTITY_E1 : QUANTITY_E2};
       struct dyn_orbits list;
-      fmpq value[2];
       bool met = false;
       if (s->at[i][0] > 60) continue;
-      for (int k = 0; k < 2; k++) fmpq_init(value + k);
+      fmpq *value = _fmpq_vec_init(2);
       fmpq_set_si(value, (slong)(s->at[i][0] * 1e12), 1000000000000);
       fmpq_canonicalise(value);
       fmpq_set(value + 1, s->p + P_E1 + e);
@@ -732,7 +694,7 @@ START_TEST(a_time_and_a_limit_given) {
       dyn_given_complete(&empty, s->p, which, value, 60, NULL);
       ck_assert(!empty.complete && empty.gap == GAP_CONFLICT);
       dyn_orbits_clear(&list);
-      for (int k = 0; k < 2; k++) fmpq_clear(value + k);
+      _fmpq_vec_clear(value, 2);
     }
 }
 END_TEST
@@ -748,20 +710,10 @@ START_TEST(a_limit_scanned) {
                           0.2 + 4 * uniform(&state), 0};
     double tb = 0.05 + 3 * uniform(&state), old = 0, defect = 0, tc = 0;
     bool valid = false;
-    fmpq q[N_PARAMS], value[2];
     struct dyn_orbits list;
     tb = floor(tb * 4096) / 4096;
-    for (int i = 0; i < N_PARAMS; i++) {
-      p[i] = floor(p[i] * 4096) / 4096;
-      fmpq_init(q + i);
-      fmpq_set_si(q + i, (slong)(p[i] * 4096), 4096);
-      fmpq_canonicalise(q + i);
-    }
-    for (int i = 0; i < 2; i++) {
-      fmpq_init(value + i);
-      fmpq_set_si(value + i, (slong)((i == 0 ? p[P_E1] : tb) * 4096), 4096);
-      fmpq_canonicalise(value + i);
-    }
+    for (int i = 0; i < N_PARAMS; i++) p[i] = floor(p[i] * 4096) / 4096;
+    fmpq *q = rationals_d(p, N_PARAMS), *value = rationals_d((const double[]){p[P_E1], tb}, 2);
     dyn_orbits_given(&list, q, which, value, 60, NULL);
     dyn_given_complete(&list, q, which, value, 60, NULL);
     complete += list.complete;
@@ -791,8 +743,8 @@ START_TEST(a_limit_scanned) {
       seen++;
     }
     dyn_orbits_clear(&list);
-    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(q + i);
-    for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+    _fmpq_vec_clear(q, N_PARAMS);
+    _fmpq_vec_clear(value, 2);
   }
   ck_assert_msg(seen > TRIALS / 4 && complete > TRIALS * 9 / 10, "%ld seen, %ld complete", seen, complete);
 }
@@ -800,20 +752,13 @@ END_TEST
 
 START_TEST(other_pairs_are_said) {
   static const enum dyn_quantity which[2] = {QUANTITY_TA, QUANTITY_TD};
-  fmpq model[3], value[2];
+  fmpq *model = rationals((const char *const[]){"1/2", "1/2", "1/2"}, 3);
+  fmpq *value = rationals((const char *const[]){"1", "1"}, 2);
   struct dyn_orbits list = {.n = 0};
-  for (int i = 0; i < 3; i++) {
-    fmpq_init(model + i);
-    fmpq_set_si(model + i, 1, 2);
-  }
-  for (int i = 0; i < 2; i++) {
-    fmpq_init(value + i);
-    fmpq_set_si(value + i, 1, 1);
-  }
   ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL), SS_OK);
   ck_assert(!list.complete && list.gap == GAP_GIVEN);
-  for (int i = 0; i < 3; i++) fmpq_clear(model + i);
-  for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+  _fmpq_vec_clear(model, 3);
+  _fmpq_vec_clear(value, 2);
 }
 END_TEST
 

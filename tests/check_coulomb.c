@@ -12,17 +12,11 @@
 
 #include "laws_num.h"
 #include "motion/coulomb.h"
+#include "rational.h"
 #include "suites.h"
 
 enum { N_ROUTES = 3 };
 static const char *const route_name[N_ROUTES] = {"ode", "double", "mpfr"};
-
-static struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx) {
-  struct num_vec v;
-  num_vec_init(&v, n, ctx);
-  for (slong i = 0; i < n; i++) ctx.type->set_d(num_vec_at(&v, i), x[i], ctx.prec);
-  return v;
-}
 
 /* The motion from x by one of the routes, mpfr at 160 bits. */
 static int simulate(struct coulomb_result *r, int route, const double p[N_COULOMB], const double x[N_STATE],

@@ -19,6 +19,7 @@
 #include "motion/return_map_double.h"
 #include "motion/trig_sum.h"
 #include "motion/warm.h"
+#include "rational.h"
 #include "suites.h"
 
 /* A multiple of 1/64 in [low, high]/64. */
@@ -38,14 +39,6 @@ static const char *show(const double p[N_PARAMS]) {
   static char text[200];
   snprintf(text, sizeof text, "chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g", p[0], p[1], p[2], p[3], p[4]);
   return text;
-}
-
-/* A vector of doubles in a context. */
-static struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx) {
-  struct num_vec v;
-  num_vec_init(&v, n, ctx);
-  for (slong i = 0; i < n; i++) ctx.type->set_d(num_vec_at(&v, i), x[i], ctx.prec);
-  return v;
 }
 
 static double entry_d(const struct num_vec *v, slong i) {
@@ -633,11 +626,7 @@ START_TEST(what_is_not_wanted_may_be_null) {
   static const double guess[2] = {2.0053, 1.4899}, along[1][N_STATE] = {{1, 0, 0, 0}};
   double out[16], column[N_STATE], err, t, r;
   struct dyn_orbit o;
-  fmpq p[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(p + i);
-    ck_assert_int_eq(fmpq_set_str(p + i, text[i], 10), 0);
-  }
+  fmpq *p = rationals(text, N_PARAMS);
   ck_assert_int_eq(dyn_orbit_near(&o, NULL, p, (struct dyn_place){guess[0], guess[1], false}, 64, NULL), SS_OK);
   dyn_orbit_clear(&o);
   ck_assert_int_eq(dyn_orbit_warm(out, NULL, NULL, pd, guess), SS_OK);
@@ -648,7 +637,7 @@ START_TEST(what_is_not_wanted_may_be_null) {
   ck_assert_int_eq(dyn_local_differences_d(out, NULL, pd, &stretch, along, 1), SS_OK);
   ck_assert_int_eq(dyn_local_differences_d(column, &err, pd, &stretch, along, 1), SS_OK);
   for (int i = 0; i < N_STATE; i++) ck_assert_double_eq(out[i], column[i]);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
+  _fmpq_vec_clear(p, N_PARAMS);
 }
 END_TEST
 
@@ -656,36 +645,27 @@ END_TEST
 
 /* A list of orbits with the parameters it belongs to. */
 struct found {
-  fmpq p[N_PARAMS];
+  fmpq *p;
   double pd[N_PARAMS];
   struct dyn_orbits list;
   int status;
 };
 
 static void found_init(struct found *f, const char *const text[N_PARAMS], slong prec, const struct dyn_limits *lim) {
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(f->p + i);
-    ck_assert_int_eq(fmpq_set_str(f->p + i, text[i], 10), 0);
-    fmpq_canonicalise(f->p + i);
-    f->pd[i] = fmpq_get_d(f->p + i);
-  }
+  f->p = rationals(text, N_PARAMS);
+  for (int i = 0; i < N_PARAMS; i++) f->pd[i] = fmpq_get_d(f->p + i);
   f->status = dyn_orbits_find(&f->list, f->p, prec, lim);
 }
 
 static void found_init_d(struct found *f, const double pd[N_PARAMS], slong prec) {
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(f->p + i);
-    fmpz_set_d(fmpq_numref(f->p + i), ldexp(pd[i], 40));
-    fmpz_one(fmpq_denref(f->p + i));
-    fmpq_div_2exp(f->p + i, f->p + i, 40);
-    f->pd[i] = pd[i];
-  }
+  f->p = rationals_d(pd, N_PARAMS);
+  memcpy(f->pd, pd, sizeof f->pd);
   f->status = dyn_orbits_find(&f->list, f->p, prec, NULL);
 }
 
 static void found_clear(struct found *f) {
   dyn_orbits_clear(&f->list);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(f->p + i);
+  _fmpq_vec_clear(f->p, N_PARAMS);
 }
 
 static struct num_vec params_arb(const struct found *f, slong prec) {

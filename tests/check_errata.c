@@ -11,6 +11,7 @@
 
 #include "claim/claim.h"
 #include "paper_model.h"
+#include "rational.h"
 #include "report/report.h"
 #include "report/sheet.h"
 #include "run/audit.h"
@@ -281,19 +282,13 @@ START_TEST(size_of_the_error_in_10) {
   ck_assert_int_eq(sscanf(d->entry, "[%d,%d]", &row, &col), 2);
   ck_assert_int_ge(col, 3);
   struct num_ctx ctx = num_ctx_double();
-  struct num_vec params, n, p;
-  num_vec_init(&params, N_PARAMS, ctx);
+  struct num_vec n, p;
   num_vec_init(&n, 16, ctx);
   num_vec_init(&p, 16, ctx);
-  fmpq exact[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) {
-    double x = number_after(d->where, names[i]);
-    ctx.type->set_d(num_vec_at(&params, i), x, 53);
-    fmpq_init(&exact[i]);
-    fmpq_set_si(&exact[i], (slong)ldexp(x, 20), 1);
-    fmpq_div_2exp(&exact[i], &exact[i], 20);
-    ck_assert(fmpq_get_d(&exact[i]) == x);
-  }
+  double at_orbit[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) at_orbit[i] = number_after(d->where, names[i]);
+  struct num_vec params = vec_of(at_orbit, N_PARAMS, ctx);
+  fmpq *exact = rationals_d(at_orbit, N_PARAMS);
   struct dyn_orbits list;
   ck_assert_int_eq(dyn_orbits_find(&list, exact, 64, NULL), SS_OK);
   slong orbit = (slong)strtol(strstr(d->where, "orbit ") + 6, NULL, 10) - 1;
@@ -311,7 +306,7 @@ START_TEST(size_of_the_error_in_10) {
   ck_assert_msg(fabs(printed - corrected - off) < 1e-7 * scale, "%g, not %g", printed - corrected, off);
   ck_assert(fabs(off) > 1e-3);
   dyn_orbits_clear(&list);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&exact[i]);
+  _fmpq_vec_clear(exact, N_PARAMS);
   num_vec_clear(&p);
   num_vec_clear(&n);
   num_vec_clear(&params);

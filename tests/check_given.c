@@ -15,6 +15,7 @@
 #include "motion/given.h"
 #include "motion/margins.h"
 #include "motion/paper_route.h"
+#include "rational.h"
 #include "suites.h"
 #include "table.h"
 
@@ -26,7 +27,7 @@ enum { N_SAMPLES = 60 }; /* orbits in the file */
 struct sample {
   char name[32], violations[64];
   int index;
-  fmpq params[N_PARAMS], z[2], x[N_QUANTITIES], trace, u[2];
+  fmpq *params, z[2], x[N_QUANTITIES], trace, u[2];
 };
 static struct sample sample[N_SAMPLES];
 static int n_samples;
@@ -59,10 +60,7 @@ static void read_orbit(struct sample *s, char *const *field, const fmpq *params,
     fmpq_init(all[i]);
     parse(all[i], field[3 + i], i >= 2 && i < 6 ? digits : 60);
   }
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(s->params + i);
-    fmpq_set(s->params + i, params + i);
-  }
+  s->params = rationals_of(params, N_PARAMS);
   for (int i = 0; i < 2; i++) {
     fmpq_init(s->x + i);
     fmpq_set(s->x + i, params + P_E1 + i);
@@ -72,9 +70,8 @@ static void read_orbit(struct sample *s, char *const *field, const fmpq *params,
 /* The times are cut to the given number of digits. */
 static void read_samples(int digits) {
   struct table t;
-  fmpq params[N_PARAMS];
+  fmpq *params = _fmpq_vec_init(N_PARAMS);
   table_read(&t, "tests/oracle/orbits.tsv", ANY_COLUMNS);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_init(params + i);
   n_samples = 0;
   for (int row = 0; row < t.n; row++) {
     char *const *field = t.row[row];
@@ -85,7 +82,7 @@ static void read_samples(int digits) {
       read_orbit(&sample[n_samples++], field, params, digits);
     }
   }
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
+  _fmpq_vec_clear(params, N_PARAMS);
   table_clear(&t);
   ck_assert_int_eq(n_samples, N_SAMPLES);
 }
@@ -93,7 +90,7 @@ static void read_samples(int digits) {
 static void clear_samples(void) {
   for (int k = 0; k < n_samples; k++) {
     struct sample *s = &sample[k];
-    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(s->params + i);
+    _fmpq_vec_clear(s->params, N_PARAMS);
     for (int i = 0; i < N_QUANTITIES; i++) fmpq_clear(s->x + i);
     for (int i = 0; i < 2; i++) {
       fmpq_clear(s->z + i);
@@ -250,9 +247,7 @@ START_TEST(the_first_precision_is_planned_from_times) {
   static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1.8110582"};
   static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
   struct dyn_orbits near, list[2];
-  fmpq *params = _fmpq_vec_init(N_PARAMS);
-  fmpq *value = _fmpq_vec_init(2);
-  for (int i = 0; i < N_PARAMS; i++) ck_assert_int_eq(num_parse_decimal(params + i, data[i], strlen(data[i])), SS_OK);
+  fmpq *params = rationals(data, N_PARAMS), *value = _fmpq_vec_init(2);
   ck_assert_int_eq(dyn_orbits_find(&near, params, 128, NULL), SS_OK);
   slong flip = 0;
   for (slong i = 0; i < near.n; i++)
@@ -279,9 +274,8 @@ START_TEST(no_stick_phase_is_solution_ii) {
   /* t_a = 0 is the paper's own special case: an orbit of it is one of the word without D, and t_a > 0 fails exactly. */
   const struct sample *s = find_sample("negative-ta2", 1);
   const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TA};
-  fmpq value[2];
+  fmpq *value = _fmpq_vec_init(2);
   struct dyn_orbits list;
-  for (int i = 0; i < 2; i++) fmpq_init(value + i);
   fmpq_set(value, s->x + QUANTITY_E1);
   ck_assert_int_eq(dyn_orbits_given(&list, s->params, which, value, 100, &near_limits), SS_OK);
   ck_assert_int_gt(list.n, 0);
@@ -291,22 +285,16 @@ START_TEST(no_stick_phase_is_solution_ii) {
     check_orbit(s, o, 200, "e1, t_a");
   }
   dyn_orbits_clear(&list);
-  for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+  _fmpq_vec_clear(value, 2);
 }
 END_TEST
 
 START_TEST(impossible_values_are_told) {
   const struct sample *s = find_sample("paper", 1);
   struct dyn_orbits list;
-  fmpq value[2], model[3];
-  for (int i = 0; i < 2; i++) fmpq_init(value + i);
-  for (int i = 0; i < 3; i++) {
-    fmpq_init(model + i);
-    fmpq_set(model + i, s->params + i);
-  }
+  fmpq *value = rationals((const char *const[]){"2", "4"}, 2), *model = rationals_of(s->params, 3);
   enum dyn_quantity twice[2] = {QUANTITY_TB, QUANTITY_TB}, times[2] = {QUANTITY_TB, QUANTITY_TD};
-  fmpq_set_si(value, 2, 1);
-  fmpq_set_si(value + 1, 4, 1); /* pi/sqrt(chi eta) = 3.51 */
+  /* pi/sqrt(chi eta) = 3.51 */
   ck_assert_int_eq(dyn_orbits_given(&list, model, twice, value, 60, NULL), SS_DOMAIN);
   ck_assert(dyn_orbits_given(&list, model, times, value, 60, &near_limits) == SS_OK && list.n == 0);
   dyn_orbits_clear(&list);
@@ -315,8 +303,8 @@ START_TEST(impossible_values_are_told) {
   fmpq_set_si(value + 1, 2, 1);
   fmpq_set_si(model, 1, 1);
   ck_assert_int_eq(dyn_orbits_given(&list, model, times, value, 60, NULL), SS_DOMAIN);
-  for (int i = 0; i < 2; i++) fmpq_clear(value + i);
-  for (int i = 0; i < 3; i++) fmpq_clear(model + i);
+  _fmpq_vec_clear(value, 2);
+  _fmpq_vec_clear(model, 3);
 }
 END_TEST
 

@@ -13,6 +13,7 @@
 #include "motion/dynamics.h"
 #include "motion/turn.h"
 #include "num/pi.h"
+#include "rational.h"
 #include "suites.h"
 #include "table.h"
 
@@ -25,11 +26,9 @@ struct trip {
 };
 
 static void pass_open(struct trip *p, const double x[N_START], struct num_ctx ctx) {
-  num_vec_init(&p->params, N_PARAMS, ctx);
-  num_vec_init(&p->start, 2, ctx);
+  p->params = vec_of(x, N_PARAMS, ctx);
+  p->start = vec_of(x + N_PARAMS, 2, ctx);
   dyn_arc_init(&p->arc, ctx);
-  for (int i = 0; i < N_START; i++)
-    ctx.type->set_d(i < N_PARAMS ? num_vec_at(&p->params, i) : num_vec_at(&p->start, i - N_PARAMS), x[i], ctx.prec);
 }
 
 static void pass_close(struct trip *p) {

@@ -21,6 +21,7 @@
 #include "mech/two_masses.h"
 #include "motion/coulomb.h"
 #include "paper_model.h"
+#include "rational.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -508,26 +509,21 @@ END_TEST
 /* What the search of words of two masses finds, from a grid and its own simulations: an orbit after a period doubling, whose
    word is a shorter one, twice, and one that motions come near only in two rounds at once. */
 static const struct {
-  int data[N_PARAMS][2], sliding[2]; /* sliding friction in hundredths */
-  const char *word;
-} in_rounds[] = {{{[P_CHI] = {17, 25}, [P_ETA] = {3, 5}, [P_V] = {83, 100}, [P_E1] = {27, 50}, [P_E2] = {23, 50}},
-                  {1000, 1000},
-                  "D Gamma H Gamma D Gamma H Gamma"},
-                 {{[P_CHI] = {3, 10}, [P_ETA] = {2, 1}, [P_V] = {1, 1}, [P_E1] = {63, 50}, [P_E2] = {9, 25}},
-                  {55, 81},
-                  "D Gamma H Gamma"}};
+  const char *data[N_PARAMS], *sliding[2], *word;
+} in_rounds[] = {
+    {{"0.68", "0.6", "0.83", "0.54", "0.46"}, {"10", "10"}, "D Gamma H Gamma D Gamma H Gamma"},
+    {{"0.3", "2", "1", "1.26", "0.36"}, {"0.55", "0.81"}, "D Gamma H Gamma"},
+};
 
 START_TEST(orbits_of_one_round_and_of_two) {
   const fmpq *none[2] = {NULL, NULL};
-  fmpq *params = _fmpq_vec_init(N_PARAMS), *sliding = _fmpq_vec_init(2);
+  fmpq *params = rationals(in_rounds[_i].data, N_PARAMS), *sliding = rationals(in_rounds[_i].sliding, 2);
   struct mech_word word;
   struct word_orbits special;
   struct mech m;
   struct mech_orbits list;
   size_t at;
   const char *why;
-  for (int i = 0; i < N_PARAMS; i++) fmpq_set_si(params + i, in_rounds[_i].data[i][0], (ulong)in_rounds[_i].data[i][1]);
-  for (int i = 0; i < 2; i++) fmpq_set_si(sliding + i, in_rounds[_i].sliding[i], 100);
   ck_assert(phase_word_parse(&word, &at, &why, in_rounds[_i].word, strlen(in_rounds[_i].word)));
   ck_assert_int_eq(word_orbits_find(&special, &word, params, none, NULL, 128), SS_OK);
   two_masses(&m, params, (const fmpq *const[]){sliding, sliding + 1});
@@ -986,17 +982,9 @@ END_TEST
 START_TEST(changes_along_the_papers_line) {
   struct mech_follow f[2];
   struct dyn_bifurcations list;
-  fmpq params[N_PARAMS], from, to;
-  static const slong given[N_PARAMS][2] = {{4, 5}, {1, 1}, {1, 1}, {27844, 10000}, {2, 1}};
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&params[i]);
-    fmpq_set_si(&params[i], given[i][0], (ulong)given[i][1]);
-  }
-  fmpq_init(&from);
-  fmpq_init(&to);
-  fmpq_set_si(&from, 7, 10);
-  fmpq_set_si(&to, 24, 10);
-  const struct dyn_line line = {.params = params, .vary = P_E2, .from = &from, .to = &to};
+  fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "2"}, N_PARAMS);
+  fmpq *end = rationals((const char *const[]){"0.7", "2.4"}, 2);
+  const struct dyn_line line = {.params = params, .vary = P_E2, .from = end, .to = end + 1};
   follow_to(&f[0], 7, MECH_FLIP);
   follow_to(&f[1], 24, MECH_CONDITION);
   ck_assert(f[0].change[0].side[0].stable == TRUTH_TRUE && f[0].change[0].side[1].stable == TRUTH_FALSE);
@@ -1011,9 +999,8 @@ START_TEST(changes_along_the_papers_line) {
   ck_assert(met[0] && met[1]);
   for (int i = 0; i < 2; i++) mech_follow_clear(&f[i]);
   dyn_bifurcations_clear(&list);
-  fmpq_clear(&to);
-  fmpq_clear(&from);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&params[i]);
+  _fmpq_vec_clear(end, 2);
+  _fmpq_vec_clear(params, N_PARAMS);
 }
 END_TEST
 

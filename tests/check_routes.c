@@ -9,6 +9,7 @@
 #include "every.h"
 #include "motion/long_run.h"
 #include "paper_model.h"
+#include "rational.h"
 #include "record/routes.h"
 #include "report/report.h"
 #include "run/audit.h"
@@ -328,17 +329,13 @@ static const struct {
 enum { PAPER, STABLE, FLIPPING, SHEDDING, N_BESIDE };
 
 static void setup_beside(struct coulomb_setup *sim, int which) {
-  fmpq params[N_PARAMS];
+  fmpq *params = rationals(beside[which].params, N_PARAMS);
   struct dyn_orbits list;
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(params + i);
-    num_parse_decimal(params + i, beside[which].params[i], strlen(beside[which].params[i]));
-  }
   ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
   ck_assert_int_gt(list.n, beside[which].index);
   ck_assert_int_eq(coulomb_setup_on_orbit(sim, params, &list.orbit[beside[which].index], OWN_FRICTION), SS_OK);
   dyn_orbits_clear(&list);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
+  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 static const struct long_pair pairs[N_LONG_PAIRS] = {
@@ -378,14 +375,9 @@ END_TEST
 
 /* An orbit of the paper's forces at chi, the one that breaks no condition. */
 static void setup_near_one(struct coulomb_setup *sim, const char *chi) {
-  const char *const text[N_PARAMS] = {chi, "1", "1", "27844/10000", "8587/10000"};
+  const char *const text[N_PARAMS] = {chi, "1", "1", "2.7844", "0.8587"};
   struct dyn_orbits list;
-  fmpq params[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(params + i);
-    ck_assert_int_eq(fmpq_set_str(params + i, text[i], 10), 0);
-    fmpq_canonicalise(params + i);
-  }
+  fmpq *params = rationals(text, N_PARAMS);
   ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
   int status = SS_UNABLE;
   for (slong k = 0; k < list.n && status; k++)
@@ -393,7 +385,7 @@ static void setup_near_one(struct coulomb_setup *sim, const char *chi) {
       status = coulomb_setup_on_orbit(sim, params, &list.orbit[k], OWN_FRICTION);
   ck_assert_int_eq(status, SS_OK);
   dyn_orbits_clear(&list);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
+  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* Where positions are large, a run that has left its orbit is not taken for one beside it: within reach the rate is that

@@ -16,6 +16,7 @@
 #include "every.h"
 #include "paper_model.h"
 #include "process.h"
+#include "rational.h"
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
@@ -248,14 +249,6 @@ END_TEST
 static bool load(struct scene *s, struct diag *d, const char *text, const struct scene_overrides *o) {
   diag_init(d);
   return scene_load_with(s, scratch_put("case.scene", text), "no-such-folder", o, true, d);
-}
-
-static void is_rational(const fmpq_t x, const char *want) {
-  fmpq_t w;
-  fmpq_init(w);
-  ck_assert(fmpq_set_str(w, want, 10) == 0);
-  ck_assert_msg(fmpq_equal(x, w), "not %s", want);
-  fmpq_clear(w);
 }
 
 /* By hand: sqrt(4/9) = 2/3; e1 = 3 (2/3) = 2, e2 = 2/5 + 2/3^2 = 28/45. */

@@ -14,6 +14,7 @@
 #include "bench/printed_digits.h"
 #include "bench/smooth.h"
 #include "motion/dual.h"
+#include "rational.h"
 #include "report/plot.h"
 #include "scratch.h"
 #include "suites.h"
@@ -321,9 +322,7 @@ END_TEST
 START_TEST(the_first_precision_is_planned) {
   static const slong prec[] = {256, 1500};
   struct dyn_orbits list[2];
-  fmpq *params = _fmpq_vec_init(N_PARAMS);
-  static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1.8110582"};
-  for (int i = 0; i < N_PARAMS; i++) ck_assert_int_eq(num_parse_decimal(params + i, data[i], strlen(data[i])), SS_OK);
+  fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "1.8110582"}, N_PARAMS);
   for (int k = 0; k < 2; k++) {
     ck_assert_int_eq(dyn_orbits_find(&list[k], params, prec[k], NULL), SS_OK);
     ck_assert_int_eq(list[k].n, 2);

@@ -23,37 +23,31 @@
 #include "explore/bifurcate.h"
 #include "explore/family.h"
 #include "process.h"
+#include "rational.h"
 #include "scratch.h"
 #include "suites.h"
 
 /* --- Lines. --- */
 
 struct line {
-  fmpq params[N_PARAMS];
+  fmpq *params;
   fmpq_t from, to;
   struct dyn_axis axis;
 };
 
-static void set_decimal(fmpq_t q, const char *s) {
-  ck_assert_msg(num_parse_decimal(q, s, strlen(s)) == SS_OK, "%s", s);
-}
-
 static void line_init(struct line *l, const char *const params[N_PARAMS], int vary, const char *from, const char *to,
                       slong n) {
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&l->params[i]);
-    set_decimal(&l->params[i], params[i]);
-  }
+  l->params = rationals(params, N_PARAMS);
   fmpq_init(l->from);
   fmpq_init(l->to);
-  set_decimal(l->from, from);
-  set_decimal(l->to, to);
+  rational_set(l->from, from);
+  rational_set(l->to, to);
   dyn_axis_init(&l->axis, vary, l->from, l->to, n);
 }
 
 static void line_clear(struct line *l) {
   dyn_axis_clear(&l->axis);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&l->params[i]);
+  _fmpq_vec_clear(l->params, N_PARAMS);
   fmpq_clear(l->from);
   fmpq_clear(l->to);
 }
@@ -158,11 +152,7 @@ END_TEST
 /* The orbits of a point against those that the search in balls finds at its exact parameters. */
 static void check_point(const struct dyn_family *f, const struct line *l, slong i, double slack) {
   struct dyn_orbits list;
-  fmpq params[N_PARAMS];
-  for (int k = 0; k < N_PARAMS; k++) {
-    fmpq_init(&params[k]);
-    fmpq_set(&params[k], &l->params[k]);
-  }
+  fmpq *params = rationals_of(l->params, N_PARAMS);
   dyn_axis_q(&params[l->axis.vary], &l->axis, i);
   ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
   const struct dyn_family_point *p = &f->point[i];
@@ -186,7 +176,7 @@ static void check_point(const struct dyn_family *f, const struct line *l, slong 
     for (int j = 0; j < N_CONDITIONS; j++) ck_assert_int_eq(!(m->violations >> j & 1), o->holds[j] == TRUTH_TRUE);
   }
   dyn_orbits_clear(&list);
-  for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&params[k]);
+  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* Each parameter in turn, over ranges in which orbits come and go. */
@@ -326,7 +316,7 @@ START_TEST(static_friction_counts) {
   int kept = 0, broken = 0;
   line_init(&l, example, P_E2, "0.8", "0.9", 101);
   fmpq_init(u);
-  set_decimal(u, "2.15");
+  rational_set(u, "2.15");
   struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 50, .u_r = {u, NULL}};
   ck_assert_int_eq(dyn_family_find(&f, &q, 0, 101), SS_OK);
   for (size_t i = 0; i < f.n_members; i++) {
@@ -362,7 +352,7 @@ START_TEST(points_say_why_they_failed) {
   line_clear(&l);
   line_init(&l, example, P_E2, "0.8", "1", 300);
   struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 1};
-  set_decimal(&l.params[P_V], "0");
+  rational_set(&l.params[P_V], "0");
   ck_assert_int_eq(dyn_family_find(&f, &q, 0, 300), SS_DOMAIN);
   dyn_family_clear(&f);
   line_clear(&l);

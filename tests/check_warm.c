@@ -11,6 +11,7 @@
 #include "every.h"
 #include "explore/family.h"
 #include "laws_num.h"
+#include "rational.h"
 #include "suites.h"
 
 enum { PREC = 100 };
@@ -67,7 +68,7 @@ static void check_orbit(struct tally *y, const struct dyn_orbit *o, const double
 static void check_set(struct tally *y, const double p[N_PARAMS], struct rng *r) {
   enum { MOST = 16 };
   struct dyn_orbits list;
-  fmpq *q = exact_params(p, -1);
+  fmpq *q = rationals_d(p, N_PARAMS);
   dyn_orbits_find(&list, q, PREC, NULL);
   for (slong k = 0; k < list.n && k < MOST; k++) check_orbit(y, &list.orbit[k], p, r);
   dyn_orbits_clear(&list);
@@ -114,7 +115,7 @@ START_TEST(no_orbit_is_invented) {
     double p[N_PARAMS];
     struct dyn_orbits list;
     random_params(p, &r);
-    fmpq *q = exact_params(p, -1);
+    fmpq *q = rationals_d(p, N_PARAMS);
     int status = dyn_orbits_find(&list, q, PREC, NULL);
     for (int k = 0; k < GUESSES && status == SS_OK; k++) {
       double guess[2] = {6.2 * rng_unit(&r), 30 * rng_unit(&r) * rng_unit(&r)}, out[N_DYN_OUT];

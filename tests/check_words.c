@@ -10,6 +10,7 @@
 #include "command.h"
 #include "explore/words.h"
 #include "motion/coulomb.h"
+#include "rational.h"
 #include "scene/scene.h"
 #include "scratch.h"
 #include "suites.h"
@@ -253,18 +254,6 @@ END_TEST
 
 /* --- Orbits --- */
 
-static void set_params(fmpq params[N_PARAMS], const char *const text[N_PARAMS]) {
-  for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(params + i);
-    ck_assert_int_eq(fmpq_set_str(params + i, text[i], 10), 0);
-    fmpq_canonicalise(params + i);
-  }
-}
-
-static void clear_params(fmpq params[N_PARAMS]) {
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
-}
-
 static truth holds(const struct mech_orbit *o, int phase, int mass, enum mech_rule rule) {
   for (int i = 0; i < o->n_facts; i++) {
     const struct mech_fact *c = &o->fact[i];
@@ -305,10 +294,9 @@ START_TEST(the_papers_word_is_one_of_them) {
   arb_t least;
   arb_init(least);
   for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
-    fmpq params[N_PARAMS];
     struct dyn_orbits own;
     struct word_orbits list;
-    set_params(params, sets[k]);
+    fmpq *params = rationals(sets[k], N_PARAMS);
     ck_assert_int_eq(dyn_orbits_find(&own, params, 128, NULL), SS_OK);
     ck_assert_int_eq(word_orbits_find(&list, &papers, params, none, NULL, 128), SS_OK);
     ck_assert_int_eq(list.found.n, own.n);
@@ -333,7 +321,7 @@ START_TEST(the_papers_word_is_one_of_them) {
     }
     word_orbits_clear(&list);
     dyn_orbits_clear(&own);
-    clear_params(params);
+    _fmpq_vec_clear(params, N_PARAMS);
   }
   arb_clear(least);
   ck_assert_int_ge(orbits, 20);
@@ -348,11 +336,6 @@ static struct table oracle;
 static char *const *row_named(const char *name) {
   if (!oracle.n) table_read(&oracle, "tests/oracle/words.tsv", 12);
   return oracle.row[table_row(&oracle, name, NULL)];
-}
-
-static void decimal(fmpq *q, const char *text) {
-  fmpq_init(q);
-  ck_assert_int_eq(num_parse_decimal(q, text, strlen(text)), SS_OK);
 }
 
 /* |x - text| < 10^-exponent. */
@@ -373,14 +356,12 @@ static bool near(arb_srcptr x, const char *text, int exponent) {
 }
 
 static void compare_with_oracle(const char *name) {
-  fmpq params[N_PARAMS], limit[2];
   const fmpq *u_r[2] = {NULL, NULL};
   char *const *field = row_named(name);
-  for (int i = 0; i < N_PARAMS; i++) decimal(params + i, field[2 + i]);
-  for (int i = 0; i < 2; i++) {
-    decimal(limit + i, field[7 + i]);
+  fmpq *params = rationals((const char *const *)field + 2, N_PARAMS);
+  fmpq *limit = rationals((const char *const *)field + 7, 2);
+  for (int i = 0; i < 2; i++)
     if (!fmpq_is_zero(limit + i)) u_r[i] = limit + i;
-  }
   struct mech_word w = word_of(field[1]);
   struct word_orbits list;
   ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 160), SS_OK);
@@ -411,8 +392,8 @@ static void compare_with_oracle(const char *name) {
   ck_assert_int_eq(m, o->n_free);
   ck_assert(o->certified && o->admissible == TRUTH_TRUE);
   word_orbits_clear(&list);
-  clear_params(params);
-  for (int i = 0; i < 2; i++) fmpq_clear(limit + i);
+  _fmpq_vec_clear(params, N_PARAMS);
+  _fmpq_vec_clear(limit, 2);
 }
 
 START_TEST(the_oracles_orbits) {
@@ -447,12 +428,10 @@ static void compare_routes(const struct mech_orbit *o, const char *word, const s
 START_TEST(jacobians_are_those_of_simulations) {
   static const char *const words[] = {"Gamma H", "H C", "Gamma H Gamma gamma", "Gamma H x H", "H C c C"};
   static const char *const text[N_PARAMS] = {"4/5", "1", "1", "1/2", "2/5"};
-  fmpq params[N_PARAMS], limit[2];
+  fmpq *limit = rationals((const char *const[]){"0.52", "0.42"}, 2);
   const fmpq *u_r[2] = {limit, limit + 1};
   int compared = 0;
-  set_params(params, text);
-  decimal(limit, "0.52");
-  decimal(limit + 1, "0.42");
+  fmpq *params = rationals(text, N_PARAMS);
   for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
     struct mech_word w = word_of(words[k]);
     struct word_orbits list;
@@ -467,8 +446,8 @@ START_TEST(jacobians_are_those_of_simulations) {
     word_orbits_clear(&list);
   }
   ck_assert_int_ge(compared, 5);
-  clear_params(params);
-  for (int i = 0; i < 2; i++) fmpq_clear(limit + i);
+  _fmpq_vec_clear(params, N_PARAMS);
+  _fmpq_vec_clear(limit, 2);
 }
 END_TEST
 
@@ -481,9 +460,8 @@ START_TEST(long_phases_are_decided) {
   const fmpq *none[2] = {NULL, NULL};
   struct mech_word w = word_of(words[_i]);
   struct word_orbits list;
-  fmpq params[N_PARAMS];
   slong longer = 0;
-  set_params(params, text[_i]);
+  fmpq *params = rationals(text[_i], N_PARAMS);
   ck_assert_int_eq(word_orbits_find(&list, &w, params, none, NULL, 82), SS_OK);
   for (int i = 0; i < list.found.n; i++) {
     ck_assert(list.found.orbit[i].certified);
@@ -491,7 +469,7 @@ START_TEST(long_phases_are_decided) {
   }
   ck_assert_int_gt(longer, 0);
   word_orbits_clear(&list);
-  clear_params(params);
+  _fmpq_vec_clear(params, N_PARAMS);
 }
 END_TEST
 
@@ -519,13 +497,10 @@ START_TEST(what_simulations_settle_on_is_found) {
       {"71/100", "6/5", "19/10", "59/10", "79/500", "7", "3"}, {"9/10", "1/2", "1/5", "1/2", "1/2", "3/5", "11/20"}};
   int found = 0, kinds = 0;
   for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
-    fmpq params[N_PARAMS], limit[2];
+    fmpq *params = rationals(sets[k], N_PARAMS), *limit = rationals(sets[k] + N_PARAMS, 2);
     const fmpq *u_r[2] = {limit, limit + 1};
     double p[N_COULOMB];
-    set_params(params, sets[k]);
     for (int i = 0; i < 2; i++) {
-      fmpq_init(limit + i);
-      fmpq_set_str(limit + i, sets[k][N_PARAMS + i], 10);
       p[COULOMB_UR1 + i] = fmpq_get_d(limit + i);
       p[COULOMB_US1 + i] = p[COULOMB_UR1 + i] - fmpq_get_d(params + P_E1 + i);
     }
@@ -571,8 +546,8 @@ START_TEST(what_simulations_settle_on_is_found) {
       }
       coulomb_log_clear(&log);
     }
-    clear_params(params);
-    for (int i = 0; i < 2; i++) fmpq_clear(limit + i);
+    _fmpq_vec_clear(params, N_PARAMS);
+    _fmpq_vec_clear(limit, 2);
   }
   ck_assert_msg(found >= 12 && kinds >= 6, "%d settled, %d of other words", found, kinds);
 }

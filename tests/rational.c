@@ -1,0 +1,48 @@
+#include "rational.h"
+
+#include <check.h>
+#include <string.h>
+
+void rational_set(fmpq *q, const char *text) {
+  const bool negative = *text == '-';
+  const char *size = text + negative;
+  if (strchr(text, '/'))
+    ck_assert_msg(fmpq_set_str(q, size, 10) == 0, "%s", text);
+  else
+    ck_assert_msg(num_parse_decimal(q, size, strlen(size)) == SS_OK, "%s", text);
+  fmpq_canonicalise(q);
+  if (negative) fmpq_neg(q, q);
+}
+
+fmpq *rationals(const char *const *text, slong n) {
+  fmpq *q = _fmpq_vec_init(n);
+  for (slong i = 0; i < n; i++) rational_set(q + i, text[i]);
+  return q;
+}
+
+fmpq *rationals_d(const double *x, slong n) {
+  fmpq *q = _fmpq_vec_init(n);
+  for (slong i = 0; i < n; i++) num_q_set_d(q + i, x[i]);
+  return q;
+}
+
+fmpq *rationals_of(const fmpq *x, slong n) {
+  fmpq *q = _fmpq_vec_init(n);
+  for (slong i = 0; i < n; i++) fmpq_set(q + i, x + i);
+  return q;
+}
+
+void is_rational(const fmpq *x, const char *want) {
+  fmpq_t w;
+  fmpq_init(w);
+  rational_set(w, want);
+  ck_assert_msg(fmpq_equal(x, w), "not %s", want);
+  fmpq_clear(w);
+}
+
+struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx) {
+  struct num_vec v;
+  num_vec_init(&v, n, ctx);
+  for (slong i = 0; i < n; i++) ctx.type->set_d(num_vec_at(&v, i), x[i], ctx.prec);
+  return v;
+}

@@ -1,0 +1,21 @@
+/* Exact numbers as the tests write them, and vectors of doubles over any number type. */
+#ifndef STICKSLIP_TESTS_RATIONAL_H
+#define STICKSLIP_TESTS_RATIONAL_H
+
+#include "num/num.h"
+
+/* From a decimal or a fraction, perhaps negative; fails the test where it is neither. */
+void rational_set(fmpq *q, const char *text);
+
+/* n of them, from texts, from doubles, from others; to be cleared with _fmpq_vec_clear. */
+fmpq *rationals(const char *const *text, slong n);
+fmpq *rationals_d(const double *x, slong n);
+fmpq *rationals_of(const fmpq *x, slong n);
+
+/* Fails the test where x is not that number. */
+void is_rational(const fmpq *x, const char *want);
+
+/* To be cleared with num_vec_clear. */
+struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx);
+
+#endif
