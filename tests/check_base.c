@@ -16,7 +16,7 @@
 #include "base/record.h"
 #include "base/status.h"
 #include "base/suggest.h"
-#include "laws_num.h"
+#include "rng.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"

@@ -13,9 +13,9 @@
 #include "every.h"
 #include "explore/batch_impl.h"
 #include "explore/family.h"
-#include "laws_num.h"
 #include "motion/search.h"
 #include "motion/warm.h"
+#include "rng.h"
 #include "suites.h"
 
 /* Points with the orbit that the search found there. */

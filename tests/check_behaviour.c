@@ -10,9 +10,9 @@
 #include <string.h>
 
 #include "judge/behaviour.h"
-#include "laws_num.h"
 #include "paper_model.h"
 #include "rational.h"
+#include "rng.h"
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"

@@ -19,6 +19,7 @@
 #include "motion/turns.h"
 #include "num/pi.h"
 #include "rational.h"
+#include "rng.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -65,12 +66,6 @@ static struct set *find_set(const char *name) {
   for (int i = 0; i < n_sets; i++)
     if (strcmp(set[i].name, name) == 0) return &set[i];
   ck_abort_msg("no set %s", name);
-}
-
-/* Numbers that look random, the same in every run. */
-static double uniform(uint64_t *state) {
-  *state = *state * 6364136223846793005U + 1442695040888963407U;
-  return (double)(*state >> 11) * 0x1p-53;
 }
 
 static void check_list(const struct dyn_orbits *list, const struct set *s) {
@@ -193,7 +188,7 @@ END_TEST
 /* --- What the exclusion rests on. --- */
 
 START_TEST(disks_hold_what_balls_say) {
-  uint64_t state = (uint64_t)_i + 1;
+  struct rng rng = {(uint64_t)_i + 1};
   arb_t x[2], y, exact;
   for (int i = 0; i < 2; i++) arb_init(x[i]);
   arb_init(y);
@@ -201,8 +196,8 @@ START_TEST(disks_hold_what_balls_say) {
   for (int trial = 0; trial < 20000; trial++) {
     struct disk d[2], out[4];
     for (int i = 0; i < 2; i++) {
-      d[i].mid = ldexp(uniform(&state) - 0.5, (int)(40 * (uniform(&state) - 0.5)));
-      d[i].rad = uniform(&state) < 0.3 ? 0 : ldexp(uniform(&state), (int)(60 * (uniform(&state) - 0.8)));
+      d[i].mid = ldexp(rng_unit(&rng) - 0.5, (int)(40 * (rng_unit(&rng) - 0.5)));
+      d[i].rad = rng_unit(&rng) < 0.3 ? 0 : ldexp(rng_unit(&rng), (int)(60 * (rng_unit(&rng) - 0.8)));
       /* a point of the disk */
       arb_set_d(x[i], d[i].rad * (trial % 3 - 1));
       arb_set_d(y, d[i].mid);
@@ -259,19 +254,18 @@ static void params_d(double p[N_PARAMS], const struct set *s) {
 }
 
 START_TEST(bounds_hold_and_are_nearly_attained) {
-  uint64_t state = (uint64_t)_i + 1;
+  struct rng rng = {(uint64_t)_i + 1};
   const struct set *s = &set[_i];
   double p[N_PARAMS], most[8] = {0};
   struct disk_params g;
   struct strip strip;
   params_d(p, s);
   ck_assert(disk_params_init(&g, s->p));
-  double angle = g.fall.mid * uniform(&state), reach = 1e-3;
+  double angle = g.fall.mid * rng_unit(&rng), reach = 1e-3;
   strip_make(&strip, &g, angle, angle, reach);
   const double bound[8] = {strip.p.f, strip.p.ff, strip.q.f, strip.q.ff, strip.r.f, strip.r.ff, strip.p.ft, strip.p.tt};
   for (int trial = 0; trial < 4000; trial++) {
-    double f[4], ff[4], none[4], x = angle + reach * (2 * uniform(&state) - 1),
-                                 t = 4000 * uniform(&state) / g.om[0].mid;
+    double f[4], ff[4], none[4], x = angle + reach * (2 * rng_unit(&rng) - 1), t = 4000 * rng_unit(&rng) / g.om[0].mid;
     motion(none, p, x, t, 0);
     motion(f, p, x, t, 1);
     motion(ff, p, x, t, 2);
@@ -289,7 +283,7 @@ START_TEST(bounds_hold_and_are_nearly_attained) {
 END_TEST
 
 START_TEST(cells_move_as_the_flow_does) {
-  uint64_t state = (uint64_t)_i + 100;
+  struct rng rng = {(uint64_t)_i + 100};
   const struct set *s = &set[_i];
   double p[N_PARAMS];
   struct disk_params g;
@@ -299,7 +293,7 @@ START_TEST(cells_move_as_the_flow_does) {
     struct strip strip;
     struct clock clock, step, both;
     struct cell c;
-    double angle = g.fall.mid * uniform(&state), t = floor(2000 * uniform(&state)) / 64, h = 3.0 / 256, now[4], by[4];
+    double angle = g.fall.mid * rng_unit(&rng), t = floor(2000 * rng_unit(&rng)) / 64, h = 3.0 / 256, now[4], by[4];
     strip_make(&strip, &g, angle, angle, 0);
     clock_set(&clock, &g, t);
     clock_set(&step, &g, h);
@@ -320,7 +314,7 @@ END_TEST
 
 /* What is cut off a strip has crossed. */
 START_TEST(only_what_has_crossed_is_cut_off) {
-  uint64_t state = (uint64_t)_i + 20;
+  struct rng rng = {(uint64_t)_i + 20};
   const struct set *s = &set[_i];
   double p[N_PARAMS];
   struct disk_params g;
@@ -331,8 +325,8 @@ START_TEST(only_what_has_crossed_is_cut_off) {
     struct strip strip;
     struct clock clock;
     struct cell c;
-    double half = 0.3 * uniform(&state), angle = half + (g.fall.mid - 2 * half) * uniform(&state), low, high, at[4];
-    double t = 20 * uniform(&state) / g.om[1].mid;
+    double half = 0.3 * rng_unit(&rng), angle = half + (g.fall.mid - 2 * half) * rng_unit(&rng), low, high, at[4];
+    double t = 20 * rng_unit(&rng) / g.om[1].mid;
     strip_make(&strip, &g, angle - half, angle + half, half);
     clock_set(&clock, &g, t);
     cell_at(&c, &strip, &clock);
@@ -354,7 +348,7 @@ END_TEST
 
 /* Cells of every size and place around an orbit: none may be called free of zeros, nor a strip around it. */
 START_TEST(no_cell_with_an_orbit_is_excluded) {
-  uint64_t state = (uint64_t)_i + 7;
+  struct rng rng = {(uint64_t)_i + 7};
   const struct set *s = &set[_i];
   struct disk_params g;
   ck_assert(disk_params_init(&g, s->p));
@@ -362,8 +356,8 @@ START_TEST(no_cell_with_an_orbit_is_excluded) {
   for (int trial = 0; trial < 2000 * s->n; trial++) {
     const double *at = s->at[trial % s->n];
     double turns = floor(at[0] / (2 * PI)), angle = at[0] - 2 * PI * turns;
-    double d = ldexp(1, -1 - (int)(22 * uniform(&state))), e = ldexp(1, -1 - (int)(22 * uniform(&state)));
-    double x = angle + 0.999 * d * (2 * uniform(&state) - 1), t = at[1] + 0.999 * e * (2 * uniform(&state) - 1);
+    double d = ldexp(1, -1 - (int)(22 * rng_unit(&rng))), e = ldexp(1, -1 - (int)(22 * rng_unit(&rng)));
+    double x = angle + 0.999 * d * (2 * rng_unit(&rng) - 1), t = at[1] + 0.999 * e * (2 * rng_unit(&rng) - 1);
     if (t - e < 0) continue;
     struct strip strip;
     struct clock clock;
@@ -457,13 +451,12 @@ START_TEST(the_return_map_has_no_other_fixed_point) {
 END_TEST
 
 START_TEST(random_parameters) {
-  uint64_t state = (uint64_t)_i + 1;
+  struct rng rng = {(uint64_t)_i + 1};
   long complete = 0, seen = 0, orbits = 0;
   enum { TRIALS = 100 };
   for (int trial = 0; trial < TRIALS; trial++) {
-    double p[N_PARAMS] = {0.03 + 0.94 * uniform(&state), 0.05 * pow(400, uniform(&state)),
-                          0.2 * pow(15, uniform(&state)), 0.2 * pow(30, uniform(&state)),
-                          0.05 * pow(100, uniform(&state))};
+    double p[N_PARAMS] = {0.03 + 0.94 * rng_unit(&rng), 0.05 * pow(400, rng_unit(&rng)), 0.2 * pow(15, rng_unit(&rng)),
+                          0.2 * pow(30, rng_unit(&rng)), 0.05 * pow(100, rng_unit(&rng))};
     for (int i = 0; i < N_PARAMS; i++) p[i] = floor(p[i] * 4096 + 1) / 4096;
     fmpq *q = rationals_d(p, N_PARAMS);
     struct dyn_orbits empty = {.n = 0}, list;
@@ -589,7 +582,7 @@ END_TEST
 
 /* A strip that the free phases leave out has no zero at any time: its motion, looked at for long, keeps away. */
 START_TEST(free_phases_leave_out_no_zero) {
-  uint64_t state = (uint64_t)_i + 3;
+  struct rng rng = {(uint64_t)_i + 3};
   const struct set *s = &set[_i];
   double p[N_PARAMS], a, omega;
   struct disk_params g;
@@ -600,7 +593,7 @@ START_TEST(free_phases_leave_out_no_zero) {
   ck_assert(disk_params_init(&g, s->p));
   for (int trial = 0; trial < 30; trial++) {
     struct strip strip;
-    double half = 1e-4, angle = half + (g.fall.mid - 2 * half) * uniform(&state), old[4], now[4];
+    double half = 1e-4, angle = half + (g.fall.mid - 2 * half) * rng_unit(&rng), old[4], now[4];
     strip_make(&strip, &g, angle - half, angle + half, half);
     struct turns k = strip_turns(&strip, false);
     if (!strip_never(&strip) && !strip_misses(&strip, &k)) continue;
@@ -628,15 +621,15 @@ END_TEST
 
 START_TEST(times_given) {
   static const enum dyn_quantity which[2] = {QUANTITY_TC, QUANTITY_TB};
-  uint64_t state = (uint64_t)_i + 1;
+  struct rng rng = {(uint64_t)_i + 1};
   long none = 0, some = 0;
   fmpq *model = _fmpq_vec_init(3), *value = _fmpq_vec_init(2);
   for (int trial = 0; trial < 100; trial++) {
     struct dyn_orbits list;
-    fmpq_set_si(model, 1 + (slong)(62 * uniform(&state)), 64);
-    fmpq_set_si(model + 1, 2 + (slong)(100 * uniform(&state)), 16);
-    fmpq_set_si(model + 2, 1 + (slong)(8 * uniform(&state)), 4);
-    for (int i = 0; i < 2; i++) fmpq_set_si(value + i, 1 + (slong)(400 * uniform(&state)), 64);
+    fmpq_set_si(model, 1 + (slong)(62 * rng_unit(&rng)), 64);
+    fmpq_set_si(model + 1, 2 + (slong)(100 * rng_unit(&rng)), 16);
+    fmpq_set_si(model + 2, 1 + (slong)(8 * rng_unit(&rng)), 4);
+    for (int i = 0; i < 2; i++) fmpq_set_si(value + i, 1 + (slong)(400 * rng_unit(&rng)), 64);
     for (int i = 0; i < 3; i++) fmpq_canonicalise(model + i);
     for (int i = 0; i < 2; i++) fmpq_canonicalise(value + i);
     dyn_orbits_given(&list, model, which, value, 80, NULL);
@@ -702,13 +695,13 @@ END_TEST
 /* Orbits along e2 at random e1, t_b, seen as changes of sign in double precision: all in the list. */
 START_TEST(a_limit_scanned) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TB};
-  uint64_t state = (uint64_t)_i + 11;
+  struct rng rng = {(uint64_t)_i + 11};
   long seen = 0, complete = 0;
   enum { TRIALS = 24, STEPS = 1500 };
   for (int trial = 0; trial < TRIALS; trial++) {
-    double p[N_PARAMS] = {0.05 + 0.9 * uniform(&state), 0.1 + 3 * uniform(&state), 0.3 + uniform(&state),
-                          0.2 + 4 * uniform(&state), 0};
-    double tb = 0.05 + 3 * uniform(&state), old = 0, defect = 0, tc = 0;
+    double p[N_PARAMS] = {0.05 + 0.9 * rng_unit(&rng), 0.1 + 3 * rng_unit(&rng), 0.3 + rng_unit(&rng),
+                          0.2 + 4 * rng_unit(&rng), 0};
+    double tb = 0.05 + 3 * rng_unit(&rng), old = 0, defect = 0, tc = 0;
     bool valid = false;
     struct dyn_orbits list;
     tb = floor(tb * 4096) / 4096;

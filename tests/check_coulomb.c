@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "laws_num.h"
 #include "motion/coulomb.h"
 #include "rational.h"
+#include "rng.h"
 #include "suites.h"
 
 enum { N_ROUTES = 3 };
@@ -66,20 +66,16 @@ static const char *show(const double p[N_COULOMB], const double x[N_STATE]) {
   return text;
 }
 
-static double dyadic(struct rng *r, slong low, slong high) {
-  return (double)rng_between(r, low, high) / 64;
-}
-
 /* Any start, mostly with masses faster than the belt, slower, or both. */
 static void random_motion(double p[N_COULOMB], double x[N_STATE], struct rng *r) {
-  p[COULOMB_CHI] = dyadic(r, 3, 61);
-  p[COULOMB_ETA] = dyadic(r, 8, 256);
-  p[COULOMB_V] = dyadic(r, 16, 128);
+  p[COULOMB_CHI] = rng_dyadic(r, 3, 61);
+  p[COULOMB_ETA] = rng_dyadic(r, 8, 256);
+  p[COULOMB_V] = rng_dyadic(r, 16, 128);
   for (int i = 0; i < 2; i++) {
-    p[COULOMB_US1 + i] = dyadic(r, 0, 200);
-    p[COULOMB_UR1 + i] = p[COULOMB_US1 + i] + dyadic(r, 1, 200);
-    x[Z_1 + i] = dyadic(r, -640, 640);
-    x[DZ_1 + i] = dyadic(r, -200, 200);
+    p[COULOMB_US1 + i] = rng_dyadic(r, 0, 200);
+    p[COULOMB_UR1 + i] = p[COULOMB_US1 + i] + rng_dyadic(r, 1, 200);
+    x[Z_1 + i] = rng_dyadic(r, -640, 640);
+    x[DZ_1 + i] = rng_dyadic(r, -200, 200);
   }
 }
 

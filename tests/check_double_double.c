@@ -3,9 +3,9 @@
 #include <check.h>
 #include <math.h>
 
-#include "laws_num.h"
 #include "motion/double_double.h"
 #include "num/flint_compat.h"
+#include "rng.h"
 #include "suites.h"
 
 enum { BITS = 300, TRIALS = 20000 };

@@ -12,7 +12,6 @@
 #include "effort.h"
 #include "every.h"
 #include "explore/family.h"
-#include "laws_num.h"
 #include "motion/dynamics.h"
 #include "motion/flow.h"
 #include "motion/polish.h"
@@ -20,19 +19,15 @@
 #include "motion/trig_sum.h"
 #include "motion/warm.h"
 #include "rational.h"
+#include "rng.h"
 #include "suites.h"
 
-/* A multiple of 1/64 in [low, high]/64. */
-static double dyadic(struct rng *r, slong low, slong high) {
-  return (double)rng_between(r, low, high) / 64;
-}
-
 static void random_params(double p[N_PARAMS], struct rng *r) {
-  p[P_CHI] = dyadic(r, 3, 61);
-  p[P_ETA] = dyadic(r, 8, 256);
-  p[P_V] = dyadic(r, 32, 128);
-  p[P_E1] = dyadic(r, 16, 384);
-  p[P_E2] = dyadic(r, 16, 384);
+  p[P_CHI] = rng_dyadic(r, 3, 61);
+  p[P_ETA] = rng_dyadic(r, 8, 256);
+  p[P_V] = rng_dyadic(r, 32, 128);
+  p[P_E1] = rng_dyadic(r, 16, 384);
+  p[P_E2] = rng_dyadic(r, 16, 384);
 }
 
 static const char *show(const double p[N_PARAMS]) {
@@ -80,7 +75,7 @@ START_TEST(propagators_of_all_types_agree) {
   struct rng r = {(uint64_t)_i};
   double pd[N_PARAMS], t;
   random_params(pd, &r);
-  t = dyadic(&r, -640, 1280);
+  t = rng_dyadic(&r, -640, 1280);
   struct num_ctx ctx[4] = {num_ctx_arb(320), num_ctx_double(), num_ctx_mpfr(64), num_ctx_mpfr(200)};
   double bound[4] = {0, 1e-11, ldexp(1, 4 - 64), ldexp(1, 4 - 200)};
   for (int ph = 0; ph < N_PHASES; ph++) {
@@ -121,7 +116,7 @@ START_TEST(taylor_keeps_its_promise_for_long_times) {
 END_TEST
 
 static void random_state(double z[N_STATE], struct rng *r) {
-  for (int i = 0; i < N_STATE; i++) z[i] = dyadic(r, -256, 256);
+  for (int i = 0; i < N_STATE; i++) z[i] = rng_dyadic(r, -256, 256);
 }
 
 START_TEST(flow_is_the_propagator_applied) {
@@ -129,7 +124,7 @@ START_TEST(flow_is_the_propagator_applied) {
   double pd[N_PARAMS], zd[N_STATE], t;
   random_params(pd, &r);
   random_state(zd, &r);
-  t = dyadic(&r, -320, 640);
+  t = rng_dyadic(&r, -320, 640);
   struct num_ctx ctx[3] = {num_ctx_double(), num_ctx_mpfr(150), num_ctx_arb(150)};
   double bound[3] = {1e-11, ldexp(1, 14 - 150), ldexp(1, 20 - 150)};
   for (int k = 0; k < 3; k++)
@@ -160,7 +155,7 @@ START_TEST(flows_compose) {
   double pd[N_PARAMS], zd[N_STATE];
   random_params(pd, &r);
   random_state(zd, &r);
-  double times[3] = {dyadic(&r, -128, 320), dyadic(&r, -128, 320), 0};
+  double times[3] = {rng_dyadic(&r, -128, 320), rng_dyadic(&r, -128, 320), 0};
   times[2] = times[0] + times[1];
   struct num_ctx ctx = num_ctx_arb(256);
   struct num_vec p = vec_of(pd, N_PARAMS, ctx), t = vec_of(times, 3, ctx);
@@ -208,7 +203,7 @@ START_TEST(global_slip_keeps_its_energy) {
   random_params(p, &r);
   random_state(z, &r);
   e = energy(p, z);
-  flow_d(z, PHASE_H, p, z, dyadic(&r, -640, 6400));
+  flow_d(z, PHASE_H, p, z, rng_dyadic(&r, -640, 6400));
   ck_assert_msg(fabs(energy(p, z) - e) < 1e-11 * e, "%s", show(p));
 }
 END_TEST
@@ -529,7 +524,7 @@ END_TEST
 
 /* The arc of first events in double precision from a start of the word. */
 static bool random_arc(struct dyn_arc *arc, double pd[N_PARAMS], struct rng *r) {
-  double rise = dyadic(r, 16, 256), r0, start[2];
+  double rise = rng_dyadic(r, 16, 256), r0, start[2];
   random_params(pd, r);
   r0 = pd[P_E2] / pd[P_CHI] - rise;
   start[1] = (pd[P_E1] + r0) / (1 - pd[P_CHI]);

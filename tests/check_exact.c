@@ -8,7 +8,6 @@
 
 #include "every.h"
 #include "judge/judge.h"
-#include "laws_num.h"
 #include "paper_model.h"
 #include "paper_value.h"
 #include "power/mutants.h"
@@ -17,6 +16,7 @@
 #include "proof/exact_rank.h"
 #include "proof/linearized.h"
 #include "proof/receipt.h"
+#include "rng.h"
 #include "scratch.h"
 #include "suites.h"
 

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "expr/expr.h"
-#include "laws_num.h"
+#include "rng.h"
 #include "suites.h"
 #include "table.h"
 

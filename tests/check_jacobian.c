@@ -13,6 +13,7 @@
 #include "accuracy.h"
 #include "every.h"
 #include "paper_model.h"
+#include "rng.h"
 #include "route/jacobian.h"
 #include "scratch.h"
 #include "suites.h"
@@ -198,15 +199,12 @@ END_TEST
 
 /* Random states and parameters, half a thousand phases: never more than is stated. */
 START_TEST(fd_double_keeps_its_word_on_random_phases) {
-  uint64_t seed = 12345;
+  struct rng r = {12345};
   double most = 0;
   int tried = 0;
   for (int n = 0; n < 200; n++) {
     double u[10], near;
-    for (int i = 0; i < 10; i++) {
-      seed = seed * 6364136223846793005U + 1442695040888963407U;
-      u[i] = (double)(seed >> 11) * 0x1p-53;
-    }
+    for (int i = 0; i < 10; i++) u[i] = rng_unit(&r);
     double params[] = {0.05 + 0.9 * u[0], exp(3 - 6 * u[1]), exp(1.5 - 3 * u[2]), 0.1 + 4 * u[3], 0.05 + 2 * u[4]};
     double z[] = {6 * u[5] - 3, 6 * u[6] - 3, params[P_V] * (1 - u[7]), params[P_V] * (1 - u[8])};
     for (int ph = PHASE_D; ph < N_PHASES; ph++) {

@@ -8,12 +8,12 @@
 #include <string.h>
 
 #include "every.h"
-#include "laws_num.h"
 #include "motion/arc.h"
 #include "motion/dynamics.h"
 #include "motion/turn.h"
 #include "num/pi.h"
 #include "rational.h"
+#include "rng.h"
 #include "suites.h"
 #include "table.h"
 
@@ -85,21 +85,17 @@ static bool first_times(double t[N_PHASES], const double x[N_START]) {
   return fabs(t[0]) > 1e-3;
 }
 
-static double part(struct rng *r, double low, double high) {
-  return low + (high - low) * (double)rng_between(r, 0, 1 << 20) / (1 << 20);
-}
-
 /* Every kind of parameter: 1 - chi and chi down to 2^-20, the others over factors of a thousand, t_b from tiny to
    long. */
 static void random_start(double x[N_START], struct rng *r) {
-  double small = exp2(part(r, -20, -1));
+  double small = exp2(rng_within(r, -20, -1));
   x[P_CHI] = rng_between(r, 0, 1) ? small : 1 - small;
-  x[P_ETA] = exp2(part(r, -5, 5)) / (x[P_CHI] < 0.1 ? x[P_CHI] : 1);
-  x[P_V] = exp2(part(r, -5, 5));
-  x[P_E1] = x[P_V] * exp2(part(r, -3, 4));
-  x[P_E2] = x[P_V] * exp2(part(r, -4, 3));
-  x[5] = part(r, -4, 4) * x[P_V];
-  x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(part(r, -24, 4));
+  x[P_ETA] = exp2(rng_within(r, -5, 5)) / (x[P_CHI] < 0.1 ? x[P_CHI] : 1);
+  x[P_V] = exp2(rng_within(r, -5, 5));
+  x[P_E1] = x[P_V] * exp2(rng_within(r, -3, 4));
+  x[P_E2] = x[P_V] * exp2(rng_within(r, -4, 3));
+  x[5] = rng_within(r, -4, 4) * x[P_V];
+  x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(rng_within(r, -24, 4));
 }
 
 /* log2 of how far v lies from the exact, at most, its radius included. */
@@ -203,10 +199,10 @@ START_TEST(wide_balls_hold_the_arcs_of_their_points) {
   struct rng r = {(uint64_t)_i + 100};
   int proved = 0, refused = 0;
   for (int n = 0; n < 60; n++) {
-    double x[N_START], t[N_PHASES], radius = exp2(part(&r, -30, -2));
+    double x[N_START], t[N_PHASES], radius = exp2(rng_within(&r, -30, -2));
     random_start(x, &r);
     x[P_CHI] = 0.1 + 0.8 * x[P_CHI];
-    x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(part(&r, -3, 3));
+    x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(rng_within(&r, -3, 3));
     if (!first_times(t, x)) continue;
     struct trip wide;
     pass_open(&wide, x, num_ctx_arb(128));
@@ -220,7 +216,7 @@ START_TEST(wide_balls_hold_the_arcs_of_their_points) {
     for (int k = 0; k < 6 && ok; k++) {
       double y[N_START];
       for (int i = 0; i < N_START; i++) {
-        double side = k < 3 ? (double)rng_between(&r, -1, 1) : part(&r, -1, 1);
+        double side = k < 3 ? (double)rng_between(&r, -1, 1) : rng_within(&r, -1, 1);
         y[i] = x[i] * (1 + 0.999 * side * radius);
       }
       struct trip point;
@@ -291,11 +287,11 @@ START_TEST(a_wide_r_is_enclosed_to_its_ends) {
   double t[N_PHASES], at = PI - atan2(2, 0.25), rise = 0.25 * (at - sin(at)) + 2 * (1 - cos(at));
   double x[N_START] = {0.75, 1, 1, 2, 1.5, 0, 2 - rise};
   for (int n = 0; n < 60; n++) {
-    double radius = n == 0 ? 1e-2 : exp2(part(&r, -14, -5));
+    double radius = n == 0 ? 1e-2 : exp2(rng_within(&r, -14, -5));
     if (n > 0) {
       random_start(x, &r);
       x[P_CHI] = 0.1 + 0.8 * x[P_CHI];
-      x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(part(&r, -2, 2));
+      x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(rng_within(&r, -2, 2));
     }
     struct trip wide, end;
     pass_open(&wide, x, num_ctx_arb(128));
@@ -396,7 +392,7 @@ START_TEST(turns_enclose_sines) {
   for (int n = 0; n < 400; n++) {
     slong prec = precisions[n % N_PRECISIONS];
     struct calc c = calc_begin(num_ctx_arb(prec));
-    double angle = part(&r, -50, 50), move = exp2(part(&r, -80, 1)) * (rng_between(&r, 0, 1) ? 1 : -1);
+    double angle = rng_within(&r, -50, 50), move = exp2(rng_within(&r, -80, 1)) * (rng_between(&r, 0, 1) ? 1 : -1);
     if (n % 40 == 0) move = 0;
     arb_ptr x = calc_new(&c);
     arb_set_d(x, move);

@@ -7,8 +7,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "laws_num.h"
 #include "model/model.h"
+#include "rng.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"

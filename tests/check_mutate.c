@@ -20,6 +20,7 @@
 #include "power/power.h"
 #include "process.h"
 #include "report/mutation.h"
+#include "rng.h"
 #include "run/audit.h"
 #include "scratch.h"
 #include "suites.h"
@@ -56,12 +57,7 @@ static const struct claim *claim_of(const char *id) {
 
 /* --- Exact algebra --- */
 
-static uint64_t random_state;
-
-static unsigned below(unsigned n) {
-  random_state = random_state * 6364136223846793005U + 1442695040888963407U;
-  return (unsigned)(random_state >> 33) % n;
-}
+static struct rng rng;
 
 static void build(struct tape *t, struct elaboration *el, const char *text) {
   struct diag d;
@@ -139,9 +135,9 @@ END_TEST
 static void random_expression(struct text *t, int depth) {
   static const char *const leaf[] = {"chi", "eta", "V", "1", "2"};
   static const char *const op[] = {" + ", " - ", "*", "/"};
-  unsigned kind = depth > 0 ? below(8) : 7;
+  slong kind = depth > 0 ? rng_between(&rng, 0, 7) : 7;
   if (kind == 7) {
-    text_add(t, leaf[below(5)]);
+    text_add(t, leaf[rng_between(&rng, 0, 4)]);
   } else if (kind >= 5) {
     text_add(t, kind == 5 ? "sin(" : "cos(");
     random_expression(t, depth - 1);
@@ -149,7 +145,7 @@ static void random_expression(struct text *t, int depth) {
   } else {
     text_add(t, "(");
     random_expression(t, depth - 1);
-    text_add(t, op[below(4)]);
+    text_add(t, op[rng_between(&rng, 0, 3)]);
     random_expression(t, depth - 1);
     text_add(t, ")");
   }
@@ -180,7 +176,7 @@ START_TEST(equality_obeys_the_laws_and_never_lies) {
   static const char *const rewritten[] = {"((%s) + (%s)) - (%s)", "-(-(%s)) + ((%s) - (%s))",
                                           "(%s)*(1 + (%s)^2)/(1 + (%s)^2)"};
   long equal = 0;
-  random_state = 20260101;
+  rng.state = 20260101;
   for (int i = 0; i < 300; i++) {
     struct text a, b, c;
     int s;
@@ -189,7 +185,7 @@ START_TEST(equality_obeys_the_laws_and_never_lies) {
     text_init(&c);
     random_expression(&a, 3);
     random_expression(&b, 2);
-    const char *form = rewritten[below(3)];
+    const char *form = rewritten[rng_between(&rng, 0, 2)];
     text_printf(&c, form, a.data, b.data, b.data); /* NOLINT: the forms are above */
     bool same = proved_equal(a.data, c.data, &s);
     ck_assert_msg(same || s != SS_OK, "%s and %s", a.data, c.data);

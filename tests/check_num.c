@@ -3,6 +3,7 @@
 #include "laws_num.h"
 #include "num/calc.h"
 #include "num/flint_more.h"
+#include "rng.h"
 #include "suites.h"
 
 #include <math.h>

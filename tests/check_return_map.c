@@ -10,7 +10,7 @@
 
 #include "accuracy.h"
 #include "every.h"
-#include "laws_num.h"
+#include "rng.h"
 #include "suites.h"
 
 enum { N_IN = N_PARAMS + 1, MOVE = 60, MOST_STEPS = 20000 };

@@ -15,6 +15,7 @@
 #include "motion/sincos.h"
 #include "num/flint_compat.h"
 #include "num/flint_more.h"
+#include "rng.h"
 #include "suites.h"
 
 enum { BITS = 160, TERMS = 30, PIECES = 1024 };
@@ -301,19 +302,14 @@ static void check_worst(const struct worst *w) {
   ck_assert_msg(w->versine <= 1 && w->excess <= 1, "versine %g, excess %g of their bounds", w->versine, w->excess);
 }
 
-static double uniform(uint64_t *state) {
-  *state = *state * 6364136223846793005u + 1442695040888963407u;
-  return (double)(*state >> 11) * 0x1p-53;
-}
-
 START_TEST(random_arguments) {
   struct worst w = {0};
-  uint64_t state = 20;
+  struct rng r = {20};
   for (int i = 0; i < 60000 / every(4); i++) {
-    double size = ldexp(1, (int)(uniform(&state) * 60) - 40); /* to 2^20 */
-    measure(&w, (2 * uniform(&state) - 1) * size);
+    double size = ldexp(1, (int)(rng_unit(&r) * 60) - 40); /* to 2^20 */
+    measure(&w, (2 * rng_unit(&r) - 1) * size);
   }
-  for (int i = 0; i < 60000 / every(4); i++) measure(&w, 40 * uniform(&state));
+  for (int i = 0; i < 60000 / every(4); i++) measure(&w, 40 * rng_unit(&r));
   check_worst(&w);
 }
 END_TEST
@@ -322,10 +318,10 @@ END_TEST
 START_TEST(worst_arguments) {
   struct worst w = {0};
   mpfr_t x;
-  uint64_t state = 21;
+  struct rng r = {21};
   mpfr_init2(x, 200);
   for (int i = 1; i < 24000; i += every(3)) {
-    long k = i < 12000 ? i : (long)(uniform(&state) * 0x1p20 * 4 / 3.15);
+    long k = i < 12000 ? i : (long)(rng_unit(&r) * 0x1p20 * 4 / 3.15);
     mpfr_const_pi(x, MPFR_RNDN);
     mpfr_mul_si(x, x, k, MPFR_RNDN);
     mpfr_div_2ui(x, x, 2, MPFR_RNDN);
@@ -345,12 +341,11 @@ END_TEST
 START_TEST(angles) {
   double worst = 0;
   mpfr_t x, y;
-  uint64_t state = 22;
+  struct rng r = {22};
   mpfr_inits2(200, x, y, (mpfr_ptr)NULL);
   for (int i = 0; i < 60000 / every(4); i++) {
-    double angle = i % 2 == 0 ? 3.14159 * uniform(&state) : (double)(i % 18 / 2) * 0.39269908169872414;
-    double size = ldexp(1, (int)(uniform(&state) * 40) - 20),
-           near = i % 3 == 0 ? 0 : ldexp(uniform(&state) - 0.5, -(i % 50));
+    double angle = i % 2 == 0 ? 3.14159 * rng_unit(&r) : (double)(i % 18 / 2) * 0.39269908169872414;
+    double size = ldexp(1, (int)(rng_unit(&r) * 40) - 20), near = i % 3 == 0 ? 0 : ldexp(rng_unit(&r) - 0.5, -(i % 50));
     double across = size * cos(angle + near), up = fabs(size * sin(angle + near));
     mpfr_set_d(x, across, MPFR_RNDN);
     mpfr_set_d(y, up, MPFR_RNDN);

@@ -24,6 +24,7 @@
 #include "explore/family.h"
 #include "process.h"
 #include "rational.h"
+#include "rng.h"
 #include "scratch.h"
 #include "suites.h"
 
@@ -102,12 +103,6 @@ START_TEST(values_are_exact_and_rounded_once) {
 }
 END_TEST
 
-static unsigned long long seed = 20240917;
-static unsigned long long draw(void) {
-  seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-  return seed >> 11;
-}
-
 static void same_decimal(double x) {
   char got[DECIMAL_MAX], want[DECIMAL_MAX];
   for (int digits = 1; digits <= DECIMAL_DIGITS; digits++) {
@@ -138,11 +133,12 @@ START_TEST(decimals_are_those_of_printf) {
     same_decimal(nextafter(x, 0));
     same_decimal(nextafter(x, INFINITY));
   }
+  struct rng r = {20240917};
   for (int i = 0; i < 20000 / every(8); i++) {
-    double unit = ldexp((double)draw(), -53);
-    same_decimal(ldexp(unit, (int)(draw() % 60) - 20));
-    same_decimal((double)(draw() % 1000000) / 64); /* exact ties */
-    same_decimal(-(double)(draw() % 100000) / 1000);
+    double unit = rng_unit(&r);
+    same_decimal(ldexp(unit, (int)rng_between(&r, -20, 39)));
+    same_decimal(rng_dyadic(&r, 0, 999999)); /* exact ties */
+    same_decimal(-(double)rng_between(&r, 0, 99999) / 1000);
   }
 }
 END_TEST

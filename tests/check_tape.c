@@ -10,8 +10,8 @@
 
 #include "base/arena.h"
 #include "effort.h"
-#include "laws_num.h"
 #include "model/model.h"
+#include "rng.h"
 #include "scratch.h"
 #include "suites.h"
 

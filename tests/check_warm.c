@@ -10,8 +10,8 @@
 #include "accuracy.h"
 #include "every.h"
 #include "explore/family.h"
-#include "laws_num.h"
 #include "rational.h"
+#include "rng.h"
 #include "suites.h"
 
 enum { PREC = 100 };

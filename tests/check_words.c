@@ -11,6 +11,7 @@
 #include "explore/words.h"
 #include "motion/coulomb.h"
 #include "rational.h"
+#include "rng.h"
 #include "scene/scene.h"
 #include "scratch.h"
 #include "suites.h"
@@ -157,17 +158,13 @@ END_TEST
 
 /* --- Transitions --- */
 
-static unsigned random_state = 1;
-static double uniform(double low, double high) {
-  random_state = random_state * 1664525u + 1013904223u;
-  return low + (high - low) * ((double)(random_state >> 8) / 16777216.0);
-}
+static struct rng rng = {1};
 
 static void random_start(double start[N_STATE], const double p[N_COULOMB], double reach) {
-  double f1 = uniform(-reach, reach), f2 = uniform(-reach, reach);
+  double f1 = rng_within(&rng, -reach, reach), f2 = rng_within(&rng, -reach, reach);
   start[Z_1] = (f1 + f2) / (1 - p[COULOMB_CHI]);
   start[Z_2] = start[Z_1] + f2 / p[COULOMB_CHI];
-  for (int i = 0; i < 2; i++) start[DZ_1 + i] = p[COULOMB_V] * uniform(-2, 4);
+  for (int i = 0; i < 2; i++) start[DZ_1 + i] = p[COULOMB_V] * rng_within(&rng, -2, 4);
 }
 
 static void phase_of(char *phase, const enum coulomb_mode mode[2]) {
@@ -187,12 +184,12 @@ START_TEST(simulations_know_the_barriers) {
   long seen[KINDS][KINDS] = {{0}};
   for (int k = 0; k < RUNS; k++) {
     double p[N_COULOMB], start[N_STATE];
-    p[COULOMB_CHI] = uniform(0.05, 0.95);
-    p[COULOMB_ETA] = uniform(0.1, 4);
-    p[COULOMB_V] = uniform(0.05, 2);
+    p[COULOMB_CHI] = rng_within(&rng, 0.05, 0.95);
+    p[COULOMB_ETA] = rng_within(&rng, 0.1, 4);
+    p[COULOMB_V] = rng_within(&rng, 0.05, 2);
     for (int i = 0; i < 2; i++) {
-      p[COULOMB_US1 + i] = uniform(0, 0.5);
-      p[COULOMB_UR1 + i] = p[COULOMB_US1 + i] + uniform(0.01, 1);
+      p[COULOMB_US1 + i] = rng_within(&rng, 0, 0.5);
+      p[COULOMB_UR1 + i] = p[COULOMB_US1 + i] + rng_within(&rng, 0.01, 1);
     }
     random_start(start, p, 4);
     struct coulomb_log log;
@@ -505,7 +502,7 @@ START_TEST(what_simulations_settle_on_is_found) {
       p[COULOMB_US1 + i] = p[COULOMB_UR1 + i] - fmpq_get_d(params + P_E1 + i);
     }
     for (int i = 0; i < 3; i++) p[COULOMB_CHI + i] = fmpq_get_d(params + i);
-    random_state = 7;
+    rng.state = 7;
     for (int run = 0; run < 6; run++) {
       double start[N_STATE];
       struct coulomb_log log;

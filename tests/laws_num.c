@@ -4,6 +4,7 @@
    and a ball must hold what MPFR gives at much higher precision at points of its operands.  The other laws are
    identities of arithmetic.  Operands are random and biased to the edges; a failing trial prints them and its seed. */
 #include "laws_num.h"
+#include "rng.h"
 #include "tape/tape.h"
 
 #include <math.h>
@@ -15,66 +16,6 @@ struct num_ctx law_context(int i) {
   const struct num_ctx all[LAW_CONTEXTS] = {num_ctx_double(), num_ctx_mpfr(24), num_ctx_mpfr(200), num_ctx_arb(30),
                                             num_ctx_arb(160)};
   return all[i];
-}
-
-/* --- Random operands. --- */
-
-uint64_t rng_next(struct rng *r) {
-  uint64_t z = (r->state += UINT64_C(0x9e3779b97f4a7c15));
-  z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-  z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-  return z ^ (z >> 31);
-}
-
-double rng_unit(struct rng *r) {
-  return (double)(rng_next(r) >> 11) * 0x1p-53;
-}
-
-slong rng_between(struct rng *r, slong low, slong high) {
-  return low + (slong)(rng_next(r) % (uint64_t)(high - low + 1));
-}
-
-static void random_mantissa(arf_t x, struct rng *r, slong bits) {
-  arf_zero(x);
-  for (slong i = 0; i < bits; i += 32) {
-    arf_mul_2exp_si(x, x, 32);
-    arf_add_ui(x, x, rng_next(r) >> 32, ARF_PREC_EXACT, ARF_RND_DOWN);
-  }
-  arf_set_round(x, x, bits, ARF_RND_DOWN);
-  if (arf_is_zero(x)) arf_one(x);
-  fmpz_zero(ARF_EXPREF(x)); /* in [1/2, 1) */
-}
-
-void rng_edge(arf_t x, struct rng *r, slong bits, slong reach) {
-  slong kind = rng_between(r, 0, 9);
-  random_mantissa(x, r, bits);
-  switch (kind) {
-  case 0:
-    arf_set_si(x, rng_between(r, -3, 3));
-    return;
-  case 1:
-    arf_set_si_2exp_si(x, 1, rng_between(r, -reach, reach));
-    break;
-  case 2:
-    arf_set_si_2exp_si(x, rng_between(r, -2, 2), -bits);
-    arf_add_ui(x, x, 1, bits, ARF_RND_DOWN);
-    break;
-  case 3: {
-    arb_t t;
-    arb_init(t);
-    arb_const_pi(t, bits + 40);
-    arf_mul_si(x, arb_midref(t), rng_between(r, 1, 40), bits, ARF_RND_NEAR);
-    arf_mul_2exp_si(x, x, -1);
-    arb_clear(t);
-    break;
-  }
-  case 4:
-    arf_mul_2exp_si(x, x, rng_between(r, -reach, reach));
-    break;
-  default:
-    arf_mul_2exp_si(x, x, rng_between(r, -8, 8));
-  }
-  if (rng_next(r) % 2) arf_neg(x, x);
 }
 
 /* Operands and results of one trial, in one context; all are NaN-free when a trial begins. */
@@ -510,7 +451,7 @@ static void random_fraction(fmpq_t q, struct rng *r, slong prec) {
   if (kind == 0) {
     fmpq_set_si(q, rng_between(r, -1000, 1000), (ulong)rng_between(r, 1, 1000));
   } else {
-    random_mantissa(x, r, prec + (kind == 1 ? 1 : 0));
+    rng_mantissa(x, r, prec + (kind == 1 ? 1 : 0));
     slong tiny = kind == 3 ? rng_between(r, -1080, -1000) : rng_between(r, -40, 40);
     arf_mul_2exp_si(x, x, tiny);
     arf_get_fmpq(q, x);

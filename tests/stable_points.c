@@ -3,6 +3,8 @@
    exact doubles. */
 #include "stable_points.h"
 
+#include <check.h>
+
 #include <math.h>
 #include <string.h>
 

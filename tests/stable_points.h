@@ -3,8 +3,8 @@
 #ifndef STICKSLIP_TESTS_STABLE_POINTS_H
 #define STICKSLIP_TESTS_STABLE_POINTS_H
 
-#include "laws_num.h"
 #include "model/model.h"
+#include "rng.h"
 
 enum { MOST_ENTRIES = 16, MOST_INPUTS = 16 };
 
