@@ -1,9 +1,11 @@
 #include "accuracy.h"
 
+#include <check.h>
 #include <math.h>
 #include <string.h>
 
 #include "motion/event.h"
+#include "params.h"
 #include "rational.h"
 
 enum { MOVE = 60 };
@@ -57,6 +59,16 @@ static fmpq *moved_params(const double p[N_PARAMS], int moved) {
   return q;
 }
 
+/* Near which times, and what is proved of the orbit of the parameters themselves. */
+struct orbit_truth {
+  double tb, tc;
+  bool up;     /* z_20 > z_10 */
+  bool found;  /* then: */
+  truth first; /* the events are first ones */
+  truth holds[N_CONDITIONS];
+};
+
+/* From the parameters the numbers of enum dyn_output. */
 static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg) {
   struct orbit_truth *t = arg;
   struct dyn_orbit o;
@@ -79,7 +91,27 @@ static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg
   return found;
 }
 
-const struct method orbit_method = {N_PARAMS, N_DYN_OUT, orbit_at};
+static const struct method orbit_method = {N_PARAMS, N_DYN_OUT, orbit_at};
+
+void check_conditions(const truth holds[N_CONDITIONS], unsigned violations, unsigned unsure) {
+  ck_assert_uint_eq(violations & unsure, 0);
+  for (int i = 0; i < N_CONDITIONS; i++)
+    ck_assert_msg((unsure >> i & 1) || holds[i] == (violations >> i & 1 ? TRUTH_FALSE : TRUTH_TRUE), "%s",
+                  dyn_condition_id[i]);
+}
+
+bool check_orbit_found(double condition[N_DYN_OUT], const double p[N_PARAMS], const double out[N_DYN_OUT],
+                       unsigned violations, unsigned unsure) {
+  double error[N_DYN_OUT];
+  struct orbit_truth t = {.tb = out[DYN_OUT_TB], .tc = out[DYN_OUT_TC], .up = out[DYN_OUT_Z20] > out[DYN_OUT_Z10]};
+  bool steep = accuracy_of(error, condition, &orbit_method, p, out, &t);
+  ck_assert_msg(t.found && t.first == TRUTH_TRUE, "%s: no orbit at t_b %.17g t_c %.17g", params_shown(p), t.tb, t.tc);
+  check_conditions(t.holds, violations, unsure);
+  for (int i = 0; i < N_DYN_OUT && steep; i++)
+    ck_assert_msg(error[i] <= fmin(8 * (1 + condition[i]), 2), "%s: output %d errs by %g, condition %g",
+                  params_shown(p), i, error[i], condition[i]);
+  return steep;
+}
 
 int first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
                   const struct dyn_limits *lim) {

@@ -21,15 +21,13 @@ bool accuracy_of(double *error, double *condition, const struct method *m, const
 int first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
                   const struct dyn_limits *lim);
 
-/* An orbit: from five parameters the numbers of enum dyn_output; arg says near which times, and keeps what is proved of
-   the orbit of the parameters themselves. */
-struct orbit_truth {
-  double tb, tc;
-  bool up;     /* z_20 > z_10 */
-  bool found;  /* then: */
-  truth first; /* the events are first ones */
-  truth holds[N_CONDITIONS];
-};
-extern const struct method orbit_method;
+/* Conditions said to be broken are, the others hold, but for those left open. */
+void check_conditions(const truth holds[N_CONDITIONS], unsigned violations, unsigned unsure);
+
+/* Holds what was found of an orbit against balls: there is one at its times, of first events; no number errs by more
+   than 8 (1 + its condition number) units of 2^-53 of itself, nor by two of them; the conditions are those proved,
+   but for the ones left open.  False where the numbers have no condition numbers, since a neighbour has no orbit. */
+bool check_orbit_found(double condition[N_DYN_OUT], const double p[N_PARAMS], const double out[N_DYN_OUT],
+                       unsigned violations, unsigned unsure);
 
 #endif

@@ -15,6 +15,7 @@
 #include "explore/family.h"
 #include "motion/dual.h"
 #include "motion/map_balls.h"
+#include "params.h"
 #include "rational.h"
 #include "suites.h"
 #include "table.h"
@@ -361,9 +362,8 @@ START_TEST(touch_of_the_oracle) {
   for (int late = 0; late < 2; late++) { /* the example: its t_c is 1.4898... */
     struct ball_params m;
     struct ball_pass s;
-    const char *const example[] = {"0.8", "1", "1", "2.7844", "0.8587"};
     struct calc c = calc_begin(num_ctx_arb(96));
-    fmpq *at = rationals(example, N_PARAMS);
+    fmpq *at = rationals(example_text, N_PARAMS);
     ball_params_init(&m, &c, at);
     ball_pass_slip(&s, &c, &m, calc_d(&c, 2.00532), calc_d(&c, late ? 2.5 : 1.48));
     ck_assert_int_eq(ball_touches(&c, &m, &s, 10000), late ? TRUTH_UNKNOWN : TRUTH_TRUE);
@@ -421,11 +421,8 @@ START_TEST(friction_that_is_just_enough) {
   const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
   struct line l;
   struct dyn_bifurcations list;
-  fmpq u[2];
+  fmpq *u = rationals((const char *const[]){"2.2", "1.7"}, 2);
   int hits[2] = {0, 0};
-  for (int i = 0; i < 2; i++) fmpq_init(&u[i]);
-  rational_set(&u[0], "2.2");
-  rational_set(&u[1], "1.7");
   line_init(&l, params, P_E2, "0.7", "1.2");
   const struct dyn_line line = {l.params, l.vary, l.from, l.to, {&u[0], &u[1]}};
   ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 10, 33), SS_OK);
@@ -450,7 +447,7 @@ START_TEST(friction_that_is_just_enough) {
   ck_assert_msg(hits[0] > 0 && hits[1] > 0, "%d and %d", hits[0], hits[1]);
   dyn_bifurcations_clear(&list);
   line_clear(&l);
-  for (int i = 0; i < 2; i++) fmpq_clear(&u[i]);
+  _fmpq_vec_clear(u, 2);
   flint_cleanup();
 }
 END_TEST
@@ -458,7 +455,6 @@ END_TEST
 /* --- Limits --- */
 
 START_TEST(ends_outside_the_domain) {
-  const char *const params[] = {"0.8", "1", "1", "2.7844", "0.8587"};
   static const struct {
     int vary;
     const char *from, *to;
@@ -466,7 +462,7 @@ START_TEST(ends_outside_the_domain) {
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     struct line l;
     struct dyn_bifurcations list;
-    line_init(&l, params, bad[i].vary, bad[i].from, bad[i].to);
+    line_init(&l, example_text, bad[i].vary, bad[i].from, bad[i].to);
     ck_assert_msg(find(&list, &l, 6) & (SS_DOMAIN | SS_UNABLE), "case %zu", i);
     ck_assert_int_eq(list.n, 0);
     dyn_bifurcations_clear(&list);

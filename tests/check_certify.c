@@ -26,6 +26,7 @@
 #include "motion/orbit_equations.h"
 #include "motion/orbit_judge.h"
 #include "motion/warm.h"
+#include "params.h"
 #include "rational.h"
 #include "scratch.h"
 #include "suites.h"
@@ -72,10 +73,8 @@ static void study_forces(struct study *s, const char *chi, const char *eta, cons
   study_open(s, text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
 }
 
-static const char *const paper_data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0.8587"};
-
 static void study_paper(struct study *s) {
-  study_open(s, paper_data, QUANTITY_E1, QUANTITY_E2, NULL, 128);
+  study_open(s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
 }
 
 static void study_close(struct study *s) {
@@ -474,7 +473,7 @@ static void forge(struct study *s, const struct word_root *root, slong prec) {
 START_TEST(later_events_are_no_orbits) {
   struct study s;
   int later = 0, by_event = 0;
-  study_forces(&s, "0.8", "1", "1", "2.7844", "0.8587");
+  study_paper(&s);
   struct word_data d = {s.params, s.params + 3, s.which, {QUANTITY_TA, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD}};
   for (int i = 0; i < 400 && later < 40 / every(4); i++) {
     struct word_root root;
@@ -595,7 +594,7 @@ START_TEST(static_friction_has_a_range) {
               {{"3", "0"}, "u_r2 is out of its range", REJECTED}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     struct study s;
-    study_open(&s, paper_data, QUANTITY_E1, QUANTITY_E2, rows[i].u, 128);
+    study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, rows[i].u, 128);
     int status = checker(text_str(&s.json));
     ck_assert_msg(status == rows[i].status && strstr(said, rows[i].says), "%s, %s: %s", rows[i].u[0], rows[i].u[1],
                   said);
@@ -1084,7 +1083,7 @@ END_TEST
 
 START_TEST(thousand_digits) {
   struct study s;
-  study_open(&s, paper_data, QUANTITY_E1, QUANTITY_E2, NULL, 3394);
+  study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, 3394);
   all_certified(&s, 2);
   mag_t radius;
   mag_init(radius);
@@ -1102,7 +1101,7 @@ END_TEST
 
 static void find_and_certify(void *prec) {
   struct study s;
-  study_open(&s, paper_data, QUANTITY_E1, QUANTITY_E2, NULL, *(slong *)prec);
+  study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, *(slong *)prec);
   study_close(&s);
 }
 

@@ -18,6 +18,7 @@
 #include "motion/strip.h"
 #include "motion/turns.h"
 #include "num/pi.h"
+#include "params.h"
 #include "rational.h"
 #include "rng.h"
 #include "scratch.h"
@@ -427,8 +428,7 @@ static long fixed_points(const struct dyn_orbits *list, const double p[N_PARAMS]
     bool now = defect_at(&defect, &tc, p, tb);
     if (now && valid && old * defect <= 0 && closes_in(p, before, tb, old)) {
       seen++;
-      ck_assert_msg(near_listed(list, before, tb), "chi %g eta %g V %g e1 %g e2 %g: t_b near %.12g, t_c %.12g", p[0],
-                    p[1], p[2], p[3], p[4], tb, tc);
+      ck_assert_msg(near_listed(list, before, tb), "%s: t_b near %.12g, t_c %.12g", params_shown(p), tb, tc);
     }
     valid = now;
     old = defect;
@@ -467,8 +467,7 @@ START_TEST(random_parameters) {
     if (list.complete) {
       complete++;
       orbits += list.n;
-      ck_assert_msg(empty.n == list.n && empty.complete, "chi %g eta %g V %g e1 %g e2 %g: %ld, %ld", p[0], p[1], p[2],
-                    p[3], p[4], (long)list.n, (long)empty.n);
+      ck_assert_msg(empty.n == list.n && empty.complete, "%s: %ld, %ld", params_shown(p), (long)list.n, (long)empty.n);
       ck_assert(list.n >= found);
       if (trial % 10 == 0) seen += fixed_points(&list, p, 4000);
     }
@@ -732,7 +731,7 @@ START_TEST(a_limit_scanned) {
       bool listed = false;
       for (slong k = 0; k < list.n; k++)
         listed = listed || fabs(arf_get_d(arb_midref(list.orbit[k].e2), ARF_RND_NEAR) - p[P_E2]) < 1e-6;
-      ck_assert_msg(listed, "chi %g eta %g V %g e1 %g t_b %g: e2 %g, t_c %g", p[0], p[1], p[2], p[3], tb, p[P_E2], tc);
+      ck_assert_msg(listed, "%s: t_b %.17g, t_c %.17g", params_shown(p), tb, tc);
       seen++;
     }
     dyn_orbits_clear(&list);

@@ -18,6 +18,7 @@
 #include "motion/return_map_double.h"
 #include "motion/trig_sum.h"
 #include "motion/warm.h"
+#include "params.h"
 #include "rational.h"
 #include "rng.h"
 #include "suites.h"
@@ -28,12 +29,6 @@ static void random_params(double p[N_PARAMS], struct rng *r) {
   p[P_V] = rng_dyadic(r, 32, 128);
   p[P_E1] = rng_dyadic(r, 16, 384);
   p[P_E2] = rng_dyadic(r, 16, 384);
-}
-
-static const char *show(const double p[N_PARAMS]) {
-  static char text[200];
-  snprintf(text, sizeof text, "chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g", p[0], p[1], p[2], p[3], p[4]);
-  return text;
 }
 
 static double entry_d(const struct num_vec *v, slong i) {
@@ -85,7 +80,7 @@ START_TEST(propagators_of_all_types_agree) {
       num_vec_init(&m[k], 16, ctx[k]);
       ck_assert_int_eq(dyn_propagator(&m[k], (enum phase)ph, &p, num_vec_at(&time, 0)), SS_OK);
       double d = distance(&m[0], &m[k]);
-      if (k > 0) ck_assert_msg(d <= bound[k] * largest(&m[0]), "%s t %g phase %d: %g", show(pd), t, ph, d);
+      if (k > 0) ck_assert_msg(d <= bound[k] * largest(&m[0]), "%s t %g phase %d: %g", params_shown(pd), t, ph, d);
       num_vec_clear(&p);
       num_vec_clear(&time);
     }
@@ -138,7 +133,7 @@ START_TEST(flow_is_the_propagator_applied) {
       ck_assert_int_eq(num_mat_mul(&moved, &m, &z, 4, 4, 1), SS_OK);
       ck_assert_int_eq(dyn_flow(&z, (enum phase)ph, &p, &z, num_vec_at(&time, 0)), SS_OK);
       double d = distance(&moved, &z);
-      ck_assert_msg(d <= bound[k] * size, "%s t %g phase %d type %d: %g", show(pd), t, ph, k, d / size);
+      ck_assert_msg(d <= bound[k] * size, "%s t %g phase %d type %d: %g", params_shown(pd), t, ph, k, d / size);
       if (k == 2)
         for (slong i = 0; i < N_STATE; i++) ck_assert(arb_overlaps(num_vec_at(&moved, i), num_vec_at(&z, i)));
       num_vec_clear(&p);
@@ -165,7 +160,7 @@ START_TEST(flows_compose) {
     status |= dyn_flow(&twice, (enum phase)ph, &p, &twice, num_vec_at(&t, 0));
     status |= dyn_flow(&twice, (enum phase)ph, &p, &twice, num_vec_at(&t, 1));
     ck_assert_int_eq(status, SS_OK);
-    ck_assert_msg(distance(&once, &twice) < 1e-60, "%s phase %d", show(pd), ph);
+    ck_assert_msg(distance(&once, &twice) < 1e-60, "%s phase %d", params_shown(pd), ph);
     num_vec_clear(&once);
     num_vec_clear(&twice);
   }
@@ -204,7 +199,7 @@ START_TEST(global_slip_keeps_its_energy) {
   random_state(z, &r);
   e = energy(p, z);
   flow_d(z, PHASE_H, p, z, rng_dyadic(&r, -640, 6400));
-  ck_assert_msg(fabs(energy(p, z) - e) < 1e-11 * e, "%s", show(p));
+  ck_assert_msg(fabs(energy(p, z) - e) < 1e-11 * e, "%s", params_shown(p));
 }
 END_TEST
 
@@ -225,13 +220,14 @@ START_TEST(first_event_is_a_root_and_the_first) {
     for (int i = 1; i < 500; i++) {
       flow_d(at, (enum phase)ph, p, z, span * i / 500);
       double f = switching_d((enum phase)ph, p, at, &rate);
-      ck_assert_msg(f * start > 0, "%s phase %d: sign changes before %g (status %d)", show(p), ph, span, status);
+      ck_assert_msg(f * start > 0, "%s phase %d: sign changes before %g (status %d)", params_shown(p), ph, span,
+                    status);
     }
     if (status) continue;
     flow_d(at, (enum phase)ph, p, z, t);
     double f = switching_d((enum phase)ph, p, at, &rate);
-    ck_assert_msg(fabs(f) < 1e-13 * size * (1 + t), "%s phase %d t %g residual %g", show(p), ph, t, f);
-    ck_assert_msg(grazing || rate * start < 0, "%s phase %d t %g: no crossing", show(p), ph, t);
+    ck_assert_msg(fabs(f) < 1e-13 * size * (1 + t), "%s phase %d t %g residual %g", params_shown(p), ph, t, f);
+    ck_assert_msg(grazing || rate * start < 0, "%s phase %d t %g: no crossing", params_shown(p), ph, t);
   }
 }
 END_TEST
@@ -394,8 +390,8 @@ START_TEST(refined_events_agree_and_are_proved) {
       struct num_vec p = vec_of(pd, N_PARAMS, ctx[k]), z = vec_of(zd, N_STATE, ctx[k]);
       num_vec_init(&t[k], 1, ctx[k]);
       ck_assert_msg(dyn_event(num_vec_at(&t[k], 0), (enum phase)ph, &p, &z, t0) == SS_OK, "%s phase %d type %d t %g",
-                    show(pd), ph, k, t0);
-      ck_assert_msg(distance(&t[k], &t[0]) <= bound[k] * (1 + t0), "%s phase %d type %d", show(pd), ph, k);
+                    params_shown(pd), ph, k, t0);
+      ck_assert_msg(distance(&t[k], &t[0]) <= bound[k] * (1 + t0), "%s phase %d type %d", params_shown(pd), ph, k);
       if (k == 0) { /* the ball holds the root: the switching function at it holds zero */
         struct num_vec at, f;
         num_vec_init(&at, N_STATE, ctx[0]);
@@ -479,7 +475,7 @@ START_TEST(local_jacobians_match_differences) {
     ck_assert_int_eq(dyn_local_jacobian_fd(&fd, num_vec_at(&err, 0), (enum phase)ph, &p, &z, t0), SS_OK);
     double gap = distance(&j, &fd), stated = entry_d(&err, 0);
     ck_assert_msg(gap <= 4 * stated && stated < 1e-20 * (1 + pow(largest(&j), 3)), "%s phase %d: off %g, stated %g",
-                  show(pd), ph, gap, stated);
+                  params_shown(pd), ph, gap, stated);
     num_vec_clear(&p);
     num_vec_clear(&z);
     num_vec_clear(&t);
@@ -510,7 +506,7 @@ START_TEST(a_pinned_velocity_is_not_displaced) {
         arb_t x;
         arb_init(x);
         ctx.type->get_arb(x, num_vec_at(&j, N_STATE * row + col));
-        ck_assert_msg(arb_is_zero(x), "%s phase %d: %s, column %d", show(pd), ph, ctx.type->name, col);
+        ck_assert_msg(arb_is_zero(x), "%s phase %d: %s, column %d", params_shown(pd), ph, ctx.type->name, col);
         arb_clear(x);
       }
       num_vec_clear(&p);
@@ -563,7 +559,7 @@ START_TEST(the_return_jacobian_of_doubles_is_rounded_once) {
     arb_abs(most, num_vec_at(&jb, i));
     arb_mul_2exp_si(most, most, -53);
     arb_abs(off, off);
-    ck_assert_msg(arb_le(off, most), "%s: entry %ld", show(pd), i);
+    ck_assert_msg(arb_le(off, most), "%s: entry %ld", params_shown(pd), i);
     arb_clear(most);
     arb_clear(off);
   }
@@ -588,9 +584,9 @@ static void make_jacobians(void *self) {
 }
 
 static void jacobian_work_init(struct jacobian_work *w, struct num_ctx ctx) {
-  const double pd[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587}, start[2] = {2.7032, 2.6158};
+  const double start[2] = {2.7032, 2.6158};
   struct num_vec z = vec_of(start, 2, ctx);
-  w->params = vec_of(pd, N_PARAMS, ctx);
+  w->params = vec_of(example, N_PARAMS, ctx);
   num_vec_init(&w->j, 4, ctx);
   dyn_arc_init(&w->arc, ctx);
   ck_assert_int_eq(dyn_arc_run(&w->arc, &w->params, num_vec_at(&z, 0), num_vec_at(&z, 1), NULL), SS_OK);
@@ -616,21 +612,20 @@ END_TEST
 
 /* Outputs and limits that nobody asked for. */
 START_TEST(what_is_not_wanted_may_be_null) {
-  static const char *const text[N_PARAMS] = {"4/5", "1", "1", "27844/10000", "8587/10000"};
-  static const double pd[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587}, start[N_STATE] = {2.7032, 2.6158, 1, 1};
+  static const double start[N_STATE] = {2.7032, 2.6158, 1, 1};
   static const double guess[2] = {2.0053, 1.4899}, along[1][N_STATE] = {{1, 0, 0, 0}};
   double out[16], column[N_STATE], err, t, r;
   struct dyn_orbit o;
-  fmpq *p = rationals(text, N_PARAMS);
+  fmpq *p = rationals(example_text, N_PARAMS);
   ck_assert_int_eq(dyn_orbit_near(&o, NULL, p, (struct dyn_place){guess[0], guess[1], false}, 64, NULL), SS_OK);
   dyn_orbit_clear(&o);
-  ck_assert_int_eq(dyn_orbit_warm(out, NULL, NULL, pd, guess), SS_OK);
-  ck_assert_int_eq(dyn_return_map_d(&r, NULL, NULL, pd, -3, NULL), SS_OK);
-  ck_assert_int_eq(first_event_d(&t, NULL, PHASE_D, pd, start, NULL), SS_OK);
-  ck_assert_int_eq(dyn_return_jacobian_d(out, NULL, pd, start, NULL), SS_OK);
+  ck_assert_int_eq(dyn_orbit_warm(out, NULL, NULL, example, guess), SS_OK);
+  ck_assert_int_eq(dyn_return_map_d(&r, NULL, NULL, example, -3, NULL), SS_OK);
+  ck_assert_int_eq(first_event_d(&t, NULL, PHASE_D, example, start, NULL), SS_OK);
+  ck_assert_int_eq(dyn_return_jacobian_d(out, NULL, example, start, NULL), SS_OK);
   const struct dyn_stretch stretch = {PHASE_D, start, t};
-  ck_assert_int_eq(dyn_local_differences_d(out, NULL, pd, &stretch, along, 1), SS_OK);
-  ck_assert_int_eq(dyn_local_differences_d(column, &err, pd, &stretch, along, 1), SS_OK);
+  ck_assert_int_eq(dyn_local_differences_d(out, NULL, example, &stretch, along, 1), SS_OK);
+  ck_assert_int_eq(dyn_local_differences_d(column, &err, example, &stretch, along, 1), SS_OK);
   for (int i = 0; i < N_STATE; i++) ck_assert_double_eq(out[i], column[i]);
   _fmpq_vec_clear(p, N_PARAMS);
 }
@@ -683,9 +678,9 @@ static void check_six_equations(const struct found *f, const struct dyn_orbit *o
     ck_assert_int_eq(dyn_propagator(&m, (enum phase)ph, &p, o->t[ph]), SS_OK);
     ck_assert_int_eq(num_mat_mul(&z, &m, &z, 4, 4, 1), SS_OK);
     ck_assert_int_eq(dyn_switching(num_vec_at(&value, 0), (enum phase)ph, &p, &z), SS_OK);
-    ck_assert_msg(arb_contains_zero(num_vec_at(&value, 0)), "%s: phase %d does not end", show(f->pd), ph);
+    ck_assert_msg(arb_contains_zero(num_vec_at(&value, 0)), "%s: phase %d does not end", params_shown(f->pd), ph);
     arb_ptr v = num_vec_at(&value, 0);
-    ck_assert_msg(mag_cmp_2exp_si(arb_radref(v), -prec / 3) < 0, "%s: enclosure is wide", show(f->pd));
+    ck_assert_msg(mag_cmp_2exp_si(arb_radref(v), -prec / 3) < 0, "%s: enclosure is wide", params_shown(f->pd));
   }
   arb_t end;
   arb_init(end);
@@ -710,7 +705,7 @@ static void check_multiplier(const struct found *f, const struct dyn_orbit *o, s
   ck_assert_int_eq(dyn_arc_run(&arc, &p, o->z10, o->z20, o->guess), SS_OK);
   ck_assert_int_eq(dyn_return_jacobian(&j, &p, &arc), SS_OK);
   arb_add(x, num_vec_at(&j, 0), num_vec_at(&j, 3), prec);
-  ck_assert_msg(arb_overlaps(x, o->trace), "%s: trace", show(f->pd));
+  ck_assert_msg(arb_overlaps(x, o->trace), "%s: trace", params_shown(f->pd));
   ck_assert(num_mat_det(x, &j, 2) == SS_OK && arb_contains_zero(x));
   for (slong i = 0; i < 4; i++) ck_assert(arb_overlaps(num_vec_at(&arc.t, i), o->t[i]));
   dyn_arc_clear(&arc);
@@ -723,14 +718,15 @@ static void check_multiplier(const struct found *f, const struct dyn_orbit *o, s
   double trace = arf_get_d(arb_midref(o->trace), ARF_RND_NEAR);
   if (fabs(trace) > 100) return;
   ck_assert_int_eq(dyn_return_map_d(&out, &slope, t, f->pd, r, NULL), SS_OK);
-  ck_assert_msg(fabs(out - r) < 1e-9 * (1 + fabs(r)), "%s: not a fixed point", show(f->pd));
-  ck_assert_msg(fabs(slope - trace) < 1e-7 * (1 + trace * trace), "%s: slope %g trace %g", show(f->pd), slope, trace);
+  ck_assert_msg(fabs(out - r) < 1e-9 * (1 + fabs(r)), "%s: not a fixed point", params_shown(f->pd));
+  ck_assert_msg(fabs(slope - trace) < 1e-7 * (1 + trace * trace), "%s: slope %g trace %g", params_shown(f->pd), slope,
+                trace);
   for (int i = 0; i < 4; i++) ck_assert(fabs(t[i] - o->guess[i]) < 1e-7 * (1 + fabs(t[i])));
 }
 
 /* Conditions and force bounds by sampling the orbit.  A condition that holds has no sample against it; one that fails
    has a sample against it or almost so. */
-static void check_conditions(const struct found *f, const struct dyn_orbit *o) {
+static void check_conditions_by_samples(const struct found *f, const struct dyn_orbit *o) {
   enum { SAMPLES = 500 };
   const double *p = f->pd, scale = p[P_V] + p[P_E1] + p[P_E2], dt = 1.0 / SAMPLES;
   double worst[N_CONDITIONS], low1 = HUGE_VAL, low2 = HUGE_VAL, z[N_STATE], at[N_STATE];
@@ -760,12 +756,12 @@ static void check_conditions(const struct found *f, const struct dyn_orbit *o) {
   for (int i = 0; i < N_CONDITIONS; i++) {
     bool fits =
         o->holds[i] == TRUTH_TRUE ? worst[i] < 1e-9 * scale : o->holds[i] == TRUTH_FALSE && worst[i] > -1e-3 * scale;
-    ck_assert_msg(fits, "%s t_b %g: %s is %d, sampled %g", show(p), o->guess[1], dyn_condition_id[i], o->holds[i],
-                  worst[i]);
+    ck_assert_msg(fits, "%s t_b %g: %s is %d, sampled %g", params_shown(p), o->guess[1], dyn_condition_id[i],
+                  o->holds[i], worst[i]);
   }
   double u1 = arf_get_d(arb_midref(o->u_r1_min), ARF_RND_NEAR), u2 = arf_get_d(arb_midref(o->u_r2_min), ARF_RND_NEAR);
-  ck_assert_msg(fabs(-low1 / 2 - u1) < 1e-3 * (1 + fabs(u1)), "%s: u_r1 %g sampled %g", show(p), u1, -low1 / 2);
-  ck_assert_msg(fabs(-low2 / 2 - u2) < 1e-3 * (1 + fabs(u2)), "%s: u_r2 %g sampled %g", show(p), u2, -low2 / 2);
+  ck_assert_msg(fabs(-low1 / 2 - u1) < 1e-3 * (1 + fabs(u1)), "%s: u_r1 %g sampled %g", params_shown(p), u1, -low1 / 2);
+  ck_assert_msg(fabs(-low2 / 2 - u2) < 1e-3 * (1 + fabs(u2)), "%s: u_r2 %g sampled %g", params_shown(p), u2, -low2 / 2);
 }
 
 static const char *const paper[N_PARAMS] = {"4/5", "1", "1", "27844/10000", "8587/10000"};
@@ -784,7 +780,7 @@ START_TEST(the_papers_parameters_have_two_orbits) {
     ck_assert(!o->grazing && arb_rel_accuracy_bits(o->z10) >= 128 && arb_rel_accuracy_bits(o->trace) >= 128);
     check_six_equations(&f, o, 168);
     check_multiplier(&f, o, 168);
-    check_conditions(&f, o);
+    check_conditions_by_samples(&f, o);
   }
   found_clear(&f);
 }
@@ -876,19 +872,19 @@ START_TEST(random_orbits_obey_everything) {
   struct found f;
   random_params(p, &r);
   found_init_d(&f, p, 80);
-  ck_assert_msg(f.status == SS_OK, "%s: status %d", show(p), f.status);
+  ck_assert_msg(f.status == SS_OK, "%s: status %d", params_shown(p), f.status);
   double low = p[P_E2] / p[P_CHI];
   for (slong i = 0; i < f.list.n; i++) {
     const struct dyn_orbit *o = &f.list.orbit[i];
     check_six_equations(&f, o, 200);
     check_multiplier(&f, o, 200);
-    check_conditions(&f, o);
+    check_conditions_by_samples(&f, o);
     low = fmin(low, arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR));
     bool ordered = i == 0 || arf_cmp(arb_midref(o[-1].z10), arb_midref(o->z10)) < 0;
     ck_assert(ordered);
   }
   int scanned = count_fixed_points(p, low - 2, 1500);
-  ck_assert_msg(scanned <= f.list.n, "%s: %d by a scan, %ld found", show(p), scanned, (long)f.list.n);
+  ck_assert_msg(scanned <= f.list.n, "%s: %d by a scan, %ld found", params_shown(p), scanned, (long)f.list.n);
   found_clear(&f);
 }
 END_TEST
@@ -912,7 +908,7 @@ START_TEST(jumps_are_not_orbits) {
   for (int i = 0; i < 3; i++) {
     struct found f;
     found_init(&f, jumpy[i], 60, NULL);
-    ck_assert_msg(f.status == SS_OK, "%s: status %d", show(f.pd), f.status);
+    ck_assert_msg(f.status == SS_OK, "%s: status %d", params_shown(f.pd), f.status);
     ck_assert_int_eq(f.list.n, count_fixed_points(f.pd, -20, 8000));
     found_clear(&f);
   }
@@ -957,9 +953,9 @@ START_TEST(derivatives_of_the_return_map_are_differences) {
   for (int i = 0; i < 3; i++) return_map_double_pass(&s[i], &k, tb + (i - 1) * h, &dyn_limits_default);
   if (s[0].status || s[2].status || s[1].safe < 10 * h || fabs(s[1].wc) < 0.1 || fabs(s[1].qc) < 0.01) return;
   double slope = (s[2].defect - s[0].defect) / (2 * h), dqc = (s[2].qc - s[0].qc) / (2 * h);
-  ck_assert_msg(fabs(slope - s[1].slope) < 1e-5 * (1 + fabs(slope)), "%s t_b %g: %g, %g", show(p), tb, slope,
+  ck_assert_msg(fabs(slope - s[1].slope) < 1e-5 * (1 + fabs(slope)), "%s t_b %g: %g, %g", params_shown(p), tb, slope,
                 s[1].slope);
-  ck_assert_msg(fabs(dqc - s[1].dqc) < 1e-4 * (1 + fabs(dqc)), "%s t_b %g: %g, %g", show(p), tb, dqc, s[1].dqc);
+  ck_assert_msg(fabs(dqc - s[1].dqc) < 1e-4 * (1 + fabs(dqc)), "%s t_b %g: %g, %g", params_shown(p), tb, dqc, s[1].dqc);
 }
 END_TEST
 
@@ -1024,10 +1020,10 @@ START_TEST(extreme_parameters) {
   const struct dyn_limits lim = {60, 100000};
   struct found f;
   found_init(&f, text, 400, &lim);
-  ck_assert_msg(!(f.status & SS_DOMAIN), "%s: status %d", show(f.pd), f.status); /* the budget may be used up */
+  ck_assert_msg(!(f.status & SS_DOMAIN), "%s: status %d", params_shown(f.pd), f.status); /* the budget may be used up */
   for (slong i = 0; i < f.list.n; i++) {
     check_six_equations(&f, &f.list.orbit[i], 440);
-    check_conditions(&f, &f.list.orbit[i]);
+    check_conditions_by_samples(&f, &f.list.orbit[i]);
   }
   found_clear(&f);
 }
@@ -1091,10 +1087,10 @@ START_TEST(the_statements_of_the_frequencies_agree) {
   fine_set(&fine, p);
   const val share[2] = {s.above, s.below};
   for (int i = 0; i < 2; i++) {
-    ck_assert_msg(arb_contains_zero(characteristic(&c, at, s.om[i])), "%s om[%d]", show(p), i);
+    ck_assert_msg(arb_contains_zero(characteristic(&c, at, s.om[i])), "%s om[%d]", params_shown(p), i);
     ck_assert(off_by(k.om[i], 0, s.om[i]) < 0x1p-50);
     ck_assert(off_by(plain.om[i], 0, s.om[i]) < 0x1p-50);
-    ck_assert_msg(off_by(plain.om[i], plain.rest[i], s.om[i]) < 0x1p-52, "%s om[%d]", show(p), i);
+    ck_assert_msg(off_by(plain.om[i], plain.rest[i], s.om[i]) < 0x1p-52, "%s om[%d]", params_shown(p), i);
     ck_assert(off_by(fine.om[i].high, fine.om[i].low, s.om[i]) < 0x1p-98);
     double part = i == 0 ? k.x : k.y;
     ck_assert(off_by(part * part, 0, share[i]) < 0x1p-49);

@@ -12,6 +12,7 @@
 #include "motion/dynamics.h"
 #include "motion/turn.h"
 #include "num/pi.h"
+#include "params.h"
 #include "rational.h"
 #include "rng.h"
 #include "suites.h"
@@ -71,8 +72,7 @@ static double scale_at(const struct trip *p, int i) {
 
 static const char *show(const double x[N_START]) {
   static char text[300];
-  snprintf(text, sizeof text, "chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g z10 %.17g z20 %.17g", x[0], x[1], x[2],
-           x[3], x[4], x[5], x[6]);
+  snprintf(text, sizeof text, "%s z10 %.17g z20 %.17g", params_shown(x), x[N_PARAMS], x[N_PARAMS + 1]);
   return text;
 }
 
@@ -88,12 +88,11 @@ static bool first_times(double t[N_PHASES], const double x[N_START]) {
 /* Every kind of parameter: 1 - chi and chi down to 2^-20, the others over factors of a thousand, t_b from tiny to
    long. */
 static void random_start(double x[N_START], struct rng *r) {
+  static const struct param_ranges wide = {{0, 1}, {0.03125, 32}, {0.03125, 32}, {0.125, 16}, {0.0625, 8}};
   double small = exp2(rng_within(r, -20, -1));
+  params_draw(x, r, &wide);
   x[P_CHI] = rng_between(r, 0, 1) ? small : 1 - small;
-  x[P_ETA] = exp2(rng_within(r, -5, 5)) / (x[P_CHI] < 0.1 ? x[P_CHI] : 1);
-  x[P_V] = exp2(rng_within(r, -5, 5));
-  x[P_E1] = x[P_V] * exp2(rng_within(r, -3, 4));
-  x[P_E2] = x[P_V] * exp2(rng_within(r, -4, 3));
+  if (x[P_CHI] < 0.1) x[P_ETA] /= x[P_CHI];
   x[5] = rng_within(r, -4, 4) * x[P_V];
   x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(rng_within(r, -24, 4));
 }

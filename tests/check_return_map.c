@@ -10,19 +10,18 @@
 
 #include "accuracy.h"
 #include "every.h"
+#include "params.h"
 #include "rng.h"
 #include "suites.h"
 
 enum { N_IN = N_PARAMS + 1, MOVE = 60, MOST_STEPS = 20000 };
 
-/* chi near 0 or 1 too, eta, e1/V and e2/V over e^6; r a little or far below e2/chi. */
+/* chi near 0 or 1 too; r a little or far below e2/chi. */
 static void random_input(double x[N_IN], struct rng *r) {
-  double edge = exp(-7 * rng_unit(r)), kind = rng_unit(r);
-  x[P_CHI] = kind < 0.2 ? 0.5 * edge : kind < 0.4 ? 1 - 0.5 * edge : 0.1 + 0.8 * rng_unit(r);
-  x[P_ETA] = exp(6 * rng_unit(r) - 3);
-  x[P_V] = exp(4 * rng_unit(r) - 2);
-  x[P_E1] = x[P_V] * exp(6 * rng_unit(r) - 4);
-  x[P_E2] = x[P_V] * exp(6 * rng_unit(r) - 4);
+  static const struct param_ranges wide = {{0.1, 0.9}, {0.05, 20}, {0.135, 7.4}, {0.018, 7.4}, {0.018, 7.4}};
+  double edge = 0.5 * exp(-7 * rng_unit(r)), kind = rng_unit(r);
+  params_draw(x, r, &wide);
+  if (kind < 0.4) x[P_CHI] = kind < 0.2 ? edge : 1 - edge;
   x[N_PARAMS] = x[P_E2] / x[P_CHI] - x[P_V] * exp(10 * rng_unit(r) - 8);
 }
 
@@ -65,22 +64,17 @@ static bool map_of(double out[N_RETURN], const double x[N_IN], bool *searched) {
   return true;
 }
 
-#define POINT "chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g r %.17g"
-
 /* Rounded once from twice the precision, or from balls. */
 static void check_last_place(const double x[N_IN], const double got[N_RETURN], const double error[N_RETURN]) {
   for (int i = 0; i < N_RETURN; i++)
-    ck_assert_msg(error[i] < 2 || got[i] == 0, "output %d errs by %g; " POINT, i, error[i], x[0], x[1], x[2], x[3],
-                  x[4], x[5]);
+    ck_assert_msg(error[i] < 2 || got[i] == 0, "output %d errs by %g; %s r %.17g", i, error[i], params_shown(x),
+                  x[N_PARAMS]);
 }
 
 /* Near 1 in size, where no number goes through balls for its parameters' sake. */
 static void ordinary_input(double x[N_IN], struct rng *r) {
-  x[P_CHI] = (1 + 14 * rng_unit(r)) / 16;
-  x[P_ETA] = exp2(6 * rng_unit(r) - 3);
-  x[P_V] = exp2(4 * rng_unit(r) - 2);
-  x[P_E1] = x[P_V] * exp2(10 * rng_unit(r) - 5);
-  x[P_E2] = x[P_V] * exp2(10 * rng_unit(r) - 5);
+  static const struct param_ranges ordinary = {{0.0625, 0.9375}, {0.125, 8}, {0.25, 4}, {0.03125, 32}, {0.03125, 32}};
+  params_draw(x, r, &ordinary);
   double top = x[P_E2] / x[P_CHI],
          far = rng_unit(r) < 0.3 ? top * exp2(-20 * rng_unit(r)) : x[P_V] * exp2(15 * rng_unit(r) - 10);
   x[N_PARAMS] = rng_unit(r) < 0.5 ? top - far : -far;
@@ -89,13 +83,11 @@ static void ordinary_input(double x[N_IN], struct rng *r) {
 /* chi = k 2^-j or 1 - k 2^-j down to the last place, on both sides of every jump: r a little below e2/chi, or near a
    crest. */
 static void edge_input(double x[N_IN], struct rng *r) {
+  static const struct param_ranges wide = {{0, 1}, {0.015625, 64}, {0.125, 8}, {0.03125, 32}, {0.03125, 32}};
   double k = rng_unit(r) < 0.5 ? 1 + (double)rng_between(r, 0, 7) / 8 : 1 + rng_unit(r);
   double edge = ldexp(k, -(int)rng_between(r, 2, 53));
+  params_draw(x, r, &wide);
   x[P_CHI] = rng_unit(r) < 0.7 ? 1 - edge : edge;
-  x[P_ETA] = exp2(12 * rng_unit(r) - 6);
-  x[P_V] = exp2(6 * rng_unit(r) - 3);
-  x[P_E1] = x[P_V] * exp2(10 * rng_unit(r) - 5);
-  x[P_E2] = x[P_V] * exp2(10 * rng_unit(r) - 5);
   double top = x[P_E2] / x[P_CHI], kind = rng_unit(r);
   x[N_PARAMS] = kind < 0.6   ? top - 2 * x[P_E1] * rng_unit(r)
                 : kind < 0.8 ? top - x[P_V] * exp2(12 * rng_unit(r) - 8)
@@ -194,7 +186,7 @@ START_TEST(errors_are_those_of_the_inputs) {
     if (!errors_of(error, condition, x, got)) continue;
     for (int i = 0; i < N_MAP; i++) {
       double e = error[checked[i]] / (1 + condition[checked[i]]);
-      ck_assert_msg(e < 1024, "output %d: %g; " POINT, checked[i], e, x[0], x[1], x[2], x[3], x[4], x[5]);
+      ck_assert_msg(e < 1024, "output %d: %g; %s r %.17g", checked[i], e, params_shown(x), x[N_PARAMS]);
       all[n++] = e;
     }
   }
@@ -304,9 +296,8 @@ START_TEST(no_root_is_passed_by_at_a_jump) {
       x[N_PARAMS] = k % 2 == 0 ? low - away : high + away;
       if (!(x[N_PARAMS] < top) || dyn_return_map(&got, x, x[N_PARAMS], NULL) || got.grazing) continue;
       double most = highest_before(x, &got);
-      ck_assert_msg(most < 1e-11 * (x[P_V] + x[P_E1]) / (1 - x[P_CHI]),
-                    "%g before t_c %.17g; chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g r %.17g", most, got.t[PHASE_H],
-                    x[0], x[1], x[2], x[3], x[4], x[5]);
+      ck_assert_msg(most < 1e-11 * (x[P_V] + x[P_E1]) / (1 - x[P_CHI]), "%g before t_c %.17g; %s r %.17g", most,
+                    got.t[PHASE_H], params_shown(x), x[N_PARAMS]);
     }
   }
   ck_assert_int_ge(jumps, 4);
@@ -315,7 +306,7 @@ END_TEST
 
 /* At a crest of the rise the first root is double: told, or taken on the right side. */
 START_TEST(crests_of_the_rise) {
-  const double p[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587};
+  const double *p = example;
   double a = 0.2, fall = acos(-1) + 2 * atan2(a, p[P_E1]), crest = a * fall + 2 * p[P_E1], top = p[P_E2] / p[P_CHI];
   for (int k = 2; k < 52; k++)
     for (int side = -1; side <= 1; side += 2) {
@@ -352,37 +343,27 @@ START_TEST(slope_is_the_derivative) {
 END_TEST
 
 START_TEST(outside_the_domain) {
-  const double good[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587}, bad[] = {0, -1, NAN, INFINITY, -INFINITY};
   struct dyn_return got;
-  double r = -1.3;
-  ck_assert_int_eq(dyn_return_map(&got, good, r, NULL), SS_OK);
-  for (int k = 0; k < N_PARAMS; k++)
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-      double p[N_PARAMS];
-      for (int l = 0; l < N_PARAMS; l++) p[l] = l == k ? bad[i] : good[l];
-      ck_assert_int_eq(dyn_return_map(&got, p, r, NULL), SS_DOMAIN);
-    }
-  const double one[N_PARAMS] = {1, 1, 1, 2.7844, 0.8587};
-  ck_assert_int_eq(dyn_return_map(&got, one, r, NULL), SS_DOMAIN);
-  ck_assert_int_eq(dyn_return_map(&got, good, 0.8587 / 0.8, NULL), SS_DOMAIN);
-  ck_assert_int_eq(dyn_return_map(&got, good, 5, NULL), SS_DOMAIN);
-  ck_assert_int_eq(dyn_return_map(&got, good, NAN, NULL), SS_UNABLE);
-  ck_assert_int_eq(dyn_return_map(&got, good, -INFINITY, NULL), SS_UNABLE);
-  ck_assert_int_eq(dyn_return_map(&got, good, -1e300, NULL), SS_UNABLE); /* t_b beyond every limit */
+  double r = -1.3, p[N_PARAMS];
+  ck_assert_int_eq(dyn_return_map(&got, example, r, NULL), SS_OK);
+  for (int k = 0; params_outside(p, k); k++) ck_assert_int_eq(dyn_return_map(&got, p, r, NULL), SS_DOMAIN);
+  ck_assert_int_eq(dyn_return_map(&got, example, 0.8587 / 0.8, NULL), SS_DOMAIN);
+  ck_assert_int_eq(dyn_return_map(&got, example, 5, NULL), SS_DOMAIN);
+  ck_assert_int_eq(dyn_return_map(&got, example, NAN, NULL), SS_UNABLE);
+  ck_assert_int_eq(dyn_return_map(&got, example, -INFINITY, NULL), SS_UNABLE);
+  ck_assert_int_eq(dyn_return_map(&got, example, -1e300, NULL), SS_UNABLE); /* t_b beyond every limit */
   const struct dyn_limits shorter = {1, 100000};
-  ck_assert_int_eq(dyn_return_map(&got, good, r, &shorter), SS_UNABLE);
+  ck_assert_int_eq(dyn_return_map(&got, example, r, &shorter), SS_UNABLE);
 }
 END_TEST
 
 /* Numbers at the ends of the exponents: any status, no trap, no endless loop. */
 START_TEST(huge_and_tiny) {
-  static const double size[] = {1e-310, 1e-160, 1e-8, 1, 1e8, 1e160, 1e308};
-  enum { N = sizeof size / sizeof *size };
   struct rng r = {1};
   for (int trial = 0; trial < 1500 / every(2); trial++) {
-    double p[N_PARAMS], start = (rng_unit(&r) - 0.5) * size[rng_between(&r, 0, N - 1)];
+    double p[N_PARAMS], start = (rng_unit(&r) - 0.5) * size_draw(&r);
     struct dyn_return got;
-    for (int i = 0; i < N_PARAMS; i++) p[i] = size[rng_between(&r, 0, i == P_CHI ? 2 : N - 1)];
+    params_draw_sizes(p, &r);
     if (dyn_return_map(&got, p, start, NULL) == SS_OK)
       for (int i = 1; i < N_PHASES; i++) ck_assert(got.t[i] > 0 && isfinite(got.t[i]));
   }

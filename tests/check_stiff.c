@@ -14,6 +14,7 @@
 #include "bench/printed_digits.h"
 #include "bench/smooth.h"
 #include "motion/dual.h"
+#include "params.h"
 #include "rational.h"
 #include "report/plot.h"
 #include "scratch.h"
@@ -55,15 +56,15 @@ END_TEST
 
 /* --- Smoothed laws. --- */
 
-static const double example[N_PARAMS] = {2.0 / 3, 2, 1, 2, 0.25}, limits[2] = {2.5, 0.95};
+static const double tried[N_PARAMS] = {2.0 / 3, 2, 1, 2, 0.25}, limits[2] = {2.5, 0.95};
 
 START_TEST(laws_have_their_values) {
   struct smooth m;
   enum smooth_law law = (enum smooth_law)_i;
   for (double s = 10; s < 2e8; s *= 10) {
-    smooth_init(&m, law, s, example, limits);
+    smooth_init(&m, law, s, tried, limits);
     for (int mass = 0; mass < 2; mass++) {
-      double rate, most = 0, sliding = limits[mass] - example[P_E1 + mass];
+      double rate, most = 0, sliding = limits[mass] - tried[P_E1 + mass];
       ck_assert(smooth_friction(&rate, &m, mass, 0) == 0);
       ck_assert(rate < 0);
       ck_assert(fabs(smooth_friction(&rate, &m, mass, -60 / s * m.width) - sliding) < 1e-12);
@@ -128,7 +129,7 @@ START_TEST(a_return_that_does_not_come) {
   struct smooth m;
   struct smooth_passage s;
   double y[STEPPER_SIZE] = {1.1, -1.9, 0, 0};
-  smooth_init(&m, LAW_STRIBECK, 100, example, limits);
+  smooth_init(&m, LAW_STRIBECK, 100, tried, limits);
   struct stepper_system system = smooth_system(&m, 1e-8, 0.1);
   ck_assert_ptr_null(stepper_open("no such solver", &system));
   struct stepper *stepper = stepper_open("bsimp", &system);
@@ -240,11 +241,10 @@ START_TEST(printed_times_as_mpmath_has_them) {
   struct num_ctx ctx = dual_ctx(PRINTED_BITS);
   struct num_vec params, t;
   arb_ptr out = _arb_vec_init(N_WANTED), value = _arb_vec_init(1);
-  static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0.8587"};
   num_vec_init(&params, N_PARAMS, ctx);
   num_vec_init(&t, 3, ctx);
   for (int i = 0; i < N_PARAMS; i++) {
-    arb_set_str(value, data[i], PRINTED_BITS);
+    arb_set_str(value, example_text[i], PRINTED_BITS);
     num_dual.set_arb(num_vec_at(&params, i), value, PRINTED_BITS);
   }
   table_read(&rows, "tests/oracle/procedure.tsv", 8);

@@ -22,6 +22,7 @@
 #include "every.h"
 #include "explore/bifurcate.h"
 #include "explore/family.h"
+#include "params.h"
 #include "process.h"
 #include "rational.h"
 #include "rng.h"
@@ -58,8 +59,6 @@ static void find(struct dyn_family *f, const struct line *l, slong every, bool l
   ck_assert_int_eq(dyn_family_find(f, &q, 0, l->axis.n), SS_OK);
 }
 
-static const char *const example[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0.8587"};
-
 /* --- Values. --- */
 
 START_TEST(values_are_exact_and_rounded_once) {
@@ -74,7 +73,7 @@ START_TEST(values_are_exact_and_rounded_once) {
       struct line l;
       fmpq_t x, want, step;
       slong n = sizes[k];
-      line_init(&l, example, P_E2, ends[i][0], ends[i][1], n);
+      line_init(&l, example_text, P_E2, ends[i][0], ends[i][1], n);
       fmpq_init(x);
       fmpq_init(want);
       fmpq_init(step);
@@ -251,7 +250,7 @@ START_TEST(changes_are_where_bifurcate_has_them) {
   struct dyn_family f;
   struct dyn_bifurcations list;
   int events = 0;
-  line_init(&l, example, P_E2, "0.5", "3", N);
+  line_init(&l, example_text, P_E2, "0.5", "3", N);
   find(&f, &l, 256, true);
   const struct dyn_line line = {.params = l.params, .vary = P_E2, .from = l.from, .to = l.to};
   ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 15, 257), SS_OK);
@@ -276,7 +275,7 @@ END_TEST
 static void check_anchors(int vary, const char *from, const char *to, slong n) {
   struct line l;
   struct dyn_family f, g;
-  line_init(&l, example, vary, from, to, n);
+  line_init(&l, example_text, vary, from, to, n);
   find(&g, &l, 1, true);
   ck_assert_int_eq(g.searched, n);
   for (slong every = 7; every <= 7 * 64; every *= 8) {
@@ -310,7 +309,7 @@ START_TEST(static_friction_counts) {
   struct dyn_family f;
   fmpq_t u;
   int kept = 0, broken = 0;
-  line_init(&l, example, P_E2, "0.8", "0.9", 101);
+  line_init(&l, example_text, P_E2, "0.8", "0.9", 101);
   fmpq_init(u);
   rational_set(u, "2.15");
   struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 50, .u_r = {u, NULL}};
@@ -335,18 +334,18 @@ END_TEST
 START_TEST(points_say_why_they_failed) {
   struct line l;
   struct dyn_family f;
-  line_init(&l, example, P_CHI, "0.5", "0.9999999999999999999999", 2);
+  line_init(&l, example_text, P_CHI, "0.5", "0.9999999999999999999999", 2);
   find(&f, &l, 1, false);
   ck_assert_int_eq(f.point[0].status, FAMILY_OK);
   ck_assert_int_eq(f.point[1].status, FAMILY_RANGE);
   dyn_family_clear(&f);
   line_clear(&l);
-  line_init(&l, example, P_ETA, "1", "1e12", 2);
+  line_init(&l, example_text, P_ETA, "1", "1e12", 2);
   find(&f, &l, 1, false);
   ck_assert_int_eq(f.point[1].status, FAMILY_BUDGET);
   dyn_family_clear(&f);
   line_clear(&l);
-  line_init(&l, example, P_E2, "0.8", "1", 300);
+  line_init(&l, example_text, P_E2, "0.8", "1", 300);
   struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 1};
   rational_set(&l.params[P_V], "0");
   ck_assert_int_eq(dyn_family_find(&f, &q, 0, 300), SS_DOMAIN);
