@@ -88,7 +88,7 @@ static void write_sheets(const struct audit_result *r) {
 
 START_TEST(dependences_are_those_of_the_text) {
   write_sheets(&result);
-  ck_assert_int_eq(shell("%s tests/oracle/depends.py verify '%s'", python(), scratch_path("audit.json")), 0);
+  shell_well("$Y tests/oracle/depends.py verify $D/audit.json");
 }
 END_TEST
 
@@ -400,7 +400,7 @@ START_TEST(without_a_correction_nothing_is_said) {
   ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
   ck_assert(finding_with_id(&r, "eq-27")->correction == NULL && audit_result_consequence(&r, "eq-27") == NULL);
   write_sheets(&r);
-  ck_assert_int_eq(shell("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  shell_well("$Y tests/oracle/sheets.py $D");
   audit_result_clear(&r);
 }
 END_TEST
@@ -492,13 +492,9 @@ static void hostile(struct audit_result *r, const char *const *traps, size_t n) 
 /* With what is installed: the checker of the tests, Graphviz, LaTeX. */
 static void check_sheets(const struct audit_result *r) {
   write_sheets(r);
-  ck_assert_int_eq(shell("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
-  if (shell("command -v dot >/dev/null") == 0)
-    ck_assert_int_eq(shell("dot -Tsvg -o /dev/null '%s'", scratch_path("claims.dot")), 0);
-  if (shell("command -v pdflatex >/dev/null") == 0)
-    ck_assert_int_eq(
-        shell("cd '%s' && pdflatex -halt-on-error -interaction=batchmode errata.tex >/dev/null 2>&1", scratch_path("")),
-        0);
+  shell_well("$Y tests/oracle/sheets.py $D");
+  if (there_is("dot")) shell_well("dot -Tsvg -o /dev/null $D/claims.dot");
+  if (there_is("pdflatex")) shell_well("cd $D && pdflatex -halt-on-error -interaction=batchmode errata.tex");
 }
 
 /* Each way of showing a text, in each dialect. */
@@ -551,14 +547,11 @@ END_TEST
 /* A page for what changes a result, two for the remarks and slips, the numbers and examples behind. */
 START_TEST(the_sheet_has_its_pages) {
   write_sheets(&result);
-  if (shell("command -v pdflatex >/dev/null") != 0) {
+  if (!there_is("pdflatex")) {
     fprintf(stderr, "check_errata: pdflatex is not installed: the pages of errata.tex are not counted\n");
     return;
   }
-  ck_assert_int_eq(
-      shell("cd '%s' && pdflatex -halt-on-error errata.tex | grep -q 'Output written on errata.pdf (4 pages'",
-            scratch_path("")),
-      0);
+  shell_ends(0, "Output written on errata.pdf (4 pages", "cd $D && pdflatex -halt-on-error errata.tex");
 }
 END_TEST
 
@@ -594,7 +587,7 @@ START_TEST(circles_in_the_graph) {
   f[3].depends_on = four, f[3].n_depends_on = 3;
   struct audit_result r = {.scene = "s", .title = "t", .findings = f, .n_findings = 4};
   write_sheets(&r);
-  ck_assert_int_eq(shell("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  shell_well("$Y tests/oracle/sheets.py $D");
   struct text t;
   text_init(&t);
   report_dot(&t, &r);

@@ -252,18 +252,6 @@ END_TEST
 
 /* --- Pages --- */
 
-/* The exit status of a checker of what is in the folder. */
-static int check_with(const char *checker, const char *options) {
-  char command[2000];
-  snprintf(command, sizeof command, "%s tests/oracle/%s '%s' %s", python(), checker, scratch_path(""), options);
-  int s = system(command);
-  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
-}
-
-static int check_folder(const char *options) {
-  return check_with("page.py", options);
-}
-
 static void put(const char *name, void (*writer)(struct text *, const struct audit_result *),
                 const struct audit_result *r) {
   struct text once, twice;
@@ -298,8 +286,8 @@ START_TEST(the_papers_page) {
   whole_open();
   whole_record(&r);
   put_all(&r);
-  ck_assert_int_eq(check_folder("0"), 0);
-  if (system("command -v chromium >/dev/null") == 0) ck_assert_int_eq(check_with("browser.py", "build/npm"), 0);
+  shell_well("$Y tests/oracle/page.py $D 0");
+  if (there_is("chromium")) shell_well("$Y tests/oracle/browser.py $D build/npm");
   audit_result_clear(&r);
 }
 END_TEST
@@ -405,7 +393,7 @@ START_TEST(nothing_quoted_breaks_a_page) {
   struct audit_result r;
   hostile(&r, &t, traps, (size_t)all.n);
   put_all(&r);
-  ck_assert_int_eq(check_folder(""), 0);
+  shell_well("$Y tests/oracle/page.py $D");
   static const char *const html[] = {"<script>", "<img ", "<b>", "<!", "<?", "</"};
   char *pages[] = {written(report_markdown, &r), written(report_errata, &r)};
   for (size_t i = 0; i < sizeof html / sizeof *html; i++)
@@ -448,7 +436,7 @@ END_TEST
 START_TEST(a_record_of_nothing) {
   struct audit_result r = {.scene = "s"};
   put_all(&r);
-  ck_assert_int_eq(check_folder(""), 0);
+  shell_well("$Y tests/oracle/page.py $D");
 }
 END_TEST
 

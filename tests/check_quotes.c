@@ -305,15 +305,11 @@ END_TEST
 
 /* The digests of texts by a program of its own. */
 static void check_digest(const char *path, const struct quote_tokens *text) {
-  char line[9000], digest[QUOTE_DIGEST], found[QUOTE_DIGEST + 1] = "";
-  snprintf(line, sizeof line, "%s tests/oracle/quotes.py '%s'", python(), path);
-  FILE *p = popen(line, "r");
-  ck_assert_ptr_nonnull(p);
-  ck_assert_ptr_nonnull(fgets(found, sizeof found, p));
-  pclose(p);
+  char digest[QUOTE_DIGEST], *found = shell_said("$Y tests/oracle/quotes.py '%s'", path);
   found[strcspn(found, "\n")] = '\0';
   quote_tokens_digest(digest, text);
   ck_assert_str_eq(digest, found);
+  free(found);
 }
 
 START_TEST(digest_of_the_note) {

@@ -270,22 +270,15 @@ END_TEST
 
 /* Without its neighbours the page alone says less; nothing else does. */
 START_TEST(neighbours_are_shown_by_the_page_alone) {
-  const char *dir = scratch_path("");
   same_files("", "paper --only eq-48c");
-  ck_assert_int_eq(shell("cd %s && grep -q '/mutation/mutation.md' there/index.html && grep -q '/bench/map.svg' "
-                         "there/index.html && printf '{' > mutation/mutation.json",
-                         dir),
-                   0);
-  ck_assert_int_eq(
-      shell("%s report %s/there > /dev/null 2> %s/said && grep -q '^stickslip: warning: .*mutation.json:1:2: "
-            "error: ' %s/said && cd %s && rm -r mutation bench said && realpath there > where",
-            program(), dir, dir, dir, dir),
-      0);
-  ck_assert_int_eq(shell("%s report %s/there > /dev/null", program(), dir), 0);
-  ck_assert_int_eq(shell("cd %s && ! grep -q '/mutation/\\|/bench/' there/index.html && [ \"$(diff -rq here there)\" = "
-                         "\"Files here/index.html and there/index.html differ\" ]",
-                         dir),
-                   0);
+  shell_well(
+      "cd $D && grep -q '/mutation/mutation.md' there/index.html && grep -q '/bench/map.svg' there/index.html && "
+      "printf '{' > mutation/mutation.json");
+  shell_ends(0, "mutation.json:1:2: error: ", "$P report $D/there 2>&1 >/dev/null | grep '^stickslip: warning: '");
+  shell_well("cd $D && rm -r mutation bench && realpath there > where");
+  shell_well("$P report $D/there");
+  shell_well("cd $D && ! grep -q '/mutation/\\|/bench/' there/index.html && "
+             "[ \"$(diff -rq here there)\" = \"Files here/index.html and there/index.html differ\" ]");
 }
 END_TEST
 
@@ -295,64 +288,46 @@ START_TEST(the_score_is_of_what_was_read) {
     const char *words;
     bool shown;
   } rows[] = {{"paper", true},
-              {"paper --paper %s/same", true},
-              {"paper --paper %s/other", false},
-              {"paper --overlay %s/over.eq", false},
-              {"%s/paper.scene", true},
-              {"%s/changed/paper.scene", false}};
-  const char *dir = scratch_path("");
-  ck_assert_int_eq(
-      shell("mkdir %s/mutation && cp reports/mutation/mutation.json %s/mutation && cp -R verify/paper %s/same && cp -R "
-            "verify/paper %s/other && echo '# read alike' >> %s/same/4-stability.eq && sed -i 's/sin(omega\\*t_d)/"
-            "cos(omega*t_d)/; s/.sin(.omega t_d)/\\\\cos(\\\\omega t_d)/' %s/other/4-stability.eq && printf 'define "
-            "eq-3\\n  equation: 3\\n  d_02 := 0\\n' > "
-            "%s/over.eq "
-            "&& cp verify/scenes/paper.scene %s && mkdir %s/changed && sed 's/0.8587/0.8588/' "
-            "verify/scenes/paper.scene > "
-            "%s/changed/paper.scene",
-            dir, dir, dir, dir, dir, dir, dir, dir, dir, dir),
-      0);
+              {"paper --paper $D/same", true},
+              {"paper --paper $D/other", false},
+              {"paper --overlay $D/over.eq", false},
+              {"$D/paper.scene", true},
+              {"$D/changed/paper.scene", false}};
+  scratch_put("over.eq", "define eq-3\n  equation: 3\n  d_02 := 0\n");
+  shell_well("mkdir $D/mutation $D/changed && cp reports/mutation/mutation.json $D/mutation && "
+             "cp -R verify/paper $D/same && cp -R verify/paper $D/other && "
+             "echo '# read alike' >> $D/same/4-stability.eq && "
+             "sed -i 's/sin(omega\\*t_d)/cos(omega*t_d)/; s/.sin(.omega t_d)/\\\\cos(\\\\omega t_d)/' "
+             "$D/other/4-stability.eq && cp verify/scenes/paper.scene $D && "
+             "sed 's/0.8587/0.8588/' verify/scenes/paper.scene > $D/changed/paper.scene");
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    char words[300];
-    snprintf(words, sizeof words, rows[i].words, dir);
-    int status = shell("%s verify %s --only eq-48c --quiet --out %s/r > /dev/null", program(), words, dir);
-    ck_assert_msg(status == 0 || status == 1, "%s: %d", words, status);
-    bool shown = shell("grep -q '/mutation/mutation.md' %s/r/index.html", dir) == 0;
-    ck_assert_msg(shown == rows[i].shown, "%s", words);
+    int status = shell("$P verify %s --only eq-48c --quiet --out $D/r > /dev/null", rows[i].words);
+    ck_assert_msg(status == 0 || status == 1, "%s: %d", rows[i].words, status);
+    ck_assert_msg(scratch_says("r/index.html", "/mutation/mutation.md") == rows[i].shown, "%s", rows[i].words);
   }
 }
 END_TEST
 
 /* All or none: where one file cannot be written, the others are the old ones; a table that is missing is said. */
 START_TEST(nothing_is_written_by_halves) {
-  const char *dir = scratch_path("");
-  ck_assert_int_eq(shell("%s verify stable --only eq-48c --quiet --out %s/r > /dev/null", program(), dir), 0);
-  ck_assert_int_eq(shell("cd %s/r && echo old > audit.md && rm junit.xml && mkdir junit.xml", dir), 0);
-  ck_assert_int_eq(shell("%s report %s/r > %s/out 2> %s/err; [ $? = 3 ] && [ ! -s %s/out ] && grep -q junit.xml %s/err",
-                         program(), dir, dir, dir, dir, dir),
-                   0);
-  ck_assert_int_eq(shell("cd %s/r && [ \"$(cat audit.md)\" = old ] && ! ls | grep -q '\\.tmp\\|~'", dir), 0);
-  ck_assert_int_eq(
-      shell("cd %s/r && sed -i 's/\"tables\": \\[\\]/\"tables\": [{\"name\": \"no.tsv\"}]/' audit.json", dir), 0);
-  ck_assert_int_eq(shell("%s report %s/r 2>&1 | grep -q 'no.tsv'", program(), dir), 0);
+  shell_well("$P verify stable --only eq-48c --quiet --out $D/r");
+  shell_well("cd $D/r && echo old > audit.md && rm junit.xml && mkdir junit.xml");
+  shell_ends(3, "junit.xml", "$P report $D/r > $D/out");
+  shell_well("[ ! -s $D/out ] && cd $D/r && [ \"$(cat audit.md)\" = old ] && ! ls | grep -q '\\.tmp\\|~'");
+  shell_well("cd $D/r && sed -i 's/\"tables\": \\[\\]/\"tables\": [{\"name\": \"no.tsv\"}]/' audit.json");
+  shell_ends(3, "no.tsv", "$P report $D/r");
 }
 END_TEST
 
 /* A table that would need memory without bound. */
 START_TEST(tables_beyond_all_bounds) {
-  const char *dir = scratch_path("");
   static const char *const table[] = {"printf 'a\\tb\\n'; yes '' | head -n 60000", "printf '\\t%.0s' $(seq 100)",
                                       "yes 1234567 | tr -d '\\n' | head -c 5000000", "printf 'a\\000b'",
                                       "printf '\\377'"};
-  ck_assert_int_eq(shell("%s verify stable --only eq-48c --quiet --out %s/r > /dev/null && sed -i 's/\"tables\": "
-                         "\\[\\]/\"tables\": [{\"name\": \"figure-3.tsv\"}]/' %s/r/audit.json",
-                         program(), dir, dir),
-                   0);
-  for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-    int status = shell("(%s) > %s/r/figure-3.tsv; %s report %s/r 2> %s/err; [ $? = 3 ] && grep -q figure-3.tsv %s/err",
-                       table[i], dir, program(), dir, dir, dir);
-    ck_assert_msg(status == 0, "%s", table[i]);
-  }
+  shell_well("$P verify stable --only eq-48c --quiet --out $D/r && "
+             "sed -i 's/\"tables\": \\[\\]/\"tables\": [{\"name\": \"figure-3.tsv\"}]/' $D/r/audit.json");
+  for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+    shell_ends(3, "figure-3.tsv", "(%s) > $D/r/figure-3.tsv; $P report $D/r", table[i]);
 }
 END_TEST
 

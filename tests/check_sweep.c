@@ -407,10 +407,9 @@ START_TEST(digits_are_those_of_the_orbits) {
     char text[200];
     snprintf(text, sizeof text, "title: all exact\nchi = 0.75\neta = 1.25\nV = 1\ne1 = 2.75\ne2 = %s\n", e2[i]);
     scratch_put("exact.scene", text);
-    ck_assert_int_eq(shell("\"$P\" sweep \"$D/exact.scene\" --over e2=0.625:1:4 --all | grep '^%d,' | cut -d, -f4-13 |"
-                           " tr , '\\n' > \"$D/rows\"",
-                           i),
-                     0);
+    shell_well("\"$P\" sweep \"$D/exact.scene\" --over e2=0.625:1:4 --all | grep '^%d,' | cut -d, -f4-13 |"
+               " tr , '\\n' > \"$D/rows\"",
+               i);
     shell_well("\"$P\" orbit \"$D/exact.scene\" --digits 15 |"
                " awk '$1 ~ /^(z[12]0|t_[abcd]|period|trace|u_r[12]_min)$/ && $2 ~ /^[-0-9.e]+$/ { print $2 }' > "
                "\"$D/orbits\"");
@@ -435,11 +434,9 @@ START_TEST(rows_say_what_was_found) {
   shell_well("\"$P\" sweep paper --over e2=2.5:3:2 > \"$D/out\"");
   check_says("out", "\n1,3,,,,,,,,,,,,,,,none\n");
   shell_well("\"$P\" sweep paper --over e2=0.5:3:300 --json > \"$D/out\"");
-  ck_assert_int_eq(shell("\"%s\" tests/oracle/validate.py schema/sweep.schema.json \"$D/out\" > \"$D/err\"", python()),
-                   0);
+  shell_well("\"$Y\" tests/oracle/validate.py schema/sweep.schema.json \"$D/out\"");
   shell_well("sed 's/\"status\": \"ok\"/\"status\": \"fine\"/' \"$D/out\" > \"$D/bad\"");
-  ck_assert_int_eq(shell("\"%s\" tests/oracle/validate.py schema/sweep.schema.json \"$D/bad\" > \"$D/err\"", python()),
-                   1);
+  shell_ends(1, "", "\"$Y\" tests/oracle/validate.py schema/sweep.schema.json \"$D/bad\"");
 }
 END_TEST
 
@@ -478,33 +475,28 @@ START_TEST(wrong_parts_are_refused) {
   char *whole = file_text(scratch_path("whole"));
   size_t len = strlen(whole);
   put_part("cut", whole, len / 2);
-  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" 2> \"$D/err\""), 3);
-  check_says("err", "cut.part: error: exists, from a run that was interrupted or still goes on; --resume continues it");
-  ck_assert_int_eq(shell("\"$P\" " PLANE " --all --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
-  check_says("err", "cut.part:6: error: belongs to another request: # orbits: admissible; search_every = 300;");
-  ck_assert_int_eq(shell("\"$P\" sweep stable --over e2=1:2:3 --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
-  check_says("err",
-             "cut.part:2: error: belongs to another request: # scene: paper, where this one has # scene: stable");
+  shell_ends(3, "cut.part: error: exists, from a run that was interrupted or still goes on; --resume continues it",
+             "\"$P\" " PLANE " --csv \"$D/cut\"");
+  shell_ends(3, "cut.part:6: error: belongs to another request: # orbits: admissible; search_every = 300;",
+             "\"$P\" " PLANE " --all --csv \"$D/cut\" --resume");
+  shell_ends(3, "cut.part:2: error: belongs to another request: # scene: paper, where this one has # scene: stable",
+             "\"$P\" sweep stable --over e2=1:2:3 --csv \"$D/cut\" --resume");
   shell_well("test ! -e \"$D/cut\" && cmp -n $(wc -c < \"$D/cut.part\") \"$D/whole\" \"$D/cut.part\"");
   char *row = strstr(whole, "\n100,");
   row[1] = '3'; /* the points 99, 300 and 101 follow each other */
   put_part("cut", whole, len / 2);
-  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
-  check_says("err", "error: not a row of this sweep");
+  shell_ends(3, "error: not a row of this sweep", "\"$P\" " PLANE " --csv \"$D/cut\" --resume");
   put_part("cut", "# stickslip", 11);
-  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
-  check_says("err", "ends within its head");
+  shell_ends(3, "ends within its head", "\"$P\" " PLANE " --csv \"$D/cut\" --resume");
   size_t head = (size_t)(strstr(whole, "\npoint,") - whole);
   head += strcspn(whole + head + 1, "\n") + 2;
   char *row_end = memset(ss_malloc(len + 100000), '1', len + 100000);
   memcpy(row_end, whole, head);
   put_part("cut", row_end, len + 100000);
   free(row_end);
-  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
-  check_says("err", "error: not a row of this sweep");
+  shell_ends(3, "error: not a row of this sweep", "\"$P\" " PLANE " --csv \"$D/cut\" --resume");
   shell_well("mkfifo \"$D/pipe.part\"");
-  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/pipe\" --resume 2> \"$D/err\""), 3);
-  check_says("err", "pipe.part: error: not a regular file");
+  shell_ends(3, "pipe.part: error: not a regular file", "\"$P\" " PLANE " --csv \"$D/pipe\" --resume");
   free(whole);
 }
 END_TEST
@@ -532,11 +524,9 @@ START_TEST(damaged_parts_are_refused) {
   put_part("far", whole, len / 2);
   shell_well("ln -s far.part \"$D/link.part\" && cp \"$D/far.part.sum\" \"$D/link.part.sum\" && cp \"$D/far.part\" "
              "\"$D/old\"");
-  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/link\" --resume 2> \"$D/err\""), 3);
-  check_says("err", "link.part: error: cannot be written: ");
+  shell_ends(3, "link.part: error: cannot be written: ", "\"$P\" " PLANE " --csv \"$D/link\" --resume");
   shell_well("rm \"$D/link.part\" && ln \"$D/far.part\" \"$D/link.part\"");
-  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/link\" --resume 2> \"$D/err\""), 3);
-  check_says("err", "link.part: error: not a regular file of one name");
+  shell_ends(3, "link.part: error: not a regular file of one name", "\"$P\" " PLANE " --csv \"$D/link\" --resume");
   shell_well("cmp \"$D/old\" \"$D/far.part\"");
   free(whole);
 }
@@ -566,8 +556,8 @@ START_TEST(one_run_writes_a_file) {
   diag_init(&d);
   part_init(&a, scratch_path("file"));
   ck_assert(part_create(&a, &d));
-  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/file\" --resume 2> \"$D/err\""), 3);
-  check_says("err", "file.part: error: another process is writing this file");
+  shell_ends(3, "file.part: error: another process is writing this file",
+             "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/file\" --resume");
   part_clear(&a);
 }
 END_TEST
@@ -615,10 +605,8 @@ START_TEST(one_run_continues_a_file) {
   interrupt_with(SIGINT);
   ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
   pid_t pid = start_long(true, st.st_size + 60000);
-  ck_assert_int_eq(shell("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume 2> "
-                         "\"$D/second\""),
-                   3);
-  check_says("second", "long.part: error: another process is writing this file");
+  shell_ends(3, "long.part: error: another process is writing this file",
+             "\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
   interrupt(pid, SIGTERM);
 }
 END_TEST
@@ -726,20 +714,17 @@ END_TEST
 
 /* A disk that fills up is played by a limit on the size of files. */
 START_TEST(what_cannot_be_written_is_said) {
-  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 > /dev/full 2> \"$D/err\""), 3);
-  check_says("err", "standard output cannot be written: No space left on device");
-  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --json > /dev/full 2> \"$D/err\""), 3);
-  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv /dev/full 2> \"$D/err\""), 3);
-  check_says("err", "/dev/full: error: cannot be written");
-  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv \"$D\" 2> \"$D/err\""), 3);
-  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/none/x\" 2> \"$D/err\""), 3);
-  check_says("err", "none/x.part: error: cannot be written: No such file or directory");
+  shell_ends(3, "standard output cannot be written: No space left on device",
+             "\"$P\" sweep paper --over e2=1:2:3 > /dev/full");
+  shell_ends(3, "", "\"$P\" sweep paper --over e2=1:2:3 --json > /dev/full");
+  shell_ends(3, "/dev/full: error: cannot be written", "\"$P\" sweep paper --over e2=1:2:3 --csv /dev/full");
+  shell_ends(3, "", "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D\"");
+  shell_ends(3, "none/x.part: error: cannot be written: No such file or directory",
+             "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/none/x\"");
   shell_well("mkdir \"$D/locked\" && chmod 555 \"$D/locked\"");
-  if (geteuid() != 0)
-    ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/locked/x\" 2> \"$D/err\""), 3);
-  ck_assert_int_eq(
-      shell("(trap '' XFSZ; ulimit -f 100; GCOV_PREFIX=/dev/null \"$P\" " PLANE " --csv \"$D/big\" 2> \"$D/err\")"), 3);
-  check_says("err", "big.part: error: cannot be written: File too large");
+  if (geteuid() != 0) shell_ends(3, "", "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/locked/x\"");
+  shell_ends(3, "big.part: error: cannot be written: File too large",
+             "(trap '' XFSZ; ulimit -f 100; GCOV_PREFIX=/dev/null \"$P\" " PLANE " --csv \"$D/big\")");
   shell_well("\"$P\" " PLANE " --csv \"$D/big\" --resume && \"$P\" " PLANE " | cmp - \"$D/big\"");
 }
 END_TEST
@@ -768,8 +753,7 @@ START_TEST(ranks_give_the_same_bytes) {
                   mpi);
     ck_assert_msg(s == 0, "%d ranks: status %d", n, s);
   }
-  ck_assert_int_eq(shell("mpirun -n 2 \"%s\" sweep paper --over e2=1:2:0 2> \"$D/err\"", mpi), 2);
-  check_says("err", "N is a whole number");
+  shell_ends(2, "N is a whole number", "mpirun -n 2 \"%s\" sweep paper --over e2=1:2:0", mpi);
 }
 END_TEST
 

@@ -309,10 +309,6 @@ END_TEST
 
 /* --- Completion --- */
 
-static bool there_is(const char *command) {
-  return shell("command -v %s > /dev/null", command) == 0;
-}
-
 /* What bash offers for the line, a word a line. */
 static char *offered(const char *line) {
   scratch_put("try.bash", "source tools/completion.bash\n"
@@ -374,11 +370,9 @@ START_TEST(what_is_offered_is_known) {
     snprintf(line, sizeof line, "%.40s --", c);
     char *options = offered(line);
     for (char *o = strtok_r(options, "\n", &end); o; o = strtok_r(NULL, "\n", &end), tried++) {
-      int status;
-      char *said = shell_output(&status, "%s %s %s=x=y --no-such 2>&1 >/dev/null", program(), c, o);
-      ck_assert_msg(status == 2 && !strstr(said, "belong") &&
-                        (strstr(said, o) == NULL || strstr(said, "takes no value")),
-                    "%s %s: %s", c, o, said);
+      char *said = shell_said("$P %s %s=x=y --no-such 2>&1 >/dev/null; test $? = 2", c, o);
+      ck_assert_msg(!strstr(said, "belong") && (strstr(said, o) == NULL || strstr(said, "takes no value")), "%s %s: %s",
+                    c, o, said);
       free(said);
     }
     free(options);
@@ -408,12 +402,9 @@ static int check_blocks(const char *path, int *refused) {
       ck_assert_msg(sscanf(mark + 3, "%19[a-z] %19[a-z]", kind, mode) >= 1, "%s: a block of no kind", path);
     } else if (mark) {
       char name[40];
-      int status;
       bool wrong = strcmp(mode, "refused") == 0;
       snprintf(name, sizeof name, "block.%s", kind);
-      char *said = shell_output(&status, "%s check %s 2>&1", program(), scratch_put(name, text_str(&body)));
-      ck_assert_msg(status == (wrong ? 3 : 0), "%s: %s\n%s", path, text_str(&body), said);
-      free(said);
+      shell_ends(wrong ? 3 : 0, "", "$P check %s", scratch_put(name, text_str(&body)));
       *refused += wrong;
       kind[0] = '\0';
       n++;

@@ -152,16 +152,22 @@ int split_tabs(char **field, int most, char *line) {
   return n;
 }
 
-char *file_text(const char *path) {
+/* All that is left to read. */
+static char *rest_of(FILE *f) {
   struct text t;
   char part[65536];
-  FILE *f = fopen(path, "rb");
-  ck_assert_msg(f != NULL, "%s cannot be read", path);
   text_init(&t);
   for (size_t n = fread(part, 1, sizeof part, f); n > 0; n = fread(part, 1, sizeof part, f)) text_add_n(&t, part, n);
   text_add(&t, "");
-  fclose(f);
   return t.data;
+}
+
+char *file_text(const char *path) {
+  FILE *f = fopen(path, "rb");
+  ck_assert_msg(f != NULL, "%s cannot be read", path);
+  char *text = rest_of(f);
+  fclose(f);
+  return text;
 }
 
 bool scratch_has(const char *name) {
@@ -196,19 +202,19 @@ static int ended(int s) {
   return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
 }
 
-/* What a line prints on standard output, and on standard error too where both are asked for. */
-static char *run_line(int *status, const char *line, bool both) {
+/* Fails the test where a line does not end with that status and print that text, on standard output or on either. */
+static char *run_line(int want, const char *says, const char *line, bool both) {
   struct text t;
   text_init(&t);
-  if (both) text_printf(&t, "exec 2>&1\n%s", line);
-  FILE *f = popen(both ? text_str(&t) : line, "r");
+  text_printf(&t, "%s%s", both ? "exec 2>&1\n" : "", line);
+  FILE *f = popen(text_str(&t), "r");
   ck_assert(f != NULL);
-  text_reset(&t);
-  char part[4096];
-  for (size_t n = fread(part, 1, sizeof part, f); n > 0; n = fread(part, 1, sizeof part, f)) text_add_n(&t, part, n);
-  text_add(&t, "");
-  *status = ended(pclose(f));
-  return t.data;
+  char *out = rest_of(f);
+  int status = ended(pclose(f));
+  ck_assert_msg(status == want && strstr(out, says), "status %d, not %d with \"%s\": %s\n%.4000s", status, want, says,
+                line, out);
+  text_clear(&t);
+  return out;
 }
 
 int shell(const char *fmt, ...) {
@@ -219,35 +225,16 @@ int shell(const char *fmt, ...) {
   return ended(system(line));
 }
 
-char *shell_output(int *status, const char *fmt, ...) {
-  va_list ap;
-  va_start(ap, fmt);
-  const char *line = shell_line(fmt, ap);
-  va_end(ap);
-  return run_line(status, line, false);
+bool there_is(const char *command) {
+  return shell("command -v %s > /dev/null", command) == 0;
 }
 
-void shell_well(const char *fmt, ...) {
+void shell_ends(int status, const char *says, const char *fmt, ...) {
   va_list ap;
   va_start(ap, fmt);
   const char *line = shell_line(fmt, ap);
   va_end(ap);
-  int status;
-  char *out = run_line(&status, line, true);
-  ck_assert_msg(status == 0, "status %d: %s\n%.4000s", status, line, out);
-  free(out);
-}
-
-void shell_ends(int want, const char *says, const char *fmt, ...) {
-  va_list ap;
-  va_start(ap, fmt);
-  const char *line = shell_line(fmt, ap);
-  va_end(ap);
-  int status;
-  char *out = run_line(&status, line, true);
-  ck_assert_msg(status == want && strstr(out, says), "status %d, not %d with \"%s\": %s\n%.4000s", status, want, says,
-                line, out);
-  free(out);
+  free(run_line(status, says, line, true));
 }
 
 char *shell_said(const char *fmt, ...) {
@@ -255,10 +242,7 @@ char *shell_said(const char *fmt, ...) {
   va_start(ap, fmt);
   const char *line = shell_line(fmt, ap);
   va_end(ap);
-  int status;
-  char *out = run_line(&status, line, false);
-  ck_assert_msg(status == 0, "status %d: %s\n%.4000s", status, line, out);
-  return out;
+  return run_line(0, "", line, false);
 }
 
 /* The column of "NAME:LINE:COLUMN: error: ", which begins the message; 0 where it begins otherwise. */

@@ -30,14 +30,14 @@ bool scratch_says(const char *name, const char *what);
 void check_says(const char *name, const char *what); /* the same, shown where it does not */
 
 /* Runs a line of shell, in which $P is the program, $Y Python and $D the folder; its exit status, or -1 when a signal
-   ended it.  shell_output: with what it prints on its standard output, to be freed. */
+   ended it.  there_is: whether a command is installed. */
 int shell(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
-char *shell_output(int *status, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+bool there_is(const char *command);
 
-/* Of a line that must end with 0, and in shell_ends with that status and print that text; what it prints on either output is
-   shown where it does not.  shell_said: its standard output, to be freed. */
-void shell_well(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
+/* Fails the test where a line does not end with that status and print that text on either output, and shows what it
+   printed.  shell_well: with 0.  shell_said: with 0 too; its standard output, to be freed. */
 void shell_ends(int status, const char *says, const char *fmt, ...) __attribute__((format(printf, 3, 4)));
+#define shell_well(...) shell_ends(0, "", __VA_ARGS__)
 char *shell_said(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
 
 /* A message that begins with NAME:LINE:COLUMN shows the line with a caret under that column, and one without such a
