@@ -18,28 +18,10 @@
 #include "value/orbits.h"
 #include "whole.h"
 
-static struct model model;
-static struct scene paper;
-static struct orbit_cache *cache;
-
-static void open_all(void) {
-  scratch_open();
-  paper_model(&model, &(struct paper_layers){.controls = true});
-  cache = orbit_cache_new();
-  paper_scene(&paper);
-}
-
-static void close_all(void) {
-  scene_clear(&paper);
-  orbit_cache_free(cache);
-  model_clear(&model);
-  scratch_close();
-}
-
 static enum verdict verdict_under(const struct model *m, const char *text) {
   struct audit_result r;
   struct diag d;
-  ck_assert_msg(judge_text(&r, m, text, &paper, "own", &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, m, text, &the_paper.scene, "own", &d), "%s", d.message);
   ck_assert_int_eq((int)r.n_findings, 1);
   enum verdict v = r.findings[0].verdict;
   audit_result_clear(&r);
@@ -60,7 +42,7 @@ static void check_verdicts(const struct model *m, const char *head, const struct
   struct text t;
   text_init(&t);
   for (int i = 0; i < n; i++) text_printf(&t, "claim eq-0%c\n%s%s\n", 'a' + i, head, asked[i].claim);
-  ck_assert_msg(judge_text(&r, m, text_str(&t), &paper, "eq-0", &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, m, text_str(&t), &the_paper.scene, "eq-0", &d), "%s", d.message);
   ck_assert_int_eq((int)r.n_findings, n);
   for (int i = 0; i < n; i++) {
     const char id[] = {'e', 'q', '-', '0', (char)('a' + i), '\0'};
@@ -232,7 +214,7 @@ START_TEST(bounds_of_an_independent_program) {
   struct audit_result r;
   struct diag d;
   struct claims claims = {.n = 0};
-  struct judge j = {.out = &r, .model = &model, .scene = &paper, .cache = cache, .d = &d};
+  struct judge j = {.out = &r, .model = &the_paper.model, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
   struct conditions list = {.n = 0};
   diag_init(&d);
   audit_result_init(&r);
@@ -241,7 +223,7 @@ START_TEST(bounds_of_an_independent_program) {
                       scratch_put("own.claim", HEAD "  conclusion: eq-53#1, eq-59#1.1, eq-16b#1.1, text-16-friction, "
                                                     "eq-57#2.1, text-58-friction\n"),
                       "claim", &d));
-  struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
+  struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   ck_assert_msg(conditions_read(&list, &j, &claims.claim[0], "conclusion", view), "%s", d.message);
   enum { FIRST_MASS = 4, BOUNDS = 6 };
   ck_assert_int_eq(list.n, BOUNDS);
@@ -256,7 +238,7 @@ START_TEST(bounds_of_an_independent_program) {
       const double near = bound[k] + side * 1e-7;
       ck_assert(k >= FIRST_MASS || bound[k] > certificates[_i].e1);
       point_of(&p, certificates[_i].q, k < FIRST_MASS ? near : 10, k < FIRST_MASS ? 10 : near);
-      truth holds = condition_holds(&where, value, &list.at[k], &p, cache);
+      truth holds = condition_holds(&where, value, &list.at[k], &p, the_paper.cache);
       ck_assert_msg(holds == (side > 0 ? TRUTH_TRUE : TRUTH_FALSE), "%s, %d: %d", list.at[k].text, side, (int)holds);
       point_clear(&p);
       arb_clear(value);
@@ -281,7 +263,7 @@ START_TEST(conditions_are_the_margins_of_the_orbit) {
   struct claims claims = {.n = 0};
   struct text t;
   struct conditions list = {.n = 0};
-  struct judge j = {.out = &r, .model = &model, .scene = &paper, .cache = cache, .d = &d};
+  struct judge j = {.out = &r, .model = &the_paper.model, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
   diag_init(&d);
   audit_result_init(&r);
   text_init(&t);
@@ -289,7 +271,7 @@ START_TEST(conditions_are_the_margins_of_the_orbit) {
   for (int k = 0; k < PAIRS; k++) text_printf(&t, "%s%s", k ? ", " : "", pairs[k].item);
   text_add(&t, "\n");
   ck_assert(claims_add_file(&claims, scratch_put("own.claim", text_str(&t)), "claim", &d));
-  struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
+  struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   ck_assert_msg(conditions_read(&list, &j, &claims.claim[0], "conclusion", view), "%s", d.message);
   ck_assert_int_eq(list.n, PAIRS);
   struct orbit_pool pool = orbit_pool_get(&j);
@@ -306,7 +288,7 @@ START_TEST(conditions_are_the_margins_of_the_orbit) {
       arb_t value;
       double where;
       arb_init(value);
-      truth holds = condition_holds(&where, value, &list.at[k], &p, cache);
+      truth holds = condition_holds(&where, value, &list.at[k], &p, the_paper.cache);
       ck_assert_msg(holds == o->holds[pairs[k].margin], "%s on %zu: %d, not %d", pairs[k].item, i, (int)holds,
                     (int)o->holds[pairs[k].margin]);
       said[holds]++;
@@ -325,7 +307,7 @@ END_TEST
 
 /* Orbits of a search come and go, and one may lie where another was. */
 START_TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
-  struct judge j = {.cache = cache};
+  struct judge j = {.cache = the_paper.cache};
   struct orbit_pool pool = orbit_pool_get(&j);
   struct dyn_orbit o;
   struct num_vec params;
@@ -337,7 +319,7 @@ START_TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
     for (int k = P_CHI; k <= P_V; k++) params.ctx.type->set_q(num_vec_at(&params, k), &pool.item[i]->q[k], 53);
     params.ctx.type->set_arb(num_vec_at(&params, P_E1), o.e1, 53);
     params.ctx.type->set_arb(num_vec_at(&params, P_E2), o.e2, 53);
-    orbit_arc(&arc, cache, &o, &params);
+    orbit_arc(&arc, the_paper.cache, &o, &params);
     ck_assert_double_eq_tol(*(double *)num_vec_at(&arc.z, 0), num_arb.get_d(o.z10), 1e-12);
   }
   dyn_arc_clear(&arc);
@@ -349,10 +331,10 @@ END_TEST
 /* Nor does an answer depend on which claims were judged before: a control that only has to be refuted draws few orbits,
    and what is asked next has all of them, of which those few are the first. */
 START_TEST(the_pool_does_not_remember_who_asked_first) {
-  struct judge refute = {.cache = cache, .effort = EFFORT_REFUTE}, full = {.cache = cache};
+  struct judge refute = {.cache = the_paper.cache, .effort = EFFORT_REFUTE}, full = {.cache = the_paper.cache};
   size_t few = orbit_pool_get(&refute).n;
   full.pool = refute.pool;
-  struct judge fresh = {.cache = cache};
+  struct judge fresh = {.cache = the_paper.cache};
   struct orbit_pool all = orbit_pool_get(&full), first = orbit_pool_get(&fresh), again = orbit_pool_get(&refute);
   ck_assert_uint_lt(few, all.n);
   ck_assert_uint_eq(all.n, first.n);
@@ -366,15 +348,14 @@ END_TEST
 
 /* The scene of a certificate is a scene, and its orbit breaks just what the certificate says. */
 START_TEST(a_certificate_is_a_scene) {
-  struct claims claims, none = {.n = 0};
+  struct claims none = {.n = 0};
   struct audit_result r;
   struct diag d;
   const char *id = "text-59-concluded";
   const struct audit_options opt = {.only = &id, .n_only = 1};
   diag_init(&d);
   audit_result_init(&r);
-  paper_claims(&claims, NULL);
-  ck_assert(audit_run(&r, &model, &claims, &none, &paper, &opt, &d));
+  ck_assert(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
   const char *from = r.findings[0].evidence[0].note, *end = strstr(from, " there is a solution");
   ck_assert(r.findings[0].verdict == VERDICT_CONDITIONAL && strncmp(from, "for ", 4) == 0 && end);
   struct text t;
@@ -393,7 +374,6 @@ START_TEST(a_certificate_is_a_scene) {
   dyn_orbits_clear(&list);
   scene_clear(&s);
   text_clear(&t);
-  claims_clear(&claims);
   audit_result_clear(&r);
 }
 END_TEST
@@ -424,7 +404,7 @@ START_TEST(symbols_and_readings) {
   struct text t;
   text_init(&t);
   text_printf(&t, HEAD "%s", symbols[_i].claim);
-  enum verdict v = verdict_under(&model, text_str(&t));
+  enum verdict v = verdict_under(&the_paper.model, text_str(&t));
   ck_assert_msg(v == symbols[_i].want, "%s: %s", symbols[_i].claim, verdict_name[v]);
   text_clear(&t);
 }
@@ -439,8 +419,9 @@ static void faults_of(struct text *out, const char *overlay) {
   struct diag d;
   paper_model(&m,
               &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL, .controls = true});
-  ck_assert_msg(judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &paper, "own", &d),
-                "%s", d.message);
+  ck_assert_msg(
+      judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &the_paper.scene, "own", &d),
+      "%s", d.message);
   const char *note = r.findings[0].evidence[0].note;
   for (const char *p = note; p && *p;) {
     size_t n = strcspn(p, ":");
@@ -492,7 +473,7 @@ START_TEST(units_of_one_record) {
   struct text t;
   text_init(&t);
   text_printf(&t, HEAD "%s", units[_i].claim);
-  ck_assert_msg(judge_text(&r, &model, text_str(&t), &paper, "own", &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, &the_paper.model, text_str(&t), &the_paper.scene, "own", &d), "%s", d.message);
   const struct finding *f = &r.findings[0];
   ck_assert_int_eq((int)f->verdict, (int)units[_i].want);
   if (f->verdict == VERDICT_REFUTED) ck_assert_int_eq((int)f->correction_verdict, (int)units[_i].repaired);
@@ -552,11 +533,11 @@ static void first_determinant(arb_t det, const char *t_b) {
   fmpq_set_si(&p.q[Q_V], 1, 1);
   fmpq_set_si(&p.q[Q_TC], 43, 32);
   ck_assert_int_eq(fmpq_set_str(&p.q[Q_TB], t_b, 10), 0);
-  const struct dyn_orbits *list = orbit_cache_given(cache, p.q, 256);
+  const struct dyn_orbits *list = orbit_cache_given(the_paper.cache, p.q, 256);
   while (p.orbit < list->n && list->orbit[p.orbit].admissible != TRUTH_TRUE) p.orbit++;
   ck_assert_msg(p.orbit < list->n, "no admissible orbit at t_b = %s", t_b);
-  ck_assert_int_eq(expression_at(v, &n, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, "det(N_1 - I)",
-                                 "validation", &p, 256, cache, &d),
+  ck_assert_int_eq(expression_at(v, &n, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}, "det(N_1 - I)",
+                                 "validation", &p, 256, the_paper.cache, &d),
                    SS_OK);
   arb_set(det, v);
   _arb_vec_clear(v, 16);
@@ -623,7 +604,7 @@ START_TEST(values_of_formulas) {
   paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text_str(&t)), .controls = true});
   text_reset(&t);
   text_printf(&t, HEAD "  kind: defined\n  statements: user\n%s", cases[_i].attributes);
-  ck_assert_msg(judge_text(&r, &m, text_str(&t), &paper, "own", &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, &m, text_str(&t), &the_paper.scene, "own", &d), "%s", d.message);
   const struct finding *f = &r.findings[0];
   ck_assert_msg(f->verdict == cases[_i].want, "%s: %s", cases[_i].statements, verdict_name[f->verdict]);
   if (cases[_i].condition) ck_assert_str_eq(f->condition, cases[_i].condition);
@@ -639,12 +620,10 @@ END_TEST
 /* --- The claims on file --- */
 
 START_TEST(every_number_of_the_paper_is_covered) {
-  struct claims claims;
   long prose = 0;
   bool equation[62] = {false};
-  paper_claims(&claims, NULL);
-  for (size_t i = 0; i < claims.n; i++) {
-    const char *id = claims.claim[i].id, *number = claim_get(&claims.claim[i], "equation");
+  for (size_t i = 0; i < the_paper.claims.n; i++) {
+    const char *id = the_paper.claims.claim[i].id, *number = claim_get(&the_paper.claims.claim[i], "equation");
     prose += strncmp(id, "text-", 5) == 0 || strncmp(id, "fig-", 4) == 0;
     if (strncmp(id, "eq-", 3) != 0) continue;
     long n = strtol(id + 3, NULL, 10);
@@ -653,7 +632,6 @@ START_TEST(every_number_of_the_paper_is_covered) {
   }
   for (int n = 1; n <= 61; n++) ck_assert_msg(equation[n], "no claim for (%d)", n);
   ck_assert_int_ge(prose, 25);
-  claims_clear(&claims);
 }
 END_TEST
 
@@ -686,7 +664,7 @@ Suite *argument_suite(void) {
   Suite *s = suite_create("argument");
   TCase *c = tcase_create("argument");
   tcase_set_timeout(c, 120);
-  tcase_add_unchecked_fixture(c, open_all, close_all);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
 #define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
   tcase_add_loop_test(c, what_follows_and_what_does_not, 0, 3);
   LOOP(bounds_of_an_independent_program, certificates);

@@ -419,21 +419,6 @@ END_TEST
 
 /* --- What the symbols are worth --- */
 
-static struct orbit_cache *cache;
-static struct scene paper;
-
-static void open_values(void) {
-  scratch_open();
-  cache = orbit_cache_new();
-  paper_scene(&paper);
-}
-
-static void close_values(void) {
-  scene_clear(&paper);
-  orbit_cache_free(cache);
-  scratch_close();
-}
-
 static void value_of(arb_t x, struct values *v, const char *name) {
   bool known;
   int s = values_bind(x, &known, v, name);
@@ -515,7 +500,7 @@ static bool open_arc(struct values *v, struct point *p, int n, enum variant vari
   struct sampler s;
   sampler_init(&s, "check_audit", &(struct point_spec){.kind = POINT_ARC, .phase = (enum phase)(n % N_PHASES)});
   for (int i = 0; i <= n; i++) sampler_next(p, &s);
-  return values_init(v, p, variant, ctx, cache) == SS_OK;
+  return values_init(v, p, variant, ctx, the_paper.cache) == SS_OK;
 }
 
 START_TEST(arcs_obey_the_papers_conditions) {
@@ -540,9 +525,9 @@ START_TEST(orbits_close) {
   struct point p;
   struct values v;
   point_init(&p);
-  ck_assert(nearest_orbit_point(&p, &paper, cache));
+  ck_assert(nearest_orbit_point(&p, &the_paper.scene, the_paper.cache));
   ck_assert_int_eq(p.orbit, 1); /* tests/oracle/orbits.tsv: of the two it is the second that is near */
-  ck_assert(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache) == SS_OK);
+  ck_assert(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), the_paper.cache) == SS_OK);
   check_arc_facts(&v);
   check_arc_against_plain(&v);
   SAME(&v, "z_100", "z_10");
@@ -575,7 +560,7 @@ START_TEST(tangents_are_linear) {
       for (int i = 0; i <= n; i++) sampler_next(&p, &s);
       if (k == 1) fmpq_zero(&p.q[Q_Y]);
       if (k == 2) fmpq_zero(&p.q[Q_X]);
-      ok = values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache) == SS_OK;
+      ok = values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), the_paper.cache) == SS_OK;
       for (int i = 0; ok && i < 10; i++) t[k][i] = number(&v, names[i]);
       values_clear(&v);
       point_clear(&p);
@@ -599,8 +584,8 @@ START_TEST(flows_solve_their_equations) {
       point_init(&p);
       sampler_init(&s, "check_audit", &(struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)ph});
       for (int i = 0; i <= n; i++) sampler_next(&p, &s);
-      ck_assert(values_init(&v, &p, n % 2 ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache) ==
-                SS_OK);
+      ck_assert(values_init(&v, &p, n % 2 ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, num_ctx_arb(FIRST_PREC),
+                            the_paper.cache) == SS_OK);
       struct plain q = plain_of(&p);
       real z[4] = {number(&v, "z_1(0)"), number(&v, "z_2(0)"), number(&v, "z_1'(0)"), number(&v, "z_2'(0)")}, end[4];
       for (int i = 0; i < 4; i++) ck_assert(fabsl(z[i] - real_of(&p.q[Q_Z1 + i])) < 1e-15L);
@@ -697,9 +682,9 @@ START_TEST(jacobians_are_the_differences_of_a_second_model) {
   struct point p;
   struct values v;
   point_init(&p);
-  ck_assert(nearest_orbit_point(&p, &paper, cache));
-  for (p.orbit = 0; p.orbit < scene_orbits(&paper, cache)->n; p.orbit++) {
-    ck_assert(values_init(&v, &p, variant[_i], ctx[_i], cache) == SS_OK);
+  ck_assert(nearest_orbit_point(&p, &the_paper.scene, the_paper.cache));
+  for (p.orbit = 0; p.orbit < scene_orbits(&the_paper.scene, the_paper.cache)->n; p.orbit++) {
+    ck_assert(values_init(&v, &p, variant[_i], ctx[_i], the_paper.cache) == SS_OK);
     check_jacobians(&v, 1e-9L);
     values_clear(&v);
   }
@@ -726,7 +711,7 @@ START_TEST(matrices_of_the_motion_are_those_of_a_second_model) {
     static const char *const newton[] = {NULL, "K_1 newton", "K newton", "K_2 newton"};
     struct values v;
     sampler_next(&p, &s);
-    ck_assert(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache) == SS_OK);
+    ck_assert(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), the_paper.cache) == SS_OK);
     struct plain q = plain_of(&p);
     for (int ph = 0; ph < N_PHASES; ph++) {
       real phi[16], a[16];
@@ -754,8 +739,8 @@ START_TEST(n_carries_the_state_through_one_period) {
   struct point p;
   struct values v;
   point_init(&p);
-  ck_assert(nearest_orbit_point(&p, &paper, cache));
-  ck_assert(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache) == SS_OK);
+  ck_assert(nearest_orbit_point(&p, &the_paper.scene, the_paper.cache));
+  ck_assert(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), the_paper.cache) == SS_OK);
   struct plain q = plain_of(&p);
   real n[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, phi[16];
   static const char *const times[] = {"t_a", "t_b", "t_c", "t_d"};
@@ -795,17 +780,14 @@ static void chain_by_hand(real j[4], const struct plain *p, const real start[2],
 }
 
 static void jacobian_of(real j[4], struct scene *s, const struct jacobian_request *q) {
-  struct model m;
   struct diag d;
   diag_init(&d);
-  paper_model(&m, NULL);
   arb_ptr x = _arb_vec_init(6);
-  ck_assert_msg(audit_jacobian(x, x + 4, x + 5, &m, s, q, &d), "%s", d.message);
+  ck_assert_msg(audit_jacobian(x, x + 4, x + 5, &the_paper.model, s, q, &d), "%s", d.message);
   for (int i = 0; i < 4; i++) j[i] = arf_get_d(arb_midref(x + i), ARF_RND_NEAR);
   ck_assert(arb_is_zero(x + 5));
   ck_assert(fabsl(arf_get_d(arb_midref(x + 4), ARF_RND_NEAR) - j[0] - j[3]) < 1e-13L * (1 + fabsl(j[0])));
   _arb_vec_clear(x, 6);
-  model_clear(&m);
 }
 
 START_TEST(the_chain_at_printed_numbers) {
@@ -841,43 +823,42 @@ START_TEST(the_map_at_printed_numbers) {
     plain_derivative(end, &p, PHASE_D, PHASE_C, z, (const real[]){k == 0, k == 1, 0, 0}, near);
     for (int i = 0; i < 2; i++) want[2 * i + k] = end[i];
   }
-  jacobian_of(got, &paper, &(struct jacobian_request){method[_i], LAYER_CORRECTED, true, 0, 15});
+  jacobian_of(got, &the_paper.scene, &(struct jacobian_request){method[_i], LAYER_CORRECTED, true, 0, 15});
   for (int i = 0; i < 4; i++)
     ck_assert_msg(fabsl(got[i] - want[i]) < 1e-9L, "entry %d: %Lg, not %Lg", i, got[i], want[i]);
 }
 END_TEST
 
 START_TEST(expressions_at_a_point) {
-  struct model m;
   struct point p;
   struct diag d;
   point_init(&p);
   diag_init(&d);
-  paper_model(&m, NULL);
-  ck_assert(printed_point(&p, &paper));
+  ck_assert(printed_point(&p, &the_paper.scene));
   arb_ptr x = _arb_vec_init(16);
   int n;
-  struct view v = {&m, LAYER_CORRECTED, NULL, NULL};
+  struct view v = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   fmpq_t third;
   fmpq_init(third);
   fmpq_set_si(third, 1, 3);
-  ck_assert(expression_at(x, &n, v, "1/3", "stability", &p, 200, cache, &d) == SS_OK && n == 1);
+  ck_assert(expression_at(x, &n, v, "1/3", "stability", &p, 200, the_paper.cache, &d) == SS_OK && n == 1);
   ck_assert(arb_contains_fmpq(x, third) && arb_rel_accuracy_bits(x) > 190);
   fmpq_clear(third);
-  ck_assert(expression_at(x, &n, v, "z_10 - chi*z_20 + V*t_a*(1 - chi)", "validation", &p, 128, cache, &d) == SS_OK);
+  ck_assert(expression_at(x, &n, v, "z_10 - chi*z_20 + V*t_a*(1 - chi)", "validation", &p, 128, the_paper.cache, &d) ==
+            SS_OK);
   ck_assert(fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) - 2.78442) < 1e-15); /* 0.8921 + 0.8*2.1958 + 0.2*0.6784 */
-  ck_assert(expression_at(x, &n, v, "H(t_c)[1:2,3:4]", "appendix_a", &p, 128, cache, &d) == SS_OK && n == 4);
+  ck_assert(expression_at(x, &n, v, "H(t_c)[1:2,3:4]", "appendix_a", &p, 128, the_paper.cache, &d) == SS_OK && n == 4);
   real h[16];
   plain_propagator(h, &(struct plain){0.8L, 1, 1, 0, 0}, PHASE_H, 1.5L);
   for (int i = 0; i < 4; i++)
     ck_assert(fabsl(arf_get_d(arb_midref(x + i), ARF_RND_NEAR) - h[4 * (i / 2) + 2 + i % 2]) < 1e-14L);
-  ck_assert(expression_at(x, &n, v, "1/(V - 1)", "stability", &p, 128, cache, &d) != SS_OK);
-  ck_assert(expression_at(x, &n, v, "t_prime", "stability", &p, 128, cache, &d) != SS_OK && !d.set);
-  ck_assert(expression_at(x, &n, v, "no_such_name", "stability", &p, 128, cache, &d) != SS_OK && d.set);
+  ck_assert(expression_at(x, &n, v, "1/(V - 1)", "stability", &p, 128, the_paper.cache, &d) != SS_OK);
+  ck_assert(expression_at(x, &n, v, "t_prime", "stability", &p, 128, the_paper.cache, &d) != SS_OK && !d.set);
+  ck_assert(expression_at(x, &n, v, "no_such_name", "stability", &p, 128, the_paper.cache, &d) != SS_OK && d.set);
   diag_init(&d);
-  ck_assert(expression_at(x, &n, v, "1/2/3", "stability", &p, 128, cache, &d) != SS_OK && d.set);
+  ck_assert(expression_at(x, &n, v, "1/2/3", "stability", &p, 128, the_paper.cache, &d) != SS_OK && d.set);
   _arb_vec_clear(x, 16);
-  model_clear(&m);
+
   point_clear(&p);
 }
 END_TEST
@@ -921,11 +902,11 @@ START_TEST(two_sides_at_a_point) {
   paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text)});
   struct view v = {&m, LAYER_PRINTED, NULL, NULL};
   ck_assert_msg(sentence_from_relations(&sides, v, view_record(&v, "user"), NULL, 0, &d), "%s", d.message);
-  struct trial t = sentence_try_balls(&sides, &p, VARIANT_CLOSED, cache);
+  struct trial t = sentence_try_balls(&sides, &p, VARIANT_CLOSED, the_paper.cache);
   ck_assert_msg(t.outcome == sentences[_i].balls, "%s: %d at %ld bits", sentences[_i].sentence, (int)t.outcome, t.bits);
   if (sentences[_i].bits) ck_assert_int_eq(t.bits, sentences[_i].bits);
   if (t.outcome == OUTCOME_UNBOUND) ck_assert_str_eq(t.unbound, "z_1a");
-  t = sentence_try_rounded(&sides, &p, VARIANT_CLOSED, num_ctx_mpfr(FD_PREC), -200, cache);
+  t = sentence_try_rounded(&sides, &p, VARIANT_CLOSED, num_ctx_mpfr(FD_PREC), -200, the_paper.cache);
   ck_assert_msg(t.outcome == sentences[_i].rounded, "%s rounded: %d", sentences[_i].sentence, (int)t.outcome);
   sentence_clear(&sides);
   model_clear(&m);
@@ -938,17 +919,13 @@ END_TEST
 /* Judges the claims that `only` selects, over the overlay. */
 static void judge(struct audit_result *r, const char *overlay, bool with_controls, const char *only) {
   struct model m;
-  struct claims claims, controls;
   struct diag d;
   diag_init(&d);
   audit_result_init(r);
   paper_model(&m, &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL,
                                          .controls = with_controls});
   const struct audit_options opt = {.only = &only, .n_only = 1};
-  paper_claims(&claims, &controls);
-  ck_assert_msg(audit_run(r, &m, &claims, &controls, &paper, &opt, &d), "%s", d.message);
-  claims_clear(&controls);
-  claims_clear(&claims);
+  ck_assert_msg(audit_run(r, &m, &the_paper.claims, &the_paper.controls, &the_paper.scene, &opt, &d), "%s", d.message);
   model_clear(&m);
 }
 
@@ -989,14 +966,14 @@ enum { N_DAMAGES = sizeof damages / sizeof *damages, N_REPAIRS = sizeof repairs 
 static struct audit_result undamaged; /* the whole audit, as things stand */
 
 static void open_claims(void) {
-  open_values();
+  paper_open();
   whole_open();
   whole_record(&undamaged);
 }
 
 static void close_claims(void) {
   audit_result_clear(&undamaged);
-  close_values();
+  paper_close();
 }
 
 /* As written the claim is proved; one wrong glyph refutes it, and the certificate names a point; two of
@@ -1182,10 +1159,8 @@ START_TEST(conditions_are_called_as_the_paper_has_them) {
   const char *said = NULL;
   for (int i = 0; i < f->n_evidence; i++)
     if (f->evidence[i].note && strstr(f->evidence[i].note, " violate ")) said = f->evidence[i].note;
-  struct model m;
-  paper_model(&m, NULL);
   for (int k = 0; k < N_CONDITIONS; k++) {
-    const struct statement_record *r = record_with_id(&m, conditions[k].record);
+    const struct statement_record *r = record_with_id(&the_paper.model, conditions[k].record);
     ck_assert_int_lt(conditions[k].statement, r->n_stmts);
     struct text plain = {0}, want = {0};
     stmt_plain(&plain, r->stmts[conditions[k].statement]);
@@ -1199,7 +1174,6 @@ START_TEST(conditions_are_called_as_the_paper_has_them) {
     text_clear(&want);
     text_clear(&plain);
   }
-  model_clear(&m);
 }
 END_TEST
 
@@ -1262,7 +1236,7 @@ Suite *audit_suite(void) {
   suite_add_tcase(s, c);
   c = tcase_create("value");
   tcase_set_timeout(c, 60);
-  tcase_add_unchecked_fixture(c, open_values, close_values);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
   tcase_add_loop_test(c, arcs_obey_the_papers_conditions, 0, 2);
   tcase_add_test(c, orbits_close);
   tcase_add_test(c, tangents_are_linear);

@@ -127,25 +127,9 @@ END_TEST
 
 /* --- Claims --- */
 
-static struct scene paper;
-
-static void open_paper(void) {
-  scratch_open();
-  paper_scene(&paper);
-}
-
-static void close_paper(void) {
-  scene_clear(&paper);
-  scratch_close();
-}
-
 /* Under the paper's and the corrected files. */
 static bool judge_case(struct audit_result *r, const char *text, struct diag *d) {
-  struct model m;
-  paper_model(&m, NULL);
-  bool ok = judge_text(r, &m, text, &paper, "text", d);
-  model_clear(&m);
-  return ok;
+  return judge_text(r, &the_paper.model, text, &the_paper.scene, "text", d);
 }
 
 static const struct finding *judged(struct audit_result *r, const char *text) {
@@ -364,7 +348,6 @@ END_TEST
 
 /* The scene to reproduce the perturbed motions with is the claim's. */
 START_TEST(the_scene_is_the_claims) {
-  struct claims claims;
   struct scene stable;
   struct diag d;
   struct point p;
@@ -372,18 +355,16 @@ START_TEST(the_scene_is_the_claims) {
   size_t n = 0;
   diag_init(&d);
   point_init(&p);
-  paper_claims(&claims, NULL);
   ck_assert(scene_load(&stable, "stable", "verify", &d));
-  for (size_t i = 0; i < claims.n; i++) {
-    if (strcmp(claims.claim[i].id, "text-conditionally-stable") != 0) continue;
-    for (const char *s = claim_get(&claims.claim[i], "at"); *s; s++)
+  for (size_t i = 0; i < the_paper.claims.n; i++) {
+    if (strcmp(the_paper.claims.claim[i].id, "text-conditionally-stable") != 0) continue;
+    for (const char *s = claim_get(&the_paper.claims.claim[i], "at"); *s; s++)
       if (*s != ' ') at[n++] = *s;
   }
   at[n] = '\0';
   for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p.q[q]);
   ck_assert_msg(n > 0 && point_set(&p, at, &d), "%s", d.message);
   for (int k = 0; k < N_SCENE_PARAMS; k++) ck_assert(fmpq_equal(&p.q[Q_CHI + k], &stable.value[k]));
-  claims_clear(&claims);
   scene_clear(&stable);
   point_clear(&p);
 }
@@ -397,7 +378,7 @@ Suite *behaviour_suite(void) {
   tcase_add_test(c, series_over_a_ball_hold_those_of_its_points);
   suite_add_tcase(s, c);
   c = tcase_create("claims");
-  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
   tcase_add_test(c, dimensions_are_those_of_the_constraints);
   tcase_add_loop_test(c, the_third_order_decides_at_equality, 0, 2);
   tcase_add_test(c, the_long_run_of_the_printed_start);

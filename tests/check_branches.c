@@ -172,21 +172,13 @@ static const struct {
      VERDICT_UNKNOWN},
 };
 
-static bool judge_own(struct audit_result *r, const struct model *m, const char *text, struct diag *d) {
-  struct scene paper;
-  paper_scene(&paper);
-  bool ok = judge_text(r, m, text, &paper, "own", d);
-  scene_clear(&paper);
-  return ok;
-}
-
 START_TEST(what_is_claimed_of_them) {
   struct model m;
   struct audit_result r;
   struct diag d;
   const char *overlay = claims_tried[_i].overlay;
   paper_model(&m, &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL});
-  ck_assert_msg(judge_own(&r, &m, claims_tried[_i].claim, &d), "%s", d.message);
+  ck_assert_msg(judge_text(&r, &m, claims_tried[_i].claim, &the_paper.scene, "own", &d), "%s", d.message);
   ck_assert_msg(r.findings[0].verdict == claims_tried[_i].want, "%s: %s", claims_tried[_i].what,
                 verdict_name[r.findings[0].verdict]);
   ck_assert((r.findings[0].condition != NULL) == (claims_tried[_i].want == VERDICT_CONDITIONAL));
@@ -199,20 +191,17 @@ END_TEST
 START_TEST(solutions_keep_all_that_is_listed) {
   static const char list[] = "claim list\n  section: periodic\n  kind: constraints\n  constraints: eq-51, eq-59#2\n";
   static const char *const listed[] = {"eq-51, eq-57#1", "eq-59#2, eq-51"};
-  struct model m;
-  paper_model(&m, NULL);
   for (int i = 0; i < 2; i++) {
     struct text claims = {0};
     struct audit_result r;
     struct diag d;
     text_printf(&claims, "%s%s  count: 2\n%s  constraints: %s\n", list, SIX, TWO, listed[i]);
-    bool ok = judge_own(&r, &m, text_str(&claims), &d);
+    bool ok = judge_text(&r, &the_paper.model, text_str(&claims), &the_paper.scene, "own", &d);
     ck_assert_msg(ok == (i == 1), "%s: %s", listed[i], d.message);
     if (!ok) ck_assert_msg(strstr(d.message, "with kept all those of list are needed"), "%s", d.message);
     audit_result_clear(&r);
     text_clear(&claims);
   }
-  model_clear(&m);
 }
 END_TEST
 
@@ -226,7 +215,7 @@ Suite *branches_suite(void) {
   tcase_add_test(c, bounds_and_budgets);
   suite_add_tcase(s, c);
   TCase *claims = tcase_create("claims");
-  tcase_add_checked_fixture(claims, scratch_open, scratch_close);
+  tcase_add_checked_fixture(claims, paper_open, paper_close);
   tcase_add_loop_test(claims, what_is_claimed_of_them, 0, (int)(sizeof claims_tried / sizeof *claims_tried));
   tcase_add_test(claims, solutions_keep_all_that_is_listed);
   suite_add_tcase(s, claims);

@@ -22,9 +22,6 @@
 
 /* --- The audit of the paper, for all tests --- */
 
-static struct model model;
-static struct claims claims;
-static struct scene paper;
 static struct audit_result result;
 
 static void load(struct model *m, const char *overlay, const char *errata) {
@@ -34,20 +31,14 @@ static void load(struct model *m, const char *overlay, const char *errata) {
 }
 
 static void open_audit(void) {
-  scratch_open();
-  load(&model, NULL, NULL);
-  paper_scene(&paper);
-  paper_claims(&claims, NULL);
+  paper_open();
   whole_open();
   whole_record(&result);
 }
 
 static void close_audit(void) {
   audit_result_clear(&result);
-  claims_clear(&claims);
-  scene_clear(&paper);
-  model_clear(&model);
-  scratch_close();
+  paper_close();
 }
 
 static const struct derived *derived_of(const char *failure, const char *formula) {
@@ -97,17 +88,17 @@ END_TEST
 START_TEST(a_new_use_is_a_new_dependence) {
   struct model m;
   load(&m, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[-1, 1] + 0*tr(K_1)*[1, 1]\n", NULL);
-  struct dependences *d = dependences_new(&m, &claims);
+  struct dependences *d = dependences_new(&m, &the_paper.claims);
   size_t ja = 0, k1 = 0, j = 0;
-  for (size_t i = 0; i < claims.n; i++) {
-    if (strcmp(claims.claim[i].id, "eq-27") == 0) ja = i;
-    if (strcmp(claims.claim[i].id, "eq-5") == 0) k1 = i;
-    if (strcmp(claims.claim[i].id, "eq-41") == 0) j = i;
+  for (size_t i = 0; i < the_paper.claims.n; i++) {
+    if (strcmp(the_paper.claims.claim[i].id, "eq-27") == 0) ja = i;
+    if (strcmp(the_paper.claims.claim[i].id, "eq-5") == 0) k1 = i;
+    if (strcmp(the_paper.claims.claim[i].id, "eq-41") == 0) j = i;
   }
   ck_assert(dependences_on(d, ja, k1) && dependences_on(d, j, k1) && !dependences_on(d, k1, ja));
   dependences_free(d);
   model_clear(&m);
-  d = dependences_new(&model, &claims);
+  d = dependences_new(&the_paper.model, &the_paper.claims);
   ck_assert(!dependences_on(d, ja, k1) && !dependences_on(d, j, k1));
   dependences_free(d);
 }
@@ -122,7 +113,7 @@ START_TEST(claims_about_the_same) {
                                                "claim b\n  section: stability\n  value: J_a\n  title: b\n"
                                                "claim c\n  section: stability\n  formula: J_b*J_a\n  title: c\n");
   ck_assert(claims_add_file(&own, path, "claim", &d));
-  struct dependences *on = dependences_new(&model, &own);
+  struct dependences *on = dependences_new(&the_paper.model, &own);
   for (size_t a = 0; a < 3; a++)
     for (size_t b = 0; b < 3; b++) ck_assert_int_eq(dependences_on(on, a, b), a == 2 && b < 2);
   dependences_free(on);
@@ -141,7 +132,7 @@ START_TEST(the_same_program) {
     struct matrix m;
     struct diag d;
     diag_init(&d);
-    elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+    elaboration_init(&el, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
     ck_assert_msg(elaborate_tape(&t[i / 2][i % 2], &m, &el, "formula", formulas[i / 2], "appendix_a", &d), "%s",
                   d.message);
     elaboration_clear(&el);
@@ -164,7 +155,7 @@ START_TEST(what_is_named_by_hand_must_exist) {
   const char *path = scratch_put("own.claim", "claim eq-1\n  kind: definition\n  title: a\n  depends-on: eq-9, eq-2\n"
                                               "claim eq-2\n  kind: definition\n  title: b\n");
   ck_assert(claims_add_file(&own, path, "claim", &d));
-  ck_assert(!audit_run(&r, &model, &own, &none, &paper, &opt, &d));
+  ck_assert(!audit_run(&r, &the_paper.model, &own, &none, &the_paper.scene, &opt, &d));
   ck_assert_msg(strstr(d.message, "own.claim:4:15: error: eq-1: depends-on names something that is not a claim"), "%s",
                 d.message);
   claims_clear(&own);
@@ -215,7 +206,7 @@ START_TEST(what_provably_does_not_change) {
                {"num-z20", " J_f J tr(J) det(J) P(lambda) (e_2 - chi*(z_20 - z_10))/2 "}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     const struct consequence *q = audit_result_consequence(&result, cases[i].failure);
-    ck_assert_int_eq(q->n_derived, (int)claims.n_results);
+    ck_assert_int_eq(q->n_derived, (int)the_paper.claims.n_results);
     for (int k = 0; k < q->n_derived; k++) {
       char padded[100];
       snprintf(padded, sizeof padded, " %s ", q->derived[k].formula);
@@ -336,7 +327,8 @@ START_TEST(alone_or_together) {
     const struct audit_options opt = {.only = &ids[i], .n_only = 1};
     diag_init(&d);
     audit_result_init(&r);
-    ck_assert_msg(audit_run(&r, &model, &claims, &none, &paper, &opt, &d), "%s", d.message);
+    ck_assert_msg(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d), "%s",
+                  d.message);
     const struct finding *a = finding_with_id(&r, ids[i]), *b = finding_with_id(&result, ids[i]);
     ck_assert_str_eq(a->effect, b->effect);
     ck_assert_int_eq(a->n_depends_on, b->n_depends_on);
@@ -364,7 +356,7 @@ static void judge_one(struct audit_result *r, const char *overlay, const char *e
   diag_init(&d);
   audit_result_init(r);
   load(&m, overlay, errata);
-  ck_assert_msg(audit_run(r, &m, &claims, &none, &paper, &opt, &d), "%s", d.message);
+  ck_assert_msg(audit_run(r, &m, &the_paper.claims, &none, &the_paper.scene, &opt, &d), "%s", d.message);
   model_clear(&m);
 }
 
@@ -635,7 +627,7 @@ START_TEST(results_that_cannot_be_read) {
   paper_claims(&own, NULL);
   ck_assert(claims_add_file(&own, scratch_put("more.claim", "result none\n  title: none\n  formula: no_such_name\n"),
                             "claim", &d));
-  ck_assert_msg(audit_run(&r, &m, &own, &none, &paper, &opt, &d), "%s", d.message);
+  ck_assert_msg(audit_run(&r, &m, &own, &none, &the_paper.scene, &opt, &d), "%s", d.message);
   ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
   const struct consequence *q = audit_result_consequence(&r, "eq-27");
   if (q) ck_assert_int_eq(q->n_derived, (int)own.n_results - 1);

@@ -206,35 +206,13 @@ END_TEST
 
 /* --- Formulas --- */
 
-static struct model model;
-static struct claims claims, controls;
-static struct scene paper;
-static struct orbit_cache *cache;
-
-static void open_paper(void) {
-  scratch_open();
-  cache = orbit_cache_new();
-  paper_model(&model, &(struct paper_layers){.controls = true});
-  paper_claims(&claims, &controls);
-  paper_scene(&paper);
-}
-
-static void close_paper(void) {
-  orbit_cache_free(cache);
-  claims_clear(&controls);
-  claims_clear(&claims);
-  model_clear(&model);
-  scene_clear(&paper);
-  scratch_close();
-}
-
 static const struct claim *claim_of(const char *id) {
-  return claim_with_id(&claims, id);
+  return claim_with_id(&the_paper.claims, id);
 }
 
 /* The value of a text in a field, as a function of free symbols. */
 static int value_in(element *z, struct exact_field *f, const char *text) {
-  return paper_value(z, f, &model, text);
+  return paper_value(z, f, &the_paper.model, text);
 }
 
 START_TEST(derivatives_by_the_rules) {
@@ -517,7 +495,7 @@ START_TEST(motions_have_the_values_of_motions) {
     for (int draws = 0, accepted = 0; draws < 12 && accepted < points; draws++) {
       struct values v;
       sampler_next(&p, &s);
-      if (values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), cache) == SS_OK) {
+      if (values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), the_paper.cache) == SS_OK) {
         arb_t tau;
         arb_init(tau);
         bind_ball(tau, &v, "t");
@@ -560,7 +538,7 @@ START_TEST(perturbations_at_patched_points) {
     exact_motion_init(&m, &a, &spec, &nothing);
     exact_init(&e, m.field);
     exact_init(&own, m.field);
-    ck_assert_int_eq(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), cache), SS_OK);
+    ck_assert_int_eq(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), the_paper.cache), SS_OK);
     for (int i = 0; i < N_MOTION_NAMES; i++) {
       int index;
       if (!name_of_tangent(motion_names[i], &index)) continue;
@@ -591,23 +569,30 @@ static struct exact_proof prove(const struct model *m, const struct claim *c, st
                                 struct audit_result *out) {
   struct diag d;
   diag_init(&d);
-  struct judge j = {.out = out, .model = m, .claims = &claims, .scene = &paper, .cache = cache, .d = &d};
+  struct judge j = {.out = out,
+                    .model = m,
+                    .claims = &the_paper.claims,
+                    .scene = &the_paper.scene,
+                    .cache = the_paper.cache,
+                    .d = &d};
   return exact_prove(&j, c, view, NULL);
 }
 
 /* No control that damages a formula is proved; those of exact algebra differ at a rational point. */
 START_TEST(no_control_is_proved) {
   int tried = 0;
-  for (size_t i = 0; i < controls.n; i++) {
-    struct claim c = *claim_of(record_get(controls.claim[i].record, "claim"));
+  for (size_t i = 0; i < the_paper.controls.n; i++) {
+    struct claim c = *claim_of(record_get(the_paper.controls.claim[i].record, "claim"));
     if (!claim_tried_at_points(&c)) continue;
-    c.control = controls.claim[i].record;
+    c.control = the_paper.controls.claim[i].record;
     struct audit_result out;
     audit_result_init(&out);
-    struct exact_proof p = prove(&model, &c, (struct view){&model, LAYER_CORRECTED, NULL, controls.claim[i].id}, &out);
-    ck_assert_msg(!p.proved, "%s", controls.claim[i].id);
-    if (strncmp(controls.claim[i].id, "ctl-exact-", 10) == 0)
-      ck_assert_msg(p.differs && strstr(p.differs, " at "), "%s", controls.claim[i].id);
+    struct exact_proof p =
+        prove(&the_paper.model, &c,
+              (struct view){&the_paper.model, LAYER_CORRECTED, NULL, the_paper.controls.claim[i].id}, &out);
+    ck_assert_msg(!p.proved, "%s", the_paper.controls.claim[i].id);
+    if (strncmp(the_paper.controls.claim[i].id, "ctl-exact-", 10) == 0)
+      ck_assert_msg(p.differs && strstr(p.differs, " at "), "%s", the_paper.controls.claim[i].id);
     audit_result_clear(&out);
     tried++;
   }
@@ -714,7 +699,8 @@ START_TEST(ranks_by_hand) {
                 rows[i].unknowns);
     scratch_put("rank.claim", text_str(&t));
     ck_assert_msg(claims_load(&c, scratch_path(""), ".", "claim", &d), "%s", d.message);
-    struct judge j = {.out = &out, .model = &m, .claims = &c, .scene = &paper, .cache = cache, .d = &d};
+    struct judge j = {
+        .out = &out, .model = &m, .claims = &c, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
     ck_assert_msg(rank_system_build(&y, &j, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}), "%s",
                   d.message);
     struct exact_rank r = exact_rank_of(&out, &y);
@@ -760,7 +746,7 @@ START_TEST(the_theorem_needs_each_hypothesis) {
     bool own = strncmp(rows[i].overlay, "inequality", 10) == 0;
     paper_model(&m, &(struct paper_layers){.overlay = scratch_put("own.eq", text_str(&t))});
     const struct view v = {&m, LAYER_CORRECTED, NULL, NULL};
-    struct judge j = {.out = &out, .model = &m, .scene = &paper, .cache = cache, .d = &d};
+    struct judge j = {.out = &out, .model = &m, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
     struct linearized l = linearized_stability(&j, view_record(&v, own ? "own" : "text-criterion"), v);
     ck_assert_msg(l.proved == !rows[i].missing, "row %zu: %s", i, l.note);
     if (rows[i].missing) ck_assert_msg(strstr(l.note, rows[i].missing), "row %zu: %s", i, l.note);
@@ -776,14 +762,14 @@ START_TEST(ranks_of_damaged_equations) {
   struct overlay o;
   struct mutants all;
   int decided = 0;
-  overlay_init(&o, &model);
-  mutants_init(&all, &model, NULL, 0);
+  overlay_init(&o, &the_paper.model);
+  mutants_init(&all, &the_paper.model, NULL, 0);
   for (size_t i = 0; i < all.n; i += (size_t)every(7)) {
     const struct target *t = &all.target[all.mutant[i].target];
-    const char *equation = model.records[t->record].equation;
-    if (model.records[t->record].rank == RANK_CONTROL || !*equation) continue;
-    for (size_t k = 0; k < claims.n; k++) {
-      const struct claim *c = &claims.claim[k];
+    const char *equation = the_paper.model.records[t->record].equation;
+    if (the_paper.model.records[t->record].rank == RANK_CONTROL || !*equation) continue;
+    for (size_t k = 0; k < the_paper.claims.n; k++) {
+      const struct claim *c = &the_paper.claims.claim[k];
       const char *own = claim_get(c, "equation");
       if (claim_kind(c) != KIND_RANK || !own || strcmp(own, equation) != 0) continue;
       overlay_set(&o, t, all.mutant[i].edit.stmt);
@@ -792,7 +778,12 @@ START_TEST(ranks_of_damaged_equations) {
       struct diag d;
       diag_init(&d);
       audit_result_init(&out);
-      struct judge j = {.out = &out, .model = &o.model, .claims = &claims, .scene = &paper, .cache = cache, .d = &d};
+      struct judge j = {.out = &out,
+                        .model = &o.model,
+                        .claims = &the_paper.claims,
+                        .scene = &the_paper.scene,
+                        .cache = the_paper.cache,
+                        .d = &d};
       const char *balls = NULL, *exact = NULL;
       if (judge_verdict(&f, &j, c)) {
         for (int e = 0; e < f.n_evidence; e++) {
@@ -817,8 +808,13 @@ static bool refuted_by_balls(const struct model *m, const struct claim *c, struc
   struct finding f;
   struct diag d;
   diag_init(&d);
-  struct judge j = {
-      .out = out, .model = m, .claims = &claims, .scene = &paper, .cache = cache, .d = &d, .effort = EFFORT_REFUTE};
+  struct judge j = {.out = out,
+                    .model = m,
+                    .claims = &the_paper.claims,
+                    .scene = &the_paper.scene,
+                    .cache = the_paper.cache,
+                    .d = &d,
+                    .effort = EFFORT_REFUTE};
   return judge_verdict(&f, &j, c) && f.verdict == VERDICT_REFUTED && f.n_evidence > 0 &&
          strcmp(f.evidence[0].route, "balls") == 0;
 }
@@ -829,15 +825,15 @@ START_TEST(what_balls_refute_is_not_proved) {
   struct overlay o;
   struct mutants all;
   int refuted = 0;
-  overlay_init(&o, &model);
-  mutants_init(&all, &model, NULL, 0);
+  overlay_init(&o, &the_paper.model);
+  mutants_init(&all, &the_paper.model, NULL, 0);
   for (size_t i = 0; i < all.n; i += (size_t)(STRIDE * every(3))) {
     const struct target *t = &all.target[all.mutant[i].target];
-    const char *equation = model.records[t->record].equation;
-    if (model.records[t->record].rank == RANK_CONTROL || !*equation) continue;
+    const char *equation = the_paper.model.records[t->record].equation;
+    if (the_paper.model.records[t->record].rank == RANK_CONTROL || !*equation) continue;
     overlay_set(&o, t, all.mutant[i].edit.stmt);
-    for (size_t k = 0; k < claims.n; k++) {
-      const struct claim *c = &claims.claim[k];
+    for (size_t k = 0; k < the_paper.claims.n; k++) {
+      const struct claim *c = &the_paper.claims.claim[k];
       const char *own = claim_get(c, "equation");
       if (!own || strcmp(own, equation) != 0 || !claim_tried_at_points(c)) continue;
       struct audit_result out;
@@ -859,11 +855,15 @@ END_TEST
 /* tr J, det J and P do not feel the misprint in (40) nor the printed z_10; J itself does, and all of them feel (36). */
 START_TEST(what_the_trace_does_not_feel) {
   const struct exact_change misprint = {
-      {&model, LAYER_CORRECTED, "40", NULL}, {&model, LAYER_CORRECTED, NULL, NULL}, {NULL}, 0};
-  const struct exact_change number = {
-      {&model, LAYER_CORRECTED, NULL, NULL}, {&model, LAYER_CORRECTED, NULL, NULL}, {"z_10", "z_100"}, 2};
-  const struct exact_change time = {
-      {&model, LAYER_CORRECTED, NULL, NULL}, {&model, LAYER_CORRECTED, NULL, NULL}, {"t_d", NULL}, 1};
+      {&the_paper.model, LAYER_CORRECTED, "40", NULL}, {&the_paper.model, LAYER_CORRECTED, NULL, NULL}, {NULL}, 0};
+  const struct exact_change number = {{&the_paper.model, LAYER_CORRECTED, NULL, NULL},
+                                      {&the_paper.model, LAYER_CORRECTED, NULL, NULL},
+                                      {"z_10", "z_100"},
+                                      2};
+  const struct exact_change time = {{&the_paper.model, LAYER_CORRECTED, NULL, NULL},
+                                    {&the_paper.model, LAYER_CORRECTED, NULL, NULL},
+                                    {"t_d", NULL},
+                                    1};
   static const char *const kept[] = {"tr(J)", "det(J)", "P(lambda)", "J_a", "J_c*J_b"};
   for (size_t i = 0; i < sizeof kept / sizeof *kept; i++) {
     ck_assert_msg(exact_unchanged(&misprint, kept[i], "stability"), "%s", kept[i]);
@@ -884,9 +884,10 @@ static void receipt(struct text *out, const char *id) {
   struct source src;
   struct diag d;
   diag_init(&d);
-  const char *file = receipt_of_orbit(&claims, id) ? "verify/receipt/orbit.py" : "verify/receipt/model.py";
+  const char *file = receipt_of_orbit(&the_paper.claims, id) ? "verify/receipt/orbit.py" : "verify/receipt/model.py";
   ck_assert(source_read(&src, file, 1 << 20, &d));
-  ck_assert_msg(audit_receipt(out, &model, &claims, &paper, id, src.text, &d), "%s", d.message);
+  ck_assert_msg(audit_receipt(out, &the_paper.model, &the_paper.claims, &the_paper.scene, id, src.text, &d), "%s",
+                d.message);
   source_clear(&src);
 }
 
@@ -1038,7 +1039,7 @@ START_TEST(no_receipt_without_a_proof) {
     struct diag d;
     text_init(&t);
     diag_init(&d);
-    ck_assert(!audit_receipt(&t, &model, &claims, &paper, rows[i][0], "", &d));
+    ck_assert(!audit_receipt(&t, &the_paper.model, &the_paper.claims, &the_paper.scene, rows[i][0], "", &d));
     ck_assert_msg(strstr(d.message, rows[i][1]) != NULL, "%s", d.message);
     text_clear(&t);
   }
@@ -1048,7 +1049,7 @@ END_TEST
 Suite *exact_suite(void) {
   Suite *s = suite_create("exact");
   TCase *c = tcase_create("algebra");
-  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
   tcase_add_test(c, a_field_and_its_values);
   tcase_add_test(c, derivatives_by_the_rules);
   tcase_add_test(c, half_turns_and_roots_of_quotients);
@@ -1057,13 +1058,13 @@ Suite *exact_suite(void) {
   tcase_add_test(c, the_budget_ends_it);
   suite_add_tcase(s, c);
   c = tcase_create("motions");
-  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
   tcase_add_test(c, propagators_solve_their_systems);
   tcase_add_test(c, motions_have_the_values_of_motions);
   tcase_add_test(c, perturbations_at_patched_points);
   suite_add_tcase(s, c);
   c = tcase_create("proofs");
-  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
   tcase_add_test(c, no_control_is_proved);
   tcase_add_test(c, what_balls_refute_is_not_proved);
   tcase_add_test(c, what_follows_from_the_law);

@@ -13,21 +13,6 @@
 #include "suites.h"
 #include "value/values.h"
 
-static struct scene paper;
-static struct orbit_cache *cache;
-
-static void open_all(void) {
-  scratch_open();
-  cache = orbit_cache_new();
-  paper_scene(&paper);
-}
-
-static void close_all(void) {
-  scene_clear(&paper);
-  orbit_cache_free(cache);
-  scratch_close();
-}
-
 /* Judges one claim of the test's own beside formulas of its own; N_VERDICTS with d set when it is at fault. */
 static enum verdict judged(const char *formulas, const char *claim, struct diag *d) {
   struct model m;
@@ -37,7 +22,7 @@ static enum verdict judged(const char *formulas, const char *claim, struct diag 
   text_init(&t);
   text_printf(&t, "claim own\n  section: appendix_b\n  title: of the test\n%s", claim);
   bool ok = paper_model_read(&m, &(struct paper_layers){.overlay = scratch_put("own.eq", formulas)}, d) &&
-            judge_text(&r, &m, text_str(&t), &paper, "own", d);
+            judge_text(&r, &m, text_str(&t), &the_paper.scene, "own", d);
   enum verdict v = ok ? r.findings[0].verdict : N_VERDICTS;
   ck_assert(!ok || r.n_findings == 1);
   text_clear(&t);
@@ -262,7 +247,7 @@ START_TEST(blocks_obey_newton) {
   for (int n = 0; n < 4; n++) {
     struct values v;
     sampler_next(&p, &s);
-    ck_assert(values_init(&v, &p, n % 2 ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), cache) == SS_OK);
+    ck_assert(values_init(&v, &p, n % 2 ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), the_paper.cache) == SS_OK);
     for (int mass = 0; mass < 2; mass++) newton(&v, name[mass]);
     values_clear(&v);
   }
@@ -285,7 +270,7 @@ START_TEST(patched_states_are_general) {
     arb_t x[N_TANGENT], belt;
     sampler_next(&p, &s);
     for (int k = 0; k < 2; k++)
-      ck_assert(values_init(&v[k], &p, k ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), cache) == SS_OK);
+      ck_assert(values_init(&v[k], &p, k ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), the_paper.cache) == SS_OK);
     arb_init(belt);
     arb_set_fmpq(belt, &p.q[Q_V], FIRST_PREC);
     for (int i = 0; i < 4 * (N_PHASES + 1); i++) {
@@ -318,8 +303,8 @@ START_TEST(realistic_friction_is_above_what_is_asked) {
   sampler_init(&s, "realistic", &(struct point_spec){.kind = POINT_ORBIT, .admissible = true, .realistic = true});
   for (int draws = 0; draws < 40 && seen < 6; draws++) {
     sampler_next(&p, &s);
-    if (!point_settle(&p, cache)) continue;
-    const struct dyn_orbit *o = &point_orbits(&p, cache, FIRST_PREC)->orbit[p.orbit];
+    if (!point_settle(&p, the_paper.cache)) continue;
+    const struct dyn_orbit *o = &point_orbits(&p, the_paper.cache, FIRST_PREC)->orbit[p.orbit];
     ck_assert(o->admissible == TRUTH_TRUE);
     for (int i = 0; i < 2; i++) {
       double e = fmpq_get_d(&p.q[Q_E1 + i]), u_r = fmpq_get_d(&p.q[Q_US1 + i]) + e;
@@ -414,7 +399,7 @@ END_TEST
 Suite *law_suite(void) {
   Suite *s = suite_create("law");
   TCase *c = tcase_create("law");
-  tcase_add_unchecked_fixture(c, open_all, close_all);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
 #define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
   LOOP(branches_of_the_law, laws);
   LOOP(a_force_at_its_limit, at_limits);

@@ -85,21 +85,6 @@ END_TEST
 
 /* --- Claims --- */
 
-static struct model papers;
-static struct scene paper;
-
-static void load(void) {
-  paper_model(&papers, NULL);
-  paper_scene(&paper);
-  scratch_open();
-}
-
-static void unload(void) {
-  scratch_close();
-  scene_clear(&paper);
-  model_clear(&papers);
-}
-
 static void add_lines(struct text *out, const char *lines) {
   for (const char *p = lines; *p; p++) {
     bool record = strncmp(p, "||", 2) == 0;
@@ -113,7 +98,7 @@ static void add_lines(struct text *out, const char *lines) {
 static const struct model *model_with(struct model *own, const char *records) {
   struct text text;
   struct diag d;
-  if (!*records) return &papers;
+  if (!*records) return &the_paper.model;
   diag_init(&d);
   text_init(&text);
   add_lines(&text, records);
@@ -133,7 +118,7 @@ static void refuse_claim(char *const *column) {
   text_init(&text);
   text_add(&text, *column[2] == '|' ? "claim own" : "claim own\n  title: of the test\n  ");
   add_lines(&text, column[2]);
-  ck_assert_msg(!judge_text(&r, model, text_str(&text), &paper, "own", &d), "%s: was judged", what);
+  ck_assert_msg(!judge_text(&r, model, text_str(&text), &the_paper.scene, "own", &d), "%s: was judged", what);
   bool placed = strstr(d.message, "own.claim:") || strstr(d.message, "own.eq:") || strstr(column[1], ": error: ");
   ck_assert_msg(placed && strstr(d.message, column[1]) && strstr(d.message, "\n  "), "%s: says\n%s", what, d.message);
   audit_result_clear(&r);
@@ -157,7 +142,7 @@ START_TEST(a_control_of_no_claim) {
   audit_result_init(&r);
   const char *path = scratch_put("own.claim", "control own\n  claim: nobody\n  title: of the test\n");
   bool ok = claims_add_file(&own, path, "control", &d) &&
-            audit_run(&r, &papers, &none, &own, &paper, &(struct audit_options){.jobs = 1}, &d);
+            audit_run(&r, &the_paper.model, &none, &own, &the_paper.scene, &(struct audit_options){.jobs = 1}, &d);
   ck_assert(!ok && strstr(d.message, "own.claim:2:10: error: own: a control names the claim that it damages"));
   audit_result_clear(&r);
   claims_clear(&own);
@@ -187,7 +172,7 @@ START_TEST(a_receipt_of_another_rank) {
     claims_of(&own, lines);
     text_init(&out);
     diag_init(&d);
-    bool ok = audit_receipt(&out, &papers, &own, &paper, "own", "", &d);
+    bool ok = audit_receipt(&out, &the_paper.model, &own, &the_paper.scene, "own", "", &d);
     ck_assert_msg(ok == (rank == 2), "rank %d: %s", rank, d.message);
     if (!ok) ck_assert_str_eq(d.message, "error: own is not proved by exact algebra: the rank differs");
     text_clear(&out);
@@ -209,8 +194,9 @@ START_TEST(a_root_of_coefficients_that_scale_apart) {
   paper_model(&more, NULL);
   const char *path =
       scratch_put("own.eq", "define own\n  section: periodic\n  root q: q^2 - 2*q + 1/V, largest positive\n  y := q\n");
-  bool ok = model_add_file(&more, path, RANK_PAPER, &d) &&
-            audit_run(&r, &more, &own, &none, &paper, &(struct audit_options){.only = &only, .n_only = 1}, &d);
+  bool ok =
+      model_add_file(&more, path, RANK_PAPER, &d) &&
+      audit_run(&r, &more, &own, &none, &the_paper.scene, &(struct audit_options){.only = &only, .n_only = 1}, &d);
   ck_assert_msg(ok && r.n_findings == 1, "%s", d.message);
   const struct finding *f = &r.findings[0];
   ck_assert_int_eq(f->verdict, VERDICT_REFUTED);
@@ -254,7 +240,7 @@ Suite *messages_suite(void) {
   tcase_add_checked_fixture(words, scratch_open, scratch_close);
   tcase_add_test(words, commands_answer_as_said);
   suite_add_tcase(s, words);
-  tcase_add_checked_fixture(claims, load, unload);
+  tcase_add_checked_fixture(claims, paper_open, paper_close);
   tcase_add_test(claims, claims_are_refused_as_said);
   tcase_add_test(claims, a_control_of_no_claim);
   tcase_add_test(claims, a_receipt_of_another_rank);

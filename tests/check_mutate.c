@@ -29,30 +29,8 @@
 #include "value/expression.h"
 #include "value/orbit_pool.h"
 
-static struct model model;
-static struct claims claims, controls;
-static struct scene paper;
-static struct orbit_cache *cache;
-
-static void open_paper(void) {
-  scratch_open();
-  cache = orbit_cache_new();
-  paper_model(&model, NULL);
-  paper_claims(&claims, &controls);
-  paper_scene(&paper);
-}
-
-static void close_paper(void) {
-  orbit_cache_free(cache);
-  claims_clear(&controls);
-  claims_clear(&claims);
-  model_clear(&model);
-  scene_clear(&paper);
-  scratch_close();
-}
-
 static const struct claim *claim_of(const char *id) {
-  return claim_with_id(&claims, id);
+  return claim_with_id(&the_paper.claims, id);
 }
 
 /* --- Exact algebra --- */
@@ -63,7 +41,7 @@ static void build(struct tape *t, struct elaboration *el, const char *text) {
   struct diag d;
   struct matrix m;
   diag_init(&d);
-  elaboration_init(el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  elaboration_init(el, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   ck_assert_msg(elaborate_tape(t, &m, el, "test", text, "appendix_a", &d), "%s", d.message);
 }
 
@@ -162,9 +140,10 @@ static double value_of(const char *text) {
   fmpq_set_si(&p.q[Q_CHI], 3, 7);
   fmpq_set_si(&p.q[Q_ETA], 11, 5);
   fmpq_set_si(&p.q[Q_V], 2, 3);
-  struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
+  struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   double x = NAN;
-  if (expression_at(v, &n, view, text, "", &p, 256, cache, &d) == SS_OK) x = arf_get_d(arb_midref(v), ARF_RND_NEAR);
+  if (expression_at(v, &n, view, text, "", &p, 256, the_paper.cache, &d) == SS_OK)
+    x = arf_get_d(arb_midref(v), ARF_RND_NEAR);
   point_clear(&p);
   _arb_vec_clear(v, 16);
   return x;
@@ -208,18 +187,18 @@ static void try_facts(long *held, enum point_kind kind, bool finite) {
   struct point p;
   sampler_init(&s, "facts", &(struct point_spec){.kind = kind, .phase = PHASE_H, .finite = finite});
   point_init(&p);
-  struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
+  struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   for (int done = 0, draws = 0; done < 4 && draws < 40; draws++) {
     sampler_next(&p, &s);
-    if (!point_settle(&p, cache)) continue;
+    if (!point_settle(&p, the_paper.cache)) continue;
     bool any = false;
     for (int i = 0; i < n_motion_facts; i++) {
       struct diag d;
       arb_ptr v = _arb_vec_init(32);
       int n;
       diag_init(&d);
-      int left = expression_at(v, &n, view, motion_facts[i][0], "", &p, 192, cache, &d);
-      int right = expression_at(v + 16, &n, view, motion_facts[i][1], "", &p, 192, cache, &d);
+      int left = expression_at(v, &n, view, motion_facts[i][0], "", &p, 192, the_paper.cache, &d);
+      int right = expression_at(v + 16, &n, view, motion_facts[i][1], "", &p, 192, the_paper.cache, &d);
       ck_assert_msg(!d.set, "%s", d.message);
       if (left == SS_OK && right == SS_OK) {
         arb_sub(v, v, v + 16, 192);
@@ -311,8 +290,8 @@ static void mutate_records(struct mutation_result *r, const char *const *record,
   diag_init(&d);
   mutation_result_init(r);
   const struct mutation_options opt = {.seed = 1, .jobs = jobs, .only = record, .n_only = n};
-  const struct audit_data data = {&model, asked, &controls, NULL, NULL};
-  ck_assert_msg(audit_mutate(r, &data, &paper, &opt, &d), "%s", d.message);
+  const struct audit_data data = {&the_paper.model, asked, &the_paper.controls, NULL, NULL};
+  ck_assert_msg(audit_mutate(r, &data, &the_paper.scene, &opt, &d), "%s", d.message);
 }
 
 static void mutate(struct mutation_result *r, const char *record, const struct claims *asked, int jobs) {
@@ -345,13 +324,13 @@ static bool is_known(const char *record) {
 }
 
 static void open_known(void) {
-  open_paper();
-  mutate_records(&known, known_records, n_known(), &claims, 2);
+  paper_open();
+  mutate_records(&known, known_records, n_known(), &the_paper.claims, 2);
 }
 
 static void close_known(void) {
   mutation_result_clear(&known);
-  close_paper();
+  paper_close();
 }
 
 /* text NULL: nothing of the record survives. */
@@ -404,7 +383,7 @@ END_TEST
 /* Every text in the table is one that the damages make, so that "noticed" is not the fate of what was never tried. */
 START_TEST(every_known_fate_is_of_a_mutant) {
   struct mutants m;
-  mutants_init(&m, &model, known_records, N_KNOWN);
+  mutants_init(&m, &the_paper.model, known_records, N_KNOWN);
   for (size_t k = 0; k < sizeof fates / sizeof *fates; k++) {
     bool made = !fates[k].text;
     for (size_t i = 0; !made && i < m.n; i++) made = strcmp(m.mutant[i].edit.text, fates[k].text) == 0;
@@ -450,7 +429,7 @@ START_TEST(printed_text_that_is_corrected_counts) {
   static const char *const record = "eq-10";
   struct mutants m;
   long printed = 0, survive = 0;
-  mutants_init(&m, &model, &record, 1);
+  mutants_init(&m, &the_paper.model, &record, 1);
   for (size_t i = 0; i < m.n; i++) printed += m.target[m.mutant[i].target].corrected;
   for (size_t i = 0; i < known.n_survivors; i++) {
     const struct survivor *s = &known.survivor[i];
@@ -475,9 +454,9 @@ static struct judge judge_with(struct audit_result *out, const struct model *m, 
   diag_init(d);
   return (struct judge){.out = out,
                         .model = m,
-                        .claims = &claims,
-                        .scene = &paper,
-                        .cache = cache,
+                        .claims = &the_paper.claims,
+                        .scene = &the_paper.scene,
+                        .cache = the_paper.cache,
                         .pool = pool,
                         .d = d,
                         .effort = effort};
@@ -508,16 +487,16 @@ START_TEST(a_copy_of_the_text_is_not_noticed) {
   struct arena a;
   struct orbit_pool *pool = NULL;
   arena_init(&a);
-  overlay_init(&o, &model);
-  for (size_t i = 0; i < model.n_records; i++)
-    for (int k = 0; k < model.records[i].n_stmts; k++) {
+  overlay_init(&o, &the_paper.model);
+  for (size_t i = 0; i < the_paper.model.n_records; i++)
+    for (int k = 0; k < the_paper.model.records[i].n_stmts; k++) {
       struct text t;
       struct diag d;
-      struct target target = target_of(&model, i, k);
+      struct target target = target_of(&the_paper.model, i, k);
       struct source *src = arena_alloc(&a, sizeof *src);
       text_init(&t);
       diag_init(&d);
-      stmt_print(&t, model.records[i].stmts[k]);
+      stmt_print(&t, the_paper.model.records[i].stmts[k]);
       source_from_string(src, "copy", arena_strndup(&a, t.data, t.len));
       const struct stmt *copy = stmt_parse(&a, src, (struct span){0, src->len}, &d);
       ck_assert_msg(copy != NULL, "%s", d.message);
@@ -525,10 +504,10 @@ START_TEST(a_copy_of_the_text_is_not_noticed) {
       text_clear(&t);
       source_clear(src);
     }
-  for (size_t i = 0; i < claims.n; i += (size_t)every(3)) {
-    const struct claim *c = &claims.claim[i];
+  for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(3)) {
+    const struct claim *c = &the_paper.claims.claim[i];
     if (claim_asked(c) == ASKED_NEVER) continue;
-    struct verdicts was = verdicts_of(c, &model, EFFORT_REFUTE, &pool, NULL);
+    struct verdicts was = verdicts_of(c, &the_paper.model, EFFORT_REFUTE, &pool, NULL);
     struct verdicts is = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, NULL);
     ck_assert_msg(was.own == is.own && was.correction == is.correction, "%s", c->id);
   }
@@ -543,11 +522,11 @@ END_TEST
 START_TEST(little_effort_proves_what_the_full_one_proves) {
   struct orbit_pool *few = NULL, *all = NULL;
   long proved = 0;
-  for (size_t i = 0; i < claims.n; i += (size_t)every(2)) {
-    const struct claim *c = &claims.claim[i];
+  for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(2)) {
+    const struct claim *c = &the_paper.claims.claim[i];
     if (claim_asked(c) != ASKED_LATE || claim_kind(c) == KIND_SCALING) continue;
-    struct verdicts little = verdicts_of(c, &model, EFFORT_REFUTE, &few, NULL);
-    struct verdicts full = verdicts_of(c, &model, EFFORT_FULL, &all, NULL);
+    struct verdicts little = verdicts_of(c, &the_paper.model, EFFORT_REFUTE, &few, NULL);
+    struct verdicts full = verdicts_of(c, &the_paper.model, EFFORT_FULL, &all, NULL);
     const char *over = claim_get(c, "over");
     bool conditional = full.own == VERDICT_CONDITIONAL && claim_get(c, "defined");
     if (!claim_kind_of(c)->of_scene && (!over || strcmp(over, "scene") != 0))
@@ -582,9 +561,9 @@ START_TEST(what_little_effort_notices_the_full_one_notices) {
   struct mutants m;
   struct orbit_pool *pool = NULL;
   long seen = 0;
-  overlay_init(&o, &model);
-  mutants_init(&m, &model, &late[_i].record, 1);
-  struct verdicts was = verdicts_of(c, &model, EFFORT_FULL, &pool, NULL);
+  overlay_init(&o, &the_paper.model);
+  mutants_init(&m, &the_paper.model, &late[_i].record, 1);
+  struct verdicts was = verdicts_of(c, &the_paper.model, EFFORT_FULL, &pool, NULL);
   for (size_t i = 0; i < m.n; i++) {
     if (strcmp(m.mutant[i].edit.text, late[_i].text) != 0) continue;
     const struct target *t = &m.target[m.mutant[i].target];
@@ -606,7 +585,7 @@ START_TEST(any_number_of_processes_finds_the_same) {
   enum { N = 4 };
   struct claim few[N];
   const char *record[N];
-  struct claims asked = claims;
+  struct claims asked = the_paper.claims;
   struct text said[2];
   for (int i = 0; i < N; i++) {
     few[i] = *claim_of(late[i + 1].claim);
@@ -634,14 +613,14 @@ START_TEST(what_is_touched_is_enough_for_scaling) {
   struct mutants m;
   struct overlay o;
   struct orbit_pool *pool = NULL;
-  bool *touched = malloc(model.n_records * sizeof *touched);
+  bool *touched = malloc(the_paper.model.n_records * sizeof *touched);
   long refuted = 0, tried = 0;
-  mutants_init(&m, &model, record, 5);
-  overlay_init(&o, &model);
+  mutants_init(&m, &the_paper.model, record, 5);
+  overlay_init(&o, &the_paper.model);
   for (size_t i = 0; i < m.n; i += 23, tried++) {
     const struct target *t = &m.target[m.mutant[i].target];
     overlay_set(&o, t, m.mutant[i].edit.stmt);
-    target_reaches(touched, &model, t);
+    target_reaches(touched, &the_paper.model, t);
     enum verdict part = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, touched).own;
     enum verdict all = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, NULL).own;
     ck_assert_msg((part == VERDICT_REFUTED) == (all == VERDICT_REFUTED), "%s", m.mutant[i].edit.text);
@@ -660,16 +639,16 @@ START_TEST(halves_that_change_places_are_the_same) {
   static const char *const record = "text-criterion";
   struct overlay o;
   struct mutants m;
-  struct facts *f = facts_new(&model);
+  struct facts *f = facts_new(&the_paper.model);
   int met = 0;
-  overlay_init(&o, &model);
-  mutants_init(&m, &model, &record, 1);
+  overlay_init(&o, &the_paper.model);
+  mutants_init(&m, &the_paper.model, &record, 1);
   for (size_t i = 0; i < m.n; i++) {
     const struct target *t = &m.target[m.mutant[i].target];
     bool exchanged = strcmp(m.mutant[i].edit.text, "-1 < -tr(J) < 1") == 0;
     if (!exchanged && strcmp(m.mutant[i].edit.text, "-1 < tr(J) < 2") != 0) continue;
     overlay_set(&o, t, m.mutant[i].edit.stmt);
-    ck_assert(target_same_in(t, &model, &o.model, &claims, f) == exchanged);
+    ck_assert(target_same_in(t, &the_paper.model, &o.model, &the_paper.claims, f) == exchanged);
     overlay_set(&o, t, NULL);
     met++;
   }
@@ -688,19 +667,21 @@ START_TEST(a_correction_that_differs_is_not_called_the_same) {
   struct arena a;
   struct source src;
   struct diag d;
-  struct facts *f = facts_new(&model);
+  struct facts *f = facts_new(&the_paper.model);
   size_t at = 0;
   diag_init(&d);
   arena_init(&a);
-  overlay_init(&o, &model);
+  overlay_init(&o, &the_paper.model);
   source_from_string(&src, "damaged", "dZ_b = Gamma(t_b)*dZ_a + Gamma'(t_a)*Z_a*dt_b");
-  while (model.records[at].rank != RANK_ERRATA || strcmp(model.records[at].id, "eq-30b") != 0) at++;
-  struct target t = target_of(&model, at, 0);
-  ck_assert(claim_same_in(c, &t, &model, &o.model, f) && target_same_in(&t, &model, &o.model, &claims, f));
+  while (the_paper.model.records[at].rank != RANK_ERRATA || strcmp(the_paper.model.records[at].id, "eq-30b") != 0) at++;
+  struct target t = target_of(&the_paper.model, at, 0);
+  ck_assert(claim_same_in(c, &t, &the_paper.model, &o.model, f) &&
+            target_same_in(&t, &the_paper.model, &o.model, &the_paper.claims, f));
   overlay_set(&o, &t, stmt_parse(&a, &src, (struct span){0, src.len}, &d));
-  ck_assert(!claim_same_in(c, &t, &model, &o.model, f) && !target_same_in(&t, &model, &o.model, &claims, f));
+  ck_assert(!claim_same_in(c, &t, &the_paper.model, &o.model, f) &&
+            !target_same_in(&t, &the_paper.model, &o.model, &the_paper.claims, f));
   overlay_set(&o, &t, NULL);
-  ck_assert(claim_same_in(c, &t, &model, &o.model, f));
+  ck_assert(claim_same_in(c, &t, &the_paper.model, &o.model, f));
   source_clear(&src);
   overlay_clear(&o);
   arena_clear(&a);
@@ -711,7 +692,7 @@ END_TEST
 /* Fewer claims notice less: those that are asked read (26), and nothing reads J_a. */
 START_TEST(a_missing_check_shows) {
   struct claim few[] = {*claim_of("eq-26b")};
-  struct claims asked = claims;
+  struct claims asked = the_paper.claims;
   asked.claim = few;
   asked.n = 1;
   struct mutation_result r;
@@ -760,7 +741,7 @@ END_TEST
 /* The claim's value with 10^-20 added to one entry, as a statement in its place. */
 static void offset_value(struct overlay *o, struct arena *a, const struct claim *c, int rows, int cols, int entry) {
   const char *value = claim_get(c, "value"), *section = claim_get(c, "section");
-  struct view v = claim_view(&model, c);
+  struct view v = claim_view(&the_paper.model, c);
   struct diag d;
   struct text t, name;
   diag_init(&d);
@@ -779,10 +760,10 @@ static void offset_value(struct overlay *o, struct arena *a, const struct claim 
   source_from_string(src, "offset", t.data);
   struct stmt *s = (struct stmt *)(uintptr_t)stmt_parse(a, src, (struct span){0, src->len}, &d);
   ck_assert_msg(s != NULL, "%s", d.message);
-  for (size_t i = 0; i < model.n_records; i++)
-    for (int k = 0; k < model.records[i].n_stmts; k++)
-      if (model.records[i].stmts[k] == def->stmt) {
-        struct target target = target_of(&model, i, k);
+  for (size_t i = 0; i < the_paper.model.n_records; i++)
+    for (int k = 0; k < the_paper.model.records[i].n_stmts; k++)
+      if (the_paper.model.records[i].stmts[k] == def->stmt) {
+        struct target target = target_of(&the_paper.model, i, k);
         overlay_set(o, &target, s);
       }
   source_clear(src);
@@ -792,8 +773,8 @@ static void offset_value(struct overlay *o, struct arena *a, const struct claim 
 
 START_TEST(every_entry_is_held_against_the_model) {
   long tried = 0;
-  for (size_t i = 0; i < claims.n; i++) {
-    const struct claim *c = &claims.claim[i];
+  for (size_t i = 0; i < the_paper.claims.n; i++) {
+    const struct claim *c = &the_paper.claims.claim[i];
     const char *value = claim_get(c, "value");
     if (strcmp(claim_get(c, "kind"), "matrix") != 0 || strncmp(value, "omega_", 6) == 0) continue; /* roots */
     const struct oracle *q = oracle_find(value);
@@ -806,13 +787,13 @@ START_TEST(every_entry_is_held_against_the_model) {
       arena_init(&a);
       diag_init(&d);
       audit_result_init(&out);
-      overlay_init(&o, &model);
+      overlay_init(&o, &the_paper.model);
       offset_value(&o, &a, c, q->rows, q->cols, e);
       struct judge j = {.out = &out,
                         .model = &o.model,
-                        .claims = &claims,
-                        .scene = &paper,
-                        .cache = cache,
+                        .claims = &the_paper.claims,
+                        .scene = &the_paper.scene,
+                        .cache = the_paper.cache,
                         .d = &d,
                         .effort = EFFORT_REFUTE};
       ck_assert_msg(judge_verdict(&f, &j, c), "%s", d.message);
@@ -839,13 +820,13 @@ START_TEST(oracles_are_not_interchangeable) {
       diag_init(&d);
       const struct oracle *other = oracle_find(names[k]);
       if (other->rows != oracle_find(names[i])->rows) continue;
-      struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
+      struct view v = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
       ck_assert_msg(sentence_from_value(&s, v, names[i], "prediction", NULL, 0, &d), "%s", d.message);
       s.oracle = other;
       sampler_init(&sampler, "oracles", &(struct point_spec){.kind = POINT_PARAMS, .phase = PHASE_H});
       point_init(&p);
       sampler_next(&p, &sampler);
-      struct trial t = sentence_try_balls(&s, &p, VARIANT_CLOSED, cache);
+      struct trial t = sentence_try_balls(&s, &p, VARIANT_CLOSED, the_paper.cache);
       ck_assert_msg((t.outcome == OUTCOME_DIFFERS) == (i != k), "%s against %s", names[i], names[k]);
       point_clear(&p);
       sentence_clear(&s);
@@ -865,21 +846,21 @@ static void open_repairs(void) {
   enum { N = sizeof some / sizeof *some };
   struct claim few[N];
   struct diag d;
-  open_paper();
+  paper_open();
   diag_init(&d);
   repair_result_init(&all_repairs);
-  struct claims asked = claims;
+  struct claims asked = the_paper.claims;
   for (int i = 0; i < N; i++) few[i] = *claim_of(some[i]);
   if (!every_case()) asked.claim = few, asked.n = N;
   const struct repair_options opt = {.jobs = 2};
-  ck_assert_msg(audit_repairs(&all_repairs, &model, &asked, &paper, &opt, &d), "%s", d.message);
+  ck_assert_msg(audit_repairs(&all_repairs, &the_paper.model, &asked, &the_paper.scene, &opt, &d), "%s", d.message);
   ck_assert_uint_ge(all_repairs.n, N - 1);
   for (size_t i = 0; i < all_repairs.n; i++) ck_assert_str_ne(all_repairs.claim[i].claim, "eq-27");
 }
 
 static void close_repairs(void) {
   repair_result_clear(&all_repairs);
-  close_paper();
+  paper_close();
 }
 
 /* Whether a record of the errata is the correction of some claim for which it was found. */
@@ -895,7 +876,7 @@ START_TEST(every_erratum_is_found) {
     found++;
   }
   long errata = 0;
-  for (size_t i = 0; i < model.n_records; i++) errata += model.records[i].rank == RANK_ERRATA;
+  for (size_t i = 0; i < the_paper.model.n_records; i++) errata += the_paper.model.records[i].rank == RANK_ERRATA;
   ck_assert_int_ge(found, errata); /* two claims may share one */
 }
 END_TEST
@@ -928,7 +909,7 @@ START_TEST(every_repair_passes_a_run_of_its_own) {
       audit_result_init(&r);
       const struct audit_options opt = {.only = &c->claim, .n_only = 1};
       ck_assert_msg(paper_model_read(&m, &(struct paper_layers){.overlay = scratch_put("repaired.eq", t.data)}, &d) &&
-                        audit_run(&r, &m, &claims, &none, &paper, &opt, &d),
+                        audit_run(&r, &m, &the_paper.claims, &none, &the_paper.scene, &opt, &d),
                     "%s\n%s", d.message, t.data);
       const char *verdict = NULL;
       for (size_t f = 0; f < r.n_findings; f++)
@@ -1020,7 +1001,7 @@ END_TEST
 Suite *mutate_suite(void) {
   Suite *s = suite_create("mutate");
   TCase *c = tcase_create("exact");
-  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
   tcase_add_test(c, identities_are_proved);
   tcase_add_test(c, nothing_else_is_proved);
   tcase_add_test(c, what_is_undefined_or_too_large_is_said);
@@ -1043,7 +1024,7 @@ Suite *mutate_suite(void) {
   suite_add_tcase(s, c);
   c = tcase_create("damage");
   tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
   tcase_add_test(c, a_copy_of_the_text_is_not_noticed);
   tcase_add_test(c, little_effort_proves_what_the_full_one_proves);
   tcase_add_loop_test(c, what_little_effort_notices_the_full_one_notices, 0, (int)(sizeof late / sizeof *late));
@@ -1055,7 +1036,7 @@ Suite *mutate_suite(void) {
   tcase_add_test(c, the_score_has_one_denominator);
   suite_add_tcase(s, c);
   c = tcase_create("oracles");
-  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_unchecked_fixture(c, paper_open, paper_close);
   tcase_add_test(c, every_entry_is_held_against_the_model);
   tcase_add_test(c, oracles_are_not_interchangeable);
   suite_add_tcase(s, c);

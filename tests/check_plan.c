@@ -30,29 +30,18 @@
 #include "value/expression.h"
 #include "whole.h"
 
-static struct model model;
-static struct claims claims, controls, statements, roots;
-static struct scene paper;
 static struct costs costs;
 
 static void load(void) {
   struct diag d;
   diag_init(&d);
-  paper_model(&model, &(struct paper_layers){.controls = true});
-  paper_claims(&claims, &controls);
-  paper_statements(&statements, &roots);
-  paper_scene(&paper);
+  paper_open();
   ck_assert_msg(costs_load(&costs, "verify/costs.tsv", &d), "%s", d.message);
 }
 
 static void unload(void) {
   costs_clear(&costs);
-  scene_clear(&paper);
-  claims_clear(&roots);
-  claims_clear(&statements);
-  claims_clear(&controls);
-  claims_clear(&claims);
-  model_clear(&model);
+  paper_close();
 }
 
 /* An audit as asked; jobs processes, the costs known or not. */
@@ -63,11 +52,11 @@ static void audit(struct audit_result *r, const struct scene *s, const char *con
                                     .readings = true,
                                     .jobs = jobs,
                                     .costs = jobs == 1 ? NULL : &costs,
-                                    .statements = &statements,
-                                    .roots = &roots};
+                                    .statements = &the_paper.statements,
+                                    .roots = &the_paper.roots};
   diag_init(&d);
   audit_result_init(r);
-  ck_assert_msg(audit_run(r, &model, &claims, &controls, s, &opt, &d), "%s", d.message);
+  ck_assert_msg(audit_run(r, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d), "%s", d.message);
 }
 
 /* The paper's whole audit, which others are held against: two cases of tests share it. */
@@ -112,7 +101,7 @@ static char *json_of(const struct audit_result *r) {
 /* A scene that asks for these; the lists are borrowed. */
 static struct scene asking(const char **claim, size_t n_claims, const char **route, size_t n_routes,
                            unsigned long long budget) {
-  struct scene s = paper;
+  struct scene s = the_paper.scene;
   s.asked.claims = (struct scene_list){.item = (char **)(uintptr_t)claim, .n = n_claims};
   s.asked.routes = (struct scene_list){.item = (char **)(uintptr_t)route, .n = n_routes};
   s.asked.budget = budget;
@@ -149,7 +138,7 @@ START_TEST(what_is_left_out_has_its_reason) {
     diag_init(&d);
     audit_result_init(&r);
     bool ok = scene_load_box(&s, scratch_put("own.scene", text_str(&text)), "verify", &d) &&
-              audit_run(&r, &model, &none, &none, &s, &(struct audit_options){.jobs = 1}, &d);
+              audit_run(&r, &the_paper.model, &none, &none, &s, &(struct audit_options){.jobs = 1}, &d);
     ck_assert_msg(ok, "%s", d.message);
     for (int k = 0; k < 2; k++) {
       const char *why = why_skipped(&r, what[k]);
@@ -207,25 +196,26 @@ static char *findings_alone(const struct audit_result *r, const struct audit_res
    The study of readings, which takes a quarter of a second, is needed by printed numbers alone. */
 static void check_alone(int step, bool of_each, const struct claims *with, bool readings) {
   bool met[N_KINDS] = {false};
-  for (size_t i = 0; i < claims.n; i++) {
+  for (size_t i = 0; i < the_paper.claims.n; i++) {
     struct audit_result alone;
-    const enum kind kind = claim_kind(&claims.claim[i]);
+    const enum kind kind = claim_kind(&the_paper.claims.claim[i]);
     const bool first = of_each && !met[kind];
     met[kind] = true;
     if (i % (size_t)step != 0 && !first) continue;
     const bool reads = readings || kind == KIND_NUMBER; /* its note is of them */
-    const struct audit_options opt = {.only = &claims.claim[i].id,
+    const struct audit_options opt = {.only = &the_paper.claims.claim[i].id,
                                       .n_only = 1,
                                       .readings = reads,
                                       .jobs = 1,
-                                      .statements = &statements,
-                                      .roots = &roots};
+                                      .statements = &the_paper.statements,
+                                      .roots = &the_paper.roots};
     struct diag d;
     diag_init(&d);
     audit_result_init(&alone);
-    ck_assert_msg(audit_run(&alone, &model, &claims, with, &paper, &opt, &d), "%s", d.message);
+    ck_assert_msg(audit_run(&alone, &the_paper.model, &the_paper.claims, with, &the_paper.scene, &opt, &d), "%s",
+                  d.message);
     char *a = findings_alone(&alone, &alone), *b = findings_alone(&whole, &alone);
-    ck_assert_msg(strcmp(a, b) == 0, "%s", claims.claim[i].id);
+    ck_assert_msg(strcmp(a, b) == 0, "%s", the_paper.claims.claim[i].id);
     free(b);
     free(a);
     audit_result_clear(&alone);
@@ -233,7 +223,7 @@ static void check_alone(int step, bool of_each, const struct claims *with, bool 
 }
 
 START_TEST(some_claims_are_the_same_alone) {
-  check_alone(every_case() ? 23 : 61, false, &controls, true);
+  check_alone(every_case() ? 23 : 61, false, &the_paper.controls, true);
 }
 END_TEST
 
@@ -264,7 +254,7 @@ START_TEST(mistakes_are_told_alike) {
     const struct audit_options opt = {.jobs = k ? 3 : 1, .costs = &dear};
     audit_result_init(&r);
     diag_init(&d);
-    ck_assert(!audit_run(&r, &model, &own, &none, &paper, &opt, &d));
+    ck_assert(!audit_run(&r, &the_paper.model, &own, &none, &the_paper.scene, &opt, &d));
     strcpy(message[k], d.message);
     audit_result_clear(&r);
     costs_clear(&dear);
@@ -384,13 +374,15 @@ START_TEST(selections_meet) {
   const struct audit_options opt = {.only = only + 1, .n_only = 1};
   diag_init(&d);
   audit_result_init(&r);
-  ck_assert(!audit_run(&r, &model, &claims, &controls, &s, &opt, &d) && strstr(d.message, "--only names no claim"));
+  ck_assert(!audit_run(&r, &the_paper.model, &the_paper.claims, &the_paper.controls, &s, &opt, &d) &&
+            strstr(d.message, "--only names no claim"));
   audit_result_clear(&r);
   const char *ask = "ask=section nowhere";
   diag_init(&d);
   audit_result_init(&r);
   ck_assert(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&ask, 1, "--set"}, false, &d));
-  ck_assert(!audit_run(&r, &model, &claims, &controls, &s, &(struct audit_options){.n_only = 0}, &d));
+  ck_assert(!audit_run(&r, &the_paper.model, &the_paper.claims, &the_paper.controls, &s,
+                       &(struct audit_options){.n_only = 0}, &d));
   ck_assert_msg(strstr(d.message, "--set:1:5: ") && strstr(d.message, "section nowhere"), "%s", d.message);
   audit_result_clear(&r);
   scene_clear(&s);
@@ -398,16 +390,17 @@ START_TEST(selections_meet) {
 END_TEST
 
 static bool is_kind(const char *id, const char *kind) {
-  for (size_t i = 0; i < claims.n; i++)
-    if (strcmp(claims.claim[i].id, id) == 0) return strcmp(claim_get(&claims.claim[i], "kind"), kind) == 0;
+  for (size_t i = 0; i < the_paper.claims.n; i++)
+    if (strcmp(the_paper.claims.claim[i].id, id) == 0)
+      return strcmp(claim_get(&the_paper.claims.claim[i], "kind"), kind) == 0;
   return false;
 }
 
 /* Every step-th claim. */
 static const char **some_claims(int *n, int step) {
-  const char **id = ss_malloc(claims.n * sizeof *id);
+  const char **id = ss_malloc(the_paper.claims.n * sizeof *id);
   *n = 0;
-  for (size_t i = 0; i < claims.n; i += (size_t)step) id[(*n)++] = claims.claim[i].id;
+  for (size_t i = 0; i < the_paper.claims.n; i += (size_t)step) id[(*n)++] = the_paper.claims.claim[i].id;
   return id;
 }
 
@@ -427,7 +420,7 @@ START_TEST(no_budget_makes_a_verdict) {
     const struct scene s = asking(NULL, 0, NULL, 0, budgets[b]);
     audit(&r, &s, ids, n, 1);
     ck_assert_uint_le(r.n_findings, whole.n_findings); /* restrictions come with the claim that they restrict */
-    ck_assert_uint_ge(r.n_findings, claims.n);
+    ck_assert_uint_ge(r.n_findings, the_paper.claims.n);
     for (size_t i = 0; i < r.n_findings; i++) {
       const struct finding *f = &r.findings[i], *full = finding_with_id(&whole, f->id);
       bool out = f->verdict == VERDICT_UNKNOWN && f->n_evidence == 1 && strstr(f->evidence[0].note, "exhausted");
@@ -553,7 +546,7 @@ START_TEST(the_condition_plans_the_precision) {
     ulong k;
     slong planned;
   } rows[] = {{1, 128}, {30, 192}, {50, 256}, {150, 384}};
-  const struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
+  const struct view v = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   enum { BITS = 100, NONE = 777 };
   struct orbit_cache *cache = orbit_cache_new();
   struct expression e, zero;
@@ -660,12 +653,12 @@ END_TEST
 /* No claim asks for a route that rests only on what another of its routes, or the balls that decide, rests on. */
 START_TEST(no_route_is_idle) {
   size_t pairs = 0;
-  for (size_t i = 0; i < claims.n; i++) {
+  for (size_t i = 0; i < the_paper.claims.n; i++) {
     char route[8][32];
     int n = 0;
-    if (!claim_tried_at_points(&claims.claim[i])) continue;
+    if (!claim_tried_at_points(&the_paper.claims.claim[i])) continue;
     strcpy(route[n++], "balls");
-    for (const char *q = claim_routes_asked(&claims.claim[i]); q && *q; n++) {
+    for (const char *q = claim_routes_asked(&the_paper.claims.claim[i]); q && *q; n++) {
       q += strspn(q, ", ");
       size_t len = strcspn(q, ", ");
       ck_assert_int_lt(n, 8);
@@ -675,7 +668,7 @@ START_TEST(no_route_is_idle) {
     for (int a = 0; a < n; a++)
       for (int b = 0; b < a; b++, pairs++)
         ck_assert_msg(strcmp(route[a], "exact") == 0 || routes_independent(route[a], route[b]), "%s: %s, %s",
-                      claims.claim[i].id, route[a], route[b]);
+                      the_paper.claims.claim[i].id, route[a], route[b]);
   }
   ck_assert_uint_gt(pairs, 100);
 }
@@ -696,17 +689,19 @@ static bool planned(const struct plan_list *l, const char *name) {
 
 /* A claim touches nothing that its plan does not name, and the ledger denies nothing that was touched. */
 START_TEST(plans_name_what_is_then_done) {
-  for (size_t i = 0; i < claims.n; i += (size_t)every(29)) {
+  for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(29)) {
     struct audit_plan p;
     struct audit_result r;
     struct diag d;
-    struct audit_options opt = {.only = &claims.claim[i].id, .n_only = 1, .ended = note_touched, .costs = &costs};
+    struct audit_options opt = {
+        .only = &the_paper.claims.claim[i].id, .n_only = 1, .ended = note_touched, .costs = &costs};
     const struct claims none = {.n = 0};
     diag_init(&d);
     touched_by_claim = 0;
     audit_result_init(&r);
-    ck_assert_msg(audit_run(&r, &model, &claims, &none, &paper, &opt, &d), "%s", d.message);
-    ck_assert(audit_plan(&p, &model, &claims, &none, &paper, &opt, &d));
+    ck_assert_msg(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d), "%s",
+                  d.message);
+    ck_assert(audit_plan(&p, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
     for (int part = 0; part < WORK_BITS_128; part++) {
       bool in_plan = false;
       for (int k = 0; k < p.n_claims; k++) in_plan = in_plan || planned(&p.claim[k].parts, work_part_name[part]);
@@ -734,7 +729,7 @@ static void check_plan(const struct audit_result *r, const struct scene *s, cons
   const struct audit_options opt = {.only = only, .n_only = n_only, .readings = true, .costs = &costs};
   size_t consequences = 0, judged = 0;
   diag_init(&d);
-  ck_assert_msg(audit_plan(&p, &model, &claims, &controls, s, &opt, &d), "%s", d.message);
+  ck_assert_msg(audit_plan(&p, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d), "%s", d.message);
   for (int i = 0; i < p.n_claims; i++) {
     const struct planned_claim *c = &p.claim[i];
     const struct finding *f = finding_with_id(r, c->id);
@@ -746,7 +741,7 @@ static void check_plan(const struct audit_result *r, const struct scene *s, cons
     }
     if (scene_is_box(s)) ck_assert(!planned(&c->parts, work_part_name[WORK_SCENE_ORBITS]));
   }
-  for (size_t i = 0; i < r->n_controls; i++) judged -= claim_named(&controls, r->controls[i].id) != NULL;
+  for (size_t i = 0; i < r->n_controls; i++) judged -= claim_named(&the_paper.controls, r->controls[i].id) != NULL;
   ck_assert_msg(judged == 0 || !scene_is_box(s), "%zu controls are planned and not judged", judged);
   for (int i = 0; i < p.n_shared; i++) {
     static const char head[] = "consequences of ";
@@ -767,10 +762,10 @@ START_TEST(plans_are_of_what_runs) {
   diag_init(&d);
   ck_assert(scene_load_with(&box, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, true, &d));
   struct audit_result some, of_box;
-  audit(&some, &paper, one, 3, 2);
-  check_plan(&some, &paper, one, 3);
+  audit(&some, &the_paper.scene, one, 3, 2);
+  check_plan(&some, &the_paper.scene, one, 3);
   audit_result_clear(&some);
-  check_plan(&whole, &paper, NULL, 0);
+  check_plan(&whole, &the_paper.scene, NULL, 0);
   int n_some;
   const char **some_ids = some_claims(&n_some, every(13));
   audit(&of_box, &box, some_ids, n_some, 2);
@@ -784,7 +779,7 @@ END_TEST
 START_TEST(one_claim_needs_little) {
   const char *id = "eq-27";
   struct audit_result r;
-  audit(&r, &paper, &id, 1, 1);
+  audit(&r, &the_paper.scene, &id, 1, 1);
   static const char *const left[] = {"other claims",  "controls",           "routes, the long runs",
                                      "readings",      "scene's periodic",   "drawn all over",
                                      "Coulomb's law", "routes taylor, gsl", "1024 bits"};
@@ -792,19 +787,19 @@ START_TEST(one_claim_needs_little) {
   ck_assert(!why_skipped(&r, "phase") && !why_skipped(&r, "exact algebra"));
   audit_result_clear(&r);
   /* of the formulas, those that it reaches */
-  struct model_use use = {ss_malloc(model.n_defs), ss_malloc(model.n_records)};
-  struct model noting = model;
-  memset(use.def, 0, model.n_defs);
-  memset(use.record, 0, model.n_records);
+  struct model_use use = {ss_malloc(the_paper.model.n_defs), ss_malloc(the_paper.model.n_records)};
+  struct model noting = the_paper.model;
+  memset(use.def, 0, the_paper.model.n_defs);
+  memset(use.record, 0, the_paper.model.n_records);
   noting.use = &use;
-  struct dependences *d = dependences_new(&noting, &claims);
+  struct dependences *d = dependences_new(&noting, &the_paper.claims);
   size_t before = 0, after = 0, all = 0, at = 0;
-  while (strcmp(claims.claim[at].id, "eq-27") != 0) at++;
-  for (size_t i = 0; i < model.n_defs; i++) before += use.def[i];
+  while (strcmp(the_paper.claims.claim[at].id, "eq-27") != 0) at++;
+  for (size_t i = 0; i < the_paper.model.n_defs; i++) before += use.def[i];
   dependences_on(d, at, 0);
-  for (size_t i = 0; i < model.n_defs; i++) after += use.def[i];
-  for (size_t a = 0; a < claims.n; a++) dependences_on(d, a, 0);
-  for (size_t i = 0; i < model.n_defs; i++) all += use.def[i];
+  for (size_t i = 0; i < the_paper.model.n_defs; i++) after += use.def[i];
+  for (size_t a = 0; a < the_paper.claims.n; a++) dependences_on(d, a, 0);
+  for (size_t i = 0; i < the_paper.model.n_defs; i++) all += use.def[i];
   ck_assert_msg(all > after + 50, "%zu %zu %zu", before, after, all);
   dependences_free(d);
   free(use.def);

@@ -62,25 +62,6 @@ static void same_again(const char *what, const struct audit_result *r) {
 
 /* --- Audits --- */
 
-static struct model model;
-static struct claims claims, controls, statements, roots;
-
-static void open_files(void) {
-  scratch_open();
-  paper_model(&model, &(struct paper_layers){.controls = true});
-  paper_claims(&claims, &controls);
-  paper_statements(&statements, &roots);
-}
-
-static void close_files(void) {
-  claims_clear(&roots);
-  claims_clear(&statements);
-  claims_clear(&controls);
-  claims_clear(&claims);
-  model_clear(&model);
-  scratch_close();
-}
-
 static bool audit(struct audit_result *r, const char *name, const char *const *only, int n_only, int jobs) {
   struct diag d;
   struct scene s;
@@ -90,15 +71,15 @@ static bool audit(struct audit_result *r, const char *name, const char *const *o
                               .n_only = n_only,
                               .readings = n_only == 0,
                               .jobs = jobs,
-                              .statements = &statements,
-                              .roots = &roots};
+                              .statements = &the_paper.statements,
+                              .roots = &the_paper.roots};
   bool ok = scene_load_with(&s, name, "verify", NULL, SCENE_OF_ANY_SYSTEM, &d);
   if (ok && (s.system || !scene_papers_word(&s, &d))) { /* of another system or word nothing is claimed */
     scene_clear(&s);
     return false;
   }
   if (s.asked.claims.n) opt.n_only = 0; /* the scene selects by itself */
-  ok = ok && audit_run(r, &model, &claims, &controls, &s, &opt, &d);
+  ok = ok && audit_run(r, &the_paper.model, &the_paper.claims, &the_paper.controls, &s, &opt, &d);
   ck_assert_msg(ok, "%s: %s", name, d.message);
   scene_clear(&s);
   return true;
@@ -111,7 +92,7 @@ START_TEST(the_papers_record) {
   struct text json;
   struct diag d;
   diag_init(&d);
-  ck_assert_msg(near_controls_add(&model, &claims, &controls, &d), "%s", d.message);
+  ck_assert_msg(near_controls_add(&the_paper.model, &the_paper.claims, &the_paper.controls, &d), "%s", d.message);
   audit(&r, "paper", NULL, 0, 1);
   ck_assert(r.readings && r.n_tables > 3 && r.n_consequences > 10);
   ck_assert(r.n_pairs && r.n_long_runs && r.n_independence);
@@ -521,7 +502,7 @@ END_TEST
 Suite *report_suite(void) {
   Suite *s = suite_create("report");
   TCase *c = tcase_create("record");
-  tcase_add_checked_fixture(c, open_files, close_files);
+  tcase_add_checked_fixture(c, paper_open, paper_close);
   tcase_add_test(c, the_record_of_every_scene);
   tcase_add_test(c, every_field_is_in_the_tables);
   tcase_add_loop_test(c, types_exchanged_and_huge_numbers, 0, 4);
@@ -530,7 +511,7 @@ Suite *report_suite(void) {
   suite_add_tcase(s, c);
 
   c = tcase_create("paper");
-  tcase_add_checked_fixture(c, open_files, close_files);
+  tcase_add_checked_fixture(c, paper_open, paper_close);
   tcase_add_test(c, the_papers_record);
   tcase_add_test(c, cut_off_anywhere);
   suite_add_tcase(s, c);

@@ -11,21 +11,6 @@
 #include "table.h"
 #include "value/title.h"
 
-static struct model model;
-static struct claims claims;
-
-static void open_paper(void) {
-  scratch_open();
-  paper_model(&model, NULL);
-  paper_claims(&claims, NULL);
-}
-
-static void close_paper(void) {
-  claims_clear(&claims);
-  model_clear(&model);
-  scratch_close();
-}
-
 static void has_title(const struct model *m, const struct claim *c, const char *want) {
   struct text title;
   struct diag d;
@@ -42,7 +27,8 @@ static struct table on_file;        /* cases/titles.tsv */
 enum { ON_FILE_ID, ON_FILE_TITLE }; /* its columns */
 
 START_TEST(titles_say_what_claims_say) {
-  has_title(&model, claim_with_id(&claims, on_file.row[_i][ON_FILE_ID]), on_file.row[_i][ON_FILE_TITLE]);
+  has_title(&the_paper.model, claim_with_id(&the_paper.claims, on_file.row[_i][ON_FILE_ID]),
+            on_file.row[_i][ON_FILE_TITLE]);
 }
 END_TEST
 
@@ -53,14 +39,14 @@ START_TEST(titles_are_read_as_they_stand) {
   struct diag d;
   text_init(&title);
   diag_init(&d);
-  ck_assert_msg(titles_check(&model, &claims, &d), "%s", d.message);
-  for (size_t i = 0; i < claims.n; i++) {
+  ck_assert_msg(titles_check(&the_paper.model, &the_paper.claims, &d), "%s", d.message);
+  for (size_t i = 0; i < the_paper.claims.n; i++) {
     text_reset(&title);
-    ck_assert(claim_title(&title, &model, &claims.claim[i], &d));
+    ck_assert(claim_title(&title, &the_paper.model, &the_paper.claims.claim[i], &d));
     const char *s = text_str(&title);
-    ck_assert_msg(title.len > 3 && title.len < LONGEST, "%s: %s", claims.claim[i].id, s);
+    ck_assert_msg(title.len > 3 && title.len < LONGEST, "%s: %s", the_paper.claims.claim[i].id, s);
     ck_assert_msg(!strpbrk(s, "*{}[]\\$;") && !strstr(s, "  ") && !strstr(s, " , ") && !strstr(s, "first_order"),
-                  "%s: %s", claims.claim[i].id, s);
+                  "%s: %s", the_paper.claims.claim[i].id, s);
   }
   text_clear(&title);
 }
@@ -83,7 +69,7 @@ static const struct claim *one_claim(struct claims *own, const char *fields) {
 
 START_TEST(titles_follow_the_fields) {
   struct claims own = {.n = 0};
-  has_title(&model, one_claim(&own, damaged.row[_i][DAMAGED_FIELDS]), damaged.row[_i][DAMAGED_TITLE]);
+  has_title(&the_paper.model, one_claim(&own, damaged.row[_i][DAMAGED_FIELDS]), damaged.row[_i][DAMAGED_TITLE]);
   claims_clear(&own);
 }
 END_TEST
@@ -103,7 +89,8 @@ static void is_refused(const char *title, int column, const char *says) {
   diag_init(&d);
   text_printf(&fields, "kind: outside\n  title: %s\n", title);
   const struct claim *c = one_claim(&own, text_str(&fields));
-  ck_assert_msg(!titles_check(&model, &own, &d) && !claim_title(&out, &model, c, &d), "%s is taken", title);
+  ck_assert_msg(!titles_check(&the_paper.model, &own, &d) && !claim_title(&out, &the_paper.model, c, &d), "%s is taken",
+                title);
   snprintf(place, sizeof place, "own.claim:4:%d: error: own: ", column);
   ck_assert_msg(strstr(d.message, place) && strstr(d.message, says), "%s\ninstead of %s...%s", d.message, place, says);
   text_clear(&out);
@@ -124,7 +111,7 @@ START_TEST(words_that_name_nothing) {
     struct text fields;
     text_init(&fields);
     text_printf(&fields, "kind: outside\n  title: %s\n", titles[i]);
-    has_title(&model, one_claim(&own, text_str(&fields)), titles[i]);
+    has_title(&the_paper.model, one_claim(&own, text_str(&fields)), titles[i]);
     text_clear(&fields);
     claims_clear(&own);
   }
@@ -143,7 +130,7 @@ START_TEST(titles_that_cannot_be_made) {
   text_init(&out);
   diag_init(&d);
   const struct claim *c = one_claim(&own, lacking.row[_i][LACKING_FIELDS]);
-  ck_assert_msg(!claim_title(&out, &model, c, &d), "%s", text_str(&out));
+  ck_assert_msg(!claim_title(&out, &the_paper.model, c, &d), "%s", text_str(&out));
   snprintf(place, sizeof place, "own.claim:%d:%d: error: own: ", atoi(lacking.row[_i][LACKING_LINE]),
            atoi(lacking.row[_i][LACKING_COLUMN]));
   ck_assert_msg(strstr(d.message, place) && strstr(d.message, lacking.row[_i][LACKING_SAYS]), "%s\ninstead of %s...%s",
@@ -159,7 +146,7 @@ START_TEST(no_title_beside_what_makes_one) {
   struct diag d;
   diag_init(&d);
   one_claim(&own, "kind: identity\n  statement: eq-4\n  title: the masses are faster than the belt\n");
-  ck_assert(!titles_check(&model, &own, &d));
+  ck_assert(!titles_check(&the_paper.model, &own, &d));
   ck_assert_msg(strstr(d.message, "own.claim:5:3: error: own: its attributes make the title"), "%s", d.message);
   claims_clear(&own);
 }
@@ -198,7 +185,7 @@ Suite *title_suite(void) {
   table_read(&damaged, "tests/cases/titles_of_fields.tsv", 2);
   table_read(&on_file, "tests/cases/titles.tsv", 2);
   TCase *c = tcase_create("title");
-  tcase_add_checked_fixture(c, open_paper, close_paper);
+  tcase_add_checked_fixture(c, paper_open, paper_close);
   tcase_add_loop_test(c, titles_say_what_claims_say, 0, on_file.n);
   tcase_add_test(c, titles_are_read_as_they_stand);
   tcase_add_loop_test(c, titles_follow_the_fields, 0, damaged.n);

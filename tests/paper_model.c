@@ -50,6 +50,28 @@ void paper_scene(struct scene *s) {
   ck_assert_msg(scene_load(s, "paper", "verify", &d), "%s", d.message);
 }
 
+struct paper_on_file the_paper;
+
+void paper_open(void) {
+  scratch_open();
+  paper_model(&the_paper.model, &(struct paper_layers){.controls = true});
+  paper_claims(&the_paper.claims, &the_paper.controls);
+  paper_statements(&the_paper.statements, &the_paper.roots);
+  paper_scene(&the_paper.scene);
+  the_paper.cache = orbit_cache_new();
+}
+
+void paper_close(void) {
+  orbit_cache_free(the_paper.cache);
+  scene_clear(&the_paper.scene);
+  claims_clear(&the_paper.roots);
+  claims_clear(&the_paper.statements);
+  claims_clear(&the_paper.controls);
+  claims_clear(&the_paper.claims);
+  model_clear(&the_paper.model);
+  scratch_close();
+}
+
 bool judge_text(struct audit_result *r, const struct model *m, const char *text, const struct scene *s,
                 const char *only, struct diag *d) {
   struct claims claims = {.n = 0}, none = {.n = 0};

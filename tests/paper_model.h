@@ -6,6 +6,7 @@
 #include "model/model.h"
 #include "record/result.h"
 #include "scene/scene.h"
+#include "value/point.h"
 
 /* Files besides the paper's, by path, or in place of those of verify/; all NULL: the paper with its corrections. */
 struct paper_layers {
@@ -26,6 +27,16 @@ void paper_claims(struct claims *claims, struct claims *controls);
 void paper_scene(struct scene *s);
 /* The paper's statements and the roots of its discrepancies, with which an audit says what the program says. */
 void paper_statements(struct claims *statements, struct claims *roots);
+
+/* All of it at once, with the records of the controls, beside a scratch folder: fixtures. */
+extern struct paper_on_file {
+  struct model model;
+  struct claims claims, controls, statements, roots;
+  struct scene scene;
+  struct orbit_cache *cache;
+} the_paper;
+void paper_open(void);
+void paper_close(void);
 
 /* Judges claims of a test's own, those that `only` selects, without the studies of a whole audit; false with d set when
    they are at fault.  r is to be cleared in either case. */
