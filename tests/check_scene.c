@@ -21,6 +21,7 @@
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
+#include "value/printed.h"
 
 #define REST "eta = 1\nV = 1\ne1 = 2\ne2 = 1\n"
 #define GOOD "chi = 0.8\n" REST
@@ -250,6 +251,109 @@ static bool load(struct scene *s, struct diag *d, const char *text, const struct
   diag_init(d);
   return scene_load_with(s, scratch_put("case.scene", text), "no-such-folder", o, true, d);
 }
+
+START_TEST(scenes_are_exact) {
+  struct scene s;
+  struct diag d;
+  ck_assert_msg(load(&s, &d,
+                     "# a comment\ntitle: exact\nchi = 0.8\neta = (1 + 1/3)^3/(10 - 7.5)\nV = 1e-12\n"
+                     "e1 = 12345678901234567890.123456789\ne2 = 3*2^(-3)\nu_r2 = -(-2.5)\n",
+                     NULL),
+                "%s", d.message);
+  is_rational(&s.value[KEY_CHI], "4/5");
+  is_rational(&s.value[KEY_ETA], "128/135");
+  is_rational(&s.value[KEY_V], "1/1000000000000");
+  is_rational(&s.value[KEY_E1], "12345678901234567890123456789/1000000000");
+  is_rational(&s.value[KEY_E2], "3/8");
+  is_rational(&s.value[KEY_U_R2], "5/2");
+  ck_assert(s.given[KEY_E2] && s.given[KEY_U_R2] && !s.given[KEY_U_R1]);
+  ck_assert_str_eq(s.title, "exact");
+  ck_assert_str_eq(s.name, "case");
+  scene_clear(&s);
+}
+END_TEST
+
+START_TEST(line_ends_marks_and_blanks_do_not_matter) {
+  static const char *const texts[] = {("chi = 0.8\r\neta = 1\r\nV = 1\r\ne1 = 2\r\ne2 = 1\r\n"), ("\xEF\xBB\xBF" GOOD),
+                                      (GOOD "\n\n  # the end"), ("chi =\n    4\n    /5 # four fifths\n" REST),
+                                      ("chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1")};
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    struct scene s;
+    struct diag d;
+    ck_assert_msg(load(&s, &d, texts[i], NULL), "text %zu: %s", i, d.message);
+    is_rational(&s.value[KEY_CHI], "4/5");
+    is_rational(&s.value[KEY_E2], "1");
+    scene_clear(&s);
+  }
+}
+END_TEST
+
+START_TEST(the_last_printed_digit) {
+  static const struct {
+    const char *decimal, *value, *unit;
+  } cases[] = {{"0.6784", "6784/10000", "1/10000"},
+               {"2", "2", "1"},
+               {"-2.1958", "-21958/10000", "1/10000"},
+               {"1.50", "3/2", "1/100"},
+               {"120", "120", "1"},
+               {".5", "1/2", "1/10"},
+               {"1e5", "100000", "100000"},
+               {"2.5e-3", "1/400", "1/10000"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char text[200];
+    struct scene s;
+    struct diag d;
+    snprintf(text, sizeof text, GOOD "printed: x_1 = %s\n", cases[i].decimal);
+    ck_assert_msg(load(&s, &d, text, NULL), "%s", d.message);
+    const struct printed_number *p = scene_printed(&s, "x_1");
+    ck_assert(p != NULL && scene_printed(&s, "x_2") == NULL);
+    ck_assert_str_eq(p->decimal, cases[i].decimal);
+    is_rational(&p->value, cases[i].value);
+    is_rational(&p->unit, cases[i].unit);
+    scene_clear(&s);
+  }
+}
+END_TEST
+
+START_TEST(a_decimal_is_read_rounded_or_cut_off) {
+  static const struct {
+    const char *decimal, *x;
+    truth fits;
+    enum reading how;
+  } cases[] = {{"0.6784", "0.67834999", TRUTH_FALSE, 0},
+               {"0.6784", "0.67835001", TRUTH_TRUE, READ_ROUNDED},
+               {"0.6784", "0.67844999", TRUTH_TRUE, READ_ROUNDED},
+               {"0.6784", "0.67845001", TRUTH_TRUE, READ_TRUNCATED},
+               {"0.6784", "0.67849999", TRUTH_TRUE, READ_TRUNCATED},
+               {"0.6784", "0.67850001", TRUTH_FALSE, 0},
+               {"-2.1958", "-2.19574999", TRUTH_FALSE, 0},
+               {"-2.1958", "-2.19575001", TRUTH_TRUE, READ_ROUNDED},
+               {"-2.1958", "-2.19584999", TRUTH_TRUE, READ_ROUNDED},
+               {"-2.1958", "-2.19589999", TRUTH_TRUE, READ_TRUNCATED},
+               {"-2.1958", "-2.19590001", TRUTH_FALSE, 0},
+               {"0.6784", "0.67835 +/- 1e-9", TRUTH_UNKNOWN, 0}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char text[200];
+    struct scene s;
+    struct diag d;
+    arb_t x, whole;
+    arb_init(x);
+    arb_init(whole);
+    snprintf(text, sizeof text, GOOD "printed: q = %s\n", cases[i].decimal);
+    ck_assert_msg(load(&s, &d, text, NULL), "%s", d.message);
+    ck_assert(arb_set_str(x, cases[i].x, 200) == 0);
+    enum reading how = N_READINGS;
+    truth fits = printed_fits(x, scene_printed(&s, "q"), &how);
+    printed_ball(whole, scene_printed(&s, "q"));
+    ck_assert_msg(fits == cases[i].fits, "%s as %s: %d", cases[i].x, cases[i].decimal, (int)fits);
+    if (fits == TRUTH_TRUE) ck_assert_int_eq(how, cases[i].how);
+    if (fits != TRUTH_UNKNOWN) ck_assert_int_eq(arb_overlaps(whole, x), fits == TRUTH_TRUE);
+    scene_clear(&s);
+    arb_clear(whole);
+    arb_clear(x);
+  }
+}
+END_TEST
 
 /* By hand: sqrt(4/9) = 2/3; e1 = 3 (2/3) = 2, e2 = 2/5 + 2/3^2 = 28/45. */
 START_TEST(values_use_each_other) {
@@ -912,6 +1016,10 @@ Suite *scene_suite(void) {
   c = tcase_create("scene");
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, the_library_is_readable);
+  tcase_add_test(c, scenes_are_exact);
+  tcase_add_test(c, line_ends_marks_and_blanks_do_not_matter);
+  tcase_add_test(c, the_last_printed_digit);
+  tcase_add_test(c, a_decimal_is_read_rounded_or_cut_off);
   tcase_add_test(c, values_use_each_other);
   tcase_add_test(c, order_does_not_matter);
   tcase_add_test(c, overrides_print_in_any_order);
