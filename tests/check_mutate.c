@@ -8,11 +8,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/crew.h"
+#include "command.h"
 #include "every.h"
 #include "judge/judge.h"
 #include "paper_model.h"
@@ -976,25 +976,17 @@ static bool works(pid_t pid) {
 /* Ended in the midst of its work, by Ctrl-C for all or by a signal for the parent alone: no file, no process is
    left. */
 START_TEST(an_interrupted_run_leaves_nothing) {
-  const char *out = scratch_path("interrupted");
-  fflush(NULL);
-  pid_t pid = fork();
-  ck_assert(pid >= 0);
-  if (pid == 0) {
-    process_as_from_a_shell();
-    setpgid(0, 0);
-    if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(127);
-    execl(program(), program(), "mutate", "--only", "quotation", "--count", "all", "--jobs", "3", "--out", out,
-          (char *)NULL);
-    _exit(127);
-  }
-  setpgid(pid, pid);
-  ck_assert(process_until(works, pid));
-  ck_assert(kill(_i ? pid : -pid, _i ? SIGKILL : SIGINT) == 0);
-  ck_assert_int_lt(process_end(pid), 0);
-  ck_assert(process_until(group_has_ended, pid));
-  struct stat st;
-  ck_assert(stat(out, &st) != 0);
+  const char *args[] = {
+      "mutate", "--only", "quotation", "--count", "all", "--jobs", "3", "--out", scratch_path("interrupted"), NULL};
+  struct job j;
+  job_start(&j, &(struct job_place){.group = true}, program(), args);
+  ck_assert(process_until(works, j.pid));
+  ck_assert(kill(_i ? j.pid : -j.pid, _i ? SIGKILL : SIGINT) == 0);
+  job_finish(&j);
+  ck_assert_int_lt(j.status, 0);
+  ck_assert(process_until(group_has_ended, j.pid));
+  ck_assert(!scratch_has("interrupted"));
+  job_clear(&j);
 }
 END_TEST
 

@@ -2,7 +2,6 @@
    routes and values that scenes ask for; the plan; ends from outside. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include <check.h>
-#include <fcntl.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -826,23 +825,6 @@ END_TEST
 
 /* --- The program --- */
 
-/* Starts verify with its output in the file "said". */
-static pid_t start(const char *const *args) {
-  const char *said = scratch_path("said");
-  pid_t pid = fork();
-  ck_assert_int_ge(pid, 0);
-  if (pid > 0) return pid;
-  process_as_from_a_shell();
-  setpgid(0, 0);
-  int fd = open(said, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  dup2(fd, STDOUT_FILENO);
-  dup2(fd, STDERR_FILENO);
-  const char *argv[16] = {program(), "verify"};
-  for (int i = 0; args[i] && i < 12; i++) argv[i + 2] = args[i];
-  execv(argv[0], (char *const *)(uintptr_t)argv);
-  _exit(127);
-}
-
 /* The old report's bytes. */
 static void old_report(const char *folder) {
   char path[64];
@@ -863,16 +845,12 @@ static void check_old_report(const char *folder) {
 }
 
 START_TEST(the_clock_ends_it) {
-  static const char *const jobs[] = {"1", "3"};
   old_report("out");
-  for (int i = 0; i < 2; i++) {
-    const char *args[] = {"paper", "--timeout", "0.15", "--jobs", jobs[i], "--out", scratch_path("out"), NULL};
-    ck_assert_int_eq(process_end(start(args)), 5);
-    check_says("said", "time limit");
+  for (int jobs = 1; jobs <= 3; jobs += 2) {
+    shell_ends(5, "time limit", "$P verify paper --timeout 0.15 --jobs %d --out $D/out", jobs);
     check_old_report("out");
   }
-  const char *args[] = {"paper", "--timeout", "600", "--only", "eq-13", "--out", scratch_path("good"), NULL};
-  ck_assert_int_eq(process_end(start(args)), 0);
+  shell_well("$P verify paper --timeout 600 --only eq-13 --out $D/good");
 }
 END_TEST
 
@@ -888,34 +866,30 @@ START_TEST(signals_end_it) {
   static const int number[] = {SIGINT, SIGTERM};
   old_report("out");
   for (int i = 0; i < 4; i++) {
-    const char *args[] = {"paper", "--jobs", i < 2 ? "1" : "3", "--out", scratch_path("out"), NULL};
-    pid_t pid = start(args);
-    ck_assert(process_until(i < 2 ? works : works_with_others, pid));
-    kill(pid, number[i % 2]);
-    ck_assert_int_eq(process_end(pid), 5);
-    check_says("said", "interrupted");
+    const char *args[] = {"verify", "paper", "--jobs", i < 2 ? "1" : "3", "--out", scratch_path("out"), NULL};
+    struct job j;
+    job_start(&j, &(struct job_place){.group = true}, program(), args);
+    ck_assert(process_until(i < 2 ? works : works_with_others, j.pid));
+    kill(j.pid, number[i % 2]);
+    job_finish(&j);
+    ck_assert_msg(j.status == 5 && strstr(j.err, "interrupted"), "%d: %s", j.status, j.err);
     check_old_report("out");
-    ck_assert(process_until(group_has_ended, pid));
+    ck_assert(process_until(group_has_ended, j.pid));
+    job_clear(&j);
   }
 }
 END_TEST
 
 /* Reports of two scenes would stand in one folder: nothing is judged, and nothing lost. */
 START_TEST(scenes_have_folders_of_their_own) {
-  char a[200], b[200];
-  mkdir(scratch_path("a"), 0777);
-  mkdir(scratch_path("b"), 0777);
-  snprintf(a, sizeof a, "%s", scratch_put("a/x.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n"));
-  snprintf(b, sizeof b, "%s", scratch_put("b/x.scene", "chi = 0.7\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n"));
-  const char *same[] = {"paper", a, b, "--only", "eq-27", "--out", scratch_path("out"), NULL};
-  ck_assert_int_eq(process_end(start(same)), 2);
-  check_says("said", "would both write to");
-  ck_assert_int_ne(access(scratch_path("out"), F_OK), 0);
-  const char *apart[] = {"paper", b, "--only", "eq-27", "--out", scratch_path("out"), NULL};
-  ck_assert_int_eq(process_end(start(apart)), 0);
+  shell_well("mkdir $D/a $D/b");
+  scratch_put("a/x.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n");
+  scratch_put("b/x.scene", "chi = 0.7\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n");
+  shell_ends(2, "would both write to", "$P verify paper $D/a/x.scene $D/b/x.scene --only eq-27 --out $D/out");
+  ck_assert(!scratch_has("out"));
+  shell_well("$P verify paper $D/b/x.scene --only eq-27 --out $D/out");
   ck_assert_str_eq(scratch_list(scratch_path("out")), "paper x");
-  const char *plan[] = {a, b, "--only", "eq-27", "--plan", NULL};
-  ck_assert_int_eq(process_end(start(plan)), 0);
+  shell_well("$P verify $D/a/x.scene $D/b/x.scene --only eq-27 --plan");
 }
 END_TEST
 
@@ -923,14 +897,11 @@ END_TEST
 START_TEST(no_verdict_rests_on_costs) {
   shell_well("cp -R verify \"$D/data\" && echo 'claim\teq-27\tmany' >> \"$D/data/costs.tsv\"");
   setenv("STICKSLIP_DATA", scratch_path("data"), 1);
-  const char *args[] = {"paper", "--only", "eq-27,eq-3", "--out", scratch_path("out"), NULL};
-  ck_assert_int_eq(process_end(start(args)), 0);
+  shell_well("$P verify paper --only eq-27,eq-3 --out $D/out > $D/said 2>&1");
   check_says("said", "stickslip: warning: no cost is estimated: ");
   check_says("said", "costs.tsv:");
   check_says("said", "as recorded\n");
-  const char *plan[] = {"paper", "--only", "eq-27", "--plan", NULL};
-  ck_assert_int_eq(process_end(start(plan)), 0);
-  check_says("said", "cost not measured");
+  shell_ends(0, "cost not measured", "$P verify paper --only eq-27 --plan");
   unsetenv("STICKSLIP_DATA");
 }
 END_TEST
@@ -950,35 +921,29 @@ static const char *asking_much(int n, const char *more) {
 
 /* What verify writes report reads: 312 times 32 values and 8 of each orbit are the most that there can be. */
 START_TEST(values_have_one_limit) {
-  static const char numbers[] = "z10, z20, t_a, t_b, t_c, t_d, period, trace";
-  const char *out = scratch_path("out");
-  const char *most[] = {asking_much(312, numbers), "--out", out, NULL};
-  ck_assert_int_eq(process_end(start(most)), 0);
-  check_says("said", ": 0 statements; 10000 values; as recorded\n");
-  shell_well("\"$P\" report %s && \"$P\" diff %s/audit.json %s/audit.json", out, out, out);
-  const char *more[] = {asking_much(312, "z10, z20, t_a, t_b, t_c, t_d, period, trace, chi"), "--out",
-                        scratch_path("more"), NULL};
-  ck_assert_int_eq(process_end(start(more)), 3);
-  check_says("said", "much.scene:6:");
-  check_says("said", "more than 10000 values");
-  const char *large[] = {asking_much(75, "z10\ndigits: 2000"), "--out", scratch_path("more"), NULL};
-  ck_assert_int_eq(process_end(start(large)), 3);
-  check_says("said", "much.scene:6:");
-  check_says("said", "more than 4194304 bytes");
-  ck_assert_int_ne(access(scratch_path("more"), F_OK), 0);
+  static const char numbers[] = "z10, z20, t_a, t_b, t_c, t_d, period, trace",
+                    *const too_many[][2] = {
+                        {"more than 10000 values", "z10, z20, t_a, t_b, t_c, t_d, period, trace, chi"},
+                        {"more than 4194304 bytes", "z10\ndigits: 2000"}};
+  shell_ends(0, ": 0 statements; 10000 values; as recorded\n", "$P verify %s --out $D/out", asking_much(312, numbers));
+  shell_well("$P report $D/out && $P diff $D/out/audit.json $D/out/audit.json");
+  for (int i = 0; i < 2; i++) {
+    shell_ends(3, "", "$P verify %s --out $D/more > $D/said 2>&1", asking_much(i ? 75 : 312, too_many[i][1]));
+    check_says("said", "much.scene:6:");
+    check_says("said", too_many[i][0]);
+  }
+  ck_assert(!scratch_has("more"));
 }
 END_TEST
 
 START_TEST(plans_write_nothing) {
-  const char *words[] = {"paper", "--plan", "--out", scratch_path("out"), NULL};
-  ck_assert_int_eq(process_end(start(words)), 0);
-  ck_assert_int_ne(access(scratch_path("out"), F_OK), 0);
+  shell_well("$P verify paper --plan --out $D/out > $D/said");
+  ck_assert(!scratch_has("out"));
   check_says("said", "\n  eq-27            matrix; ");
   check_says("said", "\n    routes balls, fd, exact\n    points arcs 24, orbits 8\n");
   check_says("said", "estimate: ");
-  const char *json[] = {"paper", "--plan", "--json", "--only", "eq-27,num-t_a", NULL};
-  ck_assert_int_eq(process_end(start(json)), 0);
-  shell_well("\"$Y\" tests/oracle/validate.py schema/plan.schema.json \"$D/said\"");
+  shell_well("$P verify paper --plan --json --only eq-27,num-t_a > $D/said");
+  shell_well("$Y tests/oracle/validate.py schema/plan.schema.json $D/said");
 }
 END_TEST
 

@@ -13,12 +13,12 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/arena.h"
 #include "base/decimal.h"
 #include "base/part.h"
+#include "command.h"
 #include "every.h"
 #include "explore/bifurcate.h"
 #include "explore/family.h"
@@ -571,52 +571,61 @@ static bool has_written_enough(pid_t pid) {
 }
 
 /* A run that takes long, once it has written so many bytes; resume: what another left. */
-static pid_t start_long(bool resume, off_t size) {
-  fflush(NULL);
-  pid_t pid = fork();
-  ck_assert(pid >= 0);
-  if (pid == 0) {
-    process_as_from_a_shell();
-    FILE *err = freopen(scratch_path("err"), "w", stderr);
-    if (err)
-      execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:20", "--over", "e2=0.5:3:150", "--csv",
-            scratch_path("long"), resume ? "--resume" : (char *)NULL, (char *)NULL);
-    _exit(127);
-  }
+static void start_long(struct job *j, bool resume, off_t size) {
+  const char *args[] = {"sweep",
+                        "paper",
+                        "--over",
+                        "e1=2:4:20",
+                        "--over",
+                        "e2=0.5:3:150",
+                        "--csv",
+                        scratch_path("long"),
+                        resume ? "--resume" : NULL,
+                        NULL};
+  job_start(j, NULL, program(), args);
   enough = size;
-  ck_assert(process_until(has_written_enough, pid));
-  return pid;
+  ck_assert(process_until(has_written_enough, j->pid));
 }
 
-static void interrupt(pid_t pid, int number) {
-  kill(pid, number);
-  ck_assert_int_eq(process_end(pid), 5);
-  check_says("err", "long.part holds ");
-  ck_assert(access(scratch_path("long"), F_OK) != 0);
+/* What it wrote before it ended is there, and the file not. */
+static void ends_with(struct job *j, const char *says) {
+  job_finish(j);
+  ck_assert_msg(j->status == 5 && strstr(j->err, says) && strstr(j->err, "long.part holds "), "%d: %s", j->status,
+                j->err);
+  ck_assert(!scratch_has("long"));
+  job_clear(j);
 }
 
-static void interrupt_with(int number) {
-  interrupt(start_long(false, 60000), number);
+static void interrupt(struct job *j, int number) {
+  kill(j->pid, number);
+  ends_with(j, "");
+}
+
+/* The bytes that a run leaves which is interrupted. */
+static off_t left_by(int number) {
+  struct stat st;
+  struct job j;
+  start_long(&j, false, 60000);
+  interrupt(&j, number);
+  ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
+  return st.st_size;
 }
 
 /* The lock outlives that the file was read. */
 START_TEST(one_run_continues_a_file) {
-  struct stat st;
-  interrupt_with(SIGINT);
-  ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
-  pid_t pid = start_long(true, st.st_size + 60000);
+  struct job j;
+  start_long(&j, true, left_by(SIGINT) + 60000);
   shell_ends(3, "long.part: error: another process is writing this file",
              "\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
-  interrupt(pid, SIGTERM);
+  interrupt(&j, SIGTERM);
 }
 END_TEST
 
 /* Twice, by one signal and by the other. */
 START_TEST(signals_leave_a_file_to_resume) {
-  struct stat st;
-  interrupt_with(SIGINT);
-  ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
-  interrupt(start_long(true, st.st_size + 60000), SIGTERM);
+  struct job j;
+  start_long(&j, true, left_by(SIGINT) + 60000);
+  interrupt(&j, SIGTERM);
   shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
   shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 | cmp - \"$D/long\"");
 }
@@ -635,15 +644,14 @@ static pid_t child_of(pid_t pid) {
 
 /* What it had cannot be told from what the others have: the run ends, and another goes on. */
 START_TEST(a_process_that_is_killed_is_noticed) {
-  int s;
-  pid_t pid = start_long(false, 60000), child = child_of(pid);
+  struct job j;
+  start_long(&j, false, 60000);
+  pid_t child = child_of(j.pid);
   ck_assert_int_gt(child, 0);
   kill(child, SIGKILL);
-  ck_assert(waitpid(pid, &s, 0) == pid);
-  ck_assert_msg(WIFEXITED(s) && WEXITSTATUS(s) == 5, "ended with %x", (unsigned)s);
-  check_says("err", "a worker process ended before its time");
-  check_says("err", "long.part holds ");
-  interrupt(start_long(true, 120000), SIGINT);
+  ends_with(&j, "a worker process ended before its time");
+  start_long(&j, true, 120000);
+  interrupt(&j, SIGINT);
 }
 END_TEST
 
@@ -654,20 +662,15 @@ static bool has_shown_enough(pid_t pid) {
 }
 
 START_TEST(a_signal_ends_what_goes_to_no_file) {
-  fflush(NULL);
-  pid_t pid = fork();
-  ck_assert(pid >= 0);
-  if (pid == 0) {
-    process_as_from_a_shell();
-    if (freopen(scratch_path("err"), "w", stderr) && freopen(scratch_path("rows"), "w", stdout))
-      execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:60", "--over", "e2=0.5:3:1000", (char *)NULL);
-    _exit(127);
-  }
+  const char *args[] = {"sweep", "paper", "--over", "e1=2:4:60", "--over", "e2=0.5:3:1000", NULL};
+  struct job j;
+  job_start(&j, &(struct job_place){.out = scratch_path("rows")}, program(), args);
   enough = 100000;
-  ck_assert(process_until(has_shown_enough, pid));
-  kill(pid, SIGINT);
-  ck_assert_int_eq(process_end(pid), 5);
-  check_says("err", "stickslip: interrupted\n");
+  ck_assert(process_until(has_shown_enough, j.pid));
+  kill(j.pid, SIGINT);
+  job_finish(&j);
+  ck_assert_msg(j.status == 5 && strstr(j.err, "stickslip: interrupted\n"), "%d: %s", j.status, j.err);
+  job_clear(&j);
 }
 END_TEST
 

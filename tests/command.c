@@ -39,6 +39,7 @@ static void set_in_environment(const char *pair) {
 /* In the child. */
 static void go_to(const struct job_place *p, const char *out, const char *err) {
   process_as_from_a_shell();
+  if (p->group) setpgid(0, 0);
   redirect(err, STDERR_FILENO);
   if (strcmp(out, "closed") == 0)
     close(STDOUT_FILENO);
@@ -73,6 +74,7 @@ void job_start(struct job *j, const struct job_place *place, const char *file, c
   fflush(NULL);
   j->pid = fork();
   ck_assert(j->pid >= 0);
+  if (j->pid > 0 && place->group) setpgid(j->pid, j->pid); /* whichever of the two is the first */
   if (j->pid == 0) {
     go_to(place, place->out ? place->out : j->out_path, j->err_path);
     alarm(TIME_LIMIT);
