@@ -51,7 +51,7 @@ FUZZ  = reader latex model claims scene system json report options certificate q
 SLOW  = terminal html mutate scene certify report hostile cli messages plan mech jacobian stable pictures exact words complete sweep argument
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
 # make quick: suites that find most in a second
-QUICK = num base expr latex edit tape model dynamics map given argument law routes behaviour audit diff
+QUICK = num base expr latex edit tape model dynamics map given argument law routes behaviour audit value diff
 # processes at a time
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 # seconds for each target of make fuzz; where what it finds new goes
