@@ -297,7 +297,6 @@ START_TEST(conditions_are_the_margins_of_the_orbit) {
     point_clear(&p);
   }
   ck_assert(done == ORBITS && said[TRUTH_TRUE] > 100 && said[TRUTH_FALSE] > 20 && said[TRUTH_UNKNOWN] == 0);
-  orbit_pool_free(j.pool);
   conditions_clear(&list);
   text_clear(&t);
   claims_clear(&claims);
@@ -324,25 +323,23 @@ START_TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
   }
   dyn_arc_clear(&arc);
   num_vec_clear(&params);
-  orbit_pool_free(j.pool);
 }
 END_TEST
 
 /* Nor does an answer depend on which claims were judged before: a control that only has to be refuted draws few orbits,
    and what is asked next has all of them, of which those few are the first. */
 START_TEST(the_pool_does_not_remember_who_asked_first) {
-  struct judge refute = {.cache = the_paper.cache, .effort = EFFORT_REFUTE}, full = {.cache = the_paper.cache};
+  struct judge refute = {.cache = orbit_cache_new(), .effort = EFFORT_REFUTE}, full = {.cache = refute.cache};
   size_t few = orbit_pool_get(&refute).n;
-  full.pool = refute.pool;
-  struct judge fresh = {.cache = the_paper.cache};
+  struct judge fresh = {.cache = orbit_cache_new()};
   struct orbit_pool all = orbit_pool_get(&full), first = orbit_pool_get(&fresh), again = orbit_pool_get(&refute);
   ck_assert_uint_lt(few, all.n);
   ck_assert_uint_eq(all.n, first.n);
   ck_assert_uint_eq(again.n, few);
   for (size_t i = 0; i < all.n; i++)
     for (int k = 0; k < N_DRAW; k++) ck_assert(fmpq_equal(&all.item[i]->q[k], &first.item[i]->q[k]));
-  orbit_pool_free(full.pool);
-  orbit_pool_free(fresh.pool);
+  orbit_cache_free(full.cache);
+  orbit_cache_free(fresh.cache);
 }
 END_TEST
 

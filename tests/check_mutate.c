@@ -27,7 +27,6 @@
 #include "table.h"
 #include "tape/exact.h"
 #include "value/expression.h"
-#include "value/orbit_pool.h"
 
 static const struct claim *claim_of(const char *id) {
   return claim_with_id(&the_paper.claims, id);
@@ -448,8 +447,7 @@ END_TEST
 
 /* --- That what is noticed is the damage --- */
 
-static struct judge judge_with(struct audit_result *out, const struct model *m, struct diag *d, enum effort effort,
-                               struct orbit_pool *pool) {
+static struct judge judge_with(struct audit_result *out, const struct model *m, struct diag *d, enum effort effort) {
   audit_result_init(out);
   diag_init(d);
   return (struct judge){.out = out,
@@ -457,7 +455,6 @@ static struct judge judge_with(struct audit_result *out, const struct model *m, 
                         .claims = &the_paper.claims,
                         .scene = &the_paper.scene,
                         .cache = the_paper.cache,
-                        .pool = pool,
                         .d = d,
                         .effort = effort};
 }
@@ -467,15 +464,14 @@ struct verdicts {
 };
 
 static struct verdicts verdicts_of(const struct claim *c, const struct model *m, enum effort effort,
-                                   struct orbit_pool **pool, const bool *touched) {
+                                   const bool *touched) {
   struct audit_result out;
   struct diag d;
   struct finding f;
-  struct judge j = judge_with(&out, m, &d, effort, *pool);
+  struct judge j = judge_with(&out, m, &d, effort);
   j.touched = touched;
   ck_assert_msg(judge_verdict(&f, &j, c), "%s: %s", c->id, d.message);
   struct verdicts v = {f.verdict, f.correction ? f.correction_verdict : N_VERDICTS};
-  *pool = j.pool;
   audit_result_clear(&out);
   return v;
 }
@@ -485,7 +481,6 @@ static struct verdicts verdicts_of(const struct claim *c, const struct model *m,
 START_TEST(a_copy_of_the_text_is_not_noticed) {
   struct overlay o;
   struct arena a;
-  struct orbit_pool *pool = NULL;
   arena_init(&a);
   overlay_init(&o, &the_paper.model);
   for (size_t i = 0; i < the_paper.model.n_records; i++)
@@ -507,11 +502,10 @@ START_TEST(a_copy_of_the_text_is_not_noticed) {
   for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(3)) {
     const struct claim *c = &the_paper.claims.claim[i];
     if (claim_asked(c) == ASKED_NEVER) continue;
-    struct verdicts was = verdicts_of(c, &the_paper.model, EFFORT_REFUTE, &pool, NULL);
-    struct verdicts is = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, NULL);
+    struct verdicts was = verdicts_of(c, &the_paper.model, EFFORT_REFUTE, NULL);
+    struct verdicts is = verdicts_of(c, &o.model, EFFORT_REFUTE, NULL);
     ck_assert_msg(was.own == is.own && was.correction == is.correction, "%s", c->id);
   }
-  orbit_pool_free(pool);
   overlay_clear(&o);
   arena_clear(&a);
 }
@@ -520,13 +514,12 @@ END_TEST
 /* What little effort proves the full one proves, be it under a condition that it looks for besides; and the other way
    round: a lost proof is another verdict. */
 START_TEST(little_effort_proves_what_the_full_one_proves) {
-  struct orbit_pool *few = NULL, *all = NULL;
   long proved = 0;
   for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(2)) {
     const struct claim *c = &the_paper.claims.claim[i];
     if (claim_asked(c) != ASKED_LATE || claim_kind(c) == KIND_SCALING) continue;
-    struct verdicts little = verdicts_of(c, &the_paper.model, EFFORT_REFUTE, &few, NULL);
-    struct verdicts full = verdicts_of(c, &the_paper.model, EFFORT_FULL, &all, NULL);
+    struct verdicts little = verdicts_of(c, &the_paper.model, EFFORT_REFUTE, NULL);
+    struct verdicts full = verdicts_of(c, &the_paper.model, EFFORT_FULL, NULL);
     const char *over = claim_get(c, "over");
     bool conditional = full.own == VERDICT_CONDITIONAL && claim_get(c, "defined");
     if (!claim_kind_of(c)->of_scene && (!over || strcmp(over, "scene") != 0))
@@ -538,8 +531,6 @@ START_TEST(little_effort_proves_what_the_full_one_proves) {
     proved += little.own == VERDICT_PROVED;
   }
   ck_assert_int_gt(proved, 15 / every(2));
-  orbit_pool_free(few);
-  orbit_pool_free(all);
 }
 END_TEST
 
@@ -559,21 +550,19 @@ START_TEST(what_little_effort_notices_the_full_one_notices) {
   const struct claim *c = claim_of(late[_i].claim);
   struct overlay o;
   struct mutants m;
-  struct orbit_pool *pool = NULL;
   long seen = 0;
   overlay_init(&o, &the_paper.model);
   mutants_init(&m, &the_paper.model, &late[_i].record, 1);
-  struct verdicts was = verdicts_of(c, &the_paper.model, EFFORT_FULL, &pool, NULL);
+  struct verdicts was = verdicts_of(c, &the_paper.model, EFFORT_FULL, NULL);
   for (size_t i = 0; i < m.n; i++) {
     if (strcmp(m.mutant[i].edit.text, late[_i].text) != 0) continue;
     const struct target *t = &m.target[m.mutant[i].target];
     overlay_set(&o, t, m.mutant[i].edit.stmt);
-    ck_assert_msg(verdicts_of(c, &o.model, EFFORT_FULL, &pool, NULL).own != was.own, "%s", late[_i].text);
+    ck_assert_msg(verdicts_of(c, &o.model, EFFORT_FULL, NULL).own != was.own, "%s", late[_i].text);
     overlay_set(&o, t, NULL);
     seen++;
   }
   ck_assert_int_gt(seen, 0);
-  orbit_pool_free(pool);
   mutants_clear(&m);
   overlay_clear(&o);
 }
@@ -612,8 +601,7 @@ START_TEST(what_is_touched_is_enough_for_scaling) {
   const struct claim *c = claim_of("text-scaling");
   struct mutants m;
   struct overlay o;
-  struct orbit_pool *pool = NULL;
-  bool *touched = malloc(the_paper.model.n_records * sizeof *touched);
+  bool *touched = malloc(model.n_records * sizeof *touched);
   long refuted = 0, tried = 0;
   mutants_init(&m, &the_paper.model, record, 5);
   overlay_init(&o, &the_paper.model);
@@ -621,8 +609,8 @@ START_TEST(what_is_touched_is_enough_for_scaling) {
     const struct target *t = &m.target[m.mutant[i].target];
     overlay_set(&o, t, m.mutant[i].edit.stmt);
     target_reaches(touched, &the_paper.model, t);
-    enum verdict part = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, touched).own;
-    enum verdict all = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, NULL).own;
+    enum verdict part = verdicts_of(c, &o.model, EFFORT_REFUTE, touched).own;
+    enum verdict all = verdicts_of(c, &o.model, EFFORT_REFUTE, NULL).own;
     ck_assert_msg((part == VERDICT_REFUTED) == (all == VERDICT_REFUTED), "%s", m.mutant[i].edit.text);
     refuted += all == VERDICT_REFUTED;
     overlay_set(&o, t, NULL);

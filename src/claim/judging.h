@@ -6,7 +6,6 @@
 
 struct dependences;
 struct orbit_cache;
-struct orbit_pool;
 
 /* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then,
    but that arguments, scaling, ranks, criteria and reach are proved just where the full effort proves them.
@@ -22,7 +21,6 @@ struct judge {
   struct dependences *dependences; /* of these claims; NULL where no finding is described */
   const struct scene *scene;
   struct orbit_cache *cache;
-  struct orbit_pool *pool; /* made when first asked for */
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
   enum effort effort;

@@ -36,7 +36,6 @@ bool judge_repaired(struct finding *f, struct judge *j, const struct claim *c, c
   other.instead = repaired;
   kind_fn judge = kind == KIND_LAW ? judge_law : judge_criterion;
   bool read = judge(&again, &other, by, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
-  j->pool = other.pool;
   if (!read) {
     again.verdict = VERDICT_REFUTED;
     finding_state(f, j->out, "diagnostic", layer_name[LAYER_CORRECTED], -1, 1, NULL,

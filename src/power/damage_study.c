@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "judge/judge.h"
-#include "value/orbit_pool.h"
 #include "value/orbits.h"
 
 /* A claim without damage: its findings, and what it reads. */
@@ -18,8 +17,7 @@ struct undamaged {
 struct damage_study {
   const struct material *m;
   const struct paper_text *text;
-  struct orbit_cache *cache;
-  struct orbit_pool *pool;
+  struct orbit_cache *cache; /* no orbit depends on a formula of the paper, so that one serves every damage */
   struct undamaged *claim;
 };
 
@@ -38,7 +36,6 @@ void damage_study_free(struct damage_study *s) {
     model_use_clear(&s->claim[i].use);
   }
   free(s->claim);
-  orbit_pool_free(s->pool);
   orbit_cache_free(s->cache);
   free(s);
 }
@@ -48,19 +45,11 @@ void damage_study_free(struct damage_study *s) {
 /* One claim, or the control beside it, with everything as in this material. */
 static bool judge_one(struct audit_result *out, struct damage_study *s, const struct changed_material *of,
                       const struct claim *c, const struct claim *control, struct diag *d) {
-  struct judge j = {.out = out,
-                    .model = of->data.model,
-                    .claims = of->data.claims,
-                    .scene = of->scene,
-                    .cache = s->cache,
-                    .pool = s->pool,
-                    .d = d};
-  bool ok = control ? judge_control(&j, control, c) : judge_claim(&j, c);
-  s->pool = j.pool;
-  return ok;
+  struct judge j = {
+      .out = out, .model = of->data.model, .claims = of->data.claims, .scene = of->scene, .cache = s->cache, .d = d};
+  return control ? judge_control(&j, control, c) : judge_claim(&j, c);
 }
 
-/* An orbit pool holds no formula of the paper, so that one serves every damage. */
 static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i) {
   struct undamaged *u = &s->claim[i];
   if (u->judged) return u;
@@ -166,8 +155,7 @@ static bool control_notices(struct damage_said *out, struct damage_study *s, con
   struct audit_result r;
   struct diag d = {0};
   if (!claim) {
-    struct judge nobody = {.d = &d};
-    claim_error(&nobody, control, "claim", "a control names the claim that it damages");
+    claim_mistake(control, "claim", &d, "a control names the claim that it damages");
     say(out, FATE_REFUSED, "%s", d.message);
     return true;
   }

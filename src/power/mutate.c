@@ -12,7 +12,6 @@
 #include "mutate_data.h"
 #include "power.h"
 #include "scene/fingerprint.h"
-#include "value/orbit_pool.h"
 
 /* A claim as things stand: what it reads, what it says (of the kinds asked late: with little effort). */
 struct reader {
@@ -32,8 +31,7 @@ struct mutation_study {
   size_t n_readers;
   struct overlay overlay;
   struct facts *facts;
-  bool sound; /* without damage the checks of loaded data pass */
-  struct orbit_pool *pool;
+  bool sound;    /* without damage the checks of loaded data pass */
   bool *touched; /* records */
   struct mutants mutants;
   size_t *drawn; /* indices of mutants, ascending */
@@ -44,14 +42,8 @@ static struct judge new_judge(struct mutation_study *r, const struct model *m, s
                               enum effort effort, struct diag *d) {
   audit_result_init(out);
   diag_init(d);
-  return (struct judge){.out = out,
-                        .model = m,
-                        .claims = r->claims,
-                        .scene = r->scene,
-                        .cache = r->cache,
-                        .pool = r->pool,
-                        .d = d,
-                        .effort = effort};
+  return (struct judge){
+      .out = out, .model = m, .claims = r->claims, .scene = r->scene, .cache = r->cache, .d = d, .effort = effort};
 }
 
 /* --- As things stand --- */
@@ -69,9 +61,7 @@ static bool read_claim(struct reader *rd, struct mutation_study *r, const struct
     return true;
   }
   struct judge j = new_judge(r, &recording, &rd->said, claim_asked(c) == ASKED_LATE ? EFFORT_REFUTE : EFFORT_FULL, d);
-  bool ok = judge_claim(&j, c);
-  r->pool = j.pool;
-  if (!ok) return false;
+  if (!judge_claim(&j, c)) return false;
   for (size_t i = 0; i < r->model->n_defs; i++) rd->weight += rd->use.def[i];
   rd->asserts = asserts(&rd->said);
   return true;
@@ -186,7 +176,6 @@ static enum notice ask_late(struct mutation_study *r, const struct reader *rd) {
   else
     n = compare(was->verdict, f.verdict);
   if (n == OPEN && f.correction) n = compare(was->correction_verdict, f.correction_verdict);
-  r->pool = j.pool;
   audit_result_clear(&out);
   return n;
 }
@@ -348,7 +337,6 @@ static void run_clear(struct mutation_study *r) {
   overlay_clear(&r->overlay);
   facts_free(r->facts);
   free(r->touched);
-  orbit_pool_free(r->pool);
   orbit_cache_free(r->cache);
 }
 

@@ -9,7 +9,6 @@
 #include "judge/judge.h"
 #include "mutants.h"
 #include "power.h"
-#include "value/orbit_pool.h"
 #include "value/title.h"
 
 enum { PAIR_BUDGET = 20000 };
@@ -27,7 +26,6 @@ struct search {
   const struct claims *claims;
   const struct scene *scene;
   struct orbit_cache *cache;
-  struct orbit_pool *pool;
   struct facts *facts;
   struct overlay overlay;
   struct arena arena;
@@ -366,10 +364,8 @@ static bool add_claim(struct repair_result *out, struct search *base, const stru
                     .claims = base->claims,
                     .scene = base->scene,
                     .cache = base->cache,
-                    .pool = base->pool,
                     .d = d};
   bool ok = judge_verdict(&f, &j, c);
-  base->pool = j.pool;
   const char *why = ok ? no_search(c, f.verdict) : NULL;
   audit_result_clear(&scratch);
   if (!ok || (why && !named && strcmp(why, "it is not refuted") == 0)) return ok;
@@ -415,7 +411,6 @@ bool audit_repairs(struct repair_result *out, const struct model *m, const struc
   }
   overlay_clear(&base.overlay);
   facts_free(base.facts);
-  orbit_pool_free(base.pool);
   orbit_cache_free(base.cache);
   return ok;
 }

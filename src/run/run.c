@@ -14,7 +14,6 @@
 #include "route/studies.h"
 #include "scene/fingerprint.h"
 #include "tables.h"
-#include "value/orbit_pool.h"
 
 const char *const piece_what[] = {"claim", "consequence", "control", "study", "study", "study", "study", "study"};
 
@@ -125,11 +124,10 @@ double piece_cost(const struct piece *p, const struct costs *costs) {
 /* --- Doing them --- */
 
 struct audit_work {
-  const struct judge *base; /* its cache and pool are those of this process */
+  const struct judge *base; /* its cache is that of this process */
   const struct audit_options *opt;
   const struct audit_result *findings; /* of the first pieces */
   const struct pieces *pieces;
-  struct orbit_pool *pool;
   struct work_raises raises; /* of all pieces */
 };
 
@@ -167,7 +165,6 @@ static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag
   bool ok = true;
   j.out = part;
   j.d = d;
-  j.pool = r->pool;
   part->scene = r->findings->scene;
   switch (p->kind) {
   case PIECE_CLAIM:
@@ -195,7 +192,6 @@ static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag
     ok = values_asked(&j);
     break;
   }
-  r->pool = j.pool;
   if (r->opt->ended) r->opt->ended(r->opt->arg, piece_what[p->kind], p->name, work_units());
   return ok;
 }
@@ -384,7 +380,6 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   if (ok) skipped_describe(out, claims, controls, scene, opt, &first, &second, touched);
   pieces_clear(&second);
   pieces_clear(&first);
-  orbit_pool_free(r.pool);
   orbit_cache_free(base.cache);
   dependences_free(rests);
   return ok;

@@ -67,14 +67,15 @@ static void draw_up_to(struct orbit_pool *p, long draws) {
 struct orbit_pool orbit_pool_get(struct judge *j) {
   enum { DRAWS = 6000, FEW = 600 };
   work_touch(WORK_ORBIT_POOL);
-  if (!j->pool) {
-    j->pool = ss_malloc(sizeof *j->pool);
-    *j->pool = (struct orbit_pool){.state = 1};
-    draw_up_to(j->pool, FEW);
-    j->pool->few = j->pool->n;
+  struct orbit_pool **pool = orbit_cache_pool(j->cache);
+  if (!*pool) {
+    *pool = ss_malloc(sizeof **pool);
+    **pool = (struct orbit_pool){.state = 1};
+    draw_up_to(*pool, FEW);
+    (*pool)->few = (*pool)->n;
   }
-  if (j->effort != EFFORT_REFUTE) draw_up_to(j->pool, DRAWS);
-  struct orbit_pool seen = *j->pool;
+  if (j->effort != EFFORT_REFUTE) draw_up_to(*pool, DRAWS);
+  struct orbit_pool seen = **pool;
   if (j->effort == EFFORT_REFUTE) seen.n = seen.few;
   return seen;
 }

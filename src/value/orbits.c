@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "base/work.h"
 #include "motion/complete.h"
+#include "orbit_pool.h"
 #include "orbits.h"
 #include "printed.h"
 
@@ -83,6 +84,7 @@ struct orbit_cache {
   size_t n_followed, cap_followed;
   struct orbit_slope *slope;
   size_t n_slopes, cap_slopes;
+  struct orbit_pool *pool;
 };
 
 struct orbit_cache *orbit_cache_new(void) {
@@ -102,6 +104,7 @@ void orbit_cache_free(struct orbit_cache *c) {
     free(c->item[i]);
   }
   for (size_t i = 0; i < c->n_followed; i++) dyn_arc_clear(&c->followed[i].arc);
+  orbit_pool_free(c->pool);
   free(c->slope);
   free(c->followed);
   free(c->item);
@@ -219,6 +222,10 @@ int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit
   num_vec_set(&arc->t, &known->arc.t);
   num_vec_set(&arc->z, &known->arc.z);
   return known->status;
+}
+
+struct orbit_pool **orbit_cache_pool(struct orbit_cache *c) {
+  return &c->pool;
 }
 
 struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_orbit *o) {

@@ -121,6 +121,9 @@ const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq param
 /* The orbits among which a POINT_ORBIT is one, enclosed for work at prec bits. */
 const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec);
 
+/* Where the pool of orbit_pool.h is kept, which dies with the cache. */
+struct orbit_pool **orbit_cache_pool(struct orbit_cache *c);
+
 /* The orbits at exact chi, eta, V (of q) with exact t_b and t_c. */
 const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec);
 
