@@ -12,7 +12,7 @@ const char *claim_next_cited(struct cited *out, const char *list) {
   sscanf(item, " %47s %15s", out->id, out->phase);
   char *mark = strchr(out->id, '#');
   if (mark) {
-    sscanf(mark, "#%d.%d", &out->statement, &out->step);
+    out->misnumbered = sscanf(mark, "#%d.%d", &out->statement, &out->step) < 1 || out->statement < 1;
     *mark = '\0';
   }
   return rest;

@@ -26,6 +26,7 @@ bool claim_lists(const struct claim *c, const char *key, const char *item);
 struct cited {
   char id[48], phase[16];
   int statement, step;
+  bool misnumbered; /* no number, or none from 1 on, stands behind the # */
 };
 /* The first item of the list; where the rest begins, or NULL where there is none. */
 const char *claim_next_cited(struct cited *out, const char *list);

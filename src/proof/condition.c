@@ -2,12 +2,13 @@
 
    The rest of a tape's inputs are bound once for an orbit; only what moves is set anew for each time. */
 #include "condition.h"
+
+#include "claim/claim.h"
 #include "num/calc.h"
 #include "record/result.h"
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)", "z_2'(t)", "t",
@@ -40,15 +41,19 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
   return true;
 }
 
-/* The steps of statement `only` (from 0; -1: all), of its chain the step `step` (-1: all). */
-static bool add_record(struct conditions *list, struct judge *j, const struct claim *claim, const char *attribute,
-                       const struct statement_record *r, int only, int step, int phase, struct view view) {
+static bool add_cited(struct conditions *list, struct judge *j, const struct claim *claim, const char *attribute,
+                      const struct cited *at, struct view view) {
+  if (at->misnumbered) return claim_error(j, claim, attribute, "a statement of a record reads ID#1 or ID#1.2");
+  int phase = *at->phase ? word_find(at->phase, phase_name, N_PHASES) : -1;
+  if (phase == N_PHASES) return claim_error(j, claim, attribute, "no such phase");
+  const struct statement_record *r = view_record(&view, at->id);
+  if (!r) return claim_error(j, claim, attribute, "there is no such record in the equation files");
   bool any = false;
   for (int i = 0; i < r->n_stmts; i++) {
     const struct stmt *st = r->stmts[i];
-    if (st->kind != STMT_RELATION || (only >= 0 && i != only)) continue;
+    if (st->kind != STMT_RELATION || (at->statement && i + 1 != at->statement)) continue;
     for (int k = 0; k + 1 < st->n_sides; k++) {
-      if (step >= 0 && k != step) continue;
+      if (at->step > 0 && k + 1 != at->step) continue;
       if (list->n == MAX_CONDITIONS) return claim_error(j, claim, attribute, "too many conditions");
       struct condition *c = &list->at[list->n++];
       *c = (struct condition){.equation = r->equation, .phase = (enum phase)(phase < 0 ? 0 : phase)};
@@ -75,26 +80,12 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
 
 bool conditions_read(struct conditions *list, struct judge *j, const struct claim *c, const char *attribute,
                      struct view view) {
-  const char *p = claim_get(c, attribute);
+  struct cited at;
   list->n = 0;
-  while (p && *p) {
-    char item[64], id[48], phase[16] = "";
-    size_t n = strcspn(p, ",");
-    snprintf(item, sizeof item, "%.*s", (int)(n < sizeof item ? n : sizeof item - 1), p);
-    p += n + (p[n] == ',');
-    if (sscanf(item, " %47s %15s", id, phase) < 1) return claim_error(j, c, attribute, "an empty item");
-    int only = 0, step = 0;
-    char *mark = strchr(id, '#');
-    if (mark) {
-      if (sscanf(mark, "#%d.%d", &only, &step) < 1 || only < 1)
-        return claim_error(j, c, attribute, "a statement of a record reads ID#1 or ID#1.2");
-      *mark = '\0';
-    }
-    int ph = *phase ? word_find(phase, phase_name, N_PHASES) : -1;
-    if (ph == N_PHASES) return claim_error(j, c, attribute, "no such phase");
-    const struct statement_record *r = view_record(&view, id);
-    if (!r) return claim_error(j, c, attribute, "there is no such record in the equation files");
-    if (!add_record(list, j, c, attribute, r, only - 1, step - 1, ph, view)) return false;
+  for (const char *p = claim_get(c, attribute); p && *p; p += *p == ',') {
+    if (p[strspn(p, " ")] == ',' || !(p = claim_next_cited(&at, p)))
+      return claim_error(j, c, attribute, "an empty item");
+    if (!add_cited(list, j, c, attribute, &at, view)) return false;
   }
   return true;
 }
