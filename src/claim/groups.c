@@ -72,7 +72,7 @@ static bool belongs(const struct claim *c, const struct group *g, const char *re
   case ALWAYS:
     return true;
   case IS:
-    return has && strcmp(has, g->word) == 0;
+    return claim_says(c, g->attribute, g->word);
   case IS_NAMED:
     return has && strcmp(has, strcmp(g->name, "section") == 0 ? section_named(rest) : rest) == 0;
   case IS_THERE:

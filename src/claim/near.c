@@ -113,12 +113,7 @@ static void add_relation(struct text *out, const struct stmt *s) {
     else
       expr_print(out, s->sides[i]);
   }
-  if (!s->range_hi) return;
-  text_printf(out, " for %s in (", s->range_var);
-  expr_print(out, s->range_lo);
-  text_add(out, ", ");
-  expr_print(out, s->range_hi);
-  text_add(out, ")");
+  stmt_print_range(out, s);
 }
 
 /* The last statement that can be damaged: an equation where there is one, unless the claim is about what inequalities
@@ -240,11 +235,10 @@ bool formulas_have_controls(const struct model *m, const struct claims *claims, 
   for (size_t i = 0; ok && i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
     const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value");
-    ok = !formula_of(c) || is_damaged(c, damaged, controls->n) || is_replaced(m, statement, value);
-    if (ok) continue;
-    diag_at(d, &c->file->src, record_field(c->record, statement ? "statement" : "value")->value.begin,
-            "%s: no control damages this formula, and none can be made for a claim of kind %s", c->id,
-            claim_get(c, "kind"));
+    ok = !formula_of(c) || is_damaged(c, damaged, controls->n) || is_replaced(m, statement, value) ||
+         claim_mistake(c, statement ? "statement" : "value", d,
+                       "no control damages this formula, and none can be made for a claim of kind %s",
+                       claim_get(c, "kind"));
   }
   free(damaged);
   return ok;

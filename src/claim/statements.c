@@ -48,10 +48,8 @@ static bool check_checks(const struct claim *s, const struct claims *statements,
 }
 
 static bool is_listed(const char *equation, const struct claims *statements) {
-  for (size_t i = 0; i < statements->n; i++) {
-    const char *number = claim_get(&statements->claim[i], "equation");
-    if (number && strcmp(number, equation) == 0) return true;
-  }
+  for (size_t i = 0; i < statements->n; i++)
+    if (claim_says(&statements->claim[i], "equation", equation)) return true;
   return false;
 }
 
@@ -90,17 +88,12 @@ void statements_unanswered(struct audit_result *out, const struct claims *statem
   for (size_t i = 0; i < statements->n; i++) {
     const char *reason = claim_get(&statements->claim[i], "reason");
     bool first = reason;
-    for (size_t k = 0; first && k < i; k++) {
-      const char *before = claim_get(&statements->claim[k], "reason");
-      first = !before || strcmp(before, reason) != 0;
-    }
+    for (size_t k = 0; first && k < i; k++) first = !claim_says(&statements->claim[k], "reason", reason);
     if (!first) continue;
     struct text which = {0};
-    for (size_t k = i; k < statements->n; k++) {
-      const char *same = claim_get(&statements->claim[k], "reason");
-      if (same && strcmp(same, reason) == 0)
+    for (size_t k = i; k < statements->n; k++)
+      if (claim_says(&statements->claim[k], "reason", reason))
         text_printf(&which, "%s%s", which.len ? ", " : "the paper's statements ", statements->claim[k].id);
-    }
     audit_leave_out(out, result_take(out, &which), result_copy(out, reason));
   }
 }

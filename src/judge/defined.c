@@ -3,8 +3,6 @@
    family of orbits, one for each value of a parameter and proved so in balls, along which it changes its sign.  Where the
    first mass only touches the belt's velocity a family ends: what is zero there is so on that orbit, which is enclosed
    itself. */
-#include <string.h>
-
 #include "behaviour.h"
 #include "certificate.h"
 #include "explore/box.h"
@@ -229,11 +227,10 @@ static void conclude(struct defined *y, long open, long zeros) {
 
 static bool read_divisors(struct defined *y, struct judge *j, const struct claim *c, struct view view) {
   char ids[16][32];
-  const char *over = claim_get(c, "over");
   int n = claim_names_listed(ids, 16, claim_get(c, "statements"));
   if (n == 0) return claim_error(j, c, "statements", "the records whose formulas are to have a value");
-  y->admissible = !over || strcmp(over, "admissible") == 0;
-  if (!y->admissible && strcmp(over, "orbits") != 0 && strcmp(over, "parameters") != 0)
+  y->admissible = !claim_get(c, "over") || claim_says(c, "over", "admissible");
+  if (!y->admissible && !claim_says(c, "over", "orbits") && !claim_says(c, "over", "parameters"))
     return claim_error(j, c, "over", "admissible, orbits or parameters");
   for (int i = 0; i < n; i++) {
     const struct statement_record *r = view_record(&view, ids[i]);

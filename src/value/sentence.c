@@ -160,9 +160,8 @@ const struct statement_record *claim_record(struct view v, const struct claim *c
   const struct statement_record *r = view_record(&v, id);
   for (int k = 0; r && k < r->n_stmts; k++)
     if (r->stmts[k]->kind == STMT_RELATION) return r;
-  diag_at(d, &c->file->src, record_field(c->record, attribute)->value.begin,
-          r ? "%s: record %s has no relation to be judged" : "%s: there is no record %s in the equation files", c->id,
-          id);
+  claim_mistake(c, attribute, d,
+                r ? "record %s has no relation to be judged" : "there is no record %s in the equation files", id);
   return NULL;
 }
 
@@ -190,13 +189,8 @@ bool sentence_reads(struct view v, const struct claim *c, struct diag *d) {
 }
 
 static bool claim_value_known(const struct claim *c, const char *value, struct diag *d) {
-  if (value && oracle_find(value)) return true;
-  if (value)
-    diag_at(d, &c->file->src, record_field(c->record, "value")->value.begin, "%s: the model has no quantity named %s",
-            c->id, value);
-  else
-    diag_at(d, &c->file->src, c->record->id.begin, "%s: a value or a statement is missing", c->id);
-  return false;
+  if (!value) return claim_mistake(c, "", d, "a value or a statement is missing");
+  return oracle_find(value) || claim_mistake(c, "value", d, "the model has no quantity named %s", value);
 }
 
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,

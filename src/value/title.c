@@ -12,10 +12,7 @@ enum { MOST_FORMULA = 110, MOST_TITLE = 150, MOST_ARGUMENT = 160, MOST_STATED = 
 typedef bool maker(struct text *out, const struct title *t);
 
 static bool missing(const struct title *t) {
-  if (!t->d->set)
-    diag_at(t->d, &t->c->file->src, t->c->record->id.begin,
-            "%s: a title is missing; the attributes of this kind make none here", t->c->id);
-  return false;
+  return !t->d->set && claim_mistake(t->c, "", t->d, "a title is missing; the attributes of this kind make none here");
 }
 
 /* Of kinds whose titles are the same but for attributes. */

@@ -150,9 +150,7 @@ void title_place(struct text *out, const struct title *t, const char *points) {
 /* --- Records --- */
 
 void title_no_record(const struct title *t, const char *attribute, const char *item) {
-  const struct field *f = record_field(t->c->record, attribute);
-  diag_at(t->d, &t->c->file->src, f ? f->value.begin : t->c->record->id.begin,
-          "%s: there is no record %.*s in the equation files", t->c->id, (int)strcspn(item, " "), item);
+  claim_mistake(t->c, attribute, t->d, "there is no record %.*s in the equation files", (int)strcspn(item, " "), item);
 }
 
 bool title_defines(const struct model *m, const char *name, size_t len) {
