@@ -4,7 +4,6 @@
 #include "record/finding.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 bool statement_check(const struct claim *s, struct diag *d) {
   static const char *const known[] = {"quote", "place", "equation", "claims", "checks", "reason"};

@@ -40,31 +40,28 @@ static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   return s == SS_OK && rate ? motion_rate(out, m, (int)m->spec.phase, out) : s;
 }
 
-static int value_of_motion(element *z, struct exact_motion *m, const char *name, int component, int primes,
-                           const char *argument) {
+static int value_of_motion(element *z, struct exact_motion *m, const char *name, const struct motion_name *n) {
   struct num_vec out = calc_vec(&m->c, 4);
-  int s = SS_OK, k = name_of_switching_time(argument);
-  if (m->spec.kind == POINT_FLOW && strcmp(argument, "(0)") == 0 && primes < 2)
-    s = exact_symbol(at(&out, component + 2 * primes), m->field, name);
-  else if (m->spec.kind != POINT_PARAMS && strcmp(argument, "(t)") == 0)
-    s = state_now(&out, m, primes == 2);
-  else if (has_word(m) && primes < 2 && k >= 0 && (k < 4 || m->spec.finite))
+  int s = SS_OK, k = name_of_switching_time(n->argument);
+  if (m->spec.kind == POINT_FLOW && strcmp(n->argument, "(0)") == 0 && n->primes < 2)
+    s = exact_symbol(at(&out, n->component + 2 * n->primes), m->field, name);
+  else if (m->spec.kind != POINT_PARAMS && strcmp(n->argument, "(t)") == 0)
+    s = state_now(&out, m, n->primes == 2);
+  else if (has_word(m) && n->primes < 2 && k >= 0 && (k < 4 || m->spec.finite))
     s = motion_perturbed(&out, m, k % 4 + 1, k >= 4);
   else
     s = motion_unknown(m, name);
-  if (s == SS_OK) num_exact.set(z, at(&out, component + (primes ? 2 : 0)));
+  if (s == SS_OK) num_exact.set(z, at(&out, n->component + (n->primes ? 2 : 0)));
   return s;
 }
 
 static int bind_motion(element *z, struct exact_motion *m, const char *name) {
-  bool in_x;
-  int component, primes;
-  const char *argument;
-  if (!name_of_motion(name, &in_x, &component, &primes, &argument)) return motion_unknown(m, name);
-  int s = value_of_motion(z, m, name, component, primes, argument);
-  if (s != SS_OK || !in_x || primes) return s;
+  struct motion_name n;
+  if (!name_of_motion(&n, name)) return motion_unknown(m, name);
+  int s = value_of_motion(z, m, name, &n);
+  if (s != SS_OK || !n.in_x || n.primes) return s;
   struct num_vec d = calc_vec(&m->c, 1);
-  s = motion_of_params(&d, m, component ? "d_02" : "d_01");
+  s = motion_of_params(&d, m, n.component ? "d_02" : "d_01");
   return s == SS_OK ? motion_op(num_exact.add, z, m, z, at(&d, 0)) : s;
 }
 
@@ -216,16 +213,16 @@ static void note_reads(struct exact_motion *m, const struct tape *t) {
   m->first_state = m->attempt.anchor == ANCHOR_BACK ? 0 : 4;
   m->first_tangent = 4;
   for (slong i = 0; t && has_word(m) && i < t->n_inputs; i++) {
-    bool in_x;
-    int index, component, primes;
-    const char *argument, *name = t->inputs[i];
+    int index;
+    struct motion_name motion;
+    const char *name = t->inputs[i];
     if ((index = name_of_arc(name)) >= 0) {
       if (index < 100) note(&m->first_state, index / 4);
     } else if (name_of_tangent(name, &index)) {
       note(&m->first_tangent, index >= 100 ? index - 100 : index / 4);
       if (index >= 100) note(&m->first_state, index - 100);
-    } else if (name_of_motion(name, &in_x, &component, &primes, &argument)) {
-      note_motion(m, argument);
+    } else if (name_of_motion(&motion, name)) {
+      note_motion(m, motion.argument);
     } else if (strchr(name, '[')) { /* what a matrix held as unknowns does to the start */
       note(&m->first_state, 0);
     }

@@ -48,14 +48,11 @@ int name_of_propagator(const char *name) {
   return -1;
 }
 
-bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument) {
+bool name_of_motion(struct motion_name *out, const char *name) {
   if ((name[0] != 'z' && name[0] != 'x') || name[1] != '_' || (name[2] != '1' && name[2] != '2')) return false;
-  *in_x = name[0] == 'x';
-  *component = name[2] - '1';
-  const char *p = name + 3;
-  for (*primes = 0; *p == '\''; p++) ++*primes;
-  *argument = p;
-  return *p == '(' && *primes <= 2;
+  int primes = (int)strspn(name + 3, "'");
+  *out = (struct motion_name){name[0] == 'x', name[2] - '1', primes, name + 3 + primes};
+  return *out->argument == '(' && primes <= 2;
 }
 
 int name_of_switching_time(const char *argument) {

@@ -24,8 +24,13 @@ int name_of_arc(const char *name);
 bool name_of_tangent(const char *name, int *index);
 /* "D(t)" ... "C(t)", the propagators of the phases: 0 to 3; -1 for another name. */
 int name_of_propagator(const char *name);
-/* "z_1''(t)", "x_2(t_a + dt_a)": component, number of primes, argument with its parentheses. */
-bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument);
+/* "z_1''(t)", "x_2(t_a + dt_a)". */
+struct motion_name {
+  bool in_x;
+  int component, primes;
+  const char *argument; /* with its parentheses */
+};
+bool name_of_motion(struct motion_name *out, const char *name);
 /* "(t_a)", "(t_a + t_b)", ...: 0 to 3, at the perturbed times 4 to 7; -1 for another argument. */
 int name_of_switching_time(const char *argument);
 /* The phase that lasts just as long as the statement's range, "(t_a, t_a + t_b)"; N_PHASES: none. */

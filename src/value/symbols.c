@@ -47,28 +47,29 @@ static int state_at_tb(struct num_vec *z, struct values *v) {
 
 /* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at t and at the switching times.  At
    the perturbed switching times the motion is the perturbed one; it has a value only where there is one. */
-static int motion_value(void *z, bool *known, struct values *v, int component, int primes, const char *argument) {
+static int motion_value(void *z, bool *known, struct values *v, const struct motion_name *n) {
   const struct num_type *t = v->ctx.type;
+  const int primes = n->primes, coordinate = n->component + 2 * primes; /* of the state */
   *known = true;
-  if (v->point->kind == POINT_FLOW && strcmp(argument, "(0)") == 0 && primes < 2) {
-    t->set(z, num_vec_at(&v->q, Q_Z1 + component + 2 * primes));
+  if (v->point->kind == POINT_FLOW && strcmp(n->argument, "(0)") == 0 && primes < 2) {
+    t->set(z, num_vec_at(&v->q, Q_Z1 + coordinate));
     return SS_OK;
   }
-  if (v->point->kind != POINT_PARAMS && !v->point->timed && strcmp(argument, "(t)") == 0) {
+  if (v->point->kind != POINT_PARAMS && !v->point->timed && strcmp(n->argument, "(t)") == 0) {
     int s = values_time(v);
-    t->set(z, primes == 2 ? num_vec_at(&v->azt, component + 2) : num_vec_at(&v->zt, component + 2 * primes));
+    t->set(z, primes == 2 ? num_vec_at(&v->azt, n->component + 2) : num_vec_at(&v->zt, coordinate));
     return s;
   }
-  if (has_arc(v) && primes < 2 && strcmp(argument, "(t_b)") == 0) {
+  if (has_arc(v) && primes < 2 && strcmp(n->argument, "(t_b)") == 0) {
     struct num_vec at = calc_vec(&v->c, 4);
     int s = state_at_tb(&at, v);
-    t->set(z, num_vec_at(&at, component + 2 * primes));
+    t->set(z, num_vec_at(&at, coordinate));
     return s;
   }
-  int k = name_of_switching_time(argument);
+  int k = name_of_switching_time(n->argument);
   if (has_arc(v) && primes < 2 && k >= 0 && (k < 4 || v->point->finite)) {
     const struct dyn_arc *arc = k >= 4 ? &v->perturbed : &v->arc;
-    t->set(z, num_vec_at(&arc->z, 4 * (k % 4 + 1) + component + 2 * primes));
+    t->set(z, num_vec_at(&arc->z, 4 * (k % 4 + 1) + coordinate));
     return SS_OK;
   }
   *known = false;
@@ -76,13 +77,12 @@ static int motion_value(void *z, bool *known, struct values *v, int component, i
 }
 
 /* x = z + d, so velocities and accelerations agree. */
-static int bind_motion(void *z, bool *known, struct values *v, bool in_x, int component, int primes,
-                       const char *argument) {
-  int s = motion_value(z, known, v, component, primes, argument);
-  if (s || !in_x || primes) return s;
+static int bind_motion(void *z, bool *known, struct values *v, const struct motion_name *n) {
+  int s = motion_value(z, known, v, n);
+  if (s || !n->in_x || n->primes) return s;
   struct num_vec d;
   num_vec_init(&d, 1, v->ctx);
-  s |= oracle_eval(&d, oracle_find(component ? "d_02" : "d_01"), v);
+  s |= oracle_eval(&d, oracle_find(n->component ? "d_02" : "d_01"), v);
   s |= v->ctx.type->add(z, z, num_vec_at(&d, 0), v->ctx.prec);
   num_vec_clear(&d);
   return s;
@@ -129,12 +129,11 @@ static int bind_own(void *z, struct values *v, const struct symbol *own) {
 bool values_names(const char *name) {
   static const char *const more[] = {"u_r1", "u_r2", "t", "z_100", "z_200"};
   enum { N_MORE = sizeof more / sizeof *more };
-  int index, component, primes;
-  bool in_x;
-  const char *argument;
+  int index;
+  struct motion_name motion;
   return word_find(name, name_param, N_PARAMS) < N_PARAMS || word_find(name, name_of_point, N_OF_POINT) < N_OF_POINT ||
          word_find(name, more, N_MORE) < N_MORE || name_of_arc(name) >= 0 || name_of_tangent(name, &index) ||
-         springs_names(name) || name_of_motion(name, &in_x, &component, &primes, &argument) || strchr(name, '[');
+         springs_names(name) || name_of_motion(&motion, name) || strchr(name, '[');
 }
 
 int values_bind(void *z, bool *known, struct values *v, const char *name) {
@@ -156,7 +155,7 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
   }
   if (strcmp(name, "u_r1") == 0) return t->add(z, values_exact(v, Q_US1), values_exact(v, Q_E1), v->ctx.prec);
   if (strcmp(name, "u_r2") == 0) return t->add(z, values_exact(v, Q_US2), values_exact(v, Q_E2), v->ctx.prec);
-  int index, component, primes;
+  int index;
   if (has_arc(v) && name_of_tangent(name, &index)) {
     int s = values_tangents(v);
     v->tangent_read |= 1U << index % 80; /* dt_a, of index 100, has bit 20 */
@@ -164,11 +163,10 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
     return s;
   }
   if (springs_bind(&status, z, v, name)) return status;
-  bool in_x;
-  const char *argument, *bracket = strchr(name, '[');
+  struct motion_name motion;
+  const char *bracket = strchr(name, '[');
   if (bracket) return bind_entry(z, known, v, name, bracket);
-  if (name_of_motion(name, &in_x, &component, &primes, &argument))
-    return bind_motion(z, known, v, in_x, component, primes, argument);
+  if (name_of_motion(&motion, name)) return bind_motion(z, known, v, &motion);
   *known = false;
   return SS_UNABLE;
 }
