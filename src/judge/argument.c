@@ -17,10 +17,12 @@ const char *argument_place(struct argument *a, double where) {
   return result_str(a->j->out, "after the fraction %.10g of it", where);
 }
 
-struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route,
-                                       const struct answers *decided, bool decisive, const char *note) {
-  struct route_result w = {route, answers_outcome(decided), decisive, answers_given(decided)};
-  return finding_add_route(f, a->j->out, w, "corrected", FIRST_PREC, NULL, note);
+void argument_add_routes(struct route_result w[2], struct finding *f, struct argument *a,
+                         const struct answers decided[2], const char *where, const char *note) {
+  w[0] =
+      finding_add_route(f, a->j->out, answers_route("balls", true, &decided[0]), "corrected", FIRST_PREC, where, note);
+  w[1] = finding_add_route(f, a->j->out, answers_route("exponential", false, &decided[1]), "corrected", FIRST_PREC,
+                           NULL, NULL);
 }
 
 static bool add_proof(struct route_result *w, struct finding *f, struct argument *a, struct view view) {
@@ -48,11 +50,9 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
                                                 "there is no counterexample among %ld periodic solutions on which the "
                                                 "premises hold; those nearest to one were decided rigorously",
                                                 a->tried);
-  w[n++] = argument_add_route(f, a, "balls", &t.decided[0], true, note);
-  f->evidence[f->n_evidence - 1].worst = t.nearest;
+  argument_add_routes(w + n, f, a, t.decided, t.nearest, note);
   if (t.certificate) f->certificate = t.certified;
-  w[n++] = argument_add_route(f, a, "exponential", &t.decided[1], false, NULL);
-  if (!answers_given(&t.decided[0]) && proved) n = 1; /* nothing to try it on */
+  if (answers_given(&t.decided[0]) || !proved) n += 2; /* else there is nothing to try it on */
   return verdict_of(w, n, proved);
 }
 

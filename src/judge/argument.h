@@ -20,9 +20,9 @@ struct argument {
 
 /* --- argument.c --- */
 
-/* As evidence: how often each answer was given. */
-struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route,
-                                       const struct answers *decided, bool decisive, const char *note);
+/* As evidence: how often each answer was given, by balls, which decide and are explained, and by exponentials. */
+void argument_add_routes(struct route_result w[2], struct finding *f, struct argument *a,
+                         const struct answers decided[2], const char *where, const char *note);
 
 /* "after the fraction 1/2 of it", or beside an end of the phase. */
 const char *argument_place(struct argument *a, double where);

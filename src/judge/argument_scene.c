@@ -98,10 +98,8 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
     decided[0].of[d.conclusion]++;
     decided[1].of[d.by_exponentials]++;
   }
-  w[0] = argument_add_route(f, a, "balls", &decided[0], true, describe(a, &d, p));
-  f->evidence[f->n_evidence - 1].worst =
-      result_str(a->j->out, "%s, along the whole phase", usual_orbit_text(a->j, "periodic solution"));
-  w[1] = argument_add_route(f, a, "exponential", &decided[1], false, NULL);
+  const char *where = result_str(a->j->out, "%s, along the whole phase", usual_orbit_text(a->j, "periodic solution"));
+  argument_add_routes(w, f, a, decided, where, describe(a, &d, p));
   bool all = !a->uses_friction;
   if (a->uses_friction && !a->free_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE &&
       a->j->effort == EFFORT_FULL)

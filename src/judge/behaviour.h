@@ -96,8 +96,7 @@ const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct p
 /* The stable one of the claim's own parameters, which p becomes; NULL with d set. */
 const struct dyn_orbit *behaviour_stable_orbit(struct point *p, struct behaviour *b);
 /* A route's word, with evidence that says it; where and note may be NULL. */
-struct route_result behaviour_route(struct behaviour *b, const char *route, enum route_outcome outcome, bool decisive,
-                                    long trials, const char *where, const char *note);
+struct route_result behaviour_route(struct behaviour *b, struct route_result w, const char *where, const char *note);
 /* Both routes' words on the same motions, of which the integration's decides, and is explained. */
 void behaviour_routes(struct route_result w[N_MOTION_ROUTES], struct behaviour *b,
                       const enum route_outcome outcome[N_MOTION_ROUTES], long trials, const char *where,

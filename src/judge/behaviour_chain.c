@@ -112,7 +112,7 @@ bool behaviour_patching(struct behaviour *b) {
   if (ok) {
     struct route_result w[2];
     w[0] = behaviour_route(
-        b, "system", outcome_of_counts(c.proved, 0, c.n - c.proved), true, c.n, NULL,
+        b, counted_route("system", true, c.proved, 0, c.n - c.proved), NULL,
         result_str(b->j->out,
                    "periodic motions patched from matrix exponentials, with enclosed times and states, each event "
                    "proved to be the first and Coulomb's law to hold along each phase, of %ld of %ld chains that were "
@@ -120,7 +120,7 @@ bool behaviour_patching(struct behaviour *b) {
                    "solutions meet, and that no other event comes first, is shown for these chains alone",
                    c.proved, c.n, text_str(&c.words)));
     w[1] =
-        behaviour_route(b, "integration", outcome_of_counts(c.followed, 0, c.n - c.followed), false, c.n, NULL,
+        behaviour_route(b, counted_route("integration", false, c.followed, 0, c.n - c.followed), NULL,
                         result_str(b->j->out,
                                    "of %ld of %ld GSL's direct integration passes the same phases at the same times, "
                                    "and comes back, within a millionth",

@@ -187,7 +187,7 @@ static void conclude(struct behaviour *b, const struct found *t) {
   const long *third = t->third.of, *iterates = t->iterates.of, *motions = t->motions.of;
   long found = answers_given(&t->third), stable = third[TRUTH_FALSE];
   w[0] = behaviour_route(
-      b, "balls", answers_outcome(&t->third), true, found, t->where,
+      b, answers_route("balls", true, &t->third), t->where,
       result_str(b->j->out,
                  "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., "
                  "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is conditionally "
@@ -198,12 +198,12 @@ static void conclude(struct behaviour *b, const struct found *t) {
                              : "",
                  stable ? t->where : "", stable ? ", where c_2^2 + c_3 = " : "", stable ? t->third_there : ""));
   w[1] = behaviour_route(
-      b, "iteration", answers_outcome(&t->iterates), false, answers_given(&t->iterates), NULL,
+      b, answers_route("iteration", false, &t->iterates), NULL,
       result_str(b->j->out,
                  "iterations of the return map in double precision there, from a distance of 3%% of r_0 on either "
                  "side: %ld return to half that distance, %ld depart to twice that distance",
                  iterates[TRUTH_FALSE], iterates[TRUTH_TRUE]));
-  w[2] = behaviour_route(b, "integration", answers_outcome(&t->motions), false, answers_given(&t->motions), NULL,
+  w[2] = behaviour_route(b, answers_route("integration", false, &t->motions), NULL,
                          result_str(b->j->out,
                                     "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: "
                                     "%ld approach the solution, %ld depart from it",

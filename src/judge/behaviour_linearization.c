@@ -103,15 +103,11 @@ bool behaviour_linearization(struct behaviour *b) {
                                 "matrices at the switches linearization answers right at %ld orbits and wrong at %ld",
                                 s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
-  w[0] = behaviour_route(b, "balls",
-                         wrong   ? ROUTE_AGREES
-                         : right ? ROUTE_DIFFERS
-                                 : ROUTE_NOTHING,
-                         true, right + wrong, s.where, note);
-  enum route_outcome fate = outcome_of_counts(s.comes_back, s.leaves, 0);
+  enum route_outcome balls = wrong ? ROUTE_AGREES : right ? ROUTE_DIFFERS : ROUTE_NOTHING;
+  w[0] = behaviour_route(b, (struct route_result){"balls", balls, true, right + wrong}, s.where, note);
   int n = 1;
   if (wrong)
-    w[n++] = behaviour_route(b, "iteration", fate, false, s.comes_back + s.leaves, NULL,
+    w[n++] = behaviour_route(b, counted_route("iteration", false, s.comes_back, s.leaves, 0), NULL,
                              result_str(b->j->out,
                                         "from beside the orbits that the propagators call unstable and J stable the "
                                         "return map comes back at %ld and leaves at %ld",

@@ -197,10 +197,8 @@ void orbit_walk_end(struct orbit_walk *w) {
 
 /* --- Evidence --- */
 
-struct route_result behaviour_route(struct behaviour *b, const char *route, enum route_outcome outcome, bool decisive,
-                                    long trials, const char *where, const char *note) {
-  return finding_add_route(b->f, b->j->out, (struct route_result){route, outcome, decisive, trials}, "model", -1, where,
-                           note);
+struct route_result behaviour_route(struct behaviour *b, struct route_result w, const char *where, const char *note) {
+  return finding_add_route(b->f, b->j->out, w, "model", -1, where, note);
 }
 
 void behaviour_routes(struct route_result w[N_MOTION_ROUTES], struct behaviour *b,
@@ -208,8 +206,8 @@ void behaviour_routes(struct route_result w[N_MOTION_ROUTES], struct behaviour *
                       const char *note) {
   for (int r = 0; r < N_MOTION_ROUTES; r++) {
     bool first = r == BY_INTEGRATION;
-    w[r] =
-        behaviour_route(b, motion_route_name[r], outcome[r], first, trials, first ? where : NULL, first ? note : NULL);
+    const struct route_result said = {motion_route_name[r], outcome[r], first, trials};
+    w[r] = behaviour_route(b, said, first ? where : NULL, first ? note : NULL);
   }
 }
 

@@ -207,12 +207,6 @@ static void by_simulation(struct constraints *x) {
 
 /* --- The kind --- */
 
-static struct route_result add(struct finding *f, struct constraints *x, const char *route, enum route_outcome outcome,
-                               bool decisive, long trials, const char *note) {
-  return finding_add_route(f, x->j->out, (struct route_result){route, outcome, decisive, trials},
-                           layer_name[LAYER_CORRECTED], decisive ? FIRST_PREC : -1, NULL, note);
-}
-
 /* The closed form of the attribute, for exact algebra. */
 static bool least_is_exact(struct constraints *x, int i) {
   struct expression e;
@@ -245,12 +239,14 @@ static void describe(struct finding *f, struct constraints *x) {
                                 forms[TRUTH_FALSE], forms[TRUTH_UNKNOWN]);
   enum route_outcome balls = outcome_of_counts(said[TRUTH_TRUE], said[TRUTH_FALSE] + forms[TRUTH_FALSE],
                                                said[TRUTH_UNKNOWN] + forms[TRUTH_UNKNOWN]);
-  w[0] = add(f, x, "balls", balls, true, answers_given(&x->lists), note);
+  w[0] = finding_add_route(f, x->j->out, (struct route_result){"balls", balls, true, answers_given(&x->lists)},
+                           layer_name[LAYER_CORRECTED], FIRST_PREC, NULL, note);
   note = result_str(x->j->out,
                     "motions over one period under Coulomb's law, with u_r 1/32 above or below the bounds: %ld end as "
                     "the constraints predict, %ld otherwise, %ld undecided",
                     motions[TRUTH_TRUE], motions[TRUTH_FALSE], motions[TRUTH_UNKNOWN]);
-  w[1] = add(f, x, "integration", answers_outcome(&x->motions), false, answers_given(&x->motions), note);
+  w[1] = finding_add_route(f, x->j->out, answers_route("integration", false, &x->motions), layer_name[LAYER_CORRECTED],
+                           -1, NULL, note);
   finding_state(f, x->j->out, "balls", "model", 64, 1, NULL, table(x));
   bool alone = x->j->effort == EFFORT_REFUTE || balls == ROUTE_DIFFERS; /* motions are of other orbits, or bounds */
   f->verdict =

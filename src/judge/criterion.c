@@ -136,9 +136,9 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
 /* What agrees elsewhere says nothing of orbits that it could not try; bad: how many are against the sentence. */
 static struct route_result add_opinion(struct behaviour *b, const char *route, const struct opinion *n, long bad,
                                        const char *note) {
-  enum route_outcome said = answers_outcome(&n->said);
-  if (said == ROUTE_AGREES && bad && bad == n->not_tried) said = ROUTE_UNDECIDED;
-  return behaviour_route(b, route, said, false, answers_given(&n->said), NULL, note);
+  struct route_result w = answers_route(route, false, &n->said);
+  if (w.outcome == ROUTE_AGREES && bad && bad == n->not_tried) w.outcome = ROUTE_UNDECIDED;
+  return behaviour_route(b, w, NULL, note);
 }
 
 /* theorem: of the sentence, unless points have refuted it already. */
@@ -158,8 +158,7 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
                   side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
       if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
     }
-  w[n++] = behaviour_route(b, "fd", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
-                           result_take(b->j->out, &note));
+  w[n++] = behaviour_route(b, counted_route("fd", true, good, bad, 0), t->where, result_take(b->j->out, &note));
   if (b->j->effort != EFFORT_REFUTE) {
     const long *iterates = t->iterates.said.of, *motions = t->motions.said.of;
     w[n++] = add_opinion(b, "iteration", &t->iterates, bad,

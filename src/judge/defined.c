@@ -200,7 +200,8 @@ static void look_for_reasons(struct defined *y, long *open) {
 
 static struct route_result zero_route(struct defined *y) {
   struct behaviour *b = y->b;
-  return behaviour_route(b, "balls", ROUTE_DIFFERS, true, 1, NULL, result_copy(b->j->out, text_str(&y->zero)));
+  const struct route_result differs = {"balls", ROUTE_DIFFERS, true, 1};
+  return behaviour_route(b, differs, NULL, result_copy(b->j->out, text_str(&y->zero)));
 }
 
 static const char *without_zeros(struct defined *y, long open) {

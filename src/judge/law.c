@@ -282,7 +282,7 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
     try_states(&n, &l);
     bool proved = j->effort != EFFORT_REFUTE && prove_law(f, &l);
     for (int i = 0; i < 2; i++) {
-      w[i] = (struct route_result){route[i], answers_outcome(&n.said[i]), i == 0, answers_given(&n.said[i])};
+      w[i] = answers_route(route[i], i == 0, &n.said[i]);
       finding_add_route(f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : n.where,
                         result_str(j->out,
                                    "at %ld of %ld states, at and beside the belt's velocity, one branch alone "

@@ -332,8 +332,7 @@ static void conclude(struct finding *f, struct point_trials *r) {
   }
   for (int i = 0; i < r->n_routes; i++) {
     const struct tally *t = &r->tally[i];
-    w[i] = (struct route_result){t->route->name, outcome_of_counts(t->agrees, t->differs, t->undecided), i == 0,
-                                 t->trials};
+    w[i] = counted_route(t->route->name, i == 0, t->agrees, t->differs, t->undecided);
     add_evidence(f, r, t, w[i]);
   }
   finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);

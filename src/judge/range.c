@@ -295,7 +295,7 @@ static const char *proof_note(const struct range *r) {
 
 static void conclude(struct finding *f, struct range *r) {
   long as_said = r->same[0] + r->same[1] + r->late[0] + r->late[1];
-  struct route_result w = {"balls", outcome_of_counts(as_said, r->other, r->open), true, as_said + r->other + r->open};
+  struct route_result w = counted_route("balls", true, as_said, r->other, r->open);
   finding_add_route(f, r->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, r->where, describe(r));
   if (r->proved) exact_route(f, r->j->out, ROUTE_AGREES, proof_note(r));
   f->verdict = verdict_of(&w, 1, r->proved);

@@ -12,10 +12,8 @@
 
 enum { UNITS_OF_EXISTENCE = 150000 }; /* of work: all motions with two times given */
 
-static struct route_result add(struct finding *f, struct judge *j, const char *route, enum route_outcome outcome,
-                               bool decisive, long trials, const char *note) {
-  return finding_add_route(f, j->out, (struct route_result){route, outcome, decisive, trials}, "model",
-                           decisive ? FIRST_PREC : -1, NULL, note);
+static struct route_result add(struct finding *f, struct judge *j, struct route_result w, const char *note) {
+  return finding_add_route(f, j->out, w, "model", w.decisive ? FIRST_PREC : -1, NULL, note);
 }
 
 /* --- The order of the phases --- */
@@ -91,7 +89,7 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     if (certified && !note)
       note = "each phase is proved to end at the first of its events, and every condition of Coulomb's law (2) to hold "
              "throughout its phase";
-    w[0] = add(f, j, "balls", balls, true, list.n, note);
+    w[0] = add(f, j, (struct route_result){"balls", balls, true, list.n}, note);
     bool done = j->effort != EFFORT_REFUTE && simulated_word(&got, j->scene, p.orbit);
     bool same = done && strcmp(text_str(&got), letters) == 0;
     note = done ? result_str(
@@ -99,7 +97,7 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
                       "the phases of one period are %s (D, G, H, C: global stick, slip-stick, global slip, stick-slip)",
                       text_str(&got))
                 : "the simulation did not come to its end";
-    w[1] = add(f, j, "integration", !done ? ROUTE_UNDECIDED : same ? ROUTE_AGREES : ROUTE_DIFFERS, false, 1, note);
+    w[1] = add(f, j, counted_route("integration", false, same, done && !same, !done), note);
     /* a motion whose conditions all hold has the phases of the model's word; another word is refuted by the
        comparison */
     if (done && !same && balls == ROUTE_AGREES) w[0] = (struct route_result){"balls", ROUTE_DIFFERS, true, 1};
@@ -178,7 +176,9 @@ static struct route_result add_returns(struct finding *f, struct judge *j, const
         : "none was found; the search is not exhaustive";
   back.of[TRUTH_UNKNOWN] += !o;
   if (back.of[TRUTH_TRUE]) back.of[TRUTH_FALSE] = back.of[TRUTH_UNKNOWN] = 0; /* one is enough */
-  return add(f, j, closed ? "balls" : "exponential", answers_outcome(&back), closed, list->n, note);
+  struct route_result w = answers_route(closed ? "balls" : "exponential", closed, &back);
+  w.trials = list->n;
+  return add(f, j, w, note);
 }
 
 bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -214,8 +214,8 @@ bool judge_outside(struct finding *f, struct judge *j, const struct claim *c, st
   (void)view;
   const char *why = claim_get(c, "needs");
   if (!why) return claim_error(j, c, "kind", "the attribute needs is missing");
-  struct route_result w =
-      add(f, j, "reading", ROUTE_UNDECIDED, false, 0, result_str(j->out, "this would require %s", why));
+  struct route_result w = {"reading", ROUTE_UNDECIDED, false, 0};
+  add(f, j, w, result_str(j->out, "this would require %s", why));
   f->verdict = verdict_of(&w, 1, false);
   return true;
 }

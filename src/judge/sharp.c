@@ -64,11 +64,11 @@ static void run_route(struct tally *t, struct judge *j, const struct claim *c, s
 static struct route_result conclude(struct finding *f, struct judge *j, const struct tally *t, const char *route,
                                     bool decisive) {
   long trials = answers_given(&t->reached), apart = t->reached.of[TRUTH_FALSE];
-  struct route_result w = {route, answers_outcome(&t->reached), decisive, trials};
   const char *note = trials ? "each step becomes an equality at one end of the phase" : "no accepted point";
   if (apart)
     note = result_str(j->out, "at %ld of %ld points some step stays apart at both ends of the phase", apart, trials);
-  return finding_add_route(f, j->out, w, "corrected", FIRST_PREC, t->where, note);
+  return finding_add_route(f, j->out, answers_route(route, decisive, &t->reached), "corrected", FIRST_PREC, t->where,
+                           note);
 }
 
 bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

@@ -232,8 +232,7 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
     if (coulomb_setup_on_orbit(&sim, x->at.q + Q_CHI, o, OWN_FRICTION) == SS_OK) closes = coulomb_setup_closes(&sim);
     closed.of[closes]++;
   }
-  struct route_result w = {"integration", answers_outcome(&closed), false, answers_given(&closed)};
-  return finding_add_route(f, x->j->out, w, "model", -1, NULL,
+  return finding_add_route(f, x->j->out, answers_route("integration", false, &closed), "model", -1, NULL,
                            result_str(x->j->out,
                                       "among the motions under Coulomb's law from the initial states of such "
                                       "solutions%s, the number of periodic ones is %ld and that of the others %ld",

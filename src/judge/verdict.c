@@ -19,6 +19,15 @@ enum route_outcome answers_outcome(const struct answers *a) {
   return outcome_of_counts(a->of[TRUTH_TRUE], a->of[TRUTH_FALSE], a->of[TRUTH_UNKNOWN]);
 }
 
+struct route_result counted_route(const char *route, bool decisive, long agrees, long differs, long undecided) {
+  return (struct route_result){route, outcome_of_counts(agrees, differs, undecided), decisive,
+                               agrees + differs + undecided};
+}
+
+struct route_result answers_route(const char *route, bool decisive, const struct answers *said) {
+  return counted_route(route, decisive, said->of[TRUTH_TRUE], said->of[TRUTH_FALSE], said->of[TRUTH_UNKNOWN]);
+}
+
 struct route_result exact_route(struct finding *f, struct audit_result *out, enum route_outcome outcome,
                                 const char *note) {
   bool decided = outcome == ROUTE_AGREES || outcome == ROUTE_DIFFERS;

@@ -15,6 +15,9 @@ struct answers {
 };
 long answers_given(const struct answers *a);
 enum route_outcome answers_outcome(const struct answers *a);
+/* What a route says that was tried so often with each outcome, or gave these answers. */
+struct route_result counted_route(const char *route, bool decisive, long agrees, long differs, long undecided);
+struct route_result answers_route(const char *route, bool decisive, const struct answers *said);
 /* What exact algebra says of the corrected sentence, as evidence: proved, refuted by it, or why neither. */
 struct route_result exact_route(struct finding *f, struct audit_result *out, enum route_outcome outcome,
                                 const char *note);
