@@ -68,103 +68,78 @@ static bool numbers_at(arb_ptr v, struct range *r, const struct point *p) {
 }
 
 /* even (x - sin x) + odd (1 - cos x) */
-static void integral(arb_t z, arb_srcptr v, const arb_t x) {
-  arb_ptr w = _arb_vec_init(2);
-  arb_sin_cos(w, w + 1, x, FIRST_PREC);
-  arb_sub(w, x, w, FIRST_PREC);
-  arb_sub_si(w + 1, w + 1, 1, FIRST_PREC);
-  arb_mul(z, v + RANGE_EVEN, w, FIRST_PREC);
-  arb_submul(z, v + RANGE_ODD, w + 1, FIRST_PREC);
-  _arb_vec_clear(w, 2);
+static val integral(struct calc *c, arb_srcptr v, val x) {
+  val sine, cosine;
+  calc_sin_cos(c, &sine, &cosine, x);
+  return calc_add(c, calc_mul(c, v + RANGE_EVEN, calc_sub(c, x, sine)),
+                  calc_mul(c, v + RANGE_ODD, calc_sub(c, calc_d(c, 1), cosine)));
 }
 
 /* 2 (pi - arctan(odd/even)) - x of the whole phase; of rate, with x modulo 2 pi, and how far the integral at its end lies
    over its last crest.  Returns how many crests it has had. */
-static slong distances(arb_t limit, arb_t above, arb_srcptr v, bool rate) {
-  arb_ptr w = _arb_vec_init(3), x = w, turn = w + 1, crest = w + 2;
-  arb_mul(x, v + RANGE_FREQUENCY, v + LENGTH, FIRST_PREC);
-  arb_const_pi(limit, FIRST_PREC); /* pi - arctan(odd/even) = arg(-even + i odd), pi/2 without even */
-  arb_mul_2exp_si(turn, limit, 1);
+static slong distances(val *limit, val *above, struct calc *c, arb_srcptr v, bool rate) {
+  val pi = calc_pi(c), two = calc_d(c, 2), turn = calc_mul(c, two, pi);
+  val x = calc_mul(c, v + RANGE_FREQUENCY, v + LENGTH), most = pi;
   slong k = rate ? (slong)floor(num_arb.get_d(x) / num_arb.get_d(turn)) : 0;
-  if (!arb_is_zero(v + RANGE_EVEN)) {
-    arb_neg(limit, v + RANGE_EVEN);
-    arb_atan2(limit, v + RANGE_ODD, limit, FIRST_PREC);
-    arb_mul_2exp_si(limit, limit, 1);
-  }
-  integral(above, v, x);
-  arb_set(crest, limit);
-  arb_addmul_si(crest, turn, k - 1, FIRST_PREC);
-  integral(crest, v, crest);
-  arb_sub(above, above, crest, FIRST_PREC);
-  arb_submul_si(x, turn, k, FIRST_PREC);
-  arb_sub(limit, limit, x, FIRST_PREC);
-  _arb_vec_clear(w, 3);
+  if (!arb_is_zero(v + RANGE_EVEN)) /* pi - arctan(odd/even) = arg(-even + i odd), pi/2 without even */
+    most = calc_mul(c, two, calc_atan2(c, v + RANGE_ODD, calc_neg(c, v + RANGE_EVEN)));
+  val crest = calc_add(c, most, calc_mul(c, turn, calc_d(c, (double)(k - 1))));
+  *above = calc_sub(c, integral(c, v, x), integral(c, v, crest));
+  *limit = calc_sub(c, most, calc_sub(c, x, calc_mul(c, turn, calc_d(c, (double)k))));
   return k;
 }
 
-static truth sign(const arb_t x) {
+static truth sign(arb_srcptr x) {
   return arb_is_nonnegative(x) ? TRUTH_TRUE : arb_is_negative(x) ? TRUTH_FALSE : TRUTH_UNKNOWN;
 }
 
 /* What the range says of the phase, and whether it has had a crest. */
 static truth expected(bool *late, struct range *r, arb_srcptr v, const struct point *p) {
-  arb_ptr w = _arb_vec_init(2);
   truth holds = conditions_hold(&r->premise, p, r->j->cache);
   *late = false;
-  if (r->form.there[RANGE_ODD]) {
-    *late = distances(w, w + 1, v, r->form.rate) > 0;
-    holds = truth_and(holds, sign(w));
-    if (*late) holds = truth_and(holds, sign(w + 1));
-  }
-  _arb_vec_clear(w, 2);
+  if (!r->form.there[RANGE_ODD]) return holds;
+  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  val limit, above;
+  *late = distances(&limit, &above, &c, v, r->form.rate) > 0;
+  holds = truth_and(holds, sign(limit));
+  if (*late) holds = truth_and(holds, sign(above));
+  calc_clear(&c);
   return holds;
 }
 
-/* The form at that fraction of the phase, without its level. */
-static void form_at(arb_t z, struct range *r, arb_srcptr v, const arb_t fraction) {
-  arb_ptr w = _arb_vec_init(4);
-  arb_ptr x = w, sine = w + 1, cosine = w + 2, one = w + 3;
-  arb_one(one);
-  arb_mul(x, v + RANGE_FREQUENCY, v + LENGTH, FIRST_PREC);
-  if (r->goal.at[0].moving) arb_mul(x, x, fraction, FIRST_PREC);
-  arb_sin_cos(sine, cosine, x, FIRST_PREC);
-  arb_sub(cosine, one, cosine, FIRST_PREC);
-  arb_sub(x, x, sine, FIRST_PREC);
-  arb_mul(z, v + RANGE_EVEN, cosine, FIRST_PREC);
-  arb_addmul(z, v + RANGE_ODD, sine, FIRST_PREC);
-  arb_addmul(z, v + RANGE_DRIFT, x, FIRST_PREC);
-  arb_mul(z, z, v + RANGE_FACTOR, FIRST_PREC);
-  _arb_vec_clear(w, 4);
+/* The form at that part of the phase, without its level. */
+static val form_at(struct calc *c, const struct range *r, arb_srcptr v, slong k) {
+  val x = calc_mul(c, v + RANGE_FREQUENCY, v + LENGTH), sine, cosine, part[N_RANGE_PARTS];
+  if (r->goal.at[0].moving) x = calc_mul(c, x, calc_div_ui(c, calc_d(c, (double)k), FRACTIONS));
+  calc_sin_cos(c, &sine, &cosine, x);
+  for (int i = 0; i < N_RANGE_PARTS; i++) part[i] = v + i;
+  return range_swing(c, part, x, sine, cosine);
 }
 
-/* The tape's value with the time t at that fraction of the phase. */
-static bool margin_at(arb_t z, struct range *r, const struct condition *c, struct point *p, slong k) {
-  struct calc w = calc_begin(num_ctx_arb(FIRST_PREC));
-  struct num_vec out = calc_vec(&w, 1);
+/* The margin with the time t at that part of the phase; NULL where it has no value. */
+static val margin_at(struct calc *c, struct range *r, struct point *p, slong k) {
+  struct num_vec out = calc_vec(c, 1);
   bool known;
   p->phase = r->goal.at[0].phase;
   fmpq_set_si(&p->q[Q_S], k, FRACTIONS);
-  bool ok = tape_at_point(&out, &known, &c->s.tape, p, r->j->cache) == SS_OK && known;
-  arb_set(z, num_vec_at(&out, 0));
-  calc_clear(&w);
-  return ok;
+  bool ok = tape_at_point(&out, &known, &r->goal.at[0].s.tape, p, r->j->cache) == SS_OK && known;
+  return ok ? num_vec_at(&out, 0) : NULL;
 }
 
-/* The margin less the form: the same at two fractions of the phase, and zero without a premise. */
+/* The margin less the form: the same at two parts of the phase, and zero without a premise. */
 static truth is_of_form(struct range *r, arb_srcptr v, struct point *p) {
-  arb_ptr w = _arb_vec_init(4);
-  truth holds = TRUTH_TRUE;
-  for (slong k = 1; k <= 2 && holds == TRUTH_TRUE; k++) {
-    arb_set_si(w + 3, r->form.from_end ? FRACTIONS - k : k);
-    arb_mul_2exp_si(w + 3, w + 3, -2);
-    form_at(w + 2, r, v, w + 3);
-    if (!margin_at(w + k - 1, r, &r->goal.at[0], p, k)) holds = TRUTH_UNKNOWN;
-    arb_sub(w + k - 1, w + k - 1, w + 2, FIRST_PREC);
+  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  val level[2] = {NULL, NULL};
+  for (slong k = 1; k <= 2; k++) {
+    val margin = margin_at(&c, r, p, k);
+    if (!margin) break;
+    level[k - 1] = calc_sub(&c, margin, form_at(&c, r, v, r->form.from_end ? FRACTIONS - k : k));
   }
-  bool level = r->premise.n && !r->form.there[RANGE_ODD];
-  if (holds == TRUTH_TRUE && level) arb_sub(w, w, w + 1, FIRST_PREC);
-  if (holds == TRUTH_TRUE && !arb_contains_zero(w)) holds = TRUTH_FALSE;
-  _arb_vec_clear(w, 4);
+  truth holds = level[1] ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  bool any_level = r->premise.n && !r->form.there[RANGE_ODD];
+  if (holds == TRUTH_TRUE && !arb_contains_zero(any_level ? calc_sub(&c, level[0], level[1]) : level[0]))
+    holds = TRUTH_FALSE;
+  calc_clear(&c);
   return holds;
 }
 

@@ -83,14 +83,10 @@ static void take_values(struct on_motion *s, const struct condition *goal, const
   take_angle(s, goal, form->from_end);
 }
 
-/* The margin less what swings with x. */
-static val level_of(struct on_motion *s) {
-  struct calc *c = &s->m.c;
-  val even = calc_mul(c, s->part[RANGE_EVEN], calc_sub(c, calc_d(c, 1), s->cosine));
-  val odd = calc_mul(c, s->part[RANGE_ODD], s->sine);
-  val drift = calc_mul(c, s->part[RANGE_DRIFT], calc_sub(c, s->x, s->sine));
-  val sum = calc_add(c, even, calc_add(c, odd, drift));
-  return calc_sub(c, s->margin, calc_mul(c, s->part[RANGE_FACTOR], sum));
+val range_swing(struct calc *c, const val part[N_RANGE_PARTS], val x, val sine, val cosine) {
+  val even = calc_mul(c, part[RANGE_EVEN], calc_sub(c, calc_d(c, 1), cosine)), odd = calc_mul(c, part[RANGE_ODD], sine);
+  val drift = calc_mul(c, part[RANGE_DRIFT], calc_sub(c, x, sine));
+  return calc_mul(c, part[RANGE_FACTOR], calc_add(c, even, calc_add(c, odd, drift)));
 }
 
 static bool swings(struct on_motion *s, const struct range_form *form, val level) {
@@ -117,7 +113,7 @@ static bool holds_on(const struct condition *goal, const struct range_form *form
   struct on_motion s = {.margin = NULL};
   exact_orbit_init(&s.m, goal->phase, anchor, TIME_INSIDE, false);
   take_values(&s, goal, form);
-  val level = level_of(&s);
+  val level = calc_sub(&s.m.c, s.margin, range_swing(&s.m.c, s.part, s.x, s.sine, s.cosine));
   bool ok = s.m.c.status == SS_OK && is_product(&s.m, s.part[RANGE_FREQUENCY], NULL) &&
             is_product(&s.m, s.part[RANGE_FACTOR], NULL);
   ok = ok && (form->there[RANGE_ODD] ? swings(&s, form, level) : stays(&s, goal, form, level));

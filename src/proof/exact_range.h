@@ -19,6 +19,7 @@
 #define STICKSLIP_EXACT_RANGE_H
 
 #include "condition.h"
+#include "num/calc.h"
 
 enum range_part { RANGE_FREQUENCY, RANGE_FACTOR, RANGE_EVEN, RANGE_ODD, RANGE_DRIFT, N_RANGE_PARTS };
 
@@ -31,6 +32,9 @@ struct range_form {
   bool rate;                       /* the form, with odd, is that of minus the margin's rate, and the margin is
                                              zero where the phase ends: the integral must be greatest at X */
 };
+
+/* factor (even (1 - cos x) + odd sin x + drift (x - sin x)): the form without its level. */
+val range_swing(struct calc *c, const val part[N_RANGE_PARTS], val x, val sine, val cosine);
 
 /* Is the margin of that form on every motion of the phase that begins and ends with its events, and have the parts
    their signs, so that the range is as said above? */
