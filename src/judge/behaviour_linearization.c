@@ -9,21 +9,18 @@
 /* Is some eigenvalue of the 4x4 matrix surely outside the unit circle?  Yes when |tr M^k| > 4 for some k. */
 static truth has_growth(const struct num_vec *m) {
   enum { DOUBLINGS = 9 };
-  struct num_vec power;
-  arb_ptr w = _arb_vec_init(2), trace = w, four = w + 1;
+  struct calc c = calc_begin(m->ctx);
+  struct num_vec power = calc_vec(&c, m->len);
+  val four = calc_d(&c, N_STATE);
   truth t = TRUTH_UNKNOWN;
-  arb_set_si(four, N_STATE);
-  num_vec_init(&power, m->len, m->ctx);
   num_vec_set(&power, m);
   for (int i = 0; t != TRUTH_TRUE && i < DOUBLINGS; i++) {
-    arb_zero(trace);
-    for (int k = 0; k < N_STATE; k++) arb_add(trace, trace, num_vec_at(&power, (N_STATE + 1) * k), m->ctx.prec);
-    arb_abs(trace, trace);
-    if (arb_gt(trace, four)) t = TRUTH_TRUE;
+    val trace = calc_d(&c, 0);
+    for (int k = 0; k < N_STATE; k++) trace = calc_add(&c, trace, num_vec_at(&power, (N_STATE + 1) * k));
+    if (calc_lt(&c, four, calc_abs(&c, trace))) t = TRUTH_TRUE;
     num_mat_mul(&power, &power, &power, N_STATE, N_STATE, N_STATE);
   }
-  num_vec_clear(&power);
-  _arb_vec_clear(w, 2);
+  calc_clear(&c);
   return t;
 }
 
@@ -35,17 +32,11 @@ static truth unstable_by_propagators(struct values *v) {
 
 /* Unstable by the Jacobian with saltation matrices, which has one eigenvalue that is not 0? */
 static truth unstable_by_saltation(struct values *v) {
-  struct num_vec j = calc_vec(&v->c, 4);
-  arb_ptr w = _arb_vec_init(2), trace = w, one = w + 1;
-  arb_one(one);
-  truth t = TRUTH_UNKNOWN;
-  if (dyn_return_jacobian_saltation(&j, &v->params, &v->arc) == SS_OK) {
-    arb_add(trace, num_vec_at(&j, 0), num_vec_at(&j, 3), v->ctx.prec);
-    arb_abs(trace, trace);
-    t = arb_gt(trace, one) ? TRUTH_TRUE : arb_lt(trace, one) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-  }
-  _arb_vec_clear(w, 2);
-  return t;
+  struct calc *c = &v->c;
+  struct num_vec j = calc_vec(c, 4);
+  if (dyn_return_jacobian_saltation(&j, &v->params, &v->arc) != SS_OK) return TRUTH_UNKNOWN;
+  val trace = calc_abs(c, calc_add(c, num_vec_at(&j, 0), num_vec_at(&j, 3))), one = calc_d(c, 1);
+  return calc_lt(c, one, trace) ? TRUTH_TRUE : calc_lt(c, trace, one) ? TRUTH_FALSE : TRUTH_UNKNOWN;
 }
 
 struct methods {

@@ -4,6 +4,7 @@
 
 #include "base/work.h"
 #include "certificate.h"
+#include "num/calc.h"
 #include "stability/precision.h"
 #include "value/expression.h"
 
@@ -11,14 +12,10 @@ enum { BITS_SHOWN = 34 }; /* ten digits */
 
 /* |x - printed|/unit, to three digits. */
 static const char *units_off(struct judge *j, const arb_t x, const struct printed_number *p) {
-  arb_ptr w = _arb_vec_init(2), d = w, u = w + 1;
-  arb_set_fmpq(d, &p->value, LAST_PREC);
-  arb_sub(d, x, d, LAST_PREC);
-  arb_abs(d, d);
-  arb_set_fmpq(u, &p->unit, LAST_PREC);
-  arb_div(d, d, u, LAST_PREC);
-  const char *s = ball_text(j, d, 3);
-  _arb_vec_clear(w, 2);
+  struct calc c = calc_begin(num_ctx_arb(LAST_PREC));
+  val off = calc_abs(&c, calc_sub(&c, x, calc_q(&c, &p->value)));
+  const char *s = ball_text(j, calc_div(&c, off, calc_q(&c, &p->unit)), 3);
+  calc_clear(&c);
   return s;
 }
 
@@ -63,12 +60,10 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
   fmpz_t k;
   arb_init(units);
   fmpz_init(k);
-  arb_set_fmpq(units, &n->p->unit, LAST_PREC);
-  arb_div(units, x, units, LAST_PREC);
-  arb_mul_2exp_si(units, units, 1);
-  arb_add_si(units, units, 1, LAST_PREC);
-  arb_mul_2exp_si(units, units, -1);
-  arb_floor(units, units, LAST_PREC);
+  struct calc c = calc_begin(num_ctx_arb(LAST_PREC));
+  val above = calc_add(&c, calc_div(&c, x, calc_q(&c, &n->p->unit)), calc_d(&c, 0.5));
+  arb_floor(units, above, LAST_PREC);
+  calc_clear(&c);
   if (arb_get_unique_fmpz(k, units)) {
     struct text digits = {0}, latex = {0};
     fmpz_mul(k, k, fmpq_numref(&n->p->unit));

@@ -5,6 +5,7 @@
    marks O, a, b, c, d are the figures' names of those ends. */
 #include <math.h>
 
+#include "num/calc.h"
 #include "tables.h"
 #include "value/printed.h"
 
@@ -23,12 +24,10 @@ static slong pieces(const struct dyn_arc *arc, int ph) {
 }
 
 /* What pulls on the masses: w = z_1 - chi z_2 and chi r. */
-static void set_pulls(arb_ptr pull, const struct table_source *s, const struct num_vec *z) {
-  const arb_struct *chi = num_vec_at(&s->params, P_CHI);
-  arb_mul(pull, chi, num_vec_at(z, Z_2), FIRST_PREC);
-  arb_sub(pull, num_vec_at(z, Z_1), pull, FIRST_PREC);
-  arb_sub(pull + 1, num_vec_at(z, Z_2), num_vec_at(z, Z_1), FIRST_PREC);
-  arb_mul(pull + 1, pull + 1, chi, FIRST_PREC);
+static void set_pulls(val pull[2], struct calc *c, const struct table_source *s, const struct num_vec *z) {
+  val chi = num_vec_at(&s->params, P_CHI), z1 = num_vec_at(z, Z_1), z2 = num_vec_at(z, Z_2);
+  pull[0] = calc_sub(c, z1, calc_mul(c, chi, z2));
+  pull[1] = calc_mul(c, calc_sub(c, z2, z1), chi);
 }
 
 static void add_state(struct text *out, const struct num_vec *z) {
@@ -38,28 +37,28 @@ static void add_state(struct text *out, const struct num_vec *z) {
 /* A row of the animation: the state, the pulls, and e_i for a mass that sticks. */
 static void add_frame(struct text *out, const struct table_source *s, enum phase ph, const char *mark, const arb_t time,
                       const struct num_vec *z) {
-  arb_ptr pull = _arb_vec_init(2);
-  set_pulls(pull, s, z);
+  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  val pull[2];
+  set_pulls(pull, &c, s, z);
   text_printf(out, "%s\t%s", phase_name[ph], mark);
   table_number(out, time, DECIMALS);
   add_state(out, z);
-  for (int i = 0; i < 2; i++) table_number(out, pull + i, DECIMALS);
+  for (int i = 0; i < 2; i++) table_number(out, pull[i], DECIMALS);
   for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? NULL : num_vec_at(&s->params, P_E1 + i), DECIMALS);
   text_add_char(out, '\n');
-  _arb_vec_clear(pull, 2);
+  calc_clear(&c);
 }
 
 /* What a condition leaves: V - z_i' of a mass that slips, e_i less its pull of one that sticks; "-" for the others. */
 static void add_margins(struct text *out, const struct table_source *s, enum phase ph, const struct num_vec *z) {
-  arb_ptr speed = _arb_vec_init(4), pull = speed + 2;
-  set_pulls(pull, s, z);
-  for (int i = 0; i < 2; i++) {
-    arb_sub(speed + i, num_vec_at(&s->params, P_V), num_vec_at(z, DZ_1 + i), FIRST_PREC);
-    arb_sub(pull + i, num_vec_at(&s->params, P_E1 + i), pull + i, FIRST_PREC);
-  }
-  for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? speed + i : NULL, DECIMALS);
-  for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? NULL : pull + i, DECIMALS);
-  _arb_vec_clear(speed, 4);
+  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  val pull[2], belt = num_vec_at(&s->params, P_V);
+  set_pulls(pull, &c, s, z);
+  for (int i = 0; i < 2; i++)
+    table_number(out, phase_slips[ph][i] ? calc_sub(&c, belt, num_vec_at(z, DZ_1 + i)) : NULL, DECIMALS);
+  for (int i = 0; i < 2; i++)
+    table_number(out, phase_slips[ph][i] ? NULL : calc_sub(&c, num_vec_at(&s->params, P_E1 + i), pull[i]), DECIMALS);
+  calc_clear(&c);
 }
 
 static void add_row(struct motion_tables *t, const struct table_source *s, const char *motion, enum phase ph,
