@@ -6,7 +6,7 @@
 
 const char *claim_next_cited(struct cited *out, const char *list) {
   char item[64];
-  const char *rest = list ? claim_next_item(item, sizeof item, list) : NULL;
+  const char *rest = claim_next_item(item, sizeof item, list);
   if (!rest) return NULL;
   *out = (struct cited){.statement = 0};
   sscanf(item, " %47s %15s", out->id, out->phase);

@@ -18,7 +18,7 @@ enum { CLAIM_NAME = 32 };
 /* Items of a list separated by commas or blanks, at most max; how many there are. */
 int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list);
 /* The next item of a list separated by commas, without blanks at its ends, into buf; where the rest begins, or NULL at
-   the end. */
+   the end, or where there is no list. */
 const char *claim_next_item(char *buf, size_t size, const char *list);
 /* Is it an item of the list that is the attribute? */
 bool claim_lists(const struct claim *c, const char *key, const char *item);

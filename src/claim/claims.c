@@ -289,8 +289,8 @@ int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list) {
 }
 
 const char *claim_next_item(char *buf, size_t size, const char *list) {
-  while (*list == ' ' || *list == ',') list++;
-  if (!*list) return NULL;
+  if (list) list += strspn(list, " ,");
+  if (!list || !*list) return NULL;
   size_t n = strcspn(list, ",");
   size_t len = n;
   while (len && list[len - 1] == ' ') len--;
@@ -302,7 +302,7 @@ const char *claim_next_item(char *buf, size_t size, const char *list) {
 
 bool claim_lists(const struct claim *c, const char *key, const char *item) {
   char name[64];
-  for (const char *p = claim_get(c, key); p && (p = claim_next_item(name, sizeof name, p)) != NULL;)
+  for (const char *p = claim_get(c, key); (p = claim_next_item(name, sizeof name, p)) != NULL;)
     if (strcmp(name, item) == 0) return true;
   return false;
 }

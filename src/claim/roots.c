@@ -157,7 +157,7 @@ static bool check_claims(const struct model *m, const struct claims *roots, size
                          const char *correct, struct diag *d) {
   const struct claim *root = &roots->claim[i];
   char name[64];
-  for (const char *p = claim_get(root, "claims"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
+  for (const char *p = claim_get(root, "claims"); (p = claim_next_item(name, sizeof name, p)) != NULL;) {
     const struct claim *before = root_of(roots, i, name), *c = claim_named(claims, name);
     if (before) return claim_mistake(root, "claims", d, "%s stands at the root %s already", name, before->id);
     if (!c) return claim_mistake(root, "claims", d, "there is no claim %s", name);
@@ -232,7 +232,7 @@ static bool add_root(struct audit_result *out, const struct model *m, const stru
                            .by_hand = text_of(out, root, "by-hand")};
   r->claims = arena_alloc(&out->arena, out->n_findings * sizeof *r->claims);
   char name[64];
-  for (const char *list = claim_get(root, "claims"); list && (list = claim_next_item(name, sizeof name, list)) != NULL;)
+  for (const char *list = claim_get(root, "claims"); (list = claim_next_item(name, sizeof name, list)) != NULL;)
     add_claim(r, out, name);
   out->n_roots -= r->n_claims == 0;
   return true;

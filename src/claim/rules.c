@@ -20,7 +20,7 @@ static void count_points(long *all, long *least, const struct claim *c) {
   char item[64];
   *all = 0;
   *least = -1;
-  for (const char *p = claim_points_asked(c); p && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
+  for (const char *p = claim_points_asked(c); (p = claim_next_item(item, sizeof item, p)) != NULL;) {
     long n = points_of(item);
     *all += n;
     if (*least < 0 || n < *least) *least = n;
@@ -36,7 +36,7 @@ static bool check_sorts(const struct claim *c, struct diag *d) {
   char item[64], sort[MOST][64];
   int n = 0;
   bool arcs = false, orbits = false;
-  for (const char *p = claim_points_asked(c); p && n < MOST && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
+  for (const char *p = claim_points_asked(c); n < MOST && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
     size_t len = strcspn(item, "0123456789");
     memcpy(sort[n], item, len);
     sort[n][len] = '\0';

@@ -29,7 +29,7 @@ bool statements_claim(const struct claims *statements, const char *id) {
 /* Every name on its list is that of a claim. */
 static bool check_names(const struct claim *s, const char *key, const struct claims *claims, struct diag *d) {
   char name[64];
-  for (const char *p = claim_get(s, key); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
+  for (const char *p = claim_get(s, key); (p = claim_next_item(name, sizeof name, p)) != NULL;) {
     if (claim_named(claims, name)) continue;
     return claim_mistake(s, key, d, "there is no claim %s", name);
   }
@@ -39,7 +39,7 @@ static bool check_names(const struct claim *s, const char *key, const struct cla
 /* Whether a claim answers what is asserted is one fact about it, whichever statement names it. */
 static bool check_checks(const struct claim *s, const struct claims *statements, struct diag *d) {
   char name[64];
-  for (const char *p = claim_get(s, "checks"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
+  for (const char *p = claim_get(s, "checks"); (p = claim_next_item(name, sizeof name, p)) != NULL;) {
     if (!statements_claim(statements, name)) continue;
     return claim_mistake(s, "checks", d, "%s answers a statement, and is no check", name);
   }

@@ -163,7 +163,7 @@ static bool try_family(struct found *t, struct behaviour *b, const char *params,
 /* What the criterion says on which the claim rests; NULL: it names none. */
 static const struct statement_record *criterion_of(struct behaviour *b) {
   char name[64];
-  for (const char *list = claim_get(b->c, "depends-on"); list && (list = claim_next_item(name, sizeof name, list));) {
+  for (const char *list = claim_get(b->c, "depends-on"); (list = claim_next_item(name, sizeof name, list));) {
     const struct claim *c = claim_named(b->j->claims, name);
     if (c && claim_kind(c) == KIND_CRITERION) return view_record(&b->view, claim_get(c, "statement"));
   }

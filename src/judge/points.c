@@ -98,7 +98,7 @@ static bool read_routes(struct point_trials *r) {
   const char *list = claim_routes_asked(r->c);
   r->tally[r->n_routes++] = (struct tally){.route = &routes[0]};
   if (r->j->effort == EFFORT_REFUTE) return true;
-  while (list && (list = claim_next_item(item, sizeof item, list)) != NULL) {
+  while ((list = claim_next_item(item, sizeof item, list)) != NULL) {
     const struct route *found = NULL;
     for (size_t i = 1; i < sizeof routes / sizeof *routes; i++)
       if (strcmp(routes[i].name, item) == 0) found = &routes[i];

@@ -4,6 +4,7 @@
 
 #include "claim/claim.h"
 #include "facts.h"
+#include "value/expression.h"
 #include "value/sentence.h"
 
 /* (9)-(18) as definitions of the states at the switching times, (21)-(41) as definitions of their perturbations. */
@@ -72,13 +73,7 @@ enum {
 _Static_assert((int)N_MOTION_FACTS + (int)N_PHASE_FACTS <= (int)MOST_FACTS, "room for all of them");
 
 static bool tape_of(struct tape *t, const struct model *m, const char *expression) {
-  struct elaboration el;
-  struct matrix x;
-  struct diag d = {0};
-  elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  bool ok = elaborate_tape(t, &x, &el, expression, expression, "", &d);
-  elaboration_clear(&el);
-  return ok;
+  return formula_tape(t, (struct view){m, LAYER_CORRECTED, NULL, NULL}, expression, "", NULL, 0);
 }
 
 /* --- Matrices held as unknowns --- */

@@ -4,19 +4,8 @@
 #include <string.h>
 
 #include "exact_proof.h"
+#include "value/expression.h"
 #include "value/local_maps.h"
-
-/* A formula under a view. */
-static bool read_formula(struct tape *t, struct view v, const char *formula, const char *section,
-                         const struct override *o, int n) {
-  struct elaboration el;
-  struct matrix m;
-  struct diag d = {0};
-  elaboration_init(&el, v, o, n);
-  bool ok = elaborate_tape(t, &m, &el, formula, formula, section, &d);
-  elaboration_clear(&el);
-  return ok;
-}
 
 static bool is_moved(const struct exact_change *c, const char *name) {
   for (int i = 0; i < c->n_moved; i++)
@@ -61,8 +50,8 @@ static int common_jacobians(struct override *o, const struct exact_change *c) {
   for (int ph = 0; ph < N_PHASES; ph++) {
     const struct local_map *map = &local_maps[ph];
     struct tape a, b;
-    bool ok = read_formula(&a, c->first, map->name, "stability", NULL, 0);
-    ok = read_formula(&b, c->second, map->name, "stability", NULL, 0) && ok;
+    bool ok = formula_tape(&a, c->first, map->name, "stability", NULL, 0);
+    ok = formula_tape(&b, c->second, map->name, "stability", NULL, 0) && ok;
     if (ok && tape_same(&a, &b) && !reads_moved(c, &a)) o[n++] = (struct override){map->name, map->rows, map->cols};
     tape_clear(&b);
     tape_clear(&a);
@@ -73,8 +62,8 @@ static int common_jacobians(struct override *o, const struct exact_change *c) {
 static bool same_with(const struct exact_change *c, const char *formula, const char *section, const struct override *o,
                       int n) {
   struct tape a, b;
-  bool ok = read_formula(&a, c->first, formula, section, o, n);
-  ok = read_formula(&b, c->second, formula, section, o, n) && ok;
+  bool ok = formula_tape(&a, c->first, formula, section, o, n);
+  ok = formula_tape(&b, c->second, formula, section, o, n) && ok;
   bool same = ok && same_element(c, &a, &b);
   tape_clear(&b);
   tape_clear(&a);

@@ -7,6 +7,7 @@
 #include "exact_motion_impl.h"
 #include "nonzero.h"
 #include "num/calc.h"
+#include "value/expression.h"
 
 /* The sign of a product of chi, eta, V, 1 - chi, e_1, e_2 and a number; 0 where it is not one. */
 static int sign_of(const element *x, struct exact_motion *m) {
@@ -44,14 +45,10 @@ static bool divides_by(const struct tape *t, const element *x, struct exact_moti
 
 /* The rate at which the phase's switching function passes zero: never zero, or what the paper's matrix divides by. */
 static bool ends_transversally(struct text *note, int phase, struct view view) {
-  struct elaboration el;
-  struct matrix value;
   struct tape t;
-  struct diag d = {0};
   struct exact_motion m;
   struct num_vec z;
-  elaboration_init(&el, view, NULL, 0);
-  bool ok = elaborate_tape(&t, &value, &el, "J", local_maps[phase].name, "stability", &d);
+  bool ok = formula_tape(&t, view, local_maps[phase].name, "stability", NULL, 0);
   exact_motion_free(&m, false, 4, &t);
   element *rate = calc_new(&m.c);
   ok = ok && motion_state(&z, &m, phase + 1) == SS_OK &&
@@ -65,7 +62,6 @@ static bool ends_transversally(struct text *note, int phase, struct view view) {
   }
   exact_motion_clear(&m);
   tape_clear(&t);
-  elaboration_clear(&el);
   return ok;
 }
 

@@ -9,6 +9,7 @@
 #include "exact_argument.h"
 #include "exact_motion_impl.h"
 #include "num/calc.h"
+#include "value/expression.h"
 
 /* --- What is divided by --- */
 
@@ -240,15 +241,8 @@ static const char *why(const struct tape *t, bool root, bool admissible) {
 /* The quantity as a tape; false where it is no scalar. */
 static bool divisor_tape(struct tape *t, const struct divisor *q, struct view view) {
   struct model plain;
-  struct elaboration el;
-  struct matrix m;
-  struct diag d = {0};
   view = view_without_stable(&view, &plain);
-  elaboration_init(&el, view, NULL, 0);
-  const char *formula = text_str(&q->formula);
-  bool ok = elaborate_tape(t, &m, &el, formula, formula, q->section, &d) && t->n_outputs == 1;
-  elaboration_clear(&el);
-  return ok;
+  return formula_tape(t, view, text_str(&q->formula), q->section, NULL, 0) && t->n_outputs == 1;
 }
 
 const char *nonzero_because(const struct divisor *q, struct view view, bool admissible) {

@@ -17,7 +17,7 @@ static void add_answers(struct text *out, const struct audit_result *r, const ch
   char name[64];
   const char *sep = "";
   text_add_char(out, '\t');
-  for (const char *p = list; p && (p = claim_next_item(name, sizeof name, p)) != NULL; sep = ", ") {
+  for (const char *p = list; (p = claim_next_item(name, sizeof name, p)) != NULL; sep = ", ") {
     const struct finding *f = audit_result_finding(r, name);
     text_printf(out, "%s%s %s", sep, name, f ? verdict_name[f->verdict] : "not judged");
     if (f && f->root) text_printf(out, " (%s)", f->root);

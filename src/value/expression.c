@@ -20,6 +20,17 @@ void expression_close(struct expression *x) {
   elaboration_clear(&x->el);
 }
 
+bool formula_tape(struct tape *t, struct view v, const char *formula, const char *section, const struct override *o,
+                  int n) {
+  struct elaboration el;
+  struct matrix m;
+  struct diag d = {0};
+  elaboration_init(&el, v, o, n);
+  bool ok = elaborate_tape(t, &m, &el, formula, formula, section, &d);
+  elaboration_clear(&el);
+  return ok;
+}
+
 int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const struct point *p,
                   struct orbit_cache *cache) {
   struct values v;

@@ -358,7 +358,7 @@ static void write_share(struct text *out, const struct title *t, const struct pa
 bool title_parts_scan(struct title_parts *p, const struct title *t, const char *attribute) {
   char item[64];
   const char *list = claim_get(t->c, attribute);
-  for (const char *at = list; at && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
+  for (const char *at = list; (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     struct part part;
     if (!read_part(&part, t, attribute, item)) return false;
     if (is_numbered(t, &part, list, p->detail) || part.phase == N_PHASES) continue;
@@ -383,7 +383,7 @@ static bool is_wanted(const struct part *p, enum title_items items) {
 bool title_has_premises(const struct title *t, enum title_items items) {
   char item[64];
   bool found = false;
-  for (const char *at = claim_get(t->c, "premises"); at && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
+  for (const char *at = claim_get(t->c, "premises"); (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     struct part part = parse_part(t, item);
     found = found || (part_is_there(&part) && is_wanted(&part, items));
   }
@@ -398,8 +398,8 @@ static bool takes_time(const struct expr *e, const void *arg) {
 bool title_moves(const struct title *t, const char *attribute) {
   char item[64];
   struct part part;
-  const char *list = claim_get(t->c, attribute);
-  if (!list || !claim_next_item(item, sizeof item, list) || !read_part(&part, t, attribute, item)) return false;
+  if (!claim_next_item(item, sizeof item, claim_get(t->c, attribute)) || !read_part(&part, t, attribute, item))
+    return false;
   return stmt_any(part.r->stmts[part.statement ? part.statement - 1 : 0], takes_time, NULL);
 }
 
@@ -425,7 +425,7 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
   char item[64];
   const char *list = claim_get(t->c, attribute);
   bool ok = true;
-  for (const char *at = list; ok && at && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
+  for (const char *at = list; ok && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     struct part part;
     if (!(ok = read_part(&part, t, attribute, item))) break;
     if (!is_wanted(&part, p->items)) continue;
