@@ -1,52 +1,43 @@
 /* What can be said against claims and controls before anything is judged: attributes that nothing reads, kinds and
    verdicts that there are not, and what is missing. */
-#include <string.h>
-
 #include "claim.h"
 
-/* What claims of each kind have; the first row, what all have; the last, what controls may have besides. */
-static const struct {
-  const char *kind, *attributes;
-} read_by[] = {
-    {"", "equation section own kind title quote place depends-on about few record record-scene correction restricted"},
-    {"definition", "value statement"},
-    {"matrix", "value points routes oracle perturbation"},
-    {"identity", "statement points routes oracle perturbation"},
-    {"sharp", "statement points perturbation"},
-    {"inequality", "statement points routes"},
-    {"index-range", "statement letter range repaired-range"},
-    {"number", "number from formula relation also-printed"},
-    {"closure", ""},
-    {"criterion", "statement at side"},
-    {"behaviour", "check moves states range transition limit jumps friction at vary systems"},
-    {"report", "formula"},
-    {"argument", "statement premises conclusion over friction increasing repair converse converse-of"},
-    {"notation", "reads repaired repaired-as symbols stands-for found-in"},
-    {"scaling", "statement scaled repaired repaired-as"},
-    {"reach", "statements absent"},
-    {"rank", "statement unknowns rank"},
-    {"defined", "statements over at vary"},
-    {"sequence", "word conditions"},
-    {"existence", "given through"},
-    {"constraints", "constraints least-first least-second"},
-    {"solutions", "statement count every until kept constraints at"},
-    {"range", "premises conclusion even odd factor frequency drift rate from"},
-    {"law", "mass slips sticks breaks heading limits"},
-    {"outside", "needs"},
-    {NULL, "claim of near shift"},
+/* What all claims have, what those of each kind have besides, and what controls may have. */
+static const char of_all[] =
+    "equation section own kind title quote place depends-on about few record record-scene correction restricted";
+static const char *const of_kind[N_KINDS] = {
+    [KIND_DEFINITION] = "value statement",
+    [KIND_MATRIX] = "value points routes oracle perturbation",
+    [KIND_IDENTITY] = "statement points routes oracle perturbation",
+    [KIND_SHARP] = "statement points perturbation",
+    [KIND_INEQUALITY] = "statement points routes",
+    [KIND_INDEX_RANGE] = "statement letter range repaired-range",
+    [KIND_NUMBER] = "number from formula relation also-printed",
+    [KIND_CLOSURE] = "",
+    [KIND_CRITERION] = "statement at side",
+    [KIND_BEHAVIOUR] = "check moves states range transition limit jumps friction at vary systems",
+    [KIND_REPORT] = "formula",
+    [KIND_ARGUMENT] = "statement premises conclusion over friction increasing repair converse converse-of",
+    [KIND_NOTATION] = "reads repaired repaired-as symbols stands-for found-in",
+    [KIND_SCALING] = "statement scaled repaired repaired-as",
+    [KIND_REACH] = "statements absent",
+    [KIND_RANK] = "statement unknowns rank",
+    [KIND_DEFINED] = "statements over at vary",
+    [KIND_SEQUENCE] = "word conditions",
+    [KIND_EXISTENCE] = "given through",
+    [KIND_CONSTRAINTS] = "constraints least-first least-second",
+    [KIND_SOLUTIONS] = "statement count every until kept constraints at",
+    [KIND_RANGE] = "premises conclusion even odd factor frequency drift rate from",
+    [KIND_LAW] = "mass slips sticks breaks heading limits",
+    [KIND_OUTSIDE] = "needs",
 };
-enum { N_READ_BY = sizeof read_by / sizeof *read_by };
+static const char of_controls[] = "claim of near shift";
 
-/* kind: that of the claim; NULL: any, a control's too. */
-static bool is_read(const char *attribute, const char *kind) {
-  size_t n;
-  for (size_t i = 0; i < N_READ_BY; i++) {
-    const char *of = read_by[i].kind, *list = read_by[i].attributes;
-    if (kind && (!of || (*of && strcmp(of, kind) != 0))) continue;
-    for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n))
-      if (strlen(attribute) == n && strncmp(p, attribute, n) == 0) return true;
-  }
-  return false;
+/* kind: that of the claim; N_KINDS: any, a control's too. */
+static bool is_read(const char *attribute, enum kind kind) {
+  bool any = kind == N_KINDS, read = list_has(of_all, attribute) || (any && list_has(of_controls, attribute));
+  for (int k = 0; k < N_KINDS; k++) read = read || ((any || k == (int)kind) && list_has(of_kind[k], attribute));
+  return read;
 }
 
 static bool complain(const struct claim *c, size_t at, struct diag *d, const char *what) {
@@ -55,18 +46,19 @@ static bool complain(const struct claim *c, size_t at, struct diag *d, const cha
 }
 
 static bool check_claim(const struct claim *c, bool control, struct diag *d) {
-  const char *record = claim_get(c, "record"), *kind = claim_get(c, "kind");
+  const char *record = claim_get(c, "record"), *word = claim_get(c, "kind");
+  enum kind kind = claim_kind(c);
   for (size_t k = 0; k < c->record->n_fields; k++) {
     const struct field *f = &c->record->fields[k];
     if (!f->attribute) return complain(c, f->value.begin, d, "a claim has attributes only, \"word: text\"");
-    if (!is_read(f->key_name, NULL)) return complain(c, f->key.begin, d, "unknown attribute");
+    if (!is_read(f->key_name, N_KINDS)) return complain(c, f->key.begin, d, "unknown attribute");
   }
   if (control) return claim_get(c, "claim") || claim_mistake(c, "", d, "a control names the claim that it damages");
-  if (!kind) return claim_mistake(c, "", d, "a claim has a kind and a title, or the attributes that make one");
-  if (!claim_kind_of(c)) return claim_mistake(c, "kind", d, "unknown kind of claim");
+  if (!word) return claim_mistake(c, "", d, "a claim has a kind and a title, or the attributes that make one");
+  if (kind == N_KINDS) return claim_mistake(c, "kind", d, "unknown kind of claim");
   for (size_t k = 0; k < c->record->n_fields; k++) {
     const char *name = c->record->fields[k].key_name;
-    if (!is_read(name, kind)) return claim_mistake(c, name, d, "a claim of kind %s has no such attribute", kind);
+    if (!is_read(name, kind)) return claim_mistake(c, name, d, "a claim of kind %s has no such attribute", word);
   }
   if (record && verdict_parse(record) == N_VERDICTS) return claim_mistake(c, "record", d, "not a verdict");
   if (claim_get(c, "correction") && !claim_says(c, "correction", "unknown"))

@@ -288,6 +288,13 @@ int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list) {
   return n;
 }
 
+bool list_has(const char *list, const char *word) {
+  size_t len = strlen(word), n;
+  for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n))
+    if (n == len && strncmp(p, word, n) == 0) return true;
+  return false;
+}
+
 const char *claim_next_item(char *buf, size_t size, const char *list) {
   if (list) list += strspn(list, " ,");
   if (!list || !*list) return NULL;

@@ -227,10 +227,7 @@ bool dependences_corrected(struct dependences *d, size_t a, const char *equation
 /* --- The list of a finding --- */
 
 bool dependences_named(const struct claim *c, const char *id) {
-  size_t len = strlen(id), n;
-  for (const char *p = list_item(&n, claim_get(c, "depends-on")); p; p = list_item(&n, p + n))
-    if (n == len && strncmp(p, id, n) == 0) return true;
-  return false;
+  return list_has(claim_get(c, "depends-on"), id);
 }
 
 /* Every id that is named by hand must be that of a claim. */

@@ -54,14 +54,8 @@ enum { N_RULES = sizeof rules / sizeof *rules };
 
 /* --- Which --- */
 
-/* "4-stability.eq" or "4-stability". */
-static bool names_file(const char *file, const char *item) {
-  size_t n = strlen(item);
-  return strncmp(file, item, n) == 0 && (file[n] == '\0' || file[n] == '.');
-}
-
 static bool is_named(const struct material *m, const struct damage *d, const char *item) {
-  return strcmp(d->record, item) == 0 || names_file(m->file[d->file].name, item) ||
+  return strcmp(d->record, item) == 0 || file_is_named(m->file[d->file].name, item) ||
          strcmp(damage_classes[d->class].words, item) == 0;
 }
 

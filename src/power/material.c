@@ -28,6 +28,11 @@ void material_clear(struct material *m) {
   free(m->file);
 }
 
+bool file_is_named(const char *file, const char *item) {
+  size_t n = strlen(item);
+  return strncmp(file, item, n) == 0 && (file[n] == '\0' || file[n] == '.');
+}
+
 bool material_check(const struct audit_data *data, struct diag *d) {
   return model_check_tex(data->model, RANK_STABLE, d) && data_check(data, d) &&
          titles_check(data->model, data->claims, d);

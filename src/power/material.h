@@ -25,6 +25,8 @@ struct material {
 /* All of it is borrowed. */
 void material_init(struct material *m, const struct audit_data *data, const struct scene *scene);
 void material_clear(struct material *m);
+/* Whether "4-stability.eq" or "4-stability" names the file. */
+bool file_is_named(const char *file, const char *item);
 /* The checks of loaded data, those of the TeX that model_load makes and those of verify. */
 bool material_check(const struct audit_data *data, struct diag *d);
 

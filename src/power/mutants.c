@@ -2,6 +2,8 @@
    something in its section; shapes come from elaborating every definition once. */
 #include "mutants.h"
 
+#include "material.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -125,12 +127,9 @@ void target_reaches(bool *record, const struct model *m, const struct target *t)
   free(name);
 }
 
-/* "4-stability.eq" or "4-stability" for a file, an id for a record. */
+/* By its file, or its id. */
 static bool is_named(const struct statement_record *r, const char *item) {
-  const char *file = path_base(r->src->name);
-  size_t n = strlen(item);
-  bool of_file = strncmp(file, item, n) == 0 && (file[n] == '\0' || strcmp(file + n, ".eq") == 0);
-  return of_file || strcmp(r->record->id_name, item) == 0;
+  return file_is_named(path_base(r->src->name), item) || strcmp(r->record->id_name, item) == 0;
 }
 
 static bool wanted(const struct statement_record *r, const char *const *only, int n_only) {
