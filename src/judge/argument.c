@@ -117,7 +117,7 @@ static void describe_scene(struct finding *f, struct argument *a) {
     struct argument_decision d = {.where = 0};
     arb_init(d.value);
     p.orbit = i;
-    argument_decide(&d, a, &p, NULL);
+    argument_decide(&d, NULL, a, &p, NULL);
     text_printf(&t, "%son periodic solution %ld of %s: %s", i ? "; " : "", (long)i + 1, scene_data_of(a->j->scene),
                 d.conclusion == TRUTH_TRUE    ? "holds"
                 : d.conclusion == TRUTH_FALSE ? result_str(a->j->out, "%s fails", a->part[CONCLUSION].at[d.failed].text)

@@ -93,11 +93,7 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
   const double e[2] = {0, 0}; /* so that the grid is one of u_s, whatever e_1 and e_2 are */
   arb_init(d.value);
   argument_least_margin(p->q + Q_US1, a, p, fmpq_get_d(&p->q[Q_V]), e);
-  argument_decide(&d, a, p, NULL);
-  if (d.premises == TRUTH_TRUE) {
-    decided[0].of[d.conclusion]++;
-    decided[1].of[d.by_exponentials]++;
-  }
+  argument_decide(&d, decided, a, p, NULL);
   const char *where = result_str(a->j->out, "%s, along the whole phase", usual_orbit_text(a->j, "periodic solution"));
   argument_add_routes(w, f, a, decided, where, describe(a, &d, p));
   bool all = !a->uses_friction;

@@ -139,7 +139,7 @@ static truth friction_allowed(const struct argument *a, const struct point *p, c
   return ok;
 }
 
-void argument_decide(struct argument_decision *d, struct argument *a, const struct point *p,
+void argument_decide(struct argument_decision *d, struct answers decided[2], struct argument *a, const struct point *p,
                      const struct dyn_orbit *o) {
   struct orbit_cache *cache = a->j->cache;
   d->premises = p->kind == POINT_GIVEN ? friction_allowed(a, p, o) : TRUTH_TRUE;
@@ -162,6 +162,9 @@ void argument_decide(struct argument_decision *d, struct argument *a, const stru
     truth again = condition_holds_at(c, p, holds == TRUTH_FALSE ? where : -1, cache);
     d->by_exponentials = truth_and(d->by_exponentials, again);
   }
+  if (!decided || d->premises != TRUTH_TRUE) return;
+  decided[0].of[d->conclusion]++;
+  decided[1].of[d->by_exponentials]++;
 }
 
 /* --- The search --- */
@@ -230,12 +233,8 @@ static bool settle(struct argument_tally *t, struct argument *a, const struct ca
   margin_at(&p, a, &c->item, c->index);
   p.known = NULL; /* enclosed as narrowly as asked for */
   const struct dyn_orbit *o = &c->item.list.orbit[c->index];
-  argument_decide(&d, a, &p, o);
+  argument_decide(&d, t->decided, a, &p, o);
   bool counterexample = d.premises == TRUTH_TRUE && d.conclusion == TRUTH_FALSE;
-  if (d.premises == TRUTH_TRUE) {
-    t->decided[0].of[d.conclusion]++;
-    t->decided[1].of[d.by_exponentials]++;
-  }
   if (counterexample) {
     t->certificate = certificate_text(a, &p, &d);
     certify(t, a, &p, o, &d);

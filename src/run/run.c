@@ -115,7 +115,8 @@ void pieces_clear(struct pieces *p) {
   *p = (struct pieces){.n = 0};
 }
 
-double piece_cost(const struct piece *p, const struct costs *costs) {
+/* What the piece is expected to take, in milliseconds. */
+static double piece_cost(const struct piece *p, const struct costs *costs) {
   enum { UNKNOWN_MS = 5 };
   const struct cost *c = cost_of(costs, piece_what[p->kind], p->name);
   return c ? c->ms : UNKNOWN_MS;

@@ -57,9 +57,6 @@ bool judge_consequences(struct judge *j, const size_t *at, size_t n);
 void skipped_describe(struct audit_result *out, const struct claims *claims, const struct claims *controls,
                       const struct scene *s, const struct audit_options *opt, const struct pieces *first,
                       const struct pieces *second, unsigned touched);
-/* What the piece is expected to take, in milliseconds. */
-double piece_cost(const struct piece *p, const struct costs *costs);
-
 /* Whether nothing narrows the audit. */
 bool run_is_whole(const struct audit_options *opt, const struct scene *s);
 
