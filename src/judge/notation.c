@@ -91,15 +91,19 @@ static void clashes(struct text *out, const struct use *u, int n) {
     }
 }
 
+/* Whether the symbol has the same meaning in one of those uses. */
+static bool is_among(const struct use *u, int n, const struct use *one) {
+  bool among = false;
+  for (int k = 0; k < n; k++)
+    among = among || (strcmp(u[k].symbol, one->symbol) == 0 && strcmp(u[k].meaning, one->meaning) == 0);
+  return among;
+}
+
 /* "$m_1$ for the first mass", each use once. */
 static const char *uses_text(struct judge *j, const struct use *u, int n) {
   struct text t = {0};
-  for (int i = 0; i < n; i++) {
-    bool again = false;
-    for (int k = 0; k < i; k++)
-      again = again || (strcmp(u[k].symbol, u[i].symbol) == 0 && strcmp(u[k].meaning, u[i].meaning) == 0);
-    if (!again) text_printf(&t, "%s$%s$ for %s", t.len ? ", " : "", u[i].symbol, u[i].meaning);
-  }
+  for (int i = 0; i < n; i++)
+    if (!is_among(u, i, &u[i])) text_printf(&t, "%s$%s$ for %s", t.len ? ", " : "", u[i].symbol, u[i].meaning);
   return result_take(j->out, &t);
 }
 
@@ -118,14 +122,10 @@ static bool is_printed(const struct judge *j, const char *symbol) {
    stands for something else already. */
 static void borrowed(struct text *out, const struct judge *j, const struct use *now, int m, const struct use *printed,
                      int n) {
-  for (int i = 0; i < m; i++) {
-    bool own = false;
-    for (int k = 0; k < n; k++)
-      own = own || (strcmp(printed[k].symbol, now[i].symbol) == 0 && strcmp(printed[k].meaning, now[i].meaning) == 0);
-    if (!own && is_printed(j, now[i].symbol))
+  for (int i = 0; i < m; i++)
+    if (!is_among(printed, n, &now[i]) && is_printed(j, now[i].symbol))
       text_printf(out, "%s$%s$ is printed elsewhere, and not for %s", out->len ? "; " : "", now[i].symbol,
                   now[i].meaning);
-  }
 }
 
 /* --- The kind --- */

@@ -186,10 +186,11 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
   return ok;
 }
 
-/* All records of the paper, or the one that is named, each with its own text printed (or corrected: own is false). */
-static void check_all(struct text *faults, long *checked, struct judge *j, struct view view, bool own,
-                      const char *scaled, const char *only) {
-  *checked = 0;
+/* All records of the paper, or the one that is named, each with its own text printed (or corrected: own is false); how
+   many can be read. */
+static long check_all(struct text *faults, struct judge *j, struct view view, bool own, const char *scaled,
+                      const char *only) {
+  long checked = 0;
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
     if ((only && strcmp(r->id, only) != 0) || (j->touched && !j->touched[i])) continue;
@@ -199,10 +200,11 @@ static void check_all(struct text *faults, long *checked, struct judge *j, struc
     struct text fault = {0};
     struct diag unread; /* a text that cannot be read has its own claim */
     diag_init(&unread);
-    if (seen && check_record(&fault, seen, v, scaled, &unread)) ++*checked;
+    checked += seen && check_record(&fault, seen, v, scaled, &unread);
     if (fault.len) text_printf(faults, "%s%s: %s", faults->len ? ". " : "", r->id, text_str(&fault));
     text_clear(&fault);
   }
+  return checked;
 }
 
 /* Of the prefixes "F_ u_": F_... and u_... have the same dimension. */
@@ -214,9 +216,8 @@ static const char *names_with_unit(struct judge *j, const char *prefixes) {
     else
       text_add_char(&t, *c);
   }
-  const char *said = result_str(j->out, "%s... have the same dimension", text_str(&t));
-  text_clear(&t);
-  return said;
+  text_add(&t, "... have the same dimension");
+  return result_take(j->out, &t);
 }
 
 /* --- A correction of the names that scale --- */
@@ -265,10 +266,9 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
   bool corrected_alone =
       view.control || j->effort == EFFORT_REFUTE; /* controls and mutants damage the corrected text */
   for (int pass = corrected_alone ? 1 : 0; pass < 2; pass++) {
-    long checked;
     bool own = pass == 0;
     text_reset(&faults);
-    check_all(&faults, &checked, j, view, own, !own && repaired ? repaired : scaled, only);
+    long checked = check_all(&faults, j, view, own, !own && repaired ? repaired : scaled, only);
     if (!own && repaired && claim_get(c, "repaired-as") &&
         !check_repaired(&faults, j, c, repaired, only ? view_record(&view, only) : NULL)) {
       text_clear(&faults);
