@@ -28,8 +28,11 @@ struct search {
   struct orbit_cache *cache;
   struct facts *facts;
   struct overlay overlay;
+  struct repair_result *out;
+  int jobs;
   struct arena arena;
   const struct claim *claim;
+  struct repairs *found; /* of the claim */
   struct lexicon *words;
   struct target *target;
   struct edits *edits; /* of each target */
@@ -155,24 +158,25 @@ static void put_in_place(struct search *s, const struct candidate *c, bool in) {
   }
 }
 
-/* The verdict with a candidate in place: refuted at the first difference, else in full. */
+/* The verdict on the claim; refuted with d set when it cannot be judged. */
+static enum verdict verdict_of_claim(const struct search *s, const struct model *m, enum effort effort,
+                                     struct diag *d) {
+  struct audit_result out;
+  struct finding f;
+  struct judge j = {
+      .out = &out, .model = m, .claims = s->claims, .scene = s->scene, .cache = s->cache, .d = d, .effort = effort};
+  audit_result_init(&out);
+  enum verdict v = judge_verdict(&f, &j, s->claim) ? f.verdict : VERDICT_REFUTED;
+  audit_result_clear(&out);
+  return v;
+}
+
+/* With a candidate in place: refuted at the first difference, else in full. */
 static enum verdict verdict_with(struct search *s) {
-  enum verdict v = VERDICT_REFUTED;
-  for (int effort = EFFORT_REFUTE + 1; effort-- > EFFORT_FULL;) {
-    struct audit_result out;
-    struct finding f;
+  enum verdict v = VERDICT_UNKNOWN;
+  for (int effort = EFFORT_REFUTE + 1; effort-- > EFFORT_FULL && v != VERDICT_REFUTED;) {
     struct diag d = {0};
-    audit_result_init(&out);
-    struct judge j = {.out = &out,
-                      .model = &s->overlay.model,
-                      .claims = s->claims,
-                      .scene = s->scene,
-                      .cache = s->cache,
-                      .d = &d,
-                      .effort = (enum effort)effort};
-    v = judge_verdict(&f, &j, s->claim) ? f.verdict : VERDICT_REFUTED;
-    audit_result_clear(&out);
-    if (v == VERDICT_REFUTED) break;
+    v = verdict_of_claim(s, &s->overlay.model, (enum effort)effort, &d);
   }
   return v;
 }
@@ -222,8 +226,9 @@ static void add_statements(struct text *out, const struct search *s, const struc
   }
 }
 
-static struct repair describe(struct repair_result *out, struct search *s, const struct candidate *c, enum verdict v,
-                              const char *erratum) {
+static struct repair describe(struct search *s, const struct candidate *c, enum verdict v) {
+  struct arena *a = &s->out->arena;
+  const char *erratum = s->found->erratum;
   struct text text = {0}, kinds = {0}, change = {0}, before = {0}, after = {0};
   struct repair r = {.edits = 0, .verdict = verdict_name[v]};
   for (int i = 0; i < 2 && c->kind[i]; i++, r.edits++) {
@@ -240,9 +245,9 @@ static struct repair describe(struct repair_result *out, struct search *s, const
   else if (erratum && claim_says_corrected(s->claim, &s->overlay.model, s->model, s->facts))
     r.erratum = "same values";
   put_in_place(s, c, false);
-  r.text = text_take(&out->arena, &text);
-  r.kinds = text_take(&out->arena, &kinds);
-  r.change = text_take(&out->arena, &change);
+  r.text = text_take(a, &text);
+  r.kinds = text_take(a, &kinds);
+  r.change = text_take(a, &change);
   text_clear(&after);
   text_clear(&before);
   return r;
@@ -256,14 +261,15 @@ static int smallest_first(const void *a, const void *b) {
   return by_text ? by_text : strcmp(x->change, y->change);
 }
 
-static bool try_all(struct repairs *found, struct repair_result *out, struct search *s, int jobs, struct diag *d) {
+static bool try_all(struct search *s, struct diag *d) {
+  struct repairs *found = s->found;
   enum verdict *v = ss_malloc((s->n + 1) * sizeof *v);
-  bool ok = crew_results(v, sizeof *v, s->n, jobs, try_candidate, s, NULL, d);
-  out->broken = !ok;
+  bool ok = crew_results(v, sizeof *v, s->n, s->jobs, try_candidate, s, NULL, d);
+  s->out->broken = !ok;
   for (size_t i = 0; ok && i < s->n; i++) {
     if (!verdict_passes(v[i])) continue;
     found->repair = ss_grow(found->repair, found->n, &found->cap, sizeof *found->repair);
-    found->repair[found->n++] = describe(out, s, &s->candidate[i], v[i], found->erratum);
+    found->repair[found->n++] = describe(s, &s->candidate[i], v[i]);
   }
   free(v);
   return ok;
@@ -279,23 +285,22 @@ static bool has_erratum(const struct repairs *found, size_t from) {
 }
 
 /* Every edit; then pairs of exchanged names, where no edit helps or not the correction on file. */
-static bool search_targets(struct repairs *found, struct repair_result *out, struct search *s, int jobs,
-                           struct diag *d) {
+static bool search_targets(struct search *s, struct diag *d) {
+  struct repairs *found = s->found;
   size_t from = found->n;
   single_edits(s);
   found->singles += (long)s->n;
-  if (!try_all(found, out, s, jobs, d)) return false;
+  if (!try_all(s, d)) return false;
   if (has_erratum(found, from)) return true;
   bool complete = pair_edits(s, true);
   if (!complete) complete = pair_edits(s, false);
   found->pairs_complete = complete && (found->pairs_complete || found->pairs == 0);
   found->pairs += (long)s->n;
-  return try_all(found, out, s, jobs, d);
+  return try_all(s, d);
 }
 
 /* Steps a = b of a chain a = ... = b, each as the whole statement. */
-static bool search_pieces(struct repairs *found, struct repair_result *out, struct search *s, size_t t, int jobs,
-                          struct diag *d) {
+static bool search_pieces(struct search *s, size_t t, struct diag *d) {
   const struct stmt *chain = s->model->records[s->target[t].record].stmts[s->target[t].stmt];
   bool ok = true;
   for (int k = 1; ok && chain->kind == STMT_RELATION && chain->n_sides > 2 && k < chain->n_sides; k++) {
@@ -314,7 +319,7 @@ static bool search_pieces(struct repairs *found, struct repair_result *out, stru
     part.edits = &edits;
     part.candidate = NULL;
     part.n = part.cap = 0;
-    ok = search_targets(found, out, &part, jobs, d);
+    ok = search_targets(&part, d);
     s->arena = part.arena;
     free(part.candidate);
     edits_clear(&edits);
@@ -322,17 +327,17 @@ static bool search_pieces(struct repairs *found, struct repair_result *out, stru
   return ok;
 }
 
-static bool search_claim(struct repairs *found, struct repair_result *out, struct search *s, int jobs, struct diag *d) {
+static bool search_claim(struct search *s, struct diag *d) {
   struct text t = {0};
-  if (erratum_text(&t, s->model, s->claim)) found->erratum = text_take(&out->arena, &t);
+  if (erratum_text(&t, s->model, s->claim)) s->found->erratum = text_take(&s->out->arena, &t);
   text_reset(&t);
   find_targets(s);
   add_statements(&t, s, s->model, NULL);
-  found->printed = text_take(&out->arena, &t);
-  bool ok = search_targets(found, out, s, jobs, d);
-  bool enough = has_erratum(found, 0);
-  for (size_t i = 0; ok && !enough && i < s->n_targets; i++) ok = search_pieces(found, out, s, i, jobs, d);
-  if (found->n) qsort(found->repair, found->n, sizeof *found->repair, smallest_first);
+  s->found->printed = text_take(&s->out->arena, &t);
+  bool ok = search_targets(s, d);
+  bool enough = has_erratum(s->found, 0);
+  for (size_t i = 0; ok && !enough && i < s->n_targets; i++) ok = search_pieces(s, i, d);
+  if (s->found->n) qsort(s->found->repair, s->found->n, sizeof *s->found->repair, smallest_first);
   return ok;
 }
 
@@ -354,32 +359,23 @@ static const char *no_search(const struct claim *c, enum verdict v) {
   return NULL;
 }
 
-static bool add_claim(struct repair_result *out, struct search *base, const struct claim *c, bool named, int jobs,
-                      struct diag *d) {
-  struct audit_result scratch;
-  struct finding f;
-  audit_result_init(&scratch);
-  struct judge j = {.out = &scratch,
-                    .model = base->model,
-                    .claims = base->claims,
-                    .scene = base->scene,
-                    .cache = base->cache,
-                    .d = d};
-  bool ok = judge_verdict(&f, &j, c);
-  const char *why = ok ? no_search(c, f.verdict) : NULL;
-  audit_result_clear(&scratch);
-  if (!ok || (why && !named && strcmp(why, "it is not refuted") == 0)) return ok;
+static bool add_claim(const struct search *base, const struct claim *c, bool named, struct diag *d) {
+  struct repair_result *out = base->out;
+  struct search s = *base;
+  s.claim = c;
+  enum verdict v = verdict_of_claim(&s, s.model, EFFORT_FULL, d);
+  const char *why = no_search(c, v);
+  if (d->set || (!named && !verdict_fails(v))) return !d->set;
   struct text title = {0};
-  ok = claim_title(&title, base->model, c, d);
+  bool ok = claim_title(&title, s.model, c, d);
   const char *equation = claim_get(c, "equation");
   struct repairs found = {.claim = arena_strdup(&out->arena, c->id),
                           .title = text_take(&out->arena, &title),
                           .equation = equation ? arena_strdup(&out->arena, equation) : NULL,
                           .why_none = why};
-  struct search s = *base;
-  s.claim = c;
+  s.found = &found;
   arena_init(&s.arena);
-  if (ok && !why) ok = search_claim(&found, out, &s, jobs, d);
+  if (ok && !why) ok = search_claim(&s, d);
   search_clear(&s);
   out->claim = ss_grow(out->claim, out->n, &out->cap, sizeof *out->claim);
   out->claim[out->n++] = found;
@@ -394,10 +390,14 @@ static bool is_work(const struct claim *c, const struct repair_options *opt) {
 
 bool audit_repairs(struct repair_result *out, const struct model *m, const struct claims *claims,
                    const struct scene *scene, const struct repair_options *opt, struct diag *d) {
-  struct search base = {.model = m, .claims = claims, .scene = scene};
   if (!claims_check_selection(claims, opt->only, opt->n_only, d)) return false;
-  base.cache = orbit_cache_new();
-  base.facts = facts_new(m);
+  struct search base = {.model = m,
+                        .claims = claims,
+                        .scene = scene,
+                        .cache = orbit_cache_new(),
+                        .facts = facts_new(m),
+                        .out = out,
+                        .jobs = opt->jobs};
   overlay_init(&base.overlay, m);
   out->scene = arena_strdup(&out->arena, scene->name);
   bool ok = true;
@@ -405,7 +405,7 @@ bool audit_repairs(struct repair_result *out, const struct model *m, const struc
   for (size_t i = 0; i < claims->n; i++) of += is_work(&claims->claim[i], opt);
   for (size_t i = 0; ok && i < claims->n; i++) {
     if (!claims_selects(opt->only, opt->n_only, &claims->claim[i])) continue;
-    ok = add_claim(out, &base, &claims->claim[i], opt->n_only > 0, opt->jobs, d);
+    ok = add_claim(&base, &claims->claim[i], opt->n_only > 0, d);
     done += is_work(&claims->claim[i], opt);
     if (opt->progress) opt->progress(done, of);
   }
