@@ -124,19 +124,15 @@ static bool findings_differ(struct damage_said *out, const struct audit_result *
 static bool claim_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
                           const struct claim *claim) {
   const struct claim *before = claim_named(s->m->data.claims, claim->id);
+  const struct undamaged *u = before ? undamaged_claim(s, (size_t)(before - s->m->data.claims->claim)) : NULL;
+  if (!u || !u->readable) return false;
   struct audit_result r;
   struct diag d = {0};
   audit_result_init(&r);
-  const struct undamaged *u = before ? undamaged_claim(s, (size_t)(before - s->m->data.claims->claim)) : NULL;
-  bool noticed = false;
-  if (!u || !u->readable) {
-    audit_result_clear(&r);
-    return false;
-  }
-  if (!judge_one(&r, s, c, claim, NULL, &d)) {
+  bool noticed = true;
+  if (!judge_one(&r, s, c, claim, NULL, &d))
     say(out, FATE_UNREADABLE, "%s", d.message);
-    noticed = true;
-  } else
+  else
     noticed = findings_differ(out, &r, &u->said);
   audit_result_clear(&r);
   return noticed;
@@ -150,8 +146,7 @@ static bool is_far(struct damage_said *out, const struct control_result *c) {
 
 static bool control_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
                             const struct claim *control) {
-  const char *of = record_get(control->record, "claim");
-  const struct claim *claim = claim_named(c->data.claims, of);
+  const struct claim *claim = claim_named(c->data.claims, claim_get(control, "claim"));
   struct audit_result r;
   struct diag d = {0};
   if (!claim) {
@@ -174,8 +169,7 @@ static bool controls_notice(struct damage_said *out, struct damage_study *s, con
                             const char *claim) {
   for (size_t i = 0; i < c->data.controls->n; i++) {
     const struct claim *control = &c->data.controls->claim[i];
-    const char *of = record_get(control->record, "claim");
-    if (of && strcmp(of, claim) == 0 && control_notices(out, s, c, control)) return true;
+    if (claim_says(control, "claim", claim) && control_notices(out, s, c, control)) return true;
   }
   return false;
 }

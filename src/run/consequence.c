@@ -154,8 +154,8 @@ static void book_result(struct failure *f, struct result *r, const struct trial 
   if (r->differs++) return;
   const char *place = entry_place(out, r->rows * r->cols, r->cols, t->entry);
   r->out.entry = *place ? place : NULL;
-  r->out.printed = result_str(out, "%s", t->lhs);
-  r->out.corrected = result_str(out, "%s", t->rhs);
+  r->out.printed = result_copy(out, t->lhs);
+  r->out.corrected = result_copy(out, t->rhs);
   r->out.where = place_text(f, p, v);
   if (!f->number && !tape_same(&r->tape[READ_OWN], &r->tape[READ_PRINTED]))
     r->out.chain = chain_value(f, r, v, t->entry);
@@ -223,8 +223,8 @@ static void conclude_result(struct failure *f, struct result *r) {
   struct derived *d = &r->out;
   long points = r->agrees + r->differs + r->undecided;
   d->formula = r->formula;
-  d->title = result_str(out, "%s", claim_get(r->c, "title"));
-  d->latex = r->latex.len ? result_str(out, "%s", text_str(&r->latex)) : NULL;
+  d->title = result_copy(out, claim_get(r->c, "title"));
+  d->latex = r->latex.len ? result_copy(out, text_str(&r->latex)) : NULL;
   if (r->differs) {
     d->change = CHANGE_CHANGES;
     d->verdict = result_str(out, "changes at %ld of %ld point%s", r->differs, points, points == 1 ? "" : "s");
@@ -245,7 +245,7 @@ static void conclude_result(struct failure *f, struct result *r) {
 static void add_id(struct audit_result *out, struct id_list *list, const char *id) {
   const char **ids = arena_alloc(&out->arena, (size_t)(list->n + 1) * sizeof *ids);
   if (list->n) memcpy(ids, list->id, (size_t)list->n * sizeof *ids);
-  ids[list->n++] = result_str(out, "%s", id);
+  ids[list->n++] = result_copy(out, id);
   list->id = ids;
 }
 

@@ -288,7 +288,7 @@ static struct task_result *do_pieces(struct audit_result *out, struct audit_work
     }
     out->spent = ss_grow(out->spent, out->n_spent, &out->cap_spent, sizeof *out->spent);
     out->spent[out->n_spent++] =
-        (struct piece_spent){piece_what[p->kind], result_str(out, "%s", p->name), t[i].units, 1e3 * t[i].seconds};
+        (struct piece_spent){piece_what[p->kind], result_copy(out, p->name), t[i].units, 1e3 * t[i].seconds};
   }
   free(cost);
   return t;

@@ -51,7 +51,7 @@ static void skip_range(struct audit_result *out, unsigned touched, enum work_par
   for (int part = (int)from; part <= (int)to; part++)
     if (!(touched >> part & 1U))
       text_printf(&names, "%s%s", names.len ? ", " : head, work_part_name[part] + (names.len ? strlen(head) : 0));
-  if (names.len) audit_leave_out(out, result_str(out, "%s", text_str(&names) + strlen(head)), why);
+  if (names.len) audit_leave_out(out, result_copy(out, text_str(&names) + strlen(head)), why);
   text_clear(&names);
 }
 

@@ -86,7 +86,7 @@ static bool do_task(const struct team *c, size_t i, struct arena *arena, const s
   double start = c->t->seconds_now ? c->t->seconds_now() : 0;
   bool ok = c->t->run(&part, i, c->t->arg, &d);
   pack_result(&part);
-  const char *error = ok ? NULL : result_str(&part, "%s", d.message);
+  const char *error = ok ? NULL : result_copy(&part, d.message);
   *arena = part.arena;
   if (block && arena->head != block) return false;
   slot->part = part;

@@ -197,7 +197,7 @@ static bool value_at(struct judge *j, const struct quantity *q, const struct poi
     for (slong i = 0; known && settled && i < n && !j->d->set; i++) {
       text_reset(&t);
       bool good = s == SS_OK && num_print(&t, num_vec_at(&x, i), digits) == SS_OK;
-      add_value(j, q, i, at, good ? result_str(j->out, "%s", text_str(&t)) : NULL);
+      add_value(j, q, i, at, good ? result_copy(j->out, text_str(&t)) : NULL);
     }
     text_clear(&t);
     num_vec_clear(&x);
@@ -227,7 +227,7 @@ static const char *reason(struct judge *j, const struct diag *d) {
 }
 
 static void one_value(struct judge *j, size_t item, size_t *bytes, slong digits) {
-  const char *name = result_str(j->out, "%s", j->scene->asked.values.item[item]);
+  const char *name = result_copy(j->out, j->scene->asked.values.item[item]);
   struct quantity q = {.item = item, .bytes = bytes};
   struct point p;
   struct diag d = {0};
