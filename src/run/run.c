@@ -125,11 +125,11 @@ static double piece_cost(const struct piece *p, const struct costs *costs) {
 /* --- Doing them --- */
 
 struct audit_work {
-  const struct judge *base; /* its cache is that of this process */
+  const struct judge *base; /* its cache is that of this process, its result the whole one */
   const struct audit_options *opt;
-  const struct audit_result *findings; /* of the first pieces */
   const struct pieces *pieces;
-  struct work_raises raises; /* of all pieces */
+  unsigned touched;          /* by all pieces, */
+  struct work_raises raises; /* and of them */
 };
 
 static bool do_consequence(struct judge *j, const struct piece *p, const struct audit_result *all) {
@@ -166,16 +166,16 @@ static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag
   bool ok = true;
   j.out = part;
   j.d = d;
-  part->scene = r->findings->scene;
+  part->scene = r->base->out->scene;
   switch (p->kind) {
   case PIECE_CLAIM:
     ok = judge_claim(&j, p->claim);
     break;
   case PIECE_CONSEQUENCE:
-    ok = do_consequence(&j, p, r->findings);
+    ok = do_consequence(&j, p, r->base->out);
     break;
   case PIECE_CONTROL:
-    ok = do_control(&j, p, r->findings);
+    ok = do_control(&j, p, r->base->out);
     break;
   case PIECE_LONG_RUNS:
     study_long_runs(&j);
@@ -200,10 +200,10 @@ static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag
 /* --- Putting the parts together --- */
 
 /* A claim that ran out of its budget is undecided, and so is what a failure does; a control was not tried. */
-static void note_exhausted(struct audit_result *out, struct audit_work *r, const struct piece *p) {
+static void note_exhausted(const struct audit_work *r, const struct piece *p) {
   struct judge j = *r->base;
+  struct audit_result *out = j.out;
   struct diag d = {0};
-  j.out = out;
   j.d = &d;
   const char *why = result_str(out, "the budget of %llu units of work ran out", j.scene->asked.budget);
   struct finding f;
@@ -225,23 +225,18 @@ static void take_consequence(struct audit_result *out, const struct piece *p, co
   result_append(out, &part);
 }
 
-static bool take(struct audit_result *out, struct audit_work *r, const struct pieces *pieces,
-                 const struct task_result *t, enum piece_kind from, enum piece_kind to, struct diag *d) {
+static void take(const struct audit_work *r, const struct pieces *pieces, const struct task_result *t,
+                 enum piece_kind from, enum piece_kind to) {
   for (size_t i = 0; i < pieces->n; i++) {
     const struct piece *p = &pieces->item[i];
     if (p->kind < from || p->kind > to) continue;
-    if (t[i].end == TASK_FAILED) {
-      diag_again(d, t[i].error);
-      return false;
-    }
     if (t[i].end == TASK_EXHAUSTED)
-      note_exhausted(out, r, p);
+      note_exhausted(r, p);
     else if (p->kind == PIECE_CONSEQUENCE)
-      take_consequence(out, p, &t[i]);
+      take_consequence(r->base->out, p, &t[i]);
     else
-      result_append(out, &t[i].part);
+      result_append(r->base->out, &t[i].part);
   }
-  return true;
 }
 
 /* The total is that of the claims, studies and controls, which is known from the start: consequences, which are not,
@@ -257,15 +252,16 @@ static void tell_share(void *arg, size_t done, double share) {
   t->opt->progress(t->opt->arg, t->before + done * t->items / t->tasks, t->total, t->from + t->weight * share);
 }
 
-/* What came after the claims on other runs: what is known of controls, and a fifth of the rest for consequences. */
 static double expected(const struct pieces *p, const struct costs *costs) {
   double ms = 0;
   for (size_t i = 0; i < p->n; i++) ms += piece_cost(&p->item[i], costs);
   return ms;
 }
 
-static struct task_result *do_pieces(struct audit_result *out, struct audit_work *r, const struct pieces *pieces,
-                                     struct teller *teller, unsigned *touched) {
+/* NULL with d set when one fails. */
+static struct task_result *do_pieces(struct audit_work *r, const struct pieces *pieces, struct teller *teller,
+                                     struct diag *d) {
+  struct audit_result *out = r->base->out;
   double *cost = ss_malloc(pieces->n * sizeof *cost);
   for (size_t i = 0; i < pieces->n; i++) cost[i] = piece_cost(&pieces->item[i], r->opt->costs);
   r->pieces = pieces;
@@ -281,7 +277,7 @@ static struct task_result *do_pieces(struct audit_result *out, struct audit_work
   struct task_result *t = tasks_run(out, &tasks);
   for (size_t i = 0; i < pieces->n; i++) {
     const struct piece *p = &pieces->item[i];
-    *touched |= t[i].touched;
+    r->touched |= t[i].touched;
     for (int k = 0; k < N_WORK_LADDERS; k++) {
       r->raises.tried[k] += t[i].raises.tried[k];
       r->raises.enough[k] += t[i].raises.enough[k];
@@ -291,34 +287,36 @@ static struct task_result *do_pieces(struct audit_result *out, struct audit_work
         (struct piece_spent){piece_what[p->kind], result_copy(out, p->name), t[i].units, 1e3 * t[i].seconds};
   }
   free(cost);
+  for (size_t i = 0; i < pieces->n; i++) {
+    if (t[i].end != TASK_FAILED) continue;
+    diag_again(d, t[i].error);
+    free(t);
+    return NULL;
+  }
   return t;
 }
 
-static bool run_pieces(struct audit_result *out, struct audit_work *r, struct pieces *first, struct pieces *second,
-                       unsigned *touched, struct diag *d) {
+/* What comes after the claims is expected to take what is known of controls, and a fifth of the rest for
+   consequences. */
+static bool run_pieces(struct audit_work *r, const struct pieces *first, const struct pieces *second, struct diag *d) {
   double all = expected(first, r->opt->costs), controls = expected(second, r->opt->costs);
   double share = all > 0 ? all / (1.2 * all + controls) : 1;
   struct teller teller = {r->opt, first->n + second->n, 0, first->n, first->n, 0, share};
-  struct task_result *t = do_pieces(out, r, first, &teller, touched), *u = NULL;
-  bool ok = take(out, r, first, t, PIECE_CLAIM, PIECE_CLAIM, d);
-  for (size_t i = 0; ok && i < first->n; i++) {
-    ok = t[i].end != TASK_FAILED;
-    if (!ok) diag_again(d, t[i].error);
-  }
-  if (ok) {
+  struct task_result *t = do_pieces(r, first, &teller, d), *u = NULL;
+  if (t) {
     struct pieces both = {.n = 0};
-    struct judge j = *r->base;
-    j.out = out;
-    pieces_consequences(&both, &j);
+    take(r, first, t, PIECE_CLAIM, PIECE_CLAIM);
+    pieces_consequences(&both, r->base);
     for (size_t i = 0; i < second->n; i++)
       *add_piece(&both, PIECE_CONTROL, NULL) = second->item[i]; /* controls have no findings of their own to free */
     teller = (struct teller){r->opt, teller.total, first->n, second->n, both.n, share, 1 - share};
-    u = do_pieces(out, r, &both, &teller, touched);
-    ok = take(out, r, &both, u, PIECE_CONSEQUENCE, PIECE_CONTROL, d);
+    u = do_pieces(r, &both, &teller, d);
+    if (u) take(r, &both, u, PIECE_CONSEQUENCE, PIECE_CONTROL);
     pieces_clear(&both);
   }
-  ok = ok && take(out, r, first, t, PIECE_LONG_RUNS, PIECE_VALUES, d);
-  if (ok) readings_explain(out, r->base->claims);
+  bool ok = u != NULL;
+  if (ok) take(r, first, t, PIECE_LONG_RUNS, PIECE_VALUES);
+  if (ok) readings_explain(r->base->out, r->base->claims);
   free(u);
   free(t);
   return ok;
@@ -367,18 +365,16 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
                        .cache = orbit_cache_new(),
                        .out = out,
                        .d = d};
-  struct audit_work r = {.base = &base, .opt = opt, .findings = out};
+  struct audit_work r = {.base = &base, .opt = opt};
   struct pieces first = {.n = 0}, second = {.n = 0};
-  unsigned touched = 0;
   out->jobs = opt->jobs > 1 ? opt->jobs : 1;
   routes_describe(out);
   pieces_first(&first, m, claims, scene, opt);
-  bool ok =
-      pieces_controls(&second, claims, controls, scene, opt, d) && run_pieces(out, &r, &first, &second, &touched, d);
+  bool ok = pieces_controls(&second, claims, controls, scene, opt, d) && run_pieces(&r, &first, &second, d);
   ok = ok && roots_attach(out, m, claims, opt->statements, opt->roots, d);
   if (ok && opt->statements && run_is_whole(opt, scene)) table_of_statements(out, opt->statements);
   if (ok) add_raises(out, &r.raises);
-  if (ok) skipped_describe(out, claims, controls, scene, opt, &first, &second, touched);
+  if (ok) skipped_describe(&base, controls, opt, &first, &second, r.touched);
   pieces_clear(&second);
   pieces_clear(&first);
   orbit_cache_free(base.cache);

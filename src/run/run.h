@@ -54,9 +54,8 @@ bool claims_fail_together(const struct claim *a, const struct claim *b);
 bool judge_consequences(struct judge *j, const size_t *at, size_t n);
 /* What the run left out, and why, made from what was really not done (skipped.c); touched: the parts of work.h that some
    piece has used. */
-void skipped_describe(struct audit_result *out, const struct claims *claims, const struct claims *controls,
-                      const struct scene *s, const struct audit_options *opt, const struct pieces *first,
-                      const struct pieces *second, unsigned touched);
+void skipped_describe(const struct judge *j, const struct claims *controls, const struct audit_options *opt,
+                      const struct pieces *first, const struct pieces *second, unsigned touched);
 /* Whether nothing narrows the audit. */
 bool run_is_whole(const struct audit_options *opt, const struct scene *s);
 

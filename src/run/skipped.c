@@ -64,10 +64,11 @@ static void skip_parts(struct audit_result *out, unsigned touched) {
              touched >> WORK_BITS_128 & 1U ? "nothing was undecided with fewer bits" : unreached);
 }
 
-void skipped_describe(struct audit_result *out, const struct claims *claims, const struct claims *controls,
-                      const struct scene *s, const struct audit_options *opt, const struct pieces *first,
-                      const struct pieces *second, unsigned touched) {
-  size_t others = claims->n - count(first, PIECE_CLAIM), unused = controls->n - count(second, PIECE_CONTROL);
+void skipped_describe(const struct judge *j, const struct claims *controls, const struct audit_options *opt,
+                      const struct pieces *first, const struct pieces *second, unsigned touched) {
+  struct audit_result *out = j->out;
+  const struct scene *s = j->scene;
+  size_t others = j->claims->n - count(first, PIECE_CLAIM), unused = controls->n - count(second, PIECE_CONTROL);
   if (others) audit_leave_out(out, result_str(out, "%zu other claims", others), not_selected(s, opt));
   if (unused)
     audit_leave_out(out, result_str(out, "%zu controls", unused), "the claims that they stand beside are not selected");
