@@ -99,7 +99,7 @@ bool behaviour_patching(struct behaviour *b) {
   char name[MOST_SYSTEMS][CLAIM_NAME];
   struct chains c = {.n = 0};
   struct text data = {0};
-  int n = claim_get(b->c, "systems") ? claim_names_listed(name, MOST_SYSTEMS, claim_get(b->c, "systems")) : 0;
+  int n = claim_names_listed(name, MOST_SYSTEMS, claim_get(b->c, "systems"));
   if (n == 0) return claim_error(b->j, b->c, "check", "systems of more masses are missing: systems: NAME, NAME");
   bool ok = true;
   text_init(&c.words);

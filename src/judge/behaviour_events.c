@@ -103,12 +103,16 @@ bool events_decided(const struct friction *f, int mass) {
          breaks_beyond(f, mass, -1);
 }
 
+static struct route_result proof_by_signs(struct behaviour *b, bool known, const char *note) {
+  return behaviour_proof(b, known ? ROUTE_AGREES : ROUTE_UNDECIDED,
+                         known ? note : "the signs of the accelerations are not known in every case");
+}
+
 struct route_result events_prove_stick(struct behaviour *b) {
   bool ok = true;
   for (int i = 0; i < 2; i++) ok = ok && sticks_inside(b->law, i) && slips_by_sliding_friction(b->law, i);
-  if (!ok) return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
-  return behaviour_proof(
-      b, ROUTE_AGREES,
+  return proof_by_signs(
+      b, ok,
       "finite split of cases, exact for either mass: where x'_i = V and |f_i| < u_ri, no branch of (2) but the "
       "sticking one applies (f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1)); its friction u_i = f_i makes x''_i = 0 in "
       "(1). A slip that began there would begin with the acceleration of a slipping mass, which is zero only for |f_i| "
@@ -123,10 +127,8 @@ struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
     still = still || sticks_at(b->law, i, sliding_limit);
   }
   if (still) return behaviour_proof(b, ROUTE_DIFFERS, "where the force has this size, (2) lets the mass stick: exact");
-  if (!ok || sliding_limit)
-    return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
-  return behaviour_proof(
-      b, ROUTE_AGREES,
+  return proof_by_signs(
+      b, ok && !sliding_limit,
       "finite split of cases, exact for either mass and either direction: beyond the limit, eps f_i > u_ri, (2) has "
       "the breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < 0 "
       "leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
@@ -137,9 +139,8 @@ struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
 struct route_result events_prove_modes(struct behaviour *b) {
   bool ok = true;
   for (int i = 0; i < 2; i++) ok = ok && events_decided(b->law, i);
-  if (!ok) return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
-  return behaviour_proof(
-      b, ROUTE_AGREES,
+  return proof_by_signs(
+      b, ok,
       "finite split of cases, exact for either mass: x'_i < V and x'_i > V slip, x'_i = V sticks for |f_i| < u_ri and "
       "breaks away into a slip motion for |f_i| > u_ri; three states of each mass, nine of both, are all there are. "
       "The phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and only "

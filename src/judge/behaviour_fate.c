@@ -275,9 +275,7 @@ bool behaviour_perturb(struct behaviour *b) {
   }
   for (int k = 0; ok && k < FRICTIONS; k++) judge_table(w + k * N_MOTION_ROUTES, b, &t[k], friction[k]);
   if (ok) {
-    bool proved = proof.outcome == ROUTE_AGREES;
-    w[FRICTIONS * N_MOTION_ROUTES] = proof;
-    b->f->verdict = verdict_of(w, FRICTIONS * N_MOTION_ROUTES + proved, proved);
+    b->f->verdict = verdict_with_proof(w, FRICTIONS * N_MOTION_ROUTES, &proof);
     say_table(b, &t[0]);
     say_reach(b, &o);
     scene_orbit_fates(b);

@@ -103,8 +103,6 @@ bool behaviour_linearization(struct behaviour *b) {
                                         "from beside the orbits that the propagators call unstable and J stable the "
                                         "return map comes back at %ld and leaves at %ld",
                                         s.comes_back, s.leaves));
-  bool proved = proof.outcome == ROUTE_AGREES;
-  if (proved) w[n++] = proof;
-  b->f->verdict = verdict_of(w, n, proved);
+  b->f->verdict = verdict_with_proof(w, n, &proof);
   return true;
 }

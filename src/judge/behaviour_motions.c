@@ -238,11 +238,9 @@ struct watched behaviour_watch(struct behaviour *b, watch_fn fn, void *self) {
 
 void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_ROUTES], long trials, const char *note,
                         const struct route_result *proof) {
-  struct route_result w[1 + N_MOTION_ROUTES] = {*proof};
+  struct route_result w[N_MOTION_ROUTES + 1];
   enum route_outcome outcome[N_MOTION_ROUTES];
-  int n = proof->outcome != ROUTE_UNDECIDED;
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = answers_outcome(&said[r]);
-  behaviour_routes(w + n, b, outcome, trials, NULL, note);
-  n += N_MOTION_ROUTES;
-  b->f->verdict = verdict_of(w, n, n > N_MOTION_ROUTES);
+  behaviour_routes(w, b, outcome, trials, NULL, note);
+  b->f->verdict = verdict_with_proof(w, N_MOTION_ROUTES, proof);
 }

@@ -224,8 +224,7 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     w[n++] = add_count(f, j, "balls", &balls, wanted, true);
     if (!refute) w[n++] = add_count(f, j, "fd", &differences, wanted, false);
     struct route_result proof = prove_rank(f, j, c, view, &y, &balls, wanted);
-    if (proof.outcome != ROUTE_NOTHING) w[n++] = proof;
-    f->verdict = verdict_of(w, n, proof.outcome == ROUTE_AGREES);
+    f->verdict = verdict_with_proof(w, n, &proof);
   }
   sentence_clear(&y.s);
   return ok;

@@ -81,6 +81,12 @@ enum verdict verdict_of(const struct route_result *w, int n, bool whole_domain) 
   return independent_routes(w, n) >= 2 ? VERDICT_SUPPORTED : VERDICT_UNKNOWN;
 }
 
+enum verdict verdict_with_proof(struct route_result *w, int n, const struct route_result *proof) {
+  bool proved = proof->outcome == ROUTE_AGREES;
+  w[n] = *proof;
+  return verdict_of(w, n + (proved || proof->outcome == ROUTE_DIFFERS), proved);
+}
+
 /*  on the whole domain | under a condition | verdict
     --------------------+-------------------+------------
     refuted             | proved            | conditional

@@ -23,6 +23,8 @@ struct route_result exact_route(struct finding *f, struct audit_result *out, enu
                                 const char *note);
 /* The one table from evidence to verdict. */
 enum verdict verdict_of(const struct route_result *w, int n, bool whole_domain);
+/* Likewise of n routes and a proof, where that decides; w has a place for it. */
+enum verdict verdict_with_proof(struct route_result *w, int n, const struct route_result *proof);
 /* Of a sentence with that verdict, judged again under a condition. */
 enum verdict verdict_under_condition(enum verdict whole, enum verdict under);
 /* Unknown in spite of the table, since a case that the sentence includes was not tried, or one that it leaves out was. */
