@@ -138,6 +138,10 @@ size_t text_plain_prefix(const char *s, size_t len, bool lines) {
   return i;
 }
 
+bool word_is(const char *s, size_t len, const char *word) {
+  return strlen(word) == len && strncmp(s, word, len) == 0;
+}
+
 int word_find(const char *word, const char *const *list, int n) {
   int i = 0;
   while (i < n && strcmp(list[i], word) != 0) i++;

@@ -25,6 +25,8 @@ static inline bool char_is_word(char c) {
 /* The first item at or behind s of a list with commas or blanks between, and its length; NULL, with length 0, when
    there is none, or no list. */
 const char *list_item(size_t *len, const char *s);
+/* Whether the len characters at s are that word. */
+bool word_is(const char *s, size_t len, const char *word);
 /* The place of a word in a list of n words; n when it is none of them. */
 int word_find(const char *word, const char *const *list, int n);
 

@@ -289,9 +289,9 @@ int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list) {
 }
 
 bool list_has(const char *list, const char *word) {
-  size_t len = strlen(word), n;
+  size_t n;
   for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n))
-    if (n == len && strncmp(p, word, n) == 0) return true;
+    if (word_is(p, n, word)) return true;
   return false;
 }
 

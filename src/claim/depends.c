@@ -235,8 +235,7 @@ static bool check_named(struct judge *j, const struct claim *c, const char *list
   size_t n;
   for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n)) {
     bool known = false;
-    for (size_t i = 0; i < j->claims->n; i++)
-      known = known || (strlen(j->claims->claim[i].id) == n && strncmp(j->claims->claim[i].id, p, n) == 0);
+    for (size_t i = 0; i < j->claims->n; i++) known = known || word_is(p, n, j->claims->claim[i].id);
     if (!known) return claim_error(j, c, "depends-on", "depends-on names something that is not a claim");
   }
   return true;

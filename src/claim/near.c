@@ -223,8 +223,7 @@ static bool is_replaced(const struct model *m, const char *statement, const char
   for (size_t i = 0; statement && i < m->n_records; i++)
     if (m->records[i].rank == RANK_CONTROL && strcmp(m->records[i].id, statement) == 0) return true;
   for (size_t i = 0; !statement && i < m->n_defs; i++)
-    if (m->defs[i].rank == RANK_CONTROL && strlen(m->defs[i].name) == n && strncmp(m->defs[i].name, value, n) == 0)
-      return true;
+    if (m->defs[i].rank == RANK_CONTROL && word_is(value, n, m->defs[i].name)) return true;
   return false;
 }
 

@@ -54,8 +54,7 @@ static void exchange_items(struct maker *k, const struct items *l) {
 static const char *next_record(const struct model *m, const char *name, size_t n) {
   for (size_t i = 0; i + 1 < m->n_records; i++) {
     const struct statement_record *r = &m->records[i];
-    if (r->rank == RANK_PAPER && m->records[i + 1].rank == RANK_PAPER && strlen(r->id) == n &&
-        strncmp(r->id, name, n) == 0)
+    if (r->rank == RANK_PAPER && m->records[i + 1].rank == RANK_PAPER && word_is(name, n, r->id))
       return m->records[i + 1].id;
   }
   return NULL;

@@ -100,13 +100,9 @@ static void maker_bars(struct maker *k) {
 
 /* --- TeX --- */
 
-static bool is_name(const char *text, size_t n, const char *name) {
-  return strlen(name) == n && strncmp(text, name, n) == 0;
-}
-
 /* Commands with braces behind them that are no mathematics. */
 static bool is_plain_group(const char *text, size_t n) {
-  return is_name(text, n, "\\text") || is_name(text, n, "\\begin") || is_name(text, n, "\\end");
+  return word_is(text, n, "\\text") || word_is(text, n, "\\begin") || word_is(text, n, "\\end");
 }
 
 static size_t command_length(const char *p) {
@@ -177,14 +173,14 @@ static const struct exchange similar[] = {{"\\chi", "\\eta", BOTH_WAYS},
 
 static void exchange_symbol(struct maker *k, size_t i, size_t n) {
   for (size_t e = 0; e < sizeof similar / sizeof *similar; e++)
-    if (is_name(k->text + i, n, similar[e].was))
+    if (word_is(k->text + i, n, similar[e].was))
       maker_put(k, i, i + n, similar[e].now);
-    else if (similar[e].ways == BOTH_WAYS && is_name(k->text + i, n, similar[e].now))
+    else if (similar[e].ways == BOTH_WAYS && word_is(k->text + i, n, similar[e].now))
       maker_put(k, i, i + n, similar[e].was);
 }
 
 static bool is_accent(const char *text, size_t n) {
-  return is_name(text, n, "\\bar") || is_name(text, n, "\\tilde");
+  return word_is(text, n, "\\bar") || word_is(text, n, "\\tilde");
 }
 
 /* \bar{h} becomes h. */
@@ -197,7 +193,7 @@ static bool is_greek(const char *text, size_t n) {
   static const char *const letters[] = {"\\chi",   "\\eta",   "\\lambda", "\\Lambda",
                                         "\\Gamma", "\\omega", "\\psi",    "\\Pi"};
   for (size_t e = 0; e < sizeof letters / sizeof *letters; e++)
-    if (is_name(text, n, letters[e])) return true;
+    if (word_is(text, n, letters[e])) return true;
   return false;
 }
 

@@ -43,8 +43,7 @@ bool name_of_tangent(const char *name, int *index) {
 int name_of_propagator(const char *name) {
   size_t len = strcspn(name, "(");
   for (int ph = 0; ph < N_PHASES; ph++)
-    if (strlen(phase_name[ph]) == len && strncmp(phase_name[ph], name, len) == 0 && strcmp(name + len, "(t)") == 0)
-      return ph;
+    if (word_is(name, len, phase_name[ph]) && strcmp(name + len, "(t)") == 0) return ph;
   return -1;
 }
 

@@ -47,7 +47,7 @@ static bool complain(const struct point *p, const char *item, size_t len, struct
   const char *name;
   suggest_begin(&meant, item, len);
   for (size_t i = 0; (name = settable_name(&i, p)) != NULL; i++) {
-    known |= strlen(name) == len && strncmp(name, item, len) == 0;
+    known |= word_is(item, len, name);
     suggest_try(&meant, name);
   }
   if (!known) suggest_print(&says, &meant);

@@ -22,7 +22,7 @@ void title_count(struct text *out, long n) {
 
 bool title_is_count(const char *word, size_t len) {
   for (int i = 0; i < N_COUNTS; i++)
-    if (strlen(counts[i]) == len && strncmp(counts[i], word, len) == 0) return true;
+    if (word_is(word, len, counts[i])) return true;
   return false;
 }
 
@@ -155,8 +155,7 @@ void title_no_record(const struct title *t, const char *attribute, const char *i
 
 bool title_defines(const struct model *m, const char *name, size_t len) {
   for (size_t i = 0; i < m->n_defs; i++)
-    if (m->defs[i].rank <= RANK_USER && strlen(m->defs[i].name) == len && strncmp(m->defs[i].name, name, len) == 0)
-      return true;
+    if (m->defs[i].rank <= RANK_USER && word_is(name, len, m->defs[i].name)) return true;
   return false;
 }
 
@@ -164,7 +163,7 @@ const struct statement_record *title_record(const struct title *t, const char *i
   const struct statement_record *best = NULL;
   for (size_t i = 0; i < t->m->n_records; i++) {
     const struct statement_record *r = &t->m->records[i];
-    if (r->rank <= RANK_USER && strlen(r->id) == len && strncmp(r->id, id, len) == 0) best = r;
+    if (r->rank <= RANK_USER && word_is(id, len, r->id)) best = r;
   }
   return best;
 }
