@@ -84,7 +84,6 @@ struct bench_row {
   double setting;
   const char *failure;        /* why it counts as failed, or NULL */
   int cases, failures;        /* tried; failed */
-  int untruths;               /* balls that do not hold the true value */
   double worst, median;       /* log10 of the error; NAN when failed */
   double least_ns, median_ns; /* of one call */
   double steps;               /* mean */

@@ -190,11 +190,11 @@ double bench_median(double *x, int n) {
 }
 
 /* The error of one call, or why it failed. */
-static const char *judge(double *error, bool *untrue, const struct trial *t, int i, int status, long steps) {
+static const char *judge(double *error, const struct trial *t, int i, int status, long steps) {
   arb_t got;
   const char *failure = NULL;
+  bool untrue = false; /* a ball does not hold the true value */
   *error = -INFINITY;
-  *untrue = false;
   arb_init(got);
   for (int k = 0; k < t->job->n_out && !failure; k++) {
     t->ctx.type->get_arb(got, num_vec_at(&t->out, k));
@@ -203,13 +203,13 @@ static const char *judge(double *error, bool *untrue, const struct trial *t, int
     else if (!arb_is_finite(got))
       failure = "returned nothing";
     else if (t->ctx.type->rigorous && !arb_overlaps(got, num_vec_at(&t->sample[i].out, k)))
-      *untrue = true;
+      untrue = true;
     if (!failure) *error = fmax(*error, error_of(got, &t->sample[i], k));
   }
   arb_clear(got);
   if (failure) return failure;
   if (steps <= 0) return "took no step";
-  if (*untrue) return "a ball without the true value";
+  if (untrue) return "a ball without the true value";
   return *error < log10(0.5) ? NULL : "not one digit right";
 }
 
@@ -223,10 +223,8 @@ static void first_pass(struct bench_row *row, struct trial *t, double seconds) {
     double begin = bench_now(), e;
     int status = t->m->run(t->self, &t->out, &steps, &t->in[i]);
     spent += bench_now() - begin;
-    bool untrue;
-    const char *failure = judge(&e, &untrue, t, i, status, steps);
+    const char *failure = judge(&e, t, i, status, steps);
     row->cases++;
-    row->untruths += untrue;
     row->steps += (double)steps;
     if (failure) {
       row->failures++;

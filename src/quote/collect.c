@@ -17,7 +17,7 @@ static void drop_closing_marks(struct quote_tokens *t) {
 static void add_pieces(struct quotations *q, const char *s) {
   for (const char *gap; s; s = gap ? gap + 3 : NULL) {
     gap = strstr(s, "...");
-    struct quote_piece p = {.quotation = q->n};
+    struct quote_piece p = {.place = 0};
     quote_tokens_read(&p.tokens, s, gap ? (size_t)(gap - s) : strlen(s));
     drop_closing_marks(&p.tokens);
     if (p.tokens.n == 0) {

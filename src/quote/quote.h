@@ -87,7 +87,6 @@ enum quote_outcome {
 };
 
 struct quote_piece {
-  size_t quotation; /* whose */
   struct quote_tokens tokens;
   size_t place; /* 0: none */
   enum quote_outcome outcome;

@@ -16,15 +16,6 @@ static int lists(int eq[N_EQ], int x[N_X], unsigned eqs, unsigned unknown) {
   return n == m ? n : -1;
 }
 
-/* The square part of value and slope. */
-static void gather(struct num_vec *f, struct num_vec *j, const struct system *s, const int *eq, const int *x, int n) {
-  const struct num_type *t = s->ctx.type;
-  for (int i = 0; i < n; i++) {
-    t->set(num_vec_at(f, i), num_vec_at(&s->value, eq[i]));
-    for (int k = 0; k < n; k++) t->set(num_vec_at(j, i * n + k), num_vec_at(&s->slope, eq[i] * N_X + x[k]));
-  }
-}
-
 struct block_solver {
   struct system *s;
   unsigned eqs;
@@ -120,12 +111,12 @@ bool readings_slopes(arb_ptr by_known, arb_ptr by_equation, struct system *s, ar
   int eq[N_EQ], at[N_X], n = lists(eq, at, eqs, unknown);
   if (n <= 0) return false;
   struct calc w = calc_begin(s->ctx);
-  struct num_vec f = calc_vec(&w, n), j = calc_vec(&w, n * n);
+  struct num_vec j = calc_vec(&w, n * n);
   struct num_vec right = calc_vec(&w, n * (N_X + n)); /* minus the derivative by every quantity; the unit matrix */
   for (int i = 0; i < N_X; i++) arb_set(num_vec_at(&s->x, i), x + i);
   bool ok = system_eval(s, eqs) == SS_OK;
-  gather(&f, &j, s, eq, at, n);
   for (int i = 0; i < n; i++) {
+    for (int k = 0; k < n; k++) arb_set(num_vec_at(&j, i * n + k), num_vec_at(&s->slope, eq[i] * N_X + at[k]));
     for (int c = 0; c < N_X; c++)
       arb_neg(num_vec_at(&right, i * (N_X + n) + c), num_vec_at(&s->slope, eq[i] * N_X + c));
     arb_one(num_vec_at(&right, i * (N_X + n) + N_X + i));

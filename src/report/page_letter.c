@@ -120,8 +120,8 @@ static void add_example(const struct page *p) {
 /* --- The errors --- */
 
 /* What there is in all, once. */
-static void add_counts(const struct page *p, const char *before) {
-  text_add(p->out, before);
+static void add_counts(const struct page *p) {
+  text_add(p->out, "<p>The audit has found ");
   for (int i = 0; i < N_SEVERITIES; i++) {
     size_t n = audit_result_roots(p->r, (enum severity)i);
     text_add(p->out, i == 0 ? "" : i + 1 < N_SEVERITIES ? ", " : " and ");
@@ -142,7 +142,7 @@ static void add_errors(const struct page *p) {
   const struct root_cause *told = audit_root_of_numbers(p->r);
   if (p->r->n_roots == 0) return;
   text_add(p->out, "<h3>What has to be corrected</h3>\n");
-  add_counts(p, "<p>The audit has found ");
+  add_counts(p);
   text_add(p->out, told ? " Besides the numbers of the example these are, in order of consequence:</p>\n" : "</p>\n");
   text_add(p->out, "<ol class=\"errors\">\n");
   int n = 0;

@@ -11,8 +11,8 @@ static double shown(double lost) {
   return isinf(lost) ? STABILITY_DIGITS + 1 : lost;
 }
 
-static void add_cells(struct text *out, const struct stability_map *m, const char *blank) {
-  for (int i = 0; i < STABILITY_MAP; i++) {
+static void add_cells(struct text *out, const struct stability_map *m) {
+  for (int i = 0; i < STABILITY_MAP; i++)
     for (int k = 0; k < STABILITY_MAP; k++) {
       text_printf(out, "%.1f\t%.1f\t", m->x_at[k], m->y_at[i]);
       for (int a = 0; a < 2; a++) {
@@ -24,8 +24,6 @@ static void add_cells(struct text *out, const struct stability_map *m, const cha
         text_add(out, a ? "\n" : "\t");
       }
     }
-    text_add(out, blank);
-  }
 }
 
 void report_stability_map_tsv(struct text *out, const struct stability_result *r, int map) {
@@ -34,7 +32,7 @@ void report_stability_map_tsv(struct text *out, const struct stability_result *r
       out,
       "# %s, digits lost by the formula (%.1f: no value) over log10 |%s| and log10 |%s|; %s\n%s\t%s\tlost\tafter\n",
       r->formula[m->formula].id, STABILITY_DIGITS + 1, m->x, m->y, m->at, m->x, m->y);
-  add_cells(out, m, "");
+  add_cells(out, m);
 }
 
 /* What an axis shows: of chi, chi/(1 - chi). */
