@@ -85,8 +85,7 @@ static bool read_names(struct bench_peer *p, const struct line *l, struct diag *
   if (!p->job) return refuse(l, AT_JOB, "there is no such job", d);
   *m = (struct bench_method){l->field[AT_METHOD], l->field[AT_TITLE], .arithmetic = l->field[AT_ARITHMETIC]};
   if (bench_method_of(p->job, m->id)) return refuse(l, AT_METHOD, "the job has a method of this name", d);
-  int kind = 0;
-  while (kind < N_SETS && strcmp(bench_kind_name[kind], l->field[AT_KIND]) != 0) kind++;
+  int kind = word_find(l->field[AT_KIND], bench_kind_name, N_SETS);
   if (kind == N_SETS) return refuse(l, AT_KIND, "bits, tolerance, step, digits or nothing is expected here", d);
   m->kind = (enum bench_kind)kind;
   m->bare = strcmp(l->field[AT_BARE], "yes") == 0;

@@ -5,6 +5,7 @@
 
 #include "cli.h"
 #include "report/finding.h"
+#include "report/names.h"
 #include "report/report.h"
 
 static enum paint paint_of(enum verdict v) {
@@ -85,12 +86,6 @@ static const char *section_of(const struct finding *f) {
   return f->section ? f->section : "-";
 }
 
-static bool begins_section(const struct audit_result *r, size_t i) {
-  for (size_t k = 0; k < i; k++)
-    if (strcmp(section_of(&r->findings[k]), section_of(&r->findings[i])) == 0) return false;
-  return true;
-}
-
 static int column(enum verdict v) {
   int n = (int)strlen(verdict_name[v]);
   return n + 2;
@@ -119,15 +114,19 @@ static void add_row(struct text *out, const struct audit_result *r, const char *
 
 static void add_sections(struct text *out, const struct audit_result *r, bool colours) {
   long shown[N_VERDICTS] = {0};
-  for (size_t i = 0; i < r->n_findings; i++) shown[r->findings[i].verdict]++;
+  struct names sections = {.n = 0};
+  for (size_t i = 0; i < r->n_findings; i++) {
+    shown[r->findings[i].verdict]++;
+    names_index(&sections, section_of(&r->findings[i]));
+  }
   paint(out, colours, PAINT_HEAD, "section", -12);
   for (int v = 0; v < N_VERDICTS; v++)
     if (shown[v]) paint(out, colours, PAINT_HEAD, verdict_name[v], column((enum verdict)v));
   paint(out, colours, PAINT_HEAD, "all", 7);
   text_add_char(out, '\n');
-  for (size_t i = 0; i < r->n_findings; i++)
-    if (begins_section(r, i)) add_row(out, r, section_of(&r->findings[i]), shown, colours);
+  for (size_t i = 0; i < sections.n; i++) add_row(out, r, sections.name[i], shown, colours);
   add_row(out, r, NULL, shown, colours);
+  free(sections.name);
 }
 
 void verify_tables(const struct audit_result *r, bool proofs) {

@@ -219,8 +219,7 @@ int library_line_read(struct library_line *l, const struct ss_scene *s, const ch
                       const char *to) {
   struct diag d = {0};
   if (!s || !parameter || !from || !to) return library_fail(SS_ARGUMENT, "no scene, parameter or end of the line");
-  l->vary = 0;
-  while (l->vary < N_SCENE_PARAMS && strcmp(scene_key_name[l->vary], parameter) != 0) l->vary++;
+  l->vary = word_find(parameter, scene_key_name, N_SCENE_PARAMS);
   if (l->vary == N_SCENE_PARAMS)
     return library_fail(SS_ARGUMENT, "chi, eta, V, e1 or e2 varies, not %.100s", parameter);
   int status = library_point(s, true, true);

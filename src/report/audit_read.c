@@ -51,13 +51,11 @@ static bool check_names(const struct audit_result *r, const struct source *s, st
   return !many && !twice;
 }
 
-/* What a claim says of its root is what the root says of it. */
 static bool root_lists(const struct root_cause *root, const char *id) {
-  for (int i = 0; i < root->n_claims; i++)
-    if (strcmp(root->claims[i], id) == 0) return true;
-  return false;
+  return word_find(id, root->claims, root->n_claims) < root->n_claims;
 }
 
+/* What a claim says of its root is what the root says of it. */
 static bool check_roots(const struct audit_result *r, const struct source *s, struct diag *d) {
   int listed = 0, named = 0;
   bool fine = true;

@@ -64,8 +64,7 @@ static bool falls(const struct audit_result *r, const char *id, const char *fail
   for (size_t i = 0; i < r->n_consequences; i++) {
     const struct consequence *q = &r->consequences[i];
     if (failure && strcmp(q->failure, failure) != 0) continue;
-    for (int k = 0; k < q->falls.n; k++)
-      if (strcmp(q->falls.id[k], id) == 0) return true;
+    if (word_find(id, q->falls.id, q->falls.n) < q->falls.n) return true;
   }
   return false;
 }

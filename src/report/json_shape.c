@@ -154,9 +154,8 @@ static bool read_whole(const struct walk *w, long *out, const struct member *m, 
 }
 
 static bool read_word(const struct walk *w, void *record, const struct member *m, const struct json_value *v) {
-  int k = 0;
   if (v->kind != JSON_KIND_STRING) return wrong(w, m, v, "must be a word between quotes");
-  while (k < m->n_words && strcmp(m->word[k], v->text) != 0) k++;
+  int k = word_find(v->text, m->word, m->n_words);
   if (k == m->n_words) return wrong(w, m, v, "is none of the words that it can be");
   memcpy(room(record, m->at), &k, sizeof k);
   return true;

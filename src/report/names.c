@@ -1,9 +1,8 @@
 /* A list is short enough to be searched from its beginning. */
 #include "names.h"
 
-#include <string.h>
-
 #include "base/arena.h"
+#include "base/text.h"
 
 void names_add(struct names *list, const char *name) {
   list->name = ss_grow(list->name, list->n, &list->cap, sizeof *list->name);
@@ -11,8 +10,7 @@ void names_add(struct names *list, const char *name) {
 }
 
 size_t names_index(struct names *list, const char *name) {
-  for (size_t i = 0; i < list->n; i++)
-    if (strcmp(list->name[i], name) == 0) return i;
-  names_add(list, name);
-  return list->n - 1;
+  size_t i = (size_t)word_find(name, list->name, (int)list->n);
+  if (i == list->n) names_add(list, name);
+  return i;
 }

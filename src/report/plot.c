@@ -67,9 +67,7 @@ double rows_number(const struct rows *t, size_t row, size_t column) {
 }
 
 size_t rows_column(const struct rows *t, const char *name) {
-  size_t c = 0;
-  while (c < t->columns && strcmp(t->heading[c], name) != 0) c++;
-  return c;
+  return (size_t)word_find(name, t->heading, (int)t->columns);
 }
 
 bool rows_is(const struct rows *t, size_t row, size_t column, const char *text) {

@@ -74,8 +74,7 @@ static void print_circle(struct text *out, const struct reader *r, enum scene_ke
 /* Another parameter of the scene in an expression. */
 static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct expr *e) {
   struct reader *r = arg;
-  int k = 0;
-  while (k < N_KEYS && strcmp(e->name, scene_key_name[k]) != 0) k++;
+  int k = word_find(e->name, scene_key_name, N_KEYS);
   if (k == N_KEYS) {
     diag_at(c->d, c->src, e->span.begin,
             "unknown name %.100s; a value may use numbers and the scene's own chi, eta, V, e1, e2, t_a, t_b, t_c, t_d, "
