@@ -44,13 +44,6 @@ static bool has_jobs(const struct bench_result *r) {
   return r->n > 0 || r->verdicts.n > 0;
 }
 
-/* One more file, "name" + suffix. */
-static struct text *add(struct output *out, const char *name, const char *suffix) {
-  char file[200];
-  snprintf(file, sizeof file, "%s%s", name, suffix);
-  return output_add(out, file);
-}
-
 /* A file that an earlier run wrote and this one does not would be taken for a result of this one. */
 static void remove_if_stale(const struct output *out, const char *name, const char *suffix) {
   struct text path = {0};
@@ -81,13 +74,11 @@ static void remove_stale(const struct output *out) {
 
 /* ID.md, ID-TABLE.tsv and, where the study has one, ID.svg. */
 static void add_study(struct output *out, const struct study_page *page) {
-  char name[100];
-  for (int i = 0; i < page->n; i++) {
-    snprintf(name, sizeof name, "%s-%s", page->study->id, page->table[i].id);
-    text_add(add(out, name, ".tsv"), text_str(&page->table[i].tsv));
-  }
-  if (page->figure.len > 0) text_add(add(out, page->study->id, ".svg"), text_str(&page->figure));
-  bench_study_markdown(add(out, page->study->id, ".md"), page, true);
+  const char *id = page->study->id;
+  for (int i = 0; i < page->n; i++)
+    text_add(output_add(out, "%s-%s.tsv", id, page->table[i].id), text_str(&page->table[i].tsv));
+  if (page->figure.len > 0) text_add(output_add(out, "%s.svg", id), text_str(&page->figure));
+  bench_study_markdown(output_add(out, "%s.md", id), page, true);
 }
 
 static bool write_files(const char *folder, const struct bench_result *r, struct diag *d) {
@@ -96,15 +87,15 @@ static bool write_files(const char *folder, const struct bench_result *r, struct
   output_init(&out, folder);
   for (int i = 0; i < r->n; i++) {
     const struct bench_table *t = &r->table[i];
-    bench_tsv(add(&out, t->job->id, ".tsv"), t);
-    bench_job_markdown(add(&out, t->job->id, ".md"), t, true);
-    bench_figure(add(&out, t->job->id, ".svg"), t, false);
-    if (bench_has_steps(t)) bench_figure(add(&out, t->job->id, "-steps.svg"), t, true);
+    bench_tsv(output_add(&out, "%s.tsv", t->job->id), t);
+    bench_job_markdown(output_add(&out, "%s.md", t->job->id), t, true);
+    bench_figure(output_add(&out, "%s.svg", t->job->id), t, false);
+    if (bench_has_steps(t)) bench_figure(output_add(&out, "%s-steps.svg", t->job->id), t, true);
   }
   for (int i = 0; i < r->n_pages; i++) add_study(&out, &r->page[i]);
   if (r->verdicts.n > 0) {
-    bench_verdicts_tsv(add(&out, verdicts, ".tsv"), &r->verdicts);
-    bench_verdicts_figure(add(&out, verdicts, ".svg"), &r->verdicts);
+    bench_verdicts_tsv(output_add(&out, "%s.tsv", verdicts), &r->verdicts);
+    bench_verdicts_figure(output_add(&out, "%s.svg", verdicts), &r->verdicts);
   }
   if (has_jobs(r)) {
     bench_markdown(output_add(&out, "bench.md"), r, true);
@@ -187,7 +178,7 @@ static int write_inputs(const struct options *o, struct diag *d) {
   bool ok = folder_make(out.folder, d);
   for (int i = 0; i < n_bench_jobs && ok; i++) {
     if (!asked_for(o, bench_jobs[i]->id)) continue;
-    struct text *body = add(&out, bench_jobs[i]->id, "-inputs.tsv");
+    struct text *body = output_add(&out, "%s-inputs.tsv", bench_jobs[i]->id);
     if (!bench_inputs(body, bench_jobs[i], option(o, OPT_QUICK))) status = no_inputs(bench_jobs[i]);
   }
   ok = ok && output_write(&out, d);

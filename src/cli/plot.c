@@ -13,11 +13,9 @@ static bool write_pictures(const char *folder, const struct audit_result *r, str
   struct output out;
   output_init(&out, folder);
   output_add_tables(&out, r);
-  for (int i = 0; i < report_pictures(); i++) {
-    char name[80];
-    snprintf(name, sizeof name, "%s.svg", report_picture_id(i));
-    if (!report_picture(output_add(&out, name), r, i)) output_drop(&out); /* its table was not made */
-  }
+  for (int i = 0; i < report_pictures(); i++)
+    if (!report_picture(output_add(&out, "%s.svg", report_picture_id(i)), r, i))
+      output_drop(&out); /* its table was not made */
   bool ok = output_write(&out, d);
   for (int i = 0; ok && i < out.n; i++) puts(text_str(&out.path[i]));
   output_clear(&out);

@@ -61,15 +61,13 @@ static bool remove_maps(const char *folder, int from, struct diag *d) {
 
 static bool write_files(const char *folder, const struct stability_result *r, struct diag *d) {
   struct output out;
-  char name[32], file[40];
+  char name[32];
   output_init(&out, folder);
   bool ok = folder_make(folder, d);
   for (int i = 0; i < r->n_maps; i++) {
     snprintf(name, sizeof name, "map-%d", i + 1);
-    snprintf(file, sizeof file, "%s.tsv", name);
-    report_stability_map_tsv(output_add(&out, file), r, i);
-    snprintf(file, sizeof file, "%s.svg", name);
-    report_stability_picture(output_add(&out, file), r, i, name);
+    report_stability_map_tsv(output_add(&out, "%s.tsv", name), r, i);
+    report_stability_picture(output_add(&out, "%s.svg", name), r, i, name);
   }
   report_stability_markdown(output_add(&out, "ledger.md"), r);
   report_stability_tsv(output_add(&out, "ledger.tsv"), r);

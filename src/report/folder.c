@@ -24,12 +24,16 @@ void output_clear(struct output *out) {
   out->n = 0;
 }
 
-struct text *output_add(struct output *out, const char *name) {
+struct text *output_add(struct output *out, const char *fmt, ...) {
+  va_list ap;
   if (out->n == MAX_FILE_ITEMS) abort();
   int i = out->n++;
   text_init(&out->path[i]);
   text_init(&out->body[i]);
-  text_printf(&out->path[i], "%s/%s", out->folder, name);
+  text_printf(&out->path[i], "%s/", out->folder);
+  va_start(ap, fmt);
+  text_vprintf(&out->path[i], fmt, ap);
+  va_end(ap);
   return &out->body[i];
 }
 
@@ -40,7 +44,7 @@ void output_drop(struct output *out) {
 }
 
 void output_add_tables(struct output *out, const struct audit_result *r) {
-  for (size_t i = 0; i < r->n_tables; i++) text_add(output_add(out, r->tables[i].name), r->tables[i].text);
+  for (size_t i = 0; i < r->n_tables; i++) text_add(output_add(out, "%s", r->tables[i].name), r->tables[i].text);
 }
 
 /* Waits until no other run writes to the folder.  To be closed; -1 where the folder cannot be opened or locked. */
@@ -102,7 +106,7 @@ void output_add_views(struct output *out, struct audit_result *r, const struct m
   r->mutation = score;
   r->n_neighbours = find_neighbours(found, out->folder);
   r->neighbours = found;
-  for (size_t i = 0; i < sizeof view / sizeof *view; i++) view[i].write(output_add(out, view[i].name), r);
+  for (size_t i = 0; i < sizeof view / sizeof *view; i++) view[i].write(output_add(out, "%s", view[i].name), r);
   r->mutation = NULL; /* it ends with this function, as what follows */
   r->n_neighbours = 0;
   r->neighbours = NULL;

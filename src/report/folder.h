@@ -11,8 +11,8 @@ struct output {
 };
 void output_init(struct output *out, const char *folder);
 void output_clear(struct output *out);
-/* One more file; what is to stand in it goes into the text. */
-struct text *output_add(struct output *out, const char *name);
+/* One more file of that name; what is to stand in it goes into the text. */
+struct text *output_add(struct output *out, const char *fmt, ...) SS_PRINTF(2, 3);
 /* Takes the last file back. */
 void output_drop(struct output *out);
 /* The tables of a result, a file for each. */
