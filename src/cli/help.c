@@ -42,8 +42,8 @@ static void describe(struct text *out, const struct command *c) {
   if (strstr(c->operands, "SCENE")) text_printf(out, "\n%s", scene_text);
   if (strcmp(c->name, "orbit") != 0) return;
   text_add(out, "\nThe violations of an orbit in JSON name the conditions that it breaks:");
-  for (int i = 0; i < N_CONDITIONS; i++) text_printf(out, " %s", dyn_condition_id[i]);
-  text_add(out, " u_r1 u_r2 (a static friction given by the scene is not above its bound).");
+  for (int i = 0; i < ORBIT_CONDITIONS; i++) text_printf(out, " %s", orbit_condition_name(i));
+  text_add(out, " (a static friction given by the scene is not above its bound).");
 }
 
 /* Whether the operands, as options.def writes them, hold the option too. */

@@ -190,9 +190,7 @@ void fate_json(struct json *j, const struct dyn_orbit *o, truth admissible, cons
   json_truth(j, "stable", o->stable);
   json_truth(j, "admissible", admissible);
   json_array(j, "violations");
-  for (int i = 0; i < N_CONDITIONS; i++)
-    if (o->holds[i] == TRUTH_FALSE) json_string(j, NULL, dyn_condition_id[i]);
-  for (int i = 0; i < 2; i++)
-    if (u[i] == TRUTH_FALSE) json_string(j, NULL, scene_key_name[KEY_U_R1 + i]);
+  for (int i = 0; i < ORBIT_CONDITIONS; i++)
+    if (orbit_breaks(o, u, i)) json_string(j, NULL, orbit_condition_name(i));
   json_end_array(j);
 }

@@ -165,10 +165,8 @@ static void orbits_text(struct text *out, const struct solved *z, const struct s
     text_add_char(out, '\n');
     numbers_text(out, o, s, digits);
     add_proof(out, o, &z->proof[i]);
-    for (int k = 0; k < N_CONDITIONS; k++)
-      if (o->holds[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[k]);
-    for (int k = 0; k < 2; k++)
-      if (u[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", scene_key_name[KEY_U_R1 + k]);
+    for (int k = 0; k < ORBIT_CONDITIONS; k++)
+      if (orbit_breaks(o, u, k)) text_printf(out, "  breaks   %s\n", orbit_condition_name(k));
     if (basin) basin_text(out, o, s);
     add_margins(out, o, s);
   }

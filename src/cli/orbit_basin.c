@@ -28,9 +28,7 @@ static void print_decimal(struct text *out, const fmpq_t q) {
 
 static const char *reason(const struct dyn_basin *b) {
   static const char *const words[] = {[FAILS_UNKNOWN] = "unknown", [FAILS_SLOPE] = "slope", [FAILS_IMAGE] = "image"};
-  if (b->why != FAILS_CONDITION) return words[b->why];
-  return b->condition < N_CONDITIONS ? dyn_condition_id[b->condition]
-                                     : scene_key_name[KEY_U_R1 + (b->condition - N_CONDITIONS)];
+  return b->why == FAILS_CONDITION ? orbit_condition_name(b->condition) : words[b->why];
 }
 
 static void find(struct dyn_basin *b, const struct dyn_orbit *o, const struct scene *s) {

@@ -190,12 +190,11 @@ static void orbit_text(struct text *out, const struct dyn_box_orbit *b, const st
       add_number_middle(out, o, i, s, digits);
     text_add_char(out, '\n');
   }
-  for (int i = 0; i < N_CONDITIONS; i++) {
-    if (o->holds[i] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[i]);
-    if (b->changes[i]) text_printf(out, "  breaks   %s in a part of the box\n", dyn_condition_id[i]);
+  for (int i = 0; i < ORBIT_CONDITIONS; i++) {
+    if (orbit_breaks(o, u, i)) text_printf(out, "  breaks   %s\n", orbit_condition_name(i));
+    if (i < N_CONDITIONS && b->changes[i])
+      text_printf(out, "  breaks   %s in a part of the box\n", dyn_condition_id[i]);
   }
-  for (int i = 0; i < 2; i++)
-    if (u[i] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", scene_key_name[KEY_U_R1 + i]);
 }
 
 static void box_text(struct text *out, const struct dyn_box *box, const struct scene *s, slong digits) {

@@ -27,10 +27,6 @@ static bool is_swept(const struct sweep *q, int param) {
   return any;
 }
 
-static const char *violation_id(int bit) {
-  return bit < N_CONDITIONS ? dyn_condition_id[bit] : scene_key_name[KEY_U_R1 + bit - MEMBER_U_R];
-}
-
 /* --- Before and after. --- */
 
 static void head_csv(struct text *out, const struct sweep *q) {
@@ -133,10 +129,10 @@ static void member_csv(struct text *out, const struct dyn_member *m, slong numbe
   text_add(out, word[m->stable]);
   text_add(out, word[dyn_member_admissible(m)]);
   text_add_char(out, ',');
-  for (int i = 0; i < MEMBER_U_R + 2; i++) {
+  for (int i = 0; i < ORBIT_CONDITIONS; i++) {
     if (!(m->violations >> i & 1)) continue;
     if (n++) text_add_char(out, ' ');
-    text_add(out, violation_id(i));
+    text_add(out, orbit_condition_name(i));
   }
 }
 
@@ -170,8 +166,8 @@ static void member_json(struct json *j, const struct dyn_member *m, slong digits
   json_truth(j, "stable", m->stable);
   json_truth(j, "admissible", dyn_member_admissible(m));
   json_array(j, "violations");
-  for (int i = 0; i < MEMBER_U_R + 2; i++)
-    if (m->violations >> i & 1) json_string(j, NULL, violation_id(i));
+  for (int i = 0; i < ORBIT_CONDITIONS; i++)
+    if (m->violations >> i & 1) json_string(j, NULL, orbit_condition_name(i));
   json_end_array(j);
   json_end_object(j);
 }

@@ -13,8 +13,7 @@ _Static_assert((int)SS_OUTPUTS == N_DYN_OUT && (int)SS_OUT_TRACE == DYN_OUT_TRAC
 _Static_assert((int)SS_COND_GAMMA_R == COND_GAMMA_R && (int)SS_COND_U_R1 == MEMBER_U_R, "the order of the conditions");
 
 const char *ss_condition_name(int condition) {
-  if (condition < 0 || condition >= SS_CONDITIONS) return NULL;
-  return condition < N_CONDITIONS ? dyn_condition_id[condition] : scene_key_name[KEY_U_R1 + condition - N_CONDITIONS];
+  return condition >= 0 && condition < SS_CONDITIONS ? orbit_condition_name(condition) : NULL;
 }
 
 int ss_return_map(double *r_end, double *slope, double t[4], int *grazing, const double params[SS_PARAMS], double r) {

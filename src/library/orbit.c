@@ -141,8 +141,8 @@ const char *ss_orbit_violation(const ss_orbits *o, size_t k, size_t i) {
   const struct dyn_orbit *z = orbit_of(o, k);
   if (!z) return NULL;
   orbit_admissible(u, &o->asked, z);
-  for (int c = 0; c < N_CONDITIONS + 2; c++)
-    if ((c < N_CONDITIONS ? z->holds[c] : u[c - N_CONDITIONS]) == TRUTH_FALSE && i-- == 0) return ss_condition_name(c);
+  for (int c = 0; c < ORBIT_CONDITIONS; c++)
+    if (orbit_breaks(z, u, c) && i-- == 0) return orbit_condition_name(c);
   return NULL;
 }
 

@@ -127,3 +127,11 @@ truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit
   for (int i = 0; i < 2 && u; i++) u[i] = holds[i];
   return truth_and(o->admissible, truth_and(holds[0], holds[1]));
 }
+
+const char *orbit_condition_name(int i) {
+  return i < N_CONDITIONS ? dyn_condition_id[i] : scene_key_name[KEY_U_R1 + i - N_CONDITIONS];
+}
+
+bool orbit_breaks(const struct dyn_orbit *o, const truth u[2], int i) {
+  return (i < N_CONDITIONS ? o->holds[i] : u[i - N_CONDITIONS]) == TRUTH_FALSE;
+}
