@@ -68,7 +68,7 @@ static void branch_json(struct json *j, const struct dyn_branch *b, long number)
 }
 
 static void all_json(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
-                     const struct range *a, slong digits) {
+                     const struct scene_range *a, slong digits) {
   struct json j;
   json_of_model(&j, out, s);
   json_object(&j, "along");
@@ -138,7 +138,7 @@ static void kinds_text(struct text *out, const struct dyn_bifurcations *list) {
 }
 
 static void all_text(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
-                     const struct range *a, slong digits) {
+                     const struct scene_range *a, slong digits) {
   const char *name = scene_key_name[a->vary];
   text_printf(out, "%s: %s from ", s->name, name);
   num_print_q(out, a->from);
@@ -166,7 +166,7 @@ void warn_missed(const struct scene *s) {
   fprintf(stderr, "%s: warning: a search or a branch ran into its limits; there may be more changes\n", s->path);
 }
 
-static int show(const struct scene *s, const struct range *a, const struct options *o, slong digits) {
+static int show(const struct scene *s, const struct scene_range *a, const struct options *o, slong digits) {
   struct dyn_bifurcations list;
   struct dyn_line line = {.params = s->value, .vary = a->vary, .from = a->from, .to = a->to};
   scene_static_friction(line.u_r, s);
@@ -181,13 +181,13 @@ static int show(const struct scene *s, const struct range *a, const struct optio
 
 /* On the paper's two masses. */
 static int with_line(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
-  struct range a;
-  range_init(&a);
+  struct scene_range a;
+  scene_range_init(&a);
   int status = parse_along(&a, NULL, o);
   if (!status && !scene_needs_forces(s, "bifurcate", d)) status = EXIT_INPUT;
   if (!status) status = range_check_friction(&a, s, "--along", option(o, OPT_ALONG));
   if (!status) status = show(s, &a, o, digits);
-  range_clear(&a);
+  scene_range_clear(&a);
   return status;
 }
 

@@ -110,22 +110,15 @@ int help(int argc, char **argv);
 /* stickslip COMMAND --help. */
 void help_page(const struct command *c);
 
-/* What one parameter runs through, exactly. */
-struct range {
-  fmpq_t from, to;
-  int vary;
-};
-void range_init(struct range *r);
-void range_clear(struct range *r);
 /* NAME=A:B in len bytes; an exit status, after a message that names the option.  shape: what is said when text has
    another form, with a %s for the option and a %.200s for the text. */
-int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len);
+int range_parse(struct scene_range *r, const char *option, const char *shape, const char *text, size_t len);
 /* --along, whose ends differ, in double precision too: of one of the paper's parameters, or, with name, of any, which is added to it. */
-int parse_along(struct range *r, struct text *name, const struct options *o);
+int parse_along(struct scene_range *r, struct text *name, const struct options *o);
 /* Says that changes along a line can be missing. */
 void warn_missed(const struct scene *s);
-/* The values must keep u_r above e, as a scene does. */
-int range_check_friction(const struct range *r, const struct scene *s, const char *option, const char *text);
+/* An exit status, after a message that names the option where scene_range_below_friction says no. */
+int range_check_friction(const struct scene_range *r, const struct scene *s, const char *option, const char *text);
 
 /* --- On a terminal --- */
 

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "cli.h"
-#include "explore/family.h"
 
 const struct command command_table[] = {
 #define COMMAND(name, data, operands, purpose, text, ...)                                                              \

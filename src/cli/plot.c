@@ -42,16 +42,16 @@ static bool draw_system(struct audit_result *r, const struct scene *s, const cha
 /* --- Along a line, over a plane, in motion --- */
 
 static int draw_along(struct audit_result *r, const struct scene *s, const struct options *o) {
-  struct range a;
-  range_init(&a);
+  struct scene_range a;
+  scene_range_init(&a);
   int status = parse_along(&a, NULL, o);
   if (!status) status = range_check_friction(&a, s, "--along", option(o, OPT_ALONG));
   if (!status && table_of_bifurcations(r, s, a.vary, a.from, a.to) != SS_OK) warn_missed(s);
-  range_clear(&a);
+  scene_range_clear(&a);
   return status;
 }
 
-static int parse_plane(struct range range[MAX_OVER], struct dyn_axis axis[MAX_OVER], const struct scene *s,
+static int parse_plane(struct scene_range range[MAX_OVER], struct dyn_axis axis[MAX_OVER], const struct scene *s,
                        const struct options *o) {
   static const struct over_rule rule = {"%s takes NAME=A:B or NAME=A:B:N, as in e2=0.5:3, not %.200s",
                                         "--over %.200s: N is a whole number from 2 to 400", 2, TABLE_MOST_SIDE, 97};
@@ -66,17 +66,17 @@ static int parse_plane(struct range range[MAX_OVER], struct dyn_axis axis[MAX_OV
 
 static int draw_plane(struct audit_result *r, const struct scene *s, const struct options *o, struct diag *d) {
   struct crew_tally tally = {.tell = progress_wanted() ? progress_count : NULL};
-  struct range range[MAX_OVER];
+  struct scene_range range[MAX_OVER];
   struct dyn_axis axis[MAX_OVER] = {{.n = 0}};
   int jobs, status = parse_jobs(&jobs, o);
-  for (int i = 0; i < MAX_OVER; i++) range_init(&range[i]);
+  for (int i = 0; i < MAX_OVER; i++) scene_range_init(&range[i]);
   if (!status) status = parse_plane(range, axis, s, o);
   progress_begin();
   if (!status && !table_of_map(r, s, axis, jobs, &tally, d)) status = EXIT_INPUT;
   progress_end();
   for (int i = 0; i < MAX_OVER; i++) {
     dyn_axis_clear(&axis[i]);
-    range_clear(&range[i]);
+    scene_range_clear(&range[i]);
   }
   return status;
 }

@@ -4,20 +4,6 @@
 
 #include "cli.h"
 
-void range_init(struct range *r) {
-  fmpq_init(r->from);
-  fmpq_init(r->to);
-}
-
-void range_clear(struct range *r) {
-  fmpq_clear(r->from);
-  fmpq_clear(r->to);
-}
-
-static bool in_domain(const fmpq_t x, int vary) {
-  return fmpq_sgn(x) > 0 && (vary != P_CHI || fmpq_cmp_si(x, 1) < 0);
-}
-
 /* NAME=A:B in len bytes: where "=" and ":" stand. */
 static int split(const char *at[2], const char *option, const char *shape, const char *text, size_t len) {
   const char *end = text + len;
@@ -26,7 +12,7 @@ static int split(const char *at[2], const char *option, const char *shape, const
   return at[1] && !memchr(at[1] + 1, ':', (size_t)(end - at[1] - 1)) ? EXIT_AS_RECORDED : usage(shape, option, text);
 }
 
-static int evaluate(struct range *r, const char *const at[2], const char *end, const char *option) {
+static int evaluate(struct scene_range *r, const char *const at[2], const char *end, const char *option) {
   struct diag d = {0};
   if (scene_constant(r->from, at[0] + 1, (size_t)(at[1] - at[0] - 1), option, &d) &&
       scene_constant(r->to, at[1] + 1, (size_t)(end - at[1] - 1), option, &d))
@@ -47,7 +33,7 @@ static int no_parameter(const char *name, const char *option, const char *text) 
   return status;
 }
 
-int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len) {
+int range_parse(struct scene_range *r, const char *option, const char *shape, const char *text, size_t len) {
   const char *at[2];
   struct text name = {0};
   int status = split(at, option, shape, text, len);
@@ -58,14 +44,14 @@ int range_parse(struct range *r, const char *option, const char *shape, const ch
   text_clear(&name);
   if (!status) status = evaluate(r, at, text + len, option);
   if (status) return status;
-  if (!in_domain(r->from, r->vary) || !in_domain(r->to, r->vary))
+  if (!scene_range_in_domain(r))
     return usage(r->vary == P_CHI ? "both ends of %s %.200s must lie between 0 and 1"
                                   : "both ends of %s %.200s must be positive",
                  option, text);
   return EXIT_AS_RECORDED;
 }
 
-int parse_along(struct range *r, struct text *name, const struct options *o) {
+int parse_along(struct scene_range *r, struct text *name, const struct options *o) {
   static const char option_name[] = "--along", shape[] = "%s takes NAME=A:B, as in e2=0.5:3, not %.200s";
   const char *text = option(o, OPT_ALONG), *at[2];
   int status =
@@ -81,9 +67,7 @@ int parse_along(struct range *r, struct text *name, const struct options *o) {
   return status;
 }
 
-int range_check_friction(const struct range *r, const struct scene *s, const char *option, const char *text) {
-  int key = r->vary == P_E1 ? KEY_U_R1 : r->vary == P_E2 ? KEY_U_R2 : -1;
-  if (key < 0 || !s->given[key]) return EXIT_AS_RECORDED;
-  if (fmpq_cmp(r->from, &s->value[key]) < 0 && fmpq_cmp(r->to, &s->value[key]) < 0) return EXIT_AS_RECORDED;
+int range_check_friction(const struct scene_range *r, const struct scene *s, const char *option, const char *text) {
+  if (scene_range_below_friction(r, s)) return EXIT_AS_RECORDED;
   return usage("%s %.200s must stay below the static friction that the scene gives", option, text);
 }

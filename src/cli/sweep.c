@@ -5,7 +5,7 @@
 
 enum { DEFAULT_EVERY = 4096, DEFAULT_SEARCHES = 128, MOST_SWEEP_DIGITS = 15 };
 
-int parse_over(struct range *r, struct dyn_axis *axis, const char *text, const struct range *other,
+int parse_over(struct scene_range *r, struct dyn_axis *axis, const char *text, const struct scene_range *other,
                const struct over_rule *rule) {
   const char *colon = strrchr(text, ':');
   unsigned long long n = (unsigned long long)rule->usual;
@@ -111,10 +111,10 @@ int run_sweep(const struct options *o, const char *data, struct diag *none) {
 #ifdef STICKSLIP_MPI
   ranks_open();
 #endif
-  for (int i = 0; i < MAX_OVER; i++) range_init(&q.range[i]);
+  for (int i = 0; i < MAX_OVER; i++) scene_range_init(&q.range[i]);
   int status = sweep_with(&q, o, data);
   for (int i = 0; i < q.n_axes; i++) dyn_axis_clear(&q.axis[i]);
-  for (int i = 0; i < MAX_OVER; i++) range_clear(&q.range[i]);
+  for (int i = 0; i < MAX_OVER; i++) scene_range_clear(&q.range[i]);
   scene_clear(&q.scene);
 #ifdef STICKSLIP_MPI
   ranks_close(status);

@@ -20,7 +20,7 @@ enum { UNIT_POINTS = 1024, MOST_EVERY = 65536, MOST_POINTS = 1000000000 };
 struct sweep {
   struct scene scene;
   int n_axes; /* the last one runs along the lines */
-  struct range range[MAX_OVER];
+  struct scene_range range[MAX_OVER];
   struct dyn_axis axis[MAX_OVER];
   slong every, digits;
   bool all, json;
@@ -36,7 +36,7 @@ struct over_rule {
 };
 /* NAME=A:B:N; other: the range that may not vary the same, or NULL.  An exit status; the axis is initialised when it is
    EXIT_AS_RECORDED. */
-int parse_over(struct range *r, struct dyn_axis *axis, const char *text, const struct range *other,
+int parse_over(struct scene_range *r, struct dyn_axis *axis, const char *text, const struct scene_range *other,
                const struct over_rule *rule);
 
 static inline const struct dyn_axis *sweep_line_axis(const struct sweep *q) {

@@ -220,9 +220,9 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
                          struct diag *d) {
   struct mech m;
   struct mech_word w;
-  struct range a;
+  struct scene_range a;
   struct text name = {0}, path = {0};
-  range_init(&a);
+  scene_range_init(&a);
   int status = parse_along(&a, &name, o);
   if (!status) {
     scene_system_path(&path, s->system, data);
@@ -233,7 +233,7 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
     if (scene_load_system(&m, &w, s, data, d)) status = show(o, &v, &w, d);
     mech_clear(&m);
   }
-  range_clear(&a);
+  scene_range_clear(&a);
   text_clear(&path);
   text_clear(&name);
   return status;

@@ -25,7 +25,7 @@ static void borrow(struct ss_changes *c) {
   }
 }
 
-static int find(struct ss_changes *c, const struct library_line *l, const struct ss_scene *s, size_t digits) {
+static int find(struct ss_changes *c, const struct scene_range *l, const struct ss_scene *s, size_t digits) {
   struct dyn_line line = {.params = s->s.value, .vary = l->vary, .from = l->from, .to = l->to};
   scene_static_friction(line.u_r, &s->s);
   int status = dyn_bifurcations_find(&c->list, &line, (slong)digits, STARTS);
@@ -37,13 +37,13 @@ static int find(struct ss_changes *c, const struct library_line *l, const struct
 
 int ss_changes_find(ss_changes **out, const ss_scene *s, const char *parameter, const char *from, const char *to,
                     size_t digits) {
-  struct library_line l;
+  struct scene_range l;
   if (!out) return library_argument(__func__, "no place for the changes");
   *out = NULL;
   int status = library_digits(__func__, digits, MOST_DIGITS);
   if (status) return status;
-  library_line_init(&l);
-  status = library_line_read(&l, s, parameter, from, to);
+  scene_range_init(&l);
+  status = library_range(&l, s, parameter, from, to);
   if (!status && fmpq_equal(l.from, l.to)) status = library_fail(SS_INPUT, "%s: the ends are equal", __func__);
   if (!status) {
     *out = ss_malloc(sizeof **out);
@@ -53,7 +53,7 @@ int ss_changes_find(ss_changes **out, const ss_scene *s, const char *parameter, 
     ss_changes_free(*out);
     *out = NULL;
   }
-  library_line_clear(&l);
+  scene_range_clear(&l);
   return status;
 }
 

@@ -45,14 +45,8 @@ struct ss_paper {
   struct paper_files files;
 };
 
-/* One of chi, eta, V, e1, e2, and what it runs through, as a scene with these e1 and e2 allows; an SS_ status. */
-struct library_line {
-  int vary;
-  fmpq_t from, to;
-};
-void library_line_init(struct library_line *l);
-void library_line_clear(struct library_line *l);
-int library_line_read(struct library_line *l, const struct ss_scene *s, const char *parameter, const char *from,
-                      const char *to);
+/* A line through a scene that gives e1 and e2, as the scene allows it; an SS_ status. */
+int library_range(struct scene_range *r, const struct ss_scene *s, const char *parameter, const char *from,
+                  const char *to);
 
 #endif

@@ -198,36 +198,19 @@ int library_point(const struct ss_scene *s, bool papers_word, bool forces) {
 
 /* --- Lines in parameter space --- */
 
-void library_line_init(struct library_line *l) {
-  fmpq_init(l->from);
-  fmpq_init(l->to);
-}
-
-void library_line_clear(struct library_line *l) {
-  fmpq_clear(l->from);
-  fmpq_clear(l->to);
-}
-
-/* In the domain, and below the static friction that the scene gives. */
-static bool end_fits(const struct scene *s, int vary, const fmpq_t x) {
-  int key = vary == P_E1 ? KEY_U_R1 : vary == P_E2 ? KEY_U_R2 : -1;
-  if (fmpq_sgn(x) <= 0 || (vary == P_CHI && fmpq_cmp_si(x, 1) >= 0)) return false;
-  return key < 0 || !s->given[key] || fmpq_cmp(x, &s->value[key]) < 0;
-}
-
-int library_line_read(struct library_line *l, const struct ss_scene *s, const char *parameter, const char *from,
-                      const char *to) {
+int library_range(struct scene_range *r, const struct ss_scene *s, const char *parameter, const char *from,
+                  const char *to) {
   struct diag d = {0};
   if (!s || !parameter || !from || !to) return library_fail(SS_ARGUMENT, "no scene, parameter or end of the line");
-  l->vary = word_find(parameter, scene_key_name, N_SCENE_PARAMS);
-  if (l->vary == N_SCENE_PARAMS)
+  r->vary = word_find(parameter, scene_key_name, N_SCENE_PARAMS);
+  if (r->vary == N_SCENE_PARAMS)
     return library_fail(SS_ARGUMENT, "chi, eta, V, e1 or e2 varies, not %.100s", parameter);
   int status = library_point(s, true, true);
   if (status) return status;
-  if (!scene_constant(l->from, from, strlen(from), parameter, &d) ||
-      !scene_constant(l->to, to, strlen(to), parameter, &d))
+  if (!scene_constant(r->from, from, strlen(from), parameter, &d) ||
+      !scene_constant(r->to, to, strlen(to), parameter, &d))
     return library_input(&d);
-  if (!end_fits(&s->s, l->vary, l->from) || !end_fits(&s->s, l->vary, l->to))
+  if (!scene_range_in_domain(r) || !scene_range_below_friction(r, &s->s))
     return library_fail(SS_INPUT, "%s: both ends must lie in the domain, and e_i below the u_ri that the scene gives",
                         parameter);
   return SS_OK;

@@ -55,7 +55,7 @@ static int tell_all(const struct dyn_family_request *q, ss_on_orbit tell, void *
   return on ? SS_OK : library_fail(SS_STOPPED, "ss_sweep: stopped by the caller");
 }
 
-static int sweep_line(const struct library_line *l, const struct ss_scene *s, size_t n, size_t every, ss_on_orbit f,
+static int sweep_line(const struct scene_range *l, const struct ss_scene *s, size_t n, size_t every, ss_on_orbit f,
                       void *self) {
   double held;
   struct dyn_axis axis;
@@ -74,12 +74,12 @@ static int sweep_line(const struct library_line *l, const struct ss_scene *s, si
 
 int ss_sweep(const ss_scene *s, const char *parameter, const char *from, const char *to, size_t n, size_t every,
              ss_on_orbit f, void *self) {
-  struct library_line l;
+  struct scene_range l;
   if (!f || n < 1 || n > MOST_POINTS || every > MOST_EVERY)
     return library_argument(__func__, "no function to tell, or n or every out of range");
-  library_line_init(&l);
-  int status = library_line_read(&l, s, parameter, from, to);
+  scene_range_init(&l);
+  int status = library_range(&l, s, parameter, from, to);
   if (!status) status = sweep_line(&l, s, n, every, f, self);
-  library_line_clear(&l);
+  scene_range_clear(&l);
   return status;
 }

@@ -225,6 +225,18 @@ bool scene_four_phases(const struct scene *s, struct diag *d);
 bool scene_has_forces(const struct scene *s);
 /* u_r1 and u_r2 where they are given, else NULL. */
 void scene_static_friction(const fmpq *u_r[2], const struct scene *s);
+
+/* What one of chi, eta, V, e1, e2 runs through, exactly. */
+struct scene_range {
+  fmpq_t from, to;
+  int vary;
+};
+void scene_range_init(struct scene_range *r);
+void scene_range_clear(struct scene_range *r);
+/* Whether both ends lie in the parameter's domain; and whether e stays below the u_r that the scene gives, as in a scene
+   itself. */
+bool scene_range_in_domain(const struct scene_range *r);
+bool scene_range_below_friction(const struct scene_range *r, const struct scene *s);
 /* A constant expression (len bytes) as scenes have them, but without names, exact; name stands in the diagnostic. */
 bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d);
 /* The printed number of that name, or NULL. */

@@ -39,8 +39,8 @@ bool three_phases_have(int margin);
 /* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0],
    u[1] where u is not NULL. */
 truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o);
-/* All of these conditions in one list, those of the static friction last, which are called u_r1 and u_r2; and whether an
-   orbit breaks one, with the u of orbit_admissible. */
+/* All of these conditions in one list, those of the static friction last, by the names u_r1 and u_r2; and whether an orbit
+   breaks one, with the u of orbit_admissible. */
 enum { ORBIT_CONDITIONS = N_CONDITIONS + 2 };
 const char *orbit_condition_name(int i);
 bool orbit_breaks(const struct dyn_orbit *o, const truth u[2], int i);

@@ -8,8 +8,8 @@
 enum { MOST_WORDS = 100 };
 
 static void read_ranges(const struct options *o) {
-  struct range r;
-  range_init(&r);
+  struct scene_range r;
+  scene_range_init(&r);
   const struct words *over = &o->given[OPT_OVER];
   const char *along = option(o, OPT_ALONG);
   for (int i = 0; i < over->n; i++) range_parse(&r, "--over", "%s: %.200s", over->word[i], strlen(over->word[i]));
@@ -17,7 +17,7 @@ static void read_ranges(const struct options *o) {
     int status = range_parse(&r, "--along", "%s: %.200s", along, strlen(along));
     fuzz_law(status == EXIT_USAGE || fmpq_sgn(r.from) > 0, "a range lies in the domain");
   }
-  range_clear(&r);
+  scene_range_clear(&r);
 }
 
 static void read_numbers(const struct options *o) {
