@@ -3,7 +3,7 @@
 
 #include "sweep.h"
 
-enum { DEFAULT_EVERY = 4096, DEFAULT_SEARCHES = 128, MOST_SWEEP_DIGITS = 15 };
+enum { MOST_SWEEP_DIGITS = 15 };
 
 int parse_over(struct scene_range *r, struct dyn_axis *axis, const char *text, const struct scene_range *other,
                const struct over_rule *rule) {
@@ -23,20 +23,14 @@ int parse_over(struct scene_range *r, struct dyn_axis *axis, const char *text, c
   return EXIT_AS_RECORDED;
 }
 
-/* Without --search-every: not too far apart on a line of few points either. */
-static slong default_every(slong n) {
-  slong part = (n - 1) / DEFAULT_SEARCHES;
-  return part < 1 ? 1 : part < DEFAULT_EVERY ? part : DEFAULT_EVERY;
-}
-
 /* How the points are shared out. */
 static int plan(struct sweep *q) {
   slong n = sweep_line_axis(q)->n;
-  if (q->every == 0) q->every = default_every(n);
+  if (q->every == 0) q->every = dyn_axis_usual_every(n);
   q->lines = q->n_axes > 1 ? q->axis[0].n : 1;
-  if (q->lines > MOST_POINTS / n) return usage("--over: at most 1000000000 points in all");
+  if (q->lines > AXIS_MOST_POINTS / n) return usage("--over: at most 1000000000 points in all");
   q->points = q->lines * n;
-  q->unit = q->every < UNIT_POINTS ? UNIT_POINTS / q->every * q->every : q->every;
+  q->unit = dyn_axis_stretch(q->every);
   q->per_line = (n + q->unit - 1) / q->unit;
   q->units = q->lines * q->per_line;
   return EXIT_AS_RECORDED;
@@ -44,7 +38,8 @@ static int plan(struct sweep *q) {
 
 static int parse_request(struct sweep *q, const struct options *o) {
   static const struct over_rule rule = {"%s takes NAME=A:B:N, as in e2=0.8:0.9:20000, not %.200s",
-                                        "--over %.200s: N is a whole number from 1 to 1000000000", 1, MOST_POINTS, 0};
+                                        "--over %.200s: N is a whole number from 1 to 1000000000", 1, AXIS_MOST_POINTS,
+                                        0};
   const char *csv = option(o, OPT_CSV), *search = option(o, OPT_SEARCH_EVERY);
   bool json = option(o, OPT_JSON);
   const struct words *over = &o->given[OPT_OVER];
@@ -57,7 +52,7 @@ static int parse_request(struct sweep *q, const struct options *o) {
   if (over->n == 0) return usage("sweep needs --over NAME=A:B:N");
   if (json && csv) return usage("--json goes with no --csv");
   if (option(o, OPT_RESUME) && !csv) return usage("--resume continues a file: it needs --csv FILE");
-  if (search && !parse_whole(&every, search, false, MOST_EVERY))
+  if (search && !parse_whole(&every, search, false, AXIS_MOST_EVERY))
     return usage("--search-every takes a whole number from 1 to 65536, not %.200s", search);
   q->every = (slong)every;
   q->json = json;

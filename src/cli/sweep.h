@@ -13,10 +13,7 @@
 #include "cli.h"
 #include "explore/family.h"
 
-/* A unit is a stretch of one line, so many points that it can stand for itself; whoever does it, its rows are the
-   same. */
-enum { UNIT_POINTS = 1024, MOST_EVERY = 65536, MOST_POINTS = 1000000000 };
-
+/* A unit of work is a stretch of one line (dyn_axis_stretch). */
 struct sweep {
   struct scene scene;
   int n_axes; /* the last one runs along the lines */

@@ -59,3 +59,14 @@ double dyn_axis_d(const struct dyn_axis *a, slong i) {
   fmpq_clear(x);
   return d;
 }
+
+slong dyn_axis_usual_every(slong n) {
+  enum { USUAL = 4096, SEARCHES = 128 };
+  slong part = (n - 1) / SEARCHES;
+  return part < 1 ? 1 : part < USUAL ? part : USUAL;
+}
+
+slong dyn_axis_stretch(slong every) {
+  enum { POINTS = 1024 };
+  return every < POINTS ? POINTS / every * every : every;
+}

@@ -5,14 +5,6 @@
 #include "explore/family.h"
 #include "library.h"
 
-enum { STRETCH = 1024, MOST_EVERY = 65536, USUAL_EVERY = 4096, SEARCHES = 128, MOST_POINTS = 1000000000 };
-
-/* Not too far apart on a line of few points either. */
-static slong usual_every(slong n) {
-  slong part = (n - 1) / SEARCHES;
-  return part < 1 ? 1 : part < USUAL_EVERY ? part : USUAL_EVERY;
-}
-
 static void nothing_there(struct ss_swept *row) {
   for (int i = 0; i < SS_OUTPUTS; i++) row->out[i] = NAN;
   row->violations = row->unsure = 0;
@@ -42,7 +34,7 @@ static bool tell_point(const struct dyn_family *f, slong i, slong begin, ss_on_o
 }
 
 static int tell_all(const struct dyn_family_request *q, ss_on_orbit tell, void *self) {
-  slong stretch = q->every < STRETCH ? STRETCH / q->every * q->every : q->every, n = q->axis->n;
+  slong stretch = dyn_axis_stretch(q->every), n = q->axis->n;
   bool on = true;
   int status = SS_OK;
   for (slong begin = 0; begin < n && on && !status; begin += stretch) {
@@ -64,8 +56,10 @@ static int sweep_line(const struct scene_range *l, const struct ss_scene *s, siz
   if (num_double.set_q(&held, l->from, 53) || num_double.set_q(&held, l->to, 53))
     return library_fail(SS_INPUT, "ss_sweep: an end cannot be held in double precision");
   dyn_axis_init(&axis, l->vary, l->from, l->to, (slong)n);
-  struct dyn_family_request q = {
-      .params = s->s.value, .axis = &axis, .every = every ? (slong)every : usual_every((slong)n), .late = true};
+  struct dyn_family_request q = {.params = s->s.value,
+                                 .axis = &axis,
+                                 .every = every ? (slong)every : dyn_axis_usual_every((slong)n),
+                                 .late = true};
   scene_static_friction(q.u_r, &s->s);
   int status = tell_all(&q, f, self);
   dyn_axis_clear(&axis);
@@ -75,7 +69,7 @@ static int sweep_line(const struct scene_range *l, const struct ss_scene *s, siz
 int ss_sweep(const ss_scene *s, const char *parameter, const char *from, const char *to, size_t n, size_t every,
              ss_on_orbit f, void *self) {
   struct scene_range l;
-  if (!f || n < 1 || n > MOST_POINTS || every > MOST_EVERY)
+  if (!f || n < 1 || n > AXIS_MOST_POINTS || every > AXIS_MOST_EVERY)
     return library_argument(__func__, "no function to tell, or n or every out of range");
   scene_range_init(&l);
   int status = library_range(&l, s, parameter, from, to);
