@@ -151,7 +151,7 @@ int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
   struct scene s;
   struct paper_orbits list = {.n = 0};
   struct text out = {0};
-  slong prec = (slong)((double)digits * 3.33) + GUARD_BITS;
+  slong prec = num_bits(digits) + GUARD_BITS;
   if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, d) && audit_paper_orbits(&list, &s, prec, d)) {
     if (option(o, OPT_JSON))
       write_json(&out, &list, &s, digits);

@@ -2,14 +2,8 @@
    said of the word. */
 #include "word_orbits.h"
 
-enum { SIMULATIONS = 32 };
-
-slong word_bits(slong digits) {
-  return (slong)((double)digits * 3.33) + 32;
-}
-
 slong system_bits(slong digits) {
-  return word_bits(digits) + 64;
+  return solved_word_bits(digits) + 64;
 }
 
 void json_word(struct json *j, const char *key, const struct mech_word *w) {
@@ -19,18 +13,13 @@ void json_word(struct json *j, const char *key, const struct mech_word *w) {
 }
 
 bool find_word_orbits(struct word_orbits *list, const struct scene *s, slong digits, struct diag *d) {
-  const fmpq *u_r[2];
-  struct word_seeds seeds;
   if (phase_word_fate(NULL, &s->word) != WORD_OPEN) return true;
-  scene_static_friction(u_r, s);
-  if (phase_word_has_faster(&s->word) && (!u_r[0] || !u_r[1])) {
+  if (scene_lacks_friction(s, &s->word)) {
     diag_set(d, "%s: error: a word in which a mass is faster than the belt needs u_r1 and u_r2", s->path);
     return false;
   }
-  word_seeds_find(&seeds, s->value, u_r, SIMULATIONS);
-  if (word_orbits_find(list, &s->word, s->value, u_r, &seeds, word_bits(digits)) != SS_OK)
+  if (solved_word(list, &s->word, s, digits) != SS_OK)
     abort(); /* the scene is in the domain, and has the friction that the word needs */
-  word_seeds_clear(&seeds);
   return true;
 }
 

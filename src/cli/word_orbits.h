@@ -8,8 +8,7 @@
 
 enum { WORD_DIGITS = 1000 }; /* the most that these commands take */
 
-/* The working precision for so many digits; of a system file's orbits. */
-slong word_bits(slong digits);
+/* The working precision for so many digits of a system file's orbits. */
 slong system_bits(slong digits);
 /* The system of a scene and the orbits of its word, or of any; m and list are to be cleared in any case. */
 bool find_system_orbits(struct mech *m, struct mech_orbits *list, bool any, const struct scene *s, const char *data,

@@ -27,13 +27,9 @@ struct survey {
   long possible, searched, with_orbits, orbits, failed;
 };
 
-static bool lacks_friction(const struct survey *v, const struct mech_word *w) {
-  return phase_word_has_faster(w) && (!v->u_r[0] || !v->u_r[1]);
-}
-
 static bool is_searched(const struct survey *v, const struct mech_word *w, enum word_fate fate) {
   unsigned long long budget = v->scene->asked.budget ? v->scene->asked.budget : most_work;
-  return fate == WORD_OPEN && !lacks_friction(v, w) && work_units() <= budget;
+  return fate == WORD_OPEN && !scene_lacks_friction(v->scene, w) && work_units() <= budget;
 }
 
 /* Is it the first seed of its word? */
@@ -56,9 +52,9 @@ static int settled_on(const struct survey *v, const struct mech_word *w) {
 static void row_json(struct survey *v, const struct mech_word *w, enum word_fate fate, const char *why,
                      const struct word_orbits *list, bool searched) {
   struct json *j = v->json;
-  const char *told = fate != WORD_OPEN || searched ? word_fate_name[fate]
-                     : lacks_friction(v, w)        ? "needs u_r1, u_r2"
-                                                   : "budget";
+  const char *told = fate != WORD_OPEN || searched       ? word_fate_name[fate]
+                     : scene_lacks_friction(v->scene, w) ? "needs u_r1, u_r2"
+                                                         : "budget";
   json_object(j, NULL);
   json_word(j, "word", w);
   json_string(j, "fate", told);
@@ -147,7 +143,7 @@ static void row_text(struct survey *v, const struct mech_word *w, enum word_fate
     return;
   }
   if (fate == WORD_OPEN && !searched) {
-    add_listed(lacks_friction(v, w) ? &v->needs : &v->late, w);
+    add_listed(scene_lacks_friction(v->scene, w) ? &v->needs : &v->late, w);
     return;
   }
   size_t begin = out->len;
@@ -211,7 +207,7 @@ static void one_word(struct survey *v, const struct mech_word *w) {
   bool searched = is_searched(v, w, fate);
   v->possible++;
   if (searched) {
-    if (word_orbits_find(&list, w, v->scene->value, v->u_r, &v->seeds, word_bits(v->digits)) != SS_OK)
+    if (word_orbits_find(&list, w, v->scene->value, v->u_r, &v->seeds, solved_word_bits(v->digits)) != SS_OK)
       abort(); /* the scene is in the domain, and has the friction that the word needs */
     v->searched++;
     v->with_orbits += list.found.n > 0;

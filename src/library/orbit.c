@@ -75,7 +75,7 @@ int ss_orbits_near(ss_orbits **out, const ss_scene *s, double t_b, double t_c, s
   if (!status) status = library_point(s, true, true);
   if (status) return status;
   struct dyn_orbit *one = ss_malloc(sizeof *one);
-  if (!near(one, s->s.value, t_b, t_c, (slong)((double)digits * 3.33) + 64)) {
+  if (!near(one, s->s.value, t_b, t_c, num_bits((slong)digits) + 64)) {
     free(one);
     return library_fail(SS_UNABLE, "%s: no orbit is proved near t_b = %.6g, t_c = %.6g", s->s.name, t_b, t_c);
   }

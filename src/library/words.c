@@ -5,7 +5,7 @@
 #include "base/arena.h"
 #include "library.h"
 
-enum { MOST_DIGITS = 1000, SIMULATIONS = 32, LONGEST = 8 };
+enum { MOST_DIGITS = 1000, LONGEST = 8 };
 
 /* The numbers of one orbit. */
 struct numbers {
@@ -61,7 +61,7 @@ static int open_word(struct mech_word *w, const struct ss_scene *s, const char *
   if (status) return status;
   if (phase_word_fate(&why, w) != WORD_OPEN) status = library_fail(SS_DOMAIN, "%s", text_str(&why));
   text_clear(&why);
-  if (!status && phase_word_has_faster(w) && (!s->s.given[KEY_U_R1] || !s->s.given[KEY_U_R2]))
+  if (!status && scene_lacks_friction(&s->s, w))
     status = library_fail(SS_INPUT, "%.300s: error: a word in which a mass is faster than the belt needs u_r1 and u_r2",
                           s->s.path);
   return status;
@@ -81,19 +81,15 @@ static void borrow(struct ss_word_orbits *o) {
 
 int ss_word_orbits_find(ss_word_orbits **out, const ss_scene *s, const char *word, size_t digits) {
   struct mech_word w;
-  struct word_seeds seeds;
-  const fmpq *u_r[2];
   if (!out) return library_argument(__func__, "no place for the orbits");
   *out = NULL;
   if (!s) return library_argument(__func__, "no scene");
   int status = library_digits(__func__, digits, MOST_DIGITS);
   if (!status) status = open_word(&w, s, word);
   if (status) return status;
-  scene_static_friction(u_r, &s->s);
   struct ss_word_orbits *o = ss_malloc(sizeof *o);
-  word_seeds_find(&seeds, s->s.value, u_r, SIMULATIONS);
-  status = word_orbits_find(&o->list, &w, s->s.value, u_r, &seeds, (slong)((double)digits * 3.33) + 32);
-  word_seeds_clear(&seeds);
+  *o = (struct ss_word_orbits){.word = w};
+  status = solved_word(&o->list, &w, &s->s, (slong)digits);
   borrow(o);
   *out = o;
   if (!status) return SS_OK;

@@ -121,6 +121,10 @@ int num_parse_decimal(fmpq *q, const char *s, size_t len);
 int num_print(struct text *out, const arb_t x, slong digits);
 /* The same of an exact number, which always has its digits, a tie too; digits at least 1. */
 void num_print_rational(struct text *out, const fmpq_t q, slong digits);
+/* The bits that hold so many decimal digits. */
+static inline slong num_bits(slong digits) {
+  return (slong)((double)digits * 3.33);
+}
 /* The ball in a form for people, "1.2345 +/- 3.1e-40", with at most `digits` digits of the midpoint; any ball. */
 void num_print_ball(struct text *out, const arb_t x, slong digits);
 /* k / 10^decimals in plain notation. */

@@ -56,7 +56,7 @@ static bool has_digits(arb_srcptr x, int n) {
 static int refine(arb_ptr out, bool *precise, struct jacobian_job *job, enum jacobian_method method, enum layer layer,
                   const struct local_map *map, slong digits) {
   int n = map ? map->rows * map->cols : 4, s = SS_UNABLE;
-  slong prec = (slong)((double)digits * 3.33) + GUARD_BITS;
+  slong prec = num_bits(digits) + GUARD_BITS;
   if (method == METHOD_FD) prec = 3 * prec / 2; /* central differences keep two thirds of the digits */
   *precise = method_is_double(method);
   if (*precise) return jacobian_route(out, job, method, layer, map, prec);

@@ -50,7 +50,7 @@ static bool all_printable(const struct dyn_orbits *list, const struct scene *s, 
 
 bool solved_find(struct solved *z, const struct scene *s, slong digits) {
   enum { ATTEMPTS = 4 };
-  slong prec = (slong)((double)digits * 3.33) + 64;
+  slong prec = num_bits(digits) + 64;
   z->proof = NULL;
   z->found = audit_orbits(&z->list, s, prec);
   bool good = all_printable(&z->list, s, digits);
@@ -109,6 +109,21 @@ void solved_certificates(struct text *out, const struct solved *z, const struct 
   fmpq value[2];
   question_of(&q, which, value, s);
   dyn_certificates_json(out, s->name, &q, &z->list, z->proof);
+}
+
+slong solved_word_bits(slong digits) {
+  return num_bits(digits) + 32;
+}
+
+int solved_word(struct word_orbits *list, const struct phase_word *w, const struct scene *s, slong digits) {
+  enum { SIMULATIONS = 32 };
+  const fmpq *u_r[2];
+  struct word_seeds seeds;
+  scene_static_friction(u_r, s);
+  word_seeds_find(&seeds, s->value, u_r, SIMULATIONS);
+  int status = word_orbits_find(list, w, s->value, u_r, &seeds, solved_word_bits(digits));
+  word_seeds_clear(&seeds);
+  return status;
 }
 
 /* Does a given u_r exceed its bound?  TRUE too where the scene gives none: some u_r does. */

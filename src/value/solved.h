@@ -31,6 +31,11 @@ void solved_clear(struct solved *z);
 slong solved_certified(const struct solved *z);
 void solved_certificates(struct text *out, const struct solved *z, const struct scene *s);
 
+/* The same for another word that is open (phase_word_fate) and does not lack friction (scene_lacks_friction): its orbits,
+   by a few simulations and a search; a status.  And the working precision for so many digits. */
+int solved_word(struct word_orbits *list, const struct phase_word *w, const struct scene *s, slong digits);
+slong solved_word_bits(slong digits);
+
 /* Orbits with t_a = 0 and their proofs, judged as orbits of the three phases Gamma-H-C. */
 void judge_three_phases(struct dyn_orbits *list, struct dyn_certificate *proof);
 /* Whether one of them has that condition or margin (margins.h): it is not of phase D. */
