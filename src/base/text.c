@@ -90,6 +90,16 @@ char *arena_vprintf(struct arena *a, const char *fmt, va_list ap) {
   return s;
 }
 
+void text_add_quoted(struct text *t, const char *word) {
+  text_add_char(t, '\'');
+  for (; *word; word++)
+    if (*word == '\'')
+      text_add(t, "'\\''");
+    else
+      text_add_char(t, *word);
+  text_add_char(t, '\'');
+}
+
 void text_printf(struct text *t, const char *fmt, ...) {
   va_list ap;
   va_start(ap, fmt);
@@ -140,6 +150,10 @@ size_t text_plain_prefix(const char *s, size_t len, bool lines) {
 
 bool word_is(const char *s, size_t len, const char *word) {
   return strlen(word) == len && strncmp(s, word, len) == 0;
+}
+
+const char *list_joint(int i, int n) {
+  return i == 0 ? "" : i + 1 < n ? ", " : " and ";
 }
 
 int word_find(const char *word, const char *const *list, int n) {

@@ -27,6 +27,8 @@ static inline bool char_is_word(char c) {
 const char *list_item(size_t *len, const char *s);
 /* Whether the len characters at s are that word. */
 bool word_is(const char *s, size_t len, const char *word);
+/* What stands before item i of n in a sentence: nothing, a comma, or before the last one " and ". */
+const char *list_joint(int i, int n);
 /* The place of a word in a list of n words; n when it is none of them. */
 int word_find(const char *word, const char *const *list, int n);
 
@@ -44,6 +46,8 @@ void text_add_n(struct text *t, const char *s, size_t len);
 void text_add_char(struct text *t, char c);
 /* The words, with a capital where they begin with one in small letters: not z_1 or det(A), which are formulas. */
 void text_add_capital(struct text *t, const char *words);
+/* A word in single quotes, as a shell reads it. */
+void text_add_quoted(struct text *t, const char *word);
 void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
 void text_vprintf(struct text *t, const char *fmt, va_list ap) SS_PRINTF(2, 0);
 const char *text_str(const struct text *t); /* "" when nothing was added */

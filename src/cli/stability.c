@@ -77,16 +77,10 @@ static bool write_files(const char *folder, const struct stability_result *r, st
   return ok;
 }
 
-/* In single quotes, as a shell reads it. */
 static void add_source(struct text *out, const char *option, const char *file) {
   if (!file) return;
-  text_printf(out, " %s '", option);
-  for (; *file; file++)
-    if (*file == '\'')
-      text_add(out, "'\\''");
-    else
-      text_add_char(out, *file);
-  text_add_char(out, '\'');
+  text_printf(out, " %s ", option);
+  text_add_quoted(out, file);
 }
 
 static void set_sources(struct stability_result *r, const struct options *o) {

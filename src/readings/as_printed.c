@@ -49,10 +49,6 @@ static long equal_digits(const arb_t x, const arb_t y) {
   return !may ? 0 : digits > MOST ? MOST : (long)floor(digits);
 }
 
-static void add_list(struct text *out, int n, int i, const char *name) {
-  text_printf(out, "%s%s", i == 0 ? "" : i + 1 == n ? " and " : ", ", name);
-}
-
 static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o, const struct point *p) {
   struct text t = {0}, same = {0}, where = {0};
   long digits[N_X], least = PRECISION;
@@ -63,7 +59,7 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
     if (digits[i] > 0 && digits[i] < least) least = digits[i];
   }
   for (int k = 0; k < N_SCENE_PARAMS; k++) {
-    text_printf(&where, "%s%s = ", k == 0 ? "" : k + 1 == N_SCENE_PARAMS ? " and " : ", ", name_param[k]);
+    text_printf(&where, "%s%s = ", list_joint(k, N_SCENE_PARAMS), name_param[k]);
     num_print_q(&where, &p->q[Q_CHI + k]);
   }
   text_printf(
@@ -71,13 +67,12 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
       "For %s, where there is an admissible periodic solution, the equations (12), (14), (16) and (18) with the "
       "formula as printed give ",
       text_str(&where));
-  for (int i = 0; i < X_E1; i++) {
+  for (int i = 0; i < X_E1; i++)
     if (digits[i] > 0)
-      add_list(&same, n_same, n++, orbit_number_name(i));
+      text_printf(&same, "%s%s", list_joint(n++, n_same), orbit_number_name(i));
     else
       text_printf(&t, "%s = %s instead of %s, ", orbit_number_name(i), ball_text(j, x + i, SHOWN),
                   ball_text(j, orbit_number(o, i), SHOWN));
-  }
   if (n_same) text_printf(&t, "and the same values of %s, to %ld digits.", text_str(&same), least);
   text_clear(&where);
   text_clear(&same);

@@ -49,17 +49,10 @@ static bool is_plain(char c) {
 static void add_quoted(struct text *out, const char *word) {
   const char *p = word;
   while (is_plain(*p)) p++;
-  if (!*p && p > word) {
+  if (!*p && p > word)
     text_add(out, word);
-    return;
-  }
-  text_add_char(out, '\'');
-  for (p = word; *p; p++)
-    if (*p == '\'')
-      text_add(out, "'\\''");
-    else
-      text_add_char(out, *p);
-  text_add_char(out, '\'');
+  else
+    text_add_quoted(out, word);
 }
 
 /* The reports of a changed scene have a folder of their own; where its name cannot say how, a number tells it from
