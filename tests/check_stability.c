@@ -355,7 +355,7 @@ START_TEST(condition_numbers_agree) {
   diag_init(&d);
   ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
   for (int i = 0; i < 3; i++) {
-    struct digits_formula *f = &s.formula[digits_find(&s, id[i]) - s.formula];
+    struct digits_formula *f = digits_find(&s, id[i]);
     struct digits_bench w;
     ck_assert_msg(digits_slopes(f, &s, &d), "%s", d.message);
     digits_bench_init(&w, f);
@@ -488,7 +488,7 @@ static void take_point(double *x, const struct digits_formula *f, char *point) {
 static void check_case(struct digits_set *s, char **field) {
   struct diag d;
   diag_init(&d);
-  struct digits_formula *f = (struct digits_formula *)digits_find(s, field[0]); /* the set is ours */
+  struct digits_formula *f = digits_find(s, field[0]);
   ck_assert_msg(f != NULL, "no formula %s", field[0]);
   double x[DIGITS_INPUTS] = {0};
   struct digits_bench w;
@@ -530,7 +530,7 @@ END_TEST
 static void check_worst(struct digits_set *s, char *id, char *point) {
   struct diag d;
   diag_init(&d);
-  struct digits_formula *f = (struct digits_formula *)digits_find(s, id);
+  struct digits_formula *f = digits_find(s, id);
   ck_assert_msg(f != NULL, "no formula %s", id);
   double x[DIGITS_INPUTS] = {0};
   struct digits_bench w;
@@ -627,7 +627,7 @@ START_TEST(regions_are_where_they_say) {
   uint64_t state = random_seed("regions");
   diag_init(&d);
   ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
-  struct digits_formula *f = (struct digits_formula *)digits_find(&s, "J[1,1]");
+  struct digits_formula *f = digits_find(&s, "J[1,1]");
   slong chi = tape_input(&f->tape, "chi"), eta = tape_input(&f->tape, "eta"), z1 = tape_input(&f->tape, "z_100"),
         z2 = tape_input(&f->tape, "z_200");
   struct digits_bench w;
@@ -693,7 +693,7 @@ START_TEST(regions_reach_their_ends) {
   diag_init(&d);
   ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
   for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
-    struct digits_formula *f = (struct digits_formula *)digits_find(&s, ends[i].formula);
+    struct digits_formula *f = digits_find(&s, ends[i].formula);
     struct digits_bench w;
     int region = 0;
     while (strcmp(digits_region[region].id, ends[i].region) != 0) region++;
@@ -744,7 +744,7 @@ END_TEST
 
 /* At points that a search has kept (tests/kernels.wc). */
 static void check_mended(struct digits_set *s, char *id, char *point) {
-  struct digits_formula *f = (struct digits_formula *)digits_find(s, id);
+  struct digits_formula *f = digits_find(s, id);
   ck_assert_msg(f != NULL, "no function %s", id);
   double x[DIGITS_INPUTS] = {0};
   struct digits_bench w;

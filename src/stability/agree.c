@@ -25,8 +25,8 @@ static bool is_entry(const struct digits_formula *f) {
 static void pair_by_name(struct digits_pairs *p) {
   for (size_t i = 0; i < p->corrected.n; i++) {
     struct digits_formula *f = &p->corrected.formula[i];
-    const struct digits_formula *g = f->kernel || is_entry(f) ? NULL : digits_find(&p->stable, f->id);
-    if (g && g->n == f->n && !tape_same(&g->tape, &f->tape)) add_pair(p, f, &p->stable.formula[g - p->stable.formula]);
+    struct digits_formula *g = is_entry(f) ? NULL : digits_other(&p->stable, f);
+    if (g) add_pair(p, f, g);
   }
 }
 

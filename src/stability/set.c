@@ -222,8 +222,13 @@ bool digits_selected(const struct digits_formula *f, const char *operand) {
   return whole || entry || claim_selected(f->record, operand);
 }
 
-const struct digits_formula *digits_find(const struct digits_set *s, const char *id) {
+struct digits_formula *digits_find(const struct digits_set *s, const char *id) {
   for (size_t i = 0; i < s->n; i++)
     if (strcmp(s->formula[i].id, id) == 0 || listed(s->formula[i].also, id)) return &s->formula[i];
   return NULL;
+}
+
+struct digits_formula *digits_other(const struct digits_set *s, const struct digits_formula *f) {
+  struct digits_formula *g = f->kernel ? NULL : digits_find(s, f->id);
+  return g && g->n == f->n && !tape_same(&g->tape, &f->tape) ? g : NULL;
 }

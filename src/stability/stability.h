@@ -60,7 +60,10 @@ bool digits_set_make(struct digits_set *s, const struct model *m, enum layer lay
 void digits_set_clear(struct digits_set *s);
 /* Does the operand select the formula: its id or that of its matrix, one of its other names, its record? */
 bool digits_selected(const struct digits_formula *f, const char *operand);
-const struct digits_formula *digits_find(const struct digits_set *s, const char *id);
+struct digits_formula *digits_find(const struct digits_set *s, const char *id);
+/* What the set of another layer has under the formula's name, where that is another formula; NULL elsewhere, and for a
+   function of the program. */
+struct digits_formula *digits_other(const struct digits_set *s, const struct digits_formula *f);
 /* What an entry of the matrix of that id and size is called, in the set's arena: M[1,2], v[3], the id of a number. */
 const char *digits_entry_id(struct digits_set *s, const char *id, int rows, int cols, int k);
 /* A formula that stands in none of them, from its text as it is seen from a section; strings are borrowed.  To be

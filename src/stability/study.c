@@ -24,12 +24,6 @@ static bool check_operands(const struct digits_set *s, const struct stability_op
   return true;
 }
 
-static struct digits_formula *in_other_layer(struct digits_study *st, const struct digits_formula *f) {
-  if (!st->have_other || f->kernel) return NULL;
-  const struct digits_formula *g = digits_find(&st->other, f->id);
-  return g && g->n == f->n && !tape_same(&g->tape, &f->tape) ? &st->other.formula[g - st->other.formula] : NULL;
-}
-
 static void keep_selected(struct digits_pairs *p, const struct stability_options *opt) {
   size_t n = 0;
   for (size_t i = 0; i < p->n; i++)
@@ -55,7 +49,7 @@ bool digits_study_open(struct digits_study *st, const struct model *m, const str
   for (size_t i = 0; ok && i < st->set.n; i++) {
     if (!selected(&st->set.formula[i], opt)) continue;
     st->formula[st->n] = &st->set.formula[i];
-    st->after[st->n] = in_other_layer(st, st->formula[st->n]);
+    st->after[st->n] = st->have_other ? digits_other(&st->other, st->formula[st->n]) : NULL;
     if (st->after[st->n]) ok = digits_formula_rounded(&st->rounded[st->n], &st->other, st->after[st->n], d);
     st->n += ok;
   }
