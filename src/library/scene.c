@@ -59,7 +59,7 @@ static char *copy(const char *s) {
 /* What is borrowed of the scene, once it stands still. */
 static void borrow(struct ss_scene *z) {
   for (int k = 0; k < N_KEYS; k++) {
-    bool one = z->s.given[k] && !(k < N_SCENE_PARAMS && z->s.interval[k]);
+    bool one = z->s.given[k] && !z->s.interval[k];
     z->parameter[k] = (struct ss_number){NULL, one ? &z->s.value[k] : NULL};
   }
   z->printed = ss_malloc((z->s.n_printed + 1) * sizeof *z->printed);

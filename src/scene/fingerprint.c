@@ -35,7 +35,7 @@ static void add_scene(struct text *out, const struct scene *s) {
   for (int k = 0; k < N_KEYS; k++) {
     if (!s->given[k]) continue;
     add_number(out, scene_key_name[k], &s->value[k]);
-    if (k < N_SCENE_PARAMS && s->interval[k]) add_number(out, "to", &s->high[k]);
+    if (s->interval[k]) add_number(out, "to", &s->high[k]);
   }
   for (size_t i = 0; i < s->n_printed; i++) text_printf(out, "%s: %s\n", s->printed[i].name, s->printed[i].decimal);
   phase_word_print(out, &s->word);

@@ -1,7 +1,7 @@
 /* What kind of scene it is: of one point or a box, with which data, of which word. */
 #include <string.h>
 
-#include "scene.h"
+#include "scene_impl.h"
 
 bool scene_has_forces(const struct scene *s) {
   return s->given[KEY_E1] && s->given[KEY_E2];
@@ -15,10 +15,14 @@ bool scene_lacks_friction(const struct scene *s, const struct phase_word *w) {
   return phase_word_has_faster(w) && !(s->given[KEY_U_R1] && s->given[KEY_U_R2]);
 }
 
+int scene_interval(const struct scene *s) {
+  int k = 0;
+  while (k < N_SCENE_PARAMS && !s->interval[k]) k++;
+  return k;
+}
+
 bool scene_is_box(const struct scene *s) {
-  for (int k = 0; k < N_SCENE_PARAMS; k++)
-    if (s->interval[k]) return true;
-  return false;
+  return scene_interval(s) < N_SCENE_PARAMS;
 }
 
 bool scene_is_example(const struct scene *s) {
@@ -32,11 +36,10 @@ const char *scene_data_of(const struct scene *s) {
 void scene_data_print(struct text *out, const struct scene *s) {
   const char *sep = "";
   for (int k = 0; k < N_KEYS; k++) {
-    bool interval = k < N_SCENE_PARAMS && s->interval[k];
     if (!s->given[k]) continue;
-    text_printf(out, "%s%s = %s", sep, scene_key_name[k], interval ? "[" : "");
+    text_printf(out, "%s%s = %s", sep, scene_key_name[k], s->interval[k] ? "[" : "");
     num_print_q(out, &s->value[k]);
-    if (interval) {
+    if (s->interval[k]) {
       text_add(out, ", ");
       num_print_q(out, &s->high[k]);
       text_add_char(out, ']');
@@ -79,10 +82,8 @@ bool scene_papers_word(const struct scene *s, struct diag *d) {
 }
 
 bool scene_one_point(const struct scene *s, struct diag *d) {
-  for (int k = 0; k < N_SCENE_PARAMS; k++)
-    if (s->interval[k]) {
-      diag_set(d, "%.300s: error: %s is an interval; only orbit and verify take one", s->path, scene_key_name[k]);
-      return false;
-    }
-  return true;
+  int k = scene_interval(s);
+  if (k == N_SCENE_PARAMS) return true;
+  diag_set(d, "%.300s: error: %s is an interval; only orbit and verify take one", s->path, scene_key_name[k]);
+  return false;
 }

@@ -95,7 +95,7 @@ static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct ex
     return false;
   }
   if (!evaluate(r, (enum scene_key)k)) return false;
-  if (k < N_SCENE_PARAMS && r->s->interval[k]) {
+  if (r->s->interval[k]) {
     diag_at(c->d, c->src, e->span.begin, "%s is an interval; only a number can be used in another value", e->name);
     return false;
   }
@@ -225,8 +225,7 @@ static bool check_domain(struct reader *r) {
         fmpq_cmp(&s->value[KEY_U_R1 + i], greatest(s, KEY_E1 + i)) <= 0)
       return complain_about(r, KEY_U_R1 + i, "%s must exceed %s, since the sliding friction u_s is positive",
                             scene_key_name[KEY_U_R1 + i], scene_key_name[KEY_E1 + i]);
-  int k = 0;
-  while (k < N_SCENE_PARAMS && !s->interval[k]) k++;
+  int k = scene_interval(s);
   return k == N_SCENE_PARAMS || scene_has_forces(s) ||
          complain_about(r, k, "a scene with an interval gives %s and %s", "chi, eta, V, e1", "e2");
 }

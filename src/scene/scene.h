@@ -164,7 +164,7 @@ struct scene {
   struct scene_asked asked;
   fmpq value[N_KEYS]; /* the lower end of an interval */
   bool given[N_KEYS];
-  bool interval[N_SCENE_PARAMS];
+  bool interval[N_KEYS];     /* none of those behind N_SCENE_PARAMS is one */
   fmpq high[N_SCENE_PARAMS]; /* of an interval */
   struct printed_number *printed;
   size_t n_printed, cap_printed;

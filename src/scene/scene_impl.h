@@ -46,4 +46,7 @@ void scene_asked_clear(struct scene_asked *a);
    determinant; NULL with d set. */
 const struct expr *scene_quantity(struct arena *a, const struct scene_list *list, size_t i, struct diag *d);
 
+/* The first parameter that is an interval; N_SCENE_PARAMS where none is. */
+int scene_interval(const struct scene *s);
+
 #endif
