@@ -15,6 +15,26 @@ static const char *ending_word(enum dyn_branch_end end, enum dyn_change change) 
   return end == END_CHANGE ? dyn_change_id[change] : words[end];
 }
 
+/* --- The line --- */
+
+void along_json(struct json *j, const char *name, const fmpq_t from, const fmpq_t to, slong digits) {
+  json_object(j, "along");
+  json_string(j, "name", name);
+  json_rational(j, "from", from, digits);
+  json_rational(j, "to", to, digits);
+  json_end_object(j);
+}
+
+void along_text(struct text *out, const struct scene *s, const char *name, const fmpq_t from, const fmpq_t to,
+                long changes, long branches) {
+  text_printf(out, "%s: %s from ", s->name, name);
+  num_print_q(out, from);
+  text_add(out, " to ");
+  num_print_q(out, to);
+  text_printf(out, ", %ld change%s on %ld branch%s of orbits found\n", changes, changes == 1 ? "" : "s", branches,
+              branches == 1 ? "" : "es");
+}
+
 /* --- JSON --- */
 
 static void json_known(struct json *j, const char *key, const arb_t x, slong digits) {
@@ -71,11 +91,7 @@ static void all_json(struct text *out, const struct dyn_bifurcations *list, cons
                      const struct scene_range *a, slong digits) {
   struct json j;
   json_of_model(&j, out, s);
-  json_object(&j, "along");
-  json_string(&j, "name", scene_key_name[a->vary]);
-  json_rational(&j, "from", a->from, digits);
-  json_rational(&j, "to", a->to, digits);
-  json_end_object(&j);
+  along_json(&j, scene_key_name[a->vary], a->from, a->to, digits);
   json_bool(&j, "complete", false);
   json_long(&j, "missed", (long)list->missed);
   json_array(&j, "bifurcations");
@@ -140,12 +156,7 @@ static void kinds_text(struct text *out, const struct dyn_bifurcations *list) {
 static void all_text(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
                      const struct scene_range *a, slong digits) {
   const char *name = scene_key_name[a->vary];
-  text_printf(out, "%s: %s from ", s->name, name);
-  num_print_q(out, a->from);
-  text_add(out, " to ");
-  num_print_q(out, a->to);
-  text_printf(out, ", %ld change%s on %ld branch%s of orbits found\n", (long)list->n, list->n == 1 ? "" : "s",
-              (long)list->n_branches, list->n_branches == 1 ? "" : "es");
+  along_text(out, s, name, a->from, a->to, (long)list->n, (long)list->n_branches);
   text_printf(out, "  %-*s  %-9s %6s  %s\n", 2 * (int)digits + 7, name, "kind", "branch", "orbits below -> above");
   for (slong i = 0; i < list->n; i++) change_text(out, &list->at[i], s, digits);
   kinds_text(out, list);

@@ -248,6 +248,10 @@ int show_box(const struct options *o, const struct scene *s, slong digits);
 int run_proved_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d);
 int run_proved_jacobian(const struct options *o, const struct scene *s, const char *data,
                         const struct jacobian_request *asked, struct diag *d);
+/* Along which line bifurcate looks: the member "along"; and how much it has found on it, as a line. */
+void along_json(struct json *j, const char *name, const fmpq_t from, const fmpq_t to, slong digits);
+void along_text(struct text *out, const struct scene *s, const char *name, const fmpq_t from, const fmpq_t to,
+                long changes, long branches);
 /* words and bifurcate on a scene that names a system file. */
 int run_system_bifurcate(const struct options *o, const struct scene *s, const char *data, slong digits,
                          struct diag *d);

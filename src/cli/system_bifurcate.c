@@ -107,11 +107,7 @@ static void branch_json(struct json *j, const struct shown *v, const struct mech
 static void all_json(struct text *out, const struct shown *v) {
   struct json j;
   json_of_model(&j, out, v->s);
-  json_object(&j, "along");
-  json_string(&j, "name", v->l->name);
-  json_rational(&j, "from", v->l->from, v->digits);
-  json_rational(&j, "to", v->l->to, v->digits);
-  json_end_object(&j);
+  along_json(&j, v->l->name, v->l->from, v->l->to, v->digits);
   json_bool(&j, "complete", false);
   json_bool(&j, "spent", v->f->spent);
   json_array(&j, "bifurcations");
@@ -166,12 +162,7 @@ static void branch_text(struct text *out, const struct shown *v, const struct me
 
 static void all_text(struct text *out, const struct shown *v) {
   const struct mech_follow *f = v->f;
-  text_printf(out, "%s: %s from ", v->s->name, v->l->name);
-  num_print_q(out, v->l->from);
-  text_add(out, " to ");
-  num_print_q(out, v->l->to);
-  text_printf(out, ", %d change%s on %d branch%s of orbits found\n", f->n_changes, f->n_changes == 1 ? "" : "s",
-              f->n_branches, f->n_branches == 1 ? "" : "es");
+  along_text(out, v->s, v->l->name, v->l->from, v->l->to, f->n_changes, f->n_branches);
   for (int i = 0; i < f->n_changes; i++) change_text(out, v, &f->change[i]);
   for (int i = 0; i < f->n_branches; i++) branch_text(out, v, &f->branch[i], i + 1);
   text_add(
