@@ -286,8 +286,8 @@ static const double few_steps_mpfr[] = {1e-10, 1e-25, 1e-40};
 
 static const struct bench_method methods[] = {
     {"hand-written", "C by hand from t_b and t_c; arc given", .type = &num_double, .bare = true, .run = run_hand},
-    {"paper-chain", "the paper's chain J_f J_c J_b J_a as corrected; arc given", .type = &num_double, .bare = true,
-     .data = &chain, .open = bench_formula_open, .close = bench_formula_close, .run = run_chain},
+    {"paper-chain", "the paper's chain J_f J_c J_b J_a as corrected; arc given", .bare = true,
+     FORMULA(chain, run_chain)},
     {"implicit", "implicit differentiation at the events, in double; arc given", .type = &num_double, .bare = true,
      .run = run_implicit},
     {"saltation", "saltation matrices with GSL's exponentials; arc given", .type = &num_double, .bare = true,

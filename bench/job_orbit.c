@@ -153,12 +153,17 @@ static void from_pass(double *o, const struct yardstick_pass *s, const struct ya
   o[OUT_TRACE] = yardstick_trace(s, k);
 }
 
+/* The steps of Newton's iteration from the printed numbers; 0 when it fails. */
+static int pass_near_printed(struct yardstick_pass *s, struct yardstick *k, const double *params) {
+  yardstick_init(k, params);
+  return yardstick_orbit(s, k, printed[PR_TB], printed[PR_TC]);
+}
+
 static int run_hand(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   struct yardstick k;
   struct yardstick_pass s;
   (void)self;
-  yardstick_init(&k, c->x);
-  *steps = yardstick_orbit(&s, &k, printed[PR_TB], printed[PR_TC]);
+  *steps = pass_near_printed(&s, &k, c->x);
   from_pass((double *)(void *)out->data, &s, &k);
   return *steps > 0 ? SS_OK : SS_UNABLE;
 }
@@ -168,8 +173,7 @@ static int run_newton_mpfr(void *self, struct num_vec *out, long *steps, const s
   struct yardstick_pass s;
   long refined;
   (void)self;
-  yardstick_init(&k, c->x);
-  *steps = yardstick_orbit(&s, &k, printed[PR_TB], printed[PR_TC]);
+  *steps = pass_near_printed(&s, &k, c->x);
   if (*steps == 0) return SS_UNABLE;
   int status = bench_newton_mpfr(out, &refined, c->x, s.tb, s.tc, s.r_end > 0);
   *steps += refined;
@@ -183,8 +187,7 @@ static int run_near(void *self, struct num_vec *out, long *steps, const struct b
   struct dyn_orbit o;
   truth first;
   (void)self;
-  yardstick_init(&k, c->x);
-  *steps = yardstick_orbit(&s, &k, printed[PR_TB], printed[PR_TC]);
+  *steps = pass_near_printed(&s, &k, c->x);
   if (*steps == 0) return SS_UNABLE;
   fmpq *params = exact_params(&c->in);
   int status = dyn_orbit_near(&o, &first, params, (struct dyn_place){s.tb, s.tc, s.r_end > 0}, out->ctx.prec, NULL);

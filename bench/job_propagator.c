@@ -81,12 +81,10 @@ static int run_paper(void *self, struct num_vec *out, long *steps, const struct 
 /* --- The table. --- */
 
 static const struct bench_method methods[] = {
-    {"paper-modal", "the paper's modal form (47), frequencies from the quadratic", .type = &num_double, .data = &modal,
-     .open = bench_formula_open, .close = bench_formula_close, .run = run_paper},
-    {"paper-modal-roots", "the paper's modal form (47) with (48) solved by root isolation", .type = &num_double,
-     .data = &modal_roots, .open = bench_formula_open, .close = bench_formula_close, .run = run_paper},
-    {"paper-stable", "the same in its stable form", .type = &num_double, .data = &stable, .open = bench_formula_open,
-     .close = bench_formula_close, .run = run_paper},
+    {"paper-modal", "the paper's modal form (47), frequencies from the quadratic", FORMULA(modal, run_paper)},
+    {"paper-modal-roots", "the paper's modal form (47) with (48) solved by root isolation",
+     FORMULA(modal_roots, run_paper)},
+    {"paper-stable", "the same in its stable form", FORMULA(stable, run_paper)},
     {"closed-double", "the suite's closed form in double", .type = &num_double, .run = run_closed},
     {"gsl-expm", "GSL's matrix exponential", .type = &num_double, .run = run_exponential},
     {"closed-mpfr", "the suite's closed form in MPFR", .type = &num_mpfr, BITS(7, 4), .run = run_closed},

@@ -26,6 +26,9 @@ void bench_formula_close(void *self);
 /* The two positive roots of (48), from the quadratic. */
 void bench_frequencies(double *slow, double *fast, double chi, double eta);
 int bench_formula_run(void *self, struct num_vec *out, const double *value);
+/* A method in double precision on a formula. */
+#define FORMULA(formula, call)                                                                                         \
+  .type = &num_double, .data = &(formula), .open = bench_formula_open, .close = bench_formula_close, .run = (call)
 
 /* --- methods.c: what the methods of the jobs share. --- */
 
@@ -42,6 +45,8 @@ double bench_hint(double t);
 void bench_place_params(double *x, const double *u);
 /* The first five elements. */
 struct num_vec bench_params_of(const struct num_vec *in);
+/* The parameters as they are in double, exact: N_PARAMS of _fmpq_vec_init. */
+fmpq *bench_exact(const double *params);
 /* An arc and positions in a method's arithmetic, with its setting: open and close of methods that need no more. */
 struct bench_arc {
   struct dyn_arc arc;

@@ -23,6 +23,12 @@ struct num_vec bench_params_of(const struct num_vec *in) {
   return (struct num_vec){in->ctx, N_PARAMS, in->data};
 }
 
+fmpq *bench_exact(const double *params) {
+  fmpq *q = _fmpq_vec_init(N_PARAMS);
+  for (int i = 0; i < N_PARAMS; i++) num_q_set_d(&q[i], params[i]);
+  return q;
+}
+
 struct num_ctx bench_context(const struct bench_method *m, double setting) {
   return (struct num_ctx){m->type, m->kind == SET_BITS ? (slong)setting : m->bits ? m->bits : 53};
 }

@@ -37,11 +37,8 @@ struct found {
 };
 
 static void found_init(struct found *f, const fmpq *model, double e1, double e2) {
-  f->exact = _fmpq_vec_init(N_PARAMS);
-  for (int i = 0; i < N_PARAMS; i++) {
-    f->p[i] = i == P_E1 ? e1 : i == P_E2 ? e2 : fmpq_get_d(model + i);
-    num_q_set_d(f->exact + i, f->p[i]);
-  }
+  for (int i = 0; i < N_PARAMS; i++) f->p[i] = i == P_E1 ? e1 : i == P_E2 ? e2 : fmpq_get_d(model + i);
+  f->exact = bench_exact(f->p);
   dyn_orbits_find(&f->list, f->exact, PREC, NULL);
 }
 

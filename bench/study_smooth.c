@@ -300,8 +300,9 @@ static void keep(struct fall *f, int k, const struct reference *ref, const struc
   f->creep[k] = o->creep;
 }
 
+static const char *const scenes[] = {"stable", "paper"};
+
 static void draw(struct study_page *page, const struct study_table *rates) {
-  static const char *const scenes[] = {"stable", "paper"};
   struct figure f = {.id = "smooth", .title = page->study->title, .panels = 1};
   f.panel[0] = (struct figure_panel){
       .x = "slope *s*", .y = "distance from the event-driven orbit, relative", .power = {true, true}};
@@ -322,7 +323,6 @@ static void draw(struct study_page *page, const struct study_table *rates) {
 }
 
 static bool run_smooth(struct study_page *page, const struct bench_env *env) {
-  static const char *const scenes[] = {"stable", "paper"};
   int decades = page->quick ? 4 : DECADES, first = page->quick ? QUICK_SOLVER : 0;
   struct study_table *orbits =
       study_table(page, "orbits", "The event-driven orbits", "scene\tperiod\ttrace\tu_s1\tu_r1\tu_s2\tu_r2\tsection",

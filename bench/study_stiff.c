@@ -60,8 +60,7 @@ static int find_truth(struct scene_at *s) {
 /* The first admissible and certified orbit at the parameters becomes the scene's. */
 static bool take_orbit(struct scene_at *s) {
   struct dyn_orbits list;
-  fmpq *params = _fmpq_vec_init(N_PARAMS);
-  for (int i = 0; i < N_PARAMS; i++) num_q_set_d(&params[i], s->p[i]);
+  fmpq *params = bench_exact(s->p);
   dyn_orbits_find(&list, params, 128, NULL);
   bool found = false;
   for (slong i = 0; i < list.n && !found; i++) {
