@@ -32,6 +32,15 @@ const char *list_joint(int i, int n);
 /* The place of a word in a list of n words; n when it is none of them. */
 int word_find(const char *word, const char *const *list, int n);
 
+/* The ending of a noun of which there are n. */
+static inline const char *plural_s(long long n) {
+  return n == 1 ? "" : "s";
+}
+/* What stands in a table for a word; "-" for none or an empty one. */
+static inline const char *or_dash(const char *word) {
+  return word && *word ? word : "-";
+}
+
 /* data is always NUL-terminated once anything has been added, and NULL before: a text of zeros is empty. */
 struct text {
   char *data;

@@ -31,7 +31,7 @@ void along_text(struct text *out, const struct scene *s, const char *name, const
   num_print_q(out, from);
   text_add(out, " to ");
   num_print_q(out, to);
-  text_printf(out, ", %ld change%s on %ld branch%s of orbits found\n", changes, changes == 1 ? "" : "s", branches,
+  text_printf(out, ", %ld change%s on %ld branch%s of orbits found\n", changes, plural_s(changes), branches,
               branches == 1 ? "" : "es");
 }
 

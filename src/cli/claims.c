@@ -30,7 +30,7 @@ static int list_scenes(const char *data) {
 }
 
 static void list_row(struct text *out, const char *id, const struct claim *c, const char *record, const char *title) {
-  text_printf(out, "%-18s %-12s %-11s %s", id, claim_get(c, "kind"), record ? record : "-", title);
+  text_printf(out, "%-18s %-12s %-11s %s", id, claim_get(c, "kind"), or_dash(record), title);
 }
 
 bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d) {

@@ -122,7 +122,7 @@ static void print_table(void) {
   struct text about = {0};
   for (int i = 0; i < n_commands; i++) {
     const struct command *c = &command_table[i];
-    printf("%s\tusage\t%s\t%s\n", c->name, *c->operands ? c->operands : "-", c->purpose);
+    printf("%s\tusage\t%s\t%s\n", c->name, or_dash(c->operands), c->purpose);
     text_reset(&about);
     describe(&about, c);
     for (char *end, *p = strtok_r(about.data, "\n", &end); p; p = strtok_r(NULL, "\n", &end))

@@ -154,7 +154,7 @@ static void numbers_text(struct text *out, const struct dyn_orbit *o, const stru
 
 static void orbits_text(struct text *out, const struct solved *z, const struct scene *s, slong digits, bool basin) {
   const struct dyn_orbits *list = &z->list;
-  text_printf(out, "%s: %ld orbit%s of the word %s found\n", s->name, (long)list->n, list->n == 1 ? "" : "s",
+  text_printf(out, "%s: %ld orbit%s of the word %s found\n", s->name, (long)list->n, plural_s(list->n),
               scene_solution_ii(s) ? "Gamma-H-C" : "D-Gamma-H-C");
   add_completeness(out, list, s);
   for (slong i = 0; i < list->n; i++) {

@@ -199,7 +199,7 @@ static void orbit_text(struct text *out, const struct dyn_box_orbit *b, const st
 
 static void box_text(struct text *out, const struct dyn_box *box, const struct scene *s, slong digits) {
   text_printf(out, "%s: %ld orbit%s of the word D-Gamma-H-C found at the middle of the box", s->name, (long)box->n,
-              box->n == 1 ? "" : "s");
+              plural_s(box->n));
   for (int k = 0; k < N_SCENE_PARAMS; k++) {
     if (!s->interval[k]) continue;
     text_printf(out, ", %s in [", scene_key_name[k]);

@@ -16,7 +16,7 @@ static void print_cost(double units, double ms) {
 }
 
 static void print_claim(const struct planned_claim *c) {
-  printf("  %-16s %s", c->id, c->kind ? c->kind : "-");
+  printf("  %-16s %s", c->id, or_dash(c->kind));
   if (c->left_out) {
     puts("; left out: the scene gives intervals, and this is about one set of parameters");
     return;
@@ -33,14 +33,14 @@ static void print_claim(const struct planned_claim *c) {
 }
 
 static void print_plan(const struct audit_plan *p) {
-  printf("%s: %d claim%s\n", p->scene, p->n_claims, p->n_claims == 1 ? "" : "s");
+  printf("%s: %d claim%s\n", p->scene, p->n_claims, plural_s(p->n_claims));
   for (int i = 0; i < p->n_claims; i++) print_claim(&p->claim[i]);
   if (p->n_shared) puts("shared:");
   for (int i = 0; i < p->n_shared; i++) {
     const struct planned_work *w = &p->shared[i];
     printf("  %s", w->what);
     if (w->claims)
-      printf(": for %ld claim%s, paid for by the first", w->claims, w->claims == 1 ? "" : "s");
+      printf(": for %ld claim%s, paid for by the first", w->claims, plural_s(w->claims));
     else
       printf(": "), print_cost(w->units, w->ms);
     printf("\n");

@@ -211,7 +211,7 @@ static void search_text(struct text *out, const struct mech_orbits *list) {
 static void orbits_text(struct text *out, const struct word_orbits *list, const struct scene *s, slong digits) {
   const struct mech_orbits *found = &list->found;
   if (s->system) {
-    text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, found->n, found->n == 1 ? "" : "s", s->system);
+    text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, found->n, plural_s(found->n), s->system);
     search_text(out, found);
     mech_names_print(out, &list->m);
   } else {
@@ -335,7 +335,7 @@ static void words_text(struct text *out, const struct survey *v, const struct sc
         out,
         "%d more orbit%s of a word's equations break%s a condition of Coulomb's law, so that no motion follows %s "
         "(see --json)\n",
-        others, others == 1 ? "" : "s", others == 1 ? "s" : "", others == 1 ? "it" : "them");
+        others, plural_s(others), others == 1 ? "s" : "", others == 1 ? "it" : "them");
   search_text(out, &v->orbits);
 }
 

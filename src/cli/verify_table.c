@@ -82,10 +82,6 @@ static void add_failures(struct text *out, const struct audit_result *r, bool co
 
 /* --- Verdicts by section --- */
 
-static const char *section_of(const struct finding *f) {
-  return f->section ? f->section : "-";
-}
-
 static int column(enum verdict v) {
   int n = (int)strlen(verdict_name[v]);
   return n + 2;
@@ -98,7 +94,7 @@ static void add_row(struct text *out, const struct audit_result *r, const char *
   char cell[24];
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
-    bool mine = !section || strcmp(section_of(f), section) == 0;
+    bool mine = !section || strcmp(or_dash(f->section), section) == 0;
     count[f->verdict] += mine;
     all += mine;
   }
@@ -117,7 +113,7 @@ static void add_sections(struct text *out, const struct audit_result *r, bool co
   struct names sections = {.n = 0};
   for (size_t i = 0; i < r->n_findings; i++) {
     shown[r->findings[i].verdict]++;
-    names_index(&sections, section_of(&r->findings[i]));
+    names_index(&sections, or_dash(r->findings[i].section));
   }
   paint(out, colours, PAINT_HEAD, "section", -12);
   for (int v = 0; v < N_VERDICTS; v++)

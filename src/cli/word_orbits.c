@@ -40,7 +40,7 @@ void word_json(struct json *j, const struct scene *s) {
 void word_text(struct text *out, const struct word_orbits *list, const struct scene *s) {
   struct text why = {0};
   enum word_fate fate = phase_word_fate(&why, &s->word);
-  text_printf(out, "%s: %d orbit%s of the word ", s->name, list->found.n, list->found.n == 1 ? "" : "s");
+  text_printf(out, "%s: %d orbit%s of the word ", s->name, list->found.n, plural_s(list->found.n));
   phase_word_print(out, &s->word);
   text_add(out, " found\n");
   if (fate == WORD_IMPOSSIBLE || fate == WORD_UNCLOSED)

@@ -157,7 +157,7 @@ static void row_text(struct survey *v, const struct mech_word *w, enum word_fate
   if (list->found.n == 0)
     text_printf(out, " none found (%ld evaluations, %d starts)", list->evaluations, list->found.candidates);
   else
-    text_printf(out, " %d orbit%s", list->found.n, list->found.n == 1 ? "" : "s");
+    text_printf(out, " %d orbit%s", list->found.n, plural_s(list->found.n));
   int settled = settled_on(v, w);
   if (settled > 0) text_printf(out, ", where %d simulations settle", settled);
   if (list->found.failed > 0)

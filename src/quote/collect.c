@@ -49,7 +49,7 @@ static bool read_place(const char **s, size_t *first, size_t *last) {
 }
 
 static bool read_places(struct quotations *q, const struct quotation *item, const struct field *f, struct diag *d) {
-  const char *s = f->text, *plural = item->n == 1 ? "" : "s";
+  const char *s = f->text;
   size_t before = 0, first, last;
   for (size_t i = 0; i < item->n; i++) {
     struct quote_piece *p = &q->piece[item->first + i];
@@ -57,7 +57,7 @@ static bool read_places(struct quotations *q, const struct quotation *item, cons
       diag_at(d, item->src, f->value.begin,
               "a place is the numbers of the first and the last token, such as 12-17, rising from piece to piece; the "
               "quotation has %zu piece%s",
-              item->n, plural);
+              item->n, plural_s((long long)item->n));
       return false;
     }
     if (last - first + 1 != p->tokens.n) {

@@ -78,7 +78,7 @@ static struct shift shift_of(const struct quotations *q, const struct quote_piec
 static void say_tokens(struct text *out, const struct quote_piece *p) {
   const bool later = p->elsewhere > p->place;
   const size_t n = later ? p->elsewhere - p->place : p->place - p->elsewhere;
-  text_printf(out, "%zu token%s %s", n, n == 1 ? "" : "s", later ? "later" : "earlier");
+  text_printf(out, "%zu token%s %s", n, plural_s((long long)n), later ? "later" : "earlier");
 }
 
 /* Pieces that something before them has moved are one finding, said of the first. */

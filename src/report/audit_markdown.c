@@ -7,10 +7,6 @@
 #include "report.h"
 #include "sheet.h"
 
-static const char *or_dash(const char *s) {
-  return s && *s ? s : "-";
-}
-
 static void add_counts(struct text *out, const struct audit_result *r) {
   long paper[N_VERDICTS], suite[N_VERDICTS];
   long statements = audit_result_count(paper, r, OF_PAPER), checks = audit_result_count(suite, r, OF_SUITE);
@@ -93,8 +89,7 @@ static void add_finding(struct text *out, const struct finding *f) {
   for (int i = 0; i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
     text_printf(out, "- %s (%s): %s", e->route, or_dash(e->layer), e->result);
-    if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, e->trials == 1 ? "" : "s");
-    if (e->bits >= 0) text_printf(out, ", %ld bits", e->bits);
+    evidence_extent(out, e);
     if (e->residual) text_printf(out, ", residual %s", e->residual);
     if (e->note) text_printf(out, "; %s", e->note);
     if (e->worst) text_printf(out, " [%s]", e->worst);
@@ -358,7 +353,7 @@ void report_markdown(struct text *out, const struct audit_result *r) {
 
 static void add_line_counts(struct text *out, const struct audit_result *r, enum claimant of) {
   long count[N_VERDICTS], total = audit_result_count(count, r, of);
-  text_printf(out, " %ld %s%s", total, of == OF_PAPER ? "statement" : "check", total == 1 ? "" : "s");
+  text_printf(out, " %ld %s%s", total, of == OF_PAPER ? "statement" : "check", plural_s(total));
   const char *sep = ": ";
   for (int i = 0; i < N_VERDICTS; i++)
     if (count[i]) {

@@ -7,6 +7,11 @@ bool finding_fails(const struct finding *f) {
   return verdict_fails(f->verdict);
 }
 
+void evidence_extent(struct text *out, const struct evidence *e) {
+  if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, plural_s(e->trials));
+  if (e->bits >= 0) text_printf(out, ", %ld bits", e->bits);
+}
+
 const struct evidence *failure_evidence(const struct finding *f) {
   for (int i = 0; i < f->n_evidence; i++)
     if (strcmp(f->evidence[i].result, "differs") == 0) return &f->evidence[i];

@@ -18,6 +18,8 @@ const char *finding_printed(const struct finding *f);
    t_d = 3.49", or nothing. */
 const char *finding_certified(const struct finding *f, const char *name);
 void finding_orbit(struct text *out, const struct finding *f);
+/* Behind a route, ", 24 trials, 128 bits", as far as it has them. */
+void evidence_extent(struct text *out, const struct evidence *e);
 /* The command that judges it again. */
 const char *finding_recheck(const struct finding *f);
 

@@ -106,7 +106,7 @@ static void add_details(const struct page *p, const struct finding *f) {
       "<details><summary>Text, formula, evidence<span class=\"away\"> of %e</span></summary>\n<dl class=\"rows\">\n"
       "<dt>Section</dt>\n<dd>",
       f->id);
-  page_section_name(p, f->section ? f->section : "-");
+  page_section_name(p, or_dash(f->section));
   text_add(p->out, "</dd>\n");
   add_texts(p, f);
   add_line(p, "Fault", f->fault);

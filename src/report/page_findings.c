@@ -144,8 +144,7 @@ static void add_certificate(const struct page *p, const struct finding *f) {
   if (e->worst && (!e->note || !strstr(e->note, e->worst)))
     page_add(p, "%s%t%. ", e->residual ? "Largest difference at " : "Where: ", e->worst);
   page_add(p, "Route: %e", e->route);
-  if (e->trials >= 0) text_printf(p->out, ", %ld trial%s", e->trials, e->trials == 1 ? "" : "s");
-  if (e->bits >= 0) text_printf(p->out, ", %ld bits", e->bits);
+  evidence_extent(p->out, e);
   text_add_char(p->out, '.');
   end_row(p);
 }

@@ -50,7 +50,7 @@ static void add_reading(struct text *out, const struct example_reading *r) {
   text_add(out, "\n- equations satisfied: ");
   add_strings(out, r->solved, r->n_solved, "nothing");
   text_printf(out, "\n- %d assumption%s: %s\n- matrices as %s%s; intermediate numbers: %s; digits reproduced: %d\n\n",
-              r->assumptions, r->assumptions == 1 ? "" : "s", r->assumed, r->layer,
+              r->assumptions, plural_s(r->assumptions), r->assumed, r->layer,
               r->confirmed ? ", with the same result by the independent model" : "", r->carry, r->digits);
   markdown_head(out, "number|printed:|in this reading:|");
   for (int i = 0; i < r->n_numbers; i++)

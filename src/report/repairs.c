@@ -88,7 +88,7 @@ void report_repairs_markdown(struct text *out, const struct repair_result *r) {
     for (size_t k = 0; k < c->n; k++) {
       const struct repair *p = &c->repair[k];
       text_printf(out, "| %d | %ld | `%s` | `%s` | %s | %s |\n", p->edits, p->distance, p->change, p->text, p->verdict,
-                  p->erratum ? p->erratum : "-");
+                  or_dash(p->erratum));
     }
     if (c->n) text_add_char(out, '\n');
   }

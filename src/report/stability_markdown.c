@@ -243,7 +243,7 @@ static void add_regions(struct text *out, const struct stability_result *r) {
     text_printf(out, "| %s | %s | %ld | %d | %d | %s%s%s | %s |\n", r->region[k].id, r->region[k].says,
                 stability_region_points(r, k), losing, failing, worst ? "`" : "",
                 worst ? r->formula[worst->formula].id : "-", worst ? "`" : "",
-                stability_or_none(worst ? stability_tenths(a, worst->excess) : NULL));
+                or_dash(worst ? stability_tenths(a, worst->excess) : NULL));
   }
   text_add_char(out, '\n');
 }

@@ -18,18 +18,16 @@ void report_stability_tsv(struct text *out, const struct stability_result *r) {
     const struct stability_formula *of = &r->formula[row->formula];
     if (!row->at_fault) continue;
     bool found = row->found && stability_loses(row);
-    text_printf(out, "%s\t%s\t%s\t%ld\t%ld\t%s\t%s\t%s\t%s\t%s\t%s\t%s", of->id,
-                stability_or_none(*of->equation ? of->equation : NULL), r->region[row->region].id, row->points,
-                row->failures, stability_or_none(found ? stability_lost(a, row) : NULL),
+    text_printf(out, "%s\t%s\t%s\t%ld\t%ld\t%s\t%s\t%s\t%s\t%s\t%s\t%s", of->id, or_dash(of->equation),
+                r->region[row->region].id, row->points, row->failures, or_dash(found ? stability_lost(a, row) : NULL),
                 stability_digits(b, found ? row->problem : none), stability_digits(c, found ? row->excess : none),
                 stability_digits(e, found ? row->predicted : none), found ? loss_cause_says[row->cause] : "-",
-                stability_or_none(found ? row->node : NULL), stability_or_none(found ? row->source : NULL));
+                or_dash(found ? row->node : NULL), or_dash(found ? row->source : NULL));
     text_printf(out, "\t%s\t%s\t%s\t%ld\t%ld\t%ld\t%s\t%s\t%s\t%s\n", stability_digits(a, found ? row->after : none),
                 stability_digits(f, found ? stability_gained(row) : none), stability_digits(g, row->after_most),
-                row->after_failures, row->after_short, row->after_rounded,
-                stability_or_none(found ? row->witness : NULL),
-                row->failure_witness ? loss_cause_says[row->failure] : "-", stability_or_none(row->failure_source),
-                stability_or_none(row->failure_witness));
+                row->after_failures, row->after_short, row->after_rounded, or_dash(found ? row->witness : NULL),
+                row->failure_witness ? loss_cause_says[row->failure] : "-", or_dash(row->failure_source),
+                or_dash(row->failure_witness));
   }
 }
 

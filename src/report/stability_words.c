@@ -17,12 +17,8 @@ const char *stability_tenths(char buffer[32], double x) {
   return buffer;
 }
 
-const char *stability_or_none(const char *s) {
-  return s ? s : "-";
-}
-
 const char *stability_digits(char buffer[32], double x) {
-  return stability_or_none(stability_tenths(buffer, x));
+  return or_dash(stability_tenths(buffer, x));
 }
 
 const char *stability_relative_error(char buffer[32], const struct stability_row *row) {

@@ -9,8 +9,6 @@
 const char *stability_tenths(char buffer[32], double x);
 /* The same, "-" where there are none. */
 const char *stability_digits(char buffer[32], double x);
-/* "-" for NULL. */
-const char *stability_or_none(const char *s);
 
 /* Of a row whose digits are all lost the relative error, to one digit; NULL elsewhere. */
 const char *stability_relative_error(char buffer[32], const struct stability_row *row);

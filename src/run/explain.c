@@ -28,8 +28,8 @@ static void add_verdict(struct text *out, const struct finding *f) {
   add_line(out, "effect", f->effect);
   for (int i = 0; i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
-    text_printf(out, "%-11s %s, %s: %s", i ? "" : "evidence", e->route, e->layer ? e->layer : "-", e->result);
-    if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, e->trials == 1 ? "" : "s");
+    text_printf(out, "%-11s %s, %s: %s", i ? "" : "evidence", e->route, or_dash(e->layer), e->result);
+    if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, plural_s(e->trials));
     if (e->residual) text_printf(out, ", residual %s", e->residual);
     if (e->note) text_printf(out, "; %s", e->note);
     text_add_char(out, '\n');
