@@ -205,9 +205,8 @@ static int with_line(const struct options *o, const struct scene *s, slong digit
 int run_bifurcate(const struct options *o, const char *data, struct diag *d) {
   slong digits;
   struct scene s;
-  int status = parse_digits(&digits, o);
+  int status = parse_digits(&digits, o, MOST_DIGITS);
   if (status) return status;
-  if (digits > MOST_DIGITS) return usage("bifurcate takes at most 1000 --digits, not %.200s", option(o, OPT_DIGITS));
   if (o->operands.n != 1) return usage("bifurcate takes one SCENE");
   if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along NAME=A:B");
   if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d))

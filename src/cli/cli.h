@@ -79,6 +79,8 @@ struct options {
 };
 /* What is given for an option: its value, for a flag the flag itself; NULL where it is not given. */
 const char *option(const struct options *o, enum option id);
+/* With the dashes. */
+const char *option_name(enum option id);
 
 /* Says what is wrong with the command line and returns EXIT_USAGE. */
 int usage(const char *fmt, ...) SS_PRINTF(1, 2);
@@ -89,10 +91,12 @@ int bad_input(const struct diag *d);
 
 /* The words after the command of that name.  Splits lists in place: they live in argv.  An exit status. */
 int parse_options(struct options *o, const char *command, int argc, char **argv);
-/* --digits; DEFAULT_DIGITS without it. */
-int parse_digits(slong *digits, const struct options *o);
-/* A whole number from 1 to most that begins with none of 0; false otherwise. */
-bool parse_plain(long *n, const char *text, long most);
+/* What follows reads one option, and leaves what it reads into as it is where the option is not given.  A whole number
+   from 1 to most; one of n words, by its place.  An exit status, after a message. */
+int parse_count(long *count, const struct options *o, enum option id, long most);
+int parse_word(int *k, const struct options *o, enum option id, const char *const *list, int n);
+/* --digits, to most; DEFAULT_DIGITS without it. */
+int parse_digits(slong *digits, const struct options *o, long most);
 /* A whole number from 1 (or 0) to most; false otherwise. */
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most);
 /* --jobs; all processors (at most 64) without it. */

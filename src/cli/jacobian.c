@@ -6,26 +6,17 @@
 #include "value/printed.h"
 
 static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
-  const char *method = option(o, OPT_METHOD), *layer = option(o, OPT_LAYER);
   enum { TABLE_DIGITS = 8 };
-  *q = (struct jacobian_request){.method = METHOD_ANALYTIC, .layer = LAYER_CORRECTED};
-  int status = parse_digits(&q->digits, o);
+  int method = METHOD_ANALYTIC, layer = LAYER_CORRECTED, status = parse_digits(&q->digits, o, MAX_DIGITS);
   if (status) return status;
-  if (option(o, OPT_PHASES) && (method || layer))
-    return usage("--phases shows every method and takes no %s", method ? "--method" : "--layer");
+  if (option(o, OPT_PHASES) && (option(o, OPT_METHOD) || option(o, OPT_LAYER)))
+    return usage("--phases shows every method and takes no %s", option(o, OPT_METHOD) ? "--method" : "--layer");
   if (option(o, OPT_PHASES) && !option(o, OPT_DIGITS) && !option(o, OPT_JSON)) q->digits = TABLE_DIGITS;
-  if (method) {
-    int k = word_find(method, method_name, N_METHODS);
-    if (k == N_METHODS)
-      return usage("--method takes analytic, implicit, saltation, fd, fd-double or ode, not %.200s", method);
-    q->method = (enum jacobian_method)k;
-  }
-  if (layer) {
-    int k = word_find(layer, layer_name, N_LAYERS);
-    if (k == N_LAYERS) return usage("--layer takes printed, corrected or stable, not %.200s", layer);
-    q->layer = (enum layer)k;
-  }
-  return parse_start(&q->orbit, &q->at_printed, o);
+  status = parse_word(&method, o, OPT_METHOD, method_name, N_METHODS);
+  if (!status) status = parse_word(&layer, o, OPT_LAYER, layer_name, N_LAYERS);
+  q->method = (enum jacobian_method)method;
+  q->layer = (enum layer)layer;
+  return status ? status : parse_start(&q->orbit, &q->at_printed, o);
 }
 
 /* What is printed about one Jacobian: entries, trace, det. */

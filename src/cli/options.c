@@ -136,13 +136,6 @@ int parse_options(struct options *o, const char *command, int argc, char **argv)
   return status;
 }
 
-bool parse_plain(long *n, const char *text, long most) {
-  char *end;
-  errno = 0;
-  *n = strtol(text, &end, 10);
-  return text[0] >= '1' && text[0] <= '9' && !errno && !*end && *n <= most;
-}
-
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most) {
   char *end;
   errno = 0;
@@ -150,16 +143,40 @@ bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned lo
   return text[0] >= '0' && text[0] <= '9' && !errno && !*end && *n <= most && (zero || *n > 0);
 }
 
-int parse_jobs(int *jobs, const struct options *o) {
-  const char *text = option(o, OPT_JOBS);
+const char *option_name(enum option id) {
+  const struct option_row *row = option_table;
+  while (row->id != id) row++;
+  return row->name;
+}
+
+int parse_count(long *count, const struct options *o, enum option id, long most) {
+  const char *text = option(o, id);
   unsigned long long n;
-  long cores = sysconf(_SC_NPROCESSORS_ONLN);
-  *jobs = cores < 1 ? 1 : cores > MAX_JOBS ? MAX_JOBS : (int)cores;
   if (!text) return EXIT_AS_RECORDED;
-  if (!parse_whole(&n, text, false, MAX_JOBS))
-    return usage("--jobs takes a whole number from 1 to 64, not %.200s", text);
-  *jobs = (int)n;
+  if (!parse_whole(&n, text, false, (unsigned long long)most))
+    return usage("%s takes a whole number from 1 to %ld, not %.200s", option_name(id), most, text);
+  *count = (long)n;
   return EXIT_AS_RECORDED;
+}
+
+int parse_word(int *k, const struct options *o, enum option id, const char *const *list, int n) {
+  const char *text = option(o, id);
+  struct text words = {0};
+  int at = text ? word_find(text, list, n) : *k, status = EXIT_AS_RECORDED;
+  for (int i = 0; i < n; i++) text_printf(&words, "%s%s", i == 0 ? "" : i + 1 < n ? ", " : " or ", list[i]);
+  if (at < n)
+    *k = at;
+  else
+    status = usage("%s takes %s, not %.200s", option_name(id), text_str(&words), text);
+  text_clear(&words);
+  return status;
+}
+
+int parse_jobs(int *jobs, const struct options *o) {
+  long cores = sysconf(_SC_NPROCESSORS_ONLN), n = cores < 1 ? 1 : cores > MAX_JOBS ? MAX_JOBS : cores;
+  int status = parse_count(&n, o, OPT_JOBS, MAX_JOBS);
+  *jobs = (int)n;
+  return status;
 }
 
 int parse_decimal(double *x, const struct options *o, enum option id, long most) {
@@ -170,19 +187,15 @@ int parse_decimal(double *x, const struct options *o, enum option id, long most)
   bool plain = text[strspn(text, "0123456789.")] == '\0' && strlen(text) < 40;
   *x = plain ? strtod(text, &end) : 0;
   if (plain && !*end && *x >= 1e-6 && *x <= (double)most) return EXIT_AS_RECORDED;
-  return usage("%s takes %s as a decimal from 0.000001 to %ld, not %.200s", id == OPT_TIMEOUT ? "--timeout" : "--time",
+  return usage("%s takes %s as a decimal from 0.000001 to %ld, not %.200s", option_name(id),
                id == OPT_TIMEOUT ? "seconds" : "a time", most, text);
 }
 
-int parse_digits(slong *digits, const struct options *o) {
-  const char *text = option(o, OPT_DIGITS);
-  *digits = DEFAULT_DIGITS;
-  long n;
-  if (!text) return EXIT_AS_RECORDED;
-  if (!parse_plain(&n, text, MAX_DIGITS))
-    return usage("--digits takes a whole number from 1 to 100000, not %.200s", text);
+int parse_digits(slong *digits, const struct options *o, long most) {
+  long n = DEFAULT_DIGITS;
+  int status = parse_count(&n, o, OPT_DIGITS, most);
   *digits = n;
-  return EXIT_AS_RECORDED;
+  return status;
 }
 
 int parse_start(slong *orbit, bool *printed, const struct options *o) {
@@ -190,9 +203,9 @@ int parse_start(slong *orbit, bool *printed, const struct options *o) {
   *orbit = at ? 0 : -1;
   *printed = at && strcmp(at, "printed") == 0;
   if (!at || *printed) return EXIT_AS_RECORDED;
-  long k;
-  if (strncmp(at, "orbit:", 6) != 0 || !parse_plain(&k, at + 6, LONG_MAX))
+  unsigned long long k;
+  if (strncmp(at, "orbit:", 6) != 0 || !parse_whole(&k, at + 6, false, LONG_MAX))
     return usage("--at takes orbit:K, K = 1, 2, ..., or printed, not %.200s", at);
-  *orbit = k - 1;
+  *orbit = (slong)k - 1;
   return EXIT_AS_RECORDED;
 }

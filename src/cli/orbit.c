@@ -248,7 +248,7 @@ int run_orbit(const struct options *o, const char *data, struct diag *d) {
     return run_orbit_paper(o, data, d);
   }
   if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
-  int status = parse_digits(&digits, o);
+  int status = parse_digits(&digits, o, MAX_DIGITS);
   if (status) return status;
   if (o->operands.n != 1) return usage("orbit takes one SCENE");
   struct scene s;

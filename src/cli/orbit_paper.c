@@ -144,9 +144,8 @@ static void add_solution(struct text *out, const struct paper_orbit *p, slong di
 
 int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
   slong digits;
-  int status = parse_digits(&digits, o);
+  int status = parse_digits(&digits, o, MAX_PAPER_DIGITS);
   if (status) return status;
-  if (digits > MAX_PAPER_DIGITS) return usage("--digits takes at most 1000 with --method paper");
   if (o->operands.n != 1) return usage("orbit takes one SCENE");
   struct scene s;
   struct paper_orbits list = {.n = 0};

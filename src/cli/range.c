@@ -52,13 +52,12 @@ int range_parse(struct scene_range *r, const char *option, const char *shape, co
 }
 
 int parse_along(struct scene_range *r, struct text *name, const struct options *o) {
-  static const char option_name[] = "--along", shape[] = "%s takes NAME=A:B, as in e2=0.5:3, not %.200s";
+  static const char along[] = "--along", shape[] = "%s takes NAME=A:B, as in e2=0.5:3, not %.200s";
   const char *text = option(o, OPT_ALONG), *at[2];
-  int status =
-      name ? split(at, option_name, shape, text, strlen(text)) : range_parse(r, option_name, shape, text, strlen(text));
+  int status = name ? split(at, along, shape, text, strlen(text)) : range_parse(r, along, shape, text, strlen(text));
   if (!status && name) {
     text_add_n(name, text, (size_t)(at[0] - text));
-    status = evaluate(r, at, text + strlen(text), option_name);
+    status = evaluate(r, at, text + strlen(text), along);
   }
   if (!status && fmpq_cmp(r->from, r->to) == 0) return usage("the ends of --along %.200s are equal", text);
   double from = fmpq_get_d(r->from), to = fmpq_get_d(r->to);

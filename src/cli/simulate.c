@@ -20,11 +20,6 @@ struct simulation {
   char from[32]; /* orbit:2, printed, or start */
 };
 
-static int parse_count(long *n, const char *text, long most, const char *option) {
-  if (!text || parse_plain(n, text, most)) return EXIT_AS_RECORDED;
-  return usage("%s takes a whole number from 1 to %ld", option, most);
-}
-
 /* --- Output --- */
 
 void csv_line(int n, const struct mech_moment *at) {
@@ -215,8 +210,8 @@ static int usage_of(const struct options *o, long *periods, long *samples, doubl
   enum { MOST_TIME = 1000000 };
   *periods = 1;
   *samples = DEFAULT_SAMPLES;
-  int status = parse_count(periods, option(o, OPT_PERIODS), MAX_PERIODS, "--periods");
-  if (!status) status = parse_count(samples, option(o, OPT_SAMPLES), MAX_SAMPLES, "--samples");
+  int status = parse_count(periods, o, OPT_PERIODS, MAX_PERIODS);
+  if (!status) status = parse_count(samples, o, OPT_SAMPLES, MAX_SAMPLES);
   if (!status) status = parse_decimal(time, o, OPT_TIME, MOST_TIME);
   if (status) return status;
   if (option(o, OPT_AT) && option(o, OPT_START)) return usage("--at and --start exclude each other");

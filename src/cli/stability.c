@@ -7,22 +7,12 @@
 #include "report/stability.h"
 #include "stability/digits.h"
 
-static int parse_layer(int *layer, const char *option, const char *name) {
-  *layer = word_find(name, layer_name, N_LAYERS);
-  if (*layer < N_LAYERS) return EXIT_AS_RECORDED;
-  struct text names = {0};
-  for (int i = 0; i < N_LAYERS; i++) text_printf(&names, " %s,", layer_name[i]);
-  int status = usage("%s takes one of%s not %.200s", option, text_str(&names), name);
-  text_clear(&names);
-  return status;
-}
-
 static int parse_study(struct stability_options *q, const struct options *o) {
-  const char *over = option(o, OPT_LAYER), *against = option(o, OPT_AFTER);
+  const char *against = option(o, OPT_AFTER);
   bool at = option(o, OPT_AT);
   int layer = LAYER_PRINTED, after = -1;
-  int status = over ? parse_layer(&layer, "--layer", over) : EXIT_AS_RECORDED;
-  if (!status && against) status = parse_layer(&after, "--after", against);
+  int status = parse_word(&layer, o, OPT_LAYER, layer_name, N_LAYERS);
+  if (!status) status = parse_word(&after, o, OPT_AFTER, layer_name, N_LAYERS);
   if (!status && against && after == layer) status = usage("--after takes another layer than --layer, not %s", against);
   if (!status && at && o->operands.n == 0) status = usage("--at needs the name of a formula");
   if (!status && at &&

@@ -3,7 +3,7 @@
 
 #include "sweep.h"
 
-enum { MOST_SWEEP_DIGITS = 15 };
+enum { MOST_SWEEP_DIGITS = 15 }; /* of a double */
 
 int parse_over(struct scene_range *r, struct dyn_axis *axis, const char *text, const struct scene_range *other,
                const struct over_rule *rule) {
@@ -40,21 +40,18 @@ static int parse_request(struct sweep *q, const struct options *o) {
   static const struct over_rule rule = {"%s takes NAME=A:B:N, as in e2=0.8:0.9:20000, not %.200s",
                                         "--over %.200s: N is a whole number from 1 to 1000000000", 1, AXIS_MOST_POINTS,
                                         0};
-  const char *csv = option(o, OPT_CSV), *search = option(o, OPT_SEARCH_EVERY);
+  const char *csv = option(o, OPT_CSV);
   bool json = option(o, OPT_JSON);
   const struct words *over = &o->given[OPT_OVER];
-  unsigned long long every = 0;
-  int status = parse_digits(&q->digits, o);
+  long every = 0;
+  int status = parse_digits(&q->digits, o, MOST_SWEEP_DIGITS);
+  if (!status) status = parse_count(&every, o, OPT_SEARCH_EVERY, AXIS_MOST_EVERY);
   if (status) return status;
-  if (q->digits > MOST_SWEEP_DIGITS)
-    return usage("sweep computes in double precision: --digits takes 1 to 15, not %.200s", option(o, OPT_DIGITS));
   if (o->operands.n != 1) return usage("sweep takes one SCENE");
   if (over->n == 0) return usage("sweep needs --over NAME=A:B:N");
   if (json && csv) return usage("--json goes with no --csv");
   if (option(o, OPT_RESUME) && !csv) return usage("--resume continues a file: it needs --csv FILE");
-  if (search && !parse_whole(&every, search, false, AXIS_MOST_EVERY))
-    return usage("--search-every takes a whole number from 1 to 65536, not %.200s", search);
-  q->every = (slong)every;
+  q->every = every;
   q->json = json;
   q->all = option(o, OPT_ALL) || json;
   for (int i = 0; i < over->n && !status; i++) {

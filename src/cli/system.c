@@ -466,12 +466,9 @@ static void show_jacobian(const struct options *o, struct word_orbits *list, con
 
 /* Options that are of the paper's word of its two masses, or too many digits. */
 static bool refuse(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
-  static const struct {
-    enum option id;
-    const char *name;
-  } of_paper[] = {{OPT_BASIN, "--basin"}, {OPT_PHASES, "--phases"}, {OPT_LAYER, "--layer"}};
+  static const enum option of_paper[] = {OPT_BASIN, OPT_PHASES, OPT_LAYER};
   for (size_t i = 0; i < sizeof of_paper / sizeof *of_paper && !d->set; i++)
-    if (option(o, of_paper[i].id)) refuse_option(d, of_paper[i].name, s);
+    if (option(o, of_paper[i])) refuse_option(d, option_name(of_paper[i]), s);
   if (!d->set && digits > WORD_DIGITS)
     diag_set(d, "%s: error: a scene of %s takes at most %d --digits", s->path,
              s->system ? "a system file" : "another word", WORD_DIGITS);

@@ -200,7 +200,7 @@ int run_verify(const struct options *o, const char *data, struct diag *d) {
   int jobs;
   double seconds;
   struct verify_data v = {.digits = 0};
-  int status = parse_digits(&v.digits, o);
+  int status = parse_digits(&v.digits, o, MAX_DIGITS);
   if (!status) status = parse_jobs(&jobs, o);
   if (!status) status = parse_decimal(&seconds, o, OPT_TIMEOUT, MOST_SECONDS);
   if (status) return status;

@@ -272,17 +272,12 @@ static void show_survey(struct survey *v, const struct options *o) {
 }
 
 int run_words(const struct options *o, const char *data, struct diag *d) {
-  const char *most = option(o, OPT_LONGEST);
-  struct survey v = {.longest = LONGEST};
-  unsigned long long longest;
-  int status = parse_digits(&v.digits, o);
+  struct survey v = {.scene = NULL};
+  long longest = LONGEST;
+  int status = parse_digits(&v.digits, o, WORD_DIGITS);
+  if (!status) status = parse_count(&longest, o, OPT_LONGEST, MOST_PHASES);
   if (status) return status;
-  if (v.digits > WORD_DIGITS) return usage("words takes at most 1000 --digits, not %.200s", option(o, OPT_DIGITS));
-  if (most) {
-    if (!parse_whole(&longest, most, false, MOST_PHASES))
-      return usage("--longest takes a whole number from 1 to 8, not %.200s", most);
-    v.longest = (int)longest;
-  }
+  v.longest = (int)longest;
   if (o->operands.n != 1) return usage("words takes one SCENE");
   struct scene s;
   v.scene = &s;

@@ -26,7 +26,8 @@ static void read_numbers(const struct options *o) {
   bool printed;
   int jobs;
   double seconds;
-  if (!parse_digits(&digits, o)) fuzz_law(digits >= 1 && digits <= MAX_DIGITS, "digits are within their bounds");
+  if (!parse_digits(&digits, o, MAX_DIGITS))
+    fuzz_law(digits >= 1 && digits <= MAX_DIGITS, "digits are within their bounds");
   if (!parse_jobs(&jobs, o)) fuzz_law(jobs >= 1 && jobs <= MAX_JOBS, "jobs are within their bounds");
   if (!parse_decimal(&seconds, o, OPT_TIMEOUT, MOST_SECONDS))
     fuzz_law(!option(o, OPT_TIMEOUT) || (seconds > 0 && seconds <= 1e7), "seconds are within their bounds");
