@@ -211,7 +211,5 @@ int run_bench(const struct options *o, const char *data, struct diag *d) {
   bool inputs = option(o, OPT_INPUTS);
   if (inputs && option(o, OPT_JOB) && strcmp(option(o, OPT_JOB), verdicts) == 0)
     return usage("--inputs: the job %s has none", verdicts);
-  if (inputs && (option(o, OPT_OUT) || option(o, OPT_JSON) || option(o, OPT_PEERS)))
-    return usage("--inputs goes with --job and --quick alone");
   return inputs ? write_inputs(o, d) : measure(o, data, d);
 }

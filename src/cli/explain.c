@@ -146,10 +146,8 @@ static bool explain(struct text *out, const struct inputs *e, const char *word, 
 }
 
 int run_explain(const struct options *o, const char *data, struct diag *d) {
-  const char *at = option(o, OPT_AT);
-  bool receipt = option(o, OPT_RECEIPT), tape = option(o, OPT_TAPE);
+  bool receipt = option(o, OPT_RECEIPT);
   if (o->operands.n != 1) return usage("explain takes one claim id");
-  if (receipt && (at || tape)) return usage("--receipt stands alone, not with %s", at ? "--at" : "--tape");
   struct inputs e;
   struct text out = {0};
   bool ok = inputs_load(&e, data, o, d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, d) &&

@@ -8,11 +8,8 @@
 static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
   enum { TABLE_DIGITS = 8 };
   int method = METHOD_ANALYTIC, layer = LAYER_CORRECTED, status = parse_digits(&q->digits, o, MAX_DIGITS);
-  if (status) return status;
-  if (option(o, OPT_PHASES) && (option(o, OPT_METHOD) || option(o, OPT_LAYER)))
-    return usage("--phases shows every method and takes no %s", option(o, OPT_METHOD) ? "--method" : "--layer");
   if (option(o, OPT_PHASES) && !option(o, OPT_DIGITS) && !option(o, OPT_JSON)) q->digits = TABLE_DIGITS;
-  status = parse_word(&method, o, OPT_METHOD, method_name, N_METHODS);
+  if (!status) status = parse_word(&method, o, OPT_METHOD, method_name, N_METHODS);
   if (!status) status = parse_word(&layer, o, OPT_LAYER, layer_name, N_LAYERS);
   q->method = (enum jacobian_method)method;
   q->layer = (enum layer)layer;

@@ -45,15 +45,25 @@ const struct option_row option_table[] = {
 };
 const int n_option_rows = sizeof option_table / sizeof *option_table;
 
-bool option_belongs(const struct option_row *row, const char *command) {
-  size_t len = strlen(command);
-  for (const char *p = row->commands; *p; p += strcspn(p, " "), p += strspn(p, " "))
-    if (*p == '*' || (strcspn(p, " ") == len && strncmp(p, command, len) == 0)) return true;
+static bool is_listed(const char *list, const char *word) {
+  size_t len;
+  for (const char *p = list_item(&len, list); p; p = list_item(&len, p + len))
+    if (strlen(word) == len && strncmp(p, word, len) == 0) return true;
   return false;
+}
+
+bool option_belongs(const struct option_row *row, const char *command) {
+  return row->commands[0] == '*' || is_listed(row->commands, command);
 }
 
 const char *option(const struct options *o, enum option id) {
   return o->given[id].word[0];
+}
+
+const char *option_name(enum option id) {
+  const struct option_row *row = option_table;
+  while (row->id != id) row++;
+  return row->name;
 }
 
 static bool add_word(struct words *w, const char *word, int most) {
@@ -110,6 +120,22 @@ static const struct option_row *find_option(const char *command, const char *wor
   return NULL;
 }
 
+static int refuse_apart(const struct options *o, const char *command) {
+  static const struct {
+    const char *command;
+    enum option id;
+    const char *names;
+  } apart[] = {
+#define APART(command, id, names) {#command, OPT_##id, names},
+#include "cli/options.def"
+  };
+  for (size_t i = 0; i < sizeof apart / sizeof *apart; i++)
+    for (int k = 0; k < n_option_rows && option(o, apart[i].id) && strcmp(apart[i].command, command) == 0; k++)
+      if (option(o, option_table[k].id) && is_listed(apart[i].names, option_table[k].name))
+        return usage("%s goes with no %s", option_name(apart[i].id), option_table[k].name);
+  return EXIT_AS_RECORDED;
+}
+
 int parse_options(struct options *o, const char *command, int argc, char **argv) {
   *o = (struct options){.operands.n = 0};
   int status = EXIT_AS_RECORDED;
@@ -133,7 +159,7 @@ int parse_options(struct options *o, const char *command, int argc, char **argv)
       return usage("the option %s needs a value, not %.200s (or %s=%.200s)", row->name, value, row->name, value);
     status = add_value(&o->given[row->id], row, value);
   }
-  return status;
+  return status ? status : refuse_apart(o, command);
 }
 
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most) {
@@ -141,12 +167,6 @@ bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned lo
   errno = 0;
   *n = strtoull(text, &end, 10);
   return text[0] >= '0' && text[0] <= '9' && !errno && !*end && *n <= most && (zero || *n > 0);
-}
-
-const char *option_name(enum option id) {
-  const struct option_row *row = option_table;
-  while (row->id != id) row++;
-  return row->name;
 }
 
 int parse_count(long *count, const struct options *o, enum option id, long most) {

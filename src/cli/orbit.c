@@ -242,7 +242,6 @@ static int show_scene(const struct options *o, const struct scene *s, const char
 int run_orbit(const struct options *o, const char *data, struct diag *d) {
   const char *method = option(o, OPT_METHOD);
   slong digits;
-  if (option(o, OPT_BASIN) && method) return usage("--basin goes with no --method");
   if (method && strcmp(method, "paper") == 0) {
     if (option(o, OPT_CERTIFICATE)) return usage("--certificate is of the model's orbits, not of --method %s", method);
     return run_orbit_paper(o, data, d);

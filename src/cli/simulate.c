@@ -214,14 +214,6 @@ static int usage_of(const struct options *o, long *periods, long *samples, doubl
   if (!status) status = parse_count(samples, o, OPT_SAMPLES, MAX_SAMPLES);
   if (!status) status = parse_decimal(time, o, OPT_TIME, MOST_TIME);
   if (status) return status;
-  if (option(o, OPT_AT) && option(o, OPT_START)) return usage("--at and --start exclude each other");
-  if (option(o, OPT_TIME) && option(o, OPT_PERIODS)) return usage("--time and --periods exclude each other");
-  if (option(o, OPT_JSON) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
-    return usage("--json goes with neither --csv nor --samples");
-  if (option(o, OPT_COMPARE) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
-    return usage("--compare goes with neither --csv nor --samples");
-  if (option(o, OPT_COMPARE) && (option(o, OPT_JSON) || option(o, OPT_TIME)))
-    return usage("--compare goes with neither --json nor --time");
   if (option(o, OPT_COMPARE) && *periods > MAX_COMPARED) return usage("--periods takes at most 10000 with --compare");
   return o->operands.n == 1 ? EXIT_AS_RECORDED : usage("simulate takes one SCENE");
 }

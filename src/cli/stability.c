@@ -9,15 +9,11 @@
 
 static int parse_study(struct stability_options *q, const struct options *o) {
   const char *against = option(o, OPT_AFTER);
-  bool at = option(o, OPT_AT);
   int layer = LAYER_PRINTED, after = -1;
   int status = parse_word(&layer, o, OPT_LAYER, layer_name, N_LAYERS);
   if (!status) status = parse_word(&after, o, OPT_AFTER, layer_name, N_LAYERS);
   if (!status && against && after == layer) status = usage("--after takes another layer than --layer, not %s", against);
-  if (!status && at && o->operands.n == 0) status = usage("--at needs the name of a formula");
-  if (!status && at &&
-      (option(o, OPT_OUT) || option(o, OPT_JSON) || option(o, OPT_QUICK) || against || option(o, OPT_JOBS)))
-    status = usage("--at shows one point: no --out, --json, --quick, --after, --jobs");
+  if (!status && option(o, OPT_AT) && o->operands.n == 0) status = usage("--at needs the name of a formula");
   *q = (struct stability_options){.layer = (enum layer)layer,
                                   .after = after,
                                   .only = o->operands.word,

@@ -40,7 +40,6 @@ static int parse_request(struct sweep *q, const struct options *o) {
   static const struct over_rule rule = {"%s takes NAME=A:B:N, as in e2=0.8:0.9:20000, not %.200s",
                                         "--over %.200s: N is a whole number from 1 to 1000000000", 1, AXIS_MOST_POINTS,
                                         0};
-  const char *csv = option(o, OPT_CSV);
   bool json = option(o, OPT_JSON);
   const struct words *over = &o->given[OPT_OVER];
   long every = 0;
@@ -49,8 +48,7 @@ static int parse_request(struct sweep *q, const struct options *o) {
   if (status) return status;
   if (o->operands.n != 1) return usage("sweep takes one SCENE");
   if (over->n == 0) return usage("sweep needs --over NAME=A:B:N");
-  if (json && csv) return usage("--json goes with no --csv");
-  if (option(o, OPT_RESUME) && !csv) return usage("--resume continues a file: it needs --csv FILE");
+  if (option(o, OPT_RESUME) && !option(o, OPT_CSV)) return usage("--resume continues a file: it needs --csv FILE");
   q->every = every;
   q->json = json;
   q->all = option(o, OPT_ALL) || json;
