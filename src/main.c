@@ -19,6 +19,8 @@ static int run_command(const struct command *c, int argc, char **argv) {
     help_page(c);
     return EXIT_AS_RECORDED;
   }
+  status = check_options(&o, c);
+  if (status) return status;
   struct text data;
   struct diag d;
   text_init(&data);
@@ -35,7 +37,7 @@ static int name_the_commands(void) {
   struct text names;
   text_init(&names);
   for (int i = 0; i < n_commands; i++)
-    text_printf(&names, "%s%s", i == 0 ? "" : i + 1 < n_commands ? ", " : " or ", command_table[i].name);
+    text_printf(&names, "%s%s", list_joint(i, n_commands, " or "), command_table[i].name);
   int status = usage("a command is needed: %s", text_str(&names));
   text_clear(&names);
   return status;

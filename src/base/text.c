@@ -152,8 +152,8 @@ bool word_is(const char *s, size_t len, const char *word) {
   return strlen(word) == len && strncmp(s, word, len) == 0;
 }
 
-const char *list_joint(int i, int n) {
-  return i == 0 ? "" : i + 1 < n ? ", " : " and ";
+const char *list_joint(int i, int n, const char *last) {
+  return i == 0 ? "" : i + 1 < n ? ", " : last;
 }
 
 int word_find(const char *word, const char *const *list, int n) {

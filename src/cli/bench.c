@@ -207,7 +207,6 @@ static int measure(const struct options *o, const char *data, struct diag *d) {
 int run_bench(const struct options *o, const char *data, struct diag *d) {
   int status = parse_job(o);
   if (status) return status;
-  if (o->operands.n) return usage("bench takes no operand, not %.200s", o->operands.word[0]);
   bool inputs = option(o, OPT_INPUTS);
   if (inputs && option(o, OPT_JOB) && strcmp(option(o, OPT_JOB), verdicts) == 0)
     return usage("--inputs: the job %s has none", verdicts);

@@ -207,7 +207,6 @@ int run_bifurcate(const struct options *o, const char *data, struct diag *d) {
   struct scene s;
   int status = parse_digits(&digits, o, MOST_DIGITS);
   if (status) return status;
-  if (o->operands.n != 1) return usage("bifurcate takes one SCENE");
   if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along NAME=A:B");
   if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d))
     status = s.system ? run_system_bifurcate(o, &s, data, digits, d) : with_line(o, &s, digits, d);

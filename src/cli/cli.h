@@ -91,6 +91,8 @@ int bad_input(const struct diag *d);
 
 /* The words after the command of that name.  Splits lists in place: they live in argv.  An exit status. */
 int parse_options(struct options *o, const char *command, int argc, char **argv);
+/* Whether they go together, and the operands are those of the command.  An exit status. */
+int check_options(const struct options *o, const struct command *c);
 /* What follows reads one option, and leaves what it reads into as it is where the option is not given.  A whole number
    from 1 to most; one of n words, by its place.  An exit status, after a message. */
 int parse_count(long *count, const struct options *o, enum option id, long most);

@@ -218,7 +218,6 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
 
 int run_diff(const struct options *o, const char *data, struct diag *d) {
   (void)data;
-  if (o->operands.n != 2) return usage("diff takes two files, as stickslip diff A.json B.json");
   struct audit_file a, b;
   bool ok = audit_file_read(&a, o->operands.word[0], d);
   bool both = ok && audit_file_read(&b, o->operands.word[1], d);

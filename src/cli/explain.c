@@ -147,7 +147,6 @@ static bool explain(struct text *out, const struct inputs *e, const char *word, 
 
 int run_explain(const struct options *o, const char *data, struct diag *d) {
   bool receipt = option(o, OPT_RECEIPT);
-  if (o->operands.n != 1) return usage("explain takes one claim id");
   struct inputs e;
   struct text out = {0};
   bool ok = inputs_load(&e, data, o, d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, d) &&

@@ -89,7 +89,6 @@ int run_jacobian(const struct options *o, const char *data, struct diag *d) {
   struct jacobian_request q;
   int status = parse_jacobian(&q, o);
   if (status) return status;
-  if (o->operands.n != 1) return usage("jacobian takes one SCENE");
   struct model m;
   struct scene s;
   model_init(&m);

@@ -60,7 +60,6 @@ int run_mutate(const struct options *o, const char *data, struct diag *d) {
   struct mutation_options q;
   int status = parse_mutation(&q, o);
   if (status) return status;
-  if (o->operands.n) return usage("mutate takes no operand, not %.200s", o->operands.word[0]);
   struct inputs in;
   struct mutation_result r;
   struct output out;

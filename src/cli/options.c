@@ -120,22 +120,6 @@ static const struct option_row *find_option(const char *command, const char *wor
   return NULL;
 }
 
-static int refuse_apart(const struct options *o, const char *command) {
-  static const struct {
-    const char *command;
-    enum option id;
-    const char *names;
-  } apart[] = {
-#define APART(command, id, names) {#command, OPT_##id, names},
-#include "cli/options.def"
-  };
-  for (size_t i = 0; i < sizeof apart / sizeof *apart; i++)
-    for (int k = 0; k < n_option_rows && option(o, apart[i].id) && strcmp(apart[i].command, command) == 0; k++)
-      if (option(o, option_table[k].id) && is_listed(apart[i].names, option_table[k].name))
-        return usage("%s goes with no %s", option_name(apart[i].id), option_table[k].name);
-  return EXIT_AS_RECORDED;
-}
-
 int parse_options(struct options *o, const char *command, int argc, char **argv) {
   *o = (struct options){.operands.n = 0};
   int status = EXIT_AS_RECORDED;
@@ -159,7 +143,38 @@ int parse_options(struct options *o, const char *command, int argc, char **argv)
       return usage("the option %s needs a value, not %.200s (or %s=%.200s)", row->name, value, row->name, value);
     status = add_value(&o->given[row->id], row, value);
   }
-  return status ? status : refuse_apart(o, command);
+  return status;
+}
+
+static int refuse_apart(const struct options *o, const char *command) {
+  static const struct {
+    const char *command;
+    enum option id;
+    const char *names;
+  } apart[] = {
+#define APART(command, id, names) {#command, OPT_##id, names},
+#include "cli/options.def"
+  };
+  for (size_t i = 0; i < sizeof apart / sizeof *apart; i++)
+    for (int k = 0; k < n_option_rows && option(o, apart[i].id) && strcmp(apart[i].command, command) == 0; k++)
+      if (option(o, option_table[k].id) && is_listed(apart[i].names, option_table[k].name))
+        return usage("%s goes with no %s", option_name(apart[i].id), option_table[k].name);
+  return EXIT_AS_RECORDED;
+}
+
+/* The operands stand for one each; in brackets or before dots there may be any number. */
+static int check_operands(const struct options *o, const struct command *c) {
+  const char *options = strstr(c->operands, " --"), *dots = strstr(c->operands, "...");
+  int len = (int)(options ? (size_t)(options - c->operands) : strlen(c->operands)), n = len > 0;
+  for (int i = 0; i < len; i++) n += c->operands[i] == ' ';
+  if (c->operands[0] == '[' || (dots ? o->operands.n >= n : o->operands.n == n)) return EXIT_AS_RECORDED;
+  return n ? usage("%s takes %s%.*s", c->name, n == 1 && !dots ? "one " : "", len, c->operands)
+           : usage("%s takes no operand, not %.200s", c->name, o->operands.word[0]);
+}
+
+int check_options(const struct options *o, const struct command *c) {
+  int status = refuse_apart(o, c->name);
+  return status ? status : check_operands(o, c);
 }
 
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most) {
@@ -183,7 +198,7 @@ int parse_word(int *k, const struct options *o, enum option id, const char *cons
   const char *text = option(o, id);
   struct text words = {0};
   int at = text ? word_find(text, list, n) : *k, status = EXIT_AS_RECORDED;
-  for (int i = 0; i < n; i++) text_printf(&words, "%s%s", i == 0 ? "" : i + 1 < n ? ", " : " or ", list[i]);
+  for (int i = 0; i < n; i++) text_printf(&words, "%s%s", list_joint(i, n, " or "), list[i]);
   if (at < n)
     *k = at;
   else

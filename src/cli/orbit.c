@@ -249,7 +249,6 @@ int run_orbit(const struct options *o, const char *data, struct diag *d) {
   if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
   int status = parse_digits(&digits, o, MAX_DIGITS);
   if (status) return status;
-  if (o->operands.n != 1) return usage("orbit takes one SCENE");
   struct scene s;
   if (load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d)) status = show_scene(o, &s, data, digits, d);
   scene_clear(&s);

@@ -146,7 +146,6 @@ int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
   slong digits;
   int status = parse_digits(&digits, o, MAX_PAPER_DIGITS);
   if (status) return status;
-  if (o->operands.n != 1) return usage("orbit takes one SCENE");
   struct scene s;
   struct paper_orbits list = {.n = 0};
   struct text out = {0};

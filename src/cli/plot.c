@@ -131,7 +131,6 @@ static int plot_scene(struct audit_result *r, const struct scene *s, const struc
 }
 
 int run_plot(const struct options *o, const char *data, struct diag *d) {
-  if (o->operands.n != 1) return usage("plot takes one scene");
   if (option(o, OPT_AT) && !option(o, OPT_ANIMATE)) return usage("plot takes --at with --animate alone");
   struct scene s;
   struct audit_result r;

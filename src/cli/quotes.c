@@ -34,7 +34,6 @@ static bool load(struct quotations *q, struct quoting *by, const char *data, str
 }
 
 int run_quotes(const struct options *o, const char *data, struct diag *d) {
-  if (o->operands.n != 1) return usage("quotes takes one FILE, a text of the paper");
   struct paper_text text;
   struct quotations q = {.n = 0};
   struct quoting by = {.claims = {.n = 0}};

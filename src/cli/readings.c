@@ -4,7 +4,6 @@
 #include "report/report.h"
 
 int run_readings(const struct options *o, const char *data, struct diag *d) {
-  if (o->operands.n != 1) return usage("readings takes one SCENE");
   struct model m;
   struct scene s;
   struct audit_result r;

@@ -38,7 +38,6 @@ static bool read_report(struct audit_result *r, const char *folder, struct diag 
 
 int run_report(const struct options *o, const char *data, struct diag *d) {
   (void)data;
-  if (o->operands.n != 1) return usage("report takes one folder, as stickslip report reports/paper");
   struct audit_result r;
   struct output out;
   audit_result_init(&r);

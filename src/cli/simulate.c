@@ -215,7 +215,7 @@ static int usage_of(const struct options *o, long *periods, long *samples, doubl
   if (!status) status = parse_decimal(time, o, OPT_TIME, MOST_TIME);
   if (status) return status;
   if (option(o, OPT_COMPARE) && *periods > MAX_COMPARED) return usage("--periods takes at most 10000 with --compare");
-  return o->operands.n == 1 ? EXIT_AS_RECORDED : usage("simulate takes one SCENE");
+  return EXIT_AS_RECORDED;
 }
 
 int run_simulate(const struct options *o, const char *data, struct diag *d) {

@@ -46,7 +46,6 @@ static int parse_request(struct sweep *q, const struct options *o) {
   int status = parse_digits(&q->digits, o, MOST_SWEEP_DIGITS);
   if (!status) status = parse_count(&every, o, OPT_SEARCH_EVERY, AXIS_MOST_EVERY);
   if (status) return status;
-  if (o->operands.n != 1) return usage("sweep takes one SCENE");
   if (over->n == 0) return usage("sweep needs --over NAME=A:B:N");
   if (option(o, OPT_RESUME) && !option(o, OPT_CSV)) return usage("--resume continues a file: it needs --csv FILE");
   q->every = every;

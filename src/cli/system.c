@@ -9,7 +9,6 @@
 enum { MODE_DIGITS = 6 };
 
 int run_system(const struct options *o, const char *data, struct diag *d) {
-  if (o->operands.n != 1) return usage("system takes one FILE");
   struct mech m;
   struct text path = {0};
   if (path_has_suffix(o->operands.word[0], ".scene")) {

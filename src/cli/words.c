@@ -278,7 +278,6 @@ int run_words(const struct options *o, const char *data, struct diag *d) {
   if (!status) status = parse_count(&longest, o, OPT_LONGEST, MOST_PHASES);
   if (status) return status;
   v.longest = (int)longest;
-  if (o->operands.n != 1) return usage("words takes one SCENE");
   struct scene s;
   v.scene = &s;
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d);

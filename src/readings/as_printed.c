@@ -59,7 +59,7 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
     if (digits[i] > 0 && digits[i] < least) least = digits[i];
   }
   for (int k = 0; k < N_SCENE_PARAMS; k++) {
-    text_printf(&where, "%s%s = ", list_joint(k, N_SCENE_PARAMS), name_param[k]);
+    text_printf(&where, "%s%s = ", list_joint(k, N_SCENE_PARAMS, " and "), name_param[k]);
     num_print_q(&where, &p->q[Q_CHI + k]);
   }
   text_printf(
@@ -69,7 +69,7 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
       text_str(&where));
   for (int i = 0; i < X_E1; i++)
     if (digits[i] > 0)
-      text_printf(&same, "%s%s", list_joint(n++, n_same), orbit_number_name(i));
+      text_printf(&same, "%s%s", list_joint(n++, n_same, " and "), orbit_number_name(i));
     else
       text_printf(&t, "%s = %s instead of %s, ", orbit_number_name(i), ball_text(j, x + i, SHOWN),
                   ball_text(j, orbit_number(o, i), SHOWN));

@@ -124,7 +124,7 @@ static void add_counts(const struct page *p) {
   text_add(p->out, "<p>The audit has found ");
   for (int i = 0; i < N_SEVERITIES; i++) {
     size_t n = audit_result_roots(p->r, (enum severity)i);
-    text_add(p->out, list_joint(i, N_SEVERITIES));
+    text_add(p->out, list_joint(i, N_SEVERITIES, " and "));
     text_printf(p->out, "%zu %s", n, severity_words[i][n != 1]);
   }
   text_add_char(p->out, '.');

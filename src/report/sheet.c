@@ -123,7 +123,7 @@ void sheet_stop(const struct sheet *s) {
 
 void sheet_list(const struct sheet *s, const char *const *list, int n) {
   for (int i = 0; i < n; i++) {
-    text_add(s->out, list_joint(i, n));
+    text_add(s->out, list_joint(i, n, " and "));
     sheet_prose(s, list[i]);
   }
 }

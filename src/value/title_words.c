@@ -53,7 +53,7 @@ int title_list_write(struct text *out, struct title_list *l) {
   int n = 0;
   for (int i = 0; i < l->n; i++)
     if (l->item[i].len && !is_twice(l, i)) once[n++] = &l->item[i];
-  for (int i = 0; i < n; i++) text_printf(out, "%s%s", list_joint(i, n), text_str(once[i]));
+  for (int i = 0; i < n; i++) text_printf(out, "%s%s", list_joint(i, n, " and "), text_str(once[i]));
   return n;
 }
 
