@@ -33,11 +33,11 @@ void dyn_axis_clear(struct dyn_axis *a);
 void dyn_axis_q(fmpq_t x, const struct dyn_axis *a, slong i);
 double dyn_axis_d(const struct dyn_axis *a, slong i);
 
-/* How long a line may be, and how many points apart its anchors; how far apart they are where nobody says: not too far on
-   a line of few points either. */
+/* How long a line may be, and how many points apart its anchors; how far apart they are where nobody says: not too far
+   on a line of few points either. */
 enum { AXIS_MOST_POINTS = 1000000000, AXIS_MOST_EVERY = 65536 };
 slong dyn_axis_usual_every(slong n);
-/* A stretch of so many points, a whole number of anchors, can stand for itself: whoever does it, it comes out the same. */
+/* A stretch of so many points, a whole number of anchors, can stand for itself: it comes out the same by whomever. */
 slong dyn_axis_stretch(slong every);
 
 /* --- Orbits. --- */

@@ -235,8 +235,8 @@ struct scene_range {
 };
 void scene_range_init(struct scene_range *r);
 void scene_range_clear(struct scene_range *r);
-/* Whether both ends lie in the parameter's domain; and whether e stays below the u_r that the scene gives, as in a scene
-   itself. */
+/* Whether both ends lie in the parameter's domain; and whether e stays below the u_r that the scene gives, as in a
+   scene itself. */
 bool scene_range_in_domain(const struct scene_range *r);
 bool scene_range_below_friction(const struct scene_range *r, const struct scene *s);
 /* A constant expression (len bytes) as scenes have them, but without names, exact; name stands in the diagnostic. */

@@ -31,8 +31,8 @@ void solved_clear(struct solved *z);
 slong solved_certified(const struct solved *z);
 void solved_certificates(struct text *out, const struct solved *z, const struct scene *s);
 
-/* The same for another word that is open (phase_word_fate) and does not lack friction (scene_lacks_friction): its orbits,
-   by a few simulations and a search; a status.  And the working precision for so many digits. */
+/* The same for another word that is open (phase_word_fate) and does not lack friction (scene_lacks_friction): its
+   orbits, by a few simulations and a search; a status.  And the working precision for so many digits. */
 int solved_word(struct word_orbits *list, const struct phase_word *w, const struct scene *s, slong digits);
 slong solved_word_bits(slong digits);
 
@@ -44,8 +44,8 @@ bool three_phases_have(int margin);
 /* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0],
    u[1] where u is not NULL. */
 truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o);
-/* All of these conditions in one list, those of the static friction last, by the names u_r1 and u_r2; and whether an orbit
-   breaks one, with the u of orbit_admissible. */
+/* All of these conditions in one list, those of the static friction last, by the names u_r1 and u_r2; and whether an
+   orbit breaks one, with the u of orbit_admissible. */
 enum { ORBIT_CONDITIONS = N_CONDITIONS + 2 };
 const char *orbit_condition_name(int i);
 bool orbit_breaks(const struct dyn_orbit *o, const truth u[2], int i);
