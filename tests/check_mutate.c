@@ -601,7 +601,7 @@ START_TEST(what_is_touched_is_enough_for_scaling) {
   const struct claim *c = claim_of("text-scaling");
   struct mutants m;
   struct overlay o;
-  bool *touched = malloc(model.n_records * sizeof *touched);
+  bool *touched = malloc(the_paper.model.n_records * sizeof *touched);
   long refuted = 0, tried = 0;
   mutants_init(&m, &the_paper.model, record, 5);
   overlay_init(&o, &the_paper.model);

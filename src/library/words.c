@@ -88,7 +88,6 @@ int ss_word_orbits_find(ss_word_orbits **out, const ss_scene *s, const char *wor
   if (!status) status = open_word(&w, s, word);
   if (status) return status;
   struct ss_word_orbits *o = ss_malloc(sizeof *o);
-  *o = (struct ss_word_orbits){.word = w};
   status = solved_word(&o->list, &w, &s->s, (slong)digits);
   borrow(o);
   *out = o;

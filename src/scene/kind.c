@@ -11,7 +11,7 @@ void scene_static_friction(const fmpq *u_r[2], const struct scene *s) {
   for (int i = 0; i < 2; i++) u_r[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
 }
 
-bool scene_lacks_friction(const struct scene *s, const struct phase_word *w) {
+bool scene_lacks_friction(const struct scene *s, const struct mech_word *w) {
   return phase_word_has_faster(w) && !(s->given[KEY_U_R1] && s->given[KEY_U_R2]);
 }
 

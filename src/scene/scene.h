@@ -226,7 +226,7 @@ bool scene_has_forces(const struct scene *s);
 /* u_r1 and u_r2 where they are given, else NULL. */
 void scene_static_friction(const fmpq *u_r[2], const struct scene *s);
 /* Whether a mass is faster than the belt in the word, so that both are needed, and the scene does not give them. */
-bool scene_lacks_friction(const struct scene *s, const struct phase_word *w);
+bool scene_lacks_friction(const struct scene *s, const struct mech_word *w);
 
 /* What one of chi, eta, V, e1, e2 runs through, exactly. */
 struct scene_range {

@@ -115,7 +115,7 @@ slong solved_word_bits(slong digits) {
   return num_bits(digits) + 32;
 }
 
-int solved_word(struct word_orbits *list, const struct phase_word *w, const struct scene *s, slong digits) {
+int solved_word(struct word_orbits *list, const struct mech_word *w, const struct scene *s, slong digits) {
   enum { SIMULATIONS = 32 };
   const fmpq *u_r[2];
   struct word_seeds seeds;

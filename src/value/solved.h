@@ -33,7 +33,7 @@ void solved_certificates(struct text *out, const struct solved *z, const struct 
 
 /* The same for another word that is open (phase_word_fate) and does not lack friction (scene_lacks_friction): its
    orbits, by a few simulations and a search; a status.  And the working precision for so many digits. */
-int solved_word(struct word_orbits *list, const struct phase_word *w, const struct scene *s, slong digits);
+int solved_word(struct word_orbits *list, const struct mech_word *w, const struct scene *s, slong digits);
 slong solved_word_bits(slong digits);
 
 /* Orbits with t_a = 0 and their proofs, judged as orbits of the three phases Gamma-H-C. */
