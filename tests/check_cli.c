@@ -178,8 +178,9 @@ START_TEST(a_claim_reproduces) {
              member(object, "reproduce") + strlen("stickslip"));
   char *json = file_text(scratch_path("recheck/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
   ck_assert(again && strcmp(again, object) == 0);
-  shell_well("STICKSLIP_DATA=tests/row $P verify --only eq-6 --out $D/row && "
-             "grep -q '\"STICKSLIP_DATA=tests/row stickslip verify paper --only eq-6 --out recheck\"' $D/row/audit.json");
+  shell_well(
+      "STICKSLIP_DATA=tests/row $P verify --only eq-6 --out $D/row && "
+      "grep -q '\"STICKSLIP_DATA=tests/row stickslip verify paper --only eq-6 --out recheck\"' $D/row/audit.json");
   free(again);
   free(json);
   free(object);
