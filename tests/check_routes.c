@@ -470,7 +470,7 @@ START_TEST(a_disagreement_comes_first) {
   struct audit_result r;
   struct text md, json, run, line;
   audit_result_init(&r);
-  r.scene = r.title = "made up";
+  r.scene = r.title = r.model = "made up";
   r.pairs = ss_malloc(sizeof made_up);
   memcpy(r.pairs, made_up, sizeof made_up);
   r.n_pairs = r.cap_pairs = 2;
