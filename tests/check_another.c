@@ -23,6 +23,29 @@ START_TEST(papers_of_others) {
 }
 END_TEST
 
+/* That nothing decides a correction can be on record, in the report as in the run; that it is wrong, or holds, cannot. */
+START_TEST(corrections_on_record) {
+  static const char *const verify = "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --only eq-6 --out \"$D/out\"";
+  shell_well("cp -R tests/row \"$D/data\" && sed -i 's/exp(pi.zeta)^2/exp(pi*zeta\\/2)^4/' \"$D/data/errata.eq\" && "
+             "sed -i '/^claim eq-6/,/^$/s/record: .*/&\\n  correction: unknown/' \"$D/data/claims/note.claim\"");
+  shell_ends(0, "as recorded", "%s", verify);
+  shell_ends(0, "as recorded", "\"$P\" report \"$D/out\"");
+  shell_well(
+      "grep -q '(which is not proved)' \"$D/out/errata.md\" && ! grep -q 'are not as recorded' \"$D/out/index.html\"");
+  shell_well("cp tests/row/errata.eq \"$D/data\"");
+  shell_ends(1, "eq-6: the correction is proved", "%s", verify);
+}
+END_TEST
+
+/* What is refuted at a few of its points is shown at one of them. */
+START_TEST(explained_where_it_fails) {
+  shell_well(
+      "cp -R tests/row \"$D/data\" && sed -i '/sqrt{.kappa} </d; s/sqrt(kappa) < 1 + kappa/kappa < 31\\/4/' "
+      "\"$D/data/paper/note.eq\" && sed -i '/^claim eq-8/,$s/params 8/params 200/' \"$D/data/claims/note.claim\"");
+  shell_ends(0, "this fails here", "STICKSLIP_DATA=\"$D/data\" \"$P\" explain eq-8");
+}
+END_TEST
+
 static struct table sentences;              /* cases/other_sentences.tsv */
 enum { Y_ID, Y_VERDICTS, Y_WHY, Y_RECORD }; /* its columns */
 
@@ -109,6 +132,8 @@ Suite *another_suite(void) {
   tcase_add_checked_fixture(t, scratch_open, scratch_close);
   tcase_add_loop_test(t, papers_of_others, 0, audits.n);
   tcase_add_loop_test(t, other_sentences, 0, sentences.n);
+  tcase_add_test(t, corrections_on_record);
+  tcase_add_test(t, explained_where_it_fails);
   add_every(t, amplitudes_and_phases_of_motions, 3, 40);
   tcase_add_loop_test(t, files_are_checked_with_their_own_paper, 0, 4);
   suite_add_tcase(s, t);

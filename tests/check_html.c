@@ -349,7 +349,7 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
                              trap,
                              (enum severity)(i % (N_SEVERITIES + 1)),
                              {&t->v[i], 1},
-                             false};
+                             trap};
 }
 
 static void hostile(struct audit_result *r, struct traps *t, const char *const *traps, size_t n) {

@@ -176,7 +176,7 @@ static size_t expected(const char *key) {
     size_t bytes;
   } left_out[] = {
       {"evidence", sizeof(double)},                    /* of one machine, for run.json */
-      {"claims", 6 * 4 + 8},                           /* behind verdicts and counts; whether a correction is open */
+      {"claims", 6 * 4},                               /* behind verdicts and counts */
       {"roots", 2 * 4},                                /* behind severity and the count */
       {"derived", 4},                                  /* before verdict */
       {"consequences", 3 * 4 + 4},                     /* behind each count */

@@ -39,6 +39,9 @@ START_TEST(check_knows_the_rules) {
   shell_ends(3, "the conclusion eq-54 is among its own premises",
              "sed '/^claim text-54-fulfilled$/,/^$/{s/eq-56 D/eq-56 D, eq-54/}' verify/claims/7-appendix-b.claim "
              "> $D/7-appendix-b.claim && $P check $D/7-appendix-b.claim");
+  shell_ends(3, "the sentence cites (52), which is neither a premise nor a conclusion",
+             "sed '/^claim text-54-fulfilled$/,/^$/s/premises: eq-52, /premises: /' verify/claims/7-appendix-b.claim "
+             "> $D/7-appendix-b.claim && $P check $D/7-appendix-b.claim");
   shell_ends(3, "text-charpoly: no statement of the paper names this claim",
              "sed 's/claims: text-charpoly$/claims: eq-14/' verify/paper/paper.statements > $D/paper.statements && "
              "$P check $D/paper.statements");

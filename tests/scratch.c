@@ -60,7 +60,7 @@ static const char **names_in(const char *path, size_t *n) {
     names[(*n)++] = arena_strndup(&arena, e->d_name, strlen(e->d_name));
   }
   closedir(dir);
-  qsort(names, *n, sizeof *names, by_name);
+  if (*n) qsort(names, *n, sizeof *names, by_name);
   return names;
 }
 

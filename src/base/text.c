@@ -152,6 +152,13 @@ bool word_is(const char *s, size_t len, const char *word) {
   return strlen(word) == len && strncmp(s, word, len) == 0;
 }
 
+bool list_has(const char *list, const char *word) {
+  size_t n;
+  for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n))
+    if (word_is(p, n, word)) return true;
+  return false;
+}
+
 const char *list_joint(int i, int n, const char *last) {
   return i == 0 ? "" : i + 1 < n ? ", " : last;
 }

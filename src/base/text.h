@@ -27,6 +27,8 @@ static inline bool char_is_word(char c) {
 const char *list_item(size_t *len, const char *s);
 /* Whether the len characters at s are that word. */
 bool word_is(const char *s, size_t len, const char *word);
+/* Is the word an item of such a list (or NULL)? */
+bool list_has(const char *list, const char *word);
 /* What stands before item i of n in a sentence: nothing, a comma, or before the last one such as " and ". */
 const char *list_joint(int i, int n, const char *last);
 /* The place of a word in a list of n words; n when it is none of them. */

@@ -17,8 +17,6 @@ void claims_unknown(const struct claims *claims, const char *id, struct diag *d)
 enum { CLAIM_NAME = 32 };
 /* Items of a list separated by commas or blanks, at most max; how many there are. */
 int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list);
-/* Is the word an item of such a list (or NULL)? */
-bool list_has(const char *list, const char *word);
 /* The next item of a list separated by commas, without blanks at its ends, into buf; where the rest begins, or NULL at
    the end, or where there is no list. */
 const char *claim_next_item(char *buf, size_t size, const char *list);

@@ -113,8 +113,12 @@ static const struct record *statement_naming(const struct claims *statements, co
   return NULL;
 }
 
+void claims_take_words(struct claims *c, const struct claims *statements) {
+  for (size_t i = 0; i < c->n; i++) c->claim[i].statement = statement_naming(statements, c->claim[i].id);
+}
+
 bool claims_complete(struct claims *c, const struct claims *statements, struct diag *d) {
-  for (size_t i = 0; statements && i < c->n; i++) c->claim[i].statement = statement_naming(statements, c->claim[i].id);
+  if (statements) claims_take_words(c, statements);
   for (size_t i = 0; i < c->n_files; i++)
     for (size_t k = 0; k < c->files[i]->n_records; k++)
       for (size_t n = 0; n < c->files[i]->records[k].n_fields; n++)
@@ -286,13 +290,6 @@ int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list) {
   for (const char *p = list_item(&len, list); p && n < max; p = list_item(&len, p + len))
     snprintf(names[n++], CLAIM_NAME, "%.*s", (int)(len < CLAIM_NAME ? len : CLAIM_NAME - 1), p);
   return n;
-}
-
-bool list_has(const char *list, const char *word) {
-  size_t n;
-  for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n))
-    if (word_is(p, n, word)) return true;
-  return false;
 }
 
 const char *claim_next_item(char *buf, size_t size, const char *list) {

@@ -145,8 +145,10 @@ bool claims_load_around(struct claims *c, const char *data, const char *folder, 
 bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d);
 /* A text that messages call by the name. */
 bool claims_add_text(struct claims *c, const char *name, const char *text, const char *kind, struct diag *d);
-/* Gives each claim its statement (where there are any: NULL), and the lists that it shares with another.  false with d
-   set when that has none. */
+/* Gives each claim its statement. */
+void claims_take_words(struct claims *c, const struct claims *statements);
+/* The same, unless there are none (NULL), and the lists that it shares with another; those of a control stand as they are.
+   false with d set when that has none. */
 bool claims_complete(struct claims *c, const struct claims *statements, struct diag *d);
 void claims_clear(struct claims *c);
 

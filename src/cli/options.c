@@ -45,15 +45,8 @@ const struct option_row option_table[] = {
 };
 const int n_option_rows = sizeof option_table / sizeof *option_table;
 
-static bool is_listed(const char *list, const char *word) {
-  size_t len;
-  for (const char *p = list_item(&len, list); p; p = list_item(&len, p + len))
-    if (strlen(word) == len && strncmp(p, word, len) == 0) return true;
-  return false;
-}
-
 bool option_belongs(const struct option_row *row, const char *command) {
-  return row->commands[0] == '*' || is_listed(row->commands, command);
+  return row->commands[0] == '*' || list_has(row->commands, command);
 }
 
 const char *option(const struct options *o, enum option id) {
@@ -108,7 +101,7 @@ static const struct option_row *find_option(const char *command, const char *wor
   suggest_begin(&meant, word, len);
   for (int k = 0; k < n_option_rows; k++) {
     const struct option_row *row = &option_table[k];
-    bool same = strlen(row->name) == len && strncmp(row->name, word, len) == 0, mine = option_belongs(row, command);
+    bool same = word_is(word, len, row->name), mine = option_belongs(row, command);
     if (same && mine) return row;
     known |= same;
     if (mine) suggest_try(&meant, row->name);
@@ -157,7 +150,7 @@ static int refuse_apart(const struct options *o, const char *command) {
   };
   for (size_t i = 0; i < sizeof apart / sizeof *apart; i++)
     for (int k = 0; k < n_option_rows && option(o, apart[i].id) && strcmp(apart[i].command, command) == 0; k++)
-      if (option(o, option_table[k].id) && is_listed(apart[i].names, option_table[k].name))
+      if (option(o, option_table[k].id) && list_has(apart[i].names, option_table[k].name))
         return usage("%s goes with no %s", option_name(apart[i].id), option_table[k].name);
   return EXIT_AS_RECORDED;
 }
@@ -181,7 +174,8 @@ bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned lo
   char *end;
   errno = 0;
   *n = strtoull(text, &end, 10);
-  return text[0] >= '0' && text[0] <= '9' && !errno && !*end && *n <= most && (zero || *n > 0);
+  bool digits = text[0] >= (text[1] ? '1' : '0') && text[0] <= '9';
+  return digits && !errno && !*end && *n <= most && (zero || *n > 0);
 }
 
 int parse_count(long *count, const struct options *o, enum option id, long most) {

@@ -10,7 +10,6 @@
 #include "proof/exact_proof.h"
 #include "record/routes.h"
 #include "value/oracle.h"
-#include "value/orbit_pool.h"
 #include "value/title.h"
 #include "value/values.h"
 
@@ -152,7 +151,7 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
   const char *record = claim_get(c, "record");
   if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
   f->recorded = claim_recorded(c, j->scene);
-  f->correction_open = claim_says(c, "correction", "unknown");
+  f->correction_recorded = claim_get(c, "correction");
   return true;
 }
 

@@ -118,9 +118,9 @@ bool long_result_fails(const struct long_result *l) {
 }
 
 bool finding_miscorrected(const struct finding *f) {
-  if (!f->correction) return false;
-  bool holds = verdict_passes(f->correction_verdict) || f->correction_open;
-  return f->correction_verdict == VERDICT_REFUTED || (f->recorded != N_VERDICTS && !holds);
+  if (!f->correction || f->correction_verdict == VERDICT_REFUTED || f->recorded == N_VERDICTS)
+    return f->correction && f->correction_verdict == VERDICT_REFUTED;
+  return f->correction_recorded ? f->correction_verdict != VERDICT_UNKNOWN : !verdict_passes(f->correction_verdict);
 }
 
 bool control_is_far(const struct control_result *c) {

@@ -82,7 +82,7 @@ struct finding {
   const char *root;       /* of what fails: the id of its cause; NULL elsewhere, */
   enum severity severity; /* and what that is worth; N_SEVERITIES elsewhere */
   struct certificate certificate;
-  bool correction_open; /* on record as undecided */
+  const char *correction_recorded; /* "unknown", or NULL: it is expected to hold */
 };
 
 /* What is wrong in the paper, with the claims that fail for it in this run.  Texts have mathematics, as TeX, between

@@ -82,6 +82,7 @@ static const struct member finding_member[] = {
      .of = &certified},
     STRING(struct finding, reproduce, MEMBER_NULLABLE),
     VERDICT("recorded", struct finding, recorded, MEMBER_SPARSE),
+    STRING(struct finding, correction_recorded, MEMBER_SPARSE),
     STRING(struct finding, quote_part, MEMBER_SPARSE),
     STRING(struct finding, printed_part, MEMBER_SPARSE),
     STRING(struct finding, correction_latex, MEMBER_SPARSE),

@@ -228,9 +228,9 @@ static void add_later(const struct page *p, const struct finding *f) {
   const char *end = f && f->n_evidence && f->evidence[0].note ? strstr(f->evidence[0].note, last) : NULL;
   if (!end) return;
   page_add(p,
-           " Started from the printed initial state, for %p, the system performs another motion in the long run; "
+           " Started from the printed initial state%s%p, the system performs another motion in the long run; "
            "with the letters of the phases' matrices (G for \xce\x93), <a href=\"#c-%a\">",
-           f->evidence[0].worst, f->id);
+           f->evidence[0].worst ? ", for " : "", f->evidence[0].worst, f->id);
   sheet_prose_n(HTML(p->out), end, strcspn(end, ";"));
   text_add(p->out, "</a>.");
 }

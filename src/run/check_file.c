@@ -127,10 +127,12 @@ static bool has_file(const struct claims *c, const char *path) {
 
 /* The rules of each claim; where the file is one of the data folder, those of all claims together. */
 static bool check_rules(struct checked *x, bool control) {
-  bool ok = load_model(x) && (control || titles_check(&x->model, &x->own, x->d));
+  bool ok = load_model(x) && claims_load(&x->all, x->data, "paper", "statement", x->d);
+  claims_take_words(&x->own, &x->all);
+  ok = ok && (control || titles_check(&x->model, &x->own, x->d));
   for (size_t i = 0; ok && !control && i < x->own.n; i++) ok = claim_keeps_rules(&x->model, &x->own.claim[i], x->d);
   ok = ok && claims_load_around(&x->claims, x->data, "claims", "claim", control ? NULL : x->path, x->d) &&
-       claims_complete(&x->claims, NULL, x->d) &&
+       claims_complete(&x->claims, &x->all, x->d) &&
        claims_load_around(&x->controls, x->data, "controls", "control", control ? x->path : NULL, x->d);
   bool stands = has_file(control ? &x->controls : &x->claims, x->path);
   return ok && (!stands || claims_keep_rules(&x->model, &x->claims, &x->controls, x->d));

@@ -126,10 +126,28 @@ static void print_friction(struct text *out, const struct point *p) {
   fmpq_clear(u_r);
 }
 
+/* The first of the claim's points at which both sides have values; where it fails, the first at which it does. */
+static void draw_own(struct point *out, struct judge *j, const struct claim *c, struct sentence *s,
+                     const struct point_spec *spec, bool fails) {
+  enum { MOST_DRAWS = 4096 };
+  struct sampler sampler;
+  struct point p;
+  bool have = false, done = false;
+  point_init(&p);
+  sampler_init(&sampler, c->id, spec);
+  for (int i = 0; i < MOST_DRAWS && !done; i++) {
+    sampler_next(&p, &sampler);
+    enum outcome outcome = sentence_try_balls(s, &p, VARIANT_CLOSED, j->cache).outcome;
+    done = fails ? outcome == OUTCOME_DIFFERS : outcome != OUTCOME_REJECTED;
+    if (done || (!have && outcome != OUTCOME_REJECTED)) point_copy(out, &p);
+    have = have || outcome != OUTCOME_REJECTED;
+  }
+  point_clear(&p);
+}
+
 /* The sentence at a point: like the claim's own points, at the scene's parameters, changed by --at. */
 static bool explain_point(struct text *out, struct judge *j, const struct claim *c, struct view view, const char *at,
                           bool tape, bool fails) {
-  enum { MOST_DRAWS = 128 };
   struct point_spec spec[4];
   if (!claim_points_asked(c)) {
     if (at) diag_set(j->d, "error: --at: the claim %s is not tried at points that can be chosen", c->id);
@@ -145,12 +163,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   sampler_init(&sampler, c->id, &spec[0]);
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
-  for (int i = 0; ok && !at && !point_of_model(&drawn) && i < MOST_DRAWS;
-       i++) { /* one at which both sides have values; where the claim fails, one at which it does */
-    enum outcome outcome = sentence_try_balls(&s, &drawn, VARIANT_CLOSED, j->cache).outcome;
-    if (fails ? outcome == OUTCOME_DIFFERS : outcome != OUTCOME_REJECTED) break;
-    sampler_next(&drawn, &sampler);
-  }
+  if (ok && !at && !point_of_model(&drawn)) draw_own(&drawn, j, c, &s, &spec[0], fails);
   scene_point(&p, &drawn, j->scene, j->cache);
   if (at) p.scene = NULL; /* other data than the scene's */
   ok = ok && point_set(&p, at, j->d);
