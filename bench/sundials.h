@@ -27,8 +27,8 @@ struct cvode {
   SUNNonlinearSolver nonlinear; /* of Adams */
 };
 
-/* n equations by Adams formulas, or by BDF with a dense Jacobian; the functions get self.  c is zero bytes before, and is
-   to be closed whatever comes of it. */
+/* n equations by Adams formulas, or by BDF with a dense Jacobian; the functions get self.  c is zero bytes before, and
+   is to be closed whatever comes of it. */
 static inline bool cvode_open(struct cvode *c, int n, bool adams, CVRhsFn field, CVLsJacFn jacobian, void *self) {
   if (SUNContext_Create(NO_COMM, &c->context)) return false;
   c->y = N_VNew_Serial(n, c->context);

@@ -1,6 +1,7 @@
-/* Papers that say something else, and papers of somebody else's: tests/another is about the program's system and says so, tests/row and examples/den-hartog are
-   about others and have symbols of their own.  Nothing that the program does not know is refuted, and no slip of the one who types is charged to
-   the paper.  Each case damages a copy of a folder; what must be said stands beside it, written by hand. */
+/* Papers that say something else, and papers of somebody else's: tests/another is about the program's system and says
+   so, tests/row and examples/den-hartog are about others and have symbols of their own.  Nothing that the program does
+   not know is refuted, and no slip of the one who types is charged to the paper.  Each case damages a copy of a folder;
+   what must be said stands beside it, written by hand. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,7 +24,8 @@ START_TEST(papers_of_others) {
 }
 END_TEST
 
-/* That nothing decides a correction can be on record, in the report as in the run; that it is wrong, or holds, cannot. */
+/* That nothing decides a correction can be on record, in the report as in the run; that it is wrong, or holds,
+   cannot. */
 START_TEST(corrections_on_record) {
   static const char *const verify = "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --only eq-6 --out \"$D/out\"";
   shell_well("cp -R tests/row \"$D/data\" && sed -i 's/exp(pi.zeta)^2/exp(pi*zeta\\/2)^4/' \"$D/data/errata.eq\" && "

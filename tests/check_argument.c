@@ -208,8 +208,8 @@ static void point_of(struct point *p, const char *const q[N_DRAW], double u_r1, 
   for (int i = 0; i < 2; i++) fmpq_set_si(&p->q[Q_US1 + i], (slong)ldexp(u[i], 30), 1 << 30);
 }
 
-/* (53) fails with u_r1 between e1 and the bound of the oracle and holds beyond; likewise the lower bound of (59), and that of (57)
-   for u_r2; the bounds by the times are the same. */
+/* (53) fails with u_r1 between e1 and the bound of the oracle and holds beyond; likewise the lower bound of (59), and
+   that of (57) for u_r2; the bounds by the times are the same. */
 START_TEST(bounds_of_an_independent_program) {
   struct audit_result r;
   struct diag d;
@@ -481,9 +481,9 @@ END_TEST
 
 /* --- Counting --- */
 
-/* Ranks by hand: of x = 1, 2x = 2 and y = x^2 two; of V t_a = 1 and t_a = t_a^2 one; for all values of the rest.  Of (1 - V) t_a = 1
-   and t_b = 1 two but where V = 1; the absolute value of 1 - V and sin(1/(1 - V)) are no quotients of analytic
-   functions on the whole domain. */
+/* Ranks by hand: of x = 1, 2x = 2 and y = x^2 two; of V t_a = 1 and t_a = t_a^2 one; for all values of the rest.  Of (1
+   - V) t_a = 1 and t_b = 1 two but where V = 1; the absolute value of 1 - V and sin(1/(1 - V)) are no quotients of
+   analytic functions on the whole domain. */
 START_TEST(ranks_by_hand) {
   static const struct {
     const char *statements, *unknowns, *rank;
@@ -647,8 +647,8 @@ START_TEST(the_text_is_as_recorded) {
 }
 END_TEST
 
-/* A slow belt: the first mass is faster than half of it only through 10^-10 of the phase, which the search must find, or
-   through less than doubles tell from the phase's end; and forces are so large beside it that they round it away. */
+/* A slow belt: the first mass is faster than half of it only through 10^-10 of the phase, which the search must find,
+   or through less than doubles tell from the phase's end; and forces are so large beside it that they round it away. */
 START_TEST(a_condition_broken_for_a_moment) {
   shell_well("$P verify paper --set V=1e-12 --only fig-4 --out $D/slow > $D/said");
   check_says("said", "1 proved; 1 of 1 controls noticed");

@@ -829,7 +829,8 @@ static void suggests(const char *word, const char *const *known, const char *say
   text_clear(&t);
 }
 
-/* One edit in words of 3 to 7 characters, two in longer ones, none in shorter ones; the nearest alone, at most three. */
+/* One edit in words of 3 to 7 characters, two in longer ones, none in shorter ones; the nearest alone, at most
+   three. */
 START_TEST(what_was_meant) {
   static const char *const known[] = {"orbit", "simulate", "sweep", "e1",    "V",
                                       "eq-40", "eq-41",    "eq-42", "eq-43", NULL};

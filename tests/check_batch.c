@@ -1,7 +1,7 @@
 /* Orbits in lanes.
 
-   Held against balls (check_orbit_found, every condition decided); against the scalar solver; and against itself on every instruction set, at every place and
-   size. */
+   Held against balls (check_orbit_found, every condition decided); against the scalar solver; and against itself on
+   every instruction set, at every place and size. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>

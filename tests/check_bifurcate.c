@@ -178,8 +178,8 @@ START_TEST(values_of_the_oracle) {
 }
 END_TEST
 
-/* Brackets are nested as digits are asked for, one or two units wide, and hold at 60 digits too; the orbits at their ends
-   are told as much about. */
+/* Brackets are nested as digits are asked for, one or two units wide, and hold at 60 digits too; the orbits at their
+   ends are told as much about. */
 START_TEST(more_digits_narrower_brackets) {
   const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
   struct line l;

@@ -371,8 +371,8 @@ static bool next_value(size_t *begin, size_t *len, const struct text *json, size
   return true;
 }
 
-/* tests/forge.py makes forgeries of every value of these certificates and proves of each that is verified that it is true;
-   make long makes all of them. */
+/* tests/forge.py makes forgeries of every value of these certificates and proves of each that is verified that it is
+   true; make long makes all of them. */
 START_TEST(some_of_all_forgeries) {
   shell_well("$Y tests/forge.py --every 101 \"$P\" paper above-one other-word chain3 driven beside-wall den-hartog");
 }
@@ -692,8 +692,8 @@ static void is_proved_or_excepted(const char *path, const char *out, const char 
 
 /* Every scene on file has a list proved complete and orbits that are certified, to 30 digits, but for those above, and
    for lists of other words than the paper's, whose search is not exhaustive and says so; of these the checker verifies
-   the one orbit that each has.  It verifies every certificate, which all have but those whose orbits break the word, and
-   solution II, where the masses never stick together.  The longer chains, which take more time than all
+   the one orbit that each has.  It verifies every certificate, which all have but those whose orbits break the word,
+   and solution II, where the masses never stick together.  The longer chains, which take more time than all
    the others, are for make long. */
 START_TEST(scenes_on_file_are_proved) {
   glob_t g;

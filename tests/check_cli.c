@@ -508,8 +508,9 @@ START_TEST(explain_shows_both_sides) {
 }
 END_TEST
 
-/* At a point of the claim's kind.  The example's orbit needs u_r1 > 2.15516 and u_r2 > 1.67050 (tests/oracle/orbits.tsv), and
-   a realistic one has 5/4 or 1025/1024 of what is more, that or e_i, upwards to a 1024th: here 2.78712 and 1.672134. */
+/* At a point of the claim's kind.  The example's orbit needs u_r1 > 2.15516 and u_r2 > 1.67050
+   (tests/oracle/orbits.tsv), and a realistic one has 5/4 or 1025/1024 of what is more, that or e_i, upwards to a
+   1024th: here 2.78712 and 1.672134. */
 START_TEST(explain_takes_the_claims_points) {
   struct job j;
   job_run_well(&j, "explain", "eq-11b", NULL);

@@ -112,8 +112,8 @@ START_TEST(missing_orbits_are_added) {
 }
 END_TEST
 
-/* Phase H lasts through 22 turns of its slow mode, and far more nearby: all steps of the search but those that the later
-   rises need go to the first one.  The times are a solution by tests/oracle/orbits.py at 60 digits. */
+/* Phase H lasts through 22 turns of its slow mode, and far more nearby: all steps of the search but those that the
+   later rises need go to the first one.  The times are a solution by tests/oracle/orbits.py at 60 digits. */
 START_TEST(a_late_event_is_found) {
   static const char *const row[N_PARAMS] = {"0.07", "2.19", "4.82", "0.0434", "0.00891"};
   fmpq *p = rationals(row, N_PARAMS);
@@ -754,7 +754,8 @@ START_TEST(other_pairs_are_said) {
 }
 END_TEST
 
-/* Scenes of the classes of tests/oracle/differ.py; make long has many.  It needs mpmath and says so where there is none. */
+/* Scenes of the classes of tests/oracle/differ.py; make long has many.  It needs mpmath and says so where there is
+   none. */
 START_TEST(an_independent_program_finds_the_same) {
   shell_well("\"$Y\" tests/oracle/differ.py \"$P\" --count 2 --seed 4");
 }

@@ -226,8 +226,8 @@ static double number_after(const char *where, const char *name) {
   return a / b;
 }
 
-/* (40) prints V in the denominator of k_4 where it belongs in the numerator: k_4 is off by V^2, so that J_f[1,1] = 1 + k_4
-   is 1 + k_4/V^2; k_4 = V sin(omega t_d)/(omega (z_20 - z_10)). */
+/* (40) prints V in the denominator of k_4 where it belongs in the numerator: k_4 is off by V^2, so that J_f[1,1] = 1 +
+   k_4 is 1 + k_4/V^2; k_4 = V sin(omega t_d)/(omega (z_20 - z_10)). */
 START_TEST(size_of_the_error_in_40) {
   const struct derived *d = derived_of("eq-40", "J_f");
   ck_assert_int_eq(d->change, CHANGE_CHANGES);
@@ -248,8 +248,8 @@ START_TEST(size_of_the_error_in_40) {
 }
 END_TEST
 
-/* Who solves the equations with V t in (10) meets V t_a in the place of t_a wherever D stands, and it stands nowhere else:
-   the same solution, but for t_a, which is that of the orbit divided by V. */
+/* Who solves the equations with V t in (10) meets V t_a in the place of t_a wherever D stands, and it stands nowhere
+   else: the same solution, but for t_a, which is that of the orbit divided by V. */
 START_TEST(what_the_equations_give_with_10) {
   const char *says = audit_result_consequence(&result, "eq-10")->solved, *instead = " instead of ";
   ck_assert(says != NULL);

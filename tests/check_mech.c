@@ -1,8 +1,8 @@
 /* Systems from files: what is read, simulated and proved of them.
 
    Numbers come from the simulation of the two masses (motion/coulomb.h) and their certified orbits (motion/dynamics.h),
-   which share no formula with src/mech; from chains integrated here with tiny steps; and from tests/oracle/systems.py, which
-   reads system files itself and recomputes orbits in mpmath. */
+   which share no formula with src/mech; from chains integrated here with tiny steps; and from tests/oracle/systems.py,
+   which reads system files itself and recomputes orbits in mpmath. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -177,7 +177,8 @@ START_TEST(longer_chains_are_those_of_tiny_steps) {
 }
 END_TEST
 
-/* x'' + x = cos(theta), theta' = 1/2, from rest: (cos(theta) - cos(theta_0) cos(t) + sin(theta_0)/2 sin(t)) 4/3 by hand. */
+/* x'' + x = cos(theta), theta' = 1/2, from rest: (cos(theta) - cos(theta_0) cos(t) + sin(theta_0)/2 sin(t)) 4/3 by
+   hand. */
 START_TEST(a_load_in_closed_form) {
   const double angle = 0.3, t = 7.25;
   const double start[] = {0, 0, cos(angle), sin(angle)};
@@ -506,8 +507,8 @@ START_TEST(the_papers_orbits_at_random_data) {
 }
 END_TEST
 
-/* What the search of words of two masses finds, from a grid and its own simulations: an orbit after a period doubling, whose
-   word is a shorter one, twice, and one that motions come near only in two rounds at once. */
+/* What the search of words of two masses finds, from a grid and its own simulations: an orbit after a period doubling,
+   whose word is a shorter one, twice, and one that motions come near only in two rounds at once. */
 static const struct {
   const char *data[N_PARAMS], *sliding[2], *word;
 } in_rounds[] = {
@@ -574,7 +575,8 @@ static void clear_plain(void) {
   mech_orbits_clear(&plain);
 }
 
-/* More friction, static and sliding alike, only moves the place where masses swing that are never faster than the surface. */
+/* More friction, static and sliding alike, only moves the place where masses swing that are never faster than the
+   surface. */
 START_TEST(more_friction_moves_the_place) {
   struct mech_orbits list;
   int shared = 0;
@@ -660,8 +662,8 @@ START_TEST(simulations_follow_the_orbits) {
 }
 END_TEST
 
-/* By saltation matrices, and by differences of the motions of either route: over these the equations of the words have no
-   say. */
+/* By saltation matrices, and by differences of the motions of either route: over these the equations of the words have
+   no say. */
 START_TEST(returns_differentiated) {
   struct mech_orbits list;
   load_system(scenes_of_systems[_i]);
@@ -771,8 +773,8 @@ START_TEST(den_hartogs_motions) {
 }
 END_TEST
 
-/* One mass: the time of each phase in closed form.  With k = m = V = 1, s = 1 and r = 2 it sticks for 2 (r - s)/(k V) = 2
-   and slips for 2 pi - 2 atan((r - s)/V) = 3 pi/2, from x = 2 to x = 0 or so. */
+/* One mass: the time of each phase in closed form.  With k = m = V = 1, s = 1 and r = 2 it sticks for 2 (r - s)/(k V) =
+   2 and slips for 2 pi - 2 atan((r - s)/V) = 3 pi/2, from x = 2 to x = 0 or so. */
 START_TEST(one_mass_in_closed_form) {
   struct mech_orbits list;
   read_text("mass m\n  inertia: 1\n  sliding: 1\n  static: 2\n  surface: 1\n"
@@ -796,9 +798,9 @@ START_TEST(one_mass_in_closed_form) {
 }
 END_TEST
 
-/* Static friction equal to sliding friction: the mass leaves the belt with a double zero, and the phase is settled all the
-   same.  With one mass the slip then takes a whole turn, 2 pi, and the mass sticks for no time: an orbit is found with two
-   masses, the second of which has r = s. */
+/* Static friction equal to sliding friction: the mass leaves the belt with a double zero, and the phase is settled all
+   the same.  With one mass the slip then takes a whole turn, 2 pi, and the mass sticks for no time: an orbit is found
+   with two masses, the second of which has r = s. */
 START_TEST(static_equal_to_sliding) {
   struct mech_orbits list;
   bool equal = false;
@@ -936,8 +938,9 @@ START_TEST(no_change_where_there_is_none) {
 }
 END_TEST
 
-/* Where a mass comes to touch the belt's velocity only, the branch ends; its multipliers are far inside the unit circle.  The
-   second mass does so at c = 0.40493485986875144: z_2' = V and z_2'' = 0 at an event, with Newton's iteration in mpmath. */
+/* Where a mass comes to touch the belt's velocity only, the branch ends; its multipliers are far inside the unit
+   circle.  The second mass does so at c = 0.40493485986875144: z_2' = V and z_2'' = 0 at an event, with Newton's
+   iteration in mpmath. */
 START_TEST(an_end_at_a_grazing_event_is_no_flip) {
   static const char two[] = "title: two masses\nc = 1/10\n"
                             "mass m1\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
@@ -959,8 +962,8 @@ START_TEST(an_end_at_a_grazing_event_is_no_flip) {
 }
 END_TEST
 
-/* A mass rests only at an obstacle that does not throw it back: by the law of the rebound no such orbit has a restitution
-   above 0. */
+/* A mass rests only at an obstacle that does not throw it back: by the law of the rebound no such orbit has a
+   restitution above 0. */
 START_TEST(no_mass_rests_where_it_is_thrown_back) {
   static const char wall[] = "title: a soft wall\ne = 0\n"
                              "mass m1\n  inertia: 1\n  sliding: 1/2\n  static: 3/2\n  surface: 1\n"
@@ -1006,7 +1009,8 @@ END_TEST
 
 /* --- Commands --- */
 
-/* Events of a table, without the column of phases that a system file's has: time, mass, change, the four coordinates. */
+/* Events of a table, without the column of phases that a system file's has: time, mass, change, the four
+   coordinates. */
 struct line {
   double number[5];
   char change[40];
@@ -1057,7 +1061,8 @@ START_TEST(the_papers_system_from_a_file) {
 }
 END_TEST
 
-/* Both lists of a system's are the same orbits, by different commands and formats: J has the multipliers of the orbit. */
+/* Both lists of a system's are the same orbits, by different commands and formats: J has the multipliers of the
+   orbit. */
 START_TEST(output_obeys_its_schemas) {
   static const char *const runs[][2] = {{"simulate chain3 --json", "simulate"},
                                         {"simulate beside-wall --periods 2 --json", "simulate"},

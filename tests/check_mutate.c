@@ -422,8 +422,8 @@ START_TEST(the_run_obeys_its_schema) {
 }
 END_TEST
 
-/* Damage to printed text that is refuted anyway, as that of (10) is, shows in its restricted claim alone; it counts like
-   any other, and has a row that says how many of the formulas' are such. */
+/* Damage to printed text that is refuted anyway, as that of (10) is, shows in its restricted claim alone; it counts
+   like any other, and has a row that says how many of the formulas' are such. */
 START_TEST(printed_text_that_is_corrected_counts) {
   static const char *const record = "eq-10";
   struct mutants m;
@@ -826,8 +826,8 @@ END_TEST
 
 static struct repair_result all_repairs;
 
-/* In make check without (30), whose pairs of names take longer than all the rest; there are two claims that have nothing
-   to search, and one that is not refuted. */
+/* In make check without (30), whose pairs of names take longer than all the rest; there are two claims that have
+   nothing to search, and one that is not refuted. */
 static void open_repairs(void) {
   static const char *const some[] = {"eq-10",  "eq-10c", "eq-27", "eq-29",  "eq-31",  "eq-32b",
                                      "eq-32c", "eq-32d", "eq-40", "eq-36b", "num-t_a"};

@@ -166,8 +166,8 @@ START_TEST(hostile_tables) {
 }
 END_TEST
 
-/* Each row of the table is a state of the motion that GSL integrates from the first one, but for rounding to six decimals;
-   where a mass rebounds its velocity is that of either side. */
+/* Each row of the table is a state of the motion that GSL integrates from the first one, but for rounding to six
+   decimals; where a mass rebounds its velocity is that of either side. */
 START_TEST(phase_planes_are_motions) {
   static const char *const files[] = {"chain3", "beside-wall", "driven"};
   struct audit_result r;

@@ -1,6 +1,6 @@
-/* Quotations against texts: what counts and what does not, written out by hand; a paper of the test's own (tests/another),
-   whose every token is damaged; and the paper itself, where a copy is there: STICKSLIP_PAPER_TEXT, or the only text in
-   ../shared/paper. */
+/* Quotations against texts: what counts and what does not, written out by hand; a paper of the test's own
+   (tests/another), whose every token is damaged; and the paper itself, where a copy is there: STICKSLIP_PAPER_TEXT, or
+   the only text in ../shared/paper. */
 #include <glob.h>
 #include <stdint.h>
 #include <stdio.h>

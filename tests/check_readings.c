@@ -413,7 +413,8 @@ START_TEST(numbers_that_nothing_gives) {
 END_TEST
 
 /* The orbit at the paper's data (corner 0,0) with t_d = 2.3473007 printed as 2.3472: cut off, it would have to be below
-   2.3473.  That is less than a hundredth of a unit, so it is for the balls to see.  (With other inputs than the data some reading gives the numbers all the same.) */
+   2.3473.  That is less than a hundredth of a unit, so it is for the balls to see.  (With other inputs than the data
+   some reading gives the numbers all the same.) */
 static bool data_alone_suffice(const struct readings *r) {
   bool found = false;
   for (int i = 0; i < r->n_found; i++) {

@@ -204,9 +204,9 @@ START_TEST(differences_near_a_jump) {
 END_TEST
 
 /* The return Jacobian's enclosures lose digits as V goes to 0; a route in balls gets the bits that its digits need.
-   Below 1e-16 the moments of one period's events are one double, and the integration tells its phases all the same.  That
-   what is wrong is found there too is asked of the first belt, in make long of all; the last, for which all takes three
-   times as long, is for make long. */
+   Below 1e-16 the moments of one period's events are one double, and the integration tells its phases all the same.
+   That what is wrong is found there too is asked of the first belt, in make long of all; the last, for which all takes
+   three times as long, is for make long. */
 static const char *const slow_belts[] = {"1e-12", "1e-20", "1e-300"};
 
 START_TEST(slow_belts_raise_no_false_alarm) {
@@ -388,8 +388,8 @@ static void setup_near_one(struct coulomb_setup *sim, const char *chi) {
   _fmpq_vec_clear(params, N_PARAMS);
 }
 
-/* Where positions are large, a run that has left its orbit is not taken for one beside it: within reach the rate is that
-   of the trace, which the stretch beyond misses by a third. */
+/* Where positions are large, a run that has left its orbit is not taken for one beside it: within reach the rate is
+   that of the trace, which the stretch beyond misses by a third. */
 START_TEST(a_growth_ends_where_the_orbit_is_left) {
   struct coulomb_setup sim;
   struct long_run run;

@@ -59,8 +59,8 @@ START_TEST(a_reason_is_printed) {
 }
 END_TEST
 
-/* A formula without a control on file has one that the program makes, and it is noticed; one on file that is near says by
-   how much: 1 - chi is less than 1, so that 1e-90 (1 - chi) is less than 1e-90 and more than 1e-91 for most chi. */
+/* A formula without a control on file has one that the program makes, and it is noticed; one on file that is near says
+   by how much: 1 - chi is less than 1, so that 1e-90 (1 - chi) is less than 1e-90 and more than 1e-91 for most chi. */
 START_TEST(near_controls_are_made_and_measured) {
   shell_ends(0, "as recorded", "$P verify paper --only eq-3,eq-4,eq-48b --quiet --out $D/out");
   char *out = shell_said("$Y -c 'import json; print(*sorted((c[\"id\"], c[\"noticed\"], c.get(\"distance\")) for c in "

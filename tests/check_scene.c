@@ -694,8 +694,8 @@ END_TEST
 
 /* --- Names of files --- */
 
-/* A sweep's head says the scene's name in one line of comment, whatever the file is called; a name that would break it, or
-   that no report in UTF-8 can give, is refused. */
+/* A sweep's head says the scene's name in one line of comment, whatever the file is called; a name that would break it,
+   or that no report in UTF-8 can give, is refused. */
 START_TEST(names_of_files_do_not_break_lines) {
   static const struct {
     const char *name;
@@ -946,8 +946,8 @@ static void try_idle(bool idle[N_CHANGES], const struct use *u, const char *befo
   text_clear(&after);
 }
 
-/* Whether it is tried that a key acts where it is told to: in make check with a third of the commands, and of the frictions,
-   which are read as a pair, both or none. */
+/* Whether it is tried that a key acts where it is told to: in make check with a third of the commands, and of the
+   frictions, which are read as a pair, both or none. */
 static bool is_tried(int key, int first) {
   const int k = key == KEY_U_R2 ? KEY_U_R1 : key;
   return !told_to_act(key, uses[first].argv[0]) || (k + first) % every(3) == 0;

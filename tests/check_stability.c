@@ -323,8 +323,8 @@ END_TEST
 static const struct {
   const char *formula, *at, *says[2];
 } at_points[] = {
-    /* near a crest of cos(omega_1 t) at t = 2^52 the derivatives are small and a change of an input by 2^-53 is not: the
-       condition number says 11 digits, the change itself more than 14 */
+    /* near a crest of cos(omega_1 t) at t = 2^52 the derivatives are small and a change of an input by 2^-53 is not:
+       the condition number says 11 digits, the change itself more than 14 */
     {"c_1", "chi=0.5,eta=3,t=4503599627366183", {", the formula 0."}},
     /* |x| + x is 0 without an error for x < 0, however large x is: taking a sign away rounds nothing */
     {"folds", "V=0x1.8p-10,t=200", {"the rule predicts 0.", "roundings that add up"}},

@@ -92,8 +92,8 @@ static void close_whole(void) {
   scratch_close();
 }
 
-/* verify --only shows what is wrong, what shows it and what mends it, in order of consequence (paper.roots), and where the
-   report is; the numbers are those of the certificate in audit.json. */
+/* verify --only shows what is wrong, what shows it and what mends it, in order of consequence (paper.roots), and where
+   the report is; the numbers are those of the certificate in audit.json. */
 START_TEST(what_fails_is_shown_worst_first) {
   static const char *const in_order[] = {"refuted     num-t_a t_a = 0.6784",
                                          "printed = 0.6784, unit = 1/10000",

@@ -448,8 +448,8 @@ START_TEST(jacobians_are_those_of_simulations) {
 }
 END_TEST
 
-/* Phases of some 40 oscillations, and one in which both masses stick for a time of 49,000: their conditions are decided all
-   the same. */
+/* Phases of some 40 oscillations, and one in which both masses stick for a time of 49,000: their conditions are decided
+   all the same. */
 START_TEST(long_phases_are_decided) {
   static const char *const words[] = {"H C", "D Gamma H Gamma"};
   static const char *const text[][N_PARAMS] = {{"19/20", "23/25", "19/100", "34/25", "4/25"},

@@ -17,8 +17,8 @@ struct table {
 void table_read(struct table *t, const char *path, int columns);
 void table_clear(struct table *t);
 
-/* A field with what it abbreviates: @N{TEXT} is TEXT N times, @D the scratch folder, @F a path in it that has no extension yet,
-   @0 a NUL; {NAME} is what the list, of pairs of names and texts, has for it (NULL: there is none). */
+/* A field with what it abbreviates: @N{TEXT} is TEXT N times, @D the scratch folder, @F a path in it that has no
+   extension yet, @0 a NUL; {NAME} is what the list, of pairs of names and texts, has for it (NULL: there is none). */
 void field_expand(struct text *out, const char *field, const char *const (*list)[2]);
 
 /* The first row that begins with this field and, unless NULL, that one; fails the test where there is none. */

@@ -52,8 +52,8 @@ struct crew_tally {
   size_t done, of;
 };
 
-/* Results of one size, n of them, made by `jobs` processes: make writes result i.  The tally, or NULL, counts them.  false with d set when no process can be made, or one ends before its work is done; no process is left
-   behind. */
+/* Results of one size, n of them, made by `jobs` processes: make writes result i.  The tally, or NULL, counts them.
+   false with d set when no process can be made, or one ends before its work is done; no process is left behind. */
 typedef void crew_make(void *result, size_t i, void *arg);
 bool crew_results(void *results, size_t size, size_t n, int jobs, crew_make *make, void *arg, struct crew_tally *tally,
                   struct diag *d);

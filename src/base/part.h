@@ -25,8 +25,8 @@ void part_clear(struct part *p);
 
 /* A new one; it is an error that FILE.part exists, or that something else than a regular file stands at FILE. */
 bool part_create(struct part *p, struct diag *d);
-/* The one that is there, without what stands behind the last whole piece; *found is false when there is none, which is no
-   failure.  Links, and what is not as it was written, are. */
+/* The one that is there, without what stands behind the last whole piece; *found is false when there is none, which is
+   no failure.  Links, and what is not as it was written, are. */
 bool part_open(struct part *p, bool *found, struct diag *d);
 /* Drops everything from the offset on; the next piece goes there. */
 bool part_cut(struct part *p, long long offset, struct diag *d);

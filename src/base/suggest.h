@@ -1,8 +1,8 @@
 /* What was meant by a word that is none of those known.
 
    A known word is near when so few edits make it of the other: one in words of 3 to 7 characters, two in longer ones,
-   by the longer of both; none in shorter ones.  An edit adds, drops or replaces a character, or exchanges two neighbours;
-   capital and small letters of ASCII are the same. */
+   by the longer of both; none in shorter ones.  An edit adds, drops or replaces a character, or exchanges two
+   neighbours; capital and small letters of ASCII are the same. */
 #ifndef STICKSLIP_BASE_SUGGEST_H
 #define STICKSLIP_BASE_SUGGEST_H
 

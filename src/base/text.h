@@ -86,8 +86,9 @@ struct source {
   size_t len;
 };
 
-/* The first error of a run, none while all is zero, as the user will read it: one line, or three with the source line and
-   a caret; at most 999 bytes of UTF-8 without control characters, no trailing newline.  What is longer loses its middle. */
+/* The first error of a run, none while all is zero, as the user will read it: one line, or three with the source line
+   and a caret; at most 999 bytes of UTF-8 without control characters, no trailing newline.  What is longer loses its
+   middle. */
 struct diag {
   bool set;
   bool undeclared; /* the mistake is a name that no file declares */
@@ -144,8 +145,8 @@ struct file_item {
 };
 enum { MAX_FILE_ITEMS = 32 };
 bool files_write(const struct file_item *item, int n, struct diag *d);
-/* Removes from the folder the temporary files that a killed files_write of these n files left; for who keeps others from
-   writing them. */
+/* Removes from the folder the temporary files that a killed files_write of these n files left; for who keeps others
+   from writing them. */
 void files_remove_left(const char *folder, const struct file_item *item, int n);
 /* The signals that end a run from outside: Ctrl-C, SIGTERM, SIGHUP, and the clock. */
 enum { N_ENDING_SIGNALS = 4 };

@@ -166,8 +166,8 @@ bool statements_claim(const struct claims *statements, const char *id);
 
 /* --- The roots of discrepancies (roots.c) --- */
 
-/* Records "root ID" of files *.roots beside the claims, in order of consequence: those of substance first, then remarks,
-   then slips of notation.
+/* Records "root ID" of files *.roots beside the claims, in order of consequence: those of substance first, then
+   remarks, then slips of notation.
 
      title        what it is about
      severity     substance, remark or notation
@@ -179,7 +179,8 @@ bool statements_claim(const struct claims *statements, const char *id);
      claims       those that fail for it */
 bool root_check(const struct claim *root, struct diag *d);
 /* All together: the claims that they name are there, each at one root; where errata.eq or a claim's own file corrects
-   it, its root cites that, or has the corrected symbols in their order; a claim on record as refuted or conditional has a root. */
+   it, its root cites that, or has the corrected symbols in their order; a claim on record as refuted or conditional has
+   a root. */
 bool roots_keep_rules(const struct model *m, const struct claims *claims, const struct claims *roots, struct diag *d);
 /* Says of each finding whose it is and, where it fails, of what root; adds the roots that have such findings.  false
    with d set where a root cites what is not there. */

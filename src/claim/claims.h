@@ -2,10 +2,10 @@
 
    A claim file holds records "claim ID" with these attributes:
 
-     equation, section   where the claim stands: the equation, where its id does not have it (base/record.h); the section,
-                 where the file does not say it before its first record
-     title       (outside, and where the other attributes make none) what it says, in words; value/title.h says how titles
-                 are made, and what stands in braces in one that is given
+     equation, section   where the claim stands: the equation, where its id does not have it (base/record.h); the
+                 section, where the file does not say it before its first record
+     title       (outside, and where the other attributes make none) what it says, in words; value/title.h says how
+                 titles are made, and what stands in braces in one that is given
      quote, place   what the paper says, to the letter, and where in its text (quote/quote.h); or "quote: statement" for
                  the words of the statement that names the claim (claim.h)
      own         the equation number whose text is read as printed; by default that of the claim
@@ -19,8 +19,8 @@
                  which a range of the statement must be, its ends left out; an inequality that is not proved is tried at
                  eight times as many points
      perturbation  finite: dZ_0, dZ_a, ... are differences of two motions; else the first order of them
-     routes      what is asked besides balls: taylor gsl ode newton saltation system fd exponential oracle; without points or
-                 routes those of kinds.h
+     routes      what is asked besides balls: taylor gsl ode newton saltation system fd exponential oracle; without
+                 points or routes those of kinds.h
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
      relation    (number) "<" or ">": the number is a bound; else it is a value
@@ -50,8 +50,8 @@
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
      repair      (argument) further premises with which the conclusion follows: the condition, and the correction;
                  equations and what holds along a whole phase, which every motion fulfils, are used and not named
-     repaired-as (notation, scaling) the claim that judges the corrected text: a criterion reads it as its statement, a law
-                 as its heading or, with ";", as the names of its friction; another scaling knows the degrees
+     repaired-as (notation, scaling) the claim that judges the corrected text: a criterion reads it as its statement, a
+                 law as its heading or, with ";", as the names of its friction; another scaling knows the degrees
      converse    (argument) yes: the inequalities among the premises must follow from the conclusion too
      converse-of (argument) the claim whose argument this one turns round: neither rests on the other
      mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its
@@ -70,9 +70,9 @@
                  only touches V and it is zero
      unknowns, rank        (rank) of the statement's equations, and how many of them are functionally independent: the
                  rank of their derivative on an open and dense set
-     frequency, factor, even, odd, drift  (range) formulas of the closed form that the margin of the conclusion has, with
-                 premises (one, or none), from (end) and rate (yes) as proof/exact_range.h says; what is not given is 1,
-                 1, 0, 0, 0
+     frequency, factor, even, odd, drift  (range) formulas of the closed form that the margin of the conclusion has,
+                 with premises (one, or none), from (end) and rate (yes) as proof/exact_range.h says; what is not given
+                 is 1, 1, 0, 0, 0
      word, conditions      (sequence) phases of one period; inequalities along it
      given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the
                            start
@@ -147,8 +147,8 @@ bool claims_add_file(struct claims *c, const char *path, const char *kind, struc
 bool claims_add_text(struct claims *c, const char *name, const char *text, const char *kind, struct diag *d);
 /* Gives each claim its statement. */
 void claims_take_words(struct claims *c, const struct claims *statements);
-/* The same, unless there are none (NULL), and the lists that it shares with another; those of a control stand as they are.
-   false with d set when that has none. */
+/* The same, unless there are none (NULL), and the lists that it shares with another; those of a control stand as they
+   are. false with d set when that has none. */
 bool claims_complete(struct claims *c, const struct claims *statements, struct diag *d);
 void claims_clear(struct claims *c);
 

@@ -13,8 +13,8 @@
 bool near_controls_add(struct model *m, const struct claims *claims, struct claims *controls, struct diag *d);
 /* Whether it is one of these. */
 bool near_made(const struct claim *control);
-/* Whether each formula that a claim is about is damaged by some control, one of these or one on file; false with d set at
-   a claim of which none is. */
+/* Whether each formula that a claim is about is damaged by some control, one of these or one on file; false with d set
+   at a claim of which none is. */
 bool formulas_have_controls(const struct model *m, const struct claims *claims, const struct claims *controls,
                             struct diag *d);
 

@@ -119,7 +119,8 @@ void help_page(const struct command *c);
 /* NAME=A:B in len bytes; an exit status, after a message that names the option.  shape: what is said when text has
    another form, with a %s for the option and a %.200s for the text. */
 int range_parse(struct scene_range *r, const char *option, const char *shape, const char *text, size_t len);
-/* --along, whose ends differ, in double precision too: of one of the paper's parameters, or, with name, of any, which is added to it. */
+/* --along, whose ends differ, in double precision too: of one of the paper's parameters, or, with name, of any, which
+   is added to it. */
 int parse_along(struct scene_range *r, struct text *name, const struct options *o);
 /* Says that changes along a line can be missing. */
 void warn_missed(const struct scene *s);
@@ -135,9 +136,9 @@ int terminal_width(void);
 /* What is len bytes long and begins in the column used, broken at single blanks where the line is wider; it goes on at
    indent.  A longer word stays whole. */
 void text_fit(struct text *out, const char *line, size_t len, size_t used, size_t width, size_t indent);
-/* How far a command is, on one line of standard error, where that is a terminal; once there is something to judge it by,
-   how long the rest takes.  begin: the time runs; show: so many of all, which are the given part of the work; count: the
-   same with items that are equal; end: the line is wiped. */
+/* How far a command is, on one line of standard error, where that is a terminal; once there is something to judge it
+   by, how long the rest takes.  begin: the time runs; show: so many of all, which are the given part of the work;
+   count: the same with items that are equal; end: the line is wiped. */
 void progress_begin(void);
 bool progress_wanted(void);
 void progress_show(size_t done, size_t of, double share);
@@ -186,8 +187,8 @@ bool load_scene(struct scene *s, const char *spec, const char *data, const struc
                 struct diag *d);
 /* Whether it gives e1 and e2, which the command needs; false with d set. */
 bool scene_needs_forces(const struct scene *s, const char *command, struct diag *d);
-/* The row of a claim in the list, and those of the claims that its restrictions make, as reports have them; false with d
-   set. */
+/* The row of a claim in the list, and those of the claims that its restrictions make, as reports have them; false with
+   d set. */
 bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
 /* list --scene-keys */
 int list_scene_keys(const struct options *o);

@@ -16,8 +16,8 @@ void csv_line(int n, const struct mech_moment *at);
 void routes_line(long shared, long events, double worst);
 void simulated_json(const struct simulated *run, const char *ended);
 
-/* simulate on a scene that names a system file: from the orbit of that number, counted from 0; time is 0 where it is not
-   given. */
+/* simulate on a scene that names a system file: from the orbit of that number, counted from 0; time is 0 where it is
+   not given. */
 struct system_run {
   slong orbit;
   long periods, samples;

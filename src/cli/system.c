@@ -248,8 +248,8 @@ struct survey {
   int longest; /* longer words are left out */
 };
 
-/* Which words there are: each orbit's where no earlier one has it, then those on which motions settle; NULL where it has
-   stood before, or is too long. */
+/* Which words there are: each orbit's where no earlier one has it, then those on which motions settle; NULL where it
+   has stood before, or is too long. */
 static const struct mech_word *word_number(int *motions, const struct survey *v, int k) {
   const struct mech_orbits *list = &v->orbits;
   const struct mech_word *w = k < list->n ? &list->orbit[k].word : &v->settling.on[k - list->n].word;

@@ -1,5 +1,5 @@
-/* What verify says at its end: what fails, worst first, and what shows it, the verdicts by section, and the one line of the
-   contract. */
+/* What verify says at its end: what fails, worst first, and what shows it, the verdicts by section, and the one line of
+   the contract. */
 #include <stdlib.h>
 #include <string.h>
 

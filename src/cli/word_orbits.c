@@ -1,5 +1,5 @@
-/* What is different about the orbits of a scene that names another word than the paper's: how they are found, and what is
-   said of the word. */
+/* What is different about the orbits of a scene that names another word than the paper's: how they are found, and what
+   is said of the word. */
 #include "word_orbits.h"
 
 slong system_bits(slong digits) {

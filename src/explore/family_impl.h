@@ -62,8 +62,8 @@ static inline struct dyn_member *family_at(const struct strand *s, slong row, sl
 /* Follows every orbit to the points first + h, first + 3 h, ..., those at multiples of 2 h being there.  -1, or a point
    at which an orbit was lost, the middle one of them. */
 slong family_level(struct strand *s, slong h);
-/* Room for n lanes at least.  Where it has to grow, every lane gets these parameters; the caller sets the one that varies
-   from lane to lane, and guess. */
+/* Room for n lanes at least.  Where it has to grow, every lane gets these parameters; the caller sets the one that
+   varies from lane to lane, and guess. */
 void family_lanes_room(struct family_lanes *a, slong n, const double params[N_PARAMS]);
 void family_lanes_clear(struct family_lanes *a);
 /* The orbits of the first n. */

@@ -8,8 +8,8 @@
      slower     Gamma    H        X
      faster     gamma    x        h
 
-   A word is a cyclic sequence of phases, written D-Gamma-H-C or "D Gamma H C" or DGHC (G and g for Gamma and gamma).  It
-   is a word of the system of both masses (mech/two_masses.h), whose phases are "ss", "-s", "--", "s-" and so on.
+   A word is a cyclic sequence of phases, written D-Gamma-H-C or "D Gamma H C" or DGHC (G and g for Gamma and gamma).
+   It is a word of the system of both masses (mech/two_masses.h), whose phases are "ss", "-s", "--", "s-" and so on.
 
    Coordinates.  With the forces f_1 = x_1 - chi x_2 and f_2 = chi (x_2 - x_1) the state is w_i = f_i - u_si (so that
    w_1 = z_1 - chi z_2 and w_2 = chi (z_2 - z_1) in the paper's z) and p_i = x_i' - V:
@@ -44,8 +44,8 @@
    is admissibility: every length is positive, a sticking mass stays within its limits, a slower one slower and a faster
    one faster, and at a pass-through the force is beyond the limit.  These together are Coulomb's law: an admissible
    orbit is a motion.
-   They are searched for in these coordinates in double precision, and enclosed, judged and differentiated by src/mech, in
-   positions and velocities.
+   They are searched for in these coordinates in double precision, and enclosed, judged and differentiated by src/mech,
+   in positions and velocities.
 
    Its Jacobian is that of the first return to the entry of the first phase in the free coordinates; the
    derivative of the whole return has, besides, the eigenvalues 1 (along the motion, no part of the return
@@ -138,9 +138,9 @@ void word_orbits_clear(struct word_orbits *list);
 /* The infimum of u_ri from the forces at which mass i is captured, 0 without a capture; for an admissible orbit that is
    the one of all its phases.  false: in some phase a mass is faster than the belt, so that u_r is given. */
 bool word_orbit_friction(arb_t least, const struct mech_orbit *o, const struct mech *m, int mass, slong prec);
-/* Makes them orbits of a system with static friction in any case: that is a quarter above the larger of e_i and what they
-   need where u_ri is not given.  Positions move with it; they are enclosed again, with up to eight times as many bits
-   where they need them, or left out; of what was judged they keep whether they are admissible. */
+/* Makes them orbits of a system with static friction in any case: that is a quarter above the larger of e_i and what
+   they need where u_ri is not given.  Positions move with it; they are enclosed again, with up to eight times as many
+   bits where they need them, or left out; of what was judged they keep whether they are admissible. */
 void word_orbits_with_friction(struct word_orbits *list, slong prec);
 
 #endif

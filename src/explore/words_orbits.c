@@ -26,8 +26,8 @@ static bool lacks_friction(const struct mech *m, int mass) {
 
 /* --- An orbit --- */
 
-/* Near what the search has found; not judged.  Positions are those at which the springs pull with the forces w_i and the
-   sliding friction. */
+/* Near what the search has found; not judged.  Positions are those at which the springs pull with the forces w_i and
+   the sliding friction. */
 static int near_found(struct mech_orbit *o, const struct word_found *found, const struct word_orbits *list,
                       slong prec) {
   const struct mech *m = &list->m;
@@ -132,7 +132,8 @@ void word_orbits_clear(struct word_orbits *list) {
 
 /* --- Static friction --- */
 
-/* A mass that is captured at f needs u_s >= -(e + w)/2, which makes |f| <= u_r: u_r is at least (e - w)/2 = (r - f)/2. */
+/* A mass that is captured at f needs u_s >= -(e + w)/2, which makes |f| <= u_r: u_r is at least (e - w)/2 = (r -
+   f)/2. */
 bool word_orbit_friction(arb_t least, const struct mech_orbit *o, const struct mech *m, int mass, slong prec) {
   bool faster = false;
   arb_t lack, stiffness;

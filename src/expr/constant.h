@@ -1,5 +1,5 @@
-/* Constant expressions over the rationals: numbers, + - * / ^, sqrt of a square, parentheses, and names if the caller has
-   any. */
+/* Constant expressions over the rationals: numbers, + - * / ^, sqrt of a square, parentheses, and names if the caller
+   has any. */
 #ifndef STICKSLIP_EXPR_CONSTANT_H
 #define STICKSLIP_EXPR_CONSTANT_H
 

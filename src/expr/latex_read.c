@@ -1,5 +1,5 @@
-/* Expressions in LaTeX by recursive descent over marks.  Recursion happens in latex_sum and in \sin without parentheses,
-   which reads no sum, and is bounded by the levels of brackets. */
+/* Expressions in LaTeX by recursive descent over marks.  Recursion happens in latex_sum and in \sin without
+   parentheses, which reads no sum, and is bounded by the levels of brackets. */
 #include "latex_read.h"
 
 #include <stdarg.h>

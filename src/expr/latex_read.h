@@ -10,8 +10,8 @@
    Statements are separated by ",", ";", \quad, \\ before anything but a relation, "..." after anything but one, and the
    words "if", "i.e.", "and", "for", "with".  Among them stand, in parentheses: another statement; words, which say
    nothing; and the values of an index, (i = 1, 2), (i, j = 1, \dots, 4), (\varepsilon = \pm 1), which hold for the
-   statements before it in which the letter stands in a subscript (the sign: anywhere).  |a| < b is read -b < a < b.  \text{sign}(q) is
-   eps, and behind all the statements comes eps q > 0, for eps = +1 and -1.
+   statements before it in which the letter stands in a subscript (the sign: anywhere).  |a| < b is read -b < a < b.
+   \text{sign}(q) is eps, and behind all the statements comes eps q > 0, for eps = +1 and -1.
 
    How a formula departs from what it says to the letter is given as readings: a piece of it, found once, is read as
    another piece of LaTeX. */

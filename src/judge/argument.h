@@ -51,9 +51,9 @@ struct argument_tally {
 /* The least margin of the conclusion where the premises hold, else infinity, with u_r as close to what they allow as
    the grid permits. */
 double argument_least_margin(fmpq u_r[2], struct argument *a, const struct point *at, double belt, const double e[2]);
-/* Enclosed along whole phases at the point, and what is decided, by balls and by exponentials, counted where the premises
-   hold (or NULL).  o is the orbit of a POINT_GIVEN, whose friction counts as a premise; else NULL.  d->value is the
-   caller's to init and clear. */
+/* Enclosed along whole phases at the point, and what is decided, by balls and by exponentials, counted where the
+   premises hold (or NULL).  o is the orbit of a POINT_GIVEN, whose friction counts as a premise; else NULL.  d->value
+   is the caller's to init and clear. */
 void argument_decide(struct argument_decision *d, struct answers decided[2], struct argument *a, const struct point *p,
                      const struct dyn_orbit *o);
 /* Where there is a proof already, the search only checks it, on few orbits; with little effort there are few too, and

@@ -1,9 +1,9 @@
 /* Arguments at one orbit, the scene's nearest to the printed numbers.
 
-   Where u_r1 or u_r2 enters, the least u_s1 and u_s2 that the premises allow on a grid are tried, which can refute.  For
-   every u_s1 and u_s2 that they allow a condition is proved in one of two ways: its margin only grows with them, and is
-   positive along the whole phase already where both are a little smaller than the premises allow; or it follows by exact
-   algebra on every admissible orbit, of which this is one. */
+   Where u_r1 or u_r2 enters, the least u_s1 and u_s2 that the premises allow on a grid are tried, which can refute.
+   For every u_s1 and u_s2 that they allow a condition is proved in one of two ways: its margin only grows with them,
+   and is positive along the whole phase already where both are a little smaller than the premises allow; or it follows
+   by exact algebra on every admissible orbit, of which this is one. */
 #include <math.h>
 
 #include "argument.h"

@@ -53,7 +53,8 @@ static void note_orbit(struct chains *c, const struct mech_orbit *o) {
   text_printf(&c->words, "), period %.6g", arf_get_d(arb_midref(o->period), ARF_RND_NEAR));
 }
 
-/* More than two masses, each tied to its neighbours and the first one to the ground, nothing else acting but friction. */
+/* More than two masses, each tied to its neighbours and the first one to the ground, nothing else acting but
+   friction. */
 static bool is_longer_chain(const struct mech *m) {
   bool chain = m->n > 2 && m->n_springs == m->n && m->n_dampers == 0 && m->n_loads == 0;
   for (int i = 0; chain && i < m->n; i++) {

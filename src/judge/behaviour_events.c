@@ -1,8 +1,9 @@
-/* What happens where a mass reaches the belt's velocity or breaks loose from it: proved from (1) and (2) by the signs on
-   finitely many cells of states (law.h), each mass and each side for itself. */
+/* What happens where a mass reaches the belt's velocity or breaks loose from it: proved from (1) and (2) by the signs
+   on finitely many cells of states (law.h), each mass and each side for itself. */
 #include "friction.h"
 
-/* Every statement of these proofs is about a mass, a side, and a cell in which a force or an acceleration has a sign. */
+/* Every statement of these proofs is about a mass, a side, and a cell in which a force or an acceleration has a
+   sign. */
 static struct law_answer answer_in(struct law_state *s, const struct friction *f, struct law_cell cell) {
   law_state_open_in(s, cell);
   struct law_answer a = law_answer(&f->law[cell.mass], s, cell.speed);

@@ -106,7 +106,8 @@ static bool shift_state(const struct forms *p, struct law_state *s, const int ep
 
 static const int plain[2] = {1, 1}; /* d_01 and d_02 as printed */
 
-/* How much the acceleration of a mass by (1) and (2) exceeds that of z'' + K z = 0 with the phase's stiffness matrix. */
+/* How much the acceleration of a mass by (1) and (2) exceeds that of z'' + K z = 0 with the phase's stiffness
+   matrix. */
 static val excess(const struct forms *p, struct law_state *s, const int slips[2], int mass) {
   struct calc *c = &s->c;
   struct num_vec k;
@@ -279,8 +280,8 @@ static bool is_stated(const struct conditions *states, enum phase ph, struct law
   return stated;
 }
 
-/* Do the conditions of the phase put the mass into the branch of (2) to which its part in the phase belongs: slower than
-   the belt, or sticking with the inequalities of the sticking branch? */
+/* Do the conditions of the phase put the mass into the branch of (2) to which its part in the phase belongs: slower
+   than the belt, or sticking with the inequalities of the sticking branch? */
 static bool in_branch(const struct friction *f, const struct conditions *states, enum phase ph, struct law_state *s,
                       int mass, int slips) {
   if (slips) return is_stated(states, ph, s, calc_sub(&s->c, s->belt, s->v[mass]));

@@ -19,7 +19,8 @@ const struct dyn_orbit *behaviour_stable_orbit(struct point *p, struct behaviour
   return o;
 }
 
-/* "the orbit at chi = ... is certified: ..."; NULL when that it exists, is admissible and has |tr J| < 1 is not proved. */
+/* "the orbit at chi = ... is certified: ..."; NULL when that it exists, is admissible and has |tr J| < 1 is not
+   proved. */
 static const char *certified(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
   const struct dyn_question q = {p->q + Q_CHI, p->q + Q_E1, which, {NULL, NULL}};

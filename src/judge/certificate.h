@@ -20,8 +20,9 @@ void certify_member(struct certificate *c, struct judge *j, const fmpq *params, 
 void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o);
 /* The exact quantities of a point; read as of point_certified. */
 void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read);
-/* All numbers of a point on which what the sentence says there rests: its exact quantities, the events of its pass where
-   it has one, the time t where the sentence speaks of it, and what is perturbed where the perturbations are any numbers. */
+/* All numbers of a point on which what the sentence says there rests: its exact quantities, the events of its pass
+   where it has one, the time t where the sentence speaks of it, and what is perturbed where the perturbations are any
+   numbers. */
 void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s);
 
 #endif

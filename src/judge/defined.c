@@ -1,8 +1,8 @@
 /* Whether formulas have a value on every periodic solution: what they divide by, invert and take roots of is collected
    from their trees, and each of it is shown to be zero nowhere, or to be zero on some orbit.  The latter follows from a
-   family of orbits, one for each value of a parameter and proved so in balls, along which it changes its sign.  Where the
-   first mass only touches the belt's velocity a family ends: what is zero there is so on that orbit, which is enclosed
-   itself. */
+   family of orbits, one for each value of a parameter and proved so in balls, along which it changes its sign.  Where
+   the first mass only touches the belt's velocity a family ends: what is zero there is so on that orbit, which is
+   enclosed itself. */
 #include "behaviour.h"
 #include "certificate.h"
 #include "explore/box.h"

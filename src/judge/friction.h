@@ -1,6 +1,6 @@
-/* What the equations of motion (1) and the law (2), as the paper states them, make of states: what claims about switches,
-   configurations and phases are proved by.  The claim that is judged names the claims of kind law in depends-on, one for
-   each mass, and the two equations of motion in moves. */
+/* What the equations of motion (1) and the law (2), as the paper states them, make of states: what claims about
+   switches, configurations and phases are proved by.  The claim that is judged names the claims of kind law in
+   depends-on, one for each mass, and the two equations of motion in moves. */
 #ifndef STICKSLIP_JUDGE_FRICTION_H
 #define STICKSLIP_JUDGE_FRICTION_H
 

@@ -22,8 +22,8 @@ void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c
 #define JUDGE(name, word, fn, ...) bool fn(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 CLAIM_KINDS(JUDGE)
 #undef JUDGE
-/* That of the claim's kind, which there is; or, where the program can compute nothing of what the claim is about (a paper
-   about another system, a quantity that the model lacks), the verdict unknown with the reason. */
+/* That of the claim's kind, which there is; or, where the program can compute nothing of what the claim is about (a
+   paper about another system, a quantity that the model lacks), the verdict unknown with the reason. */
 bool judge_subject(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
 /* Another finding of the same claim under a restriction that was found to hold, or that is on record. */
@@ -31,8 +31,8 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
 
 /* Whether the attribute stands there, which may only say this word: an error if it says another. */
 bool judge_switch(bool *on, struct judge *j, const struct claim *c, const char *attribute, const char *word);
-/* "chi = 2/5, eta = 4, ..." (NULL or wrong: an error of the claim's attribute "at"), up to a semicolon, into p, which is
-   that orbit. */
+/* "chi = 2/5, eta = 4, ..." (NULL or wrong: an error of the claim's attribute "at"), up to a semicolon, into p, which
+   is that orbit. */
 bool judge_params(struct point *p, struct judge *j, const struct claim *c, const char *at);
 /* The verdict on record in that scene; N_VERDICTS: none. */
 enum verdict claim_recorded(const struct claim *c, const struct scene *s);
@@ -46,8 +46,8 @@ bool judge_claim(struct judge *j, const struct claim *c);
    there. */
 bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim);
 
-/* How far the control's damage takes the claim's sentence from what it says corrected: log2 of the largest difference of
-   a side, relative where that is more than 1.  false: it is not tried at points, or has no value at those tried. */
+/* How far the control's damage takes the claim's sentence from what it says corrected: log2 of the largest difference
+   of a side, relative where that is more than 1.  false: it is not tried at points, or has no value at those tried. */
 bool control_distance(double *log_distance, struct judge *j, const struct claim *c, const char *control);
 
 /* A text read in the place of a record's statements; to be closed whether or not it could be read.  NULL with d set. */

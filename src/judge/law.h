@@ -76,7 +76,8 @@ val law_friction(const struct law *l, struct law_state *s, enum branch b);
 truth law_headed(const struct law *l, struct law_state *s);
 
 /* Which branches (2) has for a mass in the state, those whose conditions hold: SLIPS with either sign, and the
-   others where the mass has the belt's velocity.  n = -1 when that is not decided; else b, eps and u are those of the first of the n. */
+   others where the mass has the belt's velocity.  n = -1 when that is not decided; else b, eps and u are those of the
+   first of the n. */
 struct law_answer {
   int n;
   enum branch b;

@@ -106,8 +106,8 @@ static const char *unit_name(const struct number_job *n) {
   return result_str(n->j->out, "of the last of %ld decimals", (long)k);
 }
 
-/* "t_a = ..., which is printed as 0.6784 when rounded" or "t_a = ...; the printed 0.6784 differs from this by 3 units of
-   the fourth decimal". */
+/* "t_a = ..., which is printed as 0.6784 when rounded" or "t_a = ...; the printed 0.6784 differs from this by 3 units
+   of the fourth decimal". */
 static void add_value(struct text *note, const struct number_job *n, const arb_t x, slong digits, truth fits,
                       enum reading how) {
   text_printf(note, "%s %s %s", n->p->name, n->relation, ball_text(n->j, x, digits));

@@ -1,4 +1,5 @@
-/* Attributes that judges of several kinds read: a word or nothing, the parameters at which a claim speaks of an orbit. */
+/* Attributes that judges of several kinds read: a word or nothing, the parameters at which a claim speaks of an
+   orbit. */
 #include "claim/judging.h"
 #include "judge.h"
 

@@ -388,8 +388,8 @@ static void certify(struct finding *f, struct point_trials *r) {
   }
 }
 
-/* Whether both sides have the same values at the scene's data with another perturbation and other friction, of one draw;
-   where the claim's first points are of another kind it is not said. */
+/* Whether both sides have the same values at the scene's data with another perturbation and other friction, of one
+   draw; where the claim's first points are of another kind it is not said. */
 static bool scene_decides(const struct trial *tr, struct point_trials *r) {
   struct sampler sampler;
   struct point drawn, p;

@@ -75,8 +75,8 @@ static val integral(struct calc *c, arb_srcptr v, val x) {
                   calc_mul(c, v + RANGE_ODD, calc_sub(c, calc_d(c, 1), cosine)));
 }
 
-/* 2 (pi - arctan(odd/even)) - x of the whole phase; of rate, with x modulo 2 pi, and how far the integral at its end lies
-   over its last crest.  Returns how many crests it has had. */
+/* 2 (pi - arctan(odd/even)) - x of the whole phase; of rate, with x modulo 2 pi, and how far the integral at its end
+   lies over its last crest.  Returns how many crests it has had. */
 static slong distances(val *limit, val *above, struct calc *c, arb_srcptr v, bool rate) {
   val pi = calc_pi(c), two = calc_d(c, 2), turn = calc_mul(c, two, pi);
   val x = calc_mul(c, v + RANGE_FREQUENCY, v + LENGTH), most = pi;

@@ -1,5 +1,5 @@
-/* What the equations of a periodic motion determine: how many solutions with positive times they have, whether the events
-   of each are the first ones, whether each is a motion of the system.
+/* What the equations of a periodic motion determine: how many solutions with positive times they have, whether the
+   events of each are the first ones, whether each is a motion of the system.
 
    The list is that of motion/branches.h, every root of every switching function, or with "kept: yes" that of the word's
    orbits, whatever their t_c: along a phase in which the constraints hold no switching function vanishes, so that what
@@ -62,8 +62,8 @@ static bool read_asked(struct solutions *x) {
   return x->kept || claim_get(x->c, "until") || claim_error(x->j, x->c, "kind", "until, a bound of t_c, is needed");
 }
 
-/* That what keeps the constraints has first events is so of all of them: of a claim on these solutions alone none of the
-   list of the paper's constraints may be missing. */
+/* That what keeps the constraints has first events is so of all of them: of a claim on these solutions alone none of
+   the list of the paper's constraints may be missing. */
 static bool lists_all(struct solutions *x) {
   const struct claims *all = x->j->claims;
   char id[64];

@@ -62,8 +62,8 @@ static void balls_json(struct json *j, const char *key, arb_srcptr x, int n, boo
   json_end_array(j);
 }
 
-/* The position of a mass that has just broken loose is its limit over a stiffness: where that is exact it gets a radius,
-   since a checker that divides in balls does not meet it. */
+/* The position of a mass that has just broken loose is its limit over a stiffness: where that is exact it gets a
+   radius, since a checker that divides in balls does not meet it. */
 static void start_json(struct json *j, const struct mech_orbit *o, int i) {
   enum { BITS = 96 };
   bool loose = i < o->n && o->word.phase[o->word.n - 1][i] == 's' && o->word.phase[0][i] != 's';

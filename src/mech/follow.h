@@ -56,8 +56,8 @@ struct mech_follow {
 };
 
 /* The branches of orbits of their word, from those found at the line's first end, and from those at its other end that
-   none of these reaches; of one word, or of all where w is NULL.  false with d set where the file describes no system at
-   some value of the parameter. */
+   none of these reaches; of one word, or of all where w is NULL.  false with d set where the file describes no system
+   at some value of the parameter. */
 bool mech_follow(struct mech_follow *f, const struct mech_line *l, const struct mech_word *w, struct diag *d);
 void mech_follow_clear(struct mech_follow *f);
 

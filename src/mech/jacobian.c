@@ -10,8 +10,8 @@
 
 /* --- Saltation --- */
 
-/* Across the event at the end of phase k: the state, the first column, and what is carried beside it, the differences d of
-   states of one time, become those after it,
+/* Across the event at the end of phase k: the state, the first column, and what is carried beside it, the differences d
+   of states of one time, become those after it,
 
      d+ = R (d - f- q) + f+ q,   q = n d / (n f-),
 

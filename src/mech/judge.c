@@ -5,8 +5,8 @@
    and g is negative on the step where the first is, or where g is exactly zero at one end and its first derivative that
    is not zero there has one sign: at the start of a phase g' for the mass that has just rebounded or begun to slip (g''
    where its static limit is its sliding friction, or it rebounds without velocity) and the third derivative for the
-   distance of one that has just left the obstacle at which it was at rest; at the end g' for the event.  A step on which
-   some condition is open is halved; after 20000 steps of a phase its conditions are left undecided. */
+   distance of one that has just left the obstacle at which it was at rest; at the end g' for the event.  A step on
+   which some condition is open is halved; after 20000 steps of a phase its conditions are left undecided. */
 #include <stdlib.h>
 #include <string.h>
 

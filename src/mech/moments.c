@@ -100,8 +100,8 @@ void mech_events_json(struct json *j, int n, const struct mech_motion *x) {
 
 /* --- Motions compared --- */
 
-/* The range of a mass's positions between those moments: at least half of the way there and back that it goes at its mean
-   speeds, since it may be at the same place at every event. */
+/* The range of a mass's positions between those moments: at least half of the way there and back that it goes at its
+   mean speeds, since it may be at the same place at every event. */
 static double range(const struct mech_moment *at, int k, int n, int mass) {
   double low = at->z[mass], high = low, length = 0;
   for (int l = 1; l <= k; l++) {

@@ -21,11 +21,12 @@ void mech_events_json(struct json *j, int n, const struct mech_motion *x);
 /* A number in 17 digits; a member or an element. */
 void mech_double_json(struct json *j, const char *key, double x);
 
-/* How nearly the k-th moment from there on returns to the first: the largest distance of positions, of velocities and of the
-   angle of the loads, each relative to how far masses get in between, to the largest velocity and to 1. */
+/* How nearly the k-th moment from there on returns to the first: the largest distance of positions, of velocities and
+   of the angle of the loads, each relative to how far masses get in between, to the largest velocity and to 1. */
 double mech_gap(const struct mech_moment *at, int k, int n, int states);
 /* The phases from the last event back to an earlier one with the same phase and, within 1e-6, the same state: the word
-   that the motion settles on, its length, and how far apart those states are.  false: there is none within MECH_PHASES. */
+   that the motion settles on, its length, and how far apart those states are.  false: there is none within
+   MECH_PHASES. */
 bool mech_settles(struct mech_word *w, double *period, double *gap, const struct mech_motion *x, int n, int states);
 /* How many events from the first on are the same, and the largest difference of their times, positions and
    velocities. */

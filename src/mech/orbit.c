@@ -34,8 +34,8 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
   return e->rough && !arb_mat_is_finite(e->state[e->w->n]) ? SS_DOMAIN : SS_OK;
 }
 
-/* x: from a guess to where Newton's steps stop shrinking.  First in double precision, which most guesses do not survive;
-   where its numbers are too large, in balls from the guess. */
+/* x: from a guess to where Newton's steps stop shrinking.  First in double precision, which most guesses do not
+   survive; where its numbers are too large, in balls from the guess. */
 static int settle(struct num_vec *x, const struct solve_system *system, struct mech_equations *e) {
   slong prec = e->prec;
   struct num_vec near;

@@ -63,8 +63,9 @@ int mech_best_turn(const struct mech *m, const struct mech_word *w);
 /* Turns a word so that the fewest coordinates are free, with its lengths t, and the state z at the entry of its first
    phase (m->states numbers). */
 void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech *m);
-/* The orbit near such lengths and such a state, to prec bits where its conditioning allows; its conditions are not looked
-   at.  SS_UNABLE: none is proved there, SS_DOMAIN: the word is not one of the system, and the orbit needs no clearing. */
+/* The orbit near such lengths and such a state, to prec bits where its conditioning allows; its conditions are not
+   looked at.  SS_UNABLE: none is proved there, SS_DOMAIN: the word is not one of the system, and the orbit needs no
+   clearing. */
 int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                     const double *z, slong prec);
 /* Its conditions: Coulomb's law. */
@@ -96,8 +97,8 @@ struct mech_orbits {
   int candidates, failed;      /* starts of Newton's iteration; of these without a proved orbit */
 };
 /* Orbits that simulated motions come near, by increasing period; of one word, or of all when w is NULL.  Motions from
-   random starts (a fixed sequence) are searched for stretches that nearly return; unstable orbits are met only as motions
-   pass them.  None found is no proof.  any: the first motion that leads to a
+   random starts (a fixed sequence) are searched for stretches that nearly return; unstable orbits are met only as
+   motions pass them.  None found is no proof.  any: the first motion that leads to a
    certified admissible orbit is the last one. */
 void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec);
 /* Where the first of these motions starts, in a double for each element of the state. */

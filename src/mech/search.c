@@ -1,4 +1,5 @@
-/* Where orbits may be: motions from random starts, in double precision, and the stretches of them that nearly return. */
+/* Where orbits may be: motions from random starts, in double precision, and the stretches of them that nearly
+   return. */
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stdlib.h>
@@ -13,8 +14,8 @@
 enum { SIMULATIONS = 36, WIDE = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 90, ROUNDS = 10, MUCH = 8 };
 static const char seed[] = "motions of a system";
 static const double near = 0.2; /* relative distance of the ends */
-/* A motion lasts while the slowest mode goes through so many radians and a surface drags a mass so many times as long as
-   it can, but no longer than this. */
+/* A motion lasts while the slowest mode goes through so many radians and a surface drags a mass so many times as long
+   as it can, but no longer than this. */
 static const double phase_angle = 150, drags = 20, longest = 1e6;
 
 /* A stretch of a motion from an event to another one with the same phase behind it. */
@@ -48,9 +49,9 @@ static void balance(double *x, const struct mech *m) {
   fmpq_mat_clear(at);
 }
 
-/* Positions about as far out as friction and loads can hold them; or near the balance, as far from it as the loads and the
-   excess of static friction reach, since friction that is large against its excess takes many periods to drag the masses
-   there.  Velocities about those of the surfaces. */
+/* Positions about as far out as friction and loads can hold them; or near the balance, as far from it as the loads and
+   the excess of static friction reach, since friction that is large against its excess takes many periods to drag the
+   masses there.  Velocities about those of the surfaces. */
 static void random_start(double *z, const struct mech *m, bool near_balance, uint64_t *stream) {
   double x[MECH_MASSES] = {0};
   if (near_balance) balance(x, m);
@@ -115,7 +116,8 @@ static void keep(struct stretches *list, const struct stretch *s) {
   list->at[list->n++] = *s;
 }
 
-/* A longer stretch is kept beside a shorter one in it only where it returns much more nearly, as after a period doubling. */
+/* A longer stretch is kept beside a shorter one in it only where it returns much more nearly, as after a period
+   doubling. */
 static void look_through(struct stretches *list, const struct mech_motion *x, const struct mech_word *wanted,
                          const struct mech *m) {
   for (int i = x->n_moments / 4 + 1; i < x->n_moments; i++) {
@@ -180,7 +182,8 @@ bool mech_orbit_meets(const struct mech_orbit *a, const struct mech_orbit *b) {
   return same;
 }
 
-/* After how many phases it is where it began: fewer than its word has where it is a shorter orbit, several times over. */
+/* After how many phases it is where it began: fewer than its word has where it is a shorter orbit, several times
+   over. */
 static int phases_of_a_round(const struct mech_orbit *o) {
   int by = 1;
   while (by < o->word.n && !meets_turned(o, by, o)) by++;

@@ -5,8 +5,8 @@
 #include "mech.h"
 #include "motion/dynamics.h"
 
-/* Springs 1 - chi to the wall and chi between the masses, which are 1 and 1/eta.  sliding: u_s1 and u_s2, NULL for none;
-   the static limits are e_1 and e_2 above them.  Without sliding friction x is the paper's z. */
+/* Springs 1 - chi to the wall and chi between the masses, which are 1 and 1/eta.  sliding: u_s1 and u_s2, NULL for
+   none; the static limits are e_1 and e_2 above them.  Without sliding friction x is the paper's z. */
 void two_masses(struct mech *m, const fmpq params[N_PARAMS], const fmpq *const sliding[2]);
 
 #endif

@@ -14,9 +14,9 @@
 
    with the attributes section, equation (the paper's number, where the id does not have it, record.h), tex (in the
    paper's own files a quotation to the letter), place (where it stands, quote/quote.h), reads (how the TeX departs from
-   what it says to the letter, "PIECE as TEX"; perhaps several), note and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined
-   nor a symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one
-   without a section, then that of another section, if there is only one.
+   what it says to the letter, "PIECE as TEX"; perhaps several), note and, in overlays, replaces.  Another attribute is
+   an error.  A name that is neither defined nor a symbol is an error where it is used.  Seen from a section, its own
+   definition of a name comes first, then one without a section, then that of another section, if there is only one.
 
    Layers.  printed = the paper's files and, when given, the user's overlay; corrected = printed under errata.eq; stable
    = corrected under stable.eq, whose forms equal the corrected ones (proof/stable_forms.h) and keep their digits in
@@ -125,8 +125,8 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
    both places. */
 bool model_check_tex(const struct model *m, enum rank last, struct diag *d);
 
-/* What a reader sees: corrected, except that everything with the equation number `own` (may be NULL), or without a number
-   and with that id, is read as printed; controls with the id `control` (may be NULL) on top. */
+/* What a reader sees: corrected, except that everything with the equation number `own` (may be NULL), or without a
+   number and with that id, is read as printed; controls with the id `control` (may be NULL) on top. */
 struct view {
   const struct model *model;
   enum layer layer;
@@ -148,8 +148,8 @@ bool view_sees(const struct view *v, const struct definition *def);
 const struct statement_record *model_statements(const struct model *m, const struct record *r);
 /* The record of that id under the view, or NULL. */
 const struct statement_record *view_record(const struct view *v, const char *id);
-/* The same view without the stable forms, for proofs: they are proved equal to the corrected ones (proof/stable_forms.h),
-   which are shorter.  *plain is what the view's model then is. */
+/* The same view without the stable forms, for proofs: they are proved equal to the corrected ones
+   (proof/stable_forms.h), which are shorter.  *plain is what the view's model then is. */
 struct view view_without_stable(const struct view *v, struct model *plain);
 /* --- Elaboration --- */
 

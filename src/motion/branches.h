@@ -11,8 +11,8 @@
    t_b is bounded by the energy of phase H.  t_c is not: where one solution is regular there are infinitely many, since
    the two angles om_i t_c of phase H return as close as one likes to where they were (Dirichlet).
 
-   The plane of (t_b modulo 2 pi, t_c) is divided into cells, each of which is excluded or proved to hold one zero by the
-   means of cell.h; each zero is enclosed in balls by Krawczyk's operator. */
+   The plane of (t_b modulo 2 pi, t_c) is divided into cells, each of which is excluded or proved to hold one zero by
+   the means of cell.h; each zero is enclosed in balls by Krawczyk's operator. */
 #ifndef STICKSLIP_MOTION_BRANCHES_H
 #define STICKSLIP_MOTION_BRANCHES_H
 

@@ -45,8 +45,8 @@ static int enclose_near(struct word_root *s, const struct word_data *d, const st
 }
 
 /* Half widths 2^shift times the quantity's scale: of e1 or e2 the sum of both; of t_b, t_c or t_d itself; of t_a, which
-   can be zero, the sum of all times.  On a slow belt t_a is longer than all others by as many powers of ten as V has, and
-   as much less certain. */
+   can be zero, the sum of all times.  On a slow belt t_a is longer than all others by as many powers of ten as V has,
+   and as much less certain. */
 static void make_box(struct krawczyk *k, const val at[N_QUANTITIES], const struct word_data *d, slong shift) {
   double size[N_QUANTITIES], forces, times = 0;
   for (int i = 0; i < N_QUANTITIES; i++) size[i] = fabs(num_arb.get_d(at[i]));
@@ -62,8 +62,8 @@ static void make_box(struct krawczyk *k, const val at[N_QUANTITIES], const struc
 }
 
 /* Bits by which a box must be narrower where positions and velocities are unknown besides the times: positions are as
-   wide as the forces between them over 1 - chi, and where phase C turns slowly its length is as wide as its velocity over
-   chi eta. */
+   wide as the forces between them over 1 - chi, and where phase C turns slowly its length is as wide as its velocity
+   over chi eta. */
 static slong bits_of_coordinates(const fmpq *model) {
   fmpq_t gap, stiff;
   fmpq_init(gap);

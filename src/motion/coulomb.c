@@ -247,8 +247,8 @@ struct coulomb_sink coulomb_log_sink(struct coulomb_log *log) {
   return (struct coulomb_sink){log, log_event, NULL};
 }
 
-/* Whether the phase before b, which began with a, took no time.  On a slow belt, after a global stick phase of 1e20, two
-   moments that differ are one number; the masses have moved all the same. */
+/* Whether the phase before b, which began with a, took no time.  On a slow belt, after a global stick phase of 1e20,
+   two moments that differ are one number; the masses have moved all the same. */
 static bool at_once(const struct coulomb_row *a, const struct coulomb_row *b) {
   return b->t <= a->t && b->x[0] == a->x[0] && b->x[1] == a->x[1];
 }

@@ -158,8 +158,9 @@ int coulomb_return_jacobian(double j[4], double *err, const double params[N_COUL
 /* What counts as equal to the ODE route, over the rate at which the force on m1 rises while both masses stick: how well
    the end of that phase can be told. */
 double coulomb_event_floor(const double params[N_COULOMB], const double start[N_STATE]);
-/* The relative error of that derivative at least: rounding over the longest displacement of one position that leaves the
-   forces at the start below their limits.  Near chi = 1 positions grow as 1/(1 - chi), and that displacement shrinks. */
+/* The relative error of that derivative at least: rounding over the longest displacement of one position that leaves
+   the forces at the start below their limits.  Near chi = 1 positions grow as 1/(1 - chi), and that displacement
+   shrinks. */
 double coulomb_return_jacobian_floor(const double params[N_COULOMB], const double start[N_STATE]);
 /* The same for one phase of that word: the derivatives of the state
    at the event that ends it along n_dir directions (N_STATE numbers each; velocities that the belt imposes must not be

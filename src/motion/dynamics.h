@@ -217,8 +217,8 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
 void dyn_orbits_clear(struct dyn_orbits *list);
 
 /* The one-dimensional return map in double precision: r at the end of phase C from r at the stick phase, and its slope
-   (slope and t may be NULL).  In plain double precision, for guesses: return_map.h says what it errs by, and has one that
-   does not. */
+   (slope and t may be NULL).  In plain double precision, for guesses: return_map.h says what it errs by, and has one
+   that does not. */
 int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
                      const struct dyn_limits *lim);
 

@@ -60,8 +60,8 @@ static struct phase_end phase_end(struct calc *c, enum phase ph, const val p[N_P
   return e;
 }
 
-/* A displacement at the start of a phase, as it is at the event that ends it.  The velocity that the event sets to V has
-   none: exactly zero, which a difference of equal products would not be. */
+/* A displacement at the start of a phase, as it is at the event that ends it.  The velocity that the event sets to V
+   has none: exactly zero, which a difference of equal products would not be. */
 static void carry(val column[N_STATE], struct calc *c, enum phase ph, const struct phase_end *e) {
   val end[N_STATE];
   flow_apply(end, c, &e->b, column);

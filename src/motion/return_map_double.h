@@ -6,7 +6,8 @@
 #include "num/pi.h"
 #include "trig_sum.h"
 
-/* t*: the first time in phase Gamma at which m1 would reach the belt's speed, where the rise of chi r has its first crest. */
+/* t*: the first time in phase Gamma at which m1 would reach the belt's speed, where the rise of chi r has its first
+   crest. */
 static inline double gamma_crest(double a, double e1) {
   return PI + 2 * atan2(a, e1);
 }

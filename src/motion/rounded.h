@@ -11,8 +11,8 @@ typedef void phase_formula(val *out, struct calc *c, enum phase ph, const val p[
    beyond the range of normal doubles or not known at 4096 bits.  in and t may be NULL.  out may alias in. */
 int rounded_run(struct num_vec *out, phase_formula *f, enum phase ph, const struct num_vec *params,
                 const struct num_vec *in, const void *t);
-/* What a formula answers that goes from a guess and did not get there: from ROUNDED_NEAR bits on the guess is not near, and
-   no precision helps. */
+/* What a formula answers that goes from a guess and did not get there: from ROUNDED_NEAR bits on the guess is not near,
+   and no precision helps. */
 enum { ROUNDED_NEAR = 256 };
 static inline int rounded_from_guess(int status, const struct calc *c) {
   return status && c->ctx.prec >= ROUNDED_NEAR ? SS_DOMAIN : status;

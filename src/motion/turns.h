@@ -9,8 +9,8 @@
 struct turns {
   double from[2], to[2];
 };
-/* The k for which the energy of phase H suffices; empty ranges when there is none.  later: t_b need not be a first root,
-   and r_end is of either sign whatever that of q. */
+/* The k for which the energy of phase H suffices; empty ranges when there is none.  later: t_b need not be a first
+   root, and r_end is of either sign whatever that of q. */
 struct turns strip_turns(const struct strip *p, bool later);
 /* r at the stick phase for k = 0, over the whole strip. */
 struct disk strip_base(const struct strip *p);

@@ -41,9 +41,9 @@ struct damages {
      control        deleted, of a neighbouring claim, without its damage, or with another
      title          a number, a name, a phase or a direction for another
 
-   Two items of a list exchanged say the same; such a damage names the rule.  Other parameters to try, a route that is as
-   independent, or a control that is wrong by another digit or sign say the same where nothing notices them.  Only those
-   of the named files, records or classes ("4-stability", "eq-40", "title") when n_only > 0. */
+   Two items of a list exchanged say the same; such a damage names the rule.  Other parameters to try, a route that is
+   as independent, or a control that is wrong by another digit or sign say the same where nothing notices them.  Only
+   those of the named files, records or classes ("4-stability", "eq-40", "title") when n_only > 0. */
 void damages_init(struct damages *out, const struct material *m, const char *const *only, int n_only);
 void damages_clear(struct damages *d);
 /* Is some of them in the file or record, or of the class, of that name? */

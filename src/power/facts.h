@@ -1,4 +1,5 @@
-/* What holds on every motion and may be put in when two models are compared, and matrices that may be held as unknowns. */
+/* What holds on every motion and may be put in when two models are compared, and matrices that may be held as
+   unknowns. */
 #ifndef STICKSLIP_POWER_FACTS_H
 #define STICKSLIP_POWER_FACTS_H
 

@@ -1,5 +1,5 @@
-/* Which small edits of its printed text would make a refuted claim true?  The same edits that damage formulas, tried the
-   other way round: each is put in place as if the paper had printed it, and the claim is judged by the checks that
+/* Which small edits of its printed text would make a refuted claim true?  The same edits that damage formulas, tried
+   the other way round: each is put in place as if the paper had printed it, and the claim is judged by the checks that
    refuted it.  Where no edit helps, or not the correction on file, pairs of exchanged names are tried, within a budget,
    and then the steps of a chain a = b = c one by one. */
 #include <stdlib.h>

@@ -4,29 +4,29 @@
 
 #include "exact_motion.h"
 
-/* An admissible orbit at a time of the phase, with what u_r1 and u_r2 must exceed (friction) or without; every state that
-   a condition may name is there. */
+/* An admissible orbit at a time of the phase, with what u_r1 and u_r2 must exceed (friction) or without; every state
+   that a condition may name is there. */
 void exact_orbit_init(struct exact_motion *m, enum phase ph, int anchor, enum exact_time time, bool friction);
 
 /* At most as many conditions as one phase has. */
 enum { EXACT_CONDITIONS = 8 };
 
-/* Of which mass a margin is; of the force on it, as it sticks, where the phase begins or at the time t, and of u_ri + f_i
-   (lower) or u_ri - f_i; else of its velocity. */
+/* Of which mass a margin is; of the force on it, as it sticks, where the phase begins or at the time t, and of u_ri +
+   f_i (lower) or u_ri - f_i; else of its velocity. */
 struct exact_bound {
   int mass;
   bool force, start, lower;
 };
 
-/* The margins of (2) in the motion's phase, at the time t and, where a mass sticks, where the phase begins too: V - z_i'
-   of a mass that slips, u_ri - f_i of one that sticks under the force f_i, and where the friction is known (realistic)
-   u_ri + f_i.  On an admissible motion they are positive.  Returns how many were made, at most EXACT_CONDITIONS; 0 where
-   the motion is not said to be admissible.  bound (or NULL): what each is. */
+/* The margins of (2) in the motion's phase, at the time t and, where a mass sticks, where the phase begins too: V -
+   z_i' of a mass that slips, u_ri - f_i of one that sticks under the force f_i, and where the friction is known
+   (realistic) u_ri + f_i.  On an admissible motion they are positive.  Returns how many were made, at most
+   EXACT_CONDITIONS; 0 where the motion is not said to be admissible.  bound (or NULL): what each is. */
 int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exact_motion *m);
 
 /* How far each force at the start of the global stick phase moves when neither position there moves by more than 1: for
-   both masses, as formulas.  false when some margin of (2) is not shown to be affine in the positions with derivatives of
-   one sign; else the least margin over the greatest reach is a distance within which both masses still stick. */
+   both masses, as formulas.  false when some margin of (2) is not shown to be affine in the positions with derivatives
+   of one sign; else the least margin over the greatest reach is a distance within which both masses still stick. */
 bool exact_law_reach(struct text reach[2]);
 
 /* Is the element shown to be positive: a product of what is positive on the whole domain, one of the facts, which are

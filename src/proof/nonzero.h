@@ -27,8 +27,8 @@ const char *second_mass_is_slower(void);
    of one of those two velocities.  NULL: neither is shown. */
 const char *nonzero_because(const struct divisor *q, struct view view, bool admissible);
 
-/* Whether the quantity is zero on every motion on which z_1'' = 0 at the end of phase H, where z_1' then only touches the
-   belt's velocity.  In exact algebra. */
+/* Whether the quantity is zero on every motion on which z_1'' = 0 at the end of phase H, where z_1' then only touches
+   the belt's velocity.  In exact algebra. */
 bool zero_at_touch(const struct divisor *q, struct view view);
 
 /* A motion over the whole word whose states at the switching times are free but for their events. */

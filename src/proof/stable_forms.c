@@ -132,8 +132,8 @@ static bool follows(const struct stable_proofs *p, const struct model *m, const 
   return yes;
 }
 
-/* How many of those that may be held are, for a proof of the name: none for one that is proved directly.  One that is not
-   asked for is met in corrected forms at most, and what is equal whatever it is needs no proof of it. */
+/* How many of those that may be held are, for a proof of the name: none for one that is proved directly.  One that is
+   not asked for is met in corrected forms at most, and what is equal whatever it is needs no proof of it. */
 static int holdable(struct unknowns *u, const struct stable_proofs *p, const struct model *m, const char *name) {
   int own = place_held(name);
   if (u->usable < 0) u->usable = direct(m) ? N_DIRECT : 0;

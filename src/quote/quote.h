@@ -21,12 +21,12 @@
      - Markdown's emphasis: * wherever no ^ or { stands before it.
 
    All else must be the same.  In a quotation "..." leaves something out; what stands between, a piece, ends without
-   the marks . , ; : that close it.  Each piece stands in the text at a place of its own, the numbers of its first and its
-   last token, counted from 1 at the beginning of the text: `place: 812-840` beside the quotation, `place: 812-840
-   4410-4417` for two pieces, in the order of the text.  A place as long as its piece is asked for without a text too, so
-   that no word is lost.  A piece counts as found at its place only, and where it neither begins nor ends inside a word
-   nor right before the ) or } of a bracket that it opens.  Where the record that quotes names an equation, the number
-   printed next behind the first piece's place, or last before it, must be that one.
+   the marks . , ; : that close it.  Each piece stands in the text at a place of its own, the numbers of its first and
+   its last token, counted from 1 at the beginning of the text: `place: 812-840` beside the quotation, `place: 812-840
+   4410-4417` for two pieces, in the order of the text.  A place as long as its piece is asked for without a text too,
+   so that no word is lost.  A piece counts as found at its place only, and where it neither begins nor ends inside a
+   word nor right before the ) or } of a bracket that it opens.  Where the record that quotes names an equation, the
+   number printed next behind the first piece's place, or last before it, must be that one.
 
    Time and memory grow with the text, which is looked through once for each piece that is not at its place. */
 #ifndef STICKSLIP_QUOTE_QUOTE_H
@@ -61,8 +61,8 @@ bool quote_token_same(const struct quote_token *a, const struct quote_token *b);
 /* The tokens of len bytes, behind those that there are. */
 void quote_tokens_read(struct quote_tokens *t, const char *s, size_t len);
 void quote_tokens_clear(struct quote_tokens *t);
-/* "sha256 " and 64 hexadecimal digits: the digest of the tokens and, where they stand, the numbers of equations in their
-   parentheses, each with a line feed behind it. */
+/* "sha256 " and 64 hexadecimal digits: the digest of the tokens and, where they stand, the numbers of equations in
+   their parentheses, each with a line feed behind it. */
 void quote_tokens_digest(char digest[QUOTE_DIGEST], const struct quote_tokens *t);
 
 /* A copy of the paper's text. */

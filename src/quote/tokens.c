@@ -31,8 +31,8 @@ static const char *skip_white(const char *s, const char *end) {
   return s;
 }
 
-/* The end of an equation's number that begins behind s, if the dollars that end its formula follow, with the number; else
-   s. */
+/* The end of an equation's number that begins behind s, if the dollars that end its formula follow, with the number;
+   else s. */
 static const char *behind_tag(struct quote_token *number, const char *s, const char *end) {
   const char *p = skip_white(s, end);
   if (p == end || *p != '(') return s;

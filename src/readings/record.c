@@ -85,8 +85,8 @@ static void describe_numbers(struct example_reading *r, struct audit_result *out
   }
 }
 
-/* The fewest decimals of all inputs with which their rounding, to first order, moves an output by no more than half a unit
-   of its last printed decimal: 10^-d (sum of |slopes|) <= unit. */
+/* The fewest decimals of all inputs with which their rounding, to first order, moves an output by no more than half a
+   unit of its last printed decimal: 10^-d (sum of |slopes|) <= unit. */
 static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct printed_number *p) {
   enum { MOST = 99 };
   arb_ptr w = _arb_vec_init(3), sum = w, a = w + 1, unit = w + 2;

@@ -18,9 +18,9 @@ const char *audit_readings(struct audit_result *out, const struct model *m, cons
    number that was refuted, as evidence that only states something. */
 void readings_explain(struct audit_result *out, const struct claims *claims);
 
-/* What the six equations (12), (14), (16) and (18) give, at the data of an admissible orbit, with the matrices under that
-   equation number as printed and all else corrected: a sentence; NULL where no matrix of a phase is another, or no such
-   solution was proved. */
+/* What the six equations (12), (14), (16) and (18) give, at the data of an admissible orbit, with the matrices under
+   that equation number as printed and all else corrected: a sentence; NULL where no matrix of a phase is another, or no
+   such solution was proved. */
 const char *readings_as_printed(struct judge *j, const char *own);
 
 #endif

@@ -145,8 +145,8 @@ void escape_tex(struct text *out, const char *s, size_t len) {
 
 /* --- CSV, Graphviz --- */
 
-/* What a spreadsheet would compute.  A sign begins a number, or an inequality, unless something is called (NAME followed
-   by a bracket; of TeX, \left is no name), quoted or taken from elsewhere. */
+/* What a spreadsheet would compute.  A sign begins a number, or an inequality, unless something is called (NAME
+   followed by a bracket; of TeX, \left is no name), quoted or taken from elsewhere. */
 static bool is_computed(const char *s) {
   if (*s == '=' || *s == '@') return true;
   if (*s != '+' && *s != '-') return false;

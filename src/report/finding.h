@@ -14,8 +14,8 @@ bool finding_restricts(const struct finding *o, const struct finding *f);
 /* The paper's own text and the formula as read, where a part decides that part alone; NULL without one. */
 const char *finding_quote(const struct finding *f);
 const char *finding_printed(const struct finding *f);
-/* The value of that name in its certificate, or NULL; e_1 and e_2, state and times of the orbit there, "e_1 = 2.73, ...,
-   t_d = 3.49", or nothing. */
+/* The value of that name in its certificate, or NULL; e_1 and e_2, state and times of the orbit there, "e_1 = 2.73,
+   ..., t_d = 3.49", or nothing. */
 const char *finding_certified(const struct finding *f, const char *name);
 void finding_orbit(struct text *out, const struct finding *f);
 /* Behind a route, ", 24 trials, 128 bits", as far as it has them. */
@@ -40,10 +40,12 @@ bool failure_is_number(const struct finding *f);
 const char *root_value(const struct audit_result *r, const struct root_cause *root, int claim);
 /* The root of the wrong numbers; NULL where there are none. */
 const struct root_cause *audit_root_of_numbers(const struct audit_result *r);
-/* What is said of the paper's statements behind those proved: ", 11 hold under a condition, 19 do not hold as printed, 6
-   of them about the numbers of the example (these 30 belong to 3 errors of substance, ...); 2 could not be decided". */
+/* What is said of the paper's statements behind those proved: ", 11 hold under a condition, 19 do not hold as printed,
+   6 of them about the numbers of the example (these 30 belong to 3 errors of substance, ...); 2 could not be
+   decided". */
 void verdicts_say(struct text *out, const struct audit_result *r);
-/* The first of the quantities derived from it to which that happens, behind the last one; NULL when there is no more. */
+/* The first of the quantities derived from it to which that happens, behind the last one; NULL when there is no
+   more. */
 const struct derived *derived_next(const struct consequence *q, const struct derived *last, enum change change);
 /* How large the effect is; NULL where that is not known. */
 const char *failure_size(const struct audit_result *r, const struct finding *f);

@@ -1,5 +1,5 @@
-/* Orbits along a parameter: their multipliers and periods, and where they are stable and admissible.  In the letter it is
-   one orbit along e2; with branches, every one that is found, with the changes listed below. */
+/* Orbits along a parameter: their multipliers and periods, and where they are stable and admissible.  In the letter it
+   is one orbit along e2; with branches, every one that is found, with the changes listed below. */
 #include <math.h>
 #include <stdio.h>
 

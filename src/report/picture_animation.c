@@ -1,5 +1,5 @@
-/* One period of the two masses on the belt, moved by CSS where the reader's system does not ask for less motion; without
-   it they stand where the period begins.  Below, the positions over time. */
+/* One period of the two masses on the belt, moved by CSS where the reader's system does not ask for less motion;
+   without it they stand where the period begins.  Below, the positions over time. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -48,7 +48,8 @@ static bool is_index(char c) {
 /* What the paper calls hbar is an h with a bar. */
 static const struct tex_word barred = {"bar{h}", TEX_ROLE_UPRIGHT, 0, true, ""};
 
-/* The Greek letter of that name, or hbar; NULL for others.  An upright one, as Gamma, stays a word in HTML, where it names a phase. */
+/* The Greek letter of that name, or hbar; NULL for others.  An upright one, as Gamma, stays a word in HTML, where it
+   names a phase. */
 static const struct tex_word *letter_named(const struct sheet *s, const char *name, size_t len) {
   const struct tex_word *w = len == 4 && memcmp(name, "hbar", 4) == 0 ? &barred : tex_word(name, len);
   bool letter = w && (w->role == TEX_ROLE_LETTER || w->role == TEX_ROLE_UPRIGHT);

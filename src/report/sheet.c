@@ -74,8 +74,8 @@ void sheet_values(const struct sheet *s, const struct audit_result *r, const str
 
 /* --- Sentences --- */
 
-/* Mathematics between dollar signs, and what is between them as prose or as it is; in HTML what ends a sentence stays on
-   the line of its formula. */
+/* Mathematics between dollar signs, and what is between them as prose or as it is; in HTML what ends a sentence stays
+   on the line of its formula. */
 static void add_text(const struct sheet *s, const char *text, const bool *changed, bool prose) {
   size_t dollars = 0, len = strlen(text);
   for (size_t i = 0; i < len; i++) dollars += text[i] == '$';

@@ -39,8 +39,8 @@ struct audit_options {
   /* Or NULL: told of each piece, by its names in the table of costs, when this process has done it. */
   void (*ended)(void *arg, const char *what, const char *name, unsigned long long units);
   const struct costs *costs; /* or NULL */
-  /* Of the paper, whose unanswered ones the whole audit names, and of discrepancies (claim/claim.h); or NULL: all claims
-     count as the paper's, and none has a root. */
+  /* Of the paper, whose unanswered ones the whole audit names, and of discrepancies (claim/claim.h); or NULL: all
+     claims count as the paper's, and none has a root. */
   const struct claims *statements, *roots;
   double (*seconds_now)(void); /* seconds, for what run.json says of the pieces; or NULL */
 };
@@ -58,8 +58,8 @@ void audit_abandon(void);
 /* What may be coloured stands between one of these characters and the last. */
 enum explain_mark { EXPLAIN_PLAIN = 1, EXPLAIN_GOOD, EXPLAIN_BAD, EXPLAIN_DOUBT, EXPLAIN_END };
 
-/* One claim for a reader, with marks: the paper's text, the formula as read, in the notation of the files, where and how
-   it is tried, its verdict and evidence now, both sides in each number type at the scene's parameters changed by at
+/* One claim for a reader, with marks: the paper's text, the formula as read, in the notation of the files, where and
+   how it is tried, its verdict and evidence now, both sides in each number type at the scene's parameters changed by at
    ("chi=1/2,V=2", or NULL), with a star behind entries that are proved to differ, and the tape when asked for. */
 bool audit_explain(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
                    const char *id, const char *at, bool tape, struct diag *d);

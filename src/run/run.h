@@ -1,5 +1,5 @@
-/* An audit as pieces: what is selected, which pieces that makes, what some of them do, and what is left out.  The planner
-   prints them, the run does them. */
+/* An audit as pieces: what is selected, which pieces that makes, what some of them do, and what is left out.  The
+   planner prints them, the run does them. */
 #ifndef STICKSLIP_AUDIT_RUN_H
 #define STICKSLIP_AUDIT_RUN_H
 
@@ -52,8 +52,8 @@ bool claims_fail_together(const struct claim *a, const struct claim *b);
 /* What refuted claims do to what is derived from them: of the n findings of the result at these places, which share
    what they read as printed (claim_own); completes their effects. */
 bool judge_consequences(struct judge *j, const size_t *at, size_t n);
-/* What the run left out, and why, made from what was really not done (skipped.c); touched: the parts of work.h that some
-   piece has used. */
+/* What the run left out, and why, made from what was really not done (skipped.c); touched: the parts of work.h that
+   some piece has used. */
 void skipped_describe(const struct judge *j, const struct claims *controls, const struct audit_options *opt,
                       const struct pieces *first, const struct pieces *second, unsigned touched);
 /* Whether nothing narrows the audit. */

@@ -1,5 +1,5 @@
-/* The paper's statements with what became of each: place, words, the claims that answer it with their verdicts, the roots
-   of those that fail, or the reason why nothing answers it. */
+/* The paper's statements with what became of each: place, words, the claims that answer it with their verdicts, the
+   roots of those that fail, or the reason why nothing answers it. */
 #include "tables.h"
 
 #include <string.h>

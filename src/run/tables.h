@@ -62,8 +62,8 @@ bool table_of_animation(struct audit_result *out, const struct table_source *s);
 int table_of_bifurcations(struct audit_result *out, const struct scene *s, int vary, const fmpq_t from,
                           const fmpq_t to);
 /* stability-map.tsv: the orbits over a plane of two parameters, at most so many values of each, the second running
-   along the lines, with proved points of the boundaries; the tally counts lines.  false with d set, and a table of no rows,
-   when no process can be made. */
+   along the lines, with proved points of the boundaries; the tally counts lines.  false with d set, and a table of no
+   rows, when no process can be made. */
 enum { TABLE_MOST_SIDE = 400 };
 bool table_of_map(struct audit_result *out, const struct scene *s, const struct dyn_axis axis[2], int jobs,
                   struct crew_tally *tally, struct diag *d);

@@ -1,4 +1,5 @@
-/* The numbers that a scene prints: decimals with the unit to which they are given (scene.h), each under its name once. */
+/* The numbers that a scene prints: decimals with the unit to which they are given (scene.h), each under its name
+   once. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

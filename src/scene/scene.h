@@ -191,9 +191,11 @@ char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d)
 /* The folder for the reports of such a scene, to be freed. */
 char *scene_folder(const char *spec, const struct scene_overrides *o);
 bool scene_is_box(const struct scene *s);
-/* Are its data those of an example in print: does it print numbers, and were neither they nor its parameters changed? */
+/* Are its data those of an example in print: does it print numbers, and were neither they nor its parameters
+   changed? */
 bool scene_is_example(const struct scene *s);
-/* Whose its data are, "the example" or "this scene", as sentences call them; and the data, "chi = 4/5, ..., e2 = [1, 2]". */
+/* Whose its data are, "the example" or "this scene", as sentences call them; and the data, "chi = 4/5, ..., e2 = [1,
+   2]". */
 const char *scene_data_of(const struct scene *s);
 void scene_data_print(struct text *out, const struct scene *s);
 /* Is it the scene on file of that name, with the parameters and printed numbers of the file? */
@@ -202,8 +204,8 @@ void scene_clear(struct scene *s);
 /* Sets d: there is no orbit of that number, from 0, where n are found. */
 void scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d);
 /* The data folder, for a program or library in that file ("": unknown): $STICKSLIP_DATA; or verify/ above its build
-   folder; or share/stickslip below the prefix that it is installed under; or where it was to be installed.  false: there
-   is none. */
+   folder; or share/stickslip below the prefix that it is installed under; or where it was to be installed.  false:
+   there is none. */
 bool data_folder_find(struct text *out, const char *file);
 #define SYSTEM_SUFFIX ".system"
 /* The path of a system file from its path or its name in the data folder. */

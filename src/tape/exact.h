@@ -3,8 +3,8 @@
    A field is Q(g1, g2, ...) modulo relations, with a generator for each free symbol, sine, cosine, square root and root
    of a polynomial, known again when its argument (its coefficients) is equal in the field; sin(-u) = -sin(u), cos(-u) =
    cos(u), sin(u + k pi) = +-sin(u) for whole k, cot = cos/sin, sinc = sin u/u, stumpff = (u - sin u)/u^3, hypot(u, v) =
-   sqrt(u^2 + v^2), exp(p u + q v) = exp(u)^p exp(v)^q for whole p, q.  The relations cos^2 = 1 - sin^2, sqrt(u)^2 = u and
-   |u|^2 = u^2 rewrite the generator with the square by generators that are older (that of sqrt(p/n) stands for n
+   sqrt(u^2 + v^2), exp(p u + q v) = exp(u)^p exp(v)^q for whole p, q.  The relations cos^2 = 1 - sin^2, sqrt(u)^2 = u
+   and |u|^2 = u^2 rewrite the generator with the square by generators that are older (that of sqrt(p/n) stands for n
    sqrt(p/n), whose square is the polynomial p n); their leading terms are coprime, so they are a Groebner basis, and a
    numerator is in their ideal exactly when it is rewritten to zero.  Numerators and denominators are kept rewritten.
    Symbols may be defined by facts or by a binder.

@@ -1,6 +1,6 @@
 /* Exponentials in a field.  That of a sum is a product, with a generator exp(m/q) for each of its terms p m/q: so
-   exp(a + b) = exp(a) exp(b) and exp(-a) = 1/exp(a) hold by themselves.  exp(t/2) and exp(t) are two generators; that one
-   is the square of the other is not known here. */
+   exp(a + b) = exp(a) exp(b) and exp(-a) = 1/exp(a) hold by themselves.  exp(t/2) and exp(t) are two generators; that
+   one is the square of the other is not known here. */
 #include <stdlib.h>
 
 #include "exact_impl.h"

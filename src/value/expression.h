@@ -28,8 +28,8 @@ int expression_at(arb_ptr out, int *n, struct view v, const char *expression, co
 int expression_number(arb_t z, struct view v, const char *expression, const char *section, const struct point *p,
                       slong prec, struct orbit_cache *cache, struct diag *d);
 
-/* A formula as a tape by itself, the names of the list held as unknowns.  false where it cannot be read; clear it all the
-   same. */
+/* A formula as a tape by itself, the names of the list held as unknowns.  false where it cannot be read; clear it all
+   the same. */
 bool formula_tape(struct tape *t, struct view v, const char *formula, const char *section, const struct override *o,
                   int n);
 

@@ -22,8 +22,8 @@ struct orbit_pool {
   uint64_t state; /* of the generator of draws */
 };
 
-/* The pool of the judge's cache, drawn when first asked for.  Its first items for EFFORT_REFUTE, whatever has been drawn
-   already, so that no answer depends on what was asked before. */
+/* The pool of the judge's cache, drawn when first asked for.  Its first items for EFFORT_REFUTE, whatever has been
+   drawn already, so that no answer depends on what was asked before. */
 struct orbit_pool orbit_pool_get(struct judge *j);
 void orbit_pool_free(struct orbit_pool *p);
 

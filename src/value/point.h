@@ -79,8 +79,8 @@ void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s);
 void point_clear(struct point *p);
 /* out, which is another point, becomes p. */
 void point_copy(struct point *out, const struct point *p);
-/* The exact quantities of points, in the order in which they are written: the texts of points, certificates and --at have
-   them from one table. */
+/* The exact quantities of points, in the order in which they are written: the texts of points, certificates and --at
+   have them from one table. */
 struct point_quantity {
   const char *name;   /* in certificates, as the paper writes it */
   const char *key;    /* in texts, and for --at; NULL where it cannot be set */

@@ -16,8 +16,8 @@ void record_scene(struct audit_result *out, const struct scene *s);
 /* Which orbit of the list is meant where nobody says which: the nearest to the scene's printed numbers; without any (or
    without a scene) the first that is admissible, else the first. */
 slong usual_orbit(const struct dyn_orbits *list, const struct scene *s);
-/* What a text calls the one of the scene's orbits that is meant; noun: "orbit", "periodic solution".  "The orbit nearest
-   to the printed numbers" only where some are printed, else "orbit 2 (the first admissible one)". */
+/* What a text calls the one of the scene's orbits that is meant; noun: "orbit", "periodic solution".  "The orbit
+   nearest to the printed numbers" only where some are printed, else "orbit 2 (the first admissible one)". */
 const char *usual_orbit_text(struct judge *j, const char *noun);
 /* The number of the usual orbit in the list that `orbit` shows. */
 slong scene_usual_orbit(const struct scene *s);

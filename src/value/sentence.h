@@ -28,8 +28,8 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
 /* The record that an attribute of a claim names, which has a relation to be judged; NULL with d set. */
 const struct statement_record *claim_record(struct view v, const struct claim *c, const char *attribute, const char *id,
                                             struct diag *d);
-/* Whether the statement is an inequality beside an equation of the record: in a paper about another system it is read as
-   the condition under which the equation is said. */
+/* Whether the statement is an inequality beside an equation of the record: in a paper about another system it is read
+   as the condition under which the equation is said. */
 bool statement_is_condition(const struct statement_record *r, const struct stmt *s);
 /* The entries of a record (every step of its relations, of which there are some), with names replaced by the model's
    quantities.  At a point outside the range of one of them, "for q in (0, 1)", it has no value; where the range is a
@@ -42,8 +42,8 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
 /* Whether it can be read, though nothing may be known of its value; false with d set. */
 bool sentence_reads(struct view v, const struct claim *c, struct diag *d);
 void sentence_clear(struct sentence *s);
-/* Both sides (s->n each, in the context of lhs and rhs) in the values of a point, which then know what of it was read, and
-   at a point. */
+/* Both sides (s->n each, in the context of lhs and rhs) in the values of a point, which then know what of it was read,
+   and at a point. */
 int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, struct values *v);
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
                     enum variant variant, struct orbit_cache *cache);

@@ -21,8 +21,8 @@
 extern const char *const phase_words[N_PHASES];
 /* Appends the title.  false with d set where the title is at fault, or is not given and cannot be made. */
 bool claim_title(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
-/* Appends the records that an attribute of the claim lists as its title would say them, by number wherever there is one:
-   "(51), (57) and z_1' < V in the global slip phase".  false with d set where there is no such record. */
+/* Appends the records that an attribute of the claim lists as its title would say them, by number wherever there is
+   one: "(51), (57) and z_1' < V in the global slip phase".  false with d set where there is no such record. */
 bool claim_title_records(struct text *out, const struct model *m, const struct claim *c, const char *attribute,
                          struct diag *d);
 /* Whether every claim has one, by hand only where its attributes make none; false with d set to the first fault. */

@@ -47,8 +47,8 @@ void title_conditional(struct text *out, const struct statement_record *r);
 void title_first_formula(struct text *out, const struct statement_record *r);
 /* No other record of the paper states something under the same number. */
 bool title_owns_number(const struct title *t, const struct statement_record *r);
-/* "(18) and (16)": the note of a record that has no number, where it begins and ends with that of another, and when brief
-   "(55) at t = 0", where it begins with one; else NULL. */
+/* "(18) and (16)": the note of a record that has no number, where it begins and ends with that of another, and when
+   brief "(55) at t = 0", where it begins with one; else NULL. */
 const char *title_note(const struct statement_record *r, bool brief);
 /* A record by its note where that names others; by its equation number where it has one; else by its formulas. */
 void title_name(struct text *out, const struct statement_record *r);

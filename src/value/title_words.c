@@ -338,7 +338,8 @@ static bool is_inequality(const struct stmt *s) {
   return s->kind == STMT_RELATION && s->ops[0] != REL_EQ;
 }
 
-/* "an inequality of (9)", "the inequalities of (9)" where the list has them all, of the statement that an item means. */
+/* "an inequality of (9)", "the inequalities of (9)" where the list has them all, of the statement that an item
+   means. */
 static void write_share(struct text *out, const struct title *t, const struct part *p, const char *list) {
   char item[64];
   bool inequality = is_inequality(p->r->stmts[p->statement - 1]);

@@ -8,8 +8,8 @@
 #include "tape/tape.h"
 
 /* How they are got: closed form and implicit differentiation; states carried by matrix exponentials; tangents by finite
-   differences; the return Jacobian by saltation matrices; orbits and their return Jacobian by the engine for any system,
-   in balls alone. */
+   differences; the return Jacobian by saltation matrices; orbits and their return Jacobian by the engine for any
+   system, in balls alone. */
 enum variant { VARIANT_CLOSED, VARIANT_EXPONENTIAL, VARIANT_FD, VARIANT_SALTATION, VARIANT_SYSTEM };
 
 struct values {

@@ -1,6 +1,6 @@
 /* A system file and a word of its phases, from any bytes: the file up to the first NUL byte, the word behind it.  Laws:
-   refused with a message or taken without one; what was taken is physical and described; a word prints as text that reads
-   as the same word; a short motion ends, with numbers or a reason. */
+   refused with a message or taken without one; what was taken is physical and described; a word prints as text that
+   reads as the same word; a short motion ends, with numbers or a reason. */
 #include "mech/describe.h"
 #include "mech/walk.h"
 
