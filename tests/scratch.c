@@ -80,6 +80,7 @@ static void remove_all(const char *path) {
 }
 
 void scratch_close(void) {
+  if (!folder) return; /* a fixture inside this one has closed it */
   remove_all(folder);
   folder = NULL;
   arena_clear(&arena);

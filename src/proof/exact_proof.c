@@ -337,10 +337,12 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
                             int unknowns) {
   return result_str(
       j->out, "%s%s%s in the field %s; the largest polynomial has %ld term%s",
-      p->by_factors
+      p->by_factors && !j->model->system
+          ? "the sides of each step, as functions of the paper's own symbols, are equal or, where one is to be the "
+            "smaller, differ by a product of positive factors"
+      : p->by_factors
           ? "the sides of each step, on motions computed from the first-order systems, are equal or, where one is to "
-            "be "
-            "the smaller, differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the "
+            "be the smaller, differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the "
             "phase"
       : q->sharp ? "the sides of each step, on motions computed from the first-order systems, are equal at one end of "
                    "the phase"
