@@ -5,10 +5,6 @@
 
 #include "text.h"
 
-static bool is(const char *s, size_t len, const char *word) {
-  return strlen(word) == len && memcmp(s, word, len) == 0;
-}
-
 /* --- Commands --- */
 
 const struct tex_word *tex_word(const char *name, size_t len) {
@@ -98,7 +94,7 @@ const struct tex_word *tex_word(const char *name, size_t len) {
       {"frac", TEX_ROLE_FRACTION, 2, false, ""},
   };
   for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-    if (is(name, len, words[i].name)) return &words[i];
+    if (word_is(name, len, words[i].name)) return &words[i];
   return NULL;
 }
 
@@ -109,7 +105,7 @@ const struct tex_environment *tex_environment(const char *name, size_t len) {
                                                  {"aligned", "", "", 10},
                                                  {"cases", "{", "", 2}};
   for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-    if (is(name, len, kinds[i].name)) return &kinds[i];
+    if (word_is(name, len, kinds[i].name)) return &kinds[i];
   return NULL;
 }
 
@@ -142,7 +138,7 @@ static enum tex_kind kind_of_name(const char *name, size_t len) {
     enum tex_kind kind;
   } pairs[] = {{"left", TEX_LEFT}, {"right", TEX_RIGHT}, {"begin", TEX_BEGIN}, {"end", TEX_FINISH}};
   for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
-    if (is(name, len, pairs[i].name)) return pairs[i].kind;
+    if (word_is(name, len, pairs[i].name)) return pairs[i].kind;
   return TEX_STRANGE;
 }
 

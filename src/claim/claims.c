@@ -141,8 +141,8 @@ const char *claim_get(const struct claim *c, const char *key) {
   const struct field *own = c->control ? record_field(c->control, key) : NULL;
   const char *v = own ? own->text : record_get(c->record, key);
   if (!v && strcmp(key, "section") == 0) return record_get(&c->file->records[0], key);
-  bool statement = v && strcmp(key, "quote") == 0 && strcmp(v, "statement") == 0;
-  return statement ? c->statement ? record_get(c->statement, key) : NULL : v;
+  if (!v || strcmp(key, "quote") != 0 || strcmp(v, "statement") != 0) return v;
+  return c->statement ? record_get(c->statement, key) : NULL;
 }
 
 bool claim_says(const struct claim *c, const char *key, const char *words) {

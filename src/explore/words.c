@@ -34,7 +34,7 @@ static bool complain(size_t *at, const char **why, size_t where, const char *wha
 /* A phase at the beginning of len letters: how many of them it takes, 0 when there is none. */
 static size_t phase_at(int *k, const char *text, size_t len) {
   for (*k = 0; *k < N_PAIRS; ++*k)
-    if (strlen(pairs[*k].name) == len && strncmp(pairs[*k].name, text, len) == 0) return len;
+    if (word_is(text, len, pairs[*k].name)) return len;
   for (*k = 0; *k < N_PAIRS; ++*k)
     if (pairs[*k].name[0] == text[0]) return 1;
   return 0;

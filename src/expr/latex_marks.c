@@ -24,7 +24,7 @@ bool mark_is_text(const struct mark *m, const char *word) {
   size_t len = m->len;
   while (len > 0 && *s == ' ') s++, len--;
   while (len > 0 && s[len - 1] == ' ') len--;
-  return strlen(word) == len && memcmp(s, word, len) == 0;
+  return word_is(s, len, word);
 }
 
 bool mark_relation(enum relop *op, const struct mark *m) {
@@ -35,7 +35,7 @@ bool mark_relation(enum relop *op, const struct mark *m) {
                    {"\\leq", REL_LE}, {"\\ge", REL_GE}, {"\\geq", REL_GE}, {"\\lt", REL_LT},    {"\\gt", REL_GT}};
   if (m->kind != TEX_SIGN && m->kind != TEX_WORD) return false;
   for (size_t i = 0; i < sizeof relations / sizeof *relations; i++)
-    if (strlen(relations[i].name) == m->len && memcmp(relations[i].name, m->s, m->len) == 0) {
+    if (word_is(m->s, m->len, relations[i].name)) {
       *op = relations[i].op;
       return true;
     }

@@ -472,7 +472,7 @@ enum expr_kind latex_function(const struct mark *m) {
   const char *name = m->word->args ? m->s : m->word->name;
   size_t len = m->word->args ? m->len : strlen(name);
   for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-    if (strlen(words[i].name) == len && memcmp(words[i].name, name, len) == 0) return words[i].kind;
+    if (word_is(name, len, words[i].name)) return words[i].kind;
   return EXPR_SYM;
 }
 

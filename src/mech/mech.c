@@ -312,7 +312,7 @@ int mech_event(enum mech_end *end, const char *from, const char *to) {
 static bool is_mark(const char *s, size_t len, int mass) {
   char mark[MECH_PHASE - MECH_MASSES + 1];
   mech_mark(mark, mass, s[0] == '>');
-  return strlen(mark) == len && strncmp(s, mark, len) == 0;
+  return word_is(s, len, mark);
 }
 
 static const char *wrong_with_mode(char mode, const struct mech_mass *mass) {

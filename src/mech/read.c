@@ -146,7 +146,7 @@ static bool known_fields(struct reader *r, const struct record *of, const char *
 
 static int mass_named(const struct mech *m, const char *name, size_t len) {
   int i = 0;
-  while (i < m->n && !(strlen(m->mass[i].name) == len && strncmp(m->mass[i].name, name, len) == 0)) i++;
+  while (i < m->n && !word_is(name, len, m->mass[i].name)) i++;
   return i;
 }
 
@@ -179,7 +179,7 @@ static bool read_ends(struct mech_link *link, struct reader *r, const struct rec
     size_t len;
     if (!(s = list_item(&len, s))) return wrong(r, f->value.begin, "two ends are needed: \"between: ground, m1\"");
     int i = mass_named(r->m, s, len);
-    bool ground = len == strlen("ground") && strncmp(s, "ground", len) == 0;
+    bool ground = word_is(s, len, "ground");
     if (i == r->m->n && !ground) return no_mass(r, f, s, len);
     link->end[side] = ground ? -1 : i;
     s += len;

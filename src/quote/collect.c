@@ -100,8 +100,7 @@ static bool add(struct quotations *q, enum quote_kind kind, const struct source 
 static const struct claim *about_number(const struct claims *c, const char *name, size_t len) {
   for (size_t i = 0; i < c->n; i++) {
     const char *number = claim_get(&c->claim[i], "number");
-    if (claim_kind(&c->claim[i]) == KIND_NUMBER && number && strlen(number) == len && strncmp(number, name, len) == 0)
-      return &c->claim[i];
+    if (claim_kind(&c->claim[i]) == KIND_NUMBER && number && word_is(name, len, number)) return &c->claim[i];
   }
   return NULL;
 }

@@ -118,8 +118,9 @@ bool long_result_fails(const struct long_result *l) {
 }
 
 bool finding_miscorrected(const struct finding *f) {
-  if (!f->correction || f->correction_verdict == VERDICT_REFUTED || f->recorded == N_VERDICTS)
-    return f->correction && f->correction_verdict == VERDICT_REFUTED;
+  if (!f->correction) return false;
+  if (f->recorded == N_VERDICTS || f->correction_verdict == VERDICT_REFUTED)
+    return f->correction_verdict == VERDICT_REFUTED;
   return f->correction_recorded ? f->correction_verdict != VERDICT_UNKNOWN : !verdict_passes(f->correction_verdict);
 }
 

@@ -38,7 +38,7 @@ void scene_printed_clear(struct printed_number *p) {
 static struct printed_number *place_of(struct scene *s, const char *name, size_t n, bool override) {
   struct printed_number *p = NULL;
   for (size_t i = 0; i < s->n_printed && !p; i++)
-    if (strlen(s->printed[i].name) == n && strncmp(s->printed[i].name, name, n) == 0) p = &s->printed[i];
+    if (word_is(name, n, s->printed[i].name)) p = &s->printed[i];
   if (p && (!override || p->override)) return NULL;
   if (p) {
     scene_printed_clear(p);

@@ -9,8 +9,8 @@ static const struct definition *definition_of(const struct view *v, const struct
   const struct model *m = v->model;
   size_t len = strcspn(f->id, "[@");
   for (size_t i = 0; i < m->n_defs; i++)
-    if (strlen(m->defs[i].name) == len && strncmp(m->defs[i].name, f->id, len) == 0 &&
-        strcmp(m->defs[i].section, f->section) == 0 && view_lookup(v, m->defs[i].name, f->section, NULL) == &m->defs[i])
+    if (word_is(f->id, len, m->defs[i].name) && strcmp(m->defs[i].section, f->section) == 0 &&
+        view_lookup(v, m->defs[i].name, f->section, NULL) == &m->defs[i])
       return &m->defs[i];
   return NULL;
 }
