@@ -20,7 +20,8 @@ static int run_root(void *z, const struct tape *t, const struct tape_instr *in, 
 
 int tape_inherited(const struct tape *t, slong i, const int *flags) {
   int s = SS_OK;
-  for (slong k = 0; k < tape_operands(t, i); k++) s |= flags[tape_operand(t, i, k)];
+  slong n = tape_operands(t, i);
+  for (slong k = 0; k < n; k++) s |= flags[tape_operand(t, i, k)];
   return s;
 }
 

@@ -286,27 +286,6 @@ bool tape_same(const struct tape *a, const struct tape *b) {
 
 /* --- Looking at it --- */
 
-slong tape_operands(const struct tape *t, slong i) {
-  switch (t->code[i].op) {
-#define NUM_UNARY(name)                                                                                                \
-  case TAPE_##name:                                                                                                    \
-    return 1;
-#define NUM_BINARY(name)                                                                                               \
-  case TAPE_##name:                                                                                                    \
-    return 2;
-#include "num/ops.def"
-  case TAPE_POW:
-  case TAPE_ROUNDED:
-    return 1;
-  case TAPE_CONST:
-  case TAPE_INPUT:
-    return 0;
-  case TAPE_ROOT:
-    return t->code[i].b;
-  }
-  abort();
-}
-
 static const char *op_name(enum tape_op op) {
   switch (op) {
 #define NUM_UNARY(name)                                                                                                \

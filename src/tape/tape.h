@@ -64,7 +64,26 @@ bool tape_reads_matrix(const struct tape *t, const char *name);
 void tape_dump(struct text *out, const struct tape *t);
 
 /* How many operands an instruction has, and where they stand; those of a root are its coefficients. */
-slong tape_operands(const struct tape *t, slong i);
+static inline slong tape_operands(const struct tape *t, slong i) {
+  switch (t->code[i].op) {
+#define NUM_UNARY(name)                                                                                                \
+  case TAPE_##name:                                                                                                    \
+    return 1;
+#define NUM_BINARY(name)                                                                                               \
+  case TAPE_##name:                                                                                                    \
+    return 2;
+#include "num/ops.def"
+  case TAPE_POW:
+  case TAPE_ROUNDED:
+    return 1;
+  case TAPE_CONST:
+  case TAPE_INPUT:
+    return 0;
+  case TAPE_ROOT:
+    return t->code[i].b;
+  }
+  abort();
+}
 static inline slong tape_operand(const struct tape *t, slong i, slong k) {
   const struct tape_instr *in = &t->code[i];
   return in->op == TAPE_ROOT ? t->links[in->a + k] : k ? in->b : in->a;
