@@ -262,7 +262,7 @@ bool digits_predicts_failure(const struct digits_bench *w) {
   bool *zero = ss_malloc((size_t)t->n * sizeof *zero), fails = false;
   for (slong i = 0; !fails && i < t->n; i++) {
     zero[i] = becomes_zero(w, zero, i);
-    if (tape_shelters(&w->f->tape, i)) continue;
+    if (tape_only_under_rounded(&w->f->tape, i)) continue;
     fails = digits_log2(value(w, i)) > MOST_NUMBER || (t->code[i].op == TAPE_div && zero[t->code[i].b]);
   }
   free(zero);
@@ -356,7 +356,7 @@ static slong underflowing(double *most, const struct digits_bench *w) {
   slong best = -1;
   *most = -INFINITY;
   for (slong i = 0; i < w->f->tape.n; i++) {
-    if (tape_shelters(&w->f->tape, i) || !is_tiny(value(w, i)) || w->d_flags[i]) continue;
+    if (tape_only_under_rounded(&w->f->tape, i) || !is_tiny(value(w, i)) || w->d_flags[i]) continue;
     double e = error_through(w, i);
     if (!(e > *most)) continue;
     *most = e;
@@ -368,7 +368,7 @@ static slong underflowing(double *most, const struct digits_bench *w) {
 /* The first node that has become zero; -1. */
 static slong vanished(const struct digits_bench *w) {
   for (slong i = 0; i < w->f->tape.n; i++)
-    if (!tape_shelters(&w->f->tape, i) && is_tiny(value(w, i)) && !w->d_flags[i] &&
+    if (!tape_only_under_rounded(&w->f->tape, i) && is_tiny(value(w, i)) && !w->d_flags[i] &&
         *(const double *)num_vec_at(&w->d, i) == 0)
       return i;
   return -1;
@@ -378,7 +378,8 @@ bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, doub
   enum { UNEXPLAINED = 20 };
   double most;
   bool any = false;
-  for (slong i = 0; i < w->f->tape.n; i++) any = any || (!tape_shelters(&w->f->tape, i) && is_tiny(value(w, i)));
+  for (slong i = 0; i < w->f->tape.n; i++)
+    any = any || (!tape_only_under_rounded(&w->f->tape, i) && is_tiny(value(w, i)));
   if (!any) return false;
   if (r->error > r->predicted + UNEXPLAINED && vanished(w) >= 0)
     return true; /* no small change: a frequency became 0 */
@@ -451,7 +452,7 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
   const struct tape *t = &w->f->tape;
   if (w->f->kernel) return (struct digits_cause){CAUSE_CODE, -1, 0};
   for (slong i = 0; i < t->n; i++) {
-    if (w->d_flags[i] == SS_OK || tape_shelters(&w->f->tape, i)) continue;
+    if (w->d_flags[i] == SS_OK || tape_only_under_rounded(&w->f->tape, i)) continue;
     enum tape_op op = t->code[i].op;
     slong at = op == TAPE_div ? zero_source(w, t->code[i].b) : i;
     bool tiny = digits_log2(value(w, at)) < LEAST_NORMAL;

@@ -21,7 +21,7 @@ static void nearness_under(double *strain, struct digits_bench *w) {
   bool known = false;
   for (slong i = 0; i < t->n; i++) {
     arb_srcptr v = num_vec_at(&w->b, i);
-    if (!tape_operands(t, i) || tape_shelters(t, i) || arb_contains_zero(v)) continue;
+    if (!tape_operands(t, i) || tape_only_under_rounded(t, i) || arb_contains_zero(v)) continue;
     double bits = -digits_log2(v);
     if (bits / -LEAST_NORMAL <= *strain) continue;
     if (bits > -LEAST_NORMAL) {
@@ -51,7 +51,7 @@ void digits_nearness(double strain[N_NEARNESSES], struct digits_bench *w) {
   for (int k = 0; k < N_NEARNESSES; k++) strain[k] = -INFINITY;
   if (w->f->kernel) return;
   for (slong i = 0; i < t->n; i++) {
-    if (w->b_flags[i] || tape_shelters(t, i)) continue;
+    if (w->b_flags[i] || tape_only_under_rounded(t, i)) continue;
     if (tape_operands(t, i))
       strain[NEARNESS_OVER] = fmax(strain[NEARNESS_OVER], digits_log2(num_vec_at(&w->b, i)) / MOST_NUMBER);
     if (t->code[i].op == TAPE_div)

@@ -89,7 +89,7 @@ static inline slong tape_operand(const struct tape *t, slong i, slong k) {
   return in->op == TAPE_ROOT ? t->links[in->a + k] : k ? in->b : in->a;
 }
 
-static inline bool tape_shelters(const struct tape *t, slong i) {
+static inline bool tape_only_under_rounded(const struct tape *t, slong i) {
   return t->only_under_rounded && t->only_under_rounded[i];
 }
 
