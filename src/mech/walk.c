@@ -384,14 +384,41 @@ static bool in_domain(const struct walk *w) {
   return ok;
 }
 
+/* Where a condition that is linear in time is zero, from its values now and a look later; in looks. */
+static double looks_until(double now, double later) {
+  return later > now ? -now / (later - now) : INFINITY;
+}
+
+/* How far to look.  Where every mass sticks or rests and nothing is driven the state goes along a straight line, and
+   one look leads past the first event, however slow the surfaces are. */
+static double look_ahead(const struct walk *w) {
+  double later[MECH_STATES], looks = INFINITY;
+  if (w->states > 2 * w->n) return w->look;
+  for (int i = 0; i < w->n; i++) {
+    if (w->phase[i] != 's' && !mech_rests(w->phase[i])) return w->look;
+    later[i] = w->z[i] + w->look * w->z[w->n + i];
+    later[w->n + i] = w->z[w->n + i];
+  }
+  for (int k = 0; k < N_MEETINGS * w->n; k++) {
+    int i = k / N_MEETINGS;
+    enum meeting part = (enum meeting)(k % N_MEETINGS);
+    double f = force(w, w->z, i), f_later = force(w, later, i), limit = w->limit[i];
+    if (part == OWN && w->phase[i] == 's')
+      looks = fmin(looks, fmin(looks_until(f - limit, f_later - limit), looks_until(-f - limit, -f_later - limit)));
+    else
+      looks = fmin(looks, looks_until(condition(w, w->z, i, part), condition(w, later, i, part)));
+  }
+  return (looks + 1) * w->look;
+}
+
 /* Look by look, each up to a sample at most. */
 static void go(struct walk *w, struct mech_motion *out) {
   const struct mech_plan *plan = w->plan;
   long looks = 0, samples = 1, most = plan->looks ? plan->looks : MOST_LOOKS;
   while (!w->end && !w->enough && plan->duration - out->t > 1e-12 && out->n_moments < plan->most) {
-    double next = plan->sample > 0 ? (double)samples * plan->sample : INFINITY, gone = 0;
-    bool sampled = next - out->t <= w->look && next <= plan->duration;
-    double h = fmin(w->look, (sampled ? next : plan->duration) - out->t);
+    double next = plan->sample > 0 ? (double)samples * plan->sample : INFINITY, look = look_ahead(w), gone = 0;
+    bool sampled = next - out->t <= look && next <= plan->duration;
+    double h = fmin(look, (sampled ? next : plan->duration) - out->t);
     int before = out->n_moments;
     looks += !sampled;
     if (looks > most) {

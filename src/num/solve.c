@@ -117,17 +117,42 @@ static void size_of(mag_t size, const struct num_vec *x, slong shift) {
   mag_clear(part);
 }
 
+/* Beside one long unknown, such as the length of a phase, the largest element of a step tells nothing of the others:
+   is each element short for its own unknown, or for 2^-SETTLED of the largest? */
+static bool each_is_short(const struct num_vec *x, const struct num_vec *step) {
+  mag_t part, unit, least;
+  bool good = true;
+  mag_init(part);
+  mag_init(unit);
+  mag_init(least);
+  size_of(least, x, -SETTLED);
+  for (slong k = 0; k < x->len; k++) {
+    arb_get_mag(part, num_vec_at(step, k));
+    arb_get_mag(unit, num_vec_at(x, k));
+    mag_max(unit, unit, least);
+    mag_mul_2exp_si(unit, unit, -SETTLED);
+    good = good && mag_cmp(part, unit) <= 0;
+  }
+  mag_clear(least);
+  mag_clear(unit);
+  mag_clear(part);
+  return good;
+}
+
 static enum newton_next still_shrinks(const struct num_vec *x, const struct num_vec *step, void *self) {
   struct settling *s = self;
-  mag_t size, last;
+  mag_t size, far, last;
   mag_init(size);
+  mag_init(far);
   mag_init(last);
   size_of(size, step, 0);
+  size_of(far, x, -SETTLED);
   size_of(last, x, -x->ctx.prec / 2 - SETTLE_GUARD);
-  bool less = mag_cmp(size, s->least) < 0;
+  bool less = mag_cmp(size, s->least) < 0 || (mag_cmp(size, far) <= 0 && !each_is_short(x, step));
   enum newton_next next = !less ? NEWTON_STAY : mag_cmp(size, last) < 0 ? NEWTON_LAST : NEWTON_ON;
   mag_min(s->least, s->least, size);
   mag_clear(last);
+  mag_clear(far);
   mag_clear(size);
   return next;
 }
