@@ -87,6 +87,29 @@ START_TEST(pictures_come_from_their_tables_alone) {
 }
 END_TEST
 
+/* A program that knows no custom properties passes over a declaration that asks for one: the same stands before it with
+   a colour, everywhere in a picture. */
+START_TEST(colours_without_custom_properties) {
+  static const char *const pictures[] = {"paper/figure-4.svg", "asked/animation.svg", "asked/stability-map.svg"};
+  struct source svg;
+  struct diag d;
+  int asked = 0;
+  diag_init(&d);
+  ck_assert_msg(source_read(&svg, scratch_path(pictures[_i]), 1 << 20, &d), "%s", d.message);
+  for (char *at = strstr(svg.text, ": var("); at; at = strstr(at + 1, ": var("), asked++) {
+    char *property = at, want[60];
+    while (property[-1] != ' ' && property[-1] != '"') property--;
+    snprintf(want, sizeof want, "%.*s: #", (int)(at - property), property);
+    char *before = property - 2;
+    while (before[-1] != ';' && before[-1] != '{' && before[-1] != '"') before--;
+    before += strspn(before, " ");
+    ck_assert_msg(strncmp(before, want, strlen(want)) == 0, "%.60s", before);
+  }
+  ck_assert_int_gt(asked, 10);
+  source_clear(&svg);
+}
+END_TEST
+
 /* No claim is judged by drawing: what the audit says of the closing gap (judge/closure.c) and what the figures show
    come from separate code. */
 START_TEST(the_gap_is_that_of_the_claim) {
@@ -251,6 +274,7 @@ Suite *pictures_suite(void) {
   tcase_add_test(c, pictures_that_are_asked_for);
   tcase_add_test(c, the_same_bytes_twice);
   tcase_add_test(c, pictures_come_from_their_tables_alone);
+  tcase_add_loop_test(c, colours_without_custom_properties, 0, 3);
   tcase_add_test(c, the_gap_is_that_of_the_claim);
   tcase_add_test(c, hostile_tables);
   tcase_add_loop_test(c, phase_planes_are_motions, 0, 3);

@@ -102,7 +102,9 @@ static void add_animation(struct plot *p, const struct stage *s, const char *nam
 }
 
 static void add_motion(struct plot *p, const struct stage *s) {
-  text_printf(p->out, "<style>\n%s@media (prefers-reduced-motion: no-preference) {\n", picture_animation_css);
+  text_add(p->out, "<style>\n");
+  plot_style(p->out, picture_animation_css);
+  text_add(p->out, "@media (prefers-reduced-motion: no-preference) {\n");
   for (int k = 0; k < N_MOVING; k++) {
     text_printf(p->out, "@keyframes animation-%s {", moving[k]);
     for (size_t i = 0; i < s->t->n; i++)

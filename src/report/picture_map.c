@@ -83,7 +83,9 @@ static void draw_map(struct plot *p, const struct rows *t) {
   for (int k = 0; k < N_KINDS; k++)
     if (n[k]) memcpy(there[entries++], key[k], sizeof *there);
   p->bottom = plot_key(p, (const char *const(*)[2])there, entries);
-  text_printf(p->out, "<style>\n%s</style>\n", picture_map_css);
+  text_add(p->out, "<style>\n");
+  plot_style(p->out, picture_map_css);
+  text_add(p->out, "</style>\n");
   const double half[2] = {half_step(t, cells, X), half_step(t, cells, Y)};
   plot_forget(p);
   for (int k = 0; k < 2; k++) {

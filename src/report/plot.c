@@ -424,6 +424,36 @@ struct plot plot_begin(struct text *out, const char *id, double width) {
   return (struct plot){.out = out, .id = id, .width = width, .left = PLOT_LEFT, .right = width - PLOT_RIGHT};
 }
 
+/* What a custom property is set to first, which is its colour on white. */
+static const char *light_colour(size_t *len, const char *name, size_t name_len) {
+  const char *const sheet[] = {picture_alone_css, picture_css};
+  for (int i = 0; i < 2; i++)
+    for (const char *at = strstr(sheet[i], "--"); at; at = strstr(at + 1, "--"))
+      if (strncmp(at, name, name_len) == 0 && at[name_len] == ':') {
+        at += name_len + 2;
+        *len = strcspn(at, ";");
+        return at;
+      }
+  abort();
+}
+
+void plot_style(struct text *out, const char *css) {
+  static const char use[] = "var(";
+  for (const char *at; (at = strstr(css, use));) {
+    const char *from = at, *name = at + strlen(use);
+    size_t len, name_len = strcspn(name, ")");
+    while (from > css && !strchr("{;", from[-1])) from--;
+    from += strspn(from, " \n");
+    const char *colour = light_colour(&len, name, name_len);
+    text_add_n(out, css, (size_t)(at - css));
+    text_add_n(out, colour, len);
+    text_add(out, "; ");
+    css = name + name_len + 1;
+    text_add_n(out, from, (size_t)(css - from));
+  }
+  text_add(out, css);
+}
+
 void plot_svg(struct text *out, const struct plot *p, const char *title, const char *told, bool alone) {
   if (alone)
     text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"");
@@ -432,9 +462,14 @@ void plot_svg(struct text *out, const struct plot *p, const char *title, const c
   text_printf(out, " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %g %.0f\" role=\"img\" ", p->width, p->bottom);
   html_add(out, "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">%e</title>\n<desc id=\"d-%s\">%e</desc>\n", p->id,
            p->id, p->id, title, p->id, told);
-  if (alone)
-    text_printf(out, "<style>\n%s%s</style>\n<rect width=\"%g\" height=\"%.0f\" style=\"fill: var(--bg)\" />\n",
-                picture_alone_css, picture_css, p->width, p->bottom);
+  if (alone) {
+    text_add(out, "<style>\n");
+    text_add(out, picture_alone_css);
+    plot_style(out, picture_css);
+    text_printf(out, "</style>\n<rect width=\"%g\" height=\"%.0f\" style=\"", p->width, p->bottom);
+    plot_style(out, "fill: var(--bg)");
+    text_add(out, "\" />\n");
+  }
   text_add(out, text_str(p->out));
   text_add(out, "</svg>\n");
 }

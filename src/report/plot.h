@@ -58,6 +58,9 @@ struct plot plot_begin(struct text *out, const char *id, double width);
 /* The whole SVG of what was drawn, with a title and words for who does not see it, plain text; alone: a document of its
    own. */
 void plot_svg(struct text *out, const struct plot *p, const char *title, const char *told, bool alone);
+/* A style sheet of a picture, each declaration that asks for a custom property after the same with its light colour:
+   programs that know no custom properties drew the whole picture black. */
+void plot_style(struct text *out, const char *css);
 
 /* Widens [low, high] to hold x; NaN is passed over. */
 void plot_hold(double *low, double *high, double x);
