@@ -15,26 +15,6 @@ static const char *ending_word(enum dyn_branch_end end, enum dyn_change change) 
   return end == END_CHANGE ? dyn_change_id[change] : words[end];
 }
 
-/* --- The line --- */
-
-void along_json(struct json *j, const char *name, const fmpq_t from, const fmpq_t to, slong digits) {
-  json_object(j, "along");
-  json_string(j, "name", name);
-  json_rational(j, "from", from, digits);
-  json_rational(j, "to", to, digits);
-  json_end_object(j);
-}
-
-void along_text(struct text *out, const struct scene *s, const char *name, const fmpq_t from, const fmpq_t to,
-                long changes, long branches) {
-  text_printf(out, "%s: %s from ", s->name, name);
-  num_print_q(out, from);
-  text_add(out, " to ");
-  num_print_q(out, to);
-  text_printf(out, ", %ld change%s on %ld branch%s of orbits found\n", changes, plural_s(changes), branches,
-              branches == 1 ? "" : "es");
-}
-
 /* --- JSON --- */
 
 static void json_known(struct json *j, const char *key, const arb_t x, slong digits) {

@@ -10,7 +10,6 @@
 #include "report/folder.h"
 #include "route/jacobian.h"
 #include "run/audit.h"
-#include "value/coulomb_setup.h"
 #include "value/solved.h"
 
 /* Exit statuses of the contract. */
@@ -265,10 +264,5 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
 /* longest: of --longest, where it is given. */
 int run_system_words(const struct options *o, const struct scene *s, const char *data, int longest, slong digits,
                      struct diag *d);
-/* simulate --compare, from the start of that name, over at most the given time. */
-int compare_routes(const struct coulomb_setup *setup, const struct scene *s, const char *from, long periods,
-                   double duration);
-/* Says that a simulation ended before it was to; the exit status. */
-int ended_early(const char *why, const char *route, double t);
 
 #endif

@@ -2,8 +2,8 @@
    separates them grows as the orbit's multiplier says. */
 #include <math.h>
 
-#include "cli.h"
 #include "motion/long_run.h"
+#include "simulated.h"
 
 static void print_return(const struct long_run *run, enum long_route k, long i) {
   const struct long_return *r = &run->at[k][i];

@@ -1,4 +1,4 @@
-/* Numbers and truths as the commands print them. */
+/* Numbers, truths and lines in parameter space as the commands print them. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -132,6 +132,24 @@ void json_of_model(struct json *j, struct text *out, const struct scene *s) {
   json_document(j, out, NULL);
   json_string(j, "scene", s->name);
   json_string(j, "layer", "model");
+}
+
+void along_json(struct json *j, const char *name, const fmpq_t from, const fmpq_t to, slong digits) {
+  json_object(j, "along");
+  json_string(j, "name", name);
+  json_rational(j, "from", from, digits);
+  json_rational(j, "to", to, digits);
+  json_end_object(j);
+}
+
+void along_text(struct text *out, const struct scene *s, const char *name, const fmpq_t from, const fmpq_t to,
+                long changes, long branches) {
+  text_printf(out, "%s: %s from ", s->name, name);
+  num_print_q(out, from);
+  text_add(out, " to ");
+  num_print_q(out, to);
+  text_printf(out, ", %ld change%s on %ld branch%s of orbits found\n", changes, plural_s(changes), branches,
+              branches == 1 ? "" : "es");
 }
 
 bool print_eigenvalues(struct text out[2], arb_srcptr j) {

@@ -172,20 +172,6 @@ static void orbits_text(struct text *out, const struct solved *z, const struct s
   }
 }
 
-bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d) {
-  if (certified == 0)
-    diag_set(d,
-             "%s: error: no orbit is certified and keeps to the phases of its word, so that there is no certificate to "
-             "write",
-             s->path);
-  else if (certified < n)
-    fprintf(stderr,
-            "%s: warning: %ld of %ld orbits are in the certificate; the others are not certified, or do not keep to "
-            "their phases\n",
-            s->path, (long)certified, (long)n);
-  return certified > 0;
-}
-
 static bool write_certificate(const char *path, const struct scene *s, const struct solved *z, struct diag *d) {
   if (!may_write_certificate(s, solved_certified(z), z->list.n, d)) return false;
   struct text out = {0};

@@ -4,6 +4,7 @@
 
 #include "cli.h"
 #include "mech/moments.h"
+#include "value/coulomb_setup.h"
 
 struct simulated {
   const char *scene, *system, *at; /* system: NULL for the paper's; at: "orbit:K", "printed", "start" or "search" */
@@ -15,6 +16,12 @@ void csv_line(int n, const struct mech_moment *at);
 /* How far both routes agree: of so many events so many are the same. */
 void routes_line(long shared, long events, double worst);
 void simulated_json(const struct simulated *run, const char *ended);
+/* Says that a simulation ended before it was to; the exit status. */
+int ended_early(const char *why, const char *route, double t);
+
+/* --compare, from the start of that name, over at most the given time. */
+int compare_routes(const struct coulomb_setup *setup, const struct scene *s, const char *from, long periods,
+                   double duration);
 
 /* simulate on a scene that names a system file: from the orbit of that number, counted from 0; time is 0 where it is
    not given. */

@@ -1,9 +1,23 @@
 /* What is different about the orbits of a scene that names another word than the paper's: how they are found, and what
-   is said of the word. */
+   is said of the word; and which orbits of any scene a certificate is of. */
 #include "word_orbits.h"
 
 slong system_bits(slong digits) {
   return solved_word_bits(digits) + 64;
+}
+
+bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d) {
+  if (certified == 0)
+    diag_set(d,
+             "%s: error: no orbit is certified and keeps to the phases of its word, so that there is no certificate to "
+             "write",
+             s->path);
+  else if (certified < n)
+    fprintf(stderr,
+            "%s: warning: %ld of %ld orbits are in the certificate; the others are not certified, or do not keep to "
+            "their phases\n",
+            s->path, (long)certified, (long)n);
+  return certified > 0;
 }
 
 void json_word(struct json *j, const char *key, const struct mech_word *w) {

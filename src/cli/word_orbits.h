@@ -1,4 +1,4 @@
-/* What the commands on system files and on other phase words share. */
+/* What orbit, words and jacobian share on scenes of all kinds: the paper's word, other words, system files. */
 #ifndef STICKSLIP_WORD_ORBITS_H
 #define STICKSLIP_WORD_ORBITS_H
 
