@@ -18,40 +18,29 @@ struct shown {
   int decimals; /* of the ends of brackets */
 };
 
-/* The end of a bracket, rounded outwards. */
-static void outwards(fmpq_t out, const struct shown *v, const fmpq_t at, bool up) {
-  fmpq_t scale;
+/* The side of a change with the lower or the upper parameter. */
+static const struct mech_side *side_of(const struct mech_change *c, bool upper) {
+  bool falling = fmpq_cmp(c->side[0].at, c->side[1].at) > 0;
+  return &c->side[upper != falling];
+}
+
+/* The end of a bracket, rounded outwards, with all its decimals. */
+static void print_end(struct text *out, const struct shown *v, const struct mech_change *c, bool upper) {
+  fmpq_t end, scale;
   fmpz_t whole;
+  fmpq_init(end);
   fmpq_init(scale);
   fmpz_init(whole);
   fmpz_ui_pow_ui(fmpq_numref(scale), 10, (ulong)v->decimals);
-  fmpq_mul(out, at, scale);
-  (up ? fmpz_cdiv_q : fmpz_fdiv_q)(whole, fmpq_numref(out), fmpq_denref(out));
-  fmpq_set_fmpz(out, whole);
-  fmpq_div(out, out, scale);
-  fmpz_clear(whole);
-  fmpq_clear(scale);
-}
-
-/* The two ends, the lower one first. */
-static void bracket(fmpq_t low, fmpq_t high, const struct shown *v, const struct mech_change *c) {
-  int first = fmpq_cmp(c->side[0].at, c->side[1].at) > 0;
-  outwards(low, v, c->side[first].at, false);
-  outwards(high, v, c->side[!first].at, true);
-}
-
-/* With all its decimals. */
-static void print_end(struct text *out, const struct shown *v, const fmpq_t end) {
+  fmpq_mul(end, side_of(c, upper)->at, scale);
+  (upper ? fmpz_cdiv_q : fmpz_fdiv_q)(whole, fmpq_numref(end), fmpq_denref(end));
+  fmpq_set_fmpz(end, whole);
+  fmpq_div(end, end, scale);
   double size = fabs(fmpq_get_d(end));
   num_print_rational(out, end, v->decimals + 1 + (size < 1 ? 0 : (slong)floor(log10(size))));
-}
-
-/* What is not the same on both sides. */
-static void facts(struct text *out, const struct shown *v, const struct mech_change *c) {
-  for (int i = 0; i < c->n_facts; i++) {
-    if (i) text_add(out, ", ");
-    mech_fact_print(out, v->m, &c->fact[i], NULL);
-  }
+  fmpz_clear(whole);
+  fmpq_clear(scale);
+  fmpq_clear(end);
 }
 
 /* --- JSON --- */
@@ -68,16 +57,12 @@ static void side_json(struct json *j, const char *key, const struct mech_side *s
 }
 
 static void change_json(struct json *j, const struct shown *v, const struct mech_change *c) {
-  fmpq_t low, high;
-  fmpq_init(low);
-  fmpq_init(high);
-  bracket(low, high, v, c);
   json_object(j, NULL);
   json_string(j, "kind", mech_turn_id[c->what]);
   json_long(j, "branch", c->branch + 1);
   for (int i = 0; i < 2; i++) {
     json_begin_string(j, i ? "high" : "low");
-    print_end(j->out, v, i ? high : low);
+    print_end(j->out, v, c, i);
     json_end_string(j);
   }
   json_array(j, "conditions");
@@ -87,12 +72,9 @@ static void change_json(struct json *j, const struct shown *v, const struct mech
     json_end_string(j);
   }
   json_end_array(j);
-  int first = fmpq_cmp(c->side[0].at, c->side[1].at) > 0;
-  side_json(j, "below", &c->side[first]);
-  side_json(j, "above", &c->side[!first]);
+  side_json(j, "below", side_of(c, false));
+  side_json(j, "above", side_of(c, true));
   json_end_object(j);
-  fmpq_clear(high);
-  fmpq_clear(low);
 }
 
 static void branch_json(struct json *j, const struct shown *v, const struct mech_branch *b, int number) {
@@ -131,21 +113,18 @@ static void side_text(struct text *out, const struct mech_side *s) {
 }
 
 static void change_text(struct text *out, const struct shown *v, const struct mech_change *c) {
-  fmpq_t end[2];
-  int first = fmpq_cmp(c->side[0].at, c->side[1].at) > 0;
-  for (int i = 0; i < 2; i++) fmpq_init(end[i]);
-  bracket(end[0], end[1], v, c);
   for (int i = 0; i < 2; i++) {
     text_add(out, i ? ", " : "  [");
-    print_end(out, v, end[i]);
-    fmpq_clear(end[i]);
+    print_end(out, v, c, i);
   }
   text_printf(out, "]  branch %d  %s: ", c->branch + 1, mech_turn_id[c->what]);
-  side_text(out, &c->side[first]);
+  side_text(out, side_of(c, false));
   text_add(out, " -> ");
-  side_text(out, &c->side[!first]);
-  if (c->n_facts) text_add(out, "; changed: ");
-  facts(out, v, c);
+  side_text(out, side_of(c, true));
+  for (int i = 0; i < c->n_facts; i++) {
+    text_add(out, i ? ", " : "; changed: ");
+    mech_fact_print(out, v->m, &c->fact[i], NULL);
+  }
   text_add_char(out, '\n');
 }
 
