@@ -204,11 +204,25 @@ void admissible_text(struct text *out, truth admissible, const struct scene *s) 
                    : "u_r1, u_r2 above their bounds");
 }
 
-void fate_json(struct json *j, const struct dyn_orbit *o, truth admissible, const truth u[2]) {
-  json_truth(j, "stable", o->stable);
-  json_truth(j, "admissible", admissible);
-  json_array(j, "violations");
-  for (int i = 0; i < ORBIT_CONDITIONS; i++)
-    if (orbit_breaks(o, u, i)) json_string(j, NULL, orbit_condition_name(i));
-  json_end_array(j);
+void orbit_numbers_json(struct json *j, const struct dyn_orbit *o, number_printer *print, const struct scene *s,
+                        slong digits, truth admissible, const truth u[2]) {
+  enum { TRACE = 9 };
+  for (int i = 0; i < ORBIT_NUMBERS; i++) {
+    json_begin_string(j, orbit_number_name(i));
+    print(j->out, o, i, s, digits);
+    json_end_string(j);
+    if (i != TRACE) continue;
+    json_array(j, "eigenvalues");
+    json_string(j, NULL, "0");
+    json_begin_string(j, NULL);
+    print(j->out, o, i, s, digits);
+    json_end_string(j);
+    json_end_array(j);
+    json_truth(j, "stable", o->stable);
+    json_truth(j, "admissible", admissible);
+    json_array(j, "violations");
+    for (int k = 0; k < ORBIT_CONDITIONS; k++)
+      if (orbit_breaks(o, u, k)) json_string(j, NULL, orbit_condition_name(k));
+    json_end_array(j);
+  }
 }

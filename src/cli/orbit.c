@@ -18,26 +18,13 @@ static void print_number(struct text *out, const struct dyn_orbit *o, int i, con
     num_print(out, orbit_number(o, i), digits);
 }
 
-static void number_json(struct json *j, const char *key, const struct dyn_orbit *o, int i, const struct scene *s,
-                        slong digits) {
-  json_begin_string(j, key);
-  print_number(j->out, o, i, s, digits);
-  json_end_string(j);
-}
-
 static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct dyn_certificate *proof,
                        const struct scene *s, slong digits, bool basin) {
   mag_t radius;
   mag_init(radius);
   truth u[2], admissible = orbit_admissible(u, s, o);
   json_object(j, NULL);
-  for (int i = 0; i < 10; i++) number_json(j, orbit_number_name(i), o, i, s, digits);
-  json_array(j, "eigenvalues");
-  json_string(j, NULL, "0");
-  number_json(j, NULL, o, 9, s, digits);
-  json_end_array(j);
-  fate_json(j, o, admissible, u);
-  for (int i = 10; i < ORBIT_NUMBERS; i++) number_json(j, orbit_number_name(i), o, i, s, digits);
+  orbit_numbers_json(j, o, print_number, s, digits, admissible, u);
   dyn_orbit_radius(radius, o);
   proof_json(j, proof->certified, radius);
   if (basin) basin_json(j, o, s);

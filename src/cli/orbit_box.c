@@ -91,25 +91,11 @@ static truth box_admissible(truth u[2], const struct scene *s, const struct dyn_
   return TRUTH_UNKNOWN;
 }
 
-static void json_middle(struct json *j, const struct dyn_orbit *o, int i, const struct scene *s, slong digits) {
-  json_begin_string(j, orbit_number_name(i));
-  add_number_middle(j->out, o, i, s, digits);
-  json_end_string(j);
-}
-
 static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const struct scene *s, slong digits) {
   const struct dyn_orbit *o = &b->orbit;
   truth u[2], admissible = box_admissible(u, s, b);
   json_object(j, NULL);
-  for (int i = 0; i < 10; i++) json_middle(j, o, i, s, digits);
-  json_array(j, "eigenvalues");
-  json_string(j, NULL, "0");
-  json_begin_string(j, NULL);
-  add_middle(j->out, o->trace, digits);
-  json_end_string(j);
-  json_end_array(j);
-  fate_json(j, o, admissible, u);
-  for (int i = 10; i < ORBIT_NUMBERS; i++) json_middle(j, o, i, s, digits);
+  orbit_numbers_json(j, o, add_number_middle, s, digits, admissible, u);
   json_bool(j, "certified", false);
   json_null(j, "radius");
   json_truth(j, "of_word", b->word);

@@ -6,8 +6,12 @@
 #include "value/solved.h"
 
 enum { MOST_BOX_DIGITS = 20 };
-/* stable, admissible and the violations; u: whether the given u_r1, u_r2 exceed their bounds. */
-void fate_json(struct json *j, const struct dyn_orbit *o, truth admissible, const truth u[2]);
+/* Prints the i-th number of an orbit. */
+typedef void number_printer(struct text *out, const struct dyn_orbit *o, int i, const struct scene *s, slong digits);
+/* All of them by name, the eigenvalues, whether it is stable and admissible, and the violations; u: whether the given
+   u_r1, u_r2 exceed their bounds. */
+void orbit_numbers_json(struct json *j, const struct dyn_orbit *o, number_printer *print, const struct scene *s,
+                        slong digits, truth admissible, const truth u[2]);
 /* admissible or not; under which condition, where the scene leaves u_r1 or u_r2 open */
 void admissible_text(struct text *out, truth admissible, const struct scene *s);
 /* orbit --basin */

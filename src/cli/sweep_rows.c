@@ -9,13 +9,10 @@
 #include "sweep.h"
 
 /* Columns, in the order of the contract. */
-static const struct {
-  const char *name;
-  enum dyn_output out;
-} column[N_DYN_OUT] = {{"z10", DYN_OUT_Z10},       {"z20", DYN_OUT_Z20},     {"t_a", DYN_OUT_TA},
-                       {"t_b", DYN_OUT_TB},        {"t_c", DYN_OUT_TC},      {"t_d", DYN_OUT_TD},
-                       {"period", DYN_OUT_PERIOD}, {"trace", DYN_OUT_TRACE}, {"u_r1_min", DYN_OUT_U1},
-                       {"u_r2_min", DYN_OUT_U2}};
+static const char *const column[N_DYN_OUT] = {
+    [DYN_OUT_Z10] = "z10",     [DYN_OUT_Z20] = "z20",    [DYN_OUT_TA] = "t_a",        [DYN_OUT_TB] = "t_b",
+    [DYN_OUT_TC] = "t_c",      [DYN_OUT_TD] = "t_d",     [DYN_OUT_PERIOD] = "period", [DYN_OUT_TRACE] = "trace",
+    [DYN_OUT_U1] = "u_r1_min", [DYN_OUT_U2] = "u_r2_min"};
 
 static const char *axis_name(const struct sweep *q, int i) {
   return scene_key_name[q->range[i].vary];
@@ -48,7 +45,7 @@ static void head_csv(struct text *out, const struct sweep *q) {
               q->all ? "all" : "admissible", (long)q->every, (long)q->digits);
   for (int i = 0; i < q->n_axes; i++) text_printf(out, ",%s", axis_name(q, i));
   text_add(out, ",orbit");
-  for (int i = 0; i < N_DYN_OUT; i++) text_printf(out, ",%s", column[i].name);
+  for (int i = 0; i < N_DYN_OUT; i++) text_printf(out, ",%s", column[i]);
   text_add(out, ",stable,admissible,violations,status\n");
 }
 
@@ -124,7 +121,7 @@ static void member_csv(struct text *out, const struct dyn_member *m, slong numbe
   add_number(out, (double)number, digits);
   for (int i = 0; i < N_DYN_OUT; i++) {
     text_add_char(out, ',');
-    add_number(out, m->out[column[i].out], digits);
+    add_number(out, m->out[i], digits);
   }
   text_add(out, word[m->stable]);
   text_add(out, word[dyn_member_admissible(m)]);
@@ -160,8 +157,8 @@ static void member_json(struct json *j, const struct dyn_member *m, slong digits
   char shown[DECIMAL_MAX];
   json_object(j, NULL);
   for (int i = 0; i < N_DYN_OUT; i++) {
-    decimal_digits(shown, m->out[column[i].out], (int)digits);
-    json_string(j, column[i].name, shown);
+    decimal_digits(shown, m->out[i], (int)digits);
+    json_string(j, column[i], shown);
   }
   json_truth(j, "stable", m->stable);
   json_truth(j, "admissible", dyn_member_admissible(m));
