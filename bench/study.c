@@ -1,7 +1,6 @@
 /* Tables of studies, and what is written from them.  A table is kept as the TSV that it ends as. */
 #include "bench/study.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,22 +33,20 @@ struct study_table *study_table(struct study_page *page, const char *id, const c
   return t;
 }
 
-void study_text(struct study_table *t, const char *fmt, ...) {
-  char cell[400];
+void study_cells(struct study_table *t, const char *fmt, ...) {
+  static const char *const not_finite[] = {"nan", "inf", "-nan", "-inf"};
+  struct text all = {0};
   va_list list;
   va_start(list, fmt);
-  vsnprintf(cell, sizeof cell, fmt, list);
+  text_vprintf(&all, fmt, list);
   va_end(list);
-  if (t->open) text_add_char(&t->tsv, '\t');
-  text_add(&t->tsv, cell);
-  t->open = true;
-}
-
-void study_number(struct study_table *t, double x, int digits) {
-  if (isfinite(x))
-    study_text(t, "%.*g", digits, x);
-  else
-    study_text(t, "-");
+  for (char *cell = all.data, *tab; cell; cell = tab ? tab + 1 : NULL) {
+    tab = strchr(cell, '\t');
+    if (tab) *tab = '\0';
+    text_printf(&t->tsv, "%s%s", t->open ? "\t" : "", word_find(cell, not_finite, 4) < 4 ? "-" : cell);
+    t->open = true;
+  }
+  text_clear(&all);
 }
 
 void study_row(struct study_table *t) {

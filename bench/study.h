@@ -43,9 +43,8 @@ void study_clear(struct study_page *page);
 /* A table of the page; columns: names separated by tabs. */
 struct study_table *study_table(struct study_page *page, const char *id, const char *title, const char *columns,
                                 const char *note);
-/* The next cell of the row; study_row ends it.  Numbers: digits significant ones; what is not finite is "-". */
-void study_text(struct study_table *t, const char *fmt, ...) SS_PRINTF(2, 3);
-void study_number(struct study_table *t, double x, int digits);
+/* The next cells of the row, with tabs between them; a number that is not finite is "-".  study_row ends it. */
+void study_cells(struct study_table *t, const char *fmt, ...) SS_PRINTF(2, 3);
 void study_row(struct study_table *t);
 
 void study_markdown(struct text *out, const struct study_page *page, bool files);

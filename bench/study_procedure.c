@@ -22,8 +22,8 @@ enum { PREC = THREE_WAYS_BITS };
 
 static void add_lost(struct study_table *t, const struct three_ways *l) {
   const double k[] = {l->k_paper, l->k_n1, l->k_n3, l->k_six, l->k_map}, d[] = {l->paper, l->six, l->map};
-  for (int i = 0; i < COUNT(k); i++) study_number(t, k[i], 3);
-  for (int i = 0; i < COUNT(d); i++) study_text(t, isfinite(d[i]) ? "%.1f" : "fails", d[i]);
+  for (int i = 0; i < COUNT(k); i++) study_cells(t, "%.3g", k[i]);
+  for (int i = 0; i < COUNT(d); i++) study_cells(t, isfinite(d[i]) ? "%.1f" : "fails", d[i]);
   study_row(t);
 }
 
@@ -71,12 +71,8 @@ static const char *const ways[] = {"(45), first", "(45), second", "t_b and t_c"}
 static void add_digits(struct tables *all, const char *scene, slong number, int digits, int way,
                        const struct printed_digits *d) {
   struct study_table *t = all->printed;
-  study_text(t, "%s\t%ld\t%d\t%s", scene, (long)number + 1, digits, ways[way]);
-  for (int i = 0; i < N_WANTED; i++) {
-    study_text(t, "%.1f", d->printed[i]);
-    study_text(t, "%.1f", d->worst[i]);
-    study_text(t, isnan(d->sure[i]) ? "-" : "%.1f", d->sure[i]);
-  }
+  study_cells(t, "%s\t%ld\t%d\t%s", scene, (long)number + 1, digits, ways[way]);
+  for (int i = 0; i < N_WANTED; i++) study_cells(t, "%.1f\t%.1f\t%.1f", d->printed[i], d->worst[i], d->sure[i]);
   study_row(t);
 }
 
@@ -131,7 +127,7 @@ static void add_raises(struct study_page *page, const struct tables *all) {
   for (int k = 0; k < COUNT(asked); k++) {
     const struct planned *p = &all->planned[k];
     if (p->orbits == 0) continue;
-    study_text(t, "%d\t%ld\t%ld\t%ld", asked[k], p->orbits, p->raises, p->most);
+    study_cells(t, "%d\t%ld\t%ld\t%ld", asked[k], p->orbits, p->raises, p->most);
     study_row(t);
   }
 }
@@ -153,8 +149,7 @@ static void study_scene(struct tables *all, const struct scene *s) {
       struct three_ways l;
       if (fabs(num_arb.get_d(near->z10) - num_arb.get_d(o->z10)) > 1e-6 * (1 + fabs(num_arb.get_d(o->z10)))) continue;
       three_ways(&l, f.p, f.exact, near);
-      study_text(all->conditions, "%s\t%ld", s->name, (long)i + 1);
-      study_number(all->conditions, num_arb.get_d(near->trace), 6);
+      study_cells(all->conditions, "%s\t%ld\t%.6g", s->name, (long)i + 1, num_arb.get_d(near->trace));
       add_lost(all->conditions, &l);
       all->orbits++;
       all->failed += isnan(l.paper);
@@ -283,9 +278,7 @@ static bool study_line(struct tables *all) {
         struct three_ways l;
         if (f.list.orbit[i].admissible != TRUTH_TRUE) continue;
         three_ways(&l, f.p, f.exact, &f.list.orbit[i]);
-        study_text(all->singular, "1e-%02d", k);
-        study_number(all->singular, fmpq_get_d(tb), 15);
-        study_number(all->singular, num_arb.get_d(f.list.orbit[i].trace), 6);
+        study_cells(all->singular, "1e-%02d\t%.15g\t%.6g", k, fmpq_get_d(tb), num_arb.get_d(f.list.orbit[i].trace));
         add_lost(all->singular, &l);
       }
       found_clear(&f);
@@ -312,8 +305,8 @@ static void summarize(struct tables *all) {
       }
       if (n == 0) continue;
       double middle = bench_median(x, n);
-      study_text(all->summary, "%d\t%s\t%d\t%.1f\t%.1f\t%.1f\t%d", counts[k], ways[way], n, x[0], middle, x[n - 1],
-                 none);
+      study_cells(all->summary, "%d\t%s\t%d\t%.1f\t%.1f\t%.1f\t%d", counts[k], ways[way], n, x[0], middle, x[n - 1],
+                  none);
       study_row(all->summary);
     }
   free(x);

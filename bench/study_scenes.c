@@ -130,14 +130,8 @@ static bool add_scene(struct study_table *t, const char *name, const char *data,
   ok = ok && (other || run_scene(&p, name, repeats, ENOUGH_MS));
   if (ok && !other) {
     describe_asked(&asked, &s);
-    study_text(t, "%s", name);
-    study_text(t, "%.300s", text_str(&asked));
-    study_number(t, p.ms, 3);
-    study_number(t, p.ms / whole->ms, 2);
-    study_number(t, p.megabytes, 3);
-    study_number(t, p.megabytes / whole->megabytes, 2);
-    study_text(t, "%ld", p.left_out);
-    study_text(t, "%s", p.what);
+    study_cells(t, "%s\t%.300s\t%.3g\t%.2g\t%.3g\t%.2g\t%ld\t%s", name, text_str(&asked), p.ms, p.ms / whole->ms,
+                p.megabytes, p.megabytes / whole->megabytes, p.left_out, p.what);
     study_row(t);
   }
   scene_clear(&s);
@@ -205,10 +199,7 @@ static bool add_costs(struct study_page *page, const struct bench_env *env, doub
                                       "In the order in which one process does them: the first to need orbits pays for "
                                       "them. Units: src/base/work.h. This table is verify/costs.tsv.");
   for (size_t i = 0; ok && i < c.n; i++) {
-    study_text(t, "%s", c.item[i].what);
-    study_text(t, "%s", c.item[i].name);
-    study_text(t, "%.0f", c.item[i].units);
-    study_text(t, "%.2f", c.item[i].ms);
+    study_cells(t, "%s\t%s\t%.0f\t%.2f", c.item[i].what, c.item[i].name, c.item[i].units, c.item[i].ms);
     study_row(t);
   }
   free(c.item);
@@ -228,8 +219,7 @@ static bool add_alone(struct study_page *page, const struct bench_env *env, doub
     double ms = INFINITY;
     const char *id = env->claims->claim[i].id;
     for (int k = 0; ok && k < repeats; k++) ok = audit_once(&ms, env, &id, NULL);
-    study_text(t, "%s", id);
-    study_number(t, ms, 3);
+    study_cells(t, "%s\t%.3g", id, ms);
     study_row(t);
     sum += ms;
     if (ms > dearest) name = id;

@@ -242,13 +242,13 @@ enum { DECADES = 8, QUICK_SOLVER = 1 }; /* quick runs go without the first */
 static void add_run(struct study_table *t, const struct reference *ref, enum smooth_law law, int decade,
                     const char *solver, const struct motion *o) {
   bool periodic = strncmp(o->state, "periodic", 8) == 0;
-  study_text(t, "%s\t%s\t1e%d\t%s\t%s\t%d", ref->name, smooth_law_name[law], decade, solver, o->state, o->returns);
-  study_number(t, periodic ? o->period : NAN, 10);
-  study_number(t, periodic ? fabs(o->period - ref->period) / ref->period : NAN, 3);
-  study_number(t, periodic ? distance(o->y, ref->y) : NAN, 3);
-  study_number(t, periodic ? o->creep : NAN, 3);
-  study_number(t, (double)o->steps / fmax(1, o->returns), 4);
-  study_number(t, o->seconds, 3);
+  study_cells(t, "%s\t%s\t1e%d\t%s\t%s\t%d", ref->name, smooth_law_name[law], decade, solver, o->state, o->returns);
+  if (periodic)
+    study_cells(t, "%.10g\t%.3g\t%.3g\t%.3g", o->period, fabs(o->period - ref->period) / ref->period,
+                distance(o->y, ref->y), o->creep);
+  else
+    study_cells(t, "-\t-\t-\t-");
+  study_cells(t, "%.4g\t%.3g", (double)o->steps / fmax(1, o->returns), o->seconds);
   study_row(t);
 }
 
@@ -264,13 +264,8 @@ static double rate(const double *x, int k) {
 static void add_rates(struct study_table *t, const struct reference *ref, enum smooth_law law, const struct fall *f,
                       int decades) {
   for (int k = 1; k <= decades; k++) {
-    study_text(t, "%s\t%s\t1e%d", ref->name, smooth_law_name[law], k);
-    study_number(t, f->period[k], 3);
-    study_number(t, rate(f->period, k), 3);
-    study_number(t, f->state[k], 3);
-    study_number(t, rate(f->state, k), 3);
-    study_number(t, f->creep[k], 3);
-    study_number(t, rate(f->creep, k), 3);
+    study_cells(t, "%s\t%s\t1e%d\t%.3g\t%.3g\t%.3g\t%.3g\t%.3g\t%.3g", ref->name, smooth_law_name[law], k, f->period[k],
+                rate(f->period, k), f->state[k], rate(f->state, k), f->creep[k], rate(f->creep, k));
     study_row(t);
   }
 }
@@ -345,14 +340,9 @@ static bool run_smooth(struct study_page *page, const struct bench_env *env) {
     struct reference ref;
     good = load_reference(&ref, scenes[i], i == 1, env) && good;
     if (!good) break;
-    study_text(orbits, "%s", ref.name);
-    study_number(orbits, ref.period, 12);
-    study_number(orbits, ref.trace, 6);
-    for (int k = 0; k < 2; k++) {
-      study_number(orbits, ref.limit[k] - ref.p[P_E1 + k], 6);
-      study_number(orbits, ref.limit[k], 6);
-    }
-    study_number(orbits, ref.level / ref.p[P_V], 6);
+    study_cells(orbits, "%s\t%.12g\t%.6g", ref.name, ref.period, ref.trace);
+    for (int k = 0; k < 2; k++) study_cells(orbits, "%.6g\t%.6g", ref.limit[k] - ref.p[P_E1 + k], ref.limit[k]);
+    study_cells(orbits, "%.6g", ref.level / ref.p[P_V]);
     study_row(orbits);
     for (int law = 0; law < N_LAWS; law++) {
       struct fall fall;

@@ -185,32 +185,21 @@ static const int few_decades[] = {-12, -6, 0, 6, 12};
 enum { FIRST_DECADE = -12, LAST_DECADE = 12, MOST_SCENES = LAST_DECADE - FIRST_DECADE + 1 };
 
 static void add_scene(struct study_table *t, const struct scene_at *s) {
-  study_text(t, "1e%+d", s->decade);
-  study_text(t, "%d", s->tried);
+  study_cells(t, "1e%+d\t%d", s->decade, s->tried);
   if (!s->found) {
-    study_text(t, "no admissible orbit that is certified among these");
+    study_cells(t, "no admissible orbit that is certified among these");
     study_row(t);
     return;
   }
-  study_number(t, s->p[P_E1], 17);
-  study_number(t, s->p[P_E2], 17);
-  study_number(t, s->ta, 6);
-  for (int k = 0; k < 3; k++) study_number(t, s->t[k], 6);
-  study_number(t, s->t[TC] * sqrt(1 + s->p[P_CHI] * s->p[P_ETA]), 3);
-  study_number(t, s->trace, 9);
-  study_text(t, "%ld", (long)s->bits);
+  study_cells(t, "%.17g\t%.17g\t%.6g\t%.6g\t%.6g\t%.6g\t%.3g\t%.9g\t%ld", s->p[P_E1], s->p[P_E2], s->ta, s->t[TB],
+              s->t[TC], s->t[TD], s->t[TC] * sqrt(1 + s->p[P_CHI] * s->p[P_ETA]), s->trace, (long)s->bits);
   study_row(t);
 }
 
 static void add_run(struct study_table *t, const struct scene_at *s, const struct bench_method *m, double tolerance,
                     const struct outcome *o) {
-  study_text(t, "1e%+d", s->decade);
-  study_text(t, "%s", m->id);
-  study_number(t, integrates(m) ? tolerance : NAN, 1);
-  study_text(t, "%s", o->state);
-  study_number(t, o->error, 2);
-  study_text(t, "%ld", o->steps);
-  study_number(t, o->seconds, 3);
+  study_cells(t, "1e%+d\t%s\t%.1g\t%s\t%.2g\t%ld\t%.3g", s->decade, m->id, integrates(m) ? tolerance : NAN, o->state,
+              o->error, o->steps, o->seconds);
   study_row(t);
 }
 
@@ -287,17 +276,16 @@ static bool run(struct study_page *page, const struct bench_env *env) {
       }
       int tighter = 0;
       while (tighter < settings && o[settings - 1 - tighter].word) tighter++;
-      study_text(words, "1e%+d", s.decade);
-      study_text(words, "%s", method_id[k]);
-      study_text(words, !tighter ? "none" : integrates(m) ? "%.0e" : "-", tolerance[tighter ? settings - tighter : 0]);
-      study_text(words, "%d of %d", tighter, settings);
+      study_cells(words, "1e%+d\t%s", s.decade, method_id[k]);
+      study_cells(words, !tighter ? "none" : integrates(m) ? "%.0e" : "-", tolerance[tighter ? settings - tighter : 0]);
+      study_cells(words, "%d of %d", tighter, settings);
       study_row(words);
     }
     num_vec_clear(&s.truth);
   }
   for (int k = 0; k < N_METHODS; k++) {
     const struct sums *c = &sums[k];
-    study_text(totals, "%s\t%d\t%d\t%d\t%d\t%d", method_id[k], c->runs, c->word, c->late, c->early, c->given_up);
+    study_cells(totals, "%s\t%d\t%d\t%d\t%d\t%d", method_id[k], c->runs, c->word, c->late, c->early, c->given_up);
     study_row(totals);
   }
   for (int k = 0; k < N_METHODS; k++)

@@ -40,9 +40,8 @@ static void time_orbit(struct known *k) {
 }
 
 static void add_row(struct study_table *t, const struct known *k) {
-  study_text(t, "%d\t%d\t%d", k->m.n, k->found.word.n, k->found.word.n + k->found.n_free);
-  study_number(t, k->solve, 3);
-  study_number(t, k->judge, 3);
+  study_cells(t, "%d\t%d\t%d\t%.3g\t%.3g", k->m.n, k->found.word.n, k->found.word.n + k->found.n_free, k->solve,
+              k->judge);
   study_row(t);
 }
 
@@ -92,7 +91,7 @@ static bool run_files(struct study_page *page, const struct bench_env *env) {
     struct known k = {.solve = 0};
     bool ok = load(&k, on_file[i].name, on_file[i].word, env);
     if (ok) {
-      study_text(t, "%s", on_file[i].name);
+      study_cells(t, "%s", on_file[i].name);
       add_row(t, &k);
     }
     if (ok && on_file[i].goal > 0)

@@ -28,12 +28,12 @@ START_TEST(a_table_is_what_was_put_in) {
   struct text out;
   text_init(&out);
   struct study_table *t = study_table(&page, "t", "A table", "a\tab\tb", "Three columns.");
-  study_text(t, "%d\t%s", 1, "two");
-  study_number(t, 1.0 / 3, 3);
+  study_cells(t, "%d\t%s", 1, "two");
+  study_cells(t, "%.3g", 1.0 / 3);
   study_row(t);
-  study_number(t, NAN, 3);
-  study_number(t, INFINITY, 3);
-  study_text(t, "x");
+  study_cells(t, "%.3g", NAN);
+  study_cells(t, "%.3g", INFINITY);
+  study_cells(t, "x");
   study_row(t);
   struct rows rows;
   rows_parse(&rows, text_str(&t->tsv));
