@@ -238,7 +238,7 @@ double bench_median(double *x, int n);
 /* --- Output; everything said in words comes from the rows. --- */
 
 /* What report.c and pages.c print alike. */
-void bench_add_error(struct text *out, double log);                  /* an error from its log10 */
+const char *bench_error(char buffer[24], double log);                /* an error from its log10 */
 void bench_add_setting(struct text *out, const struct bench_row *r); /* "128", "1e-06"; nothing without one */
 void bench_add_state(struct text *out, const struct bench_row *r);   /* "ok", or why not and how often */
 const char *bench_outcome_name(enum bench_outcome o);                /* "met", "not met", ... */

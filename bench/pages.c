@@ -2,6 +2,7 @@
    from their goals, what verdicts cost, the machine; each job has a page of its own.  Every number, and every sentence
    that depends on one, is made from the rows. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,19 +11,17 @@
 #include "report/sheet.h"
 
 /* A time with three digits and its unit. */
-static void add_time(struct text *out, double ns) {
+static const char *time_text(char buffer[24], double ns) {
   static const struct {
     double size;
     const char *name;
   } unit[] = {{1e9, "s"}, {1e6, "ms"}, {1e3, "us"}, {0, "ns"}};
-  if (!isfinite(ns)) {
-    text_add(out, "-");
-    return;
-  }
+  if (!isfinite(ns)) return "-";
   int k = 0;
   while (ns < unit[k].size) k++;
   double x = unit[k].size > 0 ? ns / unit[k].size : ns;
-  text_printf(out, "%.*f %s", x < 10 ? 2 : x < 100 ? 1 : 0, x, unit[k].name);
+  snprintf(buffer, 24, "%.*f %s", x < 10 ? 2 : x < 100 ? 1 : 0, x, unit[k].name);
+  return buffer;
 }
 
 static void add_kind_and_setting(struct text *out, const struct bench_row *r) {
@@ -34,11 +33,11 @@ static void add_kind_and_setting(struct text *out, const struct bench_row *r) {
 /* --- Which method. --- */
 
 static void add_choice(struct text *out, const struct bench_row *r) {
+  char time[24];
   text_printf(out, " | %s", r ? r->method->id : "none");
   if (r && r->method->kind != SET_NONE) text_add(out, ", ");
   if (r) add_kind_and_setting(out, r);
-  text_add(out, " | ");
-  add_time(out, r ? r->least_ns : NAN);
+  text_printf(out, " | %s", time_text(time, r ? r->least_ns : NAN));
 }
 
 static void guide(struct text *out, const struct bench_result *r) {
@@ -127,54 +126,56 @@ static int by_seconds(const void *x, const void *y) {
   return (a->seconds < b->seconds) - (a->seconds > b->seconds);
 }
 
-/* The claims that take longest, which is where to look first. */
+enum { SHOWN = 12 };
+
+/* The claims that take longest in work of that kind, which is where to look first: of each the last row, when it is
+   good.  An array to be freed; *failed: rows that are not good. */
+static const struct bench_work **longest(size_t *n, size_t *failed, const struct bench_verdicts *v,
+                                         enum bench_work_kind kind) {
+  const struct bench_work **last = ss_malloc((v->n + 1) * sizeof *last);
+  *n = *failed = 0;
+  for (size_t i = 0; i < v->n; i++) {
+    const struct bench_work *w = &v->work[i], *next = i + 1 < v->n ? w + 1 : NULL;
+    if (w->kind != kind) continue;
+    *failed += !w->good;
+    bool ends = !next || next->kind != kind || strcmp(next->id, w->id) != 0;
+    if (ends && w->good) last[(*n)++] = w;
+  }
+  qsort(last, *n, sizeof(const struct bench_work *), by_seconds);
+  return last;
+}
+
 static void longest_claims(struct text *out, const struct bench_verdicts *v) {
-  enum { SHOWN = 12 };
-  const struct bench_work **claim = ss_malloc((v->n + 1) * sizeof *claim);
-  size_t n = 0;
-  for (size_t i = 0; i < v->n; i++)
-    if (v->work[i].kind == WORK_CLAIM && v->work[i].good) claim[n++] = &v->work[i];
-  qsort(claim, n, sizeof(const struct bench_work *), by_seconds);
+  size_t n, failed;
+  const struct bench_work **claim = longest(&n, &failed, v, WORK_CLAIM);
+  char time[24];
   text_printf(
       out,
       "\nClaims judged one by one (those with a suffix together with their first): %zu. Those that take longest:\n\n",
       n);
   markdown_head(out, "claim|time:");
-  for (size_t i = 0; i < n && i < SHOWN; i++) {
-    text_printf(out, "| %s | ", claim[i]->id);
-    add_time(out, 1e9 * claim[i]->seconds);
-    text_add(out, " |\n");
-  }
+  for (size_t i = 0; i < n && i < SHOWN; i++)
+    text_printf(out, "| %s | %s |\n", claim[i]->id, time_text(time, 1e9 * claim[i]->seconds));
   free(claim);
 }
 
-/* The claims whose sides take longest, by digits. */
+/* By digits. */
 static void longest_sides(struct text *out, const struct bench_verdicts *v) {
-  enum { SHOWN = 12 };
-  const struct bench_work **last = ss_malloc((v->n + 1) * sizeof *last);
-  size_t n = 0, n_failed = 0;
-  for (size_t i = 0; i < v->n; i++) {
-    const struct bench_work *w = &v->work[i], *next = i + 1 < v->n ? w + 1 : NULL;
-    if (w->kind != WORK_SIDES) continue;
-    n_failed += !w->good;
-    bool ends = !next || next->kind != WORK_SIDES || strcmp(next->id, w->id) != 0;
-    if (ends && w->good) last[n++] = w;
-  }
-  qsort(last, n, sizeof(const struct bench_work *), by_seconds);
-  if (n + n_failed > 0) {
+  size_t n, failed;
+  const struct bench_work **last = longest(&n, &failed, v, WORK_SIDES);
+  char time[24];
+  if (n + failed > 0) {
     text_printf(
         out, "\nBoth sides of %zu claims, each alone (times that could not be had: %zu). Those that take longest:\n\n",
-        n, n_failed);
+        n, failed);
     markdown_head(out, "claim|time to so many digits");
   }
   for (size_t i = 0; i < n && i < SHOWN; i++) {
     const struct bench_work *w = last[i];
     while (w > v->work && w[-1].kind == WORK_SIDES && strcmp(w[-1].id, w->id) == 0) w--;
     text_printf(out, "| %s | ", w->id);
-    for (; w <= last[i]; w++) {
-      add_time(out, 1e9 * w->seconds);
-      text_printf(out, " to %ld%s", w->size, w < last[i] ? ", " : " |\n");
-    }
+    for (; w <= last[i]; w++)
+      text_printf(out, "%s to %ld%s", time_text(time, 1e9 * w->seconds), w->size, w < last[i] ? ", " : " |\n");
   }
   free(last);
 }
@@ -198,9 +199,8 @@ static void verdicts(struct text *out, const struct bench_verdicts *v, bool file
   for (size_t i = 0; i < v->n; i++) {
     const struct bench_work *w = &v->work[i];
     if (w->kind >= WORK_CLAIM) continue;
-    text_printf(out, "| %s | %ld | ", bench_work_name[w->kind], w->size);
-    add_time(out, 1e9 * w->seconds);
-    text_add(out, " | ");
+    char time[24];
+    text_printf(out, "| %s | %ld | %s | ", bench_work_name[w->kind], w->size, time_text(time, 1e9 * w->seconds));
     if (!w->good)
       text_add(out, "failed");
     else if (isfinite(growth(v, i)))
@@ -214,16 +214,12 @@ static void verdicts(struct text *out, const struct bench_verdicts *v, bool file
 /* --- A job. --- */
 
 static void add_row(struct text *out, const struct bench_row *r, bool whole) {
+  char worst[24], median[24], least_time[24], median_time[24];
   text_printf(out, "| %s | ", r->method->id);
   add_kind_and_setting(out, r);
-  text_add(out, " | ");
-  bench_add_error(out, r->worst);
-  text_add(out, " | ");
-  bench_add_error(out, r->failure ? NAN : r->median);
-  text_add(out, " | ");
-  add_time(out, r->least_ns);
-  text_add(out, " | ");
-  add_time(out, r->median_ns);
+  text_printf(out, " | %s | %s | %s | %s", bench_error(worst, r->worst),
+              bench_error(median, r->failure ? NAN : r->median), time_text(least_time, r->least_ns),
+              time_text(median_time, r->median_ns));
   if (whole) {
     text_add(out, " | ");
     if (isfinite(r->steps)) text_printf(out, "%.3g", r->steps);
@@ -266,11 +262,10 @@ static void costs(struct text *out, const struct bench_table *t) {
                 "settings.\n\n");
   markdown_head(out, "MPFR|balls|digits:|MPFR's time:|balls' time:|ratio:");
   for (int i = 0; i < n; i++) {
-    text_printf(out, "| %s | %s | %.0f | ", cost[i].plain, cost[i].balls, floor(cost[i].digits));
-    add_time(out, cost[i].plain_ns);
-    text_add(out, " | ");
-    add_time(out, cost[i].balls_ns);
-    text_printf(out, " | %.2f |\n", cost[i].balls_ns / cost[i].plain_ns);
+    char plain[24], balls[24];
+    text_printf(out, "| %s | %s | %.0f | %s | %s | %.2f |\n", cost[i].plain, cost[i].balls, floor(cost[i].digits),
+                time_text(plain, cost[i].plain_ns), time_text(balls, cost[i].balls_ns),
+                cost[i].balls_ns / cost[i].plain_ns);
   }
 }
 

@@ -8,17 +8,15 @@
 #include "bench/bench.h"
 
 /* An error from its log10, which may lie below the range of a double. */
-void bench_add_error(struct text *out, double log) {
-  if (!isfinite(log)) {
-    text_add(out, log < 0 ? "0" : "-");
-    return;
-  }
+const char *bench_error(char buffer[24], double log) {
+  if (!isfinite(log)) return log < 0 ? "0" : "-";
   double whole = floor(log), lead = pow(10, log - whole);
   if (lead >= 9.95) {
     lead = 1;
     whole++;
   }
-  text_printf(out, "%.1fe%+03d", lead, (int)whole);
+  snprintf(buffer, 24, "%.1fe%+03d", lead, (int)whole);
+  return buffer;
 }
 
 void bench_add_setting(struct text *out, const struct bench_row *r) {
@@ -31,12 +29,11 @@ static const char *arithmetic_of(const struct bench_method *m) {
   return m->type ? m->type->name : m->arithmetic;
 }
 
-/* Five digits, or a word for what is not known. */
-static void add_number(struct text *out, double x, const char *unknown) {
-  if (isfinite(x))
-    text_printf(out, "%.5g", x);
-  else
-    text_add(out, unknown);
+/* Five digits; NULL for what is not known. */
+static const char *number(char buffer[24], double x) {
+  if (!isfinite(x)) return NULL;
+  snprintf(buffer, 24, "%.5g", x);
+  return buffer;
 }
 
 /* "ok", or what went wrong and how often. */
@@ -55,20 +52,15 @@ void bench_tsv(struct text *out, const struct bench_table *t) {
                 "ns_median\tsteps\tcalls\tfront\n");
   for (int i = 0; i < t->n; i++) {
     const struct bench_row *r = &t->row[i];
+    char worst[24], median[24], least_ns[24], median_ns[24];
     text_printf(out, "%s\t%s\t%s\t%s\t", t->job->id, r->method->id, arithmetic_of(r->method),
                 bench_kind_name[r->method->kind]);
     bench_add_setting(out, r);
     text_add(out, "\t");
     bench_add_state(out, r);
-    text_printf(out, "\t%d\t%d\t", r->cases, r->failures);
-    bench_add_error(out, r->worst);
-    text_add(out, "\t");
-    bench_add_error(out, r->failure ? NAN : r->median);
-    text_add(out, "\t");
-    add_number(out, r->least_ns, "-");
-    text_add(out, "\t");
-    add_number(out, r->median_ns, "-");
-    text_add(out, "\t");
+    text_printf(out, "\t%d\t%d\t%s\t%s\t%s\t%s\t", r->cases, r->failures, bench_error(worst, r->worst),
+                bench_error(median, r->failure ? NAN : r->median), or_dash(number(least_ns, r->least_ns)),
+                or_dash(number(median_ns, r->median_ns)));
     if (isfinite(r->steps)) text_printf(out, "%.4g", r->steps);
     text_printf(out, "\t%ld\t%s\n", r->calls, r->front ? "yes" : "no");
   }
@@ -78,35 +70,31 @@ void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v) {
   text_add(out, "work\tid\tsize\tseconds\n");
   for (size_t i = 0; i < v->n; i++) {
     const struct bench_work *w = &v->work[i];
-    text_printf(out, "%s\t%s\t%ld\t", bench_work_name[w->kind], w->id, w->size);
-    add_number(out, w->seconds, "failed");
-    text_add(out, "\n");
+    char buffer[24];
+    const char *seconds = number(buffer, w->seconds);
+    text_printf(out, "%s\t%s\t%ld\t%s\n", bench_work_name[w->kind], w->id, w->size, seconds ? seconds : "failed");
   }
 }
 
 /* --- JSON. --- */
 
 static void json_number(struct json *w, const char *key, double x) {
-  struct text t = {0};
-  add_number(&t, x, "");
-  json_string(w, key, isfinite(x) ? text_str(&t) : NULL);
-  text_clear(&t);
+  char buffer[24];
+  json_string(w, key, number(buffer, x));
 }
 
 static void json_error(struct json *w, const char *key, const struct bench_row *r, double log) {
-  struct text t = {0};
-  bench_add_error(&t, log);
-  json_string(w, key, r->failure ? NULL : text_str(&t));
-  text_clear(&t);
+  char buffer[24];
+  json_string(w, key, r->failure ? NULL : bench_error(buffer, log));
 }
 
 static void json_row(struct json *w, const struct bench_row *r) {
-  struct text t = {0};
   json_object(w, NULL);
   json_string(w, "method", r->method->id);
   json_number(w, "setting", r->method->kind == SET_NONE ? NAN : r->setting);
-  bench_add_state(&t, r);
-  json_string(w, "state", text_str(&t));
+  json_begin_string(w, "state");
+  bench_add_state(w->out, r);
+  json_end_string(w);
   json_long(w, "inputs", r->cases);
   json_long(w, "failures", r->failures);
   json_error(w, "error_worst", r, r->worst);
@@ -116,7 +104,6 @@ static void json_row(struct json *w, const struct bench_row *r) {
   json_number(w, "steps", r->steps);
   json_bool(w, "front", r->front);
   json_end_object(w);
-  text_clear(&t);
 }
 
 static void json_methods(struct json *w, const struct bench_table *t) {

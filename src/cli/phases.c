@@ -17,8 +17,7 @@ static void pad(struct text *out, size_t from, size_t width) {
 }
 
 /* Has the entry a digit that is known, or is it near zero?  A 0 for what is only not known would be read as a value.
-                                                             Fewer digits
-   can be undecided where more are known: one of 3.5. */
+   Fewer digits can be undecided where more are known: one of 3.5. */
 static bool is_told(const struct jacobian_matrix *a, int c, int e, slong digits) {
   const double near = 1e-3;
   const arb_struct *x = a->entry[c] + e;

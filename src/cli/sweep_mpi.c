@@ -11,10 +11,10 @@
 #include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "base/arena.h"
+#include "bench/bench.h"
 #include "sweep.h"
 
 enum { TAG_HELLO = 1, TAG_ALIVE, TAG_ROWS, TAG_UNIT };
@@ -73,12 +73,6 @@ int ranks_jobs(void) {
   return share < 1 ? 1 : share > MAX_JOBS ? MAX_JOBS : (int)share;
 }
 
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static bool arrived(MPI_Status *s, int from) {
   int any = 0;
   return MPI_Iprobe(from, MPI_ANY_TAG, MPI_COMM_WORLD, &any, s) == MPI_SUCCESS && any;
@@ -94,7 +88,7 @@ static bool receive(struct text *body, const MPI_Status *s) {
   char none = 0;
   char *to = len > 0 ? body->data : &none;
   if (MPI_Irecv(to, len, MPI_BYTE, s->MPI_SOURCE, s->MPI_TAG, MPI_COMM_WORLD, &request) != MPI_SUCCESS) return false;
-  for (double begun = now(); !done && now() - begun < LOST_AFTER;)
+  for (double begun = bench_now(); !done && bench_now() - begun < LOST_AFTER;)
     if (MPI_Test(&request, &done, MPI_STATUS_IGNORE) != MPI_SUCCESS) return false;
   if (!done) MPI_Cancel(&request);
   return done != 0;
@@ -138,11 +132,11 @@ static bool serve(const struct sweep *q, struct crew *crew, int jobs) {
   MPI_Status s;
   struct text rows = {0}, message = {0};
   bool ok = say_hello(q, jobs + 1);
-  double said = now(), heard = said;
+  double said = bench_now(), heard = said;
   while (ok && !sweep_stopped()) {
     slong unit = 0;
     while (ok && unit >= 0 && arrived(&s, 0)) {
-      heard = now();
+      heard = bench_now();
       ok = receive(&message, &s);
       if (!ok || s.MPI_TAG != TAG_UNIT) continue;
       memcpy(&unit, message.data, sizeof unit);
@@ -150,8 +144,8 @@ static bool serve(const struct sweep *q, struct crew *crew, int jobs) {
     }
     if (unit < 0) break;
     ok = ok && send_done(crew, &rows, &message);
-    if (now() - said >= ALIVE_EVERY) {
-      said = now();
+    if (bench_now() - said >= ALIVE_EVERY) {
+      said = bench_now();
       ok = ok && send_bytes(&ok, 0, 0, TAG_ALIVE) && said - heard < ORPHAN_AFTER;
     }
   }
@@ -190,7 +184,7 @@ struct helpers *helpers_open(const struct sweep *q) {
   *h = (struct helpers){.q = q, .n = ranks_count()};
   h->rank = ss_malloc((size_t)h->n * sizeof *h->rank);
   memset(h->rank, 0, (size_t)h->n * sizeof *h->rank);
-  for (int i = 0; i < h->n; i++) h->rank[i].heard = now();
+  for (int i = 0; i < h->n; i++) h->rank[i].heard = bench_now();
   text_init(&h->body);
   return h;
 }
@@ -262,14 +256,14 @@ bool helpers_take(struct helpers *h, slong *unit, bool *lost, struct text *rows)
       continue;
     }
     if (h->rank[rank].lost) continue;
-    h->rank[rank].heard = now();
+    h->rank[rank].heard = bench_now();
     if (s.MPI_TAG == TAG_HELLO) welcome(h, rank);
     if (s.MPI_TAG == TAG_ALIVE) send_bytes(h, 0, rank, TAG_ALIVE);
     if (s.MPI_TAG == TAG_ROWS && rows_of(h, rank, unit, rows)) return true;
   }
   for (int i = 1; i < h->n; i++) {
     struct helper *r = &h->rank[i];
-    if (!r->lost && now() - r->heard > LOST_AFTER) lose(h, i, "is lost");
+    if (!r->lost && bench_now() - r->heard > LOST_AFTER) lose(h, i, "is lost");
     if (!r->lost || r->n == 0) continue;
     *unit = r->has[--r->n];
     *lost = true;
