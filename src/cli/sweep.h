@@ -80,7 +80,6 @@ int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs);
 void ranks_open(void);
 void ranks_close(int status);
 int ranks_number(void); /* this one's */
-int ranks_count(void);
 /* --jobs where none is given: the processors of this machine shared among its ranks. */
 int ranks_jobs(void);
 /* Ranks other than 0: computes what rank 0 asks for until it asks for no more; an exit status. */

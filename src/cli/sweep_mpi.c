@@ -32,7 +32,7 @@ int ranks_number(void) {
   return rank;
 }
 
-int ranks_count(void) {
+static int ranks_count(void) {
   int n;
   MPI_Comm_size(MPI_COMM_WORLD, &n);
   return n;

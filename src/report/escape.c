@@ -4,6 +4,7 @@
 
 #include "base/arena.h"
 #include "escape.h"
+#include "sheet.h"
 
 /* --- HTML and XML --- */
 
@@ -141,6 +142,14 @@ void escape_tex(struct text *out, const char *s, size_t len) {
     else
       add_tex(out, s[i]);
   }
+}
+
+/* --- What a sheet is written in --- */
+
+void sheet_plain(const struct sheet *s, const char *text, size_t len) {
+  static void (*const escape[])(struct text *, const char *, size_t) = {
+      [DIALECT_MARKDOWN] = escape_markdown, [DIALECT_TEX] = escape_tex, [DIALECT_HTML] = escape_html};
+  escape[s->dialect](s->out, text, len);
 }
 
 /* --- CSV, Graphviz --- */

@@ -9,12 +9,6 @@
 #include "formula.h"
 #include "sheet.h"
 
-void sheet_plain(const struct sheet *s, const char *text, size_t len) {
-  static void (*const escape[])(struct text *, const char *, size_t) = {
-      [DIALECT_MARKDOWN] = escape_markdown, [DIALECT_TEX] = escape_tex, [DIALECT_HTML] = escape_html};
-  escape[s->dialect](s->out, text, len);
-}
-
 /* In Markdown a bar or a backtick cannot stand in code everywhere; such text is shown as it is. */
 static void add_code(const struct sheet *s, const char *code, size_t len) {
   static const char *const begin[] = {"`", "\\texttt{", "<code>"}, *const end[] = {"`", "}", "</code>"};

@@ -31,7 +31,7 @@ void sheet_text(const struct sheet *s, const char *text);
    V*t_a are typeset.  In HTML sheet_text does so too, and here a dollar sign is one. */
 void sheet_prose(const struct sheet *s, const char *text);
 void sheet_prose_n(const struct sheet *s, const char *text, size_t len);
-/* Escaped, so that it shows as it is. */
+/* Escaped, so that it shows as it is (escape.c). */
 void sheet_plain(const struct sheet *s, const char *text, size_t len);
 /* A text and a formula in HTML with marks in what has changed, as in formula_mathml; NULL for none. */
 void html_text(struct text *out, const char *text, const bool *changed);

@@ -19,10 +19,6 @@ const char *const piece_what[] = {"claim", "consequence", "control", "study", "s
 
 /* --- What is selected --- */
 
-bool run_is_whole(const struct audit_options *opt, const struct scene *s) {
-  return opt->n_only == 0 && s->asked.claims.n == 0 && s->asked.values.n == 0 && s->asked.routes.n == 0;
-}
-
 /* Whether --only and the scene both ask for the claim. */
 static bool run_selects(const struct audit_options *opt, const struct scene *s, const struct claim *c) {
   bool asked = s->asked.claims.n == 0 && (s->asked.values.n == 0 || opt->n_only > 0);

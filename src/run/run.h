@@ -56,7 +56,7 @@ bool judge_consequences(struct judge *j, const size_t *at, size_t n);
    some piece has used. */
 void skipped_describe(const struct judge *j, const struct claims *controls, const struct audit_options *opt,
                       const struct pieces *first, const struct pieces *second, unsigned touched);
-/* Whether nothing narrows the audit. */
+/* Whether nothing narrows the audit (skipped.c). */
 bool run_is_whole(const struct audit_options *opt, const struct scene *s);
 
 #endif

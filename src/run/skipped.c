@@ -9,6 +9,10 @@
 #include "record/routes.h"
 #include "run.h"
 
+bool run_is_whole(const struct audit_options *opt, const struct scene *s) {
+  return opt->n_only == 0 && s->asked.claims.n == 0 && s->asked.values.n == 0 && s->asked.routes.n == 0;
+}
+
 static size_t count(const struct pieces *p, enum piece_kind kind) {
   size_t n = 0;
   for (size_t i = 0; i < p->n; i++) n += p->item[i].kind == kind;
