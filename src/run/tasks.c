@@ -36,34 +36,21 @@ static void *pack(struct arena *a, void *list, size_t n, size_t size) {
   return kept;
 }
 
-#define PACK(r, list) (r)->list = pack(&(r)->arena, (r)->list, (r)->n_##list, sizeof *(r)->list)
+/* The lists of a result that tasks add to. */
+#define LISTS(X) X(findings) X(consequences) X(skipped) X(controls) X(pairs) X(long_runs) X(values) X(tables)
 
 static void pack_result(struct audit_result *r) {
-  PACK(r, findings);
-  PACK(r, consequences);
-  PACK(r, skipped);
-  PACK(r, controls);
-  PACK(r, pairs);
-  PACK(r, long_runs);
-  PACK(r, values);
-  PACK(r, tables);
+#define PACK(list) r->list = pack(&r->arena, r->list, r->n_##list, sizeof *r->list);
+  LISTS(PACK)
 }
 
-#define APPEND(out, part, list)                                                                                        \
-  for (size_t i = 0; i < (part)->n_##list; i++) {                                                                      \
-    (out)->list = ss_grow((out)->list, (out)->n_##list, &(out)->cap_##list, sizeof *(out)->list);                      \
-    (out)->list[(out)->n_##list++] = (part)->list[i];                                                                  \
-  }
-
 void result_append(struct audit_result *out, const struct audit_result *part) {
-  APPEND(out, part, findings)
-  APPEND(out, part, consequences)
-  APPEND(out, part, skipped)
-  APPEND(out, part, controls)
-  APPEND(out, part, pairs)
-  APPEND(out, part, long_runs)
-  APPEND(out, part, values)
-  APPEND(out, part, tables)
+#define APPEND(list)                                                                                                   \
+  for (size_t i = 0; i < part->n_##list; i++) {                                                                        \
+    out->list = ss_grow(out->list, out->n_##list, &out->cap_##list, sizeof *out->list);                                \
+    out->list[out->n_##list++] = part->list[i];                                                                        \
+  }
+  LISTS(APPEND)
   if (part->readings) out->readings = part->readings;
 }
 
