@@ -144,12 +144,14 @@ static void add_controls(struct text *out, const struct audit_result *r) {
 
 /* --- Routes --- */
 
+/* All, or those that disagree, under a heading. */
 static void add_route_pairs(struct text *out, const struct audit_result *r, bool disagreeing) {
   const char *quantity = "";
   struct text heading = {0};
   for (size_t i = 0; i < r->n_pairs; i++) {
     const struct route_pair *p = &r->pairs[i];
     if (disagreeing && p->within) continue;
+    if (disagreeing && !*quantity) text_add(out, "## Routes that disagree\n\n");
     if (strcmp(quantity, p->quantity) != 0) {
       if (*quantity) text_add_char(out, '\n');
       text_reset(&heading);
@@ -183,16 +185,21 @@ static void add_routes(struct text *out, const struct audit_result *r) {
   text_add_char(out, '\n');
 }
 
+/* Likewise of those that fail. */
 static void add_long_run_rows(struct text *out, const struct audit_result *r, bool failing) {
-  markdown_head(out, "orbit|tr J:|periods run:|an error of 2^-52 reaches 1e-6 after|departure from MPFR as "
-                     "predicted|displacement as predicted");
+  bool any = false;
   for (size_t i = 0; i < r->n_long_runs; i++) {
     const struct long_result *l = &r->long_runs[i];
     if (failing && !long_result_fails(l)) continue;
+    if (failing && !any) text_add(out, "## Long runs that the multiplier does not explain\n\n");
+    if (!any)
+      markdown_head(out, "orbit|tr J:|periods run:|an error of 2^-52 reaches 1e-6 after|departure from MPFR as "
+                         "predicted|displacement as predicted");
+    any = true;
     text_printf(out, "| %s | %s | %ld | %s | %s | %s |\n", l->orbit, l->multiplier, l->periods, l->expected,
                 l->obeys ? "yes" : "**NO**", l->displaced ? "yes" : "**NO**");
   }
-  text_add_char(out, '\n');
+  if (any) text_add_char(out, '\n');
 }
 
 static void add_long_runs(struct text *out, const struct audit_result *r) {
@@ -218,22 +225,6 @@ static void add_precision(struct text *out, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_precision; i++)
     text_printf(out, "| %s | %ld | %ld |\n", r->precision[i].what, r->precision[i].tried, r->precision[i].enough);
   if (r->n_precision) text_add_char(out, '\n');
-}
-
-static void add_disagreeing_long_runs(struct text *out, const struct audit_result *r) {
-  bool any = false;
-  for (size_t i = 0; i < r->n_long_runs; i++) any = any || long_result_fails(&r->long_runs[i]);
-  if (!any) return;
-  text_add(out, "## Long runs that the multiplier does not explain\n\n");
-  add_long_run_rows(out, r, true);
-}
-
-static void add_disagreeing_routes(struct text *out, const struct audit_result *r) {
-  bool any = false;
-  for (size_t i = 0; i < r->n_pairs; i++) any = any || !r->pairs[i].within;
-  if (!any) return;
-  text_add(out, "## Routes that disagree\n\n");
-  add_route_pairs(out, r, true);
 }
 
 /* --- Consequences of a failure --- */
@@ -322,8 +313,8 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_counts(out, r);
   add_severities(out, r);
   add_decided(out, r);
-  add_disagreeing_routes(out, r);
-  add_disagreeing_long_runs(out, r);
+  add_route_pairs(out, r, true);
+  add_long_run_rows(out, r, true);
   add_section(out, r, "Not as recorded", finding_unexpected);
   add_words(out, r);
   add_section(out, r, "Statements that do not hold as printed", finding_fails);
