@@ -155,7 +155,6 @@ bool bench_peers_read(struct bench_peers *p, const char *path, struct diag *d) {
   struct source src;
   *p = (struct bench_peers){.n = 0};
   arena_init(&p->arena);
-  text_init(&p->versions);
   if (!source_read(&src, path, most_file, d)) return false;
   bool ok = true, headed = false;
   for (size_t at = 0; at < src.len && ok;) {

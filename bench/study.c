@@ -12,8 +12,6 @@
 
 bool study_run(struct study_page *page, const struct study *study, const struct bench_env *env, bool quick) {
   *page = (struct study_page){.study = study, .quick = quick};
-  text_init(&page->found);
-  text_init(&page->figure);
   return study->run(page, env);
 }
 
@@ -28,7 +26,6 @@ struct study_table *study_table(struct study_page *page, const char *id, const c
   if (page->n == STUDY_TABLES) abort();
   struct study_table *t = &page->table[page->n++];
   *t = (struct study_table){.id = id, .title = title, .note = note};
-  text_init(&t->tsv);
   text_printf(&t->tsv, "%s\n", columns);
   return t;
 }

@@ -21,9 +21,10 @@ static void print_number(struct text *out, const struct paper_orbit *p, int i, s
 /* --- JSON --- */
 
 static void json_double(struct json *j, const char *key, double x, const char *fmt) {
-  char s[40];
-  snprintf(s, sizeof s, fmt, x);
-  json_string(j, key, isfinite(x) ? s : NULL);
+  if (isfinite(x))
+    json_printf(j, key, fmt, x);
+  else
+    json_null(j, key);
 }
 
 static void write_orbit(struct json *j, const char *key, slong orbit) {
@@ -159,7 +160,6 @@ int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
     print_found(o, &out);
   }
   paper_orbits_clear(&list);
-  text_clear(&out);
   scene_clear(&s);
   return status;
 }

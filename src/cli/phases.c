@@ -219,9 +219,8 @@ static void eigenvalues_json(struct json *w, const struct jacobian_phases *p, sl
     return;
   }
   const arb_struct *j = p->matrix[MATRIX_J].entry[c];
-  struct text gsl[2];
+  struct text gsl[2] = {{0}, {0}};
   arb_ptr x = _arb_vec_init(2);
-  for (int i = 0; i < 2; i++) text_init(&gsl[i]);
   jacobian_invariants(x, x + 1, j);
   json_object(w, "eigenvalues");
   json_string(w, "of", jacobian_columns[c].name);

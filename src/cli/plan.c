@@ -104,11 +104,10 @@ int show_plan(const struct model *m, const struct claims *claims, const struct c
   bool ok = audit_plan(&p, m, claims, controls, s, opt, d);
   if (ok && json) {
     write_plan(&out, &p);
-    fputs(text_str(&out), stdout);
+    print_text(&out);
   } else if (ok) {
     print_plan(&p);
   }
-  text_clear(&out);
   audit_plan_clear(&p);
   return ok ? EXIT_AS_RECORDED : bad_input(d);
 }

@@ -44,9 +44,8 @@ int run_quotes(const struct options *o, const char *data, struct diag *d) {
     quotations_compare(&q, &text.tokens);
     say_digest(&out, &text.tokens, by.model.paper_text);
     if (!quotations_report(&out, &q, &text)) status = EXIT_DIFFERS;
-    fputs(text_str(&out), stdout);
+    print_text(&out);
   }
-  text_clear(&out);
   quotations_clear(&q);
   claims_clear(&by.statements);
   claims_clear(&by.claims);

@@ -22,7 +22,6 @@ int run_readings(const struct options *o, const char *data, struct diag *d) {
   else if (ok)
     report_readings_markdown(&out, r.readings);
   if (ok) print_text(&out);
-  text_clear(&out);
   audit_result_clear(&r);
   scene_clear(&s);
   model_clear(&m);

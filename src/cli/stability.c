@@ -88,9 +88,8 @@ static void study(const struct model *m, const struct stability_options *q, cons
   set_sources(&r, o);
   ok = ok && (!folder || write_files(folder, &r, d));
   if (ok) (option(o, OPT_JSON) ? report_stability_json : report_stability_text)(&body, &r);
-  if (ok) fputs(text_str(&body), stdout);
+  if (ok) print_text(&body);
   if (ok && folder) say_written(o, folder);
-  text_clear(&body);
   stability_result_clear(&r);
 }
 

@@ -185,7 +185,6 @@ struct helpers *helpers_open(const struct sweep *q) {
   h->rank = ss_malloc((size_t)h->n * sizeof *h->rank);
   memset(h->rank, 0, (size_t)h->n * sizeof *h->rank);
   for (int i = 0; i < h->n; i++) h->rank[i].heard = bench_now();
-  text_init(&h->body);
   return h;
 }
 

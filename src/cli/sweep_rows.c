@@ -73,10 +73,7 @@ static void head_json(struct text *out, const struct sweep *q) {
 }
 
 void sweep_head(struct text *out, const struct sweep *q) {
-  if (q->json)
-    head_json(out, q);
-  else
-    head_csv(out, q);
+  (q->json ? head_json : head_csv)(out, q);
 }
 
 void sweep_tail(struct text *out, const struct sweep *q) {

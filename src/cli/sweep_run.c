@@ -176,7 +176,6 @@ int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs) {
   struct sweep_course *r = ss_malloc(sizeof *r);
   *r = (struct sweep_course){
       .q = q, .sink = s, .room = jobs + 1, .next = s->done, .written = s->done, .begun_at = s->done};
-  diag_init(&r->d);
   progress_begin();
   r->crew = sweep_crew(q, jobs, &r->d);
 #ifdef STICKSLIP_MPI

@@ -454,9 +454,8 @@ static void show_jacobian(const struct options *o, struct word_orbits *list, con
   } else {
     bool known = mech_eigenvalues(z, x, prec);
     (option(o, OPT_JSON) ? jacobian_json : jacobian_text)(&out, orbit, x, known ? z : NULL, s, q);
-    fputs(text_str(&out), stdout);
+    print_text(&out);
   }
-  text_clear(&out);
   arb_mat_clear(x);
   _acb_vec_clear(z, orbit->n_free);
 }

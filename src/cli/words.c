@@ -251,10 +251,6 @@ static void all_json(struct survey *v, struct text *out) {
 
 static void show_survey(struct survey *v, const struct options *o) {
   struct text out = {0};
-  text_init(&v->rows);
-  text_init(&v->unclosed.words);
-  text_init(&v->needs.words);
-  text_init(&v->late.words);
   scene_static_friction(v->u_r, v->scene);
   word_seeds_find(&v->seeds, v->scene->value, v->u_r, STARTS);
   if (option(o, OPT_JSON)) {

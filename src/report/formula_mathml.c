@@ -234,8 +234,7 @@ static char pass_fence(struct setter *m) {
 
 /* \left( ... \right) as one element. */
 static void set_fenced(struct setter *m) {
-  struct text *out = m->out, inside;
-  text_init(&inside);
+  struct text *out = m->out, inside = {0};
   char open = pass_fence(m);
   m->out = &inside;
   set_row(m);

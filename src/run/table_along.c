@@ -165,11 +165,10 @@ void table_along_e2(struct table_source *s) {
   const fmpq *e2 = &scene->value[KEY_E2];
   struct dyn_bifurcations list;
   struct dyn_axis axis;
-  struct text body;
+  struct text body = {0};
   struct line l = {.body = &body, .scene = scene, .digits = DIGITS};
   fmpq_t from, to;
   if (!scene_has_forces(scene)) return;
-  text_init(&body);
   fmpq_init(from);
   fmpq_init(to);
   l.at = table_params(l.params, scene, KEY_E2);

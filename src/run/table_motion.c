@@ -141,9 +141,6 @@ static void add_headings(struct motion_tables *t, const struct table_source *s) 
 void tables_of_motion(struct table_source *s) {
   struct motion_tables t = {.animation = NULL};
   struct dyn_arc arc;
-  text_init(&t.history);
-  text_init(&t.portrait);
-  text_init(&t.margins);
   dyn_arc_init(&arc, s->params.ctx);
   add_headings(&t, s);
   if (orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK) add_motion(&t, s, "orbit", &arc);
@@ -155,10 +152,9 @@ void tables_of_motion(struct table_source *s) {
 }
 
 bool table_of_animation(struct audit_result *out, const struct table_source *s) {
-  struct text body;
+  struct text body = {0};
   struct motion_tables t = {.animation = &body};
   struct dyn_arc arc;
-  text_init(&body);
   text_add(&body,
            "# One period of an orbit, from the beginning of the global stick phase.\n"
            "# phase D, Gamma, H, C; mark O a b c d: the ends of phases as figure 3 names them; pull_1 = z_1 - chi z_2 "

@@ -168,7 +168,6 @@ static void add_curves(struct return_table *t) {
 
 void table_of_return_map(struct table_source *s) {
   struct return_table t = {.s = s};
-  text_init(&t.body);
   num_vec_init(&t.r, 1, s->params.ctx);
   num_vec_init(&t.out, N_RETURN, s->params.ctx);
   text_printf(

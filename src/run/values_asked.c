@@ -113,7 +113,6 @@ static bool read_quantity(struct quantity *q, const char *name, const struct mod
   q->number = is_defined(m, name) ? -1 : number_named(name);
   q->rows = q->cols = 1;
   elaboration_init(&q->el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  text_init(&q->formula);
   write_out(&q->formula, m, name);
   if (q->number >= 0) return true;
   bool ok = read_in(&q->tape, q, "", d) || read_everywhere(q, m, d);
