@@ -1,6 +1,7 @@
 /* A writer with a stack of open containers; broken nesting is a broken invariant. */
 #include "json.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 void json_init(struct json *j, struct text *out) {
@@ -103,6 +104,13 @@ void json_printf(struct json *j, const char *key, const char *fmt, ...) {
   text_vprintf(j->out, fmt, ap);
   json_end_string(j);
   va_end(ap);
+}
+
+void json_double(struct json *j, const char *key, const char *fmt, double x) {
+  if (isfinite(x))
+    json_printf(j, key, fmt, x);
+  else
+    json_null(j, key);
 }
 
 void json_string_array(struct json *j, const char *key, const char *const *list, int n) {

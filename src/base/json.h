@@ -29,6 +29,8 @@ void json_string(struct json *j, const char *key, const char *value); /* NULL wr
 void json_begin_string(struct json *j, const char *key);
 void json_end_string(struct json *j);
 void json_printf(struct json *j, const char *key, const char *fmt, ...) SS_PRINTF(3, 4);
+/* A number as a string in that format; null where it is not finite. */
+void json_double(struct json *j, const char *key, const char *fmt, double x);
 /* An array of strings. */
 void json_string_array(struct json *j, const char *key, const char *const *list, int n);
 void json_long(struct json *j, const char *key, long value);

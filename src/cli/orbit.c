@@ -1,4 +1,6 @@
 /* stickslip orbit: every number to the digits asked for, as a table or as JSON. */
+#include <math.h>
+
 #include "base/json.h"
 #include "cli.h"
 #include "explore/family.h"
@@ -35,10 +37,7 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct d
 /* Why the list is not proved complete, and how far in t_c the proof reaches. */
 static void completeness_json(struct json *j, const struct dyn_orbits *list) {
   json_string(j, "gap", list->complete ? NULL : dyn_gap_text[list->gap]);
-  if (list->complete && list->t_c_max > 0)
-    json_printf(j, "t_c_max", "%.15g", list->t_c_max);
-  else
-    json_null(j, "t_c_max");
+  json_double(j, "t_c_max", "%.15g", list->complete && list->t_c_max > 0 ? list->t_c_max : (double)NAN);
 }
 
 /* Which orbits are meant, where the scene does not give the forces: " with these t_b and t_c". */

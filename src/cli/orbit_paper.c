@@ -20,13 +20,6 @@ static void print_number(struct text *out, const struct paper_orbit *p, int i, s
 
 /* --- JSON --- */
 
-static void json_double(struct json *j, const char *key, double x, const char *fmt) {
-  if (isfinite(x))
-    json_printf(j, key, fmt, x);
-  else
-    json_null(j, key);
-}
-
 static void write_orbit(struct json *j, const char *key, slong orbit) {
   if (orbit < 0)
     json_null(j, key);
@@ -52,17 +45,15 @@ static void write_condition(struct json *j, const struct paper_orbit *p) {
   const struct paper_condition *k = &p->route.condition;
   if (p->status == SS_OK) {
     json_object(j, "condition");
-    json_double(j, "equations", k->jacobian, "%.3g");
-    json_double(j, "N1 - I", k->n1, "%.3g");
-    json_double(j, "N3", k->n3, "%.3g");
+    json_double(j, "equations", "%.3g", k->jacobian);
+    json_double(j, "N1 - I", "%.3g", k->n1);
+    json_double(j, "N3", "%.3g", k->n3);
     json_end_object(j);
   } else {
     json_null(j, "condition");
   }
-  if (p->status == SS_OK && p->route.status_d == SS_OK)
-    json_double(j, "digits_lost", p->route.digits_lost, "%.1f");
-  else
-    json_null(j, "digits_lost");
+  bool both = p->status == SS_OK && p->route.status_d == SS_OK;
+  json_double(j, "digits_lost", "%.1f", both ? p->route.digits_lost : (double)NAN);
 }
 
 static void write_solution(struct json *j, const struct paper_orbit *p, slong digits) {
@@ -73,7 +64,7 @@ static void write_solution(struct json *j, const struct paper_orbit *p, slong di
   else
     write_orbit(j, "from", p->from);
   json_array(j, "start");
-  for (int i = 0; i < ROUTE_Z; i++) json_double(j, NULL, p->guess[i], "%.17g");
+  for (int i = 0; i < ROUTE_Z; i++) json_double(j, NULL, "%.17g", p->guess[i]);
   json_end_array(j);
   json_bool(j, "converged", found);
   for (int i = 0; i < N_ROUTE; i++) {

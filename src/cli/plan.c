@@ -1,6 +1,8 @@
 /* verify --plan: the plan in words or as JSON; nothing is done and nothing is written. */
 #include "run/plan.h"
 
+#include <math.h>
+
 #include "cli.h"
 
 /* A line of its own, indented: what is long would else be broken by the terminal anywhere. */
@@ -49,16 +51,9 @@ static void print_plan(const struct audit_plan *p) {
          p->units, p->ms);
 }
 
-static void write_number(struct json *j, const char *key, double x, int decimals) {
-  if (x < 0)
-    json_null(j, key);
-  else
-    json_printf(j, key, "%.*f", decimals, x);
-}
-
 static void write_cost(struct json *j, double units, double ms) {
-  write_number(j, "units", units, 0);
-  write_number(j, "ms", ms, 2);
+  json_double(j, "units", "%.0f", units < 0 ? (double)NAN : units);
+  json_double(j, "ms", "%.2f", ms < 0 ? (double)NAN : ms);
 }
 
 static void write_claim(struct json *j, const struct planned_claim *c) {

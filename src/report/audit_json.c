@@ -13,13 +13,6 @@ void report_json(struct text *out, const struct audit_result *r) {
 
 /* --- run.json --- */
 
-static void write_figure(struct json *j, const char *key, double x) {
-  if (isnan(x))
-    json_null(j, key);
-  else
-    json_printf(j, key, "%.4g", x);
-}
-
 static void write_residuals(struct json *j, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_findings; i++)
     for (int k = 0; k < r->findings[i].n_evidence; k++) {
@@ -28,7 +21,7 @@ static void write_residuals(struct json *j, const struct audit_result *r) {
       json_object(j, NULL);
       json_string(j, "claim", r->findings[i].id);
       json_string(j, "route", e->route);
-      write_figure(j, "residual", e->machine_residual);
+      json_double(j, "residual", "%.4g", e->machine_residual);
       json_end_object(j);
     }
 }
@@ -38,7 +31,7 @@ static void write_pair_figures(struct json *j, const struct route_pair *p) {
   json_string(j, "quantity", p->quantity);
   json_string(j, "first", p->first);
   json_string(j, "second", p->second);
-  write_figure(j, "largest", p->machine_largest);
+  json_double(j, "largest", "%.4g", p->machine_largest);
   json_string(j, "worst", p->machine_worst);
   json_end_object(j);
 }
@@ -55,12 +48,12 @@ static void write_long_figures(struct json *j, const struct long_result *l) {
       json_long(j, "apart_by_1e-6", l->machine_parting[i]);
     else
       json_null(j, "apart_by_1e-6");
-    write_figure(j, "most", l->machine_most[i]);
-    write_figure(j, "growth", l->machine_growth[i]);
+    json_double(j, "most", "%.4g", l->machine_most[i]);
+    json_double(j, "growth", "%.4g", l->machine_growth[i]);
     json_end_object(j);
   }
   json_end_array(j);
-  write_figure(j, "growth_of_displacement", l->machine_displaced);
+  json_double(j, "growth_of_displacement", "%.4g", l->machine_displaced);
   json_end_object(j);
 }
 
