@@ -107,7 +107,7 @@ static void traced_polynomial(struct traced *p, const double *coefficient, int n
   }
 }
 
-enum { R, TAIL, Z, BOW, SAGITTA, SINE, COSINE, N_TRACED };
+enum { R, TAIL, Z, BOW, SINE, COSINE, N_TRACED };
 
 static void traced_copy(struct traced *z, const struct traced *x) {
   z->at = x->at;
@@ -115,7 +115,7 @@ static void traced_copy(struct traced *z, const struct traced *x) {
   arb_set(z->exact, x->exact);
 }
 
-/* The parts of 1 - cos and the two sums.  high = 1 - half loses what (1 - high) - half recovers without a rounding, 1 -
+/* The parts of 1 - cos, and the cosine.  high = 1 - half loses what (1 - high) - half recovers without a rounding, 1 -
    high being exact for high in [1/2, 1]: only its sum with the small part and the last sum round. */
 static void trace_cosine(struct traced q[N_TRACED]) {
   struct traced half, small, turn, sum;
@@ -137,9 +137,6 @@ static void trace_cosine(struct traced q[N_TRACED]) {
   arb_sub(sum.exact, sum.exact, half.exact, BITS);
   arb_add(q[COSINE].exact, sum.exact, small.exact, BITS);
   q[COSINE].error = (half.error + flat + rounding(magnitude(q[COSINE].exact) + half.error + flat)) * slack;
-
-  traced_scale(&small, -1);
-  traced_add(&q[SAGITTA], &half, &small);
   traced_clear(&half);
   traced_clear(&small);
   traced_clear(&turn);
@@ -166,9 +163,9 @@ static void trace(struct traced q[N_TRACED], double low, double high) {
 
 /* --- The truncation. --- */
 
-/* A bound over 0 <= z <= most of |z^power (P(z) - series(z))|, P the part and the series that of (sin r - r)/r^3 (first
+/* A bound over 0 <= z <= most of |z^first (P(z) - series(z))|, P the part and the series that of (sin r - r)/r^3 (first
    1, odd 1) or (cos r - 1 + r^2/2)/r^4 (first 2, odd 0) by z = r^2: (-1)^(i + first) z^i / (2 (i + first) + odd)!. */
-static double truncation(const double *part, int n, int first, int odd, int power, double most) {
+static double truncation(const double *part, int n, int first, int odd, double most) {
   arb_poly_t difference;
   arb_t z, mid, value, slope, off;
   double worst = 0;
@@ -182,7 +179,7 @@ static double truncation(const double *part, int n, int first, int odd, int powe
     arb_add(value, value, off, BITS);
     arb_poly_set_coeff_arb(difference, i, value);
   }
-  arb_poly_shift_left(difference, difference, power);
+  arb_poly_shift_left(difference, difference, first);
   for (int k = 0; k < PIECES; k++) { /* value(mid) + slope(piece) (piece - mid) */
     arb_set_d(mid, most * (k + 0.5) / PIECES);
     arb_set(z, mid);
@@ -205,19 +202,18 @@ static const double widest = 0x1.921fb54442d19p-1 * (1 + 0x1p-30); /* |r| is les
 
 /* The largest of each bound over all r, in units of 2^-53: relative ones. */
 struct bounds {
-  double sine, cosine, versine, excess;
+  double sine, cosine;
 };
 
 /* The truncations for r below some limit. */
 struct truncations {
-  double limit, sine, cosine, versine, excess;
+  double limit, sine, cosine;
 };
 
 static struct truncations truncations_to(double r) {
   double z = r * r * slack;
-  return (struct truncations){
-      r, truncation(sine_part, SINE_PART, 1, 1, 1, z), truncation(cosine_part, COSINE_PART, 2, 0, 2, z),
-      truncation(cosine_part, COSINE_PART, 2, 0, 1, z), truncation(sine_part, SINE_PART, 1, 1, 0, z)};
+  return (struct truncations){r, truncation(sine_part, SINE_PART, 1, 1, z),
+                              truncation(cosine_part, COSINE_PART, 2, 0, z)};
 }
 
 static void widen(struct bounds *b, const struct truncations *cut, double low, double high) {
@@ -226,12 +222,8 @@ static void widen(struct bounds *b, const struct truncations *cut, double low, d
   trace(q, low, high);
   double sine = q[SINE].error + high * cut->sine + lost;
   double cosine = q[COSINE].error + cut->cosine + lost + tail * tail;
-  double versine = q[SAGITTA].error + z * cut->versine;
-  double excess = q[BOW].error + z * high * cut->excess;
   b->sine = fmax(b->sine, sine / (low * (1 - least / 6)));
   b->cosine = fmax(b->cosine, cosine / (1 - z / 2));
-  b->versine = fmax(b->versine, versine / (least * (0.5 - least / 24)));
-  b->excess = fmax(b->excess, excess / (low * least / 6 * (1 - least / 20)));
   for (int i = 0; i < N_TRACED; i++) traced_clear(&q[i]);
 }
 
@@ -244,9 +236,8 @@ START_TEST(errors_are_proved) {
     if (high < cut.limit / 4) cut = truncations_to(high);
     widen(&b, &cut, high * (1 - 1.0 / 128), high);
   }
-  ck_assert_msg(b.sine < 1.6 * unit && b.cosine < 1.7 * unit && b.versine < 2.3 * unit && b.excess < 4.2 * unit,
-                "units: sine %g cosine %g versine %g excess %g", b.sine / unit, b.cosine / unit, b.versine / unit,
-                b.excess / unit);
+  ck_assert_msg(b.sine < 1.6 * unit && b.cosine < 1.7 * unit, "units: sine %g cosine %g", b.sine / unit,
+                b.cosine / unit);
 }
 END_TEST
 
@@ -258,7 +249,6 @@ START_TEST(the_proof_is_about_the_code) {
     trace(q, low, high);
     struct sine_cosine t = sincos_of(q[R].at);
     ck_assert(t.sine == q[SINE].at && t.cosine == q[COSINE].at);
-    ck_assert(t.versine == q[SAGITTA].at && t.excess == -q[BOW].at);
     for (int i = 0; i < N_TRACED; i++) traced_clear(&q[i]);
   }
 }
@@ -267,10 +257,10 @@ END_TEST
 /* --- Measured. --- */
 
 struct worst {
-  double sine, cosine, versine, excess;
+  double sine, cosine;
 };
 
-/* |got - want| in units of 2^-53 of want (or of one, or of x), less what the reduction may add. */
+/* |got - want| in units of 2^-53 of want, less what the reduction may add. */
 static double miss(double got, mpfr_srcptr want, double of) {
   mpfr_t d;
   mpfr_init2(d, 64);
@@ -281,25 +271,18 @@ static double miss(double got, mpfr_srcptr want, double of) {
 }
 
 static void measure(struct worst *w, double x) {
-  mpfr_t s, c, v, e;
+  mpfr_t s, c;
   struct sine_cosine t = sincos_of(x);
-  mpfr_inits2(300, s, c, v, e, (mpfr_ptr)NULL);
-  mpfr_set_d(v, x, MPFR_RNDN);
-  mpfr_sin_cos(s, c, v, MPFR_RNDN);
-  mpfr_sub(e, v, s, MPFR_RNDN);
-  mpfr_ui_sub(v, 1, c, MPFR_RNDN);
-  bool small = fabs(x) < 0x1.921fb54442d18p-1;
+  mpfr_inits2(300, s, c, (mpfr_ptr)NULL);
+  mpfr_set_d(s, x, MPFR_RNDN);
+  mpfr_sin_cos(s, c, s, MPFR_RNDN);
   w->sine = fmax(w->sine, miss(t.sine, s, fabs(mpfr_get_d(s, MPFR_RNDA))));
   w->cosine = fmax(w->cosine, miss(t.cosine, c, fabs(mpfr_get_d(c, MPFR_RNDA))));
-  w->versine = fmax(w->versine, miss(t.versine, v, small ? mpfr_get_d(v, MPFR_RNDA) : 1) / (small ? 2.3 : 2.6));
-  w->excess =
-      fmax(w->excess, miss(t.excess, e, small ? fabs(mpfr_get_d(e, MPFR_RNDA)) : 1.6 + fabs(x)) / (small ? 4.2 : 1));
-  mpfr_clears(s, c, v, e, (mpfr_ptr)NULL);
+  mpfr_clears(s, c, (mpfr_ptr)NULL);
 }
 
 static void check_worst(const struct worst *w) {
   ck_assert_msg(w->sine < 1.7 && w->cosine < 1.7, "sine %g, cosine %g units of 2^-53", w->sine, w->cosine);
-  ck_assert_msg(w->versine <= 1 && w->excess <= 1, "versine %g, excess %g of their bounds", w->versine, w->excess);
 }
 
 START_TEST(random_arguments) {
@@ -361,13 +344,13 @@ END_TEST
 
 START_TEST(edges) {
   struct sine_cosine zero = sincos_of(0), less = sincos_of(-0.0);
-  ck_assert(zero.sine == 0 && zero.cosine == 1 && zero.versine == 0 && zero.excess == 0);
-  ck_assert(less.sine == 0 && less.cosine == 1 && less.versine == 0 && less.excess == 0);
+  ck_assert(zero.sine == 0 && zero.cosine == 1);
+  ck_assert(less.sine == 0 && less.cosine == 1);
   ck_assert(sincos_of(0x1p-1074).sine == 0x1p-1074 && sincos_of(-0x1p-600).sine == -0x1p-600);
   ck_assert(isnan(sincos_of(NAN).sine) && isnan(sincos_of(NAN).cosine) && isnan(sincos_of(INFINITY).sine));
   for (double x = 0x1p-20; x < 0x1p20; x *= 1.7) {
     struct sine_cosine t = sincos_of(x), back = sincos_of(-x);
-    ck_assert(back.sine == -t.sine && back.cosine == t.cosine && back.versine == t.versine && back.excess == -t.excess);
+    ck_assert(back.sine == -t.sine && back.cosine == t.cosine);
   }
 }
 END_TEST

@@ -3,12 +3,12 @@
 
    x = k pi/2 + r + tail with |r| <= pi/4 (1 + 2^-30): k is rounded by adding 1.5 * 2^52, whose last bits then hold k
    modulo 4; pi/2 is taken off in three pieces, of which k times the first two is exact.  Polynomials (minimax, leading
-   coefficients rounded first) give sin and 1 - cos of r; k chooses, swaps and changes signs through bits.
+   coefficients rounded first) give sin and cos of r; k chooses, swaps and changes signs through bits.
 
-   For |x| <= SINCOS_REACH, with u = 2^-53: sine and cosine are within 1.7 u |their value| + 2^-97 (that of the
-   reduction: three roundings of at most 2^-101, and what pi/2 has beyond its pieces, 2^-102.9), the others as told at
-   struct sine_cosine. check_sincos.c proves it: truncation in balls, rounding operation by operation.  For other x, NaN
-   and infinities too, the results have no meaning, and nothing traps: the caller asks |x| <= SINCOS_REACH.
+   For |x| <= SINCOS_REACH sine and cosine are within 1.7 2^-53 |their value| + 2^-97 (that of the reduction: three
+   roundings of at most 2^-101, and what pi/2 has beyond its pieces, 2^-102.9).  check_sincos.c proves it: truncation in
+   balls, rounding operation by operation.  For other x, NaN and infinities too, the results have no meaning, and nothing
+   traps: the caller asks |x| <= SINCOS_REACH.
 
    Only +, -, *, bit operations and, of comparisons, one: the bits of the results are the same at any width of vectors
    as long as the compiler fuses nothing (-ffp-contract=off).  Fused operations would save 15 of about 65. */
@@ -30,9 +30,6 @@
 
 struct sine_cosine {
   double sine, cosine;
-  double
-      versine; /* 1 - cosine: within 2.3 u of its value, relatively, for 2^-300 < |x| < pi/4; elsewhere within 2.6 u */
-  double excess; /* x - sine: within 4.2 u, relatively, there; elsewhere within u (|x| + 1.6) */
 };
 
 SINCOS_INLINE uint64_t sincos_bits(double x) {
@@ -79,7 +76,6 @@ SINCOS_INLINE struct sine_cosine sincos_of(double x) {
   double z = r * r;
   double bow = r * z * sincos_sine_part(z); /* sin r - r */
   double half = 0.5 * z, small = z * z * sincos_cosine_part(z) - r * tail, high = 1 - half;
-  double sagitta = half - small; /* 1 - cos */
   double sine = r + (bow + tail), cosine = high + (((1 - high) - half) + small);
 
   uint64_t quadrant = sincos_bits(shifted), odd = -(quadrant & 1);
@@ -87,8 +83,6 @@ SINCOS_INLINE struct sine_cosine sincos_of(double x) {
   struct sine_cosine t;
   t.sine = sincos_number(sincos_bits(sincos_choose(odd, cosine, sine)) ^ sine_sign);
   t.cosine = sincos_number(sincos_bits(sincos_choose(odd, sine, cosine)) ^ cosine_sign);
-  t.versine = k == 0 ? sagitta : 1 - t.cosine;
-  t.excess = k == 0 ? -bow : x - t.sine;
   return t;
 }
 
