@@ -148,11 +148,7 @@ int dyn_eigenvalues_d(double re[2], double im[2], const double m[4]);
 
 /* --- Periodic orbits of the word at given chi, eta, V, e1, e2. --- */
 
-/* One condition that a realistic orbit must fulfil besides the six equations. */
-struct dyn_condition {
-  const char *id; /* as listed by dyn_condition_id */
-  truth holds;
-};
+/* The conditions that a realistic orbit must fulfil besides the six equations. */
 enum {
   COND_TA,       /* t_a > 0                                    (51) */
   COND_GAMMA_V1, /* z_1' < V while m1 slips, phase Gamma       (57) */

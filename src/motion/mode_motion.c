@@ -149,8 +149,6 @@ struct trig_sum harmonic_trig_sum(const struct calc *c, const struct harmonic *f
   return w;
 }
 
-/* Newton's iteration for a root (order 0) or for an extremum (order 1), until half of the bits are settled before the
-   last step. */
 val harmonic_newton(struct calc *c, const struct harmonic *f, val start, int order) {
   const struct num_type *type = c->ctx.type;
   void *t = calc_new(c);

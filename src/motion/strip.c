@@ -138,8 +138,7 @@ static double hypotenuse(double x, double y) {
 
 static struct derivative_bounds bend_of(const struct disk_params *s, const struct disk weight[2], const double full[2],
                                         const double shift[2], const double bent[2]) {
-  return (struct derivative_bounds){.f = bound_of(s, weight, 0, shift),
-                                    .ff = bound_of(s, weight, 0, bent),
+  return (struct derivative_bounds){.ff = bound_of(s, weight, 0, bent),
                                     .fff = bound_of(s, weight, 0, shift), /* the third derivative is minus the first */
                                     .ft = bound_of(s, weight, 1, shift),
                                     .tt = bound_of(s, weight, 2, full),

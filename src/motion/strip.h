@@ -67,7 +67,7 @@ struct disk disk_less_turns(arb_srcptr t, double k);
 
 /* Bounds of a function of (angle, t) on a strip for all t: of its derivatives, f by the angle. */
 struct derivative_bounds {
-  double f, ff, fff, ft, tt, fft;
+  double ff, fff, ft, tt, fft;
 };
 struct strip {
   const struct disk_params *s;
