@@ -51,9 +51,8 @@ void word_motion(struct motion *out, struct calc *c, const struct word_law *m, c
 /* The vector field. */
 static void vector_field(val out[N_STATE], struct calc *c, const struct word_law *m, const char *phase,
                          const val state[N_STATE]) {
-  val lead = calc_sub(c, state[WORD_P1], calc_mul(c, m->law.chi, state[WORD_P2]));
-  out[WORD_W1] = calc_add(c, m->law.gap, lead);
-  out[WORD_W2] = calc_mul(c, m->law.chi, calc_sub(c, state[WORD_P2], state[WORD_P1]));
+  out[WORD_W1] = calc_add(c, m->law.gap, flow_force(c, 0, m->law.chi, state + WORD_P1));
+  out[WORD_W2] = flow_force(c, 1, m->law.chi, state + WORD_P1);
   for (int i = 0; i < 2; i++) {
     val pull = phase[i] == 's' ? m->law.zero : pull_on(c, m, phase[i], i, state[WORD_W1 + i], false);
     out[WORD_P1 + i] = i == 0 ? pull : calc_mul(c, m->law.eta, pull);

@@ -16,7 +16,7 @@ enum { MOST_STEPS = 60 }; /* of Newton's iteration */
 static struct trig_sum phase_wave(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
   const int *slips = phase_slips[ph];
   val chi = p[P_CHI], belt = !slips[0] ? z[DZ_1] : !slips[1] ? z[DZ_2] : p[P_V];
-  val w = calc_sub(c, z[Z_1], calc_mul(c, chi, z[Z_2])), pull = calc_mul(c, chi, calc_sub(c, z[Z_2], z[Z_1]));
+  val w = flow_force(c, 0, chi, z), pull = flow_force(c, 1, chi, z);
   const struct motion_start at = {
       {w, pull}, {calc_sub(c, z[DZ_1], belt), calc_sub(c, z[DZ_2], belt)}, {calc_neg(c, w), calc_neg(c, pull)}};
   struct motion_law law;

@@ -60,10 +60,7 @@ static struct circular circular_at(struct calc *c, val x) {
   struct circular r = {.small = calc_exponent(c, x) <= -2};
   val one = calc_d(c, 1);
   if (r.small) {
-    val sine, cosine, two = calc_d(c, 2);
-    calc_sin_cos(c, &sine, &cosine, calc_div(c, x, two));
-    r.sine = calc_mul(c, two, calc_mul(c, sine, cosine));
-    r.versine = calc_mul(c, two, calc_mul(c, sine, sine));
+    calc_sin_versine(c, &r.sine, &r.versine, x);
     r.cosine = calc_sub(c, one, r.versine);
     r.lag = calc_mul(c, x, calc_mul(c, calc_mul(c, x, x), calc_stumpff(c, x)));
   } else {
@@ -154,16 +151,16 @@ val flow_entry(const struct blocks *b, int i, int j) {
   return block[2 * (i % 2) + j % 2];
 }
 
-static val force_w(struct calc *c, const val p[N_PARAMS], val z1, val z2) {
-  return calc_sub(c, z1, calc_mul(c, p[P_CHI], z2));
+val flow_force(struct calc *c, int mass, val chi, const val z[2]) {
+  return mass == 0 ? calc_sub(c, z[0], calc_mul(c, chi, z[1])) : calc_mul(c, chi, calc_sub(c, z[1], z[0]));
 }
 
 val flow_switching(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
   switch (ph) {
   case PHASE_D:
-    return calc_sub(c, force_w(c, p, z[Z_1], z[Z_2]), p[P_E1]);
+    return calc_sub(c, flow_force(c, 0, p[P_CHI], z), p[P_E1]);
   case PHASE_GAMMA:
-    return calc_sub(c, calc_mul(c, p[P_CHI], calc_sub(c, z[Z_2], z[Z_1])), p[P_E2]);
+    return calc_sub(c, flow_force(c, 1, p[P_CHI], z), p[P_E2]);
   case PHASE_H:
     return calc_sub(c, z[DZ_1], p[P_V]);
   default:
@@ -174,11 +171,11 @@ val flow_switching(struct calc *c, enum phase ph, const val p[N_PARAMS], const v
 val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
   switch (ph) {
   case PHASE_D:
-    return force_w(c, p, z[DZ_1], z[DZ_2]);
+    return flow_force(c, 0, p[P_CHI], z + DZ_1);
   case PHASE_GAMMA:
-    return calc_mul(c, p[P_CHI], calc_sub(c, z[DZ_2], z[DZ_1]));
+    return flow_force(c, 1, p[P_CHI], z + DZ_1);
   case PHASE_H:
-    return calc_neg(c, force_w(c, p, z[Z_1], z[Z_2]));
+    return calc_neg(c, flow_force(c, 0, p[P_CHI], z));
   default:
     return calc_mul(c, calc_mul(c, p[P_CHI], p[P_ETA]), calc_sub(c, z[Z_1], z[Z_2]));
   }

@@ -253,7 +253,7 @@ static slong largest(struct calc *c, const val *x, int n) {
 static void pass_d(struct course *o, struct maker *k, val z10, val z20) {
   struct calc *c = k->c;
   const struct ball_params *m = &k->m;
-  val V = m->p[P_V], w = calc_sub(c, z10, calc_mul(c, m->p[P_CHI], z20));
+  val V = m->p[P_V], w = flow_force(c, 0, m->p[P_CHI], (const val[]){z10, z20});
   o->t[PHASE_D] = calc_div(c, calc_sub(c, m->p[P_E1], w), m->a);
   val way = calc_mul(c, V, o->t[PHASE_D]);
   set_state(o->z[0], z10, z20, V, V);

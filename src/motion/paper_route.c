@@ -108,15 +108,6 @@ static void apply(val out[N_STATE], struct calc *c, const struct num_vec *m, con
   }
 }
 
-/* The forces that (12) and (14) are about. */
-static val force_1(struct calc *c, val chi, const val z[N_STATE]) {
-  return calc_sub(c, z[Z_1], calc_mul(c, chi, z[Z_2]));
-}
-
-static val force_2(struct calc *c, val chi, const val z[N_STATE]) {
-  return calc_mul(c, chi, calc_sub(c, z[Z_2], z[Z_1]));
-}
-
 static int equations_make(struct equations *q, const struct num_vec *params, const struct num_vec *t) {
   val p[N_PARAMS], z0[N_STATE], za[N_STATE], zb[N_STATE], sums[2];
   struct calc c = calc_begin(q->e.ctx);
@@ -128,8 +119,7 @@ static int equations_make(struct equations *q, const struct num_vec *params, con
     apply(za, &c, &a.step[PHASE_D], z0);
     apply(zb, &c, &a.step[PHASE_GAMMA], za);
     row_sums(sums, &c, &a.x, &a.y);
-    val e[TIMES] = {sums[0], sums[1], calc_sub(&c, force_1(&c, p[P_CHI], za), p[P_E1]),
-                    calc_sub(&c, force_2(&c, p[P_CHI], zb), p[P_E2])};
+    val e[TIMES] = {sums[0], sums[1], flow_switching(&c, PHASE_D, p, za), flow_switching(&c, PHASE_GAMMA, p, zb)};
     for (slong i = 0; i < TIMES; i++) calc_store(&c, num_vec_at(&q->e, i), e[i]);
     for (slong i = 0; i < 2; i++) calc_store(&c, num_vec_at(&q->z, i), z0[i]);
     for (slong i = 0; i < TIMES; i++) {
@@ -142,7 +132,7 @@ static int equations_make(struct equations *q, const struct num_vec *params, con
       apply(own, &c, &a.system[PHASE_GAMMA], zb);
       for (int k = 0; k < N_STATE && i == PHASE_GAMMA; k++) db[k] = calc_add(&c, db[k], own[k]);
       row_sums(sums, &c, &a.dx[i], &a.dy[i]);
-      val d[TIMES] = {sums[0], sums[1], force_1(&c, p[P_CHI], da), force_2(&c, p[P_CHI], db)};
+      val d[TIMES] = {sums[0], sums[1], flow_force(&c, 0, p[P_CHI], da), flow_force(&c, 1, p[P_CHI], db)};
       for (slong k = 0; k < TIMES; k++) calc_store(&c, num_vec_at(&q->j, k * TIMES + i), d[k]);
     }
   }

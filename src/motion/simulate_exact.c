@@ -17,7 +17,7 @@ enum { F_1, P_1 = 2, TIME = 4, N_EXACT };
 
 struct exact {
   struct calc c;
-  val p[N_COULOMB], zero, span, tol; /* span = 1 - chi */
+  val p[N_COULOMB], span, tol; /* span = 1 - chi */
   struct motion_law law;
   slong mark; /* what lies before it lives as long as the run */
   enum coulomb_mode mode[2];
@@ -282,9 +282,10 @@ static void exact_begin(struct exact *e, const struct num_vec *params, const str
   e->tol = calc_mul(c, size, calc_two_to(c, 4 - c->ctx.prec));
   e->mark = calc_mark(c);
   const struct num_type *type = c->ctx.type;
-  type->set(num_vec_at(&e->now, F_1), calc_sub(c, x[Z_1], calc_mul(c, chi, x[Z_2])));
-  type->set(num_vec_at(&e->now, F_1 + 1), calc_mul(c, chi, calc_sub(c, x[Z_2], x[Z_1])));
-  for (int i = 0; i < 2; i++) type->set(num_vec_at(&e->now, P_1 + i), calc_sub(c, x[DZ_1 + i], belt));
+  for (int i = 0; i < 2; i++) {
+    type->set(num_vec_at(&e->now, F_1 + i), flow_force(c, i, chi, x));
+    type->set(num_vec_at(&e->now, P_1 + i), calc_sub(c, x[DZ_1 + i], belt));
+  }
 }
 
 int coulomb_simulate_exact(struct coulomb_result *result, struct num_vec *end, const struct num_vec *params,
