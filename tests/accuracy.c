@@ -76,11 +76,8 @@ static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg
   fmpq *params = moved_params(in, moved);
   bool found =
       dyn_orbit_near(&o, &first, params, (struct dyn_place){t->tb, t->tc, t->up}, ACCURACY_BITS, NULL) == SS_OK;
-  if (found) {
-    arb_srcptr all[N_DYN_OUT] = {o.z10,  o.z20,    o.t[0],  o.t[1],     o.t[2],
-                                 o.t[3], o.period, o.trace, o.u_r1_min, o.u_r2_min};
-    for (int i = 0; i < N_DYN_OUT; i++) num_arb.set(num_vec_at(out, i), all[i]);
-  }
+  for (int i = 0; i < N_DYN_OUT && found; i++)
+    num_arb.set(num_vec_at(out, i), dyn_orbit_output(&o, (enum dyn_output)i));
   if (moved < 0) {
     t->found = found;
     t->first = first;

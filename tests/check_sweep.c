@@ -156,12 +156,8 @@ static void check_point(const struct dyn_family *f, const struct line *l, slong 
   for (slong k = 0; k < list.n; k++) {
     const struct dyn_orbit *o = &list.orbit[k];
     const struct dyn_member *m = &f->member[p->first + k];
-    const arb_struct *all[N_DYN_OUT] = {
-        [DYN_OUT_Z10] = o->z10,     [DYN_OUT_Z20] = o->z20,    [DYN_OUT_TA] = o->t[0],       [DYN_OUT_TB] = o->t[1],
-        [DYN_OUT_TC] = o->t[2],     [DYN_OUT_TD] = o->t[3],    [DYN_OUT_PERIOD] = o->period, [DYN_OUT_TRACE] = o->trace,
-        [DYN_OUT_U1] = o->u_r1_min, [DYN_OUT_U2] = o->u_r2_min};
     for (int j = 0; j < N_DYN_OUT; j++) {
-      double want = arf_get_d(arb_midref(all[j]), ARF_RND_NEAR);
+      double want = arf_get_d(arb_midref(dyn_orbit_output(o, (enum dyn_output)j)), ARF_RND_NEAR);
       ck_assert_msg(fabs(m->out[j] - want) <= slack * (1 + fabs(want)),
                     "at %.17g: output %d of orbit %ld is %.17g, not %.17g", p->x, j, (long)k, m->out[j], want);
     }

@@ -52,12 +52,8 @@ static void set_bit(struct dyn_member *m, int bit, truth holds) {
 }
 
 static void from_balls(struct dyn_member *m, const struct dyn_orbit *o, const struct family_line *l) {
-  const arb_struct *all[N_DYN_OUT] = {
-      [DYN_OUT_Z10] = o->z10,     [DYN_OUT_Z20] = o->z20,    [DYN_OUT_TA] = o->t[0],       [DYN_OUT_TB] = o->t[1],
-      [DYN_OUT_TC] = o->t[2],     [DYN_OUT_TD] = o->t[3],    [DYN_OUT_PERIOD] = o->period, [DYN_OUT_TRACE] = o->trace,
-      [DYN_OUT_U1] = o->u_r1_min, [DYN_OUT_U2] = o->u_r2_min};
   *m = (struct dyn_member){.stable = o->stable, .word = TRUTH_TRUE, .up = o->holds[COND_C_V2] == TRUTH_FALSE};
-  for (int i = 0; i < N_DYN_OUT; i++) m->out[i] = num_arb.get_d(all[i]);
+  for (int i = 0; i < N_DYN_OUT; i++) m->out[i] = num_arb.get_d(dyn_orbit_output(o, (enum dyn_output)i));
   for (int i = 0; i < N_CONDITIONS; i++) set_bit(m, i, o->holds[i]);
   for (int i = 0; i < N_PHASES; i++) m->word = truth_and(m->word, o->first[i]);
   for (int i = 0; i < 2; i++)

@@ -20,6 +20,12 @@ void dyn_orbit_numbers(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o) {
   for (int i = 0; i < ORBIT_NUMBERS; i++) all[i] = these[i];
 }
 
+arb_srcptr dyn_orbit_output(const struct dyn_orbit *o, enum dyn_output i) {
+  const arb_srcptr all[N_DYN_OUT] = {o->z10,  o->z20,    o->t[0],  o->t[1],     o->t[2],
+                                     o->t[3], o->period, o->trace, o->u_r1_min, o->u_r2_min};
+  return all[i];
+}
+
 void dyn_orbit_init(struct dyn_orbit *o) {
   arb_ptr all[ORBIT_NUMBERS];
   dyn_orbit_numbers(all, o);

@@ -57,5 +57,6 @@ struct dyn_place {
 int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, struct dyn_place at, slong prec,
                    const struct dyn_limits *lim);
 void dyn_orbit_clear(struct dyn_orbit *o);
+arb_srcptr dyn_orbit_output(const struct dyn_orbit *o, enum dyn_output i);
 
 #endif

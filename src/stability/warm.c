@@ -64,9 +64,8 @@ static int warm_in_balls(struct num_vec *out, const fmpq *params, double guess[2
     truth first;
     status = dyn_orbit_near(&o, &first, params, (struct dyn_place){guess[0], guess[1], up == 1}, out->ctx.prec, &few);
     if (status || first != TRUTH_TRUE) status = first == TRUTH_UNKNOWN && !status ? SS_UNABLE : SS_DOMAIN;
-    arb_srcptr all[N_DYN_OUT] = {o.z10,  o.z20,    o.t[0],  o.t[1],     o.t[2],
-                                 o.t[3], o.period, o.trace, o.u_r1_min, o.u_r2_min};
-    for (slong i = 0; i < N_DYN_OUT && !status; i++) arb_set(num_vec_at(out, i), all[i]);
+    for (int i = 0; i < N_DYN_OUT && !status; i++)
+      arb_set(num_vec_at(out, i), dyn_orbit_output(&o, (enum dyn_output)i));
     dyn_orbit_clear(&o);
   }
   return status;
