@@ -1,13 +1,7 @@
 /* Orbits from any two of e1, e2, t_a, t_b, t_c, t_d.
 
-   With z_1' = V and z_2' = V where they must be, phase C turns (r, q/omega) by omega t_d into (r_0, 0), and an orbit is
-
-     p_c = 0,   r_c = r_0 cos(omega t_d),   q_c/omega = r_0 sin(omega t_d),
-     w_c + a (t_a + t_d) - chi (r_0 - r_c) = e1,
-
-   where r_0 = e2/chi - rise(t_b) and the state at t_c are linear in e1 and e2.  given_search.c finds in double
-   precision where these equations hold with the given values; here each such place is refined, enclosed in balls and
-   judged. */
+   given_search.c finds in double precision where the four equations hold with the given values; here each such place is
+   refined, enclosed in balls and judged. */
 #include "given.h"
 
 #include <math.h>

@@ -91,25 +91,33 @@ static struct moving modes_at(struct calc *c, const struct spectrum *s, const st
   return at;
 }
 
+void ball_slide_make(struct ball_slide *g, struct calc *c, const struct ball_params *m, val tb) {
+  val V = m->p[P_V], e1 = m->p[P_E1], e2 = m->p[P_E2];
+  turn_gamma(&g->sine, &g->cosine, c, m, tb);
+  g->wb = calc_dot(c, e1, g->cosine, m->a, g->sine);
+  val dwb = calc_sub(c, calc_mul(c, m->a, g->cosine), calc_mul(c, e1, g->sine));
+  g->pb = calc_sub(c, dwb, m->a);
+  g->rise = calc_add(c, calc_sub(c, calc_mul(c, m->a, tb), g->wb), e1);
+  g->r = calc_sub(c, calc_div(c, e2, m->p[P_CHI]), g->rise);
+  g->at = (struct moving){{calc_add(c, V, g->pb), V}, {g->wb, calc_mul(c, m->p[P_ETA], e2)}};
+  g->by_tb = (struct moving){{calc_neg(c, g->wb), m->zero}, {dwb, m->zero}};
+}
+
 void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc) {
-  val V = m->p[P_V], e1 = m->p[P_E1], e2 = m->p[P_E2], sine, cosine;
+  struct ball_slide g;
+  val V = m->p[P_V], sines[2], cosines[2];
+  ball_slide_make(&g, c, m, tb);
   s->tb = tb;
   s->tc = tc;
-  turn_gamma(&sine, &cosine, c, m, tb);
-  s->wb = calc_dot(c, e1, cosine, m->a, sine);
-  val dwb = calc_sub(c, calc_mul(c, m->a, cosine), calc_mul(c, e1, sine));
-  s->pb = calc_sub(c, dwb, m->a);
-  s->rise = calc_add(c, calc_sub(c, calc_mul(c, m->a, tb), s->wb), e1);
-  s->r = calc_sub(c, calc_div(c, e2, m->p[P_CHI]), s->rise);
-
-  struct moving at = {{calc_add(c, V, s->pb), V}, {s->wb, calc_mul(c, m->p[P_ETA], e2)}};
-  struct moving by_tb = {{calc_neg(c, s->wb), m->zero}, {dwb, m->zero}}; /* r_b = e2/chi being fixed */
-  s->modes = modes_from(c, &m->spectrum, &at);
-  struct ball_modes shift = modes_from(c, &m->spectrum, &by_tb);
-  val sines[2], cosines[2];
+  s->pb = g.pb;
+  s->wb = g.wb;
+  s->rise = g.rise;
+  s->r = g.r;
+  s->modes = modes_from(c, &m->spectrum, &g.at);
+  struct ball_modes shift = modes_from(c, &m->spectrum, &g.by_tb);
   turns_h(sines, cosines, c, m, tc);
-  at = modes_at(c, &m->spectrum, &s->modes, sines, cosines);
-  by_tb = modes_at(c, &m->spectrum, &shift, sines, cosines);
+  struct moving at = modes_at(c, &m->spectrum, &s->modes, sines, cosines);
+  struct moving by_tb = modes_at(c, &m->spectrum, &shift, sines, cosines);
 
   s->pc = calc_sub(c, at.v[0], V);
   s->qc = calc_sub(c, at.v[1], V);

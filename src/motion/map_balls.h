@@ -19,6 +19,12 @@ struct ball_params {
 struct moving {
   val v[2], f[2];
 };
+/* Phase Gamma up to t_b, whose sine and cosine these are: z_1' - V and w at its end, how far r has risen, r at the stick
+   phase; where phase H begins, and how that moves with t_b, r_b = e2/chi being fixed. */
+struct ball_slide {
+  val sine, cosine, pb, wb, rise, r;
+  struct moving at, by_tb;
+};
 /* A motion of phase H: velocity of mass m = sum over i of a[m][i] cos(om[i] t) - b[m][i] sin(om[i] t). */
 struct ball_modes {
   val a[2][2], b[2][2];
@@ -39,6 +45,7 @@ void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAM
 void ball_params_with(struct ball_params *m, struct calc *c, const fmpq *model, val e1, val e2);
 /* Keeps the sines and cosines at (tb, tc) for passes with the same calc.  Without this each pass makes its own. */
 void ball_params_keep(struct ball_params *m, struct calc *c, val tb, val tc);
+void ball_slide_make(struct ball_slide *g, struct calc *c, const struct ball_params *m, val tb);
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
 /* The part of it up to phase H at the time tc, whether or not phase C can follow: r_end and the defect are not set. */
 void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc);

@@ -1,8 +1,7 @@
 /* The equations of the word in the six quantities e1, e2, t_a, t_b, t_c, t_d, and proofs of their solutions.
 
-   With z_1' = V and z_2' = V where they must be, phase C turns (r, q/omega) by omega t_d into (r_0, 0): the four
-   equations of given.h.  Any two quantities may be known exactly; Krawczyk's operator on the other four proves that a
-   box holds exactly one solution. */
+   Any two quantities may be known exactly; Krawczyk's operator on the other four proves that a box holds exactly one
+   solution. */
 #include "orbit_equations.h"
 #include "flow.h"
 #include "given.h"
@@ -40,26 +39,26 @@ static void column(struct word *w, enum dyn_quantity x, struct calc *c, const st
 }
 
 void word_make(struct word *w, struct calc *c, const struct ball_params *m, const val x[N_QUANTITIES]) {
-  val e1 = x[QUANTITY_E1], e2 = x[QUANTITY_E2], tb = x[QUANTITY_TB], td = x[QUANTITY_TD], V = m->p[P_V];
-  val chi = m->p[P_CHI], eta = m->p[P_ETA], zero = m->zero, s, co;
+  val e1 = x[QUANTITY_E1], td = x[QUANTITY_TD], V = m->p[P_V], chi = m->p[P_CHI], zero = m->zero;
+  struct ball_params limits = *m;
+  struct ball_slide g;
   struct blocks h;
+  limits.p[P_E1] = e1;
+  limits.p[P_E2] = x[QUANTITY_E2];
+  ball_slide_make(&g, c, &limits, x[QUANTITY_TB]);
   flow_blocks_h(&h, c, &m->spectrum, x[QUANTITY_TC]);
-  calc_sin_cos(c, &s, &co, tb);
   calc_sin_cos(c, &w->sine, &w->cosine, calc_mul(c, m->omega, td));
-  val wb = calc_dot(c, e1, co, m->a, s), dwb = calc_sub(c, calc_mul(c, m->a, co), calc_mul(c, e1, s));
-  val pb = calc_sub(c, dwb, m->a), rise = calc_add(c, calc_sub(c, calc_mul(c, m->a, tb), wb), e1);
-  w->end = calc_sub(c, calc_div(c, e2, chi), rise);
+  w->end = g.r;
 
-  struct moving b = {{calc_add(c, V, pb), V}, {wb, calc_mul(c, eta, e2)}}, at = carry(c, &h, &b);
-  struct moving by_e1 = {{calc_neg(c, s), zero}, {co, zero}}, by_e2 = {{zero, zero}, {zero, eta}};
-  struct moving by_tb = {{calc_neg(c, wb), zero}, {dwb, zero}};
+  struct moving by_e1 = {{calc_neg(c, g.sine), zero}, {g.cosine, zero}}, by_e2 = {{zero, zero}, {zero, m->p[P_ETA]}};
+  struct moving at = carry(c, &h, &g.at);
   struct moving by_tc = {
       {calc_neg(c, at.f[0]), calc_neg(c, at.f[1])},
       {calc_sub(c, at.v[0], calc_mul(c, chi, at.v[1])), calc_mul(c, m->stiff, calc_sub(c, at.v[1], at.v[0]))}};
-  struct moving end[3] = {carry(c, &h, &by_e1), carry(c, &h, &by_e2), carry(c, &h, &by_tb)};
-  column(w, QUANTITY_E1, c, m, &end[0], calc_sub(c, co, m->one));
+  struct moving end[3] = {carry(c, &h, &by_e1), carry(c, &h, &by_e2), carry(c, &h, &g.by_tb)};
+  column(w, QUANTITY_E1, c, m, &end[0], calc_sub(c, g.cosine, m->one));
   column(w, QUANTITY_E2, c, m, &end[1], calc_div(c, m->one, chi));
-  column(w, QUANTITY_TB, c, m, &end[2], pb);
+  column(w, QUANTITY_TB, c, m, &end[2], g.pb);
   column(w, QUANTITY_TC, c, m, &by_tc, zero);
   w->j[3][QUANTITY_E1] = calc_sub(c, w->j[3][QUANTITY_E1], m->one);
   val spin = calc_mul(c, m->omega, w->end);
