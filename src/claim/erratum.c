@@ -14,18 +14,6 @@ struct replacements {
   bool too_many;
 };
 
-static bool same_text(const char *a, const char *b) {
-  return a == b || (a && b && strcmp(a, b) == 0);
-}
-
-/* The same operator with as many operands. */
-static bool same_head(const struct expr *a, const struct expr *b) {
-  bool same = a->kind == b->kind && a->n_args == b->n_args && a->order == b->order && a->exponent == b->exponent &&
-              a->rows == b->rows && a->cols == b->cols && a->n_index == b->n_index && same_text(a->name, b->name);
-  for (int i = 0; same && i < 2 * a->n_index; i++) same = a->index[i] == b->index[i];
-  return same;
-}
-
 static void add_pair(struct replacements *r, const struct expr *a, const struct expr *b) {
   for (int i = 0; i < r->n; i++)
     if (expr_same(r->from[i], a) && expr_same(r->to[i], b)) return;
@@ -47,7 +35,7 @@ static void compare(struct replacements *r, const struct expr *a, const struct e
   }
   if (level == MAX_LEVELS)
     r->too_many = true;
-  else if (!same_head(a, b))
+  else if (!expr_same_node(a, b))
     add_pair(r, a, b);
   else
     for (int i = 0; i < a->n_args; i++) compare(r, a->args[i], b->args[i], level + 1);

@@ -1,42 +1,11 @@
 /* Derivatives and substitutions of shared scalars: one walk from the leaves up, with the result for each node kept in a
    table for the length of the call, so the cost is linear in the number of distinct nodes.  Nodes that wait for their
    operands are on the heap: nothing recurses, and a chain of any depth will do. */
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "expr_impl.h"
-
-/* ---- results by node: open addressing, never more than half full */
-
-struct memo {
-  struct entry {
-    const struct expr *node, *result; /* node NULL: empty */
-  } * entry;
-  size_t n, size; /* size: a power of two */
-};
-
-static struct entry *find(const struct memo *m, const struct expr *node) {
-  size_t i = (size_t)(((uint64_t)(uintptr_t)node * UINT64_C(0x9E3779B97F4A7C15)) >> 20);
-  while (m->entry[i & (m->size - 1)].node && m->entry[i & (m->size - 1)].node != node) i++;
-  return &m->entry[i & (m->size - 1)];
-}
-
-static void resize(struct memo *m, size_t size) {
-  struct memo old = *m;
-  m->size = size;
-  m->entry = ss_malloc(size * sizeof *m->entry);
-  for (size_t i = 0; i < size; i++) m->entry[i] = (struct entry){NULL, NULL};
-  for (size_t i = 0; i < old.size; i++)
-    if (old.entry[i].node) *find(m, old.entry[i].node) = old.entry[i];
-  free(old.entry);
-}
-
-static void keep(struct memo *m, const struct expr *node, const struct expr *result) {
-  if (2 * (m->n + 1) > m->size) resize(m, 2 * m->size);
-  *find(m, node) = (struct entry){node, result};
-  m->n++;
-}
+#include "map.h"
 
 /* ---- the walk */
 
@@ -50,8 +19,7 @@ struct rewrite {
 typedef const struct expr *rewrite_node(const struct rewrite *w, const struct expr *e, const struct expr *const *done);
 
 static const struct expr *rewrite(const struct rewrite *w, const struct expr *root, rewrite_node *node_result) {
-  struct memo m = {0};
-  resize(&m, 256);
+  struct expr_map m = {0};
   const struct expr **todo = NULL;
   size_t n = 0, cap = 0;
   todo = ss_grow(todo, n, &cap, sizeof *todo);
@@ -61,20 +29,20 @@ static const struct expr *rewrite(const struct rewrite *w, const struct expr *ro
     bool ready = true;
     if (e->n_args > 2) abort();
     for (int i = 0; i < e->n_args; i++) {
-      const struct entry *kept = find(&m, e->args[i]);
-      done[i] = kept->result;
-      if (kept->node) continue;
+      const struct expr_slot *kept = expr_map_find(&m, e->args[i]);
+      if (kept) done[i] = kept->result;
+      if (kept) continue;
       ready = false;
       todo = ss_grow(todo, n, &cap, sizeof *todo);
       todo[n++] = e->args[i];
     }
     if (!ready) continue;
     n--;
-    if (!find(&m, e)->node) keep(&m, e, node_result(w, e, done));
+    if (!expr_map_find(&m, e)) expr_map_put(&m, e)->result = node_result(w, e, done);
   }
-  const struct expr *result = find(&m, root)->result;
+  const struct expr *result = expr_map_find(&m, root)->result;
   free(todo);
-  free(m.entry);
+  expr_map_clear(&m);
   return result;
 }
 

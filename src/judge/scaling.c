@@ -2,10 +2,11 @@
    times, chi and eta staying as they are; so every formula must be homogeneous.  Degrees are inferred on the trees
    themselves, without values and without the model: terms added must have one degree, arguments of functions none.  A
    formula without degrees is wrong whatever it was to say; the two terms that do not fit are the certificate. */
-#include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
 #include "base/work.h"
+#include "expr/map.h"
 #include "judge.h"
 
 enum { UNITS_OF_DEGREE = 4, UNITS_OF_READING = 100 }; /* of work: a node, a record elaborated */
@@ -16,41 +17,12 @@ struct degree {
   double of;
 };
 
-/* A scalar is shared by all that contain it: its degree is kept. */
-struct known {
-  const struct expr *e;
-  struct degree degree;
-};
-
 struct scaling {
   const char *scaled; /* prefixes of the names of degree 1, separated by blanks or commas */
   const struct elaboration *el;
-  struct text *fault; /* the first one */
-  struct known *known;
-  size_t n_slots, n_known; /* of an open hash table, never more than half full */
+  struct text *fault;    /* the first one */
+  struct expr_map known; /* a scalar is shared by all that contain it: its degree is kept, NaN for any */
 };
-
-static struct known *slot(struct known *table, size_t n, const struct expr *e) {
-  size_t i = ((uintptr_t)e >> 4) * 0x9E3779B97F4A7C15U % n;
-  while (table[i].e && table[i].e != e) i = (i + 1) % n;
-  return &table[i];
-}
-
-static void keep(struct scaling *s, const struct expr *e, struct degree d) {
-  if (2 * s->n_known >= s->n_slots) {
-    size_t n = s->n_slots ? 2 * s->n_slots : 1024;
-    struct known *bigger = ss_malloc(n * sizeof *bigger);
-    for (size_t i = 0; i < n; i++) bigger[i] = (struct known){.e = NULL};
-    for (size_t i = 0; i < s->n_slots; i++)
-      if (s->known[i].e) *slot(bigger, n, s->known[i].e) = s->known[i];
-    free(s->known);
-    s->known = bigger;
-    s->n_slots = n;
-  }
-  struct known *k = slot(s->known, s->n_slots, e);
-  s->n_known += !k->e;
-  *k = (struct known){e, d};
-}
 
 static bool starts(const char *name, const char *prefixes) {
   size_t n;
@@ -143,14 +115,14 @@ static bool degree_of_form(struct degree *d, struct scaling *s, const struct exp
 
 /* The degree of an elaborated scalar; false with the fault set when it has none. */
 static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e) {
-  const struct known *k = s->n_slots ? slot(s->known, s->n_slots, e) : NULL;
-  if (k && k->e) {
-    *d = k->degree;
+  const struct expr_slot *k = expr_map_find(&s->known, e);
+  if (k) {
+    *d = (struct degree){isnan(k->number), k->number};
     return true;
   }
   work_add(UNITS_OF_DEGREE);
   if (!degree_of_form(d, s, e)) return false;
-  keep(s, e, *d);
+  expr_map_put(&s->known, e)->number = d->any ? (double)NAN : d->of;
   return true;
 }
 
@@ -181,7 +153,7 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
       for (int e = 0; ok && e < a.rows * a.cols; e++) check_pair(&s, a.e[e], b.e[e]);
     }
   }
-  free(s.known);
+  expr_map_clear(&s.known);
   elaboration_clear(&el);
   return ok;
 }

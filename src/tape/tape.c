@@ -4,57 +4,23 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "expr/map.h"
 #include "tape_impl.h"
 
 /* --- Building --- */
-
-/* Scalars already on the tape, by address (open addressing). */
-struct place {
-  const struct expr *e;
-  slong at;
-};
 
 struct builder {
   struct tape *t;
   const struct tape_root *roots;
   size_t n_roots;
-  struct place *places;
-  size_t n_places, cap_places;
+  struct expr_map places; /* of scalars already on the tape */
   size_t cap_code, cap_consts, cap_inputs, cap_links;
   struct diag *d;
 };
 
-static size_t hash_address(const void *p) {
-  size_t h = (size_t)p >> 4;
-  return h * 0x9E3779B97F4A7C15U;
-}
-
-static struct place *find_place(const struct builder *b, const struct expr *e) {
-  size_t i = hash_address(e) & (b->cap_places - 1);
-  while (b->places[i].e && b->places[i].e != e) i = (i + 1) & (b->cap_places - 1);
-  return &b->places[i];
-}
-
 static slong place_of(const struct builder *b, const struct expr *e) {
-  const struct place *p = find_place(b, e);
-  return p->e ? p->at : -1;
-}
-
-static void grow_places(struct builder *b) {
-  struct place *old = b->places;
-  size_t n = b->cap_places;
-  b->cap_places *= 2;
-  b->places = ss_malloc(b->cap_places * sizeof *b->places);
-  memset(b->places, 0, b->cap_places * sizeof *b->places);
-  for (size_t i = 0; i < n; i++)
-    if (old[i].e) *find_place(b, old[i].e) = old[i];
-  free(old);
-}
-
-static void put_place(struct builder *b, const struct expr *e, slong at) {
-  if (2 * b->n_places >= b->cap_places) grow_places(b);
-  *find_place(b, e) = (struct place){e, at};
-  b->n_places++;
+  const struct expr_slot *s = expr_map_find(&b->places, e);
+  return s ? s->at : -1;
 }
 
 static slong emit(struct builder *b, struct tape_instr in) {
@@ -186,7 +152,7 @@ static bool place(struct builder *b, const struct expr *e) {
     if (n > 1) in.b = place_of(b, args[1]);
     in.k = e->exponent;
   }
-  put_place(b, e, emit(b, in));
+  expr_map_put(&b->places, e)->at = emit(b, in);
   return true;
 }
 
@@ -240,9 +206,7 @@ static bool walk(struct builder *b, const struct expr *root) {
 bool tape_build(struct tape *t, const struct expr *const *outputs, slong n, const struct tape_root *roots,
                 size_t n_roots, struct diag *d) {
   *t = (struct tape){.n = 0};
-  struct builder b = {.t = t, .roots = roots, .n_roots = n_roots, .cap_places = 64, .d = d};
-  b.places = ss_malloc(b.cap_places * sizeof *b.places);
-  memset(b.places, 0, b.cap_places * sizeof *b.places);
+  struct builder b = {.t = t, .roots = roots, .n_roots = n_roots, .d = d};
   bool ok = true;
   for (slong i = 0; ok && i < n; i++) ok = walk(&b, outputs[i]);
   if (ok) {
@@ -254,7 +218,7 @@ bool tape_build(struct tape *t, const struct expr *const *outputs, slong n, cons
   } else {
     tape_clear(t);
   }
-  free(b.places);
+  expr_map_clear(&b.places);
   return ok;
 }
 
