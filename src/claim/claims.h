@@ -74,10 +74,10 @@
                  with premises (one, or none), from (end) and rate (yes) as proof/exact_range.h says; what is not given
                  is 1, 1, 0, 0, 0
      word, conditions      (sequence) phases of one period; inequalities along it
-     given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the
-                           start
      count       (solutions) how many solutions with positive times the statement's equations have; or
-     every       (solutions) first: the events of each are first ones; motion: each is a motion under Coulomb's law
+     every       (solutions) first: the events of each are first ones; motion: each is a motion under Coulomb's law; or
+     given       (solutions) "t_a = 0, t_b = 2" at the scene's chi, eta, V: some solution has these and keeps the
+                 constraints
      until       (solutions) t_c up to this; kept: yes, those alone that keep the constraints, whatever their t_c
      constraints  (constraints, solutions) records as in premises
      least-first, least-second  (constraints) closed forms of the least u_r1, u_r2, or statements as in formula
@@ -103,7 +103,7 @@
 
    Kinds: definition, matrix, identity, inequality, sharp (each step of the statement's inequalities becomes
    an equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
-   notation, scaling, reach, rank, defined, sequence, existence, constraints, solutions, range, law, outside,
+   notation, scaling, reach, rank, defined, sequence, constraints, solutions, range, law, outside,
    report.
 
    What is not done.  Precision rises at a point only while it is undecided there.  A difference in balls decides a

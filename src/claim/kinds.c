@@ -51,7 +51,7 @@ const char *claim_routes_asked(const struct claim *c) {
   if (own) return own;
   enum kind kind = claim_kind(c);
   if (kind == KIND_MATRIX) return "taylor, gsl, ode";
-  if (kind != KIND_IDENTITY) return NULL;
+  if (kind != KIND_IDENTITY) return kind == KIND_SHARP ? "exponential" : NULL;
   if (!claim_get(c, "oracle")) return "exponential";
   return on_orbits_alone(c) ? "oracle, system" : "oracle";
 }

@@ -41,7 +41,8 @@ extern const char *const fault_name[N_FAULTS];
     true)                                                                                                              \
   K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 6, 2, 1, \
     false)                                                                                                             \
-  K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, FAULT_ARGUMENT, 6, 0, 1, true)              \
+  K(SHARP, "sharp", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_ARGUMENT, 6, 2, 1,      \
+    true)                                                                                                              \
   K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, \
     0, 1, false)                                                                                                       \
   K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, 0, 1, true)        \
@@ -68,8 +69,6 @@ extern const char *const fault_name[N_FAULTS];
     true)                                                                                                              \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, FAULT_ARGUMENT, 0, 0, 1, true)                            \
-  K(EXISTENCE, "existence", judge_existence, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_ARGUMENT, 0,  \
-    0, 1, true)                                                                                                        \
   K(SOLUTIONS, "solutions", judge_solutions, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION,      \
     FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
   K(RANGE, "range", judge_range, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA,    \
@@ -104,8 +103,8 @@ bool claim_tried_at_points(const struct claim *c);
 /* Is it judged of the numbers of one scene: by its kind, or as its attribute over says? */
 bool claim_of_scene(const struct claim *c);
 /* Where it is tried and by what besides balls, in the words of its attributes points and routes; without these, of a
-   matrix params 24 by taylor, gsl and ode, of an identity arcs 12 and orbits 6 by exponential, or where it has that
-   attribute by oracle, on orbits alone by system too; NULL: its kind is not tried so. */
+   matrix params 24 by taylor, gsl and ode, of an identity arcs 12 and orbits 6 by exponential, as a sharp one is, or
+   where it has that attribute by oracle, on orbits alone by system too; NULL: its kind is not tried so. */
 const char *claim_points_asked(const struct claim *c);
 const char *claim_routes_asked(const struct claim *c);
 enum asked claim_asked(const struct claim *c);

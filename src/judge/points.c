@@ -1,4 +1,5 @@
-/* Sentences tried at points: matrices against the model's, equations between the paper's own expressions.
+/* Sentences tried at points: matrices against the model's, equations between the paper's own expressions, inequalities
+   that become equalities at an end of a phase: one that is true and weaker than it could be fails there alone.
    Every route sees the same points; the decisive one works in balls. */
 #include <math.h>
 #include <string.h>
@@ -159,10 +160,15 @@ static struct trial try_ode(struct point_trials *r, const char *value, const str
 
 /* --- Trying --- */
 
+static struct trial try_balls(struct point_trials *r, struct tally *t, const struct point *p, enum variant variant) {
+  bool at_ends = claim_kind(r->c) == KIND_SHARP;
+  return (at_ends ? sentence_try_ends : sentence_try_balls)(&t->sentence, p, variant, r->j->cache);
+}
+
 static struct trial try_route(struct point_trials *r, struct tally *t, const struct point *p) {
   const struct route *q = t->route;
   if (strcmp(q->name, "ode") == 0) return try_ode(r, claim_get(r->c, "value"), p);
-  if (!q->type) return sentence_try_balls(&t->sentence, p, q->variant, r->j->cache);
+  if (!q->type) return try_balls(r, t, p, q->variant);
   struct num_ctx ctx = q->type == &num_double ? num_ctx_double() : num_ctx_mpfr(FD_PREC);
   return sentence_try_rounded(&t->sentence, p, q->variant, ctx, q->log_tol, r->j->cache);
 }
@@ -399,7 +405,7 @@ static bool scene_decides(const struct trial *tr, struct point_trials *r) {
   sampler_next(&drawn, &sampler);
   bool same = scene_point(&p, &drawn, r->j->scene, r->j->cache);
   if (same) {
-    struct trial other = sentence_try_balls(&r->tally[0].sentence, &p, VARIANT_CLOSED, r->j->cache);
+    struct trial other = try_balls(r, &r->tally[0], &p, VARIANT_CLOSED);
     same = other.outcome == tr->outcome && strcmp(other.lhs, tr->lhs) == 0 && strcmp(other.rhs, tr->rhs) == 0;
   }
   point_clear(&p);
@@ -413,7 +419,7 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
   struct tally *first = &r->tally[0];
   bool have = r->j->model->system && scene_point(&p, &r->example, r->j->scene, r->j->cache);
   if (have) {
-    struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
+    struct trial tr = try_balls(r, first, &p, VARIANT_CLOSED);
     const char *of = scene_data_of(r->j->scene);
     bool usual = p.kind == POINT_ORBIT && !p.admissible;
     if (tr.outcome == OUTCOME_AGREES)

@@ -1,5 +1,5 @@
-/* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under
-   the Coulomb law; and whether motions with given times exist at all. */
+/* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under the
+   Coulomb law. */
 #include <math.h>
 #include <string.h>
 
@@ -9,8 +9,6 @@
 #include "num/calc.h"
 #include "proof/condition.h"
 #include "value/coulomb_setup.h"
-
-enum { UNITS_OF_EXISTENCE = 150000 }; /* of work: all motions with two times given */
 
 static struct route_result add(struct finding *f, struct judge *j, struct route_result w, const char *note) {
   return finding_add_route(f, j->out, w, "model", w.decisive ? FIRST_PREC : -1, NULL, note);
@@ -106,106 +104,6 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
   }
   point_clear(&p);
   conditions_clear(&list);
-  return ok;
-}
-
-/* --- Motions of given times --- */
-
-/* "t_a = 0, t_b = 2". */
-static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *text) {
-  for (int i = 0; i < 2; i++) {
-    char name[8], number[24];
-    int used;
-    if (!text || sscanf(text, " %7[a-z_0-9] = %23[0-9./]%n", name, number, &used) != 2) return false;
-    text += used;
-    while (*text == ',' || *text == ' ') text++;
-    int k = word_find(name, dyn_quantity_id, N_QUANTITIES);
-    if (k == N_QUANTITIES || num_parse_decimal(&value[i], number, strlen(number)) != SS_OK) return false;
-    which[i] = (enum dyn_quantity)k;
-  }
-  return true;
-}
-
-/* Does the state return, carried through the given phases over the orbit's times?  By closed forms or exponentials. */
-static truth returns(const struct judge *j, const struct dyn_orbit *o, const enum phase *through, int n, bool closed) {
-  struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct calc c = calc_begin(ctx);
-  struct num_vec params = calc_vec(&c, N_PARAMS), m = calc_vec(&c, 16), z = calc_vec(&c, 4), start = calc_vec(&c, 4);
-  int s = SS_OK;
-  for (int i = 0; i < 3; i++) s |= ctx.type->set_q(num_vec_at(&params, i), &j->scene->value[i], ctx.prec);
-  arb_set(num_vec_at(&params, P_E1), o->e1);
-  arb_set(num_vec_at(&params, P_E2), o->e2);
-  arb_set(num_vec_at(&start, 0), o->z10);
-  arb_set(num_vec_at(&start, 1), o->z20);
-  for (int i = 2; i < 4; i++) arb_set(num_vec_at(&start, i), num_vec_at(&params, P_V));
-  num_vec_set(&z, &start);
-  for (int i = 0; i < n; i++) {
-    if (closed) {
-      s |= dyn_flow(&z, through[i], &params, &z, o->t + (int)through[i]);
-    } else {
-      s |= dyn_propagator(&m, through[i], &params, o->t + (int)through[i]);
-      s |= num_mat_mul(&z, &m, &z, 4, 4, 1);
-    }
-  }
-  truth back = s == SS_OK ? TRUTH_TRUE : TRUTH_UNKNOWN;
-  for (int i = 0; s == SS_OK && i < 4; i++)
-    if (!arb_overlaps(num_vec_at(&z, i), num_vec_at(&start, i))) back = TRUTH_FALSE;
-  /* A solution that is no motion shows nothing.  Without phase D, t_a = 0, the force is e_1 where phase C ends. */
-  bool sticks = false;
-  for (int i = 0; i < n; i++) sticks = sticks || through[i] == PHASE_D;
-  for (int k = 0; k < N_CONDITIONS; k++)
-    if (sticks || (k != COND_TA && k != COND_D_R && k != COND_C_W))
-      back = truth_and(back, o->holds[k] == TRUTH_TRUE ? TRUTH_TRUE : TRUTH_UNKNOWN);
-  calc_clear(&c);
-  return back;
-}
-
-static struct route_result add_returns(struct finding *f, struct judge *j, const struct dyn_orbits *list,
-                                       const enum phase *through, int n, bool closed) {
-  struct answers back = {{0}};
-  for (slong i = 0; i < list->n; i++) back.of[returns(j, &list->orbit[i], through, n, closed)]++;
-  const struct dyn_orbit *o = list->n ? &list->orbit[0] : NULL;
-  const char *note =
-      o ? result_str(j->out,
-                     "%ld found for chi, eta and V of %s, %sproved to exist; the state returns, and the conditions of "
-                     "the phases are kept, for %ld of %ld; %s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
-                     (long)list->n, scene_data_of(j->scene), list->n == 1 ? "" : "each ", back.of[TRUTH_TRUE],
-                     (long)list->n, list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6),
-                     ball_text(j, o->t[1], 6), ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6),
-                     ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
-        : "none was found; the search is not exhaustive";
-  back.of[TRUTH_UNKNOWN] += !o;
-  if (back.of[TRUTH_TRUE]) back.of[TRUTH_FALSE] = back.of[TRUTH_UNKNOWN] = 0; /* one is enough */
-  struct route_result w = answers_route(closed ? "balls" : "exponential", closed, &back);
-  w.trials = list->n;
-  return add(f, j, w, note);
-}
-
-bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  (void)view;
-  enum dyn_quantity which[2];
-  enum phase through[N_PHASES];
-  fmpq value[2];
-  struct dyn_orbits list;
-  if (scene_is_box(j->scene)) {
-    finding_skip(f, j, "the scene gives intervals");
-    return true;
-  }
-  for (int i = 0; i < 2; i++) fmpq_init(&value[i]);
-  int n = read_phases(through, N_PHASES, claim_get(c, "through"));
-  bool ok = n > 0 || claim_error(j, c, "through", "the names of phases are needed");
-  ok = ok && (read_given(which, value, claim_get(c, "given")) ||
-              claim_error(j, c, "given", "reads NAME = VALUE, NAME = VALUE"));
-  if (ok) {
-    struct route_result w[2];
-    work_add(UNITS_OF_EXISTENCE);
-    dyn_orbits_given(&list, j->scene->value, which, value, FIRST_PREC, &dyn_given_limits);
-    w[0] = add_returns(f, j, &list, through, n, true);
-    w[1] = add_returns(f, j, &list, through, n, false);
-    f->verdict = verdict_of(w, 2, true); /* one enclosed solution proves that there is one */
-    dyn_orbits_clear(&list);
-  }
-  for (int i = 0; i < 2; i++) fmpq_clear(&value[i]);
   return ok;
 }
 

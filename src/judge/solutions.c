@@ -1,5 +1,5 @@
 /* What the equations of a periodic motion determine: how many solutions with positive times they have, whether the
-   events of each are the first ones, whether each is a motion of the system.
+   events of each are the first ones, whether each is a motion of the system; whether there is one with given times.
 
    The list is that of motion/branches.h, every root of every switching function, or with "kept: yes" that of the word's
    orbits, whatever their t_c: along a phase in which the constraints hold no switching function vanishes, so that what
@@ -12,13 +12,14 @@
 #include "judge.h"
 #include "motion/branches.h"
 #include "motion/complete.h"
+#include "motion/given.h"
 #include "proof/condition.h"
 #include "value/coulomb_setup.h"
 #include "value/title.h"
 
-enum { SOLUTION_PREC = 256, UNITS_OF_SOLUTIONS = 60000, MOST_LISTED = 40 };
+enum { SOLUTION_PREC = 256, UNITS_OF_SOLUTIONS = 60000, UNITS_OF_GIVEN = 150000, MOST_LISTED = 40 };
 
-enum asked_of { ASKED_COUNT, ASKED_FIRST, ASKED_MOTION };
+enum asked_of { ASKED_COUNT, ASKED_FIRST, ASKED_MOTION, ASKED_GIVEN };
 
 struct solutions {
   struct judge *j;
@@ -42,8 +43,9 @@ struct solutions {
 static bool read_parameters(bool *given, struct solutions *x) {
   const char *at = claim_get(x->c, "at");
   const struct scene *s = x->j->scene;
-  x->at.kind = POINT_ORBIT;
-  *given = !scene_is_box(s) && (at || (s->given[KEY_E1] && s->given[KEY_E2]));
+  bool times = x->asked == ASKED_GIVEN;
+  x->at.kind = times ? POINT_GIVEN : POINT_ORBIT;
+  *given = !scene_is_box(s) && (at || times || (s->given[KEY_E1] && s->given[KEY_E2]));
   if (!*given) return true;
   if (!at) {
     for (int i = 0; i < N_PARAMS; i++) fmpq_set(&x->at.q[Q_CHI + i], &s->value[KEY_CHI + i]);
@@ -56,10 +58,14 @@ static bool read_asked(struct solutions *x) {
   const char *count = claim_get(x->c, "count");
   x->kept = claim_says(x->c, "kept", "yes");
   x->count = count ? strtol(count, NULL, 10) : 0;
-  x->asked = count ? ASKED_COUNT : claim_says(x->c, "every", "motion") ? ASKED_MOTION : ASKED_FIRST;
-  if (!count && x->asked == ASKED_FIRST && !claim_says(x->c, "every", "first"))
-    return claim_error(x->j, x->c, "kind", "a count is needed, or every: first, or every: motion");
-  return x->kept || claim_get(x->c, "until") || claim_error(x->j, x->c, "kind", "until, a bound of t_c, is needed");
+  x->asked = count                                 ? ASKED_COUNT
+             : claim_get(x->c, "given")            ? ASKED_GIVEN
+             : claim_says(x->c, "every", "motion") ? ASKED_MOTION
+                                                   : ASKED_FIRST;
+  if (x->asked == ASKED_FIRST && !claim_says(x->c, "every", "first"))
+    return claim_error(x->j, x->c, "kind", "a count is needed, or given, or every: first, or every: motion");
+  return x->kept || x->asked == ASKED_GIVEN || claim_get(x->c, "until") ||
+         claim_error(x->j, x->c, "kind", "until, a bound of t_c, is needed");
 }
 
 /* That what keeps the constraints has first events is so of all of them: of a claim on these solutions alone none of
@@ -215,6 +221,72 @@ static const char *summed_up(struct solutions *x) {
                     x->asked == ASKED_COUNT && all ? recurrence : "");
 }
 
+/* --- With given times --- */
+
+/* "t_a = 0, t_b = 2". */
+static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *text) {
+  for (int i = 0; i < 2; i++) {
+    char name[8], number[24];
+    int used;
+    if (!text || sscanf(text, " %7[a-z_0-9] = %23[0-9./]%n", name, number, &used) != 2) return false;
+    text += used;
+    while (*text == ',' || *text == ' ') text++;
+    int k = word_find(name, dyn_quantity_id, N_QUANTITIES);
+    if (k == N_QUANTITIES || num_parse_decimal(&value[i], number, strlen(number)) != SS_OK) return false;
+    which[i] = (enum dyn_quantity)k;
+  }
+  return true;
+}
+
+/* Does a solution that was found solve the paper's equations and keep the constraints?  One is enough. */
+static struct route_result add_given(struct finding *f, struct solutions *x, enum variant variant) {
+  struct answers good = {{0}};
+  struct text note = {0};
+  for (slong i = 0; i < x->list.n; i++) {
+    x->at.known = &x->list.orbit[i];
+    enum outcome solves = sentence_try_balls(&x->equations, &x->at, variant, x->cache).outcome;
+    truth holds = solves == OUTCOME_AGREES ? TRUTH_TRUE : solves == OUTCOME_DIFFERS ? TRUTH_FALSE : TRUTH_UNKNOWN;
+    good.of[truth_and(holds, conditions_hold(&x->constraints, &x->at, x->cache))]++;
+  }
+  const struct dyn_orbit *o = x->list.n ? &x->list.orbit[0] : NULL;
+  if (o) {
+    text_printf(&note,
+                "%ld found for chi, eta and V of %s, proved to exist; the equations and the constraints hold for %ld; "
+                "the first has (t_a, t_b, t_c, t_d) = (",
+                (long)x->list.n, scene_data_of(x->j->scene), good.of[TRUTH_TRUE]);
+    add_times(&note, x->j, o);
+    text_printf(&note, ") and e1 = %s, e2 = %s", ball_text(x->j, o->e1, 6), ball_text(x->j, o->e2, 6));
+  } else {
+    text_add(&note, "none was found; the search is not exhaustive");
+    good.of[TRUTH_UNKNOWN]++;
+  }
+  if (good.of[TRUTH_TRUE]) good.of[TRUTH_FALSE] = good.of[TRUTH_UNKNOWN] = 0;
+  bool closed = variant == VARIANT_CLOSED;
+  struct route_result w = answers_route(closed ? "balls" : "exponential", closed, &good);
+  w.trials = x->list.n;
+  return finding_add_route(f, x->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, NULL,
+                           result_take(x->j->out, &note));
+}
+
+static bool judge_given(struct finding *f, struct solutions *x) {
+  enum dyn_quantity which[2];
+  fmpq value[2];
+  for (int i = 0; i < 2; i++) fmpq_init(&value[i]);
+  bool ok = read_given(which, value, claim_get(x->c, "given")) ||
+            claim_error(x->j, x->c, "given", "reads NAME = VALUE, NAME = VALUE");
+  if (ok) {
+    struct route_result w[2];
+    work_add(UNITS_OF_GIVEN);
+    dyn_orbits_given(&x->list, x->at.q + Q_CHI, which, value, FIRST_PREC, &dyn_given_limits);
+    w[0] = add_given(f, x, VARIANT_CLOSED);
+    w[1] = add_given(f, x, VARIANT_EXPONENTIAL);
+    f->verdict = verdict_of(w, 2, true); /* one enclosed solution proves that there is one */
+    dyn_orbits_clear(&x->list);
+  }
+  for (int i = 0; i < 2; i++) fmpq_clear(&value[i]);
+  return ok;
+}
+
 /* --- Under Coulomb's law --- */
 
 /* Of the solutions with first roots, or those that keep the constraints too, one on which every condition of the model
@@ -309,6 +381,8 @@ bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, 
   ok = ok && sentence_from_claim(&x.equations, view, c, NULL, 0, j->d);
   if (ok && !given) {
     finding_skip(f, j, "the scene does not give e1 and e2");
+  } else if (ok && x.asked == ASKED_GIVEN) {
+    ok = judge_given(f, &x);
   } else if (ok) {
     find(&x);
     if (x.list.n > MOST_BRANCHES)

@@ -36,7 +36,6 @@ static const struct {
     {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "side", damage_one_of},
     {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "transition", damage_one_of},
     {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "word", damage_phases},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "through", damage_phases},
     {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "record-scene", maker_delete},
     {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repaired", damage_text_of_correction},
     {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repaired-range", damage_text_of_correction},

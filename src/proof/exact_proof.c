@@ -61,7 +61,7 @@ static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion
 /* Does the step hold, an inequality because the difference of its sides is positive by what is known to be? */
 static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d) {
   enum relop op = b->s->ops[i];
-  if (op == REL_EQ || b->sharp) return exact_is_zero(m->field, d);
+  if (op == REL_EQ) return exact_is_zero(m->field, d);
   struct calc c = exact_calc(m->field);
   struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
   int n = exact_law_margins(&law, NULL, m);
@@ -124,7 +124,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
     if (s == SS_OK && step_holds(b, &m, i, d)) {
       b->done[i] = true;
       b->by[i] = *a;
-    } else if (s == SS_OK && (b->sharp || b->s->ops[i] == REL_EQ)) {
+    } else if (s == SS_OK && b->s->ops[i] == REL_EQ) {
       book_difference(b, &m, i, d, keep);
     }
     apart = apart || b->apart[i];
@@ -166,7 +166,7 @@ static bool has_op(const struct tape *t, enum tape_op op) {
 /* Are inequalities all that is not proved? */
 static bool inequalities_left(const struct job *b) {
   for (slong i = 0; i < b->s->n; i++)
-    if (!b->done[i] && (b->sharp || b->s->ops[i] == REL_EQ)) return false;
+    if (!b->done[i] && b->s->ops[i] == REL_EQ) return false;
   return true;
 }
 
@@ -233,7 +233,7 @@ static const char *why_open(struct job *b) {
     inequalities += !b->done[i] && b->s->ops[i] != REL_EQ;
     apart += b->apart[i];
   }
-  if (inequalities && !b->sharp)
+  if (inequalities)
     return b->j->model->system ? "an inequality, which exact algebra does not decide unless it follows from what (2) "
                                  "asks and from positive factors"
                                : "an inequality, which exact algebra does not decide";
@@ -308,7 +308,7 @@ static void prove_with(struct exact_proof *p, struct judge *j, const struct exac
                     .s = &s};
     prove_spec(p, &b);
     if (p->proved) record_part(p, &b, q, o, n);
-    for (slong k = 0; k < s.n; k++) p->by_factors = p->by_factors || (!q->sharp && s.ops[k] != REL_EQ);
+    for (slong k = 0; k < s.n; k++) p->by_factors = p->by_factors || s.ops[k] != REL_EQ;
   }
   sentence_clear(&s);
 }
@@ -415,8 +415,7 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
       {KIND_SEQUENCE, "an event is not proved to be the first of its phase, or a condition not throughout it"},
       {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
       {KIND_CONSTRAINTS, "the list is not shown to be what (2) asks, by exact algebra"},
-      {KIND_SOLUTIONS, "solutions are listed in balls"},
-      {KIND_EXISTENCE, "solutions are found at points"}};
+      {KIND_SOLUTIONS, "solutions are listed in balls"}};
   enum kind kind = claim_kind(c);
   for (int i = 0; i < f->n_evidence; i++)
     if (strcmp(f->evidence[i].route, "exact") == 0) return;

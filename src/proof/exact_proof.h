@@ -43,7 +43,7 @@ struct exact_proof {
 
 bool exact_sentence(struct sentence *s, const struct exact_question *q, struct view view, const struct override *o,
                     int n, struct diag *d);
-/* The sentence of a claim that is tried at points, or is sharp, under a restriction or (NULL) without. */
+/* The sentence of a claim that is tried at points, under a restriction or (NULL) without. */
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r);
 
 /* That J is the model's on every periodic motion of the word. */

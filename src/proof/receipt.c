@@ -95,17 +95,13 @@ static bool same_attempt(const struct exact_attempt *a, const struct exact_attem
   return a->modes == b->modes && a->anchor == b->anchor && a->tangents == b->tangents && a->time == b->time;
 }
 
-static const char *relation(const struct exact_part *p, const struct sentence *s, slong i) {
-  return p->question->sharp || s->ops[i] == REL_EQ ? "=" : s->ops[i] == REL_LT ? "<" : ">";
-}
-
 static void add_part(struct text *out, const struct exact_part *p, const struct sentence *s, const char *list, int i) {
   const struct tape *t = &s->tape;
   const struct restriction *r = p->spec.restriction;
   text_printf(out, "%s.append(dict(\n    values=%s_%d,\n    sides=[", list, list, i);
   for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
   text_add(out, "],\n    relations=\"");
-  for (slong k = 0; k < p->n; k++) text_add(out, relation(p, s, k));
+  for (slong k = 0; k < p->n; k++) text_add(out, s->ops[k] == REL_EQ ? "=" : s->ops[k] == REL_LT ? "<" : ">");
   text_add(out, "\",\n    oracle=");
   text_printf(out, p->question->value ? "\"%s\"" : "None", p->question->value);
   text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    law=\"%s\",\n    fixed={",
@@ -275,7 +271,7 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
   }
   enum kind kind = claim_kind(c);
   bool of_orbit = receipt_of_orbit(claims, id);
-  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_SHARP && kind != KIND_RANK) {
+  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_RANK) {
     diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
     return false;
   }

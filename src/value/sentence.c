@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/work.h"
+#include "claim/kinds.h"
 #include "num/calc.h"
 #include "record/result.h"
 #include "sentence.h"
@@ -197,7 +198,11 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
                          int n_overrides, struct diag *d) {
   const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value");
   const struct statement_record *r = statement ? claim_record(v, c, "statement", statement, d) : NULL;
-  if (r) return sentence_from_relations(s, v, r, overrides, n_overrides, d);
+  if (r) {
+    bool ok = sentence_from_relations(s, v, r, overrides, n_overrides, d);
+    for (slong i = 0; ok && claim_kind(c) == KIND_SHARP && i < s->n; i++) s->ops[i] = REL_EQ;
+    return ok;
+  }
   if (!statement && claim_value_known(c, value, d))
     return sentence_from_value(s, v, value, claim_section(c), overrides, n_overrides, d);
   *s = (struct sentence){.n = 0};
@@ -417,6 +422,31 @@ struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum 
     if (t.outcome != OUTCOME_UNDECIDED) break;
   }
   work_precision_raise(LADDER_SIDES, t.bits == FIRST_PREC);
+  return t;
+}
+
+struct trial sentence_try_ends(struct sentence *s, const struct point *p, enum variant variant,
+                               struct orbit_cache *cache) {
+  struct trial t = {.outcome = OUTCOME_REJECTED, .bits = FIRST_PREC};
+  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  struct num_vec lhs[2], rhs[2];
+  struct point at;
+  point_init(&at);
+  point_copy(&at, p);
+  for (int end = 0; end < 2; end++) {
+    lhs[end] = calc_vec(&c, s->n);
+    rhs[end] = calc_vec(&c, s->n);
+    fmpq_set_si(&at.q[Q_S], end, 1);
+    t.status |= sentence_values(&lhs[end], &rhs[end], s, &at, variant, cache);
+  }
+  for (slong i = 0; i < s->n; i++) {
+    if (arb_overlaps(num_vec_at(&lhs[0], i), num_vec_at(&rhs[0], i))) continue;
+    arb_set(num_vec_at(&lhs[0], i), num_vec_at(&lhs[1], i));
+    arb_set(num_vec_at(&rhs[0], i), num_vec_at(&rhs[1], i));
+  }
+  if (t.status == SS_OK) t = balls_compare(&lhs[0], &rhs[0]);
+  point_clear(&at);
+  calc_clear(&c);
   return t;
 }
 

@@ -36,7 +36,8 @@ bool statement_is_condition(const struct statement_record *r, const struct stmt 
    phase of the motion, the points lie in it already. */
 bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
                              const struct override *overrides, int n_overrides, struct diag *d);
-/* What a matrix or identity claim says: by its statement or its value. */
+/* What a claim that is tried at points says, by its statement or its value: of a sharp one, the equalities that its steps
+   become at the ends of the phase. */
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d);
 /* Whether it can be read, though nothing may be known of its value; false with d set. */
@@ -65,6 +66,9 @@ struct trial {
    of every equality overlap and are narrower than 2^(-bits/2) max(1, scale). */
 struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,
                                 struct orbit_cache *cache);
+/* The same of equalities, each of which need hold at one end of the point's phase only, in balls of 128 bits. */
+struct trial sentence_try_ends(struct sentence *s, const struct point *p, enum variant variant,
+                               struct orbit_cache *cache);
 /* Two vectors of balls (as long as each other, in one context) as the sides of equalities, decided in the same way at
    their precision alone. */
 struct trial balls_compare(const struct num_vec *lhs, const struct num_vec *rhs);

@@ -20,7 +20,6 @@ static const char *const sentences[N_KINDS] = {
     [KIND_CLOSURE] = "the printed numbers are those of a periodic solution",
     [KIND_NOTATION] = "{reads} can be read as a formula",
     [KIND_SEQUENCE] = "on the example one period consists of {word}, in this order",
-    [KIND_EXISTENCE] = "there is a periodic solution through {through} with {given}",
     [KIND_LAW] =
         "{equation} gives the friction of the {mass} mass while it slips, while it sticks and beyond its limit",
     [KIND_REPORT] = "the value of {formula} on the example",
@@ -430,6 +429,11 @@ static bool make_solutions(struct text *out, const struct title *t) {
   const char *count = claim_get(t->c, "count"), *every = claim_get(t->c, "every"), *at = claim_get(t->c, "at");
   const char *until = claim_get(t->c, "until"), *kept = claim_get(t->c, "kept"),
              *note = r ? title_note(r, false) : NULL;
+  if (r && note && claim_get(t->c, "given")) {
+    text_printf(out, "%s %s an admissible solution with ", note, title_is_plural(note) ? "have" : "has");
+    title_listed(out, claim_get(t->c, "given"), ',');
+    return true;
+  }
   if (!r || !note || (!count && !every)) return missing(t);
   long n = count ? strtol(count, NULL, 10) : 0;
   if (!count) text_printf(out, "every solution of %s", note);
@@ -525,14 +529,14 @@ static bool make_behaviour(struct text *out, const struct title *t) {
 }
 
 static maker *const makers[N_KINDS] = {
-    [KIND_DEFINITION] = make_definition,   [KIND_MATRIX] = make_matrix,     [KIND_IDENTITY] = make_identity,
-    [KIND_INEQUALITY] = make_inequality,   [KIND_SHARP] = make_sharp,       [KIND_INDEX_RANGE] = make_index_range,
-    [KIND_NUMBER] = make_number,           [KIND_CLOSURE] = make_sentence,  [KIND_CRITERION] = make_criterion,
-    [KIND_BEHAVIOUR] = make_behaviour,     [KIND_ARGUMENT] = make_argument, [KIND_NOTATION] = make_notation,
-    [KIND_SCALING] = make_scaling,         [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
-    [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sentence, [KIND_EXISTENCE] = make_sentence,
-    [KIND_CONSTRAINTS] = make_constraints, [KIND_RANGE] = make_range,       [KIND_LAW] = make_sentence,
-    [KIND_SOLUTIONS] = make_solutions,     [KIND_REPORT] = make_sentence,
+    [KIND_DEFINITION] = make_definition, [KIND_MATRIX] = make_matrix,     [KIND_IDENTITY] = make_identity,
+    [KIND_INEQUALITY] = make_inequality, [KIND_SHARP] = make_sharp,       [KIND_INDEX_RANGE] = make_index_range,
+    [KIND_NUMBER] = make_number,         [KIND_CLOSURE] = make_sentence,  [KIND_CRITERION] = make_criterion,
+    [KIND_BEHAVIOUR] = make_behaviour,   [KIND_ARGUMENT] = make_argument, [KIND_NOTATION] = make_notation,
+    [KIND_SCALING] = make_scaling,       [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
+    [KIND_DEFINED] = make_defined,       [KIND_SEQUENCE] = make_sentence, [KIND_CONSTRAINTS] = make_constraints,
+    [KIND_RANGE] = make_range,           [KIND_LAW] = make_sentence,      [KIND_SOLUTIONS] = make_solutions,
+    [KIND_REPORT] = make_sentence,
 };
 
 static bool title_made(struct text *out, const struct title *t) {
