@@ -11,6 +11,7 @@
 #include "proof/condition.h"
 #include "report/report.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "value/expression.h"
@@ -20,8 +21,7 @@
 
 static enum verdict verdict_under(const struct model *m, const char *text) {
   struct audit_result r;
-  struct diag d;
-  ck_assert_msg(judge_text(&r, m, text, &the_paper.scene, "own", &d), "%s", d.message);
+  goes_well(judge_text(&r, m, text, &the_paper.scene, "own", &d));
   ck_assert_int_eq((int)r.n_findings, 1);
   enum verdict v = r.findings[0].verdict;
   audit_result_clear(&r);
@@ -38,11 +38,10 @@ struct asked {
 /* All in one run, which draws its orbits once; "eq-0" selects eq-0a, eq-0b, ... */
 static void check_verdicts(const struct model *m, const char *head, const struct asked *asked, int n) {
   struct audit_result r;
-  struct diag d;
   struct text t;
   text_init(&t);
   for (int i = 0; i < n; i++) text_printf(&t, "claim eq-0%c\n%s%s\n", 'a' + i, head, asked[i].claim);
-  ck_assert_msg(judge_text(&r, m, text_str(&t), &the_paper.scene, "eq-0", &d), "%s", d.message);
+  goes_well(judge_text(&r, m, text_str(&t), &the_paper.scene, "eq-0", &d));
   ck_assert_int_eq((int)r.n_findings, n);
   for (int i = 0; i < n; i++) {
     const char id[] = {'e', 'q', '-', '0', (char)('a' + i), '\0'};
@@ -347,12 +346,10 @@ END_TEST
 START_TEST(a_certificate_is_a_scene) {
   struct claims none = {.n = 0};
   struct audit_result r;
-  struct diag d;
   const char *id = "text-59-concluded";
   const struct audit_options opt = {.only = &id, .n_only = 1};
-  diag_init(&d);
   audit_result_init(&r);
-  ck_assert(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
+  goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
   const char *from = r.findings[0].evidence[0].note, *end = strstr(from, " there is a solution");
   ck_assert(r.findings[0].verdict == VERDICT_CONDITIONAL && strncmp(from, "for ", 4) == 0 && end);
   struct text t;
@@ -361,7 +358,7 @@ START_TEST(a_certificate_is_a_scene) {
   for (char *c = t.data; (c = strstr(c, "\n ")) != NULL;) memmove(c + 1, c + 2, strlen(c + 1));
   struct scene s;
   struct dyn_orbits list;
-  ck_assert_msg(scene_load(&s, scratch_put("found.scene", text_str(&t)), "verify", &d), "%s", d.message);
+  goes_well(scene_load(&s, scratch_put("found.scene", text_str(&t)), "verify", &d));
   ck_assert(s.given[KEY_U_R1] && s.given[KEY_TB] && !scene_has_forces(&s));
   audit_orbits(&list, &s, 128);
   ck_assert(list.n >= 1 && list.orbit[0].admissible == TRUTH_TRUE);
@@ -413,12 +410,10 @@ END_TEST
 static void faults_of(struct text *out, const char *overlay) {
   struct model m;
   struct audit_result r;
-  struct diag d;
   paper_model(&m,
               &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL, .controls = true});
-  ck_assert_msg(
-      judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &the_paper.scene, "own", &d),
-      "%s", d.message);
+  goes_well(
+      judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &the_paper.scene, "own", &d));
   const char *note = r.findings[0].evidence[0].note;
   for (const char *p = note; p && *p;) {
     size_t n = strcspn(p, ":");
@@ -466,11 +461,10 @@ static const struct {
 
 START_TEST(units_of_one_record) {
   struct audit_result r;
-  struct diag d;
   struct text t;
   text_init(&t);
   text_printf(&t, HEAD "%s", units[_i].claim);
-  ck_assert_msg(judge_text(&r, &the_paper.model, text_str(&t), &the_paper.scene, "own", &d), "%s", d.message);
+  goes_well(judge_text(&r, &the_paper.model, text_str(&t), &the_paper.scene, "own", &d));
   const struct finding *f = &r.findings[0];
   ck_assert_int_eq((int)f->verdict, (int)units[_i].want);
   if (f->verdict == VERDICT_REFUTED) ck_assert_int_eq((int)f->correction_verdict, (int)units[_i].repaired);
@@ -592,16 +586,14 @@ START_TEST(values_of_formulas) {
   };
   struct model m;
   struct text t;
-  struct diag d;
   struct audit_result r;
-  diag_init(&d);
   text_init(&t);
   text_printf(&t, "equation user\n  section: %s\n%s",
               strstr(cases[_i].statements, "omega*t_d") ? "stability" : "validation", cases[_i].statements);
   paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text_str(&t)), .controls = true});
   text_reset(&t);
   text_printf(&t, HEAD "  kind: defined\n  statements: user\n%s", cases[_i].attributes);
-  ck_assert_msg(judge_text(&r, &m, text_str(&t), &the_paper.scene, "own", &d), "%s", d.message);
+  goes_well(judge_text(&r, &m, text_str(&t), &the_paper.scene, "own", &d));
   const struct finding *f = &r.findings[0];
   ck_assert_msg(f->verdict == cases[_i].want, "%s: %s", cases[_i].statements, verdict_name[f->verdict]);
   if (cases[_i].condition) ck_assert_str_eq(f->condition, cases[_i].condition);

@@ -10,6 +10,7 @@
 #include "plain.h"
 #include "report/report.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "value/title.h"
@@ -113,13 +114,11 @@ END_TEST
 /* Judges the claims that `only` selects, over the overlay. */
 static void judge(struct audit_result *r, const char *overlay, bool with_controls, const char *only) {
   struct model m;
-  struct diag d;
-  diag_init(&d);
   audit_result_init(r);
   paper_model(&m, &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL,
                                          .controls = with_controls});
   const struct audit_options opt = {.only = &only, .n_only = 1};
-  ck_assert_msg(audit_run(r, &m, &the_paper.claims, &the_paper.controls, &the_paper.scene, &opt, &d), "%s", d.message);
+  goes_well(audit_run(r, &m, &the_paper.claims, &the_paper.controls, &the_paper.scene, &opt, &d));
   model_clear(&m);
 }
 

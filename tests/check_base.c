@@ -17,6 +17,7 @@
 #include "base/status.h"
 #include "base/suggest.h"
 #include "rng.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -332,9 +333,7 @@ START_TEST(read_what_was_written) {
   for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
     const char *path = scratch_put_n("read", c[i].bytes, c[i].len);
     struct source s;
-    struct diag d;
-    diag_init(&d);
-    ck_assert_msg(source_read(&s, path, c[i].len, &d), "%s", d.message);
+    goes_well(source_read(&s, path, c[i].len, &d));
     ck_assert_str_eq(s.name, path);
     ck_assert_uint_eq(s.len, c[i].len - c[i].skip);
     ck_assert_mem_eq(s.text, c[i].bytes + c[i].skip, s.len + 1);
@@ -349,9 +348,7 @@ START_TEST(read_large_files) {
   for (int i = 0; i < 100000; i++) text_printf(&t, "%d\n", i);
   const char *path = scratch_put("large", t.data);
   struct source s;
-  struct diag d;
-  diag_init(&d);
-  ck_assert(source_read(&s, path, t.len, &d));
+  goes_well(source_read(&s, path, t.len, &d));
   ck_assert_uint_eq(s.len, t.len);
   ck_assert_str_eq(s.text, t.data);
   source_clear(&s);
@@ -564,10 +561,9 @@ START_TEST(records) {
   table_read(&c, "tests/cases/records.tsv", 2);
   for (int i = 0; i < c.n; i++) {
     struct record_file f;
-    struct diag d;
     struct text t;
     text_init(&t);
-    ck_assert_msg(parse(&f, c.row[i][TEXT], &d), "%s", d.message);
+    goes_well(parse(&f, c.row[i][TEXT], &d));
     ck_assert(f.n_records >= 1 && f.records[0].kind.begin == f.records[0].kind.end);
     spell(&t, &f);
     ck_assert_msg(strcmp(text_str(&t), c.row[i][SPELT]) == 0, "%s\nread as\n%s\nexpected\n%s", c.row[i][TEXT],
@@ -581,8 +577,7 @@ END_TEST
 
 START_TEST(record_spans) {
   struct record_file f;
-  struct diag d;
-  ck_assert(parse(&f, "t: 1\ndefine J_a # no\n  note:  a\n    b \n  J = 1\n  note: c\n", &d));
+  goes_well(parse(&f, "t: 1\ndefine J_a # no\n  note:  a\n    b \n  J = 1\n  note: c\n", &d));
   const struct record *r = &f.records[1];
   ck_assert(r->kind.begin == 5 && r->kind.end == 11 && r->id.begin == 12 && r->id.end == 15);
   ck_assert(r->fields[0].key.begin == 23 && r->fields[0].key.end == 27);

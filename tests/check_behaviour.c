@@ -14,6 +14,7 @@
 #include "rational.h"
 #include "rng.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -133,8 +134,7 @@ static bool judge_case(struct audit_result *r, const char *text, struct diag *d)
 }
 
 static const struct finding *judged(struct audit_result *r, const char *text) {
-  struct diag d;
-  ck_assert_msg(judge_case(r, text, &d), "%s", d.message);
+  goes_well(judge_case(r, text, &d));
   ck_assert_int_eq((int)r->n_findings, 1);
   return &r->findings[0];
 }

@@ -13,6 +13,7 @@
 #include "bench/jobs.h"
 #include "motion/dynamics.h"
 #include "paper_model.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 
@@ -179,16 +180,14 @@ END_TEST
 
 START_TEST(peers_stand_among_the_others) {
   struct bench_peers p;
-  struct diag d;
   struct bench_table t = {.job = &bench_map, .cases = 4};
   struct text out;
-  diag_init(&d);
   text_init(&out);
   const char *path =
       scratch_put("peers.tsv", HEAD GOOD "map\tgone\tNot here\tgp\t\t\tno\tnot installed\t0\t0\t-\t-\t-\t-\n"
                                          "map\tpeer\tA peer\tgp\tdigits\t18\tno\tfailed: gives up\t3\t1\t-\t-\t-\t-\n"
                                          "orbit\tpeer\tA peer\tgp\t\t\tyes\tok\t3\t0\t1e-9\t1e-9\t7\t8\n");
-  ck_assert_msg(bench_peers_read(&p, path, &d), "%s", d.message);
+  goes_well(bench_peers_read(&p, path, &d));
   bench_peers_add(&t, &p);
   ck_assert_str_eq(text_str(&p.versions), "GP: 1.2\n");
   ck_assert_int_eq(t.n, 3);

@@ -11,6 +11,7 @@
 #include "paper_model.h"
 #include "rational.h"
 #include "run/run.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -175,10 +176,9 @@ static const struct {
 START_TEST(what_is_claimed_of_them) {
   struct model m;
   struct audit_result r;
-  struct diag d;
   const char *overlay = claims_tried[_i].overlay;
   paper_model(&m, &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL});
-  ck_assert_msg(judge_text(&r, &m, claims_tried[_i].claim, &the_paper.scene, "own", &d), "%s", d.message);
+  goes_well(judge_text(&r, &m, claims_tried[_i].claim, &the_paper.scene, "own", &d));
   ck_assert_msg(r.findings[0].verdict == claims_tried[_i].want, "%s: %s", claims_tried[_i].what,
                 verdict_name[r.findings[0].verdict]);
   ck_assert((r.findings[0].condition != NULL) == (claims_tried[_i].want == VERDICT_CONDITIONAL));

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -24,10 +25,9 @@ START_TEST(what_json_is) {
   struct table good;
   table_read(&good, "tests/cases/json_good.tsv", 1);
   struct arena a;
-  struct diag d;
   struct json_value v;
   arena_init(&a);
-  for (int i = 0; i < good.n; i++) ck_assert_msg(parse(&v, &a, good.row[i][0], &d), "%s", d.message);
+  for (int i = 0; i < good.n; i++) goes_well(parse(&v, &a, good.row[i][0], &d));
   arena_clear(&a);
   table_clear(&good);
 }
@@ -53,10 +53,9 @@ END_TEST
 
 START_TEST(values_are_those_written) {
   struct arena a;
-  struct diag d;
   struct json_value v;
   arena_init(&a);
-  ck_assert(parse(
+  goes_well(parse(
       &v, &a, "{\"s\": \"\\u20ac \\ud834\\udd1e \\u00e9\\n\", \"n\": -1.50e3, \"t\": true, \"l\": [1, [], null]}", &d));
   ck_assert_uint_eq(v.n, 4);
   ck_assert_str_eq(json_text(&v, "s"), "\xe2\x82\xac \xf0\x9d\x84\x9e \xc3\xa9\n");
@@ -87,10 +86,10 @@ START_TEST(sameness) {
                {"{\"a\":{\"b\":[1]}}", "{\"a\":{\"b\":[2]}}", false}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct arena a;
-    struct diag d;
     struct json_value x, y;
     arena_init(&a);
-    ck_assert(parse(&x, &a, cases[i].a, &d) && parse(&y, &a, cases[i].b, &d));
+    goes_well(parse(&x, &a, cases[i].a, &d));
+    goes_well(parse(&y, &a, cases[i].b, &d));
     ck_assert_msg(json_same(&x, &y) == cases[i].same && json_same(&y, &x) == cases[i].same, "%s %s", cases[i].a,
                   cases[i].b);
     arena_clear(&a);
@@ -189,11 +188,10 @@ START_TEST(changes_as_json) {
                    1);
   struct source s;
   struct arena a;
-  struct diag d;
   struct json_value v;
   arena_init(&a);
-  diag_init(&d);
-  ck_assert(source_read(&s, scratch_path("out"), 1 << 20, &d) && json_parse(&v, &a, &s, &d));
+  goes_well(source_read(&s, scratch_path("out"), 1 << 20, &d));
+  goes_well(json_parse(&v, &a, &s, &d));
   ck_assert_str_eq(json_text(&v, "schema"), "stickslip-diff-1");
   ck_assert(json_member(&v, "changed")->truth && json_member(&v, "counts")->n == 0);
   const struct json_value *verdict = json_member(&v, "verdicts")->first, *member = json_member(&v, "members")->first;

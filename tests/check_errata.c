@@ -15,6 +15,7 @@
 #include "report/report.h"
 #include "report/sheet.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -107,12 +108,10 @@ END_TEST
 /* Two claims about one matrix stand beside each other; a third that uses it rests on both. */
 START_TEST(claims_about_the_same) {
   struct claims own = {.n = 0};
-  struct diag d;
-  diag_init(&d);
   const char *path = scratch_put("same.claim", "claim a\n  section: stability\n  value: J_a\n  title: a\n"
                                                "claim b\n  section: stability\n  value: J_a\n  title: b\n"
                                                "claim c\n  section: stability\n  formula: J_b*J_a\n  title: c\n");
-  ck_assert(claims_add_file(&own, path, "claim", &d));
+  goes_well(claims_add_file(&own, path, "claim", &d));
   struct dependences *on = dependences_new(&the_paper.model, &own);
   for (size_t a = 0; a < 3; a++)
     for (size_t b = 0; b < 3; b++) ck_assert_int_eq(dependences_on(on, a, b), a == 2 && b < 2);
@@ -130,11 +129,8 @@ START_TEST(the_same_program) {
   for (int i = 0; i < 2 * N; i++) {
     struct elaboration el;
     struct matrix m;
-    struct diag d;
-    diag_init(&d);
     elaboration_init(&el, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-    ck_assert_msg(elaborate_tape(&t[i / 2][i % 2], &m, &el, "formula", formulas[i / 2], "appendix_a", &d), "%s",
-                  d.message);
+    goes_well(elaborate_tape(&t[i / 2][i % 2], &m, &el, "formula", formulas[i / 2], "appendix_a", &d));
     elaboration_clear(&el);
   }
   for (int i = 0; i < N; i++)
@@ -321,14 +317,11 @@ END_TEST
 START_TEST(alone_or_together) {
   static const char *const ids[] = {"eq-10", "eq-40", "num-z10"};
   for (size_t i = 0; i < sizeof ids / sizeof *ids; i++) {
-    struct diag d;
     struct audit_result r;
     const struct claims none = {.n = 0};
     const struct audit_options opt = {.only = &ids[i], .n_only = 1};
-    diag_init(&d);
     audit_result_init(&r);
-    ck_assert_msg(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d), "%s",
-                  d.message);
+    goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
     const struct finding *a = finding_with_id(&r, ids[i]), *b = finding_with_id(&result, ids[i]);
     ck_assert_str_eq(a->effect, b->effect);
     ck_assert_int_eq(a->n_depends_on, b->n_depends_on);
@@ -350,13 +343,11 @@ END_TEST
 
 static void judge_one(struct audit_result *r, const char *overlay, const char *errata, const char *id) {
   struct model m;
-  struct diag d;
   const struct claims none = {.n = 0};
   const struct audit_options opt = {.only = &id, .n_only = 1};
-  diag_init(&d);
   audit_result_init(r);
   load(&m, overlay, errata);
-  ck_assert_msg(audit_run(r, &m, &the_paper.claims, &none, &the_paper.scene, &opt, &d), "%s", d.message);
+  goes_well(audit_run(r, &m, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
   model_clear(&m);
 }
 
@@ -600,14 +591,9 @@ START_TEST(mistakes_in_a_list_of_results) {
       {"result a\n  title: b\n  formula: K\n  value: K\n", ":4:3: error: a: a result has section, title and formula"},
       {"result a\n  title: b\n  formula: K\nresult a\n  title: c\n  formula: K\n", "result a is given twice"}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    struct diag d;
-    diag_init(&d);
-    ck_assert(!audit_check_file(scratch_put("r.claim", cases[i].text), "verify", &d));
-    ck_assert_msg(strstr(d.message, cases[i].says) != NULL, "%s", d.message);
+    fails_with(audit_check_file(scratch_put("r.claim", cases[i].text), "verify", &d), cases[i].says);
   }
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(audit_check_file("verify/claims/results.claim", "verify", &d), "%s", d.message);
+  goes_well(audit_check_file("verify/claims/results.claim", "verify", &d));
 }
 END_TEST
 
@@ -615,19 +601,17 @@ END_TEST
 START_TEST(results_that_cannot_be_read) {
   struct audit_result r;
   struct model m;
-  struct diag d;
   struct claims own;
   const struct claims none = {.n = 0};
   const char *only = "eq-27";
   const struct audit_options opt = {.only = &only, .n_only = 1};
-  diag_init(&d);
   audit_result_init(&r);
   load(&m, "define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1, 1]\n",
        "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n");
   paper_claims(&own, NULL);
-  ck_assert(claims_add_file(&own, scratch_put("more.claim", "result none\n  title: none\n  formula: no_such_name\n"),
+  goes_well(claims_add_file(&own, scratch_put("more.claim", "result none\n  title: none\n  formula: no_such_name\n"),
                             "claim", &d));
-  ck_assert_msg(audit_run(&r, &m, &own, &none, &the_paper.scene, &opt, &d), "%s", d.message);
+  goes_well(audit_run(&r, &m, &own, &none, &the_paper.scene, &opt, &d));
   ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
   const struct consequence *q = audit_result_consequence(&r, "eq-27");
   if (q) ck_assert_int_eq(q->n_derived, (int)own.n_results - 1);

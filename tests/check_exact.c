@@ -17,6 +17,7 @@
 #include "proof/linearized.h"
 #include "proof/receipt.h"
 #include "rng.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 
@@ -626,10 +627,8 @@ START_TEST(what_follows_from_the_law) {
     struct text t;
     struct model m;
     struct claims c = {.n = 0};
-    struct diag d;
     struct audit_result out;
     text_init(&t);
-    diag_init(&d);
     audit_result_init(&out);
     text_printf(&t, "inequality by-hand\n  section: stability\n  %s\n", rows[i].says);
     paper_model(&m, &(struct paper_layers){.overlay = scratch_put("law.eq", text_str(&t)), .errata = ""});
@@ -637,7 +636,7 @@ START_TEST(what_follows_from_the_law) {
     text_printf(&t, "claim law\n  kind: identity\n  statement: by-hand\n  points: %s\n  record: proved\n",
                 rows[i].points);
     scratch_put("law-claim", text_str(&t));
-    ck_assert_msg(claims_add_file(&c, scratch_path("law-claim"), "claim", &d), "%s", d.message);
+    goes_well(claims_add_file(&c, scratch_path("law-claim"), "claim", &d));
     struct exact_proof p = prove(&m, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}, &out);
     ck_assert_msg(p.proved == rows[i].follows, "%s: %s: %s", rows[i].says, rows[i].points, p.why_not);
     audit_result_clear(&out);
@@ -882,12 +881,9 @@ static bool has_sympy(void) {
 
 static void receipt(struct text *out, const char *id) {
   struct source src;
-  struct diag d;
-  diag_init(&d);
   const char *file = receipt_of_orbit(&the_paper.claims, id) ? "verify/receipt/orbit.py" : "verify/receipt/model.py";
-  ck_assert(source_read(&src, file, 1 << 20, &d));
-  ck_assert_msg(audit_receipt(out, &the_paper.model, &the_paper.claims, &the_paper.scene, id, src.text, &d), "%s",
-                d.message);
+  goes_well(source_read(&src, file, 1 << 20, &d));
+  goes_well(audit_receipt(out, &the_paper.model, &the_paper.claims, &the_paper.scene, id, src.text, &d));
   source_clear(&src);
 }
 
@@ -972,10 +968,8 @@ START_TEST(receipts_hold_and_damaged_ones_do_not) {
   for (int i = 0; i < 2 * N_ROWS; i += 2) {
     ck_assert_msg(next_status(statuses) == 0, "%s", rows[i / 2].id);
     struct source out;
-    struct diag d;
-    diag_init(&d);
     snprintf(name, sizeof name, "receipt-%d.py.out", i);
-    ck_assert(source_read(&out, scratch_path(name), 1000, &d));
+    goes_well(source_read(&out, scratch_path(name), 1000, &d));
     ck_assert_str_eq(out.text, rows[i / 2].says);
     source_clear(&out);
     if (rows[i / 2].damage->text) ck_assert_msg(next_status(statuses) != 0, "damaged %s", rows[i / 2].id);
@@ -989,10 +983,8 @@ END_TEST
 static bool orbit_receipt_ends(const char *id, const char *const replaced[4], const char *last) {
   struct text t, script;
   struct source out;
-  struct diag d;
   text_init(&t);
   text_init(&script);
-  diag_init(&d);
   receipt(&t, id);
   const char *from = text_str(&t);
   for (int i = 0; i < 4 && replaced[i]; i += 2) {
@@ -1005,7 +997,7 @@ static bool orbit_receipt_ends(const char *id, const char *const replaced[4], co
   text_add(&script, from);
   const char *path = scratch_put("orbit.py", text_str(&script));
   bool well = shell("\"$Y\" '%s' > '%s.out'", path, path) == 0;
-  ck_assert(source_read(&out, scratch_path("orbit.py.out"), 10000, &d));
+  goes_well(source_read(&out, scratch_path("orbit.py.out"), 10000, &d));
   ck_assert_msg(strstr(out.text, last) && strcmp(strstr(out.text, last), last) == 0, "%s: %s", id, out.text);
   source_clear(&out);
   text_clear(&script);
@@ -1036,11 +1028,9 @@ START_TEST(no_receipt_without_a_proof) {
       {"nobody", "no claim is named"}, {"fig-4", "not of a kind"}, {"eq-36b", "not of a kind"}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     struct text t;
-    struct diag d;
     text_init(&t);
-    diag_init(&d);
-    ck_assert(!audit_receipt(&t, &the_paper.model, &the_paper.claims, &the_paper.scene, rows[i][0], "", &d));
-    ck_assert_msg(strstr(d.message, rows[i][1]) != NULL, "%s", d.message);
+    fails_with(audit_receipt(&t, &the_paper.model, &the_paper.claims, &the_paper.scene, rows[i][0], "", &d),
+               rows[i][1]);
     text_clear(&t);
   }
 }

@@ -11,6 +11,7 @@
 
 #include "expr/expr.h"
 #include "rng.h"
+#include "says.h"
 #include "suites.h"
 #include "table.h"
 
@@ -270,10 +271,7 @@ START_TEST(test_limits) {
                                          {"f'(", ")"}, {"(-", ")"}, {"1+(", ")"}};
   for (size_t i = 0; i < sizeof nests / sizeof *nests; i++) {
     tree(repeat(nests[i][0], "x", nests[i][1], 200));
-    struct diag d;
-    diag_init(&d);
-    ck_assert(!parse_expr(repeat(nests[i][0], "x", nests[i][1], 201), &d));
-    ck_assert_msg(strstr(d.message, "nested more than 200 levels"), "%s", d.message);
+    fails_with(parse_expr(repeat(nests[i][0], "x", nests[i][1], 201), &d), "nested more than 200 levels");
   }
   check_mistake(repeat("(", "x", ")", 201), false, "1:202", "nested more than 200 levels");
   check_mistake(repeat("(", "", "", 300000), false, "1:202", "nested more than 200 levels");

@@ -15,6 +15,7 @@
 #include "paper_model.h"
 #include "rng.h"
 #include "route/jacobian.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -42,10 +43,8 @@ static struct model damaged; /* with ktilde_2 of (36) wrong on purpose */
 static void load_scene(struct scene *s, const char *text) {
   static int serial;
   char name[40];
-  struct diag d;
-  diag_init(&d);
   snprintf(name, sizeof name, "s%d.scene", ++serial);
-  ck_assert_msg(scene_load(s, scratch_put(name, text), "verify", &d), "%s", d.message);
+  goes_well(scene_load(s, scratch_put(name, text), "verify", &d));
 }
 
 static void read_row(char *const *field) {
@@ -126,12 +125,11 @@ START_TEST(fd_double_keeps_its_word_on_every_orbit) {
   arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
   arb_t trace;
   arb_init(trace);
-  struct diag d;
   int sharp = 0;
   for (int i = 0; i < n_samples; i++) {
     struct sample *o = &samples[i];
-    ck_assert_msg(jacobian(x, &model, &o->set->scene, at(METHOD_FD_DOUBLE, o, 15), &d), "%s", d.message);
-    ck_assert_msg(jacobian(y, &model, &o->set->scene, at(METHOD_IMPLICIT, o, 30), &d), "%s", d.message);
+    goes_well(jacobian(x, &model, &o->set->scene, at(METHOD_FD_DOUBLE, o, 15), &d));
+    goes_well(jacobian(y, &model, &o->set->scene, at(METHOD_IMPLICIT, o, 30), &d));
     for (int k = 0; k < 4; k++) {
       ck_assert_msg(arb_contains(x + k, y + k), "%s %s, entry %d: off by %.2g, stated %.2g", o->set->name,
                     o->field[F_INDEX], k, fabs(mid(x + k) - mid(y + k)), radius(x + k));
@@ -373,12 +371,10 @@ START_TEST(local_jacobians_are_those_made_elsewhere) {
     double l[N_PHASES][4][4], want[N_PHASES][6];
     struct jacobian_phases p;
     struct jacobian_request q = at(METHOD_IMPLICIT, o, 15);
-    struct diag d;
-    diag_init(&d);
     read_locals(l, o);
     corners(want, l, strtod(o->set->chi, NULL));
     jacobian_phases_init(&p);
-    ck_assert_msg(audit_phases(&p, &model, &o->set->scene, &q, &d), "%s", d.message);
+    goes_well(audit_phases(&p, &model, &o->set->scene, &q, &d));
     for (int ph = 0; ph < N_PHASES; ph++)
       for (int c = 1; c < N_COLUMNS; c++) {
         const struct jacobian_matrix *a = &p.matrix[ph];
@@ -411,14 +407,12 @@ static void departs_at(const struct model *m, const char *v, const char *want) {
   struct scene s;
   struct jacobian_phases p;
   struct jacobian_request q = {METHOD_IMPLICIT, LAYER_CORRECTED, false, 0, 12};
-  struct diag d;
   struct text found;
-  diag_init(&d);
   text_init(&found);
   jacobian_phases_init(&p);
   snprintf(text, sizeof text, "chi = 0.59\neta = 3.1\nV = %s\ne1 = 3.54\ne2 = 0.0657\n", v);
   load_scene(&s, text);
-  ck_assert_msg(audit_phases(&p, m, &s, &q, &d), "%s", d.message);
+  goes_well(audit_phases(&p, m, &s, &q, &d));
   departures(&found, &p);
   ck_assert_str_eq(text_str(&found), want);
   jacobian_phases_clear(&p);
@@ -473,11 +467,10 @@ END_TEST
 /* GSL, which knows of no vanishing determinant, finds 0 and the trace on every orbit. */
 START_TEST(eigenvalues_both_ways) {
   arb_ptr x = _arb_vec_init(6);
-  struct diag d;
   for (int i = 0; i < n_samples; i++) {
     struct sample *o = &samples[i];
     double m[4], re[2], im[2], trace = strtod(o->field[F_TRACE], NULL);
-    ck_assert(jacobian(x, &model, &o->set->scene, at(METHOD_IMPLICIT, o, 17), &d));
+    goes_well(jacobian(x, &model, &o->set->scene, at(METHOD_IMPLICIT, o, 17), &d));
     ck_assert(arb_is_zero(x + 5));
     for (int k = 0; k < 4; k++) m[k] = mid(x + k);
     ck_assert_int_eq(dyn_eigenvalues_d(re, im, m), SS_OK);

@@ -22,6 +22,7 @@
 #include "paper_model.h"
 #include "rational.h"
 #include "rng.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -38,10 +39,8 @@ static struct mech file;
 
 static void read_text(const char *text) {
   struct source src;
-  struct diag d;
-  diag_init(&d);
   source_from_string(&src, "a.system", text);
-  ck_assert_msg(mech_read(&file, src, &d), "%s", d.message);
+  goes_well(mech_read(&file, src, &d));
 }
 
 /* --- Motions --- */
@@ -648,10 +647,8 @@ END_TEST
 
 static void load_system(const char *name) {
   char path[100];
-  struct diag d;
   snprintf(path, sizeof path, "verify/systems/%s.system", name);
-  diag_init(&d);
-  ck_assert_msg(mech_load(&file, path, &d), "%s", d.message);
+  goes_well(mech_load(&file, path, &d));
 }
 
 START_TEST(simulations_follow_the_orbits) {
@@ -861,12 +858,10 @@ END_TEST
 START_TEST(a_thousand_masses) {
   struct text t;
   struct source src;
-  struct diag d;
-  diag_init(&d);
   text_init(&t);
   for (int i = 0; i < 1000; i++) text_printf(&t, "mass m%d\n  inertia: 1\n", i);
   source_from_string(&src, "a.system", text_str(&t));
-  ck_assert(!mech_read(&file, src, &d) && strstr(d.message, "a system has at most 24 masses"));
+  fails_with(mech_read(&file, src, &d), "a system has at most 24 masses");
   mech_clear(&file);
   text_clear(&t);
 }
@@ -922,11 +917,9 @@ static const char along_e2[] = "title: the paper's masses, with e_2 to vary\n"
 
 /* From e2 = 19/10 on, where its orbit is stable, to `to`: one change, of that kind. */
 static void follow_to(struct mech_follow *f, slong to, enum mech_turn what) {
-  struct diag d;
   static const struct mech_word papers = {N_PHASES, {"ss", "-s", "--", "s-"}};
   struct mech_line l = {scratch_put("line.system", along_e2), "e2", NULL, {{19, 10}}, {{to, 10}}, 12, 128, NULL};
-  diag_init(&d);
-  ck_assert_msg(mech_follow(f, &l, &papers, &d), "%s", d.message);
+  goes_well(mech_follow(f, &l, &papers, &d));
   ck_assert_int_eq(f->n_changes, 1);
   ck_assert(!f->spent && f->change[0].what == what && f->change[0].side[0].found && f->change[0].side[1].found);
 }
@@ -938,10 +931,8 @@ static bool brackets_meet(const struct mech_change *c, const struct dyn_bifurcat
 
 static void follow_file(struct mech_follow *f, const char *written, const char *name, const fmpq *from,
                         const fmpq *to) {
-  struct diag d;
   struct mech_line l = {scratch_put("line.system", written), name, NULL, {*from}, {*to}, 12, 128, NULL};
-  diag_init(&d);
-  ck_assert_msg(mech_follow(f, &l, NULL, &d), "%s", d.message);
+  goes_well(mech_follow(f, &l, NULL, &d));
 }
 
 /* One mass that the belt drags until the spring pulls it loose: with static above sliding friction it sticks and slips

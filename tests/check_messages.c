@@ -10,6 +10,7 @@
 #include "paper_model.h"
 #include "proof/receipt.h"
 #include "run/plan.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -97,13 +98,11 @@ static void add_lines(struct text *out, const char *lines) {
 /* The paper's equations, with more records if there are any. */
 static const struct model *model_with(struct model *own, const char *records) {
   struct text text;
-  struct diag d;
   if (!*records) return &the_paper.model;
-  diag_init(&d);
   text_init(&text);
   add_lines(&text, records);
   paper_model(own, NULL);
-  ck_assert_msg(model_add_file(own, scratch_put("own.eq", text_str(&text)), RANK_ERRATA, &d), "%s", d.message);
+  goes_well(model_add_file(own, scratch_put("own.eq", text_str(&text)), RANK_ERRATA, &d));
   text_clear(&text);
   return own;
 }
@@ -151,13 +150,11 @@ END_TEST
 
 static void claims_of(struct claims *own, const char *lines) {
   struct text text;
-  struct diag d;
-  diag_init(&d);
   text_init(&text);
   *own = (struct claims){.n = 0};
   text_add(&text, "claim own\n  title: of the test\n  ");
   add_lines(&text, lines);
-  ck_assert_msg(claims_add_file(own, scratch_put("own.claim", text_str(&text)), "claim", &d), "%s", d.message);
+  goes_well(claims_add_file(own, scratch_put("own.claim", text_str(&text)), "claim", &d));
   text_clear(&text);
 }
 

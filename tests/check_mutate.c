@@ -22,6 +22,7 @@
 #include "report/mutation.h"
 #include "rng.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -37,11 +38,9 @@ static const struct claim *claim_of(const char *id) {
 static struct rng rng;
 
 static void build(struct tape *t, struct elaboration *el, const char *text) {
-  struct diag d;
   struct matrix m;
-  diag_init(&d);
   elaboration_init(el, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  ck_assert_msg(elaborate_tape(t, &m, el, "test", text, "appendix_a", &d), "%s", d.message);
+  goes_well(elaborate_tape(t, &m, el, "test", text, "appendix_a", &d));
 }
 
 /* Whether the two texts are proved equal; status: of both evaluations together. */
@@ -254,12 +253,10 @@ START_TEST(work_is_shared_in_order) {
   static const int jobs[] = {1, 2, 3, 7, 64};
   struct answer a[20];
   int ten = 10;
-  struct diag d;
   for (size_t k = 0; k < sizeof jobs / sizeof *jobs; k++)
     for (size_t n = 0; n <= 20; n += 5) {
-      diag_init(&d);
       memset(a, 0, sizeof a);
-      ck_assert_msg(crew_results(a, sizeof *a, n, jobs[k], double_it, &ten, NULL, &d), "%s", d.message);
+      goes_well(crew_results(a, sizeof *a, n, jobs[k], double_it, &ten, NULL, &d));
       for (size_t i = 0; i < n; i++) ck_assert(a[i].item == i && a[i].twice == 20 + (int)i);
       no_child_is_left();
     }
@@ -272,10 +269,8 @@ START_TEST(a_process_that_ends_early_is_noticed) {
   int ten = 10;
   for (int k = 0; k < 2; k++)
     for (int jobs = 1; jobs <= 4; jobs++) {
-      struct diag d;
-      diag_init(&d);
-      ck_assert(!crew_results(a, sizeof *a, 20, jobs, bad[k], &ten, NULL, &d));
-      ck_assert_msg(strstr(d.message, "a worker process ended before its time: "), "%s", d.message);
+      fails_with(crew_results(a, sizeof *a, 20, jobs, bad[k], &ten, NULL, &d),
+                 "a worker process ended before its time: ");
       no_child_is_left();
     }
 }
@@ -285,12 +280,10 @@ END_TEST
 
 static void mutate_records(struct mutation_result *r, const char *const *record, int n, const struct claims *asked,
                            int jobs) {
-  struct diag d;
-  diag_init(&d);
   mutation_result_init(r);
   const struct mutation_options opt = {.seed = 1, .jobs = jobs, .only = record, .n_only = n};
   const struct audit_data data = {&the_paper.model, asked, &the_paper.controls, NULL, NULL};
-  ck_assert_msg(audit_mutate(r, &data, &the_paper.scene, &opt, &d), "%s", d.message);
+  goes_well(audit_mutate(r, &data, &the_paper.scene, &opt, &d));
 }
 
 static void mutate(struct mutation_result *r, const char *record, const struct claims *asked, int jobs) {
@@ -804,12 +797,10 @@ START_TEST(oracles_are_not_interchangeable) {
       struct sentence s;
       struct sampler sampler;
       struct point p;
-      struct diag d;
-      diag_init(&d);
       const struct oracle *other = oracle_find(names[k]);
       if (other->rows != oracle_find(names[i])->rows) continue;
       struct view v = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
-      ck_assert_msg(sentence_from_value(&s, v, names[i], "prediction", NULL, 0, &d), "%s", d.message);
+      goes_well(sentence_from_value(&s, v, names[i], "prediction", NULL, 0, &d));
       s.oracle = other;
       sampler_init(&sampler, "oracles", &(struct point_spec){.kind = POINT_PARAMS, .phase = PHASE_H});
       point_init(&p);
@@ -833,15 +824,13 @@ static void open_repairs(void) {
                                      "eq-32c", "eq-32d", "eq-40", "eq-36b", "num-t_a"};
   enum { N = sizeof some / sizeof *some };
   struct claim few[N];
-  struct diag d;
   paper_open();
-  diag_init(&d);
   repair_result_init(&all_repairs);
   struct claims asked = the_paper.claims;
   for (int i = 0; i < N; i++) few[i] = *claim_of(some[i]);
   if (!every_case()) asked.claim = few, asked.n = N;
   const struct repair_options opt = {.jobs = 2};
-  ck_assert_msg(audit_repairs(&all_repairs, &the_paper.model, &asked, &the_paper.scene, &opt, &d), "%s", d.message);
+  goes_well(audit_repairs(&all_repairs, &the_paper.model, &asked, &the_paper.scene, &opt, &d));
   ck_assert_uint_ge(all_repairs.n, N - 1);
   for (size_t i = 0; i < all_repairs.n; i++) ck_assert_str_ne(all_repairs.claim[i].claim, "eq-27");
 }

@@ -11,6 +11,7 @@
 #include "report/plot.h"
 #include "report/report.h"
 #include "run/tables.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 
@@ -66,16 +67,14 @@ START_TEST(pictures_come_from_their_tables_alone) {
   shell_well("cp \"$D\"/paper/* \"$D/one\" && cp \"$D\"/asked/* \"$D/one\"");
   for (int i = 0; i < report_pictures(); i++) {
     struct source table, svg;
-    struct diag d;
     struct text again;
-    diag_init(&d);
     text_init(&again);
     snprintf(name, sizeof name, "%s.tsv", report_picture_id(i));
     char path[400];
     snprintf(path, sizeof path, "one/%s", name);
-    ck_assert_msg(source_read(&table, scratch_path(path), 1 << 20, &d), "%s", d.message);
+    goes_well(source_read(&table, scratch_path(path), 1 << 20, &d));
     snprintf(path, sizeof path, "one/%s.svg", report_picture_id(i));
-    ck_assert_msg(source_read(&svg, scratch_path(path), 1 << 20, &d), "%s", d.message);
+    goes_well(source_read(&svg, scratch_path(path), 1 << 20, &d));
     struct data_table only = {name, table.text, NULL};
     const struct audit_result r = {.tables = &only, .n_tables = 1};
     ck_assert(report_picture(&again, &r, i));
@@ -116,11 +115,9 @@ START_TEST(the_gap_is_that_of_the_claim) {
   static const char *const want[] = {"0.14009", "0.10977"}; /* arcs.tsv: end minus printed start, rounded */
   struct audit_result r;
   struct scene s;
-  struct diag d;
   struct rows t;
-  diag_init(&d);
   audit_result_init(&r);
-  ck_assert(scene_load(&s, "paper", "verify", &d));
+  goes_well(scene_load(&s, "paper", "verify", &d));
   ck_assert_ptr_null(audit_tables(&r, &s));
   ck_assert(rows_read(&t, &r, "figure-4.tsv"));
   size_t from = t.n, to = t.n;
@@ -194,15 +191,13 @@ END_TEST
 START_TEST(phase_planes_are_motions) {
   static const char *const files[] = {"chain3", "beside-wall", "driven"};
   struct audit_result r;
-  struct diag d;
   struct rows t;
   struct mech m;
   struct mech_orbits list;
   char path[100];
   snprintf(path, sizeof path, "verify/systems/%s.system", files[_i]);
-  diag_init(&d);
   audit_result_init(&r);
-  ck_assert(mech_load(&m, path, &d));
+  goes_well(mech_load(&m, path, &d));
   mech_orbits_find(&list, &m, NULL, false, 128);
   const struct mech_orbit *o = &list.orbit[0];
   table_of_system(&r, &m, &list);

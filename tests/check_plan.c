@@ -23,6 +23,7 @@
 #include "report/report.h"
 #include "run/plan.h"
 #include "run/tasks.h"
+#include "says.h"
 #include "scratch.h"
 #include "stability/precision.h"
 #include "suites.h"
@@ -32,10 +33,8 @@
 static struct costs costs;
 
 static void load(void) {
-  struct diag d;
-  diag_init(&d);
   paper_open();
-  ck_assert_msg(costs_load(&costs, "verify/costs.tsv", &d), "%s", d.message);
+  goes_well(costs_load(&costs, "verify/costs.tsv", &d));
 }
 
 static void unload(void) {
@@ -45,7 +44,6 @@ static void unload(void) {
 
 /* An audit as asked; jobs processes, the costs known or not. */
 static void audit(struct audit_result *r, const struct scene *s, const char *const *only, int n_only, int jobs) {
-  struct diag d;
   const struct audit_options opt = {.only = only,
                                     .n_only = n_only,
                                     .readings = true,
@@ -53,9 +51,8 @@ static void audit(struct audit_result *r, const struct scene *s, const char *con
                                     .costs = jobs == 1 ? NULL : &costs,
                                     .statements = &the_paper.statements,
                                     .roots = &the_paper.roots};
-  diag_init(&d);
   audit_result_init(r);
-  ck_assert_msg(audit_run(r, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d), "%s", d.message);
+  goes_well(audit_run(r, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d));
 }
 
 /* The paper's whole audit, which others are held against: two cases of tests share it. */
@@ -208,11 +205,8 @@ static void check_alone(int step, bool of_each, const struct claims *with, bool 
                                       .jobs = 1,
                                       .statements = &the_paper.statements,
                                       .roots = &the_paper.roots};
-    struct diag d;
-    diag_init(&d);
     audit_result_init(&alone);
-    ck_assert_msg(audit_run(&alone, &the_paper.model, &the_paper.claims, with, &the_paper.scene, &opt, &d), "%s",
-                  d.message);
+    goes_well(audit_run(&alone, &the_paper.model, &the_paper.claims, with, &the_paper.scene, &opt, &d));
     char *a = findings_alone(&alone, &alone), *b = findings_alone(&whole, &alone);
     ck_assert_msg(strcmp(a, b) == 0, "%s", the_paper.claims.claim[i].id);
     free(b);
@@ -512,9 +506,7 @@ START_TEST(values_are_enclosed) {
   const char *set[] = {"values=chi, K, t_a, H(t)", "digits=30"};
   struct scene s;
   struct audit_result r;
-  struct diag d;
-  diag_init(&d);
-  ck_assert(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
+  goes_well(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
   audit(&r, &s, NULL, 0, 2);
   ck_assert_uint_eq(r.n_findings, 0);
   ck_assert_uint_eq(r.n_values, 1 + 4 + 2);
@@ -550,13 +542,12 @@ START_TEST(the_condition_plans_the_precision) {
   struct orbit_cache *cache = orbit_cache_new();
   struct expression e, zero;
   struct point p;
-  struct diag d;
   arb_t x;
-  diag_init(&d);
   arb_init(x);
   point_init(&p);
   p.kind = POINT_PARAMS;
-  ck_assert(expression_open(&e, v, "1 - chi", "", &d) && expression_open(&zero, v, "chi - chi", "", &d));
+  goes_well(expression_open(&e, v, "1 - chi", "", &d));
+  goes_well(expression_open(&zero, v, "chi - chi", "", &d));
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     fmpz_ui_pow_ui(fmpq_denref(&p.q[Q_CHI]), 3, rows[i].k);
     fmpz_sub_ui(fmpq_numref(&p.q[Q_CHI]), fmpq_denref(&p.q[Q_CHI]), 1);
@@ -590,9 +581,7 @@ START_TEST(planned_values_need_no_more) {
   for (int k = 0; k < 2; k++) {
     const char *set[] = {"values=trace, trace_J, z10, N, J", k ? "digits=400" : "digits=25"};
     struct scene s;
-    struct diag d;
-    diag_init(&d);
-    ck_assert(scene_load_with(&s, "near-flip", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
+    goes_well(scene_load_with(&s, "near-flip", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
     audit(&r[k], &s, NULL, 0, 1);
     ck_assert_uint_eq(r[k].n_precision, 1);
     ck_assert_str_eq(r[k].precision[0].what, work_ladder_name[LADDER_VALUE]);
@@ -618,11 +607,9 @@ START_TEST(values_have_their_documented_names) {
       {"trace_J", "-1.023226189"}, {"trace", "-1.023226189"}, {"z10", "0.9781881442"}, {"omega", "0.8944271910"}};
   struct scene s;
   struct audit_result r;
-  struct diag d;
   struct text line;
-  diag_init(&d);
   text_init(&line);
-  ck_assert(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
+  goes_well(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
   audit(&r, &s, NULL, 0, 1);
   for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
     bool found = false;
@@ -691,16 +678,13 @@ START_TEST(plans_name_what_is_then_done) {
   for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(29)) {
     struct audit_plan p;
     struct audit_result r;
-    struct diag d;
     struct audit_options opt = {
         .only = &the_paper.claims.claim[i].id, .n_only = 1, .ended = note_touched, .costs = &costs};
     const struct claims none = {.n = 0};
-    diag_init(&d);
     touched_by_claim = 0;
     audit_result_init(&r);
-    ck_assert_msg(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d), "%s",
-                  d.message);
-    ck_assert(audit_plan(&p, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
+    goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
+    goes_well(audit_plan(&p, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
     for (int part = 0; part < WORK_BITS_128; part++) {
       bool in_plan = false;
       for (int k = 0; k < p.n_claims; k++) in_plan = in_plan || planned(&p.claim[k].parts, work_part_name[part]);
@@ -724,11 +708,9 @@ static bool spent(const struct audit_result *r, const char *what, const char *na
 /* An audit beside its plan: claims and controls that are left out, studies, consequences. */
 static void check_plan(const struct audit_result *r, const struct scene *s, const char *const *only, int n_only) {
   struct audit_plan p;
-  struct diag d;
   const struct audit_options opt = {.only = only, .n_only = n_only, .readings = true, .costs = &costs};
   size_t consequences = 0, judged = 0;
-  diag_init(&d);
-  ck_assert_msg(audit_plan(&p, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d), "%s", d.message);
+  goes_well(audit_plan(&p, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d));
   for (int i = 0; i < p.n_claims; i++) {
     const struct planned_claim *c = &p.claim[i];
     const struct finding *f = finding_with_id(r, c->id);
@@ -757,9 +739,7 @@ static void check_plan(const struct audit_result *r, const struct scene *s, cons
 START_TEST(plans_are_of_what_runs) {
   const char *set = "e2=[0.858, 0.859]", *one[] = {"eq-32c", "num-t_a", "text-periodic"};
   struct scene box;
-  struct diag d;
-  diag_init(&d);
-  ck_assert(scene_load_with(&box, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, true, &d));
+  goes_well(scene_load_with(&box, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, true, &d));
   struct audit_result some, of_box;
   audit(&some, &the_paper.scene, one, 3, 2);
   check_plan(&some, &the_paper.scene, one, 3);

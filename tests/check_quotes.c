@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "quote/quote.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -102,8 +103,7 @@ static void stand_close(struct stand *s) {
 }
 
 static void stand_open_sound(struct stand *s, const char *data, const char *path) {
-  struct diag d;
-  ck_assert_msg(stand_open(s, data, path, &d), "%s", d.message);
+  goes_well(stand_open(s, data, path, &d));
   quotations_compare(&s->quotations, &s->paper.tokens);
 }
 

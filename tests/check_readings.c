@@ -15,6 +15,7 @@
 #include "readings/study.h"
 #include "report/report.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -46,11 +47,9 @@ static struct scene scene;
 static struct audit_result result;
 
 static void load(const char *spec) {
-  struct diag d;
-  diag_init(&d);
   audit_result_init(&result);
   paper_model(&model, NULL);
-  ck_assert_msg(scene_load(&scene, spec, "verify", &d), "%s", d.message);
+  goes_well(scene_load(&scene, spec, "verify", &d));
 }
 
 static void unload(void) {
@@ -491,12 +490,10 @@ START_TEST(other_matrices_are_not_read) {
   static const char *const gamma[] = {"t", "[1, 0, t, 0; 0, 1, 0, t; 0, 0, e_1, 0; 0, 0, 0, 1]", "[I, t*I; 0, I]"};
   for (size_t i = 0; i < sizeof gamma / sizeof *gamma; i++) {
     struct formulas f;
-    struct diag d;
     char text[200];
-    diag_init(&d);
     load("paper");
     snprintf(text, sizeof text, "define own\n  equation: 49\n  section: appendix_a\n  Gamma(t) := %s\n", gamma[i]);
-    ck_assert_msg(model_add_file(&model, scratch_put("own.eq", text), RANK_ERRATA, &d), "%s", d.message);
+    goes_well(model_add_file(&model, scratch_put("own.eq", text), RANK_ERRATA, &d));
     ck_assert_msg(formulas_read(&f, (struct view){&model, LAYER_CORRECTED, NULL, NULL}) == (i == 2), "%s", gamma[i]);
     formulas_clear(&f);
     unload();
@@ -508,12 +505,10 @@ END_TEST
 
 static void audit(const char *only, bool readings) {
   struct claims claims, controls = {.n = 0};
-  struct diag d;
-  diag_init(&d);
   load("tests/readings/whole.scene");
   paper_claims(&claims, NULL);
   struct audit_options opt = {.only = &only, .n_only = 1, .readings = readings};
-  ck_assert_msg(audit_run(&result, &model, &claims, &controls, &scene, &opt, &d), "%s", d.message);
+  goes_well(audit_run(&result, &model, &claims, &controls, &scene, &opt, &d));
   claims_clear(&claims);
 }
 

@@ -16,6 +16,7 @@
 #include "report/audit_shape.h"
 #include "report/report.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "whole.h"
@@ -90,9 +91,7 @@ static bool audit(struct audit_result *r, const char *name, const char *const *o
 START_TEST(the_papers_record) {
   struct audit_result r;
   struct text json;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(near_controls_add(&the_paper.model, &the_paper.claims, &the_paper.controls, &d), "%s", d.message);
+  goes_well(near_controls_add(&the_paper.model, &the_paper.claims, &the_paper.controls, &d));
   audit(&r, "paper", NULL, 0, 1);
   ck_assert(r.readings && r.n_tables > 3 && r.n_consequences > 10);
   ck_assert(r.n_pairs && r.n_long_runs && r.n_independence);
@@ -403,9 +402,7 @@ START_TEST(types_exchanged_and_huge_numbers) {
   struct source s;
   struct arena a;
   struct json_value root;
-  struct diag d;
   struct places p = {.n = 0};
-  diag_init(&d);
   arena_init(&a);
   text_init(&json);
   char *own = file_text("tests/fuzz/corpus/report/audit");
@@ -413,7 +410,7 @@ START_TEST(types_exchanged_and_huge_numbers) {
   free(own);
   ck_assert(survives(json.data));
   source_from_string(&s, "audit.json", json.data);
-  ck_assert(json_parse(&root, &a, &s, &d));
+  goes_well(json_parse(&root, &a, &s, &d));
   list_places(&p, &root);
   ck_assert_uint_gt(p.n, 300);
   long refused = 0;
@@ -481,7 +478,6 @@ END_TEST
 START_TEST(too_many_names) {
   struct audit_result r, again;
   struct text json;
-  struct diag d;
   enum { N = 2000 };
   static char name[N][8];
   static const char *on[N];
@@ -493,7 +489,7 @@ START_TEST(too_many_names) {
   r = (struct audit_result){.scene = "s", .findings = &f, .n_findings = 1};
   text_init(&json);
   report_json(&json, &r);
-  ck_assert(!read_text(&again, text_str(&json), &d) && strstr(d.message, "more than"));
+  fails_with(read_text(&again, text_str(&json), &d), "more than");
   audit_result_clear(&again);
   text_clear(&json);
 }

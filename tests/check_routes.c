@@ -13,6 +13,7 @@
 #include "record/routes.h"
 #include "report/report.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "value/coulomb_setup.h"
@@ -95,12 +96,10 @@ static void close_study(void) {
 static void study(struct audit_result *r, const struct paper_layers *with) {
   struct model m;
   struct claims none = {.n = 0};
-  struct diag d;
   const struct audit_options opt = {.n_only = 0};
-  diag_init(&d);
   audit_result_init(r);
   paper_model(&m, with);
-  ck_assert_msg(audit_run(r, &m, &none, &none, &scene, &opt, &d), "%s", d.message);
+  goes_well(audit_run(r, &m, &none, &none, &scene, &opt, &d));
   model_clear(&m);
 }
 
@@ -156,9 +155,7 @@ END_TEST
 START_TEST(a_scene_without_forces) {
   struct scene given = scene;
   struct audit_result r;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(scene_load(&scene, "paper-times", "verify", &d), "%s", d.message);
+  goes_well(scene_load(&scene, "paper-times", "verify", &d));
   study(&r, NULL);
   ck_assert_uint_eq(r.n_pairs, 10 + 1 + 10 + 15);
   check_pairs(&r, NULL, 0);
@@ -189,11 +186,9 @@ END_TEST
    must find a step that suits. */
 START_TEST(differences_near_a_jump) {
   struct audit_result r;
-  struct diag d;
   const char *path = scratch_put("short.scene", "chi = 0.71\neta = 7.7\nV = 0.28\ne1 = 1.07\ne2 = 0.852\n");
-  diag_init(&d);
   scene_clear(&scene);
-  ck_assert_msg(scene_load(&scene, path, "verify", &d), "%s", d.message);
+  goes_well(scene_load(&scene, path, "verify", &d));
   study(&r, NULL);
   check_pairs(&r, NULL, 0);
   for (size_t i = 0; i < r.n_pairs; i++)
@@ -212,12 +207,10 @@ static const char *const slow_belts[] = {"1e-12", "1e-20", "1e-300"};
 START_TEST(slow_belts_raise_no_false_alarm) {
   static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
   struct audit_result r;
-  struct diag d;
   char text[100];
   snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = %s\ne1 = 2.7844\ne2 = 0.8587\n", slow_belts[_i]);
-  diag_init(&d);
   scene_clear(&scene);
-  ck_assert_msg(scene_load(&scene, scratch_put("slow.scene", text), "verify", &d), "%s", d.message);
+  goes_well(scene_load(&scene, scratch_put("slow.scene", text), "verify", &d));
   study(&r, NULL);
   check_pairs(&r, NULL, 0);
   audit_result_clear(&r);
@@ -276,13 +269,11 @@ static const char *const orbit[N_ROUTE] = {"0.5322807412757240368215589787015368
 
 START_TEST(the_papers_route_from_any_two_quantities) {
   struct scene s;
-  struct diag d;
   struct paper_orbits list;
   char text[400];
-  diag_init(&d);
   snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = 1\nt_b = %s\nt_c = %s\n", orbit[1], orbit[2]);
-  ck_assert_msg(scene_load(&s, scratch_put("times.scene", text), "verify", &d), "%s", d.message);
-  ck_assert_msg(audit_paper_orbits(&list, &s, 280, &d), "%s", d.message);
+  goes_well(scene_load(&s, scratch_put("times.scene", text), "verify", &d));
+  goes_well(audit_paper_orbits(&list, &s, 280, &d));
   bool found = false;
   for (size_t i = 0; i < list.n; i++) {
     const struct paper_orbit *p = &list.item[i];
@@ -301,12 +292,10 @@ END_TEST
 /* The set long-slip: from 2 % beside its first orbit the iteration leads nowhere, beside its fourth it comes back. */
 START_TEST(the_papers_route_may_not_converge) {
   struct scene s;
-  struct diag d;
   struct paper_orbits list;
-  diag_init(&d);
   const char *path = scratch_put("long.scene", "chi = 0.87\neta = 0.32\nV = 0.45\ne1 = 0.242\ne2 = 0.279\n");
-  ck_assert_msg(scene_load(&s, path, "verify", &d), "%s", d.message);
-  ck_assert_msg(audit_paper_orbits(&list, &s, 128, &d), "%s", d.message);
+  goes_well(scene_load(&s, path, "verify", &d));
+  goes_well(audit_paper_orbits(&list, &s, 128, &d));
   ck_assert_uint_eq(list.n, 4);
   for (size_t i = 0; i < list.n; i++) ck_assert((list.item[i].status == SS_OK) == (list.item[i].nearest >= 0));
   ck_assert(list.item[0].status != SS_OK && list.item[3].nearest == 3);

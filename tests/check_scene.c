@@ -18,6 +18,7 @@
 #include "process.h"
 #include "rational.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -31,9 +32,7 @@ enum { SECONDS = SANITIZED ? 10 : 1, MEMORY = 200 << 20 };
 /* --- Processes --- */
 
 static void read_back(struct source *s, const char *path) {
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(source_read(s, path, 16 << 20, &d), "%s", d.message);
+  goes_well(source_read(s, path, 16 << 20, &d));
 }
 
 /* The program with these words, in at most 200 MiB of address space. */
@@ -237,10 +236,8 @@ END_TEST
 START_TEST(a_value_without_a_name) {
   const char *item = "chi";
   struct scene s;
-  struct diag d;
-  diag_init(&d);
-  ck_assert(!scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&item, 1, "--with"}, false, &d));
-  ck_assert_msg(strstr(d.message, "--with takes NAME=VALUE, as in e2=1/2"), "%s", d.message);
+  fails_with(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&item, 1, "--with"}, false, &d),
+             "--with takes NAME=VALUE, as in e2=1/2");
   scene_clear(&s);
 }
 END_TEST
@@ -254,12 +251,10 @@ static bool load(struct scene *s, struct diag *d, const char *text, const struct
 
 START_TEST(scenes_are_exact) {
   struct scene s;
-  struct diag d;
-  ck_assert_msg(load(&s, &d,
-                     "# a comment\ntitle: exact\nchi = 0.8\neta = (1 + 1/3)^3/(10 - 7.5)\nV = 1e-12\n"
-                     "e1 = 12345678901234567890.123456789\ne2 = 3*2^(-3)\nu_r2 = -(-2.5)\n",
-                     NULL),
-                "%s", d.message);
+  goes_well(load(&s, &d,
+                 "# a comment\ntitle: exact\nchi = 0.8\neta = (1 + 1/3)^3/(10 - 7.5)\nV = 1e-12\n"
+                 "e1 = 12345678901234567890.123456789\ne2 = 3*2^(-3)\nu_r2 = -(-2.5)\n",
+                 NULL));
   is_rational(&s.value[KEY_CHI], "4/5");
   is_rational(&s.value[KEY_ETA], "128/135");
   is_rational(&s.value[KEY_V], "1/1000000000000");
@@ -302,9 +297,8 @@ START_TEST(the_last_printed_digit) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     char text[200];
     struct scene s;
-    struct diag d;
     snprintf(text, sizeof text, GOOD "printed: x_1 = %s\n", cases[i].decimal);
-    ck_assert_msg(load(&s, &d, text, NULL), "%s", d.message);
+    goes_well(load(&s, &d, text, NULL));
     const struct printed_number *p = scene_printed(&s, "x_1");
     ck_assert(p != NULL && scene_printed(&s, "x_2") == NULL);
     ck_assert_str_eq(p->decimal, cases[i].decimal);
@@ -335,12 +329,11 @@ START_TEST(a_decimal_is_read_rounded_or_cut_off) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     char text[200];
     struct scene s;
-    struct diag d;
     arb_t x, whole;
     arb_init(x);
     arb_init(whole);
     snprintf(text, sizeof text, GOOD "printed: q = %s\n", cases[i].decimal);
-    ck_assert_msg(load(&s, &d, text, NULL), "%s", d.message);
+    goes_well(load(&s, &d, text, NULL));
     ck_assert(arb_set_str(x, cases[i].x, 200) == 0);
     enum reading how = N_READINGS;
     truth fits = printed_fits(x, scene_printed(&s, "q"), &how);
@@ -358,15 +351,13 @@ END_TEST
 /* By hand: sqrt(4/9) = 2/3; e1 = 3 (2/3) = 2, e2 = 2/5 + 2/3^2 = 28/45. */
 START_TEST(values_use_each_other) {
   struct scene s;
-  struct diag d;
-  ck_assert_msg(load(&s, &d, "e2 = e1/5 + e1/3^2\ne1 = 3*V\nV = sqrt(4/9)\nchi = V\neta = chi^2\n", NULL), "%s",
-                d.message);
+  goes_well(load(&s, &d, "e2 = e1/5 + e1/3^2\ne1 = 3*V\nV = sqrt(4/9)\nchi = V\neta = chi^2\n", NULL));
   is_rational(&s.value[KEY_CHI], "2/3");
   is_rational(&s.value[KEY_ETA], "4/9");
   is_rational(&s.value[KEY_E1], "2");
   is_rational(&s.value[KEY_E2], "28/45");
   scene_clear(&s);
-  ck_assert_msg(load(&s, &d, "V = 1/2\nchi = [V, V + 0.1]\neta = 1\ne1 = 1\ne2 = sqrt(16)\n", NULL), "%s", d.message);
+  goes_well(load(&s, &d, "V = 1/2\nchi = [V, V + 0.1]\neta = 1\ne1 = 1\ne2 = sqrt(16)\n", NULL));
   is_rational(&s.value[KEY_CHI], "1/2");
   is_rational(&s.high[KEY_CHI], "3/5");
   is_rational(&s.value[KEY_E2], "4");
@@ -380,10 +371,9 @@ START_TEST(order_does_not_matter) {
   for (int first = 0; first < 5; first++) {
     struct text t;
     struct scene s;
-    struct diag d;
     text_init(&t);
     for (int i = 0; i < 5; i++) text_add(&t, line[(first + 2 * i) % 5]);
-    ck_assert_msg(load(&s, &d, text_str(&t), NULL), "%s", d.message);
+    goes_well(load(&s, &d, text_str(&t), NULL));
     is_rational(&s.value[KEY_CHI], "1/2");
     is_rational(&s.value[KEY_ETA], "5/2");
     is_rational(&s.value[KEY_E2], "5/2");
@@ -400,9 +390,8 @@ START_TEST(overrides_print_in_any_order) {
                                          {"printed=t_b = 7", "printed=t_a = 0.5", "printed="}};
   for (size_t i = 0; i < sizeof items / sizeof *items; i++) {
     struct scene s;
-    struct diag d;
     const struct scene_overrides o = {items[i], 3, "--set"};
-    ck_assert_msg(load(&s, &d, GOOD "printed: t_a = 0.6\nprinted: z10 = 0.9\n", &o), "%s", d.message);
+    goes_well(load(&s, &d, GOOD "printed: t_a = 0.6\nprinted: z10 = 0.9\n", &o));
     ck_assert_msg(s.n_printed == 2 && scene_printed(&s, "t_a") && scene_printed(&s, "t_b"), "order %zu", i);
     is_rational(&scene_printed(&s, "t_a")->value, "1/2");
     is_rational(&scene_printed(&s, "t_b")->value, "7");
@@ -420,12 +409,10 @@ static void list_is(const struct scene_list *list, int n, const char *const *ite
 
 START_TEST(what_is_asked) {
   struct scene s;
-  struct diag d;
-  ck_assert_msg(load(&s, &d,
-                     GOOD "ask: eq-27,  section\tstability ,\n  # a comment\n  matrices\nvalues: trace_J, H(t_c)[1,3], "
-                          "tr(J)\nroutes: balls, fd\ndigits: 30\nbudget: 1000000000000000000\n",
-                     NULL),
-                "%s", d.message);
+  goes_well(load(&s, &d,
+                 GOOD "ask: eq-27,  section\tstability ,\n  # a comment\n  matrices\nvalues: trace_J, H(t_c)[1,3], "
+                      "tr(J)\nroutes: balls, fd\ndigits: 30\nbudget: 1000000000000000000\n",
+                 NULL));
   list_is(&s.asked.claims, 3, (const char *const[]){"eq-27", "section stability", "matrices"});
   list_is(&s.asked.values, 3, (const char *const[]){"trace_J", "H(t_c)[1,3]", "tr(J)"});
   list_is(&s.asked.routes, 2, (const char *const[]){"balls", "fd"});
@@ -435,7 +422,7 @@ START_TEST(what_is_asked) {
   source_place(&line, &column, s.asked.claims.source, s.asked.claims.place[2].begin);
   ck_assert_msg(line == 8 && column == 3, "%zu:%zu", line, column);
   scene_clear(&s);
-  ck_assert(load(&s, &d, GOOD, NULL));
+  goes_well(load(&s, &d, GOOD, NULL));
   ck_assert(!s.asked.claims.n && !s.asked.values.n && !s.asked.routes.n && !s.asked.digits && !s.asked.budget);
   scene_clear(&s);
 }
@@ -560,9 +547,7 @@ START_TEST(only_the_file_itself_is_on_file) {
            {scratch_put("paper.scene", GOOD), NULL, false}};
   for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
     struct scene s;
-    struct diag d;
-    diag_init(&d);
-    ck_assert_msg(scene_load_with(&s, c[i].spec, "verify", c[i].o, false, &d), "%s", d.message);
+    goes_well(scene_load_with(&s, c[i].spec, "verify", c[i].o, false, &d));
     ck_assert_str_eq(s.file, "paper");
     ck_assert_msg(scene_is(&s, "paper") == c[i].is, "%s", c[i].spec);
     scene_clear(&s);
@@ -572,11 +557,10 @@ END_TEST
 
 START_TEST(set_names_what_it_changed) {
   struct scene s, plain, other;
-  struct diag d;
   const char *const item[] = {"e2=[1, 2]", "title=it's"}, *const asked[] = {"ask=eq-27"};
   struct scene_overrides o = {item, 2, "--set"}, only_asked = {asked, 1, "--set"};
-  ck_assert_msg(load(&s, &d, GOOD, &o), "%s", d.message);
-  ck_assert(load(&plain, &d, GOOD, NULL));
+  goes_well(load(&s, &d, GOOD, &o));
+  goes_well(load(&plain, &d, GOOD, NULL));
   ck_assert_str_eq(s.name, "case --set 'e2=[1, 2]' --set 'title=it'\\''s'");
   ck_assert_str_eq(s.file, "case");
   ck_assert_str_eq(s.title, "it's");
@@ -584,7 +568,7 @@ START_TEST(set_names_what_it_changed) {
   ck_assert_str_eq(plain.name, "case");
   ck_assert_str_eq(plain.folder, "case");
   ck_assert(strcmp(s.folder, "case") != 0 && !strpbrk(s.folder, "/ '[]"));
-  ck_assert(load(&other, &d, GOOD, &only_asked));
+  goes_well(load(&other, &d, GOOD, &only_asked));
   ck_assert(!other.changed); /* it asks for less of the same scene */
   scene_clear(&other);
   scene_clear(&plain);
@@ -618,10 +602,9 @@ END_TEST
 /* Two values whose names fold into one do not share a folder. */
 START_TEST(folders_differ) {
   struct scene a, b;
-  struct diag d;
   const char *const one[] = {"e2=1/2"}, *const two[] = {"e2=1*2"};
-  ck_assert(load(&a, &d, GOOD, &(struct scene_overrides){one, 1, "--set"}));
-  ck_assert(load(&b, &d, GOOD, &(struct scene_overrides){two, 1, "--set"}));
+  goes_well(load(&a, &d, GOOD, &(struct scene_overrides){one, 1, "--set"}));
+  goes_well(load(&b, &d, GOOD, &(struct scene_overrides){two, 1, "--set"}));
   ck_assert_str_ne(a.folder, b.folder);
   scene_clear(&a);
   scene_clear(&b);

@@ -13,6 +13,7 @@
 #include "paper_model.h"
 #include "paper_value.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 #include "stability/stability.h"
 #include "stable_points.h"
@@ -39,9 +40,7 @@ START_TEST(every_form_is_proved) {
   struct table needed;
   table_read(&needed, "tests/cases/stable_needed.tsv", 1);
   struct stable_proofs p;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(stable_prove(&p, &model, &d), "%s", d.message);
+  goes_well(stable_prove(&p, &model, &d));
   for (size_t i = 0; i < p.n; i++) {
     ck_assert_msg(!p.item[i].why_not, "%s of %s: %s", p.item[i].name, p.item[i].section, p.item[i].why_not);
     ck_assert_int_ge(p.item[i].entries, 1);
@@ -52,7 +51,7 @@ START_TEST(every_form_is_proved) {
     ck_assert_msg(i < p.n, "no proof of %s", needed.row[k][0]);
   }
   stable_proofs_clear(&p);
-  ck_assert_msg(view_check((struct view){&model, LAYER_STABLE, NULL, NULL}, &d), "%s", d.message);
+  goes_well(view_check((struct view){&model, LAYER_STABLE, NULL, NULL}, &d));
   table_clear(&needed);
 }
 END_TEST
@@ -149,14 +148,12 @@ static void extract(struct text *out, const char *text, const char *damage, cons
 START_TEST(a_damaged_form_is_not_proved) {
   enum { WHOLE = 31, FIRST_WHOLE = 5 };
   struct source src;
-  struct diag d;
   struct text t, part;
   struct stable_proofs p;
   struct model damaged;
-  diag_init(&d);
   text_init(&t);
   text_init(&part);
-  ck_assert(source_read(&src, "verify/stable.eq", 1 << 20, &d));
+  goes_well(source_read(&src, "verify/stable.eq", 1 << 20, &d));
   const char *at = strstr(src.text, damages.row[_i][D_WAS]);
   ck_assert_msg(at && !strstr(at + 1, damages.row[_i][D_WAS]), "%s stands there once", damages.row[_i][D_WAS]);
   text_add_n(&t, src.text, (size_t)(at - src.text));
@@ -166,7 +163,7 @@ START_TEST(a_damaged_form_is_not_proved) {
   const char *file = scratch_put("stable.eq", text_str(_i % WHOLE == FIRST_WHOLE ? &t : &part));
   paper_model(&damaged, &(struct paper_layers){.stable = file});
   bool algebra = _i % 4 == 0; /* of the others points know it first */
-  ck_assert_msg((algebra ? stable_prove_by_algebra : stable_prove)(&p, &damaged, &d), "%s", d.message);
+  goes_well((algebra ? stable_prove_by_algebra : stable_prove)(&p, &damaged, &d));
   bool refuted = false, proved = false;
   for (size_t i = 0; i < p.n; i++) {
     refuted = refuted || (strcmp(p.item[i].name, damages.row[_i][D_REFUTED]) == 0 && p.item[i].why_not);
@@ -191,17 +188,15 @@ START_TEST(a_hidden_zero_is_no_divisor) {
   for (int i = 0; i < 3; i++) {
     struct text file[2];
     struct model m;
-    struct diag d;
     struct stable_proofs p;
-    diag_init(&d);
     for (int k = 0; k < 2; k++) {
       text_init(&file[k]);
       text_printf(&file[k], "define test\n  section: stability\n  gap := %s\n  form := %s\n", forms[i][0],
                   forms[i][1 + k]);
     }
     paper_model(&m, &(struct paper_layers){.stable = scratch_put("stable.eq", text_str(&file[1]))});
-    ck_assert_msg(model_add_file(&m, scratch_put("errata.eq", text_str(&file[0])), RANK_ERRATA, &d), "%s", d.message);
-    ck_assert_msg(stable_prove(&p, &m, &d), "%s", d.message);
+    goes_well(model_add_file(&m, scratch_put("errata.eq", text_str(&file[0])), RANK_ERRATA, &d));
+    goes_well(stable_prove(&p, &m, &d));
     ck_assert(p.n == 2 && strcmp(p.item[1].name, "form") == 0);
     ck_assert_msg(!p.item[1].why_not == (i == 2), "%s", forms[i][0]);
     stable_proofs_clear(&p);
@@ -272,10 +267,8 @@ START_TEST(a_wrong_part_proves_nothing) {
       "define whole\n  section: validation\n  equation: 45\n  M := inv(wrong)*N_2 - inv(N_3)*(N_4 - I)\n";
   struct model m;
   struct stable_proofs p;
-  struct diag d;
-  diag_init(&d);
   paper_model(&m, &(struct paper_layers){.stable = scratch_put("stable.eq", file)});
-  ck_assert_msg(stable_prove(&p, &m, &d), "%s", d.message);
+  goes_well(stable_prove(&p, &m, &d));
   ck_assert_uint_eq(p.n, 2);
   ck_assert(p.item[0].why_not && p.item[1].why_not);
   stable_proofs_clear(&p);
@@ -296,10 +289,8 @@ START_TEST(small_times_keep_their_digits) {
     struct elaboration el;
     struct tape t;
     struct matrix m;
-    struct diag d;
-    diag_init(&d);
     elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-    ck_assert_msg(elaborate_tape(&t, &m, &el, "test", value[k], "validation", &d), "%s", d.message);
+    goes_well(elaborate_tape(&t, &m, &el, "test", value[k], "validation", &d));
     num_vec_init(&in, f.tape.n_inputs, num_ctx_double());
     num_vec_init(&out, f.n, num_ctx_double());
     num_vec_init(&exact_in, t.n_inputs, num_ctx_arb(2000));
@@ -480,9 +471,8 @@ END_TEST
 static size_t agree_everywhere(struct text *fails, long *points, long *undecided, const struct model *m, int step) {
   struct stable_proofs proofs;
   struct digits_pairs pairs;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(stable_prove(&proofs, m, &d) && digits_pairs_make(&pairs, m, &proofs, &d), "%s", d.message);
+  goes_well(stable_prove(&proofs, m, &d));
+  goes_well(digits_pairs_make(&pairs, m, &proofs, &d));
   *points = *undecided = 0;
   for (size_t i = 0; i < pairs.n; i += (size_t)step) {
     struct digits_agreement a;
@@ -547,8 +537,6 @@ END_TEST
 static void judge_stable(struct audit_result *out) {
   struct claims claims, none = {.n = 0};
   struct scene paper;
-  struct diag d;
-  diag_init(&d);
   audit_result_init(out);
   paper_claims(&claims, NULL);
   paper_scene(&paper);
@@ -559,7 +547,7 @@ static void judge_stable(struct audit_result *out) {
   int n_only = 0;
   for (size_t i = 0; i < claims.n; i += (size_t)every(3)) only[n_only++] = claims.claim[i].id;
   const struct audit_options opt = {.only = only, .n_only = n_only};
-  ck_assert_msg(audit_run(out, &model, &claims, &none, &paper, &opt, &d), "%s", d.message);
+  goes_well(audit_run(out, &model, &claims, &none, &paper, &opt, &d));
   model.stable = false;
   free(only);
   claims.n_results = n_results;

@@ -26,6 +26,7 @@
 #include "process.h"
 #include "rational.h"
 #include "rng.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 
@@ -548,10 +549,8 @@ END_TEST
 /* Two at a time on one file. */
 START_TEST(one_run_writes_a_file) {
   struct part a;
-  struct diag d;
-  diag_init(&d);
   part_init(&a, scratch_path("file"));
-  ck_assert(part_create(&a, &d));
+  goes_well(part_create(&a, &d));
   shell_ends(3, "file.part: error: another process is writing this file",
              "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/file\" --resume");
   part_clear(&a);

@@ -12,6 +12,7 @@
 #include "effort.h"
 #include "model/model.h"
 #include "rng.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 
@@ -41,8 +42,7 @@ static bool try_work(struct work *w, const char *text, int n, const char *const 
 }
 
 static void work_open(struct work *w, const char *text, int n, const char *const *names) {
-  struct diag d;
-  ck_assert_msg(try_work(w, text, n, names, &d), "%s", d.message);
+  goes_well(try_work(w, text, n, names, &d));
 }
 
 static void work_close(struct work *w) {
@@ -778,13 +778,12 @@ static double run_dump(const struct tape *t, slong output) {
 /* Evaluated alone, an output has the bits that it has among others. */
 static void check_alone(const struct work *w, const char *name, const struct run *together, slong i) {
   struct matrix m;
-  struct diag d;
   struct elaboration el;
   struct tape t;
   struct run r;
-  diag_init(&d);
   elaboration_init(&el, w->el.view, NULL, 0);
-  ck_assert(elaborate_name(&m, &el, name, "", &d) && elaboration_tape(&t, &el, m.e, 1, &d));
+  goes_well(elaborate_name(&m, &el, name, "", &d));
+  goes_well(elaboration_tape(&t, &el, m.e, 1, &d));
   run_open(&r, &t, together->out.ctx);
   for (int k = 0; k < 3; k++) give_d(&r, &t, input[k], value[k]);
   run_go(&r, &t);

@@ -6,6 +6,7 @@
 
 #include "claim/claim.h"
 #include "paper_model.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "table.h"
@@ -36,13 +37,11 @@ END_TEST
 START_TEST(titles_are_read_as_they_stand) {
   enum { LONGEST = 175 };
   struct text title;
-  struct diag d;
   text_init(&title);
-  diag_init(&d);
-  ck_assert_msg(titles_check(&the_paper.model, &the_paper.claims, &d), "%s", d.message);
+  goes_well(titles_check(&the_paper.model, &the_paper.claims, &d));
   for (size_t i = 0; i < the_paper.claims.n; i++) {
     text_reset(&title);
-    ck_assert(claim_title(&title, &the_paper.model, &the_paper.claims.claim[i], &d));
+    goes_well(claim_title(&title, &the_paper.model, &the_paper.claims.claim[i], &d));
     const char *s = text_str(&title);
     ck_assert_msg(title.len > 3 && title.len < LONGEST, "%s: %s", the_paper.claims.claim[i].id, s);
     ck_assert_msg(!strpbrk(s, "*{}[]\\$;") && !strstr(s, "  ") && !strstr(s, " , ") && !strstr(s, "first_order"),
@@ -58,11 +57,9 @@ enum { DAMAGED_FIELDS, DAMAGED_TITLE }; /* its columns */
 
 static const struct claim *one_claim(struct claims *own, const char *fields) {
   struct text t;
-  struct diag d;
   text_init(&t);
-  diag_init(&d);
   text_printf(&t, "claim own\n  section: stability\n  %s", fields);
-  ck_assert_msg(claims_add_file(own, scratch_put("own.claim", text_str(&t)), "claim", &d), "%s", d.message);
+  goes_well(claims_add_file(own, scratch_put("own.claim", text_str(&t)), "claim", &d));
   text_clear(&t);
   return &own->claim[0];
 }
@@ -143,11 +140,8 @@ END_TEST
 /* What is said by the attributes is not said again. */
 START_TEST(no_title_beside_what_makes_one) {
   struct claims own = {.n = 0};
-  struct diag d;
-  diag_init(&d);
   one_claim(&own, "kind: identity\n  statement: eq-4\n  title: the masses are faster than the belt\n");
-  ck_assert(!titles_check(&the_paper.model, &own, &d));
-  ck_assert_msg(strstr(d.message, "own.claim:5:3: error: own: its attributes make the title"), "%s", d.message);
+  fails_with(titles_check(&the_paper.model, &own, &d), "own.claim:5:3: error: own: its attributes make the title");
   claims_clear(&own);
 }
 END_TEST

@@ -9,6 +9,7 @@
 #include "plain.h"
 #include "rational.h"
 #include "route/jacobian.h"
+#include "says.h"
 #include "scratch.h"
 #include "suites.h"
 #include "value/expression.h"
@@ -462,10 +463,8 @@ static void chain_by_hand(real j[4], const struct plain *p, const real start[2],
 }
 
 static void jacobian_of(real j[4], struct scene *s, const struct jacobian_request *q) {
-  struct diag d;
-  diag_init(&d);
   arb_ptr x = _arb_vec_init(6);
-  ck_assert_msg(audit_jacobian(x, x + 4, x + 5, &the_paper.model, s, q, &d), "%s", d.message);
+  goes_well(audit_jacobian(x, x + 4, x + 5, &the_paper.model, s, q, &d));
   for (int i = 0; i < 4; i++) j[i] = arf_get_d(arb_midref(x + i), ARF_RND_NEAR);
   ck_assert(arb_is_zero(x + 5));
   ck_assert(fabsl(arf_get_d(arb_midref(x + 4), ARF_RND_NEAR) - j[0] - j[3]) < 1e-13L * (1 + fabsl(j[0])));
@@ -474,12 +473,10 @@ static void jacobian_of(real j[4], struct scene *s, const struct jacobian_reques
 
 START_TEST(the_chain_at_printed_numbers) {
   struct scene s;
-  struct diag d;
-  diag_init(&d);
   const char *path = scratch_put(
       "printed.scene", "chi = 0.7\neta = 1.25\nV = 1.5\ne1 = 2.5\ne2 = 0.75\nprinted: z10 = 0.9\nprinted: z20 = -2.2\n"
                        "printed: t_a = 0.7\nprinted: t_b = 2\nprinted: t_c = 1.5\nprinted: t_d = 2.3\n");
-  ck_assert_msg(scene_load(&s, path, "verify", &d), "%s", d.message);
+  goes_well(scene_load(&s, path, "verify", &d));
   const struct plain p = {0.7L, 1.25L, 1.5L, 2.5L, 0.75L};
   const real start[2] = {0.9L, -2.2L}, t[4] = {0.7L, 2, 1.5L, 2.3L};
   for (int layer = 0; layer < N_LAYERS; layer++) {
@@ -573,17 +570,15 @@ START_TEST(two_sides_at_a_point) {
   struct sampler s;
   struct point p;
   struct model m;
-  struct diag d;
   struct sentence sides;
   char text[200];
   point_init(&p);
-  diag_init(&d);
   sampler_init(&s, "sentences", &(struct point_spec){.kind = POINT_PARAMS});
   sampler_next(&p, &s);
   snprintf(text, sizeof text, "equation user\n  section: stability\n  %s\n", sentences[_i].sentence);
   paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text)});
   struct view v = {&m, LAYER_PRINTED, NULL, NULL};
-  ck_assert_msg(sentence_from_relations(&sides, v, view_record(&v, "user"), NULL, 0, &d), "%s", d.message);
+  goes_well(sentence_from_relations(&sides, v, view_record(&v, "user"), NULL, 0, &d));
   struct trial t = sentence_try_balls(&sides, &p, VARIANT_CLOSED, the_paper.cache);
   ck_assert_msg(t.outcome == sentences[_i].balls, "%s: %d at %ld bits", sentences[_i].sentence, (int)t.outcome, t.bits);
   if (sentences[_i].bits) ck_assert_int_eq(t.bits, sentences[_i].bits);

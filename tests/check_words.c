@@ -12,6 +12,7 @@
 #include "motion/coulomb.h"
 #include "rational.h"
 #include "rng.h"
+#include "says.h"
 #include "scene/scene.h"
 #include "scratch.h"
 #include "suites.h"
@@ -566,19 +567,15 @@ START_TEST(a_scene_names_a_word) {
              {"chi = 0.8\neta = 1\nV = 1\ne1 = [2, 3]\ne2 = 1\nword: H C\n", "and no interval"},
              {"chi = 0.8\neta = 1\nV = 1\nt_a = 0.1\ne2 = 1\nword: Gamma H C\n", "Gamma-H-C, t_a = 0"}};
   struct scene s;
-  struct diag d;
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    diag_init(&d);
-    ck_assert(!scene_load_box(&s, scratch_put("bad.scene", bad[i].text), "verify", &d));
-    ck_assert_msg(strstr(d.message, bad[i].says) != NULL, "%s", d.message);
+    fails_with(scene_load_box(&s, scratch_put("bad.scene", bad[i].text), "verify", &d), bad[i].says);
     scene_clear(&s);
   }
-  diag_init(&d);
-  ck_assert(scene_load(&s, scratch_put("turned.scene", EXAMPLE "word: H C D Gamma\n"), "verify", &d));
+  goes_well(scene_load(&s, scratch_put("turned.scene", EXAMPLE "word: H C D Gamma\n"), "verify", &d));
   ck_assert(!scene_other_word(&s));
   scene_clear(&s);
-  ck_assert(!scene_load(&s, scratch_put("other.scene", EXAMPLE "word: H C\n"), "verify", &d));
-  ck_assert_msg(strstr(d.message, "names the word H-C; only orbit, jacobian and words") != NULL, "%s", d.message);
+  fails_with(scene_load(&s, scratch_put("other.scene", EXAMPLE "word: H C\n"), "verify", &d),
+             "names the word H-C; only orbit, jacobian and words");
   ck_assert(scene_other_word(&s));
   scene_clear(&s);
 }
@@ -657,12 +654,10 @@ START_TEST(the_survey_is_whole) {
   char *first = shell_said("$P words overrun --longest 3 --json");
   struct source src;
   struct arena a;
-  struct diag d;
   struct json_value v;
-  diag_init(&d);
   arena_init(&a);
   source_from_string(&src, "words.json", first);
-  ck_assert_msg(json_parse(&v, &a, &src, &d), "%s", d.message);
+  goes_well(json_parse(&v, &a, &src, &d));
   long words = 0, canonical = 0;
   for (int n = 1; n <= 3; n++) {
     for (struct mech_word w = {.n = 0}; phase_word_next(&w, n);) words++;

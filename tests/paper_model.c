@@ -1,6 +1,7 @@
 #include "paper_model.h"
 #include "record/result.h"
 #include "run/audit.h"
+#include "says.h"
 #include "scratch.h"
 
 #include <check.h>
@@ -19,23 +20,19 @@ bool paper_model_read(struct model *m, const struct paper_layers *with, struct d
 }
 
 void paper_model(struct model *m, const struct paper_layers *with) {
-  struct diag d;
-  ck_assert_msg(paper_model_read(m, with, &d), "%s", d.message);
+  goes_well(paper_model_read(m, with, &d));
 }
 
 static void on_file(struct claims *all, const char *folder, const char *word) {
-  struct diag d;
-  diag_init(&d);
   *all = (struct claims){.n = 0};
-  ck_assert_msg(claims_load(all, "verify", folder, word, &d), "%s", d.message);
+  goes_well(claims_load(all, "verify", folder, word, &d));
 }
 
 void paper_claims(struct claims *claims, struct claims *controls) {
   static struct claims statements; /* their words are the claims' */
-  struct diag d;
   on_file(claims, "claims", "claim");
   if (!statements.n) on_file(&statements, "paper", "statement");
-  ck_assert_msg(claims_complete(claims, &statements, &d), "%s", d.message);
+  goes_well(claims_complete(claims, &statements, &d));
   if (controls) on_file(controls, "controls", "control");
 }
 
@@ -45,9 +42,7 @@ void paper_statements(struct claims *statements, struct claims *roots) {
 }
 
 void paper_scene(struct scene *s) {
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(scene_load(s, "paper", "verify", &d), "%s", d.message);
+  goes_well(scene_load(s, "paper", "verify", &d));
 }
 
 struct paper_on_file the_paper;

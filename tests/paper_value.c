@@ -1,4 +1,5 @@
 #include "paper_value.h"
+#include "says.h"
 
 #include <check.h>
 
@@ -6,12 +7,10 @@ int paper_value(fmpz_mpoly_q_struct *z, struct exact_field *f, const struct mode
   struct elaboration el;
   struct matrix m;
   struct tape t;
-  struct diag d;
   struct calc c = exact_calc(f);
   struct num_vec v;
-  diag_init(&d);
   elaboration_init(&el, (struct view){of, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  ck_assert_msg(elaborate_tape(&t, &m, &el, "test", text, "", &d), "%s", d.message);
+  goes_well(elaborate_tape(&t, &m, &el, "test", text, "", &d));
   int s = exact_eval(&v, &c, f, &t);
   if (s == SS_OK) num_exact.set(z, num_vec_at(&v, 0));
   calc_clear(&c);

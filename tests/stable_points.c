@@ -2,6 +2,7 @@
    from 2^-1000 to 2^53 and next to multiples of half periods, states with differences that nearly vanish.  All are
    exact doubles. */
 #include "stable_points.h"
+#include "says.h"
 
 #include <check.h>
 
@@ -20,17 +21,15 @@ static void read_value(struct matrix *out, struct elaboration *el, const char *v
 void extreme_form_init(struct extreme_form *f, const struct model *m, enum layer layer, const char *value,
                        const char *called, const char *section) {
   struct matrix v;
-  struct diag d;
-  diag_init(&d);
   elaboration_init(&f->el, (struct view){m, layer, NULL, NULL}, NULL, 0);
   read_value(&v, &f->el, value, section);
   f->n = v.rows * v.cols;
-  ck_assert_msg(elaboration_tape(&f->tape, &f->el, v.e, f->n, &d), "%s", d.message);
+  goes_well(elaboration_tape(&f->tape, &f->el, v.e, f->n, &d));
   elaboration_init(&f->exact, (struct view){m, LAYER_STABLE, NULL, NULL}, NULL, 0);
   read_value(&v, &f->exact, called, section);
   ck_assert_int_eq(v.rows * v.cols, f->n);
   struct tape plain;
-  ck_assert_msg(elaboration_tape(&plain, &f->exact, v.e, f->n, &d), "%s", d.message);
+  goes_well(elaboration_tape(&plain, &f->exact, v.e, f->n, &d));
   ck_assert_int_le(plain.n_inputs, MOST_INPUTS);
   const struct expr *out[MOST_ENTRIES * (1 + MOST_INPUTS)];
   int n = 0;
@@ -38,7 +37,7 @@ void extreme_form_init(struct extreme_form *f, const struct model *m, enum layer
     out[n++] = v.e[i];
     for (slong k = 0; k < plain.n_inputs; k++) out[n++] = expr_diff(&f->exact.pool, v.e[i], plain.inputs[k]);
   }
-  ck_assert_msg(elaboration_tape(&f->truth, &f->exact, out, n, &d), "%s", d.message);
+  goes_well(elaboration_tape(&f->truth, &f->exact, out, n, &d));
   ck_assert_int_eq(f->truth.n_inputs, plain.n_inputs);
   for (slong k = 0; k < plain.n_inputs; k++) ck_assert_str_eq(f->truth.inputs[k], plain.inputs[k]);
   tape_clear(&plain);

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "report/report.h"
+#include "says.h"
 #include "scratch.h"
 
 void whole_open(void) {
@@ -27,12 +28,10 @@ void whole_open(void) {
 
 void whole_record(struct audit_result *r) {
   struct source s;
-  struct diag d;
   char *json = file_text(scratch_path("whole/paper/audit.json"));
-  diag_init(&d);
   audit_result_init(r);
   source_from_string(&s, "audit.json", json);
-  ck_assert_msg(report_read(r, &s, &d), "%s", d.message);
+  goes_well(report_read(r, &s, &d));
   for (size_t i = 0; i < r->n_tables; i++) {
     char name[100];
     snprintf(name, sizeof name, "whole/paper/%s", r->tables[i].name);
