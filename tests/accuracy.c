@@ -41,8 +41,7 @@ bool accuracy_of(double *error, double *condition, const struct method *m, const
     error[i] = ldexp(apart(y, num_vec_at(&at, i)), 53);
     arb_clear(y);
   }
-  num_vec_clear(&moved);
-  num_vec_clear(&at);
+  vecs_clear(&moved, &at);
   return good;
 }
 

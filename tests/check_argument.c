@@ -30,13 +30,13 @@ static enum verdict verdict_under(const struct model *m, const char *text) {
 
 #define HEAD "claim own\n  section: appendix_b\n  title: of the test\n"
 
-struct asked {
+struct question {
   const char *what, *claim;
   enum verdict want;
 };
 
 /* All in one run, which draws its orbits once; "eq-0" selects eq-0a, eq-0b, ... */
-static void check_verdicts(const struct model *m, const char *head, const struct asked *asked, int n) {
+static void check_verdicts(const struct model *m, const char *head, const struct question *asked, int n) {
   struct audit_result r;
   struct text t;
   text_init(&t);
@@ -54,7 +54,7 @@ static void check_verdicts(const struct model *m, const char *head, const struct
 
 /* --- Arguments --- */
 
-static const struct asked arguments[] = {
+static const struct question arguments[] = {
     {"a conclusion among the premises", "  kind: argument\n  premises: eq-52\n  conclusion: eq-52#1\n", VERDICT_PROVED},
     {"a premise of another phase proves nothing of this one",
      "  kind: argument\n  over: orbits\n  premises: eq-57#1\n  conclusion: text-h-phase#1\n", VERDICT_SUPPORTED},
@@ -108,7 +108,7 @@ static const struct asked arguments[] = {
 
 /* Without the bound on the first force in phase C the list says the same, for another reason than any one phase gives;
    without the first mass's velocity in phase Gamma it says less, which solutions show that violate this alone. */
-static const struct asked lists[] = {
+static const struct question lists[] = {
     {"the paper's list",
      "  constraints: eq-51, eq-52#1.2, eq-52#2.2, eq-54#1.2, eq-54#2.2, eq-57#1, eq-57#2.2, text-h-phase, eq-59#1.2, "
      "eq-59#2" LEAST,
@@ -133,7 +133,7 @@ static const struct asked lists[] = {
 
 /* --- Ranges --- */
 
-static const struct asked ranges[] = {
+static const struct question ranges[] = {
     {"up to where the first mass would overrun the belt", "  conclusion: eq-57#1\n  even: (1 - chi)*V\n  odd: e_1\n",
      VERDICT_PROVED},
     {"not the parts of another motion", "  conclusion: eq-57#1\n  even: V\n  odd: e_1\n", VERDICT_REFUTED},
@@ -157,7 +157,7 @@ static const struct asked ranges[] = {
 /* Each list under the paper's files, the controls and records of its own. */
 static const struct {
   const char *records, *head;
-  const struct asked *asked;
+  const struct question *asked;
   int n;
 } verdicts[] = {
     {"inequality text-never\n  section: appendix_b\n  t_b < 0\n"
@@ -362,8 +362,8 @@ START_TEST(a_certificate_is_a_scene) {
   ck_assert(s.given[KEY_U_R1] && s.given[KEY_TB] && !scene_has_forces(&s));
   audit_orbits(&list, &s, 128);
   ck_assert(list.n >= 1 && list.orbit[0].admissible == TRUTH_TRUE);
-  double u = fmpq_get_d(&s.value[KEY_U_R1]), e1 = arf_get_d(arb_midref(list.orbit[0].e1), ARF_RND_NEAR);
-  double least = arf_get_d(arb_midref(list.orbit[0].u_r1_min), ARF_RND_NEAR);
+  double u = fmpq_get_d(&s.value[KEY_U_R1]), e1 = num_arb.get_d(list.orbit[0].e1);
+  double least = num_arb.get_d(list.orbit[0].u_r1_min);
   ck_assert(e1 < u && u < least);
   dyn_orbits_clear(&list);
   scene_clear(&s);
@@ -395,12 +395,8 @@ static const struct {
 };
 
 START_TEST(symbols_and_readings) {
-  struct text t;
-  text_init(&t);
-  text_printf(&t, HEAD "%s", symbols[_i].claim);
-  enum verdict v = verdict_under(&the_paper.model, text_str(&t));
+  enum verdict v = verdict_under(&the_paper.model, formatted(HEAD "%s", symbols[_i].claim));
   ck_assert_msg(v == symbols[_i].want, "%s: %s", symbols[_i].claim, verdict_name[v]);
-  text_clear(&t);
 }
 END_TEST
 
@@ -461,15 +457,11 @@ static const struct {
 
 START_TEST(units_of_one_record) {
   struct audit_result r;
-  struct text t;
-  text_init(&t);
-  text_printf(&t, HEAD "%s", units[_i].claim);
-  goes_well(judge_text(&r, &the_paper.model, text_str(&t), &the_paper.scene, "own", &d));
+  goes_well(judge_text(&r, &the_paper.model, formatted(HEAD "%s", units[_i].claim), &the_paper.scene, "own", &d));
   const struct finding *f = &r.findings[0];
   ck_assert_int_eq((int)f->verdict, (int)units[_i].want);
   if (f->verdict == VERDICT_REFUTED) ck_assert_int_eq((int)f->correction_verdict, (int)units[_i].repaired);
   audit_result_clear(&r);
-  text_clear(&t);
 }
 END_TEST
 
@@ -496,16 +488,11 @@ START_TEST(ranks_by_hand) {
                {"  (1 - V)*t_a = 1\n  t_a - V*t_a = t_b\n  t_a - V*t_a = 1\n", "t_a, t_b, z_10", "2", VERDICT_PROVED},
                {"  sin(t_b)^2 + cos(t_b)^2 = 1\n  t_c = t_b\n", "t_b, t_c", "1", VERDICT_PROVED}};
   struct model m;
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "equation user\n  section: periodic\n%s", cases[_i].statements);
-  paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text_str(&t)), .controls = true});
-  text_reset(&t);
-  text_printf(&t, HEAD "  kind: rank\n  statement: user\n  unknowns: %s\n  rank: %s\n", cases[_i].unknowns,
-              cases[_i].rank);
-  enum verdict v = verdict_under(&m, text_str(&t));
+  const char *path = scratch_print("overlay.eq", "equation user\n  section: periodic\n%s", cases[_i].statements);
+  paper_model(&m, &(struct paper_layers){.overlay = path, .controls = true});
+  enum verdict v = verdict_under(&m, formatted(HEAD "  kind: rank\n  statement: user\n  unknowns: %s\n  rank: %s\n",
+                                               cases[_i].unknowns, cases[_i].rank));
   ck_assert_msg(v == cases[_i].want, "%s%s: %s", cases[_i].statements, cases[_i].rank, verdict_name[v]);
-  text_clear(&t);
   model_clear(&m);
 }
 END_TEST
@@ -585,20 +572,17 @@ START_TEST(values_of_formulas) {
       {"  z_10 = 1/(e_2 - 0.4476)\n", ALONG("0.447", "0.448"), "e_2 - 0.4476 is not zero", VERDICT_CONDITIONAL},
   };
   struct model m;
-  struct text t;
   struct audit_result r;
-  text_init(&t);
-  text_printf(&t, "equation user\n  section: %s\n%s",
-              strstr(cases[_i].statements, "omega*t_d") ? "stability" : "validation", cases[_i].statements);
-  paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text_str(&t)), .controls = true});
-  text_reset(&t);
-  text_printf(&t, HEAD "  kind: defined\n  statements: user\n%s", cases[_i].attributes);
-  goes_well(judge_text(&r, &m, text_str(&t), &the_paper.scene, "own", &d));
+  const char *path =
+      scratch_print("overlay.eq", "equation user\n  section: %s\n%s",
+                    strstr(cases[_i].statements, "omega*t_d") ? "stability" : "validation", cases[_i].statements);
+  paper_model(&m, &(struct paper_layers){.overlay = path, .controls = true});
+  goes_well(judge_text(&r, &m, formatted(HEAD "  kind: defined\n  statements: user\n%s", cases[_i].attributes),
+                       &the_paper.scene, "own", &d));
   const struct finding *f = &r.findings[0];
   ck_assert_msg(f->verdict == cases[_i].want, "%s: %s", cases[_i].statements, verdict_name[f->verdict]);
   if (cases[_i].condition) ck_assert_str_eq(f->condition, cases[_i].condition);
   audit_result_clear(&r);
-  text_clear(&t);
   model_clear(&m);
 #undef SHORT
 #undef TOUCHING

@@ -289,14 +289,10 @@ START_TEST(diag_is_utf8) {
     diag_set(&d, "%s", c[i].given);
     ck_assert_str_eq(d.message, c[i].shown);
     struct source s;
-    struct text all;
     source_from_string(&s, c[i].given, c[i].given);
-    text_init(&all);
-    text_printf(&all, "%s:1:1: error: in\n  %s\n  ^", c[i].shown, c[i].shown);
     diag_init(&d);
     diag_at(&d, &s, 0, "in");
-    ck_assert_str_eq(d.message, all.data);
-    text_clear(&all);
+    ck_assert_str_eq(d.message, formatted("%s:1:1: error: in\n  %s\n  ^", c[i].shown, c[i].shown));
     source_clear(&s);
   }
 }
@@ -310,11 +306,7 @@ static void refused(const char *path, size_t max, const char *why) {
   diag_init(&d);
   ck_assert_msg(!source_read(&s, path, max, &d), "%s", path);
   ck_assert(!s.name && !s.text && s.len == 0);
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "%s:%s", path, why);
-  ck_assert_str_eq(d.message, t.data);
-  text_clear(&t);
+  ck_assert_str_eq(d.message, formatted("%s:%s", path, why));
 }
 
 START_TEST(read_what_was_written) {
@@ -429,12 +421,8 @@ END_TEST
 static void not_written(const char *path, const char *why) {
   struct diag d;
   diag_init(&d);
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "%s: error: cannot be written: %s", path, why);
   ck_assert_msg(!file_write(path, "new", 3, &d), "%s", path);
-  ck_assert_str_eq(d.message, t.data);
-  text_clear(&t);
+  ck_assert_str_eq(d.message, formatted("%s: error: cannot be written: %s", path, why));
 }
 
 START_TEST(write_refuses) {
@@ -514,13 +502,9 @@ START_TEST(folders) {
   static const char *const wrong[] = {"a/file", "a/file/", "a/file/b", "a/file/b/c"};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     const char *path = scratch_path(wrong[i]);
-    struct text t;
-    text_init(&t);
-    text_printf(&t, "%s: error: cannot make the folder: %s", path, strerror(ENOTDIR));
     diag_init(&d);
     ck_assert_msg(!folder_make(path, &d), "%s", path);
-    ck_assert_str_eq(d.message, t.data);
-    text_clear(&t);
+    ck_assert_str_eq(d.message, formatted("%s: error: cannot make the folder: %s", path, strerror(ENOTDIR)));
   }
   ck_assert_str_eq(content(scratch_path("a/file")), "kept");
   diag_init(&d);

@@ -51,9 +51,7 @@ static double highest_v2(const double p[N_PARAMS], double r, const double t[4]) 
     ck_assert_int_eq(num_mat_mul(&z, &step, &z, 4, 4, 1), SS_OK);
     if (i > STEPS / 100) highest = fmax(highest, *(double *)num_vec_at(&z, 3) - p[P_V]);
   }
-  num_vec_clear(&z);
-  num_vec_clear(&step);
-  num_vec_clear(&params);
+  vecs_clear(&z, &step, &params);
   return highest;
 }
 

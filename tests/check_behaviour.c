@@ -74,7 +74,7 @@ static int series(arb_ptr c, slong n, const double par[N_PARAMS], double r, slon
 }
 
 static double middle(const arb_t x) {
-  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+  return num_arb.get_d(x);
 }
 
 START_TEST(series_of_the_return_map_at_equality) {
@@ -284,8 +284,7 @@ static double growth(const struct dyn_orbit *o, const fmpq params[N_PARAMS]) {
     if (k >= PERIODS / 2) log_size += log(size) / (PERIODS - PERIODS / 2);
   }
   for (int ph = 0; ph < N_PHASES; ph++) num_vec_clear(&step[ph]);
-  num_vec_clear(&z);
-  num_vec_clear(&p);
+  vecs_clear(&z, &p);
   return exp(log_size);
 }
 

@@ -673,7 +673,7 @@ START_TEST(a_time_and_a_limit_given) {
       ck_assert(line_run(&line, s->p, P_E2 - e, value, 100, DYN_CELLS) && !line.spent && !line.stuck);
       for (slong k = 0; k < list.n; k++) {
         const struct dyn_orbit *o = &list.orbit[k];
-        double other = arf_get_d(arb_midref(e == 0 ? o->e2 : o->e1), ARF_RND_NEAR);
+        double other = num_arb.get_d(e == 0 ? o->e2 : o->e1);
         bool enclosed = o->guess[2] > 99;
         for (size_t z = 0; z < line.n; z++)
           enclosed = enclosed || (fabs(line.zeros[z].at - o->guess[2]) < line.zeros[z].near + 1e-13 * o->guess[2] &&
@@ -729,8 +729,7 @@ START_TEST(a_limit_scanned) {
       }
       if (jump || tc > 199) continue;
       bool listed = false;
-      for (slong k = 0; k < list.n; k++)
-        listed = listed || fabs(arf_get_d(arb_midref(list.orbit[k].e2), ARF_RND_NEAR) - p[P_E2]) < 1e-6;
+      for (slong k = 0; k < list.n; k++) listed = listed || fabs(num_arb.get_d(list.orbit[k].e2) - p[P_E2]) < 1e-6;
       ck_assert_msg(listed, "%s: t_b %.17g, t_c %.17g", params_shown(p), tb, tc);
       seen++;
     }

@@ -25,8 +25,7 @@ static int simulate(struct coulomb_result *r, int route, const double p[N_COULOM
   struct num_ctx ctx = route == 1 ? num_ctx_double() : num_ctx_mpfr(160);
   struct num_vec params = vec_of(p, N_COULOMB, ctx), start = vec_of(x, N_STATE, ctx);
   int status = coulomb_simulate_exact(r, NULL, &params, &start, plan, sink);
-  num_vec_clear(&params);
-  num_vec_clear(&start);
+  vecs_clear(&params, &start);
   return status;
 }
 
@@ -325,8 +324,7 @@ START_TEST(mpfr_decides_what_double_precision_cannot) {
     if (!miss) ck_assert(log.event[0].mass == 0 && log.event[0].to == MODE_STICK && log.event[0].grazing);
     ck_assert(r.touches > 0);
     coulomb_log_clear(&log);
-    num_vec_clear(&p);
-    num_vec_clear(&x);
+    vecs_clear(&p, &x);
   }
 }
 END_TEST
@@ -601,8 +599,7 @@ static void paper_start(double x[N_STATE], double z10, double z20) {
   num_vec_init(&s, N_STATE, num_ctx_double());
   ck_assert_int_eq(coulomb_start_set(&s, &p, &z10, &z20), SS_OK);
   memcpy(x, s.data, N_STATE * sizeof *x);
-  num_vec_clear(&p);
-  num_vec_clear(&s);
+  vecs_clear(&p, &s);
 }
 
 static bool refuse(void *self, const struct coulomb_event *e) {
@@ -743,10 +740,7 @@ START_TEST(parameters_from_the_models) {
   static const double expected[N_COULOMB] = {0.5, 2, 1, 1, 0.25, 1.75, 1.5};
   for (int i = 0; i < N_COULOMB; i++) ck_assert_double_eq(num_mpfr.get_d(num_vec_at(&p, i)), expected[i]);
   ck_assert_int_eq(coulomb_params_set(&p, &m, &k), SS_DOMAIN); /* u_s1 = 1/2 - 3/4 < 0 */
-  num_vec_clear(&m);
-  num_vec_clear(&l);
-  num_vec_clear(&k);
-  num_vec_clear(&p);
+  vecs_clear(&m, &l, &k, &p);
 }
 END_TEST
 
@@ -803,9 +797,7 @@ static void run_orbit(struct watch *w, const char *moved, long returns) {
   plan.returns = returns;
   ck_assert_int_eq(coulomb_simulate_exact(&r, &x, &p, &x, &plan, &(struct coulomb_sink){w, watch_event, NULL}), SS_OK);
   ck_assert_double_eq(num_mpfr.get_d(num_vec_at(&x, Z_2)), r.at.x[1]);
-  num_vec_clear(&p);
-  num_vec_clear(&z);
-  num_vec_clear(&x);
+  vecs_clear(&p, &z, &x);
 }
 
 static void watch_clear(struct watch *w) {

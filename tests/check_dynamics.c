@@ -81,8 +81,7 @@ START_TEST(propagators_of_all_types_agree) {
       ck_assert_int_eq(dyn_propagator(&m[k], (enum phase)ph, &p, num_vec_at(&time, 0)), SS_OK);
       double d = distance(&m[0], &m[k]);
       if (k > 0) ck_assert_msg(d <= bound[k] * largest(&m[0]), "%s t %g phase %d: %g", params_shown(pd), t, ph, d);
-      num_vec_clear(&p);
-      num_vec_clear(&time);
+      vecs_clear(&p, &time);
     }
     for (int k = 0; k < 4; k++) num_vec_clear(&m[k]);
   }
@@ -101,12 +100,7 @@ START_TEST(taylor_keeps_its_promise_for_long_times) {
     ck_assert_int_eq(dyn_propagator(&e, (enum phase)ph, &pa, num_vec_at(&ta, 0)), SS_OK);
     ck_assert(distance(&m, &e) <= ldexp(1, 4 - 128) * largest(&e));
   }
-  num_vec_clear(&p);
-  num_vec_clear(&time);
-  num_vec_clear(&pa);
-  num_vec_clear(&ta);
-  num_vec_clear(&m);
-  num_vec_clear(&e);
+  vecs_clear(&p, &time, &pa, &ta, &m, &e);
 }
 END_TEST
 
@@ -136,11 +130,7 @@ START_TEST(flow_is_the_propagator_applied) {
       ck_assert_msg(d <= bound[k] * size, "%s t %g phase %d type %d: %g", params_shown(pd), t, ph, k, d / size);
       if (k == 2)
         for (slong i = 0; i < N_STATE; i++) ck_assert(arb_overlaps(num_vec_at(&moved, i), num_vec_at(&z, i)));
-      num_vec_clear(&p);
-      num_vec_clear(&z);
-      num_vec_clear(&time);
-      num_vec_clear(&m);
-      num_vec_clear(&moved);
+      vecs_clear(&p, &z, &time, &m, &moved);
     }
 }
 END_TEST
@@ -161,11 +151,9 @@ START_TEST(flows_compose) {
     status |= dyn_flow(&twice, (enum phase)ph, &p, &twice, num_vec_at(&t, 1));
     ck_assert_int_eq(status, SS_OK);
     ck_assert_msg(distance(&once, &twice) < 1e-60, "%s phase %d", params_shown(pd), ph);
-    num_vec_clear(&once);
-    num_vec_clear(&twice);
+    vecs_clear(&once, &twice);
   }
-  num_vec_clear(&p);
-  num_vec_clear(&t);
+  vecs_clear(&p, &t);
 }
 END_TEST
 
@@ -179,16 +167,14 @@ static void flow_d(double out[N_STATE], enum phase ph, const double p[N_PARAMS],
   struct num_vec pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
   ck_assert_int_eq(dyn_flow(&z, ph, &pv, &z, &t), SS_OK);
   for (slong i = 0; i < N_STATE; i++) out[i] = entry_d(&z, i);
-  num_vec_clear(&pv);
-  num_vec_clear(&z);
+  vecs_clear(&pv, &z);
 }
 
 static double switching_d(enum phase ph, const double p[N_PARAMS], const double in[N_STATE], double *rate) {
   struct num_vec pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
   double value;
   ck_assert_int_eq(dyn_switching(&value, ph, &pv, &z) | dyn_switching_rate(rate, ph, &pv, &z), SS_OK);
-  num_vec_clear(&pv);
-  num_vec_clear(&z);
+  vecs_clear(&pv, &z);
   return value;
 }
 
@@ -399,11 +385,9 @@ START_TEST(refined_events_agree_and_are_proved) {
         int status = dyn_flow(&at, (enum phase)ph, &p, &z, num_vec_at(&t[0], 0));
         ck_assert_int_eq(status | dyn_switching(num_vec_at(&f, 0), (enum phase)ph, &p, &at), SS_OK);
         ck_assert(arb_contains_zero(num_vec_at(&f, 0)));
-        num_vec_clear(&at);
-        num_vec_clear(&f);
+        vecs_clear(&at, &f);
       }
-      num_vec_clear(&p);
-      num_vec_clear(&z);
+      vecs_clear(&p, &z);
     }
     for (int k = 0; k < 3; k++) num_vec_clear(&t[k]);
   }
@@ -431,9 +415,7 @@ START_TEST(an_event_of_balls_holds_the_events_of_its_points) {
       }
     else
       ck_assert_msg(k > 4, "radius %g is small enough to be proved", radius);
-    num_vec_clear(&p);
-    num_vec_clear(&z);
-    num_vec_clear(&t);
+    vecs_clear(&p, &z, &t);
   }
 }
 END_TEST
@@ -443,9 +425,7 @@ START_TEST(a_double_root_is_not_proved) {
   struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_arb(128)), z = vec_of(zd, N_STATE, num_ctx_arb(128)), t;
   num_vec_init(&t, 1, num_ctx_arb(128));
   ck_assert_int_eq(dyn_event(num_vec_at(&t, 0), PHASE_C, &p, &z, 3.1415), SS_UNABLE);
-  num_vec_clear(&p);
-  num_vec_clear(&z);
-  num_vec_clear(&t);
+  vecs_clear(&p, &z, &t);
 }
 END_TEST
 
@@ -476,12 +456,7 @@ START_TEST(local_jacobians_match_differences) {
     double gap = distance(&j, &fd), stated = entry_d(&err, 0);
     ck_assert_msg(gap <= 4 * stated && stated < 1e-20 * (1 + pow(largest(&j), 3)), "%s phase %d: off %g, stated %g",
                   params_shown(pd), ph, gap, stated);
-    num_vec_clear(&p);
-    num_vec_clear(&z);
-    num_vec_clear(&t);
-    num_vec_clear(&j);
-    num_vec_clear(&fd);
-    num_vec_clear(&err);
+    vecs_clear(&p, &z, &t, &j, &fd, &err);
   }
 }
 END_TEST
@@ -509,10 +484,7 @@ START_TEST(a_pinned_velocity_is_not_displaced) {
         ck_assert_msg(arb_is_zero(x), "%s phase %d: %s, column %d", params_shown(pd), ph, ctx.type->name, col);
         arb_clear(x);
       }
-      num_vec_clear(&p);
-      num_vec_clear(&z);
-      num_vec_clear(&t);
-      num_vec_clear(&j);
+      vecs_clear(&p, &z, &t, &j);
     }
   }
 }
@@ -563,10 +535,7 @@ START_TEST(the_return_jacobian_of_doubles_is_rounded_once) {
     arb_clear(most);
     arb_clear(off);
   }
-  num_vec_clear(&jb);
-  num_vec_clear(&j);
-  num_vec_clear(&pb);
-  num_vec_clear(&p);
+  vecs_clear(&jb, &j, &pb, &p);
   dyn_arc_clear(&balls);
   dyn_arc_clear(&arc);
 }
@@ -595,8 +564,7 @@ static void jacobian_work_init(struct jacobian_work *w, struct num_ctx ctx) {
 
 static void jacobian_work_clear(struct jacobian_work *w) {
   dyn_arc_clear(&w->arc);
-  num_vec_clear(&w->j);
-  num_vec_clear(&w->params);
+  vecs_clear(&w->j, &w->params);
 }
 
 /* What is zero is not sought at ever more bits: a double costs about as much as 64 bits of MPFR. */
@@ -688,10 +656,7 @@ static void check_six_equations(const struct found *f, const struct dyn_orbit *o
   arb_set_fmpq(end, f->p + P_V, prec);
   ck_assert(arb_overlaps(num_vec_at(&z, DZ_1), end) && arb_overlaps(num_vec_at(&z, DZ_2), end));
   arb_clear(end);
-  num_vec_clear(&z);
-  num_vec_clear(&m);
-  num_vec_clear(&value);
-  num_vec_clear(&p);
+  vecs_clear(&z, &m, &value, &p);
 }
 
 /* Trace and determinant of the product of local derivatives; differences of the whole map. */
@@ -709,13 +674,11 @@ static void check_multiplier(const struct found *f, const struct dyn_orbit *o, s
   ck_assert(num_mat_det(x, &j, 2) == SS_OK && arb_contains_zero(x));
   for (slong i = 0; i < 4; i++) ck_assert(arb_overlaps(num_vec_at(&arc.t, i), o->t[i]));
   dyn_arc_clear(&arc);
-  num_vec_clear(&j);
-  num_vec_clear(&p);
+  vecs_clear(&j, &p);
   arb_clear(x);
 
-  double r = arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR), out, slope,
-         t[4];
-  double trace = arf_get_d(arb_midref(o->trace), ARF_RND_NEAR);
+  double r = num_arb.get_d(o->z20) - num_arb.get_d(o->z10), out, slope, t[4];
+  double trace = num_arb.get_d(o->trace);
   if (fabs(trace) > 100) return;
   ck_assert_int_eq(dyn_return_map_d(&out, &slope, t, f->pd, r, NULL), SS_OK);
   ck_assert_msg(fabs(out - r) < 1e-9 * (1 + fabs(r)), "%s: not a fixed point", params_shown(f->pd));
@@ -731,8 +694,8 @@ static void check_conditions_by_samples(const struct found *f, const struct dyn_
   const double *p = f->pd, scale = p[P_V] + p[P_E1] + p[P_E2], dt = 1.0 / SAMPLES;
   double worst[N_CONDITIONS], low1 = HUGE_VAL, low2 = HUGE_VAL, z[N_STATE], at[N_STATE];
   for (int i = 0; i < N_CONDITIONS; i++) worst[i] = -HUGE_VAL;
-  z[Z_1] = arf_get_d(arb_midref(o->z10), ARF_RND_NEAR);
-  z[Z_2] = arf_get_d(arb_midref(o->z20), ARF_RND_NEAR);
+  z[Z_1] = num_arb.get_d(o->z10);
+  z[Z_2] = num_arb.get_d(o->z20);
   z[DZ_1] = z[DZ_2] = p[P_V];
   worst[COND_TA] = -o->guess[0];
   for (int ph = 0; ph < N_PHASES; ph++) {
@@ -759,7 +722,7 @@ static void check_conditions_by_samples(const struct found *f, const struct dyn_
     ck_assert_msg(fits, "%s t_b %g: %s is %d, sampled %g", params_shown(p), o->guess[1], dyn_condition_id[i],
                   o->holds[i], worst[i]);
   }
-  double u1 = arf_get_d(arb_midref(o->u_r1_min), ARF_RND_NEAR), u2 = arf_get_d(arb_midref(o->u_r2_min), ARF_RND_NEAR);
+  double u1 = num_arb.get_d(o->u_r1_min), u2 = num_arb.get_d(o->u_r2_min);
   ck_assert_msg(fabs(-low1 / 2 - u1) < 1e-3 * (1 + fabs(u1)), "%s: u_r1 %g sampled %g", params_shown(p), u1, -low1 / 2);
   ck_assert_msg(fabs(-low2 / 2 - u2) < 1e-3 * (1 + fabs(u2)), "%s: u_r2 %g sampled %g", params_shown(p), u2, -low2 / 2);
 }
@@ -820,14 +783,11 @@ START_TEST(return_map_differences) {
     ctx.type->add(num_vec_at(&j, 0), num_vec_at(&j, 0), num_vec_at(&j, 3), ctx.prec);
     ctx.type->get_arb(trace, num_vec_at(&j, 0));
     arb_sub(off, trace, o->trace, 256);
-    double gap = fabs(arf_get_d(arb_midref(off), ARF_RND_NEAR)), stated = entry_d(&err, 0);
+    double gap = fabs(num_arb.get_d(off)), stated = entry_d(&err, 0);
     ck_assert_msg(gap <= 4 * stated && stated < 1e-45, "off %g, stated %g", gap, stated);
     arb_clear(trace);
     arb_clear(off);
-    num_vec_clear(&p);
-    num_vec_clear(&z);
-    num_vec_clear(&j);
-    num_vec_clear(&err);
+    vecs_clear(&p, &z, &j, &err);
   }
   found_clear(&f);
 }
@@ -879,7 +839,7 @@ START_TEST(random_orbits_obey_everything) {
     check_six_equations(&f, o, 200);
     check_multiplier(&f, o, 200);
     check_conditions_by_samples(&f, o);
-    low = fmin(low, arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR));
+    low = fmin(low, num_arb.get_d(o->z20) - num_arb.get_d(o->z10));
     bool ordered = i == 0 || arf_cmp(arb_midref(o[-1].z10), arb_midref(o->z10)) < 0;
     ck_assert(ordered);
   }
@@ -1054,7 +1014,7 @@ static double off_by(double high, double low, arb_srcptr x) {
   arb_add(sum, sum, d, 400);
   arb_sub(d, sum, x, 400);
   arb_div(d, d, x, 400);
-  double off = fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR)) + mag_get_d(arb_radref(d));
+  double off = fabs(num_arb.get_d(d)) + mag_get_d(arb_radref(d));
   arb_clear(sum);
   arb_clear(d);
   return off;

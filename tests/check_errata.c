@@ -281,7 +281,7 @@ START_TEST(size_of_the_error_in_10) {
   slong orbit = (slong)strtol(strstr(d->where, "orbit ") + 6, NULL, 10) - 1;
   double t_a = 0;
   for (int ph = 0; ph < N_PHASES; ph++) {
-    double t = arf_get_d(arb_midref(list.orbit[orbit].t[ph]), ARF_RND_NEAR);
+    double t = num_arb.get_d(list.orbit[orbit].t[ph]);
     if (ph == 0) t_a = t;
     ck_assert_int_eq(dyn_propagator(ph ? &p : &n, (enum phase)ph, &params, &t), SS_OK);
     if (ph) ck_assert_int_eq(num_mat_mul(&n, &p, &n, 4, 4, 4), SS_OK);
@@ -294,9 +294,7 @@ START_TEST(size_of_the_error_in_10) {
   ck_assert(fabs(off) > 1e-3);
   dyn_orbits_clear(&list);
   _fmpq_vec_clear(exact, N_PARAMS);
-  num_vec_clear(&p);
-  num_vec_clear(&n);
-  num_vec_clear(&params);
+  vecs_clear(&p, &n, &params);
 }
 END_TEST
 

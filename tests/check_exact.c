@@ -569,13 +569,7 @@ END_TEST
 static struct exact_proof prove(const struct model *m, const struct claim *c, struct view view,
                                 struct audit_result *out) {
   struct diag d;
-  diag_init(&d);
-  struct judge j = {.out = out,
-                    .model = m,
-                    .claims = &the_paper.claims,
-                    .scene = &the_paper.scene,
-                    .cache = the_paper.cache,
-                    .d = &d};
+  struct judge j = paper_judge(out, m, &d, EFFORT_FULL);
   return exact_prove(&j, c, view, NULL);
 }
 
@@ -587,7 +581,6 @@ START_TEST(no_control_is_proved) {
     if (!claim_tried_at_points(&c)) continue;
     c.control = the_paper.controls.claim[i].record;
     struct audit_result out;
-    audit_result_init(&out);
     struct exact_proof p =
         prove(&the_paper.model, &c,
               (struct view){&the_paper.model, LAYER_CORRECTED, NULL, the_paper.controls.claim[i].id}, &out);
@@ -624,25 +617,20 @@ START_TEST(what_follows_from_the_law) {
       {"chi*(z_2(t) - z_1(t)) < e_1", "admissible D 6", false},
   };
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    struct text t;
     struct model m;
     struct claims c = {.n = 0};
     struct audit_result out;
-    text_init(&t);
-    audit_result_init(&out);
-    text_printf(&t, "inequality by-hand\n  section: stability\n  %s\n", rows[i].says);
-    paper_model(&m, &(struct paper_layers){.overlay = scratch_put("law.eq", text_str(&t)), .errata = ""});
-    text_reset(&t);
-    text_printf(&t, "claim law\n  kind: identity\n  statement: by-hand\n  points: %s\n  record: proved\n",
-                rows[i].points);
-    scratch_put("law-claim", text_str(&t));
-    goes_well(claims_add_file(&c, scratch_path("law-claim"), "claim", &d));
+    const char *path = scratch_print("law.eq", "inequality by-hand\n  section: stability\n  %s\n", rows[i].says);
+    paper_model(&m, &(struct paper_layers){.overlay = path, .errata = ""});
+    path = scratch_print("law-claim",
+                         "claim law\n  kind: identity\n  statement: by-hand\n  points: %s\n  record: proved\n",
+                         rows[i].points);
+    goes_well(claims_add_file(&c, path, "claim", &d));
     struct exact_proof p = prove(&m, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}, &out);
     ck_assert_msg(p.proved == rows[i].follows, "%s: %s: %s", rows[i].says, rows[i].points, p.why_not);
     audit_result_clear(&out);
     claims_clear(&c);
     model_clear(&m);
-    text_clear(&t);
   }
 }
 END_TEST
@@ -681,25 +669,19 @@ START_TEST(ranks_by_hand) {
       {"  x_b*y_b*u_b = (x_b + y_b)^12\n", "x_b", -1},
   };
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    struct text t;
     struct model m;
     struct claims c = {.n = 0};
     struct diag d;
     struct audit_result out;
     struct rank_system y;
-    text_init(&t);
-    diag_init(&d);
-    audit_result_init(&out);
-    text_printf(&t, "equation rank-by-hand\n  section: stability\n%s", rows[i].equations);
-    paper_model(&m, &(struct paper_layers){.overlay = scratch_put("rank.eq", text_str(&t)), .errata = ""});
-    text_reset(&t);
-    text_printf(&t,
-                "claim rank\n  kind: rank\n  statement: rank-by-hand\n  unknowns: %s\n  rank: 1\n  record: proved\n",
-                rows[i].unknowns);
-    scratch_put("rank.claim", text_str(&t));
+    const char *path = scratch_print("rank.eq", "equation rank-by-hand\n  section: stability\n%s", rows[i].equations);
+    paper_model(&m, &(struct paper_layers){.overlay = path, .errata = ""});
+    scratch_print("rank.claim",
+                  "claim rank\n  kind: rank\n  statement: rank-by-hand\n  unknowns: %s\n  rank: 1\n  record: proved\n",
+                  rows[i].unknowns);
+    struct judge j = paper_judge(&out, &m, &d, EFFORT_FULL);
+    j.claims = &c;
     ck_assert_msg(claims_load(&c, scratch_path(""), ".", "claim", &d), "%s", d.message);
-    struct judge j = {
-        .out = &out, .model = &m, .claims = &c, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
     ck_assert_msg(rank_system_build(&y, &j, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}), "%s",
                   d.message);
     struct exact_rank r = exact_rank_of(&out, &y);
@@ -708,7 +690,6 @@ START_TEST(ranks_by_hand) {
     audit_result_clear(&out);
     claims_clear(&c);
     model_clear(&m);
-    text_clear(&t);
   }
 }
 END_TEST
@@ -733,25 +714,21 @@ START_TEST(the_theorem_needs_each_hypothesis) {
       {"define user\n  J_f := [1, 0, 0; 0, 1, 0]\n", "ends transversally"},
   };
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    struct text t;
     struct model m;
     struct diag d;
     struct audit_result out;
-    text_init(&t);
-    diag_init(&d);
-    audit_result_init(&out);
     const char *body = strchr(rows[i].overlay, '\n') + 1;
-    text_printf(&t, "%.*s  section: stability\n%s", (int)(body - rows[i].overlay), rows[i].overlay, body);
     bool own = strncmp(rows[i].overlay, "inequality", 10) == 0;
-    paper_model(&m, &(struct paper_layers){.overlay = scratch_put("own.eq", text_str(&t))});
+    const char *path =
+        scratch_print("own.eq", "%.*s  section: stability\n%s", (int)(body - rows[i].overlay), rows[i].overlay, body);
+    paper_model(&m, &(struct paper_layers){.overlay = path});
     const struct view v = {&m, LAYER_CORRECTED, NULL, NULL};
-    struct judge j = {.out = &out, .model = &m, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
+    struct judge j = paper_judge(&out, &m, &d, EFFORT_FULL);
     struct linearized l = linearized_stability(&j, view_record(&v, own ? "own" : "text-criterion"), v);
     ck_assert_msg(l.proved == !rows[i].missing, "row %zu: %s", i, l.note);
     if (rows[i].missing) ck_assert_msg(strstr(l.note, rows[i].missing), "row %zu: %s", i, l.note);
     audit_result_clear(&out);
     model_clear(&m);
-    text_clear(&t);
   }
 }
 END_TEST
@@ -775,14 +752,7 @@ START_TEST(ranks_of_damaged_equations) {
       struct audit_result out;
       struct finding f;
       struct diag d;
-      diag_init(&d);
-      audit_result_init(&out);
-      struct judge j = {.out = &out,
-                        .model = &o.model,
-                        .claims = &the_paper.claims,
-                        .scene = &the_paper.scene,
-                        .cache = the_paper.cache,
-                        .d = &d};
+      struct judge j = paper_judge(&out, &o.model, &d, EFFORT_FULL);
       const char *balls = NULL, *exact = NULL;
       if (judge_verdict(&f, &j, c)) {
         for (int e = 0; e < f.n_evidence; e++) {
@@ -803,19 +773,15 @@ START_TEST(ranks_of_damaged_equations) {
 }
 END_TEST
 
-static bool refuted_by_balls(const struct model *m, const struct claim *c, struct audit_result *out) {
+static bool refuted_by_balls(const struct model *m, const struct claim *c) {
+  struct audit_result out;
   struct finding f;
   struct diag d;
-  diag_init(&d);
-  struct judge j = {.out = out,
-                    .model = m,
-                    .claims = &the_paper.claims,
-                    .scene = &the_paper.scene,
-                    .cache = the_paper.cache,
-                    .d = &d,
-                    .effort = EFFORT_REFUTE};
-  return judge_verdict(&f, &j, c) && f.verdict == VERDICT_REFUTED && f.n_evidence > 0 &&
-         strcmp(f.evidence[0].route, "balls") == 0;
+  struct judge j = paper_judge(&out, m, &d, EFFORT_REFUTE);
+  bool refuted = judge_verdict(&f, &j, c) && f.verdict == VERDICT_REFUTED && f.n_evidence > 0 &&
+                 strcmp(f.evidence[0].route, "balls") == 0;
+  audit_result_clear(&out);
+  return refuted;
 }
 
 /* Every so many one-token damages, and the claims under the same equation: what is proved must not be refuted. */
@@ -835,13 +801,11 @@ START_TEST(what_balls_refute_is_not_proved) {
       const struct claim *c = &the_paper.claims.claim[k];
       const char *own = claim_get(c, "equation");
       if (!own || strcmp(own, equation) != 0 || !claim_tried_at_points(c)) continue;
+      if (!refuted_by_balls(&o.model, c)) continue;
       struct audit_result out;
-      audit_result_init(&out);
-      if (refuted_by_balls(&o.model, c, &out)) {
-        refuted++;
-        ck_assert_msg(!prove(&o.model, c, claim_view(&o.model, c), &out).proved, "%s with mutant %zu", c->id, i);
-      }
+      ck_assert_msg(!prove(&o.model, c, claim_view(&o.model, c), &out).proved, "%s with mutant %zu", c->id, i);
       audit_result_clear(&out);
+      refuted++;
     }
     overlay_set(&o, t, NULL);
   }

@@ -119,7 +119,7 @@ static double off(const arb_t x, const fmpq *q, double scale) {
   arb_t d;
   arb_init(d);
   arb_set_fmpq(d, q, 400);
-  double size = fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR)) + scale;
+  double size = fabs(num_arb.get_d(d)) + scale;
   arb_sub(d, x, d, 400);
   mag_t m;
   mag_init(m);
@@ -143,7 +143,7 @@ enum { N_CHOSEN = sizeof chosen / sizeof *chosen };
 static const struct dyn_limits near_limits = {12, 100000};
 
 static double mid(const arb_t x) {
-  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+  return num_arb.get_d(x);
 }
 
 /* The six equations in balls by matrix exponentials, and first events in double precision. */
@@ -180,10 +180,7 @@ static void check_orbit(const struct sample *s, const struct dyn_orbit *o, slong
   }
   ck_assert(arb_overlaps(num_vec_at(&z, Z_1), o->z10) && arb_overlaps(num_vec_at(&z, Z_2), o->z20));
   for (int i = 0; i < 2; i++) ck_assert(arb_overlaps(num_vec_at(&z, DZ_1 + i), num_vec_at(&p, P_V)));
-  num_vec_clear(&p);
-  num_vec_clear(&z);
-  num_vec_clear(&m);
-  num_vec_clear(&value);
+  vecs_clear(&p, &z, &m, &value);
 }
 
 /* Whether o is the orbit of the file; the given values were cut to 40 digits. */

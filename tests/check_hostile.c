@@ -352,12 +352,10 @@ static void try_place(const struct place *p, const char *recipe, int status, con
   struct trial j;
   snprintf(folder, sizeof folder, "%s-%s", recipe, p->name);
   ck_assert(mkdir(scratch_path(folder), 0755) == 0);
-  struct text path;
-  text_init(&path);
-  text_printf(&path, "%s/%s", scratch_path(folder), p->suffix);
-  make_file(recipe, p, text_str(&path));
+  const char *path = formatted("%s/%s", scratch_path(folder), p->suffix);
+  make_file(recipe, p, path);
   bool whole = strcmp(p->name, "paper") == 0 || strcmp(p->name, "report") == 0; /* the command takes the folder */
-  const char *target = whole ? scratch_path(folder) : text_str(&path);
+  const char *target = whole ? scratch_path(folder) : path;
   snprintf(words, sizeof words, p->words, target, target);
   trial_init(&j, words);
   if (strcmp(p->name, "certificate") == 0) j.file = beside("stickslip-checker");
@@ -369,7 +367,6 @@ static void try_place(const struct place *p, const char *recipe, int status, con
   else
     ck_assert_msg(j.end.status == 0 && j.end.err_size == 0, "%s(%s): %d, %.600s", shown(&j), wrong, j.end.status,
                   j.end.err);
-  text_clear(&path);
   trial_clear(&j);
 }
 
@@ -478,17 +475,14 @@ static const char *old_file(struct trial *j, int i, mode_t mode) {
 static void old_one_stays(const struct trial *j, int i, const char *path) {
   char folder[20];
   const char *name = strrchr(path, '/') + 1, *list;
-  struct text t;
-  text_init(&t);
   char *now = file_text(path);
   ck_assert_msg(strcmp(now, "old\n") == 0, "%s: not the old file: %.100s", shown(j), now);
   free(now);
   snprintf(folder, sizeof folder, "out%d", i);
   list = scratch_list(scratch_path(folder));
-  text_printf(&t, "%s %s.part %s.part.sum", name, name, name);
-  bool part = strcmp(j->argv[0], "sweep") == 0 && strcmp(list, text_str(&t)) == 0;
+  bool part =
+      strcmp(j->argv[0], "sweep") == 0 && strcmp(list, formatted("%s %s.part %s.part.sum", name, name, name)) == 0;
   ck_assert_msg(part || strcmp(list, name) == 0, "%s leaves %s", shown(j), list);
-  text_clear(&t);
 }
 
 START_TEST(a_read_only_folder) {

@@ -13,6 +13,7 @@
 #include "accuracy.h"
 #include "every.h"
 #include "paper_model.h"
+#include "rational.h"
 #include "rng.h"
 #include "route/jacobian.h"
 #include "says.h"
@@ -42,9 +43,7 @@ static struct model damaged; /* with ktilde_2 of (36) wrong on purpose */
 
 static void load_scene(struct scene *s, const char *text) {
   static int serial;
-  char name[40];
-  snprintf(name, sizeof name, "s%d.scene", ++serial);
-  goes_well(scene_load(s, scratch_put(name, text), "verify", &d));
+  goes_well(scene_load(s, scratch_put(formatted("s%d.scene", ++serial), text), "verify", &d));
 }
 
 static void read_row(char *const *field) {
@@ -105,7 +104,7 @@ static bool jacobian(arb_ptr x, const struct model *m, struct scene *s, struct j
 }
 
 static double mid(const arb_struct *x) {
-  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+  return num_arb.get_d(x);
 }
 
 static double radius(const arb_struct *x) {
@@ -168,10 +167,7 @@ static double strain(enum phase ph, const double *params, const double *in, doub
     ck_assert(err[i % 4] > 0 && isfinite(err[i % 4]));
     worst = fmax(worst, fabs(column[4 * (i % 4) + i / 4] - mid(num_vec_at(&j, i))) / err[i % 4]);
   }
-  num_vec_clear(&when);
-  num_vec_clear(&j);
-  num_vec_clear(&z);
-  num_vec_clear(&p);
+  vecs_clear(&when, &j, &z, &p);
   return worst;
 }
 

@@ -191,15 +191,12 @@ END_TEST
 static const char *record_says(const char *record) {
   struct model m;
   struct diag d;
-  struct text file;
   diag_init(&d);
-  text_init(&file);
-  text_printf(&file, "symbol chi\nsymbol t\n%s", record);
   model_init(&m);
-  ck_assert_msg(model_add_file(&m, scratch_put("p.eq", text_str(&file)), RANK_PAPER, &d), "%s", d.message);
+  ck_assert_msg(model_add_file(&m, scratch_print("p.eq", "symbol chi\nsymbol t\n%s", record), RANK_PAPER, &d), "%s",
+                d.message);
   ck_assert(model_check_tex(&m, RANK_PAPER, &d) != d.set);
   model_clear(&m);
-  text_clear(&file);
   return d.set ? arena_strndup(&arena, d.message, strlen(d.message)) : "";
 }
 

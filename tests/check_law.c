@@ -17,15 +17,12 @@
 static enum verdict judged(const char *formulas, const char *claim, struct diag *d) {
   struct model m;
   struct audit_result r;
-  struct text t;
   audit_result_init(&r);
-  text_init(&t);
-  text_printf(&t, "claim own\n  section: appendix_b\n  title: of the test\n%s", claim);
   bool ok = paper_model_read(&m, &(struct paper_layers){.overlay = scratch_put("own.eq", formulas)}, d) &&
-            judge_text(&r, &m, text_str(&t), &the_paper.scene, "own", d);
+            judge_text(&r, &m, formatted("claim own\n  section: appendix_b\n  title: of the test\n%s", claim),
+                       &the_paper.scene, "own", d);
   enum verdict v = ok ? r.findings[0].verdict : N_VERDICTS;
   ck_assert(!ok || r.n_findings == 1);
-  text_clear(&t);
   audit_result_clear(&r);
   model_clear(&m);
   return v;

@@ -33,8 +33,7 @@ static void pass_open(struct trip *p, const double x[N_START], struct num_ctx ct
 }
 
 static void pass_close(struct trip *p) {
-  num_vec_clear(&p->params);
-  num_vec_clear(&p->start);
+  vecs_clear(&p->params, &p->start);
   dyn_arc_clear(&p->arc);
 }
 

@@ -395,8 +395,8 @@ END_TEST
 static void follow(const struct mech_orbit *o, enum mech_route route, int first) {
   struct mech_motion z;
   struct mech_word w;
-  double start[MECH_STATES], period = arf_get_d(arb_midref(o->period), ARF_RND_NEAR), t = 0, gap;
-  for (int i = 0; i < o->states; i++) start[i] = arf_get_d(arb_midref(o->state + first * o->states + i), ARF_RND_NEAR);
+  double start[MECH_STATES], period = num_arb.get_d(o->period), t = 0, gap;
+  for (int i = 0; i < o->states; i++) start[i] = num_arb.get_d(o->state + first * o->states + i);
   struct mech_plan plan = {.duration = 2.000001 * period, .most = 1000, .phase = o->word.phase[first]};
   ck_assert_int_eq(mech_simulate(&z, route, &file, start, &plan), SS_OK);
   ck_assert_int_eq(z.n_moments, 2 * o->word.n + 1);
@@ -405,9 +405,8 @@ static void follow(const struct mech_orbit *o, enum mech_route route, int first)
     ck_assert_str_eq(z.moment[k].phase, o->word.phase[at]);
     ck_assert_double_eq_tol(z.moment[k].t, t, 1e-9);
     for (int i = 0; i < o->states; i++)
-      ck_assert_double_eq_tol(z.moment[k].z[i], arf_get_d(arb_midref(o->state + at * o->states + i), ARF_RND_NEAR),
-                              1e-9);
-    t += arf_get_d(arb_midref(o->t + at), ARF_RND_NEAR);
+      ck_assert_double_eq_tol(z.moment[k].z[i], num_arb.get_d(o->state + at * o->states + i), 1e-9);
+    t += num_arb.get_d(o->t + at);
   }
   ck_assert(mech_settles(&w, &t, &gap, &z, o->n, o->states) && mech_word_same(&w, &o->word));
   ck_assert_double_eq_tol(t, period, 1e-9);
@@ -417,8 +416,8 @@ static void follow(const struct mech_orbit *o, enum mech_route route, int first)
 /* x = z + d with K d = u_s: in double, for a guess. */
 static void state_of(double x[4], const struct dyn_orbit *o, const struct mech *m, const fmpq *params) {
   double us = fmpq_get_d(m->mass[0].sliding), chi = fmpq_get_d(params + P_CHI), d1 = 2 * us / (1 - chi);
-  x[0] = arf_get_d(arb_midref(o->z10), ARF_RND_NEAR) + d1;
-  x[1] = arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) + d1 + us / chi;
+  x[0] = num_arb.get_d(o->z10) + d1;
+  x[1] = num_arb.get_d(o->z20) + d1 + us / chi;
   x[2] = x[3] = fmpq_get_d(params + P_V);
 }
 
@@ -696,8 +695,7 @@ static void settle_beside(const struct mech_orbit *o) {
   struct mech_motion x;
   struct mech_word w;
   double z[MECH_STATES], period, gap;
-  for (int i = 0; i < file.states; i++)
-    z[i] = arf_get_d(arb_midref(o->state + i), ARF_RND_NEAR) * (i < file.n ? 0.999 : 1);
+  for (int i = 0; i < file.states; i++) z[i] = num_arb.get_d(o->state + i) * (i < file.n ? 0.999 : 1);
   struct mech_plan plan = PLAN(2000, 2000);
   ck_assert_int_eq(mech_simulate(&x, MECH_INTEGRATED, &file, z, &plan), SS_OK);
   ck_assert(mech_settles(&w, &period, &gap, &x, file.n, file.states) && mech_word_same(&w, &o->word));

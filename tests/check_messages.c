@@ -43,11 +43,7 @@ static void check_answer(int status, const char *out, const char *err, char *con
   ck_assert_msg(status == atoi(column[1]), "%s: ended with %d: %s", what, status, err);
   ck_assert_msg(len < 1000, "%s: %zu bytes: %s", what, len, err);
   if (status == 0) {
-    struct text both;
-    text_init(&both);
-    text_printf(&both, "%s%s", out, err);
-    check_said(text_str(&both), column[2], what);
-    text_clear(&both);
+    check_said(formatted("%s%s", out, err), column[2], what);
     return;
   }
   check_said(err, column[2], what);

@@ -37,28 +37,18 @@ static void teardown(void) {
   scratch_close();
 }
 
-static const char *format(const char *fmt, ...) SS_PRINTF(1, 2);
-static const char *format(const char *fmt, ...) {
-  char s[4000];
-  va_list ap;
-  va_start(ap, fmt);
-  vsnprintf(s, sizeof s, fmt, ap);
-  va_end(ap);
-  return arena_strndup(&arena, s, strlen(s));
-}
-
 /* What a diagnostic says, without the folder of the file that it is about. */
 static const char *shown(const struct diag *d) {
   size_t n = strlen(scratch_path("")) + 1;
-  bool inside = strncmp(d->message, format("%s/", scratch_path("")), n) == 0;
-  return format("%s", inside ? d->message + n : d->message);
+  bool inside = strncmp(d->message, formatted("%s/", scratch_path("")), n) == 0;
+  return formatted("%s", inside ? d->message + n : d->message);
 }
 
 /* Adds a file f1.eq, f2.eq, ... and says "" or what is wrong with it. */
 static const char *try_load(const char *text, enum rank rank) {
   struct diag d;
   diag_init(&d);
-  const char *path = scratch_put(format("f%d.eq", ++n_files), text);
+  const char *path = scratch_put(formatted("f%d.eq", ++n_files), text);
   bool ok = model_add_file(&model, path, rank, &d);
   ck_assert(ok != d.set);
   return shown(&d);
@@ -100,7 +90,7 @@ static const char *spell(const struct matrix *m) {
       expr_print(&t, m->e[i * m->cols + j]);
     }
   if (brackets) text_add(&t, "]");
-  const char *s = format("%.2000s", t.data); /* Check breaks off at very long messages */
+  const char *s = formatted("%.2000s", t.data); /* Check breaks off at very long messages */
   text_clear(&t);
   return s;
 }
@@ -236,7 +226,7 @@ static const char *right_side(struct view v, const char *id) {
   struct text t;
   text_init(&t);
   for (int i = 0; i < r->n_stmts; i++) expr_print(&t, r->stmts[i]->sides[1]);
-  const char *s = format("%s", text_str(&t));
+  const char *s = formatted("%s", text_str(&t));
   text_clear(&t);
   return s;
 }
@@ -323,9 +313,9 @@ START_TEST(folders_of_files) {
   ck_assert_str_eq(shown(&d), "absent: error: No such file or directory");
   diag_init(&d);
   ck_assert(!model_add_folder(&model, top, RANK_PAPER, &d));
-  ck_assert_str_eq(d.message, format("%s: error: no .eq file in this folder", top));
+  ck_assert_str_eq(d.message, formatted("%s: error: no .eq file in this folder", top));
   static const char order[] = "duhafqbzcm"; /* of writing; they are read from a to z */
-  for (const char *p = order; *p; p++) scratch_put(format("%c.eq", *p), format("symbol %c\n", *p));
+  for (const char *p = order; *p; p++) scratch_put(formatted("%c.eq", *p), formatted("symbol %c\n", *p));
   scratch_put(".hidden.eq", "nonsense\n");
   scratch_put("a.eq~", "nonsense\n");
   scratch_put(".eq", "nonsense\n");
@@ -357,7 +347,7 @@ START_TEST(formulas_refused) {
     size_t column = strtoul(c.row[i][AT] + 2, NULL, 10);
     ck_assert_str_eq(
         says(printed_view(), "", c.row[i][FORMULA]),
-        format("e:%s: error: %s\n  %s\n  %*s", c.row[i][AT], c.row[i][WHAT], c.row[i][FORMULA], (int)column, "^"));
+        formatted("e:%s: error: %s\n  %s\n  %*s", c.row[i][AT], c.row[i][WHAT], c.row[i][FORMULA], (int)column, "^"));
   }
   table_clear(&c);
 }
@@ -543,13 +533,13 @@ START_TEST(determinants_and_inverses) {
         text_printf(&t, "%s%.3f", j ? ", " : i ? "; " : "[", a[i][j]);
       }
     text_add(&t, "]");
-    near(number(value_of(format("tr(%s)", t.data))->e[0], none), trace, t.data);
-    const struct matrix *turned = value_of(format("transpose(%s)", t.data));
+    near(number(value_of(formatted("tr(%s)", t.data))->e[0], none), trace, t.data);
+    const struct matrix *turned = value_of(formatted("transpose(%s)", t.data));
     for (int i = 0; i < n; i++)
       for (int j = 0; j < n; j++) near(number(turned->e[j * n + i], none), a[i][j], t.data);
     double det = eliminate(a, n);
-    near(number(value_of(format("det(%s)", t.data))->e[0], none), det, t.data);
-    const struct matrix *inverse = value_of(format("inv(%s)", t.data));
+    near(number(value_of(formatted("det(%s)", t.data))->e[0], none), det, t.data);
+    const struct matrix *inverse = value_of(formatted("inv(%s)", t.data));
     ck_assert(inverse->rows == n && inverse->cols == n);
     for (int i = 0; i < n; i++)
       for (int j = 0; j < n; j++) near(number(inverse->e[i * n + j], none), a[i][j], t.data);
@@ -585,17 +575,17 @@ START_TEST(polynomials_of_roots) {
        RANK_PAPER);
   const struct named env[] = {{"a", 2}, {"b", 3}, {NULL, 0}};
   for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
-    load(format("define c-%zu\n  root w: %s, %s positive\n", i, c[i].polynomial, i % 2 ? "largest" : "smallest"),
+    load(formatted("define c-%zu\n  root w: %s, %s positive\n", i, c[i].polynomial, i % 2 ? "largest" : "smallest"),
          RANK_CONTROL);
     struct diag d;
-    const struct matrix *m = value_in((struct view){&model, LAYER_PRINTED, NULL, format("c-%zu", i)}, "", "w", &d);
+    const struct matrix *m = value_in((struct view){&model, LAYER_PRINTED, NULL, formatted("c-%zu", i)}, "", "w", &d);
     ck_assert_msg(m, "%s", d.message);
     ck_assert_str_eq(spell(m), "w");
     ck_assert_uint_eq(el.n_roots, 1);
     ck_assert_int_eq(el.roots[0].n_coeff, c[i].degree + 1);
     ck_assert_int_eq(el.roots[0].largest, i % 2);
     for (int k = 0; k <= c[i].degree; k++)
-      near(number(el.roots[0].coeff[k], env), c[i].coeff[k], format("%s, x^%d", c[i].polynomial, k));
+      near(number(el.roots[0].coeff[k], env), c[i].coeff[k], formatted("%s, x^%d", c[i].polynomial, k));
   }
 }
 END_TEST
@@ -606,17 +596,17 @@ START_TEST(polynomials_refused) {
                                            "a/(1 + w)", "cot(a*w)", "(w^2)^(-1)", "(w^8)^5"};
   load("symbol a\nrelation r\n  trajectory z(t)\n", RANK_PAPER);
   for (size_t i = 0; i < sizeof polynomial / sizeof *polynomial; i++) {
-    const char *text = format("  root w: %s, smallest positive", polynomial[i]);
-    load(format("define c-%zu\n%s\n", i, text), RANK_CONTROL);
+    const char *text = formatted("  root w: %s, smallest positive", polynomial[i]);
+    load(formatted("define c-%zu\n%s\n", i, text), RANK_CONTROL);
     ck_assert_str_eq(
-        says((struct view){&model, LAYER_PRINTED, NULL, format("c-%zu", i)}, "", "w"),
-        format("f%d.eq:2:11: error: not a polynomial in w of degree 1 to 32\n  %s\n            ^", n_files, text));
+        says((struct view){&model, LAYER_PRINTED, NULL, formatted("c-%zu", i)}, "", "w"),
+        formatted("f%d.eq:2:11: error: not a polynomial in w of degree 1 to 32\n  %s\n            ^", n_files, text));
   }
   load("define m\n  root w: [w; 1], smallest positive\n", RANK_CONTROL);
   ck_assert_str_eq(says((struct view){&model, LAYER_PRINTED, NULL, "m"}, "", "w"),
-                   format("f%d.eq:2:11: error: a root needs a scalar polynomial: the shape is 2x1\n"
-                          "    root w: [w; 1], smallest positive\n            ^",
-                          n_files));
+                   formatted("f%d.eq:2:11: error: a root needs a scalar polynomial: the shape is 2x1\n"
+                             "    root w: [w; 1], smallest positive\n            ^",
+                             n_files));
 }
 END_TEST
 
@@ -773,7 +763,7 @@ END_TEST
 
 static const char *data(const char *name) {
   const char *folder = getenv("STICKSLIP_DATA");
-  return format("%s/%s", folder && *folder ? folder : "verify", name);
+  return formatted("%s/%s", folder && *folder ? folder : "verify", name);
 }
 
 START_TEST(paper_files) {

@@ -140,8 +140,7 @@ static double value_of(const char *text) {
   fmpq_set_si(&p.q[Q_V], 2, 3);
   struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   double x = NAN;
-  if (expression_at(v, &n, view, text, "", &p, 256, the_paper.cache, &d) == SS_OK)
-    x = arf_get_d(arb_midref(v), ARF_RND_NEAR);
+  if (expression_at(v, &n, view, text, "", &p, 256, the_paper.cache, &d) == SS_OK) x = num_arb.get_d(v);
   point_clear(&p);
   _arb_vec_clear(v, 16);
   return x;
@@ -440,18 +439,6 @@ END_TEST
 
 /* --- That what is noticed is the damage --- */
 
-static struct judge judge_with(struct audit_result *out, const struct model *m, struct diag *d, enum effort effort) {
-  audit_result_init(out);
-  diag_init(d);
-  return (struct judge){.out = out,
-                        .model = m,
-                        .claims = &the_paper.claims,
-                        .scene = &the_paper.scene,
-                        .cache = the_paper.cache,
-                        .d = d,
-                        .effort = effort};
-}
-
 struct verdicts {
   enum verdict own, correction;
 };
@@ -461,7 +448,7 @@ static struct verdicts verdicts_of(const struct claim *c, const struct model *m,
   struct audit_result out;
   struct diag d;
   struct finding f;
-  struct judge j = judge_with(&out, m, &d, effort);
+  struct judge j = paper_judge(&out, m, &d, effort);
   j.touched = touched;
   ck_assert_msg(judge_verdict(&f, &j, c), "%s: %s", c->id, d.message);
   struct verdicts v = {f.verdict, f.correction ? f.correction_verdict : N_VERDICTS};
@@ -766,17 +753,9 @@ START_TEST(every_entry_is_held_against_the_model) {
       struct finding f;
       struct diag d;
       arena_init(&a);
-      diag_init(&d);
-      audit_result_init(&out);
       overlay_init(&o, &the_paper.model);
       offset_value(&o, &a, c, q->rows, q->cols, e);
-      struct judge j = {.out = &out,
-                        .model = &o.model,
-                        .claims = &the_paper.claims,
-                        .scene = &the_paper.scene,
-                        .cache = the_paper.cache,
-                        .d = &d,
-                        .effort = EFFORT_REFUTE};
+      struct judge j = paper_judge(&out, &o.model, &d, EFFORT_REFUTE);
       ck_assert_msg(judge_verdict(&f, &j, c), "%s", d.message);
       ck_assert_msg(f.verdict == VERDICT_REFUTED, "%s: entry %d may be off by 1e-20", c->id, e + 1);
       overlay_clear(&o);

@@ -3,6 +3,7 @@
 #include "laws_num.h"
 #include "num/calc.h"
 #include "num/flint_more.h"
+#include "rational.h"
 #include "rng.h"
 #include "suites.h"
 
@@ -76,9 +77,7 @@ START_TEST(vectors) {
   put(&w, 1, 7);
   ck_assert(v.ctx.type->get_d(num_vec_at(&v, 1)) == 1.5 && v.ctx.type->get_d(num_vec_at(&w, 2)) == 2.5);
   num_vec_set(&none, &none);
-  num_vec_clear(&v);
-  num_vec_clear(&w);
-  num_vec_clear(&none);
+  vecs_clear(&v, &w, &none);
 }
 END_TEST
 
@@ -146,9 +145,7 @@ START_TEST(products) {
     fmpz_mat_clear(a);
     fmpz_mat_clear(b);
     fmpz_mat_clear(c);
-    num_vec_clear(&x);
-    num_vec_clear(&y);
-    num_vec_clear(&z);
+    vecs_clear(&x, &y, &z);
   }
 }
 END_TEST
@@ -195,9 +192,7 @@ START_TEST(solutions_and_determinants) {
     fmpz_mat_clear(x);
     fmpz_mat_clear(b);
     fmpz_mat_clear(det);
-    num_vec_clear(&na);
-    num_vec_clear(&nb);
-    num_vec_clear(&nx);
+    vecs_clear(&na, &nb, &nx);
   }
   ck_assert_int_gt(solved, 100);
 }
@@ -218,9 +213,7 @@ START_TEST(products_that_cannot_be_held) {
   for (slong i = 0; i < 2; i++) put(&y, i, 1e300);
   ck_assert_int_eq(num_mat_mul(&z, &x, &y, 2, 2, 1), SS_UNABLE);
   ck_assert(is_nan(&z, 0) && *(double *)num_vec_at(&z, 1) == 3e300);
-  num_vec_clear(&z);
-  num_vec_clear(&y);
-  num_vec_clear(&x);
+  vecs_clear(&z, &y, &x);
 }
 END_TEST
 
@@ -251,10 +244,7 @@ START_TEST(singular_matrices) {
   for (slong i = 0; i < 3; i++) ck_assert(x.ctx.type->get_d(num_vec_at(&x, i)) == expected[i]);
   ck_assert_int_eq(num_mat_det(num_vec_at(&d, 0), &a, 3), SS_OK);
   ck_assert(d.ctx.type->get_d(num_vec_at(&d, 0)) == -64);
-  num_vec_clear(&a);
-  num_vec_clear(&b);
-  num_vec_clear(&x);
-  num_vec_clear(&d);
+  vecs_clear(&a, &b, &x, &d);
 }
 END_TEST
 
@@ -282,9 +272,7 @@ START_TEST(pivots_that_cannot_be_told) {
   ck_assert_int_eq(num_mat_solve(&b, &a, &b, 2, 1), SS_UNABLE); /* b is NaN */
   fill(&b, (const double[]){1, 1});
   ck_assert_int_eq(num_mat_solve(&b, &a, &b, 2, 1), SS_OK);
-  num_vec_clear(&a);
-  num_vec_clear(&b);
-  num_vec_clear(&d);
+  vecs_clear(&a, &b, &d);
 }
 END_TEST
 
@@ -372,8 +360,7 @@ static void check_known_roots(struct num_ctx ctx, uint64_t seed) {
   ck_assert_msg(below == SS_DOMAIN && is_nan(&z, 0), "one root too many from above, seed %d", (int)seed);
   fmpq_clear(q);
   fmpz_poly_clear(f);
-  num_vec_clear(&c);
-  num_vec_clear(&z);
+  vecs_clear(&c, &z);
 }
 
 START_TEST(known_roots) {
@@ -417,8 +404,7 @@ START_TEST(even_quartic) {
       }
     }
   }
-  num_vec_clear(&c);
-  num_vec_clear(&z);
+  vecs_clear(&c, &z);
   arb_clear(exact);
   arb_clear(x);
 }
@@ -526,8 +512,7 @@ START_TEST(roots_of_balls) {
   ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_UNABLE);
   ctx.type->set_d(num_vec_at(&c, 1), (double)NAN, ctx.prec);
   ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_UNABLE);
-  num_vec_clear(&c);
-  num_vec_clear(&z);
+  vecs_clear(&c, &z);
 }
 END_TEST
 
@@ -595,10 +580,7 @@ START_TEST(close_and_distant_roots) {
   fill(&d, (const double[]){-0x1p1000, 0x1p-1000, 0}); /* the root 2^2000 is no double */
   ck_assert_int_eq(num_poly_root(num_vec_at(&y, 0), &d, 1), SS_UNABLE);
   ck_assert(is_nan(&y, 0));
-  num_vec_clear(&d);
-  num_vec_clear(&y);
-  num_vec_clear(&c);
-  num_vec_clear(&z);
+  vecs_clear(&d, &y, &c, &z);
 }
 END_TEST
 
@@ -624,8 +606,7 @@ START_TEST(many_roots) {
     ck_assert(*(double *)num_vec_at(&z, 0) == (double)(13 - k));
   }
   fmpz_poly_clear(f);
-  num_vec_clear(&c);
-  num_vec_clear(&z);
+  vecs_clear(&c, &z);
 }
 END_TEST
 
@@ -640,8 +621,7 @@ START_TEST(polynomials_without_roots) {
       ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, k), SS_DOMAIN);
       ck_assert(is_nan(&z, 0));
     }
-  num_vec_clear(&c);
-  num_vec_clear(&z);
+  vecs_clear(&c, &z);
 }
 END_TEST
 
@@ -946,7 +926,7 @@ START_TEST(balls_for_people) {
 }
 END_TEST
 
-START_TEST(rationals) {
+START_TEST(rationals_as_fractions) {
   struct text out;
   fmpq_t q;
   fmpq_init(q);
@@ -1071,7 +1051,7 @@ END_TEST
 /* --- Formulas as nested calls (num/calc.h), held against FLINT's rationals. --- */
 
 /* The calc's element as element 0 of a vector. */
-static bool is_rational(const struct calc *c, val x, const fmpq_t q) {
+static bool comes_to(const struct calc *c, val x, const fmpq_t q) {
   const struct num_vec v = {c->ctx, 1, (char *)(uintptr_t)x};
   return is_close(&v, 0, q, ldexp(1, 16 - (int)c->ctx.prec));
 }
@@ -1097,16 +1077,15 @@ START_TEST(formulas_of_rationals) {
     fmpq_mul(first, q[1], q[2]);
     fmpq_mul(second, q[3], q[4]);
     fmpq_add(sum, first, second);
-    ck_assert_msg(is_rational(&c, calc_dot(&c, x[1], x[2], x[3], x[4]), sum), "dot, seed %d", (int)seed);
+    ck_assert_msg(comes_to(&c, calc_dot(&c, x[1], x[2], x[3], x[4]), sum), "dot, seed %d", (int)seed);
     fmpq_sub(sum, first, second);
-    ck_assert(is_rational(&c, calc_dot_from(&c, NULL, x[1], x[2], true, x[3], x[4]), sum));
+    ck_assert(comes_to(&c, calc_dot_from(&c, NULL, x[1], x[2], true, x[3], x[4]), sum));
     fmpq_add(sum, sum, q[0]);
-    ck_assert(is_rational(&c, calc_dot_from(&c, x[0], x[1], x[2], true, x[3], x[4]), sum));
-    ck_assert(
-        is_rational(&c, calc_sub(&c, calc_add(&c, x[0], calc_mul(&c, x[1], x[2])), calc_mul(&c, x[3], x[4])), sum));
+    ck_assert(comes_to(&c, calc_dot_from(&c, x[0], x[1], x[2], true, x[3], x[4]), sum));
+    ck_assert(comes_to(&c, calc_sub(&c, calc_add(&c, x[0], calc_mul(&c, x[1], x[2])), calc_mul(&c, x[3], x[4])), sum));
     fmpq_set_si(second, 7, 1);
     fmpq_div(sum, sum, second);
-    ck_assert(is_rational(
+    ck_assert(comes_to(
         &c, calc_div_ui(&c, calc_neg(&c, calc_dot_from(&c, calc_neg(&c, x[0]), x[3], x[4], true, x[1], x[2])), 7),
         sum));
     ck_assert_int_eq(c.status, SS_OK);
@@ -1141,11 +1120,11 @@ START_TEST(released_elements_are_used_again) {
       ck_assert_ptr_eq(sum, first);
       for (int i = 1; i <= 300; i++) sum = calc_add(&c, sum, calc_d(&c, i));
       fmpq_set_si(q, 300 * 301 / 2 - loop, 1);
-      ck_assert(is_rational(&c, sum, q));
+      ck_assert(comes_to(&c, sum, q));
     }
     for (int i = 0; i < 40; i++) {
       fmpq_set_si(q, i, 1);
-      ck_assert(is_rational(&c, kept[i], q));
+      ck_assert(comes_to(&c, kept[i], q));
     }
     ck_assert_int_eq(c.status, SS_OK);
     calc_clear(&c);
@@ -1217,7 +1196,7 @@ static TCase *text_tcase(void) {
   tcase_add_test(tc, layout);
   tcase_add_test(tc, many_digits);
   tcase_add_test(tc, balls_for_people);
-  tcase_add_test(tc, rationals);
+  tcase_add_test(tc, rationals_as_fractions);
   tcase_add_test(tc, decimals);
   tcase_add_test(tc, long_decimals);
   tcase_add_test(tc, rationals_have_all_their_digits);

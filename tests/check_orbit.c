@@ -196,11 +196,10 @@ START_TEST(friction_given_by_the_scene_counts) {
   } cases[] = {{"1.6705", "false", "u_r2", "orbit 2: unstable, not admissible", "breaks   u_r2"},
                {"1.6706", "true", "", "orbit 2: unstable, admissible\n", NULL}};
   for (int i = 0; i < 2; i++) {
-    char scene[200];
     struct job j;
-    snprintf(scene, sizeof scene, "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 2.79\nu_r2 = %s\n",
-             cases[i].u_r2);
-    const char *path = scratch_put("friction.scene", scene);
+    const char *path =
+        scratch_print("friction.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 2.79\nu_r2 = %s\n",
+                      cases[i].u_r2);
     job_run_well(&j, "orbit", path, "--json", NULL);
     const char *second = strstr(strstr(j.out, "\"z10\"") + 1, "\"z10\"");
     ck_assert_str_eq(member(second, "admissible"), cases[i].admissible);

@@ -204,7 +204,7 @@ START_TEST(phase_planes_are_motions) {
   ck_assert(rows_read(&t, &r, "phase-planes.tsv"));
   double start[MECH_STATES], last = 0;
   size_t n = (size_t)m.n, rows = 0, entries = 0;
-  for (int i = 0; i < m.states; i++) start[i] = arf_get_d(arb_midref(o->state + i), ARF_RND_NEAR);
+  for (int i = 0; i < m.states; i++) start[i] = num_arb.get_d(o->state + i);
   for (size_t i = 0; i < t.n && rows_is(&t, i, 0, "orbit 1"); i++, rows++) {
     struct mech_motion z;
     struct mech_plan plan = {.duration = rows_number(&t, i, 3), .most = 1000, .phase = o->word.phase[0]};
@@ -219,7 +219,7 @@ START_TEST(phase_planes_are_motions) {
     mech_motion_clear(&z);
   }
   ck_assert(rows > 200 && (int)entries == o->word.n);
-  ck_assert_double_eq_tol(last, arf_get_d(arb_midref(o->period), ARF_RND_NEAR), 1e-6);
+  ck_assert_double_eq_tol(last, num_arb.get_d(o->period), 1e-6);
   for (size_t i = 0; i < n; i++)
     ck_assert_double_eq(rows_number(&t, t.n - 3, 5 + 2 * i), fmpq_get_d(m.mass[i].surface));
   if (_i == 1) ck_assert_double_eq(rows_number(&t, t.n - 2, 6), 3.2);

@@ -807,10 +807,8 @@ END_TEST
 
 /* The old report's bytes. */
 static void old_report(const char *folder) {
-  char path[64];
   mkdir(scratch_path(folder), 0777);
-  snprintf(path, sizeof path, "%s/audit.json", folder);
-  scratch_put(path, "the old report\n");
+  scratch_put(formatted("%s/audit.json", folder), "the old report\n");
 }
 
 static void check_old_report(const char *folder) {

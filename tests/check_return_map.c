@@ -11,6 +11,7 @@
 #include "accuracy.h"
 #include "every.h"
 #include "params.h"
+#include "rational.h"
 #include "rng.h"
 #include "suites.h"
 
@@ -219,9 +220,7 @@ static void slip_init(struct slip *s, const double x[N_IN], const struct dyn_ret
 }
 
 static void slip_clear(struct slip *s) {
-  num_vec_clear(&s->to);
-  num_vec_clear(&s->from);
-  num_vec_clear(&s->params);
+  vecs_clear(&s->to, &s->from, &s->params);
 }
 
 static double slip_at(struct slip *s, double t) {

@@ -207,10 +207,10 @@ static const char *const slow_belts[] = {"1e-12", "1e-20", "1e-300"};
 START_TEST(slow_belts_raise_no_false_alarm) {
   static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
   struct audit_result r;
-  char text[100];
-  snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = %s\ne1 = 2.7844\ne2 = 0.8587\n", slow_belts[_i]);
   scene_clear(&scene);
-  goes_well(scene_load(&scene, scratch_put("slow.scene", text), "verify", &d));
+  const char *path =
+      scratch_print("slow.scene", "chi = 0.8\neta = 1\nV = %s\ne1 = 2.7844\ne2 = 0.8587\n", slow_belts[_i]);
+  goes_well(scene_load(&scene, path, "verify", &d));
   study(&r, NULL);
   check_pairs(&r, NULL, 0);
   audit_result_clear(&r);
@@ -270,9 +270,9 @@ static const char *const orbit[N_ROUTE] = {"0.5322807412757240368215589787015368
 START_TEST(the_papers_route_from_any_two_quantities) {
   struct scene s;
   struct paper_orbits list;
-  char text[400];
-  snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = 1\nt_b = %s\nt_c = %s\n", orbit[1], orbit[2]);
-  goes_well(scene_load(&s, scratch_put("times.scene", text), "verify", &d));
+  const char *path =
+      scratch_print("times.scene", "chi = 0.8\neta = 1\nV = 1\nt_b = %s\nt_c = %s\n", orbit[1], orbit[2]);
+  goes_well(scene_load(&s, path, "verify", &d));
   goes_well(audit_paper_orbits(&list, &s, 280, &d));
   bool found = false;
   for (size_t i = 0; i < list.n; i++) {

@@ -504,10 +504,8 @@ START_TEST(groups_of_claims) {
   ck_assert_int_eq(count_asked(&c, "equations") + count_asked(&c, "sentences"), (int)c.n);
   for (size_t i = 0; i < c.n; i++) {
     const char *section = claim_get(&c.claim[i], "section");
-    struct text item;
-    text_init(&item);
-    text_printf(&item, "section %s", section);
-    ck_assert(claim_asked_for(&c.claim[i], text_str(&item)));
+    const char *item = formatted("section %s", section);
+    ck_assert(claim_asked_for(&c.claim[i], item));
     ck_assert(claim_asked_for(&c.claim[i], c.claim[i].id) && !claim_asked_for(&c.claim[i], "eq-999"));
     /* a section's number is that of the file of claims that bears its name */
     const char *file = strrchr(c.claim[i].file->src.name, '/') + 1;
@@ -515,10 +513,9 @@ START_TEST(groups_of_claims) {
       char number[] = "section N";
       number[8] = file[0];
       size_t same = strlen("section ");
-      if (strncmp(file + 2, text_str(&item) + same, 5) == 0)
+      if (strncmp(file + 2, item + same, 5) == 0)
         ck_assert_msg(claim_asked_for(&c.claim[i], number), "%s is not %s", section, number);
     }
-    text_clear(&item);
   }
   /* J_a, J_b, J_c, J_f and J have an equation each: (27), (32), (36), (40), (41) */
   static const char *const of[] = {"eq-27", "eq-32", "eq-36", "eq-40", "eq-41", "text-singular"};

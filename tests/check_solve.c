@@ -1,6 +1,7 @@
 /* Newton's iteration and Krawczyk's operator on systems whose solutions are known in closed form, and on those where
    nothing may be proved: a double zero, no zero, and boxes that hold two or are too wide. */
 #include "num/solve.h"
+#include "rational.h"
 
 #include <check.h>
 #include <math.h>
@@ -29,9 +30,7 @@ static void squares_init(struct squares *s, slong n, struct num_ctx ctx) {
 
 static void squares_clear(struct squares *s) {
   arb_clear(s->off);
-  num_vec_clear(&s->t);
-  num_vec_clear(&s->j);
-  num_vec_clear(&s->f);
+  vecs_clear(&s->t, &s->j, &s->f);
 }
 
 static int squares_values(const void **f, const void **j, const struct num_vec *x, void *self) {

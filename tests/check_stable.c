@@ -12,6 +12,7 @@
 #include "every.h"
 #include "paper_model.h"
 #include "paper_value.h"
+#include "rational.h"
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
@@ -309,14 +310,11 @@ START_TEST(small_times_keep_their_digits) {
     ck_assert_int_eq(tape_eval(&out, NULL, &f.tape, &in), SS_OK);
     ck_assert_int_eq(tape_eval(&exact, NULL, &t, &exact_in), SS_OK);
     for (slong i = 0; i < f.n; i++) {
-      double true_value = arf_get_d(arb_midref((arb_ptr)num_vec_at(&exact, i)), ARF_RND_NEAR);
+      double true_value = num_arb.get_d((arb_ptr)num_vec_at(&exact, i));
       double off = fabs(*(double *)num_vec_at(&out, i) - true_value) / fabs(true_value) * 0x1p53;
       ck_assert_msg(off < 60, "%s, entry %ld: %g units", value[k], (long)i, off);
     }
-    num_vec_clear(&exact);
-    num_vec_clear(&exact_in);
-    num_vec_clear(&out);
-    num_vec_clear(&in);
+    vecs_clear(&exact, &exact_in, &out, &in);
     tape_clear(&t);
     elaboration_clear(&el);
     extreme_form_clear(&f);
@@ -431,8 +429,7 @@ START_TEST(a_ratio_that_overflows_is_not_formed) {
     int status = tape_eval(&out, NULL, &f.tape, &in);
     ck_assert_int_eq(status, layer == LAYER_STABLE ? SS_OK : SS_UNABLE);
     if (status == SS_OK) ck_assert(num_double.get_d(num_vec_at(&out, 0)) == 1);
-    num_vec_clear(&out);
-    num_vec_clear(&in);
+    vecs_clear(&out, &in);
     extreme_form_clear(&f);
   }
 }

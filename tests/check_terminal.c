@@ -401,10 +401,8 @@ static int check_blocks(const char *path, int *refused) {
       text_reset(&body);
       ck_assert_msg(sscanf(mark + 3, "%19[a-z] %19[a-z]", kind, mode) >= 1, "%s: a block of no kind", path);
     } else if (mark) {
-      char name[40];
       bool wrong = strcmp(mode, "refused") == 0;
-      snprintf(name, sizeof name, "block.%s", kind);
-      shell_ends(wrong ? 3 : 0, "", "$P check %s", scratch_put(name, text_str(&body)));
+      shell_ends(wrong ? 3 : 0, "", "$P check %s", scratch_put(formatted("block.%s", kind), text_str(&body)));
       *refused += wrong;
       kind[0] = '\0';
       n++;

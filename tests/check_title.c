@@ -56,11 +56,8 @@ static struct table damaged;            /* cases/titles_of_fields.tsv */
 enum { DAMAGED_FIELDS, DAMAGED_TITLE }; /* its columns */
 
 static const struct claim *one_claim(struct claims *own, const char *fields) {
-  struct text t;
-  text_init(&t);
-  text_printf(&t, "claim own\n  section: stability\n  %s", fields);
-  goes_well(claims_add_file(own, scratch_put("own.claim", text_str(&t)), "claim", &d));
-  text_clear(&t);
+  const char *path = scratch_print("own.claim", "claim own\n  section: stability\n  %s", fields);
+  goes_well(claims_add_file(own, path, "claim", &d));
   return &own->claim[0];
 }
 
@@ -105,11 +102,7 @@ START_TEST(words_that_name_nothing) {
                                        "the mass's slips and sticks, half-way", "a phase of stick motion"};
   for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) {
     struct claims own = {.n = 0};
-    struct text fields;
-    text_init(&fields);
-    text_printf(&fields, "kind: outside\n  title: %s\n", titles[i]);
-    has_title(&the_paper.model, one_claim(&own, text_str(&fields)), titles[i]);
-    text_clear(&fields);
+    has_title(&the_paper.model, one_claim(&own, formatted("kind: outside\n  title: %s\n", titles[i])), titles[i]);
     claims_clear(&own);
   }
 }

@@ -532,8 +532,7 @@ START_TEST(what_simulations_settle_on_is_found) {
           const struct mech_orbit *o = &list.found.orbit[i];
           for (int by = 0; by < n && !same; by++) {
             same = strcmp(list.word.phase[0], w.phase[by]) == 0;
-            for (int q = 0; q < n && same; q++)
-              same = fabs(arf_get_d(arb_midref(o->t + q), ARF_RND_NEAR) - t[(q + by) % n]) < 1e-4;
+            for (int q = 0; q < n && same; q++) same = fabs(num_arb.get_d(o->t + q) - t[(q + by) % n]) < 1e-4;
           }
           if (same) ck_assert(o->admissible == TRUTH_TRUE && o->stable == TRUTH_TRUE && o->certified);
         }

@@ -79,6 +79,18 @@ bool judge_text(struct audit_result *r, const struct model *m, const char *text,
   return ok;
 }
 
+struct judge paper_judge(struct audit_result *out, const struct model *m, struct diag *d, enum effort effort) {
+  audit_result_init(out);
+  diag_init(d);
+  return (struct judge){.out = out,
+                        .model = m,
+                        .claims = &the_paper.claims,
+                        .scene = &the_paper.scene,
+                        .cache = the_paper.cache,
+                        .d = d,
+                        .effort = effort};
+}
+
 const struct claim *claim_with_id(const struct claims *all, const char *id) {
   for (size_t i = 0; i < all->n; i++)
     if (strcmp(all->claim[i].id, id) == 0) return &all->claim[i];

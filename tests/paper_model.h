@@ -3,6 +3,7 @@
 #define STICKSLIP_TESTS_PAPER_MODEL_H
 
 #include "claim/claims.h"
+#include "judge/judge.h"
 #include "model/model.h"
 #include "record/result.h"
 #include "scene/scene.h"
@@ -42,6 +43,10 @@ void paper_close(void);
    they are at fault.  r is to be cleared in either case. */
 bool judge_text(struct audit_result *r, const struct model *m, const char *text, const struct scene *s,
                 const char *only, struct diag *d);
+
+/* A judge of the paper's claims under a model, with its example's scene and orbits; d is where it says what is wrong,
+   out is to be cleared. */
+struct judge paper_judge(struct audit_result *out, const struct model *m, struct diag *d, enum effort effort);
 
 /* By its id; fails the test where there is none. */
 const struct claim *claim_with_id(const struct claims *all, const char *id);

@@ -46,3 +46,7 @@ struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx) {
   for (slong i = 0; i < n; i++) ctx.type->set_d(num_vec_at(&v, i), x[i], ctx.prec);
   return v;
 }
+
+void vecs_clear_all(struct num_vec *const *v) {
+  for (; *v; v++) num_vec_clear(*v);
+}

@@ -15,7 +15,11 @@ fmpq *rationals_of(const fmpq *x, slong n);
 /* Fails the test where x is not that number. */
 void is_rational(const fmpq *x, const char *want);
 
-/* To be cleared with num_vec_clear. */
+/* To be cleared. */
 struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx);
+
+/* vecs_clear(&v, &w, ...): each of them. */
+void vecs_clear_all(struct num_vec *const *v);
+#define vecs_clear(...) vecs_clear_all((struct num_vec *const[]){__VA_ARGS__, NULL})
 
 #endif

@@ -101,6 +101,31 @@ const char *scratch_put(const char *name, const char *text) {
   return scratch_put_n(name, text, strlen(text));
 }
 
+static const char *vformatted(const char *fmt, va_list ap) {
+  struct text t;
+  text_init(&t);
+  text_vprintf(&t, fmt, ap);
+  const char *text = keep(&t);
+  text_clear(&t);
+  return text;
+}
+
+const char *formatted(const char *fmt, ...) {
+  va_list ap;
+  va_start(ap, fmt);
+  const char *text = vformatted(fmt, ap);
+  va_end(ap);
+  return text;
+}
+
+const char *scratch_print(const char *name, const char *fmt, ...) {
+  va_list ap;
+  va_start(ap, fmt);
+  const char *path = scratch_put(name, vformatted(fmt, ap));
+  va_end(ap);
+  return path;
+}
+
 const char *scratch_list(const char *path) {
   struct text t;
   text_init(&t);

@@ -14,6 +14,9 @@ const char *scratch_path(const char *name);
 /* Writes a file there and returns its path. */
 const char *scratch_put(const char *name, const char *text);
 const char *scratch_put_n(const char *name, const char *bytes, size_t len);
+/* As by printf: a text, valid until scratch_close; such a text in a file there, whose path is returned. */
+const char *formatted(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
+const char *scratch_print(const char *name, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* The names in a folder in alphabetical order, joined with blanks. */
 const char *scratch_list(const char *path);
 

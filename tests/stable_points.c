@@ -193,11 +193,11 @@ static bool told(struct extreme_result *r, arb_t ball, const struct extreme_form
   if (ok) { /* to a few per cent, or known to be small */
     mag_t most;
     mag_init(most);
-    mag_set_d(most, 0.01 * fmax(1, arf_get_d(arb_midref(sum), ARF_RND_NEAR)));
+    mag_set_d(most, 0.01 * fmax(1, num_arb.get_d(sum)));
     ok = mag_cmp(arb_radref(sum), most) <= 0;
     mag_clear(most);
   }
-  r->condition[i] = arf_get_d(arb_midref(sum), ARF_RND_NEAR);
+  r->condition[i] = num_arb.get_d(sum);
   arb_clear(part);
   arb_clear(sum);
   return ok;
@@ -226,7 +226,7 @@ static bool find_truth(struct extreme_result *r, arb_ptr ball, const struct extr
 static double loss_of(double value, int status, const arb_t ball, double condition) {
   if (!arb_is_finite(ball)) return -1;
   arb_t error, unit;
-  double size = fabs(arf_get_d(arb_midref(ball), ARF_RND_NEAR));
+  double size = fabs(num_arb.get_d(ball));
   if (arb_is_zero(ball)) return status == SS_OK && value == 0 ? 0 : -1;
   if (!(size >= 0x1p-1000 && size <= 0x1p1020)) return -1;
   if (condition > 0x1p46) return -1; /* no digit is promised */
@@ -285,7 +285,7 @@ void extreme_measure(struct extreme_result *r, struct extreme_form *f, const str
   tape_eval(&out, status, &f->tape, &in);
   for (int i = 0; i < f->n; i++) {
     r->value[i] = num_double.get_d(num_vec_at(&out, i));
-    r->truth[i] = arf_get_d(arb_midref(ball + i), ARF_RND_NEAR);
+    r->truth[i] = num_arb.get_d(ball + i);
     r->loss[i] = loss_of(r->value[i], status[i], ball + i, r->condition[i]);
     if (r->loss[i] <= PROMISED || r->loss[i] > HOPELESS) continue;
     r->condition[i] = fmax(r->condition[i], condition_nearby(f, p, i));
