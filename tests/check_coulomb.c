@@ -291,13 +291,9 @@ END_TEST
 
 /* A decimal, in mpfr. */
 static void set_text(void *z, const char *decimal, slong prec) {
-  fmpq_t q;
-  fmpq_init(q);
-  bool minus = decimal[0] == '-';
-  ck_assert_int_eq(num_parse_decimal(q, decimal + minus, strlen(decimal + minus)), SS_OK);
-  if (minus) fmpq_neg(q, q);
+  fmpq *q = rationals(&decimal, 1);
   num_mpfr.set_q(z, q, prec);
-  fmpq_clear(q);
+  _fmpq_vec_clear(q, 1);
 }
 
 START_TEST(mpfr_decides_what_double_precision_cannot) {

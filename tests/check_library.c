@@ -465,7 +465,7 @@ START_TEST(formulas_of_the_paper) {
   ck_assert_ptr_null(ss_formula_value(f, 0, -1));
   ss_formula_free(f);
   ck_assert_double_eq_tol(value_of(p, SS_STABLE, "tr(J)", s, 1, NULL), TRACE, 1e-15);
-  ck_assert_double_eq_tol(value_of(p, SS_CORRECTED, "tr(J)", s, 0, NULL), 0.828765731724560, 1e-14);
+  ck_assert_double_eq_tol(value_of(p, SS_CORRECTED, "tr(J)", s, 0, NULL), 0.828765731724560, 1e-14); /* orbits.tsv */
   ck_assert_double_eq(value_of(p, SS_PRINTED, "chi*eta*V", s, SS_AT_PARAMETERS, "chi=1/2,eta=3"), 1.5);
   ck_assert_double_eq(value_of(p, SS_PRINTED, "t_a", s, SS_AT_PRINTED, NULL), 0.6784);
   ss_scene_free(s);

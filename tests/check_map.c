@@ -224,9 +224,8 @@ START_TEST(wide_balls_hold_the_arcs_of_their_points) {
       int status = pass_slow(&point, near);
       ck_assert_msg(status == SS_OK || radius > 1e-3, "%s radius %g: no arc inside", show(y), radius);
       for (int i = 0; i < VALUES && status == SS_OK; i++)
-        ck_assert_msg(arb_contains(value_at(&wide, i), value_at(&point, i)) || radius < 1e-13 || i == N_PHASES ||
-                          arb_overlaps(value_at(&wide, i), value_at(&point, i)),
-                      "%s radius %g value %d", show(y), radius, i);
+        ck_assert_msg(arb_contains(value_at(&wide, i), value_at(&point, i)), "%s radius %g value %d", show(y), radius,
+                      i);
       pass_close(&point);
     }
     pass_close(&wide);

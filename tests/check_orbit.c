@@ -87,10 +87,12 @@ static void close_oracle(void) {
 
 /* --- orbit --- */
 
+/* The numbers of an orbit, in the order of orbits.tsv. */
+static const char *const names[] = {"z10", "z20",    "t_a",   "t_b",      "t_c",
+                                    "t_d", "period", "trace", "u_r1_min", "u_r2_min"};
+
 /* One orbit of the output at `at`, against its row and its set's. */
 static void check_orbit(const char *at, char *const *row, char *const *set, int digits) {
-  static const char *const names[] = {"z10", "z20",    "t_a",   "t_b",      "t_c",
-                                      "t_d", "period", "trace", "u_r1_min", "u_r2_min"};
   for (int k = 0; k < 10; k++)
     ck_assert_msg(strcmp(member(at, names[k]), rounded(row[F_Z10 + k], digits)) == 0, "%s, orbit %s: %s is %s, not %s",
                   row[F_NAME], row[2], names[k], member(at, names[k]), rounded(row[F_Z10 + k], digits));
@@ -175,8 +177,6 @@ START_TEST(text_says_what_json_says) {
   job_run_well(&json, "orbit", "paper", "--json", NULL);
   const char *at = json.out;
   for (int k = 0; k < 2; k++) {
-    static const char *const names[] = {"z10", "z20",    "t_a",   "t_b",      "t_c",
-                                        "t_d", "period", "trace", "u_r1_min", "u_r2_min"};
     at = strstr(at, "\"z10\"");
     ck_assert(at != NULL);
     for (int i = 0; i < 10; i++) ck_assert(strstr(text.out, member(at, names[i])) != NULL);
@@ -276,8 +276,6 @@ START_TEST(three_methods_agree_with_differences_made_elsewhere) {
 }
 END_TEST
 
-/* ktilde_4 as printed is V^-2 of what it should be.  It moves x_f and y_f alike, and tr J sees their difference alone:
-   so where V is not 1 every entry is wrong and the trace is right; where V = 1 all are right. */
 /* How many significant digits a printed number shows. */
 static int digits_shown(const char *number) {
   int n = 0;
@@ -340,6 +338,8 @@ START_TEST(the_stable_layer_gives_what_the_corrected_one_does) {
 }
 END_TEST
 
+/* ktilde_4 as printed is V^-2 of what it should be.  It moves x_f and y_f alike, and tr J sees their difference alone:
+   so where V is not 1 every entry is wrong and the trace is right; where V = 1 all are right. */
 START_TEST(layers_differ_in_the_entries_not_in_the_trace) {
   static const char *const scenes[] = {"paper", "stable"}; /* V = 1 and V = 1.8 */
   for (int i = 0; i < 2; i++) {
@@ -416,7 +416,6 @@ START_TEST(the_papers_equations_have_the_same_orbits) {
     int index;
   } cases[] = {{"fractions", 0},  {"stable", 0},      {"two-admissible", 1}, {"four-mixed", 1},
                {"chi-small2", 0}, {"negative-ta", 1}, {"eta-large", 0},      {"spread", 1}};
-  static const char *const names[] = {"z10", "z20", "t_a", "t_b", "t_c", "t_d"};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     char *const *f = orbits.row[table_row(&orbits, "set", cases[i].set) + 1 + cases[i].index];
     struct job j;
@@ -691,7 +690,7 @@ END_TEST
 
 /* The orbit is found again from any two of its six quantities, given to 50 digits. */
 START_TEST(any_two_of_six) {
-  static const char *const names[] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
+  static const char *const given[] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
   static const int pairs[][2] = {{3, 4}, {0, 3}, {1, 4}, {2, 3}, {3, 5}};
   int r = table_row(&orbits, "set", "paper");
   char *const *set = orbits.row[r], *const *f = orbits.row[r + 2];
@@ -700,14 +699,14 @@ START_TEST(any_two_of_six) {
     int n = snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\n", set[F_CHI], set[F_CHI + 1], set[F_CHI + 2]);
     for (int i = 0; i < 2; i++) {
       int q = pairs[k][i];
-      n += snprintf(text + n, sizeof text - (size_t)n, "%s = %s\n", names[q],
+      n += snprintf(text + n, sizeof text - (size_t)n, "%s = %s\n", given[q],
                     q < 2 ? set[F_CHI + 3 + q] : rounded(f[F_Z10 + q], 50));
     }
     struct job j;
     job_run_well(&j, "orbit", scratch_put("two.scene", text), "--digits", "30", "--json", NULL);
     char want[80];
     snprintf(want, sizeof want, "\"z10\": \"%s\"", rounded(f[F_Z10], 30));
-    ck_assert_msg(strstr(j.out, want) != NULL, "%s and %s: no %s in\n%.1500s", names[pairs[k][0]], names[pairs[k][1]],
+    ck_assert_msg(strstr(j.out, want) != NULL, "%s and %s: no %s in\n%.1500s", given[pairs[k][0]], given[pairs[k][1]],
                   want, j.out);
     job_clear(&j);
   }

@@ -779,7 +779,7 @@ START_TEST(one_claim_needs_little) {
   for (size_t i = 0; i < the_paper.model.n_defs; i++) after += use.def[i];
   for (size_t a = 0; a < the_paper.claims.n; a++) dependences_on(d, a, 0);
   for (size_t i = 0; i < the_paper.model.n_defs; i++) all += use.def[i];
-  ck_assert_msg(all > after + 50, "%zu %zu %zu", before, after, all);
+  ck_assert_msg(after > before && all > after + 50, "%zu %zu %zu", before, after, all);
   dependences_free(d);
   free(use.def);
   free(use.record);
