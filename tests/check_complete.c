@@ -264,7 +264,9 @@ START_TEST(bounds_hold_and_are_nearly_attained) {
   ck_assert(disk_params_init(&g, s->p));
   double angle = g.fall.mid * rng_unit(&rng), reach = 1e-3;
   strip_make(&strip, &g, angle, angle, reach);
-  const double bound[8] = {strip.p.f, strip.p.ff, strip.q.f, strip.q.ff, strip.r.f, strip.r.ff, strip.p.ft, strip.p.tt};
+  /* the third derivative by the angle is minus the first */
+  const double bound[8] = {strip.p.fff, strip.p.ff, strip.q.fff, strip.q.ff,
+                           strip.r.fff, strip.r.ff, strip.p.ft,  strip.p.tt};
   for (int trial = 0; trial < 4000; trial++) {
     double f[4], ff[4], none[4], x = angle + reach * (2 * rng_unit(&rng) - 1), t = 4000 * rng_unit(&rng) / g.om[0].mid;
     motion(none, p, x, t, 0);
