@@ -529,7 +529,7 @@ START_TEST(the_letter) {
       .route = "balls", .layer = "model", .result = "states", .note = "tr J = 3, THE FATE; admissible", .bits = -1};
   struct evidence later = {.route = "balls", .layer = "model", .result = "states", .bits = -1};
   stable.worst = "the periodic solution nearest to the printed numbers, with t = 7";
-  later.note = "first this; at the end THE END; and more";
+  later.note = "first this; at the end the motion THE END; and more";
   struct finding f[] = {small_finding("num-t_a", VERDICT_REFUTED, N_VERDICTS),
                         small_finding("num-t_b", VERDICT_REFUTED, N_VERDICTS),
                         small_finding("eq-7", VERDICT_PROVED, N_VERDICTS),

@@ -46,10 +46,12 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
   if (a->j->d->set || (proved && proof_alone)) return verdict_of(w, n, true);
   argument_search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
-                                   : result_str(a->j->out,
-                                                "there is no counterexample among %ld periodic solutions on which the "
-                                                "premises hold; those nearest to one were decided rigorously",
-                                                a->tried);
+                     : a->tried == 0
+                         ? "no periodic solution was found on which the premises hold"
+                         : result_str(a->j->out,
+                                      "there is no counterexample among %ld periodic solutions on which the "
+                                      "premises hold; those nearest to one were decided rigorously",
+                                      a->tried);
   argument_add_routes(w + n, f, a, t.decided, t.nearest, note);
   if (t.certificate) f->certificate = t.certified;
   if (answers_given(&t.decided[0]) || !proved) n += 2; /* else there is nothing to try it on */

@@ -59,9 +59,10 @@ static bool long_run_once(struct behaviour *b, double factor) {
   const char *note = result_str(
       b->j->out,
       "from the printed initial state, over %d returns to the global stick phase, the sequence of phases is %s (D, G, "
-      "H, C: global stick, slip-stick, global slip, stick-slip); at the end %s%s%s; the closed forms %s",
-      RETURNS, text_str(&folded), steady ? "the motion repeats " : "the motion has not become periodic",
-      steady ? end : "", steady ? result_str(b->j->out, " with the period %.6f", period) : "",
+      "H, C: global stick, slip-stick, global slip, stick-slip); at the end the motion %s; the closed forms %s",
+      RETURNS, text_str(&folded),
+      steady ? result_str(b->j->out, "is periodic with the phases %s and the period %.6f", end, period)
+             : "has not become periodic",
       same ? "give the same events" : "have departed from this by then");
   finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
   text_clear(&folded);

@@ -79,6 +79,11 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
   arb_clear(units);
 }
 
+/* u_r1 > 0.0678, not u_r1 = 0.0678. */
+static bool is_bound(const struct number_job *n) {
+  return strcmp(n->relation, "=") != 0;
+}
+
 /* "2.0000" for 2 beside numbers of four decimals. */
 static const char *with_all_digits(const struct number_job *n) {
   struct text t = {0};
@@ -152,9 +157,10 @@ static void read_by_own_digits(struct finding *f, const struct number_job *n, co
   own.unit = own.digit;
   if (printed_fits(x, &own, &how) != TRUTH_TRUE) return;
   const char *given = how == READ_ROUNDED ? NULL : rounded_if_given(n, &own);
-  f->condition = result_str(n->j->out, "%s is taken by its own digits (%s%s%s), not as %s beside the other numbers",
-                            n->p->decimal, reading_name[how], given ? ", or rounded if e_1 and e_2 follow from " : "",
-                            given ? given : "", with_all_digits(n));
+  f->condition =
+      result_str(n->j->out, "%s is read by its own digits (%s%s%s), not as %s, with the decimals of the other numbers",
+                 n->p->decimal, reading_name[how], given ? ", or rounded if e_1 and e_2 follow from " : "",
+                 given ? given : "", with_all_digits(n));
 }
 
 /* The scene's data, the orbit, what is printed with its unit, and the value there. */
@@ -194,9 +200,12 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     if (t == TRUTH_FALSE)
       f->effect = result_str(j->out, "the printed value is %s, the computed one %s; they differ by %s units %s",
                              as_given(n), ball_text(j, x, 10), units_off(j, x, n->p), unit_name(n));
-    for (p.orbit = 0; p.orbit < scene_orbits(j->scene, j->cache)->n; p.orbit++)
+    const struct dyn_orbits *orbits = scene_orbits(j->scene, j->cache);
+    for (p.orbit = 0; p.orbit < orbits->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
-        text_printf(&note, " On another one it is %s.", ball_text(j, x, 6));
+        text_printf(&note, " On another solution%s %s is %s.",
+                    orbits->orbit[p.orbit].admissible == TRUTH_FALSE ? ", which is not admissible," : "",
+                    is_bound(n) ? "the bound" : "it", ball_text(j, x, 6));
     bits = used;
   } else {
     text_add(&note, "no periodic solution was found, or the quantity could not be evaluated on it");
@@ -248,8 +257,9 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
           : result_str(
                 j->out,
                 "With the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of the last "
-                "decimal below to one unit above) %s takes values from %s to %s, rounded, and %s %s.",
-                n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives",
+                "decimal below to one unit above) %s%s takes values from %s to %s, rounded, and %s %s.",
+                is_bound(n) ? "the bound for " : "", n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6),
+                fit ? "some of them give" : "none of them gives",
                 f->condition ? with_all_digits(n) : "the printed digits");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
   _arb_vec_clear(w, 3);

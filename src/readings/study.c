@@ -208,13 +208,14 @@ static void conclude_found(struct hunt *h) {
         "A reading is one way in which the printed numbers could have been computed: some of them are taken as exact "
         "data, and the others follow from the equations, of which some may have been left out.  None of the %ld "
         "readings "
-        "%s gives all the printed numbers.  Of the %ld readings without %d of the equations, %ld give%s all of them, "
-        "%ld "
-        "without rounding of intermediate results.",
+        "%s gives all the printed numbers.  Of the %ld readings that leave out %s, %ld give%s all of them, %ld without "
+        "rounding of intermediate results.",
         before,
         first->dropped == 1 ? "that satisfy every equation"
                             : result_str(h->out, "without fewer than %d of the equations", first->dropped),
-        first->tried, first->dropped, first->reproduce, first->reproduce == 1 ? "s" : "", first->unrounded);
+        first->tried,
+        first->dropped == 1 ? "one of the equations" : result_str(h->out, "%d of the equations", first->dropped),
+        first->reproduce, first->reproduce == 1 ? "s" : "", first->unrounded);
   say(h, &r->conclusion, &r->n_conclusions, s);
 }
 

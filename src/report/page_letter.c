@@ -224,15 +224,14 @@ static void add_multiplier(const struct page *p, const struct finding *f) {
 
 /* What the motion from the printed start comes to: the end of the note, "at the end ...;". */
 static void add_later(const struct page *p, const struct finding *f) {
-  static const char last[] = "at the end ";
+  static const char last[] = "at the end the motion ";
   const char *end = f && f->n_evidence && f->evidence[0].note ? strstr(f->evidence[0].note, last) : NULL;
   if (!end) return;
-  page_add(p,
-           " Started from the printed initial state%s%p, the system performs another motion in the long run; "
-           "with the letters of the phases' matrices (G for \xce\x93), <a href=\"#c-%a\">",
+  end += strlen(last);
+  page_add(p, " Started from the printed initial state%s%p, the motion in the end <a href=\"#c-%a\">",
            f->evidence[0].worst ? ", for " : "", f->evidence[0].worst, f->id);
   sheet_prose_n(HTML(p->out), end, strcspn(end, ";"));
-  text_add(p->out, "</a>.");
+  text_add(p->out, "</a>, in the letters of the phases' matrices (G for \xce\x93).");
 }
 
 static void add_gift(const struct page *p) {

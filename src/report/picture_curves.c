@@ -103,7 +103,10 @@ static void say_long_run(struct text *out, const struct rows *t) {
     formal = formal || strstr(name, "(formal)");
     i = end;
   }
-  if (formal) text_add(out, " Formal: it solves the equations, but breaks a condition, so that no masses follow it.");
+  if (formal)
+    text_add(
+        out,
+        " Formal: it solves the equations, but a condition of the motion fails on it, so that no masses follow it.");
 }
 
 static void tell_long_run(struct text *out, const struct rows *t) {

@@ -33,12 +33,12 @@ static void say_return_map(struct text *out, const struct rows *t) {
     double slope = rows_number(t, i, SLOPE);
     text_printf(out, "%sorbit %s at $r = %.4f$ with slope $%.4f$%s%s", sep, t->cell[i][PIECE], rows_number(t, i, R),
                 slope, fabs(slope) < 1 ? ", which draws its neighbours in" : ", which drives its neighbours away",
-                rows_is(t, i, CURVE, "formal") ? " (but it breaks a condition of the word)" : "");
+                rows_is(t, i, CURVE, "formal") ? " (but a condition of the motion fails on it)" : "");
     sep = "; ";
   }
   double first, last;
   if (ends_of_iterates(t, &first, &last))
-    text_printf(out, ". Below, closer: the steps from $r = %.4f$; after the last $r = %.4f$.", first, last);
+    text_printf(out, ". Below, enlarged: the iterates from $r = %.4f$ to $r = %.4f$.", first, last);
   else
     text_add(out, ".");
 }

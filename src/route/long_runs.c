@@ -15,10 +15,9 @@ static const struct {
   const char *why;
   const char *params[N_PARAMS];
   bool least; /* the admissible orbit with the least |tr J|, else with the largest */
-} samples[] = {
-    {"a stable orbit", {"0.71", "1.2", "1.9", "5.9", "0.158"}, true},
-    {"an orbit that sheds its neighbours on one side", {"0.97", "0.87", "0.94", "0.82", "0.086"}, false},
-    {"an orbit that throws its neighbours from side to side", {"0.95", "1.5", "1.2", "5.19", "0.201"}, false}};
+} samples[] = {{"a stable orbit", {"0.71", "1.2", "1.9", "5.9", "0.158"}, true},
+               {"an unstable orbit with tr J > 1", {"0.97", "0.87", "0.94", "0.82", "0.086"}, false},
+               {"an unstable orbit with tr J < -1", {"0.95", "1.5", "1.2", "5.19", "0.201"}, false}};
 
 /* Within a tenth of log|m|. */
 static bool as_predicted(const struct long_growth *g, double multiplier) {

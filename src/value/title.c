@@ -20,8 +20,8 @@ static const char *const sentences[N_KINDS] = {
     [KIND_CLOSURE] = "the printed numbers are those of a periodic solution",
     [KIND_NOTATION] = "{reads} can be read as a formula",
     [KIND_SEQUENCE] = "on the example one period consists of {word}, in this order",
-    [KIND_LAW] =
-        "{equation} gives the friction of the {mass} mass while it slips, while it sticks and beyond its limit",
+    [KIND_LAW] = "{equation} gives the friction of the {mass} mass while it slips, while it sticks and where the "
+                 "restoring force exceeds its limit",
     [KIND_REPORT] = "the value of {formula} on the example",
 };
 static const char limits[] =
@@ -45,13 +45,20 @@ static const struct statement_record *its_statement(const struct title *t) {
 
 /* --- Statements --- */
 
+/* u_1 = u_s1 eps, where eps (V - x_1') > 0: each for eps = +1 and -1. */
+static bool is_of_signs(const struct statement_record *r) {
+  for (int k = 0; k < r->n_stmts; k++)
+    if (!r->stmts[k]->range_signs) return false;
+  return r->n_stmts > 0;
+}
+
 /* What a record states, by its formulas where these take most characters at most; else by its number, or by its first
    formula where the number is not its own.  *verb says that it holds, and is empty for formulas, which say it
    themselves. */
 static void stated(struct text *out, const char **verb, const struct title *t, const struct statement_record *r,
                    size_t most) {
   struct text formulas = {0};
-  t->m->system ? title_formulas(&formulas, r) : title_conditional(&formulas, r);
+  t->m->system && !is_of_signs(r) ? title_formulas(&formulas, r) : title_conditional(&formulas, r);
   const char *note = title_note(r, false);
   *verb = note && title_is_plural(note) ? " hold" : " holds";
   if (note)
@@ -356,7 +363,7 @@ static bool range_where(struct text *out, const struct title *t, struct title_pa
   bool rate = claim_get(t->c, "rate") != NULL;
   text_add(out, rate ? " modulo 2 pi" : "");
   if (!range_limit(out, t)) return false;
-  text_add(out, rate ? " and the left side is greater at the end than at every maximum before" : "");
+  text_add(out, rate ? " and it holds at every maximum before the end" : "");
   return true;
 }
 
@@ -380,16 +387,19 @@ static bool make_constraints(struct text *out, const struct title *t) {
   return true;
 }
 
-/* "-1 > tr(J) or tr(J) > 1" of -1 < tr(J) < 1. */
+/* "tr(J) < -1 or tr(J) > 1" of -1 < tr(J) < 1. */
 static void reversed(struct text *out, const struct statement_record *r) {
   static const char *const other[] = {" = ", " > ", " > ", " < ", " < "}; /* by relop */
+  static const char *const turned[] = {" = ", " < ", " < ", " > ", " > "};
   const char *sep = "";
   for (int k = 0; k < r->n_stmts; k++)
     for (int i = 0; r->stmts[k]->kind == STMT_RELATION && i + 1 < r->stmts[k]->n_sides; i++, sep = " or ") {
+      const struct stmt *s = r->stmts[k];
+      bool turn = i == 0 && s->n_sides > 2; /* what lies between two bounds is said first */
       text_add(out, sep);
-      expr_plain(out, r->stmts[k]->sides[i]);
-      text_add(out, other[r->stmts[k]->ops[i]]);
-      expr_plain(out, r->stmts[k]->sides[i + 1]);
+      expr_plain(out, s->sides[i + turn]);
+      text_add(out, (turn ? turned : other)[s->ops[i]]);
+      expr_plain(out, s->sides[i + !turn]);
     }
 }
 
@@ -451,14 +461,14 @@ static bool make_solutions(struct text *out, const struct title *t) {
 
 /* --- Notation --- */
 
-/* "one symbol stands for the first mass", "different symbols stand for a stiffness matrix and the stiffness of a
+/* "the first mass is written in one way", "different symbols stand for a stiffness matrix and the stiffness of a
    spring"; without such a list, of a text that is read. */
 static bool make_notation(struct text *out, const struct title *t) {
   const char *stands_for = claim_get(t->c, "stands-for");
   if (!stands_for) return make_sentence(out, t);
   struct text things = {0};
   int n = title_listed(&things, stands_for, ';');
-  text_printf(out, "%s for %s", n == 1 ? "one symbol stands" : "different symbols stand", text_str(&things));
+  text_printf(out, n == 1 ? "%s is written in one way" : "different symbols stand for %s", text_str(&things));
   text_clear(&things);
   return true;
 }
@@ -479,9 +489,9 @@ static bool make_scaling(struct text *out, const struct title *t) {
     text_add_n(name, p, len);
     if (p[len - 1] == '_') text_add_char(name, 'i');
   }
-  text_add(out, " is homogeneous in the unit of length, those of time and stiffness being kept, if ");
+  text_add(out, " is dimensionally homogeneous if, in fixed units of time and stiffness, ");
   title_list_write(out, &l);
-  text_add(out, l.n == 1 ? " alone scales with it" : " alone scale with it");
+  text_add(out, l.n == 1 ? " alone is a length" : " alone are lengths");
   title_list_clear(&l);
   return true;
 }

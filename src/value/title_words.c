@@ -338,20 +338,32 @@ static bool is_inequality(const struct stmt *s) {
   return s->kind == STMT_RELATION && s->ops[0] != REL_EQ;
 }
 
-/* "an inequality of (9)", "the inequalities of (9)" where the list has them all, of the statement that an item
+/* How many of its statements are inequalities, or how many are not. */
+static int count_kind(const struct statement_record *r, bool inequalities) {
+  int n = 0;
+  for (int k = 0; k < r->n_stmts; k++)
+    n += r->stmts[k]->kind == STMT_RELATION && is_inequality(r->stmts[k]) == inequalities;
+  return n;
+}
+
+/* "an inequality of (9)", "the inequalities of (9)" where the list has all that stand under the number, of what an item
    means. */
 static void write_share(struct text *out, const struct title *t, const struct part *p, const char *list) {
   char item[64];
-  bool inequality = is_inequality(p->r->stmts[p->statement - 1]);
+  bool inequality = is_inequality(p->r->stmts[p->statement ? p->statement - 1 : 0]);
   int has = 0, of = 0;
-  for (int k = 0; k < p->r->n_stmts; k++) of += is_inequality(p->r->stmts[k]) == inequality;
+  for (size_t i = 0; i < t->m->n_records; i++) {
+    const struct statement_record *other = &t->m->records[i];
+    if (other->rank <= RANK_USER && strcmp(other->equation, p->r->equation) == 0) of += count_kind(other, inequality);
+  }
   for (const char *at = list; (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     struct part other = parse_part(t, item);
-    if (part_is_there(&other) && other.r == p->r && other.statement)
-      has += is_inequality(other.r->stmts[other.statement - 1]) == inequality;
+    if (!part_is_there(&other) || other.r != p->r) continue;
+    has += other.statement ? is_inequality(other.r->stmts[other.statement - 1]) == inequality
+                           : count_kind(other.r, inequality);
   }
   const char *what = has > 1 ? (inequality ? "inequalities" : "equations") : inequality ? "inequality" : "equation";
-  const char *article = has == of && title_owns_number(t, p->r) ? "the " : has > 1 ? "" : "an ";
+  const char *article = has == of ? "the " : has > 1 ? "" : "an ";
   text_printf(out, "%s%s of (%s)", article, what, p->r->equation);
 }
 
@@ -403,12 +415,17 @@ bool title_moves(const struct title *t, const char *attribute) {
   return stmt_any(part.r->stmts[part.statement ? part.statement - 1 : 0], takes_time, NULL);
 }
 
+/* All inequalities, or none, and not all that stands under the number. */
+static bool is_a_share(const struct title *t, const struct statement_record *r, const char *list) {
+  return !number_is_listed(t, list, r) && (count_kind(r, true) == 0 || count_kind(r, false) == 0);
+}
+
 static void write_numbered(struct text *out, const struct title *t, const struct part *p, const char *list,
                            enum title_detail detail) {
   const char *note = title_note(p->r, detail != TITLE_FORMULAS);
   if (note)
     text_add(out, note);
-  else if (p->statement && detail != TITLE_NUMBERS)
+  else if (detail != TITLE_NUMBERS && (p->statement || is_a_share(t, p->r, list)))
     write_share(out, t, p, list);
   else
     text_printf(out, "(%s)", p->r->equation);
