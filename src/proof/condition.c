@@ -4,6 +4,7 @@
 #include "condition.h"
 
 #include "claim/claim.h"
+#include "exact_argument.h"
 #include "num/calc.h"
 #include "record/result.h"
 
@@ -15,6 +16,30 @@ static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)",
                                                   "x_1(t)", "x_2(t)", "x_1'(t)", "x_2'(t)"};
 
 /* --- Reading --- */
+
+/* Is the margin of degree at most 1 in what moves, by its form? */
+static bool is_affine(const struct condition *c) {
+  const struct tape *t = &c->s.tape;
+  enum { CURVED = 2 };
+  int *degree = ss_malloc((size_t)(t->n + 1) * sizeof *degree);
+  for (slong i = 0; i < t->n; i++) {
+    const struct tape_instr *in = &t->code[i];
+    int most = 0, sum = 0;
+    for (slong k = 0; k < tape_operands(t, i); k++) {
+      int of = degree[tape_operand(t, i, k)];
+      most = FLINT_MAX(most, of);
+      sum += of;
+    }
+    bool linear = in->op == TAPE_neg || in->op == TAPE_add || in->op == TAPE_sub ||
+                  (in->op == TAPE_mul && sum == most) || (in->op == TAPE_div && degree[in->b] == 0);
+    degree[i] = most == 0 || linear ? most : CURVED;
+    for (int m = 0; in->op == TAPE_INPUT && m < N_MOVING; m++)
+      if (c->input[m] == in->k) degree[i] = 1;
+  }
+  bool affine = degree[t->outputs[0]] < CURVED;
+  free(degree);
+  return affine;
+}
 
 /* The scalar, with the motion's values as plain symbols. */
 static bool build(struct condition *c, bool *scalar, struct judge *j, const struct statement_record *r,
@@ -38,6 +63,7 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
   for (int m = 0; m < 2; m++)
     c->friction[m] =
         c->in_x || tape_input(&c->s.tape, m ? "u_r2" : "u_r1") >= 0 || tape_input(&c->s.tape, m ? "u_s2" : "u_s1") >= 0;
+  c->affine = is_affine(c);
   return true;
 }
 
@@ -56,7 +82,9 @@ static bool add_cited(struct conditions *list, struct judge *j, const struct cla
       if (at->step > 0 && k + 1 != at->step) continue;
       if (list->n == MAX_CONDITIONS) return claim_error(j, claim, attribute, "too many conditions");
       struct condition *c = &list->at[list->n++];
-      *c = (struct condition){.equation = r->equation, .phase = (enum phase)(phase < 0 ? 0 : phase)};
+      *c = (struct condition){.equation = r->equation,
+                              .phase = (enum phase)(phase < 0 ? 0 : phase),
+                              .vanishes = {TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN}};
       bool scalar = true;
       if (!build(c, &scalar, j, r, st, k, view)) {
         if (!scalar) claim_error(j, claim, attribute, "a condition needs scalars");
@@ -230,6 +258,13 @@ int conditions_sample(struct sampled *out, struct conditions *list, const struct
 
 /* --- Deciding in balls --- */
 
+/* Enclosures tell what is not zero; that a margin is, exact algebra has to, which is asked once. */
+static bool is_zero(struct condition *c, enum exact_time time) {
+  truth *known = &c->vanishes[time];
+  if (*known == TRUTH_UNKNOWN) *known = exact_vanishes(c, time) ? TRUTH_TRUE : TRUTH_FALSE;
+  return *known == TRUTH_TRUE;
+}
+
 /* The margin as c0 + c . x, and its rate c . x', at a stretch of time. */
 struct affine {
   struct num_vec c; /* N_MOVING + 1, the constant last */
@@ -238,14 +273,12 @@ struct affine {
 /* Each coefficient from one step, so long that the constant's rounding is nothing beside it: where the coefficient is
    zero it would be multiplied by the time, which on a slow belt is long. */
 static int affine_init(struct affine *f, struct bound *b) {
-  const struct num_type *t = b->v->ctx.type;
   slong prec = b->v->ctx.prec;
   f->c = calc_vec(&b->v->c, N_MOVING + 1);
   struct calc w = calc_begin(b->v->ctx);
-  struct num_vec x = calc_vec(&w, N_MOVING), sum = calc_vec(&w, 2);
-  void *constant = num_vec_at(&f->c, N_MOVING), *total = num_vec_at(&sum, 0), *all = num_vec_at(&sum, 1);
-  int s = margin_at(constant, b, &x);
-  t->set(total, constant);
+  struct num_vec x = calc_vec(&w, N_MOVING);
+  void *constant = num_vec_at(&f->c, N_MOVING);
+  int s = b->c->affine ? margin_at(constant, b, &x) : SS_UNABLE;
   for (int m = 0; m < N_MOVING; m++) {
     arb_ptr at = num_vec_at(&x, m), c = num_vec_at(&f->c, m);
     arb_set_ui(at, 1);
@@ -253,12 +286,8 @@ static int affine_init(struct affine *f, struct bound *b) {
     s |= margin_at(c, b, &x);
     arb_sub(c, c, constant, prec);
     arb_mul_2exp_si(c, c, -prec);
-    s |= t->add(total, total, c, prec);
     arb_zero(at);
   }
-  for (int m = 0; m < N_MOVING; m++) s |= t->set_d(num_vec_at(&x, m), 1, prec);
-  s |= margin_at(all, b, &x);
-  if (!arb_overlaps(all, total)) s |= SS_UNABLE; /* not affine */
   calc_clear(&w);
   return s;
 }
@@ -289,7 +318,7 @@ struct along {
   struct values *v;
   enum phase phase;
   arb_srcptr length;
-  bool zero[2]; /* the margin is zero, as far as enclosures tell, at the start, at the end */
+  bool zero[2]; /* the margin is zero at the start, at the end */
   double where;
   arb_ptr value;
   bool any;
@@ -358,7 +387,7 @@ static truth holds_along(double *where, arb_t value, struct bound *b) {
     arb_ptr at = w + 3 + end;
     if (end) arb_set(w + 1, a.length);
     s |= affine_at(at, w + 2, &a.f, b->v, a.phase, w + 1);
-    a.zero[end] = arb_contains_zero(at) && mag_cmp_2exp_si(arb_radref(at), -FIRST_PREC / 2) < 0;
+    a.zero[end] = arb_contains_zero(at) && is_zero(b->c, end ? TIME_END : TIME_START);
   }
   if (s == SS_OK) holds = piece_holds(&a, 0, 1, 0);
   for (int end = 0; s == SS_OK && holds == TRUTH_UNKNOWN && end < 2; end++) {
@@ -373,10 +402,11 @@ static truth holds_along(double *where, arb_t value, struct bound *b) {
   return holds;
 }
 
-static truth sign_of(const struct condition *c, const arb_t m) {
+static truth sign_of(struct condition *c, const arb_t m) {
   if (c->equality && !arb_contains_zero(m)) return TRUTH_FALSE;
-  if (c->equality) return mag_cmp_2exp_si(arb_radref(m), -FIRST_PREC / 2) < 0 ? TRUTH_TRUE : TRUTH_UNKNOWN;
-  return arb_is_positive(m) ? TRUTH_TRUE : arb_is_nonpositive(m) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+  if (c->equality) return arb_is_zero(m) || is_zero(c, TIME_INSIDE) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  if (c->strict ? arb_is_positive(m) : arb_is_nonnegative(m)) return TRUTH_TRUE;
+  return (c->strict ? arb_is_nonpositive(m) : arb_is_negative(m)) ? TRUTH_FALSE : TRUTH_UNKNOWN;
 }
 
 /* At a fraction of the phase, or at the one moment that the condition names. */

@@ -1,9 +1,9 @@
 /* Conditions: inequalities and equations of the paper as margins along a phase of a periodic orbit.
 
    A condition is one step of a relation of the equation files, its margin what must be positive (the right side minus
-   the left one of "<") or zero.  The margin is affine in Z(t), t and u_s1, u_s2, so along a phase Z' = A Z gives its
-   derivative too, and time is halved until an enclosure of the margin, or near an end where the margin vanishes by
-   definition one of its derivative, has a sign. */
+   the left one of "<") or zero.  A margin that is affine in Z(t) and t has a derivative along a phase by Z' = A Z, and
+   time is halved until an enclosure of the margin, or near an end where the margin vanishes by definition one of its
+   derivative, has a sign.  Whether another holds along its phase is unknown. */
 #ifndef STICKSLIP_CONDITION_H
 #define STICKSLIP_CONDITION_H
 
@@ -17,7 +17,9 @@ struct condition {
   const char *text;     /* as written */
   const char *equation; /* the paper's number of it, or NULL */
   bool equality, strict;
-  bool moving; /* along `phase`; else at the switching times alone */
+  bool affine;       /* the margin, by its form */
+  truth vanishes[3]; /* is the margin zero on every orbit (exact_vanishes), by enum exact_time; UNKNOWN until asked */
+  bool moving;       /* along `phase`; else at the switching times alone */
   enum phase phase;
   slong input[N_MOVING]; /* index among the tape's inputs, or -1 */
   bool friction[2];      /* whether the margin depends on u_s1, on u_s2 (through u_r1, u_r2, or x = z + d) */
@@ -45,8 +47,8 @@ struct sampled {
 };
 int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache);
 
-/* Does the condition hold throughout its phase at the point?  In balls of FIRST_PREC bits; *where is the fraction of
-   the phase at which it certainly fails (FALSE; 0 or 1: beside that end), and value the margin there, or the least
+/* Does the condition hold throughout its phase at the point?  In balls of FIRST_PREC bits, and an equality only by exact
+   algebra or where both sides are exact numbers; *where is the fraction of the phase at which it certainly fails (FALSE; 0 or 1: beside that end), and value the margin there, or the least
    margin met (TRUE, of those away from ends where it vanishes); either may be NULL. */
 truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p,
                       struct orbit_cache *cache);

@@ -59,6 +59,15 @@ bool exact_argument(const struct condition *goal, const struct conditions *premi
   return ok;
 }
 
+bool exact_vanishes(const struct condition *c, enum exact_time time) {
+  static const struct conditions none = {.n = 0};
+  struct condition zero = *c; /* borrowed */
+  bool is = false;
+  zero.equality = true;
+  for (int anchor = 4; !is && anchor >= ANCHOR_BACK; anchor--) is = follows_at(&zero, &none, anchor, time, false);
+  return is;
+}
+
 int exact_friction_slope(const struct condition *cond, int i) {
   struct exact_motion m;
   exact_orbit_init(&m, cond->phase, 4, TIME_INSIDE, false);

@@ -10,6 +10,9 @@
    follows (exact_law.h) at every time of the phase, or it does where the phase begins and its rate does after. */
 bool exact_argument(const struct condition *goal, const struct conditions *premises);
 
+/* Is the margin zero on every orbit, admissible or not, at every time of the phase or at that end of it? */
+bool exact_vanishes(const struct condition *c, enum exact_time time);
+
 /* How the margin changes with u_s1 (i = 0) or u_s2, e_1 and e_2 being what they are: 1 where it grows, 0 where it does
    not change, on every orbit; -1 where that is not known. */
 int exact_friction_slope(const struct condition *c, int i);
