@@ -171,6 +171,9 @@ static const struct asked limits[] = {
     {"a number is not greater than itself", ON_EXAMPLE "  conclusion: text-level\n", VERDICT_PROVED},
     {"on no orbit", "  kind: argument\n  conclusion: text-level\n", VERDICT_SUPPORTED},
     {"nor less", ON_EXAMPLE "  conclusion: text-below\n", VERDICT_REFUTED},
+    {"what holds in a phase that takes no time",
+     "  kind: argument\n  over: orbits\n  premises: text-inside\n  conclusion: eq-51#1\n", VERDICT_SUPPORTED},
+    {"in one that does", "  kind: argument\n  premises: text-inside\n  conclusion: eq-51#1\n", VERDICT_PROVED},
     {"the right order under a false condition", "  kind: sequence\n  word: D Gamma H C\n  conditions: text-off\n",
      VERDICT_UNKNOWN},
 };

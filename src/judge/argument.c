@@ -27,7 +27,8 @@ void argument_add_routes(struct route_result w[2], struct finding *f, struct arg
 
 static bool add_proof(struct route_result *w, struct finding *f, struct argument *a, struct view view) {
   struct text t = {0};
-  bool proved = certificate_find(&t, a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], !a->free_friction, view);
+  bool proved = certificate_find(&t, a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], a->admissible,
+                                 !a->free_friction, view);
   if (proved) {
     *w = (struct route_result){"algebra", ROUTE_AGREES, true, a->part[CONCLUSION].n};
     finding_add_route(f, a->j->out, *w, "corrected", -1, NULL, result_take(a->j->out, &t));

@@ -283,7 +283,8 @@ struct extra {
   struct tape domain, friction, factors, clock, increase;
   const char *increase_text[3], *clock_text[2];
   int phase;   /* of the conclusion's time t; -1 when nothing moves there, N_PHASES when several do */
-  int premise; /* of the premises' time t where the conclusion has none: any moment of that phase, its ends too */
+  int premise; /* of the premises' time t where the conclusion has none: any moment of that phase, its ends too; -1
+                  where the phase may take no time */
   bool monotone;
   bool strict; /* some inequality of the conclusion */
 };
@@ -378,7 +379,7 @@ static void proof_clear(struct proof *p) {
 }
 
 bool certificate_find(struct text *out, struct judge *j, const struct claim *c, const struct conditions *premises,
-                      const struct conditions *conclusion, bool sliding_friction, struct view view) {
+                      const struct conditions *conclusion, bool admissible, bool sliding_friction, struct view view) {
   struct extra x = {.phase = -1, .premise = -1, .strict = conditions_any_strict(conclusion)};
   bool inequalities = true;
   for (int i = 0; i < conclusion->n; i++) {
@@ -386,13 +387,14 @@ bool certificate_find(struct text *out, struct judge *j, const struct claim *c, 
     if (conclusion->at[i].moving) take_phase(&x.phase, (int)conclusion->at[i].phase);
   }
   for (int i = 0; i < premises->n; i++)
-    if (premises->at[i].moving) take_phase(&x.premise, (int)premises->at[i].phase);
+    if (premises->at[i].moving && admissible) take_phase(&x.premise, (int)premises->at[i].phase);
+  bool timeless = x.phase < 0; /* the conclusion */
   elaboration_init(&x.el, view, NULL, 0);
   bool ok = expressions_tape(&x.domain, &x.el, domain, sliding_friction ? N_DOMAIN : N_SIGNS, "", j->d) &&
             expressions_tape(&x.friction, &x.el, friction, 2, "", j->d) &&
             expressions_tape(&x.factors, &x.el, factor_text, N_FACTORS, "", j->d) && monotone_tape(&x, j, c) &&
             clock_tape(&x, j);
-  if (ok && inequalities && x.phase < N_PHASES) {
+  if (ok && inequalities && x.phase < N_PHASES && (admissible || !timeless || x.phase < 0)) {
     struct proof *p = ss_malloc(sizeof *p);
     *p = (struct proof){.n_names = 0};
     ok = name_all(p, &x, premises, conclusion);

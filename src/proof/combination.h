@@ -13,8 +13,8 @@
 #include "condition.h"
 
 /* Appends the proof of every condition of the conclusion; false when one has none (j->d set when the claim is at
-   fault). */
+   fault).  Every phase of an admissible orbit takes some time; of others a premise along a phase may say nothing. */
 bool certificate_find(struct text *out, struct judge *j, const struct claim *c, const struct conditions *premises,
-                      const struct conditions *conclusion, bool sliding_friction, struct view view);
+                      const struct conditions *conclusion, bool admissible, bool sliding_friction, struct view view);
 
 #endif
