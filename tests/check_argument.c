@@ -157,6 +157,9 @@ static const struct question ranges[] = {
 /* --- What enclosures and small lists do not show --- */
 
 #define ON_EXAMPLE "  kind: argument\n  over: scene\n"
+#define SOLVING(equations)                                                                                             \
+  "  kind: solutions\n  statement: " equations "\n  constraints: eq-51, eq-52#1.2, eq-52#2.2, eq-54#1.2, eq-54#2.2, "  \
+  "eq-57#1, eq-57#2.2, text-h-phase, eq-59#1.2, eq-59#2\n"
 
 /* |z_2| is 2.195 at the start of the stick phase, and less than 2.18 from a 16th of it on; the force h is e_2 where the
    slip-stick phase ends; t_a is negative on some orbits, of whose stick phase anything holds.  (18) alone has a family
@@ -174,6 +177,11 @@ static const struct asked limits[] = {
     {"what holds in a phase that takes no time",
      "  kind: argument\n  over: orbits\n  premises: text-inside\n  conclusion: eq-51#1\n", VERDICT_SUPPORTED},
     {"in one that does", "  kind: argument\n  premises: text-inside\n  conclusion: eq-51#1\n", VERDICT_PROVED},
+    {"fewer equations have the same solutions and others",
+     SOLVING("text-periodicity-alone") "  count: 1\n  kept: yes\n", VERDICT_UNKNOWN},
+    {"none have them all", SOLVING("text-level") "  every: first\n  kept: yes\n", VERDICT_UNKNOWN},
+    {"of which one that is no motion is enough", SOLVING("text-periodicity-alone") "  every: motion\n  until: 20\n",
+     VERDICT_REFUTED},
     {"the right order under a false condition", "  kind: sequence\n  word: D Gamma H C\n  conditions: text-off\n",
      VERDICT_UNKNOWN},
 };

@@ -3,7 +3,8 @@
 
    The list is that of motion/branches.h, every root of every switching function, or with "kept: yes" that of the word's
    orbits, whatever their t_c: along a phase in which the constraints hold no switching function vanishes, so that what
-   keeps them has first events.  The paper's equations and constraints are tried on every solution in balls. */
+   keeps them has first events.  The paper's equations and constraints are tried on every solution in balls, and that
+   these equations have no other solutions is seen where each equation of the list is one of them. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,7 +18,13 @@
 #include "value/coulomb_setup.h"
 #include "value/title.h"
 
-enum { SOLUTION_PREC = 256, UNITS_OF_SOLUTIONS = 60000, UNITS_OF_GIVEN = 150000, MOST_LISTED = 40 };
+enum {
+  SOLUTION_PREC = 256,
+  UNITS_OF_SOLUTIONS = 60000,
+  UNITS_OF_GIVEN = 150000,
+  MOST_LISTED = 40,
+  CLOSING = 3 + N_STATE
+};
 
 enum asked_of { ASKED_COUNT, ASKED_FIRST, ASKED_MOTION, ASKED_GIVEN };
 
@@ -34,7 +41,8 @@ struct solutions {
   struct dyn_orbits list;
   truth *keeps; /* of each solution, the constraints */
   bool (*broken)[MAX_CONDITIONS];
-  long n_solve; /* solutions on which the paper's equations hold */
+  long n_solve;    /* solutions on which the paper's equations hold */
+  bool are_theirs; /* and what solves these solves those of the list */
 };
 
 /* --- Reading --- */
@@ -117,6 +125,62 @@ static void try_each(struct solutions *x) {
   x->at.known = NULL;
 }
 
+/* What ends the phases D, Gamma and H, and how far a pass over those times is from its start. */
+static void closing(val m[CLOSING], struct calc *c, const struct values *v) {
+  const struct num_vec a = dyn_arc_state(&v->arc, 1), b = dyn_arc_state(&v->arc, 2), h = dyn_arc_state(&v->arc, 3);
+  const struct num_vec start = dyn_arc_state(&v->arc, 0), end = dyn_arc_state(&v->arc, 4);
+  val chi = num_vec_at(&v->params, P_CHI);
+  val w = calc_sub(c, num_vec_at(&a, Z_1), calc_mul(c, chi, num_vec_at(&a, Z_2)));
+  val r = calc_mul(c, chi, calc_sub(c, num_vec_at(&b, Z_2), num_vec_at(&b, Z_1)));
+  m[0] = calc_sub(c, w, num_vec_at(&v->params, P_E1));
+  m[1] = calc_sub(c, r, num_vec_at(&v->params, P_E2));
+  m[2] = calc_sub(c, num_vec_at(&h, DZ_1), num_vec_at(&v->params, P_V));
+  for (int i = 0; i < N_STATE; i++) m[3 + i] = calc_sub(c, num_vec_at(&end, i), num_vec_at(&start, i));
+}
+
+/* Takes out the equations of the paper, with either sign, that are not those of a pass at this point. */
+static bool compare_closing(bool (*same)[2][CLOSING], struct solutions *x, const struct point *p) {
+  struct values v;
+  int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(SOLUTION_PREC), x->cache);
+  struct num_vec lhs = calc_vec(&v.c, x->equations.n), rhs = calc_vec(&v.c, x->equations.n);
+  if (s == SS_OK) s = sentence_values(&lhs, &rhs, &x->equations, p, VARIANT_CLOSED, x->cache);
+  val m[CLOSING];
+  if (s == SS_OK) closing(m, &v.c, &v);
+  for (slong i = 0; s == SS_OK && i < x->equations.n; i++)
+    for (int k = 0; k < CLOSING; k++) {
+      val d = calc_sub(&v.c, num_vec_at(&lhs, i), num_vec_at(&rhs, i));
+      same[i][0][k] = same[i][0][k] && arb_overlaps(d, m[k]);
+      same[i][1][k] = same[i][1][k] && arb_overlaps(calc_neg(&v.c, d), m[k]);
+    }
+  values_clear(&v);
+  return s == SS_OK;
+}
+
+/* Is each equation of a closed pass among the paper's, over any times from any start with the belt's velocity? */
+static bool closes_alone(struct solutions *x) {
+  enum { POINTS = 4 };
+  bool(*same)[2][CLOSING] = ss_malloc(((size_t)x->equations.n + 1) * sizeof *same), all = true;
+  struct sampler sampler;
+  struct point p;
+  for (slong i = 0; i < x->equations.n; i++)
+    for (int k = 0; k < CLOSING; k++) same[i][0][k] = same[i][1][k] = x->equations.ops[i] == REL_EQ;
+  sampler_init(&sampler, x->c->id, &(struct point_spec){.kind = POINT_PATCHED});
+  point_init(&p);
+  for (int n = 0; all && n < POINTS; n++) {
+    sampler_next(&p, &sampler);
+    for (int i = Q_DZ1; i <= Q_DZ2; i++) fmpq_set(&p.q[i], &p.q[Q_V]);
+    all = compare_closing(same, x, &p);
+  }
+  for (int k = 0; k < CLOSING; k++) {
+    bool found = false;
+    for (slong i = 0; i < x->equations.n; i++) found = found || same[i][0][k] || same[i][1][k];
+    all = all && found;
+  }
+  point_clear(&p);
+  free(same);
+  return all;
+}
+
 /* --- What is claimed, of all solutions or of those that keep the constraints --- */
 
 static truth first_events(const struct dyn_orbit *o) {
@@ -140,7 +204,7 @@ static struct answers answers_of(const struct solutions *x, bool constrained) {
 
 static enum route_outcome outcome_of(const struct solutions *x, bool constrained) {
   const struct answers t = answers_of(x, constrained);
-  bool sound = x->n_solve == x->list.n, complete = x->list.complete;
+  bool sound = x->n_solve == x->list.n, complete = x->list.complete && x->are_theirs;
   if (!sound) return ROUTE_UNDECIDED;
   if (x->asked == ASKED_COUNT) {
     long all = answers_given(&t), sure = constrained ? all - t.of[TRUTH_UNKNOWN] : all;
@@ -205,8 +269,11 @@ static const char *const recurrence =
 static const char *summed_up(struct solutions *x) {
   const struct answers every = answers_of(x, false), held = answers_of(x, true);
   long all = answers_given(&every), sure = answers_given(&held) - held.of[TRUTH_UNKNOWN];
-  const char *complete = x->list.complete ? "and there are proved to be no others"
-                                          : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
+  const char *complete =
+      !x->are_theirs ? "perhaps not all: these solve the equations of the switches and of the return together, which "
+                       "those of the claim are not seen to contain"
+      : x->list.complete ? "and there are proved to be no others"
+                         : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
   if (x->kept)
     return result_str(x->j->out,
                       "%ld periodic solutions, each proved to exist, %s in which each phase ends at the first possible "
@@ -356,6 +423,7 @@ static void conclude(struct finding *f, struct solutions *x) {
   struct route_result w[2];
   int n = 0;
   try_each(x);
+  x->are_theirs = closes_alone(x);
   w[n++] = add_balls(f, x, x->kept, summed_up(x));
   if (x->asked == ASKED_MOTION && x->j->effort == EFFORT_FULL) w[n++] = integrate(f, x, false);
   if (x->asked == ASKED_COUNT) finding_state(f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL, listed(x));
