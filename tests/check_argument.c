@@ -182,6 +182,8 @@ static const struct asked limits[] = {
     {"none have them all", SOLVING("text-level") "  every: first\n  kept: yes\n", VERDICT_UNKNOWN},
     {"of which one that is no motion is enough", SOLVING("text-periodicity-alone") "  every: motion\n  until: 20\n",
      VERDICT_REFUTED},
+    {"a period from another phase on", "  kind: sequence\n  word: H C D Gamma\n  conditions: eq-51\n", VERDICT_PROVED},
+    {"another order", "  kind: sequence\n  word: Gamma C H D\n  conditions: eq-51\n", VERDICT_REFUTED},
     {"the right order under a false condition", "  kind: sequence\n  word: D Gamma H C\n  conditions: text-off\n",
      VERDICT_UNKNOWN},
 };

@@ -25,14 +25,22 @@ static bool simulated_word(struct text *word, const struct scene *s, slong orbit
   return coulomb_setup_return(word, &end, &sim, 4) == SS_OK;
 }
 
-/* The phases that a text names, at most so many of them; how many, 0 where one is no phase. */
+/* The phases that a text names, at most so many of them; how many, 0 where one is no phase.  A period may begin with
+   any of its phases: here it begins with the first that there is of D, Gamma, H and C. */
 static int read_phases(enum phase *phase, int most, const char *text) {
   char name[16];
-  int n = 0, used;
+  int n = 0, used, first = 0;
   for (; text && n < most && sscanf(text, " %15s%n", name, &used) == 1; text += used) {
     int ph = word_find(name, phase_name, N_PHASES);
     if (ph == N_PHASES) return 0;
     phase[n++] = (enum phase)ph;
+  }
+  for (int i = 1; i < n; i++)
+    if (phase[i] < phase[first]) first = i;
+  for (; n && first > 0; first--) {
+    enum phase moved = phase[0];
+    memmove(phase, phase + 1, (size_t)(n - 1) * sizeof *phase);
+    phase[n - 1] = moved;
   }
   return n;
 }
