@@ -186,6 +186,10 @@ static const struct asked limits[] = {
     {"another order", "  kind: sequence\n  word: Gamma C H D\n  conditions: eq-51\n", VERDICT_REFUTED},
     {"the right order under a false condition", "  kind: sequence\n  word: D Gamma H C\n  conditions: text-off\n",
      VERDICT_UNKNOWN},
+    {"division by zero", "  kind: defined\n  over: parameters\n  statements: text-zero\n", VERDICT_UNKNOWN},
+    {"by another number", "  kind: defined\n  over: parameters\n  statements: text-half\n", VERDICT_PROVED},
+    {"a root that there is not", "  kind: defined\n  over: parameters\n  statements: text-root\n", VERDICT_UNKNOWN},
+    {"one that there is", "  kind: defined\n  over: parameters\n  statements: eq-48\n", VERDICT_PROVED},
 };
 
 /* Each list under the paper's files, the controls and records of its own. */

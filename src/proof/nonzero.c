@@ -13,12 +13,7 @@
 
 /* --- What is divided by --- */
 
-static bool add_divisor(struct divisor *list, int *n, const struct statement_record *r, const char *wrap,
-                        const struct expr *e, bool root) {
-  struct text t = {0};
-  text_add(&t, wrap);
-  expr_print(&t, expr_bare(e));
-  text_add(&t, *wrap ? ")" : "");
+static bool add_formula(struct divisor *list, int *n, const struct statement_record *r, struct text t, bool root) {
   for (int i = 0; i < *n; i++)
     if (strcmp(text_str(&list[i].formula), text_str(&t)) == 0 && list[i].root == root) {
       text_clear(&t);
@@ -32,9 +27,30 @@ static bool add_divisor(struct divisor *list, int *n, const struct statement_rec
   return true;
 }
 
+static bool add_divisor(struct divisor *list, int *n, const struct statement_record *r, const char *wrap,
+                        const struct expr *e, bool root) {
+  struct text t = {0};
+  text_add(&t, wrap);
+  expr_print(&t, expr_bare(e));
+  text_add(&t, *wrap ? ")" : "");
+  return add_formula(list, n, r, t, root);
+}
+
+/* A positive root of an equation, which need not have one: it has where it is known to be positive. */
+static bool add_root(struct divisor *list, int *n, const struct statement_record *r, const char *name) {
+  struct text t = {0};
+  text_add(&t, name);
+  return add_formula(list, n, r, t, false);
+}
+
+/* A number other than zero divides everywhere. */
+static bool is_unit(const struct expr *e) {
+  return e->kind == EXPR_NUM && strpbrk(e->name, "123456789") != NULL;
+}
+
 static bool collect(struct divisor *list, int *n, const struct statement_record *r, const struct expr *e) {
   bool ok = true;
-  if (e->kind == EXPR_DIV && e->args[1]->kind != EXPR_NUM) ok = add_divisor(list, n, r, "", e->args[1], false);
+  if (e->kind == EXPR_DIV && !is_unit(e->args[1])) ok = add_divisor(list, n, r, "", e->args[1], false);
   if (e->kind == EXPR_POW && e->exponent < 0) ok = add_divisor(list, n, r, "", e->args[0], false);
   if (e->kind == EXPR_INV) ok = add_divisor(list, n, r, "det(", e->args[0], false);
   if (e->kind == EXPR_COT) ok = add_divisor(list, n, r, "sin(", e->args[0], false);
@@ -47,8 +63,11 @@ bool divisors_of(struct divisor *list, int *n, const struct statement_record *r)
   bool ok = true;
   for (int k = 0; k < r->n_stmts; k++)
     for (int i = 0; ok && i < r->stmts[k]->n_sides; i++) ok = collect(list, n, r, r->stmts[k]->sides[i]);
-  for (int k = 0; k < r->n_stmts; k++)
-    if (ok && r->stmts[k]->kind == STMT_DEFINE) ok = collect(list, n, r, r->stmts[k]->sides[0]);
+  for (int k = 0; ok && k < r->n_stmts; k++) {
+    enum stmt_kind kind = r->stmts[k]->kind;
+    if (kind == STMT_DEFINE || kind == STMT_ROOT) ok = collect(list, n, r, r->stmts[k]->sides[0]);
+    if (ok && kind == STMT_ROOT) ok = add_root(list, n, r, r->stmts[k]->name);
+  }
   return ok;
 }
 
