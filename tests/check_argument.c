@@ -160,6 +160,7 @@ static const struct question ranges[] = {
 #define SOLVING(equations)                                                                                             \
   "  kind: solutions\n  statement: " equations "\n  constraints: eq-51, eq-52#1.2, eq-52#2.2, eq-54#1.2, eq-54#2.2, "  \
   "eq-57#1, eq-57#2.2, text-h-phase, eq-59#1.2, eq-59#2\n"
+#define LENGTHS "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n"
 
 /* |z_2| is 2.195 at the start of the stick phase, and less than 2.18 from a 16th of it on; the force h is e_2 where the
    slip-stick phase ends; t_a is negative on some orbits, of whose stick phase anything holds.  (18) alone has a family
@@ -190,6 +191,8 @@ static const struct asked limits[] = {
     {"by another number", "  kind: defined\n  over: parameters\n  statements: text-half\n", VERDICT_PROVED},
     {"a root that there is not", "  kind: defined\n  over: parameters\n  statements: text-root\n", VERDICT_UNKNOWN},
     {"one that there is", "  kind: defined\n  over: parameters\n  statements: eq-48\n", VERDICT_PROVED},
+    {"a root with a degree", LENGTHS "  statement: text-length\n", VERDICT_PROVED},
+    {"a root without", LENGTHS "  statement: text-mixture\n", VERDICT_REFUTED},
 };
 
 /* Each list under the paper's files, the controls and records of its own. */

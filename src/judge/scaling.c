@@ -11,7 +11,7 @@
 
 enum { UNITS_OF_DEGREE = 4, UNITS_OF_READING = 100 }; /* of work: a node, a record elaborated */
 
-/* A degree, of roots of roots a dyadic fraction and exact so; any: of a literal zero. */
+/* A degree, of square roots of square roots a dyadic fraction and exact so; any: of a literal zero. */
 struct degree {
   bool any;
   double of;
@@ -48,21 +48,30 @@ static bool complain(struct scaling *s, const char *what, const struct expr *a, 
 
 static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e);
 
-/* A root has degree 0 when all coefficients share theirs. */
-static bool degree_of_symbol(struct degree *d, struct scaling *s, const struct expr *e) {
-  *d = (struct degree){false, starts(e->name, s->scaled) ? 1 : 0};
-  for (size_t i = 0; i < s->el->n_roots; i++) {
-    const struct tape_root *r = &s->el->roots[i];
-    if (strcmp(r->name, e->name) != 0) continue;
-    *d = (struct degree){false, 0};
-    struct degree first = {true, 0}, next;
-    for (int k = 0; k < r->n_coeff; k++) {
-      if (!degree_of(&next, s, r->coeff[k])) return false;
-      if (!first.any && !next.any && first.of != next.of)
-        return complain(s, "a coefficient beside", r->coeff[0], first, r->coeff[k], next);
-      if (first.any) first = next;
+/* Of a root of c_0 + c_1 x + ... the one with which all terms have the same degree. */
+static bool degree_of_root(struct degree *d, struct scaling *s, const struct tape_root *r) {
+  struct degree first = {true, 0}, next;
+  *d = (struct degree){true, 0};
+  for (int k = 0, from = 0; k < r->n_coeff; k++) {
+    if (!degree_of(&next, s, r->coeff[k])) return false;
+    if (next.any) continue;
+    double of = (first.of - next.of) / (k - from);
+    if (!first.any && !d->any && of != d->of)
+      return complain(s, "a coefficient beside", r->coeff[from], first, r->coeff[k], next);
+    if (first.any) {
+      first = next;
+      from = k;
+    } else {
+      *d = (struct degree){false, of};
     }
   }
+  return true;
+}
+
+static bool degree_of_symbol(struct degree *d, struct scaling *s, const struct expr *e) {
+  *d = (struct degree){false, starts(e->name, s->scaled) ? 1 : 0};
+  for (size_t i = 0; i < s->el->n_roots; i++)
+    if (strcmp(s->el->roots[i].name, e->name) == 0) return degree_of_root(d, s, &s->el->roots[i]);
   return true;
 }
 
@@ -147,6 +156,10 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
     if (st->kind == STMT_DEFINE) {
       ok = elaborate(&a, &el, st->sides[0], r->src, r->section, d);
       for (int k = 0; ok && k < a.rows * a.cols; k++) check_pair(&s, a.e[k], NULL);
+    }
+    if (st->kind == STMT_ROOT) {
+      ok = elaborate_name(&a, &el, st->name, r->section, d);
+      if (ok) check_pair(&s, a.e[0], NULL);
     }
     for (int k = 0; ok && st->kind == STMT_RELATION && k + 1 < st->n_sides; k++) {
       ok = elaborate_sides(&a, &b, &el, st, k, r->src, r->section, d);
