@@ -76,10 +76,18 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
   r.size = rows_of(r.letter);
   if (!r.size) return claim_error(j, c, "letter", "the model has no matrix of that name");
   const char *fault = range_fault(&r, j, rec, false);
-  struct route_result w = {"diagnostic", fault ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
+  bool any = false;
+  for (int i = 0; i <= MOST_INDEX; i++) any = any || r.used[i];
+  struct route_result w = {"diagnostic",
+                           fault ? ROUTE_DIFFERS
+                           : any ? ROUTE_AGREES
+                                 : ROUTE_NOTHING,
+                           true, fault || any};
   finding_add_route(f, j->out, w, "printed", -1, NULL,
-                    fault ? fault : result_str(j->out, "every index of %s lies in %d..%d", r.letter, r.low, r.high));
-  f->verdict = fault ? VERDICT_REFUTED : VERDICT_PROVED;
+                    fault ? fault
+                    : any ? result_str(j->out, "every index of %s lies in %d..%d", r.letter, r.low, r.high)
+                          : result_str(j->out, "no entry of %s is used", r.letter));
+  f->verdict = verdict_of(&w, 1, true);
   struct index_range again = {.letter = r.letter, .size = r.size};
   if (fault && repaired) {
     if (!range_ends(&again.low, &again.high, repaired))
