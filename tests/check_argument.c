@@ -165,7 +165,7 @@ static const struct question ranges[] = {
 /* |z_2| is 2.195 at the start of the stick phase, and less than 2.18 from a 16th of it on; the force h is e_2 where the
    slip-stick phase ends; t_a is negative on some orbits, of whose stick phase anything holds.  (18) alone has a family
    of solutions.  A period may begin with any of its phases. */
-static const struct asked limits[] = {
+static const struct question limits[] = {
     {"a size, between the moments tried", ON_EXAMPLE "  conclusion: text-size\n", VERDICT_UNKNOWN},
     {"an equation at the moments tried", ON_EXAMPLE "  conclusion: text-beats D\n", VERDICT_UNKNOWN},
     {"an equation that is false by less than enclosures tell", ON_EXAMPLE "  conclusion: text-off\n", VERDICT_UNKNOWN},
