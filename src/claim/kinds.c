@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-const char *const fault_name[N_FAULTS] = {"notation", "formula", "number", "argument"};
-
 const struct claim_kind claim_kinds[N_KINDS] = {
 #define KIND_ROW(name, word, judge, tried, asked, scene, parts, fault, points, routes, controls, of_model)             \
   {word, tried, asked, scene, parts, fault, points, routes, controls, of_model},

@@ -17,6 +17,7 @@
 
 #include "base/work.h"
 #include "claims.h"
+#include "record/result.h"
 
 enum {
   NEEDS_PHASES = 1U << WORK_PHASE_D | 1U << WORK_PHASE_GAMMA | 1U << WORK_PHASE_H | 1U << WORK_PHASE_C,
@@ -30,9 +31,6 @@ enum {
 /* Asked about a damaged formula at once; after the others, by EFFORT_REFUTE alone; or never, since it simulates and
    reads no formula that others do not read, or asserts nothing. */
 enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
-
-enum fault { FAULT_NOTATION, FAULT_FORMULA, FAULT_NUMBER, FAULT_ARGUMENT, N_FAULTS, FAULT_BY_EDIT };
-extern const char *const fault_name[N_FAULTS];
 
 /* K(name, word in files, judge, tried at points, asked, of scene, parts, fault, points, routes, controls, of model) */
 #define CLAIM_KINDS(K)                                                                                                 \

@@ -15,6 +15,7 @@ const char *const verdict_name[N_VERDICTS] = {VERDICTS(VERDICT_STRING)};
 
 const char *const claimant_name[N_CLAIMANTS] = {"paper", "suite"};
 const char *const severity_name[N_SEVERITIES] = {"substance", "remark", "notation"};
+const char *const fault_name[N_FAULTS] = {"notation", "formula", "number", "argument"};
 
 enum severity severity_parse(const char *name) {
   return (enum severity)word_find(name, severity_name, N_SEVERITIES);

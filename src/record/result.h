@@ -60,6 +60,10 @@ extern const char *const severity_name[N_SEVERITIES];
 /* The severity of that name; N_SEVERITIES when there is none. */
 enum severity severity_parse(const char *name);
 
+/* The class of a refutation; FAULT_BY_EDIT: what the correction says of it, before that is known. */
+enum fault { FAULT_NOTATION, FAULT_FORMULA, FAULT_NUMBER, FAULT_ARGUMENT, N_FAULTS, FAULT_BY_EDIT };
+extern const char *const fault_name[N_FAULTS];
+
 /* quote: the paper's own text; printed: its formula as parsed, typeset (LaTeX), or the printed number.  Of a corrected
    claim: quote_part, the TeX of the paper's records that the correction touches; printed_part, the statements it
    replaces as parsed, and correction_latex, what replaces them, typeset; change, where the two differ, as text with

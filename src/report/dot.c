@@ -79,21 +79,15 @@ static const char *colour(enum verdict v) {
   return of[v];
 }
 
-static const char *shape(const struct finding *f) {
-  static const struct {
-    const char *fault, *shape;
-  } of[] = {{"notation", "octagon"}, {"formula", "box"}, {"number", "diamond"}, {"argument", "hexagon"}};
-  for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)
-    if (strcmp(of[i].fault, f->fault) == 0) return of[i].shape;
-  return "ellipse";
-}
+/* By the class of the fault, the last one without any. */
+static const char *const shape[N_FAULTS + 1] = {"octagon", "box", "diamond", "hexagon", "ellipse"};
 
 static void add_node(struct text *out, const struct claim_graph *g, size_t i) {
   const struct finding *f = i < g->r->n_findings ? &g->r->findings[i] : NULL;
   text_add(out, "  ");
   escape_dot(out, g->ids.name[i]);
   if (f)
-    text_printf(out, " [shape=%s, fillcolor=\"%s\", tooltip=", shape(f), colour(f->verdict));
+    text_printf(out, " [shape=%s, fillcolor=\"%s\", tooltip=", shape[failure_fault(f)], colour(f->verdict));
   else
     text_add(out, " [shape=ellipse, fillcolor=\"#ffffff\", tooltip=");
   escape_dot(out, f && f->title ? f->title : "not judged in this run");

@@ -25,7 +25,7 @@ const struct finding *failure_mended_with(const struct audit_result *r, const st
 }
 
 bool failure_is_number(const struct finding *f) {
-  return f->correction_latex && f->fault && strcmp(f->fault, "number") == 0;
+  return f->correction_latex && failure_fault(f) == FAULT_NUMBER;
 }
 
 const char *root_value(const struct audit_result *r, const struct root_cause *root, int claim) {
@@ -40,16 +40,16 @@ const struct root_cause *audit_root_of_numbers(const struct audit_result *r) {
   return NULL;
 }
 
+enum fault failure_fault(const struct finding *f) {
+  return f->fault ? (enum fault)word_find(f->fault, fault_name, N_FAULTS) : N_FAULTS;
+}
+
 const char *failure_words(const struct finding *f) {
-  static const struct {
-    const char *fault, *words;
-  } of[] = {{"notation", "a slip of notation; taken literally, the statement does not hold"},
-            {"formula", "the formula does not follow from those that it rests on"},
-            {"number", "the paper's own equations give another value for its data"},
-            {"argument", "the assertion does not hold in general"}};
-  for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)
-    if (strcmp(of[i].fault, f->fault) == 0) return of[i].words;
-  return "it does not hold";
+  static const char *const words[N_FAULTS + 1] = {"a slip of notation; taken literally, the statement does not hold",
+                                                  "the formula does not follow from those that it rests on",
+                                                  "the paper's own equations give another value for its data",
+                                                  "the assertion does not hold in general", "it does not hold"};
+  return words[failure_fault(f)];
 }
 
 const char *failure_heading(const struct finding *f) {
