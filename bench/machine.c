@@ -7,15 +7,15 @@
 
 #include "bench/jobs.h"
 
-/* The value of the first line of /proc/cpuinfo that begins with key. */
-static bool cpu_line(char *value, size_t size, const char *key) {
-  FILE *f = fopen("/proc/cpuinfo", "r");
+/* The first line of a file of the system; with a key, what stands behind the colon of the first that begins with it. */
+static bool system_line(char *value, size_t size, const char *path, const char *key) {
+  FILE *f = fopen(path, "r");
   char line[512];
   bool found = false;
   while (f && !found && fgets(line, sizeof line, f)) {
-    const char *colon = strchr(line, ':');
-    if (!colon || strncmp(line, key, strlen(key)) != 0) continue;
-    snprintf(value, size, "%s", colon + 1 + (colon[1] == ' '));
+    const char *colon = key && strncmp(line, key, strlen(key)) == 0 ? strchr(line, ':') : NULL;
+    if (key && !colon) continue;
+    snprintf(value, size, "%s", colon ? colon + 1 + (colon[1] == ' ') : line);
     value[strcspn(value, "\n")] = '\0';
     found = true;
   }
@@ -23,24 +23,15 @@ static bool cpu_line(char *value, size_t size, const char *key) {
   return found;
 }
 
-/* The first line of a file of the system. */
-static bool first_line(char *value, size_t size, const char *path) {
-  FILE *f = fopen(path, "r");
-  bool found = f && fgets(value, (int)size, f);
-  if (f) fclose(f);
-  if (found) value[strcspn(value, "\n")] = '\0';
-  return found;
-}
-
 void bench_machine(struct text *out, const struct bench_result *r) {
-  char cpu[256], frequency[256], line[256];
+  char line[512];
   struct utsname u;
-  if (cpu_line(cpu, sizeof cpu, "model name")) text_printf(out, "cpu: %s\n", cpu);
-  if (cpu_line(frequency, sizeof frequency, "cpu MHz")) text_printf(out, "clock: %s MHz at the time\n", frequency);
+  if (system_line(line, sizeof line, "/proc/cpuinfo", "model name")) text_printf(out, "cpu: %s\n", line);
+  if (system_line(line, sizeof line, "/proc/cpuinfo", "cpu MHz")) text_printf(out, "clock: %s MHz at the time\n", line);
   text_printf(out, "cores: %ld\n", sysconf(_SC_NPROCESSORS_ONLN));
-  bool told = first_line(line, sizeof line, "/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+  bool told = system_line(line, sizeof line, "/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor", NULL);
   text_printf(out, "governor: %s\n", told ? line : "not told by the system");
-  if (first_line(line, sizeof line, "/proc/loadavg"))
+  if (system_line(line, sizeof line, "/proc/loadavg", NULL))
     text_printf(out, "load: %.*s in the last minute\n", (int)strcspn(line, " "), line);
   if (uname(&u) == 0) text_printf(out, "system: %s %s %s\n", u.sysname, u.release, u.machine);
 #if defined(__clang__)

@@ -20,26 +20,24 @@ static int give(ss_motion **out, const struct coulomb_setup *setup, bool ok, con
   return SS_OK;
 }
 
-int ss_motion_on_orbit(ss_motion **out, const ss_scene *s, size_t k) {
+/* From that orbit, or from the printed numbers; s: NULL where what is missing is said. */
+static int begin(ss_motion **out, const char *function, const ss_scene *s, const char *missing, slong k, bool printed) {
   struct coulomb_setup setup;
   struct diag d = {0};
-  if (!out) return library_argument(__func__, "no place for the motion");
+  if (!out) return library_argument(function, "no place for the motion");
   *out = NULL;
-  if (!s || k > WORD_MAX / 2) return library_argument(__func__, "no scene or no such orbit");
+  if (!s) return library_argument(function, missing);
   int status = library_point(s, true, false);
-  if (status) return status;
-  return give(out, &setup, audit_coulomb_setup(&setup, &s->s, (slong)k, false, &d), &d);
+  return status ? status : give(out, &setup, audit_coulomb_setup(&setup, &s->s, k, printed, &d), &d);
+}
+
+int ss_motion_on_orbit(ss_motion **out, const ss_scene *s, size_t k) {
+  bool can_be = k <= WORD_MAX / 2;
+  return begin(out, __func__, can_be ? s : NULL, "no scene or no such orbit", can_be ? (slong)k : 0, false);
 }
 
 int ss_motion_printed(ss_motion **out, const ss_scene *s) {
-  struct coulomb_setup setup;
-  struct diag d = {0};
-  if (!out) return library_argument(__func__, "no place for the motion");
-  *out = NULL;
-  if (!s) return library_argument(__func__, "no scene");
-  int status = library_point(s, true, false);
-  if (status) return status;
-  return give(out, &setup, audit_coulomb_setup(&setup, &s->s, 0, true, &d), &d);
+  return begin(out, __func__, s, "no scene", 0, true);
 }
 
 int ss_motion_from(ss_motion **out, const ss_scene *s, const double start[4]) {
