@@ -193,10 +193,6 @@ static const struct question limits[] = {
     {"one that there is", "  kind: defined\n  over: parameters\n  statements: eq-48\n", VERDICT_PROVED},
     {"a root with a degree", LENGTHS "  statement: text-length\n", VERDICT_PROVED},
     {"a root without", LENGTHS "  statement: text-mixture\n", VERDICT_REFUTED},
-    {"an eigenvalue outside on the other side",
-     "  kind: criterion\n  side: outside\n  statement: text-one-side\n  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = "
-     "3/4\n",
-     VERDICT_REFUTED},
     {"indices of a letter that is not used", "  kind: index-range\n  statement: text-half\n  letter: H\n  range: 1 2\n",
      VERDICT_UNKNOWN},
 };
@@ -225,7 +221,6 @@ static const struct {
      "inequality text-level\n  section: appendix_b\n  V <= V\n"
      "inequality text-below\n  section: appendix_b\n  V < V\n"
      "inequality text-inside\n  section: appendix_b\n  0 < t < t_a for t in (0, t_a)\n"
-     "inequality text-one-side\n  section: stability\n  tr(J) < 1\n"
      "define text-zero\n  section: appendix_b\n  naught := chi/0.0\n"
      "define text-half\n  section: appendix_b\n  half := chi/0.2\n"
      "define text-root\n  section: appendix_b\n  root nowhere: chi*nowhere^2 + eta, smallest positive\n"

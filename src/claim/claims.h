@@ -38,8 +38,7 @@
                  this list and constraints may be "as ID", those of that claim
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
                  (what holds elsewhere is asked of the claim of kind criterion among those of depends-on)
-     side        (criterion) inside or outside: the orbits that the claim speaks of, by its sentence; outside, those with
-                 that slope of the return map too
+     side        (criterion) inside or outside: the orbits that the claim speaks of, by its sentence
      systems     (patching) scenes of systems of more masses, names in the folder of the claim's own data
      states      (dimension, fixed-points) the conditions of the four phases, as in premises
      range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps

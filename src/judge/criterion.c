@@ -118,8 +118,7 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   if (said.outcome != OUTCOME_AGREES && said.outcome != OUTCOME_DIFFERS) return;
   bool stable = said.outcome == OUTCOME_AGREES;
   int side = margin < 0 ? INSIDE : OUTSIDE, premise = stable ? INSIDE : OUTSIDE;
-  /* an eigenvalue outside is to be what the sentence says, whichever of them it is */
-  if (y->only != N_SIDES && y->only != premise && (y->only == INSIDE || side == INSIDE)) return;
+  if (y->only != N_SIDES && y->only != premise) return;
   note_near(t, slope, side);
   bool against = stable != (side == INSIDE), slow = fabs(margin) < 0.002; /* the iterates would need too long */
   ++*(against ? &t->against[side] : &t->as_said[side]);
