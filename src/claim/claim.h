@@ -68,8 +68,8 @@ bool erratum_is_about(const struct statement_record *r, const struct claim *c, b
 bool erratum_replaces(const struct model *m, const struct claim *c);
 /* The correction of a claim and what it replaces as LaTeX, and where they differ. */
 void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c);
-/* Whether the correction that errata.eq holds for the claim puts other symbols in the place of symbols, or keeps
-   some of the readings of an index, and does nothing else. */
+/* Whether the correction that errata.eq holds for the claim puts other symbols in the place of symbols, in the argument
+   of a function anything, or keeps some of the readings of an index, and does nothing else. */
 bool erratum_renames(const struct model *m, const struct claim *c);
 /* The class of the claim's refutation: its kind's; of an identity or a matrix, whose sides are held against each other,
    an argument's where an inequality is claimed, else a slip of notation where the correction only renames, else a

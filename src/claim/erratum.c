@@ -7,45 +7,51 @@
 
 enum { MAX_REPLACEMENTS = 4, MAX_LEVELS = 1000 };
 
-/* Pairs of subexpressions, the printed one and the corrected one. */
+/* Pairs of subexpressions, the printed one and the corrected one, and whether all of them stand in the
+   argument of a function. */
 struct replacements {
   const struct expr *from[MAX_REPLACEMENTS], *to[MAX_REPLACEMENTS];
+  bool in_call[MAX_REPLACEMENTS];
   int n;
   bool too_many;
 };
 
-static void add_pair(struct replacements *r, const struct expr *a, const struct expr *b) {
+static void add_pair(struct replacements *r, const struct expr *a, const struct expr *b, bool in_call) {
   for (int i = 0; i < r->n; i++)
-    if (expr_same(r->from[i], a) && expr_same(r->to[i], b)) return;
+    if (expr_same(r->from[i], a) && expr_same(r->to[i], b)) {
+      r->in_call[i] = r->in_call[i] && in_call;
+      return;
+    }
   if (r->n == MAX_REPLACEMENTS) {
     r->too_many = true;
     return;
   }
   r->from[r->n] = a;
+  r->in_call[r->n] = in_call;
   r->to[r->n++] = b;
 }
 
 /* first_order(...) is how the paper's difference of two motions is written here; its list of symbols is not the
    paper's. */
-static void compare(struct replacements *r, const struct expr *a, const struct expr *b, int level) {
+static void compare(struct replacements *r, const struct expr *a, const struct expr *b, bool in_call, int level) {
   if (r->too_many) return;
   if (a->kind == EXPR_FIRST_ORDER && b->kind == EXPR_FIRST_ORDER) {
-    compare(r, a->args[0], b->args[0], level);
+    compare(r, a->args[0], b->args[0], in_call, level);
     return;
   }
   if (level == MAX_LEVELS)
     r->too_many = true;
   else if (!expr_same_node(a, b))
-    add_pair(r, a, b);
+    add_pair(r, a, b, in_call);
   else
-    for (int i = 0; i < a->n_args; i++) compare(r, a->args[i], b->args[i], level + 1);
+    for (int i = 0; i < a->n_args; i++) compare(r, a->args[i], b->args[i], in_call || a->kind == EXPR_CALL, level + 1);
 }
 
 /* false when the statements are not of the same form. */
 static bool compare_statements(struct replacements *r, const struct stmt *a, const struct stmt *b) {
   if (a->kind != b->kind || a->n_sides != b->n_sides) return false;
   int n = a->kind == STMT_RELATION ? a->n_sides : a->kind == STMT_TRAJECTORY ? 0 : 1;
-  for (int i = 0; i < n; i++) compare(r, a->sides[i], b->sides[i], 0);
+  for (int i = 0; i < n; i++) compare(r, a->sides[i], b->sides[i], false, 0);
   return true;
 }
 
@@ -162,7 +168,8 @@ bool erratum_renames(const struct model *m, const struct claim *c) {
   struct beside b = {.arena = &a, .comparable = true};
   set_all_beside(&b, m, c);
   bool names = b.comparable && !b.change.too_many && b.change.n > 0;
-  for (int i = 0; i < b.change.n; i++) names = names && b.change.from[i]->kind == EXPR_SYM;
+  for (int i = 0; i < b.change.n; i++)
+    names = names && b.change.from[i]->kind == EXPR_SYM && (b.change.to[i]->kind == EXPR_SYM || b.change.in_call[i]);
   text_clear(&b.quote);
   text_clear(&b.printed);
   text_clear(&b.corrected);
