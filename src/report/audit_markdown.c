@@ -248,7 +248,7 @@ static void add_kept(const struct sheet *s, const struct consequence *q, enum ch
 static bool all_same(const struct consequence *q) {
   for (int i = 0; i < q->n_derived; i++)
     if (q->derived[i].change != CHANGE_SAME_FORMULA) return false;
-  return q->n_derived > 0;
+  return true;
 }
 
 /* Whether nothing else is touched by the failure. */
@@ -268,12 +268,15 @@ static void add_changes(const struct sheet *s, const struct consequence *q) {
 static void add_consequences(struct text *out, const struct audit_result *r) {
   const struct sheet s = {out, DIALECT_MARKDOWN};
   if (r->n_consequences == 0) return;
-  text_add(
+  text_printf(
       out,
       "## Consequences of each error\n\nIn each case the formula in question is taken as printed and all others as "
-      "corrected, and the results are evaluated at the times and the state of the true periodic solution. One whose "
-      "formula does not contain the error has the same value there; what becomes of it when the equations themselves "
-      "are solved as printed is said where it was computed.\n\n");
+      "corrected%s.\n\n",
+      r->consequences[0].n_derived
+          ? ", and the results are evaluated at the times and the state of the true periodic solution. One whose "
+            "formula does not contain the error has the same value there; what becomes of it when the equations "
+            "themselves are solved as printed is said where it was computed"
+          : "");
   for (size_t i = 0; i < r->n_consequences; i++) {
     const struct consequence *q = &r->consequences[i];
     if (is_idle(q)) continue;
@@ -285,7 +288,7 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
     add_kept(&s, q, CHANGE_AGREES, "- results that are unchanged: ");
     add_kept(&s, q, CHANGE_UNDECIDED, "- results left undecided: ");
     add_kept(&s, q, CHANGE_UNDEFINED, "- results that cannot be evaluated: ");
-    if (all_same(q))
+    if (q->n_derived && all_same(q))
       text_printf(out, "- results whose formulas do not contain it: all %d\n", q->n_derived);
     else
       add_kept(&s, q, CHANGE_SAME_FORMULA, "- results whose formulas do not contain it: ");

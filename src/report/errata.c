@@ -325,6 +325,29 @@ static void add_evidences(const struct sheet *s, const struct audit_result *r) {
   if (any) end_items(s, false);
 }
 
+/* What does not hold and stands at no root, as long as nobody has written down what is wrong. */
+static void add_rootless(const struct sheet *s, const struct audit_result *r) {
+  bool any = false;
+  for (size_t i = 0; i < r->n_findings; i++) {
+    const struct finding *f = &r->findings[i];
+    if (f->of != OF_PAPER || f->root || !finding_fails(f)) continue;
+    const struct evidence *e = failure_evidence(f);
+    if (!any) {
+      heading(s, r->n_roots ? "What else does not hold" : "What does not hold");
+      begin_items(s, false);
+    }
+    any = true;
+    begin_item(s, 0);
+    strong(s, f->id);
+    sheet_add(s, ": %t%p.", failure_heading(f), f->title);
+    if (f->correction_latex) sheet_add(s, " It should read %m.", f->correction_latex);
+    text_add_char(s->out, ' ');
+    if (e && e->note) sheet_sentence(s, e->note);
+    end_item(s);
+  }
+  if (any) end_items(s, false);
+}
+
 static void add_closing(const struct sheet *s, const struct audit_result *r) {
   enum { MOST_NAMED = 3 };
   long count[N_VERDICTS], total = audit_result_count(count, r, OF_PAPER);
@@ -359,6 +382,7 @@ static void write_sheet(const struct sheet *s, const struct audit_result *r) {
     add_origin(s, r);
   }
   add_evidences(s, r);
+  add_rootless(s, r);
   add_closing(s, r);
 }
 
