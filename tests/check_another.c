@@ -39,6 +39,36 @@ START_TEST(corrections_on_record) {
 }
 END_TEST
 
+/* A failure that no root describes yet is in the errata all the same; and nothing is said of a periodic solution. */
+START_TEST(failures_without_a_root) {
+  static const char *const verify = "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --out \"$D/out\"";
+  shell_well("cp -R tests/row \"$D/data\" && : > \"$D/data/claims/note.roots\" && "
+             "sed -i '/record: refuted/d' \"$D/data/claims/note.claim\"");
+  shell_ends(0, "1 refuted", "%s", verify);
+  for (const char *const *file = (const char *const[]){"errata.md", "errata.tex", NULL}; *file; file++)
+    shell_well(
+        "sed -n '/What does not hold/,/What was compared/p' \"$D/out/%s\" | grep '6.*: it does not hold that .* It "
+        "should read .* The sides differ at 8 of 8 points'",
+        *file);
+  shell_well("grep 'Without any consequence for other statements or results: eq-6' \"$D/out/audit.md\" && "
+             "! grep 'true periodic solution' \"$D/out/audit.md\"");
+}
+END_TEST
+
+/* A factor is no other name of the same quantity. */
+START_TEST(factors_are_no_slips_of_notation) {
+  shell_well("cp -R tests/row \"$D/data\" && cd \"$D/data\" && sed -i '/^equation eq-5/,$s/frac{.kappa}{.mu}/kappa/; "
+             "s/omega^2 = kappa.mu/omega^2 = kappa/' paper/note.eq && "
+             "printf 'equation err-5\\n  section: note\\n  replaces: eq-5\\n  omega^2 = kappa/mu\\n  sqrt(kappa^2) = "
+             "kappa\\n' >> errata.eq");
+  shell_well("STICKSLIP_DATA=\"$D/data\" \"$P\" explain eq-5 > \"$D/said\"; grep 'fault *formula' \"$D/said\"");
+  shell_well("sed -i 's/{eq-6}/{err-5}/' \"$D/data/claims/note.roots\"");
+  shell_ends(
+      3, "there is no {err-5}, a record or a correction \"CLAIM.repaired\"; that record replaces another, write {eq-5}",
+      "\"$P\" check \"$D/data/claims/note.roots\"");
+}
+END_TEST
+
 /* What is refuted at a few of its points is shown at one of them. */
 START_TEST(explained_where_it_fails) {
   shell_well(
@@ -136,6 +166,8 @@ Suite *another_suite(void) {
   tcase_add_loop_test(t, other_sentences, 0, sentences.n);
   tcase_add_test(t, corrections_on_record);
   tcase_add_test(t, explained_where_it_fails);
+  tcase_add_test(t, failures_without_a_root);
+  tcase_add_test(t, factors_are_no_slips_of_notation);
   add_every(t, amplitudes_and_phases_of_motions, 3, 40);
   tcase_add_loop_test(t, files_are_checked_with_their_own_paper, 0, 4);
   suite_add_tcase(s, t);

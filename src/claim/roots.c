@@ -78,6 +78,13 @@ static bool add_cited(struct text *out, const struct model *m, const struct clai
   return c && add_repaired(out, c, key + 1, d);
 }
 
+/* The id under which a correction of that name is known, since it replaces that record; NULL for another name. */
+static const char *replaced_by(const struct model *m, const char *name) {
+  for (size_t i = 0; i < m->n_records; i++)
+    if (strcmp(m->records[i].record->id_name, name) == 0) return m->records[i].id;
+  return NULL;
+}
+
 /* The root's correction with what it cites, in braces outside of TeX. */
 static bool add_correct(struct text *out, const struct model *m, const struct claims *claims, const struct claim *root,
                         struct diag *d) {
@@ -91,8 +98,12 @@ static bool add_correct(struct text *out, const struct model *m, const struct cl
     char cited[64];
     size_t n = strcspn(++p, "}");
     snprintf(cited, sizeof cited, "%.*s", (int)n, p);
-    if (!p[n] || !add_cited(out, m, claims, cited, d))
-      return claim_mistake(root, "correct", d, "there is no {%s}, a record or a correction \"CLAIM.repaired\"", cited);
+    if (!p[n] || !add_cited(out, m, claims, cited, d)) {
+      const char *replaced = replaced_by(m, cited);
+      return claim_mistake(root, "correct", d, "there is no {%s}, a record or a correction \"CLAIM.repaired\"%s%s%s",
+                           cited, replaced ? "; that record replaces another, write {" : "", replaced ? replaced : "",
+                           replaced ? "}" : "");
+    }
     p += n;
   }
   return true;

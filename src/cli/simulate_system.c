@@ -32,9 +32,10 @@ static int usage_of_system(const struct options *o) {
 
 static bool start_given(struct system_simulation *run, const char *text, struct diag *d) {
   const struct mech *m = &run->m;
-  char takes[100];
+  char takes[100], coordinates[40] = "x1,v1";
   int n = 2 * m->n + (m->n_loads > 0);
-  snprintf(takes, sizeof takes, "%d constant expressions, x1,...,x%d,v1,...,v%d%s", n, m->n, m->n,
+  if (m->n > 1) snprintf(coordinates, sizeof coordinates, "x1,...,x%d,v1,...,v%d", m->n, m->n);
+  snprintf(takes, sizeof takes, "%d constant expressions, %s%s", n, coordinates,
            m->n_loads ? " and the angle of the loads" : "");
   snprintf(run->at, sizeof run->at, "start");
   if (!coulomb_start_read(run->start, n, text, takes, d)) return false;

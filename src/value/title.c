@@ -205,7 +205,10 @@ static bool make_number(struct text *out, const struct title *t) {
   text_clear(&decimal);
   text_clear(&formula);
   text_clear(&name);
-  return ok || missing(t);
+  return ok || t->d->set ||
+         claim_mistake(t->c, "", t->d,
+                       "a title is missing; that of a number is made from number, from, formula and a quote in which "
+                       "the decimal stands behind =, < or >");
 }
 
 /* --- Arguments and how many equations there are --- */
