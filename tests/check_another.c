@@ -61,7 +61,8 @@ START_TEST(factors_are_no_slips_of_notation) {
              "s/omega^2 = kappa.mu/omega^2 = kappa/' paper/note.eq && "
              "printf 'equation err-5\\n  section: note\\n  replaces: eq-5\\n  omega^2 = kappa/mu\\n  sqrt(kappa^2) = "
              "kappa\\n' >> errata.eq");
-  shell_well("STICKSLIP_DATA=\"$D/data\" \"$P\" explain eq-5 > \"$D/said\"; grep 'fault *formula' \"$D/said\"");
+  shell_well("STICKSLIP_DATA=\"$D/data\" \"$P\" explain eq-5 > \"$D/said\"; grep 'fault *formula' \"$D/said\" && "
+             "! grep ^routes \"$D/said\"");
   shell_well("sed -i 's/{eq-6}/{err-5}/' \"$D/data/claims/note.roots\"");
   shell_ends(
       3, "there is no {err-5}, a record or a correction \"CLAIM.repaired\"; that record replaces another, write {eq-5}",

@@ -212,7 +212,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     add_formulas(out, m, c, f);
     add_line(out, "kind", claim_get(c, "kind"));
     add_line(out, "tried at", claim_points_asked(c));
-    add_line(out, "routes", claim_routes_asked(c));
+    if (m->system) add_line(out, "routes", claim_routes_asked(c)); /* at values of own symbols there are balls alone */
     add_verdict(out, f);
     stable_explain(out, m, f->equation, claim_get(c, "statement"));
     struct judge j = {.out = &r, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
