@@ -302,11 +302,8 @@ END_TEST
 
 static void refused(const char *path, size_t max, const char *why) {
   struct source s;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(!source_read(&s, path, max, &d), "%s", path);
+  fails_as(source_read(&s, path, max, &d), formatted("%s:%s", path, why));
   ck_assert(!s.name && !s.text && s.len == 0);
-  ck_assert_str_eq(d.message, formatted("%s:%s", path, why));
 }
 
 START_TEST(read_what_was_written) {
@@ -391,9 +388,7 @@ static const char *content(const char *path) {
 }
 
 static void written(const char *path, const char *bytes, size_t len) {
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(file_write(path, bytes, len, &d) && !d.set, "%s", d.message);
+  goes_well(file_write(path, bytes, len, &d) && !d.set);
 }
 
 /* A reader that has the old file open keeps it whole: the new one took its name, not its place. */
@@ -419,10 +414,7 @@ START_TEST(write_replaces) {
 END_TEST
 
 static void not_written(const char *path, const char *why) {
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(!file_write(path, "new", 3, &d), "%s", path);
-  ck_assert_str_eq(d.message, formatted("%s: error: cannot be written: %s", path, why));
+  fails_as(file_write(path, "new", 3, &d), formatted("%s: error: cannot be written: %s", path, why));
 }
 
 START_TEST(write_refuses) {
@@ -489,26 +481,21 @@ END_TEST
 START_TEST(folders) {
   static const char *const fine[] = {"a", "a/b/c/d", "a/b", "a//x/", "a/./y", "a/../z", ""};
   struct stat st;
-  struct diag d;
-  diag_init(&d);
   for (size_t i = 0; i < sizeof fine / sizeof *fine; i++) {
     const char *path = scratch_path(fine[i]);
-    ck_assert_msg(folder_make(path, &d), "%s", d.message);
+    goes_well(folder_make(path, &d));
     ck_assert_msg(stat(path, &st) == 0 && S_ISDIR(st.st_mode), "%s", path);
   }
-  ck_assert(folder_make(".", &d) && folder_make("/", &d));
+  goes_well(folder_make(".", &d) && folder_make("/", &d));
   ck_assert_str_eq(scratch_list(scratch_path("a")), "b x y");
   scratch_put("a/file", "kept");
   static const char *const wrong[] = {"a/file", "a/file/", "a/file/b", "a/file/b/c"};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     const char *path = scratch_path(wrong[i]);
-    diag_init(&d);
-    ck_assert_msg(!folder_make(path, &d), "%s", path);
-    ck_assert_str_eq(d.message, formatted("%s: error: cannot make the folder: %s", path, strerror(ENOTDIR)));
+    fails_as(folder_make(path, &d), formatted("%s: error: cannot make the folder: %s", path, strerror(ENOTDIR)));
   }
   ck_assert_str_eq(content(scratch_path("a/file")), "kept");
-  diag_init(&d);
-  ck_assert(!folder_make("", &d) && d.set);
+  fails_with(folder_make("", &d), "error");
 }
 END_TEST
 
@@ -576,21 +563,15 @@ START_TEST(record_spans) {
 END_TEST
 
 START_TEST(record_errors) {
-  static const char *const text[] = {
-      "define a\nx = 1\n",
-      "define a\n  x = 1\nnote: 2\n",
-  };
-  static const char *const message[] = {
-      "f:2:1: error: a line in the first column must be a head \"kind id\"; indent the fields of record a\n  x = 1\n  "
-      "^",
-      "f:3:1: error: a line in the first column must be a head \"kind id\"; indent the fields of record a\n"
-      "  note: 2\n  ^",
-  };
-  for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
+  static const char *const c[][3] = {{"define a\nx = 1\n", "2", "x = 1"},
+                                     {"define a\n  x = 1\nnote: 2\n", "3", "note: 2"}};
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
     struct record_file f;
-    struct diag d;
-    ck_assert(!parse(&f, text[i], &d));
-    ck_assert_str_eq(d.message, message[i]);
+    fails_as(
+        parse(&f, c[i][0], &d),
+        formatted("f:%s:1: error: a line in the first column must be a head \"kind id\"; indent the fields of record "
+                  "a\n  %s\n  ^",
+                  c[i][1], c[i][2]));
     record_file_clear(&f);
   }
 }
@@ -604,13 +585,10 @@ START_TEST(record_limit) {
     text_add(&t, "a b\n");
     for (int i = 0; i < 50000 + extra; i++) text_add(&t, " y: z\n");
     struct record_file f;
-    struct diag d;
-    bool ok = parse(&f, t.data, &d);
     if (extra) {
-      ck_assert(!ok);
-      ck_assert_str_eq(d.message, "f:100002:2: error: more than 100000 fields in one file\n   y: z\n   ^");
+      fails_as(parse(&f, t.data, &d), "f:100002:2: error: more than 100000 fields in one file\n   y: z\n   ^");
     } else {
-      ck_assert_msg(ok, "%s", d.message);
+      goes_well(parse(&f, t.data, &d));
       ck_assert_uint_eq(f.records[0].n_fields, 50000);
       ck_assert_uint_eq(f.records[1].n_fields, 50000);
       ck_assert_str_eq(f.records[1].fields[49999].text, "z");
@@ -765,9 +743,7 @@ START_TEST(json_broken_nesting_aborts) {
 }
 END_TEST
 
-/* ---- truth */
-
-/* ---- What was meant */
+/* ---- what was meant */
 
 /* The definition: the least over the last edit, without a table. */
 static size_t edits_by_definition(const char *a, size_t n, const char *b, size_t m) {
@@ -830,6 +806,8 @@ START_TEST(what_was_meant) {
   suggests(long_word, known, "");
 }
 END_TEST
+
+/* ---- truth */
 
 /* Kleene's logic is the order FALSE < UNKNOWN < TRUE: and is the minimum, or the maximum, not turns it round. */
 START_TEST(kleene) {
@@ -915,6 +893,7 @@ END_TEST
 Suite *base_suite(void) {
   Suite *s = suite_create("base");
   TCase *tc = tcase_create("text");
+  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
   tcase_add_test(tc, prefix_of_short_strings);
   tcase_add_test(tc, prefix_of_all_characters);
   tcase_add_test(tc, text_grows);
@@ -938,6 +917,7 @@ Suite *base_suite(void) {
   suite_add_tcase(s, tc);
 
   tc = tcase_create("record");
+  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
   tcase_add_test(tc, records);
   tcase_add_test(tc, record_spans);
   tcase_add_test(tc, record_errors);

@@ -306,28 +306,22 @@ START_TEST(repetitions_allowed) {
 END_TEST
 
 START_TEST(folders_of_files) {
-  struct diag d;
-  diag_init(&d);
   const char *top = scratch_path("");
-  ck_assert(!model_add_folder(&model, scratch_path("absent"), RANK_PAPER, &d));
-  ck_assert_str_eq(shown(&d), "absent: error: No such file or directory");
-  diag_init(&d);
-  ck_assert(!model_add_folder(&model, top, RANK_PAPER, &d));
-  ck_assert_str_eq(d.message, formatted("%s: error: no .eq file in this folder", top));
+  fails_with(model_add_folder(&model, scratch_path("absent"), RANK_PAPER, &d),
+             "/absent: error: No such file or directory");
+  fails_as(model_add_folder(&model, top, RANK_PAPER, &d), formatted("%s: error: no .eq file in this folder", top));
   static const char order[] = "duhafqbzcm"; /* of writing; they are read from a to z */
   for (const char *p = order; *p; p++) scratch_put(formatted("%c.eq", *p), formatted("symbol %c\n", *p));
   scratch_put(".hidden.eq", "nonsense\n");
   scratch_put("a.eq~", "nonsense\n");
   scratch_put(".eq", "nonsense\n");
-  diag_init(&d);
-  ck_assert_msg(model_add_folder(&model, top, RANK_PAPER, &d), "%s", d.message);
+  goes_well(model_add_folder(&model, top, RANK_PAPER, &d));
   ck_assert_uint_eq(model.n_symbols, strlen(order));
   for (size_t i = 1; i < model.n_symbols; i++) ck_assert(*model.symbols[i - 1].name < *model.symbols[i].name);
   ck_assert(mkdir(scratch_path("3.eq"), 0755) == 0);
   model_clear(&model);
   model_init(&model);
-  ck_assert(!model_add_folder(&model, top, RANK_PAPER, &d));
-  ck_assert_str_eq(shown(&d), "3.eq: error: a folder, not a regular file");
+  fails_with(model_add_folder(&model, top, RANK_PAPER, &d), "/3.eq: error: a folder, not a regular file");
 }
 END_TEST
 
@@ -365,10 +359,7 @@ START_TEST(definitions_refused) {
     ck_assert_str_eq(says(printed_view(), "", "y"), c.row[i][SAYS]);
     /* the same elaboration again: the same mistake, not one that the first left behind */
     struct matrix m;
-    struct diag d;
-    diag_init(&d);
-    ck_assert(!elaborate_name(&m, &el, "y", "", &d));
-    ck_assert_str_eq(shown(&d), c.row[i][SAYS]);
+    fails_with(elaborate_name(&m, &el, "y", "", &d), c.row[i][SAYS]);
   }
   table_clear(&c);
 }
@@ -386,14 +377,8 @@ START_TEST(names_refused) {
   };
   elaboration_init(&el, printed_view(), NULL, 0);
   struct matrix m;
-  struct diag d;
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
-    diag_init(&d);
-    ck_assert(!elaborate_name(&m, &el, c[i][0], "c", &d));
-    ck_assert_str_eq(d.message, c[i][1]);
-  }
-  diag_init(&d);
-  ck_assert(elaborate_name(&m, &el, "x", "c", &d) && elaborate_name(&m, &el, "p", "a", &d));
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) fails_as(elaborate_name(&m, &el, c[i][0], "c", &d), c[i][1]);
+  goes_well(elaborate_name(&m, &el, "x", "c", &d) && elaborate_name(&m, &el, "p", "a", &d));
 }
 END_TEST
 
@@ -693,10 +678,8 @@ START_TEST(everything_checked) {
   model_init(&model);
   load("equation e\n  1 = nope\n", RANK_PAPER);
   load("equation e\n  1 = 1\n", RANK_ERRATA);
-  struct diag d;
-  diag_init(&d);
-  ck_assert(view_check((struct view){&model, LAYER_CORRECTED, NULL, NULL}, &d));
-  ck_assert(!view_check(printed_view(), &d));
+  goes_well(view_check((struct view){&model, LAYER_CORRECTED, NULL, NULL}, &d));
+  fails_with(view_check(printed_view(), &d), "nope");
   table_clear(&c);
 }
 END_TEST
@@ -767,15 +750,10 @@ static const char *data(const char *name) {
 }
 
 START_TEST(paper_files) {
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(model_add_folder(&model, data("paper"), RANK_PAPER, &d) &&
-                    model_add_file(&model, data("errata.eq"), RANK_ERRATA, &d),
-                "%s", d.message);
-  for (int layer = 0; layer < N_LAYERS; layer++) {
-    struct view v = {&model, (enum layer)layer, NULL, NULL};
-    ck_assert_msg(view_check(v, &d), "%s: %s", layer_name[layer], d.message);
-  }
+  goes_well(model_add_folder(&model, data("paper"), RANK_PAPER, &d));
+  goes_well(model_add_file(&model, data("errata.eq"), RANK_ERRATA, &d));
+  for (int layer = 0; layer < N_LAYERS; layer++)
+    goes_well(view_check((struct view){&model, (enum layer)layer, NULL, NULL}, &d));
   /* the equations carry the paper's numbers, and what quotes its text without one is a sentence */
   enum { LAST = 61 };
   bool numbered[LAST + 1] = {false};

@@ -103,6 +103,7 @@ const char *scratch_put(const char *name, const char *text) {
 
 static const char *vformatted(const char *fmt, va_list ap) {
   struct text t;
+  ck_assert_msg(folder != NULL, "%s: no folder is open", fmt);
   text_init(&t);
   text_vprintf(&t, fmt, ap);
   const char *text = keep(&t);
