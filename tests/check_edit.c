@@ -6,6 +6,7 @@
 
 #include "paper_model.h"
 #include "power/mutants.h"
+#include "says.h"
 #include "suites.h"
 
 static const struct edit_word some_words[] = {
@@ -24,18 +25,16 @@ static const char *const some_factors[] = {"b"};
 static char *edits_as_text(const char *statement, enum edit_kind kind, bool with_factors) {
   struct source src;
   struct arena a;
-  struct diag d;
   struct edits e = {.n = 0};
   struct edit_word word[N_WORDS];
   struct text t;
   source_from_string(&src, "test", statement);
   arena_init(&a);
-  diag_init(&d);
   text_init(&t);
   text_add(&t, "");
   memcpy(word, some_words, sizeof word);
-  const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, &d);
-  ck_assert_msg(s != NULL, "%s", d.message);
+  const struct stmt *s;
+  goes_well(s = stmt_parse(&a, &src, (struct span){0, src.len}, &d));
   for (int i = 0; i < N_WORDS; i++)
     for (int k = 0; k < s->n_sides; k++) word[i].here = word[i].here || stands_in_statement(s, word[i].name);
   struct edit_vocabulary v = {word, N_WORDS, some_factors, with_factors};
@@ -222,12 +221,10 @@ START_TEST(every_edit_is_a_statement_of_its_own) {
     ck_assert(m->edit.place.begin < m->edit.place.end && strcmp(m->edit.was, m->edit.now) != 0);
     struct arena a;
     struct source src;
-    struct diag d;
+    const struct stmt *again;
     arena_init(&a);
-    diag_init(&d);
     source_from_string(&src, "edit", m->edit.text);
-    const struct stmt *again = stmt_parse(&a, &src, (struct span){0, src.len}, &d);
-    ck_assert_msg(again != NULL, "%s", d.message);
+    goes_well(again = stmt_parse(&a, &src, (struct span){0, src.len}, &d));
     ck_assert_msg(same_statement(again, m->edit.stmt, same_but_brackets), "%s", m->edit.text);
     source_clear(&src);
     arena_clear(&a);
@@ -256,7 +253,6 @@ START_TEST(long_statements_are_bounded) {
     struct text t;
     struct source src;
     struct arena a;
-    struct diag d;
     struct edits e = {.n = 0};
     text_init(&t);
     text_add(&t, "a");
@@ -264,10 +260,9 @@ START_TEST(long_statements_are_bounded) {
     text_add(&t, " = b");
     source_from_string(&src, "long", t.data);
     arena_init(&a);
-    diag_init(&d);
     struct edit_vocabulary v = {some_words, N_WORDS, some_factors, 1};
-    const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, &d);
-    ck_assert_msg(s != NULL, "%s", d.message);
+    const struct stmt *s;
+    goes_well(s = stmt_parse(&a, &src, (struct span){0, src.len}, &d));
     stmt_edits(&e, &a, s, &v);
     ck_assert((e.n > 0) == (2 * terms[i] <= EDIT_MAX_NODES) && e.n <= EDIT_MAX);
     edits_clear(&e);

@@ -132,13 +132,11 @@ END_TEST
 START_TEST(a_control_of_no_claim) {
   struct claims own = {.n = 0}, none = {.n = 0};
   struct audit_result r;
-  struct diag d;
-  diag_init(&d);
   audit_result_init(&r);
   const char *path = scratch_put("own.claim", "control own\n  claim: nobody\n  title: of the test\n");
-  bool ok = claims_add_file(&own, path, "control", &d) &&
-            audit_run(&r, &the_paper.model, &none, &own, &the_paper.scene, &(struct audit_options){.jobs = 1}, &d);
-  ck_assert(!ok && strstr(d.message, "own.claim:2:10: error: own: a control names the claim that it damages"));
+  goes_well(claims_add_file(&own, path, "control", &d));
+  fails_with(audit_run(&r, &the_paper.model, &none, &own, &the_paper.scene, &(struct audit_options){.jobs = 1}, &d),
+             "own.claim:2:10: error: own: a control names the claim that it damages");
   audit_result_clear(&r);
   claims_clear(&own);
 }
@@ -158,16 +156,14 @@ static void claims_of(struct claims *own, const char *lines) {
 START_TEST(a_receipt_of_another_rank) {
   struct claims own;
   struct text out;
-  struct diag d;
   for (int rank = 1; rank <= 2; rank++) {
-    char lines[100];
-    snprintf(lines, sizeof lines, "section: stability|kind: rank|statement: eq-22|unknowns: u, v|rank: %d", rank);
-    claims_of(&own, lines);
+    claims_of(&own, formatted("section: stability|kind: rank|statement: eq-22|unknowns: u, v|rank: %d", rank));
     text_init(&out);
-    diag_init(&d);
-    bool ok = audit_receipt(&out, &the_paper.model, &own, &the_paper.scene, "own", "", &d);
-    ck_assert_msg(ok == (rank == 2), "rank %d: %s", rank, d.message);
-    if (!ok) ck_assert_str_eq(d.message, "error: own is not proved by exact algebra: the rank differs");
+    if (rank == 2)
+      goes_well(audit_receipt(&out, &the_paper.model, &own, &the_paper.scene, "own", "", &d));
+    else
+      fails_as(audit_receipt(&out, &the_paper.model, &own, &the_paper.scene, "own", "", &d),
+               "error: own is not proved by exact algebra: the rank differs");
     text_clear(&out);
     claims_clear(&own);
   }
@@ -180,17 +176,15 @@ START_TEST(a_root_of_coefficients_that_scale_apart) {
   struct claims own, none = {.n = 0};
   struct audit_result r;
   struct model more;
-  struct diag d;
-  diag_init(&d);
+  const struct audit_options opt = {.only = &only, .n_only = 1};
   audit_result_init(&r);
   claims_of(&own, "kind: scaling|scaled: V|statement: own");
   paper_model(&more, NULL);
   const char *path =
       scratch_put("own.eq", "define own\n  section: periodic\n  root q: q^2 - 2*q + 1/V, largest positive\n  y := q\n");
-  bool ok =
-      model_add_file(&more, path, RANK_PAPER, &d) &&
-      audit_run(&r, &more, &own, &none, &the_paper.scene, &(struct audit_options){.only = &only, .n_only = 1}, &d);
-  ck_assert_msg(ok && r.n_findings == 1, "%s", d.message);
+  goes_well(model_add_file(&more, path, RANK_PAPER, &d));
+  goes_well(audit_run(&r, &more, &own, &none, &the_paper.scene, &opt, &d));
+  ck_assert_uint_eq(r.n_findings, 1);
   const struct finding *f = &r.findings[0];
   ck_assert_int_eq(f->verdict, VERDICT_REFUTED);
   ck_assert_msg(f->n_evidence > 0 && strstr(f->evidence[0].note, " is a coefficient beside "), "%s",
@@ -207,16 +201,13 @@ START_TEST(a_value_of_two_sections) {
   struct audit_result r;
   struct model own;
   struct scene s;
-  struct diag d;
-  diag_init(&d);
   audit_result_init(&r);
   paper_model(&own, NULL);
   const char *path = scratch_put(
       "own.eq", "define first\n  section: one\n  twice := chi\ndefine second\n  section: two\n  twice := 2*chi\n");
-  bool ok = model_add_file(&own, path, RANK_PAPER, &d) &&
-            scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, false, &d) &&
-            audit_run(&r, &own, &none, &none, &s, &(struct audit_options){.jobs = 1}, &d);
-  ck_assert_msg(ok, "%s", d.message);
+  goes_well(model_add_file(&own, path, RANK_PAPER, &d));
+  goes_well(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, false, &d));
+  goes_well(audit_run(&r, &own, &none, &none, &s, &(struct audit_options){.jobs = 1}, &d));
   const char *why = NULL;
   for (size_t i = 0; i < r.n_skipped; i++)
     if (strcmp(r.skipped[i].what, "the value of twice") == 0) why = r.skipped[i].why;

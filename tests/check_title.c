@@ -144,19 +144,16 @@ END_TEST
 START_TEST(titles_of_another_paper) {
   struct model m;
   struct claims own = {.n = 0};
-  struct diag d;
-  diag_init(&d);
   model_init(&m);
-  ck_assert_msg(model_add_folder(&m, "tests/another/paper", RANK_PAPER, &d) &&
-                    claims_load(&own, "tests/another", "claims", "claim", &d),
-                "%s", d.message);
+  goes_well(model_add_folder(&m, "tests/another/paper", RANK_PAPER, &d));
+  goes_well(claims_load(&own, "tests/another", "claims", "claim", &d));
   has_title(&m, claim_with_id(&own, "eq-1"), "D(t) is the propagator of the global stick phase");
   has_title(&m, claim_with_id(&own, "eq-2"), "det(D(t)) = 1 + t in the global stick phase");
   claims_clear(&own);
   /* that paper has a name D, and none J */
   struct text out;
   text_init(&out);
-  ck_assert(!claim_title(&out, &m, one_claim(&own, "kind: outside\n  title: the matrix D\n"), &d));
+  fails_with(claim_title(&out, &m, one_claim(&own, "kind: outside\n  title: the matrix D\n"), &d), "own.claim");
   claims_clear(&own);
   has_title(&m, one_claim(&own, "kind: outside\n  title: the matrix J\n"), "the matrix J");
   claims_clear(&own);
