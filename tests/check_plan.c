@@ -338,7 +338,7 @@ START_TEST(no_process_outlives_the_memory) {
   const int status = process_end(pid);
   check_says("said", "out of memory");
   char *text = file_text(scratch_path("said"));
-  ck_assert_msg(status == EXIT_EXHAUSTED, "%d: %.4000s", status, text);
+  ck_assert_msg(status == EXIT_EXHAUSTED, "%d: %.3000s", status, text);
   free(text);
   ck_assert_int_gt(atomic_load(by_children), 0);
   ck_assert(process_until(group_has_ended, pid));
