@@ -149,10 +149,10 @@ static bool says(const struct finding *f, const char *words) {
 /* What claims about (1) and (2) name, and claims of that law. */
 #define STABLE "  at: chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4\n"
 #define MECHANICS                                                                                                      \
-  "  moves: eq-1 D\n  depends-on: first, second\n\n"                                                                   \
-  "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n"                                              \
+  "  depends-on: first, second\n\n"                                                                                    \
+  "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n  moves: eq-1#2 D\n"                           \
   "  slips: eq-2#1, eq-2#3 H\n  sticks: eq-2b C\n  breaks: eq-2c C\n\n"                                                \
-  "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n"                                             \
+  "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n  moves: eq-1#3 D\n"                          \
   "  slips: eq-2#2, eq-2#4 H\n  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n"
 #define CLAIM(check) "claim text-case\n  kind: behaviour\n  title: a case\n  check: " check "\n"
 

@@ -635,17 +635,6 @@ START_TEST(what_follows_from_the_law) {
 }
 END_TEST
 
-/* d (z_1 - chi z_2) and chi d(z_2 - z_1) for |dz_i| <= 1. */
-START_TEST(how_far_forces_reach) {
-  struct text reach[2];
-  for (int i = 0; i < 2; i++) text_init(&reach[i]);
-  ck_assert(exact_law_reach(reach));
-  ck_assert_str_eq(text_str(&reach[0]), "chi+1");
-  ck_assert_str_eq(text_str(&reach[1]), "2*chi");
-  for (int i = 0; i < 2; i++) text_clear(&reach[i]);
-}
-END_TEST
-
 /* --- Ranks --- */
 
 /* The same systems, by hand: what the exact route must say of them; -1: nothing. */
@@ -1022,7 +1011,6 @@ Suite *exact_suite(void) {
   tcase_add_test(c, no_control_is_proved);
   tcase_add_test(c, what_balls_refute_is_not_proved);
   tcase_add_test(c, what_follows_from_the_law);
-  tcase_add_test(c, how_far_forces_reach);
   tcase_add_test(c, ranks_by_hand);
   tcase_add_test(c, the_theorem_needs_each_hypothesis);
   tcase_add_test(c, ranks_of_damaged_equations);

@@ -194,11 +194,11 @@ static const struct {
 START_TEST(mechanics_of_the_law) {
   char claim[800];
   snprintf(claim, sizeof claim,
-           "  kind: behaviour\n  check: %s\n  moves: own-moves D\n  depends-on: first, second\n\n"
-           "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n  slips: own-slips H\n"
-           "  sticks: own-sticks C\n  breaks: own-breaks C\n\n"
-           "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n  slips: eq-2#2, eq-2#4 H\n"
-           "  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n",
+           "  kind: behaviour\n  check: %s\n  depends-on: first, second\n\n"
+           "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n  moves: own-moves#2 D\n"
+           "  slips: own-slips H\n  sticks: own-sticks C\n  breaks: own-breaks C\n\n"
+           "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n  moves: own-moves#3 D\n"
+           "  slips: eq-2#2, eq-2#4 H\n  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n",
            mechanics[_i].check);
   expect(mechanics[_i].want, mechanics[_i].what, mechanics[_i].formulas, claim);
 }

@@ -2,40 +2,16 @@
    verdicts that there are not, and what is missing. */
 #include "claim.h"
 
-/* What all claims have, what those of each kind have besides, and what controls may have. */
+/* What all claims have besides what those of their kind have (kinds.h), and what controls may have. */
 static const char of_all[] =
     "equation section own kind title quote place depends-on about few record record-scene correction restricted";
-static const char *const of_kind[N_KINDS] = {
-    [KIND_DEFINITION] = "value statement",
-    [KIND_MATRIX] = "value points routes oracle perturbation",
-    [KIND_IDENTITY] = "statement points routes oracle perturbation",
-    [KIND_SHARP] = "statement points routes perturbation",
-    [KIND_INEQUALITY] = "statement points routes",
-    [KIND_INDEX_RANGE] = "statement letter range repaired-range",
-    [KIND_NUMBER] = "number from formula relation also-printed",
-    [KIND_CLOSURE] = "",
-    [KIND_CRITERION] = "statement at side",
-    [KIND_BEHAVIOUR] = "check moves states range transition limit jumps friction at vary systems",
-    [KIND_REPORT] = "formula",
-    [KIND_ARGUMENT] = "statement premises conclusion over friction increasing repair converse converse-of",
-    [KIND_NOTATION] = "reads repaired repaired-as symbols stands-for found-in",
-    [KIND_SCALING] = "statement scaled repaired repaired-as",
-    [KIND_REACH] = "statements absent",
-    [KIND_RANK] = "statement unknowns rank",
-    [KIND_DEFINED] = "statements over at vary",
-    [KIND_SEQUENCE] = "word conditions",
-    [KIND_CONSTRAINTS] = "constraints least-first least-second",
-    [KIND_SOLUTIONS] = "statement count every given until kept constraints at",
-    [KIND_RANGE] = "premises conclusion even odd factor frequency drift rate from",
-    [KIND_LAW] = "mass slips sticks breaks heading limits",
-    [KIND_OUTSIDE] = "needs",
-};
 static const char of_controls[] = "claim of near shift";
 
 /* kind: that of the claim; N_KINDS: any, a control's too. */
 static bool is_read(const char *attribute, enum kind kind) {
   bool any = kind == N_KINDS, read = list_has(of_all, attribute) || (any && list_has(of_controls, attribute));
-  for (int k = 0; k < N_KINDS; k++) read = read || ((any || k == (int)kind) && list_has(of_kind[k], attribute));
+  for (int k = 0; k < N_KINDS; k++)
+    read = read || ((any || k == (int)kind) && list_has(claim_kinds[k].attributes, attribute));
   return read;
 }
 

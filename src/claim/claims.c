@@ -90,7 +90,7 @@ bool claims_load(struct claims *c, const char *data, const char *folder, const c
 
 /* "as ID" in the place of a list that several claims share is that claim's list. */
 static bool take_list(struct field *f, const struct record_file *of, const struct claims *c, struct diag *d) {
-  bool shared = f->attribute && (strcmp(f->key_name, "at") == 0 || strcmp(f->key_name, "constraints") == 0);
+  bool shared = f->attribute && list_has("at constraints slips sticks breaks", f->key_name);
   if (!shared || strncmp(f->text, "as ", 3) != 0) return true;
   const struct claim *owner = claim_named(c, f->text + 3);
   const char *list = owner ? claim_get(owner, f->key_name) : NULL;

@@ -31,11 +31,10 @@
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
      check       (behaviour) modes, closed-forms, dimension, linear, switches, jumps, small, fixed-points,
-                 linearization, equality, perturb, long-run, patching
-     moves       (modes, switches, linear, jumps, closed-forms, fixed-points) the equations of motion of both masses, as
-                 in premises; the claims of kind law, one for each mass, are among those of depends-on
+                 linearization, equality, perturb, long-run, patching; where (1) and (2) are used, the claims of kind
+                 law, one for each mass, are among those of depends-on
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try;
-                 this list and constraints may be "as ID", those of that claim
+                 this list, constraints, slips, sticks and breaks may be "as ID", those of that claim
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
                  (what holds elsewhere is asked of the claim of kind criterion among those of depends-on)
      side        (criterion) inside or outside: the orbits that the claim speaks of, by its sentence
@@ -56,6 +55,7 @@
      converse-of (argument) the claim whose argument this one turns round: neither rests on the other
      mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its
                  friction while it slips (eps being the sign of V - x'), while it sticks and where it breaks away
+     moves       (law) the mass's equation of motion, as in premises, for claims of kind behaviour
      heading     (law) the condition over the branches of a mass that has the belt's velocity
      limits      (law) yes: the states in which the restoring force is equal to its limit, instead of all others
      reads, repaired       (notation) the text as printed, and as it should read, in the language of expr.h
@@ -73,13 +73,13 @@
      frequency, factor, even, odd, drift  (range) formulas of the closed form that the margin of the conclusion has,
                  with premises (one, or none), from (end) and rate (yes) as proof/exact_range.h says; what is not given
                  is 1, 1, 0, 0, 0
-     word, conditions      (sequence) phases of one period; inequalities along it
+     word        (sequence) phases of one period, along which the constraints hold
      count       (solutions) how many solutions with positive times the statement's equations have; or
      every       (solutions) first: the events of each are first ones; motion: each is a motion under Coulomb's law; or
      given       (solutions) "t_a = 0, t_b = 2" at the scene's chi, eta, V: some solution has these and keeps the
                  constraints
      until       (solutions) t_c up to this; kept: yes, those alone that keep the constraints, whatever their t_c
-     constraints  (constraints, solutions) records as in premises
+     constraints  (constraints, solutions, sequence) records as in premises
      least-first, least-second  (constraints) closed forms of the least u_r1, u_r2, or statements as in formula
      needs       (outside) what a decision would take
      record      the verdict on record; record-scene: the only scene it speaks of; correction: unknown, where nothing

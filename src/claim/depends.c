@@ -91,7 +91,7 @@ static void reach_record(struct elaboration *el, const struct view *v, const cha
 
 /* What arguments, counts and sequences are made of. */
 static void reach_lists(struct elaboration *el, const struct view *v, const struct claim *c) {
-  static const char *const lists[] = {"premises", "conclusion", "repair", "constraints", "conditions", "statements"};
+  static const char *const lists[] = {"premises", "conclusion", "repair", "constraints", "statements"};
   struct cited at;
   for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
     for (const char *p = claim_get(c, lists[i]); (p = claim_next_cited(&at, p)) != NULL;) reach_record(el, v, at.id);

@@ -17,7 +17,7 @@ bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, 
   const char *name = claim_get(c, "check");
   for (size_t i = 0; name && i < sizeof checks / sizeof *checks; i++) {
     if (strcmp(checks[i].name, name) != 0) continue;
-    struct friction law = {.moves = {.n = 0}};
+    struct friction law = {.moves = {{.n = 0}}};
     if (checks[i].by_law) b.law = &law;
     bool ok = (!b.law || friction_open(&law, &b)) && checks[i].run(&b);
     friction_close(&law);

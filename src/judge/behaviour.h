@@ -131,9 +131,9 @@ void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_
   X(closed_forms, "closed-forms", true)                                                                                \
   X(dimension, "dimension", false)                                                                                     \
   X(linear, "linear", true)                                                                                            \
-  X(switches, "switches", false)                                                                                       \
+  X(switches, "switches", true)                                                                                        \
   X(jumps, "jumps", true)                                                                                              \
-  X(small, "small", false)                                                                                             \
+  X(small, "small", true)                                                                                              \
   X(fixed_points, "fixed-points", true)                                                                                \
   X(linearization, "linearization", true)                                                                              \
   X(equality, "equality", false)                                                                                       \

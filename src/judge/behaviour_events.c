@@ -137,6 +137,16 @@ struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
       "(2) as printed leaves it open. " STICKS_ON);
 }
 
+struct route_result events_prove_small(struct behaviour *b) {
+  return proof_by_signs(
+      b, sticks_inside(b->law, 0) && sticks_inside(b->law, 1),
+      "exact, for either mass: where x'_i = V and |f_i| < u_ri, the sticking branch of (2) alone applies, and by (1) "
+      "x''_i = 0. On an admissible orbit |f_i| < u_ri where the phase begins and, up to t_a, throughout it. As f_1 = "
+      "x_1 - chi x_2 and f_2 = chi (x_2 - x_1), changes of z_10 and z_20 by at most r change the force on m_1 by at "
+      "most (1 + chi) r and that on m_2 by at most 2 chi r; so both masses stick wherever these are smaller than the "
+      "least distances of the forces from their limits");
+}
+
 struct route_result events_prove_modes(struct behaviour *b) {
   bool ok = true;
   for (int i = 0; i < 2; i++) ok = ok && events_decided(b->law, i);

@@ -109,14 +109,7 @@ bool behaviour_switches(struct behaviour *b) {
                        .sliding_limit = claim_says(b->c, "limit", "u_s")};
   if (!s.to_stick && !claim_says(b->c, "transition", "stick to slip"))
     return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
-  struct friction law;
-  struct behaviour with = *b;
-  with.law = &law;
-  bool ok = friction_open(&law, b);
-  if (ok) {
-    struct route_result proof = s.to_stick ? events_prove_stick(&with) : events_prove_slip(&with, s.sliding_limit);
-    conclude_switches(b, &s, &proof);
-  }
-  friction_close(&law);
-  return ok;
+  struct route_result proof = s.to_stick ? events_prove_stick(b) : events_prove_slip(b, s.sliding_limit);
+  conclude_switches(b, &s, &proof);
+  return true;
 }

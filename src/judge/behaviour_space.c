@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "friction.h"
-#include "proof/exact_law.h"
 #include "value/coulomb_setup.h"
 
 /* --- Admissible orbits --- */
@@ -63,29 +62,8 @@ static bool still_sticks(enum motion_route r, const struct motion *m) {
   return ok;
 }
 
-/* The forces are below their limits by (2), and affine in the positions. */
-static struct route_result prove_small(struct behaviour *b) {
-  struct text reach[2];
-  for (int i = 0; i < 2; i++) text_init(&reach[i]);
-  bool proved = exact_law_reach(reach);
-  if (proved) {
-    struct evidence *e = finding_add(b->f, b->j->out);
-    e->route = "exact";
-    e->layer = "model";
-    e->result = "proved";
-    e->note = result_str(
-        b->j->out,
-        "by (2) each force is below its limit where the phase begins and throughout it, and changes of z_10 and z_20 "
-        "by at most r change the force on m_1 by at most (%s) r and that on m_2 by at most (%s) r; so both masses "
-        "stick wherever these are smaller than the least distances of the forces from their limits",
-        text_str(&reach[0]), text_str(&reach[1]));
-  }
-  for (int i = 0; i < 2; i++) text_clear(&reach[i]);
-  return (struct route_result){"exact", proved ? ROUTE_AGREES : ROUTE_UNDECIDED, true, 1};
-}
-
 bool behaviour_small(struct behaviour *b) {
-  const struct route_result proof = prove_small(b);
+  const struct route_result proof = events_prove_small(b);
   judge_orbits(b, still_sticks,
                "positions moved eight ways at the start by as much as 0.99 of the least distance of a force from its "
                "limit, over 1 + chi; both masses stick until m_1 breaks loose. \"Small\" means smaller than that",

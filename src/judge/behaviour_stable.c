@@ -53,7 +53,7 @@ static bool keeps_volume(const struct friction *f) {
       law_state_open(&s, num_ctx_exact());
       bool ok = friction_mode(f, &s, phase_slips[ph]);
       val before = s.a[i];
-      s.v[i] = law_free(&s, 0);
+      s.v[i] = law_free(&s);
       val after = ok ? friction_acceleration(f, &s, i) : NULL;
       all = truth_and(all, after ? law_vanishes(&s, calc_sub(&s.c, after, before)) : TRUTH_UNKNOWN);
       law_state_close(&s);

@@ -18,25 +18,28 @@ static bool read_laws(struct friction *f, struct behaviour *b) {
     int m = mass && *mass == '2';
     if (have[m]) return claim_error(b->j, b->c, "depends-on", needs_laws);
     have[m] = true;
-    if (!law_read(&f->law[m], b->j, c, b->view)) return false;
+    if (!law_read(&f->law[m], b->j, c, b->view) || !conditions_read(&f->moves[m], b->j, c, "moves", b->view))
+      return false;
+    if (f->moves[m].n != 1 || !f->moves[m].at[0].equality)
+      return claim_error(b->j, c, "moves", "the mass's equation of motion is needed, as in \"eq-1#2 D\"");
   }
   return (have[0] && have[1]) || claim_error(b->j, b->c, "depends-on", needs_laws);
 }
 
 bool friction_open(struct friction *f, struct behaviour *b) {
-  *f = (struct friction){.moves = {.n = 0}};
-  if (!read_laws(f, b) || !conditions_read(&f->moves, b->j, b->c, "moves", b->view)) return false;
-  bool two = f->moves.n == 2 && f->moves.at[0].equality && f->moves.at[1].equality;
-  return two || claim_error(b->j, b->c, "moves", "the equations of motion of both masses are needed, as in \"eq-1 D\"");
+  *f = (struct friction){.moves = {{.n = 0}}};
+  return read_laws(f, b);
 }
 
 void friction_close(struct friction *f) {
-  for (int i = 0; i < 2; i++) law_clear(&f->law[i]);
-  conditions_clear(&f->moves);
+  for (int i = 0; i < 2; i++) {
+    law_clear(&f->law[i]);
+    conditions_clear(&f->moves[i]);
+  }
 }
 
 val friction_acceleration(const struct friction *f, struct law_state *s, int mass) {
-  return law_solve(s, &s->a[mass], &f->moves.at[mass], NULL);
+  return law_solve(s, &s->a[mass], &f->moves[mass].at[0], NULL);
 }
 
 bool friction_apply(const struct friction *f, struct law_state *s, int mass, int slips) {

@@ -1,6 +1,6 @@
 /* What the equations of motion (1) and the law (2), as the paper states them, make of states: what claims about
    switches, configurations and phases are proved by.  The claim that is judged names the claims of kind law in
-   depends-on, one for each mass, and the two equations of motion in moves. */
+   depends-on, one for each mass, which name its equation of motion too. */
 #ifndef STICKSLIP_JUDGE_FRICTION_H
 #define STICKSLIP_JUDGE_FRICTION_H
 
@@ -9,7 +9,7 @@
 
 struct friction {
   struct law law[2];
-  struct conditions moves; /* of m_1, of m_2 */
+  struct conditions moves[2]; /* the equation of motion of each mass */
 };
 /* false with d set; close it in either case. */
 bool friction_open(struct friction *f, struct behaviour *b);
@@ -25,10 +25,12 @@ bool friction_mode(const struct friction *f, struct law_state *s, const int slip
 
 /* A proof's word as evidence: proved, refuted by it, or why neither (outcome ROUTE_UNDECIDED). */
 struct route_result behaviour_proof(struct behaviour *b, enum route_outcome outcome, const char *note);
-/* Proofs about the switches, as evidence: slip to stick; stick to slip (sliding_limit: where |f| reaches u_s); that the
-   states of the masses are sticking and slipping, and that their phases do not accumulate. */
+/* Proofs about the switches, as evidence: slip to stick; stick to slip (sliding_limit: where |f| reaches u_s); that
+   masses stick in spite of small changes of the positions; that the states of the masses are sticking and slipping, and
+   that their phases do not accumulate. */
 struct route_result events_prove_stick(struct behaviour *b);
 struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit);
+struct route_result events_prove_small(struct behaviour *b);
 struct route_result events_prove_modes(struct behaviour *b);
 /* Whether a mass is known to stick inside the limits, and to slip beyond. */
 bool events_decided(const struct friction *f, int mass);

@@ -50,14 +50,16 @@ void law_state_open_in(struct law_state *s, struct law_cell cell);
 void law_state_close(struct law_state *s);
 /* f of the mass. */
 val law_pull(struct law_state *s, int mass);
-/* A symbol of any value; n from 0 to 7. */
-val law_free(struct law_state *s, int n);
+/* A symbol of any value. */
+val law_free(struct law_state *s);
 
 enum { NO_SIGN = 2 };
 /* -1, 0 or 1 wherever the state's symbols have their signs; NO_SIGN when that is not known. */
 int law_sign(const struct law_state *s, val x);
 /* Whether x is the constant 0; FALSE: it has other values too. */
 truth law_vanishes(const struct law_state *s, val x);
+/* Whether x is a constant plus constants times the places and velocities. */
+truth law_affine(const struct law_state *s, val x);
 /* The rational number that x is; false when it is not known to be one. */
 bool law_rational(fmpq_t out, const struct law_state *s, val x);
 /* All outputs of a tape with the statements' names (those of the law's mass, where it is given); false when one has no

@@ -21,7 +21,7 @@ enum {
   GEN_U = GEN_A + 2,
   GEN_FORCE = GEN_U + 2,
   GEN_FREE,
-  GEN_UNKNOWN = GEN_FREE + 8
+  GEN_UNKNOWN
 };
 
 /* In balls no sum or difference of these and of what a program is likely to contain vanishes by chance. */
@@ -32,8 +32,8 @@ static val generator(struct law_state *s, slong k) {
   return z;
 }
 
-val law_free(struct law_state *s, int n) {
-  return generator(s, GEN_FREE + n);
+val law_free(struct law_state *s) {
+  return generator(s, GEN_FREE);
 }
 
 void law_state_open(struct law_state *s, struct num_ctx ctx) {
@@ -120,6 +120,24 @@ int law_sign(const struct law_state *s, val x) {
 
 truth law_vanishes(const struct law_state *s, val x) {
   return s->c.status != SS_OK || !x ? TRUTH_UNKNOWN : num_exact.is_zero(x);
+}
+
+/* In the places and velocities together. */
+static slong degree(const fmpz_mpoly_struct *p) {
+  slong e[NUM_EXACT_GENERATORS], most = 0;
+  for (slong i = 0; i < fmpz_mpoly_length(p, num_exact_ctx()); i++) {
+    slong sum = 0;
+    fmpz_mpoly_get_term_exp_si(e, p, i, num_exact_ctx());
+    for (int g = GEN_X; g < GEN_A; g++) sum += e[g];
+    most = FLINT_MAX(most, sum);
+  }
+  return most;
+}
+
+truth law_affine(const struct law_state *s, val x) {
+  const fmpz_mpoly_q_struct *z = x;
+  if (s->c.status != SS_OK || !x) return TRUTH_UNKNOWN;
+  return degree(&z->num) <= 1 && degree(&z->den) == 0 ? TRUTH_TRUE : TRUTH_FALSE;
 }
 
 bool law_rational(fmpq_t out, const struct law_state *s, val x) {

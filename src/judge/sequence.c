@@ -82,7 +82,7 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
   struct conditions list = {.n = 0};
   struct point p;
   if (!letters_of(letters, word)) return claim_error(j, c, "word", "the names of phases are needed");
-  bool ok = conditions_read(&list, j, c, "conditions", view);
+  bool ok = conditions_read(&list, j, c, "constraints", view);
   point_init(&p);
   if (ok && !nearest_orbit_point(&p, j->scene, j->cache)) {
     finding_skip(f, j, "the scene has no orbit, or does not give e1 and e2");

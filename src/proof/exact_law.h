@@ -24,11 +24,6 @@ struct exact_bound {
    EXACT_CONDITIONS; 0 where the motion is not said to be admissible.  bound (or NULL): what each is. */
 int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exact_motion *m);
 
-/* How far each force at the start of the global stick phase moves when neither position there moves by more than 1: for
-   both masses, as formulas.  false when some margin of (2) is not shown to be affine in the positions with derivatives
-   of one sign; else the least margin over the greatest reach is a distance within which both masses still stick. */
-bool exact_law_reach(struct text reach[2]);
-
 /* Is the element shown to be positive: a product of what is positive on the whole domain, one of the facts, which are
    positive, times 1, 2, 1/2, chi, or the sum of two such? */
 bool exact_follows(struct exact_motion *m, const fmpz_mpoly_q_struct *x, const struct num_vec *facts, int n);

@@ -68,10 +68,10 @@ static const struct {
   bool (*write)(struct text *out, const struct title *t, const char *attribute);
 } slots[] = {{"statement", write_records}, {"statements", write_records}, {"depends-on", write_records},
              {"premises", write_parts},    {"conclusion", write_parts},   {"constraints", write_parts},
-             {"conditions", write_parts},  {"range", write_range},        {"rank", write_count},
-             {"equation", write_number},   {"word", write_phases},        {"formula", title_formula},
-             {"reads", title_formula},     {"repaired", title_formula},   {"unknowns", write_list},
-             {"absent", write_list},       {"mass", write_mass}};
+             {"range", write_range},       {"rank", write_count},         {"equation", write_number},
+             {"word", write_phases},       {"formula", title_formula},    {"reads", title_formula},
+             {"repaired", title_formula},  {"unknowns", write_list},      {"absent", write_list},
+             {"mass", write_mass}};
 
 /* A text and, where it is a claim's own, its field. */
 struct sentence_text {

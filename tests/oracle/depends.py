@@ -105,7 +105,7 @@ def without_ranges(body):
     return re.sub(r" for \w+ in [(\[{][^)\]}]*[)\]}]", "", body)
 
 
-LISTS = ("premises", "conclusion", "repair", "constraints", "conditions", "statements")
+LISTS = ("premises", "conclusion", "repair", "constraints", "statements")
 
 
 def cited(attributes, key):
