@@ -162,13 +162,13 @@ static bool check_quoted_numbers(const struct model *m, const struct claim *c, s
   return true;
 }
 
-/* What the claim takes from its sentence stands there in the same words. */
+/* What the claim takes from its sentence, the first of several things, stands there in the same words. */
 static bool check_quoted_words(const struct claim *c, struct diag *d) {
-  static const char *const keys[] = {"transition", "side"};
+  static const char *const keys[] = {"transition", "side", "given"};
   const char *quote = claim_get(c, "quote");
+  char words[64];
   for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-    const char *words = claim_get(c, keys[i]);
-    if (words && quote && !strstr(quote, words))
+    if (claim_next_item(words, sizeof words, claim_get(c, keys[i])) && quote && !strstr(quote, words))
       return claim_mistake(c, keys[i], d, "the sentence does not say \"%s\"", words);
   }
   return true;

@@ -1,20 +1,14 @@
 /* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under the
    Coulomb law. */
-#include <math.h>
 #include <string.h>
 
-#include "base/work.h"
 #include "judge.h"
-#include "motion/given.h"
-#include "num/calc.h"
 #include "proof/condition.h"
 #include "value/coulomb_setup.h"
 
 static struct route_result add(struct finding *f, struct judge *j, struct route_result w, const char *note) {
   return finding_add_route(f, j->out, w, "model", w.decisive ? FIRST_PREC : -1, NULL, note);
 }
-
-/* --- The order of the phases --- */
 
 /* The letters of one period of the Coulomb simulation from the orbit's start; false when it cannot be simulated. */
 static bool simulated_word(struct text *word, const struct scene *s, slong orbit) {
@@ -25,35 +19,21 @@ static bool simulated_word(struct text *word, const struct scene *s, slong orbit
   return coulomb_setup_return(word, &end, &sim, 4) == SS_OK;
 }
 
-/* The phases that a text names, at most so many of them; how many, 0 where one is no phase.  A period may begin with
-   any of its phases: here it begins with the first that there is of D, Gamma, H and C. */
-static int read_phases(enum phase *phase, int most, const char *text) {
-  char name[16];
-  int n = 0, used, first = 0;
-  for (; text && n < most && sscanf(text, " %15s%n", name, &used) == 1; text += used) {
-    int ph = word_find(name, phase_name, N_PHASES);
-    if (ph == N_PHASES) return 0;
-    phase[n++] = (enum phase)ph;
-  }
-  for (int i = 1; i < n; i++)
-    if (phase[i] < phase[first]) first = i;
-  for (; n && first > 0; first--) {
-    enum phase moved = phase[0];
-    memmove(phase, phase + 1, (size_t)(n - 1) * sizeof *phase);
-    phase[n - 1] = moved;
-  }
-  return n;
-}
-
-/* "D Gamma H C" as the simulation spells it, with the phase that begins anew. */
+/* "D Gamma H C" as the simulation spells it, with the phase that begins anew; false where one is no phase.  A period may
+   begin with any of its phases: here it begins with the first that there is of D, Gamma, H and C. */
 static bool letters_of(char out[16], const char *word) {
   enum { MOST = 14 };
   static const char letter[N_PHASES] = {'D', 'G', 'H', 'C'};
-  enum phase phase[MOST];
-  int n = read_phases(phase, MOST, word);
-  for (int i = 0; i < n; i++) out[i] = letter[phase[i]];
+  char name[16];
+  int phase[MOST], n = 0, used, first = 0;
+  for (; word && n < MOST && sscanf(word, " %15s%n", name, &used) == 1; word += used) {
+    phase[n] = word_find(name, phase_name, N_PHASES);
+    if (phase[n] == N_PHASES) return false;
+    if (phase[n] < phase[first]) first = n;
+    n++;
+  }
   if (n == 0) return false;
-  out[n] = out[0];
+  for (int i = 0; i <= n; i++) out[i] = letter[phase[(first + i) % n]];
   out[n + 1] = '\0';
   return true;
 }
