@@ -7,7 +7,6 @@
 #include "basin.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "family.h"
 #include "motion/map_balls.h"

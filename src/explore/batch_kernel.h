@@ -71,9 +71,10 @@ SINCOS_INLINE bool lane_converged(const struct slip_pair *x, double guess_b, dou
   return settled & posed & near;
 }
 
-/* Half of phase H: both velocities below the belt's. */
+/* A part of phase H: both velocities below the belt's; what counts as above for the second. */
 struct below {
   bool first, second;
+  double doubt;
 };
 
 SINCOS_INLINE struct below lane_below(const struct slip_pair *x, const struct node *from, const struct node *to,
@@ -83,7 +84,7 @@ SINCOS_INLINE struct below lane_below(const struct slip_pair *x, const struct no
   struct course a = course_1(&x->k, from), b = course_1(&x->k, to), c = course_2(&x->k, from), d = course_2(&x->k, to);
   if (at_root) b.f = 0;
   return (struct below){course_below(&a, &b, h, sixth[0], SLIP_DOUBT * size[0]),
-                        course_below(&c, &d, h, sixth[1], SLIP_DOUBT * size[1])};
+                        course_below(&c, &d, h, sixth[1], SLIP_DOUBT * size[1]), SLIP_DOUBT * size[1]};
 }
 
 /* At half the time the whole angles are the half angles of the end. */
@@ -249,16 +250,12 @@ SINCOS_INLINE void march_part(struct march *m, double part, int j) {
   }
   bool here = part < m->parts[j];
   double inside = part + 1 < m->parts[j] ? 1 : 0;
-  double sixth[2], size[2];
   struct node from = {.p = m->p[j], .q = m->q[j], .w = m->w[j], .pull = m->pull[j]}, to = slip_node(k, &x.m, &x.g, x.c);
-  slip_bounds(sixth, size, k, &x.m);
   to.p *= inside; /* at the end the root itself */
-  struct course a = course_1(k, &from), b = course_1(k, &to), c = course_2(k, &from), d = course_2(k, &to);
-  bool first = course_below(&a, &b, m->h[j], sixth[0], SLIP_DOUBT * size[0]);
-  bool second = course_below(&c, &d, m->h[j], sixth[1], SLIP_DOUBT * size[1]);
-  m->below[j] *= (here & !first) ? 0 : 1;
-  m->slow[j] *= (here & !second) ? 0 : 1;
-  m->above[j] += (here & (to.q > SLIP_DOUBT * size[1])) ? 1 : 0;
+  struct below both = lane_below(&x, &from, &to, m->h[j], false);
+  m->below[j] *= (here & !both.first) ? 0 : 1;
+  m->slow[j] *= (here & !both.second) ? 0 : 1;
+  m->above[j] += (here & (to.q > both.doubt)) ? 1 : 0;
   m->p[j] = to.p;
   m->q[j] = to.q;
   m->w[j] = to.w;

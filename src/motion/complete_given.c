@@ -4,7 +4,6 @@
    which r^2 + q^2/omega^2 = r_0^2 is a quadratic equation.  Its two roots are all there is.  With t_b and one of e1, e2
    the zeros along t_c are enclosed by line.c. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "complete.h"
 #include "given.h"

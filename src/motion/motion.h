@@ -17,13 +17,8 @@
      Coulomb's law        coulomb, mode_motion, simulate_exact, simulate_ode (two routes), coulomb_log, long_run
      numbers              rounded (right to the last bit), turn, disk, dual, double_double, sincos; gsl_errors
 
-   The formulas of the phases are stated over the number table by flow (any time, in positions), map_balls (a pass of
-   the word, in w and r), orbit_equations (the same by six quantities, phase H by flow), mode_motion (any modes); in
-   double by slip (half angles, lanes too), which polish repeats in twice the precision, and return_map_double
-   (searches, sheet).
-
-   The room knows base and num alone.  Simulations by GSL (simulate_ode, jacobian_ode) and the matrix exponentials
-   (propagator, saltation) share no closed form with the rest: they are what it is held against. */
+   Which formula stands where, and why more than once, is a table in docs/house.md.  The room knows base and num
+   alone. */
 #ifndef STICKSLIP_MOTION_H
 #define STICKSLIP_MOTION_H
 

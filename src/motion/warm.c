@@ -1,9 +1,8 @@
 /* Newton's iteration on (t_b, t_c) in double precision, and what can be said of the orbit it ends at.
 
-   The two equations are z_1' = V at the end of phase H, and r at the end of phase C = the r that leads to t_b; both
-   stay smooth where an event grazes.  Near convergence sines and cosines are turned by the step rather than computed
-   again. dyn_orbit_warm forms every output in twice the precision after the last step (polish.h).  The proof that t_c
-   is a first root, and that z_2' stays below V, needs no further sine where phase H is short. */
+   The two equations are those of map_balls.h.  Near convergence sines and cosines are turned by the step rather than
+   computed again. dyn_orbit_warm forms every output in twice the precision after the last step (polish.h).  The proof
+   that t_c is a first root, and that z_2' stays below V, needs no further sine where phase H is short. */
 #include "warm.h"
 
 #include "num/pi.h"

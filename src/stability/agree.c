@@ -1,7 +1,6 @@
 /* Has a stable form the corrected form's value wherever that has one?  Both in balls at the exact doubles of the
    extreme regions, at precisions that rise until the values are known: a point where the corrected form has a finite
    value and the stable one none is one that the algebra of a proof passes over. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

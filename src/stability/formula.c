@@ -1,6 +1,5 @@
 /* One formula as a tape whose nodes are all visible: a scalar (an entry of a matrix too) or a whole matrix, measured by
    its largest entry. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "stability.h"

@@ -3,7 +3,6 @@
    between events that are found and proved to be first there.  They are no tapes: condition numbers are differences in
    balls at a high precision, and no node is named.  An error status is an answer, a wrong value is not. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "motion/return_map.h"

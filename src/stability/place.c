@@ -1,7 +1,6 @@
 /* In which record a node is written.  Scalars carry no place, but equal scalars of one elaboration are one pointer:
    every subexpression of every definition and statement is elaborated by itself, and its scalars are noted with the
    record that it stands in.  A function's body is noted at every time that the paper names. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "stability.h"

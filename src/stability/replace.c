@@ -1,6 +1,5 @@
 /* What a formula of the stable layer is made of: the records of stable.eq that are met on the way to it, as the
    look-ups of one elaboration tell, and whether each was proved equal to what it replaces. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "stability.h"
