@@ -437,7 +437,10 @@ struct trial sentence_try_ends(struct sentence *s, const struct point *p, enum v
     lhs[end] = calc_vec(&c, s->n);
     rhs[end] = calc_vec(&c, s->n);
     fmpq_set_si(&at.q[Q_S], end, 1);
-    t.status |= sentence_values(&lhs[end], &rhs[end], s, &at, variant, cache);
+    struct values v;
+    int status = values_init(&v, &at, variant, lhs[end].ctx, cache);
+    t.status |= status ? status : evaluate(&lhs[end], &rhs[end], &t, s, &v);
+    values_clear(&v);
   }
   for (slong i = 0; i < s->n; i++) {
     if (arb_overlaps(num_vec_at(&lhs[0], i), num_vec_at(&rhs[0], i))) continue;
