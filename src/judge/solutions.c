@@ -305,7 +305,8 @@ static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *te
   return true;
 }
 
-/* Does a solution that was found solve the paper's equations and keep the constraints?  One is enough. */
+/* Does a solution that was found solve the paper's equations and keep the constraints?  One is enough; that there is none
+   is seen only of a list that is complete. */
 static struct route_result add_given(struct finding *f, struct solutions *x, enum variant variant) {
   struct answers good = {{0}};
   struct text note = {0};
@@ -324,13 +325,19 @@ static struct route_result add_given(struct finding *f, struct solutions *x, enu
     add_times(&note, x->j, o);
     text_printf(&note, ") and e1 = %s, e2 = %s", ball_text(x->j, o->e1, 6), ball_text(x->j, o->e2, 6));
   } else {
-    text_add(&note, "none was found; the search is not exhaustive");
-    good.of[TRUTH_UNKNOWN]++;
+    text_add(&note, "none was found");
   }
-  if (good.of[TRUTH_TRUE]) good.of[TRUTH_FALSE] = good.of[TRUTH_UNKNOWN] = 0;
+  if (good.of[TRUTH_TRUE]) {
+    good.of[TRUTH_FALSE] = good.of[TRUTH_UNKNOWN] = 0;
+  } else {
+    bool all = x->list.complete && x->are_theirs;
+    text_add(&note, all ? "; there are proved to be no others" : "; the search is not exhaustive");
+    if (x->list.n == 0 && all) good.of[TRUTH_FALSE] = 1;
+    if (!all) good = (struct answers){.of = {[TRUTH_UNKNOWN] = 1}};
+  }
   bool closed = variant == VARIANT_CLOSED;
   struct route_result w = answers_route(closed ? "balls" : "exponential", closed, &good);
-  w.trials = x->list.n;
+  if (x->list.n) w.trials = x->list.n;
   return finding_add_route(f, x->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, NULL,
                            result_take(x->j->out, &note));
 }
@@ -345,6 +352,8 @@ static bool judge_given(struct finding *f, struct solutions *x) {
     struct route_result w[2];
     work_add(UNITS_OF_GIVEN);
     dyn_orbits_given(&x->list, x->at.q + Q_CHI, which, value, FIRST_PREC, &dyn_given_limits);
+    dyn_given_complete(&x->list, x->at.q + Q_CHI, which, value, FIRST_PREC, &dyn_given_limits);
+    x->are_theirs = closes_alone(x);
     w[0] = add_given(f, x, VARIANT_CLOSED);
     w[1] = add_given(f, x, VARIANT_EXPONENTIAL);
     f->verdict = verdict_of(w, 2, true); /* one enclosed solution proves that there is one */

@@ -248,15 +248,6 @@ equation ctl-rank-repeated
   S_c[3] = V
   S_f = S_0
 
-# e_2 in the place of e_1
-equation ctl-given
-  replaces: text-six-equations
-  section: periodic
-  S_a[1] - chi*S_a[2] = e_2
-  chi*(S_b[2] - S_b[1]) = e_2
-  S_c[3] = V
-  S_f = S_0
-
 # one equation, said twice
 equation ctl-rank-equations
   replaces: eq-22
