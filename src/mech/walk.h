@@ -21,7 +21,7 @@ struct mech_moment {
 struct mech_plan {
   double duration;   /* 0 to 10^6 */
   int most;          /* moments that are kept, the start among them; the event that is the last of them ends it */
-  long looks;        /* steps of 1/16 of the fastest motion, an event counts as 16; 0: 200000 */
+  long looks;        /* steps of 1/16 of the fastest motion, or while all stick; an event counts as 16; 0: 200000 */
   const char *phase; /* of the start, where it is an orbit's entry, whose rounding changes nothing; NULL: by the law */
   double sample;     /* distance of samples, at 0, sample, 2 sample, ...; a step that ends at one is not counted */
   void *self;
