@@ -359,7 +359,12 @@ static bool run_init(struct point_trials *r, struct judge *j, const struct claim
   *r = (struct point_trials){.j = j, .c = c, .view = view};
   point_init(&r->example);
   r->n_specs = claim_points(r->spec, MAX_SPECS, j, c);
-  for (int i = 0; i < r->n_specs; i++) r->spec[i].restriction = restriction;
+  for (int i = 0; i < r->n_specs; i++) {
+    r->spec[i].restriction = restriction;
+    bool has_ends = r->spec[i].kind == POINT_ORBIT || r->spec[i].kind == POINT_ARC;
+    if (claim_kind(c) == KIND_SHARP && !has_ends)
+      return claim_error(j, c, "points", "the time lies in a phase of arcs or orbits");
+  }
   if (r->n_specs < 0 || !read_routes(r)) return false;
   for (int i = 0; i < r->n_routes; i++)
     if (strcmp(r->tally[i].route->name, "ode") != 0 && !build_sentence(&r->tally[i], r)) return false;
