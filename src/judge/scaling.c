@@ -11,11 +11,15 @@
 
 enum { UNITS_OF_DEGREE = 4, UNITS_OF_READING = 100 }; /* of work: a node, a record elaborated */
 
-/* A degree, of square roots of square roots a dyadic fraction and exact so; any: of a literal zero. */
+/* A degree, a fraction where there are roots; any: of a literal zero. */
 struct degree {
   bool any;
   double of;
 };
+
+static bool differ(struct degree a, struct degree b) {
+  return !a.any && !b.any && fabs(a.of - b.of) > 1e-9; /* thirds are rounded */
+}
 
 struct scaling {
   const char *scaled; /* prefixes of the names of degree 1, separated by blanks or commas */
@@ -55,15 +59,19 @@ static bool degree_of_root(struct degree *d, struct scaling *s, const struct tap
   for (int k = 0, from = 0; k < r->n_coeff; k++) {
     if (!degree_of(&next, s, r->coeff[k])) return false;
     if (next.any) continue;
-    double of = (first.of - next.of) / (k - from);
-    if (!first.any && !d->any && of != d->of)
-      return complain(s, "a coefficient beside", r->coeff[from], first, r->coeff[k], next);
     if (first.any) {
       first = next;
       from = k;
-    } else {
-      *d = (struct degree){false, of};
+      continue;
     }
+    if (d->any) *d = (struct degree){false, (first.of - next.of) / (k - from)};
+    struct degree term = {false, next.of + (k - from) * d->of};
+    if (!differ(first, term)) continue;
+    bool told = s->fault->len > 0;
+    complain(s, "a coefficient beside", r->coeff[from], first, r->coeff[k], next);
+    if (!told)
+      text_printf(s->fault, " of %s^%d, where the terms before need %s of degree %g", r->name, k, r->name, d->of);
+    return false;
   }
   return true;
 }
@@ -78,7 +86,7 @@ static bool degree_of_symbol(struct degree *d, struct scaling *s, const struct e
 static bool degree_of_sum(struct degree *d, struct scaling *s, const struct expr *e) {
   struct degree a, b;
   if (!degree_of(&a, s, e->args[0]) || !degree_of(&b, s, e->args[1])) return false;
-  if (!a.any && !b.any && a.of != b.of) return complain(s, "added to", e->args[0], a, e->args[1], b);
+  if (differ(a, b)) return complain(s, "added to", e->args[0], a, e->args[1], b);
   *d = a.any ? b : a;
   return true;
 }
@@ -138,7 +146,7 @@ static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e)
 static bool check_pair(struct scaling *s, const struct expr *a, const struct expr *b) {
   struct degree da, db = {true, 0};
   if (!degree_of(&da, s, a) || (b && !degree_of(&db, s, b))) return false;
-  if (b && !da.any && !db.any && da.of != db.of) return complain(s, "set equal to", a, da, b, db);
+  if (b && differ(da, db)) return complain(s, "set equal to", a, da, b, db);
   return true;
 }
 
