@@ -3,6 +3,7 @@
    factors that no sign of the parameters does. */
 #include "nonzero.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,7 +37,7 @@ static bool add_divisor(struct divisor *list, int *n, const struct statement_rec
   return add_formula(list, n, r, t, root);
 }
 
-/* A positive root of an equation, which need not have one: it has where it is known to be positive. */
+/* The root of an equation, which need not have a positive one: where its sign is known there is one. */
 static bool add_root(struct divisor *list, int *n, const struct statement_record *r, const char *name) {
   struct text t = {0};
   text_add(&t, name);
@@ -45,7 +46,7 @@ static bool add_root(struct divisor *list, int *n, const struct statement_record
 
 /* A number other than zero divides everywhere. */
 static bool is_unit(const struct expr *e) {
-  return e->kind == EXPR_NUM && strpbrk(e->name, "123456789") != NULL;
+  return e->kind == EXPR_NUM && isdigit((unsigned char)e->name[strspn(e->name, "0.")]); /* not in 0.0, not in 0e5 */
 }
 
 static bool collect(struct divisor *list, int *n, const struct statement_record *r, const struct expr *e) {
