@@ -183,15 +183,17 @@ static const struct question limits[] = {
     {"none have them all", SOLVING("text-level") "  every: first\n  kept: yes\n", VERDICT_UNKNOWN},
     {"of which one that is no motion is enough", SOLVING("text-periodicity-alone") "  every: motion\n  until: 20\n",
      VERDICT_REFUTED},
-    {"a period from another phase on", "  kind: sequence\n  word: H C D Gamma\n  conditions: eq-51\n", VERDICT_PROVED},
-    {"another order", "  kind: sequence\n  word: Gamma C H D\n  conditions: eq-51\n", VERDICT_REFUTED},
-    {"the right order under a false condition", "  kind: sequence\n  word: D Gamma H C\n  conditions: text-off\n",
+    {"a period from another phase on", "  kind: sequence\n  word: H C D Gamma\n  constraints: eq-51\n", VERDICT_PROVED},
+    {"another order", "  kind: sequence\n  word: Gamma C H D\n  constraints: eq-51\n", VERDICT_REFUTED},
+    {"the right order under a false condition", "  kind: sequence\n  word: D Gamma H C\n  constraints: text-off\n",
      VERDICT_UNKNOWN},
     {"division by zero", "  kind: defined\n  over: parameters\n  statements: text-zero\n", VERDICT_UNKNOWN},
+    {"by zero with an exponent", "  kind: defined\n  over: parameters\n  statements: text-naught\n", VERDICT_UNKNOWN},
     {"by another number", "  kind: defined\n  over: parameters\n  statements: text-half\n", VERDICT_PROVED},
     {"a root that there is not", "  kind: defined\n  over: parameters\n  statements: text-root\n", VERDICT_UNKNOWN},
     {"one that there is", "  kind: defined\n  over: parameters\n  statements: eq-48\n", VERDICT_PROVED},
     {"a root with a degree", LENGTHS "  statement: text-length\n", VERDICT_PROVED},
+    {"a root with a third of a degree", LENGTHS "  statement: text-third\n", VERDICT_PROVED},
     {"a root without", LENGTHS "  statement: text-mixture\n", VERDICT_REFUTED},
     {"indices of a letter that is not used", "  kind: index-range\n  statement: text-half\n  letter: H\n  range: 1 2\n",
      VERDICT_UNKNOWN},
@@ -222,10 +224,13 @@ static const struct {
      "inequality text-below\n  section: appendix_b\n  V < V\n"
      "inequality text-inside\n  section: appendix_b\n  0 < t < t_a for t in (0, t_a)\n"
      "define text-zero\n  section: appendix_b\n  naught := chi/0.0\n"
+     "define text-naught\n  section: appendix_b\n  naughts := chi/0e5\n"
      "define text-half\n  section: appendix_b\n  half := chi/0.2\n"
      "define text-root\n  section: appendix_b\n  root nowhere: chi*nowhere^2 + eta, smallest positive\n"
      "define text-length\n  section: appendix_b\n  root long: long^2 - chi*e_1*e_2, smallest positive\n"
      "  longer := long + e_1\n"
+     "define text-third\n  section: appendix_b\n  root third: third^7 - V, smallest positive\n"
+     "  seven := third*third*third*third*third*third*third + V\n"
      "define text-mixture\n  section: appendix_b\n  root mixed: mixed^2 - V*mixed - chi, smallest positive\n",
      "  section: appendix_b\n  title: of the test\n", limits, sizeof limits / sizeof *limits}};
 
