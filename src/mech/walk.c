@@ -408,7 +408,7 @@ static double look_ahead(const struct walk *w) {
     else
       looks = fmin(looks, looks_until(condition(w, w->z, i, part), condition(w, later, i, part)));
   }
-  return (looks + 1) * w->look;
+  return (fmax(looks, 0) + 1) * w->look; /* a condition that fails already has its event at once */
 }
 
 /* Look by look, each up to a sample at most. */
