@@ -133,9 +133,8 @@ bool dependences_list(struct finding *f, struct judge *j, const struct claim *c)
 /* --- Rules that no claim breaks silently (rules.c) --- */
 
 /* One claim by itself: its points and routes are as many as its kind asks, or its attribute few says why not; an
-   argument's conclusion is not among its premises; the words of transition and side, and the first
-   of given, are those of its sentence.
-   false with d set at the place. */
+   argument's conclusion is not among its premises; the words of transition and side, and the first of given, are those
+   of its sentence.  false with d set at the place. */
 bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag *d);
 /* All of them, and what they have together: nothing rests on itself through others; every correction in the errata is
    one of a claim; every kind, and every kind of correction, has its controls. */

@@ -1,5 +1,5 @@
-/* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under the
-   Coulomb law. */
+/* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under
+   the Coulomb law; and what cannot be decided from the paper. */
 #include <string.h>
 
 #include "judge.h"
@@ -19,8 +19,8 @@ static bool simulated_word(struct text *word, const struct scene *s, slong orbit
   return coulomb_setup_return(word, &end, &sim, 4) == SS_OK;
 }
 
-/* "D Gamma H C" as the simulation spells it, with the phase that begins anew; false where one is no phase.  A period may
-   begin with any of its phases: here it begins with the first that there is of D, Gamma, H and C. */
+/* "D Gamma H C" as the simulation spells it, with the phase that begins anew; false where one is no phase.  A period
+   may begin with any of its phases: here it begins with the first that there is of D, Gamma, H and C. */
 static bool letters_of(char out[16], const char *word) {
   enum { MOST = 14 };
   static const char letter[N_PHASES] = {'D', 'G', 'H', 'C'};

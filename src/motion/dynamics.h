@@ -203,10 +203,10 @@ struct dyn_orbits {
 
 /* Every orbit that the search finds, by increasing z10, each enclosed with relative radius below 2^-prec where the
    conditioning allows (the working precision is raised up to four times; beyond 512 bits it is planned from what the
-   orbit loses at a low one).  The search is one in t_b (search.c) and ends where the energy of phase H cannot supply the
-   r that is needed.  SS_UNABLE, with a list that is valid as
-   far as it goes, when the search ran out of its budget of steps (hard parameters, after about half a second) or when a
-   zero could not be told from a double one even at 16 times the precision.  lim may be NULL. */
+   orbit loses at a low one).  The search is one in t_b (search.c) and ends where the energy of phase H cannot supply
+   the r that is needed.  SS_UNABLE, with a list that is valid as far as it goes, when the search ran out of its budget
+   of steps (hard parameters, after about half a second) or when a zero could not be told from a double one even at 16
+   times the precision.  lim may be NULL. */
 int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim);
 void dyn_orbits_clear(struct dyn_orbits *list);
 

@@ -5,9 +5,9 @@
      p_c = 0,   r_c = r_0 cos(omega t_d),   q_c/omega = r_0 sin(omega t_d),
      w_c + a (t_a + t_d) - chi (r_0 - r_c) = e1,
 
-   where r_0 = e2/chi - rise(t_b) and the state at t_c are linear in e1 and e2.  At given t_b, t_c the first and the last
-   and the sum of squares of the others leave a quadratic: a pair (t_b, t_c) belongs to at most two orbits, in closed
-   form.  So every pair of given quantities comes down to
+   where r_0 = e2/chi - rise(t_b) and the state at t_c are linear in e1 and e2.  At given t_b, t_c the first and the
+   last and the sum of squares of the others leave a quadratic: a pair (t_b, t_c) belongs to at most two orbits, in
+   closed form.  So every pair of given quantities comes down to
 
      given                       unknown of the search        how
      e1, e2                      t_b                          dyn_orbits_find, with its own reach

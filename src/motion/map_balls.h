@@ -19,8 +19,8 @@ struct ball_params {
 struct moving {
   val v[2], f[2];
 };
-/* Phase Gamma up to t_b, whose sine and cosine these are: z_1' - V and w at its end, how far r has risen, r at the stick
-   phase; where phase H begins, and how that moves with t_b, r_b = e2/chi being fixed. */
+/* Phase Gamma up to t_b, whose sine and cosine these are: z_1' - V and w at its end, how far r has risen, r at the
+   stick phase; where phase H begins, and how that moves with t_b, r_b = e2/chi being fixed. */
 struct ball_slide {
   val sine, cosine, pb, wb, rise, r;
   struct moving at, by_tb;

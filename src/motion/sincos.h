@@ -7,8 +7,8 @@
 
    For |x| <= SINCOS_REACH sine and cosine are within 1.7 2^-53 |their value| + 2^-97 (that of the reduction: three
    roundings of at most 2^-101, and what pi/2 has beyond its pieces, 2^-102.9).  check_sincos.c proves it: truncation in
-   balls, rounding operation by operation.  For other x, NaN and infinities too, the results have no meaning, and nothing
-   traps: the caller asks |x| <= SINCOS_REACH.
+   balls, rounding operation by operation.  For other x, NaN and infinities too, the results have no meaning, and
+   nothing traps: the caller asks |x| <= SINCOS_REACH.
 
    Only +, -, *, bit operations and, of comparisons, one: the bits of the results are the same at any width of vectors
    as long as the compiler fuses nothing (-ffp-contract=off).  Fused operations would save 15 of about 65. */

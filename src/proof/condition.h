@@ -47,9 +47,10 @@ struct sampled {
 };
 int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache);
 
-/* Does the condition hold throughout its phase at the point?  In balls of FIRST_PREC bits, and an equality only by exact
-   algebra or where both sides are exact numbers; *where is the fraction of the phase at which it certainly fails (FALSE; 0 or 1: beside that end), and value the margin there, or the least
-   margin met (TRUE, of those away from ends where it vanishes); either may be NULL. */
+/* Does the condition hold throughout its phase at the point?  In balls of FIRST_PREC bits, and an equality only by
+   exact algebra or where both sides are exact numbers; *where is the fraction of the phase at which it certainly fails
+   (FALSE; 0 or 1: beside that end), and value the margin there, or the least margin met (TRUE, of those away from ends
+   where it vanishes); either may be NULL. */
 truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p,
                       struct orbit_cache *cache);
 /* Do all of them?  Looks no further than the first that fails. */

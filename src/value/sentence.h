@@ -36,8 +36,8 @@ bool statement_is_condition(const struct statement_record *r, const struct stmt 
    phase of the motion, the points lie in it already. */
 bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
                              const struct override *overrides, int n_overrides, struct diag *d);
-/* What a claim that is tried at points says, by its statement or its value: of a sharp one, the equalities that its steps
-   become at the ends of the phase. */
+/* What a claim that is tried at points says, by its statement or its value: of a sharp one, the equalities that its
+   steps become at the ends of the phase. */
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d);
 /* Whether it can be read, though nothing may be known of its value; false with d set. */
