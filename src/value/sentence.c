@@ -401,13 +401,19 @@ int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct sentence 
   return evaluate(lhs, rhs, &unused, s, v);
 }
 
-int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
-                    enum variant variant, struct orbit_cache *cache) {
+static int evaluate_at(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s,
+                       const struct point *p, enum variant variant, struct orbit_cache *cache) {
   struct values v;
   int status = values_init(&v, p, variant, lhs->ctx, cache);
-  if (status == SS_OK) status = sentence_evaluate(lhs, rhs, s, &v);
+  if (status == SS_OK) status = evaluate(lhs, rhs, t, s, &v);
   values_clear(&v);
   return status;
+}
+
+int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
+                    enum variant variant, struct orbit_cache *cache) {
+  struct trial unused;
+  return evaluate_at(lhs, rhs, &unused, s, p, variant, cache);
 }
 
 struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,
@@ -437,10 +443,7 @@ struct trial sentence_try_ends(struct sentence *s, const struct point *p, enum v
     lhs[end] = calc_vec(&c, s->n);
     rhs[end] = calc_vec(&c, s->n);
     fmpq_set_si(&at.q[Q_S], end, 1);
-    struct values v;
-    int status = values_init(&v, &at, variant, lhs[end].ctx, cache);
-    t.status |= status ? status : evaluate(&lhs[end], &rhs[end], &t, s, &v);
-    values_clear(&v);
+    t.status |= evaluate_at(&lhs[end], &rhs[end], &t, s, &at, variant, cache);
   }
   for (slong i = 0; i < s->n; i++) {
     if (arb_overlaps(num_vec_at(&lhs[0], i), num_vec_at(&rhs[0], i))) continue;
