@@ -644,6 +644,24 @@ START_TEST(an_orbit_of_a_slow_belt) {
 }
 END_TEST
 
+/* Held on the belt where its spring pulls with more than static friction can hold, by far more than changes in a
+   look. */
+START_TEST(a_stick_beyond_its_limit) {
+  static const double start[6] = {9, 0, 0, 1e-3, 1e-3, 1e-3};
+  goes_well(mech_load(&file, "tests/cases/slow-belt.system", &d));
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    struct mech_plan plan = {.duration = 1, .most = 10, .phase = "sss"};
+    struct mech_motion out;
+    mech_simulate(&out, (enum mech_route)route, &file, start, &plan);
+    ck_assert_int_ge(out.n_moments, 2);
+    ck_assert_double_lt(out.moment[1].t, 0.1);
+    ck_assert_str_eq(out.moment[1].phase, "-ss");
+    mech_motion_clear(&out);
+  }
+  mech_clear(&file);
+}
+END_TEST
+
 static void load_system(const char *name) {
   char path[100];
   snprintf(path, sizeof path, "verify/systems/%s.system", name);
@@ -1123,6 +1141,7 @@ Suite *mech_suite(void) {
   tcase_add_test(c, the_papers_orbits_on_every_scene);
   tcase_add_loop_test(c, orbits_recomputed, 0, QUICK_SCENES);
   tcase_add_test(c, an_orbit_of_a_slow_belt);
+  tcase_add_test(c, a_stick_beyond_its_limit);
   tcase_add_loop_test(c, simulations_follow_the_orbits, 0, scenes_tried());
   tcase_add_loop_test(c, returns_differentiated, 0, scenes_tried());
   add_every(c, words_of_settled_motions, 2, QUICK_SCENES);
