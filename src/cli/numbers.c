@@ -206,12 +206,11 @@ void admissible_text(struct text *out, truth admissible, const struct scene *s) 
 
 void orbit_numbers_json(struct json *j, const struct dyn_orbit *o, number_printer *print, const struct scene *s,
                         slong digits, truth admissible, const truth u[2]) {
-  enum { TRACE = 9 };
   for (int i = 0; i < ORBIT_NUMBERS; i++) {
     json_begin_string(j, orbit_number_name(i));
     print(j->out, o, i, s, digits);
     json_end_string(j);
-    if (i != TRACE) continue;
+    if (strcmp(orbit_number_name(i), "trace") != 0) continue;
     json_array(j, "eigenvalues");
     json_string(j, NULL, "0");
     json_begin_string(j, NULL);

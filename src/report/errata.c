@@ -341,7 +341,7 @@ static void add_rootless(const struct sheet *s, const struct audit_result *r) {
     strong(s, f->id);
     sheet_add(s, ": %t%p.", failure_heading(f), f->title);
     if (f->correction_latex) sheet_add(s, " It should read %m.", f->correction_latex);
-    text_add_char(s->out, ' ');
+    if (e && e->note) text_add_char(s->out, ' ');
     if (e && e->note) sheet_sentence(s, e->note);
     end_item(s);
   }

@@ -443,8 +443,9 @@ static bool make_solutions(struct text *out, const struct title *t) {
   const char *until = claim_get(t->c, "until"), *kept = claim_get(t->c, "kept"),
              *note = r ? title_note(r, false) : NULL;
   if (r && note && claim_get(t->c, "given")) {
-    text_printf(out, "%s %s an admissible solution with ", note, title_is_plural(note) ? "have" : "has");
+    text_printf(out, "%s %s a solution with ", note, title_is_plural(note) ? "have" : "has");
     title_listed(out, claim_get(t->c, "given"), ',');
+    if (claim_get(t->c, "constraints")) text_add(out, " that satisfies the constraints of its phases");
     return true;
   }
   if (!r || !note || (!count && !every)) return missing(t);
