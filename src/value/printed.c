@@ -33,9 +33,11 @@ static truth in_bracket(const arb_t x, const struct printed_number *p, enum read
   arb_ptr w = _arb_vec_init(2), lo = w, hi = w + 1;
   bracket(lo, hi, p, how);
   truth t = TRUTH_UNKNOWN;
-  if (arb_ge(x, lo) && arb_le(x, hi))
+  bool negative = p->decimal[0] == '-', open_lo = how == READ_TRUNCATED && negative;
+  bool open_hi = how == READ_TRUNCATED && !negative; /* what has reached the next unit is cut off to that */
+  if ((open_lo ? arb_gt : arb_ge)(x, lo) && (open_hi ? arb_lt : arb_le)(x, hi))
     t = TRUTH_TRUE;
-  else if (arb_lt(x, lo) || arb_gt(x, hi))
+  else if ((open_lo ? arb_le : arb_lt)(x, lo) || (open_hi ? arb_ge : arb_gt)(x, hi))
     t = TRUTH_FALSE;
   _arb_vec_clear(w, 2);
   return t;
