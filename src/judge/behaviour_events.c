@@ -192,8 +192,8 @@ bool behaviour_jumps(struct behaviour *b) {
   const struct friction *f = b->law;
   bool all = true, smooth = goes_on(f, 0) || goes_on(f, 1);
   for (int i = 0; i < 2; i++)
-    all = all && sticks_inside(f, i) && slips_by_sliding_friction(f, i) && falls_by_e(f, i) &&
-          passes_by_two_slides(f, i, 1) && passes_by_two_slides(f, i, -1);
+    all = all && events_decided(f, i) && falls_by_e(f, i) && passes_by_two_slides(f, i, 1) &&
+          passes_by_two_slides(f, i, -1);
   if (smooth)
     behaviour_decide(b, ROUTE_DIFFERS,
                      "exact: a mass that breaks loose has the same friction or acceleration before and after");

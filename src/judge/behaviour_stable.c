@@ -19,14 +19,31 @@ const struct dyn_orbit *behaviour_stable_orbit(struct point *p, struct behaviour
   return o;
 }
 
-/* "the orbit at chi = ... is certified: ..."; NULL when that it exists, is admissible and has |tr J| < 1 is not
-   proved. */
+/* Are (1) and (2) in each phase, and at its events, the model's, of whose motions an orbit is certified? */
+static bool is_the_models(const struct friction *f) {
+  truth all = TRUTH_TRUE;
+  for (int ph = 0; ph < N_PHASES; ph++)
+    for (int i = 0; i < 2; i++) {
+      struct law_state s;
+      law_state_open(&s, num_ctx_exact());
+      bool ok = friction_mode(f, &s, phase_slips[ph]);
+      val pull = law_pull(&s, i), off = phase_slips[ph][i] ? calc_sub(&s.c, s.slide[i], pull) : calc_d(&s.c, 0);
+      if (i) off = calc_mul(&s.c, s.eta, off);
+      all = truth_and(all, ok ? law_vanishes(&s, calc_sub(&s.c, s.a[i], off)) : TRUTH_UNKNOWN);
+      law_state_close(&s);
+    }
+  return all == TRUTH_TRUE && events_decided(f, 0) && events_decided(f, 1);
+}
+
+/* "the orbit at chi = ... is certified: ..."; NULL when that it is a motion by (1) and (2), exists, is admissible and
+   has |tr J| < 1 is not proved. */
 static const char *certified(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
   const struct dyn_question q = {p->q + Q_CHI, p->q + Q_E1, which, {NULL, NULL}};
   struct dyn_certificate z;
   struct text t = {0};
   const char *out = NULL;
+  if (!is_the_models(b->law)) return NULL;
   dyn_certificate_init(&z);
   dyn_certify(&z, &q, o);
   if (z.certified && z.stable == TRUTH_TRUE && z.admissible == TRUTH_TRUE) {
@@ -68,7 +85,9 @@ static const char attracts[] = "at the start of its stick phase r = z_2 - z_1 al
 struct route_result stable_prove_linearization(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
   const char *orbit = keeps_volume(b->law) ? certified(b, p, o) : NULL;
   if (!orbit)
-    return behaviour_proof(b, ROUTE_UNDECIDED, "no stable orbit is certified, or a phase does not keep the volume");
+    return behaviour_proof(
+        b, ROUTE_UNDECIDED,
+        "no stable orbit is certified as a motion by (1) and (2), or a phase does not keep the volume");
   return behaviour_proof(
       b, ROUTE_AGREES,
       result_str(b->j->out,
@@ -91,7 +110,9 @@ static bool falls_back(const struct friction *f) {
 struct route_result stable_prove_conditional(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
   const char *orbit = falls_back(b->law) && arb_is_positive(o->t[0]) ? certified(b, p, o) : NULL;
   if (!orbit)
-    return behaviour_proof(b, ROUTE_UNDECIDED, "no stable orbit is certified, or the sign of x''_1 is not known");
+    return behaviour_proof(
+        b, ROUTE_UNDECIDED,
+        "no stable orbit is certified as a motion by (1) and (2), or the sign of x''_1 is not known");
   return behaviour_proof(
       b, ROUTE_AGREES,
       result_str(
