@@ -8,24 +8,28 @@
 
 /* --- Reading --- */
 
-/* Parses a statement or an expression and elaborates it; false with d set. */
+/* Parses an equation, an inequality or a definition and elaborates it; false with d set. */
 static bool read_text(const char *text, const char *name, const char *section, struct view view, struct diag *d) {
   struct source src;
   struct arena a;
   struct elaboration el;
-  struct matrix lhs, rhs;
+  struct matrix body;
   source_from_string(&src, name, text);
   arena_init(&a);
-  elaboration_init(&el, view, NULL, 0);
   const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, d);
-  bool ok = s != NULL;
-  for (int k = 0; ok && s->kind == STMT_RELATION && k + 1 < s->n_sides; k++)
-    ok = elaborate_sides(&lhs, &rhs, &el, s, k, &src, section, d);
-  if (ok && s->kind == STMT_DEFINE) ok = elaborate(&lhs, &el, s->sides[0], &src, section, d);
+  bool ok = s != NULL, defines = ok && s->kind == STMT_DEFINE;
+  const struct override argument = {defines ? s->param : NULL, 1, 1};
+  elaboration_init(&el, view, &argument, argument.name != NULL);
+  if (defines)
+    ok = elaborate(&body, &el, s->sides[0], &src, section, d);
+  else if (ok && s->kind == STMT_RELATION)
+    ok = relation_check(&el, s, &src, section, d);
+  else if (ok)
+    diag_at(d, &src, s->span.begin, "an equation, an inequality or a definition is needed");
   elaboration_clear(&el);
   arena_clear(&a);
   source_clear(&src);
-  return ok;
+  return ok && !d->set;
 }
 
 /* --- Uses of symbols --- */
@@ -49,6 +53,7 @@ static bool item(char *out, size_t size, const char *list, int n) {
   return len > 0;
 }
 
+/* How many; 0 where a list is longer than another, or than can be read. */
 static int read_uses(struct use u[MAX_USES], const struct claim *c, const char *symbols) {
   int n = 0;
   const char *meanings = claim_get(c, "stands-for"), *places = claim_get(c, "found-in");
@@ -56,7 +61,10 @@ static int read_uses(struct use u[MAX_USES], const struct claim *c, const char *
          item(u[n].meaning, sizeof u[n].meaning, meanings, n) &&
          item(u[n].place, sizeof u[n].place, places ? places : "quote", places ? n : 0))
     n++;
-  return n;
+  struct use rest;
+  bool more = item(rest.symbol, sizeof rest.symbol, symbols, n) ||
+              item(rest.meaning, sizeof rest.meaning, meanings, n) || item(rest.place, sizeof rest.place, places, n);
+  return more ? 0 : n;
 }
 
 /* The symbol as a token of the text: no letter goes on where it ends in one. */
@@ -140,7 +148,9 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
   struct use u[MAX_USES];
   struct text found = {0};
   int n = read_uses(u, c, claim_get(c, "symbols"));
-  if (n < 2) return claim_error(j, c, "symbols", "symbols, stands-for and found-in list at least two uses, with \";\"");
+  if (n < 2)
+    return claim_error(j, c, "symbols",
+                       "symbols, stands-for and found-in list the same uses, two to eight, with \";\"");
   for (int i = 0; i < n; i++)
     if (!found_in_place(&u[i], c, &view)) return claim_error(j, c, "found-in", "a symbol is not printed at its place");
   clashes(&found, u, n);

@@ -418,17 +418,27 @@ bool elaborate_sides(struct matrix *lhs, struct matrix *rhs, struct elaboration 
 }
 
 /* The ends of the range that a statement is about. */
-static bool check_range(struct elaboration *el, const struct stmt *s, const struct statement_record *r,
+static bool check_range(struct elaboration *el, const struct stmt *s, const struct source *src, const char *section,
                         struct diag *d) {
   const struct expr *ends[] = {s->range_lo, s->range_hi};
-  struct scope sc = {.src = r->src};
+  struct scope sc = {.src = src};
   for (int i = 0; i < 2; i++) {
     struct matrix m;
     if (!ends[i]) continue;
-    if (!elaborate(&m, el, ends[i], r->src, r->section, d)) return false;
+    if (!elaborate(&m, el, ends[i], src, section, d)) return false;
     if (!matrix_is_scalar(&m)) return form_mistake(&sc, ends[i], d, "the end of a range is a scalar", &m, NULL);
   }
   return true;
+}
+
+bool relation_check(struct elaboration *el, const struct stmt *s, const struct source *src, const char *section,
+                    struct diag *d) {
+  bool ok = true;
+  for (int k = 0; ok && k + 1 < s->n_sides; k++) {
+    struct matrix a, b;
+    ok = elaborate_sides(&a, &b, el, s, k, src, section, d);
+  }
+  return ok && check_range(el, s, src, section, d);
 }
 
 size_t elaboration_n_used(const struct elaboration *el) {
@@ -462,14 +472,8 @@ bool view_check(struct view v, struct diag *d) {
   for (size_t i = 0; ok && i < v.model->n_records; i++) {
     const struct statement_record *r = &v.model->records[i];
     if (view_record(&v, r->id) != r) continue;
-    for (int k = 0; ok && k < r->n_stmts; k++) {
-      if (r->stmts[k]->kind != STMT_RELATION) continue;
-      for (int e = 0; ok && e + 1 < r->stmts[k]->n_sides; e++) {
-        struct matrix a, b;
-        ok = elaborate_sides(&a, &b, &el, r->stmts[k], e, r->src, r->section, d);
-      }
-      ok = ok && check_range(&el, r->stmts[k], r, d);
-    }
+    for (int k = 0; ok && k < r->n_stmts; k++)
+      if (r->stmts[k]->kind == STMT_RELATION) ok = relation_check(&el, r->stmts[k], r->src, r->section, d);
   }
   elaboration_clear(&el);
   return ok;
