@@ -253,6 +253,13 @@ static void describe(struct finding *f, struct constraints *x) {
       verdict_of(w, alone ? 1 : 2, (x->j->effort == EFFORT_FULL || x->j->effort == EFFORT_REFUTE) && prove(f, x));
 }
 
+bool constraints_leave_open(struct finding *f, struct judge *j, const struct conditions *list) {
+  bool any = false;
+  for (int i = 0; i < list->n; i++) any = any || list->at[i].friction[0] || list->at[i].friction[1];
+  if (any) verdict_leave_open(f, j->out, "a constraint is about u_r1 or u_r2, which the solution does not fix");
+  return any;
+}
+
 bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct arena *a = &j->out->arena;
   struct constraints x = {
@@ -263,7 +270,7 @@ bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c
   bool ok = conditions_read(&x.paper, j, c, "constraints", view);
   if (ok && (x.paper.n == 0 || !x.least[0] || !x.least[1]))
     ok = claim_error(j, c, "kind", "constraints, least-first and least-second are needed");
-  if (ok) {
+  if (ok && !constraints_leave_open(f, j, &x.paper)) {
     by_balls(&x);
     if (j->effort != EFFORT_REFUTE) by_simulation(&x);
     describe(f, &x);

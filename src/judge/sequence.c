@@ -66,7 +66,7 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
   point_init(&p);
   if (ok && !nearest_orbit_point(&p, j->scene, j->cache)) {
     finding_skip(f, j, "the scene has no orbit, or does not give e1 and e2");
-  } else if (ok) {
+  } else if (ok && !constraints_leave_open(f, j, &list)) {
     struct route_result w[2];
     struct text got = {0};
     const char *note = NULL;

@@ -458,6 +458,8 @@ bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, 
   ok = ok && sentence_from_claim(&x.equations, view, c, NULL, 0, j->d);
   if (ok && !given) {
     finding_skip(f, j, "the scene does not give e1 and e2");
+  } else if (ok && constraints_leave_open(f, j, &x.constraints)) {
+    /* nothing is tried */
   } else if (ok && x.asked == ASKED_GIVEN) {
     ok = judge_given(f, &x);
   } else if (ok) {
