@@ -20,8 +20,10 @@ ZSHDIR   ?= $(PREFIX)/share/zsh/site-functions
 FISHDIR  ?= $(PREFIX)/share/fish/vendor_completions.d
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
-# the same roundings by every compiler and level: gcc 12 -O3 with FMA fuses a*b+c in short vectors in spite of -ffp-contract=off
-STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fno-tree-slp-vectorize -fPIC -pthread -fvisibility=hidden
+# the same roundings by every compiler and level: where there is an FMA gcc 12 fuses a*b+c in short vectors in spite of -ffp-contract=off
+UNFUSED = -fno-tree-slp-vectorize
+FMA  := $(shell $(CC) $(CFLAGS) $(EXTRA) -dM -E -x c /dev/null 2>/dev/null | grep -c '__FP_FAST_FMA ')
+STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off $(if $(filter 0,$(FMA)),,$(UNFUSED)) -fPIC -pthread -fvisibility=hidden
 # none changes a bit of a result; bounds of copies are checked only where the compiler optimises and no sanitizer does it
 HARDEN = -fstack-protector-strong $(if $(findstring sanitize,$(EXTRA)),,$(if $(filter -O1 -O2 -O3 -Os,$(CFLAGS)),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3))
 # addresses that a run draws, and tables of functions that nothing can write to once it runs
@@ -130,7 +132,7 @@ $(B)/cvode.%:
 
 $(B)/src/cli/%.o: EXTRA_INCLUDE = -I.
 # vectorised: no flag here may change a bit of a result
-$(B)/src/explore/batch.o: EXTRA_INCLUDE = -O3 -fno-math-errno -fno-trapping-math
+$(B)/src/explore/batch.o: EXTRA_INCLUDE = -O3 -fno-math-errno -fno-trapping-math $(UNFUSED)
 $(B)/bench/%.o: EXTRA_INCLUDE = -I. $(if $(PEERS),-DSTICKSLIP_SUNDIALS)
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
