@@ -19,20 +19,46 @@ const struct dyn_orbit *behaviour_stable_orbit(struct point *p, struct behaviour
   return o;
 }
 
-/* Are (1) and (2) in each phase, and at its events, the model's, of whose motions an orbit is certified? */
-static bool is_the_models(const struct friction *f) {
+/* Something of a mass in a phase, in which it slips or not, that may vanish; NULL: it is not known. */
+typedef val of_mass(const struct friction *f, struct law_state *s, bool slips, int mass);
+
+static bool vanishes_in_each_phase(const struct friction *f, of_mass *what) {
   truth all = TRUTH_TRUE;
   for (int ph = 0; ph < N_PHASES; ph++)
     for (int i = 0; i < 2; i++) {
       struct law_state s;
       law_state_open(&s, num_ctx_exact());
-      bool ok = friction_mode(f, &s, phase_slips[ph]);
-      val pull = law_pull(&s, i), off = phase_slips[ph][i] ? calc_sub(&s.c, s.slide[i], pull) : calc_d(&s.c, 0);
-      if (i) off = calc_mul(&s.c, s.eta, off);
-      all = truth_and(all, ok ? law_vanishes(&s, calc_sub(&s.c, s.a[i], off)) : TRUTH_UNKNOWN);
+      val x = friction_mode(f, &s, phase_slips[ph]) ? what(f, &s, phase_slips[ph][i], i) : NULL;
+      all = truth_and(all, x ? law_vanishes(&s, x) : TRUTH_UNKNOWN);
       law_state_close(&s);
     }
-  return all == TRUTH_TRUE && events_decided(f, 0) && events_decided(f, 1);
+  return all == TRUTH_TRUE;
+}
+
+/* x'' less that of the model, whose motions an orbit is certified to be. */
+static val off_the_models(const struct friction *f, struct law_state *s, bool slips, int mass) {
+  val model = slips ? calc_sub(&s->c, s->slide[mass], law_pull(s, mass)) : calc_d(&s->c, 0);
+  (void)f;
+  if (mass) model = calc_mul(&s->c, s->eta, model);
+  return calc_sub(&s->c, s->a[mass], model);
+}
+
+static bool is_the_models(const struct friction *f) {
+  return vanishes_in_each_phase(f, off_the_models) && events_decided(f, 0) && events_decided(f, 1);
+}
+
+/* The part of a mass in the divergence of (x', x''), whose first part has none. */
+static val divergence(const struct friction *f, struct law_state *s, bool slips, int mass) {
+  val before = s->a[mass];
+  (void)slips;
+  s->v[mass] = law_free(s);
+  val after = friction_acceleration(f, s, mass);
+  return after ? calc_sub(&s->c, after, before) : NULL;
+}
+
+/* Do the motions of each phase keep the volume of the phase space? */
+static bool keeps_volume(const struct friction *f) {
+  return vanishes_in_each_phase(f, divergence);
 }
 
 /* "the orbit at chi = ... is certified: ..."; NULL when that it is a motion by (1) and (2), exists, is admissible and
@@ -58,24 +84,6 @@ static const char *certified(struct behaviour *b, const struct point *p, const s
   }
   dyn_certificate_clear(&z);
   return out;
-}
-
-/* Do the motions of each phase keep the volume of the phase space: is the divergence of (x', x''), whose first part has
-   none, zero? */
-static bool keeps_volume(const struct friction *f) {
-  truth all = TRUTH_TRUE;
-  for (int ph = 0; ph < N_PHASES; ph++)
-    for (int i = 0; i < 2; i++) {
-      struct law_state s;
-      law_state_open(&s, num_ctx_exact());
-      bool ok = friction_mode(f, &s, phase_slips[ph]);
-      val before = s.a[i];
-      s.v[i] = law_free(&s);
-      val after = ok ? friction_acceleration(f, &s, i) : NULL;
-      all = truth_and(all, after ? law_vanishes(&s, calc_sub(&s.c, after, before)) : TRUTH_UNKNOWN);
-      law_state_close(&s);
-    }
-  return all == TRUTH_TRUE;
 }
 
 static const char attracts[] = "at the start of its stick phase r = z_2 - z_1 alone fixes what follows, the return map "
