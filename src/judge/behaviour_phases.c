@@ -27,8 +27,8 @@ static truth is_linear(const struct friction *f, const int slips[2]) {
 bool behaviour_linear(struct behaviour *b) {
   static const char *const says[] = {
       [TRUTH_TRUE] =
-          "exact, in each of the nine configurations (either mass slower than the belt, with it, or faster): "
-          "by (1) and (2) each acceleration is a constant plus constants times x_1, x_2, x'_1 and x'_2",
+          ("exact, in each of the nine configurations (either mass slower than the belt, with it, or faster): "
+           "by (1) and (2) each acceleration is a constant plus constants times x_1, x_2, x'_1 and x'_2"),
       [TRUTH_FALSE] = "exact: in some configuration an acceleration is no such sum",
       [TRUTH_UNKNOWN] = "the accelerations are not known in every configuration"};
   truth all = TRUTH_TRUE;
