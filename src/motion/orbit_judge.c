@@ -21,8 +21,10 @@ void dyn_orbit_numbers(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o) {
 }
 
 arb_srcptr dyn_orbit_output(const struct dyn_orbit *o, enum dyn_output i) {
-  const arb_srcptr all[N_DYN_OUT] = {o->z10,  o->z20,    o->t[0],  o->t[1],     o->t[2],
-                                     o->t[3], o->period, o->trace, o->u_r1_min, o->u_r2_min};
+  const arb_srcptr all[N_DYN_OUT] = {
+      [DYN_OUT_Z10] = o->z10,     [DYN_OUT_Z20] = o->z20,    [DYN_OUT_TA] = o->t[0],       [DYN_OUT_TB] = o->t[1],
+      [DYN_OUT_TC] = o->t[2],     [DYN_OUT_TD] = o->t[3],    [DYN_OUT_PERIOD] = o->period, [DYN_OUT_TRACE] = o->trace,
+      [DYN_OUT_U1] = o->u_r1_min, [DYN_OUT_U2] = o->u_r2_min};
   return all[i];
 }
 
