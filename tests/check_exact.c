@@ -8,6 +8,7 @@
 
 #include "every.h"
 #include "judge/judge.h"
+#include "judge/receipt.h"
 #include "paper_model.h"
 #include "paper_value.h"
 #include "power/mutants.h"
@@ -15,7 +16,6 @@
 #include "proof/exact_proof.h"
 #include "proof/exact_rank.h"
 #include "proof/linearized.h"
-#include "proof/receipt.h"
 #include "rng.h"
 #include "says.h"
 #include "scratch.h"

@@ -8,7 +8,7 @@
 
 #include "base/arena.h"
 #include "paper_model.h"
-#include "proof/receipt.h"
+#include "judge/receipt.h"
 #include "run/plan.h"
 #include "says.h"
 #include "scratch.h"

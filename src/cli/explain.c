@@ -4,7 +4,7 @@
 
 #include "claim/near.h"
 #include "cli.h"
-#include "proof/receipt.h"
+#include "judge/receipt.h"
 #include "value/title.h"
 
 static bool print_receipt(struct text *out, const struct model *m, const struct claims *c, const struct scene *s,

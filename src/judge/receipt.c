@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "claim/claim.h"
-#include "exact_proof.h"
-#include "exact_rank.h"
 #include "num/calc.h"
+#include "proof/exact_proof.h"
+#include "proof/exact_rank.h"
 #include "receipt.h"
 #include "record/result.h"
 #include "value/title.h"

@@ -1,6 +1,6 @@
 /* Proofs as programs for another computer algebra system. */
-#ifndef STICKSLIP_PROOF_RECEIPT_H
-#define STICKSLIP_PROOF_RECEIPT_H
+#ifndef STICKSLIP_JUDGE_RECEIPT_H
+#define STICKSLIP_JUDGE_RECEIPT_H
 
 #include "claim/claims.h"
 #include "model/model.h"
