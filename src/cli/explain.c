@@ -16,8 +16,7 @@ static bool print_receipt(struct text *out, const struct model *m, const struct 
                 "about them");
     return false;
   }
-  if (!read_in(&src, data, receipt_of_orbit(c, id) ? "receipt/orbit.py" : "receipt/model.py", MAX_SCRIPT, d))
-    return false;
+  if (!read_in(&src, data, receipt_file(c, id), MAX_SCRIPT, d)) return false;
   bool ok = audit_receipt(out, m, c, s, id, src.text, d);
   source_clear(&src);
   return ok;

@@ -25,10 +25,15 @@ void argument_add_routes(struct route_result w[2], struct finding *f, struct arg
                            NULL, NULL);
 }
 
+static struct combination as_combination(struct argument *a, struct view view) {
+  return (struct combination){a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], a->admissible, !a->free_friction,
+                              view};
+}
+
 static bool add_proof(struct route_result *w, struct finding *f, struct argument *a, struct view view) {
   struct text t = {0};
-  bool proved = certificate_find(&t, a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], a->admissible,
-                                 !a->free_friction, view);
+  struct combination q = as_combination(a, view);
+  bool proved = certificate_find(&t, NULL, &q);
   if (proved) {
     *w = (struct route_result){"algebra", ROUTE_AGREES, true, a->part[CONCLUSION].n};
     finding_add_route(f, a->j->out, *w, "corrected", -1, NULL, result_take(a->j->out, &t));
@@ -178,6 +183,23 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   text_clear(&t);
   if (!ok) conditions_clear(&more); /* else they belong to the premises */
   return ok;
+}
+
+bool argument_receipt(struct text *out, struct judge *j, const struct claim *c) {
+  struct argument a;
+  struct view view = claim_view(j->model, c);
+  bool ok = argument_read(&a, j, c, view), proved = ok && !claim_says(c, "over", "scene");
+  struct argument b = converse_of(&a); /* its conditions are borrowed */
+  struct text words = {0};
+  for (int back = 0; proved && back <= a.converse; back++) {
+    struct combination q = as_combination(back ? &b : &a, view);
+    proved = certificate_find(&words, out, &q);
+  }
+  if (ok && !proved && !j->d->set)
+    diag_set(j->d, "error: %.200s is not proved by a positive combination of its premises", c->id);
+  text_clear(&words);
+  for (int part = 0; part < N_PARTS; part++) conditions_clear(&a.part[part]);
+  return proved;
 }
 
 bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

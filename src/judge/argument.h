@@ -24,6 +24,9 @@ struct argument {
 void argument_add_routes(struct route_result w[2], struct finding *f, struct argument *a,
                          const struct answers decided[2], const char *where, const char *note);
 
+/* The data of verify/receipt/argument.py; false with j->d set when the argument is not proved everywhere. */
+bool argument_receipt(struct text *out, struct judge *j, const struct claim *c);
+
 /* "after the fraction 1/2 of it", or beside an end of the phase. */
 const char *argument_place(struct argument *a, double where);
 

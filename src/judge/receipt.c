@@ -1,9 +1,10 @@
 /* stickslip explain ID --receipt: a proof as a program for another computer algebra system.  The sentence is printed
    from the tape of its parsed formulas, the model as the matrices of its first-order systems; what motions are is said
-   again in verify/receipt/model.py, which ends each receipt. */
+   again in verify/receipt/model.py, which ends such receipts. */
 #include <stdlib.h>
 #include <string.h>
 
+#include "argument.h"
 #include "claim/claim.h"
 #include "num/calc.h"
 #include "proof/exact_proof.h"
@@ -169,16 +170,17 @@ static const struct claim *find(const struct claims *claims, const char *id, con
 
 static bool add_head(struct text *out, struct judge *j, const struct claim *c, const char *id, bool corrected) {
   const struct model *m = j->model;
+  bool argument = claim_kind(c) == KIND_ARGUMENT; /* whose formulas stand among its facts */
   text_printf(out, "#!/usr/bin/env python3\n# %s%s: ", id, corrected ? ", as corrected" : "");
   bool ok = claim_title(out, m, c, j->d);
-  text_add(out, "\n#\n# Needs SymPy and nothing else.  As read:\n");
+  text_printf(out, "\n#\n# Needs SymPy and nothing else.%s\n", argument ? "" : "  As read:");
   if (corrected) text_add(out, "#   ");
   if (corrected && erratum_text(out, m, c)) text_add_char(out, '\n');
-  if (!corrected) claim_formulas(out, m, c, "#   ");
-  text_printf(out,
-              "import re\nimport sys\n\nfrom sympy import QQ, Symbol, factor, ring\n\n"
-              "CLAIM = \"%s%s\"\nPARTS, PRINTED, MATRICES = [], [], []\n",
-              id, corrected ? " as corrected" : "");
+  if (!corrected && !argument) claim_formulas(out, m, c, "#   ");
+  text_printf(out, "%s\n\nCLAIM = \"%s%s\"\n%s\n",
+              argument ? "from sympy import Symbol, cancel, diff, factor_list, fraction"
+                       : "import re\nimport sys\n\nfrom sympy import QQ, Symbol, factor, ring",
+              id, corrected ? " as corrected" : "", argument ? "PROOFS = []" : "PARTS, PRINTED, MATRICES = [], [], []");
   return ok;
 }
 
@@ -226,7 +228,7 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
 
 /* --- Printed numbers against the orbit, by intervals --- */
 
-bool receipt_of_orbit(const struct claims *claims, const char *id) {
+static bool receipt_of_orbit(const struct claims *claims, const char *id) {
   const struct claim *c = claim_answering(claims, id);
   return c && (claim_kind(c) == KIND_CLOSURE || (claim_kind(c) == KIND_NUMBER && claim_says(c, "from", "orbit")));
 }
@@ -261,6 +263,13 @@ static bool orbit_receipt(struct text *out, struct judge *j, const struct claim 
   return ok;
 }
 
+const char *receipt_file(const struct claims *claims, const char *id) {
+  const struct claim *c = claim_answering(claims, id);
+  return receipt_of_orbit(claims, id)          ? "receipt/orbit.py"
+         : c && claim_kind(c) == KIND_ARGUMENT ? "receipt/argument.py"
+                                               : "receipt/model.py";
+}
+
 bool audit_receipt(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
                    const char *id, const char *python, struct diag *d) {
   const struct restriction *r;
@@ -271,16 +280,17 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
   }
   enum kind kind = claim_kind(c);
   bool of_orbit = receipt_of_orbit(claims, id);
-  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_RANK) {
+  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_RANK && kind != KIND_ARGUMENT) {
     diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
     return false;
   }
   struct audit_result kept;
   audit_result_init(&kept);
   struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};
-  bool ok = of_orbit            ? orbit_receipt(out, &j, c)
-            : kind == KIND_RANK ? rank_receipt(out, &j, c)
-                                : equality_receipt(out, &j, c, id, r);
+  bool ok = of_orbit                ? orbit_receipt(out, &j, c)
+            : kind == KIND_RANK     ? rank_receipt(out, &j, c)
+            : kind == KIND_ARGUMENT ? add_head(out, &j, c, id, false) && argument_receipt(out, &j, c)
+                                    : equality_receipt(out, &j, c, id, r);
   if (ok) text_printf(out, "\n\n%s", python);
   audit_result_clear(&kept);
   return ok;

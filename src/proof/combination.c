@@ -26,6 +26,7 @@ struct proof {
   slong n_names;
   struct fact positive[MAX_FACTS], zero[MAX_FACTS], goal[MAX_FACTS], factor[MAX_FACTS];
   int n_positive, n_zero, n_goals, n_factors;
+  struct text *script; /* or NULL */
 };
 
 /* --- Facts --- */
@@ -80,6 +81,44 @@ static bool expressions_tape(struct tape *t, struct elaboration *el, const char 
     if (ok) e[i] = m.e[0];
   }
   return ok && elaboration_tape(t, el, e, n, d);
+}
+
+/* --- As lines of a receipt --- */
+
+/* As SymPy reads it: x["z_1(t)"]**2/2. */
+static void add_polynomial(struct proof *p, const fmpz_mpoly_struct *of) {
+  char label[MAX_NAMES][80];
+  const char *names[MAX_NAMES];
+  for (slong i = 0; i < MAX_NAMES; i++) {
+    snprintf(label[i], sizeof label[i], "x[\"%s\"]", i < p->n_names ? p->name[i] : "");
+    names[i] = label[i];
+  }
+  char *printed = fmpz_mpoly_get_str_pretty(of, names, num_exact_ctx());
+  text_add_char(p->script, '(');
+  for (const char *c = printed; *c; c++)
+    if (*c == '^')
+      text_add(p->script, "**");
+    else
+      text_add_char(p->script, *c);
+  text_add_char(p->script, ')');
+  flint_free(printed);
+}
+
+static void add_element(struct proof *p, const element *x) {
+  add_polynomial(p, &x->num);
+  if (fmpz_mpoly_is_one(&x->den, num_exact_ctx())) return;
+  text_add_char(p->script, '/');
+  add_polynomial(p, &x->den);
+}
+
+static void add_facts(struct proof *p, const char *name, const struct fact *list, int n) {
+  text_printf(p->script, "    %s=[\n", name);
+  for (int i = 0; i < n; i++) {
+    text_printf(p->script, "        (\"%s\", ", list[i].text);
+    add_element(p, &list[i].x);
+    text_add(p->script, "),\n");
+  }
+  text_add(p->script, "    ],\n");
 }
 
 /* --- Eliminating by equations --- */
@@ -155,6 +194,7 @@ static bool eliminate(struct proof *p, int i) {
       split_line(&start, &slope, &c, &e->num, g);
       if (!never_zero(slope, p)) continue;
       done = true;
+      if (p->script) text_printf(p->script, "\n        (%d, \"%s\"),", i, p->name[g]);
       ok = substitute_all(p, i + 1, g, calc_neg(&c, calc_div(&c, start, slope))) && c.status == SS_OK;
     }
   calc_clear(&c);
@@ -228,6 +268,16 @@ static void describe(struct text *out, const struct fact *goal, const struct ter
   }
 }
 
+static void add_step(const struct fact *goal, const struct term *const t[], int n, struct proof *p) {
+  text_printf(p->script, "\n        (%d, [", (int)(goal - p->goal));
+  for (int i = 0; i < n; i++) {
+    text_printf(p->script, "%s(", i ? ", " : "");
+    add_element(p, &p->factor[t[i]->factor].x);
+    text_printf(p->script, ", %d)", t[i]->fact);
+  }
+  text_add(p->script, "]),");
+}
+
 /* Terms of a list, some of them picked. */
 struct choice {
   const struct fact *goal;
@@ -263,6 +313,7 @@ static bool combine(struct text *out, const struct fact *goal, struct proof *p) 
   for (int wanted = 1; !found && wanted <= 3; wanted++) {
     found = choose(&c, 0, wanted, 0);
     if (found) describe(out, goal, c.pick, wanted, p);
+    if (found && p->script) add_step(goal, c.pick, wanted, p);
   }
   free(t);
   return found;
@@ -362,12 +413,23 @@ static bool use_monotone(struct text *out, struct proof *p) {
 
 static bool prove(struct text *out, struct proof *p, bool monotone) {
   bool ok = true;
+  if (p->script) {
+    text_add(p->script, "\nx = {name: Symbol(name) for name in [");
+    for (slong i = 0; i < p->n_names; i++) text_printf(p->script, "%s\"%s\"", i ? ", " : "", p->name[i]);
+    text_printf(p->script, "]}\nPROOFS.append(dict(\n    x=x,\n    rises=%s,\n", monotone ? "True" : "False");
+    add_facts(p, "zero", p->zero, p->n_zero);
+    add_facts(p, "positive", p->positive, p->n_positive);
+    add_facts(p, "goals", p->goal, p->n_goals);
+    text_add(p->script, "    solved=[");
+  }
   for (int i = 0; ok && i < p->n_zero; i++) ok = eliminate(p, i);
+  if (p->script) text_add(p->script, "\n    ],\n    steps=[");
   probe_all(p->positive, p->n_positive);
   probe_all(p->goal, p->n_goals);
   probe_all(p->factor, p->n_factors);
   if (monotone) ok = ok && use_monotone(out, p);
   for (int i = monotone ? 3 : 0; ok && i < p->n_goals; i++) ok = combine(out, &p->goal[i], p);
+  if (p->script) text_add(p->script, "\n    ],\n))\n");
   return ok;
 }
 
@@ -378,8 +440,9 @@ static void proof_clear(struct proof *p) {
   clear_facts(p->factor, p->n_factors);
 }
 
-bool certificate_find(struct text *out, struct judge *j, const struct claim *c, const struct conditions *premises,
-                      const struct conditions *conclusion, bool admissible, bool sliding_friction, struct view view) {
+bool certificate_find(struct text *out, struct text *script, const struct combination *q) {
+  struct judge *j = q->j;
+  const struct conditions *premises = q->premises, *conclusion = q->conclusion;
   struct extra x = {.phase = -1, .premise = -1, .strict = conditions_any_strict(conclusion)};
   bool inequalities = true;
   for (int i = 0; i < conclusion->n; i++) {
@@ -387,16 +450,16 @@ bool certificate_find(struct text *out, struct judge *j, const struct claim *c, 
     if (conclusion->at[i].moving) take_phase(&x.phase, (int)conclusion->at[i].phase);
   }
   for (int i = 0; i < premises->n; i++)
-    if (premises->at[i].moving && admissible) take_phase(&x.premise, (int)premises->at[i].phase);
+    if (premises->at[i].moving && q->admissible) take_phase(&x.premise, (int)premises->at[i].phase);
   bool timeless = x.phase < 0; /* the conclusion */
-  elaboration_init(&x.el, view, NULL, 0);
-  bool ok = expressions_tape(&x.domain, &x.el, domain, sliding_friction ? N_DOMAIN : N_SIGNS, "", j->d) &&
+  elaboration_init(&x.el, q->view, NULL, 0);
+  bool ok = expressions_tape(&x.domain, &x.el, domain, q->sliding_friction ? N_DOMAIN : N_SIGNS, "", j->d) &&
             expressions_tape(&x.friction, &x.el, friction, 2, "", j->d) &&
-            expressions_tape(&x.factors, &x.el, factor_text, N_FACTORS, "", j->d) && monotone_tape(&x, j, c) &&
+            expressions_tape(&x.factors, &x.el, factor_text, N_FACTORS, "", j->d) && monotone_tape(&x, j, q->c) &&
             clock_tape(&x, j);
-  if (ok && inequalities && x.phase < N_PHASES && (admissible || !timeless || x.phase < 0)) {
+  if (ok && inequalities && x.phase < N_PHASES && (q->admissible || !timeless || x.phase < 0)) {
     struct proof *p = ss_malloc(sizeof *p);
-    *p = (struct proof){.n_names = 0};
+    *p = (struct proof){.script = script};
     ok = name_all(p, &x, premises, conclusion);
     ok = ok && collect(p, &x, premises, conclusion) && prove(out, p, x.monotone);
     proof_clear(p);

@@ -12,9 +12,19 @@
 #include "claim/judging.h"
 #include "condition.h"
 
-/* Appends the proof of every condition of the conclusion; false when one has none (j->d set when the claim is at
-   fault).  Every phase of an admissible orbit takes some time; of others a premise along a phase may say nothing. */
-bool certificate_find(struct text *out, struct judge *j, const struct claim *c, const struct conditions *premises,
-                      const struct conditions *conclusion, bool admissible, bool sliding_friction, struct view view);
+/* What is to follow from what. */
+struct combination {
+  struct judge *j;
+  const struct claim *c;
+  const struct conditions *premises, *conclusion;
+  bool admissible;       /* every phase of an admissible orbit takes some time; of others a premise along a phase may
+                            say nothing */
+  bool sliding_friction; /* u_s1 and u_s2 are positive */
+  struct view view;
+};
+
+/* Appends the proof of every condition of the conclusion, to out in words and to script (or NULL) as what
+   verify/receipt/argument.py proves again; false when one has none (j->d set when the claim is at fault). */
+bool certificate_find(struct text *out, struct text *script, const struct combination *q);
 
 #endif
