@@ -199,6 +199,13 @@ static const struct question limits[] = {
      VERDICT_UNKNOWN},
 };
 
+/* --- What is false, or says nothing, beside what was looked at --- */
+
+static const struct question gaps[] = {
+    {"division by what may be zero, in a definition elsewhere",
+     "  kind: defined\n  over: parameters\n  statements: text-outer\n", VERDICT_UNKNOWN},
+};
+
 /* Each list under the paper's files, the controls and records of its own. */
 static const struct {
   const char *records, *head;
@@ -232,7 +239,10 @@ static const struct {
      "define text-third\n  section: appendix_b\n  root third: third^7 - V, smallest positive\n"
      "  seven := third*third*third*third*third*third*third + V\n"
      "define text-mixture\n  section: appendix_b\n  root mixed: mixed^2 - V*mixed - chi, smallest positive\n",
-     "  section: appendix_b\n  title: of the test\n", limits, sizeof limits / sizeof *limits}};
+     "  section: appendix_b\n  title: of the test\n", limits, sizeof limits / sizeof *limits},
+    {"define text-inner\n  section: appendix_b\n  inner := 1/(chi - eta)\n"
+     "define text-outer\n  section: appendix_b\n  outer := inner + 1\n",
+     "  section: appendix_b\n  title: of the test\n", gaps, sizeof gaps / sizeof *gaps}};
 
 START_TEST(what_follows_and_what_does_not) {
   struct model m;

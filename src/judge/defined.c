@@ -236,7 +236,7 @@ static bool read_divisors(struct defined *y, struct judge *j, const struct claim
   for (int i = 0; i < n; i++) {
     const struct statement_record *r = view_record(&view, ids[i]);
     if (!r) return claim_error(j, c, "statements", "there is no such record");
-    if (!divisors_of(y->divisor, &y->n, r)) return claim_error(j, c, "statements", "too many divisors");
+    if (!divisors_of(y->divisor, &y->n, r, view)) return claim_error(j, c, "statements", "too many divisors");
   }
   return true;
 }

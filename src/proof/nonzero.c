@@ -14,9 +14,10 @@
 
 /* --- What is divided by --- */
 
-static bool add_formula(struct divisor *list, int *n, const struct statement_record *r, struct text t, bool root) {
+static bool add_formula(struct divisor *list, int *n, const char *section, struct text t, bool root) {
   for (int i = 0; i < *n; i++)
-    if (strcmp(text_str(&list[i].formula), text_str(&t)) == 0 && list[i].root == root) {
+    if (strcmp(text_str(&list[i].formula), text_str(&t)) == 0 && strcmp(list[i].section, section) == 0 &&
+        list[i].root == root) {
       text_clear(&t);
       return true;
     }
@@ -24,24 +25,24 @@ static bool add_formula(struct divisor *list, int *n, const struct statement_rec
     text_clear(&t);
     return false;
   }
-  list[(*n)++] = (struct divisor){t, r->section, root};
+  list[(*n)++] = (struct divisor){t, section, root};
   return true;
 }
 
-static bool add_divisor(struct divisor *list, int *n, const struct statement_record *r, const char *wrap,
-                        const struct expr *e, bool root) {
+static bool add_divisor(struct divisor *list, int *n, const char *section, const char *wrap, const struct expr *e,
+                        bool root) {
   struct text t = {0};
   text_add(&t, wrap);
   expr_print(&t, expr_bare(e));
   text_add(&t, *wrap ? ")" : "");
-  return add_formula(list, n, r, t, root);
+  return add_formula(list, n, section, t, root);
 }
 
 /* The root of an equation, which need not have a positive one: where its sign is known there is one. */
-static bool add_root(struct divisor *list, int *n, const struct statement_record *r, const char *name) {
+static bool add_root(struct divisor *list, int *n, const char *section, const char *name) {
   struct text t = {0};
   text_add(&t, name);
-  return add_formula(list, n, r, t, false);
+  return add_formula(list, n, section, t, false);
 }
 
 /* A number other than zero divides everywhere. */
@@ -49,26 +50,52 @@ static bool is_unit(const struct expr *e) {
   return e->kind == EXPR_NUM && isdigit((unsigned char)e->name[strspn(e->name, "0.")]); /* not in 0.0, not in 0e5 */
 }
 
-static bool collect(struct divisor *list, int *n, const struct statement_record *r, const struct expr *e) {
+static bool collect(struct divisor *list, int *n, const char *section, const struct expr *e) {
   bool ok = true;
-  if (e->kind == EXPR_DIV && !is_unit(e->args[1])) ok = add_divisor(list, n, r, "", e->args[1], false);
-  if (e->kind == EXPR_POW && e->exponent < 0) ok = add_divisor(list, n, r, "", e->args[0], false);
-  if (e->kind == EXPR_INV) ok = add_divisor(list, n, r, "det(", e->args[0], false);
-  if (e->kind == EXPR_COT) ok = add_divisor(list, n, r, "sin(", e->args[0], false);
-  if (e->kind == EXPR_SQRT) ok = add_divisor(list, n, r, "", e->args[0], true);
-  for (int i = 0; ok && i < e->n_args; i++) ok = collect(list, n, r, e->args[i]);
+  if (e->kind == EXPR_DIV && !is_unit(e->args[1])) ok = add_divisor(list, n, section, "", e->args[1], false);
+  if (e->kind == EXPR_POW && e->exponent < 0) ok = add_divisor(list, n, section, "", e->args[0], false);
+  if (e->kind == EXPR_INV) ok = add_divisor(list, n, section, "det(", e->args[0], false);
+  if (e->kind == EXPR_COT) ok = add_divisor(list, n, section, "sin(", e->args[0], false);
+  if (e->kind == EXPR_SQRT) ok = add_divisor(list, n, section, "", e->args[0], true);
+  for (int i = 0; ok && i < e->n_args; i++) ok = collect(list, n, section, e->args[i]);
   return ok;
 }
 
-bool divisors_of(struct divisor *list, int *n, const struct statement_record *r) {
+/* Of the sides of a relation, of what a definition defines, of the root of an equation. */
+static bool collect_stmt(struct divisor *list, int *n, const char *section, const struct stmt *s) {
   bool ok = true;
-  for (int k = 0; k < r->n_stmts; k++)
-    for (int i = 0; ok && i < r->stmts[k]->n_sides; i++) ok = collect(list, n, r, r->stmts[k]->sides[i]);
-  for (int k = 0; ok && k < r->n_stmts; k++) {
-    enum stmt_kind kind = r->stmts[k]->kind;
-    if (kind == STMT_DEFINE || kind == STMT_ROOT) ok = collect(list, n, r, r->stmts[k]->sides[0]);
-    if (ok && kind == STMT_ROOT) ok = add_root(list, n, r, r->stmts[k]->name);
+  for (int i = 0; ok && i < (s->kind == STMT_RELATION ? s->n_sides : 1); i++)
+    ok = collect(list, n, section, s->sides[i]);
+  return ok && (s->kind != STMT_ROOT || add_root(list, n, section, s->name));
+}
+
+/* And of the definitions, of any record, that it puts in; those of an argument are at any argument. */
+static bool collect_used(struct divisor *list, int *n, const struct statement_record *r, const struct stmt *s,
+                         struct view view) {
+  const struct override argument = {s->kind == STMT_DEFINE ? s->param : NULL, 1, 1};
+  struct elaboration el;
+  struct matrix m;
+  struct diag d = {0};
+  elaboration_init(&el, view, &argument, argument.name != NULL);
+  bool ok = true;
+  if (s->kind == STMT_RELATION)
+    relation_check(&el, s, r->src, r->section, &d);
+  else
+    elaborate(&m, &el, s->sides[0], r->src, r->section, &d);
+  for (size_t i = 0; ok && i < elaboration_n_used(&el); i++) {
+    const struct definition *used = elaboration_used(&el, i);
+    if (used) ok = collect_stmt(list, n, used->section, used->stmt);
   }
+  elaboration_clear(&el);
+  return ok;
+}
+
+bool divisors_of(struct divisor *list, int *n, const struct statement_record *r, struct view view) {
+  struct model plain;
+  bool ok = true;
+  view = view_without_stable(&view, &plain);
+  for (int k = 0; ok && k < r->n_stmts; k++) ok = collect_stmt(list, n, r->section, r->stmts[k]);
+  for (int k = 0; ok && k < r->n_stmts; k++) ok = collect_used(list, n, r, r->stmts[k], view);
   return ok;
 }
 

@@ -13,9 +13,9 @@ struct divisor {
   bool root;
 };
 enum { MOST_DIVISORS = 24 };
-/* Those of the definitions and relations of a record, none twice; at most MOST_DIVISORS in all.  false: there are
-   more. */
-bool divisors_of(struct divisor *list, int *n, const struct statement_record *r);
+/* Those of the definitions and relations of a record, and of all definitions that they put in, none twice; at most
+   MOST_DIVISORS in all.  false: there are more. */
+bool divisors_of(struct divisor *list, int *n, const struct statement_record *r, struct view view);
 void divisors_clear(struct divisor *list, int n);
 
 /* That V - z_1' is positive at the end of phase Gamma, and V - z_2' at the end of phase H, on every admissible motion:
