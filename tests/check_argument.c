@@ -204,6 +204,9 @@ static const struct question limits[] = {
 static const struct question gaps[] = {
     {"division by what may be zero, in a definition elsewhere",
      "  kind: defined\n  over: parameters\n  statements: text-outer\n", VERDICT_UNKNOWN},
+    {"an inequality is no equation", "  kind: rank\n  statement: text-told\n  unknowns: u, v\n  rank: 2\n",
+     VERDICT_REFUTED},
+    {"nor counts beside one", "  kind: rank\n  statement: text-told\n  unknowns: u, v\n  rank: 1\n", VERDICT_PROVED},
 };
 
 /* Each list under the paper's files, the controls and records of its own. */
@@ -241,7 +244,8 @@ static const struct {
      "define text-mixture\n  section: appendix_b\n  root mixed: mixed^2 - V*mixed - chi, smallest positive\n",
      "  section: appendix_b\n  title: of the test\n", limits, sizeof limits / sizeof *limits},
     {"define text-inner\n  section: appendix_b\n  inner := 1/(chi - eta)\n"
-     "define text-outer\n  section: appendix_b\n  outer := inner + 1\n",
+     "define text-outer\n  section: appendix_b\n  outer := inner + 1\n"
+     "relation text-told\n  section: appendix_b\n  u = 0\n  v < 0\n",
      "  section: appendix_b\n  title: of the test\n", gaps, sizeof gaps / sizeof *gaps}};
 
 START_TEST(what_follows_and_what_does_not) {

@@ -122,6 +122,7 @@ bool rank_residuals(const struct expr **out, int *rows, struct elaboration *el, 
   for (int i = 0; i < r->n_stmts; i++)
     for (int k = 0; r->stmts[i]->kind == STMT_RELATION && k + 1 < r->stmts[i]->n_sides; k++) {
       struct matrix a, b;
+      if (r->stmts[i]->ops[k] != REL_EQ) continue; /* it determines nothing */
       if (!elaborate_sides(&a, &b, el, r->stmts[i], k, r->src, r->section, j->d)) return false;
       for (int e = 0; e < a.rows * a.cols; e++) {
         if (*rows == RANK_NAMES) return claim_error(j, c, "statement", "too many equations");
