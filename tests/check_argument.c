@@ -201,12 +201,15 @@ static const struct question limits[] = {
 
 /* --- What is false, or says nothing, beside what was looked at --- */
 
+#define LAW "  kind: law\n  mass: 1\n  moves: eq-1#2 D\n  sticks: eq-2b C\n  breaks: eq-2c C\n"
+
 static const struct question gaps[] = {
     {"division by what may be zero, in a definition elsewhere",
      "  kind: defined\n  over: parameters\n  statements: text-outer\n", VERDICT_UNKNOWN},
     {"an inequality is no equation", "  kind: rank\n  statement: text-told\n  unknowns: u, v\n  rank: 2\n",
      VERDICT_REFUTED},
     {"nor counts beside one", "  kind: rank\n  statement: text-told\n  unknowns: u, v\n  rank: 1\n", VERDICT_PROVED},
+    {"a friction of the third degree", LAW "  slips: text-cubic H\n", VERDICT_REFUTED},
 };
 
 /* Each list under the paper's files, the controls and records of its own. */
@@ -245,7 +248,9 @@ static const struct {
      "  section: appendix_b\n  title: of the test\n", limits, sizeof limits / sizeof *limits},
     {"define text-inner\n  section: appendix_b\n  inner := 1/(chi - eta)\n"
      "define text-outer\n  section: appendix_b\n  outer := inner + 1\n"
-     "relation text-told\n  section: appendix_b\n  u = 0\n  v < 0\n",
+     "relation text-told\n  section: appendix_b\n  u = 0\n  v < 0\n"
+     "relation text-cubic\n  section: model\n  u_1 + u_1*(u_1 - 1)*(u_1 - 2) = u_s1*eps for eps in {+1, -1}\n"
+     "  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}\n",
      "  section: appendix_b\n  title: of the test\n", gaps, sizeof gaps / sizeof *gaps}};
 
 START_TEST(what_follows_and_what_does_not) {

@@ -198,15 +198,15 @@ val law_value(struct law_state *s, const struct tape *t, const struct law *names
 val law_solve(struct law_state *s, val *unknown, const struct condition *equation, const struct law *names) {
   struct calc *c = &s->c;
   val kept = *unknown, m[3];
-  for (int i = 0; i < 3; i++) {
-    *unknown = calc_d(c, i);
+  for (int i = 0; i < 3; i++) { /* at 0, 1 and any other value */
+    *unknown = i < 2 ? calc_d(c, i) : law_free(s);
     m[i] = law_value(s, &equation->s.tape, names);
   }
   *unknown = kept;
   if (!equation->equality || !m[0] || !m[1] || !m[2]) return NULL;
   val slope = calc_sub(c, m[1], m[0]);
   int sign = law_sign(s, slope);
-  bool line = law_sign(s, calc_sub(c, calc_sub(c, m[2], m[1]), slope)) == 0;
+  bool line = law_sign(s, calc_sub(c, calc_sub(c, m[2], m[0]), calc_mul(c, slope, law_free(s)))) == 0;
   return line && (sign == 1 || sign == -1) ? calc_neg(c, calc_div(c, m[0], slope)) : NULL;
 }
 
