@@ -209,6 +209,8 @@ static const struct question gaps[] = {
     {"an inequality is no equation", "  kind: rank\n  statement: text-told\n  unknowns: u, v\n  rank: 2\n",
      VERDICT_REFUTED},
     {"nor counts beside one", "  kind: rank\n  statement: text-told\n  unknowns: u, v\n  rank: 1\n", VERDICT_PROVED},
+    {"sides that differ by less than enclosures tell",
+     "  kind: identity\n  statement: text-almost\n  points: params 6\n  routes: exponential\n", VERDICT_UNKNOWN},
     {"a friction of the third degree", LAW "  slips: text-cubic H\n", VERDICT_REFUTED},
 };
 
@@ -249,6 +251,7 @@ static const struct {
     {"define text-inner\n  section: appendix_b\n  inner := 1/(chi - eta)\n"
      "define text-outer\n  section: appendix_b\n  outer := inner + 1\n"
      "relation text-told\n  section: appendix_b\n  u = 0\n  v < 0\n"
+     "equation text-almost\n  section: appendix_b\n  chi - 1e-60 = chi\n"
      "relation text-cubic\n  section: model\n  u_1 + u_1*(u_1 - 1)*(u_1 - 2) = u_s1*eps for eps in {+1, -1}\n"
      "  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}\n",
      "  section: appendix_b\n  title: of the test\n", gaps, sizeof gaps / sizeof *gaps}};
