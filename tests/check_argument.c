@@ -211,6 +211,8 @@ static const struct question gaps[] = {
     {"nor counts beside one", "  kind: rank\n  statement: text-told\n  unknowns: u, v\n  rank: 1\n", VERDICT_PROVED},
     {"sides that differ by less than enclosures tell",
      "  kind: identity\n  statement: text-almost\n  points: params 6\n  routes: exponential\n", VERDICT_UNKNOWN},
+    {"a friction that no scene gives", "  kind: inequality\n  statement: text-no-slide\n", VERDICT_UNKNOWN},
+    {"a perturbation, which may be anything", "  kind: inequality\n  statement: text-moved\n", VERDICT_UNKNOWN},
     {"a friction of the third degree", LAW "  slips: text-cubic H\n", VERDICT_REFUTED},
 };
 
@@ -252,6 +254,8 @@ static const struct {
      "define text-outer\n  section: appendix_b\n  outer := inner + 1\n"
      "relation text-told\n  section: appendix_b\n  u = 0\n  v < 0\n"
      "equation text-almost\n  section: appendix_b\n  chi - 1e-60 = chi\n"
+     "inequality text-no-slide\n  section: appendix_b\n  u_s1 <= 0\n"
+     "inequality text-moved\n  section: appendix_b\n  x < 1\n"
      "relation text-cubic\n  section: model\n  u_1 + u_1*(u_1 - 1)*(u_1 - 2) = u_s1*eps for eps in {+1, -1}\n"
      "  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}\n",
      "  section: appendix_b\n  title: of the test\n", gaps, sizeof gaps / sizeof *gaps}};

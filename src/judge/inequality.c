@@ -4,9 +4,30 @@
 
 #include "base/work.h"
 #include "judge.h"
+#include "value/names.h"
 
-static bool holds_step(truth *holds, const char **unbound, struct judge *j, const struct statement_record *r,
-                       const struct stmt *st, int k, struct view view, const struct point *p) {
+/* What no scene gives, and no solution fixes: the friction of sliding, positions in x, which are z and what it makes,
+   perturbations, the unknown of the characteristic equation. */
+static bool is_free(const char *name) {
+  struct motion_name n;
+  int index;
+  bool alone = strcmp(name, "u_s1") == 0 || strcmp(name, "u_s2") == 0 || strcmp(name, "lambda") == 0;
+  return alone || name_of_tangent(name, &index) || (name_of_motion(&n, name) && n.in_x && !n.primes);
+}
+
+static const char no_number[] = "what holds along a phase is no inequality of numbers: kind argument, over scene";
+
+static bool goes_with_time(const struct tape *t) {
+  bool any = false;
+  struct motion_name n;
+  for (slong i = 0; i < t->n_inputs; i++)
+    any = any || strcmp(t->inputs[i], "t") == 0 || (name_of_motion(&n, t->inputs[i]) && strcmp(n.argument, "(t)") == 0);
+  return any;
+}
+
+static bool holds_step(truth *holds, const char **unbound, struct judge *j, const struct claim *c,
+                       const struct statement_record *r, const struct stmt *st, int k, struct view view,
+                       const struct point *p) {
   struct elaboration el;
   struct tape tape = {.n = 0};
   struct matrix a, b;
@@ -23,6 +44,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
     const struct expr *both[] = {a.e[0], b.e[0]};
     ok = elaboration_tape(&tape, &el, both, 2, j->d);
   }
+  if (ok && goes_with_time(&tape)) ok = claim_error(j, c, "statement", no_number);
   for (slong prec = FIRST_PREC; ok && *holds == TRUTH_UNKNOWN && !*unbound && prec <= LAST_PREC; prec *= 2) {
     struct values v;
     struct num_ctx ctx = num_ctx_arb(prec);
@@ -32,7 +54,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
       const char *name = tape.inputs[i];
       bool known, is_u_r = strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0;
       int key = strcmp(name, "u_r1") == 0 ? KEY_U_R1 : KEY_U_R2;
-      if (is_u_r && !j->scene->given[key]) *unbound = result_copy(j->out, name);
+      if (is_free(name) || (is_u_r && !j->scene->given[key])) *unbound = result_copy(j->out, name);
       if (is_u_r)
         s |= ctx.type->set_q(num_vec_at(&in, i), &j->scene->value[key], prec);
       else
@@ -51,7 +73,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
 }
 
 /* All steps of the record at one point: what it says, and a list of what failed and what could not be tried. */
-static bool try_inequalities(struct route_result *w, struct finding *f, struct judge *j,
+static bool try_inequalities(struct route_result *w, struct finding *f, struct judge *j, const struct claim *c,
                              const struct statement_record *r, struct view view, const struct point *p,
                              const char *where) {
   struct text note = {0};
@@ -61,12 +83,14 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
     for (int k = 0; ok && k + 1 < r->stmts[i]->n_sides; k++) {
       truth holds;
       const char *unbound;
-      ok = holds_step(&holds, &unbound, j, r, r->stmts[i], k, view, p);
+      ok = holds_step(&holds, &unbound, j, c, r, r->stmts[i], k, view, p);
       struct text step = {0};
       stmt_print_step(&step, r->stmts[i], k);
       if (unbound) {
         text_printf(&note, "%s was not tried, since %s is not given. ", text_str(&step), unbound);
-        f->condition = "only for what does not contain u_r1 or u_r2, which are not given";
+        f->condition = is_free(unbound)
+                           ? result_str(j->out, "only for what does not contain %s, which is not given", unbound)
+                           : "only for what does not contain u_r1 or u_r2, which are not given";
       } else {
         tried++;
         failed += holds == TRUTH_FALSE;
@@ -93,18 +117,17 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
   if (!j->model->system) return judge_points(f, j, c, view);
   if (!r) return claim_error(j, c, "statement", "there is no such record in the equation files");
   for (int k = 0; k < r->n_stmts; k++)
-    if (r->stmts[k]->range_hi)
-      return claim_error(j, c, "statement",
-                         "what holds along a phase is no inequality of numbers: kind argument, over scene");
+    if (r->stmts[k]->range_hi) return claim_error(j, c, "statement", no_number);
   struct point printed, orbit;
   point_init(&printed);
   point_init(&orbit);
   struct route_result w[2];
   int n = 0;
   bool ok = true;
-  if (printed_point(&printed, j->scene)) ok = try_inequalities(&w[n++], f, j, r, view, &printed, "the printed numbers");
+  if (printed_point(&printed, j->scene))
+    ok = try_inequalities(&w[n++], f, j, c, r, view, &printed, "the printed numbers");
   if (ok && nearest_orbit_point(&orbit, j->scene, j->cache))
-    ok = try_inequalities(&w[n++], f, j, r, view, &orbit, usual_orbit_text(j, "periodic solution"));
+    ok = try_inequalities(&w[n++], f, j, c, r, view, &orbit, usual_orbit_text(j, "periodic solution"));
   if (ok && n == 0)
     finding_skip(f, j, "the scene prints no solution and has no orbit");
   else if (ok)
