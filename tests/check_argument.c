@@ -97,10 +97,12 @@ static const struct question arguments[] = {
     {"which the sliding friction alone does not give", "  kind: argument\n  over: scene\n  conclusion: eq-54#2.1\n",
      VERDICT_REFUTED},
     {"nor a bound that is a little less, which no friction of the grid shows",
-     "  kind: argument\n  over: scene\n  premises: text-less\n  conclusion: eq-54#2.1\n", VERDICT_SUPPORTED},
-    {"friction that is not bounded above", "  kind: argument\n  over: scene\n  conclusion: text-above\n",
-     VERDICT_SUPPORTED},
+     "  kind: argument\n  over: scene\n  premises: text-less\n  conclusion: eq-54#2.1\n", VERDICT_UNKNOWN},
+    {"friction that is not bounded above, tried with one value",
+     "  kind: argument\n  over: scene\n  conclusion: text-above\n", VERDICT_UNKNOWN},
     {"premises that never hold", "  kind: argument\n  premises: text-never\n  conclusion: eq-53#2\n", VERDICT_UNKNOWN},
+    {"from which anything follows", "  kind: argument\n  premises: text-never\n  conclusion: text-behind\n",
+     VERDICT_UNKNOWN},
     {"a margin that is zero throughout", "  kind: argument\n  conclusion: text-zero D\n", VERDICT_UNKNOWN},
 };
 
@@ -223,6 +225,7 @@ static const struct {
   int n;
 } verdicts[] = {
     {"inequality text-never\n  section: appendix_b\n  t_b < 0\n"
+     "inequality text-behind\n  section: appendix_b\n  t_b < e_1\n"
      "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
      "inequality text-less\n  section: appendix_b\n  u_r2 > (e_2 - chi*(z_20 - z_10))/2 - 1e-6\n"
      "inequality text-above\n  section: appendix_b\n  u_r1 < 100\n"

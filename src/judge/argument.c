@@ -42,6 +42,15 @@ static bool add_proof(struct route_result *w, struct finding *f, struct argument
   return proved;
 }
 
+/* Did the search tell that the premises never hold?  Not where one is an equation that may hold at some moments of its
+   phase alone, which the search asks of all. */
+static bool never_holds(const struct argument *a) {
+  bool at_moments = false;
+  for (int k = 0; k < a->part[PREMISES].n; k++)
+    at_moments = at_moments || (a->part[PREMISES].at[k].equality && a->part[PREMISES].at[k].moving);
+  return a->tried == 0 && !at_moments;
+}
+
 /* Proof and search in one direction; proof_alone: what is proved is not tried besides. */
 static enum verdict judge_direction(struct finding *f, struct argument *a, struct view view, bool proof_alone) {
   struct route_result w[3];
@@ -60,7 +69,7 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
                                       a->tried);
   argument_add_routes(w + n, f, a, t.decided, t.nearest, note);
   if (t.certificate) f->certificate = t.certified;
-  if (answers_given(&t.decided[0]) || !proved) n += 2; /* else there is nothing to try it on */
+  if (answers_given(&t.decided[0]) || !proved || never_holds(a)) n += 2; /* what never applies is not proved */
   return verdict_of(w, n, proved);
 }
 

@@ -101,6 +101,8 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
       a->j->effort == EFFORT_FULL)
     all = prove_for_all(f, a, scene_orbit(a->j->scene, a->j->cache)->admissible == TRUTH_TRUE);
   f->verdict = verdict_of(w, 2, all);
+  if (!all && f->verdict == VERDICT_SUPPORTED)
+    verdict_leave_open(f, a->j->out, "tried with one u_s1 and one u_s2 alone, of all that the premises allow");
   arb_clear(d.value);
 }
 
