@@ -271,6 +271,18 @@ START_TEST(what_follows_and_what_does_not) {
 }
 END_TEST
 
+/* What is reported of the scene names the formula whose value it gives. */
+START_TEST(a_report_names_its_formula) {
+  struct audit_result r;
+  const char *claim =
+      "claim text-report\n  section: stability\n  title: of the test\n  kind: report\n  formula: det(J)\n";
+  goes_well(judge_text(&r, &the_paper.model, claim, &the_paper.scene, "text-report", &d));
+  const struct finding *f = finding_with_id(&r, "text-report");
+  ck_assert_ptr_nonnull(strstr(f->evidence[f->n_evidence - 1].note, "formulas give det(J) = "));
+  audit_result_clear(&r);
+}
+END_TEST
+
 /* Rows of tests/oracle/argument.py: a scene, then e1, e2, V t_a (1 - chi)/2, (e1 - (z_1c - chi z_2c))/2 and
    (e2 - chi (z_20 - z_10))/2 there. */
 static const struct {
@@ -731,6 +743,7 @@ Suite *argument_suite(void) {
   tcase_add_unchecked_fixture(c, paper_open, paper_close);
 #define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
   LOOP(what_follows_and_what_does_not, verdicts);
+  tcase_add_test(c, a_report_names_its_formula);
   LOOP(bounds_of_an_independent_program, certificates);
   tcase_add_test(c, a_condition_broken_for_a_moment);
   tcase_add_test(c, conditions_are_the_margins_of_the_orbit);

@@ -272,8 +272,8 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
     arb_init(tr);
     if (expression_number(tr, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
       finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, NULL,
-                    result_str(j->out, "with the printed numbers put in, the %s formulas give tr J = %s",
-                               layer == LAYER_PRINTED ? "printed" : "corrected", ball_text(j, tr, 8)));
+                    result_str(j->out, "with the printed numbers put in, the %s formulas give %s = %s",
+                               layer == LAYER_PRINTED ? "printed" : "corrected", trace, ball_text(j, tr, 8)));
     }
     arb_clear(tr);
   }
