@@ -12,16 +12,14 @@
 #include "bench/bench.h"
 
 void figure_curve(struct figure *f, const char *name) {
-  f->curve = ss_grow(f->curve, f->n_curves, &f->cap_curves, sizeof *f->curve);
-  struct figure_curve *c = &f->curve[f->n_curves];
+  struct figure_curve *c = SS_PUSH(f->curve, f->n_curves, f->cap_curves);
   *c = (struct figure_curve){.name = name};
-  snprintf(c->class, sizeof c->class, "k%zu", f->n_curves++);
+  snprintf(c->class, sizeof c->class, "k%zu", f->n_curves - 1);
 }
 
 void figure_point(struct figure *f, int panel, double x, double y) {
   if (!isfinite(x) || !isfinite(y)) return;
-  f->point = ss_grow(f->point, f->n_points, &f->cap_points, sizeof *f->point);
-  f->point[f->n_points++] = (struct figure_point){f->n_curves - 1, panel, x, y};
+  *SS_PUSH(f->point, f->n_points, f->cap_points) = (struct figure_point){f->n_curves - 1, panel, x, y};
   f->curve[f->n_curves - 1].drawn = true;
 }
 

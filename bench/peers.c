@@ -147,8 +147,7 @@ static bool read_line(struct bench_peers *p, bool *headed, struct line *l, struc
     diag_at(d, l->src, l->begin, "more than %d rows", MOST_PEERS);
     return false;
   }
-  p->peer = ss_grow(p->peer, p->n, &p->cap, sizeof *p->peer);
-  return split(l, &p->arena, d) && read_row(&p->peer[p->n++], l, d);
+  return split(l, &p->arena, d) && read_row(SS_PUSH(p->peer, p->n, p->cap), l, d);
 }
 
 bool bench_peers_read(struct bench_peers *p, const char *path, struct diag *d) {

@@ -26,8 +26,7 @@ void bench_result_clear(struct bench_result *r) {
 static void add(struct bench_result *r, double value, bool at_most, double goal, const char *fmt, ...) SS_PRINTF(5, 6);
 
 static void add(struct bench_result *r, double value, bool at_most, double goal, const char *fmt, ...) {
-  r->ratio = ss_grow(r->ratio, (size_t)r->n_ratios, &r->cap_ratios, sizeof *r->ratio);
-  struct bench_ratio *q = &r->ratio[r->n_ratios++];
+  struct bench_ratio *q = SS_PUSH(r->ratio, r->n_ratios, r->cap_ratios);
   *q = (struct bench_ratio){.value = value, .goal = goal, .at_most = at_most};
   va_list list;
   va_start(list, fmt);

@@ -95,9 +95,8 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
       else
         printed_pair_digits(&d, f->exact, &p, t[2], truth_of);
       add_digits(all, scene, number, counts[k], way, &d);
-      all->digit = ss_grow(all->digit, (size_t)all->n, &all->cap, sizeof *all->digit);
       const double kept[3] = {k, way, d.worst[0]};
-      memcpy(all->digit[all->n++], kept, sizeof kept);
+      memcpy(SS_PUSH(all->digit, all->n, all->cap), kept, sizeof kept);
     }
     printed_times_clear(&p);
   }

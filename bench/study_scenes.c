@@ -157,8 +157,7 @@ static void take_piece(void *arg, const char *what, const char *name, unsigned l
   struct clocked *c = arg;
   double now = bench_now(), ms = 1e3 * (now - c->last);
   if (!c->known) {
-    c->item = ss_grow(c->item, c->n, &c->cap, sizeof *c->item);
-    struct piece_cost *p = &c->item[c->n++];
+    struct piece_cost *p = SS_PUSH(c->item, c->n, c->cap);
     *p = (struct piece_cost){.ms = INFINITY};
     snprintf(p->what, sizeof p->what, "%s", what);
     snprintf(p->name, sizeof p->name, "%s", name);

@@ -59,8 +59,7 @@ static bool do_work(struct bench_work *w, const struct bench_env *env, size_t fr
 }
 
 static struct bench_work *new_work(struct bench_verdicts *v, enum bench_work_kind kind, const char *id, long size) {
-  v->work = ss_grow(v->work, v->n, &v->cap, sizeof *v->work);
-  struct bench_work *w = &v->work[v->n++];
+  struct bench_work *w = SS_PUSH(v->work, v->n, v->cap);
   *w = (struct bench_work){.kind = kind, .size = size, .seconds = INFINITY, .good = true};
   snprintf(w->id, sizeof w->id, "%s", id);
   return w;

@@ -40,5 +40,8 @@ void ss_exhausted_calls(void (*f)(void));
 
 /* Makes room for one more element in a heap array of *cap elements of the given size, doubling it when full. */
 void *ss_grow(void *p, size_t len, size_t *cap, size_t size);
+/* The place of a new last element of such an array of n, which n counts from here on; what is put there must not name
+   the array or n. */
+#define SS_PUSH(p, n, cap) ((p) = ss_grow(p, (size_t)(n), &(cap), sizeof *(p)), &(p)[(n)++])
 
 #endif

@@ -134,8 +134,7 @@ static void hand_out(struct crew *c) {
 }
 
 void crew_give(struct crew *c, size_t item) {
-  c->waiting = ss_grow(c->waiting, c->n_waiting, &c->cap_waiting, sizeof *c->waiting);
-  c->waiting[c->n_waiting++] = item;
+  *SS_PUSH(c->waiting, c->n_waiting, c->cap_waiting) = item;
   c->given++;
   hand_out(c);
 }

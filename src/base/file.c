@@ -364,8 +364,7 @@ char **folder_files(size_t *n, const char *path, const char *suffix, struct aren
     if (e->d_name[0] == '.' || !path_has_suffix(e->d_name, suffix)) continue;
     text_reset(&t);
     text_printf(&t, "%s/%s", path, e->d_name);
-    paths = ss_grow(paths, *n, &cap, sizeof *paths);
-    paths[(*n)++] = arena_strndup(a, t.data, t.len);
+    *SS_PUSH(paths, *n, cap) = arena_strndup(a, t.data, t.len);
   }
   closedir(dir);
   text_clear(&t);

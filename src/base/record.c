@@ -77,8 +77,7 @@ static char *number_in(const char *id) {
 }
 
 static struct record *add_record(struct record_file *f, struct span kind, struct span id) {
-  f->records = ss_grow(f->records, f->n_records, &f->cap_records, sizeof *f->records);
-  struct record *r = &f->records[f->n_records++];
+  struct record *r = SS_PUSH(f->records, f->n_records, f->cap_records);
   *r = (struct record){.kind = kind, .id = id};
   r->kind_name = copy(&f->src, kind);
   r->id_name = copy(&f->src, id);
@@ -87,8 +86,7 @@ static struct record *add_record(struct record_file *f, struct span kind, struct
 }
 
 static struct field *add_field(struct record_file *f, struct record *r, const struct line *l) {
-  r->fields = ss_grow(r->fields, r->n_fields, &r->cap_fields, sizeof *r->fields);
-  struct field *fd = &r->fields[r->n_fields++];
+  struct field *fd = SS_PUSH(r->fields, r->n_fields, r->cap_fields);
   *fd = (struct field){.value = {l->begin, l->end}};
   const char *t = f->src.text;
   size_t i = l->begin;

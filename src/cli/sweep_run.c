@@ -101,8 +101,7 @@ static void take_from_ranks(struct sweep_course *r, struct text *rows) {
       put(r, unit, rows);
       continue;
     }
-    r->again = ss_grow(r->again, r->n_again, &r->cap_again, sizeof *r->again);
-    r->again[r->n_again++] = unit;
+    *SS_PUSH(r->again, r->n_again, r->cap_again) = unit;
   }
 }
 #endif

@@ -117,16 +117,16 @@ void damages_clear(struct damages *d) {
 void maker_add(struct maker *k, size_t begin, size_t end, const char *now, size_t n, const char *rule) {
   struct damages *out = k->out;
   if (n == end - begin && memcmp(k->text + begin, now, n) == 0) return;
-  out->damage = ss_grow(out->damage, out->n, &out->cap, sizeof *out->damage);
-  out->damage[out->n++] = (struct damage){.class = k->class,
-                                          .file = k->file,
-                                          .begin = begin,
-                                          .end = end,
-                                          .now = arena_strndup(&out->arena, now, n),
-                                          .record = k->record->id_name,
-                                          .attribute = k->field && k->field->attribute ? k->field->key_name : "",
-                                          .rule = rule,
-                                          .excuse = k->excuse};
+  *SS_PUSH(out->damage, out->n, out->cap) =
+      (struct damage){.class = k->class,
+                      .file = k->file,
+                      .begin = begin,
+                      .end = end,
+                      .now = arena_strndup(&out->arena, now, n),
+                      .record = k->record->id_name,
+                      .attribute = k->field && k->field->attribute ? k->field->key_name : "",
+                      .rule = rule,
+                      .excuse = k->excuse};
 }
 
 void maker_put(struct maker *k, size_t begin, size_t end, const char *now) {

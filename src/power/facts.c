@@ -104,8 +104,7 @@ static void add_opaque(struct facts *f, const struct model *m, size_t def) {
   elaboration_init(&el, (struct view){&recording, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   if (elaborate_name(&x, &el, m->defs[def].name, m->defs[def].section, &d) && x.rows * x.cols > 1) {
     o.name = (struct override){m->defs[def].name, x.rows, x.cols};
-    f->opaque = ss_grow(f->opaque, f->n_opaque, &f->cap_opaque, sizeof *f->opaque);
-    f->opaque[f->n_opaque++] = o;
+    *SS_PUSH(f->opaque, f->n_opaque, f->cap_opaque) = o;
   } else {
     model_use_clear(&o.use);
   }

@@ -39,8 +39,7 @@ static bool stands_in_section(const struct model *m, const char *section, const 
 static void add_word(struct lexicon *l, struct edit_word w) {
   for (size_t i = 0; i < l->n; i++)
     if (strcmp(l->word[i].name, w.name) == 0) return;
-  l->word = ss_grow(l->word, l->n, &l->cap, sizeof *l->word);
-  l->word[l->n++] = w;
+  *SS_PUSH(l->word, l->n, l->cap) = w;
 }
 
 /* The shape of what a name means in a section; a function's at an argument of no importance. */
@@ -147,14 +146,8 @@ bool mutants_any(const struct mutants *m, const struct model *model, const char 
 static void add_mutants(struct mutants *m, const struct model *model, struct lexicon *l, size_t record, int stmt) {
   struct edits e = {.n = 0};
   lexicon_edits(&e, &m->arena, l, model->records[record].stmts[stmt]);
-  if (e.n) {
-    m->target = ss_grow(m->target, m->n_targets, &m->cap_targets, sizeof *m->target);
-    m->target[m->n_targets++] = target_of(model, record, stmt);
-  }
-  for (size_t i = 0; i < e.n; i++) {
-    m->mutant = ss_grow(m->mutant, m->n, &m->cap, sizeof *m->mutant);
-    m->mutant[m->n++] = (struct mutant){m->n_targets - 1, e.edit[i]};
-  }
+  if (e.n) *SS_PUSH(m->target, m->n_targets, m->cap_targets) = target_of(model, record, stmt);
+  for (size_t i = 0; i < e.n; i++) *SS_PUSH(m->mutant, m->n, m->cap) = (struct mutant){m->n_targets - 1, e.edit[i]};
   edits_clear(&e);
 }
 

@@ -299,8 +299,7 @@ static void add_survivor(struct mutation_result *out, const struct mutation_stud
   s.original = same ? last->original : keep(out, text_str(&original));
   if (same) s.record = last->record;
   text_clear(&original);
-  out->survivor = ss_grow(out->survivor, out->n_survivors, &out->cap_survivors, sizeof s);
-  out->survivor[out->n_survivors++] = s;
+  *SS_PUSH(out->survivor, out->n_survivors, out->cap_survivors) = s;
 }
 
 static void report(struct mutation_result *out, const struct mutation_study *r, const enum mutant_fate *fate) {

@@ -95,8 +95,7 @@ static void keep_damaged(struct mutation_result *out, const struct data_run *r, 
   g.attribute = arena_strdup(&out->arena, d->attribute);
   g.says = arena_strdup(&out->arena, said->says);
   show_place(&g, out, &f->parsed->src, d);
-  out->damaged = ss_grow(out->damaged, out->n_damaged, &out->cap_damaged, sizeof g);
-  out->damaged[out->n_damaged++] = g;
+  *SS_PUSH(out->damaged, out->n_damaged, out->cap_damaged) = g;
 }
 
 static void report(struct mutation_result *out, const struct data_run *r, const struct damage_said *said) {

@@ -56,8 +56,7 @@ static void find_targets(struct search *s) {
     if (!subject || (!defines && view_record(&v, r->id) != r)) continue;
     for (int k = 0; k < r->n_stmts; k++) {
       if (r->stmts[k]->kind == STMT_TRAJECTORY) continue;
-      s->target = ss_grow(s->target, s->n_targets, &s->cap_targets, sizeof *s->target);
-      s->target[s->n_targets++] = target_of(s->model, i, k);
+      *SS_PUSH(s->target, s->n_targets, s->cap_targets) = target_of(s->model, i, k);
     }
   }
   s->edits = ss_malloc((s->n_targets + 1) * sizeof *s->edits);
@@ -268,8 +267,7 @@ static bool try_all(struct search *s, struct diag *d) {
   s->out->broken = !ok;
   for (size_t i = 0; ok && i < s->n; i++) {
     if (!verdict_passes(v[i])) continue;
-    found->repair = ss_grow(found->repair, found->n, &found->cap, sizeof *found->repair);
-    found->repair[found->n++] = describe(s, &s->candidate[i], v[i]);
+    *SS_PUSH(found->repair, found->n, found->cap) = describe(s, &s->candidate[i], v[i]);
   }
   free(v);
   return ok;
@@ -377,8 +375,7 @@ static bool add_claim(const struct search *base, const struct claim *c, bool nam
   arena_init(&s.arena);
   if (ok && !why) ok = search_claim(&s, d);
   search_clear(&s);
-  out->claim = ss_grow(out->claim, out->n, &out->cap, sizeof *out->claim);
-  out->claim[out->n++] = found;
+  *SS_PUSH(out->claim, out->n, out->cap) = found;
   return ok;
 }
 

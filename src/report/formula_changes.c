@@ -110,8 +110,7 @@ static void read_symbols(struct symbols *list, const char *tex, size_t begin, si
     struct symbol y = {.at = (size_t)(s - tex)};
     s = read_symbol(&y, s, stop);
     if (!*y.key) continue;
-    list->s = ss_grow(list->s, list->n, &list->cap, sizeof *list->s);
-    list->s[list->n++] = y;
+    *SS_PUSH(list->s, list->n, list->cap) = y;
   }
 }
 

@@ -5,8 +5,7 @@
 #include "base/text.h"
 
 void names_add(struct names *list, const char *name) {
-  list->name = ss_grow(list->name, list->n, &list->cap, sizeof *list->name);
-  list->name[list->n++] = name;
+  *SS_PUSH(list->name, list->n, list->cap) = name;
 }
 
 size_t names_index(struct names *list, const char *name) {

@@ -27,8 +27,7 @@ static void read_row(struct rows *t, const char *line, size_t len) {
     cell[c] = arena_strndup(&t->arena, line + at, width);
     at += width + (at + width < len);
   }
-  t->cell = ss_grow(t->cell, t->n, &t->cap, sizeof *t->cell);
-  t->cell[t->n++] = cell;
+  *SS_PUSH(t->cell, t->n, t->cap) = cell;
 }
 
 void rows_parse(struct rows *t, const char *text) {

@@ -185,10 +185,7 @@ static struct culprit *culprits(int *n, const struct stability_result *r) {
     if (!stability_loses(row) || r->formula[row->formula].kernel) continue;
     size_t k = 0;
     while (k < len && !same_node(c[k].worst, row)) k++;
-    if (k == len) {
-      c = ss_grow(c, len, &cap, sizeof *c);
-      c[len++] = (struct culprit){row, 0, -1};
-    }
+    if (k == len) *SS_PUSH(c, len, cap) = (struct culprit){row, 0, -1};
     c[k].formulas += c[k].last != row->formula;
     c[k].last = row->formula;
     if (stability_by_loss(&row, &c[k].worst) < 0) c[k].worst = row;

@@ -382,8 +382,7 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
   q.solved = number || !j->model->system ? NULL : readings_as_printed(j, claim_own(c));
   if (q.solved) finding->effect = q.solved;
   describe_derived(finding, &q, out);
-  out->consequences = ss_grow(out->consequences, out->n_consequences, &out->cap_consequences, sizeof q);
-  out->consequences[out->n_consequences++] = q;
+  *SS_PUSH(out->consequences, out->n_consequences, out->cap_consequences) = q;
 }
 
 size_t consequence_claim(const struct judge *j, const struct finding *f) {

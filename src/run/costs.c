@@ -16,8 +16,7 @@ static bool read_row(struct costs *c, const struct source *src, size_t at, const
             "a row reads what, name, units, milliseconds with tabs between; \"stickslip bench --job costs\"");
     return false;
   }
-  c->row = ss_grow(c->row, c->n, &c->cap, sizeof row);
-  c->row[c->n++] = row;
+  *SS_PUSH(c->row, c->n, c->cap) = row;
   return true;
 }
 

@@ -278,8 +278,7 @@ static struct task_result *do_pieces(struct audit_work *r, const struct pieces *
       r->raises.tried[k] += t[i].raises.tried[k];
       r->raises.enough[k] += t[i].raises.enough[k];
     }
-    out->spent = ss_grow(out->spent, out->n_spent, &out->cap_spent, sizeof *out->spent);
-    out->spent[out->n_spent++] =
+    *SS_PUSH(out->spent, out->n_spent, out->cap_spent) =
         (struct piece_spent){piece_what[p->kind], result_copy(out, p->name), t[i].units, 1e3 * t[i].seconds};
   }
   free(cost);
@@ -321,8 +320,8 @@ static bool run_pieces(struct audit_work *r, const struct pieces *first, const s
 static void add_raises(struct audit_result *out, const struct work_raises *r) {
   for (int k = 0; k < N_WORK_LADDERS; k++) {
     if (!r->tried[k]) continue;
-    out->precision = ss_grow(out->precision, out->n_precision, &out->cap_precision, sizeof *out->precision);
-    out->precision[out->n_precision++] = (struct precision_use){work_ladder_name[k], r->tried[k], r->enough[k]};
+    *SS_PUSH(out->precision, out->n_precision, out->cap_precision) =
+        (struct precision_use){work_ladder_name[k], r->tried[k], r->enough[k]};
   }
 }
 

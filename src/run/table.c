@@ -48,6 +48,5 @@ fmpq *table_params(fmpq params[N_PARAMS], const struct scene *s, int vary) {
 }
 
 void table_finish(struct audit_result *out, const char *name, struct text *body) {
-  out->tables = ss_grow(out->tables, out->n_tables, &out->cap_tables, sizeof *out->tables);
-  out->tables[out->n_tables++] = (struct data_table){name, result_take(out, body), NULL};
+  *SS_PUSH(out->tables, out->n_tables, out->cap_tables) = (struct data_table){name, result_take(out, body), NULL};
 }

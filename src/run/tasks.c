@@ -46,10 +46,7 @@ static void pack_result(struct audit_result *r) {
 
 void result_append(struct audit_result *out, const struct audit_result *part) {
 #define APPEND(list)                                                                                                   \
-  for (size_t i = 0; i < part->n_##list; i++) {                                                                        \
-    out->list = ss_grow(out->list, out->n_##list, &out->cap_##list, sizeof *out->list);                                \
-    out->list[out->n_##list++] = part->list[i];                                                                        \
-  }
+  for (size_t i = 0; i < part->n_##list; i++) *SS_PUSH(out->list, out->n_##list, out->cap_##list) = part->list[i];
   LISTS(APPEND)
   if (part->readings) out->readings = part->readings;
 }

@@ -170,8 +170,7 @@ static void add_value(struct judge *j, const struct quantity *q, slong entry, co
   struct audit_result *out = j->out;
   const char *place = entry_place(out, (slong)q->rows * q->cols, q->cols, entry);
   bool column = *place && *place != '[';
-  out->values = ss_grow(out->values, out->n_values, &out->cap_values, sizeof *out->values);
-  out->values[out->n_values++] =
+  *SS_PUSH(out->values, out->n_values, out->cap_values) =
       (struct asked_value){result_str(out, column ? "%s[%s]" : "%s%s", q->name, place), at, value};
   *q->bytes += VALUE_FRAME + strlen(out->values[out->n_values - 1].name) + strlen(at) + (value ? strlen(value) : 0);
   check_room(j, q);

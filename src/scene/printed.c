@@ -43,8 +43,7 @@ static struct printed_number *place_of(struct scene *s, const char *name, size_t
   if (p) {
     scene_printed_clear(p);
   } else {
-    s->printed = ss_grow(s->printed, s->n_printed, &s->cap_printed, sizeof *s->printed);
-    p = &s->printed[s->n_printed++];
+    p = SS_PUSH(s->printed, s->n_printed, s->cap_printed);
   }
   *p = (struct printed_number){.name = ss_strndup(name, n), .override = override};
   fmpq_init(&p->value);

@@ -380,8 +380,7 @@ static bool read_fields(struct reader *r, const struct record_file *f) {
 static const struct source *keep_source(struct scene *s, const struct source *src) {
   struct source *kept = ss_malloc(sizeof *kept);
   *kept = *src;
-  s->source = ss_grow(s->source, s->n_sources, &s->cap_sources, sizeof *s->source);
-  s->source[s->n_sources++] = kept;
+  *SS_PUSH(s->source, s->n_sources, s->cap_sources) = kept;
   return kept;
 }
 

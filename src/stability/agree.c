@@ -12,8 +12,7 @@ enum { KNOWN_BITS = 32, AGREE_FIRST = 256, AGREE_LAST = 4096 };
 /* --- Pairs --- */
 
 static void add_pair(struct digits_pairs *p, struct digits_formula *corrected, struct digits_formula *stable) {
-  p->pair = ss_grow(p->pair, p->n, &p->cap, sizeof *p->pair);
-  p->pair[p->n++] = (struct digits_pair){corrected, stable};
+  *SS_PUSH(p->pair, p->n, p->cap) = (struct digits_pair){corrected, stable};
 }
 
 /* A matrix says what its entries would. */

@@ -194,8 +194,7 @@ static void enrol(struct digits_set *s, const struct digits_kernel *k, const cha
   for (slong i = 0; i < n; i++) f.out[i] = i;
   f.input = arena_alloc(&s->arena, (size_t)f.tape.n_inputs * sizeof *f.input);
   for (slong i = 0; i < f.tape.n_inputs; i++) f.input[i] = digits_class_of(f.tape.inputs[i]);
-  s->formula = ss_grow(s->formula, s->n, &s->cap, sizeof *s->formula);
-  s->formula[s->n++] = f;
+  *SS_PUSH(s->formula, s->n, s->cap) = f;
 }
 
 void digits_enrol_kernels(struct digits_set *s) {

@@ -8,8 +8,7 @@
 
 static void note(struct digits_set *s, const struct expr *scalar, const char *id) {
   if (scalar->kind == EXPR_NUM) return;
-  s->place = ss_grow(s->place, s->n_places, &s->cap_places, sizeof *s->place);
-  s->place[s->n_places++] = (struct digits_source){scalar, id};
+  *SS_PUSH(s->place, s->n_places, s->cap_places) = (struct digits_source){scalar, id};
 }
 
 static void note_at_times(struct digits_set *s, const struct expr *scalar, const char *param, const char *id) {

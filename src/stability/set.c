@@ -47,8 +47,7 @@ static bool add_formula(struct digits_set *s, struct digits_formula f, struct di
     digits_formula_clear(&f);
     return true;
   }
-  s->formula = ss_grow(s->formula, s->n, &s->cap, sizeof *s->formula);
-  s->formula[s->n++] = f;
+  *SS_PUSH(s->formula, s->n, s->cap) = f;
   return true;
 }
 
@@ -115,8 +114,8 @@ static void keep_names(struct digits_set *s, const char *text, const struct matr
   for (int k = 0; k < m->rows * m->cols; k++) {
     const struct expr *e = m->e[k];
     if (e->n_args == 0 || (e->kind == EXPR_NEG && e->args[0]->n_args == 0)) continue;
-    s->name = ss_grow(s->name, s->n_names, &s->cap_names, sizeof *s->name);
-    s->name[s->n_names++] = (struct digits_name){e, digits_entry_id(s, text, m->rows, m->cols, k)};
+    *SS_PUSH(s->name, s->n_names, s->cap_names) =
+        (struct digits_name){e, digits_entry_id(s, text, m->rows, m->cols, k)};
   }
 }
 
