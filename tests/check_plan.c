@@ -62,11 +62,9 @@ static int read_for; /* how many of them it has served */
 /* The pieces that the work was done in are in run.json. */
 static void read_spent(struct audit_result *r) {
   char *text = file_text(scratch_path("whole/paper/run.json")), *end = strstr(text, "\n  ],");
-  for (const char *p = strstr(text, "\"what\": "); p && p < end; p = strstr(p + 1, "\"what\": ")) {
-    r->spent = ss_grow(r->spent, r->n_spent, &r->cap_spent, sizeof *r->spent);
-    r->spent[r->n_spent++] =
+  for (const char *p = strstr(text, "\"what\": "); p && p < end; p = strstr(p + 1, "\"what\": "))
+    *SS_PUSH(r->spent, r->n_spent, r->cap_spent) =
         (struct piece_spent){result_str(r, "%s", member(p, "what")), result_str(r, "%s", member(p, "name")), 0, 0};
-  }
   free(text);
 }
 
@@ -170,10 +168,8 @@ END_TEST
 /* What the report says of these findings, and nothing else. */
 static char *findings_alone(const struct audit_result *r, const struct audit_result *like) {
   struct audit_result part = {.scene = r->scene, .title = r->title};
-  for (size_t i = 0; i < like->n_findings; i++) {
-    part.findings = ss_grow(part.findings, part.n_findings, &part.cap_findings, sizeof *part.findings);
-    part.findings[part.n_findings++] = *finding_with_id(r, like->findings[i].id);
-  }
+  for (size_t i = 0; i < like->n_findings; i++)
+    *SS_PUSH(part.findings, part.n_findings, part.cap_findings) = *finding_with_id(r, like->findings[i].id);
   struct text t;
   text_init(&t);
   report_json(&t, &part);

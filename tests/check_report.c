@@ -353,8 +353,7 @@ struct places {
 };
 
 static void list_places(struct places *p, const struct json_value *v) {
-  p->at = ss_grow(p->at, p->n, &p->cap, sizeof *p->at);
-  p->at[p->n++] = v->at;
+  *SS_PUSH(p->at, p->n, p->cap) = v->at;
   for (const struct json_value *m = v->first; m; m = m->next) list_places(p, m);
 }
 

@@ -56,8 +56,7 @@ static const char **names_in(const char *path, size_t *n) {
   names = ss_grow(names, *n, &cap, sizeof *names);
   for (struct dirent *e = readdir(dir); e; e = readdir(dir)) {
     if (strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0) continue;
-    names = ss_grow(names, *n, &cap, sizeof *names);
-    names[(*n)++] = arena_strndup(&arena, e->d_name, strlen(e->d_name));
+    *SS_PUSH(names, *n, cap) = arena_strndup(&arena, e->d_name, strlen(e->d_name));
   }
   closedir(dir);
   if (*n) qsort(names, *n, sizeof *names, by_name);

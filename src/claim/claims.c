@@ -15,15 +15,13 @@ static bool append(struct claim **list, size_t *n, size_t *cap, const struct rec
       diag_at(d, &f->src, r->id.begin, "%s %s is given twice", r->kind_name, r->id_name);
       return false;
     }
-  *list = ss_grow(*list, *n, cap, sizeof **list);
-  (*list)[(*n)++] = (struct claim){.id = r->id_name, .record = r, .file = f};
+  *SS_PUSH(*list, *n, *cap) = (struct claim){.id = r->id_name, .record = r, .file = f};
   return true;
 }
 
 static bool add_source(struct claims *c, struct source src, const char *kind, struct diag *d) {
   struct record_file *f = ss_malloc(sizeof *f);
-  c->files = ss_grow(c->files, c->n_files, &c->cap_files, sizeof *c->files);
-  c->files[c->n_files++] = f;
+  *SS_PUSH(c->files, c->n_files, c->cap_files) = f;
   if (!record_file_parse(f, src, d)) return false;
   const struct record *top = &f->records[0];
   const char *says = strcmp(kind, "claim") == 0 ? "section" : "count"; /* the one thing said of a whole file */

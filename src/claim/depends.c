@@ -38,8 +38,7 @@ static void add_about(struct reach *r, const struct view *v, const char *name, c
   struct diag d = {0};
   const struct definition *def = view_lookup(v, name, section, &d);
   if (!def) return;
-  r->about = ss_grow(r->about, r->n_about, &r->cap_about, sizeof *r->about);
-  r->about[r->n_about++] = def;
+  *SS_PUSH(r->about, r->n_about, r->cap_about) = def;
 }
 
 /* The names in a list, each up to a bracket: "phi_1(t), K". */
@@ -62,8 +61,7 @@ static void add_symbols(struct reach *r, const struct elaboration *el, const str
   struct diag d = {0};
   if (elaboration_tape(&t, el, m->e, m->rows * m->cols, &d))
     for (slong i = 0; i < t.n_inputs; i++) {
-      r->symbols = ss_grow(r->symbols, r->n_symbols, &r->cap_symbols, sizeof *r->symbols);
-      r->symbols[r->n_symbols++] = t.inputs[i];
+      *SS_PUSH(r->symbols, r->n_symbols, r->cap_symbols) = t.inputs[i];
       t.inputs[i] = NULL;
     }
   tape_clear(&t);
@@ -128,8 +126,7 @@ static const struct reach *walk(struct dependences *d, size_t a) {
   for (size_t i = 0; i < elaboration_n_used(&el); i++) {
     const struct definition *def = elaboration_used(&el, i);
     if (!def) continue;
-    r->used = ss_grow(r->used, r->n_used, &r->cap_used, sizeof *r->used);
-    r->used[r->n_used++] = def;
+    *SS_PUSH(r->used, r->n_used, r->cap_used) = def;
   }
   elaboration_clear(&el);
   arena_clear(&formulas);

@@ -231,8 +231,7 @@ static bool add_root(struct audit_result *out, const struct model *m, const stru
     text_clear(&correct);
     return false;
   }
-  out->roots = ss_grow(out->roots, out->n_roots, &out->cap_roots, sizeof *out->roots);
-  struct root_cause *r = &out->roots[out->n_roots++];
+  struct root_cause *r = SS_PUSH(out->roots, out->n_roots, out->cap_roots);
   *r = (struct root_cause){.id = result_copy(out, root->id),
                            .title = text_of(out, root, "title"),
                            .severity = severity_parse(claim_get(root, "severity")),

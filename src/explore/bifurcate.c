@@ -373,8 +373,7 @@ static void mark_starts(struct line *l, const struct trace *t, const struct spot
 
 static void add_spot(struct line *l, const double x[3], double place) {
   struct dyn_bifurcations *list = l->list;
-  list->spot = ss_grow(list->spot, (size_t)list->n_spots, &l->cap_spots, sizeof *list->spot);
-  list->spot[list->n_spots++] = (struct dyn_spot){list->n_branches, place, {x[0], x[1], x[2]}};
+  *SS_PUSH(list->spot, list->n_spots, l->cap_spots) = (struct dyn_spot){list->n_branches, place, {x[0], x[1], x[2]}};
 }
 
 /* One direction from a start; the end of the branch goes to place `end` of it.  false when the curve is closed. */
@@ -447,10 +446,10 @@ static int find_starts(struct line *l, size_t *cap, long *evaluations, const str
   int status = dyn_orbits_find(&orbits, at, START_PREC, NULL);
   for (slong k = 0; k < orbits.n; k++) {
     const struct dyn_orbit *o = &orbits.orbit[k];
-    l->start = ss_grow(l->start, (size_t)l->n_starts, cap, sizeof *l->start);
-    l->start[l->n_starts++] = (struct start){{fmpq_get_d(&at[vary]), o->guess[PHASE_GAMMA], o->guess[PHASE_H]},
-                                             num_arb.get_d(o->z20) > num_arb.get_d(o->z10),
-                                             false};
+    *SS_PUSH(l->start, l->n_starts, *cap) =
+        (struct start){{fmpq_get_d(&at[vary]), o->guess[PHASE_GAMMA], o->guess[PHASE_H]},
+                       num_arb.get_d(o->z20) > num_arb.get_d(o->z10),
+                       false};
   }
   *evaluations += orbits.evaluations;
   dyn_orbits_clear(&orbits);

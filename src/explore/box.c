@@ -30,8 +30,7 @@ struct pieces {
 };
 
 static struct piece *pieces_add(struct pieces *list, int depth) {
-  list->at = ss_grow(list->at, list->n, &list->cap, sizeof *list->at);
-  struct piece *p = &list->at[list->n++];
+  struct piece *p = SS_PUSH(list->at, list->n, list->cap);
   *p = (struct piece){.word = TRUTH_UNKNOWN, .depth = depth};
   tube_init(&p->tube);
   dyn_orbit_init(&p->orbit);

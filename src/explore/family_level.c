@@ -135,8 +135,7 @@ slong family_level(struct strand *s, slong h) {
   family_lanes_run(&s->line->lanes, n);
   for (slong point = s->first + h; point < s->last; point += 2 * h, lane += s->rows) {
     if (follow(s, point, h, lane)) continue;
-    lost = ss_grow(lost, n_lost, &cap, sizeof *lost);
-    lost[n_lost++] = point;
+    *SS_PUSH(lost, n_lost, cap) = point;
   }
   slong middle = n_lost ? lost[n_lost / 2] : -1;
   free(lost);

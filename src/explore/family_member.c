@@ -136,8 +136,7 @@ void family_add(struct dyn_family *f, struct dyn_family_point *p, struct dyn_mem
   p->first = (slong)f->n_members;
   p->n = n;
   for (slong i = 0; i < n; i++) {
-    f->member = ss_grow(f->member, f->n_members, &f->cap_members, sizeof *f->member);
-    f->member[f->n_members++] = m[i];
+    *SS_PUSH(f->member, f->n_members, f->cap_members) = m[i];
     if (is_open(&m[i]) && p->status == FAMILY_OK) p->status = FAMILY_UNDECIDED;
   }
 }

@@ -141,8 +141,7 @@ static void keep(struct searcher *s, const double *x) {
   for (size_t i = 0; i < s->out->n; i++)
     for (int by = 0; by < n; by++)
       if (mech_word_goes_through(s->w, s->w, by) && repeats(x, s->out->found[i].t, n, by)) return;
-  s->out->found = ss_grow(s->out->found, s->out->n, &s->out->cap, sizeof *s->out->found);
-  struct word_found *found = &s->out->found[s->out->n++];
+  struct word_found *found = SS_PUSH(s->out->found, s->out->n, s->out->cap);
   for (int i = 0; i < s->n; i++) free[i] = calc_d(&s->c, x[n + i]);
   word_start(state, &s->c, &s->m, free);
   memcpy(found->t, x, sizeof found->t);

@@ -102,8 +102,7 @@ static void keep(struct word_seeds *seeds, const struct word_seed *s) {
       seeds->seed[i].count++;
       return;
     }
-  seeds->seed = ss_grow(seeds->seed, seeds->n, &seeds->cap, sizeof *seeds->seed);
-  seeds->seed[seeds->n++] = *s;
+  *SS_PUSH(seeds->seed, seeds->n, seeds->cap) = *s;
 }
 
 void word_seeds_find(struct word_seeds *seeds, const fmpq *params, const fmpq *const u_r[2], int starts) {

@@ -22,8 +22,7 @@ static const struct expr *rewrite(const struct rewrite *w, const struct expr *ro
   struct expr_map m = {0};
   const struct expr **todo = NULL;
   size_t n = 0, cap = 0;
-  todo = ss_grow(todo, n, &cap, sizeof *todo);
-  todo[n++] = root;
+  *SS_PUSH(todo, n, cap) = root;
   while (n > 0) {
     const struct expr *e = todo[n - 1], *done[2] = {NULL, NULL};
     bool ready = true;
@@ -33,8 +32,7 @@ static const struct expr *rewrite(const struct rewrite *w, const struct expr *ro
       if (kept) done[i] = kept->result;
       if (kept) continue;
       ready = false;
-      todo = ss_grow(todo, n, &cap, sizeof *todo);
-      todo[n++] = e->args[i];
+      *SS_PUSH(todo, n, cap) = e->args[i];
     }
     if (!ready) continue;
     n--;

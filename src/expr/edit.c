@@ -105,10 +105,9 @@ static void book(struct job *j, enum edit_kind kind, struct span where, const ch
   stmt_print(&t, s);
   bool fresh = strcmp(text_str(&t), j->original) != 0 && j->out->n - j->first < EDIT_MAX;
   for (size_t i = j->first; fresh && i < j->out->n; i++) fresh = strcmp(j->out->edit[i].text, text_str(&t)) != 0;
-  if (fresh) {
-    j->out->edit = ss_grow(j->out->edit, j->out->n, &j->out->cap, sizeof *j->out->edit);
-    j->out->edit[j->out->n++] = (struct edit){kind, where, was, now, arena_strndup(j->arena, text_str(&t), t.len), s};
-  }
+  if (fresh)
+    *SS_PUSH(j->out->edit, j->out->n, j->out->cap) =
+        (struct edit){kind, where, was, now, arena_strndup(j->arena, text_str(&t), t.len), s};
   text_clear(&t);
 }
 

@@ -49,8 +49,7 @@ static bool add(struct marks *out, struct mark m, const struct source *src, stru
     diag_at(d, src, offset(src, m.s), "a formula in LaTeX of more than %d tokens", LATEX_MAX_MARKS);
     return false;
   }
-  out->m = ss_grow(out->m, out->n, &out->cap, sizeof *out->m);
-  out->m[out->n++] = m;
+  *SS_PUSH(out->m, out->n, out->cap) = m;
   return true;
 }
 

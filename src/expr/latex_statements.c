@@ -178,8 +178,7 @@ static bool is_remark(const struct mark *m, size_t open) {
 
 static void put_part(struct splitter *s, size_t begin, size_t end) {
   if (begin == end) return;
-  s->part = ss_grow(s->part, s->n, &s->cap, sizeof *s->part);
-  s->part[s->n++] = (struct part){.begin = begin, .end = end};
+  *SS_PUSH(s->part, s->n, s->cap) = (struct part){.begin = begin, .end = end};
 }
 
 static bool split(struct splitter *s, size_t begin, size_t end);
@@ -315,8 +314,7 @@ struct reading {
 
 static bool append(struct list *out, const struct stmt *s) {
   if (!s) return false;
-  out->stmt = ss_grow(out->stmt, out->n, &out->cap, sizeof *out->stmt);
-  out->stmt[out->n++] = s;
+  *SS_PUSH(out->stmt, out->n, out->cap) = s;
   return true;
 }
 

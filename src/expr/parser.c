@@ -34,8 +34,7 @@ static struct expr *node2(struct parser *p, enum expr_kind kind, const struct ex
 }
 
 void parser_put_pending(struct parser *p, const struct expr *e) {
-  p->pending = ss_grow(p->pending, p->n_pending, &p->cap_pending, sizeof *p->pending);
-  p->pending[p->n_pending++] = e;
+  *SS_PUSH(p->pending, p->n_pending, p->cap_pending) = e;
 }
 
 /* Moves the operands that have been waiting since there were `from` of them. */

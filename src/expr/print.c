@@ -15,8 +15,7 @@ struct open_node {
 void expr_write(struct text *out, const struct expr *e, expr_between *between) {
   struct open_node *open = NULL;
   size_t n = 0, cap = 0;
-  open = ss_grow(open, n, &cap, sizeof *open);
-  open[n++] = (struct open_node){e, 0};
+  *SS_PUSH(open, n, cap) = (struct open_node){e, 0};
   while (n > 0) {
     struct open_node *o = &open[n - 1];
     const struct expr *node = o->e;
@@ -26,8 +25,7 @@ void expr_write(struct text *out, const struct expr *e, expr_between *between) {
       n--;
       continue;
     }
-    open = ss_grow(open, n, &cap, sizeof *open);
-    open[n++] = (struct open_node){node->args[i], 0};
+    *SS_PUSH(open, n, cap) = (struct open_node){node->args[i], 0};
   }
   free(open);
 }
@@ -345,10 +343,8 @@ bool expr_same(const struct expr *a, const struct expr *b) {
     if (a != b) {
       if (!(same = expr_same_node(a, b))) break;
       for (int i = 0; i < a->n_args; i++) {
-        todo = ss_grow(todo, n, &cap, sizeof *todo);
-        todo[n++] = a->args[i];
-        todo = ss_grow(todo, n, &cap, sizeof *todo);
-        todo[n++] = b->args[i];
+        *SS_PUSH(todo, n, cap) = a->args[i];
+        *SS_PUSH(todo, n, cap) = b->args[i];
       }
     }
     if (n == 0) break;

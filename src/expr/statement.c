@@ -164,8 +164,7 @@ static bool parse_relation(struct parser *p, struct stmt *s) {
   while (side) {
     parser_put_pending(p, side);
     if (!token_is_relation(p->tok.kind)) break;
-    ops = ss_grow(ops, n_ops, &cap_ops, sizeof *ops);
-    ops[n_ops++] = relop_of(p->tok.kind);
+    *SS_PUSH(ops, n_ops, cap_ops) = relop_of(p->tok.kind);
     parser_advance(p);
     side = parser_sum(p);
   }

@@ -144,8 +144,7 @@ static bool ends_the_word(const struct mech_orbit *o, const struct mech_fact *fa
 /* The change between a and b; false where the branch ends with it. */
 static bool add_change(struct walker *w, const struct station *a, const struct station *b) {
   struct mech_follow *f = w->f;
-  f->change = ss_grow(f->change, (size_t)f->n_changes, &f->cap_changes, sizeof *f->change);
-  struct mech_change *c = &f->change[f->n_changes++];
+  struct mech_change *c = SS_PUSH(f->change, f->n_changes, f->cap_changes);
   *c = (struct mech_change){.what = turn_between(a, b), .branch = f->n_branches - 1};
   side_init(&c->side[w->backward], a);
   side_init(&c->side[!w->backward], b);
@@ -217,8 +216,7 @@ static void walk(struct walker *w, struct mech_orbit *start) {
   struct station here = {.found = true, .orbit = *start};
   fmpq_init(here.at);
   value_at(here.at, w->l, 0, w->backward);
-  f->branch = ss_grow(f->branch, (size_t)f->n_branches, &f->cap_branches, sizeof *f->branch);
-  struct mech_branch *b = &f->branch[f->n_branches++];
+  struct mech_branch *b = SS_PUSH(f->branch, f->n_branches, f->cap_branches);
   b->word = here.orbit.word;
   side_init(&b->end[w->backward], &here);
   w->ended = false;

@@ -112,8 +112,7 @@ static void keep(struct stretches *list, const struct stretch *s) {
     if (s->gap < list->at[worst].gap) list->at[worst] = *s;
     return;
   }
-  list->at = ss_grow(list->at, (size_t)list->n, &list->cap, sizeof *list->at);
-  list->at[list->n++] = *s;
+  *SS_PUSH(list->at, list->n, list->cap) = *s;
 }
 
 /* A longer stretch is kept beside a shorter one in it only where it returns much more nearly, as after a period

@@ -274,8 +274,7 @@ static void tell(struct walk *w, struct mech_moment *at, double t, int mass) {
 }
 
 static void note(struct mech_motion *out, struct walk *w, double t, int mass) {
-  out->moment = ss_grow(out->moment, (size_t)out->n_moments, &w->cap, sizeof *out->moment);
-  tell(w, &out->moment[out->n_moments++], t, mass);
+  tell(w, SS_PUSH(out->moment, out->n_moments, w->cap), t, mass);
 }
 
 /* One look ahead: to the first event in it, or to its end. */

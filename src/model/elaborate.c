@@ -111,9 +111,8 @@ static bool define(size_t *index, struct elaboration *el, const struct definitio
       return false;
     }
   struct scope sc = scope_inside(el, def);
-  el->memo = ss_grow(el->memo, el->n_memo, &el->cap_memo, sizeof *el->memo);
-  *index = el->n_memo++;
-  el->memo[*index] = (struct elab_memo){.def = def, .param = sc.param_symbol};
+  *index = el->n_memo;
+  *SS_PUSH(el->memo, el->n_memo, el->cap_memo) = (struct elab_memo){.def = def, .param = sc.param_symbol};
   struct matrix value;
   bool ok = definition_value(&value, el, def, &sc, d);
   if (ok)
@@ -357,10 +356,7 @@ static bool eval(struct matrix *out, struct elaboration *el, const struct expr *
   }
   const struct expr **left = NULL;
   size_t n = 0, cap = 0;
-  for (; has_first(e); e = e->args[0]) {
-    left = ss_grow(left, n, &cap, sizeof *left);
-    left[n++] = e;
-  }
+  for (; has_first(e); e = e->args[0]) *SS_PUSH(left, n, cap) = e;
   el->depth++;
   bool ok = eval_primary(out, el, e, sc, d);
   for (; ok && n > 0; n--) ok = apply(out, el, left[n - 1], sc, d) && is_small(el, left[n - 1], sc, d);

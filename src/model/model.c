@@ -101,8 +101,7 @@ static bool add_definition(struct model *m, struct definition def, struct diag *
       return false;
     }
   }
-  m->defs = ss_grow(m->defs, m->n_defs, &m->cap_defs, sizeof *m->defs);
-  m->defs[m->n_defs++] = def;
+  *SS_PUSH(m->defs, m->n_defs, m->cap_defs) = def;
   *(m->bucket[b].last ? &m->defs[m->bucket[b].last - 1].next : &m->bucket[b].first) = m->n_defs;
   m->bucket[b].last = m->n_defs;
   return true;
@@ -173,8 +172,7 @@ static bool load_symbol(struct model *m, const struct record_file *f, const stru
     diag_at(d, &f->src, r->id.begin, "symbol %s is declared twice", r->id_name);
     return false;
   }
-  m->symbols = ss_grow(m->symbols, m->n_symbols, &m->cap_symbols, sizeof *m->symbols);
-  struct symbol *s = &m->symbols[m->n_symbols++];
+  struct symbol *s = SS_PUSH(m->symbols, m->n_symbols, m->cap_symbols);
   symbol_init(s, r, &f->src);
   if (!symbol_read_domain(s, d)) return false;
   if (s->has_domain && is_defined(m, s->name)) {
@@ -224,8 +222,7 @@ static bool load_statements(struct model *m, const struct record_file *f, const 
       diag_at(d, &f->src, r->id.begin, "record %s is given twice", sr.id);
       return false;
     }
-  m->records = ss_grow(m->records, m->n_records, &m->cap_records, sizeof *m->records);
-  m->records[m->n_records++] = sr;
+  *SS_PUSH(m->records, m->n_records, m->cap_records) = sr;
   return true;
 }
 

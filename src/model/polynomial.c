@@ -95,10 +95,7 @@ static bool poly_apply(struct poly *p, struct poly_job *job, const struct expr *
 static bool to_poly(struct poly *out, struct poly_job *job, const struct expr *e) {
   const struct expr **left = NULL;
   size_t n = 0, cap = 0;
-  for (; e->n_args > 0; e = e->args[0]) {
-    left = ss_grow(left, n, &cap, sizeof *left);
-    left[n++] = e;
-  }
+  for (; e->n_args > 0; e = e->args[0]) *SS_PUSH(left, n, cap) = e;
   bool unknown = e->kind == EXPR_SYM && strcmp(e->name, job->unknown) == 0;
   *out = (struct poly){.degree = unknown};
   out->c[unknown] = unknown ? expr_num(&job->el->pool, "1") : e;
@@ -126,7 +123,6 @@ bool elaboration_add_root(struct elaboration *el, const struct definition *def, 
   struct tape_root r = {symbol, arena_alloc(&el->pool.arena, (size_t)(p.degree + 1) * sizeof(struct expr *)),
                         p.degree + 1, def->stmt->largest};
   for (int k = 0; k <= p.degree; k++) r.coeff[k] = p.c[k] ? p.c[k] : expr_num(&el->pool, "0");
-  el->roots = ss_grow(el->roots, el->n_roots, &el->cap_roots, sizeof *el->roots);
-  el->roots[el->n_roots++] = r;
+  *SS_PUSH(el->roots, el->n_roots, el->cap_roots) = r;
   return true;
 }

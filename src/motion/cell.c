@@ -232,8 +232,7 @@ void commons_add(struct commons *list, struct common z, const struct strip *p, d
   z.at[1] += t;
   for (size_t i = 0; i < list->n; i++)
     if (common_is_same(&list->at[i], &z)) return;
-  list->at = ss_grow(list->at, list->n, &list->cap, sizeof *list->at);
-  list->at[list->n++] = z;
+  *SS_PUSH(list->at, list->n, list->cap) = z;
 }
 
 bool cell_waiting(double *low, double *high, const struct cell *c, double dir) {

@@ -258,12 +258,8 @@ static void try_cell(struct scan *s, const struct cell *cell, int depth) {
 static size_t make_axis(double **t, double end, double step) {
   size_t n = 0, cap = 0;
   *t = NULL;
-  for (double x = fmin(1e-4, end); x < end; x = x < 4 * step ? 1.25 * x : x + step) {
-    *t = ss_grow(*t, n, &cap, sizeof **t);
-    (*t)[n++] = x;
-  }
-  *t = ss_grow(*t, n, &cap, sizeof **t);
-  (*t)[n++] = end;
+  for (double x = fmin(1e-4, end); x < end; x = x < 4 * step ? 1.25 * x : x + step) *SS_PUSH(*t, n, cap) = x;
+  *SS_PUSH(*t, n, cap) = end;
   return n;
 }
 

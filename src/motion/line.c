@@ -166,8 +166,7 @@ static void line_add(struct line *s, struct line_zero *z, const struct course *o
     double apart = fabs(s->zeros[i].at - z->at) * (1 + 0x1p-40);
     if (apart + z->near < s->zeros[i].room || apart + s->zeros[i].near < z->room) return;
   }
-  s->zeros = ss_grow(s->zeros, s->n, &s->cap, sizeof *s->zeros);
-  s->zeros[s->n++] = *z;
+  *SS_PUSH(s->zeros, s->n, s->cap) = *z;
 }
 
 bool line_run(struct line *s, const fmpq *params, int unknown, const fmpq *tb, double last, long budget) {

@@ -258,8 +258,7 @@ static void add_solution(struct solutions *list, struct solution *sol) {
       solution_clear(sol);
       return;
     }
-  list->s = ss_grow(list->s, list->n, &list->cap, sizeof *list->s);
-  list->s[list->n++] = *sol;
+  *SS_PUSH(list->s, list->n, list->cap) = *sol;
 }
 
 int dyn_orbits_by_z10(const void *x, const void *y) {

@@ -36,8 +36,7 @@ static void evaluate(struct search *s, struct pass *p, double tb) {
 }
 
 static void add_zero(struct search *s, const struct pass *p, double low, double high, bool fold) {
-  s->zeros = ss_grow(s->zeros, s->n, &s->cap, sizeof *s->zeros);
-  s->zeros[s->n++] = (struct zero){{p->tb, p->tc, p->r_end > 0}, low, high, fold, p->grazing};
+  *SS_PUSH(s->zeros, s->n, s->cap) = (struct zero){{p->tb, p->tc, p->r_end > 0}, low, high, fold, p->grazing};
 }
 
 /* Newton's iteration for the only zero between two samples of different sign, held by its bracket. */

@@ -89,8 +89,7 @@ void *calc_new(struct calc *c) {
 }
 
 struct num_vec calc_vec(struct calc *c, slong n) {
-  c->vec = ss_grow(c->vec, c->n_vecs, &c->cap_vecs, sizeof *c->vec);
-  struct num_vec *v = &c->vec[c->n_vecs++];
+  struct num_vec *v = SS_PUSH(c->vec, c->n_vecs, c->cap_vecs);
   num_vec_init(v, n, c->ctx);
   return *v;
 }

@@ -107,8 +107,7 @@ struct posts {
 };
 
 static void push(struct posts *s, const struct post *p) {
-  s->at = ss_grow(s->at, s->len, &s->cap, sizeof *s->at);
-  struct post *top = &s->at[s->len++];
+  struct post *top = SS_PUSH(s->at, s->len, s->cap);
   arf_init(top->x);
   arf_set(top->x, p->x);
   top->sign = p->sign;

@@ -29,10 +29,7 @@ void reading_clear(struct reading *r) {
 
 static void add_entries(struct reading *r, const struct matrix *m) {
   text_printf(&r->shapes, "%dx%d ", m->rows, m->cols);
-  for (int i = 0; i < m->rows * m->cols; i++) {
-    r->e = ss_grow(r->e, (size_t)r->n, &r->cap, sizeof *r->e);
-    r->e[r->n++] = m->e[i];
-  }
+  for (int i = 0; i < m->rows * m->cols; i++) *SS_PUSH(r->e, r->n, r->cap) = m->e[i];
 }
 
 bool reading_value(struct reading *r, const char *value, const char *section, struct diag *d) {

@@ -212,8 +212,7 @@ static bool prove(struct stable_proofs *out, struct stable_proof p, const struct
     ok = uses_parts(&by_parts, p.section, m, of, &parts, d) &&
          attempt_levels(&p, m, of, u, holdable(u, out, m, name), by_parts, d);
   if (!of->value[1] && !same_relations(of->record[0], of->record[1])) p.why_not = "the relations differ";
-  out->item = ss_grow(out->item, out->n, &out->cap, sizeof *out->item);
-  out->item[out->n++] = p;
+  *SS_PUSH(out->item, out->n, out->cap) = p;
   return ok;
 }
 

@@ -24,8 +24,7 @@ static void add_pieces(struct quotations *q, const char *s) {
       quote_tokens_clear(&p.tokens);
       continue;
     }
-    q->piece = ss_grow(q->piece, q->n_pieces, &q->cap_pieces, sizeof *q->piece);
-    q->piece[q->n_pieces++] = p;
+    *SS_PUSH(q->piece, q->n_pieces, q->cap_pieces) = p;
   }
 }
 
@@ -89,8 +88,7 @@ static bool add(struct quotations *q, enum quote_kind kind, const struct source 
     return false;
   }
   if (place && !read_places(q, &item, place, d)) return false;
-  q->item = ss_grow(q->item, q->n, &q->cap, sizeof *q->item);
-  q->item[q->n++] = item;
+  *SS_PUSH(q->item, q->n, q->cap) = item;
   return true;
 }
 
@@ -133,14 +131,12 @@ static void add_number(struct quotations *q, const struct claims *c, size_t scen
   struct quoted_number n = {.line = line, .len = len, .scene = scene, .of = quotation_of(q, about)};
   quote_tokens_read(&n.number, equals + 1, (size_t)(line + len - equals) - 1);
   n.same = n.of && ends_with(q, n.of, &n.number, relation ? *relation : '=');
-  q->number = ss_grow(q->number, q->n_numbers, &q->cap_numbers, sizeof *q->number);
-  q->number[q->n_numbers++] = n;
+  *SS_PUSH(q->number, q->n_numbers, q->cap_numbers) = n;
 }
 
 /* Where some numbers are printed, the data are the paper's too. */
 bool quotations_add_scene(struct quotations *q, const struct claims *c, struct source src, struct diag *d) {
-  q->scene = ss_grow(q->scene, q->n_scenes, &q->cap_scenes, sizeof *q->scene);
-  struct record_file *f = &q->scene[q->n_scenes++];
+  struct record_file *f = SS_PUSH(q->scene, q->n_scenes, q->cap_scenes);
   if (!record_file_parse(f, src, d)) return false;
   const struct record *r = &f->records[0];
   for (size_t k = 0; k < r->n_fields; k++)

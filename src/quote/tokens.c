@@ -54,8 +54,7 @@ static struct bite environment(struct reader *r, const struct tex_token *t) {
   if (!name) return bite(t->len, false);
   bool lines = (len == 7 && memcmp(name, "aligned", 7) == 0) || (len == 5 && memcmp(name, "cases", 5) == 0);
   if (t->kind == TEX_BEGIN) {
-    r->counts = ss_grow(r->counts, r->n, &r->cap, sizeof *r->counts);
-    r->counts[r->n++] = !lines;
+    *SS_PUSH(r->counts, r->n, r->cap) = !lines;
   } else if (r->n > 0) {
     r->n--;
   }
@@ -114,14 +113,8 @@ void quote_tokens_read(struct quote_tokens *t, const char *s, size_t len) {
   struct reader r = {.begin = s, .end = s + len};
   while (s < r.end) {
     const struct bite b = bite_at(&r, s);
-    if (!b.drop) {
-      t->token = ss_grow(t->token, t->n, &t->cap, sizeof *t->token);
-      t->token[t->n++] = (struct quote_token){s, b.len};
-    }
-    if (b.number.len) {
-      t->tag = ss_grow(t->tag, t->n_tags, &t->cap_tags, sizeof *t->tag);
-      t->tag[t->n_tags++] = (struct quote_tag){b.number, t->n};
-    }
+    if (!b.drop) *SS_PUSH(t->token, t->n, t->cap) = (struct quote_token){s, b.len};
+    if (b.number.len) *SS_PUSH(t->tag, t->n_tags, t->cap_tags) = (struct quote_tag){b.number, t->n};
     s += b.len;
   }
   free(r.counts);

@@ -218,8 +218,7 @@ static void try_carries(struct search *q, struct candidate *c) {
     judge_candidate(c, q->e);
     if (bits_count(c->off) > 1) continue;
     count_assumptions(c, q->e);
-    q->list = ss_grow(q->list, q->n, &q->cap, sizeof *q->list);
-    q->list[q->n++] = *c;
+    *SS_PUSH(q->list, q->n, q->cap) = *c;
   }
 }
 

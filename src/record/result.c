@@ -140,18 +140,15 @@ long audit_result_unexpected(const struct audit_result *r) {
 }
 
 void audit_leave_out(struct audit_result *out, const char *what, const char *why) {
-  out->skipped = ss_grow(out->skipped, out->n_skipped, &out->cap_skipped, sizeof *out->skipped);
-  out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
+  *SS_PUSH(out->skipped, out->n_skipped, out->cap_skipped) = (struct skipped_work){what, why};
 }
 
 void audit_finding(struct audit_result *out, const struct finding *f) {
-  out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof *f);
-  out->findings[out->n_findings++] = *f;
+  *SS_PUSH(out->findings, out->n_findings, out->cap_findings) = *f;
 }
 
 void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
-  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
-  out->controls[out->n_controls++] =
+  *SS_PUSH(out->controls, out->n_controls, out->cap_controls) =
       (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED, NULL, NULL};
 }
 

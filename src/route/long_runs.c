@@ -90,8 +90,7 @@ static void add_run(struct judge *j, const fmpq params[N_PARAMS], const struct d
   r.periods = part < 0 ? STABLE_PERIODS : (long)ceil(part) + MORE;
   r.expected = part < 0 ? "never" : result_str(out, "about %ld periods", 5 * (long)ceil(part / 5));
   run_beside(&r, &sim);
-  out->long_runs = ss_grow(out->long_runs, out->n_long_runs, &out->cap_long_runs, sizeof r);
-  out->long_runs[out->n_long_runs++] = r;
+  *SS_PUSH(out->long_runs, out->n_long_runs, out->cap_long_runs) = r;
 }
 
 static void beside_scene(struct judge *j) {

@@ -569,8 +569,7 @@ static void add_pair(struct study *s, enum route_row a, enum route_row b) {
                             .worst = shown ? t->where : NULL,
                             .machine_largest = t->n > 0 ? exp2(t->worst) : (double)NAN,
                             .machine_worst = t->where};
-  out->pairs = ss_grow(out->pairs, out->n_pairs, &out->cap_pairs, sizeof pair);
-  out->pairs[out->n_pairs++] = pair;
+  *SS_PUSH(out->pairs, out->n_pairs, out->cap_pairs) = pair;
 }
 
 bool study_routes(struct judge *j) {

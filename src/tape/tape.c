@@ -178,8 +178,7 @@ static bool walk(struct builder *b, const struct expr *root) {
   const struct expr **stack = NULL;
   size_t n = 0, cap = 0;
   bool ok = true;
-  stack = ss_grow(stack, n, &cap, sizeof *stack);
-  stack[n++] = root;
+  *SS_PUSH(stack, n, cap) = root;
   while (ok && n > 0) {
     const struct expr *e = stack[n - 1];
     if (place_of(b, e) >= 0) {
@@ -190,10 +189,7 @@ static bool walk(struct builder *b, const struct expr *root) {
     int count = operands(&args, b, e);
     size_t before = n;
     for (int i = count - 1; i >= 0; i--)
-      if (place_of(b, args[i]) < 0) {
-        stack = ss_grow(stack, n, &cap, sizeof *stack);
-        stack[n++] = args[i];
-      }
+      if (place_of(b, args[i]) < 0) *SS_PUSH(stack, n, cap) = args[i];
     if (n == before) {
       ok = place(b, e);
       n--;

@@ -138,9 +138,8 @@ static bool completed_before(struct dyn_orbits *list, const struct orbit_cache *
 static const struct dyn_orbits *cached_orbits(struct orbit_cache *c, struct data data, slong prec) {
   for (size_t i = 0; i < c->n; i++)
     if (c->item[i]->prec == prec && is_of(c->item[i], data)) return &c->item[i]->list;
-  c->item = ss_grow(c->item, c->n, &c->cap, sizeof *c->item);
   struct cached *e = ss_malloc(sizeof *e);
-  c->item[c->n++] = e;
+  *SS_PUSH(c->item, c->n, c->cap) = e;
   e->prec = prec;
   for (int k = 0; k < N_DATA; k++) {
     fmpq_init(&e->value[k]);
@@ -207,8 +206,7 @@ int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit
   if (!known) {
     struct num_vec z;
     num_vec_init(&z, 2, ctx);
-    c->followed = ss_grow(c->followed, c->n_followed, &c->cap_followed, sizeof *c->followed);
-    struct followed *f = &c->followed[c->n_followed++];
+    struct followed *f = SS_PUSH(c->followed, c->n_followed, c->cap_followed);
     f->orbit = o;
     f->start[0] = num_arb.get_d(o->z10);
     f->start[1] = num_arb.get_d(o->z20);

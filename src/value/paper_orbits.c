@@ -55,8 +55,7 @@ static void find_nearest(struct paper_orbit *p, const struct dyn_orbits *list) {
 /* One start; e1 and e2 are the scene's, or those of the orbit. */
 static void run_from(struct paper_orbits *out, const struct scene *s, const struct dyn_orbits *list, slong orbit,
                      const double *guess, slong prec) {
-  out->item = ss_grow(out->item, out->n, &out->cap, sizeof *out->item);
-  struct paper_orbit *p = &out->item[out->n++];
+  struct paper_orbit *p = SS_PUSH(out->item, out->n, out->cap);
   fmpq params[N_PARAMS];
   *p = (struct paper_orbit){.from = guess ? -1 : orbit};
   arb_init(p->distance);

@@ -92,8 +92,7 @@ static int bind_motion(void *z, bool *known, struct values *v, const struct moti
 static const struct oracle_matrix *oracle_matrix(struct values *v, const struct oracle *o) {
   for (size_t i = 0; i < v->n_matrices; i++)
     if (v->matrices[i].of == o) return &v->matrices[i];
-  v->matrices = ss_grow(v->matrices, v->n_matrices, &v->cap_matrices, sizeof *v->matrices);
-  struct oracle_matrix *m = &v->matrices[v->n_matrices++];
+  struct oracle_matrix *m = SS_PUSH(v->matrices, v->n_matrices, v->cap_matrices);
   m->of = o;
   m->entry = calc_vec(&v->c, o->rows * o->cols);
   m->status = oracle_eval(&m->entry, o, v);
