@@ -92,9 +92,7 @@ static void json_row(struct json *w, const struct bench_row *r) {
   json_object(w, NULL);
   json_string(w, "method", r->method->id);
   json_number(w, "setting", r->method->kind == SET_NONE ? NAN : r->setting);
-  json_begin_string(w, "state");
-  bench_add_state(w->out, r);
-  json_end_string(w);
+  JSON_STRING(w, "state", bench_add_state(w->out, r));
   json_long(w, "inputs", r->cases);
   json_long(w, "failures", r->failures);
   json_error(w, "error_worst", r, r->worst);

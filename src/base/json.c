@@ -100,9 +100,7 @@ void json_end_string(struct json *j) {
 void json_printf(struct json *j, const char *key, const char *fmt, ...) {
   va_list ap;
   va_start(ap, fmt);
-  json_begin_string(j, key);
-  text_vprintf(j->out, fmt, ap);
-  json_end_string(j);
+  JSON_STRING(j, key, text_vprintf(j->out, fmt, ap));
   va_end(ap);
 }
 

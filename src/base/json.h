@@ -25,7 +25,8 @@ void json_array(struct json *j, const char *key);
 void json_end_object(struct json *j);
 void json_end_array(struct json *j);
 void json_string(struct json *j, const char *key, const char *value); /* NULL writes null */
-/* A string that is made in its place: what is added to j->out in between, as it is to be read back. */
+/* A string that a call makes in its place: what it adds to j->out, as that is to be read back. */
+#define JSON_STRING(j, key, call) (json_begin_string(j, key), (void)(call), json_end_string(j))
 void json_begin_string(struct json *j, const char *key);
 void json_end_string(struct json *j);
 void json_printf(struct json *j, const char *key, const char *fmt, ...) SS_PRINTF(3, 4);

@@ -51,19 +51,14 @@ void print_known(struct text *out, const arb_struct *x, slong digits) {
 }
 
 void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits) {
-  json_begin_string(j, key);
-  num_print_rational(j->out, q, digits);
-  json_end_string(j);
+  JSON_STRING(j, key, num_print_rational(j->out, q, digits));
 }
 
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits) {
-  if (!x) {
+  if (x)
+    JSON_STRING(j, key, print_known(j->out, x, digits));
+  else
     json_null(j, key);
-    return;
-  }
-  json_begin_string(j, key);
-  print_known(j->out, x, digits);
-  json_end_string(j);
 }
 
 void json_numbers(struct json *j, const char *key, arb_srcptr x, slong n, slong digits) {
@@ -96,13 +91,10 @@ void print_radius(struct text *out, const mag_t radius) {
 
 void proof_json(struct json *j, bool certified, const mag_t radius) {
   json_bool(j, "certified", certified);
-  if (!certified) {
+  if (certified)
+    JSON_STRING(j, "radius", print_radius(j->out, radius));
+  else
     json_null(j, "radius");
-    return;
-  }
-  json_begin_string(j, "radius");
-  print_radius(j->out, radius);
-  json_end_string(j);
 }
 
 void proof_text(struct text *out, bool certified, const mag_t radius) {
@@ -123,9 +115,7 @@ void print_at(struct text *out, const struct jacobian_request *q) {
 }
 
 void json_at(struct json *j, const struct jacobian_request *q) {
-  json_begin_string(j, "at");
-  print_at(j->out, q);
-  json_end_string(j);
+  JSON_STRING(j, "at", print_at(j->out, q));
 }
 
 void json_of_model(struct json *j, struct text *out, const struct scene *s) {
@@ -207,15 +197,11 @@ void admissible_text(struct text *out, truth admissible, const struct scene *s) 
 void orbit_numbers_json(struct json *j, const struct dyn_orbit *o, number_printer *print, const struct scene *s,
                         slong digits, truth admissible, const truth u[2]) {
   for (int i = 0; i < ORBIT_NUMBERS; i++) {
-    json_begin_string(j, orbit_number_name(i));
-    print(j->out, o, i, s, digits);
-    json_end_string(j);
+    JSON_STRING(j, orbit_number_name(i), print(j->out, o, i, s, digits));
     if (strcmp(orbit_number_name(i), "trace") != 0) continue;
     json_array(j, "eigenvalues");
     json_string(j, NULL, "0");
-    json_begin_string(j, NULL);
-    print(j->out, o, i, s, digits);
-    json_end_string(j);
+    JSON_STRING(j, NULL, print(j->out, o, i, s, digits));
     json_end_array(j);
     json_truth(j, "stable", o->stable);
     json_truth(j, "admissible", admissible);

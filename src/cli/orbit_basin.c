@@ -38,23 +38,17 @@ static void find(struct dyn_basin *b, const struct dyn_orbit *o, const struct sc
   dyn_basin_find(b, s->value, u, o);
 }
 
-static void json_decimal(struct json *j, const char *key, const fmpq_t q) {
-  json_begin_string(j, key);
-  print_decimal(j->out, q);
-  json_end_string(j);
-}
-
 void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s) {
   struct dyn_basin b;
   find(&b, o, s);
   if (b.proved) {
     json_object(j, "basin");
-    json_decimal(j, "r_low", &b.low);
-    json_decimal(j, "r_high", &b.high);
+    JSON_STRING(j, "r_low", print_decimal(j->out, &b.low));
+    JSON_STRING(j, "r_high", print_decimal(j->out, &b.high));
     if (b.why == FAILS_UNKNOWN)
       json_null(j, "fails_at");
     else
-      json_decimal(j, "fails_at", &b.fails_at);
+      JSON_STRING(j, "fails_at", print_decimal(j->out, &b.fails_at));
     json_string(j, "why", reason(&b));
     json_end_object(j);
   } else {

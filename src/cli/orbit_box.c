@@ -103,11 +103,7 @@ static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const stru
     json_object(j, "enclosures");
     for (int i = 0; i < ORBIT_NUMBERS; i++) {
       json_array(j, orbit_number_name(i));
-      for (int end = 0; end < 2; end++) {
-        json_begin_string(j, NULL);
-        add_number_end(j->out, o, i, s, end, digits);
-        json_end_string(j);
-      }
+      for (int end = 0; end < 2; end++) JSON_STRING(j, NULL, add_number_end(j->out, o, i, s, end, digits));
       json_end_array(j);
     }
     json_end_object(j);
@@ -129,11 +125,8 @@ static void box_json(struct text *out, const struct dyn_box *box, const struct s
   for (int k = 0; k < N_SCENE_PARAMS; k++) {
     if (!s->interval[k]) continue;
     json_array(&j, scene_key_name[k]);
-    for (int end = 0; end < 2; end++) {
-      json_begin_string(&j, NULL);
-      add_box_end(out, end ? &s->high[k] : &s->value[k], end, digits);
-      json_end_string(&j);
-    }
+    for (int end = 0; end < 2; end++)
+      JSON_STRING(&j, NULL, add_box_end(out, end ? &s->high[k] : &s->value[k], end, digits));
     json_end_array(&j);
   }
   json_end_object(&j);

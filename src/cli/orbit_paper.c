@@ -67,24 +67,17 @@ static void write_solution(struct json *j, const struct paper_orbit *p, slong di
   for (int i = 0; i < ROUTE_Z; i++) json_double(j, NULL, "%.17g", p->guess[i]);
   json_end_array(j);
   json_bool(j, "converged", found);
-  for (int i = 0; i < N_ROUTE; i++) {
-    if (!found) {
+  for (int i = 0; i < N_ROUTE; i++)
+    if (found)
+      JSON_STRING(j, name[i], print_number(j->out, p, i, digits));
+    else
       json_null(j, name[i]);
-      continue;
-    }
-    json_begin_string(j, name[i]);
-    print_number(j->out, p, i, digits);
-    json_end_string(j);
-  }
   write_steps(j, p);
   write_orbit(j, "nearest", p->nearest);
-  if (p->nearest < 0) {
+  if (p->nearest < 0)
     json_null(j, "distance");
-  } else {
-    json_begin_string(j, "distance");
-    num_print(j->out, p->distance, 2);
-    json_end_string(j);
-  }
+  else
+    JSON_STRING(j, "distance", num_print(j->out, p->distance, 2));
   write_condition(j, p);
   json_end_object(j);
 }

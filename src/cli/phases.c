@@ -171,12 +171,6 @@ static void phases_text(struct text *out, const struct jacobian_phases *p, const
 
 /* --- JSON --- */
 
-static void json_accuracy(struct json *w, const char *key, const arb_struct *worst) {
-  json_begin_string(w, key);
-  print_accuracy(w->out, worst);
-  json_end_string(w);
-}
-
 static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, slong digits) {
   arb_t radius;
   arb_init(radius);
@@ -189,7 +183,7 @@ static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, s
     json_object(w, jacobian_columns[c].name);
     json_number(w, "value", is_told(a, c, e, digits) ? a->entry[c] + e : NULL, digits);
     jacobian_accuracy(radius, a->entry[c] + e, 1);
-    json_accuracy(w, "accuracy", radius);
+    JSON_STRING(w, "accuracy", print_accuracy(w->out, radius));
     json_end_object(w);
   }
   json_end_object(w);
@@ -252,7 +246,7 @@ static void accuracy_json(struct json *w, const struct jacobian_phases *p) {
   for (int c = 0; c < N_COLUMNS; c++) {
     if (!a->known[c]) continue;
     matrix_worst(worst, a, c);
-    json_accuracy(w, jacobian_columns[c].name, worst);
+    JSON_STRING(w, jacobian_columns[c].name, print_accuracy(w->out, worst));
   }
   json_end_object(w);
   arb_clear(worst);

@@ -107,9 +107,7 @@ void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   json_array(j, "violations");
   for (int i = 0; i < o->n_facts; i++) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
-    json_begin_string(j, NULL);
-    violation(j->out, &o->fact[i], o, m, s);
-    json_end_string(j);
+    JSON_STRING(j, NULL, violation(j->out, &o->fact[i], o, m, s));
   }
   json_end_array(j);
   for (int i = 0; i < 2 && !s->system; i++)

@@ -60,17 +60,9 @@ static void change_json(struct json *j, const struct shown *v, const struct mech
   json_object(j, NULL);
   json_string(j, "kind", mech_turn_id[c->what]);
   json_long(j, "branch", c->branch + 1);
-  for (int i = 0; i < 2; i++) {
-    json_begin_string(j, i ? "high" : "low");
-    print_end(j->out, v, c, i);
-    json_end_string(j);
-  }
+  for (int i = 0; i < 2; i++) JSON_STRING(j, i ? "high" : "low", print_end(j->out, v, c, i));
   json_array(j, "conditions");
-  for (int i = 0; i < c->n_facts; i++) {
-    json_begin_string(j, NULL);
-    mech_fact_print(j->out, v->m, &c->fact[i], NULL);
-    json_end_string(j);
-  }
+  for (int i = 0; i < c->n_facts; i++) JSON_STRING(j, NULL, mech_fact_print(j->out, v->m, &c->fact[i], NULL));
   json_end_array(j);
   side_json(j, "below", side_of(c, false));
   side_json(j, "above", side_of(c, true));

@@ -20,12 +20,6 @@ bool may_write_certificate(const struct scene *s, slong certified, slong n, stru
   return certified > 0;
 }
 
-void json_word(struct json *j, const char *key, const struct mech_word *w) {
-  json_begin_string(j, key);
-  phase_word_print(j->out, w);
-  json_end_string(j);
-}
-
 bool find_word_orbits(struct word_orbits *list, const struct scene *s, slong digits, struct diag *d) {
   if (phase_word_fate(NULL, &s->word) != WORD_OPEN) return true;
   if (scene_lacks_friction(s, &s->word)) {
@@ -43,7 +37,7 @@ void word_json(struct json *j, const struct scene *s) {
   struct text why = {0};
   enum word_fate fate = phase_word_fate(&why, &s->word);
   bool complete = fate == WORD_IMPOSSIBLE || fate == WORD_UNCLOSED;
-  json_word(j, "word", &s->word);
+  JSON_STRING(j, "word", phase_word_print(j->out, &s->word));
   json_string(j, "fate", word_fate_name[fate]);
   json_string(j, "reason", fate == WORD_OPEN ? NULL : text_str(&why));
   json_bool(j, "complete", complete);

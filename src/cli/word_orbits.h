@@ -20,8 +20,6 @@ bool find_word_orbits(struct word_orbits *list, const struct scene *s, slong dig
 /* What is known of that word, and of the search: members, lines. */
 void word_json(struct json *j, const struct scene *s);
 void word_text(struct text *out, const struct word_orbits *list, const struct scene *s);
-/* A word as a string. */
-void json_word(struct json *j, const char *key, const struct mech_word *w);
 /* One orbit of a system file or of another word as a member of an array. */
 void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
                        slong digits);

@@ -56,7 +56,7 @@ static void row_json(struct survey *v, const struct mech_word *w, enum word_fate
                      : scene_lacks_friction(v->scene, w) ? "needs u_r1, u_r2"
                                                          : "budget";
   json_object(j, NULL);
-  json_word(j, "word", w);
+  JSON_STRING(j, "word", phase_word_print(j->out, w));
   json_string(j, "fate", told);
   json_string(j, "reason", fate == WORD_OPEN ? NULL : why);
   json_long(j, "settled", settled_on(v, w));
@@ -77,8 +77,8 @@ static void barriers_json(struct json *j) {
       const char *why = phase_word_barrier(from.phase[0], to.phase[0]);
       if (!why) continue;
       json_object(j, NULL);
-      json_word(j, "from", &from);
-      json_word(j, "to", &to);
+      JSON_STRING(j, "from", phase_word_print(j->out, &from));
+      JSON_STRING(j, "to", phase_word_print(j->out, &to));
       json_string(j, "reason", why);
       json_end_object(j);
     }
@@ -95,7 +95,7 @@ static void simulations_json(struct survey *v) {
   for (size_t i = 0; i < v->seeds.n; i++) {
     if (!is_first(&v->seeds, i)) continue;
     json_object(j, NULL);
-    json_word(j, "word", &v->seeds.seed[i].word);
+    JSON_STRING(j, "word", phase_word_print(j->out, &v->seeds.seed[i].word));
     json_long(j, "count", settled_on(v, &v->seeds.seed[i].word));
     json_end_object(j);
   }

@@ -1,9 +1,7 @@
 #include "exact_json.h"
 
 void json_fraction(struct json *j, const char *key, const fmpq *x) {
-  json_begin_string(j, key);
-  num_print_q(j->out, x);
-  json_end_string(j);
+  JSON_STRING(j, key, num_print_q(j->out, x));
 }
 
 void json_ball(struct json *j, const char *key, arb_srcptr x) {

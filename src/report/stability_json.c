@@ -19,13 +19,6 @@ static void write_cause(struct json *j, const struct stability_row *row) {
   write_digits(j, "node_grows", row->node_grows);
 }
 
-static void write_command(struct json *j, const char *key, const struct stability_result *r,
-                          const struct stability_row *row, const char *witness) {
-  json_begin_string(j, key);
-  stability_add_command(j->out, r, row, witness);
-  json_end_string(j);
-}
-
 static void write_row(struct json *j, const struct stability_result *r, const struct stability_row *row) {
   char relative[32];
   json_object(j, NULL);
@@ -54,7 +47,7 @@ static void write_row(struct json *j, const struct stability_result *r, const st
     json_long(j, "after_short", row->after_short);
     json_long(j, "after_rounded", row->after_rounded);
     json_string(j, "after_witness", row->after_witness);
-    write_command(j, "command", r, row, row->witness);
+    JSON_STRING(j, "command", stability_add_command(j->out, r, row, row->witness));
   }
   if (row->failure_witness) {
     json_string(j, "failure", loss_cause_says[row->failure]);
@@ -62,7 +55,7 @@ static void write_row(struct json *j, const struct stability_result *r, const st
     json_string(j, "failure_source", row->failure_source);
     write_digits(j, "failure_size", row->failure_size);
     json_string(j, "failure_witness", row->failure_witness);
-    write_command(j, "failure_command", r, row, row->failure_witness);
+    JSON_STRING(j, "failure_command", stability_add_command(j->out, r, row, row->failure_witness));
   }
   json_end_object(j);
 }
