@@ -105,8 +105,7 @@ static void json_row(struct json *w, const struct bench_row *r) {
 }
 
 static void json_methods(struct json *w, const struct bench_table *t) {
-  json_array(w, "methods");
-  for (int i = 0; i < t->n_methods; i++) {
+  JSON_EACH (w, "methods", i, t->n_methods) {
     const struct bench_method *m = t->method[i];
     json_object(w, NULL);
     json_string(w, "method", m->id);
@@ -116,7 +115,6 @@ static void json_methods(struct json *w, const struct bench_table *t) {
     json_bool(w, "bare", m->bare);
     json_end_object(w);
   }
-  json_end_array(w);
 }
 
 /* A row in short. */
@@ -135,8 +133,7 @@ static void json_choice(struct json *w, const char *key, const struct bench_row 
 }
 
 static void json_guide(struct json *w, const struct bench_table *t) {
-  json_array(w, "guide");
-  for (int i = 0; i < n_bench_targets; i++) {
+  JSON_EACH (w, "guide", i, n_bench_targets) {
     char error[16];
     snprintf(error, sizeof error, "1e%d", bench_targets[i]);
     json_object(w, NULL);
@@ -145,14 +142,12 @@ static void json_guide(struct json *w, const struct bench_table *t) {
     json_choice(w, "enclosed", bench_best(t, bench_targets[i], true));
     json_end_object(w);
   }
-  json_end_array(w);
 }
 
 static void json_costs(struct json *w, const struct bench_table *t) {
   struct bench_cost cost[BENCH_COSTS];
   int n = bench_costs(cost, BENCH_COSTS, t);
-  json_array(w, "rigour");
-  for (int i = 0; i < n; i++) {
+  JSON_EACH (w, "rigour", i, n) {
     json_object(w, NULL);
     json_string(w, "plain", cost[i].plain);
     json_string(w, "balls", cost[i].balls);
@@ -161,12 +156,10 @@ static void json_costs(struct json *w, const struct bench_table *t) {
     json_number(w, "ns_balls", cost[i].balls_ns);
     json_end_object(w);
   }
-  json_end_array(w);
 }
 
 static void json_verdicts(struct json *w, const struct bench_verdicts *v) {
-  json_array(w, "verdicts");
-  for (size_t i = 0; i < v->n; i++) {
+  JSON_EACH (w, "verdicts", i, v->n) {
     const struct bench_work *k = &v->work[i];
     if (k->kind >= WORK_CLAIM) continue;
     json_object(w, NULL);
@@ -175,7 +168,6 @@ static void json_verdicts(struct json *w, const struct bench_verdicts *v) {
     json_number(w, "seconds", k->seconds);
     json_end_object(w);
   }
-  json_end_array(w);
 }
 
 /* A claim's sides by digits. */
@@ -192,8 +184,7 @@ static void json_sides(struct json *w, const struct bench_verdicts *v, const cha
 }
 
 static void json_claims(struct json *w, const struct bench_verdicts *v) {
-  json_array(w, "claims");
-  for (size_t i = 0; i < v->n; i++) {
+  JSON_EACH (w, "claims", i, v->n) {
     const struct bench_work *k = &v->work[i];
     if (k->kind != WORK_CLAIM) continue;
     json_object(w, NULL);
@@ -202,7 +193,6 @@ static void json_claims(struct json *w, const struct bench_verdicts *v) {
     json_sides(w, v, k->id);
     json_end_object(w);
   }
-  json_end_array(w);
 }
 
 static void json_table(struct json *w, const struct bench_table *t) {
@@ -216,9 +206,7 @@ static void json_table(struct json *w, const struct bench_table *t) {
   json_number(w, "truth_digits", floor(t->truth_digits));
   json_guide(w, t);
   json_methods(w, t);
-  json_array(w, "rows");
-  for (int i = 0; i < t->n; i++) json_row(w, &t->row[i]);
-  json_end_array(w);
+  JSON_EACH (w, "rows", i, t->n) json_row(w, &t->row[i]);
   json_costs(w, t);
   json_end_object(w);
 }
@@ -229,14 +217,12 @@ const char *bench_outcome_name(enum bench_outcome o) {
 }
 
 static void json_parts(struct json *w, const char *key, const struct bench_part *part, int n) {
-  json_array(w, key);
-  for (int i = 0; i < n; i++) {
+  JSON_EACH (w, key, i, n) {
     json_object(w, NULL);
     json_string(w, "where", part[i].where);
     json_number(w, "share", part[i].share);
     json_end_object(w);
   }
-  json_end_array(w);
 }
 
 static void json_profile(struct json *w, const struct bench_profile *p) {
@@ -270,16 +256,10 @@ void bench_json(struct text *out, const struct bench_result *r) {
   bench_machine(&machine, r);
   json_document(&w, out, "stickslip-bench-2");
   json_bool(&w, "quick", r->quick);
-  json_array(&w, "jobs");
-  for (int i = 0; i < r->n; i++) json_table(&w, &r->table[i]);
-  json_end_array(&w);
-  json_array(&w, "ratios");
-  for (int i = 0; i < r->n_ratios; i++) json_ratio(&w, &r->ratio[i]);
-  json_end_array(&w);
+  JSON_EACH (&w, "jobs", i, r->n) json_table(&w, &r->table[i]);
+  JSON_EACH (&w, "ratios", i, r->n_ratios) json_ratio(&w, &r->ratio[i]);
   json_verdicts(&w, &r->verdicts);
-  json_array(&w, "studies");
-  for (int i = 0; i < r->n_pages; i++) study_json(&w, &r->page[i]);
-  json_end_array(&w);
+  JSON_EACH (&w, "studies", i, r->n_pages) study_json(&w, &r->page[i]);
   json_claims(&w, &r->verdicts);
   json_string(&w, "machine", text_str(&machine));
   json_end_object(&w);

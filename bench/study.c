@@ -72,18 +72,11 @@ void study_markdown(struct text *out, const struct study_page *page, bool files)
   for (int i = 0; i < page->n; i++) markdown_table(out, &page->table[i]);
 }
 
-static void json_line(struct json *j, const char *const *cell, size_t n) {
-  json_array(j, NULL);
-  for (size_t i = 0; i < n; i++) json_string(j, NULL, cell[i]);
-  json_end_array(j);
-}
-
 void study_json(struct json *j, const struct study_page *page) {
   json_object(j, NULL);
   json_string(j, "study", page->study->id);
   json_string(j, "title", page->study->title);
-  json_array(j, "tables");
-  for (int i = 0; i < page->n; i++) {
+  JSON_EACH (j, "tables", i, page->n) {
     const struct study_table *t = &page->table[i];
     struct rows rows;
     rows_parse(&rows, text_str(&t->tsv));
@@ -91,12 +84,11 @@ void study_json(struct json *j, const struct study_page *page) {
     json_string(j, "id", t->id);
     json_string(j, "title", t->title);
     json_array(j, "rows");
-    json_line(j, rows.heading, rows.columns);
-    for (size_t n = 0; n < rows.n; n++) json_line(j, rows.cell[n], rows.columns);
+    json_string_array(j, NULL, rows.heading, (int)rows.columns);
+    for (size_t n = 0; n < rows.n; n++) json_string_array(j, NULL, rows.cell[n], (int)rows.columns);
     rows_clear(&rows);
     json_end_array(j);
     json_end_object(j);
   }
-  json_end_array(j);
   json_end_object(j);
 }

@@ -112,9 +112,7 @@ void json_double(struct json *j, const char *key, const char *fmt, double x) {
 }
 
 void json_string_array(struct json *j, const char *key, const char *const *list, int n) {
-  json_array(j, key);
-  for (int i = 0; i < n; i++) json_string(j, NULL, list[i]);
-  json_end_array(j);
+  JSON_EACH (j, key, i, n) json_string(j, NULL, list[i]);
 }
 
 void json_long(struct json *j, const char *key, long value) {

@@ -24,6 +24,10 @@ void json_object(struct json *j, const char *key);
 void json_array(struct json *j, const char *key);
 void json_end_object(struct json *j);
 void json_end_array(struct json *j);
+/* An array of n elements, each written by the statement behind it, which counts them by i. */
+#define JSON_EACH(j, key, i, n)                                                                                        \
+  for (int open_##i = (json_array(j, key), 1); open_##i; open_##i = (json_end_array(j), 0))                            \
+    for (int i = 0; i < (int)(n); i++)
 void json_string(struct json *j, const char *key, const char *value); /* NULL writes null */
 /* A string that a call makes in its place: what it adds to j->out, as that is to be read back. */
 #define JSON_STRING(j, key, call) (json_begin_string(j, key), (void)(call), json_end_string(j))

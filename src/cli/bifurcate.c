@@ -24,8 +24,7 @@ static void json_known(struct json *j, const char *key, const arb_t x, slong dig
 
 static void side_json(struct json *j, const char *key, const struct dyn_beside *side, const struct scene *s,
                       slong digits) {
-  json_array(j, key);
-  for (int i = 0; i < side->n; i++) {
+  JSON_EACH (j, key, i, side->n) {
     if (side->word[i] == TRUTH_FALSE) continue;
     json_object(j, NULL);
     json_truth(j, "of_word", side->word[i]);
@@ -34,7 +33,6 @@ static void side_json(struct json *j, const char *key, const struct dyn_beside *
     json_truth(j, "admissible", orbit_admissible(NULL, s, &side->orbit[i]));
     json_end_object(j);
   }
-  json_end_array(j);
 }
 
 static void change_json(struct json *j, const struct dyn_bifurcation *b, const struct scene *s, slong digits) {
@@ -74,12 +72,8 @@ static void all_json(struct text *out, const struct dyn_bifurcations *list, cons
   along_json(&j, scene_key_name[a->vary], a->from, a->to, digits);
   json_bool(&j, "complete", false);
   json_long(&j, "missed", (long)list->missed);
-  json_array(&j, "bifurcations");
-  for (slong i = 0; i < list->n; i++) change_json(&j, &list->at[i], s, digits);
-  json_end_array(&j);
-  json_array(&j, "branches");
-  for (slong i = 0; i < list->n_branches; i++) branch_json(&j, &list->branch[i], (long)i + 1);
-  json_end_array(&j);
+  JSON_EACH (&j, "bifurcations", i, list->n) change_json(&j, &list->at[i], s, digits);
+  JSON_EACH (&j, "branches", i, list->n_branches) branch_json(&j, &list->branch[i], (long)i + 1);
   json_end_object(&j);
 }
 

@@ -201,9 +201,7 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
   struct teller l = {.json = &j};
   json_string(&j, "first", a->source.name);
   json_string(&j, "second", b->source.name);
-  json_array(&j, "counts");
-  for (int i = 0; i < N_COUNTS; i++) each_count(&l, a, b, i);
-  json_end_array(&j);
+  JSON_EACH (&j, "counts", i, N_COUNTS) each_count(&l, a, b, i);
   json_array(&j, "verdicts");
   each_verdict(&l, a, b);
   json_end_array(&j);

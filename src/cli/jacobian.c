@@ -22,9 +22,7 @@ enum { TRACE = 4, DET = 5, N_NUMBERS = 6 };
 static void jacobian_json(struct text *out, arb_srcptr x, const char *layer, const struct jacobian_request *q) {
   struct json w;
   json_document(&w, out, NULL);
-  json_array(&w, "J");
-  for (int i = 0; i < 2; i++) json_numbers(&w, NULL, x + 2 * i, 2, q->digits);
-  json_end_array(&w);
+  JSON_EACH (&w, "J", i, 2) json_numbers(&w, NULL, x + 2 * i, 2, q->digits);
   json_number(&w, "trace", x + TRACE, q->digits);
   json_number(&w, "det", x + DET, q->digits);
   json_string(&w, "method", method_name[q->method]);

@@ -62,9 +62,7 @@ void json_number(struct json *j, const char *key, const arb_struct *x, slong dig
 }
 
 void json_numbers(struct json *j, const char *key, arb_srcptr x, slong n, slong digits) {
-  json_array(j, key);
-  for (slong i = 0; i < n; i++) json_number(j, NULL, x + i, digits);
-  json_end_array(j);
+  JSON_EACH (j, key, i, n) json_number(j, NULL, x + i, digits);
 }
 
 void print_accuracy(struct text *out, const arb_struct *worst) {
@@ -205,9 +203,7 @@ void orbit_numbers_json(struct json *j, const struct dyn_orbit *o, number_printe
     json_end_array(j);
     json_truth(j, "stable", o->stable);
     json_truth(j, "admissible", admissible);
-    json_array(j, "violations");
-    for (int k = 0; k < ORBIT_CONDITIONS; k++)
+    JSON_EACH (j, "violations", k, ORBIT_CONDITIONS)
       if (orbit_breaks(o, u, k)) json_string(j, NULL, orbit_condition_name(k));
-    json_end_array(j);
   }
 }

@@ -70,9 +70,7 @@ static void orbits_json(struct text *out, const struct solved *z, const struct s
   json_of_model(&j, out, s);
   json_bool(&j, "complete", list->complete);
   completeness_json(&j, list);
-  json_array(&j, "orbits");
-  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], &z->proof[i], s, digits, basin);
-  json_end_array(&j);
+  JSON_EACH (&j, "orbits", i, list->n) orbit_json(&j, &list->orbit[i], &z->proof[i], s, digits, basin);
   json_end_object(&j);
 }
 

@@ -102,9 +102,7 @@ static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const stru
   if (b->proved) {
     json_object(j, "enclosures");
     for (int i = 0; i < ORBIT_NUMBERS; i++) {
-      json_array(j, orbit_number_name(i));
-      for (int end = 0; end < 2; end++) JSON_STRING(j, NULL, add_number_end(j->out, o, i, s, end, digits));
-      json_end_array(j);
+      JSON_EACH (j, orbit_number_name(i), end, 2) JSON_STRING(j, NULL, add_number_end(j->out, o, i, s, end, digits));
     }
     json_end_object(j);
   } else {
@@ -124,18 +122,14 @@ static void box_json(struct text *out, const struct dyn_box *box, const struct s
   json_object(&j, "box");
   for (int k = 0; k < N_SCENE_PARAMS; k++) {
     if (!s->interval[k]) continue;
-    json_array(&j, scene_key_name[k]);
-    for (int end = 0; end < 2; end++)
+    JSON_EACH (&j, scene_key_name[k], end, 2)
       JSON_STRING(&j, NULL, add_box_end(out, end ? &s->high[k] : &s->value[k], end, digits));
-    json_end_array(&j);
   }
   json_end_object(&j);
   json_bool(&j, "complete", false);
   json_string(&j, "gap", dyn_gap_text[GAP_UNTRIED]);
   json_null(&j, "t_c_max");
-  json_array(&j, "orbits");
-  for (slong i = 0; i < box->n; i++) orbit_json(&j, &box->at[i], s, digits);
-  json_end_array(&j);
+  JSON_EACH (&j, "orbits", i, box->n) orbit_json(&j, &box->at[i], s, digits);
   json_end_object(&j);
 }
 

@@ -63,9 +63,7 @@ static void write_solution(struct json *j, const struct paper_orbit *p, slong di
     json_string(j, "from", "printed");
   else
     write_orbit(j, "from", p->from);
-  json_array(j, "start");
-  for (int i = 0; i < ROUTE_Z; i++) json_double(j, NULL, "%.17g", p->guess[i]);
-  json_end_array(j);
+  JSON_EACH (j, "start", i, ROUTE_Z) json_double(j, NULL, "%.17g", p->guess[i]);
   json_bool(j, "converged", found);
   for (int i = 0; i < N_ROUTE; i++)
     if (found)
@@ -87,9 +85,7 @@ static void write_json(struct text *out, const struct paper_orbits *list, const 
   json_document(&j, out, NULL);
   json_string(&j, "scene", s->name);
   json_string(&j, "method", "paper");
-  json_array(&j, "solutions");
-  for (size_t i = 0; i < list->n; i++) write_solution(&j, &list->item[i], digits);
-  json_end_array(&j);
+  JSON_EACH (&j, "solutions", i, list->n) write_solution(&j, &list->item[i], digits);
   json_end_object(&j);
 }
 

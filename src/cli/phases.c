@@ -187,10 +187,8 @@ static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, s
     json_end_object(w);
   }
   json_end_object(w);
-  json_array(w, "departs");
-  for (int c = 0; c < N_COLUMNS; c++)
+  JSON_EACH (w, "departs", c, N_COLUMNS)
     if (a->departs[c][e]) json_string(w, NULL, jacobian_columns[c].name);
-  json_end_array(w);
   json_end_object(w);
   arb_clear(radius);
 }
@@ -201,9 +199,7 @@ static void matrix_json(struct json *w, const struct jacobian_matrix *a, slong d
   if (a->phase) json_string(w, "phase", a->phase);
   json_long(w, "rows", a->rows);
   json_long(w, "cols", a->cols);
-  json_array(w, "entries");
-  for (int e = 0; e < a->rows * a->cols; e++) entry_json(w, a, e, digits);
-  json_end_array(w);
+  JSON_EACH (w, "entries", e, a->rows * a->cols) entry_json(w, a, e, digits);
 }
 
 static void eigenvalues_json(struct json *w, const struct jacobian_phases *p, slong digits) {
@@ -227,9 +223,7 @@ static void eigenvalues_json(struct json *w, const struct jacobian_phases *p, sl
     json_null(w, "exact");
   }
   if (print_eigenvalues(gsl, j)) {
-    json_array(w, "gsl");
-    for (int i = 0; i < 2; i++) json_string(w, NULL, text_str(&gsl[i]));
-    json_end_array(w);
+    JSON_EACH (w, "gsl", i, 2) json_string(w, NULL, text_str(&gsl[i]));
   } else {
     json_null(w, "gsl");
   }
@@ -253,8 +247,7 @@ static void accuracy_json(struct json *w, const struct jacobian_phases *p) {
 }
 
 static void left_out_json(struct json *w, const struct jacobian_phases *p) {
-  json_array(w, "left_out");
-  for (int i = 0; i < N_MATRICES; i++)
+  JSON_EACH (w, "left_out", i, N_MATRICES)
     for (int c = 0; c < N_COLUMNS; c++) {
       if (p->matrix[i].known[c]) continue;
       json_object(w, NULL);
@@ -263,7 +256,6 @@ static void left_out_json(struct json *w, const struct jacobian_phases *p) {
       json_string(w, "why", why_left_out(c));
       json_end_object(w);
     }
-  json_end_array(w);
 }
 
 static void phases_json(struct text *out, const struct jacobian_phases *p, const struct scene *s,
@@ -272,13 +264,11 @@ static void phases_json(struct text *out, const struct jacobian_phases *p, const
   json_document(&w, out, NULL);
   json_string(&w, "scene", s->name);
   json_at(&w, q);
-  json_array(&w, "phases");
-  for (int i = 0; i < MATRIX_J; i++) {
+  JSON_EACH (&w, "phases", i, MATRIX_J) {
     json_object(&w, NULL);
     matrix_json(&w, &p->matrix[i], q->digits);
     json_end_object(&w);
   }
-  json_end_array(&w);
   json_object(&w, "period");
   matrix_json(&w, &p->matrix[MATRIX_J], q->digits);
   json_end_object(&w);

@@ -76,18 +76,14 @@ static void write_plan(struct text *out, const struct audit_plan *p) {
   struct json document, *j = &document;
   json_document(j, out, "stickslip-plan-1");
   json_string(j, "scene", p->scene);
-  json_array(j, "claims");
-  for (int i = 0; i < p->n_claims; i++) write_claim(j, &p->claim[i]);
-  json_end_array(j);
-  json_array(j, "shared");
-  for (int i = 0; i < p->n_shared; i++) {
+  JSON_EACH (j, "claims", i, p->n_claims) write_claim(j, &p->claim[i]);
+  JSON_EACH (j, "shared", i, p->n_shared) {
     json_object(j, NULL);
     json_string(j, "what", p->shared[i].what);
     json_long(j, "claims", p->shared[i].claims);
     write_cost(j, p->shared[i].units, p->shared[i].ms);
     json_end_object(j);
   }
-  json_end_array(j);
   write_cost(j, p->units, p->ms);
   json_end_object(j);
 }

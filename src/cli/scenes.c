@@ -17,8 +17,7 @@ bool scene_needs_forces(const struct scene *s, const char *command, struct diag 
 static void keys_json(struct text *out) {
   struct json j;
   json_init(&j, out);
-  json_array(&j, NULL);
-  for (int k = 0; k < N_SCENE_KEYS; k++) {
+  JSON_EACH (&j, NULL, k, N_SCENE_KEYS) {
     json_object(&j, NULL);
     json_string(&j, "name", scene_keys[k].name);
     json_string(&j, "written", k < N_KEYS ? "NAME = value" : "NAME: value");
@@ -27,7 +26,6 @@ static void keys_json(struct text *out) {
     json_string(&j, "used", scene_keys[k].used);
     json_end_object(&j);
   }
-  json_end_array(&j);
 }
 
 /* A row a key; on a terminal that is too narrow for it the meaning first, and under it what is written and who reads

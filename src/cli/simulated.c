@@ -25,9 +25,7 @@ void simulated_json(const struct simulated *run, const char *ended) {
   json_string(&j, "scene", run->scene);
   json_string(&j, "system", run->system);
   json_string(&j, "at", run->at);
-  json_array(&j, "start");
-  for (int i = 0; i < run->states; i++) mech_double_json(&j, NULL, run->main->moment[0].z[i]);
-  json_end_array(&j);
+  JSON_EACH (&j, "start", i, run->states) mech_double_json(&j, NULL, run->main->moment[0].z[i]);
   mech_events_json(&j, run->n, run->main);
   json_string(&j, "ended", ended);
   mech_double_json(&j, "t", run->main->t);

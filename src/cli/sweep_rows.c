@@ -57,8 +57,7 @@ static void head_json(struct text *out, const struct sweep *q) {
     if (q->scene.given[i] && !(i < N_PARAMS && is_swept(q, i)))
       json_rational(&j, scene_key_name[i], &q->scene.value[i], q->digits);
   json_end_object(&j);
-  json_array(&j, "over");
-  for (int i = 0; i < q->n_axes; i++) {
+  JSON_EACH (&j, "over", i, q->n_axes) {
     json_object(&j, NULL);
     json_string(&j, "name", axis_name(q, i));
     json_rational(&j, "from", q->range[i].from, q->digits);
@@ -66,7 +65,6 @@ static void head_json(struct text *out, const struct sweep *q) {
     json_long(&j, "n", (long)q->axis[i].n);
     json_end_object(&j);
   }
-  json_end_array(&j);
   json_long(&j, "search_every", (long)q->every);
   json_bool(&j, "complete", false);
   json_array(&j, "points");
@@ -159,10 +157,8 @@ static void member_json(struct json *j, const struct dyn_member *m, slong digits
   }
   json_truth(j, "stable", m->stable);
   json_truth(j, "admissible", dyn_member_admissible(m));
-  json_array(j, "violations");
-  for (int i = 0; i < ORBIT_CONDITIONS; i++)
+  JSON_EACH (j, "violations", i, ORBIT_CONDITIONS)
     if (m->violations >> i & 1) json_string(j, NULL, orbit_condition_name(i));
-  json_end_array(j);
   json_end_object(j);
 }
 
@@ -175,9 +171,7 @@ static void point_json(struct json *j, const struct sweep *q, const struct dyn_f
     json_string(j, axis_name(q, i), shown);
   }
   json_string(j, "status", p->status == FAMILY_OK && p->n == 0 ? "none" : dyn_family_status_name[p->status]);
-  json_array(j, "orbits");
-  for (slong i = 0; i < p->n; i++) member_json(j, &f->member[p->first + i], q->digits);
-  json_end_array(j);
+  JSON_EACH (j, "orbits", i, p->n) member_json(j, &f->member[p->first + i], q->digits);
   json_end_object(j);
 }
 

@@ -43,20 +43,12 @@ static void multipliers_json(struct json *j, acb_srcptr z, int n, slong digits) 
     json_null(j, "multipliers");
     return;
   }
-  json_array(j, "multipliers");
-  for (int i = 0; i < n; i++) {
+  JSON_EACH (j, "multipliers", i, n) {
     json_object(j, NULL);
     json_number(j, "re", acb_realref(z + i), digits);
     json_number(j, "im", acb_imagref(z + i), digits);
     json_end_object(j);
   }
-  json_end_array(j);
-}
-
-static void states_json(struct json *j, const struct mech_orbit *o, slong digits) {
-  json_array(j, "states");
-  for (int k = 0; k < o->word.n; k++) json_numbers(j, NULL, o->state + k * o->states, 2 * o->n, digits);
-  json_end_array(j);
 }
 
 /* The largest radius of the lengths and states. */
@@ -72,9 +64,7 @@ static const char *phase_shown(const struct scene *s, const char *phase) {
 }
 
 static void word_shown(struct json *j, const struct mech_orbit *o, const struct scene *s) {
-  json_array(j, "word");
-  for (int k = 0; k < o->word.n; k++) json_string(j, NULL, phase_shown(s, o->word.phase[k]));
-  json_end_array(j);
+  JSON_EACH (j, "word", k, o->word.n) json_string(j, NULL, phase_shown(s, o->word.phase[k]));
 }
 
 static void violation(struct text *out, const struct mech_fact *f, const struct mech_orbit *o, const struct mech *m,
@@ -95,7 +85,7 @@ void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   if (s->system) json_string(j, "system", s->system);
   word_shown(j, o, s);
   json_numbers(j, "times", o->t, o->word.n, digits);
-  states_json(j, o, digits);
+  JSON_EACH (j, "states", k, o->word.n) json_numbers(j, NULL, o->state + k * o->states, 2 * o->n, digits);
   json_number(j, "period", o->period, digits);
   if (o->turns) {
     json_number(j, "load_angle", o->angle, digits);
@@ -104,12 +94,10 @@ void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   multipliers_json(j, o->multipliers ? o->multiplier : NULL, o->n_free, digits);
   json_truth(j, "stable", o->stable);
   json_truth(j, "admissible", o->admissible);
-  json_array(j, "violations");
-  for (int i = 0; i < o->n_facts; i++) {
+  JSON_EACH (j, "violations", i, o->n_facts) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
     JSON_STRING(j, NULL, violation(j->out, &o->fact[i], o, m, s));
   }
-  json_end_array(j);
   for (int i = 0; i < 2 && !s->system; i++)
     json_number(j, friction_name[i], word_orbit_friction(least, o, m, i, system_bits(digits)) ? least : NULL, digits);
   proof_json(j, o->certified, radius);
@@ -127,9 +115,7 @@ static void orbits_json(struct text *out, const struct word_orbits *list, const 
   } else {
     word_json(&j, s);
   }
-  json_array(&j, "orbits");
-  for (int i = 0; i < list->found.n; i++) proved_orbit_json(&j, &list->found.orbit[i], &list->m, s, digits);
-  json_end_array(&j);
+  JSON_EACH (&j, "orbits", i, list->found.n) proved_orbit_json(&j, &list->found.orbit[i], &list->m, s, digits);
   json_end_object(&j);
 }
 
@@ -276,20 +262,16 @@ static void words_json(struct text *out, const struct survey *v, const struct me
   json_long(&j, "settled", v->settling.settled);
   json_long(&j, "unfinished", v->settling.unfinished);
   json_end_object(&j);
-  json_array(&j, "words");
-  for (int k = 0; k < list->n + v->settling.n; k++) {
+  JSON_EACH (&j, "words", k, list->n + v->settling.n) {
     const struct mech_word *w = word_number(&motions, v, k);
     if (!w) continue;
     json_object(&j, NULL);
     mech_word_json(&j, w);
     json_long(&j, "settled", motions);
-    json_array(&j, "orbits");
-    for (int i = 0; i < list->n; i++)
+    JSON_EACH (&j, "orbits", i, list->n)
       if (mech_word_same(&list->orbit[i].word, w)) proved_orbit_json(&j, &list->orbit[i], m, s, digits);
-    json_end_array(&j);
     json_end_object(&j);
   }
-  json_end_array(&j);
   json_end_object(&j);
 }
 
@@ -347,9 +329,7 @@ static void free_name(char name[16], const struct mech_orbit *o, int l) {
 }
 
 static void return_json(struct json *j, const arb_mat_t x, slong digits) {
-  json_array(j, "J");
-  for (slong i = 0; i < arb_mat_nrows(x); i++) json_numbers(j, NULL, arb_mat_entry(x, i, 0), arb_mat_ncols(x), digits);
-  json_end_array(j);
+  JSON_EACH (j, "J", i, arb_mat_nrows(x)) json_numbers(j, NULL, arb_mat_entry(x, i, 0), arb_mat_ncols(x), digits);
 }
 
 static void return_text(struct text *out, const arb_mat_t x, slong digits) {
@@ -369,12 +349,10 @@ static void jacobian_json(struct text *out, const struct mech_orbit *o, const ar
   json_document(&j, out, NULL);
   if (s->system) json_string(&j, "system", s->system);
   word_shown(&j, o, s);
-  json_array(&j, "free");
-  for (int l = 0; l < o->n_free; l++) {
+  JSON_EACH (&j, "free", l, o->n_free) {
     free_name(name, o, l);
     json_string(&j, NULL, name);
   }
-  json_end_array(&j);
   return_json(&j, x, q->digits);
   multipliers_json(&j, z, o->n_free, q->digits);
   json_string(&j, "method", method_name[q->method]);

@@ -61,9 +61,7 @@ static void change_json(struct json *j, const struct shown *v, const struct mech
   json_string(j, "kind", mech_turn_id[c->what]);
   json_long(j, "branch", c->branch + 1);
   for (int i = 0; i < 2; i++) JSON_STRING(j, i ? "high" : "low", print_end(j->out, v, c, i));
-  json_array(j, "conditions");
-  for (int i = 0; i < c->n_facts; i++) JSON_STRING(j, NULL, mech_fact_print(j->out, v->m, &c->fact[i], NULL));
-  json_end_array(j);
+  JSON_EACH (j, "conditions", i, c->n_facts) JSON_STRING(j, NULL, mech_fact_print(j->out, v->m, &c->fact[i], NULL));
   side_json(j, "below", side_of(c, false));
   side_json(j, "above", side_of(c, true));
   json_end_object(j);
@@ -84,12 +82,8 @@ static void all_json(struct text *out, const struct shown *v) {
   along_json(&j, v->l->name, v->l->from, v->l->to, v->digits);
   json_bool(&j, "complete", false);
   json_bool(&j, "spent", v->f->spent);
-  json_array(&j, "bifurcations");
-  for (int i = 0; i < v->f->n_changes; i++) change_json(&j, v, &v->f->change[i]);
-  json_end_array(&j);
-  json_array(&j, "branches");
-  for (int i = 0; i < v->f->n_branches; i++) branch_json(&j, v, &v->f->branch[i], i + 1);
-  json_end_array(&j);
+  JSON_EACH (&j, "bifurcations", i, v->f->n_changes) change_json(&j, v, &v->f->change[i]);
+  JSON_EACH (&j, "branches", i, v->f->n_branches) branch_json(&j, v, &v->f->branch[i], i + 1);
   json_end_object(&j);
 }
 

@@ -63,9 +63,7 @@ static void row_json(struct survey *v, const struct mech_word *w, enum word_fate
   json_long(j, "evaluations", list->evaluations);
   json_long(j, "starts", list->found.candidates);
   json_long(j, "unresolved", list->found.failed);
-  json_array(j, "orbits");
-  for (int i = 0; i < list->found.n; i++) proved_orbit_json(j, &list->found.orbit[i], &list->m, v->scene, v->digits);
-  json_end_array(j);
+  JSON_EACH (j, "orbits", i, list->found.n) proved_orbit_json(j, &list->found.orbit[i], &list->m, v->scene, v->digits);
   json_end_object(j);
 }
 
@@ -91,15 +89,13 @@ static void simulations_json(struct survey *v) {
   json_long(j, "starts", v->seeds.starts);
   json_long(j, "settled", v->seeds.settled);
   json_bool(j, "own_friction", !v->u_r[0] || !v->u_r[1]);
-  json_array(j, "words");
-  for (size_t i = 0; i < v->seeds.n; i++) {
-    if (!is_first(&v->seeds, i)) continue;
+  JSON_EACH (j, "words", i, v->seeds.n) {
+    if (!is_first(&v->seeds, (size_t)i)) continue;
     json_object(j, NULL);
     JSON_STRING(j, "word", phase_word_print(j->out, &v->seeds.seed[i].word));
     json_long(j, "count", settled_on(v, &v->seeds.seed[i].word));
     json_end_object(j);
   }
-  json_end_array(j);
   json_end_object(j);
 }
 

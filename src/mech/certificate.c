@@ -24,42 +24,32 @@ static void mass_json(struct json *j, const struct mech_mass *mass) {
 }
 
 static void links_json(struct json *j, const char *list, const char *size, const struct mech_link *link, int n) {
-  json_array(j, list);
-  for (int l = 0; l < n; l++) {
+  JSON_EACH (j, list, l, n) {
     json_object(j, NULL);
-    json_array(j, "between");
-    for (int s = 0; s < 2; s++) json_printf(j, NULL, "%d", link[l].end[s] + 1);
-    json_end_array(j);
+    JSON_EACH (j, "between", s, 2) json_printf(j, NULL, "%d", link[l].end[s] + 1);
     json_fraction(j, size, link[l].size);
     json_end_object(j);
   }
-  json_end_array(j);
 }
 
 static void system_json(struct json *j, const struct mech *m) {
   json_object(j, "system");
-  json_array(j, "masses");
-  for (int i = 0; i < m->n; i++) mass_json(j, &m->mass[i]);
-  json_end_array(j);
+  JSON_EACH (j, "masses", i, m->n) mass_json(j, &m->mass[i]);
   links_json(j, "springs", "stiffness", m->spring, m->n_springs);
   links_json(j, "dampers", "constant", m->damper, m->n_dampers);
-  json_array(j, "loads");
-  for (int l = 0; l < m->n_loads; l++) {
+  JSON_EACH (j, "loads", l, m->n_loads) {
     json_object(j, NULL);
     json_printf(j, "mass", "%d", m->load[l].mass + 1);
     json_fraction(j, "cosine", m->load[l].cosine);
     json_fraction(j, "sine", m->load[l].sine);
     json_end_object(j);
   }
-  json_end_array(j);
   if (m->n_loads) json_fraction(j, "frequency", m->load[0].frequency);
   json_end_object(j);
 }
 
 static void balls_json(struct json *j, const char *key, arb_srcptr x, int n, bool wide) {
-  json_array(j, key);
-  for (int i = 0; i < n; i++) (wide ? json_wide_ball : json_ball)(j, NULL, x + i);
-  json_end_array(j);
+  JSON_EACH (j, key, i, n) (wide ? json_wide_ball : json_ball)(j, NULL, x + i);
 }
 
 /* The position of a mass that has just broken loose is its limit over a stiffness: where that is exact it gets a
@@ -83,14 +73,12 @@ static void enclosures_json(struct json *j, const struct mech_orbit *o) {
   if (o->turns) json_wide_ball(j, NULL, o->angle);
   json_end_array(j);
   json_wide_ball(j, "period", o->period);
-  json_array(j, "multipliers");
-  for (int i = 0; i < o->n_free; i++) {
+  JSON_EACH (j, "multipliers", i, o->n_free) {
     json_object(j, NULL);
     json_wide_ball(j, "re", acb_realref(o->multiplier + i));
     json_wide_ball(j, "im", acb_imagref(o->multiplier + i));
     json_end_object(j);
   }
-  json_end_array(j);
   json_end_object(j);
 }
 
@@ -116,9 +104,7 @@ void mech_certificates_json(struct text *out, const char *scene, const struct me
   json_string(&j, "format", "stickslip orbits of a system, version 1");
   json_string(&j, "scene", scene);
   system_json(&j, m);
-  json_array(&j, "orbits");
-  for (int i = 0; i < list->n; i++)
+  JSON_EACH (&j, "orbits", i, list->n)
     if (list->orbit[i].certified) orbit_json(&j, &list->orbit[i]);
-  json_end_array(&j);
   json_end_object(&j);
 }

@@ -69,9 +69,7 @@ void mech_csv_row(struct text *out, int n, const struct mech_moment *at) {
 }
 
 void mech_word_json(struct json *j, const struct mech_word *w) {
-  json_array(j, "word");
-  for (int k = 0; k < w->n; k++) json_string(j, NULL, w->phase[k]);
-  json_end_array(j);
+  JSON_EACH (j, "word", k, w->n) json_string(j, NULL, w->phase[k]);
 }
 
 void mech_double_json(struct json *j, const char *key, double x) {
@@ -88,11 +86,8 @@ void mech_events_json(struct json *j, int n, const struct mech_motion *x) {
     json_string(j, "from", mode_name(x->moment[k - 1].phase[at->mass]));
     json_string(j, "to", mode_name(at->phase[at->mass]));
     json_string(j, "phase", at->phase);
-    for (int part = 0; part < 2; part++) {
-      json_array(j, part ? "v" : "x");
-      for (int i = 0; i < n; i++) mech_double_json(j, NULL, at->z[part * n + i]);
-      json_end_array(j);
-    }
+    for (int part = 0; part < 2; part++)
+      JSON_EACH (j, part ? "v" : "x", i, n) mech_double_json(j, NULL, at->z[part * n + i]);
     json_end_object(j);
   }
   json_end_array(j);

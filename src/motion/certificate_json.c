@@ -80,9 +80,7 @@ void dyn_certificates_json(struct text *out, const char *scene, const struct dyn
   json_string(&j, "format", "stickslip orbits of the word D-Gamma-H-C, version 1");
   json_string(&j, "scene", scene);
   given_json(&j, q);
-  json_array(&j, "orbits");
-  for (slong i = 0; i < list->n; i++)
+  JSON_EACH (&j, "orbits", i, list->n)
     if (proof[i].certified) orbit_json(&j, q, &list->orbit[i], &proof[i]);
-  json_end_array(&j);
   json_end_object(&j);
 }

@@ -14,7 +14,7 @@ void report_json(struct text *out, const struct audit_result *r) {
 /* --- run.json --- */
 
 static void write_residuals(struct json *j, const struct audit_result *r) {
-  for (size_t i = 0; i < r->n_findings; i++)
+  JSON_EACH (j, "residuals", i, r->n_findings)
     for (int k = 0; k < r->findings[i].n_evidence; k++) {
       const struct evidence *e = &r->findings[i].evidence[k];
       if (isnan(e->machine_residual)) continue;
@@ -40,8 +40,7 @@ static void write_long_figures(struct json *j, const struct long_result *l) {
   static const char *const pair[N_LONG_PAIRS] = {"integration, closed form", "integration, mpfr", "closed form, mpfr"};
   json_object(j, NULL);
   json_string(j, "orbit", l->orbit);
-  json_array(j, "pairs");
-  for (int i = 0; i < N_LONG_PAIRS; i++) {
+  JSON_EACH (j, "pairs", i, N_LONG_PAIRS) {
     json_object(j, NULL);
     json_string(j, "routes", pair[i]);
     if (l->machine_parting[i])
@@ -52,7 +51,6 @@ static void write_long_figures(struct json *j, const struct long_result *l) {
     json_double(j, "growth", "%.4g", l->machine_growth[i]);
     json_end_object(j);
   }
-  json_end_array(j);
   json_double(j, "growth_of_displacement", "%.4g", l->machine_displaced);
   json_end_object(j);
 }
@@ -60,8 +58,7 @@ static void write_long_figures(struct json *j, const struct long_result *l) {
 /* What each piece took, in the order of the report. */
 static void write_spent(struct json *j, const struct audit_result *r) {
   unsigned long long units = 0;
-  json_array(j, "pieces");
-  for (size_t i = 0; i < r->n_spent; i++) {
+  JSON_EACH (j, "pieces", i, r->n_spent) {
     const struct piece_spent *p = &r->spent[i];
     json_object(j, NULL);
     json_string(j, "what", p->what);
@@ -71,14 +68,7 @@ static void write_spent(struct json *j, const struct audit_result *r) {
     json_end_object(j);
     units += p->units;
   }
-  json_end_array(j);
   json_long(j, "units", (long)units);
-}
-
-static void write_precision(struct json *j, const struct audit_result *r) {
-  json_array(j, "precision");
-  for (size_t i = 0; i < r->n_precision; i++) shape_write(j, NULL, &precision_shape, &r->precision[i]);
-  json_end_array(j);
 }
 
 void report_run(struct text *out, const struct audit_result *r, double seconds, const char *software) {
@@ -89,15 +79,9 @@ void report_run(struct text *out, const struct audit_result *r, double seconds, 
   json_string(&j, "software", software);
   json_long(&j, "jobs", r->jobs);
   write_spent(&j, r);
-  write_precision(&j, r);
-  json_array(&j, "residuals");
+  JSON_EACH (&j, "precision", i, r->n_precision) shape_write(&j, NULL, &precision_shape, &r->precision[i]);
   write_residuals(&j, r);
-  json_end_array(&j);
-  json_array(&j, "routes");
-  for (size_t i = 0; i < r->n_pairs; i++) write_pair_figures(&j, &r->pairs[i]);
-  json_end_array(&j);
-  json_array(&j, "long_runs");
-  for (size_t i = 0; i < r->n_long_runs; i++) write_long_figures(&j, &r->long_runs[i]);
-  json_end_array(&j);
+  JSON_EACH (&j, "routes", i, r->n_pairs) write_pair_figures(&j, &r->pairs[i]);
+  JSON_EACH (&j, "long_runs", i, r->n_long_runs) write_long_figures(&j, &r->long_runs[i]);
   json_end_object(&j);
 }

@@ -64,18 +64,9 @@ static bool is_nothing(const struct member *m, const void *record) {
   return false;
 }
 
-static void write_strings(struct json *j, const struct member *m, const void *record) {
-  const char *const *s = elements_of(m, record);
-  json_array(j, m->key);
-  for (size_t i = 0; i < count_of(m, record); i++) json_string(j, NULL, s[i]);
-  json_end_array(j);
-}
-
 static void write_records(struct json *j, const struct member *m, const void *record) {
   const char *first = elements_of(m, record);
-  json_array(j, m->key);
-  for (size_t i = 0; i < count_of(m, record); i++) shape_write(j, NULL, m->of, first + i * m->of->size);
-  json_end_array(j);
+  JSON_EACH (j, m->key, i, count_of(m, record)) shape_write(j, NULL, m->of, first + (size_t)i * m->of->size);
 }
 
 static void write_member(struct json *j, const struct member *m, const void *record) {
@@ -101,7 +92,7 @@ static void write_member(struct json *j, const struct member *m, const void *rec
     json_string(j, m->key, m->word[word_of(m, record)]);
     return;
   case MEMBER_STRINGS:
-    write_strings(j, m, record);
+    json_string_array(j, m->key, elements_of(m, record), (int)count_of(m, record));
     return;
   case MEMBER_RECORDS:
     write_records(j, m, record);

@@ -18,9 +18,7 @@ static void write_row(struct json *j, const char *key, const struct mutation_row
 }
 
 static void write_rows(struct json *j, const char *key, const struct mutation_row *row, size_t n) {
-  json_array(j, key);
-  for (size_t i = 0; i < n; i++) write_row(j, NULL, &row[i]);
-  json_end_array(j);
+  JSON_EACH (j, key, i, n) write_row(j, NULL, &row[i]);
 }
 
 static void write_survivor(struct json *j, const struct survivor *s) {
@@ -81,12 +79,8 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
   write_rows(&j, "files", r->file, r->n_files);
   write_rows(&j, "kinds", r->kind, r->n_kinds);
   write_rows(&j, "classes", r->data, N_DAMAGE_CLASSES);
-  json_array(&j, "survivors");
-  for (size_t i = 0; i < r->n_survivors; i++) write_survivor(&j, &r->survivor[i]);
-  json_end_array(&j);
-  json_array(&j, "damages");
-  for (size_t i = 0; i < r->n_damaged; i++) write_damaged(&j, &r->damaged[i]);
-  json_end_array(&j);
+  JSON_EACH (&j, "survivors", i, r->n_survivors) write_survivor(&j, &r->survivor[i]);
+  JSON_EACH (&j, "damages", i, r->n_damaged) write_damaged(&j, &r->damaged[i]);
   json_end_object(&j);
 }
 

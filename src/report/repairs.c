@@ -22,8 +22,7 @@ void report_repairs_json(struct text *out, const struct repair_result *r) {
   struct json j;
   json_document(&j, out, "stickslip-repairs-1");
   json_string(&j, "scene", r->scene);
-  json_array(&j, "claims");
-  for (size_t i = 0; i < r->n; i++) {
+  JSON_EACH (&j, "claims", i, r->n) {
     const struct repairs *c = &r->claim[i];
     json_object(&j, NULL);
     json_string(&j, "claim", c->claim);
@@ -35,12 +34,9 @@ void report_repairs_json(struct text *out, const struct repair_result *r) {
     json_long(&j, "singles", c->singles);
     json_long(&j, "pairs", c->pairs);
     json_bool(&j, "pairs_complete", c->pairs_complete);
-    json_array(&j, "repairs");
-    for (size_t k = 0; k < c->n; k++) write_repair(&j, &c->repair[k]);
-    json_end_array(&j);
+    JSON_EACH (&j, "repairs", k, c->n) write_repair(&j, &c->repair[k]);
     json_end_object(&j);
   }
-  json_end_array(&j);
   json_end_object(&j);
 }
 

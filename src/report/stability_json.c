@@ -80,16 +80,12 @@ static void write_formula(struct json *j, const struct stability_formula *f) {
 }
 
 static void write_confusion(struct json *j, const struct stability_result *r) {
-  json_array(j, "confusion");
-  for (int a = 0; a < N_LOSS_BINS; a++) {
+  JSON_EACH (j, "confusion", a, N_LOSS_BINS) {
     json_object(j, NULL);
     json_string(j, "predicted", loss_bin_name[a]);
-    json_array(j, "observed");
-    for (int b = 0; b < N_LOSS_BINS; b++) json_long(j, NULL, r->confusion[a][b]);
-    json_end_array(j);
+    JSON_EACH (j, "observed", b, N_LOSS_BINS) json_long(j, NULL, r->confusion[a][b]);
     json_end_object(j);
   }
-  json_end_array(j);
 }
 
 static void write_pair(struct json *j, const struct stability_pair *p) {
@@ -114,24 +110,16 @@ void report_stability_json(struct text *out, const struct stability_result *r) {
   write_confusion(&j, r);
   json_long(&j, "conditions", r->conditions);
   json_long(&j, "conditions_disputed", r->condition_differs);
-  json_array(&j, "regions");
-  for (int i = 0; i < r->n_regions; i++) {
+  JSON_EACH (&j, "regions", i, r->n_regions) {
     json_object(&j, NULL);
     json_string(&j, "id", r->region[i].id);
     json_string(&j, "says", r->region[i].says);
     json_long(&j, "points", stability_region_points(r, i));
     json_end_object(&j);
   }
-  json_end_array(&j);
-  json_array(&j, "formulas");
-  for (int i = 0; i < r->n_formulas; i++) write_formula(&j, &r->formula[i]);
-  json_end_array(&j);
-  json_array(&j, "pairs");
-  for (int i = 0; i < r->n_pairs; i++) write_pair(&j, &r->pair[i]);
-  json_end_array(&j);
-  json_array(&j, "ledger");
-  for (long i = 0; i < r->n_rows; i++)
+  JSON_EACH (&j, "formulas", i, r->n_formulas) write_formula(&j, &r->formula[i]);
+  JSON_EACH (&j, "pairs", i, r->n_pairs) write_pair(&j, &r->pair[i]);
+  JSON_EACH (&j, "ledger", i, r->n_rows)
     if (r->row[i].at_fault) write_row(&j, r, &r->row[i]);
-  json_end_array(&j);
   json_end_object(&j);
 }
