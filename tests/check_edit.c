@@ -97,10 +97,6 @@ static const struct {
     {EDIT_RELATION, "root z: z^2 - a, smallest positive", "root z: z^2 - a, largest positive"},
 };
 
-static int by_text(const void *a, const void *b) {
-  return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
 /* The items of a list in alphabetical order. */
 static char *sorted(const char *list) {
   char *copy = strdup(list), *item[64];
@@ -112,7 +108,7 @@ static char *sorted(const char *list) {
     if (sep) *sep = '\0';
     p = sep ? sep + 3 : NULL;
   }
-  qsort(item, n, sizeof *item, by_text);
+  qsort(item, n, sizeof *item, word_compare);
   struct text t;
   text_init(&t);
   text_add(&t, "");

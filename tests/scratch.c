@@ -42,10 +42,6 @@ void scratch_open(void) {
   ck_assert_msg(mkdtemp(folder) && chmod(folder, 0755) == 0, "%s", folder);
 }
 
-static int by_name(const void *a, const void *b) {
-  return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
 /* The names in a folder but . and .., sorted; NULL when it is none. */
 static const char **names_in(const char *path, size_t *n) {
   DIR *dir = opendir(path);
@@ -59,7 +55,7 @@ static const char **names_in(const char *path, size_t *n) {
     *SS_PUSH(names, *n, cap) = arena_strndup(&arena, e->d_name, strlen(e->d_name));
   }
   closedir(dir);
-  if (*n) qsort(names, *n, sizeof *names, by_name);
+  if (*n) qsort(names, *n, sizeof *names, word_compare);
   return names;
 }
 

@@ -47,6 +47,13 @@ void *ss_realloc(void *p, size_t size) {
   return or_die(realloc(p, size ? size : 1));
 }
 
+void arena_list_add(struct arena *a, const char ***list, int *n, const char *s) {
+  const char **longer = arena_alloc(a, (size_t)(*n + 1) * sizeof *longer);
+  if (*n) memcpy(longer, *list, (size_t)*n * sizeof *longer);
+  longer[(*n)++] = s;
+  *list = longer;
+}
+
 char *ss_strdup(const char *s) {
   return ss_strndup(s, strlen(s));
 }

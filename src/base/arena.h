@@ -24,6 +24,8 @@ void *arena_alloc(struct arena *a, size_t size);
 /* The first len bytes of s with a terminating NUL. */
 char *arena_strndup(struct arena *a, const char *s, size_t len);
 char *arena_strdup(struct arena *a, const char *s);
+/* One more string, which is not copied, at the end of a list of n in the arena. */
+void arena_list_add(struct arena *a, const char ***list, int *n, const char *s);
 
 /* malloc, realloc and strdup that end the program with status 5 and a message when memory is exhausted. */
 void *ss_malloc(size_t size);

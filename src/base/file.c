@@ -345,10 +345,6 @@ bool path_has_suffix(const char *path, const char *suffix) {
   return len > own && strcmp(path + len - own, suffix) == 0;
 }
 
-static int by_name(const void *a, const void *b) {
-  return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
 char **folder_files(size_t *n, const char *path, const char *suffix, struct arena *a, struct diag *d) {
   DIR *dir = opendir(path);
   if (!dir && errno == ENOMEM) ss_out_of_memory();
@@ -368,7 +364,7 @@ char **folder_files(size_t *n, const char *path, const char *suffix, struct aren
   }
   closedir(dir);
   text_clear(&t);
-  if (*n) qsort(paths, *n, sizeof *paths, by_name);
+  if (*n) qsort(paths, *n, sizeof *paths, word_compare);
   if (!*n) diag_set(d, "%s: error: no %s file in this folder", path, suffix);
   return paths;
 }

@@ -163,6 +163,10 @@ const char *list_joint(int i, int n, const char *last) {
   return i == 0 ? "" : i + 1 < n ? ", " : last;
 }
 
+int word_compare(const void *a, const void *b) {
+  return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
 int word_find(const char *word, const char *const *list, int n) {
   int i = 0;
   while (i < n && strcmp(list[i], word) != 0) i++;

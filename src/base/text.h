@@ -19,8 +19,11 @@ static inline bool char_is_digit(char c) {
 static inline bool char_is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
+static inline bool char_is_letter_or_digit(char c) {
+  return char_is_letter(c) || char_is_digit(c);
+}
 static inline bool char_is_word(char c) {
-  return char_is_letter(c) || char_is_digit(c) || c == '_';
+  return char_is_letter_or_digit(c) || c == '_';
 }
 /* The first item at or behind s of a list with commas or blanks between, and its length; NULL, with length 0, when
    there is none, or no list. */
@@ -31,6 +34,8 @@ bool word_is(const char *s, size_t len, const char *word);
 bool list_has(const char *list, const char *word);
 /* What stands before item i of n in a sentence: nothing, a comma, or before the last one such as " and ". */
 const char *list_joint(int i, int n, const char *last);
+/* The order of two strings behind pointers, for qsort. */
+int word_compare(const void *a, const void *b);
 /* The place of a word in a list of n words; n when it is none of them. */
 int word_find(const char *word, const char *const *list, int n);
 

@@ -41,14 +41,10 @@ enum { N_GROUPS = sizeof groups / sizeof *groups };
 static const char *const sections[] = {"model",      "prediction", "periodic",   "stability",
                                        "validation", "appendix_a", "appendix_b", "conclusion"};
 
-static bool is_letter_or_digit(char c) {
-  return char_is_letter(c) || char_is_digit(c);
-}
-
 static bool speaks_of(const char *text, const char *symbol) {
   size_t n = strlen(symbol);
   for (const char *p = strstr(text, symbol); p; p = strstr(p + 1, symbol))
-    if ((p == text || (!is_letter_or_digit(p[-1]) && p[-1] != '_')) && !is_letter_or_digit(p[n])) return true;
+    if ((p == text || !char_is_word(p[-1])) && !char_is_letter_or_digit(p[n])) return true;
   return false;
 }
 

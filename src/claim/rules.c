@@ -52,19 +52,13 @@ static bool check_sorts(const struct claim *c, struct diag *d) {
          claim_mistake(c, "points", d, "what is tried on arcs is tried on orbits too; or a reason in \"few:\"");
 }
 
-static bool is_route(const char *name) {
-  for (int i = 0; i < N_ROUTE_ROWS; i++)
-    if (route_table[i].evidence && strcmp(route_table[i].evidence, name) == 0) return true;
-  return false;
-}
-
 /* Routes, balls first, of which each is independent of those before it. */
 static int count_routes(const struct claim *c) {
   enum { MOST = 16 };
   char name[MOST][CLAIM_NAME] = {"balls"}, listed[MOST][CLAIM_NAME];
   int n = 1, m = claim_names_listed(listed, MOST - 1, claim_routes_asked(c));
   for (int i = 0; i < m; i++) {
-    bool fresh = is_route(listed[i]);
+    bool fresh = route_is_known(listed[i]);
     for (int k = 0; fresh && k < n; k++) fresh = routes_independent(name[k], listed[i]);
     if (fresh) memcpy(name[n++], listed[i], CLAIM_NAME);
   }

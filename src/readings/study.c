@@ -136,10 +136,7 @@ static void search_level(struct harvest *all, struct hunt *h, int dropped) {
 /* --- In words --- */
 
 static void say(struct hunt *h, const char ***list, int *n, const char *sentence) {
-  const char **longer = arena_alloc(&h->out->arena, (size_t)(*n + 1) * sizeof *longer);
-  for (int i = 0; i < *n; i++) longer[i] = (*list)[i];
-  longer[(*n)++] = sentence;
-  *list = longer;
+  arena_list_add(&h->out->arena, list, n, sentence);
 }
 
 static void describe_space(struct hunt *h, const char *layers) {

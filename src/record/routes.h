@@ -104,6 +104,11 @@ struct route_info {
 };
 extern const struct route_info route_table[N_ROUTE_ROWS];
 
+/* Whether evidence calls a route so. */
+bool route_is_known(const char *name);
+/* What evidence calls that row's, where it is the first row of that name, so that a walk has each name once; else
+   NULL. */
+const char *route_first_called(int row);
 /* Whether two routes, by their names in evidence, are independent of each other.  Aborts on a name that no row
    bears. */
 bool routes_independent(const char *a, const char *b);

@@ -10,13 +10,9 @@
    ones the graph of the claims would be too large to be drawn, or looked at. */
 enum { MOST_NAMES = 1500 };
 
-static int compare_names(const void *a, const void *b) {
-  return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
 static size_t count_distinct(struct names *list) {
   size_t n = 0;
-  if (list->n) qsort(list->name, list->n, sizeof *list->name, compare_names);
+  if (list->n) qsort(list->name, list->n, sizeof *list->name, word_compare);
   for (size_t i = 0; i < list->n; i++) n += i == 0 || strcmp(list->name[i - 1], list->name[i]) != 0;
   return n;
 }

@@ -61,7 +61,7 @@ static bool is_tag(const char *s) {
   s += s[0] == '/';
   if (s[0] == '!' || s[0] == '?') return true;
   if (!char_is_letter(s[0])) return false;
-  while (char_is_letter(*s) || char_is_digit(*s) || *s == '-') s++;
+  while (char_is_letter_or_digit(*s) || *s == '-') s++;
   return strchr(" \t\n/>", *s) != NULL;
 }
 

@@ -108,7 +108,7 @@ static const char *letters_group(struct setter *m, size_t *len) {
   skip_blanks(m);
   const char *s = tex_braced(len, m->t.s, m->end);
   size_t n = 0;
-  while (s && n < *len && (char_is_letter(s[n]) || char_is_digit(s[n]))) n++;
+  while (s && n < *len && char_is_letter_or_digit(s[n])) n++;
   if (n == 0 || n < *len) return NULL;
   go_to(m, s + n + 1);
   return s;

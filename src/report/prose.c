@@ -39,10 +39,6 @@ static bool is_prime(char c) {
   return c == '\'';
 }
 
-static bool is_index(char c) {
-  return char_is_letter(c) || char_is_digit(c);
-}
-
 /* --- Names --- */
 
 /* What the paper calls hbar is an h with a bar. */
@@ -71,7 +67,7 @@ static size_t read_name(struct name *n, const struct sheet *s, const struct pros
   n->as = letter_named(s, p->s, n->letters);
   size_t i = n->letters + n->before, gap = at(p, i) == '_';
   n->low = p->s + i + gap;
-  n->index = count(p, i + gap, is_index);
+  n->index = count(p, i + gap, char_is_letter_or_digit);
   size_t end = i + gap + n->index;
   bool lowered = (gap && n->index) || (n->letters == 1 && !n->before && char_is_digit(at(p, i)));
   bool alone = !is_html(s) && n->letters == 1 && !strchr("aAI", *p->s);

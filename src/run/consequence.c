@@ -242,13 +242,6 @@ static void conclude_result(struct failure *f, struct result *r) {
   }
 }
 
-static void add_id(struct audit_result *out, struct id_list *list, const char *id) {
-  const char **ids = arena_alloc(&out->arena, (size_t)(list->n + 1) * sizeof *ids);
-  if (list->n) memcpy(ids, list->id, (size_t)list->n * sizeof *ids);
-  ids[list->n++] = result_copy(out, id);
-  list->id = ids;
-}
-
 /* What judge_again said; two failures may be about one equation. */
 struct said {
   const char *own;
@@ -316,7 +309,8 @@ static void judge_downstream(struct consequence *q, struct memory *m, struct fai
     bool as_before = fails_anyway && v == VERDICT_CONDITIONAL && has_own_condition(j->out, c->id, f->c->id);
     if (verdict_fails(v) && fails_anyway && !as_before) continue; /* for a reason of its own */
     bool holds = verdict_passes(v) || as_before;
-    add_id(j->out, holds ? &q->survives : verdict_fails(v) ? &q->falls : &q->open, c->id);
+    struct id_list *list = holds ? &q->survives : verdict_fails(v) ? &q->falls : &q->open;
+    arena_list_add(&j->out->arena, &list->id, &list->n, result_copy(j->out, c->id));
   }
 }
 

@@ -18,17 +18,11 @@ struct planner {
 };
 
 static void add_name(struct planner *pl, struct plan_list *list, const char *name) {
-  struct arena *a = &pl->out->arena;
-  const char **item = arena_alloc(a, (size_t)(list->n + 1) * sizeof *item);
-  if (list->n) memcpy(item, list->item, (size_t)list->n * sizeof *item);
-  item[list->n++] = arena_strdup(a, name);
-  list->item = item;
+  arena_list_add(&pl->out->arena, &list->item, &list->n, arena_strdup(&pl->out->arena, name));
 }
 
 static bool lists(const struct plan_list *l, const char *name) {
-  for (int i = 0; i < l->n; i++)
-    if (strcmp(l->item[i], name) == 0) return true;
-  return false;
+  return word_find(name, l->item, l->n) < l->n;
 }
 
 /* --- A claim --- */

@@ -36,10 +36,8 @@ static bool in_evidence(const struct audit_result *out, const char *route) {
 static void skip_routes(struct audit_result *out, const struct scene *s) {
   struct text names = {0};
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
-    const char *name = route_table[i].evidence;
-    bool first = name != NULL;
-    for (int k = 0; k < i && first; k++) first = !route_table[k].evidence || strcmp(route_table[k].evidence, name) != 0;
-    if (first && !in_evidence(out, name)) text_printf(&names, "%s%s", names.len ? ", " : "", name);
+    const char *name = route_first_called(i);
+    if (name && !in_evidence(out, name)) text_printf(&names, "%s%s", names.len ? ", " : "", name);
   }
   if (names.len)
     audit_leave_out(out, result_str(out, "routes %s", text_str(&names)),

@@ -109,24 +109,16 @@ static bool check_claims(const struct scene_list *list, struct diag *d) {
   return true;
 }
 
-static bool route_known(const char *name) {
-  for (int i = 0; i < N_ROUTE_ROWS; i++)
-    if (route_table[i].evidence && strcmp(route_table[i].evidence, name) == 0) return true;
-  return false;
-}
-
 static void print_routes(struct text *out) {
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
-    bool seen = !route_table[i].evidence;
-    for (int k = 0; k < i && !seen; k++)
-      seen = route_table[k].evidence && strcmp(route_table[k].evidence, route_table[i].evidence) == 0;
-    if (!seen) text_printf(out, "%s%s", out->len ? ", " : "", route_table[i].evidence);
+    const char *name = route_first_called(i);
+    if (name) text_printf(out, "%s%s", out->len ? ", " : "", name);
   }
 }
 
 static bool check_routes(const struct scene_list *list, struct diag *d) {
   for (size_t i = 0; i < list->n; i++) {
-    if (route_known(list->item[i])) continue;
+    if (route_is_known(list->item[i])) continue;
     struct text routes = {0};
     print_routes(&routes);
     diag_at(d, list->source, list->place[i].begin, "unknown route %.100s; routes are %s", list->item[i],

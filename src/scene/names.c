@@ -89,10 +89,6 @@ static bool stands_in(const char *path, const char *folder) {
   return same;
 }
 
-static int by_name(const void *a, const void *b) {
-  return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
 /* In the order of their names, not of their files': "paper" comes before "paper-times". */
 char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d) {
   static const char suffix[] = ".scene";
@@ -103,7 +99,7 @@ char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d)
     name[i] += path.len + 1;
     name[i][strlen(name[i]) - strlen(suffix)] = '\0';
   }
-  if (*n) qsort(name, *n, sizeof *name, by_name);
+  if (*n) qsort(name, *n, sizeof *name, word_compare);
   text_clear(&path);
   return name;
 }

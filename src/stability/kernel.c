@@ -176,9 +176,7 @@ static void name_inputs(struct digits_formula *f, const char *inputs) {
   for (const char *p = inputs; *p; p += *p == ' ') {
     size_t len = strcspn(p, " ");
     f->tape.inputs = ss_realloc(f->tape.inputs, (size_t)(f->tape.n_inputs + 1) * sizeof *f->tape.inputs);
-    char *name = memcpy(ss_malloc(len + 1), p, len);
-    name[len] = '\0';
-    f->tape.inputs[f->tape.n_inputs++] = name;
+    f->tape.inputs[f->tape.n_inputs++] = ss_strndup(p, len);
     p += len;
   }
 }
