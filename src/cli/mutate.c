@@ -13,11 +13,11 @@ static int parse_mutation(struct mutation_options *q, const struct options *o) {
   unsigned long long n = DEFAULT_COUNT;
   *q = (struct mutation_options){.seed = 1, .only = o->given[OPT_ONLY].word, .n_only = o->given[OPT_ONLY].n};
   if (seed && !parse_whole(&q->seed, seed, true, ~0ULL))
-    return usage("--seed takes a whole number from 0 to 18446744073709551615, not %.200s", seed);
+    return usage("--seed takes a whole number from 0 to %llu, not %.200s", ~0ULL, seed);
   if (count && strcmp(count, "all") == 0)
     n = 0;
   else if (count && !parse_whole(&n, count, false, MAX_COUNT))
-    return usage("--count takes a whole number from 1 to 1000000, or all, not %.200s", count);
+    return usage("--count takes a whole number from 1 to %d, or all, not %.200s", MAX_COUNT, count);
   q->count = (long)n;
   return parse_jobs(&q->jobs, o);
 }

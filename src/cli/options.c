@@ -77,14 +77,14 @@ static bool add_list(struct words *w, char *list) {
 static int add_value(struct words *w, const struct option_row *row, char *value) {
   switch (row->kind) {
   case KIND_LIST:
-    if (!add_list(w, value)) return usage("--only takes 1 to 256 names, not %.200s", value);
+    if (!add_list(w, value)) return usage("%s takes 1 to %d names, not %.200s", row->name, MAX_WORDS, value);
     break;
   case KIND_TWICE:
     if (!add_word(w, value, MAX_OVER)) return usage("at most two --over, not %.200s too", value);
     break;
   case KIND_SETTINGS:
     if (!strchr(value, '=')) return usage("--set takes NAME=VALUE, as in e2=1/2, not %.200s", value);
-    if (!add_word(w, value, MAX_SET)) return usage("at most 64 --set, not %.200s too", value);
+    if (!add_word(w, value, MAX_SET)) return usage("at most %d --set, not %.200s too", MAX_SET, value);
     break;
   case KIND_FLAG:
   case KIND_TEXT:

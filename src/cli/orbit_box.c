@@ -192,7 +192,7 @@ int show_box(const struct options *o, const struct scene *s, slong digits) {
   struct dyn_box box;
   fmpq high[N_SCENE_PARAMS];
   if (digits > MOST_BOX_DIGITS)
-    return usage("intervals are shown with at most 20 --digits, not %.200s", option(o, OPT_DIGITS));
+    return usage("intervals are shown with at most %d --digits, not %.200s", MOST_BOX_DIGITS, option(o, OPT_DIGITS));
   for (int k = 0; k < N_SCENE_PARAMS; k++) high[k] = s->interval[k] ? s->high[k] : s->value[k]; /* borrowed */
   if (dyn_box_find(&box, s->value, high, DYN_BOX_HALVINGS) != SS_OK)
     fprintf(stderr, "%s: warning: the search at the middle of the box ran into its limits; there may be more orbits\n",

@@ -53,8 +53,8 @@ static int draw_along(struct audit_result *r, const struct scene *s, const struc
 
 static int parse_plane(struct scene_range range[MAX_OVER], struct dyn_axis axis[MAX_OVER], const struct scene *s,
                        const struct options *o) {
-  static const struct over_rule rule = {"%s takes NAME=A:B or NAME=A:B:N, as in e2=0.5:3, not %.200s",
-                                        "--over %.200s: N is a whole number from 2 to 400", 2, TABLE_MOST_SIDE, 97};
+  static const struct over_rule rule = {"%s takes NAME=A:B or NAME=A:B:N, as in e2=0.5:3, not %.200s", 2,
+                                        TABLE_MOST_SIDE, 97};
   const struct words *over = &o->given[OPT_OVER];
   if (over->n < MAX_OVER) return usage("plot takes --over twice, for both axes of a map");
   int status = EXIT_AS_RECORDED;

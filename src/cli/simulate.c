@@ -162,7 +162,8 @@ static int usage_of(const struct options *o, long *periods, long *samples, doubl
   if (!status) status = parse_count(samples, o, OPT_SAMPLES, MAX_SAMPLES);
   if (!status) status = parse_decimal(time, o, OPT_TIME, MOST_TIME);
   if (status) return status;
-  if (option(o, OPT_COMPARE) && *periods > MAX_COMPARED) return usage("--periods takes at most 10000 with --compare");
+  if (option(o, OPT_COMPARE) && *periods > MAX_COMPARED)
+    return usage("--periods takes at most %d with --compare", MAX_COMPARED);
   return EXIT_AS_RECORDED;
 }
 

@@ -12,7 +12,8 @@ int parse_over(struct scene_range *r, struct dyn_axis *axis, const char *text, c
   bool given = colon && (!n || strchr(text, ':') != colon);
   int status = range_parse(r, "--over", rule->shape, text, given ? (size_t)(colon - text) : strlen(text));
   if (status) return status;
-  if (given && (!parse_whole(&n, colon + 1, false, rule->most) || n < rule->least)) return usage(rule->number, text);
+  if (given && (!parse_whole(&n, colon + 1, false, rule->most) || n < rule->least))
+    return usage("--over %.200s: N is a whole number from %llu to %llu", text, rule->least, rule->most);
   if ((n == 1) != fmpq_equal(r->from, r->to))
     return usage(n == 1 ? "--over %.200s: one value cannot be both ends" : "the ends of --over %.200s are equal", text);
   if (other && other->vary == r->vary) return usage("both --over vary %s", scene_key_name[r->vary]);
@@ -28,7 +29,7 @@ static int plan(struct sweep *q) {
   slong n = sweep_line_axis(q)->n;
   if (q->every == 0) q->every = dyn_axis_usual_every(n);
   q->lines = q->n_axes > 1 ? q->axis[0].n : 1;
-  if (q->lines > AXIS_MOST_POINTS / n) return usage("--over: at most 1000000000 points in all");
+  if (q->lines > AXIS_MOST_POINTS / n) return usage("--over: at most %d points in all", AXIS_MOST_POINTS);
   q->points = q->lines * n;
   q->unit = dyn_axis_stretch(q->every);
   q->per_line = (n + q->unit - 1) / q->unit;
@@ -37,8 +38,7 @@ static int plan(struct sweep *q) {
 }
 
 static int parse_request(struct sweep *q, const struct options *o) {
-  static const struct over_rule rule = {"%s takes NAME=A:B:N, as in e2=0.8:0.9:20000, not %.200s",
-                                        "--over %.200s: N is a whole number from 1 to 1000000000", 1, AXIS_MOST_POINTS,
+  static const struct over_rule rule = {"%s takes NAME=A:B:N, as in e2=0.8:0.9:20000, not %.200s", 1, AXIS_MOST_POINTS,
                                         0};
   bool json = option(o, OPT_JSON);
   const struct words *over = &o->given[OPT_OVER];

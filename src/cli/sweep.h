@@ -27,7 +27,7 @@ struct sweep {
 /* What --over takes: the words where it has another shape, how many values, and how many without :N (0: it must be
    given). */
 struct over_rule {
-  const char *shape, *number;
+  const char *shape;
   unsigned long long least, most;
   slong usual;
 };
