@@ -12,7 +12,7 @@
 bool scene_check_asked(const struct scene *s, const struct claims *c, const struct model *m, struct diag *d);
 
 /* What pieces of an audit were measured to cost, by a table of tab-separated rows "what, name, units, milliseconds"
-   (verify/costs.tsv, made by "stickslip bench --job costs").  It decides which piece comes first and how long the rest
+   (verify/costs.tsv, made by "make scenes").  It decides which piece comes first and how long the rest
    may take, and nothing else. */
 struct cost {
   char what[16], name[48]; /* claim eq-27; control ctl-...; consequence eq-40; study routes */
