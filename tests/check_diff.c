@@ -154,7 +154,9 @@ static bool printed(const char *file, const char *want) {
 #define HEAD(counts)                                                                                                   \
   "{\"schema\":\"stickslip-audit-2\",\"scene\":\"s\",\"summary\":{" counts "},\"checks\":{},\"claims\":["
 #define CLAIM(id, verdict, more) "{\"id\":\"" id "\",\"verdict\":\"" verdict "\"" more "}"
-#define A                        HEAD("\"proved\":2,\"refuted\":0") CLAIM("x", "proved", ",\"effect\":null") "," CLAIM("y", "proved", "") "]}"
+#define A                                                                                                              \
+  HEAD("\"proved\":2,\"refuted\":0")                                                                                   \
+  CLAIM("x", "proved", ",\"effect\":null") "," CLAIM("y", "proved", "") "]}"
 
 START_TEST(no_change) {
   ck_assert_int_eq(diff(A, A, ""), 0);

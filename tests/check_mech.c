@@ -793,7 +793,8 @@ START_TEST(den_hartogs_motions) {
 END_TEST
 
 /* One mass: the time of each phase in closed form.  With k = m = 1, s = 1 and r = 2 it sticks for 2 (r - s)/(k V) = 2/V
-   and slips for 2 pi - 2 atan((r - s)/V) = 2 pi - 2 atan(1/V); on the slow belt it sticks for as long as 32000 steps. */
+   and slips for 2 pi - 2 atan((r - s)/V) = 2 pi - 2 atan(1/V); on the slow belt it sticks for as long as 32000
+   steps. */
 static const char *const belts[] = {"1", "1/1000"};
 
 START_TEST(one_mass_in_closed_form) {

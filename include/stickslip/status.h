@@ -2,11 +2,11 @@
 
    Answers.  A function that can fail returns a status, SS_OK or other codes OR-ed; ss_error() is then a sentence about
    the last failure in the calling thread (the fast functions ss_return_map and ss_orbit_warm leave it as it was).  It
-   counts orbits from 1, as the commands do, where arguments count from 0.  After a failure a handle or a text that was to be made is NULL; other
-   outputs keep the value that they had unless their function says otherwise.  Nothing is printed, and no argument,
-   however wrong, ends the program: NULL where a value is needed, an index that is too large, an unknown name are
-   SS_ARGUMENT, or NULL, NaN or SS_UNKNOWN from a function that returns what it was asked for.  A pointer that points to
-   nothing of its type is the caller's fault.
+   counts orbits from 1, as the commands do, where arguments count from 0.  After a failure a handle or a text that was
+   to be made is NULL; other outputs keep the value that they had unless their function says otherwise.  Nothing is
+   printed, and no argument, however wrong, ends the program: NULL where a value is needed, an index that is too large,
+   an unknown name are SS_ARGUMENT, or NULL, NaN or SS_UNKNOWN from a function that returns what it was asked for.  A
+   pointer that points to nothing of its type is the caller's fault.
 
    Ownership.  Handles (ss_scene *, ss_orbits *, ...) are made by functions whose first argument is the handle's
    address, and given back by the function ..._free of their type, which takes NULL too.  A char ** that is filled is

@@ -59,7 +59,8 @@ struct dyn_bifurcation {
   arb_t tb, tc;               /* of the orbit there */
   arb_t trace;                /* likewise; indeterminate where it has a pole */
   bool crosses; /* proved: one curve of orbits over the whole bracket, on which the function has opposite signs at the
-                       two ends; for fold and t_c the zero itself, by interval Newton with the function as third equation */
+                   two ends; for fold and t_c the zero itself, by interval Newton with the function as third
+                   equation */
   bool unique;  /* proved: that curve, or that box, holds no second zero */
   truth
       word; /* t_b and t_c are first roots over the whole bracket; UNKNOWN where the branch ends, and always for fold */

@@ -34,7 +34,8 @@ bool judge_switch(bool *on, struct judge *j, const struct claim *c, const char *
 /* "chi = 2/5, eta = 4, ..." (NULL or wrong: an error of the claim's attribute "at"), up to a semicolon, into p, which
    is that orbit. */
 bool judge_params(struct point *p, struct judge *j, const struct claim *c, const char *at);
-/* Whether a constraint of the list is about u_r1 or u_r2, which no periodic solution fixes: the claim is then unknown. */
+/* Whether a constraint of the list is about u_r1 or u_r2, which no periodic solution fixes: the claim is then
+   unknown. */
 struct conditions;
 bool constraints_leave_open(struct finding *f, struct judge *j, const struct conditions *list);
 /* The verdict on record in that scene; N_VERDICTS: none. */

@@ -305,8 +305,8 @@ static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *te
   return true;
 }
 
-/* Does a solution that was found solve the paper's equations and keep the constraints?  One is enough; that there is none
-   is seen only of a list that is complete. */
+/* Does a solution that was found solve the paper's equations and keep the constraints?  One is enough; that there is
+   none is seen only of a list that is complete. */
 static struct route_result add_given(struct finding *f, struct solutions *x, enum variant variant) {
   struct answers good = {{0}};
   struct text note = {0};

@@ -1,8 +1,8 @@
 /* The equations of the return map in balls, and the proof that a velocity stays below the belt's.
 
    The unknowns are (t_b, t_c): z_1' = V at the end of phase H, and the radius at which phase C ends is the r that the
-   stick phase must have.  Both stay smooth where an event grazes.  The proof walks along phase H as the search in double
-   precision does, with every bound rounded outwards. */
+   stick phase must have.  Both stay smooth where an event grazes.  The proof walks along phase H as the search in
+   double precision does, with every bound rounded outwards. */
 #include <math.h>
 
 #include "base/work.h"

@@ -59,7 +59,8 @@ struct plot plot_begin(struct text *out, const char *id, double width);
    own. */
 void plot_svg(struct text *out, const struct plot *p, const char *title, const char *told, bool alone);
 /* A style sheet of a picture, each declaration that asks for a custom property after the same with its light colour:
-   programs that know no custom properties drew the whole picture black. */
+   programs that know no custom properties drew the whole picture black.  Aborts on a property that neither
+   picture_alone.css nor picture.css sets. */
 void plot_style(struct text *out, const char *css);
 
 /* Widens [low, high] to hold x; NaN is passed over. */

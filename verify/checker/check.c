@@ -92,7 +92,8 @@ static void new_system(int n, bool loads) {
   fmpq_init(&sys.frequency); /* zero without loads */
 }
 
-/* A spring or damper between two masses, or one and the ground, -1; first: the column of the force for the first mass. */
+/* A spring or damper between two masses, or one and the ground, -1; first: the column of the force for the first
+   mass. */
 static void add_link(int first, int a, int b, const fmpq *size) {
   for (int i = 0; i < 4; i++) {
     int row = i < 2 ? a : b, column = i % 2 ? a : b;

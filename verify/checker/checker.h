@@ -21,8 +21,8 @@ _Noreturn void end(int status);
 __attribute__((format(printf, 2, 3), noreturn)) void stop(int status, const char *fmt, ...);
 void use_own_memory(void);
 void read_file(const char *name);
-/* The text at a path made like by printf.  NULL when there is none: of an optional string, and of a group, an object or a
-   list, which is asked for only where it may be empty. */
+/* The text at a path made like by printf.  NULL when there is none: of an optional string, and of a group, an object or
+   a list, which is asked for only where it may be empty. */
 __attribute__((format(printf, 2, 3))) const char *get(enum kind what, const char *fmt, ...);
 void all_used(void); /* else the file is no certificate */
 void read_rational(fmpq_t q, const char *s);

@@ -164,8 +164,8 @@ void read_rational(fmpq_t q, const char *s) {
   if (!good || *end || fmpq_set_str(q, s, 10)) stop(BAD_FILE, "%.40s is not a rational number that can be read", s);
 }
 
-/* "mantissa exponent mantissa exponent" of midpoint and radius, in hexadecimal: Arb's text form.  The ball is the file's,
-   neither wider nor narrower: a radius of more bits than Arb keeps is refused. */
+/* "mantissa exponent mantissa exponent" of midpoint and radius, in hexadecimal: Arb's text form.  The ball is the
+   file's, neither wider nor narrower: a radius of more bits than Arb keeps is refused. */
 void read_ball(arb_t x, const char *s) {
   static const size_t most[4] = {MAX_DIGITS, 6, 8, 6};
   fmpz_t part[4];
