@@ -38,8 +38,7 @@ struct line {
 };
 
 static bool refuse(const struct line *l, int column, const char *what, struct diag *d) {
-  diag_at(d, l->src, l->at[column], "%s", what);
-  return false;
+  return diag_at(d, l->src, l->at[column], "%s", what);
 }
 
 static bool split(struct line *l, struct arena *a, struct diag *d) {
@@ -53,8 +52,7 @@ static bool split(struct line *l, struct arena *a, struct diag *d) {
     from = i + 1;
   }
   if (n == N_FIELDS && from == l->end + 1) return true;
-  diag_at(d, l->src, l->begin, "a row has %d fields of at most %d characters", N_FIELDS, MOST_TEXT);
-  return false;
+  return diag_at(d, l->src, l->begin, "a row has %d fields of at most %d characters", N_FIELDS, MOST_TEXT);
 }
 
 /* A plain word: it will stand in tables, in figures and in JSON. */
@@ -143,10 +141,7 @@ static bool read_line(struct bench_peers *p, bool *headed, struct line *l, struc
     if (!*headed) diag_at(d, l->src, l->begin, "this is no table of bench/peers/peers.py");
     return *headed;
   }
-  if (p->n == MOST_PEERS) {
-    diag_at(d, l->src, l->begin, "more than %d rows", MOST_PEERS);
-    return false;
-  }
+  if (p->n == MOST_PEERS) return diag_at(d, l->src, l->begin, "more than %d rows", MOST_PEERS);
   return split(l, &p->arena, d) && read_row(SS_PUSH(p->peer, p->n, p->cap), l, d);
 }
 

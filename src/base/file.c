@@ -51,15 +51,10 @@ bool source_check(const struct source *s, struct diag *d) {
 
 static bool read_descriptor(int fd, struct source *s, size_t max, struct diag *d) {
   struct stat st;
-  if (fstat(fd, &st) != 0) {
-    diag_set(d, "%.300s: error: %s", s->name, strerror(errno));
-    return false;
-  }
-  if (!S_ISREG(st.st_mode)) {
-    diag_set(d, "%.300s: error: %s, not a regular file", s->name,
-             S_ISDIR(st.st_mode) ? "a folder" : "a device or pipe");
-    return false;
-  }
+  if (fstat(fd, &st) != 0) return diag_set(d, "%.300s: error: %s", s->name, strerror(errno));
+  if (!S_ISREG(st.st_mode))
+    return diag_set(d, "%.300s: error: %s, not a regular file", s->name,
+                    S_ISDIR(st.st_mode) ? "a folder" : "a device or pipe");
   struct text t = {0};
   char chunk[16384];
   ssize_t n;
@@ -224,8 +219,7 @@ static bool write_beside(char *name, int i, const struct file_item *item, mode_t
 
 static bool rename_over(const char *name, const char *path, struct diag *d) {
   if (rename(name, path) == 0) return true;
-  diag_set(d, "%s: error: cannot be written: %s", path, strerror(errno));
-  return false;
+  return diag_set(d, "%s: error: cannot be written: %s", path, strerror(errno));
 }
 
 /* The first `renamed` of n files are in place; of the others nothing stays. */

@@ -15,8 +15,7 @@ struct reader {
 static bool read_value(struct reader *r, struct json_value *out, int depth);
 
 static bool fail(struct reader *r, const char *what) {
-  diag_at(r->d, r->s, r->at, "%s", what);
-  return false;
+  return diag_at(r->d, r->s, r->at, "%s", what);
 }
 
 static char look(const struct reader *r) {

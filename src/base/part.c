@@ -30,8 +30,7 @@ void part_clear(struct part *p) {
 }
 
 static bool failed(const struct text *path, struct diag *d) {
-  diag_set(d, "%s: error: cannot be written: %s", text_str(path), strerror(errno));
-  return false;
+  return diag_set(d, "%s: error: cannot be written: %s", text_str(path), strerror(errno));
 }
 
 /* Two runs with one FILE.part would spoil each other's work. */
@@ -39,8 +38,7 @@ static bool lock(struct part *p, struct diag *d) {
   struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
   if (fcntl(p->fd, F_SETLK, &whole) == 0) return true;
   if (errno != EACCES && errno != EAGAIN) return true; /* a file system without locks */
-  diag_set(d, "%s: error: another process is writing this file", text_str(&p->path));
-  return false;
+  return diag_set(d, "%s: error: another process is writing this file", text_str(&p->path));
 }
 
 /* --- The sum: "length hash", FNV-1a in 64 bits --- */
@@ -86,8 +84,7 @@ static bool sum_open(struct part *p, int more, struct diag *d) {
   if (p->sum_fd < 0) return failed(&p->sum_path, d);
   struct stat st;
   if (fstat(p->sum_fd, &st) == 0 && S_ISREG(st.st_mode) && st.st_nlink == 1) return true;
-  diag_set(d, "%s: error: not a regular file of one name", text_str(&p->sum_path));
-  return false;
+  return diag_set(d, "%s: error: not a regular file of one name", text_str(&p->sum_path));
 }
 
 /* --- The file --- */
@@ -98,9 +95,8 @@ bool part_create(struct part *p, struct diag *d) {
   p->hash = hash_of_nothing;
   if (p->fd >= 0) return lock(p, d) && sum_open(p, O_CREAT | O_TRUNC, d);
   if (errno != EEXIST) return failed(&p->path, d);
-  diag_set(d, "%s: error: exists, from a run that was interrupted or still goes on; --resume continues it",
-           text_str(&p->path));
-  return false;
+  return diag_set(d, "%s: error: exists, from a run that was interrupted or still goes on; --resume continues it",
+                  text_str(&p->path));
 }
 
 bool part_open(struct part *p, bool *found, struct diag *d) {
@@ -110,17 +106,15 @@ bool part_open(struct part *p, bool *found, struct diag *d) {
   p->fd = open(text_str(&p->path), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (p->fd < 0 && errno == ENOENT) return true;
   if (p->fd < 0) return failed(&p->path, d);
-  if (fstat(p->fd, &st) != 0 || !S_ISREG(st.st_mode) || st.st_nlink > 1) {
-    diag_set(d, "%s: error: not a regular file%s", text_str(&p->path), S_ISREG(st.st_mode) ? " of one name" : "");
-    return false;
-  }
+  if (fstat(p->fd, &st) != 0 || !S_ISREG(st.st_mode) || st.st_nlink > 1)
+    return diag_set(d, "%s: error: not a regular file%s", text_str(&p->path),
+                    S_ISREG(st.st_mode) ? " of one name" : "");
   *found = true;
   if (!lock(p, d)) return false;
   if (access(text_str(&p->sum_path), F_OK) == 0 && !sum_open(p, 0, d)) return false;
   if (p->sum_fd >= 0 && sum_holds(p)) return true;
-  diag_set(d, "%s: error: not as it was written, by %s; remove it and begin again", text_str(&p->path),
-           text_str(&p->sum_path));
-  return false;
+  return diag_set(d, "%s: error: not as it was written, by %s; remove it and begin again", text_str(&p->path),
+                  text_str(&p->sum_path));
 }
 
 bool part_cut(struct part *p, long long offset, struct diag *d) {

@@ -138,15 +138,11 @@ bool record_file_parse(struct record_file *f, struct source src, struct diag *d)
       open = NULL;
       continue;
     }
-    if (l.indent == 0 && f->n_records > 1) {
-      diag_at(d, &f->src, l.begin,
-              "a line in the first column must be a head \"kind id\"; indent the fields of record %s", r->id_name);
-      return false;
-    }
-    if (++n_fields > MAX_FIELDS) {
-      diag_at(d, &f->src, l.begin, "more than %d fields in one file", MAX_FIELDS);
-      return false;
-    }
+    if (l.indent == 0 && f->n_records > 1)
+      return diag_at(d, &f->src, l.begin,
+                     "a line in the first column must be a head \"kind id\"; indent the fields of record %s",
+                     r->id_name);
+    if (++n_fields > MAX_FIELDS) return diag_at(d, &f->src, l.begin, "more than %d fields in one file", MAX_FIELDS);
     open = add_field(f, r, &l);
     open_indent = l.indent;
   }

@@ -221,8 +221,8 @@ static void leave_out_the_middle(char *s, size_t size, const char *whole, size_t
   strcat(s, tail);
 }
 
-void diag_set(struct diag *d, const char *fmt, ...) {
-  if (!d || d->set) return;
+bool diag_set(struct diag *d, const char *fmt, ...) {
+  if (!d || d->set) return false;
   va_list ap, again;
   va_start(ap, fmt);
   va_copy(again, ap);
@@ -237,6 +237,7 @@ void diag_set(struct diag *d, const char *fmt, ...) {
   va_end(again);
   make_visible(d->message, false);
   d->set = true;
+  return false;
 }
 
 void diag_again(struct diag *d, const char *message) {
@@ -293,8 +294,8 @@ void diag_beyond(struct diag *d) {
   if (d && !d->set) d->beyond = true;
 }
 
-void diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) {
-  if (!d || d->set) return;
+bool diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) {
+  if (!d || d->set) return false;
   if (offset > s->len) offset = s->len;
   d->src = s;
   d->at = offset;
@@ -326,4 +327,5 @@ void diag_at(struct diag *d, const struct source *s, size_t offset, const char *
   d->set = true;
   text_clear(&name);
   text_clear(&out);
+  return false;
 }

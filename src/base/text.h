@@ -106,11 +106,12 @@ struct diag {
 void diag_init(struct diag *d);
 /* Before an error is recorded: nothing is wrong with what it points at, it is only more than the program reads. */
 void diag_beyond(struct diag *d);
-/* Records an error; later ones are ignored, since the first is the cause.  d may be NULL. */
-void diag_set(struct diag *d, const char *fmt, ...) SS_PRINTF(2, 3);
+/* Records an error; later ones are ignored, since the first is the cause.  d may be NULL.  Always false, which is what
+   who finds the error returns. */
+bool diag_set(struct diag *d, const char *fmt, ...) SS_PRINTF(2, 3);
 /* The same with "name:line:column: error: " before it and the source line with a caret below.
    Lines and columns count from 1; a column is one UTF-8 character.  A long line is clipped around the caret. */
-void diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) SS_PRINTF(4, 5);
+bool diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) SS_PRINTF(4, 5);
 
 /* Records again, lines and all, what another diag has: one of another process, or of an attempt. */
 void diag_again(struct diag *d, const char *message);

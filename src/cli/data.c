@@ -8,8 +8,7 @@ bool find_data(struct text *data, struct diag *d) {
   ssize_t n = readlink("/proc/self/exe", program, sizeof program - 1);
   program[n > 0 ? n : 0] = '\0';
   if (data_folder_find(data, program)) return true;
-  diag_set(d, "error: the data folder verify/ was not found; set STICKSLIP_DATA to it");
-  return false;
+  return diag_set(d, "error: the data folder verify/ was not found; set STICKSLIP_DATA to it");
 }
 
 void join_path(struct text *out, const char *folder, const char *name) {

@@ -41,8 +41,7 @@ static const struct { const char *member, *before; } counts[N_COUNTS] = {{"summa
 /* --- Reading --- */
 
 static bool not_an_audit(const struct audit_file *f, struct diag *d, const char *why) {
-  diag_set(d, "%s: error: not an audit.json of stickslip verify: %s", f->source.name, why);
-  return false;
+  return diag_set(d, "%s: error: not an audit.json of stickslip verify: %s", f->source.name, why);
 }
 
 static bool read_counts(const struct audit_file *f, const char *member, struct diag *d) {

@@ -23,8 +23,7 @@ static bool write_pictures(const char *folder, const struct audit_result *r, str
 }
 
 static bool nothing(struct diag *d, const struct scene *s, const char *why) {
-  diag_set(d, "%s: error: nothing to draw: %s", s->path, why);
-  return false;
+  return diag_set(d, "%s: error: nothing to draw: %s", s->path, why);
 }
 
 /* The table of a scene that names a system file. */

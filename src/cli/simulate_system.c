@@ -75,9 +75,8 @@ static bool starts_clear(const struct system_simulation *run, const struct scene
     const struct mech_stop *stop = &mass->stop[k % 2];
     double x = run->start[k / 2], to = fmpq_get_d(stop->position);
     if (!stop->given || (k % 2 ? x <= to : x >= to)) continue;
-    diag_set(d, "%s: error: %s starts at %.10g, beyond the obstacle %s at %.10g", s->path, mass->name, x, stop->name,
-             to);
-    return false;
+    return diag_set(d, "%s: error: %s starts at %.10g, beyond the obstacle %s at %.10g", s->path, mass->name, x,
+                    stop->name, to);
   }
   return true;
 }
@@ -92,8 +91,7 @@ static bool set_plan(struct system_simulation *run, const struct scene *s, const
   run->plan.looks = WORK / (side * side) < MOST_LOOKS ? WORK / (side * side) : MOST_LOOKS;
   if (csv) run->plan.sample = (run->orbit ? run->period : run->plan.duration) / (double)asked->samples;
   if (run->plan.duration <= MOST_DURATION) return true;
-  diag_set(d, "%s: error: so many periods take longer than a time of %d", s->path, MOST_DURATION);
-  return false;
+  return diag_set(d, "%s: error: so many periods take longer than a time of %d", s->path, MOST_DURATION);
 }
 
 /* --- Output --- */

@@ -48,10 +48,7 @@ static bool next_row(struct reader *r, struct diag *d) {
     size_t len = stop ? (size_t)(stop - from) + 1 : r->end - r->at;
     text_add_n(&r->row, from, len);
     r->at += len;
-    if (r->row.len > r->most) {
-      diag_set(d, "%s:%ld: error: not a row of this sweep", r->path, r->line);
-      return false;
-    }
+    if (r->row.len > r->most) return diag_set(d, "%s:%ld: error: not a row of this sweep", r->path, r->line);
     if (stop) return true;
   }
   return false;
@@ -61,16 +58,12 @@ static bool next_row(struct reader *r, struct diag *d) {
 static bool same_head(struct reader *r, const char *head, struct diag *d) {
   while (*head) {
     size_t len = strcspn(head, "\n") + 1;
-    if (!next_row(r, d)) {
-      diag_set(d, "%s: error: ends within its head: it holds nothing to continue; remove it", r->path);
-      return false;
-    }
+    if (!next_row(r, d))
+      return diag_set(d, "%s: error: ends within its head: it holds nothing to continue; remove it", r->path);
     const char *row = text_str(&r->row);
-    if (r->row.len != len || memcmp(row, head, len) != 0) {
-      diag_set(d, "%s:%ld: error: belongs to another request: %.*s, where this one has %.*s", r->path, r->line,
-               (int)strcspn(row, "\n"), row, (int)len - 1, head);
-      return false;
-    }
+    if (r->row.len != len || memcmp(row, head, len) != 0)
+      return diag_set(d, "%s:%ld: error: belongs to another request: %.*s, where this one has %.*s", r->path, r->line,
+                      (int)strcspn(row, "\n"), row, (int)len - 1, head);
     r->commas = 0;
     for (const char *c = head; c < head + len; c++) r->commas += *c == ',';
     head += len;
@@ -101,10 +94,8 @@ static bool scan(struct reader *r, slong *done, long long *keep, const struct sw
   *done = 0;
   while (next_row(r, d)) {
     long long point = point_of(r);
-    if (point < 0 || point >= q->points || (point != last && point != last + 1)) {
-      diag_set(d, "%s:%ld: error: not a row of this sweep", r->path, r->line);
-      return false;
-    }
+    if (point < 0 || point >= q->points || (point != last && point != last + 1))
+      return diag_set(d, "%s:%ld: error: not a row of this sweep", r->path, r->line);
     if (last < 0 || unit_of(q, point) != unit_of(q, last)) {
       *done = unit_of(q, point);
       *keep = r->offset;

@@ -395,9 +395,8 @@ static bool find_route(enum mech_derivative *how, const struct jacobian_request 
     *how = known[i].how;
     if (known[i].method == q->method) return true;
   }
-  diag_set(d, "%s: error: --method %s is of the paper's word; here it is implicit, saltation, fd-double or ode",
-           s->path, method_name[q->method]);
-  return false;
+  return diag_set(d, "%s: error: --method %s is of the paper's word; here it is implicit, saltation, fd-double or ode",
+                  s->path, method_name[q->method]);
 }
 
 static void unknown(struct diag *d, const struct jacobian_request *q, const struct scene *s) {

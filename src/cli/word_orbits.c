@@ -22,10 +22,8 @@ bool may_write_certificate(const struct scene *s, slong certified, slong n, stru
 
 bool find_word_orbits(struct word_orbits *list, const struct scene *s, slong digits, struct diag *d) {
   if (phase_word_fate(NULL, &s->word) != WORD_OPEN) return true;
-  if (scene_lacks_friction(s, &s->word)) {
-    diag_set(d, "%s: error: a word in which a mass is faster than the belt needs u_r1 and u_r2", s->path);
-    return false;
-  }
+  if (scene_lacks_friction(s, &s->word))
+    return diag_set(d, "%s: error: a word in which a mass is faster than the belt needs u_r1 and u_r2", s->path);
   if (solved_word(list, &s->word, s, digits) != SS_OK)
     abort(); /* the scene is in the domain, and has the friction that the word needs */
   return true;

@@ -357,8 +357,7 @@ static bool check_selection(const struct mutation_study *r, const struct damages
                             const struct mutation_options *opt, struct diag *d) {
   for (int i = 0; i < opt->n_only; i++) {
     if (mutants_any(&r->mutants, r->model, opt->only[i]) || damages_any(damages, m, opt->only[i])) continue;
-    diag_set(d, "error: nothing to damage is in a file or record, or of a class, named %s", opt->only[i]);
-    return false;
+    return diag_set(d, "error: nothing to damage is in a file or record, or of a class, named %s", opt->only[i]);
   }
   return true;
 }

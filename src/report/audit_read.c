@@ -69,9 +69,7 @@ static bool check_roots(const struct audit_result *r, const struct source *s, st
 bool report_read(struct audit_result *out, const struct source *s, struct diag *d) {
   struct json_value root;
   if (!json_parse(&root, &out->arena, s, d)) return false;
-  if (!json_says(&root, "schema", AUDIT_SCHEMA)) {
-    diag_at(d, s, root.at, "not an audit.json of stickslip verify: its schema is not " AUDIT_SCHEMA);
-    return false;
-  }
+  if (!json_says(&root, "schema", AUDIT_SCHEMA))
+    return diag_at(d, s, root.at, "not an audit.json of stickslip verify: its schema is not " AUDIT_SCHEMA);
   return shape_read(out, &out->arena, &audit_shape, &root, s, d) && check_names(out, s, d) && check_roots(out, s, d);
 }

@@ -126,8 +126,7 @@ struct walk {
 static bool read_record(const struct walk *w, void *record, const struct shape *shape, const struct json_value *v);
 
 static bool wrong(const struct walk *w, const struct member *m, const struct json_value *v, const char *what) {
-  diag_at(w->d, w->s, v->at, "the member %s %s", m->key, what);
-  return false;
+  return diag_at(w->d, w->s, v->at, "the member %s %s", m->key, what);
 }
 
 static bool read_whole(const struct walk *w, long *out, const struct member *m, const struct json_value *v) {
@@ -260,10 +259,7 @@ static bool finish(const struct walk *w, const void *record, const struct member
 }
 
 static bool read_record(const struct walk *w, void *record, const struct shape *shape, const struct json_value *v) {
-  if (v->kind != JSON_KIND_OBJECT) {
-    diag_at(w->d, w->s, v->at, "an object is needed here");
-    return false;
-  }
+  if (v->kind != JSON_KIND_OBJECT) return diag_at(w->d, w->s, v->at, "an object is needed here");
   if (shape->blank) memcpy(record, shape->blank, shape->size);
   for (int i = 0; i < shape->n; i++) {
     const struct json_value *m = json_member(v, shape->member[i].key);

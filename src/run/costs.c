@@ -11,11 +11,9 @@ static bool read_row(struct costs *c, const struct source *src, size_t at, const
   struct cost row;
   char end;
   if (sscanf(line, "%15[^\t]\t%47[^\t]\t%lf\t%lf%c", row.what, row.name, &row.units, &row.ms, &end) != 4 ||
-      !(row.units >= 0 && row.units < 1e18) || !(row.ms >= 0 && row.ms < 1e9)) {
-    diag_at(d, src, at,
-            "a row reads what, name, units, milliseconds with tabs between; \"make scenes\" writes the table");
-    return false;
-  }
+      !(row.units >= 0 && row.units < 1e18) || !(row.ms >= 0 && row.ms < 1e9))
+    return diag_at(d, src, at,
+                   "a row reads what, name, units, milliseconds with tabs between; \"make scenes\" writes the table");
   *SS_PUSH(c->row, c->n, c->cap) = row;
   return true;
 }

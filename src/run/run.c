@@ -32,8 +32,7 @@ bool run_check_selection(const struct model *m, const struct claims *claims, con
   bool both = false;
   for (size_t k = 0; k < claims->n; k++) both = both || run_selects(opt, s, &claims->claim[k]);
   if (both || opt->n_only == 0 || s->asked.claims.n == 0) return true;
-  diag_set(d, "%s: error: --only names no claim that the scene asks for", s->path);
-  return false;
+  return diag_set(d, "%s: error: --only names no claim that the scene asks for", s->path);
 }
 
 /* --- Pieces --- */

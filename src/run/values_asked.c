@@ -272,13 +272,12 @@ static bool check_asked_claims(const struct scene_list *list, const struct claim
 /* Every name in the quantity is one of the paper's, or a number of an orbit. */
 static bool check_names(const struct model *m, const struct scene_list *list, const struct expr *e, struct diag *d) {
   bool named = e->kind == EXPR_SYM || e->kind == EXPR_CALL;
-  if (named && !value_is_named(m, e->name)) {
-    diag_at(d, list->source, e->span.begin,
-            "the paper has no quantity %.100s; names are those of its equations and the numbers of an orbit, as in "
-            "z10, trace, J_a, trace_J, H(t_c)[1,3]",
-            e->name);
-    return false;
-  }
+  if (named && !value_is_named(m, e->name))
+    return diag_at(
+        d, list->source, e->span.begin,
+        "the paper has no quantity %.100s; names are those of its equations and the numbers of an orbit, as in "
+        "z10, trace, J_a, trace_J, H(t_c)[1,3]",
+        e->name);
   for (int i = 0; i < e->n_args; i++)
     if (!check_names(m, list, e->args[i], d)) return false;
   return true;

@@ -40,8 +40,7 @@ static size_t next_item(struct text *out, const char *s, size_t i, size_t end, s
 }
 
 static bool complain(const struct scene_line *l, size_t at, struct diag *d, const char *fmt, const char *what) {
-  diag_at(d, l->src, at, fmt, what);
-  return false;
+  return diag_at(d, l->src, at, fmt, what);
 }
 
 static bool list_holds(const struct scene_list *list, const char *item) {

@@ -60,11 +60,11 @@ bool scene_solution_ii(const struct scene *s) {
 bool scene_four_phases(const struct scene *s, struct diag *d) {
   if (!scene_papers_word(s, d)) return false;
   if (!scene_solution_ii(s)) return true;
-  diag_set(d,
-           "%s: error: the word Gamma-H-C is judged by orbit and words alone; take it away with --set word= to judge "
-           "the motion as D-Gamma-H-C with t_a = 0",
-           s->path);
-  return false;
+  return diag_set(
+      d,
+      "%s: error: the word Gamma-H-C is judged by orbit and words alone; take it away with --set word= to judge "
+      "the motion as D-Gamma-H-C with t_a = 0",
+      s->path);
 }
 
 bool scene_other_word(const struct scene *s) {
@@ -84,6 +84,5 @@ bool scene_papers_word(const struct scene *s, struct diag *d) {
 bool scene_one_point(const struct scene *s, struct diag *d) {
   int k = scene_interval(s);
   if (k == N_SCENE_PARAMS) return true;
-  diag_set(d, "%.300s: error: %s is an interval; only orbit and verify take one", s->path, scene_key_name[k]);
-  return false;
+  return diag_set(d, "%.300s: error: %s is an interval; only orbit and verify take one", s->path, scene_key_name[k]);
 }

@@ -58,27 +58,22 @@ bool scene_printed_add(struct scene *s, const struct scene_line *l, bool overrid
   while (char_is_word(t[n])) n++;
   const char *p = t + n;
   while (*p == ' ') p++;
-  if (n == 0 || *p != '=' || !p[1]) {
-    diag_at(d, l->src, l->value.begin, "a printed line reads \"printed: NAME = DECIMAL\"");
-    return false;
-  }
+  if (n == 0 || *p != '=' || !p[1])
+    return diag_at(d, l->src, l->value.begin, "a printed line reads \"printed: NAME = DECIMAL\"");
   p++;
   while (*p == ' ') p++;
   bool negative = *p == '-';
   if (negative) p++;
   struct printed_number *pn = place_of(s, t, n, override);
-  if (!pn) {
-    diag_at(d, l->src, l->value.begin, "%.*s is printed twice; leave one of the lines out", (int)(n < 100 ? n : 100),
-            t);
-    return false;
-  }
+  if (!pn)
+    return diag_at(d, l->src, l->value.begin, "%.*s is printed twice; leave one of the lines out",
+                   (int)(n < 100 ? n : 100), t);
   size_t len = strlen(p) + 2;
   pn->decimal = ss_malloc(len);
   snprintf(pn->decimal, len, "%s%s", negative ? "-" : "", p);
-  if (num_parse_decimal(&pn->value, p, strlen(p)) != SS_OK || !last_digit_unit(&pn->digit, p)) {
-    diag_at(d, l->src, l->value.begin, "%.100s is not a decimal; write one such as -2.1958 or 2.5e-3", pn->decimal);
-    return false;
-  }
+  if (num_parse_decimal(&pn->value, p, strlen(p)) != SS_OK || !last_digit_unit(&pn->digit, p))
+    return diag_at(d, l->src, l->value.begin, "%.100s is not a decimal; write one such as -2.1958 or 2.5e-3",
+                   pn->decimal);
   if (negative) fmpq_neg(&pn->value, &pn->value);
   return true;
 }

@@ -75,17 +75,14 @@ static void print_circle(struct text *out, const struct reader *r, enum scene_ke
 static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct expr *e) {
   struct reader *r = arg;
   int k = word_find(e->name, scene_key_name, N_KEYS);
-  if (k == N_KEYS) {
-    diag_at(c->d, c->src, e->span.begin,
-            "unknown name %.100s; a value may use numbers and the scene's own chi, eta, V, e1, e2, t_a, t_b, t_c, t_d, "
-            "u_r1, u_r2",
-            e->name);
-    return false;
-  }
-  if (!r->parameter[k].src) {
-    diag_at(c->d, c->src, e->span.begin, "%s is used here and not given; give it, or write a number", e->name);
-    return false;
-  }
+  if (k == N_KEYS)
+    return diag_at(
+        c->d, c->src, e->span.begin,
+        "unknown name %.100s; a value may use numbers and the scene's own chi, eta, V, e1, e2, t_a, t_b, t_c, t_d, "
+        "u_r1, u_r2",
+        e->name);
+  if (!r->parameter[k].src)
+    return diag_at(c->d, c->src, e->span.begin, "%s is used here and not given; give it, or write a number", e->name);
   if (r->parameter[k].state == IN_EVALUATION) {
     struct text circle = {0};
     print_circle(&circle, r, (enum scene_key)k);
@@ -95,10 +92,9 @@ static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct ex
     return false;
   }
   if (!evaluate(r, (enum scene_key)k)) return false;
-  if (r->s->interval[k]) {
-    diag_at(c->d, c->src, e->span.begin, "%s is an interval; only a number can be used in another value", e->name);
-    return false;
-  }
+  if (r->s->interval[k])
+    return diag_at(c->d, c->src, e->span.begin, "%s is an interval; only a number can be used in another value",
+                   e->name);
   fmpq_set(z, &r->s->value[k]);
   return true;
 }
@@ -181,11 +177,11 @@ static void say_third(struct reader *r) {
 static bool check_system(struct reader *r) {
   for (int k = N_KEYS; k < N_SCENE_KEYS; k++) {
     if (!r->read[k] || k == KEY_SYSTEM || k == KEY_WORD || k == KEY_TITLE) continue;
-    diag_set(r->d,
-             "%s: error: %s is of the paper's two masses; a scene of a system file has the lines system, title, word, "
-             "and values of that file's parameters",
-             r->s->path, scene_key_name[k]);
-    return false;
+    return diag_set(
+        r->d,
+        "%s: error: %s is of the paper's two masses; a scene of a system file has the lines system, title, word, "
+        "and values of that file's parameters",
+        r->s->path, scene_key_name[k]);
   }
   return true;
 }
@@ -209,8 +205,7 @@ static const fmpq *greatest(const struct scene *s, int key) {
 }
 
 static bool complain_about(struct reader *r, int k, const char *fmt, const char *first, const char *second) {
-  diag_at(r->d, r->parameter[k].src, r->parameter[k].place, fmt, first, second);
-  return false;
+  return diag_at(r->d, r->parameter[k].src, r->parameter[k].place, fmt, first, second);
 }
 
 static bool check_domain(struct reader *r) {
@@ -278,15 +273,10 @@ static bool read_parameter(struct reader *r, const struct source *src, struct sp
     return (of_file && r->overridden[k]) || scene_system_give(r->s, &line, st->sides[1], r->file, r->d);
   }
   if (k == N_SCENE_KEYS) return unknown_key(r, src, where.begin, "parameter", name);
-  if (k >= N_KEYS) {
-    diag_at(r->d, src, where.begin, "%s is no parameter; write \"%s: ...\"", name, name);
-    return false;
-  }
+  if (k >= N_KEYS) return diag_at(r->d, src, where.begin, "%s is no parameter; write \"%s: ...\"", name, name);
   if (of_file && r->overridden[k]) return true;
-  if (r->parameter[k].src) {
-    diag_at(r->d, src, where.begin, "%s is given twice; leave one of the lines out", name);
-    return false;
-  }
+  if (r->parameter[k].src)
+    return diag_at(r->d, src, where.begin, "%s is given twice; leave one of the lines out", name);
   r->parameter[k] =
       (struct parameter){src, of_file ? where.begin : st->sides[1]->span.begin, st->sides[1], NOT_EVALUATED};
   return true;
@@ -316,17 +306,15 @@ static bool set_word(struct scene *s, struct diag *d) {
   size_t at = 0;
   const char *why, *text = s->system_word.text;
   if (!text || phase_word_parse(&s->word, &at, &why, text, strlen(text))) return true;
-  diag_at(d, s->system_word.src, s->system_word.at + at, "%s", why);
-  return false;
+  return diag_at(d, s->system_word.src, s->system_word.at + at, "%s", why);
 }
 
 static bool read_line(struct reader *r, const struct scene_line *l) {
   bool override = l->src != r->file;
   if (l->key == KEY_PRINTED) return scene_printed_add(r->s, l, override, r->d);
-  if (r->read[l->key]) {
-    diag_at(r->d, l->src, l->value.begin, "%s is given twice; leave one of the lines out", scene_key_name[l->key]);
-    return false;
-  }
+  if (r->read[l->key])
+    return diag_at(r->d, l->src, l->value.begin, "%s is given twice; leave one of the lines out",
+                   scene_key_name[l->key]);
   r->read[l->key] = true;
   if (l->key == KEY_WORD) keep_word(r->s, l);
   if (l->key == KEY_SYSTEM) keep_system(r->s, l, override);
@@ -355,21 +343,17 @@ static bool read_field(struct reader *r, const struct source *src, const struct 
   if (!f->attribute) return read_parameter(r, src, f->value);
   int k = key_of(f->key_name, strlen(f->key_name));
   if (k == N_SCENE_KEYS) return unknown_key(r, src, f->key.begin, "attribute", f->key_name);
-  if (k < N_KEYS) {
-    diag_at(r->d, src, f->key.begin, "%s is a parameter; write \"%s = ...\"", f->key_name, f->key_name);
-    return false;
-  }
+  if (k < N_KEYS)
+    return diag_at(r->d, src, f->key.begin, "%s is a parameter; write \"%s = ...\"", f->key_name, f->key_name);
   if (r->overridden[k]) return true;
   return read_line(r, &(struct scene_line){(enum scene_key)k, src, f->value, f->text});
 }
 
 static bool read_fields(struct reader *r, const struct record_file *f) {
-  if (f->n_records > 1) {
-    diag_at(r->d, r->file, f->records[1].kind.begin,
-            "a scene has no records; \"%s %s\" is neither \"NAME = value\" nor \"word: text\"", f->records[1].kind_name,
-            f->records[1].id_name);
-    return false;
-  }
+  if (f->n_records > 1)
+    return diag_at(r->d, r->file, f->records[1].kind.begin,
+                   "a scene has no records; \"%s %s\" is neither \"NAME = value\" nor \"word: text\"",
+                   f->records[1].kind_name, f->records[1].id_name);
   const struct record *all = &f->records[0];
   if (!r->overridden[KEY_SYSTEM]) r->of_system = record_field(all, scene_key_name[KEY_SYSTEM]) != NULL;
   for (size_t k = 0; k < all->n_fields; k++)
@@ -426,23 +410,20 @@ static bool split_override(struct reader *r, struct override *o, const char *ite
   o->src = keep_source(r->s, &src);
   size_t good = text_plain_prefix(item, o->src->len, false);
   const char *equals = strchr(item, '=');
-  if (good < o->src->len || !equals) {
-    diag_at(r->d, o->src, good < o->src->len ? good : 0,
-            equals ? "a control character, or not UTF-8 text; write plain text" : "%s takes NAME=VALUE, as in e2=1/2",
-            option);
-    return false;
-  }
+  if (good < o->src->len || !equals)
+    return diag_at(r->d, o->src, good < o->src->len ? good : 0,
+                   equals ? "a control character, or not UTF-8 text; write plain text"
+                          : "%s takes NAME=VALUE, as in e2=1/2",
+                   option);
   o->name = (struct span){0, (size_t)(equals - item)};
   o->value = (struct span){o->name.end + 1, o->src->len};
   trim(item, &o->name);
   trim(item, &o->value);
   o->key = key_of(item + o->name.begin, o->name.end - o->name.begin);
   if (o->key == N_SCENE_KEYS) return true; /* a parameter of a system file, or an error once the file has been read */
-  if (r->overridden[o->key] && o->key != KEY_PRINTED) {
-    diag_at(r->d, o->src, o->name.begin, "%s is given twice with %s; leave one of them out", scene_key_name[o->key],
-            option);
-    return false;
-  }
+  if (r->overridden[o->key] && o->key != KEY_PRINTED)
+    return diag_at(r->d, o->src, o->name.begin, "%s is given twice with %s; leave one of them out",
+                   scene_key_name[o->key], option);
   if (o->key == KEY_SYSTEM) r->of_system = o->value.begin < o->value.end;
   r->overridden[o->key] |= o->key != KEY_PRINTED || o->value.begin == o->value.end;
   r->s->changed |= o->key < N_KEYS || o->key == KEY_PRINTED || o->key == KEY_WORD;
@@ -458,10 +439,8 @@ static bool apply_other(struct reader *r, const struct override *o) {
   if (r->of_system && scene_system_take(r->s, name, len)) return true;
   char shown[101];
   snprintf(shown, sizeof shown, "%.*s", (int)(len < 100 ? len : 100), name);
-  if (r->of_system) {
-    diag_at(r->d, o->src, o->name.begin, "the scene gives no value of %s that could be taken away", shown);
-    return false;
-  }
+  if (r->of_system)
+    return diag_at(r->d, o->src, o->name.begin, "the scene gives no value of %s that could be taken away", shown);
   return unknown_key(r, o->src, o->name.begin, "name", shown);
 }
 
@@ -508,8 +487,7 @@ bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, st
 
 static bool is_no_system(const char *spec, struct diag *d) {
   if (!path_has_suffix(spec, SYSTEM_SUFFIX)) return true;
-  diag_set(d, "%.300s: error: a system file; a scene of it is a file with the line \"system: FILE\"", spec);
-  return false;
+  return diag_set(d, "%.300s: error: a system file; a scene of it is a file with the line \"system: FILE\"", spec);
 }
 
 static bool load(struct scene *s, const char *spec, const char *text, const char *data, const struct scene_overrides *o,

@@ -41,15 +41,11 @@ bool scene_system_give(struct scene *s, const struct mech_given *line, const str
   size_t work = 0;
   struct constant c = {.src = line->src, .d = d, .depth = &depth, .work = &work};
   struct mech_given **at = find(s, line->name, strlen(line->name)), *v;
-  if (*at && (line->src == file || (*at)->src != file)) {
-    diag_at(d, line->src, line->place, "%s is given twice; leave one of the lines out", line->name);
-    return false;
-  }
+  if (*at && (line->src == file || (*at)->src != file))
+    return diag_at(d, line->src, line->place, "%s is given twice; leave one of the lines out", line->name);
   for (v = s->system_value; v; v = v->next) n++;
-  if (n > MAX_SYSTEM_VALUES) {
-    diag_at(d, line->src, line->place, "more than %d values of a system's parameters", MAX_SYSTEM_VALUES);
-    return false;
-  }
+  if (n > MAX_SYSTEM_VALUES)
+    return diag_at(d, line->src, line->place, "more than %d values of a system's parameters", MAX_SYSTEM_VALUES);
   if (*at) take_out(at);
   v = ss_malloc(sizeof *v);
   *v = *line;
@@ -87,6 +83,5 @@ bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *
   text_clear(&path);
   w->n = 0;
   if (!ok || !s->system_word.text || mech_word_parse(w, &at, &why, s->system_word.text, m)) return ok;
-  diag_at(d, s->system_word.src, s->system_word.at + at, "%s", why);
-  return false;
+  return diag_at(d, s->system_word.src, s->system_word.at + at, "%s", why);
 }

@@ -11,18 +11,14 @@ static bool parse_pair(double *x, slong *k, const struct digits_formula *f, cons
   const char *equals = memchr(item, '=', len);
   char name[128], number[128], *end;
   if (!equals || equals == item || (size_t)(equals - item) >= sizeof name ||
-      len - (size_t)(equals - item) > sizeof number) {
-    diag_set(d, "error: --at takes NAME=VALUE,..., not %.*s", (int)(len < 200 ? len : 200), item);
-    return false;
-  }
+      len - (size_t)(equals - item) > sizeof number)
+    return diag_set(d, "error: --at takes NAME=VALUE,..., not %.*s", (int)(len < 200 ? len : 200), item);
   snprintf(name, sizeof name, "%.*s", (int)(equals - item), item);
   snprintf(number, sizeof number, "%.*s", (int)(len - 1 - (size_t)(equals - item)), equals + 1);
   double v = strtod(number, &end);
   bool plain = strspn(number, "+-.0123456789abcdefABCDEFpPxX") == strlen(number);
-  if (!plain || end == number || *end || !isfinite(v)) {
-    diag_set(d, "error: %s is no finite number that a double holds: %s", name, number);
-    return false;
-  }
+  if (!plain || end == number || *end || !isfinite(v))
+    return diag_set(d, "error: %s is no finite number that a double holds: %s", name, number);
   *k = tape_input(&f->tape, name);
   *x = v;
   return true;
@@ -33,13 +29,10 @@ static bool parse_point(double *x, const struct digits_formula *f, const char *a
   bool have[DIGITS_INPUTS] = {false};
   for (const char *p = at; *p;) {
     size_t len = strcspn(p, ",");
-    slong k;
-    double v;
+    slong k = -1;
+    double v = 0;
     if (!parse_pair(&v, &k, f, p, len, d)) return false;
-    if (k >= 0 && have[k]) {
-      diag_set(d, "error: %s is given twice", f->tape.inputs[k]);
-      return false;
-    }
+    if (k >= 0 && have[k]) return diag_set(d, "error: %s is given twice", f->tape.inputs[k]);
     if (k >= 0) {
       x[k] = v;
       have[k] = true;
@@ -47,10 +40,8 @@ static bool parse_point(double *x, const struct digits_formula *f, const char *a
     p += len + (p[len] == ',');
   }
   for (slong k = 0; k < f->tape.n_inputs; k++)
-    if (!have[k]) {
-      diag_set(d, "error: %s is a function of %s, which --at does not give", f->id, f->tape.inputs[k]);
-      return false;
-    }
+    if (!have[k])
+      return diag_set(d, "error: %s is a function of %s, which --at does not give", f->id, f->tape.inputs[k]);
   return true;
 }
 
