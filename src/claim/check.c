@@ -16,8 +16,7 @@ static bool is_read(const char *attribute, enum kind kind) {
 }
 
 static bool complain(const struct claim *c, size_t at, struct diag *d, const char *what) {
-  diag_at(d, &c->file->src, at, "%s: %s", c->id, what);
-  return false;
+  return diag_at(d, &c->file->src, at, "%s: %s", c->id, what);
 }
 
 static bool check_claim(const struct claim *c, bool control, struct diag *d) {

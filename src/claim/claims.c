@@ -11,10 +11,8 @@
 static bool append(struct claim **list, size_t *n, size_t *cap, const struct record_file *f, const struct record *r,
                    struct diag *d) {
   for (size_t i = 0; i < *n; i++)
-    if (strcmp((*list)[i].id, r->id_name) == 0) {
-      diag_at(d, &f->src, r->id.begin, "%s %s is given twice", r->kind_name, r->id_name);
-      return false;
-    }
+    if (strcmp((*list)[i].id, r->id_name) == 0)
+      return diag_at(d, &f->src, r->id.begin, "%s %s is given twice", r->kind_name, r->id_name);
   *SS_PUSH(*list, *n, *cap) = (struct claim){.id = r->id_name, .record = r, .file = f};
   return true;
 }
@@ -25,19 +23,15 @@ static bool add_source(struct claims *c, struct source src, const char *kind, st
   if (!record_file_parse(f, src, d)) return false;
   const struct record *top = &f->records[0];
   const char *says = strcmp(kind, "claim") == 0 ? "section" : "count"; /* the one thing said of a whole file */
-  if (top->n_fields > 1 || (top->n_fields == 1 && !record_field(top, says))) {
-    diag_at(d, &f->src, top->fields[0].attribute ? top->fields[0].key.begin : top->fields[0].value.begin,
-            "outside a record; begin one with \"%s ID\"", kind);
-    return false;
-  }
+  if (top->n_fields > 1 || (top->n_fields == 1 && !record_field(top, says)))
+    return diag_at(d, &f->src, top->fields[0].attribute ? top->fields[0].key.begin : top->fields[0].value.begin,
+                   "outside a record; begin one with \"%s ID\"", kind);
   for (size_t i = 1; i < f->n_records; i++) {
     const struct record *r = &f->records[i];
     bool result = strcmp(kind, "claim") == 0 && strcmp(r->kind_name, "result") == 0;
-    if (strcmp(r->kind_name, kind) != 0 && !result) {
-      diag_at(d, &f->src, r->kind.begin, "unknown record kind \"%s\"; this file holds \"%s ID\" records", r->kind_name,
-              kind);
-      return false;
-    }
+    if (strcmp(r->kind_name, kind) != 0 && !result)
+      return diag_at(d, &f->src, r->kind.begin, "unknown record kind \"%s\"; this file holds \"%s ID\" records",
+                     r->kind_name, kind);
     if (!(result ? append(&c->result, &c->n_results, &c->cap_results, f, r, d)
                  : append(&c->claim, &c->n, &c->cap, f, r, d)))
       return false;
@@ -92,10 +86,8 @@ static bool take_list(struct field *f, const struct record_file *of, const struc
   if (!shared || strncmp(f->text, "as ", 3) != 0) return true;
   const struct claim *owner = claim_named(c, f->text + 3);
   const char *list = owner ? claim_get(owner, f->key_name) : NULL;
-  if (!list || strncmp(list, "as ", 3) == 0) {
-    diag_at(d, &of->src, f->value.begin, "no claim %s has a list of its own there", f->text + 3);
-    return false;
-  }
+  if (!list || strncmp(list, "as ", 3) == 0)
+    return diag_at(d, &of->src, f->value.begin, "no claim %s has a list of its own there", f->text + 3);
   char *taken = ss_strdup(list);
   free(f->text);
   f->text = taken;
@@ -174,16 +166,14 @@ bool claim_mistake(const struct claim *c, const char *key, struct diag *d, const
   va_start(ap, fmt);
   vsnprintf(what, sizeof what, fmt, ap);
   va_end(ap);
-  diag_at(d, &c->file->src, f ? f->value.begin : c->record->id.begin, "%s: %s", c->id, what);
-  return false;
+  return diag_at(d, &c->file->src, f ? f->value.begin : c->record->id.begin, "%s: %s", c->id, what);
 }
 
 bool claim_has_only(const struct claim *c, const char *const *known, int n, struct diag *d, const char *says) {
   for (size_t k = 0; k < c->record->n_fields; k++) {
     const struct field *f = &c->record->fields[k];
     if (f->attribute && word_find(f->key_name, known, n) < n) continue;
-    diag_at(d, &c->file->src, f->attribute ? f->key.begin : f->value.begin, "%s: %s", c->id, says);
-    return false;
+    return diag_at(d, &c->file->src, f->attribute ? f->key.begin : f->value.begin, "%s: %s", c->id, says);
   }
   return true;
 }

@@ -266,10 +266,9 @@ static bool check_errata(const struct model *m, const struct claims *claims, str
       asked = claim_judged_at_points(m, &claims->claim[k]) &&
               (erratum_is_about(r, &claims->claim[k], true) || erratum_is_about(r, &claims->claim[k], false));
     if (asked) continue;
-    diag_at(d, r->src, r->record->id.begin,
-            "%s: no claim is corrected by this; one with this equation number, on a statement that uses it, is",
-            r->record->id_name);
-    return false;
+    return diag_at(d, r->src, r->record->id.begin,
+                   "%s: no claim is corrected by this; one with this equation number, on a statement that uses it, is",
+                   r->record->id_name);
   }
   return true;
 }
@@ -283,8 +282,7 @@ static bool check_replaced(const struct model *m, struct diag *d) {
     for (size_t k = 0; !found && k < m->n_records; k++)
       found = m->records[k].rank < r->rank && strcmp(m->records[k].id, f->text) == 0;
     if (found) continue;
-    diag_at(d, r->src, f->value.begin, "%s: there is no record %s to be replaced", r->record->id_name, f->text);
-    return false;
+    return diag_at(d, r->src, f->value.begin, "%s: there is no record %s to be replaced", r->record->id_name, f->text);
   }
   return true;
 }

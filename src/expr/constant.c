@@ -12,8 +12,7 @@ bool constant_is_given(const struct stmt *s) {
 }
 
 bool constant_complain(const struct constant *c, const struct expr *e, const char *what) {
-  diag_at(c->d, c->src, e->span.begin, "%s", what);
-  return false;
+  return diag_at(c->d, c->src, e->span.begin, "%s", what);
 }
 
 static bool constant_binary(fmpq_t z, const struct constant *c, const struct expr *e) {
@@ -97,9 +96,8 @@ static bool eval_node(fmpq_t z, const struct constant *c, const struct expr *e) 
   default:
     break;
   }
-  diag_at(c->d, c->src, e->span.begin, "a constant expression has numbers, + - * / ^, sqrt%s%s only",
-          c->symbol ? ", parentheses and " : " and parentheses", c->symbol ? c->names : "");
-  return false;
+  return diag_at(c->d, c->src, e->span.begin, "a constant expression has numbers, + - * / ^, sqrt%s%s only",
+                 c->symbol ? ", parentheses and " : " and parentheses", c->symbol ? c->names : "");
 }
 
 bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e) {

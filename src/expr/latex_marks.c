@@ -45,10 +45,8 @@ bool mark_relation(enum relop *op, const struct mark *m) {
 /* --- Characters to marks --- */
 
 static bool add(struct marks *out, struct mark m, const struct source *src, struct diag *d) {
-  if (out->n == LATEX_MAX_MARKS) {
-    diag_at(d, src, offset(src, m.s), "a formula in LaTeX of more than %d tokens", LATEX_MAX_MARKS);
-    return false;
-  }
+  if (out->n == LATEX_MAX_MARKS)
+    return diag_at(d, src, offset(src, m.s), "a formula in LaTeX of more than %d tokens", LATEX_MAX_MARKS);
   *SS_PUSH(out->m, out->n, out->cap) = m;
   return true;
 }
@@ -85,18 +83,13 @@ static bool read_token(struct marks *out, const char **s, const char *end, const
   struct tex_token t = tex_read(*s, end);
   const char *next = t.s + t.len;
   struct mark m = {.kind = t.kind, .s = t.s, .len = t.len, .word = t.word};
-  if (t.kind == TEX_STRANGE || t.kind == TEX_BRACE) {
-    diag_at(d, src, offset(src, t.s), "\"%.*s\" is not of the LaTeX that is read as a formula",
-            (int)(t.len < 40 ? t.len : 40), t.s);
-    return false;
-  }
+  if (t.kind == TEX_STRANGE || t.kind == TEX_BRACE)
+    return diag_at(d, src, offset(src, t.s), "\"%.*s\" is not of the LaTeX that is read as a formula",
+                   (int)(t.len < 40 ? t.len : 40), t.s);
   if (takes_word(&t)) {
     next = skip_blanks(next, end);
     m.s = tex_braced(&m.len, next, end);
-    if (!m.s) {
-      diag_at(d, src, offset(src, t.s), "%.*s has no word in braces behind it", (int)t.len, t.s);
-      return false;
-    }
+    if (!m.s) return diag_at(d, src, offset(src, t.s), "%.*s has no word in braces behind it", (int)t.len, t.s);
     next = m.s + m.len + 1;
   }
   *s = next;
@@ -131,13 +124,11 @@ static bool replace(struct marks *out, const struct marks *printed, const struct
       at = i;
       found++;
     }
-  if (found != 1) {
-    diag_at(d, src, at_source,
-            found ? "what is read in another way stands %zu times in the TeX; give a longer piece of it"
-                  : "what is read in another way does not stand in the TeX",
-            found);
-    return false;
-  }
+  if (found != 1)
+    return diag_at(d, src, at_source,
+                   found ? "what is read in another way stands %zu times in the TeX; give a longer piece of it"
+                         : "what is read in another way does not stand in the TeX",
+                   found);
   struct marks all = {0};
   bool ok = true;
   for (size_t i = 0; ok && i < at; i++) ok = add(&all, out->m[i], src, d);
@@ -179,23 +170,19 @@ static bool pair_brackets(struct marks *out, const struct source *src, struct di
   for (size_t i = 0; i < out->n; i++) {
     struct mark *m = &out->m[i];
     if (opens(m)) {
-      if (n == EXPR_MAX_DEPTH) {
-        diag_at(d, src, offset(src, m->s), "brackets nested more than %d levels deep", EXPR_MAX_DEPTH);
-        return false;
-      }
+      if (n == EXPR_MAX_DEPTH)
+        return diag_at(d, src, offset(src, m->s), "brackets nested more than %d levels deep", EXPR_MAX_DEPTH);
       open[n++] = i;
     } else if (closes(m)) {
-      if (n == 0 || !are_partners(&out->m[open[n - 1]], m)) {
-        diag_at(d, src, offset(src, m->s), n ? "this does not close the last bracket" : "this closes no bracket");
-        return false;
-      }
+      if (n == 0 || !are_partners(&out->m[open[n - 1]], m))
+        return diag_at(d, src, offset(src, m->s),
+                       n ? "this does not close the last bracket" : "this closes no bracket");
       m->pair = open[--n];
       out->m[m->pair].pair = i;
     }
   }
   if (n == 0) return true;
-  diag_at(d, src, offset(src, out->m[open[n - 1]].s), "this bracket is not closed");
-  return false;
+  return diag_at(d, src, offset(src, out->m[open[n - 1]].s), "this bracket is not closed");
 }
 
 /* Outside matrices & only lines formulas up. */
@@ -210,11 +197,9 @@ static void drop_alignment(struct marks *out) {
 }
 
 bool latex_marks(struct marks *out, const struct latex_formula *f, struct diag *d) {
-  if (f->n_readings > LATEX_MAX_READINGS) {
-    diag_at(d, f->src, f->readings[LATEX_MAX_READINGS].printed.begin, "more than %d readings of a formula",
-            LATEX_MAX_READINGS);
-    return false;
-  }
+  if (f->n_readings > LATEX_MAX_READINGS)
+    return diag_at(d, f->src, f->readings[LATEX_MAX_READINGS].printed.begin, "more than %d readings of a formula",
+                   LATEX_MAX_READINGS);
   if (!read_span(out, f->src, f->tex, d)) return false;
   for (size_t i = 0; i < f->n_readings; i++)
     if (!apply(out, &f->readings[i], f->src, d)) return false;

@@ -238,10 +238,8 @@ static bool orbit_receipt(struct text *out, struct judge *j, const struct claim 
   const struct scene *s = j->scene;
   const char *number = claim_get(c, "number");
   if (!scene_has_forces(s) || !scene_printed(s, "z10") || !scene_printed(s, "z20") ||
-      (number && !scene_printed(s, number))) {
-    diag_set(j->d, "error: %.200s needs a scene with e1, e2 and the printed numbers", c->id);
-    return false;
-  }
+      (number && !scene_printed(s, number)))
+    return diag_set(j->d, "error: %.200s needs a scene with e1, e2 and the printed numbers", c->id);
   text_printf(out, "#!/usr/bin/env python3\n# %s: ", c->id);
   bool ok = claim_title(out, j->model, c, j->d);
   text_printf(out, "\n#\n# Needs mpmath and nothing else.\nCLAIM = \"%s\"\nNUMBER = ", c->id);
@@ -280,10 +278,8 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
   }
   enum kind kind = claim_kind(c);
   bool of_orbit = receipt_of_orbit(claims, id);
-  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_RANK && kind != KIND_ARGUMENT) {
-    diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
-    return false;
-  }
+  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_RANK && kind != KIND_ARGUMENT)
+    return diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
   struct audit_result kept;
   audit_result_init(&kept);
   struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};

@@ -97,8 +97,7 @@ static bool set_values(struct point *p, const char *values, struct diag *d) {
   struct diag of_option = {0};
   if (point_set(p, values, &of_option)) return true;
   const char *at = strstr(of_option.message, "--at ");
-  diag_set(d, "error: values %s", at ? at + strlen("--at ") : of_option.message);
-  return false;
+  return diag_set(d, "error: values %s", at ? at + strlen("--at ") : of_option.message);
 }
 
 /* Whether "name=" begins one of the items. */

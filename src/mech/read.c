@@ -55,8 +55,7 @@ struct reader {
 };
 
 static bool wrong(struct reader *r, size_t place, const char *what) {
-  diag_at(r->d, r->src, place, "%s", what);
-  return false;
+  return diag_at(r->d, r->src, place, "%s", what);
 }
 
 /* --- Values --- */
@@ -68,9 +67,8 @@ static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct ex
       fmpq_set(z, r->parameter[i].value);
       return true;
     }
-  diag_at(c->d, c->src, e->span.begin, "unknown name %.100s; a value may use numbers and the parameters above it",
-          e->name);
-  return false;
+  return diag_at(c->d, c->src, e->span.begin,
+                 "unknown name %.100s; a value may use numbers and the parameters above it", e->name);
 }
 
 static bool evaluate(fmpq_t z, struct reader *r, const struct expr *e) {
@@ -166,8 +164,8 @@ static bool read_mass(struct reader *r, const struct record *of) {
 }
 
 static bool no_mass(struct reader *r, const struct field *f, const char *name, size_t len) {
-  diag_at(r->d, r->src, f->value.begin, "there is no mass %.*s above this line", (int)(len < 60 ? len : 60), name);
-  return false;
+  return diag_at(r->d, r->src, f->value.begin, "there is no mass %.*s above this line", (int)(len < 60 ? len : 60),
+                 name);
 }
 
 /* "A, B": masses, or ground. */
@@ -281,8 +279,7 @@ static bool finish(struct reader *r, const struct record_file *f) {
   size_t place = 0;
   for (size_t i = 1; i < f->n_records; i++)
     if (strcmp(f->records[i].id_name, name) == 0) place = f->records[i].kind.begin;
-  diag_at(r->d, r->src, place, "%s%s%s", name, *name ? ": " : "", why);
-  return false;
+  return diag_at(r->d, r->src, place, "%s%s%s", name, *name ? ": " : "", why);
 }
 
 static bool read_all(struct reader r, struct source src) {

@@ -33,8 +33,8 @@ static bool eval(struct matrix *out, struct elaboration *el, const struct expr *
 static bool is_small(const struct elaboration *el, const struct expr *e, const struct scope *sc, struct diag *d) {
   if (el->pool.n <= MAX_SCALARS) return true;
   diag_beyond(d);
-  diag_at(d, sc->src, e->span.begin, "a formula of more than %d scalars when its definitions are put in", MAX_SCALARS);
-  return false;
+  return diag_at(d, sc->src, e->span.begin, "a formula of more than %d scalars when its definitions are put in",
+                 MAX_SCALARS);
 }
 
 /* --- Names --- */
@@ -107,8 +107,7 @@ static bool define(size_t *index, struct elaboration *el, const struct definitio
     if (el->memo[i].def == def) {
       *index = i;
       if (el->memo[i].done) return true;
-      diag_at(d, def->src, def->stmt->span.begin, "%s is defined through itself", def->name);
-      return false;
+      return diag_at(d, def->src, def->stmt->span.begin, "%s is defined through itself", def->name);
     }
   struct scope sc = scope_inside(el, def);
   *index = el->n_memo;
@@ -125,8 +124,8 @@ static bool define(size_t *index, struct elaboration *el, const struct definitio
 
 static bool undefined(const struct expr *e, const struct scope *sc, struct diag *d) {
   if (d && !d->set) d->undeclared = true;
-  diag_at(d, sc->src, e->span.begin, "undefined symbol %s; define it or declare \"symbol %s\"", e->name, e->name);
-  return false;
+  return diag_at(d, sc->src, e->span.begin, "undefined symbol %s; define it or declare \"symbol %s\"", e->name,
+                 e->name);
 }
 
 /* The definition that the scope sees, or NULL; false when there are several. */
@@ -160,10 +159,8 @@ static bool eval_symbol(struct matrix *out, struct elaboration *el, const struct
     *out = matrix_scalar(el, expr_sym(&el->pool, e->name));
     return true;
   }
-  if (def->stmt->kind == STMT_TRAJECTORY || def->stmt->param) {
-    diag_at(d, sc->src, e->span.begin, "%s is a function; write %s(...)", e->name, e->name);
-    return false;
-  }
+  if (def->stmt->kind == STMT_TRAJECTORY || def->stmt->param)
+    return diag_at(d, sc->src, e->span.begin, "%s is a function; write %s(...)", e->name, e->name);
   size_t i;
   if (!define(&i, el, def, d)) return false;
   *out = el->memo[i].value;
@@ -213,10 +210,8 @@ static bool eval_call(struct matrix *out, struct elaboration *el, const struct e
     *out = matrix_scalar(el, expr_call(&el->pool, e->name, e->order, arg.e[0]));
     return true;
   }
-  if (!def->stmt->param) {
-    diag_at(d, sc->src, e->span.begin, "%s is not a function; for a product write %s*(...)", e->name, e->name);
-    return false;
-  }
+  if (!def->stmt->param)
+    return diag_at(d, sc->src, e->span.begin, "%s is not a function; for a product write %s*(...)", e->name, e->name);
   size_t m;
   if (!define(&m, el, def, d)) return false;
   *out = call_value(el, m, e->order, arg.e[0]);
@@ -351,8 +346,7 @@ static bool eval(struct matrix *out, struct elaboration *el, const struct expr *
                  struct diag *d) {
   if (el->depth >= MAX_DEPTH) {
     diag_beyond(d);
-    diag_at(d, sc->src, e->span.begin, "definitions and brackets nested more than %d levels deep", MAX_DEPTH);
-    return false;
+    return diag_at(d, sc->src, e->span.begin, "definitions and brackets nested more than %d levels deep", MAX_DEPTH);
   }
   const struct expr **left = NULL;
   size_t n = 0, cap = 0;
@@ -388,15 +382,10 @@ bool elaborate_text(struct matrix *out, struct elaboration *el, const char *call
 
 bool elaborate_name(struct matrix *out, struct elaboration *el, const char *name, const char *section, struct diag *d) {
   const struct definition *def = view_lookup(&el->view, name, section, d);
-  if (!def) {
-    diag_set(d, "undefined symbol %s", name);
-    return false;
-  }
+  if (!def) return diag_set(d, "undefined symbol %s", name);
   size_t i;
-  if (def->stmt->kind == STMT_TRAJECTORY || def->stmt->param) {
-    diag_set(d, "%s is a function and needs an argument", name);
-    return false;
-  }
+  if (def->stmt->kind == STMT_TRAJECTORY || def->stmt->param)
+    return diag_set(d, "%s is a function and needs an argument", name);
   if (!define(&i, el, def, d)) return false;
   *out = el->memo[i].value;
   return true;
@@ -408,9 +397,8 @@ bool elaborate_sides(struct matrix *lhs, struct matrix *rhs, struct elaboration 
     return false;
   matrix_shape_zero(lhs, rhs, el, s->sides[k], s->sides[k + 1]);
   if (matrix_same_shape(lhs, rhs)) return true;
-  diag_at(d, src, s->sides[k]->span.begin, "the two sides have the shapes %dx%d and %dx%d", lhs->rows, lhs->cols,
-          rhs->rows, rhs->cols);
-  return false;
+  return diag_at(d, src, s->sides[k]->span.begin, "the two sides have the shapes %dx%d and %dx%d", lhs->rows, lhs->cols,
+                 rhs->rows, rhs->cols);
 }
 
 /* The ends of the range that a statement is about. */

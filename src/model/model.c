@@ -88,18 +88,15 @@ static const char own_and_defined[] = "%s has a domain as a symbol, and is not d
 static bool add_definition(struct model *m, struct definition def, struct diag *d) {
   size_t b = bucket_of(def.name);
   bool pi = strcmp(def.name, expr_pi) == 0;
-  if (pi || model_own_symbol(m, def.name)) {
-    diag_at(d, def.src, def.stmt->span.begin, pi ? "%s is the number and is not defined" : own_and_defined, def.name);
-    return false;
-  }
+  if (pi || model_own_symbol(m, def.name))
+    return diag_at(d, def.src, def.stmt->span.begin, pi ? "%s is the number and is not defined" : own_and_defined,
+                   def.name);
   for (size_t i = m->bucket[b].first; i; i = m->defs[i - 1].next) {
     const struct definition *o = &m->defs[i - 1];
     if (o->rank == def.rank && def.rank != RANK_CONTROL && strcmp(o->name, def.name) == 0 &&
-        strcmp(o->section, def.section) == 0) {
-      diag_at(d, def.src, def.stmt->span.begin, "%s is defined twice in section %s", def.name,
-              *def.section ? def.section : "(none)");
-      return false;
-    }
+        strcmp(o->section, def.section) == 0)
+      return diag_at(d, def.src, def.stmt->span.begin, "%s is defined twice in section %s", def.name,
+                     *def.section ? def.section : "(none)");
   }
   *SS_PUSH(m->defs, m->n_defs, m->cap_defs) = def;
   *(m->bucket[b].last ? &m->defs[m->bucket[b].last - 1].next : &m->bucket[b].first) = m->n_defs;
@@ -159,26 +156,18 @@ static bool load_symbol(struct model *m, const struct record_file *f, const stru
   static const char *const known[] = {"means", "note", "domain"};
   if (!check_attributes(f, r, known, sizeof known / sizeof *known, d)) return false;
   for (size_t k = 0; k < r->n_fields; k++)
-    if (!r->fields[k].attribute) {
-      diag_at(d, &f->src, r->fields[k].value.begin, "a symbol has attributes only (means: ...)");
-      return false;
-    }
-  if (strcmp(r->id_name, expr_pi) == 0) {
-    diag_at(d, &f->src, r->id.begin, "pi is the number and is not declared; a quantity needs another name");
-    return false;
-  }
+    if (!r->fields[k].attribute)
+      return diag_at(d, &f->src, r->fields[k].value.begin, "a symbol has attributes only (means: ...)");
+  if (strcmp(r->id_name, expr_pi) == 0)
+    return diag_at(d, &f->src, r->id.begin, "pi is the number and is not declared; a quantity needs another name");
   if (model_is_symbol(m, r->id_name)) {
     if (rank != RANK_PAPER) return true;
-    diag_at(d, &f->src, r->id.begin, "symbol %s is declared twice", r->id_name);
-    return false;
+    return diag_at(d, &f->src, r->id.begin, "symbol %s is declared twice", r->id_name);
   }
   struct symbol *s = SS_PUSH(m->symbols, m->n_symbols, m->cap_symbols);
   symbol_init(s, r, &f->src);
   if (!symbol_read_domain(s, d)) return false;
-  if (s->has_domain && is_defined(m, s->name)) {
-    diag_at(d, &f->src, r->id.begin, own_and_defined, s->name);
-    return false;
-  }
+  if (s->has_domain && is_defined(m, s->name)) return diag_at(d, &f->src, r->id.begin, own_and_defined, s->name);
   m->n_own += s->has_domain;
   return true;
 }
@@ -203,25 +192,19 @@ static bool load_statements(struct model *m, const struct record_file *f, const 
     const struct stmt *s = stmt_parse(&m->arena, &f->src, r->fields[k].value, d);
     if (!s) return false;
     if (defines) s = as_definition(m, s);
-    if (defines && s->kind == STMT_RELATION) {
-      diag_at(d, &f->src, s->span.begin,
-              "a define record holds definitions, name = expression or name(t) := expression");
-      return false;
-    }
-    if (!defines && (s->kind == STMT_DEFINE || s->kind == STMT_ROOT)) {
-      diag_at(d, &f->src, s->span.begin, "a definition belongs in a define record");
-      return false;
-    }
+    if (defines && s->kind == STMT_RELATION)
+      return diag_at(d, &f->src, s->span.begin,
+                     "a define record holds definitions, name = expression or name(t) := expression");
+    if (!defines && (s->kind == STMT_DEFINE || s->kind == STMT_ROOT))
+      return diag_at(d, &f->src, s->span.begin, "a definition belongs in a define record");
     struct definition def = {
         .section = sr.section, .equation = sr.equation, .stmt = s, .src = &f->src, .record = r, .rank = rank};
     if (s->kind != STMT_RELATION && !register_names(m, def, s, d)) return false;
     sr.stmts[sr.n_stmts++] = s;
   }
   for (size_t i = 0; i < m->n_records; i++)
-    if (m->records[i].rank == rank && rank != RANK_CONTROL && strcmp(m->records[i].id, sr.id) == 0) {
-      diag_at(d, &f->src, r->id.begin, "record %s is given twice", sr.id);
-      return false;
-    }
+    if (m->records[i].rank == rank && rank != RANK_CONTROL && strcmp(m->records[i].id, sr.id) == 0)
+      return diag_at(d, &f->src, r->id.begin, "record %s is given twice", sr.id);
   *SS_PUSH(m->records, m->n_records, m->cap_records) = sr;
   return true;
 }
@@ -237,13 +220,11 @@ static bool is_digest(const char *s) {
 static bool load_fact(const char **fact, const char *what, const struct record_file *f, const struct field *fd,
                       enum rank rank, struct diag *d) {
   if (rank != RANK_PAPER && *fact && strcmp(*fact, fd->text) == 0) return true;
-  if (rank != RANK_PAPER || *fact) {
-    diag_at(d, &f->src, fd->key.begin,
-            *fact ? "the paper's %s is given twice; leave one out"
-                  : "the paper's %s stands in one of its own files, not in one that is laid over them",
-            what);
-    return false;
-  }
+  if (rank != RANK_PAPER || *fact)
+    return diag_at(d, &f->src, fd->key.begin,
+                   *fact ? "the paper's %s is given twice; leave one out"
+                         : "the paper's %s stands in one of its own files, not in one that is laid over them",
+                   what);
   *fact = fd->text;
   return true;
 }
@@ -282,11 +263,9 @@ static bool load_records(struct model *m, const struct record_file *f, enum rank
   if (!check_attributes(f, top, attributes, sizeof attributes / sizeof *attributes, d) || !load_title(m, f, rank, d))
     return false;
   for (size_t k = 0; k < top->n_fields; k++)
-    if (!top->fields[k].attribute) {
-      diag_at(d, &f->src, top->fields[k].value.begin,
-              "a formula outside a record; begin one with \"define ID\" or \"equation ID\"");
-      return false;
-    }
+    if (!top->fields[k].attribute)
+      return diag_at(d, &f->src, top->fields[k].value.begin,
+                     "a formula outside a record; begin one with \"define ID\" or \"equation ID\"");
   for (size_t i = 1; i < f->n_records; i++) {
     const struct record *r = &f->records[i];
     bool ok = false, known = false;

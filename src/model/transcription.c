@@ -31,8 +31,7 @@ static bool split_reading(struct latex_reading *out, const struct source *src, c
       *out = (struct latex_reading){{fd->value.begin, i}, {i + 4, fd->value.end}};
       return true;
     }
-  diag_at(d, src, fd->value.begin, "a reading is \"piece of the TeX as other TeX\"");
-  return false;
+  return diag_at(d, src, fd->value.begin, "a reading is \"piece of the TeX as other TeX\"");
 }
 
 /* The attributes "reads" of a record, in an array to be freed. */
@@ -140,9 +139,8 @@ static bool mistake(const struct comparison *c, size_t typed, size_t tex, const 
                     const char *there) {
   size_t line, column;
   source_place(&line, &column, c->r->src, tex);
-  diag_at(c->d, c->r->src, typed, "%s: %s: %s here, %s in the TeX at %zu:%zu", c->r->id, what, here, there, line,
-          column);
-  return false;
+  return diag_at(c->d, c->r->src, typed, "%s: %s: %s here, %s in the TeX at %zu:%zu", c->r->id, what, here, there, line,
+                 column);
 }
 
 /* A matrix of zeros, which papers write 0 as a side of an equation. */
@@ -220,15 +218,11 @@ static bool same_statements(const struct comparison *c) {
     const struct stmt *typed = c->r->stmts[i];
     if (typed->kind == STMT_TRAJECTORY) continue;
     if (k < c->n_tex && is_domain(c, c->tex[k])) domain = c->tex[k++];
-    if (k == c->n_tex) {
-      diag_at(c->d, c->r->src, typed->span.begin, "%s: the TeX does not say this", c->r->id);
-      return false;
-    }
+    if (k == c->n_tex) return diag_at(c->d, c->r->src, typed->span.begin, "%s: the TeX does not say this", c->r->id);
     if (!same_statement(c, typed, c->tex[k++], domain)) return false;
   }
   if (k == c->n_tex) return true;
-  diag_at(c->d, c->r->src, c->tex[k]->span.begin, "%s: no formula of the record says this", c->r->id);
-  return false;
+  return diag_at(c->d, c->r->src, c->tex[k]->span.begin, "%s: no formula of the record says this", c->r->id);
 }
 
 static bool check_record(const struct model *m, const struct statement_record *r, struct arena *a, struct diag *d) {

@@ -52,24 +52,20 @@ static bool read_places(struct quotations *q, const struct quotation *item, cons
   size_t before = 0, first, last;
   for (size_t i = 0; i < item->n; i++) {
     struct quote_piece *p = &q->piece[item->first + i];
-    if (!read_place(&s, &first, &last) || first <= before) {
-      diag_at(d, item->src, f->value.begin,
-              "a place is the numbers of the first and the last token, such as 12-17, rising from piece to piece; the "
-              "quotation has %zu piece%s",
-              item->n, plural_s((long long)item->n));
-      return false;
-    }
-    if (last - first + 1 != p->tokens.n) {
-      diag_at(d, item->src, f->value.begin, "%zu-%zu are %zu tokens, and %s %zu", first, last, last - first + 1,
-              item->n == 1 ? "the quotation has" : "that piece of the quotation has", p->tokens.n);
-      return false;
-    }
+    if (!read_place(&s, &first, &last) || first <= before)
+      return diag_at(
+          d, item->src, f->value.begin,
+          "a place is the numbers of the first and the last token, such as 12-17, rising from piece to piece; the "
+          "quotation has %zu piece%s",
+          item->n, plural_s((long long)item->n));
+    if (last - first + 1 != p->tokens.n)
+      return diag_at(d, item->src, f->value.begin, "%zu-%zu are %zu tokens, and %s %zu", first, last, last - first + 1,
+                     item->n == 1 ? "the quotation has" : "that piece of the quotation has", p->tokens.n);
     p->place = first;
     before = last;
   }
   if (!*s) return true;
-  diag_at(d, item->src, f->value.begin, "more places than the quotation has pieces, which are %zu", item->n);
-  return false;
+  return diag_at(d, item->src, f->value.begin, "more places than the quotation has pieces, which are %zu", item->n);
 }
 
 /* What the attribute of that name quotes, if it stands there. */
@@ -83,10 +79,7 @@ static bool add(struct quotations *q, enum quote_kind kind, const struct source 
   item.first = q->n_pieces;
   add_pieces(q, f->text);
   item.n = q->n_pieces - item.first;
-  if (item.n == 0) {
-    diag_at(d, src, f->value.begin, "nothing is quoted");
-    return false;
-  }
+  if (item.n == 0) return diag_at(d, src, f->value.begin, "nothing is quoted");
   if (place && !read_places(q, &item, place, d)) return false;
   *SS_PUSH(q->item, q->n, q->cap) = item;
   return true;

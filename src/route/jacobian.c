@@ -10,9 +10,9 @@ static bool find_point(struct point *p, const struct scene *s, const struct jaco
                        struct orbit_cache *cache, struct diag *d) {
   if (q->at_printed) {
     if (printed_point(p, s)) return true;
-    diag_set(d, "%s: error: --at printed needs z10 and z20 printed, and e1, e2, t_a, t_b, t_c and t_d printed or given",
-             s->path);
-    return false;
+    return diag_set(
+        d, "%s: error: --at printed needs z10 and z20 printed, and e1, e2, t_a, t_b, t_c and t_d printed or given",
+        s->path);
   }
   slong n = scene_orbits(s, cache)->n;
   p->kind = POINT_ORBIT;

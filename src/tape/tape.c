@@ -37,8 +37,7 @@ static bool add_const(slong *index, struct builder *b, const char *decimal) {
   fmpq_init(q);
   *index = t->n_consts++;
   if (num_parse_decimal(q, decimal, strlen(decimal)) == SS_OK) return true;
-  diag_set(b->d, "the number %.40s is too large to hold", decimal);
-  return false;
+  return diag_set(b->d, "the number %.40s is too large to hold", decimal);
 }
 
 slong tape_input(const struct tape *t, const char *name) {

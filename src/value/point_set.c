@@ -96,10 +96,7 @@ bool point_set(struct point *p, const char *at, struct diag *d) {
     const char *name;
     for (size_t i = 0; len < n && !ok && (name = settable_name(&i, p)) != NULL; i++) {
       if (strlen(name) != len || strncmp(name, s, len) != 0) continue;
-      if (is_told_before(at, s, len)) {
-        diag_set(d, "error: --at gives %s twice", name);
-        return false;
-      }
+      if (is_told_before(at, s, len)) return diag_set(d, "error: --at gives %s twice", name);
       ok = take(p, i, s + len + 1, n - len - 1, d);
       if (!ok) break;
     }
@@ -110,6 +107,5 @@ bool point_set(struct point *p, const char *at, struct diag *d) {
   }
   if (!point_of_model(p)) p->at = at;
   if (!point_of_model(p) || dyn_in_domain(p->q + Q_CHI, N_PARAMS)) return true;
-  diag_set(d, "error: --at leaves the domain 0 < chi < 1, eta, V, e1, e2 > 0");
-  return false;
+  return diag_set(d, "error: --at leaves the domain 0 < chi < 1, eta, V, e1, e2 > 0");
 }

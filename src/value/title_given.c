@@ -84,8 +84,7 @@ static bool complain(const struct title *t, const struct sentence_text *s, const
   size_t place = t->c->record->id.begin;
   if (s->field) place = s->field->value.begin;
   if (s->field && s->field->value.end - s->field->value.begin == strlen(s->text)) place += (size_t)(at - s->text);
-  diag_at(t->d, &t->c->file->src, place, what, t->c->id, which);
-  return false;
+  return diag_at(t->d, &t->c->file->src, place, what, t->c->id, which);
 }
 
 /* The slot that begins at p, up to its brace; where it ends, NULL with t->d set. */
