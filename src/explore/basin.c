@@ -13,6 +13,7 @@
 #include "motion/orbit_judge.h"
 #include "motion/return_map_double.h"
 #include "motion/warm.h"
+#include "num/solve.h"
 
 enum { BASIN_PREC = 96, MOST_DEPTH = 11, BISECTIONS = 8, FINE = 10, CANDIDATES = 16 };
 
@@ -65,33 +66,50 @@ static void field_clear(struct field *f) {
 
 /* --- One ball of t_b. --- */
 
-/* The only root t_c of z_1' = V near the first one of the midpoint, for every point of tb. */
-static bool enclose_tc(arb_t tc, struct field *f, const arb_t tb) {
-  struct calc *c = &f->c;
-  struct pass s;
-  struct ball_pass at, all;
-  return_map_double_pass(&s, &f->k, num_arb.get_d(tb), &dyn_limits_default);
-  if (s.status) return false;
-  slong mark = calc_mark(c);
-  arb_ptr mid = calc_new(c), ball = calc_new(c), next = calc_new(c);
-  arb_set_d(mid, s.tc);
-  ball_pass_slip(&at, c, &f->m, tb, mid);
-  arb_div(next, at.pc, at.wc, BASIN_PREC); /* z_1'' = -w */
-  arb_set(ball, mid);
-  arb_get_mag(arb_radref(ball), next);
-  bool proved = false;
-  for (int i = 0; i < 8 && !proved && !c->status && arb_is_finite(ball); i++) {
-    arb_add_error_2exp_si(ball, -BASIN_PREC + 16);
-    mag_mul_2exp_si(arb_radref(ball), arb_radref(ball), 1);
-    ball_pass_slip(&all, c, &f->m, tb, ball);
-    arb_div(next, at.pc, all.wc, BASIN_PREC);
-    arb_add(next, mid, next, BASIN_PREC);
-    proved = arb_is_finite(next) && arb_contains_interior(ball, next);
-  }
-  arb_set(tc, next);
+/* A time t, of phase H after t_b or t_b itself, as the unknown of one equation. */
+struct time {
+  struct field *f;
+  arb_srcptr tb; /* NULL: it is the unknown */
+  arb_srcptr r;  /* which is wanted at the stick phase then */
+  slong mark;    /* what lies above it in the calc belongs to one evaluation */
+};
+
+/* z_1' - V after t in phase H, whose derivative is -w; or r at the stick phase that leads to t_b = t, whose derivative
+   is z_1' - V, less that which is wanted. */
+static int values(const void **f, const void **j, const struct num_vec *t, void *self) {
+  const struct time *of = self;
+  struct calc *c = &of->f->c;
+  struct ball_pass s;
+  calc_release(c, of->mark);
+  c->status = SS_OK;
+  if (of->tb)
+    ball_pass_slip(&s, c, &of->f->m, of->tb, num_vec_at(t, 0));
+  else
+    ball_pass_slip(&s, c, &of->f->m, num_vec_at(t, 0), of->f->m.one);
+  if (f) f[0] = of->tb ? s.pc : calc_sub(c, s.r, of->r);
+  j[0] = of->tb ? calc_neg(c, s.wc) : s.pb;
+  return c->status;
+}
+
+/* The only root near t, for every point of what is given. */
+static bool enclose(arb_t t, struct time *of, double near) {
+  struct calc *c = &of->f->c;
+  const struct solve_system system = {1, values, of};
+  struct num_vec x = {num_ctx_arb(BASIN_PREC), 1, (char *)t};
+  slong mark = of->mark = calc_mark(c);
+  arb_set_d(t, near);
+  int status = of->tb ? SS_OK : newton_settle(&x, &system, 60);
+  if (!status) status = krawczyk_enclose(&x, NULL, &system);
   c->status = SS_OK;
   calc_release(c, mark);
-  return proved;
+  return status == SS_OK;
+}
+
+/* The only root t_c of z_1' = V near the first one of the midpoint, for every point of tb. */
+static bool enclose_tc(arb_t tc, struct field *f, const arb_t tb) {
+  struct pass s;
+  return_map_double_pass(&s, &f->k, num_arb.get_d(tb), &dyn_limits_default);
+  return s.status == SS_OK && enclose(tc, &(struct time){.f = f, .tb = tb}, s.tc);
 }
 
 /* Everything about the passes that start in tb, into f->o and f->word. */
@@ -151,37 +169,11 @@ static bool contracts(struct field *f, double low, double high, int depth) {
 
 /* --- An interval of r. --- */
 
-/* The t_b before the first crest at which the stick phase has this r: interval Newton on the rise. */
+/* The t_b before the first crest at which the stick phase has this r. */
 static bool time_of(arb_t tb, struct field *f, const arb_t r) {
   struct calc *c = &f->c;
   double near = return_map_double_time(&f->k, num_arb.get_d(calc_sub(c, calc_div(c, f->m.p[P_E2], f->m.p[P_CHI]), r)));
-  if (!(near > 0 && near < f->k.fall)) return false;
-  slong mark = calc_mark(c);
-  bool proved = false;
-  arb_set_d(tb, near);
-  for (int i = 0; i < 6 && !proved && !c->status; i++) {
-    struct ball_pass at, all;
-    arb_ptr ball = calc_new(c), next = calc_new(c);
-    ball_pass_slip(&at, c, &f->m, tb, f->m.one);
-    arb_sub(next, at.r, r, BASIN_PREC);
-    arb_div(next, next, at.pb, BASIN_PREC); /* dr/dt_b = z_1' - V */
-    arb_set(ball, tb);
-    arb_get_mag(arb_radref(ball), next);
-    mag_mul_2exp_si(arb_radref(ball), arb_radref(ball), 1);
-    arb_add_error_2exp_si(ball, -BASIN_PREC + 16);
-    ball_pass_slip(&all, c, &f->m, ball, f->m.one);
-    arb_sub(next, at.r, r, BASIN_PREC);
-    arb_div(next, next, all.pb, BASIN_PREC);
-    arb_sub(next, tb, next, BASIN_PREC);
-    proved = arb_is_finite(next) && arb_contains_interior(ball, next);
-    if (proved)
-      arb_set(tb, next);
-    else
-      arb_get_mid_arb(tb, next);
-  }
-  c->status = SS_OK;
-  calc_release(c, mark);
-  return proved;
+  return near > 0 && near < f->k.fall && enclose(tb, &(struct time){.f = f, .r = r}, near);
 }
 
 static void set_decimal(fmpq_t q, double x, slong places) {
