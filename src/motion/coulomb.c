@@ -63,19 +63,25 @@ double coulomb_scale(const double p[N_COULOMB], const double z[N_STATE]) {
   return fabs(z[Z_1]) + fabs(z[Z_2]) + p[COULOMB_V];
 }
 
-static int sign(double x) {
-  return (x > 0) - (x < 0);
+static int sign(double x, double tol) {
+  return (x > tol) - (x < -tol);
+}
+
+void coulomb_signs_d(struct coulomb_signs *s, const double p[N_COULOMB], const double z[N_STATE], double tol) {
+  double f[2];
+  coulomb_forces(f, p, z);
+  for (int i = 0; i < 2; i++) {
+    s->speed[i] = sign(z[DZ_1 + i] - p[COULOMB_V], tol);
+    s->pull[i] = sign(f[i], 0);
+    s->excess[i] = sign(fabs(f[i]) - p[COULOMB_UR1 + i], tol);
+  }
+  s->lead = s->speed[1] == 0 ? 1 : sign(p[COULOMB_V] - p[COULOMB_CHI] * z[DZ_2], tol); /* chi V < V */
+  s->drag = sign(f[1] + p[COULOMB_US2], tol);
 }
 
 void coulomb_law_d(enum coulomb_mode mode[2], const double p[N_COULOMB], const double z[N_STATE]) {
-  double f[2];
-  coulomb_forces(f, p, z);
-  struct coulomb_signs s = {.lead = sign(p[COULOMB_V] - p[COULOMB_CHI] * z[DZ_2]), .drag = sign(f[1] + p[COULOMB_US2])};
-  for (int i = 0; i < 2; i++) {
-    s.speed[i] = sign(z[DZ_1 + i] - p[COULOMB_V]);
-    s.pull[i] = sign(f[i]);
-    s.excess[i] = sign(fabs(f[i]) - p[COULOMB_UR1 + i]);
-  }
+  struct coulomb_signs s;
+  coulomb_signs_d(&s, p, z, 0);
   coulomb_law(mode, &s);
 }
 

@@ -14,6 +14,9 @@ struct coulomb_signs {
   int drag;      /* f_2 + u_s2, the sign of f_1'' where that rate is zero */
 };
 
+/* Of a state in doubles, of which tol is the rounding. */
+void coulomb_signs_d(struct coulomb_signs *s, const double params[N_COULOMB], const double state[N_STATE], double tol);
+
 enum move { MOVE_EVENT, MOVE_END, MOVE_QUIET, MOVE_BUDGET, MOVE_STOPPED, MOVE_FAILED };
 
 struct coulomb_run;

@@ -208,22 +208,11 @@ static void ode_row(void *self, struct coulomb_row *row, double t) {
   coulomb_forces(row->u, o->p, y);
 }
 
-static int sign(double x, double tol) {
-  return (x > tol) - (x < -tol);
-}
-
 static void ode_signs(void *self, struct coulomb_signs *s) {
   struct ode *o = self;
-  double f[2], belt = o->p[COULOMB_V];
-  coulomb_forces(f, o->p, o->y);
-  s->drag = sign(f[1] + o->p[COULOMB_US2], o->tol);
-  for (int i = 0; i < 2; i++) {
-    s->speed[i] = sign(o->y[DZ_1 + i] - belt, o->tol);
-    if (s->speed[i] == 0) o->y[DZ_1 + i] = belt;
-    s->pull[i] = sign(f[i], 0);
-    s->excess[i] = sign(fabs(f[i]) - o->p[COULOMB_UR1 + i], o->tol);
-  }
-  s->lead = s->speed[1] == 0 ? 1 : sign(belt - o->p[COULOMB_CHI] * o->y[DZ_2], o->tol); /* chi V < V */
+  coulomb_signs_d(s, o->p, o->y, o->tol);
+  for (int i = 0; i < 2; i++)
+    if (s->speed[i] == 0) o->y[DZ_1 + i] = o->p[COULOMB_V];
 }
 
 static bool all_finite(const double y[N_STATE]) {
