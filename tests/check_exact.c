@@ -98,7 +98,7 @@ enum { ATOMS = 8 };
 /* chi, eta, V, t, sin t, cos t, sqrt(chi eta), 2/3 as elements and as balls. */
 static void make_atoms(element *atom, arb_ptr ball, struct values_of *v, struct exact_field *f, struct rng *r) {
   static const char *const names[] = {"chi", "eta", "V", "t"};
-  for (int i = 0; i < ATOMS; i++) exact_init(&atom[i], f);
+  for (int i = 0; i < ATOMS; i++) exact_init(&atom[i]);
   for (int i = 0; i < 4; i++) {
     ck_assert_int_eq(exact_symbol(&atom[i], f, names[i]), SS_OK);
     arb_set_si(ball + i, rng_between(r, 1, 60));
@@ -136,7 +136,7 @@ static void random_element(element *z, arb_t ball, struct exact_field *f, const 
   arb_set(ball, balls + i);
   element next;
   arb_t b;
-  exact_init(&next, f);
+  exact_init(&next);
   arb_init(b);
   for (slong k = rng_between(r, 1, 4); k > 0; k--) {
     i = rng_between(r, 0, ATOMS - 1);
@@ -145,7 +145,7 @@ static void random_element(element *z, arb_t ball, struct exact_field *f, const 
     arb_swap(ball, b);
   }
   arb_clear(b);
-  exact_clear(&next, f);
+  exact_clear(&next);
 }
 
 static void calculate(element *z, struct exact_field *f, num_binary op, const element *x, const element *y) {
@@ -163,10 +163,10 @@ START_TEST(a_field_and_its_values) {
     arb_ptr balls = _arb_vec_init(ATOMS + 4);
     values_open(&v);
     make_atoms(atom, balls, &v, f, &r);
-    exact_init(&a, f);
-    exact_init(&b, f);
+    exact_init(&a);
+    exact_init(&b);
     for (int i = 0; i < 3; i++) {
-      exact_init(&x[i], f);
+      exact_init(&x[i]);
       random_element(&x[i], balls + ATOMS + i, f, atom, balls, &r);
       element_at(balls + ATOMS + 3, &x[i], &v);
       ck_assert_msg(arb_overlaps(balls + ATOMS + 3, balls + ATOMS + i), "trial %d: the element has another value",
@@ -188,16 +188,16 @@ START_TEST(a_field_and_its_values) {
     calculate(&x[1], f, num_exact.mul, &x[1], &x[2]);
     calculate(&b, f, num_exact.add, &b, &x[1]);
     ck_assert(exact_equal(f, &a, &b));
-    ck_assert(exact_sub(&b, f, &a, &b) && exact_is_zero(f, &b));
-    if (exact_is_zero(f, &a))
+    ck_assert(exact_sub(&b, f, &a, &b) && exact_is_zero(&b));
+    if (exact_is_zero(&a))
       ck_assert_int_eq(num_exact.div(&b, &x[0], &a, 0), SS_DOMAIN);
     else
       calculate(&b, f, num_exact.div, &a, &a);
-    if (!exact_is_zero(f, &a)) ck_assert(exact_sub(&b, f, &b, &b) && exact_is_zero(f, &b));
-    for (int i = 0; i < 3; i++) exact_clear(&x[i], f);
-    for (int i = 0; i < ATOMS; i++) exact_clear(&atom[i], f);
-    exact_clear(&b, f);
-    exact_clear(&a, f);
+    if (!exact_is_zero(&a)) ck_assert(exact_sub(&b, f, &b, &b) && exact_is_zero(&b));
+    for (int i = 0; i < 3; i++) exact_clear(&x[i]);
+    for (int i = 0; i < ATOMS; i++) exact_clear(&atom[i]);
+    exact_clear(&b);
+    exact_clear(&a);
     values_close(&v);
     _arb_vec_clear(balls, ATOMS + 4);
     exact_field_free(f);
@@ -231,15 +231,15 @@ START_TEST(derivatives_by_the_rules) {
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     struct exact_field *f = exact_field_new(NULL, 0);
     element x, y;
-    exact_init(&x, f);
-    exact_init(&y, f);
+    exact_init(&x);
+    exact_init(&y);
     ck_assert(value_in(&x, f, rows[i][0]) == SS_OK && value_in(&y, f, rows[i][1]) == SS_OK);
     ck_assert_int_eq(exact_derivative(&x, f, &x, "t"), SS_OK);
     ck_assert_msg(exact_equal(f, &x, &y), "the derivative of %s is %s", rows[i][0], rows[i][1]);
     ck_assert(value_in(&x, f, "sqrt(t)*chi") == SS_OK);
     ck_assert_int_eq(exact_derivative(&x, f, &x, "t"), SS_UNABLE);
-    exact_clear(&y, f);
-    exact_clear(&x, f);
+    exact_clear(&y);
+    exact_clear(&x);
     exact_field_free(f);
   }
 }
@@ -267,12 +267,12 @@ START_TEST(half_turns_and_roots_of_quotients) {
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     struct exact_field *f = exact_field_new(NULL, 0);
     element x, y;
-    exact_init(&x, f);
-    exact_init(&y, f);
+    exact_init(&x);
+    exact_init(&y);
     ck_assert(value_in(&x, f, rows[i].left) == SS_OK && value_in(&y, f, rows[i].right) == SS_OK);
     ck_assert_msg(exact_equal(f, &x, &y) == rows[i].equal, "%s and %s", rows[i].left, rows[i].right);
-    exact_clear(&y, f);
-    exact_clear(&x, f);
+    exact_clear(&y);
+    exact_clear(&x);
     exact_field_free(f);
   }
 }
@@ -288,13 +288,13 @@ START_TEST(witnesses_of_roots_of_quotients) {
     element x;
     char whole[32], root[32];
     text_init(&t);
-    exact_init(&x, f);
+    exact_init(&x);
     ck_assert(value_in(&x, f, rows[i][0]) == SS_OK && exact_independent(f) && exact_witness(&t, f, &x));
     const char *at = strstr(text_str(&t), "sqrt(");
     ck_assert_msg(at && sscanf(text_str(&t), "%31s", whole) == 1 && sscanf(at, rows[i][1], root) == 1, "%s",
                   text_str(&t));
     ck_assert_msg(strcmp(whole, root) == 0 && *root != '-', "%s", text_str(&t));
-    exact_clear(&x, f);
+    exact_clear(&x);
     text_clear(&t);
     exact_field_free(f);
   }
@@ -324,13 +324,13 @@ START_TEST(differences_with_a_rational_point) {
     fmpq_init(one);
     fmpq_one(one);
     text_init(&t);
-    exact_init(&x, f);
-    ck_assert(value_in(&x, f, rows[i].text) == SS_OK && !exact_is_zero(f, &x));
+    exact_init(&x);
+    ck_assert(value_in(&x, f, rows[i].text) == SS_OK && !exact_is_zero(&x));
     ck_assert_msg(exact_independent(f) == rows[i].independent, "%s", rows[i].text);
     ck_assert_msg(exact_vanishes_at(f, &x, "V", one) == rows[i].at_one, "%s", rows[i].text);
     ck_assert_msg(!rows[i].independent || (exact_witness(&t, f, &x) && strstr(text_str(&t), " at ")), "%s",
                   rows[i].text);
-    exact_clear(&x, f);
+    exact_clear(&x);
     text_clear(&t);
     fmpq_clear(one);
     exact_field_free(f);
@@ -346,9 +346,9 @@ START_TEST(the_budget_ends_it) {
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
     struct exact_field *f = exact_field_new(NULL, 0);
     element x;
-    exact_init(&x, f);
+    exact_init(&x);
     ck_assert_msg(value_in(&x, f, texts[i]) == SS_UNABLE, "%s", texts[i]);
-    exact_clear(&x, f);
+    exact_clear(&x);
     exact_field_free(f);
   }
 }
@@ -377,9 +377,9 @@ static void bind_ball(arb_t z, struct values *v, const char *name) {
 
 static void assign_symbol(struct values_of *g, struct exact_motion *m, const char *name, const arb_t x) {
   element e;
-  exact_init(&e, m->field);
+  exact_init(&e);
   if (exact_symbol(&e, m->field, name) == SS_OK) assign(g, &e, x);
-  exact_clear(&e, m->field);
+  exact_clear(&e);
 }
 
 /* sin and cos of w u, where w and u are generators or 1. */
@@ -390,7 +390,7 @@ static void assign_angle(struct values_of *g, struct exact_motion *m, const elem
   arb_init(x);
   arb_init(s);
   arb_init(c);
-  for (int i = 0; i < 3; i++) exact_init(&e[i], m->field);
+  for (int i = 0; i < 3; i++) exact_init(&e[i]);
   arb_mul(x, u, w_ball, PREC);
   arb_sin_cos(s, c, x, PREC);
   if (exact_symbol(&e[0], m->field, time) == SS_OK && (!w || num_exact.mul(&e[0], &e[0], w, 0) == SS_OK) &&
@@ -398,7 +398,7 @@ static void assign_angle(struct values_of *g, struct exact_motion *m, const elem
     assign(g, &e[1], s);
     assign(g, &e[2], c);
   }
-  for (int i = 0; i < 3; i++) exact_clear(&e[i], m->field);
+  for (int i = 0; i < 3; i++) exact_clear(&e[i]);
   arb_clear(c);
   arb_clear(s);
   arb_clear(x);
@@ -431,7 +431,7 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
   arb_sqrt(w[2], w[2], PREC);
   arb_one(w[3]);
   element omega;
-  exact_init(&omega, m->field);
+  exact_init(&omega);
   ck_assert_int_eq(num_exact.mul(&omega, num_vec_at(&m->params, P_CHI), num_vec_at(&m->params, P_ETA), 0), SS_OK);
   bool room = exact_sqrt(&omega, m->field, &omega) == SS_OK;
   if (room) assign(g, &omega, w[2]);
@@ -446,7 +446,7 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
       if ((phase == PHASE_GAMMA && i == 3) || (phase == PHASE_H && i < 2) || (phase == PHASE_C && i == 2 && room))
         assign_angle(g, m, frequency[i], w[i], times[k], x);
   }
-  exact_clear(&omega, m->field);
+  exact_clear(&omega);
   for (int i = 0; i < 4; i++) arb_clear(w[i]);
   arb_clear(x);
 }
@@ -464,7 +464,7 @@ static void compare_motion(struct values *v, const struct exact_attempt *a, enum
   element e[N_MOTION_NAMES];
   int status[N_MOTION_NAMES], compared = 0;
   for (int i = 0; i < N_MOTION_NAMES; i++) {
-    exact_init(&e[i], m.field);
+    exact_init(&e[i]);
     status[i] = exact_motion_bind(&e[i], m.field, motion_names[i], &m);
   }
   assign_all(&g, &m, v, tau);
@@ -476,7 +476,7 @@ static void compare_motion(struct values *v, const struct exact_attempt *a, enum
                     a->anchor, (int)a->tangents);
       compared++;
     }
-    exact_clear(&e[i], m.field);
+    exact_clear(&e[i]);
   }
   ck_assert_int_ge(compared, N_MOTION_NAMES - 10); /* tangents by L from a chain outgrow the budget towards the end */
   exact_motion_clear(&m);
@@ -537,8 +537,8 @@ START_TEST(perturbations_at_patched_points) {
     sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED});
     sampler_next(&p, &s);
     exact_motion_init(&m, &a, &spec, &nothing);
-    exact_init(&e, m.field);
-    exact_init(&own, m.field);
+    exact_init(&e);
+    exact_init(&own);
     ck_assert_int_eq(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), the_paper.cache), SS_OK);
     for (int i = 0; i < N_MOTION_NAMES; i++) {
       int index;
@@ -546,12 +546,12 @@ START_TEST(perturbations_at_patched_points) {
       bind_ball(x, &v, motion_names[i]);
       ck_assert_int_eq(exact_motion_bind(&e, m.field, motion_names[i], &m), SS_OK);
       ck_assert_int_eq(exact_symbol(&own, m.field, motion_names[i]), SS_OK);
-      ck_assert_msg(exact_is_zero(m.field, &e) == (bool)arb_is_zero(x), "%s", motion_names[i]);
-      ck_assert_msg(exact_is_zero(m.field, &e) || exact_equal(m.field, &e, &own), "%s", motion_names[i]);
+      ck_assert_msg(exact_is_zero(&e) == (bool)arb_is_zero(x), "%s", motion_names[i]);
+      ck_assert_msg(exact_is_zero(&e) || exact_equal(m.field, &e, &own), "%s", motion_names[i]);
     }
     values_clear(&v);
-    exact_clear(&own, m.field);
-    exact_clear(&e, m.field);
+    exact_clear(&own);
+    exact_clear(&e);
     exact_motion_clear(&m);
     point_clear(&p);
     arb_clear(x);

@@ -44,7 +44,7 @@ static bool same_relation(struct exact_field *f, const struct sentence *sa, cons
   if (exact_sub(x, f, num_vec_at(a, i), num_vec_at(a, sa->n + i)) &&
       exact_sub(y, f, num_vec_at(b, k), num_vec_at(b, sb->n + k)))
     sign = exact_ratio_sign(f, x, y, name_param, N_PARAMS); /* which the domain of the claims keeps positive */
-  bool both_zero = exact_is_zero(f, x) && exact_is_zero(f, y);
+  bool both_zero = exact_is_zero(x) && exact_is_zero(y);
   calc_clear(&c);
   enum relop op_a = sa->ops[i], op_b = sb->ops[k];
   if (sign == 0 || (both_zero && op_a != op_b)) return false;

@@ -41,7 +41,7 @@ static bool follows_at(const struct condition *goal, const struct conditions *pr
   bool ok = exact_margin(margin, &m, &goal->s.tape);
   if (ok && rate) ok = exact_derivative(margin, m.field, margin, "tau") == SS_OK;
   if (ok && goal->equality)
-    ok = exact_is_zero(m.field, margin);
+    ok = exact_is_zero(margin);
   else if (ok)
     ok = exact_follows(&m, margin, &facts, collect(&facts, &m, premises));
   exact_motion_clear(&m);
@@ -76,7 +76,7 @@ int exact_friction_slope(const struct condition *cond, int i) {
   int slope = -1;
   if (exact_margin(margin, &m, &cond->s.tape) &&
       exact_derivative(margin, m.field, margin, i ? "u_s2" : "u_s1") == SS_OK)
-    slope = exact_is_zero(m.field, margin) ? 0 : exact_follows(&m, margin, &none, 0) ? 1 : -1;
+    slope = exact_is_zero(margin) ? 0 : exact_follows(&m, margin, &none, 0) ? 1 : -1;
   exact_motion_clear(&m);
   return slope;
 }

@@ -75,7 +75,7 @@ static bool limit_rises(enum phase ph, int mass) {
   int n = exact_law_margins(&law, bound, &m), i = find(bound, n, mass, false, false);
   if (i >= 0) m.c.status |= exact_derivative(rate, m.field, num_vec_at(&law, i), "tau");
   val rises = calc_neg(&m.c, rate); /* as u_ri - f_i falls */
-  bool ok = i >= 0 && m.c.status == SS_OK && (exact_is_zero(m.field, rises) || exact_follows(&m, rises, &law, n));
+  bool ok = i >= 0 && m.c.status == SS_OK && (exact_is_zero(rises) || exact_follows(&m, rises, &law, n));
   exact_motion_clear(&m);
   return ok;
 }

@@ -69,8 +69,8 @@ void exact_orbit_init(struct exact_motion *m, enum phase ph, int anchor, enum ex
 /* --- What follows --- */
 
 /* A product of what is positive, or zero. */
-static bool is_rest(struct exact_motion *m, const element *x, const struct num_vec *positive, int n) {
-  return exact_is_zero(m->field, x) || exact_product_sign(x, num_vec_at(positive, 0), n) > 0;
+static bool is_rest(const element *x, const struct num_vec *positive, int n) {
+  return exact_is_zero(x) || exact_product_sign(x, num_vec_at(positive, 0), n) > 0;
 }
 
 bool exact_follows(struct exact_motion *m, const element *x, const struct num_vec *facts, int n) {
@@ -85,7 +85,7 @@ bool exact_follows(struct exact_motion *m, const element *x, const struct num_ve
     for (int k = 0; !yes && k < N_FACTORS; k++) {
       c.status = SS_OK;
       val rest = calc_sub(&c, x, calc_mul(&c, factor[k], at(facts, i)));
-      yes = c.status == SS_OK && is_rest(m, rest, &positive, n_positive);
+      yes = c.status == SS_OK && is_rest(rest, &positive, n_positive);
       calc_release(&c, mark);
     }
   calc_clear(&c);

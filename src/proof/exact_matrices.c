@@ -77,7 +77,7 @@ static bool hands_over(struct exact_motion *m, int phase) {
       for (int i = 0; i < 4; i++) calc_store(&c, at(&v, i), calc_sub(&c, at(&v, i), calc_mul(&c, at(&w, i), by)));
     }
     for (int i = 0; i < 4; i++)
-      if (!exact_is_zero(m->field, at(&v, i))) c.status |= SS_UNABLE;
+      if (!exact_is_zero(at(&v, i))) c.status |= SS_UNABLE;
   }
   calc_clear(&c);
   return c.status == SS_OK;

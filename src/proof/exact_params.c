@@ -59,7 +59,7 @@ static bool is_frequency(struct exact_motion *m, const element *w) {
   for (int i = 0; i < 4; i += 3) s |= num_exact.sub(at(&k, i), at(&k, i), at(&det, 0), 0);
   s |= num_mat_det(at(&det, 0), &k, 2);
   s |= exact_reduce(at(&det, 0), m->field);
-  return s == SS_OK && exact_is_zero(m->field, at(&det, 0));
+  return s == SS_OK && exact_is_zero(at(&det, 0));
 }
 
 /* chi eta = w1^2 + w2^2 - 1 and chi = (1 - w1^2)(w2^2 - 1)/(chi eta): the trace and the determinant of K solved for chi

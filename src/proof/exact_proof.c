@@ -61,7 +61,7 @@ static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion
 /* Does the step hold, an inequality because the difference of its sides is positive by what is known to be? */
 static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d) {
   enum relop op = b->s->ops[i];
-  if (op == REL_EQ) return exact_is_zero(m->field, d);
+  if (op == REL_EQ) return exact_is_zero(d);
   struct calc c = exact_calc(m->field);
   struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
   int n = exact_law_margins(&law, NULL, m);

@@ -28,7 +28,7 @@ static int frequencies(element *w[2], struct exact_motion *m, enum phase ph, str
 
 /* cos(w u) and sin(w u)/w, at w = 0: 1 and u; at u = NULL, for 0: 1 and 0. */
 static int pair_of(element *c, element *s, struct exact_motion *m, const element *w, const element *u) {
-  if (!u || exact_is_zero(m->field, w)) {
+  if (!u || exact_is_zero(w)) {
     if (u) num_exact.set(s, u);
     return num_exact.set_d(c, 1, 0);
   }
@@ -93,7 +93,7 @@ static bool solves(struct exact_motion *m, enum phase ph) {
   if (s == SS_OK) s = propagator_law(&rest, &p, &rate, &start, &a);
   if (s == SS_OK) s = motion_reduce(&rest, m);
   bool ok = s == SS_OK;
-  for (int i = 0; ok && i < PROPAGATOR_LAW; i++) ok = exact_is_zero(m->field, at(&rest, i));
+  for (int i = 0; ok && i < PROPAGATOR_LAW; i++) ok = exact_is_zero(at(&rest, i));
   return ok;
 }
 

@@ -90,7 +90,7 @@ val range_swing(struct calc *c, const val part[N_RANGE_PARTS], val x, val sine, 
 }
 
 static bool swings(struct on_motion *s, const struct range_form *form, val level) {
-  if (form->there[RANGE_DRIFT] || !exact_is_zero(s->m.field, level)) return false;
+  if (form->there[RANGE_DRIFT] || !exact_is_zero(level)) return false;
   if (form->premise && (form->there[RANGE_EVEN] || !form->premise->strict)) return false;
   return form->premise ? is_product(&s->m, s->part[RANGE_ODD], s->premise)
                        : is_positive(&s->m, s->part[RANGE_ODD]) &&
@@ -104,7 +104,7 @@ static bool stays(struct on_motion *s, const struct condition *goal, const struc
   if (form->there[RANGE_EVEN] && !grows) return false;
   for (int i = RANGE_EVEN; i < N_RANGE_PARTS; i++)
     if (form->there[i] && !is_positive(&s->m, s->part[i])) return false;
-  if (!form->premise) return grows && exact_is_zero(s->m.field, level);
+  if (!form->premise) return grows && exact_is_zero(level);
   return is_product(&s->m, level, s->premise) &&
          (grows ? goal->moving && !form->premise->strict : form->premise->strict);
 }
@@ -125,7 +125,7 @@ static bool ends_at_zero(const struct condition *goal, int anchor) {
   struct exact_motion m;
   exact_orbit_init(&m, goal->phase, anchor, TIME_END, false);
   element *margin = calc_new(&m.c);
-  bool zero = exact_margin(margin, &m, &goal->s.tape) && exact_is_zero(m.field, margin);
+  bool zero = exact_margin(margin, &m, &goal->s.tape) && exact_is_zero(margin);
   exact_motion_clear(&m);
   return zero;
 }

@@ -62,7 +62,7 @@ static void eliminate(struct elimination *e) {
 static const element *left_over(const struct elimination *e) {
   for (int i = 0; i < e->rows; i++)
     for (int k = 0; !e->used[i] && k < e->cols; k++)
-      if (!exact_is_zero(e->field, entry(e, i, k))) return entry(e, i, k);
+      if (!exact_is_zero(entry(e, i, k))) return entry(e, i, k);
   return NULL;
 }
 

@@ -171,7 +171,7 @@ static int any_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
   int s = k > 0 ? motion_system(&a, m, (enum phase)(k - 1)) : SS_OK;
   for (int i = 0; i < N_STATE; i++) {
     bool sticks = k > 0 && i >= DZ_1;
-    for (int c = 0; sticks && c < N_STATE; c++) sticks = exact_is_zero(m->field, at(&a, 4 * i + c));
+    for (int c = 0; sticks && c < N_STATE; c++) sticks = exact_is_zero(at(&a, 4 * i + c));
     s |= sticks ? num_exact.set_d(at(dz, i), 0, 0) : exact_symbol(at(dz, i), m->field, name_tangent[k][i]);
   }
   return s;

@@ -121,7 +121,7 @@ static int repeated(struct text *note, struct exact_field *f, const struct num_v
   int n = 0;
   for (slong i = 1; i < v->len; i++) {
     slong k = 0;
-    while (k < i && !(status[i] == SS_OK && status[k] == SS_OK && !exact_is_zero(f, at(v, i)) &&
+    while (k < i && !(status[i] == SS_OK && status[k] == SS_OK && !exact_is_zero(at(v, i)) &&
                       exact_ratio_sign(f, at(v, i), at(v, k), NULL, 0)))
       k++;
     if (k == i) continue;

@@ -23,7 +23,7 @@ static int sign_of(const element *x, struct exact_motion *m) {
 static bool same_but_for_units(const element *x, const element *y, struct exact_motion *m) {
   element *xx = calc_new(&m->c), *yy = calc_new(&m->c);
   return motion_op(num_exact.mul, xx, m, x, x) == SS_OK && motion_op(num_exact.mul, yy, m, y, y) == SS_OK &&
-         !exact_is_zero(m->field, yy) && exact_ratio_sign(m->field, xx, yy, name_param, P_V + 1) != 0;
+         !exact_is_zero(yy) && exact_ratio_sign(m->field, xx, yy, name_param, P_V + 1) != 0;
 }
 
 /* Does the tape divide by x, which then is not zero where the tape has a value? */
@@ -176,7 +176,7 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
     struct calc c = exact_calc(f);
     struct num_vec sides, of_chain;
     int status = exact_eval(&sides, &c, f, &s.tape) | exact_eval(&of_chain, &c, f, &t);
-    ok = status == SS_OK && exact_is_zero(f, at(&of_chain, 1)) && says_inside(f, &s, &sides, at(&of_chain, 0));
+    ok = status == SS_OK && exact_is_zero(at(&of_chain, 1)) && says_inside(f, &s, &sides, at(&of_chain, 0));
     calc_clear(&c);
     exact_field_free(f);
   }

@@ -168,8 +168,8 @@ static bool has_sign(const struct tape *t, bool modes, bool root) {
   exact_motion_free(&m, modes, 4, t);
   exact_field_bind(m.field, bind, &m);
   element *x = calc_new(&m.c);
-  bool yes = exact_margin(x, &m, t) && (root || motion_op(num_exact.mul, x, &m, x, x) == SS_OK) &&
-             !exact_is_zero(m.field, x) && sign_of(x, &m) > 0;
+  bool yes = exact_margin(x, &m, t) && (root || motion_op(num_exact.mul, x, &m, x, x) == SS_OK) && !exact_is_zero(x) &&
+             sign_of(x, &m) > 0;
   exact_motion_clear(&m);
   return yes;
 }
@@ -196,7 +196,7 @@ static bool energy_is_kept(struct exact_motion *m) {
   if (c.status == SS_OK) c.status = motion_rate(&g, m, PHASE_GAMMA, &f);
   val v = calc_sub(&c, at(&z, DZ_1), calc_mul(&c, at(&m->params, P_CHI), at(&m->params, P_V)));
   val sum = calc_add(&c, at(&g, DZ_1), v);
-  bool kept = c.status == SS_OK && exact_is_zero(m->field, sum);
+  bool kept = c.status == SS_OK && exact_is_zero(sum);
   calc_clear(&c);
   return kept;
 }
@@ -212,8 +212,8 @@ const char *first_mass_is_slower(void) {
   /* with z_1' = V again, z_1''^2 = e_1^2 */
   val v = calc_mul(&m.c, at(&m.params, P_V), calc_sub(&m.c, calc_d(&m.c, 1), at(&m.params, P_CHI)));
   val left = calc_sub(&m.c, calc_sub(&m.c, at_start, calc_mul(&m.c, v, v)), calc_mul(&m.c, e1, e1));
-  bool ok = m.c.status == SS_OK && exact_is_zero(m.field, left) && energy_is_kept(&m) &&
-            continuous(&m, 2, PHASE_GAMMA, PHASE_H, DZ_1);
+  bool ok =
+      m.c.status == SS_OK && exact_is_zero(left) && energy_is_kept(&m) && continuous(&m, 2, PHASE_GAMMA, PHASE_H, DZ_1);
   exact_motion_clear(&m);
   return ok ? "z_1' < V at t_a + t_b, since with z_1' = V there z_1'' would be e_1 or -e_1 and z_1' would exceed V "
               "just "
@@ -228,7 +228,7 @@ static bool second_mass_would_stay(struct exact_motion *m) {
   num_exact.set(at(&z, Z_2), at(&z, Z_1));
   for (int i = DZ_1; i <= DZ_2; i++) num_exact.set(at(&z, i), at(&m->params, P_V));
   if (s == SS_OK) s = motion_rate(&f, m, PHASE_C, &z);
-  return s == SS_OK && exact_is_zero(m->field, at(&f, DZ_2)) && exact_equal(m->field, at(&f, Z_1), at(&f, Z_2));
+  return s == SS_OK && exact_is_zero(at(&f, DZ_2)) && exact_equal(m->field, at(&f, Z_1), at(&f, Z_2));
 }
 
 const char *second_mass_is_slower(void) {
@@ -257,7 +257,7 @@ static bool is_factor(const struct tape *t, int state, int component, int anchor
   element *x = calc_new(&m.c), *slower = calc_new(&m.c);
   bool yes = exact_margin(x, &m, t) && motion_state(&z, &m, state) == SS_OK &&
              motion_op(num_exact.sub, slower, &m, at(&m.params, P_V), at(&z, component)) == SS_OK &&
-             !exact_is_zero(m.field, x) && divides(x, slower, &m);
+             !exact_is_zero(x) && divides(x, slower, &m);
   exact_motion_clear(&m);
   return yes;
 }
@@ -268,8 +268,8 @@ static bool has_touch(const struct tape *t) {
   exact_motion_free(&m, false, 4, t);
   element *x = calc_new(&m.c);
   struct num_vec f = calc_vec(&m.c, 4);
-  bool yes = exact_margin(x, &m, t) && motion_rate_at(&f, &m, 3, PHASE_H) == SS_OK &&
-             !exact_is_zero(m.field, at(&f, DZ_1)) && divides(at(&f, DZ_1), x, &m);
+  bool yes = exact_margin(x, &m, t) && motion_rate_at(&f, &m, 3, PHASE_H) == SS_OK && !exact_is_zero(at(&f, DZ_1)) &&
+             divides(at(&f, DZ_1), x, &m);
   exact_motion_clear(&m);
   return yes;
 }

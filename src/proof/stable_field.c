@@ -67,13 +67,13 @@ static int bind(element *z, struct exact_field *f, const char *name, void *stabl
 }
 
 /* All the elements of the field that it owns. */
-static void each_element(struct stable_field *s, void (*act)(element *x, const struct exact_field *f)) {
-  for (int i = 0; i < 2; i++) act(&s->frequency[i], s->field);
-  act(&s->chi, s->field);
-  act(&s->eta, s->field);
-  act(&s->g_1, s->field);
-  for (int i = 0; i < N_POSITIVE; i++) act(&s->positive[i], s->field);
-  for (int i = 0; i < N_TIMES * N_ANGLES; i++) act(&s->angle[i], s->field);
+static void each_element(struct stable_field *s, void (*act)(element *x)) {
+  for (int i = 0; i < 2; i++) act(&s->frequency[i]);
+  act(&s->chi);
+  act(&s->eta);
+  act(&s->g_1);
+  for (int i = 0; i < N_POSITIVE; i++) act(&s->positive[i]);
+  for (int i = 0; i < N_TIMES * N_ANGLES; i++) act(&s->angle[i]);
 }
 
 void stable_field_make(struct stable_field *s, slong unit) {

@@ -25,13 +25,13 @@ static int power(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly
   enum { MAX_POWER = 16 };
   if (n < -MAX_POWER || n > MAX_POWER) return SS_UNABLE;
   fmpz_mpoly_q_struct r;
-  exact_init(&r, f);
+  exact_init(&r);
   fmpz_mpoly_q_set_si(&r, 1, ring());
   int s = SS_OK;
   for (slong i = 0; s == SS_OK && i < labs(n); i++)
     s = exact_apply(n < 0 ? num_exact.div : num_exact.mul, &r, f, &r, x);
   fmpz_mpoly_q_swap(z, &r, ring());
-  exact_clear(&r, f);
+  exact_clear(&r);
   return s;
 }
 
@@ -99,7 +99,7 @@ int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exa
   int *s = ss_malloc((size_t)(t->n + 1) * sizeof *s), all = SS_OK;
   bool *needed = reached(t, wanted);
   for (slong i = 0; i < t->n; i++) {
-    exact_init(&reg[i], f);
+    exact_init(&reg[i]);
     s[i] = SS_UNABLE;
     if (!needed[i]) continue;
     s[i] = tape_inherited(t, i, s);
@@ -114,7 +114,7 @@ int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exa
     all |= status[i];
     if (status[i] == SS_OK) num_exact.set(num_vec_at(out, i), &reg[t->outputs[i]]);
   }
-  for (slong i = 0; i < t->n; i++) exact_clear(&reg[i], f);
+  for (slong i = 0; i < t->n; i++) exact_clear(&reg[i]);
   free(needed);
   free(s);
   free(reg);

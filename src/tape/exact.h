@@ -83,13 +83,13 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
 /* The sign of a product of a rational number and of powers of some of these elements, which must be positive
    polynomials; 0 when x is not known to be one. */
 int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n);
-bool exact_is_zero(const struct exact_field *f, const fmpz_mpoly_q_struct *x);
+bool exact_is_zero(const fmpz_mpoly_q_struct *x);
 bool exact_equal(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y);
 /* z = x - y; false when it grows too large. */
 bool exact_sub(fmpz_mpoly_q_struct *z, const struct exact_field *f, const fmpz_mpoly_q_struct *x,
                const fmpz_mpoly_q_struct *y);
-void exact_init(fmpz_mpoly_q_struct *x, const struct exact_field *f);
-void exact_clear(fmpz_mpoly_q_struct *x, const struct exact_field *f);
+void exact_init(fmpz_mpoly_q_struct *x);
+void exact_clear(fmpz_mpoly_q_struct *x);
 
 /* Rational values of the generators, which obey the relations, at which x is defined and not zero, as "chi = 1/2, ...",
    and x there.  false when none was found among a few hundred. */

@@ -33,7 +33,7 @@ static bool take_half_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f)
   fmpz_mpoly_q_struct turns;
   fmpz_t k;
   fmpz_init(k);
-  exact_init(&turns, f);
+  exact_init(&turns);
   fmpz_mpoly_init(rate, ring());
   fmpz_mpoly_derivative(rate, &x->num, variable(i), ring());
   if (fmpz_mpoly_divides(rate, rate, &x->den, ring()) && fmpz_mpoly_is_fmpz(rate, ring())) {
@@ -44,7 +44,7 @@ static bool take_half_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f)
   }
   bool odd = fmpz_is_odd(k);
   fmpz_mpoly_clear(rate, ring());
-  exact_clear(&turns, f);
+  exact_clear(&turns);
   fmpz_clear(k);
   return odd;
 }
@@ -54,7 +54,7 @@ static int own_angle(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exac
   fmpz_mpoly_q_struct arg;
   int status = SS_OK;
   bool negative = false;
-  exact_init(&arg, f);
+  exact_init(&arg);
   fmpz_mpoly_q_set(&arg, x, ring());
   bool odd = take_half_turns(&arg, f);
   if (fmpz_mpoly_q_is_zero(&arg, ring())) {
@@ -67,7 +67,7 @@ static int own_angle(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exac
   }
   if (negative != odd) fmpz_mpoly_q_neg(s, s, ring());
   if (odd) fmpz_mpoly_q_neg(c, c, ring());
-  exact_clear(&arg, f);
+  exact_clear(&arg);
   return status;
 }
 
@@ -193,7 +193,7 @@ static bool may_vanish(const struct exact_field *f, const fmpz_mpoly_q_struct *x
     conjugate_of(&conjugate->num, &p->num, variable(i));
     p = calc_mul(&c, p, conjugate);
   }
-  bool may = c.status != SS_OK || exact_is_zero(f, p);
+  bool may = c.status != SS_OK || exact_is_zero(p);
   calc_clear(&c);
   return may;
 }

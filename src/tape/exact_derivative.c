@@ -29,9 +29,9 @@ static val generator_rate(struct calc *c, struct exact_field *f, slong i, const 
   bool smooth = g->op == TAPE_sin || g->op == TAPE_cos || g->op == TAPE_exp;
   for (slong k = 0; c->status == SS_OK && k < g->n_args; k++) {
     c->status = exact_derivative(rate, f, &g->args[k], name);
-    if (c->status == SS_OK && !exact_is_zero(f, rate) && !smooth) c->status = SS_UNABLE;
+    if (c->status == SS_OK && !exact_is_zero(rate) && !smooth) c->status = SS_UNABLE;
   }
-  if (c->status != SS_OK || exact_is_zero(f, rate)) return rate;
+  if (c->status != SS_OK || exact_is_zero(rate)) return rate;
   if (g->op == TAPE_exp) {
     fmpz_mpoly_q_gen(sine, variable(i), ring());
     return calc_mul(c, rate, sine);
@@ -48,7 +48,7 @@ int exact_derivative(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_m
   for (slong i = 0; c.status == SS_OK && i < f->n; i++) {
     if (!used[variable(i)]) continue;
     val rate = generator_rate(&c, f, i, name);
-    if (c.status != SS_OK || exact_is_zero(f, rate)) continue;
+    if (c.status != SS_OK || exact_is_zero(rate)) continue;
     fmpz_mpoly_q_struct *slope = calc_new(&c);
     partial(slope, x, variable(i));
     c.status = exact_reduce(slope, f);

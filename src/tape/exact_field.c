@@ -44,20 +44,18 @@ slong exact_largest(const struct exact_field *f) {
   return f->largest;
 }
 
-void exact_init(fmpz_mpoly_q_struct *x, const struct exact_field *f) {
-  (void)f;
+void exact_init(fmpz_mpoly_q_struct *x) {
   fmpz_mpoly_q_init(x, ring());
 }
 
-void exact_clear(fmpz_mpoly_q_struct *x, const struct exact_field *f) {
-  (void)f;
+void exact_clear(fmpz_mpoly_q_struct *x) {
   fmpz_mpoly_q_clear(x, ring());
 }
 
 void exact_field_free(struct exact_field *f) {
   for (slong i = 0; i < f->n; i++) {
     free(f->gen[i].name);
-    for (slong k = 0; k < f->gen[i].n_args; k++) exact_clear(&f->gen[i].args[k], f);
+    for (slong k = 0; k < f->gen[i].n_args; k++) exact_clear(&f->gen[i].args[k]);
     free(f->gen[i].args);
     if (f->gen[i].squared) fmpz_mpoly_clear(f->gen[i].square, ring());
   }
@@ -141,8 +139,7 @@ int exact_finish(fmpz_mpoly_q_struct *z, struct calc *c, val x) {
   return s;
 }
 
-bool exact_is_zero(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  (void)f;
+bool exact_is_zero(const fmpz_mpoly_q_struct *x) {
   return fmpz_mpoly_q_is_zero(x, ring());
 }
 
@@ -167,9 +164,9 @@ bool exact_sub(fmpz_mpoly_q_struct *z, const struct exact_field *f, const fmpz_m
 bool exact_equal(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y) {
   if (fmpz_mpoly_q_equal(x, y, ring())) return true;
   fmpz_mpoly_q_struct d;
-  exact_init(&d, f);
-  bool same = exact_sub(&d, f, x, y) && exact_is_zero(f, &d);
-  exact_clear(&d, f);
+  exact_init(&d);
+  bool same = exact_sub(&d, f, x, y) && exact_is_zero(&d);
+  exact_clear(&d);
   return same;
 }
 
@@ -210,7 +207,7 @@ slong exact_generator(struct exact_field *f, enum tape_op op, const char *name, 
   if (name) g->name = strcpy(ss_malloc(strlen(name) + 1), name);
   if (n) g->args = ss_malloc((size_t)n * sizeof *g->args);
   for (slong a = 0; a < n; a++) {
-    exact_init(&g->args[a], f);
+    exact_init(&g->args[a]);
     fmpz_mpoly_q_set(&g->args[a], &args[a], ring());
   }
   return i;

@@ -149,7 +149,7 @@ bool exact_vanishes_at(const struct exact_field *f, const fmpz_mpoly_q_struct *x
                        const fmpq_t value) {
   slong i = 0;
   while (i < f->n && !(f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, name) == 0)) i++;
-  if (i == f->n) return exact_is_zero(f, x);
+  if (i == f->n) return exact_is_zero(x);
   fmpz_mpoly_t factor, q;
   fmpz_mpoly_init(factor, ring());
   fmpz_mpoly_init(q, ring());

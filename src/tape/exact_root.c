@@ -9,11 +9,11 @@
 static const fmpz_mpoly_q_struct *known_square_root(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   const fmpz_mpoly_q_struct *found = NULL;
   fmpz_mpoly_q_struct square;
-  exact_init(&square, f);
+  exact_init(&square);
   for (int i = 0; !found && i < f->n_positive; i++)
     if (exact_apply(num_exact.mul, &square, f, &f->positive[i], &f->positive[i]) == SS_OK && exact_equal(f, x, &square))
       found = &f->positive[i];
-  exact_clear(&square, f);
+  exact_clear(&square);
   return found;
 }
 
@@ -64,7 +64,7 @@ int exact_hypot(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_
 
 /* |p/q| = |p q|/q^2: the generator stands for the absolute value of a polynomial. */
 int exact_abs(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  if (exact_is_zero(f, x)) {
+  if (exact_is_zero(x)) {
     fmpz_mpoly_q_zero(z, ring());
     return SS_OK;
   }
@@ -91,7 +91,7 @@ static bool is_root(const struct exact_field *f, const fmpz_mpoly_q_struct *coef
   struct calc c = exact_calc(f);
   val y = calc_d(&c, 0);
   for (slong i = n - 1; i >= 0; i--) y = calc_add(&c, calc_mul(&c, y, x), &coeff[i]);
-  bool zero = c.status == SS_OK && exact_is_zero(f, y);
+  bool zero = c.status == SS_OK && exact_is_zero(y);
   calc_clear(&c);
   return zero;
 }
@@ -104,7 +104,7 @@ static const fmpz_mpoly_q_struct *known_root(const struct exact_field *f, const 
   slong count = 0;
   if (n % 2 == 0 || f->n_roots == 0) return NULL;
   for (slong i = 1; i < n; i += 2)
-    if (!exact_is_zero(f, &c[i])) return NULL;
+    if (!exact_is_zero(&c[i])) return NULL;
   for (int i = 0; i < f->n_roots; i++) {
     if (!is_root(f, c, n, &f->root[i])) continue;
     if (count++ == 0 || which < 0) found = &f->root[i];

@@ -26,14 +26,14 @@ static int unit_sign(const struct exact_field *f, const fmpz_mpoly_struct *p, co
 
 int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y,
                      const char *const *positive, int n_positive) {
-  bool x0 = exact_is_zero(f, x), y0 = exact_is_zero(f, y);
+  bool x0 = exact_is_zero(x), y0 = exact_is_zero(y);
   if (x0 || y0) return x0 && y0;
   fmpz_mpoly_q_struct k;
-  exact_init(&k, f);
+  exact_init(&k);
   int s = 0;
   if (exact_apply(num_exact.div, &k, f, x, y) == SS_OK)
     s = unit_sign(f, &k.num, positive, n_positive) * unit_sign(f, &k.den, positive, n_positive);
-  exact_clear(&k, f);
+  exact_clear(&k);
   return s;
 }
 
