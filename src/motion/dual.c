@@ -116,14 +116,6 @@ static int d_neg(void *z, const void *x, slong prec) {
   return held(z, status);
 }
 
-/* Around zero there is no derivative. */
-static int d_abs(void *z, const void *x, slong prec) {
-  if (arb_contains_zero(&in(x)->v)) return held(z, SS_UNABLE);
-  if (arb_is_negative(&in(x)->v)) return d_neg(z, x, prec);
-  d_set(z, x);
-  return held(z, SS_OK);
-}
-
 static int d_sqrt(void *z, const void *x, slong prec) {
   arb_t slope;
   arb_init(slope);
@@ -151,40 +143,6 @@ static int d_sin_cos(void *s, void *c, const void *x, slong prec) {
     status = first | chain(cosine, x, minus, first, prec);
   }
   arb_clear(minus);
-  return status;
-}
-
-/* (1 - cos x)/x^2 */
-static void half_square(arb_t z, const arb_t x, slong prec) {
-  arb_mul_2exp_si(z, x, -1);
-  num_arb.sinc(z, z, prec);
-  arb_mul(z, z, z, prec);
-  arb_mul_2exp_si(z, z, -1);
-}
-
-/* ((1 - cos x)/x^2 - 3 stumpff x)/x, which is at most |x|/60. */
-static int d_stumpff(void *z, const void *x, slong prec) {
-  arb_t slope, other;
-  arb_init(slope);
-  arb_init(other);
-  half_square(slope, &in(x)->v, prec);
-  int status = num_arb.stumpff(other, &in(x)->v, prec);
-  arb_submul_ui(slope, other, 3, prec);
-  if (arb_contains_zero(&in(x)->v)) {
-    mag_t most;
-    mag_init(most);
-    arb_get_mag(most, &in(x)->v);
-    mag_div_ui(most, most, 60);
-    arb_zero(slope);
-    arb_add_error_mag(slope, most);
-    mag_clear(most);
-  } else {
-    arb_div(slope, slope, &in(x)->v, prec);
-  }
-  arb_set(&at(z)->v, other);
-  status = chain(z, x, slope, status, prec);
-  arb_clear(other);
-  arb_clear(slope);
   return status;
 }
 
@@ -239,17 +197,6 @@ static int d_atan2(void *z, const void *y, const void *x, slong prec) {
   return chain2(z, y, x, &s, status, prec);
 }
 
-static int d_pow_si(void *z, const void *x, slong n, slong prec) {
-  arb_t slope;
-  arb_init(slope);
-  int status = n == 0 ? SS_OK : num_arb.pow_si(slope, &in(x)->v, n - 1, prec);
-  arb_mul_si(slope, slope, n, prec);
-  if (!status) status = num_arb.pow_si(&at(z)->v, &in(x)->v, n, prec);
-  status = chain(z, x, slope, status, prec);
-  arb_clear(slope);
-  return status;
-}
-
 static int d_pi(void *z, slong prec) {
   flat(z);
   return num_arb.pi(&at(z)->v, prec);
@@ -268,9 +215,7 @@ const struct num_type num_dual = {
     .size = sizeof(struct dual),
     .rigorous = true,
     .neg = d_neg,
-    .abs = d_abs,
     .sqrt = d_sqrt,
-    .stumpff = d_stumpff,
     .add = d_add,
     .sub = d_sub,
     .mul = d_mul,

@@ -1,7 +1,7 @@
 /* Balls that carry their derivatives: a number type on which the formulas of map_balls.c give slopes without a line of
    their own.  A dual is a value and its first derivatives along fixed directions: the parameters, then t_b and t_c.
-   Enclosures: over every point of the operands' balls value and derivatives are enclosed.  It has the operations of
-   num/calc.h alone. */
+   Enclosures: over every point of the operands' balls value and derivatives are enclosed.  It has the operations that
+   those formulas need. */
 #ifndef STICKSLIP_DUAL_H
 #define STICKSLIP_DUAL_H
 

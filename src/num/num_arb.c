@@ -274,6 +274,7 @@ const struct num_type num_arb = {
 #define NUM_UNARY(op)  .op = b_##op,
 #define NUM_BINARY(op) .op = b_##op,
 #include "ops.def"
+    .pow_si = b_pow_si,
 #define NUM_METHOD(name) b_##name
 #include "methods.def"
 };

@@ -183,6 +183,7 @@ const struct num_type num_double = {
 #define NUM_UNARY(op)  .op = d_##op,
 #define NUM_BINARY(op) .op = d_##op,
 #include "ops.def"
+    .pow_si = d_pow_si,
 #define NUM_METHOD(name) d_##name
 #include "methods.def"
 };

@@ -208,6 +208,7 @@ const struct num_type num_exact = {
     .div = e_div,
     .atan2 = e_binary,
     .hypot = e_binary,
+    .pow_si = e_pow_si,
 #define NUM_METHOD(name) e_##name
 #include "methods.def"
 };

@@ -252,6 +252,7 @@ const struct num_type num_mpfr = {
 #define NUM_UNARY(op)  .op = m_##op,
 #define NUM_BINARY(op) .op = m_##op,
 #include "ops.def"
+    .pow_si = m_pow_si,
 #define NUM_METHOD(name) m_##name
 #include "methods.def"
 };
