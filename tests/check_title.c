@@ -17,7 +17,7 @@ static void has_title(const struct model *m, const struct claim *c, const char *
   struct diag d;
   text_init(&title);
   diag_init(&d);
-  ck_assert_msg(claim_title(&title, m, c, &d), "%s: %s", c->id, d.message);
+  ck_assert_msg(claim_title(&title, m, c, NULL, &d), "%s: %s", c->id, d.message);
   ck_assert_msg(strcmp(text_str(&title), want) == 0, "%s: %s\ninstead of %s", c->id, text_str(&title), want);
   text_clear(&title);
 }
@@ -41,7 +41,7 @@ START_TEST(titles_are_read_as_they_stand) {
   goes_well(titles_check(&the_paper.model, &the_paper.claims, &d));
   for (size_t i = 0; i < the_paper.claims.n; i++) {
     text_reset(&title);
-    goes_well(claim_title(&title, &the_paper.model, &the_paper.claims.claim[i], &d));
+    goes_well(claim_title(&title, &the_paper.model, &the_paper.claims.claim[i], NULL, &d));
     const char *s = text_str(&title);
     ck_assert_msg(title.len > 3 && title.len < LONGEST, "%s: %s", the_paper.claims.claim[i].id, s);
     ck_assert_msg(!strpbrk(s, "*{}[]\\$;") && !strstr(s, "  ") && !strstr(s, " , ") && !strstr(s, "first_order"),
@@ -83,8 +83,8 @@ static void is_refused(const char *title, int column, const char *says) {
   diag_init(&d);
   text_printf(&fields, "kind: outside\n  title: %s\n", title);
   const struct claim *c = one_claim(&own, text_str(&fields));
-  ck_assert_msg(!titles_check(&the_paper.model, &own, &d) && !claim_title(&out, &the_paper.model, c, &d), "%s is taken",
-                title);
+  ck_assert_msg(!titles_check(&the_paper.model, &own, &d) && !claim_title(&out, &the_paper.model, c, NULL, &d),
+                "%s is taken", title);
   snprintf(place, sizeof place, "own.claim:4:%d: error: own: ", column);
   ck_assert_msg(strstr(d.message, place) && strstr(d.message, says), "%s\ninstead of %s...%s", d.message, place, says);
   text_clear(&out);
@@ -120,7 +120,7 @@ START_TEST(titles_that_cannot_be_made) {
   text_init(&out);
   diag_init(&d);
   const struct claim *c = one_claim(&own, lacking.row[_i][LACKING_FIELDS]);
-  ck_assert_msg(!claim_title(&out, &the_paper.model, c, &d), "%s", text_str(&out));
+  ck_assert_msg(!claim_title(&out, &the_paper.model, c, NULL, &d), "%s", text_str(&out));
   snprintf(place, sizeof place, "own.claim:%d:%d: error: own: ", atoi(lacking.row[_i][LACKING_LINE]),
            atoi(lacking.row[_i][LACKING_COLUMN]));
   ck_assert_msg(strstr(d.message, place) && strstr(d.message, lacking.row[_i][LACKING_SAYS]), "%s\ninstead of %s...%s",
@@ -153,7 +153,7 @@ START_TEST(titles_of_another_paper) {
   /* that paper has a name D, and none J */
   struct text out;
   text_init(&out);
-  fails_with(claim_title(&out, &m, one_claim(&own, "kind: outside\n  title: the matrix D\n"), &d), "own.claim");
+  fails_with(claim_title(&out, &m, one_claim(&own, "kind: outside\n  title: the matrix D\n"), NULL, &d), "own.claim");
   claims_clear(&own);
   has_title(&m, one_claim(&own, "kind: outside\n  title: the matrix J\n"), "the matrix J");
   claims_clear(&own);

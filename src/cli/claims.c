@@ -36,7 +36,7 @@ static void list_row(struct text *out, const char *id, const struct claim *c, co
 bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d) {
   struct text title = {0};
   struct made_claim made;
-  bool ok = claim_title(&title, m, c, d);
+  bool ok = claim_title(&title, m, c, NULL, d);
   list_row(out, c->id, c, claim_get(c, "record"), text_str(&title));
   text_add_char(out, '\n');
   for (const char *p = claim_get(c, "restricted"); (p = claim_next_made(&made, p)) != NULL;) {

@@ -49,7 +49,7 @@ static bool add_record(struct text *out, const struct inputs *e, const struct cl
     for (const char *p = f->text; ok && (p = claim_next_item(id, sizeof id, p)) != NULL; label = "") {
       const struct claim *of = claim_named(&e->files.claims, id);
       text_printf(out, "%-11s %s%s", label, id, of ? ": " : "");
-      ok = !of || claim_title(out, &e->files.model, of, d);
+      ok = !of || claim_title(out, &e->files.model, of, NULL, d);
       text_add_char(out, '\n');
     }
   }

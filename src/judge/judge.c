@@ -131,7 +131,7 @@ enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
 
 static bool title(struct finding *f, struct judge *j, const struct claim *c) {
   struct text t = {0};
-  j->claim_at_fault = !claim_title(&t, j->model, c, j->d);
+  j->claim_at_fault = !claim_title(&t, j->model, c, j->scene, j->d);
   if (!j->claim_at_fault) f->title = result_copy(j->out, text_str(&t));
   text_clear(&t);
   return !j->claim_at_fault;

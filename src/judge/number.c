@@ -303,15 +303,6 @@ static bool is_as_stated(const struct number_job *n, const struct claim *c) {
   return *n->relation == (op == REL_EQ ? '=' : op == REL_LT || op == REL_LE ? '<' : '>');
 }
 
-/* The title has the decimal that the paper quotes; what is judged is the scene's. */
-static void name_the_scenes(struct finding *f, const struct number_job *n) {
-  const char *at = strstr(f->title, result_str(n->j->out, " %s ", n->relation));
-  if (!at) return;
-  at += strlen(n->relation) + 2;
-  f->title =
-      result_str(n->j->out, "%.*s%s%s", (int)(at - f->title), f->title, n->p->decimal, at + strspn(at, "-0123456789."));
-}
-
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *name = claim_get(c, "number"), *from = claim_get(c, "from");
   const char *relation = claim_get(c, "relation");
@@ -330,7 +321,6 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
     finding_skip(f, j, result_str(j->out, "the scene prints no %s", name));
     return true;
   }
-  if (f->title) name_the_scenes(f, &n);
   if (!is_as_stated(&n, c)) {
     verdict_leave_open(f, j->out,
                        result_str(j->out, "%s says another relation than %s", claim_get(c, "formula"), n.relation));

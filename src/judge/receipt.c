@@ -172,7 +172,7 @@ static bool add_head(struct text *out, struct judge *j, const struct claim *c, c
   const struct model *m = j->model;
   bool argument = claim_kind(c) == KIND_ARGUMENT; /* whose formulas stand among its facts */
   text_printf(out, "#!/usr/bin/env python3\n# %s%s: ", id, corrected ? ", as corrected" : "");
-  bool ok = claim_title(out, m, c, j->d);
+  bool ok = claim_title(out, m, c, j->scene, j->d);
   text_printf(out, "\n#\n# Needs SymPy and nothing else.%s\n", argument ? "" : "  As read:");
   if (corrected) text_add(out, "#   ");
   if (corrected && erratum_text(out, m, c)) text_add_char(out, '\n');
@@ -241,7 +241,7 @@ static bool orbit_receipt(struct text *out, struct judge *j, const struct claim 
       (number && !scene_printed(s, number)))
     return diag_set(j->d, "error: %.200s needs a scene with e1, e2 and the printed numbers", c->id);
   text_printf(out, "#!/usr/bin/env python3\n# %s: ", c->id);
-  bool ok = claim_title(out, j->model, c, j->d);
+  bool ok = claim_title(out, j->model, c, j->scene, j->d);
   text_printf(out, "\n#\n# Needs mpmath and nothing else.\nCLAIM = \"%s\"\nNUMBER = ", c->id);
   text_printf(out, number ? "\"%s\"\nPARAMETERS = {" : "None\nPARAMETERS = {", number);
   for (int i = 0; i < N_PARAMS; i++) {

@@ -365,7 +365,7 @@ static bool add_claim(const struct search *base, const struct claim *c, bool nam
   const char *why = no_search(c, v);
   if (d->set || (!named && !verdict_fails(v))) return !d->set;
   struct text title = {0};
-  bool ok = claim_title(&title, s.model, c, d);
+  bool ok = claim_title(&title, s.model, c, NULL, d);
   const char *equation = claim_get(c, "equation");
   struct repairs found = {.claim = arena_strdup(&out->arena, c->id),
                           .title = text_take(&out->arena, &title),

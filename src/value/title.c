@@ -29,7 +29,7 @@ static const char limits[] =
 
 static bool make_sentence(struct text *out, const struct title *t) {
   struct diag unmade = {0};
-  const struct title quiet = {t->m, t->c, &unmade};
+  const struct title quiet = {t->m, t->c, t->s, &unmade};
   const char *text = claim_get(t->c, "limits") ? limits : sentences[claim_kind(t->c)];
   return title_expand(out, &quiet, text) || missing(t);
 }
@@ -197,8 +197,10 @@ static bool make_number(struct text *out, const struct title *t) {
   struct text name = {0}, formula = {0}, decimal = {0};
   bool ok = number && from && quoted_number(&decimal, quote) && title_formula(&formula, t, "formula");
   if (ok) {
+    const struct printed_number *printed = t->s ? scene_printed(t->s, number) : NULL;
     number_name(&name, number);
-    text_printf(out, "%s %s %s", text_str(&name), relation ? relation : "=", text_str(&decimal));
+    text_printf(out, "%s %s %s", text_str(&name), relation ? relation : "=",
+                printed ? printed->decimal : text_str(&decimal));
     if (strcmp(text_str(&name), text_str(&formula)) != 0) text_printf(out, ", the value of %s", text_str(&formula));
     text_add(out, strcmp(from, "orbit") == 0 ? " on the example's orbit" : " at the printed numbers");
   }
@@ -563,7 +565,7 @@ static bool is_given_in_vain(const struct title *t) {
   const struct field *given = record_field(t->c->record, "title");
   struct diag unmade = {0};
   struct text made = {0};
-  const struct title quiet = {t->m, t->c, &unmade};
+  const struct title quiet = {t->m, t->c, t->s, &unmade};
   bool vain = given && title_made(&made, &quiet);
   text_clear(&made);
   if (vain)
@@ -576,15 +578,16 @@ bool titles_check(const struct model *m, const struct claims *claims, struct dia
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++) {
     text_reset(&title);
-    const struct title t = {m, &claims->claim[i], d};
-    ok = claim_title(&title, m, &claims->claim[i], d) && !is_given_in_vain(&t);
+    const struct title t = {m, &claims->claim[i], NULL, d};
+    ok = claim_title(&title, m, &claims->claim[i], NULL, d) && !is_given_in_vain(&t);
   }
   text_clear(&title);
   return ok;
 }
 
-bool claim_title(struct text *out, const struct model *m, const struct claim *c, struct diag *d) {
-  const struct title t = {m, c, d};
+bool claim_title(struct text *out, const struct model *m, const struct claim *c, const struct scene *s,
+                 struct diag *d) {
+  const struct title t = {m, c, s, d};
   const struct field *given = record_field(c->record, "title");
   if (given) return title_given(out, &t, given);
   return title_made(out, &t);
@@ -593,6 +596,6 @@ bool claim_title(struct text *out, const struct model *m, const struct claim *c,
 bool claim_title_records(struct text *out, const struct model *m, const struct claim *c, const char *attribute,
                          struct diag *d) {
   struct title_parts p = {.detail = TITLE_NUMBERS, .one = N_PHASES, .several = true};
-  const struct title t = {m, c, d};
+  const struct title t = {m, c, NULL, d};
   return title_parts_write(out, &p, &t, attribute);
 }

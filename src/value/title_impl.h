@@ -9,6 +9,7 @@
 struct title {
   const struct model *m;
   const struct claim *c;
+  const struct scene *s; /* whose printed numbers are meant; NULL: those that the paper quotes */
   struct diag *d;
 };
 
