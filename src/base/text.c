@@ -236,6 +236,9 @@ bool diag_set(struct diag *d, const char *fmt, ...) {
   }
   va_end(again);
   make_visible(d->message, false);
+  const char *mark = strstr(d->message, "error: ");
+  snprintf(d->what, sizeof d->what, "%.*s", (int)sizeof d->what - 1, mark ? mark + strlen("error: ") : d->message);
+  cut_at_character(d->what, sizeof d->what);
   d->set = true;
   return false;
 }
@@ -305,12 +308,12 @@ bool diag_at(struct diag *d, const struct source *s, size_t offset, const char *
   while (end < s->len && s->text[end] != '\n') end++;
 
   const size_t longest_name = 200;
-  char what[512];
   va_list ap;
   va_start(ap, fmt);
-  vsnprintf(what, sizeof what, fmt, ap);
+  vsnprintf(d->what, sizeof d->what, fmt, ap);
   va_end(ap);
-  cut_at_character(what, sizeof what);
+  cut_at_character(d->what, sizeof d->what);
+  make_visible(d->what, false);
 
   struct text out = {0}, name = {0};
   text_add(&name, s->name);
@@ -319,7 +322,7 @@ bool diag_at(struct diag *d, const struct source *s, size_t offset, const char *
     cut_at_character(name.data, longest_name + 1);
   }
   text_printf(&out, "%s:%zu:%zu: error: %s", text_str(&name), line,
-              count_characters(s->text + begin, offset - begin) + 1, what);
+              count_characters(s->text + begin, offset - begin) + 1, d->what);
   make_visible(out.data, false);
   add_excerpt(&out, s->text + begin, end - begin, offset - begin);
   snprintf(d->message, sizeof d->message, "%s", text_str(&out)); /* which is shorter, by what went into it */

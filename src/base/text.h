@@ -101,6 +101,7 @@ struct diag {
   const void *src; /* diag_at: the source, to be told from others and not to be read; NULL without a place */
   size_t at;       /* the offset in it */
   char message[1000];
+  char what[512]; /* what is wrong alone, a line: no file, no place in it */
 };
 
 void diag_init(struct diag *d);

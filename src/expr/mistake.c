@@ -20,13 +20,9 @@ struct shown parser_show(const struct parser *p, struct token t) {
 
 /* Line and column of a place, for messages that name a second one. */
 static struct shown show_place(const struct parser *p, size_t at) {
-  size_t line = 1, column = 1;
-  for (size_t i = 0; i < at; i++) {
-    unsigned char c = (unsigned char)p->src->text[i];
-    column = c == '\n' ? 1 : column + ((c & 0xC0) != 0x80);
-    line += c == '\n';
-  }
+  size_t line, column;
   struct shown s;
+  source_place(&line, &column, p->src, at);
   snprintf(s.text, sizeof s.text, "%zu:%zu", line, column);
   return s;
 }
@@ -56,8 +52,13 @@ void *mistake_reserved(struct parser *p) {
 }
 
 void *mistake_unclosed(struct parser *p, struct token open, const char *closer) {
-  return mistake_at(p, p->tok.begin, "expected %s to close the \"%c\" opened at %s, found %s", closer, open.kind,
-                    show_place(p, open.begin).text, parser_show(p, p->tok).text);
+  bool first = p->diag && !p->diag->set;
+  mistake_at(p, p->tok.begin, "expected %s to close the \"%c\" opened at %s, found %s", closer, open.kind,
+             show_place(p, open.begin).text, parser_show(p, p->tok).text);
+  if (first)
+    snprintf(p->diag->what, sizeof p->diag->what, "expected %s to close the \"%c\", found %s", closer, open.kind,
+             parser_show(p, p->tok).text);
+  return NULL;
 }
 
 /* Where an operand should begin, something else stands. */

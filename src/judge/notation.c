@@ -176,17 +176,9 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
   return ok;
 }
 
-/* Of "name:1:5: error: undefined symbol x_i; define it ..." and the line with its caret, what is wrong; without the
-   place in a text that is not shown, " opened at 1:4". */
+/* Without the advice that follows what is wrong: "undefined symbol x_i; define it ...". */
 static const char *what_is_wrong(struct judge *j, const struct diag *d) {
-  const char *error = strstr(d->message, "error: ");
-  error = error ? error + strlen("error: ") : d->message;
-  int n = (int)strcspn(error, ";\n");
-  const char *at = strstr(error, " opened at ");
-  int before = at && at < error + n ? (int)(at - error) : n;
-  int place = before < n ? (int)(strlen(" opened at ") + strspn(at + strlen(" opened at "), "0123456789:")) : 0;
-  return result_str(j->out, "it cannot be read as a formula: %.*s%.*s", before, error, n - before - place,
-                    error + before + place);
+  return result_str(j->out, "it cannot be read as a formula: %.*s", (int)strcspn(d->what, ";"), d->what);
 }
 
 static bool judge_reading(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

@@ -218,12 +218,6 @@ static void at_orbits(struct judge *j, const struct quantity *q, struct point *p
   if (n == 0) audit_leave_out(j->out, result_str(j->out, "the value of %s", q->name), "the scene has no orbit");
 }
 
-/* A diagnostic without its place in the name and the picture of it. */
-static const char *reason(struct judge *j, const struct diag *d) {
-  const char *mark = strstr(d->message, "error: "), *why = mark ? mark + 7 : d->message;
-  return result_str(j->out, "%.*s", (int)strcspn(why, "\n"), why);
-}
-
 static void one_value(struct judge *j, size_t item, size_t *bytes, slong digits) {
   const char *name = result_copy(j->out, j->scene->asked.values.item[item]);
   struct quantity q = {.item = item, .bytes = bytes};
@@ -234,7 +228,7 @@ static void one_value(struct judge *j, size_t item, size_t *bytes, slong digits)
     if (j->scene->given[k]) fmpq_set(&p.q[Q_CHI + k], &j->scene->value[k]);
   p.kind = POINT_PARAMS;
   const char *why = !scene_has_forces(j->scene) && scene_is_box(j->scene) ? "the scene is a box" : NULL;
-  if (!read_quantity(&q, name, j->model, &d)) why = reason(j, &d);
+  if (!read_quantity(&q, name, j->model, &d)) why = result_copy(j->out, d.what);
   if (why)
     audit_leave_out(j->out, result_str(j->out, "the value of %s", name), why);
   else if (!scene_has_forces(j->scene) || !value_at(j, &q, &p, "the parameters", digits))
