@@ -234,13 +234,19 @@ static bool says_something(const struct statement_record *r) {
   return false;
 }
 
-bool title_owns_number(const struct title *t, const struct statement_record *r) {
-  for (size_t i = 0; *r->equation && i < t->m->n_records; i++) {
-    const struct statement_record *other = &t->m->records[i];
-    if (other->rank <= RANK_USER && strcmp(other->id, r->id) != 0 && strcmp(other->equation, r->equation) == 0 &&
-        says_something(other))
-      return false;
+/* From *i on the next record of the paper under the number, those left out that another one of their id replaces. */
+static const struct statement_record *next_under(size_t *i, const struct title *t, const char *number) {
+  while (*i < t->m->n_records) {
+    const struct statement_record *r = &t->m->records[(*i)++];
+    if (strcmp(r->equation, number) == 0 && title_record(t, r->id, strlen(r->id)) == r) return r;
   }
+  return NULL;
+}
+
+bool title_owns_number(const struct title *t, const struct statement_record *r) {
+  const struct statement_record *other;
+  for (size_t i = 0; *r->equation && (other = next_under(&i, t, r->equation)) != NULL;)
+    if (strcmp(other->id, r->id) != 0 && says_something(other)) return false;
   return *r->equation != '\0';
 }
 
@@ -293,10 +299,9 @@ static bool read_part(struct part *p, const struct title *t, const char *attribu
 /* All records that state something under this number stand in the list. */
 static bool number_is_listed(const struct title *t, const char *list, const struct statement_record *r) {
   struct cited at;
-  for (size_t i = 0; i < t->m->n_records; i++) {
-    const struct statement_record *other = &t->m->records[i];
-    if (other->rank > RANK_USER || strcmp(other->equation, r->equation) != 0 || !says_something(other)) continue;
-    bool found = false;
+  const struct statement_record *other;
+  for (size_t i = 0; (other = next_under(&i, t, r->equation)) != NULL;) {
+    bool found = !says_something(other);
     for (const char *p = list; !found && (p = claim_next_cited(&at, p)) != NULL;)
       found = at.statement == 0 && strcmp(at.id, other->id) == 0;
     if (!found) return false;
@@ -351,11 +356,9 @@ static int count_kind(const struct statement_record *r, bool inequalities) {
 static void write_share(struct text *out, const struct title *t, const struct part *p, const char *list) {
   char item[64];
   bool inequality = is_inequality(p->r->stmts[p->statement ? p->statement - 1 : 0]);
+  const struct statement_record *under;
   int has = 0, of = 0;
-  for (size_t i = 0; i < t->m->n_records; i++) {
-    const struct statement_record *other = &t->m->records[i];
-    if (other->rank <= RANK_USER && strcmp(other->equation, p->r->equation) == 0) of += count_kind(other, inequality);
-  }
+  for (size_t i = 0; (under = next_under(&i, t, p->r->equation)) != NULL;) of += count_kind(under, inequality);
   for (const char *at = list; (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     struct part other = parse_part(t, item);
     if (!part_is_there(&other) || other.r != p->r) continue;
