@@ -78,15 +78,12 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
   const char *fault = range_fault(&r, j, rec, false);
   bool any = false;
   for (int i = 0; i <= MOST_INDEX; i++) any = any || r.used[i];
-  struct route_result w = {"diagnostic",
-                           fault ? ROUTE_DIFFERS
-                           : any ? ROUTE_AGREES
-                                 : ROUTE_NOTHING,
-                           true, fault || any};
-  finding_add_route(f, j->out, w, "printed", -1, NULL,
-                    fault ? fault
-                    : any ? result_str(j->out, "every index of %s lies in %d..%d", r.letter, r.low, r.high)
-                          : result_str(j->out, "no entry of %s is used", r.letter));
+  struct route_result w = counted_route("diagnostic", true, any && !fault, fault != NULL, 0);
+  const char *found = fault;
+  if (!fault)
+    found = any ? result_str(j->out, "every index of %s lies in %d..%d", r.letter, r.low, r.high)
+                : result_str(j->out, "no entry of %s is used", r.letter);
+  finding_add_route(f, j->out, w, "printed", -1, NULL, found);
   f->verdict = verdict_of(&w, 1, true);
   struct index_range again = {.letter = r.letter, .size = r.size};
   if (fault && repaired) {
@@ -95,13 +92,13 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
     fault = range_fault(&again, j, rec, true);
     f->correction = result_str(j->out, "indices %d..%d", again.low, again.high);
     f->correction_verdict = fault ? VERDICT_REFUTED : VERDICT_PROVED;
-    finding_state(
-        f, j->out, "diagnostic", layer_name[LAYER_CORRECTED], -1, 1, NULL,
-        fault ? fault
-              : result_str(
-                    j->out,
-                    "this is the smallest range that contains every index used, and the model's %s has all its entries",
-                    r.letter));
+    found = fault;
+    if (!fault)
+      found = result_str(j->out,
+                         "this is the smallest range that contains every index used, and the model's %s has all its "
+                         "entries",
+                         r.letter);
+    finding_state(f, j->out, "diagnostic", layer_name[LAYER_CORRECTED], -1, 1, NULL, found);
   }
   return true;
 }
