@@ -1,6 +1,7 @@
 /* What happens where a mass reaches the belt's velocity or breaks loose from it: proved from (1) and (2) by the signs
    on finitely many cells of states (law.h), each mass and each side for itself. */
 #include "friction.h"
+#include "num/num_exact.h"
 
 /* Every statement of these proofs is about a mass, a side, and a cell in which a force or an acceleration has a
    sign. */
@@ -137,9 +138,24 @@ struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
       "(2) as printed leaves it open. " STICKS_ON);
 }
 
+/* Where x_1 and x_2 change by r and -r, does the force on m_1 change by (1 + chi) r, and that on m_2 by -2 chi r? */
+static bool changes_by_these_factors(void) {
+  struct law_state s;
+  law_state_open(&s, num_ctx_exact());
+  struct calc *c = &s.c;
+  val r = law_free(&s), before[2] = {law_pull(&s, 0), law_pull(&s, 1)}, cr = calc_mul(c, s.chi, r);
+  s.x[0] = calc_add(c, s.x[0], r);
+  s.x[1] = calc_sub(c, s.x[1], r);
+  val change[2] = {calc_sub(c, law_pull(&s, 0), before[0]), calc_sub(c, law_pull(&s, 1), before[1])};
+  bool ok = law_sign(&s, calc_sub(c, change[0], calc_add(c, r, cr))) == 0 &&
+            law_sign(&s, calc_add(c, change[1], calc_add(c, cr, cr))) == 0;
+  law_state_close(&s);
+  return ok;
+}
+
 struct route_result events_prove_small(struct behaviour *b) {
   return proof_by_signs(
-      b, sticks_inside(b->law, 0) && sticks_inside(b->law, 1),
+      b, sticks_inside(b->law, 0) && sticks_inside(b->law, 1) && changes_by_these_factors(),
       "exact, for either mass: where x'_i = V and |f_i| < u_ri, the sticking branch of (2) alone applies, and by (1) "
       "x''_i = 0. On an admissible orbit |f_i| < u_ri where the phase begins and, up to t_a, throughout it. As f_1 = "
       "x_1 - chi x_2 and f_2 = chi (x_2 - x_1), changes of z_10 and z_20 by at most r change the force on m_1 by at "
