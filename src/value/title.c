@@ -368,7 +368,10 @@ static bool range_where(struct text *out, const struct title *t, struct title_pa
   bool rate = claim_get(t->c, "rate") != NULL;
   text_add(out, rate ? " modulo 2 pi" : "");
   if (!range_limit(out, t)) return false;
-  text_add(out, rate ? " and it holds at every maximum before the end" : "");
+  if (!rate) return true;
+  text_add(out, " and ");
+  if (!title_parts_write(out, p, t, "conclusion")) return false;
+  text_add(out, " at every maximum before the end");
   return true;
 }
 
