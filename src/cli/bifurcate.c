@@ -6,7 +6,7 @@
 #include "base/json.h"
 #include "cli.h"
 
-enum { STARTS = 257, MOST_DIGITS = 1000 };
+enum { STARTS = 257 };
 
 /* --- What is known of the orbits beside a change. --- */
 
@@ -179,7 +179,7 @@ static int with_line(const struct options *o, const struct scene *s, slong digit
 int run_bifurcate(const struct options *o, const char *data, struct diag *d) {
   slong digits;
   struct scene s;
-  int status = parse_digits(&digits, o, MOST_DIGITS);
+  int status = parse_digits(&digits, o, MAX_BRACKET_DIGITS);
   if (status) return status;
   if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along NAME=A:B");
   if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d))

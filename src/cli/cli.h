@@ -15,16 +15,30 @@
 /* Exit statuses of the contract. */
 enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
 
-enum {
-  DEFAULT_DIGITS = 15,
-  MAX_DIGITS = 100000,
-  MAX_OPERANDS = 64,
-  MAX_OVER = 2,
-  MAX_SET = 64,
-  MAX_JOBS = 64,
-  MOST_SECONDS = 10000000, /* of --timeout */
-  MAX_WORDS = 256          /* of one option, or operands */
-};
+enum { MAX_OPERANDS = 64, MAX_OVER = 2 };
+
+/* What options take, as macros, since their texts show it too: SHOWN(MAX_JOBS) is "64". */
+#define SHOWN(x)           SHOWN_AS_TEXT(x)
+#define SHOWN_AS_TEXT(x)   #x
+#define MAX_DIGITS         100000
+#define DEFAULT_DIGITS     15
+#define MAX_PAPER_DIGITS   1000 /* by the paper's own equations */
+#define MAX_BRACKET_DIGITS 1000
+#define WORD_DIGITS        1000 /* of other words than the paper's, and of other systems */
+#define MAX_SWEEP_DIGITS   15   /* of a double */
+#define MAX_PERIODS        100000
+#define MAX_COMPARED       10000 /* periods */
+#define MAX_SAMPLES        1000000
+#define DEFAULT_SAMPLES    100
+#define MOST_TIME          1000000
+#define MOST_SECONDS       10000000 /* of --timeout */
+#define MOST_PHASES        8
+#define DEFAULT_PHASES     4
+#define MAX_COUNT          1000000
+#define DEFAULT_COUNT      400
+#define MAX_JOBS           64
+#define MAX_SET            64
+#define MAX_WORDS          256 /* of one option, or operands */
 
 /* --- The command line, by the rows of options.def --- */
 

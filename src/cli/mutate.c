@@ -6,8 +6,6 @@
 #include "report/mutation.h"
 #include "value/title.h"
 
-enum { DEFAULT_COUNT = 400, MAX_COUNT = 1000000 };
-
 static int parse_mutation(struct mutation_options *q, const struct options *o) {
   const char *seed = option(o, OPT_SEED), *count = option(o, OPT_COUNT);
   unsigned long long n = DEFAULT_COUNT;

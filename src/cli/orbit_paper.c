@@ -6,7 +6,7 @@
 #include "cli.h"
 #include "value/paper_orbits.h"
 
-enum { MAX_PAPER_DIGITS = 1000, GUARD_BITS = 192 };
+enum { GUARD_BITS = 192 };
 
 static const char *const name[N_ROUTE] = {"t_a", "t_b", "t_c", "t_d", "z10", "z20"};
 

@@ -10,7 +10,6 @@
 #include "simulated.h"
 #include "value/printed.h"
 
-enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100, MAX_COMPARED = 10000 };
 enum { MAX_STEPS = 10000000 }; /* of an integrator: many periods need more than a proof does */
 
 /* What is simulated, and for how long. */
@@ -155,7 +154,6 @@ static int simulate_events(const struct simulation *run, const struct scene *s, 
 /* --- The command --- */
 
 static int usage_of(const struct options *o, long *periods, long *samples, double *time) {
-  enum { MOST_TIME = 1000000 };
   *periods = 1;
   *samples = DEFAULT_SAMPLES;
   int status = parse_count(periods, o, OPT_PERIODS, MAX_PERIODS);

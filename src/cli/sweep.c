@@ -3,8 +3,6 @@
 
 #include "sweep.h"
 
-enum { MOST_SWEEP_DIGITS = 15 }; /* of a double */
-
 int parse_over(struct scene_range *r, struct dyn_axis *axis, const char *text, const struct scene_range *other,
                const struct over_rule *rule) {
   const char *colon = strrchr(text, ':');
@@ -43,7 +41,7 @@ static int parse_request(struct sweep *q, const struct options *o) {
   bool json = option(o, OPT_JSON);
   const struct words *over = &o->given[OPT_OVER];
   long every = 0;
-  int status = parse_digits(&q->digits, o, MOST_SWEEP_DIGITS);
+  int status = parse_digits(&q->digits, o, MAX_SWEEP_DIGITS);
   if (!status) status = parse_count(&every, o, OPT_SEARCH_EVERY, AXIS_MOST_EVERY);
   if (status) return status;
   if (over->n == 0) return usage("sweep needs --over NAME=A:B:N");

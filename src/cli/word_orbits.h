@@ -6,8 +6,6 @@
 #include "explore/words.h"
 #include "orbit_numbers.h"
 
-enum { WORD_DIGITS = 1000 }; /* the most that these commands take */
-
 /* The working precision for so many digits of a system file's orbits. */
 slong system_bits(slong digits);
 /* The system of a scene and the orbits of its word, or of any; m and list are to be cleared in any case. */

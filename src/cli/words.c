@@ -6,7 +6,7 @@
 #include "base/work.h"
 #include "word_orbits.h"
 
-enum { LONGEST = 4, MOST_PHASES = 8, STARTS = 96 };
+enum { STARTS = 96 };
 /* In units of work, after which no further word is searched, where the scene says no other: about a minute, whatever
    the parameters. */
 static const unsigned long long most_work = 2000000000;
@@ -265,7 +265,7 @@ static void show_survey(struct survey *v, const struct options *o) {
 
 int run_words(const struct options *o, const char *data, struct diag *d) {
   struct survey v = {.scene = NULL};
-  long longest = LONGEST;
+  long longest = DEFAULT_PHASES;
   int status = parse_digits(&v.digits, o, WORD_DIGITS);
   if (!status) status = parse_count(&longest, o, OPT_LONGEST, MOST_PHASES);
   if (status) return status;
