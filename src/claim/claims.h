@@ -30,9 +30,7 @@
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
-     check       (behaviour) modes, closed-forms, dimension, linear, switches, jumps, small, fixed-points,
-                 linearization, equality, perturb, long-run, patching; where (1) and (2) are used, the claims of kind
-                 law, one for each mass, are among those of depends-on
+     check       (behaviour) one of checks.h
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try;
                  this list, constraints, slips, sticks and breaks may be "as ID", those of that claim
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for

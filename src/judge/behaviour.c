@@ -4,7 +4,7 @@
 #include "friction.h"
 #include "judge.h"
 
-#define ROW(name, word, by_law) {word, behaviour_##name, by_law},
+#define ROW(name, word, by_law, says) {word, behaviour_##name, by_law},
 static const struct {
   const char *name;
   bool (*run)(struct behaviour *b);

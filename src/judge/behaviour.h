@@ -4,6 +4,7 @@
 #ifndef STICKSLIP_BEHAVIOUR_H
 #define STICKSLIP_BEHAVIOUR_H
 
+#include "claim/checks.h"
 #include "claim/judging.h"
 #include "explore/bifurcate.h"
 #include "model/model.h"
@@ -125,23 +126,8 @@ struct watched behaviour_watch(struct behaviour *b, watch_fn fn, void *self);
 void behaviour_conclude(struct behaviour *b, const struct answers said[N_MOTION_ROUTES], long trials, const char *note,
                         const struct route_result *proof);
 
-/* The checks by name, and whether (1) and (2) as the paper states them are read for them. */
-#define BEHAVIOUR_CHECKS(X)                                                                                            \
-  X(modes, "modes", true)                                                                                              \
-  X(closed_forms, "closed-forms", true)                                                                                \
-  X(dimension, "dimension", false)                                                                                     \
-  X(linear, "linear", true)                                                                                            \
-  X(switches, "switches", true)                                                                                        \
-  X(jumps, "jumps", true)                                                                                              \
-  X(small, "small", true)                                                                                              \
-  X(fixed_points, "fixed-points", true)                                                                                \
-  X(linearization, "linearization", true)                                                                              \
-  X(equality, "equality", false)                                                                                       \
-  X(perturb, "perturb", true)                                                                                          \
-  X(long_run, "long-run", false)                                                                                       \
-  X(patching, "patching", false)
 /* false with j->d set when the claim cannot be read. */
-#define BEHAVIOUR_CHECK(name, word, by_law) bool behaviour_##name(struct behaviour *b);
+#define BEHAVIOUR_CHECK(name, ...) bool behaviour_##name(struct behaviour *b);
 BEHAVIOUR_CHECKS(BEHAVIOUR_CHECK)
 #undef BEHAVIOUR_CHECK
 

@@ -1,4 +1,5 @@
 /* Titles made from attributes, kind by kind. */
+#include "claim/checks.h"
 #include "claim/claim.h"
 #include "oracle.h"
 #include "title_impl.h"
@@ -507,43 +508,21 @@ static bool make_scaling(struct text *out, const struct title *t) {
 
 /* --- Behaviour --- */
 
-/* What each check (judge/behaviour.h) tries; of switches, by the transition. */
+/* The checks with what they say. */
 static const struct {
-  const char *check, *transition, *says;
+  const char *check, *says;
 } checks[] = {
-    {"modes", NULL,
-     "every motion is a sequence of phases in which each mass sticks or slips, finitely many in a bounded time"},
-    {"closed-forms", NULL,
-     "every motion is given, in each of its phases, by the closed forms of (3), (4), (6), (8) and (10)"},
-    {"dimension", NULL, "the phase space has {range} dimensions, depending on the phase"},
-    {"linear", NULL, "within each configuration the equations of motion are linear, with constant coefficients"},
-    {"switches", "slip to stick",
-     "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "
-     "than its static friction"},
-    {"switches", "stick to slip",
-     "a transition from {transition} occurs where the force on a mass reaches its static friction"},
-    {"jumps", NULL,
-     "friction and acceleration of a mass are discontinuous where it breaks loose or is caught, unless the force on it "
-     "is "
-     "the sliding friction, and position and velocity never are"},
-    {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
-    {"fixed-points", NULL,
-     "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law"},
-    {"linearization", NULL,
-     "linearizing within the phases alone, without regard to the switches, gives wrong results about stability"},
-    {"equality", NULL, "admissible periodic solutions are unstable unless |tr(J)| < 1"},
-    {"perturb", NULL,
-     "of the motions that result from arbitrarily small perturbations of a stable orbit some stay near it and others "
-     "do not"},
-    {"long-run", NULL, "what becomes of the printed initial state over many returns"},
-    {"patching", NULL,
-     "periodic motions of chains of more than two masses can be patched from the solutions of their phases"}};
+#define ROW(name, word, by_law, says) {word, says},
+    BEHAVIOUR_CHECKS(ROW)
+#undef ROW
+};
+static const char breaks[] =
+    "a transition from {transition} occurs where the force on a mass reaches its static friction";
 
 static bool make_behaviour(struct text *out, const struct title *t) {
   for (size_t i = 0; i < sizeof checks / sizeof *checks; i++)
-    if (claim_says(t->c, "check", checks[i].check) &&
-        (!checks[i].transition || claim_says(t->c, "transition", checks[i].transition)))
-      return title_expand(out, t, checks[i].says);
+    if (claim_says(t->c, "check", checks[i].check))
+      return title_expand(out, t, claim_says(t->c, "transition", "stick to slip") ? breaks : checks[i].says);
   return missing(t);
 }
 
