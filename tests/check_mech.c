@@ -724,7 +724,7 @@ START_TEST(words_of_settled_motions) {
   struct mech_orbits list;
   struct mech_settling settling;
   load_system(scenes_of_systems[_i]);
-  mech_settle(&settling, &file);
+  mech_settle(&settling, &file, NULL);
   mech_orbits_find(&list, &file, NULL, false, 128);
   ck_assert_int_ge(settling.settled, 6);
   for (int i = 0; i < settling.n; i++) {

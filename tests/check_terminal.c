@@ -275,6 +275,8 @@ START_TEST(progress_has_one_total) {
                {"repair eq-10 eq-31 --out $D/p", "repair eq-10 --out $D/p"},
                {"stability lambda_2 Gamma --quick --out $D/p", "stability lambda_2 --quick --out $D/p"},
                {"bifurcate beside-wall --along V=0.99:1.01", "bifurcate paper --along e2=0.85:0.86"},
+               {"orbit chain3", "orbit beside-wall"},
+               {"simulate chain3", "simulate beside-wall"},
                {"verify --only eq-52,num-t_a --out $D/p", NULL}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     const char *command = cases[i].command, *elsewhere = cases[i].elsewhere ? cases[i].elsewhere : command;

@@ -453,7 +453,10 @@ bool find_system_orbits(struct mech *m, struct mech_orbits *list, bool any, cons
   struct mech_word w;
   *list = (struct mech_orbits){.n = 0};
   if (!scene_load_system(m, &w, s, data, d)) return false;
-  mech_orbits_find(list, m, w.n && !any ? &w : NULL, false, system_bits(digits));
+  progress_begin();
+  mech_orbits_find_telling(list, m, w.n && !any ? &w : NULL, false, system_bits(digits),
+                           &(struct mech_tell){progress_count, 0, MECH_SEARCHED});
+  progress_end();
   return true;
 }
 
@@ -490,7 +493,9 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
   bool ok = find_system_orbits(&m, &v.orbits, true, s, data, digits, d);
   if (ok) {
     struct text out = {0};
-    mech_settle(&v.settling, &m);
+    progress_begin();
+    mech_settle(&v.settling, &m, &(struct mech_tell){progress_count, 0, MECH_SIMULATIONS});
+    progress_end();
     if (option(o, OPT_JSON))
       words_json(&out, &v, &m, s, digits);
     else

@@ -6,7 +6,7 @@
 
 #include "base/arena.h"
 
-enum { STEPS = 64, MOST_LOOKS = 4000 };
+enum { STEPS = 64, FROM_BOTH = 2 * (MECH_SEARCHED + STEPS), MOST_LOOKS = 4000 };
 static const double AT_CIRCLE = 1e-3; /* beside a bracket a multiplier that passes the circle is this near to it */
 
 const char *const mech_turn_id[MECH_NO_FURTHER + 1] = {"flip", "fold", "neimark-sacker", "condition", "lost"};
@@ -25,6 +25,7 @@ struct walker {
   bool ended;                 /* the branch, with the last change */
   fmpq_t least, small;        /* the width at which a bracket is narrow enough; one at which neighbours are orbits */
   struct mech_orbits arrived; /* at the end that was walked to */
+  size_t before;              /* of what progress counts, what was done from the other end */
   size_t done, branches;      /* steps of all branches from this end; how many branches there are at most */
 };
 
@@ -92,7 +93,7 @@ static bool leads_back(struct walker *w, const struct station *to, const struct 
 /* The orbit at to->at that the one of `from` becomes, or the solution of its equations that is none of the word. */
 static void reach(struct walker *w, struct station *to, const struct station *from) {
   if (has_stopped(w)) return;
-  if (w->l->progress) w->l->progress((w->backward ? STEPS : 0) + w->done / w->branches, 2 * STEPS);
+  if (w->l->progress) w->l->progress(w->before + MECH_SEARCHED + w->done / w->branches, FROM_BOTH);
   if (to->found) mech_orbit_clear(&to->orbit);
   w->f->looks++;
   to->found = solve_at(to, w, &from->orbit);
@@ -246,8 +247,10 @@ static void walk_all(struct walker *w, const struct mech_word *word, bool backwa
   struct mech m;
   struct mech_orbits list = {.n = 0};
   w->backward = backward;
+  w->before = backward ? FROM_BOTH / 2 : 0;
+  const struct mech_tell tell = {w->l->progress, w->before, FROM_BOTH};
   bool ok = load(&m, w, backward ? w->l->to : w->l->from);
-  if (ok) mech_orbits_find(&list, &m, word, false, w->l->prec);
+  if (ok) mech_orbits_find_telling(&list, &m, word, false, w->l->prec, &tell);
   mech_clear(&m);
   w->branches = (size_t)list.n;
   for (int i = 0; i < list.n; i++) {

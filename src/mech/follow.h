@@ -14,7 +14,7 @@ struct mech_line {
   struct mech_given *given;                 /* values of others in place of the file's */
   fmpq_t from, to;                          /* different */
   slong digits, prec;                       /* brackets: 10^-digits of the line; orbits */
-  void (*progress)(size_t done, size_t of); /* or NULL: told of steps along the line, there and back */
+  void (*progress)(size_t done, size_t of); /* or NULL: told of the search and of steps, there and back */
 };
 
 /* What is known at a value of the parameter. */

@@ -101,11 +101,21 @@ struct mech_orbits {
    motions pass them.  None found is no proof.  any: the first motion that leads to a
    certified admissible orbit is the last one. */
 void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec);
+/* Who waits is told of each motion and each start of Newton's iteration, MECH_SEARCHED at most, beside what else there
+   is to do. */
+enum { MECH_SIMULATIONS = 36, MECH_CANDIDATES = 90, MECH_SEARCHED = MECH_SIMULATIONS + MECH_CANDIDATES };
+struct mech_tell {
+  void (*to)(size_t done, size_t of); /* or NULL */
+  size_t before, of;                  /* done before; altogether */
+};
+void mech_orbits_find_telling(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any,
+                              slong prec, const struct mech_tell *tell);
 /* Where the first of these motions starts, in a double for each element of the state. */
 void mech_first_start(double *z, const struct mech *m);
 void mech_orbits_clear(struct mech_orbits *list);
 
-/* The words on which motions settle, from the starts of mech_orbits_find, but followed ten times as long. */
+/* The words on which motions settle, from the starts of mech_orbits_find, but followed ten times as long; tells of each,
+   MECH_SIMULATIONS in all. */
 struct mech_settling {
   struct mech_settled {
     struct mech_word word;
@@ -114,7 +124,7 @@ struct mech_settling {
   int n;
   int starts, settled, unfinished; /* motions; of these, those that settle; those that could not be followed so long */
 };
-void mech_settle(struct mech_settling *s, const struct mech *m);
+void mech_settle(struct mech_settling *s, const struct mech *m, const struct mech_tell *tell);
 void mech_settling_clear(struct mech_settling *s);
 int mech_orbits_certified(const struct mech_orbits *list); /* how many */
 /* The certified ones as a file for stickslip-checker (verify/checker/README.md); scene: a name. */

@@ -11,7 +11,7 @@
 #include "num/pi.h"
 #include "orbit.h"
 
-enum { SIMULATIONS = 36, WIDE = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 90, ROUNDS = 10, MUCH = 8 };
+enum { WIDE = 24, MOMENTS = 240, KEPT = 4, ROUNDS = 10, MUCH = 8 };
 static const char seed[] = "motions of a system";
 static const double near = 0.2; /* relative distance of the ends */
 /* A motion lasts while the slowest mode goes through so many radians and a surface drags a mass so many times as long
@@ -226,13 +226,18 @@ static int solve_near(struct mech_orbit *o, struct stretch *s, const struct mech
   return mech_orbit_near(o, m, &s->word, s->t, s->z, prec);
 }
 
+static void say(const struct mech_tell *tell, int done) {
+  if (tell && tell->to) tell->to(tell->before + (size_t)done, tell->of);
+}
+
 /* Newton's iteration from what was found; any: up to the first motion, and whether there is one. */
 static bool solve(struct mech_orbits *list, struct stretches *found, const struct mech_word *wanted,
-                  const struct mech *m, bool any, slong prec) {
+                  const struct mech *m, bool any, slong prec, const struct mech_tell *tell) {
   bool done = false;
   if (found->n > 1) qsort(found->at, (size_t)found->n, sizeof *found->at, by_gap);
-  for (int i = 0; i < found->n && i < MOST_CANDIDATES && !done; i++) {
+  for (int i = 0; i < found->n && i < MECH_CANDIDATES && !done; i++) {
     struct mech_orbit o;
+    if (!any) say(tell, MECH_SIMULATIONS + i);
     list->candidates++;
     if (solve_near(&o, &found->at[i], m, prec) != SS_OK) {
       list->failed++;
@@ -250,20 +255,26 @@ static bool solve(struct mech_orbits *list, struct stretches *found, const struc
 }
 
 void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec) {
+  mech_orbits_find_telling(list, m, w, any, prec, NULL);
+}
+
+void mech_orbits_find_telling(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any,
+                              slong prec, const struct mech_tell *tell) {
   struct stretches found = {.n = 0};
   uint64_t stream = random_seed(seed);
   struct mech_plan plan = {.duration = duration(m), .most = MOMENTS};
   *list = (struct mech_orbits){.n = 0};
   bool done = false;
-  while (list->simulations < SIMULATIONS && !done) {
+  while (list->simulations < MECH_SIMULATIONS && !done) {
     struct mech_motion x;
     double z[MECH_STATES];
+    say(tell, list->simulations);
     random_start(z, m, list->simulations >= WIDE, &stream);
     int status = mech_simulate(&x, MECH_PATCHED, m, z, &plan);
     if (status != SS_DOMAIN) look_through(&found, &x, w, m);
     list->unfinished += status != SS_OK;
     mech_motion_clear(&x);
-    if (++list->simulations == SIMULATIONS || any) done = solve(list, &found, w, m, any, prec);
+    if (++list->simulations == MECH_SIMULATIONS || any) done = solve(list, &found, w, m, any, prec, tell);
     if (any) found.n = 0;
   }
   mech_orbits_sort(list);
@@ -319,12 +330,13 @@ static void follow(struct mech_settling *s, double *z, const struct mech *m, dou
   }
 }
 
-void mech_settle(struct mech_settling *s, const struct mech *m) {
+void mech_settle(struct mech_settling *s, const struct mech *m, const struct mech_tell *tell) {
   uint64_t stream = random_seed(seed);
   double length = duration(m);
   *s = (struct mech_settling){.n = 0};
-  while (s->starts < SIMULATIONS) {
+  while (s->starts < MECH_SIMULATIONS) {
     double z[MECH_STATES];
+    say(tell, s->starts);
     random_start(z, m, s->starts >= WIDE, &stream);
     s->starts++;
     follow(s, z, m, length);
