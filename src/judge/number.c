@@ -7,6 +7,7 @@
 #include "num/calc.h"
 #include "stability/precision.h"
 #include "value/expression.h"
+#include "value/title.h"
 
 enum { BITS_SHOWN = 34 }; /* ten digits */
 

@@ -209,8 +209,8 @@ static void by_balls(struct range *r) {
 static const char *describe(struct range *r) {
   struct text t = {0};
   text_printf(&t,
-              "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise "
-              "on %ld, open on %ld",
+              "the condition holds along the whole phase on %ld orbits and fails on %ld, as the range says; on %ld it "
+              "is not as the range says, on %ld it is undecided",
               r->same[1], r->same[0], r->other, r->open);
   if (r->form.rate)
     text_printf(&t, "; where the phase takes more than 2 pi, it holds on %ld and fails on %ld, as the range says",

@@ -236,8 +236,8 @@ const char *second_mass_is_slower(void) {
   exact_motion_free(&m, false, 4, NULL);
   bool ok = continuous(&m, 3, PHASE_H, PHASE_C, DZ_2) && second_mass_would_stay(&m);
   exact_motion_clear(&m);
-  return ok ? "z_2' < V at t_a + t_b + t_c, since with z_2' = V there z_2'' would be zero, being continuous, and z_2' "
-              "would stay V throughout the stick-slip phase"
+  return ok ? "z_2' < V at t_a + t_b + t_c, since with z_2' = V there z_2'', which is continuous, would be zero, else "
+              "z_2' > V just before or just after, and z_2' would stay V throughout the stick-slip phase"
             : NULL;
 }
 
@@ -278,7 +278,8 @@ static bool has_touch(const struct tape *t) {
 
 static const char *why(const struct tape *t, bool root, bool admissible) {
   if (has_sign(t, false, root) || has_sign(t, true, root))
-    return "a product of factors that are positive for all parameters";
+    return root ? "a product of factors that are positive for all parameters"
+                : "up to its sign a product of factors that are positive for all parameters";
   if (!admissible || root) return NULL;
   if (is_factor(t, 2, DZ_1, 4)) return first_mass_is_slower();
   if (is_factor(t, 3, DZ_2, ANCHOR_BACK)) return second_mass_is_slower();

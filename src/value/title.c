@@ -200,9 +200,14 @@ static bool make_number(struct text *out, const struct title *t) {
   if (ok) {
     const struct printed_number *printed = t->s ? scene_printed(t->s, number) : NULL;
     number_name(&name, number);
-    text_printf(out, "%s %s %s", text_str(&name), relation ? relation : "=",
-                printed ? printed->decimal : text_str(&decimal));
-    if (strcmp(text_str(&name), text_str(&formula)) != 0) text_printf(out, ", the value of %s", text_str(&formula));
+    if (relation)
+      text_printf(out, "the %s bound %s of %s", *relation == '<' ? "upper" : "lower", text_str(&formula),
+                  text_str(&name));
+    else
+      text_add(out, text_str(&name));
+    text_printf(out, "%s%s", relation ? " is " : " = ", printed ? printed->decimal : text_str(&decimal));
+    if (!relation && strcmp(text_str(&name), text_str(&formula)) != 0)
+      text_printf(out, ", the value of %s", text_str(&formula));
     text_add(out, strcmp(from, "orbit") == 0 ? " on the example's orbit" : " at the printed numbers");
   }
   text_clear(&decimal);
@@ -313,7 +318,7 @@ static bool numbers_of(struct text *out, const struct title *t, const char *list
 static bool make_defined(struct text *out, const struct title *t) {
   const char *list = claim_get(t->c, "statements");
   if (!list) return missing(t);
-  text_add(out, "the quotients, roots and inverses in ");
+  text_add(out, "the expressions in ");
   if (!numbers_of(out, t, list)) return false;
   text_printf(out, " are defined %s",
               claim_says(t->c, "over", "parameters") ? "for all parameters"
@@ -361,7 +366,7 @@ static bool range_where(struct text *out, const struct title *t, struct title_pa
     text_printf(out, " for every %s > 0", name_time[ph]);
     return true;
   }
-  text_add(out, " exactly if ");
+  text_add(out, " if and only if ");
   if (premise && !title_parts_write(out, p, t, "premises")) return false;
   if (!limited) return true;
   text_add(out, premise ? " and " : "");
@@ -499,7 +504,7 @@ static bool make_scaling(struct text *out, const struct title *t) {
     text_add_n(name, p, len);
     if (p[len - 1] == '_') text_add_char(name, 'i');
   }
-  text_add(out, " is dimensionally homogeneous if, in fixed units of time and stiffness, ");
+  text_add(out, " is dimensionally homogeneous if times and stiffnesses are pure numbers and ");
   title_list_write(out, &l);
   text_add(out, l.n == 1 ? " alone is a length" : " alone are lengths");
   title_list_clear(&l);
