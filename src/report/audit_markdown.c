@@ -281,6 +281,11 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
     const struct consequence *q = &r->consequences[i];
     if (is_idle(q)) continue;
     text_printf(out, "### %s\n\n", q->failure);
+    const struct finding *f = audit_result_finding(r, q->failure), *first = f ? failure_mended_with(r, f) : NULL;
+    if (first) {
+      text_printf(out, "As for %s, whose correction is the same.\n\n", first->id);
+      continue;
+    }
     if (q->solved) sheet_add(&s, "- the equations solved with it: %p\n", q->solved);
     add_ids(out, "- statements that no longer hold: ", &q->falls);
     add_ids(out, "- statements that use it and keep their verdict: ", &q->survives);
