@@ -521,8 +521,8 @@ START_TEST(claims_by_one_route) {
 }
 END_TEST
 
-/* The letter says from the record what was read, which reading gives every number, what is wrong beside what is right,
-   each error in its first sentence, which equations hold, where the solution is stable; then come the findings. */
+/* The letter says from the record what was read, what is wrong beside what is right, which reading gives every number,
+   each error with what it changes, which equations hold, where the solution is stable; then come the findings. */
 START_TEST(the_letter) {
   struct named_value value[] = {{"printed", "5"}, {"value", "7.25"}};
   struct evidence stable = {

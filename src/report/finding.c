@@ -54,7 +54,9 @@ const char *failure_words(const struct finding *f) {
 
 const char *failure_heading(const struct finding *f) {
   if (!finding_fails(f)) return "";
-  return f->verdict == VERDICT_CONDITIONAL ? "it does not hold in general that " : "it does not hold that ";
+  if (f->verdict != VERDICT_CONDITIONAL) return "it does not hold that ";
+  return failure_fault(f) == FAULT_NUMBER ? "it holds only to the digits printed that "
+                                          : "it does not hold in general that ";
 }
 
 bool finding_restricts(const struct finding *o, const struct finding *f) {
@@ -109,7 +111,7 @@ const char *audit_method(const struct audit_result *r) {
 const char *audit_source(const struct audit_result *r) {
   return r->paper_text
              ? "The text that was read is a machine conversion of the printed paper, without its figures; a misprint "
-               "of a single symbol may be due to the conversion."
+               "of one symbol may be due to it."
              : "";
 }
 
@@ -137,23 +139,16 @@ const char *const severity_correction[N_SEVERITIES] = {"Should read", "Suggested
 const char *const severity_words[N_SEVERITIES][2] = {
     {"error of substance", "errors of substance"}, {"remark", "remarks"}, {"slip of notation", "slips of notation"}};
 
-static bool fails_of_paper(const struct finding *f) {
-  return f && f->of == OF_PAPER && finding_fails(f);
-}
-
 void verdicts_say(struct text *out, const struct audit_result *r) {
-  long count[N_VERDICTS], of[N_SEVERITIES] = {0}, of_numbers = 0, of_notation = 0, due = 0;
+  long count[N_VERDICTS], of_numbers = 0, of_notation = 0;
   const struct root_cause *numbers = audit_root_of_numbers(r);
   audit_result_count(count, r, OF_PAPER);
   for (size_t i = 0; i < r->n_roots; i++) {
-    long failing = 0, refuted = 0;
+    long refuted = 0;
     for (int k = 0; k < r->roots[i].n_claims; k++) {
       const struct finding *f = audit_result_finding(r, r->roots[i].claims[k]);
-      failing += fails_of_paper(f);
-      refuted += fails_of_paper(f) && f->verdict == VERDICT_REFUTED;
+      refuted += f && f->of == OF_PAPER && f->verdict == VERDICT_REFUTED;
     }
-    due += failing > 0;
-    of[r->roots[i].severity] += failing > 0;
     if (&r->roots[i] == numbers) of_numbers = refuted;
     if (r->roots[i].severity == SEVERITY_NOTATION) of_notation += refuted;
   }
@@ -164,21 +159,6 @@ void verdicts_say(struct text *out, const struct audit_result *r) {
   if (of_notation)
     text_printf(out, "%s%ld %sby a misprint or slip of notation", of_numbers ? " and " : ", ", of_notation,
                 of_numbers ? "" : "of them ");
-  const char *end = due == 0 ? "" : (size_t)due < r->n_roots ? "; the other points were found by further checks)" : ")";
-  if (due && conditional + fail == 1)
-    text_add(out, " (it belongs to");
-  else if (due)
-    text_printf(out, " (these %ld belong to", conditional + fail);
-  const char *before = " ";
-  for (int i = 0; due; i++) {
-    if (of[i] == 0) continue;
-    due -= of[i];
-    text_printf(out, "%s%ld %s", before, of[i], severity_words[i][of[i] != 1]);
-    int next = i + 1;
-    while (due && of[next] == 0) next++;
-    before = due && due == of[next] ? " and " : ", ";
-  }
-  text_add(out, end);
   if (count[VERDICT_SUPPORTED]) text_printf(out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
   if (count[VERDICT_UNKNOWN]) text_printf(out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
 }

@@ -42,8 +42,7 @@ const char *root_value(const struct audit_result *r, const struct root_cause *ro
 /* The root of the wrong numbers; NULL where there are none. */
 const struct root_cause *audit_root_of_numbers(const struct audit_result *r);
 /* What is said of the paper's statements behind those proved: ", 11 hold under a condition, 19 do not hold as printed,
-   6 of them about the numbers of the example (these 30 belong to 3 errors of substance, ...); 2 could not be
-   decided". */
+   6 of them about the numbers of the example; 2 could not be decided". */
 void verdicts_say(struct text *out, const struct audit_result *r);
 /* The first of the quantities derived from it to which that happens, behind the last one; NULL when there is no
    more. */

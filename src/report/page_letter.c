@@ -1,7 +1,7 @@
 /* The letter: what the paper's authors should know, on two screens; where the data are not an example's in print,
-   a summary of the same, which says what they are.  What was read; how the printed numbers come out;
-   the errors of substance; what holds; where the solution is stable.  Every sentence is made of the record, and
-   what stands here is told in full below it. */
+   a summary of the same, which says what they are.  What was read; that the printed numbers are wrong, and how they
+   come out; the other errors of substance, with what they change; what holds; where the solution is stable.  Every
+   sentence is made of the record, and what stands here is told in full below it. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,25 +39,26 @@ static const struct example_reading *best_reading(const struct page *p) {
 }
 
 static void add_reading(const struct page *p, const struct example_reading *e) {
-  text_add(p->out, "<p><strong>If ");
+  text_add(p->out, "<p>If ");
   sheet_list(HTML(p->out), e->inputs, e->n_inputs);
   text_add(p->out, " are taken as exact");
   for (int i = 0; i < e->n_dropped; i++)
     page_add(p, "%s%p, whose sides then differ by %p", i ? ", and " : " and one equation is left out, ",
              e->dropped[i].equation, e->dropped[i].residual);
-  text_printf(p->out, ", %s%d printed numbers of the example come out to every printed digit.</strong> ",
+  text_printf(p->out, ", %s%d printed numbers of the example come out to every printed digit. ",
               e->n_given == e->n_numbers ? "then the other " : "then as many as ", e->n_given - e->n_inputs);
   page_add(p, "%t%.</p>\n", reading_start(e));
 }
 
-/* Why the numbers are wrong all the same. */
+/* That the numbers are wrong. */
 static void add_wrong_numbers(const struct page *p, const struct root_cause *root) {
   const struct readings *r = p->r->readings;
   bool rounding = r && r->procedure.n_outputs > 0;
   for (int i = 0; rounding && i < r->procedure.n_outputs; i++)
     rounding = strcmp(r->procedure.output[i].within, "no") == 0;
-  text_add(p->out, "<p>");
+  text_add(p->out, "<p><strong>");
   add_first_sentence(p, root->wrong);
+  text_add(p->out, "</strong>");
   if (rounding) page_add(p, " Rounding of %p does not explain the difference.", r->procedure.inputs);
   page_add(p, " (<a href=\"#r-%a\">More</a>)</p>\n", root->id);
 }
@@ -109,8 +110,8 @@ static void add_example(const struct page *p) {
   for (size_t i = 0; i < p->r->n_findings; i++) any = any || is_wrong_number(&p->r->findings[i]);
   if (!any) return;
   text_add(p->out, "<h3>The printed example</h3>\n<div class=\"beside\">\n<div>\n");
-  if (e) add_reading(p, e);
   if (root) add_wrong_numbers(p, root);
+  if (e) add_reading(p, e);
   add_numbers(p, e);
   text_add(p->out, "</div>\n");
   page_picture(p, &picture_portrait, "A bar shows by how much the motion from the printed start does not close.");
@@ -130,12 +131,12 @@ static void add_counts(const struct page *p) {
   text_add_char(p->out, '.');
 }
 
-/* What was done or is forgotten, in a sentence; numbered as on the sheet of errata. */
+/* What is wrong, in a sentence, and what it changes; numbered as on the sheet of errata. */
 static void add_error(const struct page *p, const struct root_cause *root, int number) {
   text_printf(p->out, "<li value=\"%d\">", number);
   page_add(p, "<a href=\"#r-%a\">%t</a>, %t: ", root->id, root->where, root->title);
   add_first_sentence(p, root->wrong);
-  text_add(p->out, "</li>\n");
+  page_add(p, " %t</li>\n", root->consequence);
 }
 
 static void add_errors(const struct page *p) {
@@ -143,7 +144,9 @@ static void add_errors(const struct page *p) {
   if (p->r->n_roots == 0) return;
   text_add(p->out, "<h3>What has to be corrected</h3>\n");
   add_counts(p);
-  text_add(p->out, told ? " Besides the numbers of the example these are, in order of consequence:</p>\n" : "</p>\n");
+  if (told && audit_result_roots(p->r, SEVERITY_SUBSTANCE) > 1)
+    text_add(p->out, " The errors besides the numbers of the example:");
+  text_add(p->out, "</p>\n");
   text_add(p->out, "<ol class=\"errors\">\n");
   int n = 0;
   for (size_t i = 0; i < p->r->n_roots; i++) {
@@ -180,8 +183,7 @@ static bool equation_holds(const struct audit_result *r, int n) {
 
 /* "(1)-(9), (11)". */
 static void add_sound_equations(const struct page *p) {
-  const char *before = " Apart from the remarks and slips of notation below, all that was examined of the equations "
-                       "themselves has been proved for ";
+  const char *before = "Apart from the remarks and slips of notation below, all that was examined of ";
   static const char more[] = ", ";
   for (int i = 1, last; i < MOST_EQUATIONS; i = last + 1) {
     last = i;
@@ -191,19 +193,18 @@ static void add_sound_equations(const struct page *p) {
     if (last > i) text_printf(p->out, "%s(%d)", last > i + 1 ? "\xe2\x80\x93" : more, last);
     before = more;
   }
-  if (before == more) text_add(p->out, "; of the others, those that assert something are named below.");
+  if (before == more) text_add(p->out, " has been proved, with the corrected form of what they use. ");
 }
 
 static void add_what_holds(const struct page *p) {
   long count[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER);
-  text_printf(p->out,
-              "<h3>What holds</h3>\n<p>Of the %ld statements of the paper that assert something, %ld %s been proved",
+  text_add(p->out, "<h3>What holds</h3>\n<p>");
+  add_sound_equations(p);
+  text_printf(p->out, "Of the %ld statements of the paper that assert something, %ld %s been proved",
               total - count[VERDICT_DEFINITION], count[VERDICT_PROVED], count[VERDICT_PROVED] == 1 ? "has" : "have");
   verdicts_say(p->out, p->r);
   if (count[VERDICT_SKIPPED]) text_printf(p->out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);
-  text_add_char(p->out, '.');
-  add_sound_equations(p);
-  text_add(p->out, "</p>\n");
+  text_add(p->out, ".</p>\n");
 }
 
 /* --- What the paper does not say --- */

@@ -72,7 +72,7 @@ static void say_along(struct text *out, const struct rows *t) {
               t->orbit ? t->orbit : "this solution", t->cell[0][E2], t->cell[t->n - 1][E2],
               t->orbit ? "this scene" : "the example");
   add_ends(out, t);
-  text_add(out, "; what is dotted solves the equations and is no motion.");
+  text_add(out, "; the dotted part solves the equations, but breaks a condition of the motion.");
   for (size_t i = 0; i < t->n; i++)
     if (is_good(t, i)) {
       i = add_range(out, t, i);
