@@ -9,24 +9,25 @@
 
 #include "every.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
-static struct table audits;                                    /* cases/papers_of_others.tsv */
+TABLE(audits, "tests/cases/papers_of_others.tsv", 6);
 enum { X_FOLDER, X_FILE, X_SCRIPT, X_ONLY, X_STATUS, X_SAYS }; /* its columns */
 
-START_TEST(papers_of_others) {
+CASE("papers", .each = {scratch_open, scratch_close});
+
+TEST_EACH(papers_of_others, audits.n) {
   char **x = audits.row[_i];
   shell_well("cp -R tests/%s \"$D/data\" && sed -i '%s' \"$D/data/%s\" && ! cmp -s tests/%s/%s \"$D/data/%s\"",
              x[X_FOLDER], x[X_SCRIPT], x[X_FILE], x[X_FOLDER], x[X_FILE], x[X_FILE]);
   shell_ends(atoi(x[X_STATUS]), x[X_SAYS], "STICKSLIP_DATA=\"$D/data\" \"$P\" verify %s%s --out \"$D/out\"",
              *x[X_ONLY] ? "--only " : "", x[X_ONLY]);
 }
-END_TEST
 
 /* That nothing decides a correction can be on record, in the report as in the run; that it is wrong, or holds,
    cannot. */
-START_TEST(corrections_on_record) {
+TEST(corrections_on_record) {
   static const char *const verify = "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --only eq-6 --out \"$D/out\"";
   shell_well("cp -R tests/row \"$D/data\" && sed -i 's/exp(pi.zeta)^2/exp(pi*zeta\\/2)^4/' \"$D/data/errata.eq\" && "
              "sed -i '/^claim eq-6/,/^$/s/record: .*/&\\n  correction: unknown/' \"$D/data/claims/note.claim\"");
@@ -37,10 +38,9 @@ START_TEST(corrections_on_record) {
   shell_well("cp tests/row/errata.eq \"$D/data\"");
   shell_ends(1, "eq-6: the correction is proved", "%s", verify);
 }
-END_TEST
 
 /* A failure that no root describes yet is in the errata all the same; and nothing is said of a periodic solution. */
-START_TEST(failures_without_a_root) {
+TEST(failures_without_a_root) {
   static const char *const verify = "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --out \"$D/out\"";
   shell_well("cp -R tests/row \"$D/data\" && : > \"$D/data/claims/note.roots\" && "
              "sed -i '/record: refuted/d' \"$D/data/claims/note.claim\"");
@@ -53,10 +53,9 @@ START_TEST(failures_without_a_root) {
   shell_well("grep 'Without any consequence for other statements or results: eq-6' \"$D/out/audit.md\" && "
              "! grep 'true periodic solution' \"$D/out/audit.md\"");
 }
-END_TEST
 
 /* A factor is no other name of the same quantity. */
-START_TEST(factors_are_no_slips_of_notation) {
+TEST(factors_are_no_slips_of_notation) {
   shell_well("cp -R tests/row \"$D/data\" && cd \"$D/data\" && sed -i '/^equation eq-5/,$s/frac{.kappa}{.mu}/kappa/; "
              "s/omega^2 = kappa.mu/omega^2 = kappa/' paper/note.eq && "
              "printf 'equation err-5\\n  section: note\\n  replaces: eq-5\\n  omega^2 = kappa/mu\\n  sqrt(kappa^2) = "
@@ -68,22 +67,20 @@ START_TEST(factors_are_no_slips_of_notation) {
       3, "there is no {err-5}, a record or a correction \"CLAIM.repaired\"; that record replaces another, write {eq-5}",
       "\"$P\" check \"$D/data/claims/note.roots\"");
 }
-END_TEST
 
 /* What is refuted at a few of its points is shown at one of them. */
-START_TEST(explained_where_it_fails) {
+TEST(explained_where_it_fails) {
   shell_well(
       "cp -R tests/row \"$D/data\" && sed -i '/sqrt{.kappa} </d; s/sqrt(kappa) < 1 + kappa/kappa < 31\\/4/' "
       "\"$D/data/paper/note.eq\" && sed -i '/^claim eq-8/,$s/params 8/params 200/' \"$D/data/claims/note.claim\"");
   shell_ends(0, "this fails here", "STICKSLIP_DATA=\"$D/data\" \"$P\" explain eq-8");
 }
-END_TEST
 
-static struct table sentences;              /* cases/other_sentences.tsv */
+TABLE(sentences, "tests/cases/other_sentences.tsv", 4);
 enum { Y_ID, Y_VERDICTS, Y_WHY, Y_RECORD }; /* its columns */
 
 /* The paper itself, where one record says something else. */
-START_TEST(other_sentences) {
+TEST_EACH(other_sentences, sentences.n) {
   char **y = sentences.row[_i], want[64], verdict[24];
   int n = 0;
   scratch_put("other.eq", y[Y_RECORD]);
@@ -97,7 +94,6 @@ START_TEST(other_sentences) {
   ck_assert_msg(met, "%s, not %s, though %s:\n%s", y[Y_ID], y[Y_VERDICTS], y[Y_WHY], out);
   free(out);
 }
-END_TEST
 
 /* |name - value| < 1e-32, said as d - |name - value| being its own absolute value, which balls refute where it is wrong
    and else leave unproved. */
@@ -108,7 +104,7 @@ static int near_value(char *out, size_t size, const char *name, const char *valu
 
 /* Den Hartog's amplitude and phase are those of motions that tests/oracle/den_hartog.py found without them; (9) makes
    room for these equations, and the row's data for the symbols. */
-START_TEST(amplitudes_and_phases_of_motions) {
+TEST_EVERY(amplitudes_and_phases_of_motions, 3, 40) {
   static const char *const shift[] = {"", " + 2e-32"};
   char cosine[128], sine[128], text[2048];
   struct table motions;
@@ -133,10 +129,9 @@ START_TEST(amplitudes_and_phases_of_motions) {
              "STICKSLIP_DATA=\"$D/hartog\" \"$P\" verify --only eq-9 --out \"$D/out\"");
   table_clear(&motions);
 }
-END_TEST
 
 /* check reads a file with the data folder around it, and one that bears another paper's title alone. */
-START_TEST(files_are_checked_with_their_own_paper) {
+TEST_EACH(files_are_checked_with_their_own_paper, 4) {
   static const struct {
     const char *command;
     int status;
@@ -153,24 +148,4 @@ START_TEST(files_are_checked_with_their_own_paper) {
                          cases[_i].command, cases[_i].status);
   ck_assert_msg(strstr(out, cases[_i].says) && !strstr(out, "given twice"), "%s:\n%s", cases[_i].command, out);
   free(out);
-}
-END_TEST
-
-Suite *another_suite(void) {
-  Suite *s = suite_create("another");
-  table_read(&audits, "tests/cases/papers_of_others.tsv", 6);
-  table_read(&sentences, "tests/cases/other_sentences.tsv", 4);
-  TCase *t = tcase_create("papers");
-  tcase_set_timeout(t, 120);
-  tcase_add_checked_fixture(t, scratch_open, scratch_close);
-  tcase_add_loop_test(t, papers_of_others, 0, audits.n);
-  tcase_add_loop_test(t, other_sentences, 0, sentences.n);
-  tcase_add_test(t, corrections_on_record);
-  tcase_add_test(t, explained_where_it_fails);
-  tcase_add_test(t, failures_without_a_root);
-  tcase_add_test(t, factors_are_no_slips_of_notation);
-  add_every(t, amplitudes_and_phases_of_motions, 3, 40);
-  tcase_add_loop_test(t, files_are_checked_with_their_own_paper, 0, 4);
-  suite_add_tcase(s, t);
-  return s;
 }

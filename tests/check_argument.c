@@ -13,7 +13,7 @@
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "value/expression.h"
 #include "value/orbit_pool.h"
 #include "value/orbits.h"
@@ -263,16 +263,17 @@ static const struct {
      "  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}\n",
      "  section: appendix_b\n  title: of the test\n", gaps, sizeof gaps / sizeof *gaps}};
 
-START_TEST(what_follows_and_what_does_not) {
+CASE("argument", .once = {paper_open, paper_close});
+
+TEST_EACH(what_follows_and_what_does_not, COUNT(verdicts)) {
   struct model m;
   paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", verdicts[_i].records), .controls = true});
   check_verdicts(&m, verdicts[_i].head, verdicts[_i].asked, verdicts[_i].n);
   model_clear(&m);
 }
-END_TEST
 
 /* What is reported of the scene names the formula whose value it gives. */
-START_TEST(a_report_names_its_formula) {
+TEST(a_report_names_its_formula) {
   struct audit_result r;
   const char *claim =
       "claim text-report\n  section: stability\n  title: of the test\n  kind: report\n  formula: det(J)\n";
@@ -281,7 +282,6 @@ START_TEST(a_report_names_its_formula) {
   ck_assert_ptr_nonnull(strstr(f->evidence[f->n_evidence - 1].note, "formulas give det(J) = "));
   audit_result_clear(&r);
 }
-END_TEST
 
 /* Rows of tests/oracle/argument.py: a scene, then e1, e2, V t_a (1 - chi)/2, (e1 - (z_1c - chi z_2c))/2 and
    (e2 - chi (z_20 - z_10))/2 there. */
@@ -312,7 +312,7 @@ static void point_of(struct point *p, const char *const q[N_DRAW], double u_r1, 
 
 /* (53) fails with u_r1 between e1 and the bound of the oracle and holds beyond; likewise the lower bound of (59), and
    that of (57) for u_r2; the bounds by the times are the same. */
-START_TEST(bounds_of_an_independent_program) {
+TEST_EACH(bounds_of_an_independent_program, COUNT(certificates)) {
   struct audit_result r;
   struct diag d;
   struct claims claims = {.n = 0};
@@ -349,10 +349,9 @@ START_TEST(bounds_of_an_independent_program) {
   claims_clear(&claims);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* The margins module works from closed forms of the extremes, the conditions from the paper's text by subdivision. */
-START_TEST(conditions_are_the_margins_of_the_orbit) {
+TEST(conditions_are_the_margins_of_the_orbit) {
   static const struct {
     const char *item;
     int margin;
@@ -404,10 +403,9 @@ START_TEST(conditions_are_the_margins_of_the_orbit) {
   claims_clear(&claims);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* Orbits of a search come and go, and one may lie where another was. */
-START_TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
+TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
   struct judge j = {.cache = the_paper.cache};
   struct orbit_pool pool = orbit_pool_get(&j);
   struct dyn_orbit o;
@@ -426,11 +424,10 @@ START_TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
   dyn_arc_clear(&arc);
   num_vec_clear(&params);
 }
-END_TEST
 
 /* Nor does an answer depend on which claims were judged before: a control that only has to be refuted draws few orbits,
    and what is asked next has all of them, of which those few are the first. */
-START_TEST(the_pool_does_not_remember_who_asked_first) {
+TEST(the_pool_does_not_remember_who_asked_first) {
   struct judge refute = {.cache = orbit_cache_new(), .effort = EFFORT_REFUTE}, full = {.cache = refute.cache};
   size_t few = orbit_pool_get(&refute).n;
   struct judge fresh = {.cache = orbit_cache_new()};
@@ -443,10 +440,9 @@ START_TEST(the_pool_does_not_remember_who_asked_first) {
   orbit_cache_free(full.cache);
   orbit_cache_free(fresh.cache);
 }
-END_TEST
 
 /* The scene of a certificate is a scene, and its orbit breaks just what the certificate says. */
-START_TEST(a_certificate_is_a_scene) {
+TEST(a_certificate_is_a_scene) {
   struct claims none = {.n = 0};
   struct audit_result r;
   const char *id = "text-59-concluded";
@@ -473,7 +469,6 @@ START_TEST(a_certificate_is_a_scene) {
   text_clear(&t);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* --- Symbols and readings --- */
 
@@ -497,11 +492,10 @@ static const struct {
     {"  kind: notation\n  reads: a := K + 1\n", VERDICT_REFUTED},
 };
 
-START_TEST(symbols_and_readings) {
+TEST_EACH(symbols_and_readings, COUNT(symbols)) {
   enum verdict v = verdict_under(&the_paper.model, formatted(HEAD "%s", symbols[_i].claim));
   ck_assert_msg(v == symbols[_i].want, "%s: %s", symbols[_i].claim, verdict_name[v]);
 }
-END_TEST
 
 /* --- Scaling --- */
 
@@ -528,7 +522,7 @@ static void faults_of(struct text *out, const char *overlay) {
 
 /* Dimensions by hand: V t z' in (10), 1 + sin/(V omega z) in (40); all else is homogeneous.  Repaired, none is left; a
    time added to a displacement, a displacement as an angle, or a root of unlike coefficients is found. */
-START_TEST(formulas_without_a_degree) {
+TEST_EACH(formulas_without_a_degree, 7) {
   static const struct {
     const char *overlay, *want;
   } cases[] = {
@@ -545,7 +539,6 @@ START_TEST(formulas_without_a_degree) {
   ck_assert_str_eq(text_str(&got), cases[_i].want);
   text_clear(&got);
 }
-END_TEST
 
 /* By hand: u = F/(k + k) has the degree of F; a name that is no prefix stays out of it. */
 static const struct {
@@ -558,7 +551,7 @@ static const struct {
     {"  kind: scaling\n  statement: eq-1b\n  scaled: F_ k_ m_\n", VERDICT_PROVED, VERDICT_UNKNOWN},
 };
 
-START_TEST(units_of_one_record) {
+TEST_EACH(units_of_one_record, COUNT(units)) {
   struct audit_result r;
   goes_well(judge_text(&r, &the_paper.model, formatted(HEAD "%s", units[_i].claim), &the_paper.scene, "own", &d));
   const struct finding *f = &r.findings[0];
@@ -566,14 +559,13 @@ START_TEST(units_of_one_record) {
   if (f->verdict == VERDICT_REFUTED) ck_assert_int_eq((int)f->correction_verdict, (int)units[_i].repaired);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* --- Counting --- */
 
 /* Ranks by hand: of x = 1, 2x = 2 and y = x^2 two; of V t_a = 1 and t_a = t_a^2 one; for all values of the rest.  Of (1
    - V) t_a = 1 and t_b = 1 two but where V = 1; the absolute value of 1 - V and sin(1/(1 - V)) are no quotients of
    analytic functions on the whole domain. */
-START_TEST(ranks_by_hand) {
+TEST_EACH(ranks_by_hand, 13) {
   static const struct {
     const char *statements, *unknowns, *rank;
     enum verdict want;
@@ -598,7 +590,6 @@ START_TEST(ranks_by_hand) {
   ck_assert_msg(v == cases[_i].want, "%s%s: %s", cases[_i].statements, cases[_i].rank, verdict_name[v]);
   model_clear(&m);
 }
-END_TEST
 
 /* det(N_1 - I) at the admissible orbit with chi = 15/64, eta = 2, V = 1, t_c = 43/32 and the t_b given. */
 static void first_determinant(arb_t det, const char *t_b) {
@@ -626,7 +617,7 @@ static void first_determinant(arb_t det, const char *t_b) {
 }
 
 /* Found by an independent search (1.78e-4 and -3.25e-4): (45) and (46) are not defined on every admissible orbit. */
-START_TEST(the_first_inverse_has_exceptions) {
+TEST(the_first_inverse_has_exceptions) {
   arb_t x, y;
   arb_init(x);
   arb_init(y);
@@ -638,11 +629,10 @@ START_TEST(the_first_inverse_has_exceptions) {
   arb_clear(y);
   arb_clear(x);
 }
-END_TEST
 
 /* What divides is zero nowhere, by its sign or on admissible motions by the velocities; or it is zero on an orbit of a
    family, or where a family ends since z_1' only touches V.  sin(t_b) is neither: nothing says that t_b is not pi. */
-START_TEST(values_of_formulas) {
+TEST_EACH(values_of_formulas, 20) {
 #define ALONG(low, high)                                                                                               \
   "  at: chi = 15/64, eta = 2, V = 1, e1 = 2.7294, e2 = 0.4475\n  vary: e2 from " low " to " high "\n"
 #define TOUCHING(low, high)                                                                                            \
@@ -691,11 +681,10 @@ START_TEST(values_of_formulas) {
 #undef TOUCHING
 #undef ALONG
 }
-END_TEST
 
 /* --- The claims on file --- */
 
-START_TEST(every_number_of_the_paper_is_covered) {
+TEST(every_number_of_the_paper_is_covered) {
   long prose = 0;
   bool equation[62] = {false};
   for (size_t i = 0; i < the_paper.claims.n; i++) {
@@ -709,10 +698,9 @@ START_TEST(every_number_of_the_paper_is_covered) {
   for (int n = 1; n <= 61; n++) ck_assert_msg(equation[n], "no claim for (%d)", n);
   ck_assert_int_ge(prose, 25);
 }
-END_TEST
 
 /* All claims of the whole audit: as recorded, every control noticed. */
-START_TEST(the_text_is_as_recorded) {
+TEST(the_text_is_as_recorded) {
   struct audit_result r;
   whole_open();
   whole_record(&r);
@@ -724,41 +712,12 @@ START_TEST(the_text_is_as_recorded) {
   for (size_t i = 0; i < r.n_controls; i++) ck_assert_msg(r.controls[i].noticed, "%s", r.controls[i].id);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* A slow belt: the first mass is faster than half of it only through 10^-10 of the phase, which the search must find,
    or through less than doubles tell from the phase's end; and forces are so large beside it that they round it away. */
-START_TEST(a_condition_broken_for_a_moment) {
+TEST(a_condition_broken_for_a_moment) {
   shell_well("$P verify paper --set V=1e-12 --only fig-4 --out $D/slow > $D/said");
   check_says("said", "1 proved; 1 of 1 controls noticed");
   shell_well("$P verify paper --set V=1e-20 --only fig-3,fig-4,eq-54,eq-57,eq-59 --out $D/slow > $D/said");
   check_says("said", "5 proved; 4 of 4 controls noticed");
-}
-END_TEST
-
-Suite *argument_suite(void) {
-  Suite *s = suite_create("argument");
-  TCase *c = tcase_create("argument");
-  tcase_set_timeout(c, 120);
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-#define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
-  LOOP(what_follows_and_what_does_not, verdicts);
-  tcase_add_test(c, a_report_names_its_formula);
-  LOOP(bounds_of_an_independent_program, certificates);
-  tcase_add_test(c, a_condition_broken_for_a_moment);
-  tcase_add_test(c, conditions_are_the_margins_of_the_orbit);
-  tcase_add_test(c, an_orbit_in_the_place_of_another_has_its_own_arc);
-  tcase_add_test(c, the_pool_does_not_remember_who_asked_first);
-  tcase_add_test(c, a_certificate_is_a_scene);
-  LOOP(symbols_and_readings, symbols);
-  tcase_add_loop_test(c, formulas_without_a_degree, 0, 7);
-  LOOP(units_of_one_record, units);
-  tcase_add_loop_test(c, ranks_by_hand, 0, 13);
-  tcase_add_loop_test(c, values_of_formulas, 0, 20);
-  tcase_add_test(c, the_first_inverse_has_exceptions);
-  tcase_add_test(c, every_number_of_the_paper_is_covered);
-  tcase_add_test(c, the_text_is_as_recorded);
-#undef LOOP
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -12,7 +12,7 @@
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "value/title.h"
 #include "whole.h"
 
@@ -43,7 +43,7 @@ static void check_verdict(const struct route_result *w, int n, bool whole) {
   ck_assert_msg(v == want, "%swhole %d: %s, not %s", shown, whole, verdict_name[v], verdict_name[want]);
 }
 
-START_TEST(every_row_of_the_verdict_table) {
+TEST(every_row_of_the_verdict_table) {
   static const char *const names[] = {"balls", "fd", "taylor"};
   enum { STATES = 16 }; /* four words, no trials or some, decisive or not */
   check_verdict(NULL, 0, false);
@@ -59,9 +59,8 @@ START_TEST(every_row_of_the_verdict_table) {
         check_verdict(w, n, whole);
       }
 }
-END_TEST
 
-START_TEST(routes_that_share_their_reasoning_count_once) {
+TEST(routes_that_share_their_reasoning_count_once) {
   static const char *const names[] = {"balls", "oracle", "exponential", "taylor",    "gsl",         "ode",
                                       "fd",    "newton", "saltation",   "iteration", "integration", "motion"};
   enum { N = sizeof names / sizeof *names };
@@ -78,9 +77,8 @@ START_TEST(routes_that_share_their_reasoning_count_once) {
   struct route_result same_text[] = {{"balls", ROUTE_AGREES, true, 1}, {"algebra", ROUTE_AGREES, true, 1}};
   ck_assert_int_eq(independent_routes(same_text, 2), 1); /* both read the paper's formulas */
 }
-END_TEST
 
-START_TEST(selection_by_id) {
+TEST(selection_by_id) {
   static const struct {
     const char *id, *item;
     bool want;
@@ -94,9 +92,8 @@ START_TEST(selection_by_id) {
     ck_assert_msg(claim_selected(cases[i].id, cases[i].item) == cases[i].want, "\"%s\" selects %s: %s", cases[i].item,
                   cases[i].id, cases[i].want ? "no" : "yes");
 }
-END_TEST
 
-START_TEST(sizes_as_powers_of_ten) {
+TEST(sizes_as_powers_of_ten) {
   static const struct {
     double log2x;
     const char *want;
@@ -107,7 +104,6 @@ START_TEST(sizes_as_powers_of_ten) {
     ck_assert_str_eq(order_of_magnitude(&r, cases[i].log2x), cases[i].want);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* --- Claims --- */
 
@@ -169,9 +165,11 @@ static void close_claims(void) {
   paper_close();
 }
 
+CASE("claim", .once = {open_claims, close_claims}, .seconds = 60);
+
 /* As written the claim is proved; one wrong glyph refutes it, and the certificate names a point; two of
    them are right where eta = 1 or V = 1. */
-START_TEST(a_damaged_formula_is_refuted) {
+TEST_EACH(a_damaged_formula_is_refuted, N_DAMAGES) {
   const struct finding *f = finding_with_id(&undamaged, damages[_i].claim);
   ck_assert_msg(f->verdict == VERDICT_PROVED, "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert_int_ge(f->n_evidence, 3);
@@ -188,7 +186,6 @@ START_TEST(a_damaged_formula_is_refuted) {
   ck_assert(audit_result_unexpected(&r) > 0);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* --- Certificates --- */
 
@@ -285,7 +282,7 @@ static const struct {
 };
 
 /* The certificate alone, without the program's point, says where a damaged formula fails, and how. */
-START_TEST(a_refutation_is_recomputed_from_its_certificate) {
+TEST_EACH(a_refutation_is_recomputed_from_its_certificate, COUNT(rechecks)) {
   enum { MOST = 12 };
   struct audit_result r;
   real left[MOST] = {0}, right[MOST] = {0};
@@ -303,10 +300,9 @@ START_TEST(a_refutation_is_recomputed_from_its_certificate) {
   ck_assert_msg(fabsl(got[0] - got[1]) > 1e-3L, "%s: the sides are equal", f->id);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* As printed the claim fails; written right by a user it is proved. */
-START_TEST(a_repaired_formula_is_supported) {
+TEST_EACH(a_repaired_formula_is_supported, N_REPAIRS) {
   const struct finding *f = finding_with_id(&undamaged, repairs[_i].claim);
   ck_assert_msg(verdict_fails(f->verdict), "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert(f->correction && f->correction_verdict == VERDICT_PROVED);
@@ -316,10 +312,9 @@ START_TEST(a_repaired_formula_is_supported) {
   ck_assert_msg(f->verdict == VERDICT_PROVED, "repaired %s: %s", f->id, verdict_name[f->verdict]);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* (10) and ktilde_4 are right where V = 1, as the paper's example has it. */
-START_TEST(what_holds_when_v_is_one_is_said) {
+TEST(what_holds_when_v_is_one_is_said) {
   static const char *const ids[] = {"eq-10", "eq-40"};
   for (int i = 0; i < 2; i++) {
     int restricted = 0;
@@ -336,10 +331,9 @@ START_TEST(what_holds_when_v_is_one_is_said) {
     ck_assert_int_eq(restricted, 1);
   }
 }
-END_TEST
 
 /* The words for the model's conditions are the paper's own inequalities, each in its phase and in the model's order. */
-START_TEST(conditions_are_called_as_the_paper_has_them) {
+TEST(conditions_are_called_as_the_paper_has_them) {
   static const struct {
     const char *record;
     int statement, phase;
@@ -368,9 +362,8 @@ START_TEST(conditions_are_called_as_the_paper_has_them) {
     text_clear(&plain);
   }
 }
-END_TEST
 
-START_TEST(what_cannot_be_read_is_a_fault_of_notation) {
+TEST(what_cannot_be_read_is_a_fault_of_notation) {
   static const struct {
     const char *overlay, *outcome;
   } cases[] = {{"define user\n  section: stability\n  equation: 27\n  J_a := [1, 2; 3, 4]\n", "2x2"},
@@ -385,11 +378,10 @@ START_TEST(what_cannot_be_read_is_a_fault_of_notation) {
     audit_result_clear(&r);
   }
 }
-END_TEST
 
 /* A control is its claim with something made wrong; without the wrong it is not noticed, and that is reported.  No
    proof is looked for where only a refutation is awaited. */
-START_TEST(an_undamaged_control_is_a_failure) {
+TEST(an_undamaged_control_is_a_failure) {
   for (int damaged = 0; damaged < 2; damaged++) {
     struct audit_result r;
     struct text line;
@@ -405,27 +397,4 @@ START_TEST(an_undamaged_control_is_a_failure) {
     text_clear(&line);
     audit_result_clear(&r);
   }
-}
-END_TEST
-
-Suite *audit_suite(void) {
-  Suite *s = suite_create("audit");
-  TCase *c = tcase_create("verdict");
-  tcase_add_test(c, every_row_of_the_verdict_table);
-  tcase_add_test(c, routes_that_share_their_reasoning_count_once);
-  tcase_add_test(c, selection_by_id);
-  tcase_add_test(c, sizes_as_powers_of_ten);
-  suite_add_tcase(s, c);
-  c = tcase_create("claim");
-  tcase_set_timeout(c, 60);
-  tcase_add_unchecked_fixture(c, open_claims, close_claims);
-  tcase_add_loop_test(c, a_damaged_formula_is_refuted, 0, N_DAMAGES);
-  tcase_add_loop_test(c, a_refutation_is_recomputed_from_its_certificate, 0, (int)(sizeof rechecks / sizeof *rechecks));
-  tcase_add_loop_test(c, a_repaired_formula_is_supported, 0, N_REPAIRS);
-  tcase_add_test(c, what_holds_when_v_is_one_is_said);
-  tcase_add_test(c, conditions_are_called_as_the_paper_has_them);
-  tcase_add_test(c, what_cannot_be_read_is_a_fault_of_notation);
-  tcase_add_test(c, an_undamaged_control_is_a_failure);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -19,7 +19,7 @@
 #include "rng.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 static struct rng rng;
@@ -76,8 +76,10 @@ static void check_prefix(const unsigned char *s, size_t len) {
   if (mine != its) ck_abort_msg("%02x %02x %02x %02x: %zu, expected %zu", s[0], s[1], s[2], s[3], its, mine);
 }
 
+CASE("base", .each = {scratch_open, scratch_close});
+
 /* Every string of two bytes, every one of three that begins one of three, and those of four at the edges. */
-START_TEST(prefix_of_short_strings) {
+TEST(prefix_of_short_strings) {
   static const unsigned char edge[] = {0x00, 0x7F, 0x80, 0xBF, 0xC0, 0xFF};
   for (unsigned a = 0; a < 256; a++)
     for (unsigned b = 0; b < 256; b++) {
@@ -89,9 +91,8 @@ START_TEST(prefix_of_short_strings) {
           check_prefix((unsigned char[4]){(unsigned char)a, (unsigned char)b, edge[c], edge[e]}, 4);
     }
 }
-END_TEST
 
-START_TEST(prefix_of_all_characters) {
+TEST(prefix_of_all_characters) {
   struct text t;
   text_init(&t);
   for (uint32_t c = 1; c <= 0x10FFFF; c++) {
@@ -102,11 +103,10 @@ START_TEST(prefix_of_all_characters) {
   ck_assert_uint_eq(text_valid_prefix(t.data, t.len - 1), t.len - 4);
   text_clear(&t);
 }
-END_TEST
 
 /* ---- text */
 
-START_TEST(text_grows) {
+TEST(text_grows) {
   struct text t;
   text_init(&t);
   ck_assert_str_eq(text_str(&t), "");
@@ -148,11 +148,10 @@ START_TEST(text_grows) {
   text_clear(&t);
   ck_assert_ptr_null(t.data);
 }
-END_TEST
 
 /* ---- diagnostics */
 
-START_TEST(diag_places) {
+TEST(diag_places) {
   static const struct {
     const char *text;
     size_t offset;
@@ -181,9 +180,8 @@ START_TEST(diag_places) {
     source_clear(&s);
   }
 }
-END_TEST
 
-START_TEST(diag_keeps_the_first) {
+TEST(diag_keeps_the_first) {
   struct source s;
   struct diag d;
   source_from_string(&s, "f", "x");
@@ -198,7 +196,6 @@ START_TEST(diag_keeps_the_first) {
   diag_at(NULL, &s, 0, "nobody listens");
   source_clear(&s);
 }
-END_TEST
 
 /* The lines of a message. */
 static size_t split(char *line[4], char *message) {
@@ -208,7 +205,7 @@ static size_t split(char *line[4], char *message) {
 }
 
 /* A line of 5000 characters with an X among them: the excerpt is short, and the caret stands below the X. */
-START_TEST(diag_clips_long_lines) {
+TEST_EACH(diag_clips_long_lines, 4) {
   static const size_t place[] = {0, 1, 30, 49, 50, 51, 2500, 4949, 4950, 4998, 4999};
   const char *u = unit[_i];
   for (size_t k = 0; k < sizeof place / sizeof *place; k++) {
@@ -239,7 +236,6 @@ START_TEST(diag_clips_long_lines) {
     text_clear(&head);
   }
 }
-END_TEST
 
 /* s ASCII characters and then 2000 of the unit: some of them end where a message must. */
 static void long_text(struct text *t, int shift, const char *u) {
@@ -248,7 +244,7 @@ static void long_text(struct text *t, int shift, const char *u) {
   for (int i = 0; i < 2000; i++) text_add(t, u);
 }
 
-START_TEST(diag_cuts_at_characters) {
+TEST_EACH(diag_cuts_at_characters, 4) {
   for (int shift = 0; shift < 4; shift++) {
     struct text t;
     long_text(&t, shift, unit[_i]);
@@ -276,10 +272,9 @@ START_TEST(diag_cuts_at_characters) {
     text_clear(&t);
   }
 }
-END_TEST
 
 /* What is quoted may be anything; the message is UTF-8 all the same. */
-START_TEST(diag_is_utf8) {
+TEST(diag_is_utf8) {
   static const struct {
     const char *given, *shown;
   } c[] = {{"a\xFFz", "a?z"}, {"\xC3", "?"}, {"\xE2\x82", "??"}, {"\xC0\x80|", "??|"}, {"\xED\xA0\x80", "???"}};
@@ -296,7 +291,6 @@ START_TEST(diag_is_utf8) {
     source_clear(&s);
   }
 }
-END_TEST
 
 /* ---- reading files */
 
@@ -306,7 +300,7 @@ static void refused(const char *path, size_t max, const char *why) {
   ck_assert(!s.name && !s.text && s.len == 0);
 }
 
-START_TEST(read_what_was_written) {
+TEST(read_what_was_written) {
   static const struct {
     const char *bytes;
     size_t len, skip;
@@ -329,9 +323,8 @@ START_TEST(read_what_was_written) {
     source_clear(&s);
   }
 }
-END_TEST
 
-START_TEST(read_large_files) {
+TEST(read_large_files) {
   struct text t;
   text_init(&t);
   for (int i = 0; i < 100000; i++) text_printf(&t, "%d\n", i);
@@ -346,9 +339,8 @@ START_TEST(read_large_files) {
   refused(path, 588889, " error: larger than 588889 bytes"); /* the digits and newlines of 0 .. 99999 are 588890 */
   refused("/dev/zero", 10, " error: a device or pipe, not a regular file");
 }
-END_TEST
 
-START_TEST(read_refuses) {
+TEST(read_refuses) {
   static const struct {
     const char *bytes, *why;
     size_t len;
@@ -374,7 +366,6 @@ START_TEST(read_refuses) {
   ck_assert(mkfifo(scratch_path("pipe"), 0600) == 0);
   refused(scratch_path("pipe"), 100, " error: a device or pipe, not a regular file");
 }
-END_TEST
 
 /* ---- writing files */
 
@@ -392,7 +383,7 @@ static void written(const char *path, const char *bytes, size_t len) {
 }
 
 /* A reader that has the old file open keeps it whole: the new one took its name, not its place. */
-START_TEST(write_replaces) {
+TEST(write_replaces) {
   const char *path = scratch_path("out");
   written(path, "old", 3);
   ck_assert_str_eq(content(path), "old");
@@ -411,13 +402,12 @@ START_TEST(write_replaces) {
   ck_assert(stat(path, &st) == 0 && st.st_size == 0);
   ck_assert_str_eq(scratch_list(scratch_path("")), "out");
 }
-END_TEST
 
 static void not_written(const char *path, const char *why) {
   fails_as(file_write(path, "new", 3, &d), formatted("%s: error: cannot be written: %s", path, why));
 }
 
-START_TEST(write_refuses) {
+TEST(write_refuses) {
   const char *top = scratch_path("");
   ck_assert(mkdir(scratch_path("folder"), 0755) == 0 && mkfifo(scratch_path("pipe"), 0600) == 0);
   scratch_put("folder/inside", "kept");
@@ -432,10 +422,9 @@ START_TEST(write_refuses) {
   ck_assert_str_eq(scratch_list(top), "folder pipe");
   ck_assert_str_eq(scratch_list(scratch_path("folder")), "inside");
 }
-END_TEST
 
 /* The disk is full in the middle: a limit on the size of files stands for it. */
-START_TEST(write_breaks_off) {
+TEST(write_breaks_off) {
   const char *path = scratch_put("out", "old");
   struct rlimit before, small;
   ck_assert(getrlimit(RLIMIT_FSIZE, &before) == 0);
@@ -455,10 +444,9 @@ START_TEST(write_breaks_off) {
   ck_assert_str_eq(content(path), "old");
   ck_assert_str_eq(scratch_list(scratch_path("")), "out");
 }
-END_TEST
 
 /* Root may write anywhere, so it becomes nobody for the length of the call. */
-START_TEST(write_in_a_read_only_folder) {
+TEST(write_in_a_read_only_folder) {
   const uid_t nobody = 65534, me = geteuid();
   ck_assert(mkdir(scratch_path("locked"), 0755) == 0);
   const char *path = scratch_put("locked/out", "old"), *folder = scratch_path("locked");
@@ -476,9 +464,8 @@ START_TEST(write_in_a_read_only_folder) {
   ck_assert_str_eq(content(path), "old");
   ck_assert_str_eq(scratch_list(folder), "out");
 }
-END_TEST
 
-START_TEST(folders) {
+TEST(folders) {
   static const char *const fine[] = {"a", "a/b/c/d", "a/b", "a//x/", "a/./y", "a/../z", ""};
   struct stat st;
   for (size_t i = 0; i < sizeof fine / sizeof *fine; i++) {
@@ -497,7 +484,6 @@ START_TEST(folders) {
   ck_assert_str_eq(content(scratch_path("a/file")), "kept");
   fails_with(folder_make("", &d), "error");
 }
-END_TEST
 
 /* ---- records */
 
@@ -526,7 +512,7 @@ static bool parse(struct record_file *f, const char *text, struct diag *d) {
   return record_file_parse(f, s, d);
 }
 
-START_TEST(records) {
+TEST(records) {
   enum { TEXT, SPELT };
   struct table c;
   table_read(&c, "tests/cases/records.tsv", 2);
@@ -544,9 +530,8 @@ START_TEST(records) {
   }
   table_clear(&c);
 }
-END_TEST
 
-START_TEST(record_spans) {
+TEST(record_spans) {
   struct record_file f;
   goes_well(parse(&f, "t: 1\ndefine J_a # no\n  note:  a\n    b \n  J = 1\n  note: c\n", &d));
   const struct record *r = &f.records[1];
@@ -560,9 +545,8 @@ START_TEST(record_spans) {
   ck_assert_ptr_null(record_field(r, "no"));
   record_file_clear(&f);
 }
-END_TEST
 
-START_TEST(record_errors) {
+TEST(record_errors) {
   static const char *const c[][3] = {{"define a\nx = 1\n", "2", "x = 1"},
                                      {"define a\n  x = 1\nnote: 2\n", "3", "note: 2"}};
   for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
@@ -575,9 +559,8 @@ START_TEST(record_errors) {
     record_file_clear(&f);
   }
 }
-END_TEST
 
-START_TEST(record_limit) {
+TEST(record_limit) {
   for (int extra = 0; extra < 2; extra++) {
     struct text t;
     text_init(&t);
@@ -597,11 +580,10 @@ START_TEST(record_limit) {
     record_file_clear(&f);
   }
 }
-END_TEST
 
 /* ---- JSON */
 
-START_TEST(json_nesting) {
+TEST(json_nesting) {
   struct text t;
   struct json j;
   text_init(&t);
@@ -647,7 +629,6 @@ START_TEST(json_nesting) {
                            "}\n");
   text_clear(&t);
 }
-END_TEST
 
 /* A JSON string read by the rules of RFC 8259, section 7; false where they are broken. */
 static bool read_json_string(struct text *out, const char **p) {
@@ -675,7 +656,7 @@ static bool read_json_string(struct text *out, const char **p) {
   return true;
 }
 
-START_TEST(json_strings) {
+TEST(json_strings) {
   struct text given, t, key, value;
   text_init(&given);
   text_init(&t);
@@ -711,7 +692,6 @@ START_TEST(json_strings) {
   text_clear(&key);
   text_clear(&value);
 }
-END_TEST
 
 static void open_arrays(int n) {
   struct text t;
@@ -736,12 +716,11 @@ static void close_nothing(void) {
   json_end_object(&j);
 }
 
-START_TEST(json_broken_nesting_aborts) {
+TEST(json_broken_nesting_aborts) {
   ck_assert_int_eq(child_end(deepest), 0);
   ck_assert_int_eq(child_end(too_deep), -SIGABRT);
   ck_assert_int_eq(child_end(close_nothing), -SIGABRT);
 }
-END_TEST
 
 /* ---- what was meant */
 
@@ -760,7 +739,7 @@ static size_t edits_by_definition(const char *a, size_t n, const char *b, size_t
   return best;
 }
 
-START_TEST(edits_between_words) {
+TEST(edits_between_words) {
   char a[8], b[8];
   rng.state = 7;
   for (int trial = 0; trial < 2000; trial++) {
@@ -771,7 +750,6 @@ START_TEST(edits_between_words) {
   }
   ck_assert_uint_eq(word_edits("Orbit", 5, "oRBIT", 5), 0);
 }
-END_TEST
 
 static void suggests(const char *word, const char *const *known, const char *says) {
   struct suggestion s;
@@ -786,7 +764,7 @@ static void suggests(const char *word, const char *const *known, const char *say
 
 /* One edit in words of 3 to 7 characters, two in longer ones, none in shorter ones; the nearest alone, at most
    three. */
-START_TEST(what_was_meant) {
+TEST(what_was_meant) {
   static const char *const known[] = {"orbit", "simulate", "sweep", "e1",    "V",
                                       "eq-40", "eq-41",    "eq-42", "eq-43", NULL};
   static const char long_word[] =
@@ -805,12 +783,11 @@ START_TEST(what_was_meant) {
   suggests("", known, "");
   suggests(long_word, known, "");
 }
-END_TEST
 
 /* ---- truth */
 
 /* Kleene's logic is the order FALSE < UNKNOWN < TRUE: and is the minimum, or the maximum, not turns it round. */
-START_TEST(kleene) {
+TEST(kleene) {
   static const truth order[] = {TRUTH_FALSE, TRUTH_UNKNOWN, TRUTH_TRUE};
   for (int i = 0; i < 3; i++) {
     ck_assert_int_eq(truth_not(order[i]), order[2 - i]);
@@ -820,12 +797,11 @@ START_TEST(kleene) {
     }
   }
 }
-END_TEST
 
 /* ---- memory */
 
 /* Pieces of many sizes: aligned, zero, and none overlaps another. */
-START_TEST(arena_pieces) {
+TEST(arena_pieces) {
   enum { N = 3000 };
   static unsigned char *piece[N];
   static size_t size[N];
@@ -853,9 +829,8 @@ START_TEST(arena_pieces) {
   ck_assert_ptr_null(a.head);
   arena_clear(&a);
 }
-END_TEST
 
-START_TEST(grown_arrays) {
+TEST(grown_arrays) {
   int *v = NULL;
   size_t cap = 0, moves = 0;
   for (int i = 0; i < 10000; i++) {
@@ -872,7 +847,6 @@ START_TEST(grown_arrays) {
   ck_assert_ptr_nonnull(none);
   free(ss_realloc(none, 0));
 }
-END_TEST
 
 static void exhaust_arena(void) {
   struct arena a;
@@ -884,56 +858,7 @@ static void exhaust_array(void) {
   free(ss_grow(NULL, 0, &cap, SIZE_MAX / 4));
 }
 
-START_TEST(exhausted_memory_ends_with_5) {
+TEST(exhausted_memory_ends_with_5) {
   ck_assert_int_eq(child_end(exhaust_arena), 5);
   ck_assert_int_eq(child_end(exhaust_array), 5);
-}
-END_TEST
-
-Suite *base_suite(void) {
-  Suite *s = suite_create("base");
-  TCase *tc = tcase_create("text");
-  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
-  tcase_add_test(tc, prefix_of_short_strings);
-  tcase_add_test(tc, prefix_of_all_characters);
-  tcase_add_test(tc, text_grows);
-  tcase_add_test(tc, diag_places);
-  tcase_add_test(tc, diag_keeps_the_first);
-  tcase_add_loop_test(tc, diag_clips_long_lines, 0, 4);
-  tcase_add_loop_test(tc, diag_cuts_at_characters, 0, 4);
-  tcase_add_test(tc, diag_is_utf8);
-  suite_add_tcase(s, tc);
-
-  tc = tcase_create("file");
-  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
-  tcase_add_test(tc, read_what_was_written);
-  tcase_add_test(tc, read_large_files);
-  tcase_add_test(tc, read_refuses);
-  tcase_add_test(tc, write_replaces);
-  tcase_add_test(tc, write_refuses);
-  tcase_add_test(tc, write_breaks_off);
-  tcase_add_test(tc, write_in_a_read_only_folder);
-  tcase_add_test(tc, folders);
-  suite_add_tcase(s, tc);
-
-  tc = tcase_create("record");
-  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
-  tcase_add_test(tc, records);
-  tcase_add_test(tc, record_spans);
-  tcase_add_test(tc, record_errors);
-  tcase_add_test(tc, record_limit);
-  suite_add_tcase(s, tc);
-
-  tc = tcase_create("json, truth, memory");
-  tcase_add_test(tc, json_nesting);
-  tcase_add_test(tc, json_strings);
-  tcase_add_test(tc, json_broken_nesting_aborts);
-  tcase_add_test(tc, edits_between_words);
-  tcase_add_test(tc, what_was_meant);
-  tcase_add_test(tc, kleene);
-  tcase_add_test(tc, arena_pieces);
-  tcase_add_test(tc, grown_arrays);
-  tcase_add_test(tc, exhausted_memory_ends_with_5);
-  suite_add_tcase(s, tc);
-  return s;
 }

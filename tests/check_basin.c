@@ -8,7 +8,7 @@
 #include "explore/basin.h"
 #include "explore/family.h"
 #include "rational.h"
-#include "suites.h"
+#include "suite.h"
 
 static const char *const sets[][N_PARAMS] = {{"0.8", "1", "1", "2.7844", "1.85"},
                                              {"0.66", "2", "1", "2", "0.25"},
@@ -69,7 +69,7 @@ static void check_failure(const struct dyn_basin *b, const double p[N_PARAMS], d
   }
 }
 
-START_TEST(starts_inside_come_nearer) {
+TEST_EACH(starts_inside_come_nearer, N_SETS) {
   double p[N_PARAMS];
   const fmpq *none[2] = {NULL, NULL};
   struct dyn_orbits list;
@@ -96,11 +96,10 @@ START_TEST(starts_inside_come_nearer) {
   _fmpq_vec_clear(params, N_PARAMS);
   flint_cleanup();
 }
-END_TEST
 
 /* The slope passes -1 at r near -3.0962 for the first set: by bisection on the return map in double precision.  The
    interval reaches four fifths of the way there at least. */
-START_TEST(the_interval_is_wide) {
+TEST(the_interval_is_wide) {
   double p[N_PARAMS], image, slope, t[4];
   const fmpq *none[2] = {NULL, NULL};
   struct dyn_orbits list;
@@ -124,10 +123,9 @@ START_TEST(the_interval_is_wide) {
   _fmpq_vec_clear(params, N_PARAMS);
   flint_cleanup();
 }
-END_TEST
 
 /* Static friction a little above its bound on the orbit is too little a little beside it. */
-START_TEST(given_friction_narrows_it) {
+TEST(given_friction_narrows_it) {
   fmpq u;
   double p[N_PARAMS];
   struct dyn_orbits list;
@@ -153,10 +151,9 @@ START_TEST(given_friction_narrows_it) {
   _fmpq_vec_clear(params, N_PARAMS);
   flint_cleanup();
 }
-END_TEST
 
 /* Orbits that are unstable or not admissible have none. */
-START_TEST(no_interval_where_there_is_none) {
+TEST(no_interval_where_there_is_none) {
   double p[N_PARAMS];
   const fmpq *none[2] = {NULL, NULL};
   int others = 0;
@@ -178,16 +175,4 @@ START_TEST(no_interval_where_there_is_none) {
   }
   ck_assert_int_gt(others, 2);
   flint_cleanup();
-}
-END_TEST
-
-Suite *basin_suite(void) {
-  Suite *s = suite_create("basin");
-  TCase *c = tcase_create("basin");
-  tcase_add_loop_test(c, starts_inside_come_nearer, 0, N_SETS);
-  tcase_add_test(c, the_interval_is_wide);
-  tcase_add_test(c, given_friction_narrows_it);
-  tcase_add_test(c, no_interval_where_there_is_none);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -16,7 +16,7 @@
 #include "motion/warm.h"
 #include "params.h"
 #include "rng.h"
-#include "suites.h"
+#include "suite.h"
 
 /* Points with the orbit that the search found there. */
 struct table {
@@ -127,7 +127,7 @@ static const double lines[][N_PARAMS + 1] = {
 };
 enum { N_LINES = sizeof lines / sizeof *lines };
 
-START_TEST(ordinary_sweeps_against_balls) {
+TEST_EACH(ordinary_sweeps_against_balls, N_LINES) {
   struct table t;
   table_init(&t, 60);
   random_numbers.state = 30;
@@ -139,11 +139,10 @@ START_TEST(ordinary_sweeps_against_balls) {
   }
   score(&t, 0.75);
 }
-END_TEST
 
 /* --- Everywhere: nothing false. --- */
 
-START_TEST(random_points_against_balls) {
+TEST(random_points_against_balls) {
   struct table t;
   table_init(&t, 160 / every(2));
   random_numbers.state = 31;
@@ -153,14 +152,13 @@ START_TEST(random_points_against_balls) {
   }
   score(&t, 0.6);
 }
-END_TEST
 
 /* Changes of the example along e2 (stickslip bifurcate paper --along e2=0.5:3): flip, t_a = 0, fold, c_v2 (q = 0 at the
    end of phase H), h_v1 (grazing), gamma_v1, gamma_r. */
 static const double changes[] = {1.81105820302190, 2.10396606985610, 1.11210011005519, 1.80776061081459,
                                  1.35907930480268, 2.49032031002043, 1.98570014878484};
 
-START_TEST(beside_changes_against_balls) {
+TEST_EACH(beside_changes_against_balls, COUNT(changes)) {
   struct table t;
   table_init(&t, 100);
   random_numbers.state = 32;
@@ -172,9 +170,8 @@ START_TEST(beside_changes_against_balls) {
   ck_assert_int_gt(t.n, 10);
   score(&t, 0.3);
 }
-END_TEST
 
-START_TEST(extreme_points_against_balls) {
+TEST(extreme_points_against_balls) {
   struct table t;
   table_init(&t, 80);
   random_numbers.state = 33;
@@ -186,10 +183,9 @@ START_TEST(extreme_points_against_balls) {
   }
   score(&t, 0);
 }
-END_TEST
 
 /* From far off any orbit may come out, but no other point. */
-START_TEST(far_guesses_against_balls) {
+TEST(far_guesses_against_balls) {
   struct table t;
   table_init(&t, 120 / every(2));
   random_numbers.state = 34;
@@ -199,11 +195,12 @@ START_TEST(far_guesses_against_balls) {
   }
   score(&t, 0);
 }
-END_TEST
 
 /* --- The scalar solver. --- */
 
-START_TEST(as_the_scalar_solver) {
+CASE("many", .once = {find_many, clear_found});
+
+TEST(as_the_scalar_solver) {
   struct table t;
   slong both = 0, left = 0, alone = 0;
   table_init(&t, 3000);
@@ -237,7 +234,6 @@ START_TEST(as_the_scalar_solver) {
                 (long)both);
   table_clear(&t);
 }
-END_TEST
 
 /* --- Bits. --- */
 
@@ -263,7 +259,7 @@ static void mixture(struct table *t) {
   }
 }
 
-START_TEST(same_bits_on_every_instruction_set) {
+TEST(same_bits_on_every_instruction_set) {
   struct table t, other;
   table_init(&t, 1500);
   table_init(&other, 1500);
@@ -284,9 +280,8 @@ START_TEST(same_bits_on_every_instruction_set) {
   table_clear(&t);
   table_clear(&other);
 }
-END_TEST
 
-START_TEST(same_bits_alone_and_among_others) {
+TEST(same_bits_alone_and_among_others) {
   static const slong sizes[] = {0, 1, 2, 63, 64, 65, 127, 1023, 1025};
   struct table t, part;
   table_init(&t, 2600);
@@ -306,9 +301,10 @@ START_TEST(same_bits_alone_and_among_others) {
     }
   table_clear(&t);
 }
-END_TEST
 
-START_TEST(outside_the_domain) {
+CASE("batch");
+
+TEST(outside_the_domain) {
   static const double bad[] = {0, -1, NAN, INFINITY, -INFINITY};
   enum { MOST = 100 };
   int want[MOST];
@@ -331,24 +327,4 @@ START_TEST(outside_the_domain) {
       ck_assert(fabs(t.out[DYN_OUT_TRACE][j] - -1.02322618938757005) < 1e-13); /* tests/oracle/orbits.tsv, set paper */
   }
   table_clear(&t);
-}
-END_TEST
-
-Suite *batch_suite(void) {
-  Suite *s = suite_create("batch");
-  TCase *c = tcase_create("batch");
-  tcase_add_loop_test(c, ordinary_sweeps_against_balls, 0, N_LINES);
-  tcase_add_test(c, random_points_against_balls);
-  tcase_add_loop_test(c, beside_changes_against_balls, 0, (int)(sizeof changes / sizeof *changes));
-  tcase_add_test(c, extreme_points_against_balls);
-  tcase_add_test(c, far_guesses_against_balls);
-  tcase_add_test(c, outside_the_domain);
-  suite_add_tcase(s, c);
-  c = tcase_create("many");
-  tcase_add_unchecked_fixture(c, find_many, clear_found);
-  tcase_add_test(c, as_the_scalar_solver);
-  tcase_add_test(c, same_bits_on_every_instruction_set);
-  tcase_add_test(c, same_bits_alone_and_among_others);
-  suite_add_tcase(s, c);
-  return s;
 }

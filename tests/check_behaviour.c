@@ -16,7 +16,7 @@
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* --- The return map as a series --- */
@@ -77,7 +77,7 @@ static double middle(const arb_t x) {
   return num_arb.get_d(x);
 }
 
-START_TEST(series_of_the_return_map_at_equality) {
+TEST_EACH(series_of_the_return_map_at_equality, 2) {
   struct row row[2];
   arb_ptr c = _arb_vec_init(4);
   read_equality(row);
@@ -88,9 +88,8 @@ START_TEST(series_of_the_return_map_at_equality) {
   for (int i = 2; i < 4; i++) ck_assert_double_eq_tol(middle(c + i), k->c[i], 1e-9 * (1 + fabs(k->c[i])));
   _arb_vec_clear(c, 4);
 }
-END_TEST
 
-START_TEST(series_predicts_the_map_nearby) {
+TEST_EACH(series_predicts_the_map_nearby, 40) {
   struct rng rng = {(uint64_t)_i};
   struct row row[2];
   arb_ptr c = _arb_vec_init(6);
@@ -110,9 +109,8 @@ START_TEST(series_predicts_the_map_nearby) {
     }
   _arb_vec_clear(c, 6);
 }
-END_TEST
 
-START_TEST(series_over_a_ball_hold_those_of_its_points) {
+TEST(series_over_a_ball_hold_those_of_its_points) {
   struct row row[2];
   arb_ptr c = _arb_vec_init(8);
   read_equality(row);
@@ -124,7 +122,6 @@ START_TEST(series_over_a_ball_hold_those_of_its_points) {
   ck_assert(arb_rel_accuracy_bits(c + 3) > 20);
   _arb_vec_clear(c, 8);
 }
-END_TEST
 
 /* --- Claims --- */
 
@@ -156,7 +153,9 @@ static bool says(const struct finding *f, const char *words) {
   "  slips: eq-2#2, eq-2#4 H\n  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n"
 #define CLAIM(check) "claim text-case\n  kind: behaviour\n  title: a case\n  check: " check "\n"
 
-START_TEST(dimensions_are_those_of_the_constraints) {
+CASE("claims", .once = {paper_open, paper_close});
+
+TEST(dimensions_are_those_of_the_constraints) {
 #define STATES "  states: eq-9#2 D, eq-5b Gamma, eq-3d H, eq-7b C\n"
   static const struct {
     const char *text;
@@ -185,10 +184,9 @@ START_TEST(dimensions_are_those_of_the_constraints) {
     audit_result_clear(&r);
   }
 }
-END_TEST
 
 /* c_2^2 + c_3 of equality.tsv to six digits. */
-START_TEST(the_third_order_decides_at_equality) {
+TEST_EACH(the_third_order_decides_at_equality, 2) {
   static const char *const families[] = {
       "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1\n",
       "  at: chi = 79/100, eta = 2, V = 1, e1 = 4, e2 = 1/4\n  vary: chi from 79/100 to 78/100\n"};
@@ -208,10 +206,9 @@ START_TEST(the_third_order_decides_at_equality) {
   ck_assert_msg(strstr(f->evidence[0].worst, place) != NULL, "%s, not %s", f->evidence[0].worst, place);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* Word and period of longrun.tsv. */
-START_TEST(the_long_run_of_the_printed_start) {
+TEST(the_long_run_of_the_printed_start) {
   struct table runs;
   table_read(&runs, "tests/oracle/longrun.tsv", 10);
   struct audit_result r;
@@ -232,11 +229,10 @@ START_TEST(the_long_run_of_the_printed_start) {
   table_clear(&runs);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* Where a velocity perturbation frees a sticking mass the motion departs, and only there: the program's words, and the
    two motions of longrun.tsv, of which the slowed one never comes to stick both masses again. */
-START_TEST(a_slowed_sticking_mass_departs) {
+TEST(a_slowed_sticking_mass_departs) {
   struct audit_result r;
   const struct finding *f = judged(&r, CLAIM("perturb") STABLE MECHANICS);
   ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
@@ -257,7 +253,6 @@ START_TEST(a_slowed_sticking_mass_departs) {
     }
   }
 }
-END_TEST
 
 /* How much the product of the phases' propagators stretches a vector per period in the long run, in double by GSL. */
 static double growth(const struct dyn_orbit *o, const fmpq params[N_PARAMS]) {
@@ -309,7 +304,7 @@ static long stretched(const char *id) {
   return count;
 }
 
-START_TEST(linearization_is_wrong_without_the_jumps_only) {
+TEST(linearization_is_wrong_without_the_jumps_only) {
   struct audit_result r;
   const struct finding *f = judged(&r, CLAIM("linearization") STABLE MECHANICS);
   ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
@@ -324,9 +319,8 @@ START_TEST(linearization_is_wrong_without_the_jumps_only) {
   ck_assert_int_eq((int)f->verdict, VERDICT_REFUTED);
   audit_result_clear(&r);
 }
-END_TEST
 
-START_TEST(the_criterion_needs_its_threshold) {
+TEST(the_criterion_needs_its_threshold) {
   static const char claim[] = "claim text-case\n  section: stability\n  kind: criterion\n  title: a case\n"
                               "  statement: text-criterion\n";
   struct audit_result r;
@@ -343,10 +337,9 @@ START_TEST(the_criterion_needs_its_threshold) {
     audit_result_clear(&r);
   }
 }
-END_TEST
 
 /* The scene to reproduce the perturbed motions with is the claim's. */
-START_TEST(the_scene_is_the_claims) {
+TEST(the_scene_is_the_claims) {
   struct scene stable;
   struct diag d;
   struct point p;
@@ -366,25 +359,4 @@ START_TEST(the_scene_is_the_claims) {
   for (int k = 0; k < N_SCENE_PARAMS; k++) ck_assert(fmpq_equal(&p.q[Q_CHI + k], &stable.value[k]));
   scene_clear(&stable);
   point_clear(&p);
-}
-END_TEST
-
-Suite *behaviour_suite(void) {
-  Suite *s = suite_create("behaviour");
-  TCase *c = tcase_create("return map");
-  tcase_add_loop_test(c, series_of_the_return_map_at_equality, 0, 2);
-  tcase_add_loop_test(c, series_predicts_the_map_nearby, 0, 40);
-  tcase_add_test(c, series_over_a_ball_hold_those_of_its_points);
-  suite_add_tcase(s, c);
-  c = tcase_create("claims");
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-  tcase_add_test(c, dimensions_are_those_of_the_constraints);
-  tcase_add_loop_test(c, the_third_order_decides_at_equality, 0, 2);
-  tcase_add_test(c, the_long_run_of_the_printed_start);
-  tcase_add_test(c, a_slowed_sticking_mass_departs);
-  tcase_add_test(c, linearization_is_wrong_without_the_jumps_only);
-  tcase_add_test(c, the_criterion_needs_its_threshold);
-  tcase_add_test(c, the_scene_is_the_claims);
-  suite_add_tcase(s, c);
-  return s;
 }

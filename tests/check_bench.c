@@ -16,7 +16,7 @@
 #include "paper_model.h"
 #include "rational.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* --- The truths of the jobs against numbers made elsewhere. --- */
@@ -55,7 +55,7 @@ static void truth_clear(struct truth *t) {
   vecs_clear(&t->in, &t->out, &t->given);
 }
 
-START_TEST(the_propagator_is_that_of_mpmath) {
+TEST(the_propagator_is_that_of_mpmath) {
   struct table entries;
   struct truth t;
   table_read(&entries, "tests/oracle/bench.tsv", 6);
@@ -70,10 +70,9 @@ START_TEST(the_propagator_is_that_of_mpmath) {
   truth_clear(&t);
   table_clear(&entries);
 }
-END_TEST
 
 /* The matrix of the closed form is the exponential of the phase's system, in every phase. */
-START_TEST(closed_form_and_exponential_agree) {
+TEST_EACH(closed_form_and_exponential_agree, N_PHASES) {
   struct num_ctx ctx = num_ctx_arb(PREC);
   struct num_vec params, t, closed, exponential;
   num_vec_init(&params, N_PARAMS, ctx);
@@ -92,12 +91,11 @@ START_TEST(closed_form_and_exponential_agree) {
   }
   vecs_clear(&params, &t, &closed, &exponential);
 }
-END_TEST
 
 /* Of the orbit beside the paper's numbers, the set's second. */
 enum { F_INDEX = 2, F_Z10, F_Z20, F_TA, F_TB, F_TC, F_TD, F_PERIOD, F_TRACE };
 
-START_TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
+TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
   struct table orbits, entries;
   struct truth map, jac, orbit;
   table_read(&orbits, "tests/oracle/orbits.tsv", ANY_COLUMNS);
@@ -143,7 +141,6 @@ START_TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
   table_clear(&entries);
   table_clear(&orbits);
 }
-END_TEST
 
 /* --- Every method of every job is as close as its arithmetic and its setting promise. --- */
 
@@ -190,7 +187,7 @@ static void check_listed(const struct bench_table *t) {
   ck_assert_int_eq(t->n, rows);
 }
 
-START_TEST(every_method_keeps_its_promise) {
+TEST_EACH(every_method_keeps_its_promise, 4) {
   struct model m;
   struct bench_table t;
   paper_model(&m, NULL);
@@ -209,10 +206,9 @@ START_TEST(every_method_keeps_its_promise) {
   bench_table_clear(&t);
   model_clear(&m);
 }
-END_TEST
 
 /* Without the paper's equations its methods fail, and the others do not. */
-START_TEST(formulas_that_are_not_there) {
+TEST(formulas_that_are_not_there) {
   struct bench_table t;
   ck_assert(bench_run(&t, &bench_propagator, &(struct bench_env){.model = NULL}, true));
   const struct bench_row *r = bench_find(&t, "paper-modal", NAN);
@@ -221,7 +217,6 @@ START_TEST(formulas_that_are_not_there) {
   ck_assert_ptr_null(bench_find(&t, "closed-double", NAN)->failure);
   bench_table_clear(&t);
 }
-END_TEST
 
 /* --- A method that is off, in each job. --- */
 
@@ -249,7 +244,7 @@ static int run_moved(void *self, struct num_vec *out, long *steps, const struct 
 }
 
 /* In double the error is shown as large as it is; a ball beside the truth is no result at all. */
-START_TEST(a_method_that_is_off_is_shown_so) {
+TEST_EACH(a_method_that_is_off_is_shown_so, 4) {
   static const char *const base[][2] = {{"closed-double", "closed-arb"},
                                         {"closed-double", "closed-arb"},
                                         {"arc-implicit", "implicit-arb"},
@@ -280,7 +275,6 @@ START_TEST(a_method_that_is_off_is_shown_so) {
     bench_table_clear(&t);
   }
 }
-END_TEST
 
 /* --- How the harness judges. --- */
 
@@ -418,7 +412,9 @@ static void clear_pair(void) {
   bench_table_clear(&pair);
 }
 
-START_TEST(failures_say_why_and_have_no_time) {
+CASE("judging", .once = {run_pair, clear_pair});
+
+TEST_EACH(failures_say_why_and_have_no_time, 8) {
   static const struct {
     const char *method, *failure;
     int failures; /* -1: some, not all */
@@ -452,9 +448,8 @@ START_TEST(failures_say_why_and_have_no_time) {
   text_clear(&tsv);
   text_clear(&figure);
 }
-END_TEST
 
-START_TEST(errors_are_true_ones) {
+TEST(errors_are_true_ones) {
   const struct bench_row *r = bench_find(&pair, "off", NAN);
   ck_assert_ptr_null(r->failure);
   ck_assert_double_eq_tol(r->worst, -20 * log10(2), 1e-4);
@@ -467,26 +462,23 @@ START_TEST(errors_are_true_ones) {
   r = bench_find(&pair, "ball-wide", NAN); /* the radius counts: 2^-30 of x^2, which lies between 1 and 4 */
   ck_assert(!r->failure && r->worst <= -30 * log10(2) + 1e-6 && r->worst >= -32 * log10(2));
 }
-END_TEST
 
 /* Both outputs change by twice the relative change of the inputs. */
-START_TEST(the_floor_is_the_condition) {
+TEST(the_floor_is_the_condition) {
   ck_assert_double_eq_tol(pair.floor, 0x1p-52, 1e-3 * 0x1p-52);
   ck_assert(pair.truth_digits > 90);
   ck_assert_int_eq(pair.cases, 12);
 }
-END_TEST
 
-START_TEST(a_slow_method_is_capped) {
+TEST(a_slow_method_is_capped) {
   const struct bench_row *r = bench_find(&pair, "slow", NAN);
   ck_assert_ptr_null(r->failure);
   ck_assert(r->capped && r->cases >= 1 && r->cases < 12);
   ck_assert(!bench_find(&pair, "right", NAN)->capped);
 }
-END_TEST
 
 /* Of the methods with the error of `right` none is as slow as `slow`, which is therefore not on the front. */
-START_TEST(the_front_is_no_worse_than_any) {
+TEST(the_front_is_no_worse_than_any) {
   ck_assert(bench_find(&pair, "ball", NAN)->front);
   ck_assert(!bench_find(&pair, "slow", NAN)->front);
   for (int i = 0; i < pair.n; i++)
@@ -496,7 +488,6 @@ START_TEST(the_front_is_no_worse_than_any) {
       ck_assert(!(a->front && (a->failure || beaten)));
     }
 }
-END_TEST
 
 /* A job without enough inputs is refused, and says so. */
 static int truth_never(struct num_vec *out, struct num_vec *given, double *hint, const struct num_vec *in,
@@ -505,7 +496,7 @@ static int truth_never(struct num_vec *out, struct num_vec *given, double *hint,
   return SS_DOMAIN;
 }
 
-START_TEST(no_truth_no_job) {
+TEST(no_truth_no_job) {
   struct bench_job job = pair_job;
   struct bench_table t;
   job.truth = truth_never;
@@ -517,9 +508,8 @@ START_TEST(no_truth_no_job) {
   ck_assert(!bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));
   bench_table_clear(&t);
 }
-END_TEST
 
-START_TEST(tables_are_well_formed) {
+TEST(tables_are_well_formed) {
   struct text tsv;
   text_init(&tsv);
   bench_tsv(&tsv, &pair);
@@ -535,11 +525,10 @@ START_TEST(tables_are_well_formed) {
   ck_assert_int_eq(lines, pair.n + 1);
   text_clear(&tsv);
 }
-END_TEST
 
 /* The time of balls is read on a straight line between two of their settings, at MPFR's error; a setting rougher than
    that error is not enough, and where all are too rough nothing is said. */
-START_TEST(the_price_of_proof_is_read_at_equal_error) {
+TEST(the_price_of_proof_is_read_at_equal_error) {
   const struct bench_method *plain = NULL, *balls = NULL;
   for (int i = 0; i < bench_map.n_methods; i++) {
     if (strcmp(bench_map.methods[i].id, "closed-mpfr") == 0) plain = &bench_map.methods[i];
@@ -561,17 +550,17 @@ START_TEST(the_price_of_proof_is_read_at_equal_error) {
   ck_assert_double_eq_tol(cost[1].plain_ns, 150, 1e-9);
   ck_assert_int_eq(bench_costs(cost, 1, &t), 1);
 }
-END_TEST
 
 /* --- The command. --- */
 
-START_TEST(a_full_disk_is_noticed) {
+CASE("command", .each = {scratch_open, scratch_close});
+
+TEST(a_full_disk_is_noticed) {
   shell_ends(3, "", "\"$P\" bench --quick --job propagator >/dev/full");
 }
-END_TEST
 
 /* The figure is drawn by the program alone, and there are no other words about it. */
-START_TEST(a_job_has_its_page_and_figure) {
+TEST(a_job_has_its_page_and_figure) {
   shell_well("PATH= \"$P\" bench --quick --job propagator --out \"$D/page\" >/dev/null 2>\"$D/err\"");
   ck_assert_str_eq(scratch_list(scratch_path("page")),
                    "bench.json bench.md propagator.md propagator.svg propagator.tsv");
@@ -579,10 +568,11 @@ START_TEST(a_job_has_its_page_and_figure) {
   ck_assert(!scratch_says("err", "stickslip:"));
   shell_well("\"$Y\" -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' \"$D/page/propagator.svg\"");
 }
-END_TEST
+
+CASE("judging");
 
 /* Differences have a second figure, over their steps. */
-START_TEST(steps_have_a_figure_of_their_own) {
+TEST(steps_have_a_figure_of_their_own) {
   struct text figure;
   struct bench_table t;
   text_init(&figure);
@@ -600,11 +590,12 @@ START_TEST(steps_have_a_figure_of_their_own) {
   bench_table_clear(&t);
   text_clear(&figure);
 }
-END_TEST
+
+CASE("command");
 
 /* On the same inputs mpmath's exponential, a closed form written in another language, its derivative by mpmath and six
    equations solved by it have all their 50 digits of the truth. */
-START_TEST(peers_agree_with_the_truth) {
+TEST_EACH(peers_agree_with_the_truth, 4) {
   static const char *const method[] = {"mpmath-expm", "mpmath-closed", "mpmath-diff", "mpmath-findroot"};
   int agreed = 0;
   shell_well("\"$P\" bench --quick --job %s --inputs \"$D/page\" >/dev/null", bench_jobs[_i]->id);
@@ -619,10 +610,9 @@ START_TEST(peers_agree_with_the_truth) {
   ck_assert_int_eq(agreed, 1);
   table_clear(&peers);
 }
-END_TEST
 
 /* Orbits and Jacobians by digits, claims alone and together; each succeeds, and no other job is run. */
-START_TEST(verdicts_are_timed) {
+TEST(verdicts_are_timed) {
   shell_well("\"$P\" bench --quick --job verdicts --out \"$D/page\" >/dev/null");
   ck_assert(scratch_says("page/verdicts.tsv", "work\tid\tsize\tseconds\norbits\t\t15\t"));
   ck_assert(scratch_says("page/verdicts.tsv", "\njacobian\t\t100\t") &&
@@ -633,48 +623,13 @@ START_TEST(verdicts_are_timed) {
   ck_assert(scratch_says("page/bench.md", "## What verdicts cost") && !scratch_says("page/bench.md", "The front"));
   ck_assert(!scratch_has("page/map.tsv"));
 }
-END_TEST
 
 /* name: value (goal: ...) or (no goal), for each ratio that is asked for. */
-START_TEST(ratios_are_printed_with_their_goals) {
+TEST(ratios_are_printed_with_their_goals) {
   shell_well("\"$P\" bench --quick --job map >\"$D/out\"");
   ck_assert(scratch_says("out", "\nmap in double, first roots searched / hand-written map, no search: "));
   ck_assert(scratch_says("out", " (goal: at most 1.2; ") && scratch_says("out", " (goal: at least 40; ") &&
             scratch_says("out", " (no goal)\n"));
   ck_assert(scratch_says("out", "\nCVODE at its best accuracy / map in double: ") &&
             scratch_says("out", " (goal: at least 1e+03; "));
-}
-END_TEST
-
-Suite *bench_suite(void) {
-  Suite *s = suite_create("bench");
-  TCase *c = tcase_create("truth");
-  tcase_add_test(c, the_propagator_is_that_of_mpmath);
-  tcase_add_loop_test(c, closed_form_and_exponential_agree, 0, N_PHASES);
-  tcase_add_test(c, map_jacobian_and_orbit_are_those_of_mpmath);
-  tcase_add_loop_test(c, every_method_keeps_its_promise, 0, 4);
-  tcase_add_loop_test(c, a_method_that_is_off_is_shown_so, 0, 4);
-  tcase_add_test(c, formulas_that_are_not_there);
-  suite_add_tcase(s, c);
-  c = tcase_create("judging");
-  tcase_add_unchecked_fixture(c, run_pair, clear_pair);
-  tcase_add_loop_test(c, failures_say_why_and_have_no_time, 0, 8);
-  tcase_add_test(c, errors_are_true_ones);
-  tcase_add_test(c, the_floor_is_the_condition);
-  tcase_add_test(c, a_slow_method_is_capped);
-  tcase_add_test(c, the_front_is_no_worse_than_any);
-  tcase_add_test(c, no_truth_no_job);
-  tcase_add_test(c, tables_are_well_formed);
-  tcase_add_test(c, the_price_of_proof_is_read_at_equal_error);
-  tcase_add_test(c, steps_have_a_figure_of_their_own);
-  suite_add_tcase(s, c);
-  c = tcase_create("command");
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, a_full_disk_is_noticed);
-  tcase_add_test(c, a_job_has_its_page_and_figure);
-  tcase_add_loop_test(c, peers_agree_with_the_truth, 0, 4);
-  tcase_add_test(c, verdicts_are_timed);
-  tcase_add_test(c, ratios_are_printed_with_their_goals);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -15,7 +15,7 @@
 #include "paper_model.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 
 /* --- Which method. --- */
 
@@ -51,7 +51,7 @@ static const char *best(double log_error, bool rigorous) {
   return name;
 }
 
-START_TEST(the_fastest_that_is_close_enough_is_advised) {
+TEST(the_fastest_that_is_close_enough_is_advised) {
   ck_assert_str_eq(best(-6, false), "quick 0"); /* not the bare one, not the failed one */
   ck_assert_str_eq(best(-12, false), "quick 0");
   ck_assert_str_eq(best(-14, false), "exact 64");
@@ -62,13 +62,12 @@ START_TEST(the_fastest_that_is_close_enough_is_advised) {
   ck_assert_str_eq(best(-12, true), "balls 128");
   ck_assert_str_eq(best(-40, true), "none 0");
 }
-END_TEST
 
 static bool holds(const struct text *t, const char *what) {
   return strstr(text_str(t), what) != NULL;
 }
 
-START_TEST(the_first_page_begins_with_advice) {
+TEST(the_first_page_begins_with_advice) {
   struct text page;
   struct bench_table one = table;
   struct bench_result r = {.table = &one, .n = 1};
@@ -84,7 +83,6 @@ START_TEST(the_first_page_begins_with_advice) {
   ck_assert(holds(&page, "| other | digits 50 | 1.0e-50 |"));
   text_clear(&page);
 }
-END_TEST
 
 /* What stands between two texts, the first of which is looked for from there on; empty where it is not found. */
 static const char *between(const char *from, const char *begin, const char *end) {
@@ -108,7 +106,7 @@ static const char *look(char out[400], const char *svg, int k) {
 }
 
 /* 52 methods differ in marker and dash together, and the first 24 in colour. */
-START_TEST(figures_tell_methods_apart) {
+TEST(figures_tell_methods_apart) {
   enum { MANY = 52, COLOURS = 24 };
   static struct bench_method method[MANY];
   static char id[MANY][8];
@@ -134,7 +132,6 @@ START_TEST(figures_tell_methods_apart) {
   bench_table_clear(&t);
   text_clear(&svg);
 }
-END_TEST
 
 /* The points of the k-th curve in the panel, the first of them 1; how many numbers there are. */
 static int points(double x[4], const char *svg, int panel, int k) {
@@ -147,7 +144,7 @@ static int points(double x[4], const char *svg, int panel, int k) {
 
 /* Distances in the picture are those of logarithms, in the second panel of the logarithms of the digits; the key names
    each method once.  By hand: 1 ns and 1e-15; quick: 10 ns and 1e-13; in balls: 60 ns and 1e-11. */
-START_TEST(figures_have_logarithmic_axes) {
+TEST(figures_have_logarithmic_axes) {
   struct text svg;
   double at[5][4]; /* of each curve, x and y by turns */
   text_init(&svg);
@@ -169,7 +166,6 @@ START_TEST(figures_have_logarithmic_axes) {
   ck_assert(key && !strstr(key + 1, ">other</text>") && !holds(&svg, ">broken</text>"));
   text_clear(&svg);
 }
-END_TEST
 
 /* --- Peers. --- */
 
@@ -178,7 +174,9 @@ END_TEST
   "median\tns_least\tns_median\n"
 #define GOOD "map\tpeer\tA peer\tgp\tdigits\t50\tno\tok\t3\t0\t1e-49\t1e-50\t700\t800\n"
 
-START_TEST(peers_stand_among_the_others) {
+CASE("files", .each = {scratch_open, scratch_close});
+
+TEST(peers_stand_among_the_others) {
   struct bench_peers p;
   struct bench_table t = {.job = &bench_map, .cases = 4};
   struct text out;
@@ -205,10 +203,9 @@ START_TEST(peers_stand_among_the_others) {
   bench_table_clear(&t);
   bench_peers_clear(&p);
 }
-END_TEST
 
 /* Each mistake is refused where it stands. */
-START_TEST(tables_that_cannot_be_are_refused) {
+TEST_EACH(tables_that_cannot_be_are_refused, 23) {
   static const struct {
     const char *text, *place;
   } cases[] = {{"", "peers.tsv: "},
@@ -239,11 +236,12 @@ START_TEST(tables_that_cannot_be_are_refused) {
   fails_with(bench_peers_read(&p, scratch_put("peers.tsv", cases[_i].text), &d), cases[_i].place);
   bench_peers_clear(&p);
 }
-END_TEST
 
 /* --- What is not installed. --- */
 
-START_TEST(what_is_absent_has_one_row) {
+CASE("bench_pages");
+
+TEST(what_is_absent_has_one_row) {
   struct bench_table t;
   struct bench_method absent = {"absent", "", .type = &num_double, .kind = SET_TOLERANCE, .absent = true};
   struct bench_job job = bench_propagator;
@@ -255,7 +253,6 @@ START_TEST(what_is_absent_has_one_row) {
   ck_assert(!t.row[0].front && isnan(t.row[0].least_ns) && t.row[0].cases == 0);
   bench_table_clear(&t);
 }
-END_TEST
 
 /* --- Where the time goes. --- */
 
@@ -276,7 +273,7 @@ static double sum(const struct bench_part *part, int n) {
   return s;
 }
 
-START_TEST(a_missed_goal_has_its_profile) {
+TEST_EACH(a_missed_goal_has_its_profile, 5) {
   static const struct {
     const char *ratio, *method;
     double setting;
@@ -299,16 +296,14 @@ START_TEST(a_missed_goal_has_its_profile) {
   ck_assert(holds(&page, r.profile.library[0].where));
   text_clear(&page);
 }
-END_TEST
 
-START_TEST(other_ratios_have_none) {
+TEST(other_ratios_have_none) {
   struct bench_ratio met = {.name = "map in double / x", .value = 0.5, .goal = 1, .at_most = true};
   bench_profiles(&(struct bench_result){.ratio = &met, .n_ratios = 1}, &(struct bench_env){.model = NULL});
   ck_assert_ptr_null(met.profile.method);
   ck_assert_ptr_null(profiled("MPFR map without a precision").profile.method);
   ck_assert_ptr_null(profiled("something else").profile.method);
 }
-END_TEST
 
 /* --- Both sides of claims. --- */
 
@@ -319,7 +314,7 @@ static struct bench_sides *sides_of(const struct bench_env *env, const char *id)
 }
 
 /* A radius of 10^-20: absolute below 1, relative above it; a ball without an end is close to nothing. */
-START_TEST(closeness_is_relative_above_one) {
+TEST(closeness_is_relative_above_one) {
   struct num_vec v;
   num_vec_init(&v, 2, num_ctx_arb(200));
   arb_ptr small = num_vec_at(&v, 0), large = num_vec_at(&v, 1);
@@ -336,9 +331,8 @@ START_TEST(closeness_is_relative_above_one) {
   ck_assert(!bench_close_enough(&v, 1));
   num_vec_clear(&v);
 }
-END_TEST
 
-START_TEST(sides_of_claims_come_to_any_digits) {
+TEST(sides_of_claims_come_to_any_digits) {
   struct model m;
   struct claims claims;
   struct scene scene;
@@ -354,13 +348,14 @@ START_TEST(sides_of_claims_come_to_any_digits) {
   claims_clear(&claims);
   model_clear(&m);
 }
-END_TEST
 
 /* --- The folder and the README. --- */
 
+CASE("files");
+
 /* The second run writes nothing of the first's job; what is not the program's stays, and so does everything in a folder
    without a bench.json. */
-START_TEST(a_folder_holds_the_last_run_alone) {
+TEST(a_folder_holds_the_last_run_alone) {
   shell_well("mkdir \"$D/page\"");
   scratch_put("page/map.svg", "mine");
   shell_well("\"$P\" bench --quick --job propagator --out \"$D/page\" >/dev/null 2>&1");
@@ -373,11 +368,10 @@ START_TEST(a_folder_holds_the_last_run_alone) {
   ck_assert(!scratch_has("page/propagator.md") && !scratch_has("page/propagator.tsv") &&
             !scratch_has("page/orbit.svg"));
 }
-END_TEST
 
 /* A run, said not to be a quick one, as the README says it. */
 /* One run of what is quick to measure: its JSON follows the schema, and the readme has its sentences from it. */
-START_TEST(the_readme_has_its_sentences_from_the_rows) {
+TEST(the_readme_has_its_sentences_from_the_rows) {
   scratch_put("README.md",
               "before\n<!-- bench: made by tools/readme.py -->\nold words\n<!-- end of bench -->\nbehind\n");
   shell_well("\"$P\" bench --quick --json > \"$D/all.json\" 2>/dev/null");
@@ -393,28 +387,4 @@ START_TEST(the_readme_has_its_sentences_from_the_rows) {
   ck_assert(strstr(readme, "one Poincare map with its events takes `closed-double` (") &&
             strstr(readme, "speed goals are met") && strstr(readme, "(reports/bench/bench.md)"));
   free(readme);
-}
-END_TEST
-
-Suite *bench_pages_suite(void) {
-  Suite *s = suite_create("bench_pages");
-  TCase *c = tcase_create("rows");
-  tcase_add_test(c, the_fastest_that_is_close_enough_is_advised);
-  tcase_add_test(c, the_first_page_begins_with_advice);
-  tcase_add_test(c, figures_tell_methods_apart);
-  tcase_add_test(c, figures_have_logarithmic_axes);
-  tcase_add_test(c, what_is_absent_has_one_row);
-  tcase_add_loop_test(c, a_missed_goal_has_its_profile, 0, 5);
-  tcase_add_test(c, other_ratios_have_none);
-  tcase_add_test(c, closeness_is_relative_above_one);
-  tcase_add_test(c, sides_of_claims_come_to_any_digits);
-  suite_add_tcase(s, c);
-  c = tcase_create("files");
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, peers_stand_among_the_others);
-  tcase_add_loop_test(c, tables_that_cannot_be_are_refused, 0, 23);
-  tcase_add_test(c, a_folder_holds_the_last_run_alone);
-  tcase_add_test(c, the_readme_has_its_sentences_from_the_rows);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -17,7 +17,7 @@
 #include "motion/map_balls.h"
 #include "params.h"
 #include "rational.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* A line: five parameters and two ends, as decimals. */
@@ -82,7 +82,7 @@ static const double points[][N_DIRECTIONS] = {{0.8, 1, 1, 2.7844, 0.8587, 2.0053
 enum { N_POINTS = sizeof points / sizeof *points };
 
 /* motion/map_balls.c writes these derivatives out. */
-START_TEST(slopes_are_those_written_out) {
+TEST(slopes_are_those_written_out) {
   for (int i = 0; i < N_POINTS; i++)
     for (int up = 0; up < 2; up++) {
       struct ball_pass s;
@@ -98,10 +98,9 @@ START_TEST(slopes_are_those_written_out) {
     }
   flint_cleanup();
 }
-END_TEST
 
 /* Along each parameter: central differences at 2^-40, whose error is about 2^-80 of the third derivative. */
-START_TEST(slopes_along_parameters_are_differences) {
+TEST(slopes_along_parameters_are_differences) {
   for (int i = 0; i < N_POINTS; i++)
     for (int d = 0; d < N_PARAMS; d++) {
       struct ball_pass s, side[2];
@@ -133,7 +132,6 @@ START_TEST(slopes_along_parameters_are_differences) {
     }
   flint_cleanup();
 }
-END_TEST
 
 /* --- Values --- */
 
@@ -141,7 +139,7 @@ static bool inside(const struct dyn_bifurcation *b, const fmpq_t x) {
   return fmpq_cmp(&b->low, x) < 0 && fmpq_cmp(x, &b->high) < 0;
 }
 
-START_TEST(values_of_the_oracle) {
+TEST(values_of_the_oracle) {
   struct table changes;
   table_read(&changes, "tests/oracle/bifurcations.tsv", 11);
   ck_assert_int_eq(changes.n, 7);
@@ -176,11 +174,10 @@ START_TEST(values_of_the_oracle) {
   table_clear(&changes);
   flint_cleanup();
 }
-END_TEST
 
 /* Brackets are nested as digits are asked for, one or two units wide, and hold at 60 digits too; the orbits at their
    ends are told as much about. */
-START_TEST(more_digits_narrower_brackets) {
+TEST(more_digits_narrower_brackets) {
   const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
   struct line l;
   struct dyn_bifurcations list[3];
@@ -215,7 +212,6 @@ START_TEST(more_digits_narrower_brackets) {
   line_clear(&l);
   flint_cleanup();
 }
-END_TEST
 
 /* --- What happens at a change --- */
 
@@ -296,7 +292,7 @@ enum { N_LINES = sizeof lines / sizeof *lines };
 
 /* At six digits the ends of a bracket are far enough apart for the search; between two changes it must find what is
    left. */
-START_TEST(each_change_does_what_it_says) {
+TEST_EACH(each_change_does_what_it_says, N_LINES) {
   struct line l;
   struct dyn_bifurcations list;
   struct dyn_orbits at;
@@ -332,11 +328,10 @@ START_TEST(each_change_does_what_it_says) {
   fmpq_clear(x);
   flint_cleanup();
 }
-END_TEST
 
 /* Where z_1'' = 0 at t_c, which the three equations single out; numbers by mpmath's findroot on the five equations of
    tests/referee/claims.py (eq_36d).  z_1' < V up to there, but not up to a time at which V has been passed. */
-START_TEST(touch_of_the_oracle) {
+TEST(touch_of_the_oracle) {
   const char *const params[] = {"0.5", "4", "1", "2.5", "0"};
   static const double times[] = {2.020230011293395, 2.546157337644011, 1.515139986608597, 0.848453690491598};
   struct line l;
@@ -375,10 +370,9 @@ START_TEST(touch_of_the_oracle) {
   fmpq_clear(value);
   flint_cleanup();
 }
-END_TEST
 
 /* The third order at a flip, against tests/oracle/equality.tsv: c_2^2 + c_3 = 0.206... there is positive. */
-START_TEST(third_order_of_the_oracle) {
+TEST(third_order_of_the_oracle) {
   struct table flips;
   table_read(&flips, "tests/oracle/equality.tsv", 11);
   ck_assert_int_eq(flips.n, 2);
@@ -413,11 +407,10 @@ START_TEST(third_order_of_the_oracle) {
   table_clear(&flips);
   flint_cleanup();
 }
-END_TEST
 
 /* Given static friction: at low and high the bound on it, as the search has it, lies on different sides of what is
    given. */
-START_TEST(friction_that_is_just_enough) {
+TEST(friction_that_is_just_enough) {
   const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
   struct line l;
   struct dyn_bifurcations list;
@@ -450,11 +443,10 @@ START_TEST(friction_that_is_just_enough) {
   _fmpq_vec_clear(u, 2);
   flint_cleanup();
 }
-END_TEST
 
 /* --- Limits --- */
 
-START_TEST(ends_outside_the_domain) {
+TEST(ends_outside_the_domain) {
   static const struct {
     int vary;
     const char *from, *to;
@@ -469,23 +461,4 @@ START_TEST(ends_outside_the_domain) {
     line_clear(&l);
   }
   flint_cleanup();
-}
-END_TEST
-
-Suite *bifurcate_suite(void) {
-  Suite *s = suite_create("bifurcate");
-  TCase *c = tcase_create("slopes");
-  tcase_add_test(c, slopes_are_those_written_out);
-  tcase_add_test(c, slopes_along_parameters_are_differences);
-  suite_add_tcase(s, c);
-  c = tcase_create("changes");
-  tcase_add_test(c, values_of_the_oracle);
-  tcase_add_test(c, more_digits_narrower_brackets);
-  tcase_add_loop_test(c, each_change_does_what_it_says, 0, N_LINES);
-  tcase_add_test(c, third_order_of_the_oracle);
-  tcase_add_test(c, touch_of_the_oracle);
-  tcase_add_test(c, friction_that_is_just_enough);
-  tcase_add_test(c, ends_outside_the_domain);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -11,7 +11,7 @@
 #include "every.h"
 #include "explore/box.h"
 #include "rational.h"
-#include "suites.h"
+#include "suite.h"
 
 struct ends {
   const char *low[N_PARAMS], *high[N_PARAMS];
@@ -80,7 +80,7 @@ static const struct ends boxes[] = {
 };
 enum { N_BOXES = sizeof boxes / sizeof *boxes };
 
-START_TEST(every_point_of_a_box_is_enclosed) {
+TEST_EACH(every_point_of_a_box_is_enclosed, N_BOXES) {
   struct dyn_box box;
   fmpq *low = rationals(boxes[_i].low, N_PARAMS), *high = rationals(boxes[_i].high, N_PARAMS);
   ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
@@ -133,13 +133,12 @@ START_TEST(every_point_of_a_box_is_enclosed) {
   _fmpq_vec_clear(low, N_PARAMS);
   flint_cleanup();
 }
-END_TEST
 
 enum { FEW_HALVINGS = DYN_BOX_HALVINGS - 2 }; /* enough for what is known of the two following */
 
 /* The paper's orbit has its flip at e2 = 1.81105820302190... and t_a = 0 at 2.10396606985610... (tests/oracle/
    bifurcations.tsv): beside, everything is settled, around, it is said to change. */
-START_TEST(what_is_settled_and_what_changes) {
+TEST(what_is_settled_and_what_changes) {
   static const struct {
     const char *low, *high;
     truth stable, admissible;
@@ -171,11 +170,10 @@ START_TEST(what_is_settled_and_what_changes) {
   }
   flint_cleanup();
 }
-END_TEST
 
 /* The orbit with t_b near 1.25 at e2 = 1.8 ends at 1.8077606... (z_2' = V at t_c), the one with t_c near 10.9 at e2 =
    1.3 at 1.3590793...: over boxes that hold the end nothing is claimed. */
-START_TEST(an_orbit_that_ends_is_not_proved) {
+TEST(an_orbit_that_ends_is_not_proved) {
   static const struct {
     const char *low, *high;
     double tb;
@@ -199,10 +197,9 @@ START_TEST(an_orbit_that_ends_is_not_proved) {
   }
   flint_cleanup();
 }
-END_TEST
 
 /* A box on which pieces are cut though each is proved, and are used no more afterwards. */
-START_TEST(proved_pieces_are_cut) {
+TEST(proved_pieces_are_cut) {
   static const struct ends e = {{"0.737754", "1.98746", "0.984371", "3.48531", "0.165766"},
                                 {"0.737754", "1.98746", "1.01563", "3.59598", "0.17103"}};
   struct dyn_box box;
@@ -219,16 +216,4 @@ START_TEST(proved_pieces_are_cut) {
   _fmpq_vec_clear(high, N_PARAMS);
   _fmpq_vec_clear(low, N_PARAMS);
   flint_cleanup();
-}
-END_TEST
-
-Suite *box_suite(void) {
-  Suite *s = suite_create("box");
-  TCase *c = tcase_create("box");
-  tcase_add_loop_test(c, every_point_of_a_box_is_enclosed, 0, N_BOXES);
-  tcase_add_test(c, what_is_settled_and_what_changes);
-  tcase_add_test(c, an_orbit_that_ends_is_not_proved);
-  tcase_add_test(c, proved_pieces_are_cut);
-  suite_add_tcase(s, c);
-  return s;
 }

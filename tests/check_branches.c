@@ -13,7 +13,7 @@
 #include "run/run.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 enum { MOST_SETS = 4, MOST_SOLUTIONS = 200 };
@@ -60,8 +60,10 @@ static bool is_at(const struct dyn_orbit *o, const double t[N_PHASES]) {
   return same;
 }
 
+CASE("branches", .each = {read_sets, forget_sets});
+
 /* The same solutions, each enclosed, and a proof that there are no others. */
-START_TEST(all_that_a_grid_finds) {
+TEST_EACH(all_that_a_grid_finds, 3) {
   const struct set *s = &set[_i];
   struct dyn_orbits list;
   ck_assert_int_eq(dyn_branches_find(&list, s->p, LAST, 128, DYN_CELLS), SS_OK);
@@ -76,10 +78,9 @@ START_TEST(all_that_a_grid_finds) {
     for (int ph = 0; ph < N_PHASES; ph++) ck_assert(arb_is_positive(list.orbit[i].t[ph]));
   dyn_orbits_clear(&list);
 }
-END_TEST
 
 /* Those with first events are the orbits of the word with t_a > 0, which another search finds. */
-START_TEST(first_events_are_the_orbits_of_the_word) {
+TEST_EACH(first_events_are_the_orbits_of_the_word, 3) {
   const struct set *s = &set[_i];
   struct dyn_orbits list, word;
   slong first = 0, expected = 0;
@@ -98,10 +99,9 @@ START_TEST(first_events_are_the_orbits_of_the_word) {
   dyn_orbits_clear(&word);
   dyn_orbits_clear(&list);
 }
-END_TEST
 
 /* On a slow belt there are tens of thousands: a list of some of them, which says so, and a verdict by these. */
-START_TEST(more_than_a_list_holds) {
+TEST(more_than_a_list_holds) {
   struct dyn_orbits list;
   fmpq_t slow;
   fmpq_init(slow);
@@ -118,10 +118,9 @@ START_TEST(more_than_a_list_holds) {
   dyn_orbits_clear(&list);
   fmpq_clear(slow);
 }
-END_TEST
 
 /* A smaller bound of t_c leaves out what lies beyond it; too small a budget says that it was. */
-START_TEST(bounds_and_budgets) {
+TEST(bounds_and_budgets) {
   const struct set *s = &set[0];
   struct dyn_orbits list;
   int within = 0;
@@ -140,7 +139,6 @@ START_TEST(bounds_and_budgets) {
   ck_assert_int_eq(dyn_branches_find(&list, wrong, LAST, 128, DYN_CELLS), SS_DOMAIN);
   dyn_orbits_clear(&list);
 }
-END_TEST
 
 /* --- Claims --- */
 
@@ -173,7 +171,9 @@ static const struct {
      VERDICT_UNKNOWN},
 };
 
-START_TEST(what_is_claimed_of_them) {
+CASE("claims", .each = {paper_open, paper_close});
+
+TEST_EACH(what_is_claimed_of_them, COUNT(claims_tried)) {
   struct model m;
   struct audit_result r;
   const char *overlay = claims_tried[_i].overlay;
@@ -185,10 +185,9 @@ START_TEST(what_is_claimed_of_them) {
   audit_result_clear(&r);
   model_clear(&m);
 }
-END_TEST
 
 /* Beside a claim that lists the constraints, one on the solutions that keep them alone must list them all. */
-START_TEST(solutions_keep_all_that_is_listed) {
+TEST(solutions_keep_all_that_is_listed) {
   static const char list[] = "claim list\n  section: periodic\n  kind: constraints\n  constraints: eq-51, eq-59#2\n";
   static const char *const listed[] = {"eq-51, eq-57#1", "eq-59#2, eq-51"};
   for (int i = 0; i < 2; i++) {
@@ -202,22 +201,4 @@ START_TEST(solutions_keep_all_that_is_listed) {
     audit_result_clear(&r);
     text_clear(&claims);
   }
-}
-END_TEST
-
-Suite *branches_suite(void) {
-  Suite *s = suite_create("branches");
-  TCase *c = tcase_create("branches");
-  tcase_add_checked_fixture(c, read_sets, forget_sets);
-  tcase_add_loop_test(c, all_that_a_grid_finds, 0, 3);
-  tcase_add_loop_test(c, first_events_are_the_orbits_of_the_word, 0, 3);
-  tcase_add_test(c, more_than_a_list_holds);
-  tcase_add_test(c, bounds_and_budgets);
-  suite_add_tcase(s, c);
-  TCase *claims = tcase_create("claims");
-  tcase_add_checked_fixture(claims, paper_open, paper_close);
-  tcase_add_loop_test(claims, what_is_claimed_of_them, 0, (int)(sizeof claims_tried / sizeof *claims_tried));
-  tcase_add_test(claims, solutions_keep_all_that_is_listed);
-  suite_add_tcase(s, claims);
-  return s;
 }

@@ -30,7 +30,7 @@
 #include "rational.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* --- A question and its answer --- */
@@ -177,8 +177,10 @@ static void check_orbit(const struct study *s, slong i, char *const *field) {
   for (int k = 0; k < N_PHASES; k++) ck_assert_int_eq(z->first[k], TRUTH_TRUE);
 }
 
+CASE("certify", .each = {scratch_open, scratch_close});
+
 /* t_b > pi, t_a < 0, tr J beyond 1, coexisting orbits, t_c near 76, an orbit beside its fold, ...: see sets.tsv. */
-START_TEST(every_set_is_certified_and_verified) {
+TEST(every_set_is_certified_and_verified) {
   struct table t;
   table_read(&t, "tests/oracle/orbits.tsv", ANY_COLUMNS);
   int sets = 0, orbits = 0;
@@ -203,10 +205,9 @@ START_TEST(every_set_is_certified_and_verified) {
   table_clear(&t);
   ck_assert_msg(sets >= 28 && orbits >= 55, "%d sets, %d orbits", sets, orbits);
 }
-END_TEST
 
 /* |tr J| = 1 to 18 digits: the parameters of equality.tsv, and 1e-15 aside on either side. */
-START_TEST(near_flip) {
+TEST(near_flip) {
   static const struct {
     const char *chi;
     truth stable;
@@ -226,11 +227,10 @@ START_TEST(near_flip) {
   verified(&s);
   study_close(&s);
 }
-END_TEST
 
 /* Parameters between which an orbit appears or ends, found by halving to 1e-14 and better: two orbits at their fold, a
    touching of z_1' = V in phase H, t_b after a touching of chi r = e2, t_b near 0, z_2' = V just before t_c. */
-START_TEST(near_folds_and_grazing_events) {
+TEST(near_folds_and_grazing_events) {
   static const struct {
     const char *text[N_PARAMS];
     int n;
@@ -254,11 +254,10 @@ START_TEST(near_folds_and_grazing_events) {
   }
   ck_assert_int_ge(raised, 6);
 }
-END_TEST
 
 /* The search must not take Newton's iteration for an orbit when it has left the phases: here t_b = -23.4 and t_c =
    -35.2. */
-START_TEST(no_orbit_of_negative_times) {
+TEST(no_orbit_of_negative_times) {
   struct study s;
   study_forces(&s, "0.74", "17", "0.62", "4.97", "2966149895247801843819/10000000000000000000000");
   all_certified(&s, s.list.n);
@@ -267,10 +266,9 @@ START_TEST(no_orbit_of_negative_times) {
   verified(&s);
   study_close(&s);
 }
-END_TEST
 
 /* t_c = 224.7; and given times, t_a = 1e-9 and two events at one time. */
-START_TEST(long_slip_and_given_times) {
+TEST(long_slip_and_given_times) {
   struct study s;
   study_forces(&s, "0.8", "1", "1", "0.05", "0.001");
   all_certified(&s, 1);
@@ -307,12 +305,11 @@ START_TEST(long_slip_and_given_times) {
   ck_assert_int_eq(s.proof[0].bits, DYN_CERTIFY_LAST);
   study_close(&s);
 }
-END_TEST
 
 /* Parameters at which a loop once had no bound: t_b of 1.7e9, behind some 270 million crests of the rise; phase H of
    seven million oscillations, of which only those that the slow mode brings near a limit are looked at; a search of
    passes that end before they take a step. */
-START_TEST(extremes_end) {
+TEST(extremes_end) {
   struct study s;
   study_forces(&s, "1e-9", "1", "1", "2.7844", "0.8587");
   ck_assert_int_eq(s.list.n, 0); /* beyond the fast search, not beyond the complete one */
@@ -351,7 +348,6 @@ START_TEST(extremes_end) {
   dyn_orbits_clear(&list);
   _fmpq_vec_clear(p, N_PARAMS);
 }
-END_TEST
 
 /* --- Certificates with something false in them --- */
 
@@ -381,12 +377,11 @@ static bool next_value(size_t *begin, size_t *len, const struct text *json, size
 
 /* tests/forge.py makes forgeries of every value of these certificates and proves of each that is verified that it is
    true; make long makes all of them. */
-START_TEST(some_of_all_forgeries) {
+TEST(some_of_all_forgeries) {
   shell_well("$Y tests/forge.py --every 101 \"$P\" paper above-one other-word chain3 driven beside-wall den-hartog");
 }
-END_TEST
 
-START_TEST(a_changed_truth_is_rejected) {
+TEST(a_changed_truth_is_rejected) {
   struct study s;
   size_t at, len, from = 0;
   int changed = 0;
@@ -407,11 +402,10 @@ START_TEST(a_changed_truth_is_rejected) {
   ck_assert_int_eq(changed, 2 * (4 + N_CONDITIONS + 2));
   study_close(&s);
 }
-END_TEST
 
 /* A truth in quotes, or what only begins like one, and a truth where a string belongs; in make check each value is
    replaced once, by each of them in turn. */
-START_TEST(a_value_of_the_wrong_type_is_rejected) {
+TEST(a_value_of_the_wrong_type_is_rejected) {
   struct study s;
   size_t at, len, from = 0;
   int changed = 0;
@@ -432,10 +426,9 @@ START_TEST(a_value_of_the_wrong_type_is_rejected) {
   ck_assert_int_eq(changed, 2 + 5 + 1 + 2 * (6 + 13 + 4 + N_CONDITIONS + 2)); /* 1: a broken_at */
   study_close(&s);
 }
-END_TEST
 
 /* tr J is near -3.4e-31: while its ball holds 0, tr J - 1 must not pass for the margin |tr J| - 1. */
-START_TEST(a_margin_below_its_modulus_is_rejected) {
+TEST(a_margin_below_its_modulus_is_rejected) {
   static const char *const text[N_PARAMS] = {"47/125", "47/125", "1", "5/4",
                                              "61181618554749724207734213342667609152351510878569650320353507/"
                                              "100000000000000000000000000000000000000000000000000000000000000"};
@@ -454,7 +447,6 @@ START_TEST(a_margin_below_its_modulus_is_rejected) {
   checked(&s, REJECTED, "margin");
   study_close(&s);
 }
-END_TEST
 
 /* A solution of the six equations in place of the first orbit, with every claim that the prover would make. */
 static void forge(struct study *s, const struct word_root *root, slong prec) {
@@ -476,7 +468,7 @@ static void forge(struct study *s, const struct word_root *root, slong prec) {
 
 /* Newton's iteration on the six equations from a grid of times also ends where t_b or t_c is a later root: never
    certified, and rejected when certified by force. */
-START_TEST(later_events_are_no_orbits) {
+TEST(later_events_are_no_orbits) {
   struct study s;
   int later = 0, by_event = 0;
   study_paper(&s);
@@ -513,10 +505,9 @@ START_TEST(later_events_are_no_orbits) {
   ck_assert_msg(by_event == later, "%d of %d", by_event, later); /* nothing else is false */
   study_close(&s);
 }
-END_TEST
 
 /* An orbit with enclosures beside it, or too narrow to hold it. */
-START_TEST(wrong_enclosures_are_not_certified) {
+TEST(wrong_enclosures_are_not_certified) {
   struct study s;
   study_paper(&s);
   struct dyn_orbit *o = &s.list.orbit[1];
@@ -532,10 +523,9 @@ START_TEST(wrong_enclosures_are_not_certified) {
   ck_assert(!s.proof[1].certified);
   study_close(&s);
 }
-END_TEST
 
 /* A box beside the orbit, where all else is true of the orbit and of every point of the box. */
-START_TEST(a_box_without_its_orbit_is_rejected) {
+TEST(a_box_without_its_orbit_is_rejected) {
   struct study s;
   study_paper(&s);
   struct dyn_orbit *o = &s.list.orbit[0];
@@ -553,16 +543,14 @@ START_TEST(a_box_without_its_orbit_is_rejected) {
   checked(&s, REJECTED, "its box");
   study_close(&s);
 }
-END_TEST
 
-START_TEST(the_checker_says_how_it_is_called) {
+TEST(the_checker_says_how_it_is_called) {
   ck_assert_int_eq(checker_on("--help"), USAGE);
   ck_assert(strstr(said, "usage: stickslip-checker CERTIFICATE") != NULL);
 }
-END_TEST
 
 /* One orbit twice, no orbit, and more than the file says. */
-START_TEST(entries_are_different_orbits) {
+TEST(entries_are_different_orbits) {
   struct study s;
   study_paper(&s);
   dyn_orbit_clear(&s.list.orbit[0]);
@@ -575,10 +563,9 @@ START_TEST(entries_are_different_orbits) {
   dyn_orbit_init(&s.list.orbit[0]);
   study_close(&s);
 }
-END_TEST
 
 /* Sliding friction is positive: u_ri is, and above e_i; else nothing in the certificate is about the system. */
-START_TEST(static_friction_has_a_range) {
+TEST(static_friction_has_a_range) {
   static const struct {
     const char *u[2], *says;
     int status;
@@ -602,10 +589,9 @@ START_TEST(static_friction_has_a_range) {
   ck_assert_msg(checker(text_str(&s.json)) == REJECTED && strstr(said, "u_r1 is out of its range"), "%s", said);
   study_close(&s);
 }
-END_TEST
 
 /* Nobody takes the answer, or the memory ends: no verdict, and a status of its own. */
-START_TEST(no_answer) {
+TEST(no_answer) {
   struct study s;
   study_paper(&s);
   const char *path = scratch_put("certificate.json", text_str(&s.json));
@@ -621,7 +607,6 @@ START_TEST(no_answer) {
 #endif
   study_close(&s);
 }
-END_TEST
 
 /* --- Systems --- */
 
@@ -658,7 +643,7 @@ static void verified_one(const char *what) {
 }
 
 /* Where nothing else is on file: positions far wider than forces, phase C slow, t_a beside t_b as 1e6 to 1. */
-START_TEST(extreme_orbits_are_verified) {
+TEST(extreme_orbits_are_verified) {
   static const char *const set[] = {"chi=1-1e-6", "chi=1-1e-8", "eta=1e-6", "eta=1e-9", "V=1e-5", "eta=1e12"};
   for (size_t i = 0; i < sizeof set / sizeof *set; i++) {
     shell_well("rm -f $D/c.json; $P orbit paper --set %s --certificate $D/c.json > $D/out 2>&1", set[i]);
@@ -666,7 +651,6 @@ START_TEST(extreme_orbits_are_verified) {
   }
   shell_ends(0, "  certified at ", "$P orbit paper --set V=1e-20"); /* its t_a is beyond what the checker takes */
 }
-END_TEST
 
 /* What of a scene on file is not proved, and why. */
 static const struct {
@@ -696,7 +680,7 @@ static void is_proved_or_excepted(const char *path, const char *out, const char 
    the one orbit that each has.  It verifies every certificate, which all have but those whose orbits break the word,
    and solution II, where the masses never stick together.  The longer chains, which take more time than all
    the others, are for make long. */
-START_TEST(scenes_on_file_are_proved) {
+TEST(scenes_on_file_are_proved) {
   glob_t g;
   ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0 && g.gl_pathc >= 25);
   long proved = 0;
@@ -739,10 +723,9 @@ START_TEST(scenes_on_file_are_proved) {
   ck_assert_int_ge(verified_ones, 7 + 2 * every_case());
   globfree(&g);
 }
-END_TEST
 
 /* Between two phases one number tells the whole state. */
-START_TEST(nothing_is_free_of_one_mass) {
+TEST(nothing_is_free_of_one_mass) {
   struct system_study s;
   system_open(&s, scratch_put("one.system", "title: a mass on a belt\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n"
                                             "  surface: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"));
@@ -751,7 +734,6 @@ START_TEST(nothing_is_free_of_one_mass) {
   verified_one("one mass");
   system_close(&s);
 }
-END_TEST
 
 /* The next string in quotes that is no name of a value. */
 static bool next_string(size_t *begin, size_t *len, const struct text *json, size_t from) {
@@ -776,7 +758,7 @@ static void refused_with(const struct text *json, const char *behind, const char
 }
 
 /* Letters, truths, phases, and what is no system. */
-START_TEST(a_changed_system_is_rejected) {
+TEST(a_changed_system_is_rejected) {
   struct system_study s;
   size_t at, len, from = 0;
   int letters = 0;
@@ -817,10 +799,9 @@ START_TEST(a_changed_system_is_rejected) {
   refused_with(&s.json, "word", "\"turns\": \"1\",", "", BAD_FILE, "turns");
   system_close(&s);
 }
-END_TEST
 
 /* One orbit twice, also when its word and its numbers begin with another phase. */
-START_TEST(an_orbit_of_a_system_counts_once) {
+TEST(an_orbit_of_a_system_counts_once) {
   struct system_study s;
   system_open(&s, "verify/systems/den-hartog.system");
   struct mech_orbit pair[2] = {s.list.orbit[0], s.list.orbit[0]};
@@ -837,7 +818,6 @@ START_TEST(an_orbit_of_a_system_counts_once) {
   mech_orbit_clear(&pair[1]);
   system_close(&s);
 }
-END_TEST
 
 static double unit(uint64_t *stream) {
   return ldexp((double)(random_next(stream) >> 11), -53);
@@ -845,7 +825,7 @@ static double unit(uint64_t *stream) {
 
 /* Solutions of a word's equations that pass through a wall, slip past their surface's velocity or return too late: each
    is rejected when it is certified by force; and one that only breaks the law is verified when it says so. */
-START_TEST(solutions_that_are_no_motions_are_rejected) {
+TEST(solutions_that_are_no_motions_are_rejected) {
   static const struct {
     const char *system, *word;
     double t[4], z[4]; /* a start */
@@ -892,11 +872,10 @@ START_TEST(solutions_that_are_no_motions_are_rejected) {
   }
   ck_assert_msg(later >= 3 && broken == 1, "%d, %d", later, broken);
 }
-END_TEST
 
 /* An orbit that breaks the law, in a box that the checker's first precision proves, with numbers to so many digits that
    it leaves them undecided: the verdict is held against the conditions only when all of them have been looked at. */
-START_TEST(a_verdict_waits_for_the_conditions) {
+TEST(a_verdict_waits_for_the_conditions) {
   /* the paper's orbit that breaks h_v2; z = x - (10, 45/4) */
   const double t[] = {14.318937, 1.3814616, 10.909628, 3.2581067}, z[MECH_STATES] = {4.5356558, 4.5188039, 1, 1};
   struct system_study s;
@@ -920,11 +899,10 @@ START_TEST(a_verdict_waits_for_the_conditions) {
   mech_orbit_clear(&fine);
   system_close(&s);
 }
-END_TEST
 
 /* A mass that leaves an obstacle is on the slower side of its surface only where that moves up: on the other side its
    friction would jump, and with it the force that was zero. */
-START_TEST(a_mass_leaves_rest_with_its_friction) {
+TEST(a_mass_leaves_rest_with_its_friction) {
   struct system_study s;
   struct mech_word w;
   size_t at;
@@ -940,10 +918,9 @@ START_TEST(a_mass_leaves_rest_with_its_friction) {
   refused_with(&s.json, "\"word\"", "\"+\"", "\"-\"", REJECTED, "differ by more or less than one event");
   system_close(&s);
 }
-END_TEST
 
 /* Out of all proportion: refused at once. */
-START_TEST(huge_systems_are_refused) {
+TEST(huge_systems_are_refused) {
   struct system_study s;
   struct text t;
   text_init(&t);
@@ -977,20 +954,18 @@ START_TEST(huge_systems_are_refused) {
   text_clear(&t);
   system_close(&s);
 }
-END_TEST
 
 /* --- Files that are no certificates --- */
 
-START_TEST(a_byte_order_mark_is_skipped) {
+TEST(a_byte_order_mark_is_skipped) {
   struct study s;
   study_paper(&s);
   ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF"), VERIFIED);
   ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF\xEF\xBB\xBF"), BAD_FILE);
   study_close(&s);
 }
-END_TEST
 
-START_TEST(bad_files) {
+TEST(bad_files) {
   struct study s;
   study_paper(&s);
   for (size_t len = 0; len + 3 < s.json.len; len += 97 * (size_t)every(3)) { /* cut off */
@@ -1055,11 +1030,10 @@ START_TEST(bad_files) {
   text_clear(&t);
   study_close(&s);
 }
-END_TEST
 
 /* --- Digits, and what they cost --- */
 
-START_TEST(thousand_digits) {
+TEST(thousand_digits) {
   struct study s;
   study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, 3394);
   all_certified(&s, 2);
@@ -1075,7 +1049,6 @@ START_TEST(thousand_digits) {
   verified(&s);
   study_close(&s);
 }
-END_TEST
 
 static void find_and_certify(void *prec) {
   struct study s;
@@ -1084,12 +1057,11 @@ static void find_and_certify(void *prec) {
 }
 
 /* In proportion to their number at most: what is certified at 128 bits is refined by steps that double them. */
-START_TEST(digits_are_cheap) {
+TEST(digits_are_cheap) {
   slong few = 128, many = 3394;
   ck_assert(costs_less(&(struct effort){find_and_certify, &many}, (double)many / (double)few,
                        &(struct effort){find_and_certify, &few}));
 }
-END_TEST
 
 static void find(void *arg) {
   struct study *s = arg;
@@ -1107,16 +1079,15 @@ static void certify_one(void *arg) {
 }
 
 /* A certificate comes from the enclosure that the search has left, without a search of its own. */
-START_TEST(an_orbit_costs_no_second_search) {
+TEST(an_orbit_costs_no_second_search) {
   struct study s;
   study_paper(&s);
   ck_assert(costs_less(&(struct effort){certify_one, &s}, 2, &(struct effort){find, &s}));
   study_close(&s);
 }
-END_TEST
 
 /* A springy second mass turns some 1e6 times in an orbit; beyond 2^40 the checker does not look. */
-START_TEST(stiff_orbits_are_rechecked) {
+TEST(stiff_orbits_are_rechecked) {
   static const struct {
     const char *eta;
     int status;
@@ -1126,51 +1097,4 @@ START_TEST(stiff_orbits_are_rechecked) {
     check_says("err", "ran into its limits; there may be more orbits");
     ck_assert_msg(checker_on(scratch_path("stiff.json")) == c[i].status, "eta = %s: %s", c[i].eta, said);
   }
-}
-END_TEST
-
-Suite *certify_suite(void) {
-  Suite *s = suite_create("certify");
-  TCase *proofs = tcase_create("proofs"), *lies = tcase_create("lies"), *systems = tcase_create("systems");
-  tcase_set_timeout(proofs, 120);
-  tcase_set_timeout(lies, 120);
-  tcase_add_checked_fixture(proofs, scratch_open, scratch_close);
-  tcase_add_checked_fixture(lies, scratch_open, scratch_close);
-  tcase_add_checked_fixture(systems, scratch_open, scratch_close);
-  tcase_add_test(proofs, every_set_is_certified_and_verified);
-  tcase_add_test(proofs, near_flip);
-  tcase_add_test(proofs, near_folds_and_grazing_events);
-  tcase_add_test(proofs, no_orbit_of_negative_times);
-  tcase_add_test(proofs, long_slip_and_given_times);
-  tcase_add_test(proofs, extremes_end);
-  tcase_add_test(proofs, wrong_enclosures_are_not_certified);
-  tcase_add_test(proofs, thousand_digits);
-  tcase_add_test(proofs, digits_are_cheap);
-  tcase_add_test(proofs, an_orbit_costs_no_second_search);
-  tcase_add_test(proofs, stiff_orbits_are_rechecked);
-  tcase_add_test(proofs, extreme_orbits_are_verified);
-  tcase_add_test(systems, scenes_on_file_are_proved);
-  tcase_add_test(systems, nothing_is_free_of_one_mass);
-  tcase_add_test(lies, some_of_all_forgeries);
-  tcase_add_test(lies, a_changed_truth_is_rejected);
-  tcase_add_test(lies, a_value_of_the_wrong_type_is_rejected);
-  tcase_add_test(lies, a_margin_below_its_modulus_is_rejected);
-  tcase_add_test(lies, later_events_are_no_orbits);
-  tcase_add_test(lies, a_box_without_its_orbit_is_rejected);
-  tcase_add_test(lies, the_checker_says_how_it_is_called);
-  tcase_add_test(lies, entries_are_different_orbits);
-  tcase_add_test(lies, static_friction_has_a_range);
-  tcase_add_test(lies, no_answer);
-  tcase_add_test(systems, a_changed_system_is_rejected);
-  tcase_add_test(systems, an_orbit_of_a_system_counts_once);
-  tcase_add_test(systems, solutions_that_are_no_motions_are_rejected);
-  tcase_add_test(systems, a_verdict_waits_for_the_conditions);
-  tcase_add_test(systems, a_mass_leaves_rest_with_its_friction);
-  tcase_add_test(systems, huge_systems_are_refused);
-  tcase_add_test(lies, a_byte_order_mark_is_skipped);
-  tcase_add_test(lies, bad_files);
-  suite_add_tcase(s, proofs);
-  suite_add_tcase(s, lies);
-  suite_add_tcase(s, systems);
-  return s;
 }

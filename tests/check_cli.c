@@ -13,7 +13,7 @@
 #include "command.h"
 #include "every.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "whole.h"
 
 /* --- verify --- */
@@ -42,9 +42,11 @@ static void close_full(void) {
   scratch_close();
 }
 
+CASE("verify", .once = {open_full, close_full}, .seconds = TIME_LIMIT);
+
 /* What was computed at another time and perhaps on another machine, to the byte; run.json says how a run went.  Where a
    file differs, make verify writes it anew. */
-START_TEST(the_report_on_record_is_the_computed_one) {
+TEST(the_report_on_record_is_the_computed_one) {
   shell_well(
       "for f in $(ls $D/whole/paper); do [ $f = run.json ] || cmp $D/whole/paper/$f reports/paper/$f || exit; done");
   shell_well("echo 0 | diff - $D/whole/status && diff /dev/null $D/whole/errors");
@@ -53,7 +55,6 @@ START_TEST(the_report_on_record_is_the_computed_one) {
                    "errata.tex figure-3.tsv figure-4.tsv index.html junit.xml long-run.tsv margins.tsv return-map.tsv "
                    "run.json statements.tsv");
 }
-END_TEST
 
 /* The text of a claim's object in a report, to be freed; NULL when it has none. */
 static char *claim_object(const char *json, const char *id) {
@@ -72,7 +73,7 @@ static const char *const verdicts[] = {"proved",  "conditional", "supported", "r
 enum { N_VERDICT_WORDS = sizeof verdicts / sizeof *verdicts };
 
 /* The last line of the output says what the summary of audit.json says. */
-START_TEST(the_last_line_is_the_summary) {
+TEST(the_last_line_is_the_summary) {
   const char *end = full_out + strlen(full_out) - 1, *line = end;
   ck_assert(*end == '\n');
   while (line > full_out && line[-1] != '\n') line--;
@@ -100,10 +101,9 @@ START_TEST(the_last_line_is_the_summary) {
   ck_assert(sscanf(strchr(semicolon + 1, ';'), "; %d of %d controls noticed; as recorded", &noticed, &controls) == 2);
   ck_assert_msg(noticed == controls && noticed > 20, "%s", line);
 }
-END_TEST
 
 /* audit.md holds every claim of audit.json once, what needs attention before the overview. */
-START_TEST(the_markdown_holds_every_claim) {
+TEST(the_markdown_holds_every_claim) {
   int claims = 0;
   for (const char *p = strstr(full_json, "    {\n      \"id\": \""); p; p = strstr(p + 1, "    {\n      \"id\": \"")) {
     char heading[100];
@@ -121,9 +121,8 @@ START_TEST(the_markdown_holds_every_claim) {
   ck_assert_int_eq(claims,
                    atoi(member(full_json, "total")) + atoi(member(strstr(full_json, "\"checks\": {"), "total")));
 }
-END_TEST
 
-START_TEST(the_recorded_verdicts_are_listed) {
+TEST(the_recorded_verdicts_are_listed) {
   struct job j;
   int n = 0;
   job_run_well(&j, "list", NULL);
@@ -138,10 +137,9 @@ START_TEST(the_recorded_verdicts_are_listed) {
   ck_assert_int_ge(n, 60);
   job_clear(&j);
 }
-END_TEST
 
 /* Judged alone or in company, a claim's result has the same bytes. */
-START_TEST(alone_or_together) {
+TEST_EACH(alone_or_together, 5) {
   static const char *const runs[] = {"eq-27", "eq-40", "num-t_a,text-periodic", "eq-53,eq-44b,eq-3", "text-criterion"};
   const char *only = runs[_i];
   struct job j;
@@ -163,10 +161,9 @@ START_TEST(alone_or_together) {
   free(json);
   job_clear(&j);
 }
-END_TEST
 
 /* A report's claim can be judged again by the command that stands beside it, and the report stays. */
-START_TEST(a_claim_reproduces) {
+TEST(a_claim_reproduces) {
   char *object = claim_object(full_json, "eq-31");
   ck_assert(object != NULL);
   ck_assert_str_eq(member(object, "reproduce"), "stickslip verify paper --only eq-31 --out recheck");
@@ -185,14 +182,13 @@ START_TEST(a_claim_reproduces) {
   free(json);
   free(object);
 }
-END_TEST
 
 static const char corrected_k4[] = "define user-40\n  section: stability\n"
                                    "  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100))\n";
 static const char damaged_ja[] = "define user-27\n  section: stability\n  J_a := (1/(1 - chi))*[1, 1]\n";
 
 /* Exit status 1: a verdict is not the recorded one, for better or worse; it outranks 4. */
-START_TEST(verdicts_that_are_not_as_recorded) {
+TEST(verdicts_that_are_not_as_recorded) {
   static const struct {
     const char *overlay, *only, *says;
   } cases[] = {{corrected_k4, "eq-40", "eq-40: proved, recorded as conditional\n"},
@@ -207,9 +203,8 @@ START_TEST(verdicts_that_are_not_as_recorded) {
     job_clear(&j);
   }
 }
-END_TEST
 
-START_TEST(strict_means_no_discrepancies) {
+TEST(strict_means_no_discrepancies) {
   static const struct {
     const char *only;
     int status, strict;
@@ -224,10 +219,9 @@ START_TEST(strict_means_no_discrepancies) {
     job_clear(&j);
   }
 }
-END_TEST
 
 /* Several scenes get a folder each; a bad one does not stop the others, and its status wins. */
-START_TEST(several_scenes) {
+TEST(several_scenes) {
   struct job j;
   const char *mine = scratch_put("mine.scene", "chi = 1/2\neta = 2\nV = 3/2\ne1 = 3\ne2 = 1/4\n");
   job_run(&j, "verify", "paper", "no-such-scene", mine, "--only", "eq-27,num-t_a", "--out", scratch_path("many"), NULL);
@@ -244,10 +238,9 @@ START_TEST(several_scenes) {
   free(json);
   job_clear(&j);
 }
-END_TEST
 
 /* What cannot be written leaves the old report and nothing beside it. */
-START_TEST(output_that_cannot_be_written) {
+TEST(output_that_cannot_be_written) {
   struct job j;
   const char *file = scratch_put("file", "not a folder");
   char inside[400];
@@ -270,9 +263,8 @@ START_TEST(output_that_cannot_be_written) {
   free(md);
   job_clear(&j);
 }
-END_TEST
 
-START_TEST(bad_input_leaves_the_old_report) {
+TEST(bad_input_leaves_the_old_report) {
   struct job j;
   ck_assert(mkdir(scratch_path("old"), 0700) == 0);
   scratch_put("old/audit.json", "old json");
@@ -288,11 +280,10 @@ START_TEST(bad_input_leaves_the_old_report) {
   free(json);
   job_clear(&j);
 }
-END_TEST
 
 /* A scene with an interval: verify takes it, claims about one set of parameters are skipped with the reason,
    and nothing on record is contradicted. */
-START_TEST(a_box_of_parameters) {
+TEST(a_box_of_parameters) {
   const char *box = scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.812, 2.1]\n");
   struct job j;
   job_run_well(&j, "verify", box, "--only", "eq-27,num-t_a,text-periodic,text-start-at-rest", "--out",
@@ -308,10 +299,9 @@ START_TEST(a_box_of_parameters) {
                 j.out); /* the box's own ends, not enclosures */
   job_clear(&j);
 }
-END_TEST
 
 /* Real output against the schemas; and output with a wrong count or name, since the checker must be able to fail. */
-START_TEST(json_obeys_its_schemas) {
+TEST(json_obeys_its_schemas) {
   static const char *const runs[][2] = {
       {"orbit $D/none.scene --json", "orbit"},
       {"orbit $D/stiff.scene --json", "orbit"},
@@ -345,11 +335,12 @@ START_TEST(json_obeys_its_schemas) {
              "$P jacobian $D/stiff.scene --phases --json | sed 's/\"saltation\"/\"Saltation\"/' > $D/renamed.json; "
              "$Y tests/oracle/validate.py schema/phases.schema.json $D/renamed.json");
 }
-END_TEST
 
 /* --- Usage and bad input --- */
 
-START_TEST(the_projects_own_files_are_good) {
+CASE("refusal", .once = {scratch_open, scratch_close}, .seconds = TIME_LIMIT);
+
+TEST(the_projects_own_files_are_good) {
   static const char *const patterns[] = {"verify/paper/*.eq", "verify/errata.eq", "verify/claims/*.claim",
                                          "verify/scenes/*.scene"};
   glob_t g;
@@ -371,9 +362,8 @@ START_TEST(the_projects_own_files_are_good) {
   globfree(&g);
   job_clear(&j);
 }
-END_TEST
 
-START_TEST(one_bad_file_among_good_ones) {
+TEST(one_bad_file_among_good_ones) {
   struct job j;
   const char *bad = scratch_put("bad.scene", "chi = 0\n");
   job_run(&j, "check", "verify/scenes/paper.scene", bad, "verify/errata.eq", NULL);
@@ -382,10 +372,9 @@ START_TEST(one_bad_file_among_good_ones) {
   ck_assert(strncmp(j.err, bad, strlen(bad)) == 0);
   job_clear(&j);
 }
-END_TEST
 
 /* A copy of the program beside which there is none of the folders. */
-START_TEST(no_data_folder_is_noticed) {
+TEST(no_data_folder_is_noticed) {
   struct job j;
   if (access(STICKSLIP_DATADIR, F_OK) == 0) return; /* installed */
   shell_well("mkdir -p $D/a/b && cp $P $D/a/b/copy");
@@ -397,9 +386,8 @@ START_TEST(no_data_folder_is_noticed) {
                 "%d, %.1500s", j.status, j.err);
   job_clear(&j);
 }
-END_TEST
 
-START_TEST(a_missing_data_folder_is_noticed) {
+TEST(a_missing_data_folder_is_noticed) {
   struct job j;
   setenv("STICKSLIP_DATA", scratch_path("no-data"), 1);
   job_run(&j, "list", NULL);
@@ -407,7 +395,6 @@ START_TEST(a_missing_data_folder_is_noticed) {
   ck_assert_msg(j.status == 3 && strstr(j.err, scratch_path("no-data")), "%d, %.1500s", j.status, j.err);
   job_clear(&j);
 }
-END_TEST
 
 /* --- explain --- */
 
@@ -425,8 +412,10 @@ static double shown_number(const char *out, const char *label, int n) {
   return x;
 }
 
+CASE("explain", .once = {scratch_open, scratch_close}, .seconds = TIME_LIMIT);
+
 /* (10) prints D with V t where t is meant: at V = 2, t = 3 the entry [1,3] is 6 against 3. */
-START_TEST(explain_shows_both_sides) {
+TEST(explain_shows_both_sides) {
   static const char *const types[] = {"double", "mpfr  ", "arb   "};
   struct job j;
   job_run_well(&j, "explain", "eq-10", "--at", "V=2,t=3", NULL);
@@ -455,12 +444,11 @@ START_TEST(explain_shows_both_sides) {
   ck_assert(strstr(j.out, "%0 = ") != NULL);
   job_clear(&j);
 }
-END_TEST
 
 /* At a point of the claim's kind.  The example's orbit needs u_r1 > 2.15516 and u_r2 > 1.67050
    (tests/oracle/orbits.tsv), and a realistic one has 5/4 or 1025/1024 of what is more, that or e_i, upwards to a
    1024th: here 2.78712 and 1.672134. */
-START_TEST(explain_takes_the_claims_points) {
+TEST(explain_takes_the_claims_points) {
   struct job j;
   job_run_well(&j, "explain", "eq-11b", NULL);
   ck_assert(strstr(j.out, "orbit 2, u_r1 = 2855/1024, u_r2 = 1713/1024\n") && !strstr(j.out, "sides differ"));
@@ -469,11 +457,10 @@ START_TEST(explain_takes_the_claims_points) {
   ck_assert(strstr(j.out, "\nat          these parameters have no admissible orbit\n"));
   job_clear(&j);
 }
-END_TEST
 
 /* What the page shows by an id can be explained, be it a claim, one that a restriction makes, a root or a control; and
    there are as many claims in the list as in the report. */
-START_TEST(what_the_page_shows_can_be_explained) {
+TEST(what_the_page_shows_can_be_explained) {
   char *page = file_text("reports/paper/index.html"), *audit = file_text("reports/paper/audit.json");
   struct job j;
   int roots = 0, controls = 0, claims = 0, lines = 0;
@@ -513,10 +500,9 @@ START_TEST(what_the_page_shows_can_be_explained) {
   free(audit);
   free(page);
 }
-END_TEST
 
 /* A number alone is that of an equation: its claims, or the only one. */
-START_TEST(an_equation_is_explained) {
+TEST(an_equation_is_explained) {
   struct job j, other;
   job_run_well(&j, "explain", "40", NULL);
   ck_assert(strncmp(j.out, "(40): ", 6) == 0);
@@ -537,7 +523,6 @@ START_TEST(an_equation_is_explained) {
   job_clear(&other);
   job_clear(&j);
 }
-END_TEST
 
 /* --- Help --- */
 
@@ -577,7 +562,9 @@ static void lines_fit(const char *what, const char *text, int most) {
   ck_assert_msg(n <= most, "%s has %d lines", what, n);
 }
 
-START_TEST(help_fits_a_screen) {
+CASE("help", .once = {scratch_open, scratch_close}, .seconds = TIME_LIMIT);
+
+TEST(help_fits_a_screen) {
   static const char *const asked[] = {"-h", "help", "--help"};
   struct job j, other;
   struct rows r;
@@ -602,7 +589,6 @@ START_TEST(help_fits_a_screen) {
   job_clear(&r.j);
   job_clear(&j);
 }
-END_TEST
 
 /* Less all that is blank; lines of a page are broken at blanks. */
 static char *squeezed(const char *s) {
@@ -653,17 +639,16 @@ static void check_page(const struct rows *r, const char *command) {
   job_clear(&page);
 }
 
-START_TEST(each_command_has_its_page) {
+TEST(each_command_has_its_page) {
   struct rows r;
   rows_read(&r);
   for (int i = 0; i < r.n; i++)
     if (strcmp(r.field[i][1], "usage") == 0) check_page(&r, r.field[i][0]);
   job_clear(&r.j);
 }
-END_TEST
 
 /* With an option that nobody has behind them nothing is done, and nothing else is wrong with them. */
-START_TEST(examples_of_the_help_are_commands) {
+TEST(examples_of_the_help_are_commands) {
   struct rows r;
   int n = 0;
   rows_read(&r);
@@ -687,10 +672,9 @@ START_TEST(examples_of_the_help_are_commands) {
   ck_assert_int_ge(n, 36);
   job_clear(&r.j);
 }
-END_TEST
 
 /* The jobs that --job takes are those that the help names. */
-START_TEST(help_names_every_job) {
+TEST(help_names_every_job) {
   struct job help, refused;
   job_run_well(&help, "help", "bench", NULL);
   job_run(&refused, "bench", "--job", "nobody", NULL);
@@ -709,9 +693,8 @@ START_TEST(help_names_every_job) {
   job_clear(&refused);
   job_clear(&help);
 }
-END_TEST
 
-START_TEST(help_and_version) {
+TEST(help_and_version) {
   struct job j;
   job_run_well(&j, "orbit", "--help", NULL);
   /* the ids that the data of orbits.tsv finds broken */
@@ -722,52 +705,4 @@ START_TEST(help_and_version) {
   job_run_well(&j, "--version", NULL);
   ck_assert(strncmp(j.out, "stickslip ", 10) == 0 && strchr(j.out, '\n') == j.out + strlen(j.out) - 1);
   job_clear(&j);
-}
-END_TEST
-
-Suite *cli_suite(void) {
-  Suite *s = suite_create("cli");
-  TCase *c = tcase_create("verify");
-  tcase_set_timeout(c, TIME_LIMIT);
-  tcase_add_unchecked_fixture(c, open_full, close_full);
-  tcase_add_test(c, the_report_on_record_is_the_computed_one);
-  tcase_add_test(c, the_last_line_is_the_summary);
-  tcase_add_test(c, the_markdown_holds_every_claim);
-  tcase_add_test(c, the_recorded_verdicts_are_listed);
-  tcase_add_loop_test(c, alone_or_together, 0, 5);
-  tcase_add_test(c, a_claim_reproduces);
-  tcase_add_test(c, verdicts_that_are_not_as_recorded);
-  tcase_add_test(c, strict_means_no_discrepancies);
-  tcase_add_test(c, several_scenes);
-  tcase_add_test(c, output_that_cannot_be_written);
-  tcase_add_test(c, bad_input_leaves_the_old_report);
-  tcase_add_test(c, json_obeys_its_schemas);
-  tcase_add_test(c, a_box_of_parameters);
-  suite_add_tcase(s, c);
-  c = tcase_create("refusal");
-  tcase_set_timeout(c, TIME_LIMIT);
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, the_projects_own_files_are_good);
-  tcase_add_test(c, one_bad_file_among_good_ones);
-  tcase_add_test(c, no_data_folder_is_noticed);
-  tcase_add_test(c, a_missing_data_folder_is_noticed);
-  suite_add_tcase(s, c);
-  c = tcase_create("explain");
-  tcase_set_timeout(c, TIME_LIMIT);
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, explain_shows_both_sides);
-  tcase_add_test(c, explain_takes_the_claims_points);
-  tcase_add_test(c, what_the_page_shows_can_be_explained);
-  tcase_add_test(c, an_equation_is_explained);
-  suite_add_tcase(s, c);
-  c = tcase_create("help");
-  tcase_set_timeout(c, TIME_LIMIT);
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, help_fits_a_screen);
-  tcase_add_test(c, each_command_has_its_page);
-  tcase_add_test(c, examples_of_the_help_are_commands);
-  tcase_add_test(c, help_names_every_job);
-  tcase_add_test(c, help_and_version);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -22,7 +22,7 @@
 #include "rational.h"
 #include "rng.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 enum { MAX_SETS = 40, MAX_ORBITS = 8 };
@@ -79,7 +79,9 @@ static void check_list(const struct dyn_orbits *list, const struct set *s) {
                     s->name, i, list->orbit[i].guess[1 + k], s->at[i][k]);
 }
 
-START_TEST(every_set_is_complete) {
+CASE("complete", .each = {read_sets, clear_sets});
+
+TEST_EACH(every_set_is_complete, 30) {
   const struct set *s = &set[_i];
   struct dyn_orbits list;
   ck_assert_int_eq(dyn_orbits_find(&list, s->p, 100, NULL), SS_OK);
@@ -89,10 +91,9 @@ START_TEST(every_set_is_complete) {
   ck_assert_msg(list.cells < 20000, "%s: %ld cells", s->name, list.cells);
   dyn_orbits_clear(&list);
 }
-END_TEST
 
 /* Whatever is taken out of the list comes back. */
-START_TEST(missing_orbits_are_added) {
+TEST_EACH(missing_orbits_are_added, 30) {
   const struct set *s = &set[_i];
   for (int keep = -1; keep < s->n; keep++) {
     struct dyn_orbits list = {.n = 0};
@@ -110,11 +111,10 @@ START_TEST(missing_orbits_are_added) {
     dyn_orbits_clear(&list);
   }
 }
-END_TEST
 
 /* Phase H lasts through 22 turns of its slow mode, and far more nearby: all steps of the search but those that the
    later rises need go to the first one.  The times are a solution by tests/oracle/orbits.py at 60 digits. */
-START_TEST(a_late_event_is_found) {
+TEST(a_late_event_is_found) {
   static const char *const row[N_PARAMS] = {"0.07", "2.19", "4.82", "0.0434", "0.00891"};
   fmpq *p = rationals(row, N_PARAMS);
   struct dyn_orbits list;
@@ -125,11 +125,10 @@ START_TEST(a_late_event_is_found) {
   dyn_orbits_clear(&list);
   _fmpq_vec_clear(p, N_PARAMS);
 }
-END_TEST
 
 /* Phase H repeats itself where its frequencies are exactly 2 : 1, and the sum of their amplitudes, above V, is never
    reached; that there is no orbit is also what tests/oracle/scan.py finds.  The last row misses the first by 1e-15. */
-START_TEST(a_motion_that_repeats_itself) {
+TEST(a_motion_that_repeats_itself) {
   static const struct {
     const char *p[N_PARAMS];
     bool complete;
@@ -146,9 +145,8 @@ START_TEST(a_motion_that_repeats_itself) {
     _fmpq_vec_clear(p, N_PARAMS);
   }
 }
-END_TEST
 
-START_TEST(a_small_budget_is_said) {
+TEST(a_small_budget_is_said) {
   const struct set *s = find_set("paper");
   struct dyn_orbits list;
   for (long budget = 0; budget < 400; budget += 100) {
@@ -159,9 +157,8 @@ START_TEST(a_small_budget_is_said) {
     dyn_orbits_clear(&list);
   }
 }
-END_TEST
 
-START_TEST(hopeless_parameters_are_said) {
+TEST(hopeless_parameters_are_said) {
   static const struct {
     const char *p[N_PARAMS];
     int status, gap;
@@ -184,11 +181,10 @@ START_TEST(hopeless_parameters_are_said) {
     _fmpq_vec_clear(p, N_PARAMS);
   }
 }
-END_TEST
 
 /* --- What the exclusion rests on. --- */
 
-START_TEST(disks_hold_what_balls_say) {
+TEST_EACH(disks_hold_what_balls_say, 3) {
   struct rng rng = {(uint64_t)_i + 1};
   arb_t x[2], y, exact;
   for (int i = 0; i < 2; i++) arb_init(x[i]);
@@ -226,7 +222,6 @@ START_TEST(disks_hold_what_balls_say) {
   arb_clear(y);
   for (int i = 0; i < 2; i++) arb_clear(x[i]);
 }
-END_TEST
 
 /* p, q, r at (angle, t) and their derivatives of the given order by the angle, by dyn_flow: the motion with velocities
    (v1, v2) and forces w, chi r at its start is linear. */
@@ -254,7 +249,7 @@ static void params_d(double p[N_PARAMS], const struct set *s) {
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->p + i);
 }
 
-START_TEST(bounds_hold_and_are_nearly_attained) {
+TEST_EVERY(bounds_hold_and_are_nearly_attained, 6, 30) {
   struct rng rng = {(uint64_t)_i + 1};
   const struct set *s = &set[_i];
   double p[N_PARAMS], most[8] = {0};
@@ -283,9 +278,8 @@ START_TEST(bounds_hold_and_are_nearly_attained) {
   }
   disk_params_clear(&g);
 }
-END_TEST
 
-START_TEST(cells_move_as_the_flow_does) {
+TEST_EVERY(cells_move_as_the_flow_does, 6, 30) {
   struct rng rng = {(uint64_t)_i + 100};
   const struct set *s = &set[_i];
   double p[N_PARAMS];
@@ -313,10 +307,9 @@ START_TEST(cells_move_as_the_flow_does) {
   }
   disk_params_clear(&g);
 }
-END_TEST
 
 /* What is cut off a strip has crossed. */
-START_TEST(only_what_has_crossed_is_cut_off) {
+TEST_EVERY(only_what_has_crossed_is_cut_off, 6, 30) {
   struct rng rng = {(uint64_t)_i + 20};
   const struct set *s = &set[_i];
   double p[N_PARAMS];
@@ -347,10 +340,9 @@ START_TEST(only_what_has_crossed_is_cut_off) {
   ck_assert_msg(cut > 20, "%ld", cut);
   disk_params_clear(&g);
 }
-END_TEST
 
 /* Cells of every size and place around an orbit: none may be called free of zeros, nor a strip around it. */
-START_TEST(no_cell_with_an_orbit_is_excluded) {
+TEST_EVERY(no_cell_with_an_orbit_is_excluded, 6, 30) {
   struct rng rng = {(uint64_t)_i + 7};
   const struct set *s = &set[_i];
   struct disk_params g;
@@ -386,7 +378,6 @@ START_TEST(no_cell_with_an_orbit_is_excluded) {
   ck_assert(s->n == 0 || zeros > 50);
   disk_params_clear(&g);
 }
-END_TEST
 
 /* --- The list against the return map on a fine grid. --- */
 
@@ -439,7 +430,7 @@ static long fixed_points(const struct dyn_orbits *list, const double p[N_PARAMS]
   return seen;
 }
 
-START_TEST(the_return_map_has_no_other_fixed_point) {
+TEST_EVERY(the_return_map_has_no_other_fixed_point, 6, 30) {
   const struct set *s = &set[_i];
   double p[N_PARAMS];
   struct dyn_orbits list = {.n = 0};
@@ -450,9 +441,8 @@ START_TEST(the_return_map_has_no_other_fixed_point) {
   ck_assert_msg(seen <= s->n, "%s: %ld", s->name, seen);
   dyn_orbits_clear(&list);
 }
-END_TEST
 
-START_TEST(random_parameters) {
+TEST_EVERY(random_parameters, 2, 2) {
   struct rng rng = {(uint64_t)_i + 1};
   long complete = 0, seen = 0, orbits = 0;
   enum { TRIALS = 100 };
@@ -480,13 +470,12 @@ START_TEST(random_parameters) {
   ck_assert_msg(complete > TRIALS - 3 && seen > 5 && orbits > TRIALS, "%ld complete, %ld seen, %ld orbits", complete,
                 seen, orbits);
 }
-END_TEST
 
 /* --- Hard places. --- */
 
 /* Two orbits of the set "fold" meet between e2 = 2.72 and 2.75.  On the way there a list is complete with both orbits
    or with none; it says that a double zero may be there once they are too close; it is never complete with one. */
-START_TEST(near_a_fold) {
+TEST(near_a_fold) {
   fmpq *p = rationals_of(find_set("fold")->p, N_PARAMS);
   fmpq_t two, none;
   int resolved = 0, doubtful = 0;
@@ -521,7 +510,6 @@ START_TEST(near_a_fold) {
   fmpq_clear(two);
   fmpq_clear(none);
 }
-END_TEST
 
 /* t_b at the crest of the rise: p starts phase H at zero and rises, and its first root is where it falls through
    zero. */
@@ -541,7 +529,7 @@ static double crest_defect(const double p[N_PARAMS]) {
   return (at[1] > 0 ? 1 : -1) * hypot(at[2], at[1] / sqrt(p[P_CHI] * p[P_ETA])) - r0;
 }
 
-START_TEST(at_the_crest) {
+TEST(at_the_crest) {
   int met = 0;
   for (int i = 0; i < 10; i += every(2)) {
     double p[N_PARAMS], low = 0, high = 0, before = 0;
@@ -579,10 +567,9 @@ START_TEST(at_the_crest) {
   }
   ck_assert_msg(met > 2 / every(2), "%d", met);
 }
-END_TEST
 
 /* A strip that the free phases leave out has no zero at any time: its motion, looked at for long, keeps away. */
-START_TEST(free_phases_leave_out_no_zero) {
+TEST_EVERY(free_phases_leave_out_no_zero, 6, 30) {
   struct rng rng = {(uint64_t)_i + 3};
   const struct set *s = &set[_i];
   double p[N_PARAMS], a, omega;
@@ -616,11 +603,10 @@ START_TEST(free_phases_leave_out_no_zero) {
   ck_assert(strcmp(s->name, "paper") != 0 || (left_out > 5 && crossings > 20));
   disk_params_clear(&g);
 }
-END_TEST
 
 /* --- t_b and t_c given. --- */
 
-START_TEST(times_given) {
+TEST_EACH(times_given, 2) {
   static const enum dyn_quantity which[2] = {QUANTITY_TC, QUANTITY_TB};
   struct rng rng = {(uint64_t)_i + 1};
   long none = 0, some = 0;
@@ -647,12 +633,11 @@ START_TEST(times_given) {
   _fmpq_vec_clear(model, 3);
   _fmpq_vec_clear(value, 2);
 }
-END_TEST
 
 /* --- t_b and e1 or e2 given. --- */
 
 /* The orbits of every set: t_b cut to a fraction leaves the rest where it is, nearly. */
-START_TEST(a_time_and_a_limit_given) {
+TEST_EVERY(a_time_and_a_limit_given, 6, 30) {
   const struct set *s = &set[_i];
   for (int i = 0; i < s->n; i++)
     for (int e = 0; e < 2; e++) {
@@ -691,10 +676,9 @@ START_TEST(a_time_and_a_limit_given) {
       _fmpq_vec_clear(value, 2);
     }
 }
-END_TEST
 
 /* Orbits along e2 at random e1, t_b, seen as changes of sign in double precision: all in the list. */
-START_TEST(a_limit_scanned) {
+TEST_EVERY(a_limit_scanned, 2, 2) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TB};
   struct rng rng = {(uint64_t)_i + 11};
   long seen = 0, complete = 0;
@@ -741,9 +725,8 @@ START_TEST(a_limit_scanned) {
   }
   ck_assert_msg(seen > TRIALS / 4 && complete > TRIALS * 9 / 10, "%ld seen, %ld complete", seen, complete);
 }
-END_TEST
 
-START_TEST(other_pairs_are_said) {
+TEST(other_pairs_are_said) {
   static const enum dyn_quantity which[2] = {QUANTITY_TA, QUANTITY_TD};
   fmpq *model = rationals((const char *const[]){"1/2", "1/2", "1/2"}, 3);
   fmpq *value = rationals((const char *const[]){"1", "1"}, 2);
@@ -753,48 +736,11 @@ START_TEST(other_pairs_are_said) {
   _fmpq_vec_clear(model, 3);
   _fmpq_vec_clear(value, 2);
 }
-END_TEST
+
+CASE("peer", .each = {scratch_open, scratch_close}, .seconds = 300);
 
 /* Scenes of the classes of tests/oracle/differ.py; make long has many.  It needs mpmath and says so where there is
    none. */
-START_TEST(an_independent_program_finds_the_same) {
+TEST(an_independent_program_finds_the_same) {
   shell_well("\"$Y\" tests/oracle/differ.py \"$P\" --count 2 --seed 4");
-}
-END_TEST
-
-Suite *complete_suite(void) {
-  Suite *s = suite_create("complete");
-  TCase *lists = tcase_create("lists"), *means = tcase_create("means"), *hard = tcase_create("hard");
-  TCase *peer = tcase_create("peer");
-  tcase_add_checked_fixture(lists, read_sets, clear_sets);
-  tcase_add_loop_test(lists, every_set_is_complete, 0, 30);
-  tcase_add_loop_test(lists, missing_orbits_are_added, 0, 30);
-  add_every(lists, the_return_map_has_no_other_fixed_point, 6, 30);
-  add_every(lists, random_parameters, 2, 2);
-  tcase_add_test(lists, a_late_event_is_found);
-  tcase_add_test(lists, a_motion_that_repeats_itself);
-  tcase_add_test(lists, a_small_budget_is_said);
-  tcase_add_test(lists, hopeless_parameters_are_said);
-  suite_add_tcase(s, lists);
-  tcase_add_checked_fixture(means, read_sets, clear_sets);
-  tcase_add_loop_test(means, disks_hold_what_balls_say, 0, 3);
-  add_every(means, bounds_hold_and_are_nearly_attained, 6, 30);
-  add_every(means, cells_move_as_the_flow_does, 6, 30);
-  add_every(means, only_what_has_crossed_is_cut_off, 6, 30);
-  add_every(means, no_cell_with_an_orbit_is_excluded, 6, 30);
-  add_every(means, free_phases_leave_out_no_zero, 6, 30);
-  suite_add_tcase(s, means);
-  tcase_add_checked_fixture(hard, read_sets, clear_sets);
-  tcase_add_test(hard, near_a_fold);
-  tcase_add_test(hard, at_the_crest);
-  tcase_add_loop_test(hard, times_given, 0, 2);
-  add_every(hard, a_time_and_a_limit_given, 6, 30);
-  add_every(hard, a_limit_scanned, 2, 2);
-  tcase_add_test(hard, other_pairs_are_said);
-  suite_add_tcase(s, hard);
-  tcase_set_timeout(peer, 300);
-  tcase_add_checked_fixture(peer, scratch_open, scratch_close);
-  tcase_add_test(peer, an_independent_program_finds_the_same);
-  suite_add_tcase(s, peer);
-  return s;
 }

@@ -13,7 +13,7 @@
 #include "motion/coulomb.h"
 #include "rational.h"
 #include "rng.h"
-#include "suites.h"
+#include "suite.h"
 
 enum { N_ROUTES = 3 };
 static const char *const route_name[N_ROUTES] = {"ode", "double", "mpfr"};
@@ -94,7 +94,9 @@ static void check_same_events(const struct told *a, const struct told *b, double
 
 /* --- The law. --- */
 
-START_TEST(law_away_from_its_limits_is_equation_2) {
+CASE("coulomb", .seconds = 60);
+
+TEST_EACH(law_away_from_its_limits_is_equation_2, 2000) {
   struct rng r = {(uint64_t)_i};
   double p[N_COULOMB], x[N_STATE];
   random_motion(p, x, &r);
@@ -112,7 +114,6 @@ START_TEST(law_away_from_its_limits_is_equation_2) {
     ck_assert_msg(mode[i] == expected, "%s: mass %d in phase %c", show(p, x), i + 1, coulomb_letter(mode));
   }
 }
-END_TEST
 
 /* chi = 1/2, eta = 1, V = 1, u_s = (1, 1), u_r = (2, 3).  From f_1, f_2: x_2 = 2 f_1 + 4 f_2, x_1 = 2 f_1 + 2 f_2. */
 static const double half[N_COULOMB] = {0.5, 1, 1, 1, 1, 2, 3};
@@ -123,7 +124,7 @@ static void from_forces(double x[N_STATE], double f1, double f2, double v1, doub
   x[DZ_2] = v2;
 }
 
-START_TEST(law_at_its_limits) {
+TEST(law_at_its_limits) {
   static const struct {
     double f1, f2, v1, v2;
     char letter;
@@ -171,9 +172,8 @@ START_TEST(law_at_its_limits) {
     }
   }
 }
-END_TEST
 
-START_TEST(letters_are_distinct) {
+TEST(letters_are_distinct) {
   char seen[N_MODES * N_MODES + 1] = "";
   for (int i = 0; i < N_MODES * N_MODES; i++) {
     enum coulomb_mode mode[2] = {(enum coulomb_mode)(i / N_MODES), (enum coulomb_mode)(i % N_MODES)};
@@ -182,11 +182,10 @@ START_TEST(letters_are_distinct) {
   }
   ck_assert_str_eq(seen, "DCcGHXgxh");
 }
-END_TEST
 
 /* --- Motions worked out by hand. --- */
 
-START_TEST(sliding_without_events_keeps_its_energy) {
+TEST(sliding_without_events_keeps_its_energy) {
   /* Both masses slip around the equilibrium d under u_s, slower than the belt for ever: no event, and the energy of
      z = x - d in the potential (z_1^2 - 2 chi z_1 z_2 + chi z_2^2)/2 with masses 1 and 1/eta is constant. */
   static const double p[N_COULOMB] = {0.625, 2.5, 1, 1.5, 0, 2, 0.5};
@@ -216,9 +215,8 @@ START_TEST(sliding_without_events_keeps_its_energy) {
   ck_assert_int_eq(r.end, COULOMB_STEPS);
   ck_assert_int_eq(r.steps, 1000);
 }
-END_TEST
 
-START_TEST(both_masses_break_loose_at_once) {
+TEST(both_masses_break_loose_at_once) {
   /* f_2 rests at its limit while both stick, f_1 reaches 2 from 0 at speed V (1 - chi) = 1/2, at t = 4; then m1 falls
      behind and takes m2 with it.  At the lower limit m2 stays. */
   for (int lower = 0; lower < 2; lower++)
@@ -237,9 +235,8 @@ START_TEST(both_masses_break_loose_at_once) {
       told_clear(&t);
     }
 }
-END_TEST
 
-START_TEST(one_mass_sticks_as_the_other_breaks_loose) {
+TEST(one_mass_sticks_as_the_other_breaks_loose) {
   /* chi = 1/4, eta = 4: while m1 sticks m2 swings with frequency 1, x_2' - V = -4 cos t + 3 sin t, which is zero at
      t = atan(4/3), cos t = 3/5; there f_1 = f_1(0) + 3/4 t - (-4 sin t + 3 (1 - cos t))/4 = f_1(0) + 3/4 t + 1/2, which
      is u_r1.  The stick phase in between has no length. */
@@ -255,7 +252,6 @@ START_TEST(one_mass_sticks_as_the_other_breaks_loose) {
     told_clear(&t);
   }
 }
-END_TEST
 
 /* chi = 3/8, V = 1: while m2 sticks, x_1' - V = x_1'(0) - V + C (cos t - 1) + S sin t with C = x_1'(0) - 3/8 and
    S = x_1''(0).  At rest with S = 1/2 the highest value is hypot(3, 4)/8 - 5/8 = 0, at t = atan2(4, -3). */
@@ -267,7 +263,7 @@ static void grazing_start(double x[N_STATE], double s) {
   x[DZ_2] = 1;
 }
 
-START_TEST(a_speed_that_touches_the_belt_sticks) {
+TEST(a_speed_that_touches_the_belt_sticks) {
   for (int route = 0; route < N_ROUTES; route++) {
     double x[N_STATE];
     grazing_start(x, 0.5);
@@ -287,7 +283,6 @@ START_TEST(a_speed_that_touches_the_belt_sticks) {
     told_clear(&t);
   }
 }
-END_TEST
 
 /* A decimal, in mpfr. */
 static void set_text(void *z, const char *decimal, slong prec) {
@@ -296,7 +291,7 @@ static void set_text(void *z, const char *decimal, slong prec) {
   _fmpq_vec_clear(q, 1);
 }
 
-START_TEST(mpfr_decides_what_double_precision_cannot) {
+TEST(mpfr_decides_what_double_precision_cannot) {
   /* The grazing start with S = 1/2 + 1e-40 or 1/2 - 1e-40: a crossing, at a distance of about sqrt(2 * 0.8e-40 / 0.625)
      from the crest, or a miss.  In double precision both are the same motion. */
   struct num_ctx ctx = num_ctx_mpfr(400);
@@ -323,9 +318,8 @@ START_TEST(mpfr_decides_what_double_precision_cannot) {
     vecs_clear(&p, &x);
   }
 }
-END_TEST
 
-START_TEST(a_force_that_touches_its_limit_goes_on_sticking) {
+TEST(a_force_that_touches_its_limit_goes_on_sticking) {
   /* chi = 1/4, eta = 4, m2 ahead of the belt: x_2' - V = 3.25 cos(t - phi) = 1.95 cos t + 2.6 sin t passes 3, where
      f_1' = 3/4 - (x_2' - V)/4 turns negative, at cos t = 11.2/13, sin t = 6.6/13; there f_1 = f_1(0) + 3/4 t - 0.3375.
      It falls by 0.028 until x_2' - V is 3 again, at phi + acos(12/13) = 1.322, rises beyond its old height, and breaks
@@ -349,9 +343,8 @@ START_TEST(a_force_that_touches_its_limit_goes_on_sticking) {
     for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
   }
 }
-END_TEST
 
-START_TEST(a_mass_may_leave_the_belt_slowly) {
+TEST(a_mass_may_leave_the_belt_slowly) {
   /* Static and sliding friction differ by 2^-32, so that m2 leaves V with almost no acceleration while m1 rushes by. */
   double x[N_STATE], p[N_COULOMB] = {0.5, 0x1p-10, 0x1p-9, 0, 0.25, 0.0625, 0.25 + 0x1p-32};
   from_forces(x, 0.125, 0, 35, p[COULOMB_V]);
@@ -365,9 +358,8 @@ START_TEST(a_mass_may_leave_the_belt_slowly) {
   check_same_events(&t[0], &t[2], 1e-8, "ode");
   for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
 }
-END_TEST
 
-START_TEST(a_mass_crosses_to_the_other_slip_mode) {
+TEST(a_mass_crosses_to_the_other_slip_mode) {
   /* m1 is drawn up so hard (f_1 < -u_r1) that it passes the belt without sticking.  m2 sticks, and x_1'(0) = chi V, so
      x_1' = 1/2 + S sin t with S = u_s1 - f_1(0) = 16: V is reached at t = asin(1/32), where f_1 = 1 - S cos t. */
   double x[N_STATE], t1 = asin(1.0 / 32);
@@ -383,7 +375,6 @@ START_TEST(a_mass_crosses_to_the_other_slip_mode) {
     told_clear(&t);
   }
 }
-END_TEST
 
 /* --- Against Runge-Kutta with tiny steps and the law spelled out. --- */
 
@@ -452,7 +443,7 @@ static void plain_run(struct plain *s, double h, long n, size_t *events) {
   }
 }
 
-START_TEST(any_motion_is_that_of_tiny_steps) {
+TEST_EACH(any_motion_is_that_of_tiny_steps, 200) {
   struct rng r = {(uint64_t)_i + 1000};
   struct plain s;
   double p[N_COULOMB], x[N_STATE];
@@ -473,11 +464,10 @@ START_TEST(any_motion_is_that_of_tiny_steps) {
     told_clear(&t);
   }
 }
-END_TEST
 
 /* --- The routes against each other. --- */
 
-START_TEST(routes_agree_event_by_event) {
+TEST_EACH(routes_agree_event_by_event, 200) {
   struct rng r = {(uint64_t)_i};
   double p[N_COULOMB], x[N_STATE];
   random_motion(p, x, &r);
@@ -491,9 +481,8 @@ START_TEST(routes_agree_event_by_event) {
   check_same_events(&t[0], &t[2], 1e-8, show(p, x));
   for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
 }
-END_TEST
 
-START_TEST(scaling_everything_scales_the_motion) {
+TEST_EACH(scaling_everything_scales_the_motion, 50) {
   /* x, x', V and u times 8: the same times; in double precision the same bits. */
   struct rng r = {(uint64_t)_i};
   double p[N_COULOMB], x[N_STATE], q[N_COULOMB], y[N_STATE];
@@ -512,9 +501,8 @@ START_TEST(scaling_everything_scales_the_motion) {
     told_clear(&t);
   }
 }
-END_TEST
 
-START_TEST(a_motion_can_be_taken_up_again) {
+TEST_EACH(a_motion_can_be_taken_up_again, 50) {
   struct rng r = {(uint64_t)_i};
   double p[N_COULOMB], x[N_STATE];
   random_motion(p, x, &r);
@@ -533,7 +521,6 @@ START_TEST(a_motion_can_be_taken_up_again) {
     told_clear(&rest);
   }
 }
-END_TEST
 
 /* --- Samples, limits, refusals. --- */
 
@@ -554,7 +541,7 @@ static bool record(void *self, const struct coulomb_row *row) {
   return true;
 }
 
-START_TEST(samples_of_the_routes_agree) {
+TEST_EACH(samples_of_the_routes_agree, 20) {
   struct rng r = {(uint64_t)_i};
   static struct tape_recorder rec[N_ROUTES];
   double p[N_COULOMB], x[N_STATE];
@@ -586,7 +573,6 @@ START_TEST(samples_of_the_routes_agree) {
     ck_assert_double_eq(rec[route].row[122].x[0], end.at.x[0]);
   }
 }
-END_TEST
 
 /* A start near the paper's orbit. */
 static const double paper[N_COULOMB] = {0.8, 1, 1, 3.5 - 2.7844, 2.2 - 0.8587, 3.5, 2.2};
@@ -603,7 +589,7 @@ static bool refuse(void *self, const struct coulomb_event *e) {
   return e->at.mode[0] != MODE_STICK;
 }
 
-START_TEST(every_limit_ends_a_run) {
+TEST(every_limit_ends_a_run) {
   double x[N_STATE];
   paper_start(x, 0.978, -2.125);
   for (int route = 0; route < N_ROUTES; route++) {
@@ -636,9 +622,8 @@ START_TEST(every_limit_ends_a_run) {
     rec.most = 5;
   }
 }
-END_TEST
 
-START_TEST(nonsense_is_refused) {
+TEST(nonsense_is_refused) {
   static const double bad[][2] = {{COULOMB_CHI, 0},   {COULOMB_CHI, 1},       {COULOMB_ETA, 0},   {COULOMB_V, 0},
                                   {COULOMB_V, -1},    {COULOMB_US1, -1},      {COULOMB_US2, 2.2}, {COULOMB_UR1, 0.5},
                                   {COULOMB_ETA, NAN}, {COULOMB_UR2, INFINITY}};
@@ -665,11 +650,10 @@ START_TEST(nonsense_is_refused) {
   plan.tolerance = 1e-15;
   ck_assert_int_eq(simulate(&r, 0, paper, x, &plan, NULL), SS_DOMAIN);
 }
-END_TEST
 
 /* A belt far faster than the forces are large: an answer while the law can be told, else a refusal at once, after no
    step at all. */
-START_TEST(a_law_below_rounding_is_refused) {
+TEST(a_law_below_rounding_is_refused) {
   static const double speed[] = {1e35, 1e100, 1e300};
   double p[N_COULOMB], x[N_STATE];
   struct coulomb_result r;
@@ -691,11 +675,10 @@ START_TEST(a_law_below_rounding_is_refused) {
     ck_assert_int_eq(simulate(&r, route, p, x, &plan, NULL), SS_OK);
   }
 }
-END_TEST
 
 /* A belt that hardly moves.  The masses stick until f_1 = u_r1, after (u_r1 - f_1)/((1 - chi) V); then m1 jumps, as if
    the belt stood still: f_1 swings from u_r1 about u_s1 to 2 u_s1 - u_r1, while m2, with friction enough, stays. */
-START_TEST(a_slow_belt_takes_few_steps) {
+TEST(a_slow_belt_takes_few_steps) {
   static const double speed[] = {1e-6, 1e-10, 1e-14, 1e-100, 1e-300};
   double p[N_COULOMB], x[N_STATE];
   struct coulomb_result r;
@@ -725,9 +708,8 @@ START_TEST(a_slow_belt_takes_few_steps) {
       coulomb_log_clear(&log);
     }
 }
-END_TEST
 
-START_TEST(parameters_from_the_models) {
+TEST(parameters_from_the_models) {
   static const double model[N_PARAMS] = {0.5, 2, 1, 0.75, 1.25}, limits[2] = {1.75, 1.5}, low[2] = {0.5, 2};
   struct num_ctx ctx = num_ctx_mpfr(64);
   struct num_vec m = vec_of(model, N_PARAMS, ctx), l = vec_of(limits, 2, ctx), k = vec_of(low, 2, ctx), p;
@@ -738,7 +720,6 @@ START_TEST(parameters_from_the_models) {
   ck_assert_int_eq(coulomb_params_set(&p, &m, &k), SS_DOMAIN); /* u_s1 = 1/2 - 3/4 < 0 */
   vecs_clear(&m, &l, &k, &p);
 }
-END_TEST
 
 /* --- The paper's orbit: orbit 1 of set paper in tests/oracle/orbits.tsv. --- */
 
@@ -800,7 +781,7 @@ static void watch_clear(struct watch *w) {
   mpfr_clears(w->last, w->worst, w->off, (mpfr_ptr)NULL);
 }
 
-START_TEST(the_orbit_in_mpfr_to_the_oracles_digits) {
+TEST(the_orbit_in_mpfr_to_the_oracles_digits) {
   /* 60 digits, a tenth of which the multiplier could cost in 200 periods at most. */
   struct watch w;
   run_orbit(&w, "0", 200);
@@ -808,9 +789,8 @@ START_TEST(the_orbit_in_mpfr_to_the_oracles_digits) {
   ck_assert_msg(mpfr_cmp_d(w.worst, 1e-56) < 0, "off by %g", mpfr_get_d(w.worst, MPFR_RNDN));
   watch_clear(&w);
 }
-END_TEST
 
-START_TEST(a_perturbation_grows_by_the_multiplier) {
+TEST(a_perturbation_grows_by_the_multiplier) {
   /* delta = 1e-30 in z_2 - z_1 becomes trace^200 delta (1 + order delta trace^200). */
   struct watch w, rest;
   mpfr_t growth;
@@ -828,9 +808,8 @@ START_TEST(a_perturbation_grows_by_the_multiplier) {
   watch_clear(&w);
   watch_clear(&rest);
 }
-END_TEST
 
-START_TEST(the_orbit_by_every_route) {
+TEST(the_orbit_by_every_route) {
   static const double times[4] = {0.532280741275724, 2.00533270228679, 1.48988478276060, 2.34730065501095};
   double x[N_STATE];
   paper_start(x, 0.978188144190099, -2.12469463444345);
@@ -846,9 +825,8 @@ START_TEST(the_orbit_by_every_route) {
     told_clear(&t);
   }
 }
-END_TEST
 
-START_TEST(the_printed_start_over_200_periods) {
+TEST(the_printed_start_over_200_periods) {
   /* The orbit is unstable, so the motion leaves it; all routes must see it leave alike, and where it goes must be a
      motion that repeats. */
   double x[N_STATE];
@@ -868,42 +846,4 @@ START_TEST(the_printed_start_over_200_periods) {
     ck_assert_double_eq_tol(t[2].log.event[i].at.x[0], t[2].log.event[i + 8].at.x[0], 1e-10);
   }
   for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
-}
-END_TEST
-
-Suite *coulomb_suite(void) {
-  Suite *s = suite_create("coulomb");
-  TCase *law = tcase_create("law"), *hand = tcase_create("by hand"), *routes = tcase_create("routes");
-  TCase *runs = tcase_create("runs"), *orbit = tcase_create("orbit");
-  tcase_add_loop_test(law, law_away_from_its_limits_is_equation_2, 0, 2000);
-  tcase_add_test(law, law_at_its_limits);
-  tcase_add_test(law, letters_are_distinct);
-  tcase_add_test(hand, sliding_without_events_keeps_its_energy);
-  tcase_add_test(hand, both_masses_break_loose_at_once);
-  tcase_add_test(hand, one_mass_sticks_as_the_other_breaks_loose);
-  tcase_add_test(hand, a_speed_that_touches_the_belt_sticks);
-  tcase_add_test(hand, mpfr_decides_what_double_precision_cannot);
-  tcase_add_test(hand, a_force_that_touches_its_limit_goes_on_sticking);
-  tcase_add_test(hand, a_mass_may_leave_the_belt_slowly);
-  tcase_add_test(hand, a_mass_crosses_to_the_other_slip_mode);
-  tcase_add_loop_test(routes, any_motion_is_that_of_tiny_steps, 0, 200);
-  tcase_add_loop_test(routes, routes_agree_event_by_event, 0, 200);
-  tcase_add_loop_test(routes, scaling_everything_scales_the_motion, 0, 50);
-  tcase_add_loop_test(routes, a_motion_can_be_taken_up_again, 0, 50);
-  tcase_add_loop_test(runs, samples_of_the_routes_agree, 0, 20);
-  tcase_add_test(runs, every_limit_ends_a_run);
-  tcase_add_test(runs, nonsense_is_refused);
-  tcase_add_test(runs, a_law_below_rounding_is_refused);
-  tcase_add_test(runs, a_slow_belt_takes_few_steps);
-  tcase_add_test(runs, parameters_from_the_models);
-  tcase_add_test(orbit, the_orbit_in_mpfr_to_the_oracles_digits);
-  tcase_add_test(orbit, a_perturbation_grows_by_the_multiplier);
-  tcase_add_test(orbit, the_orbit_by_every_route);
-  tcase_add_test(orbit, the_printed_start_over_200_periods);
-  TCase *all[] = {law, hand, routes, runs, orbit};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-    tcase_set_timeout(all[i], 60);
-    suite_add_tcase(s, all[i]);
-  }
-  return s;
 }

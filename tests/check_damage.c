@@ -11,7 +11,7 @@
 #include "power/damage_study.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 static struct model model;
@@ -110,14 +110,15 @@ static void try_row(char **column) {
                 column[SAYS], said.says);
 }
 
-START_TEST(each_meets_its_fate) {
+CASE("damage", .once = {open_material, close_material}, .seconds = 300);
+
+TEST(each_meets_its_fate) {
   struct table damages;
   table_read(&damages, "tests/damage.tsv", N_COLUMNS);
   ck_assert_int_eq(damages.n, 24);
   for (int i = 0; i < damages.n; i++) try_row(damages.row[i]);
   table_clear(&damages);
 }
-END_TEST
 
 /* --- Those that are made --- */
 
@@ -159,7 +160,7 @@ static const struct {
     {DAMAGE_ERRATUM, 100, "err-40", "V \\cos(\\omega t_d)"},
 };
 
-START_TEST(what_is_made) {
+TEST_EACH(what_is_made, COUNT(made)) {
   struct damages all;
   struct text t;
   size_t of_class = 0;
@@ -181,10 +182,9 @@ START_TEST(what_is_made) {
   damages_clear(&all);
   text_clear(&t);
 }
-END_TEST
 
 /* Each changes its file, within its record, and is told from the others of its class. */
-START_TEST(every_damage_is_one) {
+TEST(every_damage_is_one) {
   struct damages all;
   struct text t;
   text_init(&t);
@@ -209,10 +209,9 @@ START_TEST(every_damage_is_one) {
   damages_clear(&all);
   text_clear(&t);
 }
-END_TEST
 
 /* A rule that says "the same" is held against the audit: nothing notices such a damage. */
-START_TEST(what_says_the_same_is_not_noticed) {
+TEST(what_says_the_same_is_not_noticed) {
   struct damages all;
   size_t with_rule = 0, tried = 0;
   damages_init(&all, &material, NULL, 0);
@@ -229,9 +228,8 @@ START_TEST(what_says_the_same_is_not_noticed) {
   ck_assert_uint_gt(tried, 50 / (size_t)every(3));
   damages_clear(&all);
 }
-END_TEST
 
-START_TEST(only_what_is_named) {
+TEST(only_what_is_named) {
   static const char *const only[] = {"eq-29", "title", "controls.eq"};
   struct damages some;
   damages_init(&some, &material, only, 2);
@@ -242,12 +240,11 @@ START_TEST(only_what_is_named) {
   ck_assert(!damages_any(&some, &material, "controls.eq") && !damages_any(&some, &material, "eq-2"));
   damages_clear(&some);
 }
-END_TEST
 
 /* --- Texts in memory --- */
 
 /* A comment more in a file: the same model, claims and scene. */
-START_TEST(a_comment_changes_nothing) {
+TEST(a_comment_changes_nothing) {
   for (size_t i = 0; i < material.n; i++) {
     struct changed_material c;
     struct text t;
@@ -265,20 +262,4 @@ START_TEST(a_comment_changes_nothing) {
     changed_material_clear(&c);
     text_clear(&t);
   }
-}
-END_TEST
-
-Suite *damage_suite(void) {
-  Suite *s = suite_create("damage");
-  TCase *c = tcase_create("damage");
-  tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, open_material, close_material);
-  tcase_add_test(c, each_meets_its_fate);
-  tcase_add_loop_test(c, what_is_made, 0, (int)(sizeof made / sizeof *made));
-  tcase_add_test(c, every_damage_is_one);
-  tcase_add_test(c, what_says_the_same_is_not_noticed);
-  tcase_add_test(c, only_what_is_named);
-  tcase_add_test(c, a_comment_changes_nothing);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -7,7 +7,7 @@
 #include "base/json.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* --- Reading --- */
@@ -21,7 +21,7 @@ static bool parse(struct json_value *v, struct arena *a, const char *text, struc
   return ok;
 }
 
-START_TEST(what_json_is) {
+TEST(what_json_is) {
   struct table good;
   table_read(&good, "tests/cases/json_good.tsv", 1);
   struct arena a;
@@ -31,9 +31,8 @@ START_TEST(what_json_is) {
   arena_clear(&a);
   table_clear(&good);
 }
-END_TEST
 
-START_TEST(what_json_is_not) {
+TEST(what_json_is_not) {
   enum { TEXT, SAYS };
   struct table bad;
   table_read(&bad, "tests/cases/json_bad.tsv", 2);
@@ -49,9 +48,8 @@ START_TEST(what_json_is_not) {
   arena_clear(&a);
   table_clear(&bad);
 }
-END_TEST
 
-START_TEST(values_are_those_written) {
+TEST(values_are_those_written) {
   struct arena a;
   struct json_value v;
   arena_init(&a);
@@ -67,9 +65,8 @@ START_TEST(values_are_those_written) {
   ck_assert(list->first->next->next->next == NULL && json_member(list, "l") == NULL);
   arena_clear(&a);
 }
-END_TEST
 
-START_TEST(sameness) {
+TEST(sameness) {
   static const struct {
     const char *a, *b;
     bool same;
@@ -95,7 +92,6 @@ START_TEST(sameness) {
     arena_clear(&a);
   }
 }
-END_TEST
 
 /* n times one text, then n times another. */
 static char *repeated(size_t n, const char *one, const char *two) {
@@ -106,7 +102,7 @@ static char *repeated(size_t n, const char *one, const char *two) {
   return t.data;
 }
 
-START_TEST(limits) {
+TEST(limits) {
   static const struct {
     size_t depth;
     bool ok;
@@ -132,7 +128,6 @@ START_TEST(limits) {
   }
   arena_clear(&a);
 }
-END_TEST
 
 /* --- The command --- */
 
@@ -158,7 +153,9 @@ static bool printed(const char *file, const char *want) {
   HEAD("\"proved\":2,\"refuted\":0")                                                                                   \
   CLAIM("x", "proved", ",\"effect\":null") "," CLAIM("y", "proved", "") "]}"
 
-START_TEST(no_change) {
+CASE("command", .each = {scratch_open, scratch_close});
+
+TEST(no_change) {
   ck_assert_int_eq(diff(A, A, ""), 0);
   ck_assert(printed("out", "no change\n") && printed("err", ""));
   /* claims and members in another order say the same */
@@ -168,9 +165,8 @@ START_TEST(no_change) {
                         ""),
                    0);
 }
-END_TEST
 
-START_TEST(changes_are_told) {
+TEST(changes_are_told) {
   const char *b = HEAD("\"proved\":1,\"refuted\":1,\"unknown\":1") CLAIM("z", "unknown", "") "," CLAIM(
       "x", "refuted", ",\"effect\":\"large\",\"fault\":\"number\"") "],\"routes\":[]}";
   ck_assert_int_eq(diff(A, b, ""), 1);
@@ -180,9 +176,8 @@ START_TEST(changes_are_told) {
   ck_assert_int_eq(diff(A, b, "--json"), 1);
   shell_well("\"$Y\" tests/oracle/validate.py schema/diff.schema.json \"$D/out\"");
 }
-END_TEST
 
-START_TEST(changes_as_json) {
+TEST(changes_as_json) {
   ck_assert_int_eq(diff(A,
                         HEAD("\"proved\":2,\"refuted\":0")
                             CLAIM("x", "proved", ",\"effect\":1") "," CLAIM("y", "unknown", "") "]}",
@@ -205,9 +200,8 @@ START_TEST(changes_as_json) {
   source_clear(&s);
   arena_clear(&a);
 }
-END_TEST
 
-START_TEST(what_is_no_audit) {
+TEST(what_is_no_audit) {
   static const char *const bad[] = {
       "",
       "[]",
@@ -227,18 +221,16 @@ START_TEST(what_is_no_audit) {
     ck_assert_msg(diff(A, bad[i], "--json") == 3 && printed("out", ""), "%s", bad[i]);
   }
 }
-END_TEST
 
-START_TEST(hostile_names_reach_no_terminal) {
+TEST(hostile_names_reach_no_terminal) {
   const char *b = HEAD("") CLAIM("[31m\\n", "pro\\tved", "") "]}";
   ck_assert_int_eq(diff(HEAD("") "]}", b, ""), 1);
   ck_assert(printed("out", "added    [31m?: pro?ved\n"));
   ck_assert_int_eq(diff(HEAD("") "]}", HEAD("") CLAIM("\\u001b[31m", "proved", "") "]}", ""), 3);
 }
-END_TEST
 
 /* Many claims in the opposite order. */
-START_TEST(many_claims) {
+TEST(many_claims) {
   struct text a, b;
   text_init(&a);
   text_init(&b);
@@ -253,26 +245,4 @@ START_TEST(many_claims) {
   ck_assert_int_eq(diff(a.data, b.data, ""), 0);
   text_clear(&b);
   text_clear(&a);
-}
-END_TEST
-
-Suite *diff_suite(void) {
-  Suite *s = suite_create("diff");
-  TCase *c = tcase_create("reading");
-  tcase_add_test(c, what_json_is);
-  tcase_add_test(c, what_json_is_not);
-  tcase_add_test(c, values_are_those_written);
-  tcase_add_test(c, sameness);
-  tcase_add_test(c, limits);
-  suite_add_tcase(s, c);
-  c = tcase_create("command");
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, no_change);
-  tcase_add_test(c, changes_are_told);
-  tcase_add_test(c, changes_as_json);
-  tcase_add_test(c, what_is_no_audit);
-  tcase_add_test(c, hostile_names_reach_no_terminal);
-  tcase_add_test(c, many_claims);
-  suite_add_tcase(s, c);
-  return s;
 }

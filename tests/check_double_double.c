@@ -6,7 +6,7 @@
 #include "motion/double_double.h"
 #include "num/flint_compat.h"
 #include "rng.h"
-#include "suites.h"
+#include "suite.h"
 
 enum { BITS = 300, TRIALS = 20000 };
 
@@ -38,7 +38,7 @@ static double off(struct dd x, const arb_t want, double size) {
   return e;
 }
 
-START_TEST(arithmetic) {
+TEST(arithmetic) {
   struct rng r = {1};
   arb_t x, y, want;
   arb_init(x), arb_init(y), arb_init(want);
@@ -62,11 +62,10 @@ START_TEST(arithmetic) {
   }
   arb_clear(x), arb_clear(y), arb_clear(want);
 }
-END_TEST
 
 static const double part = 0x1p15; /* 2^-85, in units of 2^-100 */
 
-START_TEST(sines) {
+TEST(sines) {
   struct rng r = {2};
   arb_t x, s, c, want;
   arb_init(x), arb_init(s), arb_init(c), arb_init(want);
@@ -93,9 +92,8 @@ START_TEST(sines) {
   }
   arb_clear(x), arb_clear(s), arb_clear(c), arb_clear(want);
 }
-END_TEST
 
-START_TEST(angles) {
+TEST(angles) {
   struct rng r = {3};
   arb_t x, y, want;
   arb_init(x), arb_init(y), arb_init(want);
@@ -108,15 +106,4 @@ START_TEST(angles) {
   }
   arb_clear(x), arb_clear(y), arb_clear(want);
   flint_cleanup();
-}
-END_TEST
-
-Suite *double_double_suite(void) {
-  Suite *s = suite_create("double_double");
-  TCase *t = tcase_create("double_double");
-  tcase_add_test(t, arithmetic);
-  tcase_add_test(t, sines);
-  tcase_add_test(t, angles);
-  suite_add_tcase(s, t);
-  return s;
 }

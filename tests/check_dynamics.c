@@ -21,7 +21,7 @@
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "suites.h"
+#include "suite.h"
 
 static void random_params(double p[N_PARAMS], struct rng *r) {
   p[P_CHI] = rng_dyadic(r, 3, 61);
@@ -66,7 +66,7 @@ static double largest(const struct num_vec *x) {
 
 /* --- Propagators and flows. --- */
 
-START_TEST(propagators_of_all_types_agree) {
+TEST_EACH(propagators_of_all_types_agree, 40) {
   struct rng r = {(uint64_t)_i};
   double pd[N_PARAMS], t;
   random_params(pd, &r);
@@ -86,9 +86,8 @@ START_TEST(propagators_of_all_types_agree) {
     for (int k = 0; k < 4; k++) num_vec_clear(&m[k]);
   }
 }
-END_TEST
 
-START_TEST(taylor_keeps_its_promise_for_long_times) {
+TEST(taylor_keeps_its_promise_for_long_times) {
   /* 2^(4-prec) of the largest entry although the series is squared about twenty times; Arb is the judge. */
   double pd[N_PARAMS] = {0.5, 64, 1, 1, 1}, t = 100000;
   struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_mpfr(128)), time = vec_of(&t, 1, num_ctx_mpfr(128)), m, e;
@@ -102,13 +101,12 @@ START_TEST(taylor_keeps_its_promise_for_long_times) {
   }
   vecs_clear(&p, &time, &pa, &ta, &m, &e);
 }
-END_TEST
 
 static void random_state(double z[N_STATE], struct rng *r) {
   for (int i = 0; i < N_STATE; i++) z[i] = rng_dyadic(r, -256, 256);
 }
 
-START_TEST(flow_is_the_propagator_applied) {
+TEST_EACH(flow_is_the_propagator_applied, 40) {
   struct rng r = {(uint64_t)_i};
   double pd[N_PARAMS], zd[N_STATE], t;
   random_params(pd, &r);
@@ -133,9 +131,8 @@ START_TEST(flow_is_the_propagator_applied) {
       vecs_clear(&p, &z, &time, &m, &moved);
     }
 }
-END_TEST
 
-START_TEST(flows_compose) {
+TEST_EACH(flows_compose, 40) {
   struct rng r = {(uint64_t)_i};
   double pd[N_PARAMS], zd[N_STATE];
   random_params(pd, &r);
@@ -155,7 +152,6 @@ START_TEST(flows_compose) {
   }
   vecs_clear(&p, &t);
 }
-END_TEST
 
 /* eta z_1'^2 + z_2'^2 + eta (z_1^2 - 2 chi z_1 z_2 + chi z_2^2). */
 static double energy(const double p[N_PARAMS], const double z[N_STATE]) {
@@ -178,7 +174,7 @@ static double switching_d(enum phase ph, const double p[N_PARAMS], const double 
   return value;
 }
 
-START_TEST(global_slip_keeps_its_energy) {
+TEST_EACH(global_slip_keeps_its_energy, 100) {
   struct rng r = {(uint64_t)_i};
   double p[N_PARAMS], z[N_STATE], e;
   random_params(p, &r);
@@ -187,11 +183,10 @@ START_TEST(global_slip_keeps_its_energy) {
   flow_d(z, PHASE_H, p, z, rng_dyadic(&r, -640, 6400));
   ck_assert_msg(fabs(energy(p, z) - e) < 1e-11 * e, "%s", params_shown(p));
 }
-END_TEST
 
 /* --- First events. --- */
 
-START_TEST(first_event_is_a_root_and_the_first) {
+TEST_EACH(first_event_is_a_root_and_the_first, 60) {
   /* Against a dense sampling of the motion; the sampling misses what happens within a step, so it decides by signs. */
   struct rng r = {(uint64_t)_i};
   double p[N_PARAMS], z[N_STATE], at[N_STATE], t, rate;
@@ -216,7 +211,6 @@ START_TEST(first_event_is_a_root_and_the_first) {
     ck_assert_msg(grazing || rate * start < 0, "%s phase %d t %g: no crossing", params_shown(p), ph, t);
   }
 }
-END_TEST
 
 /* Phase C with chi eta = 1, z_1' = 0 and r = 0: z_2' = z_2'(0) cos t. */
 static int cosine_event(double *t, bool *grazing, double amplitude) {
@@ -224,7 +218,7 @@ static int cosine_event(double *t, bool *grazing, double amplitude) {
   return first_event_d(t, grazing, PHASE_C, p, z, NULL);
 }
 
-START_TEST(close_roots_grazing_and_none_are_told_apart) {
+TEST(close_roots_grazing_and_none_are_told_apart) {
   double t;
   bool grazing;
   for (int k = 4; k <= 46; k += 3) { /* the crest of -(1 + eps) cos t exceeds V = 1 by eps */
@@ -237,9 +231,8 @@ START_TEST(close_roots_grazing_and_none_are_told_apart) {
   ck_assert_int_eq(cosine_event(&t, &grazing, -1), SS_OK);
   ck_assert(grazing && fabs(t - acos(-1.0)) < 1e-7);
 }
-END_TEST
 
-START_TEST(a_root_at_the_start_does_not_count) {
+TEST(a_root_at_the_start_does_not_count) {
   double t, p[N_PARAMS] = {0.5, 2, 1, 1, 1};
   bool grazing;
   /* Phase C: q = -r sin t from q = 0, both signs of r: the first positive root is pi. */
@@ -261,9 +254,8 @@ START_TEST(a_root_at_the_start_does_not_count) {
   flow_d(at, PHASE_H, p, y, 0.5 * t);
   ck_assert(switching_d(PHASE_H, p, at, &rate) > 0);
 }
-END_TEST
 
-START_TEST(a_long_wait_ends_at_the_first_root) {
+TEST(a_long_wait_ends_at_the_first_root) {
   /* Far back from a moment at which both modes of z_1' crest together a little above V; z_1' is the sum of two
      cosines, so nothing but a near coincidence reaches V.  The oracle is a dense sampling of the motion. */
   const double p[N_PARAMS] = {0.5, 1, 1, 1, 1}, wait = 730;
@@ -282,7 +274,6 @@ START_TEST(a_long_wait_ends_at_the_first_root) {
   ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_H, p, z, &shorter), SS_UNABLE);
   ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_H, p, z, &fewer), SS_UNABLE);
 }
-END_TEST
 
 /* The first time from begin on at which the wave, looked at every step, is above zero. */
 static double looked_for(const struct trig_sum *w, double begin, double end, double step) {
@@ -294,7 +285,7 @@ static double looked_for(const struct trig_sum *w, double begin, double end, dou
   return INFINITY;
 }
 
-START_TEST(a_fast_oscillation_of_small_amplitude) {
+TEST(a_fast_oscillation_of_small_amplitude) {
   /* A slow one that comes within about the fast one's amplitude of zero at its crest, at t = late, and later goes far
      above it.  The oracle looks at every 64th of a fast period; few steps find the same root. */
   static const double fast[] = {300, 3000, 30000}, lift[] = {-0.9, -0.3, 0, 0.5, 0.99, 1.5};
@@ -313,9 +304,8 @@ START_TEST(a_fast_oscillation_of_small_amplitude) {
       ck_assert_msg(root.steps < 1500, "fast %g lift %g: %ld steps", fast[i], lift[k], root.steps);
     }
 }
-END_TEST
 
-START_TEST(a_slow_drift_from_far_below) {
+TEST(a_slow_drift_from_far_below) {
   /* Crests rise by a thousandth of the amplitude from one to the next: a million of them stay below zero. */
   struct trig_sum w = {-1e4, 0.002, {1, 0}, {1, 0}, {0, 0}};
   struct dyn_limits lim = {INFINITY, 400};
@@ -325,18 +315,16 @@ START_TEST(a_slow_drift_from_far_below) {
   double begin = (1e4 - 1 - 1e-6) / 0.002, seen = looked_for(&w, begin, begin + 1e3, 1e-3);
   ck_assert_msg(root.t <= seen && root.t > seen - 2e-3, "%.17g, seen at %.17g", root.t, seen);
 }
-END_TEST
 
-START_TEST(angles_that_no_double_knows) {
+TEST(angles_that_no_double_knows) {
   /* Nothing is known of the fast oscillation's angle: no answer rather than any. */
   struct trig_sum w = {-1, 0, {1, 1e20}, {-1, 1e-6}, {0, 0}};
   struct trig_sum_root root;
   ck_assert_int_eq(trig_sum_first_root(&root, &w, NULL, &dyn_limits_default), SS_UNABLE);
   ck_assert_int_lt(root.steps, 1000);
 }
-END_TEST
 
-START_TEST(stick_phase_ends_at_either_sign) {
+TEST(stick_phase_ends_at_either_sign) {
   const double p[N_PARAMS] = {0.5, 2, 1, 1, 1};
   double z[N_STATE] = {0, 0, 1, 1}, t;
   bool grazing;
@@ -348,20 +336,18 @@ START_TEST(stick_phase_ends_at_either_sign) {
   z[DZ_1] = 0.5; /* w' = 0 */
   ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_DOMAIN);
 }
-END_TEST
 
 /* z_1 = z_2 = 1 + 2^-30 and chi = 1 - 2^-30: w = 2^-30 + 2^-60, of which the second part is lost where chi z_2 is
    rounded. */
-START_TEST(forces_are_not_lost_in_positions) {
+TEST(forces_are_not_lost_in_positions) {
   const double tiny = 0x1p-30, p[N_PARAMS] = {1 - tiny, 1, 1, tiny, 1}, z[N_STATE] = {1 + tiny, 1 + tiny, 1, 1};
   double t;
   bool grazing;
   ck_assert_int_eq(first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
   ck_assert_double_eq(t, -tiny);
 }
-END_TEST
 
-START_TEST(refined_events_agree_and_are_proved) {
+TEST_EACH(refined_events_agree_and_are_proved, 60) {
   struct rng r = {(uint64_t)_i};
   double pd[N_PARAMS], zd[N_STATE], t0;
   bool grazing;
@@ -392,9 +378,8 @@ START_TEST(refined_events_agree_and_are_proved) {
     for (int k = 0; k < 3; k++) num_vec_clear(&t[k]);
   }
 }
-END_TEST
 
-START_TEST(an_event_of_balls_holds_the_events_of_its_points) {
+TEST(an_event_of_balls_holds_the_events_of_its_points) {
   /* Phase C from r = 0, z_2' = s: q = s cos t - 1 with z_1' = 0, first zero at acos(1/s) beyond pi for s < -1. */
   const double pd[N_PARAMS] = {0.5, 2, 1, 1, 1};
   for (int k = 1; k < 40; k++) {
@@ -418,20 +403,18 @@ START_TEST(an_event_of_balls_holds_the_events_of_its_points) {
     vecs_clear(&p, &z, &t);
   }
 }
-END_TEST
 
-START_TEST(a_double_root_is_not_proved) {
+TEST(a_double_root_is_not_proved) {
   const double pd[N_PARAMS] = {0.5, 2, 1, 1, 1}, zd[N_STATE] = {0.25, 0.25, 0, -1};
   struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_arb(128)), z = vec_of(zd, N_STATE, num_ctx_arb(128)), t;
   num_vec_init(&t, 1, num_ctx_arb(128));
   ck_assert_int_eq(dyn_event(num_vec_at(&t, 0), PHASE_C, &p, &z, 3.1415), SS_UNABLE);
   vecs_clear(&p, &z, &t);
 }
-END_TEST
 
 /* --- Derivatives. --- */
 
-START_TEST(local_jacobians_match_differences) {
+TEST_EACH(local_jacobians_match_differences, 30) {
   struct rng r = {(uint64_t)_i};
   double pd[N_PARAMS], zd[N_STATE], t0, rate;
   bool grazing;
@@ -459,10 +442,9 @@ START_TEST(local_jacobians_match_differences) {
     vecs_clear(&p, &z, &t, &j, &fd, &err);
   }
 }
-END_TEST
 
 /* The velocity that ends a phase has no displacement there: an exact zero in every number type. */
-START_TEST(a_pinned_velocity_is_not_displaced) {
+TEST_EACH(a_pinned_velocity_is_not_displaced, 30) {
   static const struct num_type *const types[] = {&num_double, &num_mpfr, &num_arb};
   struct rng r = {(uint64_t)_i};
   double pd[N_PARAMS], zd[N_STATE], t0;
@@ -488,7 +470,6 @@ START_TEST(a_pinned_velocity_is_not_displaced) {
     }
   }
 }
-END_TEST
 
 /* The arc of first events in double precision from a start of the word. */
 static bool random_arc(struct dyn_arc *arc, double pd[N_PARAMS], struct rng *r) {
@@ -504,7 +485,7 @@ static bool random_arc(struct dyn_arc *arc, double pd[N_PARAMS], struct rng *r) 
 }
 
 /* Balls at the same doubles know the Jacobian of the arc; in double precision each entry is that, rounded once. */
-START_TEST(the_return_jacobian_of_doubles_is_rounded_once) {
+TEST_EACH(the_return_jacobian_of_doubles_is_rounded_once, 60) {
   struct rng r = {(uint64_t)_i};
   double pd[N_PARAMS];
   struct dyn_arc arc, balls;
@@ -536,7 +517,6 @@ START_TEST(the_return_jacobian_of_doubles_is_rounded_once) {
   dyn_arc_clear(&balls);
   dyn_arc_clear(&arc);
 }
-END_TEST
 
 /* The Jacobian of one arc, again and again. */
 struct jacobian_work {
@@ -565,7 +545,7 @@ static void jacobian_work_clear(struct jacobian_work *w) {
 }
 
 /* What is zero is not sought at ever more bits: a double costs about as much as 64 bits of MPFR. */
-START_TEST(a_return_jacobian_of_doubles_takes_one_pass) {
+TEST(a_return_jacobian_of_doubles_takes_one_pass) {
   struct jacobian_work doubles, bits;
   jacobian_work_init(&doubles, num_ctx_double());
   jacobian_work_init(&bits, num_ctx_mpfr(64));
@@ -573,10 +553,9 @@ START_TEST(a_return_jacobian_of_doubles_takes_one_pass) {
   jacobian_work_clear(&bits);
   jacobian_work_clear(&doubles);
 }
-END_TEST
 
 /* Outputs and limits that nobody asked for. */
-START_TEST(what_is_not_wanted_may_be_null) {
+TEST(what_is_not_wanted_may_be_null) {
   static const double start[N_STATE] = {2.7032, 2.6158, 1, 1};
   static const double guess[2] = {2.0053, 1.4899}, along[1][N_STATE] = {{1, 0, 0, 0}};
   double out[16], column[N_STATE], err, t, r;
@@ -594,7 +573,6 @@ START_TEST(what_is_not_wanted_may_be_null) {
   for (int i = 0; i < N_STATE; i++) ck_assert_double_eq(out[i], column[i]);
   _fmpq_vec_clear(p, N_PARAMS);
 }
-END_TEST
 
 /* --- Orbits. --- */
 
@@ -726,7 +704,9 @@ static void check_conditions_by_samples(const struct found *f, const struct dyn_
 
 static const char *const paper[N_PARAMS] = {"4/5", "1", "1", "27844/10000", "8587/10000"};
 
-START_TEST(the_papers_parameters_have_two_orbits) {
+CASE("orbit", .seconds = 60);
+
+TEST(the_papers_parameters_have_two_orbits) {
   static const double times[2][2] = {{1.3815, 10.9096}, {2.005, 1.490}}; /* tests/oracle/orbits.tsv, set paper */
   struct found f;
   found_init(&f, paper, 128, NULL);
@@ -743,9 +723,8 @@ START_TEST(the_papers_parameters_have_two_orbits) {
   }
   found_clear(&f);
 }
-END_TEST
 
-START_TEST(a_thousand_digits) {
+TEST(a_thousand_digits) {
   struct found f;
   found_init(&f, paper, 3400, NULL);
   ck_assert_int_eq(f.list.n, 2);
@@ -755,9 +734,8 @@ START_TEST(a_thousand_digits) {
   }
   found_clear(&f);
 }
-END_TEST
 
-START_TEST(return_map_differences) {
+TEST(return_map_differences) {
   struct found f;
   found_init(&f, paper, 256, NULL);
   struct num_ctx ctx = num_ctx_mpfr(256);
@@ -787,7 +765,6 @@ START_TEST(return_map_differences) {
   }
   found_clear(&f);
 }
-END_TEST
 
 /* Fixed points of the return map by a plain scan over r: sign changes that bisection confirms to be zeros. */
 static int count_fixed_points(const double p[N_PARAMS], double low, int n) {
@@ -822,7 +799,7 @@ static int count_fixed_points(const double p[N_PARAMS], double low, int n) {
   return zeros;
 }
 
-START_TEST(random_orbits_obey_everything) {
+TEST_EACH(random_orbits_obey_everything, 12) {
   struct rng r = {(uint64_t)_i};
   double p[N_PARAMS];
   struct found f;
@@ -843,9 +820,8 @@ START_TEST(random_orbits_obey_everything) {
   ck_assert_msg(scanned <= f.list.n, "%s: %d by a scan, %ld found", params_shown(p), scanned, (long)f.list.n);
   found_clear(&f);
 }
-END_TEST
 
-START_TEST(coexisting_orbits_are_all_found) {
+TEST(coexisting_orbits_are_all_found) {
   /* Parameters at which a plain scan of the return map shows four. */
   static const char *const several[N_PARAMS] = {"92/100", "21/10", "1", "439/100", "257/100"};
   struct found f;
@@ -854,9 +830,8 @@ START_TEST(coexisting_orbits_are_all_found) {
   ck_assert_int_eq(f.list.n, 4);
   found_clear(&f);
 }
-END_TEST
 
-START_TEST(jumps_are_not_orbits) {
+TEST(jumps_are_not_orbits) {
   /* The defect changes its sign at grazing events in several periods of these; a scan of the map agrees. */
   static const char *const jumpy[3][N_PARAMS] = {{"866/1000", "517/1000", "1", "1104/1000", "1524/1000"},
                                                  {"700/1000", "1656/10000", "1", "1148/10000", "9181/1000"},
@@ -869,9 +844,8 @@ START_TEST(jumps_are_not_orbits) {
     found_clear(&f);
   }
 }
-END_TEST
 
-START_TEST(an_orbit_is_followed_to_the_jump_where_it_ends) {
+TEST(an_orbit_is_followed_to_the_jump_where_it_ends) {
   /* Between these values of e2 an orbit ends because an earlier maximum of z_1' reaches V.  Down to the resolution of
      t_b the search must decide on which side it is, and leave nothing undecided. */
   static const char *const near_jump[N_PARAMS] = {"823453/1000000", "1499339/1000000", "1", "907841/1000000",
@@ -896,9 +870,8 @@ START_TEST(an_orbit_is_followed_to_the_jump_where_it_ends) {
   fmpq_clear(without);
   found_clear(&f);
 }
-END_TEST
 
-START_TEST(derivatives_of_the_return_map_are_differences) {
+TEST_EACH(derivatives_of_the_return_map_are_differences, 40) {
   struct rng r = {(uint64_t)_i};
   double p[N_PARAMS], h = 1e-6;
   struct return_map_double k;
@@ -913,9 +886,8 @@ START_TEST(derivatives_of_the_return_map_are_differences) {
                 s[1].slope);
   ck_assert_msg(fabs(dqc - s[1].dqc) < 1e-4 * (1 + fabs(dqc)), "%s t_b %g: %g, %g", params_shown(p), tb, dqc, s[1].dqc);
 }
-END_TEST
 
-START_TEST(two_orbits_merge_and_vanish) {
+TEST(two_orbits_merge_and_vanish) {
   /* Between e2 = 2.72 and 2.75 a pair of orbits meets (the multiplier passes 1 there).  Bisection in e2 brings the pair
      closer than double precision can separate; both or neither must be found at every step. */
   static const char *const near_fold[N_PARAMS] = {"66/100", "93/100", "75/100", "647/1000", "272/100"};
@@ -945,9 +917,8 @@ START_TEST(two_orbits_merge_and_vanish) {
   fmpq_clear(none);
   found_clear(&f);
 }
-END_TEST
 
-START_TEST(scaling_changes_nothing_but_lengths) {
+TEST(scaling_changes_nothing_but_lengths) {
   /* (z, V, e1, e2) scale together; the times and the multiplier stay. */
   for (int k = -10; k <= 10; k += 20) {
     struct found f, g;
@@ -967,9 +938,8 @@ START_TEST(scaling_changes_nothing_but_lengths) {
     found_clear(&g);
   }
 }
-END_TEST
 
-START_TEST(extreme_parameters) {
+TEST_EACH(extreme_parameters, 8) {
   static const char *const chi[2] = {"1/1000", "999/1000"}, *const eta[2] = {"1/10000", "10000"},
                            *const V[2] = {"1/1000", "1000"};
   const char *const text[N_PARAMS] = {chi[_i & 1], eta[_i >> 1 & 1], V[_i >> 2 & 1], "1", "1"};
@@ -983,9 +953,8 @@ START_TEST(extreme_parameters) {
   }
   found_clear(&f);
 }
-END_TEST
 
-START_TEST(outside_the_domain) {
+TEST(outside_the_domain) {
   static const char *const bad[3][N_PARAMS] = {
       {"1", "1", "1", "1", "1"}, {"1/2", "0", "1", "1", "1"}, {"1/2", "1", "1", "-1", "1"}};
   for (int i = 0; i < 3; i++) {
@@ -998,7 +967,6 @@ START_TEST(outside_the_domain) {
   double out, t[4];
   ck_assert_int_eq(dyn_return_map_d(&out, NULL, t, p, 2, NULL), SS_DOMAIN); /* r = e2/chi: chi r only rises */
 }
-END_TEST
 
 /* |high + low - x| as a part of |x|, rounded up to a double. */
 static double off_by(double high, double low, arb_srcptr x) {
@@ -1023,8 +991,10 @@ static val characteristic(struct calc *c, const val p[N_PARAMS], val om) {
   return calc_add(c, calc_mul(c, x, calc_sub(c, x, calc_add(c, one, stiff))), rest);
 }
 
+CASE("dynamics");
+
 /* The frequencies of phase H stand in four places (flow.h says why), and the shares of the modes with them. */
-START_TEST(the_statements_of_the_frequencies_agree) {
+TEST_EACH(the_statements_of_the_frequencies_agree, 80) {
   struct rng r = {(uint64_t)_i + 1};
   double p[N_PARAMS];
   random_params(p, &r);
@@ -1055,52 +1025,4 @@ START_TEST(the_statements_of_the_frequencies_agree) {
   }
   ck_assert(calc_lt(&c, s.om[0], s.om[1]));
   calc_clear(&c);
-}
-END_TEST
-
-Suite *dynamics_suite(void) {
-  Suite *s = suite_create("dynamics");
-  TCase *c = tcase_create("flow");
-  tcase_add_loop_test(c, propagators_of_all_types_agree, 0, 40);
-  tcase_add_test(c, taylor_keeps_its_promise_for_long_times);
-  tcase_add_loop_test(c, flow_is_the_propagator_applied, 0, 40);
-  tcase_add_loop_test(c, flows_compose, 0, 40);
-  tcase_add_loop_test(c, global_slip_keeps_its_energy, 0, 100);
-  tcase_add_loop_test(c, the_statements_of_the_frequencies_agree, 0, 80);
-  suite_add_tcase(s, c);
-  c = tcase_create("event");
-  tcase_add_loop_test(c, first_event_is_a_root_and_the_first, 0, 60);
-  tcase_add_test(c, close_roots_grazing_and_none_are_told_apart);
-  tcase_add_test(c, a_root_at_the_start_does_not_count);
-  tcase_add_test(c, a_long_wait_ends_at_the_first_root);
-  tcase_add_test(c, a_fast_oscillation_of_small_amplitude);
-  tcase_add_test(c, a_slow_drift_from_far_below);
-  tcase_add_test(c, angles_that_no_double_knows);
-  tcase_add_test(c, stick_phase_ends_at_either_sign);
-  tcase_add_test(c, forces_are_not_lost_in_positions);
-  tcase_add_loop_test(c, refined_events_agree_and_are_proved, 0, 60);
-  tcase_add_test(c, an_event_of_balls_holds_the_events_of_its_points);
-  tcase_add_test(c, a_double_root_is_not_proved);
-  tcase_add_loop_test(c, local_jacobians_match_differences, 0, 30);
-  tcase_add_loop_test(c, a_pinned_velocity_is_not_displaced, 0, 30);
-  tcase_add_loop_test(c, the_return_jacobian_of_doubles_is_rounded_once, 0, 60);
-  tcase_add_test(c, a_return_jacobian_of_doubles_takes_one_pass);
-  tcase_add_test(c, what_is_not_wanted_may_be_null);
-  suite_add_tcase(s, c);
-  c = tcase_create("orbit");
-  tcase_set_timeout(c, 60);
-  tcase_add_test(c, the_papers_parameters_have_two_orbits);
-  tcase_add_test(c, a_thousand_digits);
-  tcase_add_test(c, return_map_differences);
-  tcase_add_loop_test(c, random_orbits_obey_everything, 0, 12);
-  tcase_add_test(c, coexisting_orbits_are_all_found);
-  tcase_add_test(c, jumps_are_not_orbits);
-  tcase_add_test(c, an_orbit_is_followed_to_the_jump_where_it_ends);
-  tcase_add_loop_test(c, derivatives_of_the_return_map_are_differences, 0, 40);
-  tcase_add_test(c, two_orbits_merge_and_vanish);
-  tcase_add_test(c, scaling_changes_nothing_but_lengths);
-  tcase_add_loop_test(c, extreme_parameters, 0, 8);
-  tcase_add_test(c, outside_the_domain);
-  suite_add_tcase(s, c);
-  return s;
 }

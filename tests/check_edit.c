@@ -7,7 +7,7 @@
 #include "paper_model.h"
 #include "power/mutants.h"
 #include "says.h"
-#include "suites.h"
+#include "suite.h"
 
 static const struct edit_word some_words[] = {
     {.name = "a", .rows = 1, .cols = 1, .plain = true},
@@ -117,7 +117,7 @@ static char *sorted(const char *list) {
   return t.data;
 }
 
-START_TEST(edits_written_down_by_hand) {
+TEST_EACH(edits_written_down_by_hand, COUNT(by_hand)) {
   char *found = edits_as_text(by_hand[_i].statement, by_hand[_i].kind, false);
   char *got = sorted(found), *want = sorted(by_hand[_i].want);
   ck_assert_msg(strcmp(got, want) == 0, "%s, %s:\n  %s\nnot\n  %s", by_hand[_i].statement,
@@ -126,9 +126,8 @@ START_TEST(edits_written_down_by_hand) {
   free(got);
   free(found);
 }
-END_TEST
 
-START_TEST(factors_are_put_into_terms) {
+TEST(factors_are_put_into_terms) {
   static const struct {
     const char *statement, *want;
   } rows[] = {
@@ -147,9 +146,8 @@ START_TEST(factors_are_put_into_terms) {
     free(found);
   }
 }
-END_TEST
 
-START_TEST(families_of_names) {
+TEST(families_of_names) {
   static const struct {
     const char *a, *b;
     bool same;
@@ -162,7 +160,6 @@ START_TEST(families_of_names) {
     ck_assert(edit_same_family(rows[i].b, rows[i].a) == rows[i].same);
   }
 }
-END_TEST
 
 /* --- What holds of every edit --- */
 
@@ -203,7 +200,9 @@ static bool same_statement(const struct stmt *a, const struct stmt *b,
   return ok && (!a->range_lo || (same(a->range_lo, b->range_lo) && same(a->range_hi, b->range_hi)));
 }
 
-START_TEST(every_edit_is_a_statement_of_its_own) {
+CASE("paper", .once = {open_population, close_population});
+
+TEST(every_edit_is_a_statement_of_its_own) {
   long kinds[N_EDIT_KINDS] = {0};
   ck_assert_uint_gt(population.n, 5000);
   for (size_t i = 0; i < population.n; i++) {
@@ -227,9 +226,8 @@ START_TEST(every_edit_is_a_statement_of_its_own) {
   }
   for (int k = 0; k < N_EDIT_KINDS; k++) ck_assert_msg(kinds[k] > 0, "no %s", edit_kind_name[k]);
 }
-END_TEST
 
-START_TEST(no_edit_comes_twice_and_the_order_is_fixed) {
+TEST(no_edit_comes_twice_and_the_order_is_fixed) {
   struct mutants again;
   mutants_init(&again, &papers, NULL, 0);
   ck_assert_uint_eq(again.n, population.n);
@@ -240,10 +238,11 @@ START_TEST(no_edit_comes_twice_and_the_order_is_fixed) {
   }
   mutants_clear(&again);
 }
-END_TEST
+
+CASE("edit");
 
 /* Long statements: edits within the bounds, or none. */
-START_TEST(long_statements_are_bounded) {
+TEST(long_statements_are_bounded) {
   static const int terms[] = {100, 199, 201, 20000};
   for (size_t i = 0; i < sizeof terms / sizeof *terms; i++) {
     struct text t;
@@ -266,21 +265,4 @@ START_TEST(long_statements_are_bounded) {
     source_clear(&src);
     text_clear(&t);
   }
-}
-END_TEST
-
-Suite *edit_suite(void) {
-  Suite *s = suite_create("edit");
-  TCase *c = tcase_create("by hand");
-  tcase_add_loop_test(c, edits_written_down_by_hand, 0, (int)(sizeof by_hand / sizeof *by_hand));
-  tcase_add_test(c, factors_are_put_into_terms);
-  tcase_add_test(c, families_of_names);
-  tcase_add_test(c, long_statements_are_bounded);
-  suite_add_tcase(s, c);
-  c = tcase_create("paper");
-  tcase_add_unchecked_fixture(c, open_population, close_population);
-  tcase_add_test(c, every_edit_is_a_statement_of_its_own);
-  tcase_add_test(c, no_edit_comes_twice_and_the_order_is_fixed);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -17,7 +17,7 @@
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 #include "whole.h"
 
@@ -78,15 +78,16 @@ static void write_sheets(const struct audit_result *r) {
 
 /* --- What rests on what --- */
 
-START_TEST(dependences_are_those_of_the_text) {
+CASE("paper", .once = {open_audit, close_audit});
+
+TEST(dependences_are_those_of_the_text) {
   write_sheets(&result);
   shell_well("$Y tests/oracle/depends.py verify $D/audit.json");
 }
-END_TEST
 
 /* A definition that names another claim's value makes the claim rest on it, and the list keeps the order of the
    files. */
-START_TEST(a_new_use_is_a_new_dependence) {
+TEST(a_new_use_is_a_new_dependence) {
   struct model m;
   load(&m, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[-1, 1] + 0*tr(K_1)*[1, 1]\n", NULL);
   struct dependences *d = dependences_new(&m, &the_paper.claims);
@@ -103,10 +104,9 @@ START_TEST(a_new_use_is_a_new_dependence) {
   ck_assert(!dependences_on(d, ja, k1) && !dependences_on(d, j, k1));
   dependences_free(d);
 }
-END_TEST
 
 /* Two claims about one matrix stand beside each other; a third that uses it rests on both. */
-START_TEST(claims_about_the_same) {
+TEST(claims_about_the_same) {
   struct claims own = {.n = 0};
   const char *path = scratch_put("same.claim", "claim a\n  section: stability\n  value: J_a\n  title: a\n"
                                                "claim b\n  section: stability\n  value: J_a\n  title: b\n"
@@ -118,10 +118,9 @@ START_TEST(claims_about_the_same) {
   dependences_free(on);
   claims_clear(&own);
 }
-END_TEST
 
 /* Programs are the same when their formulas are, term by term. */
-START_TEST(the_same_program) {
+TEST(the_same_program) {
   static const char *const formulas[] = {"chi + eta", "chi - eta",  "chi + V",    "2*chi",   "3*chi",     "chi^2",
                                          "chi^3",     "[chi, eta]", "[eta, chi]", "omega_1", "omega_1*2", "chi"};
   enum { N = sizeof formulas / sizeof *formulas };
@@ -138,9 +137,8 @@ START_TEST(the_same_program) {
       ck_assert_msg(tape_same(&t[i][0], &t[k][1]) == (i == k), "%s, %s", formulas[i], formulas[k]);
   for (int i = 0; i < 2 * N; i++) tape_clear(&t[i / 2][i % 2]);
 }
-END_TEST
 
-START_TEST(what_is_named_by_hand_must_exist) {
+TEST(what_is_named_by_hand_must_exist) {
   struct claims own = {.n = 0};
   struct audit_result r;
   const struct audit_options opt = {.n_only = 0};
@@ -154,7 +152,6 @@ START_TEST(what_is_named_by_hand_must_exist) {
   claims_clear(&own);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* --- What falls --- */
 
@@ -162,7 +159,7 @@ END_TEST
    are worth does not change with the factor V, which is not zero, and (45) suffices whatever N is; (40): the entries of
    J_f enter (40), (41), but not what is said of J's trace (x_f and y_f move alike) and determinant (J_b J_a has rank
    1). */
-START_TEST(what_falls_with_a_formula) {
+TEST(what_falls_with_a_formula) {
   static const struct {
     const char *failure, *falls, *survives;
   } cases[] = {{"eq-10",
@@ -186,10 +183,9 @@ START_TEST(what_falls_with_a_formula) {
     ck_assert_int_eq(q->open.n, 0);
   }
 }
-END_TEST
 
 /* Results whose formulas do not contain the failed one cannot change, and are the only ones of which that is said. */
-START_TEST(what_provably_does_not_change) {
+TEST(what_provably_does_not_change) {
   static const struct {
     const char *failure, *reached;
   } cases[] = {{"eq-10", " N M M*[1; 1] -inv(N_1 - I)*N_2*z'_0 "},
@@ -209,7 +205,6 @@ START_TEST(what_provably_does_not_change) {
     }
   }
 }
-END_TEST
 
 static double number_after(const char *where, const char *name) {
   const char *p = strstr(where, name);
@@ -221,7 +216,7 @@ static double number_after(const char *where, const char *name) {
 
 /* (40) prints V in the denominator of k_4 where it belongs in the numerator: k_4 is off by V^2, so that J_f[1,1] = 1 +
    k_4 is 1 + k_4/V^2; k_4 = V sin(omega t_d)/(omega (z_20 - z_10)). */
-START_TEST(size_of_the_error_in_40) {
+TEST(size_of_the_error_in_40) {
   const struct derived *d = derived_of("eq-40", "J_f");
   ck_assert_int_eq(d->change, CHANGE_CHANGES);
   ck_assert_str_eq(d->entry, "[1,1]");
@@ -239,11 +234,10 @@ START_TEST(size_of_the_error_in_40) {
                    "proved equal, and agrees at 10 points"); /* two orbits and eight others */
   ck_assert(derived_of("eq-40", "J")->chain == NULL);        /* no other failure reaches J */
 }
-END_TEST
 
 /* Who solves the equations with V t in (10) meets V t_a in the place of t_a wherever D stands, and it stands nowhere
    else: the same solution, but for t_a, which is that of the orbit divided by V. */
-START_TEST(what_the_equations_give_with_10) {
+TEST(what_the_equations_give_with_10) {
   const char *says = audit_result_consequence(&result, "eq-10")->solved, *instead = " instead of ";
   ck_assert(says != NULL);
   double v = number_after(says, "V"), given = number_after(says, "give t_a"),
@@ -254,11 +248,10 @@ START_TEST(what_the_equations_give_with_10) {
   ck_assert(audit_result_consequence(&result, "eq-40")->solved == NULL);
   ck_assert(audit_result_consequence(&result, "eq-29")->solved == NULL);
 }
-END_TEST
 
 /* (10) prints V t for t: N = C H Gamma D changes by (V - 1) t_a times its first two columns.  Here with the model's
    matrix exponentials, in double precision, on the orbit of the example. */
-START_TEST(size_of_the_error_in_10) {
+TEST(size_of_the_error_in_10) {
   const struct derived *d = derived_of("eq-10", "N");
   ck_assert_int_eq(d->change, CHANGE_CHANGES);
   static const char *const names[] = {"chi", "eta", "V", "e1", "e2"};
@@ -293,11 +286,10 @@ START_TEST(size_of_the_error_in_10) {
   _fmpq_vec_clear(exact, N_PARAMS);
   vecs_clear(&p, &n, &params);
 }
-END_TEST
 
 /* t_a = 0.6784 in place of the orbit's: by hand, 0.6784 (1 - 0.8)/2 = 0.06784, and the period moves by as much as
    t_a. */
-START_TEST(size_of_a_misprinted_time) {
+TEST(size_of_a_misprinted_time) {
   ck_assert_double_eq_tol(strtod(derived_of("num-t_a", "V*t_a*(1 - chi)/2")->printed, NULL), 0.06784, 1e-12);
   const struct derived *d = derived_of("num-t_a", "t_a + t_b + t_c + t_d"),
                        *bound = derived_of("num-t_a", "V*t_a*(1 - chi)/2");
@@ -306,10 +298,9 @@ START_TEST(size_of_a_misprinted_time) {
   ck_assert_double_eq_tol(moved, 0.6784 - t_a, 1e-8);
   ck_assert_int_eq(derived_of("num-z20", "tr(J)")->change, CHANGE_AGREES); /* (40) again: z_200 is in k_4 alone */
 }
-END_TEST
 
 /* A claim is judged alike alone and together, its effect and consequences included. */
-START_TEST(alone_or_together) {
+TEST(alone_or_together) {
   static const char *const ids[] = {"eq-10", "eq-40", "num-z10"};
   for (size_t i = 0; i < sizeof ids / sizeof *ids; i++) {
     struct audit_result r;
@@ -332,7 +323,6 @@ START_TEST(alone_or_together) {
     audit_result_clear(&r);
   }
 }
-END_TEST
 
 /* --- Corrections set beside the printed text --- */
 
@@ -346,7 +336,7 @@ static void judge_one(struct audit_result *r, const char *overlay, const char *e
   model_clear(&m);
 }
 
-START_TEST(what_to_replace_by_what) {
+TEST(what_to_replace_by_what) {
   static const struct {
     const char *id, *change;
   } cases[] = {{"eq-10", "replace $V \\, t$ by $t$"},
@@ -369,10 +359,9 @@ START_TEST(what_to_replace_by_what) {
   ck_assert(!strstr(joined(&q->falls), "eq-41")); /* without the correction of (40) it fails in any case */
   audit_result_clear(&r);
 }
-END_TEST
 
 /* Wrong, and nothing says how to mend it: no consequence can be told. */
-START_TEST(without_a_correction_nothing_is_said) {
+TEST(without_a_correction_nothing_is_said) {
   struct audit_result r;
   judge_one(&r, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[1, 1]\n", NULL, "eq-27");
   ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
@@ -381,11 +370,10 @@ START_TEST(without_a_correction_nothing_is_said) {
   shell_well("$Y tests/oracle/sheets.py $D");
   audit_result_clear(&r);
 }
-END_TEST
 
 /* z10 = 0.97818..., z20 = -2.12469..., t_a/10 = 0.05322... of the orbit in tests/oracle/orbits.tsv, to four
    decimals. */
-START_TEST(numbers_are_corrected_to_as_many_digits) {
+TEST(numbers_are_corrected_to_as_many_digits) {
   static const char *const want[][2] = {
       {"num-z10", "z10 = 0.9782"}, {"num-z20", "z20 = -2.1247"}, {"num-u_r1", "u_r1 > 0.0532"}};
   for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
@@ -394,12 +382,11 @@ START_TEST(numbers_are_corrected_to_as_many_digits) {
     ck_assert_int_eq(f->correction_verdict, VERDICT_PROVED);
   }
 }
-END_TEST
 
 /* --- The sheets --- */
 
 /* In order of consequence; slips of notation behind, and the numbers at the end.  No name of a claim is told. */
-START_TEST(worst_first) {
+TEST(worst_first) {
   struct text t;
   text_init(&t);
   report_errata(&t, &result);
@@ -410,7 +397,6 @@ START_TEST(worst_first) {
   check_order(t.data, "tests/cases/order_errata.tsv");
   text_clear(&t);
 }
-END_TEST
 
 /* A result record of nothing but traps for three languages: each in a number's place, in a formula's, and in what they
    do. */
@@ -476,7 +462,7 @@ static void check_sheets(const struct audit_result *r) {
 }
 
 /* Each way of showing a text, in each dialect. */
-START_TEST(words_with_texts_in_them) {
+TEST(words_with_texts_in_them) {
   static const char *const shown[] = {
       [DIALECT_MARKDOWN] = "1\\_2 of x\\_2: $a_1$ and $z_{10}$, `a_b`; a&b refuted.",
       [DIALECT_TEX] = "1\\_2 of x\\_2: $a_1$ and $z_{10}$, \\texttt{a\\_b}; a&b refuted.",
@@ -497,18 +483,16 @@ START_TEST(words_with_texts_in_them) {
     text_clear(&out);
   }
 }
-END_TEST
 
-START_TEST(heads_of_tables) {
+TEST(heads_of_tables) {
   struct text out;
   text_init(&out);
   markdown_head(&out, "a|b c:||d:|");
   ck_assert_str_eq(text_str(&out), "| a | b c | | d | |\n| --- | ---: | --- | ---: | --- |\n");
   text_clear(&out);
 }
-END_TEST
 
-START_TEST(lists_in_sentences) {
+TEST(lists_in_sentences) {
   static const char *const list[] = {"t_b = 2", "t_c", "V"}, *const said[] = {"", "$t_{b}$ = 2",
                                                                               "$t_{b}$ = 2 and $t_{c}$",
                                                                               "$t_{b}$ = 2, $t_{c}$ and $V$"};
@@ -520,10 +504,9 @@ START_TEST(lists_in_sentences) {
     text_clear(&out);
   }
 }
-END_TEST
 
 /* A page for what changes a result, two for the remarks and slips, the numbers and examples behind. */
-START_TEST(the_sheet_has_its_pages) {
+TEST(the_sheet_has_its_pages) {
   write_sheets(&result);
   if (!there_is("pdflatex")) {
     fprintf(stderr, "check_errata: pdflatex is not installed: the pages of errata.tex are not counted\n");
@@ -531,14 +514,14 @@ START_TEST(the_sheet_has_its_pages) {
   }
   shell_ends(0, "Output written on errata.pdf (4 pages", "cd $D && pdflatex -halt-on-error errata.tex");
 }
-END_TEST
 
-START_TEST(sheets_follow_their_grammars) {
+TEST(sheets_follow_their_grammars) {
   check_sheets(&result);
 }
-END_TEST
 
-START_TEST(nothing_quoted_breaks_a_sheet) {
+CASE("writers", .each = {scratch_open, scratch_close});
+
+TEST(nothing_quoted_breaks_a_sheet) {
   struct table all;
   table_read(&all, "tests/cases/traps_errata.tsv", 1);
   const char *traps[60];
@@ -549,10 +532,9 @@ START_TEST(nothing_quoted_breaks_a_sheet) {
   check_sheets(&r);
   table_clear(&all);
 }
-END_TEST
 
 /* Claims that rest on each other keep both arrows, and the closure is that of the lists (sheets.py). */
-START_TEST(circles_in_the_graph) {
+TEST(circles_in_the_graph) {
   static const char *ids[] = {"eq-1", "eq-2", "eq-3", "eq-4"};
   static struct finding f[4];
   for (int i = 0; i < 4; i++)
@@ -573,11 +555,10 @@ START_TEST(circles_in_the_graph) {
   ck_assert(strstr(t.data, "\"eq-2\" -> \"eq-1\"") && strstr(t.data, "\"eq-3\" -> \"eq-1\""));
   text_clear(&t);
 }
-END_TEST
 
 /* --- Results as data --- */
 
-START_TEST(mistakes_in_a_list_of_results) {
+TEST(mistakes_in_a_list_of_results) {
   static const struct {
     const char *text, *says;
   } cases[] = {
@@ -590,10 +571,11 @@ START_TEST(mistakes_in_a_list_of_results) {
   }
   goes_well(audit_check_file("verify/claims/results.claim", "verify", &d));
 }
-END_TEST
+
+CASE("paper");
 
 /* A result that the paper at hand cannot be asked for is left out; one that the printed form spoils is said to be. */
-START_TEST(results_that_cannot_be_read) {
+TEST(results_that_cannot_be_read) {
   struct audit_result r;
   struct model m;
   struct claims own;
@@ -618,41 +600,4 @@ START_TEST(results_that_cannot_be_read) {
   claims_clear(&own);
   model_clear(&m);
   audit_result_clear(&r);
-}
-END_TEST
-
-Suite *errata_suite(void) {
-  Suite *s = suite_create("errata");
-  TCase *c = tcase_create("paper");
-  tcase_add_unchecked_fixture(c, open_audit, close_audit);
-  tcase_add_test(c, dependences_are_those_of_the_text);
-  tcase_add_test(c, a_new_use_is_a_new_dependence);
-  tcase_add_test(c, claims_about_the_same);
-  tcase_add_test(c, the_same_program);
-  tcase_add_test(c, what_is_named_by_hand_must_exist);
-  tcase_add_test(c, what_falls_with_a_formula);
-  tcase_add_test(c, what_provably_does_not_change);
-  tcase_add_test(c, size_of_the_error_in_40);
-  tcase_add_test(c, size_of_the_error_in_10);
-  tcase_add_test(c, what_the_equations_give_with_10);
-  tcase_add_test(c, size_of_a_misprinted_time);
-  tcase_add_test(c, alone_or_together);
-  tcase_add_test(c, what_to_replace_by_what);
-  tcase_add_test(c, without_a_correction_nothing_is_said);
-  tcase_add_test(c, numbers_are_corrected_to_as_many_digits);
-  tcase_add_test(c, sheets_follow_their_grammars);
-  tcase_add_test(c, words_with_texts_in_them);
-  tcase_add_test(c, heads_of_tables);
-  tcase_add_test(c, lists_in_sentences);
-  tcase_add_test(c, the_sheet_has_its_pages);
-  tcase_add_test(c, worst_first);
-  tcase_add_test(c, results_that_cannot_be_read);
-  suite_add_tcase(s, c);
-  TCase *w = tcase_create("writers");
-  tcase_add_checked_fixture(w, scratch_open, scratch_close);
-  tcase_add_test(w, nothing_quoted_breaks_a_sheet);
-  tcase_add_test(w, circles_in_the_graph);
-  tcase_add_test(w, mistakes_in_a_list_of_results);
-  suite_add_tcase(s, w);
-  return s;
 }

@@ -19,7 +19,7 @@
 #include "rng.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 
 enum { PREC = 400 };
 
@@ -153,8 +153,10 @@ static void calculate(element *z, struct exact_field *f, num_binary op, const el
   ck_assert_int_eq(exact_reduce(z, f), SS_OK);
 }
 
+CASE("algebra", .once = {paper_open, paper_close});
+
 /* Commutative, associative, distributive, inverses; and each element has the value that its making has in balls. */
-START_TEST(a_field_and_its_values) {
+TEST(a_field_and_its_values) {
   struct rng r = {2026};
   for (int trial = 0; trial < 60; trial++) {
     struct exact_field *f = exact_field_new(NULL, 0);
@@ -203,7 +205,6 @@ START_TEST(a_field_and_its_values) {
     exact_field_free(f);
   }
 }
-END_TEST
 
 /* --- Formulas --- */
 
@@ -216,7 +217,7 @@ static int value_in(element *z, struct exact_field *f, const char *text) {
   return paper_value(z, f, &the_paper.model, text);
 }
 
-START_TEST(derivatives_by_the_rules) {
+TEST(derivatives_by_the_rules) {
   static const char *const rows[][2] = {
       {"chi", "0"},
       {"t^3 + chi*t", "3*t^2 + chi"},
@@ -243,10 +244,9 @@ START_TEST(derivatives_by_the_rules) {
     exact_field_free(f);
   }
 }
-END_TEST
 
 /* What angles with whole multiples of pi and roots of quotients are known to be, whatever the signs of these. */
-START_TEST(half_turns_and_roots_of_quotients) {
+TEST(half_turns_and_roots_of_quotients) {
   static const struct {
     const char *left, *right;
     bool equal;
@@ -276,10 +276,9 @@ START_TEST(half_turns_and_roots_of_quotients) {
     exact_field_free(f);
   }
 }
-END_TEST
 
 /* A witness of the root of a quotient says twice what that is, and no number below zero. */
-START_TEST(witnesses_of_roots_of_quotients) {
+TEST(witnesses_of_roots_of_quotients) {
   static const char *const rows[][2] = {{"sqrt((4*chi)/V)", "sqrt((4*chi)/(V)) = %31[^,]"},
                                         {"sqrt((chi - 9)/(V - 9))", "sqrt((chi-9)/(V-9)) = %31[^,]"}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -299,10 +298,9 @@ START_TEST(witnesses_of_roots_of_quotients) {
     exact_field_free(f);
   }
 }
-END_TEST
 
 /* When a difference is one of functions, and at which rational point; and when that cannot be told. */
-START_TEST(differences_with_a_rational_point) {
+TEST(differences_with_a_rational_point) {
   static const struct {
     const char *text;
     bool independent, at_one; /* at_one: zero where V = 1 */
@@ -336,10 +334,9 @@ START_TEST(differences_with_a_rational_point) {
     exact_field_free(f);
   }
 }
-END_TEST
 
 /* Far beyond the budget: an answer, at once. */
-START_TEST(the_budget_ends_it) {
+TEST(the_budget_ends_it) {
   static const char *const texts[] = {
       "(chi + eta + V + t + x + y + u + v + lambda + e_1 + e_2)^16", "det(H(t)*H(t_a)*H(t_b)*H(t_c))",
       "(((((chi + 1/(eta + 1/(V + 1/t)))^9 + x)^9 + y)^9 + u)^9 + v)^9", "chi^17", "J[1,1]*J[1,2]*J[2,1]"};
@@ -352,7 +349,6 @@ START_TEST(the_budget_ends_it) {
     exact_field_free(f);
   }
 }
-END_TEST
 
 /* --- The model's motions as elements and in balls --- */
 
@@ -485,7 +481,9 @@ static void compare_motion(struct values *v, const struct exact_attempt *a, enum
   arb_clear(x);
 }
 
-START_TEST(motions_have_the_values_of_motions) {
+CASE("motions", .once = {paper_open, paper_close});
+
+TEST(motions_have_the_values_of_motions) {
   const int points = every_case() ? 2 : 1;
   int done = 0;
   for (int ph = 0; ph < N_PHASES; ph++) {
@@ -518,10 +516,9 @@ START_TEST(motions_have_the_values_of_motions) {
   }
   ck_assert_int_eq(done, points * N_PHASES);
 }
-END_TEST
 
 /* At patched points a perturbation is zero exactly where that of balls is, and else its own free symbol. */
-START_TEST(perturbations_at_patched_points) {
+TEST(perturbations_at_patched_points) {
   const struct point_spec spec = {.kind = POINT_PATCHED};
   const struct tape nothing = {.n = 0};
   for (int tangents = 0; tangents < N_EXACT_TANGENTS; tangents++) {
@@ -557,12 +554,10 @@ START_TEST(perturbations_at_patched_points) {
     arb_clear(x);
   }
 }
-END_TEST
 
-START_TEST(propagators_solve_their_systems) {
+TEST(propagators_solve_their_systems) {
   for (int ph = 0; ph < N_PHASES; ph++) ck_assert(exact_propagator_proved((enum phase)ph));
 }
-END_TEST
 
 /* --- What is not proved --- */
 
@@ -573,8 +568,10 @@ static struct exact_proof prove(const struct model *m, const struct claim *c, st
   return exact_prove(&j, c, view, NULL);
 }
 
+CASE("proofs", .once = {paper_open, paper_close});
+
 /* No control that damages a formula is proved; those of exact algebra differ at a rational point. */
-START_TEST(no_control_is_proved) {
+TEST(no_control_is_proved) {
   int tried = 0;
   for (size_t i = 0; i < the_paper.controls.n; i++) {
     struct claim c = *claim_of(record_get(the_paper.controls.claim[i].record, "claim"));
@@ -592,10 +589,9 @@ START_TEST(no_control_is_proved) {
   }
   ck_assert_int_ge(tried, 20);
 }
-END_TEST
 
 /* What (2) asks in each phase, by hand: on which motions a sentence follows from it, and on which it does not. */
-START_TEST(what_follows_from_the_law) {
+TEST(what_follows_from_the_law) {
   static const struct {
     const char *says, *points;
     bool follows;
@@ -633,12 +629,11 @@ START_TEST(what_follows_from_the_law) {
     model_clear(&m);
   }
 }
-END_TEST
 
 /* --- Ranks --- */
 
 /* The same systems, by hand: what the exact route must say of them; -1: nothing. */
-START_TEST(ranks_by_hand) {
+TEST(ranks_by_hand) {
   static const struct {
     const char *equations, *unknowns;
     int rank;
@@ -681,12 +676,11 @@ START_TEST(ranks_by_hand) {
     model_clear(&m);
   }
 }
-END_TEST
 
 /* --- The theorem of linearized stability --- */
 
 /* One hypothesis is taken away by each overlay, and said to be missing; a criterion in other words is as good. */
-START_TEST(the_theorem_needs_each_hypothesis) {
+TEST(the_theorem_needs_each_hypothesis) {
   static const struct {
     const char *overlay, *missing;
   } rows[] = {
@@ -720,10 +714,9 @@ START_TEST(the_theorem_needs_each_hypothesis) {
     model_clear(&m);
   }
 }
-END_TEST
 
 /* The exact rank is never another than that of balls at points, whatever damage was done. */
-START_TEST(ranks_of_damaged_equations) {
+TEST(ranks_of_damaged_equations) {
   struct overlay o;
   struct mutants all;
   int decided = 0;
@@ -760,7 +753,6 @@ START_TEST(ranks_of_damaged_equations) {
   overlay_clear(&o);
   ck_assert_int_ge(decided, 10);
 }
-END_TEST
 
 static bool refuted_by_balls(const struct model *m, const struct claim *c) {
   struct audit_result out;
@@ -774,7 +766,7 @@ static bool refuted_by_balls(const struct model *m, const struct claim *c) {
 }
 
 /* Every so many one-token damages, and the claims under the same equation: what is proved must not be refuted. */
-START_TEST(what_balls_refute_is_not_proved) {
+TEST(what_balls_refute_is_not_proved) {
   enum { STRIDE = 83 };
   struct overlay o;
   struct mutants all;
@@ -802,10 +794,9 @@ START_TEST(what_balls_refute_is_not_proved) {
   overlay_clear(&o);
   ck_assert_int_ge(refuted, 20);
 }
-END_TEST
 
 /* tr J, det J and P do not feel the misprint in (40) nor the printed z_10; J itself does, and all of them feel (36). */
-START_TEST(what_the_trace_does_not_feel) {
+TEST(what_the_trace_does_not_feel) {
   const struct exact_change misprint = {
       {&the_paper.model, LAYER_CORRECTED, "40", NULL}, {&the_paper.model, LAYER_CORRECTED, NULL, NULL}, {NULL}, 0};
   const struct exact_change number = {{&the_paper.model, LAYER_CORRECTED, NULL, NULL},
@@ -824,7 +815,6 @@ START_TEST(what_the_trace_does_not_feel) {
   ck_assert(!exact_unchanged(&misprint, "J", "stability") && !exact_unchanged(&number, "J_f", "stability"));
   ck_assert(!exact_unchanged(&time, "tr(J)", "stability") && exact_unchanged(&time, "det(J)", "stability"));
 }
-END_TEST
 
 /* --- Receipts --- */
 
@@ -873,7 +863,7 @@ static int next_status(FILE *statuses) {
 #define SINE(i, of_angle)   ENTRY(i, of_angle) "omega*(z_10 - z_20))\n"
 #define COSINE(i, of_angle) ENTRY(i, of_angle) "omega**2*(z_10 - z_20))\n"
 
-START_TEST(receipts_hold_and_damaged_ones_do_not) {
+TEST(receipts_hold_and_damaged_ones_do_not) {
   static const struct damage none = {NULL, 0, 0}, sign = {") - v(", 2, '+'}, term = {") + v(", 2, '-'},
                              zero = {"f.number(\"0\")", 10, '2'}, one = {"f.number(\"1\")", 10, '0'},
                              rank = {"rank=", 5, '2'}, order = {"relations=\"<", 11, '>'},
@@ -937,7 +927,6 @@ START_TEST(receipts_hold_and_damaged_ones_do_not) {
   ck_assert_int_eq(pclose(statuses), 0);
   text_clear(&line);
 }
-END_TEST
 
 /* The script with each text replaced by the one after it, run: what it says last, and whether it ends well. */
 static bool orbit_receipt_ends(const char *id, const char *const replaced[4], const char *last) {
@@ -966,7 +955,7 @@ static bool orbit_receipt_ends(const char *id, const char *const replaced[4], co
 }
 
 /* The right numbers, by paper_1000.tsv in tests/oracle, are not refuted.  u_r2 is left to make long. */
-START_TEST(receipts_of_printed_numbers) {
+TEST(receipts_of_printed_numbers) {
   static const char *const none[4] = {NULL};
   static const char *const ta[4] = {"424/625", "5323/10000"}, *const ur2[4] = {"3329/2000", "16705/10000"};
   static const char *const start[4] = {"8921/10000", "9782/10000", "-10979/5000", "-21247/10000"};
@@ -981,9 +970,8 @@ START_TEST(receipts_of_printed_numbers) {
     ck_assert(!orbit_receipt_ends(rows[i].id, rows[i].right, rows[i].not_so));
   }
 }
-END_TEST
 
-START_TEST(no_receipt_without_a_proof) {
+TEST(no_receipt_without_a_proof) {
   static const char *const rows[][2] = {
       {"nobody", "no claim is named"}, {"fig-4", "not proved by a positive combination"}, {"eq-36b", "not of a kind"}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -993,38 +981,4 @@ START_TEST(no_receipt_without_a_proof) {
                rows[i][1]);
     text_clear(&t);
   }
-}
-END_TEST
-
-Suite *exact_suite(void) {
-  Suite *s = suite_create("exact");
-  TCase *c = tcase_create("algebra");
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-  tcase_add_test(c, a_field_and_its_values);
-  tcase_add_test(c, derivatives_by_the_rules);
-  tcase_add_test(c, half_turns_and_roots_of_quotients);
-  tcase_add_test(c, witnesses_of_roots_of_quotients);
-  tcase_add_test(c, differences_with_a_rational_point);
-  tcase_add_test(c, the_budget_ends_it);
-  suite_add_tcase(s, c);
-  c = tcase_create("motions");
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-  tcase_add_test(c, propagators_solve_their_systems);
-  tcase_add_test(c, motions_have_the_values_of_motions);
-  tcase_add_test(c, perturbations_at_patched_points);
-  suite_add_tcase(s, c);
-  c = tcase_create("proofs");
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-  tcase_add_test(c, no_control_is_proved);
-  tcase_add_test(c, what_balls_refute_is_not_proved);
-  tcase_add_test(c, what_follows_from_the_law);
-  tcase_add_test(c, ranks_by_hand);
-  tcase_add_test(c, the_theorem_needs_each_hypothesis);
-  tcase_add_test(c, ranks_of_damaged_equations);
-  tcase_add_test(c, what_the_trace_does_not_feel);
-  tcase_add_test(c, receipts_hold_and_damaged_ones_do_not);
-  tcase_add_test(c, receipts_of_printed_numbers);
-  tcase_add_test(c, no_receipt_without_a_proof);
-  suite_add_tcase(s, c);
-  return s;
 }

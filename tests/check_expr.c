@@ -12,7 +12,7 @@
 #include "expr/expr.h"
 #include "rng.h"
 #include "says.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* ---- common ground */
@@ -128,10 +128,12 @@ static void spell(struct text *out, const struct expr *e) {
 
 /* ---- the grammar */
 
-static struct table grammar; /* cases/grammar.tsv */
-enum { G_TEXT, G_TREE };     /* its columns */
+TABLE(grammar, "tests/cases/grammar.tsv", 2);
+enum { G_TEXT, G_TREE }; /* its columns */
 
-START_TEST(test_grammar) {
+CASE("expr", .each = {setup, teardown}, .seconds = 60);
+
+TEST(test_grammar) {
   struct text t;
   text_init(&t);
   for (int i = 0; i < grammar.n; i++) {
@@ -145,9 +147,8 @@ START_TEST(test_grammar) {
   }
   text_clear(&t);
 }
-END_TEST
 
-START_TEST(test_statements) {
+TEST(test_statements) {
   const struct stmt *s = statement("  J_a := a + b # sum");
   ck_assert(s->kind == STMT_DEFINE && !strcmp(s->name, "J_a") && !s->param && s->n_sides == 1);
   ck_assert_uint_eq(s->name_span.begin, 2);
@@ -186,7 +187,6 @@ START_TEST(test_statements) {
   ck_assert(!strcmp(s->names[0], "z_1") && !strcmp(s->params[0], "t"));
   ck_assert(!strcmp(s->names[1], "z_2") && !strcmp(s->params[1], "s"));
 }
-END_TEST
 
 /* The span of every node is the text that reads as that node. */
 static void check_spans(const char *text, const struct expr *e) {
@@ -198,7 +198,7 @@ static void check_spans(const char *text, const struct expr *e) {
 }
 
 /* A title says all sides, but for a first-order part that two others say. */
-START_TEST(test_first_order_in_prose) {
+TEST(test_first_order_in_prose) {
   static const char *const cases[][2] = {
       {"first_order(sin(x + y); x, y) = x + y", "sin(x + y) = x + y"},
       {"d = first_order(sin(x + y); x, y) = x + y", "d = x + y"},
@@ -211,9 +211,8 @@ START_TEST(test_first_order_in_prose) {
     text_clear(&t);
   }
 }
-END_TEST
 
-START_TEST(test_spans) {
+TEST(test_spans) {
   static const char *const text = "-a*b + [1, x ; H'(t_c)[1:2,3], (p)] - sin( u )^(-2) / v'_1 + [a] [1]";
   const struct expr *e = tree(text);
   check_spans(text, e);
@@ -227,11 +226,10 @@ START_TEST(test_spans) {
   fails_with(expr_parse(&arena, &src, (struct span){12, 16}, &d), "t:1:15: error: byte 0xE2");
   source_clear(&src);
 }
-END_TEST
 
 /* ---- diagnostics: the first line must begin with t:PLACE: error: and hold PART */
 
-static struct table mistakes;             /* cases/mistakes.tsv */
+TABLE(mistakes, "tests/cases/mistakes.tsv", 4);
 enum { M_STMT, M_TEXT, M_PLACE, M_PART }; /* its columns */
 
 static void check_mistake(const char *text, bool stmt, const char *place, const char *part) {
@@ -245,12 +243,11 @@ static void check_mistake(const char *text, bool stmt, const char *place, const 
   ck_assert_msg(strstr(d.message, part), "%s\nlacks: %s\n%s", text, part, d.message);
 }
 
-START_TEST(test_mistakes) {
+TEST(test_mistakes) {
   for (int i = 0; i < mistakes.n; i++)
     check_mistake(mistakes.row[i][M_TEXT], *mistakes.row[i][M_STMT] == 'y', mistakes.row[i][M_PLACE],
                   mistakes.row[i][M_PART]);
 }
-END_TEST
 
 static char *repeat(const char *before, const char *middle, const char *after, size_t n) {
   size_t a = strlen(before), b = strlen(middle), c = strlen(after);
@@ -262,7 +259,7 @@ static char *repeat(const char *before, const char *middle, const char *after, s
   return s;
 }
 
-START_TEST(test_limits) {
+TEST(test_limits) {
   /* 200 levels of nesting, whatever nests */
   static const char *const nests[][2] = {{"(", ")"},   {"[", "]"},  {"sin(", ")"},
                                          {"f'(", ")"}, {"(-", ")"}, {"1+(", ")"}};
@@ -300,7 +297,6 @@ START_TEST(test_limits) {
   check_mistake(repeat("", "1 ", "a", 1000000), false, "1:3", "aaa...\"");
   check_mistake(repeat("\n", "(", "", 100000), false, "100001:2", "found the end");
 }
-END_TEST
 
 /* ---- round trips */
 
@@ -392,7 +388,7 @@ static void spread(struct text *out, const char *s) {
   }
 }
 
-START_TEST(test_round_trip_trees) {
+TEST(test_round_trip_trees) {
   struct text t, wide;
   text_init(&t);
   text_init(&wide);
@@ -414,10 +410,9 @@ START_TEST(test_round_trip_trees) {
   text_clear(&t);
   text_clear(&wide);
 }
-END_TEST
 
 /* expr_same must tell trees apart: one changed node is seen, whichever it is. */
-START_TEST(test_same) {
+TEST(test_same) {
   struct table different;
   table_read(&different, "tests/cases/different.tsv", 1);
   for (int i = 0; i < different.n; i++)
@@ -428,7 +423,6 @@ START_TEST(test_same) {
   table_clear(&different);
   ck_assert(expr_same(tree(" a + b "), tree("a+b")));
 }
-END_TEST
 
 static const struct expr *random_scalar(int depth) {
   static const enum expr_kind unary[] = {EXPR_NEG, EXPR_SIN,  EXPR_COS,     EXPR_COT,     EXPR_SQRT,
@@ -470,7 +464,7 @@ static const struct expr *stripped(const struct expr *e) {
   }
 }
 
-START_TEST(test_round_trip_scalars) {
+TEST(test_round_trip_scalars) {
   struct text t;
   text_init(&t);
   for (uint64_t seed = 0; seed < 8000; seed++) {
@@ -485,10 +479,9 @@ START_TEST(test_round_trip_scalars) {
   }
   text_clear(&t);
 }
-END_TEST
 
 /* The places where a scalar needs parentheses, and those where it must not get them. */
-START_TEST(test_print_scalars) {
+TEST(test_print_scalars) {
   const struct expr *a = expr_sym(&pool, "a"), *b = expr_sym(&pool, "b"), *c = expr_sym(&pool, "c");
   const struct expr *neg = expr_op1(&pool, EXPR_NEG, a), *sum = expr_op2(&pool, EXPR_ADD, a, b);
   const struct expr *mul = expr_op2(&pool, EXPR_MUL, a, b), *quo = expr_op2(&pool, EXPR_DIV, a, b);
@@ -532,9 +525,8 @@ START_TEST(test_print_scalars) {
   }
   text_clear(&t);
 }
-END_TEST
 
-START_TEST(test_round_trip_statements) {
+TEST(test_round_trip_statements) {
   /* in the printer's own spacing, so that print(parse(s)) = s */
   static const char *const statements[] = {
       "chi := 0.8",
@@ -556,10 +548,9 @@ START_TEST(test_round_trip_statements) {
   }
   text_clear(&t);
 }
-END_TEST
 
 /* Whatever bytes come: a tree that prints and parses back, or a diagnostic; never both, never neither. */
-START_TEST(test_fuzz) {
+TEST(test_fuzz) {
   static const char *const seeds[] = {
       "H(t) := [cos(omega1*t), -sin(t)^2; 0.5e-3, (a + b)/c]",
       "e1 - 2*u_r1 < z'_1b - chi*z_2 <= H'(t_c)[1:2,3] for t in (0, t_a]",
@@ -611,11 +602,10 @@ START_TEST(test_fuzz) {
   ck_assert_int_gt(accepted, 1000);
   text_clear(&t);
 }
-END_TEST
 
 /* ---- LaTeX, by the conventions of mathematical typesetting and expr.h */
 
-START_TEST(test_latex) {
+TEST(test_latex) {
   enum { KIND, TYPED, TEX };
   struct table cases;
   struct text t;
@@ -635,10 +625,9 @@ START_TEST(test_latex) {
   table_clear(&cases);
   text_clear(&t);
 }
-END_TEST
 
 /* Scalars have no parentheses of their own: they get them where the meaning needs them. */
-START_TEST(test_latex_scalars) {
+TEST(test_latex_scalars) {
   const struct expr *a = expr_sym(&pool, "a"), *b = expr_sym(&pool, "b"), *two_ = expr_num(&pool, "2");
   const struct expr *quo = expr_op2(&pool, EXPR_DIV, a, b), *sum = expr_op2(&pool, EXPR_ADD, a, b);
   const struct {
@@ -663,11 +652,10 @@ START_TEST(test_latex_scalars) {
   }
   text_clear(&t);
 }
-END_TEST
 
 /* ---- the pool */
 
-START_TEST(test_pool) {
+TEST(test_pool) {
   char buffer[32] = "x";
   const struct expr *x = expr_sym(&pool, buffer);
   strcpy(buffer, "y");
@@ -711,9 +699,8 @@ START_TEST(test_pool) {
     }
   ck_assert_uint_eq(pool.n, before + 15000);
 }
-END_TEST
 
-START_TEST(test_subst) {
+TEST(test_subst) {
   const struct expr *x = expr_sym(&pool, "x"), *y = expr_sym(&pool, "y");
   const struct expr *by = expr_op2(&pool, EXPR_ADD, x, y);
   const struct {
@@ -734,7 +721,6 @@ START_TEST(test_subst) {
   const struct expr *e = stripped(tree("a*sin(b)"));
   ck_assert_ptr_eq(expr_subst(&pool, e, "x", by), e);
 }
-END_TEST
 
 /* ---- derivatives */
 
@@ -806,7 +792,7 @@ static long double quotient(const struct expr *e, struct point p, long double h)
 }
 
 /* Compared only where two step sizes agree, which says nothing about the derivative under test. */
-START_TEST(test_diff_random) {
+TEST(test_diff_random) {
   long compared = 0;
   for (uint64_t seed = 0; seed < 6000; seed++) {
     rng.state = seed;
@@ -829,10 +815,9 @@ START_TEST(test_diff_random) {
   }
   ck_assert_int_gt(compared, 3000);
 }
-END_TEST
 
 /* Tables of derivatives: text -> the known derivative, compared in value at several points. */
-START_TEST(test_diff_table) {
+TEST(test_diff_table) {
   struct table table;
   table_read(&table, "tests/cases/derivatives.tsv", 2);
   for (int i = 0; i < table.n; i++) {
@@ -847,10 +832,9 @@ START_TEST(test_diff_table) {
   }
   table_clear(&table);
 }
-END_TEST
 
 /* What is free of the symbol contributes nothing, not even a zero. */
-START_TEST(test_diff_no_zeros) {
+TEST(test_diff_no_zeros) {
   static const char *const cases[][2] = {
       {"a + b*c", "0"},
       {"a + x", "1"},
@@ -867,10 +851,9 @@ START_TEST(test_diff_no_zeros) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
     ck_assert_msg(expr_diff(&pool, stripped(tree(cases[i][0])), "x") == stripped(tree(cases[i][1])), "%s", cases[i][0]);
 }
-END_TEST
 
 /* A DAG of n nodes that is a tree of 2^n, and a chain of depth n: linear cost, no recursion. */
-START_TEST(test_deep) {
+TEST(test_deep) {
   const struct expr *wide = expr_sym(&pool, "x"), *deep = wide;
   for (int i = 0; i < 1000; i++) wide = expr_op2(&pool, i % 2 ? EXPR_MUL : EXPR_ADD, wide, wide);
   size_t before = pool.n;
@@ -897,40 +880,4 @@ START_TEST(test_deep) {
   expr_print(&t, deep);
   ck_assert_uint_eq(t.len, (size_t)depth * strlen("sin()") + 1);
   text_clear(&t);
-}
-END_TEST
-
-Suite *expr_suite(void) {
-  Suite *s = suite_create("expr");
-  table_read(&mistakes, "tests/cases/mistakes.tsv", 4);
-  table_read(&grammar, "tests/cases/grammar.tsv", 2);
-  TCase *language = tcase_create("language");
-  tcase_add_checked_fixture(language, setup, teardown);
-  tcase_set_timeout(language, 60); /* for sanitized builds on busy machines */
-  tcase_add_test(language, test_grammar);
-  tcase_add_test(language, test_statements);
-  tcase_add_test(language, test_first_order_in_prose);
-  tcase_add_test(language, test_spans);
-  tcase_add_test(language, test_mistakes);
-  tcase_add_test(language, test_limits);
-  tcase_add_test(language, test_round_trip_trees);
-  tcase_add_test(language, test_same);
-  tcase_add_test(language, test_round_trip_statements);
-  tcase_add_test(language, test_fuzz);
-  tcase_add_test(language, test_latex);
-  suite_add_tcase(s, language);
-  TCase *scalars = tcase_create("scalars");
-  tcase_add_checked_fixture(scalars, setup, teardown);
-  tcase_set_timeout(scalars, 60);
-  tcase_add_test(scalars, test_round_trip_scalars);
-  tcase_add_test(scalars, test_print_scalars);
-  tcase_add_test(scalars, test_latex_scalars);
-  tcase_add_test(scalars, test_pool);
-  tcase_add_test(scalars, test_subst);
-  tcase_add_test(scalars, test_diff_random);
-  tcase_add_test(scalars, test_diff_table);
-  tcase_add_test(scalars, test_diff_no_zeros);
-  tcase_add_test(scalars, test_deep);
-  suite_add_tcase(s, scalars);
-  return s;
 }

@@ -16,7 +16,7 @@
 #include "motion/margins.h"
 #include "motion/paper_route.h"
 #include "rational.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* --- The independent data. --- */
@@ -192,7 +192,9 @@ static bool is_sample(const struct dyn_orbit *o, const struct sample *s) {
   return worst < 1e-25;
 }
 
-START_TEST(every_pair_finds_the_orbit_again) {
+CASE("given", .once = {read_cut, clear_samples});
+
+TEST_EACH(every_pair_finds_the_orbit_again, N_CHOSEN) {
   const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
   for (int i = 0; i < N_QUANTITIES; i++)
     for (int k = i + 1; k < N_QUANTITIES; k++) {
@@ -222,9 +224,8 @@ START_TEST(every_pair_finds_the_orbit_again) {
       dyn_orbits_clear(&list);
     }
 }
-END_TEST
 
-START_TEST(given_times_fix_the_limits_to_any_precision) {
+TEST(given_times_fix_the_limits_to_any_precision) {
   const struct sample *s = find_sample("paper", 1);
   const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
   const fmpq value[2] = {s->x[QUANTITY_TB], s->x[QUANTITY_TC]};
@@ -235,11 +236,10 @@ START_TEST(given_times_fix_the_limits_to_any_precision) {
   check_orbit(s, &list.orbit[0], 3500, "t_b, t_c");
   dyn_orbits_clear(&list);
 }
-END_TEST
 
 /* An orbit beside its flip loses more bits in |tr J| - 1 than the guard holds: with t_b and t_c as data too, that costs
    a second attempt below the pilot's threshold and none above it. */
-START_TEST(the_first_precision_is_planned_from_times) {
+TEST(the_first_precision_is_planned_from_times) {
   static const slong prec[] = {256, 1500};
   static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1.8110582"};
   static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
@@ -265,9 +265,8 @@ START_TEST(the_first_precision_is_planned_from_times) {
   _fmpq_vec_clear(value, 2);
   _fmpq_vec_clear(params, N_PARAMS);
 }
-END_TEST
 
-START_TEST(no_stick_phase_is_solution_ii) {
+TEST(no_stick_phase_is_solution_ii) {
   /* t_a = 0 is the paper's own special case: an orbit of it is one of the word without D, and t_a > 0 fails exactly. */
   const struct sample *s = find_sample("negative-ta2", 1);
   const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TA};
@@ -284,9 +283,8 @@ START_TEST(no_stick_phase_is_solution_ii) {
   dyn_orbits_clear(&list);
   _fmpq_vec_clear(value, 2);
 }
-END_TEST
 
-START_TEST(impossible_values_are_told) {
+TEST(impossible_values_are_told) {
   const struct sample *s = find_sample("paper", 1);
   struct dyn_orbits list;
   fmpq *value = rationals((const char *const[]){"2", "4"}, 2), *model = rationals_of(s->params, 3);
@@ -303,7 +301,6 @@ START_TEST(impossible_values_are_told) {
   _fmpq_vec_clear(value, 2);
   _fmpq_vec_clear(model, 3);
 }
-END_TEST
 
 /* --- Margins. --- */
 
@@ -409,7 +406,9 @@ static bool violated(const struct sample *s, const char *id) {
   return false;
 }
 
-START_TEST(margins_are_those_of_the_motion) {
+CASE("margins", .once = {read_full, clear_samples});
+
+TEST_EACH(margins_are_those_of_the_motion, N_SAMPLES) {
   const struct sample *s = &sample[_i];
   struct dyn_orbits list;
   struct dyn_margins m;
@@ -447,9 +446,8 @@ START_TEST(margins_are_those_of_the_motion) {
   dyn_orbits_clear(&list);
   for (int i = 0; i < 2; i++) fmpq_clear(force + i);
 }
-END_TEST
 
-START_TEST(a_crest_before_the_event_is_seen) {
+TEST(a_crest_before_the_event_is_seen) {
   /* With t_b just after the second start of Gamma's motion, r stands below the crest before: not an orbit, but the
      margin must be that of the crest, where r has risen by a (t - sin t) + e1 (1 - cos t), z_1' being V again. */
   const struct sample *s = find_sample("paper", 1);
@@ -470,9 +468,8 @@ START_TEST(a_crest_before_the_event_is_seen) {
   dyn_margins_clear(&m);
   dyn_orbits_clear(&list);
 }
-END_TEST
 
-START_TEST(force_bounds_are_sharp) {
+TEST_EACH(force_bounds_are_sharp, N_SAMPLES) {
   const struct sample *s = &sample[_i];
   static const int low[2][2] = {{MARGIN_D_W_LOW, MARGIN_C_W_LOW}, {MARGIN_D_R_LOW, MARGIN_GAMMA_R_LOW}};
   struct dyn_orbits list;
@@ -504,7 +501,6 @@ START_TEST(force_bounds_are_sharp) {
   fmpq_clear(&nudge);
   for (int i = 0; i < 2; i++) fmpq_clear(force + i);
 }
-END_TEST
 
 /* --- The paper's route. --- */
 
@@ -533,7 +529,9 @@ static double condition(double a, double b, double c, double d) {
   return norm * inverse / fabs(a * d - b * c);
 }
 
-START_TEST(the_papers_route_leads_to_the_same_orbits) {
+CASE("paper route", .once = {read_full, clear_samples});
+
+TEST_EACH(the_papers_route_leads_to_the_same_orbits, N_CHOSEN) {
   const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
   struct paper_route r;
   double guess[4], p[N_PARAMS], n[N_STATE][N_STATE];
@@ -561,9 +559,8 @@ START_TEST(the_papers_route_leads_to_the_same_orbits) {
   ck_assert(r.condition.jacobian >= 1 && r.condition.jacobian < 1e8);
   paper_route_clear(&r);
 }
-END_TEST
 
-START_TEST(the_papers_printed_times_lead_to_its_orbit) {
+TEST(the_papers_printed_times_lead_to_its_orbit) {
   const struct sample *s = find_sample("paper", 1);
   const double printed[4] = {0.6784, 2, 1.5, 2.34}, nonsense[4] = {-400, 300, 500, 0.1};
   struct paper_route r;
@@ -577,29 +574,4 @@ START_TEST(the_papers_printed_times_lead_to_its_orbit) {
   bad[P_CHI] = s->params[P_ETA]; /* 1 */
   ck_assert_int_eq(paper_route_run(&r, bad, printed), SS_DOMAIN);
   paper_route_clear(&r);
-}
-END_TEST
-
-Suite *given_suite(void) {
-  Suite *s = suite_create("given");
-  TCase *c = tcase_create("given");
-  tcase_add_unchecked_fixture(c, read_cut, clear_samples);
-  tcase_add_loop_test(c, every_pair_finds_the_orbit_again, 0, N_CHOSEN);
-  tcase_add_test(c, given_times_fix_the_limits_to_any_precision);
-  tcase_add_test(c, the_first_precision_is_planned_from_times);
-  tcase_add_test(c, no_stick_phase_is_solution_ii);
-  tcase_add_test(c, impossible_values_are_told);
-  suite_add_tcase(s, c);
-  c = tcase_create("margins");
-  tcase_add_unchecked_fixture(c, read_full, clear_samples);
-  tcase_add_loop_test(c, margins_are_those_of_the_motion, 0, N_SAMPLES);
-  tcase_add_test(c, a_crest_before_the_event_is_seen);
-  tcase_add_loop_test(c, force_bounds_are_sharp, 0, N_SAMPLES);
-  suite_add_tcase(s, c);
-  c = tcase_create("paper route");
-  tcase_add_unchecked_fixture(c, read_full, clear_samples);
-  tcase_add_loop_test(c, the_papers_route_leads_to_the_same_orbits, 0, N_CHOSEN);
-  tcase_add_test(c, the_papers_printed_times_lead_to_its_orbit);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -20,7 +20,7 @@
 #include "every.h"
 #include "process.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 #ifdef STICKSLIP_COUNTED
@@ -181,7 +181,9 @@ static void make_bad_places(void) {
   ck_assert(mkdir(scratch_path("empty"), 0700) == 0);
 }
 
-START_TEST(bad_values_of_options) {
+CASE("input", .each = {scratch_open, scratch_close}, .seconds = 300);
+
+TEST(bad_values_of_options) {
   struct table options, values, flags;
   make_bad_places();
   open_table(&options, "options.tsv", 3);
@@ -196,10 +198,9 @@ START_TEST(bad_values_of_options) {
   table_clear(&values);
   table_clear(&options);
 }
-END_TEST
 
 /* Each option that the program has must be in the table of its kind. */
-START_TEST(every_option_is_in_the_tables) {
+TEST(every_option_is_in_the_tables) {
   struct trial j;
   struct table tables[2];
   open_table(&tables[0], "options.tsv", 3);
@@ -220,7 +221,6 @@ START_TEST(every_option_is_in_the_tables) {
   for (int i = 0; i < 2; i++) table_clear(&tables[i]);
   trial_clear(&j);
 }
-END_TEST
 
 /* --- Files --- */
 
@@ -370,7 +370,7 @@ static void try_place(const struct place *p, const char *recipe, int status, con
   trial_clear(&j);
 }
 
-START_TEST(bad_files) {
+TEST(bad_files) {
   struct table files;
   open_table(&files, "files.tsv", 4);
   for (int i = 0; i < files.n; i++) {
@@ -384,7 +384,6 @@ START_TEST(bad_files) {
   }
   table_clear(&files);
 }
-END_TEST
 
 /* --- Output that has nowhere to go --- */
 
@@ -410,7 +409,9 @@ static const char *const printing[] = {"list",
                                        "orbit --help",
                                        "--version"};
 
-START_TEST(nobody_reads) {
+CASE("output", .each = {scratch_open, scratch_close});
+
+TEST_EACH(nobody_reads, 3) {
   static const char *const out[] = {"/dev/full", "closed", "pipe"};
   static const char *const why[] = {"No space left on device", "Bad file descriptor", NULL}; /* a reader may stop */
   for (size_t i = 0; i < sizeof printing / sizeof *printing; i++) {
@@ -425,10 +426,9 @@ START_TEST(nobody_reads) {
     trial_clear(&j);
   }
 }
-END_TEST
 
 /* Differences that nobody can read are no answer. */
-START_TEST(a_difference_that_cannot_be_said) {
+TEST(a_difference_that_cannot_be_said) {
   struct trial j;
   const char *other =
       scratch_put("other.json", "{\"schema\": \"stickslip-audit-2\", \"summary\": {}, \"checks\": {}, \"claims\": []}");
@@ -441,7 +441,6 @@ START_TEST(a_difference_that_cannot_be_said) {
   ck_assert_int_eq(j.end.status, 3);
   trial_clear(&j);
 }
-END_TEST
 
 /* Commands that write files: into a folder, or one file. */
 static const struct {
@@ -485,7 +484,7 @@ static void old_one_stays(const struct trial *j, int i, const char *path) {
   ck_assert_msg(part || strcmp(list, name) == 0, "%s leaves %s", shown(j), list);
 }
 
-START_TEST(a_read_only_folder) {
+TEST_EACH(a_read_only_folder, N_WRITING) {
   struct trial j;
   const char *path = old_file(&j, _i, 0555);
   j.place.nobody = true;
@@ -495,10 +494,9 @@ START_TEST(a_read_only_folder) {
   old_one_stays(&j, _i, path);
   trial_clear(&j);
 }
-END_TEST
 
 /* The signal that comes with it must not end the program. */
-START_TEST(a_full_disk) {
+TEST_EACH(a_full_disk, N_WRITING) {
   struct trial j;
   const char *path = old_file(&j, _i, 0755);
   j.place.file = 600;
@@ -510,10 +508,9 @@ START_TEST(a_full_disk) {
   old_one_stays(&j, _i, path);
   trial_clear(&j);
 }
-END_TEST
 
 /* What is asked for in a folder that is not there, fails, and leaves no folder. */
-START_TEST(a_new_folder_goes_again) {
+TEST_EACH(a_new_folder_goes_again, N_WRITING + 3) {
   static const char *const others[] = {"plot paper --out", "stability nosuch --quick --jobs 1 --out",
                                        "bench --quick --job propagator --inputs"};
   const char *words = _i < N_WRITING ? writing[_i].words : others[_i - N_WRITING];
@@ -528,7 +525,6 @@ START_TEST(a_new_folder_goes_again) {
   ck_assert_msg(access(scratch_path("new"), F_OK) != 0, "%s leaves a folder", shown(&j));
   trial_clear(&j);
 }
-END_TEST
 
 static bool can_preload(void) {
   return !SANITIZED && access(beside("faults.so"), R_OK) == 0;
@@ -552,7 +548,7 @@ enum { N_ENDINGS = sizeof endings / sizeof *endings };
 
 /* When every file is written and none is renamed, the old ones stay.  verify says so, with its status; other commands
    are ended by the signal. */
-START_TEST(a_signal_while_files_are_written) {
+TEST_EACH(a_signal_while_files_are_written, N_ENDINGS) {
   if (!can_preload()) return;
   for (int i = 0; i < 2; i++) { /* a report of several files, a certificate */
     struct trial j;
@@ -568,10 +564,9 @@ START_TEST(a_signal_while_files_are_written) {
     trial_clear(&j);
   }
 }
-END_TEST
 
 /* When some files are renamed, the others follow: a folder never holds a report that is half new. */
-START_TEST(a_signal_between_two_renames) {
+TEST_EACH(a_signal_between_two_renames, N_ENDINGS) {
   if (!can_preload()) return;
   struct trial j;
   shell_well("$P verify --only eq-3 --quiet --out $D/whole");
@@ -588,10 +583,9 @@ START_TEST(a_signal_between_two_renames) {
   ck_assert_str_eq(scratch_list(scratch_path("out0")), scratch_list(scratch_path("whole")));
   trial_clear(&j);
 }
-END_TEST
 
 /* What a run that was killed between two renames left goes with the next run; a file of the user's does not. */
-START_TEST(a_killed_run_leaves_nothing_for_long) {
+TEST(a_killed_run_leaves_nothing_for_long) {
   if (!can_preload()) return;
   struct trial j;
   old_file(&j, 0, 0755);
@@ -608,10 +602,9 @@ START_TEST(a_killed_run_leaves_nothing_for_long) {
   ck_assert(scratch_says("out0/audit.json.backup", "mine\n"));
   trial_clear(&j);
 }
-END_TEST
 
 /* A run at a folder to which another one is writing waits for it. */
-START_TEST(two_runs_at_one_folder) {
+TEST(two_runs_at_one_folder) {
   struct trial j;
   const char *path = old_file(&j, 0, 0755);
   int other = open(scratch_path("out0"), O_RDONLY | O_CLOEXEC);
@@ -627,13 +620,12 @@ START_TEST(two_runs_at_one_folder) {
   free(now);
   trial_clear(&j);
 }
-END_TEST
 
 /* --- What the programs are built with --- */
 
 /* Tables that nothing can write to once the program runs, addresses drawn by each run, a watched stack, and bounds of
    copies that are checked, by readelf. */
-START_TEST(a_hardened_build) {
+TEST_EACH(a_hardened_build, 3) {
   static const char *const file[] = {"stickslip", "libstickslip.so.0", "stickslip-checker"};
   static const char *const wanted[] = {"GNU_RELRO", "BIND_NOW", "Elf file type is DYN", "__stack_chk_fail",
 #ifdef _FORTIFY_SOURCE /* not without optimisation, nor beside a sanitizer */
@@ -645,12 +637,11 @@ START_TEST(a_hardened_build) {
     ck_assert_msg(strstr(out, wanted[i]) != NULL, "%s: no %s", file[_i], wanted[i]);
   free(out);
 }
-END_TEST
 
 /* --- Memory that ends --- */
 
 /* A stack that cannot be had is said; one that can is taken. */
-START_TEST(a_small_stack) {
+TEST(a_small_stack) {
   if (SANITIZED) return;
   char *out = shell_said("(ulimit -c 0; ulimit -s 64; exec $P verify --only eq-3 --out $D/r) 2>&1; test $? = 5");
   ck_assert_msg(strncmp(out, "stickslip: error: the stack is too small", 40) == 0 && strchr(out, '\n')[1] == '\0', "%s",
@@ -658,7 +649,6 @@ START_TEST(a_small_stack) {
   free(out);
   shell_well("ulimit -c 0; ulimit -S -s 64; exec $P verify --only eq-3 --out $D/r");
 }
-END_TEST
 
 static const char *const allocating[] = {
     "list",
@@ -733,19 +723,23 @@ static void every_allocation(const char *words, long percent, long most) {
   trial_clear(&j);
 }
 
-START_TEST(some_allocations_fail) {
+CASE("memory", .each = {scratch_open, scratch_close}, .seconds = 300);
+
+TEST_EACH(some_allocations_fail, N_ALLOCATING) {
   if (can_preload()) every_allocation(allocating[_i], 200, 0);
 }
-END_TEST
 
-START_TEST(all_allocations_fail) {
+CASE("memory, exhaustively", .each = {scratch_open, scratch_close}, .seconds = 3600, .tags = "long exhaustive");
+
+TEST_EACH(all_allocations_fail, N_ALLOCATING) {
   enum { MOST = 3000 };
   if (can_preload()) every_allocation(allocating[_i], 0, MOST);
 }
-END_TEST
+
+CASE("memory");
 
 /* Under a limit, memory ends where it is asked for in earnest: mostly inside FLINT and GMP. */
-START_TEST(little_memory) {
+TEST(little_memory) {
   if (SANITIZED) return;
   static const char *const words[] = {"orbit paper --digits 30000", "readings paper", "orbit four --digits 3000"};
   for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
@@ -764,7 +758,6 @@ START_TEST(little_memory) {
     trial_clear(&j);
   }
 }
-END_TEST
 
 /* --- What the fuzzers have tried --- */
 
@@ -772,7 +765,9 @@ static const char *const targets[] = {"reader", "latex",  "model",   "claims",  
                                       "json",   "report", "options", "certificate", "quotes"};
 enum { N_TARGETS = sizeof targets / sizeof *targets };
 
-START_TEST(the_corpus_of_a_fuzzer) {
+CASE("input");
+
+TEST_EACH(the_corpus_of_a_fuzzer, N_TARGETS) {
   struct trial j;
   char name[40], corpus[60];
   snprintf(name, sizeof name, "replay-%s", targets[_i]);
@@ -783,47 +778,4 @@ START_TEST(the_corpus_of_a_fuzzer) {
   const char *last = strstr(j.end.out, " inputs\n");
   ck_assert_msg(j.end.status == 0 && last, "%s: %d, %.1500s", name, j.end.status, j.end.err);
   trial_clear(&j);
-}
-END_TEST
-
-Suite *hostile_suite(void) {
-  Suite *s = suite_create("hostile");
-  TCase *tc = tcase_create("input");
-  tcase_set_timeout(tc, 300);
-  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
-  tcase_add_test(tc, bad_values_of_options);
-  tcase_add_test(tc, every_option_is_in_the_tables);
-  tcase_add_test(tc, bad_files);
-  tcase_add_loop_test(tc, the_corpus_of_a_fuzzer, 0, N_TARGETS);
-  suite_add_tcase(s, tc);
-
-  tc = tcase_create("output");
-  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
-  tcase_add_loop_test(tc, nobody_reads, 0, 3);
-  tcase_add_test(tc, a_difference_that_cannot_be_said);
-  tcase_add_loop_test(tc, a_read_only_folder, 0, N_WRITING);
-  tcase_add_loop_test(tc, a_full_disk, 0, N_WRITING);
-  tcase_add_test(tc, a_killed_run_leaves_nothing_for_long);
-  tcase_add_test(tc, two_runs_at_one_folder);
-  tcase_add_loop_test(tc, a_hardened_build, 0, 3);
-  tcase_add_loop_test(tc, a_new_folder_goes_again, 0, N_WRITING + 3);
-  tcase_add_test(tc, a_small_stack);
-  tcase_add_loop_test(tc, a_signal_while_files_are_written, 0, N_ENDINGS);
-  tcase_add_loop_test(tc, a_signal_between_two_renames, 0, N_ENDINGS);
-  suite_add_tcase(s, tc);
-
-  tc = tcase_create("memory");
-  tcase_set_timeout(tc, 300);
-  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
-  tcase_add_loop_test(tc, some_allocations_fail, 0, N_ALLOCATING);
-  tcase_add_test(tc, little_memory);
-  suite_add_tcase(s, tc);
-
-  tc = tcase_create("memory, exhaustively");
-  tcase_set_tags(tc, "long exhaustive");
-  tcase_set_timeout(tc, 3600);
-  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
-  tcase_add_loop_test(tc, all_allocations_fail, 0, N_ALLOCATING);
-  suite_add_tcase(s, tc);
-  return s;
 }

@@ -15,7 +15,7 @@
 #include "report/report.h"
 #include "report/sheet.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 #include "whole.h"
 
@@ -50,7 +50,7 @@ static void set(struct text *out, const char *tex) {
   text_clear(&t);
 }
 
-START_TEST(formulas_are_set) {
+TEST(formulas_are_set) {
   static const struct {
     const char *tex, *mathml;
   } cases[] = {
@@ -123,9 +123,8 @@ START_TEST(formulas_are_set) {
     text_clear(&t);
   }
 }
-END_TEST
 
-START_TEST(what_is_no_formula_is_shown_as_typed) {
+TEST(what_is_no_formula_is_shown_as_typed) {
   struct table cases;
   table_read(&cases, "tests/cases/no_formulas.tsv", 1);
   for (int i = 0; i < cases.n; i++) {
@@ -139,10 +138,9 @@ START_TEST(what_is_no_formula_is_shown_as_typed) {
   }
   table_clear(&cases);
 }
-END_TEST
 
 /* As many levels as the checker allows, and one more. */
-START_TEST(deep_formulas) {
+TEST(deep_formulas) {
   for (int depth = 62; depth < 66; depth++) {
     struct text tex, t;
     text_init(&tex);
@@ -155,7 +153,6 @@ START_TEST(deep_formulas) {
     text_clear(&tex);
   }
 }
-END_TEST
 
 /* The TeX of each piece, with bars between. */
 static void pieces(struct text *out, const char *tex) {
@@ -170,7 +167,7 @@ static void pieces(struct text *out, const char *tex) {
   text_clear(&t);
 }
 
-START_TEST(formulas_break_where_tex_would) {
+TEST(formulas_break_where_tex_would) {
   static const struct {
     const char *tex, *pieces;
   } cases[] = {
@@ -195,7 +192,6 @@ START_TEST(formulas_break_where_tex_would) {
     text_clear(&t);
   }
 }
-END_TEST
 
 /* --- What differs --- */
 
@@ -209,7 +205,7 @@ static const char *marked(const char *tex, const bool *marks) {
   return line;
 }
 
-START_TEST(what_differs_is_marked) {
+TEST(what_differs_is_marked) {
   enum { FIRST, SECOND, IN_FIRST, IN_SECOND };
   struct table cases;
   table_read(&cases, "tests/cases/marks.tsv", 4);
@@ -221,10 +217,9 @@ START_TEST(what_differs_is_marked) {
   }
   table_clear(&cases);
 }
-END_TEST
 
 /* V in the matrix alone: its neighbours tell it from the other. */
-START_TEST(marks_are_carried_to_the_quotation) {
+TEST(marks_are_carried_to_the_quotation) {
   static const char text[] = "with V $V = 1, D = \\begin{pmatrix} I & V tI \\\\ 0 & I \\end{pmatrix}$ and $V t$";
   static const char a[] = "D = \\begin{pmatrix} I & V \\, t \\, I \\\\ 0 & I \\end{pmatrix}";
   static const char b[] = "D = \\begin{pmatrix} I & t \\, I \\\\ 0 & I \\end{pmatrix}";
@@ -238,17 +233,15 @@ START_TEST(marks_are_carried_to_the_quotation) {
   ck_assert(strstr(t.data, "<mrow class=\"chg\"><mi>V</mi></mrow><mi>t</mi>"));
   text_clear(&t);
 }
-END_TEST
 
 /* Two places that look alike: neither is marked. */
-START_TEST(no_mark_where_the_place_is_not_clear) {
+TEST(no_mark_where_the_place_is_not_clear) {
   static const char text[] = "$J_b y_b$ and $J_b y_b$", a[] = "J_b y_b", b[] = "J_b y_a";
   bool in_a[sizeof a], in_b[sizeof b], in_text[sizeof text];
   ck_assert(formula_changes(in_a, a, in_b, b));
   formula_changes_in_text(in_text, text, a, in_a);
   for (size_t i = 0; i + 1 < sizeof text; i++) ck_assert(!in_text[i]);
 }
-END_TEST
 
 /* --- Pages --- */
 
@@ -280,8 +273,10 @@ static void put_all(const struct audit_result *r) {
   for (size_t i = 0; i < r->n_tables; i++) scratch_put(r->tables[i].name, r->tables[i].text);
 }
 
+CASE("page", .each = {scratch_open, scratch_close});
+
 /* The paper's own report: every formula in it is set. */
-START_TEST(the_papers_page) {
+TEST(the_papers_page) {
   struct audit_result r;
   whole_open();
   whole_record(&r);
@@ -290,7 +285,6 @@ START_TEST(the_papers_page) {
   if (there_is("chromium")) shell_well("$Y tests/oracle/browser.py $D build/npm");
   audit_result_clear(&r);
 }
-END_TEST
 
 /* A record in which every string is a trap.  Ids are made distinct. */
 enum { MOST_TRAPS = 60 };
@@ -383,7 +377,7 @@ static const char *unescaped(const char *page, const char *words) {
   return s;
 }
 
-START_TEST(nothing_quoted_breaks_a_page) {
+TEST(nothing_quoted_breaks_a_page) {
   struct table all;
   table_read(&all, "tests/cases/traps_page.tsv", 1);
   const char *traps[MOST_TRAPS];
@@ -402,10 +396,11 @@ START_TEST(nothing_quoted_breaks_a_page) {
   for (size_t k = 0; k < 2; k++) free(pages[k]);
   table_clear(&all);
 }
-END_TEST
+
+CASE("html");
 
 /* Bytes that are no characters: the page has none of them. */
-START_TEST(broken_bytes_are_replaced) {
+TEST(broken_bytes_are_replaced) {
   static const char *const bytes[] = {"\xff",         "\xc3",         "\xc3(",    "\xe2\x82",
                                       "\xf0\x9d\x92", "\xed\xa0\x80", "\xc0\xaf", "\x80"};
   for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) {
@@ -416,9 +411,10 @@ START_TEST(broken_bytes_are_replaced) {
     text_clear(&t);
   }
 }
-END_TEST
 
-START_TEST(a_long_text_and_a_long_formula) {
+CASE("page");
+
+TEST(a_long_text_and_a_long_formula) {
   enum { LENGTH = 100000 };
   static char text[LENGTH + 1], formula[LENGTH + 3];
   memset(text, 'a', LENGTH);
@@ -431,14 +427,12 @@ START_TEST(a_long_text_and_a_long_formula) {
   t.f[1].printed = t.f[1].printed_part = text; /* too long to be compared */
   put_all(&r);
 }
-END_TEST
 
-START_TEST(a_record_of_nothing) {
+TEST(a_record_of_nothing) {
   struct audit_result r = {.scene = "s"};
   put_all(&r);
   shell_well("$Y tests/oracle/page.py $D");
 }
-END_TEST
 
 /* --- A small record whose page can be told in advance --- */
 
@@ -447,7 +441,7 @@ static struct finding small_finding(const char *id, enum verdict v, enum verdict
       .id = id, .section = "model", .title = id, .verdict = v, .reproduce = "again", .recorded = recorded};
 }
 
-START_TEST(what_stands_where) {
+TEST(what_stands_where) {
   struct finding f[] = {
       small_finding("eq-1", VERDICT_PROVED, VERDICT_PROVED), small_finding("eq-2", VERDICT_CONDITIONAL, N_VERDICTS),
       small_finding("eq-3", VERDICT_UNKNOWN, VERDICT_PROVED), small_finding("text-4", VERDICT_REFUTED, VERDICT_REFUTED),
@@ -463,11 +457,10 @@ START_TEST(what_stands_where) {
   ck_assert(!strstr(page, "id=\"f-eq-1\"") && !strstr(page, "id=\"f-text-5\""));
   free(page);
 }
-END_TEST
 
 /* The score is shown as it was counted, digits beside the precision, and none where there is no study or no
    residual. */
-START_TEST(power_and_digits) {
+TEST(power_and_digits) {
   struct mutation_score score = {.counted = 1000,
                                  .noticed = 850,
                                  .formulas = 600,
@@ -495,10 +488,9 @@ START_TEST(power_and_digits) {
   free(without);
   free(with);
 }
-END_TEST
 
 /* A route that only states or is undecided is no second one; definitions are not counted. */
-START_TEST(claims_by_one_route) {
+TEST(claims_by_one_route) {
   struct evidence e[] = {{.route = "balls", .layer = "l", .result = "agrees", .bits = -1},
                          {.route = "exact", .layer = "l", .result = "states", .bits = -1},
                          {.route = "fd", .layer = "l", .result = "undecided", .bits = -1},
@@ -519,11 +511,10 @@ START_TEST(claims_by_one_route) {
   ck_assert(strstr(page, "; exact (<a href=\"#c-three\"><code>three</code></a>).</li>"));
   free(page);
 }
-END_TEST
 
 /* The letter says from the record what was read, what is wrong beside what is right, which reading gives every number,
    each error with what it changes, which equations hold, where the solution is stable; then come the findings. */
-START_TEST(the_letter) {
+TEST(the_letter) {
   struct named_value value[] = {{"printed", "5"}, {"value", "7.25"}};
   struct evidence stable = {
       .route = "balls", .layer = "model", .result = "states", .note = "tr J = 3, THE FATE; admissible", .bits = -1};
@@ -592,11 +583,10 @@ START_TEST(the_letter) {
   ck_assert(!strstr(page, "SO 3") && !strstr(strstr(page, "r-slip\">"), "<article"));
   free(page);
 }
-END_TEST
 
 /* A scene whose data are no example's in print: the data stand at the top of each text, nothing is addressed to the
    authors, and the picture names its orbit. */
-START_TEST(other_data_are_no_letter) {
+TEST(other_data_are_no_letter) {
   struct data_table along = {
       "along-e2.tsv", "change\te2\te2_to\ttrace\tperiod\tstable\tadmissible\n-\t1\t-\t-1.5\t6\tno\tyes\n", "ORBIT 7"};
   struct audit_result r = {.scene = "s", .title = "", .data = "chi = 2/3, e2 = 1/4", .tables = &along, .n_tables = 1};
@@ -613,9 +603,8 @@ START_TEST(other_data_are_no_letter) {
   ck_assert(strstr(page, "with the other data of the example,") && !strstr(page, "this scene"));
   free(page);
 }
-END_TEST
 
-START_TEST(junit_fails_where_the_record_differs) {
+TEST(junit_fails_where_the_record_differs) {
   struct finding f[] = {
       small_finding("a", VERDICT_PROVED, VERDICT_PROVED),   small_finding("b", VERDICT_REFUTED, VERDICT_REFUTED),
       small_finding("c", VERDICT_SKIPPED, VERDICT_SKIPPED), small_finding("d", VERDICT_PROVED, VERDICT_REFUTED),
@@ -649,10 +638,11 @@ START_TEST(junit_fails_where_the_record_differs) {
       "  </testsuite>\n</testsuites>\n");
   free(xml);
 }
-END_TEST
+
+CASE("html");
 
 /* Signs are set and what is quoted is left to be copied; what ends a sentence stays on the line of its formula. */
-START_TEST(sentences_are_set) {
+TEST(sentences_are_set) {
   enum { TEXT, HTML };
   struct table cases;
   table_read(&cases, "tests/cases/sentences.tsv", 2);
@@ -673,9 +663,10 @@ START_TEST(sentences_are_set) {
   }
   table_clear(&cases);
 }
-END_TEST
 
-START_TEST(csv_quotes) {
+CASE("page");
+
+TEST(csv_quotes) {
   struct finding f = small_finding("a", VERDICT_PROVED, N_VERDICTS);
   f.title = "say \"so\", twice\nand\x01";
   struct audit_result r = {.scene = "s", .findings = &f, .n_findings = 1};
@@ -685,10 +676,9 @@ START_TEST(csv_quotes) {
       "\"a\",\"paper\",,\"model\",\"say \"\"so\"\", twice\nand \",\"proved\",,,\"substance\",,,,,,,,,,\"again\"\n");
   free(csv);
 }
-END_TEST
 
 /* A spreadsheet computes nothing, and numbers stay numbers. */
-START_TEST(csv_is_no_formula) {
+TEST(csv_is_no_formula) {
   struct table cells;
   table_read(&cells, "tests/cases/csv.tsv", 2);
   for (int i = 0; i < cells.n; i++) {
@@ -699,36 +689,4 @@ START_TEST(csv_is_no_formula) {
     text_clear(&t);
   }
   table_clear(&cells);
-}
-END_TEST
-
-Suite *html_suite(void) {
-  Suite *s = suite_create("html");
-  TCase *c = tcase_create("formulas");
-  tcase_add_test(c, formulas_are_set);
-  tcase_add_test(c, what_is_no_formula_is_shown_as_typed);
-  tcase_add_test(c, deep_formulas);
-  tcase_add_test(c, formulas_break_where_tex_would);
-  tcase_add_test(c, sentences_are_set);
-  tcase_add_test(c, what_differs_is_marked);
-  tcase_add_test(c, marks_are_carried_to_the_quotation);
-  tcase_add_test(c, no_mark_where_the_place_is_not_clear);
-  tcase_add_test(c, broken_bytes_are_replaced);
-  suite_add_tcase(s, c);
-  c = tcase_create("page");
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, the_papers_page);
-  tcase_add_test(c, nothing_quoted_breaks_a_page);
-  tcase_add_test(c, a_long_text_and_a_long_formula);
-  tcase_add_test(c, a_record_of_nothing);
-  tcase_add_test(c, what_stands_where);
-  tcase_add_test(c, power_and_digits);
-  tcase_add_test(c, claims_by_one_route);
-  tcase_add_test(c, the_letter);
-  tcase_add_test(c, other_data_are_no_letter);
-  tcase_add_test(c, junit_fails_where_the_record_differs);
-  tcase_add_test(c, csv_quotes);
-  tcase_add_test(c, csv_is_no_formula);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -18,7 +18,7 @@
 #include "route/jacobian.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 #include "value/orbits.h"
 
@@ -119,8 +119,10 @@ static double size_of(arb_srcptr j) {
   return most;
 }
 
+CASE("period", .once = {open_data, close_data}, .seconds = 300);
+
 /* On every orbit the differences in double are within the accuracy they state, and it is an accuracy worth having. */
-START_TEST(fd_double_keeps_its_word_on_every_orbit) {
+TEST(fd_double_keeps_its_word_on_every_orbit) {
   arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
   arb_t trace;
   arb_init(trace);
@@ -144,7 +146,6 @@ START_TEST(fd_double_keeps_its_word_on_every_orbit) {
   _arb_vec_clear(y, 6);
   _arb_vec_clear(x, 6);
 }
-END_TEST
 
 /* One phase from a state: the derivatives along the axes in double precision against those in balls.  Returns the
    largest error as a part of the stated accuracy. */
@@ -174,7 +175,7 @@ static double strain(enum phase ph, const double *params, const double *in, doub
 /* Two cases that once stated too little.  A long phase Gamma: the times of close neighbours met the sawtooth of their
    roundings on one slope, which hid the noise.  And a phase H that starts on its own switching surface, where the root
    at t = 0 is there on both sides of the start and the long steps went to it together. */
-START_TEST(cases_that_stated_too_little) {
+TEST_EACH(cases_that_stated_too_little, 2) {
   static const struct {
     enum phase phase;
     double params[N_PARAMS], z[N_STATE];
@@ -189,10 +190,9 @@ START_TEST(cases_that_stated_too_little) {
   double s = strain(cases[_i].phase, cases[_i].params, cases[_i].z, near);
   ck_assert_msg(s < 1, "%g of what is stated", s);
 }
-END_TEST
 
 /* Random states and parameters, half a thousand phases: never more than is stated. */
-START_TEST(fd_double_keeps_its_word_on_random_phases) {
+TEST(fd_double_keeps_its_word_on_random_phases) {
   struct rng r = {12345};
   double most = 0;
   int tried = 0;
@@ -215,10 +215,9 @@ START_TEST(fd_double_keeps_its_word_on_random_phases) {
   ck_assert_int_ge(tried, 500);
   ck_assert_msg(most > 0.01, "the accuracy stated is a hundred times too large: %g", most);
 }
-END_TEST
 
 /* The integration of (1)-(2), wherever Coulomb's law follows the orbit. */
-START_TEST(ode_keeps_its_word_on_every_admissible_orbit) {
+TEST(ode_keeps_its_word_on_every_admissible_orbit) {
   arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
   struct diag d;
   int held = 0;
@@ -239,7 +238,6 @@ START_TEST(ode_keeps_its_word_on_every_admissible_orbit) {
   _arb_vec_clear(y, 6);
   _arb_vec_clear(x, 6);
 }
-END_TEST
 
 /* --- Phase by phase --- */
 
@@ -274,7 +272,9 @@ static const struct jacobian_matrix *matrix_of(const struct jacobian_phases *p, 
   ck_abort_msg("no matrix %s", name);
 }
 
-START_TEST(methods_agree_phase_by_phase_on_every_orbit) {
+CASE("phases", .once = {open_data, close_data}, .seconds = 300);
+
+TEST_EACH(methods_agree_phase_by_phase_on_every_orbit, 4) {
   struct jacobian_phases p;
   struct diag d;
   int admissible = 0, with_ode = 0;
@@ -302,10 +302,9 @@ START_TEST(methods_agree_phase_by_phase_on_every_orbit) {
   ck_assert_int_ge(admissible, 3);
   ck_assert_int_ge(with_ode, 10); /* some phases of an orbit that breaks a condition elsewhere */
 }
-END_TEST
 
 /* The kinds of orbits that must be among those with V and eta different from 1 on which all methods agree. */
-START_TEST(the_orbits_are_of_many_kinds) {
+TEST(the_orbits_are_of_many_kinds) {
   int all = 0, stable = 0, above_one = 0, beyond_pi = 0, coexisting = 0, long_slip = 0;
   for (int i = 0; i < n_samples; i++) {
     const struct sample *o = &samples[i];
@@ -324,7 +323,6 @@ START_TEST(the_orbits_are_of_many_kinds) {
   ck_assert_int_ge(all, 10);
   ck_assert(stable >= 1 && above_one >= 1 && beyond_pi >= 1 && coexisting >= 1 && long_slip >= 1);
 }
-END_TEST
 
 /* The entries of the paper's local Jacobians in terms of the 4x4 derivatives l of jacobian.tsv, by hand from the
    sentences around (27), (32), (36) and (40). */
@@ -358,7 +356,7 @@ static void read_locals(double (*l)[4][4], const struct sample *o) {
   ck_assert_int_eq(n, 64);
 }
 
-START_TEST(local_jacobians_are_those_made_elsewhere) {
+TEST_EACH(local_jacobians_are_those_made_elsewhere, 4) {
   static const char *const names[] = {"paper", "stable", "long-slip", "beyond-tstar2"};
   static const int index[] = {1, 0, 1, 1};
   for (int i = 0; i < n_samples; i++) {
@@ -385,7 +383,6 @@ START_TEST(local_jacobians_are_those_made_elsewhere) {
   }
   ck_abort_msg("no orbit %s", names[_i]);
 }
-END_TEST
 
 /* "analytic-printed:J_f[1,1] ..." */
 static void departures(struct text *out, const struct jacobian_phases *p) {
@@ -422,23 +419,23 @@ static void departs_at(const struct model *m, const char *v, const char *want) {
          ":J_f[2,3] "
 
 /* ktilde_4 of (40) is printed with V below and not above: every entry of J_f holds it, and no other matrix. */
-START_TEST(the_wrong_entries_are_located) {
+TEST(the_wrong_entries_are_located) {
   departs_at(&model, "2", ALL_OF_J_F("analytic-printed") ALL_OF_J("analytic-printed"));
   departs_at(&model, "1", "");
 }
-END_TEST
 
 /* An error of ours in ktilde_2, which stands in the second row of J_c alone; the errata do not mend it. */
-START_TEST(another_wrong_entry_is_located_too) {
+TEST(another_wrong_entry_is_located_too) {
 #define ROW(method) method ":J_c[2,1] " method ":J_c[2,2] " ALL_OF_J(method)
   departs_at(&damaged, "1", ROW("analytic-printed") ROW("analytic-corrected"));
 #undef ROW
 }
-END_TEST
 
 /* --- Eigenvalues --- */
 
-START_TEST(eigenvalues_of_known_matrices) {
+CASE("period");
+
+TEST(eigenvalues_of_known_matrices) {
   static const struct {
     double m[4], re[2], im[2];
   } cases[] = {{{2, 1, 1, 2}, {1, 3}, {0, 0}},
@@ -458,10 +455,9 @@ START_TEST(eigenvalues_of_known_matrices) {
   ck_assert_int_eq(dyn_eigenvalues_d(re, im, (const double[]){1, NAN, 0, 1}), SS_UNABLE);
   ck_assert_int_eq(dyn_eigenvalues_d(re, im, (const double[]){1, 0, INFINITY, 1}), SS_UNABLE);
 }
-END_TEST
 
 /* GSL, which knows of no vanishing determinant, finds 0 and the trace on every orbit. */
-START_TEST(eigenvalues_both_ways) {
+TEST(eigenvalues_both_ways) {
   arb_ptr x = _arb_vec_init(6);
   for (int i = 0; i < n_samples; i++) {
     struct sample *o = &samples[i];
@@ -477,7 +473,6 @@ START_TEST(eigenvalues_both_ways) {
   }
   _arb_vec_clear(x, 6);
 }
-END_TEST
 
 /* --- Scenes that give other quantities than e1 and e2 --- */
 
@@ -489,7 +484,9 @@ static void from_times(arb_t x, const char *name) {
   table_clear(&t);
 }
 
-START_TEST(every_method_at_given_times) {
+CASE("given", .once = {open_data, close_data}, .seconds = 300);
+
+TEST(every_method_at_given_times) {
   static const char *const entry[] = {"J11", "J12", "J21", "J22"};
   struct scene s;
   struct diag d;
@@ -512,10 +509,9 @@ START_TEST(every_method_at_given_times) {
   _arb_vec_clear(x, 6);
   scene_clear(&s);
 }
-END_TEST
 
 /* The orbit of the file from two others of its numbers, cut to 40 digits: the same trace to 30. */
-START_TEST(any_two_quantities_make_the_same_jacobian) {
+TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
   static const int pairs[][2] = {{0, 3}, {1, 4}, {3, 4}, {2, 3}, {4, 5}, {0, 2}};
   static const char *const names[] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
   const struct sample *o = NULL;
@@ -555,11 +551,10 @@ START_TEST(any_two_quantities_make_the_same_jacobian) {
   _arb_vec_clear(x, 6);
   scene_clear(&s);
 }
-END_TEST
 
 /* At printed numbers e1 and e2 that are not given are the printed ones, and times that are not printed the given
    ones. */
-START_TEST(printed_numbers_stand_in_for_what_is_not_given) {
+TEST(printed_numbers_stand_in_for_what_is_not_given) {
   static const char printed[] = "printed: t_a = 0.6784\nprinted: t_b = 2\nprinted: t_c = 1.5\nprinted: t_d = 2.34\n"
                                 "printed: z10 = 0.8921\nprinted: z20 = -2.1958\n";
   static const char *const given[] = {"e1 = 2.7844\ne2 = 0.8587\n",
@@ -591,42 +586,8 @@ START_TEST(printed_numbers_stand_in_for_what_is_not_given) {
   _arb_vec_clear(y, 6);
   _arb_vec_clear(x, 6);
 }
-END_TEST
 
 /* Extreme scenes, tests/extreme: every number against three times the digits. */
-START_TEST(no_wrong_digit_is_printed) {
+TEST(no_wrong_digit_is_printed) {
   shell_well("\"$Y\" tests/oracle/extreme.py \"$P\" tests/extreme/*.scene");
-}
-END_TEST
-
-Suite *jacobian_suite(void) {
-  Suite *s = suite_create("jacobian");
-  TCase *c = tcase_create("period");
-  tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, open_data, close_data);
-  tcase_add_test(c, fd_double_keeps_its_word_on_every_orbit);
-  tcase_add_loop_test(c, cases_that_stated_too_little, 0, 2);
-  tcase_add_test(c, fd_double_keeps_its_word_on_random_phases);
-  tcase_add_test(c, ode_keeps_its_word_on_every_admissible_orbit);
-  tcase_add_test(c, eigenvalues_of_known_matrices);
-  tcase_add_test(c, eigenvalues_both_ways);
-  suite_add_tcase(s, c);
-  c = tcase_create("phases");
-  tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, open_data, close_data);
-  tcase_add_loop_test(c, methods_agree_phase_by_phase_on_every_orbit, 0, 4);
-  tcase_add_test(c, the_orbits_are_of_many_kinds);
-  tcase_add_loop_test(c, local_jacobians_are_those_made_elsewhere, 0, 4);
-  tcase_add_test(c, the_wrong_entries_are_located);
-  tcase_add_test(c, another_wrong_entry_is_located_too);
-  suite_add_tcase(s, c);
-  c = tcase_create("given");
-  tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, open_data, close_data);
-  tcase_add_test(c, every_method_at_given_times);
-  tcase_add_loop_test(c, any_two_quantities_make_the_same_jacobian, 0, 6);
-  tcase_add_test(c, printed_numbers_stand_in_for_what_is_not_given);
-  tcase_add_test(c, no_wrong_digit_is_printed);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -7,7 +7,7 @@
 #include "model/model.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 static struct arena arena;
@@ -69,13 +69,14 @@ static const char *reads(const char *tex) {
   return copy;
 }
 
-static struct table said; /* cases/latex_said.tsv */
-enum { S_TEX, S_TYPED };  /* its columns */
+TABLE(said, "tests/cases/latex_said.tsv", 2);
+enum { S_TEX, S_TYPED }; /* its columns */
 
-START_TEST(formulas_say_what_is_written_beside_them) {
+CASE("latex", .each = {setup, teardown});
+
+TEST_EACH(formulas_say_what_is_written_beside_them, said.n) {
   ck_assert_str_eq(reads(said.row[_i][S_TEX]), said.row[_i][S_TYPED]);
 }
-END_TEST
 
 /* --- Hostile formulas --- */
 
@@ -90,7 +91,7 @@ static const char *repeated(const char *first, const char *s, int n, const char 
   return copy;
 }
 
-START_TEST(hostile_formulas_get_one_clear_line) {
+TEST(hostile_formulas_get_one_clear_line) {
   static const struct {
     const char *first, *piece, *says;
   } cases[] = {{"x = ", "(", "more than 5000 tokens"},
@@ -110,7 +111,6 @@ START_TEST(hostile_formulas_get_one_clear_line) {
                             "(i, k = 1, \\dots, 9)")),
              "a formula of more than 100000 nodes"));
 }
-END_TEST
 
 /* --- What is printed is read --- */
 
@@ -169,7 +169,7 @@ static const char *data(void) {
   return folder && *folder ? folder : "verify";
 }
 
-START_TEST(every_formula_on_file_is_read_as_it_is_printed) {
+TEST(every_formula_on_file_is_read_as_it_is_printed) {
   struct model m;
   model_init(&m);
   goes_well(model_load(&m, data(), NULL, NULL, &d));
@@ -183,7 +183,6 @@ START_TEST(every_formula_on_file_is_read_as_it_is_printed) {
   ck_assert_int_gt(n, 400);
   model_clear(&m);
 }
-END_TEST
 
 /* --- Records and their TeX --- */
 
@@ -200,37 +199,17 @@ static const char *record_says(const char *record) {
   return d.set ? arena_strndup(&arena, d.message, strlen(d.message)) : "";
 }
 
-static struct table records; /* cases/latex_records.tsv */
-enum { R_RECORD, R_SAYS };   /* its columns */
+TABLE(records, "tests/cases/latex_records.tsv", 2);
+enum { R_RECORD, R_SAYS }; /* its columns */
 
-START_TEST(records_are_held_against_their_tex) {
+TEST_EACH(records_are_held_against_their_tex, records.n) {
   const char *says = record_says(records.row[_i][R_RECORD]);
   ck_assert_msg(*records.row[_i][R_SAYS] ? strstr(says, records.row[_i][R_SAYS]) != NULL : !*says, "%s", says);
 }
-END_TEST
 
 /* Each reading is looked for in the whole formula. */
-START_TEST(readings_are_bounded) {
+TEST(readings_are_bounded) {
   static const char head[] = "equation eq-90\n  tex: chi = t\n", reads[] = "  reads: t as t\n";
   const char *says = record_says(repeated(head, reads, 21, "  chi = t\n"));
   ck_assert_msg(strstr(says, "p.eq:25:10: error: more than 20 readings of a formula") != NULL, "%s", says);
-}
-END_TEST
-
-Suite *latex_suite(void) {
-  Suite *s = suite_create("latex");
-  table_read(&records, "tests/cases/latex_records.tsv", 2);
-  table_read(&said, "tests/cases/latex_said.tsv", 2);
-  TCase *read = tcase_create("reading");
-  tcase_add_checked_fixture(read, setup, teardown);
-  tcase_add_loop_test(read, formulas_say_what_is_written_beside_them, 0, said.n);
-  tcase_add_test(read, hostile_formulas_get_one_clear_line);
-  tcase_add_test(read, every_formula_on_file_is_read_as_it_is_printed);
-  suite_add_tcase(s, read);
-  TCase *held = tcase_create("records");
-  tcase_add_checked_fixture(held, setup, teardown);
-  tcase_add_loop_test(held, records_are_held_against_their_tex, 0, records.n);
-  tcase_add_test(held, readings_are_bounded);
-  suite_add_tcase(s, held);
-  return s;
 }

@@ -10,7 +10,7 @@
 #include "paper_model.h"
 #include "run/audit.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "value/values.h"
 
 /* Judges one claim of the test's own beside formulas of its own; N_VERDICTS with d set when it is at fault. */
@@ -108,14 +108,15 @@ static const struct {
      "1", VERDICT_SUPPORTED},
 };
 
-START_TEST(branches_of_the_law) {
+CASE("law", .once = {paper_open, paper_close});
+
+TEST_EACH(branches_of_the_law, COUNT(laws)) {
   char claim[200];
   snprintf(claim, sizeof claim,
            "  kind: law\n  mass: %s\n  slips: own-slips H\n  sticks: own-sticks C\n  breaks: own-breaks C\n",
            laws[_i].mass);
   expect(laws[_i].want, laws[_i].what, laws[_i].formulas, claim);
 }
-END_TEST
 
 static const struct {
   const char *what, *sticks, *breaks;
@@ -128,7 +129,7 @@ static const struct {
     {"either at both", "-u_r1 <= x_1(t) - chi*x_2(t) <= u_r1", ">=", VERDICT_REFUTED},
 };
 
-START_TEST(a_force_at_its_limit) {
+TEST_EACH(a_force_at_its_limit, COUNT(at_limits)) {
   char formulas[800];
   snprintf(
       formulas, sizeof formulas,
@@ -139,7 +140,6 @@ START_TEST(a_force_at_its_limit) {
          "  kind: law\n  limits: yes\n  mass: 1\n  slips: own-slips H\n  sticks: own-sticks C\n"
          "  breaks: own-breaks C\n");
 }
-END_TEST
 
 /* --- What (1) and (2) make of switches and configurations --- */
 
@@ -191,7 +191,7 @@ static const struct {
     {"without the velocity of a mass that slips", LAW, "fixed-points\n" STATES("eq-7b#3"), VERDICT_SUPPORTED},
 };
 
-START_TEST(mechanics_of_the_law) {
+TEST_EACH(mechanics_of_the_law, COUNT(mechanics)) {
   char claim[800];
   snprintf(claim, sizeof claim,
            "  kind: behaviour\n  check: %s\n  depends-on: first, second\n\n"
@@ -202,7 +202,6 @@ START_TEST(mechanics_of_the_law) {
            mechanics[_i].check);
   expect(mechanics[_i].want, mechanics[_i].what, mechanics[_i].formulas, claim);
 }
-END_TEST
 
 /* --- Points --- */
 
@@ -234,7 +233,7 @@ static void newton(struct values *v, const char *const name[6]) {
 }
 
 /* Newton's law for the blocks, in the time before scaling, along motions of every phase. */
-START_TEST(blocks_obey_newton) {
+TEST_EACH(blocks_obey_newton, N_PHASES) {
   static const char *const name[2][6] = {{"m_1", "x_1''(t)", "x_1(t)", "x_2(t)", "k_1", "F_1"},
                                          {"m_2", "x_2''(t)", "x_2(t)", "x_1(t)", "V", "F_2"}};
   struct sampler s;
@@ -250,11 +249,10 @@ START_TEST(blocks_obey_newton) {
   }
   point_clear(&p);
 }
-END_TEST
 
 /* Closed forms and exponentials carry a patched state alike; nothing on the way is V, and no two perturbations agree
    but those that are zero. */
-START_TEST(patched_states_are_general) {
+TEST(patched_states_are_general) {
   static const char *const tangent[] = {"x",   "y",   "u",   "v",   "x_a", "y_a", "u_a", "v_a", "x_b", "y_b",
                                         "u_b", "v_b", "x_c", "y_c", "u_c", "v_c", "x_f", "y_f", "u_f", "v_f"};
   enum { N_TANGENT = sizeof tangent / sizeof *tangent };
@@ -289,10 +287,9 @@ START_TEST(patched_states_are_general) {
   }
   point_clear(&p);
 }
-END_TEST
 
 /* Every u_ri exceeds e_i and what the orbit asks by a quarter or a 1024th, and by no more than the grid; both occur. */
-START_TEST(realistic_friction_is_above_what_is_asked) {
+TEST(realistic_friction_is_above_what_is_asked) {
   struct sampler s;
   struct point p;
   long seen = 0, few = 0;
@@ -317,7 +314,6 @@ START_TEST(realistic_friction_is_above_what_is_asked) {
   ck_assert(few > 0 && few < 12);
   point_clear(&p);
 }
-END_TEST
 
 /* --- Arguments both ways, ranges, counts --- */
 
@@ -388,24 +384,6 @@ static const struct {
      "  kind: identity\n  statement: own-swap\n  points: arcs 4\n  routes: exponential\n", VERDICT_PROVED},
 };
 
-START_TEST(sentences_known_by_hand) {
+TEST_EACH(sentences_known_by_hand, COUNT(sentences)) {
   expect(sentences[_i].want, sentences[_i].what, sentences[_i].formulas, sentences[_i].claim);
-}
-END_TEST
-
-Suite *law_suite(void) {
-  Suite *s = suite_create("law");
-  TCase *c = tcase_create("law");
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-#define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
-  LOOP(branches_of_the_law, laws);
-  LOOP(a_force_at_its_limit, at_limits);
-  LOOP(mechanics_of_the_law, mechanics);
-  tcase_add_loop_test(c, blocks_obey_newton, 0, N_PHASES);
-  tcase_add_test(c, patched_states_are_general);
-  tcase_add_test(c, realistic_friction_is_above_what_is_asked);
-  LOOP(sentences_known_by_hand, sentences);
-#undef LOOP
-  suite_add_tcase(s, c);
-  return s;
 }

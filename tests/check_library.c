@@ -10,7 +10,7 @@
 
 #include "scratch.h"
 #include "stickslip.h"
-#include "suites.h"
+#include "suite.h"
 
 static const char *const data = "verify";
 
@@ -58,7 +58,9 @@ static void check_number(const ss_number *x, const char *decimal) {
 
 /* --- status.h, number.h --- */
 
-START_TEST(statuses_have_texts) {
+CASE("library", .each = {scratch_open, scratch_close});
+
+TEST(statuses_have_texts) {
   for (int s = SS_OK; s <= SS_STOPPED; s *= 2, s += s == 0) ck_assert_uint_gt(strlen(ss_status_text(s)), 0);
   ck_assert_str_ne(ss_status_text(SS_DOMAIN), ss_status_text(SS_UNABLE));
   ck_assert_str_eq(ss_status_text(SS_DOMAIN | SS_UNABLE), "the value does not exist; it could not be told or held");
@@ -69,9 +71,8 @@ START_TEST(statuses_have_texts) {
   ck_assert_str_eq(version, ss_version());
   ss_text_free(NULL);
 }
-END_TEST
 
-START_TEST(a_number_is_there_or_not) {
+TEST(a_number_is_there_or_not) {
   char *text;
   mpfr_t z, exact;
   ss_scene *s = scene("paper");
@@ -99,7 +100,6 @@ START_TEST(a_number_is_there_or_not) {
   mpfr_clear(z);
   ss_scene_free(s);
 }
-END_TEST
 
 static void *fail_elsewhere(void *unused) {
   (void)unused;
@@ -111,7 +111,7 @@ static void *fail_elsewhere(void *unused) {
   return quiet && said ? fail_elsewhere : NULL;
 }
 
-START_TEST(each_thread_has_its_own_error) {
+TEST(each_thread_has_its_own_error) {
   pthread_t t;
   void *good;
   FAILS(ss_word_each(0, NULL, NULL), SS_ARGUMENT);
@@ -122,7 +122,6 @@ START_TEST(each_thread_has_its_own_error) {
   ck_assert_ptr_nonnull(good);
   ck_assert_str_eq(ss_error(), before);
 }
-END_TEST
 
 /* --- scene.h --- */
 
@@ -131,7 +130,7 @@ static int count_names(void *self, const char *name) {
   return ++*n < 3 && *name;
 }
 
-START_TEST(scenes_are_opened_read_and_changed) {
+TEST(scenes_are_opened_read_and_changed) {
   ss_scene *s, *t, *none;
   int n = 0;
   setenv("STICKSLIP_DATA", data, 1);
@@ -166,9 +165,8 @@ START_TEST(scenes_are_opened_read_and_changed) {
   ss_scene_free(t);
   ss_scene_free(s);
 }
-END_TEST
 
-START_TEST(a_wrong_scene_is_told_with_its_place) {
+TEST(a_wrong_scene_is_told_with_its_place) {
   ss_scene *s;
   FAILS(ss_scene_read(&s, "mine", "chi = 1/2\neta = one\nV = 1\ne1 = 1\ne2 = 1\n"), SS_INPUT);
   ck_assert_ptr_null(s);
@@ -188,7 +186,6 @@ START_TEST(a_wrong_scene_is_told_with_its_place) {
   ck_assert_ptr_null(ss_scene_printed(NULL, "t_a"));
   ss_scene_free(NULL);
 }
-END_TEST
 
 /* --- orbit.h --- */
 
@@ -200,7 +197,7 @@ END_TEST
 #define T_C 1.48988478276059911674981184551588091311647967397465475181375
 #define T_D 2.34730065501095188644119110092849215125335509810305300856438
 
-START_TEST(the_orbits_of_the_paper) {
+TEST(the_orbits_of_the_paper) {
   char *text;
   ss_orbits *o;
   ss_scene *s = scene("paper");
@@ -230,10 +227,9 @@ START_TEST(the_orbits_of_the_paper) {
   ss_text_free(text);
   ss_orbits_free(o);
 }
-END_TEST
 
 /* Static friction that is given too small breaks a condition of its own. */
-START_TEST(given_friction_counts) {
+TEST(given_friction_counts) {
   ss_orbits *o;
   ss_scene *s = scene("stable");
   ck_assert_int_eq(ss_scene_set(s, "chi=0.8\neta=1\nV=1\ne1=1/100\ne2=1/100\nu_r1=1/90\nu_r2=1/90"), SS_OK);
@@ -248,9 +244,8 @@ START_TEST(given_friction_counts) {
   ss_orbits_free(o);
   ss_scene_free(s);
 }
-END_TEST
 
-START_TEST(the_orbit_near_given_times) {
+TEST(the_orbit_near_given_times) {
   ss_orbits *o;
   ss_scene *s = scene("paper");
   ck_assert_msg(ss_orbits_near(&o, s, 2, 1.5, 40) == SS_OK, "%s", ss_error());
@@ -272,9 +267,8 @@ START_TEST(the_orbit_near_given_times) {
   FAILS(ss_orbits_near(&o, s, 2, 1.5, 15), SS_INPUT);
   ss_scene_free(s);
 }
-END_TEST
 
-START_TEST(orbits_that_cannot_be_asked_for) {
+TEST(orbits_that_cannot_be_asked_for) {
   char *text;
   ss_orbits *o;
   ss_scene *s = scene("paper"), *other = scene("other-word");
@@ -312,7 +306,6 @@ START_TEST(orbits_that_cannot_be_asked_for) {
   ss_scene_free(other);
   ss_scene_free(s);
 }
-END_TEST
 
 /* --- map.h --- */
 
@@ -325,7 +318,7 @@ static const double jacobian[4] = {
 #define TRACE (-1.023226189387570053004172195083760053357)
 #define R     (-3.102882778633544347181824520114919633)
 
-START_TEST(the_map_has_the_orbit_as_its_fixed_point) {
+TEST(the_map_has_the_orbit_as_its_fixed_point) {
   double r, slope, t[4];
   int grazing;
   ck_assert_int_eq(ss_return_map(&r, &slope, t, &grazing, params, R), SS_OK);
@@ -342,9 +335,8 @@ START_TEST(the_map_has_the_orbit_as_its_fixed_point) {
   ck_assert_int_eq(ss_return_map(&r, NULL, NULL, NULL, params, R), SS_OK);
   ck_assert_int_eq(ss_return_map_plain(&r, NULL, NULL, params, R), SS_OK);
 }
-END_TEST
 
-START_TEST(the_orbit_from_a_guess) {
+TEST(the_orbit_from_a_guess) {
   double out[SS_OUTPUTS];
   unsigned violations, unsure;
   ck_assert_int_eq(ss_orbit_warm(out, &violations, &unsure, params, near_it), SS_OK);
@@ -358,9 +350,8 @@ START_TEST(the_orbit_from_a_guess) {
   ck_assert_double_eq_tol(out[SS_OUT_TRACE], TRACE, 1e-12);
   ck_assert(isnan(out[SS_OUT_U_R2_MIN]));
 }
-END_TEST
 
-START_TEST(many_orbits_at_once) {
+TEST(many_orbits_at_once) {
   enum { N = 100 };
   static double in[SS_PARAMS][N], from[2][N], to[SS_OUTPUTS][N];
   static unsigned violations[N];
@@ -387,9 +378,8 @@ START_TEST(many_orbits_at_once) {
   out[3] = NULL;
   FAILS(ss_orbits_batch(out, violations, status, p, guess, N), SS_ARGUMENT);
 }
-END_TEST
 
-START_TEST(the_return_jacobian) {
+TEST(the_return_jacobian) {
   static const double start[2] = {0.978188144190098574451, -2.12469463444344577273}, guess[4] = {T_A, T_B, T_C, T_D};
   double j[4], err;
   for (int k = 0; k < 3; k++) {
@@ -398,10 +388,9 @@ START_TEST(the_return_jacobian) {
     for (int i = 0; i < 4; i++) ck_assert_double_eq_tol(j[i], jacobian[i], 40 * err); /* the start is rounded */
   }
 }
-END_TEST
 
 /* NaN, infinity, and each parameter outside its domain, one at a time. */
-START_TEST(doubles_outside_the_domain) {
+TEST(doubles_outside_the_domain) {
   static const double wrong[] = {0, -1, NAN, INFINITY};
   double r, out[SS_OUTPUTS], j[4], guess[2] = {NAN, -1};
   unsigned v;
@@ -432,7 +421,6 @@ START_TEST(doubles_outside_the_domain) {
   ck_assert_ptr_null(ss_condition_name(SS_CONDITIONS));
   ck_assert_ptr_null(ss_condition_name(-1));
 }
-END_TEST
 
 /* --- formula.h, jacobian.h --- */
 
@@ -446,7 +434,7 @@ static double value_of(const ss_paper *p, int layer, const char *formula, const 
   return x;
 }
 
-START_TEST(formulas_of_the_paper) {
+TEST(formulas_of_the_paper) {
   char *text;
   ss_formula *f;
   ss_paper *p = paper();
@@ -471,7 +459,6 @@ START_TEST(formulas_of_the_paper) {
   ss_scene_free(s);
   ss_paper_free(p);
 }
-END_TEST
 
 /* Neither an orbit nor the parameters say what they are. */
 static void free_symbols_need_values(const ss_paper *p, const ss_scene *s) {
@@ -485,7 +472,7 @@ static void free_symbols_need_values(const ss_paper *p, const ss_scene *s) {
     }
 }
 
-START_TEST(formulas_that_have_no_value) {
+TEST(formulas_that_have_no_value) {
   char *text;
   ss_formula *f;
   ss_paper *p = paper();
@@ -535,9 +522,8 @@ START_TEST(formulas_that_have_no_value) {
   ck_assert_ptr_null(ss_layer_name(SS_LAYERS));
   ss_scene_free(s);
 }
-END_TEST
 
-START_TEST(jacobians_by_every_method) {
+TEST(jacobians_by_every_method) {
   ss_jacobian *j;
   ss_phases *z;
   ss_paper *p = paper();
@@ -573,9 +559,8 @@ START_TEST(jacobians_by_every_method) {
   ss_scene_free(s);
   ss_paper_free(p);
 }
-END_TEST
 
-START_TEST(jacobians_that_cannot_be_asked_for) {
+TEST(jacobians_that_cannot_be_asked_for) {
   ss_jacobian *j;
   ss_phases *z;
   ss_paper *p = paper();
@@ -607,7 +592,6 @@ START_TEST(jacobians_that_cannot_be_asked_for) {
   ss_scene_free(s);
   ss_paper_free(p);
 }
-END_TEST
 
 /* --- simulate.h --- */
 
@@ -626,7 +610,7 @@ static int hear_sample(void *self, const ss_moment *m) {
   return m->t >= 0;
 }
 
-START_TEST(a_motion_comes_back_after_a_period) {
+TEST(a_motion_comes_back_after_a_period) {
   const double period = T_A + T_B + T_C + T_D;
   double p[7], start[4];
   ss_moment end;
@@ -668,9 +652,8 @@ START_TEST(a_motion_comes_back_after_a_period) {
   ss_motion_free(m);
   ss_scene_free(s);
 }
-END_TEST
 
-START_TEST(motions_from_elsewhere) {
+TEST(motions_from_elsewhere) {
   static const double rest[4] = {0, 0, 0, 0}, wild[4] = {0, INFINITY, 0, 0};
   double p[7], start[4];
   ss_motion *m;
@@ -704,7 +687,6 @@ START_TEST(motions_from_elsewhere) {
   ss_motion_free(NULL);
   ss_scene_free(s);
 }
-END_TEST
 
 /* --- sweep.h, words.h, bifurcate.h --- */
 
@@ -721,7 +703,7 @@ static int take_row(void *self, const ss_swept *row) {
   return w->rows != w->stop;
 }
 
-START_TEST(a_sweep_tells_every_point) {
+TEST(a_sweep_tells_every_point) {
   struct swept w = {0};
   ss_scene *s = scene("paper");
   ck_assert_msg(ss_sweep(s, "e2", "0.5", "0.8587", 3001, 0, take_row, &w) == SS_OK, "%s", ss_error());
@@ -748,9 +730,8 @@ START_TEST(a_sweep_tells_every_point) {
   FAILS(ss_sweep(s, "e2", "1", "3", 3, 0, take_row, &w), SS_INPUT);
   ss_scene_free(s);
 }
-END_TEST
 
-START_TEST(words_and_their_orbits) {
+TEST(words_and_their_orbits) {
   char *why;
   enum ss_fate fate;
   int n = 0;
@@ -806,9 +787,8 @@ START_TEST(words_and_their_orbits) {
   ck_assert_int_eq(ss_word_orbit_certified(NULL, 0), 0);
   ss_scene_free(s);
 }
-END_TEST
 
-START_TEST(where_the_multiplier_passes_minus_one) {
+TEST(where_the_multiplier_passes_minus_one) {
   ss_changes *c;
   ss_scene *s = scene("paper");
   ck_assert_msg(ss_changes_find(&c, s, "e2", "1.79", "1.83", 15) == SS_OK, "%s", ss_error());
@@ -852,7 +832,6 @@ START_TEST(where_the_multiplier_passes_minus_one) {
   ck_assert_int_eq(ss_change_admissible(NULL, 0, 0, 0), SS_UNKNOWN);
   ss_scene_free(s);
 }
-END_TEST
 
 /* --- audit.h --- */
 
@@ -860,7 +839,7 @@ static void take_progress(void *self, size_t done, size_t of) {
   *(size_t *)self = done <= of ? of : 0;
 }
 
-START_TEST(an_audit_of_one_claim) {
+TEST(an_audit_of_one_claim) {
   char *json;
   size_t pieces = 0;
   ss_audit *a;
@@ -904,9 +883,8 @@ START_TEST(an_audit_of_one_claim) {
   ss_scene_free(s);
   ss_paper_free(p);
 }
-END_TEST
 
-START_TEST(audits_that_cannot_be_asked_for) {
+TEST(audits_that_cannot_be_asked_for) {
   ss_audit *a;
   ss_paper *p = paper();
   ss_scene *s = scene("paper"), *other = scene("other-word");
@@ -941,38 +919,4 @@ START_TEST(audits_that_cannot_be_asked_for) {
   ss_scene_free(other);
   ss_scene_free(s);
   ss_paper_free(p);
-}
-END_TEST
-
-Suite *library_suite(void) {
-  Suite *s = suite_create("library");
-  TCase *all = tcase_create("library");
-  tcase_add_checked_fixture(all, scratch_open, scratch_close);
-  tcase_add_test(all, statuses_have_texts);
-  tcase_add_test(all, a_number_is_there_or_not);
-  tcase_add_test(all, each_thread_has_its_own_error);
-  tcase_add_test(all, scenes_are_opened_read_and_changed);
-  tcase_add_test(all, a_wrong_scene_is_told_with_its_place);
-  tcase_add_test(all, the_orbits_of_the_paper);
-  tcase_add_test(all, given_friction_counts);
-  tcase_add_test(all, the_orbit_near_given_times);
-  tcase_add_test(all, orbits_that_cannot_be_asked_for);
-  tcase_add_test(all, the_map_has_the_orbit_as_its_fixed_point);
-  tcase_add_test(all, the_orbit_from_a_guess);
-  tcase_add_test(all, many_orbits_at_once);
-  tcase_add_test(all, the_return_jacobian);
-  tcase_add_test(all, doubles_outside_the_domain);
-  tcase_add_test(all, formulas_of_the_paper);
-  tcase_add_test(all, formulas_that_have_no_value);
-  tcase_add_test(all, jacobians_by_every_method);
-  tcase_add_test(all, jacobians_that_cannot_be_asked_for);
-  tcase_add_test(all, a_motion_comes_back_after_a_period);
-  tcase_add_test(all, motions_from_elsewhere);
-  tcase_add_test(all, a_sweep_tells_every_point);
-  tcase_add_test(all, words_and_their_orbits);
-  tcase_add_test(all, where_the_multiplier_passes_minus_one);
-  tcase_add_test(all, an_audit_of_one_claim);
-  tcase_add_test(all, audits_that_cannot_be_asked_for);
-  suite_add_tcase(s, all);
-  return s;
 }

@@ -15,7 +15,7 @@
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 enum { N_START = N_PARAMS + 2, VALUES = N_PHASES + (N_PHASES + 1) * N_STATE };
@@ -135,7 +135,7 @@ static void against_phases(const double x[N_START], const double t[N_PHASES], sl
   pass_close(&exact);
 }
 
-START_TEST(arcs_are_those_of_the_phases) {
+TEST_EACH(arcs_are_those_of_the_phases, N_PRECISIONS) {
   struct rng r = {(uint64_t)_i + 7};
   double x[N_START], t[N_PHASES];
   const int enough = precisions[_i] > 1024 ? 40 / every(4) : 40;
@@ -149,10 +149,9 @@ START_TEST(arcs_are_those_of_the_phases) {
   ck_assert_msg(quick >= 2 * enough - enough / 10, "%d of %d at %ld bits", quick, 2 * enough, (long)precisions[_i]);
   flint_cleanup();
 }
-END_TEST
 
 /* Each line: parameters, start, four times, two positions, of which digits are rounded at the 60th. */
-START_TEST(arcs_of_mpmath) {
+TEST(arcs_of_mpmath) {
   struct table arcs;
   table_read(&arcs, "tests/oracle/arcs.tsv", N_START + N_PHASES + 2);
   ck_assert_int_eq(arcs.n, 8);
@@ -190,10 +189,9 @@ START_TEST(arcs_of_mpmath) {
   table_clear(&arcs);
   flint_cleanup();
 }
-END_TEST
 
 /* Balls around a start, down to points: what is answered encloses the arcs of points inside, of corners too. */
-START_TEST(wide_balls_hold_the_arcs_of_their_points) {
+TEST_EACH(wide_balls_hold_the_arcs_of_their_points, 4) {
   struct rng r = {(uint64_t)_i + 100};
   int proved = 0, refused = 0;
   for (int n = 0; n < 60; n++) {
@@ -233,12 +231,11 @@ START_TEST(wide_balls_hold_the_arcs_of_their_points) {
   ck_assert_msg(proved > 20 && refused > 2, "%d proved, %d refused", proved, refused);
   flint_cleanup();
 }
-END_TEST
 
 /* In phase Gamma chi r rises by a (t - sin t) + e1 (1 - cos t), with a crest at pi + 2 atan(a/e1) and the next rise
    above it far later.  A start whose rise is the crest's has a double root, a little less two near it, a little more
    none. */
-START_TEST(a_double_root_and_none_are_not_proved) {
+TEST(a_double_root_and_none_are_not_proved) {
   double x[N_START] = {0.5, 1, 0.5, 4, 1, 0, 0}, a = 0.25, crest = PI + 2 * atan2(a, 4);
   double rise = a * (crest - sin(crest)) + 4 * (1 - cos(crest)), guess[N_PHASES] = {0, crest, 1, 1};
   static const double off[] = {0, 1e-12, -1e-12, 0x1p-40, 0.5};
@@ -256,10 +253,9 @@ START_TEST(a_double_root_and_none_are_not_proved) {
     }
   flint_cleanup();
 }
-END_TEST
 
 /* Below the crest by e, with a ball of 2 e: its middle has a root, and some of its points have none. */
-START_TEST(a_ball_that_reaches_beyond_the_crest_is_not_proved) {
+TEST(a_ball_that_reaches_beyond_the_crest_is_not_proved) {
   double x[N_START] = {0.5, 1, 0.5, 4, 1, 0, 0}, a = 0.25, crest = PI + 2 * atan2(a, 4), t[N_PHASES];
   double rise = a * (crest - sin(crest)) + 4 * (1 - cos(crest));
   for (int k = 2; k < 30; k += 3)
@@ -275,11 +271,10 @@ START_TEST(a_ball_that_reaches_beyond_the_crest_is_not_proved) {
     }
   flint_cleanup();
 }
-END_TEST
 
 /* Only r is wide, so that hardly anything but the motion's own bend makes an enclosure wider than the range: its ends
    are arcs of the ends of r.  At the first start w is 0 at the middle's t_b, where w' has an extremum. */
-START_TEST(a_wide_r_is_enclosed_to_its_ends) {
+TEST(a_wide_r_is_enclosed_to_its_ends) {
   struct rng r = {77};
   double t[N_PHASES], at = PI - atan2(2, 0.25), rise = 0.25 * (at - sin(at)) + 2 * (1 - cos(at));
   double x[N_START] = {0.75, 1, 1, 2, 1.5, 0, 2 - rise};
@@ -309,10 +304,9 @@ START_TEST(a_wide_r_is_enclosed_to_its_ends) {
   }
   flint_cleanup();
 }
-END_TEST
 
 /* Events near the guess, first or not: in phase C each half turn has one, with r of the other sign. */
-START_TEST(events_are_those_near_the_guess) {
+TEST(events_are_those_near_the_guess) {
   const double x[N_START] = {0.75, 1.25, 1.0, 2.5, 1.5, 0.25, -1.0};
   double t[N_PHASES];
   ck_assert(first_times(t, x));
@@ -331,10 +325,9 @@ START_TEST(events_are_those_near_the_guess) {
     }
   flint_cleanup();
 }
-END_TEST
 
 /* Guesses that are none: an answer, whatever it is, and no hang. */
-START_TEST(wild_guesses_end) {
+TEST(wild_guesses_end) {
   const double x[N_START] = {0.75, 1.25, 1.0, 2.5, 1.5, 0.25, -1.0};
   static const double wild[] = {0, -0.0, 1e-300, -1, 1e15, 1e300, INFINITY, NAN};
   double t[N_PHASES];
@@ -352,10 +345,9 @@ START_TEST(wild_guesses_end) {
     }
   flint_cleanup();
 }
-END_TEST
 
 /* From times of a third of the bits, as differences take them. */
-START_TEST(near_times_of_a_few_bits) {
+TEST(near_times_of_a_few_bits) {
   const double x[N_START] = {0.8, 1.0, 1.0, 2.7844, 0.8587, 0.8921, -2.1958};
   struct trip p, exact;
   double t[N_PHASES];
@@ -381,10 +373,9 @@ START_TEST(near_times_of_a_few_bits) {
   pass_close(&exact);
   flint_cleanup();
 }
-END_TEST
 
 /* sin x and 1 - cos x by the series, and a kept angle turned, against Arb's own at four times the bits. */
-START_TEST(turns_enclose_sines) {
+TEST(turns_enclose_sines) {
   struct rng r = {9};
   for (int n = 0; n < 400; n++) {
     slong prec = precisions[n % N_PRECISIONS];
@@ -424,22 +415,4 @@ START_TEST(turns_enclose_sines) {
     calc_clear(&c);
   }
   flint_cleanup();
-}
-END_TEST
-
-Suite *map_suite(void) {
-  Suite *s = suite_create("map");
-  TCase *c = tcase_create("map");
-  tcase_add_loop_test(c, arcs_are_those_of_the_phases, 0, N_PRECISIONS);
-  tcase_add_test(c, arcs_of_mpmath);
-  tcase_add_loop_test(c, wide_balls_hold_the_arcs_of_their_points, 0, 4);
-  tcase_add_test(c, a_double_root_and_none_are_not_proved);
-  tcase_add_test(c, a_ball_that_reaches_beyond_the_crest_is_not_proved);
-  tcase_add_test(c, a_wide_r_is_enclosed_to_its_ends);
-  tcase_add_test(c, events_are_those_near_the_guess);
-  tcase_add_test(c, wild_guesses_end);
-  tcase_add_test(c, near_times_of_a_few_bits);
-  tcase_add_test(c, turns_enclose_sines);
-  suite_add_tcase(s, c);
-  return s;
 }

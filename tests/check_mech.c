@@ -24,7 +24,7 @@
 #include "rng.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 static void finish(struct mech *m) {
@@ -78,7 +78,7 @@ static void random_chain(struct mech *m, double start[2 * MECH_MASSES], int n, s
 
 static const enum coulomb_mode mode_of[128] = {['s'] = MODE_STICK, ['-'] = MODE_BELOW, ['+'] = MODE_ABOVE};
 
-START_TEST(a_chain_of_two_moves_as_the_papers_system) {
+TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 40) {
   struct rng r = {(uint64_t)_i};
   struct mech m;
   double x[2 * MECH_MASSES], p[N_COULOMB];
@@ -121,7 +121,6 @@ START_TEST(a_chain_of_two_moves_as_the_papers_system) {
   coulomb_log_clear(&log);
   mech_clear(&m);
 }
-END_TEST
 
 /* Tiny steps of the midpoint rule; after each step a mass that has passed V sticks or goes on, one whose force exceeds
    its limit slips.  Error of the order of a step. */
@@ -156,7 +155,7 @@ static void crude_chain(double z[2 * MECH_MASSES], const struct mech *m, const d
     }
 }
 
-START_TEST(longer_chains_are_those_of_tiny_steps) {
+TEST_EACH(longer_chains_are_those_of_tiny_steps, 9) {
   struct rng r = {(uint64_t)_i + 100};
   struct mech m;
   double x[2 * MECH_MASSES], crude[2 * MECH_MASSES];
@@ -174,11 +173,10 @@ START_TEST(longer_chains_are_those_of_tiny_steps) {
   }
   mech_clear(&m);
 }
-END_TEST
 
 /* x'' + x = cos(theta), theta' = 1/2, from rest: (cos(theta) - cos(theta_0) cos(t) + sin(theta_0)/2 sin(t)) 4/3 by
    hand. */
-START_TEST(a_load_in_closed_form) {
+TEST(a_load_in_closed_form) {
   const double angle = 0.3, t = 7.25;
   const double start[] = {0, 0, cos(angle), sin(angle)};
   read_text("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
@@ -193,7 +191,6 @@ START_TEST(a_load_in_closed_form) {
   }
   mech_clear(&file);
 }
-END_TEST
 
 /* x + 1/2 of rest_in_closed_form. */
 static double flight(double s, double angle) {
@@ -201,7 +198,7 @@ static double flight(double s, double angle) {
 }
 
 /* x'' + x = 0 for x <= 0, from x = -1 at rest: rebounds at pi/2 and 3 pi/2, each of which halves the amplitude. */
-START_TEST(rebounds_in_closed_form) {
+TEST(rebounds_in_closed_form) {
   const double start[] = {-1, 0}, beyond[] = {0.1, 0};
   read_text("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
             "obstacle o\n  stops: m\n  above: 0\n  restitution: 1/2\n");
@@ -219,12 +216,11 @@ START_TEST(rebounds_in_closed_form) {
   }
   mech_clear(&file);
 }
-END_TEST
 
 /* x'' + x = cos(theta), theta' = 1/2, for x <= -1/2 without rebound, from rest there at theta = 0: pressed until
    cos(theta) = -1/2, at 4 pi/3; then x = (4/3) cos(theta) + cos(s)/6 + sin(s)/sqrt(3), s the time since then, up to x
    = -1/2. */
-START_TEST(rest_in_closed_form) {
+TEST(rest_in_closed_form) {
   const double start[] = {-0.5, 0, 1, 0}, pi = acos(-1), angle = 2 * pi / 3;
   read_text(
       "mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
@@ -245,9 +241,8 @@ START_TEST(rest_in_closed_form) {
   }
   mech_clear(&file);
 }
-END_TEST
 
-START_TEST(motions_outside_the_domain) {
+TEST(motions_outside_the_domain) {
   struct rng r = {7};
   struct mech m;
   struct mech_motion z;
@@ -267,13 +262,12 @@ START_TEST(motions_outside_the_domain) {
   mech_motion_clear(&z);
   mech_clear(&m);
 }
-END_TEST
 
 #define MASS_AND_SPRING           "mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
 #define STOPS(name, of, place, e) "obstacle " name "\n  stops: " of "\n  " place "\n  restitution: " e "\n"
 
 /* x = 2 sin t up to x = 1 at pi/6; rebounds without loss, from wall to wall pi/3 later each. */
-START_TEST(between_two_stops_in_closed_form) {
+TEST(between_two_stops_in_closed_form) {
   const double start[] = {0, 2}, pi = acos(-1);
   struct mech_word w;
   double period, gap;
@@ -294,7 +288,6 @@ START_TEST(between_two_stops_in_closed_form) {
   }
   mech_clear(&file);
 }
-END_TEST
 
 struct energies {
   const struct mech *m;
@@ -321,7 +314,7 @@ static bool watch_energy(void *self, const struct mech_moment *at) {
   return true;
 }
 
-START_TEST(energy_stays) {
+TEST(energy_stays) {
   const double start[] = {0.5, -0.25, 1.5, -1};
   read_text("mass m\n  inertia: 1\nmass n\n  inertia: 2\nspring k\n  between: ground, m\n  stiffness: 1\n"
             "spring l\n  between: m, n\n  stiffness: 3\n" STOPS("a", "m", "above: 3/4", "1")
@@ -336,7 +329,6 @@ START_TEST(energy_stays) {
   }
   mech_clear(&file);
 }
-END_TEST
 
 /* What no simulation can go through ends, and says why. */
 static const struct {
@@ -364,7 +356,7 @@ static const struct {
      MECH_DONE},
 };
 
-START_TEST(simulations_that_end) {
+TEST_EACH(simulations_that_end, COUNT(ends)) {
   read_text(ends[_i].file);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z;
@@ -376,9 +368,8 @@ START_TEST(simulations_that_end) {
   }
   mech_clear(&file);
 }
-END_TEST
 
-START_TEST(csv_rows) {
+TEST(csv_rows) {
   const struct mech_moment at = {0.5, -1, "s+", {1, -2, 1, 0.25}, {0.125, -3}};
   struct text t;
   text_init(&t);
@@ -387,7 +378,6 @@ START_TEST(csv_rows) {
   ck_assert_str_eq(text_str(&t), "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n0.5,1,-2,1,0.25,stick,above,0.125,-3\n");
   text_clear(&t);
 }
-END_TEST
 
 /* --- Orbits --- */
 
@@ -469,7 +459,7 @@ static int found_again(const fmpq *params) {
   return n;
 }
 
-START_TEST(the_papers_orbits_on_every_scene) {
+TEST(the_papers_orbits_on_every_scene) {
   struct arena a;
   struct diag d;
   size_t n;
@@ -490,9 +480,10 @@ START_TEST(the_papers_orbits_on_every_scene) {
   free(name);
   arena_clear(&a);
 }
-END_TEST
 
-START_TEST(the_papers_orbits_at_random_data) {
+CASE("random orbits", .tags = "long");
+
+TEST_EVERY(the_papers_orbits_at_random_data, 5, 200) {
   struct rng r = {(uint64_t)_i + 500};
   fmpq *params = _fmpq_vec_init(N_PARAMS);
   fmpq_set_si(params + P_CHI, rng_between(&r, 8, 56), 64);
@@ -503,7 +494,6 @@ START_TEST(the_papers_orbits_at_random_data) {
   found_again(params);
   _fmpq_vec_clear(params, N_PARAMS);
 }
-END_TEST
 
 /* What the search of words of two masses finds, from a grid and its own simulations: an orbit after a period doubling,
    whose word is a shorter one, twice, and one that motions come near only in two rounds at once. */
@@ -514,7 +504,9 @@ static const struct {
     {{"0.3", "2", "1", "1.26", "0.36"}, {"0.55", "0.81"}, "D Gamma H Gamma"},
 };
 
-START_TEST(orbits_of_one_round_and_of_two) {
+CASE("mech");
+
+TEST_EACH(orbits_of_one_round_and_of_two, COUNT(in_rounds)) {
   const fmpq *none[2] = {NULL, NULL};
   fmpq *params = rationals(in_rounds[_i].data, N_PARAMS), *sliding = rationals(in_rounds[_i].sliding, 2);
   struct mech_word word;
@@ -544,7 +536,6 @@ START_TEST(orbits_of_one_round_and_of_two) {
   _fmpq_vec_clear(sliding, 2);
   _fmpq_vec_clear(params, N_PARAMS);
 }
-END_TEST
 
 /* The orbits of the paper's two masses with that friction, w times as fast. */
 static void find_orbits_with(struct mech_orbits *list, long friction, long w, bool any) {
@@ -573,9 +564,11 @@ static void clear_plain(void) {
   mech_orbits_clear(&plain);
 }
 
+CASE("other units", .once = {find_plain, clear_plain});
+
 /* More friction, static and sliding alike, only moves the place where masses swing that are never faster than the
    surface. */
-START_TEST(more_friction_moves_the_place) {
+TEST(more_friction_moves_the_place) {
   struct mech_orbits list;
   int shared = 0;
   find_orbits_with(&list, 1000000, 1, true);
@@ -588,11 +581,10 @@ START_TEST(more_friction_moves_the_place) {
   ck_assert_int_ge(shared, 1);
   mech_orbits_clear(&list);
 }
-END_TEST
 
 /* So stiff and fast that entries of A t pass 700, beyond which exp has no double: the motions are the same, in a
    fraction of the time. */
-START_TEST(a_fast_system_has_the_same_orbits) {
+TEST(a_fast_system_has_the_same_orbits) {
   enum { FASTER = 300 };
   struct mech_orbits list;
   arb_t period;
@@ -607,10 +599,11 @@ START_TEST(a_fast_system_has_the_same_orbits) {
   mech_orbits_clear(&list);
   arb_clear(period);
 }
-END_TEST
+
+CASE("mech");
 
 /* A state that is far out but has not come back. */
-START_TEST(far_out_is_not_settled) {
+TEST(far_out_is_not_settled) {
   struct mech_moment moment[] = {{.t = 0, .phase = "s", .z = {1e6, 1}},
                                  {.t = 1, .phase = "-", .z = {1e6 + 1, 1}},
                                  {.t = 2, .phase = "s", .z = {1e6 + 0.1, 1}}};
@@ -621,7 +614,6 @@ START_TEST(far_out_is_not_settled) {
   moment[2].z[0] = 1e6 + 1e-7;
   ck_assert(mech_settles(&w, &period, &gap, &x, 1, 2) && w.n == 2 && gap > 5e-8);
 }
-END_TEST
 
 /* By a program that has nothing in common with src/mech. */
 static const char *const scenes_of_systems[] = {"chain3",    "den-hartog", "driven", "beside-wall",
@@ -630,23 +622,21 @@ enum { QUICK_SCENES = 5 };
 
 /* The last, whose orbits take half a minute to find, is for make long; so is to compute those of chain4 again. */
 static int scenes_tried(void) {
-  return (int)(sizeof scenes_of_systems / sizeof *scenes_of_systems) - !every_case();
+  return COUNT(scenes_of_systems) - !every_case();
 }
 
-START_TEST(orbits_recomputed) {
+TEST_EACH(orbits_recomputed, every_case() ? COUNT(scenes_of_systems) : QUICK_SCENES) {
   shell_well("\"$Y\" tests/oracle/systems.py \"$P\" %s", scenes_of_systems[_i]);
 }
-END_TEST
 
 /* Its orbit sticks as a whole for 2219 of 2230. */
-START_TEST(an_orbit_of_a_slow_belt) {
+TEST(an_orbit_of_a_slow_belt) {
   shell_well("\"$Y\" tests/oracle/systems.py \"$P\" tests/cases/slow-belt.scene");
 }
-END_TEST
 
 /* Held on the belt where its spring pulls with more than static friction can hold, by far more than changes in a
    look. */
-START_TEST(a_stick_beyond_its_limit) {
+TEST(a_stick_beyond_its_limit) {
   static const double start[6] = {9, 0, 0, 1e-3, 1e-3, 1e-3};
   goes_well(mech_load(&file, "tests/cases/slow-belt.system", &d));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
@@ -660,7 +650,6 @@ START_TEST(a_stick_beyond_its_limit) {
   }
   mech_clear(&file);
 }
-END_TEST
 
 static void load_system(const char *name) {
   char path[100];
@@ -668,7 +657,7 @@ static void load_system(const char *name) {
   goes_well(mech_load(&file, path, &d));
 }
 
-START_TEST(simulations_follow_the_orbits) {
+TEST_EACH(simulations_follow_the_orbits, scenes_tried()) {
   struct mech_orbits list;
   load_system(scenes_of_systems[_i]);
   mech_orbits_find(&list, &file, NULL, true, 128);
@@ -680,11 +669,10 @@ START_TEST(simulations_follow_the_orbits) {
   mech_orbits_clear(&list);
   mech_clear(&file);
 }
-END_TEST
 
 /* By saltation matrices, and by differences of the motions of either route: over these the equations of the words have
    no say. */
-START_TEST(returns_differentiated) {
+TEST_EACH(returns_differentiated, scenes_tried()) {
   struct mech_orbits list;
   load_system(scenes_of_systems[_i]);
   mech_orbits_find(&list, &file, NULL, true, 128);
@@ -706,7 +694,6 @@ START_TEST(returns_differentiated) {
   mech_orbits_clear(&list);
   mech_clear(&file);
 }
-END_TEST
 
 /* An integrated motion that starts beside the orbit settles on its word. */
 static void settle_beside(const struct mech_orbit *o) {
@@ -720,7 +707,7 @@ static void settle_beside(const struct mech_orbit *o) {
   mech_motion_clear(&x);
 }
 
-START_TEST(words_of_settled_motions) {
+TEST_EVERY(words_of_settled_motions, 2, QUICK_SCENES) {
   struct mech_orbits list;
   struct mech_settling settling;
   load_system(scenes_of_systems[_i]);
@@ -742,7 +729,6 @@ START_TEST(words_of_settled_motions) {
   mech_settling_clear(&settling);
   mech_clear(&file);
 }
-END_TEST
 
 static void check_decimal(arb_srcptr x, const char *want) {
   arb_t w;
@@ -755,7 +741,7 @@ static void check_decimal(arb_srcptr x, const char *want) {
 
 /* Amplitude and phase of Den Hartog's oscillator, of tests/oracle/den_hartog.py: at an upper extreme, where the mass
    begins to move down. */
-START_TEST(den_hartogs_motions) {
+TEST_EACH(den_hartogs_motions, 10) {
   char text[512];
   struct table motions;
   struct mech_orbits list;
@@ -790,14 +776,13 @@ START_TEST(den_hartogs_motions) {
   mech_orbits_clear(&list);
   mech_clear(&file);
 }
-END_TEST
 
 /* One mass: the time of each phase in closed form.  With k = m = 1, s = 1 and r = 2 it sticks for 2 (r - s)/(k V) = 2/V
    and slips for 2 pi - 2 atan((r - s)/V) = 2 pi - 2 atan(1/V); on the slow belt it sticks for as long as 32000
    steps. */
 static const char *const belts[] = {"1", "1/1000"};
 
-START_TEST(one_mass_in_closed_form) {
+TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
   struct mech_orbits list;
   char text[200];
   fmpq_t one_over;
@@ -831,12 +816,11 @@ START_TEST(one_mass_in_closed_form) {
   mech_orbits_clear(&list);
   mech_clear(&file);
 }
-END_TEST
 
 /* Static friction equal to sliding friction: the mass leaves the belt with a double zero, and the phase is settled all
    the same.  With one mass the slip then takes a whole turn, 2 pi, and the mass sticks for no time: an orbit is found
    with two masses, the second of which has r = s. */
-START_TEST(static_equal_to_sliding) {
+TEST(static_equal_to_sliding) {
   struct mech_orbits list;
   bool equal = false;
   read_text("mass m1\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 1\n"
@@ -852,23 +836,23 @@ START_TEST(static_equal_to_sliding) {
   mech_orbits_clear(&list);
   mech_clear(&file);
 }
-END_TEST
 
 /* --- Files and words --- */
 
 #define MASS(name) "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
-static struct table refused;         /* cases/systems_refused.tsv */
+TABLE(refused, "tests/cases/systems_refused.tsv", 2);
 enum { REFUSED_FILE, REFUSED_SAYS }; /* its columns */
 
-START_TEST(files_that_are_refused) {
+CASE("files", .once = {scratch_open, scratch_close});
+
+TEST_EACH(files_that_are_refused, refused.n) {
   struct source src;
   source_from_string(&src, "a.system", refused.row[_i][REFUSED_FILE]);
   fails_with(mech_read(&file, src, &d), refused.row[_i][REFUSED_SAYS]);
   mech_clear(&file);
 }
-END_TEST
 
-START_TEST(a_thousand_masses) {
+TEST(a_thousand_masses) {
   struct text t;
   struct source src;
   text_init(&t);
@@ -878,12 +862,11 @@ START_TEST(a_thousand_masses) {
   mech_clear(&file);
   text_clear(&t);
 }
-END_TEST
 
-static struct table words; /* cases/system_words.tsv */
-enum { WORD, WHY, AT };    /* its columns */
+TABLE(words, "tests/cases/system_words.tsv", 3);
+enum { WORD, WHY, AT }; /* its columns */
 
-START_TEST(words_of_two_masses) {
+TEST_EACH(words_of_two_masses, words.n) {
   struct mech_word w;
   const char *why;
   size_t at;
@@ -895,10 +878,9 @@ START_TEST(words_of_two_masses) {
   if (!ok) ck_assert_msg(strstr(why, words.row[_i][WHY]) && (int)at == atoi(words.row[_i][AT]), "%zu: %s", at, why);
   mech_clear(&file);
 }
-END_TEST
 
 /* x'' = -3 x + y - x', y'' = (x - 5 y)/2: written down by hand. */
-START_TEST(a_system_in_formulas) {
+TEST(a_system_in_formulas) {
   struct text t;
   text_init(&t);
   read_text("c = 1\nmass m\n  inertia: 1\nmass n\n  inertia: 2\n  sliding: 1/2\n  static: 3\n  surface: -1\n"
@@ -918,7 +900,6 @@ START_TEST(a_system_in_formulas) {
   text_clear(&t);
   mech_clear(&file);
 }
-END_TEST
 
 /* --- Along a line --- */
 
@@ -950,7 +931,7 @@ static void follow_file(struct mech_follow *f, const char *written, const char *
 
 /* One mass that the belt drags until the spring pulls it loose: with static above sliding friction it sticks and slips
    whatever the spring is, in the time 2 (pi - arctan(...))/sqrt(p) and a stick; nothing changes along p. */
-START_TEST(no_change_where_there_is_none) {
+TEST_EACH(no_change_where_there_is_none, 2) {
   static const char one[] = "title: one mass\np = 1\nmass m\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
                             "spring k\n  between: ground, m\n  stiffness: p\n";
   static const slong other[][2] = {{100, 1}, {1, 100}};
@@ -961,12 +942,11 @@ START_TEST(no_change_where_there_is_none) {
   ck_assert(fmpq_equal(f.branch[0].end[0].at, &from) && fmpq_equal(f.branch[0].end[1].at, &to));
   mech_follow_clear(&f);
 }
-END_TEST
 
 /* Where a mass comes to touch the belt's velocity only, the branch ends; its multipliers are far inside the unit
    circle.  The second mass does so at c = 0.40493485986875144: z_2' = V and z_2'' = 0 at an event, with Newton's
    iteration in mpmath. */
-START_TEST(an_end_at_a_grazing_event_is_no_flip) {
+TEST(an_end_at_a_grazing_event_is_no_flip) {
   static const char two[] = "title: two masses\nc = 1/10\n"
                             "mass m1\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
                             "mass m2\n  inertia: 1\n  sliding: 1/2\n  static: 3/2\n  surface: 1\n"
@@ -985,11 +965,10 @@ START_TEST(an_end_at_a_grazing_event_is_no_flip) {
   ck_assert(met);
   mech_follow_clear(&f);
 }
-END_TEST
 
 /* A mass rests only at an obstacle that does not throw it back: by the law of the rebound no such orbit has a
    restitution above 0. */
-START_TEST(no_mass_rests_where_it_is_thrown_back) {
+TEST(no_mass_rests_where_it_is_thrown_back) {
   static const char wall[] = "title: a soft wall\ne = 0\n"
                              "mass m1\n  inertia: 1\n  sliding: 1/2\n  static: 3/2\n  surface: 1\n"
                              "mass m2\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
@@ -1004,10 +983,9 @@ START_TEST(no_mass_rests_where_it_is_thrown_back) {
   ck_assert_double_lt(fmpq_get_d(f.change[0].side[1].at), 1e-12);
   mech_follow_clear(&f);
 }
-END_TEST
 
 /* The brackets that motion/ and explore/bifurcate.c prove for the paper's two masses with formulas of their own. */
-START_TEST(changes_along_the_papers_line) {
+TEST(changes_along_the_papers_line) {
   struct mech_follow f[2];
   struct dyn_bifurcations list;
   fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "2"}, N_PARAMS);
@@ -1030,7 +1008,6 @@ START_TEST(changes_along_the_papers_line) {
   _fmpq_vec_clear(end, 2);
   _fmpq_vec_clear(params, N_PARAMS);
 }
-END_TEST
 
 /* --- Commands --- */
 
@@ -1059,7 +1036,7 @@ static int read_lines(struct line *to, int most, char *table) {
 }
 
 /* With the file's parameters, and with others that the scene gives. */
-START_TEST(the_papers_system_from_a_file) {
+TEST_EACH(the_papers_system_from_a_file, 3) {
   enum { MOST = 100 };
   static const char *const starts[] = {"2,3/2,1,1", "0,0,0,0", "6,5,-1,2"},
                            *const given[] = {"", "chi = 7/10\nV = 6/5\n", "V = 6/5\n"},
@@ -1084,11 +1061,10 @@ START_TEST(the_papers_system_from_a_file) {
     for (int k = 0; k < 5; k++) ck_assert_double_eq_tol(lines[0][i].number[k], lines[1][i].number[k], 2e-6);
   }
 }
-END_TEST
 
 /* Both lists of a system's are the same orbits, by different commands and formats: J has the multipliers of the
    orbit. */
-START_TEST(output_obeys_its_schemas) {
+TEST(output_obeys_its_schemas) {
   static const char *const runs[][2] = {{"simulate chain3 --json", "simulate"},
                                         {"simulate beside-wall --periods 2 --json", "simulate"},
                                         {"simulate driven --start 0,0,0,0,0 --time 3 --json", "simulate"},
@@ -1103,10 +1079,9 @@ START_TEST(output_obeys_its_schemas) {
                                         {"jacobian den-hartog --method ode --json", "system"}};
   check_schemas(runs, sizeof runs / sizeof *runs);
 }
-END_TEST
 
 /* The one free coordinate of the paper's word: J is the trace that the special code prints. */
-START_TEST(the_papers_multiplier) {
+TEST(the_papers_multiplier) {
   static const char script[] =
       "import json, sys\n"
       "system, special = [json.load(open(name)) for name in sys.argv[1:]]\n"
@@ -1117,64 +1092,4 @@ START_TEST(the_papers_multiplier) {
              "$P jacobian paper --method implicit --at orbit:2 --digits 40 --json > $D/special.json && "
              "$Y -c '%s' $D/system.json $D/special.json",
              script);
-}
-END_TEST
-
-#define COUNT(list) (int)(sizeof list / sizeof *list)
-
-Suite *mech_suite(void) {
-  Suite *s = suite_create("mech");
-  table_read(&words, "tests/cases/system_words.tsv", 3);
-  table_read(&refused, "tests/cases/systems_refused.tsv", 2);
-  TCase *c = tcase_create("motions");
-  tcase_add_loop_test(c, a_chain_of_two_moves_as_the_papers_system, 0, 40);
-  tcase_add_loop_test(c, longer_chains_are_those_of_tiny_steps, 0, 9);
-  tcase_add_test(c, a_load_in_closed_form);
-  tcase_add_test(c, rebounds_in_closed_form);
-  tcase_add_test(c, rest_in_closed_form);
-  tcase_add_test(c, motions_outside_the_domain);
-  tcase_add_test(c, between_two_stops_in_closed_form);
-  tcase_add_test(c, energy_stays);
-  tcase_add_loop_test(c, simulations_that_end, 0, COUNT(ends));
-  tcase_add_test(c, csv_rows);
-  suite_add_tcase(s, c);
-  c = tcase_create("orbits");
-  tcase_add_test(c, the_papers_orbits_on_every_scene);
-  tcase_add_loop_test(c, orbits_recomputed, 0, QUICK_SCENES);
-  tcase_add_test(c, an_orbit_of_a_slow_belt);
-  tcase_add_test(c, a_stick_beyond_its_limit);
-  tcase_add_loop_test(c, simulations_follow_the_orbits, 0, scenes_tried());
-  tcase_add_loop_test(c, returns_differentiated, 0, scenes_tried());
-  add_every(c, words_of_settled_motions, 2, QUICK_SCENES);
-  tcase_add_loop_test(c, den_hartogs_motions, 0, 10);
-  tcase_add_loop_test(c, one_mass_in_closed_form, 0, COUNT(belts));
-  tcase_add_test(c, static_equal_to_sliding);
-  tcase_add_test(c, far_out_is_not_settled);
-  tcase_add_loop_test(c, orbits_of_one_round_and_of_two, 0, sizeof in_rounds / sizeof *in_rounds);
-  suite_add_tcase(s, c);
-  c = tcase_create("other units");
-  tcase_add_unchecked_fixture(c, find_plain, clear_plain);
-  tcase_add_test(c, more_friction_moves_the_place);
-  tcase_add_test(c, a_fast_system_has_the_same_orbits);
-  suite_add_tcase(s, c);
-  c = tcase_create("random orbits");
-  tcase_set_tags(c, "long");
-  add_every(c, the_papers_orbits_at_random_data, 5, 200);
-  if (every_case()) tcase_add_loop_test(c, orbits_recomputed, QUICK_SCENES, COUNT(scenes_of_systems));
-  suite_add_tcase(s, c);
-  c = tcase_create("files");
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_loop_test(c, files_that_are_refused, 0, refused.n);
-  tcase_add_test(c, a_thousand_masses);
-  tcase_add_loop_test(c, words_of_two_masses, 0, words.n);
-  tcase_add_test(c, a_system_in_formulas);
-  tcase_add_test(c, changes_along_the_papers_line);
-  tcase_add_loop_test(c, no_change_where_there_is_none, 0, 2);
-  tcase_add_test(c, an_end_at_a_grazing_event_is_no_flip);
-  tcase_add_test(c, no_mass_rests_where_it_is_thrown_back);
-  tcase_add_loop_test(c, the_papers_system_from_a_file, 0, 3);
-  tcase_add_test(c, output_obeys_its_schemas);
-  tcase_add_test(c, the_papers_multiplier);
-  suite_add_tcase(s, c);
-  return s;
 }

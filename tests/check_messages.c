@@ -12,7 +12,7 @@
 #include "run/plan.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* --- Command lines and files --- */
@@ -71,14 +71,15 @@ static void try_command(char *const *column) {
   text_clear(&file);
 }
 
-START_TEST(commands_answer_as_said) {
+CASE("words", .each = {scratch_open, scratch_close});
+
+TEST(commands_answer_as_said) {
   struct table commands;
   table_read(&commands, "tests/hostile/messages.tsv", 5);
   ck_assert_int_ge(commands.n, 500);
   for (int i = 0; i < commands.n; i++) try_command(commands.row[i]);
   table_clear(&commands);
 }
-END_TEST
 
 /* --- Claims --- */
 
@@ -121,15 +122,16 @@ static void refuse_claim(char *const *column) {
   if (model == &more) model_clear(&more);
 }
 
-START_TEST(claims_are_refused_as_said) {
+CASE("claims", .each = {paper_open, paper_close});
+
+TEST(claims_are_refused_as_said) {
   struct table claims;
   table_read(&claims, "tests/hostile/claims.tsv", 4);
   for (int i = 0; i < claims.n; i++) refuse_claim(claims.row[i]);
   table_clear(&claims);
 }
-END_TEST
 
-START_TEST(a_control_of_no_claim) {
+TEST(a_control_of_no_claim) {
   struct claims own = {.n = 0}, none = {.n = 0};
   struct audit_result r;
   audit_result_init(&r);
@@ -140,7 +142,6 @@ START_TEST(a_control_of_no_claim) {
   audit_result_clear(&r);
   claims_clear(&own);
 }
-END_TEST
 
 static void claims_of(struct claims *own, const char *lines) {
   struct text text;
@@ -153,7 +154,7 @@ static void claims_of(struct claims *own, const char *lines) {
 }
 
 /* (22) is worth two equations. */
-START_TEST(a_receipt_of_another_rank) {
+TEST(a_receipt_of_another_rank) {
   struct claims own;
   struct text out;
   for (int rank = 1; rank <= 2; rank++) {
@@ -168,10 +169,9 @@ START_TEST(a_receipt_of_another_rank) {
     claims_clear(&own);
   }
 }
-END_TEST
 
 /* q^2 - 2q + 1/V: of degrees 0 and -1 in V, so that its root has none. */
-START_TEST(a_root_of_coefficients_that_scale_apart) {
+TEST(a_root_of_coefficients_that_scale_apart) {
   static const char *const only = "own";
   struct claims own, none = {.n = 0};
   struct audit_result r;
@@ -193,9 +193,8 @@ START_TEST(a_root_of_coefficients_that_scale_apart) {
   model_clear(&more);
   claims_clear(&own);
 }
-END_TEST
 
-START_TEST(a_value_of_two_sections) {
+TEST(a_value_of_two_sections) {
   const char *set = "values=twice";
   const struct claims none = {.n = 0};
   struct audit_result r;
@@ -215,21 +214,4 @@ START_TEST(a_value_of_two_sections) {
   scene_clear(&s);
   model_clear(&own);
   audit_result_clear(&r);
-}
-END_TEST
-
-Suite *messages_suite(void) {
-  Suite *s = suite_create("messages");
-  TCase *words = tcase_create("words"), *claims = tcase_create("claims");
-  tcase_add_checked_fixture(words, scratch_open, scratch_close);
-  tcase_add_test(words, commands_answer_as_said);
-  suite_add_tcase(s, words);
-  tcase_add_checked_fixture(claims, paper_open, paper_close);
-  tcase_add_test(claims, claims_are_refused_as_said);
-  tcase_add_test(claims, a_control_of_no_claim);
-  tcase_add_test(claims, a_receipt_of_another_rank);
-  tcase_add_test(claims, a_root_of_coefficients_that_scale_apart);
-  tcase_add_test(claims, a_value_of_two_sections);
-  suite_add_tcase(s, claims);
-  return s;
 }

@@ -11,7 +11,7 @@
 #include "rng.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* ---- common ground */
@@ -157,7 +157,9 @@ static uint64_t rnd(void) {
 
 /* ---- sections */
 
-START_TEST(names_by_section) {
+CASE("model", .each = {setup, teardown});
+
+TEST_EACH(names_by_section, 3) {
   static const char *const part[] = {
       "section: a\ndefine d1\n  x := 1\n  y := x\n  only := x + 10\n",
       "section: b\ndefine d2\n  x := 2\n  y := x\n  k := 7\n",
@@ -171,11 +173,10 @@ START_TEST(names_by_section) {
     ck_assert_str_eq(says(printed_view(), c.row[i][SECTION], c.row[i][FORMULA]), c.row[i][SAYS]);
   table_clear(&c);
 }
-END_TEST
 
 /* ---- overlays */
 
-START_TEST(overlays_by_rank) {
+TEST_EACH(overlays_by_rank, 5) {
   static const char *const part[] = {"define p\n  equation: 5\n  x := 1\n", "define u\n  x := 2\n",
                                      "define e\n  equation: 5\n  x := 3\n", "define s\n  equation: 5\n  x := 6\n",
                                      "define ctl\n  x := 4\ndefine ctl-2\n  x := 5\n"};
@@ -196,9 +197,8 @@ START_TEST(overlays_by_rank) {
   ck_assert_str_eq(layer_name[LAYER_CORRECTED], "corrected");
   ck_assert_str_eq(layer_name[LAYER_STABLE], "stable");
 }
-END_TEST
 
-START_TEST(overlays_and_sections) {
+TEST(overlays_and_sections) {
   load("section: a\ndefine a\n  x := 1\n  y := 1\n", RANK_PAPER);
   load("section: b\ndefine b\n  x := 2\n  y := 2\n", RANK_PAPER);
   load("define c\n  z := 3\n", RANK_PAPER);
@@ -218,7 +218,6 @@ START_TEST(overlays_and_sections) {
     ck_assert_str_eq(says(printed_view(), x[0], "z"), "3");
   }
 }
-END_TEST
 
 static const char *right_side(struct view v, const char *id) {
   const struct statement_record *r = view_record(&v, id);
@@ -231,7 +230,7 @@ static const char *right_side(struct view v, const char *id) {
   return s;
 }
 
-START_TEST(records_replaced) {
+TEST(records_replaced) {
   load("equation e-1\n  equation: 1\n  tex: a = 1\n  1 = 1\nequation e-2\n  1 = 2\n", RANK_PAPER);
   load("equation e-1\n  1 = 3\n", RANK_USER);
   load("equation e-1\n  equation: 1\n  1 = 4\nequation better\n  replaces: e-2\n  1 = 5\n", RANK_ERRATA);
@@ -255,11 +254,10 @@ START_TEST(records_replaced) {
   ck_assert_str_eq(r->equation, "1");
   ck_assert_str_eq(r->section, "");
 }
-END_TEST
 
 /* ---- mistakes of files */
 
-START_TEST(files_refused) {
+TEST(files_refused) {
   enum { TEXT, SAYS };
   struct table c;
   table_read(&c, "tests/cases/model_files.tsv", 2);
@@ -271,10 +269,9 @@ START_TEST(files_refused) {
   }
   table_clear(&c);
 }
-END_TEST
 
 /* Of the paper's own files alone, and one of them. */
-START_TEST(the_title_of_the_paper) {
+TEST(the_title_of_the_paper) {
   load("section: a\nsymbol s\n", RANK_PAPER);
   ck_assert_ptr_null(model.paper);
   load("paper: On friction\nsection: b\nsymbol q\n", RANK_PAPER);
@@ -288,9 +285,8 @@ START_TEST(the_title_of_the_paper) {
       "f4.eq:1:1: error: the paper's title stands in one of its own files, not in one that is laid over them\n"
       "  paper: Mine\n  ^");
 }
-END_TEST
 
-START_TEST(repetitions_allowed) {
+TEST(repetitions_allowed) {
   load("symbol s\ndefine d\n  section: a\n  x := 1\ndefine e\n  section: b\n  x := 1\n", RANK_PAPER);
   load("symbol s\nsymbol new\ndefine d\n  section: a\n  x := 2\n", RANK_USER);
   load("define d\n  section: a\n  x := 3\n", RANK_ERRATA);
@@ -303,9 +299,8 @@ START_TEST(repetitions_allowed) {
   ck_assert_str_eq(try_load("define e\n  section: a\n  x := 3\n", RANK_ERRATA),
                    "f6.eq:3:3: error: x is defined twice in section a\n    x := 3\n    ^");
 }
-END_TEST
 
-START_TEST(folders_of_files) {
+TEST(folders_of_files) {
   const char *top = scratch_path("");
   fails_with(model_add_folder(&model, scratch_path("absent"), RANK_PAPER, &d),
              "/absent: error: No such file or directory");
@@ -323,7 +318,6 @@ START_TEST(folders_of_files) {
   model_init(&model);
   fails_with(model_add_folder(&model, top, RANK_PAPER, &d), "/3.eq: error: a folder, not a regular file");
 }
-END_TEST
 
 /* ---- mistakes of formulas, each with its place */
 
@@ -332,7 +326,7 @@ static const char common[] = "symbol s\nsymbol t\nrelation m\n  trajectory z(t)\
                              "  F := [B, [B[1:2,1:2]; 0]; 0, A]\n  f(t) := 2*t\n"
                              "  root r0: r0^2 - s, smallest positive\n  root q0: q0 + s, smallest positive\n";
 
-START_TEST(formulas_refused) {
+TEST(formulas_refused) {
   enum { FORMULA, AT, WHAT };
   struct table c;
   table_read(&c, "tests/cases/model_formulas.tsv", 3);
@@ -345,9 +339,8 @@ START_TEST(formulas_refused) {
   }
   table_clear(&c);
 }
-END_TEST
 
-START_TEST(definitions_refused) {
+TEST(definitions_refused) {
   enum { TEXT, SAYS };
   struct table c;
   table_read(&c, "tests/cases/model_definitions.tsv", 2);
@@ -363,9 +356,8 @@ START_TEST(definitions_refused) {
   }
   table_clear(&c);
 }
-END_TEST
 
-START_TEST(names_refused) {
+TEST(names_refused) {
   load("define d\n  f(t) := t\n  x := 1\nrelation r\n  trajectory z(t)\n", RANK_PAPER);
   load("section: a\ndefine a\n  p := 1\n", RANK_PAPER);
   load("section: b\ndefine b\n  p := 1\n", RANK_PAPER);
@@ -380,12 +372,11 @@ START_TEST(names_refused) {
   for (size_t i = 0; i < sizeof c / sizeof *c; i++) fails_as(elaborate_name(&m, &el, c[i][0], "c", &d), c[i][1]);
   goes_well(elaborate_name(&m, &el, "x", "c", &d) && elaborate_name(&m, &el, "p", "a", &d));
 }
-END_TEST
 
 /* ---- functions */
 
 /* H(t) = [cos wt, sin wt / w] and its derivatives, by hand. */
-START_TEST(derivatives_of_functions) {
+TEST(derivatives_of_functions) {
   load("symbol w\nsymbol u\nsymbol t\ndefine d\n"
        "  H(t) := [cos(w*t), sin(w*t)/w]\n"
        "  G(u) := H'(2*u)\n"
@@ -422,10 +413,9 @@ START_TEST(derivatives_of_functions) {
   for (size_t i = 0; i < sizeof formula / sizeof *formula; i++)
     near(number(value_of(formula[i].formula)->e[formula[i].entry], env), expected[i], formula[i].formula);
 }
-END_TEST
 
 /* The expansions, by hand: products of two small symbols are dropped, values at 0 are kept. */
-START_TEST(first_orders) {
+TEST(first_orders) {
   load("symbol a\nsymbol t\nsymbol x\nsymbol y\ndefine d\n  H(t) := [cos(a*t); sin(a*t)]\n  v := [x; y]\n", RANK_PAPER);
   const struct named env[] = {{"a", 1.25}, {"t", 0.7}, {"x", 0.1}, {"y", 0.2}, {NULL, 0}};
   const double w = 1.25, t = 0.7, x = 0.1, y = 0.2;
@@ -445,9 +435,8 @@ START_TEST(first_orders) {
   for (size_t i = 0; i < sizeof formula / sizeof *formula; i++)
     near(number(value_of(formula[i].formula)->e[formula[i].entry], env), expected[i], formula[i].formula);
 }
-END_TEST
 
-START_TEST(parameters_are_their_own) {
+TEST(parameters_are_their_own) {
   load("symbol t\nsymbol s\ndefine d\n"
        "  g := t + 1\n  f(t) := g*t\n  h(s) := f(s) - f(2)\n  t2(s) := h(s)\n  pick(A) := A^2\n  A := [1, 2]\n"
        "relation m\n  trajectory z(t)\n",
@@ -464,18 +453,16 @@ START_TEST(parameters_are_their_own) {
   };
   for (size_t i = 0; i < sizeof c / sizeof *c; i++) ck_assert_str_eq(says(printed_view(), "", c[i][0]), c[i][1]);
 }
-END_TEST
 
 /* ---- matrices */
 
-START_TEST(matrices) {
+TEST(matrices) {
   load(common, RANK_PAPER);
   struct table c;
   table_read(&c, "tests/cases/model_matrices.tsv", 2);
   for (int i = 0; i < c.n; i++) ck_assert_str_eq(says(printed_view(), "", c.row[i][0]), c.row[i][1]);
   table_clear(&c);
 }
-END_TEST
 
 /* Determinant and inverse by elimination with pivoting, the test's own: a becomes the inverse. */
 static double eliminate(double a[4][4], int n) {
@@ -503,7 +490,7 @@ static double eliminate(double a[4][4], int n) {
   return det;
 }
 
-START_TEST(determinants_and_inverses) {
+TEST(determinants_and_inverses) {
   static const struct named none[] = {{NULL, 0}};
   rng.state = 11;
   for (int trial = 0; trial < 40; trial++) {
@@ -531,11 +518,10 @@ START_TEST(determinants_and_inverses) {
     text_clear(&t);
   }
 }
-END_TEST
 
 /* ---- roots */
 
-START_TEST(polynomials_of_roots) {
+TEST(polynomials_of_roots) {
   static const struct {
     const char *polynomial;
     double coeff[7]; /* at a = 2, b = 3, up to the leading one */
@@ -573,9 +559,8 @@ START_TEST(polynomials_of_roots) {
       near(number(el.roots[0].coeff[k], env), c[i].coeff[k], formatted("%s, x^%d", c[i].polynomial, k));
   }
 }
-END_TEST
 
-START_TEST(polynomials_refused) {
+TEST(polynomials_refused) {
   static const char *const polynomial[] = {"sin(w)",    "1/w",      "w/w",        "w^(-1)",  "sqrt(w^2)",
                                            "a",         "w^33",     "w^17*w^17",  "w^0 + w", "z(w)",
                                            "a/(1 + w)", "cot(a*w)", "(w^2)^(-1)", "(w^8)^5"};
@@ -593,10 +578,9 @@ START_TEST(polynomials_refused) {
                              "    root w: [w; 1], smallest positive\n            ^",
                              n_files));
 }
-END_TEST
 
 /* Roots of one name in two sections are two quantities, also where the one's polynomial holds the other. */
-START_TEST(roots_of_two_sections) {
+TEST(roots_of_two_sections) {
   load("section: a\ndefine a\n  root w: w^2 - g, smallest positive\n", RANK_PAPER);
   load("section: b\ndefine b\n  g := 3*w\n  root w: w - 5, largest positive\n  root v: v - 1, largest positive\n",
        RANK_PAPER);
@@ -611,11 +595,10 @@ START_TEST(roots_of_two_sections) {
     near(number(el.roots[i].coeff[0], env), a ? -15 : -5, el.roots[i].name);
   }
 }
-END_TEST
 
 /* ---- values from outside */
 
-START_TEST(overridden_matrices) {
+TEST(overridden_matrices) {
   load("symbol s\nsymbol t\ndefine d\n  A := [s, 2; 3, 4]\n  P := A*[1; s]\n  f(A) := A + 1\n  one := 1/s\n",
        RANK_PAPER);
   static const struct override o[] = {{"A", 2, 2}, {"one", 1, 1}};
@@ -634,11 +617,10 @@ START_TEST(overridden_matrices) {
     ck_assert_str_eq(spell(&m), c[i][1]);
   }
 }
-END_TEST
 
 /* ---- both sides, and everything at once */
 
-START_TEST(sides_in_one_shape) {
+TEST(sides_in_one_shape) {
   load("symbol s\nequation e\n  [s; 1] = 0\n  0 = [s, 1] = [1, 2]\n  s = [1; 2]\n  s = 0\n", RANK_PAPER);
   static const struct {
     int stmt, step;
@@ -657,9 +639,8 @@ START_TEST(sides_in_one_shape) {
   ck_assert(!elaborate_sides(&a, &b, &el, r->stmts[2], 0, r->src, "", &d));
   ck_assert_str_eq(shown(&d), "f1.eq:5:3: error: the two sides have the shapes 1x1 and 2x1\n    s = [1; 2]\n    ^");
 }
-END_TEST
 
-START_TEST(everything_checked) {
+TEST(everything_checked) {
   enum { TEXT, SAYS };
   struct table c;
   table_read(&c, "tests/cases/model_checked.tsv", 2);
@@ -682,7 +663,6 @@ START_TEST(everything_checked) {
   fails_with(view_check(printed_view(), &d), "nope");
   table_clear(&c);
 }
-END_TEST
 
 /* ---- limits: each is a diagnostic, none is a crash */
 
@@ -703,7 +683,7 @@ static const char *nested_definitions(int n) {
   return s;
 }
 
-START_TEST(nesting_is_bounded) {
+TEST(nesting_is_bounded) {
   static const struct named env[] = {{"s", 0.25}, {NULL, 0}};
   load(nested_definitions(20), RANK_PAPER);
   near(number(value_of("y6")->e[0], env), 0.25, "900 brackets, an even number"); /* 1 - (1 - s) = s */
@@ -712,9 +692,8 @@ START_TEST(nesting_is_bounded) {
     ck_assert_ptr_nonnull(strstr(says(printed_view(), "", wrong[i]),
                                  "error: definitions and brackets nested more than 1000 levels deep"));
 }
-END_TEST
 
-START_TEST(sizes_are_bounded) {
+TEST(sizes_are_bounded) {
   struct text t;
   text_init(&t);
   text_add(&t, "symbol s\ndefine d\n  column := [1");
@@ -740,7 +719,6 @@ START_TEST(sizes_are_bounded) {
                    "e:1:8: error: a formula of more than 500000 scalars when its definitions are put in\n"
                    "  s + tr(square*square)\n         ^");
 }
-END_TEST
 
 /* ---- the paper */
 
@@ -749,7 +727,7 @@ static const char *data(const char *name) {
   return formatted("%s/%s", folder && *folder ? folder : "verify", name);
 }
 
-START_TEST(paper_files) {
+TEST(paper_files) {
   goes_well(model_add_folder(&model, data("paper"), RANK_PAPER, &d));
   goes_well(model_add_file(&model, data("errata.eq"), RANK_ERRATA, &d));
   for (int layer = 0; layer < N_LAYERS; layer++)
@@ -766,42 +744,4 @@ START_TEST(paper_files) {
     if (r->rank == RANK_PAPER) numbered[n] = true;
   }
   for (int i = 1; i <= LAST; i++) ck_assert_msg(numbered[i], "equation (%d) is missing", i);
-}
-END_TEST
-
-Suite *model_suite(void) {
-  Suite *s = suite_create("model");
-  TCase *tc = tcase_create("files");
-  tcase_add_checked_fixture(tc, setup, teardown);
-  tcase_add_loop_test(tc, names_by_section, 0, 3);
-  tcase_add_loop_test(tc, overlays_by_rank, 0, 5);
-  tcase_add_test(tc, overlays_and_sections);
-  tcase_add_test(tc, records_replaced);
-  tcase_add_test(tc, files_refused);
-  tcase_add_test(tc, the_title_of_the_paper);
-  tcase_add_test(tc, repetitions_allowed);
-  tcase_add_test(tc, folders_of_files);
-  tcase_add_test(tc, paper_files);
-  suite_add_tcase(s, tc);
-
-  tc = tcase_create("elaboration");
-  tcase_add_checked_fixture(tc, setup, teardown);
-  tcase_add_test(tc, formulas_refused);
-  tcase_add_test(tc, definitions_refused);
-  tcase_add_test(tc, names_refused);
-  tcase_add_test(tc, derivatives_of_functions);
-  tcase_add_test(tc, first_orders);
-  tcase_add_test(tc, parameters_are_their_own);
-  tcase_add_test(tc, matrices);
-  tcase_add_test(tc, determinants_and_inverses);
-  tcase_add_test(tc, polynomials_of_roots);
-  tcase_add_test(tc, polynomials_refused);
-  tcase_add_test(tc, roots_of_two_sections);
-  tcase_add_test(tc, overridden_matrices);
-  tcase_add_test(tc, sides_in_one_shape);
-  tcase_add_test(tc, everything_checked);
-  tcase_add_test(tc, nesting_is_bounded);
-  tcase_add_test(tc, sizes_are_bounded);
-  suite_add_tcase(s, tc);
-  return s;
 }

@@ -24,7 +24,7 @@
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 #include "tape/exact.h"
 #include "value/expression.h"
@@ -66,7 +66,9 @@ static bool proved_equal(const char *x, const char *y, int *status) {
   return equal;
 }
 
-START_TEST(identities_are_proved) {
+CASE("exact", .once = {paper_open, paper_close});
+
+TEST(identities_are_proved) {
   struct table rows;
   table_read(&rows, "tests/cases/identities.tsv", 2);
   for (int i = 0; i < rows.n; i++) {
@@ -76,10 +78,9 @@ START_TEST(identities_are_proved) {
   }
   table_clear(&rows);
 }
-END_TEST
 
 /* What is false, and what is true but beyond it. */
-START_TEST(nothing_else_is_proved) {
+TEST(nothing_else_is_proved) {
   struct table rows;
   table_read(&rows, "tests/cases/no_identities.tsv", 2);
   for (int i = 0; i < rows.n; i++) {
@@ -89,9 +90,8 @@ START_TEST(nothing_else_is_proved) {
   }
   table_clear(&rows);
 }
-END_TEST
 
-START_TEST(what_is_undefined_or_too_large_is_said) {
+TEST(what_is_undefined_or_too_large_is_said) {
   static const struct {
     const char *text;
     int status;
@@ -106,7 +106,6 @@ START_TEST(what_is_undefined_or_too_large_is_said) {
     ck_assert_msg(s == rows[i].status, "%s: %d", rows[i].text, s);
   }
 }
-END_TEST
 
 static void random_expression(struct text *t, int depth) {
   static const char *const leaf[] = {"chi", "eta", "V", "1", "2"};
@@ -148,7 +147,7 @@ static double value_of(const char *text) {
 
 /* Random expressions: rewritten by the laws of a field they stay equal; and whatever is called equal has equal
    values. */
-START_TEST(equality_obeys_the_laws_and_never_lies) {
+TEST(equality_obeys_the_laws_and_never_lies) {
   static const char *const rewritten[] = {"((%s) + (%s)) - (%s)", "-(-(%s)) + ((%s) - (%s))",
                                           "(%s)*(1 + (%s)^2)/(1 + (%s)^2)"};
   long equal = 0;
@@ -175,7 +174,6 @@ START_TEST(equality_obeys_the_laws_and_never_lies) {
   }
   ck_assert_int_gt(equal, 200);
 }
-END_TEST
 
 /* --- What holds on every motion --- */
 
@@ -211,7 +209,7 @@ static void try_facts(long *held, enum point_kind kind, bool finite) {
   point_clear(&p);
 }
 
-START_TEST(facts_hold_on_motions) {
+TEST(facts_hold_on_motions) {
   long *held = calloc((size_t)n_motion_facts, sizeof *held);
   try_facts(held, POINT_ARC, false);
   try_facts(held, POINT_ARC, true);
@@ -220,7 +218,6 @@ START_TEST(facts_hold_on_motions) {
     ck_assert_msg(held[i] >= 4, "%s was tried %ld times", motion_facts[i][0], held[i]);
   free(held);
 }
-END_TEST
 
 /* --- Processes --- */
 
@@ -248,7 +245,9 @@ static void no_child_is_left(void) {
   ck_assert(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD);
 }
 
-START_TEST(work_is_shared_in_order) {
+CASE("mutate");
+
+TEST(work_is_shared_in_order) {
   static const int jobs[] = {1, 2, 3, 7, 64};
   struct answer a[20];
   int ten = 10;
@@ -260,9 +259,8 @@ START_TEST(work_is_shared_in_order) {
       no_child_is_left();
     }
 }
-END_TEST
 
-START_TEST(a_process_that_ends_early_is_noticed) {
+TEST(a_process_that_ends_early_is_noticed) {
   static crew_make *const bad[] = {die_at_seven, leave_at_seven};
   struct answer a[20];
   int ten = 10;
@@ -273,7 +271,6 @@ START_TEST(a_process_that_ends_early_is_noticed) {
       no_child_is_left();
     }
 }
-END_TEST
 
 /* --- Mutants whose fate is known --- */
 
@@ -357,7 +354,9 @@ static const struct {
     {"eq-60c", "V*2 - chi*z_2'(t) > 0", FATE_NOTICED},                        /* true, but is not hbar' > 0 */
 };
 
-START_TEST(fates_known_beforehand) {
+CASE("mutants", .once = {open_known, close_known}, .seconds = 300, .tags = "long");
+
+TEST_EACH(fates_known_beforehand, COUNT(fates)) {
   const struct survivor *s = fates[_i].text ? survivor_of(&known, fates[_i].text) : NULL;
   bool noticed = fates[_i].fate == FATE_NOTICED;
   if (!is_known(fates[_i].record)) return;
@@ -369,10 +368,9 @@ START_TEST(fates_known_beforehand) {
   if (!noticed)
     ck_assert_msg(s && s->fate == fates[_i].fate, "%s: %s", fates[_i].text, s ? mutant_fate_name[s->fate] : "noticed");
 }
-END_TEST
 
 /* Every text in the table is one that the damages make, so that "noticed" is not the fate of what was never tried. */
-START_TEST(every_known_fate_is_of_a_mutant) {
+TEST(every_known_fate_is_of_a_mutant) {
   struct mutants m;
   mutants_init(&m, &the_paper.model, known_records, N_KNOWN);
   for (size_t k = 0; k < sizeof fates / sizeof *fates; k++) {
@@ -382,9 +380,8 @@ START_TEST(every_known_fate_is_of_a_mutant) {
   }
   mutants_clear(&m);
 }
-END_TEST
 
-START_TEST(the_run_adds_up_and_has_every_kind_of_damage) {
+TEST(the_run_adds_up_and_has_every_kind_of_damage) {
   ck_assert_int_eq(known.tried, known.population);
   long all = mutation_row_total(&known.formulas) + mutation_row_total(&known.errata);
   for (int k = 0; k < N_DAMAGE_CLASSES; k++) all += mutation_row_total(&known.data[k]);
@@ -400,9 +397,8 @@ START_TEST(the_run_adds_up_and_has_every_kind_of_damage) {
   ck_assert_int_eq(known.formulas.count[FATE_UNDECIDED] + known.formulas.count[FATE_UNREAD],
                    known.printed.count[FATE_UNDECIDED]);
 }
-END_TEST
 
-START_TEST(the_run_obeys_its_schema) {
+TEST(the_run_obeys_its_schema) {
   struct text t;
   text_init(&t);
   report_mutation_json(&t, &known);
@@ -412,11 +408,10 @@ START_TEST(the_run_obeys_its_schema) {
   shell_well("sed 's/\"noticed\": [1-9]/&1/' $D/m.json > $D/bad.json; "
              "! $Y tests/oracle/validate.py schema/mutation.schema.json $D/bad.json > /dev/null");
 }
-END_TEST
 
 /* Damage to printed text that is refuted anyway, as that of (10) is, shows in its restricted claim alone; it counts
    like any other, and has a row that says how many of the formulas' are such. */
-START_TEST(printed_text_that_is_corrected_counts) {
+TEST(printed_text_that_is_corrected_counts) {
   static const char *const record = "eq-10";
   struct mutants m;
   long printed = 0, survive = 0;
@@ -435,7 +430,6 @@ START_TEST(printed_text_that_is_corrected_counts) {
   ck_assert_int_ge(mutation_row_total(&known.formulas), mutation_row_total(&known.printed));
   mutants_clear(&m);
 }
-END_TEST
 
 /* --- That what is noticed is the damage --- */
 
@@ -456,9 +450,11 @@ static struct verdicts verdicts_of(const struct claim *c, const struct model *m,
   return v;
 }
 
+CASE("damage", .once = {paper_open, paper_close}, .seconds = 300);
+
 /* Every statement replaced by a copy of itself, all at once: no claim with little effort says anything else, none that
    is asked early is refuted that is not refuted in full. */
-START_TEST(a_copy_of_the_text_is_not_noticed) {
+TEST(a_copy_of_the_text_is_not_noticed) {
   struct overlay o;
   struct arena a;
   arena_init(&a);
@@ -489,11 +485,10 @@ START_TEST(a_copy_of_the_text_is_not_noticed) {
   overlay_clear(&o);
   arena_clear(&a);
 }
-END_TEST
 
 /* What little effort proves the full one proves, be it under a condition that it looks for besides; and the other way
    round: a lost proof is another verdict. */
-START_TEST(little_effort_proves_what_the_full_one_proves) {
+TEST(little_effort_proves_what_the_full_one_proves) {
   long proved = 0;
   for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(2)) {
     const struct claim *c = &the_paper.claims.claim[i];
@@ -512,7 +507,6 @@ START_TEST(little_effort_proves_what_the_full_one_proves) {
   }
   ck_assert_int_gt(proved, 15 / every(2));
 }
-END_TEST
 
 /* Damage that only a late claim notices, judged in full: the claim's verdict is another one. */
 static const struct {
@@ -526,7 +520,7 @@ static const struct {
     {"text-criterion", "-1 < tr(J) < 2", "text-criterion"},
 };
 
-START_TEST(what_little_effort_notices_the_full_one_notices) {
+TEST_EACH(what_little_effort_notices_the_full_one_notices, COUNT(late)) {
   const struct claim *c = claim_of(late[_i].claim);
   struct overlay o;
   struct mutants m;
@@ -546,11 +540,10 @@ START_TEST(what_little_effort_notices_the_full_one_notices) {
   mutants_clear(&m);
   overlay_clear(&o);
 }
-END_TEST
 
 /* Of the paper's damages, as claims notice them that draw orbits, which each process does for itself; without (57), the
    first, whose damages take longer than all the others. */
-START_TEST(any_number_of_processes_finds_the_same) {
+TEST(any_number_of_processes_finds_the_same) {
   enum { N = 4 };
   struct claim few[N];
   const char *record[N];
@@ -573,10 +566,9 @@ START_TEST(any_number_of_processes_finds_the_same) {
   ck_assert_msg(strcmp(text_str(&said[0]), text_str(&said[1])) == 0, "five processes find something else than one");
   for (int i = 0; i < 2; i++) text_clear(&said[i]);
 }
-END_TEST
 
 /* Degrees are looked at in what a damage reaches alone: that finds as much as everywhere. */
-START_TEST(what_is_touched_is_enough_for_scaling) {
+TEST(what_is_touched_is_enough_for_scaling) {
   static const char *const record[] = {"eq-36b", "err-40", "eq-32", "eq-1b", "eq-44"};
   const struct claim *c = claim_of("text-scaling");
   struct mutants m;
@@ -600,10 +592,9 @@ START_TEST(what_is_touched_is_enough_for_scaling) {
   mutants_clear(&m);
   free(touched);
 }
-END_TEST
 
 /* The criterion with its halves exchanged says the same, and with another bound it does not. */
-START_TEST(halves_that_change_places_are_the_same) {
+TEST(halves_that_change_places_are_the_same) {
   static const char *const record = "text-criterion";
   struct overlay o;
   struct mutants m;
@@ -625,11 +616,10 @@ START_TEST(halves_that_change_places_are_the_same) {
   overlay_clear(&o);
   facts_free(f);
 }
-END_TEST
 
 /* A claim about corrected text is compared as corrected too: damage to an erratum does not show in its own printed
    text. */
-START_TEST(a_correction_that_differs_is_not_called_the_same) {
+TEST(a_correction_that_differs_is_not_called_the_same) {
   const struct claim *c = claim_of("eq-30");
   struct overlay o;
   struct arena a;
@@ -655,10 +645,9 @@ START_TEST(a_correction_that_differs_is_not_called_the_same) {
   arena_clear(&a);
   facts_free(f);
 }
-END_TEST
 
 /* Fewer claims notice less: those that are asked read (26), and nothing reads J_a. */
-START_TEST(a_missing_check_shows) {
+TEST(a_missing_check_shows) {
   struct claim few[] = {*claim_of("eq-26b")};
   struct claims asked = the_paper.claims;
   asked.claim = few;
@@ -673,10 +662,9 @@ START_TEST(a_missing_check_shows) {
   ck_assert_int_eq(r.formulas.count[FATE_UNDECIDED] + r.formulas.count[FATE_UNREAD], 0);
   mutation_result_clear(&r);
 }
-END_TEST
 
 /* Counted are formulas and the classes that count, without what means the same or needs the text; errata apart. */
-START_TEST(the_score_has_one_denominator) {
+TEST(the_score_has_one_denominator) {
   struct mutation_result r;
   struct mutation_score s;
   mutation_result_init(&r);
@@ -702,7 +690,6 @@ START_TEST(the_score_has_one_denominator) {
   ck_assert_int_eq(s.errata, 1013);
   mutation_result_clear(&r);
 }
-END_TEST
 
 /* --- Damage to the oracles: each entry of each matrix that a claim holds against the model --- */
 
@@ -739,7 +726,9 @@ static void offset_value(struct overlay *o, struct arena *a, const struct claim 
   text_clear(&t);
 }
 
-START_TEST(every_entry_is_held_against_the_model) {
+CASE("oracles", .once = {paper_open, paper_close});
+
+TEST(every_entry_is_held_against_the_model) {
   long tried = 0;
   for (size_t i = 0; i < the_paper.claims.n; i++) {
     const struct claim *c = &the_paper.claims.claim[i];
@@ -765,10 +754,9 @@ START_TEST(every_entry_is_held_against_the_model) {
   }
   ck_assert_int_gt(tried, 100);
 }
-END_TEST
 
 /* A formula held against another quantity of the model is refuted, on every pair of the same shape. */
-START_TEST(oracles_are_not_interchangeable) {
+TEST(oracles_are_not_interchangeable) {
   static const char *const names[] = {"D(t)", "Gamma(t)", "H(t)", "C(t)", "K", "K_1", "K_2"};
   enum { N = sizeof names / sizeof *names };
   for (int i = 0; i < N; i++)
@@ -790,7 +778,6 @@ START_TEST(oracles_are_not_interchangeable) {
       sentence_clear(&s);
     }
 }
-END_TEST
 
 /* --- Repairs --- */
 
@@ -819,8 +806,10 @@ static void close_repairs(void) {
   paper_close();
 }
 
+CASE("repairs", .once = {open_repairs, close_repairs}, .seconds = 300, .tags = "long");
+
 /* Whether a record of the errata is the correction of some claim for which it was found. */
-START_TEST(every_erratum_is_found) {
+TEST(every_erratum_is_found) {
   long found = 0;
   for (size_t i = 0; i < all_repairs.n; i++) {
     const struct repairs *c = &all_repairs.claim[i];
@@ -835,11 +824,10 @@ START_TEST(every_erratum_is_found) {
   for (size_t i = 0; i < the_paper.model.n_records; i++) errata += the_paper.model.records[i].rank == RANK_ERRATA;
   ck_assert_int_ge(found, errata); /* two claims may share one */
 }
-END_TEST
 
 /* The repaired text written into a file of its own and judged by a whole run: the verdict is the one that was
    promised. */
-START_TEST(every_repair_passes_a_run_of_its_own) {
+TEST(every_repair_passes_a_run_of_its_own) {
   long tried = 0;
   for (size_t i = 0; i < all_repairs.n; i++)
     for (size_t k = 0; k < all_repairs.claim[i].n; k++, tried++) {
@@ -877,21 +865,21 @@ START_TEST(every_repair_passes_a_run_of_its_own) {
     }
   ck_assert_int_ge(tried, 7);
 }
-END_TEST
 
-START_TEST(the_smallest_repair_comes_first) {
+TEST(the_smallest_repair_comes_first) {
   for (size_t i = 0; i < all_repairs.n; i++)
     for (size_t k = 1; k < all_repairs.claim[i].n; k++) {
       const struct repair *a = &all_repairs.claim[i].repair[k - 1], *b = &all_repairs.claim[i].repair[k];
       ck_assert(a->edits < b->edits || (a->edits == b->edits && a->distance <= b->distance));
     }
 }
-END_TEST
 
 /* --- The commands --- */
 
+CASE("commands", .once = {scratch_open, scratch_close}, .seconds = 300, .tags = "long");
+
 /* Of a small audit, for every class of damages that it has. */
-START_TEST(any_number_of_processes_gives_the_same_bytes) {
+TEST(any_number_of_processes_gives_the_same_bytes) {
   static const char *const jobs[] = {"1", "5"};
   for (int i = 0; i < 2; i++)
     shell_well("STICKSLIP_DATA=tests/another \"$P\" mutate --count 12 --seed 5 --jobs %s --out \"$D/j%d\" | "
@@ -905,24 +893,21 @@ START_TEST(any_number_of_processes_gives_the_same_bytes) {
   /* where each of the 12 went */
   shell_well("awk '/ damages of formulas: /{n=$1; sum=$5+$7+$10+$13} END{exit n!=12 || sum!=12}' \"$D/t0\"");
 }
-END_TEST
 
-START_TEST(output_obeys_its_schemas) {
+TEST(output_obeys_its_schemas) {
   shell_well("STICKSLIP_DATA=tests/another \"$P\" mutate --count 40 --json > \"$D/m.json\"");
   shell_well("$P repair eq-10 eq-36b eq-27 num-t_a --json > $D/r.json");
   shell_well("$Y tests/oracle/validate.py schema/mutation.schema.json $D/m.json");
   shell_well("$Y tests/oracle/validate.py schema/repairs.schema.json $D/r.json");
 }
-END_TEST
 
 /* What is drawn depends on the seed: one of many damages, seldom the same. */
-START_TEST(extreme_options_are_taken) {
+TEST(extreme_options_are_taken) {
   shell_well("\"$P\" mutate --only title --count 1000000 --jobs 64 > /dev/null");
   shell_well("\"$P\" mutate --only title --count 1 --seed 0 --json | grep -v seed > \"$D/least\"");
   shell_well("\"$P\" mutate --only title --count 1 --seed 18446744073709551615 --json | grep -v seed > \"$D/most\"");
   shell_well("! cmp -s \"$D/least\" \"$D/most\"");
 }
-END_TEST
 
 /* With its three processes, each of which has long begun. */
 static bool works(pid_t pid) {
@@ -931,7 +916,7 @@ static bool works(pid_t pid) {
 
 /* Ended in the midst of its work, by Ctrl-C for all or by a signal for the parent alone: no file, no process is
    left. */
-START_TEST(an_interrupted_run_leaves_nothing) {
+TEST_EACH(an_interrupted_run_leaves_nothing, 2) {
   const char *args[] = {
       "mutate", "--only", "quotation", "--count", "all", "--jobs", "3", "--out", scratch_path("interrupted"), NULL};
   struct job j;
@@ -943,67 +928,4 @@ START_TEST(an_interrupted_run_leaves_nothing) {
   ck_assert(process_until(group_has_ended, j.pid));
   ck_assert(!scratch_has("interrupted"));
   job_clear(&j);
-}
-END_TEST
-
-Suite *mutate_suite(void) {
-  Suite *s = suite_create("mutate");
-  TCase *c = tcase_create("exact");
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-  tcase_add_test(c, identities_are_proved);
-  tcase_add_test(c, nothing_else_is_proved);
-  tcase_add_test(c, what_is_undefined_or_too_large_is_said);
-  tcase_add_test(c, equality_obeys_the_laws_and_never_lies);
-  tcase_add_test(c, facts_hold_on_motions);
-  suite_add_tcase(s, c);
-  c = tcase_create("workers");
-  tcase_add_test(c, work_is_shared_in_order);
-  tcase_add_test(c, a_process_that_ends_early_is_noticed);
-  suite_add_tcase(s, c);
-  c = tcase_create("mutants");
-  tcase_set_tags(c, "long");
-  tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, open_known, close_known);
-  tcase_add_loop_test(c, fates_known_beforehand, 0, (int)(sizeof fates / sizeof *fates));
-  tcase_add_test(c, every_known_fate_is_of_a_mutant);
-  tcase_add_test(c, the_run_adds_up_and_has_every_kind_of_damage);
-  tcase_add_test(c, the_run_obeys_its_schema);
-  tcase_add_test(c, printed_text_that_is_corrected_counts);
-  suite_add_tcase(s, c);
-  c = tcase_create("damage");
-  tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-  tcase_add_test(c, a_copy_of_the_text_is_not_noticed);
-  tcase_add_test(c, little_effort_proves_what_the_full_one_proves);
-  tcase_add_loop_test(c, what_little_effort_notices_the_full_one_notices, 0, (int)(sizeof late / sizeof *late));
-  tcase_add_test(c, any_number_of_processes_finds_the_same);
-  tcase_add_test(c, what_is_touched_is_enough_for_scaling);
-  tcase_add_test(c, halves_that_change_places_are_the_same);
-  tcase_add_test(c, a_correction_that_differs_is_not_called_the_same);
-  tcase_add_test(c, a_missing_check_shows);
-  tcase_add_test(c, the_score_has_one_denominator);
-  suite_add_tcase(s, c);
-  c = tcase_create("oracles");
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-  tcase_add_test(c, every_entry_is_held_against_the_model);
-  tcase_add_test(c, oracles_are_not_interchangeable);
-  suite_add_tcase(s, c);
-  c = tcase_create("repairs");
-  tcase_set_tags(c, "long");
-  tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, open_repairs, close_repairs);
-  tcase_add_test(c, every_erratum_is_found);
-  tcase_add_test(c, every_repair_passes_a_run_of_its_own);
-  tcase_add_test(c, the_smallest_repair_comes_first);
-  suite_add_tcase(s, c);
-  c = tcase_create("commands");
-  tcase_set_tags(c, "long");
-  tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, any_number_of_processes_gives_the_same_bytes);
-  tcase_add_test(c, output_obeys_its_schemas);
-  tcase_add_test(c, extreme_options_are_taken);
-  tcase_add_loop_test(c, an_interrupted_run_leaves_nothing, 0, 2);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -5,7 +5,8 @@
 #include "num/flint_more.h"
 #include "rational.h"
 #include "rng.h"
-#include "suites.h"
+#include "scratch.h"
+#include "suite.h"
 
 #include <math.h>
 #include <signal.h>
@@ -63,7 +64,7 @@ static bool same(const struct num_vec *v, const struct num_vec *w) {
 
 /* --- Vectors. --- */
 
-START_TEST(vectors) {
+TEST_EACH(vectors, LAW_CONTEXTS) {
   struct num_vec v, w, none;
   num_vec_init(&v, 3, law_context(_i));
   num_vec_init(&w, 3, law_context(_i));
@@ -79,14 +80,19 @@ START_TEST(vectors) {
   num_vec_set(&none, &none);
   vecs_clear(&v, &w, &none);
 }
-END_TEST
 
-START_TEST(out_of_range_aborts) {
+static slong outside;
+
+static void take_outside(void) {
   struct num_vec v;
   num_vec_init(&v, 3, num_ctx_double());
-  num_vec_at(&v, _i == 0 ? -1 : 3);
+  num_vec_at(&v, outside);
 }
-END_TEST
+
+TEST_EACH(out_of_range_aborts, 2) {
+  outside = _i == 0 ? -1 : 3;
+  ck_assert_int_eq(child_end(take_outside), -SIGABRT);
+}
 
 /* --- Matrices. --- */
 
@@ -114,7 +120,7 @@ static bool are_integers(const struct num_vec *v, const fmpz_mat_t a, double eps
 }
 
 /* Integer entries small enough for every type to be exact: the product must be FLINT's. */
-START_TEST(products) {
+TEST_EACH(products, LAW_CONTEXTS) {
   for (uint64_t seed = 1; seed <= 60; seed++) {
     struct rng r = {seed};
     slong m = rng_between(&r, 1, 4), n = rng_between(&r, 1, 4), p = rng_between(&r, 1, 4);
@@ -148,10 +154,9 @@ START_TEST(products) {
     vecs_clear(&x, &y, &z);
   }
 }
-END_TEST
 
 /* a x = b with chosen integers x; entries up to 20, so that the error stays below 2^16 units for nearly singular a. */
-START_TEST(solutions_and_determinants) {
+TEST_EACH(solutions_and_determinants, LAW_CONTEXTS) {
   struct num_ctx ctx = law_context(_i);
   double eps = ldexp(1, 18 - (int)ctx.prec);
   int solved = 0;
@@ -196,14 +201,13 @@ START_TEST(solutions_and_determinants) {
   }
   ck_assert_int_gt(solved, 100);
 }
-END_TEST
 
 static void fill(struct num_vec *v, const double *x) {
   for (slong i = 0; i < v->len; i++) put(v, i, x[i]);
 }
 
 /* An entry that overflows on the way is lost whatever it would come to, and no other entry is. */
-START_TEST(products_that_cannot_be_held) {
+TEST(products_that_cannot_be_held) {
   struct num_vec x, y, z;
   num_vec_init(&x, 4, num_ctx_double());
   num_vec_init(&y, 2, num_ctx_double());
@@ -215,10 +219,9 @@ START_TEST(products_that_cannot_be_held) {
   ck_assert(is_nan(&z, 0) && *(double *)num_vec_at(&z, 1) == 3e300);
   vecs_clear(&z, &y, &x);
 }
-END_TEST
 
 /* Elimination is exact on these, whatever the type. */
-START_TEST(singular_matrices) {
+TEST_EACH(singular_matrices, LAW_CONTEXTS) {
   static const double singular[][9] = {{0, 0, 0, 0, 0, 0, 0, 0, 0},
                                        {1, 2, 3, 2, 4, 6, 1, 1, 1},
                                        {1, 0, 2, 3, 0, 4, 5, 0, 6},
@@ -246,9 +249,8 @@ START_TEST(singular_matrices) {
   ck_assert(d.ctx.type->get_d(num_vec_at(&d, 0)) == -64);
   vecs_clear(&a, &b, &x, &d);
 }
-END_TEST
 
-START_TEST(pivots_that_cannot_be_told) {
+TEST(pivots_that_cannot_be_told) {
   struct num_ctx ctx = num_ctx_arb(100);
   struct num_vec a, b, d;
   num_vec_init(&a, 4, ctx);
@@ -274,7 +276,6 @@ START_TEST(pivots_that_cannot_be_told) {
   ck_assert_int_eq(num_mat_solve(&b, &a, &b, 2, 1), SS_OK);
   vecs_clear(&a, &b, &d);
 }
-END_TEST
 
 /* --- Roots. --- */
 
@@ -363,16 +364,15 @@ static void check_known_roots(struct num_ctx ctx, uint64_t seed) {
   vecs_clear(&c, &z);
 }
 
-START_TEST(known_roots) {
+TEST_EACH(known_roots, 5) {
   const struct num_ctx contexts[] = {num_ctx_double(), num_ctx_mpfr(64), num_ctx_mpfr(300), num_ctx_arb(64),
                                      num_ctx_arb(300)};
   for (uint64_t seed = 1; seed <= 200; seed++) check_known_roots(contexts[_i], seed);
 }
-END_TEST
 
 /* x^4 - (1 + chi eta) x^2 + chi eta (1 - chi), the characteristic equation of (3) in omega, for chi = 4/5, eta = 1:
    omega^2 = (9/5 -+ sqrt(81/25 - 16/25))/2, by the quadratic formula at a higher precision. */
-START_TEST(even_quartic) {
+TEST_EACH(even_quartic, LAW_CONTEXTS) {
   struct num_ctx ctx = law_context(_i);
   struct num_vec c, z;
   arb_t exact, x;
@@ -408,11 +408,10 @@ START_TEST(even_quartic) {
   arb_clear(exact);
   arb_clear(x);
 }
-END_TEST
 
 /* Sine and cosine in MPFR are correctly rounded, so that MPFR's own functions are the oracle, bit for bit: at ordinary
    arguments, near zeros of either, at tiny and at large ones, for every precision on the way. */
-START_TEST(sines_are_rounded_as_mpfr_does) {
+TEST(sines_are_rounded_as_mpfr_does) {
   static const slong precs[] = {2, 53, 64, 128, 160, 256, 500, 1100};
   flint_rand_t random;
   flint_randinit(random);
@@ -444,11 +443,10 @@ START_TEST(sines_are_rounded_as_mpfr_does) {
   }
   flint_randclear(random);
 }
-END_TEST
 
 /* (x - a)(x - b) of different a and b, at two precisions, in an order that brings each back before and after others
    have pushed it out: a root that is kept is the one that a first question gets, and no other polynomial's. */
-START_TEST(a_root_asked_again_is_the_same) {
+TEST(a_root_asked_again_is_the_same) {
   enum { N = 7, ROUNDS = 5 };
   arb_t first[N][2];
   for (int i = 0; i < 2 * N; i++) arb_init(first[i / 2][i % 2]);
@@ -472,11 +470,10 @@ START_TEST(a_root_asked_again_is_the_same) {
   }
   for (int i = 0; i < 2 * N; i++) arb_clear(first[i / 2][i % 2]);
 }
-END_TEST
 
 /* Coefficients that are balls: the answer must hold the root of every polynomial in them, here of random ones made from
    roots near 1 and 3, and widen with the coefficients; a root that may be double cannot be told. */
-START_TEST(roots_of_balls) {
+TEST(roots_of_balls) {
   struct num_ctx ctx = num_ctx_arb(128);
   struct num_vec c, z;
   num_vec_init(&c, 3, ctx);
@@ -514,10 +511,9 @@ START_TEST(roots_of_balls) {
   ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_UNABLE);
   vecs_clear(&c, &z);
 }
-END_TEST
 
 /* Roots that are hard to separate, 2^e and 2^e (1 + 2^-gap) for pairs (e, gap), and roots that are far apart. */
-START_TEST(close_and_distant_roots) {
+TEST(close_and_distant_roots) {
   const slong cases[][2] = {{0, 40}, {0, 150}, {-500, 100}, {500, 190}, {-5000, 60}};
   struct num_ctx ctx = num_ctx_arb(200);
   struct num_vec c, z;
@@ -582,10 +578,9 @@ START_TEST(close_and_distant_roots) {
   ck_assert(is_nan(&y, 0));
   vecs_clear(&d, &y, &c, &z);
 }
-END_TEST
 
 /* Wilkinson's polynomial of degree 12 in doubles (its coefficients are exact below 2^53): the roots are 1, ..., 12. */
-START_TEST(many_roots) {
+TEST(many_roots) {
   double roots[12];
   fmpz_poly_t f;
   struct num_vec c, z;
@@ -608,9 +603,8 @@ START_TEST(many_roots) {
   fmpz_poly_clear(f);
   vecs_clear(&c, &z);
 }
-END_TEST
 
-START_TEST(polynomials_without_roots) {
+TEST_EACH(polynomials_without_roots, LAW_CONTEXTS) {
   struct num_vec c, z;
   num_vec_init(&c, 3, law_context(_i));
   num_vec_init(&z, 1, law_context(_i));
@@ -623,7 +617,6 @@ START_TEST(polynomials_without_roots) {
     }
   vecs_clear(&c, &z);
 }
-END_TEST
 
 /* --- Text. --- */
 
@@ -668,7 +661,7 @@ static double random_double(struct rng *r) {
   return rng_next(r) % 2 ? -x : x;
 }
 
-START_TEST(digits_of_doubles) {
+TEST(digits_of_doubles) {
   struct text got, want;
   arb_t x;
   arb_init(x);
@@ -691,10 +684,9 @@ START_TEST(digits_of_doubles) {
   text_clear(&got);
   text_clear(&want);
 }
-END_TEST
 
 /* A ball prints exactly when its two ends do, and alike. */
-START_TEST(digits_of_balls) {
+TEST(digits_of_balls) {
   struct text got, low, high;
   arb_t x;
   int printed = 0, refused = 0;
@@ -741,7 +733,6 @@ START_TEST(digits_of_balls) {
   text_clear(&low);
   text_clear(&high);
 }
-END_TEST
 
 static void check_print(const arb_t x, slong digits, int status, const char *expected) {
   struct text out;
@@ -754,7 +745,7 @@ static void check_print(const arb_t x, slong digits, int status, const char *exp
 
 /* By hand: ties go to the even digit, a carry makes a digit more, large and small numbers are laid out as by
    num_print. */
-START_TEST(rationals_have_all_their_digits) {
+TEST(rationals_have_all_their_digits) {
   static const struct {
     const char *q;
     slong digits;
@@ -789,10 +780,9 @@ START_TEST(rationals_have_all_their_digits) {
   fmpq_clear(q);
   text_clear(&got);
 }
-END_TEST
 
 /* Where a ball can be printed, the rational in it prints alike. */
-START_TEST(rationals_print_as_their_balls) {
+TEST(rationals_print_as_their_balls) {
   struct text got, want;
   fmpq_t q;
   arb_t x;
@@ -821,10 +811,9 @@ START_TEST(rationals_print_as_their_balls) {
   text_clear(&want);
   text_clear(&got);
 }
-END_TEST
 
 /* The layout as num.h states it, and numbers no double can be. */
-START_TEST(layout) {
+TEST(layout) {
   arb_t x;
   arb_init(x);
   check_print(x, 5, SS_OK, "0");
@@ -860,10 +849,9 @@ START_TEST(layout) {
   check_print(x, 3, SS_UNABLE, "");
   arb_clear(x);
 }
-END_TEST
 
 /* Many digits of pi against MPFR's own pi and own conversion; a hundred thousand must not take long. */
-START_TEST(many_digits) {
+TEST(many_digits) {
   const slong counts[] = {50, 1000, 100000};
   for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
     slong digits = counts[i], bits = 10 * digits / 3 + 100;
@@ -886,10 +874,9 @@ START_TEST(many_digits) {
   }
   mpfr_free_cache();
 }
-END_TEST
 
 /* "m +/- r" read back by Arb must hold the ball it was printed from. */
-START_TEST(balls_for_people) {
+TEST(balls_for_people) {
   struct text out, bracketed;
   arb_t x, back;
   arb_init(x);
@@ -924,9 +911,8 @@ START_TEST(balls_for_people) {
   text_clear(&out);
   text_clear(&bracketed);
 }
-END_TEST
 
-START_TEST(rationals_as_fractions) {
+TEST(rationals_as_fractions) {
   struct text out;
   fmpq_t q;
   fmpq_init(q);
@@ -943,10 +929,9 @@ START_TEST(rationals_as_fractions) {
   text_clear(&out);
   fmpq_clear(q);
 }
-END_TEST
 
 /* A decimal as a fraction in words: numerator and denominator written out by hand. */
-START_TEST(decimals) {
+TEST(decimals) {
   static const struct {
     const char *decimal, *fraction;
   } good[] = {
@@ -987,10 +972,9 @@ START_TEST(decimals) {
   ck_assert_int_eq(num_parse_decimal(q, "1e18446744073709551617", 22), SS_UNABLE); /* 2^64 + 1 */
   fmpq_clear(q);
 }
-END_TEST
 
 /* A hundred thousand digits: 9...9 + 1 = 10^100000; one digit more is refused. */
-START_TEST(long_decimals) {
+TEST(long_decimals) {
   size_t n = 100000;
   char *s = malloc(n + 1);
   fmpq_t q;
@@ -1011,10 +995,9 @@ START_TEST(long_decimals) {
   fmpz_clear(ten);
   free(s);
 }
-END_TEST
 
 /* Reading what was printed gives the number back to within half a unit of the last digit. */
-START_TEST(printed_and_read_back) {
+TEST(printed_and_read_back) {
   struct text out;
   arb_t x;
   fmpq_t q, exact;
@@ -1046,7 +1029,6 @@ START_TEST(printed_and_read_back) {
   fmpq_clear(exact);
   text_clear(&out);
 }
-END_TEST
 
 /* --- Formulas as nested calls (num/calc.h), held against FLINT's rationals. --- */
 
@@ -1060,7 +1042,7 @@ static void random_rational(fmpq_t q, struct rng *r) {
   fmpq_set_si(q, rng_between(r, -100, 100), (ulong)rng_between(r, 1, 100));
 }
 
-START_TEST(formulas_of_rationals) {
+TEST_EACH(formulas_of_rationals, LAW_CONTEXTS) {
   fmpq_t q[5], first, second, sum;
   for (int i = 0; i < 5; i++) fmpq_init(q[i]);
   fmpq_init(first);
@@ -1101,10 +1083,9 @@ START_TEST(formulas_of_rationals) {
   fmpq_clear(first);
   for (int i = 0; i < 5; i++) fmpq_clear(q[i]);
 }
-END_TEST
 
 /* Elements made before a mark outlive every release to it, however many come after. */
-START_TEST(released_elements_are_used_again) {
+TEST_EACH(released_elements_are_used_again, LAW_CONTEXTS) {
   struct calc c;
   fmpq_t q;
   fmpq_init(q);
@@ -1131,9 +1112,8 @@ START_TEST(released_elements_are_used_again) {
   }
   fmpq_clear(q);
 }
-END_TEST
 
-START_TEST(exponents_bound_their_numbers) {
+TEST_EACH(exponents_bound_their_numbers, LAW_CONTEXTS) {
   struct num_ctx ctx = law_context(_i);
   struct calc c = calc_begin(ctx);
   for (int k = -60; k <= 60; k++) {
@@ -1151,66 +1131,4 @@ START_TEST(exponents_bound_their_numbers) {
     ck_assert(!calc_lt(&c, calc_d(&c, 0), wide) && calc_lt(&c, wide, calc_d(&c, 1002)));
   }
   calc_clear(&c);
-}
-END_TEST
-
-static TCase *formula_tcase(void) {
-  TCase *tc = tcase_create("formulas");
-  tcase_add_loop_test(tc, formulas_of_rationals, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, released_elements_are_used_again, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, exponents_bound_their_numbers, 0, LAW_CONTEXTS);
-  return tc;
-}
-
-static TCase *matrix_tcase(void) {
-  TCase *tc = tcase_create("vectors and matrices");
-  tcase_add_loop_test(tc, vectors, 0, LAW_CONTEXTS);
-  const char *fork = getenv("CK_FORK");
-  if (fork == NULL || strcmp(fork, "no") != 0) /* without a process of its own an abort ends the run */
-    tcase_add_loop_test_raise_signal(tc, out_of_range_aborts, SIGABRT, 0, 2);
-  tcase_add_loop_test(tc, products, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, solutions_and_determinants, 0, LAW_CONTEXTS);
-  tcase_add_test(tc, products_that_cannot_be_held);
-  tcase_add_loop_test(tc, singular_matrices, 0, LAW_CONTEXTS);
-  tcase_add_test(tc, pivots_that_cannot_be_told);
-  return tc;
-}
-
-static TCase *root_tcase(void) {
-  TCase *tc = tcase_create("roots");
-  tcase_add_loop_test(tc, known_roots, 0, 5);
-  tcase_add_loop_test(tc, even_quartic, 0, LAW_CONTEXTS);
-  tcase_add_test(tc, roots_of_balls);
-  tcase_add_test(tc, a_root_asked_again_is_the_same);
-  tcase_add_test(tc, sines_are_rounded_as_mpfr_does);
-  tcase_add_test(tc, close_and_distant_roots);
-  tcase_add_test(tc, many_roots);
-  tcase_add_loop_test(tc, polynomials_without_roots, 0, LAW_CONTEXTS);
-  return tc;
-}
-
-static TCase *text_tcase(void) {
-  TCase *tc = tcase_create("text");
-  tcase_add_test(tc, digits_of_doubles);
-  tcase_add_test(tc, digits_of_balls);
-  tcase_add_test(tc, layout);
-  tcase_add_test(tc, many_digits);
-  tcase_add_test(tc, balls_for_people);
-  tcase_add_test(tc, rationals_as_fractions);
-  tcase_add_test(tc, decimals);
-  tcase_add_test(tc, long_decimals);
-  tcase_add_test(tc, rationals_have_all_their_digits);
-  tcase_add_test(tc, rationals_print_as_their_balls);
-  tcase_add_test(tc, printed_and_read_back);
-  return tc;
-}
-
-Suite *num_suite(void) {
-  Suite *s = suite_create("num");
-  suite_add_tcase(s, laws_num_tcase());
-  suite_add_tcase(s, formula_tcase());
-  suite_add_tcase(s, matrix_tcase());
-  suite_add_tcase(s, root_tcase());
-  suite_add_tcase(s, text_tcase());
-  return s;
 }

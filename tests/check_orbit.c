@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "command.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* --- Numbers as text --- */
@@ -48,7 +48,7 @@ static const char *rounded(const char *exact, int n) {
   return shown;
 }
 
-START_TEST(the_tests_own_rounding) {
+TEST(the_tests_own_rounding) {
   ck_assert_str_eq(rounded("2.7844", 15), "2.78440000000000");
   ck_assert_str_eq(rounded("-0.0000012345678", 3), "-0.00000123");
   ck_assert_str_eq(rounded("-0.00000012345678", 3), "-1.23e-7");
@@ -58,7 +58,6 @@ START_TEST(the_tests_own_rounding) {
   ck_assert_str_eq(rounded("143.54", 1), "100");
   ck_assert_str_eq(rounded("1e30", 2), "1.0e+30");
 }
-END_TEST
 
 /* --- The independent data --- */
 
@@ -86,6 +85,8 @@ static void close_oracle(void) {
 }
 
 /* --- orbit --- */
+
+CASE("orbits", .once = {open_oracle, close_oracle}, .seconds = TIME_LIMIT);
 
 /* The numbers of an orbit, in the order of orbits.tsv. */
 static const char *const names[] = {"z10", "z20",    "t_a",   "t_b",      "t_c",
@@ -128,7 +129,7 @@ static void check_orbits(const char *json, const char *name, int digits) {
   ck_assert_str_eq(member(json, "t_c_max"), "null");
 }
 
-START_TEST(orbits_of_every_set) {
+TEST(orbits_of_every_set) {
   int sets = 0;
   for (int i = 0; i < orbits.n; i++) {
     if (strcmp(orbits.row[i][0], "set") != 0) continue;
@@ -140,9 +141,8 @@ START_TEST(orbits_of_every_set) {
   }
   ck_assert_int_ge(sets, 30);
 }
-END_TEST
 
-START_TEST(digits_as_asked) {
+TEST(digits_as_asked) {
   static const char *const digits[] = {"1", "2", "7", "15", "50"};
   struct job j, without;
   for (size_t i = 0; i < sizeof digits / sizeof *digits; i++) {
@@ -156,9 +156,8 @@ START_TEST(digits_as_asked) {
   job_clear(&without);
   job_clear(&j);
 }
-END_TEST
 
-START_TEST(a_thousand_digits) {
+TEST(a_thousand_digits) {
   struct table t;
   struct job j;
   table_read(&t, "tests/oracle/paper_1000.tsv", 2);
@@ -169,9 +168,8 @@ START_TEST(a_thousand_digits) {
   job_clear(&j);
   table_clear(&t);
 }
-END_TEST
 
-START_TEST(text_says_what_json_says) {
+TEST(text_says_what_json_says) {
   struct job text, json;
   job_run_well(&text, "orbit", "paper", NULL);
   job_run_well(&json, "orbit", "paper", "--json", NULL);
@@ -187,10 +185,9 @@ START_TEST(text_says_what_json_says) {
   job_clear(&json);
   job_clear(&text);
 }
-END_TEST
 
 /* The second orbit of the paper's data needs u_r2 > 1.67050...: see u_r2_min in orbits.tsv. */
-START_TEST(friction_given_by_the_scene_counts) {
+TEST(friction_given_by_the_scene_counts) {
   static const struct {
     const char *u_r2, *admissible, *violations, *says, *breaks;
   } cases[] = {{"1.6705", "false", "u_r2", "orbit 2: unstable, not admissible", "breaks   u_r2"},
@@ -211,7 +208,6 @@ START_TEST(friction_given_by_the_scene_counts) {
     job_clear(&j);
   }
 }
-END_TEST
 
 /* --- jacobian --- */
 
@@ -262,7 +258,9 @@ static void check_return_map(int r, const char *method, int digits) {
   job_clear(&j);
 }
 
-START_TEST(three_methods_agree_with_differences_made_elsewhere) {
+CASE("jacobian", .once = {open_jacobians, close_jacobians}, .seconds = TIME_LIMIT);
+
+TEST(three_methods_agree_with_differences_made_elsewhere) {
   static const char *const methods[] = {"analytic", "implicit", "fd"};
   static const int digits[] = {30, 38, 15};
   int maps = 0;
@@ -274,7 +272,6 @@ START_TEST(three_methods_agree_with_differences_made_elsewhere) {
   }
   ck_assert_int_ge(maps, 4);
 }
-END_TEST
 
 /* How many significant digits a printed number shows. */
 static int digits_shown(const char *number) {
@@ -285,7 +282,7 @@ static int digits_shown(const char *number) {
 }
 
 /* Each method prints the digits it answers for, and they are right; work in double precision answers for fewer. */
-START_TEST(every_method_keeps_its_word) {
+TEST(every_method_keeps_its_word) {
   static const char *const methods[] = {"analytic", "implicit", "saltation", "fd", "fd-double", "ode"};
   int held = 0, integrated = 0;
   for (int r = 0, nth = 0; r < orbits.n; r++) {
@@ -312,10 +309,9 @@ START_TEST(every_method_keeps_its_word) {
   ck_assert_int_ge(held, 60);
   ck_assert_int_ge(integrated, 4);
 }
-END_TEST
 
 /* The same numbers, by other forms. */
-START_TEST(the_stable_layer_gives_what_the_corrected_one_does) {
+TEST(the_stable_layer_gives_what_the_corrected_one_does) {
   static const char *const cases[][2] = {{"paper", "orbit:1"},
                                          {"paper", "orbit:2"},
                                          {"paper", "printed"},
@@ -336,11 +332,10 @@ START_TEST(the_stable_layer_gives_what_the_corrected_one_does) {
     job_clear(&stable);
   }
 }
-END_TEST
 
 /* ktilde_4 as printed is V^-2 of what it should be.  It moves x_f and y_f alike, and tr J sees their difference alone:
    so where V is not 1 every entry is wrong and the trace is right; where V = 1 all are right. */
-START_TEST(layers_differ_in_the_entries_not_in_the_trace) {
+TEST(layers_differ_in_the_entries_not_in_the_trace) {
   static const char *const scenes[] = {"paper", "stable"}; /* V = 1 and V = 1.8 */
   for (int i = 0; i < 2; i++) {
     struct job printed, corrected;
@@ -359,10 +354,9 @@ START_TEST(layers_differ_in_the_entries_not_in_the_trace) {
     job_clear(&printed);
   }
 }
-END_TEST
 
 /* J_a = (-1, 1)/(1 - chi) stands at the right end of every chain: the columns of J are opposite. */
-START_TEST(at_the_printed_numbers) {
+TEST(at_the_printed_numbers) {
   static const char *const methods[] = {"analytic", "implicit", "fd"};
   for (int m = 0; m < 3; m++) {
     struct job j;
@@ -377,11 +371,10 @@ START_TEST(at_the_printed_numbers) {
     job_clear(&j);
   }
 }
-END_TEST
 
 /* "accuracy 2.4e-11 (...)": the number stands in the text of every method, and the entries are as near as it says to
    those of jacobian.tsv, the first return of which is the paper's second orbit. */
-START_TEST(every_method_states_its_accuracy) {
+TEST(every_method_states_its_accuracy) {
   static const char *const methods[] = {"analytic", "implicit", "saltation", "fd", "fd-double", "ode"};
   static const double most[] = {1e-15, 1e-15, 1e-15, 1e-15, 1e-9, 1e-7};
   int r = 0;
@@ -405,12 +398,13 @@ START_TEST(every_method_states_its_accuracy) {
     job_clear(&j);
   }
 }
-END_TEST
 
 /* --- orbit --method paper --- */
 
+CASE("paper route", .once = {open_oracle, close_oracle});
+
 /* Orbits that Newton's iteration on (44)-(46) comes back to from their own times moved by 2 %, to all digits. */
-START_TEST(the_papers_equations_have_the_same_orbits) {
+TEST(the_papers_equations_have_the_same_orbits) {
   static const struct {
     const char *set;
     int index;
@@ -433,11 +427,12 @@ START_TEST(the_papers_equations_have_the_same_orbits) {
     job_clear(&j);
   }
 }
-END_TEST
+
+CASE("jacobian");
 
 /* Columns of the table: every method once, a row for each entry, and a star and a sentence where the printed (40)
    departs: at V = 2 in all of J_f and J. */
-START_TEST(the_table_of_phases) {
+TEST(the_table_of_phases) {
   const char *scene = scratch_put("two.scene", "chi = 0.59\neta = 3.1\nV = 2\ne1 = 3.54\ne2 = 0.0657\n");
   struct job j;
   job_run_well(&j, "jacobian", scene, "--phases", NULL);
@@ -468,10 +463,11 @@ START_TEST(the_table_of_phases) {
   ck_assert(strstr(j.out, "\neigenvalues of J 0 and "));
   job_clear(&j);
 }
-END_TEST
+
+CASE("paper route");
 
 /* What the model method prints is what orbit prints without a method. */
-START_TEST(the_model_is_the_default_method) {
+TEST(the_model_is_the_default_method) {
   struct job a, b;
   job_run_well(&a, "orbit", "paper", "--json", NULL);
   job_run_well(&b, "orbit", "paper", "--json", "--method", "model", NULL);
@@ -479,10 +475,11 @@ START_TEST(the_model_is_the_default_method) {
   job_clear(&a);
   job_clear(&b);
 }
-END_TEST
+
+CASE("orbits");
 
 /* What a certificate says is the business of check_certify.c. */
-START_TEST(orbit_writes_certificates) {
+TEST(orbit_writes_certificates) {
   struct job a, b;
   const char *first = scratch_path("first.json"), *second = scratch_put("second.json", "old");
   job_run_well(&a, "orbit", "stable", "--json", "--certificate", first, NULL);
@@ -505,7 +502,6 @@ START_TEST(orbit_writes_certificates) {
   free(y);
   job_clear(&a);
 }
-END_TEST
 
 /* e2 at which t_a = 0 on an orbit, with so many digits: with t_a given the equations are solved for e2. */
 static char *e2_at_the_end_of_d(const char *digits) {
@@ -523,7 +519,7 @@ static char *e2_at_the_end_of_d(const char *digits) {
 }
 
 /* 1400 digits from there no ball of 4096 bits knows whether t_a > 0; two other orbits are certified all the same. */
-START_TEST(some_orbits_are_certified) {
+TEST(some_orbits_are_certified) {
   struct job j;
   char *e2 = e2_at_the_end_of_d("1400");
   const char *path = scratch_path("some.json");
@@ -538,10 +534,9 @@ START_TEST(some_orbits_are_certified) {
   free(json);
   free(e2);
 }
-END_TEST
 
 /* 5000 digits from there no precision that is tried tells a digit of t_a. */
-START_TEST(an_orbit_beyond_the_digits_is_told) {
+TEST(an_orbit_beyond_the_digits_is_told) {
   struct job j;
   char *e2 = e2_at_the_end_of_d("5000");
   job_run(&j, "orbit", "paper", "--set", e2, NULL);
@@ -551,12 +546,13 @@ START_TEST(an_orbit_beyond_the_digits_is_told) {
   job_clear(&j);
   free(e2);
 }
-END_TEST
 
 /* --- simulate --- */
 
+CASE("simulate", .once = {open_oracle, close_oracle});
+
 /* An admissible orbit, simulated from (1)-(2), meets its four events at the oracle's times and returns. */
-START_TEST(simulation_follows_admissible_orbits) {
+TEST(simulation_follows_admissible_orbits) {
   int followed = 0;
   for (int r = 0; r < orbits.n; r++) {
     char *const *f = orbits.row[r];
@@ -580,9 +576,8 @@ START_TEST(simulation_follows_admissible_orbits) {
   }
   ck_assert_int_ge(followed, 15);
 }
-END_TEST
 
-START_TEST(csv_has_a_row_for_each_sample_and_event) {
+TEST(csv_has_a_row_for_each_sample_and_event) {
   struct job j;
   job_run_well(&j, "simulate", "paper", "--at", "orbit:2", "--csv", "--samples", "10", "--periods", "3", NULL);
   ck_assert(strncmp(j.out, "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n", 32) == 0);
@@ -599,10 +594,9 @@ START_TEST(csv_has_a_row_for_each_sample_and_event) {
   ck_assert_int_le(rows, 3 * (10 + 4) + 2);
   job_clear(&j);
 }
-END_TEST
 
 /* From the printed start, for long: both routes meet the same events. */
-START_TEST(the_printed_start_runs_on) {
+TEST(the_printed_start_runs_on) {
   struct job j;
   job_run_well(&j, "simulate", "paper", "--at", "printed", "--periods", "120", NULL);
   size_t same = 0, all = 1;
@@ -612,12 +606,11 @@ START_TEST(the_printed_start_runs_on) {
   ck_assert(strstr(j.out, "after 120 returns") != NULL);
   job_clear(&j);
 }
-END_TEST
 
 /* Which orbit is meant where nobody says which: the nearest to the printed numbers, else the first that is admissible;
    of the two at the paper's parameters the second is (orbits.tsv).  Reports and tables call it so. */
 #define NEAREST "orbit nearest to the printed numbers"
-START_TEST(the_usual_orbit_is_named) {
+TEST(the_usual_orbit_is_named) {
   static const char bare[] = "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\n";
   static const struct {
     const char *printed, *want, *called, *data;
@@ -663,11 +656,10 @@ START_TEST(the_usual_orbit_is_named) {
     }
   }
 }
-END_TEST
 #undef NEAREST
 
 /* The distances from MPFR and their growth, against the trace of orbits.tsv; and a table of three lines a period. */
-START_TEST(routes_compared_over_many_periods) {
+TEST(routes_compared_over_many_periods) {
   struct job j;
   char *const *f = orbits.row[table_row(&orbits, "set", "chi-large") + 2];
   double trace = strtod(f[F_TRACE], NULL), tr = 0, expected = 0, measured = 0;
@@ -684,12 +676,11 @@ START_TEST(routes_compared_over_many_periods) {
   ck_assert_msg(fabs(strtod(strstr(p, "; factor ") + 9, NULL) + trace) < 0.02, "%s", p);
   job_clear(&j);
 }
-END_TEST
 
 /* --- scenes that give other quantities than e1 and e2 --- */
 
 /* The orbit is found again from any two of its six quantities, given to 50 digits. */
-START_TEST(any_two_of_six) {
+TEST(any_two_of_six) {
   static const char *const given[] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
   static const int pairs[][2] = {{3, 4}, {0, 3}, {1, 4}, {2, 3}, {3, 5}};
   int r = table_row(&orbits, "set", "paper");
@@ -711,12 +702,11 @@ START_TEST(any_two_of_six) {
     job_clear(&j);
   }
 }
-END_TEST
 
 /* t_b and t_c taken as data: the printed numbers are held against the orbit of tests/oracle/times.tsv, t_a = 0.47204,
    t_d = 2.34209, z10 = 1.00674, z20 = -2.06539, which do not print as they stand, to the four decimals that three of
    them have; records are for paper. */
-START_TEST(numbers_of_a_scene_without_forces) {
+TEST(numbers_of_a_scene_without_forces) {
   static const struct {
     const char *id, *verdict, *shows;
   } want[] = {{"num-t_a", "refuted", "0.4720366"}, {"num-t_d", "conditional", "2.34208888"},
@@ -739,50 +729,4 @@ START_TEST(numbers_of_a_scene_without_forces) {
   }
   free(json);
   job_clear(&j);
-}
-END_TEST
-
-Suite *orbit_suite(void) {
-  Suite *s = suite_create("orbit");
-  TCase *c = tcase_create("orbit");
-  tcase_set_timeout(c, TIME_LIMIT);
-  tcase_add_unchecked_fixture(c, open_oracle, close_oracle);
-  tcase_add_test(c, the_tests_own_rounding);
-  tcase_add_test(c, orbits_of_every_set);
-  tcase_add_test(c, orbit_writes_certificates);
-  tcase_add_test(c, some_orbits_are_certified);
-  tcase_add_test(c, an_orbit_beyond_the_digits_is_told);
-  tcase_add_test(c, digits_as_asked);
-  tcase_add_test(c, a_thousand_digits);
-  tcase_add_test(c, text_says_what_json_says);
-  tcase_add_test(c, friction_given_by_the_scene_counts);
-  suite_add_tcase(s, c);
-  c = tcase_create("jacobian");
-  tcase_set_timeout(c, TIME_LIMIT);
-  tcase_add_unchecked_fixture(c, open_jacobians, close_jacobians);
-  tcase_add_test(c, three_methods_agree_with_differences_made_elsewhere);
-  tcase_add_test(c, every_method_keeps_its_word);
-  tcase_add_test(c, layers_differ_in_the_entries_not_in_the_trace);
-  tcase_add_test(c, the_stable_layer_gives_what_the_corrected_one_does);
-  tcase_add_test(c, at_the_printed_numbers);
-  tcase_add_test(c, every_method_states_its_accuracy);
-  tcase_add_test(c, the_table_of_phases);
-  suite_add_tcase(s, c);
-  c = tcase_create("paper route");
-  tcase_add_unchecked_fixture(c, open_oracle, close_oracle);
-  tcase_add_test(c, the_papers_equations_have_the_same_orbits);
-  tcase_add_test(c, the_model_is_the_default_method);
-  suite_add_tcase(s, c);
-  c = tcase_create("simulate");
-  tcase_set_timeout(c, 120);
-  tcase_add_unchecked_fixture(c, open_oracle, close_oracle);
-  tcase_add_test(c, simulation_follows_admissible_orbits);
-  tcase_add_test(c, csv_has_a_row_for_each_sample_and_event);
-  tcase_add_test(c, the_printed_start_runs_on);
-  tcase_add_test(c, the_usual_orbit_is_named);
-  tcase_add_test(c, routes_compared_over_many_periods);
-  tcase_add_test(c, any_two_of_six);
-  tcase_add_test(c, numbers_of_a_scene_without_forces);
-  suite_add_tcase(s, c);
-  return s;
 }

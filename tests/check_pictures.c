@@ -13,19 +13,12 @@
 #include "run/tables.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 
 /* Draws a scene into a folder of the scratch. */
 static void plot(const char *scene, const char *to) {
   shell_well("\"$P\" plot %s --out \"$D/%s\" > \"$D/out\" 2> \"$D/err\"", scene, to);
 }
-
-START_TEST(numbers_are_those_of_other_programs) {
-  static const char *const scenes[] = {"paper", "above-one", "two-admissible", "long-slip", "four"};
-  if (_i > 0) plot(scenes[_i], scenes[_i]);
-  shell_well("\"$Y\" tests/oracle/pictures.py \"$D/%s\" %s", scenes[_i], scenes[_i]);
-}
-END_TEST
 
 /* The pictures that are asked for; that of the plane of e1 and e2 by so many processes. */
 static void plot_asked(const char *to, int jobs) {
@@ -43,14 +36,21 @@ static void draw(void) {
   plot_asked("asked", 1);
 }
 
-START_TEST(pictures_that_are_asked_for) {
+CASE("pictures", .once = {draw, scratch_close});
+
+TEST_EVERY(numbers_are_those_of_other_programs, 2, 5) {
+  static const char *const scenes[] = {"paper", "above-one", "two-admissible", "long-slip", "four"};
+  if (_i > 0) plot(scenes[_i], scenes[_i]);
+  shell_well("\"$Y\" tests/oracle/pictures.py \"$D/%s\" %s", scenes[_i], scenes[_i]);
+}
+
+TEST(pictures_that_are_asked_for) {
   plot_asked("two", 2);
   shell_well("diff -r \"$D/asked\" \"$D/two\"");
   shell_well("\"$Y\" tests/oracle/pictures.py \"$D/asked\" paper asked");
 }
-END_TEST
 
-START_TEST(the_same_bytes_twice) {
+TEST(the_same_bytes_twice) {
   plot("paper", "again");
   shell_well("diff -r \"$D/paper\" \"$D/again\"");
   ck_assert_str_eq(scratch_list(scratch_path("again")),
@@ -58,10 +58,9 @@ START_TEST(the_same_bytes_twice) {
                    "figure-3.tsv figure-4.svg figure-4.tsv long-run.svg long-run.tsv margins.svg margins.tsv "
                    "return-map.svg return-map.tsv");
 }
-END_TEST
 
 /* A picture drawn again from nothing but the table's file is the one that was written. */
-START_TEST(pictures_come_from_their_tables_alone) {
+TEST(pictures_come_from_their_tables_alone) {
   char name[200];
   plot("beside-wall", "one");
   shell_well("cp \"$D\"/paper/* \"$D/one\" && cp \"$D\"/asked/* \"$D/one\"");
@@ -84,11 +83,10 @@ START_TEST(pictures_come_from_their_tables_alone) {
     source_clear(&table);
   }
 }
-END_TEST
 
 /* A program that knows no custom properties passes over a declaration that asks for one: the same stands before it with
    a colour, everywhere in a picture. */
-START_TEST(colours_without_custom_properties) {
+TEST_EACH(colours_without_custom_properties, 3) {
   static const char *const pictures[] = {"paper/figure-4.svg", "asked/animation.svg", "asked/stability-map.svg"};
   struct source svg;
   struct diag d;
@@ -107,11 +105,10 @@ START_TEST(colours_without_custom_properties) {
   ck_assert_int_gt(asked, 10);
   source_clear(&svg);
 }
-END_TEST
 
 /* No claim is judged by drawing: what the audit says of the closing gap (judge/closure.c) and what the figures show
    come from separate code. */
-START_TEST(the_gap_is_that_of_the_claim) {
+TEST(the_gap_is_that_of_the_claim) {
   static const char *const want[] = {"0.14009", "0.10977"}; /* arcs.tsv: end minus printed start, rounded */
   struct audit_result r;
   struct scene s;
@@ -136,10 +133,9 @@ START_TEST(the_gap_is_that_of_the_claim) {
   scene_clear(&s);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* Whatever stands in a table, a picture ends, and is well-formed. */
-START_TEST(hostile_tables) {
+TEST(hostile_tables) {
   static const char *const tables[] = {"figure-3.tsv",     "figure-4.tsv",      "margins.tsv",  "return-map.tsv",
                                        "long-run.tsv",     "differences.tsv",   "along-e2.tsv", "phase-planes.tsv",
                                        "bifurcations.tsv", "stability-map.tsv", "animation.tsv"};
@@ -184,11 +180,10 @@ START_TEST(hostile_tables) {
              scratch_put_n("all.xml", all.data, all.len));
   text_clear(&all);
 }
-END_TEST
 
 /* Each row of the table is a state of the motion that GSL integrates from the first one, but for rounding to six
    decimals; where a mass rebounds its velocity is that of either side. */
-START_TEST(phase_planes_are_motions) {
+TEST_EACH(phase_planes_are_motions, 3) {
   static const char *const files[] = {"chain3", "beside-wall", "driven"};
   struct audit_result r;
   struct rows t;
@@ -228,9 +223,8 @@ START_TEST(phase_planes_are_motions) {
   mech_orbits_clear(&list);
   mech_clear(&m);
 }
-END_TEST
 
-START_TEST(numbers_in_tables) {
+TEST(numbers_in_tables) {
   static const struct {
     const char *middle;
     long exponent; /* of the radius, as a power of two */
@@ -257,23 +251,4 @@ START_TEST(numbers_in_tables) {
     arb_clear(x);
     text_clear(&t);
   }
-}
-END_TEST
-
-Suite *pictures_suite(void) {
-  Suite *s = suite_create("pictures");
-  TCase *c = tcase_create("pictures");
-  tcase_add_unchecked_fixture(c, draw, scratch_close);
-  tcase_set_timeout(c, 120);
-  add_every(c, numbers_are_those_of_other_programs, 2, 5);
-  tcase_add_test(c, pictures_that_are_asked_for);
-  tcase_add_test(c, the_same_bytes_twice);
-  tcase_add_test(c, pictures_come_from_their_tables_alone);
-  tcase_add_loop_test(c, colours_without_custom_properties, 0, 3);
-  tcase_add_test(c, the_gap_is_that_of_the_claim);
-  tcase_add_test(c, hostile_tables);
-  tcase_add_loop_test(c, phase_planes_are_motions, 0, 3);
-  tcase_add_test(c, numbers_in_tables);
-  suite_add_tcase(s, c);
-  return s;
 }

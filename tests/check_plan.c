@@ -26,7 +26,7 @@
 #include "says.h"
 #include "scratch.h"
 #include "stability/precision.h"
-#include "suites.h"
+#include "suite.h"
 #include "value/expression.h"
 #include "whole.h"
 
@@ -109,8 +109,10 @@ static const char *why_skipped(const struct audit_result *r, const char *what) {
   return NULL;
 }
 
+CASE("plan", .each = {scratch_open, scratch_close}, .once = {load, unload});
+
 /* What an audit leaves out for want of forces or of orbits: the reason is the scene's own. */
-START_TEST(what_is_left_out_has_its_reason) {
+TEST(what_is_left_out_has_its_reason) {
   static const struct {
     const char *data, *why[2];
   } row[] = {
@@ -137,12 +139,11 @@ START_TEST(what_is_left_out_has_its_reason) {
     scene_clear(&s);
   }
 }
-END_TEST
 
 /* --- The same bytes --- */
 
 /* The whole audit by one process, by two and by seven: check_report.c and check_cli.c. */
-START_TEST(jobs_change_no_byte) {
+TEST(jobs_change_no_byte) {
   const char *group[] = {"text-56-deduced",  "eq-3",    "eq-13",       "eq-31",         "eq-32b",       "eq-36b",
                          "num-t_a",          "num-t_b", "num-z10",     "text-periodic", "text-9-start", "fig-3",
                          "text-free-index",  "eq-57",   "kind number", "eq-10",         "eq-40",        "text-scaling",
@@ -163,7 +164,6 @@ START_TEST(jobs_change_no_byte) {
   free(want);
   audit_result_clear(&one);
 }
-END_TEST
 
 /* What the report says of these findings, and nothing else. */
 static char *findings_alone(const struct audit_result *r, const struct audit_result *like) {
@@ -204,19 +204,23 @@ static void check_alone(int step, bool of_each, const struct claims *with, bool 
   }
 }
 
-START_TEST(some_claims_are_the_same_alone) {
+CASE("whole", .each = {scratch_open, scratch_close}, .once = {load_and_read, unload_read});
+
+TEST(some_claims_are_the_same_alone) {
   check_alone(every_case() ? 23 : 61, false, &the_paper.controls, true);
 }
-END_TEST
 
-START_TEST(every_claim_is_the_same_alone) {
+CASE("long", .once = {load_and_read, unload_read}, .seconds = 600, .tags = "long");
+
+TEST(every_claim_is_the_same_alone) {
   const struct claims none = {.n = 0};
   check_alone(every(200), true, &none, false);
 }
-END_TEST
+
+CASE("plan");
 
 /* The first mistake in the order of the report, whoever meets it. */
-START_TEST(mistakes_are_told_alike) {
+TEST(mistakes_are_told_alike) {
   static const char text[] = "claim a\n  kind: matrix\n  title: a case\n  equation: 3\n  section: prediction\n  value: "
                              "d_02\n  points: params 2\n  routes: taylor\n"
                              "claim b\n  kind: wrong\n  title: y\nclaim c\n  title: z\n  kind: worse\n";
@@ -245,7 +249,6 @@ START_TEST(mistakes_are_told_alike) {
   ck_assert_str_eq(message[0], message[1]);
   claims_clear(&own);
 }
-END_TEST
 
 /* --- Tasks --- */
 
@@ -270,7 +273,7 @@ static bool count_task(struct audit_result *part, size_t i, void *arg, struct di
 }
 
 /* Whatever becomes of the processes, every task is done, and its strings are at hand. */
-START_TEST(tasks_survive_their_processes) {
+TEST(tasks_survive_their_processes) {
   enum { N = 24 };
   double cost[N];
   for (int i = 0; i < N; i++) cost[i] = 30;
@@ -299,7 +302,6 @@ START_TEST(tasks_survive_their_processes) {
   }
   munmap(by_children, sizeof *by_children);
 }
-END_TEST
 
 /* The parent's memory ends when a process is at work that would not end by itself. */
 static bool exhausted_task(struct audit_result *part, size_t i, void *arg, struct diag *d) {
@@ -321,7 +323,7 @@ static void run_exhausted(void) {
   tasks_run(&r, &(struct tasks){.n = 3, .run = exhausted_task, .cost = cost, .jobs = 3});
 }
 
-START_TEST(no_process_outlives_the_memory) {
+TEST(no_process_outlives_the_memory) {
   by_children = mmap(NULL, sizeof *by_children, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ck_assert(by_children != MAP_FAILED);
   fflush(NULL);
@@ -340,11 +342,10 @@ START_TEST(no_process_outlives_the_memory) {
   ck_assert(process_until(group_has_ended, pid));
   munmap(by_children, sizeof *by_children);
 }
-END_TEST
 
 /* --- What is asked --- */
 
-START_TEST(selections_meet) {
+TEST(selections_meet) {
   const char *group[] = {"section stability"}, *only[] = {"eq-35b", "eq-13"};
   struct scene s = asking(group, 1, NULL, 0, 0);
   struct audit_result r;
@@ -365,7 +366,6 @@ START_TEST(selections_meet) {
   audit_result_clear(&r);
   scene_clear(&s);
 }
-END_TEST
 
 static bool is_kind(const char *id, const char *kind) {
   for (size_t i = 0; i < the_paper.claims.n; i++)
@@ -382,9 +382,11 @@ static const char **some_claims(int *n, int step) {
   return id;
 }
 
+CASE("whole");
+
 /* Every claim of the paper, whatever the budget: its verdict is that without one, or unknown as the budget ran out.
    Kinds that search, simulate or work through all formulas come to no verdict for one unit. */
-START_TEST(no_budget_makes_a_verdict) {
+TEST(no_budget_makes_a_verdict) {
   static const unsigned long long budgets[] = {1, 500, 100000};
   static const char *const costly[] = {"scaling", "reach", "argument", "criterion", "number", "rank"};
   ck_assert_uint_gt(whole.n_findings, 200);
@@ -415,10 +417,11 @@ START_TEST(no_budget_makes_a_verdict) {
   }
   free(ids);
 }
-END_TEST
+
+CASE("plan");
 
 /* A claim that runs out is unknown and says so; one that does not is what it is without a budget. */
-START_TEST(budgets_count_work) {
+TEST(budgets_count_work) {
   const char *ids[] = {"eq-27", "eq-3c", "eq-34"};
   struct audit_result free_of, r, again;
   const struct scene none = asking(ids, 3, NULL, 0, 0), tight = asking(ids, 3, NULL, 0, 20000),
@@ -447,10 +450,9 @@ START_TEST(budgets_count_work) {
   audit_result_clear(&r);
   audit_result_clear(&free_of);
 }
-END_TEST
 
 /* One route is no support, and what is not asked for leaves no evidence. */
-START_TEST(routes_are_those_asked_for) {
+TEST(routes_are_those_asked_for) {
   static const struct {
     const char *route[2];
     enum verdict verdict;
@@ -484,10 +486,9 @@ START_TEST(routes_are_those_asked_for) {
     audit_result_clear(&r);
   }
 }
-END_TEST
 
 /* chi = 4/5 is exact; t_a rounds to the paper's corrected 0.5323 on one of the orbits. */
-START_TEST(values_are_enclosed) {
+TEST(values_are_enclosed) {
   const char *set[] = {"values=chi, K, t_a, H(t)", "digits=30"};
   struct scene s;
   struct audit_result r;
@@ -512,12 +513,11 @@ START_TEST(values_are_enclosed) {
   audit_result_clear(&r);
   scene_clear(&s);
 }
-END_TEST
 
 /* --- The first precision --- */
 
 /* 1 - chi at chi = 1 - 3^-k has the condition number 3^k - 1: it loses 1.6 bits for each k. */
-START_TEST(the_condition_plans_the_precision) {
+TEST(the_condition_plans_the_precision) {
   static const struct {
     ulong k;
     slong planned;
@@ -551,17 +551,15 @@ START_TEST(the_condition_plans_the_precision) {
   arb_clear(x);
   orbit_cache_free(cache);
 }
-END_TEST
 
-START_TEST(precisions_are_rounded_up_a_little) {
+TEST(precisions_are_rounded_up_a_little) {
   static const slong rows[][2] = {{1, 64}, {64, 64}, {65, 128}, {1024, 1024}, {1025, 1152}, {3400, 3584}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) ck_assert_int_eq(precision_round(rows[i][0]), rows[i][1]);
 }
-END_TEST
 
 /* Beside the flip, where trace + 1 is small, and by few digits and many: the planned precision is enough, and the many
    begin with the few. */
-START_TEST(planned_values_need_no_more) {
+TEST(planned_values_need_no_more) {
   struct audit_result r[2];
   for (int k = 0; k < 2; k++) {
     const char *set[] = {"values=trace, trace_J, z10, N, J", k ? "digits=400" : "digits=25"};
@@ -582,11 +580,10 @@ START_TEST(planned_values_need_no_more) {
   }
   for (int k = 0; k < 2; k++) audit_result_clear(&r[k]);
 }
-END_TEST
 
 /* The trace is that of tests/oracle/orbits.tsv, set paper, whose determinant is 0; omega^2 = chi eta = 4/5 in each
    section that defines it. */
-START_TEST(values_have_their_documented_names) {
+TEST(values_have_their_documented_names) {
   const char *set[] = {"values=trace_J, trace, z10, omega, det_J, det_J_a", "digits=10"};
   static const char *const expected[][2] = {
       {"trace_J", "-1.023226189"}, {"trace", "-1.023226189"}, {"z10", "0.9781881442"}, {"omega", "0.8944271910"}};
@@ -617,12 +614,11 @@ START_TEST(values_have_their_documented_names) {
   audit_result_clear(&r);
   scene_clear(&s);
 }
-END_TEST
 
 /* --- What is left out --- */
 
 /* No claim asks for a route that rests only on what another of its routes, or the balls that decide, rests on. */
-START_TEST(no_route_is_idle) {
+TEST(no_route_is_idle) {
   size_t pairs = 0;
   for (size_t i = 0; i < the_paper.claims.n; i++) {
     char route[8][32];
@@ -643,7 +639,6 @@ START_TEST(no_route_is_idle) {
   }
   ck_assert_uint_gt(pairs, 100);
 }
-END_TEST
 
 static unsigned touched_by_claim;
 
@@ -659,7 +654,7 @@ static bool planned(const struct plan_list *l, const char *name) {
 }
 
 /* A claim touches nothing that its plan does not name, and the ledger denies nothing that was touched. */
-START_TEST(plans_name_what_is_then_done) {
+TEST(plans_name_what_is_then_done) {
   for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(29)) {
     struct audit_plan p;
     struct audit_result r;
@@ -682,7 +677,6 @@ START_TEST(plans_name_what_is_then_done) {
     audit_result_clear(&r);
   }
 }
-END_TEST
 
 static bool spent(const struct audit_result *r, const char *what, const char *name) {
   for (size_t i = 0; i < r->n_spent; i++)
@@ -721,7 +715,9 @@ static void check_plan(const struct audit_result *r, const struct scene *s, cons
   audit_plan_clear(&p);
 }
 
-START_TEST(plans_are_of_what_runs) {
+CASE("whole");
+
+TEST(plans_are_of_what_runs) {
   const char *set = "e2=[0.858, 0.859]", *one[] = {"eq-32c", "num-t_a", "text-periodic"};
   struct scene box;
   goes_well(scene_load_with(&box, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, true, &d));
@@ -738,9 +734,10 @@ START_TEST(plans_are_of_what_runs) {
   audit_result_clear(&of_box);
   scene_clear(&box);
 }
-END_TEST
 
-START_TEST(one_claim_needs_little) {
+CASE("plan");
+
+TEST(one_claim_needs_little) {
   const char *id = "eq-27";
   struct audit_result r;
   audit(&r, &the_paper.scene, &id, 1, 1);
@@ -768,9 +765,8 @@ START_TEST(one_claim_needs_little) {
   free(use.def);
   free(use.record);
 }
-END_TEST
 
-START_TEST(tables_of_costs_are_read_or_refused) {
+TEST(tables_of_costs_are_read_or_refused) {
   static const char *const bad[] = {"what\tname\tunits\tms\nclaim\ta\t1\n", "x\nclaim\ta\tb\tc\n",
                                     "x\nclaim\ta\t-1\t1\n", "x\nclaim\ta\tnan\t1\n", "x\nclaim\ta\t1\t1\tmore\n"};
   struct costs c;
@@ -781,7 +777,6 @@ START_TEST(tables_of_costs_are_read_or_refused) {
   const struct cost *row = cost_of(&costs, "claim", "eq-27");
   ck_assert(row && row->units > 100 && row->ms > 0);
 }
-END_TEST
 
 /* --- The program --- */
 
@@ -798,7 +793,7 @@ static void check_old_report(const char *folder) {
   free(text);
 }
 
-START_TEST(the_clock_ends_it) {
+TEST(the_clock_ends_it) {
   old_report("out");
   for (int jobs = 1; jobs <= 3; jobs += 2) {
     shell_ends(5, "time limit", "$P verify paper --timeout 0.15 --jobs %d --out $D/out", jobs);
@@ -806,7 +801,6 @@ START_TEST(the_clock_ends_it) {
   }
   shell_well("$P verify paper --timeout 600 --only eq-13 --out $D/good");
 }
-END_TEST
 
 /* In the midst of the audit: the handlers are in place, that of the clock last, and it has worked for a while. */
 static bool works(pid_t pid) {
@@ -816,7 +810,7 @@ static bool works_with_others(pid_t pid) {
   return works(pid) && group_lives(pid) > 1;
 }
 
-START_TEST(signals_end_it) {
+TEST(signals_end_it) {
   static const int number[] = {SIGINT, SIGTERM};
   old_report("out");
   for (int i = 0; i < 4; i++) {
@@ -832,10 +826,9 @@ START_TEST(signals_end_it) {
     job_clear(&j);
   }
 }
-END_TEST
 
 /* Reports of two scenes would stand in one folder: nothing is judged, and nothing lost. */
-START_TEST(scenes_have_folders_of_their_own) {
+TEST(scenes_have_folders_of_their_own) {
   shell_well("mkdir $D/a $D/b");
   scratch_put("a/x.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n");
   scratch_put("b/x.scene", "chi = 0.7\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n");
@@ -845,10 +838,9 @@ START_TEST(scenes_have_folders_of_their_own) {
   ck_assert_str_eq(scratch_list(scratch_path("out")), "paper x");
   shell_well("$P verify $D/a/x.scene $D/b/x.scene --only eq-27 --plan");
 }
-END_TEST
 
 /* A damaged table of costs takes away estimates, and no verdict. */
-START_TEST(no_verdict_rests_on_costs) {
+TEST(no_verdict_rests_on_costs) {
   shell_well("cp -R verify \"$D/data\" && echo 'claim\teq-27\tmany' >> \"$D/data/costs.tsv\"");
   setenv("STICKSLIP_DATA", scratch_path("data"), 1);
   shell_well("$P verify paper --only eq-27,eq-3 --out $D/out > $D/said 2>&1");
@@ -858,7 +850,6 @@ START_TEST(no_verdict_rests_on_costs) {
   shell_ends(0, "cost not measured", "$P verify paper --only eq-27 --plan");
   unsetenv("STICKSLIP_DATA");
 }
-END_TEST
 
 /* A scene of the paper's parameters that asks for H at n multiples of t_c, 16 entries on each of its two orbits, and
    for more. */
@@ -874,7 +865,7 @@ static const char *asking_much(int n, const char *more) {
 }
 
 /* What verify writes report reads: 312 times 32 values and 8 of each orbit are the most that there can be. */
-START_TEST(values_have_one_limit) {
+TEST(values_have_one_limit) {
   static const char numbers[] = "z10, z20, t_a, t_b, t_c, t_d, period, trace",
                     *const too_many[][2] = {
                         {"more than 10000 values", "z10, z20, t_a, t_b, t_c, t_d, period, trace, chi"},
@@ -888,9 +879,8 @@ START_TEST(values_have_one_limit) {
   }
   ck_assert(!scratch_has("more"));
 }
-END_TEST
 
-START_TEST(plans_write_nothing) {
+TEST(plans_write_nothing) {
   shell_well("$P verify paper --plan --out $D/out > $D/said");
   ck_assert(!scratch_has("out"));
   check_says("said", "\n  eq-27            matrix; ");
@@ -898,50 +888,4 @@ START_TEST(plans_write_nothing) {
   check_says("said", "estimate: ");
   shell_well("$P verify paper --plan --json --only eq-27,num-t_a > $D/said");
   shell_well("$Y tests/oracle/validate.py schema/plan.schema.json $D/said");
-}
-END_TEST
-
-Suite *plan_suite(void) {
-  Suite *s = suite_create("plan");
-  TCase *c = tcase_create("plan");
-  tcase_add_unchecked_fixture(c, load, unload);
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, what_is_left_out_has_its_reason);
-  tcase_add_test(c, jobs_change_no_byte);
-  tcase_add_test(c, mistakes_are_told_alike);
-  tcase_add_test(c, tasks_survive_their_processes);
-  tcase_add_test(c, no_process_outlives_the_memory);
-  tcase_add_test(c, selections_meet);
-  tcase_add_test(c, budgets_count_work);
-  tcase_add_test(c, routes_are_those_asked_for);
-  tcase_add_test(c, values_are_enclosed);
-  tcase_add_test(c, the_condition_plans_the_precision);
-  tcase_add_test(c, precisions_are_rounded_up_a_little);
-  tcase_add_test(c, planned_values_need_no_more);
-  tcase_add_test(c, values_have_their_documented_names);
-  tcase_add_test(c, no_route_is_idle);
-  tcase_add_test(c, plans_name_what_is_then_done);
-  tcase_add_test(c, one_claim_needs_little);
-  tcase_add_test(c, tables_of_costs_are_read_or_refused);
-  tcase_add_test(c, the_clock_ends_it);
-  tcase_add_test(c, signals_end_it);
-  tcase_add_test(c, scenes_have_folders_of_their_own);
-  tcase_add_test(c, no_verdict_rests_on_costs);
-  tcase_add_test(c, values_have_one_limit);
-  tcase_add_test(c, plans_write_nothing);
-  suite_add_tcase(s, c);
-  c = tcase_create("whole");
-  tcase_add_unchecked_fixture(c, load_and_read, unload_read);
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, some_claims_are_the_same_alone);
-  tcase_add_test(c, no_budget_makes_a_verdict);
-  tcase_add_test(c, plans_are_of_what_runs);
-  suite_add_tcase(s, c);
-  c = tcase_create("long");
-  tcase_set_tags(c, "long");
-  tcase_set_timeout(c, 600);
-  tcase_add_unchecked_fixture(c, load_and_read, unload_read);
-  tcase_add_test(c, every_claim_is_the_same_alone);
-  suite_add_tcase(s, c);
-  return s;
 }

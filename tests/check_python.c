@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 
 /* NULL, or why the module cannot be tried here. */
 static const char *left_out(void) {
@@ -17,7 +17,9 @@ static const char *left_out(void) {
 #endif
 }
 
-START_TEST(the_module) {
+CASE("module", .each = {scratch_open, scratch_close}, .seconds = 300);
+
+TEST_EACH(the_module, 5) {
   static const char *const classes[] = {"Declared", "Numbers", "Wrong", "Memory", "Notebook"};
   const char *why = left_out();
   if (why) {
@@ -31,15 +33,4 @@ START_TEST(the_module) {
   for (char *line = strtok(said, "\n"); line; line = strtok(NULL, "\n"))
     if (strstr(line, " skipped ")) printf("python: %s\n", line);
   free(said);
-}
-END_TEST
-
-Suite *python_suite(void) {
-  Suite *s = suite_create("python");
-  TCase *c = tcase_create("module");
-  tcase_set_timeout(c, 300);
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_loop_test(c, the_module, 0, 5);
-  suite_add_tcase(s, c);
-  return s;
 }

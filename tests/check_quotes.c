@@ -10,7 +10,7 @@
 #include "quote/quote.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 static bool same(const char *a, const char *b) {
@@ -24,7 +24,7 @@ static bool same(const char *a, const char *b) {
   return ok;
 }
 
-START_TEST(what_does_not_count) {
+TEST(what_does_not_count) {
   static const char *const pairs[][2] = {
       {"a b\n\tc", "abc"},
       {"x $y$ $$z$$ \\(u\\) \\[v\\]", "x y z u v"},
@@ -42,9 +42,8 @@ START_TEST(what_does_not_count) {
   for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
     ck_assert_msg(same(pairs[i][0], pairs[i][1]), "%s is not %s", pairs[i][0], pairs[i][1]);
 }
-END_TEST
 
-START_TEST(what_counts) {
+TEST(what_counts) {
   static const char *const pairs[][2] = {
       {"z_{10}", "z_10"},
       {"z'_1", "z_1'"},
@@ -69,7 +68,6 @@ START_TEST(what_counts) {
   for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
     ck_assert_msg(!same(pairs[i][0], pairs[i][1]), "%s is %s", pairs[i][0], pairs[i][1]);
 }
-END_TEST
 
 /* --- A data folder against a text --- */
 
@@ -186,7 +184,7 @@ static void damage_numbers(struct stand *s) {
 
 static const char note[] = "tests/another/note.md";
 
-START_TEST(the_note_is_quoted) {
+TEST(the_note_is_quoted) {
   struct stand s;
   char digest[QUOTE_DIGEST];
   stand_open_sound(&s, "tests/another", note);
@@ -201,12 +199,11 @@ START_TEST(the_note_is_quoted) {
   ck_assert(all_found(&s));
   stand_close(&s);
 }
-END_TEST
 
 /* --- The command --- */
 
 /* The copy, with one edit, says this and ends so. */
-START_TEST(differences_are_told) {
+TEST(differences_are_told) {
   enum { FILE_EDITED, COMMAND, STATUS, SAYS };
   struct table cases;
   table_read(&cases, "tests/cases/quotes.tsv", 4);
@@ -219,10 +216,9 @@ START_TEST(differences_are_told) {
   }
   table_clear(&cases);
 }
-END_TEST
 
 /* Printed numbers of scenes against the claim that quotes them. */
-START_TEST(printed_numbers) {
+TEST(printed_numbers) {
   static const struct {
     const char *printed;
     int status;
@@ -245,12 +241,11 @@ START_TEST(printed_numbers) {
     scratch_close();
   }
 }
-END_TEST
 
 /* --- Bytes --- */
 
 /* Any bytes are read as tokens that stand one behind the other in them. */
-START_TEST(any_bytes_are_tokens) {
+TEST(any_bytes_are_tokens) {
   enum { N = 2000, LEN = 300 };
   static const char alphabet[] = "\\{}$&()^_*'ab01. \n\x01\xc3\xa9\xff";
   static const char *const words[] = {"\\begin{", "\\end{", "aligned}", "pmatrix}", "\\quad", "(12)$$", "\\\\"};
@@ -280,10 +275,9 @@ START_TEST(any_bytes_are_tokens) {
     quote_tokens_clear(&t);
   }
 }
-END_TEST
 
 /* Texts of the greatest length that are all of one kind are answered in seconds. */
-START_TEST(large_texts) {
+TEST(large_texts) {
   static const char *const unit[] = {
       "\\begin{", "\\begin{pmatrix}", "\\end{aligned}", "\\quad (", "\\quad(1)$$", "Z(t) = ", "$",
       "*",        "A note on two "};
@@ -301,7 +295,6 @@ START_TEST(large_texts) {
     text_clear(&all);
   }
 }
-END_TEST
 
 /* The digests of texts by a program of its own. */
 static void check_digest(const char *path, const struct quote_tokens *text) {
@@ -312,13 +305,12 @@ static void check_digest(const char *path, const struct quote_tokens *text) {
   free(found);
 }
 
-START_TEST(digest_of_the_note) {
+TEST(digest_of_the_note) {
   struct stand s;
   stand_open_sound(&s, "tests/another", note);
   check_digest(note, &s.paper.tokens);
   stand_close(&s);
 }
-END_TEST
 
 /* --- The paper --- */
 
@@ -336,7 +328,7 @@ static const char *text_of_the_paper(void) {
   return *path ? path : NULL;
 }
 
-START_TEST(the_paper_is_quoted) {
+TEST(the_paper_is_quoted) {
   const char *path = text_of_the_paper();
   struct stand s;
   char digest[QUOTE_DIGEST];
@@ -356,9 +348,8 @@ START_TEST(the_paper_is_quoted) {
   check_digest(path, &s.paper.tokens);
   stand_close(&s);
 }
-END_TEST
 
-START_TEST(the_paper_is_damaged) {
+TEST(the_paper_is_damaged) {
   const char *path = text_of_the_paper();
   struct stand s;
   if (!path) return;
@@ -366,28 +357,4 @@ START_TEST(the_paper_is_damaged) {
   damage_tokens(&s, 5);
   for (size_t i = 0; i < s.paper.tokens.n; i += 997) take_token_out(&s, i);
   stand_close(&s);
-}
-END_TEST
-
-Suite *quotes_suite(void) {
-  Suite *s = suite_create("quotes");
-  TCase *c = tcase_create("tokens");
-  tcase_add_test(c, what_does_not_count);
-  tcase_add_test(c, what_counts);
-  tcase_add_test(c, any_bytes_are_tokens);
-  suite_add_tcase(s, c);
-  c = tcase_create("a note");
-  tcase_set_timeout(c, 120);
-  tcase_add_test(c, the_note_is_quoted);
-  tcase_add_test(c, digest_of_the_note);
-  tcase_add_test(c, differences_are_told);
-  tcase_add_test(c, printed_numbers);
-  tcase_add_test(c, large_texts);
-  suite_add_tcase(s, c);
-  c = tcase_create("the paper");
-  tcase_set_timeout(c, 120);
-  tcase_add_test(c, the_paper_is_quoted);
-  tcase_add_test(c, the_paper_is_damaged);
-  suite_add_tcase(s, c);
-  return s;
 }

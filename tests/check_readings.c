@@ -17,7 +17,7 @@
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 #include "value/expression.h"
 #include "value/point.h"
@@ -74,8 +74,10 @@ static const char *joined(const char *const *list, int n) {
 
 /* --- Equations in words --- */
 
+CASE("readings", .each = {scratch_open, scratch_close});
+
 /* Each stands under the number that the paper's record has, and a switching condition is the record's own formula. */
-START_TEST(equations_are_called_as_the_paper_has_them) {
+TEST(equations_are_called_as_the_paper_has_them) {
   static const char *const records[N_EQ] = {
       [EQ_12] = "eq-12b", [EQ_14] = "eq-14b", [EQ_16] = "eq-16",  [EQ_V2] = "eq-18",
       [EQ_Z1] = "eq-18",  [EQ_Z2] = "eq-18",  [EQ_W] = "eq-18",   [EQ_R] = "eq-18",
@@ -94,7 +96,6 @@ START_TEST(equations_are_called_as_the_paper_has_them) {
   }
   model_clear(&model);
 }
-END_TEST
 
 /* --- Procedures --- */
 
@@ -106,7 +107,7 @@ static void values_are_the_oracles(const struct example_reading *r, const char *
   }
 }
 
-START_TEST(the_procedure_behind_an_example_is_ranked_first) {
+TEST_EACH(the_procedure_behind_an_example_is_ranked_first, 5) {
   static const struct {
     const char *id, *inputs, *dropped, *carry, *layer;
     int n_dropped, assumptions;
@@ -145,9 +146,8 @@ START_TEST(the_procedure_behind_an_example_is_ranked_first) {
   ck_assert_msg(consistent == (cases[_i].n_dropped == 0), "%s", r->conclusion[0]);
   unload();
 }
-END_TEST
 
-START_TEST(the_papers_example) {
+TEST(the_papers_example) {
   const struct readings *r = search("paper");
   ck_assert_int_gt(r->n_found, 0);
   values_are_the_oracles(&r->found[0], "paper");
@@ -159,9 +159,8 @@ START_TEST(the_papers_example) {
   for (int i = 0; i < r->n_near; i++) ck_assert_int_eq(r->near[i].n_given, r->near[i].n_numbers - 1);
   unload();
 }
-END_TEST
 
-START_TEST(every_pair_of_inputs_as_the_oracle_has_it) {
+TEST(every_pair_of_inputs_as_the_oracle_has_it) {
   const struct readings *r = search("paper");
   ck_assert_int_eq(r->n_pairs, 28);
   int solved = 0;
@@ -179,11 +178,10 @@ START_TEST(every_pair_of_inputs_as_the_oracle_has_it) {
   ck_assert_int_ge(solved, 20);
   unload();
 }
-END_TEST
 
 /* The corners lie within the bounds; the bounds are at most a little wider than the corners, the results being nearly
    linear there; slopes are difference quotients of the corners. */
-START_TEST(what_the_digits_of_the_data_leave_room_for) {
+TEST(what_the_digits_of_the_data_leave_room_for) {
   static const char *const shift[] = {"-0.00005", "0", "0.0001"};
   const struct readings *r = search("paper");
   ck_assert_int_eq(r->procedure.n_outputs, 6);
@@ -220,7 +218,6 @@ START_TEST(what_the_digits_of_the_data_leave_room_for) {
   }
   unload();
 }
-END_TEST
 
 /* --- Equations --- */
 
@@ -233,7 +230,7 @@ static double entry(const struct system *s, const struct num_vec *v, slong i) {
 }
 
 /* Slopes are derivatives of values, and the model's propagators give what the paper's corrected matrices do. */
-START_TEST(slopes_and_both_sources_of_the_equations) {
+TEST(slopes_and_both_sources_of_the_equations) {
   struct formulas paper, own;
   struct system s, t;
   load("tests/readings/whole.scene");
@@ -284,10 +281,9 @@ START_TEST(slopes_and_both_sources_of_the_equations) {
   formulas_clear(&paper);
   unload();
 }
-END_TEST
 
 /* Rows of (45) and (46) against the paper's own statements of them, at a solution and away from one. */
-START_TEST(rows_solved_for_the_start) {
+TEST(rows_solved_for_the_start) {
   struct formulas own;
   struct system s;
   load("tests/readings/whole.scene");
@@ -337,10 +333,9 @@ START_TEST(rows_solved_for_the_start) {
   formulas_clear(&own);
   unload();
 }
-END_TEST
 
 /* Six conditions each way, no selection twice, and none that another basis already has. */
-START_TEST(forms_of_the_periodicity_conditions) {
+TEST(forms_of_the_periodicity_conditions) {
   struct form forms[MAX_FORMS];
   int n = forms_list(forms);
   /* every subset of the four; one of w and r with any of the velocities; subsets of F and G that keep or drop neither
@@ -352,11 +347,10 @@ START_TEST(forms_of_the_periodicity_conditions) {
     for (int k = 0; k < i; k++) ck_assert(forms[i].held != forms[k].held);
   }
 }
-END_TEST
 
 /* --- Solving --- */
 
-START_TEST(solutions_are_enclosed_or_refused) {
+TEST(solutions_are_enclosed_or_refused) {
   struct formulas paper;
   struct system s;
   load("tests/readings/whole.scene");
@@ -387,7 +381,6 @@ START_TEST(solutions_are_enclosed_or_refused) {
   formulas_clear(&paper);
   unload();
 }
-END_TEST
 
 /* --- What is not an example of anything --- */
 
@@ -401,7 +394,7 @@ static const char *scene_text(const char *t_a, const char *e2) {
   return s;
 }
 
-START_TEST(numbers_that_nothing_gives) {
+TEST(numbers_that_nothing_gives) {
   const struct readings *r = search(scratch_put("made-up.scene", scene_text("0.9123", "printed: e2 = 0.8587")));
   ck_assert_int_eq(r->n_found, 0);
   ck_assert_int_eq(r->n_levels, 4);
@@ -409,7 +402,6 @@ START_TEST(numbers_that_nothing_gives) {
   ck_assert_msg(strncmp(r->conclusion[0], "None of the", 11) == 0, "%s", r->conclusion[0]);
   unload();
 }
-END_TEST
 
 /* The orbit at the paper's data (corner 0,0) with t_d = 2.3473007 printed as 2.3472: cut off, it would have to be below
    2.3473.  That is less than a hundredth of a unit, so it is for the balls to see.  (With other inputs than the data
@@ -423,7 +415,7 @@ static bool data_alone_suffice(const struct readings *r) {
   return found;
 }
 
-START_TEST(a_bracket_that_is_missed_narrowly) {
+TEST(a_bracket_that_is_missed_narrowly) {
   static const char *const text = "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nprinted: z10 = 0.9782\n"
                                   "printed: z20 = -2.1247\nprinted: t_a = 0.5323\nprinted: t_b = 2.0053\n"
                                   "printed: t_c = 1.4899\nprinted: t_d = %s\nprinted: e1 = 2.7844\n"
@@ -437,11 +429,10 @@ START_TEST(a_bracket_that_is_missed_narrowly) {
     unload();
   }
 }
-END_TEST
 
 /* Digits that a number leaves out beside longer ones are zeros: t_b = 2.0053 does not print as 2 among numbers of four
    decimals, and does where none has any. */
-START_TEST(neighbours_say_how_many_decimals) {
+TEST(neighbours_say_how_many_decimals) {
   static const char *const text = "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nprinted: t_b = 2\n%s";
   static const char *const beside[] = {"printed: t_a = 0.5323\n", "printed: t_d = 2\n", "printed: t_a = 5.323e-1\n"};
   static const char *const unit[] = {"1/10000", "1", "1"};
@@ -458,9 +449,8 @@ START_TEST(neighbours_say_how_many_decimals) {
   }
   arb_clear(x);
 }
-END_TEST
 
-START_TEST(hostile_decimals) {
+TEST_EACH(hostile_decimals, 5) {
   static const char *const t_a[] = {"0", "1e100000", "1e-99999", "-3e300", "0.%s"};
   char many[20000];
   memset(many, '7', sizeof many - 1);
@@ -471,18 +461,16 @@ START_TEST(hostile_decimals) {
   ck_assert_int_eq(r->n_pairs, 28);
   unload();
 }
-END_TEST
 
-START_TEST(too_few_printed_numbers) {
+TEST(too_few_printed_numbers) {
   load(scratch_put("few.scene", scene_text("0.5", "# no e2")));
   const char *why = audit_readings(&result, &model, &scene);
   ck_assert(why != NULL && result.readings == NULL);
   unload();
 }
-END_TEST
 
 /* A matrix of another shape, or that hangs on what no motion has, is not read. */
-START_TEST(other_matrices_are_not_read) {
+TEST(other_matrices_are_not_read) {
   static const char *const gamma[] = {"t", "[1, 0, t, 0; 0, 1, 0, t; 0, 0, e_1, 0; 0, 0, 0, 1]", "[I, t*I; 0, I]"};
   for (size_t i = 0; i < sizeof gamma / sizeof *gamma; i++) {
     struct formulas f;
@@ -495,7 +483,6 @@ START_TEST(other_matrices_are_not_read) {
     unload();
   }
 }
-END_TEST
 
 /* --- In the audit --- */
 
@@ -514,7 +501,7 @@ static bool readings_left_out(void) {
   return false;
 }
 
-START_TEST(searched_only_where_it_was_asked_for) {
+TEST_EACH(searched_only_where_it_was_asked_for, 4) {
   static const struct {
     const char *only;
     bool asked, want;
@@ -534,29 +521,4 @@ START_TEST(searched_only_where_it_was_asked_for) {
   text_clear(&md);
   text_clear(&json);
   unload();
-}
-END_TEST
-
-Suite *readings_suite(void) {
-  Suite *s = suite_create("readings");
-  TCase *c = tcase_create("readings");
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_loop_test(c, the_procedure_behind_an_example_is_ranked_first, 0, 5);
-  tcase_add_test(c, the_papers_example);
-  tcase_add_test(c, every_pair_of_inputs_as_the_oracle_has_it);
-  tcase_add_test(c, what_the_digits_of_the_data_leave_room_for);
-  tcase_add_test(c, slopes_and_both_sources_of_the_equations);
-  tcase_add_test(c, rows_solved_for_the_start);
-  tcase_add_test(c, equations_are_called_as_the_paper_has_them);
-  tcase_add_test(c, forms_of_the_periodicity_conditions);
-  tcase_add_test(c, solutions_are_enclosed_or_refused);
-  tcase_add_test(c, numbers_that_nothing_gives);
-  tcase_add_test(c, a_bracket_that_is_missed_narrowly);
-  tcase_add_test(c, neighbours_say_how_many_decimals);
-  tcase_add_loop_test(c, hostile_decimals, 0, 5);
-  tcase_add_test(c, too_few_printed_numbers);
-  tcase_add_test(c, other_matrices_are_not_read);
-  tcase_add_loop_test(c, searched_only_where_it_was_asked_for, 0, 4);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -8,7 +8,7 @@
 #include "base/arena.h"
 #include "base/text.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "whole.h"
 
 static char audit[300]; /* of the paper, which every case reads */
@@ -38,15 +38,16 @@ static const char *changed(const char *file, const char *anchor, const char *old
   return path;
 }
 
-START_TEST(every_failing_statement_is_confirmed) {
+CASE("referee", .once = {open_audit, scratch_close}, .seconds = 600);
+
+TEST(every_failing_statement_is_confirmed) {
   int status = confirm(audit, "--damage");
   char *said = file_text(scratch_path("said"));
   ck_assert_msg(status == 0, "%s", said);
   free(said);
 }
-END_TEST
 
-START_TEST(what_has_no_script_or_is_damaged_fails) {
+TEST(what_has_no_script_or_is_damaged_fails) {
   const char *file = changed(audit, "\"id\": \"eq-40\"", "eq-40", "eq-999");
   file = changed(file, "\"id\": \"num-t_b\"", "\"value\": \"2.005332702", "\"value\": \"2.005332802");
   file = changed(file, "\"id\": \"text-time-name\"", "$t^*$ = time", "$t'$ = time");
@@ -57,16 +58,4 @@ START_TEST(what_has_no_script_or_is_damaged_fails) {
   check_says("said", "text-time-name is not confirmed");
   check_says("said", "the root example says -2.1958");
   check_says("said", " statements confirmed, 4 faults");
-}
-END_TEST
-
-Suite *referee_suite(void) {
-  Suite *s = suite_create("referee");
-  TCase *c = tcase_create("referee");
-  tcase_add_unchecked_fixture(c, open_audit, scratch_close);
-  tcase_set_timeout(c, 600);
-  tcase_add_test(c, every_failing_statement_is_confirmed);
-  tcase_add_test(c, what_has_no_script_or_is_damaged_fails);
-  suite_add_tcase(s, c);
-  return s;
 }

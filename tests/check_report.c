@@ -18,7 +18,7 @@
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "whole.h"
 
 /* --- Written from memory, written from what was read --- */
@@ -86,9 +86,11 @@ static bool audit(struct audit_result *r, const char *name, const char *const *o
   return true;
 }
 
+CASE("report", .each = {paper_open, paper_close});
+
 /* The paper's whole audit, by this process alone: the bytes of the record and of the tables are those of the program,
    which shares the work among several. */
-START_TEST(the_papers_record) {
+TEST(the_papers_record) {
   struct audit_result r;
   struct text json;
   goes_well(near_controls_add(&the_paper.model, &the_paper.claims, &the_paper.controls, &d));
@@ -115,11 +117,10 @@ START_TEST(the_papers_record) {
   text_clear(&json);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* Every scene on file, with claims of several kinds; what a scene asks for itself is asked for besides.  The last two,
    with their consequences, are dear, and in make check for each third and each twentieth scene. */
-START_TEST(the_record_of_every_scene) {
+TEST(the_record_of_every_scene) {
   static const char *const only[] = {"text-time-name", "eq-48c", "eq-3", "eq-40"};
   struct arena a;
   struct diag d;
@@ -137,7 +138,6 @@ START_TEST(the_record_of_every_scene) {
   free(path);
   arena_clear(&a);
 }
-END_TEST
 
 /* --- No field is forgotten --- */
 
@@ -204,7 +204,7 @@ static void count_shape(const char *key, const struct shape *shape, size_t bytes
   }
 }
 
-START_TEST(every_field_is_in_the_tables) {
+TEST(every_field_is_in_the_tables) {
   if (sizeof(long) != 8 || sizeof(void *) != 8) return;
   /* arena, what the run took and its jobs (run.json), neighbours and their number, mutation, pages; padding behind jobs
      and n_independence */
@@ -213,7 +213,6 @@ START_TEST(every_field_is_in_the_tables) {
                   sizeof(size_t) + 2 * sizeof(void *) + 2 * 4);
   count_shape("readings", &readings_shape, 6 * 4); /* behind counts */
 }
-END_TEST
 
 /* --- The command --- */
 
@@ -235,7 +234,9 @@ static void same_files(const char *environment, const char *words) {
   ck_assert_msg(status == 0, "%s: other files", words);
 }
 
-START_TEST(the_same_files_from_the_json_alone) {
+CASE("command", .each = {scratch_open, scratch_close});
+
+TEST_EACH(the_same_files_from_the_json_alone, 6) {
   static const struct {
     const char *environment, *words;
   } of[] = {{"", "paper"},
@@ -246,10 +247,9 @@ START_TEST(the_same_files_from_the_json_alone) {
             {"STICKSLIP_DATA=tests/another", ""}};
   same_files(of[_i].environment, of[_i].words);
 }
-END_TEST
 
 /* Without its neighbours the page alone says less; nothing else does. */
-START_TEST(neighbours_are_shown_by_the_page_alone) {
+TEST(neighbours_are_shown_by_the_page_alone) {
   same_files("", "paper --only eq-48c");
   shell_well(
       "cd $D && grep -q '/mutation/mutation.md' there/index.html && grep -q '/bench/map.svg' there/index.html && "
@@ -260,10 +260,9 @@ START_TEST(neighbours_are_shown_by_the_page_alone) {
   shell_well("cd $D && ! grep -q '/mutation/\\|/bench/' there/index.html && "
              "[ \"$(diff -rq here there)\" = \"Files here/index.html and there/index.html differ\" ]");
 }
-END_TEST
 
 /* The score is that of a study of the same formulas and scene, whatever these are called. */
-START_TEST(the_score_is_of_what_was_read) {
+TEST(the_score_is_of_what_was_read) {
   static const struct {
     const char *words;
     bool shown;
@@ -286,10 +285,9 @@ START_TEST(the_score_is_of_what_was_read) {
     ck_assert_msg(scratch_says("r/index.html", "/mutation/mutation.md") == rows[i].shown, "%s", rows[i].words);
   }
 }
-END_TEST
 
 /* All or none: where one file cannot be written, the others are the old ones; a table that is missing is said. */
-START_TEST(nothing_is_written_by_halves) {
+TEST(nothing_is_written_by_halves) {
   shell_well("$P verify stable --only eq-48c --quiet --out $D/r");
   shell_well("cd $D/r && echo old > audit.md && rm junit.xml && mkdir junit.xml");
   shell_ends(3, "junit.xml", "$P report $D/r > $D/out");
@@ -297,10 +295,9 @@ START_TEST(nothing_is_written_by_halves) {
   shell_well("cd $D/r && sed -i 's/\"tables\": \\[\\]/\"tables\": [{\"name\": \"no.tsv\"}]/' audit.json");
   shell_ends(3, "no.tsv", "$P report $D/r");
 }
-END_TEST
 
 /* A table that would need memory without bound. */
-START_TEST(tables_beyond_all_bounds) {
+TEST(tables_beyond_all_bounds) {
   static const char *const table[] = {"printf 'a\\tb\\n'; yes '' | head -n 60000", "printf '\\t%.0s' $(seq 100)",
                                       "yes 1234567 | tr -d '\\n' | head -c 5000000", "printf 'a\\000b'",
                                       "printf '\\377'"};
@@ -309,7 +306,6 @@ START_TEST(tables_beyond_all_bounds) {
   for (size_t i = 0; i < sizeof table / sizeof *table; i++)
     shell_ends(3, "figure-3.tsv", "(%s) > $D/r/figure-3.tsv; $P report $D/r", table[i]);
 }
-END_TEST
 
 /* --- What is no report --- */
 
@@ -330,7 +326,9 @@ static bool survives(const char *json) {
   return ok;
 }
 
-START_TEST(cut_off_anywhere) {
+CASE("report");
+
+TEST(cut_off_anywhere) {
   whole_open();
   char *json = file_text(scratch_path("whole/paper/audit.json"));
   const size_t len = strlen(json), step = 997 * (size_t)every(10);
@@ -346,7 +344,6 @@ START_TEST(cut_off_anywhere) {
   }
   free(json);
 }
-END_TEST
 
 struct places {
   size_t *at, n, cap;
@@ -380,7 +377,7 @@ static size_t end_of_value(const char *text) {
 
 /* Every value of a small report in turn is put out of its place by values of all types; in make check each by a
    part of them. */
-START_TEST(types_exchanged_and_huge_numbers) {
+TEST_EACH(types_exchanged_and_huge_numbers, 4) {
   static const char *const other[] = {"null",
                                       "true",
                                       "-1",
@@ -429,10 +426,9 @@ START_TEST(types_exchanged_and_huge_numbers) {
   arena_clear(&a);
   text_clear(&json);
 }
-END_TEST
 
 /* Messages name the place. */
-START_TEST(what_is_said) {
+TEST(what_is_said) {
   static const struct {
     const char *from, *to, *says;
   } of[] = {{"stickslip-audit-2", "stickslip-audit-9", "audit.json:1:1: error: not an audit.json"},
@@ -471,10 +467,9 @@ START_TEST(what_is_said) {
   }
   text_clear(&json);
 }
-END_TEST
 
 /* More names than a graph can be drawn of. */
-START_TEST(too_many_names) {
+TEST(too_many_names) {
   struct audit_result r, again;
   struct text json;
   enum { N = 2000 };
@@ -491,33 +486,4 @@ START_TEST(too_many_names) {
   fails_with(read_text(&again, text_str(&json), &d), "more than");
   audit_result_clear(&again);
   text_clear(&json);
-}
-END_TEST
-
-Suite *report_suite(void) {
-  Suite *s = suite_create("report");
-  TCase *c = tcase_create("record");
-  tcase_add_checked_fixture(c, paper_open, paper_close);
-  tcase_add_test(c, the_record_of_every_scene);
-  tcase_add_test(c, every_field_is_in_the_tables);
-  tcase_add_loop_test(c, types_exchanged_and_huge_numbers, 0, 4);
-  tcase_add_test(c, what_is_said);
-  tcase_add_test(c, too_many_names);
-  suite_add_tcase(s, c);
-
-  c = tcase_create("paper");
-  tcase_add_checked_fixture(c, paper_open, paper_close);
-  tcase_add_test(c, the_papers_record);
-  tcase_add_test(c, cut_off_anywhere);
-  suite_add_tcase(s, c);
-
-  c = tcase_create("command");
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_loop_test(c, the_same_files_from_the_json_alone, 0, 6);
-  tcase_add_test(c, neighbours_are_shown_by_the_page_alone);
-  tcase_add_test(c, the_score_is_of_what_was_read);
-  tcase_add_test(c, nothing_is_written_by_halves);
-  tcase_add_test(c, tables_beyond_all_bounds);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -13,7 +13,7 @@
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "suites.h"
+#include "suite.h"
 
 enum { N_IN = N_PARAMS + 1, MOVE = 60, MOST_STEPS = 20000 };
 
@@ -97,7 +97,7 @@ static void edge_input(double x[N_IN], struct rng *r) {
 
 /* From the three kinds of inputs by turns, those of the edges at more points: half of them have phases beyond the
    limits. */
-START_TEST(every_output_is_right_to_the_last_place) {
+TEST_EACH(every_output_is_right_to_the_last_place, 2) {
   enum { TRIALS = 800 };
   struct rng r = {(uint64_t)_i};
   int n = 0, searched = 0;
@@ -118,11 +118,10 @@ START_TEST(every_output_is_right_to_the_last_place) {
   ck_assert_int_gt(n, TRIALS / 2);
   ck_assert_int_lt(searched, TRIALS / 10);
 }
-END_TEST
 
 /* Points at which plain double precision errs by some tens to thousands of conditions: the first found by `stickslip
    stability`, the others by the random search of 300000 points that gave the figures in return_map.h. */
-START_TEST(lost_in_plain_double) {
+TEST(lost_in_plain_double) {
   static const double at[][N_IN] = {{0x1.2a8p-3, 0x1.71ap+1, 0x1.43d448p+0, 0x1.eb4p-2, 0x1.2f8p-3, -0x1.340418p+3},
                                     {0.18981252688333999, 0.17715914832337751, 0.34440307012202187,
                                      0.011758178095094989, 0.067501379411813542, -0.20291312963625932},
@@ -145,11 +144,10 @@ START_TEST(lost_in_plain_double) {
   }
   ck_assert_double_gt(worst, 8); /* else nothing was tried here */
 }
-END_TEST
 
 /* The rise e2/chi - r of points near chi = 0 was once lost in a rounded e2/chi, and t_b, or t_c after it, was a root
    that is not the first; the first of 91 among 60000 points that a random search found. */
-START_TEST(rise_lost_in_a_quotient) {
+TEST(rise_lost_in_a_quotient) {
   static const double at[][N_IN] = {{0x1.185e688165ab6p-53, 0x1.ap-1, 0x1.b6d09aeeb508cp+2, 0x1.64897de1f3172p-2,
                                      0x1.5971e130c2dep-2, 0x1.3b6b7b64e5b97p+51},
                                     {0x1.b12f18153c65ap-58, 0x1.0ea384bc368ccp+1, 0x1.e518bb6df7a5ep+1,
@@ -164,7 +162,6 @@ START_TEST(rise_lost_in_a_quotient) {
     check_last_place(at[k], got, error);
   }
 }
-END_TEST
 
 static int by_size(const void *x, const void *y) {
   double a = *(const double *)x, b = *(const double *)y;
@@ -172,7 +169,7 @@ static int by_size(const void *x, const void *y) {
 }
 
 /* dyn_return_map_d, but for t_a and the slope. */
-START_TEST(errors_are_those_of_the_inputs) {
+TEST_EACH(errors_are_those_of_the_inputs, 2) {
   enum { TRIALS = 500, N_MAP = 4 };
   static const int checked[N_MAP] = {RETURN_TB, RETURN_TC, RETURN_TD, RETURN_R};
   struct rng r = {(uint64_t)_i};
@@ -196,7 +193,6 @@ START_TEST(errors_are_those_of_the_inputs) {
   ck_assert_double_lt(all[n / 2], 1);
   ck_assert_double_lt(all[n - n / 100], 8);
 }
-END_TEST
 
 /* z_1' - V at times of phase H, by the flow over doubles. */
 struct slip {
@@ -280,7 +276,9 @@ static bool find_jump(double *low, double *high, double x[N_IN]) {
   return fabs(a.t[PHASE_H] - b.t[PHASE_H]) > 0.3;
 }
 
-START_TEST(no_root_is_passed_by_at_a_jump) {
+CASE("jumps", .tags = "long");
+
+TEST_EVERY(no_root_is_passed_by_at_a_jump, 2, 4) {
   struct rng r = {(uint64_t)_i};
   int jumps = 0;
   for (int trial = 0; trial < 400 && jumps < 6; trial++) {
@@ -301,10 +299,11 @@ START_TEST(no_root_is_passed_by_at_a_jump) {
   }
   ck_assert_int_ge(jumps, 4);
 }
-END_TEST
+
+CASE("return_map");
 
 /* At a crest of the rise the first root is double: told, or taken on the right side. */
-START_TEST(crests_of_the_rise) {
+TEST(crests_of_the_rise) {
   const double *p = example;
   double a = 0.2, fall = acos(-1) + 2 * atan2(a, p[P_E1]), crest = a * fall + 2 * p[P_E1], top = p[P_E2] / p[P_CHI];
   for (int k = 2; k < 52; k++)
@@ -318,9 +317,8 @@ START_TEST(crests_of_the_rise) {
       if (side > 0) ck_assert_double_gt(got.t[PHASE_GAMMA], 2 * acos(-1));
     }
 }
-END_TEST
 
-START_TEST(slope_is_the_derivative) {
+TEST_EACH(slope_is_the_derivative, 2) {
   struct rng r = {(uint64_t)_i};
   int n = 0;
   for (int trial = 0; trial < 200; trial++) {
@@ -339,9 +337,8 @@ START_TEST(slope_is_the_derivative) {
   }
   ck_assert_int_gt(n, 40);
 }
-END_TEST
 
-START_TEST(outside_the_domain) {
+TEST(outside_the_domain) {
   struct dyn_return got;
   double r = -1.3, p[N_PARAMS];
   ck_assert_int_eq(dyn_return_map(&got, example, r, NULL), SS_OK);
@@ -354,10 +351,9 @@ START_TEST(outside_the_domain) {
   const struct dyn_limits shorter = {1, 100000};
   ck_assert_int_eq(dyn_return_map(&got, example, r, &shorter), SS_UNABLE);
 }
-END_TEST
 
 /* Numbers at the ends of the exponents: any status, no trap, no endless loop. */
-START_TEST(huge_and_tiny) {
+TEST(huge_and_tiny) {
   struct rng r = {1};
   for (int trial = 0; trial < 1500 / every(2); trial++) {
     double p[N_PARAMS], start = (rng_unit(&r) - 0.5) * size_draw(&r);
@@ -367,37 +363,13 @@ START_TEST(huge_and_tiny) {
       for (int i = 1; i < N_PHASES; i++) ck_assert(got.t[i] > 0 && isfinite(got.t[i]));
   }
 }
-END_TEST
 
 /* A node lies just above zero after the root: the step back from it is short, and was taken for a converged one.  The
    first root to eleven digits is from a dense search in mpmath on the closed form of phase H. */
-START_TEST(a_short_step_is_no_root) {
+TEST(a_short_step_is_no_root) {
   static const double p[N_PARAMS] = {0.9675374192474498, 0.7669073880795517, 4.668603296278052, 0.6575528774251659,
                                      3.085043097852551};
   struct dyn_return got;
   int status = dyn_return_map(&got, p, -9.061022262877927, NULL);
   if (status == SS_OK && !got.grazing) ck_assert_double_eq_tol(got.t[PHASE_H], 0.74747991519, 1e-9);
-}
-END_TEST
-
-Suite *return_map_suite(void) {
-  Suite *s = suite_create("return_map");
-  TCase *t = tcase_create("return_map");
-  tcase_set_timeout(t, 120);
-  tcase_add_loop_test(t, every_output_is_right_to_the_last_place, 0, 2);
-  tcase_add_test(t, lost_in_plain_double);
-  tcase_add_test(t, rise_lost_in_a_quotient);
-  tcase_add_loop_test(t, errors_are_those_of_the_inputs, 0, 2);
-  tcase_add_test(t, crests_of_the_rise);
-  tcase_add_test(t, a_short_step_is_no_root);
-  tcase_add_loop_test(t, slope_is_the_derivative, 0, 2);
-  tcase_add_test(t, outside_the_domain);
-  tcase_add_test(t, huge_and_tiny);
-  suite_add_tcase(s, t);
-  TCase *jumps = tcase_create("jumps");
-  tcase_set_tags(jumps, "long");
-  tcase_set_timeout(jumps, 120);
-  add_every(jumps, no_root_is_passed_by_at_a_jump, 2, 4);
-  suite_add_tcase(s, jumps);
-  return s;
 }

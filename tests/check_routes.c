@@ -15,7 +15,7 @@
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "value/coulomb_setup.h"
 #include "value/paper_orbits.h"
 
@@ -28,7 +28,7 @@ static const struct route_info *row_of(const char *quantity, const char *name) {
   ck_abort_msg("no route %s to %s", name, quantity);
 }
 
-START_TEST(every_row_is_one_route) {
+TEST(every_row_is_one_route) {
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
     const struct route_info *r = &route_table[i];
     ck_assert_msg(r->name && r->does && r->means, "row %d", i);
@@ -38,10 +38,9 @@ START_TEST(every_row_is_one_route) {
       ck_assert_msg(route_table[k].quantity != r->quantity || strcmp(route_table[k].name, r->name) != 0, "%s", r->name);
   }
 }
-END_TEST
 
 /* What two routes share, from what is known of how they are programmed. */
-START_TEST(shared_means) {
+TEST(shared_means) {
   static const struct {
     const char *quantity, *a, *b;
     unsigned want;
@@ -67,16 +66,14 @@ START_TEST(shared_means) {
   ck_assert_str_eq(text_str(&t), "central differences, Coulomb's law in x");
   text_clear(&t);
 }
-END_TEST
 
 static void ask_for_a_route_that_does_not_exist(void) {
   routes_independent("balls", "guess");
 }
 
-START_TEST(an_unknown_route_is_a_broken_invariant) {
+TEST(an_unknown_route_is_a_broken_invariant) {
   ck_assert_int_lt(child_end(ask_for_a_route_that_does_not_exist), 0);
 }
-END_TEST
 
 /* --- The study. --- */
 
@@ -120,8 +117,10 @@ static void check_pairs(const struct audit_result *r, const char *const *wrong, 
   ck_assert_int_eq(audit_result_unexpected(r), bad);
 }
 
+CASE("study", .once = {open_study, close_study});
+
 /* Pairs of five routes to a propagator, two to its derivative, five to the events, six to the Jacobian. */
-START_TEST(all_pairs_agree_on_enough_points) {
+TEST(all_pairs_agree_on_enough_points) {
   struct audit_result r;
   study(&r, NULL);
   ck_assert_uint_eq(r.n_pairs, 10 + 1 + 10 + 15);
@@ -149,10 +148,9 @@ START_TEST(all_pairs_agree_on_enough_points) {
   }
   audit_result_clear(&r);
 }
-END_TEST
 
 /* Its orbits have e1 and e2 that are known as balls alone: the routes that want them exactly are not asked there. */
-START_TEST(a_scene_without_forces) {
+TEST(a_scene_without_forces) {
   struct scene given = scene;
   struct audit_result r;
   goes_well(scene_load(&scene, "paper-times", "verify", &d));
@@ -166,10 +164,9 @@ START_TEST(a_scene_without_forces) {
   scene_clear(&scene);
   scene = given;
 }
-END_TEST
 
 /* Uncorrected, (10) is wrong in D(t) and several of (26)-(40) in J; each spoils its own quantities and no other. */
-START_TEST(an_uncorrected_formula_disagrees_with_every_route) {
+TEST(an_uncorrected_formula_disagrees_with_every_route) {
   static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
   struct audit_result r;
   study(&r, &(struct paper_layers){.errata = ""});
@@ -180,11 +177,10 @@ START_TEST(an_uncorrected_formula_disagrees_with_every_route) {
   check_pairs(&r, wrong, 1);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* The set beyond-pi has an orbit whose phase H is so short that the ODE map is smooth only very near to it: differences
    must find a step that suits. */
-START_TEST(differences_near_a_jump) {
+TEST(differences_near_a_jump) {
   struct audit_result r;
   const char *path = scratch_put("short.scene", "chi = 0.71\neta = 7.7\nV = 0.28\ne1 = 1.07\ne2 = 0.852\n");
   scene_clear(&scene);
@@ -196,7 +192,6 @@ START_TEST(differences_near_a_jump) {
       ck_assert_msg(r.pairs[i].machine_largest < 1e-5, "%g %ld", r.pairs[i].machine_largest, r.pairs[i].comparisons);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* The return Jacobian's enclosures lose digits as V goes to 0; a route in balls gets the bits that its digits need.
    Below 1e-16 the moments of one period's events are one double, and the integration tells its phases all the same.
@@ -204,7 +199,7 @@ END_TEST
    three times as long, is for make long. */
 static const char *const slow_belts[] = {"1e-12", "1e-20", "1e-300"};
 
-START_TEST(slow_belts_raise_no_false_alarm) {
+TEST_EACH(slow_belts_raise_no_false_alarm, every_case() ? 3 : 2) {
   static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
   struct audit_result r;
   scene_clear(&scene);
@@ -219,10 +214,9 @@ START_TEST(slow_belts_raise_no_false_alarm) {
   check_pairs(&r, wrong, 3);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* A formula without a value is no agreement. */
-START_TEST(a_route_without_an_answer_disagrees) {
+TEST(a_route_without_an_answer_disagrees) {
   static const char *const wrong[] = {"propagator D, Gamma, H, C", "derivative of a propagator", "return Jacobian"};
   struct audit_result r;
   const char *own = scratch_put("own.eq", "define D\n  section: prediction\n  D(t) := [I, (t/(chi - chi))*I; 0, I]\n");
@@ -232,9 +226,8 @@ START_TEST(a_route_without_an_answer_disagrees) {
             strncmp(r.pairs[0].worst, "D, ", 3) == 0);
   audit_result_clear(&r);
 }
-END_TEST
 
-START_TEST(a_paper_that_cannot_be_read_is_left_out) {
+TEST(a_paper_that_cannot_be_read_is_left_out) {
   struct audit_result r;
   scratch_put("one.eq", "model: two masses on a belt\nsymbol chi\n");
   study(&r, &(struct paper_layers){.paper = scratch_path(""), .errata = ""});
@@ -246,7 +239,6 @@ START_TEST(a_paper_that_cannot_be_read_is_left_out) {
   ck_assert(said);
   audit_result_clear(&r);
 }
-END_TEST
 
 /* --- The paper's route. --- */
 
@@ -267,7 +259,9 @@ static const char *const orbit[N_ROUTE] = {"0.5322807412757240368215589787015368
                                            "0.978188144190098574451142940838784644240642700934563377954489",
                                            "-2.12469463444344577273068157927613498891069934163823719831396"};
 
-START_TEST(the_papers_route_from_any_two_quantities) {
+CASE("paper route", .once = {scratch_open, scratch_close});
+
+TEST(the_papers_route_from_any_two_quantities) {
   struct scene s;
   struct paper_orbits list;
   const char *path =
@@ -287,10 +281,9 @@ START_TEST(the_papers_route_from_any_two_quantities) {
   paper_orbits_clear(&list);
   scene_clear(&s);
 }
-END_TEST
 
 /* The set long-slip: from 2 % beside its first orbit the iteration leads nowhere, beside its fourth it comes back. */
-START_TEST(the_papers_route_may_not_converge) {
+TEST(the_papers_route_may_not_converge) {
   struct scene s;
   struct paper_orbits list;
   const char *path = scratch_put("long.scene", "chi = 0.87\neta = 0.32\nV = 0.45\ne1 = 0.242\ne2 = 0.279\n");
@@ -302,7 +295,6 @@ START_TEST(the_papers_route_may_not_converge) {
   paper_orbits_clear(&list);
   scene_clear(&s);
 }
-END_TEST
 
 /* --- Long runs. --- */
 
@@ -311,11 +303,11 @@ static const struct {
   const char *params[N_PARAMS];
   int index;
   double trace, period;
-} beside[] = {{{"0.8", "1", "1", "2.7844", "0.8587"}, 1, -1.02322618938757005, 6.37479888133},
-              {{"0.71", "1.2", "1.9", "5.9", "0.158"}, 0, -0.366862014459978281, 15.9523111543},
+} beside[] = {{{"0.71", "1.2", "1.9", "5.9", "0.158"}, 0, -0.366862014459978281, 15.9523111543},
+              {{"0.8", "1", "1", "2.7844", "0.8587"}, 1, -1.02322618938757005, 6.37479888133},
               {{"0.95", "1.5", "1.2", "5.19", "0.201"}, 1, -1.808422, 53.307829},
               {{"0.94", "0.72", "0.94", "0.879", "0.106"}, 1, 2.2287053, 39.411698}};
-enum { PAPER, STABLE, FLIPPING, SHEDDING, N_BESIDE };
+enum { STABLE, PAPER, FLIPPING, SHEDDING, N_BESIDE };
 
 static void setup_beside(struct coulomb_setup *sim, int which) {
   fmpq *params = rationals(beside[which].params, N_PARAMS);
@@ -330,8 +322,10 @@ static void setup_beside(struct coulomb_setup *sim, int which) {
 static const struct long_pair pairs[N_LONG_PAIRS] = {
     {LONG_ODE, LONG_CLOSED}, {LONG_ODE, LONG_MPFR}, {LONG_CLOSED, LONG_MPFR}};
 
+CASE("routes");
+
 /* A displacement is multiplied by the trace, whatever the orbit. */
-START_TEST(a_displacement_grows_by_the_multiplier) {
+TEST_EACH(a_displacement_grows_by_the_multiplier, N_BESIDE) {
   struct coulomb_setup sim;
   struct long_growth g;
   setup_beside(&sim, _i);
@@ -339,10 +333,9 @@ START_TEST(a_displacement_grows_by_the_multiplier) {
   ck_assert(long_run_displaced(&g, sim.params, sim.start, sim.trace, 300 * sim.period));
   ck_assert_msg(fabs(g.log - log(fabs(beside[_i].trace))) < 1e-3, "%g", exp(g.log));
 }
-END_TEST
 
 /* Rounding alone: from MPFR, which has 160 bits, the routes depart at the rate of the trace. */
-START_TEST(routes_leave_an_unstable_orbit_at_its_rate) {
+TEST_RANGE(routes_leave_an_unstable_orbit_at_its_rate, PAPER, N_BESIDE) {
   struct coulomb_setup sim;
   struct long_run run;
   struct long_growth g;
@@ -360,7 +353,6 @@ START_TEST(routes_leave_an_unstable_orbit_at_its_rate) {
   }
   long_run_clear(&run);
 }
-END_TEST
 
 /* An orbit of the paper's forces at chi, the one that breaks no condition. */
 static void setup_near_one(struct coulomb_setup *sim, const char *chi) {
@@ -379,7 +371,7 @@ static void setup_near_one(struct coulomb_setup *sim, const char *chi) {
 
 /* Where positions are large, a run that has left its orbit is not taken for one beside it: within reach the rate is
    that of the trace, which the stretch beyond misses by a third. */
-START_TEST(a_growth_ends_where_the_orbit_is_left) {
+TEST(a_growth_ends_where_the_orbit_is_left) {
   struct coulomb_setup sim;
   struct long_run run;
   struct long_growth g;
@@ -394,10 +386,9 @@ START_TEST(a_growth_ends_where_the_orbit_is_left) {
   }
   long_run_clear(&run);
 }
-END_TEST
 
 /* Differences of the integration keep their word where it can be kept, and say beforehand where it cannot. */
-START_TEST(the_integration_near_chi_1) {
+TEST(the_integration_near_chi_1) {
   struct coulomb_setup sim;
   double j[4], err;
   setup_near_one(&sim, "4/5");
@@ -412,9 +403,8 @@ START_TEST(the_integration_near_chi_1) {
   ck_assert(coulomb_return_jacobian_floor(sim.params, sim.start) > 1e-2);
   ck_assert(coulomb_event_floor(sim.params, sim.start) > 1e-3);
 }
-END_TEST
 
-START_TEST(routes_stay_on_a_stable_orbit) {
+TEST(routes_stay_on_a_stable_orbit) {
   struct coulomb_setup sim;
   struct long_run run;
   struct long_growth g;
@@ -434,9 +424,8 @@ START_TEST(routes_stay_on_a_stable_orbit) {
   }
   long_run_clear(&run);
 }
-END_TEST
 
-START_TEST(a_run_outside_the_domain) {
+TEST(a_run_outside_the_domain) {
   struct coulomb_setup sim;
   struct long_run run;
   struct long_growth g;
@@ -448,11 +437,10 @@ START_TEST(a_run_outside_the_domain) {
   long_run_clear(&run);
   ck_assert(!long_run_displaced(&g, sim.params, sim.start, 2, 100));
 }
-END_TEST
 
 /* --- The report. --- */
 
-START_TEST(a_disagreement_comes_first) {
+TEST(a_disagreement_comes_first) {
   struct route_pair made_up[] = {
       {"return Jacobian", "fd", "implicit", "the flow", 3, "1e-40", true, "1e-48", "chi = 1/2", 1e-48, "chi = 1/2"},
       {"return Jacobian", "fd", "integration", "nothing", 4, "1e-5", false, NULL, NULL, 0.25, "chi = 1/3"}};
@@ -495,42 +483,4 @@ START_TEST(a_disagreement_comes_first) {
   text_clear(&json);
   text_clear(&md);
   audit_result_clear(&r);
-}
-END_TEST
-
-Suite *routes_suite(void) {
-  Suite *s = suite_create("routes");
-  TCase *c = tcase_create("table");
-  tcase_add_test(c, every_row_is_one_route);
-  tcase_add_test(c, shared_means);
-  tcase_add_test(c, an_unknown_route_is_a_broken_invariant);
-  suite_add_tcase(s, c);
-  c = tcase_create("study");
-  tcase_add_unchecked_fixture(c, open_study, close_study);
-  tcase_add_test(c, all_pairs_agree_on_enough_points);
-  tcase_add_test(c, a_scene_without_forces);
-  tcase_add_test(c, an_uncorrected_formula_disagrees_with_every_route);
-  tcase_add_test(c, differences_near_a_jump);
-  tcase_add_loop_test(c, slow_belts_raise_no_false_alarm, 0, every_case() ? 3 : 2);
-  tcase_add_test(c, a_route_without_an_answer_disagrees);
-  tcase_add_test(c, a_paper_that_cannot_be_read_is_left_out);
-  suite_add_tcase(s, c);
-  c = tcase_create("paper route");
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, the_papers_route_from_any_two_quantities);
-  tcase_add_test(c, the_papers_route_may_not_converge);
-  suite_add_tcase(s, c);
-  c = tcase_create("long run");
-  tcase_add_loop_test(c, a_displacement_grows_by_the_multiplier, 0, N_BESIDE);
-  tcase_add_loop_test(c, routes_leave_an_unstable_orbit_at_its_rate, PAPER, STABLE);
-  tcase_add_loop_test(c, routes_leave_an_unstable_orbit_at_its_rate, FLIPPING, N_BESIDE);
-  tcase_add_test(c, routes_stay_on_a_stable_orbit);
-  tcase_add_test(c, a_growth_ends_where_the_orbit_is_left);
-  tcase_add_test(c, the_integration_near_chi_1);
-  tcase_add_test(c, a_run_outside_the_domain);
-  suite_add_tcase(s, c);
-  c = tcase_create("report");
-  tcase_add_test(c, a_disagreement_comes_first);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -6,14 +6,14 @@
 #include <string.h>
 
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* What is done to which file (a script of sed), what the program is asked, how it ends and what it says. */
 enum { D_FILE, D_SCRIPT, D_ASK, D_STATUS, D_SAYS };
-static struct table rules; /* cases/rules.tsv */
+TABLE(rules, "tests/cases/rules.tsv", 5);
 
-static struct table corrections; /* cases/rules_corrections.tsv */
+TABLE(corrections, "tests/cases/rules_corrections.tsv", 5);
 
 static void damage_and_ask(char *const x[]) {
   bool planned = strstr(x[D_ASK], "--plan") != NULL;
@@ -24,18 +24,18 @@ static void damage_and_ask(char *const x[]) {
              planned ? "" : "--out \"$D/out\"");
 }
 
-START_TEST(rules_name_what_breaks_them) {
+CASE("damages", .each = {scratch_open, scratch_close});
+
+TEST_EACH(rules_name_what_breaks_them, rules.n) {
   damage_and_ask(rules.row[_i]);
 }
-END_TEST
 
-START_TEST(wrong_corrections_are_refuted) {
+TEST_EACH(wrong_corrections_are_refuted, corrections.n) {
   damage_and_ask(corrections.row[_i]);
 }
-END_TEST
 
 /* check says the same of the file alone, wherever it lies. */
-START_TEST(check_knows_the_rules) {
+TEST(check_knows_the_rules) {
   shell_ends(3, "the conclusion eq-54 is among its own premises",
              "sed '/^claim text-54-fulfilled$/,/^$/{s/eq-56 D/eq-56 D, eq-54/}' verify/claims/7-appendix-b.claim "
              "> $D/7-appendix-b.claim && $P check $D/7-appendix-b.claim");
@@ -48,20 +48,18 @@ START_TEST(check_knows_the_rules) {
   shell_well("$P check verify/paper/paper.statements && $P check verify/controls/controls.claim && "
              "$P check verify/claims/paper.roots");
 }
-END_TEST
 
 /* A claim with too few points goes through with a reason, and the report prints it. */
-START_TEST(a_reason_is_printed) {
+TEST(a_reason_is_printed) {
   static char *const few[] = {"claims/4-stability.claim", "/^claim eq-26$/a\\  points: arcs 2\\n  few: a test",
                               "verify paper --only eq-26 --quiet", "0", "as recorded"};
   damage_and_ask(few);
   shell_well("test 1 = $(grep -c 'fewer points or routes than its kind asks for: a test' $D/out/audit.json)");
 }
-END_TEST
 
 /* A formula without a control on file has one that the program makes, and it is noticed; one on file that is near says
    by how much: 1 - chi is less than 1, so that 1e-90 (1 - chi) is less than 1e-90 and more than 1e-91 for most chi. */
-START_TEST(near_controls_are_made_and_measured) {
+TEST(near_controls_are_made_and_measured) {
   shell_ends(0, "as recorded", "$P verify paper --only eq-3,eq-4,eq-48b --quiet --out $D/out");
   char *out = shell_said("$Y -c 'import json; print(*sorted((c[\"id\"], c[\"noticed\"], c.get(\"distance\")) for c in "
                          "json.load(open(\"'$D'/out/audit.json\"))[\"controls\"] if \"distance\" in c))'");
@@ -69,21 +67,4 @@ START_TEST(near_controls_are_made_and_measured) {
                    "('ctl-exact-matrix', True, '1e-90') ('near-eq-3b', True, '1e-30') ('near-eq-3d', True, '1e-30') "
                    "('near-eq-3e', True, '1e-30') ('near-eq-4', True, '1e-30') ('near-eq-48b', True, '1e-30')\n");
   free(out);
-}
-END_TEST
-
-Suite *rules_suite(void) {
-  Suite *s = suite_create("rules");
-  table_read(&corrections, "tests/cases/rules_corrections.tsv", 5);
-  table_read(&rules, "tests/cases/rules.tsv", 5);
-  TCase *t = tcase_create("damages");
-  tcase_set_timeout(t, 120);
-  tcase_add_checked_fixture(t, scratch_open, scratch_close);
-  tcase_add_loop_test(t, rules_name_what_breaks_them, 0, rules.n);
-  tcase_add_loop_test(t, wrong_corrections_are_refuted, 0, corrections.n);
-  tcase_add_test(t, check_knows_the_rules);
-  tcase_add_test(t, a_reason_is_printed);
-  tcase_add_test(t, near_controls_are_made_and_measured);
-  suite_add_tcase(s, t);
-  return s;
 }

@@ -20,7 +20,7 @@
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 #include "value/printed.h"
 
@@ -99,14 +99,15 @@ static void hostile_scene(char *const *field, bool by_orbit) {
   text_clear(&text);
 }
 
-START_TEST(hostile_scenes) {
+CASE("hostile", .once = {scratch_open, scratch_close});
+
+TEST(hostile_scenes) {
   struct table scenes;
   table_read(&scenes, "tests/hostile/scenes.tsv", 5);
   ck_assert_int_ge(scenes.n, 150);
   for (int i = 0; i < scenes.n; i++) hostile_scene(scenes.row[i], i % every(7) == 0);
   table_clear(&scenes);
 }
-END_TEST
 
 static void hostile_set(char *const *field) {
   struct text value[MOST_COLUMNS];
@@ -133,14 +134,13 @@ static void hostile_set(char *const *field) {
   for (int i = 5; i < n; i++) text_clear(&value[i]);
 }
 
-START_TEST(hostile_sets) {
+TEST(hostile_sets) {
   struct table sets;
   table_read(&sets, "tests/hostile/sets.tsv", ANY_COLUMNS);
   ck_assert_int_ge(sets.n, 50);
   for (int i = 0; i < sets.n; i++) hostile_set(sets.row[i]);
   table_clear(&sets);
 }
-END_TEST
 
 /* What is no file of text. */
 static void refuse_path(const char *path, const char *says) {
@@ -151,7 +151,7 @@ static void refuse_path(const char *path, const char *says) {
   job_clear(&r);
 }
 
-START_TEST(what_is_no_file) {
+TEST(what_is_no_file) {
   refuse_path("/dev/null", "a device or pipe, not a regular file");
   refuse_path("/dev/zero", "a device or pipe, not a regular file");
   refuse_path("/", "a folder, not a regular file");
@@ -176,11 +176,10 @@ START_TEST(what_is_no_file) {
   refuse_path(text_str(&name), "File name too long");
   text_clear(&name);
 }
-END_TEST
 
 /* Values that a model may have and double precision cannot hold: an answer or a message, no crash and no long
    search. */
-START_TEST(values_beyond_double_precision) {
+TEST(values_beyond_double_precision) {
   static const char *const sets[] = {"chi=1 - 1e-3000", "chi=1e-3000", "V=1e-40000", "eta=1e30000", "e1=1e50000"};
   static const struct {
     const char *command, *option, *value;
@@ -197,7 +196,6 @@ START_TEST(values_beyond_double_precision) {
       job_clear(&r);
     }
 }
-END_TEST
 
 /* --- The library --- */
 
@@ -205,8 +203,10 @@ static bool begins(const char *text, const char *with) {
   return strncmp(text, with, strlen(with)) == 0;
 }
 
+CASE("scene", .once = {scratch_open, scratch_close});
+
 /* Every scene on file says in a first line of comment what it teaches, has a title, and asks for what there is. */
-START_TEST(the_library_is_readable) {
+TEST(the_library_is_readable) {
   glob_t g;
   struct claims claims;
   struct model m;
@@ -230,17 +230,17 @@ START_TEST(the_library_is_readable) {
   model_clear(&m);
   claims_clear(&claims);
 }
-END_TEST
+
+CASE("hostile");
 
 /* The option that a value came with is named. */
-START_TEST(a_value_without_a_name) {
+TEST(a_value_without_a_name) {
   const char *item = "chi";
   struct scene s;
   fails_with(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&item, 1, "--with"}, false, &d),
              "--with takes NAME=VALUE, as in e2=1/2");
   scene_clear(&s);
 }
-END_TEST
 
 /* --- Values --- */
 
@@ -249,7 +249,9 @@ static bool load(struct scene *s, struct diag *d, const char *text, const struct
   return scene_load_with(s, scratch_put("case.scene", text), "no-such-folder", o, true, d);
 }
 
-START_TEST(scenes_are_exact) {
+CASE("scene");
+
+TEST(scenes_are_exact) {
   struct scene s;
   goes_well(load(&s, &d,
                  "# a comment\ntitle: exact\nchi = 0.8\neta = (1 + 1/3)^3/(10 - 7.5)\nV = 1e-12\n"
@@ -266,9 +268,8 @@ START_TEST(scenes_are_exact) {
   ck_assert_str_eq(s.name, "case");
   scene_clear(&s);
 }
-END_TEST
 
-START_TEST(line_ends_marks_and_blanks_do_not_matter) {
+TEST(line_ends_marks_and_blanks_do_not_matter) {
   static const char *const texts[] = {("chi = 0.8\r\neta = 1\r\nV = 1\r\ne1 = 2\r\ne2 = 1\r\n"), ("\xEF\xBB\xBF" GOOD),
                                       (GOOD "\n\n  # the end"), ("chi =\n    4\n    /5 # four fifths\n" REST),
                                       ("chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1")};
@@ -281,9 +282,8 @@ START_TEST(line_ends_marks_and_blanks_do_not_matter) {
     scene_clear(&s);
   }
 }
-END_TEST
 
-START_TEST(the_last_printed_digit) {
+TEST(the_last_printed_digit) {
   static const struct {
     const char *decimal, *value, *unit;
   } cases[] = {{"0.6784", "6784/10000", "1/10000"},
@@ -307,9 +307,8 @@ START_TEST(the_last_printed_digit) {
     scene_clear(&s);
   }
 }
-END_TEST
 
-START_TEST(a_decimal_is_read_rounded_or_cut_off) {
+TEST(a_decimal_is_read_rounded_or_cut_off) {
   static const struct {
     const char *decimal, *x;
     truth fits;
@@ -352,10 +351,9 @@ START_TEST(a_decimal_is_read_rounded_or_cut_off) {
     arb_clear(x);
   }
 }
-END_TEST
 
 /* By hand: sqrt(4/9) = 2/3; e1 = 3 (2/3) = 2, e2 = 2/5 + 2/3^2 = 28/45. */
-START_TEST(values_use_each_other) {
+TEST(values_use_each_other) {
   struct scene s;
   goes_well(load(&s, &d, "e2 = e1/5 + e1/3^2\ne1 = 3*V\nV = sqrt(4/9)\nchi = V\neta = chi^2\n", NULL));
   is_rational(&s.value[KEY_CHI], "2/3");
@@ -369,10 +367,9 @@ START_TEST(values_use_each_other) {
   is_rational(&s.value[KEY_E2], "4");
   scene_clear(&s);
 }
-END_TEST
 
 /* The result is the same in whatever order the lines stand. */
-START_TEST(order_does_not_matter) {
+TEST(order_does_not_matter) {
   static const char *const line[] = {"chi = V/2\n", "eta = e1 + chi\n", "V = 1\n", "e1 = 2*V\n", "e2 = eta\n"};
   for (int first = 0; first < 5; first++) {
     struct text t;
@@ -387,10 +384,9 @@ START_TEST(order_does_not_matter) {
     text_clear(&t);
   }
 }
-END_TEST
 
 /* What an override prints stays, on whichever side of it the file's printed numbers are taken away. */
-START_TEST(overrides_print_in_any_order) {
+TEST(overrides_print_in_any_order) {
   static const char *const items[][3] = {{"printed=t_a = 0.5", "printed=", "printed=t_b = 7"},
                                          {"printed=", "printed=t_a = 0.5", "printed=t_b = 7"},
                                          {"printed=t_b = 7", "printed=t_a = 0.5", "printed="}};
@@ -404,7 +400,6 @@ START_TEST(overrides_print_in_any_order) {
     scene_clear(&s);
   }
 }
-END_TEST
 
 /* --- What is asked --- */
 
@@ -413,7 +408,7 @@ static void list_is(const struct scene_list *list, int n, const char *const *ite
   for (int i = 0; i < n; i++) ck_assert_str_eq(list->item[i], item[i]);
 }
 
-START_TEST(what_is_asked) {
+TEST(what_is_asked) {
   struct scene s;
   goes_well(load(&s, &d,
                  GOOD "ask: eq-27,  section\tstability ,\n  # a comment\n  matrices\nvalues: trace_J, H(t_c)[1,3], "
@@ -432,10 +427,9 @@ START_TEST(what_is_asked) {
   ck_assert(!s.asked.claims.n && !s.asked.values.n && !s.asked.routes.n && !s.asked.digits && !s.asked.budget);
   scene_clear(&s);
 }
-END_TEST
 
 /* Claims and names that do not exist are shown where they stand. */
-START_TEST(what_is_asked_must_exist) {
+TEST(what_is_asked_must_exist) {
   static const struct {
     const char *text, *place, *says;
   } cases[] = {{"ask: eq-27, eq-999\n", "6:13", "no claim is called"},
@@ -463,7 +457,6 @@ START_TEST(what_is_asked_must_exist) {
     text_clear(&text);
   }
 }
-END_TEST
 
 /* The groups against the attributes of the claims, counted here with the files as text. */
 static int count_lines(const char *line) {
@@ -486,7 +479,7 @@ static int count_asked(const struct claims *c, const char *item) {
   return n;
 }
 
-START_TEST(groups_of_claims) {
+TEST(groups_of_claims) {
   static const struct {
     const char *group, *lines[3];
   } cases[] = {{"matrices", {"\n  kind: matrix\n"}},
@@ -530,12 +523,13 @@ START_TEST(groups_of_claims) {
       if (strcmp(c.claim[k].id, of[i]) == 0) ck_assert_msg(claim_asked_for(&c.claim[k], "jacobians"), "%s", of[i]);
   claims_clear(&c);
 }
-END_TEST
 
 /* --- --set --- */
 
+CASE("set", .once = {scratch_open, scratch_close});
+
 /* The records of a scene on file are not those of another file of the same name, whatever it holds. */
-START_TEST(only_the_file_itself_is_on_file) {
+TEST(only_the_file_itself_is_on_file) {
   const char *const chi[] = {"chi=0.7"}, *const ask[] = {"ask=eq-27"};
   struct scene_overrides changed = {chi, 1, "--set"}, asking = {ask, 1, "--set"};
   struct {
@@ -556,9 +550,8 @@ START_TEST(only_the_file_itself_is_on_file) {
     scene_clear(&s);
   }
 }
-END_TEST
 
-START_TEST(set_names_what_it_changed) {
+TEST(set_names_what_it_changed) {
   struct scene s, plain, other;
   const char *const item[] = {"e2=[1, 2]", "title=it's"}, *const asked[] = {"ask=eq-27"};
   struct scene_overrides o = {item, 2, "--set"}, only_asked = {asked, 1, "--set"};
@@ -577,14 +570,13 @@ START_TEST(set_names_what_it_changed) {
   scene_clear(&plain);
   scene_clear(&s);
 }
-END_TEST
 
 /* One mass, whose orbits are soon found. */
 static const char one_mass[] = "title: one mass\nV = 1\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n  surface: V\n"
                                "spring k\n  between: ground, m\n  stiffness: 1\n";
 
 /* A relative path in a scene's file is from that file's folder, wherever the program is run; an override's is not. */
-START_TEST(a_system_stands_beside_its_scene) {
+TEST(a_system_stands_beside_its_scene) {
   ck_assert(mkdir(scratch_path("sub"), 0755) == 0);
   scratch_put("sub/y.system", one_mass);
   scratch_put("sub/a.scene", "system: y.system\n");
@@ -600,10 +592,9 @@ START_TEST(a_system_stands_beside_its_scene) {
   check_says("err", "sub/c.scene:1:9: error: ");
   check_says("err", "sub/z.system: No such file or directory");
 }
-END_TEST
 
 /* Two values whose names fold into one do not share a folder. */
-START_TEST(folders_differ) {
+TEST(folders_differ) {
   struct scene a, b;
   const char *const one[] = {"e2=1/2"}, *const two[] = {"e2=1*2"};
   goes_well(load(&a, &d, GOOD, &(struct scene_overrides){one, 1, "--set"}));
@@ -612,10 +603,9 @@ START_TEST(folders_differ) {
   scene_clear(&a);
   scene_clear(&b);
 }
-END_TEST
 
 /* Every command that takes a scene takes --set, and what it prints shows it. */
-START_TEST(set_reaches_every_command) {
+TEST(set_reaches_every_command) {
   static const char *const commands[][10] = {{"orbit", "paper", "--json", "--set", "e2=1"},
                                              {"orbit", "paper", "--set", "e2=1"},
                                              {"orbit", "paper", "--method", "paper", "--json", "--set", "e2=1"},
@@ -641,10 +631,9 @@ START_TEST(set_reaches_every_command) {
   ck_assert(r.status == 2);
   job_clear(&r);
 }
-END_TEST
 
 /* A changed scene and a file with the same value give the same numbers. */
-START_TEST(set_is_what_the_file_says) {
+TEST(set_is_what_the_file_says) {
   struct job a, b;
   const char *path =
       scratch_put("paper-too.scene", "chi = 0.7\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 1/2\nprinted: t_a = 0.6784\n");
@@ -655,11 +644,10 @@ START_TEST(set_is_what_the_file_says) {
   job_clear(&b);
   job_clear(&a);
 }
-END_TEST
 
 /* Verdicts recorded for the paper's example alone do not judge a changed one; the command that repeats the claim says
    how it was changed, and the paper's own report stays. */
-START_TEST(a_changed_scene_is_not_the_recorded_one) {
+TEST(a_changed_scene_is_not_the_recorded_one) {
   struct job r;
   struct source audit;
   /* e2 = 0.8587 is what the scene says: the printed t_a is refuted as on record, for which a changed scene is not
@@ -677,13 +665,12 @@ START_TEST(a_changed_scene_is_not_the_recorded_one) {
   ck_assert(strstr(audit.text, "\"scene\": \"paper --set 'printed=t_a = 0.5322'\""));
   source_clear(&audit);
 }
-END_TEST
 
 /* --- Names of files --- */
 
 /* A sweep's head says the scene's name in one line of comment, whatever the file is called; a name that would break it,
    or that no report in UTF-8 can give, is refused. */
-START_TEST(names_of_files_do_not_break_lines) {
+TEST(names_of_files_do_not_break_lines) {
   static const struct {
     const char *name;
     int status;
@@ -711,10 +698,9 @@ START_TEST(names_of_files_do_not_break_lines) {
     job_clear(&r);
   }
 }
-END_TEST
 
 /* The commands that the reports of a scene print, typed into a shell, repeat its audit and do nothing else. */
-START_TEST(commands_of_a_report_can_be_typed) {
+TEST(commands_of_a_report_can_be_typed) {
   static const char *const pages[] = {"sed -n 's/.*generated by `\\(.*\\)`, whose.*/\\1/p' r/errata.md",
                                       "sed -n 's/^- recheck: `\\(.*\\) --out recheck`$/\\1/p' r/audit.md | tail -n 1",
                                       "sed -n 's/.*Written by <code>\\(.*\\)<.code> from.*/\\1/p' r/index.html"
@@ -728,11 +714,12 @@ START_TEST(commands_of_a_report_can_be_typed) {
                pages[i]);
   }
 }
-END_TEST
 
 /* --- Keys --- */
 
-START_TEST(keys_are_documented) {
+CASE("scene");
+
+TEST(keys_are_documented) {
   struct source page;
   struct job r, json;
   read_back(&page, "man/stickslip-scene.5");
@@ -751,13 +738,11 @@ START_TEST(keys_are_documented) {
   job_clear(&r);
   source_clear(&page);
 }
-END_TEST
 
-START_TEST(keys_obey_their_schema) {
+TEST(keys_obey_their_schema) {
   shell_well("\"$P\" list --scene-keys --json > \"$D/keys.json\" && "
              "\"$Y\" tests/oracle/validate.py schema/scene-keys.schema.json \"$D/keys.json\"");
 }
-END_TEST
 
 /* --- Which command uses which key --- */
 
@@ -940,9 +925,11 @@ static bool is_tried(int key, int first) {
   return !told_to_act(key, uses[first].argv[0]) || (k + first) % every(3) == 0;
 }
 
+CASE("keys", .once = {scratch_open, scratch_close}, .seconds = 900, .tags = "long");
+
 /* What the table says a key is used by is what it acts on: all that a command says and writes stays the same byte for
    byte, or does not. */
-START_TEST(keys_act_where_they_say) {
+TEST(keys_act_where_they_say) {
   bool acts[N_SCENE_KEYS][N_USES] = {{false}}, refused[N_SCENE_KEYS][N_USES] = {{false}};
   ck_assert(mkdir(scratch_path("scenes"), 0755) == 0);
   scratch_put("scenes/one.system", one_mass);
@@ -987,52 +974,4 @@ START_TEST(keys_act_where_they_say) {
       ck_assert_msg((refused[k][u] && !acts[k][u]) == barred, "%s is %s by %s", scene_keys[k].name,
                     barred ? "not refused" : "refused", command);
     }
-}
-END_TEST
-
-Suite *scene_suite(void) {
-  Suite *s = suite_create("scene");
-  TCase *c = tcase_create("hostile");
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, hostile_scenes);
-  tcase_add_test(c, hostile_sets);
-  tcase_add_test(c, what_is_no_file);
-  tcase_add_test(c, a_value_without_a_name);
-  tcase_add_test(c, values_beyond_double_precision);
-  suite_add_tcase(s, c);
-  c = tcase_create("scene");
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, the_library_is_readable);
-  tcase_add_test(c, scenes_are_exact);
-  tcase_add_test(c, line_ends_marks_and_blanks_do_not_matter);
-  tcase_add_test(c, the_last_printed_digit);
-  tcase_add_test(c, a_decimal_is_read_rounded_or_cut_off);
-  tcase_add_test(c, values_use_each_other);
-  tcase_add_test(c, order_does_not_matter);
-  tcase_add_test(c, overrides_print_in_any_order);
-  tcase_add_test(c, what_is_asked);
-  tcase_add_test(c, what_is_asked_must_exist);
-  tcase_add_test(c, groups_of_claims);
-  tcase_add_test(c, keys_are_documented);
-  tcase_add_test(c, keys_obey_their_schema);
-  suite_add_tcase(s, c);
-  c = tcase_create("keys");
-  tcase_set_tags(c, "long");
-  tcase_set_timeout(c, 900);
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, keys_act_where_they_say);
-  suite_add_tcase(s, c);
-  c = tcase_create("set");
-  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, set_names_what_it_changed);
-  tcase_add_test(c, only_the_file_itself_is_on_file);
-  tcase_add_test(c, a_system_stands_beside_its_scene);
-  tcase_add_test(c, folders_differ);
-  tcase_add_test(c, set_reaches_every_command);
-  tcase_add_test(c, set_is_what_the_file_says);
-  tcase_add_test(c, a_changed_scene_is_not_the_recorded_one);
-  tcase_add_test(c, names_of_files_do_not_break_lines);
-  tcase_add_test(c, commands_of_a_report_can_be_typed);
-  suite_add_tcase(s, c);
-  return s;
 }

@@ -16,7 +16,7 @@
 #include "num/flint_compat.h"
 #include "num/flint_more.h"
 #include "rng.h"
-#include "suites.h"
+#include "suite.h"
 
 enum { BITS = 160, TERMS = 30, PIECES = 1024 };
 static const double unit = 0x1p-53;
@@ -229,7 +229,7 @@ static void widen(struct bounds *b, const struct truncations *cut, double low, d
 
 /* Below the last piece z is under 2^-80: sine = r and cosine = 1 but for one rounding, and the parts are their first
    coefficients. */
-START_TEST(errors_are_proved) {
+TEST(errors_are_proved) {
   struct bounds b = {0};
   struct truncations cut = truncations_to(widest);
   for (double high = widest; high > 0x1p-40; high *= 1 - 1.0 / 128) {
@@ -239,10 +239,9 @@ START_TEST(errors_are_proved) {
   ck_assert_msg(b.sine < 1.6 * unit && b.cosine < 1.7 * unit, "units: sine %g cosine %g", b.sine / unit,
                 b.cosine / unit);
 }
-END_TEST
 
 /* The operations that are bounded are those that run. */
-START_TEST(the_proof_is_about_the_code) {
+TEST(the_proof_is_about_the_code) {
   for (double high = 0.78; high > 0x1p-30; high *= 0.97) {
     struct traced q[N_TRACED];
     double low = high * 0.98;
@@ -252,7 +251,6 @@ START_TEST(the_proof_is_about_the_code) {
     for (int i = 0; i < N_TRACED; i++) traced_clear(&q[i]);
   }
 }
-END_TEST
 
 /* --- Measured. --- */
 
@@ -285,7 +283,7 @@ static void check_worst(const struct worst *w) {
   ck_assert_msg(w->sine < 1.7 && w->cosine < 1.7, "sine %g, cosine %g units of 2^-53", w->sine, w->cosine);
 }
 
-START_TEST(random_arguments) {
+TEST(random_arguments) {
   struct worst w = {0};
   struct rng r = {20};
   for (int i = 0; i < 60000 / every(4); i++) {
@@ -295,10 +293,9 @@ START_TEST(random_arguments) {
   for (int i = 0; i < 60000 / every(4); i++) measure(&w, 40 * rng_unit(&r));
   check_worst(&w);
 }
-END_TEST
 
 /* Next to k pi/2, where what is left is smallest, and next to odd multiples of pi/4, where k changes. */
-START_TEST(worst_arguments) {
+TEST(worst_arguments) {
   struct worst w = {0};
   mpfr_t x;
   struct rng r = {21};
@@ -318,10 +315,9 @@ START_TEST(worst_arguments) {
   measure(&w, -SINCOS_REACH);
   check_worst(&w);
 }
-END_TEST
 
 /* The angle of a point: measured, in all octants and next to the multiples of pi/8, where its parts change. */
-START_TEST(angles) {
+TEST(angles) {
   double worst = 0;
   mpfr_t x, y;
   struct rng r = {22};
@@ -340,9 +336,8 @@ START_TEST(angles) {
   ck_assert(sincos_angle(0, 1) == 0 && sincos_angle(1, 0) == 0x1.921fb54442d18p+0 &&
             sincos_angle(0, -1) == 0x1.921fb54442d18p+1);
 }
-END_TEST
 
-START_TEST(edges) {
+TEST(edges) {
   struct sine_cosine zero = sincos_of(0), less = sincos_of(-0.0);
   ck_assert(zero.sine == 0 && zero.cosine == 1);
   ck_assert(less.sine == 0 && less.cosine == 1);
@@ -352,18 +347,4 @@ START_TEST(edges) {
     struct sine_cosine t = sincos_of(x), back = sincos_of(-x);
     ck_assert(back.sine == -t.sine && back.cosine == t.cosine);
   }
-}
-END_TEST
-
-Suite *sincos_suite(void) {
-  Suite *s = suite_create("sincos");
-  TCase *c = tcase_create("turn");
-  tcase_add_test(c, errors_are_proved);
-  tcase_add_test(c, the_proof_is_about_the_code);
-  tcase_add_test(c, random_arguments);
-  tcase_add_test(c, worst_arguments);
-  tcase_add_test(c, angles);
-  tcase_add_test(c, edges);
-  suite_add_tcase(s, c);
-  return s;
 }

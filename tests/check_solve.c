@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "suites.h"
+#include "suite.h"
 
 /* f_i = x_i^2 + x_{i+1}^2 - (p_i + p_{i+1}), indices mod n: for odd n the positive solution is sqrt(p_i) alone.  For n
    = 1, f = x^2 - p.  p_0 = 2 + off. */
@@ -85,7 +85,7 @@ static bool is_near_root(const struct num_type *type, const void *x, slong p, sl
 
 static const slong sizes[] = {1, 3, 15};
 
-START_TEST(newton_finds_square_roots) {
+TEST(newton_finds_square_roots) {
   struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(53), num_ctx_mpfr(700), num_ctx_arb(90), num_ctx_arb(700)};
   for (size_t t = 0; t < sizeof ctx / sizeof *ctx; t++)
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
@@ -104,9 +104,8 @@ START_TEST(newton_finds_square_roots) {
       squares_clear(&s);
     }
 }
-END_TEST
 
-START_TEST(newton_ends_as_it_is_told) {
+TEST(newton_ends_as_it_is_told) {
   struct squares s;
   double x = 1.5;
   squares_init(&s, 1, num_ctx_double());
@@ -132,9 +131,8 @@ START_TEST(newton_ends_as_it_is_told) {
   ck_assert_int_eq(newton_run(&v, &system, v.ctx, 9, settles), SS_DOMAIN);
   squares_clear(&s);
 }
-END_TEST
 
-START_TEST(what_small_means) {
+TEST(what_small_means) {
   double step = 0x1p-20, scale = -1024, more = nextafter(step, 1);
   ck_assert(newton_is_small(&num_double, &step, 30, &scale));
   ck_assert(!newton_is_small(&num_double, &more, 30, &scale));
@@ -142,7 +140,6 @@ START_TEST(what_small_means) {
   step = NAN;
   ck_assert(!newton_is_small(&num_double, &step, 1, &scale));
 }
-END_TEST
 
 struct levels {
   slong bits[64];
@@ -155,7 +152,7 @@ static int note_level(slong bits, void *self) {
   return l->n == l->fails_at ? SS_UNABLE : SS_OK;
 }
 
-START_TEST(precision_rises) {
+TEST(precision_rises) {
   for (slong prec = 2; prec < 100000; prec += prec / 7 + 1) {
     struct levels l = {{0}, 0, 0};
     ck_assert_int_eq(newton_rising(note_level, &l, prec), SS_OK);
@@ -170,7 +167,6 @@ START_TEST(precision_rises) {
   ck_assert_int_eq(newton_rising(note_level, &l, 5000), SS_UNABLE);
   ck_assert_int_eq(l.n, 2);
 }
-END_TEST
 
 /* --- Krawczyk's operator. --- */
 
@@ -183,7 +179,7 @@ static bool encloses_root(const arb_t x, slong p) {
   return inside;
 }
 
-START_TEST(square_roots_are_enclosed) {
+TEST(square_roots_are_enclosed) {
   static const slong precs[] = {53, 128, 1000};
   for (size_t t = 0; t < sizeof precs / sizeof *precs; t++)
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
@@ -214,7 +210,6 @@ START_TEST(square_roots_are_enclosed) {
       squares_clear(&s);
     }
 }
-END_TEST
 
 /* The operator of x^2 - p around mid on mid +- radius. */
 static bool applied(struct krawczyk *k, double mid, double radius) {
@@ -230,7 +225,7 @@ static bool applied(struct krawczyk *k, double mid, double radius) {
 }
 
 /* K(X) = m - (m^2 - 2)/(2 m) + [-r, r] r/m, exactly, for X = m +- r. */
-START_TEST(boxes_by_hand) {
+TEST(boxes_by_hand) {
   struct squares s;
   struct krawczyk k;
   squares_init(&s, 1, num_ctx_arb(90));
@@ -248,9 +243,8 @@ START_TEST(boxes_by_hand) {
   krawczyk_clear(&k);
   squares_clear(&s);
 }
-END_TEST
 
-START_TEST(a_box_away_from_its_centre_proves_nothing) {
+TEST(a_box_away_from_its_centre_proves_nothing) {
   struct squares s;
   struct krawczyk k;
   squares_init(&s, 1, num_ctx_arb(90));
@@ -265,10 +259,9 @@ START_TEST(a_box_away_from_its_centre_proves_nothing) {
   krawczyk_clear(&k);
   squares_clear(&s);
 }
-END_TEST
 
 /* Nothing is proved where the parameter makes the zero double (p = 0), or leaves none (p = -1): wherever one starts. */
-START_TEST(double_zeros_and_none_are_not_proved) {
+TEST(double_zeros_and_none_are_not_proved) {
   for (int p = 0; p >= -1; p--)
     for (int shift = 0; shift <= 80; shift++) {
       struct squares s;
@@ -291,10 +284,9 @@ START_TEST(double_zeros_and_none_are_not_proved) {
       squares_clear(&s);
     }
 }
-END_TEST
 
 /* p_0 in 2 +- 0.1: one zero for each value, all of them in the image. */
-START_TEST(parameters_that_are_balls) {
+TEST(parameters_that_are_balls) {
   struct squares s;
   struct krawczyk k;
   struct num_vec x;
@@ -321,21 +313,4 @@ START_TEST(parameters_that_are_balls) {
   krawczyk_clear(&k);
   num_vec_clear(&x);
   squares_clear(&s);
-}
-END_TEST
-
-Suite *solve_suite(void) {
-  Suite *s = suite_create("solve");
-  TCase *t = tcase_create("solve");
-  tcase_add_test(t, newton_finds_square_roots);
-  tcase_add_test(t, newton_ends_as_it_is_told);
-  tcase_add_test(t, what_small_means);
-  tcase_add_test(t, precision_rises);
-  tcase_add_test(t, square_roots_are_enclosed);
-  tcase_add_test(t, boxes_by_hand);
-  tcase_add_test(t, a_box_away_from_its_centre_proves_nothing);
-  tcase_add_test(t, double_zeros_and_none_are_not_proved);
-  tcase_add_test(t, parameters_that_are_balls);
-  suite_add_tcase(s, t);
-  return s;
 }

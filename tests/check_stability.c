@@ -16,7 +16,7 @@
 #include "says.h"
 #include "scratch.h"
 #include "stability/stability.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 static struct model model;
@@ -111,7 +111,9 @@ static bool loses(const char *id) {
 
 /* --- Planted formulas --- */
 
-START_TEST(a_cancellation_is_found_and_named) {
+CASE("stability", .each = {open_model, close_model});
+
+TEST(a_cancellation_is_found_and_named) {
   static const char *const only[] = {"cancels"};
   run(only, 1, false, 1, -1);
   const struct stability_row *row = row_of("cancels", "times-small");
@@ -124,11 +126,10 @@ START_TEST(a_cancellation_is_found_and_named) {
   ck_assert_str_eq(row->right, "cos(t)");
   ck_assert_msg(row->source && strcmp(row->source, "planted") == 0, "%s", row->source ? row->source : "nowhere");
 }
-END_TEST
 
 /* At chi = 1e-10 and eta = 1e10, omega_1 loses 7.4 digits that the problem does not: neither chi -> 0 alone nor chi eta
    -> 1 alone shows it.  omega underflows where both parameters are small. */
-START_TEST(losses_where_regions_meet_are_found) {
+TEST(losses_where_regions_meet_are_found) {
   static const char *const only[] = {"omega_1", "omega_2", "c_1", "omega@stability"};
   run(only, 4, false, 1, -1);
   for (int i = 0; i < 3; i++) {
@@ -138,9 +139,8 @@ START_TEST(losses_where_regions_meet_are_found) {
   }
   ck_assert_int_gt((int)row_of("omega@stability", "anywhere")->failures, 0);
 }
-END_TEST
 
-START_TEST(a_sound_formula_is_not_blamed) {
+TEST(a_sound_formula_is_not_blamed) {
   static const char *const only[] = {"steady", "given"};
   run(only, 2, false, 1, -1);
   ck_assert(!loses("steady"));
@@ -149,18 +149,16 @@ START_TEST(a_sound_formula_is_not_blamed) {
   const struct stability_row *row = row_of("given", "z_20-near-z_10");
   ck_assert(row->found && !row->at_fault);
 }
-END_TEST
 
-START_TEST(the_problem_is_blamed_for_its_own_loss) {
+TEST(the_problem_is_blamed_for_its_own_loss) {
   static const char *const only[] = {"turned"};
   run(only, 1, false, 1, -1);
   const struct stability_row *row = row_of("turned", "times-large");
   ck_assert(!loses("turned"));
   ck_assert(row->found);
 }
-END_TEST
 
-START_TEST(divisors_sums_and_overflow_are_told_apart) {
+TEST(divisors_sums_and_overflow_are_told_apart) {
   static const char *const only[] = {"divides", "hides", "grows"};
   run(only, 3, false, 2, -1);
   const struct stability_row *divides = row_of("divides", "times-small"), *hides = row_of("hides", "times-small"),
@@ -175,11 +173,10 @@ START_TEST(divisors_sums_and_overflow_are_told_apart) {
   ck_assert_int_eq((int)grows->failure, CAUSE_OVERFLOW);
   ck_assert_str_eq(grows->failure_node, "V^2");
 }
-END_TEST
 
 /* V 1e10 overflows in the last ten of 300 decades of V, V/1e10 is denormal in the last ten below: hardly a point drawn
    is there. */
-START_TEST(rare_failures_are_climbed_to) {
+TEST(rare_failures_are_climbed_to) {
   static const char *const only[] = {"brims", "dregs"};
   run(only, 2, false, 1, -1);
   const struct stability_row *over = row_of("brims", "V-large"), *under = row_of("dregs", "V-small");
@@ -194,10 +191,9 @@ START_TEST(rare_failures_are_climbed_to) {
   ck_assert_str_eq(under->failure_node, "V/10000000000");
   ck_assert(under->failure_size < -307.6 && under->failure_size > -310.1);
 }
-END_TEST
 
 /* V^2 overflows from V = 2^512 on; at random V is anywhere up to 2^996.  V e_1 becomes 0, and its root too. */
-START_TEST(the_worst_failure_is_the_least_extreme) {
+TEST(the_worst_failure_is_the_least_extreme) {
   static const char *const only[] = {"grows", "sinks"};
   run(only, 2, false, 1, -1);
   const struct stability_row *row = row_of("grows", "V-large");
@@ -207,10 +203,9 @@ START_TEST(the_worst_failure_is_the_least_extreme) {
   ck_assert_int_eq((int)worst->failure, CAUSE_UNDERFLOW);
   ck_assert_str_eq(worst->failure_node, "V*e_1");
 }
-END_TEST
 
 /* (1/49) 49 is 1 - 2^-53 in double: the sum is off by 2^-53 V whatever t is, and its condition number is 1. */
-START_TEST(losses_beyond_all_digits_are_ordered) {
+TEST(losses_beyond_all_digits_are_ordered) {
   static const char *const only[] = {"drifts"};
   run(only, 1, false, 1, -1);
   const struct stability_row *row = row_of("drifts", "times-small");
@@ -224,7 +219,6 @@ START_TEST(losses_beyond_all_digits_are_ordered) {
   ck_assert_ptr_null(strstr(text_str(&t), "| 15.9 | 0.0 | 15.9 |"));
   text_clear(&t);
 }
-END_TEST
 
 static int times_in(const char *body, const char *what) {
   int n = 0;
@@ -239,7 +233,7 @@ static int field_called(const char *name, char *const *title, int n) {
 }
 
 /* A row of ledger.tsv tells how far off the value is, and in which record the node is written that puts it off. */
-START_TEST(a_line_of_the_table_says_how_much_and_where) {
+TEST(a_line_of_the_table_says_how_much_and_where) {
   enum { FIELDS = 32 };
   static const char *const only[] = {"drifts"};
   struct text table;
@@ -270,10 +264,9 @@ START_TEST(a_line_of_the_table_says_how_much_and_where) {
   ck_assert_int_gt(beyond, 0);
   text_clear(&table);
 }
-END_TEST
 
 /* What is at fault is so in the rows, in the JSON and in the table. */
-START_TEST(fault_means_one_thing) {
+TEST(fault_means_one_thing) {
   static const char *const only[] = {"planted", "dyn_return_map[1]"};
   struct text json, table;
   int faults = 0;
@@ -295,7 +288,6 @@ START_TEST(fault_means_one_thing) {
   text_clear(&json);
   text_clear(&table);
 }
-END_TEST
 
 /* Of one formula at one point. */
 static const struct {
@@ -318,14 +310,13 @@ static const struct {
     {"dyn_flow-D[1]", "chi=0.5,eta=1,t=1,z_1=1,z_2=0,z'_1=-0x1.fffffep-1,z'_2=0", {"the problem loses 7.7"}},
     {"dyn_flow_matrix-Gamma[1,3]", "chi=0.5,eta=1,t=0x1p+20", {"the problem loses 6.5"}}};
 
-START_TEST(what_is_said_at_a_point) {
+TEST_EACH(what_is_said_at_a_point, COUNT(at_points)) {
   for (int k = 0; k < 2 && at_points[_i].says[k]; k++)
     says_at(at_points[_i].formula, at_points[_i].at, at_points[_i].says[k]);
 }
-END_TEST
 
 /* One from adjoints, node by node, the other from derivatives of the whole formula. */
-START_TEST(condition_numbers_agree) {
+TEST(condition_numbers_agree) {
   static const char *const id[] = {"rolls", "lags", "spans"};
   static const double at[][2] = {{3, 7}, {1, 0x1.921fb54442d18p+60}, {0x1p-40, 0x1p-3}, {0x1.8p+12, 0x1.6p+45}, {1, 5}};
   struct digits_set s;
@@ -346,10 +337,9 @@ START_TEST(condition_numbers_agree) {
   }
   digits_set_clear(&s);
 }
-END_TEST
 
 /* Every point drawn is in the matrix once, and the rule's bin is the observed one at nearly all. */
-START_TEST(the_rule_predicts) {
+TEST(the_rule_predicts) {
   static const char *const only[] = {"cancels", "steady", "turned", "divides", "grows"};
   long all = 0, same = 0, lossy = 0;
   run(only, 5, false, 2, -1);
@@ -363,18 +353,16 @@ START_TEST(the_rule_predicts) {
   ck_assert_int_gt((int)lossy, 100);
   ck_assert_msg(same >= 0.97 * (double)all, "%ld of %ld", same, all);
 }
-END_TEST
 
-START_TEST(what_is_zero_has_no_relative_error) {
+TEST(what_is_zero_has_no_relative_error) {
   static const char *const only[] = {"none"};
   run(only, 1, true, 1, -1);
   ck_assert(r.formula[0].zero);
   ck_assert(!faulty("none"));
 }
-END_TEST
 
 /* What rounding hides from the result is no loss of the formula, and the rule knows it. */
-START_TEST(rounded_once_nothing_is_lost) {
+TEST(rounded_once_nothing_is_lost) {
   static const char *const only[] = {"whole"};
   run(only, 1, false, 2, -1);
   ck_assert(!faulty("whole"));
@@ -385,9 +373,8 @@ START_TEST(rounded_once_nothing_is_lost) {
       ck_assert_msg(row->observed < 0.1 && row->predicted < 0.1, "%s: %g", r.region[k].id, row->predicted);
   }
 }
-END_TEST
 
-START_TEST(another_layer_is_held_against_it) {
+TEST(another_layer_is_held_against_it) {
   static const char *const only[] = {"cancels", "hides", "grows"};
   run(only, 3, false, 1, LAYER_CORRECTED);
   const struct stability_row *row = row_of("cancels", "times-small");
@@ -408,10 +395,9 @@ START_TEST(another_layer_is_held_against_it) {
   ck_assert(isnan(row_of("hides", "times-small")->after));  /* the same formula there */
   ck_assert(!r.formula[formula_of("cancels")].replacement); /* no record of stable.eq */
 }
-END_TEST
 
 /* The witness in the ledger gives the digits in the ledger. */
-START_TEST(witnesses_reproduce) {
+TEST(witnesses_reproduce) {
   static const char *const only[] = {"cancels", "hides", "gammatilde_2", "ktilde_7", "H[1,2]"};
   int tried = 0;
   run(only, 5, true, 1, -1);
@@ -428,7 +414,6 @@ START_TEST(witnesses_reproduce) {
   ck_assert_int_gt((int)r.conditions, 40);
   ck_assert_int_eq((int)r.condition_differs, 0);
 }
-END_TEST
 
 /* --- At points on file: against numbers made elsewhere, and where a search has found the worst --- */
 
@@ -510,7 +495,7 @@ static const struct {
                {"tests/stability.wc", 2, 80, check_worst},
                {"tests/kernels.wc", 2, 50, check_mended}};
 
-START_TEST(points_on_file) {
+TEST_EACH(points_on_file, COUNT(on_file)) {
   struct digits_set s;
   struct table points;
   make_set(&s);
@@ -520,10 +505,9 @@ START_TEST(points_on_file) {
   table_clear(&points);
   digits_set_clear(&s);
 }
-END_TEST
 
 /* What is studied has room for 32 inputs; each of these is a symbol of its own. */
-START_TEST(more_inputs_than_there_is_room_for) {
+TEST(more_inputs_than_there_is_room_for) {
   for (int n = DIGITS_INPUTS; n <= DIGITS_INPUTS + 1; n++) {
     struct model many;
     struct digits_set s;
@@ -552,11 +536,10 @@ START_TEST(more_inputs_than_there_is_room_for) {
     text_clear(&file);
   }
 }
-END_TEST
 
 /* --- What is studied, and where --- */
 
-START_TEST(every_entry_is_enrolled) {
+TEST(every_entry_is_enrolled) {
   static const char *const ids[] = {
       "H[4,2]",   "Gamma[1,2]",       "C[2,4]",   "D[1,3]",   "J[2,2]",     "J_a[1]",   "J_b[2]",
       "J_c[3,2]", "J_f[2,3]",         "N[4,4]",   "M[1,1]",   "eq-46.2[2]", "eq-53.2",  "eq-53.4",
@@ -568,14 +551,13 @@ START_TEST(every_entry_is_enrolled) {
     ck_assert_msg(digits_find(&s, ids[i]) != NULL, "%s is not studied", ids[i]);
   digits_set_clear(&s);
 }
-END_TEST
 
 static double draw(uint64_t *state) {
   return (double)(random_next(state) >> 11) * 0x1p-53;
 }
 
 /* Points of every region are in the domain, and those of a named neighbourhood are near what it is named after. */
-START_TEST(regions_are_where_they_say) {
+TEST(regions_are_where_they_say) {
   struct digits_set s;
   uint64_t state = random_seed("regions");
   make_set(&s);
@@ -606,10 +588,9 @@ START_TEST(regions_are_where_they_say) {
   digits_bench_clear(&w);
   digits_set_clear(&s);
 }
-END_TEST
 
 /* A few formulas between them have points in every region; the planted ones have not. */
-START_TEST(every_region_is_reached) {
+TEST(every_region_is_reached) {
   static const char *const some[] = {"P", "M[1,1]", "S_f[4]", "eq-53.2", "d_02", "Gamma[1,2]", "J[1,1]"};
   static const char *const one[] = {"steady"};
   run(some, 7, true, 2, -1);
@@ -619,10 +600,9 @@ START_TEST(every_region_is_reached) {
   ck_assert_str_eq(r.region[stability_empty_region(&r)].id, "chi-to-0"); /* the first that is not about times */
   ck_assert_int_gt((int)stability_region_points(&r, 0), 0);
 }
-END_TEST
 
 /* The coordinates 0 and 1 - 2^-53 are the ends that the region's words promise. */
-START_TEST(regions_reach_their_ends) {
+TEST(regions_reach_their_ends) {
   static const struct {
     const char *region, *formula, *input;
     double from, to;
@@ -659,13 +639,12 @@ START_TEST(regions_reach_their_ends) {
   }
   digits_set_clear(&s);
 }
-END_TEST
 
 /* --- The program's own functions --- */
 
 /* Every result of every function, over all regions: within the bound, or a status.  In make check one result of the
    return map, all of which come from one pass. */
-START_TEST(functions_of_the_program_keep_their_digits) {
+TEST(functions_of_the_program_keep_their_digits) {
   const char *const only[] = {"dyn_flow",           "dyn_flow_matrix",
                               "dyn_local_jacobian", "dyn_switching",
                               "dyn_switching_rate", every_case() ? "dyn_return_map" : "dyn_return_map[4]",
@@ -685,7 +664,6 @@ START_TEST(functions_of_the_program_keep_their_digits) {
   ck_assert_int_gt((int)points, 8000);
   ck_assert_msg(4 * failures < points, "%ld of %ld points have no value", failures, points);
 }
-END_TEST
 
 /* --- The same bytes --- */
 
@@ -699,7 +677,7 @@ static void all_reports(struct text *out, int jobs) {
   stability_result_clear(&r);
 }
 
-START_TEST(any_number_of_processes_gives_the_same_bytes) {
+TEST(any_number_of_processes_gives_the_same_bytes) {
   struct text a, b;
   text_init(&a);
   text_init(&b);
@@ -710,11 +688,10 @@ START_TEST(any_number_of_processes_gives_the_same_bytes) {
   text_clear(&a);
   text_clear(&b);
 }
-END_TEST
 
 /* --- The command --- */
 
-START_TEST(points_outside_are_told) {
+TEST(points_outside_are_told) {
   static const char *const points[] = {"omega_1 --at chi=0.5,eta=-1",
                                        "d_01 --at chi=1,u_s1=1,u_s2=1",
                                        "V --at V=1",
@@ -726,7 +703,6 @@ START_TEST(points_outside_are_told) {
     ck_assert_msg(shell("\"$P\" stability %s >/dev/null 2>&1", points[i]) == status[i], "%s", points[i]);
   }
 }
-END_TEST
 
 /* Where the first part of a class begins, and its width, in cells from the lower left corner of the frame. */
 static void part_of(double at[3], const char *svg, const char *class) {
@@ -741,7 +717,7 @@ static void part_of(double at[3], const char *svg, const char *class) {
   at[1] = (y + height - at[1]) * STABILITY_MAP / height;
 }
 
-START_TEST(a_map_is_a_picture) {
+TEST(a_map_is_a_picture) {
   static struct stability_map map = {.x = "chi", .y = "t_a"};
   struct stability_formula formula = {.id = "eq-1"};
   struct stability_result of_map = {.layer = "printed", .formula = &formula, .map = &map, .n_maps = 1};
@@ -770,9 +746,8 @@ START_TEST(a_map_is_a_picture) {
              scratch_put_n("map.xml", svg.data, svg.len));
   text_clear(&svg);
 }
-END_TEST
 
-START_TEST(files_are_written_and_obey_the_schema) {
+TEST(files_are_written_and_obey_the_schema) {
   static const char run[] =
       "$P stability eq-32 eq-40b cancels --overlay \"$D/planted.eq\" --quick --out \"$D/out\" >/dev/null 2>&1";
   shell_well("%s", run);
@@ -788,41 +763,4 @@ START_TEST(files_are_written_and_obey_the_schema) {
   shell_well("sed 's/\"at_fault\": true/\"at_fault\": 1/' \"$D/out/stability.json\" > \"$D/damaged.json\"");
   ck_assert_int_ne(
       shell("\"$Y\" tests/oracle/validate.py schema/stability.schema.json \"$D/damaged.json\" > /dev/null 2>&1"), 0);
-}
-END_TEST
-
-Suite *stability_suite(void) {
-  Suite *s = suite_create("stability");
-  TCase *c = tcase_create("stability");
-  tcase_add_checked_fixture(c, open_model, close_model);
-  tcase_add_test(c, a_cancellation_is_found_and_named);
-  tcase_add_test(c, losses_where_regions_meet_are_found);
-  tcase_add_test(c, a_sound_formula_is_not_blamed);
-  tcase_add_test(c, the_problem_is_blamed_for_its_own_loss);
-  tcase_add_test(c, divisors_sums_and_overflow_are_told_apart);
-  tcase_add_test(c, rare_failures_are_climbed_to);
-  tcase_add_test(c, the_worst_failure_is_the_least_extreme);
-  tcase_add_test(c, losses_beyond_all_digits_are_ordered);
-  tcase_add_test(c, a_line_of_the_table_says_how_much_and_where);
-  tcase_add_test(c, fault_means_one_thing);
-  tcase_add_loop_test(c, what_is_said_at_a_point, 0, (int)(sizeof at_points / sizeof *at_points));
-  tcase_add_test(c, condition_numbers_agree);
-  tcase_add_test(c, the_rule_predicts);
-  tcase_add_test(c, what_is_zero_has_no_relative_error);
-  tcase_add_test(c, rounded_once_nothing_is_lost);
-  tcase_add_test(c, another_layer_is_held_against_it);
-  tcase_add_test(c, witnesses_reproduce);
-  tcase_add_loop_test(c, points_on_file, 0, (int)(sizeof on_file / sizeof *on_file));
-  tcase_add_test(c, more_inputs_than_there_is_room_for);
-  tcase_add_test(c, every_entry_is_enrolled);
-  tcase_add_test(c, regions_are_where_they_say);
-  tcase_add_test(c, every_region_is_reached);
-  tcase_add_test(c, regions_reach_their_ends);
-  tcase_add_test(c, functions_of_the_program_keep_their_digits);
-  tcase_add_test(c, any_number_of_processes_gives_the_same_bytes);
-  tcase_add_test(c, points_outside_are_told);
-  tcase_add_test(c, a_map_is_a_picture);
-  tcase_add_test(c, files_are_written_and_obey_the_schema);
-  suite_add_tcase(s, c);
-  return s;
 }

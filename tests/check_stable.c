@@ -18,7 +18,7 @@
 #include "scratch.h"
 #include "stability/stability.h"
 #include "stable_points.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 #include "tape/exact.h"
 #include "whole.h"
@@ -37,7 +37,9 @@ static void teardown(void) {
 
 /* --- Proofs --- */
 
-START_TEST(every_form_is_proved) {
+CASE("stable", .once = {setup, teardown});
+
+TEST(every_form_is_proved) {
   struct table needed;
   table_read(&needed, "tests/cases/stable_needed.tsv", 1);
   struct stable_proofs p;
@@ -55,10 +57,9 @@ START_TEST(every_form_is_proved) {
   goes_well(view_check((struct view){&model, LAYER_STABLE, NULL, NULL}, &d));
   table_clear(&needed);
 }
-END_TEST
 
 /* One damage of the file each; what depends on it is not proved, and `proved` still is. */
-static struct table damages;                /* cases/stable_damages.tsv */
+TABLE(damages, "tests/cases/stable_damages.tsv", 4);
 enum { D_WAS, D_NOW, D_REFUTED, D_PROVED }; /* its columns */
 
 /* --- The part of a file that some names rest on --- */
@@ -144,9 +145,11 @@ static void extract(struct text *out, const char *text, const char *damage, cons
     if (b[i].kept) text_printf(out, "%.*s\n\n", (int)b[i].len, b[i].text);
 }
 
+CASE("damages", .each = {scratch_open, scratch_close}, .tags = "long");
+
 /* Most of them in the part of the file that both names rest on; some in the whole file, all of whose forms are proved
    again, in make check one. */
-START_TEST(a_damaged_form_is_not_proved) {
+TEST_EVERY(a_damaged_form_is_not_proved, 11, damages.n) {
   enum { WHOLE = 31, FIRST_WHOLE = 5 };
   struct source src;
   struct text t, part;
@@ -177,10 +180,11 @@ START_TEST(a_damaged_form_is_not_proved) {
   text_clear(&part);
   text_clear(&t);
 }
-END_TEST
+
+CASE("stable");
 
 /* The first two arguments are zero for all V > 0 or all z_1b > 0, where sinc is 1: no divisors. */
-START_TEST(a_hidden_zero_is_no_divisor) {
+TEST(a_hidden_zero_is_no_divisor) {
   static const char *const forms[][3] = {
       {"sqrt(4*V) - 2*sqrt(V)", "(sinc(gap)*sinc(2*gap))*(gap + sqrt(4*V) + 2*sqrt(V))", "sinc(gap)*(sinc(2*gap)*gap)"},
       {"abs(z_1b) - z_1b", "sinc(gap)", "sin(gap)/gap"},
@@ -205,9 +209,8 @@ START_TEST(a_hidden_zero_is_no_divisor) {
     for (int k = 0; k < 2; k++) text_clear(&file[k]);
   }
 }
-END_TEST
 
-START_TEST(what_cannot_be_read_is_said) {
+TEST(what_cannot_be_read_is_said) {
   static const char *const bad[][2] = {
       {"define s\n  section: appendix_a\n  omega_1 := nothing\n", "undefined symbol nothing"},
       {"define s\n  section: appendix_a\n  C_1(t) := [1, 0]\n", NULL},
@@ -230,14 +233,15 @@ START_TEST(what_cannot_be_read_is_said) {
     model_clear(&m);
   }
 }
-END_TEST
 
 /* False or empty theorems that look like forms: definitions of verify/errata.eq's rank, then of stable.eq's; the name
    must not be proved.  abs(V - 2) + V is 2 below V = 2, where points are drawn, and no number above. */
-static struct table forgeries;                  /* cases/stable_forgeries.tsv */
+TABLE(forgeries, "tests/cases/stable_forgeries.tsv", 4);
 enum { F_CORRECTED, F_STABLE, F_NAME, F_SAID }; /* its columns */
 
-START_TEST(no_forgery_is_proved) {
+CASE("forged", .once = {setup, teardown});
+
+TEST_EACH(no_forgery_is_proved, forgeries.n) {
   struct model m;
   struct diag d;
   struct stable_proofs p;
@@ -259,10 +263,11 @@ START_TEST(no_forgery_is_proved) {
   }
   model_clear(&m);
 }
-END_TEST
+
+CASE("stable");
 
 /* A part is held as an unknown only when it was proved: with a wrong one nothing after it is. */
-START_TEST(a_wrong_part_proves_nothing) {
+TEST(a_wrong_part_proves_nothing) {
   static const char *const file =
       "define part\n  section: validation\n  equals: N_1 - I\n  wrong := N_1 + I\n"
       "define whole\n  section: validation\n  equation: 45\n  M := inv(wrong)*N_2 - inv(N_3)*(N_4 - I)\n";
@@ -275,10 +280,9 @@ START_TEST(a_wrong_part_proves_nothing) {
   stable_proofs_clear(&p);
   model_clear(&m);
 }
-END_TEST
 
 /* (45) and (46) at small times, where the corrected forms keep no digit, against the truth in balls. */
-START_TEST(small_times_keep_their_digits) {
+TEST(small_times_keep_their_digits) {
   static const char *const value[] = {"M", "N_3", "inv(N_1 - I)*N_2*z'_0"};
   static const char *const stable[] = {"M", "N_3",
                                        "[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - "
@@ -320,11 +324,10 @@ START_TEST(small_times_keep_their_digits) {
     extreme_form_clear(&f);
   }
 }
-END_TEST
 
 /* --- Layers --- */
 
-START_TEST(the_stable_layer_hides_the_corrected_one) {
+TEST(the_stable_layer_hides_the_corrected_one) {
   struct diag d;
   diag_init(&d);
   for (int own = 0; own < 2; own++)
@@ -344,7 +347,6 @@ START_TEST(the_stable_layer_hides_the_corrected_one) {
   ck_assert(view_lookup(&v, "C_1", "appendix_a", &d)->rank == RANK_PAPER);
   model.stable = false;
 }
-END_TEST
 
 /* --- Digits --- */
 
@@ -374,7 +376,7 @@ static const struct {
     {"[d_01, d_02]", NULL, "model", 1000, false},
 };
 
-START_TEST(no_more_is_lost_than_the_condition_explains) {
+TEST_EACH(no_more_is_lost_than_the_condition_explains, COUNT(formulas)) {
   enum { PROMISED = 8 };
   struct extreme_form stable, corrected;
   long measured = 0;
@@ -411,10 +413,9 @@ START_TEST(no_more_is_lost_than_the_condition_explains) {
   extreme_form_clear(&corrected);
   extreme_form_clear(&stable);
 }
-END_TEST
 
 /* chi_b = z'_1b/V is too large for a double, gammatilde_1 = (chi V - z'_1b)/(V - z'_1b) is 1. */
-START_TEST(a_ratio_that_overflows_is_not_formed) {
+TEST(a_ratio_that_overflows_is_not_formed) {
   for (int layer = LAYER_CORRECTED; layer < N_LAYERS; layer++) {
     struct extreme_form f;
     struct num_vec in, out;
@@ -433,10 +434,9 @@ START_TEST(a_ratio_that_overflows_is_not_formed) {
     extreme_form_clear(&f);
   }
 }
-END_TEST
 
 /* The truth is not the form's own: balls of both layers overlap wherever the corrected one can be told. */
-START_TEST(both_layers_have_one_truth) {
+TEST_EACH(both_layers_have_one_truth, COUNT(formulas)) {
   const char *value = formulas[_i].value, *section = formulas[_i].section;
   struct extreme_form stable, corrected;
   extreme_form_init(&stable, &model, LAYER_STABLE, value, value, section);
@@ -459,7 +459,6 @@ START_TEST(both_layers_have_one_truth) {
   extreme_form_clear(&corrected);
   extreme_form_clear(&stable);
 }
-END_TEST
 
 /* --- A value wherever the corrected form has one --- */
 
@@ -490,7 +489,7 @@ static size_t agree_everywhere(struct text *fails, long *points, long *undecided
   return n;
 }
 
-START_TEST(a_value_wherever_the_corrected_form_has_one) {
+TEST(a_value_wherever_the_corrected_form_has_one) {
   struct text fails;
   long points, undecided;
   text_init(&fails);
@@ -500,7 +499,6 @@ START_TEST(a_value_wherever_the_corrected_form_has_one) {
   ck_assert_msg(20 * undecided < points, "%ld of %ld", undecided, points); /* what is zero everywhere, as (43) */
   text_clear(&fails);
 }
-END_TEST
 
 /* Forms that say the same near 1, where a proof looks for a value, and not everywhere. */
 static const struct {
@@ -510,7 +508,7 @@ static const struct {
     {"sqrt(eta*chi) + abs(eta - 1/10000000000) - eta + 1/10000000000", ": 0 without a value, "},
 };
 
-START_TEST(a_form_that_fails_at_extreme_points_is_named) {
+TEST_EACH(a_form_that_fails_at_extreme_points_is_named, COUNT(elsewhere)) {
   struct model m;
   struct text file, fails;
   long points, undecided;
@@ -526,7 +524,6 @@ START_TEST(a_form_that_fails_at_extreme_points_is_named) {
   text_clear(&file);
   model_clear(&m);
 }
-END_TEST
 
 /* --- The audit --- */
 
@@ -552,8 +549,10 @@ static void judge_stable(struct audit_result *out) {
   claims_clear(&claims);
 }
 
+CASE("audits", .each = {setup, teardown}, .tags = "long");
+
 /* Proofs by exact algebra use the corrected forms in both; balls and rounded numbers do not. */
-START_TEST(both_layers_give_the_same_verdicts) {
+TEST(both_layers_give_the_same_verdicts) {
   struct audit_result corrected, stable;
   whole_open();
   whole_record(&corrected);
@@ -567,7 +566,6 @@ START_TEST(both_layers_give_the_same_verdicts) {
   audit_result_clear(&stable);
   audit_result_clear(&corrected);
 }
-END_TEST
 
 /* --- What the exact field knows of the functions --- */
 
@@ -576,10 +574,12 @@ static int value_in(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *t
 }
 
 /* With t/4 and V t/4 as angles of which others are made, and V known to be positive. */
-static struct table identities;    /* cases/field_identities.tsv */
+TABLE(identities, "tests/cases/field_identities.tsv", 3);
 enum { I_LEFT, I_RIGHT, I_EQUAL }; /* its columns */
 
-START_TEST(the_field_knows_the_functions) {
+CASE("stable");
+
+TEST_EACH(the_field_knows_the_functions, identities.n) {
   fmpz_mpoly_q_struct x, y, known[3];
   struct exact_field *f = exact_field_new(NULL, 0);
   exact_init(&x);
@@ -598,45 +598,4 @@ START_TEST(the_field_knows_the_functions) {
   exact_clear(&y);
   exact_clear(&x);
   exact_field_free(f);
-}
-END_TEST
-
-Suite *stable_suite(void) {
-  Suite *s = suite_create("stable");
-  table_read(&identities, "tests/cases/field_identities.tsv", 3);
-  table_read(&forgeries, "tests/cases/stable_forgeries.tsv", 4);
-  table_read(&damages, "tests/cases/stable_damages.tsv", 4);
-  TCase *c = tcase_create("stable");
-  tcase_add_unchecked_fixture(c, setup, teardown);
-  tcase_set_timeout(c, 120);
-  tcase_add_test(c, every_form_is_proved);
-  tcase_add_test(c, a_hidden_zero_is_no_divisor);
-  tcase_add_test(c, what_cannot_be_read_is_said);
-  tcase_add_test(c, a_wrong_part_proves_nothing);
-  tcase_add_test(c, small_times_keep_their_digits);
-  tcase_add_test(c, the_stable_layer_hides_the_corrected_one);
-  tcase_add_loop_test(c, no_more_is_lost_than_the_condition_explains, 0, sizeof formulas / sizeof *formulas);
-  tcase_add_test(c, a_ratio_that_overflows_is_not_formed);
-  tcase_add_test(c, a_value_wherever_the_corrected_form_has_one);
-  tcase_add_loop_test(c, a_form_that_fails_at_extreme_points_is_named, 0, sizeof elsewhere / sizeof *elsewhere);
-  tcase_add_loop_test(c, both_layers_have_one_truth, 0, sizeof formulas / sizeof *formulas);
-  tcase_add_loop_test(c, the_field_knows_the_functions, 0, identities.n);
-  suite_add_tcase(s, c);
-  TCase *forged = tcase_create("forged");
-  tcase_add_unchecked_fixture(forged, setup, teardown);
-  tcase_add_loop_test(forged, no_forgery_is_proved, 0, forgeries.n);
-  suite_add_tcase(s, forged);
-  TCase *damaged = tcase_create("damages"); /* each proves many forms again */
-  tcase_set_tags(damaged, "long");
-  tcase_add_checked_fixture(damaged, scratch_open, scratch_close);
-  tcase_set_timeout(damaged, 120);
-  add_every(damaged, a_damaged_form_is_not_proved, 11, damages.n);
-  suite_add_tcase(s, damaged);
-  TCase *audits = tcase_create("audits");
-  tcase_set_tags(audits, "long");
-  tcase_add_checked_fixture(audits, setup, teardown);
-  tcase_set_timeout(audits, 120);
-  tcase_add_test(audits, both_layers_give_the_same_verdicts);
-  suite_add_tcase(s, audits);
-  return s;
 }

@@ -18,12 +18,12 @@
 #include "rational.h"
 #include "report/plot.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* --- Tables. --- */
 
-START_TEST(a_table_is_what_was_put_in) {
+TEST(a_table_is_what_was_put_in) {
   struct study_page page = {.n = 0};
   struct text out;
   text_init(&out);
@@ -52,13 +52,12 @@ START_TEST(a_table_is_what_was_put_in) {
   study_clear(&page);
   text_clear(&out);
 }
-END_TEST
 
 /* --- Smoothed laws. --- */
 
 static const double tried[N_PARAMS] = {2.0 / 3, 2, 1, 2, 0.25}, limits[2] = {2.5, 0.95};
 
-START_TEST(laws_have_their_values) {
+TEST_EACH(laws_have_their_values, N_LAWS) {
   struct smooth m;
   enum smooth_law law = (enum smooth_law)_i;
   for (double s = 10; s < 2e8; s *= 10) {
@@ -81,7 +80,6 @@ START_TEST(laws_have_their_values) {
     }
   }
 }
-END_TEST
 
 /* The numbers behind the first field of a row. */
 static int numbers(double *x, char *const *row) {
@@ -90,7 +88,7 @@ static int numbers(double *x, char *const *row) {
   return n;
 }
 
-START_TEST(passages_are_those_of_scipy) {
+TEST_EACH(passages_are_those_of_scipy, 3) {
   static const char *const solvers[] = {"msbdf", "bsimp", "rk8pd"};
   struct table rows;
   double x[MOST_COLUMNS], y[STEPPER_SIZE], t = 0;
@@ -123,9 +121,8 @@ START_TEST(passages_are_those_of_scipy) {
   stepper_close(stepper);
   ck_assert_int_eq(passages, 3);
 }
-END_TEST
 
-START_TEST(a_return_that_does_not_come) {
+TEST(a_return_that_does_not_come) {
   struct smooth m;
   struct smooth_passage s;
   double y[STEPPER_SIZE] = {1.1, -1.9, 0, 0};
@@ -138,7 +135,6 @@ START_TEST(a_return_that_does_not_come) {
   ck_assert_int_eq(smooth_return(&s, y, &(struct smooth_way){&m, stepper, 1, 30, 10}), SS_UNABLE);
   stepper_close(stepper);
 }
-END_TEST
 
 /* --- What the studies show. --- */
 
@@ -182,7 +178,7 @@ static double number(const struct study_table *t, int row, const char *column) {
   return x;
 }
 
-START_TEST(stiff_scenes) {
+TEST(stiff_scenes) {
   struct study_page page;
   make(&page, "stiff");
   const struct study_table *orbits = table(&page, "orbits"), *runs = table(&page, "runs"),
@@ -213,9 +209,8 @@ START_TEST(stiff_scenes) {
               number(sum, i, "word") + number(sum, i, "late") + number(sum, i, "early") + number(sum, i, "gives_up"));
   study_clear(&page);
 }
-END_TEST
 
-START_TEST(smoothed_laws) {
+TEST(smoothed_laws) {
   struct study_page page;
   make(&page, "smooth");
   const struct study_table *rates = table(&page, "rates");
@@ -234,9 +229,8 @@ START_TEST(smoothed_laws) {
   ck_assert_int_eq(seen, 4);
   study_clear(&page);
 }
-END_TEST
 
-START_TEST(printed_times_as_mpmath_has_them) {
+TEST(printed_times_as_mpmath_has_them) {
   struct table rows;
   struct num_ctx ctx = dual_ctx(PRINTED_BITS);
   struct num_vec params, t;
@@ -268,11 +262,10 @@ START_TEST(printed_times_as_mpmath_has_them) {
   _arb_vec_clear(out, N_WANTED);
   _arb_vec_clear(value, 1);
 }
-END_TEST
 
 /* A bound over the whole box promises no more than its points keep; more printed digits give more; the numbers of
    mpmath give the digits in the table. */
-START_TEST(the_papers_procedure) {
+TEST(the_papers_procedure) {
   static const char *const wanted[] = {"t_a", "z10", "z20"};
   struct study_page page;
   char column[40];
@@ -302,23 +295,21 @@ START_TEST(the_papers_procedure) {
   ck_assert(number(line, 3, "paper") > 3);
   study_clear(&page);
 }
-END_TEST
 
-START_TEST(without_scenes_there_is_no_study) {
+TEST_EACH(without_scenes_there_is_no_study, 2) {
   struct study_page page;
   ck_assert(!study_run(&page, study_named(_i ? "smooth" : "procedure"), &(struct bench_env){.data = NULL}, true));
   study_clear(&page);
   ck_assert(!study_run(&page, study_named(_i ? "smooth" : "procedure"), &(struct bench_env){.data = "tests"}, true));
   study_clear(&page);
 }
-END_TEST
 
 /* --- The first working precision. --- */
 
 /* The orbit beside its flip loses some forty-six bits in |tr J| - 1: more than the guard bits.  Below the pilot's
    threshold that costs a second attempt, above it the first one is enough; either way the digits are there, and they
    agree. */
-START_TEST(the_first_precision_is_planned) {
+TEST(the_first_precision_is_planned) {
   static const slong prec[] = {256, 1500};
   struct dyn_orbits list[2];
   fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "1.8110582"}, N_PARAMS);
@@ -336,39 +327,16 @@ START_TEST(the_first_precision_is_planned) {
   for (int k = 0; k < 2; k++) dyn_orbits_clear(&list[k]);
   _fmpq_vec_clear(params, N_PARAMS);
 }
-END_TEST
 
 /* --- The command. --- */
 
-START_TEST(a_study_has_a_page_of_its_own) {
+CASE("command", .each = {scratch_open, scratch_close});
+
+TEST(a_study_has_a_page_of_its_own) {
   shell_well("\"$P\" bench --quick --job procedure --json --out \"$D/page\" >\"$D/out\"");
   ck_assert_str_eq(scratch_list(scratch_path("page")),
                    "procedure-conditions.tsv procedure-precision.tsv procedure-printed.tsv procedure-singular.tsv "
                    "procedure-summary.tsv procedure.md procedure.svg");
   ck_assert(scratch_says("page/procedure.md", "](procedure.svg)\n"));
   shell_well("\"$Y\" tests/oracle/validate.py schema/bench.schema.json \"$D/out\" >&2");
-}
-END_TEST
-
-Suite *stiff_suite(void) {
-  Suite *s = suite_create("stiff");
-  TCase *c = tcase_create("parts");
-  tcase_add_test(c, a_table_is_what_was_put_in);
-  tcase_add_loop_test(c, laws_have_their_values, 0, N_LAWS);
-  tcase_add_loop_test(c, passages_are_those_of_scipy, 0, 3);
-  tcase_add_test(c, a_return_that_does_not_come);
-  tcase_add_test(c, printed_times_as_mpmath_has_them);
-  suite_add_tcase(s, c);
-  c = tcase_create("studies");
-  tcase_add_test(c, stiff_scenes);
-  tcase_add_test(c, smoothed_laws);
-  tcase_add_test(c, the_papers_procedure);
-  tcase_add_test(c, the_first_precision_is_planned);
-  tcase_add_loop_test(c, without_scenes_there_is_no_study, 0, 2);
-  suite_add_tcase(s, c);
-  c = tcase_create("command");
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, a_study_has_a_page_of_its_own);
-  suite_add_tcase(s, c);
-  return s;
 }

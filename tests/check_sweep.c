@@ -28,7 +28,7 @@
 #include "rng.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 
 /* --- Lines. --- */
 
@@ -62,7 +62,7 @@ static void find(struct dyn_family *f, const struct line *l, slong every, bool l
 
 /* --- Values. --- */
 
-START_TEST(values_are_exact_and_rounded_once) {
+TEST(values_are_exact_and_rounded_once) {
   static const char *const ends[][2] = {{"0.80", "0.90"},
                                         {"3", "0.5"},
                                         {"1e-300", "1e300"},
@@ -101,7 +101,6 @@ START_TEST(values_are_exact_and_rounded_once) {
   flint_cleanup();
   mpfr_free_cache();
 }
-END_TEST
 
 static void same_decimal(double x) {
   char got[DECIMAL_MAX], want[DECIMAL_MAX];
@@ -122,7 +121,7 @@ static void same_decimal(double x) {
 }
 
 /* Against printf: any size, few digits (ties of the last place among them), and the neighbours of powers of ten. */
-START_TEST(decimals_are_those_of_printf) {
+TEST(decimals_are_those_of_printf) {
   static const double special[] = {0, -0.0, 1, 0.5, 2.5, 0.125, 1e15, 1e-5, 1e-4, 9.5, 99.5, 1e22, 1e23, 5e-324, 1e308};
   for (size_t i = 0; i < sizeof special / sizeof *special; i++) {
     same_decimal(special[i]);
@@ -141,7 +140,6 @@ START_TEST(decimals_are_those_of_printf) {
     same_decimal(-(double)rng_between(&r, 0, 99999) / 1000);
   }
 }
-END_TEST
 
 /* --- Orbits. --- */
 
@@ -172,7 +170,7 @@ static void check_point(const struct dyn_family *f, const struct line *l, slong 
 }
 
 /* Each parameter in turn, over ranges in which orbits come and go. */
-START_TEST(orbits_are_those_of_the_search_in_balls) {
+TEST(orbits_are_those_of_the_search_in_balls) {
   static const struct {
     const char *params[N_PARAMS];
     int vary;
@@ -194,7 +192,6 @@ START_TEST(orbits_are_those_of_the_search_in_balls) {
   flint_cleanup();
   mpfr_free_cache();
 }
-END_TEST
 
 struct census {
   int n, stable, admissible;
@@ -241,7 +238,7 @@ static struct census change_at(const struct dyn_bifurcations *list, const struct
 }
 
 /* fold 1.112..., flip 1.811..., t_a = 0 at 2.103... and the others: nothing changes but there, and there all of it. */
-START_TEST(changes_are_where_bifurcate_has_them) {
+TEST(changes_are_where_bifurcate_has_them) {
   enum { N = 2503 }; /* no value of the grid lies in a bracket */
   struct line l;
   struct dyn_family f;
@@ -266,7 +263,6 @@ START_TEST(changes_are_where_bifurcate_has_them) {
   flint_cleanup();
   mpfr_free_cache();
 }
-END_TEST
 
 /* With two anchors, with many and with nothing but anchors. */
 static void check_anchors(int vary, const char *from, const char *to, slong n) {
@@ -291,17 +287,16 @@ static void check_anchors(int vary, const char *from, const char *to, slong n) {
   line_clear(&l);
 }
 
-START_TEST(followed_or_searched_for_is_the_same) {
+TEST(followed_or_searched_for_is_the_same) {
   check_anchors(P_E2, "0.5", "3", 401);
   /* two branches come close, multipliers on both sides of 1: one ends there and the other begins */
   check_anchors(P_ETA, "0.6640625", "0.6875", 9);
   flint_cleanup();
   mpfr_free_cache();
 }
-END_TEST
 
 /* A static friction that is passed on the line; u_r1_min grows with e2 there. */
-START_TEST(static_friction_counts) {
+TEST(static_friction_counts) {
   struct line l;
   struct dyn_family f;
   fmpq_t u;
@@ -326,9 +321,8 @@ START_TEST(static_friction_counts) {
   flint_cleanup();
   mpfr_free_cache();
 }
-END_TEST
 
-START_TEST(points_say_why_they_failed) {
+TEST(points_say_why_they_failed) {
   struct line l;
   struct dyn_family f;
   line_init(&l, example_text, P_CHI, "0.5", "0.9999999999999999999999", 2);
@@ -351,13 +345,14 @@ START_TEST(points_say_why_they_failed) {
   flint_cleanup();
   mpfr_free_cache();
 }
-END_TEST
 
 /* --- The program. --- */
 
 #define PLANE "sweep paper --over e1=2.2:3.4:5 --over e2=0.5:3:1500 --search-every 300"
 
-START_TEST(bytes_do_not_depend_on_who_computes) {
+CASE("program", .each = {scratch_open, scratch_close});
+
+TEST(bytes_do_not_depend_on_who_computes) {
   shell_well("\"$P\" " PLANE " > \"$D/out\"");
   shell_well("\"$P\" " PLANE " --jobs 1 --csv \"$D/one\" && cmp \"$D/out\" \"$D/one\"");
   shell_well("\"$P\" " PLANE " --jobs 2 --csv \"$D/two\" && cmp \"$D/out\" \"$D/two\"");
@@ -366,39 +361,35 @@ START_TEST(bytes_do_not_depend_on_who_computes) {
   shell_well("\"$P\" sweep paper --over e2=0.5:3:1500 --jobs 1 --json > \"$D/j1\"");
   shell_well("\"$P\" sweep paper --over e2=0.5:3:1500 --jobs 3 --json > \"$D/j3\" && cmp \"$D/j1\" \"$D/j3\"");
 }
-END_TEST
 
 /* Each point once and in its place, across units: e2 = 1/2 + i/1000 exactly as decimals. */
-START_TEST(points_are_those_asked_for) {
+TEST(points_are_those_asked_for) {
   shell_well(
       "\"$P\" sweep paper --over e1=2.7:2.8:2 --over e2=0.5:3:2501 --search-every 700 | grep -v '^#' | grep -v point |"
       " cut -d, -f1-3 | uniq > \"$D/got\"");
   shell_well("awk 'BEGIN { for (i = 0; i < 5002; i++) printf \"%%d,%%.2g,%%.4g\\n\", i, i < 2501 ? 2.7 : 2.8,"
              " 0.5 + i %% 2501 / 1000 }' > \"$D/want\" && cmp \"$D/got\" \"$D/want\"");
 }
-END_TEST
 
 /* A plane's line is the line swept alone: the column of e1 apart, the same rows. */
-START_TEST(lines_of_a_plane_are_lines) {
+TEST(lines_of_a_plane_are_lines) {
   shell_well("\"$P\" sweep paper --over e1=2.7844:3:2 --over e2=0.5:3:200 --search-every 50 --all |"
              " grep -v '^#' | grep -v point | head -n 300 | cut -d, -f3- > \"$D/plane\"");
   shell_well("\"$P\" sweep paper --over e2=0.5:3:200 --search-every 50 --all | grep -v '^#' | grep -v point |"
              " head -n 300 | cut -d, -f2- > \"$D/line\"");
   shell_well("test $(wc -l < \"$D/line\") = 300 && cmp \"$D/plane\" \"$D/line\"");
 }
-END_TEST
 
 /* 128 a line, but no more than 4096 points apart. */
-START_TEST(searches_are_spread_over_the_line) {
+TEST(searches_are_spread_over_the_line) {
   shell_well("\"$P\" sweep paper --over e2=0.85:0.86:20001 2> /dev/null | head -n 5 | grep -q 'search_every = 156;'");
   shell_well(
       "\"$P\" sweep paper --over e2=0.85:0.86:1000001 2> /dev/null | head -n 5 | grep -q 'search_every = 4096;'");
 }
-END_TEST
 
 /* At parameters that double precision holds exactly: each number of a row is that of the certified orbit, but for a
    unit of the fifteenth digit. */
-START_TEST(digits_are_those_of_the_orbits) {
+TEST(digits_are_those_of_the_orbits) {
   for (int i = 0; i < 4; i++) {
     static const char *const e2[] = {"0.625", "0.75", "0.875", "1"};
     scratch_print("exact.scene", "title: all exact\nchi = 0.75\neta = 1.25\nV = 1\ne1 = 2.75\ne2 = %s\n", e2[i]);
@@ -413,10 +404,9 @@ START_TEST(digits_are_those_of_the_orbits) {
                " END { exit bad || NR < 10 || NR %% 10 }'");
   }
 }
-END_TEST
 
 /* One value; the numbers are those of tests/oracle/orbits.tsv, set paper; the rows are in the words of the contract. */
-START_TEST(rows_say_what_was_found) {
+TEST(rows_say_what_was_found) {
   shell_well("\"$P\" sweep paper --over e2=0.8587:0.8587:1 --all --digits 6 > \"$D/out\"");
   check_says(
       "out",
@@ -433,7 +423,6 @@ START_TEST(rows_say_what_was_found) {
   shell_well("sed 's/\"status\": \"ok\"/\"status\": \"fine\"/' \"$D/out\" > \"$D/bad\"");
   shell_ends(1, "", "\"$Y\" tests/oracle/validate.py schema/sweep.schema.json \"$D/bad\"");
 }
-END_TEST
 
 /* NAME.part and the sum over it, FNV-1a. */
 static void put_part(const char *name, const char *bytes, size_t len) {
@@ -448,7 +437,7 @@ static void put_part(const char *name, const char *bytes, size_t len) {
 }
 
 /* Whatever an interrupted run left: nothing but the head, a cut row, a whole unit and more. */
-START_TEST(resumed_files_are_those_of_one_run) {
+TEST(resumed_files_are_those_of_one_run) {
   shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
   char *whole = file_text(scratch_path("whole"));
   size_t len = strlen(whole);
@@ -463,9 +452,8 @@ START_TEST(resumed_files_are_those_of_one_run) {
   shell_well("\"$P\" " PLANE " --csv \"$D/fresh\" --resume && cmp \"$D/whole\" \"$D/fresh\"");
   free(whole);
 }
-END_TEST
 
-START_TEST(wrong_parts_are_refused) {
+TEST(wrong_parts_are_refused) {
   shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
   char *whole = file_text(scratch_path("whole"));
   size_t len = strlen(whole);
@@ -494,10 +482,9 @@ START_TEST(wrong_parts_are_refused) {
   shell_ends(3, "pipe.part: error: not a regular file", "\"$P\" " PLANE " --csv \"$D/pipe\" --resume");
   free(whole);
 }
-END_TEST
 
 /* What was changed since it was written is not gone on with, nor is what stands elsewhere. */
-START_TEST(damaged_parts_are_refused) {
+TEST(damaged_parts_are_refused) {
   static const char *const damage[] = {
       "sed -i '/^100,/{h;G}' \"$D/cut.part\"",        /* a row doubled */
       "sed -i '/^100,/s/,0\\./,1./' \"$D/cut.part\"", /* a digit changed */
@@ -525,11 +512,10 @@ START_TEST(damaged_parts_are_refused) {
   shell_well("cmp \"$D/old\" \"$D/far.part\"");
   free(whole);
 }
-END_TEST
 
 #define DIGITS "\"$P\" sweep \"$D/digits.scene\" --over e2=0.8:0.9:100 --csv \"$D/digits\""
 
-START_TEST(long_heads_are_resumed) {
+TEST(long_heads_are_resumed) {
   enum { MANY = 5000 };
   static const char before[] = "title: a number of many digits\nchi = 0.8\neta = 1\nV = 1\ne2 = 0.8587\ne1 = 2.7844";
   char scene[sizeof before + MANY + 1];
@@ -542,10 +528,9 @@ START_TEST(long_heads_are_resumed) {
   free(whole);
   shell_well(DIGITS " --resume && cmp \"$D/digits\" \"$D/whole\"");
 }
-END_TEST
 
 /* Two at a time on one file. */
-START_TEST(one_run_writes_a_file) {
+TEST(one_run_writes_a_file) {
   struct part a;
   part_init(&a, scratch_path("file"));
   goes_well(part_create(&a, &d));
@@ -553,7 +538,6 @@ START_TEST(one_run_writes_a_file) {
              "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/file\" --resume");
   part_clear(&a);
 }
-END_TEST
 
 static off_t enough;
 
@@ -605,24 +589,22 @@ static off_t left_by(int number) {
 }
 
 /* The lock outlives that the file was read. */
-START_TEST(one_run_continues_a_file) {
+TEST(one_run_continues_a_file) {
   struct job j;
   start_long(&j, true, left_by(SIGINT) + 60000);
   shell_ends(3, "long.part: error: another process is writing this file",
              "\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
   interrupt(&j, SIGTERM);
 }
-END_TEST
 
 /* Twice, by one signal and by the other. */
-START_TEST(signals_leave_a_file_to_resume) {
+TEST(signals_leave_a_file_to_resume) {
   struct job j;
   start_long(&j, true, left_by(SIGINT) + 60000);
   interrupt(&j, SIGTERM);
   shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
   shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 | cmp - \"$D/long\"");
 }
-END_TEST
 
 /* One of its processes; 0: none is there. */
 static pid_t child_of(pid_t pid) {
@@ -636,7 +618,7 @@ static pid_t child_of(pid_t pid) {
 }
 
 /* What it had cannot be told from what the others have: the run ends, and another goes on. */
-START_TEST(a_process_that_is_killed_is_noticed) {
+TEST(a_process_that_is_killed_is_noticed) {
   struct job j;
   start_long(&j, false, 60000);
   pid_t child = child_of(j.pid);
@@ -646,7 +628,6 @@ START_TEST(a_process_that_is_killed_is_noticed) {
   start_long(&j, true, 120000);
   interrupt(&j, SIGINT);
 }
-END_TEST
 
 static bool has_shown_enough(pid_t pid) {
   struct stat st;
@@ -654,7 +635,7 @@ static bool has_shown_enough(pid_t pid) {
   return stat(scratch_path("rows"), &st) == 0 && st.st_size >= enough;
 }
 
-START_TEST(a_signal_ends_what_goes_to_no_file) {
+TEST(a_signal_ends_what_goes_to_no_file) {
   const char *args[] = {"sweep", "paper", "--over", "e1=2:4:60", "--over", "e2=0.5:3:1000", NULL};
   struct job j;
   job_start(&j, &(struct job_place){.out = scratch_path("rows")}, program(), args);
@@ -665,7 +646,6 @@ START_TEST(a_signal_ends_what_goes_to_no_file) {
   ck_assert_msg(j.status == 5 && strstr(j.err, "stickslip: interrupted\n"), "%d: %s", j.status, j.err);
   job_clear(&j);
 }
-END_TEST
 
 static int unread; /* the end to read of a pipe */
 static int room;   /* bytes that go into it */
@@ -680,7 +660,7 @@ static bool has_heard(pid_t pid) {
 }
 
 /* The first signal ends it between two writes, and nobody reads what is written. */
-START_TEST(a_second_signal_ends_at_once) {
+TEST(a_second_signal_ends_at_once) {
   int ends[2];
   char byte = 0;
   ck_assert(pipe(ends) == 0);
@@ -706,10 +686,9 @@ START_TEST(a_second_signal_ends_at_once) {
   close(ends[0]);
   close(ends[1]);
 }
-END_TEST
 
 /* A disk that fills up is played by a limit on the size of files. */
-START_TEST(what_cannot_be_written_is_said) {
+TEST(what_cannot_be_written_is_said) {
   shell_ends(3, "standard output cannot be written: No space left on device",
              "\"$P\" sweep paper --over e2=1:2:3 > /dev/full");
   shell_ends(3, "", "\"$P\" sweep paper --over e2=1:2:3 --json > /dev/full");
@@ -723,21 +702,19 @@ START_TEST(what_cannot_be_written_is_said) {
              "(trap '' XFSZ; ulimit -f 100; GCOV_PREFIX=/dev/null \"$P\" " PLANE " --csv \"$D/big\")");
   shell_well("\"$P\" " PLANE " --csv \"$D/big\" --resume && \"$P\" " PLANE " | cmp - \"$D/big\"");
 }
-END_TEST
 
 /* Parameters at which nothing goes well still end, with a row for each point. */
-START_TEST(hostile_parameters) {
+TEST(hostile_parameters) {
   shell_well("\"$P\" sweep paper --over V=1e-300:1e300:3 > \"$D/out\"");
   check_says("out", "\n2,1e+300,,,,,,,,,,,,,,,budget\n");
   shell_well("\"$P\" sweep paper --over e1=1e-12:1e12:3 --all > \"$D/out\"");
   shell_well("\"$P\" sweep paper --over chi=1e-12:0.99999999999999999999:3 --all > \"$D/out\"");
   check_says("out", "\n2,1,,,,,,,,,,,,,,,range\n");
 }
-END_TEST
 
 /* --- Processes. --- */
 
-START_TEST(ranks_give_the_same_bytes) {
+TEST(ranks_give_the_same_bytes) {
   const char *mpi = getenv("STICKSLIP_MPI");
   if (!mpi || !*mpi || system("mpirun --version > /dev/null 2>&1") != 0) return;
   setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
@@ -750,41 +727,4 @@ START_TEST(ranks_give_the_same_bytes) {
     ck_assert_msg(s == 0, "%d ranks: status %d", n, s);
   }
   shell_ends(2, "N is a whole number", "mpirun -n 2 \"%s\" sweep paper --over e2=1:2:0", mpi);
-}
-END_TEST
-
-Suite *sweep_suite(void) {
-  Suite *s = suite_create("sweep");
-  TCase *values = tcase_create("values"), *orbits = tcase_create("orbits"), *program_case = tcase_create("program");
-  tcase_add_test(values, values_are_exact_and_rounded_once);
-  tcase_add_test(values, decimals_are_those_of_printf);
-  suite_add_tcase(s, values);
-  tcase_add_test(orbits, orbits_are_those_of_the_search_in_balls);
-  tcase_add_test(orbits, changes_are_where_bifurcate_has_them);
-  tcase_add_test(orbits, followed_or_searched_for_is_the_same);
-  tcase_add_test(orbits, static_friction_counts);
-  tcase_add_test(orbits, points_say_why_they_failed);
-  suite_add_tcase(s, orbits);
-  tcase_add_checked_fixture(program_case, scratch_open, scratch_close);
-  tcase_add_test(program_case, bytes_do_not_depend_on_who_computes);
-  tcase_add_test(program_case, points_are_those_asked_for);
-  tcase_add_test(program_case, lines_of_a_plane_are_lines);
-  tcase_add_test(program_case, rows_say_what_was_found);
-  tcase_add_test(program_case, searches_are_spread_over_the_line);
-  tcase_add_test(program_case, digits_are_those_of_the_orbits);
-  tcase_add_test(program_case, a_signal_ends_what_goes_to_no_file);
-  tcase_add_test(program_case, resumed_files_are_those_of_one_run);
-  tcase_add_test(program_case, wrong_parts_are_refused);
-  tcase_add_test(program_case, damaged_parts_are_refused);
-  tcase_add_test(program_case, one_run_writes_a_file);
-  tcase_add_test(program_case, one_run_continues_a_file);
-  tcase_add_test(program_case, long_heads_are_resumed);
-  tcase_add_test(program_case, a_second_signal_ends_at_once);
-  tcase_add_test(program_case, signals_leave_a_file_to_resume);
-  tcase_add_test(program_case, a_process_that_is_killed_is_noticed);
-  tcase_add_test(program_case, what_cannot_be_written_is_said);
-  tcase_add_test(program_case, hostile_parameters);
-  tcase_add_test(program_case, ranks_give_the_same_bytes);
-  suite_add_tcase(s, program_case);
-  return s;
 }

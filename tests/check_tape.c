@@ -15,7 +15,7 @@
 #include "rng.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 
 /* ---- from text to tape */
 
@@ -115,8 +115,10 @@ static void check_dump(const struct tape *t, const char *expected) {
 
 /* ---- what is on the tape */
 
+CASE("tape", .each = {scratch_open, scratch_close});
+
 /* Nothing is folded: the unknown of a root is 1 times its power, and its square has the coefficient 1*1. */
-START_TEST(dump_of_each_instruction) {
+TEST(dump_of_each_instruction) {
   struct work w;
   work_y(&w, "xab",
          "  root r: r^2*a - 0.5*r - b, largest positive\n"
@@ -150,9 +152,8 @@ START_TEST(dump_of_each_instruction) {
                    "out %24\n");
   work_close(&w);
 }
-END_TEST
 
-START_TEST(shared_subexpressions) {
+TEST(shared_subexpressions) {
   struct work w;
   /* through definitions, functions and both outputs: x, sin x, its square, the sum of the two, nothing else */
   static const char *const names[] = {"p", "q", "r"};
@@ -163,9 +164,8 @@ START_TEST(shared_subexpressions) {
   check_dump(&w.t, "%0 = input x\n%1 = sin %0\n%2 = mul %1 %1\n%3 = add %2 %1\nout %2\nout %3\nout %3\n");
   work_close(&w);
 }
-END_TEST
 
-START_TEST(only_what_is_reached) {
+TEST(only_what_is_reached) {
   struct work w;
   work_y(&w, "xabt",
          "  unused := sin(a)\n"
@@ -175,9 +175,8 @@ START_TEST(only_what_is_reached) {
   check_dump(&w.t, "%0 = input x\n%1 = cos %0\nout %1\n");
   work_close(&w);
 }
-END_TEST
 
-START_TEST(inputs_in_order_of_first_use) {
+TEST(inputs_in_order_of_first_use) {
   struct work w;
   static const char *const names[] = {"p", "q"};
   work_open(&w,
@@ -195,9 +194,8 @@ START_TEST(inputs_in_order_of_first_use) {
   run_close(&r);
   work_close(&w);
 }
-END_TEST
 
-START_TEST(constants_are_exact) {
+TEST(constants_are_exact) {
   static const char *const names[] = {"tenth", "tiny", "third", "one", "huge"};
   struct work w;
   struct run r;
@@ -254,9 +252,8 @@ START_TEST(constants_are_exact) {
   fmpq_clear(tenth);
   fmpq_clear(tiny);
 }
-END_TEST
 
-START_TEST(numbers_too_large) {
+TEST(numbers_too_large) {
   static const char *const number[] = {"1e200000", "1e-99999999999999999999"};
   static const char *const names[] = {"y"};
   for (int i = 0; i < 2; i++) {
@@ -274,11 +271,10 @@ START_TEST(numbers_too_large) {
     expr_pool_clear(&pool);
   }
 }
-END_TEST
 
 /* ---- flags */
 
-START_TEST(flags_of_each_output) {
+TEST(flags_of_each_output) {
   static const char *const names[] = {"o1", "o2", "o3", "o4", "o5", "o6", "o7"};
   static const char *const text = "symbol x\nsymbol y\nsymbol s\ndefine d\n"
                                   "  o1 := 1/x\n"                  /* x = 0 */
@@ -314,7 +310,6 @@ START_TEST(flags_of_each_output) {
   }
   work_close(&w);
 }
-END_TEST
 
 /* ---- values rounded once */
 
@@ -340,7 +335,7 @@ static int value_at(double *y, const char *body, double a, double b, struct num_
 }
 
 /* What plain arithmetic loses, or has no value for, and the value in closed form. */
-START_TEST(a_value_rounded_once) {
+TEST(a_value_rounded_once) {
   static const double x = 0x1p-60, big = 0x1p1000;
   const struct {
     const char *y;
@@ -365,10 +360,9 @@ START_TEST(a_value_rounded_once) {
     ck_assert_msg(y == c[i].plain || (isnan(y) && isnan(c[i].plain)), "plain %s: %a", c[i].y, y);
   }
 }
-END_TEST
 
 /* Sines of products that no double holds, against MPFR at 300 bits, rounded to nearest there. */
-START_TEST(rounded_to_nearest_or_next_to_it) {
+TEST(rounded_to_nearest_or_next_to_it) {
   mpfr_t s;
   rng.state = 20;
   mpfr_init2(s, 300);
@@ -385,10 +379,9 @@ START_TEST(rounded_to_nearest_or_next_to_it) {
   }
   mpfr_clear(s);
 }
-END_TEST
 
 /* What is used outside as well is there as it comes; the flags are those of the operand; balls and MPFR. */
-START_TEST(what_is_used_outside_rounded) {
+TEST(what_is_used_outside_rounded) {
   double y;
   ck_assert_int_eq(value_at(&y, "  p := (1 + x) - 1\n  y := rounded(p) + p", 0x1p-60, 0, num_ctx_double()), SS_OK);
   ck_assert(y == 0x1p-60);
@@ -408,7 +401,6 @@ START_TEST(what_is_used_outside_rounded) {
              "%0 = input x\n%1 = rounded %0\n%2 = const 1\n%3 = add %0 %2\n%4 = rounded %3\n%5 = mul %1 %4\nout %5\n");
   work_close(&w);
 }
-END_TEST
 
 /* ---- roots */
 
@@ -440,7 +432,7 @@ static void frequency(arb_t w, long chi10, ulong eta, int sign, slong prec) {
   arb_clear(t);
 }
 
-START_TEST(roots_of_the_characteristic_equation) {
+TEST(roots_of_the_characteristic_equation) {
   static const char *const names[] = {"omega_1", "omega_2"};
   struct work w;
   work_open(&w,
@@ -485,9 +477,8 @@ START_TEST(roots_of_the_characteristic_equation) {
   arb_clear(exact);
   work_close(&w);
 }
-END_TEST
 
-START_TEST(roots_that_do_not_exist) {
+TEST(roots_that_do_not_exist) {
   static const char *const names[] = {"r", "s", "x1"};
   struct work w;
   work_open(
@@ -508,7 +499,6 @@ START_TEST(roots_that_do_not_exist) {
   run_close(&r);
   work_close(&w);
 }
-END_TEST
 
 /* ---- random formulas */
 
@@ -867,14 +857,13 @@ static void check_formula(struct counts *counts, uint64_t seed) {
   work_close(&w);
 }
 
-START_TEST(random_formulas) {
+TEST(random_formulas) {
   struct counts c = {0, 0, 0};
   for (uint64_t seed = 1; seed <= 300; seed++) check_formula(&c, seed);
   /* the formulas are worth their time: most have a value, and some do not */
   ck_assert_msg(c.ok > 700 && c.domain > 50 && c.unable < 100, "%d values, %d undefined, %d untold", c.ok, c.domain,
                 c.unable);
 }
-END_TEST
 
 /* ---- broken tapes */
 
@@ -892,7 +881,7 @@ static int checked(struct tape_instr *in, struct tape_instr wrong) {
   return end;
 }
 
-START_TEST(broken_tapes_abort) {
+TEST(broken_tapes_abort) {
   struct work w;
   work_y(&w, "x", "  root r: r^2 - x, smallest positive\n  y := sin(x)/x + 2*r");
   broken = w.t;
@@ -931,7 +920,6 @@ START_TEST(broken_tapes_abort) {
   ck_assert_int_eq(child_end(run_check), 0);
   work_close(&w);
 }
-END_TEST
 
 /* ---- long formulas: the parser takes 100000 nodes, and whatever it takes must go through */
 
@@ -993,7 +981,7 @@ static void value_of_formula(void *arg) {
 }
 
 /* Of four times the length, it costs about four times as much; sixteen times, if anything grew with the square. */
-START_TEST(long_formulas) {
+TEST_EACH(long_formulas, 5) {
   static const int length[] = {50000, 49998, 99000, 40000, 990};
   static const double expected[] = {1249975000.5, -1, 0.25, 300, 0.5};
   static const double x[] = {0.5, -1, 0.25, 2.25, 0.5};
@@ -1006,28 +994,4 @@ START_TEST(long_formulas) {
                 expected[_i]);
   text_clear(&whole.text);
   text_clear(&quarter.text);
-}
-END_TEST
-
-Suite *tape_suite(void) {
-  Suite *s = suite_create("tape");
-  TCase *tc = tcase_create("tape");
-  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
-  tcase_add_test(tc, dump_of_each_instruction);
-  tcase_add_test(tc, shared_subexpressions);
-  tcase_add_test(tc, only_what_is_reached);
-  tcase_add_test(tc, inputs_in_order_of_first_use);
-  tcase_add_test(tc, constants_are_exact);
-  tcase_add_test(tc, numbers_too_large);
-  tcase_add_test(tc, flags_of_each_output);
-  tcase_add_test(tc, a_value_rounded_once);
-  tcase_add_test(tc, rounded_to_nearest_or_next_to_it);
-  tcase_add_test(tc, what_is_used_outside_rounded);
-  tcase_add_test(tc, roots_of_the_characteristic_equation);
-  tcase_add_test(tc, roots_that_do_not_exist);
-  tcase_add_test(tc, random_formulas);
-  tcase_add_test(tc, broken_tapes_abort);
-  tcase_add_loop_test(tc, long_formulas, 0, 5);
-  suite_add_tcase(s, tc);
-  return s;
 }

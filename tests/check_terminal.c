@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "record/result.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 #include "whole.h"
 
@@ -46,8 +46,10 @@ static void wipe_colours(char *s) {
   *to = '\0';
 }
 
+CASE("terminal", .each = {scratch_open, scratch_close}, .seconds = 300);
+
 /* Without its colours the text is the same, and the last line, the contract's, is all that is said quietly. */
-START_TEST(colours_only_where_they_are_wanted) {
+TEST(colours_only_where_they_are_wanted) {
   static const struct {
     const char *settings;
     bool colours;
@@ -76,7 +78,6 @@ START_TEST(colours_only_where_they_are_wanted) {
   free(out);
   free(plain);
 }
-END_TEST
 
 /* What verify says of the whole paper, which two cases read. */
 static char *whole;
@@ -92,9 +93,11 @@ static void close_whole(void) {
   scratch_close();
 }
 
+CASE("whole", .once = {open_whole, close_whole});
+
 /* verify --only shows what is wrong, what shows it and what mends it, in order of consequence (paper.roots), and where
    the report is; the numbers are those of the certificate in audit.json. */
-START_TEST(what_fails_is_shown_worst_first) {
+TEST(what_fails_is_shown_worst_first) {
   static const char *const in_order[] = {"refuted     num-t_a t_a = 0.6784",
                                          "printed = 0.6784, unit = 1/10000",
                                          "correction  t_a = 0.5323 (proved)\n",
@@ -120,10 +123,11 @@ START_TEST(what_fails_is_shown_worst_first) {
   const char *last = strstr(whole, " text-time-name ");
   ck_assert_msg(first && later && last && first < later && later < last, "%s", whole);
 }
-END_TEST
+
+CASE("terminal");
 
 /* What writes says where, last; but where its output is JSON. */
-START_TEST(where_it_is_written_is_said) {
+TEST(where_it_is_written_is_said) {
   static const struct {
     const char *command, *to;
   } cases[] = {{"orbit paper --certificate", "c.json"},      {"sweep paper --over e2=0.8:0.9:5 --csv", "rows.csv"},
@@ -141,10 +145,9 @@ START_TEST(where_it_is_written_is_said) {
   ck_assert(*out == '{' && !strstr(out, "written to"));
   free(out);
 }
-END_TEST
 
 /* What explain marks is coloured like the verdicts of verify, and nothing else. */
-START_TEST(explain_has_colours) {
+TEST(explain_has_colours) {
   static const char command[] = "explain eq-29";
   char *plain = shell_said("\"$P\" %s", command);
   for (int k = 0; k < 2; k++) {
@@ -157,10 +160,11 @@ START_TEST(explain_has_colours) {
   ck_assert(!strpbrk(plain, "\001\002\003\004\005\033"));
   free(plain);
 }
-END_TEST
+
+CASE("whole");
 
 /* The counts of the table add up: down the columns to its last row, and along each row. */
-START_TEST(the_table_adds_up) {
+TEST(the_table_adds_up) {
   int sum[8] = {0};
   char *out = ss_strdup(whole);
   char *line = strstr(out, "\nsection");
@@ -187,10 +191,11 @@ START_TEST(the_table_adds_up) {
   ck_assert(line && sum[0] > 0 && sum[6] > 100);
   free(out);
 }
-END_TEST
+
+CASE("terminal");
 
 /* Tables that a person can read: every number says what it is, and columns stand under each other. */
-START_TEST(orbits_and_motions_are_tables) {
+TEST(orbits_and_motions_are_tables) {
   char *out = shell_said("\"$P\" orbit paper --digits 30");
   const char *meaning = strstr(out, "position of m_1"), *begin = meaning;
   ck_assert(meaning != NULL);
@@ -209,7 +214,6 @@ START_TEST(orbits_and_motions_are_tables) {
   ck_assert(strstr(out, "lengths in one unit") && strstr(out, "\n          t mass change"));
   free(out);
 }
-END_TEST
 
 /* Text less all that is blank. */
 static void squeeze(char *s) {
@@ -220,7 +224,7 @@ static void squeeze(char *s) {
 }
 
 /* Lines that fit the terminal, with the same words: those that are wider elsewhere are broken at blanks. */
-START_TEST(lines_fit_the_terminal) {
+TEST(lines_fit_the_terminal) {
   enum { COMMAND, WIDTH, SAME };
   struct table cases;
   char *wide = NULL;
@@ -252,23 +256,21 @@ START_TEST(lines_fit_the_terminal) {
   free(wide);
   table_clear(&cases);
 }
-END_TEST
 
 /* --- Scenes on file --- */
 
 /* Who waits at a terminal is told how far a sweep is and how long it takes. */
-START_TEST(a_sweep_tells_how_long) {
+TEST(a_sweep_tells_how_long) {
   char *out =
       on_a_terminal("TERM=xterm", "sweep paper --jobs 1 --over e1=2:4:20 --over e2=0.5:3:100 --csv \"$D/rows\"");
   const char *first = strstr(out, "\r\033[K["), *left = strstr(out, " left\r\033[K");
   ck_assert_msg(first && left && left - first > 10, "%.300s", out);
   free(out);
 }
-END_TEST
 
 /* So is who waits for other commands: by one total from the beginning to the end, never more than it, and nothing where
    standard error is no terminal. */
-START_TEST(progress_has_one_total) {
+TEST(progress_has_one_total) {
   static const struct {
     const char *command, *elsewhere; /* the same with less to do, where it is no terminal; NULL: the very same */
   } cases[] = {{"mutate --count 2 --only 4-stability.eq --out $D/p", "mutate --count 2 --only title --out $D/p"},
@@ -294,9 +296,8 @@ START_TEST(progress_has_one_total) {
     shell_well("test -z \"$($P %s 2>&1 >/dev/null)\"", elsewhere);
   }
 }
-END_TEST
 
-START_TEST(scenes_are_listed) {
+TEST(scenes_are_listed) {
   char *out = shell_said("\"$P\" list scenes");
   ck_assert(strncmp(out, "above-one ", 10) == 0);
   ck_assert(strstr(out, "\npaper              the paper's numerical example\n"));
@@ -307,7 +308,6 @@ START_TEST(scenes_are_listed) {
   shell_ends(3, "broken.scene: error: ", "STICKSLIP_DATA=$D $P list scenes");
   shell_ends(3, "stable  ", "STICKSLIP_DATA=$D $P list scenes");
 }
-END_TEST
 
 /* --- Completion --- */
 
@@ -323,7 +323,7 @@ static char *offered(const char *line) {
   return shell_said("bash $D/try.bash '%s %s' 2>&1", program(), line);
 }
 
-START_TEST(bash_completes) {
+TEST(bash_completes) {
   enum { LINE, WORDS };
   struct table cases;
   table_read(&cases, "tests/cases/completion.tsv", 2);
@@ -335,10 +335,9 @@ START_TEST(bash_completes) {
   }
   table_clear(&cases);
 }
-END_TEST
 
 /* zsh and fish ask the same file as a command; where they are installed, they are tried. */
-START_TEST(other_shells_complete) {
+TEST(other_shells_complete) {
   static const struct {
     const char *line, *words;
   } cases[] = {{"orb", "orbit\n"}, {"orbit paper --set et", "eta=\n"}, {"verify --only eq-60", "eq-60\neq-60b\n"}};
@@ -358,10 +357,9 @@ START_TEST(other_shells_complete) {
                  cases[i].line);
   }
 }
-END_TEST
 
 /* Every option that is offered belongs to its command. */
-START_TEST(what_is_offered_is_known) {
+TEST(what_is_offered_is_known) {
   if (!there_is("bash")) return;
   char *commands = offered("");
   int tried = 0;
@@ -382,7 +380,6 @@ START_TEST(what_is_offered_is_known) {
   ck_assert_int_gt(tried, 40);
   free(commands);
 }
-END_TEST
 
 /* --- Documents --- */
 
@@ -417,18 +414,17 @@ static int check_blocks(const char *path, int *refused) {
   return n;
 }
 
-START_TEST(documents_hold_what_the_program_reads) {
+TEST(documents_hold_what_the_program_reads) {
   int refused = 0;
   ck_assert_int_ge(check_blocks("docs/language.md", &refused), 7);
   ck_assert_int_ge(refused, 4);
   ck_assert_int_ge(check_blocks("docs/scenes.md", &refused), 7);
   ck_assert_int_ge(check_blocks("docs/another-paper.md", &refused), 1);
 }
-END_TEST
 
 /* A paper of two equations, of which the first is right (the propagator of a mass that keeps its velocity) and the
    second is wrong (a triangular matrix with ones on its diagonal has the determinant 1). */
-START_TEST(another_paper_is_audited) {
+TEST(another_paper_is_audited) {
   shell_ends(0, "\npaper: 2 statements: 1 proved, 1 refuted; 4 of 4 controls noticed; as recorded\n",
              "STICKSLIP_DATA=tests/another $P verify --out $D/another | tee $D/said");
   check_says("said", "refuted     eq-2 ");
@@ -443,70 +439,32 @@ START_TEST(another_paper_is_audited) {
              "STICKSLIP_DATA=tests/another $P verify --paper $D/paper --out $D/another");
   check_says("another/index.html", "<h1>Audit of a paper</h1>\n");
 }
-END_TEST
 
 /* Every command of docs/ and of README's quick start is typed, and ends as they say. */
-START_TEST(documents_show_what_happens) {
+TEST(documents_show_what_happens) {
   char *out = shell_said("$Y tests/oracle/documents.py $P $P-checker 'README.md@More to look at' docs/*.md 2>&1");
   ck_assert_int_ge(atoi(out), 20);
   free(out);
 }
-END_TEST
 
-START_TEST(man_pages_are_sound) {
+TEST(man_pages_are_sound) {
   if (there_is("mandoc")) shell_well("mandoc -Tlint -Wwarning man/*.[135] > $D/said && ! [ -s $D/said ]");
 }
-END_TEST
 
 /* What it says of commands and options is what the program says. */
-START_TEST(the_man_page_is_made_from_the_table) {
+TEST(the_man_page_is_made_from_the_table) {
   shell_well("$Y tools/manual.py $P --check");
 }
-END_TEST
 
 /* Those of the library are made from its headers, and groff has nothing to say against them. */
-START_TEST(the_pages_of_the_library_are_made_from_the_headers) {
+TEST(the_pages_of_the_library_are_made_from_the_headers) {
   shell_well("$Y tools/headers.py --check");
   if (there_is("groff"))
     shell_well("for page in man/*.3; do groff -mandoc -Tutf8 -ww -z $page; done > $D/said 2>&1; cat $D/said; ! [ -s "
                "$D/said ]");
 }
-END_TEST
 
-START_TEST(every_kind_of_claim_is_in_the_manual) {
+TEST(every_kind_of_claim_is_in_the_manual) {
   shell_well(
       "for k in $($P list | awk '{ print $2 }' | sort -u); do grep -qw -e \"$k\" man/stickslip-eq.5 || exit 1; done");
-}
-END_TEST
-
-Suite *terminal_suite(void) {
-  Suite *s = suite_create("terminal");
-  TCase *c = tcase_create("terminal");
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_set_timeout(c, 300);
-  tcase_add_test(c, colours_only_where_they_are_wanted);
-  tcase_add_test(c, explain_has_colours);
-  tcase_add_test(c, where_it_is_written_is_said);
-  tcase_add_test(c, orbits_and_motions_are_tables);
-  tcase_add_test(c, lines_fit_the_terminal);
-  tcase_add_test(c, a_sweep_tells_how_long);
-  tcase_add_test(c, progress_has_one_total);
-  tcase_add_test(c, scenes_are_listed);
-  tcase_add_test(c, bash_completes);
-  tcase_add_test(c, what_is_offered_is_known);
-  tcase_add_test(c, other_shells_complete);
-  tcase_add_test(c, documents_hold_what_the_program_reads);
-  tcase_add_test(c, documents_show_what_happens);
-  tcase_add_test(c, another_paper_is_audited);
-  tcase_add_test(c, man_pages_are_sound);
-  tcase_add_test(c, the_man_page_is_made_from_the_table);
-  tcase_add_test(c, the_pages_of_the_library_are_made_from_the_headers);
-  tcase_add_test(c, every_kind_of_claim_is_in_the_manual);
-  suite_add_tcase(s, c);
-  c = tcase_create("whole");
-  tcase_add_unchecked_fixture(c, open_whole, close_whole);
-  tcase_add_test(c, what_fails_is_shown_worst_first);
-  tcase_add_test(c, the_table_adds_up);
-  suite_add_tcase(s, c);
-  return s;
 }

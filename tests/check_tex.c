@@ -3,7 +3,7 @@
 
 #include "base/tex.h"
 #include "base/text.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 /* A letter for each kind, in the order of the header. */
@@ -20,7 +20,7 @@ static void spell(char out[64], const char *formula, size_t len) {
   out[n] = '\0';
 }
 
-START_TEST(formulas_are_spelt) {
+TEST(formulas_are_spelt) {
   enum { FORMULA, KINDS };
   struct table cases;
   table_read(&cases, "tests/cases/tex_kinds.tsv", 2);
@@ -31,10 +31,9 @@ START_TEST(formulas_are_spelt) {
   }
   table_clear(&cases);
 }
-END_TEST
 
 /* A formula inside a text ends where it is told to, also in the middle of a command. */
-START_TEST(nothing_behind_the_end_is_read) {
+TEST(nothing_behind_the_end_is_read) {
   char kinds[64];
   spell(kinds, "\\chi\\eta", 4);
   ck_assert_str_eq(kinds, "w");
@@ -43,9 +42,8 @@ START_TEST(nothing_behind_the_end_is_read) {
   spell(kinds, "a\\\\", 2);
   ck_assert_str_eq(kinds, "aX");
 }
-END_TEST
 
-START_TEST(a_point_belongs_to_a_number_between_digits) {
+TEST(a_point_belongs_to_a_number_between_digits) {
   static const struct {
     const char *formula;
     size_t len;
@@ -55,9 +53,8 @@ START_TEST(a_point_belongs_to_a_number_between_digits) {
     ck_assert_uint_eq(tex_number_length(s, s + strlen(s)), cases[i].len);
   }
 }
-END_TEST
 
-START_TEST(braces) {
+TEST(braces) {
   static const char s[] = "{cases}1";
   size_t len = 0;
   ck_assert_ptr_eq(tex_braced(&len, s, s + sizeof s - 1), s + 1);
@@ -66,10 +63,9 @@ START_TEST(braces) {
   ck_assert_ptr_null(tex_braced(&len, s + 1, s + 8));
   ck_assert_ptr_null(tex_braced(&len, s, s));
 }
-END_TEST
 
 /* Greek letters stand in Unicode in the order of the alphabet, from U+03B1 and U+0393 on. */
-START_TEST(commands) {
+TEST(commands) {
   static const char *const greek[] = {"alpha", "beta",   "gamma",   "delta", NULL,  "zeta", "eta",  "theta", "iota",
                                       "kappa", "lambda", "mu",      "nu",    "xi",  NULL,   "pi",   "rho",   NULL,
                                       "sigma", "tau",    "upsilon", NULL,    "chi", "psi",  "omega"};
@@ -87,17 +83,4 @@ START_TEST(commands) {
   ck_assert_str_eq(tex_environment("bmatrix", 7)->close, "]");
   ck_assert_int_eq(tex_environment("cases", 5)->most_cells, 2);
   ck_assert_ptr_null(tex_environment("array", 5));
-}
-END_TEST
-
-Suite *tex_suite(void) {
-  Suite *s = suite_create("tex");
-  TCase *tc = tcase_create("tokens");
-  tcase_add_test(tc, formulas_are_spelt);
-  tcase_add_test(tc, nothing_behind_the_end_is_read);
-  tcase_add_test(tc, a_point_belongs_to_a_number_between_digits);
-  tcase_add_test(tc, braces);
-  tcase_add_test(tc, commands);
-  suite_add_tcase(s, tc);
-  return s;
 }

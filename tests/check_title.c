@@ -8,7 +8,7 @@
 #include "paper_model.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 #include "value/title.h"
 
@@ -24,17 +24,18 @@ static void has_title(const struct model *m, const struct claim *c, const char *
 
 /* --- Those on file --- */
 
-static struct table on_file;        /* cases/titles.tsv */
+TABLE(on_file, "tests/cases/titles.tsv", 2);
 enum { ON_FILE_ID, ON_FILE_TITLE }; /* its columns */
 
-START_TEST(titles_say_what_claims_say) {
+CASE("title", .each = {paper_open, paper_close});
+
+TEST_EACH(titles_say_what_claims_say, on_file.n) {
   has_title(&the_paper.model, claim_with_id(&the_paper.claims, on_file.row[_i][ON_FILE_ID]),
             on_file.row[_i][ON_FILE_TITLE]);
 }
-END_TEST
 
 /* Plain text of a length that a table of the report holds, without the notation of the files. */
-START_TEST(titles_are_read_as_they_stand) {
+TEST(titles_are_read_as_they_stand) {
   enum { LONGEST = 175 };
   struct text title;
   text_init(&title);
@@ -49,10 +50,9 @@ START_TEST(titles_are_read_as_they_stand) {
   }
   text_clear(&title);
 }
-END_TEST
 
 /* Where another attribute is damaged, so is the title: the two cannot part. */
-static struct table damaged;            /* cases/titles_of_fields.tsv */
+TABLE(damaged, "tests/cases/titles_of_fields.tsv", 2);
 enum { DAMAGED_FIELDS, DAMAGED_TITLE }; /* its columns */
 
 static const struct claim *one_claim(struct claims *own, const char *fields) {
@@ -61,16 +61,15 @@ static const struct claim *one_claim(struct claims *own, const char *fields) {
   return &own->claim[0];
 }
 
-START_TEST(titles_follow_the_fields) {
+TEST_EACH(titles_follow_the_fields, damaged.n) {
   struct claims own = {.n = 0};
   has_title(&the_paper.model, one_claim(&own, damaged.row[_i][DAMAGED_FIELDS]), damaged.row[_i][DAMAGED_TITLE]);
   claims_clear(&own);
 }
-END_TEST
 
 /* --- What a title by hand must not name, and where --- */
 
-static struct table refused;                          /* cases/titles_refused.tsv */
+TABLE(refused, "tests/cases/titles_refused.tsv", 3);
 enum { REFUSED_TITLE, REFUSED_COLUMN, REFUSED_SAYS }; /* its columns */
 
 static void is_refused(const char *title, int column, const char *says) {
@@ -92,12 +91,11 @@ static void is_refused(const char *title, int column, const char *says) {
   claims_clear(&own);
 }
 
-START_TEST(titles_name_nothing_by_hand) {
+TEST_EACH(titles_name_nothing_by_hand, refused.n) {
   is_refused(refused.row[_i][REFUSED_TITLE], atoi(refused.row[_i][REFUSED_COLUMN]), refused.row[_i][REFUSED_SAYS]);
 }
-END_TEST
 
-START_TEST(words_that_name_nothing) {
+TEST(words_that_name_nothing) {
   static const char *const titles[] = {"a case of the test", "none", "one mass, then the other",
                                        "the mass's slips and sticks, half-way", "a phase of stick motion"};
   for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) {
@@ -106,13 +104,12 @@ START_TEST(words_that_name_nothing) {
     claims_clear(&own);
   }
 }
-END_TEST
 
 /* What a title would be made of is missing, or names what is not there. */
-static struct table lacking;                                         /* cases/titles_lacking.tsv */
+TABLE(lacking, "tests/cases/titles_lacking.tsv", 4);
 enum { LACKING_FIELDS, LACKING_LINE, LACKING_COLUMN, LACKING_SAYS }; /* its columns */
 
-START_TEST(titles_that_cannot_be_made) {
+TEST_EACH(titles_that_cannot_be_made, lacking.n) {
   struct claims own = {.n = 0};
   struct text out;
   struct diag d;
@@ -128,20 +125,18 @@ START_TEST(titles_that_cannot_be_made) {
   text_clear(&out);
   claims_clear(&own);
 }
-END_TEST
 
 /* What is said by the attributes is not said again. */
-START_TEST(no_title_beside_what_makes_one) {
+TEST(no_title_beside_what_makes_one) {
   struct claims own = {.n = 0};
   one_claim(&own, "kind: identity\n  statement: eq-4\n  title: the masses are faster than the belt\n");
   fails_with(titles_check(&the_paper.model, &own, &d), "own.claim:5:3: error: own: its attributes make the title");
   claims_clear(&own);
 }
-END_TEST
 
 /* --- Another paper --- */
 
-START_TEST(titles_of_another_paper) {
+TEST(titles_of_another_paper) {
   struct model m;
   struct claims own = {.n = 0};
   model_init(&m);
@@ -159,25 +154,4 @@ START_TEST(titles_of_another_paper) {
   claims_clear(&own);
   text_clear(&out);
   model_clear(&m);
-}
-END_TEST
-
-Suite *title_suite(void) {
-  Suite *s = suite_create("title");
-  table_read(&lacking, "tests/cases/titles_lacking.tsv", 4);
-  table_read(&refused, "tests/cases/titles_refused.tsv", 3);
-  table_read(&damaged, "tests/cases/titles_of_fields.tsv", 2);
-  table_read(&on_file, "tests/cases/titles.tsv", 2);
-  TCase *c = tcase_create("title");
-  tcase_add_checked_fixture(c, paper_open, paper_close);
-  tcase_add_loop_test(c, titles_say_what_claims_say, 0, on_file.n);
-  tcase_add_test(c, titles_are_read_as_they_stand);
-  tcase_add_loop_test(c, titles_follow_the_fields, 0, damaged.n);
-  tcase_add_loop_test(c, titles_name_nothing_by_hand, 0, refused.n);
-  tcase_add_test(c, words_that_name_nothing);
-  tcase_add_loop_test(c, titles_that_cannot_be_made, 0, lacking.n);
-  tcase_add_test(c, no_title_beside_what_makes_one);
-  tcase_add_test(c, titles_of_another_paper);
-  suite_add_tcase(s, c);
-  return s;
 }

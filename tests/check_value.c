@@ -11,7 +11,7 @@
 #include "route/jacobian.h"
 #include "says.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "value/expression.h"
 
 /* --- Points --- */
@@ -29,7 +29,7 @@ static const struct {
                {POINT_FLOW, PHASE_C},   {POINT_ARC, PHASE_D},  {POINT_ORBIT, PHASE_D}};
 enum { N_SAMPLED = sizeof sampled / sizeof *sampled, DRAWN = 100 };
 
-START_TEST(an_id_has_its_own_points) {
+TEST_EACH(an_id_has_its_own_points, N_SAMPLED) {
   struct sampler once, again, other;
   struct point a, b, c, last;
   point_init(&a);
@@ -55,7 +55,6 @@ START_TEST(an_id_has_its_own_points) {
   point_clear(&b);
   point_clear(&a);
 }
-END_TEST
 
 static int compare(const fmpq_t x, slong p, ulong q) {
   fmpq_t y;
@@ -66,7 +65,7 @@ static int compare(const fmpq_t x, slong p, ulong q) {
   return c;
 }
 
-START_TEST(points_lie_in_the_domain) {
+TEST_EACH(points_lie_in_the_domain, N_SAMPLED) {
   for (int r = -1; r < n_restrictions; r++) {
     struct sampler s;
     struct point p;
@@ -98,7 +97,6 @@ START_TEST(points_lie_in_the_domain) {
     point_clear(&p);
   }
 }
-END_TEST
 
 /* --- What the symbols are worth --- */
 
@@ -186,7 +184,9 @@ static bool open_arc(struct values *v, struct point *p, int n, enum variant vari
   return values_init(v, p, variant, ctx, the_paper.cache) == SS_OK;
 }
 
-START_TEST(arcs_obey_the_papers_conditions) {
+CASE("values", .once = {paper_open, paper_close}, .seconds = 60);
+
+TEST_EACH(arcs_obey_the_papers_conditions, 2) {
   int accepted = 0;
   for (int n = 0; n < ARC_DRAWS; n++) {
     struct values v;
@@ -202,9 +202,8 @@ START_TEST(arcs_obey_the_papers_conditions) {
   }
   ck_assert_msg(2 * accepted >= ARC_DRAWS, "only %d arcs of %d", accepted, ARC_DRAWS);
 }
-END_TEST
 
-START_TEST(orbits_close) {
+TEST(orbits_close) {
   struct point p;
   struct values v;
   point_init(&p);
@@ -225,10 +224,9 @@ START_TEST(orbits_close) {
   values_clear(&v);
   point_clear(&p);
 }
-END_TEST
 
 /* The tangents belonging to (x, y), (x, 0) and (0, y) add up. */
-START_TEST(tangents_are_linear) {
+TEST(tangents_are_linear) {
   static const char *const names[] = {"x_a", "y_a", "x_b", "y_b", "u_b", "x_c", "y_c", "v_c", "x_f", "y_f"};
   int accepted = 0;
   for (int n = 0; n < ARC_DRAWS; n++) {
@@ -256,9 +254,8 @@ START_TEST(tangents_are_linear) {
   }
   ck_assert(2 * accepted >= ARC_DRAWS);
 }
-END_TEST
 
-START_TEST(flows_solve_their_equations) {
+TEST(flows_solve_their_equations) {
   for (int n = 0; n < 8; n++)
     for (int ph = 0; ph < N_PHASES; ph++) {
       struct sampler s;
@@ -281,9 +278,8 @@ START_TEST(flows_solve_their_equations) {
       point_clear(&p);
     }
 }
-END_TEST
 
-START_TEST(names_without_a_value_are_told_apart) {
+TEST(names_without_a_value_are_told_apart) {
   static const char *const strangers[] = {"z_1(t_a + dt_a)", "foo",       "z_3a", "x_e",
                                           "z_1(t_c)",        "z_1'''(t)", "chi2", "foo[1,1]",
                                           "J_a[1,3]",        "J_a[2,1]",  "z_100"};
@@ -306,7 +302,6 @@ START_TEST(names_without_a_value_are_told_apart) {
   values_clear(&v);
   point_clear(&p);
 }
-END_TEST
 
 /* --- The model's matrices --- */
 
@@ -359,7 +354,7 @@ static void check_jacobians(struct values *v, real tolerance) {
   }
 }
 
-START_TEST(jacobians_are_the_differences_of_a_second_model) {
+TEST_EACH(jacobians_are_the_differences_of_a_second_model, 2) {
   const struct num_ctx ctx[] = {num_ctx_arb(FIRST_PREC), num_ctx_mpfr(FD_PREC)};
   const enum variant variant[] = {VARIANT_CLOSED, VARIANT_FD};
   struct point p;
@@ -381,9 +376,8 @@ START_TEST(jacobians_are_the_differences_of_a_second_model) {
   ck_assert(accepted >= 3);
   point_clear(&p);
 }
-END_TEST
 
-START_TEST(matrices_of_the_motion_are_those_of_a_second_model) {
+TEST(matrices_of_the_motion_are_those_of_a_second_model) {
   struct sampler s;
   struct point p;
   point_init(&p);
@@ -416,9 +410,8 @@ START_TEST(matrices_of_the_motion_are_those_of_a_second_model) {
   }
   point_clear(&p);
 }
-END_TEST
 
-START_TEST(n_carries_the_state_through_one_period) {
+TEST(n_carries_the_state_through_one_period) {
   struct point p;
   struct values v;
   point_init(&p);
@@ -436,7 +429,6 @@ START_TEST(n_carries_the_state_through_one_period) {
   values_clear(&v);
   point_clear(&p);
 }
-END_TEST
 
 /* --- The paper's expressions at points --- */
 
@@ -471,7 +463,7 @@ static void jacobian_of(real j[4], struct scene *s, const struct jacobian_reques
   _arb_vec_clear(x, 6);
 }
 
-START_TEST(the_chain_at_printed_numbers) {
+TEST(the_chain_at_printed_numbers) {
   struct scene s;
   const char *path = scratch_put(
       "printed.scene", "chi = 0.7\neta = 1.25\nV = 1.5\ne1 = 2.5\ne2 = 0.75\nprinted: z10 = 0.9\nprinted: z20 = -2.2\n"
@@ -490,10 +482,9 @@ START_TEST(the_chain_at_printed_numbers) {
   }
   scene_clear(&s);
 }
-END_TEST
 
 /* The other methods take the printed state and find the events themselves. */
-START_TEST(the_map_at_printed_numbers) {
+TEST_EACH(the_map_at_printed_numbers, 2) {
   const enum jacobian_method method[] = {METHOD_IMPLICIT, METHOD_FD};
   const struct plain p = {0.8L, 1, 1, 2.7844L, 0.8587L};
   const real z[4] = {0.8921L, -2.1958L, 1, 1}, near[4] = {0.6784L, 2, 1.5L, 2.34L};
@@ -506,9 +497,8 @@ START_TEST(the_map_at_printed_numbers) {
   for (int i = 0; i < 4; i++)
     ck_assert_msg(fabsl(got[i] - want[i]) < 1e-9L, "entry %d: %Lg, not %Lg", i, got[i], want[i]);
 }
-END_TEST
 
-START_TEST(expressions_at_a_point) {
+TEST(expressions_at_a_point) {
   struct point p;
   struct diag d;
   point_init(&p);
@@ -539,7 +529,6 @@ START_TEST(expressions_at_a_point) {
 
   point_clear(&p);
 }
-END_TEST
 
 /* --- Sentences at a point --- */
 
@@ -565,7 +554,7 @@ static const struct {
     {"z_1a = 1", OUTCOME_UNBOUND, 0, OUTCOME_UNBOUND},
 };
 
-START_TEST(two_sides_at_a_point) {
+TEST_EACH(two_sides_at_a_point, COUNT(sentences)) {
   struct sampler s;
   struct point p;
   struct model m;
@@ -586,30 +575,4 @@ START_TEST(two_sides_at_a_point) {
   sentence_clear(&sides);
   model_clear(&m);
   point_clear(&p);
-}
-END_TEST
-
-Suite *value_suite(void) {
-  Suite *s = suite_create("value");
-  TCase *c = tcase_create("point");
-  tcase_add_loop_test(c, an_id_has_its_own_points, 0, N_SAMPLED);
-  tcase_add_loop_test(c, points_lie_in_the_domain, 0, N_SAMPLED);
-  suite_add_tcase(s, c);
-  c = tcase_create("value");
-  tcase_set_timeout(c, 60);
-  tcase_add_unchecked_fixture(c, paper_open, paper_close);
-  tcase_add_loop_test(c, arcs_obey_the_papers_conditions, 0, 2);
-  tcase_add_test(c, orbits_close);
-  tcase_add_test(c, tangents_are_linear);
-  tcase_add_test(c, flows_solve_their_equations);
-  tcase_add_test(c, names_without_a_value_are_told_apart);
-  tcase_add_loop_test(c, jacobians_are_the_differences_of_a_second_model, 0, 2);
-  tcase_add_test(c, matrices_of_the_motion_are_those_of_a_second_model);
-  tcase_add_test(c, n_carries_the_state_through_one_period);
-  tcase_add_test(c, the_chain_at_printed_numbers);
-  tcase_add_loop_test(c, the_map_at_printed_numbers, 0, 2);
-  tcase_add_test(c, expressions_at_a_point);
-  tcase_add_loop_test(c, two_sides_at_a_point, 0, (int)(sizeof sentences / sizeof *sentences));
-  suite_add_tcase(s, c);
-  return s;
 }

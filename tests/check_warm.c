@@ -13,7 +13,7 @@
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "suites.h"
+#include "suite.h"
 
 enum { PREC = 100 };
 
@@ -51,7 +51,7 @@ static void check_set(struct tally *y, const double p[N_PARAMS], struct rng *r) 
   _fmpq_vec_clear(q, N_PARAMS);
 }
 
-START_TEST(numbers_and_conditions) {
+TEST_EVERY(numbers_and_conditions, 3, 3) {
   enum { SETS = 150 };
   struct rng r = {(uint64_t)_i};
   struct tally y = {0};
@@ -64,10 +64,9 @@ START_TEST(numbers_and_conditions) {
   ck_assert_int_gt(y.admissible, SETS / 20);
   ck_assert_int_le(20 * y.refused_admissible, y.admissible);
 }
-END_TEST
 
 /* chi near 0 and 1, eta from 1e-3 to 1e3. */
-START_TEST(numbers_at_extremes) {
+TEST_EVERY(numbers_at_extremes, 2, 2) {
   enum { SETS = 100 };
   struct rng r = {(uint64_t)_i};
   struct tally y = {0};
@@ -79,10 +78,9 @@ START_TEST(numbers_at_extremes) {
   }
   ck_assert_int_gt(y.outputs, SETS);
 }
-END_TEST
 
 /* From guesses anywhere: what is returned is in the list. */
-START_TEST(no_orbit_is_invented) {
+TEST_EVERY(no_orbit_is_invented, 3, 3) {
   enum { SETS = 60, GUESSES = 200 };
   struct rng r = {(uint64_t)_i};
   int found = 0;
@@ -111,9 +109,8 @@ START_TEST(no_orbit_is_invented) {
   }
   ck_assert_int_gt(found, SETS);
 }
-END_TEST
 
-START_TEST(hostile) {
+TEST(hostile) {
   const double wild[] = {0, -1, NAN, INFINITY, -INFINITY, 1e300, 1e-300}, good[2] = {2, 1.5};
   double out[N_DYN_OUT], p[N_PARAMS];
   unsigned violations, unsure;
@@ -133,10 +130,9 @@ START_TEST(hostile) {
     for (int i = 0; i < N_DYN_OUT && status == SS_OK; i++) ck_assert(isfinite(out[i]));
   }
 }
-END_TEST
 
 /* Every number at the ends of the exponents: a status, no trap, and no number that is none. */
-START_TEST(huge_and_tiny) {
+TEST(huge_and_tiny) {
   struct rng r = {1};
   for (int trial = 0; trial < 20000; trial++) {
     double p[N_PARAMS], out[N_DYN_OUT], guess[2];
@@ -146,18 +142,4 @@ START_TEST(huge_and_tiny) {
     if (dyn_orbit_warm(out, &violations, &unsure, p, guess)) continue;
     for (int i = 0; i < N_DYN_OUT; i++) ck_assert(isfinite(out[i]));
   }
-}
-END_TEST
-
-Suite *warm_suite(void) {
-  Suite *s = suite_create("warm");
-  TCase *t = tcase_create("warm");
-  tcase_set_timeout(t, 120);
-  add_every(t, numbers_and_conditions, 3, 3);
-  add_every(t, numbers_at_extremes, 2, 2);
-  add_every(t, no_orbit_is_invented, 3, 3);
-  tcase_add_test(t, hostile);
-  tcase_add_test(t, huge_and_tiny);
-  suite_add_tcase(s, t);
-  return s;
 }

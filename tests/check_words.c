@@ -15,7 +15,7 @@
 #include "says.h"
 #include "scene/scene.h"
 #include "scratch.h"
-#include "suites.h"
+#include "suite.h"
 #include "table.h"
 
 static struct mech_word word_of(const char *text) {
@@ -38,7 +38,7 @@ static const char *shown(const struct mech_word *w) {
 
 /* --- Notation --- */
 
-START_TEST(a_word_is_read_and_printed) {
+TEST(a_word_is_read_and_printed) {
   static const char *const same[][2] = {{"D Gamma H C", "D-Gamma-H-C"},
                                         {"D-Gamma-H-C", "D-Gamma-H-C"},
                                         {"DGHC", "D-Gamma-H-C"},
@@ -53,9 +53,8 @@ START_TEST(a_word_is_read_and_printed) {
     ck_assert_str_eq(shown(&w), same[i][1]);
   }
 }
-END_TEST
 
-START_TEST(what_is_no_word) {
+TEST(what_is_no_word) {
   static const struct {
     const char *text, *why;
     size_t at;
@@ -73,10 +72,9 @@ START_TEST(what_is_no_word) {
     ck_assert_msg(strstr(why, bad[i].why) && at == bad[i].at, "%s: %s at %zu", bad[i].text, why, at);
   }
 }
-END_TEST
 
 /* Random bytes, mostly from the letters of words: what is read is a word that reads back, what is not names a place. */
-START_TEST(any_bytes_are_a_word_or_not) {
+TEST(any_bytes_are_a_word_or_not) {
   static const char letters[] = "DGHCghcXxDGHCghcXx  --\tammaGamma+^()\0\xff\n";
   unsigned seed = 12345, words = 0;
   for (int i = 0; i < 200000; i++) {
@@ -104,9 +102,8 @@ START_TEST(any_bytes_are_a_word_or_not) {
   }
   ck_assert_uint_gt(words, 1000);
 }
-END_TEST
 
-START_TEST(a_word_has_no_beginning) {
+TEST(a_word_has_no_beginning) {
   struct mech_word w = word_of("H C D Gamma"), other = word_of("C H D Gamma");
   ck_assert(phase_word_is_papers(&w) && !phase_word_is_papers(&other));
   ck_assert(!mech_word_same(&w, &other) && !phase_word_has_faster(&w));
@@ -117,11 +114,10 @@ START_TEST(a_word_has_no_beginning) {
   w = word_of("DGHCDGHC");
   ck_assert(!phase_word_is_papers(&w));
 }
-END_TEST
 
 /* Every word of n letters is written down: those without a repeated neighbour are counted by the least of their
    turns. */
-START_TEST(all_words_are_counted_and_listed) {
+TEST(all_words_are_counted_and_listed) {
   static const char letter[] = "DGHCghcXx";
   for (int n = 1; n <= 5; n++) {
     long canonical = 0, possible = 0, listed = 0, total = 1;
@@ -155,7 +151,6 @@ START_TEST(all_words_are_counted_and_listed) {
     ck_assert_int_eq(listed, possible);
   }
 }
-END_TEST
 
 /* --- Transitions --- */
 
@@ -180,7 +175,7 @@ static int kind_of(const char *phase) {
 
 /* GSL's integration of the equations knows no list of transitions: none that is barred may occur in it, and the others
    all do. */
-START_TEST(simulations_know_the_barriers) {
+TEST(simulations_know_the_barriers) {
   enum { RUNS = 1500, KINDS = 9 };
   long seen[KINDS][KINDS] = {{0}};
   for (int k = 0; k < RUNS; k++) {
@@ -220,9 +215,8 @@ START_TEST(simulations_know_the_barriers) {
       ck_assert_msg(n > 0, "%s to %s never seen", phase_word_name(a.phase[0]), phase_word_name(b.phase[0]));
     }
 }
-END_TEST
 
-START_TEST(what_is_known_against_a_word) {
+TEST(what_is_known_against_a_word) {
   static const struct {
     const char *word, *why;
     enum word_fate fate;
@@ -248,7 +242,6 @@ START_TEST(what_is_known_against_a_word) {
     text_clear(&why);
   }
 }
-END_TEST
 
 /* --- Orbits --- */
 
@@ -275,7 +268,7 @@ static void same_conditions(const struct mech_orbit *b, const struct dyn_orbit *
 
 /* The orbits of the paper's word by the general way are those of the search made for it: every number, every
    verdict. */
-START_TEST(the_papers_word_is_one_of_them) {
+TEST(the_papers_word_is_one_of_them) {
   static const char *const sets[][N_PARAMS] = {{"4/5", "1", "1", "27844/10000", "8587/10000"},
                                                {"73/100", "31/100", "98/100", "119/100", "161/1000"},
                                                {"71/100", "77/10", "28/100", "107/100", "852/1000"},
@@ -324,7 +317,6 @@ START_TEST(the_papers_word_is_one_of_them) {
   arb_clear(least);
   ck_assert_int_ge(orbits, 20);
 }
-END_TEST
 
 /* --- The oracle's table --- */
 
@@ -394,12 +386,11 @@ static void compare_with_oracle(const char *name) {
   _fmpq_vec_clear(limit, 2);
 }
 
-START_TEST(the_oracles_orbits) {
+TEST(the_oracles_orbits) {
   compare_with_oracle("other-word");
   compare_with_oracle("overrun");
   compare_with_oracle("two-phases");
 }
-END_TEST
 
 /* --- Where simulations settle --- */
 
@@ -423,7 +414,7 @@ static void compare_routes(const struct mech_orbit *o, const char *word, const s
   }
 }
 
-START_TEST(jacobians_are_those_of_simulations) {
+TEST(jacobians_are_those_of_simulations) {
   static const char *const words[] = {"Gamma H", "H C", "Gamma H Gamma gamma", "Gamma H x H", "H C c C"};
   static const char *const text[N_PARAMS] = {"4/5", "1", "1", "1/2", "2/5"};
   fmpq *limit = rationals((const char *const[]){"0.52", "0.42"}, 2);
@@ -447,11 +438,10 @@ START_TEST(jacobians_are_those_of_simulations) {
   _fmpq_vec_clear(params, N_PARAMS);
   _fmpq_vec_clear(limit, 2);
 }
-END_TEST
 
 /* Phases of some 40 oscillations, and one in which both masses stick for a time of 49,000: their conditions are decided
    all the same. */
-START_TEST(long_phases_are_decided) {
+TEST_EACH(long_phases_are_decided, 2) {
   static const char *const words[] = {"H C", "D Gamma H Gamma"};
   static const char *const text[][N_PARAMS] = {{"19/20", "23/25", "19/100", "34/25", "4/25"},
                                                {"9999/10000", "1", "1", "6961/2500", "8587/10000"}};
@@ -469,7 +459,6 @@ START_TEST(long_phases_are_decided) {
   word_orbits_clear(&list);
   _fmpq_vec_clear(params, N_PARAMS);
 }
-END_TEST
 
 /* The period in events of the end of a motion, at most most; 0 when it has none. */
 static int settled(const struct coulomb_log *log, int most) {
@@ -488,7 +477,7 @@ static int settled(const struct coulomb_log *log, int most) {
 
 /* GSL's integration from random starts: the word that it settles on has, among the orbits found without seeds, one with
    the same lengths of its phases; that one is admissible and not unstable. */
-START_TEST(what_simulations_settle_on_is_found) {
+TEST(what_simulations_settle_on_is_found) {
   static const char *const sets[][N_PARAMS + 2] = {
       {"4/5", "1", "1", "1/2", "2/5", "13/25", "21/50"},       {"2/3", "2", "1", "2", "1/4", "3", "1"},
       {"1/2", "1", "1/2", "1", "1/2", "6/5", "3/5"},           {"3/5", "3", "1", "1/2", "1/3", "1", "1/2"},
@@ -548,13 +537,14 @@ START_TEST(what_simulations_settle_on_is_found) {
   }
   ck_assert_msg(found >= 12 && kinds >= 6, "%d settled, %d of other words", found, kinds);
 }
-END_TEST
 
 /* --- Scenes and the command line --- */
 
 #define EXAMPLE "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\n"
 
-START_TEST(a_scene_names_a_word) {
+CASE("commands", .each = {scratch_open, scratch_close});
+
+TEST(a_scene_names_a_word) {
   static const struct {
     const char *text, *says;
   } bad[] = {{EXAMPLE "word: D Q\n", ":6:9: error: the phases are"},
@@ -578,10 +568,9 @@ START_TEST(a_scene_names_a_word) {
   ck_assert(scene_other_word(&s));
   scene_clear(&s);
 }
-END_TEST
 
 /* Solution II: t_a = 0 and the three phases Gamma-H-C; times and e1 of the oracle. */
-START_TEST(solution_ii_has_three_phases) {
+TEST(solution_ii_has_three_phases) {
   char *t[3];
   char *const *field = row_named("solution-ii");
   int n = 0;
@@ -595,20 +584,18 @@ START_TEST(solution_ii_has_three_phases) {
     check_says("out", line);
   }
 }
-END_TEST
 
 /* A word that cannot come back has no orbit to certify or to differentiate, and says so. */
-START_TEST(a_word_without_orbits) {
+TEST(a_word_without_orbits) {
   const char *path = scratch_put("w.scene", EXAMPLE "word: D Gamma\n");
   shell_well("\"$P\" orbit %s > \"$D/out\"", path);
   check_says("out", "there is none: m2 is never slower than the belt");
   shell_ends(3, "no orbit is certified", "\"$P\" orbit %s --certificate \"$D/c\"", path);
   shell_ends(3, "there is no orbit", "\"$P\" jacobian %s", path);
 }
-END_TEST
 
 /* The budget is work, not time; what it leaves out is told, and what comes before is the same as without. */
-START_TEST(a_survey_keeps_to_its_budget) {
+TEST(a_survey_keeps_to_its_budget) {
   const char *path = scratch_put("b.scene", EXAMPLE "budget: 1000000\n");
   shell_well("\"$P\" words %s > \"$D/out\" && \"$P\" words paper --longest 2 > \"$D/whole\"", path);
   char *out = file_text(scratch_path("out")), row[64];
@@ -623,9 +610,8 @@ START_TEST(a_survey_keeps_to_its_budget) {
   shell_well("\"$Y\" tests/oracle/validate.py schema/words.schema.json \"$D/b.json\" 2>&1");
   check_says("b.json", "\"fate\": \"budget\"");
 }
-END_TEST
 
-START_TEST(output_obeys_its_schemas) {
+TEST(output_obeys_its_schemas) {
   static const char *const runs[][2] = {
       {"words overrun --longest 2 --json", "words"}, {"words none --longest 2 --digits 30 --json", "words"},
       {"orbit overrun --json", "word-orbit"},        {"orbit other-word --json --digits 40", "word-orbit"},
@@ -636,20 +622,18 @@ START_TEST(output_obeys_its_schemas) {
   for (int i = 0; i < 2; i++)
     shell_ends(1, says[i], "\"$Y\" tests/oracle/validate.py schema/word-jacobian.schema.json \"$D/d.json\"");
 }
-END_TEST
 
 /* Where friction is left open the orbit is enclosed a second time, as precisely as the first. */
-START_TEST(a_jacobian_has_the_digits_asked_for) {
+TEST_EACH(a_jacobian_has_the_digits_asked_for, 3) {
   static const char *const friction[] = {"--set e1=1e5", "--set u_r1=2e5", "--set u_r1=2e5 --set u_r2=3"};
   char *said = shell_said("\"$P\" jacobian other-word --set V=1e-6 %s --digits 100 | sed -n 2p | tr -dc 0-9 | wc -c",
                           friction[_i]);
   ck_assert_int_eq(atoi(said), 100);
   free(said);
 }
-END_TEST
 
 /* The survey lists every word it says. */
-START_TEST(the_survey_is_whole) {
+TEST(the_survey_is_whole) {
   char *first = shell_said("$P words overrun --longest 3 --json");
   struct source src;
   struct arena a;
@@ -672,38 +656,4 @@ START_TEST(the_survey_is_whole) {
   source_clear(&src);
   arena_clear(&a);
   free(first);
-}
-END_TEST
-
-Suite *words_suite(void) {
-  Suite *s = suite_create("words");
-  TCase *c = tcase_create("notation");
-  tcase_add_test(c, a_word_is_read_and_printed);
-  tcase_add_test(c, what_is_no_word);
-  tcase_add_test(c, any_bytes_are_a_word_or_not);
-  tcase_add_test(c, a_word_has_no_beginning);
-  tcase_add_test(c, all_words_are_counted_and_listed);
-  suite_add_tcase(s, c);
-  c = tcase_create("transitions");
-  tcase_add_test(c, simulations_know_the_barriers);
-  tcase_add_test(c, what_is_known_against_a_word);
-  suite_add_tcase(s, c);
-  c = tcase_create("orbits");
-  tcase_add_test(c, the_papers_word_is_one_of_them);
-  tcase_add_test(c, the_oracles_orbits);
-  tcase_add_test(c, jacobians_are_those_of_simulations);
-  tcase_add_test(c, what_simulations_settle_on_is_found);
-  tcase_add_loop_test(c, long_phases_are_decided, 0, 2);
-  suite_add_tcase(s, c);
-  c = tcase_create("commands");
-  tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, a_scene_names_a_word);
-  tcase_add_test(c, solution_ii_has_three_phases);
-  tcase_add_test(c, a_word_without_orbits);
-  tcase_add_test(c, a_survey_keeps_to_its_budget);
-  tcase_add_test(c, output_obeys_its_schemas);
-  tcase_add_loop_test(c, a_jacobian_has_the_digits_asked_for, 0, 3);
-  tcase_add_test(c, the_survey_is_whole);
-  suite_add_tcase(s, c);
-  return s;
 }

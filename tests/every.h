@@ -10,8 +10,4 @@ bool every_case(void);
 /* The stride through cases of which every n-th will do in make check; 1 where all are asked for. */
 int every(int n);
 
-/* Adds every k-th of n cases of a loop test. */
-#define add_every(tcase, test, k, n)                                                                                   \
-  for (int case_ = 0; case_ < (n); case_ += every(k)) tcase_add_loop_test(tcase, test, case_, case_ + 1)
-
 #endif

@@ -5,6 +5,7 @@
    identities of arithmetic.  Operands are random and biased to the edges; a failing trial prints them and its seed. */
 #include "laws_num.h"
 #include "rng.h"
+#include "suite.h"
 #include "tape/tape.h"
 
 #include <math.h>
@@ -270,7 +271,9 @@ static void check_ball(struct trial *t, int op, arb_t x, arb_t y) {
   arb_clear(exact);
 }
 
-START_TEST(types_agree) {
+CASE("laws", .seconds = 60);
+
+TEST_EACH(types_agree, LAW_CONTEXTS) {
   struct trial t;
   arb_t x, y;
   arb_init(x);
@@ -291,11 +294,10 @@ START_TEST(types_agree) {
   arb_clear(y);
   trial_clear(&t);
 }
-END_TEST
 
 /* Results at exact points are as narrow as the precision promises: an enclosure that is always true but wide would pass
    every other law. */
-START_TEST(balls_are_tight) {
+TEST_EACH(balls_are_tight, LAW_CONTEXTS) {
   static const int tight[] = {OP_add, OP_sub,   OP_mul,   OP_div,     OP_sqrt, OP_sin,
                               OP_cos, OP_atan2, OP_hypot, OP_stumpff, OP_sinc};
   struct trial t;
@@ -325,11 +327,10 @@ START_TEST(balls_are_tight) {
   arb_clear(z);
   trial_clear(&t);
 }
-END_TEST
 
 /* --- Aliasing. --- */
 
-START_TEST(outputs_may_alias_inputs) {
+TEST_EACH(outputs_may_alias_inputs, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "aliasing");
   for (int i = 0; i < TRIALS / 4; i++)
@@ -364,9 +365,8 @@ START_TEST(outputs_may_alias_inputs) {
   }
   trial_clear(&t);
 }
-END_TEST
 
-START_TEST(init_set_swap) {
+TEST_EACH(init_set_swap, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "init, set, swap");
   for (int k = 0; k < N_SLOTS; k++) require(&t, t.f->is_zero(at(&t, k)) == TRUTH_TRUE, "init leaves 0");
@@ -383,7 +383,6 @@ START_TEST(init_set_swap) {
   }
   trial_clear(&t);
 }
-END_TEST
 
 /* --- Conversions. --- */
 
@@ -482,7 +481,7 @@ static bool vanishes(const fmpq_t q) {
   return yes;
 }
 
-START_TEST(rationals_round_once) {
+TEST_EACH(rationals_round_once, LAW_CONTEXTS) {
   struct trial t;
   fmpq_t q;
   arb_t z;
@@ -507,9 +506,8 @@ START_TEST(rationals_round_once) {
   arb_clear(z);
   trial_clear(&t);
 }
-END_TEST
 
-START_TEST(conversions_keep_values) {
+TEST_EACH(conversions_keep_values, LAW_CONTEXTS) {
   struct trial t;
   arb_t x;
   arb_init(x);
@@ -542,9 +540,8 @@ START_TEST(conversions_keep_values) {
   arb_clear(x);
   trial_clear(&t);
 }
-END_TEST
 
-START_TEST(what_cannot_be_held_is_refused) {
+TEST_EACH(what_cannot_be_held_is_refused, LAW_CONTEXTS) {
   struct trial t;
   const double bad[] = {INFINITY, -INFINITY, NAN};
   arb_t x;
@@ -579,11 +576,10 @@ START_TEST(what_cannot_be_held_is_refused) {
   arb_clear(x);
   trial_clear(&t);
 }
-END_TEST
 
 /* --- Arithmetic. --- */
 
-START_TEST(ring_laws) {
+TEST_EACH(ring_laws, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "ring");
   const struct num_type *f = t.f;
@@ -628,9 +624,8 @@ START_TEST(ring_laws) {
   }
   trial_clear(&t);
 }
-END_TEST
 
-START_TEST(function_laws) {
+TEST_EACH(function_laws, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "functions");
   const struct num_type *f = t.f;
@@ -667,10 +662,9 @@ START_TEST(function_laws) {
   require(&t, equals_si(&t, V, -1), "cos pi = -1");
   trial_clear(&t);
 }
-END_TEST
 
 /* Quadrants, axes (zeros of both signs included), the cut, and x sin a = y cos a. */
-START_TEST(atan2_laws) {
+TEST_EACH(atan2_laws, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "atan2");
   const struct num_type *f = t.f;
@@ -716,11 +710,10 @@ START_TEST(atan2_laws) {
   }
   trial_clear(&t);
 }
-END_TEST
 
 /* x sinc x = sin x and x^3 stumpff x = x - sin x away from 0; both even, and 1 and 1/6 near 0 to the first order; the
    slopes that the differentiator states; hypot as a root, symmetric and between its larger argument and their sum. */
-START_TEST(stable_function_laws) {
+TEST_EACH(stable_function_laws, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "sinc, stumpff, hypot");
   const struct num_type *f = t.f;
@@ -768,10 +761,9 @@ START_TEST(stable_function_laws) {
   }
   trial_clear(&t);
 }
-END_TEST
 
 /* Balls of every width hold what they must: around 0, across 2, where the series ends, and wide ones. */
-START_TEST(stable_functions_of_wide_balls) {
+TEST_EACH(stable_functions_of_wide_balls, LAW_CONTEXTS) {
   static const double ends[][2] = {{-1, 1}, {0, 2}, {1, 3}, {-3, 1}, {-100, 100}, {2, 9}, {1.5, 2.5}, {-2, -1}};
   struct trial t;
   trial_init(&t, law_context(_i), "wide balls");
@@ -792,9 +784,8 @@ START_TEST(stable_functions_of_wide_balls) {
     }
   trial_clear(&t);
 }
-END_TEST
 
-START_TEST(power_laws) {
+TEST_EACH(power_laws, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "pow_si");
   const struct num_type *f = t.f;
@@ -829,11 +820,10 @@ START_TEST(power_laws) {
   require(&t, equals_si(&t, U, 1), "(-1)^-(2^63) = 1");
   trial_clear(&t);
 }
-END_TEST
 
 /* --- Failures. --- */
 
-START_TEST(nan_goes_through) {
+TEST_EACH(nan_goes_through, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "NaN");
   const struct num_type *f = t.f;
@@ -863,7 +853,6 @@ START_TEST(nan_goes_through) {
   require(&t, is_nan(&t, V), "set");
   trial_clear(&t);
 }
-END_TEST
 
 /* One row of the table of undefined operations: op on [x0, x1] (and [y0, y1]); intervals are for balls only. */
 static const struct {
@@ -881,7 +870,7 @@ static const struct {
     {OP_atan2, -1, 1, -2, -1, SS_OK},   {OP_atan2, 0, 1, -2, -1, SS_OK},     {OP_sin, -1e9, 1e9, 0, 0, SS_OK},
 };
 
-START_TEST(undefined_or_untold) {
+TEST_EACH(undefined_or_untold, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "undefined");
   for (size_t i = 0; i < sizeof failures / sizeof *failures; i++) {
@@ -907,11 +896,10 @@ START_TEST(undefined_or_untold) {
   }
   trial_clear(&t);
 }
-END_TEST
 
 /* --- Comparisons. --- */
 
-START_TEST(three_valued_truth) {
+TEST_EACH(three_valued_truth, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "truth");
   const struct num_type *f = t.f;
@@ -943,27 +931,4 @@ START_TEST(three_valued_truth) {
   arb_clear(x);
   arb_clear(y);
   trial_clear(&t);
-}
-END_TEST
-
-TCase *laws_num_tcase(void) {
-  TCase *tc = tcase_create("laws");
-  tcase_set_timeout(tc, 60);
-  tcase_add_loop_test(tc, types_agree, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, balls_are_tight, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, outputs_may_alias_inputs, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, init_set_swap, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, rationals_round_once, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, conversions_keep_values, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, what_cannot_be_held_is_refused, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, ring_laws, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, function_laws, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, atan2_laws, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, stable_function_laws, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, stable_functions_of_wide_balls, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, power_laws, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, nan_goes_through, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, undefined_or_untold, 0, LAW_CONTEXTS);
-  tcase_add_loop_test(tc, three_valued_truth, 0, LAW_CONTEXTS);
-  return tc;
 }
