@@ -107,6 +107,21 @@ static double bound(const arb_t x, bool lower) {
   return (lower ? floor(d / unit) : ceil(d / unit)) * unit;
 }
 
+/* Is every number of the orbit that is meant printed as the scene has it, or by its own digits? */
+static truth orbit_prints_so(struct judge *j, const struct printed_number *const z[2], bool own_digits) {
+  const struct dyn_orbit *o = scene_orbit(j->scene, j->cache);
+  truth all = o ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  for (int i = 0; o && i < 2 + N_PHASES; i++) {
+    const struct printed_number *p = i < 2 ? z[i] : scene_printed(j->scene, name_time[i - 2]);
+    if (!p) continue;
+    struct printed_number as_read = *p; /* borrowed */
+    enum reading how;
+    if (own_digits) as_read.unit = as_read.digit;
+    all = truth_and(all, printed_fits(i == 0 ? o->z10 : i == 1 ? o->z20 : o->t[i - 2], &as_read, &how));
+  }
+  return all;
+}
+
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   (void)view;
   const struct printed_number *z[2] = {scene_printed(j->scene, "z10"), scene_printed(j->scene, "z20")};
@@ -122,22 +137,30 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   for (int i = 0; i < 2; i++) printed_ball(box + i, z[i]);
   int s = gap_over_box(gap, j, box);
   bool apart = s == SS_OK && !arb_contains_zero(gap);
-  struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, 1};
+  bool so = orbit_prints_so(j, z, false) == TRUTH_TRUE, by_digits = !so && orbit_prints_so(j, z, true) == TRUTH_TRUE;
+  struct route_result w = {"balls", apart ? ROUTE_DIFFERS : so ? ROUTE_AGREES : ROUTE_UNDECIDED, true, 1};
   const char *note = NULL;
   if (s == SS_OK)
     note = result_str(j->out,
                       "For every initial state with the printed digits and e_1, e_2 as printed, z_2 - z_1 changes "
                       "during one passage by an "
                       "amount between %.3g and %.3g%s",
-                      bound(gap, true), bound(gap, false), apart ? ", so that none of them is periodic." : ".");
+                      bound(gap, true), bound(gap, false),
+                      apart ? ", so that none of them is periodic."
+                      : so  ? ", which contains zero, and one of them is periodic, since the numbers of "
+                              "the periodic solution that is nearest are printed so."
+                            : ", which cannot be told from zero; that one of them is periodic is not seen.");
   finding_add_route(f, j->out, w, "model", FIRST_PREC,
                     "all initial states that the printed digits of z10 and z20 allow", note);
   w.trials = s == SS_OK;
   closure_by_events(f, j, z, apart);
   closure_by_times(f, j);
-  /* a gap that may vanish is no proof that it does */
+  /* a gap that may vanish is no proof that it does: a periodic solution that is printed so is one */
   f->verdict = verdict_of(&w, 1, true);
-  if (!apart) f->condition = "the gap cannot be told from zero within the printed digits";
+  if (by_digits && apart) {
+    f->condition = "the numbers are read by their own digits, not with the decimals of the longest";
+    f->verdict = verdict_under_condition(f->verdict, VERDICT_PROVED);
+  }
   if (owned) printed_release(&own);
   arb_clear(gap);
   _arb_vec_clear(box, 2);

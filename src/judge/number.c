@@ -164,6 +164,19 @@ static void read_by_own_digits(struct finding *f, const struct number_job *n, co
                  given ? given : "", with_all_digits(n));
 }
 
+/* A bound may be rounded to the side on which it suffices: where u_r1 > 0.05323 is needed, u_r1 > 0.0533 is no error. */
+static bool read_as_sufficient(struct finding *f, const struct number_job *n, const arb_t x) {
+  bool up = *n->relation == '>', fits = false;
+  struct calc c = calc_begin(num_ctx_arb(LAST_PREC));
+  val beyond = up ? calc_sub(&c, calc_q(&c, &n->p->value), x) : calc_sub(&c, x, calc_q(&c, &n->p->value));
+  if (is_bound(n)) fits = arb_is_positive(beyond) && arb_lt(beyond, calc_q(&c, &n->p->digit));
+  calc_clear(&c);
+  if (fits)
+    f->condition = result_str(n->j->out, "%s is rounded %s, so that it suffices as a bound, not to the nearest",
+                              n->p->decimal, up ? "up" : "down");
+  return fits;
+}
+
 /* The scene's data, the orbit, what is printed with its unit, and the value there. */
 static void certify_number(struct finding *f, const struct number_job *n, const arb_t x) {
   struct judge *j = n->j;
@@ -194,9 +207,11 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     text_printf(&note, "On %s ", where);
     add_value(&note, n, x, 10, t, how);
     if (t == TRUTH_FALSE) {
-      correct_number(f, n, x);
       certify_number(f, n, x);
-      read_by_own_digits(f, n, x);
+      if (!read_as_sufficient(f, n, x)) {
+        correct_number(f, n, x);
+        read_by_own_digits(f, n, x);
+      }
     }
     if (t == TRUTH_FALSE)
       f->effect = result_str(j->out, "the printed value is %s, the computed one %s; they differ by %s units %s",
@@ -267,6 +282,93 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   fmpq_clear(shift);
 }
 
+enum { OTHER_NUMBERS = 6, CORNERS = 1 << OTHER_NUMBERS, HALVINGS = 40 };
+
+/* The other printed numbers between their least and their greatest values under a reading: all at the ends of the bits
+   of `corner`, for p; those that the scene does not print stay. */
+static void move_to_corner(struct point *p, const struct number_job *n, enum reading how, bool own_digits, int corner) {
+  static const char *const name[OTHER_NUMBERS] = {"t_a", "t_b", "t_c", "t_d", "z10", "z20"};
+  static const int q[OTHER_NUMBERS] = {Q_TA, Q_TB, Q_TC, Q_TD, Q_Z1, Q_Z2};
+  fmpq_t end[2], in;
+  fmpq_init(end[0]);
+  fmpq_init(end[1]);
+  fmpq_init(in);
+  for (int i = 0; i < OTHER_NUMBERS; i++) {
+    const struct printed_number *given = scene_printed(n->j->scene, name[i]);
+    if (!given || strcmp(name[i], n->p->name) == 0) continue;
+    struct printed_number as_read = *given; /* borrowed */
+    if (own_digits) as_read.unit = as_read.digit;
+    printed_ends(end[0], end[1], &as_read, how);
+    fmpq_sub(in, end[1], end[0]); /* inside the ends, of which one may not print so */
+    fmpq_div_2exp(in, in, 10);
+    fmpq_add(end[0], end[0], in);
+    fmpq_sub(end[1], end[1], in);
+    fmpq_set(&p->q[q[i]], end[corner >> i & 1]);
+  }
+  fmpq_clear(in);
+  fmpq_clear(end[1]);
+  fmpq_clear(end[0]);
+}
+
+/* The point halfway. */
+static void halfway(struct point *p, const struct point *a, const struct point *b) {
+  for (int i = 0; i < N_Q; i++) {
+    fmpq_add(&p->q[i], &a->q[i], &b->q[i]);
+    fmpq_div_2exp(&p->q[i], &p->q[i], 1);
+  }
+}
+
+/* Is there a point at which the other numbers print as they do and this one does too: at a corner, or on the line
+   between those where it is least and greatest? */
+static bool others_give(const struct number_job *n, enum reading how, bool own_digits) {
+  struct point end[2], p;
+  arb_ptr v = _arb_vec_init(3), x = v + 2;
+  slong bits = FIRST_PREC;
+  enum reading fits;
+  point_init(&p);
+  for (int i = 0; i < 2; i++) point_init(&end[i]);
+  bool ok =
+      printed_point(&p, n->j->scene) && printed_point(&end[0], n->j->scene) && printed_point(&end[1], n->j->scene);
+  for (int corner = 0; ok && corner < CORNERS; corner++) {
+    move_to_corner(&p, n, how, own_digits, corner);
+    ok = number_at(x, &bits, n, &p) == SS_OK;
+    for (int i = 0; ok && i < 2; i++) {
+      int order = arf_cmp(arb_midref(x), arb_midref(v + i));
+      if (corner != 0 && (i ? order <= 0 : order >= 0)) continue;
+      arb_set(v + i, x);
+      move_to_corner(&end[i], n, how, own_digits, corner);
+    }
+  }
+  bool found = false;
+  for (int i = 0; ok && i < 2; i++) found = found || printed_fits(v + i, n->p, &fits) == TRUTH_TRUE;
+  arb_ptr aim = _arb_vec_init(1);
+  arb_set_fmpq(aim, &n->p->value, LAST_PREC);
+  bool between = ok && arb_lt(v, aim) && arb_gt(v + 1, aim);
+  for (int k = 0; between && !found && k < HALVINGS; k++) {
+    halfway(&p, &end[0], &end[1]);
+    if (number_at(x, &bits, n, &p) != SS_OK) break;
+    found = printed_fits(x, n->p, &fits) == TRUTH_TRUE;
+    halfway(&end[arb_lt(x, aim) ? 0 : 1], &end[0], &end[1]);
+  }
+  _arb_vec_clear(aim, 1);
+  _arb_vec_clear(v, 3);
+  for (int i = 0; i < 2; i++) point_clear(&end[i]);
+  point_clear(&p);
+  return found;
+}
+
+/* A printed decimal stands for every value that prints so: the other numbers need not be those decimals. *own_digits:
+   they are read by their own digits alone, which beside a number that a control moves by units they are not. */
+static bool others_read_so(enum reading *how, bool *own_digits, const struct number_job *n) {
+  bool moved = scene_printed(n->j->scene, n->p->name) != n->p;
+  for (int k = 0; k < (moved ? 1 : 2) * N_READINGS; k++) {
+    *how = (enum reading)(k % N_READINGS);
+    *own_digits = k >= N_READINGS;
+    if (others_give(n, *how, *own_digits)) return true;
+  }
+  return false;
+}
+
 /* What the other printed numbers give through the same formula: a route that decides, or a statement beside it. */
 static struct route_result number_from_printed(struct finding *f, const struct number_job *n, bool decides) {
   struct judge *j = n->j;
@@ -279,10 +381,22 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   arb_init(x);
   bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
   truth t = have ? printed_fits(x, n->p, &how) : TRUTH_UNKNOWN;
+  bool own_digits = false;
+  enum reading others;
+  bool so = decides && t == TRUTH_FALSE && others_read_so(&others, &own_digits, n);
+  if (so && !own_digits) t = TRUTH_TRUE;
   struct route_result w = {"balls", outcome_of_truth(t), true, have};
   if (have) {
     text_add(&note, "From the other printed numbers, taken exactly, ");
-    add_value(&note, n, x, 8, t, how);
+    add_value(&note, n, x, 8, so ? TRUTH_FALSE : t, how);
+    if (so)
+      text_printf(&note, " Some values that are printed as these when %s%s give %s.", reading_name[others],
+                  own_digits ? ", each to its own digits," : "", n->p->decimal);
+    if (so && own_digits)
+      f->condition = result_str(j->out,
+                                "the other numbers are read by their own digits (%s), not with the decimals "
+                                "of the longest",
+                                reading_name[others]);
     const char *where = "the printed numbers", *says = result_take(j->out, &note);
     if (decides)
       finding_add_route(f, j->out, w, "printed numbers", bits, where, says);

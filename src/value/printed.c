@@ -11,11 +11,7 @@
 
 const char *const reading_name[N_READINGS] = {"rounded", "truncated"};
 
-/* The ends of the bracket of a decimal under a reading. */
-static void bracket(arb_t lo, arb_t hi, const struct printed_number *p, enum reading how) {
-  fmpq_t below, above; /* distances of the ends from the printed value, in units */
-  fmpq_init(below);
-  fmpq_init(above);
+void printed_ends(fmpq_t below, fmpq_t above, const struct printed_number *p, enum reading how) {
   bool negative = p->decimal[0] == '-';
   fmpq_set_si(below, how == READ_ROUNDED ? 1 : negative ? 2 : 0, 2);
   fmpq_set_si(above, how == READ_ROUNDED ? 1 : negative ? 0 : 2, 2);
@@ -23,6 +19,14 @@ static void bracket(arb_t lo, arb_t hi, const struct printed_number *p, enum rea
   fmpq_mul(above, above, &p->unit);
   fmpq_sub(below, &p->value, below);
   fmpq_add(above, &p->value, above);
+}
+
+/* The same as balls. */
+static void bracket(arb_t lo, arb_t hi, const struct printed_number *p, enum reading how) {
+  fmpq_t below, above;
+  fmpq_init(below);
+  fmpq_init(above);
+  printed_ends(below, above, p, how);
   arb_set_fmpq(lo, below, LAST_PREC);
   arb_set_fmpq(hi, above, LAST_PREC);
   fmpq_clear(above);

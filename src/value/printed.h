@@ -35,6 +35,8 @@ const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache 
 /* The two ways in which a decimal may have been printed. */
 enum reading { READ_ROUNDED, READ_TRUNCATED, N_READINGS };
 extern const char *const reading_name[N_READINGS];
+/* The ends of the bracket of a decimal under a reading. */
+void printed_ends(fmpq_t below, fmpq_t above, const struct printed_number *p, enum reading how);
 /* Does x print as p?  TRUE under some reading (*how), FALSE under none. */
 truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how);
 /* A ball over every value that prints as p. */
