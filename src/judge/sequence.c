@@ -32,6 +32,7 @@ static bool letters_of(char out[16], const char *word) {
     if (phase[n] < phase[first]) first = n;
     n++;
   }
+  if (n > 1 && phase[n - 1] == phase[0]) n--; /* the period begins and ends within a phase */
   if (n == 0) return false;
   for (int i = 0; i <= n; i++) out[i] = letter[phase[(first + i) % n]];
   out[n + 1] = '\0';
