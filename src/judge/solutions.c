@@ -269,22 +269,23 @@ static const char *const recurrence =
 static const char *summed_up(struct solutions *x) {
   const struct answers every = answers_of(x, false), held = answers_of(x, true);
   long all = answers_given(&every), sure = answers_given(&held) - held.of[TRUTH_UNKNOWN];
-  const char *complete =
-      !x->are_theirs ? "perhaps not all: these solve the equations of the switches and of the return together, which "
-                       "those of the claim are not seen to contain"
-      : x->list.complete ? "and there are proved to be no others"
-                         : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
+  const char *unseen = x->are_theirs ? ""
+                                     : "; those of the claim are not seen to contain the equations of the switches and "
+                                       "of the return, which these solve together";
+  const char *complete = !x->are_theirs     ? "perhaps not all"
+                         : x->list.complete ? "and there are proved to be no others"
+                                            : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
   if (x->kept)
     return result_str(x->j->out,
                       "%ld periodic solutions, each proved to exist, %s in which each phase ends at the first possible "
-                      "time; the equations hold for %ld of them, the constraints for %ld",
-                      all, complete, x->n_solve, sure);
+                      "time; the equations hold for %ld of them, the constraints for %ld%s",
+                      all, complete, x->n_solve, sure, unseen);
   long first = 0;
   for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
   return result_str(x->j->out,
                     "%ld solutions with t_c up to %s, each proved to be locally unique, %s; the equations hold for %ld "
-                    "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s",
-                    all, claim_get(x->c, "until"), complete, x->n_solve, first, sure,
+                    "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s%s",
+                    all, claim_get(x->c, "until"), complete, x->n_solve, first, sure, unseen,
                     x->asked == ASKED_COUNT && all ? recurrence : "");
 }
 

@@ -345,6 +345,20 @@ static bool range_angle(struct text *out, const struct title *t, enum phase ph) 
   return true;
 }
 
+/* A formula before a stroke of division: a sum in parentheses. */
+static bool range_numerator(struct text *out, const struct title *t, const char *attribute) {
+  struct text s = {0};
+  bool ok = title_formula(&s, t, attribute), sum = false;
+  int depth = 0;
+  for (const char *p = text_str(&s); ok && *p; p++) {
+    depth += (*p == '(') - (*p == ')');
+    sum = sum || (depth == 0 && (strncmp(p, " + ", 3) == 0 || strncmp(p, " - ", 3) == 0));
+  }
+  if (ok) text_printf(out, sum ? "(%s)" : "%s", text_str(&s));
+  text_clear(&s);
+  return ok;
+}
+
 /* " <= 2 (pi - arctan(odd/(even)))" */
 static bool range_limit(struct text *out, const struct title *t) {
   if (!claim_get(t->c, "even")) {
@@ -352,7 +366,7 @@ static bool range_limit(struct text *out, const struct title *t) {
     return true;
   }
   text_add(out, " <= 2 (pi - arctan(");
-  if (!title_formula(out, t, "odd")) return false;
+  if (!range_numerator(out, t, "odd")) return false;
   text_add(out, "/(");
   if (!title_formula(out, t, "even")) return false;
   text_add(out, ")))");
