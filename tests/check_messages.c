@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "base/arena.h"
-#include "paper_model.h"
 #include "judge/receipt.h"
+#include "paper_model.h"
 #include "run/plan.h"
 #include "says.h"
 #include "scratch.h"

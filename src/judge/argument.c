@@ -200,7 +200,7 @@ bool argument_receipt(struct text *out, struct judge *j, const struct claim *c) 
   bool ok = argument_read(&a, j, c, view), proved = ok && !claim_says(c, "over", "scene");
   struct argument b = converse_of(&a); /* its conditions are borrowed */
   struct text words = {0};
-  for (int back = 0; proved && back <= a.converse; back++) {
+  for (int back = 0; proved && back < (a.converse ? 2 : 1); back++) {
     struct combination q = as_combination(back ? &b : &a, view);
     proved = certificate_find(&words, out, &q);
   }
