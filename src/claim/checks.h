@@ -21,9 +21,8 @@
     "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "   \
     "than its static friction")                                                                                        \
   C(jumps, "jumps", true,                                                                                              \
-    "friction and acceleration of a mass are discontinuous where it breaks loose or is caught, unless the force on "   \
-    "it "                                                                                                              \
-    "is the sliding friction, and position and velocity never are")                                                    \
+    "friction and acceleration of a mass are discontinuous where it breaks loose or is caught, unless the force "      \
+    "on it is the sliding friction, and position and velocity never are")                                              \
   C(small, "small", true, "after a small change of the positions in the global stick phase both masses still stick")   \
   C(fixed_points, "fixed-points", true,                                                                                \
     "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law")    \
