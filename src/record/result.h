@@ -112,6 +112,7 @@ enum change { CHANGE_CHANGES, CHANGE_AGREES, CHANGE_SAME_FORMULA, CHANGE_UNDECID
 struct derived {
   const char *formula, *latex, *title;
   enum change change;
+  bool proved;         /* CHANGE_AGREES: by exact algebra too */
   const char *verdict; /* in words, with the number of points */
   const char *size, *entry, *printed, *corrected, *where, *chain;
 };

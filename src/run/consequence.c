@@ -235,8 +235,9 @@ static void conclude_result(struct failure *f, struct result *r) {
     d->verdict = "cannot be read with the printed form";
   } else if (points && r->agrees == points) {
     d->change = CHANGE_AGREES;
-    d->verdict = result_str(out, "%s at %ld point%s", proved_unchanged(f, r) ? "proved equal, and agrees" : "agrees",
-                            points, points == 1 ? "" : "s");
+    d->proved = proved_unchanged(f, r);
+    d->verdict = result_str(out, "%s at %ld point%s", d->proved ? "proved equal, and agrees" : "agrees", points,
+                            points == 1 ? "" : "s");
   } else {
     d->verdict = "undecided";
   }
@@ -326,7 +327,7 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
               {CHANGE_UNDECIDED, "Derived results left undecided: "}};
   bool proved = true;
   for (int i = 0; i < q->n_derived; i++)
-    proved = proved && (q->derived[i].change != CHANGE_AGREES || strncmp(q->derived[i].verdict, "proved", 6) == 0);
+    proved = proved && (q->derived[i].change != CHANGE_AGREES || q->derived[i].proved);
   struct text t = {0};
   f->size = f->effect;
   if (f->effect) text_add(&t, f->effect);
@@ -338,7 +339,7 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
       const struct derived *d = &q->derived[i];
       if (d->change != rows[k].change) continue;
       if (t.len && sep == words) text_add(&t, t.data[t.len - 1] == '.' ? " " : ". ");
-      text_printf(&t, "%s%s", sep, d->formula);
+      text_printf(&t, "%s%s", sep, d->title);
       if (d->chain) text_printf(&t, " (%s with the whole paper as printed)", d->chain);
       sep = ", ";
     }
