@@ -38,10 +38,10 @@ class Flow:
         (a, b), (c, d) = self.k
         x, y, u, v = z
         sx, sy, su, sv = z
-        for n in range(1, 60):
-            f = t / n
-            x, y, u, v = u * f, v * f, -(a * x + b * y) * f, -(c * x + d * y) * f
-            sx, sy, su, sv = sx + x, sy + y, su + u, sv + v
+        for n in range(1, 60, 2):
+            for f in (t / n, t / (n + 1)):
+                x, y, u, v = u * f, v * f, -(a * x + b * y) * f, -(c * x + d * y) * f
+                sx, sy, su, sv = sx + x, sy + y, su + u, sv + v
             if abs(x) + abs(y) + abs(u) + abs(v) < 1e-18 * (abs(sx) + abs(sy) + abs(su) + abs(sv)):
                 break
         return (sx, sy, su, sv)
@@ -74,12 +74,11 @@ class Flow:
                 hi = t
             else:
                 lo = t
-            new = t - f / d if d else lo
-            if not lo < new < hi:
-                new = 0.5 * (lo + hi)
-            if abs(new - t) < 1e-16 or hi - lo < 1e-16:
-                return new
-            t = new
+            if abs(f) <= 1e-16 * abs(d) or hi - lo < 1e-16:
+                return t
+            t = t - f / d if d else lo
+            if not lo < t < hi:
+                t = 0.5 * (lo + hi)
         return t
 
     def first_root(self, z, n, c, t_max):
