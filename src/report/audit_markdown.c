@@ -37,9 +37,9 @@ static void add_decided(struct text *out, const struct audit_result *r) {
   if (asserted > 0)
     text_printf(
         out,
-        "Of the %ld statements of the paper that assert something, %ld (%ld %%) have been decided, that is proved, "
-        "refuted, or proved under a condition.\n\n",
-        asserted, decided, 100 * decided / asserted);
+        "Of the %ld statements of the paper that assert something, %ld have been decided, that is proved, refuted, or "
+        "proved under a condition.\n\n",
+        asserted, decided);
 }
 
 /* What a reader of the paper has not met; and what the quotations were compared with. */
