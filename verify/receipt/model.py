@@ -305,7 +305,7 @@ class Motion:
     def earliest(self, names):
         states, small = [4], [4]
         for name in names:
-            m = re.fullmatch(r"z'?_[12]([0abc])", name)
+            m = re.fullmatch(r"z'?_[12]([0abc])0?", name)
             if m:
                 states.append("0abc".index(m[1]))
             m = re.fullmatch(r"[xyuv](?:_([abcf]))?", name)
