@@ -9,8 +9,13 @@
 #include "num/calc.h"
 #include "proof/exact_proof.h"
 #include "proof/exact_rank.h"
+#include "proof/generic_rank.h"
+#include "proof/linearized.h"
+#include "proof/nonzero.h"
 #include "receipt.h"
 #include "record/result.h"
+#include "value/expression.h"
+#include "value/local_maps.h"
 #include "value/title.h"
 
 /* --- The paper's side: each value when it is asked for --- */
@@ -140,6 +145,20 @@ static void add_matrix(struct text *out, const struct rank_system *y, int rank) 
   text_printf(out, "    ],\n    rank=%d,\n))\n", rank);
 }
 
+/* The equations, of which the script takes the derivatives itself, and the rank that these are to have at almost all
+   values. */
+static void add_equations(struct text *out, const struct rank_system *y, int rank) {
+  struct tape t = y->s.tape;
+  t.n = 0;
+  for (int i = 0; i < y->rows; i++) t.n = FLINT_MAX(t.n, t.outputs[i] + 1);
+  add_sides(out, &t, "GENERIC", 0);
+  text_add(out, "\n\nGENERIC.append((GENERIC_0, [");
+  add_numbers(out, t.outputs, y->rows);
+  text_add(out, "], \"");
+  for (int k = 0; k < y->cols; k++) text_printf(out, "%s%s", k ? " " : "", y->unknown[k]);
+  text_printf(out, "\".split(), %d))  # the equations, their unknowns, the rank\n", rank);
+}
+
 /* To a list of the script: PARTS, which it proves, or PRINTED, of which it says by how much they are wrong. */
 static bool add_parts(struct text *out, const struct exact_proof *p, struct view view, const char *list,
                       struct diag *d) {
@@ -179,27 +198,103 @@ static bool add_head(struct text *out, struct judge *j, const struct claim *c, c
   if (!corrected && !argument) claim_formulas(out, m, c, "#   ");
   text_printf(out, "%s\n\nCLAIM = \"%s%s\"\n%s\n",
               argument ? "from sympy import Symbol, cancel, diff, factor_list, fraction"
-                       : "import re\nimport sys\n\nfrom sympy import QQ, Symbol, factor, ring",
-              id, corrected ? " as corrected" : "", argument ? "PROOFS = []" : "PARTS, PRINTED, MATRICES = [], [], []");
+                       : "import re\nimport sys\nfrom types import SimpleNamespace\n\nfrom mpmath import iv\nfrom "
+                         "sympy import QQ, Function, Rational, Symbol, factor, ring",
+              id, corrected ? " as corrected" : "",
+              argument ? "PROOFS = []"
+                       : "PARTS, PRINTED, MATRICES, GENERIC, DIVISORS, CRITERION = [], [], [], [], [], []");
   return ok;
 }
 
+/* The rank everywhere, or else that at almost all values, of which a minor at one point is left to the script. */
 static bool rank_receipt(struct text *out, struct judge *j, const struct claim *c) {
   struct rank_system y;
   struct exact_rank r = {-1, NULL};
-  bool ok = rank_system_build(&y, j, c, claim_view(j->model, c));
+  struct model plain;
+  struct view view = claim_view(j->model, c);
+  const char *said = claim_get(c, "rank");
+  int rank = said ? (int)strtol(said, NULL, 10) : -1;
+  bool ok = rank_system_build(&y, j, c, view), generic = false;
   if (ok) {
     r = exact_rank_of(j->out, &y);
-    const char *said = claim_get(c, "rank");
-    ok = said && r.rank == (int)strtol(said, NULL, 10);
+    struct generic_rank g = {0};
+    if (r.rank < 0) g = generic_rank_of(j, c, view, &y);
+    generic = g.analytic && g.most == rank;
+    ok = generic || (r.rank >= 0 && r.rank == rank);
     if (!ok)
       diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", c->id,
                r.rank < 0 ? r.note : "the rank differs");
   }
+  if (ok && generic) {
+    sentence_clear(&y.s);
+    ok = rank_system_build(&y, j, c, view_without_stable(&view, &plain));
+  }
   ok = ok && add_head(out, j, c, c->id, false);
   if (ok) add_system(out);
-  if (ok) add_matrix(out, &y, r.rank);
+  if (ok) (generic ? add_equations : add_matrix)(out, &y, rank);
   sentence_clear(&y.s);
+  return ok;
+}
+
+/* --- Divisors, and the criterion of stability --- */
+
+/* What the records divide by and take roots of, none of it zero. */
+static bool defined_receipt(struct text *out, struct judge *j, const struct claim *c) {
+  struct divisor list[MOST_DIVISORS];
+  char ids[16][32];
+  struct model plain;
+  struct view view = claim_view(j->model, c);
+  view = view_without_stable(&view, &plain);
+  int n = 0, m = claim_names_listed(ids, 16, claim_get(c, "statements"));
+  bool admissible = !claim_get(c, "over"), ok = add_head(out, j, c, c->id, false);
+  for (int i = 0; ok && i < m; i++) {
+    const struct statement_record *r = view_record(&view, ids[i]);
+    ok = r && divisors_of(list, &n, r, view);
+  }
+  if (ok) add_system(out);
+  for (int i = 0; ok && i < n; i++) {
+    struct tape t = {.n = 0};
+    const char *formula = text_str(&list[i].formula);
+    if (!nonzero_because(&list[i], view, admissible))
+      ok = diag_set(j->d, "error: %.200s is not proved by exact algebra: %.200s may be zero", c->id, formula);
+    ok = ok && formula_tape(&t, view, formula, list[i].section, NULL, 0);
+    if (ok) add_sides(out, &t, "DIVISORS", i);
+    if (ok)
+      text_printf(out, "\n\nDIVISORS.append((\"%s\", %s, %s, DIVISORS_%d, %ld))\n", formula,
+                  list[i].root ? "True" : "False", admissible ? "True" : "False", i, (long)t.outputs[0]);
+    tape_clear(&t);
+  }
+  divisors_clear(list, n);
+  return ok;
+}
+
+/* J and its factors, and the inequalities in the entries of these. */
+static bool criterion_receipt(struct text *out, struct judge *j, const struct claim *c) {
+  struct override o[N_PHASES];
+  struct sentence s;
+  struct model plain;
+  struct view view = claim_view(j->model, c);
+  view = view_without_stable(&view, &plain);
+  const struct statement_record *r = claim_record(view, c, "statement", claim_get(c, "statement"), j->d);
+  if (!r) return false;
+  struct linearized l = linearized_stability(j, r, view);
+  if (!l.proved) return diag_set(j->d, "error: %.200s: %.200s", c->id, l.note);
+  struct exact_proof p = exact_prove_jacobian(j, view);
+  bool ok = add_head(out, j, c, c->id, false);
+  if (ok) add_system(out);
+  if (!ok || !add_parts(out, &p, view, "PARTS", j->d)) return false;
+  int n = 0;
+  for (int ph = 0; ph < N_PHASES; ph++) n += oracle_override(&o[n], local_maps[ph].name);
+  ok = sentence_from_relations(&s, view, r, o, n, j->d);
+  if (ok) {
+    add_sides(out, &s.tape, "CRITERION", 0);
+    text_add(out, "\n\nCRITERION += [CRITERION_0, [");
+    add_numbers(out, s.tape.outputs, s.tape.n_outputs);
+    text_add(out, "], \"");
+    for (slong k = 0; k < s.n; k++) text_add(out, s.ops[k] == REL_LT ? "<" : s.ops[k] == REL_GT ? ">" : "?");
+    text_add(out, "\"]\n");
+  }
+  sentence_clear(&s);
   return ok;
 }
 
@@ -226,23 +321,48 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
   return ok && (!corrected || !a_matrix || add_parts(out, &p, claim_view(j->model, c), "PRINTED", j->d));
 }
 
-/* --- Printed numbers against the orbit, by intervals --- */
+/* --- At the scene's orbit, by intervals --- */
 
-static bool receipt_of_orbit(const struct claims *claims, const char *id) {
-  const struct claim *c = claim_answering(claims, id);
-  return c && (claim_kind(c) == KIND_CLOSURE || (claim_kind(c) == KIND_NUMBER && claim_says(c, "from", "orbit")));
+static bool receipt_of_orbit(const struct claim *c) {
+  enum kind kind = claim_kind(c);
+  return kind == KIND_CLOSURE || kind == KIND_SEQUENCE || kind == KIND_INEQUALITY ||
+         (kind == KIND_NUMBER && claim_says(c, "from", "orbit")) ||
+         (kind == KIND_ARGUMENT && claim_says(c, "over", "scene"));
+}
+
+/* The margins of the conditions that the attribute names, each with its phase where it moves; free: without those that
+   contain u_r1 or u_r2, which nothing gives. */
+static bool add_margins(struct text *out, struct judge *j, const struct claim *c, const char *attribute,
+                        const char *list, bool free) {
+  struct conditions all;
+  struct model plain;
+  struct view view = claim_view(j->model, c);
+  bool ok = conditions_read(&all, j, c, attribute, view_without_stable(&view, &plain));
+  for (int i = 0; ok && i < all.n; i++) {
+    const struct condition *k = &all.at[i];
+    if (free && (k->friction[0] || k->friction[1])) continue;
+    add_sides(out, &k->s.tape, list, i);
+    const char *relation = k->equality ? "=" : k->strict ? ">" : ">=";
+    text_printf(out, "\n\n%s.append((\"%s\", \"%s\", \"%s\", %s_%d, %ld))\n", list, k->text,
+                k->moving ? phase_name[k->phase] : "", relation, list, i, (long)k->s.tape.outputs[0]);
+  }
+  conditions_clear(&all);
+  return ok;
 }
 
 /* The data, and the numbers as printed; false where the scene has not what the script starts from. */
 static bool orbit_receipt(struct text *out, struct judge *j, const struct claim *c) {
   const struct scene *s = j->scene;
-  const char *number = claim_get(c, "number");
+  const char *number = claim_get(c, "number"), *word = claim_get(c, "word");
+  enum kind kind = claim_kind(c);
   if (!scene_has_forces(s) || !scene_printed(s, "z10") || !scene_printed(s, "z20") ||
       (number && !scene_printed(s, number)))
     return diag_set(j->d, "error: %.200s needs a scene with e1, e2 and the printed numbers", c->id);
   text_printf(out, "#!/usr/bin/env python3\n# %s: ", c->id);
   bool ok = claim_title(out, j->model, c, j->scene, j->d);
-  text_printf(out, "\n#\n# Needs mpmath and nothing else.\nCLAIM = \"%s\"\nNUMBER = ", c->id);
+  bool of_margins = kind != KIND_CLOSURE && kind != KIND_NUMBER;
+  text_printf(out, "\n#\n# Needs %s and nothing else.\nCLAIM = \"%s\"\nNUMBER = ",
+              of_margins ? "SymPy, with mpmath," : "mpmath", c->id);
   text_printf(out, number ? "\"%s\"\nPARAMETERS = {" : "None\nPARAMETERS = {", number);
   for (int i = 0; i < N_PARAMS; i++) {
     text_printf(out, "%s\"%s\": \"", i ? ", " : "", scene_key_name[i]);
@@ -258,12 +378,18 @@ static bool orbit_receipt(struct text *out, struct judge *j, const struct claim 
     text_add(out, "\")");
   }
   text_add(out, "}  # the decimal, its value, one unit of the last decimal that is given\n");
-  return ok;
+  text_printf(out, "PREMISES, GOALS = [], %s\nWORD = \"%s\"\nFRICTION = %s\nAS_PRINTED = %s\n",
+              of_margins ? "[]" : "None", word ? word : "",
+              kind == KIND_ARGUMENT && !claim_get(c, "friction") ? "True" : "False",
+              kind == KIND_INEQUALITY ? "True" : "False");
+  const char *goals = kind == KIND_ARGUMENT ? "conclusion" : kind == KIND_INEQUALITY ? "statement" : "constraints";
+  return ok && (!of_margins || (add_margins(out, j, c, "premises", "PREMISES", false) &&
+                                add_margins(out, j, c, goals, "GOALS", kind == KIND_INEQUALITY)));
 }
 
 const char *receipt_file(const struct claims *claims, const char *id) {
   const struct claim *c = claim_answering(claims, id);
-  return receipt_of_orbit(claims, id)          ? "receipt/orbit.py"
+  return c && receipt_of_orbit(c)              ? "receipt/orbit.py"
          : c && claim_kind(c) == KIND_ARGUMENT ? "receipt/argument.py"
                                                : "receipt/model.py";
 }
@@ -277,16 +403,19 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
     return false;
   }
   enum kind kind = claim_kind(c);
-  bool of_orbit = receipt_of_orbit(claims, id);
-  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_RANK && kind != KIND_ARGUMENT)
+  bool of_orbit = receipt_of_orbit(c);
+  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_RANK && kind != KIND_ARGUMENT && kind != KIND_DEFINED &&
+      kind != KIND_CRITERION)
     return diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
   struct audit_result kept;
   audit_result_init(&kept);
   struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};
-  bool ok = of_orbit                ? orbit_receipt(out, &j, c)
-            : kind == KIND_RANK     ? rank_receipt(out, &j, c)
-            : kind == KIND_ARGUMENT ? add_head(out, &j, c, id, false) && argument_receipt(out, &j, c)
-                                    : equality_receipt(out, &j, c, id, r);
+  bool ok = of_orbit                 ? orbit_receipt(out, &j, c)
+            : kind == KIND_RANK      ? rank_receipt(out, &j, c)
+            : kind == KIND_DEFINED   ? defined_receipt(out, &j, c)
+            : kind == KIND_CRITERION ? criterion_receipt(out, &j, c)
+            : kind == KIND_ARGUMENT  ? add_head(out, &j, c, id, false) && argument_receipt(out, &j, c)
+                                     : equality_receipt(out, &j, c, id, r);
   if (ok) text_printf(out, "\n\n%s", python);
   audit_result_clear(&kept);
   return ok;

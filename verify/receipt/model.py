@@ -530,7 +530,7 @@ class Motion:
             return self.time()
         if "[" in name:
             return self.entry(name)
-        if self.part["kind"] == "flow" and re.fullmatch(r"[uFkm]_[12]|omega_3|t_prime", name):
+        if re.fullmatch(r"[uFkm]_[12]|omega_3|t_prime", name):
             return self.block(name)
         m = re.fullmatch(r"[xz]_[12]'*\(.*\)", name)
         if m:
@@ -632,8 +632,8 @@ def generators(polynomial):
     return {i for exponents in polynomial.monoms() for i, k in enumerate(exponents) if k}
 
 
-def differences(part, entries, motion):
-    """What the sides of these entries differ by."""
+def reader(values, f, x):
+    """Gives each value of a part, worked out once."""
     known = {}
 
     def value(k):
@@ -641,7 +641,13 @@ def differences(part, entries, motion):
             known[k] = code[k]()
         return known[k]
 
-    code, n = part["values"](motion.f, motion, value), len(part["by"])
+    code = values(f, x, value)
+    return value
+
+
+def differences(part, entries, motion):
+    """What the sides of these entries differ by."""
+    value, n = reader(part["values"], motion.f, motion), len(part["by"])
     right = [e for row in motion.oracle(part["oracle"]) for e in row] if part["oracle"] else None
     left = part["sides"]
     return [(i, value(left[i]) - (right[i] if right else value(left[n + i]))) for i in entries]
@@ -703,18 +709,14 @@ def disprove(part, entries, attempt):
 
 def rank(matrix):
     """Elimination with every symbol free; a pivot is a number times powers of chi, eta and V, so it is nowhere zero."""
-    f, known = Field(False, {}, False, False), {}
-
-    def value(k):
-        if k not in known:
-            known[k] = code[k]()
-        return known[k]
+    f = Field(False, {}, False, False)
+    value = reader(matrix["values"], f,
+                   lambda name: getattr(f, name) if name in ("chi", "eta", "V") else f.symbol(name))
 
     def is_unit(e):
         positive = generators(f.chi.num) | generators(f.omega.num) | generators(f.V.num)
         return not e.is_zero() and all(len(p) == 1 and generators(p) <= positive for p in [e.num, *e.den])
 
-    code = matrix["values"](f, lambda name: getattr(f, name) if name in ("chi", "eta", "V") else f.symbol(name), value)
     rows, pivots = [[value(k) for k in row] for row in matrix["rows"]], 0
     while True:
         found = [(i, c) for i, row in enumerate(rows) for c, e in enumerate(row) if is_unit(e)]
@@ -727,12 +729,227 @@ def rank(matrix):
     return pivots
 
 
+# --- Ranks but for exceptions ---
+#
+# On the connected domain the equations are quotients of analytic functions, and so is every minor of their derivatives:
+# one that is not zero at one point is zero on no open set.
+
+
+class Analytic:
+    """A function: its value and derivatives at a point, in intervals; itself in the field; whole: no quotient."""
+
+    def __init__(self, value, slopes, exact, whole=True):
+        self.value, self.slopes, self.exact, self.whole = value, slopes, exact, whole
+
+    def __add__(self, other):
+        return Analytic(self.value + other.value, [a + b for a, b in zip(self.slopes, other.slopes)],
+                        lambda: self.exact() + other.exact(), self.whole and other.whole)
+
+    def __neg__(self):
+        return Analytic(-self.value, [-a for a in self.slopes], lambda: -self.exact(), self.whole)
+
+    def __sub__(self, other):
+        return self + (-other)
+
+    def __mul__(self, other):
+        return Analytic(self.value * other.value,
+                        [a * other.value + b * self.value for a, b in zip(self.slopes, other.slopes)],
+                        lambda: self.exact() * other.exact(), self.whole and other.whole)
+
+    def __truediv__(self, other):
+        over = 1 / other.value
+        return self * Analytic(over, [-a * over**2 for a in other.slopes], lambda: other.exact().inverse(), False)
+
+    def __pow__(self, n):
+        out = self
+        for _ in range(abs(n) - 1):
+            out = out * self
+        return out if n > 0 else out / (out * out)
+
+
+class Point:
+    def __init__(self, unknowns):
+        self.unknowns, self.field, self.symbols = unknowns, Field(True, {}, False, False), []
+
+    def number(self, q):
+        p, _, over = q.partition("/")
+        return Analytic(iv.mpf(p) / iv.mpf(over or "1"), [0] * len(self.unknowns), lambda: self.field.number(q))
+
+    def symbol(self, name):
+        """Some number between 0 and 1."""
+        if name not in self.symbols:
+            self.symbols.append(name)
+        k, f = self.symbols.index(name), self.field
+        return Analytic(iv.mpf(2 * k + 3) / (3 * k + 5), [int(name == u) for u in self.unknowns],
+                        lambda: {"chi": f.chi, "eta": f.eta, "V": f.V}.get(name) or f.symbol(name))
+
+    def sin(self, x, turn=0):
+        assert x.whole, "a sine of a quotient"
+        value, slope = [(iv.sin(x.value), iv.cos(x.value)), (iv.cos(x.value), -iv.sin(x.value))][turn]
+        return Analytic(value, [a * slope for a in x.slopes], None)
+
+    def cos(self, x):
+        return self.sin(x, 1)
+
+    def cot(self, x):
+        return self.cos(x) / self.sin(x)
+
+    def sqrt(self, x):
+        assert (x.exact() - self.field.chi * self.field.eta).is_zero(), "a root that may be branched"
+        assert all(a == 0 for a in x.slopes)
+        return Analytic(iv.sqrt(x.value), x.slopes, self.field.root_omega)
+
+    def root(self, largest, *c):
+        """A frequency: 0 < w_1 < w_2 are simple roots."""
+        exact = self.field.root(largest, *[a.exact() for a in c])
+        assert all(b == 0 for a in c for b in a.slopes)
+        spread = iv.sqrt(c[2].value**2 - 4 * c[0].value * c[4].value)
+        square = (-c[2].value + (spread if largest else -spread)) / (2 * c[4].value)
+        return Analytic(iv.sqrt(square), c[0].slopes, lambda: exact)
+
+
+def pivots(rows):
+    """How many elimination in intervals finds that are certainly not zero: a minor of that order is not."""
+    n = 0
+    while True:
+        found = [(min(abs(e.a), abs(e.b)), i, c) for i, row in enumerate(rows) for c, e in enumerate(row) if 0 not in e]
+        if not found:
+            return n
+        _, i, c = max(found)
+        top, n = rows.pop(i), n + 1
+        rows = [[0 * a if k == c else a - row[c] / top[c] * b for k, (a, b) in enumerate(zip(row, top))]
+                for row in rows]
+
+
+def generic_rank(values, equations, unknowns):
+    """No more than the unknowns, and the equations that are not others again; no less than the rank at some point."""
+    point = Point(unknowns)
+    value = reader(values, point, point.symbol)
+    least = pivots([[e + iv.mpf(0) for e in value(k).slopes] for k in equations])
+    names = {name: Function(name) for name in ("sin", "cos", "cot", "sqrt", "root")}
+    exact = list(map(reader(values, SimpleNamespace(number=Rational, **names), Symbol), equations))
+    new = [e for i, e in enumerate(exact) if all(e - other != 0 != e + other for other in exact[:i])]
+    assert least == min(len(new), len(unknowns)), "%s: the rank may be %d or more" % (CLAIM, least)
+    return least
+
+
+# --- What is divided by, and how each phase ends ---
+
+
+def free_motion(anchor=4, modes=False):
+    """Of the whole word, its states free but for the events that they are at."""
+    part = {"fixed": {}, "kind": "orbits", "phase": "D", "finite": False, "law": "", "reads": ["z_10"]}
+    motion = Motion(part, (modes, anchor, 0, 1), False, True)
+    if not modes:
+        motion.f.root = lambda largest, *c: motion.f.symbol("w_2" if largest else "w_1")  # free as well
+    return motion
+
+
+def sign(x, motion):
+    """Of a number times powers of what is positive for all parameters, sqrt(chi eta) among it; 0 of anything else."""
+    f, positive = motion.f, motion.positive() + [motion.f.symbol(e).num for e in ("e_1", "e_2", "m_2", "stiffness")]
+    if f.modes:  # 0 < w_1 < 1 < w_2
+        a, b, one = *f.w, f.one
+        positive += [e.num for e in (f.V, a, b, one - a, one + a, b - one, b + one, b - a, b + a, a * a + b * b - one)]
+    return product_sign(x, positive)
+
+
+def has_factor(x, slower, motion):
+    """slower is x times what has no pole, and zero where x is."""
+    quotient = slower / x
+    return sign(Number(motion.f.one.num, quotient.den), motion) != 0
+
+
+def first_mass_is_slower():
+    """z_1' < V at t_a + t_b.  Throughout the slip-stick phase z_1''^2 + (z_1' - chi V)^2 = e_1^2 + (V - chi V)^2.  With
+    z_1' = V at its end z_1'' would be e_1 or -e_1, in both phases, and z_1' exceed V just after or just before."""
+    m = free_motion()
+    f, start, end = m.f, m.state(1), m.state(2)
+    lag = [z[2] - f.chi * f.V for z in (start, end)]
+    rate = [m.rate(1, z) for z in (start, end)]
+    assert (rate[0][2] ** 2 + lag[0] ** 2 - f.symbol("e_1") ** 2 - (f.V - f.chi * f.V) ** 2).is_zero()
+    assert (m.rate(1, rate[1])[2] + lag[1]).is_zero()  # the derivative of that sum is 2 z_1'' (z_1''' + z_1' - chi V)
+    assert (rate[1][2] - m.rate(2, end)[2]).is_zero()
+
+
+def second_mass_is_slower():
+    """z_2' < V at t_a + t_b + t_c.  With z_2' = V there z_2'' is zero, else z_2' would exceed V just after or just
+    before; but then the masses are at one place with one velocity, and stay so throughout the stick-slip phase."""
+    m = free_motion()
+    assert (m.rate(2, m.state(3))[3] - m.rate(3, m.state(3))[3]).is_zero()
+    apart = m.f.symbol("apart")
+    assert sign(m.rate(3, [m.f.number(0), apart, m.f.V, m.f.V])[3] / apart, m)
+    stays = m.rate(3, [m.f.symbol("z"), m.f.symbol("z"), m.f.V, m.f.V])
+    assert stays[3].is_zero() and (stays[0] - stays[1]).is_zero()
+
+
+def nowhere_zero(formula, root, admissible, values, k):
+    for anchor, state, component, reason in (4, 2, 2, first_mass_is_slower), (-1, 3, 3, second_mass_is_slower):
+        m = free_motion(anchor)
+        x = reader(values, m.f, m)(k)
+        if sign(x, m) > 0 or sign(x, m) and not root:
+            return True
+        if admissible and not root and has_factor(x, m.f.V - m.state(state)[component], m):
+            reason()
+            return True
+    m = free_motion(modes=True)
+    x = sign(reader(values, m.f, m)(k), m)
+    return x > 0 or x and not root
+
+
+def divisors(part, motion):
+    """What the values of a part are divided by."""
+    found, divide = [], Number.__truediv__
+    Number.__truediv__ = lambda a, b: found.append(b) or divide(a, b)
+    value = reader(part["values"], motion.f, motion)
+    for side in part["sides"]:
+        value(side)
+    Number.__truediv__ = divide
+    return found
+
+
+def ends_transversally(k):
+    """The rate at which what ends the phase passes its limit is nowhere zero, or J is divided by it."""
+    m = free_motion()
+    rate = m.switching(k, m.rate(k, m.state(k + 1)), True)
+    part = [part for part in PARTS if part["oracle"] == list(CORNERS)[k]][0]
+    return sign(rate, m) or any(not x.is_zero() and sign(rate / x, m) for x in divisors(part, m))
+
+
+def criterion(values, sides, relations):
+    """By the theorem of linearized stability: J is the derivative of an analytic return map, and has the eigenvalues
+    0 and tr J."""
+    assert all(ends_transversally(k) for k in range(4)), "%s: a phase may end at a double zero" % CLAIM
+    # the other conditions hold strictly, so that neighbours have the same phases
+    m = free_motion()
+    for k, mass in (1, 0), (2, 1):
+        assert sign(m.rate(k, m.state(k))[2 + mass], m) < 0
+    first_mass_is_slower()
+    second_mass_is_slower()
+    whole = [part for part in PARTS if part["oracle"] == "J"][0]
+    of_j, said = reader(whole["values"], m.f, m.f.symbol), reader(values, m.f, m.f.symbol)
+    j = [of_j(k) for k in whole["sides"]]
+    trace = j[0] + j[3]
+    assert (j[0] * j[3] - j[1] * j[2]).is_zero(), "%s: det J is not zero" % CLAIM
+    margins = [said(right) - said(left) if op == "<" else said(left) - said(right)
+               for left, right, op in zip(sides, sides[len(relations):], relations)]
+    assert "?" not in relations and len(margins) == 2
+    found = [(a - m.f.one - trace).is_zero() and (b - m.f.one + trace).is_zero() for a, b in (margins, margins[::-1])]
+    assert any(found), "%s: it is not |tr J| < 1 that is said" % CLAIM
+
+
 sys.setrecursionlimit(100000)
 for matrix in MATRICES:
     assert rank(matrix) == matrix["rank"], "%s: the rank is another" % CLAIM
+for *equations, said in GENERIC:
+    assert generic_rank(*equations) == said, "%s: the rank is another" % CLAIM
 for part in PARTS:
     for attempt in sorted(set(part["by"])):
         prove(part, [i for i, by in enumerate(part["by"]) if by == attempt], attempt)
+for divisor in DIVISORS:
+    assert nowhere_zero(*divisor), "%s: %s may be zero" % (CLAIM, divisor[0])
+if CRITERION:
+    criterion(*CRITERION)
 assert not PRINTED or sum(
     disprove(part, [i for i, by in enumerate(part["by"]) if by == attempt], attempt)
     for part in PRINTED for attempt in sorted(set(part["by"]))), "%s: it holds as printed" % CLAIM

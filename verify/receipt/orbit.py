@@ -1,8 +1,13 @@
 # One period of the motion by interval arithmetic: the closed forms of the equations of motion (1) in the phases Gamma, H and
 # C, each up to the first zero of what ends it.  At the end of the global stick phase all depends on r = z_2 - z_1 alone.
+import itertools
 import sys
+import types
 
 from mpmath import iv, mp, mpf
+
+if GOALS is not None:
+    from sympy import Rational, Symbol, cancel, diff, symbols
 
 iv.dps = mp.dps = 30
 
@@ -33,7 +38,7 @@ def first_zero(f, rate, fine):
 
 
 def period(r):
-    """r one period later, and the lengths of the phases, of all starts with that r."""
+    """r one period later, the lengths of the phases, and the states in each after a time, of all starts with that r."""
     fine = max(mpf(2) ** -60, mpf(r.delta) / 8)
     z1 = (E1 + CHI * r) / (1 - CHI)
     z2 = z1 + r
@@ -76,7 +81,18 @@ def period(r):
     r_end = r_c * iv.cos(o * t_d) + q / o * iv.sin(o * t_d)
     # w' = V - chi z_2' in C, and V (1 - chi) in D
     w_d = w_c + V * (1 - CHI) * t_d - CHI * (r_end - r_c)
-    return r_end, ((E1 - w_d) / (V * (1 - CHI)), t_b, t_c, t_d)
+    t_a = (E1 - w_d) / (V * (1 - CHI))
+    z10, z1c = z1 - V * t_a, position(t_c, 0)
+
+    def stick_slip(t):
+        distance = r_c * iv.cos(o * t) + q / o * iv.sin(o * t)
+        return z1c + V * t, z1c + V * t + distance, V, V + q * iv.cos(o * t) - r_c * o * iv.sin(o * t)
+
+    return r_end, (t_a, t_b, t_c, t_d), {
+        "D": lambda t: (z10 + V * t, z10 + r + V * t, V, V),
+        "Gamma": lambda t: (z1_gamma(t), z2 + V * t, v1_gamma(t), V),
+        "H": lambda t: (position(t, 0), position(t, 1), velocity(t, 0), velocity(t, 1)),
+        "C": stick_slip}
 
 
 def in_print(name):
@@ -100,7 +116,7 @@ def closing():
 
 
 def orbit():
-    """The numbers of the periodic solution that Newton's iteration finds from the printed start, and their enclosure."""
+    """The numbers of the periodic solution that Newton's iteration finds from the printed start, and its phases."""
     r, h = mpf((in_print("z20") - in_print("z10")).mid), mpf(10) ** -9
     for _ in range(8):
         f, g = (mpf((period(iv.mpf(x))[0] - x).mid) for x in (r, r + h))
@@ -110,21 +126,142 @@ def orbit():
     box = iv.mpf([r - h / 1000, r + h / 1000])
     ends = [period(iv.mpf(x))[0] - x for x in (box.a, box.b)]
     if not (ends[0] > 0 > ends[1] or ends[0] < 0 < ends[1]):
-        return None
-    t = period(box)[1]
-    z10 = (E1 - V * (1 - CHI) * t[0] + CHI * box) / (1 - CHI)
+        return None, None
+    _, t, phases = period(box)
+    z10 = phases["D"](iv.mpf(0))[0]
     return {"t_a": t[0], "t_b": t[1], "t_c": t[2], "t_d": t[3], "z10": z10, "z20": z10 + box,
-            "u_r1": V * t[0] * (1 - CHI) / 2, "u_r2": (E2 - CHI * box) / 2}
+            "u_r1": V * t[0] * (1 - CHI) / 2, "u_r2": (E2 - CHI * box) / 2}, phases
 
 
 def number(name):
-    found = orbit()
+    found = orbit()[0]
     if found is None:
         return False
     print("on the periodic solution %s is in %s; printed: %s" % (name, found[name], PRINTED[name][0]))
     return found[name] < in_print(name) or found[name] > in_print(name)
 
 
+# --- Inequalities at that solution's numbers, or along its phases ---
+
+if GOALS is not None:
+    MOVING = z_1, z_2, v_1, v_2 = symbols("z_1(t) z_2(t) z_1'(t) z_2'(t)")
+    chi, eta, v, e_1, e_2, u_r1, u_r2, u_s1, u_s2 = symbols("chi eta V e_1 e_2 u_r1 u_r2 u_s1 u_s2")
+    t_a, z_10, z_20 = symbols("t_a z_10 z_20")
+    PHASES = {"D": "t_a", "Gamma": "t_b", "H": "t_c", "C": "t_d"}
+    # z_1'' and z_2'' by (1) and (2)
+    RATES = {"D": (0, 0), "Gamma": (chi * z_2 - z_1, 0), "H": (chi * z_2 - z_1, chi * eta * (z_1 - z_2)),
+             "C": (0, chi * eta * (z_1 - z_2))}
+    STICKING = {"D": [(v_1, v), (v_2, v)], "Gamma": [(v_2, v)], "H": [], "C": [(v_1, v)]}
+    # what is exactly so where the phases begin, one after the other, and where the last one ends
+    MEETING = [
+        [(v_1, v), (v_2, v), (z_1, z_10), (z_2, z_20)],
+        [(v_1, v), (v_2, v), (z_1, z_10 + v * t_a), (z_2, z_20 + v * t_a),
+         (e_1, z_10 + v * t_a - chi * (z_20 + v * t_a))],
+        [(v_2, v), (e_2, chi * (z_2 - z_1))], [(v_1, v)], [(v_1, v), (v_2, v), (z_1, z_10), (z_2, z_20)]]
+    # the masses are slower than the belt where they slip, and their forces below the limits where they stick
+    LAW = [("", Symbol(t)) for t in PHASES.values()] + [
+        ("Gamma", v - v_1), ("H", v - v_1), ("H", v - v_2), ("C", v - v_2), ("D", e_1 - z_1 + chi * z_2),
+        ("C", e_1 - z_1 + chi * z_2), ("D", e_2 - chi * (z_2 - z_1)), ("Gamma", e_2 - chi * (z_2 - z_1))]
+
+
+def margin(values, k):
+    """As SymPy has it."""
+    known = {}
+
+    def value(i):
+        if i not in known:
+            known[i] = code[i]()
+        return known[i]
+
+    code = values(types.SimpleNamespace(number=Rational), Symbol, value)
+    return value(k).subs([(u_s1, u_r1 - e_1), (u_s2, u_r2 - e_2)])
+
+
+def enclosure(e, at):
+    if e.is_Symbol:
+        return at[e.name]
+    if e.is_Rational:
+        return iv.mpf(e.p) / e.q
+    parts = [enclosure(part, at) for part in e.args[:1 if e.is_Pow else None]]
+    if e.is_Pow and e.exp.is_Integer:
+        return parts[0] ** int(e.exp)
+    out = parts[0]
+    for part in parts[1:]:
+        out = out + part if e.is_Add else out * part
+    assert e.is_Add or e.is_Mul
+    return out
+
+
+def positive(m, phase, numbers, flow, weakly):
+    """Everywhere within the phase, the ends left out, or at the numbers; weakly: or zero."""
+    def known(low, high):
+        z = flow[phase](iv.mpf([low, high])) if phase else ()
+        return {**numbers, **{symbol.name: x for symbol, x in zip(MOVING, z)}}
+
+    def rate(m):
+        rates = v_1, v_2, *RATES[phase]
+        return sum(of * diff(m, x) for x, of in zip(MOVING, rates)).subs(STICKING[phase])
+
+    def vanishes(m, k):
+        return cancel(m.subs(MEETING[k])) == 0
+
+    def sure(m, low, high):
+        """By its enclosure; beside an end of the phase where it is zero by that of its rate."""
+        if m == 0:
+            return weakly
+        if enclosure(m, known(low, high)) > 0:
+            return True
+        return bool(phase) and (low == 0 and vanishes(m, number) and sure(cancel(rate(m)), low, high)
+                                or high == end and vanishes(m, number + 1) and sure(cancel(-rate(m)), low, high))
+
+    number = list(PHASES).index(phase) if phase else None
+    end = mpf(numbers[PHASES[phase]].b) if phase else mpf(1)
+    rest = [(mpf(0), end)]
+    while rest:
+        low, high = rest.pop()
+        if not sure(m, low, high):
+            if not phase or high - low < mpf(2) ** -12:
+                return False
+            rest += [(low, (low + high) / 2), ((low + high) / 2, high)]
+    return True
+
+
+def follows(m, phase, premises, numbers, flow):
+    """The margin is a premise's for each friction that it contains, times a positive number, and a positive rest."""
+    shares = []
+    for u in (u_r1, u_r2):
+        ratios = [(p, cancel(diff(m, u) / diff(p, u))) for p in premises if diff(p, u) != 0]
+        shares += [[(p, q) for p, q in ratios if q.is_number and q > 0]] if diff(m, u) != 0 else []
+    for some in itertools.product(*shares):
+        rest = cancel(m - sum(q * p for p, q in some))
+        if not rest.has(u_r1, u_r2) and positive(rest, phase, numbers, flow, bool(some)):
+            return True
+    return False
+
+
+def inequalities():
+    numbers, flow = orbit()
+    word, order = WORD.split(), list(PHASES)
+    assert numbers and (GOALS or word), "%s: there is no orbit, or nothing to prove" % CLAIM
+    assert not word or word in [order[k:] + order[:k] for k in range(4)], "%s: the phases are others" % CLAIM
+    data = {"chi": CHI, "eta": ETA, "V": V, "e_1": E1, "e_2": E2}
+    places = [numbers] + ([{name: in_print(name) for name in PRINTED}] if AS_PRINTED else [])
+    for at in places:
+        at.update(data, z_10=at["z10"], z_20=at["z20"])
+    for k, (phase, length) in enumerate(PHASES.items()):
+        numbers.update(zip(("z_1" + "abcf"[k], "z_2" + "abcf"[k]), flow[phase](numbers[length])))
+    premises = [margin(*code) for _, phase, relation, *code in PREMISES if not phase and relation == ">"]
+    premises += [u_r1 - e_1, u_r2 - e_2] if FRICTION else []
+    for phase, m in LAW if WORD else []:
+        assert positive(m, phase, numbers, flow, False), "%s: %s may fail in phase %s" % (CLAIM, m, phase)
+    for text, phase, relation, *code in GOALS:
+        assert relation != "=" and all(follows(margin(*code), phase, premises, at, flow) for at in places), text
+
+
+if GOALS is not None:
+    inequalities()
+    print(CLAIM + ": proved")
+    sys.exit()
 refuted = number(NUMBER) if NUMBER else closing()
 print("%s: %s" % (CLAIM, "refuted" if refuted else "not shown to be wrong"))
 sys.exit(not refuted)
