@@ -310,7 +310,7 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
   t->ids[i] = t->id[i];
   t->e[i] = (struct evidence){trap, trap, i % 2 ? "differs" : trap, trap, 1, -1, trap, trap, 0};
   t->v[i] = (struct named_value){trap, trap};
-  t->d[i] = (struct derived){trap, trap, trap, (enum change)(i % 5), trap, trap, trap, trap, trap, trap, trap};
+  t->d[i] = (struct derived){trap, trap, trap, (enum change)(i % 5), false, trap, trap, trap, trap, trap, trap, trap};
   t->q[i] = (struct consequence){t->id[i], trap, {t->ids, (int)n}, {t->ids, 1}, {NULL, 0}, &t->d[i], 1};
   t->c[i] = (struct control_result){trap, t->id[i], (enum verdict)(i % N_VERDICTS), i % 2 == 0, NULL, NULL};
   t->p[i] = (struct route_pair){trap, trap, t->id[i], trap, 1, trap, i % 2 == 0, i % 3 ? trap : NULL, trap, 0, trap};

@@ -123,8 +123,6 @@ size_t dependences_n_used(struct dependences *d, size_t a);
 const struct definition *dependences_used(struct dependences *d, size_t a, size_t i);
 /* Whether they reach a definition that is corrected under this equation number. */
 bool dependences_corrected(struct dependences *d, size_t a, const char *equation);
-/* Whether the claim names the id by hand. */
-bool dependences_named(const struct claim *c, const char *id);
 /* Whether claim a rests on claim b at all: by its formulas, by what it cites, or as it names by hand. */
 bool dependences_any(struct dependences *d, size_t a, size_t b);
 /* Fills depends_on: all of these, in the order of the claims. */

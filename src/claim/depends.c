@@ -199,9 +199,13 @@ static bool dependences_argued(const struct dependences *d, size_t a, size_t b) 
   return a != b && x->concludes && y->concludes && cited_share(x->premises[0], y->concludes);
 }
 
+static bool names_by_hand(const struct claim *c, const char *id) {
+  return list_has(claim_get(c, "depends-on"), id);
+}
+
 bool dependences_any(struct dependences *d, size_t a, size_t b) {
   return dependences_on(d, a, b) || dependences_argued(d, a, b) ||
-         (d->reach[a].by_hand && dependences_named(&d->claims->claim[a], d->claims->claim[b].id));
+         (d->reach[a].by_hand && names_by_hand(&d->claims->claim[a], d->claims->claim[b].id));
 }
 
 size_t dependences_n_used(struct dependences *d, size_t a) {
@@ -223,10 +227,6 @@ bool dependences_corrected(struct dependences *d, size_t a, const char *equation
 
 /* --- The list of a finding --- */
 
-bool dependences_named(const struct claim *c, const char *id) {
-  return list_has(claim_get(c, "depends-on"), id);
-}
-
 /* Every id that is named by hand must be that of a claim. */
 static bool check_named(struct judge *j, const struct claim *c, const char *list) {
   size_t n;
@@ -247,7 +247,7 @@ bool dependences_list(struct finding *f, struct judge *j, const struct claim *c)
   f->n_depends_on = 0;
   for (size_t b = 0; b < j->claims->n; b++) {
     const char *id = j->claims->claim[b].id;
-    if (a < j->claims->n ? dependences_any(j->dependences, a, b) : dependences_named(c, id))
+    if (a < j->claims->n ? dependences_any(j->dependences, a, b) : names_by_hand(c, id))
       f->depends_on[f->n_depends_on++] = result_copy(j->out, id);
   }
   return true;

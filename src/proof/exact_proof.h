@@ -49,14 +49,8 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
 /* That J is the model's on every periodic motion of the word. */
 struct exact_proof exact_prove_jacobian(struct judge *j, struct view view);
 
-/* Two readings of the paper, in the first of which some quantities have other values. */
-struct exact_change {
-  struct view first, second;
-  const char *moved[2];
-  int n_moved;
-};
-/* Is the formula proved to have one value in both, whatever those values are? */
-bool exact_unchanged(const struct exact_change *c, const char *formula, const char *section);
+/* Is the formula proved to have one value in two readings of the paper? */
+bool exact_unchanged(struct view first, struct view second, const char *formula, const char *section);
 /* As evidence; refuted: another route has refuted the sentence. */
 void finding_add_proof(struct finding *f, struct audit_result *out, const struct exact_proof *p, const char *layer,
                        bool refuted);

@@ -33,8 +33,6 @@ struct result {
 struct failure {
   struct judge *j;
   const struct claim *c;
-  const char *symbol, *alias; /* of a number: the symbols that take its printed value */
-  const struct printed_number *number;
   struct result *result;
   size_t n;
 };
@@ -55,21 +53,10 @@ static bool read_result(struct result *r, int reading, struct view v) {
   return r->readable[reading] = ok;
 }
 
-static bool takes_printed(const struct failure *f, const char *symbol) {
-  return f->number && (strcmp(symbol, f->symbol) == 0 || (f->alias && strcmp(symbol, f->alias) == 0));
-}
-
-static bool has_printed(const struct failure *f, const struct tape *t) {
-  for (slong i = 0; i < t->n_inputs; i++)
-    if (takes_printed(f, t->inputs[i])) return true;
-  return false;
-}
-
 static void read_results(struct failure *f) {
   const struct model *m = f->j->model;
-  const struct view views[N_READ] = {{m, LAYER_CORRECTED, f->number ? NULL : claim_own(f->c), NULL},
-                                     {m, LAYER_CORRECTED, NULL, NULL},
-                                     {m, LAYER_PRINTED, NULL, NULL}};
+  const struct view views[N_READ] = {
+      {m, LAYER_CORRECTED, claim_own(f->c), NULL}, {m, LAYER_CORRECTED, NULL, NULL}, {m, LAYER_PRINTED, NULL, NULL}};
   for (size_t i = 0; i < f->n; i++) {
     struct result *r = &f->result[i];
     *r = (struct result){.c = &f->j->claims->result[i], .worst_log = -INFINITY};
@@ -78,7 +65,7 @@ static void read_results(struct failure *f) {
     for (int k = 0; k < N_READ; k++) read_result(r, k, views[k]);
     if (!r->readable[READ_OWN])
       r->out.change = CHANGE_UNDEFINED;
-    else if (f->number ? !has_printed(f, &r->tape[READ_OWN]) : tape_same(&r->tape[READ_OWN], &r->tape[READ_CORRECTED]))
+    else if (tape_same(&r->tape[READ_OWN], &r->tape[READ_CORRECTED]))
       r->out.change = CHANGE_SAME_FORMULA;
     else
       r->out.change = CHANGE_UNDECIDED;
@@ -87,29 +74,25 @@ static void read_results(struct failure *f) {
 
 /* --- Trying them at points --- */
 
-/* Everything has its value at the point, but the quantity that f, unless NULL, found misprinted its printed one. */
-static int tape_at(struct num_vec *out, const struct tape *t, struct values *v, const struct failure *f) {
+static int tape_at(struct num_vec *out, const struct tape *t, struct values *v) {
   struct num_vec in;
   num_vec_init(&in, t->n_inputs, v->ctx);
   int s = SS_OK;
   for (slong i = 0; s == SS_OK && i < t->n_inputs; i++) {
     bool known;
-    if (f && takes_printed(f, t->inputs[i]))
-      s |= v->ctx.type->set_q(num_vec_at(&in, i), &f->number->value, v->ctx.prec);
-    else
-      s |= values_bind(num_vec_at(&in, i), &known, v, t->inputs[i]);
+    s |= values_bind(num_vec_at(&in, i), &known, v, t->inputs[i]);
   }
   if (s == SS_OK) s |= tape_eval(out, NULL, t, &in);
   num_vec_clear(&in);
   return s;
 }
 
-static struct trial try_result(const struct failure *f, struct result *r, struct values *v) {
+static struct trial try_result(struct result *r, struct values *v) {
   struct trial t = {.outcome = OUTCOME_REJECTED};
   struct calc c = calc_begin(v->ctx);
   struct num_vec own = calc_vec(&c, r->rows * r->cols), corrected = calc_vec(&c, r->rows * r->cols);
-  int s = tape_at(&corrected, &r->tape[READ_CORRECTED], v, NULL);
-  if (s == SS_OK) s = tape_at(&own, &r->tape[READ_OWN], v, f);
+  int s = tape_at(&corrected, &r->tape[READ_CORRECTED], v);
+  if (s == SS_OK) s = tape_at(&own, &r->tape[READ_OWN], v);
   if (s == SS_OK)
     t = balls_compare(&own, &corrected);
   else if (!(s & SS_DOMAIN))
@@ -123,7 +106,7 @@ static const char *chain_value(const struct failure *f, const struct result *r, 
   if (!r->readable[READ_PRINTED]) return "undefined";
   struct num_vec x;
   num_vec_init(&x, r->tape[READ_PRINTED].n_outputs, v->ctx);
-  bool ok = x.len > entry && tape_at(&x, &r->tape[READ_PRINTED], v, NULL) == SS_OK;
+  bool ok = x.len > entry && tape_at(&x, &r->tape[READ_PRINTED], v) == SS_OK;
   const char *s = ok ? ball_text(f->j, num_vec_at(&x, entry), 10) : "undefined";
   num_vec_clear(&x);
   return s;
@@ -157,8 +140,7 @@ static void book_result(struct failure *f, struct result *r, const struct trial 
   r->out.printed = result_copy(out, t->lhs);
   r->out.corrected = result_copy(out, t->rhs);
   r->out.where = place_text(f, p, v);
-  if (!f->number && !tape_same(&r->tape[READ_OWN], &r->tape[READ_PRINTED]))
-    r->out.chain = chain_value(f, r, v, t->entry);
+  if (!tape_same(&r->tape[READ_OWN], &r->tape[READ_PRINTED])) r->out.chain = chain_value(f, r, v, t->entry);
 }
 
 /* Every open result at one point; the precision rises for all while one of them is undecided.  false when the point is
@@ -170,7 +152,7 @@ static bool try_results(struct failure *f, const struct point *p) {
     bool accepted = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(prec), f->j->cache) == SS_OK, open = false;
     for (size_t i = 0; accepted && i < f->n; i++) {
       t[i].outcome = OUTCOME_REJECTED;
-      if (f->result[i].out.change == CHANGE_UNDECIDED) t[i] = try_result(f, &f->result[i], &v);
+      if (f->result[i].out.change == CHANGE_UNDECIDED) t[i] = try_result(&f->result[i], &v);
       open = open || t[i].outcome == OUTCOME_UNDECIDED;
     }
     bool last = !open || prec == LAST_PREC;
@@ -193,13 +175,13 @@ static void try_everywhere(struct failure *f) {
     slong nearest = p.orbit, n = scene_orbits(j->scene, j->cache)->n;
     fmpq_one(&p.q[Q_LAMBDA]);
     try_results(f, &p);
-    for (p.orbit = 0; !f->number && p.orbit < n && p.orbit < MAX_SCENE_ORBITS; p.orbit++)
+    for (p.orbit = 0; p.orbit < n && p.orbit < MAX_SCENE_ORBITS; p.orbit++)
       if (p.orbit != nearest) try_results(f, &p);
   }
   /* admissible: what nobody meets is no effect */
   sampler_init(&s, f->c->id, &(struct point_spec){.kind = POINT_ORBIT, .admissible = true});
   int done = 0;
-  for (int i = 0; !f->number && i < DRAWS && done < RANDOM_ORBITS; i++) {
+  for (int i = 0; i < DRAWS && done < RANDOM_ORBITS; i++) {
     sampler_next(&p, &s);
     if (point_settle(&p, j->cache)) done += try_results(f, &p);
   }
@@ -208,14 +190,10 @@ static void try_everywhere(struct failure *f) {
 
 /* --- Summing up --- */
 
-/* By exact algebra, for every value that a misprinted number could have. */
 static bool proved_unchanged(const struct failure *f, const struct result *r) {
   const struct model *m = f->j->model;
-  struct exact_change c = {{m, LAYER_CORRECTED, f->number ? NULL : claim_own(f->c), NULL},
-                           {m, LAYER_CORRECTED, NULL, NULL},
-                           {f->symbol, f->alias},
-                           f->number ? 1 + (f->alias != NULL) : 0};
-  return exact_unchanged(&c, r->formula, claim_section(r->c));
+  return exact_unchanged((struct view){m, LAYER_CORRECTED, claim_own(f->c), NULL},
+                         (struct view){m, LAYER_CORRECTED, NULL, NULL}, r->formula, claim_section(r->c));
 }
 
 static void conclude_result(struct failure *f, struct result *r) {
@@ -295,18 +273,17 @@ static bool has_own_condition(const struct audit_result *out, const char *id, co
   return own && own->condition && !(other && other->condition && strcmp(own->condition, other->condition) == 0);
 }
 
-/* What rests on a printed number fails with it when it fails at all; what reaches a corrected formula is judged with
-   the printed one; what rests on a notation keeps its own formula, and its verdict. */
+/* What reaches a corrected formula is judged with the printed one; what rests on a notation keeps its own formula, and
+   its verdict. */
 static void judge_downstream(struct consequence *q, struct memory *m, struct failure *f, size_t at) {
   struct judge *j = f->j;
   const char *own = claim_own(f->c);
   for (size_t i = 0; i < j->claims->n; i++) {
     const struct claim *c = &j->claims->claim[i];
-    bool touched = !f->number && dependences_corrected(j->dependences, i, own);
-    bool rests = dependences_on(j->dependences, i, at) || (f->number && dependences_named(c, f->c->id));
-    if (i == at || asserts_nothing(c) || !(touched || rests)) continue;
+    bool touched = dependences_corrected(j->dependences, i, own);
+    if (i == at || asserts_nothing(c) || !(touched || dependences_on(j->dependences, i, at))) continue;
     enum verdict v = touched ? judge_again_once(m, j, i, own) : judge_as_is(j, c);
-    bool fails_anyway = touched ? verdict_fails(judge_as_is(j, c)) : !f->number;
+    bool fails_anyway = !touched || verdict_fails(judge_as_is(j, c));
     bool as_before = fails_anyway && v == VERDICT_CONDITIONAL && has_own_condition(j->out, c->id, f->c->id);
     if (verdict_fails(v) && fails_anyway && !as_before) continue; /* for a reason of its own */
     bool holds = verdict_passes(v) || as_before;
@@ -352,13 +329,6 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
   const struct claim *c = &j->claims->claim[at];
   struct audit_result *out = j->out;
   struct failure f = {.j = j, .c = c, .n = j->claims->n_results};
-  const char *number = claim_get(c, "number");
-  if (number) {
-    f.symbol = claim_get(c, "formula");
-    f.alias = claim_get(c, "about");
-    f.number = scene_printed(j->scene, number);
-    if (!f.number || !model_is_symbol(j->model, f.symbol)) return;
-  }
   f.result = ss_malloc(f.n * sizeof *f.result);
   read_results(&f);
   bool any = false;
@@ -374,7 +344,7 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
   }
   free(f.result);
   judge_downstream(&q, m, &f, at);
-  q.solved = number || !j->model->system ? NULL : readings_as_printed(j, claim_own(c));
+  q.solved = j->model->system ? readings_as_printed(j, claim_own(c)) : NULL;
   if (q.solved) finding->effect = q.solved;
   describe_derived(finding, &q, out);
   *SS_PUSH(out->consequences, out->n_consequences, out->cap_consequences) = q;
@@ -383,7 +353,7 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
 size_t consequence_claim(const struct judge *j, const struct finding *f) {
   size_t k = verdict_fails(f->verdict) && f->correction ? 0 : j->claims->n;
   while (k < j->claims->n && strcmp(j->claims->claim[k].id, f->id) != 0) k++;
-  return k;
+  return k < j->claims->n && claim_get(&j->claims->claim[k], "number") ? j->claims->n : k;
 }
 
 bool judge_consequences(struct judge *j, const size_t *at, size_t n) {
