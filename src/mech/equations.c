@@ -51,9 +51,10 @@ int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_wor
   int n = m->n, count = 0, changed = mech_event(&end, w->phase[w->n - 1], w->phase[0]);
   for (int i = 0; i < n; i++)
     if (!stop_at_entry(m, w, i) && (i != changed || end == MECH_REACHES)) free[count++] = i;
-  for (int i = 0; i < n; i++)
-    if ((i != changed || mech_is_hit(end)) && w->phase[0][i] != 's' && !mech_rests(w->phase[0][i]))
-      free[count++] = n + i;
+  for (int i = 0; i < n; i++) {
+    bool moves = i != changed || (mech_is_hit(end) && !fmpq_is_zero(stop_at_entry(m, w, i)->restitution));
+    if (moves && w->phase[0][i] != 's' && !mech_rests(w->phase[0][i])) free[count++] = n + i;
+  }
   if (m->n_loads) free[count++] = 2 * n;
   return count;
 }

@@ -106,9 +106,10 @@ bool word_finish(struct word *w) {
   w->n_free = 0;
   for (int i = 0; i < sys.n; i++)
     if (!rests(w->phase[0][i]) && (i != changed || e == REACHES)) w->place[w->n_free++] = i;
-  for (int i = 0; i < sys.n; i++)
-    if (w->phase[0][i] != 's' && !rests(w->phase[0][i]) && (i != changed || e >= BELOW))
-      w->place[w->n_free++] = sys.n + i;
+  for (int i = 0; i < sys.n; i++) {
+    bool moves = i != changed || (e >= BELOW && !fmpq_is_zero(datum(i, RESTITUTION + (e == ABOVE))));
+    if (moves && w->phase[0][i] != 's' && !rests(w->phase[0][i])) w->place[w->n_free++] = sys.n + i;
+  }
   if (sys.loads) w->place[w->n_free++] = 2 * sys.n;
   return true;
 }
