@@ -966,6 +966,32 @@ TEST(an_end_at_a_grazing_event_is_no_flip) {
   mech_follow_clear(&f);
 }
 
+/* The unstable orbit that goes twice round -s -- -s ss ends on it where that has the multiplier -1, and not before: at e2
+   = 1.168 a simulator of its own, by Taylor series in double, has P(P(x_2)) = x_2 at 25.661133 and P(x_2) = x_2 at
+   25.488702, P the map from one loosening of m1 to the next.  The flip is a line of its own branch. */
+TEST(a_doubled_orbit_ends_at_the_flip) {
+  static const char *const rounds[] = {"-s -- -s ss", "-s -- -s ss -s -- -s ss"};
+  double at[2];
+  for (int i = 0; i < 2; i++) {
+    struct mech_line l = {scratch_put("line.system", along_e2), "e2", NULL, {{13, 10}}, {{11, 10}}, 12, 128, NULL};
+    struct mech_follow f;
+    struct mech_word w;
+    size_t place;
+    const char *why;
+    read_text(along_e2);
+    ck_assert(mech_word_parse(&w, &place, &why, rounds[i], &file));
+    mech_clear(&file);
+    goes_well(mech_follow(&f, &l, &w, &d));
+    ck_assert_int_eq(f.n_changes, 1);
+    ck_assert_int_eq(f.change[0].what, MECH_FLIP);
+    ck_assert(f.change[0].side[0].found && f.change[0].side[1].found == (i == 0));
+    at[i] = fmpq_get_d(f.change[0].side[0].at);
+    mech_follow_clear(&f);
+  }
+  ck_assert_double_lt(at[1], 1.168);
+  ck_assert_double_eq_tol(at[0], at[1], 1e-9);
+}
+
 /* A mass rests only at an obstacle that does not throw it back: by the law of the rebound no such orbit has a
    restitution above 0. */
 TEST(no_mass_rests_where_it_is_thrown_back) {

@@ -6,7 +6,7 @@
 
 #include "base/arena.h"
 
-enum { STEPS = 64, FROM_BOTH = 2 * (MECH_SEARCHED + STEPS), MOST_LOOKS = 4000 };
+enum { STEPS = 64, FROM_BOTH = 2 * (MECH_SEARCHED + STEPS), MOST_LOOKS = 4000, MOST_TIMES = 2 };
 static const double AT_CIRCLE = 1e-3; /* beside a bracket a multiplier that passes the circle is this near to it */
 
 const char *const mech_turn_id[MECH_NO_FURTHER + 1] = {"flip", "fold", "neimark-sacker", "condition", "lost"};
@@ -70,19 +70,19 @@ static bool is_good(const struct station *s) {
 }
 
 /* The orbit near one at another value, judged.  false: none. */
-static bool solve_at(struct station *to, struct walker *w, const struct mech_orbit *near) {
+static bool solve_at(struct station *to, struct walker *w, const struct mech_orbit *near, slong prec) {
   struct mech m;
-  bool found = load(&m, w, to->at) && mech_orbit_beside(&to->orbit, &m, near, w->l->prec) == SS_OK;
-  if (found) mech_orbit_decide(&to->orbit, &m, w->l->prec);
+  bool found = load(&m, w, to->at) && mech_orbit_beside(&to->orbit, &m, near, prec) == SS_OK;
+  if (found) mech_orbit_decide(&to->orbit, &m, prec);
   mech_clear(&m);
   return found;
 }
 
 /* Does the orbit found at `to` lead back to the one that it was found from? */
-static bool leads_back(struct walker *w, const struct station *to, const struct station *from) {
+static bool leads_back(struct walker *w, const struct station *to, const struct station *from, slong prec) {
   struct mech m;
   struct mech_orbit back;
-  bool same = load(&m, w, from->at) && mech_orbit_beside(&back, &m, &to->orbit, w->l->prec) == SS_OK;
+  bool same = load(&m, w, from->at) && mech_orbit_beside(&back, &m, &to->orbit, prec) == SS_OK;
   mech_clear(&m);
   if (!same) return false;
   same = mech_orbit_meets(&back, &from->orbit);
@@ -90,16 +90,21 @@ static bool leads_back(struct walker *w, const struct station *to, const struct 
   return same;
 }
 
-/* The orbit at to->at that the one of `from` becomes, or the solution of its equations that is none of the word. */
+/* The orbit at to->at that the one of `from` becomes, or the solution of its equations that is none of the word.  Near
+   another one it takes more digits to be told apart. */
 static void reach(struct walker *w, struct station *to, const struct station *from) {
   if (has_stopped(w)) return;
   if (w->l->progress) w->l->progress(w->before + MECH_SEARCHED + w->done / w->branches, FROM_BOTH);
   if (to->found) mech_orbit_clear(&to->orbit);
   w->f->looks++;
-  to->found = solve_at(to, w, &from->orbit);
-  if (!to->found || (leads_back(w, to, from) && (is_good(to) || to->orbit.own == TRUTH_FALSE))) return;
-  mech_orbit_clear(&to->orbit);
-  to->found = false;
+  for (slong times = 1; times <= MOST_TIMES; times *= 2) {
+    slong prec = times * w->l->prec;
+    to->found = solve_at(to, w, &from->orbit, prec);
+    if (!to->found) continue;
+    if (leads_back(w, to, from, prec) && (is_good(to) || to->orbit.own == TRUTH_FALSE)) return;
+    mech_orbit_clear(&to->orbit);
+    to->found = false;
+  }
 }
 
 /* --- Changes --- */
@@ -127,11 +132,22 @@ static double nearest(acb_srcptr *z, const struct mech_orbit *o) {
   return least;
 }
 
+/* Has it nearly become one that goes round once where it goes twice? */
+static bool is_nearly_twice(const struct mech_orbit *o) {
+  int half = o->word.n / 2;
+  bool same = o->word.n % 2 == 0 && mech_word_goes_through(&o->word, &o->word, half);
+  double period = num_arb.get_d(o->period);
+  for (int k = 0; same && k < half; k++)
+    same = fabs(num_arb.get_d(o->t + k) - num_arb.get_d(o->t + k + half)) < AT_CIRCLE * period;
+  return same;
+}
+
 static enum mech_turn turn_between(const struct station *a, const struct station *b) {
   acb_srcptr z = NULL;
   if (b->found && (!is_good(b) || a->orbit.stable == b->orbit.stable)) return MECH_CONDITION;
   if (!(nearest(&z, &a->orbit) < AT_CIRCLE)) return b->found ? MECH_CONDITION : MECH_NO_FURTHER;
   if (!arb_is_zero(acb_imagref(z))) return b->found ? MECH_NEIMARK_SACKER : MECH_NO_FURTHER;
+  if (!b->found && is_nearly_twice(&a->orbit)) return MECH_FLIP;
   if (!arb_is_negative(acb_realref(z))) return MECH_FOLD;
   return b->found ? MECH_FLIP : MECH_NO_FURTHER;
 }

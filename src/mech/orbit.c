@@ -51,12 +51,12 @@ static int settle(struct num_vec *x, const struct solve_system *system, struct m
   return status == SS_OK || status & SS_DOMAIN ? newton_settle(x, system, MOST_STEPS) : status;
 }
 
-/* x: from a guess to the image of a proved box. */
-static int enclose(struct num_vec *x, struct num_vec *box, struct mech_equations *e) {
+/* x: from a guess to the image of a proved box; beside: from an orbit next to it. */
+static int enclose(struct num_vec *x, struct num_vec *box, struct mech_equations *e, bool beside) {
   struct solve_system system = {x->len, values, e};
   struct krawczyk k;
   krawczyk_init(&k, &system, e->prec);
-  int status = settle(x, &system, e);
+  int status = beside ? newton_settle(x, &system, MOST_STEPS) : settle(x, &system, e);
   if (!status) status = krawczyk_centre(&k, x);
   if (!status) status = krawczyk_grow(&k);
   if (!status) num_vec_set(x, &k.image);
@@ -254,8 +254,10 @@ static slong turns_in(const struct mech *m, const double *t, int n) {
   return m->n_loads ? lround(fmin(fabs(sum * fmpq_get_d(m->load[0].frequency)) / (2 * PI), 1e9)) : 0;
 }
 
-int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
-                    const double *z, slong prec) {
+/* Beside an orbit no step is made in double precision: where two orbits nearly merge its rounding alone leads from one
+   to the other. */
+static int orbit_from(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
+                      const double *z, bool beside, slong prec) {
   struct mech_equations e;
   struct num_vec x, box;
   if (!mech_word_is_of(w, m)) return SS_DOMAIN;
@@ -266,7 +268,7 @@ int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mec
   set_unknowns(num_vec_at(&x, 0), &e, t, z);
   for (slong i = 0; i < x.len; i++)
     if (!arb_is_finite(num_vec_at(&x, i))) status = SS_UNABLE;
-  if (!status) status = enclose(&x, &box, &e);
+  if (!status) status = enclose(&x, &box, &e, beside);
   if (!status) {
     orbit_init(o, m, w);
     describe(o, &e, num_vec_at(&x, 0));
@@ -276,6 +278,11 @@ int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mec
   num_vec_clear(&x);
   mech_equations_clear(&e);
   return status;
+}
+
+int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
+                    const double *z, slong prec) {
+  return orbit_from(o, m, w, t, z, false, prec);
 }
 
 void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec) {
@@ -296,7 +303,7 @@ int mech_orbit_beside(struct mech_orbit *o, const struct mech *m, const struct m
   double t[MECH_PHASES], z[MECH_STATES];
   for (int k = 0; k < near->word.n; k++) t[k] = num_arb.get_d(near->t + k);
   for (int i = 0; i < near->states; i++) z[i] = num_arb.get_d(near->state + i);
-  return mech_orbit_near(o, m, &near->word, t, z, prec);
+  return orbit_from(o, m, &near->word, t, z, true, prec);
 }
 
 void mech_orbit_decide(struct mech_orbit *o, const struct mech *m, slong prec) {
