@@ -197,12 +197,14 @@ static void check_spans(const char *text, const struct expr *e) {
   for (int i = 0; i < e->n_args; i++) check_spans(text, e->args[i]);
 }
 
-/* A title says all sides, but for a first-order part that two others say. */
-TEST(test_first_order_in_prose) {
+/* A title says all sides, but for a first-order part that two others say; a number is no factor without a sign. */
+TEST(test_sides_in_prose) {
   static const char *const cases[][2] = {
       {"first_order(sin(x + y); x, y) = x + y", "sin(x + y) = x + y"},
       {"d = first_order(sin(x + y); x, y) = x + y", "d = x + y"},
       {"d = first_order(sin(x + y); x, y)", "d = sin(x + y)"},
+      {"2*0.3*x = 2^3*(3*x)", "2 * 0.3 x = 2^3 (3 x)"},
+      {"(2*3^2)/0.5 < x*y", "(2 * 3^2)/0.5 < x y"},
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct text t = {0};
