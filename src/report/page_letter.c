@@ -183,7 +183,9 @@ static bool equation_holds(const struct audit_result *r, int n) {
 
 /* "(1)-(9), (11)". */
 static void add_sound_equations(const struct page *p) {
-  const char *before = "Apart from the remarks and slips of notation below, all that was examined of ";
+  bool minor = audit_result_roots(p->r, SEVERITY_REMARK) + audit_result_roots(p->r, SEVERITY_NOTATION) > 0;
+  const char *before = minor ? "Apart from the remarks and slips of notation below, all that was examined of "
+                             : "All that was examined of ";
   static const char more[] = ", ";
   for (int i = 1, last; i < MOST_EQUATIONS; i = last + 1) {
     last = i;
