@@ -966,6 +966,24 @@ TEST(an_end_at_a_grazing_event_is_no_flip) {
   mech_follow_clear(&f);
 }
 
+/* x'' + x = A cos(w t + phi) for x <= W, which throws it back with e, once in n turns of the load: B cos(phi) + k B w
+   sin(phi) = W, B = A/(1 - w^2), k = (1 + e)/(1 - e) cot(n pi/w), has two solutions phi for |B| sqrt(1 + k^2 w^2) > |W|.
+   They merge once, at A = 0.169970031048318536 for W = 1/2, w = 14/5, e = 4/5, n = 2. */
+TEST(a_fold_is_met_once) {
+  static const char driven[] = "title: a driven mass beside a wall\nA = 1\nmass m\n  inertia: 1\n"
+                               "spring k\n  between: ground, m\n  stiffness: 1\n"
+                               "load p\n  on: m\n  frequency: 14/5\n  cosine: A\n"
+                               "obstacle o\n  stops: m\n  above: 1/2\n  restitution: 4/5\n";
+  const double w = 2.8, k = 9 / tan(2 * acos(-1) / w), merge = (w * w - 1) / 2 / sqrt(1 + k * k * w * w);
+  fmpq from = {1, 1}, to = {1, 100};
+  struct mech_follow f;
+  follow_file(&f, driven, "A", &from, &to);
+  ck_assert_int_eq(f.n_changes, 1);
+  ck_assert(f.change[0].what == MECH_FOLD && f.change[0].side[0].stable == TRUTH_TRUE && !f.change[0].side[1].found);
+  for (int i = 0; i < 2; i++) ck_assert_double_eq_tol(fmpq_get_d(f.change[0].side[i].at), merge, 2e-12);
+  mech_follow_clear(&f);
+}
+
 /* The unstable orbit that goes twice round -s -- -s ss ends on it where that has the multiplier -1, and not before: at e2
    = 1.168 a simulator of its own, by Taylor series in double, has P(P(x_2)) = x_2 at 25.661133 and P(x_2) = x_2 at
    25.488702, P the map from one loosening of m1 to the next.  The flip is a line of its own branch. */
@@ -990,6 +1008,20 @@ TEST(a_doubled_orbit_ends_at_the_flip) {
   }
   ck_assert_double_lt(at[1], 1.168);
   ck_assert_double_eq_tol(at[0], at[1], 1e-9);
+}
+
+/* x'' + x'/5 + 4 x = 1/10 + cos(3/2 t) while x' < 1: the forced vibration has the velocity 3/2 / |4 - 9/4 + 3/10 i| =
+   0.845 at most, so that every motion ends in it. */
+TEST(a_forced_vibration_has_no_events) {
+  struct mech_settling s;
+  read_text("mass m\n  inertia: 1\n  sliding: 1/10\n  static: 1/5\n  surface: 1\n"
+            "spring k\n  between: ground, m\n  stiffness: 4\ndamper c\n  between: ground, m\n  constant: 1/5\n"
+            "load p\n  on: m\n  frequency: 3/2\n  cosine: 1\n");
+  mech_settle(&s, &file, NULL);
+  ck_assert_int_eq(s.settled + s.unfinished, 0);
+  ck_assert_int_eq(s.eventless, s.starts);
+  mech_settling_clear(&s);
+  mech_clear(&file);
 }
 
 /* A mass rests only at an obstacle that does not throw it back: by the law of the rebound no such orbit has a

@@ -260,6 +260,7 @@ static void words_json(struct text *out, const struct survey *v, const struct me
   json_object(&j, "simulations");
   json_long(&j, "starts", v->settling.starts);
   json_long(&j, "settled", v->settling.settled);
+  json_long(&j, "eventless", v->settling.eventless);
   json_long(&j, "unfinished", v->settling.unfinished);
   json_end_object(&j);
   JSON_EACH (&j, "words", k, list->n + v->settling.n) {
@@ -303,6 +304,7 @@ static void words_text(struct text *out, const struct survey *v, const struct sc
   int motions, others = 0;
   text_printf(out, "%s: words of the system %s; %d of %d motions from random starts settle", s->name, s->system,
               t->settled, t->starts);
+  if (t->eventless) text_printf(out, ", %d go%s on without events", t->eventless, t->eventless == 1 ? "es" : "");
   if (t->unfinished) text_printf(out, ", and %d could not be followed so long", t->unfinished);
   text_add_char(out, '\n');
   for (int k = 0; k < v->orbits.n + t->n; k++) {

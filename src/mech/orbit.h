@@ -123,6 +123,7 @@ struct mech_settling {
   } * on;
   int n;
   int starts, settled, unfinished; /* motions; of these, those that settle; those that could not be followed so long */
+  int eventless;                   /* those that go on without an event, such as vibrations in which no mass sticks */
 };
 void mech_settle(struct mech_settling *s, const struct mech *m, const struct mech_tell *tell);
 void mech_settling_clear(struct mech_settling *s);

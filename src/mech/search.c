@@ -309,6 +309,7 @@ static void count(struct mech_settling *s, const struct mech_word *w) {
    last round. */
 static void follow(struct mech_settling *s, double *z, const struct mech *m, double length) {
   char phase[MECH_PHASE + 1];
+  bool eventless = false;
   for (int round = 1; round <= ROUNDS; round++) {
     struct mech_plan plan = {.duration = length, .most = MOMENTS, .phase = round > 1 ? phase : NULL};
     struct mech_motion x;
@@ -320,6 +321,7 @@ static void follow(struct mech_settling *s, double *z, const struct mech *m, dou
       memcpy(phase, x.moment[x.n_moments - 1].phase, sizeof phase);
       memcpy(z, x.z, (size_t)m->states * sizeof *z);
     }
+    eventless = x.n_moments == 1;
     mech_motion_clear(&x);
     if (settles && (round == ROUNDS || !repeats(&w))) {
       count(s, &w);
@@ -328,6 +330,7 @@ static void follow(struct mech_settling *s, double *z, const struct mech *m, dou
     s->unfinished += status != SS_OK;
     if (status) return;
   }
+  s->eventless += eventless;
 }
 
 void mech_settle(struct mech_settling *s, const struct mech *m, const struct mech_tell *tell) {

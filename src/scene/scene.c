@@ -538,7 +538,7 @@ void scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag 
     diag_set(d, "%s: error: there is no orbit %ld; %ld %s found", s->path, (long)orbit + 1, (long)n,
              n == 1 ? "is" : "are");
   else
-    diag_set(d, "%s: error: there is no orbit", s->path);
+    diag_set(d, s->system ? "%s: error: no orbit is found" : "%s: error: there is no orbit", s->path);
 }
 
 void scene_clear(struct scene *s) {
