@@ -967,8 +967,8 @@ TEST(an_end_at_a_grazing_event_is_no_flip) {
 }
 
 /* x'' + x = A cos(w t + phi) for x <= W, which throws it back with e, once in n turns of the load: B cos(phi) + k B w
-   sin(phi) = W, B = A/(1 - w^2), k = (1 + e)/(1 - e) cot(n pi/w), has two solutions phi for |B| sqrt(1 + k^2 w^2) > |W|.
-   They merge once, at A = 0.169970031048318536 for W = 1/2, w = 14/5, e = 4/5, n = 2. */
+   sin(phi) = W, B = A/(1 - w^2), k = (1 + e)/(1 - e) cot(n pi/w), has two solutions phi where
+   |B| sqrt(1 + k^2 w^2) > |W|.  They merge once, at A = 0.169970031048318536 for W = 1/2, w = 14/5, e = 4/5, n = 2. */
 TEST(a_fold_is_met_once) {
   static const char driven[] = "title: a driven mass beside a wall\nA = 1\nmass m\n  inertia: 1\n"
                                "spring k\n  between: ground, m\n  stiffness: 1\n"
@@ -984,8 +984,8 @@ TEST(a_fold_is_met_once) {
   mech_follow_clear(&f);
 }
 
-/* The unstable orbit that goes twice round -s -- -s ss ends on it where that has the multiplier -1, and not before: at e2
-   = 1.168 a simulator of its own, by Taylor series in double, has P(P(x_2)) = x_2 at 25.661133 and P(x_2) = x_2 at
+/* The unstable orbit that goes twice round -s -- -s ss ends on it where that has the multiplier -1, and not before: at
+   e2 = 1.168 a simulator of its own, by Taylor series in double, has P(P(x_2)) = x_2 at 25.661133 and P(x_2) = x_2 at
    25.488702, P the map from one loosening of m1 to the next.  The flip is a line of its own branch. */
 TEST(a_doubled_orbit_ends_at_the_flip) {
   static const char *const rounds[] = {"-s -- -s ss", "-s -- -s ss -s -- -s ss"};

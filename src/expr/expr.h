@@ -125,8 +125,8 @@ void stmt_print_range(struct text *out, const struct stmt *s);
 void stmt_print_step(struct text *out, const struct stmt *s, int k);
 /* As a reader writes it in a line of prose, not to be read back: products by a blank (by * before a number), a^-1, |a|,
    M_12 for M[1,2], columns and transposed rows as (a, b); the argument t of a name in small letters is left out, z_1'
-   for z_1'(t).  Of a statement the relations alone: without its range, and without sides that are first_order(...) where
-   two others are left; "name = ..." of a definition. */
+   for z_1'(t).  Of a statement the relations alone: without its range, and without sides that are first_order(...)
+   where two others are left; "name = ..." of a definition. */
 void expr_plain(struct text *out, const struct expr *e);
 void stmt_plain(struct text *out, const struct stmt *s);
 /* The expression without the parentheses around it. */

@@ -3,8 +3,9 @@
    Unknown are the lengths t_1 ... t_K of the phases and the coordinates of the state at the entry of the first phase
    that are free there: not the velocity of a sticking mass or of the one that has just changed its mode, nor the
    position of one that has just broken loose, since its force is at the limit, or has just rebounded, nor either of one
-   that rests at an obstacle or rebounds without velocity; with loads their angle theta is one more.  The equations are the K events and the return
-   of those coordinates, that of the angle after a given number of turns.  A word may be turned so that they are fewest.
+   that rests at an obstacle or rebounds without velocity; with loads their angle theta is one more.  The equations are
+   the K events and the return of those coordinates, that of the angle after a given number of turns.  A word may be
+   turned so that they are fewest.
 
    What is proved: by Krawczyk's operator in balls that a box holds exactly one solution; along each phase, by
    Taylor's formula in steps, that each condition of the phase holds up to its end, so that every event is the first
