@@ -4,6 +4,7 @@
 
 #include <gsl/gsl_odeiv2.h>
 
+#include "base/arena.h"
 #include "bench/bench.h"
 #include "motion/dynamics.h"
 
@@ -32,7 +33,6 @@ int bench_formula_run(void *self, struct num_vec *out, const double *value);
 
 /* --- methods.c: what the methods of the jobs share. --- */
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 /* A method at the first n of the usual precisions, of which quick runs take the first few. */
 extern const double bench_precisions[7];
 #define BITS(most, few)                                                                                                \

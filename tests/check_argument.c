@@ -231,12 +231,12 @@ static const struct {
      "inequality text-less\n  section: appendix_b\n  u_r2 > (e_2 - chi*(z_20 - z_10))/2 - 1e-6\n"
      "inequality text-above\n  section: appendix_b\n  u_r1 < 100\n"
      "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n",
-     "  section: appendix_b\n  title: of the test\n", arguments, sizeof arguments / sizeof *arguments},
+     "  section: appendix_b\n  title: of the test\n", arguments, COUNT(arguments)},
     {"inequality text-more\n  section: appendix_b\n  z_1b < 1000*e_1\n",
-     "  section: appendix_b\n  title: of the test\n  kind: constraints\n", lists, sizeof lists / sizeof *lists},
+     "  section: appendix_b\n  title: of the test\n  kind: constraints\n", lists, COUNT(lists)},
     {"inequality text-nearly\n  section: appendix_b\n  u_r2 > (e_2 - chi*(z_20 - z_10))/2 - 1e-9\n"
      "inequality text-later\n  section: appendix_b\n  h(t) < e_2 + 1e-9\n",
-     "  section: appendix_a\n  title: of the test\n  kind: range\n", ranges, sizeof ranges / sizeof *ranges},
+     "  section: appendix_a\n  title: of the test\n  kind: range\n", ranges, COUNT(ranges)},
     {"inequality text-size\n  section: appendix_b\n  abs(z_2(t)) < 2.18 for t in (0, t_a)\n"
      "equation text-beats\n  section: appendix_b\n  sin(16*pi*t/t_a) = 0\n"
      "equation text-off\n  section: appendix_b\n  e_1 = 2.7844 + 1e-45\n"
@@ -253,7 +253,7 @@ static const struct {
      "define text-third\n  section: appendix_b\n  root third: third^7 - V, smallest positive\n"
      "  seven := third*third*third*third*third*third*third + V\n"
      "define text-mixture\n  section: appendix_b\n  root mixed: mixed^2 - V*mixed - chi, smallest positive\n",
-     "  section: appendix_b\n  title: of the test\n", limits, sizeof limits / sizeof *limits},
+     "  section: appendix_b\n  title: of the test\n", limits, COUNT(limits)},
     {"define text-inner\n  section: appendix_b\n  inner := 1/(chi - eta)\n"
      "define text-outer\n  section: appendix_b\n  outer := inner + 1\n"
      "relation text-told\n  section: appendix_b\n  u = 0\n  v < 0\n"
@@ -262,7 +262,7 @@ static const struct {
      "inequality text-moved\n  section: appendix_b\n  x < 1\n"
      "relation text-cubic\n  section: model\n  u_1 + u_1*(u_1 - 1)*(u_1 - 2) = u_s1*eps for eps in {+1, -1}\n"
      "  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}\n",
-     "  section: appendix_b\n  title: of the test\n", gaps, sizeof gaps / sizeof *gaps}};
+     "  section: appendix_b\n  title: of the test\n", gaps, COUNT(gaps)}};
 
 CASE("argument", .once = {paper_open, paper_close});
 
@@ -359,7 +359,7 @@ TEST(conditions_are_the_margins_of_the_orbit) {
   } pairs[] = {{"eq-51#1", COND_TA},          {"eq-57#1", COND_GAMMA_V1}, {"text-h-phase#1", COND_H_V1},
                {"text-h-phase#2", COND_H_V2}, {"eq-59#2", COND_C_V2},     {"eq-59#1.2", COND_C_W},
                {"eq-54#2.2", COND_D_R},       {"eq-57#2.2", COND_GAMMA_R}};
-  enum { PAIRS = sizeof pairs / sizeof *pairs, ORBITS = 40 };
+  enum { PAIRS = COUNT(pairs), ORBITS = 40 };
   struct audit_result r;
   struct diag d;
   struct claims claims = {.n = 0};

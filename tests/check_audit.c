@@ -63,9 +63,8 @@ TEST(every_row_of_the_verdict_table) {
 TEST(routes_that_share_their_reasoning_count_once) {
   static const char *const names[] = {"balls", "oracle", "exponential", "taylor",    "gsl",         "ode",
                                       "fd",    "newton", "saltation",   "iteration", "integration", "motion"};
-  enum { N = sizeof names / sizeof *names };
-  for (int i = 0; i < N; i++) {
-    for (int k = 0; k < N; k++)
+  for (int i = 0; i < COUNT(names); i++) {
+    for (int k = 0; k < COUNT(names); k++)
       for (int outcome = ROUTE_NOTHING; outcome <= ROUTE_UNDECIDED; outcome++) {
         struct route_result w[] = {{names[i], ROUTE_AGREES, true, 1},
                                    {names[k], (enum route_outcome)outcome, false, 1}};
@@ -88,7 +87,7 @@ TEST(selection_by_id) {
                {"num-t_a", "num-t_a", true},    {"num-t_ab", "num-t_a", false}, {"num-t_a", "num-t_b", false},
                {"num-t_a", "num-t_", false},    {"num-z10", "num-z1", false},   {"text-periodic", "text-period", false},
                {"text-periodic", "text", true}, {"eq-27", "e", false},          {"eq-27", "", false}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+  for (size_t i = 0; i < COUNT(cases); i++)
     ck_assert_msg(claim_selected(cases[i].id, cases[i].item) == cases[i].want, "\"%s\" selects %s: %s", cases[i].item,
                   cases[i].id, cases[i].want ? "no" : "yes");
 }
@@ -100,8 +99,7 @@ TEST(sizes_as_powers_of_ten) {
   } cases[] = {{-INFINITY, "0"}, {0, "1e0"}, {3, "1e1"}, {3.4, "1e2"}, {-3.4, "1e-1"}, {-10, "1e-3"}, {-127, "1e-38"}};
   struct audit_result r;
   audit_result_init(&r);
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-    ck_assert_str_eq(order_of_magnitude(&r, cases[i].log2x), cases[i].want);
+  for (size_t i = 0; i < COUNT(cases); i++) ck_assert_str_eq(order_of_magnitude(&r, cases[i].log2x), cases[i].want);
   audit_result_clear(&r);
 }
 
@@ -150,7 +148,7 @@ static const struct {
     {"eq-40", "define user\n  section: stability\n  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100))\n"},
 };
 
-enum { N_DAMAGES = sizeof damages / sizeof *damages, N_REPAIRS = sizeof repairs / sizeof *repairs };
+enum { N_DAMAGES = COUNT(damages), N_REPAIRS = COUNT(repairs) };
 
 static struct audit_result undamaged; /* the whole audit, as things stand */
 
@@ -368,7 +366,7 @@ TEST(what_cannot_be_read_is_a_fault_of_notation) {
     const char *overlay, *outcome;
   } cases[] = {{"define user\n  section: stability\n  equation: 27\n  J_a := [1, 2; 3, 4]\n", "2x2"},
                {"define user\n  section: stability\n  equation: 27\n  J_a := [-1, 1]*[1, 2]\n", "1x2 and 1x2"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct audit_result r;
     judge(&r, cases[i].overlay, true, "eq-27");
     const struct finding *f = finding_with_id(&r, "eq-27");

@@ -169,7 +169,7 @@ TEST(diag_places) {
        "          ^"},
       {"\ta\t= b", 3, "f.eq:1:4: error: no\n   a = b\n     ^"},
   };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     struct source s;
     struct diag d;
     source_from_string(&s, "f.eq", c[i].text);
@@ -208,7 +208,7 @@ static size_t split(char *line[4], char *message) {
 TEST_EACH(diag_clips_long_lines, 4) {
   static const size_t place[] = {0, 1, 30, 49, 50, 51, 2500, 4949, 4950, 4998, 4999};
   const char *u = unit[_i];
-  for (size_t k = 0; k < sizeof place / sizeof *place; k++) {
+  for (size_t k = 0; k < COUNT(place); k++) {
     struct text t, head;
     text_init(&t);
     text_init(&head);
@@ -278,7 +278,7 @@ TEST(diag_is_utf8) {
   static const struct {
     const char *given, *shown;
   } c[] = {{"a\xFFz", "a?z"}, {"\xC3", "?"}, {"\xE2\x82", "??"}, {"\xC0\x80|", "??|"}, {"\xED\xA0\x80", "???"}};
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     struct diag d;
     diag_init(&d);
     diag_set(&d, "%s", c[i].given);
@@ -313,7 +313,7 @@ TEST(read_what_was_written) {
       {"x\xEF\xBB\xBF", 4, 0},
       {"~\xC2\xA0\xDF\xBF\xE0\xA0\x80\xED\x9F\xBF\xEE\x80\x80\xF0\x90\x80\x80\xF4\x8F\xBF\xBF", 22, 0},
   };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     const char *path = scratch_put_n("read", c[i].bytes, c[i].len);
     struct source s;
     goes_well(source_read(&s, path, c[i].len, &d));
@@ -359,7 +359,7 @@ TEST(read_refuses) {
       {"ok \xE2\x82", "1:4: error: not UTF-8 text (byte 0xe2)\n  ok ??\n     ^", 5},
       {"\xFE\xFF", "1:1: error: not UTF-8 text (byte 0xfe)\n  ??\n  ^", 2},
   };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) refused(scratch_put_n("bad", c[i].bytes, c[i].len), 100, c[i].why);
+  for (size_t i = 0; i < COUNT(c); i++) refused(scratch_put_n("bad", c[i].bytes, c[i].len), 100, c[i].why);
   refused(scratch_path(""), 100, " error: a folder, not a regular file");
   refused(scratch_path("absent"), 100, " error: No such file or directory");
   /* a pipe nobody writes to: opening it must not wait */
@@ -468,7 +468,7 @@ TEST(write_in_a_read_only_folder) {
 TEST(folders) {
   static const char *const fine[] = {"a", "a/b/c/d", "a/b", "a//x/", "a/./y", "a/../z", ""};
   struct stat st;
-  for (size_t i = 0; i < sizeof fine / sizeof *fine; i++) {
+  for (size_t i = 0; i < COUNT(fine); i++) {
     const char *path = scratch_path(fine[i]);
     goes_well(folder_make(path, &d));
     ck_assert_msg(stat(path, &st) == 0 && S_ISDIR(st.st_mode), "%s", path);
@@ -477,7 +477,7 @@ TEST(folders) {
   ck_assert_str_eq(scratch_list(scratch_path("a")), "b x y");
   scratch_put("a/file", "kept");
   static const char *const wrong[] = {"a/file", "a/file/", "a/file/b", "a/file/b/c"};
-  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+  for (size_t i = 0; i < COUNT(wrong); i++) {
     const char *path = scratch_path(wrong[i]);
     fails_as(folder_make(path, &d), formatted("%s: error: cannot make the folder: %s", path, strerror(ENOTDIR)));
   }
@@ -549,7 +549,7 @@ TEST(record_spans) {
 TEST(record_errors) {
   static const char *const c[][3] = {{"define a\nx = 1\n", "2", "x = 1"},
                                      {"define a\n  x = 1\nnote: 2\n", "3", "note: 2"}};
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     struct record_file f;
     fails_as(
         parse(&f, c[i][0], &d),

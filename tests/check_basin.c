@@ -15,7 +15,6 @@ static const char *const sets[][N_PARAMS] = {{"0.8", "1", "1", "2.7844", "1.85"}
                                              {"0.78", "2", "1", "4", "0.25"},
                                              {"0.8", "1", "1", "8", "0.8587"},
                                              {"0.8", "1", "1", "2.7844", "2.1"}};
-enum { N_SETS = sizeof sets / sizeof *sets };
 
 static fmpq *read_set(double p[N_PARAMS], int i) {
   fmpq *params = rationals(sets[i], N_PARAMS);
@@ -69,7 +68,7 @@ static void check_failure(const struct dyn_basin *b, const double p[N_PARAMS], d
   }
 }
 
-TEST_EACH(starts_inside_come_nearer, N_SETS) {
+TEST_EACH(starts_inside_come_nearer, COUNT(sets)) {
   double p[N_PARAMS];
   const fmpq *none[2] = {NULL, NULL};
   struct dyn_orbits list;
@@ -157,7 +156,7 @@ TEST(no_interval_where_there_is_none) {
   double p[N_PARAMS];
   const fmpq *none[2] = {NULL, NULL};
   int others = 0;
-  for (int i = 0; i < N_SETS; i++) {
+  for (int i = 0; i < COUNT(sets); i++) {
     struct dyn_orbits list;
     fmpq *params = read_set(p, i);
     ck_assert_int_eq(dyn_orbits_find(&list, params, 96, NULL), SS_OK);

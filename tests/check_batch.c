@@ -125,9 +125,8 @@ static const double lines[][N_PARAMS + 1] = {
     {0.8, 1, 1, 2.7844, 0.80, 0.90},     {0.8, 1, 1, 2.7844, 1.5, 1.8},          {0.73, 0.31, 0.98, 1.19, 0.15, 0.17},
     {0.71, 7.7, 0.28, 1.07, 0.84, 0.86}, {0.87, 0.32, 0.45, 0.242, 0.27, 0.285}, {0.5, 1.5, 0.7, 1.47, 0.5, 0.55},
 };
-enum { N_LINES = sizeof lines / sizeof *lines };
 
-TEST_EACH(ordinary_sweeps_against_balls, N_LINES) {
+TEST_EACH(ordinary_sweeps_against_balls, COUNT(lines)) {
   struct table t;
   table_init(&t, 60);
   random_numbers.state = 30;
@@ -287,7 +286,7 @@ TEST(same_bits_alone_and_among_others) {
   table_init(&t, 2600);
   mixture(&t);
   run(&t);
-  for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
+  for (size_t k = 0; k < COUNT(sizes); k++)
     for (slong from = 0; from < 1500; from += 731) {
       table_init(&part, 2600);
       for (slong j = from; j < from + sizes[k]; j++) {

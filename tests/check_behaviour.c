@@ -176,7 +176,7 @@ TEST(dimensions_are_those_of_the_constraints) {
                {CLAIM("dimension") "  states: eq-9#2 C, eq-5b D, eq-5b#1 Gamma\n  range: 2 4\n", VERDICT_PROVED,
                 "3 in the global stick phase, 4 in the slip-stick phase, 4 in the global slip phase, 2 in the "
                 "stick-slip phase"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct audit_result r;
     const struct finding *f = judged(&r, cases[i].text);
     ck_assert_int_eq((int)f->verdict, (int)cases[i].want);

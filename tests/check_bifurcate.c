@@ -79,11 +79,10 @@ static const double points[][N_DIRECTIONS] = {{0.8, 1, 1, 2.7844, 0.8587, 2.0053
                                               {0.6, 2.5, 0.7, 1.2, 0.4, 1.1, 6.2},
                                               {0.25, 0.3, 3, 5, 2, 9.25, 2.5},
                                               {0.95, 4, 0.2, 0.5, 1.5, 0.75, 11.5}};
-enum { N_POINTS = sizeof points / sizeof *points };
 
 /* motion/map_balls.c writes these derivatives out. */
 TEST(slopes_are_those_written_out) {
-  for (int i = 0; i < N_POINTS; i++)
+  for (int i = 0; i < COUNT(points); i++)
     for (int up = 0; up < 2; up++) {
       struct ball_pass s;
       struct calc c = calc_begin(dual_ctx(128));
@@ -101,7 +100,7 @@ TEST(slopes_are_those_written_out) {
 
 /* Along each parameter: central differences at 2^-40, whose error is about 2^-80 of the third derivative. */
 TEST(slopes_along_parameters_are_differences) {
-  for (int i = 0; i < N_POINTS; i++)
+  for (int i = 0; i < COUNT(points); i++)
     for (int d = 0; d < N_PARAMS; d++) {
       struct ball_pass s, side[2];
       double h = ldexp(1, -40), x[N_DIRECTIONS];
@@ -288,11 +287,10 @@ static const struct {
              {{"0.8", "0", "1", "2.7844", "0.8587"}, P_ETA, "5", "0.5"},
              {{"0.5", "4", "1", "0", "1"}, P_E1, "1.5", "6"},
              {{"0.1857", "0.1006", "1.6272", "0", "16.2816"}, P_E1, "0.1", "3"}}; /* w meets e1 in phase C */
-enum { N_LINES = sizeof lines / sizeof *lines };
 
 /* At six digits the ends of a bracket are far enough apart for the search; between two changes it must find what is
    left. */
-TEST_EACH(each_change_does_what_it_says, N_LINES) {
+TEST_EACH(each_change_does_what_it_says, COUNT(lines)) {
   struct line l;
   struct dyn_bifurcations list;
   struct dyn_orbits at;
@@ -451,7 +449,7 @@ TEST(ends_outside_the_domain) {
     int vary;
     const char *from, *to;
   } bad[] = {{P_CHI, "0.5", "1"}, {P_E2, "0", "1"}, {P_E2, "1", "1"}, {P_E1, "1e-400", "1"}, {P_V, "1", "1e400"}};
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+  for (size_t i = 0; i < COUNT(bad); i++) {
     struct line l;
     struct dyn_bifurcations list;
     line_init(&l, example_text, bad[i].vary, bad[i].from, bad[i].to);

@@ -78,9 +78,8 @@ static const struct ends boxes[] = {
     {{"0.799", "0.999", "0.999", "2.78", "0.85"}, {"0.801", "1.001", "1.001", "2.79", "0.86"}}, /* all five */
     {{"0.65", "2", "1", "2", "0.25"}, {"0.68", "2", "1", "2", "0.25"}},
 };
-enum { N_BOXES = sizeof boxes / sizeof *boxes };
 
-TEST_EACH(every_point_of_a_box_is_enclosed, N_BOXES) {
+TEST_EACH(every_point_of_a_box_is_enclosed, COUNT(boxes)) {
   struct dyn_box box;
   fmpq *low = rationals(boxes[_i].low, N_PARAMS), *high = rationals(boxes[_i].high, N_PARAMS);
   ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
@@ -148,7 +147,7 @@ TEST(what_is_settled_and_what_changes) {
                {"1.812", "2.1", TRUTH_TRUE, TRUTH_TRUE, false, false},
                {"2.1", "2.11", TRUTH_TRUE, TRUTH_UNKNOWN, false, true},
                {"2.11", "2.3", TRUTH_TRUE, TRUTH_FALSE, false, false}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct dyn_box box;
     const struct ends e = {{"0.8", "1", "1", "2.7844", cases[i].low}, {"0.8", "1", "1", "2.7844", cases[i].high}};
     fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
@@ -178,7 +177,7 @@ TEST(an_orbit_that_ends_is_not_proved) {
     const char *low, *high;
     double tb;
   } cases[] = {{"1.75", "1.85", 1.2486}, {"1.3", "1.4", 1.914}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct dyn_box box;
     const struct ends e = {{"0.8", "1", "1", "2.7844", cases[i].low}, {"0.8", "1", "1", "2.7844", cases[i].high}};
     fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);

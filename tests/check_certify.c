@@ -244,7 +244,7 @@ TEST(near_folds_and_grazing_events) {
       {{"0.05", "20", "2.3", "4.43", "4431695246102601544177/10000000000000000000000"}, 2},
   };
   int raised = 0;
-  for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+  for (size_t i = 0; i < COUNT(row); i++) {
     struct study s;
     study_open(&s, row[i].text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
     all_certified(&s, row[i].n);
@@ -531,7 +531,7 @@ TEST(a_box_without_its_orbit_is_rejected) {
   struct dyn_orbit *o = &s.list.orbit[0];
   arb_ptr wide[] = {o->z10,    o->z20,   o->t[0],   o->t[1],     o->t[2],    o->t[3],
                     o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
-  for (size_t i = 0; i < sizeof wide / sizeof *wide; i++) arb_add_error_2exp_si(wide[i], -6);
+  for (size_t i = 0; i < COUNT(wide); i++) arb_add_error_2exp_si(wide[i], -6);
   checked(&s, VERIFIED, ""); /* it says less, but nothing false */
   arb_ptr box = s.proof[0].box[QUANTITY_TB];
   arf_t shift;
@@ -575,7 +575,7 @@ TEST(static_friction_has_a_range) {
               {{"-1", "3"}, "u_r1 is out of its range", REJECTED},
               {{"3", "8587/10000"}, "u_r2 is out of its range", REJECTED},
               {{"3", "0"}, "u_r2 is out of its range", REJECTED}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     struct study s;
     study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, rows[i].u, 128);
     int status = checker(text_str(&s.json));
@@ -654,7 +654,7 @@ static void verified_one(const char *what) {
 /* Where nothing else is on file: positions far wider than forces, phase C slow, t_a beside t_b as 1e6 to 1. */
 TEST(extreme_orbits_are_verified) {
   static const char *const set[] = {"chi=1-1e-6", "chi=1-1e-8", "eta=1e-6", "eta=1e-9", "V=1e-5", "eta=1e12"};
-  for (size_t i = 0; i < sizeof set / sizeof *set; i++) {
+  for (size_t i = 0; i < COUNT(set); i++) {
     shell_well("rm -f $D/c.json; $P orbit paper --set %s --certificate $D/c.json > $D/out 2>&1", set[i]);
     ck_assert_msg(checker_on(scratch_path("c.json")) == VERIFIED, "%s: %s", set[i], said);
   }
@@ -676,7 +676,7 @@ static const struct {
 /* An exception must be one, and "complete" for the reason that the program gives. */
 static void is_proved_or_excepted(const char *path, const char *out, const char *lacks, bool proved) {
   const char *name = strrchr(path, '/') + 1, *why = NULL;
-  for (size_t i = 0; i < sizeof unproved / sizeof *unproved; i++)
+  for (size_t i = 0; i < COUNT(unproved); i++)
     if (strncmp(name, unproved[i].scene, strlen(unproved[i].scene)) == 0 &&
         strcmp(name + strlen(unproved[i].scene), ".scene") == 0 && strcmp(unproved[i].lacks, lacks) == 0)
       why = unproved[i].why;
@@ -867,7 +867,7 @@ TEST(solutions_that_are_no_motions_are_rejected) {
              /* the paper's orbit that breaks h_v2; z = x - (10, 45/4) */
              {"two-masses", "ss -s -- s-", {14.318937, 1.3814616, 10.909628, 3.2581067}, {4.5356558, 4.5188039, 1, 1}}};
   int later = 0, broken = 0;
-  for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+  for (size_t i = 0; i < COUNT(row); i++) {
     struct system_study s;
     struct mech_word w;
     size_t at;
@@ -957,7 +957,7 @@ TEST(huge_systems_are_refused) {
   text_init(&t);
   system_open(&s, "verify/systems/beside-wall.system");
   static const char *const number[] = {"1 fffffff 0 0", "1 0 1 fffffff", "1 -fffffff 1 0", "nan", "1e9", ""};
-  for (size_t i = 0; i < sizeof number / sizeof *number; i++) {
+  for (size_t i = 0; i < COUNT(number); i++) {
     text_reset(&t);
     text_printf(&t, "\"%s\", \"", number[i]);
     refused_with(&s.json, "\"times\"", "\"", text_str(&t), BAD_FILE, "");
@@ -1003,8 +1003,7 @@ TEST(bad_files) {
     ck_assert_int_eq(checker_on(scratch_put_n("cut.json", s.json.data, len)), BAD_FILE);
   }
   static const char *const bad[] = {"", "{", "[]", "null", "{\"format\": 1}", "\"\\", "{\"a\": {\"a\": tru", "{} {}"};
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-    ck_assert_msg(checker(bad[i]) == BAD_FILE, "%s: %s", bad[i], said);
+  for (size_t i = 0; i < COUNT(bad); i++) ck_assert_msg(checker(bad[i]) == BAD_FILE, "%s: %s", bad[i], said);
   struct text t;
   text_init(&t);
   for (int i = 0; i < 1000000; i++) text_add(&t, i % 2 ? "{\"\":" : "[");
@@ -1044,7 +1043,7 @@ TEST(bad_files) {
   for (int i = 0; next_value(&at, &len, &s.json, from); i++) {
     from = at + len;
     if (i < 2 || i > 24) continue; /* the format, the scene's name; the first orbit's numbers */
-    for (size_t k = (size_t)(i % every(3)); k < sizeof number / sizeof *number; k += (size_t)every(3)) {
+    for (size_t k = (size_t)(i % every(3)); k < COUNT(number); k += (size_t)every(3)) {
       if (strlen(number[k]) == len && strncmp(number[k], s.json.data + at, len) == 0) continue; /* eta = 1 */
       int status = checker_with(&s.json, at, len, number[k]);
       ck_assert_msg(status == REJECTED || status == BAD_FILE, "value %d, %s: %s", i, number[k], said);
@@ -1123,7 +1122,7 @@ TEST(stiff_orbits_are_rechecked) {
     const char *eta;
     int status;
   } c[] = {{"1e11", VERIFIED}, {"2e12", REJECTED}};
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     shell_well("\"$P\" orbit paper --set eta=%s --certificate \"$D/stiff.json\" 2> \"$D/err\"", c[i].eta);
     check_says("err", "ran into its limits; there may be more orbits");
     ck_assert_msg(checker_on(scratch_path("stiff.json")) == c[i].status, "eta = %s: %s", c[i].eta, said);

@@ -70,7 +70,6 @@ static char *claim_object(const char *json, const char *id) {
 
 static const char *const verdicts[] = {"proved",  "conditional", "supported", "refuted",
                                        "unknown", "skipped",     "definition"};
-enum { N_VERDICT_WORDS = sizeof verdicts / sizeof *verdicts };
 
 /* The last line of the output says what the summary of audit.json says. */
 TEST(the_last_line_is_the_summary) {
@@ -86,7 +85,7 @@ TEST(the_last_line_is_the_summary) {
     const char *from = of ? semicolon + 1 : line + 6, *end_of = strchr(from, ';');
     snprintf(half, sizeof half, "%.*s", (int)(end_of - from), from);
     int total = 0;
-    for (int i = 0; i < N_VERDICT_WORDS; i++) {
+    for (int i = 0; i < COUNT(verdicts); i++) {
       char part[60];
       int n = atoi(member(of ? checks : summary, verdicts[i]));
       total += n;
@@ -209,7 +208,7 @@ TEST(strict_means_no_discrepancies) {
     const char *only;
     int status, strict;
   } cases[] = {{"eq-40", 0, 4}, {"eq-27", 0, 0}, {"eq-31", 0, 4}, {"eq-1", 0, 0}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct job j;
     job_run(&j, "verify", "paper", "--only", cases[i].only, "--out", scratch_path("strict"), NULL);
     ck_assert_int_eq(j.status, cases[i].status);
@@ -246,7 +245,7 @@ TEST(output_that_cannot_be_written) {
   char inside[400];
   snprintf(inside, sizeof inside, "%s/sub", file);
   const char *const nowhere[] = {inside, "/proc/stickslip", file};
-  for (size_t i = 0; i < sizeof nowhere / sizeof *nowhere; i++) {
+  for (size_t i = 0; i < COUNT(nowhere); i++) {
     job_run(&j, "verify", "--only", "eq-3", "--out", nowhere[i], NULL);
     ck_assert_msg(j.status == 3 && strstr(j.err, nowhere[i]) && !*j.out, "%s: %d, %.1500s", nowhere[i], j.status,
                   j.err);
@@ -322,7 +321,7 @@ TEST(json_obeys_its_schemas) {
   /* the sets "none" and "fractions" of orbits.tsv */
   scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
   scratch_put("stiff.scene", "chi = 5/7\neta = 8/3\nV = 2/3\ne1 = 28/9\ne2 = 3/14\nu_r1 = 28/5\nu_r2 = 3/10\n");
-  check_schemas(runs, sizeof runs / sizeof *runs);
+  check_schemas(runs, COUNT(runs));
   shell_well("$P verify $D/none.scene --only num-t_a,text-periodic,eq-27 --out $D/skipping && "
              "$Y tests/oracle/validate.py schema/audit.schema.json $D/whole/paper/audit.json "
              "schema/audit.schema.json $D/skipping/audit.json");
@@ -699,7 +698,7 @@ TEST(help_and_version) {
   job_run_well(&j, "orbit", "--help", NULL);
   /* the ids that the data of orbits.tsv finds broken */
   static const char *const violations[] = {"t_a", "gamma_v1", "h_v2", "c_v2", "c_w", "u_r1", "u_r2"};
-  for (size_t i = 0; i < sizeof violations / sizeof *violations; i++)
+  for (size_t i = 0; i < COUNT(violations); i++)
     ck_assert_msg(mentions(strstr(j.out, "violations"), violations[i]), "the help says nothing of %s", violations[i]);
   job_clear(&j);
   job_run_well(&j, "--version", NULL);

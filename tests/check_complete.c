@@ -135,7 +135,7 @@ TEST(a_motion_that_repeats_itself) {
   } row[] = {{{"9/25", "25/9", "1", "1.3", "0.4"}, true},
              {{"44/125", "25/11", "1", "0.8", "0.3"}, true},
              {{"9/25", "2.777777777777777", "1", "1.3", "0.4"}, false}};
-  for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+  for (size_t k = 0; k < COUNT(row); k++) {
     struct dyn_orbits list = {.n = 0};
     fmpq *p = rationals(row[k].p, N_PARAMS);
     ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, NULL, DYN_CELLS / 10), SS_OK);
@@ -172,7 +172,7 @@ TEST(hopeless_parameters_are_said) {
       {{"1/2", "1", "1e400", "1", "1"}, SS_OK, GAP_RANGE},
       {{"0.99999999999999999999999999999999999999999999999999", "1", "1", "1", "1"}, SS_OK, GAP_RANGE},
   };
-  for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+  for (size_t k = 0; k < COUNT(row); k++) {
     struct dyn_orbits list = {.n = 0};
     fmpq *p = rationals(row[k].p, N_PARAMS);
     ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, NULL, 1000000), row[k].status);

@@ -150,7 +150,7 @@ TEST(law_at_its_limits) {
       {2, -1, 1, 2, 'X', "f_1' = f_1'' = 0, f_1''' > 0"},
       {-2, -1, 1, 2, 'c', "f_1' = f_1'' = 0, f_1''' > 0 at the lower limit"},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     double x[N_STATE];
     enum coulomb_mode mode[2];
     from_forces(x, cases[i].f1, cases[i].f2, cases[i].v1, cases[i].v2);
@@ -633,7 +633,7 @@ TEST(nonsense_is_refused) {
   plan.duration = 1;
   paper_start(x, 0.978, -2.125);
   for (int route = 0; route < 2; route++) {
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    for (size_t i = 0; i < COUNT(bad); i++) {
       memcpy(p, paper, sizeof p);
       p[(int)bad[i][0]] = bad[i][1];
       ck_assert_int_eq(simulate(&r, route, p, x, &plan, NULL), SS_DOMAIN);

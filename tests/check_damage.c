@@ -55,7 +55,7 @@ static enum damage_class class_of(const char *attribute) {
     const char *attribute;
     enum damage_class class;
   } rows[] = {{"quote", DAMAGE_QUOTATION}, {"printed", DAMAGE_PRINTED}, {"title", DAMAGE_TITLE}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+  for (size_t i = 0; i < COUNT(rows); i++)
     if (strcmp(attribute, rows[i].attribute) == 0) return rows[i].class;
   return DAMAGE_CORRECTION;
 }

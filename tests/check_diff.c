@@ -81,7 +81,7 @@ TEST(sameness) {
                {"[[]]", "[{}]", false},
                {"\"\\u0061\"", "\"a\"", true},
                {"{\"a\":{\"b\":[1]}}", "{\"a\":{\"b\":[2]}}", false}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct arena a;
     struct json_value x, y;
     arena_init(&a);
@@ -111,7 +111,7 @@ TEST(limits) {
   struct diag d;
   struct json_value v;
   arena_init(&a);
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     char *s = repeated(cases[i].depth, "[", "]");
     ck_assert_msg(parse(&v, &a, s, &d) == cases[i].ok, "%zu: %s", cases[i].depth, d.message);
     ck_assert(cases[i].ok || strstr(d.message, "nested too deeply"));
@@ -216,7 +216,7 @@ TEST(what_is_no_audit) {
       HEAD("") "{\"id\":1,\"verdict\":\"proved\"}]}",
       HEAD("") CLAIM("x", "proved", "") "," CLAIM("x", "proved", "") "]}",
       A "x"};
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+  for (size_t i = 0; i < COUNT(bad); i++) {
     ck_assert_msg(diff(bad[i], A, "") == 3 && printed("out", ""), "%s", bad[i]);
     ck_assert_msg(diff(A, bad[i], "--json") == 3 && printed("out", ""), "%s", bad[i]);
   }

@@ -18,7 +18,7 @@ static const struct edit_word some_words[] = {
     {.name = "M", .rows = 2, .cols = 2},
     {.name = "H", .rows = 2, .cols = 2, .function = true},
 };
-enum { N_WORDS = sizeof some_words / sizeof *some_words };
+enum { N_WORDS = COUNT(some_words) };
 static const char *const some_factors[] = {"b"};
 
 /* The texts of one kind of edit, joined by " | ". */
@@ -137,7 +137,7 @@ TEST(factors_are_put_into_terms) {
       {"-a = 1", "-a = b | -a*b = 1"},
       {"(a + a)*a = 0", "(a + a)*a*b = 0 | (a + a*b)*a = 0 | (a*b + a)*a = 0"},
   };
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     char *found = edits_as_text(rows[i].statement, EDIT_FACTOR, true), *got = sorted(found),
          *want = sorted(rows[i].want);
     ck_assert_msg(strcmp(got, want) == 0, "%s:\n  %s\nnot\n  %s", rows[i].statement, got, want);
@@ -155,7 +155,7 @@ TEST(families_of_names) {
               {"u_r1", "u_s1", true},   {"Z_a", "Z_b", true},    {"Z_a", "z_a", false},        {"dZ_a", "Z_a", false},
               {"z_10", "z_100", false}, {"chi", "eta", false},   {"z'_1b", "z'_2b", true},     {"z'_1b", "z_1b", false},
               {"H_11", "H_12", true},   {"chi_b", "chi", false}, {"omega_1", "omega_2", true}, {"t_a", "t_a", false}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     ck_assert_msg(edit_same_family(rows[i].a, rows[i].b) == rows[i].same, "%s %s", rows[i].a, rows[i].b);
     ck_assert(edit_same_family(rows[i].b, rows[i].a) == rows[i].same);
   }
@@ -244,7 +244,7 @@ CASE("edit");
 /* Long statements: edits within the bounds, or none. */
 TEST(long_statements_are_bounded) {
   static const int terms[] = {100, 199, 201, 20000};
-  for (size_t i = 0; i < sizeof terms / sizeof *terms; i++) {
+  for (size_t i = 0; i < COUNT(terms); i++) {
     struct text t;
     struct source src;
     struct arena a;

@@ -123,7 +123,7 @@ TEST(claims_about_the_same) {
 TEST(the_same_program) {
   static const char *const formulas[] = {"chi + eta", "chi - eta",  "chi + V",    "2*chi",   "3*chi",     "chi^2",
                                          "chi^3",     "[chi, eta]", "[eta, chi]", "omega_1", "omega_1*2", "chi"};
-  enum { N = sizeof formulas / sizeof *formulas };
+  enum { N = COUNT(formulas) };
   struct tape t[N][2];
   for (int i = 0; i < 2 * N; i++) {
     struct elaboration el;
@@ -174,7 +174,7 @@ TEST(what_falls_with_a_formula) {
                 "eq-32 eq-41 eq-43 eq-43b text-singular text-charpoly text-criterion text-eigenvalues-outside "
                 "text-eigenvalues-inside"},
                {"eq-29", "", ""}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     const struct consequence *q = audit_result_consequence(&result, cases[i].failure);
     ck_assert_msg(q != NULL, "%s", cases[i].failure);
     ck_assert_str_eq(joined(&q->falls), cases[i].falls);
@@ -189,7 +189,7 @@ TEST(what_provably_does_not_change) {
     const char *failure, *reached;
   } cases[] = {
       {"eq-10", " N M M*[1; 1] -inv(N_1 - I)*N_2*z'_0 "}, {"eq-40", " J_f J tr(J) det(J) P(lambda) "}, {"eq-31", "  "}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     const struct consequence *q = audit_result_consequence(&result, cases[i].failure);
     ck_assert_int_eq(q->n_derived, (int)the_paper.claims.n_results);
     for (int k = 0; k < q->n_derived; k++) {
@@ -286,7 +286,7 @@ TEST(size_of_the_error_in_10) {
 /* A claim is judged alike alone and together, its effect and consequences included. */
 TEST(alone_or_together) {
   static const char *const ids[] = {"eq-10", "eq-40", "eq-32b"};
-  for (size_t i = 0; i < sizeof ids / sizeof *ids; i++) {
+  for (size_t i = 0; i < COUNT(ids); i++) {
     struct audit_result r;
     const struct claims none = {.n = 0};
     const struct audit_options opt = {.only = &ids[i], .n_only = 1};
@@ -328,7 +328,7 @@ TEST(what_to_replace_by_what) {
                {"eq-30", "replace $Z_{b}$ by $Z_{a}$; $dZ_{b}$ by $dZ_{a}$"},
                {"eq-31", "replace $u_{r1}$ by $u_{r2}$"},
                {"eq-32c", "replace $y_{b}$ by $y_{a}$"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+  for (size_t i = 0; i < COUNT(cases); i++)
     ck_assert_str_eq(finding_with_id(&result, cases[i].id)->change, cases[i].change);
   ck_assert(finding_with_id(&result, "eq-32b")->change == NULL); /* one equation for two */
   struct audit_result r;
@@ -360,7 +360,7 @@ TEST(without_a_correction_nothing_is_said) {
 TEST(numbers_are_corrected_to_as_many_digits) {
   static const char *const want[][2] = {
       {"num-z10", "z10 = 0.9782"}, {"num-z20", "z20 = -2.1247"}, {"num-u_r1", "u_r1 > 0.0532"}};
-  for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
+  for (size_t i = 0; i < COUNT(want); i++) {
     const struct finding *f = finding_with_id(&result, want[i][0]);
     ck_assert_str_eq(f->correction, want[i][1]);
     ck_assert_int_eq(f->correction_verdict, VERDICT_PROVED);
@@ -376,7 +376,7 @@ TEST(worst_first) {
   report_errata(&t, &result);
   static const char *const never[] = {"eq-",   "text-",  "num-",   "(10c)", "relative to their size",
                                       " +/- ", "(GHCD)", "reading"};
-  for (size_t i = 0; i < sizeof never / sizeof *never; i++)
+  for (size_t i = 0; i < COUNT(never); i++)
     ck_assert_msg(strstr(t.data, never[i]) == NULL, "%s: %.200s", never[i], strstr(t.data, never[i]));
   check_order(t.data, "tests/cases/order_errata.tsv");
   text_clear(&t);
@@ -509,7 +509,7 @@ TEST(nothing_quoted_breaks_a_sheet) {
   struct table all;
   table_read(&all, "tests/cases/traps_errata.tsv", 1);
   const char *traps[60];
-  ck_assert_int_le(all.n, (int)(sizeof traps / sizeof *traps));
+  ck_assert_int_le(all.n, COUNT(traps));
   for (int i = 0; i < all.n; i++) traps[i] = *all.row[i];
   struct audit_result r;
   hostile(&r, traps, (size_t)all.n);
@@ -550,7 +550,7 @@ TEST(mistakes_in_a_list_of_results) {
       {"result a\n  formula: K\n", "a result has a title and a formula"},
       {"result a\n  title: b\n  formula: K\n  value: K\n", ":4:3: error: a: a result has section, title and formula"},
       {"result a\n  title: b\n  formula: K\nresult a\n  title: c\n  formula: K\n", "result a is given twice"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     fails_with(audit_check_file(scratch_put("r.claim", cases[i].text), "verify", &d), cases[i].says);
   }
   goes_well(audit_check_file("verify/claims/results.claim", "verify", &d));

@@ -229,7 +229,7 @@ TEST(derivatives_by_the_rules) {
       {"sin(t^2/chi)", "(2*t/chi)*cos(t^2/chi)"},
       {"sin(t)/(1 + cos(t))", "1/(1 + cos(t))"},
   };
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     struct exact_field *f = exact_field_new(NULL, 0);
     element x, y;
     exact_init(&x);
@@ -264,7 +264,7 @@ TEST(half_turns_and_roots_of_quotients) {
               {"sqrt(chi/(1 - V^2))*sqrt(chi/(1 - V^2))*(1 - V)", "chi/(1 + V)", true},
               {"V/sqrt(chi/V)", "(V/chi)*sqrt(chi/V)*V", true},
               {"sqrt(chi/V)*V", "sqrt(chi*V)", false}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     struct exact_field *f = exact_field_new(NULL, 0);
     element x, y;
     exact_init(&x);
@@ -281,7 +281,7 @@ TEST(half_turns_and_roots_of_quotients) {
 TEST(witnesses_of_roots_of_quotients) {
   static const char *const rows[][2] = {{"sqrt((4*chi)/V)", "sqrt((4*chi)/(V)) = %31[^,]"},
                                         {"sqrt((chi - 9)/(V - 9))", "sqrt((chi-9)/(V-9)) = %31[^,]"}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     struct exact_field *f = exact_field_new(NULL, 0);
     struct text t;
     element x;
@@ -314,7 +314,7 @@ TEST(differences_with_a_rational_point) {
               {"sqrt(chi) - sqrt(eta)", false, false},
               {"sqrt(chi/eta) - 3", true, false},
               {"sqrt(chi^2) - chi", false, false}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     struct exact_field *f = exact_field_new(NULL, 0);
     struct text t;
     element x;
@@ -340,7 +340,7 @@ TEST(the_budget_ends_it) {
   static const char *const texts[] = {
       "(chi + eta + V + t + x + y + u + v + lambda + e_1 + e_2)^16", "det(H(t)*H(t_a)*H(t_b)*H(t_c))",
       "(((((chi + 1/(eta + 1/(V + 1/t)))^9 + x)^9 + y)^9 + u)^9 + v)^9", "chi^17", "J[1,1]*J[1,2]*J[2,1]"};
-  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+  for (size_t i = 0; i < COUNT(texts); i++) {
     struct exact_field *f = exact_field_new(NULL, 0);
     element x;
     exact_init(&x);
@@ -364,7 +364,7 @@ static const char *const motion_names[] = {"chi",    "eta",     "V",        "e_1
                                            "v_f",    "dt_a",    "dt_b",     "dt_c",   "dt_d",
                                            "z_1(t)", "z_2'(t)", "z_1''(t)", "x_2(t)", "z_2(t_a + t_b + t_c + t_d)",
                                            "t"};
-enum { N_MOTION_NAMES = sizeof motion_names / sizeof *motion_names };
+enum { N_MOTION_NAMES = COUNT(motion_names) };
 
 static void bind_ball(arb_t z, struct values *v, const char *name) {
   bool known;
@@ -411,7 +411,7 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
   arb_t x, w[4];
   arb_init(x);
   for (int i = 0; i < 4; i++) arb_init(w[i]);
-  for (size_t i = 0; i < sizeof free_names / sizeof *free_names; i++) {
+  for (size_t i = 0; i < COUNT(free_names); i++) {
     bind_ball(x, v, free_names[i]);
     assign_symbol(g, m, free_names[i], x);
   }
@@ -504,8 +504,7 @@ TEST(motions_have_the_values_of_motions) {
                                                         {true, 2, TANGENTS_SHIFTED, TIME_INSIDE},
                                                         {true, 3, TANGENTS_LOCATED, TIME_INSIDE},
                                                         {true, 0, TANGENTS_FREE, TIME_INSIDE}};
-        for (size_t i = 0; i < sizeof attempts / sizeof *attempts; i++)
-          compare_motion(&v, &attempts[i], (enum phase)ph, tau);
+        for (size_t i = 0; i < COUNT(attempts); i++) compare_motion(&v, &attempts[i], (enum phase)ph, tau);
         accepted++;
         done++;
         arb_clear(tau);
@@ -612,7 +611,7 @@ TEST(what_follows_from_the_law) {
       {"chi*(z_2(t) - z_1(t)) < e_2", "admissible D 6", true},
       {"chi*(z_2(t) - z_1(t)) < e_1", "admissible D 6", false},
   };
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     struct model m;
     struct claims c = {.n = 0};
     struct audit_result out;
@@ -652,7 +651,7 @@ TEST(ranks_by_hand) {
       {"  x_b/sin(t) = 1\n", "x_b", -1},
       {"  x_b*y_b*u_b = (x_b + y_b)^12\n", "x_b", -1},
   };
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     struct model m;
     struct claims c = {.n = 0};
     struct diag d;
@@ -696,7 +695,7 @@ TEST(the_theorem_needs_each_hypothesis) {
       {"define user\n  gammatilde_1 := chi\n  gammatilde_2 := V\n", "ends transversally"},
       {"define user\n  J_f := [1, 0, 0; 0, 1, 0]\n", "ends transversally"},
   };
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     struct model m;
     struct diag d;
     struct audit_result out;
@@ -910,20 +909,19 @@ TEST(receipts_hold_and_damaged_ones_do_not) {
               {"eq-16b", "eq-16b: proved\n", &once},
               {"eq-59", "eq-59: proved\n", &once},
               {"text-patched", "text-patched: proved\n", &sign}};
-  enum { N_ROWS = sizeof rows / sizeof *rows };
   if (!has_sympy()) return;
   struct text line;
   char name[40];
   text_init(&line);
   text_printf(&line, "%s tests/oracle/receipts.py", python());
-  for (int i = 0; i < 2 * N_ROWS; i++) {
+  for (int i = 0; i < 2 * COUNT(rows); i++) {
     if (i % 2 == 1 && !rows[i / 2].damage->text) continue;
     snprintf(name, sizeof name, "receipt-%d.py", i);
     add_receipt(&line, name, rows[i / 2].id, i % 2 == 1 ? rows[i / 2].damage : NULL);
   }
   FILE *statuses = popen(text_str(&line), "r");
   ck_assert(statuses != NULL);
-  for (int i = 0; i < 2 * N_ROWS; i += 2) {
+  for (int i = 0; i < 2 * COUNT(rows); i += 2) {
     ck_assert_msg(next_status(statuses) == 0, "%s", rows[i / 2].id);
     struct source out;
     snprintf(name, sizeof name, "receipt-%d.py.out", i);
@@ -972,7 +970,7 @@ TEST(receipts_of_printed_numbers) {
   } rows[] = {{"num-t_a", "num-t_a: refuted\n", "num-t_a: not shown to be wrong\n", ta},
               {"num-u_r2", "num-u_r2: refuted\n", "num-u_r2: not shown to be wrong\n", ur2},
               {"text-periodic", "text-periodic: refuted\n", "text-periodic: not shown to be wrong\n", start}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     if (i == 1 && !every_case()) continue;
     ck_assert(orbit_receipt_ends(rows[i].id, none, rows[i].refuted));
     ck_assert(!orbit_receipt_ends(rows[i].id, rows[i].right, rows[i].not_so));
@@ -984,7 +982,7 @@ TEST(no_receipt_without_a_proof) {
                                         {"text-59-concluded", "not proved by a positive combination"},
                                         {"text-inverses", "det(N_1 - I) may be zero"},
                                         {"eq-36b", "not of a kind"}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     struct text t;
     text_init(&t);
     fails_with(audit_receipt(&t, &the_paper.model, &the_paper.claims, &the_paper.scene, rows[i][0], "", &d),

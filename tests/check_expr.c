@@ -206,7 +206,7 @@ TEST(test_sides_in_prose) {
       {"2*0.3*x = 2^3*(3*x)", "2 * 0.3 x = 2^3 (3 x)"},
       {"(2*3^2)/0.5 < x*y", "(2 * 3^2)/0.5 < x y"},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct text t = {0};
     stmt_plain(&t, statement(cases[i][0]));
     ck_assert_str_eq(text_str(&t), cases[i][1]);
@@ -265,7 +265,7 @@ TEST(test_limits) {
   /* 200 levels of nesting, whatever nests */
   static const char *const nests[][2] = {{"(", ")"},   {"[", "]"},  {"sin(", ")"},
                                          {"f'(", ")"}, {"(-", ")"}, {"1+(", ")"}};
-  for (size_t i = 0; i < sizeof nests / sizeof *nests; i++) {
+  for (size_t i = 0; i < COUNT(nests); i++) {
     tree(repeat(nests[i][0], "x", nests[i][1], 200));
     fails_with(parse_expr(repeat(nests[i][0], "x", nests[i][1], 201), &d), "nested more than 200 levels");
   }
@@ -278,7 +278,7 @@ TEST(test_limits) {
   static const char *const chains[][2] = {{"a*", "a"}, {"a+", "a"}, {"a-", "a"}};
   struct text t;
   text_init(&t);
-  for (size_t i = 0; i < sizeof chains / sizeof *chains; i++) {
+  for (size_t i = 0; i < COUNT(chains); i++) {
     const struct expr *e = tree(repeat(chains[i][0], chains[i][1], "", 40000));
     text_reset(&t);
     expr_print(&t, e);
@@ -520,7 +520,7 @@ TEST(test_print_scalars) {
   };
   struct text t;
   text_init(&t);
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     text_reset(&t);
     expr_print(&t, cases[i].e);
     ck_assert_str_eq(text_str(&t), cases[i].text);
@@ -543,7 +543,7 @@ TEST(test_round_trip_statements) {
   };
   struct text t;
   text_init(&t);
-  for (size_t i = 0; i < sizeof statements / sizeof *statements; i++) {
+  for (size_t i = 0; i < COUNT(statements); i++) {
     text_reset(&t);
     stmt_print(&t, statement(statements[i]));
     ck_assert_str_eq(text_str(&t), statements[i]);
@@ -647,7 +647,7 @@ TEST(test_latex_scalars) {
   };
   struct text t;
   text_init(&t);
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     text_reset(&t);
     expr_latex(&t, cases[i].e);
     ck_assert_str_eq(text_str(&t), cases[i].latex);
@@ -715,7 +715,7 @@ TEST(test_subst) {
       {"f''(cos(x))", "f''(cos(x + y))"},
       {"x(y)", "x(y)"}, /* the name of a function is not a symbol */
   };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     const struct expr *e = stripped(tree(cases[i].text));
     ck_assert_msg(expr_subst(&pool, e, "x", by) == stripped(tree(cases[i].result)), "%s", cases[i].text);
   }
@@ -850,7 +850,7 @@ TEST(test_diff_no_zeros) {
       {"x^0 + a", "0"},
       {"(x^0)*x", "x^0*1"},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+  for (size_t i = 0; i < COUNT(cases); i++)
     ck_assert_msg(expr_diff(&pool, stripped(tree(cases[i][0])), "x") == stripped(tree(cases[i][1])), "%s", cases[i][0]);
 }
 

@@ -139,7 +139,6 @@ static const struct {
 } chosen[] = {{"paper", 0},      {"paper", 1},        {"fractions", 0},   {"stable", 0},
               {"beyond-pi", 1},  {"beyond-tstar", 0}, {"four", 3},        {"chi-small", 0},
               {"eta-small2", 0}, {"eta-large", 0},    {"negative-ta", 1}, {"steep", 0}};
-enum { N_CHOSEN = sizeof chosen / sizeof *chosen };
 static const struct dyn_limits near_limits = {12, 100000};
 
 static double mid(const arb_t x) {
@@ -194,7 +193,7 @@ static bool is_sample(const struct dyn_orbit *o, const struct sample *s) {
 
 CASE("given", .once = {read_cut, clear_samples});
 
-TEST_EACH(every_pair_finds_the_orbit_again, N_CHOSEN) {
+TEST_EACH(every_pair_finds_the_orbit_again, COUNT(chosen)) {
   const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
   for (int i = 0; i < N_QUANTITIES; i++)
     for (int k = i + 1; k < N_QUANTITIES; k++) {
@@ -531,7 +530,7 @@ static double condition(double a, double b, double c, double d) {
 
 CASE("paper route", .once = {read_full, clear_samples});
 
-TEST_EACH(the_papers_route_leads_to_the_same_orbits, N_CHOSEN) {
+TEST_EACH(the_papers_route_leads_to_the_same_orbits, COUNT(chosen)) {
   const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
   struct paper_route r;
   double guess[4], p[N_PARAMS], n[N_STATE][N_STATE];

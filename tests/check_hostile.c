@@ -255,7 +255,6 @@ static const struct place {
     {"certificate", "x.json", "{}\n", "%s"},
     {"peers", "x.tsv", "job\n", "bench --job propagator --quick --peers %s"},
 };
-enum { N_PLACES = sizeof places / sizeof *places };
 
 static void repeat(struct text *out, long n, const char *s) {
   for (long i = 0; i < n; i++) text_add(out, s);
@@ -274,7 +273,7 @@ static bool make_text(struct text *out, const char *recipe, const struct place *
                {"power", "chi = (((9^9999)^9999)^9999)^9999\n"},
                {"exponent", "chi = 1e999999999\n"},
                {"empty", ""}};
-  for (size_t i = 0; i < sizeof fixed / sizeof *fixed; i++)
+  for (size_t i = 0; i < COUNT(fixed); i++)
     if (strcmp(recipe, fixed[i].recipe) == 0) {
       text_add(out, fixed[i].text);
       return true;
@@ -376,7 +375,7 @@ TEST(bad_files) {
   for (int i = 0; i < files.n; i++) {
     char *const *column = files.row[i], named[200], name[20];
     snprintf(named, sizeof named, " %s ", column[1]);
-    for (int k = 0; k < N_PLACES; k++) {
+    for (int k = 0; k < COUNT(places); k++) {
       snprintf(name, sizeof name, " %s ", places[k].name);
       if (strcmp(column[1], "all") == 0 || strstr(named, name))
         try_place(&places[k], column[0], atoi(column[2]), column[3]);
@@ -414,7 +413,7 @@ CASE("output", .each = {scratch_open, scratch_close});
 TEST_EACH(nobody_reads, 3) {
   static const char *const out[] = {"/dev/full", "closed", "pipe"};
   static const char *const why[] = {"No space left on device", "Bad file descriptor", NULL}; /* a reader may stop */
-  for (size_t i = 0; i < sizeof printing / sizeof *printing; i++) {
+  for (size_t i = 0; i < COUNT(printing); i++) {
     struct trial j;
     trial_init(&j, printing[i]);
     j.place.out = out[_i];
@@ -455,7 +454,7 @@ static const struct {
     {"mutate --count 1 --jobs 1 --only title --out", "mutation.json"},
     {"repair eq-31 --jobs 2 --out", "repairs.json"},
 };
-enum { N_WRITING = sizeof writing / sizeof *writing };
+enum { N_WRITING = COUNT(writing) };
 
 /* A folder named after the command with an old file in it, and the command that writes over it. */
 static const char *old_file(struct trial *j, int i, mode_t mode) {
@@ -544,11 +543,10 @@ struct ending {
 static const struct ending endings[] = {{SIGINT, {"SIGNAL_AT_RENAME=2", "SIGNAL_AT_RENAME=2:3"}},
                                         {SIGTERM, {"SIGNAL_AT_RENAME=15", "SIGNAL_AT_RENAME=15:3"}},
                                         {SIGHUP, {"SIGNAL_AT_RENAME=1", "SIGNAL_AT_RENAME=1:3"}}};
-enum { N_ENDINGS = sizeof endings / sizeof *endings };
 
 /* When every file is written and none is renamed, the old ones stay.  verify says so, with its status; other commands
    are ended by the signal. */
-TEST_EACH(a_signal_while_files_are_written, N_ENDINGS) {
+TEST_EACH(a_signal_while_files_are_written, COUNT(endings)) {
   if (!can_preload()) return;
   for (int i = 0; i < 2; i++) { /* a report of several files, a certificate */
     struct trial j;
@@ -566,7 +564,7 @@ TEST_EACH(a_signal_while_files_are_written, N_ENDINGS) {
 }
 
 /* When some files are renamed, the others follow: a folder never holds a report that is half new. */
-TEST_EACH(a_signal_between_two_renames, N_ENDINGS) {
+TEST_EACH(a_signal_between_two_renames, COUNT(endings)) {
   if (!can_preload()) return;
   struct trial j;
   shell_well("$P verify --only eq-3 --quiet --out $D/whole");
@@ -633,7 +631,7 @@ TEST_EACH(a_hardened_build, 3) {
 #endif
   };
   char *out = shell_said("LC_ALL=C readelf -Wlds --dyn-syms %s", beside(file[_i]));
-  for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
+  for (size_t i = 0; i < COUNT(wanted); i++)
     ck_assert_msg(strstr(out, wanted[i]) != NULL, "%s: no %s", file[_i], wanted[i]);
   free(out);
 }
@@ -664,7 +662,6 @@ static const char *const allocating[] = {
     "sweep paper --over e2=0.85:0.86:50 --jobs 1",
     "verify --only eq-3 --quiet --out",
 };
-enum { N_ALLOCATING = sizeof allocating / sizeof *allocating };
 
 /* Asked for without any failure: how many allocations there are, and the report. */
 static long count_allocations(struct trial *j) {
@@ -725,13 +722,13 @@ static void every_allocation(const char *words, long percent, long most) {
 
 CASE("memory", .each = {scratch_open, scratch_close}, .seconds = 300);
 
-TEST_EACH(some_allocations_fail, N_ALLOCATING) {
+TEST_EACH(some_allocations_fail, COUNT(allocating)) {
   if (can_preload()) every_allocation(allocating[_i], 200, 0);
 }
 
 CASE("memory, exhaustively", .each = {scratch_open, scratch_close}, .seconds = 3600, .tags = "long exhaustive");
 
-TEST_EACH(all_allocations_fail, N_ALLOCATING) {
+TEST_EACH(all_allocations_fail, COUNT(allocating)) {
   enum { MOST = 3000 };
   if (can_preload()) every_allocation(allocating[_i], 0, MOST);
 }
@@ -742,7 +739,7 @@ CASE("memory");
 TEST(little_memory) {
   if (SANITIZED) return;
   static const char *const words[] = {"orbit paper --digits 30000", "readings paper", "orbit four --digits 3000"};
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+  for (size_t i = 0; i < COUNT(words); i++) {
     struct trial j;
     trial_init(&j, words[i]);
     bool ended = false;
@@ -763,11 +760,10 @@ TEST(little_memory) {
 
 static const char *const targets[] = {"reader", "latex",  "model",   "claims",      "scene", "system",
                                       "json",   "report", "options", "certificate", "quotes"};
-enum { N_TARGETS = sizeof targets / sizeof *targets };
 
 CASE("input");
 
-TEST_EACH(the_corpus_of_a_fuzzer, N_TARGETS) {
+TEST_EACH(the_corpus_of_a_fuzzer, COUNT(targets)) {
   struct trial j;
   char name[40], corpus[60];
   snprintf(name, sizeof name, "replay-%s", targets[_i]);

@@ -114,7 +114,7 @@ TEST(formulas_are_set) {
       {"\\begin{matrix} & a \\end{matrix}",
        ROW("<mtable class=\"matrix\"><mtr><mtd>" ROW("") "</mtd><mtd>" MI("a") "</mtd></mtr></mtable>")},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct text t;
     text_init(&t);
     set(&t, cases[i].tex);
@@ -184,7 +184,7 @@ TEST(formulas_break_where_tex_would) {
       {"a b c d e f g h i j k l m n o p q r s t u v w x y (z + a)",
        "a b c d e f g h i j k l m n o p q r s t u v w x y (z + a)"},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct text t;
     text_init(&t);
     pieces(&t, cases[i].tex);
@@ -381,7 +381,7 @@ TEST(nothing_quoted_breaks_a_page) {
   struct table all;
   table_read(&all, "tests/cases/traps_page.tsv", 1);
   const char *traps[MOST_TRAPS];
-  ck_assert_int_le(all.n, (int)(sizeof traps / sizeof *traps));
+  ck_assert_int_le(all.n, COUNT(traps));
   for (int i = 0; i < all.n; i++) traps[i] = *all.row[i];
   static struct traps t;
   struct audit_result r;
@@ -390,7 +390,7 @@ TEST(nothing_quoted_breaks_a_page) {
   shell_well("$Y tests/oracle/page.py $D");
   static const char *const html[] = {"<script>", "<img ", "<b>", "<!", "<?", "</"};
   char *pages[] = {written(report_markdown, &r), written(report_errata, &r)};
-  for (size_t i = 0; i < sizeof html / sizeof *html; i++)
+  for (size_t i = 0; i < COUNT(html); i++)
     for (size_t k = 0; k < 2; k++)
       ck_assert_msg(!unescaped(pages[k], html[i]), "%s: %.300s", html[i], unescaped(pages[k], html[i]));
   for (size_t k = 0; k < 2; k++) free(pages[k]);
@@ -403,7 +403,7 @@ CASE("html");
 TEST(broken_bytes_are_replaced) {
   static const char *const bytes[] = {"\xff",         "\xc3",         "\xc3(",    "\xe2\x82",
                                       "\xf0\x9d\x92", "\xed\xa0\x80", "\xc0\xaf", "\x80"};
-  for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) {
+  for (size_t i = 0; i < COUNT(bytes); i++) {
     struct text t;
     text_init(&t);
     escape_html(&t, bytes[i], strlen(bytes[i]));
@@ -532,7 +532,7 @@ TEST(the_letter) {
                         small_finding("text-example-stability", VERDICT_DEFINITION, N_VERDICTS),
                         small_finding("text-long-run", VERDICT_DEFINITION, N_VERDICTS)};
   static const char *const equation[] = {NULL, NULL, "7", "8", "9", "10", "9", "31", NULL, NULL};
-  for (size_t i = 0; i < sizeof f / sizeof *f; i++) f[i].equation = equation[i];
+  for (size_t i = 0; i < COUNT(f); i++) f[i].equation = equation[i];
   for (int i = 0; i < 2; i++) {
     f[i].fault = "number";
     f[i].correction = f[i].correction_latex = i ? "t = 8" : "t = 7";
@@ -572,7 +572,7 @@ TEST(the_letter) {
   struct audit_result r = {.scene = "s",
                            .paper_text = "sha256 0",
                            .findings = f,
-                           .n_findings = sizeof f / sizeof *f,
+                           .n_findings = COUNT(f),
                            .roots = root,
                            .n_roots = 3,
                            .readings = &readings,

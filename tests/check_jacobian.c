@@ -443,7 +443,7 @@ TEST(eigenvalues_of_known_matrices) {
                {{-3, 3, -2, 2}, {-1, 0}, {0, 0}},
                {{5, 0, 0, -7}, {-7, 5}, {0, 0}},
                {{0, 0, 0, 0}, {0, 0}, {0, 0}}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     double re[2], im[2];
     ck_assert_int_eq(dyn_eigenvalues_d(re, im, cases[i].m), SS_OK);
     for (int k = 0; k < 2; k++) {

@@ -98,7 +98,7 @@ TEST(hostile_formulas_get_one_clear_line) {
                {"x = ", "\\frac{1}{", "more than 5000 tokens"},
                {"x = a", " a", "more than 5000 tokens"},
                {"x = a", "'", "more than 5000 tokens"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     const char *says = reads(repeated(cases[i].first, cases[i].piece, 100000, ""));
     ck_assert_msg(strstr(says, cases[i].says) != NULL, "%s", says);
   }

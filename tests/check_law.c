@@ -255,14 +255,13 @@ TEST_EACH(blocks_obey_newton, N_PHASES) {
 TEST(patched_states_are_general) {
   static const char *const tangent[] = {"x",   "y",   "u",   "v",   "x_a", "y_a", "u_a", "v_a", "x_b", "y_b",
                                         "u_b", "v_b", "x_c", "y_c", "u_c", "v_c", "x_f", "y_f", "u_f", "v_f"};
-  enum { N_TANGENT = sizeof tangent / sizeof *tangent };
   struct sampler s;
   struct point p;
   point_init(&p);
   sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED, .phase = PHASE_C});
   for (int n = 0; n < 6; n++) {
     struct values v[2];
-    arb_t x[N_TANGENT], belt;
+    arb_t x[COUNT(tangent)], belt;
     sampler_next(&p, &s);
     for (int k = 0; k < 2; k++)
       ck_assert(values_init(&v[k], &p, k ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), the_paper.cache) == SS_OK);
@@ -273,7 +272,7 @@ TEST(patched_states_are_general) {
       ck_assert(i % 4 < 2 || fmpq_equal(&p.q[Q_DZ1], &p.q[Q_V]) || fmpq_equal(&p.q[Q_DZ2], &p.q[Q_V]) ||
                 !arb_overlaps(num_vec_at(&v[0].arc.z, i), belt));
     }
-    for (int i = 0; i < N_TANGENT; i++) {
+    for (int i = 0; i < COUNT(tangent); i++) {
       arb_init(x[i]);
       bind(x[i], &v[0], tangent[i]);
       bool zero = i == 6 || i == 7 || i == 11 || i == 18; /* (25), (30), (38) */
@@ -281,7 +280,7 @@ TEST(patched_states_are_general) {
                     tangent[i]);
       for (int k = 0; k < i; k++) ck_assert(zero || arb_is_zero(x[i]) || !arb_equal(x[i], x[k]));
     }
-    for (int i = 0; i < N_TANGENT; i++) arb_clear(x[i]);
+    for (int i = 0; i < COUNT(tangent); i++) arb_clear(x[i]);
     arb_clear(belt);
     for (int k = 0; k < 2; k++) values_clear(&v[k]);
   }

@@ -395,7 +395,7 @@ TEST(doubles_outside_the_domain) {
   double r, out[SS_OUTPUTS], j[4], guess[2] = {NAN, -1};
   unsigned v;
   for (int i = 0; i < SS_PARAMS; i++)
-    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+    for (size_t k = 0; k < COUNT(wrong); k++) {
       double p[SS_PARAMS];
       memcpy(p, params, sizeof p);
       p[i] = wrong[k];
@@ -463,7 +463,7 @@ TEST(formulas_of_the_paper) {
 /* Neither an orbit nor the parameters say what they are. */
 static void free_symbols_need_values(const ss_paper *p, const ss_scene *s) {
   static const char *const text[] = {"t", "x", "y", "lambda", "chi*t", "cos(t)", "u_r1", "u_r2", "u_s1", "z_1(t)"};
-  for (size_t i = 0; i < sizeof text / sizeof *text; i++)
+  for (size_t i = 0; i < COUNT(text); i++)
     for (long at = SS_AT_PARAMETERS; at <= 1; at++) {
       ss_formula *f;
       ck_assert_int_eq(ss_formula_open(&f, p, SS_CORRECTED, text[i], ""), SS_OK);

@@ -112,7 +112,6 @@ static double error_of(const struct num_type *type, const void *v, arb_srcptr ex
 }
 
 static const slong precisions[] = {53, 64, 100, 128, 192, 256, 333, 512, 700, 1024, 2048, 4096};
-enum { N_PRECISIONS = sizeof precisions / sizeof *precisions };
 
 static void against_phases(const double x[N_START], const double t[N_PHASES], slong prec, int *quick) {
   struct trip exact, p[2];
@@ -135,7 +134,7 @@ static void against_phases(const double x[N_START], const double t[N_PHASES], sl
   pass_close(&exact);
 }
 
-TEST_EACH(arcs_are_those_of_the_phases, N_PRECISIONS) {
+TEST_EACH(arcs_are_those_of_the_phases, COUNT(precisions)) {
   struct rng r = {(uint64_t)_i + 7};
   double x[N_START], t[N_PHASES];
   const int enough = precisions[_i] > 1024 ? 40 / every(4) : 40;
@@ -332,7 +331,7 @@ TEST(wild_guesses_end) {
   static const double wild[] = {0, -0.0, 1e-300, -1, 1e15, 1e300, INFINITY, NAN};
   double t[N_PHASES];
   ck_assert(first_times(t, x));
-  for (size_t k = 0; k < sizeof wild / sizeof *wild; k++)
+  for (size_t k = 0; k < COUNT(wild); k++)
     for (int at = 1; at < 2 * N_PHASES; at++) {
       struct trip p;
       double guess[N_PHASES];
@@ -378,7 +377,7 @@ TEST(near_times_of_a_few_bits) {
 TEST(turns_enclose_sines) {
   struct rng r = {9};
   for (int n = 0; n < 400; n++) {
-    slong prec = precisions[n % N_PRECISIONS];
+    slong prec = precisions[n % COUNT(precisions)];
     struct calc c = calc_begin(num_ctx_arb(prec));
     double angle = rng_within(&r, -50, 50), move = exp2(rng_within(&r, -80, 1)) * (rng_between(&r, 0, 1) ? 1 : -1);
     if (n % 40 == 0) move = 0;

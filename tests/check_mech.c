@@ -250,7 +250,7 @@ TEST(motions_outside_the_domain) {
   const double durations[] = {-1, INFINITY, NAN, 2e6};
   random_chain(&m, x, 3, &r);
   finish(&m);
-  for (size_t i = 0; i < sizeof durations / sizeof *durations; i++) {
+  for (size_t i = 0; i < COUNT(durations); i++) {
     ck_assert_int_eq(mech_simulate(&z, MECH_INTEGRATED, &m, x, &PLAN(durations[i], 10)), SS_DOMAIN);
     mech_motion_clear(&z);
   }
@@ -892,7 +892,7 @@ TEST(a_system_in_formulas) {
                                       "2 x_2'' = u_2 - f_2, f_2 = -x_1 + 5 x_2",
                                       "|u_2| <= 3, u_2 = +-1/2; |f_2| = 3, x_2' = -1", "x_1 >= -5/2, x_1' -> -1/4 x_1'",
                                       "Eigenvalues while every mass slips or is free"};
-  for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+  for (size_t i = 0; i < COUNT(lines); i++)
     ck_assert_msg(strstr(text_str(&t), lines[i]) != NULL, "%s is not in\n%s", lines[i], text_str(&t));
   text_reset(&t);
   mech_describe(&t, &file, true, 6);
@@ -1135,7 +1135,7 @@ TEST(output_obeys_its_schemas) {
                                         {"orbit beside-wall --json", "system"},
                                         {"jacobian driven --json", "system"},
                                         {"jacobian den-hartog --method ode --json", "system"}};
-  check_schemas(runs, sizeof runs / sizeof *runs);
+  check_schemas(runs, COUNT(runs));
 }
 
 /* The one free coordinate of the paper's word: J is the trace that the special code prints. */

@@ -58,7 +58,7 @@ static void try_command(char *const *column) {
   text_init(&file);
   text_init(&command);
   field_expand(&file, column[4], abbreviated);
-  for (size_t i = 0; i < sizeof name / sizeof *name; i++) scratch_put_n(name[i], text_str(&file), file.len);
+  for (size_t i = 0; i < COUNT(name); i++) scratch_put_n(name[i], text_str(&file), file.len);
   field_expand(&command, column[3], abbreviated);
   int status = shell("\"$P\" %s > \"$D/out\" 2> \"$D/err\"", text_str(&command));
   char *out = file_text(scratch_path("out")), *err = file_text(scratch_path("err"));

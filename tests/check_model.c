@@ -191,7 +191,7 @@ TEST_EACH(overlays_by_rank, 5) {
       {LAYER_PRINTED, NULL, "other", "2"}, {LAYER_STABLE, NULL, NULL, "6"},       {LAYER_STABLE, "5", NULL, "2"},
       {LAYER_STABLE, "6", NULL, "6"},      {LAYER_STABLE, NULL, "ctl", "4"},
   };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++)
+  for (size_t i = 0; i < COUNT(c); i++)
     ck_assert_str_eq(says((struct view){&model, c[i].layer, c[i].own, c[i].control}, "", "x"), c[i].says);
   ck_assert_str_eq(layer_name[LAYER_PRINTED], "printed");
   ck_assert_str_eq(layer_name[LAYER_CORRECTED], "corrected");
@@ -369,7 +369,7 @@ TEST(names_refused) {
   };
   elaboration_init(&el, printed_view(), NULL, 0);
   struct matrix m;
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) fails_as(elaborate_name(&m, &el, c[i][0], "c", &d), c[i][1]);
+  for (size_t i = 0; i < COUNT(c); i++) fails_as(elaborate_name(&m, &el, c[i][0], "c", &d), c[i][1]);
   goes_well(elaborate_name(&m, &el, "x", "c", &d) && elaborate_name(&m, &el, "p", "a", &d));
 }
 
@@ -410,7 +410,7 @@ TEST(derivatives_of_functions) {
       -w * w * sin(w * u) - cos(u),
       1,
   };
-  for (size_t i = 0; i < sizeof formula / sizeof *formula; i++)
+  for (size_t i = 0; i < COUNT(formula); i++)
     near(number(value_of(formula[i].formula)->e[formula[i].entry], env), expected[i], formula[i].formula);
 }
 
@@ -432,7 +432,7 @@ TEST(first_orders) {
                  {"first_order(first_order(x*y; x)*y; y)", 0}};
   const double expected[] = {
       6 + 3 * x + 2 * y, (2 + x) * (3 + y), 1 - x, cos(w * t) - w * x * sin(w * t), y * sin(w * t), 3 * x, w, 0};
-  for (size_t i = 0; i < sizeof formula / sizeof *formula; i++)
+  for (size_t i = 0; i < COUNT(formula); i++)
     near(number(value_of(formula[i].formula)->e[formula[i].entry], env), expected[i], formula[i].formula);
 }
 
@@ -451,7 +451,7 @@ TEST(parameters_are_their_own) {
       {"f'(s)", "(t + 1)*1"},
       {"z''(f(s)) - z(0)", "z''((t + 1)*s) - z(0)"},
   };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) ck_assert_str_eq(says(printed_view(), "", c[i][0]), c[i][1]);
+  for (size_t i = 0; i < COUNT(c); i++) ck_assert_str_eq(says(printed_view(), "", c[i][0]), c[i][1]);
 }
 
 /* ---- matrices */
@@ -545,7 +545,7 @@ TEST(polynomials_of_roots) {
   load("symbol a\nsymbol b\ndefine d\n  K := [1, a; -b/4, 3]\n  I := [1, 0; 0, 1]\n  f(t) := a*t^2\n  g := a + b\n",
        RANK_PAPER);
   const struct named env[] = {{"a", 2}, {"b", 3}, {NULL, 0}};
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     load(formatted("define c-%zu\n  root w: %s, %s positive\n", i, c[i].polynomial, i % 2 ? "largest" : "smallest"),
          RANK_CONTROL);
     struct diag d;
@@ -565,7 +565,7 @@ TEST(polynomials_refused) {
                                            "a",         "w^33",     "w^17*w^17",  "w^0 + w", "z(w)",
                                            "a/(1 + w)", "cot(a*w)", "(w^2)^(-1)", "(w^8)^5"};
   load("symbol a\nrelation r\n  trajectory z(t)\n", RANK_PAPER);
-  for (size_t i = 0; i < sizeof polynomial / sizeof *polynomial; i++) {
+  for (size_t i = 0; i < COUNT(polynomial); i++) {
     const char *text = formatted("  root w: %s, smallest positive", polynomial[i]);
     load(formatted("define c-%zu\n%s\n", i, text), RANK_CONTROL);
     ck_assert_str_eq(
@@ -609,7 +609,7 @@ TEST(overridden_matrices) {
       {"one", "one[1,1]"},
       {"f(s)", "s + 1"}, /* a parameter hides it */
   };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     struct matrix m;
     elaboration_clear(&el);
     elaboration_init(&el, printed_view(), o, 2);
@@ -631,7 +631,7 @@ TEST(sides_in_one_shape) {
   struct matrix a, b;
   struct diag d;
   diag_init(&d);
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     ck_assert(elaborate_sides(&a, &b, &el, r->stmts[c[i].stmt], c[i].step, r->src, "", &d));
     ck_assert_str_eq(spell(&a), c[i].lhs);
     ck_assert_str_eq(spell(&b), c[i].rhs);

@@ -100,7 +100,7 @@ TEST(what_is_undefined_or_too_large_is_said) {
               {"cot(t - t)", SS_DOMAIN},
               {"(chi + eta + V + t + x + y + u + v + lambda + e_1 + e_2)^16", SS_UNABLE},
               {"chi^500", SS_UNABLE}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     int s;
     ck_assert(!proved_equal(rows[i].text, "chi", &s));
     ck_assert_msg(s == rows[i].status, "%s: %d", rows[i].text, s);
@@ -251,7 +251,7 @@ TEST(work_is_shared_in_order) {
   static const int jobs[] = {1, 2, 3, 7, 64};
   struct answer a[20];
   int ten = 10;
-  for (size_t k = 0; k < sizeof jobs / sizeof *jobs; k++)
+  for (size_t k = 0; k < COUNT(jobs); k++)
     for (size_t n = 0; n <= 20; n += 5) {
       memset(a, 0, sizeof a);
       goes_well(crew_results(a, sizeof *a, n, jobs[k], double_it, &ten, NULL, &d));
@@ -297,7 +297,7 @@ static const char *const known_records[] = {
     "eq-27",  "eq-41",         "err-10", "eq-31",  "eq-40b",     "eq-48b", "text-mode-shapes",
     "eq-31b", "text-singular", "eq-56",  "eq-60c", "eq-51",      "eq-2",   "eq-22",
     "eq-9",   "eq-12",         "eq-1b",  "eq-10",  "text-first", "eq-57",  "text-criterion"};
-enum { N_KNOWN = sizeof known_records / sizeof *known_records, N_DEAR = 2 };
+enum { N_KNOWN = COUNT(known_records), N_DEAR = 2 };
 static struct mutation_result known;
 
 /* The last ones take longer than all the others, searches of orbits for each mutant. */
@@ -373,7 +373,7 @@ TEST_EACH(fates_known_beforehand, COUNT(fates)) {
 TEST(every_known_fate_is_of_a_mutant) {
   struct mutants m;
   mutants_init(&m, &the_paper.model, known_records, N_KNOWN);
-  for (size_t k = 0; k < sizeof fates / sizeof *fates; k++) {
+  for (size_t k = 0; k < COUNT(fates); k++) {
     bool made = !fates[k].text;
     for (size_t i = 0; !made && i < m.n; i++) made = strcmp(m.mutant[i].edit.text, fates[k].text) == 0;
     ck_assert_msg(made, "%s is no mutant", fates[k].text);
@@ -758,7 +758,7 @@ TEST(every_entry_is_held_against_the_model) {
 /* A formula held against another quantity of the model is refuted, on every pair of the same shape. */
 TEST(oracles_are_not_interchangeable) {
   static const char *const names[] = {"D(t)", "Gamma(t)", "H(t)", "C(t)", "K", "K_1", "K_2"};
-  enum { N = sizeof names / sizeof *names };
+  enum { N = COUNT(names) };
   for (int i = 0; i < N; i++)
     for (int k = 0; k < N; k++) {
       struct sentence s;
@@ -788,7 +788,7 @@ static struct repair_result all_repairs;
 static void open_repairs(void) {
   static const char *const some[] = {"eq-10",  "eq-10c", "eq-27", "eq-29",  "eq-31",  "eq-32b",
                                      "eq-32c", "eq-32d", "eq-40", "eq-36b", "num-t_a"};
-  enum { N = sizeof some / sizeof *some };
+  enum { N = COUNT(some) };
   struct claim few[N];
   paper_open();
   repair_result_init(&all_repairs);

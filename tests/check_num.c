@@ -231,7 +231,7 @@ TEST_EACH(singular_matrices, LAW_CONTEXTS) {
   num_vec_init(&b, 3, law_context(_i));
   num_vec_init(&x, 3, law_context(_i));
   num_vec_init(&d, 1, law_context(_i));
-  for (size_t i = 0; i < sizeof singular / sizeof *singular; i++) {
+  for (size_t i = 0; i < COUNT(singular); i++) {
     fill(&a, singular[i]);
     ck_assert_int_eq(num_mat_solve(&x, &a, &b, 3, 1), SS_DOMAIN);
     ck_assert(is_nan(&x, 0) && is_nan(&x, 2));
@@ -519,7 +519,7 @@ TEST(close_and_distant_roots) {
   struct num_vec c, z;
   num_vec_init(&c, 3, ctx);
   num_vec_init(&z, 1, ctx);
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     arb_t a, b, t;
     arb_init(a);
     arb_init(b);
@@ -609,7 +609,7 @@ TEST_EACH(polynomials_without_roots, LAW_CONTEXTS) {
   num_vec_init(&c, 3, law_context(_i));
   num_vec_init(&z, 1, law_context(_i));
   static const double none[][3] = {{0, 0, 0}, {2, 0, 0}, {1, 0, 1}, {2, 3, 1}, {0, 1, 1}, {0, 0, 1}, {1, 1, 0}};
-  for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+  for (size_t i = 0; i < COUNT(none); i++)
     for (slong k = -1; k <= 1; k++) {
       fill(&c, none[i]);
       ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, k), SS_DOMAIN);
@@ -770,7 +770,7 @@ TEST(rationals_have_all_their_digits) {
   fmpq_t q;
   text_init(&got);
   fmpq_init(q);
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     ck_assert_int_eq(fmpq_set_str(q, cases[i].q, 10), 0);
     text_reset(&got);
     num_print_rational(&got, q, cases[i].digits);
@@ -853,7 +853,7 @@ TEST(layout) {
 /* Many digits of pi against MPFR's own pi and own conversion; a hundred thousand must not take long. */
 TEST(many_digits) {
   const slong counts[] = {50, 1000, 100000};
-  for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+  for (size_t i = 0; i < COUNT(counts); i++) {
     slong digits = counts[i], bits = 10 * digits / 3 + 100;
     struct text out;
     mpfr_t pi;
@@ -954,7 +954,7 @@ TEST(decimals) {
                                     "1,5", "0x10", "1e5.", "1e--5", "nan", "inf", "1/2", "1.e5", "١",  "1e5e5", ".e1"};
   fmpq_t q;
   fmpq_init(q);
-  for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+  for (size_t i = 0; i < COUNT(good); i++) {
     struct text out;
     text_init(&out);
     ck_assert_msg(num_parse_decimal(q, good[i].decimal, strlen(good[i].decimal)) == SS_OK, "%s", good[i].decimal);
@@ -962,7 +962,7 @@ TEST(decimals) {
     ck_assert_str_eq(text_str(&out), good[i].fraction);
     text_clear(&out);
   }
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+  for (size_t i = 0; i < COUNT(bad); i++)
     ck_assert_msg(num_parse_decimal(q, bad[i], strlen(bad[i])) == SS_DOMAIN, "%s", bad[i]);
   ck_assert_int_eq(num_parse_decimal(q, "12.5e3", 4), SS_OK); /* only the first four characters */
   ck_assert(fmpq_cmp_si(q, 12) > 0 && fmpq_cmp_si(q, 13) < 0);

@@ -145,7 +145,7 @@ TEST(orbits_of_every_set) {
 TEST(digits_as_asked) {
   static const char *const digits[] = {"1", "2", "7", "15", "50"};
   struct job j, without;
-  for (size_t i = 0; i < sizeof digits / sizeof *digits; i++) {
+  for (size_t i = 0; i < COUNT(digits); i++) {
     job_run_well(&j, "orbit", "paper", "--json", "--digits", digits[i], NULL);
     check_orbits(j.out, "paper", atoi(digits[i]));
     job_clear(&j);
@@ -317,7 +317,7 @@ TEST(the_stable_layer_gives_what_the_corrected_one_does) {
                                          {"paper", "printed"},
                                          {"stable", "orbit:1"},
                                          {"near-singular", "orbit:1"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct job stable, corrected;
     const char *scene = cases[i][0], *at = cases[i][1];
     job_run_well(&stable, "jacobian", scene, "--at", at, "--layer", "stable", "--digits", "30", "--json", NULL);
@@ -410,7 +410,7 @@ TEST(the_papers_equations_have_the_same_orbits) {
     int index;
   } cases[] = {{"fractions", 0},  {"stable", 0},      {"two-admissible", 1}, {"four-mixed", 1},
                {"chi-small2", 0}, {"negative-ta", 1}, {"eta-large", 0},      {"spread", 1}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     char *const *f = orbits.row[table_row(&orbits, "set", cases[i].set) + 1 + cases[i].index];
     struct job j;
     char from[40], nearest[20];
@@ -439,7 +439,7 @@ TEST(the_table_of_phases) {
   static const char *const rows[] = {"J_a[1,1]", "J_a[1,2]", "J_b[1,1]", "J_b[2,1]", "J_c[1,1]", "J_c[1,2]", "J_c[2,1]",
                                      "J_c[2,2]", "J_c[3,1]", "J_c[3,2]", "J_f[1,1]", "J_f[1,2]", "J_f[1,3]", "J_f[2,1]",
                                      "J_f[2,2]", "J_f[2,3]", "J[1,1]",   "J[1,2]",   "J[2,1]",   "J[2,2]"};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     char begin[20];
     double x[7];
     snprintf(begin, sizeof begin, "\n%s ", rows[i]);
@@ -618,7 +618,7 @@ TEST(the_usual_orbit_is_named) {
                {"printed: e1 = 2.7844\n", "orbit:2", "orbit 2 (the first admissible one)", "the example"},
                {"printed: z10 = -5.46\nprinted: t_b = 1.4\n", "orbit:1", NEAREST, "the example"},
                {"printed: t_a = 0.6784\n", "orbit:2", NEAREST, "the example"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     char text[300], head[60];
     struct job j;
     snprintf(text, sizeof text, "%s%s", bare, cases[i].printed);
@@ -647,7 +647,7 @@ TEST(the_usual_orbit_is_named) {
       ck_assert_int_eq(scratch_says("r/audit.json", "\n  \"data\": \"chi = 4/5, "), strcmp(data, "this scene") == 0);
       ck_assert_int_eq(scratch_says("r/index.html", "To the authors"), strcmp(data, "this scene") != 0);
       static const char *const table[] = {"figure-3", "figure-4", "return-map", "along-e2", "differences"};
-      for (size_t n = 0; n < sizeof table / sizeof *table; n++) {
+      for (size_t n = 0; n < COUNT(table); n++) {
         char name[40];
         snprintf(name, sizeof name, "p/%s.tsv", table[n]);
         check_says(name, cases[i].called);
@@ -685,7 +685,7 @@ TEST(any_two_of_six) {
   static const int pairs[][2] = {{3, 4}, {0, 3}, {1, 4}, {2, 3}, {3, 5}};
   int r = table_row(&orbits, "set", "paper");
   char *const *set = orbits.row[r], *const *f = orbits.row[r + 2];
-  for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) {
+  for (size_t k = 0; k < COUNT(pairs); k++) {
     char text[800];
     int n = snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\n", set[F_CHI], set[F_CHI + 1], set[F_CHI + 2]);
     for (int i = 0; i < 2; i++) {
@@ -716,7 +716,7 @@ TEST(numbers_of_a_scene_without_forces) {
   job_run_well(&j, "verify", "paper-times", "--only", "num-t_a,num-t_b,num-t_d,num-z10,num-z20,text-periodic", "--out",
                scratch_path("times"), NULL);
   char *json = file_text(scratch_path("times/audit.json"));
-  for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
+  for (size_t i = 0; i < COUNT(want); i++) {
     char id[60], verdict[60];
     snprintf(id, sizeof id, "\"id\": \"%s\"", want[i].id);
     snprintf(verdict, sizeof verdict, "\"verdict\": \"%s\"", want[i].verdict);

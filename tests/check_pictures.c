@@ -139,7 +139,6 @@ TEST(hostile_tables) {
   static const char *const tables[] = {"figure-3.tsv",     "figure-4.tsv",      "margins.tsv",  "return-map.tsv",
                                        "long-run.tsv",     "differences.tsv",   "along-e2.tsv", "phase-planes.tsv",
                                        "bifurcations.tsv", "stability-map.tsv", "animation.tsv"};
-  enum { N = sizeof tables / sizeof *tables };
   static const char *const bodies[] = {
       "a\tb\tc\td\te\tf\tg\n",
       "a\nx\n",
@@ -163,11 +162,11 @@ TEST(hostile_tables) {
   struct text all;
   text_init(&all);
   text_add(&all, "<all>");
-  for (size_t b = 0; b < sizeof bodies / sizeof *bodies; b++)
+  for (size_t b = 0; b < COUNT(bodies); b++)
     for (int k = 0; k < report_pictures(); k++) {
-      struct data_table data[N];
-      for (int i = 0; i < N; i++) data[i] = (struct data_table){tables[i], bodies[b], NULL};
-      const struct audit_result r = {.tables = data, .n_tables = N};
+      struct data_table data[COUNT(tables)];
+      for (int i = 0; i < COUNT(tables); i++) data[i] = (struct data_table){tables[i], bodies[b], NULL};
+      const struct audit_result r = {.tables = data, .n_tables = COUNT(tables)};
       struct text one;
       text_init(&one);
       report_picture(&one, &r, k);
@@ -239,7 +238,7 @@ TEST(numbers_in_tables) {
                {"123456789", -100, 1, "\t123456789.0"},
                {"1", -2, 3, "\t-"},
                {"7.25", -20, 1, "\t7.2"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct text t;
     arb_t x;
     text_init(&t);

@@ -124,7 +124,7 @@ TEST(what_is_left_out_has_its_reason) {
   };
   static const char *const what[] = {"long runs beside the scene's own orbit", "the routes on the scene's own orbits"};
   const struct claims none = {.n = 0};
-  for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+  for (size_t i = 0; i < COUNT(row); i++) {
     struct scene s;
     struct audit_result r;
     audit_result_init(&r);
@@ -148,7 +148,7 @@ TEST(jobs_change_no_byte) {
                          "num-t_a",          "num-t_b", "num-z10",     "text-periodic", "text-9-start", "fig-3",
                          "text-free-index",  "eq-57",   "kind number", "eq-10",         "eq-40",        "text-scaling",
                          "section stability"};
-  enum { ALL = sizeof group / sizeof *group, CHEAP = 14 };
+  enum { ALL = COUNT(group), CHEAP = 14 };
   const struct scene s = asking(group, every_case() ? ALL : CHEAP, NULL, 0, 0);
   struct audit_result one;
   audit(&one, &s, NULL, 0, 1);
@@ -407,7 +407,7 @@ TEST(no_budget_makes_a_verdict) {
       ck_assert_msg(out || f->verdict == full->verdict, "%s with %llu units: %s, not %s", f->id, budgets[b],
                     verdict_name[f->verdict], verdict_name[full->verdict]);
       ended += out;
-      for (size_t k = 0; b == 0 && k < sizeof costly / sizeof *costly; k++)
+      for (size_t k = 0; b == 0 && k < COUNT(costly); k++)
         ck_assert_msg(out || !is_kind(f->id, costly[k]), "%s costs nothing", f->id);
     }
     ck_assert_uint_lt(ended, left); /* fewer with more units */
@@ -463,7 +463,7 @@ TEST(routes_are_those_asked_for) {
               {{"balls", "exact"}, VERDICT_PROVED, false},
               {{"exact", NULL}, VERDICT_PROVED, false}};
   const char *ids[] = {"eq-27"};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     const char *routes[2] = {rows[i].route[0], rows[i].route[1]};
     const struct scene s = asking(ids, 1, routes, routes[1] ? 2 : 1, 0);
     struct audit_result r;
@@ -533,7 +533,7 @@ TEST(the_condition_plans_the_precision) {
   p.kind = POINT_PARAMS;
   goes_well(expression_open(&e, v, "1 - chi", "", &d));
   goes_well(expression_open(&zero, v, "chi - chi", "", &d));
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     fmpz_ui_pow_ui(fmpq_denref(&p.q[Q_CHI]), 3, rows[i].k);
     fmpz_sub_ui(fmpq_numref(&p.q[Q_CHI]), fmpq_denref(&p.q[Q_CHI]), 1);
     slong prec = precision_planned(&e.tape, &p, BITS, NONE, cache);
@@ -554,7 +554,7 @@ TEST(the_condition_plans_the_precision) {
 
 TEST(precisions_are_rounded_up_a_little) {
   static const slong rows[][2] = {{1, 64}, {64, 64}, {65, 128}, {1024, 1024}, {1025, 1152}, {3400, 3584}};
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) ck_assert_int_eq(precision_round(rows[i][0]), rows[i][1]);
+  for (size_t i = 0; i < COUNT(rows); i++) ck_assert_int_eq(precision_round(rows[i][0]), rows[i][1]);
 }
 
 /* Beside the flip, where trace + 1 is small, and by few digits and many: the planned precision is enough, and the many
@@ -593,7 +593,7 @@ TEST(values_have_their_documented_names) {
   text_init(&line);
   goes_well(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
   audit(&r, &s, NULL, 0, 1);
-  for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+  for (size_t i = 0; i < COUNT(expected); i++) {
     bool found = false;
     for (size_t k = 0; k < r.n_values; k++)
       found =
@@ -744,7 +744,7 @@ TEST(one_claim_needs_little) {
   static const char *const left[] = {"other claims",  "controls",           "routes, the long runs",
                                      "readings",      "scene's periodic",   "drawn all over",
                                      "Coulomb's law", "routes taylor, gsl", "1024 bits"};
-  for (size_t i = 0; i < sizeof left / sizeof *left; i++) ck_assert_msg(why_skipped(&r, left[i]), "%s", left[i]);
+  for (size_t i = 0; i < COUNT(left); i++) ck_assert_msg(why_skipped(&r, left[i]), "%s", left[i]);
   ck_assert(!why_skipped(&r, "phase") && !why_skipped(&r, "exact algebra"));
   audit_result_clear(&r);
   /* of the formulas, those that it reaches */
@@ -770,8 +770,7 @@ TEST(tables_of_costs_are_read_or_refused) {
   static const char *const bad[] = {"what\tname\tunits\tms\nclaim\ta\t1\n", "x\nclaim\ta\tb\tc\n",
                                     "x\nclaim\ta\t-1\t1\n", "x\nclaim\ta\tnan\t1\n", "x\nclaim\ta\t1\t1\tmore\n"};
   struct costs c;
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-    fails_with(costs_load(&c, scratch_put("bad.tsv", bad[i]), &d), "bad.tsv:2:");
+  for (size_t i = 0; i < COUNT(bad); i++) fails_with(costs_load(&c, scratch_put("bad.tsv", bad[i]), &d), "bad.tsv:2:");
   goes_well(costs_load(&c, scratch_path("absent.tsv"), &d));
   ck_assert(c.n == 0 && !cost_of(&c, "claim", "a"));
   const struct cost *row = cost_of(&costs, "claim", "eq-27");

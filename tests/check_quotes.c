@@ -39,7 +39,7 @@ TEST(what_does_not_count) {
       {"\\chi\n\\eta", "\\chi\\eta"},
       {"", " \n$"},
   };
-  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+  for (size_t i = 0; i < COUNT(pairs); i++)
     ck_assert_msg(same(pairs[i][0], pairs[i][1]), "%s is not %s", pairs[i][0], pairs[i][1]);
 }
 
@@ -65,7 +65,7 @@ TEST(what_counts) {
       {"a < b", "a > b"},
       {"\xc3\xa9", "\xc3\xa8"},
   };
-  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+  for (size_t i = 0; i < COUNT(pairs); i++)
     ck_assert_msg(!same(pairs[i][0], pairs[i][1]), "%s is %s", pairs[i][0], pairs[i][1]);
 }
 
@@ -231,7 +231,7 @@ TEST(printed_numbers) {
                {"t_b = 1.25", 1, "printed t_b = 1.25: no claim quotes it\n"}};
   static const char claim[] =
       "\\nclaim num-t_a\\n  kind: number\\n  number: t_a\\n  quote: $t^* = 1.25$\\n  place: 147-151\\n";
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     scratch_open();
     shell_well("cp -R tests/another $D/data; printf '%s' >> $D/data/claims/note.claim; "
                "printf '%%0.s\\n' $(seq 98) > $D/data/scenes/paper.scene; "
@@ -257,7 +257,7 @@ TEST(any_bytes_are_tokens) {
       state = state * 1664525U + 1013904223U;
       const uint32_t r = state >> 16;
       if (r % 4 == 0) {
-        const char *word = words[r / 4 % (sizeof words / sizeof *words)];
+        const char *word = words[r / 4 % COUNT(words)];
         memcpy(s + len, word, strlen(word));
         len += strlen(word);
       } else {
@@ -282,7 +282,7 @@ TEST(large_texts) {
       "\\begin{", "\\begin{pmatrix}", "\\end{aligned}", "\\quad (", "\\quad(1)$$", "Z(t) = ", "$",
       "*",        "A note on two "};
   struct stand s;
-  for (size_t i = 0; i < sizeof unit / sizeof *unit; i++) {
+  for (size_t i = 0; i < COUNT(unit); i++) {
     struct text all;
     text_init(&all);
     text_add(&all, "x"); /* a text has a token */

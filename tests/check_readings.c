@@ -472,7 +472,7 @@ TEST(too_few_printed_numbers) {
 /* A matrix of another shape, or that hangs on what no motion has, is not read. */
 TEST(other_matrices_are_not_read) {
   static const char *const gamma[] = {"t", "[1, 0, t, 0; 0, 1, 0, t; 0, 0, e_1, 0; 0, 0, 0, 1]", "[I, t*I; 0, I]"};
-  for (size_t i = 0; i < sizeof gamma / sizeof *gamma; i++) {
+  for (size_t i = 0; i < COUNT(gamma); i++) {
     struct formulas f;
     load("paper");
     const char *path =

@@ -25,7 +25,6 @@
 
 static void (*const writers[])(struct text *out, const struct audit_result *r) = {
     report_json, report_markdown, report_csv, report_dot, report_errata, report_errata_tex, report_html, report_junit};
-enum { N_WRITERS = sizeof writers / sizeof *writers };
 
 static bool read_text(struct audit_result *r, const char *json, struct diag *d) {
   struct source s;
@@ -47,7 +46,7 @@ static void same_again(const char *what, const struct audit_result *r) {
   ck_assert_msg(read_text(&again, text_str(&json), &d), "%s: %s", what, d.message);
   ck_assert_uint_eq(again.n_tables, r->n_tables);
   for (size_t i = 0; i < r->n_tables; i++) again.tables[i].text = r->tables[i].text; /* as the files have it */
-  for (int i = 0; i < N_WRITERS; i++) {
+  for (int i = 0; i < COUNT(writers); i++) {
     struct text first, second;
     text_init(&first);
     text_init(&second);
@@ -189,7 +188,7 @@ static size_t expected(const char *key) {
       {"levels", 4},  /* before tried */
       {"outputs", 4}, /* at the end */
   };
-  for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
+  for (size_t i = 0; i < COUNT(left_out); i++)
     if (strcmp(left_out[i].key, key) == 0) return left_out[i].bytes;
   return 0;
 }
@@ -279,7 +278,7 @@ TEST(the_score_is_of_what_was_read) {
              "sed -i 's/sin(omega\\*t_d)/cos(omega*t_d)/; s/.sin(.omega t_d)/\\\\cos(\\\\omega t_d)/' "
              "$D/other/4-stability.eq && cp verify/scenes/paper.scene $D && "
              "sed 's/0.8587/0.8588/' verify/scenes/paper.scene > $D/changed/paper.scene");
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     int status = shell("$P verify %s --only eq-48c --quiet --out $D/r > /dev/null", rows[i].words);
     ck_assert_msg(status == 0 || status == 1, "%s: %d", rows[i].words, status);
     ck_assert_msg(scratch_says("r/index.html", "/mutation/mutation.md") == rows[i].shown, "%s", rows[i].words);
@@ -303,7 +302,7 @@ TEST(tables_beyond_all_bounds) {
                                       "printf '\\377'"};
   shell_well("$P verify stable --only eq-48c --quiet --out $D/r && "
              "sed -i 's/\"tables\": \\[\\]/\"tables\": [{\"name\": \"figure-3.tsv\"}]/' $D/r/audit.json");
-  for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+  for (size_t i = 0; i < COUNT(table); i++)
     shell_ends(3, "figure-3.tsv", "(%s) > $D/r/figure-3.tsv; $P report $D/r", table[i]);
 }
 
@@ -316,7 +315,7 @@ static bool survives(const char *json) {
   bool ok = read_text(&r, json, &d);
   ck_assert_msg(ok != d.set, "%.2000s", d.message);
   if (!ok) ck_assert_msg(strncmp(d.message, "audit.json:", 11) == 0, "%s", d.message);
-  for (int i = 0; ok && i < N_WRITERS; i++) {
+  for (int i = 0; ok && i < COUNT(writers); i++) {
     struct text out;
     text_init(&out);
     writers[i](&out, &r);
@@ -411,7 +410,7 @@ TEST_EACH(types_exchanged_and_huge_numbers, 4) {
   ck_assert_uint_gt(p.n, 300);
   long refused = 0;
   for (size_t i = (size_t)(_i % every(3)); i < p.n; i += (size_t)every(3))
-    for (size_t k = (size_t)_i; k < sizeof other / sizeof *other; k += 4) {
+    for (size_t k = (size_t)_i; k < COUNT(other); k += 4) {
       struct text t;
       text_init(&t);
       text_add_n(&t, json.data, p.at[i]);
@@ -450,7 +449,7 @@ TEST(what_is_said) {
   char *own = file_text("tests/fuzz/corpus/report/audit");
   text_add(&json, own);
   free(own);
-  for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+  for (size_t i = 0; i < COUNT(of); i++) {
     struct audit_result r;
     struct diag d;
     struct text t;

@@ -132,7 +132,7 @@ TEST(lost_in_plain_double) {
                                     {0.44223220699742904, 3.0857670332340961, 1.3786439157816219, 0.06828370996816184,
                                      0.076963045023283355, -0.017482615253805421}};
   double worst = 0;
-  for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+  for (size_t k = 0; k < COUNT(at); k++) {
     double got[N_RETURN], error[N_RETURN], condition[N_RETURN], t[N_PHASES];
     bool slow;
     ck_assert(map_of(got, at[k], &slow) && errors_of(error, NULL, at[k], got));
@@ -155,7 +155,7 @@ TEST(rise_lost_in_a_quotient) {
                                     {0x1.cp-48, 0x1.8p+3, 0x1.2p+0, 0x1.2p+3, 0x1.2p+4, 0x1.4924924924896p+51},
                                     {0x1.6fcb992a4a412p-57, 0x1.7bd57579930c3p-5, 0x1.0b910d21723bdp+1,
                                      0x1.c1e94eb62197fp+3, 0x1.0b910d21723bdp+1, 0x1.747948b583eefp+57}};
-  for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+  for (size_t k = 0; k < COUNT(at); k++) {
     double got[N_RETURN], error[N_RETURN];
     bool slow;
     ck_assert(map_of(got, at[k], &slow) && errors_of(error, NULL, at[k], got));

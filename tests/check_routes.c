@@ -53,7 +53,7 @@ TEST(shared_means) {
                {"return Jacobian", "implicit", "saltation", MEANS_ENDS | MEANS_EVENTS},
                {"return Jacobian", "implicit", "integration", 0},
                {"return Jacobian", "fd", "integration", MEANS_DIFFERENCES}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     unsigned both = row_of(cases[i].quantity, cases[i].a)->means & row_of(cases[i].quantity, cases[i].b)->means;
     ck_assert_msg(both == cases[i].want, "%s, %s: %x", cases[i].a, cases[i].b, both);
   }

@@ -185,8 +185,8 @@ TEST(values_beyond_double_precision) {
     const char *command, *option, *value;
     int status;
   } uses[] = {{"orbit", "--digits", "30", 0}, {"simulate", "--periods", "1", 3}, {"jacobian", "--digits", "30", 3}};
-  for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
-    for (size_t k = 0; k < sizeof uses / sizeof *uses; k++) {
+  for (size_t i = 0; i < COUNT(sets); i++)
+    for (size_t k = 0; k < COUNT(uses); k++) {
       struct job r;
       run_words(&r,
                 (const char *const[]){uses[k].command, "paper", "--set", sets[i], uses[k].option, uses[k].value, NULL});
@@ -273,7 +273,7 @@ TEST(line_ends_marks_and_blanks_do_not_matter) {
   static const char *const texts[] = {("chi = 0.8\r\neta = 1\r\nV = 1\r\ne1 = 2\r\ne2 = 1\r\n"), ("\xEF\xBB\xBF" GOOD),
                                       (GOOD "\n\n  # the end"), ("chi =\n    4\n    /5 # four fifths\n" REST),
                                       ("chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1")};
-  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+  for (size_t i = 0; i < COUNT(texts); i++) {
     struct scene s;
     struct diag d;
     ck_assert_msg(load(&s, &d, texts[i], NULL), "text %zu: %s", i, d.message);
@@ -294,7 +294,7 @@ TEST(the_last_printed_digit) {
                {".5", "1/2", "1/10"},
                {"1e5", "100000", "100000"},
                {"2.5e-3", "1/400", "1/10000"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     char text[200];
     struct scene s;
     snprintf(text, sizeof text, GOOD "printed: x_1 = %s\n", cases[i].decimal);
@@ -330,7 +330,7 @@ TEST(a_decimal_is_read_rounded_or_cut_off) {
                {"2", "3", TRUTH_FALSE, 0},
                {"-2", "-3", TRUTH_FALSE, 0},
                {"0.4", "0.5", TRUTH_FALSE, 0}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     char text[200];
     struct scene s;
     arb_t x, whole;
@@ -390,7 +390,7 @@ TEST(overrides_print_in_any_order) {
   static const char *const items[][3] = {{"printed=t_a = 0.5", "printed=", "printed=t_b = 7"},
                                          {"printed=", "printed=t_a = 0.5", "printed=t_b = 7"},
                                          {"printed=t_b = 7", "printed=t_a = 0.5", "printed="}};
-  for (size_t i = 0; i < sizeof items / sizeof *items; i++) {
+  for (size_t i = 0; i < COUNT(items); i++) {
     struct scene s;
     const struct scene_overrides o = {items[i], 3, "--set"};
     goes_well(load(&s, &d, GOOD "printed: t_a = 0.6\nprinted: z10 = 0.9\n", &o));
@@ -438,7 +438,7 @@ TEST(what_is_asked_must_exist) {
                {"ask: kind poem\n", "6:6", "kind poem"},
                {"values: z10, trace_Q\n", "6:14", "the paper has no quantity trace_Q"},
                {"values: H(t_q)\n", "6:11", "the paper has no quantity t_q"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct text text;
     char begin[300];
     struct job r;
@@ -493,7 +493,7 @@ TEST(groups_of_claims) {
                {"equations", {"\nclaim eq-", "\n  equation: "}}};
   struct claims c;
   paper_claims(&c, NULL);
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     int want = 0;
     for (int k = 0; k < 3 && cases[i].lines[k]; k++) want += count_lines(cases[i].lines[k]);
     ck_assert_msg(want > 0 && count_asked(&c, cases[i].group) == want, "%s: %d, not %d", cases[i].group,
@@ -518,7 +518,7 @@ TEST(groups_of_claims) {
   }
   /* J_a, J_b, J_c, J_f and J have an equation each: (27), (32), (36), (40), (41) */
   static const char *const of[] = {"eq-27", "eq-32", "eq-36", "eq-40", "eq-41", "text-singular"};
-  for (size_t i = 0; i < sizeof of / sizeof *of; i++)
+  for (size_t i = 0; i < COUNT(of); i++)
     for (size_t k = 0; k < c.n; k++)
       if (strcmp(c.claim[k].id, of[i]) == 0) ck_assert_msg(claim_asked_for(&c.claim[k], "jacobians"), "%s", of[i]);
   claims_clear(&c);
@@ -542,7 +542,7 @@ TEST(only_the_file_itself_is_on_file) {
            {"paper", &asking, true},
            {"paper", &changed, false},
            {scratch_put("paper.scene", GOOD), NULL, false}};
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     struct scene s;
     goes_well(scene_load_with(&s, c[i].spec, "verify", c[i].o, false, &d));
     ck_assert_str_eq(s.file, "paper");
@@ -616,7 +616,7 @@ TEST(set_reaches_every_command) {
                                              {"sweep", "paper", "--over", "V=1:1.1:2", "--json", "--set", "e2=1"},
                                              {"sweep", "paper", "--over", "V=1:1.1:2", "--set", "e2=1"},
                                              {"repair", "eq-27", "--json", "--set", "e2=1"}};
-  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+  for (size_t i = 0; i < COUNT(commands); i++) {
     struct job r;
     run_words(&r, commands[i]);
     ck_assert_msg(r.status == 0 && strstr(r.out, "paper --set e2=1"), "%s %s: %d, %.500s %s", commands[i][0],
@@ -684,7 +684,7 @@ TEST(names_of_files_do_not_break_lines) {
                 2},
                {"a\x1B[31m.scene", 2},
                {"a\xE2\x80\xA8.scene", 2}};
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+  for (size_t i = 0; i < COUNT(names); i++) {
     struct job r;
     const char *path = scratch_put(names[i].name, GOOD);
     run_words(&r, (const char *const[]){"sweep", path, "--over", "e2=0.5:0.6:2", NULL});
@@ -706,7 +706,7 @@ TEST(commands_of_a_report_can_be_typed) {
                                       "sed -n 's/.*Written by <code>\\(.*\\)<.code> from.*/\\1/p' r/index.html"
                                       " | sed \"s/&#39;/'/g;s/&gt;/>/g;s/&amp;/\\\\&/g\""};
   scratch_put("a;id>X;b --only 'c&.scene", GOOD);
-  for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
+  for (size_t i = 0; i < COUNT(pages); i++) {
     shell_well("export STICKSLIP_DATA=$PWD/verify; p=$(realpath $P); cd \"$D\"; rm -rf r again;"
                "\"$p\" verify \"./a;id>X;b --only 'c&.scene\" --only eq-3 --out r --set e2=1/2 > /dev/null;"
                "stickslip() { \"$p\" \"$@\" --only eq-3 --out again > /dev/null; };"
@@ -795,7 +795,7 @@ static const struct altered {
                {KEY_SYSTEM, "./one.system", KEY_SYSTEM, "./one.system"},
                {KEY_DIGITS, "30", KEY_DIGITS, "30"},
                {KEY_BUDGET, "1", KEY_BUDGET, "1"}};
-enum { N_CHANGES = sizeof changes / sizeof *changes };
+enum { N_CHANGES = COUNT(changes) };
 
 /* Ways to use a command, one after the other, quick ones first, since a key that acts in one is not tried in the next;
    on ranges with a change of orbits.  SCENE and OUT stand for the scene's file and a folder.  list is told of the scene
@@ -823,7 +823,7 @@ static const struct use {
             {.argv = {"plot", "SCENE", "--animate", "--out", "OUT"}},
             {.argv = {"plot", "SCENE", "--out", "OUT"}},
             {.argv = {"list", "scenes"}}};
-enum { N_USES = sizeof uses / sizeof *uses };
+enum { N_USES = COUNT(uses) };
 
 /* The scene before any change. */
 static struct lines unchanged(const struct use *u) {

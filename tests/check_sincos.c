@@ -94,7 +94,7 @@ static const double sine_part[] = {-0x1.5555555555555p-3, 0x1.1111111111067p-7, 
                                    -0x1.9f70e4a638736p-41};
 static const double cosine_part[] = {0x1.5555555555555p-5,  -0x1.6c16c16c16664p-10, 0x1.a01a019ec32bdp-16,
                                      -0x1.27e4f9898328p-22, 0x1.1eeaefa8f1c23p-29,  -0x1.9034073fa6881p-37};
-enum { SINE_PART = sizeof sine_part / sizeof *sine_part, COSINE_PART = sizeof cosine_part / sizeof *cosine_part };
+enum { SINE_PART = COUNT(sine_part), COSINE_PART = COUNT(cosine_part) };
 
 static void traced_polynomial(struct traced *p, const double *coefficient, int n, const struct traced *z) {
   struct traced c;

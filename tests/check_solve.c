@@ -87,8 +87,8 @@ static const slong sizes[] = {1, 3, 15};
 
 TEST(newton_finds_square_roots) {
   struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(53), num_ctx_mpfr(700), num_ctx_arb(90), num_ctx_arb(700)};
-  for (size_t t = 0; t < sizeof ctx / sizeof *ctx; t++)
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+  for (size_t t = 0; t < COUNT(ctx); t++)
+    for (size_t i = 0; i < COUNT(sizes); i++) {
       struct squares s;
       struct num_vec x;
       squares_init(&s, sizes[i], ctx[t]);
@@ -181,8 +181,8 @@ static bool encloses_root(const arb_t x, slong p) {
 
 TEST(square_roots_are_enclosed) {
   static const slong precs[] = {53, 128, 1000};
-  for (size_t t = 0; t < sizeof precs / sizeof *precs; t++)
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+  for (size_t t = 0; t < COUNT(precs); t++)
+    for (size_t i = 0; i < COUNT(sizes); i++) {
       struct squares s;
       struct num_vec x;
       struct krawczyk k;

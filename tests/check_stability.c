@@ -326,7 +326,7 @@ TEST(condition_numbers_agree) {
     struct digits_bench w;
     goes_well(digits_slopes(f, &s, &d));
     digits_bench_init(&w, f);
-    for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+    for (size_t k = 0; k < COUNT(at); k++) {
       struct digits_loss loss = digits_measure(&w, at[k], -1);
       ck_assert_int_eq((int)loss.kind, DIGITS_LOST);
       double c = digits_condition(&w);
@@ -547,8 +547,7 @@ TEST(every_entry_is_enrolled) {
       "eq-43.1",  "text-criterion.2", "H_31",     "P",        "N",          "h"};
   struct digits_set s;
   make_set(&s);
-  for (size_t i = 0; i < sizeof ids / sizeof *ids; i++)
-    ck_assert_msg(digits_find(&s, ids[i]) != NULL, "%s is not studied", ids[i]);
+  for (size_t i = 0; i < COUNT(ids); i++) ck_assert_msg(digits_find(&s, ids[i]) != NULL, "%s is not studied", ids[i]);
   digits_set_clear(&s);
 }
 
@@ -619,7 +618,7 @@ TEST(regions_reach_their_ends) {
               {"omega-t_d-near-0", "ktilde_4", "t_d", 1, 1e-300}};
   struct digits_set s;
   make_set(&s);
-  for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+  for (size_t i = 0; i < COUNT(ends); i++) {
     struct digits_formula *f = digits_find(&s, ends[i].formula);
     struct digits_bench w;
     int region = 0;
@@ -699,7 +698,7 @@ TEST(points_outside_are_told) {
                                        "steady --overlay $D/planted.eq --at t=0",
                                        "steady --overlay $D/planted.eq --at t=0x1p-1000"};
   static const int status[] = {0, 0, 3, 0, 0, 0};
-  for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+  for (size_t i = 0; i < COUNT(points); i++) {
     ck_assert_msg(shell("\"$P\" stability %s >/dev/null 2>&1", points[i]) == status[i], "%s", points[i]);
   }
 }
@@ -734,7 +733,7 @@ TEST(a_map_is_a_picture) {
                {"\"shade d5\"", {5, 20, 3}},
                {"\"shade d8\"", {0, 0, 1}},
                {"\"shade d9\"", {40, 40, 1}}};
-  for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+  for (size_t i = 0; i < COUNT(parts); i++) {
     double at[3];
     part_of(at, text_str(&svg), parts[i].class);
     for (int k = 0; k < 3; k++) ck_assert_double_eq_tol(at[k], parts[i].at[k], 0.02);

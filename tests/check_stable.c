@@ -218,7 +218,7 @@ TEST(what_cannot_be_read_is_said) {
       {"define s\n  section: periodic\n  u_b := chi\n", "u_b is a free symbol in the corrected layer"},
       {"inequality nowhere\n  section: stability\n  chi < 1\n", "nowhere replaces no record"},
   };
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+  for (size_t i = 0; i < COUNT(bad); i++) {
     struct model m;
     struct stable_proofs p;
     struct diag d;
@@ -287,7 +287,7 @@ TEST(small_times_keep_their_digits) {
   static const char *const stable[] = {"M", "N_3",
                                        "[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - "
                                        "chi) - t_a]*(-V)"};
-  for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
+  for (size_t k = 0; k < COUNT(value); k++) {
     struct extreme_form f;
     struct num_vec in, out, exact_in, exact;
     extreme_form_init(&f, &model, LAYER_STABLE, stable[k], stable[k], "validation");

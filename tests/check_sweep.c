@@ -69,8 +69,8 @@ TEST(values_are_exact_and_rounded_once) {
                                         {"0.1234567890123456789012345678901234567890", "9"},
                                         {"9007199254740993", "9007199254740995"}};
   static const slong sizes[] = {2, 3, 7, 20000};
-  for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
-    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+  for (size_t i = 0; i < COUNT(ends); i++)
+    for (size_t k = 0; k < COUNT(sizes); k++) {
       struct line l;
       fmpq_t x, want, step;
       slong n = sizes[k];
@@ -123,7 +123,7 @@ static void same_decimal(double x) {
 /* Against printf: any size, few digits (ties of the last place among them), and the neighbours of powers of ten. */
 TEST(decimals_are_those_of_printf) {
   static const double special[] = {0, -0.0, 1, 0.5, 2.5, 0.125, 1e15, 1e-5, 1e-4, 9.5, 99.5, 1e22, 1e23, 5e-324, 1e308};
-  for (size_t i = 0; i < sizeof special / sizeof *special; i++) {
+  for (size_t i = 0; i < COUNT(special); i++) {
     same_decimal(special[i]);
     same_decimal(-special[i]);
   }
@@ -180,7 +180,7 @@ TEST(orbits_are_those_of_the_search_in_balls) {
                {{"0.8", "1", "1", "2.7844", "0.8587"}, P_CHI, "0.2", "0.97"},
                {{"0.6", "2.5", "0.7", "1.2", "0.4"}, P_V, "0.1", "3"},
                {{"0.25", "0.3", "3", "5", "2"}, P_ETA, "0.1", "6"}};
-  for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+  for (size_t i = 0; i < COUNT(lines); i++) {
     struct line l;
     struct dyn_family f;
     line_init(&l, lines[i].params, lines[i].vary, lines[i].from, lines[i].to, 601);
@@ -444,7 +444,7 @@ TEST(resumed_files_are_those_of_one_run) {
   size_t head = (size_t)(strstr(whole, "\npoint,") - whole), unit = (size_t)(strstr(whole, "\n1500,") - whole);
   head += strcspn(whole + head + 1, "\n") + 2;
   const size_t cuts[] = {head, head + 1, head + 100, unit, unit + 1, unit + 3, len / 2, len - 1, len};
-  for (size_t i = 0; i < sizeof cuts / sizeof *cuts; i++) {
+  for (size_t i = 0; i < COUNT(cuts); i++) {
     put_part("cut", whole, cuts[i]);
     shell_well("\"$P\" " PLANE " --csv \"$D/cut\" --resume && cmp \"$D/whole\" \"$D/cut\" && test ! -e \"$D/cut.part\" "
                "&& test ! -e \"$D/cut.part.sum\"");
@@ -496,7 +496,7 @@ TEST(damaged_parts_are_refused) {
   shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
   char *whole = file_text(scratch_path("whole"));
   size_t len = strlen(whole);
-  for (size_t i = 0; i < sizeof damage / sizeof *damage; i++) {
+  for (size_t i = 0; i < COUNT(damage); i++) {
     put_part("cut", whole, len / 2);
     shell_well("cp \"$D/cut.part\" \"$D/old\"");
     shell_well(damage[i]);

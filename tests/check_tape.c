@@ -350,7 +350,7 @@ TEST(a_value_rounded_once) {
       {"1/(1 - (1 - x))", x, 0, NAN, 1 / x},
       {"rounded(1 + x) - 1", x, 0, 0, x},
   };
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     double y;
     const char *rounded = formatted("  y := rounded(%s)", c[i].y), *plain = formatted("  y := %s", c[i].y);
     ck_assert_int_eq(value_at(&y, rounded, c[i].x, c[i].z, num_ctx_double()), SS_OK);
@@ -531,7 +531,7 @@ static void make_formula(struct node *f) {
     text_init(&t);
     switch (op) {
     case 'n':
-      n.k = below((int)(sizeof decimal / sizeof *decimal));
+      n.k = below(COUNT(decimal));
       text_add(&t, decimal[n.k]);
       break;
     case 'x':

@@ -61,7 +61,7 @@ TEST(colours_only_where_they_are_wanted) {
   const char *last = strstr(plain, "\npaper: 4 statements: ");
   ck_assert(last && strcmp(last + strlen(last) - 12, "as recorded\n") == 0 &&
             !strchr(strchr(last + 1, '\n') + 1, '\n'));
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     char *out = on_a_terminal(cases[i].settings, AUDIT);
     const char *said = after_progress(out);
     if (cases[i].colours)
@@ -110,7 +110,7 @@ TEST(what_fails_is_shown_worst_first) {
                                          "\nsection "};
   char *out = shell_said("\"$P\" verify --only eq-36b,eq-40,num-t_a --out \"$D/r\"");
   const char *at = out;
-  for (size_t i = 0; i < sizeof in_order / sizeof *in_order; i++) {
+  for (size_t i = 0; i < COUNT(in_order); i++) {
     at = strstr(at, in_order[i]);
     ck_assert_msg(at != NULL, "%s, in\n%s", in_order[i], out);
   }
@@ -133,7 +133,7 @@ TEST(where_it_is_written_is_said) {
   } cases[] = {{"orbit paper --certificate", "c.json"},      {"sweep paper --over e2=0.8:0.9:5 --csv", "rows.csv"},
                {"mutate --count 3 --only title --out", "m"}, {"stability lambda_2 --quick --out", "s"},
                {"bench --job map --quick --inputs", "b"},    {"repair eq-36b --out", "p"}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     char want[300];
     snprintf(want, sizeof want, "written to %s\n", scratch_path(cases[i].to));
     char *out = shell_said("\"$P\" %s \"$D/%s\" 2>/dev/null", cases[i].command, cases[i].to);
@@ -203,7 +203,7 @@ TEST(orbits_and_motions_are_tables) {
   long column = meaning - begin;
   static const char *const words[] = {"length of the global stick", "of the slip-stick",
                                       "tr J: ", "static friction of m_2"};
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+  for (size_t i = 0; i < COUNT(words); i++) {
     const char *at = strstr(out, words[i]), *from = at;
     ck_assert_msg(at != NULL, "%s", words[i]);
     while (from[-1] != '\n') from--;
@@ -280,7 +280,7 @@ TEST(progress_has_one_total) {
                {"orbit chain3", "orbit beside-wall"},
                {"simulate chain3", "simulate beside-wall"},
                {"verify --only eq-52,num-t_a --out $D/p", NULL}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     const char *command = cases[i].command, *elsewhere = cases[i].elsewhere ? cases[i].elsewhere : command;
     int shown = 0;
     size_t done, of, last = 0, total = 0;
@@ -347,7 +347,7 @@ TEST(other_shells_complete) {
   for (int i = 0; i < 2; i++)
     shell_well("sed \"s|@COMPDIR@/stickslip|$PWD/tools/completion.bash|\" tools/completion.%s > $D/c.%s",
                i ? "fish" : "zsh", i ? "fish" : "zsh");
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     scratch_put("words", cases[i].words);
     shell_well("bash tools/completion.bash $P %s 2>&1 | diff - $D/words", cases[i].line);
     if (there_is("zsh")) shell_well("LINE=\"$P %s\" zsh -f $D/try.zsh 2>&1 | diff - $D/words", cases[i].line);

@@ -48,7 +48,7 @@ TEST(a_point_belongs_to_a_number_between_digits) {
     const char *formula;
     size_t len;
   } cases[] = {{"7", 1}, {"12", 2}, {"0.25x", 4}, {"3.", 1}, {"1.2.3", 5}, {"4.x", 1}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     const char *s = cases[i].formula;
     ck_assert_uint_eq(tex_number_length(s, s + strlen(s)), cases[i].len);
   }
@@ -69,7 +69,7 @@ TEST(commands) {
   static const char *const greek[] = {"alpha", "beta",   "gamma",   "delta", NULL,  "zeta", "eta",  "theta", "iota",
                                       "kappa", "lambda", "mu",      "nu",    "xi",  NULL,   "pi",   "rho",   NULL,
                                       "sigma", "tau",    "upsilon", NULL,    "chi", "psi",  "omega"};
-  for (size_t i = 0; i < sizeof greek / sizeof *greek; i++) {
+  for (size_t i = 0; i < COUNT(greek); i++) {
     if (!greek[i]) continue;
     const struct tex_word *w = tex_word(greek[i], strlen(greek[i]));
     unsigned point = 0x3B1 + (unsigned)i;

@@ -98,7 +98,7 @@ TEST_EACH(titles_name_nothing_by_hand, refused.n) {
 TEST(words_that_name_nothing) {
   static const char *const titles[] = {"a case of the test", "none", "one mass, then the other",
                                        "the mass's slips and sticks, half-way", "a phase of stick motion"};
-  for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) {
+  for (size_t i = 0; i < COUNT(titles); i++) {
     struct claims own = {.n = 0};
     has_title(&the_paper.model, one_claim(&own, formatted("kind: outside\n  title: %s\n", titles[i])), titles[i]);
     claims_clear(&own);

@@ -27,7 +27,7 @@ static const struct {
   enum phase phase;
 } sampled[] = {{POINT_PARAMS, PHASE_D}, {POINT_FLOW, PHASE_D}, {POINT_FLOW, PHASE_GAMMA}, {POINT_FLOW, PHASE_H},
                {POINT_FLOW, PHASE_C},   {POINT_ARC, PHASE_D},  {POINT_ORBIT, PHASE_D}};
-enum { N_SAMPLED = sizeof sampled / sizeof *sampled, DRAWN = 100 };
+enum { N_SAMPLED = COUNT(sampled), DRAWN = 100 };
 
 TEST_EACH(an_id_has_its_own_points, N_SAMPLED) {
   struct sampler once, again, other;
@@ -293,7 +293,7 @@ TEST(names_without_a_value_are_told_apart) {
   }
   arb_t x;
   arb_init(x);
-  for (size_t i = 0; i < sizeof strangers / sizeof *strangers; i++) {
+  for (size_t i = 0; i < COUNT(strangers); i++) {
     bool known = true;
     int s = values_bind(x, &known, &v, strangers[i]);
     ck_assert_msg(!known && s != SS_OK, "%s has a value on an arc", strangers[i]);
@@ -344,7 +344,7 @@ static void check_jacobians(struct values *v, real tolerance) {
       {"J_f", PHASE_C, PHASE_C, 2, 3, {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}, {0, 1}},
       {"J", PHASE_D, PHASE_C, 2, 2, {{1, 0, 0, 0}, {0, 1, 0, 0}}, {0, 1}},
   };
-  for (size_t m = 0; m < sizeof maps / sizeof *maps; m++) {
+  for (size_t m = 0; m < COUNT(maps); m++) {
     real want[6], end[4];
     for (int k = 0; k < maps[m].cols; k++) {
       plain_derivative(end, &p, maps[m].from, maps[m].to, z[maps[m].from], maps[m].in[k], t);

@@ -117,7 +117,7 @@ TEST(hostile) {
   ck_assert_int_eq(dyn_orbit_warm(out, &violations, &unsure, example, good), SS_OK);
   for (int k = 0; params_outside(p, k); k++)
     ck_assert_int_eq(dyn_orbit_warm(out, &violations, &unsure, p, good), SS_DOMAIN);
-  for (size_t i = 0; i < sizeof wild / sizeof *wild; i++)
+  for (size_t i = 0; i < COUNT(wild); i++)
     for (int k = 0; k < 2; k++) {
       double guess[2] = {good[0], good[1]};
       guess[k] = wild[i];

@@ -48,7 +48,7 @@ TEST(a_word_is_read_and_printed) {
                                         {"ghcXx", "gamma-h-c-X-x"},
                                         {"G gamma", "Gamma-gamma"},
                                         {"HCHCHCHCHCHC", "H-C-H-C-H-C-H-C-H-C-H-C"}};
-  for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+  for (size_t i = 0; i < COUNT(same); i++) {
     struct mech_word w = word_of(same[i][0]);
     ck_assert_str_eq(shown(&w), same[i][1]);
   }
@@ -64,7 +64,7 @@ TEST(what_is_no_word) {
              {"D(H)^2", "the phases are", 1},     {"Gamme", "the phases are", 1},   {"\xce\x93", "the phases are", 0},
              {"HCHCHCHCHCHCH", "at most 12", 12}, {"d", "the phases are", 0},       {"D\n", "the phases are", 1},
              {"D 1", "the phases are", 2}};
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+  for (size_t i = 0; i < COUNT(bad); i++) {
     struct mech_word w;
     size_t at = 99;
     const char *why = NULL;
@@ -233,7 +233,7 @@ TEST(what_is_known_against_a_word) {
                {"Gamma X H C D", "Gamma to X: the force on m2 only rises", WORD_IMPOSSIBLE},
                {"Gamma gamma x H", "gamma to x: the force on m2 only falls", WORD_IMPOSSIBLE},
                {"H C H H", "H to H: a phase does not follow itself", WORD_IMPOSSIBLE}};
-  for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+  for (size_t i = 0; i < COUNT(known); i++) {
     struct text why;
     text_init(&why);
     struct mech_word w = word_of(known[i].word);
@@ -284,7 +284,7 @@ TEST(the_papers_word_is_one_of_them) {
   long orbits = 0;
   arb_t least;
   arb_init(least);
-  for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
+  for (size_t k = 0; k < COUNT(sets); k++) {
     struct dyn_orbits own;
     struct word_orbits list;
     fmpq *params = rationals(sets[k], N_PARAMS);
@@ -421,7 +421,7 @@ TEST(jacobians_are_those_of_simulations) {
   const fmpq *u_r[2] = {limit, limit + 1};
   int compared = 0;
   fmpq *params = rationals(text, N_PARAMS);
-  for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
+  for (size_t k = 0; k < COUNT(words); k++) {
     struct mech_word w = word_of(words[k]);
     struct word_orbits list;
     ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 64), SS_OK);
@@ -483,7 +483,7 @@ TEST(what_simulations_settle_on_is_found) {
       {"1/2", "1", "1/2", "1", "1/2", "6/5", "3/5"},           {"3/5", "3", "1", "1/2", "1/3", "1", "1/2"},
       {"71/100", "6/5", "19/10", "59/10", "79/500", "7", "3"}, {"9/10", "1/2", "1/5", "1/2", "1/2", "3/5", "11/20"}};
   int found = 0, kinds = 0;
-  for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
+  for (size_t k = 0; k < COUNT(sets); k++) {
     fmpq *params = rationals(sets[k], N_PARAMS), *limit = rationals(sets[k] + N_PARAMS, 2);
     const fmpq *u_r[2] = {limit, limit + 1};
     double p[N_COULOMB];
@@ -556,7 +556,7 @@ TEST(a_scene_names_a_word) {
              {"chi = 0.8\neta = 1\nV = 1\ne1 = [2, 3]\ne2 = 1\nword: H C\n", "and no interval"},
              {"chi = 0.8\neta = 1\nV = 1\nt_a = 0.1\ne2 = 1\nword: Gamma H C\n", "Gamma-H-C, t_a = 0"}};
   struct scene s;
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+  for (size_t i = 0; i < COUNT(bad); i++) {
     fails_with(scene_load_box(&s, scratch_put("bad.scene", bad[i].text), "verify", &d), bad[i].says);
     scene_clear(&s);
   }
@@ -616,7 +616,7 @@ TEST(output_obeys_its_schemas) {
       {"words overrun --longest 2 --json", "words"}, {"words none --longest 2 --digits 30 --json", "words"},
       {"orbit overrun --json", "word-orbit"},        {"orbit other-word --json --digits 40", "word-orbit"},
       {"jacobian overrun --json", "word-jacobian"},  {"jacobian other-word --method ode --json", "word-jacobian"}};
-  check_schemas(runs, sizeof runs / sizeof *runs);
+  check_schemas(runs, COUNT(runs));
   scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"x1\"], \"J\": [[\"1\"]]}");
   static const char *const says[] = {"word/1: 'Q' is not one of", "'multipliers' is a required property"};
   for (int i = 0; i < 2; i++)

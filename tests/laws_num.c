@@ -305,7 +305,7 @@ TEST_EACH(balls_are_tight, LAW_CONTEXTS) {
   arb_init(z);
   trial_init(&t, law_context(_i), "balls are tight");
   for (int i = 0; i < TRIALS && t.f->rigorous; i++)
-    for (size_t k = 0; k < sizeof tight / sizeof *tight; k++) {
+    for (size_t k = 0; k < COUNT(tight); k++) {
       t.op = ops[tight[k]].name;
       trial_begin(&t, i, 60);
       for (int j = X; j <= Y; j++) {
@@ -767,7 +767,7 @@ TEST_EACH(stable_functions_of_wide_balls, LAW_CONTEXTS) {
   static const double ends[][2] = {{-1, 1}, {0, 2}, {1, 3}, {-3, 1}, {-100, 100}, {2, 9}, {1.5, 2.5}, {-2, -1}};
   struct trial t;
   trial_init(&t, law_context(_i), "wide balls");
-  for (size_t i = 0; t.f->rigorous && i < sizeof ends / sizeof *ends; i++)
+  for (size_t i = 0; t.f->rigorous && i < COUNT(ends); i++)
     for (int k = 0; k <= 16; k++) {
       put_interval(&t, X, ends[i][0], ends[i][1]);
       put_interval(&t, Y, -1, 2);
@@ -873,7 +873,7 @@ static const struct {
 TEST_EACH(undefined_or_untold, LAW_CONTEXTS) {
   struct trial t;
   trial_init(&t, law_context(_i), "undefined");
-  for (size_t i = 0; i < sizeof failures / sizeof *failures; i++) {
+  for (size_t i = 0; i < COUNT(failures); i++) {
     bool wide = failures[i].x0 < failures[i].x1 || failures[i].y0 < failures[i].y1;
     if (wide && !t.f->rigorous) continue;
     t.op = ops[failures[i].op].name;

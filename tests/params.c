@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/arena.h"
+
 const double example[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587};
 const char *const example_text[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0.8587"};
 
@@ -25,10 +27,9 @@ void params_to_edges(double p[N_PARAMS], struct rng *r, bool chi_small) {
 }
 
 static const double size[] = {1e-310, 1e-160, 1e-8, 1, 1e8, 1e160, 1e308};
-enum { N_SIZES = sizeof size / sizeof *size };
 
 double size_draw(struct rng *r) {
-  return size[rng_between(r, 0, N_SIZES - 1)];
+  return size[rng_between(r, 0, COUNT(size) - 1)];
 }
 
 void params_draw_sizes(double p[N_PARAMS], struct rng *r) {
@@ -37,7 +38,7 @@ void params_draw_sizes(double p[N_PARAMS], struct rng *r) {
 
 bool params_outside(double p[N_PARAMS], int k) {
   static const double bad[] = {0, -1, NAN, INFINITY, -INFINITY};
-  enum { N_BAD = sizeof bad / sizeof *bad };
+  enum { N_BAD = COUNT(bad) };
   memcpy(p, example, sizeof example);
   if (k < N_PARAMS * N_BAD)
     p[k / N_BAD] = bad[k % N_BAD];

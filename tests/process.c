@@ -12,9 +12,11 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/arena.h"
+
 void process_as_from_a_shell(void) {
   static const int number[] = {SIGHUP, SIGINT, SIGTERM, SIGALRM, SIGPIPE, SIGXFSZ};
-  for (size_t i = 0; i < sizeof number / sizeof *number; i++) signal(number[i], SIG_DFL);
+  for (size_t i = 0; i < COUNT(number); i++) signal(number[i], SIG_DFL);
 }
 
 int process_end(pid_t pid) {

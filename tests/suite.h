@@ -11,6 +11,7 @@
 
 #include <check.h>
 
+#include "base/arena.h"
 #include "every.h"
 
 struct table;
@@ -72,7 +73,5 @@ void suite_enter(struct suite_entry *e);
   }                                                                                                                    \
   SUITE_ENTRY(__LINE__, .add = test##_add)                                                                             \
   static void test##_steps(__attribute__((unused)) int _i)
-
-#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 #endif

@@ -40,6 +40,9 @@ void ss_exhausted_quietly(void);
 /* From here on f is called before that end, and must not ask for memory: for a process with others to end. */
 void ss_exhausted_calls(void (*f)(void));
 
+/* How many elements an array has. */
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
 /* Makes room for one more element in a heap array of *cap elements of the given size, doubling it when full. */
 void *ss_grow(void *p, size_t len, size_t *cap, size_t size);
 /* The place of a new last element of such an array of n, which n counts from here on; what is put there must not name

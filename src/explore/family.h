@@ -75,7 +75,7 @@ struct dyn_family {
   slong n_points;
   struct dyn_member *member;
   size_t n_members, cap_members;
-  long searched, followed, enclosed; /* searches; orbits followed in double precision, and in balls */
+  long searched, followed; /* searches; orbits followed in double precision */
 };
 
 /* Which orbits, where. */

@@ -111,7 +111,6 @@ bool family_solve(struct dyn_member *m, struct family_line *l, const double gues
     family_judge(m, l);
     return m->up == up;
   }
-  l->f->enclosed++;
   return enclose(m, l, guess, up);
 }
 

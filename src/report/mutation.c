@@ -53,11 +53,11 @@ static void write_damaged(struct json *j, const struct damaged *g) {
   json_end_object(j);
 }
 
-#define COUNT(name)                                                                                                    \
+#define SCORE(name)                                                                                                    \
   { .key = #name, .kind = MEMBER_LONG, .at = offsetof(struct mutation_score, name) }
 static const struct member mutation_score_shape_member[] = {
-    COUNT(counted),    COUNT(noticed),    COUNT(formulas), COUNT(equivalent),
-    COUNT(on_motions), COUNT(needs_text), COUNT(errata),
+    SCORE(counted),    SCORE(noticed),    SCORE(formulas), SCORE(equivalent),
+    SCORE(on_motions), SCORE(needs_text), SCORE(errata),
 };
 SHAPE(mutation_score_shape, struct mutation_score, .blank = NULL);
 
