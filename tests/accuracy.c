@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "local.h"
 #include "motion/event.h"
 #include "params.h"
 #include "rational.h"
@@ -13,20 +14,16 @@ enum { MOVE = 60 };
 /* |x - y| / |y| */
 static double apart(arb_srcptr x, arb_srcptr y) {
   if (arb_equal(x, y)) return 0;
-  arb_t d;
-  arb_init(d);
+  NUMBERS(arb, d);
   arb_sub(d, x, y, ACCURACY_BITS);
   arb_div(d, d, y, ACCURACY_BITS);
-  double e = fabs(num_arb.get_d(d));
-  arb_clear(d);
-  return e;
+  return fabs(num_arb.get_d(d));
 }
 
 bool accuracy_of(double *error, double *condition, const struct method *m, const double *in, const double *got,
                  void *arg) {
-  struct num_vec at, moved;
-  num_vec_init(&at, m->n_out, num_ctx_arb(ACCURACY_BITS));
-  num_vec_init(&moved, m->n_out, num_ctx_arb(ACCURACY_BITS));
+  OWNED(num_vec) at = vec_new(m->n_out, num_ctx_arb(ACCURACY_BITS));
+  OWNED(num_vec) moved = vec_new(m->n_out, num_ctx_arb(ACCURACY_BITS));
   bool good = m->truth(&at, in, -1, arg);
   for (int i = 0; i < m->n_out && condition; i++) condition[i] = 0;
   for (int k = 0; k < m->n_in && good && condition; k++) {
@@ -35,26 +32,21 @@ bool accuracy_of(double *error, double *condition, const struct method *m, const
       condition[i] += ldexp(apart(num_vec_at(&moved, i), num_vec_at(&at, i)), MOVE);
   }
   for (int i = 0; i < m->n_out && good; i++) {
-    arb_t y;
-    arb_init(y);
+    NUMBERS(arb, y);
     arb_set_d(y, got[i]);
     error[i] = ldexp(apart(y, num_vec_at(&at, i)), 53);
-    arb_clear(y);
   }
-  vecs_clear(&moved, &at);
   return good;
 }
 
 /* The parameters in exact numbers, one of them moved. */
 static fmpq *moved_params(const double p[N_PARAMS], int moved) {
   fmpq *q = rationals_d(p, N_PARAMS);
-  fmpq_t more;
-  fmpq_init(more);
+  NUMBERS(fmpq, more);
   if (moved >= 0) {
     fmpq_div_2exp(more, q + moved, MOVE);
     fmpq_add(q + moved, q + moved, more);
   }
-  fmpq_clear(more);
   return q;
 }
 
@@ -70,9 +62,9 @@ struct orbit_truth {
 /* From the parameters the numbers of enum dyn_output. */
 static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg) {
   struct orbit_truth *t = arg;
-  struct dyn_orbit o;
+  OWNED(dyn_orbit) o;
   truth first = TRUTH_UNKNOWN;
-  fmpq *params = moved_params(in, moved);
+  FREED_PARAMS fmpq *params = moved_params(in, moved);
   bool found =
       dyn_orbit_near(&o, &first, params, (struct dyn_place){t->tb, t->tc, t->up}, ACCURACY_BITS, NULL) == SS_OK;
   for (int i = 0; i < N_DYN_OUT && found; i++)
@@ -82,8 +74,6 @@ static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg
     t->first = first;
     if (found) memcpy(t->holds, o.holds, sizeof t->holds);
   }
-  dyn_orbit_clear(&o);
-  _fmpq_vec_clear(params, N_PARAMS);
   return found;
 }
 
@@ -111,9 +101,7 @@ bool check_orbit_found(double condition[N_DYN_OUT], const double p[N_PARAMS], co
 
 int first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
                   const struct dyn_limits *lim) {
-  struct calc c = calc_begin(num_ctx_mpfr(128));
+  OWNED(calc) c = calc_begin(num_ctx_mpfr(128));
   const struct num_vec p = calc_vec_d(&c, params, N_PARAMS), z = calc_vec_d(&c, in, N_STATE);
-  int status = event_first(t, grazing, ph, &p, &z, lim);
-  calc_clear(&c);
-  return status;
+  return event_first(t, grazing, ph, &p, &z, lim);
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "every.h"
+#include "local.h"
 #include "scratch.h"
 #include "suite.h"
 #include "table.h"
@@ -111,7 +112,7 @@ static const struct {
 };
 
 TEST_EACH(other_digits, COUNT(digits)) {
-  struct text scene = {0};
+  OWNED(text) scene = {0};
   text_printf(&scene,
               "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nprinted: e1 = 2.7844\nprinted: e2 = 0.8587\n"
               "printed: t_a = %s\nprinted: t_b = %s\nprinted: t_c = %s\nprinted: t_d = %s\nprinted: z10 = %s\n"
@@ -119,12 +120,10 @@ TEST_EACH(other_digits, COUNT(digits)) {
               digits[_i].t_a, digits[_i].t_b, digits[_i].t_c, digits[_i].t_d, digits[_i].z10, digits[_i].z20,
               digits[_i].u_r1, digits[_i].u_r2);
   scratch_put("digits.scene", text_str(&scene));
-  text_clear(&scene);
-  char *out =
+  FREED char *out =
       shell_said("$P verify $D/digits.scene --quiet --out $D/out --only num-t_a,num-t_b,num-t_c,num-t_d,num-z10,"
                  "num-z20,num-u_r1,num-u_r2,num-e1,num-e2,text-periodic 2>&1");
   ck_assert_msg(strstr(out, digits[_i].said), "not %s:\n%s", digits[_i].said, out);
-  free(out);
 }
 
 /* |name - value| < 1e-32, said as d - |name - value| being its own absolute value, which balls refute where it is wrong
@@ -139,8 +138,7 @@ static int near_value(char *out, size_t size, const char *name, const char *valu
 TEST_EVERY(amplitudes_and_phases_of_motions, 3, 40) {
   static const char *const shift[] = {"", " + 2e-32"};
   char cosine[128], sine[128], text[2048];
-  struct table motions;
-  table_read(&motions, "tests/oracle/den_hartog.tsv", 4);
+  OWNED(table) motions = table_read("tests/oracle/den_hartog.tsv", 4);
   char *const *field = motions.row[_i / 4];
   snprintf(cosine, sizeof cosine, "cos(%s)", field[3]);
   snprintf(sine, sizeof sine, "sin(%s)", field[3]);
@@ -159,7 +157,6 @@ TEST_EVERY(amplitudes_and_phases_of_motions, 3, 40) {
       "-e '$r data' hartog/paper/note.eq");
   shell_ends(1, wrong ? "eq-9: refuted" : "eq-9: unknown",
              "STICKSLIP_DATA=\"$D/hartog\" \"$P\" verify --only eq-9 --out \"$D/out\"");
-  table_clear(&motions);
 }
 
 /* check reads a file with the data folder around it, and one that bears another paper's title alone. */

@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "local.h"
 #include "motion/margins.h"
 #include "paper_model.h"
 #include "proof/condition.h"
+#include "rational.h"
 #include "report/report.h"
 #include "run/audit.h"
 #include "says.h"
@@ -20,11 +22,10 @@
 #include "whole.h"
 
 static enum verdict verdict_under(const struct model *m, const char *text) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   goes_well(judge_text(&r, m, text, &the_paper.scene, "own", &d));
   ck_assert_int_eq((int)r.n_findings, 1);
   enum verdict v = r.findings[0].verdict;
-  audit_result_clear(&r);
   return v;
 }
 
@@ -37,9 +38,8 @@ struct question {
 
 /* All in one run, which draws its orbits once; "eq-0" selects eq-0a, eq-0b, ... */
 static void check_verdicts(const struct model *m, const char *head, const struct question *asked, int n) {
-  struct audit_result r;
-  struct text t;
-  text_init(&t);
+  OWNED(audit_result) r;
+  LOCAL(text, t);
   for (int i = 0; i < n; i++) text_printf(&t, "claim eq-0%c\n%s%s\n", 'a' + i, head, asked[i].claim);
   goes_well(judge_text(&r, m, text_str(&t), &the_paper.scene, "eq-0", &d));
   ck_assert_int_eq((int)r.n_findings, n);
@@ -48,8 +48,6 @@ static void check_verdicts(const struct model *m, const char *head, const struct
     enum verdict v = finding_with_id(&r, id)->verdict;
     ck_assert_msg(v == asked[i].want, "%s: %s", asked[i].what, verdict_name[v]);
   }
-  audit_result_clear(&r);
-  text_clear(&t);
 }
 
 /* --- Arguments --- */
@@ -267,21 +265,19 @@ static const struct {
 CASE("argument", .once = {paper_open, paper_close});
 
 TEST_EACH(what_follows_and_what_does_not, COUNT(verdicts)) {
-  struct model m;
-  paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", verdicts[_i].records), .controls = true});
+  OWNED(model) m =
+      paper_model(&(struct paper_layers){.overlay = scratch_put("overlay.eq", verdicts[_i].records), .controls = true});
   check_verdicts(&m, verdicts[_i].head, verdicts[_i].asked, verdicts[_i].n);
-  model_clear(&m);
 }
 
 /* What is reported of the scene names the formula whose value it gives. */
 TEST(a_report_names_its_formula) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   const char *claim =
       "claim text-report\n  section: stability\n  title: of the test\n  kind: report\n  formula: det(J)\n";
   goes_well(judge_text(&r, &the_paper.model, claim, &the_paper.scene, "text-report", &d));
   const struct finding *f = finding_with_id(&r, "text-report");
   ck_assert_ptr_nonnull(strstr(f->evidence[f->n_evidence - 1].note, "formulas give det(J) = "));
-  audit_result_clear(&r);
 }
 
 /* Rows of tests/oracle/argument.py: a scene, then e1, e2, V t_a (1 - chi)/2, (e1 - (z_1c - chi z_2c))/2 and
@@ -316,9 +312,9 @@ static void point_of(struct point *p, const char *const q[N_DRAW], double u_r1, 
 TEST_EACH(bounds_of_an_independent_program, COUNT(certificates)) {
   struct audit_result r;
   struct diag d;
-  struct claims claims = {.n = 0};
+  OWNED(claims) claims = {.n = 0};
   struct judge j = {.out = &r, .model = &the_paper.model, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
-  struct conditions list = {.n = 0};
+  OWNED(conditions) list = {.n = 0};
   diag_init(&d);
   audit_result_init(&r);
   ck_assert(
@@ -334,20 +330,15 @@ TEST_EACH(bounds_of_an_independent_program, COUNT(certificates)) {
   const double bound[BOUNDS] = {certificates[_i].stick, late, late, late, second, second};
   for (int k = 0; k < BOUNDS; k++)
     for (int side = -1; side <= 1; side += 2) {
-      struct point p;
-      arb_t value;
+      OWNED(point) p;
+      NUMBERS(arb, value);
       double where;
-      arb_init(value);
       const double near = bound[k] + side * 1e-7;
       ck_assert(k >= FIRST_MASS || bound[k] > certificates[_i].e1);
       point_of(&p, certificates[_i].q, k < FIRST_MASS ? near : 10, k < FIRST_MASS ? 10 : near);
       truth holds = condition_holds(&where, value, &list.at[k], &p, the_paper.cache);
       ck_assert_msg(holds == (side > 0 ? TRUTH_TRUE : TRUTH_FALSE), "%s, %d: %d", list.at[k].text, side, (int)holds);
-      point_clear(&p);
-      arb_clear(value);
     }
-  conditions_clear(&list);
-  claims_clear(&claims);
   audit_result_clear(&r);
 }
 
@@ -362,13 +353,12 @@ TEST(conditions_are_the_margins_of_the_orbit) {
   enum { PAIRS = COUNT(pairs), ORBITS = 40 };
   struct audit_result r;
   struct diag d;
-  struct claims claims = {.n = 0};
-  struct text t;
-  struct conditions list = {.n = 0};
+  OWNED(claims) claims = {.n = 0};
+  LOCAL(text, t);
+  OWNED(conditions) list = {.n = 0};
   struct judge j = {.out = &r, .model = &the_paper.model, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
   diag_init(&d);
   audit_result_init(&r);
-  text_init(&t);
   text_add(&t, HEAD "  conclusion: ");
   for (int k = 0; k < PAIRS; k++) text_printf(&t, "%s%s", k ? ", " : "", pairs[k].item);
   text_add(&t, "\n");
@@ -381,27 +371,20 @@ TEST(conditions_are_the_margins_of_the_orbit) {
   for (size_t i = 0; i < pool.n && done < ORBITS; i++) {
     const struct dyn_orbit *o = &pool.item[i]->list.orbit[0];
     if (o->grazing || !arb_is_positive(o->t[0])) continue; /* a stick phase that runs backwards has no interval */
-    struct point p;
-    point_init(&p);
+    LOCAL(point, p);
     pool_point(&p, pool.item[i], 0);
     p.known = NULL;
     done++;
     for (int k = 0; k < PAIRS; k++) {
-      arb_t value;
+      NUMBERS(arb, value);
       double where;
-      arb_init(value);
       truth holds = condition_holds(&where, value, &list.at[k], &p, the_paper.cache);
       ck_assert_msg(holds == o->holds[pairs[k].margin], "%s on %zu: %d, not %d", pairs[k].item, i, (int)holds,
                     (int)o->holds[pairs[k].margin]);
       said[holds]++;
-      arb_clear(value);
     }
-    point_clear(&p);
   }
   ck_assert(done == ORBITS && said[TRUTH_TRUE] > 100 && said[TRUTH_FALSE] > 20 && said[TRUTH_UNKNOWN] == 0);
-  conditions_clear(&list);
-  text_clear(&t);
-  claims_clear(&claims);
   audit_result_clear(&r);
 }
 
@@ -410,9 +393,8 @@ TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
   struct judge j = {.cache = the_paper.cache};
   struct orbit_pool pool = orbit_pool_get(&j);
   struct dyn_orbit o;
-  struct num_vec params;
-  struct dyn_arc arc;
-  num_vec_init(&params, N_PARAMS, num_ctx_double());
+  OWNED(dyn_arc) arc;
+  OWNED(num_vec) params = vec_new(N_PARAMS, num_ctx_double());
   dyn_arc_init(&arc, params.ctx);
   for (int i = 0; i < 2; i++) {
     o = pool.item[i]->list.orbit[0];
@@ -422,8 +404,6 @@ TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
     orbit_arc(&arc, the_paper.cache, &o, &params);
     ck_assert_double_eq_tol(*(double *)num_vec_at(&arc.z, 0), num_arb.get_d(o.z10), 1e-12);
   }
-  dyn_arc_clear(&arc);
-  num_vec_clear(&params);
 }
 
 /* Nor does an answer depend on which claims were judged before: a control that only has to be refuted draws few orbits,
@@ -445,30 +425,23 @@ TEST(the_pool_does_not_remember_who_asked_first) {
 /* The scene of a certificate is a scene, and its orbit breaks just what the certificate says. */
 TEST(a_certificate_is_a_scene) {
   struct claims none = {.n = 0};
-  struct audit_result r;
+  LOCAL(audit_result, r);
   const char *id = "text-59-concluded";
   const struct audit_options opt = {.only = &id, .n_only = 1};
-  audit_result_init(&r);
   goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
   const char *from = r.findings[0].evidence[0].note, *end = strstr(from, " there is a solution");
   ck_assert(r.findings[0].verdict == VERDICT_CONDITIONAL && strncmp(from, "for ", 4) == 0 && end);
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (from += strlen("for "); from < end; from++) text_add_char(&t, *from == ',' ? '\n' : *from);
   for (char *c = t.data; (c = strstr(c, "\n ")) != NULL;) memmove(c + 1, c + 2, strlen(c + 1));
-  struct scene s;
-  struct dyn_orbits list;
-  goes_well(scene_load(&s, scratch_put("found.scene", text_str(&t)), "verify", &d));
+  OWNED(dyn_orbits) list;
+  OWNED(scene) s = scene_at(scratch_put("found.scene", text_str(&t)));
   ck_assert(s.given[KEY_U_R1] && s.given[KEY_TB] && !scene_has_forces(&s));
   audit_orbits(&list, &s, 128);
   ck_assert(list.n >= 1 && list.orbit[0].admissible == TRUTH_TRUE);
   double u = fmpq_get_d(&s.value[KEY_U_R1]), e1 = num_arb.get_d(list.orbit[0].e1);
   double least = num_arb.get_d(list.orbit[0].u_r1_min);
   ck_assert(e1 < u && u < least);
-  dyn_orbits_clear(&list);
-  scene_clear(&s);
-  text_clear(&t);
-  audit_result_clear(&r);
 }
 
 /* --- Symbols and readings --- */
@@ -502,10 +475,9 @@ TEST_EACH(symbols_and_readings, COUNT(symbols)) {
 
 /* The records at fault as the note names them. */
 static void faults_of(struct text *out, const char *overlay) {
-  struct model m;
-  struct audit_result r;
-  paper_model(&m,
-              &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL, .controls = true});
+  OWNED(audit_result) r;
+  OWNED(model) m = paper_model(
+      &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL, .controls = true});
   goes_well(
       judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &the_paper.scene, "own", &d));
   const char *note = r.findings[0].evidence[0].note;
@@ -517,8 +489,6 @@ static void faults_of(struct text *out, const char *overlay) {
     if (p) p += 2;
   }
   ck_assert(r.findings[0].verdict == (out->len ? VERDICT_REFUTED : VERDICT_PROVED));
-  audit_result_clear(&r);
-  model_clear(&m);
 }
 
 /* Dimensions by hand: V t z' in (10), 1 + sin/(V omega z) in (40); all else is homogeneous.  Repaired, none is left; a
@@ -534,11 +504,9 @@ TEST_EACH(formulas_without_a_degree, 7) {
       {"equation user\n  section: periodic\n  z_10^2/z_20 = sqrt(V^2)*abs(t) + 0\n", "eq-10b eq-40 eq-40b eq-40c "},
       {"equation user\n  section: periodic\n  sqrt(sqrt(z_10))^4 + 0.0 = z_20\n", "eq-10b eq-40 eq-40b eq-40c "},
       {"equation user\n  section: periodic\n  sqrt(sqrt(z_10)) = 1\n", "eq-10b eq-40 eq-40b eq-40c user "}};
-  struct text got;
-  text_init(&got);
+  LOCAL(text, got);
   faults_of(&got, cases[_i].overlay);
   ck_assert_str_eq(text_str(&got), cases[_i].want);
-  text_clear(&got);
 }
 
 /* By hand: u = F/(k + k) has the degree of F; a name that is no prefix stays out of it. */
@@ -553,12 +521,11 @@ static const struct {
 };
 
 TEST_EACH(units_of_one_record, COUNT(units)) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   goes_well(judge_text(&r, &the_paper.model, formatted(HEAD "%s", units[_i].claim), &the_paper.scene, "own", &d));
   const struct finding *f = &r.findings[0];
   ck_assert_int_eq((int)f->verdict, (int)units[_i].want);
   if (f->verdict == VERDICT_REFUTED) ck_assert_int_eq((int)f->correction_verdict, (int)units[_i].repaired);
-  audit_result_clear(&r);
 }
 
 /* --- Counting --- */
@@ -583,23 +550,19 @@ TEST_EACH(ranks_by_hand, 13) {
                {"  (1 - V)*t_a = 1\n  t_a - V*t_a = t_b\n  t_a - V*t_a = 1\n", "t_a, t_b, z_10", "3", VERDICT_REFUTED},
                {"  (1 - V)*t_a = 1\n  t_a - V*t_a = t_b\n  t_a - V*t_a = 1\n", "t_a, t_b, z_10", "2", VERDICT_PROVED},
                {"  sin(t_b)^2 + cos(t_b)^2 = 1\n  t_c = t_b\n", "t_b, t_c", "1", VERDICT_PROVED}};
-  struct model m;
   const char *path = scratch_print("overlay.eq", "equation user\n  section: periodic\n%s", cases[_i].statements);
-  paper_model(&m, &(struct paper_layers){.overlay = path, .controls = true});
+  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path, .controls = true});
   enum verdict v = verdict_under(&m, formatted(HEAD "  kind: rank\n  statement: user\n  unknowns: %s\n  rank: %s\n",
                                                cases[_i].unknowns, cases[_i].rank));
   ck_assert_msg(v == cases[_i].want, "%s%s: %s", cases[_i].statements, cases[_i].rank, verdict_name[v]);
-  model_clear(&m);
 }
 
 /* det(N_1 - I) at the admissible orbit with chi = 15/64, eta = 2, V = 1, t_c = 43/32 and the t_b given. */
 static void first_determinant(arb_t det, const char *t_b) {
-  struct point p;
-  struct diag d;
+  LOCAL(point, p);
+  struct diag d = {0};
   arb_ptr v = _arb_vec_init(16);
   int n;
-  diag_init(&d);
-  point_init(&p);
   p.kind = POINT_GIVEN;
   fmpq_set_si(&p.q[Q_CHI], 15, 64);
   fmpq_set_si(&p.q[Q_ETA], 2, 1);
@@ -614,21 +577,16 @@ static void first_determinant(arb_t det, const char *t_b) {
                    SS_OK);
   arb_set(det, v);
   _arb_vec_clear(v, 16);
-  point_clear(&p);
 }
 
 /* Found by an independent search (1.78e-4 and -3.25e-4): (45) and (46) are not defined on every admissible orbit. */
 TEST(the_first_inverse_has_exceptions) {
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
+  NUMBERS(arb, x, y);
   first_determinant(x, "4771/2000");
   first_determinant(y, "2982/1250");
   ck_assert(arb_is_positive(x) && arb_is_negative(y));
   ck_assert_double_eq_tol(num_arb.get_d(x), 1.78e-4, 1e-6);
   ck_assert_double_eq_tol(num_arb.get_d(y), -3.25e-4, 1e-6);
-  arb_clear(y);
-  arb_clear(x);
 }
 
 /* What divides is zero nowhere, by its sign or on admissible motions by the velocities; or it is zero on an orbit of a
@@ -665,19 +623,16 @@ TEST_EACH(values_of_formulas, 20) {
       {"  z_10 = 1/(z_1c - chi*z_2c)\n", "  over: orbits\n" SHORT, "z_1c - chi*z_2c is not zero", VERDICT_CONDITIONAL},
       {"  z_10 = 1/(e_2 - 0.4476)\n", ALONG("0.447", "0.448"), "e_2 - 0.4476 is not zero", VERDICT_CONDITIONAL},
   };
-  struct model m;
-  struct audit_result r;
+  OWNED(audit_result) r;
   const char *path =
       scratch_print("overlay.eq", "equation user\n  section: %s\n%s",
                     strstr(cases[_i].statements, "omega*t_d") ? "stability" : "validation", cases[_i].statements);
-  paper_model(&m, &(struct paper_layers){.overlay = path, .controls = true});
+  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path, .controls = true});
   goes_well(judge_text(&r, &m, formatted(HEAD "  kind: defined\n  statements: user\n%s", cases[_i].attributes),
                        &the_paper.scene, "own", &d));
   const struct finding *f = &r.findings[0];
   ck_assert_msg(f->verdict == cases[_i].want, "%s: %s", cases[_i].statements, verdict_name[f->verdict]);
   if (cases[_i].condition) ck_assert_str_eq(f->condition, cases[_i].condition);
-  audit_result_clear(&r);
-  model_clear(&m);
 #undef SHORT
 #undef TOUCHING
 #undef ALONG
@@ -702,7 +657,7 @@ TEST(every_number_of_the_paper_is_covered) {
 
 /* All claims of the whole audit: as recorded, every control noticed. */
 TEST(the_text_is_as_recorded) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   whole_open();
   whole_record(&r);
   ck_assert_uint_gt(r.n_findings, 200);
@@ -711,7 +666,6 @@ TEST(the_text_is_as_recorded) {
     ck_assert_msg(f->recorded == N_VERDICTS || f->recorded == f->verdict, "%s: %s", f->id, verdict_name[f->verdict]);
   }
   for (size_t i = 0; i < r.n_controls; i++) ck_assert_msg(r.controls[i].noticed, "%s", r.controls[i].id);
-  audit_result_clear(&r);
 }
 
 /* A slow belt: the first mass is faster than half of it only through 10^-10 of the phase, which the search must find,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "judge/judge.h"
+#include "local.h"
 #include "paper_model.h"
 #include "plain.h"
 #include "report/report.h"
@@ -97,23 +98,21 @@ TEST(sizes_as_powers_of_ten) {
     double log2x;
     const char *want;
   } cases[] = {{-INFINITY, "0"}, {0, "1e0"}, {3, "1e1"}, {3.4, "1e2"}, {-3.4, "1e-1"}, {-10, "1e-3"}, {-127, "1e-38"}};
-  struct audit_result r;
-  audit_result_init(&r);
+  LOCAL(audit_result, r);
   for (size_t i = 0; i < COUNT(cases); i++) ck_assert_str_eq(order_of_magnitude(&r, cases[i].log2x), cases[i].want);
-  audit_result_clear(&r);
 }
 
 /* --- Claims --- */
 
 /* Judges the claims that `only` selects, over the overlay. */
-static void judge(struct audit_result *r, const char *overlay, bool with_controls, const char *only) {
-  struct model m;
-  audit_result_init(r);
-  paper_model(&m, &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL,
-                                         .controls = with_controls});
+static struct audit_result judge(const char *overlay, bool with_controls, const char *only) {
+  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL,
+                                                      .controls = with_controls});
+  struct audit_result r;
+  audit_result_init(&r);
   const struct audit_options opt = {.only = &only, .n_only = 1};
-  goes_well(audit_run(r, &m, &the_paper.claims, &the_paper.controls, &the_paper.scene, &opt, &d));
-  model_clear(&m);
+  goes_well(audit_run(&r, &m, &the_paper.claims, &the_paper.controls, &the_paper.scene, &opt, &d));
+  return r;
 }
 
 static const struct {
@@ -175,14 +174,12 @@ TEST_EACH(a_damaged_formula_is_refuted, N_DAMAGES) {
     ck_assert(strcmp(f->evidence[i].result, "agrees") == 0 && f->evidence[i].trials > 0);
   ck_assert(strcmp(f->evidence[f->n_evidence - 1].route, "exact") == 0);
   ck_assert(strcmp(f->evidence[f->n_evidence - 1].result, "proved") == 0);
-  struct audit_result r;
-  judge(&r, damages[_i].overlay, true, damages[_i].claim);
+  OWNED(audit_result) r = judge(damages[_i].overlay, true, damages[_i].claim);
   f = finding_with_id(&r, damages[_i].claim);
   ck_assert_msg(verdict_fails(f->verdict), "damaged %s: %s", f->id, verdict_name[f->verdict]);
   ck_assert(f->fault != NULL && strcmp(f->evidence[0].result, "differs") == 0 && f->evidence[0].trials > 0);
   ck_assert(f->evidence[0].note && strstr(f->evidence[0].note, "at chi = "));
   ck_assert(audit_result_unexpected(&r) > 0);
-  audit_result_clear(&r);
 }
 
 /* --- Certificates --- */
@@ -282,9 +279,8 @@ static const struct {
 /* The certificate alone, without the program's point, says where a damaged formula fails, and how. */
 TEST_EACH(a_refutation_is_recomputed_from_its_certificate, COUNT(rechecks)) {
   enum { MOST = 12 };
-  struct audit_result r;
   real left[MOST] = {0}, right[MOST] = {0};
-  judge(&r, rechecks[_i].overlay, false, rechecks[_i].claim);
+  OWNED(audit_result) r = judge(rechecks[_i].overlay, false, rechecks[_i].claim);
   const struct finding *f = finding_with_id(&r, rechecks[_i].claim);
   ck_assert_msg(f->verdict == VERDICT_REFUTED, "damaged %s: %s", f->id, verdict_name[f->verdict]);
   const struct plain p = {.chi = certified(f, "chi"), .eta = certified(f, "eta"), .v = certified(f, "V")};
@@ -296,7 +292,6 @@ TEST_EACH(a_refutation_is_recomputed_from_its_certificate, COUNT(rechecks)) {
     ck_assert_msg(fabsl(got[i] - want[i]) < 1e-7L * fmaxl(1, fabsl(want[i])), "%s: %s is %.12Lf, certified %.12Lf",
                   f->id, i ? "the right side" : "the left side", got[i], want[i]);
   ck_assert_msg(fabsl(got[0] - got[1]) > 1e-3L, "%s: the sides are equal", f->id);
-  audit_result_clear(&r);
 }
 
 /* As printed the claim fails; written right by a user it is proved. */
@@ -304,11 +299,9 @@ TEST_EACH(a_repaired_formula_is_supported, N_REPAIRS) {
   const struct finding *f = finding_with_id(&undamaged, repairs[_i].claim);
   ck_assert_msg(verdict_fails(f->verdict), "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert(f->correction && f->correction_verdict == VERDICT_PROVED);
-  struct audit_result r;
-  judge(&r, repairs[_i].overlay, true, repairs[_i].claim);
+  OWNED(audit_result) r = judge(repairs[_i].overlay, true, repairs[_i].claim);
   f = finding_with_id(&r, repairs[_i].claim);
   ck_assert_msg(f->verdict == VERDICT_PROVED, "repaired %s: %s", f->id, verdict_name[f->verdict]);
-  audit_result_clear(&r);
 }
 
 /* (10) and ktilde_4 are right where V = 1, as the paper's example has it. */
@@ -347,7 +340,7 @@ TEST(conditions_are_called_as_the_paper_has_them) {
   for (int k = 0; k < N_CONDITIONS; k++) {
     const struct statement_record *r = record_with_id(&the_paper.model, conditions[k].record);
     ck_assert_int_lt(conditions[k].statement, r->n_stmts);
-    struct text plain = {0}, want = {0};
+    OWNED(text) plain = {0}, want = {0};
     stmt_plain(&plain, r->stmts[conditions[k].statement]);
     text_printf(&want, " violate %s",
                 conditions[k].upper ? strstr(text_str(&plain), " < ") + strlen(" < ") : text_str(&plain));
@@ -356,8 +349,6 @@ TEST(conditions_are_called_as_the_paper_has_them) {
     ck_assert_msg(said && strncmp(said, text_str(&want), want.len) == 0 && strchr(",;", said[want.len]),
                   "expected%s, not%.60s", text_str(&want), said ? said : " the end");
     said += want.len;
-    text_clear(&want);
-    text_clear(&plain);
   }
 }
 
@@ -367,13 +358,11 @@ TEST(what_cannot_be_read_is_a_fault_of_notation) {
   } cases[] = {{"define user\n  section: stability\n  equation: 27\n  J_a := [1, 2; 3, 4]\n", "2x2"},
                {"define user\n  section: stability\n  equation: 27\n  J_a := [-1, 1]*[1, 2]\n", "1x2 and 1x2"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct audit_result r;
-    judge(&r, cases[i].overlay, true, "eq-27");
+    OWNED(audit_result) r = judge(cases[i].overlay, true, "eq-27");
     const struct finding *f = finding_with_id(&r, "eq-27");
     ck_assert(f->verdict == VERDICT_REFUTED && strcmp(f->fault, "notation") == 0);
     ck_assert_str_eq(f->evidence[0].route, "diagnostic");
     ck_assert_msg(strstr(f->evidence[0].note, cases[i].outcome) != NULL, "%s", f->evidence[0].note);
-    audit_result_clear(&r);
   }
 }
 
@@ -381,10 +370,8 @@ TEST(what_cannot_be_read_is_a_fault_of_notation) {
    proof is looked for where only a refutation is awaited. */
 TEST(an_undamaged_control_is_a_failure) {
   for (int damaged = 0; damaged < 2; damaged++) {
-    struct audit_result r;
-    struct text line;
-    text_init(&line);
-    judge(&r, NULL, damaged, "eq-3c");
+    LOCAL(text, line);
+    OWNED(audit_result) r = judge(NULL, damaged, "eq-3c");
     report_line(&line, &r);
     ck_assert(r.n_controls == 1 && strcmp(r.controls[0].claim, "eq-3c") == 0);
     ck_assert(r.controls[0].verdict == (damaged ? VERDICT_REFUTED : VERDICT_SUPPORTED));
@@ -392,7 +379,5 @@ TEST(an_undamaged_control_is_a_failure) {
     ck_assert_str_eq(text_str(&line), damaged
                                           ? "paper: 1 statement: 1 proved; 1 of 1 controls noticed; as recorded"
                                           : "paper: 1 statement: 1 proved; 0 of 1 controls noticed; 1 NOT as recorded");
-    text_clear(&line);
-    audit_result_clear(&r);
   }
 }

@@ -16,6 +16,7 @@
 #include "base/record.h"
 #include "base/status.h"
 #include "base/suggest.h"
+#include "local.h"
 #include "rng.h"
 #include "says.h"
 #include "scratch.h"
@@ -93,15 +94,13 @@ TEST(prefix_of_short_strings) {
 }
 
 TEST(prefix_of_all_characters) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (uint32_t c = 1; c <= 0x10FFFF; c++) {
     unsigned char s[4];
     if (c < 0xD800 || c > 0xDFFF) text_add_n(&t, (const char *)s, encode(s, c));
   }
   ck_assert_uint_eq(text_valid_prefix(t.data, t.len), t.len);
   ck_assert_uint_eq(text_valid_prefix(t.data, t.len - 1), t.len - 4);
-  text_clear(&t);
 }
 
 /* ---- text */
@@ -111,7 +110,7 @@ TEST(text_grows) {
   text_init(&t);
   ck_assert_str_eq(text_str(&t), "");
   ck_assert_ptr_null(t.data);
-  char *copy = calloc(200000, 1);
+  FREED char *copy = calloc(200000, 1);
   size_t n = 0;
   rng.state = 1;
   for (int i = 0; i < 2000; i++) {
@@ -134,7 +133,6 @@ TEST(text_grows) {
     ck_assert_uint_eq(t.len, n);
   }
   ck_assert_str_eq(t.data, copy);
-  free(copy);
   size_t cap = t.cap;
   text_reset(&t);
   ck_assert(t.len == 0 && t.cap == cap);
@@ -170,22 +168,17 @@ TEST(diag_places) {
       {"\ta\t= b", 3, "f.eq:1:4: error: no\n   a = b\n     ^"},
   };
   for (size_t i = 0; i < COUNT(c); i++) {
-    struct source s;
-    struct diag d;
-    source_from_string(&s, "f.eq", c[i].text);
-    diag_init(&d);
+    struct diag d = {0};
+    OWNED(source) s = source_of("f.eq", c[i].text);
     diag_at(&d, &s, c[i].offset, "n%c", 'o');
     ck_assert(d.set);
     ck_assert_str_eq(d.message, c[i].message);
-    source_clear(&s);
   }
 }
 
 TEST(diag_keeps_the_first) {
-  struct source s;
-  struct diag d;
-  source_from_string(&s, "f", "x");
-  diag_init(&d);
+  struct diag d = {0};
+  OWNED(source) s = source_of("f", "x");
   ck_assert(!d.set);
   ck_assert_str_eq(d.message, "");
   diag_set(&d, "%s %d", "first", 1);
@@ -194,7 +187,6 @@ TEST(diag_keeps_the_first) {
   ck_assert_str_eq(d.message, "first 1");
   diag_set(NULL, "nobody listens");
   diag_at(NULL, &s, 0, "nobody listens");
-  source_clear(&s);
 }
 
 /* The lines of a message. */
@@ -209,17 +201,13 @@ TEST_EACH(diag_clips_long_lines, 4) {
   static const size_t place[] = {0, 1, 30, 49, 50, 51, 2500, 4949, 4950, 4998, 4999};
   const char *u = unit[_i];
   for (size_t k = 0; k < COUNT(place); k++) {
-    struct text t, head;
-    text_init(&t);
-    text_init(&head);
+    LOCAL(text, t, head);
     text_add(&t, "first\n");
     for (size_t i = 0; i < 5000; i++) text_add(&t, i == place[k] ? "X" : u);
     text_add(&t, "\nlast");
     text_printf(&head, "f:2:%zu: error: here", place[k] + 1);
-    struct source s;
-    struct diag d;
-    source_from_string(&s, "f", t.data);
-    diag_init(&d);
+    struct diag d = {0};
+    OWNED(source) s = source_of("f", t.data);
     diag_at(&d, &s, 6 + place[k] * strlen(u), "here");
     char *line[4];
     ck_assert_uint_eq(valid_prefix(d.message, strlen(d.message)), strlen(d.message));
@@ -231,9 +219,6 @@ TEST_EACH(diag_clips_long_lines, 4) {
     size_t caret = strlen(line[2]) - 1;
     ck_assert_uint_eq(caret, count_characters(line[1], (size_t)(x - line[1])));
     ck_assert(line[2][caret] == '^' && strspn(line[2], " ") == caret);
-    source_clear(&s);
-    text_clear(&t);
-    text_clear(&head);
   }
 }
 
@@ -246,10 +231,9 @@ static void long_text(struct text *t, int shift, const char *u) {
 
 TEST_EACH(diag_cuts_at_characters, 4) {
   for (int shift = 0; shift < 4; shift++) {
-    struct text t;
+    OWNED(text) t;
     long_text(&t, shift, unit[_i]);
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     diag_set(&d, "%s", t.data);
     size_t n = strlen(d.message);
     ck_assert(n >= 990 && n < 1000);
@@ -258,8 +242,7 @@ TEST_EACH(diag_cuts_at_characters, 4) {
     ck_assert(gap && gap - d.message > 295 && strncmp(d.message, t.data, (size_t)(gap - d.message)) == 0);
     ck_assert_str_eq(gap + 5, t.data + t.len - strlen(gap + 5));
 
-    struct source s;
-    source_from_string(&s, t.data, t.data);
+    OWNED(source) s = source_of(t.data, t.data);
     diag_init(&d);
     diag_at(&d, &s, (size_t)shift, "%s", t.data);
     n = strlen(d.message);
@@ -268,8 +251,6 @@ TEST_EACH(diag_cuts_at_characters, 4) {
     char *line[4];
     ck_assert_uint_eq(split(line, d.message), 3);
     ck_assert_str_eq(line[2] + strspn(line[2], " "), "^");
-    source_clear(&s);
-    text_clear(&t);
   }
 }
 
@@ -279,16 +260,13 @@ TEST(diag_is_utf8) {
     const char *given, *shown;
   } c[] = {{"a\xFFz", "a?z"}, {"\xC3", "?"}, {"\xE2\x82", "??"}, {"\xC0\x80|", "??|"}, {"\xED\xA0\x80", "???"}};
   for (size_t i = 0; i < COUNT(c); i++) {
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     diag_set(&d, "%s", c[i].given);
     ck_assert_str_eq(d.message, c[i].shown);
-    struct source s;
-    source_from_string(&s, c[i].given, c[i].given);
+    OWNED(source) s = source_of(c[i].given, c[i].given);
     diag_init(&d);
     diag_at(&d, &s, 0, "in");
     ck_assert_str_eq(d.message, formatted("%s:1:1: error: in\n  %s\n  ^", c[i].shown, c[i].shown));
-    source_clear(&s);
   }
 }
 
@@ -315,18 +293,16 @@ TEST(read_what_was_written) {
   };
   for (size_t i = 0; i < COUNT(c); i++) {
     const char *path = scratch_put_n("read", c[i].bytes, c[i].len);
-    struct source s;
+    OWNED(source) s;
     goes_well(source_read(&s, path, c[i].len, &d));
     ck_assert_str_eq(s.name, path);
     ck_assert_uint_eq(s.len, c[i].len - c[i].skip);
     ck_assert_mem_eq(s.text, c[i].bytes + c[i].skip, s.len + 1);
-    source_clear(&s);
   }
 }
 
 TEST(read_large_files) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (int i = 0; i < 100000; i++) text_printf(&t, "%d\n", i);
   const char *path = scratch_put("large", t.data);
   struct source s;
@@ -334,7 +310,6 @@ TEST(read_large_files) {
   ck_assert_uint_eq(s.len, t.len);
   ck_assert_str_eq(s.text, t.data);
   source_clear(&s);
-  text_clear(&t);
   refused(path, s.len, " error: larger than 0 bytes");
   refused(path, 588889, " error: larger than 588889 bytes"); /* the digits and newlines of 0 .. 99999 are 588890 */
   refused("/dev/zero", 10, " error: a device or pipe, not a regular file");
@@ -426,19 +401,17 @@ TEST(write_refuses) {
 /* The disk is full in the middle: a limit on the size of files stands for it. */
 TEST(write_breaks_off) {
   const char *path = scratch_put("out", "old");
-  struct rlimit before, small;
+  struct rlimit before;
   ck_assert(getrlimit(RLIMIT_FSIZE, &before) == 0);
-  small = before;
+  struct rlimit small = before;
   small.rlim_cur = 1000;
-  char *data = calloc(5000, 1);
-  struct diag d;
-  diag_init(&d);
+  FREED char *data = calloc(5000, 1);
+  struct diag d = {0};
   void (*handler)(int) = signal(SIGXFSZ, SIG_IGN);
   bool limited = setrlimit(RLIMIT_FSIZE, &small) == 0;
   bool ok = file_write(path, data, 5000, &d);
   setrlimit(RLIMIT_FSIZE, &before);
   signal(SIGXFSZ, handler);
-  free(data);
   ck_assert(limited && !ok);
   ck_assert_ptr_nonnull(strstr(d.message, strerror(EFBIG)));
   ck_assert_str_eq(content(path), "old");
@@ -451,9 +424,7 @@ TEST(write_in_a_read_only_folder) {
   ck_assert(mkdir(scratch_path("locked"), 0755) == 0);
   const char *path = scratch_put("locked/out", "old"), *folder = scratch_path("locked");
   ck_assert(chmod(folder, 0555) == 0);
-  struct diag d, made;
-  diag_init(&d);
-  diag_init(&made);
+  struct diag d = {0}, made = {0};
   bool plain = me != 0 || seteuid(nobody) == 0;
   bool ok = plain && file_write(path, "new", 3, &d);
   bool folder_ok = plain && folder_make(scratch_path("locked/a/b"), &made);
@@ -506,33 +477,27 @@ static void spell(struct text *out, const struct record_file *f) {
 }
 
 static bool parse(struct record_file *f, const char *text, struct diag *d) {
-  struct source s;
-  source_from_string(&s, "f", text);
+  struct source s = source_of("f", text);
   diag_init(d);
   return record_file_parse(f, s, d);
 }
 
 TEST(records) {
   enum { TEXT, SPELT };
-  struct table c;
-  table_read(&c, "tests/cases/records.tsv", 2);
+  OWNED(table) c = table_read("tests/cases/records.tsv", 2);
   for (int i = 0; i < c.n; i++) {
-    struct record_file f;
-    struct text t;
-    text_init(&t);
+    OWNED(record_file) f;
+    LOCAL(text, t);
     goes_well(parse(&f, c.row[i][TEXT], &d));
     ck_assert(f.n_records >= 1 && f.records[0].kind.begin == f.records[0].kind.end);
     spell(&t, &f);
     ck_assert_msg(strcmp(text_str(&t), c.row[i][SPELT]) == 0, "%s\nread as\n%s\nexpected\n%s", c.row[i][TEXT],
                   text_str(&t), c.row[i][SPELT]);
-    text_clear(&t);
-    record_file_clear(&f);
   }
-  table_clear(&c);
 }
 
 TEST(record_spans) {
-  struct record_file f;
+  OWNED(record_file) f;
   goes_well(parse(&f, "t: 1\ndefine J_a # no\n  note:  a\n    b \n  J = 1\n  note: c\n", &d));
   const struct record *r = &f.records[1];
   ck_assert(r->kind.begin == 5 && r->kind.end == 11 && r->id.begin == 12 && r->id.end == 15);
@@ -543,31 +508,28 @@ TEST(record_spans) {
   ck_assert_ptr_eq(record_field(r, "note"), &r->fields[0]);
   ck_assert_ptr_null(record_get(r, "J"));
   ck_assert_ptr_null(record_field(r, "no"));
-  record_file_clear(&f);
 }
 
 TEST(record_errors) {
   static const char *const c[][3] = {{"define a\nx = 1\n", "2", "x = 1"},
                                      {"define a\n  x = 1\nnote: 2\n", "3", "note: 2"}};
   for (size_t i = 0; i < COUNT(c); i++) {
-    struct record_file f;
+    OWNED(record_file) f;
     fails_as(
         parse(&f, c[i][0], &d),
         formatted("f:%s:1: error: a line in the first column must be a head \"kind id\"; indent the fields of record "
                   "a\n  %s\n  ^",
                   c[i][1], c[i][2]));
-    record_file_clear(&f);
   }
 }
 
 TEST(record_limit) {
   for (int extra = 0; extra < 2; extra++) {
-    struct text t;
-    text_init(&t);
+    LOCAL(text, t);
     for (int i = 0; i < 50000; i++) text_add(&t, "x\n");
     text_add(&t, "a b\n");
     for (int i = 0; i < 50000 + extra; i++) text_add(&t, " y: z\n");
-    struct record_file f;
+    OWNED(record_file) f;
     if (extra) {
       fails_as(parse(&f, t.data, &d), "f:100002:2: error: more than 100000 fields in one file\n   y: z\n   ^");
     } else {
@@ -576,17 +538,14 @@ TEST(record_limit) {
       ck_assert_uint_eq(f.records[1].n_fields, 50000);
       ck_assert_str_eq(f.records[1].fields[49999].text, "z");
     }
-    text_clear(&t);
-    record_file_clear(&f);
   }
 }
 
 /* ---- JSON */
 
 TEST(json_nesting) {
-  struct text t;
+  LOCAL(text, t);
   struct json j;
-  text_init(&t);
   json_init(&j, &t);
   json_object(&j, NULL);
   json_string(&j, "s", "x");
@@ -627,7 +586,6 @@ TEST(json_nesting) {
                            "  \"by format\": \"3\\\"\\n\",\n"
                            "  \"last\": \"\"\n"
                            "}\n");
-  text_clear(&t);
 }
 
 /* A JSON string read by the rules of RFC 8259, section 7; false where they are broken. */
@@ -657,11 +615,7 @@ static bool read_json_string(struct text *out, const char **p) {
 }
 
 TEST(json_strings) {
-  struct text given, t, key, value;
-  text_init(&given);
-  text_init(&t);
-  text_init(&key);
-  text_init(&value);
+  LOCAL(text, given, t, key, value);
   for (int c = 1; c < 0x80; c++) text_add_char(&given, (char)c);
   for (size_t i = 0; i < 4; i++) text_add(&given, unit[i]);
   struct json j;
@@ -687,20 +641,14 @@ TEST(json_strings) {
   ck_assert(read_json_string(&value, &p));
   ck_assert_str_eq(p, "");
   ck_assert_str_eq(value.data, given.data);
-  text_clear(&given);
-  text_clear(&t);
-  text_clear(&key);
-  text_clear(&value);
 }
 
 static void open_arrays(int n) {
-  struct text t;
+  LOCAL(text, t);
   struct json j;
-  text_init(&t);
   json_init(&j, &t);
   for (int i = 0; i < n; i++) json_array(&j, NULL);
   for (int i = 0; i < n; i++) json_end_array(&j);
-  text_clear(&t);
 }
 static void deepest(void) {
   open_arrays(JSON_DEPTH);
@@ -753,13 +701,11 @@ TEST(edits_between_words) {
 
 static void suggests(const char *word, const char *const *known, const char *says) {
   struct suggestion s;
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   suggest_begin(&s, word, strlen(word));
   for (; *known; known++) suggest_try(&s, *known);
   suggest_print(&t, &s);
   ck_assert_msg(strcmp(text_str(&t), says) == 0, "%.80s: %s", word, text_str(&t));
-  text_clear(&t);
 }
 
 /* One edit in words of 3 to 7 characters, two in longer ones, none in shorter ones; the nearest alone, at most

@@ -7,6 +7,8 @@
 
 #include "explore/basin.h"
 #include "explore/family.h"
+#include "local.h"
+#include "params.h"
 #include "rational.h"
 #include "suite.h"
 
@@ -38,11 +40,11 @@ static const struct dyn_orbit *stable_orbit(const struct dyn_orbits *list) {
 /* The greatest z_2' - V after a hundredth of phase H that starts from r, by steps of the matrix exponential. */
 static double highest_v2(const double p[N_PARAMS], double r, const double t[4]) {
   enum { STEPS = 4000 };
-  struct num_vec params = vec_of(p, N_PARAMS, num_ctx_double()), step;
+  OWNED(num_vec) params = vec_of(p, N_PARAMS, num_ctx_double());
   double highest = -HUGE_VAL, gamma = t[PHASE_GAMMA], h = t[PHASE_H] / STEPS;
-  num_vec_init(&step, 16, num_ctx_double());
+  OWNED(num_vec) step = vec_new(16, num_ctx_double());
   double start[4] = {(p[P_E1] + p[P_CHI] * r) / (1 - p[P_CHI]), (p[P_E1] + r) / (1 - p[P_CHI]), p[P_V], p[P_V]};
-  struct num_vec z = vec_of(start, 4, num_ctx_double());
+  OWNED(num_vec) z = vec_of(start, 4, num_ctx_double());
   ck_assert_int_eq(dyn_propagator(&step, PHASE_GAMMA, &params, &gamma), SS_OK);
   ck_assert_int_eq(num_mat_mul(&z, &step, &z, 4, 4, 1), SS_OK);
   ck_assert_int_eq(dyn_propagator(&step, PHASE_H, &params, &h), SS_OK);
@@ -50,7 +52,6 @@ static double highest_v2(const double p[N_PARAMS], double r, const double t[4]) 
     ck_assert_int_eq(num_mat_mul(&z, &step, &z, 4, 4, 1), SS_OK);
     if (i > STEPS / 100) highest = fmax(highest, *(double *)num_vec_at(&z, 3) - p[P_V]);
   }
-  vecs_clear(&z, &step, &params);
   return highest;
 }
 
@@ -71,12 +72,10 @@ static void check_failure(const struct dyn_basin *b, const double p[N_PARAMS], d
 TEST_EACH(starts_inside_come_nearer, COUNT(sets)) {
   double p[N_PARAMS];
   const fmpq *none[2] = {NULL, NULL};
-  struct dyn_orbits list;
-  struct dyn_basin b;
-  fmpq *params = read_set(p, _i);
-  ck_assert_int_eq(dyn_orbits_find(&list, params, 96, NULL), SS_OK);
+  LOCAL(dyn_basin, b);
+  FREED_PARAMS fmpq *params = read_set(p, _i);
+  OWNED(dyn_orbits) list = orbits_of(params, 96);
   const struct dyn_orbit *o = stable_orbit(&list);
-  dyn_basin_init(&b);
   dyn_basin_find(&b, params, none, o);
   double r = r_of(o), low = fmpq_get_d(&b.low), high = fmpq_get_d(&b.high);
   ck_assert_msg(b.proved && low < r && r < high && b.slope < 1, "set %d", _i);
@@ -90,9 +89,6 @@ TEST_EACH(starts_inside_come_nearer, COUNT(sets)) {
   }
   ck_assert_int_ne(b.why, FAILS_UNKNOWN);
   check_failure(&b, p, r);
-  dyn_basin_clear(&b);
-  dyn_orbits_clear(&list);
-  _fmpq_vec_clear(params, N_PARAMS);
   flint_cleanup();
 }
 
@@ -101,12 +97,10 @@ TEST_EACH(starts_inside_come_nearer, COUNT(sets)) {
 TEST(the_interval_is_wide) {
   double p[N_PARAMS], image, slope, t[4];
   const fmpq *none[2] = {NULL, NULL};
-  struct dyn_orbits list;
-  struct dyn_basin b;
-  fmpq *params = read_set(p, 0);
-  ck_assert_int_eq(dyn_orbits_find(&list, params, 96, NULL), SS_OK);
+  LOCAL(dyn_basin, b);
+  FREED_PARAMS fmpq *params = read_set(p, 0);
+  OWNED(dyn_orbits) list = orbits_of(params, 96);
   const struct dyn_orbit *o = stable_orbit(&list);
-  dyn_basin_init(&b);
   dyn_basin_find(&b, params, none, o);
   double r = r_of(o), inside = r, outside = r + 0.1;
   for (int i = 0; i < 40; i++) {
@@ -117,9 +111,6 @@ TEST(the_interval_is_wide) {
   ck_assert(b.proved && b.why == FAILS_SLOPE);
   ck_assert_double_le(fmpq_get_d(&b.high), outside);
   ck_assert_double_ge(fmpq_get_d(&b.high) - r, 0.8 * (outside - r));
-  dyn_basin_clear(&b);
-  dyn_orbits_clear(&list);
-  _fmpq_vec_clear(params, N_PARAMS);
   flint_cleanup();
 }
 
@@ -127,11 +118,10 @@ TEST(the_interval_is_wide) {
 TEST(given_friction_narrows_it) {
   fmpq u;
   double p[N_PARAMS];
-  struct dyn_orbits list;
   struct dyn_basin b[2];
-  fmpq *params = read_set(p, 1);
+  FREED_PARAMS fmpq *params = read_set(p, 1);
   fmpq_init(&u);
-  ck_assert_int_eq(dyn_orbits_find(&list, params, 96, NULL), SS_OK);
+  OWNED(dyn_orbits) list = orbits_of(params, 96);
   const struct dyn_orbit *o = stable_orbit(&list);
   const fmpq *given[2][2] = {{NULL, NULL}, {NULL, &u}};
   fmpq_set_si(&u, (slong)(1e6 * (num_arb.get_d(o->u_r2_min) + 0.001)), 1000000);
@@ -145,9 +135,7 @@ TEST(given_friction_narrows_it) {
   /* u_r2_min = chi (e2/chi - r)/2 grows by chi/2 for each unit that r falls */
   ck_assert_double_eq_tol(r_of(o) - fmpq_get_d(&b[1].low), 2 * 0.001 / p[P_CHI], 0.05 * 2 * 0.001 / p[P_CHI]);
   for (int i = 0; i < 2; i++) dyn_basin_clear(&b[i]);
-  dyn_orbits_clear(&list);
   fmpq_clear(&u);
-  _fmpq_vec_clear(params, N_PARAMS);
   flint_cleanup();
 }
 
@@ -157,20 +145,15 @@ TEST(no_interval_where_there_is_none) {
   const fmpq *none[2] = {NULL, NULL};
   int others = 0;
   for (int i = 0; i < COUNT(sets); i++) {
-    struct dyn_orbits list;
-    fmpq *params = read_set(p, i);
-    ck_assert_int_eq(dyn_orbits_find(&list, params, 96, NULL), SS_OK);
+    FREED_PARAMS fmpq *params = read_set(p, i);
+    OWNED(dyn_orbits) list = orbits_of(params, 96);
     for (slong k = 0; k < list.n; k++) {
       if (&list.orbit[k] == stable_orbit(&list)) continue;
-      struct dyn_basin b;
-      dyn_basin_init(&b);
+      LOCAL(dyn_basin, b);
       dyn_basin_find(&b, params, none, &list.orbit[k]);
       ck_assert(!b.proved && b.why == FAILS_UNKNOWN);
-      dyn_basin_clear(&b);
       others++;
     }
-    dyn_orbits_clear(&list);
-    _fmpq_vec_clear(params, N_PARAMS);
   }
   ck_assert_int_gt(others, 2);
   flint_cleanup();

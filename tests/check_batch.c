@@ -12,6 +12,7 @@
 #include "every.h"
 #include "explore/batch_impl.h"
 #include "explore/family.h"
+#include "local.h"
 #include "motion/search.h"
 #include "motion/warm.h"
 #include "params.h"
@@ -59,12 +60,11 @@ static struct rng random_numbers;
 
 /* Every orbit that the search finds, its times moved by relative steps up to `off`. */
 static void add_orbits(struct table *t, const double p[N_PARAMS], double off) {
-  struct search s;
+  OWNED(search) s;
   if (search_run(&s, p, &dyn_limits_default) == SS_OK)
     for (size_t i = 0; i < s.n; i++)
       table_add(t, p, s.zeros[i].at.tb * (1 + off * (2 * rng_unit(&random_numbers) - 1)),
                 s.zeros[i].at.tc * (1 + off * (2 * rng_unit(&random_numbers) - 1)));
-  search_clear(&s);
 }
 
 /* Orbits at random parameters, found once for the tests that need many points. */
@@ -200,7 +200,7 @@ TEST(far_guesses_against_balls) {
 CASE("many", .once = {find_many, clear_found});
 
 TEST(as_the_scalar_solver) {
-  struct table t;
+  OWNED(table) t;
   slong both = 0, left = 0, alone = 0;
   table_init(&t, 3000);
   random_numbers.state = 37;
@@ -231,7 +231,6 @@ TEST(as_the_scalar_solver) {
                 (long)(both + left));
   ck_assert_msg(alone * 150 <= both, "%ld of %ld points are left open by the scalar solver alone", (long)alone,
                 (long)both);
-  table_clear(&t);
 }
 
 /* --- Bits. --- */
@@ -259,7 +258,7 @@ static void mixture(struct table *t) {
 }
 
 TEST(same_bits_on_every_instruction_set) {
-  struct table t, other;
+  OWNED(table) t, other;
   table_init(&t, 1500);
   table_init(&other, 1500);
   mixture(&t);
@@ -276,13 +275,12 @@ TEST(same_bits_on_every_instruction_set) {
   }
   batch_set_use(-1);
   ck_assert_int_ge(sets, 1);
-  table_clear(&t);
-  table_clear(&other);
 }
 
 TEST(same_bits_alone_and_among_others) {
   static const slong sizes[] = {0, 1, 2, 63, 64, 65, 127, 1023, 1025};
-  struct table t, part;
+  OWNED(table) t;
+  struct table part;
   table_init(&t, 2600);
   mixture(&t);
   run(&t);
@@ -298,7 +296,6 @@ TEST(same_bits_alone_and_among_others) {
       ck_assert(same_bits(&t, &part, from, sizes[k]));
       table_clear(&part);
     }
-  table_clear(&t);
 }
 
 CASE("batch");
@@ -307,7 +304,7 @@ TEST(outside_the_domain) {
   static const double bad[] = {0, -1, NAN, INFINITY, -INFINITY};
   enum { MOST = 100 };
   int want[MOST];
-  struct table t;
+  OWNED(table) t;
   double p[N_PARAMS];
   table_init(&t, MOST);
   for (int k = 0; params_outside(p, k); k++) { /* among good ones, and others with guesses that are none */
@@ -325,5 +322,4 @@ TEST(outside_the_domain) {
     if (t.status[j] == SS_OK)
       ck_assert(fabs(t.out[DYN_OUT_TRACE][j] - -1.02322618938757005) < 1e-13); /* tests/oracle/orbits.tsv, set paper */
   }
-  table_clear(&t);
 }

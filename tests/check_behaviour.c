@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "judge/behaviour.h"
+#include "local.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "rng.h"
@@ -33,8 +34,7 @@ static double ratio(const char *s) {
 }
 
 static void read_equality(struct row row[2]) {
-  struct table t;
-  table_read(&t, "tests/oracle/equality.tsv", 11);
+  OWNED(table) t = table_read("tests/oracle/equality.tsv", 11);
   for (int k = 0; k < 2; k++) {
     for (int i = 0; i < N_PARAMS; i++) row[k].par[i] = ratio(t.row[k][i]);
     row[k].vary = atoi(t.row[k][5]);
@@ -42,14 +42,13 @@ static void read_equality(struct row row[2]) {
     row[k].r = atof(t.row[k][7]);
     for (int i = 1; i < 4; i++) row[k].c[i] = atof(t.row[k][7 + i]);
   }
-  table_clear(&t);
 }
 
 /* The series at r, the start lying on w = e1, in balls of 200 bits; radius: of r, as a power of 2, or 0. */
 static int series(arb_ptr c, slong n, const double par[N_PARAMS], double r, slong radius) {
   struct num_ctx ctx = num_ctx_arb(200);
-  struct num_vec params = vec_of(par, N_PARAMS, ctx);
-  struct dyn_arc arc;
+  OWNED(num_vec) params = vec_of(par, N_PARAMS, ctx);
+  OWNED(dyn_arc) arc;
   double t[4], out;
   arb_ptr z = _arb_vec_init(3);
   ck_assert_int_eq(dyn_return_map_d(&out, NULL, t, par, r, &dyn_limits_default), SS_OK);
@@ -67,8 +66,6 @@ static int series(arb_ptr c, slong n, const double par[N_PARAMS], double r, slon
   t[0] = 0;
   int s = dyn_arc_run(&arc, &params, z, z + 1, t);
   if (s == SS_OK) s |= dyn_return_jet(c, n, &params, &arc);
-  dyn_arc_clear(&arc);
-  num_vec_clear(&params);
   _arb_vec_clear(z, 3);
   return s;
 }
@@ -177,11 +174,10 @@ TEST(dimensions_are_those_of_the_constraints) {
                 "3 in the global stick phase, 4 in the slip-stick phase, 4 in the global slip phase, 2 in the "
                 "stick-slip phase"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct audit_result r;
+    OWNED(audit_result) r;
     const struct finding *f = judged(&r, cases[i].text);
     ck_assert_int_eq((int)f->verdict, (int)cases[i].want);
     ck_assert_msg(says(f, cases[i].says), "case %zu", i);
-    audit_result_clear(&r);
   }
 }
 
@@ -192,7 +188,7 @@ TEST_EACH(the_third_order_decides_at_equality, 2) {
       "  at: chi = 79/100, eta = 2, V = 1, e1 = 4, e2 = 1/4\n  vary: chi from 79/100 to 78/100\n"};
   struct row row[2];
   char text[600], want[64], place[64];
-  struct audit_result r;
+  OWNED(audit_result) r;
   read_equality(row);
   snprintf(text, sizeof text,
            "%s%s  depends-on: own\nclaim own\n  section: stability\n  kind: criterion\n  statement: text-criterion\n",
@@ -204,14 +200,12 @@ TEST_EACH(the_third_order_decides_at_equality, 2) {
   ck_assert_msg(says(f, want), "%s is not said", want);
   snprintf(place, sizeof place, " = %.15g", row[_i].value);
   ck_assert_msg(strstr(f->evidence[0].worst, place) != NULL, "%s, not %s", f->evidence[0].worst, place);
-  audit_result_clear(&r);
 }
 
 /* Word and period of longrun.tsv. */
 TEST(the_long_run_of_the_printed_start) {
-  struct table runs;
-  table_read(&runs, "tests/oracle/longrun.tsv", 10);
-  struct audit_result r;
+  OWNED(table) runs = table_read("tests/oracle/longrun.tsv", 10);
+  OWNED(audit_result) r;
   const struct finding *g = judged(&r, CLAIM("long-run") "  friction: 1.25 2\n");
   ck_assert_int_eq((int)g->verdict, VERDICT_DEFINITION);
   ck_assert_int_eq(g->n_evidence, 2);
@@ -226,20 +220,17 @@ TEST(the_long_run_of_the_printed_start) {
     snprintf(friction, sizeof friction, "u_r1 = %.6f, u_r2 = %.6f", atof(field[1]), atof(field[2]));
     ck_assert_str_eq(g->evidence[k].worst, friction);
   }
-  table_clear(&runs);
-  audit_result_clear(&r);
 }
 
 /* Where a velocity perturbation frees a sticking mass the motion departs, and only there: the program's words, and the
    two motions of longrun.tsv, of which the slowed one never comes to stick both masses again. */
 TEST(a_slowed_sticking_mass_departs) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   const struct finding *f = judged(&r, CLAIM("perturb") STABLE MECHANICS);
   ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
   ck_assert(says(f, "5 free a sticking mass at once"));
   ck_assert(says(f, "5 of these depart; of the 91 others 0"));
   ck_assert(says(f, "(GH)"));
-  audit_result_clear(&r);
   struct motion m = {{2.0 / 3, 2, 1, 0.5, 0.95279191029 - 0.25, 2.5, 0.95279191029}, {4.447209099, 3.58969638, 1, 1}};
   for (int slowed = 0; slowed < 2; slowed++) {
     struct coulomb_plan plan = coulomb_plan_default;
@@ -247,9 +238,8 @@ TEST(a_slowed_sticking_mass_departs) {
     plan.duration = 400;
     if (slowed) m.start[DZ_1] -= 1e-6;
     for (int route = 0; route < N_MOTION_ROUTES; route++) {
-      struct trajectory t = motion_simulate((enum motion_route)route, &m, &plan);
+      OWNED(trajectory) t = motion_simulate((enum motion_route)route, &m, &plan);
       ck_assert_int_eq((int)t.result.returns, slowed ? 0 : 20);
-      trajectory_clear(&t);
     }
   }
 }
@@ -257,10 +247,9 @@ TEST(a_slowed_sticking_mass_departs) {
 /* How much the product of the phases' propagators stretches a vector per period in the long run, in double by GSL. */
 static double growth(const struct dyn_orbit *o, const fmpq params[N_PARAMS]) {
   enum { PERIODS = 4000 };
-  struct num_vec p, step[N_PHASES], z;
+  struct num_vec step[N_PHASES];
   double log_size = 0;
-  num_vec_init(&p, N_PARAMS, num_ctx_double());
-  num_vec_init(&z, N_STATE, num_ctx_double());
+  OWNED(num_vec) p = vec_new(N_PARAMS, num_ctx_double()), z = vec_new(N_STATE, num_ctx_double());
   for (int i = 0; i < N_PARAMS; i++) p.ctx.type->set_q(num_vec_at(&p, i), &params[i], 53);
   for (int ph = 0; ph < N_PHASES; ph++) {
     double t = middle(o->t[ph]);
@@ -279,7 +268,6 @@ static double growth(const struct dyn_orbit *o, const fmpq params[N_PARAMS]) {
     if (k >= PERIODS / 2) log_size += log(size) / (PERIODS - PERIODS / 2);
   }
   for (int ph = 0; ph < N_PHASES; ph++) num_vec_clear(&step[ph]);
-  vecs_clear(&z, &p);
   return exp(log_size);
 }
 
@@ -289,17 +277,15 @@ static long stretched(const char *id) {
   struct orbit_cache *cache = orbit_cache_new();
   struct orbit_set seen = {.n = 0};
   struct sampler s;
-  struct point p;
+  LOCAL(point, p);
   long count = 0;
   sampler_init(&s, id, &(struct point_spec){.kind = POINT_ORBIT});
-  point_init(&p);
   for (int i = 0; i < DRAWS && seen.n < WANTED; i++) {
     sampler_next(&p, &s);
     if (!point_settle(&p, cache)) continue;
     const struct dyn_orbit *o = &orbit_cache_get(cache, p.q, FD_PREC + 64)->orbit[p.orbit];
     if (!o->grazing && orbit_is_new(&seen, o)) count += growth(o, p.q) > 1.005;
   }
-  point_clear(&p);
   orbit_cache_free(cache);
   return count;
 }
@@ -340,13 +326,11 @@ TEST(the_criterion_needs_its_threshold) {
 
 /* The scene to reproduce the perturbed motions with is the claim's. */
 TEST(the_scene_is_the_claims) {
-  struct scene stable;
-  struct diag d;
-  struct point p;
+  OWNED(scene) stable;
+  struct diag d = {0};
+  LOCAL(point, p);
   char at[200];
   size_t n = 0;
-  diag_init(&d);
-  point_init(&p);
   ck_assert(scene_load(&stable, "stable", "verify", &d));
   for (size_t i = 0; i < the_paper.claims.n; i++) {
     if (strcmp(the_paper.claims.claim[i].id, "text-conditionally-stable") != 0) continue;
@@ -357,6 +341,4 @@ TEST(the_scene_is_the_claims) {
   for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p.q[q]);
   ck_assert_msg(n > 0 && point_set(&p, at, &d), "%s", d.message);
   for (int k = 0; k < N_SCENE_PARAMS; k++) ck_assert(fmpq_equal(&p.q[Q_CHI + k], &stable.value[k]));
-  scene_clear(&stable);
-  point_clear(&p);
 }

@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "bench/jobs.h"
+#include "local.h"
 #include "motion/dynamics.h"
 #include "paper_model.h"
 #include "rational.h"
@@ -29,15 +30,13 @@ static void set_decimal(arb_ptr x, const char *decimal) {
 
 /* |x - decimal| <= 10^-digits max(1, |x|). */
 static void same_digits(arb_srcptr x, const char *decimal, int digits, const char *what) {
-  arb_t y;
-  arb_init(y);
+  NUMBERS(arb, y);
   set_decimal(y, decimal);
   arb_sub(y, y, x, PREC);
   double off = log10(fabs(num_arb.get_d(y)) + 1e-300);
   double size = fmax(1, fabs(num_arb.get_d(x)));
   ck_assert_msg(off <= log10(size) - digits, "%s: off by 10^%.1f from %s", what, off, decimal);
   ck_assert(arb_rel_accuracy_bits(x) > 200);
-  arb_clear(y);
 }
 
 struct truth {
@@ -56,9 +55,8 @@ static void truth_clear(struct truth *t) {
 }
 
 TEST(the_propagator_is_that_of_mpmath) {
-  struct table entries;
-  struct truth t;
-  table_read(&entries, "tests/oracle/bench.tsv", 6);
+  OWNED(truth) t;
+  OWNED(table) entries = table_read("tests/oracle/bench.tsv", 6);
   ck_assert_int_eq(entries.n, 48);
   truth_init(&t, &bench_propagator);
   for (int n = 0; n < entries.n; n++) {
@@ -67,18 +65,13 @@ TEST(the_propagator_is_that_of_mpmath) {
     ck_assert_int_eq(bench_propagator.truth(&t.out, &t.given, t.hint, &t.in, NULL), SS_OK);
     same_digits(num_vec_at(&t.out, 4 * (atoi(field[3]) - 1) + atoi(field[4]) - 1), field[5], 43, "H(t)");
   }
-  truth_clear(&t);
-  table_clear(&entries);
 }
 
 /* The matrix of the closed form is the exponential of the phase's system, in every phase. */
 TEST_EACH(closed_form_and_exponential_agree, N_PHASES) {
   struct num_ctx ctx = num_ctx_arb(PREC);
-  struct num_vec params, t, closed, exponential;
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&t, 1, ctx);
-  num_vec_init(&closed, 16, ctx);
-  num_vec_init(&exponential, 16, ctx);
+  OWNED(num_vec) params = vec_new(N_PARAMS, ctx), t = vec_new(1, ctx);
+  OWNED(num_vec) closed = vec_new(16, ctx), exponential = vec_new(16, ctx);
   static const char *const values[N_PARAMS] = {"0.7", "1.9", "1.3", "2.1", "0.4"};
   for (int i = 0; i < N_PARAMS; i++) set_decimal(num_vec_at(&params, i), values[i]);
   set_decimal(num_vec_at(&t, 0), "2.3");
@@ -89,17 +82,15 @@ TEST_EACH(closed_form_and_exponential_agree, N_PHASES) {
     ck_assert_msg(arb_overlaps(x, num_vec_at(&exponential, i)), "%s, entry %d", phase_name[_i], i);
     ck_assert(mag_cmp_2exp_si(arb_radref(x), -300) < 0);
   }
-  vecs_clear(&params, &t, &closed, &exponential);
 }
 
 /* Of the orbit beside the paper's numbers, the set's second. */
 enum { F_INDEX = 2, F_Z10, F_Z20, F_TA, F_TB, F_TC, F_TD, F_PERIOD, F_TRACE };
 
 TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
-  struct table orbits, entries;
-  struct truth map, jac, orbit;
-  table_read(&orbits, "tests/oracle/orbits.tsv", ANY_COLUMNS);
-  table_read(&entries, "tests/oracle/jacobian.tsv", 6);
+  OWNED(truth) map, jac, orbit;
+  OWNED(table) orbits = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
+  OWNED(table) entries = table_read("tests/oracle/jacobian.tsv", 6);
   int set = table_row(&orbits, "set", "paper"), seen = 0;
   char *const *params = orbits.row[set] + 2, *const *field = orbits.row[set + 2];
   ck_assert_str_eq(field[F_INDEX], "1");
@@ -135,11 +126,6 @@ TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
   same_digits(num_vec_at(&orbit.out, 4), field[F_Z10], 55, "z10");
   same_digits(num_vec_at(&orbit.out, 5), field[F_Z20], 55, "z20");
   same_digits(num_vec_at(&orbit.out, 6), field[F_TRACE], 55, "trace");
-  truth_clear(&map);
-  truth_clear(&jac);
-  truth_clear(&orbit);
-  table_clear(&entries);
-  table_clear(&orbits);
 }
 
 /* --- Every method of every job is as close as its arithmetic and its setting promise. --- */
@@ -188,9 +174,8 @@ static void check_listed(const struct bench_table *t) {
 }
 
 TEST_EACH(every_method_keeps_its_promise, 4) {
-  struct model m;
-  struct bench_table t;
-  paper_model(&m, NULL);
+  OWNED(bench_table) t;
+  OWNED(model) m = paper_model(NULL);
   ck_assert_int_lt(_i, n_bench_jobs);
   ck_assert(bench_run(&t, bench_jobs[_i], &(struct bench_env){.model = &m}, true));
   ck_assert_int_eq(t.cases, bench_jobs[_i]->n_quick);
@@ -203,19 +188,16 @@ TEST_EACH(every_method_keeps_its_promise, 4) {
     ck_assert(best_of(&t, "richardson") < -9.5 && best_of(&t, "gsl-central") < -8);
     ck_assert(best_of(&t, "fd-mpfr-256") < -45);
   }
-  bench_table_clear(&t);
-  model_clear(&m);
 }
 
 /* Without the paper's equations its methods fail, and the others do not. */
 TEST(formulas_that_are_not_there) {
-  struct bench_table t;
+  OWNED(bench_table) t;
   ck_assert(bench_run(&t, &bench_propagator, &(struct bench_env){.model = NULL}, true));
   const struct bench_row *r = bench_find(&t, "paper-modal", NAN);
   ck_assert_str_eq(r->failure, "cannot be set up");
   ck_assert(!r->front && isnan(r->least_ns) && isnan(r->worst));
   ck_assert_ptr_null(bench_find(&t, "closed-double", NAN)->failure);
-  bench_table_clear(&t);
 }
 
 /* --- A method that is off, in each job. --- */
@@ -234,12 +216,10 @@ static void close_moved(void *self) {
 static int run_moved(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   int status = moved_base->run(self, out, steps, c);
   const struct num_type *type = out->ctx.type;
-  struct num_vec factor;
-  num_vec_init(&factor, 1, out->ctx);
+  OWNED(num_vec) factor = vec_new(1, out->ctx);
   type->set_d(num_vec_at(&factor, 0), 1 + 0x1p-20, out->ctx.prec);
   for (slong i = 0; i < out->len; i++)
     type->mul(num_vec_at(out, i), num_vec_at(out, i), num_vec_at(&factor, 0), out->ctx.prec);
-  num_vec_clear(&factor);
   return status;
 }
 
@@ -252,7 +232,7 @@ TEST_EACH(a_method_that_is_off_is_shown_so, 4) {
   static const double bits[] = {128};
   struct bench_job job = *bench_jobs[_i];
   for (int k = 0; k < 2; k++) {
-    struct bench_table t;
+    OWNED(bench_table) t;
     moved_base = NULL;
     for (int i = 0; i < bench_jobs[_i]->n_methods; i++)
       if (strcmp(bench_jobs[_i]->methods[i].id, base[_i][k]) == 0) moved_base = &bench_jobs[_i]->methods[i];
@@ -272,7 +252,6 @@ TEST_EACH(a_method_that_is_off_is_shown_so, 4) {
       ck_assert_msg(!r->failure && fabs(r->worst + 20 * log10(2)) < 1e-3, "%s: 10^%.3f", job.id, r->worst);
     else
       ck_assert_msg(r->failure && strcmp(r->failure, "a ball without the true value") == 0, "%s", job.id);
-    bench_table_clear(&t);
   }
 }
 
@@ -356,11 +335,9 @@ static int run_ball(void *self, struct num_vec *out, long *steps, const struct b
 static int run_ball_beside(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   int status = run_ball(self, out, steps, c);
   arb_ptr x = num_vec_at(out, 1);
-  arb_t shift;
-  arb_init(shift);
+  NUMBERS(arb, shift);
   arb_mul_2exp_si(shift, x, -40);
   arb_add(x, x, shift, 128);
-  arb_clear(shift);
   return status;
 }
 static int run_ball_wide(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
@@ -434,9 +411,7 @@ TEST_EACH(failures_say_why_and_have_no_time, 8) {
   else
     ck_assert(r->failures > 0 && r->failures < 12);
   ck_assert(!r->front && isnan(r->least_ns) && isnan(r->median_ns) && isnan(r->worst));
-  struct text figure, tsv;
-  text_init(&figure);
-  text_init(&tsv);
+  LOCAL(text, figure, tsv);
   bench_figure(&figure, &pair, false);
   bench_tsv(&tsv, &pair);
   char title[80], state[200];
@@ -445,8 +420,6 @@ TEST_EACH(failures_say_why_and_have_no_time, 8) {
   ck_assert_msg(!strstr(text_str(&figure), title), "a failed method in the figure");
   ck_assert_ptr_nonnull(strstr(text_str(&figure), ">right</text>"));
   ck_assert_msg(strstr(text_str(&tsv), state) != NULL, "%s", text_str(&tsv));
-  text_clear(&tsv);
-  text_clear(&figure);
 }
 
 TEST(errors_are_true_ones) {
@@ -510,8 +483,7 @@ TEST(no_truth_no_job) {
 }
 
 TEST(tables_are_well_formed) {
-  struct text tsv;
-  text_init(&tsv);
+  LOCAL(text, tsv);
   bench_tsv(&tsv, &pair);
   int columns = 0, lines = 0, tabs = 0;
   for (const char *p = text_str(&tsv); *p; p++) {
@@ -523,7 +495,6 @@ TEST(tables_are_well_formed) {
   }
   ck_assert_int_eq(columns, 14);
   ck_assert_int_eq(lines, pair.n + 1);
-  text_clear(&tsv);
 }
 
 /* The time of balls is read on a straight line between two of their settings, at MPFR's error; a setting rougher than
@@ -573,9 +544,8 @@ CASE("judging");
 
 /* Differences have a second figure, over their steps. */
 TEST(steps_have_a_figure_of_their_own) {
-  struct text figure;
-  struct bench_table t;
-  text_init(&figure);
+  LOCAL(text, figure);
+  OWNED(bench_table) t;
   ck_assert(!bench_has_steps(&pair));
   struct bench_job job = bench_jacobian;
   struct bench_method central = {.id = NULL};
@@ -587,8 +557,6 @@ TEST(steps_have_a_figure_of_their_own) {
   bench_figure(&figure, &t, true);
   ck_assert(bench_has_steps(&t) && strstr(text_str(&figure), ">step</text>"));
   ck_assert_ptr_nonnull(strstr(text_str(&figure), ">central</text>"));
-  bench_table_clear(&t);
-  text_clear(&figure);
 }
 
 CASE("command");
@@ -600,15 +568,13 @@ TEST_EACH(peers_agree_with_the_truth, 4) {
   int agreed = 0;
   shell_well("\"$P\" bench --quick --job %s --inputs \"$D/page\" >/dev/null", bench_jobs[_i]->id);
   shell_well("\"$Y\" bench/peers/peers.py \"$D/page\" --quick >/dev/null");
-  struct table peers;
-  table_read(&peers, scratch_path("page/peers.tsv"), ANY_COLUMNS);
+  OWNED(table) peers = table_read(scratch_path("page/peers.tsv"), ANY_COLUMNS);
   for (int i = 0; i < peers.n; i++) {
     char *const *field = peers.row[i];
     if (field[13] && strcmp(field[1], method[_i]) == 0 && strcmp(field[5], "50") == 0)
       agreed += strcmp(field[7], "ok") == 0 && atof(field[10]) < 1e-47;
   }
   ck_assert_int_eq(agreed, 1);
-  table_clear(&peers);
 }
 
 /* Orbits and Jacobians by digits, claims alone and together; each succeeds, and no other job is run. */

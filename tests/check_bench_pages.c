@@ -11,8 +11,10 @@
 #include <unistd.h>
 
 #include "bench/jobs.h"
+#include "local.h"
 #include "motion/dynamics.h"
 #include "paper_model.h"
+#include "rational.h"
 #include "says.h"
 #include "scratch.h"
 #include "suite.h"
@@ -68,10 +70,9 @@ static bool holds(const struct text *t, const char *what) {
 }
 
 TEST(the_first_page_begins_with_advice) {
-  struct text page;
+  LOCAL(text, page);
   struct bench_table one = table;
   struct bench_result r = {.table = &one, .n = 1};
-  text_init(&page);
   bench_markdown(&page, &r, true);
   ck_assert(holds(&page, "## Which method to use"));
   ck_assert(holds(&page, "| map | 1e-6 | quick | 10.0 ns | balls, bits 64 | 60.0 ns |\n"));
@@ -81,7 +82,6 @@ TEST(the_first_page_begins_with_advice) {
   bench_job_markdown(&page, &table, true);
   ck_assert(holds(&page, "| by-hand |  (bare) |") && holds(&page, "| failed: gives up (1 of 4) |"));
   ck_assert(holds(&page, "| other | digits 50 | 1.0e-50 |"));
-  text_clear(&page);
 }
 
 /* What stands between two texts, the first of which is looked for from there on; empty where it is not found. */
@@ -110,9 +110,8 @@ TEST(figures_tell_methods_apart) {
   enum { MANY = 52, COLOURS = 24 };
   static struct bench_method method[MANY];
   static char id[MANY][8];
-  struct text svg;
-  struct bench_table t = {.job = &bench_map, .floor = 1e-15};
-  text_init(&svg);
+  LOCAL(text, svg);
+  OWNED(bench_table) t = {.job = &bench_map, .floor = 1e-15};
   for (int k = 0; k < MANY; k++) {
     snprintf(id[k], sizeof id[k], "m%d", k);
     method[k] = (struct bench_method){id[k], "", .type = &num_double};
@@ -129,8 +128,6 @@ TEST(figures_tell_methods_apart) {
       ck_assert_str_ne(between(strstr(text_str(&svg), begin[0]), "color=\"", "\""),
                        between(strstr(text_str(&svg), begin[1]), "color=\"", "\""));
     }
-  bench_table_clear(&t);
-  text_clear(&svg);
 }
 
 /* The points of the k-th curve in the panel, the first of them 1; how many numbers there are. */
@@ -145,9 +142,8 @@ static int points(double x[4], const char *svg, int panel, int k) {
 /* Distances in the picture are those of logarithms, in the second panel of the logarithms of the digits; the key names
    each method once.  By hand: 1 ns and 1e-15; quick: 10 ns and 1e-13; in balls: 60 ns and 1e-11. */
 TEST(figures_have_logarithmic_axes) {
-  struct text svg;
+  LOCAL(text, svg);
   double at[5][4]; /* of each curve, x and y by turns */
-  text_init(&svg);
   bench_figure(&svg, &table, false);
   ck_assert_int_eq(points(at[0], text_str(&svg), 1, 0), 2);
   ck_assert_int_eq(points(at[1], text_str(&svg), 1, 1), 2);
@@ -164,7 +160,6 @@ TEST(figures_have_logarithmic_axes) {
                         "50<"));
   const char *key = strstr(text_str(&svg), ">other</text>");
   ck_assert(key && !strstr(key + 1, ">other</text>") && !holds(&svg, ">broken</text>"));
-  text_clear(&svg);
 }
 
 /* --- Peers. --- */
@@ -177,10 +172,9 @@ TEST(figures_have_logarithmic_axes) {
 CASE("files", .each = {scratch_open, scratch_close});
 
 TEST(peers_stand_among_the_others) {
-  struct bench_peers p;
-  struct bench_table t = {.job = &bench_map, .cases = 4};
-  struct text out;
-  text_init(&out);
+  OWNED(bench_peers) p;
+  OWNED(bench_table) t = {.job = &bench_map, .cases = 4};
+  LOCAL(text, out);
   const char *path =
       scratch_put("peers.tsv", HEAD GOOD "map\tgone\tNot here\tgp\t\t\tno\tnot installed\t0\t0\t-\t-\t-\t-\n"
                                          "map\tpeer\tA peer\tgp\tdigits\t18\tno\tfailed: gives up\t3\t1\t-\t-\t-\t-\n"
@@ -199,9 +193,6 @@ TEST(peers_stand_among_the_others) {
   ck_assert(holds(&out, "map\tgone\tgp\t\t\tnot installed\t0\t0\t-\t-\t-\t-\t"));
   ck_assert(holds(&out, "map\tpeer\tgp\tdigits\t18\tfailed: gives up (1 of 3)\t"));
   ck_assert(holds(&out, "map\tpeer\tgp\tdigits\t50\tok\t3\t0\t1.0e-49\t1.0e-50\t700\t800\t\t0\tyes\n"));
-  text_clear(&out);
-  bench_table_clear(&t);
-  bench_peers_clear(&p);
 }
 
 /* Each mistake is refused where it stands. */
@@ -231,10 +222,9 @@ TEST_EACH(tables_that_cannot_be_are_refused, 23) {
                {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t0\t8\n", "peers.tsv:3:34:"},
                {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\tinf\n", "peers.tsv:3:36:"},
                {HEAD "map\tp\tA\tgp\t\t\tno\tfailed: x\t3\t1\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:31:"}};
-  struct bench_peers p;
+  OWNED(bench_peers) p;
   ck_assert_int_lt(_i, COUNT(cases));
   fails_with(bench_peers_read(&p, scratch_put("peers.tsv", cases[_i].text), &d), cases[_i].place);
-  bench_peers_clear(&p);
 }
 
 /* --- What is not installed. --- */
@@ -242,7 +232,7 @@ TEST_EACH(tables_that_cannot_be_are_refused, 23) {
 CASE("bench_pages");
 
 TEST(what_is_absent_has_one_row) {
-  struct bench_table t;
+  OWNED(bench_table) t;
   struct bench_method absent = {"absent", "", .type = &num_double, .kind = SET_TOLERANCE, .absent = true};
   struct bench_job job = bench_propagator;
   job.methods = &absent;
@@ -251,7 +241,6 @@ TEST(what_is_absent_has_one_row) {
   ck_assert_int_eq(t.n, 1);
   ck_assert_str_eq(t.row[0].failure, "not installed");
   ck_assert(!t.row[0].front && isnan(t.row[0].least_ns) && t.row[0].cases == 0);
-  bench_table_clear(&t);
 }
 
 /* --- Where the time goes. --- */
@@ -289,12 +278,10 @@ TEST_EACH(a_missed_goal_has_its_profile, 5) {
   ck_assert(r.profile.samples > 0 && r.profile.n_libraries > 0);
   ck_assert(sum(r.profile.library, r.profile.n_libraries) <= 1 + 1e-9);
   ck_assert(sum(r.profile.function, r.profile.n_functions) <= 1 + 1e-9);
-  struct text page;
-  text_init(&page);
+  LOCAL(text, page);
   bench_markdown(&page, &(struct bench_result){.ratio = &r, .n_ratios = 1}, false);
   ck_assert(holds(&page, "0 of 1 measured goals are met") && holds(&page, "| method | samples |"));
   ck_assert(holds(&page, r.profile.library[0].where));
-  text_clear(&page);
 }
 
 TEST(other_ratios_have_none) {
@@ -315,8 +302,7 @@ static struct bench_sides *sides_of(const struct bench_env *env, const char *id)
 
 /* A radius of 10^-20: absolute below 1, relative above it; a ball without an end is close to nothing. */
 TEST(closeness_is_relative_above_one) {
-  struct num_vec v;
-  num_vec_init(&v, 2, num_ctx_arb(200));
+  OWNED(num_vec) v = vec_new(2, num_ctx_arb(200));
   arb_ptr small = num_vec_at(&v, 0), large = num_vec_at(&v, 1);
   arb_set_d(small, 0.25);
   arb_set_d(large, 1e9);
@@ -329,24 +315,18 @@ TEST(closeness_is_relative_above_one) {
   ck_assert(bench_close_enough(&v, 16) && !bench_close_enough(&v, 18));
   arb_pos_inf(large);
   ck_assert(!bench_close_enough(&v, 1));
-  num_vec_clear(&v);
 }
 
 TEST(sides_of_claims_come_to_any_digits) {
-  struct model m;
-  struct claims claims;
-  struct scene scene;
-  paper_model(&m, NULL);
+  OWNED(claims) claims;
+  OWNED(model) m = paper_model(NULL);
   paper_claims(&claims, NULL);
-  paper_scene(&scene);
+  OWNED(scene) scene = scene_at("paper");
   const struct bench_env env = {.model = &m, .claims = &claims, .scene = &scene};
   struct bench_sides *s = sides_of(&env, "eq-27"); /* a matrix and the model's */
   ck_assert(s && bench_sides_run(s, 15) && bench_sides_run(s, 700));
   bench_sides_free(s);
   ck_assert_ptr_null(sides_of(&env, "num-t_a")); /* a printed number has one side */
-  scene_clear(&scene);
-  claims_clear(&claims);
-  model_clear(&m);
 }
 
 /* --- The folder and the README. --- */
@@ -382,9 +362,8 @@ TEST(the_readme_has_its_sentences_from_the_rows) {
   check_says("README.md", "old words"); /* a quick run says nothing */
   shell_well("cd \"$D\" && sed 's/\"quick\": true/\"quick\": false/' all.json > reports/bench/bench.json");
   shell_well("here=$PWD; cd \"$D\" && \"$Y\" \"$here/tools/readme.py\" && \"$Y\" \"$here/tools/readme.py\" --check");
-  char *readme = file_text(scratch_path("README.md"));
+  FREED char *readme = file_text(scratch_path("README.md"));
   ck_assert(strncmp(readme, "before\n", 7) == 0 && strstr(readme, "behind\n") && !strstr(readme, "old words"));
   ck_assert(strstr(readme, "one Poincare map with its events takes `closed-double` (") &&
             strstr(readme, "speed goals are met") && strstr(readme, "(reports/bench/bench.md)"));
-  free(readme);
 }

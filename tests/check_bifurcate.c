@@ -13,6 +13,7 @@
 
 #include "explore/bifurcate.h"
 #include "explore/family.h"
+#include "local.h"
 #include "motion/dual.h"
 #include "motion/map_balls.h"
 #include "params.h"
@@ -27,15 +28,15 @@ struct line {
   int vary;
 };
 
-static void line_init(struct line *l, const char *const params[N_PARAMS], int vary, const char *from, const char *to) {
-  l->params = _fmpq_vec_init(N_PARAMS);
+static struct line line_of(const char *const params[N_PARAMS], int vary, const char *from, const char *to) {
+  struct line l = {.params = _fmpq_vec_init(N_PARAMS), .vary = vary};
   for (int i = 0; i < N_PARAMS; i++)
-    if (i != vary) rational_set(l->params + i, params[i]);
-  fmpq_init(l->from);
-  fmpq_init(l->to);
-  rational_set(l->from, from);
-  rational_set(l->to, to);
-  l->vary = vary;
+    if (i != vary) rational_set(l.params + i, params[i]);
+  fmpq_init(l.from);
+  fmpq_init(l.to);
+  rational_set(l.from, from);
+  rational_set(l.to, to);
+  return l;
 }
 
 static void line_clear(struct line *l) {
@@ -52,12 +53,9 @@ static int find(struct dyn_bifurcations *list, const struct line *l, slong digit
 /* --- Derivatives carried by balls --- */
 
 static val exact(struct calc *c, double x, int direction) {
-  arb_t b;
-  arb_init(b);
+  NUMBERS(arb, b);
   arb_set_d(b, x);
-  val z = dual_variable(c, b, direction);
-  arb_clear(b);
-  return z;
+  return dual_variable(c, b, direction);
 }
 
 static void pass_at(struct ball_pass *s, struct calc *c, const double x[N_DIRECTIONS], bool up) {
@@ -85,7 +83,7 @@ TEST(slopes_are_those_written_out) {
   for (int i = 0; i < COUNT(points); i++)
     for (int up = 0; up < 2; up++) {
       struct ball_pass s;
-      struct calc c = calc_begin(dual_ctx(128));
+      OWNED(calc) c = calc_begin(dual_ctx(128));
       pass_at(&s, &c, points[i], up);
       same(s.pc, DIR_TB, s.pc_tb, "pc by t_b");
       same(s.pc, DIR_TC, calc_neg(&c, s.wc), "pc by t_c");
@@ -93,7 +91,6 @@ TEST(slopes_are_those_written_out) {
       same(s.r, DIR_TB, s.pb, "r by t_b");
       same(s.defect, DIR_TB, s.defect_tb, "defect by t_b");
       same(s.defect, DIR_TC, s.defect_tc, "defect by t_c");
-      calc_clear(&c);
     }
   flint_cleanup();
 }
@@ -104,7 +101,7 @@ TEST(slopes_along_parameters_are_differences) {
     for (int d = 0; d < N_PARAMS; d++) {
       struct ball_pass s, side[2];
       double h = ldexp(1, -40), x[N_DIRECTIONS];
-      struct calc c = calc_begin(dual_ctx(256));
+      OWNED(calc) c = calc_begin(dual_ctx(256));
       pass_at(&s, &c, points[i], false);
       for (int k = 0; k < 2; k++) {
         struct ball_params m;
@@ -120,14 +117,11 @@ TEST(slopes_along_parameters_are_differences) {
                 high[] = {side[1].defect, side[1].pc, side[1].qc, side[1].defect_tb};
       for (int k = 0; k < 4; k++) {
         val quotient = calc_div(&c, calc_sub(&c, high[k], low[k]), exact(&c, 2 * h, -1));
-        arb_t off;
-        arb_init(off);
+        NUMBERS(arb, off);
         arb_sub(off, dual_value(quotient), dual_slope(f[k], d), 256);
         ck_assert_msg(fabs(num_arb.get_d(off)) < 1e-16 * (1 + fabs(num_arb.get_d(dual_slope(f[k], d)))),
                       "point %d, function %d along %d: off by %g", i, k, d, num_arb.get_d(off));
-        arb_clear(off);
       }
-      calc_clear(&c);
     }
   flint_cleanup();
 }
@@ -139,8 +133,7 @@ static bool inside(const struct dyn_bifurcation *b, const fmpq_t x) {
 }
 
 TEST(values_of_the_oracle) {
-  struct table changes;
-  table_read(&changes, "tests/oracle/bifurcations.tsv", 11);
+  OWNED(table) changes = table_read("tests/oracle/bifurcations.tsv", 11);
   ck_assert_int_eq(changes.n, 7);
   struct line l;
   struct dyn_bifurcations list;
@@ -150,13 +143,12 @@ TEST(values_of_the_oracle) {
     int vary = 0, same = 0; /* fields that are those of the row before */
     while (row > 0 && same < 8 && strcmp(field[same], changes.row[row - 1][same]) == 0) same++;
     while (strcmp(names[vary], field[5]) != 0) vary++;
-    fmpq_t value;
-    fmpq_init(value);
+    NUMBERS(fmpq, value);
     rational_set(value, field[9]);
     if (same < 8) { /* else several changes on one line */
       if (row > 0) dyn_bifurcations_clear(&list);
       if (row > 0) line_clear(&l);
-      line_init(&l, (const char *const *)field, vary, field[6], field[7]);
+      l = line_of((const char *const *)field, vary, field[6], field[7]);
       ck_assert_int_eq(find(&list, &l, 15), SS_OK);
     }
     int hits = 0;
@@ -166,11 +158,9 @@ TEST(values_of_the_oracle) {
         ck_assert_msg(list.at[i].crosses && list.at[i].unique, "%s at %s", field[8], field[9]);
       }
     ck_assert_msg(hits == 1, "%s at %s: %d brackets", field[8], field[9], hits);
-    fmpq_clear(value);
   }
   dyn_bifurcations_clear(&list);
   line_clear(&l);
-  table_clear(&changes);
   flint_cleanup();
 }
 
@@ -178,13 +168,10 @@ TEST(values_of_the_oracle) {
    ends are told as much about. */
 TEST(more_digits_narrower_brackets) {
   const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
-  struct line l;
   struct dyn_bifurcations list[3];
   static const slong digits[] = {4, 15, 60};
-  fmpq_t width, unit;
-  fmpq_init(width);
-  fmpq_init(unit);
-  line_init(&l, params, P_E2, "1.7", "2.6");
+  NUMBERS(fmpq, width, unit);
+  OWNED(line) l = line_of(params, P_E2, "1.7", "2.6");
   for (int k = 0; k < 3; k++) {
     ck_assert_int_eq(find(&list[k], &l, digits[k]), SS_OK);
     ck_assert_int_eq(list[k].n, list[0].n);
@@ -206,19 +193,15 @@ TEST(more_digits_narrower_brackets) {
     }
   }
   for (int k = 0; k < 3; k++) dyn_bifurcations_clear(&list[k]);
-  fmpq_clear(unit);
-  fmpq_clear(width);
-  line_clear(&l);
   flint_cleanup();
 }
 
 /* --- What happens at a change --- */
 
 static slong orbits_at(struct dyn_orbits *list, const struct line *l, const fmpq_t x) {
-  fmpq *p = rationals_of(l->params, N_PARAMS);
+  FREED_PARAMS fmpq *p = rationals_of(l->params, N_PARAMS);
   fmpq_set(p + l->vary, x);
   ck_assert_int_eq(dyn_orbits_find(list, p, 64, NULL), SS_OK);
-  _fmpq_vec_clear(p, N_PARAMS);
   return list->n;
 }
 
@@ -291,12 +274,10 @@ static const struct {
 /* At six digits the ends of a bracket are far enough apart for the search; between two changes it must find what is
    left. */
 TEST_EACH(each_change_does_what_it_says, COUNT(lines)) {
-  struct line l;
-  struct dyn_bifurcations list;
+  OWNED(dyn_bifurcations) list;
   struct dyn_orbits at;
-  fmpq_t x;
-  fmpq_init(x);
-  line_init(&l, lines[_i].params, lines[_i].vary, lines[_i].from, lines[_i].to);
+  NUMBERS(fmpq, x);
+  OWNED(line) l = line_of(lines[_i].params, lines[_i].vary, lines[_i].from, lines[_i].to);
   ck_assert_int_eq(find(&list, &l, 6), SS_OK);
   ck_assert_int_eq(list.missed, 0);
   ck_assert_int_gt(list.n, 3);
@@ -321,9 +302,6 @@ TEST_EACH(each_change_does_what_it_says, COUNT(lines)) {
   }
   ck_assert_int_eq(orbits_at(&at, &l, fmpq_cmp(l.from, l.to) < 0 ? l.to : l.from), n);
   dyn_orbits_clear(&at);
-  dyn_bifurcations_clear(&list);
-  line_clear(&l);
-  fmpq_clear(x);
   flint_cleanup();
 }
 
@@ -332,12 +310,10 @@ TEST_EACH(each_change_does_what_it_says, COUNT(lines)) {
 TEST(touch_of_the_oracle) {
   const char *const params[] = {"0.5", "4", "1", "2.5", "0"};
   static const double times[] = {2.020230011293395, 2.546157337644011, 1.515139986608597, 0.848453690491598};
-  struct line l;
-  struct dyn_bifurcations list;
-  fmpq_t value;
-  fmpq_init(value);
+  OWNED(dyn_bifurcations) list;
+  NUMBERS(fmpq, value);
   rational_set(value, "1.109697612188447494143523204199");
-  line_init(&l, params, P_E2, "1.1", "1.12");
+  OWNED(line) l = line_of(params, P_E2, "1.1", "1.12");
   ck_assert_int_eq(find(&list, &l, 25), SS_OK);
   int hits = 0;
   for (slong i = 0; i < list.n; i++) {
@@ -355,29 +331,22 @@ TEST(touch_of_the_oracle) {
   for (int late = 0; late < 2; late++) { /* the example: its t_c is 1.4898... */
     struct ball_params m;
     struct ball_pass s;
-    struct calc c = calc_begin(num_ctx_arb(96));
-    fmpq *at = rationals(example_text, N_PARAMS);
+    OWNED(calc) c = calc_begin(num_ctx_arb(96));
+    FREED_PARAMS fmpq *at = rationals(example_text, N_PARAMS);
     ball_params_init(&m, &c, at);
     ball_pass_slip(&s, &c, &m, calc_d(&c, 2.00532), calc_d(&c, late ? 2.5 : 1.48));
     ck_assert_int_eq(ball_touches(&c, &m, &s, 10000), late ? TRUTH_UNKNOWN : TRUTH_TRUE);
-    _fmpq_vec_clear(at, N_PARAMS);
-    calc_clear(&c);
   }
-  dyn_bifurcations_clear(&list);
-  line_clear(&l);
-  fmpq_clear(value);
   flint_cleanup();
 }
 
 /* The third order at a flip, against tests/oracle/equality.tsv: c_2^2 + c_3 = 0.206... there is positive. */
 TEST(third_order_of_the_oracle) {
-  struct table flips;
-  table_read(&flips, "tests/oracle/equality.tsv", 11);
+  OWNED(table) flips = table_read("tests/oracle/equality.tsv", 11);
   ck_assert_int_eq(flips.n, 2);
   for (int row = 0; row < flips.n; row++) {
     char *const *field = flips.row[row];
-    struct line l;
-    struct dyn_bifurcations list;
+    OWNED(dyn_bifurcations) list;
     char from[40], to[40];
     double value = strtod(field[6], NULL), c2 = strtod(field[9], NULL), c3 = strtod(field[10], NULL);
     snprintf(from, sizeof from, "%.6f", value - 0.01);
@@ -390,7 +359,7 @@ TEST(third_order_of_the_oracle) {
       snprintf(store[i], sizeof store[i], "%.17g", slash ? num / strtod(slash + 1, NULL) : num);
       decimal[i] = store[i]; /* thirds to 17 digits: nothing that the digits compared here depend on */
     }
-    line_init(&l, decimal, atoi(field[5]), from, to);
+    OWNED(line) l = line_of(decimal, atoi(field[5]), from, to);
     ck_assert_int_eq(find(&list, &l, 12), SS_OK);
     int hits = 0;
     for (slong i = 0; i < list.n; i++) {
@@ -399,10 +368,7 @@ TEST(third_order_of_the_oracle) {
       ck_assert_double_eq_tol(num_arb.get_d(list.at[i].third), c2 * c2 + c3, 1e-6 * fabs(c2 * c2 + c3));
     }
     ck_assert_msg(hits == 1, "%s: %d flips", field[6], hits);
-    dyn_bifurcations_clear(&list);
-    line_clear(&l);
   }
-  table_clear(&flips);
   flint_cleanup();
 }
 
@@ -410,11 +376,10 @@ TEST(third_order_of_the_oracle) {
    given. */
 TEST(friction_that_is_just_enough) {
   const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
-  struct line l;
-  struct dyn_bifurcations list;
+  OWNED(dyn_bifurcations) list;
   fmpq *u = rationals((const char *const[]){"2.2", "1.7"}, 2);
   int hits[2] = {0, 0};
-  line_init(&l, params, P_E2, "0.7", "1.2");
+  OWNED(line) l = line_of(params, P_E2, "0.7", "1.2");
   const struct dyn_line line = {l.params, l.vary, l.from, l.to, {&u[0], &u[1]}};
   ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 10, 33), SS_OK);
   for (slong i = 0; i < list.n; i++) {
@@ -425,19 +390,16 @@ TEST(friction_that_is_just_enough) {
     ck_assert(b->crosses && b->unique && b->beside[0].n == 1 && b->beside[1].n == 1);
     int above[2];
     for (int k = 0; k < 2; k++) {
-      struct dyn_orbits at;
+      OWNED(dyn_orbits) at;
       orbits_at(&at, &l, k ? &b->high : &b->low);
       const struct dyn_orbit *o = same_orbit(&at, &b->beside[k].orbit[0]);
       ck_assert(o != NULL);
       above[k] = num_arb.get_d(of ? o->u_r2_min : o->u_r1_min) > fmpq_get_d(&u[of]);
-      dyn_orbits_clear(&at);
     }
     ck_assert_int_ne(above[0], above[1]);
     ck_assert_int_eq(b->sense, above[0] ? 1 : -1);
   }
   ck_assert_msg(hits[0] > 0 && hits[1] > 0, "%d and %d", hits[0], hits[1]);
-  dyn_bifurcations_clear(&list);
-  line_clear(&l);
   _fmpq_vec_clear(u, 2);
   flint_cleanup();
 }
@@ -450,13 +412,10 @@ TEST(ends_outside_the_domain) {
     const char *from, *to;
   } bad[] = {{P_CHI, "0.5", "1"}, {P_E2, "0", "1"}, {P_E2, "1", "1"}, {P_E1, "1e-400", "1"}, {P_V, "1", "1e400"}};
   for (size_t i = 0; i < COUNT(bad); i++) {
-    struct line l;
-    struct dyn_bifurcations list;
-    line_init(&l, example_text, bad[i].vary, bad[i].from, bad[i].to);
+    OWNED(dyn_bifurcations) list;
+    OWNED(line) l = line_of(example_text, bad[i].vary, bad[i].from, bad[i].to);
     ck_assert_msg(find(&list, &l, 6) & (SS_DOMAIN | SS_UNABLE), "case %zu", i);
     ck_assert_int_eq(list.n, 0);
-    dyn_bifurcations_clear(&list);
-    line_clear(&l);
   }
   flint_cleanup();
 }

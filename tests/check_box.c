@@ -10,6 +10,7 @@
 
 #include "every.h"
 #include "explore/box.h"
+#include "local.h"
 #include "rational.h"
 #include "suite.h"
 
@@ -19,9 +20,8 @@ struct ends {
 
 /* Orbits at low + part (high - low), part in quarters for each parameter. */
 static void orbits_at(struct dyn_orbits *list, const fmpq *low, const fmpq *high, const int part[N_PARAMS]) {
-  fmpq *at = _fmpq_vec_init(N_PARAMS);
-  fmpq_t share;
-  fmpq_init(share);
+  FREED_PARAMS fmpq *at = _fmpq_vec_init(N_PARAMS);
+  NUMBERS(fmpq, share);
   for (int i = 0; i < N_PARAMS; i++) {
     fmpq_set_si(share, part[i], 4);
     fmpq_sub(&at[i], high + i, low + i);
@@ -29,8 +29,6 @@ static void orbits_at(struct dyn_orbits *list, const fmpq *low, const fmpq *high
     fmpq_add(&at[i], &at[i], low + i);
   }
   ck_assert_int_eq(dyn_orbits_find(list, at, 64, NULL), SS_OK);
-  _fmpq_vec_clear(at, N_PARAMS);
-  fmpq_clear(share);
 }
 
 enum { N_NUMBERS = 13 };
@@ -80,10 +78,10 @@ static const struct ends boxes[] = {
 };
 
 TEST_EACH(every_point_of_a_box_is_enclosed, COUNT(boxes)) {
-  struct dyn_box box;
-  fmpq *low = rationals(boxes[_i].low, N_PARAMS), *high = rationals(boxes[_i].high, N_PARAMS);
+  OWNED(dyn_box) box;
+  FREED_PARAMS fmpq *low = rationals(boxes[_i].low, N_PARAMS), *high = rationals(boxes[_i].high, N_PARAMS);
   ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
-  struct seen *seen = calloc((size_t)box.n + 1, sizeof *seen);
+  FREED struct seen *seen = calloc((size_t)box.n + 1, sizeof *seen);
   ck_assert_int_gt(box.n, 0);
   for (slong k = 0; k < box.n; k++)
     for (int i = 0; i < N_NUMBERS; i++) {
@@ -93,7 +91,7 @@ TEST_EACH(every_point_of_a_box_is_enclosed, COUNT(boxes)) {
   int intervals = 0;
   for (int i = 0; i < N_PARAMS; i++) intervals += !fmpq_equal(low + i, high + i);
   for (int n = 0; n < (intervals > 1 ? 15 : 5); n += n < 5 ? 1 : every(2)) { /* of one interval the diagonal has all */
-    struct dyn_orbits at;
+    OWNED(dyn_orbits) at;
     int part[N_PARAMS];
     for (int i = 0; i < N_PARAMS; i++)
       part[i] = n < 5 ? n : (n * (2 * i + 3) + i) % 5; /* the diagonal, then scattered */
@@ -107,7 +105,6 @@ TEST_EACH(every_point_of_a_box_is_enclosed, COUNT(boxes)) {
         }
       ck_assert_msg(!box.at[k].proved || hits == 1, "box %d, orbit %ld, point %d: %d orbits", _i, (long)k, n, hits);
     }
-    dyn_orbits_clear(&at);
   }
   int proved = 0;
   for (slong k = 0; k < box.n; k++) {
@@ -126,10 +123,6 @@ TEST_EACH(every_point_of_a_box_is_enclosed, COUNT(boxes)) {
     }
   }
   ck_assert_int_gt(proved, 0);
-  free(seen);
-  dyn_box_clear(&box);
-  _fmpq_vec_clear(high, N_PARAMS);
-  _fmpq_vec_clear(low, N_PARAMS);
   flint_cleanup();
 }
 
@@ -148,9 +141,9 @@ TEST(what_is_settled_and_what_changes) {
                {"2.1", "2.11", TRUTH_TRUE, TRUTH_UNKNOWN, false, true},
                {"2.11", "2.3", TRUTH_TRUE, TRUTH_FALSE, false, false}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct dyn_box box;
+    OWNED(dyn_box) box;
     const struct ends e = {{"0.8", "1", "1", "2.7844", cases[i].low}, {"0.8", "1", "1", "2.7844", cases[i].high}};
-    fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
+    FREED_PARAMS fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
     ck_assert_int_eq(dyn_box_find(&box, low, high, FEW_HALVINGS), SS_OK);
     int hits = 0;
     for (slong k = 0; k < box.n; k++) {
@@ -163,9 +156,6 @@ TEST(what_is_settled_and_what_changes) {
       ck_assert_int_eq(b->changes[COND_TA], cases[i].stick_vanishes);
     }
     ck_assert_int_eq(hits, 1);
-    dyn_box_clear(&box);
-    _fmpq_vec_clear(high, N_PARAMS);
-    _fmpq_vec_clear(low, N_PARAMS);
   }
   flint_cleanup();
 }
@@ -178,9 +168,9 @@ TEST(an_orbit_that_ends_is_not_proved) {
     double tb;
   } cases[] = {{"1.75", "1.85", 1.2486}, {"1.3", "1.4", 1.914}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct dyn_box box;
+    OWNED(dyn_box) box;
     const struct ends e = {{"0.8", "1", "1", "2.7844", cases[i].low}, {"0.8", "1", "1", "2.7844", cases[i].high}};
-    fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
+    FREED_PARAMS fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
     ck_assert_int_eq(dyn_box_find(&box, low, high, FEW_HALVINGS), SS_OK);
     int hits = 0;
     for (slong k = 0; k < box.n; k++) {
@@ -190,9 +180,6 @@ TEST(an_orbit_that_ends_is_not_proved) {
       ck_assert_msg(!b->proved || b->word != TRUTH_TRUE, "case %zu", i);
     }
     ck_assert_int_eq(hits, 1);
-    dyn_box_clear(&box);
-    _fmpq_vec_clear(high, N_PARAMS);
-    _fmpq_vec_clear(low, N_PARAMS);
   }
   flint_cleanup();
 }
@@ -201,18 +188,14 @@ TEST(an_orbit_that_ends_is_not_proved) {
 TEST(proved_pieces_are_cut) {
   static const struct ends e = {{"0.737754", "1.98746", "0.984371", "3.48531", "0.165766"},
                                 {"0.737754", "1.98746", "1.01563", "3.59598", "0.17103"}};
-  struct dyn_box box;
-  struct dyn_orbits middle;
+  OWNED(dyn_box) box;
+  OWNED(dyn_orbits) middle;
   const int half[N_PARAMS] = {2, 2, 2, 2, 2};
-  fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
+  FREED_PARAMS fmpq *low = rationals(e.low, N_PARAMS), *high = rationals(e.high, N_PARAMS);
   ck_assert_int_eq(dyn_box_find(&box, low, high, DYN_BOX_HALVINGS), SS_OK);
   orbits_at(&middle, low, high, half);
   ck_assert_int_gt(box.n, 0);
   ck_assert_int_eq(box.n, middle.n);
   for (slong k = 0; k < box.n; k++) ck_assert(!box.at[k].proved || inside(&box.at[k], &middle.orbit[k]));
-  dyn_orbits_clear(&middle);
-  dyn_box_clear(&box);
-  _fmpq_vec_clear(high, N_PARAMS);
-  _fmpq_vec_clear(low, N_PARAMS);
   flint_cleanup();
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "local.h"
 #include "motion/branches.h"
 #include "motion/complete.h"
 #include "paper_model.h"
@@ -29,8 +30,7 @@ static struct set set[MOST_SETS];
 static int n_sets;
 
 static void read_sets(void) {
-  struct table t;
-  table_read(&t, "tests/oracle/later.tsv", ANY_COLUMNS);
+  OWNED(table) t = table_read("tests/oracle/later.tsv", ANY_COLUMNS);
   n_sets = 0;
   for (int k = 0; k < t.n; k++) {
     char *const *field = t.row[k];
@@ -47,7 +47,6 @@ static void read_sets(void) {
     for (int i = 0; i < N_PHASES; i++) s->t[s->n][i] = atof(field[1 + i]);
     s->n++;
   }
-  table_clear(&t);
 }
 
 static void forget_sets(void) {
@@ -65,7 +64,7 @@ CASE("branches", .each = {read_sets, forget_sets});
 /* The same solutions, each enclosed, and a proof that there are no others. */
 TEST_EACH(all_that_a_grid_finds, 3) {
   const struct set *s = &set[_i];
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   ck_assert_int_eq(dyn_branches_find(&list, s->p, LAST, 128, DYN_CELLS), SS_OK);
   ck_assert_msg(list.complete, "%s: %s", s->name, dyn_gap_text[list.gap]);
   ck_assert_int_eq((int)list.n, s->n);
@@ -76,13 +75,12 @@ TEST_EACH(all_that_a_grid_finds, 3) {
   }
   for (slong i = 0; i < list.n; i++)
     for (int ph = 0; ph < N_PHASES; ph++) ck_assert(arb_is_positive(list.orbit[i].t[ph]));
-  dyn_orbits_clear(&list);
 }
 
 /* Those with first events are the orbits of the word with t_a > 0, which another search finds. */
 TEST_EACH(first_events_are_the_orbits_of_the_word, 3) {
   const struct set *s = &set[_i];
-  struct dyn_orbits list, word;
+  OWNED(dyn_orbits) list, word;
   slong first = 0, expected = 0;
   dyn_branches_find(&list, s->p, LAST, 128, DYN_CELLS);
   dyn_orbits_find(&word, s->p, 128, &dyn_limits_default);
@@ -96,15 +94,12 @@ TEST_EACH(first_events_are_the_orbits_of_the_word, 3) {
     ck_assert_msg(met == all, "%s: solution %ld", s->name, (long)i);
   }
   ck_assert_int_eq((int)first, (int)expected);
-  dyn_orbits_clear(&word);
-  dyn_orbits_clear(&list);
 }
 
 /* On a slow belt there are tens of thousands: a list of some of them, which says so, and a verdict by these. */
 TEST(more_than_a_list_holds) {
-  struct dyn_orbits list;
-  fmpq_t slow;
-  fmpq_init(slow);
+  OWNED(dyn_orbits) list;
+  NUMBERS(fmpq, slow);
   fmpq_set_si(slow, 1, 10000);
   fmpq_swap(slow, set[0].p + P_V);
   ck_assert_int_eq(dyn_branches_find(&list, set[0].p, 20, 128, DYN_CELLS), SS_OK);
@@ -115,8 +110,6 @@ TEST(more_than_a_list_holds) {
               (!arb_overlaps(a->t[PHASE_H], b->t[PHASE_H]) || !arb_overlaps(a->t[PHASE_C], b->t[PHASE_C]) ||
                !arb_overlaps(a->t[PHASE_GAMMA], b->t[PHASE_GAMMA])));
   }
-  dyn_orbits_clear(&list);
-  fmpq_clear(slow);
 }
 
 /* A smaller bound of t_c leaves out what lies beyond it; too small a budget says that it was. */
@@ -174,16 +167,13 @@ static const struct {
 CASE("claims", .each = {paper_open, paper_close});
 
 TEST_EACH(what_is_claimed_of_them, COUNT(claims_tried)) {
-  struct model m;
-  struct audit_result r;
+  OWNED(audit_result) r;
   const char *overlay = claims_tried[_i].overlay;
-  paper_model(&m, &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL});
+  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL});
   goes_well(judge_text(&r, &m, claims_tried[_i].claim, &the_paper.scene, "own", &d));
   ck_assert_msg(r.findings[0].verdict == claims_tried[_i].want, "%s: %s", claims_tried[_i].what,
                 verdict_name[r.findings[0].verdict]);
   ck_assert((r.findings[0].condition != NULL) == (claims_tried[_i].want == VERDICT_CONDITIONAL));
-  audit_result_clear(&r);
-  model_clear(&m);
 }
 
 /* Beside a claim that lists the constraints, one on the solutions that keep them alone must list them all. */
@@ -191,14 +181,12 @@ TEST(solutions_keep_all_that_is_listed) {
   static const char list[] = "claim list\n  section: periodic\n  kind: constraints\n  constraints: eq-51, eq-59#2\n";
   static const char *const listed[] = {"eq-51, eq-57#1", "eq-59#2, eq-51"};
   for (int i = 0; i < 2; i++) {
-    struct text claims = {0};
-    struct audit_result r;
+    OWNED(text) claims = {0};
+    OWNED(audit_result) r;
     struct diag d;
     text_printf(&claims, "%s%s  count: 2\n%s  constraints: %s\n", list, SIX, TWO, listed[i]);
     bool ok = judge_text(&r, &the_paper.model, text_str(&claims), &the_paper.scene, "own", &d);
     ck_assert_msg(ok == (i == 1), "%s: %s", listed[i], d.message);
     if (!ok) ck_assert_msg(strstr(d.message, "with kept all those of list are needed"), "%s", d.message);
-    audit_result_clear(&r);
-    text_clear(&claims);
   }
 }

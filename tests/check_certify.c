@@ -18,6 +18,7 @@
 #include "effort.h"
 #include "every.h"
 #include "explore/family.h"
+#include "local.h"
 #include "mech/orbit.h"
 #include "motion/certify.h"
 #include "motion/complete.h"
@@ -78,7 +79,7 @@ static void study_paper(struct study *s) {
   study_open(s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
 }
 
-static void study_close(struct study *s) {
+static void study_clear(struct study *s) {
   for (slong i = 0; i < s->list.n; i++) dyn_certificate_clear(&s->proof[i]);
   free(s->proof);
   dyn_orbits_clear(&s->list);
@@ -90,11 +91,9 @@ static void study_close(struct study *s) {
 static void all_certified(const struct study *s, slong n) {
   ck_assert_int_eq(s->list.n, n);
   for (slong i = 0; i < n; i++) {
-    struct text why;
-    text_init(&why);
+    LOCAL(text, why);
     dyn_certificate_why(&why, &s->proof[i]);
     ck_assert_msg(s->proof[i].certified, "orbit %ld: %s", (long)i, text_str(&why));
-    text_clear(&why);
   }
 }
 
@@ -140,18 +139,13 @@ static void checked(struct study *s, int status, const char *says) {
 
 /* Whether the ball can be the number that the decimal was rounded from, to 2^-bits. */
 static bool decimal_within(const char *decimal, arb_srcptr x, slong bits) {
-  arb_t y;
-  arb_init(y);
+  NUMBERS(arb, y);
   arb_set_str(y, decimal, 4000);
-  mag_t ulp;
-  mag_init(ulp);
+  NUMBERS(mag, ulp);
   arb_get_mag(ulp, y);
   mag_mul_2exp_si(ulp, ulp, -bits);
   arb_add_error_mag(y, ulp);
-  bool overlap = arb_overlaps(x, y);
-  mag_clear(ulp);
-  arb_clear(y);
-  return overlap;
+  return arb_overlaps(x, y);
 }
 
 /* One orbit's line: name index z10 z20 t_a t_b t_c t_d period trace u_r1_min u_r2_min admissible violations. */
@@ -181,13 +175,12 @@ CASE("certify", .each = {scratch_open, scratch_close});
 
 /* t_b > pi, t_a < 0, tr J beyond 1, coexisting orbits, t_c near 76, an orbit beside its fold, ...: see sets.tsv. */
 TEST(every_set_is_certified_and_verified) {
-  struct table t;
-  table_read(&t, "tests/oracle/orbits.tsv", ANY_COLUMNS);
+  OWNED(table) t = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
   int sets = 0, orbits = 0;
   for (int row = 0; row < t.n; row++) {
     char *const *field = t.row[row];
     if (strcmp(field[0], "set") != 0) continue;
-    struct study s;
+    OWNED(study) s;
     slong n = atoi(field[7]);
     study_forces(&s, field[2], field[3], field[4], field[5], field[6]);
     all_certified(&s, n);
@@ -199,10 +192,8 @@ TEST(every_set_is_certified_and_verified) {
       verified(&s);
     else
       ck_assert_int_eq(checker(text_str(&s.json)), REJECTED); /* nothing is certified */
-    study_close(&s);
     sets++;
   }
-  table_clear(&t);
   ck_assert_msg(sets >= 28 && orbits >= 55, "%d sets, %d orbits", sets, orbits);
 }
 
@@ -219,13 +210,13 @@ TEST(near_flip) {
     ck_assert_msg(s.proof[0].stable == row[i].stable, "%s: %d", row[i].chi, s.proof[0].stable);
     ck_assert_double_lt(fabs(num_arb.get_d(s.list.orbit[0].margin)), 1e-11);
     verified(&s);
-    study_close(&s);
+    study_clear(&s);
   }
   study_forces(&s, "0.783211626305199313", "2", "1", "4", "1/4");
   all_certified(&s, 1);
   ck_assert_int_ge(s.proof[0].bits, 128); /* 64 do not tell the side */
   verified(&s);
-  study_close(&s);
+  study_clear(&s);
 }
 
 /* Parameters between which an orbit appears or ends, found by halving to 1e-14 and better: two orbits at their fold, a
@@ -245,12 +236,11 @@ TEST(near_folds_and_grazing_events) {
   };
   int raised = 0;
   for (size_t i = 0; i < COUNT(row); i++) {
-    struct study s;
+    OWNED(study) s;
     study_open(&s, row[i].text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
     all_certified(&s, row[i].n);
     for (slong k = 0; k < s.list.n; k++) raised += s.proof[k].bits > 64;
     verified(&s);
-    study_close(&s);
   }
   ck_assert_int_ge(raised, 6);
 }
@@ -258,13 +248,12 @@ TEST(near_folds_and_grazing_events) {
 /* The search must not take Newton's iteration for an orbit when it has left the phases: here t_b = -23.4 and t_c =
    -35.2. */
 TEST(no_orbit_of_negative_times) {
-  struct study s;
+  OWNED(study) s;
   study_forces(&s, "0.74", "17", "0.62", "4.97", "2966149895247801843819/10000000000000000000000");
   all_certified(&s, s.list.n);
   for (slong i = 0; i < s.list.n; i++)
     for (int k = PHASE_GAMMA; k <= PHASE_C; k++) ck_assert(arb_is_positive(s.list.orbit[i].t[k]));
   verified(&s);
-  study_close(&s);
 }
 
 /* t_c = 224.7; and given times, t_a = 1e-9 and two events at one time. */
@@ -274,11 +263,10 @@ TEST(long_slip_and_given_times) {
   all_certified(&s, 1);
   ck_assert_double_gt(s.list.orbit[0].guess[PHASE_H], 200);
   verified(&s);
-  study_close(&s);
+  study_clear(&s);
 
   static const char *const times[N_PARAMS] = {"0.8", "1", "1", "2", "1.5"};
-  struct table given;
-  table_read(&given, "tests/oracle/times.tsv", 2);
+  OWNED(table) given = table_read("tests/oracle/times.tsv", 2);
   static const char *const u[2][2] = {{"100", "100"}, {"1", "100"}};
   for (int i = 0; i < 2; i++) { /* w < 0 where C starts: u_r1_min > e1/2 > 1 */
     study_open(&s, times, QUANTITY_TB, QUANTITY_TC, u[i], 128);
@@ -287,15 +275,14 @@ TEST(long_slip_and_given_times) {
     ck_assert_int_eq(s.proof[0].u_r[0], i == 0);
     ck_assert_int_eq(s.proof[0].admissible, i == 0);
     verified(&s);
-    study_close(&s);
+    study_clear(&s);
   }
-  table_clear(&given);
 
   static const char *const short_stick[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1e-9"};
   study_open(&s, short_stick, QUANTITY_E1, QUANTITY_TA, NULL, 128);
   all_certified(&s, 1);
   verified(&s);
-  study_close(&s);
+  study_clear(&s);
 
   static const char *const no_stick[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0"};
   study_open(&s, no_stick, QUANTITY_E1, QUANTITY_TA, NULL, 128);
@@ -303,7 +290,7 @@ TEST(long_slip_and_given_times) {
   ck_assert(!s.proof[0].certified); /* w = e1 at the end of C: neither below nor above */
   ck_assert_uint_eq(s.proof[0].open, (unsigned)OPEN_HOLDS << COND_C_W);
   ck_assert_int_eq(s.proof[0].bits, DYN_CERTIFY_LAST);
-  study_close(&s);
+  study_clear(&s);
 }
 
 /* Parameters at which a loop once had no bound: t_b of 1.7e9, behind some 270 million crests of the rise; phase H of
@@ -319,48 +306,39 @@ TEST(extremes_end) {
   certify_all(&s);
   all_certified(&s, 2);
   ck_assert(s.list.orbit[0].guess[PHASE_GAMMA] > 1e9 || s.list.orbit[1].guess[PHASE_GAMMA] > 1e9);
-  study_close(&s);
+  study_clear(&s);
 
   study_forces(&s, "0.8", "1e12", "1", "2.7844", "0.8587");
   ck_assert_int_eq(s.list.n, 1);
   ck_assert(s.proof[0].certified && !s.proof[0].spent);
   /* z_2 swings by e_2/chi in the fast mode, of frequency sqrt(chi eta) */
   double fastest = sqrt(0.8e12) * 0.8587 / 0.8;
-  struct dyn_margins margins;
-  dyn_margins_init(&margins);
+  LOCAL(dyn_margins, margins);
   dyn_margins_find(&margins, s.params, &s.list.orbit[0], NULL, NULL, 128);
   ck_assert(fabs(num_arb.get_d(margins.at[COND_H_V2].margin) + fastest) < 1e-5 * fastest);
-  dyn_margins_clear(&margins);
   struct dyn_certificate given_up = s.proof[0]; /* for its words alone */
-  struct text why;
-  text_init(&why);
+  LOCAL(text, why);
   given_up.spent = true;
   dyn_certificate_why(&why, &given_up);
   ck_assert(strstr(text_str(&why), "too many oscillations") != NULL);
-  text_clear(&why);
-  study_close(&s);
+  study_clear(&s);
 
   static const char *const hard[N_PARAMS] = {"0.999999999", "1e300", "1", "1e-300", "1e-300"};
-  struct dyn_orbits list;
-  fmpq *p = rationals(hard, N_PARAMS);
+  OWNED(dyn_orbits) list;
+  FREED_PARAMS fmpq *p = rationals(hard, N_PARAMS);
   ck_assert_int_eq(dyn_orbits_find(&list, p, 64, NULL), SS_UNABLE);
   ck_assert_int_lt(list.evaluations, 2000000);
-  dyn_orbits_clear(&list);
-  _fmpq_vec_clear(p, N_PARAMS);
 }
 
 /* --- Certificates with something false in them --- */
 
 /* The certificate with len bytes at `at` replaced. */
 static int checker_with(const struct text *json, size_t at, size_t len, const char *by) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   text_add_n(&t, json->data, at);
   text_add(&t, by);
   text_add(&t, json->data + at + len);
-  int status = checker(text_str(&t));
-  text_clear(&t);
-  return status;
+  return checker(text_str(&t));
 }
 
 /* The next value after the colon at or behind `from`: begin and length, a string without its quotes; false at the
@@ -382,7 +360,7 @@ TEST(some_of_all_forgeries) {
 }
 
 TEST(a_changed_truth_is_rejected) {
-  struct study s;
+  OWNED(study) s;
   size_t at, len, from = 0;
   int changed = 0;
   study_paper(&s);
@@ -400,13 +378,12 @@ TEST(a_changed_truth_is_rejected) {
     changed++;
   }
   ck_assert_int_eq(changed, 2 * (4 + N_CONDITIONS + 2));
-  study_close(&s);
 }
 
 /* A truth in quotes, or what only begins like one, and a truth where a string belongs; in make check each value is
    replaced once, by each of them in turn. */
 TEST(a_value_of_the_wrong_type_is_rejected) {
-  struct study s;
+  OWNED(study) s;
   size_t at, len, from = 0;
   int changed = 0;
   study_paper(&s);
@@ -424,7 +401,6 @@ TEST(a_value_of_the_wrong_type_is_rejected) {
     changed++;
   }
   ck_assert_int_eq(changed, 2 + 5 + 1 + 2 * (6 + 13 + 4 + N_CONDITIONS + 2)); /* 1: a broken_at */
-  study_close(&s);
 }
 
 /* tr J is near -3.4e-31: while its ball holds 0, tr J - 1 must not pass for the margin |tr J| - 1. */
@@ -432,7 +408,7 @@ TEST(a_margin_below_its_modulus_is_rejected) {
   static const char *const text[N_PARAMS] = {"47/125", "47/125", "1", "5/4",
                                              "61181618554749724207734213342667609152351510878569650320353507/"
                                              "100000000000000000000000000000000000000000000000000000000000000"};
-  struct study s;
+  OWNED(study) s;
   study_open(&s, text, QUANTITY_E1, QUANTITY_E2, NULL, 256);
   all_certified(&s, 3);
   verified(&s);
@@ -445,7 +421,6 @@ TEST(a_margin_below_its_modulus_is_rejected) {
   arb_set_str(margin, "-3.4e-31 +/- 2.2e-31", 256); /* doubled in the file: up to 1e-31, below |tr J| */
   arb_sub_ui(margin, margin, 1, 256);
   checked(&s, REJECTED, "margin");
-  study_close(&s);
 }
 
 /* A solution of the six equations in place of the first orbit, with every claim that the prover would make. */
@@ -453,7 +428,7 @@ static void forge(struct study *s, const struct word_root *root, slong prec) {
   struct ball_params m;
   struct ball_pass pass;
   struct dyn_orbit *o = &s->list.orbit[0];
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, s->params);
   val x[N_QUANTITIES];
   struct word w;
@@ -462,21 +437,19 @@ static void forge(struct study *s, const struct word_root *root, slong prec) {
   ball_pass_make(&pass, &c, &m, x[QUANTITY_TB], x[QUANTITY_TC], num_arb.get_d(w.end) > 0);
   dyn_orbit_describe(o, &c, &m, &pass);
   for (int i = 0; i < N_PHASES; i++) arb_set(o->t[i], root->x[QUANTITY_TA + i]);
-  calc_clear(&c);
   dyn_certify(&s->proof[0], &s->q, o);
 }
 
 /* Newton's iteration on the six equations from a grid of times also ends where t_b or t_c is a later root: never
    certified, and rejected when certified by force. */
 TEST(later_events_are_no_orbits) {
-  struct study s;
+  OWNED(study) s;
   int later = 0, by_event = 0;
   study_paper(&s);
   struct word_data d = {s.params, s.params + 3, s.which, {QUANTITY_TA, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD}};
   for (int i = 0; i < 400 && later < 40 / every(4); i++) {
-    struct word_root root;
+    LOCAL(word_root, root);
     const double start[N_QUANTITIES] = {2.7844, 0.8587, 1, 0.5 + 0.6 * (i % 20), 0.7 + 0.9 * (i / 20), 2};
-    word_root_init(&root);
     for (int k = 0; k < N_QUANTITIES; k++) arb_set_d(root.x[k], start[k]);
     bool solved = word_solve(&root, &d, 192) == SS_OK;
     for (int k = QUANTITY_TB; k <= QUANTITY_TD; k++) solved = solved && arb_is_positive(root.x[k]);
@@ -499,11 +472,9 @@ TEST(later_events_are_no_orbits) {
         later++;
       }
     }
-    word_root_clear(&root);
   }
   ck_assert_int_ge(later, 5);
   ck_assert_msg(by_event == later, "%d of %d", by_event, later); /* nothing else is false */
-  study_close(&s);
 }
 
 /* An orbit with enclosures beside it, or too narrow to hold it. */
@@ -515,18 +486,18 @@ TEST(wrong_enclosures_are_not_certified) {
   dyn_certify(&s.proof[1], &s.q, o);
   ck_assert(!s.proof[1].certified);
   ck_assert_uint_eq(s.proof[1].open, OPEN_SAME);
-  study_close(&s);
+  study_clear(&s);
   study_paper(&s);
   o = &s.list.orbit[1];
   for (int i = 0; i < N_PHASES; i++) arb_set_d(o->t[i], 1e5 + i);
   dyn_certify(&s.proof[1], &s.q, o);
   ck_assert(!s.proof[1].certified);
-  study_close(&s);
+  study_clear(&s);
 }
 
 /* A box beside the orbit, where all else is true of the orbit and of every point of the box. */
 TEST(a_box_without_its_orbit_is_rejected) {
-  struct study s;
+  OWNED(study) s;
   study_paper(&s);
   struct dyn_orbit *o = &s.list.orbit[0];
   arb_ptr wide[] = {o->z10,    o->z20,   o->t[0],   o->t[1],     o->t[2],    o->t[3],
@@ -534,14 +505,11 @@ TEST(a_box_without_its_orbit_is_rejected) {
   for (size_t i = 0; i < COUNT(wide); i++) arb_add_error_2exp_si(wide[i], -6);
   checked(&s, VERIFIED, ""); /* it says less, but nothing false */
   arb_ptr box = s.proof[0].box[QUANTITY_TB];
-  arf_t shift;
-  arf_init(shift);
+  NUMBERS(arf, shift);
   arf_set_mag(shift, arb_radref(box));
   arf_mul_2exp_si(shift, shift, 2);
   arf_add(arb_midref(box), arb_midref(box), shift, ARF_PREC_EXACT, ARF_RND_DOWN);
-  arf_clear(shift);
   checked(&s, REJECTED, "its box");
-  study_close(&s);
 }
 
 TEST(the_checker_says_how_it_is_called) {
@@ -551,7 +519,7 @@ TEST(the_checker_says_how_it_is_called) {
 
 /* One orbit twice, no orbit, and more than the file says. */
 TEST(entries_are_different_orbits) {
-  struct study s;
+  OWNED(study) s;
   study_paper(&s);
   dyn_orbit_clear(&s.list.orbit[0]);
   memcpy(&s.list.orbit[0], &s.list.orbit[1], sizeof *s.list.orbit);
@@ -561,7 +529,6 @@ TEST(entries_are_different_orbits) {
   checked(&s, REJECTED, "may be one");
   s.proof[0] = kept;
   dyn_orbit_init(&s.list.orbit[0]);
-  study_close(&s);
 }
 
 /* Sliding friction is positive: u_ri is, and above e_i; else nothing in the certificate is about the system. */
@@ -576,18 +543,16 @@ TEST(static_friction_has_a_range) {
               {{"3", "8587/10000"}, "u_r2 is out of its range", REJECTED},
               {{"3", "0"}, "u_r2 is out of its range", REJECTED}};
   for (size_t i = 0; i < COUNT(rows); i++) {
-    struct study s;
+    OWNED(study) s;
     study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, rows[i].u, 128);
     int status = checker(text_str(&s.json));
     ck_assert_msg(status == rows[i].status && strstr(said, rows[i].says), "%s, %s: %s", rows[i].u[0], rows[i].u[1],
                   said);
-    study_close(&s);
   }
   static const char *const times[N_PARAMS] = {"0.8", "1", "1", "2", "1.5"}, *const u[2] = {"-1", "100"};
-  struct study s;
+  OWNED(study) s;
   study_open(&s, times, QUANTITY_TB, QUANTITY_TC, u, 128);
   ck_assert_msg(checker(text_str(&s.json)) == REJECTED && strstr(said, "u_r1 is out of its range"), "%s", said);
-  study_close(&s);
 }
 
 /* Nobody takes the answer, or the memory ends: no verdict, and a status of its own. */
@@ -605,7 +570,7 @@ TEST(no_answer) {
   ck_assert_str_eq(text, "4 0 ");
   free(text);
 #endif
-  study_close(&s);
+  study_clear(&s);
 }
 
 /* --- Systems --- */
@@ -617,7 +582,7 @@ struct system_study {
 };
 
 /* An orbit of that word; of any where word is NULL. */
-static void system_open_word(struct system_study *s, const char *path, const char *word) {
+static void system_study_open_word(struct system_study *s, const char *path, const char *word) {
   struct mech_word w;
   size_t at;
   const char *why;
@@ -629,11 +594,11 @@ static void system_open_word(struct system_study *s, const char *path, const cha
   mech_certificates_json(&s->json, "test", &s->m, &s->list);
 }
 
-static void system_open(struct system_study *s, const char *path) {
-  system_open_word(s, path, NULL);
+static void system_study_open(struct system_study *s, const char *path) {
+  system_study_open_word(s, path, NULL);
 }
 
-static void system_close(struct system_study *s) {
+static void system_study_clear(struct system_study *s) {
   mech_orbits_clear(&s->list);
   mech_clear(&s->m);
   text_clear(&s->json);
@@ -695,19 +660,16 @@ TEST(scenes_on_file_are_proved) {
   long proved = 0;
   int verified = 0, verified_ones = 0;
   for (size_t i = 0; i < g.gl_pathc; i++) {
-    struct job j;
     const char *path = scratch_path("certificate.json");
     if ((strstr(g.gl_pathv[i], "/chain4.") || strstr(g.gl_pathv[i], "/chain5.")) && !every_case()) continue;
-    char *scene = file_text(g.gl_pathv[i]);
+    FREED char *scene = file_text(g.gl_pathv[i]);
     bool others = (strstr(scene, "\nword: ") && !strstr(scene, "\nword: Gamma H C\n")) || strstr(scene, "\nsystem: ");
-    free(scene);
     remove(path);
-    job_run(&j, "orbit", g.gl_pathv[i], "--digits", "30", "--json", "--certificate", path, NULL);
+    OWNED(job) j = job_run("orbit", g.gl_pathv[i], "--digits", "30", "--json", "--certificate", path, NULL);
     bool there = access(path, R_OK) == 0;
     if (!there) {
       ck_assert_msg(strstr(j.err, "--certificate is of") || strstr(j.err, "there is no certificate"), "%s", j.err);
-      job_clear(&j);
-      job_run_well(&j, "orbit", g.gl_pathv[i], "--digits", "30", "--json", NULL);
+      job_take(&j, job_run_well("orbit", g.gl_pathv[i], "--digits", "30", "--json", NULL));
     } else {
       ck_assert_msg(j.status == 0 && !*j.err, "%s: %s", g.gl_pathv[i], j.err);
     }
@@ -720,7 +682,6 @@ TEST(scenes_on_file_are_proved) {
       is_proved_or_excepted(g.gl_pathv[i], j.out, "complete", strstr(j.out, "\"complete\": true") != NULL);
     is_proved_or_excepted(g.gl_pathv[i], j.out, "certified", strstr(j.out, "\"certified\": false") == NULL);
     for (const char *p = strstr(j.out, "\"certified\": true"); p; p = strstr(p + 1, "\"certified\": true")) proved++;
-    job_clear(&j);
     if (there) ck_assert_msg(checker_on(path) == VERIFIED, "%s: %s", g.gl_pathv[i], said);
     verified += there;
     if (!others) continue;
@@ -735,19 +696,19 @@ TEST(scenes_on_file_are_proved) {
 
 /* Between two phases one number tells the whole state. */
 TEST(nothing_is_free_of_one_mass) {
-  struct system_study s;
-  system_open(&s, scratch_put("one.system", "title: a mass on a belt\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n"
-                                            "  surface: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"));
+  OWNED(system_study) s;
+  system_study_open(&s, scratch_put("one.system",
+                                    "title: a mass on a belt\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n"
+                                    "  surface: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"));
   ck_assert_int_eq(s.list.orbit[0].n_free, 0);
   ck_assert_int_eq(checker(text_str(&s.json)), VERIFIED);
   verified_one("one mass");
-  system_close(&s);
 }
 
 /* Where a mass meets an obstacle that takes all its velocity and leaves it at once, that velocity is not free.  Period
    and multipliers: Newton's iteration on (x_b, x_b') over motions by Taylor series in double. */
 TEST(no_velocity_is_free_after_a_dead_rebound) {
-  struct system_study s;
+  OWNED(system_study) s;
   const char *path = scratch_put("dead.system", "title: a soft stop below and a hard one above\n"
                                                 "mass a\n  inertia: 1\n  sliding: 1/2\n  static: 3/2\n  surface: 1\n"
                                                 "mass b\n  inertia: 2\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
@@ -755,7 +716,7 @@ TEST(no_velocity_is_free_after_a_dead_rebound) {
                                                 "spring k2\n  between: a, b\n  stiffness: 1/2\n"
                                                 "obstacle low\n  stops: a\n  below: -1/4\n  restitution: 0\n"
                                                 "obstacle high\n  stops: b\n  above: 5\n  restitution: 9/10\n");
-  system_open_word(&s, path, "--<1 --<1 -s -->2");
+  system_study_open_word(&s, path, "--<1 --<1 -s -->2");
   const struct mech_orbit *o = &s.list.orbit[0];
   ck_assert_str_eq(o->word.phase[0], "--<1");
   ck_assert_int_eq(o->n_free, 2);
@@ -763,7 +724,6 @@ TEST(no_velocity_is_free_after_a_dead_rebound) {
   ck_assert_double_eq_tol(num_arb.get_d(acb_realref(o->multiplier)), 0.384506883, 1e-7);
   ck_assert_double_eq_tol(num_arb.get_d(acb_realref(o->multiplier + 1)), 0.036894617, 1e-7);
   ck_assert_msg(checker(text_str(&s.json)) == VERIFIED, "%s", said);
-  system_close(&s);
 }
 
 /* The next string in quotes that is no name of a value. */
@@ -793,7 +753,7 @@ TEST(a_changed_system_is_rejected) {
   struct system_study s;
   size_t at, len, from = 0;
   int letters = 0;
-  system_open(&s, "verify/systems/chain3.system");
+  system_study_open(&s, "verify/systems/chain3.system");
   ck_assert_int_eq(s.list.n, 1);
   while (next_string(&at, &len, &s.json, from)) {
     from = at + len + 1;
@@ -823,18 +783,18 @@ TEST(a_changed_system_is_rejected) {
   refused_with(&s.json, "\"m2\"", "\"surface\"",
                "\"above\": {\"position\": \"5\", \"restitution\": \"1\"}, \"surface\"", REJECTED, "");
   refused_with(&s.json, "version 1", "version 1", "version 2", BAD_FILE, "not known");
-  system_close(&s);
-  system_open(&s, "verify/systems/driven.system");
+  system_study_clear(&s);
+  system_study_open(&s, "verify/systems/driven.system");
   refused_with(&s.json, "turns", "\"1\"", "\"2\"", REJECTED, "its box");
   refused_with(&s.json, "turns", "\"1\"", "\"-1\"", REJECTED, "no number of turns");
   refused_with(&s.json, "word", "\"turns\": \"1\",", "", BAD_FILE, "turns");
-  system_close(&s);
+  system_study_clear(&s);
 }
 
 /* One orbit twice, also when its word and its numbers begin with another phase. */
 TEST(an_orbit_of_a_system_counts_once) {
-  struct system_study s;
-  system_open(&s, "verify/systems/den-hartog.system");
+  OWNED(system_study) s;
+  system_study_open(&s, "verify/systems/den-hartog.system");
   struct mech_orbit pair[2] = {s.list.orbit[0], s.list.orbit[0]};
   struct mech_orbits twice = {.orbit = pair, .n = 2};
   checked_orbits(&s, &twice, REJECTED, "orbits 1 and 2 may be one");
@@ -847,7 +807,6 @@ TEST(an_orbit_of_a_system_counts_once) {
   mech_orbit_judge(&pair[1], &s.m, 128);
   checked_orbits(&s, &twice, REJECTED, "orbits 1 and 2 may be one");
   mech_orbit_clear(&pair[1]);
-  system_close(&s);
 }
 
 static double unit(uint64_t *stream) {
@@ -868,17 +827,17 @@ TEST(solutions_that_are_no_motions_are_rejected) {
              {"two-masses", "ss -s -- s-", {14.318937, 1.3814616, 10.909628, 3.2581067}, {4.5356558, 4.5188039, 1, 1}}};
   int later = 0, broken = 0;
   for (size_t i = 0; i < COUNT(row); i++) {
-    struct system_study s;
+    OWNED(system_study) s;
     struct mech_word w;
     size_t at;
     const char *why;
     char path[100];
     snprintf(path, sizeof path, "verify/systems/%s.system", row[i].system);
-    system_open(&s, path);
+    system_study_open(&s, path);
     ck_assert(mech_word_parse(&w, &at, &why, row[i].word, &s.m));
     uint64_t stream = random_seed("forged orbits");
     for (int k = 0; k < 60; k++) {
-      struct mech_orbit o;
+      struct mech_orbit o; /* needs no clearing where there is none */
       double t[4], z[MECH_STATES];
       bool given = k == 0 && row[i].t[0] > 0;
       for (int l = 0; l < w.n; l++) t[l] = given ? row[i].t[l] : 8 * unit(&stream);
@@ -899,7 +858,6 @@ TEST(solutions_that_are_no_motions_are_rejected) {
       }
       mech_orbit_clear(&o);
     }
-    system_close(&s);
   }
   ck_assert_msg(later >= 3 && broken == 1, "%d, %d", later, broken);
 }
@@ -909,12 +867,12 @@ TEST(solutions_that_are_no_motions_are_rejected) {
 TEST(a_verdict_waits_for_the_conditions) {
   /* the paper's orbit that breaks h_v2; z = x - (10, 45/4) */
   const double t[] = {14.318937, 1.3814616, 10.909628, 3.2581067}, z[MECH_STATES] = {4.5356558, 4.5188039, 1, 1};
-  struct system_study s;
+  OWNED(system_study) s;
   struct mech_word w;
-  struct mech_orbit coarse, fine;
+  OWNED(mech_orbit) coarse, fine;
   size_t at;
   const char *why;
-  system_open(&s, "verify/systems/two-masses.system");
+  system_study_open(&s, "verify/systems/two-masses.system");
   ck_assert(mech_word_parse(&w, &at, &why, "ss -s -- s-", &s.m));
   ck_assert_int_eq(mech_orbit_near(&coarse, &s.m, &w, t, z, 128), SS_OK);
   ck_assert_int_eq(mech_orbit_near(&fine, &s.m, &w, t, z, 512), SS_OK);
@@ -926,36 +884,32 @@ TEST(a_verdict_waits_for_the_conditions) {
   checked_orbits(&s, &one, VERIFIED, "");
   refused_with(&s.json, "verdicts", "\"admissible\": false", "\"admissible\": true", REJECTED,
                "admissible is not as claimed");
-  mech_orbit_clear(&coarse);
-  mech_orbit_clear(&fine);
-  system_close(&s);
 }
 
 /* A mass that leaves an obstacle is on the slower side of its surface only where that moves up: on the other side its
    friction would jump, and with it the force that was zero. */
 TEST(a_mass_leaves_rest_with_its_friction) {
-  struct system_study s;
+  OWNED(system_study) s;
   struct mech_word w;
   size_t at;
   const char *why;
-  system_open(&s, scratch_put("soft.system",
-                              "title: a driven mass at a soft wall\nmass m\n  inertia: 1\n  sliding: 1e-6\n"
-                              "  static: 1e-3\n  surface: -3\nspring k\n  between: ground, m\n  stiffness: 1\n"
-                              "damper d\n  between: ground, m\n  constant: 1/10\nload p\n  on: m\n  frequency: 3/5\n"
-                              "  cosine: 1\nobstacle o\n  stops: m\n  above: 1/4\n  restitution: 0\n"));
+  system_study_open(&s,
+                    scratch_put("soft.system",
+                                "title: a driven mass at a soft wall\nmass m\n  inertia: 1\n  sliding: 1e-6\n"
+                                "  static: 1e-3\n  surface: -3\nspring k\n  between: ground, m\n  stiffness: 1\n"
+                                "damper d\n  between: ground, m\n  constant: 1/10\nload p\n  on: m\n  frequency: 3/5\n"
+                                "  cosine: 1\nobstacle o\n  stops: m\n  above: 1/4\n  restitution: 0\n"));
   ck_assert(mech_word_parse(&w, &at, &why, "a +", &s.m));
   ck_assert(!mech_word_parse(&w, &at, &why, "a -", &s.m) && strstr(why, "slips as at rest"));
   ck_assert_int_eq(checker(text_str(&s.json)), VERIFIED);
   refused_with(&s.json, "\"word\"", "\"+\"", "\"-\"", REJECTED, "differ by more or less than one event");
-  system_close(&s);
 }
 
 /* Out of all proportion: refused at once. */
 TEST(huge_systems_are_refused) {
-  struct system_study s;
-  struct text t;
-  text_init(&t);
-  system_open(&s, "verify/systems/beside-wall.system");
+  OWNED(system_study) s;
+  LOCAL(text, t);
+  system_study_open(&s, "verify/systems/beside-wall.system");
   static const char *const number[] = {"1 fffffff 0 0", "1 0 1 fffffff", "1 -fffffff 1 0", "nan", "1e9", ""};
   for (size_t i = 0; i < COUNT(number); i++) {
     text_reset(&t);
@@ -982,30 +936,26 @@ TEST(huge_systems_are_refused) {
   text_reset(&t);
   for (int i = 0; i < 100000; i++) text_add(&t, "[");
   refused_with(&s.json, "\"word\"", "[", text_str(&t), BAD_FILE, "");
-  text_clear(&t);
-  system_close(&s);
 }
 
 /* --- Files that are no certificates --- */
 
 TEST(a_byte_order_mark_is_skipped) {
-  struct study s;
+  OWNED(study) s;
   study_paper(&s);
   ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF"), VERIFIED);
   ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF\xEF\xBB\xBF"), BAD_FILE);
-  study_close(&s);
 }
 
 TEST(bad_files) {
-  struct study s;
+  OWNED(study) s;
   study_paper(&s);
   for (size_t len = 0; len + 3 < s.json.len; len += 97 * (size_t)every(3)) { /* cut off */
     ck_assert_int_eq(checker_on(scratch_put_n("cut.json", s.json.data, len)), BAD_FILE);
   }
   static const char *const bad[] = {"", "{", "[]", "null", "{\"format\": 1}", "\"\\", "{\"a\": {\"a\": tru", "{} {}"};
   for (size_t i = 0; i < COUNT(bad); i++) ck_assert_msg(checker(bad[i]) == BAD_FILE, "%s: %s", bad[i], said);
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (int i = 0; i < 1000000; i++) text_add(&t, i % 2 ? "{\"\":" : "[");
   ck_assert_int_eq(checker(text_str(&t)), BAD_FILE);
   text_reset(&t);
@@ -1057,33 +1007,25 @@ TEST(bad_files) {
     ck_assert(next_value(&at, &len, &s.json, at + len));
     ck_assert_int_eq(checker_with(&s.json, at, len, text_str(&t)), REJECTED);
   }
-  text_clear(&t);
-  study_close(&s);
 }
 
 /* --- Digits, and what they cost --- */
 
 TEST(thousand_digits) {
-  struct study s;
+  OWNED(study) s;
   study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, 3394);
   all_certified(&s, 2);
-  mag_t radius;
-  mag_init(radius);
+  NUMBERS(mag, radius);
   dyn_orbit_radius(radius, &s.list.orbit[1]);
   ck_assert_int_lt(mag_cmp_2exp_si(radius, -3380), 0);
-  mag_clear(radius);
-  struct table digits;
-  table_read(&digits, "tests/oracle/paper_1000.tsv", 2);
+  OWNED(table) digits = table_read("tests/oracle/paper_1000.tsv", 2);
   ck_assert(decimal_within(digits.row[table_row(&digits, "z10", NULL)][1], s.list.orbit[1].z10, 3350));
-  table_clear(&digits);
   verified(&s);
-  study_close(&s);
 }
 
 static void find_and_certify(void *prec) {
-  struct study s;
+  OWNED(study) s;
   study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, *(slong *)prec);
-  study_close(&s);
 }
 
 /* In proportion to their number at most: what is certified at 128 bits is refined by steps that double them. */
@@ -1095,25 +1037,21 @@ TEST(digits_are_cheap) {
 
 static void find(void *arg) {
   struct study *s = arg;
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   dyn_orbits_given(&list, s->params, s->which, s->params + 3, 128, NULL);
-  dyn_orbits_clear(&list);
 }
 
 static void certify_one(void *arg) {
   struct study *s = arg;
-  struct dyn_certificate z;
-  dyn_certificate_init(&z);
+  LOCAL(dyn_certificate, z);
   dyn_certify(&z, &s->q, &s->list.orbit[1]);
-  dyn_certificate_clear(&z);
 }
 
 /* A certificate comes from the enclosure that the search has left, without a search of its own. */
 TEST(an_orbit_costs_no_second_search) {
-  struct study s;
+  OWNED(study) s;
   study_paper(&s);
   ck_assert(costs_less(&(struct effort){certify_one, &s}, 2, &(struct effort){find, &s}));
-  study_close(&s);
 }
 
 /* A springy second mass turns some 1e6 times in an orbit; beyond 2^40 the checker does not look. */

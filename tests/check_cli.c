@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "command.h"
 #include "every.h"
+#include "local.h"
 #include "scratch.h"
 #include "suite.h"
 #include "whole.h"
@@ -122,48 +123,41 @@ TEST(the_markdown_holds_every_claim) {
 }
 
 TEST(the_recorded_verdicts_are_listed) {
-  struct job j;
   int n = 0;
-  job_run_well(&j, "list", NULL);
+  OWNED(job) j = job_run_well("list", NULL);
   for (char *line = strtok(j.out, "\n"); line; line = strtok(NULL, "\n"), n++) {
     char id[64], kind[64], record[64];
     ck_assert_msg(sscanf(line, "%63s %63s %63s", id, kind, record) == 3, "%s", line);
-    char *object = claim_object(full_json, id);
+    FREED char *object = claim_object(full_json, id);
     ck_assert_msg(object != NULL, "%s is listed and not reported", id);
     if (strcmp(record, "-") != 0) ck_assert_str_eq(member(object, "verdict"), record);
-    free(object);
   }
   ck_assert_int_ge(n, 60);
-  job_clear(&j);
 }
 
 /* Judged alone or in company, a claim's result has the same bytes. */
 TEST_EACH(alone_or_together, 5) {
   static const char *const runs[] = {"eq-27", "eq-40", "num-t_a,text-periodic", "eq-53,eq-44b,eq-3", "text-criterion"};
   const char *only = runs[_i];
-  struct job j;
-  job_run_well(&j, "verify", "paper", "--only", only, "--out", scratch_path("alone"), "--quiet", NULL);
+  OWNED(job) j = job_run_well("verify", "paper", "--only", only, "--out", scratch_path("alone"), "--quiet", NULL);
   char *json = report("alone", "audit.json"), id[64];
   ck_assert(json != NULL);
   for (const char *p = only; *p; p += strspn(p, ",")) {
     size_t n = strcspn(p, ",");
     snprintf(id, sizeof id, "%.*s", (int)n, p);
-    char *a = claim_object(json, id), *b = claim_object(full_json, id);
+    FREED char *a = claim_object(json, id), *b = claim_object(full_json, id);
     ck_assert_msg(a && b, "no claim %s", id);
     ck_assert_msg(strcmp(a, b) == 0, "alone:\n%.1500s\ntogether:\n%.1500s", a, b);
-    free(b);
-    free(a);
     p += n;
   }
   ck_assert(claim_object(json, "eq-36") == NULL);
   ck_assert(strstr(strstr(json, "\"skipped\": ["), "\"why\": \"not selected by --only\"") != NULL);
   free(json);
-  job_clear(&j);
 }
 
 /* A report's claim can be judged again by the command that stands beside it, and the report stays. */
 TEST(a_claim_reproduces) {
-  char *object = claim_object(full_json, "eq-31");
+  FREED char *object = claim_object(full_json, "eq-31");
   ck_assert(object != NULL);
   ck_assert_str_eq(member(object, "reproduce"), "stickslip verify paper --only eq-31 --out recheck");
   ck_assert_str_eq(member(object, "verdict"), "refuted");
@@ -172,14 +166,11 @@ TEST(a_claim_reproduces) {
              "echo whole > reports/paper/audit.json && $p%s && "
              "echo whole | cmp -s - reports/paper/audit.json",
              member(object, "reproduce") + strlen("stickslip"));
-  char *json = file_text(scratch_path("recheck/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
+  FREED char *json = file_text(scratch_path("recheck/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
   ck_assert(again && strcmp(again, object) == 0);
   shell_well(
       "STICKSLIP_DATA=tests/row $P verify --only eq-6 --out $D/row && "
       "grep -q '\"STICKSLIP_DATA=tests/row stickslip verify paper --only eq-6 --out recheck\"' $D/row/audit.json");
-  free(again);
-  free(json);
-  free(object);
 }
 
 static const char corrected_k4[] = "define user-40\n  section: stability\n"
@@ -193,13 +184,11 @@ TEST(verdicts_that_are_not_as_recorded) {
   } cases[] = {{corrected_k4, "eq-40", "eq-40: proved, recorded as conditional\n"},
                {damaged_ja, "eq-27", "eq-27: refuted, recorded as proved\n"}};
   for (int i = 0; i < 2; i++) {
-    struct job j;
     const char *overlay = scratch_put("overlay.eq", cases[i].overlay);
-    job_run(&j, "verify", "paper", "--only", cases[i].only, "--overlay", overlay, "--strict", "--out",
-            scratch_path("wrong"), NULL);
+    OWNED(job) j = job_run("verify", "paper", "--only", cases[i].only, "--overlay", overlay, "--strict", "--out",
+                           scratch_path("wrong"), NULL);
     ck_assert_msg(j.status == 1 && strstr(j.out, cases[i].says) && strstr(j.out, "NOT as recorded\n"),
                   "%d: %.1500s%.1500s", j.status, j.out, j.err);
-    job_clear(&j);
   }
 }
 
@@ -209,94 +198,77 @@ TEST(strict_means_no_discrepancies) {
     int status, strict;
   } cases[] = {{"eq-40", 0, 4}, {"eq-27", 0, 0}, {"eq-31", 0, 4}, {"eq-1", 0, 0}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct job j;
-    job_run(&j, "verify", "paper", "--only", cases[i].only, "--out", scratch_path("strict"), NULL);
+    OWNED(job) j = job_run("verify", "paper", "--only", cases[i].only, "--out", scratch_path("strict"), NULL);
     ck_assert_int_eq(j.status, cases[i].status);
-    job_clear(&j);
-    job_run(&j, "verify", "paper", "--only", cases[i].only, "--out", scratch_path("strict"), "--strict", NULL);
+    job_take(&j,
+             job_run("verify", "paper", "--only", cases[i].only, "--out", scratch_path("strict"), "--strict", NULL));
     ck_assert_int_eq(j.status, cases[i].strict);
-    job_clear(&j);
   }
 }
 
 /* Several scenes get a folder each; a bad one does not stop the others, and its status wins. */
 TEST(several_scenes) {
-  struct job j;
   const char *mine = scratch_put("mine.scene", "chi = 1/2\neta = 2\nV = 3/2\ne1 = 3\ne2 = 1/4\n");
-  job_run(&j, "verify", "paper", "no-such-scene", mine, "--only", "eq-27,num-t_a", "--out", scratch_path("many"), NULL);
+  OWNED(job) j =
+      job_run("verify", "paper", "no-such-scene", mine, "--only", "eq-27,num-t_a", "--out", scratch_path("many"), NULL);
   ck_assert_msg(j.status == 3 && strstr(j.err, "no-such-scene.scene: error: "), "%d: %.1500s", j.status, j.err);
   ck_assert_str_eq(scratch_list(scratch_path("many")), "mine paper");
-  char *json = report("many/mine", "audit.json");
+  FREED char *json = report("many/mine", "audit.json");
   ck_assert(json != NULL);
-  char *number = claim_object(json, "num-t_a");
+  FREED char *number = claim_object(json, "num-t_a");
   ck_assert(number != NULL);
   ck_assert_str_eq(member(json, "scene"), "mine");
   ck_assert_str_eq(member(number, "verdict"), "skipped"); /* the scene prints no t_a */
   ck_assert_str_eq(member(number, "condition"), "the scene prints no t_a");
-  free(number);
-  free(json);
-  job_clear(&j);
 }
 
 /* What cannot be written leaves the old report and nothing beside it. */
 TEST(output_that_cannot_be_written) {
-  struct job j;
   const char *file = scratch_put("file", "not a folder");
   char inside[400];
   snprintf(inside, sizeof inside, "%s/sub", file);
   const char *const nowhere[] = {inside, "/proc/stickslip", file};
   for (size_t i = 0; i < COUNT(nowhere); i++) {
-    job_run(&j, "verify", "--only", "eq-3", "--out", nowhere[i], NULL);
+    OWNED(job) j = job_run("verify", "--only", "eq-3", "--out", nowhere[i], NULL);
     ck_assert_msg(j.status == 3 && strstr(j.err, nowhere[i]) && !*j.out, "%s: %d, %.1500s", nowhere[i], j.status,
                   j.err);
-    job_clear(&j);
   }
   ck_assert(mkdir(scratch_path("taken"), 0700) == 0 && mkdir(scratch_path("taken/audit.json"), 0700) == 0);
   scratch_put("taken/audit.json/in-the-way", "");
   scratch_put("taken/audit.md", "old");
-  job_run(&j, "verify", "--only", "eq-3", "--out", scratch_path("taken"), NULL);
+  OWNED(job) j = job_run("verify", "--only", "eq-3", "--out", scratch_path("taken"), NULL);
   ck_assert_msg(j.status == 3 && strstr(j.err, "audit.json: error: cannot be written"), "%d, %.1500s", j.status, j.err);
   ck_assert_str_eq(scratch_list(scratch_path("taken")), "audit.json audit.md");
-  char *md = report("taken", "audit.md");
+  FREED char *md = report("taken", "audit.md");
   ck_assert_str_eq(md, "old");
-  free(md);
-  job_clear(&j);
 }
 
 TEST(bad_input_leaves_the_old_report) {
-  struct job j;
   ck_assert(mkdir(scratch_path("old"), 0700) == 0);
   scratch_put("old/audit.json", "old json");
   scratch_put("old/audit.md", "old md");
-  job_run(&j, "verify", scratch_put("bad.scene", "chi = 1\neta = 1\nV = 1\ne1 = 1\ne2 = 1\n"), "--out",
-          scratch_path("old"), NULL);
+  OWNED(job) j = job_run("verify", scratch_put("bad.scene", "chi = 1\neta = 1\nV = 1\ne1 = 1\ne2 = 1\n"), "--out",
+                         scratch_path("old"), NULL);
   ck_assert_int_eq(j.status, 3);
-  char *json = report("old", "audit.json"), *md = report("old", "audit.md");
+  FREED char *json = report("old", "audit.json"), *md = report("old", "audit.md");
   ck_assert_str_eq(json, "old json");
   ck_assert_str_eq(md, "old md");
   ck_assert_str_eq(scratch_list(scratch_path("old")), "audit.json audit.md");
-  free(md);
-  free(json);
-  job_clear(&j);
 }
 
 /* A scene with an interval: verify takes it, claims about one set of parameters are skipped with the reason,
    and nothing on record is contradicted. */
 TEST(a_box_of_parameters) {
   const char *box = scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.812, 2.1]\n");
-  struct job j;
-  job_run_well(&j, "verify", box, "--only", "eq-27,num-t_a,text-periodic,text-start-at-rest", "--out",
-               scratch_path("box"), NULL);
+  OWNED(job) j = job_run_well("verify", box, "--only", "eq-27,num-t_a,text-periodic,text-start-at-rest", "--out",
+                              scratch_path("box"), NULL);
   ck_assert(strstr(j.out, "nothing recorded") || strstr(j.out, "as recorded"));
   ck_assert(!strstr(j.out, "NOT as recorded") && strstr(j.out, "2 skipped") && strstr(j.out, "1 skipped"));
-  job_clear(&j);
-  char *json = file_text(scratch_path("box/audit.json"));
+  FREED char *json = file_text(scratch_path("box/audit.json"));
   ck_assert(strstr(json, "the scene gives intervals, and this is about one set of parameters"));
-  free(json);
-  job_run_well(&j, "orbit", box, NULL);
+  job_take(&j, job_run_well("orbit", box, NULL));
   ck_assert_msg(strstr(j.out, "\n  e2       [1.81200000000000, 2.10000000000000]\n"), "%s",
                 j.out); /* the box's own ends, not enclosures */
-  job_clear(&j);
 }
 
 /* Real output against the schemas; and output with a wrong count or name, since the checker must be able to fail. */
@@ -346,30 +318,25 @@ TEST(the_projects_own_files_are_good) {
   for (int i = 0; i < 4; i++) ck_assert(glob(patterns[i], i ? GLOB_APPEND : 0, NULL, &g) == 0);
   const char *args[MAX_ARGS + 1] = {"check"};
   ck_assert(g.gl_pathc + 2 < MAX_ARGS);
-  struct text want;
-  text_init(&want);
+  LOCAL(text, want);
   for (size_t i = 0; i < g.gl_pathc; i++) {
     args[i + 1] = g.gl_pathv[i];
     text_printf(&want, "%s: ok\n", g.gl_pathv[i]);
   }
-  struct job j;
+  OWNED(job) j;
   job_start(&j, NULL, program(), args);
   job_finish(&j);
   ck_assert_msg(j.status == 0 && !*j.err, "%d: %.1500s", j.status, j.err);
   ck_assert_str_eq(j.out, text_str(&want));
-  text_clear(&want);
   globfree(&g);
-  job_clear(&j);
 }
 
 TEST(one_bad_file_among_good_ones) {
-  struct job j;
   const char *bad = scratch_put("bad.scene", "chi = 0\n");
-  job_run(&j, "check", "verify/scenes/paper.scene", bad, "verify/errata.eq", NULL);
+  OWNED(job) j = job_run("check", "verify/scenes/paper.scene", bad, "verify/errata.eq", NULL);
   ck_assert_int_eq(j.status, 3);
   ck_assert_str_eq(j.out, "verify/scenes/paper.scene: ok\nverify/errata.eq: ok\n");
   ck_assert(strncmp(j.err, bad, strlen(bad)) == 0);
-  job_clear(&j);
 }
 
 /* A copy of the program beside which there is none of the folders. */
@@ -387,12 +354,10 @@ TEST(no_data_folder_is_noticed) {
 }
 
 TEST(a_missing_data_folder_is_noticed) {
-  struct job j;
   setenv("STICKSLIP_DATA", scratch_path("no-data"), 1);
-  job_run(&j, "list", NULL);
+  OWNED(job) j = job_run("list", NULL);
   unsetenv("STICKSLIP_DATA");
   ck_assert_msg(j.status == 3 && strstr(j.err, scratch_path("no-data")), "%d, %.1500s", j.status, j.err);
-  job_clear(&j);
 }
 
 /* --- explain --- */
@@ -416,8 +381,7 @@ CASE("explain", .once = {scratch_open, scratch_close}, .seconds = TIME_LIMIT);
 /* (10) prints D with V t where t is meant: at V = 2, t = 3 the entry [1,3] is 6 against 3. */
 TEST(explain_shows_both_sides) {
   static const char *const types[] = {"double", "mpfr  ", "arb   "};
-  struct job j;
-  job_run_well(&j, "explain", "eq-10", "--at", "V=2,t=3", NULL);
+  OWNED(job) j = job_run_well("explain", "eq-10", "--at", "V=2,t=3", NULL);
   ck_assert(strncmp(j.out, "eq-10, the claim: ", 18) == 0 && strstr(j.out, "conditional") &&
             strstr(j.out, "V = 2, t = 3"));
   for (int i = 0; i < 3; i++) {
@@ -435,33 +399,27 @@ TEST(explain_shows_both_sides) {
   ck_assert(strstr(j.out, "double left  1.0000000000000000  0  6.0000000000000000*  0\n"));
   ck_assert(strstr(j.out, "\nas read     D(t) := [I, V*t*I; 0, I]\n") &&
             strstr(j.out, "\n*           the two sides differ here\n"));
-  job_clear(&j);
-  job_run_well(&j, "explain", "eq-3", "--at", "chi=1/2,eta=3", "--tape", NULL); /* K from (3) */
+  job_take(&j, job_run_well("explain", "eq-3", "--at", "chi=1/2,eta=3", "--tape", NULL)); /* K from (3) */
   static const double k[] = {1, -0.5, -1.5, 1.5};
   for (int i = 0; i < 4; i++)
     ck_assert(shown_number(j.out, "double left ", i + 1) == k[i] && shown_number(j.out, "double right", i + 1) == k[i]);
   ck_assert(strstr(j.out, "%0 = ") != NULL);
-  job_clear(&j);
 }
 
 /* At a point of the claim's kind.  The example's orbit needs u_r1 > 2.15516 and u_r2 > 1.67050
    (tests/oracle/orbits.tsv), and a realistic one has 5/4 or 1025/1024 of what is more, that or e_i, upwards to a
    1024th: here 2.78712 and 1.672134. */
 TEST(explain_takes_the_claims_points) {
-  struct job j;
-  job_run_well(&j, "explain", "eq-11b", NULL);
+  OWNED(job) j = job_run_well("explain", "eq-11b", NULL);
   ck_assert(strstr(j.out, "orbit 2, u_r1 = 2855/1024, u_r2 = 1713/1024\n") && !strstr(j.out, "sides differ"));
-  job_clear(&j);
-  job_run_well(&j, "explain", "eq-11b", "--at", "V=2,e1=2,e2=1/4,eta=2,chi=2/3", NULL);
+  job_take(&j, job_run_well("explain", "eq-11b", "--at", "V=2,e1=2,e2=1/4,eta=2,chi=2/3", NULL));
   ck_assert(strstr(j.out, "\nat          these parameters have no admissible orbit\n"));
-  job_clear(&j);
 }
 
 /* What the page shows by an id can be explained, be it a claim, one that a restriction makes, a root or a control; and
    there are as many claims in the list as in the report. */
 TEST(what_the_page_shows_can_be_explained) {
   char *page = file_text("reports/paper/index.html"), *audit = file_text("reports/paper/audit.json");
-  struct job j;
   int roots = 0, controls = 0, claims = 0, lines = 0;
   ck_assert(page && audit);
   for (char *p = page; (p = strstr(p, " id=\"r-")) != NULL; roots++) {
@@ -469,11 +427,10 @@ TEST(what_the_page_shows_can_be_explained) {
     ck_assert(sscanf(p, " id=\"r-%39[^\"]", id) == 1);
     p++;
     if (roots % every(3) != 0) continue;
-    job_run_well(&j, "explain", id, NULL);
+    OWNED(job) j = job_run_well("explain", id, NULL);
     ck_assert_msg(strncmp(j.out, id, strlen(id)) == 0 && strstr(j.out, "\nwrong       ") &&
                       strstr(j.out, "\nclaims      "),
                   "%s", j.out);
-    job_clear(&j);
   }
   ck_assert_int_gt(roots, 15);
   const char *end = strstr(audit, "\n  \"consequences\"");
@@ -483,27 +440,23 @@ TEST(what_the_page_shows_can_be_explained) {
     char id[60];
     if (controls++ % 24) continue;
     ck_assert(sscanf(p, "\n      \"id\": \"%59[^\"]", id) == 1);
-    job_run_well(&j, "explain", id, NULL);
+    OWNED(job) j = job_run_well("explain", id, NULL);
     ck_assert_msg(strstr(j.out, ", a control, ") && strstr(j.out, "\nclaim       "), "%s: %s", id, j.out);
-    job_clear(&j);
   }
   ck_assert_int_gt(controls, 100);
-  job_run_well(&j, "list", NULL);
+  OWNED(job) j = job_run_well("list", NULL);
   for (const char *p = j.out; *p; p = strchr(p, '\n') + 1) lines++;
   ck_assert_int_eq(lines, claims);
-  job_clear(&j);
-  job_run_well(&j, "explain", "eq-10d", NULL);
+  job_take(&j, job_run_well("explain", "eq-10d", NULL));
   ck_assert(strstr(j.out, "eq-10d, the claim: Z(t) = D(t) Z_0 in the global stick phase, when V = 1\n") == j.out &&
             strstr(j.out, "\nverdict     proved (on record: proved)\ncondition   V = 1\n"));
-  job_clear(&j);
   free(audit);
   free(page);
 }
 
 /* A number alone is that of an equation: its claims, or the only one. */
 TEST(an_equation_is_explained) {
-  struct job j, other;
-  job_run_well(&j, "explain", "40", NULL);
+  OWNED(job) j = job_run_well("explain", "40", NULL);
   ck_assert(strncmp(j.out, "(40): ", 6) == 0);
   static const char *const ids[] = {"eq-40", "eq-40b", "eq-40c", "eq-40d"};
   for (int i = 0; i < 4; i++) {
@@ -511,16 +464,12 @@ TEST(an_equation_is_explained) {
     snprintf(row, sizeof row, "\n%-18s ", ids[i]);
     ck_assert_msg(strstr(j.out, row) != NULL, "%s", j.out);
   }
-  job_run_well(&other, "explain", "(40)", NULL);
+  OWNED(job) other = job_run_well("explain", "(40)", NULL);
   ck_assert_str_eq(j.out, other.out);
-  job_clear(&other);
-  job_clear(&j);
-  job_run_well(&j, "explain", "(13)", NULL);
-  job_run_well(&other, "explain", "eq-13", NULL);
+  job_take(&j, job_run_well("explain", "(13)", NULL));
+  job_take(&other, job_run_well("explain", "eq-13", NULL));
   ck_assert(strncmp(j.out, "eq-13, the claim: ", 18) == 0);
   ck_assert_str_eq(j.out, other.out);
-  job_clear(&other);
-  job_clear(&j);
 }
 
 /* --- Help --- */
@@ -542,7 +491,7 @@ struct rows {
 };
 
 static void rows_read(struct rows *r) {
-  job_run_well(&r->j, "help", "--table", NULL);
+  r->j = job_run_well("help", "--table", NULL);
   r->n = 0;
   char *end = NULL;
   for (char *line = strtok_r(r->j.out, "\n", &end); line; line = strtok_r(NULL, "\n", &end), r->n++) {
@@ -565,15 +514,13 @@ CASE("help", .once = {scratch_open, scratch_close}, .seconds = TIME_LIMIT);
 
 TEST(help_fits_a_screen) {
   static const char *const asked[] = {"-h", "help", "--help"};
-  struct job j, other;
   struct rows r;
-  job_run_well(&j, "--help", NULL);
+  OWNED(job) j = job_run_well("--help", NULL);
   lines_fit("--help", j.out, 24);
   ck_assert(mentions(j.out, "COMMAND --help") && mentions(j.out, "0 as recorded"));
   for (int i = 0; i < 3; i++) {
-    job_run_well(&other, asked[i], NULL);
+    OWNED(job) other = job_run_well(asked[i], NULL);
     ck_assert_str_eq(other.out, j.out);
-    job_clear(&other);
   }
   rows_read(&r);
   int commands = 0;
@@ -586,7 +533,6 @@ TEST(help_fits_a_screen) {
   }
   ck_assert_int_ge(commands, 18);
   job_clear(&r.j);
-  job_clear(&j);
 }
 
 /* Less all that is blank; lines of a page are broken at blanks. */
@@ -609,14 +555,12 @@ static int options_of(const char *page) {
 
 /* The page of the command holds its rows, and no more options than these. */
 static void check_page(const struct rows *r, const char *command) {
-  struct job page, same;
   char *flat;
   int n_options = 0, n_examples = 0;
-  job_run_well(&page, command, "--help", NULL);
-  job_run_well(&same, "help", command, NULL);
+  OWNED(job) page = job_run_well(command, "--help", NULL);
+  OWNED(job) same = job_run_well("help", command, NULL);
   ck_assert_str_eq(page.out, same.out);
-  job_clear(&same);
-  job_run_well(&same, command, "-h", NULL);
+  job_take(&same, job_run_well(command, "-h", NULL));
   ck_assert_str_eq(page.out, same.out);
   lines_fit(command, page.out, 100);
   flat = squeezed(page.out);
@@ -634,8 +578,6 @@ static void check_page(const struct rows *r, const char *command) {
   ck_assert_int_eq(n_options, options_of(page.out));
   ck_assert_int_eq(n_examples, 2);
   free(flat);
-  job_clear(&same);
-  job_clear(&page);
 }
 
 TEST(each_command_has_its_page) {
@@ -674,9 +616,8 @@ TEST(examples_of_the_help_are_commands) {
 
 /* The jobs that --job takes are those that the help names. */
 TEST(help_names_every_job) {
-  struct job help, refused;
-  job_run_well(&help, "help", "bench", NULL);
-  job_run(&refused, "bench", "--job", "nobody", NULL);
+  OWNED(job) help = job_run_well("help", "bench", NULL);
+  OWNED(job) refused = job_run("bench", "--job", "nobody", NULL);
   char *p = strstr(refused.err, "--job takes one of "), *end = NULL;
   ck_assert_msg(refused.status == 2 && p, "%s", refused.err);
   p += strlen("--job takes one of ");
@@ -689,19 +630,14 @@ TEST(help_names_every_job) {
     ck_assert_msg(mentions(says, job), "the help says nothing of %s", job);
   }
   ck_assert_int_ge(n, 10);
-  job_clear(&refused);
-  job_clear(&help);
 }
 
 TEST(help_and_version) {
-  struct job j;
-  job_run_well(&j, "orbit", "--help", NULL);
+  OWNED(job) j = job_run_well("orbit", "--help", NULL);
   /* the ids that the data of orbits.tsv finds broken */
   static const char *const violations[] = {"t_a", "gamma_v1", "h_v2", "c_v2", "c_w", "u_r1", "u_r2"};
   for (size_t i = 0; i < COUNT(violations); i++)
     ck_assert_msg(mentions(strstr(j.out, "violations"), violations[i]), "the help says nothing of %s", violations[i]);
-  job_clear(&j);
-  job_run_well(&j, "--version", NULL);
+  job_take(&j, job_run_well("--version", NULL));
   ck_assert(strncmp(j.out, "stickslip ", 10) == 0 && strchr(j.out, '\n') == j.out + strlen(j.out) - 1);
-  job_clear(&j);
 }

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "every.h"
+#include "local.h"
 #include "motion/cell.h"
 #include "motion/complete.h"
 #include "motion/given.h"
@@ -37,8 +38,7 @@ static struct set set[MAX_SETS];
 static int n_sets;
 
 static void read_sets(void) {
-  struct table t;
-  table_read(&t, "tests/oracle/orbits.tsv", ANY_COLUMNS);
+  OWNED(table) t = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
   n_sets = 0;
   for (int row = 0; row < t.n; row++) {
     char *const *field = t.row[row];
@@ -55,7 +55,6 @@ static void read_sets(void) {
       s->n++;
     }
   }
-  table_clear(&t);
   ck_assert_int_eq(n_sets, 30);
 }
 
@@ -83,32 +82,28 @@ CASE("complete", .each = {read_sets, clear_sets});
 
 TEST_EACH(every_set_is_complete, 30) {
   const struct set *s = &set[_i];
-  struct dyn_orbits list;
-  ck_assert_int_eq(dyn_orbits_find(&list, s->p, 100, NULL), SS_OK);
+  OWNED(dyn_orbits) list = orbits_of(s->p, 100);
   ck_assert(!list.complete && list.gap == GAP_UNTRIED);
   ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, NULL, DYN_CELLS), SS_OK);
   check_list(&list, s);
   ck_assert_msg(list.cells < 20000, "%s: %ld cells", s->name, list.cells);
-  dyn_orbits_clear(&list);
 }
 
 /* Whatever is taken out of the list comes back. */
 TEST_EACH(missing_orbits_are_added, 30) {
   const struct set *s = &set[_i];
   for (int keep = -1; keep < s->n; keep++) {
-    struct dyn_orbits list = {.n = 0};
+    OWNED(dyn_orbits) list = {.n = 0};
     if (keep >= 0) { /* all but one */
-      ck_assert_int_eq(dyn_orbits_find(&list, s->p, 100, NULL), SS_OK);
-      struct dyn_orbits one = {.orbit = malloc(sizeof *one.orbit), .n = 1};
+      list = orbits_of(s->p, 100);
+      OWNED(dyn_orbits) one = {.orbit = malloc(sizeof *one.orbit), .n = 1};
       one.orbit[0] = list.orbit[keep];
       for (slong i = keep; i + 1 < list.n; i++) list.orbit[i] = list.orbit[i + 1];
       list.n--;
-      dyn_orbits_clear(&one);
     }
     ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, NULL, DYN_CELLS), SS_OK);
     check_list(&list, s);
     for (slong i = 0; i < list.n; i++) ck_assert(arb_rel_accuracy_bits(list.orbit[i].t[1]) >= 100);
-    dyn_orbits_clear(&list);
   }
 }
 
@@ -116,14 +111,12 @@ TEST_EACH(missing_orbits_are_added, 30) {
    later rises need go to the first one.  The times are a solution by tests/oracle/orbits.py at 60 digits. */
 TEST(a_late_event_is_found) {
   static const char *const row[N_PARAMS] = {"0.07", "2.19", "4.82", "0.0434", "0.00891"};
-  fmpq *p = rationals(row, N_PARAMS);
-  struct dyn_orbits list;
+  FREED_PARAMS fmpq *p = rationals(row, N_PARAMS);
+  OWNED(dyn_orbits) list;
   dyn_orbits_find(&list, p, 60, NULL);
   ck_assert_int_eq(list.n, 1);
   ck_assert_double_eq_tol(list.orbit[0].guess[1], 0.68055835521538336586, 1e-13);
   ck_assert_double_eq_tol(list.orbit[0].guess[2], 367.71375338769858034, 1e-10);
-  dyn_orbits_clear(&list);
-  _fmpq_vec_clear(p, N_PARAMS);
 }
 
 /* Phase H repeats itself where its frequencies are exactly 2 : 1, and the sum of their amplitudes, above V, is never
@@ -136,25 +129,21 @@ TEST(a_motion_that_repeats_itself) {
              {{"44/125", "25/11", "1", "0.8", "0.3"}, true},
              {{"9/25", "2.777777777777777", "1", "1.3", "0.4"}, false}};
   for (size_t k = 0; k < COUNT(row); k++) {
-    struct dyn_orbits list = {.n = 0};
-    fmpq *p = rationals(row[k].p, N_PARAMS);
+    OWNED(dyn_orbits) list = {.n = 0};
+    FREED_PARAMS fmpq *p = rationals(row[k].p, N_PARAMS);
     ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, NULL, DYN_CELLS / 10), SS_OK);
     ck_assert_msg(list.complete == row[k].complete && list.n == 0, "row %zu: %s, %ld orbits", k, dyn_gap_text[list.gap],
                   (long)list.n);
-    dyn_orbits_clear(&list);
-    _fmpq_vec_clear(p, N_PARAMS);
   }
 }
 
 TEST(a_small_budget_is_said) {
   const struct set *s = find_set("paper");
-  struct dyn_orbits list;
   for (long budget = 0; budget < 400; budget += 100) {
-    ck_assert_int_eq(dyn_orbits_find(&list, s->p, 60, NULL), SS_OK);
+    OWNED(dyn_orbits) list = orbits_of(s->p, 60);
     ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, NULL, budget), SS_OK);
     ck_assert(!list.complete && list.gap == GAP_BUDGET && list.n == 2);
     ck_assert_int_le(list.cells, budget + 200); /* each strip that is left notices for itself */
-    dyn_orbits_clear(&list);
   }
 }
 
@@ -173,12 +162,10 @@ TEST(hopeless_parameters_are_said) {
       {{"0.99999999999999999999999999999999999999999999999999", "1", "1", "1", "1"}, SS_OK, GAP_RANGE},
   };
   for (size_t k = 0; k < COUNT(row); k++) {
-    struct dyn_orbits list = {.n = 0};
-    fmpq *p = rationals(row[k].p, N_PARAMS);
+    OWNED(dyn_orbits) list = {.n = 0};
+    FREED_PARAMS fmpq *p = rationals(row[k].p, N_PARAMS);
     ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, NULL, 1000000), row[k].status);
     ck_assert_msg(!list.complete && list.gap == row[k].gap, "row %zu: %s", k, dyn_gap_text[list.gap]);
-    dyn_orbits_clear(&list);
-    _fmpq_vec_clear(p, N_PARAMS);
   }
 }
 
@@ -186,10 +173,9 @@ TEST(hopeless_parameters_are_said) {
 
 TEST_EACH(disks_hold_what_balls_say, 3) {
   struct rng rng = {(uint64_t)_i + 1};
-  arb_t x[2], y, exact;
+  NUMBERS(arb, y, exact);
+  arb_t x[2];
   for (int i = 0; i < 2; i++) arb_init(x[i]);
-  arb_init(y);
-  arb_init(exact);
   for (int trial = 0; trial < 20000; trial++) {
     struct disk d[2], out[4];
     for (int i = 0; i < 2; i++) {
@@ -218,8 +204,6 @@ TEST_EACH(disks_hold_what_balls_say, 3) {
                     d[1].mid, d[1].rad, out[k].mid, out[k].rad);
     }
   }
-  arb_clear(exact);
-  arb_clear(y);
   for (int i = 0; i < 2; i++) arb_clear(x[i]);
 }
 
@@ -253,7 +237,7 @@ TEST_EVERY(bounds_hold_and_are_nearly_attained, 6, 30) {
   struct rng rng = {(uint64_t)_i + 1};
   const struct set *s = &set[_i];
   double p[N_PARAMS], most[8] = {0};
-  struct disk_params g;
+  OWNED(disk_params) g;
   struct strip strip;
   params_d(p, s);
   ck_assert(disk_params_init(&g, s->p));
@@ -276,14 +260,13 @@ TEST_EVERY(bounds_hold_and_are_nearly_attained, 6, 30) {
     ck_assert_msg(most[i] > 0.7 * bound[i], "%s: bound %d is %g, no more than %g was seen", s->name, i, bound[i],
                   most[i]);
   }
-  disk_params_clear(&g);
 }
 
 TEST_EVERY(cells_move_as_the_flow_does, 6, 30) {
   struct rng rng = {(uint64_t)_i + 100};
   const struct set *s = &set[_i];
   double p[N_PARAMS];
-  struct disk_params g;
+  OWNED(disk_params) g;
   params_d(p, s);
   ck_assert(disk_params_init(&g, s->p));
   for (int trial = 0; trial < 200; trial++) {
@@ -305,7 +288,6 @@ TEST_EVERY(cells_move_as_the_flow_does, 6, 30) {
       ck_assert_msg(fabs(got[i].mid - want[i]) < 1e-10 * (1 + fabs(want[i])) + got[i].rad && got[i].rad < 1e-9,
                     "%s: %d is %.17g +- %g, %.17g", s->name, i, got[i].mid, got[i].rad, want[i]);
   }
-  disk_params_clear(&g);
 }
 
 /* What is cut off a strip has crossed. */
@@ -313,7 +295,7 @@ TEST_EVERY(only_what_has_crossed_is_cut_off, 6, 30) {
   struct rng rng = {(uint64_t)_i + 20};
   const struct set *s = &set[_i];
   double p[N_PARAMS];
-  struct disk_params g;
+  OWNED(disk_params) g;
   long cut = 0;
   params_d(p, s);
   ck_assert(disk_params_init(&g, s->p));
@@ -338,14 +320,13 @@ TEST_EVERY(only_what_has_crossed_is_cut_off, 6, 30) {
     }
   }
   ck_assert_msg(cut > 20, "%ld", cut);
-  disk_params_clear(&g);
 }
 
 /* Cells of every size and place around an orbit: none may be called free of zeros, nor a strip around it. */
 TEST_EVERY(no_cell_with_an_orbit_is_excluded, 6, 30) {
   struct rng rng = {(uint64_t)_i + 7};
   const struct set *s = &set[_i];
-  struct disk_params g;
+  OWNED(disk_params) g;
   ck_assert(disk_params_init(&g, s->p));
   long zeros = 0;
   for (int trial = 0; trial < 2000 * s->n; trial++) {
@@ -376,7 +357,6 @@ TEST_EVERY(no_cell_with_an_orbit_is_excluded, 6, 30) {
                   "%s: zero at %.17g, %.17g", s->name, x + zero.at[0], t + zero.at[1]);
   }
   ck_assert(s->n == 0 || zeros > 50);
-  disk_params_clear(&g);
 }
 
 /* --- The list against the return map on a fine grid. --- */
@@ -433,13 +413,12 @@ static long fixed_points(const struct dyn_orbits *list, const double p[N_PARAMS]
 TEST_EVERY(the_return_map_has_no_other_fixed_point, 6, 30) {
   const struct set *s = &set[_i];
   double p[N_PARAMS];
-  struct dyn_orbits list = {.n = 0};
+  OWNED(dyn_orbits) list = {.n = 0};
   params_d(p, s);
   ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, NULL, DYN_CELLS), SS_OK);
   ck_assert(list.complete);
   long seen = fixed_points(&list, p, 6000);
   ck_assert_msg(seen <= s->n, "%s: %ld", s->name, seen);
-  dyn_orbits_clear(&list);
 }
 
 TEST_EVERY(random_parameters, 2, 2) {
@@ -450,8 +429,8 @@ TEST_EVERY(random_parameters, 2, 2) {
     double p[N_PARAMS] = {0.03 + 0.94 * rng_unit(&rng), 0.05 * pow(400, rng_unit(&rng)), 0.2 * pow(15, rng_unit(&rng)),
                           0.2 * pow(30, rng_unit(&rng)), 0.05 * pow(100, rng_unit(&rng))};
     for (int i = 0; i < N_PARAMS; i++) p[i] = floor(p[i] * 4096 + 1) / 4096;
-    fmpq *q = rationals_d(p, N_PARAMS);
-    struct dyn_orbits empty = {.n = 0}, list;
+    FREED_PARAMS fmpq *q = rationals_d(p, N_PARAMS);
+    OWNED(dyn_orbits) empty = {.n = 0}, list;
     dyn_orbits_find(&list, q, 60, NULL);
     slong found = list.n;
     ck_assert_int_eq(dyn_orbits_complete(&list, q, 60, NULL, DYN_CELLS / 4), SS_OK);
@@ -463,9 +442,6 @@ TEST_EVERY(random_parameters, 2, 2) {
       ck_assert(list.n >= found);
       if (trial % 10 == 0) seen += fixed_points(&list, p, 4000);
     }
-    dyn_orbits_clear(&list);
-    dyn_orbits_clear(&empty);
-    _fmpq_vec_clear(q, N_PARAMS);
   }
   ck_assert_msg(complete > TRIALS - 3 && seen > 5 && orbits > TRIALS, "%ld complete, %ld seen, %ld orbits", complete,
                 seen, orbits);
@@ -476,18 +452,16 @@ TEST_EVERY(random_parameters, 2, 2) {
 /* Two orbits of the set "fold" meet between e2 = 2.72 and 2.75.  On the way there a list is complete with both orbits
    or with none; it says that a double zero may be there once they are too close; it is never complete with one. */
 TEST(near_a_fold) {
-  fmpq *p = rationals_of(find_set("fold")->p, N_PARAMS);
-  fmpq_t two, none;
+  FREED_PARAMS fmpq *p = rationals_of(find_set("fold")->p, N_PARAMS);
+  NUMBERS(fmpq, two, none);
   int resolved = 0, doubtful = 0;
-  fmpq_init(two);
-  fmpq_init(none);
   fmpq_set_si(two, 272, 100);
   fmpq_set_si(none, 275, 100);
   for (int step = 0; step < 60; step++) {
-    struct dyn_orbits list, empty = {.n = 0};
+    OWNED(dyn_orbits) list, empty = {.n = 0};
     fmpq_add(p + P_E2, two, none);
     fmpq_div_2exp(p + P_E2, p + P_E2, 1);
-    ck_assert_int_eq(dyn_orbits_find(&list, p, 60, NULL), SS_OK);
+    list = orbits_of(p, 60);
     slong n = list.n;
     ck_assert(n == 0 || n == 2);
     dyn_orbits_complete(&list, p, 60, NULL, DYN_CELLS);
@@ -502,13 +476,8 @@ TEST(near_a_fold) {
     doubtful += !list.complete;
     ck_assert_int_le(list.cells, 200000);
     fmpq_set(n == 2 ? two : none, p + P_E2);
-    dyn_orbits_clear(&list);
-    dyn_orbits_clear(&empty);
   }
   ck_assert_msg(resolved > 25 && doubtful > 5, "%d, %d", resolved, doubtful);
-  _fmpq_vec_clear(p, N_PARAMS);
-  fmpq_clear(two);
-  fmpq_clear(none);
 }
 
 /* t_b at the crest of the rise: p starts phase H at zero and rises, and its first root is where it falls through
@@ -551,9 +520,9 @@ TEST(at_the_crest) {
     }
     if (fabs(crest_defect(p)) > 1e-9) continue;
     met++;
-    fmpq *q = rationals_of(set[i].p, N_PARAMS);
+    FREED_PARAMS fmpq *q = rationals_of(set[i].p, N_PARAMS);
     for (int near = -1; near <= 1; near++) { /* the very place, and beside it */
-      struct dyn_orbits list;
+      OWNED(dyn_orbits) list;
       fmpz_set_d(fmpq_numref(q + P_E2), ldexp(p[P_E2] * (1 + 1e-3 * near), 50));
       fmpz_one(fmpq_denref(q + P_E2));
       fmpq_div_2exp(q + P_E2, q + P_E2, 50);
@@ -561,9 +530,7 @@ TEST(at_the_crest) {
       dyn_orbits_complete(&list, q, 60, NULL, DYN_CELLS);
       ck_assert_msg(list.complete == (near != 0) && (near || list.gap == GAP_GRAZING), "%s, e2 %.15g: %d, %s",
                     set[i].name, p[P_E2], list.complete, dyn_gap_text[list.gap]);
-      dyn_orbits_clear(&list);
     }
-    _fmpq_vec_clear(q, N_PARAMS);
   }
   ck_assert_msg(met > 2 / every(2), "%d", met);
 }
@@ -573,7 +540,7 @@ TEST_EVERY(free_phases_leave_out_no_zero, 6, 30) {
   struct rng rng = {(uint64_t)_i + 3};
   const struct set *s = &set[_i];
   double p[N_PARAMS], a, omega;
-  struct disk_params g;
+  OWNED(disk_params) g;
   long left_out = 0, crossings = 0;
   params_d(p, s);
   a = (1 - p[P_CHI]) * p[P_V];
@@ -601,7 +568,6 @@ TEST_EVERY(free_phases_leave_out_no_zero, 6, 30) {
     }
   }
   ck_assert(strcmp(s->name, "paper") != 0 || (left_out > 5 && crossings > 20));
-  disk_params_clear(&g);
 }
 
 /* --- t_b and t_c given. --- */
@@ -612,7 +578,7 @@ TEST_EACH(times_given, 2) {
   long none = 0, some = 0;
   fmpq *model = _fmpq_vec_init(3), *value = _fmpq_vec_init(2);
   for (int trial = 0; trial < 100; trial++) {
-    struct dyn_orbits list;
+    OWNED(dyn_orbits) list;
     fmpq_set_si(model, 1 + (slong)(62 * rng_unit(&rng)), 64);
     fmpq_set_si(model + 1, 2 + (slong)(100 * rng_unit(&rng)), 16);
     fmpq_set_si(model + 2, 1 + (slong)(8 * rng_unit(&rng)), 4);
@@ -627,7 +593,6 @@ TEST_EACH(times_given, 2) {
     struct dyn_orbits empty = {.n = 0};
     dyn_given_complete(&empty, model, which, value, 80, NULL);
     ck_assert(empty.complete == (n == 0) && (n == 0 || empty.gap == GAP_CONFLICT));
-    dyn_orbits_clear(&list);
   }
   ck_assert(some > 3 && none > 3);
   _fmpq_vec_clear(model, 3);
@@ -656,7 +621,7 @@ TEST_EVERY(a_time_and_a_limit_given, 6, 30) {
       for (slong k = 0; k < list.n; k++) met = met || fabs(list.orbit[k].guess[2] - s->at[i][1]) < 1e-5 * s->at[i][1];
       ck_assert_msg(met, "%s orbit %d, e%d", s->name, i, e + 1);
       /* each is where a zero is enclosed */
-      struct line line;
+      OWNED(line) line;
       ck_assert(line_run(&line, s->p, P_E2 - e, value, 100, DYN_CELLS) && !line.spent && !line.stuck);
       for (slong k = 0; k < list.n; k++) {
         const struct dyn_orbit *o = &list.orbit[k];
@@ -667,7 +632,6 @@ TEST_EVERY(a_time_and_a_limit_given, 6, 30) {
                                   fabs(line.zeros[z].e.mid - other) < line.zeros[z].e.rad + 1e-13 * other);
         ck_assert_msg(enclosed, "%s, e%d: t_c %.17g", s->name, e + 1, o->guess[2]);
       }
-      line_clear(&line);
       /* a list that lacks one is not complete */
       struct dyn_orbits empty = {.n = 0};
       dyn_given_complete(&empty, s->p, which, value, 60, NULL);
@@ -688,7 +652,7 @@ TEST_EVERY(a_limit_scanned, 2, 2) {
                           0.2 + 4 * rng_unit(&rng), 0};
     double tb = 0.05 + 3 * rng_unit(&rng), old = 0, defect = 0, tc = 0;
     bool valid = false;
-    struct dyn_orbits list;
+    OWNED(dyn_orbits) list;
     tb = floor(tb * 4096) / 4096;
     for (int i = 0; i < N_PARAMS; i++) p[i] = floor(p[i] * 4096) / 4096;
     fmpq *q = rationals_d(p, N_PARAMS), *value = rationals_d((const double[]){p[P_E1], tb}, 2);
@@ -719,7 +683,6 @@ TEST_EVERY(a_limit_scanned, 2, 2) {
       ck_assert_msg(listed, "%s: t_b %.17g, t_c %.17g", params_shown(p), tb, tc);
       seen++;
     }
-    dyn_orbits_clear(&list);
     _fmpq_vec_clear(q, N_PARAMS);
     _fmpq_vec_clear(value, 2);
   }

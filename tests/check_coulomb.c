@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "local.h"
 #include "motion/coulomb.h"
 #include "rational.h"
 #include "rng.h"
@@ -23,10 +24,8 @@ static int simulate(struct coulomb_result *r, int route, const double p[N_COULOM
                     const struct coulomb_plan *plan, const struct coulomb_sink *sink) {
   if (route == 0) return coulomb_simulate_ode(r, p, x, plan, sink);
   struct num_ctx ctx = route == 1 ? num_ctx_double() : num_ctx_mpfr(160);
-  struct num_vec params = vec_of(p, N_COULOMB, ctx), start = vec_of(x, N_STATE, ctx);
-  int status = coulomb_simulate_exact(r, NULL, &params, &start, plan, sink);
-  vecs_clear(&params, &start);
-  return status;
+  OWNED(num_vec) params = vec_of(p, N_COULOMB, ctx), start = vec_of(x, N_STATE, ctx);
+  return coulomb_simulate_exact(r, NULL, &params, &start, plan, sink);
 }
 
 struct told {
@@ -158,7 +157,7 @@ TEST(law_at_its_limits) {
     ck_assert_msg(coulomb_letter(mode) == cases[i].letter, "case %zu is %c, not %c: %s", i, coulomb_letter(mode),
                   cases[i].letter, cases[i].why);
     for (int route = 0; route < N_ROUTES; route++) {
-      struct told t = tell_for(route, half, x, 1.0 / 1024);
+      OWNED(told) t = tell_for(route, half, x, 1.0 / 1024);
       ck_assert_msg(t.status == SS_OK && t.log.n == 0 && coulomb_letter(t.r.at.mode) == cases[i].letter,
                     "case %zu: %s goes on with %c", i, route_name[route], coulomb_letter(t.r.at.mode));
       for (int m = 0; m < 2; m++) { /* the modes chosen can be kept up for a while */
@@ -168,7 +167,6 @@ TEST(law_at_its_limits) {
                                                    : lag < 0;
         ck_assert_msg(kept, "case %zu: %s, mass %d does not keep its mode", i, route_name[route], m + 1);
       }
-      told_clear(&t);
     }
   }
 }
@@ -193,12 +191,11 @@ TEST(sliding_without_events_keeps_its_energy) {
   for (int route = 0; route < N_ROUTES; route++) {
     double energy[2];
     for (int k = 0; k < 2; k++) {
-      struct told t = tell_for(route, p, x, k == 0 ? 0 : 300);
+      OWNED(told) t = tell_for(route, p, x, k == 0 ? 0 : 300);
       double z1 = t.r.at.x[0] - d1, z2 = t.r.at.x[1] - d1, v1 = t.r.at.v[0], v2 = t.r.at.v[1];
       energy[k] = v1 * v1 + v2 * v2 / 2.5 + z1 * z1 - 2 * 0.625 * z1 * z2 + 0.625 * z2 * z2;
       ck_assert_uint_eq(t.log.n, 0);
       ck_assert_double_eq(t.r.at.t, k == 0 ? 0 : 300);
-      told_clear(&t);
     }
     double drift = fabs(energy[1] - energy[0]), allowed = route == 0 ? 1e-11 : 1e-14;
     ck_assert_msg(drift < allowed * energy[0], "%s: energy changes by %g", route_name[route], drift / energy[0]);
@@ -223,7 +220,7 @@ TEST(both_masses_break_loose_at_once) {
     for (int route = 0; route < N_ROUTES; route++) {
       double x[N_STATE];
       from_forces(x, 0, lower ? -3 : 3, 1, 1);
-      struct told t = tell_for(route, half, x, 4.25);
+      OWNED(told) t = tell_for(route, half, x, 4.25);
       ck_assert_uint_eq(t.log.n, lower ? 1u : 2u);
       ck_assert_str_eq(text_str(&t.word), lower ? "G" : "H");
       for (size_t i = 0; i < t.log.n; i++) {
@@ -232,7 +229,6 @@ TEST(both_masses_break_loose_at_once) {
         ck_assert(e->mass == (int)i && e->from == MODE_STICK && e->to == MODE_BELOW && e->simultaneous == !lower);
         ck_assert(e->at.u[0] == 1 && fabs(e->at.u[1] - (lower ? -3 : 1)) < 1e-11);
       }
-      told_clear(&t);
     }
 }
 
@@ -244,12 +240,11 @@ TEST(one_mass_sticks_as_the_other_breaks_loose) {
   double p[N_COULOMB] = {0.25, 4, 1, 0.5, 1, 1 + 0.75 * t1, 8}, f1 = 0.5, f2 = 1 - 0.75;
   double x[N_STATE] = {(f1 + f2) / 0.75, (f1 + 4 * f2) / 0.75, 1, -3};
   for (int route = 0; route < 2; route++) {
-    struct told t = tell_for(route, p, x, t1 + 0.01);
+    OWNED(told) t = tell_for(route, p, x, t1 + 0.01);
     ck_assert_str_eq(text_str(&t.word), "G");
     ck_assert_uint_eq(t.log.n, 2);
     ck_assert(t.log.event[0].simultaneous && t.log.event[1].simultaneous && t.r.returns == 0);
     ck_assert_double_eq_tol(t.log.event[0].at.t, t1, 1e-11);
-    told_clear(&t);
   }
 }
 
@@ -298,24 +293,21 @@ TEST(mpfr_decides_what_double_precision_cannot) {
   for (int miss = 0; miss < 2; miss++) {
     double xd[N_STATE];
     grazing_start(xd, 0.5);
-    struct num_vec p = vec_of(grazing, N_COULOMB, ctx), x = vec_of(xd, N_STATE, ctx);
+    OWNED(num_vec) p = vec_of(grazing, N_COULOMB, ctx), x = vec_of(xd, N_STATE, ctx);
     mpfr_ptr x1 = num_vec_at(&x, Z_1), x2 = num_vec_at(&x, Z_2);
     set_text(x1, miss ? "1e-40" : "-1e-40", 400);
     mpfr_add_d(x1, x1, 2.5, MPFR_RNDN); /* f_1 + f_2 */
     mpfr_div_d(x1, x1, 0.625, MPFR_RNDN);
     mpfr_add_d(x2, x1, 4, MPFR_RNDN);
     struct coulomb_plan plan = coulomb_plan_default;
-    struct coulomb_log log;
+    LOCAL(coulomb_log, log);
     struct coulomb_result r;
-    coulomb_log_init(&log);
     struct coulomb_sink sink = coulomb_log_sink(&log);
     plan.duration = miss ? 6.5 : 2.25;
     ck_assert_int_eq(coulomb_simulate_exact(&r, NULL, &p, &x, &plan, &sink), SS_OK);
     ck_assert_uint_eq(log.n, miss ? 0u : 1u);
     if (!miss) ck_assert(log.event[0].mass == 0 && log.event[0].to == MODE_STICK && log.event[0].grazing);
     ck_assert(r.touches > 0);
-    coulomb_log_clear(&log);
-    vecs_clear(&p, &x);
   }
 }
 
@@ -365,14 +357,13 @@ TEST(a_mass_crosses_to_the_other_slip_mode) {
   double x[N_STATE], t1 = asin(1.0 / 32);
   from_forces(x, -15, 2, 0.5, 1);
   for (int route = 0; route < N_ROUTES; route++) {
-    struct told t = tell_for(route, half, x, 0.0625);
+    OWNED(told) t = tell_for(route, half, x, 0.0625);
     ck_assert_msg(t.log.n == 1, "%s: %s", route_name[route], text_str(&t.word));
     const struct coulomb_event *e = &t.log.event[0];
     ck_assert(e->mass == 0 && e->from == MODE_BELOW && e->to == MODE_ABOVE && e->at.u[0] == -1);
     ck_assert_double_eq_tol(e->at.t, t1, 1e-11);
     ck_assert_double_eq_tol(e->at.x[0] - 0.5 * e->at.x[1], 1 - 16 * cos(t1), 1e-11);
     ck_assert(t.r.at.v[0] > 1);
-    told_clear(&t);
   }
 }
 
@@ -455,13 +446,12 @@ TEST_EACH(any_motion_is_that_of_tiny_steps, 200) {
   if (x[2] == p[COULOMB_V] || x[3] == p[COULOMB_V]) return;
   plain_run(&s, 1.0 / 256, 256 * 12, &events);
   for (int route = 0; route < 2; route++) {
-    struct told t = tell_for(route, p, x, 12);
+    OWNED(told) t = tell_for(route, p, x, 12);
     ck_assert_msg(t.log.n == events, "%s: %s has %zu events, not %zu", show(p, x), route_name[route], t.log.n, events);
     for (int i = 0; i < 2; i++) {
       double gap = fmax(fabs(t.r.at.x[i] - s.x[i]), fabs(t.r.at.v[i] - s.x[2 + i]));
       ck_assert_msg(gap < 1e-7, "%s: %s is off by %g", show(p, x), route_name[route], gap);
     }
-    told_clear(&t);
   }
 }
 
@@ -490,15 +480,13 @@ TEST_EACH(scaling_everything_scales_the_motion, 50) {
   for (int i = 0; i < N_COULOMB; i++) q[i] = i < COULOMB_V ? p[i] : 8 * p[i];
   for (int i = 0; i < N_STATE; i++) y[i] = 8 * x[i];
   for (int route = 0; route < 2; route++) {
-    struct told s = tell_for(route, p, x, 20), t = tell_for(route, q, y, 20);
+    OWNED(told) s = tell_for(route, p, x, 20), t = tell_for(route, q, y, 20);
     ck_assert_uint_eq(s.log.n, t.log.n);
     for (size_t i = 0; i < s.log.n; i++) {
       const struct coulomb_row *a = &s.log.event[i].at, *b = &t.log.event[i].at;
       bool same = a->t == b->t && 8 * a->x[0] == b->x[0] && 8 * a->v[1] == b->v[1] && 8 * a->u[0] == b->u[0];
       ck_assert_msg(same, "%s: %s, event %zu", show(p, x), route_name[route], i);
     }
-    told_clear(&s);
-    told_clear(&t);
   }
 }
 
@@ -507,18 +495,15 @@ TEST_EACH(a_motion_can_be_taken_up_again, 50) {
   double p[N_COULOMB], x[N_STATE];
   random_motion(p, x, &r);
   for (int route = 0; route < N_ROUTES; route++) {
-    struct told whole = tell_for(route, p, x, 11), part = tell_for(route, p, x, 4.1875);
+    OWNED(told) whole = tell_for(route, p, x, 11), part = tell_for(route, p, x, 4.1875);
     double middle[N_STATE] = {part.r.at.x[0], part.r.at.x[1], part.r.at.v[0], part.r.at.v[1]};
-    struct told rest = tell_for(route, p, middle, 11 - 4.1875);
+    OWNED(told) rest = tell_for(route, p, middle, 11 - 4.1875);
     ck_assert_msg(part.log.n + rest.log.n == whole.log.n, "%s: %s", show(p, x), route_name[route]);
     for (int i = 0; i < 2; i++) {
       ck_assert(rest.r.at.mode[i] == whole.r.at.mode[i]);
       ck_assert_double_eq_tol(rest.r.at.x[i], whole.r.at.x[i], 1e-8);
       ck_assert_double_eq_tol(rest.r.at.v[i], whole.r.at.v[i], 1e-8);
     }
-    told_clear(&whole);
-    told_clear(&part);
-    told_clear(&rest);
   }
 }
 
@@ -577,11 +562,9 @@ TEST_EACH(samples_of_the_routes_agree, 20) {
 /* A start near the paper's orbit. */
 static const double paper[N_COULOMB] = {0.8, 1, 1, 3.5 - 2.7844, 2.2 - 0.8587, 3.5, 2.2};
 static void paper_start(double x[N_STATE], double z10, double z20) {
-  struct num_vec p = vec_of(paper, N_COULOMB, num_ctx_double()), s;
-  num_vec_init(&s, N_STATE, num_ctx_double());
+  OWNED(num_vec) p = vec_of(paper, N_COULOMB, num_ctx_double()), s = vec_new(N_STATE, num_ctx_double());
   ck_assert_int_eq(coulomb_start_set(&s, &p, &z10, &z20), SS_OK);
   memcpy(x, s.data, N_STATE * sizeof *x);
-  vecs_clear(&p, &s);
 }
 
 static bool refuse(void *self, const struct coulomb_event *e) {
@@ -698,10 +681,9 @@ TEST(a_slow_belt_takes_few_steps) {
       ck_assert_int_eq(simulate(&r, route, p, x, &plan, &sink), SS_OK);
       ck_assert_int_lt(r.steps, 2000);
       ck_assert_uint_eq(log.n, 2);
-      struct text word = {0}; /* the slip-stick phase takes no time that the wait could be told apart by */
+      OWNED(text) word = {0}; /* the slip-stick phase takes no time that the wait could be told apart by */
       coulomb_log_word(&word, &log);
       ck_assert_str_eq(text_str(&word), "GD");
-      text_clear(&word);
       ck_assert_double_eq_tol(log.event[0].at.t, wait, 1e-11 * wait);
       ck_assert_double_eq_tol(r.at.x[1], there, 1e-5);
       ck_assert_double_eq_tol(r.at.x[0], 2 * p[COULOMB_US1] - p[COULOMB_UR1] + chi * there, 1e-5);
@@ -712,13 +694,12 @@ TEST(a_slow_belt_takes_few_steps) {
 TEST(parameters_from_the_models) {
   static const double model[N_PARAMS] = {0.5, 2, 1, 0.75, 1.25}, limits[2] = {1.75, 1.5}, low[2] = {0.5, 2};
   struct num_ctx ctx = num_ctx_mpfr(64);
-  struct num_vec m = vec_of(model, N_PARAMS, ctx), l = vec_of(limits, 2, ctx), k = vec_of(low, 2, ctx), p;
-  num_vec_init(&p, N_COULOMB, ctx);
+  OWNED(num_vec) m = vec_of(model, N_PARAMS, ctx), l = vec_of(limits, 2, ctx), k = vec_of(low, 2, ctx);
+  OWNED(num_vec) p = vec_new(N_COULOMB, ctx);
   ck_assert_int_eq(coulomb_params_set(&p, &m, &l), SS_OK);
   static const double expected[N_COULOMB] = {0.5, 2, 1, 1, 0.25, 1.75, 1.5};
   for (int i = 0; i < N_COULOMB; i++) ck_assert_double_eq(num_mpfr.get_d(num_vec_at(&p, i)), expected[i]);
   ck_assert_int_eq(coulomb_params_set(&p, &m, &k), SS_DOMAIN); /* u_s1 = 1/2 - 3/4 < 0 */
-  vecs_clear(&m, &l, &k, &p);
 }
 
 /* --- The paper's orbit: orbit 1 of set paper in tests/oracle/orbits.tsv. --- */
@@ -738,8 +719,7 @@ struct watch {
 
 static bool watch_event(void *self, const struct coulomb_event *e) {
   struct watch *w = self;
-  mpfr_t d, expected;
-  mpfr_inits2(300, d, expected, (mpfr_ptr)NULL);
+  MPFR_NUMBERS(300, d, expected);
   mpfr_srcptr t = num_vec_at(e->at.exact, 0);
   mpfr_sub(d, t, w->last, MPFR_RNDN);
   mpfr_set(w->last, t, MPFR_RNDN);
@@ -748,7 +728,6 @@ static bool watch_event(void *self, const struct coulomb_event *e) {
   if (mpfr_cmpabs(d, w->worst) > 0) mpfr_abs(w->worst, d, MPFR_RNDN);
   if (coulomb_letter(e->at.mode) == 'D')
     mpfr_sub(w->off, num_vec_at(e->at.exact, 2), num_vec_at(e->at.exact, 1), MPFR_RNDN);
-  mpfr_clears(d, expected, (mpfr_ptr)NULL);
   return true;
 }
 
@@ -756,10 +735,7 @@ static bool watch_event(void *self, const struct coulomb_event *e) {
 static void run_orbit(struct watch *w, const char *moved, long returns) {
   struct num_ctx ctx = num_ctx_mpfr(300);
   static const char *const decimals[N_COULOMB] = {"0.8", "1", "1", "0.7156", "1.3413", "3.5", "2.2"};
-  struct num_vec p, z, x;
-  num_vec_init(&p, N_COULOMB, ctx);
-  num_vec_init(&z, 2, ctx);
-  num_vec_init(&x, N_STATE, ctx);
+  OWNED(num_vec) p = vec_new(N_COULOMB, ctx), z = vec_new(2, ctx), x = vec_new(N_STATE, ctx);
   for (int i = 0; i < N_COULOMB; i++) set_text(num_vec_at(&p, i), decimals[i], 300);
   for (int i = 0; i < 2; i++) set_text(num_vec_at(&z, i), orbit_z[i], 300);
   mpfr_inits2(300, w->last, w->worst, w->off, (mpfr_ptr)NULL);
@@ -774,7 +750,6 @@ static void run_orbit(struct watch *w, const char *moved, long returns) {
   plan.returns = returns;
   ck_assert_int_eq(coulomb_simulate_exact(&r, &x, &p, &x, &plan, &(struct coulomb_sink){w, watch_event, NULL}), SS_OK);
   ck_assert_double_eq(num_mpfr.get_d(num_vec_at(&x, Z_2)), r.at.x[1]);
-  vecs_clear(&p, &z, &x);
 }
 
 static void watch_clear(struct watch *w) {
@@ -783,20 +758,18 @@ static void watch_clear(struct watch *w) {
 
 TEST(the_orbit_in_mpfr_to_the_oracles_digits) {
   /* 60 digits, a tenth of which the multiplier could cost in 200 periods at most. */
-  struct watch w;
+  OWNED(watch) w;
   run_orbit(&w, "0", 200);
   ck_assert_int_eq(w.n, 800);
   ck_assert_msg(mpfr_cmp_d(w.worst, 1e-56) < 0, "off by %g", mpfr_get_d(w.worst, MPFR_RNDN));
-  watch_clear(&w);
 }
 
 TEST(a_perturbation_grows_by_the_multiplier) {
   /* delta = 1e-30 in z_2 - z_1 becomes trace^200 delta (1 + order delta trace^200). */
-  struct watch w, rest;
-  mpfr_t growth;
+  OWNED(watch) w, rest;
   run_orbit(&w, "1e-30", 200);
   run_orbit(&rest, "0", 200);
-  mpfr_init2(growth, 300);
+  MPFR_NUMBERS(300, growth);
   set_text(growth, orbit_trace, 300);
   mpfr_pow_si(growth, growth, 200, MPFR_RNDN);
   mpfr_sub(w.off, w.off, rest.off, MPFR_RNDN);
@@ -804,9 +777,6 @@ TEST(a_perturbation_grows_by_the_multiplier) {
   mpfr_div(w.off, w.off, growth, MPFR_RNDN);
   mpfr_sub_si(w.off, w.off, 1, MPFR_RNDN);
   ck_assert_msg(fabs(mpfr_get_d(w.off, MPFR_RNDN)) < 1e-15, "off by %g", mpfr_get_d(w.off, MPFR_RNDN));
-  mpfr_clear(growth);
-  watch_clear(&w);
-  watch_clear(&rest);
 }
 
 TEST(the_orbit_by_every_route) {
@@ -816,13 +786,12 @@ TEST(the_orbit_by_every_route) {
   for (int route = 0; route < N_ROUTES; route++) {
     struct coulomb_plan plan = coulomb_plan_default;
     plan.returns = 6;
-    struct told t = tell(route, paper, x, &plan);
+    OWNED(told) t = tell(route, paper, x, &plan);
     ck_assert_str_eq(text_str(&t.word), "GHCDGHCDGHCDGHCDGHCDGHCD");
     for (size_t i = 0; i < t.log.n; i++) {
       double before = i ? t.log.event[i - 1].at.t : 0;
       ck_assert_double_eq_tol(t.log.event[i].at.t - before, times[i % 4], 1e-12);
     }
-    told_clear(&t);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "every.h"
+#include "local.h"
 #include "paper_model.h"
 #include "power/damage_study.h"
 #include "says.h"
@@ -22,9 +23,9 @@ static struct damage_study *study;
 
 static void open_material(void) {
   scratch_open();
-  paper_model(&model, &(struct paper_layers){.stable = "verify/stable.eq", .controls = true});
+  model = paper_model(&(struct paper_layers){.stable = "verify/stable.eq", .controls = true});
   paper_claims(&claims, &controls);
-  paper_scene(&paper);
+  paper = scene_at("paper");
   material_init(&material, &(struct audit_data){&model, &claims, &controls, NULL, NULL}, &paper);
   study = damage_study_new(&material, NULL);
 }
@@ -113,11 +114,9 @@ static void try_row(char **column) {
 CASE("damage", .once = {open_material, close_material}, .seconds = 300);
 
 TEST(each_meets_its_fate) {
-  struct table damages;
-  table_read(&damages, "tests/damage.tsv", N_COLUMNS);
+  OWNED(table) damages = table_read("tests/damage.tsv", N_COLUMNS);
   ck_assert_int_eq(damages.n, 24);
   for (int i = 0; i < damages.n; i++) try_row(damages.row[i]);
-  table_clear(&damages);
 }
 
 /* --- Those that are made --- */
@@ -161,11 +160,10 @@ static const struct {
 };
 
 TEST_EACH(what_is_made, COUNT(made)) {
-  struct damages all;
-  struct text t;
+  OWNED(damages) all;
+  LOCAL(text, t);
   size_t of_class = 0;
   bool found = false;
-  text_init(&t);
   damages_init(&all, &material, NULL, 0);
   for (size_t i = 0; i < all.n; i++) {
     const struct damage *d = &all.damage[i];
@@ -179,15 +177,12 @@ TEST_EACH(what_is_made, COUNT(made)) {
   }
   ck_assert_msg(found, "%s: %s", made[_i].record, made[_i].text);
   ck_assert_uint_ge(of_class, made[_i].least);
-  damages_clear(&all);
-  text_clear(&t);
 }
 
 /* Each changes its file, within its record, and is told from the others of its class. */
 TEST(every_damage_is_one) {
-  struct damages all;
-  struct text t;
-  text_init(&t);
+  OWNED(damages) all;
+  LOCAL(text, t);
   damages_init(&all, &material, NULL, 0);
   ck_assert_uint_gt(all.n, 4000);
   for (size_t i = 0; i < all.n; i++) {
@@ -206,13 +201,11 @@ TEST(every_damage_is_one) {
       ck_assert_msg(!same || strcmp(o->now, d->now) != 0, "%s, %s: twice %s", d->record, d->attribute, d->now);
     }
   }
-  damages_clear(&all);
-  text_clear(&t);
 }
 
 /* A rule that says "the same" is held against the audit: nothing notices such a damage. */
 TEST(what_says_the_same_is_not_noticed) {
-  struct damages all;
+  OWNED(damages) all;
   size_t with_rule = 0, tried = 0;
   damages_init(&all, &material, NULL, 0);
   for (size_t i = 0; i < all.n; i++) {
@@ -226,19 +219,17 @@ TEST(what_says_the_same_is_not_noticed) {
     tried++;
   }
   ck_assert_uint_gt(tried, 50 / (size_t)every(3));
-  damages_clear(&all);
 }
 
 TEST(only_what_is_named) {
   static const char *const only[] = {"eq-29", "title", "controls.eq"};
-  struct damages some;
+  OWNED(damages) some;
   damages_init(&some, &material, only, 2);
   ck_assert_uint_gt(some.n, 10);
   for (size_t i = 0; i < some.n; i++)
     ck_assert(some.damage[i].class == DAMAGE_TITLE || strcmp(some.damage[i].record, "eq-29") == 0);
   ck_assert(damages_any(&some, &material, "title") && damages_any(&some, &material, "eq-29"));
   ck_assert(!damages_any(&some, &material, "controls.eq") && !damages_any(&some, &material, "eq-2"));
-  damages_clear(&some);
 }
 
 /* --- Texts in memory --- */
@@ -246,9 +237,8 @@ TEST(only_what_is_named) {
 /* A comment more in a file: the same model, claims and scene. */
 TEST(a_comment_changes_nothing) {
   for (size_t i = 0; i < material.n; i++) {
-    struct changed_material c;
-    struct text t;
-    text_init(&t);
+    OWNED(changed_material) c;
+    LOCAL(text, t);
     text_add(&t, material.file[i].parsed->src.text);
     text_add(&t, "\n# nothing\n");
     goes_well(material_change(&c, &material, i, t.data, &d));
@@ -259,7 +249,5 @@ TEST(a_comment_changes_nothing) {
     ck_assert_uint_eq(c.data.claims->n, claims.n);
     ck_assert_uint_eq(c.data.controls->n, controls.n);
     ck_assert_uint_eq(c.scene->n_printed, paper.n_printed);
-    changed_material_clear(&c);
-    text_clear(&t);
   }
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "local.h"
 #include "says.h"
 #include "scratch.h"
 #include "suite.h"
@@ -13,46 +14,34 @@
 /* --- Reading --- */
 
 static bool parse(struct json_value *v, struct arena *a, const char *text, struct diag *d) {
-  struct source s;
   diag_init(d);
-  source_from_string(&s, "x.json", text);
-  bool ok = json_parse(v, a, &s, d);
-  source_clear(&s);
-  return ok;
+  OWNED(source) s = source_of("x.json", text);
+  return json_parse(v, a, &s, d);
 }
 
 TEST(what_json_is) {
-  struct table good;
-  table_read(&good, "tests/cases/json_good.tsv", 1);
-  struct arena a;
+  OWNED(table) good = table_read("tests/cases/json_good.tsv", 1);
+  LOCAL(arena, a);
   struct json_value v;
-  arena_init(&a);
   for (int i = 0; i < good.n; i++) goes_well(parse(&v, &a, good.row[i][0], &d));
-  arena_clear(&a);
-  table_clear(&good);
 }
 
 TEST(what_json_is_not) {
   enum { TEXT, SAYS };
-  struct table bad;
-  table_read(&bad, "tests/cases/json_bad.tsv", 2);
-  struct arena a;
+  OWNED(table) bad = table_read("tests/cases/json_bad.tsv", 2);
+  LOCAL(arena, a);
   struct diag d;
   struct json_value v;
-  arena_init(&a);
   for (int i = 0; i < bad.n; i++) {
     ck_assert_msg(!parse(&v, &a, bad.row[i][TEXT], &d), "%s", bad.row[i][TEXT]);
     ck_assert_msg(strncmp(d.message, "x.json:", 7) == 0 && strstr(d.message, bad.row[i][SAYS]), "%s: %s",
                   bad.row[i][TEXT], d.message);
   }
-  arena_clear(&a);
-  table_clear(&bad);
 }
 
 TEST(values_are_those_written) {
-  struct arena a;
+  LOCAL(arena, a);
   struct json_value v;
-  arena_init(&a);
   goes_well(parse(
       &v, &a, "{\"s\": \"\\u20ac \\ud834\\udd1e \\u00e9\\n\", \"n\": -1.50e3, \"t\": true, \"l\": [1, [], null]}", &d));
   ck_assert_uint_eq(v.n, 4);
@@ -63,7 +52,6 @@ TEST(values_are_those_written) {
   ck_assert(list->n == 3 && list->first->next->kind == JSON_KIND_ARRAY &&
             list->first->next->next->kind == JSON_KIND_NULL);
   ck_assert(list->first->next->next->next == NULL && json_member(list, "l") == NULL);
-  arena_clear(&a);
 }
 
 TEST(sameness) {
@@ -82,14 +70,12 @@ TEST(sameness) {
                {"\"\\u0061\"", "\"a\"", true},
                {"{\"a\":{\"b\":[1]}}", "{\"a\":{\"b\":[2]}}", false}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct arena a;
+    LOCAL(arena, a);
     struct json_value x, y;
-    arena_init(&a);
     goes_well(parse(&x, &a, cases[i].a, &d));
     goes_well(parse(&y, &a, cases[i].b, &d));
     ck_assert_msg(json_same(&x, &y) == cases[i].same && json_same(&y, &x) == cases[i].same, "%s %s", cases[i].a,
                   cases[i].b);
-    arena_clear(&a);
   }
 }
 
@@ -107,26 +93,21 @@ TEST(limits) {
     size_t depth;
     bool ok;
   } cases[] = {{64, true}, {65, false}, {1000000, false}};
-  struct arena a;
+  LOCAL(arena, a);
   struct diag d;
   struct json_value v;
-  arena_init(&a);
   for (size_t i = 0; i < COUNT(cases); i++) {
-    char *s = repeated(cases[i].depth, "[", "]");
+    FREED char *s = repeated(cases[i].depth, "[", "]");
     ck_assert_msg(parse(&v, &a, s, &d) == cases[i].ok, "%zu: %s", cases[i].depth, d.message);
     ck_assert(cases[i].ok || strstr(d.message, "nested too deeply"));
-    free(s);
   }
   for (int n = 1000; n <= 1001; n++) {
-    struct text t;
-    text_init(&t);
+    LOCAL(text, t);
     for (int i = 0; i < n; i++) text_printf(&t, "%s\"%d\":0", i ? "," : "{", i);
     text_add(&t, "}");
     ck_assert_int_eq(parse(&v, &a, t.data, &d), n == 1000);
     ck_assert(n == 1000 || strstr(d.message, "too many members"));
-    text_clear(&t);
   }
-  arena_clear(&a);
 }
 
 /* --- The command --- */
@@ -139,10 +120,9 @@ static int diff(const char *a, const char *b, const char *option) {
 }
 
 static bool printed(const char *file, const char *want) {
-  char *text = file_text(scratch_path(file));
+  FREED char *text = file_text(scratch_path(file));
   bool same = strcmp(text, want) == 0;
   if (!same) fprintf(stderr, "%s", text);
-  free(text);
   return same;
 }
 
@@ -183,10 +163,9 @@ TEST(changes_as_json) {
                             CLAIM("x", "proved", ",\"effect\":1") "," CLAIM("y", "unknown", "") "]}",
                         "--json"),
                    1);
-  struct source s;
-  struct arena a;
+  OWNED(source) s;
+  LOCAL(arena, a);
   struct json_value v;
-  arena_init(&a);
   goes_well(source_read(&s, scratch_path("out"), 1 << 20, &d));
   goes_well(json_parse(&v, &a, &s, &d));
   ck_assert_str_eq(json_text(&v, "schema"), "stickslip-diff-1");
@@ -197,8 +176,6 @@ TEST(changes_as_json) {
   ck_assert_str_eq(json_text(verdict, "second"), "unknown");
   ck_assert_str_eq(json_text(member, "claim"), "x");
   ck_assert_str_eq(json_text(member, "member"), "effect");
-  source_clear(&s);
-  arena_clear(&a);
 }
 
 TEST(what_is_no_audit) {
@@ -231,9 +208,7 @@ TEST(hostile_names_reach_no_terminal) {
 
 /* Many claims in the opposite order. */
 TEST(many_claims) {
-  struct text a, b;
-  text_init(&a);
-  text_init(&b);
+  LOCAL(text, a, b);
   text_add(&a, HEAD(""));
   text_add(&b, HEAD(""));
   for (int i = 0; i < 50000; i++) {
@@ -243,6 +218,4 @@ TEST(many_claims) {
   text_add(&a, "]}");
   text_add(&b, "]}");
   ck_assert_int_eq(diff(a.data, b.data, ""), 0);
-  text_clear(&b);
-  text_clear(&a);
 }

@@ -3,6 +3,7 @@
 #include <check.h>
 #include <math.h>
 
+#include "local.h"
 #include "motion/double_double.h"
 #include "num/flint_compat.h"
 #include "rng.h"
@@ -17,12 +18,10 @@ static struct dd any(struct rng *r, int least, int most) {
 }
 
 static void set(arb_t x, struct dd y) {
-  arb_t low;
-  arb_init(low);
+  NUMBERS(arb, low);
   arb_set_d(x, y.high);
   arb_set_d(low, y.low);
   arb_add(x, x, low, BITS);
-  arb_clear(low);
 }
 
 /* |x - want| in units of 2^-100 of size, or of |want| where size is 0. */

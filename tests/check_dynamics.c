@@ -12,6 +12,7 @@
 #include "effort.h"
 #include "every.h"
 #include "explore/family.h"
+#include "local.h"
 #include "motion/dynamics.h"
 #include "motion/flow.h"
 #include "motion/polish.h"
@@ -37,12 +38,8 @@ static double entry_d(const struct num_vec *v, slong i) {
 
 /* The largest |x_i - y_i| between vectors of any types, rounded up. */
 static double distance(const struct num_vec *x, const struct num_vec *y) {
-  arb_t a, b;
-  mag_t worst, gap;
-  arb_init(a);
-  arb_init(b);
-  mag_init(worst);
-  mag_init(gap);
+  NUMBERS(arb, a, b);
+  NUMBERS(mag, worst, gap);
   for (slong i = 0; i < x->len; i++) {
     x->ctx.type->get_arb(a, num_vec_at(x, i));
     y->ctx.type->get_arb(b, num_vec_at(y, i));
@@ -50,12 +47,7 @@ static double distance(const struct num_vec *x, const struct num_vec *y) {
     arb_get_mag(gap, a);
     mag_max(worst, worst, gap);
   }
-  double d = mag_get_d(worst);
-  arb_clear(a);
-  arb_clear(b);
-  mag_clear(worst);
-  mag_clear(gap);
-  return d;
+  return mag_get_d(worst);
 }
 
 static double largest(const struct num_vec *x) {
@@ -76,12 +68,11 @@ TEST_EACH(propagators_of_all_types_agree, 40) {
   for (int ph = 0; ph < N_PHASES; ph++) {
     struct num_vec m[4];
     for (int k = 0; k < 4; k++) {
-      struct num_vec p = vec_of(pd, N_PARAMS, ctx[k]), time = vec_of(&t, 1, ctx[k]);
+      OWNED(num_vec) p = vec_of(pd, N_PARAMS, ctx[k]), time = vec_of(&t, 1, ctx[k]);
       num_vec_init(&m[k], 16, ctx[k]);
       ck_assert_int_eq(dyn_propagator(&m[k], (enum phase)ph, &p, num_vec_at(&time, 0)), SS_OK);
       double d = distance(&m[0], &m[k]);
       if (k > 0) ck_assert_msg(d <= bound[k] * largest(&m[0]), "%s t %g phase %d: %g", params_shown(pd), t, ph, d);
-      vecs_clear(&p, &time);
     }
     for (int k = 0; k < 4; k++) num_vec_clear(&m[k]);
   }
@@ -90,16 +81,15 @@ TEST_EACH(propagators_of_all_types_agree, 40) {
 TEST(taylor_keeps_its_promise_for_long_times) {
   /* 2^(4-prec) of the largest entry although the series is squared about twenty times; Arb is the judge. */
   double pd[N_PARAMS] = {0.5, 64, 1, 1, 1}, t = 100000;
-  struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_mpfr(128)), time = vec_of(&t, 1, num_ctx_mpfr(128)), m, e;
-  struct num_vec pa = vec_of(pd, N_PARAMS, num_ctx_arb(1000)), ta = vec_of(&t, 1, num_ctx_arb(1000));
-  num_vec_init(&m, 16, num_ctx_mpfr(128));
-  num_vec_init(&e, 16, num_ctx_arb(1000));
+  OWNED(num_vec) p = vec_of(pd, N_PARAMS, num_ctx_mpfr(128)), time = vec_of(&t, 1, num_ctx_mpfr(128));
+  OWNED(num_vec) pa = vec_of(pd, N_PARAMS, num_ctx_arb(1000)), ta = vec_of(&t, 1, num_ctx_arb(1000));
+  OWNED(num_vec) m = vec_new(16, num_ctx_mpfr(128));
+  OWNED(num_vec) e = vec_new(16, num_ctx_arb(1000));
   for (int ph = 0; ph < N_PHASES; ph++) {
     ck_assert_int_eq(dyn_propagator(&m, (enum phase)ph, &p, num_vec_at(&time, 0)), SS_OK);
     ck_assert_int_eq(dyn_propagator(&e, (enum phase)ph, &pa, num_vec_at(&ta, 0)), SS_OK);
     ck_assert(distance(&m, &e) <= ldexp(1, 4 - 128) * largest(&e));
   }
-  vecs_clear(&p, &time, &pa, &ta, &m, &e);
 }
 
 static void random_state(double z[N_STATE], struct rng *r) {
@@ -116,10 +106,9 @@ TEST_EACH(flow_is_the_propagator_applied, 40) {
   double bound[3] = {1e-11, ldexp(1, 14 - 150), ldexp(1, 20 - 150)};
   for (int k = 0; k < 3; k++)
     for (int ph = 0; ph < N_PHASES; ph++) {
-      struct num_vec p = vec_of(pd, N_PARAMS, ctx[k]), z = vec_of(zd, N_STATE, ctx[k]), time = vec_of(&t, 1, ctx[k]);
-      struct num_vec m, moved;
-      num_vec_init(&m, 16, ctx[k]);
-      num_vec_init(&moved, N_STATE, ctx[k]);
+      OWNED(num_vec) p = vec_of(pd, N_PARAMS, ctx[k]), z = vec_of(zd, N_STATE, ctx[k]), time = vec_of(&t, 1, ctx[k]);
+      OWNED(num_vec) m = vec_new(16, ctx[k]);
+      OWNED(num_vec) moved = vec_new(N_STATE, ctx[k]);
       ck_assert_int_eq(dyn_propagator(&m, (enum phase)ph, &p, num_vec_at(&time, 0)), SS_OK);
       double size = largest(&m) * largest(&z);
       ck_assert_int_eq(num_mat_mul(&moved, &m, &z, 4, 4, 1), SS_OK);
@@ -128,7 +117,6 @@ TEST_EACH(flow_is_the_propagator_applied, 40) {
       ck_assert_msg(d <= bound[k] * size, "%s t %g phase %d type %d: %g", params_shown(pd), t, ph, k, d / size);
       if (k == 2)
         for (slong i = 0; i < N_STATE; i++) ck_assert(arb_overlaps(num_vec_at(&moved, i), num_vec_at(&z, i)));
-      vecs_clear(&p, &z, &time, &m, &moved);
     }
 }
 
@@ -140,17 +128,15 @@ TEST_EACH(flows_compose, 40) {
   double times[3] = {rng_dyadic(&r, -128, 320), rng_dyadic(&r, -128, 320), 0};
   times[2] = times[0] + times[1];
   struct num_ctx ctx = num_ctx_arb(256);
-  struct num_vec p = vec_of(pd, N_PARAMS, ctx), t = vec_of(times, 3, ctx);
+  OWNED(num_vec) p = vec_of(pd, N_PARAMS, ctx), t = vec_of(times, 3, ctx);
   for (int ph = 0; ph < N_PHASES; ph++) {
-    struct num_vec once = vec_of(zd, N_STATE, ctx), twice = vec_of(zd, N_STATE, ctx);
+    OWNED(num_vec) once = vec_of(zd, N_STATE, ctx), twice = vec_of(zd, N_STATE, ctx);
     int status = dyn_flow(&once, (enum phase)ph, &p, &once, num_vec_at(&t, 2));
     status |= dyn_flow(&twice, (enum phase)ph, &p, &twice, num_vec_at(&t, 0));
     status |= dyn_flow(&twice, (enum phase)ph, &p, &twice, num_vec_at(&t, 1));
     ck_assert_int_eq(status, SS_OK);
     ck_assert_msg(distance(&once, &twice) < 1e-60, "%s phase %d", params_shown(pd), ph);
-    vecs_clear(&once, &twice);
   }
-  vecs_clear(&p, &t);
 }
 
 /* eta z_1'^2 + z_2'^2 + eta (z_1^2 - 2 chi z_1 z_2 + chi z_2^2). */
@@ -160,17 +146,15 @@ static double energy(const double p[N_PARAMS], const double z[N_STATE]) {
 }
 
 static void flow_d(double out[N_STATE], enum phase ph, const double p[N_PARAMS], const double in[N_STATE], double t) {
-  struct num_vec pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
+  OWNED(num_vec) pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
   ck_assert_int_eq(dyn_flow(&z, ph, &pv, &z, &t), SS_OK);
   for (slong i = 0; i < N_STATE; i++) out[i] = entry_d(&z, i);
-  vecs_clear(&pv, &z);
 }
 
 static double switching_d(enum phase ph, const double p[N_PARAMS], const double in[N_STATE], double *rate) {
-  struct num_vec pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
+  OWNED(num_vec) pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
   double value;
   ck_assert_int_eq(dyn_switching(&value, ph, &pv, &z) | dyn_switching_rate(rate, ph, &pv, &z), SS_OK);
-  vecs_clear(&pv, &z);
   return value;
 }
 
@@ -359,21 +343,17 @@ TEST_EACH(refined_events_agree_and_are_proved, 60) {
     double bound[3] = {ldexp(1, 30 - 400), ldexp(1, 2 - 300), 1e-10}; /* double: the root may be flat */
     struct num_vec t[3];
     for (int k = 0; k < 3; k++) {
-      struct num_vec p = vec_of(pd, N_PARAMS, ctx[k]), z = vec_of(zd, N_STATE, ctx[k]);
+      OWNED(num_vec) p = vec_of(pd, N_PARAMS, ctx[k]), z = vec_of(zd, N_STATE, ctx[k]);
       num_vec_init(&t[k], 1, ctx[k]);
       ck_assert_msg(dyn_event(num_vec_at(&t[k], 0), (enum phase)ph, &p, &z, t0) == SS_OK, "%s phase %d type %d t %g",
                     params_shown(pd), ph, k, t0);
       ck_assert_msg(distance(&t[k], &t[0]) <= bound[k] * (1 + t0), "%s phase %d type %d", params_shown(pd), ph, k);
       if (k == 0) { /* the ball holds the root: the switching function at it holds zero */
-        struct num_vec at, f;
-        num_vec_init(&at, N_STATE, ctx[0]);
-        num_vec_init(&f, 1, ctx[0]);
+        OWNED(num_vec) at = vec_new(N_STATE, ctx[0]), f = vec_new(1, ctx[0]);
         int status = dyn_flow(&at, (enum phase)ph, &p, &z, num_vec_at(&t[0], 0));
         ck_assert_int_eq(status | dyn_switching(num_vec_at(&f, 0), (enum phase)ph, &p, &at), SS_OK);
         ck_assert(arb_contains_zero(num_vec_at(&f, 0)));
-        vecs_clear(&at, &f);
       }
-      vecs_clear(&p, &z);
     }
     for (int k = 0; k < 3; k++) num_vec_clear(&t[k]);
   }
@@ -386,30 +366,26 @@ TEST(an_event_of_balls_holds_the_events_of_its_points) {
     double radius = k * 0.02, zd[N_STATE] = {0.25, 0.25, 0, -2}, t0;
     bool grazing;
     ck_assert_int_eq(first_event_d(&t0, &grazing, PHASE_C, pd, zd, NULL), SS_OK);
-    struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_arb(64)), z = vec_of(zd, N_STATE, num_ctx_arb(64)), t;
-    num_vec_init(&t, 1, num_ctx_arb(64));
+    OWNED(num_vec) p = vec_of(pd, N_PARAMS, num_ctx_arb(64)), z = vec_of(zd, N_STATE, num_ctx_arb(64));
+    OWNED(num_vec) t = vec_new(1, num_ctx_arb(64));
     mag_set_d(arb_radref((arb_ptr)num_vec_at(&z, DZ_2)), radius);
     if (dyn_event(num_vec_at(&t, 0), PHASE_C, &p, &z, t0) == SS_OK)
       for (int side = -1; side <= 1; side++) {
-        arb_t root;
-        arb_init(root);
+        NUMBERS(arb, root);
         arb_set_d(root, acos(1 / (-2 + side * radius)));
         mag_set_d(arb_radref(root), 1e-14);
         ck_assert_msg(arb_overlaps(num_vec_at(&t, 0), root), "radius %g side %d", radius, side);
-        arb_clear(root);
       }
     else
       ck_assert_msg(k > 4, "radius %g is small enough to be proved", radius);
-    vecs_clear(&p, &z, &t);
   }
 }
 
 TEST(a_double_root_is_not_proved) {
   const double pd[N_PARAMS] = {0.5, 2, 1, 1, 1}, zd[N_STATE] = {0.25, 0.25, 0, -1};
-  struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_arb(128)), z = vec_of(zd, N_STATE, num_ctx_arb(128)), t;
-  num_vec_init(&t, 1, num_ctx_arb(128));
+  OWNED(num_vec) p = vec_of(pd, N_PARAMS, num_ctx_arb(128)), z = vec_of(zd, N_STATE, num_ctx_arb(128));
+  OWNED(num_vec) t = vec_new(1, num_ctx_arb(128));
   ck_assert_int_eq(dyn_event(num_vec_at(&t, 0), PHASE_C, &p, &z, 3.1415), SS_UNABLE);
-  vecs_clear(&p, &z, &t);
 }
 
 /* --- Derivatives. --- */
@@ -428,18 +404,15 @@ TEST_EACH(local_jacobians_match_differences, 30) {
     flow_d(at, (enum phase)ph, pd, zd, t0);
     switching_d((enum phase)ph, pd, at, &rate);
     if (fabs(rate) < 0.01) continue; /* differences need an event that stays where it is */
-    struct num_vec p = vec_of(pd, N_PARAMS, ctx), z = vec_of(zd, N_STATE, ctx), t, j, fd, err;
-    num_vec_init(&t, 1, ctx);
-    num_vec_init(&err, 1, ctx);
-    num_vec_init(&j, 16, ctx);
-    num_vec_init(&fd, 16, ctx);
+    OWNED(num_vec) p = vec_of(pd, N_PARAMS, ctx), z = vec_of(zd, N_STATE, ctx), t = vec_new(1, ctx);
+    OWNED(num_vec) err = vec_new(1, ctx), j = vec_new(16, ctx);
+    OWNED(num_vec) fd = vec_new(16, ctx);
     ck_assert_int_eq(dyn_event(num_vec_at(&t, 0), (enum phase)ph, &p, &z, t0), SS_OK);
     ck_assert_int_eq(dyn_local_jacobian(&j, (enum phase)ph, &p, &z, num_vec_at(&t, 0)), SS_OK);
     ck_assert_int_eq(dyn_local_jacobian_fd(&fd, num_vec_at(&err, 0), (enum phase)ph, &p, &z, t0), SS_OK);
     double gap = distance(&j, &fd), stated = entry_d(&err, 0);
     ck_assert_msg(gap <= 4 * stated && stated < 1e-20 * (1 + pow(largest(&j), 3)), "%s phase %d: off %g, stated %g",
                   params_shown(pd), ph, gap, stated);
-    vecs_clear(&p, &z, &t, &j, &fd, &err);
   }
 }
 
@@ -455,18 +428,15 @@ TEST_EACH(a_pinned_velocity_is_not_displaced, 30) {
     if (first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
     for (int k = 0; k < 3; k++) {
       struct num_ctx ctx = {types[k], 96};
-      struct num_vec p = vec_of(pd, N_PARAMS, ctx), z = vec_of(zd, N_STATE, ctx), t = vec_of(&t0, 1, ctx), j;
-      num_vec_init(&j, 16, ctx);
+      OWNED(num_vec) p = vec_of(pd, N_PARAMS, ctx), z = vec_of(zd, N_STATE, ctx), t = vec_of(&t0, 1, ctx);
+      OWNED(num_vec) j = vec_new(16, ctx);
       ck_assert_int_eq(dyn_local_jacobian(&j, (enum phase)ph, &p, &z, num_vec_at(&t, 0)), SS_OK);
       int row = ph == PHASE_H ? DZ_1 : DZ_2;
       for (int col = 0; col < N_STATE; col++) {
-        arb_t x;
-        arb_init(x);
+        NUMBERS(arb, x);
         ctx.type->get_arb(x, num_vec_at(&j, N_STATE * row + col));
         ck_assert_msg(arb_is_zero(x), "%s phase %d: %s, column %d", params_shown(pd), ph, ctx.type->name, col);
-        arb_clear(x);
       }
-      vecs_clear(&p, &z, &t, &j);
     }
   }
 }
@@ -478,9 +448,8 @@ static bool random_arc(struct dyn_arc *arc, double pd[N_PARAMS], struct rng *r) 
   r0 = pd[P_E2] / pd[P_CHI] - rise;
   start[1] = (pd[P_E1] + r0) / (1 - pd[P_CHI]);
   start[0] = start[1] - r0;
-  struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_double());
+  OWNED(num_vec) p = vec_of(pd, N_PARAMS, num_ctx_double());
   int status = dyn_arc_run(arc, &p, start, start + 1, NULL);
-  num_vec_clear(&p);
   return status == SS_OK;
 }
 
@@ -488,34 +457,26 @@ static bool random_arc(struct dyn_arc *arc, double pd[N_PARAMS], struct rng *r) 
 TEST_EACH(the_return_jacobian_of_doubles_is_rounded_once, 60) {
   struct rng r = {(uint64_t)_i};
   double pd[N_PARAMS];
-  struct dyn_arc arc, balls;
+  OWNED(dyn_arc) arc, balls;
   struct num_ctx ctx = num_ctx_arb(400);
   dyn_arc_init(&arc, num_ctx_double());
   ck_assert_msg(random_arc(&arc, pd, &r), "%s: no arc", params_shown(pd));
   dyn_arc_init(&balls, ctx);
   for (slong i = 0; i < arc.t.len; i++) arb_set_d(num_vec_at(&balls.t, i), entry_d(&arc.t, i));
   for (slong i = 0; i < arc.z.len; i++) arb_set_d(num_vec_at(&balls.z, i), entry_d(&arc.z, i));
-  struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_double()), pb = vec_of(pd, N_PARAMS, ctx), j, jb;
-  num_vec_init(&j, 4, p.ctx);
-  num_vec_init(&jb, 4, ctx);
+  OWNED(num_vec) p = vec_of(pd, N_PARAMS, num_ctx_double()), pb = vec_of(pd, N_PARAMS, ctx), j = vec_new(4, p.ctx);
+  OWNED(num_vec) jb = vec_new(4, ctx);
   ck_assert_int_eq(dyn_return_jacobian(&j, &p, &arc), SS_OK);
   ck_assert_int_eq(dyn_return_jacobian(&jb, &pb, &balls), SS_OK);
   for (slong i = 0; i < 4; i++) {
-    arb_t off, most;
-    arb_init(off);
-    arb_init(most);
+    NUMBERS(arb, off, most);
     arb_set_d(off, entry_d(&j, i));
     arb_sub(off, off, num_vec_at(&jb, i), 400);
     arb_abs(most, num_vec_at(&jb, i));
     arb_mul_2exp_si(most, most, -53);
     arb_abs(off, off);
     ck_assert_msg(arb_le(off, most), "%s: entry %ld", params_shown(pd), i);
-    arb_clear(most);
-    arb_clear(off);
   }
-  vecs_clear(&jb, &j, &pb, &p);
-  dyn_arc_clear(&balls);
-  dyn_arc_clear(&arc);
 }
 
 /* The Jacobian of one arc, again and again. */
@@ -531,12 +492,11 @@ static void make_jacobians(void *self) {
 
 static void jacobian_work_init(struct jacobian_work *w, struct num_ctx ctx) {
   const double start[2] = {2.7032, 2.6158};
-  struct num_vec z = vec_of(start, 2, ctx);
+  OWNED(num_vec) z = vec_of(start, 2, ctx);
   w->params = vec_of(example, N_PARAMS, ctx);
   num_vec_init(&w->j, 4, ctx);
   dyn_arc_init(&w->arc, ctx);
   ck_assert_int_eq(dyn_arc_run(&w->arc, &w->params, num_vec_at(&z, 0), num_vec_at(&z, 1), NULL), SS_OK);
-  num_vec_clear(&z);
 }
 
 static void jacobian_work_clear(struct jacobian_work *w) {
@@ -546,12 +506,10 @@ static void jacobian_work_clear(struct jacobian_work *w) {
 
 /* What is zero is not sought at ever more bits: a double costs about as much as 64 bits of MPFR. */
 TEST(a_return_jacobian_of_doubles_takes_one_pass) {
-  struct jacobian_work doubles, bits;
+  OWNED(jacobian_work) doubles, bits;
   jacobian_work_init(&doubles, num_ctx_double());
   jacobian_work_init(&bits, num_ctx_mpfr(64));
   ck_assert(costs_less(&(struct effort){make_jacobians, &doubles}, 4, &(struct effort){make_jacobians, &bits}));
-  jacobian_work_clear(&bits);
-  jacobian_work_clear(&doubles);
 }
 
 /* Outputs and limits that nobody asked for. */
@@ -559,10 +517,9 @@ TEST(what_is_not_wanted_may_be_null) {
   static const double start[N_STATE] = {2.7032, 2.6158, 1, 1};
   static const double guess[2] = {2.0053, 1.4899}, along[1][N_STATE] = {{1, 0, 0, 0}};
   double out[16], column[N_STATE], err, t, r;
-  struct dyn_orbit o;
-  fmpq *p = rationals(example_text, N_PARAMS);
+  OWNED(dyn_orbit) o;
+  FREED_PARAMS fmpq *p = rationals(example_text, N_PARAMS);
   ck_assert_int_eq(dyn_orbit_near(&o, NULL, p, (struct dyn_place){guess[0], guess[1], false}, 64, NULL), SS_OK);
-  dyn_orbit_clear(&o);
   ck_assert_int_eq(dyn_orbit_warm(out, NULL, NULL, example, guess), SS_OK);
   ck_assert_int_eq(dyn_return_map_d(&r, NULL, NULL, example, -3, NULL), SS_OK);
   ck_assert_int_eq(first_event_d(&t, NULL, PHASE_D, example, start, NULL), SS_OK);
@@ -571,7 +528,6 @@ TEST(what_is_not_wanted_may_be_null) {
   ck_assert_int_eq(dyn_local_differences_d(out, NULL, example, &stretch, along, 1), SS_OK);
   ck_assert_int_eq(dyn_local_differences_d(column, &err, example, &stretch, along, 1), SS_OK);
   for (int i = 0; i < N_STATE; i++) ck_assert_double_eq(out[i], column[i]);
-  _fmpq_vec_clear(p, N_PARAMS);
 }
 
 /* --- Orbits. --- */
@@ -584,16 +540,19 @@ struct found {
   int status;
 };
 
-static void found_init(struct found *f, const char *const text[N_PARAMS], slong prec, const struct dyn_limits *lim) {
-  f->p = rationals(text, N_PARAMS);
-  for (int i = 0; i < N_PARAMS; i++) f->pd[i] = fmpq_get_d(f->p + i);
-  f->status = dyn_orbits_find(&f->list, f->p, prec, lim);
+static struct found found_of(fmpq *p, slong prec, const struct dyn_limits *lim) {
+  struct found f = {.p = p};
+  for (int i = 0; i < N_PARAMS; i++) f.pd[i] = fmpq_get_d(p + i);
+  f.status = dyn_orbits_find(&f.list, p, prec, lim);
+  return f;
 }
 
-static void found_init_d(struct found *f, const double pd[N_PARAMS], slong prec) {
-  f->p = rationals_d(pd, N_PARAMS);
-  memcpy(f->pd, pd, sizeof f->pd);
-  f->status = dyn_orbits_find(&f->list, f->p, prec, NULL);
+static struct found found_at(const char *const text[N_PARAMS], slong prec, const struct dyn_limits *lim) {
+  return found_of(rationals(text, N_PARAMS), prec, lim);
+}
+
+static struct found found_at_d(const double pd[N_PARAMS], slong prec) {
+  return found_of(rationals_d(pd, N_PARAMS), prec, NULL);
 }
 
 static void found_clear(struct found *f) {
@@ -610,10 +569,8 @@ static struct num_vec params_arb(const struct found *f, slong prec) {
 
 /* The four switching conditions and Z(period) = Z_0, by matrix exponentials from the orbit's balls alone. */
 static void check_six_equations(const struct found *f, const struct dyn_orbit *o, slong prec) {
-  struct num_vec p = params_arb(f, prec), z, m, value;
-  num_vec_init(&z, N_STATE, p.ctx);
-  num_vec_init(&m, 16, p.ctx);
-  num_vec_init(&value, 1, p.ctx);
+  OWNED(num_vec) p = params_arb(f, prec), z = vec_new(N_STATE, p.ctx);
+  OWNED(num_vec) m = vec_new(16, p.ctx), value = vec_new(1, p.ctx);
   arb_set(num_vec_at(&z, Z_1), o->z10);
   arb_set(num_vec_at(&z, Z_2), o->z20);
   for (slong i = 0; i < 2; i++) arb_set_fmpq(num_vec_at(&z, DZ_1 + i), f->p + P_V, prec);
@@ -625,22 +582,18 @@ static void check_six_equations(const struct found *f, const struct dyn_orbit *o
     arb_ptr v = num_vec_at(&value, 0);
     ck_assert_msg(mag_cmp_2exp_si(arb_radref(v), -prec / 3) < 0, "%s: enclosure is wide", params_shown(f->pd));
   }
-  arb_t end;
-  arb_init(end);
+  NUMBERS(arb, end);
   ck_assert(arb_overlaps(num_vec_at(&z, Z_1), o->z10) && arb_overlaps(num_vec_at(&z, Z_2), o->z20));
   arb_set_fmpq(end, f->p + P_V, prec);
   ck_assert(arb_overlaps(num_vec_at(&z, DZ_1), end) && arb_overlaps(num_vec_at(&z, DZ_2), end));
-  arb_clear(end);
-  vecs_clear(&z, &m, &value, &p);
 }
 
 /* Trace and determinant of the product of local derivatives; differences of the whole map. */
 static void check_multiplier(const struct found *f, const struct dyn_orbit *o, slong prec) {
-  struct num_vec p = params_arb(f, prec), j;
-  struct dyn_arc arc;
-  arb_t x;
-  arb_init(x);
-  num_vec_init(&j, 4, p.ctx);
+  OWNED(num_vec) p = params_arb(f, prec);
+  OWNED(dyn_arc) arc;
+  NUMBERS(arb, x);
+  OWNED(num_vec) j = vec_new(4, p.ctx);
   dyn_arc_init(&arc, p.ctx);
   ck_assert_int_eq(dyn_arc_run(&arc, &p, o->z10, o->z20, o->guess), SS_OK);
   ck_assert_int_eq(dyn_return_jacobian(&j, &p, &arc), SS_OK);
@@ -648,9 +601,6 @@ static void check_multiplier(const struct found *f, const struct dyn_orbit *o, s
   ck_assert_msg(arb_overlaps(x, o->trace), "%s: trace", params_shown(f->pd));
   ck_assert(num_mat_det(x, &j, 2) == SS_OK && arb_contains_zero(x));
   for (slong i = 0; i < 4; i++) ck_assert(arb_overlaps(num_vec_at(&arc.t, i), o->t[i]));
-  dyn_arc_clear(&arc);
-  vecs_clear(&j, &p);
-  arb_clear(x);
 
   double r = num_arb.get_d(o->z20) - num_arb.get_d(o->z10), out, slope, t[4];
   double trace = num_arb.get_d(o->trace);
@@ -708,8 +658,7 @@ CASE("orbit", .seconds = 60);
 
 TEST(the_papers_parameters_have_two_orbits) {
   static const double times[2][2] = {{1.3815, 10.9096}, {2.005, 1.490}}; /* tests/oracle/orbits.tsv, set paper */
-  struct found f;
-  found_init(&f, paper, 128, NULL);
+  OWNED(found) f = found_at(paper, 128, NULL);
   ck_assert_int_eq(f.status, SS_OK);
   ck_assert_int_eq(f.list.n, 2);
   ck_assert(!f.list.complete);
@@ -721,34 +670,24 @@ TEST(the_papers_parameters_have_two_orbits) {
     check_multiplier(&f, o, 168);
     check_conditions_by_samples(&f, o);
   }
-  found_clear(&f);
 }
 
 TEST(a_thousand_digits) {
-  struct found f;
-  found_init(&f, paper, 3400, NULL);
+  OWNED(found) f = found_at(paper, 3400, NULL);
   ck_assert_int_eq(f.list.n, 2);
   for (int i = 0; i < 2; i++) {
     ck_assert(arb_rel_accuracy_bits(f.list.orbit[i].z10) >= 3400);
     check_six_equations(&f, &f.list.orbit[i], 3440);
   }
-  found_clear(&f);
 }
 
 TEST(return_map_differences) {
-  struct found f;
-  found_init(&f, paper, 256, NULL);
+  OWNED(found) f = found_at(paper, 256, NULL);
   struct num_ctx ctx = num_ctx_mpfr(256);
   for (int i = 0; i < f.list.n; i++) {
     const struct dyn_orbit *o = &f.list.orbit[i];
-    struct num_vec p, z, j, err;
-    arb_t trace, off;
-    num_vec_init(&p, N_PARAMS, ctx);
-    num_vec_init(&z, 2, ctx);
-    num_vec_init(&j, 4, ctx);
-    num_vec_init(&err, 1, ctx);
-    arb_init(trace);
-    arb_init(off);
+    NUMBERS(arb, trace, off);
+    OWNED(num_vec) p = vec_new(N_PARAMS, ctx), z = vec_new(2, ctx), j = vec_new(4, ctx), err = vec_new(1, ctx);
     for (slong k = 0; k < N_PARAMS; k++) ctx.type->set_q(num_vec_at(&p, k), f.p + k, ctx.prec);
     ctx.type->set_arb(num_vec_at(&z, 0), o->z10, ctx.prec);
     ctx.type->set_arb(num_vec_at(&z, 1), o->z20, ctx.prec);
@@ -759,11 +698,7 @@ TEST(return_map_differences) {
     arb_sub(off, trace, o->trace, 256);
     double gap = fabs(num_arb.get_d(off)), stated = entry_d(&err, 0);
     ck_assert_msg(gap <= 4 * stated && stated < 1e-45, "off %g, stated %g", gap, stated);
-    arb_clear(trace);
-    arb_clear(off);
-    vecs_clear(&p, &z, &j, &err);
   }
-  found_clear(&f);
 }
 
 /* Fixed points of the return map by a plain scan over r: sign changes that bisection confirms to be zeros. */
@@ -802,9 +737,8 @@ static int count_fixed_points(const double p[N_PARAMS], double low, int n) {
 TEST_EACH(random_orbits_obey_everything, 12) {
   struct rng r = {(uint64_t)_i};
   double p[N_PARAMS];
-  struct found f;
   random_params(p, &r);
-  found_init_d(&f, p, 80);
+  OWNED(found) f = found_at_d(p, 80);
   ck_assert_msg(f.status == SS_OK, "%s: status %d", params_shown(p), f.status);
   double low = p[P_E2] / p[P_CHI];
   for (slong i = 0; i < f.list.n; i++) {
@@ -818,17 +752,14 @@ TEST_EACH(random_orbits_obey_everything, 12) {
   }
   int scanned = count_fixed_points(p, low - 2, 1500);
   ck_assert_msg(scanned <= f.list.n, "%s: %d by a scan, %ld found", params_shown(p), scanned, (long)f.list.n);
-  found_clear(&f);
 }
 
 TEST(coexisting_orbits_are_all_found) {
   /* Parameters at which a plain scan of the return map shows four. */
   static const char *const several[N_PARAMS] = {"92/100", "21/10", "1", "439/100", "257/100"};
-  struct found f;
-  found_init(&f, several, 60, NULL);
+  OWNED(found) f = found_at(several, 60, NULL);
   ck_assert_int_eq(f.list.n, count_fixed_points(f.pd, -40, 20000));
   ck_assert_int_eq(f.list.n, 4);
-  found_clear(&f);
 }
 
 TEST(jumps_are_not_orbits) {
@@ -837,11 +768,9 @@ TEST(jumps_are_not_orbits) {
                                                  {"700/1000", "1656/10000", "1", "1148/10000", "9181/1000"},
                                                  {"435/1000", "3512/1000", "1", "857/1000", "3688/1000"}};
   for (int i = 0; i < 3; i++) {
-    struct found f;
-    found_init(&f, jumpy[i], 60, NULL);
+    OWNED(found) f = found_at(jumpy[i], 60, NULL);
     ck_assert_msg(f.status == SS_OK, "%s: status %d", params_shown(f.pd), f.status);
     ck_assert_int_eq(f.list.n, count_fixed_points(f.pd, -20, 8000));
-    found_clear(&f);
   }
 }
 
@@ -850,11 +779,8 @@ TEST(an_orbit_is_followed_to_the_jump_where_it_ends) {
      t_b the search must decide on which side it is, and leave nothing undecided. */
   static const char *const near_jump[N_PARAMS] = {"823453/1000000", "1499339/1000000", "1", "907841/1000000",
                                                   "33973/100000"};
-  struct found f;
-  fmpq_t with, without;
-  fmpq_init(with);
-  fmpq_init(without);
-  found_init(&f, near_jump, 60, NULL);
+  NUMBERS(fmpq, with, without);
+  OWNED(found) f = found_at(near_jump, 60, NULL);
   ck_assert_int_eq(f.list.n, 4);
   fmpq_set(with, f.p + P_E2);
   fmpq_set_si(without, 33972, 100000);
@@ -866,9 +792,6 @@ TEST(an_orbit_is_followed_to_the_jump_where_it_ends) {
     ck_assert_msg(f.list.n == 3 || f.list.n == 4, "step %d: %ld orbits", i, (long)f.list.n);
     fmpq_set(f.list.n == 4 ? with : without, f.p + P_E2);
   }
-  fmpq_clear(with);
-  fmpq_clear(without);
-  found_clear(&f);
 }
 
 TEST_EACH(derivatives_of_the_return_map_are_differences, 40) {
@@ -891,12 +814,9 @@ TEST(two_orbits_merge_and_vanish) {
   /* Between e2 = 2.72 and 2.75 a pair of orbits meets (the multiplier passes 1 there).  Bisection in e2 brings the pair
      closer than double precision can separate; both or neither must be found at every step. */
   static const char *const near_fold[N_PARAMS] = {"66/100", "93/100", "75/100", "647/1000", "272/100"};
-  struct found f;
-  fmpq_t two, none;
+  NUMBERS(fmpq, two, none);
   double gap = 1;
-  fmpq_init(two);
-  fmpq_init(none);
-  found_init(&f, near_fold, 60, NULL);
+  OWNED(found) f = found_at(near_fold, 60, NULL);
   ck_assert_int_eq(f.list.n, 2);
   fmpq_set(two, f.p + P_E2);
   fmpq_set_si(none, 275, 100);
@@ -913,19 +833,15 @@ TEST(two_orbits_merge_and_vanish) {
     gap = fabs(a->guess[1] - b->guess[1]);
   }
   ck_assert_msg(gap < 1e-8, "%g", gap);
-  fmpq_clear(two);
-  fmpq_clear(none);
-  found_clear(&f);
 }
 
 TEST(scaling_changes_nothing_but_lengths) {
   /* (z, V, e1, e2) scale together; the times and the multiplier stay. */
   for (int k = -10; k <= 10; k += 20) {
-    struct found f, g;
     double p[N_PARAMS] = {0.75, 1.5, 1, 2.5, 1.25}, q[N_PARAMS];
     for (int i = 0; i < N_PARAMS; i++) q[i] = i < P_V ? p[i] : ldexp(p[i], k);
-    found_init_d(&f, p, 100);
-    found_init_d(&g, q, 100);
+    OWNED(found) f = found_at_d(p, 100);
+    OWNED(found) g = found_at_d(q, 100);
     ck_assert(f.list.n > 0);
     ck_assert_int_eq(f.list.n, g.list.n);
     for (slong i = 0; i < f.list.n; i++) {
@@ -934,8 +850,6 @@ TEST(scaling_changes_nothing_but_lengths) {
       ck_assert(arb_overlaps(a->z10, b->z10) && arb_overlaps(a->trace, b->trace) && arb_overlaps(a->t[2], b->t[2]));
       ck_assert(a->admissible == b->admissible && a->stable == b->stable);
     }
-    found_clear(&f);
-    found_clear(&g);
   }
 }
 
@@ -944,24 +858,20 @@ TEST_EACH(extreme_parameters, 8) {
                            *const V[2] = {"1/1000", "1000"};
   const char *const text[N_PARAMS] = {chi[_i & 1], eta[_i >> 1 & 1], V[_i >> 2 & 1], "1", "1"};
   const struct dyn_limits lim = {60, 100000};
-  struct found f;
-  found_init(&f, text, 400, &lim);
+  OWNED(found) f = found_at(text, 400, &lim);
   ck_assert_msg(!(f.status & SS_DOMAIN), "%s: status %d", params_shown(f.pd), f.status); /* the budget may be used up */
   for (slong i = 0; i < f.list.n; i++) {
     check_six_equations(&f, &f.list.orbit[i], 440);
     check_conditions_by_samples(&f, &f.list.orbit[i]);
   }
-  found_clear(&f);
 }
 
 TEST(outside_the_domain) {
   static const char *const bad[3][N_PARAMS] = {
       {"1", "1", "1", "1", "1"}, {"1/2", "0", "1", "1", "1"}, {"1/2", "1", "1", "-1", "1"}};
   for (int i = 0; i < 3; i++) {
-    struct found f;
-    found_init(&f, bad[i], 60, NULL);
+    OWNED(found) f = found_at(bad[i], 60, NULL);
     ck_assert(f.status == SS_DOMAIN && f.list.n == 0);
-    found_clear(&f);
   }
   const double p[N_PARAMS] = {0.5, 1, 1, 1, 1};
   double out, t[4];
@@ -970,18 +880,13 @@ TEST(outside_the_domain) {
 
 /* |high + low - x| as a part of |x|, rounded up to a double. */
 static double off_by(double high, double low, arb_srcptr x) {
-  arb_t d, sum;
-  arb_init(d);
-  arb_init(sum);
+  NUMBERS(arb, d, sum);
   arb_set_d(sum, high);
   arb_set_d(d, low);
   arb_add(sum, sum, d, 400);
   arb_sub(d, sum, x, 400);
   arb_div(d, d, x, 400);
-  double off = fabs(num_arb.get_d(d)) + mag_get_d(arb_radref(d));
-  arb_clear(sum);
-  arb_clear(d);
-  return off;
+  return fabs(num_arb.get_d(d)) + mag_get_d(arb_radref(d));
 }
 
 /* x^2 - (1 + chi eta) x + chi eta (1 - chi) at x = om^2, K's characteristic polynomial. */
@@ -1005,7 +910,7 @@ TEST_EACH(the_statements_of_the_frequencies_agree, 80) {
   struct return_map_double k;
   struct slip plain;
   struct fine_slip fine;
-  struct calc c = calc_begin(num_ctx_arb(400));
+  OWNED(calc) c = calc_begin(num_ctx_arb(400));
   for (int i = 0; i < N_PARAMS; i++) at[i] = calc_d(&c, p[i]);
   struct spectrum s = flow_spectrum(&c, at);
   ck_assert_int_eq(return_map_double_init(&k, p), SS_OK);
@@ -1024,5 +929,4 @@ TEST_EACH(the_statements_of_the_frequencies_agree, 80) {
     ck_assert(off_by(fine.own[i].high, fine.own[i].low, share[i]) < 0x1p-98);
   }
   ck_assert(calc_lt(&c, s.om[0], s.om[1]));
-  calc_clear(&c);
 }

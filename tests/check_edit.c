@@ -4,9 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "local.h"
 #include "paper_model.h"
 #include "power/mutants.h"
 #include "says.h"
+#include "scratch.h"
 #include "suite.h"
 
 static const struct edit_word some_words[] = {
@@ -23,13 +25,11 @@ static const char *const some_factors[] = {"b"};
 
 /* The texts of one kind of edit, joined by " | ". */
 static char *edits_as_text(const char *statement, enum edit_kind kind, bool with_factors) {
-  struct source src;
-  struct arena a;
-  struct edits e = {.n = 0};
+  LOCAL(arena, a);
+  OWNED(edits) e = {.n = 0};
   struct edit_word word[N_WORDS];
   struct text t;
-  source_from_string(&src, "test", statement);
-  arena_init(&a);
+  OWNED(source) src = source_of("test", statement);
   text_init(&t);
   text_add(&t, "");
   memcpy(word, some_words, sizeof word);
@@ -41,9 +41,6 @@ static char *edits_as_text(const char *statement, enum edit_kind kind, bool with
   stmt_edits(&e, &a, s, &v);
   for (size_t i = 0; i < e.n; i++)
     if (e.edit[i].kind == kind) text_printf(&t, "%s%s", t.len ? " | " : "", e.edit[i].text);
-  edits_clear(&e);
-  arena_clear(&a);
-  source_clear(&src);
   return t.data;
 }
 
@@ -118,13 +115,10 @@ static char *sorted(const char *list) {
 }
 
 TEST_EACH(edits_written_down_by_hand, COUNT(by_hand)) {
-  char *found = edits_as_text(by_hand[_i].statement, by_hand[_i].kind, false);
-  char *got = sorted(found), *want = sorted(by_hand[_i].want);
+  FREED char *found = edits_as_text(by_hand[_i].statement, by_hand[_i].kind, false);
+  FREED char *got = sorted(found), *want = sorted(by_hand[_i].want);
   ck_assert_msg(strcmp(got, want) == 0, "%s, %s:\n  %s\nnot\n  %s", by_hand[_i].statement,
                 edit_kind_name[by_hand[_i].kind], got, want);
-  free(want);
-  free(got);
-  free(found);
 }
 
 TEST(factors_are_put_into_terms) {
@@ -138,12 +132,9 @@ TEST(factors_are_put_into_terms) {
       {"(a + a)*a = 0", "(a + a)*a*b = 0 | (a + a*b)*a = 0 | (a*b + a)*a = 0"},
   };
   for (size_t i = 0; i < COUNT(rows); i++) {
-    char *found = edits_as_text(rows[i].statement, EDIT_FACTOR, true), *got = sorted(found),
-         *want = sorted(rows[i].want);
+    FREED char *found = edits_as_text(rows[i].statement, EDIT_FACTOR, true), *got = sorted(found),
+               *want = sorted(rows[i].want);
     ck_assert_msg(strcmp(got, want) == 0, "%s:\n  %s\nnot\n  %s", rows[i].statement, got, want);
-    free(want);
-    free(got);
-    free(found);
   }
 }
 
@@ -167,7 +158,7 @@ static struct model papers;
 static struct mutants population;
 
 static void open_population(void) {
-  paper_model(&papers, NULL);
+  papers = paper_model(NULL);
   mutants_init(&population, &papers, NULL, 0);
 }
 
@@ -214,21 +205,17 @@ TEST(every_edit_is_a_statement_of_its_own) {
     ck_assert_msg(!same_statement(original, m->edit.stmt, expr_same), "%s", m->edit.text);
     ck_assert(m->edit.place.begin >= original->span.begin && m->edit.place.end <= original->span.end);
     ck_assert(m->edit.place.begin < m->edit.place.end && strcmp(m->edit.was, m->edit.now) != 0);
-    struct arena a;
-    struct source src;
+    LOCAL(arena, a);
     const struct stmt *again;
-    arena_init(&a);
-    source_from_string(&src, "edit", m->edit.text);
+    OWNED(source) src = source_of("edit", m->edit.text);
     goes_well(again = stmt_parse(&a, &src, (struct span){0, src.len}, &d));
     ck_assert_msg(same_statement(again, m->edit.stmt, same_but_brackets), "%s", m->edit.text);
-    source_clear(&src);
-    arena_clear(&a);
   }
   for (int k = 0; k < N_EDIT_KINDS; k++) ck_assert_msg(kinds[k] > 0, "no %s", edit_kind_name[k]);
 }
 
 TEST(no_edit_comes_twice_and_the_order_is_fixed) {
-  struct mutants again;
+  OWNED(mutants) again;
   mutants_init(&again, &papers, NULL, 0);
   ck_assert_uint_eq(again.n, population.n);
   for (size_t i = 0; i < population.n; i++) {
@@ -236,7 +223,6 @@ TEST(no_edit_comes_twice_and_the_order_is_fixed) {
     for (size_t k = i + 1; k < population.n && population.mutant[k].target == population.mutant[i].target; k++)
       ck_assert_str_ne(population.mutant[k].edit.text, population.mutant[i].edit.text);
   }
-  mutants_clear(&again);
 }
 
 CASE("edit");
@@ -245,24 +231,19 @@ CASE("edit");
 TEST(long_statements_are_bounded) {
   static const int terms[] = {100, 199, 201, 20000};
   for (size_t i = 0; i < COUNT(terms); i++) {
-    struct text t;
-    struct source src;
+    LOCAL(text, t);
     struct arena a;
-    struct edits e = {.n = 0};
-    text_init(&t);
+    OWNED(edits) e = {.n = 0};
     text_add(&t, "a");
     for (int k = 1; k < terms[i]; k++) text_add(&t, " + a");
     text_add(&t, " = b");
-    source_from_string(&src, "long", t.data);
+    OWNED(source) src = source_of("long", t.data);
     arena_init(&a);
     struct edit_vocabulary v = {some_words, N_WORDS, some_factors, 1};
     const struct stmt *s;
     goes_well(s = stmt_parse(&a, &src, (struct span){0, src.len}, &d));
     stmt_edits(&e, &a, s, &v);
     ck_assert((e.n > 0) == (2 * terms[i] <= EDIT_MAX_NODES) && e.n <= EDIT_MAX);
-    edits_clear(&e);
     arena_clear(&a);
-    source_clear(&src);
-    text_clear(&t);
   }
 }

@@ -10,7 +10,9 @@
 #include <string.h>
 
 #include "claim/claim.h"
+#include "local.h"
 #include "paper_model.h"
+#include "params.h"
 #include "rational.h"
 #include "report/report.h"
 #include "report/sheet.h"
@@ -25,10 +27,10 @@
 
 static struct audit_result result;
 
-static void load(struct model *m, const char *overlay, const char *errata) {
-  paper_model(m, &(struct paper_layers){.overlay = overlay ? scratch_put("user.eq", overlay) : NULL,
-                                        .errata = errata ? scratch_put("errata.eq", errata) : NULL,
-                                        .controls = true});
+static struct model load(const char *overlay, const char *errata) {
+  return paper_model(&(struct paper_layers){.overlay = overlay ? scratch_put("user.eq", overlay) : NULL,
+                                            .errata = errata ? scratch_put("errata.eq", errata) : NULL,
+                                            .controls = true});
 }
 
 static void open_audit(void) {
@@ -62,11 +64,9 @@ static const char *joined(const struct id_list *list) {
 
 static void write_text(const char *name, void (*writer)(struct text *, const struct audit_result *),
                        const struct audit_result *r) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   writer(&t, r);
   scratch_put(name, text_str(&t));
-  text_clear(&t);
 }
 
 static void write_sheets(const struct audit_result *r) {
@@ -88,8 +88,7 @@ TEST(dependences_are_those_of_the_text) {
 /* A definition that names another claim's value makes the claim rest on it, and the list keeps the order of the
    files. */
 TEST(a_new_use_is_a_new_dependence) {
-  struct model m;
-  load(&m, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[-1, 1] + 0*tr(K_1)*[1, 1]\n", NULL);
+  OWNED(model) m = load("define user\n  section: stability\n  J_a := (1/(1 - chi))*[-1, 1] + 0*tr(K_1)*[1, 1]\n", NULL);
   struct dependences *d = dependences_new(&m, &the_paper.claims);
   size_t ja = 0, k1 = 0, j = 0;
   for (size_t i = 0; i < the_paper.claims.n; i++) {
@@ -99,7 +98,6 @@ TEST(a_new_use_is_a_new_dependence) {
   }
   ck_assert(dependences_on(d, ja, k1) && dependences_on(d, j, k1) && !dependences_on(d, k1, ja));
   dependences_free(d);
-  model_clear(&m);
   d = dependences_new(&the_paper.model, &the_paper.claims);
   ck_assert(!dependences_on(d, ja, k1) && !dependences_on(d, j, k1));
   dependences_free(d);
@@ -107,7 +105,7 @@ TEST(a_new_use_is_a_new_dependence) {
 
 /* Two claims about one matrix stand beside each other; a third that uses it rests on both. */
 TEST(claims_about_the_same) {
-  struct claims own = {.n = 0};
+  OWNED(claims) own = {.n = 0};
   const char *path = scratch_put("same.claim", "claim a\n  section: stability\n  value: J_a\n  title: a\n"
                                                "claim b\n  section: stability\n  value: J_a\n  title: b\n"
                                                "claim c\n  section: stability\n  formula: J_b*J_a\n  title: c\n");
@@ -116,7 +114,6 @@ TEST(claims_about_the_same) {
   for (size_t a = 0; a < 3; a++)
     for (size_t b = 0; b < 3; b++) ck_assert_int_eq(dependences_on(on, a, b), a == 2 && b < 2);
   dependences_free(on);
-  claims_clear(&own);
 }
 
 /* Programs are the same when their formulas are, term by term. */
@@ -126,11 +123,10 @@ TEST(the_same_program) {
   enum { N = COUNT(formulas) };
   struct tape t[N][2];
   for (int i = 0; i < 2 * N; i++) {
-    struct elaboration el;
+    OWNED(elaboration) el;
     struct matrix m;
     elaboration_init(&el, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
     goes_well(elaborate_tape(&t[i / 2][i % 2], &m, &el, "formula", formulas[i / 2], "appendix_a", &d));
-    elaboration_clear(&el);
   }
   for (int i = 0; i < N; i++)
     for (int k = 0; k < N; k++)
@@ -139,18 +135,15 @@ TEST(the_same_program) {
 }
 
 TEST(what_is_named_by_hand_must_exist) {
-  struct claims own = {.n = 0};
-  struct audit_result r;
+  OWNED(claims) own = {.n = 0};
+  LOCAL(audit_result, r);
   const struct audit_options opt = {.n_only = 0};
   const struct claims none = {.n = 0};
-  audit_result_init(&r);
   const char *path = scratch_put("own.claim", "claim eq-1\n  kind: definition\n  title: a\n  depends-on: eq-9, eq-2\n"
                                               "claim eq-2\n  kind: definition\n  title: b\n");
   goes_well(claims_add_file(&own, path, "claim", &d));
   fails_with(audit_run(&r, &the_paper.model, &own, &none, &the_paper.scene, &opt, &d),
              "own.claim:4:15: error: eq-1: depends-on names something that is not a claim");
-  claims_clear(&own);
-  audit_result_clear(&r);
 }
 
 /* --- What falls --- */
@@ -255,15 +248,12 @@ TEST(size_of_the_error_in_10) {
   ck_assert_int_eq(sscanf(d->entry, "[%d,%d]", &row, &col), 2);
   ck_assert_int_ge(col, 3);
   struct num_ctx ctx = num_ctx_double();
-  struct num_vec n, p;
-  num_vec_init(&n, 16, ctx);
-  num_vec_init(&p, 16, ctx);
+  OWNED(num_vec) n = vec_new(16, ctx), p = vec_new(16, ctx);
   double at_orbit[N_PARAMS];
   for (int i = 0; i < N_PARAMS; i++) at_orbit[i] = number_after(d->where, names[i]);
-  struct num_vec params = vec_of(at_orbit, N_PARAMS, ctx);
-  fmpq *exact = rationals_d(at_orbit, N_PARAMS);
-  struct dyn_orbits list;
-  ck_assert_int_eq(dyn_orbits_find(&list, exact, 64, NULL), SS_OK);
+  OWNED(num_vec) params = vec_of(at_orbit, N_PARAMS, ctx);
+  FREED_PARAMS fmpq *exact = rationals_d(at_orbit, N_PARAMS);
+  OWNED(dyn_orbits) list = orbits_of(exact, 64);
   slong orbit = (slong)strtol(strstr(d->where, "orbit ") + 6, NULL, 10) - 1;
   double t_a = 0;
   for (int ph = 0; ph < N_PHASES; ph++) {
@@ -278,19 +268,15 @@ TEST(size_of_the_error_in_10) {
   ck_assert_msg(fabs(corrected - at) < 1e-7 * scale, "%g, not %g", corrected, at);
   ck_assert_msg(fabs(printed - corrected - off) < 1e-7 * scale, "%g, not %g", printed - corrected, off);
   ck_assert(fabs(off) > 1e-3);
-  dyn_orbits_clear(&list);
-  _fmpq_vec_clear(exact, N_PARAMS);
-  vecs_clear(&p, &n, &params);
 }
 
 /* A claim is judged alike alone and together, its effect and consequences included. */
 TEST(alone_or_together) {
   static const char *const ids[] = {"eq-10", "eq-40", "eq-32b"};
   for (size_t i = 0; i < COUNT(ids); i++) {
-    struct audit_result r;
+    LOCAL(audit_result, r);
     const struct claims none = {.n = 0};
     const struct audit_options opt = {.only = &ids[i], .n_only = 1};
-    audit_result_init(&r);
     goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
     const struct finding *a = finding_with_id(&r, ids[i]), *b = finding_with_id(&result, ids[i]);
     ck_assert_str_eq(a->effect, b->effect);
@@ -304,20 +290,17 @@ TEST(alone_or_together) {
       ck_assert_str_eq(q->derived[k].verdict, other->verdict);
       if (other->printed) ck_assert_str_eq(q->derived[k].printed, other->printed);
     }
-    audit_result_clear(&r);
   }
 }
 
 /* --- Corrections set beside the printed text --- */
 
 static void judge_one(struct audit_result *r, const char *overlay, const char *errata, const char *id) {
-  struct model m;
   const struct claims none = {.n = 0};
   const struct audit_options opt = {.only = &id, .n_only = 1};
   audit_result_init(r);
-  load(&m, overlay, errata);
+  OWNED(model) m = load(overlay, errata);
   goes_well(audit_run(r, &m, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
-  model_clear(&m);
 }
 
 TEST(what_to_replace_by_what) {
@@ -331,7 +314,7 @@ TEST(what_to_replace_by_what) {
   for (size_t i = 0; i < COUNT(cases); i++)
     ck_assert_str_eq(finding_with_id(&result, cases[i].id)->change, cases[i].change);
   ck_assert(finding_with_id(&result, "eq-32b")->change == NULL); /* one equation for two */
-  struct audit_result r;
+  OWNED(audit_result) r;
   judge_one(&r, "define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1]\n",
             "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n", "eq-27");
   const struct finding *f = finding_with_id(&r, "eq-27");
@@ -341,18 +324,16 @@ TEST(what_to_replace_by_what) {
   const struct consequence *q = audit_result_consequence(&r, "eq-27");
   ck_assert(q && strstr(joined(&q->falls), "text-criterion"));
   ck_assert(!strstr(joined(&q->falls), "eq-41")); /* without the correction of (40) it fails in any case */
-  audit_result_clear(&r);
 }
 
 /* Wrong, and nothing says how to mend it: no consequence can be told. */
 TEST(without_a_correction_nothing_is_said) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   judge_one(&r, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[1, 1]\n", NULL, "eq-27");
   ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
   ck_assert(finding_with_id(&r, "eq-27")->correction == NULL && audit_result_consequence(&r, "eq-27") == NULL);
   write_sheets(&r);
   shell_well("$Y tests/oracle/sheets.py $D");
-  audit_result_clear(&r);
 }
 
 /* z10 = 0.97818..., z20 = -2.12469..., t_a/10 = 0.05322... of the orbit in tests/oracle/orbits.tsv, to four
@@ -371,15 +352,13 @@ TEST(numbers_are_corrected_to_as_many_digits) {
 
 /* In order of consequence; slips of notation behind, and the numbers at the end.  No name of a claim is told. */
 TEST(worst_first) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   report_errata(&t, &result);
   static const char *const never[] = {"eq-",   "text-",  "num-",   "(10c)", "relative to their size",
                                       " +/- ", "(GHCD)", "reading"};
   for (size_t i = 0; i < COUNT(never); i++)
     ck_assert_msg(strstr(t.data, never[i]) == NULL, "%s: %.200s", never[i], strstr(t.data, never[i]));
   check_order(t.data, "tests/cases/order_errata.tsv");
-  text_clear(&t);
 }
 
 /* A result record of nothing but traps for three languages: each in a number's place, in a formula's, and in what they
@@ -454,8 +433,7 @@ TEST(words_with_texts_in_them) {
           "1_2 of <var>x<sub>2</sub></var>: MATH and <var>z<sub>10</sub></var>, <code>a_b</code>; a&b <span class=\"v "
           "refuted\">refuted</span>."};
   for (int i = 0; i < 3; i++) {
-    struct text out;
-    text_init(&out);
+    LOCAL(text, out);
     const struct sheet s = {&out, (enum dialect)i};
     const bool html = i == DIALECT_HTML;
     sheet_add(&s, "%e of %t: %m%s and %p, %c; %s %v%.", "1_2", "x_2", html ? NULL : "a_1", html ? "MATH" : NULL, "z_10",
@@ -464,16 +442,13 @@ TEST(words_with_texts_in_them) {
     text_reset(&out);
     sheet_add(&s, "%s%.", "It ends.");
     ck_assert_str_eq(text_str(&out), "It ends.");
-    text_clear(&out);
   }
 }
 
 TEST(heads_of_tables) {
-  struct text out;
-  text_init(&out);
+  LOCAL(text, out);
   markdown_head(&out, "a|b c:||d:|");
   ck_assert_str_eq(text_str(&out), "| a | b c | | d | |\n| --- | ---: | --- | ---: | --- |\n");
-  text_clear(&out);
 }
 
 TEST(lists_in_sentences) {
@@ -481,11 +456,9 @@ TEST(lists_in_sentences) {
                                                                               "$t_{b}$ = 2 and $t_{c}$",
                                                                               "$t_{b}$ = 2, $t_{c}$ and $V$"};
   for (int n = 0; n <= 3; n++) {
-    struct text out;
-    text_init(&out);
+    LOCAL(text, out);
     sheet_list(&(struct sheet){&out, DIALECT_TEX}, list, n);
     ck_assert_str_eq(text_str(&out), said[n]);
-    text_clear(&out);
   }
 }
 
@@ -506,15 +479,13 @@ TEST(sheets_follow_their_grammars) {
 CASE("writers", .each = {scratch_open, scratch_close});
 
 TEST(nothing_quoted_breaks_a_sheet) {
-  struct table all;
-  table_read(&all, "tests/cases/traps_errata.tsv", 1);
+  OWNED(table) all = table_read("tests/cases/traps_errata.tsv", 1);
   const char *traps[60];
   ck_assert_int_le(all.n, COUNT(traps));
   for (int i = 0; i < all.n; i++) traps[i] = *all.row[i];
   struct audit_result r;
   hostile(&r, traps, (size_t)all.n);
   check_sheets(&r);
-  table_clear(&all);
 }
 
 /* Claims that rest on each other keep both arrows, and the closure is that of the lists (sheets.py). */
@@ -532,12 +503,10 @@ TEST(circles_in_the_graph) {
   struct audit_result r = {.scene = "s", .title = "t", .findings = f, .n_findings = 4};
   write_sheets(&r);
   shell_well("$Y tests/oracle/sheets.py $D");
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   report_dot(&t, &r);
   ck_assert(strstr(t.data, "\"eq-1\" -> \"eq-4\"") && !strstr(t.data, "\"eq-2\" -> \"eq-4\""));
   ck_assert(strstr(t.data, "\"eq-2\" -> \"eq-1\"") && strstr(t.data, "\"eq-3\" -> \"eq-1\""));
-  text_clear(&t);
 }
 
 /* --- Results as data --- */
@@ -550,9 +519,8 @@ TEST(mistakes_in_a_list_of_results) {
       {"result a\n  formula: K\n", "a result has a title and a formula"},
       {"result a\n  title: b\n  formula: K\n  value: K\n", ":4:3: error: a: a result has section, title and formula"},
       {"result a\n  title: b\n  formula: K\nresult a\n  title: c\n  formula: K\n", "result a is given twice"}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
+  for (size_t i = 0; i < COUNT(cases); i++)
     fails_with(audit_check_file(scratch_put("r.claim", cases[i].text), "verify", &d), cases[i].says);
-  }
   goes_well(audit_check_file("verify/claims/results.claim", "verify", &d));
 }
 
@@ -560,15 +528,13 @@ CASE("paper");
 
 /* A result that the paper at hand cannot be asked for is left out; one that the printed form spoils is said to be. */
 TEST(results_that_cannot_be_read) {
-  struct audit_result r;
-  struct model m;
-  struct claims own;
+  LOCAL(audit_result, r);
+  OWNED(claims) own;
   const struct claims none = {.n = 0};
   const char *only = "eq-27";
   const struct audit_options opt = {.only = &only, .n_only = 1};
-  audit_result_init(&r);
-  load(&m, "define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1, 1]\n",
-       "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n");
+  OWNED(model) m = load("define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1, 1]\n",
+                        "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n");
   paper_claims(&own, NULL);
   goes_well(claims_add_file(&own, scratch_put("more.claim", "result none\n  title: none\n  formula: no_such_name\n"),
                             "claim", &d));
@@ -581,7 +547,4 @@ TEST(results_that_cannot_be_read) {
   for (int i = 0; i < q->n_derived; i++)
     undefined |= strcmp(q->derived[i].formula, "tr(J)") == 0 && q->derived[i].change == CHANGE_UNDEFINED;
   ck_assert(undefined);
-  claims_clear(&own);
-  model_clear(&m);
-  audit_result_clear(&r);
 }

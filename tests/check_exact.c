@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "element.h"
 #include "every.h"
 #include "judge/judge.h"
 #include "judge/receipt.h"
+#include "local.h"
 #include "paper_model.h"
 #include "paper_value.h"
 #include "power/mutants.h"
@@ -32,19 +34,18 @@ struct values_of {
   bool known[EXACT_GENERATORS];
 };
 
-static void values_open(struct values_of *v) {
+static void values_of_open(struct values_of *v) {
   *v = (struct values_of){.x = _arb_vec_init(EXACT_GENERATORS)};
 }
 
-static void values_close(struct values_of *v) {
+static void values_of_clear(struct values_of *v) {
   _arb_vec_clear(v->x, EXACT_GENERATORS);
 }
 
 /* g is a generator, perhaps with a sign. */
 static void assign(struct values_of *v, const element *g, const arb_t x) {
   int used[EXACT_GENERATORS];
-  fmpz_t sign;
-  fmpz_init(sign);
+  NUMBERS(fmpz, sign);
   fmpz_mpoly_q_used_vars(used, g, num_exact_ctx());
   if (fmpz_mpoly_length(&g->num, num_exact_ctx()) == 1) {
     fmpz_mpoly_get_term_coeff_fmpz(sign, &g->num, 0, num_exact_ctx());
@@ -54,16 +55,12 @@ static void assign(struct values_of *v, const element *g, const arb_t x) {
       v->known[i] = true;
     }
   }
-  fmpz_clear(sign);
 }
 
 static void poly_at(arb_t z, const fmpz_mpoly_struct *p, const struct values_of *v) {
   slong e[EXACT_GENERATORS];
-  arb_t term, power;
-  fmpz_t c;
-  arb_init(term);
-  arb_init(power);
-  fmpz_init(c);
+  NUMBERS(arb, term, power);
+  NUMBERS(fmpz, c);
   arb_zero(z);
   for (slong i = 0; i < fmpz_mpoly_length(p, num_exact_ctx()); i++) {
     fmpz_mpoly_get_term_coeff_fmpz(c, p, i, num_exact_ctx());
@@ -77,18 +74,13 @@ static void poly_at(arb_t z, const fmpz_mpoly_struct *p, const struct values_of 
     }
     arb_add(z, z, term, PREC);
   }
-  fmpz_clear(c);
-  arb_clear(power);
-  arb_clear(term);
 }
 
 static void element_at(arb_t z, const element *x, const struct values_of *v) {
-  arb_t den;
-  arb_init(den);
+  NUMBERS(arb, den);
   poly_at(z, &x->num, v);
   poly_at(den, &x->den, v);
   arb_div(z, z, den, PREC);
-  arb_clear(den);
 }
 
 /* --- Laws --- */
@@ -112,12 +104,10 @@ static void make_atoms(element *atom, arb_ptr ball, struct values_of *v, struct 
   arb_mul(ball + 6, ball + 0, ball + 1, PREC);
   arb_sqrt(ball + 6, ball + 6, PREC);
   for (int i = 4; i < 7; i++) assign(v, &atom[i], ball + i);
-  fmpq_t q;
-  fmpq_init(q);
+  NUMBERS(fmpq, q);
   fmpq_set_si(q, 2, 3);
   num_exact.set_q(&atom[7], q, 0);
   arb_set_fmpq(ball + 7, q, PREC);
-  fmpq_clear(q);
 }
 
 static int random_op(element *z, arb_t ball, struct exact_field *f, const element *x, const arb_t bx, const element *y,
@@ -134,18 +124,14 @@ static void random_element(element *z, arb_t ball, struct exact_field *f, const 
   slong i = rng_between(r, 0, ATOMS - 1);
   num_exact.set(z, &atom[i]);
   arb_set(ball, balls + i);
-  element next;
-  arb_t b;
-  exact_init(&next);
-  arb_init(b);
+  ELEMENTS(next);
+  NUMBERS(arb, b);
   for (slong k = rng_between(r, 1, 4); k > 0; k--) {
     i = rng_between(r, 0, ATOMS - 1);
     if (random_op(&next, b, f, z, ball, &atom[i], balls + i, rng_between(r, 0, 3)) != SS_OK) continue;
     num_exact.swap(z, &next);
     arb_swap(ball, b);
   }
-  arb_clear(b);
-  exact_clear(&next);
 }
 
 static void calculate(element *z, struct exact_field *f, num_binary op, const element *x, const element *y) {
@@ -159,11 +145,11 @@ CASE("algebra", .once = {paper_open, paper_close});
 TEST(a_field_and_its_values) {
   struct rng r = {2026};
   for (int trial = 0; trial < 60; trial++) {
-    struct exact_field *f = exact_field_new(NULL, 0);
-    struct values_of v;
+    FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+    OWNED(values_of) v;
     element atom[ATOMS], x[3], a, b;
     arb_ptr balls = _arb_vec_init(ATOMS + 4);
-    values_open(&v);
+    values_of_open(&v);
     make_atoms(atom, balls, &v, f, &r);
     exact_init(&a);
     exact_init(&b);
@@ -200,9 +186,7 @@ TEST(a_field_and_its_values) {
     for (int i = 0; i < ATOMS; i++) exact_clear(&atom[i]);
     exact_clear(&b);
     exact_clear(&a);
-    values_close(&v);
     _arb_vec_clear(balls, ATOMS + 4);
-    exact_field_free(f);
   }
 }
 
@@ -230,18 +214,13 @@ TEST(derivatives_by_the_rules) {
       {"sin(t)/(1 + cos(t))", "1/(1 + cos(t))"},
   };
   for (size_t i = 0; i < COUNT(rows); i++) {
-    struct exact_field *f = exact_field_new(NULL, 0);
-    element x, y;
-    exact_init(&x);
-    exact_init(&y);
+    FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+    ELEMENTS(x, y);
     ck_assert(value_in(&x, f, rows[i][0]) == SS_OK && value_in(&y, f, rows[i][1]) == SS_OK);
     ck_assert_int_eq(exact_derivative(&x, f, &x, "t"), SS_OK);
     ck_assert_msg(exact_equal(f, &x, &y), "the derivative of %s is %s", rows[i][0], rows[i][1]);
     ck_assert(value_in(&x, f, "sqrt(t)*chi") == SS_OK);
     ck_assert_int_eq(exact_derivative(&x, f, &x, "t"), SS_UNABLE);
-    exact_clear(&y);
-    exact_clear(&x);
-    exact_field_free(f);
   }
 }
 
@@ -265,15 +244,10 @@ TEST(half_turns_and_roots_of_quotients) {
               {"V/sqrt(chi/V)", "(V/chi)*sqrt(chi/V)*V", true},
               {"sqrt(chi/V)*V", "sqrt(chi*V)", false}};
   for (size_t i = 0; i < COUNT(rows); i++) {
-    struct exact_field *f = exact_field_new(NULL, 0);
-    element x, y;
-    exact_init(&x);
-    exact_init(&y);
+    FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+    ELEMENTS(x, y);
     ck_assert(value_in(&x, f, rows[i].left) == SS_OK && value_in(&y, f, rows[i].right) == SS_OK);
     ck_assert_msg(exact_equal(f, &x, &y) == rows[i].equal, "%s and %s", rows[i].left, rows[i].right);
-    exact_clear(&y);
-    exact_clear(&x);
-    exact_field_free(f);
   }
 }
 
@@ -282,20 +256,15 @@ TEST(witnesses_of_roots_of_quotients) {
   static const char *const rows[][2] = {{"sqrt((4*chi)/V)", "sqrt((4*chi)/(V)) = %31[^,]"},
                                         {"sqrt((chi - 9)/(V - 9))", "sqrt((chi-9)/(V-9)) = %31[^,]"}};
   for (size_t i = 0; i < COUNT(rows); i++) {
-    struct exact_field *f = exact_field_new(NULL, 0);
-    struct text t;
-    element x;
+    FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+    LOCAL(text, t);
+    ELEMENTS(x);
     char whole[32], root[32];
-    text_init(&t);
-    exact_init(&x);
     ck_assert(value_in(&x, f, rows[i][0]) == SS_OK && exact_independent(f) && exact_witness(&t, f, &x));
     const char *at = strstr(text_str(&t), "sqrt(");
     ck_assert_msg(at && sscanf(text_str(&t), "%31s", whole) == 1 && sscanf(at, rows[i][1], root) == 1, "%s",
                   text_str(&t));
     ck_assert_msg(strcmp(whole, root) == 0 && *root != '-', "%s", text_str(&t));
-    exact_clear(&x);
-    text_clear(&t);
-    exact_field_free(f);
   }
 }
 
@@ -315,23 +284,16 @@ TEST(differences_with_a_rational_point) {
               {"sqrt(chi/eta) - 3", true, false},
               {"sqrt(chi^2) - chi", false, false}};
   for (size_t i = 0; i < COUNT(rows); i++) {
-    struct exact_field *f = exact_field_new(NULL, 0);
-    struct text t;
-    element x;
-    fmpq_t one;
-    fmpq_init(one);
+    FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+    LOCAL(text, t);
+    ELEMENTS(x);
+    NUMBERS(fmpq, one);
     fmpq_one(one);
-    text_init(&t);
-    exact_init(&x);
     ck_assert(value_in(&x, f, rows[i].text) == SS_OK && !exact_is_zero(&x));
     ck_assert_msg(exact_independent(f) == rows[i].independent, "%s", rows[i].text);
     ck_assert_msg(exact_vanishes_at(f, &x, "V", one) == rows[i].at_one, "%s", rows[i].text);
     ck_assert_msg(!rows[i].independent || (exact_witness(&t, f, &x) && strstr(text_str(&t), " at ")), "%s",
                   rows[i].text);
-    exact_clear(&x);
-    text_clear(&t);
-    fmpq_clear(one);
-    exact_field_free(f);
   }
 }
 
@@ -341,12 +303,9 @@ TEST(the_budget_ends_it) {
       "(chi + eta + V + t + x + y + u + v + lambda + e_1 + e_2)^16", "det(H(t)*H(t_a)*H(t_b)*H(t_c))",
       "(((((chi + 1/(eta + 1/(V + 1/t)))^9 + x)^9 + y)^9 + u)^9 + v)^9", "chi^17", "J[1,1]*J[1,2]*J[2,1]"};
   for (size_t i = 0; i < COUNT(texts); i++) {
-    struct exact_field *f = exact_field_new(NULL, 0);
-    element x;
-    exact_init(&x);
+    FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+    ELEMENTS(x);
     ck_assert_msg(value_in(&x, f, texts[i]) == SS_UNABLE, "%s", texts[i]);
-    exact_clear(&x);
-    exact_field_free(f);
   }
 }
 
@@ -372,20 +331,15 @@ static void bind_ball(arb_t z, struct values *v, const char *name) {
 }
 
 static void assign_symbol(struct values_of *g, struct exact_motion *m, const char *name, const arb_t x) {
-  element e;
-  exact_init(&e);
+  ELEMENTS(e);
   if (exact_symbol(&e, m->field, name) == SS_OK) assign(g, &e, x);
-  exact_clear(&e);
 }
 
 /* sin and cos of w u, where w and u are generators or 1. */
 static void assign_angle(struct values_of *g, struct exact_motion *m, const element *w, const arb_t w_ball,
                          const char *time, const arb_t u) {
   element e[3];
-  arb_t x, s, c;
-  arb_init(x);
-  arb_init(s);
-  arb_init(c);
+  NUMBERS(arb, x, s, c);
   for (int i = 0; i < 3; i++) exact_init(&e[i]);
   arb_mul(x, u, w_ball, PREC);
   arb_sin_cos(s, c, x, PREC);
@@ -395,9 +349,6 @@ static void assign_angle(struct values_of *g, struct exact_motion *m, const elem
     assign(g, &e[2], c);
   }
   for (int i = 0; i < 3; i++) exact_clear(&e[i]);
-  arb_clear(c);
-  arb_clear(s);
-  arb_clear(x);
 }
 
 /* Every generator that a motion may use, from the motion in balls: those in use, and as many others as there is room
@@ -408,8 +359,8 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
                                            "z'_2c", "x",    "y",    "y_a",  "x_b",  "u_b",   "x_c",  "y_c",
                                            "v_c",   "x_f",  "y_f",  "dt_a", "dt_b", "dt_c",  "dt_d"};
   static const char *const times[] = {"t_a", "t_b", "t_c", "t_d", "tau"};
-  arb_t x, w[4];
-  arb_init(x);
+  NUMBERS(arb, x);
+  arb_t w[4];
   for (int i = 0; i < 4; i++) arb_init(w[i]);
   for (size_t i = 0; i < COUNT(free_names); i++) {
     bind_ball(x, v, free_names[i]);
@@ -426,8 +377,7 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
   arb_mul(w[2], num_vec_at(&v->params, P_CHI), num_vec_at(&v->params, P_ETA), PREC);
   arb_sqrt(w[2], w[2], PREC);
   arb_one(w[3]);
-  element omega;
-  exact_init(&omega);
+  ELEMENTS(omega);
   ck_assert_int_eq(num_exact.mul(&omega, num_vec_at(&m->params, P_CHI), num_vec_at(&m->params, P_ETA), 0), SS_OK);
   bool room = exact_sqrt(&omega, m->field, &omega) == SS_OK;
   if (room) assign(g, &omega, w[2]);
@@ -442,20 +392,16 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
       if ((phase == PHASE_GAMMA && i == 3) || (phase == PHASE_H && i < 2) || (phase == PHASE_C && i == 2 && room))
         assign_angle(g, m, frequency[i], w[i], times[k], x);
   }
-  exact_clear(&omega);
   for (int i = 0; i < 4; i++) arb_clear(w[i]);
-  arb_clear(x);
 }
 
 static void compare_motion(struct values *v, const struct exact_attempt *a, enum phase ph, const arb_t tau) {
   struct point_spec spec = {.kind = POINT_ARC, .phase = ph};
   struct tape reads = {.inputs = (char **)(size_t)motion_names, .n_inputs = N_MOTION_NAMES};
-  struct exact_motion m;
-  struct values_of g;
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
-  values_open(&g);
+  OWNED(exact_motion) m;
+  OWNED(values_of) g;
+  NUMBERS(arb, x, y);
+  values_of_open(&g);
   exact_motion_init(&m, a, &spec, &reads);
   element e[N_MOTION_NAMES];
   int status[N_MOTION_NAMES], compared = 0;
@@ -475,10 +421,6 @@ static void compare_motion(struct values *v, const struct exact_attempt *a, enum
     exact_clear(&e[i]);
   }
   ck_assert_int_ge(compared, N_MOTION_NAMES - 10); /* tangents by L from a chain outgrow the budget towards the end */
-  exact_motion_clear(&m);
-  values_close(&g);
-  arb_clear(y);
-  arb_clear(x);
 }
 
 CASE("motions", .once = {paper_open, paper_close});
@@ -488,15 +430,13 @@ TEST(motions_have_the_values_of_motions) {
   int done = 0;
   for (int ph = 0; ph < N_PHASES; ph++) {
     struct sampler s;
-    struct point p;
-    point_init(&p);
+    LOCAL(point, p);
     sampler_init(&s, "exact motions", &(struct point_spec){.kind = POINT_ARC, .phase = (enum phase)ph});
     for (int draws = 0, accepted = 0; draws < 12 && accepted < points; draws++) {
-      struct values v;
+      OWNED(values) v;
       sampler_next(&p, &s);
       if (values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), the_paper.cache) == SS_OK) {
-        arb_t tau;
-        arb_init(tau);
+        NUMBERS(arb, tau);
         bind_ball(tau, &v, "t");
         for (int k = 0; k < ph; k++) arb_sub(tau, tau, num_vec_at(&v.arc.t, k), PREC);
         static const struct exact_attempt attempts[] = {{true, 4, TANGENTS_FREE, TIME_INSIDE},
@@ -507,11 +447,8 @@ TEST(motions_have_the_values_of_motions) {
         for (size_t i = 0; i < COUNT(attempts); i++) compare_motion(&v, &attempts[i], (enum phase)ph, tau);
         accepted++;
         done++;
-        arb_clear(tau);
       }
-      values_clear(&v);
     }
-    point_clear(&p);
   }
   ck_assert_int_eq(done, points * N_PHASES);
 }
@@ -522,19 +459,15 @@ TEST(perturbations_at_patched_points) {
   const struct tape nothing = {.n = 0};
   for (int tangents = 0; tangents < N_EXACT_TANGENTS; tangents++) {
     const struct exact_attempt a = {.anchor = 0, .tangents = (enum exact_tangents)tangents};
-    struct exact_motion m;
-    struct values v;
-    struct point p;
+    OWNED(exact_motion) m;
+    OWNED(values) v;
+    LOCAL(point, p);
     struct sampler s;
-    element e, own;
-    arb_t x;
-    arb_init(x);
-    point_init(&p);
+    ELEMENTS(e, own);
+    NUMBERS(arb, x);
     sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED});
     sampler_next(&p, &s);
     exact_motion_init(&m, &a, &spec, &nothing);
-    exact_init(&e);
-    exact_init(&own);
     ck_assert_int_eq(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), the_paper.cache), SS_OK);
     for (int i = 0; i < N_MOTION_NAMES; i++) {
       int index;
@@ -545,12 +478,6 @@ TEST(perturbations_at_patched_points) {
       ck_assert_msg(exact_is_zero(&e) == (bool)arb_is_zero(x), "%s", motion_names[i]);
       ck_assert_msg(exact_is_zero(&e) || exact_equal(m.field, &e, &own), "%s", motion_names[i]);
     }
-    values_clear(&v);
-    exact_clear(&own);
-    exact_clear(&e);
-    exact_motion_clear(&m);
-    point_clear(&p);
-    arb_clear(x);
   }
 }
 
@@ -576,14 +503,13 @@ TEST(no_control_is_proved) {
     struct claim c = *claim_of(record_get(the_paper.controls.claim[i].record, "claim"));
     if (!claim_tried_at_points(&c)) continue;
     c.control = the_paper.controls.claim[i].record;
-    struct audit_result out;
+    OWNED(audit_result) out;
     struct exact_proof p =
         prove(&the_paper.model, &c,
               (struct view){&the_paper.model, LAYER_CORRECTED, NULL, the_paper.controls.claim[i].id}, &out);
     ck_assert_msg(!p.proved, "%s", the_paper.controls.claim[i].id);
     if (strncmp(the_paper.controls.claim[i].id, "ctl-exact-", 10) == 0)
       ck_assert_msg(p.differs && strstr(p.differs, " at "), "%s", the_paper.controls.claim[i].id);
-    audit_result_clear(&out);
     tried++;
   }
   ck_assert_int_ge(tried, 20);
@@ -612,20 +538,16 @@ TEST(what_follows_from_the_law) {
       {"chi*(z_2(t) - z_1(t)) < e_1", "admissible D 6", false},
   };
   for (size_t i = 0; i < COUNT(rows); i++) {
-    struct model m;
-    struct claims c = {.n = 0};
-    struct audit_result out;
+    OWNED(claims) c = {.n = 0};
+    OWNED(audit_result) out;
     const char *path = scratch_print("law.eq", "inequality by-hand\n  section: stability\n  %s\n", rows[i].says);
-    paper_model(&m, &(struct paper_layers){.overlay = path, .errata = ""});
+    OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path, .errata = ""});
     path = scratch_print("law-claim",
                          "claim law\n  kind: identity\n  statement: by-hand\n  points: %s\n  record: proved\n",
                          rows[i].points);
     goes_well(claims_add_file(&c, path, "claim", &d));
     struct exact_proof p = prove(&m, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}, &out);
     ck_assert_msg(p.proved == rows[i].follows, "%s: %s: %s", rows[i].says, rows[i].points, p.why_not);
-    audit_result_clear(&out);
-    claims_clear(&c);
-    model_clear(&m);
   }
 }
 
@@ -652,13 +574,12 @@ TEST(ranks_by_hand) {
       {"  x_b*y_b*u_b = (x_b + y_b)^12\n", "x_b", -1},
   };
   for (size_t i = 0; i < COUNT(rows); i++) {
-    struct model m;
-    struct claims c = {.n = 0};
+    OWNED(claims) c = {.n = 0};
     struct diag d;
-    struct audit_result out;
+    OWNED(audit_result) out;
     struct rank_system y;
     const char *path = scratch_print("rank.eq", "equation rank-by-hand\n  section: stability\n%s", rows[i].equations);
-    paper_model(&m, &(struct paper_layers){.overlay = path, .errata = ""});
+    OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path, .errata = ""});
     scratch_print("rank.claim",
                   "claim rank\n  kind: rank\n  statement: rank-by-hand\n  unknowns: %s\n  rank: 1\n  record: proved\n",
                   rows[i].unknowns);
@@ -670,9 +591,6 @@ TEST(ranks_by_hand) {
     struct exact_rank r = exact_rank_of(&out, &y);
     ck_assert_msg(r.rank == rows[i].rank && r.note, "row %zu: %d, %s", i, r.rank, r.note);
     sentence_clear(&y.s);
-    audit_result_clear(&out);
-    claims_clear(&c);
-    model_clear(&m);
   }
 }
 
@@ -696,28 +614,25 @@ TEST(the_theorem_needs_each_hypothesis) {
       {"define user\n  J_f := [1, 0, 0; 0, 1, 0]\n", "ends transversally"},
   };
   for (size_t i = 0; i < COUNT(rows); i++) {
-    struct model m;
     struct diag d;
-    struct audit_result out;
+    OWNED(audit_result) out;
     const char *body = strchr(rows[i].overlay, '\n') + 1;
     bool own = strncmp(rows[i].overlay, "inequality", 10) == 0;
     const char *path =
         scratch_print("own.eq", "%.*s  section: stability\n%s", (int)(body - rows[i].overlay), rows[i].overlay, body);
-    paper_model(&m, &(struct paper_layers){.overlay = path});
+    OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path});
     const struct view v = {&m, LAYER_CORRECTED, NULL, NULL};
     struct judge j = paper_judge(&out, &m, &d, EFFORT_FULL);
     struct linearized l = linearized_stability(&j, view_record(&v, own ? "own" : "text-criterion"), v);
     ck_assert_msg(l.proved == !rows[i].missing, "row %zu: %s", i, l.note);
     if (rows[i].missing) ck_assert_msg(strstr(l.note, rows[i].missing), "row %zu: %s", i, l.note);
-    audit_result_clear(&out);
-    model_clear(&m);
   }
 }
 
 /* The exact rank is never another than that of balls at points, whatever damage was done. */
 TEST(ranks_of_damaged_equations) {
-  struct overlay o;
-  struct mutants all;
+  OWNED(overlay) o;
+  OWNED(mutants) all;
   int decided = 0;
   overlay_init(&o, &the_paper.model);
   mutants_init(&all, &the_paper.model, NULL, 0);
@@ -730,7 +645,7 @@ TEST(ranks_of_damaged_equations) {
       const char *own = claim_get(c, "equation");
       if (claim_kind(c) != KIND_RANK || !own || strcmp(own, equation) != 0) continue;
       overlay_set(&o, t, all.mutant[i].edit.stmt);
-      struct audit_result out;
+      OWNED(audit_result) out;
       struct finding f;
       struct diag d;
       struct judge j = paper_judge(&out, &o.model, &d, EFFORT_FULL);
@@ -744,31 +659,26 @@ TEST(ranks_of_damaged_equations) {
         ck_assert_msg(!exact || strcmp(exact, "differs") != 0 || strcmp(balls, "agrees") != 0, "%s with mutant %zu: %s",
                       c->id, i, f.evidence[f.n_evidence - 1].note);
       }
-      audit_result_clear(&out);
       overlay_set(&o, t, NULL);
     }
   }
-  mutants_clear(&all);
-  overlay_clear(&o);
   ck_assert_int_ge(decided, 10);
 }
 
 static bool refuted_by_balls(const struct model *m, const struct claim *c) {
-  struct audit_result out;
+  OWNED(audit_result) out;
   struct finding f;
   struct diag d;
   struct judge j = paper_judge(&out, m, &d, EFFORT_REFUTE);
-  bool refuted = judge_verdict(&f, &j, c) && f.verdict == VERDICT_REFUTED && f.n_evidence > 0 &&
-                 strcmp(f.evidence[0].route, "balls") == 0;
-  audit_result_clear(&out);
-  return refuted;
+  return judge_verdict(&f, &j, c) && f.verdict == VERDICT_REFUTED && f.n_evidence > 0 &&
+         strcmp(f.evidence[0].route, "balls") == 0;
 }
 
 /* Every so many one-token damages, and the claims under the same equation: what is proved must not be refuted. */
 TEST(what_balls_refute_is_not_proved) {
   enum { STRIDE = 83 };
-  struct overlay o;
-  struct mutants all;
+  OWNED(overlay) o;
+  OWNED(mutants) all;
   int refuted = 0;
   overlay_init(&o, &the_paper.model);
   mutants_init(&all, &the_paper.model, NULL, 0);
@@ -782,15 +692,12 @@ TEST(what_balls_refute_is_not_proved) {
       const char *own = claim_get(c, "equation");
       if (!own || strcmp(own, equation) != 0 || !claim_tried_at_points(c)) continue;
       if (!refuted_by_balls(&o.model, c)) continue;
-      struct audit_result out;
+      OWNED(audit_result) out;
       ck_assert_msg(!prove(&o.model, c, claim_view(&o.model, c), &out).proved, "%s with mutant %zu", c->id, i);
-      audit_result_clear(&out);
       refuted++;
     }
     overlay_set(&o, t, NULL);
   }
-  mutants_clear(&all);
-  overlay_clear(&o);
   ck_assert_int_ge(refuted, 20);
 }
 
@@ -811,12 +718,11 @@ static bool has_sympy(void) {
 }
 
 static void receipt(struct text *out, const char *id) {
-  struct source src;
+  OWNED(source) src;
   char file[60];
   snprintf(file, sizeof file, "verify/%s", receipt_file(&the_paper.claims, id));
   goes_well(source_read(&src, file, 1 << 20, &d));
   goes_well(audit_receipt(out, &the_paper.model, &the_paper.claims, &the_paper.scene, id, src.text, &d));
-  source_clear(&src);
 }
 
 /* The first such text before the parts is made wrong at its place. */
@@ -828,8 +734,7 @@ struct damage {
 
 /* Writes the receipt, as it is or damaged, and adds its path to the line. */
 static void add_receipt(struct text *line, const char *name, const char *id, const struct damage *damage) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   receipt(&t, id);
   if (damage) {
     char *at = strstr(t.data, damage->text), *end = strstr(t.data, "# ---");
@@ -837,7 +742,6 @@ static void add_receipt(struct text *line, const char *name, const char *id, con
     at[damage->at] = damage->wrong;
   }
   text_printf(line, " '%s'", scratch_put(name, text_str(&t)));
-  text_clear(&t);
 }
 
 /* The status of the next script that a line tells of. */
@@ -910,9 +814,8 @@ TEST(receipts_hold_and_damaged_ones_do_not) {
               {"eq-59", "eq-59: proved\n", &once},
               {"text-patched", "text-patched: proved\n", &sign}};
   if (!has_sympy()) return;
-  struct text line;
+  LOCAL(text, line);
   char name[40];
-  text_init(&line);
   text_printf(&line, "%s tests/oracle/receipts.py", python());
   for (int i = 0; i < 2 * COUNT(rows); i++) {
     if (i % 2 == 1 && !rows[i / 2].damage->text) continue;
@@ -923,23 +826,19 @@ TEST(receipts_hold_and_damaged_ones_do_not) {
   ck_assert(statuses != NULL);
   for (int i = 0; i < 2 * COUNT(rows); i += 2) {
     ck_assert_msg(next_status(statuses) == 0, "%s", rows[i / 2].id);
-    struct source out;
+    OWNED(source) out;
     snprintf(name, sizeof name, "receipt-%d.py.out", i);
     goes_well(source_read(&out, scratch_path(name), 1000, &d));
     ck_assert_str_eq(out.text, rows[i / 2].says);
-    source_clear(&out);
     if (rows[i / 2].damage->text) ck_assert_msg(next_status(statuses) != 0, "damaged %s", rows[i / 2].id);
   }
   ck_assert_int_eq(pclose(statuses), 0);
-  text_clear(&line);
 }
 
 /* The script with each text replaced by the one after it, run: what it says last, and whether it ends well. */
 static bool orbit_receipt_ends(const char *id, const char *const replaced[4], const char *last) {
-  struct text t, script;
-  struct source out;
-  text_init(&t);
-  text_init(&script);
+  LOCAL(text, t, script);
+  OWNED(source) out;
   receipt(&t, id);
   const char *from = text_str(&t);
   for (int i = 0; i < 4 && replaced[i]; i += 2) {
@@ -954,9 +853,6 @@ static bool orbit_receipt_ends(const char *id, const char *const replaced[4], co
   bool well = shell("\"$Y\" '%s' > '%s.out'", path, path) == 0;
   goes_well(source_read(&out, scratch_path("orbit.py.out"), 10000, &d));
   ck_assert_msg(strstr(out.text, last) && strcmp(strstr(out.text, last), last) == 0, "%s: %s", id, out.text);
-  source_clear(&out);
-  text_clear(&script);
-  text_clear(&t);
   return well;
 }
 
@@ -983,11 +879,9 @@ TEST(no_receipt_without_a_proof) {
                                         {"text-inverses", "det(N_1 - I) may be zero"},
                                         {"eq-36b", "not of a kind"}};
   for (size_t i = 0; i < COUNT(rows); i++) {
-    struct text t;
-    text_init(&t);
+    LOCAL(text, t);
     fails_with(audit_receipt(&t, &the_paper.model, &the_paper.claims, &the_paper.scene, rows[i][0], "", &d),
                rows[i][1]);
-    text_clear(&t);
   }
 }
 

@@ -10,8 +10,10 @@
 #include <string.h>
 
 #include "expr/expr.h"
+#include "local.h"
 #include "rng.h"
 #include "says.h"
+#include "scratch.h"
 #include "suite.h"
 #include "table.h"
 
@@ -39,32 +41,24 @@ static int below(int n) {
 }
 
 static const struct expr *parse_expr(const char *text, struct diag *d) {
-  struct source src;
-  source_from_string(&src, "t", text);
-  const struct expr *e = expr_parse(&arena, &src, (struct span){0, src.len}, d);
-  source_clear(&src);
-  return e;
+  OWNED(source) src = source_of("t", text);
+  return expr_parse(&arena, &src, (struct span){0, src.len}, d);
 }
 
 static const struct stmt *parse_stmt(const char *text, struct diag *d) {
-  struct source src;
-  source_from_string(&src, "t", text);
-  const struct stmt *s = stmt_parse(&arena, &src, (struct span){0, src.len}, d);
-  source_clear(&src);
-  return s;
+  OWNED(source) src = source_of("t", text);
+  return stmt_parse(&arena, &src, (struct span){0, src.len}, d);
 }
 
 static const struct expr *tree(const char *text) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   const struct expr *e = parse_expr(text, &d);
   ck_assert_msg(e && !d.set, "%s\n%s", text, d.message);
   return e;
 }
 
 static const struct stmt *statement(const char *text) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   const struct stmt *s = parse_stmt(text, &d);
   ck_assert_msg(s && !d.set, "%s\n%s", text, d.message);
   return s;
@@ -134,8 +128,7 @@ enum { G_TEXT, G_TREE }; /* its columns */
 CASE("expr", .each = {setup, teardown}, .seconds = 60);
 
 TEST(test_grammar) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (int i = 0; i < grammar.n; i++) {
     if (!*grammar.row[i][G_TREE]) {
       ck_assert_msg(!parse_expr(grammar.row[i][G_TEXT], NULL), "%s", grammar.row[i][G_TEXT]);
@@ -145,7 +138,6 @@ TEST(test_grammar) {
     spell(&t, tree(grammar.row[i][G_TEXT]));
     ck_assert_str_eq(text_str(&t), grammar.row[i][G_TREE]);
   }
-  text_clear(&t);
 }
 
 TEST(test_statements) {
@@ -207,10 +199,9 @@ TEST(test_sides_in_prose) {
       {"(2*3^2)/0.5 < x*y", "(2 * 3^2)/0.5 < x y"},
   };
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct text t = {0};
+    OWNED(text) t = {0};
     stmt_plain(&t, statement(cases[i][0]));
     ck_assert_str_eq(text_str(&t), cases[i][1]);
-    text_clear(&t);
   }
 }
 
@@ -221,12 +212,10 @@ TEST(test_spans) {
   ck_assert_uint_eq(e->span.begin, 0);
   ck_assert_uint_eq(e->span.end, strlen(text));
   /* only the span is read, to the byte */
-  struct source src;
-  source_from_string(&src, "t", "x = (a + b)*c \xE2\x88\x92");
+  OWNED(source) src = source_of("t", "x = (a + b)*c \xE2\x88\x92");
   e = expr_parse(&arena, &src, (struct span){4, 11}, NULL);
   ck_assert(e && e->kind == EXPR_PAREN && e->span.begin == 4 && e->span.end == 11);
   fails_with(expr_parse(&arena, &src, (struct span){12, 16}, &d), "t:1:15: error: byte 0xE2");
-  source_clear(&src);
 }
 
 /* ---- diagnostics: the first line must begin with t:PLACE: error: and hold PART */
@@ -235,8 +224,7 @@ TABLE(mistakes, "tests/cases/mistakes.tsv", 4);
 enum { M_STMT, M_TEXT, M_PLACE, M_PART }; /* its columns */
 
 static void check_mistake(const char *text, bool stmt, const char *place, const char *part) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   bool parsed = stmt ? parse_stmt(text, &d) != NULL : parse_expr(text, &d) != NULL;
   ck_assert_msg(!parsed && d.set, "accepted: %s", text);
   char begin[64];
@@ -276,8 +264,7 @@ TEST(test_limits) {
   check_mistake(repeat("a+", "a+a", "", 49999), false, "1:1", "more than 100000 nodes");
   /* long chains of everything that is a loop; they must come back as they went in */
   static const char *const chains[][2] = {{"a*", "a"}, {"a+", "a"}, {"a-", "a"}};
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (size_t i = 0; i < COUNT(chains); i++) {
     const struct expr *e = tree(repeat(chains[i][0], chains[i][1], "", 40000));
     text_reset(&t);
@@ -290,7 +277,6 @@ TEST(test_limits) {
   text_reset(&t);
   expr_print(&t, e);
   ck_assert(expr_same(e, tree(text_str(&t))));
-  text_clear(&t);
   /* nothing to fear from long tokens */
   tree(repeat("a", "", "", 1000000));
   tree(repeat("7", "", "", 1000000));
@@ -391,16 +377,13 @@ static void spread(struct text *out, const char *s) {
 }
 
 TEST(test_round_trip_trees) {
-  struct text t, wide;
-  text_init(&t);
-  text_init(&wide);
+  LOCAL(text, t, wide);
   for (uint64_t seed = 0; seed < 1500; seed++) {
     rng.state = seed;
     const struct expr *e = random_sum(4);
     text_reset(&t);
     expr_print(&t, e);
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     const struct expr *back = parse_expr(text_str(&t), &d);
     ck_assert_msg(back && expr_same(e, back), "seed %lu: %s\n%s", (unsigned long)seed, text_str(&t), d.message);
     text_reset(&wide);
@@ -409,20 +392,16 @@ TEST(test_round_trip_trees) {
     ck_assert_msg(back && expr_same(e, back), "seed %lu: %s\n%s", (unsigned long)seed, text_str(&wide), d.message);
     arena_clear(&arena);
   }
-  text_clear(&t);
-  text_clear(&wide);
 }
 
 /* expr_same must tell trees apart: one changed node is seen, whichever it is. */
 TEST(test_same) {
-  struct table different;
-  table_read(&different, "tests/cases/different.tsv", 1);
+  OWNED(table) different = table_read("tests/cases/different.tsv", 1);
   for (int i = 0; i < different.n; i++)
     for (int j = 0; j < different.n; j++) {
       const char *a = *different.row[i], *b = *different.row[j];
       ck_assert_msg(expr_same(tree(a), tree(b)) == (i == j), "%s %s", a, b);
     }
-  table_clear(&different);
   ck_assert(expr_same(tree(" a + b "), tree("a+b")));
 }
 
@@ -467,19 +446,16 @@ static const struct expr *stripped(const struct expr *e) {
 }
 
 TEST(test_round_trip_scalars) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (uint64_t seed = 0; seed < 8000; seed++) {
     rng.state = seed;
     const struct expr *e = random_scalar(1 + below(5));
     text_reset(&t);
     expr_print(&t, e);
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     const struct expr *back = parse_expr(text_str(&t), &d);
     ck_assert_msg(back && stripped(back) == e, "seed %lu: %s\n%s", (unsigned long)seed, text_str(&t), d.message);
   }
-  text_clear(&t);
 }
 
 /* The places where a scalar needs parentheses, and those where it must not get them. */
@@ -518,14 +494,12 @@ TEST(test_print_scalars) {
       {expr_call(&pool, "H", 2, neg), "H''(-a)"},
       {expr_int(&pool, -7), "-7"},
   };
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (size_t i = 0; i < COUNT(cases); i++) {
     text_reset(&t);
     expr_print(&t, cases[i].e);
     ck_assert_str_eq(text_str(&t), cases[i].text);
   }
-  text_clear(&t);
 }
 
 TEST(test_round_trip_statements) {
@@ -541,14 +515,12 @@ TEST(test_round_trip_statements) {
       "root omega2: w - 1, largest positive",
       "trajectory z_1(t), z_2(t)",
   };
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (size_t i = 0; i < COUNT(statements); i++) {
     text_reset(&t);
     stmt_print(&t, statement(statements[i]));
     ck_assert_str_eq(text_str(&t), statements[i]);
   }
-  text_clear(&t);
 }
 
 /* Whatever bytes come: a tree that prints and parses back, or a diagnostic; never both, never neither. */
@@ -561,8 +533,7 @@ TEST(test_fuzz) {
       "eps*x^(-2) > inv(A)*det(B) for eps in {+1, -1}",
   };
   static const char alphabet[] = "abtH019.,;:=<>()[]{}+-*/^'_ e#\n\xC3\xA9\xFF\x01";
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   long accepted = 0;
   for (uint64_t seed = 0; seed < 20000; seed++) {
     rng.state = seed;
@@ -583,8 +554,7 @@ TEST(test_fuzz) {
         s[at] = c;
       }
     }
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     const struct stmt *st = parse_stmt(s, &d);
     ck_assert_msg((st == NULL) == d.set, "seed %lu: %s\n%s", (unsigned long)seed, s, d.message);
     if (st) {
@@ -602,17 +572,14 @@ TEST(test_fuzz) {
     arena_clear(&arena);
   }
   ck_assert_int_gt(accepted, 1000);
-  text_clear(&t);
 }
 
 /* ---- LaTeX, by the conventions of mathematical typesetting and expr.h */
 
 TEST(test_latex) {
   enum { KIND, TYPED, TEX };
-  struct table cases;
-  struct text t;
-  text_init(&t);
-  table_read(&cases, "tests/cases/latex.tsv", 3);
+  LOCAL(text, t);
+  OWNED(table) cases = table_read("tests/cases/latex.tsv", 3);
   for (int i = 0; i < cases.n; i++) {
     const char *kind = cases.row[i][KIND], *typed = cases.row[i][TYPED];
     text_reset(&t);
@@ -624,8 +591,6 @@ TEST(test_latex) {
       stmt_latex(&t, statement(typed));
     ck_assert_str_eq(text_str(&t), cases.row[i][TEX]);
   }
-  table_clear(&cases);
-  text_clear(&t);
 }
 
 /* Scalars have no parentheses of their own: they get them where the meaning needs them. */
@@ -645,14 +610,12 @@ TEST(test_latex_scalars) {
       {expr_pow(&pool, expr_pow(&pool, a, 2), 3), "\\left(a^{2}\\right)^{3}"},
       {expr_op1(&pool, EXPR_NEG, expr_pow(&pool, a, 2)), "-a^{2}"},
   };
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (size_t i = 0; i < COUNT(cases); i++) {
     text_reset(&t);
     expr_latex(&t, cases[i].e);
     ck_assert_str_eq(text_str(&t), cases[i].latex);
   }
-  text_clear(&t);
 }
 
 /* ---- the pool */
@@ -679,12 +642,10 @@ TEST(test_pool) {
   ck_assert(expr_call(&pool, "f", 0, x) != expr_call(&pool, "f", 0, y));
 
   /* LONG_MIN has no positive of its own */
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   expr_print(&t, expr_int(&pool, LONG_MIN));
   snprintf(buffer, sizeof buffer, "%ld", LONG_MIN);
   ck_assert_str_eq(text_str(&t), buffer);
-  text_clear(&t);
 
   /* growth keeps every node findable, and nodes that share a bucket apart */
   const size_t before = pool.n;
@@ -820,8 +781,7 @@ TEST(test_diff_random) {
 
 /* Tables of derivatives: text -> the known derivative, compared in value at several points. */
 TEST(test_diff_table) {
-  struct table table;
-  table_read(&table, "tests/cases/derivatives.tsv", 2);
+  OWNED(table) table = table_read("tests/cases/derivatives.tsv", 2);
   for (int i = 0; i < table.n; i++) {
     const struct expr *d = expr_diff(&pool, stripped(tree(table.row[i][0])), "x"),
                       *known = stripped(tree(table.row[i][1]));
@@ -832,7 +792,6 @@ TEST(test_diff_table) {
                     got, want);
     }
   }
-  table_clear(&table);
 }
 
 /* What is free of the symbol contributes nothing, not even a zero. */
@@ -871,15 +830,11 @@ TEST(test_deep) {
   before = pool.n;
   expr_diff(&pool, deep, "x");
   ck_assert_uint_lt(pool.n - before, 5 * (size_t)depth);
-  struct expr_pool other;
-  expr_pool_init(&other);
+  LOCAL(expr_pool, other);
   const struct expr *twin = expr_sym(&other, "x");
   for (int i = 0; i < depth; i++) twin = expr_op1(&other, i % 2 ? EXPR_SIN : EXPR_COS, twin);
   ck_assert(expr_same(deep, twin) && !expr_same(deep, expr_op1(&other, EXPR_SIN, twin)));
-  expr_pool_clear(&other);
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   expr_print(&t, deep);
   ck_assert_uint_eq(t.len, (size_t)depth * strlen("sin()") + 1);
-  text_clear(&t);
 }

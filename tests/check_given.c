@@ -12,9 +12,11 @@
 
 #include "accuracy.h"
 #include "explore/family.h"
+#include "local.h"
 #include "motion/given.h"
 #include "motion/margins.h"
 #include "motion/paper_route.h"
+#include "params.h"
 #include "rational.h"
 #include "suite.h"
 #include "table.h"
@@ -69,9 +71,8 @@ static void read_orbit(struct sample *s, char *const *field, const fmpq *params,
 
 /* The times are cut to the given number of digits. */
 static void read_samples(int digits) {
-  struct table t;
-  fmpq *params = _fmpq_vec_init(N_PARAMS);
-  table_read(&t, "tests/oracle/orbits.tsv", ANY_COLUMNS);
+  FREED_PARAMS fmpq *params = _fmpq_vec_init(N_PARAMS);
+  OWNED(table) t = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
   n_samples = 0;
   for (int row = 0; row < t.n; row++) {
     char *const *field = t.row[row];
@@ -82,8 +83,6 @@ static void read_samples(int digits) {
       read_orbit(&sample[n_samples++], field, params, digits);
     }
   }
-  _fmpq_vec_clear(params, N_PARAMS);
-  table_clear(&t);
   ck_assert_int_eq(n_samples, N_SAMPLES);
 }
 
@@ -116,18 +115,13 @@ static const struct sample *find_sample(const char *name, int index) {
 
 /* |x - q| relative to |q| + scale. */
 static double off(const arb_t x, const fmpq *q, double scale) {
-  arb_t d;
-  arb_init(d);
+  NUMBERS(arb, d);
   arb_set_fmpq(d, q, 400);
   double size = fabs(num_arb.get_d(d)) + scale;
   arb_sub(d, x, d, 400);
-  mag_t m;
-  mag_init(m);
+  NUMBERS(mag, m);
   arb_get_mag(m, d);
-  double error = mag_get_d(m) / size;
-  mag_clear(m);
-  arb_clear(d);
-  return error;
+  return mag_get_d(m) / size;
 }
 
 /* --- Orbits from two given quantities. --- */
@@ -148,11 +142,8 @@ static double mid(const arb_t x) {
 /* The six equations in balls by matrix exponentials, and first events in double precision. */
 static void check_orbit(const struct sample *s, const struct dyn_orbit *o, slong prec, const char *pair) {
   struct num_ctx ctx = num_ctx_arb(prec);
-  struct num_vec p, z, m, value;
-  num_vec_init(&p, N_PARAMS, ctx);
-  num_vec_init(&z, N_STATE, ctx);
-  num_vec_init(&m, N_STATE * N_STATE, ctx);
-  num_vec_init(&value, 1, ctx);
+  OWNED(num_vec) p = vec_new(N_PARAMS, ctx), z = vec_new(N_STATE, ctx);
+  OWNED(num_vec) m = vec_new(N_STATE * N_STATE, ctx), value = vec_new(1, ctx);
   arb_ptr v = num_vec_at(&value, 0);
   double pd[N_PARAMS];
   for (int i = 0; i < 3; i++) arb_set_fmpq(num_vec_at(&p, i), s->params + i, prec);
@@ -179,7 +170,6 @@ static void check_orbit(const struct sample *s, const struct dyn_orbit *o, slong
   }
   ck_assert(arb_overlaps(num_vec_at(&z, Z_1), o->z10) && arb_overlaps(num_vec_at(&z, Z_2), o->z20));
   for (int i = 0; i < 2; i++) ck_assert(arb_overlaps(num_vec_at(&z, DZ_1 + i), num_vec_at(&p, P_V)));
-  vecs_clear(&p, &z, &m, &value);
 }
 
 /* Whether o is the orbit of the file; the given values were cut to 40 digits. */
@@ -199,7 +189,7 @@ TEST_EACH(every_pair_finds_the_orbit_again, COUNT(chosen)) {
     for (int k = i + 1; k < N_QUANTITIES; k++) {
       enum dyn_quantity which[2] = {(enum dyn_quantity)k, (enum dyn_quantity)i};
       const fmpq value[2] = {s->x[k], s->x[i]};
-      struct dyn_orbits list;
+      OWNED(dyn_orbits) list;
       char pair[20];
       snprintf(pair, sizeof pair, "%s, %s", dyn_quantity_id[i], dyn_quantity_id[k]);
       ck_assert_msg(dyn_orbits_given(&list, s->params, which, value, 120, &near_limits) == SS_OK, "%s %d %s", s->name,
@@ -220,7 +210,6 @@ TEST_EACH(every_pair_finds_the_orbit_again, COUNT(chosen)) {
         ck_assert(arb_rel_accuracy_bits(o->z10) >= 120);
       }
       ck_assert_msg(hits == 1, "%s %d %s: found %d times among %ld", s->name, s->index, pair, hits, (long)list.n);
-      dyn_orbits_clear(&list);
     }
 }
 
@@ -228,12 +217,11 @@ TEST(given_times_fix_the_limits_to_any_precision) {
   const struct sample *s = find_sample("paper", 1);
   const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
   const fmpq value[2] = {s->x[QUANTITY_TB], s->x[QUANTITY_TC]};
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   ck_assert_int_eq(dyn_orbits_given(&list, s->params, which, value, 3400, NULL), SS_OK);
   ck_assert_int_eq(list.n, 1);
   ck_assert(arb_rel_accuracy_bits(list.orbit[0].e1) >= 3400 && arb_rel_accuracy_bits(list.orbit[0].z20) >= 3400);
   check_orbit(s, &list.orbit[0], 3500, "t_b, t_c");
-  dyn_orbits_clear(&list);
 }
 
 /* An orbit beside its flip loses more bits in |tr J| - 1 than the guard holds: with t_b and t_c as data too, that costs
@@ -242,9 +230,9 @@ TEST(the_first_precision_is_planned_from_times) {
   static const slong prec[] = {256, 1500};
   static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1.8110582"};
   static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
-  struct dyn_orbits near, list[2];
+  struct dyn_orbits list[2];
   fmpq *params = rationals(data, N_PARAMS), *value = _fmpq_vec_init(2);
-  ck_assert_int_eq(dyn_orbits_find(&near, params, 128, NULL), SS_OK);
+  OWNED(dyn_orbits) near = orbits_of(params, 128);
   slong flip = 0;
   for (slong i = 0; i < near.n; i++)
     if (arf_cmpabs(arb_midref(near.orbit[i].margin), arb_midref(near.orbit[flip].margin)) < 0) flip = i;
@@ -260,7 +248,6 @@ TEST(the_first_precision_is_planned_from_times) {
                 (long)list[1].bits);
   for (slong i = 0; i < list[0].n; i++) ck_assert(arb_overlaps(list[0].orbit[i].margin, list[1].orbit[i].margin));
   for (int k = 0; k < 2; k++) dyn_orbits_clear(&list[k]);
-  dyn_orbits_clear(&near);
   _fmpq_vec_clear(value, 2);
   _fmpq_vec_clear(params, N_PARAMS);
 }
@@ -270,7 +257,7 @@ TEST(no_stick_phase_is_solution_ii) {
   const struct sample *s = find_sample("negative-ta2", 1);
   const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TA};
   fmpq *value = _fmpq_vec_init(2);
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   fmpq_set(value, s->x + QUANTITY_E1);
   ck_assert_int_eq(dyn_orbits_given(&list, s->params, which, value, 100, &near_limits), SS_OK);
   ck_assert_int_gt(list.n, 0);
@@ -279,7 +266,6 @@ TEST(no_stick_phase_is_solution_ii) {
     ck_assert(arb_is_zero(o->t[0]) && o->holds[COND_TA] == TRUTH_FALSE && o->admissible == TRUTH_FALSE);
     check_orbit(s, o, 200, "e1, t_a");
   }
-  dyn_orbits_clear(&list);
   _fmpq_vec_clear(value, 2);
 }
 
@@ -409,8 +395,8 @@ CASE("margins", .once = {read_full, clear_samples});
 
 TEST_EACH(margins_are_those_of_the_motion, N_SAMPLES) {
   const struct sample *s = &sample[_i];
-  struct dyn_orbits list;
-  struct dyn_margins m;
+  OWNED(dyn_orbits) list;
+  LOCAL(dyn_margins, m);
   const struct dyn_orbit *o = orbit_of(&list, s);
   double p[N_PARAMS], u[2] = {0.75, 1.5}, z[N_STATE];
   fmpq force[2];
@@ -419,7 +405,6 @@ TEST_EACH(margins_are_those_of_the_motion, N_SAMPLES) {
     fmpq_set_si(force + i, 3, i == 0 ? 4 : 2);
   }
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->params + i);
-  dyn_margins_init(&m);
   ck_assert_int_eq(dyn_margins_find(&m, s->params, o, force, force + 1, 160), SS_OK);
 
   z[Z_1] = mid(o->z10);
@@ -441,8 +426,6 @@ TEST_EACH(margins_are_those_of_the_motion, N_SAMPLES) {
     ck_assert(m.at[k].where != WHERE_OPEN && arb_rel_accuracy_bits(m.at[k].margin) > 100);
   }
   ck_assert_int_eq(m.at[MARGIN_D_W].holds, o->holds[COND_TA]);
-  dyn_margins_clear(&m);
-  dyn_orbits_clear(&list);
   for (int i = 0; i < 2; i++) fmpq_clear(force + i);
 }
 
@@ -450,32 +433,28 @@ TEST(a_crest_before_the_event_is_seen) {
   /* With t_b just after the second start of Gamma's motion, r stands below the crest before: not an orbit, but the
      margin must be that of the crest, where r has risen by a (t - sin t) + e1 (1 - cos t), z_1' being V again. */
   const struct sample *s = find_sample("paper", 1);
-  struct dyn_orbits list;
-  struct dyn_margins m;
+  OWNED(dyn_orbits) list;
+  LOCAL(dyn_margins, m);
   double chi = fmpq_get_d(s->params + P_CHI), e1 = fmpq_get_d(s->params + P_E1), pi = acos(-1.0), tb = 2 * pi + 0.25;
   double a = (1 - chi) * fmpq_get_d(s->params + P_V), crest = pi + 2 * atan2(a, e1);
   double fall = chi * (a * (tb - sin(tb) - crest + sin(crest)) + e1 * (cos(crest) - cos(tb)));
   orbit_of(&list, s);
   struct dyn_orbit *o = &list.orbit[1];
   arb_set_d(o->t[PHASE_GAMMA], tb);
-  dyn_margins_init(&m);
   ck_assert_int_eq(dyn_margins_find(&m, s->params, o, NULL, NULL, 160), SS_OK);
   const struct dyn_margin *x = &m.at[COND_GAMMA_R];
   ck_assert_msg(fall < -1 && fabs(mid(x->margin) - fall) < 1e-13 * -fall, "%.17g, not %.17g", mid(x->margin), fall);
   ck_assert(fabs(mid(x->time) - mid(o->t[0]) - crest) < 1e-13 && x->where == WHERE_INSIDE && !x->by_definition);
   ck_assert_int_eq(x->holds, TRUTH_FALSE);
-  dyn_margins_clear(&m);
-  dyn_orbits_clear(&list);
 }
 
 TEST_EACH(force_bounds_are_sharp, N_SAMPLES) {
   const struct sample *s = &sample[_i];
   static const int low[2][2] = {{MARGIN_D_W_LOW, MARGIN_C_W_LOW}, {MARGIN_D_R_LOW, MARGIN_GAMMA_R_LOW}};
-  struct dyn_orbits list;
-  struct dyn_margins m;
+  OWNED(dyn_orbits) list;
+  LOCAL(dyn_margins, m);
   fmpq force[2], nudge;
   const struct dyn_orbit *o = orbit_of(&list, s);
-  dyn_margins_init(&m);
   fmpq_init(&nudge);
   for (int i = 0; i < 2; i++) fmpq_init(force + i);
   ck_assert_int_eq(dyn_margins_find(&m, s->params, o, NULL, NULL, 160), SS_OK);
@@ -495,8 +474,6 @@ TEST_EACH(force_bounds_are_sharp, N_SAMPLES) {
                     side);
     }
   }
-  dyn_margins_clear(&m);
-  dyn_orbits_clear(&list);
   fmpq_clear(&nudge);
   for (int i = 0; i < 2; i++) fmpq_clear(force + i);
 }
@@ -512,13 +489,11 @@ static double route_error(const struct paper_route *r, const struct sample *s) {
   const fmpq *want[N_ROUTE] = {
       s->x + QUANTITY_TA, s->x + QUANTITY_TB, s->x + QUANTITY_TC, s->x + QUANTITY_TD, s->z, s->z + 1};
   double worst = 0;
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   for (slong i = 0; i < N_ROUTE; i++) {
     num_mpfr.get_arb(x, num_vec_at(&r->x, i));
     worst = fmax(worst, off(x, want[i], 1));
   }
-  arb_clear(x);
   return worst;
 }
 
@@ -532,7 +507,7 @@ CASE("paper route", .once = {read_full, clear_samples});
 
 TEST_EACH(the_papers_route_leads_to_the_same_orbits, COUNT(chosen)) {
   const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
-  struct paper_route r;
+  OWNED(paper_route) r;
   double guess[4], p[N_PARAMS], n[N_STATE][N_STATE];
   for (int i = 0; i < 4; i++) guess[i] = fmpq_get_d(s->x + QUANTITY_TA + i) * (1 + 1e-6 * (i - 1.5));
   paper_route_init(&r, 240);
@@ -556,13 +531,12 @@ TEST_EACH(the_papers_route_leads_to_the_same_orbits, COUNT(chosen)) {
   ck_assert_msg(fabs(n1 / r.condition.n1 - 1) < 1e-6 && fabs(n3 / r.condition.n3 - 1) < 1e-6, "%s %d: %g, %g", s->name,
                 s->index, n1, n3);
   ck_assert(r.condition.jacobian >= 1 && r.condition.jacobian < 1e8);
-  paper_route_clear(&r);
 }
 
 TEST(the_papers_printed_times_lead_to_its_orbit) {
   const struct sample *s = find_sample("paper", 1);
   const double printed[4] = {0.6784, 2, 1.5, 2.34}, nonsense[4] = {-400, 300, 500, 0.1};
-  struct paper_route r;
+  OWNED(paper_route) r;
   paper_route_init(&r, 240);
   ck_assert_int_eq(paper_route_run(&r, s->params, printed), SS_OK);
   ck_assert_msg(route_error(&r, s) < 1e-50, "off by %g", route_error(&r, s));
@@ -572,5 +546,4 @@ TEST(the_papers_printed_times_lead_to_its_orbit) {
   for (int i = 0; i < N_PARAMS; i++) bad[i] = s->params[i];
   bad[P_CHI] = s->params[P_ETA]; /* 1 */
   ck_assert_int_eq(paper_route_run(&r, bad, printed), SS_DOMAIN);
-  paper_route_clear(&r);
 }

@@ -18,6 +18,7 @@
 #include "base/text.h"
 #include "command.h"
 #include "every.h"
+#include "local.h"
 #include "process.h"
 #include "scratch.h"
 #include "suite.h"
@@ -56,11 +57,11 @@ static void add_word(struct trial *j, const char *word) {
   j->argv[j->argc] = NULL;
 }
 
-static void trial_init(struct trial *j, const char *words) {
-  *j = (struct trial){.file = program()};
-  char *all = ss_strdup(words);
-  for (char *p = strtok(all, " "); p; p = strtok(NULL, " ")) add_word(j, p);
-  free(all);
+static struct trial trial_of(const char *words) {
+  struct trial j = {.file = program()};
+  FREED char *all = ss_strdup(words);
+  for (char *p = strtok(all, " "); p; p = strtok(NULL, " ")) add_word(&j, p);
+  return j;
 }
 
 static void trial_clear(struct trial *j) {
@@ -108,10 +109,10 @@ static void refused(const struct trial *j, int status, const char *wrong) {
 }
 
 /* Rows of a table in tests/hostile. */
-static void open_table(struct table *t, const char *name, int columns) {
+static struct table hostile(const char *name, int columns) {
   char path[100];
   snprintf(path, sizeof path, "tests/hostile/%s", name);
-  table_read(t, path, columns);
+  return table_read(path, columns);
 }
 
 /* --- Options --- */
@@ -123,14 +124,12 @@ static void run_in_a_second(struct trial *j) {
 }
 
 static void refuse_words(const char *words, const char *option, const char *value, int status, const char *wrong) {
-  struct trial j;
-  trial_init(&j, words);
+  OWNED(trial) j = trial_of(words);
   if (option) add_word(&j, option);
   if (value) add_word(&j, value);
   j.place.memory = MOST_MEMORY;
   run_in_a_second(&j);
   refused(&j, status, wrong);
-  trial_clear(&j);
 }
 
 /* Options that take a count read it by one function: each of them has every 5th value, in turn, and each value some of
@@ -149,11 +148,9 @@ static void try_option(char *const *option, const struct table *values) {
     char *const *column = values->row[i];
     if (strcmp(column[0], kind) != 0) continue;
     if (strcmp(kind, "count") == 0 && counts++ % every(5) != 0) continue;
-    struct text value;
-    text_init(&value);
+    LOCAL(text, value);
     field_expand(&value, column[2], NULL);
     refuse_words(words, name, text_str(&value), atoi(column[1]), column[3]);
-    text_clear(&value);
   }
 }
 
@@ -168,9 +165,8 @@ static void try_flag(char *const *column) {
 
 /* A file in the folder is this text. */
 static void is_text(const char *name, const char *want) {
-  char *text = file_text(scratch_path(name));
+  FREED char *text = file_text(scratch_path(name));
   ck_assert_str_eq(text, want);
-  free(text);
 }
 
 static void make_bad_places(void) {
@@ -184,28 +180,21 @@ static void make_bad_places(void) {
 CASE("input", .each = {scratch_open, scratch_close}, .seconds = 300);
 
 TEST(bad_values_of_options) {
-  struct table options, values, flags;
   make_bad_places();
-  open_table(&options, "options.tsv", 3);
-  open_table(&values, "values.tsv", 4);
-  open_table(&flags, "flags.tsv", 2);
+  OWNED(table) options = hostile("options.tsv", 3);
+  OWNED(table) values = hostile("values.tsv", 4);
+  OWNED(table) flags = hostile("flags.tsv", 2);
   for (int i = 0; i < options.n; i++) try_option(options.row[i], &values);
   for (int i = 0; i < flags.n; i++) try_flag(flags.row[i]);
   is_text("file", "a file\n");
   ck_assert_str_eq(scratch_list(scratch_path("")), "binary empty fifo file loop");
   ck_assert_str_eq(scratch_list(scratch_path("empty")), "");
-  table_clear(&flags);
-  table_clear(&values);
-  table_clear(&options);
 }
 
 /* Each option that the program has must be in the table of its kind. */
 TEST(every_option_is_in_the_tables) {
-  struct trial j;
-  struct table tables[2];
-  open_table(&tables[0], "options.tsv", 3);
-  open_table(&tables[1], "flags.tsv", 2);
-  trial_init(&j, "help --table");
+  struct table tables[2] = {hostile("options.tsv", 3), hostile("flags.tsv", 2)};
+  OWNED(trial) j = trial_of("help --table");
   run(&j);
   int n = 0;
   for (char *p = j.end.out; (p = strstr(p, "\t--")) != NULL; n++) {
@@ -219,7 +208,6 @@ TEST(every_option_is_in_the_tables) {
   }
   ck_assert_int_gt(n, 30);
   for (int i = 0; i < 2; i++) table_clear(&tables[i]);
-  trial_clear(&j);
 }
 
 /* --- Files --- */
@@ -321,8 +309,7 @@ static bool make_text(struct text *out, const char *recipe, const struct place *
 
 /* The file of the recipe at path. */
 static void make_file(const char *recipe, const struct place *p, const char *path) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   if (make_text(&t, recipe, p)) {
     FILE *f = fopen(path, "wb");
     ck_assert(f && fwrite(text_str(&t), 1, t.len, f) == t.len && fclose(f) == 0);
@@ -343,12 +330,10 @@ static void make_file(const char *recipe, const struct place *p, const char *pat
   } else {
     ck_assert_msg(strcmp(recipe, "none") == 0, "no recipe %s", recipe);
   }
-  text_clear(&t);
 }
 
 static void try_place(const struct place *p, const char *recipe, int status, const char *wrong) {
   char folder[40], words[1000];
-  struct trial j;
   snprintf(folder, sizeof folder, "%s-%s", recipe, p->name);
   ck_assert(mkdir(scratch_path(folder), 0755) == 0);
   const char *path = formatted("%s/%s", scratch_path(folder), p->suffix);
@@ -356,7 +341,7 @@ static void try_place(const struct place *p, const char *recipe, int status, con
   bool whole = strcmp(p->name, "paper") == 0 || strcmp(p->name, "report") == 0; /* the command takes the folder */
   const char *target = whole ? scratch_path(folder) : path;
   snprintf(words, sizeof words, p->words, target, target);
-  trial_init(&j, words);
+  OWNED(trial) j = trial_of(words);
   if (strcmp(p->name, "certificate") == 0) j.file = beside("stickslip-checker");
   j.place.memory = MOST_MEMORY;
   j.place.nobody = strcmp(recipe, "unreadable") == 0;
@@ -366,12 +351,10 @@ static void try_place(const struct place *p, const char *recipe, int status, con
   else
     ck_assert_msg(j.end.status == 0 && j.end.err_size == 0, "%s(%s): %d, %.600s", shown(&j), wrong, j.end.status,
                   j.end.err);
-  trial_clear(&j);
 }
 
 TEST(bad_files) {
-  struct table files;
-  open_table(&files, "files.tsv", 4);
+  OWNED(table) files = hostile("files.tsv", 4);
   for (int i = 0; i < files.n; i++) {
     char *const *column = files.row[i], named[200], name[20];
     snprintf(named, sizeof named, " %s ", column[1]);
@@ -381,7 +364,6 @@ TEST(bad_files) {
         try_place(&places[k], column[0], atoi(column[2]), column[3]);
     }
   }
-  table_clear(&files);
 }
 
 /* --- Output that has nowhere to go --- */
@@ -414,31 +396,27 @@ TEST_EACH(nobody_reads, 3) {
   static const char *const out[] = {"/dev/full", "closed", "pipe"};
   static const char *const why[] = {"No space left on device", "Bad file descriptor", NULL}; /* a reader may stop */
   for (size_t i = 0; i < COUNT(printing); i++) {
-    struct trial j;
-    trial_init(&j, printing[i]);
+    OWNED(trial) j = trial_of(printing[i]);
     j.place.out = out[_i];
     run(&j);
     bool said = why[_i] ? j.end.status == 3 && strstr(j.end.err, "standard output cannot be written") &&
                               strstr(j.end.err, why[_i])
                         : j.end.status == 0 && j.end.err_size == 0;
     ck_assert_msg(said, "%s: %d, %.600s", printing[i], j.end.status, j.end.err);
-    trial_clear(&j);
   }
 }
 
 /* Differences that nobody can read are no answer. */
 TEST(a_difference_that_cannot_be_said) {
-  struct trial j;
   const char *other =
       scratch_put("other.json", "{\"schema\": \"stickslip-audit-2\", \"summary\": {}, \"checks\": {}, \"claims\": []}");
-  trial_init(&j, "diff reports/paper/audit.json");
+  OWNED(trial) j = trial_of("diff reports/paper/audit.json");
   add_word(&j, other);
   run(&j);
   ck_assert_int_eq(j.end.status, 1);
   j.place.out = "/dev/full";
   run(&j);
   ck_assert_int_eq(j.end.status, 3);
-  trial_clear(&j);
 }
 
 /* Commands that write files: into a folder, or one file. */
@@ -464,7 +442,7 @@ static const char *old_file(struct trial *j, int i, mode_t mode) {
   ck_assert(mkdir(scratch_path(folder), 0755) == 0);
   const char *path = scratch_put(file, "old\n");
   ck_assert(chmod(scratch_path(folder), mode) == 0);
-  trial_init(j, writing[i].words);
+  *j = trial_of(writing[i].words);
   add_word(j, writing[i].file ? scratch_path(folder) : path);
   return path;
 }
@@ -473,9 +451,8 @@ static const char *old_file(struct trial *j, int i, mode_t mode) {
 static void old_one_stays(const struct trial *j, int i, const char *path) {
   char folder[20];
   const char *name = strrchr(path, '/') + 1, *list;
-  char *now = file_text(path);
+  FREED char *now = file_text(path);
   ck_assert_msg(strcmp(now, "old\n") == 0, "%s: not the old file: %.100s", shown(j), now);
-  free(now);
   snprintf(folder, sizeof folder, "out%d", i);
   list = scratch_list(scratch_path(folder));
   bool part =
@@ -484,19 +461,18 @@ static void old_one_stays(const struct trial *j, int i, const char *path) {
 }
 
 TEST_EACH(a_read_only_folder, N_WRITING) {
-  struct trial j;
+  OWNED(trial) j;
   const char *path = old_file(&j, _i, 0555);
   j.place.nobody = true;
   run(&j);
   ck_assert_msg(j.end.status == 3 && strstr(j.end.err, "Permission denied"), "%s: %d, %.600s", shown(&j), j.end.status,
                 j.end.err);
   old_one_stays(&j, _i, path);
-  trial_clear(&j);
 }
 
 /* The signal that comes with it must not end the program. */
 TEST_EACH(a_full_disk, N_WRITING) {
-  struct trial j;
+  OWNED(trial) j;
   const char *path = old_file(&j, _i, 0755);
   j.place.file = 600;
   j.place.out = "/dev/null";
@@ -505,7 +481,6 @@ TEST_EACH(a_full_disk, N_WRITING) {
                     strstr(j.end.err, ": error: cannot be written: File too large"),
                 "%s: %d, %.600s", shown(&j), j.end.status, j.end.err);
   old_one_stays(&j, _i, path);
-  trial_clear(&j);
 }
 
 /* What is asked for in a folder that is not there, fails, and leaves no folder. */
@@ -514,15 +489,13 @@ TEST_EACH(a_new_folder_goes_again, N_WRITING + 3) {
                                        "bench --quick --job propagator --inputs"};
   const char *words = _i < N_WRITING ? writing[_i].words : others[_i - N_WRITING];
   if (_i < N_WRITING && !writing[_i].file) return;
-  struct trial j;
-  trial_init(&j, words);
+  OWNED(trial) j = trial_of(words);
   add_word(&j, scratch_path("new/a//b"));
   j.place.file = 600;
   j.place.out = "/dev/null";
   run(&j);
   ck_assert_msg(j.end.status == 3, "%s: %d, %.600s", shown(&j), j.end.status, j.end.err);
   ck_assert_msg(access(scratch_path("new"), F_OK) != 0, "%s leaves a folder", shown(&j));
-  trial_clear(&j);
 }
 
 static bool can_preload(void) {
@@ -549,7 +522,7 @@ static const struct ending endings[] = {{SIGINT, {"SIGNAL_AT_RENAME=2", "SIGNAL_
 TEST_EACH(a_signal_while_files_are_written, COUNT(endings)) {
   if (!can_preload()) return;
   for (int i = 0; i < 2; i++) { /* a report of several files, a certificate */
-    struct trial j;
+    OWNED(trial) j;
     const char *path = old_file(&j, i, 0755);
     bool verify = strcmp(j.argv[0], "verify") == 0;
     j.place.env[0] = preloaded();
@@ -559,14 +532,13 @@ TEST_EACH(a_signal_while_files_are_written, COUNT(endings)) {
                   j.end.err);
     ck_assert_str_eq(j.end.err, verify ? "stickslip: error: interrupted; nothing was written for this scene\n" : "");
     old_one_stays(&j, i, path);
-    trial_clear(&j);
   }
 }
 
 /* When some files are renamed, the others follow: a folder never holds a report that is half new. */
 TEST_EACH(a_signal_between_two_renames, COUNT(endings)) {
   if (!can_preload()) return;
-  struct trial j;
+  OWNED(trial) j;
   shell_well("$P verify --only eq-3 --quiet --out $D/whole");
   old_file(&j, 0, 0755);
   scratch_put("out0/audit.md", "old\n");
@@ -579,13 +551,12 @@ TEST_EACH(a_signal_between_two_renames, COUNT(endings)) {
   shell_well("cmp $D/out0/audit.md $D/whole/audit.md");
   ck_assert(!scratch_says("out0/run.json", "old\n"));
   ck_assert_str_eq(scratch_list(scratch_path("out0")), scratch_list(scratch_path("whole")));
-  trial_clear(&j);
 }
 
 /* What a run that was killed between two renames left goes with the next run; a file of the user's does not. */
 TEST(a_killed_run_leaves_nothing_for_long) {
   if (!can_preload()) return;
-  struct trial j;
+  OWNED(trial) j;
   old_file(&j, 0, 0755);
   scratch_put("out0/audit.json.backup", "mine\n");
   j.place.env[0] = preloaded();
@@ -598,12 +569,11 @@ TEST(a_killed_run_leaves_nothing_for_long) {
   ck_assert_int_eq(j.end.status, 0);
   ck_assert_ptr_null(strstr(scratch_list(scratch_path("out0")), ".stickslip-"));
   ck_assert(scratch_says("out0/audit.json.backup", "mine\n"));
-  trial_clear(&j);
 }
 
 /* A run at a folder to which another one is writing waits for it. */
 TEST(two_runs_at_one_folder) {
-  struct trial j;
+  OWNED(trial) j;
   const char *path = old_file(&j, 0, 0755);
   int other = open(scratch_path("out0"), O_RDONLY | O_CLOEXEC);
   ck_assert(other >= 0 && flock(other, LOCK_EX) == 0);
@@ -613,10 +583,8 @@ TEST(two_runs_at_one_folder) {
   close(other);
   job_finish(&j.end);
   ck_assert_int_eq(j.end.status, 0);
-  char *now = file_text(path);
+  FREED char *now = file_text(path);
   ck_assert_uint_gt(strlen(now), 1000);
-  free(now);
-  trial_clear(&j);
 }
 
 /* --- What the programs are built with --- */
@@ -630,10 +598,9 @@ TEST_EACH(a_hardened_build, 3) {
                                        "_chk@"
 #endif
   };
-  char *out = shell_said("LC_ALL=C readelf -Wlds --dyn-syms %s", beside(file[_i]));
+  FREED char *out = shell_said("LC_ALL=C readelf -Wlds --dyn-syms %s", beside(file[_i]));
   for (size_t i = 0; i < COUNT(wanted); i++)
     ck_assert_msg(strstr(out, wanted[i]) != NULL, "%s: no %s", file[_i], wanted[i]);
-  free(out);
 }
 
 /* --- Memory that ends --- */
@@ -671,9 +638,8 @@ static long count_allocations(struct trial *j) {
   j->place.env[1] = count;
   run(j);
   ck_assert_msg(j->end.status == 0, "%s: %d, %.600s", shown(j), j->end.status, j->end.err);
-  char *text = file_text(scratch_path("count"));
+  FREED char *text = file_text(scratch_path("count"));
   long n = atol(text);
-  free(text);
   ck_assert_int_gt(n, 20);
   return n;
 }
@@ -689,19 +655,17 @@ static void fails_well(struct trial *j, const char *which, const char *report, c
   ck_assert_msg(j->end.status == 0 || (j->end.status == 5 && said), "%s, allocation %s: status %d, %.600s", shown(j),
                 which, j->end.status, j->end.err);
   if (!report) return;
-  char *now = file_text(report);
+  FREED char *now = file_text(report);
   ck_assert_msg(strcmp(now, whole) == 0 || (j->end.status == 5 && strcmp(now, "old\n") == 0),
                 "allocation %s damages the report", which);
   ck_assert_msg(!strstr(scratch_list(scratch_path("out")), "json."), "allocation %s leaves a file", which);
-  free(now);
 }
 
 /* The n-th fails, and from the n-th on all fail; n grows by so much per cent and so much. */
 static void every_allocation(const char *words, long percent, long most) {
-  struct trial j;
-  char *whole = NULL;
+  FREED char *whole = NULL;
   const char *report = NULL;
-  trial_init(&j, words);
+  OWNED(trial) j = trial_of(words);
   if (strstr(words, "--out")) {
     ck_assert(mkdir(scratch_path("out"), 0755) == 0);
     add_word(&j, scratch_path("out"));
@@ -716,8 +680,6 @@ static void every_allocation(const char *words, long percent, long most) {
       snprintf(which, sizeof which, "%ld%s", n, on ? "+" : "");
       fails_well(&j, which, report, whole);
     }
-  free(whole);
-  trial_clear(&j);
 }
 
 CASE("memory", .each = {scratch_open, scratch_close}, .seconds = 300);
@@ -740,8 +702,7 @@ TEST(little_memory) {
   if (SANITIZED) return;
   static const char *const words[] = {"orbit paper --digits 30000", "readings paper", "orbit four --digits 3000"};
   for (size_t i = 0; i < COUNT(words); i++) {
-    struct trial j;
-    trial_init(&j, words[i]);
+    OWNED(trial) j = trial_of(words[i]);
     bool ended = false;
     const rlim_t least = 28, started = 32; /* with less the loader has no room for the libraries */
     for (rlim_t mb = least; mb <= 128 && !ended; mb += 2) {
@@ -752,7 +713,6 @@ TEST(little_memory) {
       ck_assert_msg(ended || too_large || (j.end.status == 5 && strstr(j.end.err, "out of memory")),
                     "%s in %ld MB: %d, %.600s", words[i], (long)mb, j.end.status, j.end.err);
     }
-    trial_clear(&j);
   }
 }
 
@@ -764,14 +724,12 @@ static const char *const targets[] = {"reader", "latex",  "model",   "claims",  
 CASE("input");
 
 TEST_EACH(the_corpus_of_a_fuzzer, COUNT(targets)) {
-  struct trial j;
   char name[40], corpus[60];
   snprintf(name, sizeof name, "replay-%s", targets[_i]);
   snprintf(corpus, sizeof corpus, "tests/fuzz/corpus/%s", targets[_i]);
-  trial_init(&j, corpus);
+  OWNED(trial) j = trial_of(corpus);
   j.file = beside(name);
   run(&j);
   const char *last = strstr(j.end.out, " inputs\n");
   ck_assert_msg(j.end.status == 0 && last, "%s: %d, %.1500s", name, j.end.status, j.end.err);
-  trial_clear(&j);
 }

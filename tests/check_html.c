@@ -10,6 +10,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "local.h"
 #include "report/escape.h"
 #include "report/formula.h"
 #include "report/report.h"
@@ -40,14 +41,12 @@
 
 /* The first row of what a formula becomes, without the TeX behind it. */
 static void set(struct text *out, const char *tex) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   ck_assert_msg(formula_mathml(&t, tex, strlen(tex), NULL), "%s", tex);
   static const char head[] = "<math displaystyle=\"true\"><semantics>";
   const char *end = strstr(t.data, "<annotation encoding=\"application/x-tex\">");
   ck_assert_msg(strncmp(t.data, head, sizeof head - 1) == 0 && end, "%s", t.data);
   text_add_n(out, t.data + sizeof head - 1, (size_t)(end - t.data) - (sizeof head - 1));
-  text_clear(&t);
 }
 
 TEST(formulas_are_set) {
@@ -115,56 +114,44 @@ TEST(formulas_are_set) {
        ROW("<mtable class=\"matrix\"><mtr><mtd>" ROW("") "</mtd><mtd>" MI("a") "</mtd></mtr></mtable>")},
   };
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct text t;
-    text_init(&t);
+    LOCAL(text, t);
     set(&t, cases[i].tex);
     ck_assert_msg(strcmp(text_str(&t), cases[i].mathml) == 0, "%s:\n%s\n%s", cases[i].tex, text_str(&t),
                   cases[i].mathml);
-    text_clear(&t);
   }
 }
 
 TEST(what_is_no_formula_is_shown_as_typed) {
-  struct table cases;
-  table_read(&cases, "tests/cases/no_formulas.tsv", 1);
+  OWNED(table) cases = table_read("tests/cases/no_formulas.tsv", 1);
   for (int i = 0; i < cases.n; i++) {
-    struct text t;
-    text_init(&t);
+    LOCAL(text, t);
     ck_assert_msg(!formula_mathml(&t, cases.row[i][0], strlen(cases.row[i][0]), NULL) && t.len == 0, "%s",
                   cases.row[i][0]);
     html_math(&t, cases.row[i][0], NULL);
     ck_assert_msg(strncmp(t.data, "<code class=\"raw\">", 18) == 0, "%s", t.data);
-    text_clear(&t);
   }
-  table_clear(&cases);
 }
 
 /* As many levels as the checker allows, and one more. */
 TEST(deep_formulas) {
   for (int depth = 62; depth < 66; depth++) {
-    struct text tex, t;
-    text_init(&tex);
-    text_init(&t);
+    LOCAL(text, tex, t);
     for (int i = 0; i < depth; i++) text_add(&tex, "{");
     text_add(&tex, "x");
     for (int i = 0; i < depth; i++) text_add(&tex, "}");
     ck_assert_int_eq(formula_mathml(&t, tex.data, tex.len, NULL), depth < 64);
-    text_clear(&t);
-    text_clear(&tex);
   }
 }
 
 /* The TeX of each piece, with bars between. */
 static void pieces(struct text *out, const char *tex) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   formula_mathml(&t, tex, strlen(tex), NULL);
   for (const char *p = t.data; (p = strstr(p, "x-tex\">")) != NULL;) {
     p += 7;
     if (out->len) text_add(out, "|");
     text_add_n(out, p, (size_t)(strstr(p, "</annotation>") - p));
   }
-  text_clear(&t);
 }
 
 TEST(formulas_break_where_tex_would) {
@@ -185,11 +172,9 @@ TEST(formulas_break_where_tex_would) {
        "a b c d e f g h i j k l m n o p q r s t u v w x y (z + a)"},
   };
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct text t;
-    text_init(&t);
+    LOCAL(text, t);
     pieces(&t, cases[i].tex);
     ck_assert_str_eq(text_str(&t), cases[i].pieces);
-    text_clear(&t);
   }
 }
 
@@ -207,15 +192,13 @@ static const char *marked(const char *tex, const bool *marks) {
 
 TEST(what_differs_is_marked) {
   enum { FIRST, SECOND, IN_FIRST, IN_SECOND };
-  struct table cases;
-  table_read(&cases, "tests/cases/marks.tsv", 4);
+  OWNED(table) cases = table_read("tests/cases/marks.tsv", 4);
   for (int i = 0; i < cases.n; i++) {
     bool a[100], b[100];
     formula_changes(a, cases.row[i][FIRST], b, cases.row[i][SECOND]);
     ck_assert_str_eq(marked(cases.row[i][FIRST], a), cases.row[i][IN_FIRST]);
     ck_assert_str_eq(marked(cases.row[i][SECOND], b), cases.row[i][IN_SECOND]);
   }
-  table_clear(&cases);
 }
 
 /* V in the matrix alone: its neighbours tell it from the other. */
@@ -227,11 +210,9 @@ TEST(marks_are_carried_to_the_quotation) {
   ck_assert(formula_changes(in_a, a, in_b, b));
   formula_changes_in_text(in_text, text, a, in_a);
   for (size_t i = 0; i + 1 < sizeof text; i++) ck_assert_int_eq(in_text[i], text + i == strstr(text, "V tI"));
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   html_text(&t, text, in_text);
   ck_assert(strstr(t.data, "<mrow class=\"chg\"><mi>V</mi></mrow><mi>t</mi>"));
-  text_clear(&t);
 }
 
 /* Two places that look alike: neither is marked. */
@@ -247,15 +228,11 @@ TEST(no_mark_where_the_place_is_not_clear) {
 
 static void put(const char *name, void (*writer)(struct text *, const struct audit_result *),
                 const struct audit_result *r) {
-  struct text once, twice;
-  text_init(&once);
-  text_init(&twice);
+  LOCAL(text, once, twice);
   writer(&once, r);
   writer(&twice, r);
   ck_assert_msg(once.len == twice.len && memcmp(once.data, twice.data, once.len) == 0, "%s differs", name);
   scratch_put_n(name, once.data, once.len);
-  text_clear(&twice);
-  text_clear(&once);
 }
 
 static char *written(void (*writer)(struct text *, const struct audit_result *), const struct audit_result *r) {
@@ -277,13 +254,12 @@ CASE("page", .each = {scratch_open, scratch_close});
 
 /* The paper's own report: every formula in it is set. */
 TEST(the_papers_page) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   whole_open();
   whole_record(&r);
   put_all(&r);
   shell_well("$Y tests/oracle/page.py $D 0");
   if (there_is("chromium")) shell_well("$Y tests/oracle/browser.py $D build/npm");
-  audit_result_clear(&r);
 }
 
 /* A record in which every string is a trap.  Ids are made distinct. */
@@ -378,8 +354,7 @@ static const char *unescaped(const char *page, const char *words) {
 }
 
 TEST(nothing_quoted_breaks_a_page) {
-  struct table all;
-  table_read(&all, "tests/cases/traps_page.tsv", 1);
+  OWNED(table) all = table_read("tests/cases/traps_page.tsv", 1);
   const char *traps[MOST_TRAPS];
   ck_assert_int_le(all.n, COUNT(traps));
   for (int i = 0; i < all.n; i++) traps[i] = *all.row[i];
@@ -394,7 +369,6 @@ TEST(nothing_quoted_breaks_a_page) {
     for (size_t k = 0; k < 2; k++)
       ck_assert_msg(!unescaped(pages[k], html[i]), "%s: %.300s", html[i], unescaped(pages[k], html[i]));
   for (size_t k = 0; k < 2; k++) free(pages[k]);
-  table_clear(&all);
 }
 
 CASE("html");
@@ -404,11 +378,9 @@ TEST(broken_bytes_are_replaced) {
   static const char *const bytes[] = {"\xff",         "\xc3",         "\xc3(",    "\xe2\x82",
                                       "\xf0\x9d\x92", "\xed\xa0\x80", "\xc0\xaf", "\x80"};
   for (size_t i = 0; i < COUNT(bytes); i++) {
-    struct text t;
-    text_init(&t);
+    LOCAL(text, t);
     escape_html(&t, bytes[i], strlen(bytes[i]));
     ck_assert(strstr(t.data, "\xef\xbf\xbd") && text_valid_prefix(t.data, t.len) == t.len);
-    text_clear(&t);
   }
 }
 
@@ -452,10 +424,9 @@ TEST(what_stands_where) {
   const char *on[] = {"eq-1", "text-5"};
   f[2].depends_on = on, f[2].n_depends_on = 2;
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 5};
-  char *page = written(report_html, &r);
+  FREED char *page = written(report_html, &r);
   check_order(page, "tests/cases/order_page.tsv");
   ck_assert(!strstr(page, "id=\"f-eq-1\"") && !strstr(page, "id=\"f-text-5\""));
-  free(page);
 }
 
 /* The score is shown as it was counted, digits beside the precision, and none where there is no study or no
@@ -476,17 +447,15 @@ TEST(power_and_digits) {
   f.evidence = e;
   f.n_evidence = 4;
   struct audit_result r = {.scene = "s", .findings = &f, .n_findings = 1};
-  char *without = written(report_html, &r);
+  FREED char *without = written(report_html, &r);
   r.mutation = &score;
-  char *with = written(report_html, &r);
+  FREED char *with = written(report_html, &r);
   ck_assert(!strstr(without, "one symbol of a formula") && strstr(with, "1000 alterations that change a meaning") &&
             strstr(with, "<strong>850 were noticed"));
   ck_assert(strstr(with, "Not counted are 90 that") && strstr(with, "; 40 that") && strstr(with, "; 20 that only") &&
             strstr(with, "and 70 of the corrections"));
   ck_assert(strstr(with, ">37 of 38<") && strstr(with, ">51 of 77<") && !strstr(with, ">8 of ") &&
             !strstr(with, ">0 of "));
-  free(without);
-  free(with);
 }
 
 /* A route that only states or is undecided is no second one; definitions are not counted. */
@@ -505,11 +474,10 @@ TEST(claims_by_one_route) {
   struct control_result c[] = {{"ctl", "two", VERDICT_REFUTED, true, NULL, NULL},
                                {"ctl-2", "two", VERDICT_REFUTED, true, NULL, NULL}};
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 4, .controls = c, .n_controls = 2};
-  char *page = written(report_html, &r);
+  FREED char *page = written(report_html, &r);
   ck_assert(strstr(page, "1 of the 3 claims judged have a control of their own."));
   ck_assert(strstr(page, "or more decided 1 of the 3 claims judged, and one alone 2: balls (<a href=\"#c-one\">"));
   ck_assert(strstr(page, "; exact (<a href=\"#c-three\"><code>three</code></a>).</li>"));
-  free(page);
 }
 
 /* The letter says from the record what was read, what is wrong beside what is right, which reading gives every number,
@@ -578,10 +546,9 @@ TEST(the_letter) {
                            .readings = &readings,
                            .tables = &along,
                            .n_tables = 1};
-  char *page = written(report_html, &r);
+  FREED char *page = written(report_html, &r);
   check_order(page, "tests/cases/order_letter.tsv");
   ck_assert(!strstr(page, "SO 3") && !strstr(strstr(page, "r-slip\">"), "<article"));
-  free(page);
 }
 
 /* A scene whose data are no example's in print: the data stand at the top of each text, nothing is addressed to the
@@ -612,7 +579,7 @@ TEST(junit_fails_where_the_record_differs) {
   struct control_result c[] = {{"ctl", "a", VERDICT_PROVED, false, NULL, NULL},
                                {"ctl-2", "a", VERDICT_REFUTED, true, NULL, NULL}};
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 6, .controls = c, .n_controls = 2};
-  char *xml = written(report_junit, &r);
+  FREED char *xml = written(report_junit, &r);
   ck_assert_str_eq(
       xml,
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"s\">\n"
@@ -636,7 +603,6 @@ TEST(junit_fails_where_the_record_differs) {
       "  </testsuite>\n"
       "  <testsuite name=\"routes\" tests=\"0\" failures=\"0\" errors=\"0\" skipped=\"0\">\n"
       "  </testsuite>\n</testsuites>\n");
-  free(xml);
 }
 
 CASE("html");
@@ -644,12 +610,9 @@ CASE("html");
 /* Signs are set and what is quoted is left to be copied; what ends a sentence stays on the line of its formula. */
 TEST(sentences_are_set) {
   enum { TEXT, HTML };
-  struct table cases;
-  table_read(&cases, "tests/cases/sentences.tsv", 2);
+  OWNED(table) cases = table_read("tests/cases/sentences.tsv", 2);
   for (int i = 0; i < cases.n; i++) {
-    struct text t, seen;
-    text_init(&t);
-    text_init(&seen);
+    LOCAL(text, t, seen);
     html_text(&t, cases.row[i][TEXT], NULL);
     for (const char *p = text_str(&t); *p; p++) { /* a formula of one letter, as that letter in capitals */
       const char *end = strncmp(p, "<math", 5) == 0 ? strstr(p, "</math>") : NULL,
@@ -658,10 +621,7 @@ TEST(sentences_are_set) {
       if (end) p = end + strlen("</math>") - 1;
     }
     ck_assert_str_eq(text_str(&seen), cases.row[i][HTML]);
-    text_clear(&seen);
-    text_clear(&t);
   }
-  table_clear(&cases);
 }
 
 CASE("page");
@@ -670,23 +630,18 @@ TEST(csv_quotes) {
   struct finding f = small_finding("a", VERDICT_PROVED, N_VERDICTS);
   f.title = "say \"so\", twice\nand\x01";
   struct audit_result r = {.scene = "s", .findings = &f, .n_findings = 1};
-  char *csv = written(report_csv, &r);
+  FREED char *csv = written(report_csv, &r);
   ck_assert_str_eq(
       strchr(csv, '\n') + 1,
       "\"a\",\"paper\",,\"model\",\"say \"\"so\"\", twice\nand \",\"proved\",,,\"substance\",,,,,,,,,,\"again\"\n");
-  free(csv);
 }
 
 /* A spreadsheet computes nothing, and numbers stay numbers. */
 TEST(csv_is_no_formula) {
-  struct table cells;
-  table_read(&cells, "tests/cases/csv.tsv", 2);
+  OWNED(table) cells = table_read("tests/cases/csv.tsv", 2);
   for (int i = 0; i < cells.n; i++) {
-    struct text t;
-    text_init(&t);
+    LOCAL(text, t);
     escape_csv(&t, cells.row[i][0]);
     ck_assert_str_eq(text_str(&t), cells.row[i][1]);
-    text_clear(&t);
   }
-  table_clear(&cells);
 }

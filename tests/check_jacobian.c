@@ -12,6 +12,7 @@
 
 #include "accuracy.h"
 #include "every.h"
+#include "local.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "rng.h"
@@ -64,14 +65,13 @@ static void read_row(char *const *field) {
 static void open_data(void) {
   scratch_open();
   n_sets = n_samples = 0;
-  table_read(&orbits, "tests/oracle/orbits.tsv", ANY_COLUMNS);
+  orbits = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
   for (int i = 0; i < orbits.n; i++) read_row(orbits.row[i]);
   ck_assert_int_eq(n_samples, N_ORBITS);
-  paper_model(&model, NULL);
-  paper_model(&damaged,
-              &(struct paper_layers){
-                  .overlay = scratch_put(
-                      "overlay.eq",
+  model = paper_model(NULL);
+  damaged = paper_model(&(struct paper_layers){
+      .overlay =
+          scratch_put("overlay.eq",
                       "section: stability\n\ndefine mine\n  equation: 36\n  ktilde_2 := ktilde_1*z'_2c/V + 1/1000\n")});
 }
 
@@ -86,12 +86,10 @@ static void close_data(void) {
 /* A ball around a printed number, half a unit of the digits-th significant digit wide. */
 static void ball_from(arb_t x, const char *decimal, int digits) {
   ck_assert_int_eq(arb_set_str(x, decimal, 400), 0);
-  arb_t size;
-  arb_init(size);
+  NUMBERS(arb, size);
   arb_set_d(size, pow(10, 1 - digits));
   arb_mul(size, size, x, 64);
   arb_add_error(x, size);
-  arb_clear(size);
 }
 
 static struct jacobian_request at(enum jacobian_method method, const struct sample *o, slong digits) {
@@ -124,8 +122,7 @@ CASE("period", .once = {open_data, close_data}, .seconds = 300);
 /* On every orbit the differences in double are within the accuracy they state, and it is an accuracy worth having. */
 TEST(fd_double_keeps_its_word_on_every_orbit) {
   arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
-  arb_t trace;
-  arb_init(trace);
+  NUMBERS(arb, trace);
   int sharp = 0;
   for (int i = 0; i < n_samples; i++) {
     struct sample *o = &samples[i];
@@ -142,7 +139,6 @@ TEST(fd_double_keeps_its_word_on_every_orbit) {
     ck_assert_msg(arb_overlaps(y + 4, trace), "%s %s: the trace", o->set->name, o->field[F_INDEX]);
   }
   ck_assert_int_ge(sharp, 4 * (N_ORBITS - 3));
-  arb_clear(trace);
   _arb_vec_clear(y, 6);
   _arb_vec_clear(x, 6);
 }
@@ -152,13 +148,9 @@ TEST(fd_double_keeps_its_word_on_every_orbit) {
 static double strain(enum phase ph, const double *params, const double *in, double t) {
   static const double axes[N_STATE][N_STATE] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
   struct num_ctx ctx = num_ctx_arb(200);
-  struct num_vec p, z, j, when;
   double column[16], err[N_STATE], worst = 0;
   const struct dyn_stretch stretch = {ph, in, t};
-  num_vec_init(&p, N_PARAMS, ctx);
-  num_vec_init(&z, N_STATE, ctx);
-  num_vec_init(&j, 16, ctx);
-  num_vec_init(&when, 1, ctx);
+  OWNED(num_vec) p = vec_new(N_PARAMS, ctx), z = vec_new(N_STATE, ctx), j = vec_new(16, ctx), when = vec_new(1, ctx);
   for (int i = 0; i < N_PARAMS; i++) arb_set_d(num_vec_at(&p, i), params[i]);
   for (int i = 0; i < N_STATE; i++) arb_set_d(num_vec_at(&z, i), in[i]);
   ck_assert_int_eq(dyn_event(num_vec_at(&when, 0), ph, &p, &z, t), SS_OK);
@@ -168,7 +160,6 @@ static double strain(enum phase ph, const double *params, const double *in, doub
     ck_assert(err[i % 4] > 0 && isfinite(err[i % 4]));
     worst = fmax(worst, fabs(column[4 * (i % 4) + i / 4] - mid(num_vec_at(&j, i))) / err[i % 4]);
   }
-  vecs_clear(&when, &j, &z, &p);
   return worst;
 }
 
@@ -340,9 +331,8 @@ static void corners(double want[N_PHASES][6], double (*l)[4][4], double chi) {
 }
 
 static void read_locals(double (*l)[4][4], const struct sample *o) {
-  struct table t;
   int n = 0;
-  table_read(&t, "tests/oracle/jacobian.tsv", 6);
+  OWNED(table) t = table_read("tests/oracle/jacobian.tsv", 6);
   for (int i = 0; i < t.n; i++) {
     char *const *field = t.row[i];
     if (strcmp(field[0], o->set->name) != 0 || strcmp(field[1], o->field[F_INDEX]) != 0) continue;
@@ -352,7 +342,6 @@ static void read_locals(double (*l)[4][4], const struct sample *o) {
       n++;
     }
   }
-  table_clear(&t);
   ck_assert_int_eq(n, 64);
 }
 
@@ -363,11 +352,10 @@ TEST_EACH(local_jacobians_are_those_made_elsewhere, 4) {
     struct sample *o = &samples[i];
     if (strcmp(o->set->name, names[_i]) != 0 || atoi(o->field[F_INDEX]) != index[_i]) continue;
     double l[N_PHASES][4][4], want[N_PHASES][6];
-    struct jacobian_phases p;
+    LOCAL(jacobian_phases, p);
     struct jacobian_request q = at(METHOD_IMPLICIT, o, 15);
     read_locals(l, o);
     corners(want, l, strtod(o->set->chi, NULL));
-    jacobian_phases_init(&p);
     goes_well(audit_phases(&p, &model, &o->set->scene, &q, &d));
     for (int ph = 0; ph < N_PHASES; ph++)
       for (int c = 1; c < N_COLUMNS; c++) {
@@ -378,7 +366,6 @@ TEST_EACH(local_jacobians_are_those_made_elsewhere, 4) {
                         names[_i], a->name, e, jacobian_columns[c].name, off);
         }
       }
-    jacobian_phases_clear(&p);
     return;
   }
   ck_abort_msg("no orbit %s", names[_i]);
@@ -397,20 +384,15 @@ static void departures(struct text *out, const struct jacobian_phases *p) {
 
 static void departs_at(const struct model *m, const char *v, const char *want) {
   char text[200];
-  struct scene s;
-  struct jacobian_phases p;
+  OWNED(scene) s;
+  LOCAL(jacobian_phases, p);
   struct jacobian_request q = {METHOD_IMPLICIT, LAYER_CORRECTED, false, 0, 12};
-  struct text found;
-  text_init(&found);
-  jacobian_phases_init(&p);
+  LOCAL(text, found);
   snprintf(text, sizeof text, "chi = 0.59\neta = 3.1\nV = %s\ne1 = 3.54\ne2 = 0.0657\n", v);
   load_scene(&s, text);
   goes_well(audit_phases(&p, m, &s, &q, &d));
   departures(&found, &p);
   ck_assert_str_eq(text_str(&found), want);
-  jacobian_phases_clear(&p);
-  text_clear(&found);
-  scene_clear(&s);
 }
 
 #define ALL_OF_J(method) method ":J[1,1] " method ":J[1,2] " method ":J[2,1] " method ":J[2,2] "
@@ -478,22 +460,18 @@ TEST(eigenvalues_both_ways) {
 
 /* A value of times.tsv as a ball. */
 static void from_times(arb_t x, const char *name) {
-  struct table t;
-  table_read(&t, "tests/oracle/times.tsv", 2);
+  OWNED(table) t = table_read("tests/oracle/times.tsv", 2);
   ball_from(x, t.row[table_row(&t, name, NULL)][1], 39);
-  table_clear(&t);
 }
 
 CASE("given", .once = {open_data, close_data}, .seconds = 300);
 
 TEST(every_method_at_given_times) {
   static const char *const entry[] = {"J11", "J12", "J21", "J22"};
-  struct scene s;
-  struct diag d;
+  OWNED(scene) s;
+  struct diag d = {0};
   arb_ptr x = _arb_vec_init(6);
-  arb_t want;
-  arb_init(want);
-  diag_init(&d);
+  NUMBERS(arb, want);
   ck_assert_msg(scene_load(&s, "paper-times", "verify", &d), "%s", d.message);
   for (int m = 0; m < N_METHODS; m++) {
     struct jacobian_request q = {(enum jacobian_method)m, LAYER_CORRECTED, false, 0, 30};
@@ -505,9 +483,7 @@ TEST(every_method_at_given_times) {
       ck_assert(radius(x + k) < (method_is_double((enum jacobian_method)m) ? 1e-7 : 1e-30));
     }
   }
-  arb_clear(want);
   _arb_vec_clear(x, 6);
-  scene_clear(&s);
 }
 
 /* The orbit of the file from two others of its numbers, cut to 40 digits: the same trace to 30. */
@@ -524,13 +500,11 @@ TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
     const char *value = quantity < 2 ? o->set->e[quantity] : o->field[F_TA + quantity - 2];
     n += snprintf(text + n, sizeof text - (size_t)n, "%s = %.42s\n", names[quantity], value);
   }
-  struct scene s;
+  OWNED(scene) s;
   struct diag d;
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   arb_ptr x = _arb_vec_init(6);
-  arb_t want, z;
-  arb_init(want);
-  arb_init(z);
+  NUMBERS(arb, want, z);
   load_scene(&s, text);
   ball_from(want, o->field[F_TRACE], 36);
   ball_from(z, o->field[F_Z10], 36);
@@ -545,11 +519,7 @@ TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
     ck_assert_msg(arb_overlaps(x + 4, want), "%s at\n%s%.17g, not %s", method_name[m], text, mid(x + 4),
                   o->field[F_TRACE]);
   }
-  arb_clear(z);
-  arb_clear(want);
-  dyn_orbits_clear(&list);
   _arb_vec_clear(x, 6);
-  scene_clear(&s);
 }
 
 /* At printed numbers e1 and e2 that are not given are the printed ones, and times that are not printed the given

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "expr/latex_read.h"
+#include "local.h"
 #include "model/model.h"
 #include "says.h"
 #include "scratch.h"
@@ -48,13 +49,10 @@ static const struct latex_names names = {known, NULL};
 
 /* What the statements of some TeX are, printed and separated by "; ", or the first line of the message. */
 static const char *reads(const char *tex) {
-  struct source src;
-  struct diag d;
-  struct text out;
+  struct diag d = {0};
+  LOCAL(text, out);
   size_t n;
-  diag_init(&d);
-  text_init(&out);
-  source_from_string(&src, "f", tex);
+  OWNED(source) src = source_of("f", tex);
   struct latex_formula f = {.src = &src, .tex = {0, src.len}};
   const struct stmt **s = latex_statements(&n, &arena, &f, &names, &d);
   ck_assert((s != NULL) != d.set);
@@ -63,10 +61,7 @@ static const char *reads(const char *tex) {
     stmt_print(&out, s[i]);
   }
   if (!s) text_add_n(&out, d.message, strcspn(d.message, "\n"));
-  const char *copy = arena_strndup(&arena, text_str(&out), out.len);
-  text_clear(&out);
-  source_clear(&src);
-  return copy;
+  return arena_strndup(&arena, text_str(&out), out.len);
 }
 
 TABLE(said, "tests/cases/latex_said.tsv", 2);
@@ -81,14 +76,11 @@ TEST_EACH(formulas_say_what_is_written_beside_them, said.n) {
 /* --- Hostile formulas --- */
 
 static const char *repeated(const char *first, const char *s, int n, const char *last) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   text_add(&t, first);
   for (int i = 0; i < n; i++) text_add(&t, s);
   text_add(&t, last);
-  const char *copy = arena_strndup(&arena, text_str(&t), t.len);
-  text_clear(&t);
-  return copy;
+  return arena_strndup(&arena, text_str(&t), t.len);
 }
 
 TEST(hostile_formulas_get_one_clear_line) {
@@ -136,19 +128,13 @@ static void print_plainly(struct text *out, const struct expr *e) {
 }
 
 static void read_what_is_printed(const struct expr *e) {
-  struct text functions, tex, before, after;
-  struct source src;
-  struct diag d;
+  LOCAL(text, functions, tex, before, after);
+  struct diag d = {0};
   size_t n;
-  diag_init(&d);
-  text_init(&functions);
-  text_init(&tex);
-  text_init(&before);
-  text_init(&after);
   collect_functions(&functions, e);
   text_add(&tex, "0 = ");
   expr_latex(&tex, e);
-  source_from_string(&src, "f", text_str(&tex));
+  OWNED(source) src = source_of("f", text_str(&tex));
   const struct latex_names all = {any, &functions};
   struct latex_formula f = {.src = &src, .tex = {0, src.len}};
   const struct stmt **s = latex_statements(&n, &arena, &f, &all, &d);
@@ -157,11 +143,6 @@ static void read_what_is_printed(const struct expr *e) {
   print_plainly(&after, s[0]->sides[1]);
   ck_assert_msg(strcmp(text_str(&before), text_str(&after)) == 0, "%s\nis %s\nread as %s", text_str(&tex),
                 text_str(&before), text_str(&after));
-  source_clear(&src);
-  text_clear(&functions);
-  text_clear(&tex);
-  text_clear(&before);
-  text_clear(&after);
 }
 
 static const char *data(void) {
@@ -170,8 +151,7 @@ static const char *data(void) {
 }
 
 TEST(every_formula_on_file_is_read_as_it_is_printed) {
-  struct model m;
-  model_init(&m);
+  LOCAL(model, m);
   goes_well(model_load(&m, data(), NULL, NULL, &d));
   int n = 0;
   for (size_t i = 0; i < m.n_records; i++)
@@ -181,21 +161,17 @@ TEST(every_formula_on_file_is_read_as_it_is_printed) {
         read_what_is_printed(s->sides[side]);
     }
   ck_assert_int_gt(n, 400);
-  model_clear(&m);
 }
 
 /* --- Records and their TeX --- */
 
 /* What the check of a file says: "" where nothing is wrong. */
 static const char *record_says(const char *record) {
-  struct model m;
-  struct diag d;
-  diag_init(&d);
-  model_init(&m);
+  LOCAL(model, m);
+  struct diag d = {0};
   ck_assert_msg(model_add_file(&m, scratch_print("p.eq", "symbol chi\nsymbol t\n%s", record), RANK_PAPER, &d), "%s",
                 d.message);
   ck_assert(model_check_tex(&m, RANK_PAPER, &d) != d.set);
-  model_clear(&m);
   return d.set ? arena_strndup(&arena, d.message, strlen(d.message)) : "";
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "claim/claims.h"
+#include "local.h"
 #include "paper_model.h"
 #include "run/audit.h"
 #include "scratch.h"
@@ -15,16 +16,13 @@
 
 /* Judges one claim of the test's own beside formulas of its own; N_VERDICTS with d set when it is at fault. */
 static enum verdict judged(const char *formulas, const char *claim, struct diag *d) {
-  struct model m;
-  struct audit_result r;
-  audit_result_init(&r);
+  OWNED(model) m;
+  LOCAL(audit_result, r);
   bool ok = paper_model_read(&m, &(struct paper_layers){.overlay = scratch_put("own.eq", formulas)}, d) &&
             judge_text(&r, &m, formatted("claim own\n  section: appendix_b\n  title: of the test\n%s", claim),
                        &the_paper.scene, "own", d);
   enum verdict v = ok ? r.findings[0].verdict : N_VERDICTS;
   ck_assert(!ok || r.n_findings == 1);
-  audit_result_clear(&r);
-  model_clear(&m);
   return v;
 }
 
@@ -237,17 +235,14 @@ TEST_EACH(blocks_obey_newton, N_PHASES) {
   static const char *const name[2][6] = {{"m_1", "x_1''(t)", "x_1(t)", "x_2(t)", "k_1", "F_1"},
                                          {"m_2", "x_2''(t)", "x_2(t)", "x_1(t)", "V", "F_2"}};
   struct sampler s;
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   sampler_init(&s, "blocks", &(struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)_i});
   for (int n = 0; n < 4; n++) {
-    struct values v;
+    OWNED(values) v;
     sampler_next(&p, &s);
     ck_assert(values_init(&v, &p, n % 2 ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), the_paper.cache) == SS_OK);
     for (int mass = 0; mass < 2; mass++) newton(&v, name[mass]);
-    values_clear(&v);
   }
-  point_clear(&p);
 }
 
 /* Closed forms and exponentials carry a patched state alike; nothing on the way is V, and no two perturbations agree
@@ -256,16 +251,15 @@ TEST(patched_states_are_general) {
   static const char *const tangent[] = {"x",   "y",   "u",   "v",   "x_a", "y_a", "u_a", "v_a", "x_b", "y_b",
                                         "u_b", "v_b", "x_c", "y_c", "u_c", "v_c", "x_f", "y_f", "u_f", "v_f"};
   struct sampler s;
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED, .phase = PHASE_C});
   for (int n = 0; n < 6; n++) {
     struct values v[2];
-    arb_t x[COUNT(tangent)], belt;
+    NUMBERS(arb, belt);
+    arb_t x[COUNT(tangent)];
     sampler_next(&p, &s);
     for (int k = 0; k < 2; k++)
       ck_assert(values_init(&v[k], &p, k ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), the_paper.cache) == SS_OK);
-    arb_init(belt);
     arb_set_fmpq(belt, &p.q[Q_V], FIRST_PREC);
     for (int i = 0; i < 4 * (N_PHASES + 1); i++) {
       ck_assert(arb_overlaps(num_vec_at(&v[0].arc.z, i), num_vec_at(&v[1].arc.z, i)));
@@ -281,18 +275,15 @@ TEST(patched_states_are_general) {
       for (int k = 0; k < i; k++) ck_assert(zero || arb_is_zero(x[i]) || !arb_equal(x[i], x[k]));
     }
     for (int i = 0; i < COUNT(tangent); i++) arb_clear(x[i]);
-    arb_clear(belt);
     for (int k = 0; k < 2; k++) values_clear(&v[k]);
   }
-  point_clear(&p);
 }
 
 /* Every u_ri exceeds e_i and what the orbit asks by a quarter or a 1024th, and by no more than the grid; both occur. */
 TEST(realistic_friction_is_above_what_is_asked) {
   struct sampler s;
-  struct point p;
+  LOCAL(point, p);
   long seen = 0, few = 0;
-  point_init(&p);
   sampler_init(&s, "realistic", &(struct point_spec){.kind = POINT_ORBIT, .admissible = true, .realistic = true});
   for (int draws = 0; draws < 40 && seen < 6; draws++) {
     sampler_next(&p, &s);
@@ -311,7 +302,6 @@ TEST(realistic_friction_is_above_what_is_asked) {
   }
   ck_assert_int_eq(seen, 6);
   ck_assert(few > 0 && few < 12);
-  point_clear(&p);
 }
 
 /* --- Arguments both ways, ranges, counts --- */

@@ -74,11 +74,10 @@ TEST(statuses_have_texts) {
 
 TEST(a_number_is_there_or_not) {
   char *text;
-  mpfr_t z, exact;
   ss_scene *s = scene("paper");
   const ss_number *x = ss_scene_parameter(s, "e1");
-  mpfr_init2(z, 200);
-  mpfr_init2(exact, 200);
+  mpfr_t z, exact;
+  mpfr_inits2(200, z, exact, (mpfr_ptr)NULL);
   check_number(x, "2.7844");
   check_number(x, "2.784");
   ck_assert_uint_eq(ss_number_digits(x), 100000);
@@ -96,8 +95,7 @@ TEST(a_number_is_there_or_not) {
   ck_assert(isnan(ss_number_double(NULL)));
   ck_assert(isinf(ss_number_radius(NULL)));
   ck_assert_uint_eq(ss_number_digits(NULL), 0);
-  mpfr_clear(exact);
-  mpfr_clear(z);
+  mpfr_clears(z, exact, (mpfr_ptr)NULL);
   ss_scene_free(s);
 }
 

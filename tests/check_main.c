@@ -56,7 +56,7 @@ static void add_suites(SRunner *r) {
       s = suite_create(e->suite);
       srunner_add_suite(r, s);
     }
-    if (e->table) table_read(e->table, e->path, e->columns);
+    if (e->table) *e->table = table_read(e->path, e->columns);
     if (e->add && !tcase) e->name = e->suite;
     if (e->name) tcase = case_of(s, first, e);
     if (e->add) e->add(tcase);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "every.h"
+#include "local.h"
 #include "motion/arc.h"
 #include "motion/dynamics.h"
 #include "motion/turn.h"
@@ -26,18 +27,18 @@ struct trip {
   struct dyn_arc arc;
 };
 
-static void pass_open(struct trip *p, const double x[N_START], struct num_ctx ctx) {
-  p->params = vec_of(x, N_PARAMS, ctx);
-  p->start = vec_of(x + N_PARAMS, 2, ctx);
-  dyn_arc_init(&p->arc, ctx);
+static struct trip trip_of(const double x[N_START], struct num_ctx ctx) {
+  struct trip p = {.params = vec_of(x, N_PARAMS, ctx), .start = vec_of(x + N_PARAMS, 2, ctx)};
+  dyn_arc_init(&p.arc, ctx);
+  return p;
 }
 
-static void pass_close(struct trip *p) {
+static void trip_clear(struct trip *p) {
   vecs_clear(&p->params, &p->start);
   dyn_arc_clear(&p->arc);
 }
 
-static int pass_quick(struct trip *p, const struct num_vec *near, const double *guess) {
+static int trip_quick(struct trip *p, const struct num_vec *near, const double *guess) {
   return map_run(&p->arc, &p->params, num_vec_at(&p->start, 0), num_vec_at(&p->start, 1), near, guess);
 }
 
@@ -98,29 +99,24 @@ static void random_start(double x[N_START], struct rng *r) {
 
 /* log2 of how far v lies from the exact, at most, its radius included. */
 static double error_of(const struct num_type *type, const void *v, arb_srcptr exact) {
-  arb_t x;
-  mag_t most;
-  arb_init(x);
-  mag_init(most);
+  NUMBERS(arb, x);
+  NUMBERS(mag, most);
   type->get_arb(x, v);
   arb_sub(x, x, exact, 20000);
   arb_get_mag(most, x);
-  double e = mag_is_zero(most) ? -INFINITY : mag_get_d_log2_approx(most);
-  mag_clear(most);
-  arb_clear(x);
-  return e;
+  return mag_is_zero(most) ? -INFINITY : mag_get_d_log2_approx(most);
 }
 
 static const slong precisions[] = {53, 64, 100, 128, 192, 256, 333, 512, 700, 1024, 2048, 4096};
 
 static void against_phases(const double x[N_START], const double t[N_PHASES], slong prec, int *quick) {
-  struct trip exact, p[2];
-  pass_open(&exact, x, num_ctx_arb(4 * prec + 300));
-  pass_open(&p[0], x, num_ctx_arb(prec));
-  pass_open(&p[1], x, num_ctx_mpfr(prec));
+  struct trip p[2];
+  OWNED(trip) exact = trip_of(x, num_ctx_arb(4 * prec + 300));
+  p[0] = trip_of(x, num_ctx_arb(prec));
+  p[1] = trip_of(x, num_ctx_mpfr(prec));
   bool known = pass_slow(&exact, t) == SS_OK;
   for (int k = 0; k < 2 && known; k++) {
-    if (pass_quick(&p[k], NULL, t)) continue;
+    if (trip_quick(&p[k], NULL, t)) continue;
     ++*quick;
     for (int i = 0; i < VALUES; i++) {
       arb_srcptr true_value = value_at(&exact, i);
@@ -130,8 +126,7 @@ static void against_phases(const double x[N_START], const double t[N_PHASES], sl
                     k ? "mpfr" : "balls", i, (long)prec, e, most - 2);
     }
   }
-  for (int k = 0; k < 2; k++) pass_close(&p[k]);
-  pass_close(&exact);
+  for (int k = 0; k < 2; k++) trip_clear(&p[k]);
 }
 
 TEST_EACH(arcs_are_those_of_the_phases, COUNT(precisions)) {
@@ -151,8 +146,7 @@ TEST_EACH(arcs_are_those_of_the_phases, COUNT(precisions)) {
 
 /* Each line: parameters, start, four times, two positions, of which digits are rounded at the 60th. */
 TEST(arcs_of_mpmath) {
-  struct table arcs;
-  table_read(&arcs, "tests/oracle/arcs.tsv", N_START + N_PHASES + 2);
+  OWNED(table) arcs = table_read("tests/oracle/arcs.tsv", N_START + N_PHASES + 2);
   ck_assert_int_eq(arcs.n, 8);
   for (int row = 0; row < arcs.n; row++) {
     double x[N_START];
@@ -160,20 +154,17 @@ TEST(arcs_of_mpmath) {
     struct trip p[2];
     double t[N_PHASES], end;
     ck_assert_int_eq(dyn_return_map_d(&end, NULL, t, x, x[N_PARAMS + 1] - x[N_PARAMS], NULL), SS_OK);
-    pass_open(&p[0], x, num_ctx_arb(160));
-    pass_open(&p[1], x, num_ctx_mpfr(160));
+    p[0] = trip_of(x, num_ctx_arb(160));
+    p[1] = trip_of(x, num_ctx_mpfr(160));
     for (int k = 0; k < 2; k++)
-      ck_assert_msg(pass_quick(&p[k], NULL, t) == SS_OK, "%s %s", show(x), k ? "mpfr" : "balls");
-    arb_t value;
-    arb_init(value);
+      ck_assert_msg(trip_quick(&p[k], NULL, t) == SS_OK, "%s %s", show(x), k ? "mpfr" : "balls");
+    NUMBERS(arb, value);
     for (int i = 0; i < N_PHASES + 2; i++) {
       ck_assert(arb_set_str(value, arcs.row[row][N_START + i], 400) == 0);
-      mag_t last;
-      mag_init(last);
+      NUMBERS(mag, last);
       arb_get_mag(last, value);
       mag_mul_2exp_si(last, last, -196); /* more than half a unit in the 60th place */
       arb_add_error_mag(value, last);
-      mag_clear(last);
       int v = i < N_PHASES ? i : VALUES - 2 * N_PHASES + i;
       ck_assert_msg(arb_overlaps(value_at(&p[0], v), value), "%s value %d", show(x), v);
       for (int k = 0; k < 2; k++) {
@@ -182,10 +173,8 @@ TEST(arcs_of_mpmath) {
                       size);
       }
     }
-    arb_clear(value);
-    for (int k = 0; k < 2; k++) pass_close(&p[k]);
+    for (int k = 0; k < 2; k++) trip_clear(&p[k]);
   }
-  table_clear(&arcs);
   flint_cleanup();
 }
 
@@ -199,13 +188,12 @@ TEST_EACH(wide_balls_hold_the_arcs_of_their_points, 4) {
     x[P_CHI] = 0.1 + 0.8 * x[P_CHI];
     x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(rng_within(&r, -3, 3));
     if (!first_times(t, x)) continue;
-    struct trip wide;
-    pass_open(&wide, x, num_ctx_arb(128));
+    OWNED(trip) wide = trip_of(x, num_ctx_arb(128));
     for (int i = 0; i < N_START; i++) {
       arb_ptr v = i < N_PARAMS ? num_vec_at(&wide.params, i) : num_vec_at(&wide.start, i - N_PARAMS);
       mag_set_d(arb_radref(v), radius * fabs(x[i]));
     }
-    bool ok = pass_quick(&wide, NULL, t) == SS_OK;
+    bool ok = trip_quick(&wide, NULL, t) == SS_OK;
     proved += ok;
     refused += !ok;
     for (int k = 0; k < 6 && ok; k++) {
@@ -214,8 +202,7 @@ TEST_EACH(wide_balls_hold_the_arcs_of_their_points, 4) {
         double side = k < 3 ? (double)rng_between(&r, -1, 1) : rng_within(&r, -1, 1);
         y[i] = x[i] * (1 + 0.999 * side * radius);
       }
-      struct trip point;
-      pass_open(&point, y, num_ctx_arb(256));
+      OWNED(trip) point = trip_of(y, num_ctx_arb(256));
       double near[N_PHASES];
       for (int i = 0; i < N_PHASES; i++) near[i] = num_arb.get_d(value_at(&wide, i));
       int status = pass_slow(&point, near);
@@ -223,9 +210,7 @@ TEST_EACH(wide_balls_hold_the_arcs_of_their_points, 4) {
       for (int i = 0; i < VALUES && status == SS_OK; i++)
         ck_assert_msg(arb_contains(value_at(&wide, i), value_at(&point, i)), "%s radius %g value %d", show(y), radius,
                       i);
-      pass_close(&point);
     }
-    pass_close(&wide);
   }
   ck_assert_msg(proved > 20 && refused > 2, "%d proved, %d refused", proved, refused);
   flint_cleanup();
@@ -240,15 +225,13 @@ TEST(a_double_root_and_none_are_not_proved) {
   static const double off[] = {0, 1e-12, -1e-12, 0x1p-40, 0.5};
   for (int k = 0; k < 5; k++)
     for (int side = -1; side <= 1; side++) {
-      struct trip p;
       x[6] = x[5] + 2 - (rise + off[k]);
       guess[PHASE_GAMMA] = crest + 1e-7 * side;
-      pass_open(&p, x, num_ctx_arb(128));
+      OWNED(trip) p = trip_of(x, num_ctx_arb(128));
       if (k < 4) mag_set_d(arb_radref((arb_ptr)num_vec_at(&p.start, 1)), 1e-6);
-      ck_assert_msg(pass_quick(&p, NULL, guess) == SS_UNABLE, "off %g side %d", off[k], side);
+      ck_assert_msg(trip_quick(&p, NULL, guess) == SS_UNABLE, "off %g side %d", off[k], side);
       ck_assert_int_eq(dyn_arc_run(&p.arc, &p.params, num_vec_at(&p.start, 0), num_vec_at(&p.start, 1), guess),
                        SS_UNABLE);
-      pass_close(&p);
     }
   flint_cleanup();
 }
@@ -259,14 +242,12 @@ TEST(a_ball_that_reaches_beyond_the_crest_is_not_proved) {
   double rise = a * (crest - sin(crest)) + 4 * (1 - cos(crest));
   for (int k = 2; k < 30; k += 3)
     for (int wide = 0; wide < 2; wide++) {
-      struct trip p;
       double below = ldexp(1, -k);
       x[6] = x[5] + 2 - (rise - below);
       ck_assert(first_times(t, x));
-      pass_open(&p, x, num_ctx_arb(192));
+      OWNED(trip) p = trip_of(x, num_ctx_arb(192));
       mag_set_d(arb_radref((arb_ptr)num_vec_at(&p.start, 1)), wide ? 2 * below : below / 1024);
-      ck_assert_msg((pass_quick(&p, NULL, t) == SS_OK) == !wide, "2^-%d", k);
-      pass_close(&p);
+      ck_assert_msg((trip_quick(&p, NULL, t) == SS_OK) == !wide, "2^-%d", k);
     }
   flint_cleanup();
 }
@@ -284,22 +265,21 @@ TEST(a_wide_r_is_enclosed_to_its_ends) {
       x[P_CHI] = 0.1 + 0.8 * x[P_CHI];
       x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(rng_within(&r, -2, 2));
     }
-    struct trip wide, end;
-    pass_open(&wide, x, num_ctx_arb(128));
+    struct trip end;
+    OWNED(trip) wide = trip_of(x, num_ctx_arb(128));
     mag_set_d(arb_radref((arb_ptr)num_vec_at(&wide.start, 1)), radius);
-    bool ok = first_times(t, x) && pass_quick(&wide, NULL, t) == SS_OK;
+    bool ok = first_times(t, x) && trip_quick(&wide, NULL, t) == SS_OK;
     ck_assert(ok || n > 0);
     for (int k = -4; k <= 4 && ok; k++) {
       double y[N_START];
       memcpy(y, x, sizeof y);
       y[6] += 0.25 * k * radius;
-      pass_open(&end, y, num_ctx_arb(256));
+      end = trip_of(y, num_ctx_arb(256));
       ck_assert_int_eq(pass_slow(&end, t), SS_OK);
       for (int i = 0; i < VALUES; i++)
         ck_assert_msg(arb_overlaps(value_at(&wide, i), value_at(&end, i)), "%s radius %g value %d", show(y), radius, i);
-      pass_close(&end);
+      trip_clear(&end);
     }
-    pass_close(&wide);
   }
   flint_cleanup();
 }
@@ -312,15 +292,12 @@ TEST(events_are_those_near_the_guess) {
   for (int turns = 0; turns < 4; turns++)
     for (int k = 0; k < 2; k++) {
       double guess[N_PHASES] = {t[0], t[1] * 1.002, t[2] * 0.999, t[3] + turns * PI / sqrt(0.9375) + 0.01};
-      struct trip quick, slow;
-      pass_open(&quick, x, k ? num_ctx_mpfr(300) : num_ctx_arb(300));
-      pass_open(&slow, x, num_ctx_arb(400));
-      ck_assert_int_eq(pass_quick(&quick, NULL, guess), SS_OK);
+      OWNED(trip) quick = trip_of(x, k ? num_ctx_mpfr(300) : num_ctx_arb(300));
+      OWNED(trip) slow = trip_of(x, num_ctx_arb(400));
+      ck_assert_int_eq(trip_quick(&quick, NULL, guess), SS_OK);
       ck_assert_int_eq(pass_slow(&slow, guess), SS_OK);
       for (int i = 0; i < VALUES; i++)
         ck_assert(error_of(quick.arc.z.ctx.type, value_at(&quick, i), value_at(&slow, i)) < -290);
-      pass_close(&quick);
-      pass_close(&slow);
     }
   flint_cleanup();
 }
@@ -333,14 +310,12 @@ TEST(wild_guesses_end) {
   ck_assert(first_times(t, x));
   for (size_t k = 0; k < COUNT(wild); k++)
     for (int at = 1; at < 2 * N_PHASES; at++) {
-      struct trip p;
       double guess[N_PHASES];
       memcpy(guess, t, sizeof t);
       guess[at % N_PHASES] = wild[k];
-      pass_open(&p, x, at < N_PHASES ? num_ctx_mpfr(200) : num_ctx_arb(200));
-      int status = pass_quick(&p, NULL, guess);
+      OWNED(trip) p = trip_of(x, at < N_PHASES ? num_ctx_mpfr(200) : num_ctx_arb(200));
+      int status = trip_quick(&p, NULL, guess);
       ck_assert(status == SS_OK || status == SS_UNABLE);
-      pass_close(&p);
     }
   flint_cleanup();
 }
@@ -348,14 +323,12 @@ TEST(wild_guesses_end) {
 /* From times of a third of the bits, as differences take them. */
 TEST(near_times_of_a_few_bits) {
   const double x[N_START] = {0.8, 1.0, 1.0, 2.7844, 0.8587, 0.8921, -2.1958};
-  struct trip p, exact;
   double t[N_PHASES];
   ck_assert(first_times(t, x));
-  pass_open(&p, x, num_ctx_mpfr(600));
-  pass_open(&exact, x, num_ctx_arb(900));
+  OWNED(trip) p = trip_of(x, num_ctx_mpfr(600));
+  OWNED(trip) exact = trip_of(x, num_ctx_arb(900));
   ck_assert_int_eq(pass_slow(&exact, t), SS_OK);
-  struct num_vec near;
-  num_vec_init(&near, N_PHASES, num_ctx_mpfr(600));
+  OWNED(num_vec) near = vec_new(N_PHASES, num_ctx_mpfr(600));
   for (slong bits = 8; bits <= 600; bits += 74) {
     for (int i = 0; i < N_PHASES; i++) {
       mpfr_ptr v = num_vec_at(&near, i);
@@ -363,13 +336,10 @@ TEST(near_times_of_a_few_bits) {
       mpfr_prec_round(v, bits, MPFR_RNDN);
       mpfr_prec_round(v, 600, MPFR_RNDN);
     }
-    ck_assert_int_eq(pass_quick(&p, &near, NULL), SS_OK);
+    ck_assert_int_eq(trip_quick(&p, &near, NULL), SS_OK);
     for (int i = 0; i < VALUES; i++)
       ck_assert_msg(error_of(&num_mpfr, value_at(&p, i), value_at(&exact, i)) < -594, "%ld bits", (long)bits);
   }
-  num_vec_clear(&near);
-  pass_close(&p);
-  pass_close(&exact);
   flint_cleanup();
 }
 
@@ -378,7 +348,7 @@ TEST(turns_enclose_sines) {
   struct rng r = {9};
   for (int n = 0; n < 400; n++) {
     slong prec = precisions[n % COUNT(precisions)];
-    struct calc c = calc_begin(num_ctx_arb(prec));
+    OWNED(calc) c = calc_begin(num_ctx_arb(prec));
     double angle = rng_within(&r, -50, 50), move = exp2(rng_within(&r, -80, 1)) * (rng_between(&r, 0, 1) ? 1 : -1);
     if (n % 40 == 0) move = 0;
     arb_ptr x = calc_new(&c);
@@ -389,19 +359,17 @@ TEST(turns_enclose_sines) {
     calc_sin_cos(&c, &kept.sine, &kept.cosine, calc_d(&c, angle));
     turn_small(&s, &v, &c, x);
     turn_by(&sine, &cosine, &c, &kept, x);
-    arb_t exact[4], y;
-    arb_init(y);
+    NUMBERS(arb, y);
+    arb_t exact[4];
     for (int k = 0; k < 4; k++) arb_init(exact[k]);
     arb_set_d(y, move);
     arb_sin_cos(exact[0], exact[1], y, 4 * prec);
     arb_sub_ui(exact[1], exact[1], 1, 4 * prec);
     arb_neg(exact[1], exact[1]);
     arb_set_d(y, angle);
-    arf_t m;
-    arf_init(m);
+    NUMBERS(arf, m);
     arf_set_d(m, move);
     arb_add_arf(y, y, m, ARF_PREC_EXACT);
-    arf_clear(m);
     arb_sin_cos(exact[2], exact[3], y, 4 * prec);
     const val got[4] = {s, v, sine, cosine};
     for (int k = 0; k < 4; k++) {
@@ -410,8 +378,6 @@ TEST(turns_enclose_sines) {
                     "%ld bits, %.17g + %.17g, %d", (long)prec, angle, move, k);
       arb_clear(exact[k]);
     }
-    arb_clear(y);
-    calc_clear(&c);
   }
   flint_cleanup();
 }

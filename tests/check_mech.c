@@ -13,6 +13,7 @@
 #include "every.h"
 #include "explore/bifurcate.h"
 #include "explore/words.h"
+#include "local.h"
 #include "mech/describe.h"
 #include "mech/follow.h"
 #include "mech/moments.h"
@@ -20,6 +21,7 @@
 #include "mech/two_masses.h"
 #include "motion/coulomb.h"
 #include "paper_model.h"
+#include "params.h"
 #include "rational.h"
 #include "rng.h"
 #include "says.h"
@@ -37,9 +39,15 @@ static struct mech file;
 /* Duration and the most moments. */
 #define PLAN(time, moments) ((struct mech_plan){.duration = (time), .most = (moments)})
 
+static struct mech_motion simulated(int route, const struct mech *m, const double *start,
+                                    const struct mech_plan *plan) {
+  struct mech_motion z;
+  ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, m, start, plan), SS_OK);
+  return z;
+}
+
 static void read_text(const char *text) {
-  struct source src;
-  source_from_string(&src, "a.system", text);
+  struct source src = source_of("a.system", text);
   goes_well(mech_read(&file, src, &d));
 }
 
@@ -52,9 +60,7 @@ static double dyadic(fmpq_t z, struct rng *r, slong low, slong high) {
 
 /* Masses one behind the other, on one belt. */
 static void random_chain(struct mech *m, double start[2 * MECH_MASSES], int n, struct rng *r) {
-  fmpq_t belt, x;
-  fmpq_init(belt);
-  fmpq_init(x);
+  NUMBERS(fmpq, belt, x);
   dyadic(belt, r, 16, 128);
   mech_init(m);
   for (int i = 0; i < n; i++) {
@@ -72,19 +78,17 @@ static void random_chain(struct mech *m, double start[2 * MECH_MASSES], int n, s
     start[i] = dyadic(x, r, -200, 200);
     start[n + i] = rng_between(r, 0, 1) ? fmpq_get_d(belt) : dyadic(x, r, -150, 150);
   }
-  fmpq_clear(x);
-  fmpq_clear(belt);
 }
 
 static const enum coulomb_mode mode_of[128] = {['s'] = MODE_STICK, ['-'] = MODE_BELOW, ['+'] = MODE_ABOVE};
 
 TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 40) {
   struct rng r = {(uint64_t)_i};
-  struct mech m;
+  OWNED(mech) m;
   double x[2 * MECH_MASSES], p[N_COULOMB];
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result end;
-  struct coulomb_log log;
+  LOCAL(coulomb_log, log);
   random_chain(&m, x, 2, &r);
   p[COULOMB_CHI] = dyadic(m.spring[1].size, &r, 6, 58);
   fmpq_one(m.spring[0].size);
@@ -97,13 +101,11 @@ TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 40) {
     p[COULOMB_US1 + i] = fmpq_get_d(m.mass[i].sliding);
     p[COULOMB_UR1 + i] = fmpq_get_d(m.mass[i].limit);
   }
-  coulomb_log_init(&log);
   struct coulomb_sink sink = coulomb_log_sink(&log);
   plan.duration = 12;
   ck_assert_int_eq(coulomb_simulate_d(&end, p, x, &plan, &sink), SS_OK);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
-    struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, &PLAN(12, 1000)), SS_OK);
+    OWNED(mech_motion) z = simulated(route, &m, x, &PLAN(12, 1000));
     ck_assert_msg(z.n_moments == (int)log.n + 1, "trial %d route %d: %d events, not %zu", _i, route, z.n_moments - 1,
                   log.n);
     for (size_t k = 0; k < log.n; k++) {
@@ -116,10 +118,7 @@ TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 40) {
       ck_assert_double_eq_tol(z.z[i], end.at.x[i], 1e-7);
       ck_assert_double_eq_tol(z.z[2 + i], end.at.v[i], 1e-7);
     }
-    mech_motion_clear(&z);
   }
-  coulomb_log_clear(&log);
-  mech_clear(&m);
 }
 
 /* Tiny steps of the midpoint rule; after each step a mass that has passed V sticks or goes on, one whose force exceeds
@@ -157,21 +156,18 @@ static void crude_chain(double z[2 * MECH_MASSES], const struct mech *m, const d
 
 TEST_EACH(longer_chains_are_those_of_tiny_steps, 9) {
   struct rng r = {(uint64_t)_i + 100};
-  struct mech m;
+  OWNED(mech) m;
   double x[2 * MECH_MASSES], crude[2 * MECH_MASSES];
   int n = 3 + _i % 3;
   random_chain(&m, x, n, &r);
   finish(&m);
   crude_chain(crude, &m, x, 4);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
-    struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, &PLAN(4, 1000)), SS_OK);
+    OWNED(mech_motion) z = simulated(route, &m, x, &PLAN(4, 1000));
     for (int i = 0; i < 2 * n; i++)
       ck_assert_msg(fabs(z.z[i] - crude[i]) < 5e-3, "trial %d route %d: element %d is %g, not %g", _i, route, i, z.z[i],
                     crude[i]);
-    mech_motion_clear(&z);
   }
-  mech_clear(&m);
 }
 
 /* x'' + x = cos(theta), theta' = 1/2, from rest: (cos(theta) - cos(theta_0) cos(t) + sin(theta_0)/2 sin(t)) 4/3 by
@@ -182,12 +178,10 @@ TEST(a_load_in_closed_form) {
   read_text("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
             "load p\n  on: m\n  frequency: 1/2\n  cosine: 1/3\nload q\n  on: m\n  frequency: 1/2\n  cosine: 2/3\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
-    struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(t, 10)), SS_OK);
+    OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(t, 10));
     ck_assert_double_eq_tol(z.z[0], 4.0 / 3 * (cos(angle + t / 2) - cos(angle) * cos(t) + sin(angle) / 2 * sin(t)),
                             1e-11);
     ck_assert_double_eq_tol(z.z[3], sin(angle + t / 2), 1e-11);
-    mech_motion_clear(&z);
   }
   mech_clear(&file);
 }
@@ -203,8 +197,7 @@ TEST(rebounds_in_closed_form) {
   read_text("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
             "obstacle o\n  stops: m\n  above: 0\n  restitution: 1/2\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
-    struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(2 * acos(-1), 10)), SS_OK);
+    struct mech_motion z = simulated(route, &file, start, &PLAN(2 * acos(-1), 10));
     ck_assert_int_eq(z.n_moments, 3);
     ck_assert_double_eq_tol(z.moment[2].t, 1.5 * acos(-1), 1e-11);
     ck_assert_str_eq(z.moment[2].phase, ".>1");
@@ -226,8 +219,7 @@ TEST(rest_in_closed_form) {
       "mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
       "load p\n  on: m\n  frequency: 1/2\n  cosine: 1\nobstacle o\n  stops: m\n  above: -1/2\n  restitution: 0\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
-    struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(12, 10)), SS_OK);
+    OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(12, 10));
     ck_assert_int_eq(z.n_moments, 3);
     ck_assert_str_eq(z.moment[0].phase, "a");
     ck_assert_str_eq(z.moment[1].phase, ".");
@@ -237,14 +229,13 @@ TEST(rest_in_closed_form) {
     for (int k = 1; k < 10; k++) ck_assert_double_lt(flight(0.1 * k * s, angle), -1e-4);
     ck_assert_double_eq_tol(flight(s, angle), 0, 1e-10);
     ck_assert(z.z[0] == -0.5 && z.z[1] == 0);
-    mech_motion_clear(&z);
   }
   mech_clear(&file);
 }
 
 TEST(motions_outside_the_domain) {
   struct rng r = {7};
-  struct mech m;
+  OWNED(mech) m;
   struct mech_motion z;
   double x[2 * MECH_MASSES];
   const double durations[] = {-1, INFINITY, NAN, 2e6};
@@ -254,13 +245,12 @@ TEST(motions_outside_the_domain) {
     ck_assert_int_eq(mech_simulate(&z, MECH_INTEGRATED, &m, x, &PLAN(durations[i], 10)), SS_DOMAIN);
     mech_motion_clear(&z);
   }
-  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, &PLAN(0, 10)), SS_OK);
+  z = simulated(MECH_PATCHED, &m, x, &PLAN(0, 10));
   ck_assert_double_eq(z.z[1], x[1]);
   mech_motion_clear(&z);
   x[2] = NAN;
   ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, &PLAN(1, 10)), SS_DOMAIN);
   mech_motion_clear(&z);
-  mech_clear(&m);
 }
 
 #define MASS_AND_SPRING           "mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
@@ -273,8 +263,7 @@ TEST(between_two_stops_in_closed_form) {
   double period, gap;
   read_text(MASS_AND_SPRING STOPS("a", "m", "above: 1", "1") STOPS("b", "m", "below: -1", "1"));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
-    struct mech_motion z;
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &PLAN(10, 1000)), SS_OK);
+    OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(10, 1000));
     ck_assert_int_eq(z.n_moments, 1 + (int)((10 - pi / 6) / (pi / 3) + 1));
     for (int k = 1; k < z.n_moments; k++) {
       ck_assert_double_eq_tol(z.moment[k].t, pi / 6 + (k - 1) * pi / 3, 1e-11);
@@ -284,7 +273,6 @@ TEST(between_two_stops_in_closed_form) {
     ck_assert(mech_settles(&w, &period, &gap, &z, 1, 2));
     ck_assert_int_eq(w.n, 2);
     ck_assert_double_eq_tol(period, 2 * pi / 3, 1e-11);
-    mech_motion_clear(&z);
   }
   mech_clear(&file);
 }
@@ -320,12 +308,10 @@ TEST(energy_stays) {
             "spring l\n  between: m, n\n  stiffness: 3\n" STOPS("a", "m", "above: 3/4", "1")
                 STOPS("b", "n", "below: -1/2", "1"));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
-    struct mech_motion z;
     struct energies e = {.m = &file};
     struct mech_plan plan = {.duration = 30, .most = 1000, .sample = 0.3, .self = &e, .told = watch_energy};
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, &plan), SS_OK);
+    OWNED(mech_motion) z = simulated(route, &file, start, &plan);
     ck_assert(e.n >= 100 && e.n <= 101 && e.events > 10 && e.events == z.n_moments - 1);
-    mech_motion_clear(&z);
   }
   mech_clear(&file);
 }
@@ -359,36 +345,32 @@ static const struct {
 TEST_EACH(simulations_that_end, COUNT(ends)) {
   read_text(ends[_i].file);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
-    struct mech_motion z;
+    OWNED(mech_motion) z;
     struct mech_plan plan = {.duration = 500, .most = 100000, .looks = 100000};
     int status = mech_simulate(&z, (enum mech_route)route, &file, ends[_i].start, &plan);
     ck_assert_msg(z.end == ends[_i].end, "%d, route %d: %s at %g", _i, route, mech_outcome_name[z.end], z.t);
     ck_assert_int_eq(status, z.end == MECH_DONE ? SS_OK : SS_UNABLE);
-    mech_motion_clear(&z);
   }
   mech_clear(&file);
 }
 
 TEST(csv_rows) {
   const struct mech_moment at = {0.5, -1, "s+", {1, -2, 1, 0.25}, {0.125, -3}};
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   mech_csv_heading(&t, 2);
   mech_csv_row(&t, 2, &at);
   ck_assert_str_eq(text_str(&t), "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n0.5,1,-2,1,0.25,stick,above,0.125,-3\n");
-  text_clear(&t);
 }
 
 /* --- Orbits --- */
 
 /* Twice around from the entry of a phase: the events and states that the orbit encloses. */
 static void follow(const struct mech_orbit *o, enum mech_route route, int first) {
-  struct mech_motion z;
   struct mech_word w;
   double start[MECH_STATES], period = num_arb.get_d(o->period), t = 0, gap;
   for (int i = 0; i < o->states; i++) start[i] = num_arb.get_d(o->state + first * o->states + i);
   struct mech_plan plan = {.duration = 2.000001 * period, .most = 1000, .phase = o->word.phase[first]};
-  ck_assert_int_eq(mech_simulate(&z, route, &file, start, &plan), SS_OK);
+  OWNED(mech_motion) z = simulated(route, &file, start, &plan);
   ck_assert_int_eq(z.n_moments, 2 * o->word.n + 1);
   for (int k = 0; k < z.n_moments; k++) {
     int at = (first + k) % o->word.n;
@@ -400,7 +382,6 @@ static void follow(const struct mech_orbit *o, enum mech_route route, int first)
   }
   ck_assert(mech_settles(&w, &t, &gap, &z, o->n, o->states) && mech_word_same(&w, &o->word));
   ck_assert_double_eq_tol(t, period, 1e-9);
-  mech_motion_clear(&z);
 }
 
 /* x = z + d with K d = u_s: in double, for a guess. */
@@ -418,21 +399,18 @@ static bool digits_agree(arb_srcptr a, arb_srcptr b) {
 /* The orbits of the special code, found again: times and multiplier to 50 digits, every verdict. */
 static int found_again(const fmpq *params) {
   static const char letters[] = "ss -s -- s-";
-  struct dyn_orbits list;
-  struct mech m;
+  OWNED(mech) m;
   struct mech_word w;
   size_t at;
   const char *why;
-  fmpq_t much; /* so much friction that no lower limit is reached */
-  fmpq_init(much);
+  NUMBERS(fmpq, much); /* so much friction that no lower limit is reached */
   fmpq_set_si(much, 1000, 1);
   two_masses(&m, params, (const fmpq *const[]){much, much});
-  fmpq_clear(much);
   ck_assert(mech_word_parse(&w, &at, &why, letters, &m));
-  ck_assert_int_eq(dyn_orbits_find(&list, params, 200, NULL), SS_OK);
+  OWNED(dyn_orbits) list = orbits_of(params, 200);
   for (slong i = 0; i < list.n; i++) {
     const struct dyn_orbit *o = &list.orbit[i];
-    struct mech_orbit got;
+    OWNED(mech_orbit) got;
     struct mech_word best = w;
     double x[4], t[4];
     state_of(x, o, &m, params);
@@ -451,48 +429,39 @@ static int found_again(const fmpq *params) {
     ck_assert(got.own == TRUTH_TRUE || got.admissible == TRUTH_FALSE);
     ck_assert_msg(got.admissible == o->admissible, "orbit %ld: admissible %d, not %d", (long)i, got.admissible,
                   o->admissible);
-    mech_orbit_clear(&got);
   }
-  int n = (int)list.n;
-  dyn_orbits_clear(&list);
-  mech_clear(&m);
-  return n;
+  return (int)list.n;
 }
 
 TEST(the_papers_orbits_on_every_scene) {
-  struct arena a;
-  struct diag d;
+  LOCAL(arena, a);
+  struct diag d = {0};
   size_t n;
   int orbits = 0;
-  arena_init(&a);
-  diag_init(&d);
   char **name = scene_names(&n, "verify", &a, &d);
   ck_assert_ptr_nonnull(name);
   for (size_t i = 0; i < n; i += (size_t)every(3)) {
-    struct scene s;
+    OWNED(scene) s;
     diag_init(&d);
     if (scene_load_box(&s, name[i], "verify", &d) && scene_has_forces(&s) && !scene_is_box(&s) &&
         strncmp(name[i], "chi-near", 8) != 0 && strcmp(name[i], "many-admissible") != 0)
       orbits += found_again(s.value);
-    scene_clear(&s);
   }
   ck_assert_int_gt(orbits, 25 / every(3));
   free(name);
-  arena_clear(&a);
 }
 
 CASE("random orbits", .tags = "long");
 
 TEST_EVERY(the_papers_orbits_at_random_data, 5, 200) {
   struct rng r = {(uint64_t)_i + 500};
-  fmpq *params = _fmpq_vec_init(N_PARAMS);
+  FREED_PARAMS fmpq *params = _fmpq_vec_init(N_PARAMS);
   fmpq_set_si(params + P_CHI, rng_between(&r, 8, 56), 64);
   fmpq_set_si(params + P_ETA, rng_between(&r, 16, 256), 64);
   fmpq_set_si(params + P_V, rng_between(&r, 32, 128), 64);
   fmpq_set_si(params + P_E1, rng_between(&r, 32, 256), 64);
   fmpq_set_si(params + P_E2, rng_between(&r, 8, 128), 64);
   found_again(params);
-  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* What the search of words of two masses finds, from a grid and its own simulations: an orbit after a period doubling,
@@ -510,9 +479,9 @@ TEST_EACH(orbits_of_one_round_and_of_two, COUNT(in_rounds)) {
   const fmpq *none[2] = {NULL, NULL};
   fmpq *params = rationals(in_rounds[_i].data, N_PARAMS), *sliding = rationals(in_rounds[_i].sliding, 2);
   struct mech_word word;
-  struct word_orbits special;
-  struct mech m;
-  struct mech_orbits list;
+  OWNED(word_orbits) special;
+  OWNED(mech) m;
+  OWNED(mech_orbits) list;
   size_t at;
   const char *why;
   ck_assert(phase_word_parse(&word, &at, &why, in_rounds[_i].word, strlen(in_rounds[_i].word)));
@@ -530,16 +499,13 @@ TEST_EACH(orbits_of_one_round_and_of_two, COUNT(in_rounds)) {
     }
   ck_assert_int_eq(found, 1);
   for (int k = 0; k < list.n; k++) ck_assert_int_ne(list.orbit[k].word.n, 2 * word.n); /* none goes round twice */
-  mech_orbits_clear(&list);
-  mech_clear(&m);
-  word_orbits_clear(&special);
   _fmpq_vec_clear(sliding, 2);
   _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* The orbits of the paper's two masses with that friction, w times as fast. */
 static void find_orbits_with(struct mech_orbits *list, long friction, long w, bool any) {
-  struct text system = {0};
+  OWNED(text) system = {0};
   text_printf(&system,
               "friction = %ld\nw = %ld\n"
               "mass m1\n  inertia: 1/w^2\n  sliding: friction\n  static: friction + 2.7844\n  surface: w\n"
@@ -550,7 +516,6 @@ static void find_orbits_with(struct mech_orbits *list, long friction, long w, bo
   read_text(text_str(&system));
   mech_orbits_find(list, &file, NULL, any, 128);
   mech_clear(&file);
-  text_clear(&system);
 }
 
 static struct mech_orbits plain; /* with little friction and at the paper's speed */
@@ -569,7 +534,7 @@ CASE("other units", .once = {find_plain, clear_plain});
 /* More friction, static and sliding alike, only moves the place where masses swing that are never faster than the
    surface. */
 TEST(more_friction_moves_the_place) {
-  struct mech_orbits list;
+  OWNED(mech_orbits) list;
   int shared = 0;
   find_orbits_with(&list, 1000000, 1, true);
   for (int k = 0; k < list.n; k++) {
@@ -579,16 +544,14 @@ TEST(more_friction_moves_the_place) {
                 arb_overlaps(o->period, plain.orbit[l].period);
   }
   ck_assert_int_ge(shared, 1);
-  mech_orbits_clear(&list);
 }
 
 /* So stiff and fast that entries of A t pass 700, beyond which exp has no double: the motions are the same, in a
    fraction of the time. */
 TEST(a_fast_system_has_the_same_orbits) {
   enum { FASTER = 300 };
-  struct mech_orbits list;
-  arb_t period;
-  arb_init(period);
+  OWNED(mech_orbits) list;
+  NUMBERS(arb, period);
   find_orbits_with(&list, 1, FASTER, false);
   ck_assert_int_eq(list.n, plain.n);
   ck_assert_int_le(list.failed, plain.failed + 2);
@@ -596,8 +559,6 @@ TEST(a_fast_system_has_the_same_orbits) {
     arb_mul_ui(period, list.orbit[k].period, FASTER, 128);
     ck_assert(arb_overlaps(period, plain.orbit[k].period));
   }
-  mech_orbits_clear(&list);
-  arb_clear(period);
 }
 
 CASE("mech");
@@ -641,12 +602,11 @@ TEST(a_stick_beyond_its_limit) {
   goes_well(mech_load(&file, "tests/cases/slow-belt.system", &d));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_plan plan = {.duration = 1, .most = 10, .phase = "sss"};
-    struct mech_motion out;
+    OWNED(mech_motion) out;
     mech_simulate(&out, (enum mech_route)route, &file, start, &plan);
     ck_assert_int_ge(out.n_moments, 2);
     ck_assert_double_lt(out.moment[1].t, 0.1);
     ck_assert_str_eq(out.moment[1].phase, "-ss");
-    mech_motion_clear(&out);
   }
   mech_clear(&file);
 }
@@ -658,7 +618,7 @@ static void load_system(const char *name) {
 }
 
 TEST_EACH(simulations_follow_the_orbits, scenes_tried()) {
-  struct mech_orbits list;
+  OWNED(mech_orbits) list;
   load_system(scenes_of_systems[_i]);
   mech_orbits_find(&list, &file, NULL, true, 128);
   ck_assert_int_ge(list.n, 1);
@@ -666,14 +626,13 @@ TEST_EACH(simulations_follow_the_orbits, scenes_tried()) {
     for (int from = 0; from < N_MECH_ROUTES * list.orbit[k].word.n; from++)
       if (mech_orbit_is_motion(&list.orbit[k]))
         follow(&list.orbit[k], (enum mech_route)(from % N_MECH_ROUTES), from / N_MECH_ROUTES);
-  mech_orbits_clear(&list);
   mech_clear(&file);
 }
 
 /* By saltation matrices, and by differences of the motions of either route: over these the equations of the words have
    no say. */
 TEST_EACH(returns_differentiated, scenes_tried()) {
-  struct mech_orbits list;
+  OWNED(mech_orbits) list;
   load_system(scenes_of_systems[_i]);
   mech_orbits_find(&list, &file, NULL, true, 128);
   int motions = 0;
@@ -691,25 +650,22 @@ TEST_EACH(returns_differentiated, scenes_tried()) {
     arb_mat_clear(j);
   }
   ck_assert_int_ge(motions, 1);
-  mech_orbits_clear(&list);
   mech_clear(&file);
 }
 
 /* An integrated motion that starts beside the orbit settles on its word. */
 static void settle_beside(const struct mech_orbit *o) {
-  struct mech_motion x;
   struct mech_word w;
   double z[MECH_STATES], period, gap;
   for (int i = 0; i < file.states; i++) z[i] = num_arb.get_d(o->state + i) * (i < file.n ? 0.999 : 1);
   struct mech_plan plan = PLAN(2000, 2000);
-  ck_assert_int_eq(mech_simulate(&x, MECH_INTEGRATED, &file, z, &plan), SS_OK);
+  OWNED(mech_motion) x = simulated(MECH_INTEGRATED, &file, z, &plan);
   ck_assert(mech_settles(&w, &period, &gap, &x, file.n, file.states) && mech_word_same(&w, &o->word));
-  mech_motion_clear(&x);
 }
 
 TEST_EVERY(words_of_settled_motions, 2, QUICK_SCENES) {
-  struct mech_orbits list;
-  struct mech_settling settling;
+  OWNED(mech_orbits) list;
+  OWNED(mech_settling) settling;
   load_system(scenes_of_systems[_i]);
   mech_settle(&settling, &file, NULL);
   mech_orbits_find(&list, &file, NULL, false, 128);
@@ -725,29 +681,25 @@ TEST_EVERY(words_of_settled_motions, 2, QUICK_SCENES) {
     }
     ck_assert_int_eq(stable, 1);
   }
-  mech_orbits_clear(&list);
-  mech_settling_clear(&settling);
   mech_clear(&file);
 }
 
 static void check_decimal(arb_srcptr x, const char *want) {
-  arb_t w;
-  arb_init(w);
+  NUMBERS(arb, w);
   arb_set_str(w, want, 128);
   arb_add_error_2exp_si(w, -103); /* 1e-31 */
   ck_assert_msg(arb_overlaps(x, w) && arb_rel_accuracy_bits(x) > 103, "%s", want);
-  arb_clear(w);
 }
 
 /* Amplitude and phase of Den Hartog's oscillator, of tests/oracle/den_hartog.py: at an upper extreme, where the mass
    begins to move down. */
 TEST_EACH(den_hartogs_motions, 10) {
   char text[512];
-  struct table motions;
-  struct mech_orbits list;
+  OWNED(mech_orbits) list;
   struct mech_word w = {2, {"-", "+"}};
-  arb_t angle, part[2];
-  table_read(&motions, "tests/oracle/den_hartog.tsv", 4);
+  NUMBERS(arb, angle);
+  arb_t part[2];
+  OWNED(table) motions = table_read("tests/oracle/den_hartog.tsv", 4);
   const char *beta = motions.row[_i][0], *force = motions.row[_i][1], *x0 = motions.row[_i][2],
              *phi = motions.row[_i][3];
   snprintf(text, sizeof text,
@@ -761,7 +713,6 @@ TEST_EACH(den_hartogs_motions, 10) {
   arb_srcptr state = o->state + (o->word.phase[0][0] == '-' ? 0 : o->states);
   ck_assert(o->certified && o->admissible == TRUTH_TRUE && o->turns == 1 && o->states == 4);
   check_decimal(state, x0);
-  arb_init(angle);
   for (int i = 0; i < 2; i++) arb_init(part[i]);
   arb_set_str(angle, phi, 160);
   arb_sin_cos(part[1], part[0], angle, 160);
@@ -771,9 +722,6 @@ TEST_EACH(den_hartogs_motions, 10) {
     ck_assert(arb_contains_zero(part[i]) && arb_rel_accuracy_bits(state + 2 + i) > 103);
     arb_clear(part[i]);
   }
-  arb_clear(angle);
-  table_clear(&motions);
-  mech_orbits_clear(&list);
   mech_clear(&file);
 }
 
@@ -783,9 +731,9 @@ TEST_EACH(den_hartogs_motions, 10) {
 static const char *const belts[] = {"1", "1/1000"};
 
 TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
-  struct mech_orbits list;
+  OWNED(mech_orbits) list;
   char text[200];
-  fmpq_t one_over;
+  NUMBERS(fmpq, one_over);
   snprintf(text, sizeof text,
            "V = %s\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n  surface: V\n"
            "spring k\n  between: ground, m\n  stiffness: 1\n",
@@ -794,10 +742,7 @@ TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
   mech_orbits_find(&list, &file, NULL, false, 128);
   ck_assert_int_eq(list.n, 1);
   const struct mech_orbit *o = &list.orbit[0];
-  arb_t want, angle;
-  arb_init(want);
-  arb_init(angle);
-  fmpq_init(one_over);
+  NUMBERS(arb, want, angle);
   fmpq_inv(one_over, file.mass[0].surface);
   ck_assert(o->certified && o->admissible == TRUTH_TRUE && o->n_free == 0);
   int slips = o->word.phase[0][0] == '-' ? 0 : 1;
@@ -810,10 +755,6 @@ TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
   arb_set_fmpq(want, one_over, 128);
   arb_mul_2exp_si(want, want, 1);
   ck_assert(arb_overlaps(want, o->t + !slips) && arb_rel_accuracy_bits(o->t) > 100);
-  fmpq_clear(one_over);
-  arb_clear(angle);
-  arb_clear(want);
-  mech_orbits_clear(&list);
   mech_clear(&file);
 }
 
@@ -821,7 +762,7 @@ TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
    the same.  With one mass the slip then takes a whole turn, 2 pi, and the mass sticks for no time: an orbit is found
    with two masses, the second of which has r = s. */
 TEST(static_equal_to_sliding) {
-  struct mech_orbits list;
+  OWNED(mech_orbits) list;
   bool equal = false;
   read_text("mass m1\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 1\n"
             "mass m2\n  inertia: 1\n  sliding: 1\n  static: 1\n  surface: 1\n"
@@ -833,7 +774,6 @@ TEST(static_equal_to_sliding) {
       equal |= o->certified && o->word.phase[k][1] == 's' && o->word.phase[(k + 1) % o->word.n][1] != 's';
     }
   ck_assert(equal);
-  mech_orbits_clear(&list);
   mech_clear(&file);
 }
 
@@ -846,21 +786,17 @@ enum { REFUSED_FILE, REFUSED_SAYS }; /* its columns */
 CASE("files", .once = {scratch_open, scratch_close});
 
 TEST_EACH(files_that_are_refused, refused.n) {
-  struct source src;
-  source_from_string(&src, "a.system", refused.row[_i][REFUSED_FILE]);
+  struct source src = source_of("a.system", refused.row[_i][REFUSED_FILE]);
   fails_with(mech_read(&file, src, &d), refused.row[_i][REFUSED_SAYS]);
   mech_clear(&file);
 }
 
 TEST(a_thousand_masses) {
-  struct text t;
-  struct source src;
-  text_init(&t);
+  LOCAL(text, t);
   for (int i = 0; i < 1000; i++) text_printf(&t, "mass m%d\n  inertia: 1\n", i);
-  source_from_string(&src, "a.system", text_str(&t));
+  struct source src = source_of("a.system", text_str(&t));
   fails_with(mech_read(&file, src, &d), "a system has at most 24 masses");
   mech_clear(&file);
-  text_clear(&t);
 }
 
 TABLE(words, "tests/cases/system_words.tsv", 3);
@@ -881,8 +817,7 @@ TEST_EACH(words_of_two_masses, words.n) {
 
 /* x'' = -3 x + y - x', y'' = (x - 5 y)/2: written down by hand. */
 TEST(a_system_in_formulas) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   read_text("c = 1\nmass m\n  inertia: 1\nmass n\n  inertia: 2\n  sliding: 1/2\n  static: 3\n  surface: -1\n"
             "spring k\n  between: ground, m\n  stiffness: 2*c\nspring l\n  between: n, m\n  stiffness: c\n"
             "spring o\n  between: n, ground\n  stiffness: 4\nobstacle w\n  stops: m\n  below: -5/2\n  restitution: "
@@ -897,7 +832,6 @@ TEST(a_system_in_formulas) {
   text_reset(&t);
   mech_describe(&t, &file, true, 6);
   ck_assert_msg(strstr(text_str(&t), "2 x_{2}'' = u_{2} - f_{2}, \\quad f_{2} = -x_{1} + 5 x_{2}"), "%s", text_str(&t));
-  text_clear(&t);
   mech_clear(&file);
 }
 
@@ -936,11 +870,10 @@ TEST_EACH(no_change_where_there_is_none, 2) {
                             "spring k\n  between: ground, m\n  stiffness: p\n";
   static const slong other[][2] = {{100, 1}, {1, 100}};
   fmpq from = {1, 1}, to = {other[_i][0], other[_i][1]};
-  struct mech_follow f;
+  OWNED(mech_follow) f;
   follow_file(&f, one, "p", &from, &to);
   ck_assert(f.n_changes == 0 && f.n_branches == 1 && !f.spent);
   ck_assert(fmpq_equal(f.branch[0].end[0].at, &from) && fmpq_equal(f.branch[0].end[1].at, &to));
-  mech_follow_clear(&f);
 }
 
 /* Where a mass comes to touch the belt's velocity only, the branch ends; its multipliers are far inside the unit
@@ -954,7 +887,7 @@ TEST(an_end_at_a_grazing_event_is_no_flip) {
                             "spring k2\n  between: m1, m2\n  stiffness: 1/2\n"
                             "damper d\n  between: m1, m2\n  constant: c\n";
   fmpq from = {1, 4}, to = {1, 2};
-  struct mech_follow f;
+  OWNED(mech_follow) f;
   bool met = false;
   follow_file(&f, two, "c", &from, &to);
   for (int i = 0; i < f.n_changes; i++) {
@@ -963,7 +896,6 @@ TEST(an_end_at_a_grazing_event_is_no_flip) {
     met = met || (fabs(fmpq_get_d(c->side[0].at) - 0.40493485986875144) < 1e-12 && !c->side[1].found);
   }
   ck_assert(met);
-  mech_follow_clear(&f);
 }
 
 /* x'' + x = A cos(w t + phi) for x <= W, which throws it back with e, once in n turns of the load: B cos(phi) + k B w
@@ -1034,19 +966,18 @@ TEST(no_mass_rests_where_it_is_thrown_back) {
                              "spring k2\n  between: m1, m2\n  stiffness: 1/2\n"
                              "obstacle wall\n  stops: m2\n  above: 1\n  restitution: e\n";
   fmpq from = {0, 1}, to = {1, 2};
-  struct mech_follow f;
+  OWNED(mech_follow) f;
   follow_file(&f, wall, "e", &from, &to);
   ck_assert_int_eq(f.n_branches, 1);
   ck_assert(f.n_changes == 1 && f.change[0].what == MECH_NO_FURTHER && !f.change[0].side[1].found);
   ck_assert_double_lt(fmpq_get_d(f.change[0].side[1].at), 1e-12);
-  mech_follow_clear(&f);
 }
 
 /* The brackets that motion/ and explore/bifurcate.c prove for the paper's two masses with formulas of their own. */
 TEST(changes_along_the_papers_line) {
   struct mech_follow f[2];
-  struct dyn_bifurcations list;
-  fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "2"}, N_PARAMS);
+  OWNED(dyn_bifurcations) list;
+  FREED_PARAMS fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "2"}, N_PARAMS);
   fmpq *end = rationals((const char *const[]){"0.7", "2.4"}, 2);
   const struct dyn_line line = {.params = params, .vary = P_E2, .from = end, .to = end + 1};
   follow_to(&f[0], 7, MECH_FLIP);
@@ -1062,9 +993,7 @@ TEST(changes_along_the_papers_line) {
   }
   ck_assert(met[0] && met[1]);
   for (int i = 0; i < 2; i++) mech_follow_clear(&f[i]);
-  dyn_bifurcations_clear(&list);
   _fmpq_vec_clear(end, 2);
-  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* --- Commands --- */
@@ -1108,9 +1037,8 @@ TEST_EACH(the_papers_system_from_a_file, 3) {
   snprintf(text, sizeof text, "%seta = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 3.7844\nu_r2 = 1.8587\n", papers[_i]);
   snprintf(paper, sizeof paper, "%s", scratch_put("same.scene", text));
   for (int k = 0; k < 2; k++) {
-    char *out = shell_said("\"$P\" simulate '%s' --start %s --time 60", k ? paper : system, starts[_i]);
+    FREED char *out = shell_said("\"$P\" simulate '%s' --start %s --time 60", k ? paper : system, starts[_i]);
     n[k] = read_lines(lines[k], MOST, out);
-    free(out);
   }
   ck_assert_int_eq(n[0], n[1]);
   ck_assert_int_ge(n[0], 6);

@@ -8,6 +8,7 @@
 
 #include "base/arena.h"
 #include "judge/receipt.h"
+#include "local.h"
 #include "paper_model.h"
 #include "run/plan.h"
 #include "says.h"
@@ -21,8 +22,7 @@ static const char *const abbreviated[][2] = {{"report", "{\"schema\": \"sticksli
 
 /* Each of what is to be said, with " && " between, stands there, and none behind a "!" does. */
 static void check_said(const char *said, const char *parts, const char *what) {
-  struct text all;
-  text_init(&all);
+  LOCAL(text, all);
   field_expand(&all, parts, abbreviated);
   for (char *part = all.data, *next; part; part = next) {
     next = strstr(part, " && ");
@@ -33,7 +33,6 @@ static void check_said(const char *said, const char *parts, const char *what) {
     bool absent = *part == '!', there = strstr(said, part + absent) != NULL;
     ck_assert_msg(there != absent, "%s: %s stands %s in\n%s", what, part + absent, there ? "" : "not", said);
   }
-  text_clear(&all);
 }
 
 /* A refusal says why on standard error, in lines, and nothing on standard output. */
@@ -54,31 +53,23 @@ static void check_answer(int status, const char *out, const char *err, char *con
 static void try_command(char *const *column) {
   static const char *const name[] = {"audit.json", "file.claim",  "file.eq", "file.json",
                                      "file.scene", "file.system", "file.tsv"};
-  struct text file, command;
-  text_init(&file);
-  text_init(&command);
+  LOCAL(text, file, command);
   field_expand(&file, column[4], abbreviated);
   for (size_t i = 0; i < COUNT(name); i++) scratch_put_n(name[i], text_str(&file), file.len);
   field_expand(&command, column[3], abbreviated);
   int status = shell("\"$P\" %s > \"$D/out\" 2> \"$D/err\"", text_str(&command));
-  char *out = file_text(scratch_path("out")), *err = file_text(scratch_path("err"));
+  FREED char *out = file_text(scratch_path("out")), *err = file_text(scratch_path("err"));
   check_answer(status, out, err, column);
   ck_assert_str_eq(scratch_list(scratch_path("")),
                    "audit.json err file.claim file.eq file.json file.scene file.system file.tsv out");
-  free(err);
-  free(out);
-  text_clear(&command);
-  text_clear(&file);
 }
 
 CASE("words", .each = {scratch_open, scratch_close});
 
 TEST(commands_answer_as_said) {
-  struct table commands;
-  table_read(&commands, "tests/hostile/messages.tsv", 5);
+  OWNED(table) commands = table_read("tests/hostile/messages.tsv", 5);
   ck_assert_int_ge(commands.n, 500);
   for (int i = 0; i < commands.n; i++) try_command(commands.row[i]);
-  table_clear(&commands);
 }
 
 /* --- Claims --- */
@@ -94,63 +85,52 @@ static void add_lines(struct text *out, const char *lines) {
 
 /* The paper's equations, with more records if there are any. */
 static const struct model *model_with(struct model *own, const char *records) {
-  struct text text;
+  LOCAL(text, text);
   if (!*records) return &the_paper.model;
-  text_init(&text);
   add_lines(&text, records);
-  paper_model(own, NULL);
+  *own = paper_model(NULL);
   goes_well(model_add_file(own, scratch_put("own.eq", text_str(&text)), RANK_ERRATA, &d));
-  text_clear(&text);
   return own;
 }
 
 static void refuse_claim(char *const *column) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   struct model more;
-  struct text text;
+  LOCAL(text, text);
   struct diag d;
   const char *what = *column[0] ? column[0] : column[2];
   const struct model *model = model_with(&more, column[3]);
-  text_init(&text);
   text_add(&text, *column[2] == '|' ? "claim own" : "claim own\n  title: of the test\n  ");
   add_lines(&text, column[2]);
   ck_assert_msg(!judge_text(&r, model, text_str(&text), &the_paper.scene, "own", &d), "%s: was judged", what);
   bool placed = strstr(d.message, "own.claim:") || strstr(d.message, "own.eq:") || strstr(column[1], ": error: ");
   ck_assert_msg(placed && strstr(d.message, column[1]) && strstr(d.message, "\n  "), "%s: says\n%s", what, d.message);
-  audit_result_clear(&r);
-  text_clear(&text);
   if (model == &more) model_clear(&more);
 }
 
 CASE("claims", .each = {paper_open, paper_close});
 
 TEST(claims_are_refused_as_said) {
-  struct table claims;
-  table_read(&claims, "tests/hostile/claims.tsv", 4);
+  OWNED(table) claims = table_read("tests/hostile/claims.tsv", 4);
   for (int i = 0; i < claims.n; i++) refuse_claim(claims.row[i]);
-  table_clear(&claims);
 }
 
 TEST(a_control_of_no_claim) {
-  struct claims own = {.n = 0}, none = {.n = 0};
-  struct audit_result r;
-  audit_result_init(&r);
+  OWNED(claims) own = {.n = 0};
+  struct claims none = {.n = 0};
+  LOCAL(audit_result, r);
   const char *path = scratch_put("own.claim", "control own\n  claim: nobody\n  title: of the test\n");
   goes_well(claims_add_file(&own, path, "control", &d));
   fails_with(audit_run(&r, &the_paper.model, &none, &own, &the_paper.scene, &(struct audit_options){.jobs = 1}, &d),
              "own.claim:2:10: error: own: a control names the claim that it damages");
-  audit_result_clear(&r);
-  claims_clear(&own);
 }
 
 static void claims_of(struct claims *own, const char *lines) {
-  struct text text;
-  text_init(&text);
+  LOCAL(text, text);
   *own = (struct claims){.n = 0};
   text_add(&text, "claim own\n  title: of the test\n  ");
   add_lines(&text, lines);
   goes_well(claims_add_file(own, scratch_put("own.claim", text_str(&text)), "claim", &d));
-  text_clear(&text);
 }
 
 /* (22) is worth two equations. */
@@ -173,13 +153,12 @@ TEST(a_receipt_of_another_rank) {
 /* q^2 - 2q + 1/V: of degrees 0 and -1 in V, so that its root has none. */
 TEST(a_root_of_coefficients_that_scale_apart) {
   static const char *const only = "own";
-  struct claims own, none = {.n = 0};
-  struct audit_result r;
-  struct model more;
+  OWNED(claims) own;
+  struct claims none = {.n = 0};
+  LOCAL(audit_result, r);
   const struct audit_options opt = {.only = &only, .n_only = 1};
-  audit_result_init(&r);
   claims_of(&own, "kind: scaling|scaled: V|statement: own");
-  paper_model(&more, NULL);
+  OWNED(model) more = paper_model(NULL);
   const char *path =
       scratch_put("own.eq", "define own\n  section: periodic\n  root q: q^2 - 2*q + 1/V, largest positive\n  y := q\n");
   goes_well(model_add_file(&more, path, RANK_PAPER, &d));
@@ -189,19 +168,14 @@ TEST(a_root_of_coefficients_that_scale_apart) {
   ck_assert_int_eq(f->verdict, VERDICT_REFUTED);
   ck_assert_msg(f->n_evidence > 0 && strstr(f->evidence[0].note, " is a coefficient beside "), "%s",
                 f->evidence[0].note);
-  audit_result_clear(&r);
-  model_clear(&more);
-  claims_clear(&own);
 }
 
 TEST(a_value_of_two_sections) {
   const char *set = "values=twice";
   const struct claims none = {.n = 0};
-  struct audit_result r;
-  struct model own;
-  struct scene s;
-  audit_result_init(&r);
-  paper_model(&own, NULL);
+  LOCAL(audit_result, r);
+  OWNED(scene) s;
+  OWNED(model) own = paper_model(NULL);
   const char *path = scratch_put(
       "own.eq", "define first\n  section: one\n  twice := chi\ndefine second\n  section: two\n  twice := 2*chi\n");
   goes_well(model_add_file(&own, path, RANK_PAPER, &d));
@@ -211,7 +185,4 @@ TEST(a_value_of_two_sections) {
   for (size_t i = 0; i < r.n_skipped; i++)
     if (strcmp(r.skipped[i].what, "the value of twice") == 0) why = r.skipped[i].why;
   ck_assert_msg(why && strcmp(why, "sections one and two define it differently") == 0, "%s", why ? why : "has a value");
-  scene_clear(&s);
-  model_clear(&own);
-  audit_result_clear(&r);
 }

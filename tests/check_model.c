@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "local.h"
 #include "model/model.h"
 #include "rng.h"
 #include "says.h"
@@ -46,8 +47,7 @@ static const char *shown(const struct diag *d) {
 
 /* Adds a file f1.eq, f2.eq, ... and says "" or what is wrong with it. */
 static const char *try_load(const char *text, enum rank rank) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   const char *path = scratch_put(formatted("f%d.eq", ++n_files), text);
   bool ok = model_add_file(&model, path, rank, &d);
   ck_assert(ok != d.set);
@@ -81,8 +81,7 @@ static const struct matrix *value_of(const char *formula) {
 }
 
 static const char *spell(const struct matrix *m) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   bool brackets = m->rows * m->cols > 1;
   for (int i = 0; i < m->rows; i++)
     for (int j = 0; j < m->cols; j++) {
@@ -91,7 +90,6 @@ static const char *spell(const struct matrix *m) {
     }
   if (brackets) text_add(&t, "]");
   const char *s = formatted("%.2000s", t.data); /* Check breaks off at very long messages */
-  text_clear(&t);
   return s;
 }
 
@@ -167,11 +165,9 @@ TEST_EACH(names_by_section, 3) {
   };
   for (int i = 0; i < 3; i++) load(part[(i + _i) % 3], RANK_PAPER); /* the order of the files tells nothing */
   enum { SECTION, FORMULA, SAYS };
-  struct table c;
-  table_read(&c, "tests/cases/model_sections.tsv", 3);
+  OWNED(table) c = table_read("tests/cases/model_sections.tsv", 3);
   for (int i = 0; i < c.n; i++)
     ck_assert_str_eq(says(printed_view(), c.row[i][SECTION], c.row[i][FORMULA]), c.row[i][SAYS]);
-  table_clear(&c);
 }
 
 /* ---- overlays */
@@ -222,12 +218,9 @@ TEST(overlays_and_sections) {
 static const char *right_side(struct view v, const char *id) {
   const struct statement_record *r = view_record(&v, id);
   if (!r) return "none";
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (int i = 0; i < r->n_stmts; i++) expr_print(&t, r->stmts[i]->sides[1]);
-  const char *s = formatted("%s", text_str(&t));
-  text_clear(&t);
-  return s;
+  return formatted("%s", text_str(&t));
 }
 
 TEST(records_replaced) {
@@ -259,15 +252,13 @@ TEST(records_replaced) {
 
 TEST(files_refused) {
   enum { TEXT, SAYS };
-  struct table c;
-  table_read(&c, "tests/cases/model_files.tsv", 2);
+  OWNED(table) c = table_read("tests/cases/model_files.tsv", 2);
   for (int i = 0; i < c.n; i++) {
     model_clear(&model);
     model_init(&model);
     n_files = 0;
     ck_assert_str_eq(try_load(c.row[i][TEXT], RANK_PAPER), c.row[i][SAYS]);
   }
-  table_clear(&c);
 }
 
 /* Of the paper's own files alone, and one of them. */
@@ -328,8 +319,7 @@ static const char common[] = "symbol s\nsymbol t\nrelation m\n  trajectory z(t)\
 
 TEST(formulas_refused) {
   enum { FORMULA, AT, WHAT };
-  struct table c;
-  table_read(&c, "tests/cases/model_formulas.tsv", 3);
+  OWNED(table) c = table_read("tests/cases/model_formulas.tsv", 3);
   load(common, RANK_PAPER);
   for (int i = 0; i < c.n; i++) {
     size_t column = strtoul(c.row[i][AT] + 2, NULL, 10);
@@ -337,13 +327,11 @@ TEST(formulas_refused) {
         says(printed_view(), "", c.row[i][FORMULA]),
         formatted("e:%s: error: %s\n  %s\n  %*s", c.row[i][AT], c.row[i][WHAT], c.row[i][FORMULA], (int)column, "^"));
   }
-  table_clear(&c);
 }
 
 TEST(definitions_refused) {
   enum { TEXT, SAYS };
-  struct table c;
-  table_read(&c, "tests/cases/model_definitions.tsv", 2);
+  OWNED(table) c = table_read("tests/cases/model_definitions.tsv", 2);
   for (int i = 0; i < c.n; i++) {
     model_clear(&model);
     model_init(&model);
@@ -354,7 +342,6 @@ TEST(definitions_refused) {
     struct matrix m;
     fails_with(elaborate_name(&m, &el, "y", "", &d), c.row[i][SAYS]);
   }
-  table_clear(&c);
 }
 
 TEST(names_refused) {
@@ -458,10 +445,8 @@ TEST(parameters_are_their_own) {
 
 TEST(matrices) {
   load(common, RANK_PAPER);
-  struct table c;
-  table_read(&c, "tests/cases/model_matrices.tsv", 2);
+  OWNED(table) c = table_read("tests/cases/model_matrices.tsv", 2);
   for (int i = 0; i < c.n; i++) ck_assert_str_eq(says(printed_view(), "", c.row[i][0]), c.row[i][1]);
-  table_clear(&c);
 }
 
 /* Determinant and inverse by elimination with pivoting, the test's own: a becomes the inverse. */
@@ -496,8 +481,7 @@ TEST(determinants_and_inverses) {
   for (int trial = 0; trial < 40; trial++) {
     int n = trial % 4 + 1;
     double a[4][4] = {{0}}, trace = 0;
-    struct text t;
-    text_init(&t);
+    LOCAL(text, t);
     for (int i = 0; i < n; i++)
       for (int j = 0; j < n; j++) {
         a[i][j] = (double)((long)(rnd() % 65) - 32) / 8 + (i == j ? 9 : 0);
@@ -515,7 +499,6 @@ TEST(determinants_and_inverses) {
     ck_assert(inverse->rows == n && inverse->cols == n);
     for (int i = 0; i < n; i++)
       for (int j = 0; j < n; j++) near(number(inverse->e[i * n + j], none), a[i][j], t.data);
-    text_clear(&t);
   }
 }
 
@@ -629,8 +612,7 @@ TEST(sides_in_one_shape) {
   elaboration_init(&el, printed_view(), NULL, 0);
   const struct statement_record *r = &model.records[0];
   struct matrix a, b;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   for (size_t i = 0; i < COUNT(c); i++) {
     ck_assert(elaborate_sides(&a, &b, &el, r->stmts[c[i].stmt], c[i].step, r->src, "", &d));
     ck_assert_str_eq(spell(&a), c[i].lhs);
@@ -642,15 +624,13 @@ TEST(sides_in_one_shape) {
 
 TEST(everything_checked) {
   enum { TEXT, SAYS };
-  struct table c;
-  table_read(&c, "tests/cases/model_checked.tsv", 2);
+  OWNED(table) c = table_read("tests/cases/model_checked.tsv", 2);
   for (int i = 0; i < c.n; i++) {
     model_clear(&model);
     model_init(&model);
     load("symbol s\n", RANK_PAPER);
     load(c.row[i][TEXT], RANK_PAPER);
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     bool ok = view_check(printed_view(), &d);
     ck_assert_msg(ok == !*c.row[i][SAYS] && strstr(d.message, c.row[i][SAYS]), "%s: %s", c.row[i][TEXT], d.message);
   }
@@ -661,15 +641,13 @@ TEST(everything_checked) {
   load("equation e\n  1 = 1\n", RANK_ERRATA);
   goes_well(view_check((struct view){&model, LAYER_CORRECTED, NULL, NULL}, &d));
   fails_with(view_check(printed_view(), &d), "nope");
-  table_clear(&c);
 }
 
 /* ---- limits: each is a diagnostic, none is a crash */
 
 /* y_n := 1 - (1 - ( ... (1 - y_(n-1)))) with 150 brackets */
 static const char *nested_definitions(int n) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   text_add(&t, "symbol s\ndefine d\n  y0 := s\n");
   for (int i = 1; i <= n; i++) {
     text_printf(&t, "  y%d := ", i);
@@ -678,9 +656,7 @@ static const char *nested_definitions(int n) {
     for (int k = 0; k < 150; k++) text_add(&t, ")");
     text_add(&t, "\n");
   }
-  const char *s = arena_strndup(&arena, t.data, t.len);
-  text_clear(&t);
-  return s;
+  return arena_strndup(&arena, t.data, t.len);
 }
 
 TEST(nesting_is_bounded) {
@@ -694,15 +670,13 @@ TEST(nesting_is_bounded) {
 }
 
 TEST(sizes_are_bounded) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   text_add(&t, "symbol s\ndefine d\n  column := [1");
   for (int i = 1; i < 65; i++) text_printf(&t, "; %d", i);
   text_add(&t, "]\n  square := column[1:64]*transpose(column[1:64])\n  s0 := s\n");
   for (int i = 1; i <= 20; i++) text_printf(&t, "  s%d := s%d*s%d\n", i, i - 1, i - 1);
   text_add(&t, "  root w: w - s20, smallest positive\n");
   load(t.data, RANK_PAPER);
-  text_clear(&t);
   /* 64 by 64 is the largest */
   ck_assert_int_eq(value_of("square")->rows, 64);
   ck_assert_str_eq(says(printed_view(), "", "column*transpose(column)"),

@@ -13,8 +13,10 @@
 
 #include "base/crew.h"
 #include "command.h"
+#include "element.h"
 #include "every.h"
 #include "judge/judge.h"
+#include "local.h"
 #include "paper_model.h"
 #include "power/mutants.h"
 #include "power/power.h"
@@ -48,8 +50,8 @@ static bool proved_equal(const char *x, const char *y, int *status) {
   struct tape t[2];
   struct elaboration el[2];
   struct num_vec v[2];
-  struct exact_field *f = exact_field_new(NULL, 0);
-  struct calc c = exact_calc(f);
+  FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+  OWNED(calc) c = exact_calc(f);
   *status = SS_OK;
   for (int i = 0; i < 2; i++) {
     build(&t[i], &el[i], i ? y : x);
@@ -61,34 +63,28 @@ static bool proved_equal(const char *x, const char *y, int *status) {
     tape_clear(&t[i]);
     elaboration_clear(&el[i]);
   }
-  calc_clear(&c);
-  exact_field_free(f);
   return equal;
 }
 
 CASE("exact", .once = {paper_open, paper_close});
 
 TEST(identities_are_proved) {
-  struct table rows;
-  table_read(&rows, "tests/cases/identities.tsv", 2);
+  OWNED(table) rows = table_read("tests/cases/identities.tsv", 2);
   for (int i = 0; i < rows.n; i++) {
     int s;
     ck_assert_msg(proved_equal(rows.row[i][0], rows.row[i][1], &s), "%s = %s: status %d", rows.row[i][0],
                   rows.row[i][1], s);
   }
-  table_clear(&rows);
 }
 
 /* What is false, and what is true but beyond it. */
 TEST(nothing_else_is_proved) {
-  struct table rows;
-  table_read(&rows, "tests/cases/no_identities.tsv", 2);
+  OWNED(table) rows = table_read("tests/cases/no_identities.tsv", 2);
   for (int i = 0; i < rows.n; i++) {
     int s;
     ck_assert_msg(!proved_equal(rows.row[i][0], rows.row[i][1], &s) && s == SS_OK, "%s = %s", rows.row[i][0],
                   rows.row[i][1]);
   }
-  table_clear(&rows);
 }
 
 TEST(what_is_undefined_or_too_large_is_said) {
@@ -128,19 +124,16 @@ static void random_expression(struct text *t, int depth) {
 
 /* The value of a text at chi = 3/7, eta = 11/5, V = 2/3; NaN where it has none. */
 static double value_of(const char *text) {
-  struct point p;
-  struct diag d;
+  LOCAL(point, p);
+  struct diag d = {0};
   arb_ptr v = _arb_vec_init(16);
   int n;
-  diag_init(&d);
-  point_init(&p);
   fmpq_set_si(&p.q[Q_CHI], 3, 7);
   fmpq_set_si(&p.q[Q_ETA], 11, 5);
   fmpq_set_si(&p.q[Q_V], 2, 3);
   struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   double x = NAN;
   if (expression_at(v, &n, view, text, "", &p, 256, the_paper.cache, &d) == SS_OK) x = num_arb.get_d(v);
-  point_clear(&p);
   _arb_vec_clear(v, 16);
   return x;
 }
@@ -153,11 +146,8 @@ TEST(equality_obeys_the_laws_and_never_lies) {
   long equal = 0;
   rng.state = 20260101;
   for (int i = 0; i < 300; i++) {
-    struct text a, b, c;
+    LOCAL(text, a, b, c);
     int s;
-    text_init(&a);
-    text_init(&b);
-    text_init(&c);
     random_expression(&a, 3);
     random_expression(&b, 2);
     const char *form = rewritten[rng_between(&rng, 0, 2)];
@@ -168,9 +158,6 @@ TEST(equality_obeys_the_laws_and_never_lies) {
     double x = value_of(a.data), y = value_of(b.data);
     if (proved_equal(a.data, b.data, &s) && !isnan(x) && !isnan(y))
       ck_assert_msg(fabs(x - y) <= 1e-12 * (1 + fabs(x)), "%s is not %s", a.data, b.data);
-    text_clear(&c);
-    text_clear(&b);
-    text_clear(&a);
   }
   ck_assert_int_gt(equal, 200);
 }
@@ -179,19 +166,17 @@ TEST(equality_obeys_the_laws_and_never_lies) {
 
 static void try_facts(long *held, enum point_kind kind, bool finite) {
   struct sampler s;
-  struct point p;
+  LOCAL(point, p);
   sampler_init(&s, "facts", &(struct point_spec){.kind = kind, .phase = PHASE_H, .finite = finite});
-  point_init(&p);
   struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   for (int done = 0, draws = 0; done < 4 && draws < 40; draws++) {
     sampler_next(&p, &s);
     if (!point_settle(&p, the_paper.cache)) continue;
     bool any = false;
     for (int i = 0; i < n_motion_facts; i++) {
-      struct diag d;
+      struct diag d = {0};
       arb_ptr v = _arb_vec_init(32);
       int n;
-      diag_init(&d);
       int left = expression_at(v, &n, view, motion_facts[i][0], "", &p, 192, the_paper.cache, &d);
       int right = expression_at(v + 16, &n, view, motion_facts[i][1], "", &p, 192, the_paper.cache, &d);
       ck_assert_msg(!d.set, "%s", d.message);
@@ -206,17 +191,15 @@ static void try_facts(long *held, enum point_kind kind, bool finite) {
     }
     done += any;
   }
-  point_clear(&p);
 }
 
 TEST(facts_hold_on_motions) {
-  long *held = calloc((size_t)n_motion_facts, sizeof *held);
+  FREED long *held = calloc((size_t)n_motion_facts, sizeof *held);
   try_facts(held, POINT_ARC, false);
   try_facts(held, POINT_ARC, true);
   try_facts(held, POINT_ORBIT, false);
   for (int i = 0; i < n_motion_facts; i++)
     ck_assert_msg(held[i] >= 4, "%s was tried %ld times", motion_facts[i][0], held[i]);
-  free(held);
 }
 
 /* --- Processes --- */
@@ -371,14 +354,13 @@ TEST_EACH(fates_known_beforehand, COUNT(fates)) {
 
 /* Every text in the table is one that the damages make, so that "noticed" is not the fate of what was never tried. */
 TEST(every_known_fate_is_of_a_mutant) {
-  struct mutants m;
+  OWNED(mutants) m;
   mutants_init(&m, &the_paper.model, known_records, N_KNOWN);
   for (size_t k = 0; k < COUNT(fates); k++) {
     bool made = !fates[k].text;
     for (size_t i = 0; !made && i < m.n; i++) made = strcmp(m.mutant[i].edit.text, fates[k].text) == 0;
     ck_assert_msg(made, "%s is no mutant", fates[k].text);
   }
-  mutants_clear(&m);
 }
 
 TEST(the_run_adds_up_and_has_every_kind_of_damage) {
@@ -399,11 +381,9 @@ TEST(the_run_adds_up_and_has_every_kind_of_damage) {
 }
 
 TEST(the_run_obeys_its_schema) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   report_mutation_json(&t, &known);
   scratch_put("m.json", text_str(&t));
-  text_clear(&t);
   shell_well("$Y tests/oracle/validate.py schema/mutation.schema.json $D/m.json");
   shell_well("sed 's/\"noticed\": [1-9]/&1/' $D/m.json > $D/bad.json; "
              "! $Y tests/oracle/validate.py schema/mutation.schema.json $D/bad.json > /dev/null");
@@ -413,7 +393,7 @@ TEST(the_run_obeys_its_schema) {
    like any other, and has a row that says how many of the formulas' are such. */
 TEST(printed_text_that_is_corrected_counts) {
   static const char *const record = "eq-10";
-  struct mutants m;
+  OWNED(mutants) m;
   long printed = 0, survive = 0;
   mutants_init(&m, &the_paper.model, &record, 1);
   for (size_t i = 0; i < m.n; i++) printed += m.target[m.mutant[i].target].corrected;
@@ -428,7 +408,6 @@ TEST(printed_text_that_is_corrected_counts) {
   ck_assert_int_gt(known.printed.count[FATE_NOTICED], 5);
   ck_assert_int_ge(mutation_row_total(&known.printed), printed);
   ck_assert_int_ge(mutation_row_total(&known.formulas), mutation_row_total(&known.printed));
-  mutants_clear(&m);
 }
 
 /* --- That what is noticed is the damage --- */
@@ -439,15 +418,13 @@ struct verdicts {
 
 static struct verdicts verdicts_of(const struct claim *c, const struct model *m, enum effort effort,
                                    const bool *touched) {
-  struct audit_result out;
+  OWNED(audit_result) out;
   struct diag d;
   struct finding f;
   struct judge j = paper_judge(&out, m, &d, effort);
   j.touched = touched;
   ck_assert_msg(judge_verdict(&f, &j, c), "%s: %s", c->id, d.message);
-  struct verdicts v = {f.verdict, f.correction ? f.correction_verdict : N_VERDICTS};
-  audit_result_clear(&out);
-  return v;
+  return (struct verdicts){f.verdict, f.correction ? f.correction_verdict : N_VERDICTS};
 }
 
 CASE("damage", .once = {paper_open, paper_close}, .seconds = 300);
@@ -455,24 +432,20 @@ CASE("damage", .once = {paper_open, paper_close}, .seconds = 300);
 /* Every statement replaced by a copy of itself, all at once: no claim with little effort says anything else, none that
    is asked early is refuted that is not refuted in full. */
 TEST(a_copy_of_the_text_is_not_noticed) {
-  struct overlay o;
-  struct arena a;
-  arena_init(&a);
+  OWNED(overlay) o;
+  LOCAL(arena, a);
   overlay_init(&o, &the_paper.model);
   for (size_t i = 0; i < the_paper.model.n_records; i++)
     for (int k = 0; k < the_paper.model.records[i].n_stmts; k++) {
-      struct text t;
-      struct diag d;
+      LOCAL(text, t);
+      struct diag d = {0};
       struct target target = target_of(&the_paper.model, i, k);
       struct source *src = arena_alloc(&a, sizeof *src);
-      text_init(&t);
-      diag_init(&d);
       stmt_print(&t, the_paper.model.records[i].stmts[k]);
-      source_from_string(src, "copy", arena_strndup(&a, t.data, t.len));
+      *src = source_of("copy", arena_strndup(&a, t.data, t.len));
       const struct stmt *copy = stmt_parse(&a, src, (struct span){0, src->len}, &d);
       ck_assert_msg(copy != NULL, "%s", d.message);
       overlay_set(&o, &target, copy);
-      text_clear(&t);
       source_clear(src);
     }
   for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(3)) {
@@ -482,8 +455,6 @@ TEST(a_copy_of_the_text_is_not_noticed) {
     struct verdicts is = verdicts_of(c, &o.model, EFFORT_REFUTE, NULL);
     ck_assert_msg(was.own == is.own && was.correction == is.correction, "%s", c->id);
   }
-  overlay_clear(&o);
-  arena_clear(&a);
 }
 
 /* What little effort proves the full one proves, be it under a condition that it looks for besides; and the other way
@@ -522,8 +493,8 @@ static const struct {
 
 TEST_EACH(what_little_effort_notices_the_full_one_notices, COUNT(late)) {
   const struct claim *c = claim_of(late[_i].claim);
-  struct overlay o;
-  struct mutants m;
+  OWNED(overlay) o;
+  OWNED(mutants) m;
   long seen = 0;
   overlay_init(&o, &the_paper.model);
   mutants_init(&m, &the_paper.model, &late[_i].record, 1);
@@ -537,8 +508,6 @@ TEST_EACH(what_little_effort_notices_the_full_one_notices, COUNT(late)) {
     seen++;
   }
   ck_assert_int_gt(seen, 0);
-  mutants_clear(&m);
-  overlay_clear(&o);
 }
 
 /* Of the paper's damages, as claims notice them that draw orbits, which each process does for itself; without (57), the
@@ -556,12 +525,11 @@ TEST(any_number_of_processes_finds_the_same) {
   asked.claim = few;
   asked.n = N;
   for (int i = 0; i < 2; i++) {
-    struct mutation_result r;
+    OWNED(mutation_result) r;
     mutate_records(&r, record, N, &asked, i ? 5 : 1);
     ck_assert_int_gt(mutation_row_noticed(&r.formulas), 20);
     text_init(&said[i]);
     report_mutation_json(&said[i], &r);
-    mutation_result_clear(&r);
   }
   ck_assert_msg(strcmp(text_str(&said[0]), text_str(&said[1])) == 0, "five processes find something else than one");
   for (int i = 0; i < 2; i++) text_clear(&said[i]);
@@ -571,9 +539,9 @@ TEST(any_number_of_processes_finds_the_same) {
 TEST(what_is_touched_is_enough_for_scaling) {
   static const char *const record[] = {"eq-36b", "err-40", "eq-32", "eq-1b", "eq-44"};
   const struct claim *c = claim_of("text-scaling");
-  struct mutants m;
-  struct overlay o;
-  bool *touched = malloc(the_paper.model.n_records * sizeof *touched);
+  OWNED(mutants) m;
+  OWNED(overlay) o;
+  FREED bool *touched = malloc(the_paper.model.n_records * sizeof *touched);
   long refuted = 0, tried = 0;
   mutants_init(&m, &the_paper.model, record, 5);
   overlay_init(&o, &the_paper.model);
@@ -588,16 +556,13 @@ TEST(what_is_touched_is_enough_for_scaling) {
     overlay_set(&o, t, NULL);
   }
   ck_assert(tried > 15 && refuted > 3 && refuted < tried);
-  overlay_clear(&o);
-  mutants_clear(&m);
-  free(touched);
 }
 
 /* The criterion with its halves exchanged says the same, and with another bound it does not. */
 TEST(halves_that_change_places_are_the_same) {
   static const char *const record = "text-criterion";
-  struct overlay o;
-  struct mutants m;
+  OWNED(overlay) o;
+  OWNED(mutants) m;
   struct facts *f = facts_new(&the_paper.model);
   int met = 0;
   overlay_init(&o, &the_paper.model);
@@ -612,8 +577,6 @@ TEST(halves_that_change_places_are_the_same) {
     met++;
   }
   ck_assert_int_eq(met, 2);
-  mutants_clear(&m);
-  overlay_clear(&o);
   facts_free(f);
 }
 
@@ -621,16 +584,13 @@ TEST(halves_that_change_places_are_the_same) {
    text. */
 TEST(a_correction_that_differs_is_not_called_the_same) {
   const struct claim *c = claim_of("eq-30");
-  struct overlay o;
-  struct arena a;
-  struct source src;
-  struct diag d;
+  OWNED(overlay) o;
+  LOCAL(arena, a);
+  struct diag d = {0};
   struct facts *f = facts_new(&the_paper.model);
   size_t at = 0;
-  diag_init(&d);
-  arena_init(&a);
   overlay_init(&o, &the_paper.model);
-  source_from_string(&src, "damaged", "dZ_b = Gamma(t_b)*dZ_a + Gamma'(t_a)*Z_a*dt_b");
+  OWNED(source) src = source_of("damaged", "dZ_b = Gamma(t_b)*dZ_a + Gamma'(t_a)*Z_a*dt_b");
   while (the_paper.model.records[at].rank != RANK_ERRATA || strcmp(the_paper.model.records[at].id, "eq-30b") != 0) at++;
   struct target t = target_of(&the_paper.model, at, 0);
   ck_assert(claim_same_in(c, &t, &the_paper.model, &o.model, f) &&
@@ -640,9 +600,6 @@ TEST(a_correction_that_differs_is_not_called_the_same) {
             !target_same_in(&t, &the_paper.model, &o.model, &the_paper.claims, f));
   overlay_set(&o, &t, NULL);
   ck_assert(claim_same_in(c, &t, &the_paper.model, &o.model, f));
-  source_clear(&src);
-  overlay_clear(&o);
-  arena_clear(&a);
   facts_free(f);
 }
 
@@ -665,9 +622,8 @@ TEST(a_missing_check_shows) {
 
 /* Counted are formulas and the classes that count, without what means the same or needs the text; errata apart. */
 TEST(the_score_has_one_denominator) {
-  struct mutation_result r;
+  LOCAL(mutation_result, r);
   struct mutation_score s;
-  mutation_result_init(&r);
   r.formulas.count[FATE_NOTICED] = 100;
   r.formulas.count[FATE_REFUSED] = 10;
   r.formulas.count[FATE_UNDECIDED] = 3;
@@ -688,7 +644,6 @@ TEST(the_score_has_one_denominator) {
   ck_assert_int_eq(s.on_motions, 5);
   ck_assert_int_eq(s.needs_text, 11);
   ck_assert_int_eq(s.errata, 1013);
-  mutation_result_clear(&r);
 }
 
 /* --- Damage to the oracles: each entry of each matrix that a claim holds against the model --- */
@@ -697,11 +652,8 @@ TEST(the_score_has_one_denominator) {
 static void offset_value(struct overlay *o, struct arena *a, const struct claim *c, int rows, int cols, int entry) {
   const char *value = claim_get(c, "value"), *section = claim_get(c, "section");
   struct view v = claim_view(&the_paper.model, c);
-  struct diag d;
-  struct text t, name;
-  diag_init(&d);
-  text_init(&t);
-  text_init(&name);
+  struct diag d = {0};
+  LOCAL(text, t, name);
   text_add_n(&name, value, strcspn(value, "("));
   const struct definition *def = view_lookup(&v, name.data, section, &d);
   ck_assert_msg(def != NULL, "%s", value);
@@ -722,8 +674,6 @@ static void offset_value(struct overlay *o, struct arena *a, const struct claim 
         overlay_set(o, &target, s);
       }
   source_clear(src);
-  text_clear(&name);
-  text_clear(&t);
 }
 
 CASE("oracles", .once = {paper_open, paper_close});
@@ -736,20 +686,16 @@ TEST(every_entry_is_held_against_the_model) {
     if (strcmp(claim_get(c, "kind"), "matrix") != 0 || strncmp(value, "omega_", 6) == 0) continue; /* roots */
     const struct oracle *q = oracle_find(value);
     for (int e = 0; e < q->rows * q->cols; e++, tried++) {
-      struct overlay o;
-      struct arena a;
-      struct audit_result out;
+      OWNED(overlay) o;
+      LOCAL(arena, a);
+      OWNED(audit_result) out;
       struct finding f;
       struct diag d;
-      arena_init(&a);
       overlay_init(&o, &the_paper.model);
       offset_value(&o, &a, c, q->rows, q->cols, e);
       struct judge j = paper_judge(&out, &o.model, &d, EFFORT_REFUTE);
       ck_assert_msg(judge_verdict(&f, &j, c), "%s", d.message);
       ck_assert_msg(f.verdict == VERDICT_REFUTED, "%s: entry %d may be off by 1e-20", c->id, e + 1);
-      overlay_clear(&o);
-      audit_result_clear(&out);
-      arena_clear(&a);
     }
   }
   ck_assert_int_gt(tried, 100);
@@ -763,18 +709,16 @@ TEST(oracles_are_not_interchangeable) {
     for (int k = 0; k < N; k++) {
       struct sentence s;
       struct sampler sampler;
-      struct point p;
+      LOCAL(point, p);
       const struct oracle *other = oracle_find(names[k]);
       if (other->rows != oracle_find(names[i])->rows) continue;
       struct view v = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
       goes_well(sentence_from_value(&s, v, names[i], "prediction", NULL, 0, &d));
       s.oracle = other;
       sampler_init(&sampler, "oracles", &(struct point_spec){.kind = POINT_PARAMS, .phase = PHASE_H});
-      point_init(&p);
       sampler_next(&p, &sampler);
       struct trial t = sentence_try_balls(&s, &p, VARIANT_CLOSED, the_paper.cache);
       ck_assert_msg((t.outcome == OUTCOME_DIFFERS) == (i != k), "%s against %s", names[i], names[k]);
-      point_clear(&p);
       sentence_clear(&s);
     }
 }
@@ -834,8 +778,7 @@ TEST(every_repair_passes_a_run_of_its_own) {
       const struct repairs *c = &all_repairs.claim[i];
       const struct claim *claim = claim_of(c->claim);
       const char *statement = strstr(c->repair[k].text, ":=") ? NULL : claim_get(claim, "statement");
-      struct text t;
-      text_init(&t);
+      LOCAL(text, t);
       text_printf(&t, "%s %s\n  section: %s\n  equation: %s\n", statement ? "equation" : "define",
                   statement ? statement : "repaired", claim_get(claim, "section"), claim_get(claim, "equation"));
       for (const char *p = c->repair[k].text; p && *p;) {
@@ -846,11 +789,10 @@ TEST(every_repair_passes_a_run_of_its_own) {
         text_printf(&t, "  %.*s\n", (int)(end - p), p);
         p = *end ? end + 2 : end;
       }
-      struct model m;
-      struct audit_result r;
+      OWNED(model) m;
+      LOCAL(audit_result, r);
       struct claims none = {.n = 0};
       struct diag d;
-      audit_result_init(&r);
       const struct audit_options opt = {.only = &c->claim, .n_only = 1};
       ck_assert_msg(paper_model_read(&m, &(struct paper_layers){.overlay = scratch_put("repaired.eq", t.data)}, &d) &&
                         audit_run(&r, &m, &the_paper.claims, &none, &the_paper.scene, &opt, &d),
@@ -859,9 +801,6 @@ TEST(every_repair_passes_a_run_of_its_own) {
       for (size_t f = 0; f < r.n_findings; f++)
         if (strcmp(r.findings[f].id, c->claim) == 0) verdict = verdict_name[r.findings[f].verdict];
       ck_assert_msg(verdict && strcmp(verdict, c->repair[k].verdict) == 0, "%s: %s\n%s", c->claim, verdict, t.data);
-      audit_result_clear(&r);
-      model_clear(&m);
-      text_clear(&t);
     }
   ck_assert_int_ge(tried, 7);
 }
@@ -919,7 +858,7 @@ static bool works(pid_t pid) {
 TEST_EACH(an_interrupted_run_leaves_nothing, 2) {
   const char *args[] = {
       "mutate", "--only", "quotation", "--count", "all", "--jobs", "3", "--out", scratch_path("interrupted"), NULL};
-  struct job j;
+  OWNED(job) j;
   job_start(&j, &(struct job_place){.group = true}, program(), args);
   ck_assert(process_until(works, j.pid));
   ck_assert(kill(_i ? j.pid : -j.pid, _i ? SIGKILL : SIGINT) == 0);
@@ -927,5 +866,4 @@ TEST_EACH(an_interrupted_run_leaves_nothing, 2) {
   ck_assert_int_lt(j.status, 0);
   ck_assert(process_until(group_has_ended, j.pid));
   ck_assert(!scratch_has("interrupted"));
-  job_clear(&j);
 }

@@ -1,6 +1,7 @@
 /* Tests of the number module beyond the laws of laws_num.c: vectors and matrices against FLINT's integer matrices,
    roots against polynomials made from chosen roots, printed digits against the C library's conversion and MPFR's. */
 #include "laws_num.h"
+#include "local.h"
 #include "num/calc.h"
 #include "num/flint_more.h"
 #include "rational.h"
@@ -19,11 +20,7 @@ static void put(struct num_vec *v, slong i, double x) {
 
 /* |element i - q| <= eps times max(1, |q|), or the ball holds q with at most that radius. */
 static bool is_close(const struct num_vec *v, slong i, const fmpq_t q, double eps) {
-  arb_t x, exact, bound, error;
-  arb_init(x);
-  arb_init(exact);
-  arb_init(bound);
-  arb_init(error);
+  NUMBERS(arb, x, exact, bound, error);
   v->ctx.type->get_arb(x, num_vec_at(v, i));
   bool ok = !v->ctx.type->rigorous || arb_contains_fmpq(x, q);
   arb_set_fmpq(exact, q, 600);
@@ -36,10 +33,6 @@ static bool is_close(const struct num_vec *v, slong i, const fmpq_t q, double ep
   arb_sub(error, x, exact, 600);
   arb_abs(error, error);
   ok = ok && arb_le(error, bound);
-  arb_clear(x);
-  arb_clear(exact);
-  arb_clear(bound);
-  arb_clear(error);
   return ok;
 }
 
@@ -48,27 +41,20 @@ static bool is_nan(const struct num_vec *v, slong i) {
 }
 
 static bool same(const struct num_vec *v, const struct num_vec *w) {
-  arb_t x, y;
+  NUMBERS(arb, x, y);
   bool yes = v->len == w->len;
-  arb_init(x);
-  arb_init(y);
   for (slong i = 0; i < v->len && yes; i++) {
     v->ctx.type->get_arb(x, num_vec_at(v, i));
     v->ctx.type->get_arb(y, num_vec_at(w, i));
     yes = arb_equal(x, y);
   }
-  arb_clear(x);
-  arb_clear(y);
   return yes;
 }
 
 /* --- Vectors. --- */
 
 TEST_EACH(vectors, LAW_CONTEXTS) {
-  struct num_vec v, w, none;
-  num_vec_init(&v, 3, law_context(_i));
-  num_vec_init(&w, 3, law_context(_i));
-  num_vec_init(&none, 0, law_context(_i));
+  OWNED(num_vec) v = vec_new(3, law_context(_i)), w = vec_new(3, law_context(_i)), none = vec_new(0, law_context(_i));
   for (slong i = 0; i < 3; i++) {
     ck_assert(v.ctx.type->is_zero(num_vec_at(&v, i)) == TRUTH_TRUE);
     put(&v, i, (double)i + 0.5);
@@ -78,7 +64,6 @@ TEST_EACH(vectors, LAW_CONTEXTS) {
   put(&w, 1, 7);
   ck_assert(v.ctx.type->get_d(num_vec_at(&v, 1)) == 1.5 && v.ctx.type->get_d(num_vec_at(&w, 2)) == 2.5);
   num_vec_set(&none, &none);
-  vecs_clear(&v, &w, &none);
 }
 
 static slong outside;
@@ -108,14 +93,12 @@ static void random_integers(fmpz_mat_t a, struct rng *r, slong size) {
 
 static bool are_integers(const struct num_vec *v, const fmpz_mat_t a, double eps) {
   slong cols = fmpz_mat_ncols(a);
-  fmpq_t q;
+  NUMBERS(fmpq, q);
   bool ok = true;
-  fmpq_init(q);
   for (slong i = 0; i < v->len && ok; i++) {
     fmpq_set_fmpz(q, fmpz_mat_entry(a, i / cols, i % cols));
     ok = is_close(v, i, q, eps);
   }
-  fmpq_clear(q);
   return ok;
 }
 
@@ -125,13 +108,11 @@ TEST_EACH(products, LAW_CONTEXTS) {
     struct rng r = {seed};
     slong m = rng_between(&r, 1, 4), n = rng_between(&r, 1, 4), p = rng_between(&r, 1, 4);
     fmpz_mat_t a, b, c;
-    struct num_vec x, y, z;
     fmpz_mat_init(a, m, n);
     fmpz_mat_init(b, n, p);
     fmpz_mat_init(c, m, p);
-    num_vec_init(&x, m * n, law_context(_i));
-    num_vec_init(&y, n * p, law_context(_i));
-    num_vec_init(&z, m * p, law_context(_i));
+    OWNED(num_vec) x = vec_new(m * n, law_context(_i)), y = vec_new(n * p, law_context(_i));
+    OWNED(num_vec) z = vec_new(m * p, law_context(_i));
     random_integers(a, &r, 100);
     random_integers(b, &r, 100);
     fmpz_mat_mul(c, a, b);
@@ -142,16 +123,13 @@ TEST_EACH(products, LAW_CONTEXTS) {
     from_integers(&x, a);
     if (m == n && num_mat_mul(&y, &x, &y, n, n, p) == SS_OK) ck_assert_msg(same(&y, &z), "z = y, seed %d", (int)seed);
     if (m == n) {
-      struct num_vec square;
-      num_vec_init(&square, n * n, x.ctx);
+      OWNED(num_vec) square = vec_new(n * n, x.ctx);
       ck_assert(num_mat_mul(&square, &x, &x, n, n, n) == SS_OK && num_mat_mul(&x, &x, &x, n, n, n) == SS_OK);
       ck_assert_msg(same(&square, &x), "z = x = y, seed %d", (int)seed);
-      num_vec_clear(&square);
     }
     fmpz_mat_clear(a);
     fmpz_mat_clear(b);
     fmpz_mat_clear(c);
-    vecs_clear(&x, &y, &z);
   }
 }
 
@@ -164,14 +142,11 @@ TEST_EACH(solutions_and_determinants, LAW_CONTEXTS) {
     struct rng r = {seed};
     slong n = rng_between(&r, 1, 5), p = rng_between(&r, 1, 3);
     fmpz_mat_t a, x, b, det;
-    struct num_vec na, nb, nx;
     fmpz_mat_init(a, n, n);
     fmpz_mat_init(x, n, p);
     fmpz_mat_init(b, n, p);
     fmpz_mat_init(det, 1, 1);
-    num_vec_init(&na, n * n, ctx);
-    num_vec_init(&nb, n * p, ctx);
-    num_vec_init(&nx, n * p, ctx);
+    OWNED(num_vec) na = vec_new(n * n, ctx), nb = vec_new(n * p, ctx), nx = vec_new(n * p, ctx);
     random_integers(a, &r, 20);
     random_integers(x, &r, 20);
     fmpz_mat_mul(b, a, x);
@@ -187,17 +162,14 @@ TEST_EACH(solutions_and_determinants, LAW_CONTEXTS) {
       ck_assert(num_mat_solve(&nb, &na, &nb, n, p) == SS_OK);
       ck_assert_msg(same(&nx, &nb), "x = b, seed %d", (int)seed);
     }
-    struct num_vec d;
-    num_vec_init(&d, 1, ctx);
+    OWNED(num_vec) d = vec_new(1, ctx);
     status = num_mat_det(num_vec_at(&d, 0), &na, n);
     double scale = pow(20, (double)n); /* the determinant's own error is relative to its terms */
     ck_assert_msg(status == SS_OK && are_integers(&d, det, eps * scale), "determinant, seed %d", (int)seed);
-    num_vec_clear(&d);
     fmpz_mat_clear(a);
     fmpz_mat_clear(x);
     fmpz_mat_clear(b);
     fmpz_mat_clear(det);
-    vecs_clear(&na, &nb, &nx);
   }
   ck_assert_int_gt(solved, 100);
 }
@@ -208,16 +180,12 @@ static void fill(struct num_vec *v, const double *x) {
 
 /* An entry that overflows on the way is lost whatever it would come to, and no other entry is. */
 TEST(products_that_cannot_be_held) {
-  struct num_vec x, y, z;
-  num_vec_init(&x, 4, num_ctx_double());
-  num_vec_init(&y, 2, num_ctx_double());
-  num_vec_init(&z, 2, num_ctx_double());
+  OWNED(num_vec) x = vec_new(4, num_ctx_double()), y = vec_new(2, num_ctx_double()), z = vec_new(2, num_ctx_double());
   const double factors[] = {1e300, -1e300, 1, 2};
   for (slong i = 0; i < 4; i++) put(&x, i, factors[i]);
   for (slong i = 0; i < 2; i++) put(&y, i, 1e300);
   ck_assert_int_eq(num_mat_mul(&z, &x, &y, 2, 2, 1), SS_UNABLE);
   ck_assert(is_nan(&z, 0) && *(double *)num_vec_at(&z, 1) == 3e300);
-  vecs_clear(&z, &y, &x);
 }
 
 /* Elimination is exact on these, whatever the type. */
@@ -226,11 +194,8 @@ TEST_EACH(singular_matrices, LAW_CONTEXTS) {
                                        {1, 2, 3, 2, 4, 6, 1, 1, 1},
                                        {1, 0, 2, 3, 0, 4, 5, 0, 6},
                                        {4, 2, 1, 2, 1, 0.5, 1, 0.5, 0.25}};
-  struct num_vec a, b, x, d;
-  num_vec_init(&a, 9, law_context(_i));
-  num_vec_init(&b, 3, law_context(_i));
-  num_vec_init(&x, 3, law_context(_i));
-  num_vec_init(&d, 1, law_context(_i));
+  OWNED(num_vec) a = vec_new(9, law_context(_i)), b = vec_new(3, law_context(_i));
+  OWNED(num_vec) x = vec_new(3, law_context(_i)), d = vec_new(1, law_context(_i));
   for (size_t i = 0; i < COUNT(singular); i++) {
     fill(&a, singular[i]);
     ck_assert_int_eq(num_mat_solve(&x, &a, &b, 3, 1), SS_DOMAIN);
@@ -247,15 +212,11 @@ TEST_EACH(singular_matrices, LAW_CONTEXTS) {
   for (slong i = 0; i < 3; i++) ck_assert(x.ctx.type->get_d(num_vec_at(&x, i)) == expected[i]);
   ck_assert_int_eq(num_mat_det(num_vec_at(&d, 0), &a, 3), SS_OK);
   ck_assert(d.ctx.type->get_d(num_vec_at(&d, 0)) == -64);
-  vecs_clear(&a, &b, &x, &d);
 }
 
 TEST(pivots_that_cannot_be_told) {
   struct num_ctx ctx = num_ctx_arb(100);
-  struct num_vec a, b, d;
-  num_vec_init(&a, 4, ctx);
-  num_vec_init(&b, 2, ctx);
-  num_vec_init(&d, 1, ctx);
+  OWNED(num_vec) a = vec_new(4, ctx), b = vec_new(2, ctx), d = vec_new(1, ctx);
   fill(&a, (const double[]){0, 1, 0, 1});
   arb_struct *corner = num_vec_at(&a, 0);
   mag_set_d(arb_radref(corner), 1e-9);
@@ -274,7 +235,6 @@ TEST(pivots_that_cannot_be_told) {
   ck_assert_int_eq(num_mat_solve(&b, &a, &b, 2, 1), SS_UNABLE); /* b is NaN */
   fill(&b, (const double[]){1, 1});
   ck_assert_int_eq(num_mat_solve(&b, &a, &b, 2, 1), SS_OK);
-  vecs_clear(&a, &b, &d);
 }
 
 /* --- Roots. --- */
@@ -286,26 +246,22 @@ static int compare(const void *x, const void *y) {
 
 /* The product of the (x - r[i]) as integers; each r[i] is a multiple of 1/8 (8x - 8r then). */
 static void from_roots(fmpz_poly_t f, const double *r, slong n) {
-  fmpz_poly_t factor;
-  fmpz_poly_init(factor);
+  NUMBERS(fmpz_poly, factor);
   fmpz_poly_one(f);
   for (slong i = 0; i < n; i++) {
     fmpz_poly_set_coeff_si(factor, 1, 8);
     fmpz_poly_set_coeff_si(factor, 0, -(slong)(8 * r[i]));
     fmpz_poly_mul(f, f, factor);
   }
-  fmpz_poly_clear(factor);
 }
 
 static void set_coefficients(struct num_vec *c, const fmpz_poly_t f) {
-  fmpq_t q;
-  fmpq_init(q);
+  NUMBERS(fmpq, q);
   for (slong i = 0; i < c->len; i++) {
     fmpz_poly_get_coeff_fmpz(fmpq_numref(q), f, i);
     fmpz_one(fmpq_denref(q));
     if (c->ctx.type->set_q(num_vec_at(c, i), q, c->ctx.prec) != SS_OK) ck_abort_msg("set_q");
   }
-  fmpq_clear(q);
 }
 
 /* Random roots, some repeated, some negative or zero, and a factor x^2 + 1 now and then: every index, from both ends,
@@ -314,10 +270,8 @@ static void check_known_roots(struct num_ctx ctx, uint64_t seed) {
   struct rng r = {seed};
   slong n = rng_between(&r, 0, 4), distinct = 0;
   double roots[4], positive[4];
-  fmpz_poly_t f;
-  struct num_vec c, z;
-  fmpz_poly_init(f);
-  num_vec_init(&z, 1, ctx);
+  NUMBERS(fmpz_poly, f);
+  OWNED(num_vec) c, z = vec_new(1, ctx);
   for (slong i = 0; i < n; i++) {
     bool again = i > 0 && rng_between(&r, 0, 3) == 0;
     roots[i] = again ? roots[i - 1] : (double)rng_between(&r, -8, 24) / (double)(1 << rng_between(&r, 0, 3));
@@ -330,23 +284,18 @@ static void check_known_roots(struct num_ctx ctx, uint64_t seed) {
   distinct = kept;
   from_roots(f, roots, n);
   if (rng_between(&r, 0, 2) == 0) {
-    fmpz_poly_t g;
-    fmpz_poly_init(g);
+    NUMBERS(fmpz_poly, g);
     fmpz_poly_set_coeff_si(g, 0, 1);
     fmpz_poly_set_coeff_si(g, 2, 1);
     fmpz_poly_mul(f, f, g);
-    fmpz_poly_clear(g);
   }
   num_vec_init(&c, fmpz_poly_length(f) + 1, ctx); /* one zero coefficient too many */
   set_coefficients(&c, f);
-  fmpq_t q;
-  fmpq_init(q);
+  NUMBERS(fmpq, q);
   for (slong k = 1; k <= distinct; k++) {
-    arf_t x;
-    arf_init(x);
+    NUMBERS(arf, x);
     arf_set_d(x, positive[k - 1]);
     arf_get_fmpq(q, x);
-    arf_clear(x);
     double eps = ldexp(1, 2 - (int)ctx.prec);
     int status = num_poly_root(num_vec_at(&z, 0), &c, k);
     ck_assert_msg(status == SS_OK && is_close(&z, 0, q, eps), "%s root %d, seed %d", ctx.type->name, (int)k, (int)seed);
@@ -359,9 +308,6 @@ static void check_known_roots(struct num_ctx ctx, uint64_t seed) {
   put(&z, 0, 1);
   int below = num_poly_root(num_vec_at(&z, 0), &c, -distinct - 1);
   ck_assert_msg(below == SS_DOMAIN && is_nan(&z, 0), "one root too many from above, seed %d", (int)seed);
-  fmpq_clear(q);
-  fmpz_poly_clear(f);
-  vecs_clear(&c, &z);
 }
 
 TEST_EACH(known_roots, 5) {
@@ -374,13 +320,9 @@ TEST_EACH(known_roots, 5) {
    omega^2 = (9/5 -+ sqrt(81/25 - 16/25))/2, by the quadratic formula at a higher precision. */
 TEST_EACH(even_quartic, LAW_CONTEXTS) {
   struct num_ctx ctx = law_context(_i);
-  struct num_vec c, z;
-  arb_t exact, x;
+  NUMBERS(arb, exact, x);
   const slong numerators[5] = {4, 0, -45, 0, 25};
-  num_vec_init(&c, 5, ctx);
-  num_vec_init(&z, 1, ctx);
-  arb_init(exact);
-  arb_init(x);
+  OWNED(num_vec) c = vec_new(5, ctx), z = vec_new(1, ctx);
   for (slong i = 0; i < 5; i++) put(&c, i, (double)numerators[i]); /* times 25: exact in every type */
   for (int sign = -1; sign <= 1; sign += 2) {
     arb_set_si(exact, 65);
@@ -396,17 +338,12 @@ TEST_EACH(even_quartic, LAW_CONTEXTS) {
       if (ctx.type->rigorous) {
         ck_assert(arb_contains(x, exact) && arb_rel_accuracy_bits(x) >= ctx.prec - 3);
       } else { /* rounded once: what rounding the exact root gives */
-        struct num_vec rounded;
-        num_vec_init(&rounded, 1, ctx);
+        OWNED(num_vec) rounded = vec_new(1, ctx);
         ctx.type->set_arb(num_vec_at(&rounded, 0), exact, ctx.prec);
         ck_assert(same(&z, &rounded));
-        num_vec_clear(&rounded);
       }
     }
   }
-  vecs_clear(&c, &z);
-  arb_clear(exact);
-  arb_clear(x);
 }
 
 /* Sine and cosine in MPFR are correctly rounded, so that MPFR's own functions are the oracle, bit for bit: at ordinary
@@ -417,12 +354,9 @@ TEST(sines_are_rounded_as_mpfr_does) {
   flint_randinit(random);
   for (int n = 0; n < 2400; n++) {
     slong prec = precs[n % 8];
-    struct num_vec v;
-    mpfr_t x, s, c;
-    arb_t ball;
-    num_vec_init(&v, 3, num_ctx_mpfr(prec));
-    mpfr_inits2(prec, x, s, c, (mpfr_ptr)NULL);
-    arb_init(ball);
+    NUMBERS(arb, ball);
+    OWNED(num_vec) v = vec_new(3, num_ctx_mpfr(prec));
+    MPFR_NUMBERS(prec, x, s, c);
     if (n % 3 == 0) { /* a multiple of pi/2, rounded */
       arb_const_pi(ball, prec + 40);
       arb_mul_ui(ball, ball, 1 + n_randlimb(random) % 1000, prec + 40);
@@ -437,9 +371,6 @@ TEST(sines_are_rounded_as_mpfr_does) {
     bool same = mpfr_equal_p(s, (mpfr_srcptr)num_vec_at(&v, 1)) && mpfr_equal_p(c, (mpfr_srcptr)num_vec_at(&v, 2));
     ck_assert_msg(same, "case %d at %ld bits: sines %g %g, cosines %g %g", n, (long)prec, mpfr_get_d(s, MPFR_RNDN),
                   num_mpfr.get_d(num_vec_at(&v, 1)), mpfr_get_d(c, MPFR_RNDN), num_mpfr.get_d(num_vec_at(&v, 2)));
-    arb_clear(ball);
-    mpfr_clears(x, s, c, (mpfr_ptr)NULL);
-    num_vec_clear(&v);
   }
   flint_randclear(random);
 }
@@ -452,8 +383,7 @@ TEST(a_root_asked_again_is_the_same) {
   for (int i = 0; i < 2 * N; i++) arb_init(first[i / 2][i % 2]);
   for (int n = 0; n < ROUNDS * 2 * N; n++) {
     int i = n < 2 * N ? n / 2 : (n * n + 3 * n) % N, p = n % 2;
-    struct num_vec c;
-    num_vec_init(&c, 4, num_ctx_arb(p ? 128 : 96));
+    OWNED(num_vec) c = vec_new(4, num_ctx_arb(p ? 128 : 96));
     put(&c, 0, (i + 1) * 3.25);
     put(&c, 1, -(i + 1) - 3.25);
     put(&c, 2, 1);
@@ -466,7 +396,6 @@ TEST(a_root_asked_again_is_the_same) {
     if (n < 2 * N) arb_set(first[i][p], x);
     ck_assert_msg(arb_equal(x, first[i][p]), "question %d", n);
     ck_assert_msg(arb_contains_si(x, i + 1) && arb_rel_accuracy_bits(x) > (i % 3 || !p ? 70 : 120), "question %d", n);
-    num_vec_clear(&c);
   }
   for (int i = 0; i < 2 * N; i++) arb_clear(first[i / 2][i % 2]);
 }
@@ -475,9 +404,7 @@ TEST(a_root_asked_again_is_the_same) {
    roots near 1 and 3, and widen with the coefficients; a root that may be double cannot be told. */
 TEST(roots_of_balls) {
   struct num_ctx ctx = num_ctx_arb(128);
-  struct num_vec c, z;
-  num_vec_init(&c, 3, ctx);
-  num_vec_init(&z, 1, ctx);
+  OWNED(num_vec) c = vec_new(3, ctx), z = vec_new(1, ctx);
   fill(&c, (const double[]){3, -4, 1});
   for (slong i = 0; i < 3; i++) mag_set_ui_2exp_si(arb_radref((arb_struct *)num_vec_at(&c, i)), 1, -10);
   for (slong k = 1; k <= 2; k++) {
@@ -488,12 +415,10 @@ TEST(roots_of_balls) {
       double e[3];
       for (int j = 0; j < 3; j++) e[j] = (double)rng_between(&r, -1, 1) / 1024;
       double a = 1 + e[2], b = -4 + e[1], s = sqrt(b * b - 4 * a * (3 + e[0]));
-      arb_t root;
-      arb_init(root);
+      NUMBERS(arb, root);
       arb_set_d(root, (-b + (k == 1 ? -s : s)) / (2 * a));
       mag_set_d(arb_radref(root), 1e-14); /* the double formula's own error */
       ck_assert_msg(arb_overlaps(x, root), "polynomial %d", i);
-      arb_clear(root);
     }
     ck_assert(mag_cmp_2exp_si(arb_radref(x), -4) < 0 && arb_contains_si(x, 2 * k - 1));
   }
@@ -509,21 +434,17 @@ TEST(roots_of_balls) {
   ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_UNABLE);
   ctx.type->set_d(num_vec_at(&c, 1), (double)NAN, ctx.prec);
   ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_UNABLE);
-  vecs_clear(&c, &z);
 }
 
 /* Roots that are hard to separate, 2^e and 2^e (1 + 2^-gap) for pairs (e, gap), and roots that are far apart. */
 TEST(close_and_distant_roots) {
   const slong cases[][2] = {{0, 40}, {0, 150}, {-500, 100}, {500, 190}, {-5000, 60}};
   struct num_ctx ctx = num_ctx_arb(200);
-  struct num_vec c, z;
+  struct num_vec c;
   num_vec_init(&c, 3, ctx);
-  num_vec_init(&z, 1, ctx);
+  OWNED(num_vec) z = vec_new(1, ctx);
   for (size_t i = 0; i < COUNT(cases); i++) {
-    arb_t a, b, t;
-    arb_init(a);
-    arb_init(b);
-    arb_init(t);
+    NUMBERS(arb, a, b, t);
     arb_set_ui(a, 1);
     arb_mul_2exp_si(b, a, -cases[i][1]);
     arb_add(b, b, a, ARF_PREC_EXACT);
@@ -538,15 +459,11 @@ TEST(close_and_distant_roots) {
     ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 2), SS_OK);
     ck_assert(arb_contains(num_vec_at(&z, 0), b) && !arb_contains(num_vec_at(&z, 0), a));
     ck_assert(arb_rel_accuracy_bits(num_vec_at(&z, 0)) >= 196);
-    arb_clear(a);
-    arb_clear(b);
-    arb_clear(t);
   }
   num_vec_clear(&c);
   num_vec_init(&c, 4, ctx);
   /* (x - 1) (x^2 + (1 - B) x + 1), B = 2^e: the roots are 1, 1/B and B, the latter two up to 2/B of their size */
-  arb_t big;
-  arb_init(big);
+  NUMBERS(arb, big);
   arb_one(big);
   arb_mul_2exp_si(big, big, 100000);
   fill(&c, (const double[]){-1, 0, 0, 1});
@@ -554,20 +471,15 @@ TEST(close_and_distant_roots) {
   arb_neg(num_vec_at(&c, 2), big);
   for (slong k = 1; k <= 3; k++) {
     arb_struct *x = num_vec_at(&z, 0);
-    mag_t distance;
-    mag_init(distance);
+    NUMBERS(mag, distance);
     ck_assert_int_eq(num_poly_root(x, &c, k), SS_OK);
     arb_mul_2exp_si(x, x, (2 - k) * 100000);
     arb_sub_ui(x, x, 1, 200);
     arb_get_mag(distance, x);
     ck_assert(mag_cmp_2exp_si(distance, -190) < 0);
-    mag_clear(distance);
   }
-  arb_clear(big);
   /* 2^-600 and 2^600 in doubles: x^2 - (2^600 + 2^-600) x + 1, its middle coefficient rounded */
-  struct num_vec d, y;
-  num_vec_init(&d, 3, num_ctx_double());
-  num_vec_init(&y, 1, num_ctx_double());
+  OWNED(num_vec) d = vec_new(3, num_ctx_double()), y = vec_new(1, num_ctx_double());
   fill(&d, (const double[]){1, -0x1p600, 1});
   ck_assert_int_eq(num_poly_root(num_vec_at(&y, 0), &d, 1), SS_OK);
   ck_assert(*(double *)num_vec_at(&y, 0) == 0x1p-600);
@@ -576,23 +488,20 @@ TEST(close_and_distant_roots) {
   fill(&d, (const double[]){-0x1p1000, 0x1p-1000, 0}); /* the root 2^2000 is no double */
   ck_assert_int_eq(num_poly_root(num_vec_at(&y, 0), &d, 1), SS_UNABLE);
   ck_assert(is_nan(&y, 0));
-  vecs_clear(&d, &y, &c, &z);
+  num_vec_clear(&c);
 }
 
 /* Wilkinson's polynomial of degree 12 in doubles (its coefficients are exact below 2^53): the roots are 1, ..., 12. */
 TEST(many_roots) {
   double roots[12];
-  fmpz_poly_t f;
-  struct num_vec c, z;
-  fmpz_poly_init(f);
+  NUMBERS(fmpz_poly, f);
   for (slong i = 0; i < 12; i++) roots[i] = (double)(i + 1) / 8;
   from_roots(f, roots, 12); /* 8x - i: the roots are i/8 */
   for (slong i = 0; i <= 12; i++) {
     fmpz *coefficient = fmpz_poly_get_coeff_ptr(f, i);
     fmpz_fdiv_q_2exp(coefficient, coefficient, (ulong)(3 * i));
   }
-  num_vec_init(&c, 13, num_ctx_double());
-  num_vec_init(&z, 1, num_ctx_double());
+  OWNED(num_vec) c = vec_new(13, num_ctx_double()), z = vec_new(1, num_ctx_double());
   set_coefficients(&c, f);
   for (slong k = 1; k <= 12; k++) {
     ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, k), SS_OK);
@@ -600,14 +509,10 @@ TEST(many_roots) {
     ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, -k), SS_OK);
     ck_assert(*(double *)num_vec_at(&z, 0) == (double)(13 - k));
   }
-  fmpz_poly_clear(f);
-  vecs_clear(&c, &z);
 }
 
 TEST_EACH(polynomials_without_roots, LAW_CONTEXTS) {
-  struct num_vec c, z;
-  num_vec_init(&c, 3, law_context(_i));
-  num_vec_init(&z, 1, law_context(_i));
+  OWNED(num_vec) c = vec_new(3, law_context(_i)), z = vec_new(1, law_context(_i));
   static const double none[][3] = {{0, 0, 0}, {2, 0, 0}, {1, 0, 1}, {2, 3, 1}, {0, 1, 1}, {0, 0, 1}, {1, 1, 0}};
   for (size_t i = 0; i < COUNT(none); i++)
     for (slong k = -1; k <= 1; k++) {
@@ -615,7 +520,6 @@ TEST_EACH(polynomials_without_roots, LAW_CONTEXTS) {
       ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, k), SS_DOMAIN);
       ck_assert(is_nan(&z, 0));
     }
-  vecs_clear(&c, &z);
 }
 
 /* --- Text. --- */
@@ -662,11 +566,8 @@ static double random_double(struct rng *r) {
 }
 
 TEST(digits_of_doubles) {
-  struct text got, want;
-  arb_t x;
-  arb_init(x);
-  text_init(&got);
-  text_init(&want);
+  LOCAL(text, got, want);
+  NUMBERS(arb, x);
   for (uint64_t seed = 1; seed <= 20000; seed++) {
     struct rng r = {seed};
     double d = random_double(&r);
@@ -680,20 +581,13 @@ TEST(digits_of_doubles) {
       ck_abort_msg("%a to %d digits, seed %d: got %s, expected %s", d, digits, (int)seed, text_str(&got),
                    text_str(&want));
   }
-  arb_clear(x);
-  text_clear(&got);
-  text_clear(&want);
 }
 
 /* A ball prints exactly when its two ends do, and alike. */
 TEST(digits_of_balls) {
-  struct text got, low, high;
-  arb_t x;
+  LOCAL(text, got, low, high);
+  NUMBERS(arb, x);
   int printed = 0, refused = 0;
-  arb_init(x);
-  text_init(&got);
-  text_init(&low);
-  text_init(&high);
   for (uint64_t seed = 1; seed <= 10000; seed++) {
     struct rng r = {seed};
     double d = ldexp((double)rng_between(&r, 1, 4000), (int)rng_between(&r, -9, 0));
@@ -701,17 +595,11 @@ TEST(digits_of_balls) {
     int digits = (int)rng_between(&r, 1, 6);
     if (rng_next(&r) % 2) d = -d;
     arb_set_d(x, d);
-    arf_t exact;
-    arf_init(exact);
+    NUMBERS(arf, exact);
     arf_set_d(exact, radius);
-    fmpz_t mantissa, exponent;
-    fmpz_init(mantissa);
-    fmpz_init(exponent);
+    NUMBERS(fmpz, mantissa, exponent);
     arf_get_fmpz_2exp(mantissa, exponent, exact);
     mag_set_ui_2exp_si(arb_radref(x), fmpz_get_ui(mantissa), fmpz_get_si(exponent));
-    fmpz_clear(mantissa);
-    fmpz_clear(exponent);
-    arf_clear(exact);
     text_reset(&got);
     text_reset(&low);
     text_reset(&high);
@@ -728,19 +616,13 @@ TEST(digits_of_balls) {
     refused += !agree;
   }
   ck_assert(printed > 1000 && refused > 1000);
-  arb_clear(x);
-  text_clear(&got);
-  text_clear(&low);
-  text_clear(&high);
 }
 
 static void check_print(const arb_t x, slong digits, int status, const char *expected) {
-  struct text out;
-  text_init(&out);
+  LOCAL(text, out);
   text_add(&out, "<");
   ck_assert_int_eq(num_print(&out, x, digits), status);
   ck_assert_str_eq(text_str(&out) + 1, expected);
-  text_clear(&out);
 }
 
 /* By hand: ties go to the even digit, a carry makes a digit more, large and small numbers are laid out as by
@@ -766,10 +648,8 @@ TEST(rationals_have_all_their_digits) {
                {"1/1000", 2, "0.0010"},
                {"123456", 2, "120000"},
                {"1/12345678901234567890", 3, "8.10e-20"}};
-  struct text got;
-  fmpq_t q;
-  text_init(&got);
-  fmpq_init(q);
+  LOCAL(text, got);
+  NUMBERS(fmpq, q);
   for (size_t i = 0; i < COUNT(cases); i++) {
     ck_assert_int_eq(fmpq_set_str(q, cases[i].q, 10), 0);
     text_reset(&got);
@@ -777,19 +657,13 @@ TEST(rationals_have_all_their_digits) {
     ck_assert_msg(strcmp(text_str(&got), cases[i].want) == 0, "%s to %ld digits: %s", cases[i].q, (long)cases[i].digits,
                   text_str(&got));
   }
-  fmpq_clear(q);
-  text_clear(&got);
 }
 
 /* Where a ball can be printed, the rational in it prints alike. */
 TEST(rationals_print_as_their_balls) {
-  struct text got, want;
-  fmpq_t q;
-  arb_t x;
-  text_init(&got);
-  text_init(&want);
-  fmpq_init(q);
-  arb_init(x);
+  LOCAL(text, got, want);
+  NUMBERS(fmpq, q);
+  NUMBERS(arb, x);
   long compared = 0;
   for (uint64_t seed = 1; seed <= 4000; seed++) {
     struct rng r = {seed};
@@ -806,16 +680,11 @@ TEST(rationals_print_as_their_balls) {
     compared++;
   }
   ck_assert_int_ge(compared, 3900);
-  arb_clear(x);
-  fmpq_clear(q);
-  text_clear(&want);
-  text_clear(&got);
 }
 
 /* The layout as num.h states it, and numbers no double can be. */
 TEST(layout) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   check_print(x, 5, SS_OK, "0");
   arb_set_d(x, 9.99951171875);
   check_print(x, 4, SS_OK, "10.00");
@@ -847,7 +716,6 @@ TEST(layout) {
   check_print(x, 3, SS_UNABLE, "");
   arb_zero_pm_one(x);
   check_print(x, 3, SS_UNABLE, "");
-  arb_clear(x);
 }
 
 /* Many digits of pi against MPFR's own pi and own conversion; a hundred thousand must not take long. */
@@ -855,34 +723,24 @@ TEST(many_digits) {
   const slong counts[] = {50, 1000, 100000};
   for (size_t i = 0; i < COUNT(counts); i++) {
     slong digits = counts[i], bits = 10 * digits / 3 + 100;
-    struct text out;
-    mpfr_t pi;
+    LOCAL(text, out);
     mpfr_exp_t exponent;
-    arb_t x;
-    text_init(&out);
-    arb_init(x);
-    mpfr_init2(pi, bits);
+    NUMBERS(arb, x);
+    MPFR_NUMBERS(bits, pi);
     mpfr_const_pi(pi, MPFR_RNDN);
     char *expected = mpfr_get_str(NULL, &exponent, 10, (size_t)digits, pi, MPFR_RNDN);
     arb_const_pi(x, bits);
     ck_assert_int_eq(num_print(&out, x, digits), SS_OK);
     ck_assert(strncmp(text_str(&out), "3.", 2) == 0 && strcmp(text_str(&out) + 2, expected + 1) == 0);
     mpfr_free_str(expected);
-    mpfr_clear(pi);
-    text_clear(&out);
-    arb_clear(x);
   }
   mpfr_free_cache();
 }
 
 /* "m +/- r" read back by Arb must hold the ball it was printed from. */
 TEST(balls_for_people) {
-  struct text out, bracketed;
-  arb_t x, back;
-  arb_init(x);
-  arb_init(back);
-  text_init(&out);
-  text_init(&bracketed);
+  LOCAL(text, out, bracketed);
+  NUMBERS(arb, x, back);
   for (uint64_t seed = 1; seed <= 2000; seed++) {
     struct rng r = {seed};
     rng_edge(arb_midref(x), &r, 100, 300);
@@ -906,17 +764,11 @@ TEST(balls_for_people) {
   arb_indeterminate(x);
   num_print_ball(&out, x, 10);
   ck_assert(out.len > 1);
-  arb_clear(x);
-  arb_clear(back);
-  text_clear(&out);
-  text_clear(&bracketed);
 }
 
 TEST(rationals_as_fractions) {
-  struct text out;
-  fmpq_t q;
-  fmpq_init(q);
-  text_init(&out);
+  LOCAL(text, out);
+  NUMBERS(fmpq, q);
   fmpq_set_si(q, -6, 4);
   num_print_q(&out, q);
   text_add(&out, " ");
@@ -926,8 +778,6 @@ TEST(rationals_as_fractions) {
   fmpq_zero(q);
   num_print_q(&out, q);
   ck_assert_str_eq(text_str(&out), "-3/2 7 0");
-  text_clear(&out);
-  fmpq_clear(q);
 }
 
 /* A decimal as a fraction in words: numerator and denominator written out by hand. */
@@ -952,15 +802,12 @@ TEST(decimals) {
   };
   static const char *const bad[] = {"",    ".",    "5.",   "e5",    "1e",  "1e+", "+1",  "-1",   " 1", "1 ",    "1.2.3",
                                     "1,5", "0x10", "1e5.", "1e--5", "nan", "inf", "1/2", "1.e5", "١",  "1e5e5", ".e1"};
-  fmpq_t q;
-  fmpq_init(q);
+  NUMBERS(fmpq, q);
   for (size_t i = 0; i < COUNT(good); i++) {
-    struct text out;
-    text_init(&out);
+    LOCAL(text, out);
     ck_assert_msg(num_parse_decimal(q, good[i].decimal, strlen(good[i].decimal)) == SS_OK, "%s", good[i].decimal);
     num_print_q(&out, q);
     ck_assert_str_eq(text_str(&out), good[i].fraction);
-    text_clear(&out);
   }
   for (size_t i = 0; i < COUNT(bad); i++)
     ck_assert_msg(num_parse_decimal(q, bad[i], strlen(bad[i])) == SS_DOMAIN, "%s", bad[i]);
@@ -970,17 +817,14 @@ TEST(decimals) {
   ck_assert_int_eq(num_parse_decimal(q, "1e100000", 8), SS_OK);
   ck_assert_int_eq(num_parse_decimal(q, "1e-100001", 9), SS_UNABLE);
   ck_assert_int_eq(num_parse_decimal(q, "1e18446744073709551617", 22), SS_UNABLE); /* 2^64 + 1 */
-  fmpq_clear(q);
 }
 
 /* A hundred thousand digits: 9...9 + 1 = 10^100000; one digit more is refused. */
 TEST(long_decimals) {
   size_t n = 100000;
-  char *s = malloc(n + 1);
-  fmpq_t q;
-  fmpz_t ten;
-  fmpq_init(q);
-  fmpz_init(ten);
+  FREED char *s = malloc(n + 1);
+  NUMBERS(fmpq, q);
+  NUMBERS(fmpz, ten);
   memset(s, '9', n + 1);
   ck_assert_int_eq(num_parse_decimal(q, s, n), SS_OK);
   fmpz_ui_pow_ui(ten, 10, n);
@@ -991,20 +835,13 @@ TEST(long_decimals) {
   ck_assert_int_eq(num_parse_decimal(q, s, n), SS_OK);
   fmpz_ui_pow_ui(ten, 10, n - 1);
   ck_assert(fmpz_equal(ten, fmpq_denref(q)));
-  fmpq_clear(q);
-  fmpz_clear(ten);
-  free(s);
 }
 
 /* Reading what was printed gives the number back to within half a unit of the last digit. */
 TEST(printed_and_read_back) {
-  struct text out;
-  arb_t x;
-  fmpq_t q, exact;
-  arb_init(x);
-  fmpq_init(q);
-  fmpq_init(exact);
-  text_init(&out);
+  LOCAL(text, out);
+  NUMBERS(arb, x);
+  NUMBERS(fmpq, q, exact);
   for (uint64_t seed = 1; seed <= 1000; seed++) {
     struct rng r = {seed};
     slong digits = rng_between(&r, 1, 80);
@@ -1016,18 +853,12 @@ TEST(printed_and_read_back) {
     arf_get_fmpq(exact, arb_midref(x));
     fmpq_sub(q, q, exact);
     fmpq_abs(q, q);
-    fmpz_t unit;
-    fmpz_init(unit);
+    NUMBERS(fmpz, unit);
     fmpz_ui_pow_ui(unit, 10, (ulong)digits - 1);
     fmpz_mul_ui(unit, unit, 2);
     fmpq_mul_fmpz(q, q, unit); /* |error| 2 10^(digits-1) <= x */
     ck_assert_msg(fmpq_cmp(q, exact) <= 0, "seed %d: %s", (int)seed, text_str(&out));
-    fmpz_clear(unit);
   }
-  arb_clear(x);
-  fmpq_clear(q);
-  fmpq_clear(exact);
-  text_clear(&out);
 }
 
 /* --- Formulas as nested calls (num/calc.h), held against FLINT's rationals. --- */
@@ -1043,15 +874,13 @@ static void random_rational(fmpq_t q, struct rng *r) {
 }
 
 TEST_EACH(formulas_of_rationals, LAW_CONTEXTS) {
-  fmpq_t q[5], first, second, sum;
+  NUMBERS(fmpq, first, second, sum);
+  fmpq_t q[5];
   for (int i = 0; i < 5; i++) fmpq_init(q[i]);
-  fmpq_init(first);
-  fmpq_init(second);
-  fmpq_init(sum);
   for (uint64_t seed = 1; seed <= 50; seed++) {
     struct rng r = {seed};
     val x[5];
-    struct calc c = calc_begin(law_context(_i));
+    OWNED(calc) c = calc_begin(law_context(_i));
     for (int i = 0; i < 5; i++) {
       random_rational(q[i], &r);
       x[i] = calc_q(&c, q[i]);
@@ -1076,19 +905,14 @@ TEST_EACH(formulas_of_rationals, LAW_CONTEXTS) {
     ck_assert_int_ne(status, SS_OK);
     calc_add(&c, x[0], x[1]); /* what works does not take it back */
     ck_assert_int_eq(c.status, status);
-    calc_clear(&c);
   }
-  fmpq_clear(sum);
-  fmpq_clear(second);
-  fmpq_clear(first);
   for (int i = 0; i < 5; i++) fmpq_clear(q[i]);
 }
 
 /* Elements made before a mark outlive every release to it, however many come after. */
 TEST_EACH(released_elements_are_used_again, LAW_CONTEXTS) {
   struct calc c;
-  fmpq_t q;
-  fmpq_init(q);
+  NUMBERS(fmpq, q);
   for (int round = 0; round < 3; round++) { /* the pool of a cleared calc can be the next one's */
     c = calc_begin(law_context(_i));
     val kept[40];
@@ -1110,12 +934,11 @@ TEST_EACH(released_elements_are_used_again, LAW_CONTEXTS) {
     ck_assert_int_eq(c.status, SS_OK);
     calc_clear(&c);
   }
-  fmpq_clear(q);
 }
 
 TEST_EACH(exponents_bound_their_numbers, LAW_CONTEXTS) {
   struct num_ctx ctx = law_context(_i);
-  struct calc c = calc_begin(ctx);
+  OWNED(calc) c = calc_begin(ctx);
   for (int k = -60; k <= 60; k++) {
     for (int part = 0; part < 3; part++) {
       double x = ldexp(part == 0 ? 1 : part == 1 ? 1.25 : 2 - 0x1p-40, k);
@@ -1130,5 +953,4 @@ TEST_EACH(exponents_bound_their_numbers, LAW_CONTEXTS) {
     ck_assert(arb_is_exact(calc_middle(&c, wide)) && arb_is_one(calc_middle(&c, wide)));
     ck_assert(!calc_lt(&c, calc_d(&c, 0), wide) && calc_lt(&c, wide, calc_d(&c, 1002)));
   }
-  calc_clear(&c);
 }

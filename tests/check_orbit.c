@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "command.h"
+#include "local.h"
 #include "scratch.h"
 #include "suite.h"
 #include "table.h"
@@ -22,9 +23,7 @@ static const char *rounded(const char *exact, int n) {
   static char shown[MAX_DIGITS + 40];
   char digits[MAX_DIGITS + 3], top[MAX_DIGITS + 100];
   const char *slash = strchr(exact, '/');
-  mpfr_t x, den;
-  mpfr_init2(x, 4 * n + 200);
-  mpfr_init2(den, 4 * n + 200);
+  MPFR_NUMBERS(4 * n + 200, x, den);
   snprintf(top, sizeof top, "%.*s", slash ? (int)(slash - exact) : (int)strlen(exact), exact);
   ck_assert_msg(mpfr_set_str(x, top, 10, MPFR_RNDN) == 0, "%s", exact);
   if (slash) {
@@ -33,8 +32,6 @@ static const char *rounded(const char *exact, int n) {
   }
   mpfr_exp_t e;
   mpfr_get_str(digits, &e, 10, (size_t)n, x, MPFR_RNDN); /* 0.ddd 10^e */
-  mpfr_clear(den);
-  mpfr_clear(x);
   const char *sign = *digits == '-' ? "-" : "", *d = digits + (*digits == '-');
   long point = (long)e;
   if (point - 1 < -6 || point - 1 >= (n > 21 ? n : 21))
@@ -76,7 +73,7 @@ static const char *scene_of(const char *name) {
 
 static void open_oracle(void) {
   scratch_open();
-  table_read(&orbits, "tests/oracle/orbits.tsv", ANY_COLUMNS);
+  orbits = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
 }
 
 static void close_oracle(void) {
@@ -133,46 +130,35 @@ TEST(orbits_of_every_set) {
   int sets = 0;
   for (int i = 0; i < orbits.n; i++) {
     if (strcmp(orbits.row[i][0], "set") != 0) continue;
-    struct job j;
     sets++;
-    job_run_well(&j, "orbit", scene_of(orbits.row[i][F_NAME]), "--digits", "50", "--json", NULL);
+    OWNED(job) j = job_run_well("orbit", scene_of(orbits.row[i][F_NAME]), "--digits", "50", "--json", NULL);
     check_orbits(j.out, orbits.row[i][F_NAME], 50);
-    job_clear(&j);
   }
   ck_assert_int_ge(sets, 30);
 }
 
 TEST(digits_as_asked) {
   static const char *const digits[] = {"1", "2", "7", "15", "50"};
-  struct job j, without;
   for (size_t i = 0; i < COUNT(digits); i++) {
-    job_run_well(&j, "orbit", "paper", "--json", "--digits", digits[i], NULL);
+    OWNED(job) j = job_run_well("orbit", "paper", "--json", "--digits", digits[i], NULL);
     check_orbits(j.out, "paper", atoi(digits[i]));
-    job_clear(&j);
   }
-  job_run_well(&j, "orbit", "--digits=15", "--json", "paper", NULL);
-  job_run_well(&without, "orbit", "paper", "--json", NULL);
+  OWNED(job) j = job_run_well("orbit", "--digits=15", "--json", "paper", NULL);
+  OWNED(job) without = job_run_well("orbit", "paper", "--json", NULL);
   ck_assert_str_eq(j.out, without.out);
-  job_clear(&without);
-  job_clear(&j);
 }
 
 TEST(a_thousand_digits) {
-  struct table t;
-  struct job j;
-  table_read(&t, "tests/oracle/paper_1000.tsv", 2);
-  job_run_well(&j, "orbit", "paper", "--digits", "1000", "--json", NULL);
+  OWNED(table) t = table_read("tests/oracle/paper_1000.tsv", 2);
+  OWNED(job) j = job_run_well("orbit", "paper", "--digits", "1000", "--json", NULL);
   const char *second = strstr(strstr(j.out, "\"z10\"") + 1, "\"z10\"");
   ck_assert(second != NULL && t.n == 6);
   for (int i = 0; i < t.n; i++) ck_assert_str_eq(member(second, t.row[i][0]), rounded(t.row[i][1], 1000));
-  job_clear(&j);
-  table_clear(&t);
 }
 
 TEST(text_says_what_json_says) {
-  struct job text, json;
-  job_run_well(&text, "orbit", "paper", NULL);
-  job_run_well(&json, "orbit", "paper", "--json", NULL);
+  OWNED(job) text = job_run_well("orbit", "paper", NULL);
+  OWNED(job) json = job_run_well("orbit", "paper", "--json", NULL);
   const char *at = json.out;
   for (int k = 0; k < 2; k++) {
     at = strstr(at, "\"z10\"");
@@ -182,8 +168,6 @@ TEST(text_says_what_json_says) {
   }
   ck_assert(strstr(text.out, "orbit 1: conditionally stable, not admissible") != NULL);
   ck_assert(strstr(text.out, "orbit 2: unstable, admissible with u_r1, u_r2 above their bounds\n") != NULL);
-  job_clear(&json);
-  job_clear(&text);
 }
 
 /* The second orbit of the paper's data needs u_r2 > 1.67050...: see u_r2_min in orbits.tsv. */
@@ -193,19 +177,16 @@ TEST(friction_given_by_the_scene_counts) {
   } cases[] = {{"1.6705", "false", "u_r2", "orbit 2: unstable, not admissible", "breaks   u_r2"},
                {"1.6706", "true", "", "orbit 2: unstable, admissible\n", NULL}};
   for (int i = 0; i < 2; i++) {
-    struct job j;
     const char *path =
         scratch_print("friction.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 2.79\nu_r2 = %s\n",
                       cases[i].u_r2);
-    job_run_well(&j, "orbit", path, "--json", NULL);
+    OWNED(job) j = job_run_well("orbit", path, "--json", NULL);
     const char *second = strstr(strstr(j.out, "\"z10\"") + 1, "\"z10\"");
     ck_assert_str_eq(member(second, "admissible"), cases[i].admissible);
     ck_assert_str_eq(list_member(second, "violations"), cases[i].violations);
-    job_clear(&j);
-    job_run_well(&j, "orbit", path, NULL);
+    job_take(&j, job_run_well("orbit", path, NULL));
     ck_assert_msg(strstr(j.out, cases[i].says) != NULL, "%.1500s", j.out);
     ck_assert((strstr(j.out, "breaks   u_r") != NULL) == (cases[i].breaks != NULL));
-    job_clear(&j);
   }
 }
 
@@ -215,7 +196,7 @@ static struct table jacobians; /* SET ORBIT MATRIX ROW COLUMN VALUE */
 
 static void open_jacobians(void) {
   open_oracle();
-  table_read(&jacobians, "tests/oracle/jacobian.tsv", 6);
+  jacobians = table_read("tests/oracle/jacobian.tsv", 6);
 }
 
 static void close_jacobians(void) {
@@ -243,8 +224,8 @@ static void check_return_map(int r, const char *method, int digits) {
   char at[32], n[16];
   snprintf(at, sizeof at, "orbit:%d", atoi(f[1]) + 1);
   snprintf(n, sizeof n, "%d", digits);
-  struct job j;
-  job_run_well(&j, "jacobian", scene_of(f[0]), "--at", at, "--method", method, "--digits", n, "--json", NULL);
+  OWNED(job) j =
+      job_run_well("jacobian", scene_of(f[0]), "--at", at, "--method", method, "--digits", n, "--json", NULL);
   for (int k = 0; k < 4; k++)
     ck_assert_msg(strcmp(entry(j.out, k), rounded(jacobians.row[r + k][5], digits)) == 0,
                   "%s %s %s, entry %d: %s, not %s", f[0], at, method, k, entry(j.out, k),
@@ -255,7 +236,6 @@ static void check_return_map(int r, const char *method, int digits) {
   ck_assert_str_eq(member(j.out, "method"), method);
   ck_assert_str_eq(member(j.out, "layer"), strcmp(method, "analytic") == 0 ? "corrected" : "model");
   ck_assert_str_eq(member(j.out, "at"), at);
-  job_clear(&j);
 }
 
 CASE("jacobian", .once = {open_jacobians, close_jacobians}, .seconds = TIME_LIMIT);
@@ -293,9 +273,8 @@ TEST(every_method_keeps_its_word) {
     for (int m = 0; m < 6; m++) {
       bool by_ode = m == 5, in_double = m >= 4;
       if (by_ode && strcmp(f[F_ADMISSIBLE], "yes") != 0) continue; /* Coulomb's law does not follow the others */
-      struct job j;
-      job_run_well(&j, "jacobian", scene_of(f[F_NAME]), "--at", at, "--method", methods[m], "--digits", "18", "--json",
-                   NULL);
+      OWNED(job) j = job_run_well("jacobian", scene_of(f[F_NAME]), "--at", at, "--method", methods[m], "--digits", "18",
+                                  "--json", NULL);
       const char *trace = member(j.out, "trace");
       int n = digits_shown(trace);
       ck_assert_msg(in_double ? n >= (by_ode ? 2 : 5) : n == 18, "%s %s %s: %s", f[F_NAME], at, methods[m], trace);
@@ -303,7 +282,6 @@ TEST(every_method_keeps_its_word) {
                     trace, rounded(f[F_TRACE], n));
       held++;
       integrated += by_ode;
-      job_clear(&j);
     }
   }
   ck_assert_int_ge(held, 60);
@@ -318,18 +296,16 @@ TEST(the_stable_layer_gives_what_the_corrected_one_does) {
                                          {"stable", "orbit:1"},
                                          {"near-singular", "orbit:1"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct job stable, corrected;
     const char *scene = cases[i][0], *at = cases[i][1];
-    job_run_well(&stable, "jacobian", scene, "--at", at, "--layer", "stable", "--digits", "30", "--json", NULL);
-    job_run_well(&corrected, "jacobian", scene, "--at", at, "--digits", "30", "--json", NULL);
+    OWNED(job) stable =
+        job_run_well("jacobian", scene, "--at", at, "--layer", "stable", "--digits", "30", "--json", NULL);
+    OWNED(job) corrected = job_run_well("jacobian", scene, "--at", at, "--digits", "30", "--json", NULL);
     for (int k = 0; k < 4; k++) {
       char first[100];
       snprintf(first, sizeof first, "%s", entry(stable.out, k));
       ck_assert_str_eq(first, entry(corrected.out, k));
     }
     ck_assert_str_eq(member(stable.out, "layer"), "stable");
-    job_clear(&corrected);
-    job_clear(&stable);
   }
 }
 
@@ -338,9 +314,9 @@ TEST(the_stable_layer_gives_what_the_corrected_one_does) {
 TEST(layers_differ_in_the_entries_not_in_the_trace) {
   static const char *const scenes[] = {"paper", "stable"}; /* V = 1 and V = 1.8 */
   for (int i = 0; i < 2; i++) {
-    struct job printed, corrected;
-    job_run_well(&printed, "jacobian", scene_of(scenes[i]), "--layer", "printed", "--digits", "20", "--json", NULL);
-    job_run_well(&corrected, "jacobian", scene_of(scenes[i]), "--digits", "20", "--json", NULL);
+    OWNED(job) printed =
+        job_run_well("jacobian", scene_of(scenes[i]), "--layer", "printed", "--digits", "20", "--json", NULL);
+    OWNED(job) corrected = job_run_well("jacobian", scene_of(scenes[i]), "--digits", "20", "--json", NULL);
     for (int k = 0; k < 4; k++) {
       char first[100];
       snprintf(first, sizeof first, "%s", entry(printed.out, k));
@@ -350,8 +326,6 @@ TEST(layers_differ_in_the_entries_not_in_the_trace) {
     ck_assert_str_eq(member(printed.out, "layer"), "printed");
     ck_assert_str_eq(member(corrected.out, "layer"), "corrected");
     ck_assert_str_eq(member(printed.out, "at"), i == 0 ? "orbit:2" : "orbit:1"); /* orbits.tsv: the first admissible */
-    job_clear(&corrected);
-    job_clear(&printed);
   }
 }
 
@@ -359,8 +333,7 @@ TEST(layers_differ_in_the_entries_not_in_the_trace) {
 TEST(at_the_printed_numbers) {
   static const char *const methods[] = {"analytic", "implicit", "fd"};
   for (int m = 0; m < 3; m++) {
-    struct job j;
-    job_run_well(&j, "jacobian", "paper", "--at", "printed", "--method", methods[m], "--json", NULL);
+    OWNED(job) j = job_run_well("jacobian", "paper", "--at", "printed", "--method", methods[m], "--json", NULL);
     for (int k = 0; k < 4; k += 2) {
       const char *left = entry(j.out, k), *right = entry(j.out, k + 1);
       ck_assert_msg(strcmp(left + (*left == '-'), right + (*right == '-')) == 0 && *left != *right, "%s %s", left,
@@ -368,7 +341,6 @@ TEST(at_the_printed_numbers) {
     }
     ck_assert_str_eq(member(j.out, "at"), "printed");
     ck_assert_str_eq(member(j.out, "det"), "0");
-    job_clear(&j);
   }
 }
 
@@ -382,8 +354,7 @@ TEST(every_method_states_its_accuracy) {
     r++;
   ck_assert(r + 3 < jacobians.n && strcmp(jacobians.row[r][1], "1") == 0);
   for (int m = 0; m < 6; m++) {
-    struct job j;
-    job_run_well(&j, "jacobian", "paper", "--at", "orbit:2", "--method", methods[m], NULL);
+    OWNED(job) j = job_run_well("jacobian", "paper", "--at", "orbit:2", "--method", methods[m], NULL);
     double stated = 0;
     char e[4][40];
     const char *accuracy = strstr(j.out, "\naccuracy "), *first = strchr(j.out, '\n');
@@ -395,7 +366,6 @@ TEST(every_method_states_its_accuracy) {
       double off = fabs(strtod(e[k], NULL) - strtod(jacobians.row[r + k][5], NULL));
       ck_assert_msg(off <= stated + 0.51 * last_digit, "%s, entry %d: %s is off by %g", methods[m], k, e[k], off);
     }
-    job_clear(&j);
   }
 }
 
@@ -412,9 +382,8 @@ TEST(the_papers_equations_have_the_same_orbits) {
                {"chi-small2", 0}, {"negative-ta", 1}, {"eta-large", 0},      {"spread", 1}};
   for (size_t i = 0; i < COUNT(cases); i++) {
     char *const *f = orbits.row[table_row(&orbits, "set", cases[i].set) + 1 + cases[i].index];
-    struct job j;
     char from[40], nearest[20];
-    job_run_well(&j, "orbit", scene_of(cases[i].set), "--method", "paper", "--digits", "50", "--json", NULL);
+    OWNED(job) j = job_run_well("orbit", scene_of(cases[i].set), "--method", "paper", "--digits", "50", "--json", NULL);
     snprintf(nearest, sizeof nearest, "orbit:%d", cases[i].index + 1);
     snprintf(from, sizeof from, "\"from\": \"%s\"", nearest);
     const char *at = strstr(j.out, from);
@@ -424,7 +393,6 @@ TEST(the_papers_equations_have_the_same_orbits) {
     ck_assert_str_eq(member(at, "nearest"), nearest);
     ck_assert(strtod(member(at, "distance"), NULL) < 1e-50 && strtod(member(at, "equations"), NULL) > 1);
     ck_assert(strtod(member(at, "digits_lost"), NULL) < 4);
-    job_clear(&j);
   }
 }
 
@@ -434,8 +402,7 @@ CASE("jacobian");
    departs: at V = 2 in all of J_f and J. */
 TEST(the_table_of_phases) {
   const char *scene = scratch_put("two.scene", "chi = 0.59\neta = 3.1\nV = 2\ne1 = 3.54\ne2 = 0.0657\n");
-  struct job j;
-  job_run_well(&j, "jacobian", scene, "--phases", NULL);
+  OWNED(job) j = job_run_well("jacobian", scene, "--phases", NULL);
   static const char *const rows[] = {"J_a[1,1]", "J_a[1,2]", "J_b[1,1]", "J_b[2,1]", "J_c[1,1]", "J_c[1,2]", "J_c[2,1]",
                                      "J_c[2,2]", "J_c[3,1]", "J_c[3,2]", "J_f[1,1]", "J_f[1,2]", "J_f[1,3]", "J_f[2,1]",
                                      "J_f[2,2]", "J_f[2,3]", "J[1,1]",   "J[1,2]",   "J[2,1]",   "J[2,2]"};
@@ -461,90 +428,69 @@ TEST(the_table_of_phases) {
                    "\nprinted departs from the other methods at J_f[1,1], J_f[1,2], J_f[1,3], J_f[2,1], J_f[2,2], "
                    "J_f[2,3], J[1,1], J[1,2], J[2,1], J[2,2]\n"));
   ck_assert(strstr(j.out, "\neigenvalues of J 0 and "));
-  job_clear(&j);
 }
 
 CASE("paper route");
 
 /* What the model method prints is what orbit prints without a method. */
 TEST(the_model_is_the_default_method) {
-  struct job a, b;
-  job_run_well(&a, "orbit", "paper", "--json", NULL);
-  job_run_well(&b, "orbit", "paper", "--json", "--method", "model", NULL);
+  OWNED(job) a = job_run_well("orbit", "paper", "--json", NULL);
+  OWNED(job) b = job_run_well("orbit", "paper", "--json", "--method", "model", NULL);
   ck_assert_str_eq(a.out, b.out);
-  job_clear(&a);
-  job_clear(&b);
 }
 
 CASE("orbits");
 
 /* What a certificate says is the business of check_certify.c. */
 TEST(orbit_writes_certificates) {
-  struct job a, b;
   const char *first = scratch_path("first.json"), *second = scratch_put("second.json", "old");
-  job_run_well(&a, "orbit", "stable", "--json", "--certificate", first, NULL);
-  job_run_well(&b, "orbit", "stable", "--json", NULL);
+  OWNED(job) a = job_run_well("orbit", "stable", "--json", "--certificate", first, NULL);
+  OWNED(job) b = job_run_well("orbit", "stable", "--json", NULL);
   ck_assert_str_eq(a.out, b.out);
-  job_clear(&a);
-  job_clear(&b);
-  job_run_well(&a, "orbit", "stable", "--certificate", second, NULL);
+  job_take(&a, job_run_well("orbit", "stable", "--certificate", second, NULL));
   ck_assert(strstr(a.out, "\n  certified at 64 bits; enclosed within ") != NULL);
-  job_clear(&a);
-  char *x = file_text(first), *y = file_text(second);
+  FREED char *x = file_text(first), *y = file_text(second);
   ck_assert_str_eq(x, y);
   ck_assert(strstr(x, "\"chi\": \"2/3\"") != NULL);
-  free(x);
-  free(y);
-  job_run(&a, "orbit", scene_of("none"), "--certificate", second, NULL);
+  job_take(&a, job_run("orbit", scene_of("none"), "--certificate", second, NULL));
   ck_assert_msg(a.status == 3 && strstr(a.err, "no orbit is certified and keeps to"), "%d %s", a.status, a.err);
-  y = file_text(second);
-  ck_assert_msg(strstr(y, "\"chi\": \"2/3\"") != NULL, "the old file is gone");
-  free(y);
-  job_clear(&a);
+  FREED char *again = file_text(second);
+  ck_assert_msg(strstr(again, "\"chi\": \"2/3\"") != NULL, "the old file is gone");
 }
 
 /* e2 at which t_a = 0 on an orbit, with so many digits: with t_a given the equations are solved for e2. */
 static char *e2_at_the_end_of_d(const char *digits) {
-  struct job j;
   const char *scene = scratch_put("end.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\nt_a = 0\n");
-  job_run_well(&j, "orbit", scene, "--digits", digits, NULL);
+  OWNED(job) j = job_run_well("orbit", scene, "--digits", digits, NULL);
   const char *at = strstr(j.out, "\n  e2 ");
   ck_assert_ptr_nonnull(at);
   at += 6 + strspn(at + 6, " ");
   struct text e2;
   text_init(&e2);
   text_printf(&e2, "e2=%.*s", (int)strcspn(at, " "), at);
-  job_clear(&j);
   return e2.data;
 }
 
 /* 1400 digits from there no ball of 4096 bits knows whether t_a > 0; two other orbits are certified all the same. */
 TEST(some_orbits_are_certified) {
-  struct job j;
-  char *e2 = e2_at_the_end_of_d("1400");
+  FREED char *e2 = e2_at_the_end_of_d("1400");
   const char *path = scratch_path("some.json");
-  job_run(&j, "orbit", "paper", "--set", e2, "--certificate", path, NULL);
+  OWNED(job) j = job_run("orbit", "paper", "--set", e2, "--certificate", path, NULL);
   ck_assert_msg(j.status == 0 && strstr(j.err, "warning: 2 of 3 orbits are in the certificate; "), "%d %s", j.status,
                 j.err);
-  job_clear(&j);
-  char *json = file_text(path);
+  FREED char *json = file_text(path);
   int n = 0;
   for (const char *p = strstr(json, "\"enclosures\""); p; p = strstr(p + 1, "\"enclosures\"")) n++;
   ck_assert_int_eq(n, 2);
-  free(json);
-  free(e2);
 }
 
 /* 5000 digits from there no precision that is tried tells a digit of t_a. */
 TEST(an_orbit_beyond_the_digits_is_told) {
-  struct job j;
-  char *e2 = e2_at_the_end_of_d("5000");
-  job_run(&j, "orbit", "paper", "--set", e2, NULL);
+  FREED char *e2 = e2_at_the_end_of_d("5000");
+  OWNED(job) j = job_run("orbit", "paper", "--set", e2, NULL);
   ck_assert_msg(j.status == 3 && strstr(j.err, "an orbit could not be enclosed to 15 digits"), "%d %s", j.status,
                 j.err);
   ck_assert_str_eq(j.out, "");
-  job_clear(&j);
-  free(e2);
 }
 
 /* --- simulate --- */
@@ -559,8 +505,7 @@ TEST(simulation_follows_admissible_orbits) {
     if (strcmp(f[0], "orbit") != 0 || strcmp(f[F_ADMISSIBLE], "yes") != 0) continue;
     char at[32];
     snprintf(at, sizeof at, "orbit:%d", atoi(f[2]) + 1);
-    struct job j;
-    job_run_well(&j, "simulate", scene_of(f[F_NAME]), "--at", at, NULL);
+    OWNED(job) j = job_run_well("simulate", scene_of(f[F_NAME]), "--at", at, NULL);
     ck_assert_msg(strstr(j.out, "\nword (GHCD)^1\n") != NULL, "%s %s:\n%.800s", f[F_NAME], at, j.out);
     ck_assert(strstr(j.out, "the first 4 of 4 events are the same") != NULL);
     const char *line = strchr(strstr(j.out, " t mass change"), '\n') + 1;
@@ -572,14 +517,13 @@ TEST(simulation_follows_admissible_orbits) {
                     k, line, sum);
     }
     followed++;
-    job_clear(&j);
   }
   ck_assert_int_ge(followed, 15);
 }
 
 TEST(csv_has_a_row_for_each_sample_and_event) {
-  struct job j;
-  job_run_well(&j, "simulate", "paper", "--at", "orbit:2", "--csv", "--samples", "10", "--periods", "3", NULL);
+  OWNED(job) j =
+      job_run_well("simulate", "paper", "--at", "orbit:2", "--csv", "--samples", "10", "--periods", "3", NULL);
   ck_assert(strncmp(j.out, "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n", 32) == 0);
   int rows = 0;
   double last = -1;
@@ -592,19 +536,16 @@ TEST(csv_has_a_row_for_each_sample_and_event) {
   }
   ck_assert_int_ge(rows, 3 * (10 + 4));
   ck_assert_int_le(rows, 3 * (10 + 4) + 2);
-  job_clear(&j);
 }
 
 /* From the printed start, for long: both routes meet the same events. */
 TEST(the_printed_start_runs_on) {
-  struct job j;
-  job_run_well(&j, "simulate", "paper", "--at", "printed", "--periods", "120", NULL);
+  OWNED(job) j = job_run_well("simulate", "paper", "--at", "printed", "--periods", "120", NULL);
   size_t same = 0, all = 1;
   const char *p = strstr(j.out, "closed forms: the first ");
   ck_assert(p && sscanf(p, "closed forms: the first %zu of %zu", &same, &all) == 2);
   ck_assert(same == all && all > 400);
   ck_assert(strstr(j.out, "after 120 returns") != NULL);
-  job_clear(&j);
 }
 
 /* Which orbit is meant where nobody says which: the nearest to the printed numbers, else the first that is admissible;
@@ -620,20 +561,17 @@ TEST(the_usual_orbit_is_named) {
                {"printed: t_a = 0.6784\n", "orbit:2", NEAREST, "the example"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
     char text[300], head[60];
-    struct job j;
     snprintf(text, sizeof text, "%s%s", bare, cases[i].printed);
     const char *scene = scratch_put("usual.scene", text);
     static const char *const commands[] = {"simulate", "jacobian"};
     for (int k = 0; k < 2; k++) {
-      job_run_well(&j, commands[k], scene, NULL);
+      OWNED(job) j = job_run_well(commands[k], scene, NULL);
       snprintf(head, sizeof head, "usual, %s%s", cases[i].want, k ? ", method analytic" : ": u_r1 = ");
       ck_assert_msg(strncmp(j.out, head, strlen(head)) == 0, "%s", j.out);
-      job_clear(&j);
     }
-    job_run_well(&j, "simulate", scene, "--compare", NULL);
+    OWNED(job) j = job_run_well("simulate", scene, "--compare", NULL);
     snprintf(head, sizeof head, "usual, %s: ode ", cases[i].want);
     ck_assert_msg(strncmp(j.out, head, strlen(head)) == 0, "%s", j.out);
-    job_clear(&j);
     bool again = i == 3; /* with another parameter it is nobody's example */
     for (int k = 0; k <= again; k++) {
       const char *data = k ? "this scene" : cases[i].data, *called = strchr(cases[i].called, ' ');
@@ -660,11 +598,11 @@ TEST(the_usual_orbit_is_named) {
 
 /* The distances from MPFR and their growth, against the trace of orbits.tsv; and a table of three lines a period. */
 TEST(routes_compared_over_many_periods) {
-  struct job j;
   char *const *f = orbits.row[table_row(&orbits, "set", "chi-large") + 2];
   double trace = strtod(f[F_TRACE], NULL), tr = 0, expected = 0, measured = 0;
   long lines = 0, from, to;
-  job_run_well(&j, "simulate", scene_of("chi-large"), "--at", "orbit:2", "--periods", "60", "--compare", NULL);
+  OWNED(job) j =
+      job_run_well("simulate", scene_of("chi-large"), "--at", "orbit:2", "--periods", "60", "--compare", NULL);
   for (const char *p = j.out; *p; p = strchr(p, '\n') + 1) lines++;
   ck_assert_int_eq(lines, 2 + 3 * 60 + 3 + 1);
   const char *p = strstr(j.out, "\ntr J = ");
@@ -674,7 +612,6 @@ TEST(routes_compared_over_many_periods) {
   p = strstr(j.out, "\nclosed and mpfr: apart by more than 1e-06 at period ");
   ck_assert(p && strstr(p, "; factor "));
   ck_assert_msg(fabs(strtod(strstr(p, "; factor ") + 9, NULL) + trace) < 0.02, "%s", p);
-  job_clear(&j);
 }
 
 /* --- scenes that give other quantities than e1 and e2 --- */
@@ -693,13 +630,11 @@ TEST(any_two_of_six) {
       n += snprintf(text + n, sizeof text - (size_t)n, "%s = %s\n", given[q],
                     q < 2 ? set[F_CHI + 3 + q] : rounded(f[F_Z10 + q], 50));
     }
-    struct job j;
-    job_run_well(&j, "orbit", scratch_put("two.scene", text), "--digits", "30", "--json", NULL);
+    OWNED(job) j = job_run_well("orbit", scratch_put("two.scene", text), "--digits", "30", "--json", NULL);
     char want[80];
     snprintf(want, sizeof want, "\"z10\": \"%s\"", rounded(f[F_Z10], 30));
     ck_assert_msg(strstr(j.out, want) != NULL, "%s and %s: no %s in\n%.1500s", given[pairs[k][0]], given[pairs[k][1]],
                   want, j.out);
-    job_clear(&j);
   }
 }
 
@@ -712,10 +647,10 @@ TEST(numbers_of_a_scene_without_forces) {
   } want[] = {{"num-t_a", "refuted", "0.4720366"}, {"num-t_d", "conditional", "2.34208888"},
               {"num-z10", "refuted", "1.0067381"}, {"num-z20", "refuted", "-2.0653943"},
               {"text-periodic", "refuted", NULL},  {"num-t_b", "skipped", "prints no t_b"}};
-  struct job j;
-  job_run_well(&j, "verify", "paper-times", "--only", "num-t_a,num-t_b,num-t_d,num-z10,num-z20,text-periodic", "--out",
-               scratch_path("times"), NULL);
-  char *json = file_text(scratch_path("times/audit.json"));
+  OWNED(job) j =
+      job_run_well("verify", "paper-times", "--only", "num-t_a,num-t_b,num-t_d,num-z10,num-z20,text-periodic", "--out",
+                   scratch_path("times"), NULL);
+  FREED char *json = file_text(scratch_path("times/audit.json"));
   for (size_t i = 0; i < COUNT(want); i++) {
     char id[60], verdict[60];
     snprintf(id, sizeof id, "\"id\": \"%s\"", want[i].id);
@@ -727,6 +662,4 @@ TEST(numbers_of_a_scene_without_forces) {
     const char *shown = want[i].shows ? strstr(claim, want[i].shows) : claim;
     ck_assert_msg(shown && (!next || shown < next), "%s shows no %s", want[i].id, want[i].shows);
   }
-  free(json);
-  job_clear(&j);
 }

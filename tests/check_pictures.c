@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "every.h"
+#include "local.h"
 #include "mech/walk.h"
+#include "paper_model.h"
 #include "report/plot.h"
 #include "report/report.h"
 #include "run/tables.h"
@@ -65,9 +67,8 @@ TEST(pictures_come_from_their_tables_alone) {
   plot("beside-wall", "one");
   shell_well("cp \"$D\"/paper/* \"$D/one\" && cp \"$D\"/asked/* \"$D/one\"");
   for (int i = 0; i < report_pictures(); i++) {
-    struct source table, svg;
-    struct text again;
-    text_init(&again);
+    OWNED(source) table, svg;
+    LOCAL(text, again);
     snprintf(name, sizeof name, "%s.tsv", report_picture_id(i));
     char path[400];
     snprintf(path, sizeof path, "one/%s", name);
@@ -78,9 +79,6 @@ TEST(pictures_come_from_their_tables_alone) {
     const struct audit_result r = {.tables = &only, .n_tables = 1};
     ck_assert(report_picture(&again, &r, i));
     ck_assert_str_eq(text_str(&again), svg.text);
-    text_clear(&again);
-    source_clear(&svg);
-    source_clear(&table);
   }
 }
 
@@ -88,10 +86,9 @@ TEST(pictures_come_from_their_tables_alone) {
    a colour, everywhere in a picture. */
 TEST_EACH(colours_without_custom_properties, 3) {
   static const char *const pictures[] = {"paper/figure-4.svg", "asked/animation.svg", "asked/stability-map.svg"};
-  struct source svg;
-  struct diag d;
+  OWNED(source) svg;
+  struct diag d = {0};
   int asked = 0;
-  diag_init(&d);
   ck_assert_msg(source_read(&svg, scratch_path(pictures[_i]), 1 << 20, &d), "%s", d.message);
   for (char *at = strstr(svg.text, ": var("); at; at = strstr(at + 1, ": var("), asked++) {
     char *property = at, want[60];
@@ -103,18 +100,15 @@ TEST_EACH(colours_without_custom_properties, 3) {
     ck_assert_msg(strncmp(before, want, strlen(want)) == 0, "%.60s", before);
   }
   ck_assert_int_gt(asked, 10);
-  source_clear(&svg);
 }
 
 /* No claim is judged by drawing: what the audit says of the closing gap (judge/closure.c) and what the figures show
    come from separate code. */
 TEST(the_gap_is_that_of_the_claim) {
   static const char *const want[] = {"0.14009", "0.10977"}; /* arcs.tsv: end minus printed start, rounded */
-  struct audit_result r;
-  struct scene s;
-  struct rows t;
-  audit_result_init(&r);
-  goes_well(scene_load(&s, "paper", "verify", &d));
+  LOCAL(audit_result, r);
+  OWNED(rows) t;
+  OWNED(scene) s = scene_at("paper");
   ck_assert_ptr_null(audit_tables(&r, &s));
   ck_assert(rows_read(&t, &r, "figure-4.tsv"));
   size_t from = t.n, to = t.n;
@@ -129,9 +123,6 @@ TEST(the_gap_is_that_of_the_claim) {
     snprintf(got, sizeof got, "%.5f", rows_number(&t, to, 3 + 2 * k) - rows_number(&t, from, 3 + 2 * k));
     ck_assert_str_eq(got, want[k]);
   }
-  rows_clear(&t);
-  scene_clear(&s);
-  audit_result_clear(&r);
 }
 
 /* Whatever stands in a table, a picture ends, and is well-formed. */
@@ -159,38 +150,33 @@ TEST(hostile_tables) {
       "D\tO\t1\t2\t1e308\t9\t1\t1\t1e-9\t1e308\t-\nH\t-\t1e-9\tnan\t1\t1\t1\t1\t1\t1\t-"
       "\nC\td\t2\t1\t1\t1\t1\t1\t1\t1\t1\n",
       "0.5\t1\t2\t3\n-1\t-2\t-3\t-4\n-1e15\t-1e15\t1\t2\n\n\n-3\n"};
-  struct text all;
-  text_init(&all);
+  LOCAL(text, all);
   text_add(&all, "<all>");
   for (size_t b = 0; b < COUNT(bodies); b++)
     for (int k = 0; k < report_pictures(); k++) {
       struct data_table data[COUNT(tables)];
       for (int i = 0; i < COUNT(tables); i++) data[i] = (struct data_table){tables[i], bodies[b], NULL};
       const struct audit_result r = {.tables = data, .n_tables = COUNT(tables)};
-      struct text one;
-      text_init(&one);
+      LOCAL(text, one);
       report_picture(&one, &r, k);
       const char *svg = strstr(text_str(&one), "<svg");
       text_add(&all, svg ? svg : "");
-      text_clear(&one);
     }
   text_add(&all, "</all>");
   shell_well("\"$Y\" -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' %s",
              scratch_put_n("all.xml", all.data, all.len));
-  text_clear(&all);
 }
 
 /* Each row of the table is a state of the motion that GSL integrates from the first one, but for rounding to six
    decimals; where a mass rebounds its velocity is that of either side. */
 TEST_EACH(phase_planes_are_motions, 3) {
   static const char *const files[] = {"chain3", "beside-wall", "driven"};
-  struct audit_result r;
-  struct rows t;
-  struct mech m;
-  struct mech_orbits list;
+  LOCAL(audit_result, r);
+  OWNED(rows) t;
+  OWNED(mech) m;
+  OWNED(mech_orbits) list;
   char path[100];
   snprintf(path, sizeof path, "verify/systems/%s.system", files[_i]);
-  audit_result_init(&r);
   goes_well(mech_load(&m, path, &d));
   mech_orbits_find(&list, &m, NULL, false, 128);
   const struct mech_orbit *o = &list.orbit[0];
@@ -200,7 +186,7 @@ TEST_EACH(phase_planes_are_motions, 3) {
   size_t n = (size_t)m.n, rows = 0, entries = 0;
   for (int i = 0; i < m.states; i++) start[i] = num_arb.get_d(o->state + i);
   for (size_t i = 0; i < t.n && rows_is(&t, i, 0, "orbit 1"); i++, rows++) {
-    struct mech_motion z;
+    OWNED(mech_motion) z;
     struct mech_plan plan = {.duration = rows_number(&t, i, 3), .most = 1000, .phase = o->word.phase[0]};
     bool jumps = (i + 1 < t.n && rows_is(&t, i + 1, 2, "o")) || rows_is(&t, i, 2, "o");
     entries += rows_is(&t, i, 2, "o");
@@ -210,17 +196,12 @@ TEST_EACH(phase_planes_are_motions, 3) {
       if (k < n || !jumps)
         ck_assert_msg(fabs(rows_number(&t, i, 4 + k % n * 2 + k / n) - z.z[k]) < 1e-5, "%s: row %zu, t = %g: %g",
                       files[_i], i, last, z.z[k]);
-    mech_motion_clear(&z);
   }
   ck_assert(rows > 200 && (int)entries == o->word.n);
   ck_assert_double_eq_tol(last, num_arb.get_d(o->period), 1e-6);
   for (size_t i = 0; i < n; i++)
     ck_assert_double_eq(rows_number(&t, t.n - 3, 5 + 2 * i), fmpq_get_d(m.mass[i].surface));
   if (_i == 1) ck_assert_double_eq(rows_number(&t, t.n - 2, 6), 3.2);
-  rows_clear(&t);
-  audit_result_clear(&r);
-  mech_orbits_clear(&list);
-  mech_clear(&m);
 }
 
 TEST(numbers_in_tables) {
@@ -239,15 +220,11 @@ TEST(numbers_in_tables) {
                {"1", -2, 3, "\t-"},
                {"7.25", -20, 1, "\t7.2"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct text t;
-    arb_t x;
-    text_init(&t);
-    arb_init(x);
+    LOCAL(text, t);
+    NUMBERS(arb, x);
     arb_set_str(x, cases[i].middle, 128);
     arb_add_error_2exp_si(x, cases[i].exponent);
     table_number(&t, x, cases[i].decimals);
     ck_assert_msg(strcmp(text_str(&t), cases[i].want) == 0, "%s: %s", cases[i].middle, text_str(&t));
-    arb_clear(x);
-    text_clear(&t);
   }
 }

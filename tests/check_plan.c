@@ -16,6 +16,7 @@
 #include "claim/claim.h"
 #include "command.h"
 #include "every.h"
+#include "local.h"
 #include "paper_model.h"
 #include "process.h"
 #include "record/finding.h"
@@ -43,7 +44,7 @@ static void unload(void) {
 }
 
 /* An audit as asked; jobs processes, the costs known or not. */
-static void audit(struct audit_result *r, const struct scene *s, const char *const *only, int n_only, int jobs) {
+static struct audit_result audit(const struct scene *s, const char *const *only, int n_only, int jobs) {
   const struct audit_options opt = {.only = only,
                                     .n_only = n_only,
                                     .readings = true,
@@ -51,8 +52,10 @@ static void audit(struct audit_result *r, const struct scene *s, const char *con
                                     .costs = jobs == 1 ? NULL : &costs,
                                     .statements = &the_paper.statements,
                                     .roots = &the_paper.roots};
-  audit_result_init(r);
-  goes_well(audit_run(r, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d));
+  struct audit_result r;
+  audit_result_init(&r);
+  goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d));
+  return r;
 }
 
 /* The paper's whole audit, which others are held against: two cases of tests share it. */
@@ -125,9 +128,8 @@ TEST(what_is_left_out_has_its_reason) {
   static const char *const what[] = {"long runs beside the scene's own orbit", "the routes on the scene's own orbits"};
   const struct claims none = {.n = 0};
   for (size_t i = 0; i < COUNT(row); i++) {
-    struct scene s;
-    struct audit_result r;
-    audit_result_init(&r);
+    OWNED(scene) s;
+    LOCAL(audit_result, r);
     goes_well(scene_load_box(&s, scratch_print("own.scene", "%s\n", row[i].data), "verify", &d));
     goes_well(audit_run(&r, &the_paper.model, &none, &none, &s, &(struct audit_options){.jobs = 1}, &d));
     for (int k = 0; k < 2; k++) {
@@ -135,8 +137,6 @@ TEST(what_is_left_out_has_its_reason) {
       ck_assert_msg(row[i].why[k] ? why && strcmp(why, row[i].why[k]) == 0 : !why, "%s: %s: %s", row[i].data, what[k],
                     why ? why : "done");
     }
-    audit_result_clear(&r);
-    scene_clear(&s);
   }
 }
 
@@ -150,19 +150,13 @@ TEST(jobs_change_no_byte) {
                          "section stability"};
   enum { ALL = COUNT(group), CHEAP = 14 };
   const struct scene s = asking(group, every_case() ? ALL : CHEAP, NULL, 0, 0);
-  struct audit_result one;
-  audit(&one, &s, NULL, 0, 1);
-  char *want = json_of(&one);
+  OWNED(audit_result) one = audit(&s, NULL, 0, 1);
+  FREED char *want = json_of(&one);
   ck_assert_uint_gt(one.n_findings, 12);
   ck_assert_uint_gt(one.n_consequences, 3);
-  struct audit_result r;
-  audit(&r, &s, NULL, 0, 7);
-  char *got = json_of(&r);
+  OWNED(audit_result) r = audit(&s, NULL, 0, 7);
+  FREED char *got = json_of(&r);
   ck_assert_msg(strcmp(got, want) == 0, "seven processes have another report");
-  free(got);
-  audit_result_clear(&r);
-  free(want);
-  audit_result_clear(&one);
 }
 
 /* What the report says of these findings, and nothing else. */
@@ -182,7 +176,7 @@ static char *findings_alone(const struct audit_result *r, const struct audit_res
 static void check_alone(int step, bool of_each, const struct claims *with, bool readings) {
   bool met[N_KINDS] = {false};
   for (size_t i = 0; i < the_paper.claims.n; i++) {
-    struct audit_result alone;
+    LOCAL(audit_result, alone);
     const enum kind kind = claim_kind(&the_paper.claims.claim[i]);
     const bool first = of_each && !met[kind];
     met[kind] = true;
@@ -194,13 +188,9 @@ static void check_alone(int step, bool of_each, const struct claims *with, bool 
                                       .jobs = 1,
                                       .statements = &the_paper.statements,
                                       .roots = &the_paper.roots};
-    audit_result_init(&alone);
     goes_well(audit_run(&alone, &the_paper.model, &the_paper.claims, with, &the_paper.scene, &opt, &d));
-    char *a = findings_alone(&alone, &alone), *b = findings_alone(&whole, &alone);
+    FREED char *a = findings_alone(&alone, &alone), *b = findings_alone(&whole, &alone);
     ck_assert_msg(strcmp(a, b) == 0, "%s", the_paper.claims.claim[i].id);
-    free(b);
-    free(a);
-    audit_result_clear(&alone);
   }
 }
 
@@ -225,29 +215,24 @@ TEST(mistakes_are_told_alike) {
                              "d_02\n  points: params 2\n  routes: taylor\n"
                              "claim b\n  kind: wrong\n  title: y\nclaim c\n  title: z\n  kind: worse\n";
   char message[2][1000];
-  struct claims own = {.n = 0};
-  struct diag d;
-  diag_init(&d);
+  OWNED(claims) own = {.n = 0};
+  struct diag d = {0};
   ck_assert(claims_add_file(&own, scratch_put("own.claim", text), "claim", &d));
   const struct claims none = {.n = 0};
   for (int k = 0; k < 2; k++) {
-    struct audit_result r;
-    struct costs dear = {.n = 0};
+    LOCAL(audit_result, r);
+    OWNED(costs) dear = {.n = 0};
     FILE *f = fopen(scratch_path("dear.tsv"), "w");
     fputs("what\tname\tunits\tms\nclaim\ta\t1\t10\nclaim\tb\t1\t500\nclaim\tc\t1\t1000\n", f);
     fclose(f);
     ck_assert(costs_load(&dear, scratch_path("dear.tsv"), &d));
     const struct audit_options opt = {.jobs = k ? 3 : 1, .costs = &dear};
-    audit_result_init(&r);
     diag_init(&d);
     ck_assert(!audit_run(&r, &the_paper.model, &own, &none, &the_paper.scene, &opt, &d));
     strcpy(message[k], d.message);
-    audit_result_clear(&r);
-    costs_clear(&dear);
   }
   ck_assert_msg(strstr(message[0], "own.claim:10:") != NULL, "%s", message[0]);
   ck_assert_str_eq(message[0], message[1]);
-  claims_clear(&own);
 }
 
 /* --- Tasks --- */
@@ -281,11 +266,10 @@ TEST(tasks_survive_their_processes) {
   by_children = mmap(NULL, sizeof *by_children, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ck_assert(by_children != MAP_FAILED);
   for (int bad = BAD_NONE; bad <= BAD_GREEDY; bad++) {
-    struct audit_result r;
-    audit_result_init(&r);
+    LOCAL(audit_result, r);
     atomic_store(by_children, 0);
     const struct tasks t = {.n = N, .run = count_task, .arg = &bad, .cost = cost, .jobs = 4};
-    struct task_result *done = tasks_run(&r, &t);
+    FREED struct task_result *done = tasks_run(&r, &t);
     int children = 0;
     for (int i = 0; i < N; i++) {
       char want[16];
@@ -297,8 +281,6 @@ TEST(tasks_survive_their_processes) {
     }
     ck_assert_int_gt(children, 0);
     ck_assert_int_lt(waitpid(-1, NULL, WNOHANG), 0); /* no process is left */
-    free(done);
-    audit_result_clear(&r);
   }
   munmap(by_children, sizeof *by_children);
 }
@@ -335,9 +317,8 @@ TEST(no_process_outlives_the_memory) {
   }
   const int status = process_end(pid);
   check_says("said", "out of memory");
-  char *text = file_text(scratch_path("said"));
+  FREED char *text = file_text(scratch_path("said"));
   ck_assert_msg(status == EXIT_EXHAUSTED, "%d: %.3000s", status, text);
-  free(text);
   ck_assert_int_gt(atomic_load(by_children), 0);
   ck_assert(process_until(group_has_ended, pid));
   munmap(by_children, sizeof *by_children);
@@ -347,9 +328,8 @@ TEST(no_process_outlives_the_memory) {
 
 TEST(selections_meet) {
   const char *group[] = {"section stability"}, *only[] = {"eq-35b", "eq-13"};
-  struct scene s = asking(group, 1, NULL, 0, 0);
-  struct audit_result r;
-  audit(&r, &s, only, 2, 1);
+  OWNED(scene) s = asking(group, 1, NULL, 0, 0);
+  struct audit_result r = audit(&s, only, 2, 1);
   ck_assert_uint_eq(r.n_findings, 1);
   ck_assert_str_eq(r.findings[0].id, "eq-35b");
   audit_result_clear(&r);
@@ -364,7 +344,6 @@ TEST(selections_meet) {
   fails_with(audit_run(&r, &the_paper.model, &the_paper.claims, &the_paper.controls, &s, &all, &d),
              "--set:1:5: error: no claim is called, and no group holds, section nowhere; ");
   audit_result_clear(&r);
-  scene_clear(&s);
 }
 
 static bool is_kind(const char *id, const char *kind) {
@@ -395,10 +374,9 @@ TEST(no_budget_makes_a_verdict) {
   int n;
   const char **ids = some_claims(&n, 1); /* without studies */
   for (size_t b = 0; b < n_budgets; b++) {
-    struct audit_result r;
     size_t ended = 0;
     const struct scene s = asking(NULL, 0, NULL, 0, budgets[b]);
-    audit(&r, &s, ids, n, 1);
+    OWNED(audit_result) r = audit(&s, ids, n, 1);
     ck_assert_uint_le(r.n_findings, whole.n_findings); /* restrictions come with the claim that they restrict */
     ck_assert_uint_ge(r.n_findings, the_paper.claims.n);
     for (size_t i = 0; i < r.n_findings; i++) {
@@ -413,7 +391,6 @@ TEST(no_budget_makes_a_verdict) {
     ck_assert_uint_lt(ended, left); /* fewer with more units */
     ck_assert_uint_gt(ended, 0);
     left = ended;
-    audit_result_clear(&r);
   }
   free(ids);
 }
@@ -423,12 +400,11 @@ CASE("plan");
 /* A claim that runs out is unknown and says so; one that does not is what it is without a budget. */
 TEST(budgets_count_work) {
   const char *ids[] = {"eq-27", "eq-3c", "eq-34"};
-  struct audit_result free_of, r, again;
   const struct scene none = asking(ids, 3, NULL, 0, 0), tight = asking(ids, 3, NULL, 0, 20000),
                      ample = asking(ids, 3, NULL, 0, 1ULL << 40);
-  audit(&free_of, &none, NULL, 0, 1);
-  audit(&r, &tight, NULL, 0, 1);
-  audit(&again, &tight, NULL, 0, 3);
+  OWNED(audit_result) free_of = audit(&none, NULL, 0, 1);
+  struct audit_result r = audit(&tight, NULL, 0, 1);
+  OWNED(audit_result) again = audit(&tight, NULL, 0, 3);
   const struct finding *f = finding_with_id(&r, "eq-34");
   ck_assert_int_eq(f->verdict, VERDICT_UNKNOWN);
   ck_assert_int_eq(f->n_evidence, 1);
@@ -439,16 +415,14 @@ TEST(budgets_count_work) {
   ck_assert_msg(strcmp(a, b) == 0, "three processes have another report");
   free(b);
   free(a);
-  audit_result_clear(&again);
   audit_result_clear(&r);
-  audit(&r, &ample, NULL, 0, 2);
+  r = audit(&ample, NULL, 0, 2);
   a = json_of(&r);
   b = json_of(&free_of);
   ck_assert_msg(strcmp(a, b) == 0, "an ample budget has another report than none");
   free(b);
   free(a);
   audit_result_clear(&r);
-  audit_result_clear(&free_of);
 }
 
 /* One route is no support, and what is not asked for leaves no evidence. */
@@ -466,8 +440,7 @@ TEST(routes_are_those_asked_for) {
   for (size_t i = 0; i < COUNT(rows); i++) {
     const char *routes[2] = {rows[i].route[0], rows[i].route[1]};
     const struct scene s = asking(ids, 1, routes, routes[1] ? 2 : 1, 0);
-    struct audit_result r;
-    audit(&r, &s, NULL, 0, 1);
+    OWNED(audit_result) r = audit(&s, NULL, 0, 1);
     const struct finding *f = finding_with_id(&r, "eq-27");
     ck_assert_msg(f->verdict == rows[i].verdict, "%s %s: %s", routes[0], routes[1] ? routes[1] : "",
                   verdict_name[f->verdict]);
@@ -483,17 +456,15 @@ TEST(routes_are_those_asked_for) {
     for (size_t k = 0; k < r.n_controls; k++)
       ck_assert_msg(r.controls[k].noticed, "%s: %s", routes[0], verdict_name[r.controls[k].verdict]);
     ck_assert_int_eq(audit_result_unexpected(&r), 0);
-    audit_result_clear(&r);
   }
 }
 
 /* chi = 4/5 is exact; t_a rounds to the paper's corrected 0.5323 on one of the orbits. */
 TEST(values_are_enclosed) {
   const char *set[] = {"values=chi, K, t_a, H(t)", "digits=30"};
-  struct scene s;
-  struct audit_result r;
+  OWNED(scene) s;
   goes_well(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
-  audit(&r, &s, NULL, 0, 2);
+  OWNED(audit_result) r = audit(&s, NULL, 0, 2);
   ck_assert_uint_eq(r.n_findings, 0);
   ck_assert_uint_eq(r.n_values, 1 + 4 + 2);
   ck_assert_str_eq(r.values[0].value, "0.800000000000000000000000000000");
@@ -507,11 +478,8 @@ TEST(values_are_enclosed) {
   }
   ck_assert_msg(found, "%s %s", r.values[5].value, r.values[6].value);
   ck_assert(why_skipped(&r, "the value of H(t)"));
-  char *json = json_of(&r);
+  FREED char *json = json_of(&r);
   ck_assert_ptr_nonnull(strstr(json, "\"values\": ["));
-  free(json);
-  audit_result_clear(&r);
-  scene_clear(&s);
 }
 
 /* --- The first precision --- */
@@ -526,10 +494,8 @@ TEST(the_condition_plans_the_precision) {
   enum { BITS = 100, NONE = 777 };
   struct orbit_cache *cache = orbit_cache_new();
   struct expression e, zero;
-  struct point p;
-  arb_t x;
-  arb_init(x);
-  point_init(&p);
+  LOCAL(point, p);
+  NUMBERS(arb, x);
   p.kind = POINT_PARAMS;
   goes_well(expression_open(&e, v, "1 - chi", "", &d));
   goes_well(expression_open(&zero, v, "chi - chi", "", &d));
@@ -547,8 +513,6 @@ TEST(the_condition_plans_the_precision) {
   ck_assert_int_eq(precision_planned(&zero.tape, &p, BITS, NONE, cache), NONE);
   expression_close(&zero);
   expression_close(&e);
-  point_clear(&p);
-  arb_clear(x);
   orbit_cache_free(cache);
 }
 
@@ -563,14 +527,13 @@ TEST(planned_values_need_no_more) {
   struct audit_result r[2];
   for (int k = 0; k < 2; k++) {
     const char *set[] = {"values=trace, trace_J, z10, N, J", k ? "digits=400" : "digits=25"};
-    struct scene s;
+    OWNED(scene) s;
     goes_well(scene_load_with(&s, "near-flip", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
-    audit(&r[k], &s, NULL, 0, 1);
+    r[k] = audit(&s, NULL, 0, 1);
     ck_assert_uint_eq(r[k].n_precision, 1);
     ck_assert_str_eq(r[k].precision[0].what, work_ladder_name[LADDER_VALUE]);
     ck_assert_int_ge(r[k].precision[0].tried, 10); /* five at each of two orbits */
     ck_assert_int_eq(r[k].precision[0].enough, r[k].precision[0].tried);
-    scene_clear(&s);
   }
   ck_assert_uint_eq(r[0].n_values, r[1].n_values);
   for (size_t i = 0; i < r[0].n_values; i++) {
@@ -587,12 +550,10 @@ TEST(values_have_their_documented_names) {
   const char *set[] = {"values=trace_J, trace, z10, omega, det_J, det_J_a", "digits=10"};
   static const char *const expected[][2] = {
       {"trace_J", "-1.023226189"}, {"trace", "-1.023226189"}, {"z10", "0.9781881442"}, {"omega", "0.8944271910"}};
-  struct scene s;
-  struct audit_result r;
-  struct text line;
-  text_init(&line);
+  OWNED(scene) s;
+  LOCAL(text, line);
   goes_well(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
-  audit(&r, &s, NULL, 0, 1);
+  OWNED(audit_result) r = audit(&s, NULL, 0, 1);
   for (size_t i = 0; i < COUNT(expected); i++) {
     bool found = false;
     for (size_t k = 0; k < r.n_values; k++)
@@ -610,9 +571,6 @@ TEST(values_have_their_documented_names) {
   const char *end = ": 0 statements; 9 values; as recorded";
   ck_assert_uint_gt(line.len, strlen(end));
   ck_assert_str_eq(text_str(&line) + line.len - strlen(end), end);
-  text_clear(&line);
-  audit_result_clear(&r);
-  scene_clear(&s);
 }
 
 /* --- What is left out --- */
@@ -656,13 +614,12 @@ static bool planned(const struct plan_list *l, const char *name) {
 /* A claim touches nothing that its plan does not name, and the ledger denies nothing that was touched. */
 TEST(plans_name_what_is_then_done) {
   for (size_t i = 0; i < the_paper.claims.n; i += (size_t)every(29)) {
-    struct audit_plan p;
-    struct audit_result r;
+    OWNED(audit_plan) p;
+    LOCAL(audit_result, r);
     struct audit_options opt = {
         .only = &the_paper.claims.claim[i].id, .n_only = 1, .ended = note_touched, .costs = &costs};
     const struct claims none = {.n = 0};
     touched_by_claim = 0;
-    audit_result_init(&r);
     goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
     goes_well(audit_plan(&p, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
     for (int part = 0; part < WORK_BITS_128; part++) {
@@ -673,8 +630,6 @@ TEST(plans_name_what_is_then_done) {
       if (part > WORK_PHASE_C)
         ck_assert_msg(!why_skipped(&r, work_part_name[part]), "%s: %s", opt.only[0], work_part_name[part]);
     }
-    audit_plan_clear(&p);
-    audit_result_clear(&r);
   }
 }
 
@@ -686,7 +641,7 @@ static bool spent(const struct audit_result *r, const char *what, const char *na
 
 /* An audit beside its plan: claims and controls that are left out, studies, consequences. */
 static void check_plan(const struct audit_result *r, const struct scene *s, const char *const *only, int n_only) {
-  struct audit_plan p;
+  OWNED(audit_plan) p;
   const struct audit_options opt = {.only = only, .n_only = n_only, .readings = true, .costs = &costs};
   size_t consequences = 0, judged = 0;
   goes_well(audit_plan(&p, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d));
@@ -712,41 +667,34 @@ static void check_plan(const struct audit_result *r, const struct scene *s, cons
   }
   for (size_t i = 0; i < r->n_spent; i++) consequences -= strcmp(r->spent[i].what, "consequence") == 0;
   ck_assert_msg(consequences == 0, "%zu", consequences);
-  audit_plan_clear(&p);
 }
 
 CASE("whole");
 
 TEST(plans_are_of_what_runs) {
   const char *set = "e2=[0.858, 0.859]", *one[] = {"eq-32c", "num-t_a", "text-periodic"};
-  struct scene box;
+  OWNED(scene) box;
   goes_well(scene_load_with(&box, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, true, &d));
-  struct audit_result some, of_box;
-  audit(&some, &the_paper.scene, one, 3, 2);
+  OWNED(audit_result) some = audit(&the_paper.scene, one, 3, 2);
   check_plan(&some, &the_paper.scene, one, 3);
-  audit_result_clear(&some);
   check_plan(&whole, &the_paper.scene, NULL, 0);
   int n_some;
   const char **some_ids = some_claims(&n_some, every(13));
-  audit(&of_box, &box, some_ids, n_some, 2);
+  OWNED(audit_result) of_box = audit(&box, some_ids, n_some, 2);
   check_plan(&of_box, &box, some_ids, n_some);
   free(some_ids);
-  audit_result_clear(&of_box);
-  scene_clear(&box);
 }
 
 CASE("plan");
 
 TEST(one_claim_needs_little) {
   const char *id = "eq-27";
-  struct audit_result r;
-  audit(&r, &the_paper.scene, &id, 1, 1);
+  OWNED(audit_result) r = audit(&the_paper.scene, &id, 1, 1);
   static const char *const left[] = {"other claims",  "controls",           "routes, the long runs",
                                      "readings",      "scene's periodic",   "drawn all over",
                                      "Coulomb's law", "routes taylor, gsl", "1024 bits"};
   for (size_t i = 0; i < COUNT(left); i++) ck_assert_msg(why_skipped(&r, left[i]), "%s", left[i]);
   ck_assert(!why_skipped(&r, "phase") && !why_skipped(&r, "exact algebra"));
-  audit_result_clear(&r);
   /* of the formulas, those that it reaches */
   struct model_use use = {ss_malloc(the_paper.model.n_defs), ss_malloc(the_paper.model.n_records)};
   struct model noting = the_paper.model;
@@ -786,10 +734,9 @@ static void old_report(const char *folder) {
 }
 
 static void check_old_report(const char *folder) {
-  char *text = file_text(scratch_path(formatted("%s/audit.json", folder)));
+  FREED char *text = file_text(scratch_path(formatted("%s/audit.json", folder)));
   ck_assert_str_eq(scratch_list(scratch_path(folder)), "audit.json");
   ck_assert_str_eq(text, "the old report\n");
-  free(text);
 }
 
 TEST(the_clock_ends_it) {
@@ -814,7 +761,7 @@ TEST(signals_end_it) {
   old_report("out");
   for (int i = 0; i < 4; i++) {
     const char *args[] = {"verify", "paper", "--jobs", i < 2 ? "1" : "3", "--out", scratch_path("out"), NULL};
-    struct job j;
+    OWNED(job) j;
     job_start(&j, &(struct job_place){.group = true}, program(), args);
     ck_assert(process_until(i < 2 ? works : works_with_others, j.pid));
     kill(j.pid, number[i % 2]);
@@ -822,7 +769,6 @@ TEST(signals_end_it) {
     ck_assert_msg(j.status == 5 && strstr(j.err, "interrupted"), "%d: %s", j.status, j.err);
     check_old_report("out");
     ck_assert(process_until(group_has_ended, j.pid));
-    job_clear(&j);
   }
 }
 
@@ -853,14 +799,11 @@ TEST(no_verdict_rests_on_costs) {
 /* A scene of the paper's parameters that asks for H at n multiples of t_c, 16 entries on each of its two orbits, and
    for more. */
 static const char *asking_much(int n, const char *more) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   text_add(&t, "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nvalues: ");
   for (int k = 1; k <= n; k++) text_printf(&t, "H(%d*t_c), ", k);
   text_printf(&t, "%s\n", more);
-  const char *path = scratch_put("much.scene", text_str(&t));
-  text_clear(&t);
-  return path;
+  return scratch_put("much.scene", text_str(&t));
 }
 
 /* What verify writes report reads: 312 times 32 values and 8 of each orbit are the most that there can be. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "local.h"
 #include "scratch.h"
 #include "suite.h"
 
@@ -26,11 +27,10 @@ TEST_EACH(the_module, 5) {
     printf("python: %s: left out, %s\n", classes[_i], why);
     return;
   }
-  char *said = shell_said("PYTHONPATH=python PYTHONDONTWRITEBYTECODE=1 "
-                          "STICKSLIP_LIBRARY=\"$(realpath \"$(dirname \"$P\")\")/libstickslip.so.0\" "
-                          "\"$Y\" tests/python/module.py -v %s 2>&1",
-                          classes[_i]);
+  FREED char *said = shell_said("PYTHONPATH=python PYTHONDONTWRITEBYTECODE=1 "
+                                "STICKSLIP_LIBRARY=\"$(realpath \"$(dirname \"$P\")\")/libstickslip.so.0\" "
+                                "\"$Y\" tests/python/module.py -v %s 2>&1",
+                                classes[_i]);
   for (char *line = strtok(said, "\n"); line; line = strtok(NULL, "\n"))
     if (strstr(line, " skipped ")) printf("python: %s\n", line);
-  free(said);
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "local.h"
 #include "quote/quote.h"
 #include "says.h"
 #include "scratch.h"
@@ -14,13 +15,11 @@
 #include "table.h"
 
 static bool same(const char *a, const char *b) {
-  struct quote_tokens x = {.n = 0}, y = {.n = 0};
+  OWNED(quote_tokens) x = {.n = 0}, y = {.n = 0};
   quote_tokens_read(&x, a, strlen(a));
   quote_tokens_read(&y, b, strlen(b));
   bool ok = x.n == y.n;
   for (size_t i = 0; ok && i < x.n; i++) ok = quote_token_same(&x.token[i], &y.token[i]);
-  quote_tokens_clear(&y);
-  quote_tokens_clear(&x);
   return ok;
 }
 
@@ -92,7 +91,7 @@ static bool stand_open(struct stand *s, const char *data, const char *path, stru
          quotations_add_scenes(&s->quotations, &s->claims, data, d);
 }
 
-static void stand_close(struct stand *s) {
+static void stand_clear(struct stand *s) {
   quotations_clear(&s->quotations);
   claims_clear(&s->statements);
   claims_clear(&s->claims);
@@ -106,11 +105,8 @@ static void stand_open_sound(struct stand *s, const char *data, const char *path
 }
 
 static bool all_found(const struct stand *s) {
-  struct text out;
-  text_init(&out);
-  bool ok = quotations_report(&out, &s->quotations, &s->paper);
-  text_clear(&out);
-  return ok;
+  LOCAL(text, out);
+  return quotations_report(&out, &s->quotations, &s->paper);
 }
 
 /* Whether the quotation has a piece over the token with that index. */
@@ -185,7 +181,7 @@ static void damage_numbers(struct stand *s) {
 static const char note[] = "tests/another/note.md";
 
 TEST(the_note_is_quoted) {
-  struct stand s;
+  OWNED(stand) s;
   char digest[QUOTE_DIGEST];
   stand_open_sound(&s, "tests/another", note);
   ck_assert_uint_eq(s.quotations.n, 7);
@@ -197,7 +193,6 @@ TEST(the_note_is_quoted) {
   for (size_t i = 0; i < s.paper.tokens.n; i++) take_token_out(&s, i);
   quotations_compare(&s.quotations, &s.paper.tokens);
   ck_assert(all_found(&s));
-  stand_close(&s);
 }
 
 /* --- The command --- */
@@ -205,8 +200,7 @@ TEST(the_note_is_quoted) {
 /* The copy, with one edit, says this and ends so. */
 TEST(differences_are_told) {
   enum { FILE_EDITED, COMMAND, STATUS, SAYS };
-  struct table cases;
-  table_read(&cases, "tests/cases/quotes.tsv", 4);
+  OWNED(table) cases = table_read("tests/cases/quotes.tsv", 4);
   for (int i = 0; i < cases.n; i++) {
     char *const *x = cases.row[i];
     scratch_open();
@@ -214,7 +208,6 @@ TEST(differences_are_told) {
     shell_ends(atoi(x[STATUS]), x[SAYS], "STICKSLIP_DATA=$D/data $P quotes $D/data/note.md");
     scratch_close();
   }
-  table_clear(&cases);
 }
 
 /* Printed numbers of scenes against the claim that quotes them. */
@@ -264,7 +257,7 @@ TEST(any_bytes_are_tokens) {
         s[len++] = alphabet[r / 4 % (sizeof alphabet - 1)];
       }
     }
-    struct quote_tokens t = {.n = 0};
+    OWNED(quote_tokens) t = {.n = 0};
     quote_tokens_read(&t, s, len);
     const char *end = s;
     for (size_t k = 0; k < t.n; k++) {
@@ -272,7 +265,6 @@ TEST(any_bytes_are_tokens) {
       end = t.token[k].s + t.token[k].len;
     }
     ck_assert(end <= s + len);
-    quote_tokens_clear(&t);
   }
 }
 
@@ -283,16 +275,14 @@ TEST(large_texts) {
       "*",        "A note on two "};
   struct stand s;
   for (size_t i = 0; i < COUNT(unit); i++) {
-    struct text all;
-    text_init(&all);
+    LOCAL(text, all);
     text_add(&all, "x"); /* a text has a token */
     while (all.len + strlen(unit[i]) <= MAX_QUOTED_TEXT) text_add(&all, unit[i]);
     scratch_open();
     stand_open_sound(&s, "tests/another", scratch_put("text", text_str(&all)));
     ck_assert(!all_found(&s));
-    stand_close(&s);
+    stand_clear(&s);
     scratch_close();
-    text_clear(&all);
   }
 }
 
@@ -306,10 +296,9 @@ static void check_digest(const char *path, const struct quote_tokens *text) {
 }
 
 TEST(digest_of_the_note) {
-  struct stand s;
+  OWNED(stand) s;
   stand_open_sound(&s, "tests/another", note);
   check_digest(note, &s.paper.tokens);
-  stand_close(&s);
 }
 
 /* --- The paper --- */
@@ -337,16 +326,14 @@ TEST(the_paper_is_quoted) {
     return;
   }
   stand_open_sound(&s, "verify", path);
-  struct text out;
-  text_init(&out);
+  LOCAL(text, out);
   bool ok = quotations_report(&out, &s.quotations, &s.paper);
   ck_assert_msg(ok, "%s", text_str(&out));
   printf("quotes: %s", text_str(&out));
-  text_clear(&out);
   quote_tokens_digest(digest, &s.paper.tokens);
   ck_assert_str_eq(s.model.paper_text, digest);
   check_digest(path, &s.paper.tokens);
-  stand_close(&s);
+  stand_clear(&s);
 }
 
 TEST(the_paper_is_damaged) {
@@ -356,5 +343,5 @@ TEST(the_paper_is_damaged) {
   stand_open_sound(&s, "verify", path);
   damage_tokens(&s, 5);
   for (size_t i = 0; i < s.paper.tokens.n; i += 997) take_token_out(&s, i);
-  stand_close(&s);
+  stand_clear(&s);
 }

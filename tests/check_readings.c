@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "local.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "readings/readings.h"
@@ -28,7 +29,7 @@
 /* The value of name in the row that begins with kind and id, or the field behind these where name is NULL. */
 static const char *oracle_field(const char *kind, const char *id, const char *name) {
   static struct table t;
-  if (!t.n) table_read(&t, "tests/oracle/readings.tsv", ANY_COLUMNS);
+  if (!t.n) t = table_read("tests/oracle/readings.tsv", ANY_COLUMNS);
   char *const *row = t.row[table_row(&t, kind, id)];
   size_t n = name ? strlen(name) : 0;
   for (int i = 2; row[i]; i++)
@@ -48,8 +49,8 @@ static struct audit_result result;
 
 static void load(const char *spec) {
   audit_result_init(&result);
-  paper_model(&model, NULL);
-  goes_well(scene_load(&scene, spec, "verify", &d));
+  model = paper_model(NULL);
+  scene = scene_at(spec);
 }
 
 static void unload(void) {
@@ -82,17 +83,16 @@ TEST(equations_are_called_as_the_paper_has_them) {
       [EQ_12] = "eq-12b", [EQ_14] = "eq-14b", [EQ_16] = "eq-16",  [EQ_V2] = "eq-18",
       [EQ_Z1] = "eq-18",  [EQ_Z2] = "eq-18",  [EQ_W] = "eq-18",   [EQ_R] = "eq-18",
       [EQ_F1] = "eq-46",  [EQ_F2] = "eq-46",  [EQ_G1] = "eq-44c", [EQ_G2] = "eq-44c"};
-  paper_model(&model, NULL);
+  model = paper_model(NULL);
   for (int eq = 0; eq < N_EQ; eq++) {
     const struct statement_record *r = record_with_id(&model, records[eq]);
-    struct text want = {0};
+    OWNED(text) want = {0};
     text_printf(&want, "(%s)", r->equation);
     const char *text = equations[eq].text;
     ck_assert_msg(strncmp(text, text_str(&want), want.len) == 0, "%s is of %s", text, text_str(&want));
     text_add_char(&want, ' ');
     stmt_plain(&want, r->stmts[0]);
     if (eq == EQ_12 || eq == EQ_14) ck_assert_str_eq(text, text_str(&want));
-    text_clear(&want);
   }
   model_clear(&model);
 }
@@ -231,8 +231,8 @@ static double entry(const struct system *s, const struct num_vec *v, slong i) {
 
 /* Slopes are derivatives of values, and the model's propagators give what the paper's corrected matrices do. */
 TEST(slopes_and_both_sources_of_the_equations) {
-  struct formulas paper, own;
-  struct system s, t;
+  OWNED(formulas) paper, own;
+  OWNED(system) s, t;
   load("tests/readings/whole.scene");
   ck_assert(formulas_read(&paper, (struct view){&model, LAYER_CORRECTED, NULL, NULL}));
   formulas_own(&own);
@@ -275,24 +275,19 @@ TEST(slopes_and_both_sources_of_the_equations) {
       }
     }
   }
-  system_clear(&t);
-  system_clear(&s);
-  formulas_clear(&own);
-  formulas_clear(&paper);
   unload();
 }
 
 /* Rows of (45) and (46) against the paper's own statements of them, at a solution and away from one. */
 TEST(rows_solved_for_the_start) {
-  struct formulas own;
-  struct system s;
+  OWNED(formulas) own;
+  OWNED(system) s;
   load("tests/readings/whole.scene");
   formulas_own(&own);
   system_init(&s, &own, &scene, num_ctx_arb(128));
   const unsigned rows = 1U << EQ_F1 | 1U << EQ_F2 | 1U << EQ_G1 | 1U << EQ_G2;
   for (int at_solution = 0; at_solution < 2; at_solution++) {
-    struct point p;
-    point_init(&p);
+    LOCAL(point, p);
     p.kind = POINT_PRINTED;
     for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &scene.value[k]);
     static const int q[] = {Q_Z1, Q_Z2, Q_TA, Q_TB, Q_TC, Q_TD};
@@ -306,8 +301,7 @@ TEST(rows_solved_for_the_start) {
     }
     ck_assert_int_eq(system_eval(&s, rows), SS_OK);
     struct orbit_cache *cache = orbit_cache_new();
-    struct diag d;
-    diag_init(&d);
+    struct diag d = {0};
     arb_ptr v = _arb_vec_init(16);
     int n;
     static const struct {
@@ -327,10 +321,7 @@ TEST(rows_solved_for_the_start) {
     }
     _arb_vec_clear(v, 16);
     orbit_cache_free(cache);
-    point_clear(&p);
   }
-  system_clear(&s);
-  formulas_clear(&own);
   unload();
 }
 
@@ -351,15 +342,14 @@ TEST(forms_of_the_periodicity_conditions) {
 /* --- Solving --- */
 
 TEST(solutions_are_enclosed_or_refused) {
-  struct formulas paper;
-  struct system s;
+  OWNED(formulas) paper;
+  OWNED(system) s;
   load("tests/readings/whole.scene");
   ck_assert(formulas_read(&paper, (struct view){&model, LAYER_CORRECTED, NULL, NULL}));
   system_init(&s, &paper, &scene, num_ctx_arb(128));
   const unsigned six = 1U << EQ_12 | 1U << EQ_14 | 1U << EQ_16 | 1U << EQ_V2 | 1U << EQ_Z1 | 1U << EQ_Z2;
   arb_ptr x = _arb_vec_init(N_X);
-  arb_t want;
-  arb_init(want);
+  NUMBERS(arb, want);
   for (int i = 0; i < N_X; i++) { /* from three digits to all of them */
     arb_set_d(x + i, round(oracle_value("procedure", "whole", orbit_number_name(i)) * 1e7) * 1e-7);
     if (i >= X_E1) arb_set_str(x + i, i == X_E1 ? "2.7123" : "0.8412", 128);
@@ -375,10 +365,7 @@ TEST(solutions_are_enclosed_or_refused) {
   ck_assert(!readings_enclose(x, &s, six, 0x3F));
   ck_assert(!readings_enclose(x, &s, 1U << EQ_16, 1U << X_TD)); /* (16) does not contain t_d */
   ck_assert(!readings_enclose(x, &s, 1U << EQ_16, 3));          /* more unknowns than equations */
-  arb_clear(want);
   _arb_vec_clear(x, N_X);
-  system_clear(&s);
-  formulas_clear(&paper);
   unload();
 }
 
@@ -436,9 +423,8 @@ TEST(neighbours_say_how_many_decimals) {
   static const char *const text = "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nprinted: t_b = 2\n%s";
   static const char *const beside[] = {"printed: t_a = 0.5323\n", "printed: t_d = 2\n", "printed: t_a = 5.323e-1\n"};
   static const char *const unit[] = {"1/10000", "1", "1"};
-  arb_t x;
+  NUMBERS(arb, x);
   enum reading how;
-  arb_init(x);
   arb_set_d(x, oracle_value("corner", "0,0", "t_b"));
   for (int k = 0; k < 3; k++) {
     load(scratch_print("beside.scene", text, beside[k]));
@@ -447,7 +433,6 @@ TEST(neighbours_say_how_many_decimals) {
     ck_assert_int_eq(printed_fits(x, p, &how), k == 0 ? TRUTH_FALSE : TRUTH_TRUE);
     unload();
   }
-  arb_clear(x);
 }
 
 TEST_EACH(hostile_decimals, 5) {
@@ -473,13 +458,12 @@ TEST(too_few_printed_numbers) {
 TEST(other_matrices_are_not_read) {
   static const char *const gamma[] = {"t", "[1, 0, t, 0; 0, 1, 0, t; 0, 0, e_1, 0; 0, 0, 0, 1]", "[I, t*I; 0, I]"};
   for (size_t i = 0; i < COUNT(gamma); i++) {
-    struct formulas f;
+    OWNED(formulas) f;
     load("paper");
     const char *path =
         scratch_print("own.eq", "define own\n  equation: 49\n  section: appendix_a\n  Gamma(t) := %s\n", gamma[i]);
     goes_well(model_add_file(&model, path, RANK_ERRATA, &d));
     ck_assert_msg(formulas_read(&f, (struct view){&model, LAYER_CORRECTED, NULL, NULL}) == (i == 2), "%s", gamma[i]);
-    formulas_clear(&f);
     unload();
   }
 }
@@ -487,12 +471,12 @@ TEST(other_matrices_are_not_read) {
 /* --- In the audit --- */
 
 static void audit(const char *only, bool readings) {
-  struct claims claims, controls = {.n = 0};
+  OWNED(claims) claims;
+  struct claims controls = {.n = 0};
   load("tests/readings/whole.scene");
   paper_claims(&claims, NULL);
   struct audit_options opt = {.only = &only, .n_only = 1, .readings = readings};
   goes_well(audit_run(&result, &model, &claims, &controls, &scene, &opt, &d));
-  claims_clear(&claims);
 }
 
 static bool readings_left_out(void) {
@@ -510,15 +494,11 @@ TEST_EACH(searched_only_where_it_was_asked_for, 4) {
   audit(cases[_i].only, cases[_i].asked);
   ck_assert_msg((result.readings != NULL) == cases[_i].want, "%s", cases[_i].only);
   ck_assert(readings_left_out() == (cases[_i].asked && !cases[_i].want)); /* what nobody asked for is not left out */
-  struct text json, md;
-  text_init(&json);
-  text_init(&md);
+  LOCAL(text, json, md);
   report_json(&json, &result);
   report_markdown(&md, &result);
   bool section = strstr(text_str(&md), "## How the printed numbers could have arisen") != NULL;
   ck_assert(section == cases[_i].want);
   ck_assert((strstr(text_str(&json), "\"readings\": null") != NULL) != cases[_i].want);
-  text_clear(&md);
-  text_clear(&json);
   unload();
 }

@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "base/text.h"
+#include "local.h"
 #include "scratch.h"
 #include "suite.h"
 #include "whole.h"
@@ -27,13 +28,11 @@ static int confirm(const char *file, const char *options) {
 static const char *changed(const char *file, const char *anchor, const char *old, const char *new) {
   char *json = file_text(file), *at = strstr(json, anchor);
   ck_assert_msg(at != NULL && (at = strstr(at, old)) != NULL, "no %s behind %s", old, anchor);
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   text_add_n(&t, json, (size_t)(at - json));
   text_add(&t, new);
   text_add(&t, at + strlen(old));
   const char *path = scratch_put("changed.json", text_str(&t));
-  text_clear(&t);
   free(json);
   return path;
 }
@@ -42,9 +41,8 @@ CASE("referee", .once = {open_audit, scratch_close}, .seconds = 600);
 
 TEST(every_failing_statement_is_confirmed) {
   int status = confirm(audit, "--damage");
-  char *said = file_text(scratch_path("said"));
+  FREED char *said = file_text(scratch_path("said"));
   ck_assert_msg(status == 0, "%s", said);
-  free(said);
 }
 
 TEST(what_has_no_script_or_is_damaged_fails) {

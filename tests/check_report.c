@@ -12,6 +12,7 @@
 #include "claim/claims.h"
 #include "claim/near.h"
 #include "every.h"
+#include "local.h"
 #include "paper_model.h"
 #include "report/audit_shape.h"
 #include "report/report.h"
@@ -27,45 +28,34 @@ static void (*const writers[])(struct text *out, const struct audit_result *r) =
     report_json, report_markdown, report_csv, report_dot, report_errata, report_errata_tex, report_html, report_junit};
 
 static bool read_text(struct audit_result *r, const char *json, struct diag *d) {
-  struct source s;
   diag_init(d);
   audit_result_init(r);
-  source_from_string(&s, "audit.json", json);
-  bool ok = report_read(r, &s, d);
-  source_clear(&s);
-  return ok;
+  OWNED(source) s = source_of("audit.json", json);
+  return report_read(r, &s, d);
 }
 
 /* The record survives its JSON. */
 static void same_again(const char *what, const struct audit_result *r) {
-  struct text json;
-  struct audit_result again;
+  LOCAL(text, json);
+  OWNED(audit_result) again;
   struct diag d;
-  text_init(&json);
   report_json(&json, r);
   ck_assert_msg(read_text(&again, text_str(&json), &d), "%s: %s", what, d.message);
   ck_assert_uint_eq(again.n_tables, r->n_tables);
   for (size_t i = 0; i < r->n_tables; i++) again.tables[i].text = r->tables[i].text; /* as the files have it */
   for (int i = 0; i < COUNT(writers); i++) {
-    struct text first, second;
-    text_init(&first);
-    text_init(&second);
+    LOCAL(text, first, second);
     writers[i](&first, r);
     writers[i](&second, &again);
     ck_assert_msg(strcmp(text_str(&first), text_str(&second)) == 0, "%s: report %d is another one", what, i);
-    text_clear(&second);
-    text_clear(&first);
   }
-  audit_result_clear(&again);
-  text_clear(&json);
 }
 
 /* --- Audits --- */
 
 static bool audit(struct audit_result *r, const char *name, const char *const *only, int n_only, int jobs) {
-  struct diag d;
-  struct scene s;
-  diag_init(&d);
+  struct diag d = {0};
+  OWNED(scene) s;
   audit_result_init(r);
   struct audit_options opt = {.only = only,
                               .n_only = n_only,
@@ -74,14 +64,10 @@ static bool audit(struct audit_result *r, const char *name, const char *const *o
                               .statements = &the_paper.statements,
                               .roots = &the_paper.roots};
   bool ok = scene_load_with(&s, name, "verify", NULL, SCENE_OF_ANY_SYSTEM, &d);
-  if (ok && (s.system || !scene_papers_word(&s, &d))) { /* of another system or word nothing is claimed */
-    scene_clear(&s);
-    return false;
-  }
-  if (s.asked.claims.n) opt.n_only = 0; /* the scene selects by itself */
+  if (ok && (s.system || !scene_papers_word(&s, &d))) return false; /* of another system or word nothing is claimed */
+  if (s.asked.claims.n) opt.n_only = 0;                             /* the scene selects by itself */
   ok = ok && audit_run(r, &the_paper.model, &the_paper.claims, &the_paper.controls, &s, &opt, &d);
   ck_assert_msg(ok, "%s: %s", name, d.message);
-  scene_clear(&s);
   return true;
 }
 
@@ -90,8 +76,8 @@ CASE("report", .each = {paper_open, paper_close});
 /* The paper's whole audit, by this process alone: the bytes of the record and of the tables are those of the program,
    which shares the work among several. */
 TEST(the_papers_record) {
-  struct audit_result r;
-  struct text json;
+  OWNED(audit_result) r;
+  LOCAL(text, json);
   goes_well(near_controls_add(&the_paper.model, &the_paper.claims, &the_paper.controls, &d));
   audit(&r, "paper", NULL, 0, 1);
   ck_assert(r.readings && r.n_tables > 3 && r.n_consequences > 10);
@@ -100,42 +86,33 @@ TEST(the_papers_record) {
   for (size_t i = 0; i < r.n_precision; i++)
     ck_assert(r.precision[i].enough > 0 && r.precision[i].tried >= r.precision[i].enough);
   same_again("paper", &r);
-  text_init(&json);
   report_json(&json, &r);
   whole_open();
-  char *programs = file_text(scratch_path("whole/paper/audit.json"));
+  FREED char *programs = file_text(scratch_path("whole/paper/audit.json"));
   ck_assert_msg(strcmp(text_str(&json), programs) == 0, "the program has another record");
-  free(programs);
   for (size_t i = 0; i < r.n_tables; i++) {
     char name[100];
     snprintf(name, sizeof name, "whole/paper/%s", r.tables[i].name);
-    char *table = file_text(scratch_path(name));
+    FREED char *table = file_text(scratch_path(name));
     ck_assert_msg(strcmp(table, r.tables[i].text) == 0, "the program has another %s", r.tables[i].name);
-    free(table);
   }
-  text_clear(&json);
-  audit_result_clear(&r);
 }
 
 /* Every scene on file, with claims of several kinds; what a scene asks for itself is asked for besides.  The last two,
    with their consequences, are dear, and in make check for each third and each twentieth scene. */
 TEST(the_record_of_every_scene) {
   static const char *const only[] = {"text-time-name", "eq-48c", "eq-3", "eq-40"};
-  struct arena a;
-  struct diag d;
+  LOCAL(arena, a);
+  struct diag d = {0};
   size_t n;
-  diag_init(&d);
-  arena_init(&a);
   char **path = folder_files(&n, "verify/scenes", ".scene", &a, &d);
   ck_assert_msg(path && n > 20, "%s", d.message);
   for (size_t i = 0; i < n; i++) {
-    struct audit_result r;
+    OWNED(audit_result) r;
     int n_only = 2 + (i % (size_t)every(3) == 0) + (i % (size_t)every(20) == 0);
     if (audit(&r, path[i], only, n_only, 2)) same_again(path[i], &r);
-    audit_result_clear(&r);
   }
   free(path);
-  arena_clear(&a);
 }
 
 /* --- No field is forgotten --- */
@@ -310,18 +287,15 @@ TEST(tables_beyond_all_bounds) {
 
 /* Read, and then written whatever it says; or refused with a place. */
 static bool survives(const char *json) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   struct diag d;
   bool ok = read_text(&r, json, &d);
   ck_assert_msg(ok != d.set, "%.2000s", d.message);
   if (!ok) ck_assert_msg(strncmp(d.message, "audit.json:", 11) == 0, "%s", d.message);
   for (int i = 0; ok && i < COUNT(writers); i++) {
-    struct text out;
-    text_init(&out);
+    LOCAL(text, out);
     writers[i](&out, &r);
-    text_clear(&out);
   }
-  audit_result_clear(&r);
   return ok;
 }
 
@@ -329,19 +303,17 @@ CASE("report");
 
 TEST(cut_off_anywhere) {
   whole_open();
-  char *json = file_text(scratch_path("whole/paper/audit.json"));
+  FREED char *json = file_text(scratch_path("whole/paper/audit.json"));
   const size_t len = strlen(json), step = 997 * (size_t)every(10);
   ck_assert_uint_gt(len, 300000);
   json[len - 1] = '\0'; /* the newline behind the value may be missing */
   for (size_t at = (len - 2) / step * step;; at -= step) {
     json[at] = '\0';
-    struct audit_result cut;
+    OWNED(audit_result) cut;
     struct diag d;
     ck_assert(!read_text(&cut, json, &d) && d.set);
-    audit_result_clear(&cut);
     if (at == 0) break;
   }
-  free(json);
 }
 
 struct places {
@@ -393,37 +365,28 @@ TEST_EACH(types_exchanged_and_huge_numbers, 4) {
                                       "[[]]",
                                       "{}",
                                       "{\"id\": 1}"};
-  struct text json;
-  struct source s;
-  struct arena a;
+  LOCAL(text, json);
+  LOCAL(arena, a);
   struct json_value root;
   struct places p = {.n = 0};
-  arena_init(&a);
-  text_init(&json);
-  char *own = file_text("tests/fuzz/corpus/report/audit");
+  FREED char *own = file_text("tests/fuzz/corpus/report/audit");
   text_add(&json, own);
-  free(own);
   ck_assert(survives(json.data));
-  source_from_string(&s, "audit.json", json.data);
+  OWNED(source) s = source_of("audit.json", json.data);
   goes_well(json_parse(&root, &a, &s, &d));
   list_places(&p, &root);
   ck_assert_uint_gt(p.n, 300);
   long refused = 0;
   for (size_t i = (size_t)(_i % every(3)); i < p.n; i += (size_t)every(3))
     for (size_t k = (size_t)_i; k < COUNT(other); k += 4) {
-      struct text t;
-      text_init(&t);
+      LOCAL(text, t);
       text_add_n(&t, json.data, p.at[i]);
       text_add(&t, other[k]);
       text_add(&t, json.data + p.at[i] + end_of_value(json.data + p.at[i]));
       refused += !survives(text_str(&t));
-      text_clear(&t);
     }
   ck_assert_int_gt(refused, (long)p.n / every(3));
   free(p.at);
-  source_clear(&s);
-  arena_clear(&a);
-  text_clear(&json);
 }
 
 /* Messages name the place. */
@@ -444,33 +407,27 @@ TEST(what_is_said) {
             {"figure-3.tsv", "figure 3.tsv", "the name of a table"},
             {"figure-3.tsv", "/figure-3.tsv", "the name of a table"},
             {"\"change\": \"same formula\"", "\"change\": \"changes\"", "is missing here"}};
-  struct text json;
-  text_init(&json);
-  char *own = file_text("tests/fuzz/corpus/report/audit");
+  LOCAL(text, json);
+  FREED char *own = file_text("tests/fuzz/corpus/report/audit");
   text_add(&json, own);
-  free(own);
   for (size_t i = 0; i < COUNT(of); i++) {
-    struct audit_result r;
+    OWNED(audit_result) r;
     struct diag d;
-    struct text t;
+    LOCAL(text, t);
     const char *at = strstr(json.data, of[i].from);
     ck_assert_msg(at != NULL, "%s", of[i].from);
-    text_init(&t);
     text_add_n(&t, json.data, (size_t)(at - json.data));
     text_printf(&t, "%s%s", of[i].to, at + strlen(of[i].from));
     ck_assert(!read_text(&r, text_str(&t), &d));
     ck_assert_msg(strstr(d.message, of[i].says) && strncmp(d.message, "audit.json:", 11) == 0, "%s: %s", of[i].to,
                   d.message);
-    audit_result_clear(&r);
-    text_clear(&t);
   }
-  text_clear(&json);
 }
 
 /* More names than a graph can be drawn of. */
 TEST(too_many_names) {
-  struct audit_result r, again;
-  struct text json;
+  OWNED(audit_result) again;
+  LOCAL(text, json);
   enum { N = 2000 };
   static char name[N][8];
   static const char *on[N];
@@ -479,10 +436,7 @@ TEST(too_many_names) {
     on[i] = name[i];
   }
   struct finding f = {.id = "eq-1", .title = "t", .depends_on = on, .n_depends_on = N, .recorded = N_VERDICTS};
-  r = (struct audit_result){.scene = "s", .findings = &f, .n_findings = 1};
-  text_init(&json);
+  struct audit_result r = {.scene = "s", .findings = &f, .n_findings = 1};
   report_json(&json, &r);
   fails_with(read_text(&again, text_str(&json), &d), "more than");
-  audit_result_clear(&again);
-  text_clear(&json);
 }

@@ -10,6 +10,7 @@
 
 #include "accuracy.h"
 #include "every.h"
+#include "local.h"
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
@@ -28,12 +29,9 @@ static void random_input(double x[N_IN], struct rng *r) {
 
 /* From inputs of which one is moved, near times that are found and proved to be first ones when nothing is. */
 static bool truth_at(struct num_vec *out, const double *x, int moved, void *times) {
-  struct num_vec params;
   double *t = times;
-  arb_t r, step;
-  num_vec_init(&params, N_PARAMS, num_ctx_arb(ACCURACY_BITS));
-  arb_init(r);
-  arb_init(step);
+  NUMBERS(arb, r, step);
+  OWNED(num_vec) params = vec_new(N_PARAMS, num_ctx_arb(ACCURACY_BITS));
   for (int i = 0; i < N_IN; i++) {
     arb_ptr to = i < N_PARAMS ? num_vec_at(&params, i) : r;
     arb_set_d(to, x[i]);
@@ -42,9 +40,6 @@ static bool truth_at(struct num_vec *out, const double *x, int moved, void *time
   }
   int status = moved < 0 ? dyn_return_first(out, &params, r, MOST_STEPS) : dyn_return_near(out, &params, r, t);
   for (int i = 0; i < N_PHASES && !status && moved < 0; i++) t[i] = num_arb.get_d(num_vec_at(out, RETURN_TA + i));
-  arb_clear(step);
-  arb_clear(r);
-  num_vec_clear(&params);
   return status == SS_OK;
 }
 
@@ -201,9 +196,8 @@ struct slip {
 
 static void slip_init(struct slip *s, const double x[N_IN], const struct dyn_return *got) {
   struct num_ctx ctx = num_ctx_double();
-  struct num_vec start;
   num_vec_init(&s->params, N_PARAMS, ctx);
-  num_vec_init(&start, N_STATE, ctx);
+  OWNED(num_vec) start = vec_new(N_STATE, ctx);
   num_vec_init(&s->from, N_STATE, ctx);
   num_vec_init(&s->to, N_STATE, ctx);
   double *p = (double *)(void *)s->params.data, *z = (double *)(void *)start.data;
@@ -212,7 +206,6 @@ static void slip_init(struct slip *s, const double x[N_IN], const struct dyn_ret
   z[Z_2] = z[Z_1] + x[N_PARAMS];
   z[DZ_1] = z[DZ_2] = x[P_V];
   ck_assert_int_eq(dyn_flow(&s->from, PHASE_GAMMA, &s->params, &start, &got->t[PHASE_GAMMA]), SS_OK);
-  num_vec_clear(&start);
 }
 
 static void slip_clear(struct slip *s) {
@@ -243,7 +236,7 @@ static double top_between(struct slip *s, double left, double right) {
    they show. */
 static double highest_before(const double x[N_IN], const struct dyn_return *got) {
   enum { SAMPLES = 300, STRETCH = 4000 };
-  struct slip s;
+  OWNED(slip) s;
   slip_init(&s, x, got);
   const double end = got->t[PHASE_H], step = end / SAMPLES;
   double before = -INFINITY, here = slip_at(&s, step), last = slip_at(&s, end - end / STRETCH), most = last;
@@ -255,7 +248,6 @@ static double highest_before(const double x[N_IN], const struct dyn_return *got)
     before = here;
     here = next;
   }
-  slip_clear(&s);
   return most;
 }
 

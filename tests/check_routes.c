@@ -7,8 +7,10 @@
 #include <string.h>
 
 #include "every.h"
+#include "local.h"
 #include "motion/long_run.h"
 #include "paper_model.h"
+#include "params.h"
 #include "rational.h"
 #include "record/routes.h"
 #include "report/report.h"
@@ -57,14 +59,12 @@ TEST(shared_means) {
     unsigned both = row_of(cases[i].quantity, cases[i].a)->means & row_of(cases[i].quantity, cases[i].b)->means;
     ck_assert_msg(both == cases[i].want, "%s, %s: %x", cases[i].a, cases[i].b, both);
   }
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   route_means_print(&t, 0);
   ck_assert_str_eq(text_str(&t), "nothing");
   text_reset(&t);
   route_means_print(&t, MEANS_COULOMB | MEANS_DIFFERENCES);
   ck_assert_str_eq(text_str(&t), "central differences, Coulomb's law in x");
-  text_clear(&t);
 }
 
 static void ask_for_a_route_that_does_not_exist(void) {
@@ -81,7 +81,7 @@ static struct scene scene;
 
 static void open_study(void) {
   scratch_open();
-  paper_scene(&scene);
+  scene = scene_at("paper");
 }
 
 static void close_study(void) {
@@ -90,14 +90,14 @@ static void close_study(void) {
 }
 
 /* An audit of no claim: the study alone. */
-static void study(struct audit_result *r, const struct paper_layers *with) {
-  struct model m;
+static struct audit_result study(const struct paper_layers *with) {
   struct claims none = {.n = 0};
   const struct audit_options opt = {.n_only = 0};
-  audit_result_init(r);
-  paper_model(&m, with);
-  goes_well(audit_run(r, &m, &none, &none, &scene, &opt, &d));
-  model_clear(&m);
+  struct audit_result r;
+  audit_result_init(&r);
+  OWNED(model) m = paper_model(with);
+  goes_well(audit_run(&r, &m, &none, &none, &scene, &opt, &d));
+  return r;
 }
 
 static bool concerns(const struct route_pair *p, const char *route) {
@@ -121,8 +121,7 @@ CASE("study", .once = {open_study, close_study});
 
 /* Pairs of five routes to a propagator, two to its derivative, five to the events, six to the Jacobian. */
 TEST(all_pairs_agree_on_enough_points) {
-  struct audit_result r;
-  study(&r, NULL);
+  OWNED(audit_result) r = study(NULL);
   ck_assert_uint_eq(r.n_pairs, 10 + 1 + 10 + 15);
   check_pairs(&r, NULL, 0);
   for (size_t i = 0; i < r.n_pairs; i++) {
@@ -146,21 +145,18 @@ TEST(all_pairs_agree_on_enough_points) {
     bool unstable = fabs(strtod(l->multiplier, NULL)) > 1;
     ck_assert_msg(l->obeys && l->displaced && (strcmp(l->expected, "never") != 0) == unstable, "%s", l->orbit);
   }
-  audit_result_clear(&r);
 }
 
 /* Its orbits have e1 and e2 that are known as balls alone: the routes that want them exactly are not asked there. */
 TEST(a_scene_without_forces) {
   struct scene given = scene;
-  struct audit_result r;
-  goes_well(scene_load(&scene, "paper-times", "verify", &d));
-  study(&r, NULL);
+  scene = scene_at("paper-times");
+  OWNED(audit_result) r = study(NULL);
   ck_assert_uint_eq(r.n_pairs, 10 + 1 + 10 + 15);
   check_pairs(&r, NULL, 0);
   bool said = false;
   for (size_t i = 0; i < r.n_skipped; i++) said = said || strstr(r.skipped[i].why, "e1 and e2");
   ck_assert(said);
-  audit_result_clear(&r);
   scene_clear(&scene);
   scene = given;
 }
@@ -168,12 +164,11 @@ TEST(a_scene_without_forces) {
 /* Uncorrected, (10) is wrong in D(t) and several of (26)-(40) in J; each spoils its own quantities and no other. */
 TEST(an_uncorrected_formula_disagrees_with_every_route) {
   static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
-  struct audit_result r;
-  study(&r, &(struct paper_layers){.errata = ""});
+  struct audit_result r = study(&(struct paper_layers){.errata = ""});
   check_pairs(&r, wrong, 3);
   audit_result_clear(&r);
   const char *own = scratch_put("own.eq", "define D\n  section: prediction\n  D(t) := [I, t*I; 0, I]\n");
-  study(&r, &(struct paper_layers){.errata = own});
+  r = study(&(struct paper_layers){.errata = own});
   check_pairs(&r, wrong, 1);
   audit_result_clear(&r);
 }
@@ -181,16 +176,14 @@ TEST(an_uncorrected_formula_disagrees_with_every_route) {
 /* The set beyond-pi has an orbit whose phase H is so short that the ODE map is smooth only very near to it: differences
    must find a step that suits. */
 TEST(differences_near_a_jump) {
-  struct audit_result r;
   const char *path = scratch_put("short.scene", "chi = 0.71\neta = 7.7\nV = 0.28\ne1 = 1.07\ne2 = 0.852\n");
   scene_clear(&scene);
-  goes_well(scene_load(&scene, path, "verify", &d));
-  study(&r, NULL);
+  scene = scene_at(path);
+  OWNED(audit_result) r = study(NULL);
   check_pairs(&r, NULL, 0);
   for (size_t i = 0; i < r.n_pairs; i++)
     if (concerns(&r.pairs[i], "integration") && strcmp(r.pairs[i].quantity, "return Jacobian") == 0)
       ck_assert_msg(r.pairs[i].machine_largest < 1e-5, "%g %ld", r.pairs[i].machine_largest, r.pairs[i].comparisons);
-  audit_result_clear(&r);
 }
 
 /* The return Jacobian's enclosures lose digits as V goes to 0; a route in balls gets the bits that its digits need.
@@ -201,16 +194,15 @@ static const char *const slow_belts[] = {"1e-12", "1e-20", "1e-300"};
 
 TEST_EACH(slow_belts_raise_no_false_alarm, every_case() ? 3 : 2) {
   static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
-  struct audit_result r;
   scene_clear(&scene);
   const char *path =
       scratch_print("slow.scene", "chi = 0.8\neta = 1\nV = %s\ne1 = 2.7844\ne2 = 0.8587\n", slow_belts[_i]);
-  goes_well(scene_load(&scene, path, "verify", &d));
-  study(&r, NULL);
+  scene = scene_at(path);
+  struct audit_result r = study(NULL);
   check_pairs(&r, NULL, 0);
   audit_result_clear(&r);
   if (_i % every(3) != 0) return;
-  study(&r, &(struct paper_layers){.errata = ""});
+  r = study(&(struct paper_layers){.errata = ""});
   check_pairs(&r, wrong, 3);
   audit_result_clear(&r);
 }
@@ -218,37 +210,31 @@ TEST_EACH(slow_belts_raise_no_false_alarm, every_case() ? 3 : 2) {
 /* A formula without a value is no agreement. */
 TEST(a_route_without_an_answer_disagrees) {
   static const char *const wrong[] = {"propagator D, Gamma, H, C", "derivative of a propagator", "return Jacobian"};
-  struct audit_result r;
   const char *own = scratch_put("own.eq", "define D\n  section: prediction\n  D(t) := [I, (t/(chi - chi))*I; 0, I]\n");
-  study(&r, &(struct paper_layers){.errata = own});
+  OWNED(audit_result) r = study(&(struct paper_layers){.errata = own});
   check_pairs(&r, wrong, 3);
   ck_assert(r.pairs[0].largest && strcmp(r.pairs[0].largest, "no answer") == 0 &&
             strncmp(r.pairs[0].worst, "D, ", 3) == 0);
-  audit_result_clear(&r);
 }
 
 TEST(a_paper_that_cannot_be_read_is_left_out) {
-  struct audit_result r;
   scratch_put("one.eq", "model: two masses on a belt\nsymbol chi\n");
-  study(&r, &(struct paper_layers){.paper = scratch_path(""), .errata = ""});
+  OWNED(audit_result) r = study(&(struct paper_layers){.paper = scratch_path(""), .errata = ""});
   for (size_t i = 0; i < r.n_pairs; i++) ck_assert(!concerns(&r.pairs[i], "paper"));
   ck_assert_uint_eq(r.n_pairs, 6 + 10 + 10);
   check_pairs(&r, NULL, 0);
   bool said = false;
   for (size_t i = 0; i < r.n_skipped; i++) said = said || strstr(r.skipped[i].what, "paper's formulas") != NULL;
   ck_assert(said);
-  audit_result_clear(&r);
 }
 
 /* --- The paper's route. --- */
 
 static void check_close(mpfr_srcptr x, const char *decimal, double within) {
-  mpfr_t y;
-  mpfr_init2(y, 300);
+  MPFR_NUMBERS(300, y);
   ck_assert_int_eq(mpfr_set_str(y, decimal, 10, MPFR_RNDN), 0);
   mpfr_sub(y, y, x, MPFR_RNDN);
   ck_assert_msg(fabs(mpfr_get_d(y, MPFR_RNDN)) < within, "off %s by %g", decimal, mpfr_get_d(y, MPFR_RNDN));
-  mpfr_clear(y);
 }
 
 /* The second orbit of the set paper in tests/oracle/orbits.tsv. */
@@ -262,11 +248,10 @@ static const char *const orbit[N_ROUTE] = {"0.5322807412757240368215589787015368
 CASE("paper route", .once = {scratch_open, scratch_close});
 
 TEST(the_papers_route_from_any_two_quantities) {
-  struct scene s;
-  struct paper_orbits list;
+  OWNED(paper_orbits) list;
   const char *path =
       scratch_print("times.scene", "chi = 0.8\neta = 1\nV = 1\nt_b = %s\nt_c = %s\n", orbit[1], orbit[2]);
-  goes_well(scene_load(&s, path, "verify", &d));
+  OWNED(scene) s = scene_at(path);
   goes_well(audit_paper_orbits(&list, &s, 280, &d));
   bool found = false;
   for (size_t i = 0; i < list.n; i++) {
@@ -278,22 +263,17 @@ TEST(the_papers_route_from_any_two_quantities) {
     found = true;
   }
   ck_assert(found);
-  paper_orbits_clear(&list);
-  scene_clear(&s);
 }
 
 /* The set long-slip: from 2 % beside its first orbit the iteration leads nowhere, beside its fourth it comes back. */
 TEST(the_papers_route_may_not_converge) {
-  struct scene s;
-  struct paper_orbits list;
+  OWNED(paper_orbits) list;
   const char *path = scratch_put("long.scene", "chi = 0.87\neta = 0.32\nV = 0.45\ne1 = 0.242\ne2 = 0.279\n");
-  goes_well(scene_load(&s, path, "verify", &d));
+  OWNED(scene) s = scene_at(path);
   goes_well(audit_paper_orbits(&list, &s, 128, &d));
   ck_assert_uint_eq(list.n, 4);
   for (size_t i = 0; i < list.n; i++) ck_assert((list.item[i].status == SS_OK) == (list.item[i].nearest >= 0));
   ck_assert(list.item[0].status != SS_OK && list.item[3].nearest == 3);
-  paper_orbits_clear(&list);
-  scene_clear(&s);
 }
 
 /* --- Long runs. --- */
@@ -310,13 +290,10 @@ static const struct {
 enum { STABLE, PAPER, FLIPPING, SHEDDING, N_BESIDE };
 
 static void setup_beside(struct coulomb_setup *sim, int which) {
-  fmpq *params = rationals(beside[which].params, N_PARAMS);
-  struct dyn_orbits list;
-  ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
+  FREED_PARAMS fmpq *params = rationals(beside[which].params, N_PARAMS);
+  OWNED(dyn_orbits) list = orbits_of(params, 128);
   ck_assert_int_gt(list.n, beside[which].index);
   ck_assert_int_eq(coulomb_setup_on_orbit(sim, params, &list.orbit[beside[which].index], OWN_FRICTION), SS_OK);
-  dyn_orbits_clear(&list);
-  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 static const struct long_pair pairs[N_LONG_PAIRS] = {
@@ -337,7 +314,7 @@ TEST_EACH(a_displacement_grows_by_the_multiplier, N_BESIDE) {
 /* Rounding alone: from MPFR, which has 160 bits, the routes depart at the rate of the trace. */
 TEST_RANGE(routes_leave_an_unstable_orbit_at_its_rate, PAPER, N_BESIDE) {
   struct coulomb_setup sim;
-  struct long_run run;
+  OWNED(long_run) run;
   struct long_growth g;
   long periods = _i == PAPER ? 900 : 40;
   setup_beside(&sim, _i);
@@ -351,29 +328,25 @@ TEST_RANGE(routes_leave_an_unstable_orbit_at_its_rate, PAPER, N_BESIDE) {
     ck_assert_msg(fabs((double)(far - near) * want - log(1000)) < 2 * want + 0.2, "from %ld to %ld", near, far);
     ck_assert(long_run_most(&run, pairs[k]) > 1e-6 && long_run_parting(&run, pairs[k], 1e9) == 0);
   }
-  long_run_clear(&run);
 }
 
 /* An orbit of the paper's forces at chi, the one that breaks no condition. */
 static void setup_near_one(struct coulomb_setup *sim, const char *chi) {
   const char *const text[N_PARAMS] = {chi, "1", "1", "2.7844", "0.8587"};
-  struct dyn_orbits list;
-  fmpq *params = rationals(text, N_PARAMS);
-  ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
+  FREED_PARAMS fmpq *params = rationals(text, N_PARAMS);
+  OWNED(dyn_orbits) list = orbits_of(params, 128);
   int status = SS_UNABLE;
   for (slong k = 0; k < list.n && status; k++)
     if (list.orbit[k].admissible == TRUTH_TRUE)
       status = coulomb_setup_on_orbit(sim, params, &list.orbit[k], OWN_FRICTION);
   ck_assert_int_eq(status, SS_OK);
-  dyn_orbits_clear(&list);
-  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* Where positions are large, a run that has left its orbit is not taken for one beside it: within reach the rate is
    that of the trace, which the stretch beyond misses by a third. */
 TEST(a_growth_ends_where_the_orbit_is_left) {
   struct coulomb_setup sim;
-  struct long_run run;
+  OWNED(long_run) run;
   struct long_growth g;
   setup_near_one(&sim, "999/1000");
   double want = log(fabs(sim.trace));
@@ -384,7 +357,6 @@ TEST(a_growth_ends_where_the_orbit_is_left) {
     ck_assert(long_run_growth(&g, &run, pairs[k]));
     ck_assert_msg(fabs(g.log - want) < 0.05 * want, "%g", exp(g.log));
   }
-  long_run_clear(&run);
 }
 
 /* Differences of the integration keep their word where it can be kept, and say beforehand where it cannot. */
@@ -406,7 +378,7 @@ TEST(the_integration_near_chi_1) {
 
 TEST(routes_stay_on_a_stable_orbit) {
   struct coulomb_setup sim;
-  struct long_run run;
+  OWNED(long_run) run;
   struct long_growth g;
   setup_beside(&sim, STABLE);
   ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, 50, 1e4, 128), SS_OK);
@@ -422,19 +394,17 @@ TEST(routes_stay_on_a_stable_orbit) {
       ck_assert(fabs(run.at[k][i].t - (double)(i + 1) * beside[STABLE].period) < 1e-6);
     }
   }
-  long_run_clear(&run);
 }
 
 TEST(a_run_outside_the_domain) {
   struct coulomb_setup sim;
-  struct long_run run;
+  OWNED(long_run) run;
   struct long_growth g;
   setup_beside(&sim, STABLE);
   sim.params[COULOMB_CHI] = 1;
   ck_assert(long_run_make(&run, sim.params, sim.start, 3, 100, 128) & SS_DOMAIN);
   ck_assert(long_run_length(&run, pairs[0]) == 0 && long_run_parting(&run, pairs[0], 0) == 0);
   ck_assert(!long_run_growth(&g, &run, pairs[0]) && long_run_most(&run, pairs[0]) == 0);
-  long_run_clear(&run);
   ck_assert(!long_run_displaced(&g, sim.params, sim.start, 2, 100));
 }
 
@@ -444,9 +414,8 @@ TEST(a_disagreement_comes_first) {
   struct route_pair made_up[] = {
       {"return Jacobian", "fd", "implicit", "the flow", 3, "1e-40", true, "1e-48", "chi = 1/2", 1e-48, "chi = 1/2"},
       {"return Jacobian", "fd", "integration", "nothing", 4, "1e-5", false, NULL, NULL, 0.25, "chi = 1/3"}};
-  struct audit_result r;
-  struct text md, json, run, line;
-  audit_result_init(&r);
+  LOCAL(audit_result, r);
+  LOCAL(text, md, json, run, line);
   r.scene = r.title = r.model = "made up";
   r.pairs = ss_malloc(sizeof made_up);
   memcpy(r.pairs, made_up, sizeof made_up);
@@ -458,10 +427,6 @@ TEST(a_disagreement_comes_first) {
   memcpy(r.long_runs, runs, sizeof runs);
   r.n_long_runs = r.cap_long_runs = 2;
   ck_assert_int_eq(audit_result_unexpected(&r), 2);
-  text_init(&md);
-  text_init(&json);
-  text_init(&run);
-  text_init(&line);
   report_markdown(&md, &r);
   report_json(&json, &r);
   report_run(&run, &r, 1, "software");
@@ -478,9 +443,4 @@ TEST(a_disagreement_comes_first) {
   const char *lost = strstr(first, "\n## Long runs that the multiplier does not explain\n");
   ck_assert(lost && strstr(lost, "| lost | 2 | 0 | about 35 periods | **NO** | yes |\n") < strstr(lost, "| kept |"));
   ck_assert(strstr(text_str(&json), "\"obeys\": false") && !strstr(text_str(&json), "growth"));
-  text_clear(&line);
-  text_clear(&run);
-  text_clear(&json);
-  text_clear(&md);
-  audit_result_clear(&r);
 }

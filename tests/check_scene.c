@@ -14,6 +14,7 @@
 #include "claim/claims.h"
 #include "command.h"
 #include "every.h"
+#include "local.h"
 #include "paper_model.h"
 #include "process.h"
 #include "rational.h"
@@ -31,8 +32,10 @@ enum { SECONDS = SANITIZED ? 10 : 1, MEMORY = 200 << 20 };
 
 /* --- Processes --- */
 
-static void read_back(struct source *s, const char *path) {
-  goes_well(source_read(s, path, 16 << 20, &d));
+static struct source read_back(const char *path) {
+  struct source s;
+  goes_well(source_read(&s, path, 16 << 20, &d));
+  return s;
 }
 
 /* The program with these words, in at most 200 MiB of address space. */
@@ -42,12 +45,14 @@ static void run_once(struct job *r, const char *const *words) {
 }
 
 /* Of what takes too long once, on a machine that does other things, the third time says. */
-static void run_words(struct job *r, const char *const *words) {
-  run_once(r, words);
-  for (int i = 0; i < 2 && r->seconds >= SECONDS; i++) {
-    job_clear(r);
-    run_once(r, words);
+static struct job run_words(const char *const *words) {
+  struct job r;
+  run_once(&r, words);
+  for (int i = 0; i < 2 && r.seconds >= SECONDS; i++) {
+    job_clear(&r);
+    run_once(&r, words);
   }
+  return r;
 }
 
 /* --- The tables --- */
@@ -78,13 +83,11 @@ static void is_harmless(const struct job *r, const char *what) {
 
 /* check reads the file, and so does orbit, by the same function. */
 static void hostile_scene(char *const *field, bool by_orbit) {
-  struct text text;
-  struct job r;
-  text_init(&text);
+  LOCAL(text, text);
   field_expand(&text, field[4], abbreviated);
   const char *path = scratch_put_n("case.scene", text_str(&text), text.len);
   int status = atoi(field[1]);
-  run_words(&r, (const char *const[]){"check", path, NULL});
+  struct job r = run_words((const char *const[]){"check", path, NULL});
   is_harmless(&r, field[0]);
   if (status)
     is_refused(&r, field[0], status, field[2], field[3], path);
@@ -92,21 +95,18 @@ static void hostile_scene(char *const *field, bool by_orbit) {
     ck_assert_msg(r.status == 0 && r.err_size == 0, "%s: %d, %s", field[0], r.status, r.err);
   job_clear(&r);
   if (status && by_orbit) {
-    run_words(&r, (const char *const[]){"orbit", path, NULL});
+    r = run_words((const char *const[]){"orbit", path, NULL});
     is_refused(&r, field[0], status, field[2], field[3], path);
     job_clear(&r);
   }
-  text_clear(&text);
 }
 
 CASE("hostile", .once = {scratch_open, scratch_close});
 
 TEST(hostile_scenes) {
-  struct table scenes;
-  table_read(&scenes, "tests/hostile/scenes.tsv", 5);
+  OWNED(table) scenes = table_read("tests/hostile/scenes.tsv", 5);
   ck_assert_int_ge(scenes.n, 150);
   for (int i = 0; i < scenes.n; i++) hostile_scene(scenes.row[i], i % every(7) == 0);
-  table_clear(&scenes);
 }
 
 static void hostile_set(char *const *field) {
@@ -122,33 +122,27 @@ static void hostile_set(char *const *field) {
     words[2 * i - 8] = "--set";
     words[2 * i - 7] = text_str(&value[i]);
   }
-  struct job r;
-  run_words(&r, words);
+  OWNED(job) r = run_words(words);
   if (strcmp(field[1], "0") != 0) {
     is_harmless(&r, field[0]);
     is_refused(&r, field[0], atoi(field[1]), field[2], field[3], "--set");
   } else {
     ck_assert_msg(r.status == 0 && r.err_size == 0, "%s: %d, %s", field[0], r.status, r.err);
   }
-  job_clear(&r);
   for (int i = 5; i < n; i++) text_clear(&value[i]);
 }
 
 TEST(hostile_sets) {
-  struct table sets;
-  table_read(&sets, "tests/hostile/sets.tsv", ANY_COLUMNS);
+  OWNED(table) sets = table_read("tests/hostile/sets.tsv", ANY_COLUMNS);
   ck_assert_int_ge(sets.n, 50);
   for (int i = 0; i < sets.n; i++) hostile_set(sets.row[i]);
-  table_clear(&sets);
 }
 
 /* What is no file of text. */
 static void refuse_path(const char *path, const char *says) {
-  struct job r;
-  run_words(&r, (const char *const[]){"orbit", path, NULL});
+  OWNED(job) r = run_words((const char *const[]){"orbit", path, NULL});
   is_harmless(&r, path);
   is_refused(&r, path, 3, "-", says, path);
-  job_clear(&r);
 }
 
 TEST(what_is_no_file) {
@@ -170,11 +164,9 @@ TEST(what_is_no_file) {
   const char *hole = scratch_put("hole.scene", "");
   ck_assert(truncate(hole, 1L << 40) == 0 || truncate(hole, 1L << 30) == 0);
   refuse_path(hole, "larger than 1048576 bytes");
-  struct text name;
-  text_init(&name);
+  LOCAL(text, name);
   for (int i = 0; i < 3000; i++) text_add_char(&name, 'x');
   refuse_path(text_str(&name), "File name too long");
-  text_clear(&name);
 }
 
 /* Values that a model may have and double precision cannot hold: an answer or a message, no crash and no long
@@ -187,13 +179,11 @@ TEST(values_beyond_double_precision) {
   } uses[] = {{"orbit", "--digits", "30", 0}, {"simulate", "--periods", "1", 3}, {"jacobian", "--digits", "30", 3}};
   for (size_t i = 0; i < COUNT(sets); i++)
     for (size_t k = 0; k < COUNT(uses); k++) {
-      struct job r;
-      run_words(&r,
-                (const char *const[]){uses[k].command, "paper", "--set", sets[i], uses[k].option, uses[k].value, NULL});
+      OWNED(job) r = run_words(
+          (const char *const[]){uses[k].command, "paper", "--set", sets[i], uses[k].option, uses[k].value, NULL});
       is_harmless(&r, sets[i]);
       ck_assert_msg(r.status == uses[k].status, "%s, %s: %d, %s", uses[k].command, sets[i], r.status, r.err);
       if (r.status == 0) ck_assert(strstr(r.out, "not proved complete: the parameters are outside") != NULL);
-      job_clear(&r);
     }
 }
 
@@ -208,27 +198,20 @@ CASE("scene", .once = {scratch_open, scratch_close});
 /* Every scene on file says in a first line of comment what it teaches, has a title, and asks for what there is. */
 TEST(the_library_is_readable) {
   glob_t g;
-  struct claims claims;
-  struct model m;
-  struct diag d;
-  diag_init(&d);
-  paper_model(&m, NULL);
+  OWNED(claims) claims;
+  struct diag d = {0};
+  OWNED(model) m = paper_model(NULL);
   paper_claims(&claims, NULL);
   ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0);
   for (size_t i = 0; i < g.gl_pathc; i++) {
-    struct source text;
-    struct scene s;
-    read_back(&text, g.gl_pathv[i]);
+    OWNED(scene) s;
+    OWNED(source) text = read_back(g.gl_pathv[i]);
     ck_assert_msg(begins(text.text, "# ") && strstr(text.text, "\ntitle: "), "%s", g.gl_pathv[i]);
     bool ok = scene_load_with(&s, g.gl_pathv[i], "verify", NULL, SCENE_OF_ANY_SYSTEM, &d);
     ck_assert_msg(ok && (s.system || scene_check_asked(&s, &claims, &m, &d)), "%s", d.message);
     ck_assert(*s.title);
-    scene_clear(&s);
-    source_clear(&text);
   }
   globfree(&g);
-  model_clear(&m);
-  claims_clear(&claims);
 }
 
 CASE("hostile");
@@ -236,10 +219,9 @@ CASE("hostile");
 /* The option that a value came with is named. */
 TEST(a_value_without_a_name) {
   const char *item = "chi";
-  struct scene s;
+  OWNED(scene) s;
   fails_with(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&item, 1, "--with"}, false, &d),
              "--with takes NAME=VALUE, as in e2=1/2");
-  scene_clear(&s);
 }
 
 /* --- Values --- */
@@ -252,7 +234,7 @@ static bool load(struct scene *s, struct diag *d, const char *text, const struct
 CASE("scene");
 
 TEST(scenes_are_exact) {
-  struct scene s;
+  OWNED(scene) s;
   goes_well(load(&s, &d,
                  "# a comment\ntitle: exact\nchi = 0.8\neta = (1 + 1/3)^3/(10 - 7.5)\nV = 1e-12\n"
                  "e1 = 12345678901234567890.123456789\ne2 = 3*2^(-3)\nu_r2 = -(-2.5)\n",
@@ -266,7 +248,6 @@ TEST(scenes_are_exact) {
   ck_assert(s.given[KEY_E2] && s.given[KEY_U_R2] && !s.given[KEY_U_R1]);
   ck_assert_str_eq(s.title, "exact");
   ck_assert_str_eq(s.name, "case");
-  scene_clear(&s);
 }
 
 TEST(line_ends_marks_and_blanks_do_not_matter) {
@@ -274,12 +255,11 @@ TEST(line_ends_marks_and_blanks_do_not_matter) {
                                       (GOOD "\n\n  # the end"), ("chi =\n    4\n    /5 # four fifths\n" REST),
                                       ("chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1")};
   for (size_t i = 0; i < COUNT(texts); i++) {
-    struct scene s;
+    OWNED(scene) s;
     struct diag d;
     ck_assert_msg(load(&s, &d, texts[i], NULL), "text %zu: %s", i, d.message);
     is_rational(&s.value[KEY_CHI], "4/5");
     is_rational(&s.value[KEY_E2], "1");
-    scene_clear(&s);
   }
 }
 
@@ -296,7 +276,7 @@ TEST(the_last_printed_digit) {
                {"2.5e-3", "1/400", "1/10000"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
     char text[200];
-    struct scene s;
+    OWNED(scene) s;
     snprintf(text, sizeof text, GOOD "printed: x_1 = %s\n", cases[i].decimal);
     goes_well(load(&s, &d, text, NULL));
     const struct printed_number *p = scene_printed(&s, "x_1");
@@ -304,7 +284,6 @@ TEST(the_last_printed_digit) {
     ck_assert_str_eq(p->decimal, cases[i].decimal);
     is_rational(&p->value, cases[i].value);
     is_rational(&p->unit, cases[i].unit);
-    scene_clear(&s);
   }
 }
 
@@ -332,10 +311,8 @@ TEST(a_decimal_is_read_rounded_or_cut_off) {
                {"0.4", "0.5", TRUTH_FALSE, 0}};
   for (size_t i = 0; i < COUNT(cases); i++) {
     char text[200];
-    struct scene s;
-    arb_t x, whole;
-    arb_init(x);
-    arb_init(whole);
+    OWNED(scene) s;
+    NUMBERS(arb, x, whole);
     snprintf(text, sizeof text, GOOD "printed: q = %s\n", cases[i].decimal);
     goes_well(load(&s, &d, text, NULL));
     ck_assert(arb_set_str(x, cases[i].x, 200) == 0);
@@ -346,9 +323,6 @@ TEST(a_decimal_is_read_rounded_or_cut_off) {
     if (fits == TRUTH_TRUE) ck_assert_int_eq(how, cases[i].how);
     bool at_end = fits == TRUTH_FALSE && arb_is_exact(x);
     if (fits != TRUTH_UNKNOWN && !at_end) ck_assert_int_eq(arb_overlaps(whole, x), fits == TRUTH_TRUE);
-    scene_clear(&s);
-    arb_clear(whole);
-    arb_clear(x);
   }
 }
 
@@ -372,16 +346,13 @@ TEST(values_use_each_other) {
 TEST(order_does_not_matter) {
   static const char *const line[] = {"chi = V/2\n", "eta = e1 + chi\n", "V = 1\n", "e1 = 2*V\n", "e2 = eta\n"};
   for (int first = 0; first < 5; first++) {
-    struct text t;
-    struct scene s;
-    text_init(&t);
+    LOCAL(text, t);
+    OWNED(scene) s;
     for (int i = 0; i < 5; i++) text_add(&t, line[(first + 2 * i) % 5]);
     goes_well(load(&s, &d, text_str(&t), NULL));
     is_rational(&s.value[KEY_CHI], "1/2");
     is_rational(&s.value[KEY_ETA], "5/2");
     is_rational(&s.value[KEY_E2], "5/2");
-    scene_clear(&s);
-    text_clear(&t);
   }
 }
 
@@ -391,13 +362,12 @@ TEST(overrides_print_in_any_order) {
                                          {"printed=", "printed=t_a = 0.5", "printed=t_b = 7"},
                                          {"printed=t_b = 7", "printed=t_a = 0.5", "printed="}};
   for (size_t i = 0; i < COUNT(items); i++) {
-    struct scene s;
+    OWNED(scene) s;
     const struct scene_overrides o = {items[i], 3, "--set"};
     goes_well(load(&s, &d, GOOD "printed: t_a = 0.6\nprinted: z10 = 0.9\n", &o));
     ck_assert_msg(s.n_printed == 2 && scene_printed(&s, "t_a") && scene_printed(&s, "t_b"), "order %zu", i);
     is_rational(&scene_printed(&s, "t_a")->value, "1/2");
     is_rational(&scene_printed(&s, "t_b")->value, "7");
-    scene_clear(&s);
   }
 }
 
@@ -439,22 +409,16 @@ TEST(what_is_asked_must_exist) {
                {"values: z10, trace_Q\n", "6:14", "the paper has no quantity trace_Q"},
                {"values: H(t_q)\n", "6:11", "the paper has no quantity t_q"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    struct text text;
+    LOCAL(text, text);
     char begin[300];
-    struct job r;
-    text_init(&text);
     text_printf(&text, GOOD "%s", cases[i].text);
     const char *path = scratch_put("asks.scene", text_str(&text));
     snprintf(begin, sizeof begin, "%s:%s: error: ", path, cases[i].place);
     for (int k = 0; k < 2; k++) {
-      if (k == 0)
-        run_words(&r, (const char *const[]){"check", path, NULL});
-      else
-        run_words(&r, (const char *const[]){"verify", path, "--out", scratch_path("out"), NULL});
+      OWNED(job) r = run_words(k == 0 ? (const char *const[]){"check", path, NULL}
+                                      : (const char *const[]){"verify", path, "--out", scratch_path("out"), NULL});
       ck_assert_msg(r.status == 3 && begins(r.err, begin) && strstr(r.err, cases[i].says), "%d: %s", r.status, r.err);
-      job_clear(&r);
     }
-    text_clear(&text);
   }
 }
 
@@ -464,10 +428,8 @@ static int count_lines(const char *line) {
   int n = 0;
   ck_assert(glob("verify/claims/*.claim", 0, NULL, &g) == 0);
   for (size_t i = 0; i < g.gl_pathc; i++) {
-    struct source s;
-    read_back(&s, g.gl_pathv[i]);
+    OWNED(source) s = read_back(g.gl_pathv[i]);
     for (const char *p = strstr(s.text, line); p; p = strstr(p + 1, line)) n++;
-    source_clear(&s);
   }
   globfree(&g);
   return n;
@@ -491,7 +453,7 @@ TEST(groups_of_claims) {
                {"kind notation", {"\n  kind: notation\n"}},
                {"record refuted", {"\n  record: refuted\n"}},
                {"equations", {"\nclaim eq-", "\n  equation: "}}};
-  struct claims c;
+  OWNED(claims) c;
   paper_claims(&c, NULL);
   for (size_t i = 0; i < COUNT(cases); i++) {
     int want = 0;
@@ -521,7 +483,6 @@ TEST(groups_of_claims) {
   for (size_t i = 0; i < COUNT(of); i++)
     for (size_t k = 0; k < c.n; k++)
       if (strcmp(c.claim[k].id, of[i]) == 0) ck_assert_msg(claim_asked_for(&c.claim[k], "jacobians"), "%s", of[i]);
-  claims_clear(&c);
 }
 
 /* --- --set --- */
@@ -543,16 +504,15 @@ TEST(only_the_file_itself_is_on_file) {
            {"paper", &changed, false},
            {scratch_put("paper.scene", GOOD), NULL, false}};
   for (size_t i = 0; i < COUNT(c); i++) {
-    struct scene s;
+    OWNED(scene) s;
     goes_well(scene_load_with(&s, c[i].spec, "verify", c[i].o, false, &d));
     ck_assert_str_eq(s.file, "paper");
     ck_assert_msg(scene_is(&s, "paper") == c[i].is, "%s", c[i].spec);
-    scene_clear(&s);
   }
 }
 
 TEST(set_names_what_it_changed) {
-  struct scene s, plain, other;
+  OWNED(scene) s, plain, other;
   const char *const item[] = {"e2=[1, 2]", "title=it's"}, *const asked[] = {"ask=eq-27"};
   struct scene_overrides o = {item, 2, "--set"}, only_asked = {asked, 1, "--set"};
   goes_well(load(&s, &d, GOOD, &o));
@@ -566,9 +526,6 @@ TEST(set_names_what_it_changed) {
   ck_assert(strcmp(s.folder, "case") != 0 && !strpbrk(s.folder, "/ '[]"));
   goes_well(load(&other, &d, GOOD, &only_asked));
   ck_assert(!other.changed); /* it asks for less of the same scene */
-  scene_clear(&other);
-  scene_clear(&plain);
-  scene_clear(&s);
 }
 
 /* One mass, whose orbits are soon found. */
@@ -595,13 +552,11 @@ TEST(a_system_stands_beside_its_scene) {
 
 /* Two values whose names fold into one do not share a folder. */
 TEST(folders_differ) {
-  struct scene a, b;
+  OWNED(scene) a, b;
   const char *const one[] = {"e2=1/2"}, *const two[] = {"e2=1*2"};
   goes_well(load(&a, &d, GOOD, &(struct scene_overrides){one, 1, "--set"}));
   goes_well(load(&b, &d, GOOD, &(struct scene_overrides){two, 1, "--set"}));
   ck_assert_str_ne(a.folder, b.folder);
-  scene_clear(&a);
-  scene_clear(&b);
 }
 
 /* Every command that takes a scene takes --set, and what it prints shows it. */
@@ -617,53 +572,41 @@ TEST(set_reaches_every_command) {
                                              {"sweep", "paper", "--over", "V=1:1.1:2", "--set", "e2=1"},
                                              {"repair", "eq-27", "--json", "--set", "e2=1"}};
   for (size_t i = 0; i < COUNT(commands); i++) {
-    struct job r;
-    run_words(&r, commands[i]);
+    OWNED(job) r = run_words(commands[i]);
     ck_assert_msg(r.status == 0 && strstr(r.out, "paper --set e2=1"), "%s %s: %d, %.500s %s", commands[i][0],
                   commands[i][2], r.status, r.out, r.err);
-    job_clear(&r);
   }
-  struct job r;
-  run_words(&r, (const char *const[]){"explain", "num-t_a", "--set", "printed=t_a = 0.5", NULL});
+  OWNED(job) r = run_words((const char *const[]){"explain", "num-t_a", "--set", "printed=t_a = 0.5", NULL});
   ck_assert_msg(r.status == 0 && strstr(r.out, "0.5"), "%s", r.err);
-  job_clear(&r);
-  run_words(&r, (const char *const[]){"list", "--set", "e2=1", NULL});
+  job_take(&r, run_words((const char *const[]){"list", "--set", "e2=1", NULL}));
   ck_assert(r.status == 2);
-  job_clear(&r);
 }
 
 /* A changed scene and a file with the same value give the same numbers. */
 TEST(set_is_what_the_file_says) {
-  struct job a, b;
   const char *path =
       scratch_put("paper-too.scene", "chi = 0.7\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 1/2\nprinted: t_a = 0.6784\n");
-  run_words(&a, (const char *const[]){"orbit", "paper", "--set", "chi=0.7", "--set", "e2=1/2", NULL});
-  run_words(&b, (const char *const[]){"orbit", path, NULL});
+  OWNED(job) a = run_words((const char *const[]){"orbit", "paper", "--set", "chi=0.7", "--set", "e2=1/2", NULL});
+  OWNED(job) b = run_words((const char *const[]){"orbit", path, NULL});
   ck_assert(a.status == 0 && b.status == 0);
   ck_assert_str_eq(strchr(a.out, '\n'), strchr(b.out, '\n'));
-  job_clear(&b);
-  job_clear(&a);
 }
 
 /* Verdicts recorded for the paper's example alone do not judge a changed one; the command that repeats the claim says
    how it was changed, and the paper's own report stays. */
 TEST(a_changed_scene_is_not_the_recorded_one) {
-  struct job r;
-  struct source audit;
   /* e2 = 0.8587 is what the scene says: the printed t_a is refuted as on record, for which a changed scene is not
      asked */
-  run_words(&r, (const char *const[]){"verify", "paper", "--only", "num-t_a", "--set", "printed=t_a = 0.5322", "--out",
-                                      scratch_path("changed"), NULL});
+  OWNED(job) r = run_words((const char *const[]){"verify", "paper", "--only", "num-t_a", "--set",
+                                                 "printed=t_a = 0.5322", "--out", scratch_path("changed"), NULL});
   ck_assert_msg(r.status == 0, "%d: %s%s", r.status, r.out, r.err);
-  job_clear(&r);
-  read_back(&audit, scratch_path("changed/audit.json"));
+  OWNED(source) audit = read_back(scratch_path("changed/audit.json"));
   ck_assert(strstr(audit.text, "\"verdict\": \"proved\"") || strstr(audit.text, "\"verdict\": \"supported\""));
   ck_assert(strstr(audit.text, "\"t_a = 0.5322 on the example's orbit\""));
   ck_assert(
       strstr(audit.text,
              "\"reproduce\": \"stickslip verify paper --set 'printed=t_a = 0.5322' --only num-t_a --out recheck\""));
   ck_assert(strstr(audit.text, "\"scene\": \"paper --set 'printed=t_a = 0.5322'\""));
-  source_clear(&audit);
 }
 
 /* --- Names of files --- */
@@ -685,9 +628,8 @@ TEST(names_of_files_do_not_break_lines) {
                {"a\x1B[31m.scene", 2},
                {"a\xE2\x80\xA8.scene", 2}};
   for (size_t i = 0; i < COUNT(names); i++) {
-    struct job r;
     const char *path = scratch_put(names[i].name, GOOD);
-    run_words(&r, (const char *const[]){"sweep", path, "--over", "e2=0.5:0.6:2", NULL});
+    OWNED(job) r = run_words((const char *const[]){"sweep", path, "--over", "e2=0.5:0.6:2", NULL});
     ck_assert_msg(r.status == names[i].status, "%s", r.err);
     bool rows = false;
     for (const char *line = r.out; *line; line = strchr(line, '\n') + 1) {
@@ -695,7 +637,6 @@ TEST(names_of_files_do_not_break_lines) {
       ck_assert_msg(*line == '#' || (rows && (*line == 'p' || (*line >= '0' && *line <= '9'))), "%.100s", line);
       for (const char *p = line; *p && *p != '\n'; p++) ck_assert(*p >= ' ' && *p != 0x7F);
     }
-    job_clear(&r);
   }
 }
 
@@ -720,11 +661,9 @@ TEST(commands_of_a_report_can_be_typed) {
 CASE("scene");
 
 TEST(keys_are_documented) {
-  struct source page;
-  struct job r, json;
-  read_back(&page, "man/stickslip-scene.5");
-  run_words(&r, (const char *const[]){"list", "--scene-keys", NULL});
-  run_words(&json, (const char *const[]){"list", "--scene-keys", "--json", NULL});
+  OWNED(source) page = read_back("man/stickslip-scene.5");
+  OWNED(job) r = run_words((const char *const[]){"list", "--scene-keys", NULL});
+  OWNED(job) json = run_words((const char *const[]){"list", "--scene-keys", "--json", NULL});
   for (int k = 0; k < N_SCENE_KEYS; k++) {
     char item[100], line[100], member[100];
     snprintf(item, sizeof item, "\n.It Ic %s ", scene_keys[k].name);
@@ -734,9 +673,6 @@ TEST(keys_are_documented) {
     ck_assert_msg(strstr(r.out, line) && strstr(r.out, scene_keys[k].meaning), "%s", line);
     ck_assert_msg(strstr(json.out, member), "%s", member);
   }
-  job_clear(&json);
-  job_clear(&r);
-  source_clear(&page);
 }
 
 TEST(keys_obey_their_schema) {
@@ -834,20 +770,18 @@ static struct lines unchanged(const struct use *u) {
 }
 
 static void put_scene(const struct lines *l) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (int k = 0; k < N_SCENE_KEYS; k++)
     if (l->of[k]) text_printf(&t, "%s%s %s\n", scene_key_name[k], k < N_KEYS ? " =" : ":", l->of[k]);
   text_add(&t, "printed: z20 = -2.1958\nprinted: t_a = 0.6784\nprinted: t_b = 2\nprinted: t_c = 1.5\n"
                "printed: t_d = 2.34\nprinted: e1 = 2.7844\nprinted: e2 = 0.8587\nprinted: u_r2 = 1.6645\n");
   scratch_put("scenes/x.scene", text_str(&t));
-  text_clear(&t);
 }
 
 /* All that the command says and writes, but for what belongs to the machine; its exit status. */
 static int answer(struct text *out, const struct use *u, const struct lines *l) {
   const char *words[10] = {NULL}, *folder = scratch_path("keys-out");
-  struct job r;
+  OWNED(job) r;
   struct lines own = *l;
   if (u->word) own.of[KEY_WORD] = u->word;
   put_scene(&own);
@@ -860,22 +794,17 @@ static int answer(struct text *out, const struct use *u, const struct lines *l) 
   unsetenv("STICKSLIP_DATA");
   text_printf(out, "%d\n%s%s", r.status, r.out, r.err);
   if (access(folder, F_OK) == 0) {
-    char *list = ss_strdup(scratch_list(folder));
+    FREED char *list = ss_strdup(scratch_list(folder));
     for (char *name = strtok(list, " "); name; name = strtok(NULL, " ")) {
       char path[100];
-      struct source s;
       snprintf(path, sizeof path, "keys-out/%s", name);
-      read_back(&s, scratch_path(path));
+      OWNED(source) s = read_back(scratch_path(path));
       if (strcmp(name, "run.json") != 0) text_printf(out, "%s\n%s", name, s.text);
-      source_clear(&s);
       unlink(scratch_path(path));
     }
-    free(list);
     ck_assert(rmdir(folder) == 0);
   }
-  int status = r.status;
-  job_clear(&r);
-  return status;
+  return r.status;
 }
 
 /* Whether the list of the column, from a place up to a semicolon, names the command. */
@@ -902,7 +831,7 @@ static bool told_to_be_refused(int key, const char *command) {
    idle: those that were among them. */
 static void try_idle(bool idle[N_CHANGES], const struct use *u, const char *before) {
   struct lines l = unchanged(u);
-  struct text after;
+  LOCAL(text, after);
   bool changed[N_SCENE_KEYS] = {false};
   for (int i = 0; i < N_CHANGES; i++) {
     const struct altered *c = &changes[i];
@@ -912,10 +841,8 @@ static void try_idle(bool idle[N_CHANGES], const struct use *u, const char *befo
     changed[c->key] = true;
     l.of[c->key] = c->value;
   }
-  text_init(&after);
   answer(&after, u, &l);
   for (int i = 0; i < N_CHANGES && strcmp(before, text_str(&after)) != 0; i++) idle[i] = false;
-  text_clear(&after);
 }
 
 /* Whether it is tried that a key acts where it is told to: in make check with a third of the commands, and of the
@@ -934,10 +861,9 @@ TEST(keys_act_where_they_say) {
   ck_assert(mkdir(scratch_path("scenes"), 0755) == 0);
   scratch_put("scenes/one.system", one_mass);
   for (int u = 0; u < N_USES; u++) {
-    struct text before;
+    LOCAL(text, before);
     int first = u; /* of the same command */
     while (first > 0 && strcmp(uses[first - 1].argv[0], uses[u].argv[0]) == 0) first--;
-    text_init(&before);
     const struct lines as_it_was = unchanged(&uses[u]);
     int status = answer(&before, &uses[u], &as_it_was);
     bool idle[N_CHANGES];
@@ -945,11 +871,10 @@ TEST(keys_act_where_they_say) {
     for (int i = 0; i < N_CHANGES; i++) {
       const struct altered *c = &changes[i];
       struct lines l = c->key == KEY_SYSTEM ? alone : as_it_was;
-      struct text after;
+      LOCAL(text, after);
       bool spoilt = c->key == KEY_SYSTEM && status != 0; /* what is refused anyhow tells nothing */
       if (idle[i] || spoilt || acts[c->key][first] || !is_tried(c->key, first) || (uses[u].word && c->key == KEY_WORD))
         continue; /* nothing more to learn of it */
-      text_init(&after);
       l.of[c->key] = c->value;
       l.of[c->with] = c->its;
       int then = answer(&after, &uses[u], &l);
@@ -958,9 +883,7 @@ TEST(keys_act_where_they_say) {
         refused[c->key][first] = true;
       else if (strcmp(text_str(&before), text_str(&after)) != 0)
         acts[c->key][first] = true;
-      text_clear(&after);
     }
-    text_clear(&before);
   }
   for (int u = 0; u < N_USES; u++) /* read as a pair, of which one can be too large to matter on every orbit */
     acts[KEY_U_R1][u] = acts[KEY_U_R2][u] = acts[KEY_U_R1][u] || acts[KEY_U_R2][u];

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 
 #include "every.h"
+#include "local.h"
 #include "motion/sincos.h"
 #include "num/flint_compat.h"
 #include "num/flint_more.h"
@@ -32,12 +33,9 @@ struct traced {
 };
 
 static double magnitude(const arb_t x) {
-  arf_t bound;
-  arf_init(bound);
+  NUMBERS(arf, bound);
   arb_get_abs_ubound_arf(bound, x, 64);
-  double d = arf_get_d(bound, ARF_RND_CEIL);
-  arf_clear(bound);
-  return d;
+  return arf_get_d(bound, ARF_RND_CEIL);
 }
 
 /* Half a unit in the last place of anything up to size. */
@@ -50,15 +48,13 @@ static double rounding(double size) {
 static const double slack = 1 + 1e-12; /* for the few operations on error bounds themselves */
 
 static void traced_set(struct traced *z, double at, double low, double high) {
-  arb_t end;
-  arb_init(end);
+  NUMBERS(arb, end);
   arb_init(z->exact);
   z->at = at;
   z->error = 0;
   arb_set_d(z->exact, low);
   arb_set_d(end, high);
   arb_union(z->exact, z->exact, end, BITS);
-  arb_clear(end);
 }
 
 static void traced_clear(struct traced *z) {
@@ -80,13 +76,11 @@ static void traced_mul(struct traced *z, const struct traced *x, const struct tr
 }
 
 static void traced_scale(struct traced *z, double power_of_two) {
-  arb_t factor;
-  arb_init(factor);
+  NUMBERS(arb, factor);
   arb_set_d(factor, power_of_two);
   z->at *= power_of_two;
   arb_mul(z->exact, z->exact, factor, BITS);
   z->error *= fabs(power_of_two);
-  arb_clear(factor);
 }
 
 static const double sine_part[] = {-0x1.5555555555555p-3, 0x1.1111111111067p-7,   -0x1.a01a019ffdba2p-13,
@@ -118,7 +112,7 @@ static void traced_copy(struct traced *z, const struct traced *x) {
 /* The parts of 1 - cos, and the cosine.  high = 1 - half loses what (1 - high) - half recovers without a rounding, 1 -
    high being exact for high in [1/2, 1]: only its sum with the small part and the last sum round. */
 static void trace_cosine(struct traced q[N_TRACED]) {
-  struct traced half, small, turn, sum;
+  OWNED(traced) half, small, turn, sum;
   traced_polynomial(&small, cosine_part, COSINE_PART, &q[Z]);
   traced_set(&half, 0, 0, 0);
   traced_set(&turn, 0, 0, 0);
@@ -137,15 +131,11 @@ static void trace_cosine(struct traced q[N_TRACED]) {
   arb_sub(sum.exact, sum.exact, half.exact, BITS);
   arb_add(q[COSINE].exact, sum.exact, small.exact, BITS);
   q[COSINE].error = (half.error + flat + rounding(magnitude(q[COSINE].exact) + half.error + flat)) * slack;
-  traced_clear(&half);
-  traced_clear(&small);
-  traced_clear(&turn);
-  traced_clear(&sum);
 }
 
 /* The header's operations for r in [low, high]; tail may be anything up to half a unit in r's last place. */
 static void trace(struct traced q[N_TRACED], double low, double high) {
-  struct traced p;
+  OWNED(traced) p;
   double mid = low + 0.5 * (high - low), most = rounding(high);
   traced_set(&q[R], mid, low, high);
   traced_set(&q[TAIL], 0, -most, most);
@@ -158,7 +148,6 @@ static void trace(struct traced q[N_TRACED], double low, double high) {
   traced_add(&q[SINE], &q[BOW], &q[TAIL]);
   traced_add(&q[SINE], &q[R], &q[SINE]);
   trace_cosine(q);
-  traced_clear(&p);
 }
 
 /* --- The truncation. --- */
@@ -260,23 +249,19 @@ struct worst {
 
 /* |got - want| in units of 2^-53 of want, less what the reduction may add. */
 static double miss(double got, mpfr_srcptr want, double of) {
-  mpfr_t d;
-  mpfr_init2(d, 64);
+  MPFR_NUMBERS(64, d);
   mpfr_d_sub(d, got, want, MPFR_RNDA);
   double e = fabs(mpfr_get_d(d, MPFR_RNDA));
-  mpfr_clear(d);
   return fmax(e - 0x1p-97, 0) / (of * unit);
 }
 
 static void measure(struct worst *w, double x) {
-  mpfr_t s, c;
   struct sine_cosine t = sincos_of(x);
-  mpfr_inits2(300, s, c, (mpfr_ptr)NULL);
+  MPFR_NUMBERS(300, s, c);
   mpfr_set_d(s, x, MPFR_RNDN);
   mpfr_sin_cos(s, c, s, MPFR_RNDN);
   w->sine = fmax(w->sine, miss(t.sine, s, fabs(mpfr_get_d(s, MPFR_RNDA))));
   w->cosine = fmax(w->cosine, miss(t.cosine, c, fabs(mpfr_get_d(c, MPFR_RNDA))));
-  mpfr_clears(s, c, (mpfr_ptr)NULL);
 }
 
 static void check_worst(const struct worst *w) {
@@ -297,9 +282,8 @@ TEST(random_arguments) {
 /* Next to k pi/2, where what is left is smallest, and next to odd multiples of pi/4, where k changes. */
 TEST(worst_arguments) {
   struct worst w = {0};
-  mpfr_t x;
   struct rng r = {21};
-  mpfr_init2(x, 200);
+  MPFR_NUMBERS(200, x);
   for (int i = 1; i < 24000; i += every(3)) {
     long k = i < 12000 ? i : (long)(rng_unit(&r) * 0x1p20 * 4 / 3.15);
     mpfr_const_pi(x, MPFR_RNDN);
@@ -310,7 +294,6 @@ TEST(worst_arguments) {
     measure(&w, -nextafter(at, 0));
     measure(&w, nextafter(at, 2 * at));
   }
-  mpfr_clear(x);
   measure(&w, SINCOS_REACH);
   measure(&w, -SINCOS_REACH);
   check_worst(&w);
@@ -319,9 +302,8 @@ TEST(worst_arguments) {
 /* The angle of a point: measured, in all octants and next to the multiples of pi/8, where its parts change. */
 TEST(angles) {
   double worst = 0;
-  mpfr_t x, y;
   struct rng r = {22};
-  mpfr_inits2(200, x, y, (mpfr_ptr)NULL);
+  MPFR_NUMBERS(200, x, y);
   for (int i = 0; i < 60000 / every(4); i++) {
     double angle = i % 2 == 0 ? 3.14159 * rng_unit(&r) : (double)(i % 18 / 2) * 0.39269908169872414;
     double size = ldexp(1, (int)(rng_unit(&r) * 40) - 20), near = i % 3 == 0 ? 0 : ldexp(rng_unit(&r) - 0.5, -(i % 50));
@@ -331,7 +313,6 @@ TEST(angles) {
     mpfr_atan2(y, y, x, MPFR_RNDN);
     if (up > 0) worst = fmax(worst, miss(sincos_angle(up, across), y, mpfr_get_d(y, MPFR_RNDA)));
   }
-  mpfr_clears(x, y, (mpfr_ptr)NULL);
   ck_assert_msg(worst < 4, "%g units", worst);
   ck_assert(sincos_angle(0, 1) == 0 && sincos_angle(1, 0) == 0x1.921fb54442d18p+0 &&
             sincos_angle(0, -1) == 0x1.921fb54442d18p+1);

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "local.h"
 #include "suite.h"
 
 /* f_i = x_i^2 + x_{i+1}^2 - (p_i + p_{i+1}), indices mod n: for odd n the positive solution is sqrt(p_i) alone.  For n
@@ -20,12 +21,13 @@ struct squares {
   enum newton_next end;
 };
 
-static void squares_init(struct squares *s, slong n, struct num_ctx ctx) {
-  *s = (struct squares){.ctx = ctx, .n = n, .end = NEWTON_LAST};
-  num_vec_init(&s->f, n, ctx);
-  num_vec_init(&s->j, n * n, ctx);
-  num_vec_init(&s->t, 2, ctx);
-  arb_init(s->off);
+static struct squares squares_of(slong n, struct num_ctx ctx) {
+  struct squares s = {.ctx = ctx, .n = n, .end = NEWTON_LAST};
+  s.f = vec_new(n, ctx);
+  s.j = vec_new(n * n, ctx);
+  s.t = vec_new(2, ctx);
+  arb_init(s.off);
+  return s;
 }
 
 static void squares_clear(struct squares *s) {
@@ -71,16 +73,11 @@ static void start_at(struct num_vec *x, double off) {
 
 /* |x - sqrt(p)| <= 2^bits */
 static bool is_near_root(const struct num_type *type, const void *x, slong p, slong bits) {
-  arb_t root, got;
-  arb_init(root);
-  arb_init(got);
+  NUMBERS(arb, root, got);
   arb_sqrt_ui(root, (ulong)p, 4000);
   type->get_arb(got, x);
   arb_sub(got, got, root, 4000);
-  bool near = arf_cmpabs_2exp_si(arb_midref(got), bits) <= 0;
-  arb_clear(got);
-  arb_clear(root);
-  return near;
+  return arf_cmpabs_2exp_si(arb_midref(got), bits) <= 0;
 }
 
 static const slong sizes[] = {1, 3, 15};
@@ -89,10 +86,8 @@ TEST(newton_finds_square_roots) {
   struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(53), num_ctx_mpfr(700), num_ctx_arb(90), num_ctx_arb(700)};
   for (size_t t = 0; t < COUNT(ctx); t++)
     for (size_t i = 0; i < COUNT(sizes); i++) {
-      struct squares s;
-      struct num_vec x;
-      squares_init(&s, sizes[i], ctx[t]);
-      num_vec_init(&x, sizes[i], ctx[t]);
+      OWNED(squares) s = squares_of(sizes[i], ctx[t]);
+      OWNED(num_vec) x = vec_new(sizes[i], ctx[t]);
       struct solve_system system = {sizes[i], squares_values, &s};
       start_at(&x, 0.05);
       ck_assert_int_eq(newton_run(&x, &system, ctx[t], 40, settles), SS_OK);
@@ -100,15 +95,12 @@ TEST(newton_finds_square_roots) {
       for (slong k = 0; k < sizes[i]; k++)
         ck_assert(is_near_root(ctx[t].type, num_vec_at(&x, k), k + 2, 8 - ctx[t].prec));
       for (slong k = 0; k < sizes[i] && ctx[t].type == &num_arb; k++) ck_assert(arb_is_exact(num_vec_at(&x, k)));
-      num_vec_clear(&x);
-      squares_clear(&s);
     }
 }
 
 TEST(newton_ends_as_it_is_told) {
-  struct squares s;
   double x = 1.5;
-  squares_init(&s, 1, num_ctx_double());
+  OWNED(squares) s = squares_of(1, num_ctx_double());
   struct solve_system system = {1, squares_values, &s};
   struct num_vec v = {num_ctx_double(), 1, (char *)&x};
   s.most = 1;
@@ -129,7 +121,6 @@ TEST(newton_ends_as_it_is_told) {
   ck_assert_int_eq(s.calls, 2);
   x = 0; /* the derivative is zero there */
   ck_assert_int_eq(newton_run(&v, &system, v.ctx, 9, settles), SS_DOMAIN);
-  squares_clear(&s);
 }
 
 TEST(what_small_means) {
@@ -171,23 +162,18 @@ TEST(precision_rises) {
 /* --- Krawczyk's operator. --- */
 
 static bool encloses_root(const arb_t x, slong p) {
-  arb_t root;
-  arb_init(root);
+  NUMBERS(arb, root);
   arb_sqrt_ui(root, (ulong)p, 4000);
-  bool inside = arb_contains(x, root);
-  arb_clear(root);
-  return inside;
+  return arb_contains(x, root);
 }
 
 TEST(square_roots_are_enclosed) {
   static const slong precs[] = {53, 128, 1000};
   for (size_t t = 0; t < COUNT(precs); t++)
     for (size_t i = 0; i < COUNT(sizes); i++) {
-      struct squares s;
-      struct num_vec x;
-      struct krawczyk k;
-      squares_init(&s, sizes[i], num_ctx_arb(precs[t]));
-      num_vec_init(&x, sizes[i], s.ctx);
+      OWNED(krawczyk) k;
+      OWNED(squares) s = squares_of(sizes[i], num_ctx_arb(precs[t]));
+      OWNED(num_vec) x = vec_new(sizes[i], s.ctx);
       struct solve_system system = {sizes[i], squares_values, &s};
       krawczyk_init(&k, &system, precs[t]);
       start_at(&x, 0.05);
@@ -205,30 +191,24 @@ TEST(square_roots_are_enclosed) {
           if (how < 2) ck_assert_int_gt(arb_rel_accuracy_bits(image), precs[t] - 16);
         }
       }
-      krawczyk_clear(&k);
-      num_vec_clear(&x);
-      squares_clear(&s);
     }
 }
 
 /* The operator of x^2 - p around mid on mid +- radius. */
 static bool applied(struct krawczyk *k, double mid, double radius) {
-  struct num_vec x;
-  num_vec_init(&x, 1, num_ctx_arb(90));
+  OWNED(num_vec) x = vec_new(1, num_ctx_arb(90));
   arb_set_d(num_vec_at(&x, 0), mid);
   ck_assert_int_eq(krawczyk_centre(k, &x), SS_OK);
   arb_set_d(num_vec_at(&k->box, 0), mid);
   mag_set_d(arb_radref((arb_ptr)num_vec_at(&k->box, 0)), radius);
   ck_assert_int_eq(krawczyk_apply(k), SS_OK);
-  num_vec_clear(&x);
   return k->inside;
 }
 
 /* K(X) = m - (m^2 - 2)/(2 m) + [-r, r] r/m, exactly, for X = m +- r. */
 TEST(boxes_by_hand) {
-  struct squares s;
-  struct krawczyk k;
-  squares_init(&s, 1, num_ctx_arb(90));
+  OWNED(krawczyk) k;
+  OWNED(squares) s = squares_of(1, num_ctx_arb(90));
   struct solve_system system = {1, squares_values, &s};
   krawczyk_init(&k, &system, 90);
   for (double r = 0.125; r < 16; r *= 2) { /* m = 3/2: inside where 1/12 + 2 r^2/3 < r */
@@ -240,14 +220,11 @@ TEST(boxes_by_hand) {
   ck_assert(!applied(&k, 2, 0.25));     /* no zero in 2 +- 1/4: the image lies apart */
   ck_assert(!arb_overlaps(num_vec_at(&k.image, 0), num_vec_at(&k.box, 0)));
   ck_assert(!applied(&k, 0.25, 2)); /* two zeros */
-  krawczyk_clear(&k);
-  squares_clear(&s);
 }
 
 TEST(a_box_away_from_its_centre_proves_nothing) {
-  struct squares s;
-  struct krawczyk k;
-  squares_init(&s, 1, num_ctx_arb(90));
+  OWNED(krawczyk) k;
+  OWNED(squares) s = squares_of(1, num_ctx_arb(90));
   struct solve_system system = {1, squares_values, &s};
   krawczyk_init(&k, &system, 90);
   applied(&k, 1.5, 0.25);
@@ -256,21 +233,17 @@ TEST(a_box_away_from_its_centre_proves_nothing) {
   ck_assert_int_eq(krawczyk_apply(&k), SS_OK);
   ck_assert(arb_contains_interior(num_vec_at(&k.box, 0), num_vec_at(&k.image, 0)));
   ck_assert(!k.inside);
-  krawczyk_clear(&k);
-  squares_clear(&s);
 }
 
 /* Nothing is proved where the parameter makes the zero double (p = 0), or leaves none (p = -1): wherever one starts. */
 TEST(double_zeros_and_none_are_not_proved) {
   for (int p = 0; p >= -1; p--)
     for (int shift = 0; shift <= 80; shift++) {
-      struct squares s;
-      struct krawczyk k;
-      struct num_vec x;
-      squares_init(&s, 1, num_ctx_arb(90));
+      OWNED(krawczyk) k;
+      OWNED(squares) s = squares_of(1, num_ctx_arb(90));
       struct solve_system system = {1, squares_values, &s};
       arb_set_si(s.off, p - 2);
-      num_vec_init(&x, 1, s.ctx);
+      OWNED(num_vec) x = vec_new(1, s.ctx);
       krawczyk_init(&k, &system, 90);
       arb_ptr at = num_vec_at(&x, 0);
       arb_set_d(at, ldexp(1, -shift));
@@ -279,38 +252,28 @@ TEST(double_zeros_and_none_are_not_proved) {
       ck_assert_int_eq(krawczyk_follow(&k, -3), SS_UNABLE);
       arb_zero(at);
       ck_assert_int_eq(krawczyk_centre(&k, &x), SS_UNABLE); /* the derivative at 0 is 0 */
-      krawczyk_clear(&k);
-      num_vec_clear(&x);
-      squares_clear(&s);
     }
 }
 
 /* p_0 in 2 +- 0.1: one zero for each value, all of them in the image. */
 TEST(parameters_that_are_balls) {
-  struct squares s;
-  struct krawczyk k;
-  struct num_vec x;
-  squares_init(&s, 3, num_ctx_arb(90));
+  OWNED(krawczyk) k;
+  OWNED(squares) s = squares_of(3, num_ctx_arb(90));
   struct solve_system system = {3, squares_values, &s};
   mag_set_d(arb_radref(s.off), 0.1);
-  num_vec_init(&x, 3, s.ctx);
+  OWNED(num_vec) x = vec_new(3, s.ctx);
   krawczyk_init(&k, &system, 90);
   start_at(&x, 0);
   ck_assert_int_eq(krawczyk_centre(&k, &x), SS_OK);
   ck_assert_int_eq(krawczyk_follow(&k, -3), SS_OK);
   for (int end = -1; end <= 1; end++) {
-    arb_t root;
-    arb_init(root);
+    NUMBERS(arb, root);
     arb_set_d(root, 2 + 0.0999 * end);
     arb_sqrt(root, root, 200);
     ck_assert(arb_contains(num_vec_at(&k.image, 0), root));
-    arb_clear(root);
   }
   ck_assert_double_lt(mag_get_d(arb_radref((arb_srcptr)num_vec_at(&k.image, 0))), 0.1);
   mag_set_d(arb_radref(s.off), 3); /* 0 is among the parameters */
   ck_assert_int_eq(krawczyk_centre(&k, &x), SS_OK);
   ck_assert_int_eq(krawczyk_follow(&k, -3), SS_UNABLE);
-  krawczyk_clear(&k);
-  num_vec_clear(&x);
-  squares_clear(&s);
 }

@@ -11,6 +11,7 @@
 
 #include "base/random.h"
 #include "every.h"
+#include "local.h"
 #include "paper_model.h"
 #include "report/stability.h"
 #include "says.h"
@@ -51,7 +52,7 @@ static void open_model(void) {
   scratch_open();
   stability_result_init(&r);
   text_init(&said);
-  paper_model(&model, &(struct paper_layers){.overlay = scratch_put("planted.eq", planted),
+  model = paper_model(&(struct paper_layers){.overlay = scratch_put("planted.eq", planted),
                                              .errata = scratch_put("mended.eq", mended)});
 }
 
@@ -212,12 +213,10 @@ TEST(losses_beyond_all_digits_are_ordered) {
   ck_assert(row->at_fault);
   ck_assert_double_lt(row->formula_lost, 16);
   ck_assert_msg(row->excess > 280, "%g digits", row->excess); /* t = 1e-300 is the worst of the region */
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   report_stability_markdown(&t, &r);
   ck_assert_ptr_nonnull(strstr(text_str(&t), "all digits (relative error "));
   ck_assert_ptr_null(strstr(text_str(&t), "| 15.9 | 0.0 | 15.9 |"));
-  text_clear(&t);
 }
 
 static int times_in(const char *body, const char *what) {
@@ -236,11 +235,10 @@ static int field_called(const char *name, char *const *title, int n) {
 TEST(a_line_of_the_table_says_how_much_and_where) {
   enum { FIELDS = 32 };
   static const char *const only[] = {"drifts"};
-  struct text table;
+  LOCAL(text, table);
   char *title[FIELDS], *field[FIELDS], *end;
   int beyond = 0;
   run(only, 1, true, 1, -1);
-  text_init(&table);
   report_stability_tsv(&table, &r);
   char *body = table.data, *next = strchr(body, '\n');
   *next = '\0';
@@ -262,13 +260,12 @@ TEST(a_line_of_the_table_says_how_much_and_where) {
     beyond += off > 17;
   }
   ck_assert_int_gt(beyond, 0);
-  text_clear(&table);
 }
 
 /* What is at fault is so in the rows, in the JSON and in the table. */
 TEST(fault_means_one_thing) {
   static const char *const only[] = {"planted", "dyn_return_map[1]"};
-  struct text json, table;
+  LOCAL(text, json, table);
   int faults = 0;
   run(only, 2, true, 2, -1);
   for (long i = 0; i < r.n_rows; i++) {
@@ -278,15 +275,11 @@ TEST(fault_means_one_thing) {
     ck_assert_int_eq(row->at_fault, loses_digits || (row->failures > 0 && !kernel));
     faults += row->at_fault;
   }
-  text_init(&json);
-  text_init(&table);
   report_stability_json(&json, &r);
   report_stability_tsv(&table, &r);
   ck_assert_int_gt(faults, 20);
   ck_assert_int_eq(times_in(text_str(&json), "\"at_fault\": true"), faults);
   ck_assert_int_eq(times_in(text_str(&table), "\n"), faults + 1);
-  text_clear(&json);
-  text_clear(&table);
 }
 
 /* Of one formula at one point. */
@@ -319,11 +312,11 @@ TEST_EACH(what_is_said_at_a_point, COUNT(at_points)) {
 TEST(condition_numbers_agree) {
   static const char *const id[] = {"rolls", "lags", "spans"};
   static const double at[][2] = {{3, 7}, {1, 0x1.921fb54442d18p+60}, {0x1p-40, 0x1p-3}, {0x1.8p+12, 0x1.6p+45}, {1, 5}};
-  struct digits_set s;
+  OWNED(digits_set) s;
   make_set(&s);
   for (int i = 0; i < 3; i++) {
     struct digits_formula *f = digits_find(&s, id[i]);
-    struct digits_bench w;
+    OWNED(digits_bench) w;
     goes_well(digits_slopes(f, &s, &d));
     digits_bench_init(&w, f);
     for (size_t k = 0; k < COUNT(at); k++) {
@@ -333,9 +326,7 @@ TEST(condition_numbers_agree) {
       ck_assert_msg(fabs(fmax(0, c) - fmax(0, loss.condition)) < 0.01, "%s at %a, %a: 2^%g and 2^%g", id[i], at[k][0],
                     at[k][1], c, loss.condition);
     }
-    digits_bench_clear(&w);
   }
-  digits_set_clear(&s);
 }
 
 /* Every point drawn is in the matrix once, and the rule's bin is the observed one at nearly all. */
@@ -447,8 +438,7 @@ static double condition_of(struct measured *m, struct digits_set *s) {
 /* field: formula, point, truth, condition number. */
 static void check_case(struct digits_set *s, char **field) {
   struct measured m;
-  arb_t expected;
-  arb_init(expected);
+  NUMBERS(arb, expected);
   measure(&m, s, field[0], field[1]);
   ck_assert_int_eq((int)m.loss.kind, DIGITS_LOST);
   arb_srcptr is = num_vec_at(&m.w.b, m.f->out[0]);
@@ -459,7 +449,6 @@ static void check_case(struct digits_set *s, char **field) {
   ck_assert_msg(fabs(c - kappa) < 1e-4 * kappa, "%s: condition number %.9g, not %.9g", field[0], c, kappa);
   ck_assert_msg(fabs(adjoint - kappa) < 1e-2 * fmax(1, kappa), "%s: adjoint %.9g", field[0], adjoint);
   digits_bench_clear(&m.w);
-  arb_clear(expected);
 }
 
 static void check_worst(struct digits_set *s, char **field) {
@@ -496,32 +485,25 @@ static const struct {
                {"tests/kernels.wc", 2, 50, check_mended}};
 
 TEST_EACH(points_on_file, COUNT(on_file)) {
-  struct digits_set s;
-  struct table points;
+  OWNED(digits_set) s;
   make_set(&s);
-  table_read(&points, on_file[_i].path, on_file[_i].columns);
+  OWNED(table) points = table_read(on_file[_i].path, on_file[_i].columns);
   ck_assert_int_ge(points.n, on_file[_i].least);
   for (int i = 0; i < points.n; i++) on_file[_i].check(&s, points.row[i]);
-  table_clear(&points);
-  digits_set_clear(&s);
 }
 
 /* What is studied has room for 32 inputs; each of these is a symbol of its own. */
 TEST(more_inputs_than_there_is_room_for) {
   for (int n = DIGITS_INPUTS; n <= DIGITS_INPUTS + 1; n++) {
-    struct model many;
-    struct digits_set s;
+    LOCAL(model, many);
+    OWNED(digits_set) s;
     struct digits_formula f;
-    struct text file, sum;
-    struct diag d;
-    diag_init(&d);
-    text_init(&file);
-    text_init(&sum);
+    LOCAL(text, file, sum);
+    struct diag d = {0};
     for (int i = 0; i < n; i++) {
       text_printf(&file, "symbol q_%d\n", i);
       text_printf(&sum, "%sq_%d", i ? " + " : "", i);
     }
-    model_init(&many);
     ck_assert_msg(model_add_file(&many, scratch_put("many.eq", text_str(&file)), RANK_PAPER, &d), "%s", d.message);
     ck_assert(digits_set_make(&s, &many, LAYER_CORRECTED, &d));
     bool ok = digits_formula_of(&f, &s, "sum", text_str(&sum), "", &d);
@@ -530,10 +512,6 @@ TEST(more_inputs_than_there_is_room_for) {
       digits_formula_clear(&f);
     else
       ck_assert_str_eq(d.message, "sum has more than 32 inputs");
-    digits_set_clear(&s);
-    model_clear(&many);
-    text_clear(&sum);
-    text_clear(&file);
   }
 }
 
@@ -545,10 +523,9 @@ TEST(every_entry_is_enrolled) {
       "J_c[3,2]", "J_f[2,3]",         "N[4,4]",   "M[1,1]",   "eq-46.2[2]", "eq-53.2",  "eq-53.4",
       "omega_1",  "omega_2",          "lambda_1", "psi_2[2]", "ktilde_1",   "ktilde_7", "gammatilde_2",
       "eq-43.1",  "text-criterion.2", "H_31",     "P",        "N",          "h"};
-  struct digits_set s;
+  OWNED(digits_set) s;
   make_set(&s);
   for (size_t i = 0; i < COUNT(ids); i++) ck_assert_msg(digits_find(&s, ids[i]) != NULL, "%s is not studied", ids[i]);
-  digits_set_clear(&s);
 }
 
 static double draw(uint64_t *state) {
@@ -557,13 +534,13 @@ static double draw(uint64_t *state) {
 
 /* Points of every region are in the domain, and those of a named neighbourhood are near what it is named after. */
 TEST(regions_are_where_they_say) {
-  struct digits_set s;
+  OWNED(digits_set) s;
   uint64_t state = random_seed("regions");
   make_set(&s);
   struct digits_formula *f = digits_find(&s, "J[1,1]");
   slong chi = tape_input(&f->tape, "chi"), eta = tape_input(&f->tape, "eta"), z1 = tape_input(&f->tape, "z_100"),
         z2 = tape_input(&f->tape, "z_200");
-  struct digits_bench w;
+  OWNED(digits_bench) w;
   int near_one = 0, near_pole = 0;
   digits_bench_init(&w, f);
   for (int k = 0; k < n_digits_regions; k++) {
@@ -584,8 +561,6 @@ TEST(regions_are_where_they_say) {
   }
   ck_assert_int_gt(near_one, 10);
   ck_assert_int_gt(near_pole, 5);
-  digits_bench_clear(&w);
-  digits_set_clear(&s);
 }
 
 /* A few formulas between them have points in every region; the planted ones have not. */
@@ -616,11 +591,11 @@ TEST(regions_reach_their_ends) {
               {"chi-to-0", "omega_1", "chi", 0.1, 1e-300},
               {"t_b-to-0", "S_b[1]", "t_b", 1, 1e-300},
               {"omega-t_d-near-0", "ktilde_4", "t_d", 1, 1e-300}};
-  struct digits_set s;
+  OWNED(digits_set) s;
   make_set(&s);
   for (size_t i = 0; i < COUNT(ends); i++) {
     struct digits_formula *f = digits_find(&s, ends[i].formula);
-    struct digits_bench w;
+    OWNED(digits_bench) w;
     int region = 0;
     while (strcmp(digits_region[region].id, ends[i].region) != 0) region++;
     digits_bench_init(&w, f);
@@ -634,9 +609,7 @@ TEST(regions_reach_their_ends) {
       ck_assert_msg(fabs(got / is - 1) < 1e-9, "%s: %s = %g, not %g", ends[i].region, ends[i].input, got, is);
     }
     digits_place_free(p);
-    digits_bench_clear(&w);
   }
-  digits_set_clear(&s);
 }
 
 /* --- The program's own functions --- */
@@ -677,15 +650,11 @@ static void all_reports(struct text *out, int jobs) {
 }
 
 TEST(any_number_of_processes_gives_the_same_bytes) {
-  struct text a, b;
-  text_init(&a);
-  text_init(&b);
+  LOCAL(text, a, b);
   all_reports(&a, 1);
   all_reports(&b, 3);
   ck_assert_int_gt((int)a.len, 10000);
   ck_assert_str_eq(text_str(&a), text_str(&b));
-  text_clear(&a);
-  text_clear(&b);
 }
 
 /* --- The command --- */
@@ -698,9 +667,8 @@ TEST(points_outside_are_told) {
                                        "steady --overlay $D/planted.eq --at t=0",
                                        "steady --overlay $D/planted.eq --at t=0x1p-1000"};
   static const int status[] = {0, 0, 3, 0, 0, 0};
-  for (size_t i = 0; i < COUNT(points); i++) {
+  for (size_t i = 0; i < COUNT(points); i++)
     ck_assert_msg(shell("\"$P\" stability %s >/dev/null 2>&1", points[i]) == status[i], "%s", points[i]);
-  }
 }
 
 /* Where the first part of a class begins, and its width, in cells from the lower left corner of the frame. */
@@ -720,7 +688,7 @@ TEST(a_map_is_a_picture) {
   static struct stability_map map = {.x = "chi", .y = "t_a"};
   struct stability_formula formula = {.id = "eq-1"};
   struct stability_result of_map = {.layer = "printed", .formula = &formula, .map = &map, .n_maps = 1};
-  struct text svg = {0};
+  OWNED(text) svg = {0};
   for (int i = 0; i < STABILITY_MAP; i++) map.x_at[i] = map.y_at[i] = 0.8 * (i - STABILITY_MAP / 2);
   map.lost[0][0] = INFINITY;
   for (int k = 5; k < 8; k++) map.lost[20][k] = 9.96; /* 10.0 in the table */
@@ -743,7 +711,6 @@ TEST(a_map_is_a_picture) {
   ck_assert(strstr(text_str(&svg), "digits lost by eq-1, printed</text>"));
   shell_well("\"$Y\" -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' %s",
              scratch_put_n("map.xml", svg.data, svg.len));
-  text_clear(&svg);
 }
 
 TEST(files_are_written_and_obey_the_schema) {

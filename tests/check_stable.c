@@ -9,7 +9,9 @@
 #include <string.h>
 
 #include "claim/claims.h"
+#include "element.h"
 #include "every.h"
+#include "local.h"
 #include "paper_model.h"
 #include "paper_value.h"
 #include "rational.h"
@@ -20,14 +22,13 @@
 #include "stable_points.h"
 #include "suite.h"
 #include "table.h"
-#include "tape/exact.h"
 #include "whole.h"
 
 static struct model model;
 
 static void setup(void) {
   scratch_open();
-  paper_model(&model, &(struct paper_layers){.stable = "verify/stable.eq"});
+  model = paper_model(&(struct paper_layers){.stable = "verify/stable.eq"});
 }
 
 static void teardown(void) {
@@ -40,9 +41,8 @@ static void teardown(void) {
 CASE("stable", .once = {setup, teardown});
 
 TEST(every_form_is_proved) {
-  struct table needed;
-  table_read(&needed, "tests/cases/stable_needed.tsv", 1);
-  struct stable_proofs p;
+  OWNED(table) needed = table_read("tests/cases/stable_needed.tsv", 1);
+  OWNED(stable_proofs) p;
   goes_well(stable_prove(&p, &model, &d));
   for (size_t i = 0; i < p.n; i++) {
     ck_assert_msg(!p.item[i].why_not, "%s of %s: %s", p.item[i].name, p.item[i].section, p.item[i].why_not);
@@ -53,9 +53,7 @@ TEST(every_form_is_proved) {
     while (i < p.n && strcmp(p.item[i].name, needed.row[k][0]) != 0) i++;
     ck_assert_msg(i < p.n, "no proof of %s", needed.row[k][0]);
   }
-  stable_proofs_clear(&p);
   goes_well(view_check((struct view){&model, LAYER_STABLE, NULL, NULL}, &d));
-  table_clear(&needed);
 }
 
 /* One damage of the file each; what depends on it is not proved, and `proved` still is. */
@@ -151,12 +149,9 @@ CASE("damages", .each = {scratch_open, scratch_close}, .tags = "long");
    again, in make check one. */
 TEST_EVERY(a_damaged_form_is_not_proved, 11, damages.n) {
   enum { WHOLE = 31, FIRST_WHOLE = 5 };
-  struct source src;
-  struct text t, part;
-  struct stable_proofs p;
-  struct model damaged;
-  text_init(&t);
-  text_init(&part);
+  OWNED(source) src;
+  LOCAL(text, t, part);
+  OWNED(stable_proofs) p;
   goes_well(source_read(&src, "verify/stable.eq", 1 << 20, &d));
   const char *at = strstr(src.text, damages.row[_i][D_WAS]);
   ck_assert_msg(at && !strstr(at + 1, damages.row[_i][D_WAS]), "%s stands there once", damages.row[_i][D_WAS]);
@@ -165,7 +160,7 @@ TEST_EVERY(a_damaged_form_is_not_proved, 11, damages.n) {
   text_add(&t, at + strlen(damages.row[_i][D_WAS]));
   extract(&part, text_str(&t), damages.row[_i][D_NOW], damages.row[_i][D_REFUTED], damages.row[_i][D_PROVED]);
   const char *file = scratch_put("stable.eq", text_str(_i % WHOLE == FIRST_WHOLE ? &t : &part));
-  paper_model(&damaged, &(struct paper_layers){.stable = file});
+  OWNED(model) damaged = paper_model(&(struct paper_layers){.stable = file});
   bool algebra = _i % 4 == 0; /* of the others points know it first */
   goes_well((algebra ? stable_prove_by_algebra : stable_prove)(&p, &damaged, &d));
   bool refuted = false, proved = false;
@@ -174,11 +169,6 @@ TEST_EVERY(a_damaged_form_is_not_proved, 11, damages.n) {
     proved = proved || (strcmp(p.item[i].name, damages.row[_i][D_PROVED]) == 0 && !p.item[i].why_not);
   }
   ck_assert_msg(refuted && proved, "%s: refuted %d, the rest proved %d", damages.row[_i][D_NOW], refuted, proved);
-  stable_proofs_clear(&p);
-  model_clear(&damaged);
-  source_clear(&src);
-  text_clear(&part);
-  text_clear(&t);
 }
 
 CASE("stable");
@@ -192,20 +182,17 @@ TEST(a_hidden_zero_is_no_divisor) {
   };
   for (int i = 0; i < 3; i++) {
     struct text file[2];
-    struct model m;
-    struct stable_proofs p;
+    OWNED(stable_proofs) p;
     for (int k = 0; k < 2; k++) {
       text_init(&file[k]);
       text_printf(&file[k], "define test\n  section: stability\n  gap := %s\n  form := %s\n", forms[i][0],
                   forms[i][1 + k]);
     }
-    paper_model(&m, &(struct paper_layers){.stable = scratch_put("stable.eq", text_str(&file[1]))});
+    OWNED(model) m = paper_model(&(struct paper_layers){.stable = scratch_put("stable.eq", text_str(&file[1]))});
     goes_well(model_add_file(&m, scratch_put("errata.eq", text_str(&file[0])), RANK_ERRATA, &d));
     goes_well(stable_prove(&p, &m, &d));
     ck_assert(p.n == 2 && strcmp(p.item[1].name, "form") == 0);
     ck_assert_msg(!p.item[1].why_not == (i == 2), "%s", forms[i][0]);
-    stable_proofs_clear(&p);
-    model_clear(&m);
     for (int k = 0; k < 2; k++) text_clear(&file[k]);
   }
 }
@@ -219,18 +206,14 @@ TEST(what_cannot_be_read_is_said) {
       {"inequality nowhere\n  section: stability\n  chi < 1\n", "nowhere replaces no record"},
   };
   for (size_t i = 0; i < COUNT(bad); i++) {
-    struct model m;
-    struct stable_proofs p;
-    struct diag d;
-    diag_init(&d);
-    paper_model(&m, &(struct paper_layers){.stable = scratch_put("stable.eq", bad[i][0])});
+    OWNED(stable_proofs) p;
+    struct diag d = {0};
+    OWNED(model) m = paper_model(&(struct paper_layers){.stable = scratch_put("stable.eq", bad[i][0])});
     bool ok = stable_prove(&p, &m, &d);
     if (bad[i][1])
       ck_assert_msg(!ok && strstr(d.message, bad[i][1]), "%s", d.message);
     else
       ck_assert(ok && p.n == 1 && strcmp(p.item[0].why_not, "the forms have different shapes") == 0);
-    stable_proofs_clear(&p);
-    model_clear(&m);
   }
 }
 
@@ -242,11 +225,9 @@ enum { F_CORRECTED, F_STABLE, F_NAME, F_SAID }; /* its columns */
 CASE("forged", .once = {setup, teardown});
 
 TEST_EACH(no_forgery_is_proved, forgeries.n) {
-  struct model m;
-  struct diag d;
+  struct diag d = {0};
   struct stable_proofs p;
-  diag_init(&d);
-  paper_model(&m, &(struct paper_layers){.stable = scratch_put("stable.eq", forgeries.row[_i][F_STABLE])});
+  OWNED(model) m = paper_model(&(struct paper_layers){.stable = scratch_put("stable.eq", forgeries.row[_i][F_STABLE])});
   ck_assert_msg(model_add_file(&m, scratch_put("errata.eq", forgeries.row[_i][F_CORRECTED]), RANK_ERRATA, &d), "%s",
                 d.message);
   for (int algebra = 0; algebra < 2; algebra++) {
@@ -261,7 +242,6 @@ TEST_EACH(no_forgery_is_proved, forgeries.n) {
     if (!read) ck_assert_msg(strstr(d.message, forgeries.row[_i][F_SAID]), "%s", d.message);
     stable_proofs_clear(&p);
   }
-  model_clear(&m);
 }
 
 CASE("stable");
@@ -271,14 +251,11 @@ TEST(a_wrong_part_proves_nothing) {
   static const char *const file =
       "define part\n  section: validation\n  equals: N_1 - I\n  wrong := N_1 + I\n"
       "define whole\n  section: validation\n  equation: 45\n  M := inv(wrong)*N_2 - inv(N_3)*(N_4 - I)\n";
-  struct model m;
-  struct stable_proofs p;
-  paper_model(&m, &(struct paper_layers){.stable = scratch_put("stable.eq", file)});
+  OWNED(stable_proofs) p;
+  OWNED(model) m = paper_model(&(struct paper_layers){.stable = scratch_put("stable.eq", file)});
   goes_well(stable_prove(&p, &m, &d));
   ck_assert_uint_eq(p.n, 2);
   ck_assert(p.item[0].why_not && p.item[1].why_not);
-  stable_proofs_clear(&p);
-  model_clear(&m);
 }
 
 /* (45) and (46) at small times, where the corrected forms keep no digit, against the truth in balls. */
@@ -288,18 +265,15 @@ TEST(small_times_keep_their_digits) {
                                        "[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - "
                                        "chi) - t_a]*(-V)"};
   for (size_t k = 0; k < COUNT(value); k++) {
-    struct extreme_form f;
-    struct num_vec in, out, exact_in, exact;
+    OWNED(extreme_form) f;
     extreme_form_init(&f, &model, LAYER_STABLE, stable[k], stable[k], "validation");
-    struct elaboration el;
-    struct tape t;
+    OWNED(elaboration) el;
+    OWNED(tape) t;
     struct matrix m;
     elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
     goes_well(elaborate_tape(&t, &m, &el, "test", value[k], "validation", &d));
-    num_vec_init(&in, f.tape.n_inputs, num_ctx_double());
-    num_vec_init(&out, f.n, num_ctx_double());
-    num_vec_init(&exact_in, t.n_inputs, num_ctx_arb(2000));
-    num_vec_init(&exact, f.n, num_ctx_arb(2000));
+    OWNED(num_vec) in = vec_new(f.tape.n_inputs, num_ctx_double()), out = vec_new(f.n, num_ctx_double());
+    OWNED(num_vec) exact_in = vec_new(t.n_inputs, num_ctx_arb(2000)), exact = vec_new(f.n, num_ctx_arb(2000));
     for (int at = 0; at < 2; at++) {
       const struct tape *of = at ? &t : &f.tape;
       for (slong i = 0; i < of->n_inputs; i++) {
@@ -318,18 +292,13 @@ TEST(small_times_keep_their_digits) {
       double off = fabs(*(double *)num_vec_at(&out, i) - true_value) / fabs(true_value) * 0x1p53;
       ck_assert_msg(off < 60, "%s, entry %ld: %g units", value[k], (long)i, off);
     }
-    vecs_clear(&exact, &exact_in, &out, &in);
-    tape_clear(&t);
-    elaboration_clear(&el);
-    extreme_form_clear(&f);
   }
 }
 
 /* --- Layers --- */
 
 TEST(the_stable_layer_hides_the_corrected_one) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   for (int own = 0; own < 2; own++)
     for (int layer = 0; layer < N_LAYERS; layer++) {
       struct view v = {&model, (enum layer)layer, own ? "50" : NULL, NULL};
@@ -378,7 +347,7 @@ static const struct {
 
 TEST_EACH(no_more_is_lost_than_the_condition_explains, COUNT(formulas)) {
   enum { PROMISED = 8 };
-  struct extreme_form stable, corrected;
+  OWNED(extreme_form) stable, corrected;
   long measured = 0;
   double worst = 0;
   const char *other = formulas[_i].corrected ? formulas[_i].corrected : formulas[_i].value;
@@ -410,18 +379,14 @@ TEST_EACH(no_more_is_lost_than_the_condition_explains, COUNT(formulas)) {
   }
   ck_assert_int_gt(measured, stable.n * formulas[_i].points / every(7) / 2);
   ck_assert_msg((worst > 1000) == formulas[_i].at_fault, "%s as corrected loses %g", other, worst);
-  extreme_form_clear(&corrected);
-  extreme_form_clear(&stable);
 }
 
 /* chi_b = z'_1b/V is too large for a double, gammatilde_1 = (chi V - z'_1b)/(V - z'_1b) is 1. */
 TEST(a_ratio_that_overflows_is_not_formed) {
   for (int layer = LAYER_CORRECTED; layer < N_LAYERS; layer++) {
-    struct extreme_form f;
-    struct num_vec in, out;
+    OWNED(extreme_form) f;
     extreme_form_init(&f, &model, (enum layer)layer, "gammatilde_1", "gammatilde_1", "stability");
-    num_vec_init(&in, f.tape.n_inputs, num_ctx_double());
-    num_vec_init(&out, 1, num_ctx_double());
+    OWNED(num_vec) in = vec_new(f.tape.n_inputs, num_ctx_double()), out = vec_new(1, num_ctx_double());
     for (slong k = 0; k < f.tape.n_inputs; k++) {
       const char *name = f.tape.inputs[k];
       double x = strcmp(name, "chi") == 0 ? 0.5 : strcmp(name, "V") == 0 ? 0x1p-1000 : 0x1p100;
@@ -430,15 +395,13 @@ TEST(a_ratio_that_overflows_is_not_formed) {
     int status = tape_eval(&out, NULL, &f.tape, &in);
     ck_assert_int_eq(status, layer == LAYER_STABLE ? SS_OK : SS_UNABLE);
     if (status == SS_OK) ck_assert(num_double.get_d(num_vec_at(&out, 0)) == 1);
-    vecs_clear(&out, &in);
-    extreme_form_clear(&f);
   }
 }
 
 /* The truth is not the form's own: balls of both layers overlap wherever the corrected one can be told. */
 TEST_EACH(both_layers_have_one_truth, COUNT(formulas)) {
   const char *value = formulas[_i].value, *section = formulas[_i].section;
-  struct extreme_form stable, corrected;
+  OWNED(extreme_form) stable, corrected;
   extreme_form_init(&stable, &model, LAYER_STABLE, value, value, section);
   extreme_form_init(&corrected, &model, LAYER_CORRECTED, formulas[_i].corrected ? formulas[_i].corrected : value, value,
                     section);
@@ -456,8 +419,6 @@ TEST_EACH(both_layers_have_one_truth, COUNT(formulas)) {
     _arb_vec_clear(x, 2 * MOST_ENTRIES);
   }
   ck_assert_int_gt(compared, 15 * stable.n / 2);
-  extreme_form_clear(&corrected);
-  extreme_form_clear(&stable);
 }
 
 /* --- A value wherever the corrected form has one --- */
@@ -465,8 +426,8 @@ TEST_EACH(both_layers_have_one_truth, COUNT(formulas)) {
 /* Of every step-th pair: names the forms that fail; the points they have seen, and how many of these told nothing.
    Returns how many pairs there are. */
 static size_t agree_everywhere(struct text *fails, long *points, long *undecided, const struct model *m, int step) {
-  struct stable_proofs proofs;
-  struct digits_pairs pairs;
+  OWNED(stable_proofs) proofs;
+  OWNED(digits_pairs) pairs;
   goes_well(stable_prove(&proofs, m, &d));
   goes_well(digits_pairs_make(&pairs, m, &proofs, &d));
   *points = *undecided = 0;
@@ -483,21 +444,16 @@ static size_t agree_everywhere(struct text *fails, long *points, long *undecided
     digits_print_point(fails, f, a.x);
     text_add_char(fails, '\n');
   }
-  size_t n = pairs.n;
-  digits_pairs_clear(&pairs);
-  stable_proofs_clear(&proofs);
-  return n;
+  return pairs.n;
 }
 
 TEST(a_value_wherever_the_corrected_form_has_one) {
-  struct text fails;
+  LOCAL(text, fails);
   long points, undecided;
-  text_init(&fails);
   ck_assert_uint_gt(agree_everywhere(&fails, &points, &undecided, &model, every(3)), 60);
   ck_assert_msg(fails.len == 0, "%s", text_str(&fails));
   ck_assert_int_gt(points, 2000 / every(3));
   ck_assert_msg(20 * undecided < points, "%ld of %ld", undecided, points); /* what is zero everywhere, as (43) */
-  text_clear(&fails);
 }
 
 /* Forms that say the same near 1, where a proof looks for a value, and not everywhere. */
@@ -509,31 +465,25 @@ static const struct {
 };
 
 TEST_EACH(a_form_that_fails_at_extreme_points_is_named, COUNT(elsewhere)) {
-  struct model m;
-  struct text file, fails;
+  LOCAL(text, file, fails);
   long points, undecided;
-  text_init(&file);
-  text_init(&fails);
   text_printf(&file, "define partial\n  section: appendix_a\n  equation: 51\n  omega := %s\n", elsewhere[_i].form);
-  paper_model(&m, &(struct paper_layers){.stable = scratch_put("stable.eq", text_str(&file))});
+  OWNED(model) m = paper_model(&(struct paper_layers){.stable = scratch_put("stable.eq", text_str(&file))});
   ck_assert_uint_gt(agree_everywhere(&fails, &points, &undecided, &m, 1), 1);
   ck_assert_msg(strstr(text_str(&fails), "C_1: ") && strstr(text_str(&fails), elsewhere[_i].says) &&
                     strstr(text_str(&fails), "eta-to-0 at chi=0x"),
                 "%s", text_str(&fails));
-  text_clear(&fails);
-  text_clear(&file);
-  model_clear(&m);
 }
 
 /* --- The audit --- */
 
 /* Every third claim in make check, without what follows of failures, which is no verdict. */
 static void judge_stable(struct audit_result *out) {
-  struct claims claims, none = {.n = 0};
-  struct scene paper;
+  OWNED(claims) claims;
+  struct claims none = {.n = 0};
   audit_result_init(out);
   paper_claims(&claims, NULL);
-  paper_scene(&paper);
+  OWNED(scene) paper = scene_at("paper");
   size_t n_results = claims.n_results;
   claims.n_results = 0;
   model.stable = true;
@@ -545,15 +495,13 @@ static void judge_stable(struct audit_result *out) {
   model.stable = false;
   free(only);
   claims.n_results = n_results;
-  scene_clear(&paper);
-  claims_clear(&claims);
 }
 
 CASE("audits", .each = {setup, teardown}, .tags = "long");
 
 /* Proofs by exact algebra use the corrected forms in both; balls and rounded numbers do not. */
 TEST(both_layers_give_the_same_verdicts) {
-  struct audit_result corrected, stable;
+  OWNED(audit_result) corrected, stable;
   whole_open();
   whole_record(&corrected);
   judge_stable(&stable);
@@ -563,8 +511,6 @@ TEST(both_layers_give_the_same_verdicts) {
     ck_assert_msg(a->verdict == b->verdict && a->correction_verdict == b->correction_verdict, "%s: %s, not %s", b->id,
                   verdict_name[b->verdict], verdict_name[a->verdict]);
   }
-  audit_result_clear(&stable);
-  audit_result_clear(&corrected);
 }
 
 /* --- What the exact field knows of the functions --- */
@@ -580,10 +526,9 @@ enum { I_LEFT, I_RIGHT, I_EQUAL }; /* its columns */
 CASE("stable");
 
 TEST_EACH(the_field_knows_the_functions, identities.n) {
-  fmpz_mpoly_q_struct x, y, known[3];
-  struct exact_field *f = exact_field_new(NULL, 0);
-  exact_init(&x);
-  exact_init(&y);
+  fmpz_mpoly_q_struct known[3];
+  FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+  ELEMENTS(x, y);
   static const char *const elements[] = {"V", "t/4", "V*t/4"};
   for (int i = 0; i < 3; i++) {
     exact_init(&known[i]);
@@ -595,7 +540,4 @@ TEST_EACH(the_field_knows_the_functions, identities.n) {
   ck_assert_msg(exact_equal(f, &x, &y) == (*identities.row[_i][I_EQUAL] == 'y'), "%s and %s",
                 identities.row[_i][I_LEFT], identities.row[_i][I_RIGHT]);
   for (int i = 0; i < 3; i++) exact_clear(&known[i]);
-  exact_clear(&y);
-  exact_clear(&x);
-  exact_field_free(f);
 }

@@ -13,6 +13,7 @@
 #include "bench/bench.h"
 #include "bench/printed_digits.h"
 #include "bench/smooth.h"
+#include "local.h"
 #include "motion/dual.h"
 #include "params.h"
 #include "rational.h"
@@ -25,8 +26,7 @@
 
 TEST(a_table_is_what_was_put_in) {
   struct study_page page = {.n = 0};
-  struct text out;
-  text_init(&out);
+  LOCAL(text, out);
   struct study_table *t = study_table(&page, "t", "A table", "a\tab\tb", "Three columns.");
   study_cells(t, "%d\t%s", 1, "two");
   study_cells(t, "%.3g", 1.0 / 3);
@@ -35,14 +35,13 @@ TEST(a_table_is_what_was_put_in) {
   study_cells(t, "%.3g", INFINITY);
   study_cells(t, "x");
   study_row(t);
-  struct rows rows;
+  OWNED(rows) rows;
   rows_parse(&rows, text_str(&t->tsv));
   ck_assert_uint_eq(rows.n, 2);
   ck_assert(rows_is(&rows, 0, rows_column(&rows, "a"), "1") && rows_is(&rows, 0, rows_column(&rows, "ab"), "two"));
   ck_assert(rows_is(&rows, 0, rows_column(&rows, "b"), "0.333") && rows_is(&rows, 1, rows_column(&rows, "a"), "-"));
   ck_assert(rows_is(&rows, 1, rows_column(&rows, "b"), "x") && rows_column(&rows, "c") == 3);
   ck_assert(rows_number(&rows, 0, 2) == 0.333 && isnan(rows_number(&rows, 1, 0)) && isnan(rows_number(&rows, 0, 3)));
-  rows_clear(&rows);
   static const struct study study = {.id = "s", .title = "S", .question = "Why?"};
   page.study = &study;
   text_init(&page.found);
@@ -50,7 +49,6 @@ TEST(a_table_is_what_was_put_in) {
   study_markdown(&out, &page, false);
   ck_assert_ptr_nonnull(strstr(text_str(&out), "| a | ab | b |\n| --- | ---: | ---: |\n| 1 | two | 0.333 |\n"));
   study_clear(&page);
-  text_clear(&out);
 }
 
 /* --- Smoothed laws. --- */
@@ -90,13 +88,12 @@ static int numbers(double *x, char *const *row) {
 
 TEST_EACH(passages_are_those_of_scipy, 3) {
   static const char *const solvers[] = {"msbdf", "bsimp", "rk8pd"};
-  struct table rows;
   double x[MOST_COLUMNS], y[STEPPER_SIZE], t = 0;
   int passages = 0;
   struct smooth m;
   struct stepper *stepper = NULL;
   struct stepper_system system;
-  table_read(&rows, "tests/oracle/smooth.tsv", ANY_COLUMNS);
+  OWNED(table) rows = table_read("tests/oracle/smooth.tsv", ANY_COLUMNS);
   for (int row = 0; row < rows.n; row++) {
     int n = numbers(x, rows.row[row]);
     if (strcmp(rows.row[row][0], "start") == 0) {
@@ -117,7 +114,6 @@ TEST_EACH(passages_are_those_of_scipy, 3) {
       passages++;
     }
   }
-  table_clear(&rows);
   stepper_close(stepper);
   ck_assert_int_eq(passages, 3);
 }
@@ -155,27 +151,21 @@ static const struct study_table *table(const struct study_page *page, const char
 }
 
 static int count(const struct study_table *t) {
-  struct rows rows;
+  OWNED(rows) rows;
   rows_parse(&rows, text_str(&t->tsv));
-  int n = (int)rows.n;
-  rows_clear(&rows);
-  return n;
+  return (int)rows.n;
 }
 
 static bool is(const struct study_table *t, int row, const char *column, const char *value) {
-  struct rows rows;
+  OWNED(rows) rows;
   rows_parse(&rows, text_str(&t->tsv));
-  bool same = rows_is(&rows, (size_t)row, rows_column(&rows, column), value);
-  rows_clear(&rows);
-  return same;
+  return rows_is(&rows, (size_t)row, rows_column(&rows, column), value);
 }
 
 static double number(const struct study_table *t, int row, const char *column) {
-  struct rows rows;
+  OWNED(rows) rows;
   rows_parse(&rows, text_str(&t->tsv));
-  double x = rows_number(&rows, (size_t)row, rows_column(&rows, column));
-  rows_clear(&rows);
-  return x;
+  return rows_number(&rows, (size_t)row, rows_column(&rows, column));
 }
 
 TEST(stiff_scenes) {
@@ -231,17 +221,14 @@ TEST(smoothed_laws) {
 }
 
 TEST(printed_times_as_mpmath_has_them) {
-  struct table rows;
   struct num_ctx ctx = dual_ctx(PRINTED_BITS);
-  struct num_vec params, t;
   arb_ptr out = _arb_vec_init(N_WANTED), value = _arb_vec_init(1);
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&t, 3, ctx);
+  OWNED(num_vec) params = vec_new(N_PARAMS, ctx), t = vec_new(3, ctx);
   for (int i = 0; i < N_PARAMS; i++) {
     arb_set_str(value, example_text[i], PRINTED_BITS);
     num_dual.set_arb(num_vec_at(&params, i), value, PRINTED_BITS);
   }
-  table_read(&rows, "tests/oracle/procedure.tsv", 8);
+  OWNED(table) rows = table_read("tests/oracle/procedure.tsv", 8);
   ck_assert_int_eq(rows.n, 8);
   for (int seen = 0; seen < rows.n; seen++) {
     char *const *field = rows.row[seen];
@@ -257,8 +244,6 @@ TEST(printed_times_as_mpmath_has_them) {
       ck_assert(arb_rel_accuracy_bits(out + k) > 150);
     }
   }
-  table_clear(&rows);
-  vecs_clear(&params, &t);
   _arb_vec_clear(out, N_WANTED);
   _arb_vec_clear(value, 1);
 }
@@ -312,7 +297,7 @@ TEST_EACH(without_scenes_there_is_no_study, 2) {
 TEST(the_first_precision_is_planned) {
   static const slong prec[] = {256, 1500};
   struct dyn_orbits list[2];
-  fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "1.8110582"}, N_PARAMS);
+  FREED_PARAMS fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "1.8110582"}, N_PARAMS);
   for (int k = 0; k < 2; k++) {
     ck_assert_int_eq(dyn_orbits_find(&list[k], params, prec[k], NULL), SS_OK);
     ck_assert_int_eq(list[k].n, 2);
@@ -325,7 +310,6 @@ TEST(the_first_precision_is_planned) {
     ck_assert(arb_overlaps(list[0].orbit[i].z10, list[1].orbit[i].z10));
   }
   for (int k = 0; k < 2; k++) dyn_orbits_clear(&list[k]);
-  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* --- The command. --- */

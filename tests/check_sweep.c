@@ -22,6 +22,7 @@
 #include "every.h"
 #include "explore/bifurcate.h"
 #include "explore/family.h"
+#include "local.h"
 #include "params.h"
 #include "process.h"
 #include "rational.h"
@@ -38,14 +39,14 @@ struct line {
   struct dyn_axis axis;
 };
 
-static void line_init(struct line *l, const char *const params[N_PARAMS], int vary, const char *from, const char *to,
-                      slong n) {
-  l->params = rationals(params, N_PARAMS);
-  fmpq_init(l->from);
-  fmpq_init(l->to);
-  rational_set(l->from, from);
-  rational_set(l->to, to);
-  dyn_axis_init(&l->axis, vary, l->from, l->to, n);
+static struct line line_of(const char *const params[N_PARAMS], int vary, const char *from, const char *to, slong n) {
+  struct line l = {.params = rationals(params, N_PARAMS)};
+  fmpq_init(l.from);
+  fmpq_init(l.to);
+  rational_set(l.from, from);
+  rational_set(l.to, to);
+  dyn_axis_init(&l.axis, vary, l.from, l.to, n);
+  return l;
 }
 
 static void line_clear(struct line *l) {
@@ -71,13 +72,9 @@ TEST(values_are_exact_and_rounded_once) {
   static const slong sizes[] = {2, 3, 7, 20000};
   for (size_t i = 0; i < COUNT(ends); i++)
     for (size_t k = 0; k < COUNT(sizes); k++) {
-      struct line l;
-      fmpq_t x, want, step;
+      NUMBERS(fmpq, x, want, step);
       slong n = sizes[k];
-      line_init(&l, example_text, P_E2, ends[i][0], ends[i][1], n);
-      fmpq_init(x);
-      fmpq_init(want);
-      fmpq_init(step);
+      OWNED(line) l = line_of(example_text, P_E2, ends[i][0], ends[i][1], n);
       fmpq_sub(step, l.to, l.from);
       fmpq_div(step, step, (fmpq_set_si(x, n - 1, 1), x));
       for (slong j = 0; j<n; j += n> 100 ? 1 + j % 13 : 1) {
@@ -93,10 +90,6 @@ TEST(values_are_exact_and_rounded_once) {
       }
       dyn_axis_q(x, &l.axis, n - 1);
       ck_assert(fmpq_equal(x, l.to));
-      fmpq_clear(x);
-      fmpq_clear(want);
-      fmpq_clear(step);
-      line_clear(&l);
     }
   flint_cleanup();
   mpfr_free_cache();
@@ -145,10 +138,9 @@ TEST(decimals_are_those_of_printf) {
 
 /* The orbits of a point against those that the search in balls finds at its exact parameters. */
 static void check_point(const struct dyn_family *f, const struct line *l, slong i, double slack) {
-  struct dyn_orbits list;
-  fmpq *params = rationals_of(l->params, N_PARAMS);
+  FREED_PARAMS fmpq *params = rationals_of(l->params, N_PARAMS);
   dyn_axis_q(&params[l->axis.vary], &l->axis, i);
-  ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
+  OWNED(dyn_orbits) list = orbits_of(params, 128);
   const struct dyn_family_point *p = &f->point[i];
   ck_assert_msg(p->status == FAMILY_OK, "at %.17g: %s", p->x, dyn_family_status_name[p->status]);
   ck_assert_msg(p->n == list.n, "at %.17g: %ld orbits, not %ld", p->x, (long)p->n, (long)list.n);
@@ -165,8 +157,6 @@ static void check_point(const struct dyn_family *f, const struct line *l, slong 
     ck_assert_uint_eq(m->unsure, 0);
     for (int j = 0; j < N_CONDITIONS; j++) ck_assert_int_eq(!(m->violations >> j & 1), o->holds[j] == TRUTH_TRUE);
   }
-  dyn_orbits_clear(&list);
-  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* Each parameter in turn, over ranges in which orbits come and go. */
@@ -181,13 +171,10 @@ TEST(orbits_are_those_of_the_search_in_balls) {
                {{"0.6", "2.5", "0.7", "1.2", "0.4"}, P_V, "0.1", "3"},
                {{"0.25", "0.3", "3", "5", "2"}, P_ETA, "0.1", "6"}};
   for (size_t i = 0; i < COUNT(lines); i++) {
-    struct line l;
-    struct dyn_family f;
-    line_init(&l, lines[i].params, lines[i].vary, lines[i].from, lines[i].to, 601);
+    OWNED(dyn_family) f;
+    OWNED(line) l = line_of(lines[i].params, lines[i].vary, lines[i].from, lines[i].to, 601);
     find(&f, &l, 5, true);
     for (slong k = 0; k < 601; k += 12 * every(3)) check_point(&f, &l, k, 1e-11);
-    dyn_family_clear(&f);
-    line_clear(&l);
   }
   flint_cleanup();
   mpfr_free_cache();
@@ -220,9 +207,7 @@ static void count_beside(struct census *c, const struct dyn_beside *b, int sign)
 /* What changes between points i and i + 1, by bifurcate. */
 static struct census change_at(const struct dyn_bifurcations *list, const struct line *l, slong i, int *events) {
   struct census c = {0, 0, 0};
-  fmpq_t low, high;
-  fmpq_init(low);
-  fmpq_init(high);
+  NUMBERS(fmpq, low, high);
   dyn_axis_q(low, &l->axis, i);
   dyn_axis_q(high, &l->axis, i + 1);
   for (slong k = 0; k < list->n; k++) {
@@ -232,19 +217,16 @@ static struct census change_at(const struct dyn_bifurcations *list, const struct
     count_beside(&c, &b->beside[0], -1);
     count_beside(&c, &b->beside[1], 1);
   }
-  fmpq_clear(low);
-  fmpq_clear(high);
   return c;
 }
 
 /* fold 1.112..., flip 1.811..., t_a = 0 at 2.103... and the others: nothing changes but there, and there all of it. */
 TEST(changes_are_where_bifurcate_has_them) {
   enum { N = 2503 }; /* no value of the grid lies in a bracket */
-  struct line l;
-  struct dyn_family f;
-  struct dyn_bifurcations list;
+  OWNED(dyn_family) f;
+  OWNED(dyn_bifurcations) list;
   int events = 0;
-  line_init(&l, example_text, P_E2, "0.5", "3", N);
+  OWNED(line) l = line_of(example_text, P_E2, "0.5", "3", N);
   find(&f, &l, 256, true);
   const struct dyn_line line = {.params = l.params, .vary = P_E2, .from = l.from, .to = l.to};
   ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 15, 257), SS_OK);
@@ -257,18 +239,15 @@ TEST(changes_are_where_bifurcate_has_them) {
   }
   ck_assert_int_eq(events, 11);
   ck_assert_int_lt((int)f.searched, N / 10); /* followed, not searched for again and again */
-  dyn_bifurcations_clear(&list);
-  dyn_family_clear(&f);
-  line_clear(&l);
   flint_cleanup();
   mpfr_free_cache();
 }
 
 /* With two anchors, with many and with nothing but anchors. */
 static void check_anchors(int vary, const char *from, const char *to, slong n) {
-  struct line l;
-  struct dyn_family f, g;
-  line_init(&l, example_text, vary, from, to, n);
+  OWNED(dyn_family) g;
+  struct dyn_family f;
+  OWNED(line) l = line_of(example_text, vary, from, to, n);
   find(&g, &l, 1, true);
   ck_assert_int_eq(g.searched, n);
   for (slong every = 7; every <= 7 * 64; every *= 8) {
@@ -283,8 +262,6 @@ static void check_anchors(int vary, const char *from, const char *to, slong n) {
     }
     dyn_family_clear(&f);
   }
-  dyn_family_clear(&g);
-  line_clear(&l);
 }
 
 TEST(followed_or_searched_for_is_the_same) {
@@ -297,12 +274,10 @@ TEST(followed_or_searched_for_is_the_same) {
 
 /* A static friction that is passed on the line; u_r1_min grows with e2 there. */
 TEST(static_friction_counts) {
-  struct line l;
-  struct dyn_family f;
-  fmpq_t u;
+  OWNED(dyn_family) f;
+  NUMBERS(fmpq, u);
   int kept = 0, broken = 0;
-  line_init(&l, example_text, P_E2, "0.8", "0.9", 101);
-  fmpq_init(u);
+  OWNED(line) l = line_of(example_text, P_E2, "0.8", "0.9", 101);
   rational_set(u, "2.15");
   struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 50, .u_r = {u, NULL}};
   ck_assert_int_eq(dyn_family_find(&f, &q, 0, 101), SS_OK);
@@ -315,28 +290,24 @@ TEST(static_friction_counts) {
     broken += dyn_member_admissible(&f.member[i]) == TRUTH_FALSE;
   }
   ck_assert(kept > 10 && broken > 10 && kept + broken == 101);
-  dyn_family_clear(&f);
-  fmpq_clear(u);
-  line_clear(&l);
   flint_cleanup();
   mpfr_free_cache();
 }
 
 TEST(points_say_why_they_failed) {
-  struct line l;
   struct dyn_family f;
-  line_init(&l, example_text, P_CHI, "0.5", "0.9999999999999999999999", 2);
+  struct line l = line_of(example_text, P_CHI, "0.5", "0.9999999999999999999999", 2);
   find(&f, &l, 1, false);
   ck_assert_int_eq(f.point[0].status, FAMILY_OK);
   ck_assert_int_eq(f.point[1].status, FAMILY_RANGE);
   dyn_family_clear(&f);
   line_clear(&l);
-  line_init(&l, example_text, P_ETA, "1", "1e12", 2);
+  l = line_of(example_text, P_ETA, "1", "1e12", 2);
   find(&f, &l, 1, false);
   ck_assert_int_eq(f.point[1].status, FAMILY_BUDGET);
   dyn_family_clear(&f);
   line_clear(&l);
-  line_init(&l, example_text, P_E2, "0.8", "1", 300);
+  l = line_of(example_text, P_E2, "0.8", "1", 300);
   struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 1};
   rational_set(&l.params[P_V], "0");
   ck_assert_int_eq(dyn_family_find(&f, &q, 0, 300), SS_DOMAIN);
@@ -439,7 +410,7 @@ static void put_part(const char *name, const char *bytes, size_t len) {
 /* Whatever an interrupted run left: nothing but the head, a cut row, a whole unit and more. */
 TEST(resumed_files_are_those_of_one_run) {
   shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
-  char *whole = file_text(scratch_path("whole"));
+  FREED char *whole = file_text(scratch_path("whole"));
   size_t len = strlen(whole);
   size_t head = (size_t)(strstr(whole, "\npoint,") - whole), unit = (size_t)(strstr(whole, "\n1500,") - whole);
   head += strcspn(whole + head + 1, "\n") + 2;
@@ -450,12 +421,11 @@ TEST(resumed_files_are_those_of_one_run) {
                "&& test ! -e \"$D/cut.part.sum\"");
   }
   shell_well("\"$P\" " PLANE " --csv \"$D/fresh\" --resume && cmp \"$D/whole\" \"$D/fresh\"");
-  free(whole);
 }
 
 TEST(wrong_parts_are_refused) {
   shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
-  char *whole = file_text(scratch_path("whole"));
+  FREED char *whole = file_text(scratch_path("whole"));
   size_t len = strlen(whole);
   put_part("cut", whole, len / 2);
   shell_ends(3, "cut.part: error: exists, from a run that was interrupted or still goes on; --resume continues it",
@@ -473,14 +443,12 @@ TEST(wrong_parts_are_refused) {
   shell_ends(3, "ends within its head", "\"$P\" " PLANE " --csv \"$D/cut\" --resume");
   size_t head = (size_t)(strstr(whole, "\npoint,") - whole);
   head += strcspn(whole + head + 1, "\n") + 2;
-  char *row_end = memset(ss_malloc(len + 100000), '1', len + 100000);
+  FREED char *row_end = memset(ss_malloc(len + 100000), '1', len + 100000);
   memcpy(row_end, whole, head);
   put_part("cut", row_end, len + 100000);
-  free(row_end);
   shell_ends(3, "error: not a row of this sweep", "\"$P\" " PLANE " --csv \"$D/cut\" --resume");
   shell_well("mkfifo \"$D/pipe.part\"");
   shell_ends(3, "pipe.part: error: not a regular file", "\"$P\" " PLANE " --csv \"$D/pipe\" --resume");
-  free(whole);
 }
 
 /* What was changed since it was written is not gone on with, nor is what stands elsewhere. */
@@ -494,7 +462,7 @@ TEST(damaged_parts_are_refused) {
       "echo x > \"$D/cut.part.sum\"" /* no sum */
   };
   shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
-  char *whole = file_text(scratch_path("whole"));
+  FREED char *whole = file_text(scratch_path("whole"));
   size_t len = strlen(whole);
   for (size_t i = 0; i < COUNT(damage); i++) {
     put_part("cut", whole, len / 2);
@@ -510,7 +478,6 @@ TEST(damaged_parts_are_refused) {
   shell_well("rm \"$D/link.part\" && ln \"$D/far.part\" \"$D/link.part\"");
   shell_ends(3, "link.part: error: not a regular file of one name", "\"$P\" " PLANE " --csv \"$D/link\" --resume");
   shell_well("cmp \"$D/old\" \"$D/far.part\"");
-  free(whole);
 }
 
 #define DIGITS "\"$P\" sweep \"$D/digits.scene\" --over e2=0.8:0.9:100 --csv \"$D/digits\""
@@ -531,12 +498,11 @@ TEST(long_heads_are_resumed) {
 
 /* Two at a time on one file. */
 TEST(one_run_writes_a_file) {
-  struct part a;
+  OWNED(part) a;
   part_init(&a, scratch_path("file"));
   goes_well(part_create(&a, &d));
   shell_ends(3, "file.part: error: another process is writing this file",
              "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/file\" --resume");
-  part_clear(&a);
 }
 
 static off_t enough;
@@ -637,14 +603,13 @@ static bool has_shown_enough(pid_t pid) {
 
 TEST(a_signal_ends_what_goes_to_no_file) {
   const char *args[] = {"sweep", "paper", "--over", "e1=2:4:60", "--over", "e2=0.5:3:1000", NULL};
-  struct job j;
+  OWNED(job) j;
   job_start(&j, &(struct job_place){.out = scratch_path("rows")}, program(), args);
   enough = 100000;
   ck_assert(process_until(has_shown_enough, j.pid));
   kill(j.pid, SIGINT);
   job_finish(&j);
   ck_assert_msg(j.status == 5 && strstr(j.err, "stickslip: interrupted\n"), "%d: %s", j.status, j.err);
-  job_clear(&j);
 }
 
 static int unread; /* the end to read of a pipe */

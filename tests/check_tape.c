@@ -10,6 +10,7 @@
 
 #include "base/arena.h"
 #include "effort.h"
+#include "local.h"
 #include "model/model.h"
 #include "rational.h"
 #include "rng.h"
@@ -46,7 +47,7 @@ static void work_open(struct work *w, const char *text, int n, const char *const
   goes_well(try_work(w, text, n, names, &d));
 }
 
-static void work_close(struct work *w) {
+static void work_clear(struct work *w) {
   tape_clear(&w->t);
   elaboration_clear(&w->el);
   model_clear(&w->m);
@@ -55,12 +56,10 @@ static void work_close(struct work *w) {
 /* The one output y of "symbol x, symbol y, ..., define: <body>". */
 static void work_y(struct work *w, const char *symbols, const char *body) {
   static const char *const names[] = {"y"};
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (const char *s = symbols; *s; s++) text_printf(&t, "symbol %c\n", *s);
   text_printf(&t, "define d\n%s\n", body);
   work_open(w, t.data, 1, names);
-  text_clear(&t);
 }
 
 /* Inputs and outputs of a tape in one context. */
@@ -69,13 +68,13 @@ struct run {
   int *status, all;
 };
 
-static void run_open(struct run *r, const struct tape *t, struct num_ctx ctx) {
-  num_vec_init(&r->in, t->n_inputs, ctx);
-  num_vec_init(&r->out, t->n_outputs, ctx);
-  r->status = ss_malloc((size_t)t->n_outputs * sizeof *r->status);
+static struct run run_of(const struct tape *t, struct num_ctx ctx) {
+  return (struct run){.in = vec_new(t->n_inputs, ctx),
+                      .out = vec_new(t->n_outputs, ctx),
+                      .status = ss_malloc((size_t)t->n_outputs * sizeof(int))};
 }
 
-static void run_close(struct run *r) {
+static void run_clear(struct run *r) {
   vecs_clear(&r->in, &r->out);
   free(r->status);
 }
@@ -86,12 +85,10 @@ static void give_d(struct run *r, const struct tape *t, const char *name, double
 }
 
 static void give_q(struct run *r, const struct tape *t, const char *name, long p, ulong q) {
-  fmpq_t x;
-  fmpq_init(x);
+  NUMBERS(fmpq, x);
   fmpq_set_si(x, p, q);
   for (slong i = 0; i < t->n_inputs; i++)
     if (strcmp(t->inputs[i], name) == 0) r->in.ctx.type->set_q(num_vec_at(&r->in, i), x, r->in.ctx.prec);
-  fmpq_clear(x);
 }
 
 static void run_go(struct run *r, const struct tape *t) {
@@ -106,11 +103,9 @@ static double get_d(const struct run *r, slong i) {
 }
 
 static void check_dump(const struct tape *t, const char *expected) {
-  struct text out;
-  text_init(&out);
+  LOCAL(text, out);
   tape_dump(&out, t);
   ck_assert_str_eq(text_str(&out), expected);
-  text_clear(&out);
 }
 
 /* ---- what is on the tape */
@@ -119,7 +114,7 @@ CASE("tape", .each = {scratch_open, scratch_close});
 
 /* Nothing is folded: the unknown of a root is 1 times its power, and its square has the coefficient 1*1. */
 TEST(dump_of_each_instruction) {
-  struct work w;
+  OWNED(work) w;
   work_y(&w, "xab",
          "  root r: r^2*a - 0.5*r - b, largest positive\n"
          "  root s: s - a, smallest positive\n"
@@ -150,11 +145,10 @@ TEST(dump_of_each_instruction) {
                    "%23 = mul %20 %22\n"
                    "%24 = add %10 %23\n"
                    "out %24\n");
-  work_close(&w);
 }
 
 TEST(shared_subexpressions) {
-  struct work w;
+  OWNED(work) w;
   /* through definitions, functions and both outputs: x, sin x, its square, the sum of the two, nothing else */
   static const char *const names[] = {"p", "q", "r"};
   work_open(&w,
@@ -162,22 +156,20 @@ TEST(shared_subexpressions) {
             "  p := f(x)\n  q := s*s + (sin(x))\n  r := q\n",
             3, names);
   check_dump(&w.t, "%0 = input x\n%1 = sin %0\n%2 = mul %1 %1\n%3 = add %2 %1\nout %2\nout %3\nout %3\n");
-  work_close(&w);
 }
 
 TEST(only_what_is_reached) {
-  struct work w;
+  OWNED(work) w;
   work_y(&w, "xabt",
          "  unused := sin(a)\n"
          "  root w: w^2 - b, smallest positive\n"
          "  H(t) := [cos(t), a; w, 1/t]\n"
          "  y := H(x)[1,1]");
   check_dump(&w.t, "%0 = input x\n%1 = cos %0\nout %1\n");
-  work_close(&w);
 }
 
 TEST(inputs_in_order_of_first_use) {
-  struct work w;
+  OWNED(work) w;
   static const char *const names[] = {"p", "q"};
   work_open(&w,
             "symbol a\nsymbol b\nsymbol c\nrelation r\n  trajectory z(t)\ndefine d\n"
@@ -186,25 +178,17 @@ TEST(inputs_in_order_of_first_use) {
   ck_assert_int_eq(w.t.n_inputs, 5);
   static const char *const expected[] = {"b", "a", "z''(a + b)", "c", "z(0)"};
   for (int i = 0; i < 5; i++) ck_assert_str_eq(w.t.inputs[i], expected[i]);
-  struct run r;
-  run_open(&r, &w.t, num_ctx_double());
+  OWNED(run) r = run_of(&w.t, num_ctx_double());
   for (int i = 0; i < 5; i++) r.in.ctx.type->set_d(num_vec_at(&r.in, i), i + 2, 53);
   run_go(&r, &w.t);
   ck_assert(r.all == SS_OK && get_d(&r, 0) == 2 * 3 + 4 && get_d(&r, 1) == 3 - 5 - 4 + 6 - 2);
-  run_close(&r);
-  work_close(&w);
 }
 
 TEST(constants_are_exact) {
   static const char *const names[] = {"tenth", "tiny", "third", "one", "huge"};
-  struct work w;
-  struct run r;
-  arb_t x, y;
-  fmpq_t tenth, tiny;
-  arb_init(x);
-  arb_init(y);
-  fmpq_init(tenth);
-  fmpq_init(tiny);
+  OWNED(work) w;
+  NUMBERS(arb, x, y);
+  NUMBERS(fmpq, tenth, tiny);
   fmpq_set_si(tenth, 1, 10);
   fmpz_ui_pow_ui(fmpq_denref(tiny), 10, 400);
   fmpz_one(fmpq_numref(tiny));
@@ -213,7 +197,7 @@ TEST(constants_are_exact) {
   ck_assert(fmpq_equal(&w.t.consts[w.t.code[w.t.outputs[0]].k], tenth));
   ck_assert(fmpq_equal(&w.t.consts[w.t.code[w.t.outputs[1]].k], tiny));
 
-  run_open(&r, &w.t, num_ctx_arb(200));
+  struct run r = run_of(&w.t, num_ctx_arb(200));
   run_go(&r, &w.t);
   ck_assert_int_eq(r.all, SS_OK);
   get(x, &r, 0);
@@ -223,52 +207,40 @@ TEST(constants_are_exact) {
   ck_assert(arb_contains_fmpq(x, tiny) && arb_is_positive(x) && arb_rel_accuracy_bits(x) > 190);
   get(x, &r, 3);
   ck_assert(arb_contains_si(x, 1) && arb_rel_accuracy_bits(x) > 190);
-  run_close(&r);
+  run_clear(&r);
 
-  run_open(&r, &w.t, num_ctx_mpfr(100));
+  r = run_of(&w.t, num_ctx_mpfr(100));
   run_go(&r, &w.t);
   ck_assert_int_eq(r.all, SS_OK);
-  mpfr_t t;
-  mpfr_init2(t, 100);
+  MPFR_NUMBERS(100, t);
   mpfr_set_str(t, "1e-400", 10, MPFR_RNDN);
   ck_assert(mpfr_equal_p(num_vec_at(&r.out, 1), t));
   mpfr_set_str(t, "0.1", 10, MPFR_RNDN);
   ck_assert(mpfr_equal_p(num_vec_at(&r.out, 0), t));
   mpfr_set_str(t, "1e400", 10, MPFR_RNDN);
   ck_assert(mpfr_equal_p(num_vec_at(&r.out, 4), t));
-  mpfr_clear(t);
-  run_close(&r);
+  run_clear(&r);
 
-  run_open(&r, &w.t, num_ctx_double());
+  r = run_of(&w.t, num_ctx_double());
   run_go(&r, &w.t);
   ck_assert(get_d(&r, 0) == 0.1 && get_d(&r, 2) == 1.0 / 3);
   ck_assert_int_eq(r.status[1], SS_UNABLE); /* it would vanish, and 1/1e-400 be undefined */
   ck_assert(r.status[4] == SS_UNABLE && r.all == SS_UNABLE);
-  run_close(&r);
-
-  work_close(&w);
-  arb_clear(x);
-  arb_clear(y);
-  fmpq_clear(tenth);
-  fmpq_clear(tiny);
+  run_clear(&r);
 }
 
 TEST(numbers_too_large) {
   static const char *const number[] = {"1e200000", "1e-99999999999999999999"};
   static const char *const names[] = {"y"};
   for (int i = 0; i < 2; i++) {
-    struct work w;
+    OWNED(work) w;
     fails_with(try_work(&w, formatted("define d\n  y := 1 + %s\n", number[i]), 1, names, &d),
                "formulas.eq:2:12: error: a number too large to hold; write one of fewer digits");
-    work_close(&w);
     /* a tree that nobody has elaborated */
-    struct expr_pool pool;
-    struct tape t;
-    expr_pool_init(&pool);
+    LOCAL(expr_pool, pool);
+    OWNED(tape) t;
     const struct expr *e = expr_num(&pool, number[i]);
     fails_with(tape_build(&t, &e, 1, NULL, 0, &d), formatted("%s is too large to hold", number[i]));
-    tape_clear(&t);
-    expr_pool_clear(&pool);
   }
 }
 
@@ -286,12 +258,11 @@ TEST(flags_of_each_output) {
                                   "  o7 := s*s + x^2 + x*(s/y)\n"; /* fine */
   static const int in_arb[] = {SS_DOMAIN, SS_OK, SS_DOMAIN, SS_UNABLE, SS_DOMAIN | SS_UNABLE, SS_DOMAIN, SS_OK};
   static const int in_others[] = {SS_DOMAIN, SS_OK, SS_DOMAIN, SS_OK, SS_DOMAIN, SS_DOMAIN, SS_OK};
-  struct work w;
+  OWNED(work) w;
   work_open(&w, text, 7, names);
   const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(80), num_ctx_arb(80)};
   for (int c = 0; c < 3; c++) {
-    struct run r;
-    run_open(&r, &w.t, ctx[c]);
+    OWNED(run) r = run_of(&w.t, ctx[c]);
     give_d(&r, &w.t, "y", 4);
     give_d(&r, &w.t, "s", 0.5);
     for (slong i = 0; c == 2 && i < w.t.n_inputs; i++)
@@ -306,9 +277,7 @@ TEST(flags_of_each_output) {
     ck_assert_int_eq(r.all, c == 2 ? SS_DOMAIN | SS_UNABLE : SS_DOMAIN);
     ck_assert(get_d(&r, 1) == 5);
     ck_assert_int_eq(tape_eval(&r.out, NULL, &w.t, &r.in), r.all);
-    run_close(&r);
   }
-  work_close(&w);
 }
 
 /* ---- values rounded once */
@@ -320,17 +289,14 @@ static uint64_t rnd(void) {
 
 /* Of y at x = a, z = b in a context. */
 static int value_at(double *y, const char *body, double a, double b, struct num_ctx ctx) {
-  struct work w;
-  struct run r;
+  OWNED(work) w;
   work_y(&w, "xz", body);
-  run_open(&r, &w.t, ctx);
+  OWNED(run) r = run_of(&w.t, ctx);
   give_d(&r, &w.t, "x", a);
   give_d(&r, &w.t, "z", b);
   run_go(&r, &w.t);
   *y = get_d(&r, 0);
   int status = r.all;
-  run_close(&r);
-  work_close(&w);
   return status;
 }
 
@@ -363,9 +329,8 @@ TEST(a_value_rounded_once) {
 
 /* Sines of products that no double holds, against MPFR at 300 bits, rounded to nearest there. */
 TEST(rounded_to_nearest_or_next_to_it) {
-  mpfr_t s;
   rng.state = 20;
-  mpfr_init2(s, 300);
+  MPFR_NUMBERS(300, s);
   for (int i = 0; i < 200; i++) {
     double a = 1 + (double)(rnd() >> 12) * 0x1p-40, b = 1 + (double)(rnd() >> 12) * 0x1p-20, y;
     ck_assert_int_eq(value_at(&y, "  y := rounded(sin(x*z))", a, b, num_ctx_double()), SS_OK);
@@ -377,7 +342,6 @@ TEST(rounded_to_nearest_or_next_to_it) {
     mpfr_sub_d(s, s, y, MPFR_RNDN);
     ck_assert(fabs(mpfr_get_d(s, MPFR_RNDN)) <= 0.51 * ldexp(1, ilogb(best) - 52));
   }
-  mpfr_clear(s);
 }
 
 /* What is used outside as well is there as it comes; the flags are those of the operand; balls and MPFR. */
@@ -395,11 +359,10 @@ TEST(what_is_used_outside_rounded) {
                    SS_OK);
   ck_assert(y == 1);
   ck_assert_int_eq(value_at(&y, "  y := 1/rounded((1 + x) - 1)", 0x1p-200, 0, num_ctx_arb(80)), SS_UNABLE);
-  struct work w;
+  OWNED(work) w;
   work_y(&w, "x", "  m := rounded([x + 1, 2; x, 3])\n  y := m[2,1]*m[1,1]");
   check_dump(&w.t,
              "%0 = input x\n%1 = rounded %0\n%2 = const 1\n%3 = add %0 %2\n%4 = rounded %3\n%5 = mul %1 %4\nout %5\n");
-  work_close(&w);
 }
 
 /* ---- roots */
@@ -407,11 +370,7 @@ TEST(what_is_used_outside_rounded) {
 /* The eigenfrequencies: det(K - I w^2) = 0 is a quadratic in w^2 with the roots
    (1 + p -+ sqrt((1 + p)^2 - 4 p (1 - chi)))/2, p = chi eta. */
 static void frequency(arb_t w, long chi10, ulong eta, int sign, slong prec) {
-  arb_t chi, p, s, t;
-  arb_init(chi);
-  arb_init(p);
-  arb_init(s);
-  arb_init(t);
+  NUMBERS(arb, chi, p, s, t);
   arb_set_si(chi, chi10);
   arb_div_ui(chi, chi, 10, prec);
   arb_mul_ui(p, chi, eta, prec);
@@ -426,15 +385,11 @@ static void frequency(arb_t w, long chi10, ulong eta, int sign, slong prec) {
   arb_add(w, w, s, prec);
   arb_div_ui(w, w, 2, prec);
   arb_sqrt(w, w, prec);
-  arb_clear(chi);
-  arb_clear(p);
-  arb_clear(s);
-  arb_clear(t);
 }
 
 TEST(roots_of_the_characteristic_equation) {
   static const char *const names[] = {"omega_1", "omega_2"};
-  struct work w;
+  OWNED(work) w;
   work_open(&w,
             "symbol chi\nsymbol eta\ndefine d\n"
             "  K := [1, -chi; -chi*eta, chi*eta]\n  I := [1, 0; 0, 1]\n"
@@ -444,14 +399,11 @@ TEST(roots_of_the_characteristic_equation) {
   /* the two sides' relative distance: balls overlap; the others within the rounding of ill-conditioned coefficients */
   const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(120), num_ctx_arb(120)};
   static const double near[] = {1e-14, 1e-33, 1e-30};
-  arb_t x, exact;
-  arb_init(x);
-  arb_init(exact);
+  NUMBERS(arb, x, exact);
   for (int c = 0; c < 3; c++)
     for (long chi = 1; chi < 10; chi += 2)
       for (ulong eta = 1; eta <= 9; eta += 4) {
-        struct run r;
-        run_open(&r, &w.t, ctx[c]);
+        OWNED(run) r = run_of(&w.t, ctx[c]);
         give_q(&r, &w.t, "chi", chi, 10);
         give_q(&r, &w.t, "eta", (long)eta, 1);
         run_go(&r, &w.t);
@@ -463,31 +415,24 @@ TEST(roots_of_the_characteristic_equation) {
           arb_sub(x, x, exact, 300);
           arb_div(x, x, exact, 300);
           arb_abs(x, x);
-          arf_t worst;
-          arf_init(worst);
+          NUMBERS(arf, worst);
           arb_get_ubound_arf(worst, x, 53);
           double off = arf_get_d(worst, ARF_RND_UP);
-          arf_clear(worst);
           ck_assert_msg(off < near[c], "omega_%d at chi = 0.%ld, eta = %lu, %s: off by %g", i + 1, chi, eta,
                         ctx[c].type->name, off);
         }
-        run_close(&r);
       }
-  arb_clear(x);
-  arb_clear(exact);
-  work_close(&w);
 }
 
 TEST(roots_that_do_not_exist) {
   static const char *const names[] = {"r", "s", "x1"};
-  struct work w;
+  OWNED(work) w;
   work_open(
       &w,
       "symbol x\ndefine d\n  root r: r^2 + x, smallest positive\n  root s: s^2 - (1/(x + 4))*s - 1, largest positive\n"
       "  x1 := x + r - r\n",
       3, names);
-  struct run r;
-  run_open(&r, &w.t, num_ctx_arb(80));
+  OWNED(run) r = run_of(&w.t, num_ctx_arb(80));
   give_d(&r, &w.t, "x", 4);
   run_go(&r, &w.t);
   ck_assert(r.status[0] == SS_DOMAIN && r.status[1] == SS_OK && r.status[2] == SS_DOMAIN);
@@ -496,8 +441,6 @@ TEST(roots_that_do_not_exist) {
   run_go(&r, &w.t);
   ck_assert(r.status[0] == SS_OK && r.status[1] == SS_DOMAIN && r.status[2] == SS_OK);
   ck_assert(get_d(&r, 0) == 2 && get_d(&r, 2) == -4);
-  run_close(&r);
-  work_close(&w);
 }
 
 /* ---- random formulas */
@@ -589,10 +532,8 @@ static int count_distinct(const struct node *f, const int *out) {
 /* Every node's value as a ball and its flags; SS_UNABLE: this precision does not tell.  widen: more than a double's
    rounding at each step (relative 2^-50, and the least subnormal numbers). */
 static void eval_balls(arb_ptr v, int *flag, const struct node *f, slong prec, bool widen) {
-  arf_t size;
-  mag_t error;
-  arf_init(size);
-  mag_init(error);
+  NUMBERS(arf, size);
+  NUMBERS(mag, error);
   for (int i = 0; i < N_NODES; i++) {
     arb_srcptr a = v + f[i].a, b = v + f[i].b;
     flag[i] = is_leaf(f[i].op) ? SS_OK : is_unary(f[i].op) ? flag[f[i].a] : flag[f[i].a] | flag[f[i].b];
@@ -651,8 +592,6 @@ static void eval_balls(arb_ptr v, int *flag, const struct node *f, slong prec, b
     arb_add_error_mag(v + i, error);
     arb_add_error_2exp_si(v + i, -1070);
   }
-  arf_clear(size);
-  mag_clear(error);
 }
 
 static void eval_mpfr(mpfr_t *v, int *flag, const struct node *f) {
@@ -756,27 +695,19 @@ static double run_dump(const struct tape *t, slong output) {
 /* Evaluated alone, an output has the bits that it has among others. */
 static void check_alone(const struct work *w, const char *name, const struct run *together, slong i) {
   struct matrix m;
-  struct elaboration el;
-  struct tape t;
-  struct run r;
+  OWNED(elaboration) el;
+  OWNED(tape) t;
   elaboration_init(&el, w->el.view, NULL, 0);
   goes_well(elaborate_name(&m, &el, name, "", &d));
   goes_well(elaboration_tape(&t, &el, m.e, 1, &d));
-  run_open(&r, &t, together->out.ctx);
+  OWNED(run) r = run_of(&t, together->out.ctx);
   for (int k = 0; k < 3; k++) give_d(&r, &t, input[k], value[k]);
   run_go(&r, &t);
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
+  NUMBERS(arb, x, y);
   get(x, &r, 0);
   get(y, together, i);
   ck_assert(r.status[0] == together->status[i] && r.all == r.status[0]);
   ck_assert(r.all != SS_OK || arb_equal(x, y));
-  arb_clear(x);
-  arb_clear(y);
-  run_close(&r);
-  tape_clear(&t);
-  elaboration_clear(&el);
 }
 
 enum { DOUBLE, MPFR, ARB, N_TYPES, PREC = 100 };
@@ -793,20 +724,18 @@ static void check_formula(struct counts *counts, uint64_t seed) {
   make_formula(f);
   for (int k = 0; k < 3; k++) value[k] = (below(65) - 32) / 8.0;
   for (int i = 0; i < N_OUT; i++) out[i] = N_NODES - 1 - i - below(3) * i;
-  struct text file;
-  text_init(&file);
+  LOCAL(text, file);
   text_add(&file, "symbol x\nsymbol y\nsymbol z\ndefine d\n");
   for (int i = 0; i < N_OUT; i++) text_printf(&file, "  o%d := %s\n", i, f[out[i]].text);
   struct work w;
   work_open(&w, file.data, N_OUT, names);
-  text_clear(&file);
   ck_assert_msg(w.t.n == count_distinct(f, out), "seed %lu: %ld instructions for %d subformulas", (ulong)seed,
                 (long)w.t.n, count_distinct(f, out));
 
   struct run r[N_TYPES];
   const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(PREC), num_ctx_arb(PREC)};
   for (int c = 0; c < N_TYPES; c++) {
-    run_open(&r[c], &w.t, ctx[c]);
+    r[c] = run_of(&w.t, ctx[c]);
     for (int k = 0; k < 3; k++) give_d(&r[c], &w.t, input[k], value[k]);
     run_go(&r[c], &w.t);
   }
@@ -853,8 +782,8 @@ static void check_formula(struct counts *counts, uint64_t seed) {
   }
   _arb_vec_clear(exact, N_NODES);
   _arb_vec_clear(wide, N_NODES);
-  for (int c = 0; c < N_TYPES; c++) run_close(&r[c]);
-  work_close(&w);
+  for (int c = 0; c < N_TYPES; c++) run_clear(&r[c]);
+  work_clear(&w);
 }
 
 TEST(random_formulas) {
@@ -882,7 +811,7 @@ static int checked(struct tape_instr *in, struct tape_instr wrong) {
 }
 
 TEST(broken_tapes_abort) {
-  struct work w;
+  OWNED(work) w;
   work_y(&w, "x", "  root r: r^2 - x, smallest positive\n  y := sin(x)/x + 2*r");
   broken = w.t;
   ck_assert_int_eq(child_end(run_check), 0);
@@ -918,19 +847,16 @@ TEST(broken_tapes_abort) {
   ck_assert_int_eq(child_end(run_check), -SIGABRT);
   broken.outputs[0] = broken.n - 1;
   ck_assert_int_eq(child_end(run_check), 0);
-  work_close(&w);
 }
 
 /* ---- long formulas: the parser takes 100000 nodes, and whatever it takes must go through */
 
 static double evaluate(const struct tape *t, double x) {
-  struct run r;
-  run_open(&r, t, num_ctx_double());
+  OWNED(run) r = run_of(t, num_ctx_double());
   give_d(&r, t, "x", x);
   run_go(&r, t);
   ck_assert_int_eq(r.all, SS_OK);
   double y = get_d(&r, 0);
-  run_close(&r);
   return y;
 }
 
@@ -974,10 +900,9 @@ struct long_formula {
 
 static void value_of_formula(void *arg) {
   struct long_formula *f = arg;
-  struct work w;
+  OWNED(work) w;
   work_y(&w, "xt", f->text.data);
   f->y = evaluate(&w.t, f->x);
-  work_close(&w);
 }
 
 /* Of four times the length, it costs about four times as much; sixteen times, if anything grew with the square. */

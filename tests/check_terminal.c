@@ -8,6 +8,7 @@
 
 #include "base/arena.h"
 #include "base/text.h"
+#include "local.h"
 #include "record/result.h"
 #include "scratch.h"
 #include "suite.h"
@@ -56,27 +57,23 @@ TEST(colours_only_where_they_are_wanted) {
   } cases[] = {{"TERM=xterm NO_COLOR=", true},   {"TERM=xterm-256color NO_COLOR=", true},
                {"TERM=dumb NO_COLOR=", false},   {"TERM= NO_COLOR=", false},
                {"TERM=xterm NO_COLOR=1", false}, {"TERM=xterm NO_COLOR=0", false}};
-  char *plain = shell_said("TERM=xterm \"$P\" " AUDIT " 2>&1");
+  FREED char *plain = shell_said("TERM=xterm \"$P\" " AUDIT " 2>&1");
   ck_assert_msg(!strchr(plain, '\033') && !strchr(plain, '\r'), "%s", plain);
   const char *last = strstr(plain, "\npaper: 4 statements: ");
   ck_assert(last && strcmp(last + strlen(last) - 12, "as recorded\n") == 0 &&
             !strchr(strchr(last + 1, '\n') + 1, '\n'));
   for (size_t i = 0; i < COUNT(cases); i++) {
-    char *out = on_a_terminal(cases[i].settings, AUDIT);
+    FREED char *out = on_a_terminal(cases[i].settings, AUDIT);
     const char *said = after_progress(out);
     if (cases[i].colours)
       ck_assert_msg(strstr(said, "\033[1;31mrefuted\033[0m     eq-29 "), "%s: %s", cases[i].settings, said);
     ck_assert_int_eq(count(said, "\033[0m") * 2, count(said, "\033["));
-    char *without = ss_strdup(said);
+    FREED char *without = ss_strdup(said);
     wipe_colours(without);
     ck_assert_msg(strcmp(cases[i].colours ? without : said, plain) == 0, "%s: %s", cases[i].settings, said);
-    free(without);
-    free(out);
   }
-  char *out = on_a_terminal("TERM=xterm NO_COLOR=1", AUDIT " --quiet");
+  FREED char *out = on_a_terminal("TERM=xterm NO_COLOR=1", AUDIT " --quiet");
   ck_assert_str_eq(out, last + 1);
-  free(out);
-  free(plain);
 }
 
 /* What verify says of the whole paper, which two cases read. */
@@ -136,29 +133,25 @@ TEST(where_it_is_written_is_said) {
   for (size_t i = 0; i < COUNT(cases); i++) {
     char want[300];
     snprintf(want, sizeof want, "written to %s\n", scratch_path(cases[i].to));
-    char *out = shell_said("\"$P\" %s \"$D/%s\" 2>/dev/null", cases[i].command, cases[i].to);
+    FREED char *out = shell_said("\"$P\" %s \"$D/%s\" 2>/dev/null", cases[i].command, cases[i].to);
     size_t n = strlen(out), m = strlen(want);
     ck_assert_msg(n >= m && strcmp(out + n - m, want) == 0, "%s: %s", cases[i].command, out);
-    free(out);
   }
-  char *out = shell_said("\"$P\" repair eq-36b --json --out \"$D/p\"");
+  FREED char *out = shell_said("\"$P\" repair eq-36b --json --out \"$D/p\"");
   ck_assert(*out == '{' && !strstr(out, "written to"));
-  free(out);
 }
 
 /* What explain marks is coloured like the verdicts of verify, and nothing else. */
 TEST(explain_has_colours) {
   static const char command[] = "explain eq-29";
-  char *plain = shell_said("\"$P\" %s", command);
+  FREED char *plain = shell_said("\"$P\" %s", command);
   for (int k = 0; k < 2; k++) {
-    char *out = on_a_terminal(k ? "TERM=xterm NO_COLOR=1" : "TERM=xterm NO_COLOR=", command);
+    FREED char *out = on_a_terminal(k ? "TERM=xterm NO_COLOR=1" : "TERM=xterm NO_COLOR=", command);
     if (k) ck_assert_str_eq(out, plain);
     if (!k) ck_assert(strstr(out, "\nverdict     \033[1;31mrefuted\033[0m (on record"));
     if (!k) ck_assert(strstr(out, "\ndouble left  \033[1;31m") && strstr(out, "*\033[0m  1.0000000000000000\n"));
-    free(out);
   }
   ck_assert(!strpbrk(plain, "\001\002\003\004\005\033"));
-  free(plain);
 }
 
 CASE("whole");
@@ -166,7 +159,7 @@ CASE("whole");
 /* The counts of the table add up: down the columns to its last row, and along each row. */
 TEST(the_table_adds_up) {
   int sum[8] = {0};
-  char *out = ss_strdup(whole);
+  FREED char *out = ss_strdup(whole);
   char *line = strstr(out, "\nsection");
   ck_assert(line != NULL);
   line = strtok(strchr(line + 1, '\n'), "\n");
@@ -189,7 +182,6 @@ TEST(the_table_adds_up) {
     if (all) break;
   }
   ck_assert(line && sum[0] > 0 && sum[6] > 100);
-  free(out);
 }
 
 CASE("terminal");
@@ -226,9 +218,8 @@ static void squeeze(char *s) {
 /* Lines that fit the terminal, with the same words: those that are wider elsewhere are broken at blanks. */
 TEST(lines_fit_the_terminal) {
   enum { COMMAND, WIDTH, SAME };
-  struct table cases;
   char *wide = NULL;
-  table_read(&cases, "tests/cases/terminal_lines.tsv", 3);
+  OWNED(table) cases = table_read("tests/cases/terminal_lines.tsv", 3);
   for (int i = 0; i < cases.n; i++) {
     const char *command = cases.row[i][COMMAND];
     size_t width = (size_t)atoi(cases.row[i][WIDTH]), long_lines = 0;
@@ -246,26 +237,23 @@ TEST(lines_fit_the_terminal) {
     ck_assert_int_gt(lines, 15);
     for (const char *p = wide; *p; p += strcspn(p, "\n") + 1) long_lines += strcspn(p, "\n") > width;
     ck_assert_msg(long_lines > 0 || width == 130, "%s: nothing to break", command);
-    char *words = ss_strdup(wide);
+    FREED char *words = ss_strdup(wide);
     squeeze(out);
     squeeze(words);
     if (*cases.row[i][SAME] == 'y') ck_assert_msg(strcmp(out, words) == 0, "%s: %s", command, out);
-    free(words);
     free(out);
   }
   free(wide);
-  table_clear(&cases);
 }
 
 /* --- Scenes on file --- */
 
 /* Who waits at a terminal is told how far a sweep is and how long it takes. */
 TEST(a_sweep_tells_how_long) {
-  char *out =
+  FREED char *out =
       on_a_terminal("TERM=xterm", "sweep paper --jobs 1 --over e1=2:4:20 --over e2=0.5:3:100 --csv \"$D/rows\"");
   const char *first = strstr(out, "\r\033[K["), *left = strstr(out, " left\r\033[K");
   ck_assert_msg(first && left && left - first > 10, "%.300s", out);
-  free(out);
 }
 
 /* So is who waits for other commands: by one total from the beginning to the end, never more than it, and nothing where
@@ -298,10 +286,9 @@ TEST(progress_has_one_total) {
 }
 
 TEST(scenes_are_listed) {
-  char *out = shell_said("\"$P\" list scenes");
+  FREED char *out = shell_said("\"$P\" list scenes");
   ck_assert(strncmp(out, "above-one ", 10) == 0);
   ck_assert(strstr(out, "\npaper              the paper's numerical example\n"));
-  free(out);
   shell_well("test $(ls verify/scenes/*.scene | wc -l) = $($P list scenes | wc -l)");
   shell_ends(3, "scenes: error: ", "STICKSLIP_DATA=$D $P list scenes");
   shell_well("mkdir $D/scenes; echo 'chi = 2' > $D/scenes/broken.scene; cp verify/scenes/stable.scene $D/scenes");
@@ -325,15 +312,12 @@ static char *offered(const char *line) {
 
 TEST(bash_completes) {
   enum { LINE, WORDS };
-  struct table cases;
-  table_read(&cases, "tests/cases/completion.tsv", 2);
+  OWNED(table) cases = table_read("tests/cases/completion.tsv", 2);
   if (!there_is("bash")) return;
   for (int i = 0; i < cases.n; i++) {
-    char *out = offered(cases.row[i][LINE]);
+    FREED char *out = offered(cases.row[i][LINE]);
     ck_assert_msg(strcmp(out, cases.row[i][WORDS]) == 0, "%s: %s", cases.row[i][LINE], out);
-    free(out);
   }
-  table_clear(&cases);
 }
 
 /* zsh and fish ask the same file as a command; where they are installed, they are tried. */
@@ -361,24 +345,22 @@ TEST(other_shells_complete) {
 /* Every option that is offered belongs to its command. */
 TEST(what_is_offered_is_known) {
   if (!there_is("bash")) return;
-  char *commands = offered("");
+  FREED char *commands = offered("");
   int tried = 0;
   char *end_of_commands = NULL;
   for (char *c = strtok_r(commands, "\n", &end_of_commands); c; c = strtok_r(NULL, "\n", &end_of_commands)) {
     char line[64], *end = NULL;
     if (c[0] == '-') continue;
     snprintf(line, sizeof line, "%.40s --", c);
-    char *options = offered(line);
+    FREED char *options = offered(line);
     for (char *o = strtok_r(options, "\n", &end); o; o = strtok_r(NULL, "\n", &end), tried++) {
       char *said = shell_said("$P %s %s=x=y --no-such 2>&1 >/dev/null; test $? = 2", c, o);
       ck_assert_msg(!strstr(said, "belong") && (strstr(said, o) == NULL || strstr(said, "takes no value")), "%s %s: %s",
                     c, o, said);
       free(said);
     }
-    free(options);
   }
   ck_assert_int_gt(tried, 40);
-  free(commands);
 }
 
 /* --- Documents --- */
@@ -386,11 +368,10 @@ TEST(what_is_offered_is_known) {
 /* The blocks of a document that begin with ``` and a kind of file, less their indentation. */
 static int check_blocks(const char *path, int *refused) {
   char line[2000], kind[20] = "", mode[20] = "";
-  struct text body;
+  LOCAL(text, body);
   FILE *f = fopen(path, "r");
   int n = 0;
   ck_assert_msg(f != NULL, "%s", path);
-  text_init(&body);
   size_t indent = 0;
   while (fgets(line, sizeof line, f)) {
     const char *mark = strstr(line, "```");
@@ -410,7 +391,6 @@ static int check_blocks(const char *path, int *refused) {
     }
   }
   fclose(f);
-  text_clear(&body);
   return n;
 }
 
@@ -442,9 +422,8 @@ TEST(another_paper_is_audited) {
 
 /* Every command of docs/ and of README's quick start is typed, and ends as they say. */
 TEST(documents_show_what_happens) {
-  char *out = shell_said("$Y tests/oracle/documents.py $P $P-checker 'README.md@More to look at' docs/*.md 2>&1");
+  FREED char *out = shell_said("$Y tests/oracle/documents.py $P $P-checker 'README.md@More to look at' docs/*.md 2>&1");
   ck_assert_int_ge(atoi(out), 20);
-  free(out);
 }
 
 TEST(man_pages_are_sound) {

@@ -3,6 +3,7 @@
 
 #include "base/tex.h"
 #include "base/text.h"
+#include "local.h"
 #include "suite.h"
 #include "table.h"
 
@@ -22,14 +23,12 @@ static void spell(char out[64], const char *formula, size_t len) {
 
 TEST(formulas_are_spelt) {
   enum { FORMULA, KINDS };
-  struct table cases;
-  table_read(&cases, "tests/cases/tex_kinds.tsv", 2);
+  OWNED(table) cases = table_read("tests/cases/tex_kinds.tsv", 2);
   char kinds[64];
   for (int i = 0; i < cases.n; i++) {
     spell(kinds, cases.row[i][FORMULA], strlen(cases.row[i][FORMULA]));
     ck_assert_str_eq(kinds, cases.row[i][KINDS]);
   }
-  table_clear(&cases);
 }
 
 /* A formula inside a text ends where it is told to, also in the middle of a command. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "claim/claim.h"
+#include "local.h"
 #include "paper_model.h"
 #include "says.h"
 #include "scratch.h"
@@ -13,13 +14,10 @@
 #include "value/title.h"
 
 static void has_title(const struct model *m, const struct claim *c, const char *want) {
-  struct text title;
-  struct diag d;
-  text_init(&title);
-  diag_init(&d);
+  LOCAL(text, title);
+  struct diag d = {0};
   ck_assert_msg(claim_title(&title, m, c, NULL, &d), "%s: %s", c->id, d.message);
   ck_assert_msg(strcmp(text_str(&title), want) == 0, "%s: %s\ninstead of %s", c->id, text_str(&title), want);
-  text_clear(&title);
 }
 
 /* --- Those on file --- */
@@ -37,8 +35,7 @@ TEST_EACH(titles_say_what_claims_say, on_file.n) {
 /* Plain text of a length that a table of the report holds, without the notation of the files. */
 TEST(titles_are_read_as_they_stand) {
   enum { LONGEST = 175 };
-  struct text title;
-  text_init(&title);
+  LOCAL(text, title);
   goes_well(titles_check(&the_paper.model, &the_paper.claims, &d));
   for (size_t i = 0; i < the_paper.claims.n; i++) {
     text_reset(&title);
@@ -48,7 +45,6 @@ TEST(titles_are_read_as_they_stand) {
     ck_assert_msg(!strpbrk(s, "*{}[]\\$;") && !strstr(s, "  ") && !strstr(s, " , ") && !strstr(s, "first_order"),
                   "%s: %s", the_paper.claims.claim[i].id, s);
   }
-  text_clear(&title);
 }
 
 /* Where another attribute is damaged, so is the title: the two cannot part. */
@@ -62,9 +58,8 @@ static const struct claim *one_claim(struct claims *own, const char *fields) {
 }
 
 TEST_EACH(titles_follow_the_fields, damaged.n) {
-  struct claims own = {.n = 0};
+  OWNED(claims) own = {.n = 0};
   has_title(&the_paper.model, one_claim(&own, damaged.row[_i][DAMAGED_FIELDS]), damaged.row[_i][DAMAGED_TITLE]);
-  claims_clear(&own);
 }
 
 /* --- What a title by hand must not name, and where --- */
@@ -73,22 +68,16 @@ TABLE(refused, "tests/cases/titles_refused.tsv", 3);
 enum { REFUSED_TITLE, REFUSED_COLUMN, REFUSED_SAYS }; /* its columns */
 
 static void is_refused(const char *title, int column, const char *says) {
-  struct claims own = {.n = 0};
-  struct text fields, out;
-  struct diag d;
+  OWNED(claims) own = {.n = 0};
+  LOCAL(text, fields, out);
+  struct diag d = {0};
   char place[40];
-  text_init(&fields);
-  text_init(&out);
-  diag_init(&d);
   text_printf(&fields, "kind: outside\n  title: %s\n", title);
   const struct claim *c = one_claim(&own, text_str(&fields));
   ck_assert_msg(!titles_check(&the_paper.model, &own, &d) && !claim_title(&out, &the_paper.model, c, NULL, &d),
                 "%s is taken", title);
   snprintf(place, sizeof place, "own.claim:4:%d: error: own: ", column);
   ck_assert_msg(strstr(d.message, place) && strstr(d.message, says), "%s\ninstead of %s...%s", d.message, place, says);
-  text_clear(&out);
-  text_clear(&fields);
-  claims_clear(&own);
 }
 
 TEST_EACH(titles_name_nothing_by_hand, refused.n) {
@@ -99,9 +88,8 @@ TEST(words_that_name_nothing) {
   static const char *const titles[] = {"a case of the test", "none", "one mass, then the other",
                                        "the mass's slips and sticks, half-way", "a phase of stick motion"};
   for (size_t i = 0; i < COUNT(titles); i++) {
-    struct claims own = {.n = 0};
+    OWNED(claims) own = {.n = 0};
     has_title(&the_paper.model, one_claim(&own, formatted("kind: outside\n  title: %s\n", titles[i])), titles[i]);
-    claims_clear(&own);
   }
 }
 
@@ -110,48 +98,39 @@ TABLE(lacking, "tests/cases/titles_lacking.tsv", 4);
 enum { LACKING_FIELDS, LACKING_LINE, LACKING_COLUMN, LACKING_SAYS }; /* its columns */
 
 TEST_EACH(titles_that_cannot_be_made, lacking.n) {
-  struct claims own = {.n = 0};
-  struct text out;
-  struct diag d;
+  OWNED(claims) own = {.n = 0};
+  LOCAL(text, out);
+  struct diag d = {0};
   char place[40];
-  text_init(&out);
-  diag_init(&d);
   const struct claim *c = one_claim(&own, lacking.row[_i][LACKING_FIELDS]);
   ck_assert_msg(!claim_title(&out, &the_paper.model, c, NULL, &d), "%s", text_str(&out));
   snprintf(place, sizeof place, "own.claim:%d:%d: error: own: ", atoi(lacking.row[_i][LACKING_LINE]),
            atoi(lacking.row[_i][LACKING_COLUMN]));
   ck_assert_msg(strstr(d.message, place) && strstr(d.message, lacking.row[_i][LACKING_SAYS]), "%s\ninstead of %s...%s",
                 d.message, place, lacking.row[_i][LACKING_SAYS]);
-  text_clear(&out);
-  claims_clear(&own);
 }
 
 /* What is said by the attributes is not said again. */
 TEST(no_title_beside_what_makes_one) {
-  struct claims own = {.n = 0};
+  OWNED(claims) own = {.n = 0};
   one_claim(&own, "kind: identity\n  statement: eq-4\n  title: the masses are faster than the belt\n");
   fails_with(titles_check(&the_paper.model, &own, &d), "own.claim:5:3: error: own: its attributes make the title");
-  claims_clear(&own);
 }
 
 /* --- Another paper --- */
 
 TEST(titles_of_another_paper) {
-  struct model m;
+  LOCAL(model, m);
   struct claims own = {.n = 0};
-  model_init(&m);
   goes_well(model_add_folder(&m, "tests/another/paper", RANK_PAPER, &d));
   goes_well(claims_load(&own, "tests/another", "claims", "claim", &d));
   has_title(&m, claim_with_id(&own, "eq-1"), "D(t) is the propagator of the global stick phase");
   has_title(&m, claim_with_id(&own, "eq-2"), "det(D(t)) = 1 + t in the global stick phase");
   claims_clear(&own);
   /* that paper has a name D, and none J */
-  struct text out;
-  text_init(&out);
+  LOCAL(text, out);
   fails_with(claim_title(&out, &m, one_claim(&own, "kind: outside\n  title: the matrix D\n"), NULL, &d), "own.claim");
   claims_clear(&own);
   has_title(&m, one_claim(&own, "kind: outside\n  title: the matrix J\n"), "the matrix J");
   claims_clear(&own);
-  text_clear(&out);
-  model_clear(&m);
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "judge/judge.h"
+#include "local.h"
 #include "paper_model.h"
 #include "plain.h"
 #include "rational.h"
@@ -31,11 +32,7 @@ enum { N_SAMPLED = COUNT(sampled), DRAWN = 100 };
 
 TEST_EACH(an_id_has_its_own_points, N_SAMPLED) {
   struct sampler once, again, other;
-  struct point a, b, c, last;
-  point_init(&a);
-  point_init(&b);
-  point_init(&c);
-  point_init(&last);
+  LOCAL(point, a, b, c, last);
   sampler_init(&once, "eq-27", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase});
   sampler_init(&again, "eq-27", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase});
   sampler_init(&other, "eq-28", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase});
@@ -50,32 +47,23 @@ TEST_EACH(an_id_has_its_own_points, N_SAMPLED) {
     last.orbit = a.orbit;
     for (int k = 0; k < N_Q; k++) fmpq_set(&last.q[k], &a.q[k]);
   }
-  point_clear(&last);
-  point_clear(&c);
-  point_clear(&b);
-  point_clear(&a);
 }
 
 static int compare(const fmpq_t x, slong p, ulong q) {
-  fmpq_t y;
-  fmpq_init(y);
+  NUMBERS(fmpq, y);
   fmpq_set_si(y, p, q);
-  int c = fmpq_cmp(x, y);
-  fmpq_clear(y);
-  return c;
+  return fmpq_cmp(x, y);
 }
 
 TEST_EACH(points_lie_in_the_domain, N_SAMPLED) {
   for (int r = -1; r < n_restrictions; r++) {
     struct sampler s;
-    struct point p;
-    point_init(&p);
+    LOCAL(point, p);
     const struct point_spec spec = {sampled[_i].kind, sampled[_i].phase,
                                     .restriction = r < 0 ? NULL : &restrictions[r]};
     sampler_init(&s, "domain", &spec);
     for (int i = 0; i < DRAWN; i++) {
-      struct text at;
-      text_init(&at);
+      LOCAL(text, at);
       sampler_next(&p, &s);
       point_print(&at, &p);
       bool inside = compare(&p.q[Q_CHI], 0, 1) > 0 && compare(&p.q[Q_CHI], 1, 1) < 0;
@@ -92,9 +80,7 @@ TEST_EACH(points_lie_in_the_domain, N_SAMPLED) {
         ck_assert_msg(plain_switching(&q, PHASE_D, z) < 0 && plain_switching(&q, PHASE_GAMMA, z) < 0, "draw %d: %s", i,
                       text_str(&at));
       }
-      text_clear(&at);
     }
-    point_clear(&p);
   }
 }
 
@@ -107,12 +93,9 @@ static void value_of(arb_t x, struct values *v, const char *name) {
 }
 
 static real number(struct values *v, const char *name) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   value_of(x, v, name);
-  real r = num_arb.get_d(x);
-  arb_clear(x);
-  return r;
+  return num_arb.get_d(x);
 }
 
 /* left - sum of factor[i] * right[i] contains 0 and is narrow. */
@@ -123,11 +106,9 @@ static void vanishes(struct values *v, const char *left, int n, const real *fact
     sum -= term;
     scale += fabsl(term);
   }
-  struct text at;
-  text_init(&at);
+  LOCAL(text, at);
   point_print(&at, v->point);
   ck_assert_msg(fabsl(sum) < 1e-14L * scale, "%s is off by %Lg at %s", left, sum, text_str(&at));
-  text_clear(&at);
 }
 #define SAME(v, left, right) vanishes(v, left, 1, (const real[]){1}, (const char *const[]){right})
 
@@ -189,24 +170,20 @@ CASE("values", .once = {paper_open, paper_close}, .seconds = 60);
 TEST_EACH(arcs_obey_the_papers_conditions, 2) {
   int accepted = 0;
   for (int n = 0; n < ARC_DRAWS; n++) {
-    struct values v;
-    struct point p;
-    point_init(&p);
+    OWNED(values) v;
+    LOCAL(point, p);
     if (open_arc(&v, &p, n, _i ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, num_ctx_arb(FIRST_PREC))) {
       accepted++;
       check_arc_facts(&v);
       check_arc_against_plain(&v);
     }
-    values_clear(&v);
-    point_clear(&p);
   }
   ck_assert_msg(2 * accepted >= ARC_DRAWS, "only %d arcs of %d", accepted, ARC_DRAWS);
 }
 
 TEST(orbits_close) {
-  struct point p;
-  struct values v;
-  point_init(&p);
+  LOCAL(point, p);
+  OWNED(values) v;
   ck_assert(nearest_orbit_point(&p, &the_paper.scene, the_paper.cache));
   ck_assert_int_eq(p.orbit, 1); /* tests/oracle/orbits.tsv: of the two it is the second that is near */
   ck_assert(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), the_paper.cache) == SS_OK);
@@ -221,8 +198,6 @@ TEST(orbits_close) {
     snprintf(name, sizeof name, "%s%s", component[i], end);
     SAME(&v, name, start[i]);
   }
-  values_clear(&v);
-  point_clear(&p);
 }
 
 /* The tangents belonging to (x, y), (x, 0) and (0, y) add up. */
@@ -234,17 +209,14 @@ TEST(tangents_are_linear) {
     bool ok = true;
     for (int k = 0; k < 3; k++) {
       struct sampler s;
-      struct values v;
-      struct point p;
-      point_init(&p);
+      OWNED(values) v;
+      LOCAL(point, p);
       sampler_init(&s, "check_value", &(struct point_spec){.kind = POINT_ARC});
       for (int i = 0; i <= n; i++) sampler_next(&p, &s);
       if (k == 1) fmpq_zero(&p.q[Q_Y]);
       if (k == 2) fmpq_zero(&p.q[Q_X]);
       ok = values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), the_paper.cache) == SS_OK;
       for (int i = 0; ok && i < 10; i++) t[k][i] = number(&v, names[i]);
-      values_clear(&v);
-      point_clear(&p);
     }
     accepted += ok;
     for (int i = 0; ok && i < 10; i++) {
@@ -259,9 +231,8 @@ TEST(flows_solve_their_equations) {
   for (int n = 0; n < 8; n++)
     for (int ph = 0; ph < N_PHASES; ph++) {
       struct sampler s;
-      struct point p;
-      struct values v;
-      point_init(&p);
+      LOCAL(point, p);
+      OWNED(values) v;
       sampler_init(&s, "check_value", &(struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)ph});
       for (int i = 0; i <= n; i++) sampler_next(&p, &s);
       ck_assert(values_init(&v, &p, n % 2 ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, num_ctx_arb(FIRST_PREC),
@@ -274,8 +245,6 @@ TEST(flows_solve_their_equations) {
       for (int i = 0; i < 4; i++)
         ck_assert_msg(fabsl(number(&v, names[i]) - end[i]) < 1e-12L * (1 + fabsl(end[i])), "%s, phase %d, draw %d",
                       names[i], ph, n);
-      values_clear(&v);
-      point_clear(&p);
     }
 }
 
@@ -284,23 +253,19 @@ TEST(names_without_a_value_are_told_apart) {
                                           "z_1(t_c)",        "z_1'''(t)", "chi2", "foo[1,1]",
                                           "J_a[1,3]",        "J_a[2,1]",  "z_100"};
   struct values v;
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   int n = 0;
   while (!open_arc(&v, &p, n, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC))) {
     values_clear(&v);
     ck_assert(++n < ARC_DRAWS);
   }
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   for (size_t i = 0; i < COUNT(strangers); i++) {
     bool known = true;
     int s = values_bind(x, &known, &v, strangers[i]);
     ck_assert_msg(!known && s != SS_OK, "%s has a value on an arc", strangers[i]);
   }
-  arb_clear(x);
   values_clear(&v);
-  point_clear(&p);
 }
 
 /* --- The model's matrices --- */
@@ -308,21 +273,17 @@ TEST(names_without_a_value_are_told_apart) {
 static void oracle_is(struct values *v, const char *name, int rows, int cols, const real *want, real tolerance) {
   const struct oracle *o = oracle_find(name);
   ck_assert_msg(o && o->rows == rows && o->cols == cols, "%s has another shape", name);
-  struct num_vec m;
-  num_vec_init(&m, rows * cols, v->ctx);
+  OWNED(num_vec) m = vec_new(rows * cols, v->ctx);
   ck_assert_msg(oracle_eval(&m, o, v) == SS_OK, "%s cannot be had", name);
   real scale = 1;
   for (int i = 0; i < rows * cols; i++) scale = fmaxl(scale, fabsl(want[i]));
-  struct text at;
-  text_init(&at);
+  LOCAL(text, at);
   point_print(&at, v->point);
   for (int i = 0; i < rows * cols; i++) {
     real x = v->ctx.type->get_d(num_vec_at(&m, i));
     ck_assert_msg(fabsl(x - want[i]) < tolerance * scale, "%s[%d,%d] is %Lg, not %Lg, at %s", name, i / cols + 1,
                   i % cols + 1, x, want[i], text_str(&at));
   }
-  text_clear(&at);
-  num_vec_clear(&m);
 }
 
 /* The local Jacobians, from the paper's sentences around (27), (32), (36), (40): which perturbations enter a phase, and
@@ -357,9 +318,8 @@ static void check_jacobians(struct values *v, real tolerance) {
 TEST_EACH(jacobians_are_the_differences_of_a_second_model, 2) {
   const struct num_ctx ctx[] = {num_ctx_arb(FIRST_PREC), num_ctx_mpfr(FD_PREC)};
   const enum variant variant[] = {VARIANT_CLOSED, VARIANT_FD};
-  struct point p;
+  LOCAL(point, p);
   struct values v;
-  point_init(&p);
   ck_assert(nearest_orbit_point(&p, &the_paper.scene, the_paper.cache));
   for (p.orbit = 0; p.orbit < scene_orbits(&the_paper.scene, the_paper.cache)->n; p.orbit++) {
     ck_assert(values_init(&v, &p, variant[_i], ctx[_i], the_paper.cache) == SS_OK);
@@ -374,19 +334,17 @@ TEST_EACH(jacobians_are_the_differences_of_a_second_model, 2) {
     values_clear(&v);
   }
   ck_assert(accepted >= 3);
-  point_clear(&p);
 }
 
 TEST(matrices_of_the_motion_are_those_of_a_second_model) {
   struct sampler s;
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   sampler_init(&s, "matrices", &(struct point_spec){.kind = POINT_PARAMS});
   for (int n = 0; n < 8; n++) {
     static const char *const propagators[] = {"D(t)", "Gamma(t)", "H(t)", "C(t)"};
     static const char *const stiff[] = {NULL, "K_1", "K", "K_2"};
     static const char *const newton[] = {NULL, "K_1 newton", "K newton", "K_2 newton"};
-    struct values v;
+    OWNED(values) v;
     sampler_next(&p, &s);
     ck_assert(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), the_paper.cache) == SS_OK);
     struct plain q = plain_of(&p);
@@ -406,15 +364,12 @@ TEST(matrices_of_the_motion_are_those_of_a_second_model) {
     oracle_is(&v, "d_02", 1, 1, (const real[]){(u1 * q.chi + u2) / ((1 - q.chi) * q.chi)}, 1e-15L);
     oracle_is(&v, "omega_1", 1, 1, (const real[]){sqrtl(ce * (1 - q.chi) / (half + spread))}, 1e-15L);
     oracle_is(&v, "omega_2", 1, 1, (const real[]){sqrtl(half + spread)}, 1e-15L);
-    values_clear(&v);
   }
-  point_clear(&p);
 }
 
 TEST(n_carries_the_state_through_one_period) {
-  struct point p;
-  struct values v;
-  point_init(&p);
+  LOCAL(point, p);
+  OWNED(values) v;
   ck_assert(nearest_orbit_point(&p, &the_paper.scene, the_paper.cache));
   ck_assert(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), the_paper.cache) == SS_OK);
   struct plain q = plain_of(&p);
@@ -426,8 +381,6 @@ TEST(n_carries_the_state_through_one_period) {
   }
   oracle_is(&v, "N", 4, 4, n, 1e-13L);
   ck_assert(oracle_find("Q") == NULL && oracle_find("") == NULL && oracle_find("J_") == NULL);
-  values_clear(&v);
-  point_clear(&p);
 }
 
 /* --- The paper's expressions at points --- */
@@ -464,11 +417,10 @@ static void jacobian_of(real j[4], struct scene *s, const struct jacobian_reques
 }
 
 TEST(the_chain_at_printed_numbers) {
-  struct scene s;
   const char *path = scratch_put(
       "printed.scene", "chi = 0.7\neta = 1.25\nV = 1.5\ne1 = 2.5\ne2 = 0.75\nprinted: z10 = 0.9\nprinted: z20 = -2.2\n"
                        "printed: t_a = 0.7\nprinted: t_b = 2\nprinted: t_c = 1.5\nprinted: t_d = 2.3\n");
-  goes_well(scene_load(&s, path, "verify", &d));
+  OWNED(scene) s = scene_at(path);
   const struct plain p = {0.7L, 1.25L, 1.5L, 2.5L, 0.75L};
   const real start[2] = {0.9L, -2.2L}, t[4] = {0.7L, 2, 1.5L, 2.3L};
   for (int layer = 0; layer < N_LAYERS; layer++) {
@@ -480,7 +432,6 @@ TEST(the_chain_at_printed_numbers) {
       ck_assert_msg(fabsl(got[i] - want[i]) < 1e-12L * (1 + fabsl(want[i])), "%s, entry %d: %Lg, not %Lg",
                     layer_name[layer], i, got[i], want[i]);
   }
-  scene_clear(&s);
 }
 
 /* The other methods take the printed state and find the events themselves. */
@@ -499,20 +450,16 @@ TEST_EACH(the_map_at_printed_numbers, 2) {
 }
 
 TEST(expressions_at_a_point) {
-  struct point p;
-  struct diag d;
-  point_init(&p);
-  diag_init(&d);
+  LOCAL(point, p);
+  struct diag d = {0};
   ck_assert(printed_point(&p, &the_paper.scene));
   arb_ptr x = _arb_vec_init(16);
   int n;
   struct view v = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
-  fmpq_t third;
-  fmpq_init(third);
+  NUMBERS(fmpq, third);
   fmpq_set_si(third, 1, 3);
   ck_assert(expression_at(x, &n, v, "1/3", "stability", &p, 200, the_paper.cache, &d) == SS_OK && n == 1);
   ck_assert(arb_contains_fmpq(x, third) && arb_rel_accuracy_bits(x) > 190);
-  fmpq_clear(third);
   ck_assert(expression_at(x, &n, v, "z_10 - chi*z_20 + V*t_a*(1 - chi)", "validation", &p, 128, the_paper.cache, &d) ==
             SS_OK);
   ck_assert(fabs(num_arb.get_d(x) - 2.78442) < 1e-15); /* 0.8921 + 0.8*2.1958 + 0.2*0.6784 */
@@ -526,8 +473,6 @@ TEST(expressions_at_a_point) {
   diag_init(&d);
   ck_assert(expression_at(x, &n, v, "1/2/3", "stability", &p, 128, the_paper.cache, &d) != SS_OK && d.set);
   _arb_vec_clear(x, 16);
-
-  point_clear(&p);
 }
 
 /* --- Sentences at a point --- */
@@ -556,14 +501,12 @@ static const struct {
 
 TEST_EACH(two_sides_at_a_point, COUNT(sentences)) {
   struct sampler s;
-  struct point p;
-  struct model m;
-  struct sentence sides;
-  point_init(&p);
+  LOCAL(point, p);
+  OWNED(sentence) sides;
   sampler_init(&s, "sentences", &(struct point_spec){.kind = POINT_PARAMS});
   sampler_next(&p, &s);
   const char *path = scratch_print("overlay.eq", "equation user\n  section: stability\n  %s\n", sentences[_i].sentence);
-  paper_model(&m, &(struct paper_layers){.overlay = path});
+  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path});
   struct view v = {&m, LAYER_PRINTED, NULL, NULL};
   goes_well(sentence_from_relations(&sides, v, view_record(&v, "user"), NULL, 0, &d));
   struct trial t = sentence_try_balls(&sides, &p, VARIANT_CLOSED, the_paper.cache);
@@ -572,7 +515,4 @@ TEST_EACH(two_sides_at_a_point, COUNT(sentences)) {
   if (t.outcome == OUTCOME_UNBOUND) ck_assert_str_eq(t.unbound, "z_1a");
   t = sentence_try_rounded(&sides, &p, VARIANT_CLOSED, num_ctx_mpfr(FD_PREC), -200, the_paper.cache);
   ck_assert_msg(t.outcome == sentences[_i].rounded, "%s rounded: %d", sentences[_i].sentence, (int)t.outcome);
-  sentence_clear(&sides);
-  model_clear(&m);
-  point_clear(&p);
 }

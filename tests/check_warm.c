@@ -10,6 +10,7 @@
 #include "accuracy.h"
 #include "every.h"
 #include "explore/family.h"
+#include "local.h"
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
@@ -43,12 +44,10 @@ static void check_orbit(struct tally *y, const struct dyn_orbit *o, const double
 /* Every orbit of the list at one set of parameters. */
 static void check_set(struct tally *y, const double p[N_PARAMS], struct rng *r) {
   enum { MOST = 16 };
-  struct dyn_orbits list;
-  fmpq *q = rationals_d(p, N_PARAMS);
+  OWNED(dyn_orbits) list;
+  FREED_PARAMS fmpq *q = rationals_d(p, N_PARAMS);
   dyn_orbits_find(&list, q, PREC, NULL);
   for (slong k = 0; k < list.n && k < MOST; k++) check_orbit(y, &list.orbit[k], p, r);
-  dyn_orbits_clear(&list);
-  _fmpq_vec_clear(q, N_PARAMS);
 }
 
 TEST_EVERY(numbers_and_conditions, 3, 3) {
@@ -86,9 +85,9 @@ TEST_EVERY(no_orbit_is_invented, 3, 3) {
   int found = 0;
   for (int trial = 0; trial < SETS; trial++) {
     double p[N_PARAMS];
-    struct dyn_orbits list;
+    OWNED(dyn_orbits) list;
     params_draw(p, &r, &ordinary);
-    fmpq *q = rationals_d(p, N_PARAMS);
+    FREED_PARAMS fmpq *q = rationals_d(p, N_PARAMS);
     int status = dyn_orbits_find(&list, q, PREC, NULL);
     for (int k = 0; k < GUESSES && status == SS_OK; k++) {
       double guess[2] = {6.2 * rng_unit(&r), 30 * rng_unit(&r) * rng_unit(&r)}, out[N_DYN_OUT];
@@ -104,8 +103,6 @@ TEST_EVERY(no_orbit_is_invented, 3, 3) {
       ck_assert_msg(known, "%s: t_b %.17g t_c %.17g", params_shown(p), out[DYN_OUT_TB], out[DYN_OUT_TC]);
       found++;
     }
-    dyn_orbits_clear(&list);
-    _fmpq_vec_clear(q, N_PARAMS);
   }
   ck_assert_int_gt(found, SETS);
 }

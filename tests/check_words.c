@@ -9,7 +9,10 @@
 #include "base/json.h"
 #include "command.h"
 #include "explore/words.h"
+#include "local.h"
 #include "motion/coulomb.h"
+#include "paper_model.h"
+#include "params.h"
 #include "rational.h"
 #include "rng.h"
 #include "says.h"
@@ -28,11 +31,9 @@ static struct mech_word word_of(const char *text) {
 
 static const char *shown(const struct mech_word *w) {
   static char line[256];
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   phase_word_print(&t, w);
   snprintf(line, sizeof line, "%s", text_str(&t));
-  text_clear(&t);
   return line;
 }
 
@@ -188,10 +189,9 @@ TEST(simulations_know_the_barriers) {
       p[COULOMB_UR1 + i] = p[COULOMB_US1 + i] + rng_within(&rng, 0.01, 1);
     }
     random_start(start, p, 4);
-    struct coulomb_log log;
+    LOCAL(coulomb_log, log);
     struct coulomb_result r;
     struct coulomb_plan plan = coulomb_plan_default;
-    coulomb_log_init(&log);
     struct coulomb_sink sink = coulomb_log_sink(&log);
     plan.duration = 20;
     plan.tolerance = 1e-9;
@@ -206,7 +206,6 @@ TEST(simulations_know_the_barriers) {
       ck_assert_msg(!why, "run %d: %s to %s: %s", k, phase_word_name(from), phase_word_name(to), why);
       seen[kind_of(from)][kind_of(to)]++;
     }
-    coulomb_log_clear(&log);
   }
   for (struct mech_word a = {.n = 0}; phase_word_next(&a, 1);)
     for (struct mech_word b = {.n = 0}; phase_word_next(&b, 1);) {
@@ -234,12 +233,10 @@ TEST(what_is_known_against_a_word) {
                {"Gamma gamma x H", "gamma to x: the force on m2 only falls", WORD_IMPOSSIBLE},
                {"H C H H", "H to H: a phase does not follow itself", WORD_IMPOSSIBLE}};
   for (size_t i = 0; i < COUNT(known); i++) {
-    struct text why;
-    text_init(&why);
+    LOCAL(text, why);
     struct mech_word w = word_of(known[i].word);
     ck_assert_msg(phase_word_fate(&why, &w) == known[i].fate, "%s: %s", known[i].word, text_str(&why));
     ck_assert_msg(strstr(text_str(&why), known[i].why) != NULL, "%s: %s", known[i].word, text_str(&why));
-    text_clear(&why);
   }
 }
 
@@ -282,13 +279,11 @@ TEST(the_papers_word_is_one_of_them) {
   const fmpq *none[2] = {NULL, NULL};
   struct mech_word papers = word_of("DGHC");
   long orbits = 0;
-  arb_t least;
-  arb_init(least);
+  NUMBERS(arb, least);
   for (size_t k = 0; k < COUNT(sets); k++) {
-    struct dyn_orbits own;
-    struct word_orbits list;
-    fmpq *params = rationals(sets[k], N_PARAMS);
-    ck_assert_int_eq(dyn_orbits_find(&own, params, 128, NULL), SS_OK);
+    OWNED(word_orbits) list;
+    FREED_PARAMS fmpq *params = rationals(sets[k], N_PARAMS);
+    OWNED(dyn_orbits) own = orbits_of(params, 128);
     ck_assert_int_eq(word_orbits_find(&list, &papers, params, none, NULL, 128), SS_OK);
     ck_assert_int_eq(list.found.n, own.n);
     ck_assert_int_eq(list.found.failed, 0);
@@ -310,11 +305,7 @@ TEST(the_papers_word_is_one_of_them) {
       same_conditions(b, a);
       orbits++;
     }
-    word_orbits_clear(&list);
-    dyn_orbits_clear(&own);
-    _fmpq_vec_clear(params, N_PARAMS);
   }
-  arb_clear(least);
   ck_assert_int_ge(orbits, 20);
 }
 
@@ -324,36 +315,31 @@ static struct table oracle;
 
 /* Its row for an orbit. */
 static char *const *row_named(const char *name) {
-  if (!oracle.n) table_read(&oracle, "tests/oracle/words.tsv", 12);
+  if (!oracle.n) oracle = table_read("tests/oracle/words.tsv", 12);
   return oracle.row[table_row(&oracle, name, NULL)];
 }
 
 /* |x - text| < 10^-exponent. */
 static bool near(arb_srcptr x, const char *text, int exponent) {
-  arb_t d, bound;
-  arb_init(d);
-  arb_init(bound);
+  NUMBERS(arb, d, bound);
   ck_assert_int_eq(arb_set_str(d, text, 200), 0);
   arb_sub(d, d, x, 200);
   arb_abs(d, d);
   arb_set_ui(bound, 10);
   arb_pow_ui(bound, bound, (ulong)exponent, 200);
   arb_inv(bound, bound, 200);
-  bool ok = arb_lt(d, bound);
-  arb_clear(d);
-  arb_clear(bound);
-  return ok;
+  return arb_lt(d, bound);
 }
 
 static void compare_with_oracle(const char *name) {
   const fmpq *u_r[2] = {NULL, NULL};
   char *const *field = row_named(name);
-  fmpq *params = rationals((const char *const *)field + 2, N_PARAMS);
+  FREED_PARAMS fmpq *params = rationals((const char *const *)field + 2, N_PARAMS);
   fmpq *limit = rationals((const char *const *)field + 7, 2);
   for (int i = 0; i < 2; i++)
     if (!fmpq_is_zero(limit + i)) u_r[i] = limit + i;
   struct mech_word w = word_of(field[1]);
-  struct word_orbits list;
+  OWNED(word_orbits) list;
   ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 160), SS_OK);
   const struct mech_orbit *o = NULL;
   char *t[WORD_MOST];
@@ -381,8 +367,6 @@ static void compare_with_oracle(const char *name) {
   }
   ck_assert_int_eq(m, o->n_free);
   ck_assert(o->certified && o->admissible == TRUTH_TRUE);
-  word_orbits_clear(&list);
-  _fmpq_vec_clear(params, N_PARAMS);
   _fmpq_vec_clear(limit, 2);
 }
 
@@ -420,10 +404,10 @@ TEST(jacobians_are_those_of_simulations) {
   fmpq *limit = rationals((const char *const[]){"0.52", "0.42"}, 2);
   const fmpq *u_r[2] = {limit, limit + 1};
   int compared = 0;
-  fmpq *params = rationals(text, N_PARAMS);
+  FREED_PARAMS fmpq *params = rationals(text, N_PARAMS);
   for (size_t k = 0; k < COUNT(words); k++) {
     struct mech_word w = word_of(words[k]);
-    struct word_orbits list;
+    OWNED(word_orbits) list;
     ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 64), SS_OK);
     word_orbits_with_friction(&list, 128);
     for (int i = 0; i < list.found.n; i++) {
@@ -432,10 +416,8 @@ TEST(jacobians_are_those_of_simulations) {
       compare_routes(o, words[k], &list.m);
       compared++;
     }
-    word_orbits_clear(&list);
   }
   ck_assert_int_ge(compared, 5);
-  _fmpq_vec_clear(params, N_PARAMS);
   _fmpq_vec_clear(limit, 2);
 }
 
@@ -447,17 +429,15 @@ TEST_EACH(long_phases_are_decided, 2) {
                                                {"9999/10000", "1", "1", "6961/2500", "8587/10000"}};
   const fmpq *none[2] = {NULL, NULL};
   struct mech_word w = word_of(words[_i]);
-  struct word_orbits list;
+  OWNED(word_orbits) list;
   slong longer = 0;
-  fmpq *params = rationals(text[_i], N_PARAMS);
+  FREED_PARAMS fmpq *params = rationals(text[_i], N_PARAMS);
   ck_assert_int_eq(word_orbits_find(&list, &w, params, none, NULL, 82), SS_OK);
   for (int i = 0; i < list.found.n; i++) {
     ck_assert(list.found.orbit[i].certified);
     longer += arf_cmpabs_ui(arb_midref(list.found.orbit[i].period), _i ? 49000 : 240) > 0;
   }
   ck_assert_int_gt(longer, 0);
-  word_orbits_clear(&list);
-  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* The period in events of the end of a motion, at most most; 0 when it has none. */
@@ -495,10 +475,9 @@ TEST(what_simulations_settle_on_is_found) {
     rng.state = 7;
     for (int run = 0; run < 6; run++) {
       double start[N_STATE];
-      struct coulomb_log log;
+      LOCAL(coulomb_log, log);
       struct coulomb_result r;
       struct coulomb_plan plan = coulomb_plan_default;
-      coulomb_log_init(&log);
       struct coulomb_sink sink = coulomb_log_sink(&log);
       random_start(start, p, 3);
       plan.duration = 4000;
@@ -514,7 +493,7 @@ TEST(what_simulations_settle_on_is_found) {
           phase_of(w.phase[i], e[i].at.mode);
           t[i] = e[i + 1].at.t - e[i].at.t;
         }
-        struct word_orbits list;
+        OWNED(word_orbits) list;
         ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 64), SS_OK);
         bool same = false;
         for (int i = 0; i < list.found.n && !same; i++) {
@@ -528,9 +507,7 @@ TEST(what_simulations_settle_on_is_found) {
         ck_assert_msg(same, "set %zu: %s, where a simulation settled, has no such orbit", k, shown(&w));
         found++;
         kinds += w.n != 4 || !phase_word_is_papers(&w);
-        word_orbits_clear(&list);
       }
-      coulomb_log_clear(&log);
     }
     _fmpq_vec_clear(params, N_PARAMS);
     _fmpq_vec_clear(limit, 2);
@@ -560,7 +537,7 @@ TEST(a_scene_names_a_word) {
     fails_with(scene_load_box(&s, scratch_put("bad.scene", bad[i].text), "verify", &d), bad[i].says);
     scene_clear(&s);
   }
-  goes_well(scene_load(&s, scratch_put("turned.scene", EXAMPLE "word: H C D Gamma\n"), "verify", &d));
+  s = scene_at(scratch_put("turned.scene", EXAMPLE "word: H C D Gamma\n"));
   ck_assert(!scene_other_word(&s));
   scene_clear(&s);
   fails_with(scene_load(&s, scratch_put("other.scene", EXAMPLE "word: H C\n"), "verify", &d),
@@ -626,20 +603,17 @@ TEST(output_obeys_its_schemas) {
 /* Where friction is left open the orbit is enclosed a second time, as precisely as the first. */
 TEST_EACH(a_jacobian_has_the_digits_asked_for, 3) {
   static const char *const friction[] = {"--set e1=1e5", "--set u_r1=2e5", "--set u_r1=2e5 --set u_r2=3"};
-  char *said = shell_said("\"$P\" jacobian other-word --set V=1e-6 %s --digits 100 | sed -n 2p | tr -dc 0-9 | wc -c",
-                          friction[_i]);
+  FREED char *said = shell_said(
+      "\"$P\" jacobian other-word --set V=1e-6 %s --digits 100 | sed -n 2p | tr -dc 0-9 | wc -c", friction[_i]);
   ck_assert_int_eq(atoi(said), 100);
-  free(said);
 }
 
 /* The survey lists every word it says. */
 TEST(the_survey_is_whole) {
-  char *first = shell_said("$P words overrun --longest 3 --json");
-  struct source src;
-  struct arena a;
+  FREED char *first = shell_said("$P words overrun --longest 3 --json");
+  LOCAL(arena, a);
   struct json_value v;
-  arena_init(&a);
-  source_from_string(&src, "words.json", first);
+  OWNED(source) src = source_of("words.json", first);
   goes_well(json_parse(&v, &a, &src, &d));
   long words = 0, canonical = 0;
   for (int n = 1; n <= 3; n++) {
@@ -653,7 +627,4 @@ TEST(the_survey_is_whole) {
   for (const struct json_value *w = json_member(&v, "words")->first; w; w = w->next)
     once += strcmp(json_text(w, "word"), "Gamma-H-X") == 0;
   ck_assert_int_eq(once, 1);
-  source_clear(&src);
-  arena_clear(&a);
-  free(first);
 }

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "local.h"
 #include "process.h"
 #include "scratch.h"
 
@@ -107,6 +108,11 @@ void job_clear(struct job *j) {
   *j = (struct job){.status = -1000};
 }
 
+void job_take(struct job *j, struct job next) {
+  job_clear(j);
+  *j = next;
+}
+
 static void collect(const char **args, const char *first, va_list ap) {
   int n = 0;
   for (const char *a = first; a; a = va_arg(ap, const char *)) {
@@ -116,39 +122,41 @@ static void collect(const char **args, const char *first, va_list ap) {
   args[n] = NULL;
 }
 
-static void run(struct job *j, const char **args, const char *first, va_list ap) {
+static struct job run(const char **args, const char *first, va_list ap) {
+  struct job j;
   collect(args, first, ap);
-  job_start(j, NULL, program(), args);
-  job_finish(j);
+  job_start(&j, NULL, program(), args);
+  job_finish(&j);
+  return j;
 }
 
-void job_run(struct job *j, const char *first, ...) {
+struct job job_run(const char *first, ...) {
   const char *args[MAX_ARGS + 1];
   va_list ap;
   va_start(ap, first);
-  run(j, args, first, ap);
+  struct job j = run(args, first, ap);
   va_end(ap);
+  return j;
 }
 
-void job_run_well(struct job *j, const char *first, ...) {
+struct job job_run_well(const char *first, ...) {
   const char *args[MAX_ARGS + 1];
   va_list ap;
   va_start(ap, first);
-  run(j, args, first, ap);
+  struct job j = run(args, first, ap);
   va_end(ap);
-  ck_assert_msg(j->status == 0 && !*j->err, "%s %s...: status %d, %.1500s", first, args[1] ? args[1] : "", j->status,
-                j->err);
+  ck_assert_msg(j.status == 0 && !*j.err, "%s %s...: status %d, %.1500s", first, args[1] ? args[1] : "", j.status,
+                j.err);
+  return j;
 }
 
 void check_schemas(const char *const (*runs)[2], size_t n) {
-  struct text files;
-  text_init(&files);
+  LOCAL(text, files);
   for (size_t i = 0; i < n; i++) {
     shell_well("\"$P\" %s > \"$D/%zu.json\"", runs[i][0], i);
     text_printf(&files, " schema/%s.schema.json \"$D/%zu.json\"", runs[i][1], i);
   }
   shell_well("\"$Y\" tests/oracle/validate.py%s", text_str(&files));
-  text_clear(&files);
 }
 
 const char *member(const char *from, const char *key) {

@@ -34,10 +34,11 @@ struct job {
 void job_start(struct job *j, const struct job_place *place, const char *file, const char *const *args);
 void job_finish(struct job *j);
 void job_clear(struct job *j);
+void job_take(struct job *j, struct job next); /* in place of what it was */
 
-/* job_run(&j, "orbit", "paper", NULL); job_run_well: which must go well and say nothing on stderr. */
-void job_run(struct job *j, const char *first, ...);
-void job_run_well(struct job *j, const char *first, ...);
+/* job_run("orbit", "paper", NULL); job_run_well: which must go well and say nothing on stderr.  To be cleared. */
+struct job job_run(const char *first, ...);
+struct job job_run_well(const char *first, ...);
 
 /* What each command prints obeys a schema, by one interpreter for all; runs: words and the name of the schema. */
 void check_schemas(const char *const (*runs)[2], size_t n);

@@ -4,6 +4,7 @@
    and a ball must hold what MPFR gives at much higher precision at points of its operands.  The other laws are
    identities of arithmetic.  Operands are random and biased to the edges; a failing trial prints them and its seed. */
 #include "laws_num.h"
+#include "local.h"
 #include "rng.h"
 #include "suite.h"
 #include "tape/tape.h"
@@ -34,9 +35,10 @@ static void *at(const struct trial *t, int i) {
   return num_vec_at(&t->slots, i);
 }
 
-static void trial_init(struct trial *t, struct num_ctx ctx, const char *law) {
-  *t = (struct trial){.ctx = ctx, .f = ctx.type, .law = law, .op = ""};
-  num_vec_init(&t->slots, N_SLOTS, ctx);
+static struct trial trial_of(struct num_ctx ctx, const char *law) {
+  struct trial t = {.ctx = ctx, .f = ctx.type, .law = law, .op = ""};
+  num_vec_init(&t.slots, N_SLOTS, ctx);
+  return t;
 }
 
 static void trial_clear(struct trial *t) {
@@ -45,8 +47,7 @@ static void trial_clear(struct trial *t) {
 
 /* Starts trial i with fresh X, Y, Z; balls are exact half of the time. */
 static void trial_begin(struct trial *t, int i, slong reach) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   t->seed = (uint64_t)i * 1000003u + strlen(t->law);
   t->rng.state = t->seed;
   for (int k = X; k <= Z; k++) {
@@ -58,7 +59,6 @@ static void trial_begin(struct trial *t, int i, slong reach) {
     }
     if (t->f->set_arb(at(t, k), x, t->ctx.prec) != SS_OK) ck_abort_msg("operand out of range");
   }
-  arb_clear(x);
 }
 
 static void get(arb_t x, const struct trial *t, int i) {
@@ -125,24 +125,16 @@ static bool is_nan(const struct trial *t, int i) {
 
 /* The same value, or both NaN. */
 static bool same(const struct trial *t, int i, int j) {
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
+  NUMBERS(arb, x, y);
   get(x, t, i);
   get(y, t, j);
-  bool yes = arb_equal(x, y) || (arf_is_nan(arb_midref(x)) && arf_is_nan(arb_midref(y)));
-  arb_clear(x);
-  arb_clear(y);
-  return yes;
+  return arb_equal(x, y) || (arf_is_nan(arb_midref(x)) && arf_is_nan(arb_midref(y)));
 }
 
 /* Slot i agrees with slot j: balls overlap, rounded values differ by at most ulps units of 2^-prec times scale (slot,
    or -1 for the values' own size). */
 static bool near(const struct trial *t, int i, int j, int scale, slong ulps) {
-  arb_t x, y, bound;
-  arb_init(x);
-  arb_init(y);
-  arb_init(bound);
+  NUMBERS(arb, x, y, bound);
   get(x, t, i);
   get(y, t, j);
   bool yes = t->f->rigorous && arb_overlaps(x, y);
@@ -155,19 +147,13 @@ static bool near(const struct trial *t, int i, int j, int scale, slong ulps) {
     arb_abs(x, x);
     yes = arb_le(x, bound);
   }
-  arb_clear(x);
-  arb_clear(y);
-  arb_clear(bound);
   return yes;
 }
 
 static bool equals_si(const struct trial *t, int i, slong n) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   get(x, t, i);
-  bool yes = t->f->rigorous ? arb_contains_si(x, n) : arb_equal_si(x, n);
-  arb_clear(x);
-  return yes;
+  return t->f->rigorous ? arb_contains_si(x, n) : arb_equal_si(x, n);
 }
 
 static void put_d(const struct trial *t, int i, double x) {
@@ -176,12 +162,10 @@ static void put_d(const struct trial *t, int i, double x) {
 
 /* Slot i becomes the ball [low, high], whose ends are multiples of 1/4 and not large. */
 static void put_interval(const struct trial *t, int i, double low, double high) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   arb_set_d(x, (low + high) / 2);
   mag_set_ui_2exp_si(arb_radref(x), (ulong)(4 * (high - low)), -3);
   t->f->set_arb(at(t, i), x, t->ctx.prec);
-  arb_clear(x);
 }
 
 /* --- The types against each other. --- */
@@ -197,10 +181,7 @@ static slong tolerance(const struct num_type *f, int op) {
 /* A rounded result against Arb's at REFERENCE bits. */
 static void check_rounded(struct trial *t, int op, arb_t x, arb_t y) {
   const struct num_ctx reference = num_ctx_arb(REFERENCE);
-  arb_t exact, z, bound;
-  arb_init(exact);
-  arb_init(z);
-  arb_init(bound);
+  NUMBERS(arb, exact, z, bound);
   int status = apply(&t->ctx, op, at(t, U), at(t, X), at(t, Y));
   int expected = apply(&reference, op, exact, x, y);
   get(z, t, U);
@@ -211,42 +192,32 @@ static void check_rounded(struct trial *t, int op, arb_t x, arb_t y) {
   require(t, (status == SS_OK) != is_nan(t, U), "NaN and status disagree");
   arb_mul_2exp_si(bound, bound, -t->ctx.prec);
   if (t->f == &num_double) { /* half the least subnormal number */
-    arb_t least;
-    arb_init(least);
+    NUMBERS(arb, least);
     arb_set_ui(least, 1);
     arb_mul_2exp_si(least, least, -1075);
     arb_max(bound, bound, least, REFERENCE);
-    arb_clear(least);
   }
   arb_mul_si(bound, bound, tolerance(t->f, op), REFERENCE);
   arb_sub(exact, exact, z, REFERENCE);
   arb_abs(exact, exact);
   require(t, status != SS_OK || !arb_gt(exact, bound), "too far from the reference");
-  arb_clear(exact);
-  arb_clear(z);
-  arb_clear(bound);
 }
 
 /* The point of a ball at mid + place/2 * rad. */
 static void point(mpfr_t p, const arb_t x, slong place) {
-  arf_t r;
-  arf_init(r);
+  NUMBERS(arf, r);
   arf_set_mag(r, arb_radref(x));
   arf_mul_si(r, r, place, ARF_PREC_EXACT, ARF_RND_DOWN);
   arf_mul_2exp_si(r, r, -1);
   arf_add(r, r, arb_midref(x), ARF_PREC_EXACT, ARF_RND_DOWN);
   if (arf_get_mpfr(p, r, MPFR_RNDN) != 0) ck_abort_msg("the reference cannot hold the point");
-  arf_clear(r);
 }
 
 /* A ball against MPFR at REFERENCE bits, at five points of each operand, its ends among them. */
 static void check_ball(struct trial *t, int op, arb_t x, arb_t y) {
   const struct num_ctx reference = num_ctx_mpfr(REFERENCE);
-  mpfr_t px, py, pz;
-  arb_t z, exact;
-  mpfr_inits2(REFERENCE, px, py, pz, (mpfr_ptr)0);
-  arb_init(z);
-  arb_init(exact);
+  NUMBERS(arb, z, exact);
+  MPFR_NUMBERS(REFERENCE, px, py, pz);
   bool points = arb_is_exact(x) && (arb_is_exact(y) || !ops[op].binary);
   int status = apply(&t->ctx, op, at(t, U), at(t, X), at(t, Y));
   get(z, t, U);
@@ -256,29 +227,21 @@ static void check_ball(struct trial *t, int op, arb_t x, arb_t y) {
     point(py, y, (2 * i) % 5 - 2);
     int expected = apply(&reference, op, pz, px, py);
     num_mpfr.get_arb(exact, pz);
-    mag_t error;
-    mag_init(error);
+    NUMBERS(mag, error);
     arf_get_mag(error, arb_midref(exact));
     mag_mul_2exp_si(error, error, -REFERENCE);
     arb_add_error_mag(exact, error);
-    mag_clear(error);
     if (status == SS_OK) require(t, expected == SS_OK && arb_overlaps(z, exact), "a point is not enclosed");
     if (status == SS_DOMAIN) require(t, expected == SS_DOMAIN, "SS_DOMAIN, but a point has a value");
     if (status == SS_UNABLE) require(t, !points || op == OP_cot || expected == SS_UNABLE, "cannot tell at a point");
   }
-  mpfr_clears(px, py, pz, (mpfr_ptr)0);
-  arb_clear(z);
-  arb_clear(exact);
 }
 
 CASE("laws", .seconds = 60);
 
 TEST_EACH(types_agree, LAW_CONTEXTS) {
-  struct trial t;
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
-  trial_init(&t, law_context(_i), "types agree");
+  NUMBERS(arb, x, y);
+  OWNED(trial) t = trial_of(law_context(_i), "types agree");
   for (int i = 0; i < TRIALS; i++)
     for (int op = 0; op < N_OPS; op++) {
       t.op = ops[op].name;
@@ -290,9 +253,6 @@ TEST_EACH(types_agree, LAW_CONTEXTS) {
       else
         check_rounded(&t, op, x, y);
     }
-  arb_clear(x);
-  arb_clear(y);
-  trial_clear(&t);
 }
 
 /* Results at exact points are as narrow as the precision promises: an enclosure that is always true but wide would pass
@@ -300,10 +260,8 @@ TEST_EACH(types_agree, LAW_CONTEXTS) {
 TEST_EACH(balls_are_tight, LAW_CONTEXTS) {
   static const int tight[] = {OP_add, OP_sub,   OP_mul,   OP_div,     OP_sqrt, OP_sin,
                               OP_cos, OP_atan2, OP_hypot, OP_stumpff, OP_sinc};
-  struct trial t;
-  arb_t z;
-  arb_init(z);
-  trial_init(&t, law_context(_i), "balls are tight");
+  NUMBERS(arb, z);
+  OWNED(trial) t = trial_of(law_context(_i), "balls are tight");
   for (int i = 0; i < TRIALS && t.f->rigorous; i++)
     for (size_t k = 0; k < COUNT(tight); k++) {
       t.op = ops[tight[k]].name;
@@ -316,23 +274,18 @@ TEST_EACH(balls_are_tight, LAW_CONTEXTS) {
       if (apply(&t.ctx, tight[k], at(&t, U), at(&t, X), at(&t, Y)) != SS_OK) continue;
       get(z, &t, U);
       bool absolute = tight[k] == OP_sin || tight[k] == OP_cos || tight[k] == OP_sinc;
-      mag_t scale;
-      mag_init(scale);
+      NUMBERS(mag, scale);
       arb_get_mag(scale, z);
       if (absolute) mag_one(scale);
       mag_mul_2exp_si(scale, scale, 4 - t.ctx.prec);
       require(&t, mag_cmp(arb_radref(z), scale) <= 0, "too wide");
-      mag_clear(scale);
     }
-  arb_clear(z);
-  trial_clear(&t);
 }
 
 /* --- Aliasing. --- */
 
 TEST_EACH(outputs_may_alias_inputs, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "aliasing");
+  OWNED(trial) t = trial_of(law_context(_i), "aliasing");
   for (int i = 0; i < TRIALS / 4; i++)
     for (int op = 0; op < N_OPS; op++) {
       t.op = ops[op].name;
@@ -363,12 +316,10 @@ TEST_EACH(outputs_may_alias_inputs, LAW_CONTEXTS) {
     status = t.f->pow_si(at(&t, U), at(&t, X), n, prec);
     require(&t, t.f->pow_si(at(&t, X), at(&t, X), n, prec) == status && same(&t, U, X), "power, z = x");
   }
-  trial_clear(&t);
 }
 
 TEST_EACH(init_set_swap, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "init, set, swap");
+  OWNED(trial) t = trial_of(law_context(_i), "init, set, swap");
   for (int k = 0; k < N_SLOTS; k++) require(&t, t.f->is_zero(at(&t, k)) == TRUTH_TRUE, "init leaves 0");
   for (int i = 0; i < TRIALS; i++) {
     trial_begin(&t, i, 500);
@@ -381,17 +332,14 @@ TEST_EACH(init_set_swap, LAW_CONTEXTS) {
     t.f->set(at(&t, V), at(&t, V));
     require(&t, same(&t, U, Y) && same(&t, V, X), "with itself");
   }
-  trial_clear(&t);
 }
 
 /* --- Conversions. --- */
 
 static void get_fmpq(fmpq_t q, const struct trial *t, int i) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   get(x, t, i);
   arf_get_fmpq(q, arb_midref(x));
-  arb_clear(x);
 }
 
 /* Slot V becomes the neighbour of the value in slot U in the direction of sign. */
@@ -413,11 +361,7 @@ static void check_nearest(const struct trial *t, const fmpq_t q) {
     require(t, fmpq_is_zero(q), "only zero is near zero");
     return;
   }
-  fmpq_t z, v, dz, dv;
-  fmpq_init(z);
-  fmpq_init(v);
-  fmpq_init(dz);
-  fmpq_init(dv);
+  NUMBERS(fmpq, z, v, dz, dv);
   get_fmpq(z, t, U);
   fmpq_sub(dz, z, q);
   fmpq_abs(dz, dz);
@@ -436,16 +380,11 @@ static void check_nearest(const struct trial *t, const fmpq_t q) {
     fmpq_div(v, z, v);
     require(t, fmpz_is_one(fmpq_denref(v)), "a tie goes to the even neighbour");
   }
-  fmpq_clear(z);
-  fmpq_clear(v);
-  fmpq_clear(dz);
-  fmpq_clear(dv);
 }
 
 /* Fractions of every size, points halfway between two neighbours and just off them, subnormal doubles among them. */
 static void random_fraction(fmpq_t q, struct rng *r, slong prec) {
-  arf_t x;
-  arf_init(x);
+  NUMBERS(arf, x);
   slong kind = rng_between(r, 0, 3);
   if (kind == 0) {
     fmpq_set_si(q, rng_between(r, -1000, 1000), (ulong)rng_between(r, 1, 1000));
@@ -455,39 +394,28 @@ static void random_fraction(fmpq_t q, struct rng *r, slong prec) {
     arf_mul_2exp_si(x, x, tiny);
     arf_get_fmpq(q, x);
     if (rng_next(r) % 2) { /* next to a tie, by much less than any precision in use */
-      fmpq_t d;
-      fmpq_init(d);
+      NUMBERS(fmpq, d);
       fmpq_set_si(d, rng_between(r, -1, 1), 3);
       fmpq_div_2exp(d, d, 1500);
       fmpq_add(q, q, d);
-      fmpq_clear(d);
     }
     if (rng_next(r) % 2) fmpq_neg(q, q);
   }
-  arf_clear(x);
 }
 
 /* 0 < |q| <= 2^-1075: half of the least double, which rounds to 0. */
 static bool vanishes(const fmpq_t q) {
-  fmpq_t size, least;
-  fmpq_init(size);
-  fmpq_init(least);
+  NUMBERS(fmpq, size, least);
   fmpq_set_si(least, 2, 1);
   fmpq_pow_si(least, least, -1075);
   fmpq_abs(size, q);
-  bool yes = !fmpq_is_zero(q) && fmpq_cmp(size, least) <= 0;
-  fmpq_clear(least);
-  fmpq_clear(size);
-  return yes;
+  return !fmpq_is_zero(q) && fmpq_cmp(size, least) <= 0;
 }
 
 TEST_EACH(rationals_round_once, LAW_CONTEXTS) {
-  struct trial t;
-  fmpq_t q;
-  arb_t z;
-  fmpq_init(q);
-  arb_init(z);
-  trial_init(&t, law_context(_i), "set_q");
+  NUMBERS(fmpq, q);
+  NUMBERS(arb, z);
+  OWNED(trial) t = trial_of(law_context(_i), "set_q");
   for (int i = 0; i < TRIALS; i++) {
     trial_begin(&t, i, 60);
     random_fraction(q, &t.rng, t.ctx.prec);
@@ -502,32 +430,24 @@ TEST_EACH(rationals_round_once, LAW_CONTEXTS) {
     require(&t, arb_contains_fmpq(z, q), "not enclosed");
     require(&t, fmpq_is_zero(q) || arb_rel_accuracy_bits(z) >= t.ctx.prec - 3, "too wide");
   }
-  fmpq_clear(q);
-  arb_clear(z);
-  trial_clear(&t);
 }
 
 TEST_EACH(conversions_keep_values, LAW_CONTEXTS) {
-  struct trial t;
-  arb_t x;
-  arb_init(x);
-  trial_init(&t, law_context(_i), "conversions");
+  NUMBERS(arb, x);
+  OWNED(trial) t = trial_of(law_context(_i), "conversions");
   for (int i = 0; i < TRIALS; i++) {
     trial_begin(&t, i, 900);
     get(x, &t, X);
     require(&t, t.f->set_arb(at(&t, U), x, t.ctx.prec) == SS_OK && same(&t, U, X), "get_arb, set_arb");
     double d = t.f->get_d(at(&t, X));
-    mpfr_t m; /* MPFR's own rounding to 53 bits: no subnormals at this reach */
-    mpfr_init2(m, 53);
+    MPFR_NUMBERS(53, m);
     arf_get_mpfr(m, arb_midref(x), MPFR_RNDN);
     require(&t, mpfr_cmp_d(m, d) == 0, "get_d is not the nearest double");
-    mpfr_clear(m);
     if (t.ctx.prec < 53) continue;
     require(&t, t.f->set_d(at(&t, U), d, t.ctx.prec) == SS_OK && t.f->get_d(at(&t, U)) == d, "set_d, get_d");
   }
   for (int i = 0; i < TRIALS && !t.f->rigorous; i++) { /* midpoints with too many bits are rounded, and once */
-    fmpq_t q;
-    fmpq_init(q);
+    NUMBERS(fmpq, q);
     trial_begin(&t, i, 60);
     rng_edge(arb_midref(x), &t.rng, t.ctx.prec + 1 + (i % 40), 900);
     if (i % 2) arf_mul_2exp_si(arb_midref(x), arb_midref(x), -1000); /* subnormal doubles, and zero */
@@ -535,18 +455,13 @@ TEST_EACH(conversions_keep_values, LAW_CONTEXTS) {
     require(&t, t.f->set_arb(at(&t, U), x, t.ctx.prec) == SS_OK, "set_arb");
     arf_get_fmpq(q, arb_midref(x));
     check_nearest(&t, q);
-    fmpq_clear(q);
   }
-  arb_clear(x);
-  trial_clear(&t);
 }
 
 TEST_EACH(what_cannot_be_held_is_refused, LAW_CONTEXTS) {
-  struct trial t;
   const double bad[] = {INFINITY, -INFINITY, NAN};
-  arb_t x;
-  arb_init(x);
-  trial_init(&t, law_context(_i), "refusals");
+  NUMBERS(arb, x);
+  OWNED(trial) t = trial_of(law_context(_i), "refusals");
   for (int i = 0; i < 3; i++) {
     require(&t, t.f->set_d(at(&t, U), bad[i], t.ctx.prec) == SS_UNABLE && is_nan(&t, U), "set_d");
     put_d(&t, U, 1);
@@ -558,12 +473,10 @@ TEST_EACH(what_cannot_be_held_is_refused, LAW_CONTEXTS) {
   require(&t, t.f->set_arb(at(&t, U), x, t.ctx.prec) == SS_UNABLE && is_nan(&t, U), "an unbounded ball");
   require(&t, isnan(t.f->get_d(at(&t, U))), "get_d of NaN");
   if (t.f == &num_double) {
-    fmpq_t q;
-    fmpq_init(q);
+    NUMBERS(fmpq, q);
     fmpq_set_si(q, 1, 1);
     fmpq_mul_2exp(q, q, 1024);
     require(&t, t.f->set_q(at(&t, U), q, 53) == SS_UNABLE && is_nan(&t, U), "2^1024 as a double");
-    fmpq_clear(q);
     put_d(&t, X, 1e308);
     put_d(&t, Y, 1e-308);
     require(&t, t.f->add(at(&t, U), at(&t, X), at(&t, X), 53) == SS_UNABLE && is_nan(&t, U), "overflow of +");
@@ -573,15 +486,12 @@ TEST_EACH(what_cannot_be_held_is_refused, LAW_CONTEXTS) {
     put_d(&t, Y, 0x1p-1074);
     require(&t, t.f->cot(at(&t, U), at(&t, Y), 53) == SS_UNABLE && is_nan(&t, U), "overflow of cot");
   }
-  arb_clear(x);
-  trial_clear(&t);
 }
 
 /* --- Arithmetic. --- */
 
 TEST_EACH(ring_laws, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "ring");
+  OWNED(trial) t = trial_of(law_context(_i), "ring");
   const struct num_type *f = t.f;
   slong prec = t.ctx.prec;
   for (int i = 0; i < TRIALS; i++) {
@@ -622,12 +532,10 @@ TEST_EACH(ring_laws, LAW_CONTEXTS) {
     require(&t, near(&t, U, X, -1, 4), "(x / y) y = x");
     require(&t, s == SS_OK, "status of /");
   }
-  trial_clear(&t);
 }
 
 TEST_EACH(function_laws, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "functions");
+  OWNED(trial) t = trial_of(law_context(_i), "functions");
   const struct num_type *f = t.f;
   slong prec = t.ctx.prec;
   for (int i = 0; i < TRIALS; i++) {
@@ -660,13 +568,11 @@ TEST_EACH(function_laws, LAW_CONTEXTS) {
   put_d(&t, Z, 0);
   require(&t, near(&t, U, Z, W, 1), "sin pi = 0");
   require(&t, equals_si(&t, V, -1), "cos pi = -1");
-  trial_clear(&t);
 }
 
 /* Quadrants, axes (zeros of both signs included), the cut, and x sin a = y cos a. */
 TEST_EACH(atan2_laws, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "atan2");
+  OWNED(trial) t = trial_of(law_context(_i), "atan2");
   const struct num_type *f = t.f;
   slong prec = t.ctx.prec;
   void *x = at(&t, X), *y = at(&t, Y), *z = at(&t, Z), *u = at(&t, U), *v = at(&t, V), *w = at(&t, W);
@@ -708,14 +614,12 @@ TEST_EACH(atan2_laws, LAW_CONTEXTS) {
     f->mul(u, u, z, prec);
     require(&t, near(&t, U, W, -1, 0), "2 atan2(3, 0) = pi");
   }
-  trial_clear(&t);
 }
 
 /* x sinc x = sin x and x^3 stumpff x = x - sin x away from 0; both even, and 1 and 1/6 near 0 to the first order; the
    slopes that the differentiator states; hypot as a root, symmetric and between its larger argument and their sum. */
 TEST_EACH(stable_function_laws, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "sinc, stumpff, hypot");
+  OWNED(trial) t = trial_of(law_context(_i), "sinc, stumpff, hypot");
   const struct num_type *f = t.f;
   slong prec = t.ctx.prec;
   void *x = at(&t, X), *y = at(&t, Y), *z = at(&t, Z), *u = at(&t, U), *v = at(&t, V), *w = at(&t, W);
@@ -759,14 +663,12 @@ TEST_EACH(stable_function_laws, LAW_CONTEXTS) {
     put_d(&t, X, 1.5e308);
     require(&t, f->hypot(u, x, x, prec) == SS_UNABLE && is_nan(&t, U), "but where its value does");
   }
-  trial_clear(&t);
 }
 
 /* Balls of every width hold what they must: around 0, across 2, where the series ends, and wide ones. */
 TEST_EACH(stable_functions_of_wide_balls, LAW_CONTEXTS) {
   static const double ends[][2] = {{-1, 1}, {0, 2}, {1, 3}, {-3, 1}, {-100, 100}, {2, 9}, {1.5, 2.5}, {-2, -1}};
-  struct trial t;
-  trial_init(&t, law_context(_i), "wide balls");
+  OWNED(trial) t = trial_of(law_context(_i), "wide balls");
   for (size_t i = 0; t.f->rigorous && i < COUNT(ends); i++)
     for (int k = 0; k <= 16; k++) {
       put_interval(&t, X, ends[i][0], ends[i][1]);
@@ -782,12 +684,10 @@ TEST_EACH(stable_functions_of_wide_balls, LAW_CONTEXTS) {
       s |= t.f->hypot(at(&t, V), at(&t, Z), at(&t, W), t.ctx.prec);
       require(&t, s == SS_OK && near(&t, U, V, -1, 0), "a point of the plane is not enclosed");
     }
-  trial_clear(&t);
 }
 
 TEST_EACH(power_laws, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "pow_si");
+  OWNED(trial) t = trial_of(law_context(_i), "pow_si");
   const struct num_type *f = t.f;
   slong prec = t.ctx.prec;
   void *x = at(&t, X), *y = at(&t, Y), *u = at(&t, U), *v = at(&t, V), *w = at(&t, W);
@@ -818,14 +718,12 @@ TEST_EACH(power_laws, LAW_CONTEXTS) {
   require(&t, equals_si(&t, U, -1), "(-1)^-(2^53 + 1) = -1");
   f->pow_si(u, x, WORD_MIN, prec);
   require(&t, equals_si(&t, U, 1), "(-1)^-(2^63) = 1");
-  trial_clear(&t);
 }
 
 /* --- Failures. --- */
 
 TEST_EACH(nan_goes_through, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "NaN");
+  OWNED(trial) t = trial_of(law_context(_i), "NaN");
   const struct num_type *f = t.f;
   slong prec = t.ctx.prec;
   f->set_d(at(&t, X), (double)NAN, prec);
@@ -851,7 +749,6 @@ TEST_EACH(nan_goes_through, LAW_CONTEXTS) {
   require(&t, isnan(f->get_d(at(&t, X))), "get_d");
   f->set(at(&t, V), at(&t, X));
   require(&t, is_nan(&t, V), "set");
-  trial_clear(&t);
 }
 
 /* One row of the table of undefined operations: op on [x0, x1] (and [y0, y1]); intervals are for balls only. */
@@ -871,8 +768,7 @@ static const struct {
 };
 
 TEST_EACH(undefined_or_untold, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "undefined");
+  OWNED(trial) t = trial_of(law_context(_i), "undefined");
   for (size_t i = 0; i < COUNT(failures); i++) {
     bool wide = failures[i].x0 < failures[i].x1 || failures[i].y0 < failures[i].y1;
     if (wide && !t.f->rigorous) continue;
@@ -894,28 +790,20 @@ TEST_EACH(undefined_or_untold, LAW_CONTEXTS) {
     put_d(&t, V, -0.0625);
     require(&t, t.f->lt(at(&t, V), at(&t, U)) == TRUTH_TRUE, "the absolute value of a ball is cut at 0");
   }
-  trial_clear(&t);
 }
 
 /* --- Comparisons. --- */
 
 TEST_EACH(three_valued_truth, LAW_CONTEXTS) {
-  struct trial t;
-  trial_init(&t, law_context(_i), "truth");
+  OWNED(trial) t = trial_of(law_context(_i), "truth");
   const struct num_type *f = t.f;
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
+  NUMBERS(arb, x, y);
   for (int i = 0; i < TRIALS; i++) {
     trial_begin(&t, i, 500);
     if (i % 4 == 0) f->set(at(&t, Y), at(&t, X));
     get(x, &t, X);
     get(y, &t, Y);
-    arf_t x0, x1, y0, y1; /* the ends decide: all of x below all of y, or none of x below any of y */
-    arf_init(x0);
-    arf_init(x1);
-    arf_init(y0);
-    arf_init(y1);
+    NUMBERS(arf, x0, x1, y0, y1); /* the ends decide: all of x below all of y, or none of x below any of y */
     arb_get_interval_arf(x0, x1, x, ARF_PREC_EXACT);
     arb_get_interval_arf(y0, y1, y, ARF_PREC_EXACT);
     truth lt = arf_cmp(x1, y0) < 0 ? TRUTH_TRUE : arf_cmp(x0, y1) >= 0 ? TRUTH_FALSE : TRUTH_UNKNOWN;
@@ -923,12 +811,5 @@ TEST_EACH(three_valued_truth, LAW_CONTEXTS) {
     truth zero = !holds_zero ? TRUTH_FALSE : arf_equal(x0, x1) ? TRUTH_TRUE : TRUTH_UNKNOWN;
     require(&t, f->lt(at(&t, X), at(&t, Y)) == lt, "x < y");
     require(&t, f->is_zero(at(&t, X)) == zero, "x = 0");
-    arf_clear(x0);
-    arf_clear(x1);
-    arf_clear(y0);
-    arf_clear(y1);
   }
-  arb_clear(x);
-  arb_clear(y);
-  trial_clear(&t);
 }

@@ -1,4 +1,5 @@
 #include "paper_model.h"
+#include "local.h"
 #include "record/result.h"
 #include "run/audit.h"
 #include "says.h"
@@ -19,8 +20,10 @@ bool paper_model_read(struct model *m, const struct paper_layers *with, struct d
          (!w->controls || model_add_folder(m, "verify/controls", RANK_CONTROL, d));
 }
 
-void paper_model(struct model *m, const struct paper_layers *with) {
-  goes_well(paper_model_read(m, with, &d));
+struct model paper_model(const struct paper_layers *with) {
+  struct model m;
+  goes_well(paper_model_read(&m, with, &d));
+  return m;
 }
 
 static void on_file(struct claims *all, const char *folder, const char *word) {
@@ -41,18 +44,20 @@ void paper_statements(struct claims *statements, struct claims *roots) {
   on_file(roots, "claims", "root");
 }
 
-void paper_scene(struct scene *s) {
-  goes_well(scene_load(s, "paper", "verify", &d));
+struct scene scene_at(const char *spec) {
+  struct scene s;
+  goes_well(scene_load(&s, spec, "verify", &d));
+  return s;
 }
 
 struct paper_on_file the_paper;
 
 void paper_open(void) {
   scratch_open();
-  paper_model(&the_paper.model, &(struct paper_layers){.controls = true});
+  the_paper.model = paper_model(&(struct paper_layers){.controls = true});
   paper_claims(&the_paper.claims, &the_paper.controls);
   paper_statements(&the_paper.statements, &the_paper.roots);
-  paper_scene(&the_paper.scene);
+  the_paper.scene = scene_at("paper");
   the_paper.cache = orbit_cache_new();
 }
 
@@ -69,14 +74,13 @@ void paper_close(void) {
 
 bool judge_text(struct audit_result *r, const struct model *m, const char *text, const struct scene *s,
                 const char *only, struct diag *d) {
-  struct claims claims = {.n = 0}, none = {.n = 0};
+  OWNED(claims) claims = {.n = 0};
+  struct claims none = {.n = 0};
   const struct audit_options opt = {.only = &only, .n_only = 1};
   diag_init(d);
   audit_result_init(r);
-  bool ok = claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
-            audit_run(r, m, &claims, &none, s, &opt, d);
-  claims_clear(&claims);
-  return ok;
+  return claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
+         audit_run(r, m, &claims, &none, s, &opt, d);
 }
 
 struct judge paper_judge(struct audit_result *out, const struct model *m, struct diag *d, enum effort effort) {

@@ -20,12 +20,13 @@ struct paper_layers {
 
 /* To be cleared.  with: NULL as {0}.  paper_model fails the test that gives a file at fault, paper_model_read says
    why. */
-void paper_model(struct model *m, const struct paper_layers *with);
+struct model paper_model(const struct paper_layers *with);
 bool paper_model_read(struct model *m, const struct paper_layers *with, struct diag *d);
 
-/* The claims on file, and the controls unless these are NULL; the scene of the paper's example.  To be cleared. */
+/* The claims on file, and the controls unless these are NULL.  To be cleared. */
 void paper_claims(struct claims *claims, struct claims *controls);
-void paper_scene(struct scene *s);
+/* Of this name, or at this path; fails the test where there is none.  To be cleared. */
+struct scene scene_at(const char *spec);
 /* The paper's statements and the roots of its discrepancies, with which an audit says what the program says. */
 void paper_statements(struct claims *statements, struct claims *roots);
 

@@ -1,5 +1,6 @@
 #include "params.h"
 
+#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -51,4 +52,10 @@ const char *params_shown(const double p[N_PARAMS]) {
   static char text[200];
   snprintf(text, sizeof text, "chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g", p[0], p[1], p[2], p[3], p[4]);
   return text;
+}
+
+struct dyn_orbits orbits_of(const fmpq *params, slong prec) {
+  struct dyn_orbits list;
+  ck_assert_int_eq(dyn_orbits_find(&list, params, prec, NULL), SS_OK);
+  return list;
 }

@@ -26,4 +26,7 @@ bool params_outside(double p[N_PARAMS], int k);
 /* Valid until the next call. */
 const char *params_shown(const double p[N_PARAMS]);
 
+/* The orbits of exact parameters; fails the test where the search does.  To be cleared. */
+struct dyn_orbits orbits_of(const fmpq *params, slong prec);
+
 #endif

@@ -3,6 +3,8 @@
 #include <check.h>
 #include <string.h>
 
+#include "local.h"
+
 void rational_set(fmpq *q, const char *text) {
   const bool negative = *text == '-';
   const char *size = text + negative;
@@ -33,16 +35,19 @@ fmpq *rationals_of(const fmpq *x, slong n) {
 }
 
 void is_rational(const fmpq *x, const char *want) {
-  fmpq_t w;
-  fmpq_init(w);
+  NUMBERS(fmpq, w);
   rational_set(w, want);
   ck_assert_msg(fmpq_equal(x, w), "not %s", want);
-  fmpq_clear(w);
+}
+
+struct num_vec vec_new(slong n, struct num_ctx ctx) {
+  struct num_vec v;
+  num_vec_init(&v, n, ctx);
+  return v;
 }
 
 struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx) {
-  struct num_vec v;
-  num_vec_init(&v, n, ctx);
+  struct num_vec v = vec_new(n, ctx);
   for (slong i = 0; i < n; i++) ctx.type->set_d(num_vec_at(&v, i), x[i], ctx.prec);
   return v;
 }

@@ -15,7 +15,8 @@ fmpq *rationals_of(const fmpq *x, slong n);
 /* Fails the test where x is not that number. */
 void is_rational(const fmpq *x, const char *want);
 
-/* To be cleared. */
+/* To be cleared: from doubles; zeros. */
+struct num_vec vec_new(slong n, struct num_ctx ctx);
 struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx);
 
 /* vecs_clear(&v, &w, ...): each of them. */

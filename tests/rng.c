@@ -1,5 +1,7 @@
 #include "rng.h"
 
+#include "local.h"
+
 uint64_t rng_next(struct rng *r) {
   uint64_t z = (r->state += UINT64_C(0x9e3779b97f4a7c15));
   z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -49,12 +51,10 @@ void rng_edge(arf_t x, struct rng *r, slong bits, slong reach) {
     arf_add_ui(x, x, 1, bits, ARF_RND_DOWN);
     break;
   case 3: {
-    arb_t t;
-    arb_init(t);
+    NUMBERS(arb, t);
     arb_const_pi(t, bits + 40);
     arf_mul_si(x, arb_midref(t), rng_between(r, 1, 40), bits, ARF_RND_NEAR);
     arf_mul_2exp_si(x, x, -1);
-    arb_clear(t);
     break;
   }
   case 4:

@@ -15,6 +15,7 @@
 
 #include "base/arena.h"
 #include "base/text.h"
+#include "local.h"
 #include "process.h"
 
 static struct arena arena; /* of the paths handed out */
@@ -25,12 +26,9 @@ static const char *keep(const struct text *t) {
 }
 
 static const char *join(const char *path, const char *name) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   text_printf(&t, *name ? "%s/%s" : "%s%s", path, name);
-  const char *joined = keep(&t);
-  text_clear(&t);
-  return joined;
+  return keep(&t);
 }
 
 void scratch_open(void) {
@@ -92,18 +90,21 @@ const char *scratch_put_n(const char *name, const char *bytes, size_t len) {
   return path;
 }
 
+struct source source_of(const char *name, const char *text) {
+  struct source s;
+  source_from_string(&s, name, text);
+  return s;
+}
+
 const char *scratch_put(const char *name, const char *text) {
   return scratch_put_n(name, text, strlen(text));
 }
 
 static const char *vformatted(const char *fmt, va_list ap) {
-  struct text t;
+  LOCAL(text, t);
   ck_assert_msg(folder != NULL, "%s: no folder is open", fmt);
-  text_init(&t);
   text_vprintf(&t, fmt, ap);
-  const char *text = keep(&t);
-  text_clear(&t);
-  return text;
+  return keep(&t);
 }
 
 const char *formatted(const char *fmt, ...) {
@@ -123,15 +124,12 @@ const char *scratch_print(const char *name, const char *fmt, ...) {
 }
 
 const char *scratch_list(const char *path) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   size_t n;
   const char **names = names_in(path, &n);
   for (size_t i = 0; i < n; i++) text_printf(&t, "%s%s", i ? " " : "", names[i]);
   free(names);
-  const char *list = keep(&t);
-  text_clear(&t);
-  return list;
+  return keep(&t);
 }
 
 int child_end(void (*f)(void)) {
@@ -197,16 +195,13 @@ bool scratch_has(const char *name) {
 }
 
 bool scratch_says(const char *name, const char *what) {
-  char *text = file_text(scratch_path(name));
-  bool found = strstr(text, what) != NULL;
-  free(text);
-  return found;
+  FREED char *text = file_text(scratch_path(name));
+  return strstr(text, what) != NULL;
 }
 
 void check_says(const char *name, const char *what) {
-  char *text = file_text(scratch_path(name));
+  FREED char *text = file_text(scratch_path(name));
   ck_assert_msg(strstr(text, what) != NULL, "no \"%s\" in %.2000s", what, text);
-  free(text);
 }
 
 /* The line with its arguments, until the next; what it may name is set. */
@@ -226,8 +221,7 @@ static int ended(int s) {
 
 /* Fails the test where a line does not end with that status and print that text, on standard output or on either. */
 static char *run_line(int want, const char *says, const char *line, bool both) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   text_printf(&t, "%s%s", both ? "exec 2>&1\n" : "", line);
   FILE *f = popen(text_str(&t), "r");
   ck_assert(f != NULL);
@@ -236,7 +230,6 @@ static char *run_line(int want, const char *says, const char *line, bool both) {
   /* Check breaks off at very long messages */
   ck_assert_msg(status == want && strstr(out, says), "status %d, not %d with \"%.300s\": %.800s\n%.2500s", status, want,
                 says, line, out);
-  text_clear(&t);
   return out;
 }
 

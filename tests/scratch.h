@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/text.h"
+
 /* Fixtures: make the folder, remove it with all that is in it. */
 void scratch_open(void);
 void scratch_close(void);
@@ -14,6 +16,8 @@ const char *scratch_path(const char *name);
 /* Writes a file there and returns its path. */
 const char *scratch_put(const char *name, const char *text);
 const char *scratch_put_n(const char *name, const char *bytes, size_t len);
+/* A text by that name; to be cleared. */
+struct source source_of(const char *name, const char *text);
 /* As by printf: a text, valid until scratch_close; such a text in a file there, whose path is returned. */
 const char *formatted(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
 const char *scratch_print(const char *name, const char *fmt, ...) __attribute__((format(printf, 2, 3)));

@@ -2,6 +2,8 @@
    from 2^-1000 to 2^53 and next to multiples of half periods, states with differences that nearly vanish.  All are
    exact doubles. */
 #include "stable_points.h"
+#include "local.h"
+#include "rational.h"
 #include "says.h"
 
 #include <check.h>
@@ -12,8 +14,7 @@
 /* --- Forms --- */
 
 static void read_value(struct matrix *out, struct elaboration *el, const char *value, const char *section) {
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   ck_assert_msg(elaborate_text(out, el, value, value, section, &d), "%s: %s", value, d.message);
   ck_assert_int_le(out->rows * out->cols, MOST_ENTRIES);
 }
@@ -28,7 +29,7 @@ void extreme_form_init(struct extreme_form *f, const struct model *m, enum layer
   elaboration_init(&f->exact, (struct view){m, LAYER_STABLE, NULL, NULL}, NULL, 0);
   read_value(&v, &f->exact, called, section);
   ck_assert_int_eq(v.rows * v.cols, f->n);
-  struct tape plain;
+  OWNED(tape) plain;
   goes_well(elaboration_tape(&plain, &f->exact, v.e, f->n, &d));
   ck_assert_int_le(plain.n_inputs, MOST_INPUTS);
   const struct expr *out[MOST_ENTRIES * (1 + MOST_INPUTS)];
@@ -40,7 +41,6 @@ void extreme_form_init(struct extreme_form *f, const struct model *m, enum layer
   goes_well(elaboration_tape(&f->truth, &f->exact, out, n, &d));
   ck_assert_int_eq(f->truth.n_inputs, plain.n_inputs);
   for (slong k = 0; k < plain.n_inputs; k++) ck_assert_str_eq(f->truth.inputs[k], plain.inputs[k]);
-  tape_clear(&plain);
 }
 
 void extreme_form_clear(struct extreme_form *f) {
@@ -175,13 +175,11 @@ static void bind(struct num_vec *in, const struct tape *t, const struct extreme_
 static bool told(struct extreme_result *r, arb_t ball, const struct extreme_form *f, const struct num_vec *out,
                  const struct num_vec *in, const int *status, int i) {
   slong at = i * (1 + f->truth.n_inputs);
-  arb_t sum, part;
+  NUMBERS(arb, sum, part);
   bool ok = status[at] == SS_OK;
   if (ok) arb_set(ball, num_vec_at(out, at));
   if (ok && arb_is_zero(ball)) return true;
   ok = ok && arb_rel_accuracy_bits(ball) >= 80;
-  arb_init(sum);
-  arb_init(part);
   for (slong k = 0; ok && k < f->truth.n_inputs; k++) {
     ok = status[at + 1 + k] == SS_OK;
     if (!ok) break;
@@ -191,24 +189,19 @@ static bool told(struct extreme_result *r, arb_t ball, const struct extreme_form
     arb_add(sum, sum, part, 64);
   }
   if (ok) { /* to a few per cent, or known to be small */
-    mag_t most;
-    mag_init(most);
+    NUMBERS(mag, most);
     mag_set_d(most, 0.01 * fmax(1, num_arb.get_d(sum)));
     ok = mag_cmp(arb_radref(sum), most) <= 0;
-    mag_clear(most);
   }
   r->condition[i] = num_arb.get_d(sum);
-  arb_clear(part);
-  arb_clear(sum);
   return ok;
 }
 
 static bool find_truth(struct extreme_result *r, arb_ptr ball, const struct extreme_form *f,
                        const struct extreme_point *p, slong prec) {
-  struct num_vec in, out;
   int status[MOST_ENTRIES * (1 + MOST_INPUTS)];
-  num_vec_init(&in, f->truth.n_inputs, num_ctx_arb(prec));
-  num_vec_init(&out, f->truth.n_outputs, num_ctx_arb(prec));
+  OWNED(num_vec) in = vec_new(f->truth.n_inputs, num_ctx_arb(prec));
+  OWNED(num_vec) out = vec_new(f->truth.n_outputs, num_ctx_arb(prec));
   bind(&in, &f->truth, p);
   tape_eval(&out, status, &f->truth, &in);
   bool all = true;
@@ -217,22 +210,18 @@ static bool find_truth(struct extreme_result *r, arb_ptr ball, const struct extr
     if (!ok) arb_indeterminate(ball + i);
     all = all && ok;
   }
-  num_vec_clear(&out);
-  num_vec_clear(&in);
   return all;
 }
 
 /* The error of a double, in units of what the condition explains; half a dozen of the least doubles are free. */
 static double loss_of(double value, int status, const arb_t ball, double condition) {
   if (!arb_is_finite(ball)) return -1;
-  arb_t error, unit;
+  NUMBERS(arb, error, unit);
   double size = fabs(num_arb.get_d(ball));
   if (arb_is_zero(ball)) return status == SS_OK && value == 0 ? 0 : -1;
   if (!(size >= 0x1p-1000 && size <= 0x1p1020)) return -1;
   if (condition > 0x1p46) return -1; /* no digit is promised */
   if (status != SS_OK) return INFINITY;
-  arb_init(error);
-  arb_init(unit);
   arb_set_d(error, value);
   arb_sub(error, error, ball, 128);
   arb_abs(error, error);
@@ -241,21 +230,14 @@ static double loss_of(double value, int status, const arb_t ball, double conditi
   arb_abs(unit, unit);
   arb_mul_2exp_si(unit, unit, -53);
   arb_div(error, error, unit, 64);
-  double loss = arf_get_d(arb_midref(error), ARF_RND_UP);
-  arb_clear(unit);
-  arb_clear(error);
-  return loss;
+  return arf_get_d(arb_midref(error), ARF_RND_UP);
 }
 
 void extreme_balls(arb_ptr x, const struct tape *t, const struct extreme_point *p, slong prec) {
-  struct num_vec in, out;
-  num_vec_init(&in, t->n_inputs, num_ctx_arb(prec));
-  num_vec_init(&out, t->n_outputs, num_ctx_arb(prec));
+  OWNED(num_vec) in = vec_new(t->n_inputs, num_ctx_arb(prec)), out = vec_new(t->n_outputs, num_ctx_arb(prec));
   bind(&in, t, p);
   tape_eval(&out, NULL, t, &in);
   for (slong i = 0; i < t->n_outputs; i++) arb_set(x + i, num_vec_at(&out, i));
-  num_vec_clear(&out);
-  num_vec_clear(&in);
 }
 
 /* Where the slope of an entry is zero, its change within a few units of the last place is not. */

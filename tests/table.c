@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "local.h"
 #include "scratch.h"
 
 static void give_up(const char *path, const char *why) {
@@ -33,27 +34,26 @@ static void unescape(char *field) {
   *to = '\0';
 }
 
-void table_read(struct table *t, const char *path, int columns) {
-  struct source s;
-  struct diag d;
+struct table table_read(const char *path, int columns) {
+  OWNED(source) s;
+  struct diag d = {0};
   size_t cap = 0;
-  diag_init(&d);
-  *t = (struct table){.n = 0};
+  struct table t = {0};
   if (!source_read(&s, path, 16 << 20, &d)) give_up(path, d.message);
-  t->text = ss_strdup(s.text);
-  source_clear(&s);
-  for (char *line = t->text, *next; *line; line = next) {
+  t.text = ss_strdup(s.text);
+  for (char *line = t.text, *next; *line; line = next) {
     next = line + strcspn(line, "\n");
     if (*next) *next++ = '\0';
     if (*line == '#') continue;
-    t->row = ss_grow(t->row, (size_t)t->n, &cap, sizeof *t->row);
-    memset(t->row[t->n], 0, sizeof *t->row);
-    int n = split_tabs(t->row[t->n], MOST_COLUMNS, line);
+    t.row = ss_grow(t.row, (size_t)t.n, &cap, sizeof *t.row);
+    memset(t.row[t.n], 0, sizeof *t.row);
+    int n = split_tabs(t.row[t.n], MOST_COLUMNS, line);
     if (columns != ANY_COLUMNS && n != columns) give_up(path, line);
-    for (int k = 0; k < n; k++) unescape(t->row[t->n][k]);
-    t->n++;
+    for (int k = 0; k < n; k++) unescape(t.row[t.n][k]);
+    t.n++;
   }
-  if (t->n == 0) give_up(path, "no row");
+  if (t.n == 0) give_up(path, "no row");
+  return t;
 }
 
 void table_clear(struct table *t) {
@@ -104,12 +104,10 @@ int table_row(const struct table *t, const char *first, const char *second) {
 }
 
 void check_order(const char *text, const char *path) {
-  struct table order;
-  table_read(&order, path, 1);
+  OWNED(table) order = table_read(path, 1);
   for (int i = 0; i < order.n; i++) {
     const char *next = strstr(text, *order.row[i]);
     ck_assert_msg(next != NULL, "%s comes too early or not at all", *order.row[i]);
     text = next + 1;
   }
-  table_clear(&order);
 }

@@ -14,7 +14,7 @@ struct table {
 };
 
 /* Reads a table in which each row has that many fields, or any number; ends the tests where it cannot. */
-void table_read(struct table *t, const char *path, int columns);
+struct table table_read(const char *path, int columns); /* to be cleared */
 void table_clear(struct table *t);
 
 /* A field with what it abbreviates: @N{TEXT} is TEXT N times, @D the scratch folder, @F a path in it that has no

@@ -7,38 +7,32 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "local.h"
 #include "report/report.h"
 #include "says.h"
 #include "scratch.h"
 
 void whole_open(void) {
   const char *made = getenv("STICKSLIP_WHOLE");
-  char *real = made && *made ? realpath(made, NULL) : NULL;
+  FREED char *real = made && *made ? realpath(made, NULL) : NULL;
   if (real)
     ck_assert_msg(symlink(real, scratch_path("whole")) == 0, "%s", real);
   else
     shell_well("sh tests/whole.sh \"$P\" \"$D/whole\"");
-  free(real);
-  char *status = file_text(scratch_path("whole/status")), *errors = file_text(scratch_path("whole/errors"));
+  FREED char *status = file_text(scratch_path("whole/status")), *errors = file_text(scratch_path("whole/errors"));
   ck_assert_msg(strcmp(status, "0\n") == 0 || strcmp(status, "1\n") == 0, "verify paper ends with %s%s", status,
                 errors);
-  free(errors);
-  free(status);
 }
 
 void whole_record(struct audit_result *r) {
-  struct source s;
-  char *json = file_text(scratch_path("whole/paper/audit.json"));
+  FREED char *json = file_text(scratch_path("whole/paper/audit.json"));
   audit_result_init(r);
-  source_from_string(&s, "audit.json", json);
+  OWNED(source) s = source_of("audit.json", json);
   goes_well(report_read(r, &s, &d));
   for (size_t i = 0; i < r->n_tables; i++) {
     char name[100];
     snprintf(name, sizeof name, "whole/paper/%s", r->tables[i].name);
-    char *text = file_text(scratch_path(name));
+    FREED char *text = file_text(scratch_path(name));
     r->tables[i].text = arena_strndup(&r->arena, text, strlen(text));
-    free(text);
   }
-  source_clear(&s);
-  free(json);
 }

@@ -1,0 +1,20 @@
+/* Elements of exact algebra and their fields as variables that clear themselves (local.h):
+
+     FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+     ELEMENTS(x, y); */
+#ifndef STICKSLIP_TESTS_ELEMENT_H
+#define STICKSLIP_TESTS_ELEMENT_H
+
+#include "local.h"
+#include "tape/exact.h"
+
+#define ELEMENTS(...)                                                                                                  \
+  LOCAL_CLEARED(exact_clear) fmpz_mpoly_q_struct __VA_ARGS__;                                                          \
+  LOCAL_EACH(LOCAL_INIT, exact, __VA_ARGS__)
+
+#define FREED_FIELD LOCAL_CLEARED(local_field_free)
+static inline void local_field_free(struct exact_field **f) {
+  exact_field_free(*f);
+}
+
+#endif
