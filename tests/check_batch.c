@@ -27,14 +27,14 @@ struct table {
   int *status;
 };
 
-static void table_init(struct table *t, slong cap) {
-  *t = (struct table){.cap = cap};
+static struct table table_of(slong cap) {
   size_t n = (size_t)cap;
-  for (int i = 0; i < N_PARAMS; i++) t->params[i] = ss_malloc(n * sizeof(double));
-  for (int i = 0; i < 2; i++) t->guess[i] = ss_malloc(n * sizeof(double));
-  for (int i = 0; i < N_DYN_OUT; i++) t->out[i] = ss_malloc(n * sizeof(double));
-  t->violations = ss_malloc(n * sizeof *t->violations);
-  t->status = ss_malloc(n * sizeof *t->status);
+  struct table t = {
+      .cap = cap, .violations = ss_malloc(n * sizeof *t.violations), .status = ss_malloc(n * sizeof *t.status)};
+  for (int i = 0; i < N_PARAMS; i++) t.params[i] = ss_malloc(n * sizeof(double));
+  for (int i = 0; i < 2; i++) t.guess[i] = ss_malloc(n * sizeof(double));
+  for (int i = 0; i < N_DYN_OUT; i++) t.out[i] = ss_malloc(n * sizeof(double));
+  return t;
 }
 
 static void table_clear(struct table *t) {
@@ -84,7 +84,7 @@ static void any_params(double p[N_PARAMS]) {
 }
 
 static void find_many(void) {
-  table_init(&found, 3000 / every(4));
+  found = table_of(3000 / every(4));
   random_numbers.state = 35;
   for (double p[N_PARAMS]; found.n < found.cap;) {
     any_params(p);
@@ -115,7 +115,6 @@ static void score(struct table *t, double decided) {
     check_orbit_found(condition, p, out, t->violations[j], 0);
   }
   ck_assert_msg((double)ok >= decided * (double)t->n, "%ld of %ld decided", (long)ok, (long)t->n);
-  table_clear(t);
 }
 
 /* --- Ordinary sweeps: nearly everything is decided. --- */
@@ -127,8 +126,7 @@ static const double lines[][N_PARAMS + 1] = {
 };
 
 TEST_EACH(ordinary_sweeps_against_balls, COUNT(lines)) {
-  struct table t;
-  table_init(&t, 60);
+  OWNED(table) t = table_of(60);
   random_numbers.state = 30;
   for (int i = 0; i < 9; i++) {
     double p[N_PARAMS];
@@ -141,15 +139,25 @@ TEST_EACH(ordinary_sweeps_against_balls, COUNT(lines)) {
 
 /* --- Everywhere: nothing false. --- */
 
-TEST(random_points_against_balls) {
-  struct table t;
-  table_init(&t, 160 / every(2));
-  random_numbers.state = 31;
-  for (double p[N_PARAMS]; t.n < t.cap;) {
+/* Random points, in the third row at the edges of the parameters.  From far off any orbit may come out, but no other
+   point. */
+static const struct {
+  int points, every;
+  uint64_t seed;
+  double off, decided;
+  bool edges;
+} anywhere[] = {{160, 2, 31, 1e-4, 0.6, false}, {120, 2, 34, 0.05, 0, false}, {80, 1, 33, 1e-5, 0, true}};
+
+TEST_EACH(random_points_against_balls, COUNT(anywhere)) {
+  OWNED(table) t = table_of(anywhere[_i].points / every(anywhere[_i].every));
+  random_numbers.state = anywhere[_i].seed;
+  for (int i = 0; t.n < t.cap; i++) {
+    double p[N_PARAMS];
     any_params(p);
-    add_orbits(&t, p, 1e-4);
+    if (anywhere[_i].edges) params_to_edges(p, &random_numbers, i % 2 == 0);
+    add_orbits(&t, p, anywhere[_i].off);
   }
-  score(&t, 0.6);
+  score(&t, anywhere[_i].decided);
 }
 
 /* Changes of the example along e2 (stickslip bifurcate paper --along e2=0.5:3): flip, t_a = 0, fold, c_v2 (q = 0 at the
@@ -158,8 +166,7 @@ static const double changes[] = {1.81105820302190, 2.10396606985610, 1.112100110
                                  1.35907930480268, 2.49032031002043, 1.98570014878484};
 
 TEST_EACH(beside_changes_against_balls, COUNT(changes)) {
-  struct table t;
-  table_init(&t, 100);
+  OWNED(table) t = table_of(100);
   random_numbers.state = 32;
   for (double off = 1e-2; off > 1e-13; off *= 0.01)
     for (int side = -1; side <= 1; side += 2) {
@@ -170,39 +177,13 @@ TEST_EACH(beside_changes_against_balls, COUNT(changes)) {
   score(&t, 0.3);
 }
 
-TEST(extreme_points_against_balls) {
-  struct table t;
-  table_init(&t, 80);
-  random_numbers.state = 33;
-  for (int i = 0; t.n < t.cap; i++) {
-    double p[N_PARAMS];
-    any_params(p);
-    params_to_edges(p, &random_numbers, i % 2 == 0);
-    add_orbits(&t, p, 1e-5);
-  }
-  score(&t, 0);
-}
-
-/* From far off any orbit may come out, but no other point. */
-TEST(far_guesses_against_balls) {
-  struct table t;
-  table_init(&t, 120 / every(2));
-  random_numbers.state = 34;
-  for (double p[N_PARAMS]; t.n < t.cap;) {
-    any_params(p);
-    add_orbits(&t, p, 0.05);
-  }
-  score(&t, 0);
-}
-
 /* --- The scalar solver. --- */
 
 CASE("many", .once = {find_many, clear_found});
 
 TEST(as_the_scalar_solver) {
-  OWNED(table) t;
   slong both = 0, left = 0, alone = 0;
-  table_init(&t, 3000);
+  OWNED(table) t = table_of(3000);
   random_numbers.state = 37;
   for (double p[N_PARAMS]; t.n < t.cap;) add_found(p, &t, t.n, 1e-5);
   run(&t);
@@ -258,9 +239,8 @@ static void mixture(struct table *t) {
 }
 
 TEST(same_bits_on_every_instruction_set) {
-  OWNED(table) t, other;
-  table_init(&t, 1500);
-  table_init(&other, 1500);
+  OWNED(table) t = table_of(1500);
+  OWNED(table) other = table_of(1500);
   mixture(&t);
   mixture(&other);
   batch_set_use(-1);
@@ -279,14 +259,12 @@ TEST(same_bits_on_every_instruction_set) {
 
 TEST(same_bits_alone_and_among_others) {
   static const slong sizes[] = {0, 1, 2, 63, 64, 65, 127, 1023, 1025};
-  OWNED(table) t;
-  struct table part;
-  table_init(&t, 2600);
+  OWNED(table) t = table_of(2600);
   mixture(&t);
   run(&t);
   for (size_t k = 0; k < COUNT(sizes); k++)
     for (slong from = 0; from < 1500; from += 731) {
-      table_init(&part, 2600);
+      OWNED(table) part = table_of(2600);
       for (slong j = from; j < from + sizes[k]; j++) {
         double p[N_PARAMS];
         params_at(p, &t, j);
@@ -294,7 +272,6 @@ TEST(same_bits_alone_and_among_others) {
       }
       run(&part);
       ck_assert(same_bits(&t, &part, from, sizes[k]));
-      table_clear(&part);
     }
 }
 
@@ -304,9 +281,8 @@ TEST(outside_the_domain) {
   static const double bad[] = {0, -1, NAN, INFINITY, -INFINITY};
   enum { MOST = 100 };
   int want[MOST];
-  OWNED(table) t;
   double p[N_PARAMS];
-  table_init(&t, MOST);
+  OWNED(table) t = table_of(MOST);
   for (int k = 0; params_outside(p, k); k++) { /* among good ones, and others with guesses that are none */
     want[t.n] = SS_DOMAIN;
     table_add(&t, p, 2.005, 1.49);
