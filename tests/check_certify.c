@@ -38,7 +38,7 @@
 
 struct study {
   fmpq *params, *u;
-  enum dyn_quantity which[2];
+  const enum dyn_quantity *which;
   struct dyn_question q;
   struct dyn_orbits list;
   struct dyn_certificate *proof;
@@ -56,27 +56,29 @@ static void certify_all(struct study *s) {
 }
 
 /* chi, eta, V and two quantities; u_r1, u_r2 or NULL. */
-static void study_open(struct study *s, const char *const text[N_PARAMS], enum dyn_quantity first,
-                       enum dyn_quantity second, const char *const u[2], slong prec) {
-  *s = (struct study){.params = rationals(text, N_PARAMS), .u = _fmpq_vec_init(2), .which = {first, second}};
-  s->q = (struct dyn_question){.model = s->params, .value = s->params + 3, .which = s->which};
+static struct study study_of(const char *const text[N_PARAMS], const enum dyn_quantity which[2], const char *const u[2],
+                             slong prec) {
+  struct study s = {.params = rationals(text, N_PARAMS), .u = _fmpq_vec_init(2), .which = which};
+  s.q = (struct dyn_question){.model = s.params, .value = s.params + 3, .which = which};
   for (int i = 0; i < 2; i++) {
     if (!u || !u[i]) continue;
-    rational_set(&s->u[i], u[i]);
-    s->q.u_r[i] = &s->u[i];
+    rational_set(&s.u[i], u[i]);
+    s.q.u_r[i] = &s.u[i];
   }
-  dyn_orbits_given(&s->list, s->params, s->which, s->params + 3, prec, NULL);
-  certify_all(s);
+  dyn_orbits_given(&s.list, s.params, which, s.params + 3, prec, NULL);
+  certify_all(&s);
+  return s;
 }
 
-static void study_forces(struct study *s, const char *chi, const char *eta, const char *V, const char *e1,
-                         const char *e2) {
-  const char *const text[N_PARAMS] = {chi, eta, V, e1, e2};
-  study_open(s, text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
+static const enum dyn_quantity by_forces[] = {QUANTITY_E1, QUANTITY_E2}, by_times[] = {QUANTITY_TB, QUANTITY_TC},
+                               by_stick[] = {QUANTITY_E1, QUANTITY_TA};
+
+static struct study study_forces(const char *chi, const char *eta, const char *V, const char *e1, const char *e2) {
+  return study_of((const char *const[]){chi, eta, V, e1, e2}, by_forces, NULL, 128);
 }
 
-static void study_paper(struct study *s) {
-  study_open(s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
+static struct study study_paper(void) {
+  return study_of(example_text, by_forces, NULL, 128);
 }
 
 static void study_clear(struct study *s) {
@@ -180,9 +182,8 @@ TEST(every_set_is_certified_and_verified) {
   for (int row = 0; row < t.n; row++) {
     char *const *field = t.row[row];
     if (strcmp(field[0], "set") != 0) continue;
-    OWNED(study) s;
     slong n = atoi(field[7]);
-    study_forces(&s, field[2], field[3], field[4], field[5], field[6]);
+    OWNED(study) s = study_forces(field[2], field[3], field[4], field[5], field[6]);
     all_certified(&s, n);
     for (slong i = 0; i < n; i++) {
       check_orbit(&s, i, t.row[row + 1 + i]);
@@ -203,20 +204,17 @@ TEST(near_flip) {
     const char *chi;
     truth stable;
   } row[] = {{"0.7832116263051993", TRUTH_TRUE}, {"0.7832116263052", TRUTH_FALSE}};
-  struct study s;
   for (int i = 0; i < 2; i++) {
-    study_forces(&s, row[i].chi, "2", "1", "4", "1/4");
+    OWNED(study) s = study_forces(row[i].chi, "2", "1", "4", "1/4");
     all_certified(&s, 1);
     ck_assert_msg(s.proof[0].stable == row[i].stable, "%s: %d", row[i].chi, s.proof[0].stable);
     ck_assert_double_lt(fabs(num_arb.get_d(s.list.orbit[0].margin)), 1e-11);
     verified(&s);
-    study_clear(&s);
   }
-  study_forces(&s, "0.783211626305199313", "2", "1", "4", "1/4");
+  OWNED(study) s = study_forces("0.783211626305199313", "2", "1", "4", "1/4");
   all_certified(&s, 1);
   ck_assert_int_ge(s.proof[0].bits, 128); /* 64 do not tell the side */
   verified(&s);
-  study_clear(&s);
 }
 
 /* Parameters between which an orbit appears or ends, found by halving to 1e-14 and better: two orbits at their fold, a
@@ -236,8 +234,7 @@ TEST(near_folds_and_grazing_events) {
   };
   int raised = 0;
   for (size_t i = 0; i < COUNT(row); i++) {
-    OWNED(study) s;
-    study_open(&s, row[i].text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
+    OWNED(study) s = study_of(row[i].text, by_forces, NULL, 128);
     all_certified(&s, row[i].n);
     for (slong k = 0; k < s.list.n; k++) raised += s.proof[k].bits > 64;
     verified(&s);
@@ -248,8 +245,7 @@ TEST(near_folds_and_grazing_events) {
 /* The search must not take Newton's iteration for an orbit when it has left the phases: here t_b = -23.4 and t_c =
    -35.2. */
 TEST(no_orbit_of_negative_times) {
-  OWNED(study) s;
-  study_forces(&s, "0.74", "17", "0.62", "4.97", "2966149895247801843819/10000000000000000000000");
+  OWNED(study) s = study_forces("0.74", "17", "0.62", "4.97", "2966149895247801843819/10000000000000000000000");
   all_certified(&s, s.list.n);
   for (slong i = 0; i < s.list.n; i++)
     for (int k = PHASE_GAMMA; k <= PHASE_C; k++) ck_assert(arb_is_positive(s.list.orbit[i].t[k]));
@@ -258,57 +254,50 @@ TEST(no_orbit_of_negative_times) {
 
 /* t_c = 224.7; and given times, t_a = 1e-9 and two events at one time. */
 TEST(long_slip_and_given_times) {
-  struct study s;
-  study_forces(&s, "0.8", "1", "1", "0.05", "0.001");
-  all_certified(&s, 1);
-  ck_assert_double_gt(s.list.orbit[0].guess[PHASE_H], 200);
-  verified(&s);
-  study_clear(&s);
+  OWNED(study) slip = study_forces("0.8", "1", "1", "0.05", "0.001");
+  all_certified(&slip, 1);
+  ck_assert_double_gt(slip.list.orbit[0].guess[PHASE_H], 200);
+  verified(&slip);
 
   static const char *const times[N_PARAMS] = {"0.8", "1", "1", "2", "1.5"};
   OWNED(table) given = table_read("tests/oracle/times.tsv", 2);
   static const char *const u[2][2] = {{"100", "100"}, {"1", "100"}};
   for (int i = 0; i < 2; i++) { /* w < 0 where C starts: u_r1_min > e1/2 > 1 */
-    study_open(&s, times, QUANTITY_TB, QUANTITY_TC, u[i], 128);
+    OWNED(study) s = study_of(times, by_times, u[i], 128);
     all_certified(&s, 1);
     ck_assert(decimal_within(given.row[table_row(&given, "t_a", NULL)][1], s.list.orbit[0].t[0], 130));
     ck_assert_int_eq(s.proof[0].u_r[0], i == 0);
     ck_assert_int_eq(s.proof[0].admissible, i == 0);
     verified(&s);
-    study_clear(&s);
   }
 
   static const char *const short_stick[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1e-9"};
-  study_open(&s, short_stick, QUANTITY_E1, QUANTITY_TA, NULL, 128);
-  all_certified(&s, 1);
-  verified(&s);
-  study_clear(&s);
+  OWNED(study) brief = study_of(short_stick, by_stick, NULL, 128);
+  all_certified(&brief, 1);
+  verified(&brief);
 
   static const char *const no_stick[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0"};
-  study_open(&s, no_stick, QUANTITY_E1, QUANTITY_TA, NULL, 128);
+  OWNED(study) s = study_of(no_stick, by_stick, NULL, 128);
   ck_assert_int_eq(s.list.n, 1);
   ck_assert(!s.proof[0].certified); /* w = e1 at the end of C: neither below nor above */
   ck_assert_uint_eq(s.proof[0].open, (unsigned)OPEN_HOLDS << COND_C_W);
   ck_assert_int_eq(s.proof[0].bits, DYN_CERTIFY_LAST);
-  study_clear(&s);
 }
 
 /* Parameters at which a loop once had no bound: t_b of 1.7e9, behind some 270 million crests of the rise; phase H of
    seven million oscillations, of which only those that the slow mode brings near a limit are looked at; a search of
    passes that end before they take a step. */
 TEST(extremes_end) {
-  struct study s;
-  study_forces(&s, "1e-9", "1", "1", "2.7844", "0.8587");
-  ck_assert_int_eq(s.list.n, 0); /* beyond the fast search, not beyond the complete one */
-  free(s.proof);
-  text_clear(&s.json);
-  dyn_orbits_complete(&s.list, s.params, 128, &dyn_limits_default, DYN_CELLS);
-  certify_all(&s);
-  all_certified(&s, 2);
-  ck_assert(s.list.orbit[0].guess[PHASE_GAMMA] > 1e9 || s.list.orbit[1].guess[PHASE_GAMMA] > 1e9);
-  study_clear(&s);
+  OWNED(study) late = study_forces("1e-9", "1", "1", "2.7844", "0.8587");
+  ck_assert_int_eq(late.list.n, 0); /* beyond the fast search, not beyond the complete one */
+  free(late.proof);
+  text_clear(&late.json);
+  dyn_orbits_complete(&late.list, late.params, 128, &dyn_limits_default, DYN_CELLS);
+  certify_all(&late);
+  all_certified(&late, 2);
+  ck_assert(late.list.orbit[0].guess[PHASE_GAMMA] > 1e9 || late.list.orbit[1].guess[PHASE_GAMMA] > 1e9);
 
-  study_forces(&s, "0.8", "1e12", "1", "2.7844", "0.8587");
+  OWNED(study) s = study_forces("0.8", "1e12", "1", "2.7844", "0.8587");
   ck_assert_int_eq(s.list.n, 1);
   ck_assert(s.proof[0].certified && !s.proof[0].spent);
   /* z_2 swings by e_2/chi in the fast mode, of frequency sqrt(chi eta) */
@@ -321,7 +310,6 @@ TEST(extremes_end) {
   given_up.spent = true;
   dyn_certificate_why(&why, &given_up);
   ck_assert(strstr(text_str(&why), "too many oscillations") != NULL);
-  study_clear(&s);
 
   static const char *const hard[N_PARAMS] = {"0.999999999", "1e300", "1", "1e-300", "1e-300"};
   OWNED(dyn_orbits) list;
@@ -360,10 +348,9 @@ TEST(some_of_all_forgeries) {
 }
 
 TEST(a_changed_truth_is_rejected) {
-  OWNED(study) s;
   size_t at, len, from = 0;
   int changed = 0;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   while (next_value(&at, &len, &s.json, from)) {
     bool yes = strncmp(s.json.data + at, "true", 4) == 0, no = strncmp(s.json.data + at, "false", 5) == 0;
     from = at + len;
@@ -383,10 +370,9 @@ TEST(a_changed_truth_is_rejected) {
 /* A truth in quotes, or what only begins like one, and a truth where a string belongs; in make check each value is
    replaced once, by each of them in turn. */
 TEST(a_value_of_the_wrong_type_is_rejected) {
-  OWNED(study) s;
   size_t at, len, from = 0;
   int changed = 0;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   verified(&s);
   while (next_value(&at, &len, &s.json, from)) {
     static const char *const no_truth[] = {"\"true\"", "\"false\"", "\"yes\"", "\"tfalse\"", "\"\""};
@@ -408,8 +394,7 @@ TEST(a_margin_below_its_modulus_is_rejected) {
   static const char *const text[N_PARAMS] = {"47/125", "47/125", "1", "5/4",
                                              "61181618554749724207734213342667609152351510878569650320353507/"
                                              "100000000000000000000000000000000000000000000000000000000000000"};
-  OWNED(study) s;
-  study_open(&s, text, QUANTITY_E1, QUANTITY_E2, NULL, 256);
+  OWNED(study) s = study_of(text, by_forces, NULL, 256);
   all_certified(&s, 3);
   verified(&s);
   slong i = 0;
@@ -443,9 +428,8 @@ static void forge(struct study *s, const struct word_root *root, slong prec) {
 /* Newton's iteration on the six equations from a grid of times also ends where t_b or t_c is a later root: never
    certified, and rejected when certified by force. */
 TEST(later_events_are_no_orbits) {
-  OWNED(study) s;
   int later = 0, by_event = 0;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   struct word_data d = {s.params, s.params + 3, s.which, {QUANTITY_TA, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD}};
   for (int i = 0; i < 400 && later < 40 / every(4); i++) {
     LOCAL(word_root, root);
@@ -479,26 +463,22 @@ TEST(later_events_are_no_orbits) {
 
 /* An orbit with enclosures beside it, or too narrow to hold it. */
 TEST(wrong_enclosures_are_not_certified) {
-  struct study s;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   struct dyn_orbit *o = &s.list.orbit[1];
   arb_add_ui(o->t[PHASE_D], o->t[PHASE_D], 1, 200);
   dyn_certify(&s.proof[1], &s.q, o);
   ck_assert(!s.proof[1].certified);
   ck_assert_uint_eq(s.proof[1].open, OPEN_SAME);
-  study_clear(&s);
-  study_paper(&s);
-  o = &s.list.orbit[1];
+  OWNED(study) far = study_paper();
+  o = &far.list.orbit[1];
   for (int i = 0; i < N_PHASES; i++) arb_set_d(o->t[i], 1e5 + i);
-  dyn_certify(&s.proof[1], &s.q, o);
-  ck_assert(!s.proof[1].certified);
-  study_clear(&s);
+  dyn_certify(&far.proof[1], &far.q, o);
+  ck_assert(!far.proof[1].certified);
 }
 
 /* A box beside the orbit, where all else is true of the orbit and of every point of the box. */
 TEST(a_box_without_its_orbit_is_rejected) {
-  OWNED(study) s;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   struct dyn_orbit *o = &s.list.orbit[0];
   arb_ptr wide[] = {o->z10,    o->z20,   o->t[0],   o->t[1],     o->t[2],    o->t[3],
                     o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
@@ -519,8 +499,7 @@ TEST(the_checker_says_how_it_is_called) {
 
 /* One orbit twice, no orbit, and more than the file says. */
 TEST(entries_are_different_orbits) {
-  OWNED(study) s;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   dyn_orbit_clear(&s.list.orbit[0]);
   memcpy(&s.list.orbit[0], &s.list.orbit[1], sizeof *s.list.orbit);
   s.list.n = 2;
@@ -543,34 +522,29 @@ TEST(static_friction_has_a_range) {
               {{"3", "8587/10000"}, "u_r2 is out of its range", REJECTED},
               {{"3", "0"}, "u_r2 is out of its range", REJECTED}};
   for (size_t i = 0; i < COUNT(rows); i++) {
-    OWNED(study) s;
-    study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, rows[i].u, 128);
+    OWNED(study) s = study_of(example_text, by_forces, rows[i].u, 128);
     int status = checker(text_str(&s.json));
     ck_assert_msg(status == rows[i].status && strstr(said, rows[i].says), "%s, %s: %s", rows[i].u[0], rows[i].u[1],
                   said);
   }
   static const char *const times[N_PARAMS] = {"0.8", "1", "1", "2", "1.5"}, *const u[2] = {"-1", "100"};
-  OWNED(study) s;
-  study_open(&s, times, QUANTITY_TB, QUANTITY_TC, u, 128);
+  OWNED(study) s = study_of(times, by_times, u, 128);
   ck_assert_msg(checker(text_str(&s.json)) == REJECTED && strstr(said, "u_r1 is out of its range"), "%s", said);
 }
 
 /* Nobody takes the answer, or the memory ends: no verdict, and a status of its own. */
 TEST(no_answer) {
-  struct study s;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   const char *path = scratch_put("certificate.json", text_str(&s.json));
   static const char *const out[] = {"> /dev/full", ">&-"};
   for (int i = 0; i < 2; i++) shell_ends(4, "standard output cannot be written", "$P-checker '%s' %s", path, out[i]);
 #ifndef __SANITIZE_ADDRESS__ /* has memory of its own */
-  char *text = shell_said(
+  FREED char *text = shell_said(
       "for v in $(seq 15000 50 60000); do (ulimit -c 0; ulimit -v $v; exec $P-checker '%s' > /dev/null 2>&1);"
       "s=$?; [ $s = 127 ] || echo $s; [ $s != 0 ] || break; done | uniq | tr '\\n' ' '",
       path);
   ck_assert_str_eq(text, "4 0 ");
-  free(text);
 #endif
-  study_clear(&s);
 }
 
 /* --- Systems --- */
@@ -582,20 +556,18 @@ struct system_study {
 };
 
 /* An orbit of that word; of any where word is NULL. */
-static void system_study_open_word(struct system_study *s, const char *path, const char *word) {
+static struct system_study system_study_of(const char *path, const char *word) {
+  struct system_study s;
   struct mech_word w;
   size_t at;
   const char *why;
-  goes_well(mech_load(&s->m, path, &d));
-  ck_assert(!word || mech_word_parse(&w, &at, &why, word, &s->m));
-  mech_orbits_find(&s->list, &s->m, word ? &w : NULL, true, 128);
-  ck_assert_int_ge(s->list.n, 1);
-  text_init(&s->json);
-  mech_certificates_json(&s->json, "test", &s->m, &s->list);
-}
-
-static void system_study_open(struct system_study *s, const char *path) {
-  system_study_open_word(s, path, NULL);
+  goes_well(mech_load(&s.m, path, &d));
+  ck_assert(!word || mech_word_parse(&w, &at, &why, word, &s.m));
+  mech_orbits_find(&s.list, &s.m, word ? &w : NULL, true, 128);
+  ck_assert_int_ge(s.list.n, 1);
+  text_init(&s.json);
+  mech_certificates_json(&s.json, "test", &s.m, &s.list);
+  return s;
 }
 
 static void system_study_clear(struct system_study *s) {
@@ -696,10 +668,10 @@ TEST(scenes_on_file_are_proved) {
 
 /* Between two phases one number tells the whole state. */
 TEST(nothing_is_free_of_one_mass) {
-  OWNED(system_study) s;
-  system_study_open(&s, scratch_put("one.system",
-                                    "title: a mass on a belt\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n"
-                                    "  surface: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"));
+  OWNED(system_study) s = system_study_of(
+      scratch_put("one.system", "title: a mass on a belt\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n"
+                                "  surface: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"),
+      NULL);
   ck_assert_int_eq(s.list.orbit[0].n_free, 0);
   ck_assert_int_eq(checker(text_str(&s.json)), VERIFIED);
   verified_one("one mass");
@@ -708,7 +680,6 @@ TEST(nothing_is_free_of_one_mass) {
 /* Where a mass meets an obstacle that takes all its velocity and leaves it at once, that velocity is not free.  Period
    and multipliers: Newton's iteration on (x_b, x_b') over motions by Taylor series in double. */
 TEST(no_velocity_is_free_after_a_dead_rebound) {
-  OWNED(system_study) s;
   const char *path = scratch_put("dead.system", "title: a soft stop below and a hard one above\n"
                                                 "mass a\n  inertia: 1\n  sliding: 1/2\n  static: 3/2\n  surface: 1\n"
                                                 "mass b\n  inertia: 2\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
@@ -716,7 +687,7 @@ TEST(no_velocity_is_free_after_a_dead_rebound) {
                                                 "spring k2\n  between: a, b\n  stiffness: 1/2\n"
                                                 "obstacle low\n  stops: a\n  below: -1/4\n  restitution: 0\n"
                                                 "obstacle high\n  stops: b\n  above: 5\n  restitution: 9/10\n");
-  system_study_open_word(&s, path, "--<1 --<1 -s -->2");
+  OWNED(system_study) s = system_study_of(path, "--<1 --<1 -s -->2");
   const struct mech_orbit *o = &s.list.orbit[0];
   ck_assert_str_eq(o->word.phase[0], "--<1");
   ck_assert_int_eq(o->n_free, 2);
@@ -750,10 +721,9 @@ static void refused_with(const struct text *json, const char *behind, const char
 
 /* Letters, truths, phases, and what is no system. */
 TEST(a_changed_system_is_rejected) {
-  struct system_study s;
   size_t at, len, from = 0;
   int letters = 0;
-  system_study_open(&s, "verify/systems/chain3.system");
+  OWNED(system_study) s = system_study_of("verify/systems/chain3.system", NULL);
   ck_assert_int_eq(s.list.n, 1);
   while (next_string(&at, &len, &s.json, from)) {
     from = at + len + 1;
@@ -783,18 +753,15 @@ TEST(a_changed_system_is_rejected) {
   refused_with(&s.json, "\"m2\"", "\"surface\"",
                "\"above\": {\"position\": \"5\", \"restitution\": \"1\"}, \"surface\"", REJECTED, "");
   refused_with(&s.json, "version 1", "version 1", "version 2", BAD_FILE, "not known");
-  system_study_clear(&s);
-  system_study_open(&s, "verify/systems/driven.system");
-  refused_with(&s.json, "turns", "\"1\"", "\"2\"", REJECTED, "its box");
-  refused_with(&s.json, "turns", "\"1\"", "\"-1\"", REJECTED, "no number of turns");
-  refused_with(&s.json, "word", "\"turns\": \"1\",", "", BAD_FILE, "turns");
-  system_study_clear(&s);
+  OWNED(system_study) driven = system_study_of("verify/systems/driven.system", NULL);
+  refused_with(&driven.json, "turns", "\"1\"", "\"2\"", REJECTED, "its box");
+  refused_with(&driven.json, "turns", "\"1\"", "\"-1\"", REJECTED, "no number of turns");
+  refused_with(&driven.json, "word", "\"turns\": \"1\",", "", BAD_FILE, "turns");
 }
 
 /* One orbit twice, also when its word and its numbers begin with another phase. */
 TEST(an_orbit_of_a_system_counts_once) {
-  OWNED(system_study) s;
-  system_study_open(&s, "verify/systems/den-hartog.system");
+  OWNED(system_study) s = system_study_of("verify/systems/den-hartog.system", NULL);
   struct mech_orbit pair[2] = {s.list.orbit[0], s.list.orbit[0]};
   struct mech_orbits twice = {.orbit = pair, .n = 2};
   checked_orbits(&s, &twice, REJECTED, "orbits 1 and 2 may be one");
@@ -827,13 +794,10 @@ TEST(solutions_that_are_no_motions_are_rejected) {
              {"two-masses", "ss -s -- s-", {14.318937, 1.3814616, 10.909628, 3.2581067}, {4.5356558, 4.5188039, 1, 1}}};
   int later = 0, broken = 0;
   for (size_t i = 0; i < COUNT(row); i++) {
-    OWNED(system_study) s;
     struct mech_word w;
     size_t at;
     const char *why;
-    char path[100];
-    snprintf(path, sizeof path, "verify/systems/%s.system", row[i].system);
-    system_study_open(&s, path);
+    OWNED(system_study) s = system_study_of(formatted("verify/systems/%s.system", row[i].system), NULL);
     ck_assert(mech_word_parse(&w, &at, &why, row[i].word, &s.m));
     uint64_t stream = random_seed("forged orbits");
     for (int k = 0; k < 60; k++) {
@@ -867,12 +831,11 @@ TEST(solutions_that_are_no_motions_are_rejected) {
 TEST(a_verdict_waits_for_the_conditions) {
   /* the paper's orbit that breaks h_v2; z = x - (10, 45/4) */
   const double t[] = {14.318937, 1.3814616, 10.909628, 3.2581067}, z[MECH_STATES] = {4.5356558, 4.5188039, 1, 1};
-  OWNED(system_study) s;
   struct mech_word w;
   OWNED(mech_orbit) coarse, fine;
   size_t at;
   const char *why;
-  system_study_open(&s, "verify/systems/two-masses.system");
+  OWNED(system_study) s = system_study_of("verify/systems/two-masses.system", NULL);
   ck_assert(mech_word_parse(&w, &at, &why, "ss -s -- s-", &s.m));
   ck_assert_int_eq(mech_orbit_near(&coarse, &s.m, &w, t, z, 128), SS_OK);
   ck_assert_int_eq(mech_orbit_near(&fine, &s.m, &w, t, z, 512), SS_OK);
@@ -889,16 +852,15 @@ TEST(a_verdict_waits_for_the_conditions) {
 /* A mass that leaves an obstacle is on the slower side of its surface only where that moves up: on the other side its
    friction would jump, and with it the force that was zero. */
 TEST(a_mass_leaves_rest_with_its_friction) {
-  OWNED(system_study) s;
   struct mech_word w;
   size_t at;
   const char *why;
-  system_study_open(&s,
-                    scratch_put("soft.system",
-                                "title: a driven mass at a soft wall\nmass m\n  inertia: 1\n  sliding: 1e-6\n"
-                                "  static: 1e-3\n  surface: -3\nspring k\n  between: ground, m\n  stiffness: 1\n"
-                                "damper d\n  between: ground, m\n  constant: 1/10\nload p\n  on: m\n  frequency: 3/5\n"
-                                "  cosine: 1\nobstacle o\n  stops: m\n  above: 1/4\n  restitution: 0\n"));
+  OWNED(system_study) s = system_study_of(
+      scratch_put("soft.system", "title: a driven mass at a soft wall\nmass m\n  inertia: 1\n  sliding: 1e-6\n"
+                                 "  static: 1e-3\n  surface: -3\nspring k\n  between: ground, m\n  stiffness: 1\n"
+                                 "damper d\n  between: ground, m\n  constant: 1/10\nload p\n  on: m\n  frequency: 3/5\n"
+                                 "  cosine: 1\nobstacle o\n  stops: m\n  above: 1/4\n  restitution: 0\n"),
+      NULL);
   ck_assert(mech_word_parse(&w, &at, &why, "a +", &s.m));
   ck_assert(!mech_word_parse(&w, &at, &why, "a -", &s.m) && strstr(why, "slips as at rest"));
   ck_assert_int_eq(checker(text_str(&s.json)), VERIFIED);
@@ -907,9 +869,8 @@ TEST(a_mass_leaves_rest_with_its_friction) {
 
 /* Out of all proportion: refused at once. */
 TEST(huge_systems_are_refused) {
-  OWNED(system_study) s;
   LOCAL(text, t);
-  system_study_open(&s, "verify/systems/beside-wall.system");
+  OWNED(system_study) s = system_study_of("verify/systems/beside-wall.system", NULL);
   static const char *const number[] = {"1 fffffff 0 0", "1 0 1 fffffff", "1 -fffffff 1 0", "nan", "1e9", ""};
   for (size_t i = 0; i < COUNT(number); i++) {
     text_reset(&t);
@@ -941,15 +902,13 @@ TEST(huge_systems_are_refused) {
 /* --- Files that are no certificates --- */
 
 TEST(a_byte_order_mark_is_skipped) {
-  OWNED(study) s;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF"), VERIFIED);
   ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF\xEF\xBB\xBF"), BAD_FILE);
 }
 
 TEST(bad_files) {
-  OWNED(study) s;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   for (size_t len = 0; len + 3 < s.json.len; len += 97 * (size_t)every(3)) { /* cut off */
     ck_assert_int_eq(checker_on(scratch_put_n("cut.json", s.json.data, len)), BAD_FILE);
   }
@@ -1012,8 +971,7 @@ TEST(bad_files) {
 /* --- Digits, and what they cost --- */
 
 TEST(thousand_digits) {
-  OWNED(study) s;
-  study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, 3394);
+  OWNED(study) s = study_of(example_text, by_forces, NULL, 3394);
   all_certified(&s, 2);
   NUMBERS(mag, radius);
   dyn_orbit_radius(radius, &s.list.orbit[1]);
@@ -1024,8 +982,7 @@ TEST(thousand_digits) {
 }
 
 static void find_and_certify(void *prec) {
-  OWNED(study) s;
-  study_open(&s, example_text, QUANTITY_E1, QUANTITY_E2, NULL, *(slong *)prec);
+  OWNED(study) s = study_of(example_text, by_forces, NULL, *(slong *)prec);
 }
 
 /* In proportion to their number at most: what is certified at 128 bits is refined by steps that double them. */
@@ -1049,8 +1006,7 @@ static void certify_one(void *arg) {
 
 /* A certificate comes from the enclosure that the search has left, without a search of its own. */
 TEST(an_orbit_costs_no_second_search) {
-  OWNED(study) s;
-  study_paper(&s);
+  OWNED(study) s = study_paper();
   ck_assert(costs_less(&(struct effort){certify_one, &s}, 2, &(struct effort){find, &s}));
 }
 
