@@ -216,8 +216,7 @@ TEST(the_long_run_of_the_printed_start) {
     ck_assert_msg(strstr(g->evidence[k].note, word) != NULL, "%s, not %s", g->evidence[k].note, word);
     ck_assert_msg(strstr(g->evidence[k].note, period) != NULL, "%s, not %s", g->evidence[k].note, period);
     ck_assert(strstr(g->evidence[k].note, "give the same events") != NULL);
-    char friction[64];
-    snprintf(friction, sizeof friction, "u_r1 = %.6f, u_r2 = %.6f", atof(field[1]), atof(field[2]));
+    const char *friction = formatted("u_r1 = %.6f, u_r2 = %.6f", atof(field[1]), atof(field[2]));
     ck_assert_str_eq(g->evidence[k].worst, friction);
   }
 }

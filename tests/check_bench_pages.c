@@ -97,8 +97,7 @@ static const char *between(const char *from, const char *begin, const char *end)
 
 /* How the k-th curve looks where there are no colours: its marker and its dashes. */
 static const char *look(char out[400], const char *svg, int k) {
-  char begin[40];
-  snprintf(begin, sizeof begin, "<marker id=\"map-k%d\"", k);
+  const char *begin = formatted("<marker id=\"map-k%d\"", k);
   const char *marker = strstr(svg, begin), *curve = marker ? strstr(marker, "class=\"curve ") : NULL;
   snprintf(out, 400, "%s%s", between(marker, " stroke=\"currentColor\"", "/>"), between(curve, "stroke=", " color"));
   ck_assert_msg(marker && curve && !strstr(marker + 1, begin), "%s", begin);

@@ -105,8 +105,7 @@ static char said[2000];
 
 /* Its exit status on the file; what it says goes to `said`. */
 static int checker_on(const char *path) {
-  char command[1000];
-  snprintf(command, sizeof command, "%s-checker '%s' 2>&1", program(), path);
+  const char *command = formatted("%s-checker '%s' 2>&1", program(), path);
   FILE *f = popen(command, "r");
   ck_assert(f != NULL);
   size_t n = fread(said, 1, sizeof said - 1, f);
@@ -124,9 +123,8 @@ enum { VERIFIED = 0, REJECTED = 1, USAGE = 2, BAD_FILE = 3 };
 
 static void verified(const struct study *s) {
   ck_assert_msg(checker(text_str(&s->json)) == VERIFIED, "%s", said);
-  char line[80];
-  snprintf(line, sizeof line, "verified: %ld orbit%s; whether there are others is not checked\n", (long)s->list.n,
-           s->list.n == 1 ? "" : "s");
+  const char *line = formatted("verified: %ld orbit%s; whether there are others is not checked\n", (long)s->list.n,
+                               s->list.n == 1 ? "" : "s");
   ck_assert_str_eq(said, line);
 }
 
@@ -162,11 +160,9 @@ static void check_orbit(const struct study *s, slong i, char *const *field) {
   double trace = strtod(field[10], NULL);
   ck_assert_int_eq(z->stable, trace > -1 && trace < 1);
   ck_assert_int_eq(z->admissible, strcmp(field[13], "yes") == 0);
-  char list[100];
-  snprintf(list, sizeof list, ",%s,", field[14]);
+  const char *list = formatted(",%s,", field[14]);
   for (int k = 0; k < N_CONDITIONS; k++) {
-    char id[20];
-    snprintf(id, sizeof id, ",%s,", dyn_condition_id[k]);
+    const char *id = formatted(",%s,", dyn_condition_id[k]);
     ck_assert_msg((strstr(list, id) == NULL) == (z->holds[k] == TRUTH_TRUE), "%s %ld: %s", field[1], (long)i,
                   dyn_condition_id[k]);
   }

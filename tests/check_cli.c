@@ -23,8 +23,7 @@
 static char *full_out, *full_json, *full_md;
 
 static char *report(const char *folder, const char *file) {
-  char name[200];
-  snprintf(name, sizeof name, "%s/%s", folder, file);
+  const char *name = formatted("%s/%s", folder, file);
   return file_text(scratch_path(name));
 }
 
@@ -59,8 +58,7 @@ TEST(the_report_on_record_is_the_computed_one) {
 
 /* The text of a claim's object in a report, to be freed; NULL when it has none. */
 static char *claim_object(const char *json, const char *id) {
-  char head[100];
-  snprintf(head, sizeof head, "    {\n      \"id\": \"%s\",\n      \"equation\"", id);
+  const char *head = formatted("    {\n      \"id\": \"%s\",\n      \"equation\"", id);
   const char *p = strstr(json, head), *end = p ? strstr(p, "\n    }") : NULL;
   if (!end) return NULL;
   struct text t;
@@ -82,15 +80,13 @@ TEST(the_last_line_is_the_summary) {
   const char *checks = strstr(full_json, "\"checks\": {"), *semicolon = strchr(line, ';');
   ck_assert(checks != NULL && semicolon != NULL);
   for (int of = 0; of < 2; of++) {
-    char half[300];
     const char *from = of ? semicolon + 1 : line + 6, *end_of = strchr(from, ';');
-    snprintf(half, sizeof half, "%.*s", (int)(end_of - from), from);
+    const char *half = formatted("%.*s", (int)(end_of - from), from);
     int total = 0;
     for (int i = 0; i < COUNT(verdicts); i++) {
-      char part[60];
       int n = atoi(member(of ? checks : summary, verdicts[i]));
       total += n;
-      snprintf(part, sizeof part, " %d %s", n, verdicts[i]);
+      const char *part = formatted(" %d %s", n, verdicts[i]);
       ck_assert_msg((strstr(half, part) != NULL) == (n > 0), "%s: %s", part, half);
     }
     ck_assert_int_eq(total, atoi(member(of ? checks : summary, "total")));
@@ -106,13 +102,11 @@ TEST(the_last_line_is_the_summary) {
 TEST(the_markdown_holds_every_claim) {
   int claims = 0;
   for (const char *p = strstr(full_json, "    {\n      \"id\": \""); p; p = strstr(p + 1, "    {\n      \"id\": \"")) {
-    char heading[100];
     if (strncmp(strchr(p + 8, '\n') + 1, "      \"equation\"", 16) != 0) continue; /* a control */
-    snprintf(heading, sizeof heading, "\n### %s: ", member(p, "id"));
+    const char *heading = formatted("\n### %s: ", member(p, "id"));
     const char *h = strstr(full_md, heading);
     ck_assert_msg(h && !strstr(h + 1, heading), "%s stands not once in audit.md", heading + 1);
-    char verdict[20];
-    snprintf(verdict, sizeof verdict, "%s", member(p, "verdict"));
+    const char *verdict = formatted("%s", member(p, "verdict"));
     bool attention =
         strcmp(verdict, "refuted") == 0 || strcmp(verdict, "conditional") == 0 || strcmp(verdict, "unknown") == 0;
     ck_assert_msg((h < strstr(full_md, "\n## Every claim")) == attention, "%s", heading + 1);
@@ -225,8 +219,7 @@ TEST(several_scenes) {
 /* What cannot be written leaves the old report and nothing beside it. */
 TEST(output_that_cannot_be_written) {
   const char *file = scratch_put("file", "not a folder");
-  char inside[400];
-  snprintf(inside, sizeof inside, "%s/sub", file);
+  const char *inside = formatted("%s/sub", file);
   const char *const nowhere[] = {inside, "/proc/stickslip", file};
   for (size_t i = 0; i < COUNT(nowhere); i++) {
     OWNED(job) j = job_run("verify", "--only", "eq-3", "--out", nowhere[i], NULL);
@@ -460,8 +453,7 @@ TEST(an_equation_is_explained) {
   ck_assert(strncmp(j.out, "(40): ", 6) == 0);
   static const char *const ids[] = {"eq-40", "eq-40b", "eq-40c", "eq-40d"};
   for (int i = 0; i < 4; i++) {
-    char row[24];
-    snprintf(row, sizeof row, "\n%-18s ", ids[i]);
+    const char *row = formatted("\n%-18s ", ids[i]);
     ck_assert_msg(strstr(j.out, row) != NULL, "%s", j.out);
   }
   OWNED(job) other = job_run_well("explain", "(40)", NULL);
@@ -525,9 +517,8 @@ TEST(help_fits_a_screen) {
   rows_read(&r);
   int commands = 0;
   for (int i = 0; i < r.n; i++) {
-    char line[100];
     if (strcmp(r.field[i][1], "usage") != 0) continue;
-    snprintf(line, sizeof line, "\n  %-10s %.80s\n", r.field[i][0], r.field[i][3]);
+    const char *line = formatted("\n  %-10s %.80s\n", r.field[i][0], r.field[i][3]);
     ck_assert_msg(strstr(j.out, line) != NULL, "no line for %s", r.field[i][0]);
     commands++;
   }

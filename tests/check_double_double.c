@@ -26,21 +26,17 @@ static void set(arb_t x, struct dd y) {
 
 /* |x - want| in units of 2^-100 of size, or of |want| where size is 0. */
 static double off(struct dd x, const arb_t want, double size) {
-  arb_t d, s;
-  arb_init(d), arb_init(s);
+  NUMBERS(arb, d, s);
   set(d, x);
   arb_sub(d, d, want, BITS);
   arb_set_d(s, size);
   arb_div(d, d, size > 0 ? s : want, BITS);
-  double e = ldexp(fabs(num_arb.get_d(d)), 100);
-  arb_clear(d), arb_clear(s);
-  return e;
+  return ldexp(fabs(num_arb.get_d(d)), 100);
 }
 
 TEST(arithmetic) {
   struct rng r = {1};
-  arb_t x, y, want;
-  arb_init(x), arb_init(y), arb_init(want);
+  NUMBERS(arb, x, y, want);
   for (int i = 0; i < TRIALS; i++) {
     struct dd a = any(&r, 40, 40), b = any(&r, 40, 40);
     if (i % 4 == 0) b = dd_fast_sum(-a.high * (1 + ldexp(rng_unit(&r), -(int)rng_between(&r, 0, 50))), a.low);
@@ -59,15 +55,13 @@ TEST(arithmetic) {
     arb_sqrt(want, x, BITS);
     ck_assert_double_lt(off(dd_sqrt(a), want, 0), 1);
   }
-  arb_clear(x), arb_clear(y), arb_clear(want);
 }
 
 static const double part = 0x1p15; /* 2^-85, in units of 2^-100 */
 
 TEST(sines) {
   struct rng r = {2};
-  arb_t x, s, c, want;
-  arb_init(x), arb_init(s), arb_init(c), arb_init(want);
+  NUMBERS(arb, x, s, c, want);
   for (int i = 0; i < TRIALS; i++) {
     struct dd a = any(&r, 30, 18);
     if (i % 4 == 0) { /* beside a multiple of pi/2 */
@@ -89,13 +83,11 @@ TEST(sines) {
     arb_sub(want, x, s, BITS);
     ck_assert_double_lt(off(t.excess, want, small ? 0 : 1 + fabs(a.high)), part);
   }
-  arb_clear(x), arb_clear(s), arb_clear(c), arb_clear(want);
 }
 
 TEST(angles) {
   struct rng r = {3};
-  arb_t x, y, want;
-  arb_init(x), arb_init(y), arb_init(want);
+  NUMBERS(arb, x, y, want);
   for (int i = 0; i < TRIALS; i++) {
     struct dd a = any(&r, 30, 30), b = any(&r, 30, 30);
     if (b.high < 0) b = dd_neg(b);
@@ -103,6 +95,5 @@ TEST(angles) {
     arb_atan2(want, y, x, BITS);
     ck_assert_double_lt(off(dd_angle(b, a), want, 0), part);
   }
-  arb_clear(x), arb_clear(y), arb_clear(want);
   flint_cleanup();
 }

@@ -186,8 +186,7 @@ TEST(what_provably_does_not_change) {
     const struct consequence *q = audit_result_consequence(&result, cases[i].failure);
     ck_assert_int_eq(q->n_derived, (int)the_paper.claims.n_results);
     for (int k = 0; k < q->n_derived; k++) {
-      char padded[100];
-      snprintf(padded, sizeof padded, " %s ", q->derived[k].formula);
+      const char *padded = formatted(" %s ", q->derived[k].formula);
       bool reached = strstr(cases[i].reached, padded) != NULL;
       ck_assert_msg((q->derived[k].change == CHANGE_SAME_FORMULA) == !reached, "%s: %s: %s", cases[i].failure,
                     q->derived[k].formula, q->derived[k].verdict);
@@ -282,8 +281,7 @@ TEST(alone_or_together) {
     ck_assert_str_eq(a->effect, b->effect);
     ck_assert_int_eq(a->n_depends_on, b->n_depends_on);
     const struct consequence *q = audit_result_consequence(&r, ids[i]);
-    char alone[2000];
-    snprintf(alone, sizeof alone, "%s", joined(&q->falls));
+    const char *alone = formatted("%s", joined(&q->falls));
     ck_assert_str_eq(alone, joined(&audit_result_consequence(&result, ids[i])->falls));
     for (int k = 0; k < q->n_derived; k++) {
       const struct derived *other = derived_of(ids[i], q->derived[k].formula);

@@ -719,8 +719,7 @@ static bool has_sympy(void) {
 
 static void receipt(struct text *out, const char *id) {
   OWNED(source) src;
-  char file[60];
-  snprintf(file, sizeof file, "verify/%s", receipt_file(&the_paper.claims, id));
+  const char *file = formatted("verify/%s", receipt_file(&the_paper.claims, id));
   goes_well(source_read(&src, file, 1 << 20, &d));
   goes_well(audit_receipt(out, &the_paper.model, &the_paper.claims, &the_paper.scene, id, src.text, &d));
 }
@@ -896,10 +895,9 @@ static bool has_receipts(enum kind kind) {
 
 TEST(every_proof_has_a_receipt) {
   if (!has_sympy()) return;
-  struct text line;
+  LOCAL(text, line);
   char name[80];
   int n = 0;
-  text_init(&line);
   text_printf(&line, "%s tests/oracle/receipts.py", python());
   for (size_t i = 0; i < the_paper.claims.n; i++) {
     const struct claim *c = &the_paper.claims.claim[i];
@@ -912,5 +910,4 @@ TEST(every_proof_has_a_receipt) {
   FILE *statuses = every_case() ? popen(text_str(&line), "r") : NULL;
   for (int i = 0; statuses && i < n; i++) ck_assert_int_eq(next_status(statuses), 0);
   if (statuses) ck_assert_int_eq(pclose(statuses), 0);
-  text_clear(&line);
 }

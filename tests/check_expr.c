@@ -182,8 +182,7 @@ TEST(test_statements) {
 
 /* The span of every node is the text that reads as that node. */
 static void check_spans(const char *text, const struct expr *e) {
-  char part[256];
-  snprintf(part, sizeof part, "%.*s", (int)(e->span.end - e->span.begin), text + e->span.begin);
+  const char *part = formatted("%.*s", (int)(e->span.end - e->span.begin), text + e->span.begin);
   ck_assert_msg(expr_same(e, tree(part)), "%s in %s", part, text);
   ck_assert_msg(!strchr(" \n", part[0]) && !strchr(" \n", part[strlen(part) - 1]), "\"%s\" in %s", part, text);
   for (int i = 0; i < e->n_args; i++) check_spans(text, e->args[i]);
@@ -227,8 +226,7 @@ static void check_mistake(const char *text, bool stmt, const char *place, const 
   struct diag d = {0};
   bool parsed = stmt ? parse_stmt(text, &d) != NULL : parse_expr(text, &d) != NULL;
   ck_assert_msg(!parsed && d.set, "accepted: %s", text);
-  char begin[64];
-  snprintf(begin, sizeof begin, "t:%s: error: ", place);
+  const char *begin = formatted("t:%s: error: ", place);
   ck_assert_msg(!strncmp(d.message, begin, strlen(begin)), "%s\nis not at %s:\n%s", text, place, d.message);
   ck_assert_msg(strstr(d.message, part), "%s\nlacks: %s\n%s", text, part, d.message);
 }
@@ -652,8 +650,7 @@ TEST(test_pool) {
   const struct expr *made[5000][3];
   for (int round = 0; round < 2; round++)
     for (int i = 0; i < 5000; i++) {
-      char name[16];
-      snprintf(name, sizeof name, "v%d", i);
+      const char *name = formatted("v%d", i);
       const struct expr *e[] = {expr_sym(&pool, name), expr_call(&pool, "h", i, x), expr_pow(&pool, y, 10 + i)};
       for (int k = 0; k < 3; k++) {
         if (round == 0) made[i][k] = e[k];

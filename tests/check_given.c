@@ -18,6 +18,7 @@
 #include "motion/paper_route.h"
 #include "params.h"
 #include "rational.h"
+#include "scratch.h"
 #include "suite.h"
 #include "table.h"
 
@@ -190,8 +191,7 @@ TEST_EACH(every_pair_finds_the_orbit_again, COUNT(chosen)) {
       enum dyn_quantity which[2] = {(enum dyn_quantity)k, (enum dyn_quantity)i};
       const fmpq value[2] = {s->x[k], s->x[i]};
       OWNED(dyn_orbits) list;
-      char pair[20];
-      snprintf(pair, sizeof pair, "%s, %s", dyn_quantity_id[i], dyn_quantity_id[k]);
+      const char *pair = formatted("%s, %s", dyn_quantity_id[i], dyn_quantity_id[k]);
       ck_assert_msg(dyn_orbits_given(&list, s->params, which, value, 120, &near_limits) == SS_OK, "%s %d %s", s->name,
                     s->index, pair);
       int hits = 0;

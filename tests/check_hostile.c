@@ -110,8 +110,7 @@ static void refused(const struct trial *j, int status, const char *wrong) {
 
 /* Rows of a table in tests/hostile. */
 static struct table hostile(const char *name, int columns) {
-  char path[100];
-  snprintf(path, sizeof path, "tests/hostile/%s", name);
+  const char *path = formatted("tests/hostile/%s", name);
   return table_read(path, columns);
 }
 
@@ -139,10 +138,9 @@ static void try_option(char *const *option, const struct table *values) {
   static int counts;
   const char *words = option[WORDS], *name = option[NAME], *kind = option[KIND];
   bool often = strcmp(name, "--only") == 0 || strcmp(name, "--over") == 0 || strcmp(name, "--set") == 0;
-  char twice[300];
   refuse_words(words, name, NULL, 2, "no value");
   refuse_words(words, name, "", 2, "an empty value");
-  snprintf(twice, sizeof twice, "%s %s 1 %s", words, name, name);
+  const char *twice = formatted("%s %s 1 %s", words, name, name);
   if (!often) refuse_words(twice, "1", NULL, 2, "given twice");
   for (int i = 0; i < values->n; i++) {
     char *const *column = values->row[i];
@@ -449,11 +447,10 @@ static const char *old_file(struct trial *j, int i, mode_t mode) {
 
 /* The old file is as it was, and alone but for a FILE.part to go on with. */
 static void old_one_stays(const struct trial *j, int i, const char *path) {
-  char folder[20];
   const char *name = strrchr(path, '/') + 1, *list;
   FREED char *now = file_text(path);
   ck_assert_msg(strcmp(now, "old\n") == 0, "%s: not the old file: %.100s", shown(j), now);
-  snprintf(folder, sizeof folder, "out%d", i);
+  const char *folder = formatted("out%d", i);
   list = scratch_list(scratch_path(folder));
   bool part =
       strcmp(j->argv[0], "sweep") == 0 && strcmp(list, formatted("%s %s.part %s.part.sum", name, name, name)) == 0;
@@ -646,8 +643,7 @@ static long count_allocations(struct trial *j) {
 
 /* Ends with the message and the status, or does as it would have done; the report is the old one or the new. */
 static void fails_well(struct trial *j, const char *which, const char *report, const char *whole) {
-  char set[60];
-  snprintf(set, sizeof set, "FAIL_ALLOC=%s", which);
+  const char *set = formatted("FAIL_ALLOC=%s", which);
   j->place.env[1] = set;
   if (report) scratch_put("out/audit.json", "old\n");
   run(j);
@@ -676,8 +672,7 @@ static void every_allocation(const char *words, long percent, long most) {
   if (most && most < all) all = most;
   for (long n = 1; n <= all; n += 1 + n * percent / 100)
     for (int on = 0; on < 2; on++) {
-      char which[30];
-      snprintf(which, sizeof which, "%ld%s", n, on ? "+" : "");
+      const char *which = formatted("%ld%s", n, on ? "+" : "");
       fails_well(&j, which, report, whole);
     }
 }

@@ -50,11 +50,10 @@ static void load_scene(struct scene *s, const char *text) {
 static void read_row(char *const *field) {
   if (strcmp(field[0], "set") == 0) {
     struct set *s = &sets[n_sets++];
-    char text[400];
     ck_assert_int_le(n_sets, N_SETS);
     *s = (struct set){.name = field[1], .chi = field[2], .eta = field[3], .v = field[4], .e = {field[5], field[6]}};
-    snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\ne1 = %s\ne2 = %s\n", s->chi, s->eta, s->v, s->e[0],
-             s->e[1]);
+    const char *text =
+        formatted("chi = %s\neta = %s\nV = %s\ne1 = %s\ne2 = %s\n", s->chi, s->eta, s->v, s->e[0], s->e[1]);
     load_scene(&s->scene, text);
     return;
   }
@@ -272,8 +271,7 @@ TEST_EACH(methods_agree_phase_by_phase_on_every_orbit, 4) {
   for (int i = _i; i < n_samples; i += 4) {
     struct sample *o = &samples[i];
     struct jacobian_request q = at(METHOD_IMPLICIT, o, 12);
-    char where[60];
-    snprintf(where, sizeof where, "%s %s", o->set->name, o->field[F_INDEX]);
+    const char *where = formatted("%s %s", o->set->name, o->field[F_INDEX]);
     diag_init(&d);
     jacobian_phases_init(&p);
     ck_assert_msg(audit_phases(&p, &model, &o->set->scene, &q, &d), "%s: %s", where, d.message);

@@ -65,8 +65,7 @@ TEST(statuses_have_texts) {
   ck_assert_str_ne(ss_status_text(SS_DOMAIN), ss_status_text(SS_UNABLE));
   ck_assert_str_eq(ss_status_text(SS_DOMAIN | SS_UNABLE), "the value does not exist; it could not be told or held");
   ck_assert_str_eq(ss_status_text(-1), ss_status_text(1000));
-  char version[40];
-  snprintf(version, sizeof version, "%d.%d.%d", SS_VERSION_MAJOR, SS_VERSION_MINOR, SS_VERSION_PATCH);
+  const char *version = formatted("%d.%d.%d", SS_VERSION_MAJOR, SS_VERSION_MINOR, SS_VERSION_PATCH);
   ck_assert_str_eq(version, SS_VERSION);
   ck_assert_str_eq(version, ss_version());
   ss_text_free(NULL);
@@ -113,8 +112,7 @@ TEST(each_thread_has_its_own_error) {
   pthread_t t;
   void *good;
   FAILS(ss_word_each(0, NULL, NULL), SS_ARGUMENT);
-  char before[1000];
-  snprintf(before, sizeof before, "%s", ss_error());
+  const char *before = formatted("%s", ss_error());
   ck_assert_int_eq(pthread_create(&t, NULL, fail_elsewhere, NULL), 0);
   pthread_join(t, &good);
   ck_assert_ptr_nonnull(good);

@@ -34,8 +34,6 @@ static void finish(struct mech *m) {
   ck_assert_msg(mech_finish(m, &why, &name), "%s: %s", name, why);
 }
 
-static struct mech file;
-
 /* Duration and the most moments. */
 #define PLAN(time, moments) ((struct mech_plan){.duration = (time), .most = (moments)})
 
@@ -46,9 +44,10 @@ static struct mech_motion simulated(int route, const struct mech *m, const doubl
   return z;
 }
 
-static void read_text(const char *text) {
-  struct source src = source_of("a.system", text);
-  goes_well(mech_read(&file, src, &d));
+static struct mech system_of(const char *text) {
+  struct mech m;
+  goes_well(mech_read(&m, source_of("a.system", text), &d));
+  return m;
 }
 
 /* --- Motions --- */
@@ -175,15 +174,15 @@ TEST_EACH(longer_chains_are_those_of_tiny_steps, 9) {
 TEST(a_load_in_closed_form) {
   const double angle = 0.3, t = 7.25;
   const double start[] = {0, 0, cos(angle), sin(angle)};
-  read_text("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
-            "load p\n  on: m\n  frequency: 1/2\n  cosine: 1/3\nload q\n  on: m\n  frequency: 1/2\n  cosine: 2/3\n");
+  OWNED(mech) file =
+      system_of("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
+                "load p\n  on: m\n  frequency: 1/2\n  cosine: 1/3\nload q\n  on: m\n  frequency: 1/2\n  cosine: 2/3\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(t, 10));
     ck_assert_double_eq_tol(z.z[0], 4.0 / 3 * (cos(angle + t / 2) - cos(angle) * cos(t) + sin(angle) / 2 * sin(t)),
                             1e-11);
     ck_assert_double_eq_tol(z.z[3], sin(angle + t / 2), 1e-11);
   }
-  mech_clear(&file);
 }
 
 /* x + 1/2 of rest_in_closed_form. */
@@ -194,8 +193,8 @@ static double flight(double s, double angle) {
 /* x'' + x = 0 for x <= 0, from x = -1 at rest: rebounds at pi/2 and 3 pi/2, each of which halves the amplitude. */
 TEST(rebounds_in_closed_form) {
   const double start[] = {-1, 0}, beyond[] = {0.1, 0};
-  read_text("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
-            "obstacle o\n  stops: m\n  above: 0\n  restitution: 1/2\n");
+  OWNED(mech) file = system_of("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
+                               "obstacle o\n  stops: m\n  above: 0\n  restitution: 1/2\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_motion z = simulated(route, &file, start, &PLAN(2 * acos(-1), 10));
     ck_assert_int_eq(z.n_moments, 3);
@@ -207,7 +206,6 @@ TEST(rebounds_in_closed_form) {
     ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, beyond, &PLAN(1, 10)), SS_DOMAIN);
     mech_motion_clear(&z);
   }
-  mech_clear(&file);
 }
 
 /* x'' + x = cos(theta), theta' = 1/2, for x <= -1/2 without rebound, from rest there at theta = 0: pressed until
@@ -215,7 +213,7 @@ TEST(rebounds_in_closed_form) {
    = -1/2. */
 TEST(rest_in_closed_form) {
   const double start[] = {-0.5, 0, 1, 0}, pi = acos(-1), angle = 2 * pi / 3;
-  read_text(
+  OWNED(mech) file = system_of(
       "mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
       "load p\n  on: m\n  frequency: 1/2\n  cosine: 1\nobstacle o\n  stops: m\n  above: -1/2\n  restitution: 0\n");
   for (int route = 0; route < N_MECH_ROUTES; route++) {
@@ -230,7 +228,6 @@ TEST(rest_in_closed_form) {
     ck_assert_double_eq_tol(flight(s, angle), 0, 1e-10);
     ck_assert(z.z[0] == -0.5 && z.z[1] == 0);
   }
-  mech_clear(&file);
 }
 
 TEST(motions_outside_the_domain) {
@@ -261,7 +258,7 @@ TEST(between_two_stops_in_closed_form) {
   const double start[] = {0, 2}, pi = acos(-1);
   struct mech_word w;
   double period, gap;
-  read_text(MASS_AND_SPRING STOPS("a", "m", "above: 1", "1") STOPS("b", "m", "below: -1", "1"));
+  OWNED(mech) file = system_of(MASS_AND_SPRING STOPS("a", "m", "above: 1", "1") STOPS("b", "m", "below: -1", "1"));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(10, 1000));
     ck_assert_int_eq(z.n_moments, 1 + (int)((10 - pi / 6) / (pi / 3) + 1));
@@ -274,7 +271,6 @@ TEST(between_two_stops_in_closed_form) {
     ck_assert_int_eq(w.n, 2);
     ck_assert_double_eq_tol(period, 2 * pi / 3, 1e-11);
   }
-  mech_clear(&file);
 }
 
 struct energies {
@@ -304,16 +300,16 @@ static bool watch_energy(void *self, const struct mech_moment *at) {
 
 TEST(energy_stays) {
   const double start[] = {0.5, -0.25, 1.5, -1};
-  read_text("mass m\n  inertia: 1\nmass n\n  inertia: 2\nspring k\n  between: ground, m\n  stiffness: 1\n"
-            "spring l\n  between: m, n\n  stiffness: 3\n" STOPS("a", "m", "above: 3/4", "1")
-                STOPS("b", "n", "below: -1/2", "1"));
+  OWNED(mech) file =
+      system_of("mass m\n  inertia: 1\nmass n\n  inertia: 2\nspring k\n  between: ground, m\n  stiffness: 1\n"
+                "spring l\n  between: m, n\n  stiffness: 3\n" STOPS("a", "m", "above: 3/4", "1")
+                    STOPS("b", "n", "below: -1/2", "1"));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct energies e = {.m = &file};
     struct mech_plan plan = {.duration = 30, .most = 1000, .sample = 0.3, .self = &e, .told = watch_energy};
     OWNED(mech_motion) z = simulated(route, &file, start, &plan);
     ck_assert(e.n >= 100 && e.n <= 101 && e.events > 10 && e.events == z.n_moments - 1);
   }
-  mech_clear(&file);
 }
 
 /* What no simulation can go through ends, and says why. */
@@ -343,7 +339,7 @@ static const struct {
 };
 
 TEST_EACH(simulations_that_end, COUNT(ends)) {
-  read_text(ends[_i].file);
+  OWNED(mech) file = system_of(ends[_i].file);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z;
     struct mech_plan plan = {.duration = 500, .most = 100000, .looks = 100000};
@@ -351,7 +347,6 @@ TEST_EACH(simulations_that_end, COUNT(ends)) {
     ck_assert_msg(z.end == ends[_i].end, "%d, route %d: %s at %g", _i, route, mech_outcome_name[z.end], z.t);
     ck_assert_int_eq(status, z.end == MECH_DONE ? SS_OK : SS_UNABLE);
   }
-  mech_clear(&file);
 }
 
 TEST(csv_rows) {
@@ -365,12 +360,12 @@ TEST(csv_rows) {
 /* --- Orbits --- */
 
 /* Twice around from the entry of a phase: the events and states that the orbit encloses. */
-static void follow(const struct mech_orbit *o, enum mech_route route, int first) {
+static void follow(const struct mech *file, const struct mech_orbit *o, enum mech_route route, int first) {
   struct mech_word w;
   double start[MECH_STATES], period = num_arb.get_d(o->period), t = 0, gap;
   for (int i = 0; i < o->states; i++) start[i] = num_arb.get_d(o->state + first * o->states + i);
   struct mech_plan plan = {.duration = 2.000001 * period, .most = 1000, .phase = o->word.phase[first]};
-  OWNED(mech_motion) z = simulated(route, &file, start, &plan);
+  OWNED(mech_motion) z = simulated((int)route, file, start, &plan);
   ck_assert_int_eq(z.n_moments, 2 * o->word.n + 1);
   for (int k = 0; k < z.n_moments; k++) {
     int at = (first + k) % o->word.n;
@@ -513,9 +508,8 @@ static void find_orbits_with(struct mech_orbits *list, long friction, long w, bo
               "spring wall\n  between: ground, m1\n  stiffness: 0.2\n"
               "spring middle\n  between: m1, m2\n  stiffness: 0.8\n",
               friction, w);
-  read_text(text_str(&system));
+  OWNED(mech) file = system_of(text_str(&system));
   mech_orbits_find(list, &file, NULL, any, 128);
-  mech_clear(&file);
 }
 
 static struct mech_orbits plain; /* with little friction and at the paper's speed */
@@ -599,6 +593,7 @@ TEST(an_orbit_of_a_slow_belt) {
    look. */
 TEST(a_stick_beyond_its_limit) {
   static const double start[6] = {9, 0, 0, 1e-3, 1e-3, 1e-3};
+  OWNED(mech) file;
   goes_well(mech_load(&file, "tests/cases/slow-belt.system", &d));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct mech_plan plan = {.duration = 1, .most = 10, .phase = "sss"};
@@ -608,32 +603,30 @@ TEST(a_stick_beyond_its_limit) {
     ck_assert_double_lt(out.moment[1].t, 0.1);
     ck_assert_str_eq(out.moment[1].phase, "-ss");
   }
-  mech_clear(&file);
 }
 
-static void load_system(const char *name) {
-  char path[100];
-  snprintf(path, sizeof path, "verify/systems/%s.system", name);
-  goes_well(mech_load(&file, path, &d));
+static struct mech system_on_file(const char *name) {
+  struct mech m;
+  goes_well(mech_load(&m, formatted("verify/systems/%s.system", name), &d));
+  return m;
 }
 
 TEST_EACH(simulations_follow_the_orbits, scenes_tried()) {
   OWNED(mech_orbits) list;
-  load_system(scenes_of_systems[_i]);
+  OWNED(mech) file = system_on_file(scenes_of_systems[_i]);
   mech_orbits_find(&list, &file, NULL, true, 128);
   ck_assert_int_ge(list.n, 1);
   for (int k = 0; k < list.n; k++)
     for (int from = 0; from < N_MECH_ROUTES * list.orbit[k].word.n; from++)
       if (mech_orbit_is_motion(&list.orbit[k]))
-        follow(&list.orbit[k], (enum mech_route)(from % N_MECH_ROUTES), from / N_MECH_ROUTES);
-  mech_clear(&file);
+        follow(&file, &list.orbit[k], (enum mech_route)(from % N_MECH_ROUTES), from / N_MECH_ROUTES);
 }
 
 /* By saltation matrices, and by differences of the motions of either route: over these the equations of the words have
    no say. */
 TEST_EACH(returns_differentiated, scenes_tried()) {
   OWNED(mech_orbits) list;
-  load_system(scenes_of_systems[_i]);
+  OWNED(mech) file = system_on_file(scenes_of_systems[_i]);
   mech_orbits_find(&list, &file, NULL, true, 128);
   int motions = 0;
   for (int k = 0; k < list.n; k++) {
@@ -650,23 +643,22 @@ TEST_EACH(returns_differentiated, scenes_tried()) {
     arb_mat_clear(j);
   }
   ck_assert_int_ge(motions, 1);
-  mech_clear(&file);
 }
 
 /* An integrated motion that starts beside the orbit settles on its word. */
-static void settle_beside(const struct mech_orbit *o) {
+static void settle_beside(const struct mech *file, const struct mech_orbit *o) {
   struct mech_word w;
   double z[MECH_STATES], period, gap;
-  for (int i = 0; i < file.states; i++) z[i] = num_arb.get_d(o->state + i) * (i < file.n ? 0.999 : 1);
+  for (int i = 0; i < file->states; i++) z[i] = num_arb.get_d(o->state + i) * (i < file->n ? 0.999 : 1);
   struct mech_plan plan = PLAN(2000, 2000);
-  OWNED(mech_motion) x = simulated(MECH_INTEGRATED, &file, z, &plan);
-  ck_assert(mech_settles(&w, &period, &gap, &x, file.n, file.states) && mech_word_same(&w, &o->word));
+  OWNED(mech_motion) x = simulated(MECH_INTEGRATED, file, z, &plan);
+  ck_assert(mech_settles(&w, &period, &gap, &x, file->n, file->states) && mech_word_same(&w, &o->word));
 }
 
 TEST_EVERY(words_of_settled_motions, 2, QUICK_SCENES) {
   OWNED(mech_orbits) list;
   OWNED(mech_settling) settling;
-  load_system(scenes_of_systems[_i]);
+  OWNED(mech) file = system_on_file(scenes_of_systems[_i]);
   mech_settle(&settling, &file, NULL);
   mech_orbits_find(&list, &file, NULL, false, 128);
   ck_assert_int_ge(settling.settled, 6);
@@ -677,11 +669,10 @@ TEST_EVERY(words_of_settled_motions, 2, QUICK_SCENES) {
       if (!mech_word_same(&o->word, &settling.on[i].word) || !mech_orbit_is_motion(o)) continue;
       if (o->stable != TRUTH_TRUE) continue;
       stable++;
-      settle_beside(o);
+      settle_beside(&file, o);
     }
     ck_assert_int_eq(stable, 1);
   }
-  mech_clear(&file);
 }
 
 static void check_decimal(arb_srcptr x, const char *want) {
@@ -706,7 +697,7 @@ TEST_EACH(den_hartogs_motions, 10) {
            "mass m\n  inertia: 1\n  sliding: %s\n  static: %s\n  surface: 0\nspring k\n  between: ground, m\n"
            "  stiffness: 1\nload p\n  on: m\n  frequency: %s\n  cosine: 1\n",
            force, force, beta);
-  read_text(text);
+  OWNED(mech) file = system_of(text);
   mech_orbits_find(&list, &file, &w, true, 160);
   ck_assert_int_eq(list.n, 1);
   const struct mech_orbit *o = &list.orbit[0];
@@ -722,7 +713,6 @@ TEST_EACH(den_hartogs_motions, 10) {
     ck_assert(arb_contains_zero(part[i]) && arb_rel_accuracy_bits(state + 2 + i) > 103);
     arb_clear(part[i]);
   }
-  mech_clear(&file);
 }
 
 /* One mass: the time of each phase in closed form.  With k = m = 1, s = 1 and r = 2 it sticks for 2 (r - s)/(k V) = 2/V
@@ -738,7 +728,7 @@ TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
            "V = %s\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n  surface: V\n"
            "spring k\n  between: ground, m\n  stiffness: 1\n",
            belts[_i]);
-  read_text(text);
+  OWNED(mech) file = system_of(text);
   mech_orbits_find(&list, &file, NULL, false, 128);
   ck_assert_int_eq(list.n, 1);
   const struct mech_orbit *o = &list.orbit[0];
@@ -755,7 +745,6 @@ TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
   arb_set_fmpq(want, one_over, 128);
   arb_mul_2exp_si(want, want, 1);
   ck_assert(arb_overlaps(want, o->t + !slips) && arb_rel_accuracy_bits(o->t) > 100);
-  mech_clear(&file);
 }
 
 /* Static friction equal to sliding friction: the mass leaves the belt with a double zero, and the phase is settled all
@@ -764,9 +753,10 @@ TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
 TEST(static_equal_to_sliding) {
   OWNED(mech_orbits) list;
   bool equal = false;
-  read_text("mass m1\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 1\n"
-            "mass m2\n  inertia: 1\n  sliding: 1\n  static: 1\n  surface: 1\n"
-            "spring a\n  between: ground, m1\n  stiffness: 1/5\nspring b\n  between: m1, m2\n  stiffness: 4/5\n");
+  OWNED(mech) file =
+      system_of("mass m1\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 1\n"
+                "mass m2\n  inertia: 1\n  sliding: 1\n  static: 1\n  surface: 1\n"
+                "spring a\n  between: ground, m1\n  stiffness: 1/5\nspring b\n  between: m1, m2\n  stiffness: 4/5\n");
   mech_orbits_find(&list, &file, NULL, true, 128);
   for (int i = 0; i < list.n; i++)
     for (int k = 0; k < list.orbit[i].word.n; k++) {
@@ -774,7 +764,6 @@ TEST(static_equal_to_sliding) {
       equal |= o->certified && o->word.phase[k][1] == 's' && o->word.phase[(k + 1) % o->word.n][1] != 's';
     }
   ck_assert(equal);
-  mech_clear(&file);
 }
 
 /* --- Files and words --- */
@@ -786,17 +775,17 @@ enum { REFUSED_FILE, REFUSED_SAYS }; /* its columns */
 CASE("files", .once = {scratch_open, scratch_close});
 
 TEST_EACH(files_that_are_refused, refused.n) {
+  OWNED(mech) file;
   struct source src = source_of("a.system", refused.row[_i][REFUSED_FILE]);
   fails_with(mech_read(&file, src, &d), refused.row[_i][REFUSED_SAYS]);
-  mech_clear(&file);
 }
 
 TEST(a_thousand_masses) {
   LOCAL(text, t);
+  OWNED(mech) file;
   for (int i = 0; i < 1000; i++) text_printf(&t, "mass m%d\n  inertia: 1\n", i);
   struct source src = source_of("a.system", text_str(&t));
   fails_with(mech_read(&file, src, &d), "a system has at most 24 masses");
-  mech_clear(&file);
 }
 
 TABLE(words, "tests/cases/system_words.tsv", 3);
@@ -806,22 +795,22 @@ TEST_EACH(words_of_two_masses, words.n) {
   struct mech_word w;
   const char *why;
   size_t at;
-  read_text(MASS("m") MASS("n") "spring k\n  between: ground, m\n  stiffness: 1\n"
-                                "spring l\n  between: m, n\n  stiffness: 1\n"
-                                "obstacle o\n  stops: n\n  above: 1\n  restitution: 1\n");
+  OWNED(mech) file = system_of(MASS("m") MASS("n") "spring k\n  between: ground, m\n  stiffness: 1\n"
+                                                   "spring l\n  between: m, n\n  stiffness: 1\n"
+                                                   "obstacle o\n  stops: n\n  above: 1\n  restitution: 1\n");
   bool ok = mech_word_parse(&w, &at, &why, words.row[_i][WORD], &file);
   ck_assert_int_eq(ok, !*words.row[_i][WHY]);
   if (!ok) ck_assert_msg(strstr(why, words.row[_i][WHY]) && (int)at == atoi(words.row[_i][AT]), "%zu: %s", at, why);
-  mech_clear(&file);
 }
 
 /* x'' = -3 x + y - x', y'' = (x - 5 y)/2: written down by hand. */
 TEST(a_system_in_formulas) {
   LOCAL(text, t);
-  read_text("c = 1\nmass m\n  inertia: 1\nmass n\n  inertia: 2\n  sliding: 1/2\n  static: 3\n  surface: -1\n"
-            "spring k\n  between: ground, m\n  stiffness: 2*c\nspring l\n  between: n, m\n  stiffness: c\n"
-            "spring o\n  between: n, ground\n  stiffness: 4\nobstacle w\n  stops: m\n  below: -5/2\n  restitution: "
-            "1/4\ndamper d\n  between: m, ground\n  constant: c\n");
+  OWNED(mech) file =
+      system_of("c = 1\nmass m\n  inertia: 1\nmass n\n  inertia: 2\n  sliding: 1/2\n  static: 3\n  surface: -1\n"
+                "spring k\n  between: ground, m\n  stiffness: 2*c\nspring l\n  between: n, m\n  stiffness: c\n"
+                "spring o\n  between: n, ground\n  stiffness: 4\nobstacle w\n  stops: m\n  below: -5/2\n  restitution: "
+                "1/4\ndamper d\n  between: m, ground\n  constant: c\n");
   mech_describe(&t, &file, false, 6);
   static const char *const lines[] = {"x_1'' = -f_1, f_1 = 3 x_1 - x_2 + x_1'",
                                       "2 x_2'' = u_2 - f_2, f_2 = -x_1 + 5 x_2",
@@ -832,7 +821,6 @@ TEST(a_system_in_formulas) {
   text_reset(&t);
   mech_describe(&t, &file, true, 6);
   ck_assert_msg(strstr(text_str(&t), "2 x_{2}'' = u_{2} - f_{2}, \\quad f_{2} = -x_{1} + 5 x_{2}"), "%s", text_str(&t));
-  mech_clear(&file);
 }
 
 /* --- Along a line --- */
@@ -908,12 +896,11 @@ TEST(a_fold_is_met_once) {
                                "obstacle o\n  stops: m\n  above: 1/2\n  restitution: 4/5\n";
   const double w = 2.8, k = 9 / tan(2 * acos(-1) / w), merge = (w * w - 1) / 2 / sqrt(1 + k * k * w * w);
   fmpq from = {1, 1}, to = {1, 100};
-  struct mech_follow f;
+  OWNED(mech_follow) f;
   follow_file(&f, driven, "A", &from, &to);
   ck_assert_int_eq(f.n_changes, 1);
   ck_assert(f.change[0].what == MECH_FOLD && f.change[0].side[0].stable == TRUTH_TRUE && !f.change[0].side[1].found);
   for (int i = 0; i < 2; i++) ck_assert_double_eq_tol(fmpq_get_d(f.change[0].side[i].at), merge, 2e-12);
-  mech_follow_clear(&f);
 }
 
 /* The unstable orbit that goes twice round -s -- -s ss ends on it where that has the multiplier -1, and not before: at
@@ -924,19 +911,17 @@ TEST(a_doubled_orbit_ends_at_the_flip) {
   double at[2];
   for (int i = 0; i < 2; i++) {
     struct mech_line l = {scratch_put("line.system", along_e2), "e2", NULL, {{13, 10}}, {{11, 10}}, 12, 128, NULL};
-    struct mech_follow f;
+    OWNED(mech_follow) f;
+    OWNED(mech) file = system_of(along_e2);
     struct mech_word w;
     size_t place;
     const char *why;
-    read_text(along_e2);
     ck_assert(mech_word_parse(&w, &place, &why, rounds[i], &file));
-    mech_clear(&file);
     goes_well(mech_follow(&f, &l, &w, &d));
     ck_assert_int_eq(f.n_changes, 1);
     ck_assert_int_eq(f.change[0].what, MECH_FLIP);
     ck_assert(f.change[0].side[0].found && f.change[0].side[1].found == (i == 0));
     at[i] = fmpq_get_d(f.change[0].side[0].at);
-    mech_follow_clear(&f);
   }
   ck_assert_double_lt(at[1], 1.168);
   ck_assert_double_eq_tol(at[0], at[1], 1e-9);
@@ -945,15 +930,14 @@ TEST(a_doubled_orbit_ends_at_the_flip) {
 /* x'' + x'/5 + 4 x = 1/10 + cos(3/2 t) while x' < 1: the forced vibration has the velocity 3/2 / |4 - 9/4 + 3/10 i| =
    0.845 at most, so that every motion ends in it. */
 TEST(a_forced_vibration_has_no_events) {
-  struct mech_settling s;
-  read_text("mass m\n  inertia: 1\n  sliding: 1/10\n  static: 1/5\n  surface: 1\n"
-            "spring k\n  between: ground, m\n  stiffness: 4\ndamper c\n  between: ground, m\n  constant: 1/5\n"
-            "load p\n  on: m\n  frequency: 3/2\n  cosine: 1\n");
+  OWNED(mech_settling) s;
+  OWNED(mech) file =
+      system_of("mass m\n  inertia: 1\n  sliding: 1/10\n  static: 1/5\n  surface: 1\n"
+                "spring k\n  between: ground, m\n  stiffness: 4\ndamper c\n  between: ground, m\n  constant: 1/5\n"
+                "load p\n  on: m\n  frequency: 3/2\n  cosine: 1\n");
   mech_settle(&s, &file, NULL);
   ck_assert_int_eq(s.settled + s.unfinished, 0);
   ck_assert_int_eq(s.eventless, s.starts);
-  mech_settling_clear(&s);
-  mech_clear(&file);
 }
 
 /* A mass rests only at an obstacle that does not throw it back: by the law of the rebound no such orbit has a

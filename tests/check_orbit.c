@@ -96,8 +96,7 @@ static void check_orbit(const char *at, char *const *row, char *const *set, int 
                   row[F_NAME], row[2], names[k], member(at, names[k]), rounded(row[F_Z10 + k], digits));
   ck_assert_str_eq(member(at, "e1"), rounded(set[F_CHI + 3], digits));
   ck_assert_str_eq(member(at, "e2"), rounded(set[F_CHI + 4], digits));
-  char pair[MAX_DIGITS + 100];
-  snprintf(pair, sizeof pair, "0,%s", rounded(row[F_TRACE], digits));
+  const char *pair = formatted("0,%s", rounded(row[F_TRACE], digits));
   ck_assert_str_eq(list_member(at, "eigenvalues"), pair);
   double trace = strtod(row[F_TRACE], NULL);
   ck_assert_str_eq(member(at, "stable"), trace > -1 && trace < 1 ? "true" : "false");
@@ -268,8 +267,7 @@ TEST(every_method_keeps_its_word) {
   for (int r = 0, nth = 0; r < orbits.n; r++) {
     char *const *f = orbits.row[r];
     if (strcmp(f[0], "orbit") != 0 || nth++ % 4 != 0) continue;
-    char at[32];
-    snprintf(at, sizeof at, "orbit:%d", atoi(f[2]) + 1);
+    const char *at = formatted("orbit:%d", atoi(f[2]) + 1);
     for (int m = 0; m < 6; m++) {
       bool by_ode = m == 5, in_double = m >= 4;
       if (by_ode && strcmp(f[F_ADMISSIBLE], "yes") != 0) continue; /* Coulomb's law does not follow the others */
@@ -301,8 +299,7 @@ TEST(the_stable_layer_gives_what_the_corrected_one_does) {
         job_run_well("jacobian", scene, "--at", at, "--layer", "stable", "--digits", "30", "--json", NULL);
     OWNED(job) corrected = job_run_well("jacobian", scene, "--at", at, "--digits", "30", "--json", NULL);
     for (int k = 0; k < 4; k++) {
-      char first[100];
-      snprintf(first, sizeof first, "%s", entry(stable.out, k));
+      const char *first = formatted("%s", entry(stable.out, k));
       ck_assert_str_eq(first, entry(corrected.out, k));
     }
     ck_assert_str_eq(member(stable.out, "layer"), "stable");
@@ -318,8 +315,7 @@ TEST(layers_differ_in_the_entries_not_in_the_trace) {
         job_run_well("jacobian", scene_of(scenes[i]), "--layer", "printed", "--digits", "20", "--json", NULL);
     OWNED(job) corrected = job_run_well("jacobian", scene_of(scenes[i]), "--digits", "20", "--json", NULL);
     for (int k = 0; k < 4; k++) {
-      char first[100];
-      snprintf(first, sizeof first, "%s", entry(printed.out, k));
+      const char *first = formatted("%s", entry(printed.out, k));
       ck_assert_msg((strcmp(first, entry(corrected.out, k)) == 0) == (i == 0), "%s, entry %d: %s", scenes[i], k, first);
     }
     ck_assert_str_eq(member(printed.out, "trace"), member(corrected.out, "trace"));
@@ -407,9 +403,8 @@ TEST(the_table_of_phases) {
                                      "J_c[2,2]", "J_c[3,1]", "J_c[3,2]", "J_f[1,1]", "J_f[1,2]", "J_f[1,3]", "J_f[2,1]",
                                      "J_f[2,2]", "J_f[2,3]", "J[1,1]",   "J[1,2]",   "J[2,1]",   "J[2,2]"};
   for (size_t i = 0; i < COUNT(rows); i++) {
-    char begin[20];
     double x[7];
-    snprintf(begin, sizeof begin, "\n%s ", rows[i]);
+    const char *begin = formatted("\n%s ", rows[i]);
     const char *line = strstr(j.out, begin);
     ck_assert_msg(line != NULL, "no row %s in\n%s", rows[i], j.out);
     bool wrong = i >= 10;
@@ -503,8 +498,7 @@ TEST(simulation_follows_admissible_orbits) {
   for (int r = 0; r < orbits.n; r++) {
     char *const *f = orbits.row[r];
     if (strcmp(f[0], "orbit") != 0 || strcmp(f[F_ADMISSIBLE], "yes") != 0) continue;
-    char at[32];
-    snprintf(at, sizeof at, "orbit:%d", atoi(f[2]) + 1);
+    const char *at = formatted("orbit:%d", atoi(f[2]) + 1);
     OWNED(job) j = job_run_well("simulate", scene_of(f[F_NAME]), "--at", at, NULL);
     ck_assert_msg(strstr(j.out, "\nword (GHCD)^1\n") != NULL, "%s %s:\n%.800s", f[F_NAME], at, j.out);
     ck_assert(strstr(j.out, "the first 4 of 4 events are the same") != NULL);
@@ -586,8 +580,7 @@ TEST(the_usual_orbit_is_named) {
       ck_assert_int_eq(scratch_says("r/index.html", "To the authors"), strcmp(data, "this scene") != 0);
       static const char *const table[] = {"figure-3", "figure-4", "return-map", "along-e2", "differences"};
       for (size_t n = 0; n < COUNT(table); n++) {
-        char name[40];
-        snprintf(name, sizeof name, "p/%s.tsv", table[n]);
+        const char *name = formatted("p/%s.tsv", table[n]);
         check_says(name, cases[i].called);
         ck_assert_int_eq(scratch_says(name, NEAREST), called[1] == 'n');
       }
@@ -631,8 +624,7 @@ TEST(any_two_of_six) {
                     q < 2 ? set[F_CHI + 3 + q] : rounded(f[F_Z10 + q], 50));
     }
     OWNED(job) j = job_run_well("orbit", scratch_put("two.scene", text), "--digits", "30", "--json", NULL);
-    char want[80];
-    snprintf(want, sizeof want, "\"z10\": \"%s\"", rounded(f[F_Z10], 30));
+    const char *want = formatted("\"z10\": \"%s\"", rounded(f[F_Z10], 30));
     ck_assert_msg(strstr(j.out, want) != NULL, "%s and %s: no %s in\n%.1500s", given[pairs[k][0]], given[pairs[k][1]],
                   want, j.out);
   }

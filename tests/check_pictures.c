@@ -24,10 +24,9 @@ static void plot(const char *scene, const char *to) {
 
 /* The pictures that are asked for; that of the plane of e1 and e2 by so many processes. */
 static void plot_asked(const char *to, int jobs) {
-  char words[100];
   plot("paper --along e2=0.5:3", to);
   plot("paper --animate", to);
-  snprintf(words, sizeof words, "paper --over e1=2.6844:2.8844:3 --over e2=0.5:3:%d --jobs %d", 26 / every(4), jobs);
+  const char *words = formatted("paper --over e1=2.6844:2.8844:3 --over e2=0.5:3:%d --jobs %d", 26 / every(4), jobs);
   plot(words, to);
 }
 
@@ -119,8 +118,7 @@ TEST(the_gap_is_that_of_the_claim) {
       to = i;
   ck_assert(from < t.n && to < t.n);
   for (size_t k = 0; k < 2; k++) {
-    char got[40];
-    snprintf(got, sizeof got, "%.5f", rows_number(&t, to, 3 + 2 * k) - rows_number(&t, from, 3 + 2 * k));
+    const char *got = formatted("%.5f", rows_number(&t, to, 3 + 2 * k) - rows_number(&t, from, 3 + 2 * k));
     ck_assert_str_eq(got, want[k]);
   }
 }
@@ -175,8 +173,7 @@ TEST_EACH(phase_planes_are_motions, 3) {
   OWNED(rows) t;
   OWNED(mech) m;
   OWNED(mech_orbits) list;
-  char path[100];
-  snprintf(path, sizeof path, "verify/systems/%s.system", files[_i]);
+  const char *path = formatted("verify/systems/%s.system", files[_i]);
   goes_well(mech_load(&m, path, &d));
   mech_orbits_find(&list, &m, NULL, false, 128);
   const struct mech_orbit *o = &list.orbit[0];

@@ -272,8 +272,7 @@ TEST(tasks_survive_their_processes) {
     FREED struct task_result *done = tasks_run(&r, &t);
     int children = 0;
     for (int i = 0; i < N; i++) {
-      char want[16];
-      snprintf(want, sizeof want, "task %d", i);
+      const char *want = formatted("task %d", i);
       ck_assert_int_eq(done[i].end, TASK_DONE);
       ck_assert_uint_eq(done[i].part.n_skipped, 1);
       ck_assert_str_eq(done[i].part.skipped[0].what, want);

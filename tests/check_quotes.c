@@ -78,8 +78,7 @@ struct stand {
 };
 
 static bool stand_open(struct stand *s, const char *data, const char *path, struct diag *d) {
-  char paper[4096];
-  snprintf(paper, sizeof paper, "%s/paper", data);
+  const char *paper = formatted("%s/paper", data);
   *s = (struct stand){.claims = {.n = 0}};
   diag_init(d);
   model_init(&s->model);

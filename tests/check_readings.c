@@ -120,8 +120,7 @@ TEST_EACH(the_procedure_behind_an_example_is_ranked_first, 5) {
       /* three inputs that are not data, two data computed, rounding */
       {"chain", "t_b = 2, t_c = 1.5, t_d = 2.34", "M_21 + M_22 = 0", "as printed", "corrected", 1, 6},
   };
-  char path[100];
-  snprintf(path, sizeof path, "tests/readings/%s.scene", cases[_i].id);
+  const char *path = formatted("tests/readings/%s.scene", cases[_i].id);
   const struct readings *r = search(path);
   ck_assert_int_gt(r->n_found, 0);
   const struct example_reading *f = &r->found[0];
@@ -190,8 +189,7 @@ TEST(what_the_digits_of_the_data_leave_room_for) {
     double low = INFINITY, high = -INFINITY, have_low = strtod(o->low, NULL), have_high = strtod(o->high, NULL);
     for (int a = 0; a < 3; a++)
       for (int b = 0; b < 3; b++) {
-        char id[40];
-        snprintf(id, sizeof id, "%s,%s", shift[a], shift[b]);
+        const char *id = formatted("%s,%s", shift[a], shift[b]);
         low = fmin(low, oracle_value("corner", id, o->name));
         high = fmax(high, oracle_value("corner", id, o->name));
       }

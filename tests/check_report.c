@@ -91,8 +91,7 @@ TEST(the_papers_record) {
   FREED char *programs = file_text(scratch_path("whole/paper/audit.json"));
   ck_assert_msg(strcmp(text_str(&json), programs) == 0, "the program has another record");
   for (size_t i = 0; i < r.n_tables; i++) {
-    char name[100];
-    snprintf(name, sizeof name, "whole/paper/%s", r.tables[i].name);
+    const char *name = formatted("whole/paper/%s", r.tables[i].name);
     FREED char *table = file_text(scratch_path(name));
     ck_assert_msg(strcmp(table, r.tables[i].text) == 0, "the program has another %s", r.tables[i].name);
   }

@@ -275,9 +275,8 @@ TEST(the_last_printed_digit) {
                {"1e5", "100000", "100000"},
                {"2.5e-3", "1/400", "1/10000"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    char text[200];
     OWNED(scene) s;
-    snprintf(text, sizeof text, GOOD "printed: x_1 = %s\n", cases[i].decimal);
+    const char *text = formatted(GOOD "printed: x_1 = %s\n", cases[i].decimal);
     goes_well(load(&s, &d, text, NULL));
     const struct printed_number *p = scene_printed(&s, "x_1");
     ck_assert(p != NULL && scene_printed(&s, "x_2") == NULL);
@@ -310,10 +309,9 @@ TEST(a_decimal_is_read_rounded_or_cut_off) {
                {"-2", "-3", TRUTH_FALSE, 0},
                {"0.4", "0.5", TRUTH_FALSE, 0}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    char text[200];
     OWNED(scene) s;
     NUMBERS(arb, x, whole);
-    snprintf(text, sizeof text, GOOD "printed: q = %s\n", cases[i].decimal);
+    const char *text = formatted(GOOD "printed: q = %s\n", cases[i].decimal);
     goes_well(load(&s, &d, text, NULL));
     ck_assert(arb_set_str(x, cases[i].x, 200) == 0);
     enum reading how = N_READINGS;
@@ -410,10 +408,9 @@ TEST(what_is_asked_must_exist) {
                {"values: H(t_q)\n", "6:11", "the paper has no quantity t_q"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
     LOCAL(text, text);
-    char begin[300];
     text_printf(&text, GOOD "%s", cases[i].text);
     const char *path = scratch_put("asks.scene", text_str(&text));
-    snprintf(begin, sizeof begin, "%s:%s: error: ", path, cases[i].place);
+    const char *begin = formatted("%s:%s: error: ", path, cases[i].place);
     for (int k = 0; k < 2; k++) {
       OWNED(job) r = run_words(k == 0 ? (const char *const[]){"check", path, NULL}
                                       : (const char *const[]){"verify", path, "--out", scratch_path("out"), NULL});
@@ -796,8 +793,7 @@ static int answer(struct text *out, const struct use *u, const struct lines *l) 
   if (access(folder, F_OK) == 0) {
     FREED char *list = ss_strdup(scratch_list(folder));
     for (char *name = strtok(list, " "); name; name = strtok(NULL, " ")) {
-      char path[100];
-      snprintf(path, sizeof path, "keys-out/%s", name);
+      const char *path = formatted("keys-out/%s", name);
       OWNED(source) s = read_back(scratch_path(path));
       if (strcmp(name, "run.json") != 0) text_printf(out, "%s\n%s", name, s.text);
       unlink(scratch_path(path));

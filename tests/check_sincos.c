@@ -156,10 +156,9 @@ static void trace(struct traced q[N_TRACED], double low, double high) {
    1, odd 1) or (cos r - 1 + r^2/2)/r^4 (first 2, odd 0) by z = r^2: (-1)^(i + first) z^i / (2 (i + first) + odd)!. */
 static double truncation(const double *part, int n, int first, int odd, double most) {
   arb_poly_t difference;
-  arb_t z, mid, value, slope, off;
+  NUMBERS(arb, z, mid, value, slope, off);
   double worst = 0;
   arb_poly_init(difference);
-  arb_init(z), arb_init(mid), arb_init(value), arb_init(slope), arb_init(off);
   for (int i = TERMS - 1; i >= 0; i--) {
     arb_fac_ui(value, (ulong)(2 * (i + first) + odd), BITS);
     arb_inv(value, value, BITS);
@@ -181,7 +180,6 @@ static double truncation(const double *part, int n, int first, int odd, double m
     worst = fmax(worst, magnitude(value));
   }
   arb_poly_clear(difference);
-  arb_clear(z), arb_clear(mid), arb_clear(value), arb_clear(slope), arb_clear(off);
   return worst * slack + 0x1p-200; /* the terms that are left out: below 1/60! */
 }
 

@@ -395,9 +395,8 @@ TEST(witnesses_reproduce) {
   for (long i = 0; i < r.n_rows; i++) {
     const struct stability_row *row = &r.row[i];
     if (!row->found) continue;
-    char expected[128];
-    snprintf(expected, sizeof expected, "of %.1f digits lost the problem loses %.1f, the formula %.1f", row->observed,
-             row->problem, row->formula_lost);
+    const char *expected = formatted("of %.1f digits lost the problem loses %.1f, the formula %.1f", row->observed,
+                                     row->problem, row->formula_lost);
     says_at(r.formula[row->formula].id, row->witness, expected);
     tried++;
   }

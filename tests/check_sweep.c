@@ -574,9 +574,8 @@ TEST(signals_leave_a_file_to_resume) {
 
 /* One of its processes; 0: none is there. */
 static pid_t child_of(pid_t pid) {
-  char path[64];
   int child = 0;
-  snprintf(path, sizeof path, "/proc/%d/task/%d/children", (int)pid, (int)pid);
+  const char *path = formatted("/proc/%d/task/%d/children", (int)pid, (int)pid);
   FILE *f = fopen(path, "r");
   if (f && fscanf(f, "%d", &child) != 1) child = 0;
   if (f) fclose(f);

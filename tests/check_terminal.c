@@ -111,8 +111,7 @@ TEST(what_fails_is_shown_worst_first) {
     at = strstr(at, in_order[i]);
     ck_assert_msg(at != NULL, "%s, in\n%s", in_order[i], out);
   }
-  char where[300];
-  snprintf(where, sizeof where, "\nwritten to %s\npaper: ", scratch_path("r"));
+  const char *where = formatted("\nwritten to %s\npaper: ", scratch_path("r"));
   ck_assert_msg(strstr(at, where) != NULL, "%s", out);
   free(out);
   ck_assert(!strstr(whole, "certificate"));
@@ -131,8 +130,7 @@ TEST(where_it_is_written_is_said) {
                {"mutate --count 3 --only title --out", "m"}, {"stability lambda_2 --quick --out", "s"},
                {"bench --job map --quick --inputs", "b"},    {"repair eq-36b --out", "p"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    char want[300];
-    snprintf(want, sizeof want, "written to %s\n", scratch_path(cases[i].to));
+    const char *want = formatted("written to %s\n", scratch_path(cases[i].to));
     FREED char *out = shell_said("\"$P\" %s \"$D/%s\" 2>/dev/null", cases[i].command, cases[i].to);
     size_t n = strlen(out), m = strlen(want);
     ck_assert_msg(n >= m && strcmp(out + n - m, want) == 0, "%s: %s", cases[i].command, out);
@@ -223,12 +221,11 @@ TEST(lines_fit_the_terminal) {
   for (int i = 0; i < cases.n; i++) {
     const char *command = cases.row[i][COMMAND];
     size_t width = (size_t)atoi(cases.row[i][WIDTH]), long_lines = 0;
-    char settings[40];
     if (i == 0 || strcmp(command, cases.row[i - 1][COMMAND]) != 0) { /* else it is that of the row before */
       free(wide);
       wide = shell_said("\"$P\" %s", command);
     }
-    snprintf(settings, sizeof settings, "NO_COLOR=1 COLUMNS=%zu", width);
+    const char *settings = formatted("NO_COLOR=1 COLUMNS=%zu", width);
     char *out = on_a_terminal(settings, command);
     int lines = 0;
     ck_assert_msg(!strstr(out, " \n"), "%s: blanks at the end of a line", command);

@@ -71,12 +71,11 @@ static void is_refused(const char *title, int column, const char *says) {
   OWNED(claims) own = {.n = 0};
   LOCAL(text, fields, out);
   struct diag d = {0};
-  char place[40];
   text_printf(&fields, "kind: outside\n  title: %s\n", title);
   const struct claim *c = one_claim(&own, text_str(&fields));
   ck_assert_msg(!titles_check(&the_paper.model, &own, &d) && !claim_title(&out, &the_paper.model, c, NULL, &d),
                 "%s is taken", title);
-  snprintf(place, sizeof place, "own.claim:4:%d: error: own: ", column);
+  const char *place = formatted("own.claim:4:%d: error: own: ", column);
   ck_assert_msg(strstr(d.message, place) && strstr(d.message, says), "%s\ninstead of %s...%s", d.message, place, says);
 }
 
@@ -101,11 +100,10 @@ TEST_EACH(titles_that_cannot_be_made, lacking.n) {
   OWNED(claims) own = {.n = 0};
   LOCAL(text, out);
   struct diag d = {0};
-  char place[40];
   const struct claim *c = one_claim(&own, lacking.row[_i][LACKING_FIELDS]);
   ck_assert_msg(!claim_title(&out, &the_paper.model, c, NULL, &d), "%s", text_str(&out));
-  snprintf(place, sizeof place, "own.claim:%d:%d: error: own: ", atoi(lacking.row[_i][LACKING_LINE]),
-           atoi(lacking.row[_i][LACKING_COLUMN]));
+  const char *place = formatted("own.claim:%d:%d: error: own: ", atoi(lacking.row[_i][LACKING_LINE]),
+                                atoi(lacking.row[_i][LACKING_COLUMN]));
   ck_assert_msg(strstr(d.message, place) && strstr(d.message, lacking.row[_i][LACKING_SAYS]), "%s\ninstead of %s...%s",
                 d.message, place, lacking.row[_i][LACKING_SAYS]);
 }

@@ -194,8 +194,7 @@ TEST(orbits_close) {
   static const char *const end = "(t_a + t_b + t_c + t_d)";
   static const char *const component[] = {"z_1", "z_2", "z_1'", "z_2'"}, *const start[] = {"z_10", "z_20", "V", "V"};
   for (int i = 0; i < 4; i++) {
-    char name[100];
-    snprintf(name, sizeof name, "%s%s", component[i], end);
+    const char *name = formatted("%s%s", component[i], end);
     SAME(&v, name, start[i]);
   }
 }

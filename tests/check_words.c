@@ -556,8 +556,7 @@ TEST(solution_ii_has_three_phases) {
   shell_well("\"$P\" orbit %s --digits 25 > \"$D/out\"", path);
   const char *names[] = {"t_b", "t_c", "t_d", "e1"}, *want[] = {t[0], t[1], t[2], field[5]};
   for (int i = 0; i < 4; i++) {
-    char line[64];
-    snprintf(line, sizeof line, "  %-8s %.22s", names[i], want[i]);
+    const char *line = formatted("  %-8s %.22s", names[i], want[i]);
     check_says("out", line);
   }
 }

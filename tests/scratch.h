@@ -18,7 +18,8 @@ const char *scratch_put(const char *name, const char *text);
 const char *scratch_put_n(const char *name, const char *bytes, size_t len);
 /* A text by that name; to be cleared. */
 struct source source_of(const char *name, const char *text);
-/* As by printf: a text, valid until scratch_close; such a text in a file there, whose path is returned. */
+/* As by printf: a text, valid until scratch_close, or to the end where no folder is open; such a text in a file there,
+   whose path is returned. */
 const char *formatted(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
 const char *scratch_print(const char *name, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* The names in a folder in alphabetical order, joined with blanks. */
