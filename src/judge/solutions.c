@@ -3,8 +3,10 @@
 
    The list is that of motion/branches.h, every root of every switching function, or with "kept: yes" that of the word's
    orbits, whatever their t_c: along a phase in which the constraints hold no switching function vanishes, so that what
-   keeps them has first events.  The paper's equations and constraints are tried on every solution in balls, and that
-   these equations have no other solutions is seen where each equation of the list is one of them. */
+   keeps them has first events.  The paper's equations and constraints are tried on every solution in balls, those that
+   do not solve the equations are none of the claim's, and that there are no others is seen where each equation of the
+   list is one of the claim's, times a number. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,9 +41,9 @@ struct solutions {
   struct sentence equations;
   struct conditions constraints;
   struct dyn_orbits list;
-  truth *keeps; /* of each solution, the constraints */
+  truth *solves, *keeps; /* each of the list, the claim's equations and the constraints */
   bool (*broken)[MAX_CONDITIONS];
-  long n_solve;    /* solutions on which the paper's equations hold */
+  long n_solve;
   bool are_theirs; /* and what solves these solves those of the list */
 };
 
@@ -63,16 +65,21 @@ static bool read_parameters(bool *given, struct solutions *x) {
 }
 
 static bool read_asked(struct solutions *x) {
-  const char *count = claim_get(x->c, "count");
+  const char *count = claim_get(x->c, "count"), *until = claim_get(x->c, "until");
+  char *end;
   x->kept = claim_says(x->c, "kept", "yes");
-  x->count = count ? strtol(count, NULL, 10) : 0;
+  x->count = count ? strtol(count, &end, 10) : 0;
+  if (count && (end == count || *end || x->count < 0)) return claim_error(x->j, x->c, "count", "a whole number");
+  double most = until ? strtod(until, &end) : 0;
+  if (until && (*end || !(most > 0 && most < (double)INFINITY)))
+    return claim_error(x->j, x->c, "until", "a positive number");
   x->asked = count                                 ? ASKED_COUNT
              : claim_get(x->c, "given")            ? ASKED_GIVEN
              : claim_says(x->c, "every", "motion") ? ASKED_MOTION
                                                    : ASKED_FIRST;
   if (x->asked == ASKED_FIRST && !claim_says(x->c, "every", "first"))
     return claim_error(x->j, x->c, "kind", "a count is needed, or given, or every: first, or every: motion");
-  return x->kept || x->asked == ASKED_GIVEN || claim_get(x->c, "until") ||
+  return x->kept || x->asked == ASKED_GIVEN || until ||
          claim_error(x->j, x->c, "kind", "until, a bound of t_c, is needed");
 }
 
@@ -101,6 +108,7 @@ static void find(struct solutions *x) {
   } else {
     dyn_branches_find(&x->list, params, strtod(claim_get(x->c, "until"), NULL), SOLUTION_PREC, DYN_CELLS);
   }
+  x->solves = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->solves);
   x->keeps = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->keeps);
   x->broken = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->broken);
 }
@@ -115,11 +123,17 @@ static truth keeps(struct solutions *x, slong i) {
   return all;
 }
 
+/* Do the claim's equations, and what else its statement says, hold at the solution at hand? */
+static truth solves(struct solutions *x, enum variant variant) {
+  enum outcome o = sentence_try_balls(&x->equations, &x->at, variant, x->cache).outcome;
+  return o == OUTCOME_AGREES ? TRUTH_TRUE : o == OUTCOME_DIFFERS ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
 static void try_each(struct solutions *x) {
   for (slong i = 0; i < x->list.n; i++) {
     x->at.known = &x->list.orbit[i];
-    struct trial t = sentence_try_balls(&x->equations, &x->at, VARIANT_CLOSED, x->cache);
-    x->n_solve += t.outcome == OUTCOME_AGREES;
+    x->solves[i] = solves(x, VARIANT_CLOSED);
+    x->n_solve += x->solves[i] == TRUTH_TRUE;
     x->keeps[i] = keeps(x, i);
   }
   x->at.known = NULL;
@@ -138,8 +152,24 @@ static void closing(val m[CLOSING], struct calc *c, const struct values *v) {
   for (int i = 0; i < N_STATE; i++) m[3 + i] = calc_sub(c, num_vec_at(&end, i), num_vec_at(&start, i));
 }
 
-/* Takes out the equations of the paper, with either sign, that are not those of a pass at this point. */
-static bool compare_closing(bool (*same)[2][CLOSING], struct solutions *x, const struct point *p) {
+/* What an equation of the claim is of one of a closed pass: its sides' difference is that one's times the factor. */
+struct multiple {
+  bool is;
+  arb_t factor; /* at the first point */
+};
+
+/* Takes out those that are none at this point, or of which that cannot be seen. */
+static void compare_factor(struct multiple *y, const arb_t difference, const arb_t closing, bool first) {
+  enum { BITS = 64 };
+  arb_t factor;
+  arb_init(factor);
+  arb_div(factor, difference, closing, SOLUTION_PREC);
+  y->is = y->is && arb_rel_accuracy_bits(factor) >= BITS && (first || arb_overlaps(factor, y->factor));
+  if (first) arb_set(y->factor, factor);
+  arb_clear(factor);
+}
+
+static bool compare_closing(struct multiple (*of)[CLOSING], struct solutions *x, const struct point *p, bool first) {
   struct values v;
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(SOLUTION_PREC), x->cache);
   struct num_vec lhs = calc_vec(&v.c, x->equations.n), rhs = calc_vec(&v.c, x->equations.n);
@@ -147,37 +177,42 @@ static bool compare_closing(bool (*same)[2][CLOSING], struct solutions *x, const
   val m[CLOSING];
   if (s == SS_OK) closing(m, &v.c, &v);
   for (slong i = 0; s == SS_OK && i < x->equations.n; i++)
-    for (int k = 0; k < CLOSING; k++) {
-      val d = calc_sub(&v.c, num_vec_at(&lhs, i), num_vec_at(&rhs, i));
-      same[i][0][k] = same[i][0][k] && arb_overlaps(d, m[k]);
-      same[i][1][k] = same[i][1][k] && arb_overlaps(calc_neg(&v.c, d), m[k]);
-    }
+    for (int k = 0; k < CLOSING; k++)
+      compare_factor(&of[i][k], calc_sub(&v.c, num_vec_at(&lhs, i), num_vec_at(&rhs, i)), m[k], first);
   values_clear(&v);
   return s == SS_OK;
 }
 
-/* Is each equation of a closed pass among the paper's, over any times from any start with the belt's velocity? */
+/* Is each equation of a closed pass among the claim's, but for a factor, over any times from any start with the belt's
+   velocity?  The factor may depend on the parameters, which are those of the claim. */
 static bool closes_alone(struct solutions *x) {
   enum { POINTS = 4 };
-  bool(*same)[2][CLOSING] = ss_malloc(((size_t)x->equations.n + 1) * sizeof *same), all = true;
+  struct multiple(*of)[CLOSING] = ss_malloc(((size_t)x->equations.n + 1) * sizeof *of);
+  bool all = true;
   struct sampler sampler;
   struct point p;
   for (slong i = 0; i < x->equations.n; i++)
-    for (int k = 0; k < CLOSING; k++) same[i][0][k] = same[i][1][k] = x->equations.ops[i] == REL_EQ;
+    for (int k = 0; k < CLOSING; k++) {
+      of[i][k].is = x->equations.ops[i] == REL_EQ;
+      arb_init(of[i][k].factor);
+    }
   sampler_init(&sampler, x->c->id, &(struct point_spec){.kind = POINT_PATCHED});
   point_init(&p);
   for (int n = 0; all && n < POINTS; n++) {
     sampler_next(&p, &sampler);
+    for (int i = Q_CHI; i <= (x->asked == ASKED_GIVEN ? Q_V : Q_E2); i++) fmpq_set(&p.q[i], &x->at.q[i]);
     for (int i = Q_DZ1; i <= Q_DZ2; i++) fmpq_set(&p.q[i], &p.q[Q_V]);
-    all = compare_closing(same, x, &p);
+    all = compare_closing(of, x, &p, n == 0);
   }
   for (int k = 0; k < CLOSING; k++) {
     bool found = false;
-    for (slong i = 0; i < x->equations.n; i++) found = found || same[i][0][k] || same[i][1][k];
+    for (slong i = 0; i < x->equations.n; i++) found = found || of[i][k].is;
     all = all && found;
   }
+  for (slong i = 0; i < x->equations.n; i++)
+    for (int k = 0; k < CLOSING; k++) arb_clear(of[i][k].factor);
   point_clear(&p);
-  free(same);
+  free(of);
   return all;
 }
 
@@ -193,10 +228,11 @@ static struct answers answers_of(const struct solutions *x, bool constrained) {
   struct answers t = {{0}};
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
-    if (constrained && x->keeps[i] == TRUTH_FALSE) continue;
-    truth good = first_events(o);
+    truth counts = constrained ? truth_and(x->solves[i], x->keeps[i]) : x->solves[i];
+    if (counts == TRUTH_FALSE) continue;
+    truth good = x->asked == ASKED_COUNT ? TRUTH_TRUE : first_events(o);
     if (x->asked == ASKED_MOTION) good = truth_and(good, o->admissible);
-    if (constrained && x->keeps[i] == TRUTH_UNKNOWN) good = TRUTH_UNKNOWN;
+    if (counts == TRUTH_UNKNOWN) good = TRUTH_UNKNOWN;
     t.of[good]++;
   }
   return t;
@@ -204,12 +240,11 @@ static struct answers answers_of(const struct solutions *x, bool constrained) {
 
 static enum route_outcome outcome_of(const struct solutions *x, bool constrained) {
   const struct answers t = answers_of(x, constrained);
-  bool sound = x->n_solve == x->list.n, complete = x->list.complete && x->are_theirs;
-  if (!sound) return ROUTE_UNDECIDED;
+  bool complete = x->list.complete && x->are_theirs;
   if (x->asked == ASKED_COUNT) {
-    long all = answers_given(&t), sure = constrained ? all - t.of[TRUTH_UNKNOWN] : all;
+    long sure = t.of[TRUTH_TRUE];
     if (sure > x->count) return ROUTE_DIFFERS;
-    if (!complete || sure != all) return ROUTE_UNDECIDED;
+    if (!complete || sure != answers_given(&t)) return ROUTE_UNDECIDED;
     return sure == x->count ? ROUTE_AGREES : ROUTE_DIFFERS;
   }
   enum route_outcome said = answers_outcome(&t);
@@ -267,8 +302,8 @@ static const char *const recurrence =
     "approximation both return arbitrarily closely to their values at arbitrarily large t_c";
 
 static const char *summed_up(struct solutions *x) {
-  const struct answers every = answers_of(x, false), held = answers_of(x, true);
-  long all = answers_given(&every), sure = answers_given(&held) - held.of[TRUTH_UNKNOWN];
+  const struct answers held = answers_of(x, true);
+  long all = x->list.n, sure = answers_given(&held) - held.of[TRUTH_UNKNOWN];
   const char *unseen = x->are_theirs ? ""
                                      : "; those of the claim are not seen to contain the equations of the switches and "
                                        "of the return, which these solve together";
@@ -291,7 +326,7 @@ static const char *summed_up(struct solutions *x) {
 
 /* --- With given times --- */
 
-/* "t_a = 0, t_b = 2". */
+/* "t_a = 0, t_b = 2": two, and nothing else. */
 static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *text) {
   for (int i = 0; i < 2; i++) {
     char name[8], number[24];
@@ -303,7 +338,7 @@ static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *te
     if (k == N_QUANTITIES || num_parse_decimal(&value[i], number, strlen(number)) != SS_OK) return false;
     which[i] = (enum dyn_quantity)k;
   }
-  return true;
+  return !*text && which[0] != which[1];
 }
 
 /* Does a solution that was found solve the paper's equations and keep the constraints?  One is enough; that there is
@@ -313,9 +348,7 @@ static struct route_result add_given(struct finding *f, struct solutions *x, enu
   struct text note = {0};
   for (slong i = 0; i < x->list.n; i++) {
     x->at.known = &x->list.orbit[i];
-    enum outcome solves = sentence_try_balls(&x->equations, &x->at, variant, x->cache).outcome;
-    truth holds = solves == OUTCOME_AGREES ? TRUTH_TRUE : solves == OUTCOME_DIFFERS ? TRUTH_FALSE : TRUTH_UNKNOWN;
-    good.of[truth_and(holds, conditions_hold(&x->constraints, &x->at, x->cache))]++;
+    good.of[truth_and(solves(x, variant), conditions_hold(&x->constraints, &x->at, x->cache))]++;
   }
   const struct dyn_orbit *o = x->list.n ? &x->list.orbit[0] : NULL;
   if (o) {
@@ -374,7 +407,8 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
     struct coulomb_setup sim;
-    bool wanted = first_events(o) == TRUTH_TRUE && (!constrained || x->keeps[i] == TRUTH_TRUE);
+    bool wanted =
+        first_events(o) == TRUTH_TRUE && x->solves[i] == TRUTH_TRUE && (!constrained || x->keeps[i] == TRUTH_TRUE);
     if (!wanted || o->admissible == TRUTH_UNKNOWN || tried[o->admissible == TRUTH_TRUE]) continue;
     tried[o->admissible == TRUTH_TRUE] = true;
     truth closes = TRUTH_UNKNOWN;
@@ -391,8 +425,11 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
 
 /* --- The kind --- */
 
+/* That there is none, by a complete list, is as much as a trial. */
 static struct route_result add_balls(struct finding *f, struct solutions *x, bool constrained, const char *note) {
-  return finding_add_route(f, x->j->out, (struct route_result){"balls", outcome_of(x, constrained), true, x->list.n},
+  bool none = x->asked == ASKED_COUNT && x->list.n == 0 && x->list.complete && x->are_theirs;
+  return finding_add_route(f, x->j->out,
+                           (struct route_result){"balls", outcome_of(x, constrained), true, none ? 1 : x->list.n},
                            layer_name[LAYER_CORRECTED], SOLUTION_PREC, NULL, note);
 }
 
@@ -417,16 +454,18 @@ static void judge_constrained(struct finding *f, struct solutions *x) {
   f->fault = fault_name[FAULT_ARGUMENT];
 }
 
-/* The first solution of which what is claimed is not so; where they are counted, that breaks a constraint. */
+/* The first solution of which what is claimed is not so; where they are counted, that breaks a constraint; the
+   parameters where there is none. */
 static void certify(struct finding *f, struct solutions *x) {
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
     truth is = x->asked == ASKED_COUNT ? x->keeps[i] : x->asked == ASKED_FIRST ? first_events(o) : o->admissible;
-    if (is != TRUTH_FALSE) continue;
+    if (is != TRUTH_FALSE || x->solves[i] == TRUTH_FALSE) continue;
     certify_params(&f->certificate, x->j, x->at.q + Q_CHI);
     certify_orbit(&f->certificate, x->j, o);
     return;
   }
+  certify_params(&f->certificate, x->j, x->at.q + Q_CHI);
 }
 
 static void conclude(struct finding *f, struct solutions *x) {
@@ -435,7 +474,7 @@ static void conclude(struct finding *f, struct solutions *x) {
   try_each(x);
   x->are_theirs = closes_alone(x);
   w[n++] = add_balls(f, x, x->kept, summed_up(x));
-  if (x->asked == ASKED_MOTION && x->j->effort == EFFORT_FULL) w[n++] = integrate(f, x, false);
+  if (x->asked == ASKED_MOTION && x->j->effort == EFFORT_FULL) w[n++] = integrate(f, x, x->kept);
   if (x->asked == ASKED_COUNT) finding_state(f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL, listed(x));
   f->verdict = verdict_of(w, n, true);
   if (f->verdict == VERDICT_REFUTED) certify(f, x);
@@ -471,6 +510,7 @@ bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, 
       conclude(f, &x);
     free(x.broken);
     free(x.keeps);
+    free(x.solves);
     dyn_orbits_clear(&x.list);
   }
   if (built) sentence_clear(&x.equations);

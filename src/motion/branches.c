@@ -66,16 +66,17 @@ static void search_patch(struct search *s, struct patch a, int depth) {
   }
 }
 
-/* Strips of the angle from low to high, stretches of t_c as long. */
+/* Strips of the angle from low to high, stretches of t_c as long; longer where the budget ends before the last. */
 static void search_band(struct search *s, double low, double high, double t_c_max) {
   double wide = 2 * PI / STRIPS_OF_TURN;
-  int strips = (int)ceil((high - low) / wide), stretches = (int)ceil(t_c_max / wide);
+  int strips = (int)ceil((high - low) / wide);
+  long stretches = (long)fmin(ceil(t_c_max / wide), (double)s->budget + 1);
   for (int i = 0; i < strips; i++)
-    for (int k = 0; k < stretches && !s->spent; k++)
+    for (long k = 0; k < stretches && !s->spent; k++)
       search_patch(s,
-                   (struct patch){{low + (high - low) * i / strips, t_c_max * k / stretches},
+                   (struct patch){{low + (high - low) * i / strips, t_c_max * (double)k / (double)stretches},
                                   {i + 1 < strips ? low + (high - low) * (i + 1) / strips : high,
-                                   k + 1 < stretches ? t_c_max * (k + 1) / stretches : t_c_max}},
+                                   k + 1 < stretches ? t_c_max * (double)(k + 1) / (double)stretches : t_c_max}},
                    0);
 }
 

@@ -475,7 +475,7 @@ static bool make_solutions(struct text *out, const struct title *t) {
   }
   if (!r || !note || (!count && !every)) return missing(t);
   long n = count ? strtol(count, NULL, 10) : 0;
-  if (!count) text_printf(out, "every solution of %s", note);
+  if (!count) text_printf(out, "every %ssolution of %s", kept ? "admissible " : "", note);
   if (count) text_printf(out, "%s %s exactly ", note, title_is_plural(note) ? "have" : "has");
   if (count) title_count(out, n);
   if (count) text_printf(out, "%s %s", kept ? " admissible" : "", n == 1 ? "solution" : "solutions");
