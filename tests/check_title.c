@@ -62,6 +62,22 @@ TEST_EACH(titles_follow_the_fields, damaged.n) {
   has_title(&the_paper.model, one_claim(&own, damaged.row[_i][DAMAGED_FIELDS]), damaged.row[_i][DAMAGED_TITLE]);
 }
 
+/* To first order in the perturbations says so; in some of them, or in something else, in which. */
+TEST_EACH(first_order_in_what, 4) {
+  static const char *const cases[][2] = {{"first_order(x*y; x, y)", "x y = 0 to first order"},
+                                         {"first_order(x*y; x)", "x y = 0 to first order in x"},
+                                         {"first_order(J_a*dz_0; x)", "J_a dz_0 = 0 to first order in x"},
+                                         {"first_order(chi^2*V; chi, V)", "chi^2 V = 0 to first order in chi and V"}};
+  struct model m;
+  struct claims own = {.n = 0};
+  const char *overlay =
+      scratch_print("overlay.eq", "equation text-own\n  section: stability\n  %s = 0\n", cases[_i][0]);
+  paper_model(&m, &(struct paper_layers){.overlay = overlay});
+  has_title(&m, one_claim(&own, "kind: identity\n  statement: text-own\n  points: arcs 4\n"), cases[_i][1]);
+  claims_clear(&own);
+  model_clear(&m);
+}
+
 /* --- What a title by hand must not name, and where --- */
 
 TABLE(refused, "tests/cases/titles_refused.tsv", 3);

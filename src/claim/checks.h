@@ -19,7 +19,7 @@
     "within each configuration the equations of motion are linear, with constant coefficients")                        \
   C(switches, "switches", true,                                                                                        \
     "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "   \
-    "than its static friction")                                                                                        \
+    "than its {limit} friction")                                                                                       \
   C(jumps, "jumps", true,                                                                                              \
     "friction and acceleration of a mass are discontinuous where it breaks loose or is caught, unless the force "      \
     "on it is the sliding friction, and position and velocity never are")                                              \

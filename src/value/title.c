@@ -35,10 +35,10 @@ static bool make_sentence(struct text *out, const struct title *t) {
   return title_expand(out, &quiet, text) || missing(t);
 }
 
-/* The record that is the claim's statement; NULL with t->d set. */
+/* The record that is the claim's statement, as it is judged; NULL with t->d set. */
 static const struct statement_record *its_statement(const struct title *t) {
   const char *id = claim_get(t->c, "statement");
-  const struct statement_record *r = id ? title_record(t, id, strlen(id)) : NULL;
+  const struct statement_record *r = id ? title_judged(t, id, strlen(id)) : NULL;
   if (id && !r) title_no_record(t, "statement", id);
   if (!r) missing(t);
   return r;
@@ -59,7 +59,7 @@ static bool is_of_signs(const struct statement_record *r) {
 static void stated(struct text *out, const char **verb, const struct title *t, const struct statement_record *r,
                    size_t most) {
   struct text formulas = {0};
-  t->m->system && !is_of_signs(r) ? title_formulas(&formulas, r) : title_conditional(&formulas, r);
+  t->m->system && !is_of_signs(r) ? title_formulas(&formulas, t, r) : title_conditional(&formulas, t, r);
   const char *note = title_note(r, false);
   *verb = note && title_is_plural(note) ? " hold" : " holds";
   if (note)
@@ -131,7 +131,7 @@ static bool make_sharp(struct text *out, const struct title *t) {
   if (!r) return false;
   if (!points || sscanf(points, "%*s %15s", phase) != 1) return missing(t);
   struct text formulas = {0};
-  title_formulas(&formulas, r);
+  title_formulas(&formulas, t, r);
   bool one = r->n_stmts == 1 && r->stmts[0]->n_sides == 2;
   text_printf(out, "%s%s becomes an equality at one end of ", one ? "" : "each inequality of ", text_str(&formulas));
   title_phases_listed(out, phase);
@@ -286,7 +286,7 @@ static bool make_rank(struct text *out, const struct title *t) {
   struct text name = {0};
   const char *verb;
   if (title_owns_number(t, r))
-    title_name(&name, r);
+    title_name(&name, t, r);
   else
     stated(&name, &verb, t, r, MOST_STATED);
   text_printf(out, "%s %s ", text_str(&name), title_is_plural(text_str(&name)) ? "amount to" : "amounts to");
@@ -332,7 +332,7 @@ static bool make_reach(struct text *out, const struct title *t) {
   struct title_parts p = {.one = N_PHASES};
   if (!claim_get(t->c, "statements") || !absent) return missing(t);
   if (!title_parts_write(out, &p, t, "statements")) return false;
-  text_add(out, " contain none of ");
+  text_add(out, title_is_plural(text_str(out)) ? " contain none of " : " contains none of ");
   title_listed(out, absent, ',');
   return true;
 }
@@ -438,7 +438,7 @@ static bool make_criterion(struct text *out, const struct title *t) {
   text_add(out, "admissible periodic solutions are ");
   if (!side || strcmp(side, "inside") == 0) {
     text_add(out, "conditionally stable where ");
-    title_formulas(out, r);
+    title_formulas(out, t, r);
   }
   if (!side) text_add(out, " and ");
   if (!side || strcmp(side, "outside") == 0) {
@@ -507,7 +507,7 @@ static bool make_scaling(struct text *out, const struct title *t) {
   const struct statement_record *r = statement ? its_statement(t) : NULL;
   if (!scaled || (statement && !r)) return missing(t);
   if (r)
-    title_name(out, r);
+    title_name(out, t, r);
   else
     text_add(out, "every formula");
   struct title_list l;
@@ -536,7 +536,7 @@ static const struct {
 #undef ROW
 };
 static const char breaks[] =
-    "a transition from {transition} occurs where the force on a mass reaches its static friction";
+    "a transition from {transition} occurs where the force on a mass reaches its {limit} friction";
 
 static bool make_behaviour(struct text *out, const struct title *t) {
   for (size_t i = 0; i < sizeof checks / sizeof *checks; i++)

@@ -15,7 +15,7 @@ static bool write_records(struct text *out, const struct title *t, const char *a
     const struct statement_record *r = title_record(t, item, strlen(item));
     struct text *to = title_list_next(&l);
     if (r)
-      title_name(to, r);
+      title_name(to, t, r);
     else
       text_add(to, item);
   }
@@ -53,6 +53,12 @@ static bool write_mass(struct text *out, const struct title *t, const char *attr
   return true;
 }
 
+/* Which friction limits the force of a mass that sticks; that of (2) where it is not said. */
+static bool write_limit(struct text *out, const struct title *t, const char *attribute) {
+  text_add(out, claim_says(t->c, attribute, "u_s") ? "sliding" : "static");
+  return true;
+}
+
 static bool write_phases(struct text *out, const struct title *t, const char *attribute) {
   title_phases_listed(out, claim_get(t->c, attribute));
   return true;
@@ -71,7 +77,7 @@ static const struct {
              {"range", write_range},       {"rank", write_count},         {"equation", write_number},
              {"word", write_phases},       {"formula", title_formula},    {"reads", title_formula},
              {"repaired", title_formula},  {"unknowns", write_list},      {"absent", write_list},
-             {"mass", write_mass}};
+             {"mass", write_mass},         {"limit", write_limit}};
 
 /* A text and, where it is a claim's own, its field. */
 struct sentence_text {
@@ -98,7 +104,7 @@ static const char *write_slot(struct text *out, const struct title *t, const str
   memcpy(name, p + 1, len);
   name[len] = '\0';
   const char *text = strcmp(name, "title") == 0 ? NULL : claim_get(t->c, name);
-  if (!text) {
+  if (!text && strcmp(name, "limit") != 0) {
     complain(t, s, p, "%s: the claim has no attribute %s for its title", name);
     return NULL;
   }

@@ -39,12 +39,14 @@ int title_listed(struct text *out, const char *list, char between);
 bool title_defines(const struct model *m, const char *name, size_t len);
 /* The record of that id in the paper's own files, or NULL. */
 const struct statement_record *title_record(const struct title *t, const char *id, size_t len);
+/* The same as it is judged: corrected, unless the claim is about that equation. */
+const struct statement_record *title_judged(const struct title *t, const char *id, size_t len);
 /* The error at the attribute that names the item, or at the claim's head. */
 void title_no_record(const struct title *t, const char *attribute, const char *item);
 /* All that a record says, as formulas; the first of them. */
-void title_formulas(struct text *out, const struct statement_record *r);
+void title_formulas(struct text *out, const struct title *t, const struct statement_record *r);
 /* Of a paper about another system, with what statement_is_condition tells: "a = b and c = d when x > 0". */
-void title_conditional(struct text *out, const struct statement_record *r);
+void title_conditional(struct text *out, const struct title *t, const struct statement_record *r);
 void title_first_formula(struct text *out, const struct statement_record *r);
 /* No other record of the paper states something under the same number. */
 bool title_owns_number(const struct title *t, const struct statement_record *r);
@@ -52,7 +54,7 @@ bool title_owns_number(const struct title *t, const struct statement_record *r);
    brief "(55) at t = 0", where it begins with one; else NULL. */
 const char *title_note(const struct statement_record *r, bool brief);
 /* A record by its note where that names others; by its equation number where it has one; else by its formulas. */
-void title_name(struct text *out, const struct statement_record *r);
+void title_name(struct text *out, const struct title *t, const struct statement_record *r);
 /* Items as formulas; by number where a formula is no shorter; by number wherever there is one. */
 enum title_detail { TITLE_FORMULAS, TITLE_BRIEF, TITLE_NUMBERS };
 /* Which items are written: all, or those that are equations alone, or those that are not. */

@@ -81,13 +81,9 @@ bool title_is_plural(const char *text) {
 const char *const phase_words[N_PHASES] = {"global stick", "slip-stick", "global slip", "stick-slip"};
 
 void title_phases(struct text *out, const enum phase *phase, int n) {
-  struct title_list l;
-  title_list_init(&l);
-  for (int i = 0; i < n; i++) text_add(title_list_next(&l), phase_words[phase[i]]);
   text_add(out, "the ");
-  title_list_write(out, &l);
+  for (int i = 0; i < n; i++) text_printf(out, "%s%s", list_joint(i, n, " and "), phase_words[phase[i]]);
   text_add(out, n == 1 ? " phase" : " phases");
-  title_list_clear(&l);
 }
 
 void title_phases_listed(struct text *out, const char *list) {
@@ -168,16 +164,53 @@ const struct statement_record *title_record(const struct title *t, const char *i
   return best;
 }
 
-static bool is_first_order(const struct stmt *s) {
-  for (int i = 0; i < s->n_sides; i++)
-    if (s->sides[i]->kind == EXPR_FIRST_ORDER) return true;
+const struct statement_record *title_judged(const struct title *t, const char *id, size_t len) {
+  const struct statement_record *printed = title_record(t, id, len);
+  const struct view v = claim_view(t->m, t->c);
+  return printed ? view_record(&v, printed->id) : NULL;
+}
+
+static bool is_listed(const struct expr *first_order, const char *name) {
+  bool listed = false;
+  for (int i = 1; i < first_order->n_args; i++) listed = listed || strcmp(first_order->args[i]->name, name) == 0;
+  return listed;
+}
+
+static bool has_other_perturbation(const struct expr *e, const struct expr *first_order) {
+  int index;
+  if (e->kind == EXPR_SYM && name_of_tangent(e->name, &index)) return !is_listed(first_order, e->name);
+  for (int i = 0; i < e->n_args; i++)
+    if (has_other_perturbation(e->args[i], first_order)) return true;
   return false;
 }
 
+/* Is it to first order in the perturbations, all that it contains and nothing else? */
+static bool is_in_all(const struct title *t, const struct statement_record *r, const struct expr *first_order) {
+  struct elaboration el;
+  struct matrix m;
+  struct diag d = {0};
+  int index;
+  bool all = true;
+  for (int i = 1; i < first_order->n_args; i++) all = all && name_of_tangent(first_order->args[i]->name, &index);
+  elaboration_init(&el, claim_view(t->m, t->c), NULL, 0);
+  if (all && elaborate(&m, &el, first_order->args[0], r->src, r->section, &d))
+    for (int k = 0; k < m.rows * m.cols; k++) all = all && !has_other_perturbation(m.e[k], first_order);
+  elaboration_clear(&el);
+  return all;
+}
+
 /* What holds of a formula beyond what it shows. */
-static void restriction(struct text *out, const struct stmt *s) {
+static void restriction(struct text *out, const struct title *t, const struct statement_record *r,
+                        const struct stmt *s) {
+  const struct expr *first_order = NULL;
+  for (int i = 0; i < s->n_sides && !first_order; i++)
+    if (s->sides[i]->kind == EXPR_FIRST_ORDER) first_order = s->sides[i];
   if (s->range_signs) text_printf(out, " for %s = +1 and -1", s->range_var);
-  if (is_first_order(s)) text_add(out, " to first order");
+  if (first_order) text_add(out, " to first order");
+  if (!first_order || is_in_all(t, r, first_order)) return;
+  text_add(out, " in ");
+  for (int i = 1, n = first_order->n_args; i < n; i++)
+    text_printf(out, "%s%s", list_joint(i - 1, n - 1, " and "), first_order->args[i]->name);
 }
 
 /* Which of a record's statements: all, or those that are conditions of others, or the others. */
@@ -208,17 +241,17 @@ static const struct stmt *write_formulas(struct text *out, const struct statemen
   return last;
 }
 
-void title_formulas(struct text *out, const struct statement_record *r) {
+void title_formulas(struct text *out, const struct title *t, const struct statement_record *r) {
   const struct stmt *last = write_formulas(out, r, ALL);
-  if (last) restriction(out, last);
+  if (last) restriction(out, t, r, last);
 }
 
-void title_conditional(struct text *out, const struct statement_record *r) {
+void title_conditional(struct text *out, const struct title *t, const struct statement_record *r) {
   struct text conditions = {0};
   const struct stmt *last = write_formulas(out, r, SAID);
   if (write_formulas(&conditions, r, CONDITIONS)) text_add(out, " when ");
   text_add(out, text_str(&conditions));
-  if (last) restriction(out, last);
+  if (last) restriction(out, t, r, last);
   text_clear(&conditions);
 }
 
@@ -257,14 +290,14 @@ const char *title_note(const struct statement_record *r, bool brief) {
   return numbers || (brief && !strchr(note, ',')) ? note : NULL;
 }
 
-void title_name(struct text *out, const struct statement_record *r) {
+void title_name(struct text *out, const struct title *t, const struct statement_record *r) {
   const char *note = title_note(r, false);
   if (note)
     text_add(out, note);
   else if (*r->equation)
     text_printf(out, "(%s)", r->equation);
   else
-    title_formulas(out, r);
+    title_formulas(out, t, r);
 }
 
 /* --- Items of arguments --- */
@@ -279,7 +312,7 @@ struct part {
 static struct part parse_part(const struct title *t, const char *item) {
   struct cited at = {.statement = 0};
   claim_next_cited(&at, item);
-  return (struct part){title_record(t, at.id, strlen(at.id)), at.statement, at.step,
+  return (struct part){title_judged(t, at.id, strlen(at.id)), at.statement, at.step,
                        (enum phase)word_find(at.phase, phase_name, N_PHASES)};
 }
 
@@ -310,9 +343,9 @@ static bool number_is_listed(const struct title *t, const char *list, const stru
 }
 
 /* The statements that an item means, as formulas. */
-static void part_formulas(struct text *out, const struct part *p) {
+static void part_formulas(struct text *out, const struct title *t, const struct part *p) {
   if (p->statement == 0) {
-    title_formulas(out, p->r);
+    title_formulas(out, t, p->r);
     return;
   }
   struct stmt s = *p->r->stmts[p->statement - 1];
@@ -322,7 +355,7 @@ static void part_formulas(struct text *out, const struct part *p) {
     s.n_sides = 2;
   }
   stmt_plain(out, &s);
-  restriction(out, &s);
+  restriction(out, t, p->r, &s);
 }
 
 /* By number, not as a formula. */
@@ -333,7 +366,7 @@ static bool is_numbered(const struct title *t, const struct part *p, const char 
   if (!brief || !*p->r->equation || (p->step && detail == TITLE_BRIEF)) return false;
   if (detail == TITLE_NUMBERS) return true;
   struct text formulas = {0};
-  part_formulas(&formulas, p);
+  part_formulas(&formulas, t, p);
   bool longer = formulas.len > SHORT;
   text_clear(&formulas);
   return longer;
@@ -459,7 +492,7 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
     if (numbered)
       write_numbered(to, t, &part, list, p->detail);
     else
-      part_formulas(to, &part);
+      part_formulas(to, t, &part);
     if (!with_phase) continue;
     text_add(to, " in ");
     title_phases(to, &part.phase, 1);
