@@ -202,7 +202,8 @@ static const struct question limits[] = {
 
 /* --- What is false, or says nothing, beside what was looked at --- */
 
-#define LAW "  kind: law\n  mass: 1\n  moves: eq-1#2 D\n  sticks: eq-2b C\n  breaks: eq-2c C\n"
+#define NUMBER "  kind: number\n  number: e1\n  from: orbit\n  formula: "
+#define LAW    "  kind: law\n  mass: 1\n  moves: eq-1#2 D\n  sticks: eq-2b C\n  breaks: eq-2c C\n"
 
 static const struct question gaps[] = {
     {"division by what may be zero, in a definition elsewhere",
@@ -215,6 +216,13 @@ static const struct question gaps[] = {
     {"a friction that no scene gives", "  kind: inequality\n  statement: text-no-slide\n", VERDICT_UNKNOWN},
     {"a perturbation, which may be anything", "  kind: inequality\n  statement: text-moved\n", VERDICT_UNKNOWN},
     {"a friction of the third degree", LAW "  slips: text-cubic H\n", VERDICT_REFUTED},
+    {"nor a number of the example", NUMBER "e_1 + u_s1\n", VERDICT_UNKNOWN},
+    {"nor a limit", NUMBER "u_r1 - u_s1\n", VERDICT_UNKNOWN},
+    {"nor with a perturbation", NUMBER "e_1 + dt_a\n", VERDICT_UNKNOWN},
+    {"nor with the time", NUMBER "e_1 + z_1(t) - z_1(t)\n", VERDICT_UNKNOWN},
+    {"that is one", NUMBER "e_1 + z_1(t_a) - z_1a\n", VERDICT_PROVED},
+    {"a friction in a closed form of friction",
+     "  kind: constraints\n  constraints: eq-51\n  least-first: u_s1\n  least-second: eq-53#2\n", VERDICT_REFUTED},
 };
 
 /* Each list under the paper's files, the controls and records of its own. */
@@ -465,6 +473,21 @@ static const struct {
     {"  kind: notation\n  reads: K[3,1] = 0\n", VERDICT_REFUTED},
     {"  kind: notation\n  reads: a := K + 1\n", VERDICT_REFUTED},
 };
+
+/* Names that nothing has, lists of another length, matrices where a number is asked for. */
+TEST(attributes_that_ask_for_nothing) {
+  static const char *const wrong[] = {USES("K_1; u_{si}", "one; one") "  repaired: K_1; K_1; K_1\n",
+                                      "  kind: reach\n  statements: eq-12b\n  absent: u_rl\n",
+                                      "  kind: number\n  number: e1\n  from: orbit\n  formula: J\n",
+                                      "  kind: number\n  number: e1\n  from: nowhere\n  formula: e_1\n"};
+  for (size_t i = 0; i < COUNT(wrong); i++) {
+    struct audit_result r;
+    struct diag d;
+    ck_assert_msg(!judge_text(&r, &the_paper.model, formatted(HEAD "%s", wrong[i]), &the_paper.scene, "own", &d), "%s",
+                  wrong[i]);
+    audit_result_clear(&r);
+  }
+}
 
 TEST_EACH(symbols_and_readings, COUNT(symbols)) {
   enum verdict v = verdict_under(&the_paper.model, formatted(HEAD "%s", symbols[_i].claim));

@@ -152,6 +152,19 @@ static bool says(const struct finding *f, const char *words) {
 
 CASE("claims", .once = {paper_open, paper_close});
 
+/* A phase of which nothing is said, and limits that there are not. */
+TEST(attributes_of_behaviour_say_all) {
+  static const char *const wrong[] = {CLAIM("dimension") "  states: eq-9#2 D, eq-5b Gamma, eq-3d H\n  range: 2 4\n",
+                                      CLAIM("switches") "  transition: stick to slip\n  limit: u_x\n" MECHANICS,
+                                      CLAIM("switches") "  transition: stick to stick\n" MECHANICS};
+  for (size_t i = 0; i < COUNT(wrong); i++) {
+    struct audit_result r;
+    struct diag d;
+    ck_assert_msg(!judge_case(&r, wrong[i], &d), "%s", wrong[i]);
+    audit_result_clear(&r);
+  }
+}
+
 TEST(dimensions_are_those_of_the_constraints) {
 #define STATES "  states: eq-9#2 D, eq-5b Gamma, eq-3d H, eq-7b C\n"
   static const struct {
@@ -170,7 +183,8 @@ TEST(dimensions_are_those_of_the_constraints) {
                {CLAIM("dimension") STATES "  range: 3 4\n", VERDICT_REFUTED,
                 "2 in the global stick phase, 3 in the slip-stick phase, 4 in the global slip phase, 3 in the "
                 "stick-slip phase"},
-               {CLAIM("dimension") "  states: eq-9#2 C, eq-5b D, eq-5b#1 Gamma\n  range: 2 4\n", VERDICT_PROVED,
+               {CLAIM("dimension") "  states: eq-9#2 C, eq-5b D, eq-5b#1 Gamma, eq-3d H\n  range: 2 4\n",
+                VERDICT_PROVED,
                 "3 in the global stick phase, 4 in the slip-stick phase, 4 in the global slip phase, 2 in the "
                 "stick-slip phase"}};
   for (size_t i = 0; i < COUNT(cases); i++) {

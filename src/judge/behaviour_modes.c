@@ -101,6 +101,8 @@ static void conclude_switches(struct behaviour *b, struct switches *s, const str
         b->j->out,
         "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a greater one",
         w.motions, events);
+  long otherwise = s->events[0].of[TRUTH_FALSE];
+  if (otherwise) note = result_str(b->j->out, "%s, but for %ld", note, otherwise);
   behaviour_conclude(b, s->events, events, note, proof);
 }
 
@@ -109,6 +111,8 @@ bool behaviour_switches(struct behaviour *b) {
                        .sliding_limit = claim_says(b->c, "limit", "u_s")};
   if (!s.to_stick && !claim_says(b->c, "transition", "stick to slip"))
     return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
+  if (claim_get(b->c, "limit") && !s.sliding_limit && !claim_says(b->c, "limit", "u_r"))
+    return claim_error(b->j, b->c, "limit", "u_r or u_s");
   struct route_result proof = s.to_stick ? events_prove_stick(b) : events_prove_slip(b, s.sliding_limit);
   conclude_switches(b, &s, &proof);
   return true;

@@ -203,6 +203,14 @@ static int rank_of_equations(const struct conditions *list, enum phase ph) {
   return rank;
 }
 
+static bool names_all_phases(const struct conditions *list, struct behaviour *b) {
+  bool named[N_PHASES] = {false}, all = true;
+  for (int n = 0; n < list->n; n++)
+    if (list->at[n].phase < N_PHASES) named[list->at[n].phase] = true;
+  for (int ph = 0; ph < N_PHASES; ph++) all = all && named[ph];
+  return all || claim_error(b->j, b->c, "states", "the conditions of all four phases are needed");
+}
+
 /* "2 4" as the least and the greatest dimension. */
 static bool claimed_range(long range[2], struct behaviour *b) {
   const char *text = claim_get(b->c, "range");
@@ -216,7 +224,8 @@ static bool claimed_range(long range[2], struct behaviour *b) {
 bool behaviour_dimension(struct behaviour *b) {
   long claimed[2] = {0, 0}, least = N_STATE, most = 0;
   struct conditions states = {.n = 0};
-  bool ok = claimed_range(claimed, b) && conditions_read(&states, b->j, b->c, "states", b->view);
+  bool ok = claimed_range(claimed, b) && conditions_read(&states, b->j, b->c, "states", b->view) &&
+            names_all_phases(&states, b);
   if (ok) {
     bool open = false;
     struct text note = {0};

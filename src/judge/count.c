@@ -19,6 +19,8 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
   int n = claim_names_listed(ids, MAX_NAMES, claim_get(c, "statements")),
       m = claim_names_listed(absent, MAX_NAMES, claim_get(c, "absent"));
   if (n == 0 || m == 0) return claim_error(j, c, "kind", "statements and absent are needed");
+  for (int a = 0; a < m; a++)
+    if (!model_is_symbol(j->model, absent[a])) return claim_error(j, c, "absent", "names of symbols are needed");
   for (int i = 0; i < n; i++) {
     struct sentence s;
     const struct statement_record *r = claim_record(view, c, "statements", ids[i], j->d);

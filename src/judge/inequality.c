@@ -6,22 +6,11 @@
 #include "judge.h"
 #include "value/names.h"
 
-/* What no scene gives, and no solution fixes: the friction of sliding, positions in x, which are z and what it makes,
-   perturbations, the unknown of the characteristic equation. */
-static bool is_free(const char *name) {
-  struct motion_name n;
-  int index;
-  bool alone = strcmp(name, "u_s1") == 0 || strcmp(name, "u_s2") == 0 || strcmp(name, "lambda") == 0;
-  return alone || name_of_tangent(name, &index) || (name_of_motion(&n, name) && n.in_x && !n.primes);
-}
-
 static const char no_number[] = "what holds along a phase is no inequality of numbers: kind argument, over scene";
 
 static bool goes_with_time(const struct tape *t) {
   bool any = false;
-  struct motion_name n;
-  for (slong i = 0; i < t->n_inputs; i++)
-    any = any || strcmp(t->inputs[i], "t") == 0 || (name_of_motion(&n, t->inputs[i]) && strcmp(n.argument, "(t)") == 0);
+  for (slong i = 0; i < t->n_inputs; i++) any = any || name_goes_with_time(t->inputs[i]);
   return any;
 }
 
@@ -54,7 +43,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
       const char *name = tape.inputs[i];
       bool known, is_u_r = strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0;
       int key = strcmp(name, "u_r1") == 0 ? KEY_U_R1 : KEY_U_R2;
-      if (is_free(name) || (is_u_r && !j->scene->given[key])) *unbound = result_copy(j->out, name);
+      if (name_is_free(name) || (is_u_r && !j->scene->given[key])) *unbound = result_copy(j->out, name);
       if (is_u_r)
         s |= ctx.type->set_q(num_vec_at(&in, i), &j->scene->value[key], prec);
       else
@@ -88,7 +77,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
       stmt_print_step(&step, r->stmts[i], k);
       if (unbound) {
         text_printf(&note, "%s was not tried, since %s is not given. ", text_str(&step), unbound);
-        f->condition = is_free(unbound)
+        f->condition = name_is_free(unbound)
                            ? result_str(j->out, "only for what does not contain %s, which is not given", unbound)
                            : "only for what does not contain u_r1 or u_r2, which are not given";
       } else {

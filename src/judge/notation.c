@@ -161,6 +161,7 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
     struct use now[MAX_USES];
     int m = read_uses(now, c, repaired);
     text_reset(&found);
+    if (m == 0) return claim_error(j, c, "repaired", "as many symbols as are printed are needed, with \";\"");
     clashes(&found, now, m);
     if (!claim_get(c, "repaired-as")) borrowed(&found, j, now, m, u, n);
     f->correction = uses_text(j, now, m);

@@ -418,6 +418,17 @@ static bool is_as_stated(const struct number_job *n, const struct claim *c) {
   return *n->relation == (op == REL_EQ ? '=' : op == REL_LT || op == REL_LE ? '<' : '>');
 }
 
+/* Is the formula one number of a solution?  false with the verdict set, or an error. */
+static bool is_number(struct finding *f, const struct number_job *n, const struct claim *c) {
+  struct expression e;
+  bool ok = expression_open(&e, n->view, n->formula, n->section, n->j->d);
+  const char *free = ok ? expression_undetermined(&e) : NULL;
+  if (ok && e.n != 1) ok = claim_error(n->j, c, "formula", "a number is needed, not a matrix");
+  if (ok && free) verdict_leave_open(f, n->j->out, result_str(n->j->out, "%s is not given", free));
+  expression_close(&e);
+  return ok && !free;
+}
+
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *name = claim_get(c, "number"), *from = claim_get(c, "from");
   const char *relation = claim_get(c, "relation");
@@ -429,6 +440,8 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
                          relation ? relation : "="};
   n.view.layer = LAYER_CORRECTED;
   if (!name || !n.formula || !from) return claim_error(j, c, "kind", "number, formula and from are needed");
+  if (strcmp(from, "orbit") != 0 && strcmp(from, "printed") != 0)
+    return claim_error(j, c, "from", "orbit, or printed: the other printed numbers");
   if (relation && strcmp(relation, "<") != 0 && strcmp(relation, ">") != 0)
     return claim_error(j, c, "relation", "\"<\" or \">\", for a bound");
   n.p = scene_printed(j->scene, name);
@@ -441,6 +454,7 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
                        result_str(j->out, "%s says another relation than %s", claim_get(c, "formula"), n.relation));
     return true;
   }
+  if (!is_number(f, &n, c)) return !j->d->set;
   struct printed_number own;
   bool owned = printed_replace(&own, &n.p, c);
   struct text latex = {0};

@@ -1,6 +1,10 @@
 /* An expression in the paper's notation at a point, in balls. */
 #include "expression.h"
 
+#include <string.h>
+
+#include "names.h"
+
 bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,
                      struct diag *d) {
   struct matrix m;
@@ -18,6 +22,16 @@ bool expression_open(struct expression *x, struct view view, const char *express
 void expression_close(struct expression *x) {
   tape_clear(&x->tape);
   elaboration_clear(&x->el);
+}
+
+const char *expression_undetermined(const struct expression *x) {
+  const char *first = NULL;
+  for (slong i = 0; i < x->tape.n_inputs && !first; i++) {
+    const char *name = x->tape.inputs[i];
+    bool limit = strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0;
+    if (limit || name_is_free(name) || name_goes_with_time(name)) first = name;
+  }
+  return first;
 }
 
 bool formula_tape(struct tape *t, struct view v, const char *formula, const char *section, const struct override *o,
@@ -68,7 +82,7 @@ int expression_at(arb_ptr out, int *n, struct view view, const char *expression,
 int expression_number(arb_t z, struct view view, const char *expression, const char *section, const struct point *p,
                       slong prec, struct orbit_cache *cache, struct diag *d) {
   struct expression x;
-  bool ok = expression_open(&x, view, expression, section, d) && x.n == 1;
+  bool ok = expression_open(&x, view, expression, section, d) && x.n == 1 && !expression_undetermined(&x);
   int s = ok ? expression_value(z, &x, p, prec, cache) : SS_UNABLE;
   expression_close(&x);
   return s;

@@ -16,6 +16,9 @@ struct expression {
 bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,
                      struct diag *d);
 void expression_close(struct expression *x);
+/* The first symbol in it that makes it no number of a periodic solution: friction, a perturbation, the time; NULL: there
+   is none. */
+const char *expression_undetermined(const struct expression *x);
 /* Its entries at a point, enclosed at prec bits. */
 int expression_value(arb_ptr out, const struct expression *x, const struct point *p, slong prec,
                      struct orbit_cache *cache);
@@ -24,7 +27,8 @@ int expression_value(arb_ptr out, const struct expression *x, const struct point
 int expression_at(arb_ptr out, int *n, struct view v, const char *expression, const char *section,
                   const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d);
 
-/* The same of an expression that is one number; SS_UNABLE where it has more entries. */
+/* The same of an expression that is one number; SS_UNABLE where it has more entries, or the solution
+   does not determine it. */
 int expression_number(arb_t z, struct view v, const char *expression, const char *section, const struct point *p,
                       slong prec, struct orbit_cache *cache, struct diag *d);
 

@@ -54,6 +54,18 @@ bool name_of_motion(struct motion_name *out, const char *name) {
   return *out->argument == '(' && primes <= 2;
 }
 
+bool name_is_free(const char *name) {
+  struct motion_name n;
+  int index;
+  bool alone = strcmp(name, "u_s1") == 0 || strcmp(name, "u_s2") == 0 || strcmp(name, "lambda") == 0;
+  return alone || name_of_tangent(name, &index) || (name_of_motion(&n, name) && n.in_x && !n.primes);
+}
+
+bool name_goes_with_time(const char *name) {
+  struct motion_name n;
+  return strcmp(name, "t") == 0 || (name_of_motion(&n, name) && strcmp(n.argument, "(t)") == 0);
+}
+
 int name_of_switching_time(const char *argument) {
   static const char *const times[8] = {"(t_a)",
                                        "(t_a + t_b)",

@@ -31,6 +31,11 @@ struct motion_name {
   const char *argument; /* with its parentheses */
 };
 bool name_of_motion(struct motion_name *out, const char *name);
+/* What no scene gives, and no solution fixes: the friction of sliding, positions in x, which are z and what it makes,
+   perturbations, the unknown of the characteristic equation. */
+bool name_is_free(const char *name);
+/* t, and what is worth something at the time t. */
+bool name_goes_with_time(const char *name);
 /* "(t_a)", "(t_a + t_b)", ...: 0 to 3, at the perturbed times 4 to 7; -1 for another argument. */
 int name_of_switching_time(const char *argument);
 /* The phase that lasts just as long as the statement's range, "(t_a, t_a + t_b)"; N_PHASES: none. */
