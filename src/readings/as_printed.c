@@ -52,7 +52,7 @@ static long equal_digits(const arb_t x, const arb_t y) {
 static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o, const struct point *p) {
   struct text t = {0}, same = {0}, where = {0};
   long digits[N_X], least = PRECISION;
-  int n_same = 0, n = 0;
+  int n_same = 0, n = 0, others = 0;
   for (int i = 0; i < X_E1; i++) {
     digits[i] = equal_digits(x + i, orbit_number(o, i));
     n_same += digits[i] > 0;
@@ -71,9 +71,10 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
     if (digits[i] > 0)
       text_printf(&same, "%s%s", list_joint(n++, n_same, " and "), orbit_number_name(i));
     else
-      text_printf(&t, "%s = %s instead of %s, ", orbit_number_name(i), ball_text(j, x + i, SHOWN),
+      text_printf(&t, "%s%s = %s instead of %s", others++ ? ", " : "", orbit_number_name(i), ball_text(j, x + i, SHOWN),
                   ball_text(j, orbit_number(o, i), SHOWN));
-  if (n_same) text_printf(&t, "and the same values of %s, to %ld digits.", text_str(&same), least);
+  if (n_same) text_printf(&t, ", and the same values of %s, to %ld digits", text_str(&same), least);
+  text_add_char(&t, '.');
   text_clear(&where);
   text_clear(&same);
   return n_same < X_E1 ? result_take(j->out, &t) : (text_clear(&t), NULL);
