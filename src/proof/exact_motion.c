@@ -47,8 +47,8 @@ static int value_of_motion(element *z, struct exact_motion *m, const char *name,
     s = exact_symbol(at(&out, n->component + 2 * n->primes), m->field, name);
   else if (m->spec.kind != POINT_PARAMS && strcmp(n->argument, "(t)") == 0)
     s = state_now(&out, m, n->primes == 2);
-  else if (has_word(m) && n->primes < 2 && k >= 0 && (k < 4 || m->spec.finite))
-    s = motion_perturbed(&out, m, k % 4 + 1, k >= 4);
+  else if (has_word(m) && n->primes < 2 && k >= 0 && (k <= N_PHASES || m->spec.finite))
+    s = motion_perturbed(&out, m, k > N_PHASES ? k - N_PHASES : k, k > N_PHASES);
   else
     s = motion_unknown(m, name);
   if (s == SS_OK) num_exact.set(z, at(&out, n->component + (n->primes ? 2 : 0)));
@@ -204,7 +204,7 @@ static void note(int *first, int k) {
 
 static void note_motion(struct exact_motion *m, const char *argument) {
   int k = name_of_switching_time(argument);
-  int end = k >= 0 ? k % 4 + 1 : end_now(m);
+  int end = k > N_PHASES ? k - N_PHASES : k >= 0 ? k : end_now(m);
   note(&m->first_state, end);
   if (m->spec.finite) note(&m->first_tangent, end);
 }

@@ -66,17 +66,35 @@ bool name_goes_with_time(const char *name) {
   return strcmp(name, "t") == 0 || (name_of_motion(&n, name) && strcmp(n.argument, "(t)") == 0);
 }
 
+/* Which of the eight lengths and their changes a sum in parentheses has, each once, as bits; 0 says nothing; -1 where it
+   has something else. */
+static int terms_of(const char *sum) {
+  int bits = 0;
+  for (const char *p = sum + 1; *p; p++) {
+    size_t n = strcspn(p, " )");
+    int bit = 0;
+    for (int k = 0; k < N_PHASES; k++) {
+      if (word_is(p, n, name_time[k])) bit = 1 << k;
+      if (word_is(p, n, name_shift[k])) bit = 1 << (N_PHASES + k);
+    }
+    if (bits & bit || (!bit && !word_is(p, n, "0"))) return -1;
+    bits |= bit;
+    p += n;
+    if (strcmp(p, ")") == 0) return bits;
+    if (strncmp(p, " + ", 3) != 0) return -1;
+    p += 2;
+  }
+  return -1;
+}
+
 int name_of_switching_time(const char *argument) {
-  static const char *const times[8] = {"(t_a)",
-                                       "(t_a + t_b)",
-                                       "(t_a + t_b + t_c)",
-                                       "(t_a + t_b + t_c + t_d)",
-                                       "(t_a + dt_a)",
-                                       "(t_a + dt_a + t_b + dt_b)",
-                                       "(t_a + dt_a + t_b + dt_b + t_c + dt_c)",
-                                       "(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)"};
-  int k = word_find(argument, times, 8);
-  return k < 8 ? k : -1;
+  enum { ALL = (1 << N_PHASES) - 1 };
+  int bits = *argument == '(' ? terms_of(argument) : -1, phases = 0;
+  if (bits < 0) return -1;
+  int times = bits & ALL, shifts = bits >> N_PHASES;
+  while (times >> phases & 1) phases++;
+  if (times != (1 << phases) - 1 || (shifts && shifts != times)) return -1;
+  return phases + (shifts ? N_PHASES : 0);
 }
 
 static bool reads(const struct expr *e, const char *as) {

@@ -36,7 +36,8 @@ bool name_of_motion(struct motion_name *out, const char *name);
 bool name_is_free(const char *name);
 /* t, and what is worth something at the time t. */
 bool name_goes_with_time(const char *name);
-/* "(t_a)", "(t_a + t_b)", ...: 0 to 3, at the perturbed times 4 to 7; -1 for another argument. */
+/* "(0)", "(t_a)", "(t_a + t_b)", ...: 0 to 4, which is also the number of the state there; at the perturbed times
+   "(t_a + dt_a)", ... 5 to 8; -1 for another argument.  The terms may stand in any order. */
 int name_of_switching_time(const char *argument);
 /* The phase that lasts just as long as the statement's range, "(t_a, t_a + t_b)"; N_PHASES: none. */
 enum phase name_of_range(const struct stmt *s);

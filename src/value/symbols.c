@@ -45,7 +45,7 @@ static int state_at_tb(struct num_vec *z, struct values *v) {
   return s;
 }
 
-/* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at t and at the switching times.  At
+/* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at 0, t and the switching times.  At
    the perturbed switching times the motion is the perturbed one; it has a value only where there is one. */
 static int motion_value(void *z, bool *known, struct values *v, const struct motion_name *n) {
   const struct num_type *t = v->ctx.type;
@@ -67,9 +67,9 @@ static int motion_value(void *z, bool *known, struct values *v, const struct mot
     return s;
   }
   int k = name_of_switching_time(n->argument);
-  if (has_arc(v) && primes < 2 && k >= 0 && (k < 4 || v->point->finite)) {
-    const struct dyn_arc *arc = k >= 4 ? &v->perturbed : &v->arc;
-    t->set(z, num_vec_at(&arc->z, 4 * (k % 4 + 1) + coordinate));
+  if (has_arc(v) && primes < 2 && k >= 0 && (k <= N_PHASES || v->point->finite)) {
+    const struct dyn_arc *arc = k > N_PHASES ? &v->perturbed : &v->arc;
+    t->set(z, num_vec_at(&arc->z, N_STATE * (k > N_PHASES ? k - N_PHASES : k) + coordinate));
     return SS_OK;
   }
   *known = false;
