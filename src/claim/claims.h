@@ -17,7 +17,7 @@
                  1/4 or 1/1024 above what they need), "patched [PHASE] N" (any state, carried by the linear systems of
                  the four phases over any times, and any perturbations), joined by ","; the time t lies in that phase,
                  which a range of the statement must be, its ends left out; an inequality that is not proved is tried at
-                 eight times as many points
+                 eight times as many points, and at parameters that are equal, small and large
      perturbation  finite: dZ_0, dZ_a, ... are differences of two motions; else the first order of them
      routes      what is asked besides balls: taylor gsl ode newton saltation system fd exponential oracle; without
                  points or routes those of kinds.h

@@ -285,6 +285,13 @@ static bool enough(const struct point_trials *r) {
   return settled;
 }
 
+/* An inequality that nothing proves or refutes may fail where drawn points never lie. */
+static bool wants_special(const struct point_trials *r, const struct point_spec *spec) {
+  bool asked = r->j->effort == EFFORT_FULL || spec->restriction;
+  return asked && r->j->model->system && has_inequality(&r->tally[0].sentence) && !r->proof.proved &&
+         !r->tally[0].differs;
+}
+
 static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   struct sampler s;
   struct point p;
@@ -299,6 +306,11 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
     sampler_next(&p, &s);
     if (point_settle(&p, r->j->cache)) ok = try_point(&accepted, r, &p, done);
     done += accepted;
+  }
+  bool meant = false;
+  for (int k = 0; ok && !enough(r) && wants_special(r, spec) && sampler_special(&p, &meant, &s, k); k++) {
+    bool accepted = false;
+    if (meant && point_settle(&p, r->j->cache)) ok = try_point(&accepted, r, &p, done);
   }
   point_clear(&p);
   return ok;

@@ -88,7 +88,56 @@ static void move_outwards(fmpq_t fraction) {
   fmpq_clear(quarters);
 }
 
-void sampler_next(struct point *p, struct sampler *s) {
+/* Parameters at which drawn ones are not: chi = eta = 1/2 and e1 = V; chi eta = 1; e2 = V; e2 > e1; e1 = e2, where no
+   admissible orbit is known; chi near 0 with large eta; chi near 1, twice with long t_a and t_c; small eta and large e1;
+   large eta; eta = 1. */
+static const struct {
+  slong chi[2], eta[2], e1[2], e2[2];
+} special[] = {{{1, 2}, {1, 2}, {1, 1}, {1, 8}},
+               {{1, 2}, {2, 1}, {2, 1}, {1, 2}},
+               {{1, 2}, {1, 2}, {4, 1}, {1, 1}},
+               {{87, 100}, {32, 100}, {121, 225}, {31, 50}},
+               {{4, 5}, {1, 1}, {1, 1}, {1, 1}},
+               {{1, 1000000}, {400000, 1}, {2, 1}, {1, 4000000}},
+               {{999999, 1000000}, {1, 2}, {8, 1}, {1, 100}},
+               {{9999, 10000}, {2, 1}, {8, 1}, {1, 100}},
+               {{99, 100}, {1, 1}, {20, 1}, {1, 4}},
+               {{9, 10}, {1, 1000000}, {1000000000, 1}, {1, 1000}},
+               {{1, 2}, {100, 1}, {1, 2}, {1, 100}},
+               {{4, 5}, {1, 1}, {14, 5}, {6, 7}}};
+enum { N_SPECIAL = sizeof special / sizeof *special, SIZE_BITS = 40 };
+
+/* Each in three sizes, of which the second is 2^40 and the third 2^-40 times the first, and in the first size with as
+   great and as little friction; where friction is neither, u_r1 = u_r2. */
+static const struct {
+  int lengths, friction;
+} size[] = {{0, 0}, {0, SIZE_BITS}, {0, -SIZE_BITS}, {SIZE_BITS, SIZE_BITS}, {-SIZE_BITS, -SIZE_BITS}};
+enum { N_SIZES = sizeof size / sizeof *size };
+
+static void times_power_of_two(fmpq_t z, int bits) {
+  if (bits < 0)
+    fmpq_div_2exp(z, z, (flint_bitcnt_t)-bits);
+  else
+    fmpq_mul_2exp(z, z, (flint_bitcnt_t)bits);
+}
+
+static void take_special(struct point *p, int k) {
+  int i = k / N_SIZES, lengths = size[k % N_SIZES].lengths, friction = size[k % N_SIZES].friction;
+  fmpq_set_si(&p->q[Q_CHI], special[i].chi[0], (ulong)special[i].chi[1]);
+  fmpq_set_si(&p->q[Q_ETA], special[i].eta[0], (ulong)special[i].eta[1]);
+  fmpq_one(&p->q[Q_V]);
+  fmpq_set_si(&p->q[Q_E1], special[i].e1[0], (ulong)special[i].e1[1]);
+  fmpq_set_si(&p->q[Q_E2], special[i].e2[0], (ulong)special[i].e2[1]);
+  for (int m = 0; m < 2; m++) {
+    fmpq_one(&p->q[Q_US1 + m]);
+    if (!friction) fmpq_add(&p->q[Q_US1 + m], &p->q[Q_US1 + m], &p->q[Q_E1 + 1 - m]);
+    times_power_of_two(&p->q[Q_US1 + m], friction);
+  }
+  for (int q = Q_V; q <= Q_US2; q++) times_power_of_two(&p->q[q], lengths);
+}
+
+/* The next point; at the k-th special parameters unless k is negative. */
+static void next_point(struct point *p, struct sampler *s, int k) {
   enum { POOL = 64 };
   enum point_kind kind = p->kind = s->spec.kind;
   p->phase = s->spec.phase;
@@ -110,6 +159,7 @@ void sampler_next(struct point *p, struct sampler *s) {
   p->orbit = (slong)(random_next(st) % 1000);
   draw(&p->q[Q_US1], st, 1, 40, 8);
   draw(&p->q[Q_US2], st, 1, 40, 8);
+  if (k >= 0) take_special(p, k);
   draw(&p->q[Q_X], st, -40, 40, 7);
   draw(&p->q[Q_Y], st, -40, 41, 11);
   draw(&p->q[Q_LAMBDA], st, -40, 40, 9);
@@ -119,4 +169,17 @@ void sampler_next(struct point *p, struct sampler *s) {
   for (int i = Q_Z1; i <= Q_DZ2; i++) draw(&p->q[i], st, -32, 32, 8);
   if (kind == POINT_ARC) draw_arc(p, st);
   for (int i = Q_TA; kind == POINT_PATCHED && i <= Q_TD; i++) draw(&p->q[i], st, 1, 48, 16);
+}
+
+void sampler_next(struct point *p, struct sampler *s) {
+  next_point(p, s, -1);
+}
+
+bool sampler_special(struct point *p, bool *meant, struct sampler *s, int k) {
+  if (k >= N_SPECIAL * N_SIZES) return false;
+  const struct restriction *only = s->spec.restriction;
+  next_point(p, s, k);
+  p->orbit = k;
+  *meant = !only || fmpq_is_one(&p->q[only->quantity]);
+  return true;
 }
