@@ -440,10 +440,10 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
                          relation ? relation : "="};
   n.view.layer = LAYER_CORRECTED;
   if (!name || !n.formula || !from) return claim_error(j, c, "kind", "number, formula and from are needed");
-  if (strcmp(from, "orbit") != 0 && strcmp(from, "printed") != 0)
-    return claim_error(j, c, "from", "orbit, or printed: the other printed numbers");
   if (relation && strcmp(relation, "<") != 0 && strcmp(relation, ">") != 0)
     return claim_error(j, c, "relation", "\"<\" or \">\", for a bound");
+  if (strcmp(from, "orbit") != 0 && strcmp(from, "printed") != 0)
+    return claim_error(j, c, "from", "orbit, or printed: the other printed numbers");
   n.p = scene_printed(j->scene, name);
   if (!n.p) {
     finding_skip(f, j, result_str(j->out, "the scene prints no %s", name));
