@@ -169,6 +169,7 @@ static const struct {
      FORMS "  (S_a[1] - chi*S_a[2] - e_1)*(t_a - 1) = 0\n" LAST_3, VERDICT_UNKNOWN},
     {"a wide enclosure shows no equation", SIX "  count: 1\n  kept: yes\n" BOUNDS,
      FORMS "  1e100*(sqrt(2)^2 - 2) = 0\n", VERDICT_UNKNOWN},
+    {"nor what always holds", SIX "  count: 1\n  kept: yes\n" BOUNDS, FORMS "  0*e_1 = 0\n", VERDICT_UNKNOWN},
     {"one of them with t_a < 1, t_c < 2 and t_d < 3", SIX "  count: 1\n  until: 20\n" BOUNDS,
      FORMS "  S_a[1] - chi*S_a[2] = e_1\n" LAST_3 "  t_a < 1\n  t_c < 2\n  t_d < 3\n", VERDICT_PROVED},
     {"none with t_a = 5", SIX "  count: 0\n  until: 20\n" BOUNDS,

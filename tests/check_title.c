@@ -68,14 +68,11 @@ TEST_EACH(first_order_in_what, 4) {
                                          {"first_order(x*y; x)", "x y = 0 to first order in x"},
                                          {"first_order(J_a*dz_0; x)", "J_a dz_0 = 0 to first order in x"},
                                          {"first_order(chi^2*V; chi, V)", "chi^2 V = 0 to first order in chi and V"}};
-  struct model m;
-  struct claims own = {.n = 0};
+  OWNED(claims) own = {.n = 0};
   const char *overlay =
       scratch_print("overlay.eq", "equation text-own\n  section: stability\n  %s = 0\n", cases[_i][0]);
-  paper_model(&m, &(struct paper_layers){.overlay = overlay});
+  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = overlay});
   has_title(&m, one_claim(&own, "kind: identity\n  statement: text-own\n  points: arcs 4\n"), cases[_i][1]);
-  claims_clear(&own);
-  model_clear(&m);
 }
 
 /* --- What a title by hand must not name, and where --- */

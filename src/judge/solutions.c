@@ -164,7 +164,8 @@ static void compare_factor(struct multiple *y, const arb_t difference, const arb
   arb_t factor;
   arb_init(factor);
   arb_div(factor, difference, closing, SOLUTION_PREC);
-  y->is = y->is && arb_rel_accuracy_bits(factor) >= BITS && (first || arb_overlaps(factor, y->factor));
+  bool known = !arb_contains_zero(factor) && arb_rel_accuracy_bits(factor) >= BITS;
+  y->is = y->is && known && (first || arb_overlaps(factor, y->factor));
   if (first) arb_set(y->factor, factor);
   arb_clear(factor);
 }
