@@ -39,7 +39,7 @@ int title_listed(struct text *out, const char *list, char between);
 bool title_defines(const struct model *m, const char *name, size_t len);
 /* The record of that id in the paper's own files, or NULL. */
 const struct statement_record *title_record(const struct title *t, const char *id, size_t len);
-/* The same as it is judged: corrected, unless the claim is about that equation. */
+/* The same as it is judged: corrected, unless the claim is about that equation; not in its stable form. */
 const struct statement_record *title_judged(const struct title *t, const char *id, size_t len);
 /* The error at the attribute that names the item, or at the claim's head. */
 void title_no_record(const struct title *t, const char *attribute, const char *item);

@@ -28,7 +28,7 @@ except ImportError:
 import orbits
 import scan
 
-DPS = 100
+DPS = 130
 LONGEST = 12  # seconds of processor time for the peer's search
 NAMES = ("chi", "eta", "V", "e1", "e2")
 # parameters at a fold, a flip, a grazing event; from verify/scenes and tests/extreme
@@ -145,7 +145,7 @@ def confirm(params, model, o):
         system = orbits.System([params[0], params[1], Fraction(1), params[3] / params[2], params[4] / params[2]])
         shown = [mpmath.mpf(o[k]) / (v if k[0] == "z" else 1) for k in orbits.UNKNOWNS]
         x = list(system.solve(shown))
-        j = system.return_jacobian(x, mpmath.mpf(10) ** -30)
+        j = system.return_jacobian(x, mpmath.mpf(10) ** -40)
         trace = j[0, 0] + j[1, 1]
         values = dict(zip(orbits.UNKNOWNS, [x[0] * v, x[1] * v] + x[2:]), period=sum(x[2:]), trace=trace)
         if sum(x[2:]) * model.fastest > 200:
