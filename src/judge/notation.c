@@ -145,23 +145,21 @@ static void settle(struct finding *f, struct judge *j, const char *fault, long t
 }
 
 static bool judge_symbols(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct use u[MAX_USES];
+  struct use u[MAX_USES], now[MAX_USES];
   struct text found = {0};
-  int n = read_uses(u, c, claim_get(c, "symbols"));
+  const char *repaired = claim_get(c, "repaired");
+  int n = read_uses(u, c, claim_get(c, "symbols")), m = repaired ? read_uses(now, c, repaired) : 0;
   if (n < 2)
     return claim_error(j, c, "symbols",
                        "symbols, stands-for and found-in list the same uses, two to eight, with \";\"");
   for (int i = 0; i < n; i++)
     if (!found_in_place(&u[i], c, &view)) return claim_error(j, c, "found-in", "a symbol is not printed at its place");
+  if (repaired && m == 0) return claim_error(j, c, "repaired", "as many symbols as are printed are needed, with \";\"");
   clashes(&found, u, n);
   settle(f, j, found.len ? result_copy(j->out, text_str(&found)) : NULL, n);
-  const char *repaired = claim_get(c, "repaired");
   bool ok = true;
   if (found.len && repaired && !view.control) {
-    struct use now[MAX_USES];
-    int m = read_uses(now, c, repaired);
     text_reset(&found);
-    if (m == 0) return claim_error(j, c, "repaired", "as many symbols as are printed are needed, with \";\"");
     clashes(&found, now, m);
     if (!claim_get(c, "repaired-as")) borrowed(&found, j, now, m, u, n);
     f->correction = uses_text(j, now, m);
