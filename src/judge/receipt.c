@@ -210,7 +210,6 @@ static bool add_head(struct text *out, struct judge *j, const struct claim *c, c
 static bool rank_receipt(struct text *out, struct judge *j, const struct claim *c) {
   struct rank_system y;
   struct exact_rank r = {-1, NULL};
-  struct model plain;
   struct view view = claim_view(j->model, c);
   const char *said = claim_get(c, "rank");
   int rank = said ? (int)strtol(said, NULL, 10) : -1;
@@ -225,10 +224,6 @@ static bool rank_receipt(struct text *out, struct judge *j, const struct claim *
       diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", c->id,
                r.rank < 0 ? r.note : "the rank differs");
   }
-  if (ok && generic) {
-    sentence_clear(&y.s);
-    ok = rank_system_build(&y, j, c, view_without_stable(&view, &plain));
-  }
   ok = ok && add_head(out, j, c, c->id, false);
   if (ok) add_system(out);
   if (ok) (generic ? add_equations : add_matrix)(out, &y, rank);
@@ -242,9 +237,7 @@ static bool rank_receipt(struct text *out, struct judge *j, const struct claim *
 static bool defined_receipt(struct text *out, struct judge *j, const struct claim *c) {
   struct divisor list[MOST_DIVISORS];
   char ids[16][32];
-  struct model plain;
   struct view view = claim_view(j->model, c);
-  view = view_without_stable(&view, &plain);
   int n = 0, m = claim_names_listed(ids, 16, claim_get(c, "statements"));
   bool admissible = !claim_get(c, "over"), ok = add_head(out, j, c, c->id, false);
   for (int i = 0; ok && i < m; i++) {
@@ -272,9 +265,7 @@ static bool defined_receipt(struct text *out, struct judge *j, const struct clai
 static bool criterion_receipt(struct text *out, struct judge *j, const struct claim *c) {
   struct override o[N_PHASES];
   struct sentence s;
-  struct model plain;
   struct view view = claim_view(j->model, c);
-  view = view_without_stable(&view, &plain);
   const struct statement_record *r = claim_record(view, c, "statement", claim_get(c, "statement"), j->d);
   if (!r) return false;
   struct linearized l = linearized_stability(j, r, view);
@@ -335,9 +326,7 @@ static bool receipt_of_orbit(const struct claim *c) {
 static bool add_margins(struct text *out, struct judge *j, const struct claim *c, const char *attribute,
                         const char *list, bool free) {
   struct conditions all;
-  struct model plain;
-  struct view view = claim_view(j->model, c);
-  bool ok = conditions_read(&all, j, c, attribute, view_without_stable(&view, &plain));
+  bool ok = conditions_read(&all, j, c, attribute, claim_view(j->model, c));
   for (int i = 0; ok && i < all.n; i++) {
     const struct condition *k = &all.at[i];
     if (free && (k->friction[0] || k->friction[1])) continue;
@@ -403,19 +392,16 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
     return false;
   }
   enum kind kind = claim_kind(c);
-  bool of_orbit = receipt_of_orbit(c);
-  if (!of_orbit && !claim_tried_at_points(c) && kind != KIND_RANK && kind != KIND_ARGUMENT && kind != KIND_DEFINED &&
-      kind != KIND_CRITERION)
-    return diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
   struct audit_result kept;
   audit_result_init(&kept);
   struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};
-  bool ok = of_orbit                 ? orbit_receipt(out, &j, c)
-            : kind == KIND_RANK      ? rank_receipt(out, &j, c)
-            : kind == KIND_DEFINED   ? defined_receipt(out, &j, c)
-            : kind == KIND_CRITERION ? criterion_receipt(out, &j, c)
-            : kind == KIND_ARGUMENT  ? add_head(out, &j, c, id, false) && argument_receipt(out, &j, c)
-                                     : equality_receipt(out, &j, c, id, r);
+  bool ok = receipt_of_orbit(c)        ? orbit_receipt(out, &j, c)
+            : kind == KIND_RANK        ? rank_receipt(out, &j, c)
+            : kind == KIND_DEFINED     ? defined_receipt(out, &j, c)
+            : kind == KIND_CRITERION   ? criterion_receipt(out, &j, c)
+            : kind == KIND_ARGUMENT    ? add_head(out, &j, c, id, false) && argument_receipt(out, &j, c)
+            : claim_tried_at_points(c) ? equality_receipt(out, &j, c, id, r)
+                                       : diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
   if (ok) text_printf(out, "\n\n%s", python);
   audit_result_clear(&kept);
   return ok;

@@ -37,13 +37,13 @@ struct solutions {
   struct point at;
   bool kept; /* only solutions that keep the constraints count */
   enum asked_of asked;
-  long count; /* that is claimed */
+  long count;   /* that is claimed */
+  double until; /* a bound of t_c; 0: none */
   struct sentence equations;
   struct conditions constraints;
   struct dyn_orbits list;
   truth *solves, *keeps; /* each of the list, the claim's equations and the constraints */
   bool (*broken)[MAX_CONDITIONS];
-  long n_solve;
   bool are_theirs; /* and what solves these solves those of the list */
 };
 
@@ -70,8 +70,8 @@ static bool read_asked(struct solutions *x) {
   x->kept = claim_says(x->c, "kept", "yes");
   x->count = count ? strtol(count, &end, 10) : 0;
   if (count && (end == count || *end || x->count < 0)) return claim_error(x->j, x->c, "count", "a whole number");
-  double most = until ? strtod(until, &end) : 0;
-  if (until && (*end || !(most > 0 && most < (double)INFINITY)))
+  x->until = until ? strtod(until, &end) : 0;
+  if (until && (*end || !(x->until > 0 && x->until < (double)INFINITY)))
     return claim_error(x->j, x->c, "until", "a positive number");
   x->asked = count                                 ? ASKED_COUNT
              : claim_get(x->c, "given")            ? ASKED_GIVEN
@@ -106,7 +106,7 @@ static void find(struct solutions *x) {
     dyn_orbits_find(&x->list, params, SOLUTION_PREC, &dyn_limits_default);
     dyn_orbits_complete(&x->list, params, SOLUTION_PREC, NULL, DYN_CELLS);
   } else {
-    dyn_branches_find(&x->list, params, strtod(claim_get(x->c, "until"), NULL), SOLUTION_PREC, DYN_CELLS);
+    dyn_branches_find(&x->list, params, x->until, SOLUTION_PREC, DYN_CELLS);
   }
   x->solves = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->solves);
   x->keeps = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->keeps);
@@ -129,11 +129,16 @@ static truth solves(struct solutions *x, enum variant variant) {
   return o == OUTCOME_AGREES ? TRUTH_TRUE : o == OUTCOME_DIFFERS ? TRUTH_FALSE : TRUTH_UNKNOWN;
 }
 
+static long n_solve(const struct solutions *x) {
+  long n = 0;
+  for (slong i = 0; i < x->list.n; i++) n += x->solves[i] == TRUTH_TRUE;
+  return n;
+}
+
 static void try_each(struct solutions *x) {
   for (slong i = 0; i < x->list.n; i++) {
     x->at.known = &x->list.orbit[i];
     x->solves[i] = solves(x, VARIANT_CLOSED);
-    x->n_solve += x->solves[i] == TRUTH_TRUE;
     x->keeps[i] = keeps(x, i);
   }
   x->at.known = NULL;
@@ -315,13 +320,13 @@ static const char *summed_up(struct solutions *x) {
     return result_str(x->j->out,
                       "%ld periodic solutions, each proved to exist, %s in which each phase ends at the first possible "
                       "time; the equations hold for %ld of them, the constraints for %ld%s",
-                      all, complete, x->n_solve, sure, unseen);
+                      all, complete, n_solve(x), sure, unseen);
   long first = 0;
   for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
   return result_str(x->j->out,
                     "%ld solutions with t_c up to %s, each proved to be locally unique, %s; the equations hold for %ld "
                     "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s%s",
-                    all, claim_get(x->c, "until"), complete, x->n_solve, first, sure, unseen,
+                    all, claim_get(x->c, "until"), complete, n_solve(x), first, sure, unseen,
                     x->asked == ASKED_COUNT && all ? recurrence : "");
 }
 

@@ -25,9 +25,9 @@ struct mech_side {
   double period;
 };
 enum mech_turn {
-  MECH_FLIP, /* the stability changes, and a multiplier passes -1; or an orbit ends on one that goes round once
-                          while it goes twice */
-  MECH_FOLD, /* the same at 1, or no orbit is found beyond and a multiplier comes to 1 */
+  MECH_FLIP,           /* the stability changes, and a multiplier passes -1; or an orbit ends on one that goes round
+                          once while it goes twice */
+  MECH_FOLD,           /* the same at 1, or no orbit is found beyond and a multiplier comes to 1 */
   MECH_NEIMARK_SACKER, /* the stability changes, and two conjugate ones pass the unit circle */
   MECH_CONDITION,      /* a condition of Coulomb's law begins or ceases to hold; where an event is no longer the first
                           one the branch ends */
