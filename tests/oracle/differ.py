@@ -1,18 +1,21 @@
 """stickslip orbit against a program that shares the equations of motion with it and nothing else.
 
-    python3 differ.py PROGRAM [--count N] [--random R] [--seed S] [--seconds T] [--page FILE]
+    python3 differ.py PROGRAM [--count N] [--random R] [--seed S] [--seconds T] [--done FILE] [--page FILE]
 
 Draws N scenes, in turn from the classes below, and R more from the first.  The peer looks for the orbits itself in double precision (scan.py: Taylor series, two
 searches), and solves the six equations near each orbit by mpmath with matrix exponentials by power series (orbits.py).  Held against each other:
 how many orbits there are, each of the 40 digits that the program prints of each number, stability, admissibility with the
 conditions that are broken, and the least static frictions.  An orbit that the peer's search has not found counts as one
 where mpmath confirms it.  Where the search would take the peer too long, or a verdict is too close for double precision,
-the rest is checked; the table says how often.  Status 1 where something differs.
+the rest is checked; the table says how often.  Status 1 where something differs.  What was found of each scene is appended
+to the FILE of --done as soon as it is known, and a scene that stands there is not studied again, so that a long run can be ended at any
+time; the file is for one build of the program.
 """
 import argparse
 import json
 import math
 import multiprocessing
+import os
 import random
 import signal
 import subprocess
@@ -163,16 +166,16 @@ def confirm(params, model, o):
 
 
 def study(task):
-    """The class, what was found, and a line about what differs."""
+    """The class, its seed, what was found, a line about what differs, and how many orbits."""
     program, name, seed = task
     params = CLASSES[name](random.Random("%s %s" % (name, seed)), program)
     where = name + ": " + " ".join("%s=%s" % q for q in zip(NAMES, params))
     try:
         answer = ask(program, dict(zip(NAMES, params)))
     except subprocess.TimeoutExpired:
-        return name, {"no answer"}, where + ": none in 300 s"
+        return name, seed, ["no answer"], where + ": none in 300 s", 0
     if answer is None:
-        return name, {"no answer"}, where + ": refused"
+        return name, seed, ["no answer"], where + ": refused", 0
     model = scan.Model(*(float(q) for q in (params[0], params[1], 1, params[3] / params[2], params[4] / params[2])))
     found, facts, differ = search(model), set(), []
     for o in answer["orbits"]:
@@ -190,7 +193,7 @@ def study(task):
     facts |= {"incomplete"} if not answer["complete"] else set()
     facts |= {"missed"} if missed and not answer["complete"] else set()
     facts |= {"differs"} if differ else set() if "incomplete" in facts else {"held"}
-    return name, facts, where + ": " + "; ".join(differ) if differ else "", len(answer["orbits"])
+    return name, seed, sorted(facts), where + ": " + "; ".join(differ) if differ else "", len(answer["orbits"])
 
 
 COLUMNS = (("held", "held"), ("incomplete", "said to be incomplete"), ("missed", "of these: an orbit missed"), ("differs", "differences"),
@@ -201,7 +204,7 @@ def table(results):
     lines = ["| class | tried | orbits | " + " | ".join(t for _, t in COLUMNS) + " |", "| --- |" + " --- |" * (2 + len(COLUMNS))]
     for name in list(CLASSES) + ["all"]:
         own = [r for r in results if name in ("all", r[0])]
-        counts = [len(own), sum(r[3] for r in own if len(r) > 3)] + [sum(k in r[1] for r in own) for k, _ in COLUMNS]
+        counts = [len(own), sum(r[4] for r in own)] + [sum(k in r[2] for r in own) for k, _ in COLUMNS]
         lines.append("| %s | %s |" % (name, " | ".join(map(str, counts))))
     return "\n".join(lines)
 
@@ -231,16 +234,24 @@ def main():
     parser.add_argument("--random", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=math.inf)
+    parser.add_argument("--done")
     parser.add_argument("--page")
     args = parser.parse_args()
     names = [list(CLASSES)[i % len(CLASSES)] for i in range(args.count)] + ["random"] * args.random
     tasks = [(args.program, name, "%d %d" % (args.seed, i)) for i, name in enumerate(names)]
     results, begin = [], time.time()
+    if args.done and os.path.exists(args.done):
+        with open(args.done, encoding="utf-8") as f:
+            results = [r for r in map(json.loads, f) if (args.program, *r[:2]) in tasks]
+    known = {tuple(r[:2]) for r in results}
     with multiprocessing.Pool() as pool:
-        for r in pool.imap_unordered(study, tasks):
+        for r in pool.imap_unordered(study, [t for t in tasks if t[1:] not in known]):
             results.append(r)
-            if r[2]:
-                print(r[2], flush=True)
+            if args.done:
+                with open(args.done, "a", encoding="utf-8") as f:
+                    f.write(json.dumps(r) + "\n")
+            if r[3]:
+                print(r[3], flush=True)
             if time.time() - begin > args.seconds:
                 pool.terminate()
                 break
@@ -248,7 +259,7 @@ def main():
     if args.page:
         with open(args.page, "w", encoding="utf-8") as f:
             f.write(PAGE % (len(results), args.seed, table(results)))
-    sys.exit(any("differs" in r[1] for r in results))
+    sys.exit(any("differs" in r[2] for r in results))
 
 
 if __name__ == "__main__":
