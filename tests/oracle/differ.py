@@ -151,7 +151,7 @@ def confirm(params, model, o):
         j = system.return_jacobian(x, mpmath.mpf(10) ** -40)
         trace = j[0, 0] + j[1, 1]
         values = dict(zip(orbits.UNKNOWNS, [x[0] * v, x[1] * v] + x[2:]), period=sum(x[2:]), trace=trace)
-        if sum(x[2:]) * model.fastest > 200:
+        if sum(map(abs, x[2:])) * model.fastest > 200:  # t_a can be negative
             return [k for k in values if not is_rounded(o[k], values[k])], True
         off = ["stable"] if o["stable"] != (abs(trace) < 1) else []
         try:
