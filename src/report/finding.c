@@ -117,7 +117,9 @@ const char *audit_source(const struct audit_result *r) {
 
 void audit_data(struct text *out, const struct audit_result *r) {
   if (r->data)
-    text_printf(out, "The data are those of this scene, %s: what the paper says of its example was judged with them.",
+    text_printf(out,
+                "The data are those of this scene, %s, of which the paper does not speak: what it says of its example "
+                "is asked of them among the checks.",
                 r->data);
 }
 
@@ -156,7 +158,9 @@ void verdicts_say(struct text *out, const struct audit_result *r) {
   if (conditional) text_printf(out, ", %ld hold%s under a condition", conditional, conditional == 1 ? "s" : "");
   if (fail) text_printf(out, ", %ld do%s not hold as printed", fail, fail == 1 ? "es" : "");
   if (of_numbers) text_printf(out, ", %ld of them about the numbers of the example", of_numbers);
-  if (of_notation)
+  if (of_notation && of_notation == fail)
+    text_add(out, fail == 1 ? ", by a misprint or slip of notation" : ", all by a misprint or slip of notation");
+  else if (of_notation)
     text_printf(out, "%s%ld %sby a misprint or slip of notation", of_numbers ? " and " : ", ", of_notation,
                 of_numbers ? "" : "of them ");
   if (count[VERDICT_SUPPORTED]) text_printf(out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);

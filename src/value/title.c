@@ -20,10 +20,10 @@ static bool missing(const struct title *t) {
 static const char *const sentences[N_KINDS] = {
     [KIND_CLOSURE] = "the printed numbers are those of a periodic solution",
     [KIND_NOTATION] = "{reads} can be read as a formula",
-    [KIND_SEQUENCE] = "on the example one period consists of {word}, in this order",
+    [KIND_SEQUENCE] = "one period consists of {word}, in this order,",
     [KIND_LAW] = "{equation} gives the friction of the {mass} mass while it slips, while it sticks and where the "
                  "restoring force exceeds its limit",
-    [KIND_REPORT] = "the value of {formula} on the example",
+    [KIND_REPORT] = "the value of {formula}",
 };
 static const char limits[] =
     "{equation} gives the friction of the {mass} mass where the restoring force is equal to its limit";
@@ -33,6 +33,17 @@ static bool make_sentence(struct text *out, const struct title *t) {
   const struct title quiet = {t->m, t->c, t->s, &unmade};
   const char *text = claim_get(t->c, "limits") ? limits : sentences[claim_kind(t->c)];
   return title_expand(out, &quiet, text) || missing(t);
+}
+
+/* Of which data: those of the paper's example, or of a scene that is not about it. */
+static const char *on_data(const struct title *t) {
+  return !t->s || scene_is_example(t->s) ? " on the example" : " for the data of this scene";
+}
+
+static bool make_of_data(struct text *out, const struct title *t) {
+  bool ok = make_sentence(out, t);
+  if (ok) text_add(out, on_data(t));
+  return ok;
 }
 
 /* The record that is the claim's statement, as it is judged; NULL with t->d set. */
@@ -157,7 +168,7 @@ static bool make_inequality(struct text *out, const struct title *t) {
     stated(out, &verb, t, r, MOST_FORMULA);
     text_add(out, verb);
   }
-  text_add(out, t->m->system ? " on the example" : " wherever both sides have values");
+  text_add(out, t->m->system ? on_data(t) : " wherever both sides have values");
   return true;
 }
 
@@ -208,7 +219,10 @@ static bool make_number(struct text *out, const struct title *t) {
     text_printf(out, "%s%s", relation ? " is " : " = ", printed ? printed->decimal : text_str(&decimal));
     if (!relation && strcmp(text_str(&name), text_str(&formula)) != 0)
       text_printf(out, ", the value of %s", text_str(&formula));
-    text_add(out, strcmp(from, "orbit") == 0 ? " on the example's orbit" : " at the printed numbers");
+    if (strcmp(from, "orbit") == 0)
+      text_printf(out, " on %s's orbit", printed ? scene_data_of(t->s) : "the example");
+    else
+      text_add(out, " at the printed numbers");
   }
   text_clear(&decimal);
   text_clear(&formula);
@@ -259,7 +273,7 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
     text_add(out, " in ");
     title_phases(out, &with.one, 1);
   }
-  if (claim_says(t->c, "over", "scene")) text_add(out, " on the example");
+  if (claim_says(t->c, "over", "scene")) text_add(out, on_data(t));
   if (claim_says(t->c, "over", "orbits")) text_add(out, " on every orbit");
   return !apart || argue_where(out, &with, t);
 }
@@ -483,7 +497,7 @@ static bool make_solutions(struct text *out, const struct title *t) {
   bool first = claim_says(t->c, "every", "first");
   if (every)
     text_add(out, first ? " takes the first roots of the switching functions" : " is a motion under Coulomb's law");
-  text_add(out, at ? " at " : " on the example");
+  text_add(out, at ? " at " : on_data(t));
   if (at) listed_as_printed(out, at);
   return true;
 }
@@ -551,9 +565,9 @@ static maker *const makers[N_KINDS] = {
     [KIND_NUMBER] = make_number,         [KIND_CLOSURE] = make_sentence,  [KIND_CRITERION] = make_criterion,
     [KIND_BEHAVIOUR] = make_behaviour,   [KIND_ARGUMENT] = make_argument, [KIND_NOTATION] = make_notation,
     [KIND_SCALING] = make_scaling,       [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
-    [KIND_DEFINED] = make_defined,       [KIND_SEQUENCE] = make_sentence, [KIND_CONSTRAINTS] = make_constraints,
+    [KIND_DEFINED] = make_defined,       [KIND_SEQUENCE] = make_of_data,  [KIND_CONSTRAINTS] = make_constraints,
     [KIND_RANGE] = make_range,           [KIND_LAW] = make_sentence,      [KIND_SOLUTIONS] = make_solutions,
-    [KIND_REPORT] = make_sentence,
+    [KIND_REPORT] = make_of_data,
 };
 
 static bool title_made(struct text *out, const struct title *t) {
