@@ -55,13 +55,15 @@ static size_t add_range(struct text *out, const struct rows *t, size_t i) {
   return end;
 }
 
-/* "from x to y"; the table begins at half of the printed e2 and ends at three times it where no change ends it. */
+/* "from x to y"; the table begins at half of the scene's e2 and ends at three times it where no change ends it. */
 static void add_ends(struct text *out, const struct rows *t) {
-  static const char *const far[] = {"half of the printed $e_2$", "three times the printed $e_2$"};
+  static const char *const far[2][2] = {{"half of the printed $e_2$", "half of its $e_2$"},
+                                        {"three times the printed $e_2$", "three times its $e_2$"}};
   for (int end = 0; end < 2; end++) {
     size_t i = end ? t->n - 1 : 0;
     bool change = is_change(t, i);
-    text_printf(out, " %s %s%s", end ? "to" : "from", change ? "where " : "", change ? t->cell[i][CHANGE] : far[end]);
+    text_printf(out, " %s %s%s", end ? "to" : "from", change ? "where " : "",
+                change ? t->cell[i][CHANGE] : far[end][t->orbit != NULL]);
   }
 }
 
