@@ -539,6 +539,7 @@ TEST(the_letter) {
                              NULL};
   struct audit_result r = {.scene = "s",
                            .paper_text = "sha256 0",
+                           .paper_source = "The text that was read is a machine conversion.",
                            .findings = f,
                            .n_findings = COUNT(f),
                            .roots = root,

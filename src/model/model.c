@@ -240,6 +240,7 @@ static bool load_title(struct model *m, const struct record_file *f, enum rank r
     const struct field *fd = &top->fields[k];
     if (!fd->attribute) continue;
     if (strcmp(fd->key_name, "paper") == 0) ok = load_fact(&m->paper, "title", f, fd, rank, d);
+    if (strcmp(fd->key_name, "source") == 0) ok = load_fact(&m->paper_source, "source", f, fd, rank, d);
     if (strcmp(fd->key_name, "model") == 0) {
       ok = load_fact(&m->system, "model", f, fd, rank, d);
       if (!ok || strcmp(fd->text, two_masses) == 0) continue;
@@ -258,7 +259,7 @@ static bool load_title(struct model *m, const struct record_file *f, enum rank r
 
 static bool load_records(struct model *m, const struct record_file *f, enum rank rank, struct diag *d) {
   static const char *const kinds[] = {"define", "equation", "inequality", "relation"};
-  static const char *const attributes[] = {"section", "title", "note", "paper", "place", "text", "model"};
+  static const char *const attributes[] = {"section", "title", "note", "paper", "place", "text", "source", "model"};
   const struct record *top = &f->records[0];
   if (!check_attributes(f, top, attributes, sizeof attributes / sizeof *attributes, d) || !load_title(m, f, rank, d))
     return false;

@@ -294,10 +294,11 @@ struct mutation_score {
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
-  const char *data;       /* "chi = 2/3, ..., e2 = 1/4" where they are not those of an example in print; else NULL */
-  const char *paper;      /* the title of the paper; NULL where its files say none */
-  const char *model;      /* "two masses on a belt" where its files say that it is about these; else NULL */
-  const char *paper_text; /* the digest of the text that is quoted (quote/quote.h); NULL likewise */
+  const char *data;         /* "chi = 2/3, ..., e2 = 1/4" where they are not those of an example in print; else NULL */
+  const char *paper;        /* the title of the paper; NULL where its files say none */
+  const char *model;        /* "two masses on a belt" where its files say that it is about these; else NULL */
+  const char *paper_text;   /* the digest of the text that is quoted (quote/quote.h); NULL likewise */
+  const char *paper_source; /* what text was read, in a sentence; NULL likewise */
   const char
       *subject; /* what was read: it tells one paper, overlay and scene from others (audit_fingerprint); or NULL */
   struct finding *findings;

@@ -361,6 +361,7 @@ static const struct member audit_shape_member[] = {
     STRING(struct audit_result, paper, MEMBER_SPARSE),
     STRING(struct audit_result, model, MEMBER_SPARSE),
     STRING(struct audit_result, paper_text, MEMBER_SPARSE),
+    STRING(struct audit_result, paper_source, MEMBER_SPARSE),
     STRING(struct audit_result, subject, MEMBER_SPARSE),
     TOLD("summary", tell_summary),
     TOLD("checks", tell_checks),

@@ -141,7 +141,8 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
   sheet_prose(s, text_str(&data));
   text_add(s->out, data.len ? " " : "");
   text_clear(&data);
-  text_printf(s->out, "%s %s%s", audit_method(r), audit_source(r), *audit_source(r) ? " " : "");
+  text_printf(s->out, "%s ", audit_method(r));
+  if (r->paper_source) text_printf(s->out, "%s ", r->paper_source);
   if (substance == 1) text_add(s->out, "The first point affects results. ");
   if (substance > 1)
     text_printf(
@@ -153,7 +154,12 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
                 "The %zu remarks and slips of notation that follow concern gaps in an argument, exceptional cases or "
                 "the wording. ",
                 slips);
-  if (r->n_roots) text_add(s->out, "Numerical values and counterexamples are collected at the end.");
+  long count[N_VERDICTS];
+  audit_result_count(count, r, OF_PAPER);
+  if (r->n_roots)
+    text_add(s->out, "Numerical values and counterexamples are collected at the end.");
+  else if (!count[VERDICT_REFUTED] && !count[VERDICT_CONDITIONAL])
+    text_add(s->out, "No error was found.");
   text_add_char(s->out, '\n');
 }
 

@@ -108,13 +108,6 @@ const char *audit_method(const struct audit_result *r) {
                     "computations with rigorous error bounds at values of its own symbols.";
 }
 
-const char *audit_source(const struct audit_result *r) {
-  return r->paper_text
-             ? "The text that was read is a machine conversion of the printed paper, without its figures; a misprint "
-               "of one symbol may be due to it."
-             : "";
-}
-
 void audit_data(struct text *out, const struct audit_result *r) {
   if (r->data)
     text_printf(out,

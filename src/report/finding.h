@@ -52,9 +52,8 @@ const char *failure_size(const struct audit_result *r, const struct finding *f);
 
 /* --- The record --- */
 
-/* How the paper was judged, and where its text comes from, which is empty where that is not known: a sentence each. */
+/* How the paper was judged, in a sentence. */
 const char *audit_method(const struct audit_result *r);
-const char *audit_source(const struct audit_result *r);
 /* What the data are, in a sentence, where the record names them; else nothing. */
 void audit_data(struct text *out, const struct audit_result *r);
 /* The command that repeats the audit, by what is given with its claims; without one, that of the usual scene. */

@@ -270,7 +270,7 @@ static void add_data(const struct page *p) {
 void page_letter(const struct page *p) {
   page_begin_section(p, "letter", p->r->data ? "The paper with the data of this scene" : "To the authors");
   page_add(p, "<p>%t", audit_method(p->r));
-  if (*audit_source(p->r)) page_add(p, " <strong>%t</strong>", audit_source(p->r));
+  if (p->r->paper_source) page_add(p, " <strong>%t</strong>", p->r->paper_source);
   text_add(p->out, "</p>\n");
   add_data(p);
   add_example(p);

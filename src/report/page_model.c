@@ -73,7 +73,7 @@ void page_limits(const struct page *p) {
   const struct audit_result *r = p->r;
   page_begin_fold(p, "limits", "What the audit does not show");
   page_add(p, "<ul>\n%s%s", r->model ? page_limits_model_html : "", page_limits_html);
-  if (*audit_source(r)) page_add(p, "<li>What the printed page says: %t</li>\n", audit_source(r));
+  if (r->paper_source) page_add(p, "<li>What the printed page says: %t</li>\n", r->paper_source);
   if (r->paper_text)
     page_add(p,
              "<li>That your copy of the paper says what is quoted here: <code>stickslip quotes FILE</code> looks "

@@ -341,6 +341,7 @@ static void name_subject(struct audit_result *out, const struct model *m, const 
   out->model = result_copy(out, m->system);
   if (!m->system) out->data = NULL; /* which are of nothing that the paper speaks of */
   out->paper_text = result_copy(out, m->paper_text);
+  if (m->paper_source) out->paper_source = result_str(out, "The text that was read is %s.", m->paper_source);
 }
 
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,

@@ -4,6 +4,7 @@
 paper: Analytical investigation of periodic solutions for a coupled oscillator with dry friction
 place: 2-79
 model: two masses on a belt
+source: a machine conversion of the printed paper, without its figures; a misprint of one symbol may be due to it
 text: sha256 843a63168c06b344dcb4caa15bf79f0d490fe8048cc8bac571711feaa7cceec7
 
 symbol chi
