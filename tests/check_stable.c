@@ -1,6 +1,6 @@
 /* The stable layer: every form of verify/stable.eq is proved, none of them when damaged; double precision loses no more
    with them than the conditioning explains, at thousands of extreme points against balls, where the corrected forms
-   lose all digits; and the audit says the same with them. */
+   lose all digits. */
 #include "proof/stable_forms.h"
 
 #include <ctype.h>
@@ -8,21 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claim/claims.h"
 #include "element.h"
 #include "every.h"
 #include "local.h"
 #include "paper_model.h"
 #include "paper_value.h"
 #include "rational.h"
-#include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
 #include "stability/stability.h"
 #include "stable_points.h"
 #include "suite.h"
 #include "table.h"
-#include "whole.h"
 
 static struct model model;
 
@@ -309,12 +306,6 @@ TEST(the_stable_layer_hides_the_corrected_one) {
       part = view_lookup(&v, "omega_p", "appendix_a", &d);
       ck_assert(!part == (layer != LAYER_STABLE));
     }
-  model.stable = true; /* then corrected is read as stable */
-  struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
-  ck_assert(view_lookup(&v, "C_1", "appendix_a", &d)->rank == RANK_STABLE);
-  v.layer = LAYER_PRINTED;
-  ck_assert(view_lookup(&v, "C_1", "appendix_a", &d)->rank == RANK_PAPER);
-  model.stable = false;
 }
 
 /* --- Digits --- */
@@ -473,44 +464,6 @@ TEST_EACH(a_form_that_fails_at_extreme_points_is_named, COUNT(elsewhere)) {
   ck_assert_msg(strstr(text_str(&fails), "C_1: ") && strstr(text_str(&fails), elsewhere[_i].says) &&
                     strstr(text_str(&fails), "eta-to-0 at chi=0x"),
                 "%s", text_str(&fails));
-}
-
-/* --- The audit --- */
-
-/* Every third claim in make check, without what follows of failures, which is no verdict. */
-static void judge_stable(struct audit_result *out) {
-  OWNED(claims) claims;
-  struct claims none = {.n = 0};
-  audit_result_init(out);
-  paper_claims(&claims, NULL);
-  OWNED(scene) paper = scene_at("paper");
-  size_t n_results = claims.n_results;
-  claims.n_results = 0;
-  model.stable = true;
-  const char **only = ss_malloc(claims.n * sizeof *only);
-  int n_only = 0;
-  for (size_t i = 0; i < claims.n; i += (size_t)every(3)) only[n_only++] = claims.claim[i].id;
-  const struct audit_options opt = {.only = only, .n_only = n_only};
-  goes_well(audit_run(out, &model, &claims, &none, &paper, &opt, &d));
-  model.stable = false;
-  free(only);
-  claims.n_results = n_results;
-}
-
-CASE("audits", .each = {setup, teardown}, .tags = "long");
-
-/* Proofs by exact algebra use the corrected forms in both; balls and rounded numbers do not. */
-TEST(both_layers_give_the_same_verdicts) {
-  OWNED(audit_result) corrected, stable;
-  whole_open();
-  whole_record(&corrected);
-  judge_stable(&stable);
-  ck_assert_uint_gt(stable.n_findings, 50);
-  for (size_t i = 0; i < stable.n_findings; i++) {
-    const struct finding *b = &stable.findings[i], *a = finding_with_id(&corrected, b->id);
-    ck_assert_msg(a->verdict == b->verdict && a->correction_verdict == b->correction_verdict, "%s: %s, not %s", b->id,
-                  verdict_name[b->verdict], verdict_name[a->verdict]);
-  }
 }
 
 /* --- What the exact field knows of the functions --- */

@@ -65,8 +65,7 @@ static bool add_repaired(struct text *out, const struct claim *c, const char *ke
 /* "err-40": the TeX of the record, of its correction where it has one; "text-free-index.repaired": the claim's. */
 static bool add_cited(struct text *out, const struct model *m, const struct claims *claims, const char *cited,
                       struct diag *d) {
-  struct model plain;
-  const struct view v = {m, LAYER_CORRECTED, NULL, NULL}, corrected = view_without_stable(&v, &plain);
+  const struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
   const char *key = strchr(cited, '.');
   if (!key) {
     const struct statement_record *r = view_record(&corrected, cited);

@@ -277,8 +277,7 @@ static void conclude(struct finding *f, struct range *r) {
 }
 
 bool judge_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct model plain;
-  struct range r = {.j = j, .c = c, .view = view_without_stable(&view, &plain)};
+  struct range r = {.j = j, .c = c, .view = view};
   bool ok = read_range(&r);
   r.uses_friction = ok && r.premise.n && (r.premise.at[0].friction[0] || r.premise.at[0].friction[1]);
   if (ok) {

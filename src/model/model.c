@@ -350,9 +350,8 @@ void record_quote(struct text *out, const struct statement_record *r) {
 
 /* Whether the view sees something of this rank, equation and record. */
 static bool sees(const struct view *v, enum rank rank, const char *equation, const char *id) {
-  bool stable = v->layer == LAYER_STABLE || (v->model->stable && v->layer == LAYER_CORRECTED);
   if (rank == RANK_ERRATA || rank == RANK_STABLE)
-    return (rank == RANK_STABLE ? stable : v->layer != LAYER_PRINTED) &&
+    return (rank == RANK_STABLE ? v->layer == LAYER_STABLE : v->layer != LAYER_PRINTED) &&
            !(v->own && strcmp(v->own, *equation ? equation : id) == 0);
   if (rank == RANK_CONTROL) return v->control && strcmp(v->control, id) == 0;
   return true;
@@ -416,12 +415,4 @@ const struct statement_record *view_record(const struct view *v, const char *id)
   }
   if (best && m->use) m->use->record[best - m->records] = true;
   return best;
-}
-
-struct view view_without_stable(const struct view *v, struct model *plain) {
-  struct view without = *v;
-  *plain = *v->model;
-  plain->stable = false;
-  without.model = plain;
-  return without;
 }

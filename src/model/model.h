@@ -101,7 +101,6 @@ struct model {
   struct symbol *symbols;
   size_t n_symbols, cap_symbols, n_own; /* n_own: with a domain */
   struct model_use *use;                /* NULL: nobody asks */
-  bool stable;                          /* the corrected layer is read as the stable one */
 };
 
 void model_init(struct model *m);
@@ -149,9 +148,7 @@ bool view_sees(const struct view *v, const struct definition *def);
 const struct statement_record *model_statements(const struct model *m, const struct record *r);
 /* The record of that id under the view, or NULL. */
 const struct statement_record *view_record(const struct view *v, const char *id);
-/* The same view without the stable forms, for proofs: they are proved equal to the corrected ones
-   (proof/stable_forms.h), which are shorter.  *plain is what the view's model then is. */
-struct view view_without_stable(const struct view *v, struct model *plain);
+
 /* --- Elaboration --- */
 
 /* A matrix of shared scalars; 1x1 stands for a scalar. */

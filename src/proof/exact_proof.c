@@ -359,8 +359,6 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
 /* oracle: the matrices that are held as unknowns, as a claim lists them. */
 static struct exact_proof prove_question(struct judge *j, const struct exact_question *asked, const char *oracle,
                                          struct view view) {
-  struct model plain;
-  view = view_without_stable(&view, &plain);
   struct override o[EXACT_UNKNOWNS];
   const struct exact_question *q = keep_question(j, asked);
   int n = choose_unknowns(o, oracle, q->value);

@@ -157,23 +157,11 @@ static int repeated_equations(struct text *note, struct judge *j, const struct c
   return n;
 }
 
-/* Stable forms are the same functions (stable_forms.h), in terms that are not looked through here. */
-static bool entries_are_analytic(struct text *note, struct judge *j, const struct claim *c, struct view view,
-                                 const struct rank_system *y) {
-  if (!view.model->stable) return is_analytic(note, &y->s.tape);
-  struct model plain;
-  struct rank_system same;
-  view = view_without_stable(&view, &plain);
-  bool ok = rank_system_build(&same, j, c, view) && is_analytic(note, &same.s.tape);
-  sentence_clear(&same.s);
-  return ok;
-}
-
 struct generic_rank generic_rank_of(struct judge *j, const struct claim *c, struct view view,
                                     const struct rank_system *y) {
   struct generic_rank g = {0};
   struct text note = {0};
-  g.analytic = entries_are_analytic(&note, j, c, view, y);
+  g.analytic = is_analytic(&note, &y->s.tape);
   int rows = y->rows - repeated_equations(&note, j, c, view);
   g.most = rows < y->cols ? rows : y->cols;
   text_printf(&note, "; of %d equation%s in %d unknown%s no more than %d can be independent", rows,

@@ -191,11 +191,8 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
 /* --- All of it --- */
 
 struct linearized linearized_stability(struct judge *j, const struct statement_record *criterion, struct view view) {
-  struct model plain;
   struct text note = {0};
   const char *missing = NULL;
-  view = view_without_stable(&view, &plain);
-  if (criterion->rank == RANK_STABLE) criterion = view_record(&view, criterion->id);
   text_add(&note, "by the theorem of linearized stability for a fixed point of a C^1 map, on every admissible periodic "
                   "solution at which J has a value; its hypotheses: ");
   if (!all_transversal(&note, view))

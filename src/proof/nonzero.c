@@ -91,9 +91,7 @@ static bool collect_used(struct divisor *list, int *n, const struct statement_re
 }
 
 bool divisors_of(struct divisor *list, int *n, const struct statement_record *r, struct view view) {
-  struct model plain;
   bool ok = true;
-  view = view_without_stable(&view, &plain);
   for (int k = 0; ok && k < r->n_stmts; k++) ok = collect_stmt(list, n, r->section, r->stmts[k]);
   for (int k = 0; ok && k < r->n_stmts; k++) ok = collect_used(list, n, r, r->stmts[k], view);
   return ok;
@@ -288,8 +286,6 @@ static const char *why(const struct tape *t, bool root, bool admissible) {
 
 /* The quantity as a tape; false where it is no scalar. */
 static bool divisor_tape(struct tape *t, const struct divisor *q, struct view view) {
-  struct model plain;
-  view = view_without_stable(&view, &plain);
   return formula_tape(t, view, text_str(&q->formula), q->section, NULL, 0) && t->n_outputs == 1;
 }
 

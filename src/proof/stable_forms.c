@@ -285,11 +285,8 @@ static bool prove_definition(struct stable_proofs *out, struct unknowns *u, cons
 }
 
 /* Every form, or only those asked for. */
-static bool prove_all(struct stable_proofs *out, const struct model *model, bool algebra_alone,
+static bool prove_all(struct stable_proofs *out, const struct model *m, bool algebra_alone,
                       const struct model_use *asked, struct diag *d) {
-  struct model both = *model;
-  const struct model *m = &both;
-  both.stable = false; /* else the stable layer would be held against itself */
   struct unknowns u = {.n = N_HELD, .usable = -1, .algebra_alone = algebra_alone, .asked = asked};
   memcpy(u.name, stable_held, sizeof stable_held);
   *out = (struct stable_proofs){.n = 0};

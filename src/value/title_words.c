@@ -167,9 +167,7 @@ const struct statement_record *title_record(const struct title *t, const char *i
 const struct statement_record *title_judged(const struct title *t, const char *id, size_t len) {
   const struct statement_record *printed = title_record(t, id, len);
   const struct view v = claim_view(t->m, t->c);
-  struct model plain;
-  const struct view own = view_without_stable(&v, &plain);
-  return printed ? view_record(&own, printed->id) : NULL;
+  return printed ? view_record(&v, printed->id) : NULL;
 }
 
 static bool is_listed(const struct expr *first_order, const char *name) {
