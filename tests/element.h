@@ -9,10 +9,10 @@
 #include "tape/exact.h"
 
 #define ELEMENTS(...)                                                                                                  \
-  LOCAL_CLEARED(exact_clear) fmpz_mpoly_q_struct __VA_ARGS__;                                                          \
-  LOCAL_EACH(LOCAL_INIT, exact, __VA_ARGS__)
+  OWNED_CLEARED(exact_clear) fmpz_mpoly_q_struct __VA_ARGS__;                                                          \
+  OWNED_EACH(OWNED_INIT, exact, __VA_ARGS__)
 
-#define FREED_FIELD LOCAL_CLEARED(local_field_free)
+#define FREED_FIELD OWNED_CLEARED(local_field_free)
 static inline void local_field_free(struct exact_field **f) {
   exact_field_free(*f);
 }

@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "owned.h"
+
 #if defined(__GNUC__)
 #define SS_PRINTF(a, b) __attribute__((format(printf, a, b)))
 #else

@@ -19,4 +19,12 @@
 #include <mag.h>
 #endif
 
+#include "base/owned.h"
+
+OWNED_CLEARING(arb)
+OWNED_CLEARING(arf)
+OWNED_CLEARING(mag)
+OWNED_CLEARING(fmpq)
+OWNED_CLEARING(fmpz)
+
 #endif

@@ -26,4 +26,11 @@
 #endif
 #endif
 
+OWNED_CLEARING(acb)
+OWNED_CLEARING(acb_mat)
+OWNED_CLEARING(arb_mat)
+OWNED_CLEARING(arb_poly)
+OWNED_CLEARING(fmpq_mat)
+OWNED_CLEARING(fmpz_poly)
+
 #endif
