@@ -266,7 +266,7 @@ bool crew_results(void *results, size_t size, size_t n, int jobs, crew_make *mak
   struct making m = {make, arg, ss_malloc(size), size};
   struct crew *c = crew_open(make_one, &m, jobs, false, d);
   enum crew_news news = c ? CREW_NOTHING : CREW_LOST;
-  struct text bytes = {0};
+  OWNED(text) bytes = {0};
   size_t ready = 0, item;
   for (size_t i = 0; c && i < n; i++) crew_give(c, i);
   if (c) crew_complete(c);
@@ -279,7 +279,6 @@ bool crew_results(void *results, size_t size, size_t n, int jobs, crew_make *mak
     if (tally && tally->tell) tally->tell(tally->done, tally->of);
   }
   if (c) crew_close(c);
-  text_clear(&bytes);
   free(m.result);
   if (news == CREW_EXHAUSTED) ss_out_of_memory();
   diag_set(ready < n ? d : NULL, "error: a worker process ended before its time: %zu of %zu items are done", ready, n);

@@ -281,7 +281,7 @@ bool file_write(const char *path, const char *data, size_t len, struct diag *d) 
 }
 
 bool folder_make(const char *path, struct diag *d) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   bool ok = true;
   for (const char *p = path; ok && *p; p++) {
     text_add_char(&t, *p);
@@ -298,7 +298,6 @@ bool folder_make(const char *path, struct diag *d) {
     err = ENOTDIR;
   }
   if (!ok) diag_set(d, "%s: error: cannot make the folder: %s", path, strerror(err));
-  text_clear(&t);
   return ok;
 }
 
@@ -314,7 +313,7 @@ bool folder_is_there(const char *path) {
 }
 
 bool folder_possible(const char *path, struct diag *d) {
-  struct text t = {0}, missing = {0};
+  OWNED(text) t = {0}, missing = {0};
   text_add(&t, path);
   size_t end = t.len;
   int err = look_at_folder(path);
@@ -329,8 +328,6 @@ bool folder_possible(const char *path, struct diag *d) {
   if (!err && missing.len && (mkdir(missing.data, 0777) != 0 || rmdir(missing.data) != 0)) err = errno;
   if (err == EEXIST) err = 0; /* somebody else has made it */
   if (err) diag_set(d, "%s: error: cannot make the folder: %s", path, strerror(err));
-  text_clear(&missing);
-  text_clear(&t);
   return !err;
 }
 
@@ -349,7 +346,7 @@ char **folder_files(size_t *n, const char *path, const char *suffix, struct aren
   }
   char **paths = NULL;
   size_t cap = 0;
-  struct text t = {0};
+  OWNED(text) t = {0};
   for (struct dirent *e = readdir(dir); e; e = readdir(dir)) {
     if (e->d_name[0] == '.' || !path_has_suffix(e->d_name, suffix)) continue;
     text_reset(&t);
@@ -357,7 +354,6 @@ char **folder_files(size_t *n, const char *path, const char *suffix, struct aren
     *SS_PUSH(paths, *n, cap) = arena_strndup(a, t.data, t.len);
   }
   closedir(dir);
-  text_clear(&t);
   if (*n) qsort(paths, *n, sizeof *paths, word_compare);
   if (!*n) diag_set(d, "%s: error: no %s file in this folder", path, suffix);
   return paths;

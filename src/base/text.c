@@ -315,7 +315,7 @@ bool diag_at(struct diag *d, const struct source *s, size_t offset, const char *
   cut_at_character(d->what, sizeof d->what);
   make_visible(d->what, false);
 
-  struct text out = {0}, name = {0};
+  OWNED(text) out = {0}, name = {0};
   text_add(&name, s->name);
   if (name.len > longest_name) {
     name.data[longest_name] = '\0';
@@ -328,7 +328,5 @@ bool diag_at(struct diag *d, const struct source *s, size_t offset, const char *
   snprintf(d->message, sizeof d->message, "%s", text_str(&out)); /* which is shorter, by what went into it */
   make_visible(d->message, true);
   d->set = true;
-  text_clear(&name);
-  text_clear(&out);
   return false;
 }
