@@ -48,10 +48,9 @@ const char *claim_formula(struct arena *a, const struct model *m, const struct c
   const struct statement_record *r = view_record(&v, id);
   if (r && n > 0 && n <= r->n_stmts) {
     const struct stmt *s = r->stmts[n - 1];
-    struct text right = {0};
+    OWNED(text) right = {0};
     if (s->kind == STMT_RELATION) expr_print(&right, s->sides[s->n_sides - 1]);
     if (right.len) formula = arena_strdup(a, text_str(&right));
-    text_clear(&right);
   }
   return formula;
 }

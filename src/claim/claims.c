@@ -53,8 +53,7 @@ bool claims_add_text(struct claims *c, const char *name, const char *text, const
 /* path: NULL, or a file that is read in the place of that of its name. */
 static bool load_folder(struct claims *c, const char *folder, const char *kind, const char *path, struct diag *d) {
   const char *suffix = strcmp(kind, "statement") == 0 ? ".statements" : strcmp(kind, "root") == 0 ? ".roots" : ".claim";
-  struct arena a;
-  arena_init(&a);
+  LOCAL(arena, a);
   size_t n;
   char **file = folder_files(&n, folder, suffix, &a, d);
   bool ok = n > 0;
@@ -63,17 +62,14 @@ static bool load_folder(struct claims *c, const char *folder, const char *kind, 
     ok = claims_add_file(c, here ? path : file[i], kind, d);
   }
   free(file);
-  arena_clear(&a);
   return ok;
 }
 
 bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
                         struct diag *d) {
-  struct text where = {0};
+  OWNED(text) where = {0};
   text_printf(&where, "%s/%s", data, folder);
-  bool ok = load_folder(c, text_str(&where), kind, path, d);
-  text_clear(&where);
-  return ok;
+  return load_folder(c, text_str(&where), kind, path, d);
 }
 
 bool claims_load(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d) {
@@ -252,12 +248,11 @@ bool claims_selects(const char *const *only, int n_only, const struct claim *c) 
 
 void claims_unknown(const struct claims *claims, const char *id, struct diag *d) {
   struct suggestion meant;
-  struct text says = {0};
+  OWNED(text) says = {0};
   suggest_begin(&meant, id, strlen(id));
   for (size_t i = 0; i < claims->n; i++) suggest_try(&meant, claims->claim[i].id);
   suggest_print(&says, &meant);
   diag_set(d, "error: no claim is named %.200s%s; \"stickslip list\" names them all", id, text_str(&says));
-  text_clear(&says);
 }
 
 bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d) {

@@ -57,14 +57,13 @@ static void read_about(struct reach *r, const struct view *v, const char *list, 
 
 /* Symbols of a scalar formula, those of its definitions included. */
 static void add_symbols(struct reach *r, const struct elaboration *el, const struct matrix *m) {
-  struct tape t = {.n = 0};
+  OWNED(tape) t = {.n = 0};
   struct diag d = {0};
   if (elaboration_tape(&t, el, m->e, m->rows * m->cols, &d))
     for (slong i = 0; i < t.n_inputs; i++) {
       *SS_PUSH(r->symbols, r->n_symbols, r->cap_symbols) = t.inputs[i];
       t.inputs[i] = NULL;
     }
-  tape_clear(&t);
 }
 
 /* Mistakes in a formula are the judges' to report; what it reaches before them counts. */
@@ -115,9 +114,8 @@ static const struct reach *walk(struct dependences *d, size_t a) {
   if (r->walked) return r;
   r->walked = true;
   struct view v = claim_view(d->model, c);
-  struct elaboration el;
-  struct arena formulas;
-  arena_init(&formulas);
+  OWNED(elaboration) el;
+  LOCAL(arena, formulas);
   elaboration_init(&el, v, NULL, 0);
   reach_text(r, &el, claim_get(c, "value"), claim_section(c));
   reach_text(r, &el, claim_formula(&formulas, d->model, c, "formula"), claim_section(c));
@@ -128,8 +126,6 @@ static const struct reach *walk(struct dependences *d, size_t a) {
     if (!def) continue;
     *SS_PUSH(r->used, r->n_used, r->cap_used) = def;
   }
-  elaboration_clear(&el);
-  arena_clear(&formulas);
   return r;
 }
 

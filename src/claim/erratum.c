@@ -163,8 +163,7 @@ static bool only_drops(const struct model *m, const struct claim *c) {
 }
 
 bool erratum_renames(const struct model *m, const struct claim *c) {
-  struct arena a;
-  arena_init(&a);
+  LOCAL(arena, a);
   struct beside b = {.arena = &a, .comparable = true};
   set_all_beside(&b, m, c);
   bool names = b.comparable && !b.change.too_many && b.change.n > 0;
@@ -173,7 +172,6 @@ bool erratum_renames(const struct model *m, const struct claim *c) {
   text_clear(&b.quote);
   text_clear(&b.printed);
   text_clear(&b.corrected);
-  arena_clear(&a);
   return names || only_drops(m, c);
 }
 

@@ -191,7 +191,7 @@ static bool add_damage(struct text *out, const struct model *m, const struct cla
 }
 
 bool near_controls_add(struct model *m, const struct claims *claims, struct claims *controls, struct diag *d) {
-  struct text formulas = {0}, records = {0};
+  OWNED(text) formulas = {0}, records = {0};
   const struct claim **damaged = damaged_claims(claims, controls);
   for (size_t i = 0; i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
@@ -207,8 +207,6 @@ bool near_controls_add(struct model *m, const struct claims *claims, struct clai
   }
   bool ok = !records.len || (model_add_text(m, source_name, text_str(&formulas), RANK_CONTROL, d) &&
                              claims_add_text(controls, source_name, text_str(&records), "control", d));
-  text_clear(&records);
-  text_clear(&formulas);
   free(damaged);
   return ok;
 }

@@ -30,14 +30,11 @@ static void add_formula(struct text *out, const char *before, const struct stmt 
 
 /* A statement in the notation of the files, as TeX. */
 static bool add_statement(struct text *out, const char *statement, struct diag *d) {
-  struct source src;
-  struct arena a;
+  OWNED(source) src;
+  LOCAL(arena, a);
   source_from_string(&src, "repaired", statement);
-  arena_init(&a);
   const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, d);
   if (s) add_formula(out, "", s);
-  arena_clear(&a);
-  source_clear(&src);
   return s != NULL;
 }
 
@@ -112,19 +109,17 @@ static bool add_correct(struct text *out, const struct model *m, const struct cl
 /* The symbols of a claim's correction stand in the text in their order, each once. */
 static bool shows_symbols(const struct claim *c, const char *correct) {
   const char *list = claim_get(c, "symbols") ? claim_get(c, "repaired") : NULL;
-  struct text seen = {0};
+  OWNED(text) seen = {0};
   for (const char *p = list; p && *p && correct; p += strspn(p, "; ")) {
     size_t n = strcspn(p, ";");
-    struct text symbol = {0};
+    OWNED(text) symbol = {0};
     text_add_n(&symbol, p, n);
     if (!strstr(text_str(&seen), text_str(&symbol))) {
       correct = strstr(correct, text_str(&symbol));
       text_printf(&seen, "%s;", text_str(&symbol));
     }
-    text_clear(&symbol);
     p += n;
   }
-  text_clear(&seen);
   return correct != NULL;
 }
 
@@ -182,11 +177,9 @@ static bool check_claims(const struct model *m, const struct claims *roots, size
 
 static bool root_keeps_rules(const struct model *m, const struct claims *roots, size_t i, const struct claims *claims,
                              struct diag *d) {
-  struct text correct = {0};
-  bool ok = root_check(&roots->claim[i], d) && add_correct(&correct, m, claims, &roots->claim[i], d) &&
-            check_claims(m, roots, i, claims, text_str(&correct), d);
-  text_clear(&correct);
-  return ok;
+  OWNED(text) correct = {0};
+  return root_check(&roots->claim[i], d) && add_correct(&correct, m, claims, &roots->claim[i], d) &&
+         check_claims(m, roots, i, claims, text_str(&correct), d);
 }
 
 bool roots_keep_rules(const struct model *m, const struct claims *claims, const struct claims *roots, struct diag *d) {

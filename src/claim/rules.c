@@ -171,15 +171,13 @@ static bool check_quoted_words(const struct claim *c, struct diag *d) {
 /* A formula that cites a statement is the right side of one. */
 static bool check_formula(const struct model *m, const struct claim *c, struct diag *d) {
   static const char *const keys[] = {"formula", "least-first", "least-second"};
-  struct arena a;
+  LOCAL(arena, a);
   bool ok = true;
-  arena_init(&a);
   for (size_t i = 0; ok && i < sizeof keys / sizeof *keys; i++) {
     const char *formula = claim_formula(&a, m, c, keys[i]);
     ok = !formula || !strchr(formula, '#') ||
          claim_mistake(c, keys[i], d, "there is no statement %s with a right side", formula);
   }
-  arena_clear(&a);
   return ok;
 }
 
@@ -225,13 +223,12 @@ static bool walk(size_t *way, int n, char *state, struct dependences *rests, con
   for (size_t b = 0; b < claims->n; b++) {
     if (state[b] == DONE || !dependences_any(rests, a, b)) continue;
     if (state[b] == ON_THE_WAY) {
-      struct text round = {0};
+      OWNED(text) round = {0};
       int first = 0;
       while (way[first] != b) first++;
       for (int i = first; i < n; i++) text_printf(&round, "%s, which rests on ", claims->claim[way[i]].id);
       diag_at(d, &claims->claim[b].file->src, claims->claim[b].record->id.begin, "a claim rests on itself: %s%s",
               text_str(&round), claims->claim[b].id);
-      text_clear(&round);
       return false;
     }
     way[n] = b;

@@ -88,13 +88,12 @@ void statements_unanswered(struct audit_result *out, const struct claims *statem
     bool first = reason;
     for (size_t k = 0; first && k < i; k++) first = !claim_says(&statements->claim[k], "reason", reason);
     if (!first) continue;
-    struct text which = {0};
+    OWNED(text) which = {0};
     long n = 0;
     for (size_t k = i; k < statements->n; k++)
       if (claim_says(&statements->claim[k], "reason", reason))
         text_printf(&which, "%s%s", n++ ? ", " : "", statements->claim[k].id);
     audit_leave_out(out, result_str(out, "the paper's statement%s %s", plural_s(n), text_str(&which)),
                     result_copy(out, reason));
-    text_clear(&which);
   }
 }
