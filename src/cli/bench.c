@@ -12,7 +12,7 @@ static const char verdicts[] = "verdicts"; /* a job of its own kind, the last */
 static const char studies[] = "studies";   /* all but those apart; only run when asked for */
 
 static int parse_job(const struct options *o) {
-  struct text names = {0};
+  OWNED(text) names = {0};
   const char *job = option(o, OPT_JOB);
   bool known = !job || strcmp(job, verdicts) == 0 || strcmp(job, studies) == 0;
   for (int i = 0; i < n_bench_jobs; i++) {
@@ -23,10 +23,8 @@ static int parse_job(const struct options *o) {
     known = known || strcmp(job, bench_studies[i]->id) == 0;
     text_printf(&names, "%s, ", bench_studies[i]->id);
   }
-  int status = known ? EXIT_AS_RECORDED
-                     : usage("--job takes one of %s%s, %s, not %.200s", text_str(&names), studies, verdicts, job);
-  text_clear(&names);
-  return status;
+  return known ? EXIT_AS_RECORDED
+               : usage("--job takes one of %s%s, %s, not %.200s", text_str(&names), studies, verdicts, job);
 }
 
 static bool asked_for(const struct options *o, const char *job) {
@@ -46,22 +44,19 @@ static bool has_jobs(const struct bench_result *r) {
 
 /* A file that an earlier run wrote and this one does not would be taken for a result of this one. */
 static void remove_if_stale(const struct output *out, const char *name, const char *suffix) {
-  struct text path = {0};
+  OWNED(text) path = {0};
   bool written = false;
   text_printf(&path, "%s/%s%s", out->folder, name, suffix);
   for (int i = 0; i < out->n; i++) written = written || strcmp(text_str(&out->path[i]), text_str(&path)) == 0;
   if (!written) remove(text_str(&path));
-  text_clear(&path);
 }
 
 /* A folder with a bench.json is one of ours. */
 static bool is_report(const char *folder) {
-  struct text path = {0};
+  OWNED(text) path = {0};
   struct stat st;
   join_path(&path, folder, "bench.json");
-  bool there = stat(text_str(&path), &st) == 0;
-  text_clear(&path);
-  return there;
+  return stat(text_str(&path), &st) == 0;
 }
 
 static void remove_stale(const struct output *out) {

@@ -152,7 +152,7 @@ void warn_missed(const struct scene *s) {
 }
 
 static int show(const struct scene *s, const struct scene_range *a, const struct options *o, slong digits) {
-  struct dyn_bifurcations list;
+  OWNED(dyn_bifurcations) list;
   struct dyn_line line = {.params = s->value, .vary = a->vary, .from = a->from, .to = a->to};
   scene_static_friction(line.u_r, s);
   int found = dyn_bifurcations_find(&list, &line, digits, STARTS);
@@ -160,19 +160,16 @@ static int show(const struct scene *s, const struct scene_range *a, const struct
   struct text out = {0};
   (option(o, OPT_JSON) ? all_json : all_text)(&out, &list, s, a, digits);
   print_found(o, &out);
-  dyn_bifurcations_clear(&list);
   return EXIT_AS_RECORDED;
 }
 
 /* On the paper's two masses. */
 static int with_line(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
-  struct scene_range a;
-  scene_range_init(&a);
+  LOCAL(scene_range, a);
   int status = parse_along(&a, NULL, o);
   if (!status && !scene_needs_forces(s, "bifurcate", d)) status = EXIT_INPUT;
   if (!status) status = range_check_friction(&a, s, "--along", option(o, OPT_ALONG));
   if (!status) status = show(s, &a, o, digits);
-  scene_range_clear(&a);
   return status;
 }
 

@@ -7,25 +7,22 @@
 
 /* Each with its title; one that cannot be read is an error, and the others are listed all the same. */
 static int list_scenes(const char *data) {
-  struct arena a;
+  LOCAL(arena, a);
   struct diag d = {0};
   size_t n;
-  arena_init(&a);
   char **name = scene_names(&n, data, &a, &d);
   int status = name ? EXIT_AS_RECORDED : bad_input(&d);
   struct text out = {0};
   for (size_t i = 0; i < n; i++) {
-    struct scene s;
+    OWNED(scene) s;
     diag_init(&d);
     if (scene_load_with(&s, name[i], data, NULL, SCENE_OF_ANY_SYSTEM, &d))
       text_printf(&out, "%-18s %s\n", s.name, s.title ? s.title : "");
     else
       status = bad_input(&d);
-    scene_clear(&s);
   }
   terminal_print(&out);
   free(name);
-  arena_clear(&a);
   return status;
 }
 
@@ -34,7 +31,7 @@ static void list_row(struct text *out, const char *id, const struct claim *c, co
 }
 
 bool list_claim(struct text *out, const struct model *m, const struct claim *c, struct diag *d) {
-  struct text title = {0};
+  OWNED(text) title = {0};
   struct made_claim made;
   bool ok = claim_title(&title, m, c, NULL, d);
   list_row(out, c->id, c, claim_get(c, "record"), text_str(&title));
@@ -43,7 +40,6 @@ bool list_claim(struct text *out, const struct model *m, const struct claim *c, 
     list_row(out, made.id, c, made.record, text_str(&title));
     text_printf(out, ", when %s\n", made.condition);
   }
-  text_clear(&title);
   return ok;
 }
 
@@ -54,16 +50,12 @@ int run_list(const struct options *o, const char *data, struct diag *d) {
   if (option(o, OPT_JSON)) return usage("list writes JSON with --scene-keys only");
   if (o->operands.n == 1 && strcmp(o->operands.word[0], "scenes") == 0) return list_scenes(data);
   if (o->operands.n) return usage("list takes no operand but scenes, not %.200s", o->operands.word[0]);
-  struct model m;
-  struct claims c = {.n = 0};
-  model_init(&m);
+  LOCAL(model, m);
+  OWNED(claims) c = {.n = 0};
   bool ok = load_model(&m, data, o, d) && claims_load(&c, data, "claims", "claim", d) && claims_complete(&c, NULL, d);
-  struct text out = {0};
+  OWNED(text) out = {0};
   for (size_t i = 0; ok && i < c.n; i++) ok = list_claim(&out, &m, &c.claim[i], d);
   if (ok) terminal_print(&out);
-  text_clear(&out);
-  claims_clear(&c);
-  model_clear(&m);
   return EXIT_AS_RECORDED;
 }
 

@@ -17,11 +17,9 @@ void join_path(struct text *out, const char *folder, const char *name) {
 }
 
 bool read_in(struct source *s, const char *folder, const char *name, size_t max, struct diag *d) {
-  struct text path = {0};
+  OWNED(text) path = {0};
   join_path(&path, folder, name);
-  bool ok = source_read(s, text_str(&path), max, d);
-  text_clear(&path);
-  return ok;
+  return source_read(s, text_str(&path), max, d);
 }
 
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d) {

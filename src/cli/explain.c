@@ -146,14 +146,13 @@ static bool explain(struct text *out, const struct inputs *e, const char *word, 
 int run_explain(const struct options *o, const char *data, struct diag *d) {
   bool receipt = option(o, OPT_RECEIPT);
   struct inputs e;
-  struct text out = {0};
+  OWNED(text) out = {0};
   bool ok = inputs_load(&e, data, o, d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, d) &&
             explain(&out, &e, o->operands.word[0], o, data, d);
   if (ok && receipt)
     fputs(text_str(&out), stdout);
   else if (ok)
     terminal_print_marked(text_str(&out));
-  text_clear(&out);
   inputs_clear(&e);
   return EXIT_AS_RECORDED;
 }

@@ -25,13 +25,12 @@ static const char scene_text[] =
 
 /* A paragraph within the width; lines but its first go on at the column. */
 static void add_paragraph(struct text *out, size_t indent, const char *fmt, ...) {
-  struct text line = {0};
+  OWNED(text) line = {0};
   va_list ap;
   va_start(ap, fmt);
   text_vprintf(&line, fmt, ap);
   text_fit(out, text_str(&line), line.len, 0, WIDTH, indent);
   text_add_char(out, '\n');
-  text_clear(&line);
   va_end(ap);
 }
 
@@ -51,7 +50,7 @@ static bool stands_among_operands(const struct command *c, const struct option_r
 }
 
 static void add_usage(struct text *out, const struct command *c) {
-  struct text item = {0};
+  OWNED(text) item = {0};
   size_t begin = out->len;
   text_printf(out, "usage: stickslip %s%s%s", c->name, *c->operands ? " " : "", c->operands);
   for (int k = 0; k < n_option_rows; k++) {
@@ -67,7 +66,6 @@ static void add_usage(struct text *out, const struct command *c) {
     text_add(out, text_str(&item));
   }
   text_add_char(out, '\n');
-  text_clear(&item);
 }
 
 static void add_options(struct text *out, const struct command *c) {
@@ -119,7 +117,7 @@ static void overview(void) {
 /* Each row is one of: COMMAND usage OPERANDS PURPOSE, COMMAND text - PARAGRAPH, COMMAND example - LINE, COMMAND
    --OPTION VALUE TEXT; behind the commands, - status NUMBER TEXT.  "-" is an empty field. */
 static void print_table(void) {
-  struct text about = {0};
+  OWNED(text) about = {0};
   for (int i = 0; i < n_commands; i++) {
     const struct command *c = &command_table[i];
     printf("%s\tusage\t%s\t%s\n", c->name, or_dash(c->operands), c->purpose);
@@ -134,7 +132,6 @@ static void print_table(void) {
                option_table[k].text);
   }
   for (int i = 0; i < N_STATUSES; i++) printf("-\tstatus\t%d\t%s\n", statuses[i].number, statuses[i].text);
-  text_clear(&about);
 }
 
 const struct command *find_command(const char *name) {

@@ -34,8 +34,7 @@ static void jacobian_json(struct text *out, arb_srcptr x, const char *layer, con
 static void jacobian_text(struct text *out, arb_srcptr x, const struct scene *s, const char *layer,
                           const struct jacobian_request *q) {
   static const char *const before[N_NUMBERS + 1] = {"  ", "  ", "\n  ", "  ", "\ntrace ", "\ndet   ", "\naccuracy "};
-  arb_t worst;
-  arb_init(worst);
+  NUMBERS(arb, worst);
   text_printf(out, "%s, ", s->name);
   print_at(out, q);
   text_printf(out, ", method %s, layer %s\n", method_name[q->method], layer);
@@ -48,7 +47,6 @@ static void jacobian_text(struct text *out, arb_srcptr x, const struct scene *s,
   print_accuracy(out, worst);
   text_printf(out, " (%s)\n", method_accuracy[q->method]);
   eigenvalues_text(out, "", x, q->digits);
-  arb_clear(worst);
 }
 
 /* x: J, trace and det. */
@@ -87,9 +85,8 @@ int run_jacobian(const struct options *o, const char *data, struct diag *d) {
   struct jacobian_request q;
   int status = parse_jacobian(&q, o);
   if (status) return status;
-  struct model m;
-  struct scene s;
-  model_init(&m);
+  LOCAL(model, m);
+  OWNED(scene) s;
   bool ok =
       load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d) && (s.system || scene_one_point(&s, d));
   bool proved = ok && (s.system || scene_other_word(&s));
@@ -98,7 +95,5 @@ int run_jacobian(const struct options *o, const char *data, struct diag *d) {
     status = run_proved_jacobian(o, &s, data, &q, d);
   else if (ok && load_model(&m, data, o, d))
     (option(o, OPT_PHASES) ? show_phases : show_jacobian)(o, &m, &s, &q, d);
-  scene_clear(&s);
-  model_clear(&m);
   return status;
 }

@@ -41,14 +41,13 @@ static bool load(struct inputs *in, const char *data, const struct options *o, s
 /* A text of the paper in which everything that is quoted is found. */
 static bool load_text(struct paper_text *t, const char *path, const struct audit_data *all, struct diag *d) {
   struct quotations q = {.n = 0};
-  struct text says = {0};
+  OWNED(text) says = {0};
   bool ok = paper_text_read(t, path, d) && quotations_collect(&q, all, d);
   if (ok) quotations_compare(&q, &t->tokens);
   if (ok && !quotations_report(&says, &q, t)) {
     diag_set(d, "%.300s: error: not all that is quoted is found in this text; see stickslip quotes", path);
     ok = false;
   }
-  text_clear(&says);
   quotations_clear(&q);
   return ok;
 }
@@ -61,7 +60,7 @@ int run_mutate(const struct options *o, const char *data, struct diag *d) {
   struct inputs in;
   struct mutation_result r;
   struct output out;
-  struct text said = {0};
+  OWNED(text) said = {0};
   mutation_result_init(&r);
   output_init(&out, folder ? folder : "");
   const struct audit_data all = searched(&in.files);
@@ -79,7 +78,6 @@ int run_mutate(const struct options *o, const char *data, struct diag *d) {
     deliver(&out, &said, o, d);
   }
   if (r.broken) status = EXIT_INTERNAL;
-  text_clear(&said);
   output_clear(&out);
   mutation_result_clear(&r);
   paper_text_clear(&text);
@@ -94,7 +92,7 @@ int run_repair(const struct options *o, const char *data, struct diag *d) {
   struct inputs in;
   struct repair_result r;
   struct output out;
-  struct text said = {0};
+  OWNED(text) said = {0};
   repair_result_init(&r);
   output_init(&out, folder ? folder : "");
   struct repair_options opt = {
@@ -110,7 +108,6 @@ int run_repair(const struct options *o, const char *data, struct diag *d) {
     deliver(&out, &said, o, d);
   }
   if (r.broken) status = EXIT_INTERNAL;
-  text_clear(&said);
   output_clear(&out);
   repair_result_clear(&r);
   inputs_clear(&in);

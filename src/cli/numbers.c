@@ -15,14 +15,13 @@ const char *const admissibility_name[] = {"not admissible", "admissible", "admis
 static void show_as_power(struct text *out, size_t from, slong n) {
   size_t sign = out->data[from] == '-', figures = out->len - from - sign;
   if (figures <= (size_t)n || strspn(out->data + from + sign, "0123456789") != figures) return;
-  struct text whole = {0};
+  OWNED(text) whole = {0};
   text_add(&whole, out->data + from);
   out->len = from;
   out->data[from] = '\0';
   text_printf(out, "%.*s", (int)sign + 1, whole.data);
   if (n > 1) text_printf(out, ".%.*s", (int)n - 1, whole.data + sign + 1);
   text_printf(out, "e+%zu", figures - 1);
-  text_clear(&whole);
 }
 
 /* How far rounding of the matrix can move its eigenvalues: by the size of the matrix over their distance more than the
@@ -34,12 +33,10 @@ static double eigenvalue_error(const double m[4], const double re[2], const doub
 }
 
 static void print_near(struct text *out, double x, double err) {
-  arb_t ball;
-  arb_init(ball);
+  NUMBERS(arb, ball);
   arb_set_d(ball, x);
   mag_set_d(arb_radref(ball), err);
   print_known(out, ball, 15);
-  arb_clear(ball);
 }
 
 void print_known(struct text *out, const arb_struct *x, slong digits) {
@@ -66,13 +63,11 @@ void json_numbers(struct json *j, const char *key, arb_srcptr x, slong n, slong 
 }
 
 void print_accuracy(struct text *out, const arb_struct *worst) {
-  arb_t up;
-  arb_init(up);
+  NUMBERS(arb, up);
   arb_mul_ui(up, worst, 106, 64); /* two digits round down by less than 1/20 */
   arb_div_ui(up, up, 100, 64);
   arb_get_mid_arb(up, up);
   num_print(out, up, 2);
-  arb_clear(up);
 }
 
 void radius_raise(mag_t radius, arb_srcptr x, slong n) {
@@ -80,11 +75,9 @@ void radius_raise(mag_t radius, arb_srcptr x, slong n) {
 }
 
 void print_radius(struct text *out, const mag_t radius) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   arf_set_mag(arb_midref(x), radius);
   print_accuracy(out, x);
-  arb_clear(x);
 }
 
 void proof_json(struct json *j, bool certified, const mag_t radius) {

@@ -9,24 +9,21 @@
 
 int usage(const char *fmt, ...) {
   struct diag d = {0};
-  struct text says = {0};
+  OWNED(text) says = {0};
   va_list ap;
   va_start(ap, fmt);
   text_vprintf(&says, fmt, ap);
   diag_set(&d, "%s", text_str(&says));
   fprintf(stderr, "stickslip: %s; see stickslip --help\n", d.message);
-  text_clear(&says);
   va_end(ap);
   return EXIT_USAGE;
 }
 
 int usage_unknown(const char *fmt, const struct suggestion *s) {
-  struct text what = {0};
+  OWNED(text) what = {0};
   text_printf(&what, "%.*s", (int)(s->len < 200 ? s->len : 200), s->word);
   suggest_print(&what, s);
-  int status = usage(fmt, text_str(&what));
-  text_clear(&what);
-  return status;
+  return usage(fmt, text_str(&what));
 }
 
 void say_written(const struct options *o, const char *where) {
@@ -190,14 +187,13 @@ int parse_count(long *count, const struct options *o, enum option id, long most)
 
 int parse_word(int *k, const struct options *o, enum option id, const char *const *list, int n) {
   const char *text = option(o, id);
-  struct text words = {0};
+  OWNED(text) words = {0};
   int at = text ? word_find(text, list, n) : *k, status = EXIT_AS_RECORDED;
   for (int i = 0; i < n; i++) text_printf(&words, "%s%s", list_joint(i, n, " or "), list[i]);
   if (at < n)
     *k = at;
   else
     status = usage("%s takes %s, not %.200s", option_name(id), text_str(&words), text);
-  text_clear(&words);
   return status;
 }
 

@@ -22,8 +22,7 @@ static void print_number(struct text *out, const struct dyn_orbit *o, int i, con
 
 static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct dyn_certificate *proof,
                        const struct scene *s, slong digits, bool basin) {
-  mag_t radius;
-  mag_init(radius);
+  NUMBERS(mag, radius);
   truth u[2], admissible = orbit_admissible(u, s, o);
   json_object(j, NULL);
   orbit_numbers_json(j, o, print_number, s, digits, admissible, u);
@@ -31,7 +30,6 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct d
   proof_json(j, proof->certified, radius);
   if (basin) basin_json(j, o, s);
   json_end_object(j);
-  mag_clear(radius);
 }
 
 /* Why the list is not proved complete, and how far in t_c the proof reaches. */
@@ -78,9 +76,8 @@ static void orbits_json(struct text *out, const struct solved *z, const struct s
 static void add_margins(struct text *out, const struct dyn_orbit *o, const struct scene *s) {
   static const char *const word[] = {"broken", "holds", "open"};
   const fmpq *u[2];
-  struct dyn_margins m;
+  LOCAL(dyn_margins, m);
   scene_static_friction(u, s);
-  dyn_margins_init(&m);
   if (dyn_margins_find(&m, s->value, o, u[0], u[1], 128) == SS_OK) {
     text_printf(out, "  %-12s %-6s %-20s %s\n", "inequality", "", "margin", "at t");
     for (int i = 0; i < N_MARGINS; i++) {
@@ -101,14 +98,12 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
       text_printf(out, " (%s)\n", dyn_where_name[k->where]);
     }
   }
-  dyn_margins_clear(&m);
   text_add(out, "  v1, v2: V - z_i'; w: e_1 - (z_1 - chi z_2); r: e_2 - chi (z_2 - z_1); all >= 0\n"
                 "  in the phase named before it; low: the same force above its other limit\n");
 }
 
 static void add_proof(struct text *out, const struct dyn_orbit *o, const struct dyn_certificate *proof) {
-  mag_t radius;
-  mag_init(radius);
+  NUMBERS(mag, radius);
   if (proof->certified) {
     text_printf(out, "  certified at %ld bits; enclosed within ", (long)proof->bits);
     dyn_orbit_radius(radius, o);
@@ -119,7 +114,6 @@ static void add_proof(struct text *out, const struct dyn_orbit *o, const struct 
     dyn_certificate_why(out, proof);
   }
   text_add_char(out, '\n');
-  mag_clear(radius);
 }
 
 /* Name, value and meaning in columns. */
@@ -158,11 +152,9 @@ static void orbits_text(struct text *out, const struct solved *z, const struct s
 
 static bool write_certificate(const char *path, const struct scene *s, const struct solved *z, struct diag *d) {
   if (!may_write_certificate(s, solved_certified(z), z->list.n, d)) return false;
-  struct text out = {0};
+  OWNED(text) out = {0};
   solved_certificates(&out, z, s);
-  bool written = file_write(path, out.data, out.len, d);
-  text_clear(&out);
-  return written;
+  return file_write(path, out.data, out.len, d);
 }
 
 static void print_orbits(const struct options *o, const struct solved *z, const struct scene *s, slong digits) {
@@ -219,8 +211,7 @@ int run_orbit(const struct options *o, const char *data, struct diag *d) {
   if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
   int status = parse_digits(&digits, o, MAX_DIGITS);
   if (status) return status;
-  struct scene s;
+  OWNED(scene) s;
   if (load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d)) status = show_scene(o, &s, data, digits, d);
-  scene_clear(&s);
   return status;
 }

@@ -7,12 +7,9 @@
 
 /* An exact decimal with all of its digits. */
 static void print_decimal(struct text *out, const fmpq_t q) {
-  fmpz_t n;
-  arb_t x;
-  fmpz_init(n);
-  arb_init(x);
-  fmpq_t scaled;
-  fmpq_init(scaled);
+  NUMBERS(fmpz, n);
+  NUMBERS(arb, x);
+  NUMBERS(fmpq, scaled);
   fmpq_set(scaled, q);
   while (!fmpz_is_one(fmpq_denref(scaled))) {
     fmpz_set_ui(n, 10);
@@ -21,9 +18,6 @@ static void print_decimal(struct text *out, const fmpq_t q) {
   slong digits = (slong)fmpz_sizeinbase(fmpq_numref(scaled), 10);
   arb_set_fmpq(x, q, 8 * digits + 64);
   if (num_print(out, x, digits) != SS_OK) num_print_q(out, q);
-  fmpq_clear(scaled);
-  arb_clear(x);
-  fmpz_clear(n);
 }
 
 static const char *reason(const struct dyn_basin *b) {
@@ -39,7 +33,7 @@ static void find(struct dyn_basin *b, const struct dyn_orbit *o, const struct sc
 }
 
 void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s) {
-  struct dyn_basin b;
+  OWNED(dyn_basin) b;
   find(&b, o, s);
   if (b.proved) {
     json_object(j, "basin");
@@ -54,11 +48,10 @@ void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s
   } else {
     json_null(j, "basin");
   }
-  dyn_basin_clear(&b);
 }
 
 void basin_text(struct text *out, const struct dyn_orbit *o, const struct scene *s) {
-  struct dyn_basin b;
+  OWNED(dyn_basin) b;
   find(&b, o, s);
   text_add(out, "  basin    ");
   if (!b.proved) {
@@ -78,5 +71,4 @@ void basin_text(struct text *out, const struct dyn_orbit *o, const struct scene 
     }
     text_add_char(out, '\n');
   }
-  dyn_basin_clear(&b);
 }

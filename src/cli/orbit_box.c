@@ -9,9 +9,8 @@
 /* An end of x as a decimal, rounded outwards. */
 static void add_end(struct text *out, const arb_t x, bool upper, slong digits) {
   char shown[128];
-  arf_t end;
+  NUMBERS(arf, end);
   mpfr_t m;
-  arf_init(end);
   mpfr_init2(m, 128);
   if (upper)
     arb_get_ubound_arf(end, x, 128);
@@ -21,7 +20,6 @@ static void add_end(struct text *out, const arb_t x, bool upper, slong digits) {
   mpfr_snprintf(shown, sizeof shown, "%.*R*g", (int)digits, upper ? MPFR_RNDU : MPFR_RNDD, m);
   text_add(out, shown);
   mpfr_clear(m);
-  arf_clear(end);
 }
 
 /* The parameter that the i-th number of an orbit is where the scene gives it as an interval; -1 for another number. */
@@ -34,11 +32,9 @@ static int box_side(const struct scene *s, int i) {
 
 /* An end of the box: exactly where it has so many digits, else rounded outwards. */
 static void add_box_end(struct text *out, const fmpq *end, bool upper, slong digits) {
-  struct text shown = {0};
-  fmpq_t read;
-  arb_t x;
-  fmpq_init(read);
-  arb_init(x);
+  OWNED(text) shown = {0};
+  NUMBERS(fmpq, read);
+  NUMBERS(arb, x);
   num_print_rational(&shown, end, digits);
   if (num_parse_decimal(read, text_str(&shown), shown.len) == SS_OK && fmpq_equal(read, end)) {
     text_add(out, text_str(&shown));
@@ -46,9 +42,6 @@ static void add_box_end(struct text *out, const fmpq *end, bool upper, slong dig
     arb_set_fmpq(x, end, 128);
     add_end(out, x, upper, digits);
   }
-  text_clear(&shown);
-  arb_clear(x);
-  fmpq_clear(read);
 }
 
 /* An end of the i-th number: of its enclosure, or of the box itself. */
@@ -62,11 +55,9 @@ static void add_number_end(struct text *out, const struct dyn_orbit *o, int i, c
 }
 
 static void add_middle(struct text *out, const arb_t x, slong digits) {
-  arb_t mid;
-  arb_init(mid);
+  NUMBERS(arb, mid);
   arb_get_mid_arb(mid, x);
   if (num_print(out, mid, digits) != SS_OK) text_add(out, "0"); /* exact: it prints */
-  arb_clear(mid);
 }
 
 static void add_number_middle(struct text *out, const struct dyn_orbit *o, int i, const struct scene *s, slong digits) {
@@ -75,12 +66,10 @@ static void add_number_middle(struct text *out, const struct dyn_orbit *o, int i
     add_middle(out, orbit_number(o, i), digits);
     return;
   }
-  fmpq_t middle;
-  fmpq_init(middle);
+  NUMBERS(fmpq, middle);
   fmpq_add(middle, &s->value[k], &s->high[k]);
   fmpq_div_2exp(middle, middle, 1);
   num_print_rational(out, middle, digits);
-  fmpq_clear(middle);
 }
 
 /* The given u_r count only where the numbers hold for the box. */

@@ -11,11 +11,9 @@ enum { GUARD_BITS = 192 };
 static const char *const name[N_ROUTE] = {"t_a", "t_b", "t_c", "t_d", "z10", "z20"};
 
 static void print_number(struct text *out, const struct paper_orbit *p, int i, slong digits) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   num_mpfr.get_arb(x, num_vec_at(&p->route.x, i));
   num_print(out, x, digits);
-  arb_clear(x);
 }
 
 /* --- JSON --- */
@@ -127,7 +125,7 @@ int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
   slong digits;
   int status = parse_digits(&digits, o, MAX_PAPER_DIGITS);
   if (status) return status;
-  struct scene s;
+  OWNED(scene) s;
   struct paper_orbits list = {.n = 0};
   struct text out = {0};
   slong prec = num_bits(digits) + GUARD_BITS;
@@ -140,6 +138,5 @@ int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
     print_found(o, &out);
   }
   paper_orbits_clear(&list);
-  scene_clear(&s);
   return status;
 }

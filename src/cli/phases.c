@@ -23,10 +23,9 @@ static bool is_told(const struct jacobian_matrix *a, int c, int e, slong digits)
   const arb_struct *x = a->entry[c] + e;
   if (!a->known[c]) return false;
   if (arb_contains_zero(x)) return mag_cmp_2exp_si(arb_radref(x), 0) < 0 && mag_get_d(arb_radref(x)) < near;
-  struct text digit = {0};
+  OWNED(text) digit = {0};
   bool told = false;
   for (slong n = 1; n <= digits && !told; n++) told = num_print(&digit, x, n) == SS_OK;
-  text_clear(&digit);
   return told;
 }
 
@@ -44,7 +43,7 @@ static void add_cell(struct text *out, const struct jacobian_matrix *a, int c, i
 }
 
 static size_t column_width(const struct jacobian_phases *p, int c, slong digits) {
-  struct text cell = {0};
+  OWNED(text) cell = {0};
   size_t width = strlen(jacobian_columns[c].heading);
   for (int i = 0; i < N_MATRICES; i++)
     for (int e = 0; e < p->matrix[i].rows * p->matrix[i].cols; e++) {
@@ -52,7 +51,6 @@ static size_t column_width(const struct jacobian_phases *p, int c, slong digits)
       add_cell(&cell, &p->matrix[i], c, e, digits);
       if (cell.len > width) width = cell.len;
     }
-  text_clear(&cell);
   return width + 2;
 }
 
@@ -72,9 +70,7 @@ static void add_rows(struct text *out, const struct jacobian_matrix *a, const si
 
 /* The worst accuracy of a column over all matrices that it has. */
 static void add_accuracies(struct text *out, const struct jacobian_phases *p, const size_t *width) {
-  arb_t worst, x;
-  arb_init(worst);
-  arb_init(x);
+  NUMBERS(arb, worst, x);
   text_add(out, "accuracy  ");
   for (int c = 0; c < N_COLUMNS; c++) {
     size_t from = out->len;
@@ -93,8 +89,6 @@ static void add_accuracies(struct text *out, const struct jacobian_phases *p, co
     if (c + 1 < N_COLUMNS) pad(out, from, width[c]);
   }
   text_add_char(out, '\n');
-  arb_clear(x);
-  arb_clear(worst);
 }
 
 /* "printed departs from the others at J_f[1,1], ..." for each method that does. */
@@ -172,8 +166,7 @@ static void phases_text(struct text *out, const struct jacobian_phases *p, const
 /* --- JSON --- */
 
 static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, slong digits) {
-  arb_t radius;
-  arb_init(radius);
+  NUMBERS(arb, radius);
   json_object(w, NULL);
   json_long(w, "row", e / a->cols + 1);
   json_long(w, "col", e % a->cols + 1);
@@ -190,7 +183,6 @@ static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, s
   JSON_EACH (w, "departs", c, N_COLUMNS)
     if (a->departs[c][e]) json_string(w, NULL, jacobian_columns[c].name);
   json_end_object(w);
-  arb_clear(radius);
 }
 
 /* The members of a matrix's object. */
@@ -234,8 +226,7 @@ static void eigenvalues_json(struct json *w, const struct jacobian_phases *p, sl
 
 static void accuracy_json(struct json *w, const struct jacobian_phases *p) {
   const struct jacobian_matrix *a = &p->matrix[MATRIX_J];
-  arb_t worst;
-  arb_init(worst);
+  NUMBERS(arb, worst);
   json_object(w, "accuracy");
   for (int c = 0; c < N_COLUMNS; c++) {
     if (!a->known[c]) continue;
@@ -243,7 +234,6 @@ static void accuracy_json(struct json *w, const struct jacobian_phases *p) {
     JSON_STRING(w, jacobian_columns[c].name, print_accuracy(w->out, worst));
   }
   json_end_object(w);
-  arb_clear(worst);
 }
 
 static void left_out_json(struct json *w, const struct jacobian_phases *p) {

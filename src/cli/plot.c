@@ -29,11 +29,10 @@ static bool nothing(struct diag *d, const struct scene *s, const char *why) {
 /* The table of a scene that names a system file. */
 static bool draw_system(struct audit_result *r, const struct scene *s, const char *data, struct diag *d) {
   struct mech m;
-  struct mech_orbits list;
+  OWNED(mech_orbits) list;
   bool ok = find_system_orbits(&m, &list, false, s, data, DEFAULT_DIGITS, d);
   if (ok && list.n) table_of_system(r, &m, &list);
   if (ok && !list.n) ok = nothing(d, s, "no orbit is found");
-  mech_orbits_clear(&list);
   mech_clear(&m);
   return ok;
 }
@@ -41,12 +40,10 @@ static bool draw_system(struct audit_result *r, const struct scene *s, const cha
 /* --- Along a line, over a plane, in motion --- */
 
 static int draw_along(struct audit_result *r, const struct scene *s, const struct options *o) {
-  struct scene_range a;
-  scene_range_init(&a);
+  LOCAL(scene_range, a);
   int status = parse_along(&a, NULL, o);
   if (!status) status = range_check_friction(&a, s, "--along", option(o, OPT_ALONG));
   if (!status && table_of_bifurcations(r, s, a.vary, a.from, a.to) != SS_OK) warn_missed(s);
-  scene_range_clear(&a);
   return status;
 }
 
@@ -131,13 +128,9 @@ static int plot_scene(struct audit_result *r, const struct scene *s, const struc
 
 int run_plot(const struct options *o, const char *data, struct diag *d) {
   if (option(o, OPT_AT) && !option(o, OPT_ANIMATE)) return usage("plot takes --at with --animate alone");
-  struct scene s;
-  struct audit_result r;
-  audit_result_init(&r);
+  OWNED(scene) s;
+  LOCAL(audit_result, r);
   bool ok =
       load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d) && (s.system || scene_four_phases(&s, d));
-  int status = ok ? plot_scene(&r, &s, o, data, d) : EXIT_INPUT;
-  scene_clear(&s);
-  audit_result_clear(&r);
-  return status;
+  return ok ? plot_scene(&r, &s, o, data, d) : EXIT_INPUT;
 }

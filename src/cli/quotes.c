@@ -23,14 +23,12 @@ struct quoting {
 
 static bool load(struct quotations *q, struct quoting *by, const char *data, struct diag *d) {
   const struct audit_data all = {&by->model, &by->claims, NULL, &by->statements, NULL};
-  struct text path = {0};
+  OWNED(text) path = {0};
   join_path(&path, data, "paper");
-  bool ok = model_add_folder(&by->model, text_str(&path), RANK_PAPER, d) &&
-            claims_load(&by->claims, data, "claims", "claim", d) &&
-            claims_load(&by->statements, data, "paper", "statement", d) && quotations_collect(q, &all, d) &&
-            quotations_add_scenes(q, &by->claims, data, d);
-  text_clear(&path);
-  return ok;
+  return model_add_folder(&by->model, text_str(&path), RANK_PAPER, d) &&
+         claims_load(&by->claims, data, "claims", "claim", d) &&
+         claims_load(&by->statements, data, "paper", "statement", d) && quotations_collect(q, &all, d) &&
+         quotations_add_scenes(q, &by->claims, data, d);
 }
 
 int run_quotes(const struct options *o, const char *data, struct diag *d) {

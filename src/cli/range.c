@@ -24,13 +24,11 @@ static int evaluate(struct scene_range *r, const char *const at[2], const char *
 /* The name is none of a parameter's: which may have been meant. */
 static int no_parameter(const char *name, const char *option, const char *text) {
   struct suggestion meant;
-  struct text says = {0};
+  OWNED(text) says = {0};
   suggest_begin(&meant, name, strlen(name));
   for (int i = 0; i < N_SCENE_PARAMS; i++) suggest_try(&meant, scene_key_name[i]);
   suggest_print(&says, &meant);
-  int status = usage("%s varies chi, eta, V, e1 or e2, not %.200s%s", option, text, text_str(&says));
-  text_clear(&says);
-  return status;
+  return usage("%s varies chi, eta, V, e1 or e2, not %.200s%s", option, text, text_str(&says));
 }
 
 int range_parse(struct scene_range *r, const char *option, const char *shape, const char *text, size_t len) {

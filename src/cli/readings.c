@@ -4,12 +4,10 @@
 #include "report/report.h"
 
 int run_readings(const struct options *o, const char *data, struct diag *d) {
-  struct model m;
-  struct scene s;
-  struct audit_result r;
+  LOCAL(model, m);
+  OWNED(scene) s;
+  LOCAL(audit_result, r);
   struct text out = {0};
-  model_init(&m);
-  audit_result_init(&r);
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, d) && load_model(&m, data, o, d);
   const char *why = ok ? audit_readings(&r, &m, &s) : NULL;
   if (why) {
@@ -22,8 +20,5 @@ int run_readings(const struct options *o, const char *data, struct diag *d) {
   else if (ok)
     report_readings_markdown(&out, r.readings);
   if (ok) print_text(&out);
-  audit_result_clear(&r);
-  scene_clear(&s);
-  model_clear(&m);
   return EXIT_AS_RECORDED;
 }

@@ -38,9 +38,8 @@ static bool read_report(struct audit_result *r, const char *folder, struct diag 
 
 int run_report(const struct options *o, const char *data, struct diag *d) {
   (void)data;
-  struct audit_result r;
+  LOCAL(audit_result, r);
   struct output out;
-  audit_result_init(&r);
   output_init(&out, o->operands.word[0]);
   bool ok = read_report(&r, o->operands.word[0], d);
   struct mutation_score score;
@@ -49,6 +48,5 @@ int run_report(const struct options *o, const char *data, struct diag *d) {
   if (ok) say_written(o, o->operands.word[0]);
   if (ok) verify_line(&r);
   output_clear(&out);
-  audit_result_clear(&r);
   return EXIT_AS_RECORDED;
 }

@@ -28,7 +28,7 @@ static bool read_score(struct mutation_score *s, struct arena *a, const struct j
 
 bool score_beside(struct mutation_score *s, const char *folder, const struct audit_result *r) {
   enum { LARGEST = 1 << 26 };
-  struct text path = {0};
+  OWNED(text) path = {0};
   struct source src;
   struct arena a;
   struct json_value root;
@@ -43,6 +43,5 @@ bool score_beside(struct mutation_score *s, const char *folder, const struct aud
   }
   if (d.set) fprintf(stderr, "stickslip: warning: %s\n", d.message);
   arena_clear(&a);
-  text_clear(&path);
   return ok;
 }

@@ -104,7 +104,7 @@ static bool print_event(void *self, const struct coulomb_event *e) {
 }
 
 static void print_end(const struct coulomb_log *ode, const struct coulomb_log *exact, const struct coulomb_result *r) {
-  struct text word = {0}, folded = {0};
+  OWNED(text) word = {0}, folded = {0};
   size_t shared;
   double worst = coulomb_log_compare(&shared, ode, exact);
   puts(TABLE_UNITS "\nstick: with the belt; below, above: slower, faster than it");
@@ -114,19 +114,15 @@ static void print_end(const struct coulomb_log *ode, const struct coulomb_log *e
   printf("word %s\nended: %s at t = %.10f after %ld returns to the global stick phase\n", text_str(&folded),
          coulomb_end_name[r->end], r->at.t, r->returns);
   routes_line((long)shared, (long)ode->n, worst);
-  text_clear(&folded);
-  text_clear(&word);
 }
 
 static void print_json(const struct simulation *run, const struct scene *s, const struct coulomb_log *ode,
                        const struct coulomb_log *exact, const struct coulomb_result *r) {
-  struct mech_motion main, other;
+  OWNED(mech_motion) main, other;
   motion_of(&main, &run->setup, ode);
   motion_of(&other, &run->setup, exact);
   main.t = r->at.t;
   simulated_json(&(struct simulated){s->name, NULL, run->from, 2, N_STATE, &main, &other}, coulomb_end_name[r->end]);
-  mech_motion_clear(&main);
-  mech_motion_clear(&other);
 }
 
 /* The lines of the table are printed as the events come. */

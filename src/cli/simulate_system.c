@@ -153,7 +153,7 @@ static void print_events(const struct mech_motion *x, int n) {
 }
 
 static int print_motion(struct system_simulation *run, const struct scene *s, const struct options *o, struct diag *d) {
-  struct mech_motion x, exact;
+  OWNED(mech_motion) x, exact;
   bool csv = option(o, OPT_CSV) != NULL;
   if (csv) {
     run->plan.self = &run->m.n;
@@ -180,8 +180,6 @@ static int print_motion(struct system_simulation *run, const struct scene *s, co
     }
   }
   if (status == SS_UNABLE) ended_early(mech_outcome_name[x.end], "ode", x.t);
-  mech_motion_clear(&x);
-  mech_motion_clear(&exact);
   return status == SS_UNABLE ? EXIT_INTERNAL : EXIT_AS_RECORDED;
 }
 

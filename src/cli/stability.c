@@ -26,7 +26,7 @@ static int parse_study(struct stability_options *q, const struct options *o) {
 /* What an earlier study has left in the folder: maps from this number on, up to the first without one. */
 static bool remove_maps(const char *folder, int from, struct diag *d) {
   static const char *const suffix[] = {"tsv", "svg"};
-  struct text path = {0};
+  OWNED(text) path = {0};
   char name[32];
   bool ok = true, any = true;
   for (int i = from; ok && any; i++) {
@@ -41,7 +41,6 @@ static bool remove_maps(const char *folder, int from, struct diag *d) {
       if (!ok) diag_set(d, "%s: error: cannot be removed", text_str(&path));
     }
   }
-  text_clear(&path);
   return ok;
 }
 
@@ -70,11 +69,10 @@ static void add_source(struct text *out, const char *option, const char *file) {
 }
 
 static void set_sources(struct stability_result *r, const struct options *o) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   add_source(&t, "--paper", option(o, OPT_PAPER));
   add_source(&t, "--overlay", option(o, OPT_OVERLAY));
   if (t.len > 0) r->sources = arena_strndup(&r->arena, text_str(&t), t.len);
-  text_clear(&t);
 }
 
 static void study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
@@ -94,10 +92,9 @@ static void study(const struct model *m, const struct stability_options *q, cons
 }
 
 static void show_point(const struct model *m, const struct stability_options *q, const char *at, struct diag *d) {
-  struct text body = {0};
+  OWNED(text) body = {0};
   bool ok = audit_stability_at(&body, m, q, at, d);
   if (ok) print_text(&body);
-  text_clear(&body);
 }
 
 int run_stability(const struct options *o, const char *data, struct diag *d) {
@@ -105,11 +102,9 @@ int run_stability(const struct options *o, const char *data, struct diag *d) {
   struct stability_options q;
   int status = parse_study(&q, o);
   if (status) return status;
-  struct model m;
-  model_init(&m);
+  LOCAL(model, m);
   bool ok = load_model(&m, data, o, d);
   if (ok && at) show_point(&m, &q, at, d);
   if (ok && !at) study(&m, &q, o, d);
-  model_clear(&m);
   return EXIT_AS_RECORDED;
 }

@@ -127,13 +127,11 @@ static bool open_file(struct sink *s, const struct sweep *q, bool resume, const 
 
 bool sink_open(struct sink *s, const struct sweep *q, const struct options *o, struct diag *d) {
   const char *file = option(o, OPT_CSV);
-  struct text head = {0};
+  OWNED(text) head = {0};
   *s = (struct sink){.to_file = file != NULL};
   part_init(&s->part, file ? file : "");
   sweep_head(&head, q);
-  bool ok = s->to_file ? open_file(s, q, option(o, OPT_RESUME), &head, d) : sink_write(s, &head, d);
-  text_clear(&head);
-  return ok;
+  return s->to_file ? open_file(s, q, option(o, OPT_RESUME), &head, d) : sink_write(s, &head, d);
 }
 
 bool sink_write(struct sink *s, const struct text *rows, struct diag *d) {
@@ -149,11 +147,9 @@ int sink_failed(const struct diag *d) {
 }
 
 bool sink_finish(struct sink *s, const struct sweep *q, struct diag *d) {
-  struct text tail = {0};
+  OWNED(text) tail = {0};
   sweep_tail(&tail, q);
-  bool ok = sink_write(s, &tail, d) && (!s->to_file || part_finish(&s->part, d));
-  text_clear(&tail);
-  return ok;
+  return sink_write(s, &tail, d) && (!s->to_file || part_finish(&s->part, d));
 }
 
 void sink_clear(struct sink *s) {

@@ -106,12 +106,10 @@ static bool send_unit(slong unit, int to) {
 
 /* Who they are: units they have room for, and what they understood of the request. */
 static bool say_hello(const struct sweep *q, int room) {
-  struct text hello = {0};
+  OWNED(text) hello = {0};
   text_add_n(&hello, (const char *)&room, sizeof room);
   sweep_head(&hello, q);
-  bool ok = send_bytes(hello.data, hello.len, 0, TAG_HELLO);
-  text_clear(&hello);
-  return ok;
+  return send_bytes(hello.data, hello.len, 0, TAG_HELLO);
 }
 
 static bool send_rows(struct text *message, slong unit, const struct text *rows) {
@@ -130,7 +128,7 @@ static bool send_done(struct crew *crew, struct text *rows, struct text *message
 
 static bool serve(const struct sweep *q, struct crew *crew, int jobs) {
   MPI_Status s;
-  struct text rows = {0}, message = {0};
+  OWNED(text) rows = {0}, message = {0};
   bool ok = say_hello(q, jobs + 1);
   double said = bench_now(), heard = said;
   while (ok && !sweep_stopped()) {
@@ -149,8 +147,6 @@ static bool serve(const struct sweep *q, struct crew *crew, int jobs) {
       ok = ok && send_bytes(&ok, 0, 0, TAG_ALIVE) && said - heard < ORPHAN_AFTER;
     }
   }
-  text_clear(&rows);
-  text_clear(&message);
   return ok;
 }
 
@@ -220,14 +216,13 @@ static void lose(struct helpers *h, int rank, const char *why) {
 
 /* It must have read the same scene, and have been built from the same sources. */
 static void welcome(struct helpers *h, int rank) {
-  struct text head = {0};
+  OWNED(text) head = {0};
   int room = 0;
   sweep_head(&head, h->q);
   bool same = h->body.len == sizeof room + head.len && memcmp(h->body.data + sizeof room, head.data, head.len) == 0;
   if (same) memcpy(&room, h->body.data, sizeof room);
   h->rank[rank].room = room < 1 ? 0 : room > MOST_UNITS ? MOST_UNITS : room;
   if (!same) lose(h, rank, "understands another request");
-  text_clear(&head);
 }
 
 /* The rows of a unit that the rank had. */

@@ -145,7 +145,7 @@ static int say_interrupted(const struct sweep_course *r, bool lost) {
 }
 
 static int loop(struct sweep_course *r) {
-  struct text rows = {0};
+  OWNED(text) rows = {0};
   bool ok = true, lost = false;
   while (ok && r->written < r->q->units && !stopped && !lost) {
     give(r);
@@ -154,7 +154,6 @@ static int loop(struct sweep_course *r) {
     double done = (double)(r->written - r->begun_at), all = (double)(r->q->units - r->begun_at);
     progress_show((size_t)r->written, (size_t)r->q->units, done / all);
   }
-  text_clear(&rows);
   progress_end();
   if (ok && r->written < r->q->units) return say_interrupted(r, lost && !stopped);
   ok = ok && sink_finish(r->sink, r->q, &r->d);

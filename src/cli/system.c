@@ -76,10 +76,8 @@ static const char *const friction_name[2] = {"u_r1_min", "u_r2_min"};
 
 void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
                        slong digits) {
-  mag_t radius;
-  arb_t least;
-  mag_init(radius);
-  arb_init(least);
+  NUMBERS(mag, radius);
+  NUMBERS(arb, least);
   find_radius(radius, o);
   json_object(j, NULL);
   if (s->system) json_string(j, "system", s->system);
@@ -102,8 +100,6 @@ void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct 
     json_number(j, friction_name[i], word_orbit_friction(least, o, m, i, system_bits(digits)) ? least : NULL, digits);
   proof_json(j, o->certified, radius);
   json_end_object(j);
-  arb_clear(least);
-  mag_clear(radius);
 }
 
 static void orbits_json(struct text *out, const struct word_orbits *list, const struct scene *s, slong digits) {
@@ -144,10 +140,8 @@ static void print_named(struct text *out, const char *name, const arb_struct *x,
 
 static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
                        slong digits) {
-  mag_t radius;
-  arb_t least;
-  mag_init(radius);
-  arb_init(least);
+  NUMBERS(mag, radius);
+  NUMBERS(arb, least);
   text_printf(out, "%s, ", stability_name[o->stable]);
   admissible_text(out, o->admissible, s);
   text_add_char(out, '\n');
@@ -175,8 +169,6 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
     violation(out, &o->fact[i], o, m, s);
     text_add_char(out, '\n');
   }
-  arb_clear(least);
-  mag_clear(radius);
 }
 
 /* How the orbits were looked for. */
@@ -210,7 +202,7 @@ static void orbits_text(struct text *out, const struct word_orbits *list, const 
 static bool write_certificate(const char *path, struct word_orbits *list, const struct scene *s, slong digits,
                               struct diag *d) {
   int n = list->found.n;
-  struct text out = {0};
+  OWNED(text) out = {0};
   if (!s->system) {
     word_orbits_with_friction(list, system_bits(digits));
     for (int k = 0; k < list->found.n; k++) mech_orbit_decide(&list->found.orbit[k], &list->m, system_bits(digits));
@@ -220,7 +212,6 @@ static bool write_certificate(const char *path, struct word_orbits *list, const 
     mech_certificates_json(&out, s->name, &list->m, &list->found);
     ok = file_write(path, out.data, out.len, d);
   }
-  text_clear(&out);
   return ok;
 }
 
@@ -279,7 +270,7 @@ static void words_json(struct text *out, const struct survey *v, const struct me
 /* A word with its orbits that are motions, as far as is known; *others: how many are not. */
 static void word_line(struct text *out, int *others, const struct mech_orbits *list, const struct mech_word *w,
                       int motions, slong digits) {
-  struct text rows = {0};
+  OWNED(text) rows = {0};
   for (int i = 0; i < list->n; i++) {
     const struct mech_orbit *o = &list->orbit[i];
     if (!mech_word_same(&o->word, w)) continue;
@@ -296,7 +287,6 @@ static void word_line(struct text *out, int *others, const struct mech_orbits *l
     if (motions) text_printf(out, ": %d motion%s", motions, motions == 1 ? " settles on it" : "s settle on it");
     text_printf(out, "\n%s", text_str(&rows));
   }
-  text_clear(&rows);
 }
 
 static void words_text(struct text *out, const struct survey *v, const struct scene *s, slong digits) {
@@ -423,9 +413,8 @@ static void show_jacobian(const struct options *o, struct word_orbits *list, con
   }
   const struct mech_orbit *orbit = &list->found.orbit[q->orbit];
   struct text out = {0};
-  arb_mat_t x;
   acb_ptr z = _acb_vec_init(orbit->n_free);
-  arb_mat_init(x, orbit->n_free, orbit->n_free);
+  SIZED(arb_mat, x, orbit->n_free, orbit->n_free);
   if (mech_jacobian(x, &list->m, orbit, how, prec) != SS_OK) {
     unknown(d, q, s);
   } else {
@@ -433,7 +422,6 @@ static void show_jacobian(const struct options *o, struct word_orbits *list, con
     (option(o, OPT_JSON) ? jacobian_json : jacobian_text)(&out, orbit, x, known ? z : NULL, s, q);
     print_text(&out);
   }
-  arb_mat_clear(x);
   _acb_vec_clear(z, orbit->n_free);
 }
 

@@ -26,11 +26,8 @@ static const struct mech_side *side_of(const struct mech_change *c, bool upper) 
 
 /* The end of a bracket, rounded outwards, with all its decimals. */
 static void print_end(struct text *out, const struct shown *v, const struct mech_change *c, bool upper) {
-  fmpq_t end, scale;
-  fmpz_t whole;
-  fmpq_init(end);
-  fmpq_init(scale);
-  fmpz_init(whole);
+  NUMBERS(fmpq, end, scale);
+  NUMBERS(fmpz, whole);
   fmpz_ui_pow_ui(fmpq_numref(scale), 10, (ulong)v->decimals);
   fmpq_mul(end, side_of(c, upper)->at, scale);
   (upper ? fmpz_cdiv_q : fmpz_fdiv_q)(whole, fmpq_numref(end), fmpq_denref(end));
@@ -38,9 +35,6 @@ static void print_end(struct text *out, const struct shown *v, const struct mech
   fmpq_div(end, end, scale);
   double size = fabs(fmpq_get_d(end));
   num_print_rational(out, end, v->decimals + 1 + (size < 1 ? 0 : (slong)floor(log10(size))));
-  fmpz_clear(whole);
-  fmpq_clear(scale);
-  fmpq_clear(end);
 }
 
 /* --- JSON --- */
@@ -141,7 +135,7 @@ static void all_text(struct text *out, const struct shown *v) {
 static int show(const struct options *o, const struct shown *given, const struct mech_word *w, struct diag *d) {
   struct mech_follow f;
   struct shown v = *given;
-  struct text out = {0};
+  OWNED(text) out = {0};
   progress_begin();
   bool ok = mech_follow(&f, v.l, w->n ? w : NULL, d);
   progress_end();
@@ -156,18 +150,15 @@ static int show(const struct options *o, const struct shown *given, const struct
     num_print_q(&out, f.at);
     fprintf(stderr, "%s:\n", text_str(&out));
   }
-  text_clear(&out);
   mech_follow_clear(&f);
   return EXIT_AS_RECORDED;
 }
 
 /* How many decimals tell the ends of a bracket apart. */
 static int decimals_of(const struct mech_line *l) {
-  fmpq_t width;
-  fmpq_init(width);
+  NUMBERS(fmpq, width);
   fmpq_sub(width, l->from, l->to);
   double wide = fabs(fmpq_get_d(width));
-  fmpq_clear(width);
   int decimals = (int)l->digits - (int)floor(log10(wide));
   return decimals > 0 ? decimals : 0;
 }
@@ -176,9 +167,8 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
                          struct diag *d) {
   struct mech m;
   struct mech_word w;
-  struct scene_range a;
-  struct text name = {0}, path = {0};
-  scene_range_init(&a);
+  LOCAL(scene_range, a);
+  OWNED(text) name = {0}, path = {0};
   int status = parse_along(&a, &name, o);
   if (!status) {
     scene_system_path(&path, s->system, data);
@@ -189,8 +179,5 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
     if (scene_load_system(&m, &w, s, data, d)) status = show(o, &v, &w, d);
     mech_clear(&m);
   }
-  scene_range_clear(&a);
-  text_clear(&path);
-  text_clear(&name);
   return status;
 }

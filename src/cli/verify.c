@@ -87,8 +87,7 @@ static bool remains(const struct audit_result *r) {
 /* Judges the scene, writes its reports, says what they say. */
 static int audit_scene(const struct verify_data *v, const struct scene *s, const struct options *o, const char *folder,
                        const struct audit_options *opt, double start, struct diag *d) {
-  struct audit_result r;
-  audit_result_init(&r);
+  LOCAL(audit_result, r);
   bool ok = audit_run(&r, &v->files.model, &v->files.claims, &v->files.controls, s, opt, d);
   if (opt->progress) progress_end();
   ok = ok && write_reports(folder, &r, bench_now() - start, d);
@@ -100,7 +99,6 @@ static int audit_scene(const struct verify_data *v, const struct scene *s, const
     else if (option(o, OPT_STRICT) && remains(&r))
       status = EXIT_STRICT;
   }
-  audit_result_clear(&r);
   return status;
 }
 
@@ -115,8 +113,8 @@ static void print_folder(struct text *out, const struct options *o, const char *
 
 static int verify_scene(const struct verify_data *v, const char *spec, const char *data, const struct options *o,
                         int jobs, struct diag *d) {
-  struct scene s;
-  struct text folder = {0};
+  OWNED(scene) s;
+  OWNED(text) folder = {0};
   double start = bench_now();
   interrupt_next();
   bool terminal = progress_wanted() && !option(o, OPT_QUIET);
@@ -140,8 +138,6 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
     print_folder(&folder, o, s.folder);
     status = audit_scene(v, &s, o, text_str(&folder), &opt, start, d);
   }
-  scene_clear(&s);
-  text_clear(&folder);
   return status;
 }
 
@@ -154,11 +150,10 @@ static int check_folders(const struct options *o) {
     for (int k = 0; k < i && !status; k++) {
       char *other = scene_folder(o->operands.word[k], &set);
       if (strcmp(mine, other) == 0) {
-        struct text t = {0};
+        OWNED(text) t = {0};
         text_printf(&t, "%.200s and %.200s would both write to ", o->operands.word[k], o->operands.word[i]);
         print_folder(&t, o, mine);
         status = usage("%.800s; verify them one at a time, each with an --out of its own", text_str(&t));
-        text_clear(&t);
       }
       free(other);
     }
@@ -177,11 +172,10 @@ static int worse(int a, int b) {
 
 /* No verdict rests on what the work may cost: without the table it is only not estimated. */
 static void load_costs(struct costs *c, const char *data) {
-  struct text path = {0};
+  OWNED(text) path = {0};
   struct diag d = {0};
   join_path(&path, data, "costs.tsv");
   if (!costs_load(c, text_str(&path), &d)) fprintf(stderr, "stickslip: warning: no cost is estimated: %s\n", d.message);
-  text_clear(&path);
 }
 
 static bool load_all(struct verify_data *v, const struct options *o, const char *data, struct diag *d) {

@@ -48,7 +48,7 @@ static void add_labelled(struct text *out, int column, const char *label, const 
 
 /* What shows the failure, and what mends it. */
 static void add_proof(struct text *out, const struct finding *f, int column) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   add_labelled(out, column, "wrong", finding_fails(f) ? failure_words(f) : "nothing decides it");
   if (f->condition) add_labelled(out, column, "holds when", f->condition);
   for (int i = 0; i < f->certificate.n; i++)
@@ -57,7 +57,6 @@ static void add_proof(struct text *out, const struct finding *f, int column) {
   text_reset(&t);
   if (f->correction) text_printf(&t, "%s (%s)", f->correction, verdict_name[f->correction_verdict]);
   if (t.len) add_labelled(out, column, "correction", text_str(&t));
-  text_clear(&t);
 }
 
 static void add_failure(struct text *out, const struct finding *f, size_t widest, bool colours, bool proofs) {
@@ -136,10 +135,8 @@ void verify_tables(const struct audit_result *r, bool proofs) {
 }
 
 void verify_line(const struct audit_result *r) {
-  struct text out = {0}, line = {0};
+  OWNED(text) out = {0}, line = {0};
   report_line(&line, r);
   paint(&out, terminal_has_colours(), audit_result_unexpected(r) ? PAINT_BAD : PAINT_HEAD, text_str(&line), 0);
   puts(text_str(&out));
-  text_clear(&line);
-  text_clear(&out);
 }

@@ -32,7 +32,7 @@ bool find_word_orbits(struct word_orbits *list, const struct scene *s, slong dig
 static const char not_complete[] = "no proof of completeness covers this word";
 
 void word_json(struct json *j, const struct scene *s) {
-  struct text why = {0};
+  OWNED(text) why = {0};
   enum word_fate fate = phase_word_fate(&why, &s->word);
   bool complete = fate == WORD_IMPOSSIBLE || fate == WORD_UNCLOSED;
   JSON_STRING(j, "word", phase_word_print(j->out, &s->word));
@@ -40,11 +40,10 @@ void word_json(struct json *j, const struct scene *s) {
   json_string(j, "reason", fate == WORD_OPEN ? NULL : text_str(&why));
   json_bool(j, "complete", complete);
   json_string(j, "gap", complete ? NULL : not_complete);
-  text_clear(&why);
 }
 
 void word_text(struct text *out, const struct word_orbits *list, const struct scene *s) {
-  struct text why = {0};
+  OWNED(text) why = {0};
   enum word_fate fate = phase_word_fate(&why, &s->word);
   text_printf(out, "%s: %d orbit%s of the word ", s->name, list->found.n, plural_s(list->found.n));
   phase_word_print(out, &s->word);
@@ -58,5 +57,4 @@ void word_text(struct text *out, const struct word_orbits *list, const struct sc
                 list->evaluations, list->found.candidates);
   if (list->found.failed > 0)
     text_printf(out, "%d solutions in double precision could not be enclosed\n", list->found.failed);
-  text_clear(&why);
 }

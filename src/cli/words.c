@@ -197,8 +197,8 @@ static void all_text(struct text *out, const struct survey *v) {
 /* --- The survey. --- */
 
 static void one_word(struct survey *v, const struct mech_word *w) {
-  struct word_orbits list = {.evaluations = 0};
-  struct text why = {0};
+  OWNED(word_orbits) list = {.evaluations = 0};
+  OWNED(text) why = {0};
   enum word_fate fate = phase_word_fate(&why, w);
   bool searched = is_searched(v, w, fate);
   v->possible++;
@@ -211,8 +211,6 @@ static void one_word(struct survey *v, const struct mech_word *w) {
     v->failed += list.found.failed;
   }
   (v->json ? row_json : row_text)(v, w, fate, text_str(&why), &list, searched);
-  word_orbits_clear(&list);
-  text_clear(&why);
 }
 
 static void all_words(struct survey *v) {
@@ -270,13 +268,12 @@ int run_words(const struct options *o, const char *data, struct diag *d) {
   if (!status) status = parse_count(&longest, o, OPT_LONGEST, MOST_PHASES);
   if (status) return status;
   v.longest = (int)longest;
-  struct scene s;
+  OWNED(scene) s;
   v.scene = &s;
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d);
   if (ok && s.system)
     status = run_system_words(o, &s, data, v.longest, v.digits, d);
   else if (ok && scene_one_point(&s, d) && scene_needs_forces(&s, "words", d))
     show_survey(&v, o);
-  scene_clear(&s);
   return status;
 }
