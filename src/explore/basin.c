@@ -154,11 +154,9 @@ static bool contracts(struct field *f, double low, double high, int depth) {
   calc_release(&f->c, mark);
   truth order = known ? all_conditions(f) : TRUTH_UNKNOWN;
   if (known && f->word == TRUTH_TRUE && order == TRUTH_TRUE && f->o.stable == TRUTH_TRUE) {
-    arf_t most;
-    arf_init(most);
+    NUMBERS(arf, most);
     arb_get_abs_ubound_arf(most, f->o.trace, 53);
     f->slope = fmax(f->slope, arf_get_d(most, ARF_RND_UP));
-    arf_clear(most);
     return true;
   }
   bool broken = known && (f->word == TRUTH_FALSE || order == TRUTH_FALSE || f->o.stable == TRUTH_FALSE);
@@ -177,14 +175,12 @@ static bool time_of(arb_t tb, struct field *f, const arb_t r) {
 }
 
 static void set_decimal(fmpq_t q, double x, slong places) {
-  arf_t scaled;
-  arf_init(scaled);
+  NUMBERS(arf, scaled);
   arf_set_d(scaled, x);
   fmpz_ui_pow_ui(fmpq_denref(q), 10, (ulong)places);
   arf_mul_fmpz(scaled, scaled, fmpq_denref(q), ARF_PREC_EXACT, ARF_RND_DOWN);
   arf_get_fmpz(fmpq_numref(q), scaled, ARF_RND_NEAR);
   fmpq_canonicalise(q);
-  arf_clear(scaled);
 }
 
 /* So many decimals that the ends of an interval of this half width are as far from r as it says to 1e-10 of it. */
@@ -280,8 +276,7 @@ static bool fails(struct dyn_basin *b, struct field *f, const arb_t r) {
 
 /* The nearest point that fails among some on both sides, up to twice as far as the interval reaches. */
 static void find_failure(struct dyn_basin *b, struct field *f, double half) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   bool found = false;
   double r = num_arb.get_d(f->r);
   for (int i = 1; i < CANDIDATES && !found; i++)
@@ -290,7 +285,6 @@ static void find_failure(struct dyn_basin *b, struct field *f, double half) {
       arb_set_fmpq(x, &b->fails_at, BASIN_PREC);
       found = fails(b, f, x);
     }
-  arb_clear(x);
 }
 
 void dyn_basin_find(struct dyn_basin *b, const fmpq *params, const fmpq *const u_r[2], const struct dyn_orbit *orbit) {

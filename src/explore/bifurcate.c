@@ -59,13 +59,9 @@ static void bifurcation_clear(struct dyn_bifurcation *b) {
 /* The decimals of so many digits around p, a little apart from p. */
 static void bracket(struct dyn_bifurcation *b, const arb_t p) {
   slong prec = b->prec;
-  arb_t scaled;
-  fmpz_t k, ten;
-  fmpq_t unit;
-  arb_init(scaled);
-  fmpz_init(k);
-  fmpz_init(ten);
-  fmpq_init(unit);
+  NUMBERS(arb, scaled);
+  NUMBERS(fmpz, k, ten);
+  NUMBERS(fmpq, unit);
   slong places = b->digits - 1 - (slong)floor(log10(num_arb.get_d(p)));
   fmpz_ui_pow_ui(ten, 10, (ulong)labs(places));
   fmpq_set_fmpz(unit, ten);
@@ -79,10 +75,6 @@ static void bracket(struct dyn_bifurcation *b, const arb_t p) {
   fmpq_mul_fmpz(&b->low, unit, k);
   fmpz_add_si(k, k, part < 1e-6 || part > 1 - 1e-6 ? 2 : 1);
   fmpq_mul_fmpz(&b->high, unit, k);
-  fmpq_clear(unit);
-  fmpz_clear(ten);
-  fmpz_clear(k);
-  arb_clear(scaled);
 }
 
 /* --- Proof along the parameter. --- */
@@ -133,9 +125,9 @@ static bool turns(enum dyn_change what) {
 /* c_2^2 + c_3 of the return map over the tube. */
 static void third_order(arb_t third, const struct tube *t, slong prec) {
   val p[N_PARAMS];
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   arb_ptr c = _arb_vec_init(4);
-  struct calc calc = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) calc = calc_begin(num_ctx_arb(prec));
   for (int i = 0; i < N_PARAMS; i++) p[i] = &t->p[i];
   const struct num_vec params = calc_vec_of(&calc, p, N_PARAMS);
   dyn_arc_init(&arc, calc.ctx);
@@ -146,8 +138,6 @@ static void third_order(arb_t third, const struct tube *t, slong prec) {
     arb_mul(third, c + 2, c + 2, prec);
     arb_add(third, third, c + 3, prec);
   }
-  dyn_arc_clear(&arc);
-  calc_clear(&calc);
   _arb_vec_clear(c, 4);
 }
 
@@ -178,13 +168,12 @@ static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tu
 /* From x, and the time of a touch behind it. */
 static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from) {
   struct tube t;
-  struct dyn_orbit whole;
+  LOCAL(dyn_orbit, whole);
   int sign[2] = {0, 0};
   slong prec = curve->prec;
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   arb_ptr all = _arb_vec_init(6), x = all, time = all + 3, value = all + 4, rate = all + 5;
   tube_init(&t);
-  dyn_orbit_init(&whole);
   _arb_vec_set(all, from, 4);
   arb_union(x, calc_q(&c, &b->low), calc_q(&c, &b->high), prec);
   if (tube_on(&t, curve, x) == SS_OK && function_on(value, NULL, time, &t, curve, b->what) == SS_OK) {
@@ -198,10 +187,8 @@ static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, ar
     if (tube_orbit(&whole, &b->word, &t, prec) == SS_OK) arb_set(b->trace, whole.trace);
     if (b->what == CHANGE_FLIP) third_order(b->third, &t, prec);
   }
-  dyn_orbit_clear(&whole);
   tube_clear(&t);
   _arb_vec_clear(all, 6);
-  calc_clear(&c);
 }
 
 /* --- Where the curve turns back. --- */
@@ -271,7 +258,7 @@ static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, ar
 }
 
 static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from) {
-  struct calc c = calc_begin(num_ctx_arb(curve->prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(curve->prec));
   arb_ptr x = _arb_vec_init(3), tangent = _arb_vec_init(3), bend = calc_new(&c);
   _arb_vec_set(x, from, 3);
   bool ok =
@@ -287,7 +274,6 @@ static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, 
     b->sense = arb_is_positive(bend) ? 1 : -1;
     pair_beside(b, curve, x, tangent, bend);
   }
-  calc_clear(&c);
   _arb_vec_clear(tangent, 3);
   _arb_vec_clear(x, 3);
 }
@@ -437,7 +423,7 @@ static void follow_branch(struct line *l, const struct start *from) {
 
 /* The orbits at the i-th value.  *evaluations counts on. */
 static int find_starts(struct line *l, size_t *cap, long *evaluations, const struct dyn_axis *axis, slong i) {
-  struct dyn_orbits orbits;
+  OWNED(dyn_orbits) orbits;
   fmpq at[N_PARAMS];
   int vary = l->of->vary;
   memcpy(at, l->of->params, sizeof at); /* borrowed, but for that which varies */
@@ -452,7 +438,6 @@ static int find_starts(struct line *l, size_t *cap, long *evaluations, const str
                        false};
   }
   *evaluations += orbits.evaluations;
-  dyn_orbits_clear(&orbits);
   fmpq_clear(&at[vary]);
   return status;
 }

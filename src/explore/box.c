@@ -92,17 +92,13 @@ static int widest(const struct tube *t) {
 
 /* One half of a ball, the lower or the upper; together they cover it. */
 static void halve(arb_t half, const arb_t whole, bool upper) {
-  arb_t end, mid;
-  arb_init(end);
-  arb_init(mid);
+  NUMBERS(arb, end, mid);
   if (upper)
     arb_get_ubound_arf(arb_midref(end), whole, BOX_PREC);
   else
     arb_get_lbound_arf(arb_midref(end), whole, BOX_PREC);
   arb_get_mid_arb(mid, whole);
   arb_union(half, mid, end, BOX_PREC);
-  arb_clear(mid);
-  arb_clear(end);
 }
 
 static void examine(struct piece *p) {

@@ -237,11 +237,9 @@ int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what) {
 
 int curve_rate(arb_t rate, struct view *v, val f) {
   slong prec = v->c.ctx.prec;
-  arb_mat_t dx;
-  arb_mat_init(dx, 2, 1);
+  SIZED(arb_mat, dx, 2, 1);
   bool ok = tube_motion(dx, &v->s, v->curve->line->vary, prec);
   arb_set(rate, view_slope(v, f, 0));
   for (int k = 0; k < 2; k++) arb_addmul(rate, view_slope(v, f, k + 1), arb_mat_entry(dx, k, 0), prec);
-  arb_mat_clear(dx);
   return ok && !v->c.status && arb_is_finite(rate) ? SS_OK : SS_UNABLE;
 }

@@ -111,13 +111,10 @@ static void settle(struct family_line *l, slong begin, slong from, slong to) {
 
 static bool in_domain(const struct dyn_family_request *q, const struct dyn_axis *a, slong i) {
   fmpq p[N_PARAMS];
-  fmpq_t x;
-  fmpq_init(x);
+  NUMBERS(fmpq, x);
   dyn_axis_q(x, a, i);
   for (int k = 0; k < N_PARAMS; k++) p[k] = k == a->vary ? *x : q->params[k]; /* borrowed */
-  bool in = dyn_in_domain(p, N_PARAMS);
-  fmpq_clear(x);
-  return in;
+  return dyn_in_domain(p, N_PARAMS);
 }
 
 int dyn_family_find(struct dyn_family *f, const struct dyn_family_request *q, slong begin, slong end) {

@@ -7,13 +7,12 @@ static bool exact_in_double(const fmpz_t x) {
 
 void dyn_axis_init(struct dyn_axis *a, int vary, const fmpq_t from, const fmpq_t to, slong n) {
   fmpq_t step;
-  fmpz_t end;
+  NUMBERS(fmpz, end);
   *a = (struct dyn_axis){.vary = vary, .n = n};
   fmpz_init(a->start);
   fmpz_init(a->step);
   fmpz_init(a->den);
   fmpq_init(step);
-  fmpz_init(end);
   if (n > 1) {
     fmpq_sub(step, to, from);
     fmpq_div_fmpz(step, step, (fmpz_set_si(end, n - 1), end));
@@ -32,7 +31,6 @@ void dyn_axis_init(struct dyn_axis *a, int vary, const fmpq_t from, const fmpq_t
     a->over = fmpz_get_d(a->den);
   }
   fmpq_clear(step);
-  fmpz_clear(end);
 }
 
 void dyn_axis_clear(struct dyn_axis *a) {
@@ -51,12 +49,10 @@ void dyn_axis_q(fmpq_t x, const struct dyn_axis *a, slong i) {
 double dyn_axis_d(const struct dyn_axis *a, slong i) {
   /* a product and a sum of integers that doubles hold are exact, and their quotient is rounded once */
   if (a->small) return (a->begin + a->by * (double)i) / a->over;
-  fmpq_t x;
+  NUMBERS(fmpq, x);
   double d;
-  fmpq_init(x);
   dyn_axis_q(x, a, i);
   num_double.set_q(&d, x, 53);
-  fmpq_clear(x);
   return d;
 }
 

@@ -66,14 +66,13 @@ static void exact_here(struct family_line *l) {
 
 /* The orbit near guess, proved to be one of the word. */
 static bool enclose(struct dyn_member *m, struct family_line *l, const double guess[2], bool up) {
-  struct dyn_orbit o;
+  OWNED(dyn_orbit) o;
   struct dyn_place at = {guess[0], guess[1], up};
   truth first;
   exact_here(l);
   bool ok = dyn_orbit_near(&o, &first, l->exact, at, PREC, NULL) == SS_OK;
   ok = ok && first == TRUTH_TRUE;
   if (ok) from_balls(m, &o, l);
-  dyn_orbit_clear(&o);
   return ok;
 }
 
@@ -169,7 +168,7 @@ static bool list_warm(struct dyn_member *m, slong *n, struct family_line *l, con
 /* The same in balls throughout. */
 static struct dyn_member *list_balls(slong *n, enum dyn_family_status *status, struct family_line *l,
                                      const struct search *s) {
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   bool fold = false;
   exact_here(l);
   int found = dyn_orbits_find(&list, l->exact, PREC, NULL);
@@ -179,7 +178,6 @@ static struct dyn_member *list_balls(slong *n, enum dyn_family_status *status, s
   *n = 0;
   for (slong i = 0; i < list.n; i++)
     if (wanted(l, list.orbit[i].guess[1])) from_balls(&m[(*n)++], &list.orbit[i], l);
-  dyn_orbits_clear(&list);
   return m;
 }
 

@@ -128,10 +128,9 @@ static bool spot_make(struct spot *s, const struct trace *t, const double x[3]) 
 static bool correct(double x[3], const struct trace *t, const double normal[3]) {
   const double plane[3] = {x[0], x[1], x[2]};
   bool settled = false, ok = true;
-  arb_mat_t j, f;
   arb_ptr at = _arb_vec_init(3);
-  arb_mat_init(j, 3, 3);
-  arb_mat_init(f, 3, 1);
+  SIZED(arb_mat, j, 3, 3);
+  SIZED(arb_mat, f, 3, 1);
   for (int i = 0; i < 8 && ok && !settled; i++) {
     struct view v;
     for (int k = 0; k < 3; k++) arb_set_d(at + k, x[k]);
@@ -157,8 +156,6 @@ static bool correct(double x[3], const struct trace *t, const double normal[3]) 
     settled = size < 1e-7; /* of the last step, whose square is left */
     view_close(&v);
   }
-  arb_mat_clear(f);
-  arb_mat_clear(j);
   _arb_vec_clear(at, 3);
   return ok && settled;
 }

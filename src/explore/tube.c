@@ -46,13 +46,11 @@ static void tube_init_middle(struct tube *m, const struct tube *t) {
 static void look(struct ball_pass *s, struct calc *c, struct ball_params *m, const struct tube *t, arb_srcptr x,
                  bool middle) {
   val p[N_PARAMS];
-  arb_t mid;
-  arb_init(mid);
+  NUMBERS(arb, mid);
   for (int i = 0; i < N_PARAMS; i++) {
     arb_get_mid_arb(mid, &t->p[i]);
     p[i] = dual_variable(c, middle ? mid : &t->p[i], middle || arb_is_exact(&t->p[i]) ? -1 : i);
   }
-  arb_clear(mid);
   ball_params_make(m, c, p);
   ball_pass_make(s, c, m, dual_variable(c, x, DIR_TB), dual_variable(c, x + 1, DIR_TC), t->up);
 }
@@ -69,8 +67,7 @@ struct equations {
 static void spread(const void **f, struct equations *e, arb_srcptr x) {
   struct ball_params m;
   struct ball_pass s;
-  arb_t off;
-  arb_init(off);
+  NUMBERS(arb, off);
   look(&s, &e->c, &m, e->t, x, false);
   const val all[2] = {s.pc, s.defect};
   for (int k = 0; k < 2; k++) {
@@ -82,7 +79,6 @@ static void spread(const void **f, struct equations *e, arb_srcptr x) {
     }
     f[k] = &sum->v;
   }
-  arb_clear(off);
 }
 
 static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
@@ -117,7 +113,7 @@ int tube_prove(struct tube *t, slong prec) {
   struct equations e = {.t = t, .middle = true, .c = calc_begin(dual_ctx(prec))};
   struct solve_system system = {2, values, &e};
   struct num_vec x = {num_ctx_arb(prec), 2, (char *)t->x};
-  struct krawczyk k;
+  OWNED(krawczyk) k;
   krawczyk_init(&k, &system, prec);
   for (int i = 0; i < 2; i++) arb_get_mid_arb(&t->x[i], &t->x[i]);
   int status = newton_run(&x, &system, x.ctx, 60, settles);
@@ -128,41 +124,34 @@ int tube_prove(struct tube *t, slong prec) {
     arb_swap(&t->x[i], num_vec_at(&k.image, i));
     arb_swap(&t->box[i], num_vec_at(&k.box, i));
   }
-  krawczyk_clear(&k);
   calc_clear(&e.c);
   return status;
 }
 
 bool tube_motion(arb_mat_t dx, const struct ball_pass *s, int param, slong prec) {
   const val f[2] = {s->pc, s->defect};
-  arb_mat_t j;
-  arb_mat_init(j, 2, 2);
+  SIZED(arb_mat, j, 2, 2);
   for (int i = 0; i < 2; i++) {
     arb_neg(arb_mat_entry(dx, i, 0), dual_slope(f[i], param));
     for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(j, i, k), dual_slope(f[i], DIR_TB + k));
   }
-  bool ok = arb_mat_solve(dx, j, dx, prec) != 0;
-  arb_mat_clear(j);
-  return ok;
+  return arb_mat_solve(dx, j, dx, prec) != 0;
 }
 
 double tube_reach(const struct tube *t, int param, slong prec) {
   struct ball_params m;
   struct ball_pass s;
   struct tube narrow;
-  arb_mat_t dx;
   double reach = 0;
-  arb_mat_init(dx, 2, 1);
+  SIZED(arb_mat, dx, 2, 1);
   tube_init_middle(&narrow, t);
   for (int k = 0; k < 2; k++) arb_get_mid_arb(&narrow.x[k], &t->x[k]);
   mag_set_ui_2exp_si(arb_radref(&narrow.p[param]), 1, -prec); /* so that its slopes are carried */
-  struct calc c = calc_begin(dual_ctx(prec));
+  OWNED(calc) c = calc_begin(dual_ctx(prec));
   look(&s, &c, &m, &narrow, narrow.x, false);
   if (!c.status && tube_motion(dx, &s, param, prec))
     for (int k = 0; k < 2; k++) reach += fabs(num_arb.get_d(arb_mat_entry(dx, k, 0)));
-  calc_clear(&c);
   tube_clear(&narrow);
-  arb_mat_clear(dx);
   return reach * mag_get_d(arb_radref(&t->p[param]));
 }
 
@@ -185,12 +174,9 @@ static bool mean_values(arb_ptr number, const struct tube *t, const struct tube 
   struct ball_params m;
   struct ball_pass s;
   val at[SHARP], all[SHARP];
-  arb_mat_t dx;
-  arb_t slope, off;
-  arb_mat_init(dx, 2, 1);
-  arb_init(slope);
-  arb_init(off);
-  struct calc c = calc_begin(dual_ctx(prec));
+  NUMBERS(arb, slope, off);
+  SIZED(arb_mat, dx, 2, 1);
+  OWNED(calc) c = calc_begin(dual_ctx(prec));
   look(&s, &c, &m, middle, middle->x, false);
   sharp_numbers(at, &c, &m, &s);
   look(&s, &c, &m, t, t->x, false);
@@ -207,10 +193,6 @@ static bool mean_values(arb_ptr number, const struct tube *t, const struct tube 
       arb_addmul(number + n, slope, off, prec);
     }
   }
-  calc_clear(&c);
-  arb_clear(off);
-  arb_clear(slope);
-  arb_mat_clear(dx);
   return ok;
 }
 
@@ -245,23 +227,20 @@ static void params_of(struct ball_params *m, struct calc *c, const struct tube *
 int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec) {
   struct ball_params m;
   struct ball_pass s;
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   params_of(&m, &c, t);
   ball_pass_make(&s, &c, &m, &t->x[0], &t->x[1], t->up);
   int status = dyn_orbit_describe(o, &c, &m, &s);
   *word = status ? TRUTH_UNKNOWN : dyn_orbit_judge(o, &c, &m, &s, dyn_limits_default.max_steps);
   o->grazing = *word == TRUTH_UNKNOWN;
-  calc_clear(&c);
   return status;
 }
 
 truth tube_touches(const struct tube *t, slong prec) {
   struct ball_params m;
   struct ball_pass s;
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   params_of(&m, &c, t);
   ball_pass_slip(&s, &c, &m, &t->x[0], &t->x[1]);
-  truth below = c.status ? TRUTH_UNKNOWN : ball_touches(&c, &m, &s, dyn_limits_default.max_steps);
-  calc_clear(&c);
-  return below;
+  return c.status ? TRUTH_UNKNOWN : ball_touches(&c, &m, &s, dyn_limits_default.max_steps);
 }

@@ -22,12 +22,10 @@ void word_law_make(struct word_law *m, struct calc *c, const struct word_orbits 
     m->e[i] = calc_q(c, params + P_E1 + i);
     m->over[i] = NULL;
     if (!u_r[i]) continue;
-    fmpq_t twice;
-    fmpq_init(twice);
+    NUMBERS(fmpq, twice);
     fmpq_sub(twice, u_r[i], params + P_E1 + i);
     fmpq_mul_2exp(twice, twice, 1);
     m->over[i] = calc_q(c, twice);
-    fmpq_clear(twice);
   }
 }
 

@@ -65,13 +65,11 @@ static void conclude(struct mech_orbit *o, const struct mech *m) {
 /* The fewest relative bits of any length, state and of the trace of J. */
 static slong accuracy(const struct mech_orbit *o, slong prec) {
   slong least = ARF_PREC_EXACT;
-  arb_t trace;
-  arb_init(trace);
+  NUMBERS(arb, trace);
   arb_mat_trace(trace, o->jacobian, prec);
   for (int p = 0; p < o->word.n; p++) least = FLINT_MIN(least, arb_rel_accuracy_bits(o->t + p));
   for (int i = 0; i < o->states * o->word.n; i++) least = FLINT_MIN(least, arb_rel_accuracy_bits(o->state + i));
   least = FLINT_MIN(least, arb_rel_accuracy_bits(trace));
-  arb_clear(trace);
   return FLINT_MAX(least, 0);
 }
 
@@ -136,9 +134,7 @@ void word_orbits_clear(struct word_orbits *list) {
    f)/2. */
 bool word_orbit_friction(arb_t least, const struct mech_orbit *o, const struct mech *m, int mass, slong prec) {
   bool faster = false;
-  arb_t lack, stiffness;
-  arb_init(lack);
-  arb_init(stiffness);
+  NUMBERS(arb, lack, stiffness);
   arb_zero(least);
   for (int p = 0; p < o->word.n; p++) {
     const char *before = o->word.phase[(p + o->word.n - 1) % o->word.n], *now = o->word.phase[p];
@@ -152,20 +148,15 @@ bool word_orbit_friction(arb_t least, const struct mech_orbit *o, const struct m
     arb_mul_2exp_si(lack, lack, -1);
     arb_max(least, least, lack, prec);
   }
-  arb_clear(stiffness);
-  arb_clear(lack);
   return !faster;
 }
 
 /* How far the friction of a mass, static and sliding alike, is from enough. */
 static void find_raise(fmpq_t raise, const struct word_orbits *list, int mass, slong prec) {
   const fmpq *limit = list->m.mass[mass].limit;
-  fmpq_t need;
-  arb_t least;
-  arf_t bound;
-  fmpq_init(need);
-  arb_init(least);
-  arf_init(bound);
+  NUMBERS(fmpq, need);
+  NUMBERS(arb, least);
+  NUMBERS(arf, bound);
   fmpq_set(raise, limit);
   for (int k = 0; k < list->found.n; k++) {
     word_orbit_friction(least, &list->found.orbit[k], &list->m, mass, prec);
@@ -176,9 +167,6 @@ static void find_raise(fmpq_t raise, const struct word_orbits *list, int mass, s
   fmpq_set_si(need, 5, 4);
   fmpq_mul(raise, raise, need);
   fmpq_sub(raise, raise, limit);
-  arf_clear(bound);
-  arb_clear(least);
-  fmpq_clear(need);
 }
 
 /* The orbit beside its enclosure, whose positions have moved with the friction; precise enough for prec bits of it. */
@@ -194,12 +182,10 @@ static int enclose_again(struct mech_orbit *o, const struct mech_orbit *old, con
 
 void word_orbits_with_friction(struct word_orbits *list, slong prec) {
   struct mech_orbits old = list->found;
-  fmpq_mat_t raise, move;
-  arb_t by;
   if (!old.n || (!lacks_friction(&list->m, 0) && !lacks_friction(&list->m, 1))) return;
-  arb_init(by);
-  fmpq_mat_init(raise, 2, 1);
-  fmpq_mat_init(move, 2, 1);
+  NUMBERS(arb, by);
+  SIZED(fmpq_mat, raise, 2, 1);
+  SIZED(fmpq_mat, move, 2, 1);
   for (int i = 0; i < 2; i++)
     if (lacks_friction(&list->m, i)) find_raise(fmpq_mat_entry(raise, i, 0), list, i, prec);
   for (int i = 0; i < 2; i++) {
@@ -220,7 +206,4 @@ void word_orbits_with_friction(struct word_orbits *list, slong prec) {
     mech_orbits_add(&list->found, &again);
   }
   mech_orbits_clear(&old);
-  fmpq_mat_clear(move);
-  fmpq_mat_clear(raise);
-  arb_clear(by);
 }
