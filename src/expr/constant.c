@@ -16,8 +16,7 @@ bool constant_complain(const struct constant *c, const struct expr *e, const cha
 }
 
 static bool constant_binary(fmpq_t z, const struct constant *c, const struct expr *e) {
-  fmpq_t b;
-  fmpq_init(b);
+  NUMBERS(fmpq, b);
   bool ok = constant_eval(z, c, e->args[0]) && constant_eval(b, c, e->args[1]);
   if (ok && e->kind == EXPR_DIV && fmpq_is_zero(b))
     ok = constant_complain(c, e->args[1], "division by zero: this divisor is exactly 0");
@@ -35,7 +34,6 @@ static bool constant_binary(fmpq_t z, const struct constant *c, const struct exp
       fmpq_div(z, z, b);
       break;
     }
-  fmpq_clear(b);
   return ok;
 }
 

@@ -92,23 +92,20 @@ static bool is_product(const struct expr *e) {
 /* --- Booking an edit --- */
 
 static const char *printed(struct job *j, const struct expr *e) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   expr_print(&t, e);
-  const char *s = arena_strndup(j->arena, text_str(&t), t.len);
-  text_clear(&t);
-  return s;
+  return arena_strndup(j->arena, text_str(&t), t.len);
 }
 
 static void book(struct job *j, enum edit_kind kind, struct span where, const char *was, const char *now,
                  const struct stmt *s) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   stmt_print(&t, s);
   bool fresh = strcmp(text_str(&t), j->original) != 0 && j->out->n - j->first < EDIT_MAX;
   for (size_t i = j->first; fresh && i < j->out->n; i++) fresh = strcmp(j->out->edit[i].text, text_str(&t)) != 0;
   if (fresh)
     *SS_PUSH(j->out->edit, j->out->n, j->out->cap) =
         (struct edit){kind, where, was, now, arena_strndup(j->arena, text_str(&t), t.len), s};
-  text_clear(&t);
 }
 
 /* Tree k of a copy of the statement becomes e. */
@@ -465,13 +462,12 @@ void stmt_edits(struct edits *out, struct arena *a, const struct stmt *s, const 
   struct place place[EDIT_MAX_NODES];
   struct job j = {.out = out, .first = out->n, .arena = a, .stmt = s, .words = v, .place = place};
   if (s->kind == STMT_TRAJECTORY || !lay_out(&j)) return;
-  struct text t = {0};
+  OWNED(text) t = {0};
   stmt_print(&t, s);
   j.original = text_str(&t);
   for (int i = 0; i < j.n; i++) edit_node(&j, i);
   edit_relation(&j);
   if (out->n > j.first) qsort(out->edit + j.first, out->n - j.first, sizeof *out->edit, by_place);
-  text_clear(&t);
 }
 
 void edits_clear(struct edits *e) {

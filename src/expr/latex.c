@@ -242,14 +242,11 @@ void expr_latex(struct text *out, const struct expr *e) {
 }
 
 bool expr_latex_of(struct text *out, const char *expression) {
-  struct arena a;
-  struct source s;
-  arena_init(&a);
+  LOCAL(arena, a);
+  OWNED(source) s;
   source_from_string(&s, expression, expression);
   const struct expr *e = expr_parse(&a, &s, (struct span){0, s.len}, NULL);
   if (e) expr_latex(out, e);
-  source_clear(&s);
-  arena_clear(&a);
   return e != NULL;
 }
 

@@ -175,13 +175,11 @@ static bool read_printed_name(struct printed_name *n, struct latex_reader *r) {
 
 /* The name in typed formulas, with so many primes before its subscript. */
 static const char *typed_name(struct latex_reader *r, const struct printed_name *n, int primes) {
-  struct text name = {0};
+  OWNED(text) name = {0};
   text_add(&name, text_str(&n->base));
   for (int i = 0; i < primes; i++) text_add_char(&name, '\'');
   if (n->subscript.len > 0) text_printf(&name, "_%s", text_str(&n->subscript));
-  const char *copy = arena_strndup(r->arena, text_str(&name), name.len);
-  text_clear(&name);
-  return copy;
+  return arena_strndup(r->arena, text_str(&name), name.len);
 }
 
 static enum latex_name kind_of(const struct latex_reader *r, const char *name) {
@@ -405,9 +403,8 @@ static const struct expr *read_braced(struct latex_reader *r) {
   size_t at = r->at;
   const struct expr *e = read_group(r, read_factor);
   if (!e || mark_in_hand(r)->kind != TEX_LOWERED) return e;
-  struct text indices = {0};
+  OWNED(text) indices = {0};
   e = read_subscript(&indices, r) ? entry(r, at, e, text_str(&indices)) : NULL;
-  text_clear(&indices);
   return e;
 }
 

@@ -66,9 +66,8 @@ static bool read_family(struct family *f, struct latex_reader *r, size_t begin, 
   *f = (struct family){.n_letters = 0};
   if (begin + 4 == end && mark_is_sign(&m[begin + 1], '=') && mark_is_role(&m[begin + 2], TEX_ROLE_BINARY) &&
       strcmp(m[begin + 2].word->name, "pm") == 0 && m[begin + 3].kind == TEX_DIGIT && *m[begin + 3].s == '1') {
-    struct text name = {0};
+    OWNED(text) name = {0};
     if (latex_letter(&name, &m[begin])) f->sign = arena_strndup(r->arena, text_str(&name), name.len);
-    text_clear(&name);
     return f->sign != NULL;
   }
   size_t at = begin;
@@ -91,13 +90,12 @@ static bool has_index(const struct mark *m, const struct part *p, char letter) {
 }
 
 static bool has_sign(const struct mark *m, const struct part *p, const char *sign) {
-  struct text name = {0};
+  OWNED(text) name = {0};
   bool found = false;
   for (size_t i = p->begin; i < p->end && !found; i++) {
     text_reset(&name);
     found = latex_letter(&name, &m[i]) && strcmp(text_str(&name), sign) == 0;
   }
-  text_clear(&name);
   return found;
 }
 
