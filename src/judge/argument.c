@@ -31,14 +31,13 @@ static struct combination as_combination(struct argument *a, struct view view) {
 }
 
 static bool add_proof(struct route_result *w, struct finding *f, struct argument *a, struct view view) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   struct combination q = as_combination(a, view);
   bool proved = certificate_find(&t, NULL, &q);
   if (proved) {
     *w = (struct route_result){"algebra", ROUTE_AGREES, true, a->part[CONCLUSION].n};
     finding_add_route(f, a->j->out, *w, "corrected", -1, NULL, result_take(a->j->out, &t));
   }
-  text_clear(&t);
   return proved;
 }
 
@@ -127,9 +126,8 @@ static void describe_effect(struct finding *f, struct argument *a) {
 /* Whether the conclusion of an argument over all orbits holds on those of the scene. */
 static void describe_scene(struct finding *f, struct argument *a) {
   const struct dyn_orbits *list = scene_orbits(a->j->scene, a->j->cache);
-  struct point p;
+  LOCAL(point, p);
   struct text t = {0};
-  point_init(&p);
   for (slong i = 0; i < list->n && nearest_orbit_point(&p, a->j->scene, a->j->cache); i++) {
     struct argument_decision d = {.where = 0};
     arb_init(d.value);
@@ -142,7 +140,6 @@ static void describe_scene(struct finding *f, struct argument *a) {
     arb_clear(d.value);
   }
   if (t.len) f->effect = result_take(a->j->out, &t);
-  point_clear(&p);
 }
 
 /* --- The kind --- */
@@ -175,7 +172,7 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   struct finding again = finding_again(f);
   a->tried = 0;
   if (ok) judge_everywhere(&again, a, view);
-  struct text t = {0};
+  OWNED(text) t = {0};
   for (int k = 0; ok && k < more.n; k++) {
     if (more.at[k].equality || more.at[k].moving) continue; /* what every motion of the phase fulfils */
     text_add(&t, t.len ? "; " : "");
@@ -189,7 +186,6 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
     f->correction_verdict = again.verdict;
   }
   if (ok) finding_take_evidence(f, a->j->out, &again);
-  text_clear(&t);
   if (!ok) conditions_clear(&more); /* else they belong to the premises */
   return ok;
 }
@@ -199,14 +195,13 @@ bool argument_receipt(struct text *out, struct judge *j, const struct claim *c) 
   struct view view = claim_view(j->model, c);
   bool ok = argument_read(&a, j, c, view), proved = ok && !claim_says(c, "over", "scene");
   struct argument b = converse_of(&a); /* its conditions are borrowed */
-  struct text words = {0};
+  OWNED(text) words = {0};
   for (int back = 0; proved && back < (a.converse ? 2 : 1); back++) {
     struct combination q = as_combination(back ? &b : &a, view);
     proved = certificate_find(&words, out, &q);
   }
   if (ok && !proved && !j->d->set)
     diag_set(j->d, "error: %.200s is not proved by a positive combination of its premises", c->id);
-  text_clear(&words);
   for (int part = 0; part < N_PARTS; part++) conditions_clear(&a.part[part]);
   return proved;
 }

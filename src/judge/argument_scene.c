@@ -45,8 +45,7 @@ static bool holds_beyond(struct argument *a, struct condition *c, const struct p
 
 /* Every condition of the conclusion, whatever friction the premises allow. */
 static bool prove_for_all(struct finding *f, struct argument *a, bool admissible) {
-  struct point corner;
-  point_init(&corner);
+  LOCAL(point, corner);
   nearest_orbit_point(&corner, a->j->scene, a->j->cache);
   choose_corner(&corner, a);
   bool below = bounds_below(a, &corner, 0) && bounds_below(a, &corner, 1), all = true;
@@ -71,7 +70,6 @@ static bool prove_for_all(struct finding *f, struct argument *a, bool admissible
                             enclosed, exact, exact == 1 ? "s" : "");
     exact_route(f, a->j->out, ROUTE_AGREES, enclosed);
   }
-  point_clear(&corner);
   return all;
 }
 
@@ -107,11 +105,9 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
 }
 
 void argument_at_scene(struct finding *f, struct argument *a) {
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   if (nearest_orbit_point(&p, a->j->scene, a->j->cache))
     judge_point(f, a, &p);
   else
     finding_skip(f, a->j, "the scene has no orbit, or does not give e1 and e2");
-  point_clear(&p);
 }

@@ -66,10 +66,9 @@ static double margin_at(struct point *p, struct argument *a, const struct pool_i
 
 /* The worst of the orbits of one draw. */
 static void weigh(struct candidate *c, struct argument *a) {
-  struct point p;
+  LOCAL(point, p);
   c->index = 0;
   c->margin = INFINITY;
-  point_init(&p);
   for (slong i = 0; i < c->item.list.n; i++) {
     const struct dyn_orbit *o = &c->item.list.orbit[i];
     if (o->grazing || (a->admissible && o->admissible != TRUTH_TRUE)) continue;
@@ -79,7 +78,6 @@ static void weigh(struct candidate *c, struct argument *a) {
     c->margin = margin;
     c->index = i;
   }
-  point_clear(&p);
 }
 
 /* --- Going downhill --- */
@@ -89,8 +87,7 @@ static void descend(struct candidate *best, struct argument *a) {
   enum { FINEST = 5, MOST = 80 };
   static const ulong unit[N_DRAW] = {32, 4, 4, 8, 8};
   fmpq q[N_DRAW];
-  fmpq_t step;
-  fmpq_init(step);
+  NUMBERS(fmpq, step);
   for (int i = 0; i < N_DRAW; i++) fmpq_init(&q[i]);
   int evaluations = 0;
   for (ulong level = 0; level < FINEST && best->margin > -1e-2 && evaluations < MOST; level++) {
@@ -120,22 +117,19 @@ static void descend(struct candidate *best, struct argument *a) {
     }
   }
   for (int i = 0; i < N_DRAW; i++) fmpq_clear(&q[i]);
-  fmpq_clear(step);
 }
 
 /* --- Deciding --- */
 
 /* u_s_i = u_r_i - e_i > 0, or u_r_i > 0. */
 static truth friction_allowed(const struct argument *a, const struct point *p, const struct dyn_orbit *o) {
-  arb_t u;
-  arb_init(u);
+  NUMBERS(arb, u);
   truth ok = TRUTH_TRUE;
   for (int i = 0; a->uses_friction && i < 2; i++) {
     arb_set_fmpq(u, &p->q[Q_US1 + i], FIRST_PREC);
     if (!a->free_friction) arb_sub(u, u, i ? o->e2 : o->e1, FIRST_PREC);
     ok = truth_and(ok, arb_is_positive(u) ? TRUTH_TRUE : arb_is_nonpositive(u) ? TRUTH_FALSE : TRUTH_UNKNOWN);
   }
-  arb_clear(u);
   return ok;
 }
 
@@ -190,9 +184,8 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   const char *when = c->moving ? result_str(a->j->out, " in the %s phase, for instance %s", phase_words[c->phase],
                                             argument_place(a, d->where))
                                : "";
-  struct text premises = {0};
-  arb_t short_by;
-  arb_init(short_by);
+  OWNED(text) premises = {0};
+  NUMBERS(arb, short_by);
   arb_neg(short_by, d->value);
   for (int i = 0; i < a->part[PREMISES].n; i++)
     text_printf(&premises, "%s%s", i ? ", " : "", a->part[PREMISES].at[i].text);
@@ -202,8 +195,6 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
                  "for %s there is a solution of the switching and periodicity conditions, those that are inequalities "
                  "left aside, on which %s%s is violated%s, by %s",
                  scene_text(a, p, ", "), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
-  arb_clear(short_by);
-  text_clear(&premises);
   return said;
 }
 
@@ -226,10 +217,9 @@ static void certify(struct argument_tally *t, struct argument *a, const struct p
 
 /* Decides at a candidate; true when it is a counterexample. */
 static bool settle(struct argument_tally *t, struct argument *a, const struct candidate *c) {
-  struct point p;
+  LOCAL(point, p);
   struct argument_decision d = {.where = 0};
   arb_init(d.value);
-  point_init(&p);
   margin_at(&p, a, &c->item, c->index);
   p.known = NULL; /* enclosed as narrowly as asked for */
   const struct dyn_orbit *o = &c->item.list.orbit[c->index];
@@ -240,7 +230,6 @@ static bool settle(struct argument_tally *t, struct argument *a, const struct ca
     certify(t, a, &p, o, &d);
   }
   if (!t->nearest && d.premises == TRUTH_TRUE) t->nearest = scene_text(a, &p, "; ");
-  point_clear(&p);
   arb_clear(d.value);
   return counterexample;
 }

@@ -13,17 +13,16 @@ enum { PREC = 128, MOST_SYSTEMS = 16 };
 
 /* The data folder that a claim's file stands in, folder/claims/x.claim. */
 static void data_folder(struct text *out, const struct claim *c) {
-  struct text claims = {0};
+  OWNED(text) claims = {0};
   path_folder(&claims, c->file->src.name);
   path_folder(out, text_str(&claims));
-  text_clear(&claims);
 }
 
 /* Integrated over a period from the start of the orbit, does the system pass the same phases at the same times, and
    come back?  An event at the very start, where a mass is just at its limit, is that of the phase before. */
 static bool integration_follows(const struct mech *m, const struct mech_orbit *o) {
   static const double tolerance = 1e-6;
-  struct mech_motion x;
+  OWNED(mech_motion) x;
   double start[MECH_STATES], t = 0;
   int k = 0;
   for (int i = 0; i < o->states; i++) start[i] = arf_get_d(arb_midref(o->state + i), ARF_RND_NEAR);
@@ -37,7 +36,6 @@ static bool integration_follows(const struct mech *m, const struct mech_orbit *o
            fabs(x.moment[i].t - t) < tolerance;
   }
   for (int i = 0; same && i < o->states; i++) same = fabs(x.z[i] - start[i]) < tolerance * (1 + fabs(start[i]));
-  mech_motion_clear(&x);
   return same && k >= o->word.n - 1;
 }
 
@@ -66,7 +64,7 @@ static bool is_longer_chain(const struct mech *m) {
 }
 
 static void try_chain(struct chains *c, const struct mech *m, const struct mech_word *w) {
-  struct mech_orbits list;
+  OWNED(mech_orbits) list;
   mech_orbits_find(&list, m, w->n ? w : NULL, true, PREC);
   int k = 0;
   while (k < list.n && !mech_orbit_is_motion(&list.orbit[k])) k++;
@@ -76,11 +74,10 @@ static void try_chain(struct chains *c, const struct mech *m, const struct mech_
     c->followed += integration_follows(m, &list.orbit[k]);
     note_orbit(c, &list.orbit[k]);
   }
-  mech_orbits_clear(&list);
 }
 
 static bool read_chain(struct chains *c, const char *name, const char *data, const struct behaviour *b) {
-  struct scene s;
+  OWNED(scene) s;
   struct mech m;
   struct mech_word w;
   bool ok = scene_load_with(&s, name, data, NULL, SCENE_OF_ANY_SYSTEM, b->j->d);
@@ -92,7 +89,6 @@ static bool read_chain(struct chains *c, const char *name, const char *data, con
     if (ok) try_chain(c, &m, &w);
     mech_clear(&m);
   }
-  scene_clear(&s);
   return ok;
 }
 

@@ -98,11 +98,9 @@ static void certify(struct behaviour *b, const struct point *at, int vary, const
 }
 
 static void add_flip(struct found *t, struct behaviour *b, const struct family *f, const struct dyn_bifurcation *q) {
-  struct point at;
+  LOCAL(point, at);
   struct text where = {0};
-  arb_t value;
-  arb_init(value);
-  point_init(&at);
+  NUMBERS(arb, value);
   const struct dyn_orbit *o = middle_orbit(&at, q, f, b);
   bool decided = q->crosses && q->word == TRUTH_TRUE && o, stable = decided && arb_is_positive(q->third);
   bool unstable = decided && arb_is_negative(q->third);
@@ -134,13 +132,11 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
   if (stable && b->f->certificate.n == 0) certify(b, &at, f->vary, o, q);
   if (o) iterate(t, q, &at);
   if (o) move(t, &at, o);
-  point_clear(&at);
-  arb_clear(value);
 }
 
 /* Every admissible orbit of the family at which the slope is -1. */
 static void find_flips(struct found *t, struct behaviour *b, const struct family *f) {
-  struct dyn_bifurcations list;
+  OWNED(dyn_bifurcations) list;
   long n = 0;
   family_bifurcations(&list, f);
   for (slong i = 0; i < list.n; i++) {
@@ -149,7 +145,6 @@ static void find_flips(struct found *t, struct behaviour *b, const struct family
     n++;
   }
   if (n == 0) t->third.of[TRUTH_UNKNOWN]++;
-  dyn_bifurcations_clear(&list);
 }
 
 static bool try_family(struct found *t, struct behaviour *b, const char *params, const char *vary) {

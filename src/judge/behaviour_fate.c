@@ -193,8 +193,7 @@ static void scene_orbit_fates(struct behaviour *b) {
   long count[MAX_WORDS] = {0}, trials = 0;
   int words = 0;
   struct orbit_motion o;
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   if (scene_has_forces(s)) {
     for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
     const struct dyn_orbit *orbit = behaviour_pick_orbit(b, &p, TRUTH_FALSE);
@@ -216,7 +215,6 @@ static void scene_orbit_fates(struct behaviour *b) {
           trajectory_clear(&t);
         }
   }
-  point_clear(&p);
   if (!trials) return;
   struct text line = {0};
   text_printf(&line,
@@ -258,9 +256,8 @@ bool behaviour_perturb(struct behaviour *b) {
   struct orbit_motion o;
   struct table t[FRICTIONS];
   struct route_result w[FRICTIONS * N_MOTION_ROUTES + 1];
-  struct point p;
+  LOCAL(point, p);
   memset(t, 0, sizeof t);
-  point_init(&p);
   const struct dyn_orbit *orbit = behaviour_stable_orbit(&p, b);
   bool ok = orbit != NULL;
   struct route_result proof = {.outcome = ROUTE_UNDECIDED};
@@ -280,6 +277,5 @@ bool behaviour_perturb(struct behaviour *b) {
     say_reach(b, &o);
     scene_orbit_fates(b);
   }
-  point_clear(&p);
   return ok;
 }

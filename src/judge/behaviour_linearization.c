@@ -9,7 +9,7 @@
 /* Is some eigenvalue of the 4x4 matrix surely outside the unit circle?  Yes when |tr M^k| > 4 for some k. */
 static truth has_growth(const struct num_vec *m) {
   enum { DOUBLINGS = 9 };
-  struct calc c = calc_begin(m->ctx);
+  OWNED(calc) c = calc_begin(m->ctx);
   struct num_vec power = calc_vec(&c, m->len);
   val four = calc_d(&c, N_STATE);
   truth t = TRUTH_UNKNOWN;
@@ -20,7 +20,6 @@ static truth has_growth(const struct num_vec *m) {
     if (calc_lt(&c, four, calc_abs(&c, trace))) t = TRUTH_TRUE;
     num_mat_mul(&power, &power, &power, N_STATE, N_STATE, N_STATE);
   }
-  calc_clear(&c);
   return t;
 }
 
@@ -68,11 +67,9 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
 
 /* The proof with the claim's own orbit.  false with d set. */
 static bool prove(struct route_result *proof, struct behaviour *b) {
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   const struct dyn_orbit *o = behaviour_stable_orbit(&p, b);
   if (o) *proof = stable_prove_linearization(b, &p, o);
-  point_clear(&p);
   return o != NULL;
 }
 

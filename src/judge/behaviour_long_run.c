@@ -47,7 +47,7 @@ static bool long_run_once(struct behaviour *b, double factor) {
   plan.duration = 100.0 * RETURNS;
   struct trajectory trajectory[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory[r] = motion_simulate((enum motion_route)r, &m, &plan);
-  struct text word = {0}, folded = {0};
+  OWNED(text) word = {0}, folded = {0};
   double period, change;
   bool same = trajectories_agree(&trajectory[0], &trajectory[1]);
   coulomb_log_word(&word, &trajectory[0].log);
@@ -65,8 +65,6 @@ static bool long_run_once(struct behaviour *b, double factor) {
              : "has not become periodic",
       same ? "give the same events" : "have departed from this by then");
   finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
-  text_clear(&folded);
-  text_clear(&word);
   for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory_clear(&trajectory[r]);
   return true;
 }

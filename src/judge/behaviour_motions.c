@@ -64,14 +64,13 @@ static size_t tail_period(const char *word, size_t len) {
 }
 
 const char *trajectory_ending(struct behaviour *b, const struct trajectory *t) {
-  struct text word = {0};
+  OWNED(text) word = {0};
   coulomb_log_word(&word, &t->log);
   const char *s = text_str(&word), *out = "no piece that repeats";
   size_t p = tail_period(s, word.len), last = word.len;
   while (p && last > word.len - p && s[last - 1] != 'D') last--;
   if (last <= word.len - p) last = word.len; /* no D in it: as it stands */
   if (p) out = result_str(b->j->out, "(%.*s)", (int)p, s + last - p);
-  text_clear(&word);
   return out;
 }
 
@@ -92,20 +91,17 @@ static double nearest_dyadic(double x) {
 
 /* Random parameters, all exact in double. */
 static void motion_params(struct motion *m, struct sampler *s) {
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   sampler_next(&p, s);
   static const int from[] = {Q_CHI, Q_ETA, Q_V, Q_US1, Q_US2};
   for (int i = 0; i < 5; i++) m->params[COULOMB_CHI + i] = fmpq_get_d(&p.q[from[i]]);
   for (int i = 0; i < 2; i++) m->params[COULOMB_UR1 + i] = m->params[COULOMB_US1 + i] + fmpq_get_d(&p.q[Q_E1 + i]);
-  point_clear(&p);
 }
 
 /* A start anywhere, overrunning masses and sticking ones included. */
 static void motion_start(struct motion *m, struct sampler *s) {
-  struct point p;
+  LOCAL(point, p);
   double f[2];
-  point_init(&p);
   sampler_next(&p, s);
   for (int i = 0; i < 2; i++) {
     double pull = fmpq_get_d(&p.q[Q_Z1 + i]), speed = fmpq_get_d(&p.q[Q_DZ1 + i]); /* both in eighths, up to 4 */
@@ -115,7 +111,6 @@ static void motion_start(struct motion *m, struct sampler *s) {
   }
   m->start[Z_1] = nearest_dyadic((f[0] + f[1]) / (1 - m->params[COULOMB_CHI]));
   m->start[Z_2] = nearest_dyadic(m->start[Z_1] + f[1] / m->params[COULOMB_CHI]);
-  point_clear(&p);
 }
 
 const char *motion_text(struct behaviour *b, const struct motion *m) {

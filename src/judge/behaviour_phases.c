@@ -180,8 +180,7 @@ bool behaviour_closed_forms(struct behaviour *b) {
 /* The rank of the derivatives of the equations of a phase by the four coordinates, exact; -1: not decided. */
 static int rank_of_equations(const struct conditions *list, enum phase ph) {
   struct law_state s;
-  fmpq_mat_t m;
-  fmpq_mat_init(m, MAX_CONDITIONS, N_STATE);
+  SIZED(fmpq_mat, m, MAX_CONDITIONS, N_STATE);
   law_state_open(&s, num_ctx_exact());
   struct calc *c = &s.c;
   val *const coordinate[N_STATE] = {&s.x[0], &s.x[1], &s.v[0], &s.v[1]};
@@ -198,9 +197,7 @@ static int rank_of_equations(const struct conditions *list, enum phase ph) {
     }
   }
   law_state_close(&s);
-  int rank = ok ? (int)fmpq_mat_rref(m, m) : -1;
-  fmpq_mat_clear(m);
-  return rank;
+  return ok ? (int)fmpq_mat_rref(m, m) : -1;
 }
 
 static bool names_all_phases(const struct conditions *list, struct behaviour *b) {
@@ -223,7 +220,7 @@ static bool claimed_range(long range[2], struct behaviour *b) {
 
 bool behaviour_dimension(struct behaviour *b) {
   long claimed[2] = {0, 0}, least = N_STATE, most = 0;
-  struct conditions states = {.n = 0};
+  OWNED(conditions) states = {.n = 0};
   bool ok = claimed_range(claimed, b) && conditions_read(&states, b->j, b->c, "states", b->view) &&
             names_all_phases(&states, b);
   if (ok) {
@@ -242,7 +239,6 @@ bool behaviour_dimension(struct behaviour *b) {
     bool same = least == claimed[0] && most == claimed[1];
     behaviour_decide(b, open ? ROUTE_UNDECIDED : same ? ROUTE_AGREES : ROUTE_DIFFERS, result_take(b->j->out, &note));
   }
-  conditions_clear(&states);
   return ok;
 }
 
@@ -284,7 +280,7 @@ static bool phase_obeys_law(const struct friction *f, const struct forms *p, con
 }
 
 struct route_result phases_prove_motion(struct behaviour *b) {
-  struct conditions states = {.n = 0};
+  OWNED(conditions) states = {.n = 0};
   struct forms p = {.n = 0};
   struct route_result w = {.outcome = ROUTE_UNDECIDED};
   if (conditions_read(&states, b->j, b->c, "states", b->view) && forms_open(&p, b)) {
@@ -303,6 +299,5 @@ struct route_result phases_prove_motion(struct behaviour *b) {
             : "the conditions of the phases are not known to be those of (2)");
   }
   forms_close(&p);
-  conditions_clear(&states);
   return w;
 }

@@ -73,7 +73,7 @@ bool behaviour_small(struct behaviour *b) {
 
 static bool comes_back(enum motion_route r, const struct motion *m) {
   struct coulomb_plan plan = coulomb_plan_default;
-  struct text word = {0};
+  OWNED(text) word = {0};
   plan.returns = 1;
   plan.max_events = 64;
   struct trajectory t = motion_simulate(r, m, &plan);
@@ -81,7 +81,6 @@ static bool comes_back(enum motion_route r, const struct motion *m) {
   double gap = 0;
   for (int i = 0; i < 2; i++) gap = fmax(gap, fabs(t.result.at.x[i] - m->start[i]) / (1 + fabs(m->start[i])));
   bool ok = t.status == SS_OK && gap < 1e-8 && strcmp(text_str(&word), "GHCD") == 0;
-  text_clear(&word);
   trajectory_clear(&t);
   return ok;
 }

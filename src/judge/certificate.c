@@ -17,15 +17,13 @@ void certify_params(struct certificate *c, struct judge *j, const fmpq *params) 
 
 void certify_member(struct certificate *c, struct judge *j, const fmpq *params, int vary, const fmpq *value,
                     slong prec) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   arb_set_fmpq(x, value, prec);
   for (int k = 0; k < N_PARAMS; k++)
     if (k == vary)
       certify_ball(c, j, name_param[k], x);
     else
       certify_exact(c, j, name_param[k], params + k);
-  arb_clear(x);
 }
 
 void certify_scene(struct certificate *c, struct judge *j) {
@@ -41,14 +39,12 @@ void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbi
 
 /* The paper's own symbols. */
 static void certify_own(struct certificate *c, struct judge *j, const struct point *p) {
-  fmpq_t x;
-  fmpq_init(x);
+  NUMBERS(fmpq, x);
   for (size_t i = 0; p->paper && i < p->paper->n_symbols; i++) {
     if (!p->paper->symbols[i].has_domain) continue;
     point_own_value(x, p, &p->paper->symbols[i]);
     certify_exact(c, j, p->paper->symbols[i].name, x);
   }
-  fmpq_clear(x);
 }
 
 void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read) {
@@ -73,7 +69,7 @@ static void certify_tangents(struct certificate *c, struct judge *j, const struc
 }
 
 void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s) {
-  struct values v;
+  OWNED(values) v;
   certify_own(c, j, p);
   bool ok = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK;
   struct num_vec lhs = calc_vec(&v.c, s->n), rhs = calc_vec(&v.c, s->n);
@@ -82,5 +78,4 @@ void certify_point(struct certificate *c, struct judge *j, const struct point *p
   if (ok && (p->kind == POINT_ARC || p->kind == POINT_ORBIT)) certify_pass(c, j, &v.arc);
   if (v.have_t) certify_ball(c, j, "t", num_vec_at(&v.t, 0));
   if (p->kind == POINT_PATCHED) certify_tangents(c, j, &v);
-  values_clear(&v);
 }

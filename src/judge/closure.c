@@ -9,8 +9,8 @@
    slope[1] of gap[0] with respect to z_1, z_2; times of the four events, unless NULL. */
 static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *j, arb_srcptr start) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct dyn_arc arc;
-  struct calc c = calc_begin(ctx);
+  OWNED(dyn_arc) arc;
+  OWNED(calc) c = calc_begin(ctx);
   struct num_vec params = calc_vec(&c, N_PARAMS), jac = calc_vec(&c, 4);
   dyn_arc_init(&arc, ctx);
   int s = scene_numbers(&params, j);
@@ -23,8 +23,6 @@ static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *
   }
   arb_sub(gap, gap + 2, gap + 1, FIRST_PREC);
   for (int i = 0; times && i < 4; i++) arb_set(times + i, num_vec_at(&arc.t, i));
-  dyn_arc_clear(&arc);
-  calc_clear(&c);
   return s;
 }
 
@@ -45,9 +43,8 @@ static int gap_over_box(arb_t gap, struct judge *j, arb_srcptr z) {
 }
 
 static void closure_by_times(struct finding *f, struct judge *j) {
-  struct point p;
+  LOCAL(point, p);
   struct values v;
-  point_init(&p);
   if (printed_point(&p, j->scene)) {
     if (values_init(&v, &p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK) {
       arb_ptr d = _arb_vec_init(2);
@@ -62,7 +59,6 @@ static void closure_by_times(struct finding *f, struct judge *j) {
     }
     values_clear(&v);
   }
-  point_clear(&p);
 }
 
 /* The scene's data, the printed start with its unit, and how far one period leads from it. */
@@ -97,11 +93,9 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
 
 /* An end of the ball, rounded away from it, to three digits. */
 static double bound(const arb_t x, bool lower) {
-  arf_t end;
-  arf_init(end);
+  NUMBERS(arf, end);
   (lower ? arb_get_lbound_arf : arb_get_ubound_arf)(end, x, FIRST_PREC);
   double d = arf_get_d(end, lower ? ARF_RND_FLOOR : ARF_RND_CEIL);
-  arf_clear(end);
   if (d == 0) return 0;
   double unit = pow(10, floor(log10(fabs(d))) - 2);
   return (lower ? floor(d / unit) : ceil(d / unit)) * unit;
@@ -132,8 +126,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   struct printed_number own;
   bool owned = printed_replace(&own, &z[0], c);
   arb_ptr box = _arb_vec_init(2);
-  arb_t gap;
-  arb_init(gap);
+  NUMBERS(arb, gap);
   for (int i = 0; i < 2; i++) printed_ball(box + i, z[i]);
   int s = gap_over_box(gap, j, box);
   bool apart = s == SS_OK && !arb_contains_zero(gap);
@@ -162,7 +155,6 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
     f->verdict = verdict_under_condition(f->verdict, VERDICT_PROVED);
   }
   if (owned) printed_release(&own);
-  arb_clear(gap);
   _arb_vec_clear(box, 2);
   return true;
 }

@@ -47,12 +47,10 @@ static bool form_at(arb_t z, struct constraints *x, int i, const struct point *p
 }
 
 static void compare_form(struct constraints *x, int i, const arb_t least, const struct point *p) {
-  arb_t v;
-  arb_init(v);
+  NUMBERS(arb, v);
   truth same = TRUTH_UNKNOWN;
   if (form_at(v, x, i, p)) same = arb_overlaps(v, least) ? TRUTH_TRUE : TRUTH_FALSE;
   x->forms.of[same]++;
-  arb_clear(v);
 }
 
 static bool lists_differ(const struct constraints *x) {
@@ -70,9 +68,8 @@ static int sole_violation(const struct dyn_orbit *o) {
 /* Orbits that are admissible, some that violate each condition alone, which show that the list has it, and others. */
 static void by_balls(struct constraints *x) {
   struct orbit_pool pool = orbit_pool_get(x->j);
-  struct point p;
+  LOCAL(point, p);
   long good = 0, bad[N_CONDITIONS + 1] = {0};
-  point_init(&p);
   bool refute = x->j->effort == EFFORT_REFUTE;
   for (size_t i = 0; i < pool.n && !(refute && lists_differ(x)); i++)
     for (slong k = 0; k < pool.item[i]->list.n; k++) {
@@ -88,7 +85,6 @@ static void by_balls(struct constraints *x) {
       compare_form(x, 0, o->u_r1_min, &p);
       compare_form(x, 1, o->u_r2_min, &p);
     }
-  point_clear(&p);
 }
 
 /* --- What follows from what --- */
@@ -158,13 +154,11 @@ static void simulate(struct constraints *x, const struct pool_item *item, slong 
   const struct dyn_orbit *o = &item->list.orbit[index];
   const double e[2] = {num_arb.get_d(o->e1), num_arb.get_d(o->e2)};
   double least[2], above[2];
-  arb_t form;
-  arb_init(form);
+  NUMBERS(arb, form);
   for (int i = 0; i < 2; i++) {
     least[i] = form_at(form, x, i, p) ? num_arb.get_d(form) : 0;
     above[i] = fmax(least[i], e[i]) * 1.03125;
   }
-  arb_clear(form);
   x->motions.of[truth_same(closes(item, index, above), listed)]++;
   for (int i = 0; listed == TRUTH_TRUE && i < 2; i++) {
     double u_r[2] = {above[0], above[1]};
@@ -188,9 +182,8 @@ static bool enough(const struct constraints *x) {
 
 static void by_simulation(struct constraints *x) {
   struct orbit_pool pool = orbit_pool_get(x->j);
-  struct point p;
+  LOCAL(point, p);
   long count[3] = {0}; /* orbits on which the list fails, holds */
-  point_init(&p);
   for (size_t i = 0; i < pool.n && !enough(x) && (count[0] < SIMULATED || count[1] < SIMULATED); i++)
     for (slong k = 0; k < pool.item[i]->list.n; k++) {
       const struct dyn_orbit *o = &pool.item[i]->list.orbit[k];
@@ -202,7 +195,6 @@ static void by_simulation(struct constraints *x) {
       if (listed == TRUTH_UNKNOWN || count[listed]++ >= SIMULATED) continue;
       simulate(x, pool.item[i], k, &p, listed);
     }
-  point_clear(&p);
 }
 
 /* --- The kind --- */

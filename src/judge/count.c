@@ -42,7 +42,7 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
 }
 
 bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct text found = {0}, all = {0};
+  OWNED(text) found = {0}, all = {0};
   bool ok = symbols_of(&found, &all, j, c, view);
   if (ok) {
     struct route_result w = {"algebra", found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
@@ -52,8 +52,6 @@ bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, stru
                                 : result_str(j->out, "the equations contain%s, and nothing else", text_str(&all)));
     f->verdict = verdict_of(&w, 1, true);
   }
-  text_clear(&all);
-  text_clear(&found);
   return ok;
 }
 
@@ -63,7 +61,7 @@ bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, stru
 static int system_matrix(struct num_vec *m, struct rank_system *y, const struct point *p, struct orbit_cache *cache) {
   struct num_ctx ctx = m->ctx;
   const struct num_type *t = ctx.type;
-  struct values v;
+  OWNED(values) v;
   int s = values_init(&v, p, VARIANT_CLOSED, ctx, cache);
   struct num_vec in = calc_vec(&v.c, y->s.tape.n_inputs), out = calc_vec(&v.c, y->s.tape.n_outputs),
                  back = calc_vec(&v.c, y->s.tape.n_outputs), w = calc_vec(&v.c, 2);
@@ -88,21 +86,15 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
       s |= t->div(d, d, h, ctx.prec);
     }
   }
-  values_clear(&v);
   return s;
 }
 
 static double size_of(const struct num_vec *m, slong i) {
-  arb_t x;
-  mag_t g;
-  arb_init(x);
-  mag_init(g);
+  NUMBERS(arb, x);
+  NUMBERS(mag, g);
   m->ctx.type->get_arb(x, num_vec_at(m, i));
   arb_get_mag(g, x);
-  double d = mag_get_d(g);
-  mag_clear(g);
-  arb_clear(x);
-  return d;
+  return mag_get_d(g);
 }
 
 /* Whether an entry counts as zero: in balls when its enclosure holds zero and is tiny, rounded below the error of
@@ -119,7 +111,7 @@ static truth entry_zero(const struct num_vec *m, slong i) {
 static void eliminate(int *least, int *most, struct num_vec *m, int rows, int cols) {
   const struct num_type *t = m->ctx.type;
   slong p = m->ctx.prec;
-  struct num_vec w;
+  OWNED(num_vec) w;
   num_vec_init(&w, 2, m->ctx);
   void *factor = num_vec_at(&w, 0), *term = num_vec_at(&w, 1);
   bool used[MAX_NAMES] = {false};
@@ -142,7 +134,6 @@ static void eliminate(int *least, int *most, struct num_vec *m, int rows, int co
   *most = *least;
   for (int i = 0; i < rows * cols; i++)
     if (!used[i / cols] && entry_zero(m, i) != TRUTH_TRUE) *most = -1;
-  num_vec_clear(&w);
 }
 
 /* What was seen at the points tried by one route. */
@@ -154,7 +145,7 @@ struct count {
 
 static void count_at(struct count *n, struct judge *j, struct rank_system *y, const struct point *p,
                      struct num_ctx ctx) {
-  struct num_vec m;
+  OWNED(num_vec) m;
   int least, most;
   num_vec_init(&m, y->rows * y->cols, ctx);
   if (system_matrix(&m, y, p, j->cache) == SS_OK) {
@@ -166,7 +157,6 @@ static void count_at(struct count *n, struct judge *j, struct rank_system *y, co
     }
     n->largest_at += least == n->largest;
   }
-  num_vec_clear(&m);
 }
 
 /* A larger rank than said is a certificate in balls; a smaller one may be that of exceptions. */

@@ -35,9 +35,9 @@ struct tried {
 static int slope_by_difference(double *margin, double *slope, const struct point *p, const struct dyn_orbit *o) {
   enum { PREC = 384, STEP = -100 };
   struct num_ctx ctx = num_ctx_mpfr(PREC);
-  struct calc c = calc_begin(ctx);
+  OWNED(calc) c = calc_begin(ctx);
   struct num_vec params = calc_vec(&c, N_PARAMS), z = calc_vec(&c, 2);
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   val step = calc_two_to(&c, STEP), r[2] = {step, step};
   int s = SS_OK;
   dyn_arc_init(&arc, ctx);
@@ -52,8 +52,6 @@ static int slope_by_difference(double *margin, double *slope, const struct point
   *slope = ctx.type->get_d(quotient);
   *margin = ctx.type->get_d(calc_sub(&c, calc_abs(&c, quotient), calc_d(&c, 1)));
   s |= c.status;
-  dyn_arc_clear(&arc);
-  calc_clear(&c);
   return s;
 }
 
@@ -260,24 +258,20 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
   const char *trace = claim_get(c, "formula");
   if (!trace) return claim_error(j, c, "kind", "the attribute formula is missing");
   const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   slong nearest = j->scene->n_printed && nearest_orbit_point(&p, j->scene, j->cache) ? p.orbit : -1;
   if (nearest >= 0) state_orbit(f, j, list, nearest, usual_orbit_text(j, "periodic solution"));
   for (slong i = 0; i < list->n; i++)
     if (i != nearest) state_orbit(f, j, list, i, nearest >= 0 ? "another periodic solution" : "a periodic solution");
   for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {
     struct view v = {view.model, (enum layer)layer, NULL, view.control};
-    arb_t tr;
-    arb_init(tr);
+    NUMBERS(arb, tr);
     if (expression_number(tr, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
       finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, NULL,
                     result_str(j->out, "with the printed numbers put in, the %s formulas give %s = %s",
                                layer == LAYER_PRINTED ? "printed" : "corrected", trace, ball_text(j, tr, 8)));
     }
-    arb_clear(tr);
   }
-  point_clear(&p);
   f->verdict = VERDICT_DEFINITION;
   return !j->d->set;
 }

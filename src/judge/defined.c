@@ -22,11 +22,10 @@ struct defined {
 
 /* Is the list at exact parameters proved to hold every orbit? */
 static bool is_complete(const struct dyn_orbits *list, const fmpq *params) {
-  struct dyn_orbits all;
+  OWNED(dyn_orbits) all;
   int s = dyn_orbits_find(&all, params, FD_PREC, &dyn_limits_default);
   if (s == SS_OK) s = dyn_orbits_complete(&all, params, FD_PREC, &dyn_limits_default, DYN_CELLS);
   bool complete = s == SS_OK && all.complete && all.n == list->n;
-  dyn_orbits_clear(&all);
   return complete;
 }
 
@@ -129,7 +128,7 @@ static void say_where(struct defined *y, const struct family *f, const struct dy
 
 /* The divisor, which is zero there, on the first such orbit of the family. */
 static bool touches(struct defined *y, const struct divisor *q, const struct family *f) {
-  struct dyn_bifurcations list;
+  OWNED(dyn_bifurcations) list;
   bool found = false;
   family_bifurcations(&list, f);
   for (slong i = 0; i < list.n && !found; i++) {
@@ -142,7 +141,6 @@ static bool touches(struct defined *y, const struct divisor *q, const struct fam
                        "(by Krawczyk's test in interval arithmetic on the equations of the periodic solution together "
                        "with z_1'' = 0)");
   }
-  dyn_bifurcations_clear(&list);
   return found;
 }
 
@@ -151,7 +149,7 @@ static bool touches(struct defined *y, const struct divisor *q, const struct fam
 /* Those whose sign at its two ends tells; the number of them. */
 static long zeros_between(struct defined *y, const struct family *f) {
   struct point end[2];
-  struct dyn_box box;
+  OWNED(dyn_box) box;
   long zeros = 0;
   for (int i = 0; i < 2; i++) {
     point_init(&end[i]);
@@ -161,7 +159,6 @@ static long zeros_between(struct defined *y, const struct family *f) {
   int s = dyn_box_find(&box, end[0].q, end[1].q, 0);
   for (int i = 0; s == SS_OK && i < y->n; i++)
     if (!y->reason[i] && !zero_at_touch(&y->divisor[i], y->b->view)) zeros += has_zero(y, &y->divisor[i], &box, end);
-  dyn_box_clear(&box);
   for (int i = 0; i < 2; i++) point_clear(&end[i]);
   return zeros;
 }

@@ -10,13 +10,11 @@ enum { DISTANCE_PREC = 512, DRAWS = 64 };
 /* log2 of the largest difference of entries over max(1, the entry). */
 static double apart(const struct num_vec *a, const struct num_vec *b, slong n) {
   double most = -INFINITY;
-  arb_t d;
-  arb_init(d);
+  NUMBERS(arb, d);
   for (slong i = 0; i < n; i++) {
     arb_sub(d, num_vec_at(a, i), num_vec_at(b, i), DISTANCE_PREC);
     if (!arb_is_zero(d)) most = fmax(most, log2_upper(d) - fmax(0, log2_upper(num_vec_at(a, i))));
   }
-  arb_clear(d);
   return most;
 }
 

@@ -107,9 +107,7 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
   if (!r) return claim_error(j, c, "statement", "there is no such record in the equation files");
   for (int k = 0; k < r->n_stmts; k++)
     if (r->stmts[k]->range_hi) return claim_error(j, c, "statement", no_number);
-  struct point printed, orbit;
-  point_init(&printed);
-  point_init(&orbit);
+  LOCAL(point, printed, orbit);
   struct route_result w[2];
   int n = 0;
   bool ok = true;
@@ -122,7 +120,5 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
   else if (ok)
     f->verdict = verdict_of(w, n, true);
   if (f->verdict == VERDICT_REFUTED) f->condition = NULL; /* whatever could not be tried */
-  point_clear(&orbit);
-  point_clear(&printed);
   return ok;
 }

@@ -84,7 +84,7 @@ bool judge_subject(struct finding *f, struct judge *j, const struct claim *c, st
 /* Judges the sentence again with everything corrected and fills f->correction: of what holds as printed only a
    correction that does not. */
 static bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   bool ok = true;
   if (erratum_text(&t, j->model, c)) {
     struct finding again = finding_again(f);
@@ -96,7 +96,6 @@ static bool judge_correction(struct finding *f, struct judge *j, const struct cl
       finding_take_evidence(f, j->out, &again);
     }
   }
-  text_clear(&t);
   return ok;
 }
 
@@ -130,10 +129,9 @@ enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
 }
 
 static bool title(struct finding *f, struct judge *j, const struct claim *c) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   j->claim_at_fault = !claim_title(&t, j->model, c, j->scene, j->d);
   if (!j->claim_at_fault) f->title = result_copy(j->out, text_str(&t));
-  text_clear(&t);
   return !j->claim_at_fault;
 }
 

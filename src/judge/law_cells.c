@@ -92,8 +92,7 @@ void law_state_open_in(struct law_state *s, struct law_cell cell) {
 static int polynomial_sign(const fmpz_mpoly_struct *p) {
   slong e[NUM_EXACT_GENERATORS];
   int sign = 0;
-  fmpz_t k;
-  fmpz_init(k);
+  NUMBERS(fmpz, k);
   for (slong i = 0; i < fmpz_mpoly_length(p, num_exact_ctx()) && sign != NO_SIGN; i++) {
     fmpz_mpoly_get_term_coeff_fmpz(k, p, i, num_exact_ctx());
     fmpz_mpoly_get_term_exp_si(e, p, i, num_exact_ctx());
@@ -101,7 +100,6 @@ static int polynomial_sign(const fmpz_mpoly_struct *p) {
     for (int g = N_POSITIVE; g < NUM_EXACT_GENERATORS; g++) known = known && e[g] == 0;
     sign = known ? fmpz_sgn(k) : NO_SIGN;
   }
-  fmpz_clear(k);
   return sign;
 }
 

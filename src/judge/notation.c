@@ -10,12 +10,11 @@
 
 /* Parses an equation, an inequality or a definition and elaborates it; false with d set. */
 static bool read_text(const char *text, const char *name, const char *section, struct view view, struct diag *d) {
-  struct source src;
-  struct arena a;
-  struct elaboration el;
+  OWNED(source) src;
+  LOCAL(arena, a);
+  OWNED(elaboration) el;
   struct matrix body;
   source_from_string(&src, name, text);
-  arena_init(&a);
   const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, d);
   bool ok = s != NULL, defines = ok && s->kind == STMT_DEFINE;
   const struct override argument = {defines ? s->param : NULL, 1, 1};
@@ -26,9 +25,6 @@ static bool read_text(const char *text, const char *name, const char *section, s
     ok = relation_check(&el, s, &src, section, d);
   else if (ok)
     diag_at(d, &src, s->span.begin, "an equation, an inequality or a definition is needed");
-  elaboration_clear(&el);
-  arena_clear(&a);
-  source_clear(&src);
   return ok && !d->set;
 }
 

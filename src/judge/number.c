@@ -13,11 +13,9 @@ enum { BITS_SHOWN = 34 }; /* ten digits */
 
 /* |x - printed|/unit, to three digits. */
 static const char *units_off(struct judge *j, const arb_t x, const struct printed_number *p) {
-  struct calc c = calc_begin(num_ctx_arb(LAST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_arb(LAST_PREC));
   val off = calc_abs(&c, calc_sub(&c, x, calc_q(&c, &p->value)));
-  const char *s = ball_text(j, calc_div(&c, off, calc_q(&c, &p->unit)), 3);
-  calc_clear(&c);
-  return s;
+  return ball_text(j, calc_div(&c, off, calc_q(&c, &p->unit)), 3);
 }
 
 struct number_job {
@@ -57,27 +55,20 @@ static int number_at(arb_t x, slong *bits, const struct number_job *n, const str
 
 /* The quantity in units of the last decimal, rounded to nearest: proved by its enclosure. */
 static void correct_number(struct finding *f, const struct number_job *n, const arb_t x) {
-  arb_t units;
-  fmpz_t k;
-  arb_init(units);
-  fmpz_init(k);
-  struct calc c = calc_begin(num_ctx_arb(LAST_PREC));
+  NUMBERS(arb, units);
+  NUMBERS(fmpz, k);
+  OWNED(calc) c = calc_begin(num_ctx_arb(LAST_PREC));
   val above = calc_add(&c, calc_div(&c, x, calc_q(&c, &n->p->unit)), calc_d(&c, 0.5));
   arb_floor(units, above, LAST_PREC);
-  calc_clear(&c);
   if (arb_get_unique_fmpz(k, units)) {
-    struct text digits = {0}, latex = {0};
+    OWNED(text) digits = {0}, latex = {0};
     fmpz_mul(k, k, fmpq_numref(&n->p->unit));
     num_print_fixed(&digits, k, printed_decimals(n->p));
     name_latex(&latex, n->p->name);
     f->correction = result_str(n->j->out, "%s %s %s", n->p->name, n->relation, text_str(&digits));
     f->correction_latex = result_str(n->j->out, "%s %s %s", text_str(&latex), n->relation, text_str(&digits));
     f->correction_verdict = VERDICT_PROVED;
-    text_clear(&latex);
-    text_clear(&digits);
   }
-  fmpz_clear(k);
-  arb_clear(units);
 }
 
 /* u_r1 > 0.0678, not u_r1 = 0.0678. */
@@ -88,12 +79,10 @@ static bool is_bound(const struct number_job *n) {
 /* "2.0000" for 2 beside numbers of four decimals. */
 static const char *with_all_digits(const struct number_job *n) {
   struct text t = {0};
-  fmpz_t k;
-  fmpz_init(k);
+  NUMBERS(fmpz, k);
   fmpz_divexact(k, fmpq_denref(&n->p->unit), fmpq_denref(&n->p->value));
   fmpz_mul(k, k, fmpq_numref(&n->p->value));
   num_print_fixed(&t, k, printed_decimals(n->p));
-  fmpz_clear(k);
   return result_take(n->j->out, &t);
 }
 
@@ -131,11 +120,10 @@ static const char *rounded_if_given(const struct number_job *n, const struct pri
   const struct printed_number *t_b = scene_printed(s, "t_b"), *t_c = scene_printed(s, "t_c");
   const char *given = NULL;
   struct point p;
-  arb_t x;
   if (!t_b || !t_c || n->p == t_b || n->p == t_c || !s->given[KEY_CHI] || !s->given[KEY_ETA] || !s->given[KEY_V])
     return NULL;
   point_init(&p);
-  arb_init(x);
+  NUMBERS(arb, x);
   p.kind = POINT_GIVEN;
   for (int k = KEY_CHI; k <= KEY_V; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
   fmpq_set(&p.q[Q_TB], &t_b->value);
@@ -146,7 +134,6 @@ static const char *rounded_if_given(const struct number_job *n, const struct pri
     if (number_at(x, &bits, n, &p) == SS_OK && printed_fits(x, own, &how) == TRUTH_TRUE && how == READ_ROUNDED)
       given = result_str(n->j->out, "t_b = %s and t_c = %s", t_b->decimal, t_c->decimal);
   }
-  arb_clear(x);
   point_clear(&p);
   return given;
 }
@@ -167,10 +154,9 @@ static void read_by_own_digits(struct finding *f, const struct number_job *n, co
 /* A bound may be rounded to the side on which it suffices: where u_r1 > 0.05323 is needed, u_r1 > 0.0533 is no error. */
 static bool read_as_sufficient(struct finding *f, const struct number_job *n, const arb_t x) {
   bool up = *n->relation == '>', fits = false;
-  struct calc c = calc_begin(num_ctx_arb(LAST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_arb(LAST_PREC));
   val beyond = up ? calc_sub(&c, calc_q(&c, &n->p->value), x) : calc_sub(&c, x, calc_q(&c, &n->p->value));
   if (is_bound(n)) fits = arb_is_positive(beyond) && arb_lt(beyond, calc_q(&c, &n->p->digit));
-  calc_clear(&c);
   if (fits)
     f->condition = result_str(n->j->out, "%s is rounded %s, so that it suffices as a bound, not to the nearest",
                               n->p->decimal, up ? "up" : "down");
@@ -191,14 +177,12 @@ static void certify_number(struct finding *f, const struct number_job *n, const 
 /* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
 static struct route_result number_on_orbits(struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
-  struct point p;
+  LOCAL(point, p);
   struct text note = {0};
-  arb_t x;
+  NUMBERS(arb, x);
   truth t = TRUTH_UNKNOWN;
   const char *where = NULL;
   slong bits = FIRST_PREC;
-  point_init(&p);
-  arb_init(x);
   if (nearest_orbit_point(&p, j->scene, j->cache) && number_at(x, &bits, n, &p) == SS_OK) {
     enum reading how;
     slong used = bits, nearest = p.orbit;
@@ -226,8 +210,6 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
   } else {
     text_add(&note, "no periodic solution was found, or the quantity could not be evaluated on it");
   }
-  arb_clear(x);
-  point_clear(&p);
   return finding_add_route(f, j->out, (struct route_result){"balls", outcome_of_truth(t), true, where != NULL},
                            "corrected", bits, where, result_take(j->out, &note));
 }
@@ -239,14 +221,12 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   const struct printed_number *pe[2] = {scene_printed(j->scene, "e1"), scene_printed(j->scene, "e2")};
   if (!pe[0] || !pe[1] || !scene_has_forces(j->scene)) return;
   struct scene at_corner = *j->scene; /* shares everything but the two values, which are restored below */
-  fmpq_t shift;
-  fmpq_init(shift);
+  NUMBERS(fmpq, shift);
   arb_ptr w = _arb_vec_init(3), x = w, lo = w + 1, hi = w + 2;
   long found = 0, fit = 0;
   slong bits = FIRST_PREC;
   for (int corner = 0; corner < 4; corner++) {
-    struct point p;
-    point_init(&p);
+    LOCAL(point, p);
     for (int k = 0; k < 2; k++) {
       fmpq_init(&at_corner.value[KEY_E1 + k]);
       if (corner >> k & 1)
@@ -265,7 +245,6 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
       found++;
     }
     for (int k = 0; k < 2; k++) fmpq_clear(&at_corner.value[KEY_E1 + k]);
-    point_clear(&p);
   }
   const char *note =
       !found
@@ -279,7 +258,6 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
                 f->condition ? with_all_digits(n) : "the printed digits");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
   _arb_vec_clear(w, 3);
-  fmpq_clear(shift);
 }
 
 enum { OTHER_NUMBERS = 6, CORNERS = 1 << OTHER_NUMBERS, HALVINGS = 40 };
@@ -372,13 +350,11 @@ static bool others_read_so(enum reading *how, bool *own_digits, const struct num
 /* What the other printed numbers give through the same formula: a route that decides, or a statement beside it. */
 static struct route_result number_from_printed(struct finding *f, const struct number_job *n, bool decides) {
   struct judge *j = n->j;
-  struct point p;
+  LOCAL(point, p);
   struct text note = {0};
-  arb_t x;
+  NUMBERS(arb, x);
   enum reading how = READ_ROUNDED;
   slong bits = FIRST_PREC;
-  point_init(&p);
-  arb_init(x);
   bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
   truth t = have ? printed_fits(x, n->p, &how) : TRUTH_UNKNOWN;
   bool own_digits = false;
@@ -403,8 +379,6 @@ static struct route_result number_from_printed(struct finding *f, const struct n
     else
       finding_state(f, j->out, "balls", "printed numbers", bits, 1, where, says);
   }
-  arb_clear(x);
-  point_clear(&p);
   return w;
 }
 
@@ -457,10 +431,9 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   if (!is_number(f, &n, c)) return !j->d->set;
   struct printed_number own;
   bool owned = printed_replace(&own, &n.p, c);
-  struct text latex = {0};
+  OWNED(text) latex = {0};
   name_latex(&latex, name);
   f->printed = result_str(j->out, "%s %s %s", text_str(&latex), n.relation, n.p->decimal);
-  text_clear(&latex);
   bool on_orbits = strcmp(from, "orbit") == 0;
   struct route_result w = on_orbits ? number_on_orbits(f, &n) : number_from_printed(f, &n, true);
   if (on_orbits && w.outcome == ROUTE_DIFFERS) number_rescue(f, &n);

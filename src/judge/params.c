@@ -9,13 +9,12 @@ bool judge_switch(bool *on, struct judge *j, const struct claim *c, const char *
 }
 
 bool judge_params(struct point *p, struct judge *j, const struct claim *c, const char *at) {
-  struct text packed = {0};
+  OWNED(text) packed = {0};
   struct diag d = {0};
   for (const char *s = at; s && *s && *s != ';'; s++)
     if (*s != ' ') text_add_char(&packed, *s);
   for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p->q[q]);
   bool ok = at && point_set(p, text_str(&packed), &d);
-  text_clear(&packed);
   p->kind = POINT_ORBIT;
   p->orbit = 0;
   return ok || claim_error(j, c, "at", "exact chi, eta, V, e1 and e2 are needed, as in \"chi = 2/5, eta = 4, ...\"");

@@ -116,11 +116,10 @@ static bool read_routes(struct point_trials *r) {
 /* What the law of the propagator leaves of the matrix p, its derivative and its value at 0, as balls. */
 static struct trial try_law(const struct num_vec m[3], const struct num_vec *a) {
   struct trial t = {.outcome = OUTCOME_UNDECIDED, .bits = FIRST_PREC, .log_diff = -INFINITY};
-  struct num_vec rest;
+  OWNED(num_vec) rest;
   bool apart = false;
-  mag_t bound;
+  NUMBERS(mag, bound);
   num_vec_init(&rest, PROPAGATOR_LAW, a->ctx);
-  mag_init(bound);
   propagator_law(&rest, &m[0], &m[1], &m[2], a);
   for (int k = 0; k < PROPAGATOR_LAW; k++) {
     apart = apart || !arb_contains_zero(num_vec_at(&rest, k));
@@ -131,8 +130,6 @@ static struct trial try_law(const struct num_vec m[3], const struct num_vec *a) 
     t.outcome = OUTCOME_DIFFERS;
   else if (t.log_diff < -0.5 * FIRST_PREC)
     t.outcome = OUTCOME_AGREES;
-  mag_clear(bound);
-  num_vec_clear(&rest);
   return t;
 }
 
@@ -149,11 +146,10 @@ static struct trial try_ode(struct point_trials *r, const char *value, const str
     snprintf(text, sizeof text, "%.*s%s", name, value, taken[i]);
     s |= expression_at((arb_ptr)(void *)m[i].data, &n, r->view, text, section, p, FIRST_PREC, r->j->cache, r->j->d);
   }
-  struct values v;
+  OWNED(values) v;
   s |= values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), r->j->cache);
   struct num_vec a = calc_vec(&v.c, 16);
   if (s == SS_OK && phase >= 0 && n == 16 && dyn_system(&a, (enum phase)phase, &v.params) == SS_OK) t = try_law(m, &a);
-  values_clear(&v);
   for (int i = 0; i < 3; i++) num_vec_clear(&m[i]);
   return t;
 }
@@ -294,11 +290,10 @@ static bool wants_special(const struct point_trials *r, const struct point_spec 
 
 static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   struct sampler s;
-  struct point p;
+  LOCAL(point, p);
   char seed[128];
   snprintf(seed, sizeof seed, "%s%s", r->c->id, spec->restriction ? spec->restriction->text : "");
   sampler_init(&s, seed, spec);
-  point_init(&p);
   bool ok = true;
   long done = 0, draws = 0, wanted;
   while (ok && done < (wanted = points_wanted(r, spec, done)) && draws++ < DRAWS_PER_POINT * wanted && !enough(r)) {
@@ -312,7 +307,6 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
     bool accepted = false;
     if (meant && point_settle(&p, r->j->cache)) ok = try_point(&accepted, r, &p, done);
   }
-  point_clear(&p);
   return ok;
 }
 
@@ -426,9 +420,7 @@ static void certify(struct finding *f, struct point_trials *r) {
    draw; where the claim's first points are of another kind it is not said. */
 static bool scene_decides(const struct trial *tr, struct point_trials *r) {
   struct sampler sampler;
-  struct point drawn, p;
-  point_init(&drawn);
-  point_init(&p);
+  LOCAL(point, drawn, p);
   sampler_init(&sampler, "effect", &r->spec[0]);
   sampler_next(&drawn, &sampler);
   bool same = scene_point(&p, &drawn, r->j->scene, r->j->cache);
@@ -436,14 +428,11 @@ static bool scene_decides(const struct trial *tr, struct point_trials *r) {
     struct trial other = try_balls(r, &r->tally[0], &p, VARIANT_CLOSED);
     same = other.outcome == tr->outcome && strcmp(other.lhs, tr->lhs) == 0 && strcmp(other.rhs, tr->rhs) == 0;
   }
-  point_clear(&p);
-  point_clear(&drawn);
   return same;
 }
 
 static void describe_effect(struct finding *f, struct point_trials *r) {
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   struct tally *first = &r->tally[0];
   bool have = r->j->model->system && scene_point(&p, &r->example, r->j->scene, r->j->cache);
   if (have) {
@@ -457,7 +446,6 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
                              usual ? "on " : "", usual ? usual_orbit_text(r->j, "periodic solution") : "",
                              usual ? ", " : "", entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
   }
-  point_clear(&p);
 }
 
 /* Controls whose routes are "exact" are left to the algebra: a difference with a rational point refutes. */

@@ -30,7 +30,7 @@ static const char *const part_attribute[N_RANGE_PARTS] = {"frequency", "factor",
 
 /* "[omega; 1; 0; omega*(z_10 - z_20); 0; t_d]" */
 static bool read_parts(struct range *r) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   for (int i = 0; i < N_RANGE_PARTS; i++) {
     const char *formula = claim_get(r->c, part_attribute[i]);
     r->form.there[i] = formula != NULL;
@@ -41,7 +41,6 @@ static bool read_parts(struct range *r) {
   if (ok && r->parts.n != N_NUMBERS)
     ok = claim_error(r->j, r->c, "kind", "frequency, factor, even, odd and drift are one number each");
   r->form.parts = &r->parts.tape;
-  text_clear(&t);
   return ok;
 }
 
@@ -98,12 +97,11 @@ static truth expected(bool *late, struct range *r, arb_srcptr v, const struct po
   truth holds = conditions_hold(&r->premise, p, r->j->cache);
   *late = false;
   if (!r->form.there[RANGE_ODD]) return holds;
-  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_arb(FIRST_PREC));
   val limit, above;
   *late = distances(&limit, &above, &c, v, r->form.rate) > 0;
   holds = truth_and(holds, sign(limit));
   if (*late) holds = truth_and(holds, sign(above));
-  calc_clear(&c);
   return holds;
 }
 
@@ -128,7 +126,7 @@ static val margin_at(struct calc *c, struct range *r, struct point *p, slong k) 
 
 /* The margin less the form: the same at two parts of the phase, and zero without a premise. */
 static truth is_of_form(struct range *r, arb_srcptr v, struct point *p) {
-  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_arb(FIRST_PREC));
   val level[2] = {NULL, NULL};
   for (slong k = 1; k <= 2; k++) {
     val margin = margin_at(&c, r, p, k);
@@ -139,7 +137,6 @@ static truth is_of_form(struct range *r, arb_srcptr v, struct point *p) {
   bool any_level = r->premise.n && !r->form.there[RANGE_ODD];
   if (holds == TRUTH_TRUE && !arb_contains_zero(any_level ? calc_sub(&c, level[0], level[1]) : level[0]))
     holds = TRUTH_FALSE;
-  calc_clear(&c);
   return holds;
 }
 
@@ -175,11 +172,10 @@ static bool is_enough(const struct range *r, truth said, bool late) {
 }
 
 static void try_orbit(struct range *r, const struct pool_item *item, slong index, int side) {
-  struct point p;
+  LOCAL(point, p);
   bool late;
   arb_ptr v = _arb_vec_init(N_NUMBERS);
   const struct dyn_orbit *o = &item->list.orbit[index];
-  point_init(&p);
   pool_point(&p, item, index);
   choose_friction(r, &p, o, side);
   if (!o->grazing && numbers_at(v, r, &p)) {
@@ -192,7 +188,6 @@ static void try_orbit(struct range *r, const struct pool_item *item, slong index
       book(r, form, said, found, late, &p);
     }
   }
-  point_clear(&p);
   _arb_vec_clear(v, N_NUMBERS);
 }
 

@@ -77,7 +77,7 @@ static void add_sides(struct text *out, const struct tape *t, const char *list, 
 
 static void add_system(struct text *out) {
   struct exact_field *f = exact_field_new(NULL, 0);
-  struct calc c = calc_begin(num_ctx_exact());
+  OWNED(calc) c = calc_begin(num_ctx_exact());
   struct num_vec params = calc_vec(&c, N_PARAMS), a = calc_vec(&c, N_STATE * N_STATE);
   exact_symbol(num_vec_at(&params, P_CHI), f, "chi");
   exact_symbol(num_vec_at(&params, P_ETA), f, "eta");
@@ -93,7 +93,6 @@ static void add_system(struct text *out) {
     text_add(out, "],\n");
   }
   text_add(out, "}\n");
-  calc_clear(&c);
   exact_field_free(f);
 }
 
@@ -164,12 +163,11 @@ static bool add_parts(struct text *out, const struct exact_proof *p, struct view
                       struct diag *d) {
   bool ok = true;
   for (int i = 0; ok && i < p->n_parts; i++) {
-    struct sentence s;
+    OWNED(sentence) s;
     ok = exact_sentence(&s, p->part[i].question, view, p->part[i].unknown, p->part[i].n_unknowns, d);
     if (ok) add_sides(out, &s.tape, list, i);
     if (ok) text_add(out, "\n\n");
     if (ok) add_part(out, &p->part[i], &s, list, i);
-    sentence_clear(&s);
   }
   return ok;
 }
@@ -246,7 +244,7 @@ static bool defined_receipt(struct text *out, struct judge *j, const struct clai
   }
   if (ok) add_system(out);
   for (int i = 0; ok && i < n; i++) {
-    struct tape t = {.n = 0};
+    OWNED(tape) t = {.n = 0};
     const char *formula = text_str(&list[i].formula);
     if (!nonzero_because(&list[i], view, admissible))
       ok = diag_set(j->d, "error: %.200s is not proved by exact algebra: %.200s may be zero", c->id, formula);
@@ -255,7 +253,6 @@ static bool defined_receipt(struct text *out, struct judge *j, const struct clai
     if (ok)
       text_printf(out, "\n\nDIVISORS.append((\"%s\", %s, %s, DIVISORS_%d, %ld))\n", formula,
                   list[i].root ? "True" : "False", admissible ? "True" : "False", i, (long)t.outputs[0]);
-    tape_clear(&t);
   }
   divisors_clear(list, n);
   return ok;
@@ -325,7 +322,7 @@ static bool receipt_of_orbit(const struct claim *c) {
    contain u_r1 or u_r2, which nothing gives. */
 static bool add_margins(struct text *out, struct judge *j, const struct claim *c, const char *attribute,
                         const char *list, bool free) {
-  struct conditions all;
+  OWNED(conditions) all;
   bool ok = conditions_read(&all, j, c, attribute, claim_view(j->model, c));
   for (int i = 0; ok && i < all.n; i++) {
     const struct condition *k = &all.at[i];
@@ -335,7 +332,6 @@ static bool add_margins(struct text *out, struct judge *j, const struct claim *c
     text_printf(out, "\n\n%s.append((\"%s\", \"%s\", \"%s\", %s_%d, %ld))\n", list, k->text,
                 k->moving ? phase_name[k->phase] : "", relation, list, i, (long)k->s.tape.outputs[0]);
   }
-  conditions_clear(&all);
   return ok;
 }
 
@@ -392,8 +388,7 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
     return false;
   }
   enum kind kind = claim_kind(c);
-  struct audit_result kept;
-  audit_result_init(&kept);
+  LOCAL(audit_result, kept);
   struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};
   bool ok = receipt_of_orbit(c)        ? orbit_receipt(out, &j, c)
             : kind == KIND_RANK        ? rank_receipt(out, &j, c)
@@ -403,6 +398,5 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
             : claim_tried_at_points(c) ? equality_receipt(out, &j, c, id, r)
                                        : diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
   if (ok) text_printf(out, "\n\n%s", python);
-  audit_result_clear(&kept);
   return ok;
 }

@@ -40,13 +40,11 @@ static bool complain(struct scaling *s, const char *what, const struct expr *a, 
                      struct degree db) {
   enum { CLIP = 90 };
   if (s->fault->len) return false;
-  struct text x = {0}, y = {0};
+  OWNED(text) x = {0}, y = {0};
   expr_print(&x, a);
   if (b) expr_print(&y, b);
   text_printf(s->fault, "%.*s%s (degree %g) is %s", CLIP, text_str(&x), x.len > CLIP ? "..." : "", da.of, what);
   if (b) text_printf(s->fault, " %.*s%s (degree %g)", CLIP, text_str(&y), y.len > CLIP ? "..." : "", db.of);
-  text_clear(&y);
-  text_clear(&x);
   return false;
 }
 
@@ -153,7 +151,7 @@ static bool check_pair(struct scaling *s, const struct expr *a, const struct exp
 /* Every statement of a record; true also when the fault is set.  false: it cannot be read. */
 static bool check_record(struct text *fault, const struct statement_record *r, struct view view, const char *scaled,
                          struct diag *d) {
-  struct elaboration el;
+  OWNED(elaboration) el;
   struct matrix a, b;
   work_add(UNITS_OF_READING);
   elaboration_init(&el, view, NULL, 0);
@@ -175,7 +173,6 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
     }
   }
   expr_map_clear(&s.known);
-  elaboration_clear(&el);
   return ok;
 }
 
@@ -190,12 +187,11 @@ static long check_all(struct text *faults, struct judge *j, struct view view, bo
     if (r->rank > RANK_USER && !(view.control && strcmp(r->record->id_name, view.control) == 0)) continue;
     struct view v = {j->model, LAYER_CORRECTED, own ? r->equation : NULL, view.control};
     const struct statement_record *seen = own ? r : view_record(&v, r->id);
-    struct text fault = {0};
+    OWNED(text) fault = {0};
     struct diag unread; /* a text that cannot be read has its own claim */
     diag_init(&unread);
     checked += seen && check_record(&fault, seen, v, scaled, &unread);
     if (fault.len) text_printf(faults, "%s%s: %s", faults->len ? ". " : "", r->id, text_str(&fault));
-    text_clear(&fault);
   }
   return checked;
 }

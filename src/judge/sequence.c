@@ -69,7 +69,7 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     finding_skip(f, j, "the scene has no orbit, or does not give e1 and e2");
   } else if (ok && !constraints_leave_open(f, j, &list)) {
     struct route_result w[2];
-    struct text got = {0};
+    OWNED(text) got = {0};
     const char *note = NULL;
     enum route_outcome balls = hold_all(&note, j, &list, &p);
     bool certified = is_certified(j, letters);
@@ -89,7 +89,6 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
        comparison */
     if (done && !same && balls == ROUTE_AGREES) w[0] = (struct route_result){"balls", ROUTE_DIFFERS, true, 1};
     f->verdict = verdict_of(w, balls == ROUTE_DIFFERS ? 1 : 2, certified); /* the simulation tells the word alone */
-    text_clear(&got);
   }
   point_clear(&p);
   conditions_clear(&list);

@@ -166,17 +166,15 @@ struct multiple {
 /* Takes out those that are none at this point, or of which that cannot be seen. */
 static void compare_factor(struct multiple *y, const arb_t difference, const arb_t closing, bool first) {
   enum { BITS = 64 };
-  arb_t factor;
-  arb_init(factor);
+  NUMBERS(arb, factor);
   arb_div(factor, difference, closing, SOLUTION_PREC);
   bool known = !arb_contains_zero(factor) && arb_rel_accuracy_bits(factor) >= BITS;
   y->is = y->is && known && (first || arb_overlaps(factor, y->factor));
   if (first) arb_set(y->factor, factor);
-  arb_clear(factor);
 }
 
 static bool compare_closing(struct multiple (*of)[CLOSING], struct solutions *x, const struct point *p, bool first) {
-  struct values v;
+  OWNED(values) v;
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(SOLUTION_PREC), x->cache);
   struct num_vec lhs = calc_vec(&v.c, x->equations.n), rhs = calc_vec(&v.c, x->equations.n);
   if (s == SS_OK) s = sentence_values(&lhs, &rhs, &x->equations, p, VARIANT_CLOSED, x->cache);
@@ -185,7 +183,6 @@ static bool compare_closing(struct multiple (*of)[CLOSING], struct solutions *x,
   for (slong i = 0; s == SS_OK && i < x->equations.n; i++)
     for (int k = 0; k < CLOSING; k++)
       compare_factor(&of[i][k], calc_sub(&v.c, num_vec_at(&lhs, i), num_vec_at(&rhs, i)), m[k], first);
-  values_clear(&v);
   return s == SS_OK;
 }
 
@@ -196,14 +193,13 @@ static bool closes_alone(struct solutions *x) {
   struct multiple(*of)[CLOSING] = ss_malloc(((size_t)x->equations.n + 1) * sizeof *of);
   bool all = true;
   struct sampler sampler;
-  struct point p;
+  LOCAL(point, p);
   for (slong i = 0; i < x->equations.n; i++)
     for (int k = 0; k < CLOSING; k++) {
       of[i][k].is = x->equations.ops[i] == REL_EQ;
       arb_init(of[i][k].factor);
     }
   sampler_init(&sampler, x->c->id, &(struct point_spec){.kind = POINT_PATCHED});
-  point_init(&p);
   for (int n = 0; all && n < POINTS; n++) {
     sampler_next(&p, &sampler);
     for (int i = Q_CHI; i <= (x->asked == ASKED_GIVEN ? Q_V : Q_E2); i++) fmpq_set(&p.q[i], &x->at.q[i]);
@@ -217,7 +213,6 @@ static bool closes_alone(struct solutions *x) {
   }
   for (slong i = 0; i < x->equations.n; i++)
     for (int k = 0; k < CLOSING; k++) arb_clear(of[i][k].factor);
-  point_clear(&p);
   free(of);
   return all;
 }
