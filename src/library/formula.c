@@ -143,10 +143,9 @@ static bool place(struct point *p, const struct scene *s, long at, const char *v
 }
 
 static bool all_known(arb_srcptr x, slong n, slong digits) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   bool known = true;
   for (slong i = 0; i < n && known; i++) known = num_print(&t, x + i, digits) == SS_OK;
-  text_clear(&t);
   return known;
 }
 
@@ -155,12 +154,11 @@ static int evaluate(struct ss_formula *f, const struct point *p, slong digits, s
   f->value = _arb_vec_init(f->x.n);
   for (int i = 0; i < f->x.n; i++) f->number[i] = (struct ss_number){f->value + i, NULL};
   for (slong prec = FIRST_PREC + 4 * digits;; prec *= 2) {
-    struct num_vec v;
+    OWNED(num_vec) v;
     bool known;
     num_vec_init(&v, f->x.n, num_ctx_arb(prec));
     int status = tape_at_point(&v, &known, &f->x.tape, p, cache);
     for (int i = 0; i < f->x.n; i++) arb_set(f->value + i, num_vec_at(&v, i));
-    num_vec_clear(&v);
     if (!known) return library_fail(SS_INPUT, "ss_formula_evaluate: some symbol in it has no value there");
     if (status & SS_DOMAIN) return library_fail(SS_DOMAIN, "ss_formula_evaluate: it is not defined there");
     if (!status && all_known(f->value, f->x.n, digits)) return SS_OK;

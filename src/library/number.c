@@ -20,13 +20,12 @@ int ss_number_text(char **out, const ss_number *x, size_t digits) {
   if (!is_there(x)) return library_argument(__func__, "no number");
   int status = library_digits(__func__, digits, LIBRARY_DIGITS);
   if (status) return status;
-  struct text t = {0};
+  OWNED(text) t = {0};
   status = print(&t, x, (slong)digits);
   if (status == SS_OK)
     *out = library_take(&t);
   else
     library_fail(status, "%s: %zu digits are not known; ss_number_digits says how many are", __func__, digits);
-  text_clear(&t);
   return status;
 }
 
@@ -35,9 +34,8 @@ size_t ss_number_digits(const ss_number *x) {
   if (x->exact || arb_is_exact(x->ball)) return LIBRARY_DIGITS;
   double most = (double)arb_rel_accuracy_bits(x->ball) * 0.30103 + 1;
   slong n = most < 0 ? 0 : most > LIBRARY_DIGITS ? LIBRARY_DIGITS : (slong)most;
-  struct text t = {0};
+  OWNED(text) t = {0};
   while (n > 0 && num_print(&t, x->ball, n) != SS_OK) n--;
-  text_clear(&t);
   return (size_t)n;
 }
 

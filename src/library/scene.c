@@ -15,9 +15,8 @@ static char *found;
 static void find(void) {
   Dl_info here;
   char *library = dladdr(&found, &here) && here.dli_fname ? realpath(here.dli_fname, NULL) : NULL;
-  struct text folder = {0};
+  OWNED(text) folder = {0};
   if (data_folder_find(&folder, library ? library : "")) found = ss_strdup(text_str(&folder));
-  text_clear(&folder);
   free(library);
 }
 

@@ -40,7 +40,7 @@ int ss_word_fate(enum ss_fate *fate, char **why, const char *word) {
 
 int ss_word_each(int longest, int (*f)(void *self, const char *word), void *self) {
   if (!f || longest < 1 || longest > LONGEST) return library_argument(__func__, "no function to tell, or not 1 to 8");
-  struct text t = {0};
+  OWNED(text) t = {0};
   bool on = true;
   for (int n = 1; n <= longest && on; n++)
     for (struct mech_word w = {.n = 0}; on && phase_word_next(&w, n);) {
@@ -48,7 +48,6 @@ int ss_word_each(int longest, int (*f)(void *self, const char *word), void *self
       phase_word_print(&t, &w);
       on = f(self, text_str(&t)) != 0;
     }
-  text_clear(&t);
   return on ? SS_OK : library_fail(SS_STOPPED, "%s: stopped by the caller", __func__);
 }
 
