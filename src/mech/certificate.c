@@ -57,12 +57,10 @@ static void balls_json(struct json *j, const char *key, arb_srcptr x, int n, boo
 static void start_json(struct json *j, const struct mech_orbit *o, int i) {
   enum { BITS = 96 };
   bool loose = i < o->n && o->word.phase[o->word.n - 1][i] == 's' && o->word.phase[0][i] != 's';
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   arb_set(x, o->state + i);
   if (loose && arb_is_exact(x)) mag_set_ui_2exp_si(arb_radref(x), 1, arf_abs_bound_lt_2exp_si(arb_midref(x)) - BITS);
   json_wide_ball(j, NULL, x);
-  arb_clear(x);
 }
 
 static void enclosures_json(struct json *j, const struct mech_orbit *o) {

@@ -17,8 +17,7 @@ struct printer {
 
 /* |q| as a factor: nothing for 1. */
 static void add_factor(const struct printer *p, const fmpq_t q) {
-  fmpq_t size;
-  fmpq_init(size);
+  NUMBERS(fmpq, size);
   fmpq_abs(size, q);
   if (!fmpq_is_one(size)) {
     if (p->latex && !fmpz_is_one(fmpq_denref(size))) {
@@ -32,7 +31,6 @@ static void add_factor(const struct printer *p, const fmpq_t q) {
       text_add_char(p->out, ' ');
     }
   }
-  fmpq_clear(size);
 }
 
 /* The frequency of the loads, then t. */
@@ -103,8 +101,7 @@ static void heading(const struct printer *p, const char *what) {
 /* f_i = K x + C x' less the loads, as the condition "f_i - r_i" has it. */
 static void add_forces(const struct printer *p) {
   const struct mech *m = p->m;
-  fmpq_mat_t row;
-  fmpq_mat_init(row, 1, m->states + 1);
+  SIZED(fmpq_mat, row, 1, m->states + 1);
   heading(p, "Equations of motion");
   for (int i = 0; i < m->n; i++) {
     const struct mech_mass *mass = &m->mass[i];
@@ -119,7 +116,6 @@ static void add_forces(const struct printer *p) {
     add_form(p, fmpq_mat_entry(row, 0, 0));
     end_line(p);
   }
-  fmpq_mat_clear(row);
 }
 
 static void add_frictions(const struct printer *p) {
@@ -203,9 +199,8 @@ static void add_modes(const struct printer *p) {
   slong side = m->states + 1, moving = 2 * m->n, prec = 4 * p->digits + 64;
   char phase[MECH_MASSES + 1] = "";
   for (int i = 0; i < m->n; i++) phase[i] = '.';
-  fmpq_mat_t rate;
   arb_mat_t a, states;
-  fmpq_mat_init(rate, side, side);
+  SIZED(fmpq_mat, rate, side, side);
   arb_mat_init(a, side, side);
   acb_ptr z = _acb_vec_init(moving);
   mech_rate(rate, m, phase);
@@ -228,7 +223,6 @@ static void add_modes(const struct printer *p) {
   _acb_vec_clear(z, moving);
   arb_mat_window_clear(states);
   arb_mat_clear(a);
-  fmpq_mat_clear(rate);
 }
 
 void mech_describe(struct text *out, const struct mech *m, bool latex, slong digits) {

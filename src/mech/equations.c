@@ -31,9 +31,8 @@ static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech
   }
   if (end != MECH_BREAKS_SLOWER && end != MECH_BREAKS_FASTER) return;
   /* the position of the mass that broke loose, from its force */
-  fmpq_mat_t row, at;
-  fmpq_mat_init(row, 1, m->states + 1);
-  fmpq_mat_init(at, 1, one + 1);
+  SIZED(fmpq_mat, row, 1, m->states + 1);
+  SIZED(fmpq_mat, at, 1, one + 1);
   mech_condition(row, m, changed, 's', end);
   fmpq *own = fmpq_mat_entry(row, 0, changed);
   fmpq_mat_mul(at, row, entry); /* x of that mass is still zero in it */
@@ -42,8 +41,6 @@ static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech
     fmpq_div(to, fmpq_mat_entry(at, 0, l), own);
     fmpq_neg(to, to);
   }
-  fmpq_mat_clear(at);
-  fmpq_mat_clear(row);
 }
 
 int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_word *w) {
@@ -65,10 +62,9 @@ void mech_equations_init(struct mech_equations *e, const struct mech *m, const s
   e->n_free = mech_free(e->free, m, w);
   slong unknowns = w->n + e->n_free, n_plain = e->n_free - (m->n_loads > 0);
   slong columns = n_plain + m->states - 2 * m->n + 1;
-  fmpq_mat_t rate, row, entry;
-  fmpq_mat_init(rate, e->side, e->side);
-  fmpq_mat_init(row, 1, e->side);
-  fmpq_mat_init(entry, e->side, columns);
+  SIZED(fmpq_mat, rate, e->side, e->side);
+  SIZED(fmpq_mat, row, 1, e->side);
+  SIZED(fmpq_mat, entry, e->side, columns);
   for (int k = 0; k < w->n; k++) {
     enum mech_end end;
     int mass = mech_event(&end, w->phase[k], w->phase[(k + 1) % w->n]);
@@ -90,9 +86,6 @@ void mech_equations_init(struct mech_equations *e, const struct mech *m, const s
   arb_mat_init(e->change, e->side, unknowns);
   arb_mat_init(e->value, unknowns, 1);
   arb_mat_init(e->slope, unknowns, unknowns);
-  fmpq_mat_clear(entry);
-  fmpq_mat_clear(row);
-  fmpq_mat_clear(rate);
 }
 
 void mech_equations_clear(struct mech_equations *e) {
@@ -111,10 +104,9 @@ void mech_equations_clear(struct mech_equations *e) {
 /* The state at the first entry, and its derivatives: those of the lengths are zero. */
 static void start(struct mech_equations *e, arb_srcptr x) {
   slong columns = arb_mat_ncols(e->entry);
-  arb_mat_t q, dq, from;
-  arb_mat_init(q, columns, 1);
-  arb_mat_init(dq, columns, e->n_free);
-  arb_mat_init(from, e->side, e->n_free);
+  SIZED(arb_mat, q, columns, 1);
+  SIZED(arb_mat, dq, columns, e->n_free);
+  SIZED(arb_mat, from, e->side, e->n_free);
   for (int l = 0; l < e->n_free; l++) {
     if (e->free[l] == 2 * e->m->n) { /* theta */
       arb_ptr c = arb_mat_entry(q, l, 0), s = arb_mat_entry(q, l + 1, 0);
@@ -132,9 +124,6 @@ static void start(struct mech_equations *e, arb_srcptr x) {
   arb_mat_zero(e->change);
   for (int i = 0; i < e->side; i++)
     for (int l = 0; l < e->n_free; l++) arb_set(arb_mat_entry(e->change, i, e->w->n + l), arb_mat_entry(from, i, l));
-  arb_mat_clear(from);
-  arb_mat_clear(dq);
-  arb_mat_clear(q);
 }
 
 /* a = exp(a) in double precision, a fiftieth of the work; not finite where a is too large for it.  The constants in the
@@ -168,19 +157,15 @@ void mech_flow(arb_mat_t flow, const struct mech_equations *e, int phase, const 
 
 /* Through phase k of length t; the event at its end. */
 static void pass(struct mech_equations *e, int k, const arb_t t) {
-  arb_mat_t flow, moved, rate;
-  arb_mat_init(flow, e->side, e->side);
-  arb_mat_init(moved, e->side, arb_mat_ncols(e->change));
-  arb_mat_init(rate, e->side, 1);
+  SIZED(arb_mat, flow, e->side, e->side);
+  SIZED(arb_mat, moved, e->side, arb_mat_ncols(e->change));
+  SIZED(arb_mat, rate, e->side, 1);
   mech_flow(flow, e, k, t);
   arb_mat_mul(e->state[k + 1], flow, e->state[k], e->prec);
   arb_mat_mul(moved, flow, e->change, e->prec);
   arb_mat_swap(moved, e->change);
   arb_mat_mul(rate, e->rate[k], e->state[k + 1], e->prec);
   for (int i = 0; i < e->side; i++) arb_set(arb_mat_entry(e->change, i, k), arb_mat_entry(rate, i, 0));
-  arb_mat_clear(rate);
-  arb_mat_clear(moved);
-  arb_mat_clear(flow);
 }
 
 /* value and slope of the event at the end of phase k: its row times the state, and times the derivatives so far. */

@@ -119,8 +119,7 @@ static bool differ(const struct station *a, const struct station *b) {
 /* Its multiplier nearest to the unit circle, and how far from that it is. */
 static double nearest(acb_srcptr *z, const struct mech_orbit *o) {
   double least = HUGE_VAL;
-  arb_t size;
-  arb_init(size);
+  NUMBERS(arb, size);
   for (int i = 0; i < o->n_free; i++) {
     acb_abs(size, o->multiplier + i, 64);
     double off = fabs(num_arb.get_d(size) - 1);
@@ -128,7 +127,6 @@ static double nearest(acb_srcptr *z, const struct mech_orbit *o) {
     least = off;
     *z = o->multiplier + i;
   }
-  arb_clear(size);
   return least;
 }
 
@@ -176,13 +174,10 @@ static bool add_change(struct walker *w, const struct station *a, const struct s
 
 /* Is the bracket not wider than that? */
 static bool narrow(const fmpq_t most, const struct station *a, const struct station *b) {
-  fmpq_t width;
-  fmpq_init(width);
+  NUMBERS(fmpq, width);
   fmpq_sub(width, a->at, b->at);
   fmpq_abs(width, width);
-  bool yes = fmpq_cmp(width, most) <= 0;
-  fmpq_clear(width);
-  return yes;
+  return fmpq_cmp(width, most) <= 0;
 }
 
 /* Just at a change something cannot be decided, or a solution not proved. */
@@ -218,13 +213,11 @@ static bool between(struct walker *w, const struct station *a, struct station *b
 /* --- Branches --- */
 
 static void value_at(fmpq_t out, const struct mech_line *l, int k, bool backward) {
-  fmpq_t part;
-  fmpq_init(part);
+  NUMBERS(fmpq, part);
   fmpq_set_si(part, backward ? STEPS - k : k, STEPS);
   fmpq_sub(out, l->to, l->from);
   fmpq_mul(out, out, part);
   fmpq_add(out, out, l->from);
-  fmpq_clear(part);
 }
 
 /* Takes over the orbit at the end where the walk began; at the other end it goes to the list of those that arrived. */
@@ -288,11 +281,9 @@ bool mech_follow(struct mech_follow *f, const struct mech_line *l, const struct 
   fmpq_abs(walker.least, walker.least);
   fmpq_init(walker.small);
   fmpq_div_2exp(walker.small, walker.least, 30);
-  fmpz_t ten;
-  fmpz_init(ten);
+  NUMBERS(fmpz, ten);
   fmpz_ui_pow_ui(ten, 10, (ulong)l->digits);
   fmpq_div_fmpz(walker.least, walker.least, ten);
-  fmpz_clear(ten);
   for (int backward = 0; backward < 2 && !d->set; backward++) walk_all(&walker, w, backward);
   f->spent = f->looks >= MOST_LOOKS;
   mech_orbits_clear(&walker.arrived);

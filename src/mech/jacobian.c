@@ -20,11 +20,9 @@
 static void cross(arb_mat_t d, const struct mech_equations *e, int k) {
   bool last = k + 1 == e->w->n;
   slong columns = arb_mat_ncols(d);
-  arb_mat_t rate, lead;
-  arb_t speed;
-  arb_init(speed);
-  arb_mat_init(rate, e->side, columns);
-  arb_mat_init(lead, 1, columns);
+  NUMBERS(arb, speed);
+  SIZED(arb_mat, rate, e->side, columns);
+  SIZED(arb_mat, lead, 1, columns);
   arb_mat_mul(rate, e->rate[k], d, e->prec);
   arb_dot(speed, NULL, 0, e->event[k]->entries, 1, rate->entries, columns, e->side, e->prec);
   arb_mat_mul(lead, e->event[k], d, e->prec);
@@ -40,9 +38,6 @@ static void cross(arb_mat_t d, const struct mech_equations *e, int k) {
   for (int i = 0; !last && i < e->side; i++)
     for (slong l = 1; l < columns; l++)
       arb_addmul(arb_mat_entry(d, i, l), arb_mat_entry(rate, i, 0), arb_mat_entry(lead, 0, l), e->prec);
-  arb_mat_clear(lead);
-  arb_mat_clear(rate);
-  arb_clear(speed);
 }
 
 /* The state at the first entry, and its derivatives by what is free there. */
@@ -65,9 +60,8 @@ static void enter(arb_mat_t d, const struct mech_equations *e, const struct mech
 
 static void by_saltation(arb_mat_t j, const struct mech_equations *e, const struct mech_orbit *o) {
   arb_srcptr cosine = o->state + 2 * o->n, sine = cosine + 1;
-  arb_mat_t d, flow;
-  arb_mat_init(d, e->side, 1 + o->n_free);
-  arb_mat_init(flow, e->side, e->side);
+  SIZED(arb_mat, d, e->side, 1 + o->n_free);
+  SIZED(arb_mat, flow, e->side, e->side);
   enter(d, e, o);
   for (int k = 0; k < o->word.n; k++) {
     mech_flow(flow, e, k, o->t + k);
@@ -84,8 +78,6 @@ static void by_saltation(arb_mat_t j, const struct mech_equations *e, const stru
         arb_submul(to, sine, arb_mat_entry(d, 2 * o->n, l + 1), e->prec);
       }
     }
-  arb_mat_clear(flow);
-  arb_mat_clear(d);
 }
 
 /* --- Differences --- */
@@ -123,7 +115,7 @@ static bool same_word(const struct mech_motion *x, const struct mech_word *w) {
 static int return_of(double *out, const double *x, const void *self) {
   const struct replay *r = self;
   const struct mech_orbit *o = r->o;
-  struct mech_motion motion;
+  OWNED(mech_motion) motion;
   double z[MECH_STATES];
   state_at(z, r, x);
   struct mech_plan plan = {.duration = 2 * num_arb.get_d(o->period), .most = o->word.n + 1, .phase = o->word.phase[0]};
@@ -134,7 +126,6 @@ static int return_of(double *out, const double *x, const void *self) {
     double turns = 2 * PI * (double)o->turns;
     out[l] = o->free[l] < 2 * o->n ? end->z[o->free[l]] : x[l] + fmpq_get_d(r->m->load[0].frequency) * end->t - turns;
   }
-  mech_motion_clear(&motion);
   return status;
 }
 

@@ -52,14 +52,12 @@ static const struct flows *flows_now(struct march *m) {
   slong side = m->e->side;
   struct flows *f = &m->flows[m->level];
   if (f->made) return f;
-  arb_t span;
-  arb_init(span);
+  NUMBERS(arb, span);
   arb_mat_init(f->whole, side, side);
   arb_mat_init(f->tube, side, side);
   mech_flow(f->whole, m->e, m->phase, m->step);
   up_to(span, m->step);
   mech_flow(f->tube, m->e, m->phase, span);
-  arb_clear(span);
   f->made = true;
   return f;
 }
@@ -76,9 +74,8 @@ struct bounds {
 static void bounds_make(struct bounds *b, const struct march *m, const struct watch *w, const arb_mat_t along) {
   slong prec = m->e->prec;
   arb_ptr all[] = {b->g, b->rate, b->curve, b->slope, b->quotient, b->range};
-  arb_t s;
+  NUMBERS(arb, s);
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_init(all[i]);
-  arb_init(s);
   value_of(b->g, w->row[0], m->y, prec);
   value_of(b->rate, w->row[1], m->y, prec);
   value_of(b->curve, w->row[2], along, prec);
@@ -89,7 +86,6 @@ static void bounds_make(struct bounds *b, const struct march *m, const struct wa
   arb_add(b->quotient, b->quotient, b->rate, prec);
   arb_mul(b->range, b->quotient, s, prec);
   arb_add(b->range, b->range, b->g, prec);
-  arb_clear(s);
 }
 
 static void bounds_clear(struct bounds *b) {
@@ -129,12 +125,10 @@ static void close_watch(struct watch *w, truth holds) {
 /* All conditions on the step ahead; true: they are settled on it, and the step is made. */
 static bool make_step(struct march *m) {
   const struct flows *f = flows_now(m);
-  arb_mat_t along, after;
-  arb_t next;
+  NUMBERS(arb, next);
   bool all = true, finest = m->level == FINEST;
-  arb_init(next);
-  arb_mat_init(along, m->e->side, 1);
-  arb_mat_init(after, m->e->side, 1);
+  SIZED(arb_mat, along, m->e->side, 1);
+  SIZED(arb_mat, after, m->e->side, 1);
   arb_mat_mul(along, f->tube, m->y, m->e->prec);
   arb_mat_mul(after, f->whole, m->y, m->e->prec);
   arb_add(next, m->at, m->step, m->e->prec);
@@ -150,9 +144,6 @@ static bool make_step(struct march *m) {
     arb_swap(m->at, next);
     arb_mat_swap(m->y, after);
   }
-  arb_mat_clear(after);
-  arb_mat_clear(along);
-  arb_clear(next);
   return all || finest;
 }
 
@@ -164,11 +155,9 @@ static bool any_open(const struct march *m) {
 
 /* The state from that at the phase's entry: its ball has grown with every step. */
 static void refresh(struct march *m) {
-  arb_mat_t flow;
-  arb_mat_init(flow, m->e->side, m->e->side);
+  SIZED(arb_mat, flow, m->e->side, m->e->side);
   mech_flow(flow, m->e, m->phase, m->at);
   arb_mat_mul(m->y, flow, m->e->state[m->phase], m->e->prec);
-  arb_mat_clear(flow);
 }
 
 /* Along the whole phase.  Steps are a power of two of the first, and shorter where something is open. */
@@ -221,15 +210,14 @@ static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech
   const struct mech_word *w = m->e->w;
   const char *now = w->phase[m->phase], *before = w->phase[(m->phase + w->n - 1) % w->n];
   enum mech_end at_end, at_start;
-  fmpq_mat_t rate, row;
   struct watch *watch = &m->watch[m->n_watches++];
   struct mech_fact *fact = add_fact(o, m->phase, mass, rule);
   *watch = (struct watch){.fact = fact, .result = &fact->holds, .open = true};
   fact->ends = mech_event(&at_end, now, w->phase[(m->phase + 1) % w->n]) == mass && at_end == end;
   bool changes = mech_event(&at_start, before, now) == mass;
   watch->zeros = changes ? zeros_at_start(&of->mass[mass], before[mass], at_start, end) : 0;
-  fmpq_mat_init(rate, m->e->side, m->e->side);
-  fmpq_mat_init(row, 1, m->e->side);
+  SIZED(fmpq_mat, rate, m->e->side, m->e->side);
+  SIZED(fmpq_mat, row, 1, m->e->side);
   mech_rate(rate, of, now);
   mech_condition(row, of, mass, now[mass], end);
   for (int i = 0; i < ROWS; i++) {
@@ -237,8 +225,6 @@ static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech
     arb_mat_set_fmpq_mat(watch->row[i], row, m->e->prec);
     fmpq_mat_mul(row, row, rate);
   }
-  fmpq_mat_clear(row);
-  fmpq_mat_clear(rate);
   if (fact->ends) add_reversed(m, watch);
 }
 
@@ -265,30 +251,22 @@ static void judge_passing(struct mech_orbit *o, const struct mech_equations *e, 
   enum mech_end end;
   int mass = mech_event(&end, now, next);
   if (end != MECH_REACHES || next[mass] == 's') return;
-  fmpq_mat_t row;
-  arb_mat_t c;
-  arb_t g;
-  arb_init(g);
-  fmpq_mat_init(row, 1, e->side);
-  arb_mat_init(c, 1, e->side);
+  NUMBERS(arb, g);
+  SIZED(fmpq_mat, row, 1, e->side);
+  SIZED(arb_mat, c, 1, e->side);
   mech_condition(row, e->m, mass, 's', next[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER);
   arb_mat_set_fmpq_mat(c, row, e->prec);
   value_of(g, c, e->state[phase + 1], e->prec);
   add_fact(o, phase, mass, MECH_BEYOND)->holds = truth_not(mech_holds(g));
-  arb_mat_clear(c);
-  fmpq_mat_clear(row);
-  arb_clear(g);
 }
 
 /* A power of two below an eighth of the phase and below 1/2 over the norm of A without its column of constants, which
    says how far the state goes and not how fast it changes its way; the whole phase where every mass sticks. */
 static void first_step(struct march *m) {
   slong states = m->e->side - 1;
-  mag_t norm;
-  arf_t least;
+  NUMBERS(mag, norm);
+  NUMBERS(arf, least);
   arb_mat_t linear;
-  mag_init(norm);
-  arf_init(least);
   arb_mat_window_init(linear, m->e->rate[m->phase], 0, 0, states, states);
   arb_mat_bound_inf_norm(norm, linear);
   arb_mat_window_clear(linear);
@@ -298,8 +276,6 @@ static void first_step(struct march *m) {
   if (!linear_in_time && !mag_is_zero(norm)) bits = FLINT_MIN(bits, -1 - fmpz_get_si(MAG_EXPREF(norm)));
   arb_one(m->step);
   arb_mul_2exp_si(m->step, m->step, bits);
-  arf_clear(least);
-  mag_clear(norm);
 }
 
 static void judge_phase(struct mech_orbit *o, struct mech_equations *e, int phase) {

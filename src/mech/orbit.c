@@ -38,7 +38,7 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
    survive; where its numbers are too large, in balls from the guess. */
 static int settle(struct num_vec *x, const struct solve_system *system, struct mech_equations *e) {
   slong prec = e->prec;
-  struct num_vec near;
+  OWNED(num_vec) near;
   num_vec_init(&near, x->len, num_ctx_arb(DOUBLE_BITS));
   num_vec_set(&near, x);
   e->rough = true;
@@ -47,21 +47,19 @@ static int settle(struct num_vec *x, const struct solve_system *system, struct m
   e->rough = false;
   e->prec = prec;
   if (!status) num_vec_set(x, &near);
-  num_vec_clear(&near);
   return status == SS_OK || status & SS_DOMAIN ? newton_settle(x, system, MOST_STEPS) : status;
 }
 
 /* x: from a guess to the image of a proved box; beside: from an orbit next to it. */
 static int enclose(struct num_vec *x, struct num_vec *box, struct mech_equations *e, bool beside) {
   struct solve_system system = {x->len, values, e};
-  struct krawczyk k;
+  OWNED(krawczyk) k;
   krawczyk_init(&k, &system, e->prec);
   int status = beside ? newton_settle(x, &system, MOST_STEPS) : settle(x, &system, e);
   if (!status) status = krawczyk_centre(&k, x);
   if (!status) status = krawczyk_grow(&k);
   if (!status) num_vec_set(x, &k.image);
   if (!status) num_vec_set(box, &k.box);
-  krawczyk_clear(&k);
   return status;
 }
 
@@ -70,10 +68,9 @@ static int enclose(struct num_vec *x, struct num_vec *box, struct mech_equations
 /* dR/dq - dR/dt (dG/dt)^-1 dG/dq, where G are the events, R the return and q what is free. */
 static bool return_jacobian(arb_mat_t out, const struct mech_equations *e) {
   int phases = e->w->n, n = e->n_free;
-  arb_mat_t gt, gq, rt;
-  arb_mat_init(gt, phases, phases);
-  arb_mat_init(gq, phases, n);
-  arb_mat_init(rt, n, phases);
+  SIZED(arb_mat, gt, phases, phases);
+  SIZED(arb_mat, gq, phases, n);
+  SIZED(arb_mat, rt, n, phases);
   for (int k = 0; k < phases; k++) {
     for (int l = 0; l < phases; l++) arb_set(arb_mat_entry(gt, k, l), arb_mat_entry(e->slope, k, l));
     for (int l = 0; l < n; l++) arb_set(arb_mat_entry(gq, k, l), arb_mat_entry(e->slope, k, phases + l));
@@ -87,51 +84,39 @@ static bool return_jacobian(arb_mat_t out, const struct mech_equations *e) {
       arb_sub(z, arb_mat_entry(e->slope, phases + i, phases + l), z, e->prec);
       if (i == l) arb_add_ui(z, z, 1, e->prec); /* slope has that of R - q */
     }
-  arb_mat_clear(rt);
-  arb_mat_clear(gq);
-  arb_mat_clear(gt);
   return ok;
 }
 
 static int by_modulus(const void *a, const void *b) {
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
+  NUMBERS(arb, x, y);
   acb_abs(x, a, 64);
   acb_abs(y, b, 64);
   int c = arf_cmp(arb_midref(y), arb_midref(x));
   if (c == 0) c = -arf_cmp(arb_midref(acb_imagref((acb_srcptr)a)), arb_midref(acb_imagref((acb_srcptr)b)));
-  arb_clear(y);
-  arb_clear(x);
   return c;
 }
 
 /* An eigenvalue of a real matrix is real where the conjugate of its ball meets no ball but itself. */
 static void make_real(acb_ptr z, slong n) {
-  acb_t mirrored;
-  acb_init(mirrored);
+  NUMBERS(acb, mirrored);
   for (slong i = 0; i < n; i++) {
     acb_conj(mirrored, z + i);
     bool real = acb_overlaps(mirrored, z + i);
     for (slong l = 0; l < n; l++) real = real && (l == i || !acb_overlaps(mirrored, z + l));
     if (real) arb_zero(acb_imagref(z + i));
   }
-  acb_clear(mirrored);
 }
 
 bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec) {
   slong n = arb_mat_nrows(a);
-  acb_mat_t c, right;
-  acb_mat_init(c, n, n);
-  acb_mat_init(right, n, n);
+  SIZED(acb_mat, c, n, n);
+  SIZED(acb_mat, right, n, n);
   acb_mat_set_arb_mat(c, a);
   acb_mat_approx_eig_qr(z, NULL, right, c, NULL, 0, prec);
   acb_ptr near = _acb_vec_init(n);
   _acb_vec_set(near, z, n);
   bool ok = acb_mat_eig_simple(z, NULL, NULL, c, near, right, prec) || acb_mat_eig_multiple(z, c, near, right, prec);
   _acb_vec_clear(near, n);
-  acb_mat_clear(right);
-  acb_mat_clear(c);
   if (ok) {
     make_real(z, n);
     qsort(z, (size_t)n, sizeof *z, by_modulus);
@@ -141,14 +126,12 @@ bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec) {
 
 truth mech_all_inside(acb_srcptr z, int n) {
   truth stable = TRUTH_TRUE;
-  arb_t size;
-  arb_init(size);
+  NUMBERS(arb, size);
   for (int i = 0; i < n; i++) {
     acb_abs(size, z + i, 128);
     arb_sub_ui(size, size, 1, 128);
     stable = truth_and(stable, mech_holds(size));
   }
-  arb_clear(size);
   return stable;
 }
 

@@ -122,12 +122,11 @@ static const char *const of_mass[] = {"inertia", "sliding", "static", "surface",
                          *const of_load[] = {"on", "frequency", "cosine", "sine", NULL};
 
 static bool unknown_field(struct reader *r, const struct record *of, const struct field *f, const char *const *keys) {
-  struct text known = {0};
+  OWNED(text) known = {0};
   for (int k = 0; keys[k]; k++) text_printf(&known, "%s%s", k ? ", " : "", keys[k]);
   diag_at(r->d, r->src, f->attribute ? f->key.begin : f->value.begin, "%s %s has the lines %s only%s",
           of->kind_name[0] == 'o' ? "an" : "a", of->kind_name, text_str(&known),
           f->attribute ? "" : ", each as \"NAME: VALUE\"");
-  text_clear(&known);
   return false;
 }
 
@@ -283,7 +282,7 @@ static bool finish(struct reader *r, const struct record_file *f) {
 }
 
 static bool read_all(struct reader r, struct source src) {
-  struct record_file f;
+  OWNED(record_file) f;
   mech_init(r.m);
   arena_init(&r.arena);
   bool ok = record_file_parse(&f, src, r.d);
@@ -294,7 +293,6 @@ static bool read_all(struct reader r, struct source src) {
   ok = ok && finish(&r, &f);
   for (size_t i = 0; i < r.n_parameters; i++) fmpq_clear(r.parameter[i].value);
   free(r.parameter);
-  record_file_clear(&f);
   arena_clear(&r.arena);
   return ok;
 }

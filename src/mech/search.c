@@ -35,9 +35,8 @@ static double uniform(uint64_t *stream) {
 
 /* Where the masses are in balance while each is slower than its surface. */
 static void balance(double *x, const struct mech *m) {
-  fmpq_mat_t force, at;
-  fmpq_mat_init(force, m->n, 1);
-  fmpq_mat_init(at, m->n, 1);
+  SIZED(fmpq_mat, force, m->n, 1);
+  SIZED(fmpq_mat, at, m->n, 1);
   for (int i = 0; i < m->n; i++)
     if (m->mass[i].rubbed) {
       int sign = fmpq_sgn(m->mass[i].surface);
@@ -45,8 +44,6 @@ static void balance(double *x, const struct mech *m) {
     }
   fmpq_mat_solve(at, m->stiffness, force);
   for (int i = 0; i < m->n; i++) x[i] = fmpq_get_d(fmpq_mat_entry(at, i, 0));
-  fmpq_mat_clear(force);
-  fmpq_mat_clear(at);
 }
 
 /* Positions about as far out as friction and loads can hold them; or near the balance, as far from it as the loads and
@@ -266,14 +263,13 @@ void mech_orbits_find_telling(struct mech_orbits *list, const struct mech *m, co
   *list = (struct mech_orbits){.n = 0};
   bool done = false;
   while (list->simulations < MECH_SIMULATIONS && !done) {
-    struct mech_motion x;
+    OWNED(mech_motion) x;
     double z[MECH_STATES];
     say(tell, list->simulations);
     random_start(z, m, list->simulations >= WIDE, &stream);
     int status = mech_simulate(&x, MECH_PATCHED, m, z, &plan);
     if (status != SS_DOMAIN) look_through(&found, &x, w, m);
     list->unfinished += status != SS_OK;
-    mech_motion_clear(&x);
     if (++list->simulations == MECH_SIMULATIONS || any) done = solve(list, &found, w, m, any, prec, tell);
     if (any) found.n = 0;
   }
@@ -312,7 +308,7 @@ static void follow(struct mech_settling *s, double *z, const struct mech *m, dou
   bool eventless = false;
   for (int round = 1; round <= ROUNDS; round++) {
     struct mech_plan plan = {.duration = length, .most = MOMENTS, .phase = round > 1 ? phase : NULL};
-    struct mech_motion x;
+    OWNED(mech_motion) x;
     struct mech_word w;
     double period, gap;
     int status = mech_simulate(&x, MECH_PATCHED, m, z, &plan);
@@ -322,7 +318,6 @@ static void follow(struct mech_settling *s, double *z, const struct mech *m, dou
       memcpy(z, x.z, (size_t)m->states * sizeof *z);
     }
     eventless = x.n_moments == 1;
-    mech_motion_clear(&x);
     if (settles && (round == ROUNDS || !repeats(&w))) {
       count(s, &w);
       return;

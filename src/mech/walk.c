@@ -10,6 +10,7 @@
 #include "base/arena.h"
 #include "base/work.h"
 #include "motion/dynamics.h"
+#include "num/flint_more.h"
 
 enum { SIDE = MECH_STATES + 1 };
 enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14 }; /* of work; of the search for a root */
@@ -103,8 +104,7 @@ static void add_series(double *to, const double term[][SIDE], int n, double part
 
 static void make_mode(struct mode *mode, const struct walk *w) {
   int side = w->states + 1;
-  fmpq_mat_t rate;
-  fmpq_mat_init(rate, side, side);
+  SIZED(fmpq_mat, rate, side, side);
   memcpy(mode->letters, w->phase, (size_t)w->n);
   mech_rate(rate, w->m, mode->letters);
   for (int i = 0; i < side; i++)
@@ -115,7 +115,6 @@ static void make_mode(struct mode *mode, const struct walk *w) {
     make_series(term, mode->rate, w->look, side);
     add_series(mode->jump[j], term, w->states, 1);
   }
-  fmpq_mat_clear(rate);
 }
 
 /* exp(A look) (z, 1). */
