@@ -47,14 +47,13 @@ static const struct override *find_override(const struct elaboration *el, const 
 
 static struct matrix override_value(struct elaboration *el, const struct override *o) {
   struct matrix m = matrix_new(el, o->rows, o->cols);
-  struct text t = {0};
+  OWNED(text) t = {0};
   for (int i = 0; i < o->rows; i++)
     for (int j = 0; j < o->cols; j++) {
       text_reset(&t);
       text_printf(&t, "%s[%d,%d]", o->name, i + 1, j + 1);
       m.e[i * o->cols + j] = expr_sym(&el->pool, t.data);
     }
-  text_clear(&t);
   return m;
 }
 
@@ -67,11 +66,9 @@ static const char *root_symbol(struct elaboration *el, const struct definition *
     shared = shared || (o->stmt->kind == STMT_ROOT && strcmp(o->name, def->name) == 0 &&
                         strcmp(o->section, def->section) != 0 && view_sees(&el->view, o));
   }
-  struct text t = {0};
+  OWNED(text) t = {0};
   text_printf(&t, shared ? "%s@%s" : "%s", def->name, def->section);
-  const char *symbol = arena_strndup(&el->pool.arena, t.data, t.len);
-  text_clear(&t);
-  return symbol;
+  return arena_strndup(&el->pool.arena, t.data, t.len);
 }
 
 /* Both places that name a symbol of their own, a function's parameter and a root's unknown. */
@@ -81,11 +78,10 @@ static struct scope scope_inside(struct elaboration *el, const struct definition
     sc.unknown = def->name;
     sc.unknown_symbol = root_symbol(el, def);
   } else if (def->stmt->param) {
-    struct text t = {0};
+    OWNED(text) t = {0};
     text_printf(&t, "%s@%s", def->stmt->param, def->name);
     sc.param = def->stmt->param;
     sc.param_symbol = arena_strndup(&el->pool.arena, t.data, t.len);
-    text_clear(&t);
   }
   return sc;
 }
@@ -369,15 +365,11 @@ bool elaborate(struct matrix *out, struct elaboration *el, const struct expr *e,
 
 bool elaborate_text(struct matrix *out, struct elaboration *el, const char *called, const char *text,
                     const char *section, struct diag *d) {
-  struct arena a;
-  struct source src;
-  arena_init(&a);
+  LOCAL(arena, a);
+  OWNED(source) src;
   source_from_string(&src, called, text);
   const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
-  bool ok = e && elaborate(out, el, e, &src, section, d);
-  source_clear(&src);
-  arena_clear(&a);
-  return ok;
+  return e && elaborate(out, el, e, &src, section, d);
 }
 
 bool elaborate_name(struct matrix *out, struct elaboration *el, const char *name, const char *section, struct diag *d) {
@@ -445,7 +437,7 @@ bool elaborate_tape(struct tape *t, struct matrix *out, struct elaboration *el, 
 }
 
 bool view_check(struct view v, struct diag *d) {
-  struct elaboration el;
+  OWNED(elaboration) el;
   elaboration_init(&el, v, NULL, 0);
   bool ok = true;
   for (size_t i = 0; ok && i < v.model->n_defs; i++) {
@@ -459,6 +451,5 @@ bool view_check(struct view v, struct diag *d) {
     for (int k = 0; ok && k < r->n_stmts; k++)
       if (r->stmts[k]->kind == STMT_RELATION) ok = relation_check(&el, r->stmts[k], r->src, r->section, d);
   }
-  elaboration_clear(&el);
   return ok;
 }

@@ -142,10 +142,9 @@ static bool check_attributes(const struct record_file *f, const struct record *r
     bool ok = !fd->attribute;
     for (size_t i = 0; i < n; i++) ok = ok || strcmp(fd->key_name, known[i]) == 0;
     if (ok) continue;
-    struct text names = {0};
+    OWNED(text) names = {0};
     for (size_t i = 0; i < n; i++) text_printf(&names, " %s", known[i]);
     diag_at(d, &f->src, fd->key.begin, "unknown attribute \"%s\"; one of%s", fd->key_name, text_str(&names));
-    text_clear(&names);
     return false;
   }
   return true;
@@ -324,7 +323,7 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
   } part[] = {{"errata.eq", RANK_ERRATA, model_add_file},
               {"stable.eq", RANK_STABLE, model_add_file},
               {"controls", RANK_CONTROL, model_add_folder}};
-  struct text path = {0};
+  OWNED(text) path = {0};
   text_printf(&path, "%s/paper", data);
   bool ok = model_add_folder(m, paper ? paper : text_str(&path), RANK_PAPER, d);
   ok = ok && (!overlay || model_add_file(m, overlay, RANK_USER, d));
@@ -333,7 +332,6 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
     text_printf(&path, "%s/%s", data, part[i].name);
     ok = part[i].add(m, text_str(&path), part[i].rank, d);
   }
-  text_clear(&path);
   return ok && model_check_tex(m, paper ? RANK_USER : RANK_STABLE, d); /* another paper's names are not the errata's */
 }
 

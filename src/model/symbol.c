@@ -74,12 +74,10 @@ bool symbol_read_domain(struct symbol *s, struct diag *d) {
   if (!f) return true;
   s->has_domain = true;
   if (strcmp(f->text, "real") == 0) return true;
-  struct arena a;
+  LOCAL(arena, a);
   struct diag why = {0};
-  arena_init(&a);
   const struct stmt *chain = stmt_parse(&a, s->src, f->value, &why);
   bool ok = chain && take_chain(s, chain);
-  arena_clear(&a);
   if (!ok)
     diag_at(
         d, s->src, f->value.begin,

@@ -152,13 +152,11 @@ static bool is_zero_matrix(const struct expr *e) {
 
 static bool same_side(const struct comparison *c, const struct expr *typed, const struct expr *tex) {
   if ((expr_is_zero(tex) && is_zero_matrix(typed)) || !find_difference(&typed, &tex)) return true;
-  struct text here = {0}, there = {0};
+  OWNED(text) here = {0}, there = {0};
   expr_print(&here, typed);
   expr_print(&there, tex);
   mistake(c, typed->span.begin, tex->span.begin, "the formula is not what its TeX says", text_str(&here),
           text_str(&there));
-  text_clear(&here);
-  text_clear(&there);
   return false;
 }
 
@@ -239,13 +237,11 @@ static bool check_record(const struct model *m, const struct statement_record *r
 }
 
 bool model_check_tex(const struct model *m, enum rank last, struct diag *d) {
-  struct arena a;
-  arena_init(&a);
+  LOCAL(arena, a);
   bool ok = true;
   for (size_t i = 0; ok && i < m->n_records; i++) {
     const struct statement_record *r = &m->records[i];
     if (*r->tex && r->rank <= last) ok = check_record(m, r, &a, d);
   }
-  arena_clear(&a);
   return ok;
 }
