@@ -24,11 +24,10 @@ struct num_vec dyn_arc_state(const struct dyn_arc *a, slong row) {
 static int event_near(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, val near) {
   if (ph == PHASE_D || params->ctx.type == &num_arb) return dyn_event(t, ph, params, in, params->ctx.type->get_d(near));
   val p[N_PARAMS], z[N_STATE];
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
   c.ctx.type->set(t, event_newton(&c, ph, p, z, near));
-  calc_clear(&c);
   return c.status;
 }
 

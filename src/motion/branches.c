@@ -94,7 +94,7 @@ static bool search_run(struct search *s, const fmpq *params, double t_c_max, lon
 
 /* Phase C ends a whole turn later: m2 is again where it was, the belt's way in t_a is shorter. */
 static void turn_once(struct dyn_orbit *o, const fmpq *params, slong prec) {
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   val omega = calc_sqrt(&c, calc_mul(&c, calc_q(&c, params + P_CHI), calc_q(&c, params + P_ETA)));
   val whole = calc_div(&c, calc_mul(&c, calc_d(&c, 2), calc_pi(&c)), omega);
   val way = calc_mul(&c, calc_q(&c, params + P_V), whole);
@@ -103,7 +103,6 @@ static void turn_once(struct dyn_orbit *o, const fmpq *params, slong prec) {
   arb_add(o->z10, o->z10, way, prec);
   arb_add(o->z20, o->z20, way, prec);
   for (int ph = 0; ph < N_PHASES; ph++) o->guess[ph] = num_arb.get_d(o->t[ph]);
-  calc_clear(&c);
 }
 
 /* q takes both signs in phase C where it lasts half a turn of m2 or longer. */
@@ -113,7 +112,7 @@ static void say_late(struct dyn_orbit *o) {
 
 /* Every t_d > 0 that leaves t_a > 0. */
 static void add_turns(struct dyn_orbits *list, struct dyn_orbit *o, const fmpq *params, slong prec) {
-  struct dyn_orbit at;
+  OWNED(dyn_orbit) at;
   dyn_orbit_copy(&at, o);
   if (!arb_is_positive(at.t[PHASE_C])) {
     turn_once(&at, params, prec);
@@ -128,13 +127,12 @@ static void add_turns(struct dyn_orbits *list, struct dyn_orbit *o, const fmpq *
   }
   if (arb_is_positive(at.t[PHASE_D])) dyn_leave_gap(list, GAP_MANY, 0, 0);
   if (!arb_is_negative(at.t[PHASE_D])) dyn_leave_gap(list, GAP_DOUBLE, at.guess[PHASE_GAMMA], at.guess[PHASE_H]);
-  dyn_orbit_clear(&at);
 }
 
 /* The solutions of one zero. */
 static void settle(struct dyn_orbits *list, const struct search *s, const struct common *z, const fmpq *params,
                    slong prec) {
-  struct dyn_orbit o;
+  OWNED(dyn_orbit) o;
   truth first;
   struct dyn_place at = common_place(z, &s->params);
   int status = dyn_orbit_near(&o, &first, params, at, prec, NULL);
@@ -143,18 +141,15 @@ static void settle(struct dyn_orbits *list, const struct search *s, const struct
   if (status == SS_OK && known_is(&found, z)) {
     bool before = arb_is_nonpositive(o.t[PHASE_GAMMA]) || arb_is_nonpositive(o.t[PHASE_H]);
     bool after = arb_is_positive(o.t[PHASE_GAMMA]) && arb_is_positive(o.t[PHASE_H]);
-    arb_t left;
-    arb_init(left);
+    NUMBERS(arb, left);
     arb_set_d(left, list->t_c_max);
     arb_sub(left, left, o.t[PHASE_H], prec);
     later = before || arb_is_negative(left) ? TRUTH_FALSE : after && arb_is_positive(left) ? TRUTH_TRUE : TRUTH_UNKNOWN;
-    arb_clear(left);
   }
   if (later == TRUTH_UNKNOWN || arb_contains_zero(o.t[PHASE_C]))
     dyn_leave_gap(list, GAP_DOUBLE, at.tb, at.tc);
   else if (later == TRUTH_TRUE)
     add_turns(list, &o, params, prec);
-  dyn_orbit_clear(&o);
 }
 
 static int by_times(const void *x, const void *y) {

@@ -65,16 +65,12 @@ static void make_box(struct krawczyk *k, const val at[N_QUANTITIES], const struc
    wide as the forces between them over 1 - chi, and where phase C turns slowly its length is as wide as its velocity
    over chi eta. */
 static slong bits_of_coordinates(const fmpq *model) {
-  fmpq_t gap, stiff;
-  fmpq_init(gap);
-  fmpq_init(stiff);
+  NUMBERS(fmpq, gap, stiff);
   fmpq_one(gap);
   fmpq_sub(gap, gap, model + P_CHI);
   fmpq_mul(stiff, model + P_CHI, model + P_ETA);
   slong bits = (slong)fmpz_bits(fmpq_denref(gap)) - (slong)fmpz_bits(fmpq_numref(gap));
   slong slow = (slong)fmpz_bits(fmpq_denref(stiff)) - (slong)fmpz_bits(fmpq_numref(stiff));
-  fmpq_clear(stiff);
-  fmpq_clear(gap);
   return bits + FLINT_MAX(slow, 0);
 }
 
@@ -82,9 +78,9 @@ static slong bits_of_coordinates(const fmpq *model) {
    Krawczyk's operator proves, made narrower so that another program's operator can prove it too. */
 static int widen(struct word_root *s, const struct word_data *d, slong prec) {
   struct ball_params m;
-  struct krawczyk k;
-  struct num_vec x;
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(krawczyk) k;
+  OWNED(num_vec) x;
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   word_params(&m, &c, d->model);
   struct word_system w = {&c, &m, d->unknown, calc_mark(&c), {NULL}};
   struct solve_system system = {WORD_FREE, word_values, &w};
@@ -104,9 +100,6 @@ static int widen(struct word_root *s, const struct word_data *d, slong prec) {
   }
   for (int i = 0; i < 2 && safe; i++) arb_set(s->box[d->which[i]], s->x[d->which[i]]);
   for (int i = 0; i < WORD_FREE && safe; i++) arb_swap(s->box[d->unknown[i]], num_vec_at(&k.box, i));
-  krawczyk_clear(&k);
-  num_vec_clear(&x);
-  calc_clear(&c);
   return safe ? SS_OK : SS_UNABLE;
 }
 
@@ -115,7 +108,7 @@ static int box_of_start(struct dyn_certificate *z, const struct word_data *d, sl
   struct ball_params m;
   struct word w;
   val at[N_QUANTITIES], start[2];
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   word_params(&m, &c, d->model);
   for (int i = 0; i < N_QUANTITIES; i++) at[i] = z->box[i];
   word_make(&w, &c, &m, at);
@@ -125,7 +118,6 @@ static int box_of_start(struct dyn_certificate *z, const struct word_data *d, sl
   arb_set(z->box_z20, start[1]);
   mag_mul_2exp_si(arb_radref(z->box_z10), arb_radref(z->box_z10), 2);
   mag_mul_2exp_si(arb_radref(z->box_z20), arb_radref(z->box_z20), 2);
-  calc_clear(&c);
   return c.status;
 }
 
@@ -165,8 +157,7 @@ static bool find_breach(struct dyn_certificate *z, int i, const struct dyn_margi
 
 /* Every condition by both routes.  o: described and judged. */
 static void conclude(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *o, slong prec) {
-  struct dyn_margins m;
-  dyn_margins_init(&m);
+  LOCAL(dyn_margins, m);
   bool any = dyn_margins_find(&m, q->model, o, NULL, NULL, prec) == SS_OK;
   z->spent = m.spent;
   z->stable = o->stable;
@@ -184,7 +175,6 @@ static void conclude(struct dyn_certificate *z, const struct dyn_question *q, co
     if (any && !arb_overlaps(least[i], again[i])) z->u_r[i] = TRUTH_UNKNOWN;
     z->admissible = truth_and(z->admissible, z->u_r[i]);
   }
-  dyn_margins_clear(&m);
 }
 
 static unsigned still_open(const struct dyn_certificate *z) {
@@ -200,16 +190,14 @@ static unsigned still_open(const struct dyn_certificate *z) {
 
 /* Everything but existence, at one precision. */
 static void decide(struct dyn_certificate *z, const struct dyn_question *q, const struct word_root *s, slong prec) {
-  struct dyn_orbit o;
+  LOCAL(dyn_orbit, o);
   truth domain = TRUTH_UNKNOWN;
-  dyn_orbit_init(&o);
   if (word_describe(&o, s, q->model, prec) == SS_OK) word_judge_orbit(&o, &domain, s, q->model, prec, MAX_STEPS);
   z->open = OPEN_DOMAIN;
   if (domain == TRUTH_TRUE) {
     conclude(z, q, &o, prec);
     z->open = still_open(z);
   }
-  dyn_orbit_clear(&o);
 }
 
 void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *orbit) {

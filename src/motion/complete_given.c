@@ -91,7 +91,7 @@ static int both_times(struct dyn_orbits *list, const fmpq *model, const fmpq *tb
                       long max_steps) {
   struct plane of[N_OF];
   val e[2][2];
-  struct calc c = calc_begin(num_ctx_arb(2 * prec + 128));
+  OWNED(calc) c = calc_begin(num_ctx_arb(2 * prec + 128));
   val b = calc_q(&c, tb), t = calc_q(&c, tc), stiff = calc_mul(&c, calc_q(&c, model), calc_q(&c, model + 1));
   planes_at(of, &c, model, b, t);
   int n = solve_planes(e, &c, of, stiff), gap = n < 0 ? GAP_DOUBLE : GAP_UNTRIED;
@@ -104,7 +104,6 @@ static int both_times(struct dyn_orbits *list, const fmpq *model, const fmpq *tb
     if (list->orbit[i].grazing) gap = GAP_GRAZING;
   list->gap = gap;
   list->complete = gap == GAP_UNTRIED;
-  calc_clear(&c);
   return SS_OK;
 }
 
@@ -121,7 +120,7 @@ static void ball_of(arb_ptr x, struct disk d) {
 /* A zero that no orbit of the list is: not an orbit, or a gap. */
 static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmpq *params, int unknown, const fmpq *tb,
                    long max_steps) {
-  struct calc c = calc_begin(num_ctx_arb(128));
+  OWNED(calc) c = calc_begin(num_ctx_arb(128));
   val e[2];
   arb_ptr tc = calc_new(&c), x = calc_new(&c), b = calc_new(&c);
   ball_of(tc, (struct disk){z->at, z->near});
@@ -131,7 +130,6 @@ static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmp
   truth orbit = is_orbit(&c, params, e, b, tc, max_steps);
   if (orbit != TRUTH_FALSE)
     dyn_leave_gap(list, orbit == TRUTH_TRUE ? GAP_CONFLICT : GAP_GRAZING, fmpq_get_d(tb), z->at);
-  calc_clear(&c);
 }
 
 static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unknown, const fmpq *tb,

@@ -214,7 +214,7 @@ int coulomb_params_set(struct num_vec *params, const struct num_vec *model, cons
 }
 
 int coulomb_start_set(struct num_vec *start, const struct num_vec *params, const void *z10, const void *z20) {
-  struct calc c = calc_begin(start->ctx);
+  OWNED(calc) c = calc_begin(start->ctx);
   val p[N_COULOMB];
   flow_vals(p, params, 0, N_COULOMB);
   /* d_1 - chi d_2 = u_s1 and chi (d_2 - d_1) = u_s2. */
@@ -226,7 +226,6 @@ int coulomb_start_set(struct num_vec *start, const struct num_vec *params, const
   start->ctx.type->set(num_vec_at(start, Z_2), x2);
   for (int i = 0; i < 2; i++) start->ctx.type->set(num_vec_at(start, DZ_1 + i), p[COULOMB_V]);
   int status = c.status;
-  calc_clear(&c);
   return status;
 }
 

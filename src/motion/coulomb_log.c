@@ -7,22 +7,19 @@
 #include "num/calc.h"
 
 int coulomb_start_set_d(double start[N_STATE], const double params[N_COULOMB], double z10, double z20) {
-  struct calc c = calc_begin(num_ctx_double());
+  OWNED(calc) c = calc_begin(num_ctx_double());
   struct num_vec p = calc_vec_d(&c, params, N_COULOMB), x = calc_vec(&c, N_STATE);
   c.status |= coulomb_start_set(&x, &p, calc_d(&c, z10), calc_d(&c, z20));
   for (int i = 0; i < N_STATE; i++) start[i] = x.ctx.type->get_d(num_vec_at(&x, i));
-  calc_clear(&c);
   return c.status;
 }
 
 int coulomb_simulate_d(struct coulomb_result *result, const double params[N_COULOMB], const double start[N_STATE],
                        const struct coulomb_plan *plan, const struct coulomb_sink *sink) {
-  struct calc c = calc_begin(num_ctx_double());
+  OWNED(calc) c = calc_begin(num_ctx_double());
   const struct num_vec p = calc_vec_d(&c, params, N_COULOMB), x = calc_vec_d(&c, start, N_STATE);
   *result = (struct coulomb_result){.end = COULOMB_FAILED};
-  int s = c.status ? SS_DOMAIN : coulomb_simulate_exact(result, NULL, &p, &x, plan, sink);
-  calc_clear(&c);
-  return s;
+  return c.status ? SS_DOMAIN : coulomb_simulate_exact(result, NULL, &p, &x, plan, sink);
 }
 
 void coulomb_word_fold(struct text *out, const char *word) {

@@ -97,14 +97,12 @@ static struct slopes slopes_new(void) {
 /* z' = s.x x' + s.y y', for a value that stands in z already.  The slopes are done with. */
 static int chain2(struct dual *z, const struct dual *x, const struct dual *y, struct slopes *s, int status,
                   slong prec) {
-  arb_t part;
-  arb_init(part);
+  NUMBERS(arb, part);
   for (int i = 0; i < N_DIRECTIONS && !status; i++) {
     arb_mul(part, &y->d[i], s->y, prec);
     arb_mul(&z->d[i], &x->d[i], s->x, prec);
     arb_add(&z->d[i], &z->d[i], part, prec);
   }
-  arb_clear(part);
   arb_clear(s->x);
   arb_clear(s->y);
   return held(z, status);
@@ -117,22 +115,19 @@ static int d_neg(void *z, const void *x, slong prec) {
 }
 
 static int d_sqrt(void *z, const void *x, slong prec) {
-  arb_t slope;
-  arb_init(slope);
+  NUMBERS(arb, slope);
   int status = num_arb.sqrt(&at(z)->v, &in(x)->v, prec);
   if (!status) {
     arb_mul_2exp_si(slope, &at(z)->v, 1);
     arb_inv(slope, slope, prec);
   }
   status = chain(z, x, slope, status, prec);
-  arb_clear(slope);
   return status;
 }
 
 static int d_sin_cos(void *s, void *c, const void *x, slong prec) {
-  arb_t minus;
+  NUMBERS(arb, minus);
   struct dual *sine = s, *cosine = c;
-  arb_init(minus);
   int status = num_arb.sin_cos(&sine->v, &cosine->v, &in(x)->v, prec);
   arb_neg(minus, &sine->v);
   if (x == s) { /* the cosine first: x' is still needed */
@@ -142,7 +137,6 @@ static int d_sin_cos(void *s, void *c, const void *x, slong prec) {
     int first = chain(sine, x, &cosine->v, status, prec);
     status = first | chain(cosine, x, minus, first, prec);
   }
-  arb_clear(minus);
   return status;
 }
 
@@ -181,9 +175,8 @@ static int d_div(void *z, const void *x, const void *y, slong prec) {
 
 /* (x y' - y x')/(x^2 + y^2) */
 static int d_atan2(void *z, const void *y, const void *x, slong prec) {
-  arb_t square;
+  NUMBERS(arb, square);
   struct slopes s = slopes_new(); /* by y, then by x */
-  arb_init(square);
   arb_set(s.x, &in(x)->v);
   arb_neg(s.y, &in(y)->v);
   arb_mul(square, s.x, s.x, prec);
@@ -193,7 +186,6 @@ static int d_atan2(void *z, const void *y, const void *x, slong prec) {
     arb_div(s.x, s.x, square, prec);
     arb_div(s.y, s.y, square, prec);
   }
-  arb_clear(square);
   return chain2(z, y, x, &s, status, prec);
 }
 

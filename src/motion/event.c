@@ -50,14 +50,13 @@ int event_first(double *t, bool *grazing, enum phase ph, const struct num_vec *p
   val p[N_PARAMS], z[N_STATE];
   double all[N_PARAMS];
   struct trig_sum_root root = {.t = 0};
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
   for (int i = 0; i < N_PARAMS; i++) all[i] = c.ctx.type->get_d(p[i]);
   int status = dyn_in_domain_d(all) ? first_in_calc(&root, &c, ph, p, z, lim) : SS_DOMAIN;
   *t = root.t;
   if (grazing) *grazing = root.grazing;
-  calc_clear(&c);
   return status;
 }
 
@@ -97,9 +96,8 @@ struct ending {
 
 static int level(slong bits, void *self) {
   const struct ending *e = self;
-  struct calc c = calc_begin(num_ctx_mpfr(bits));
+  OWNED(calc) c = calc_begin(num_ctx_mpfr(bits));
   calc_store(&c, num_vec_at(&e->t, 0), event_newton(&c, e->phase, e->p, e->in, num_vec_at(&e->t, 0)));
-  calc_clear(&c);
   return c.status;
 }
 
@@ -129,7 +127,7 @@ static int values(const void **f, const void **j, const struct num_vec *t, void 
 /* In balls: from the root of their middles, for every point of the parameters and of the state. */
 static int event_arb(arb_t t, slong prec, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], double t0) {
   val middle_p[N_PARAMS], middle_in[N_STATE];
-  struct calc c = calc_begin(num_ctx_arb(prec + 32));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec + 32));
   struct ending e = {&c, ph, middle_p, middle_in, calc_vec(&c, 1), 0};
   const struct solve_system system = {1, values, &e};
   for (int i = 0; i < N_PARAMS; i++) middle_p[i] = calc_middle(&c, p[i]);
@@ -141,7 +139,6 @@ static int event_arb(arb_t t, slong prec, enum phase ph, const val p[N_PARAMS], 
   e.in = in;
   if (!status) status = krawczyk_enclose(&e.t, NULL, &system);
   if (!status) arb_set_round(t, num_vec_at(&e.t, 0), prec);
-  calc_clear(&c);
   return status;
 }
 
@@ -156,8 +153,7 @@ int dyn_event(void *t, enum phase ph, const struct num_vec *params, const struct
   flow_vals(z, in, 0, N_STATE);
   if (ph != PHASE_D && type == &num_mpfr) return event_mpfr(t, params->ctx.prec, ph, p, z, t0);
   if (ph != PHASE_D && type != &num_double) return event_arb(t, params->ctx.prec, ph, p, z, t0);
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   type->set(t, ph == PHASE_D ? event_stick(&c, p, z) : event_newton(&c, ph, p, z, &t0));
-  calc_clear(&c);
   return c.status;
 }

@@ -108,21 +108,19 @@ static void word_formula(val *j, struct calc *c, enum phase ph, const val p[N_PA
 }
 
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   val all[N_ARC];
   flow_vals(all + ARC_T, &arc->t, 0, N_PHASES);
   flow_vals(all + ARC_Z, &arc->z, 0, N_ARC - ARC_Z);
   const struct num_vec in = calc_vec_of(&c, all, N_ARC);
-  int status = rounded_run(j, word_formula, PHASE_D, params, &in, NULL);
-  calc_clear(&c);
-  return status;
+  return rounded_run(j, word_formula, PHASE_D, params, &in, NULL);
 }
 
 /* A start z10, z20 and the times near which its events are. */
 enum { START_Z, START_T = 2, N_START = START_T + N_PHASES };
 
 static void start_formula(val *j, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   struct num_vec params = calc_vec_of(c, p, N_PARAMS), out = calc_vec(c, 4);
   double guess[N_PHASES];
   (void)ph, (void)t;
@@ -131,7 +129,6 @@ static void start_formula(val *j, struct calc *c, enum phase ph, const val p[N_P
   int status = rounded_from_guess(arc_run(&arc, &params, in[START_Z], in[START_Z + 1], NULL, guess), c);
   c->status |= status ? status : dyn_return_jacobian(&out, &params, &arc);
   flow_vals(j, &out, 0, 4);
-  dyn_arc_clear(&arc);
 }
 
 int dyn_return_jacobian_from(double j[4], const double params[N_PARAMS], const double start[2], const double guess[4]) {
@@ -143,11 +140,10 @@ int dyn_return_jacobian_from(double j[4], const double params[N_PARAMS], const d
   if (guess) {
     memcpy(in + START_T, guess, N_PHASES * sizeof *guess);
   } else {
-    struct dyn_arc arc;
+    OWNED(dyn_arc) arc;
     dyn_arc_init(&arc, d);
     status = dyn_arc_run(&arc, &p, start, start + 1, NULL);
     if (!status) memcpy(in + START_T, arc.t.data, N_PHASES * sizeof *in);
-    dyn_arc_clear(&arc);
   }
   if (!status && rounded_run(&out, start_formula, PHASE_D, &p, &from, NULL)) status = SS_UNABLE;
   return status;
@@ -177,7 +173,7 @@ static val scale_of(struct calc *c, const struct num_vec *x, val at_least) {
 static void difference(val *out, struct calc *c, const struct event_map *map, const struct num_vec *x, slong col,
                        val h) {
   const struct num_type *type = c->ctx.type;
-  struct calc w = calc_begin(c->ctx);
+  OWNED(calc) w = calc_begin(c->ctx);
   struct num_vec moved = calc_vec(&w, map->n), value[2] = {calc_vec(&w, map->n), calc_vec(&w, map->n)};
   for (int side = 0; side < 2; side++) {
     num_vec_set(&moved, x);
@@ -188,14 +184,13 @@ static void difference(val *out, struct calc *c, const struct event_map *map, co
   val width = calc_add(c, h, h);
   for (slong i = 0; i < map->n; i++)
     out[i] = calc_div(c, calc_sub(c, num_vec_at(&value[0], i), num_vec_at(&value[1], i)), width);
-  calc_clear(&w);
 }
 
 /* j receives the n x n derivative at x; err, unless NULL, the worst estimated error: a third of the change from step h
    to 2h, plus a few units in the last place of the scale over h. */
 static int differentiate(struct num_vec *j, void *err, const struct event_map *map, const struct num_vec *x) {
   slong prec = x->ctx.prec;
-  struct calc c = calc_begin(x->ctx);
+  OWNED(calc) c = calc_begin(x->ctx);
   val scale = scale_of(&c, x, num_vec_at(map->params, P_V));
   val h = calc_mul(&c, scale, calc_two_to(&c, -prec / 3)), twice = calc_add(&c, h, h);
   val rounding = calc_div(&c, calc_mul(&c, scale, calc_two_to(&c, 3 - prec)), h), worst = calc_d(&c, 0);
@@ -212,20 +207,18 @@ static int differentiate(struct num_vec *j, void *err, const struct event_map *m
     }
   }
   if (err) c.ctx.type->set(err, worst);
-  calc_clear(&c);
   return c.status;
 }
 
 static int run_phase(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {
   val p[N_PARAMS], in[N_STATE], z[N_STATE];
-  struct calc c = calc_begin(x->ctx);
+  OWNED(calc) c = calc_begin(x->ctx);
   flow_vals(p, map->params, 0, N_PARAMS);
   flow_vals(in, x, 0, N_STATE);
   val t = event_newton(&c, map->ph, p, in, num_vec_at(&map->near, 0));
   struct blocks b = flow_blocks(&c, map->ph, p, t);
   flow_apply(z, &c, &b, in);
   for (slong i = 0; i < N_STATE; i++) c.ctx.type->set(num_vec_at(out, i), z[i]);
-  calc_clear(&c);
   return c.status;
 }
 
@@ -236,7 +229,7 @@ static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *par
                         val t) {
   val p[N_PARAMS], in[N_STATE];
   double terms = 0, speed = 0;
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   double (*const size)(const void *) = c.ctx.type->get_d;
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(in, from, 0, N_STATE);
@@ -248,27 +241,24 @@ static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *par
   }
   *jitter = 4 * DBL_EPSILON * terms / fabs(size(e.rate)) * speed;
   int status = c.status;
-  calc_clear(&c);
   return status;
 }
 
 static int run_word(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   dyn_arc_init(&arc, x->ctx);
   int status = arc_run(&arc, map->params, num_vec_at(x, 0), num_vec_at(x, 1), &map->near, NULL);
   for (slong i = 0; i < 2; i++) x->ctx.type->set(num_vec_at(out, i), num_vec_at(&arc.z, N_PHASES * N_STATE + i));
-  dyn_arc_clear(&arc);
   return status;
 }
 
 int dyn_local_jacobian_fd(struct num_vec *j, void *err, enum phase ph, const struct num_vec *params,
                           const struct num_vec *in, double t0) {
   if (params->ctx.type->rigorous) return SS_UNABLE;
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   const struct event_map map = {run_phase, params, ph, calc_vec(&c, 1), N_STATE};
   int status = dyn_event(num_vec_at(&map.near, 0), ph, params, in, t0);
   if (!status) status = differentiate(j, err, &map, in);
-  calc_clear(&c);
   return status;
 }
 
@@ -276,14 +266,13 @@ int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *p
                            const double guess[4]) {
   struct dyn_arc arc;
   if (params->ctx.type->rigorous) return SS_UNABLE;
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   const struct num_vec x = calc_vec_of(&c, (const val[]){z10, z20}, 2);
   dyn_arc_init(&arc, params->ctx);
   int status = dyn_arc_run(&arc, params, z10, z20, guess);
   struct event_map map = {run_word, params, PHASE_D, arc.t, 2};
   if (!status) status = differentiate(j, err, &map, &x);
   dyn_arc_clear(&arc);
-  calc_clear(&c);
   return status;
 }
 
@@ -292,11 +281,10 @@ int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *p
 /* The event map on doubles, which are the elements of num_double. */
 static int run_doubles(double *out, const double *x, const void *self) {
   const struct event_map *map = self;
-  struct calc c = calc_begin(num_ctx_double());
+  OWNED(calc) c = calc_begin(num_ctx_double());
   struct num_vec in = calc_vec_d(&c, x, map->n), end = calc_vec(&c, map->n);
   int status = map->run(&end, &in, map);
   memcpy(out, end.data, (size_t)map->n * sizeof *out);
-  calc_clear(&c);
   return status;
 }
 
@@ -308,7 +296,7 @@ static struct double_map map_of_doubles(const struct event_map *map, const doubl
 
 int dyn_local_differences_d(double *out, double *err, const double params[N_PARAMS], const struct dyn_stretch *of,
                             const double (*dir)[N_STATE], int n_dir) {
-  struct calc c = calc_begin(num_ctx_double());
+  OWNED(calc) c = calc_begin(num_ctx_double());
   const struct num_vec p = calc_vec_d(&c, params, N_PARAMS), from = calc_vec_d(&c, of->start, N_STATE);
   const struct event_map map = {run_phase, &p, of->phase, calc_vec(&c, 1), N_STATE};
   double jitter = 0;
@@ -316,15 +304,14 @@ int dyn_local_differences_d(double *out, double *err, const double params[N_PARA
   if (!status) status = phase_jitter(&jitter, of->phase, &p, &from, num_vec_at(&map.near, 0));
   const struct double_map doubles = map_of_doubles(&map, of->start, jitter);
   if (!status) status = differences_along_all(out, err, &doubles, of->start, dir, n_dir);
-  calc_clear(&c);
   return status;
 }
 
 int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS], const double start[2],
                           const double guess[4]) {
-  struct calc c = calc_begin(num_ctx_double());
+  OWNED(calc) c = calc_begin(num_ctx_double());
   const struct num_vec p = calc_vec_d(&c, params, N_PARAMS);
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   double jitter = 0;
   dyn_arc_init(&arc, num_ctx_double());
   int status = dyn_arc_run(&arc, &p, start, start + 1, guess);
@@ -337,7 +324,5 @@ int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS
   }
   const struct double_map doubles = map_of_doubles(&map, start, jitter);
   if (!status) status = differences_jacobian(j, err, &doubles, start);
-  dyn_arc_clear(&arc);
-  calc_clear(&c);
   return status;
 }

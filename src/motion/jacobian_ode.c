@@ -15,7 +15,7 @@ static int first_return(double *x, const double *start, const void *params) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result r;
   struct coulomb_log log;
-  struct text word = {0};
+  OWNED(text) word = {0};
   coulomb_log_init(&log);
   struct coulomb_sink sink = coulomb_log_sink(&log);
   plan.returns = 1;
@@ -24,7 +24,6 @@ static int first_return(double *x, const double *start, const void *params) {
   coulomb_log_word(&word, &log);
   if (s == SS_OK && strcmp(text_str(&word), "GHCD") != 0) s = SS_DOMAIN;
   for (int i = 0; i < 2; i++) x[i] = r.at.x[i];
-  text_clear(&word);
   coulomb_log_clear(&log);
   return s;
 }

@@ -36,21 +36,17 @@ static bool overtaken(const struct disk_params *g, arb_srcptr tb) {
 static bool course_init(struct course *o, const fmpq *params, int unknown, const fmpq *tb) {
   fmpq p[N_PARAMS];
   for (int i = 0; i < N_PARAMS; i++) p[i] = params[i]; /* borrowed */
-  fmpq_t one;
-  fmpq_init(one);
+  NUMBERS(fmpq, one);
   fmpq_one(one);
   p[unknown] = *one;
   bool fits = disk_params_init(&o->params, p);
-  fmpq_clear(one);
   const struct disk_params *g = &o->params;
-  arb_t t;
-  arb_init(t);
+  NUMBERS(arb, t);
   arb_set_fmpq(t, tb, 128);
   struct disk sine, cosine, time = disk_arb(t), zero = {0, 0}, unit = {1, 0};
   disk_sin_cos(&sine, &cosine, t);
   o->pull = unknown == P_E2;
   o->never = o->pull && overtaken(g, t);
-  arb_clear(t);
   /* what e1, e2 and neither bring in */
   struct disk v1 = disk_add(disk_sub(g->V, g->a), disk_mul(g->a, cosine)), w = disk_mul(g->a, sine);
   struct disk r = disk_mul(g->a, disk_sub(sine, time)), pull = zero;

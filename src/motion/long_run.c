@@ -82,10 +82,9 @@ static int run_route(struct listener *l, const double params[N_COULOMB], const d
   } else if (l->route == LONG_CLOSED) {
     status = coulomb_simulate_d(&r, params, start, plan, &sink);
   } else {
-    struct calc c = calc_begin(l->kept->ctx);
+    OWNED(calc) c = calc_begin(l->kept->ctx);
     const struct num_vec p = calc_vec_d(&c, params, N_COULOMB), x = calc_vec_d(&c, start, N_STATE);
     status = coulomb_simulate_exact(&r, NULL, &p, &x, plan, &sink);
-    calc_clear(&c);
   }
   l->run->end[l->route] = r.end;
   return status;
@@ -95,7 +94,7 @@ static int run_route(struct listener *l, const double params[N_COULOMB], const d
 static int run_all_routes(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE],
                           long returns, double duration, slong prec) {
   struct coulomb_plan plan = coulomb_plan_default;
-  struct num_vec kept;
+  OWNED(num_vec) kept;
   run->scale = coulomb_scale(params, start);
   run->reach = INFINITY;
   for (int i = 0; i < 2; i++) run->from[i] = start[Z_1 + i];
@@ -108,7 +107,6 @@ static int run_all_routes(struct long_run *run, const double params[N_COULOMB], 
     struct listener l = {run, (enum long_route)k, coulomb_log_sink(&run->log[k]), &kept, 0};
     status |= run_route(&l, params, start, &plan);
   }
-  num_vec_clear(&kept);
   return status;
 }
 

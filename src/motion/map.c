@@ -106,9 +106,7 @@ static val first_step(slong *small, struct calc *c, const struct motion *exact, 
 
 /* A bound of |f''| at all times. */
 static void bend_of(mag_t bend, const struct motion *m) {
-  mag_t part, more;
-  mag_init(part);
-  mag_init(more);
+  NUMBERS(mag, part, more);
   mag_zero(bend);
   for (int i = 0; i < m->n; i++) {
     arb_get_mag(part, m->a[i]);
@@ -119,30 +117,23 @@ static void bend_of(mag_t bend, const struct motion *m) {
     mag_mul(part, part, more);
     mag_addmul(bend, part, more);
   }
-  mag_clear(more);
-  mag_clear(part);
 }
 
 /* The quotient -f/(rate + bend [-radius, radius]). */
 static void quotient(arb_t h, const arb_t f, const arb_t rate, const mag_t bend, const mag_t radius, slong prec) {
-  mag_t spread;
-  mag_init(spread);
+  NUMBERS(mag, spread);
   mag_mul(spread, bend, radius);
   arb_set(h, rate);
   arb_add_error_mag(h, spread);
   arb_div(h, f, h, prec);
   arb_neg(h, h);
-  mag_clear(spread);
 }
 
 /* The step from an exact point to the only root within a radius of it: interval Newton, on radii that grow until the
    step stays inside. */
 static val proved_step(struct calc *c, const struct motion *m, val f, val rate) {
   arb_ptr h = calc_new(c);
-  mag_t bend, radius, reach;
-  mag_init(bend);
-  mag_init(radius);
-  mag_init(reach);
+  NUMBERS(mag, bend, radius, reach);
   bend_of(bend, m);
   quotient(h, f, rate, bend, radius, c->ctx.prec);
   arb_get_mag(radius, h);
@@ -158,9 +149,6 @@ static val proved_step(struct calc *c, const struct motion *m, val f, val rate) 
     quotient(h, f, rate, bend, reach, c->ctx.prec);
   else
     c->status |= SS_UNABLE;
-  mag_clear(reach);
-  mag_clear(radius);
-  mag_clear(bend);
   return h;
 }
 
@@ -169,9 +157,7 @@ static val proved_step(struct calc *c, const struct motion *m, val f, val rate) 
 static val moved(struct calc *c, val x, val move, val turned, val a, val b) {
   val sum = calc_add(c, x, move);
   if (!c->ctx.type->rigorous) return sum;
-  mag_t error, size;
-  mag_init(error);
-  mag_init(size);
+  NUMBERS(mag, error, size);
   arb_get_mag(error, a);
   arb_get_mag(size, b);
   mag_add(error, error, size);
@@ -182,8 +168,6 @@ static val moved(struct calc *c, val x, val move, val turned, val a, val b) {
   arb_ptr wide = calc_new(c);
   arb_set(wide, sum);
   arb_add_error_mag(wide, error);
-  mag_clear(size);
-  mag_clear(error);
   return wide;
 }
 
@@ -363,7 +347,7 @@ static val rounded(struct calc *c, val x, bool exact) {
    in struct maker. */
 static int level(struct dyn_arc *a, slong *lost, struct given *g, slong prec, bool last) {
   const struct num_type *type = g->params->ctx.type;
-  struct calc c = calc_begin((struct num_ctx){type, prec}), half;
+  OWNED(calc) c = calc_begin((struct num_ctx){type, prec}), half;
   struct maker k = {&c, &half, .lost = 0};
   struct course o;
   val p[N_PARAMS], near[N_EVENTS], w[2] = {NULL, NULL}, r = NULL, q = NULL;
@@ -382,8 +366,6 @@ static int level(struct dyn_arc *a, slong *lost, struct given *g, slong prec, bo
   for (slong i = 0; i < a->z.len && !status && last; i++)
     type->set(num_vec_at(&a->z, i), o.z[i / N_STATE][i % N_STATE]);
   *lost = k.lost;
-  calc_clear(&half);
-  calc_clear(&c);
   return status;
 }
 

@@ -170,21 +170,15 @@ truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct 
 }
 
 static double upper(val x) {
-  arf_t bound;
-  arf_init(bound);
+  NUMBERS(arf, bound);
   arb_get_ubound_arf(bound, x, 64);
-  double d = arf_get_d(bound, ARF_RND_CEIL);
-  arf_clear(bound);
-  return d;
+  return arf_get_d(bound, ARF_RND_CEIL);
 }
 
 static double lower(val x) {
-  arf_t bound;
-  arf_init(bound);
+  NUMBERS(arf, bound);
   arb_get_lbound_arf(bound, x, 64);
-  double d = arf_get_d(bound, ARF_RND_FLOOR);
-  arf_clear(bound);
-  return d;
+  return arf_get_d(bound, ARF_RND_FLOOR);
 }
 
 /* A mass's velocity over the belt's at a time of phase H, and its derivative. */

@@ -37,10 +37,7 @@ struct front {
 /* Whether om_1 : om_0 = p : q: of om^2 the sum is 1 + chi eta and the product chi eta (1 - chi), so that
    p^2 q^2 (1 + chi eta)^2 = (p^2 + q^2)^2 chi eta (1 - chi). */
 static bool is_ratio(const fmpq *params, slong p, slong q) {
-  fmpq_t sum, product, gap;
-  fmpq_init(sum);
-  fmpq_init(product);
-  fmpq_init(gap);
+  NUMBERS(fmpq, sum, product, gap);
   fmpq_mul(product, params + P_CHI, params + P_ETA);
   fmpq_add_si(sum, product, 1);
   fmpq_mul(sum, sum, sum);
@@ -49,11 +46,7 @@ static bool is_ratio(const fmpq *params, slong p, slong q) {
   fmpq_neg(gap, gap);
   fmpq_mul(product, product, gap);
   fmpq_mul_si(product, product, (p * p + q * q) * (p * p + q * q));
-  bool is = fmpq_equal(sum, product);
-  fmpq_clear(gap);
-  fmpq_clear(product);
-  fmpq_clear(sum);
-  return is;
+  return fmpq_equal(sum, product);
 }
 
 static double period_of(const struct disk_params *g, const fmpq *params) {

@@ -236,14 +236,12 @@ static bool newton_piece(arb_t piece, const struct shape *x, int mass) {
 /* Newton's steps as long as each halves the piece.  *steps counts them. */
 static bool narrow_root(arb_t piece, int *steps, const struct shape *x, int mass) {
   bool any = true, halved = true;
-  mag_t before;
-  mag_init(before);
+  NUMBERS(mag, before);
   for (*steps = 0; any && halved; ++*steps) {
     mag_mul_2exp_si(before, arb_radref(piece), -1);
     any = newton_piece(piece, x, mass);
     halved = mag_cmp(arb_radref(piece), before) < 0;
   }
-  mag_clear(before);
   return any;
 }
 
@@ -382,7 +380,7 @@ int dyn_margins_find(struct dyn_margins *m, const fmpq *model, const struct dyn_
                      const fmpq *u_r2, slong prec) {
   long pieces = DYN_MARGIN_PIECES;
   struct shape x = {.pieces = &pieces};
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   shape_init(&x, &c, model, orbit);
   if (!c.status) {
     stick_margins(m, &x);
@@ -393,7 +391,6 @@ int dyn_margins_find(struct dyn_margins *m, const fmpq *model, const struct dyn_
     lower_bounds(m->u_r1_min, &m->at[MARGIN_D_W_LOW], &m->at[MARGIN_C_W_LOW], u_r1, &c);
     lower_bounds(m->u_r2_min, &m->at[MARGIN_D_R_LOW], &m->at[MARGIN_GAMMA_R_LOW], u_r2, &c);
   }
-  calc_clear(&c);
   m->spent = pieces <= 0;
   return m->spent ? c.status | SS_UNABLE : c.status;
 }

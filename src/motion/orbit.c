@@ -214,12 +214,10 @@ static truth judge(struct dyn_orbit *o, void *self, slong prec) {
   const struct solution *s = self;
   struct ball_params m;
   struct ball_pass at;
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, s->params);
   ball_pass_make(&at, &c, &m, s->x[0], s->x[1], s->up);
-  truth first = dyn_orbit_judge(o, &c, &m, &at, s->max_steps);
-  calc_clear(&c);
-  return first;
+  return dyn_orbit_judge(o, &c, &m, &at, s->max_steps);
 }
 
 static struct orbit_source source_of(struct solution *s) {
@@ -268,13 +266,10 @@ int dyn_orbits_by_z10(const void *x, const void *y) {
 
 /* Whether chi is so near to 1 that the double beside it lies at another distance from 1. */
 static bool chi_is_lost(const fmpq *params) {
-  fmpq_t gap;
-  fmpq_init(gap);
+  NUMBERS(fmpq, gap);
   fmpq_one(gap);
   fmpq_sub(gap, gap, params + P_CHI);
-  bool lost = 2 * fmpq_get_d(gap) < 1 - fmpq_get_d(params + P_CHI);
-  fmpq_clear(gap);
-  return lost;
+  return 2 * fmpq_get_d(gap) < 1 - fmpq_get_d(params + P_CHI);
 }
 
 int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim) {

@@ -140,8 +140,8 @@ static int refine_level(slong bits, void *self) {
   const struct refinement *r = self;
   const struct num_type *type = r->x->ctx.type;
   struct ball_params m;
-  struct num_vec free;
-  struct calc c = calc_begin(num_ctx_mpfr(bits));
+  OWNED(num_vec) free;
+  OWNED(calc) c = calc_begin(num_ctx_mpfr(bits));
   word_params(&m, &c, r->q->model);
   struct word_system w = {&c, &m, r->q->unknown, calc_mark(&c), {NULL}};
   struct solve_system system = {WORD_FREE, word_values, &w};
@@ -150,8 +150,6 @@ static int refine_level(slong bits, void *self) {
   for (int k = 0; k < WORD_FREE; k++) type->set(num_vec_at(&free, k), w.known[r->q->unknown[k]]);
   int status = newton_run(&free, &system, c.ctx, 40, settles);
   for (int k = 0; k < WORD_FREE; k++) type->swap(num_vec_at(r->x, r->q->unknown[k]), num_vec_at(&free, k));
-  num_vec_clear(&free);
-  calc_clear(&c);
   return status;
 }
 
@@ -165,7 +163,7 @@ static int refine(struct num_vec *x, const struct word_data *q) {
 static int enclose(struct word_root *s, const struct num_vec *x, const struct word_data *q) {
   struct ball_params m;
   slong prec = x->ctx.prec;
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   struct num_vec root = calc_vec(&c, WORD_FREE), box = calc_vec(&c, WORD_FREE);
   word_params(&m, &c, q->model);
   struct word_system w = {&c, &m, q->unknown, calc_mark(&c), {NULL}};
@@ -182,18 +180,16 @@ static int enclose(struct word_root *s, const struct num_vec *x, const struct wo
     arb_swap(s->x[q->unknown[i]], num_vec_at(&root, i));
     arb_swap(s->box[q->unknown[i]], num_vec_at(&box, i));
   }
-  calc_clear(&c);
   return status;
 }
 
 int word_solve(struct word_root *s, const struct word_data *q, slong prec) {
-  struct num_vec x;
+  OWNED(num_vec) x;
   int status = SS_OK;
   num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
   for (int i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_arb(num_vec_at(&x, i), s->x[i], prec);
   if (!status) status = refine(&x, q);
   if (!status) status = enclose(s, &x, q);
-  num_vec_clear(&x);
   return status;
 }
 
@@ -212,11 +208,10 @@ static void open_root(struct calc *c, struct ball_params *m, struct ball_pass *s
 int word_describe(struct dyn_orbit *o, const struct word_root *s, const fmpq *model, slong prec) {
   struct ball_params m;
   struct ball_pass at;
-  struct calc c;
+  OWNED(calc) c;
   open_root(&c, &m, &at, s, model, prec);
   int status = dyn_orbit_describe(o, &c, &m, &at);
   for (int i = 0; i < N_PHASES; i++) arb_set(o->t[i], s->x[QUANTITY_TA + i]);
-  calc_clear(&c);
   return status;
 }
 
@@ -225,7 +220,7 @@ truth word_judge_orbit(struct dyn_orbit *o, truth *domain, const struct word_roo
   static const enum dyn_quantity positive[] = {QUANTITY_E1, QUANTITY_E2, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD};
   struct ball_params m;
   struct ball_pass at;
-  struct calc c;
+  OWNED(calc) c;
   open_root(&c, &m, &at, s, model, prec);
   truth first = dyn_orbit_judge(o, &c, &m, &at, max_steps);
   *domain = num_arb.lt(calc_mul(&c, m.omega, s->x[QUANTITY_TD]), calc_pi(&c));
@@ -234,6 +229,5 @@ truth word_judge_orbit(struct dyn_orbit *o, truth *domain, const struct word_roo
   o->holds[COND_TA] = num_arb.lt(m.zero, s->x[QUANTITY_TA]);
   o->admissible = TRUTH_TRUE;
   for (int i = 0; i < N_CONDITIONS; i++) o->admissible = truth_and(o->admissible, o->holds[i]);
-  calc_clear(&c);
   return first;
 }

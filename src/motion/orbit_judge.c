@@ -151,12 +151,9 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
 
 truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec) {
   if (!u_r) return TRUTH_TRUE;
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   arb_set_fmpq(x, u_r, prec);
-  truth t = num_arb.lt(least, x);
-  arb_clear(x);
-  return t;
+  return num_arb.lt(least, x);
 }
 
 /* --- What the searches for orbits share. --- */
@@ -173,11 +170,9 @@ static slong accuracy(struct dyn_orbit *o) {
 
 slong orbit_planned_bits(const struct orbit_source *s, slong prec) {
   if (prec <= PLANNED_FROM) return prec + GUARD;
-  struct dyn_orbit o;
+  LOCAL(dyn_orbit, o);
   slong left = 0; /* bits of the pilot's worst number */
-  dyn_orbit_init(&o);
   if (!s->solve(s->self, PILOT) && !s->describe(&o, s->self, PILOT)) left = accuracy(&o);
-  dyn_orbit_clear(&o);
   return left > 0 ? prec + FLINT_MAX(GUARD, PILOT - left + SPARE) : prec + GUARD;
 }
 

@@ -110,7 +110,7 @@ static void apply(val out[N_STATE], struct calc *c, const struct num_vec *m, con
 
 static int equations_make(struct equations *q, const struct num_vec *params, const struct num_vec *t) {
   val p[N_PARAMS], z0[N_STATE], za[N_STATE], zb[N_STATE], sums[2];
-  struct calc c = calc_begin(q->e.ctx);
+  OWNED(calc) c = calc_begin(q->e.ctx);
   const struct around a = around_make(&c, params, t);
   flow_vals(p, params, 0, N_PARAMS);
   if (!c.status) {
@@ -136,7 +136,6 @@ static int equations_make(struct equations *q, const struct num_vec *params, con
       for (slong k = 0; k < TIMES; k++) calc_store(&c, num_vec_at(&q->j, k * TIMES + i), d[k]);
     }
   }
-  calc_clear(&c);
   return c.status;
 }
 
@@ -154,7 +153,7 @@ static double largest(const struct num_vec *v) {
 
 int paper_route_newton(struct num_vec *x, int *steps, const struct num_vec *params) {
   const struct num_type *type = x->ctx.type;
-  struct calc c = calc_begin(x->ctx);
+  OWNED(calc) c = calc_begin(x->ctx);
   struct equations q = equations_new(&c);
   struct num_vec t = {x->ctx, TIMES, x->data};
   int status = SS_OK, left = 3; /* once half of the bits are right, two more steps reach the level of rounding */
@@ -170,7 +169,6 @@ int paper_route_newton(struct num_vec *x, int *steps, const struct num_vec *para
   }
   if (!status) status = equations_make(&q, params, &t);
   for (slong i = 0; i < 2; i++) type->set(num_vec_at(x, ROUTE_Z + i), num_vec_at(&q.z, i));
-  calc_clear(&c);
   return status;
 }
 
@@ -185,24 +183,22 @@ static double row_norm(const struct num_vec *m, slong n) {
 }
 
 int paper_condition_number(double *k, const struct num_vec *a, slong n) {
-  struct calc c = calc_begin(a->ctx);
+  OWNED(calc) c = calc_begin(a->ctx);
   struct num_vec inverse = calc_vec(&c, n * n);
   for (slong i = 0; i < n; i++) calc_store(&c, num_vec_at(&inverse, i * (n + 1)), calc_d(&c, 1));
   int status = num_mat_solve(&inverse, a, &inverse, n, n);
   *k = row_norm(a, n) * row_norm(&inverse, n);
-  calc_clear(&c);
   return status;
 }
 
 static int paper_route_condition(struct paper_condition *k, const struct num_vec *params, const struct num_vec *x) {
   struct num_vec t = {x->ctx, TIMES, x->data};
-  struct calc c = calc_begin(x->ctx);
+  OWNED(calc) c = calc_begin(x->ctx);
   struct equations q = equations_new(&c);
   const struct around a = around_make(&c, params, &t);
   c.status |= equations_make(&q, params, &t);
   if (!c.status) c.status |= paper_condition_number(&k->jacobian, &q.j, TIMES);
   if (!c.status) c.status |= paper_condition_number(&k->n1, &a.n1, 2) | paper_condition_number(&k->n3, &a.n3, 2);
-  calc_clear(&c);
   return c.status;
 }
 
@@ -248,14 +244,12 @@ double paper_digits_lost(const double x_d[N_ROUTE], const struct num_vec *x) {
 int paper_route_run(struct paper_route *r, const fmpq *params, const double guess[4]) {
   if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
   struct num_vec x_d = {num_ctx_double(), N_ROUTE, (char *)r->x_d};
-  struct calc c = calc_begin(r->x.ctx), d = calc_begin(x_d.ctx);
+  OWNED(calc) c = calc_begin(r->x.ctx), d = calc_begin(x_d.ctx);
   const struct num_vec p = params_in(&c, params), p_d = params_in(&d, params);
   r->condition = (struct paper_condition){NAN, NAN, NAN};
   r->status_d = d.status ? d.status : run(&x_d, &r->steps_d, &p_d, guess);
   int status = c.status ? c.status : run(&r->x, &r->steps, &p, guess);
   if (!status) status = paper_route_condition(&r->condition, &p, &r->x);
   r->digits_lost = status || r->status_d ? (double)NAN : paper_digits_lost(r->x_d, &r->x);
-  calc_clear(&d);
-  calc_clear(&c);
   return status;
 }

@@ -13,7 +13,7 @@
 
 int dyn_system(struct num_vec *a, enum phase ph, const struct num_vec *params) {
   val p[N_PARAMS];
-  struct calc c = calc_begin(a->ctx);
+  OWNED(calc) c = calc_begin(a->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   val zero = calc_d(&c, 0), one = calc_d(&c, 1), stiff = calc_mul(&c, p[P_CHI], p[P_ETA]);
   const int *slips = phase_slips[ph];
@@ -24,7 +24,6 @@ int dyn_system(struct num_vec *a, enum phase ph, const struct num_vec *params) {
       {slips[1] ? stiff : zero, slips[1] ? calc_neg(&c, stiff) : zero, zero, zero},
   };
   for (slong i = 0; i < N_STATE * N_STATE; i++) a->ctx.type->set(num_vec_at(a, i), rows[i / N_STATE][i % N_STATE]);
-  calc_clear(&c);
   return c.status;
 }
 
@@ -40,10 +39,9 @@ static int exponential_gsl(struct num_vec *p, const struct num_vec *at) {
 }
 
 static int exponential_arb(struct num_vec *p, const struct num_vec *at) {
-  arb_mat_t x, z;
   int status = SS_OK;
-  arb_mat_init(x, N_STATE, N_STATE);
-  arb_mat_init(z, N_STATE, N_STATE);
+  SIZED(arb_mat, x, N_STATE, N_STATE);
+  SIZED(arb_mat, z, N_STATE, N_STATE);
   for (slong i = 0; i < N_STATE * N_STATE; i++) arb_set(arb_mat_entry(x, i / N_STATE, i % N_STATE), num_vec_at(at, i));
   arb_mat_exp(z, x, at->ctx.prec);
   for (slong i = 0; i < N_STATE * N_STATE; i++) {
@@ -51,8 +49,6 @@ static int exponential_arb(struct num_vec *p, const struct num_vec *at) {
     arb_set_round(entry, arb_mat_entry(z, i / N_STATE, i % N_STATE), p->ctx.prec);
     if (!arb_is_finite(entry)) status = SS_UNABLE;
   }
-  arb_mat_clear(x);
-  arb_mat_clear(z);
   return status;
 }
 
@@ -72,7 +68,7 @@ static void shift(struct num_vec *m, slong bits) {
 
 /* Adds 1 + x + x^2/2! + ... until a term is lost in rounding; the entries of x are below 2^-3. */
 static int taylor(struct num_vec *sum, const struct num_vec *x) {
-  struct num_vec term;
+  OWNED(num_vec) term;
   int status = SS_OK;
   num_vec_init(&term, x->len, x->ctx);
   for (slong i = 0; i < N_STATE; i++) mpfr_set_ui(num_vec_at(&term, i * (N_STATE + 1)), 1, MPFR_RNDN);
@@ -85,13 +81,12 @@ static int taylor(struct num_vec *sum, const struct num_vec *x) {
       mpfr_add(s, s, t, MPFR_RNDN);
     }
   }
-  num_vec_clear(&term);
   return status;
 }
 
 /* exp(x) at the precision of z; *growth: bits by which the squarings may have multiplied the error. */
 static int scale_and_square(struct num_vec *z, const struct num_vec *x, slong *growth) {
-  struct num_vec y;
+  OWNED(num_vec) y;
   int status = SS_OK;
   slong top = magnitude(x), halvings = top > -5 ? top + 5 : 0; /* four entries a row: the norm is below 2^-3 */
   num_vec_init(&y, x->len, z->ctx);
@@ -104,7 +99,6 @@ static int scale_and_square(struct num_vec *z, const struct num_vec *x, slong *g
     status |= num_mat_mul(z, z, z, N_STATE, N_STATE, N_STATE);
   }
   *growth -= FLINT_MAX(magnitude(z), 0);
-  num_vec_clear(&y);
   return status;
 }
 
@@ -112,7 +106,7 @@ static int exponential_mpfr(struct num_vec *p, const struct num_vec *params, enu
   slong guard = 64, growth = 0, most = p->ctx.prec + 1000000;
   int status;
   do {
-    struct num_vec x, z;
+    OWNED(num_vec) x, z;
     struct num_ctx ctx = num_ctx_mpfr(p->ctx.prec + guard);
     num_vec_init(&x, N_STATE * N_STATE, ctx);
     num_vec_init(&z, N_STATE * N_STATE, ctx);
@@ -123,8 +117,6 @@ static int exponential_mpfr(struct num_vec *p, const struct num_vec *params, enu
     else
       status |= scale_and_square(&z, &x, &growth);
     for (slong i = 0; i < x.len; i++) mpfr_set(num_vec_at(p, i), num_vec_at(&z, i), MPFR_RNDN);
-    num_vec_clear(&x);
-    num_vec_clear(&z);
     if (status || guard >= growth + 16) return status;
     guard = growth + 32;
   } while (guard < most);
@@ -134,11 +126,10 @@ static int exponential_mpfr(struct num_vec *p, const struct num_vec *params, enu
 int dyn_propagator(struct num_vec *p, enum phase ph, const struct num_vec *params, const void *t) {
   const struct num_type *type = p->ctx.type;
   if (type == &num_mpfr) return exponential_mpfr(p, params, ph, t);
-  struct num_vec at;
+  OWNED(num_vec) at;
   num_vec_init(&at, N_STATE * N_STATE, p->ctx);
   int status = dyn_system(&at, ph, params);
   for (slong i = 0; i < at.len; i++) status |= type->mul(num_vec_at(&at, i), num_vec_at(&at, i), t, p->ctx.prec);
   if (!status) status = type == &num_double ? exponential_gsl(p, &at) : exponential_arb(p, &at);
-  num_vec_clear(&at);
   return status;
 }

@@ -85,8 +85,7 @@ static void slide_at(struct slide *s, struct jet *j, const arb_poly_t t) {
    f(M) = [above f_1 + below f_2, chi^2 eta (f_1 - f_2); f_1 - f_2, below f_1 + above f_2]/gap. */
 static void add_function(arb_poly_t out, struct jet *j, const struct slide *s, int k, const arb_poly_struct y[2],
                          int row) {
-  arb_poly_t part;
-  arb_poly_init(part);
+  NUMBERS(arb_poly, part);
   for (int i = 0; i < 2; i++) {
     arb_poly_mullow(part, y + row, &s->f[k][i], j->n, j->prec);
     add_scaled(out, j, i == row ? s->k->above : s->k->below, part);
@@ -94,7 +93,6 @@ static void add_function(arb_poly_t out, struct jet *j, const struct slide *s, i
   arb_poly_sub_series(part, &s->f[k][0], &s->f[k][1], j->n, j->prec);
   arb_poly_mullow(part, part, y + 1 - row, j->n, j->prec);
   add_scaled(out, j, s->corner[row], part);
-  arb_poly_clear(part);
 }
 
 /* Row `row` of y, or of y'. */

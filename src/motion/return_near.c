@@ -20,11 +20,11 @@ static void positions(val z[2], struct calc *c, const val p[N_PARAMS], val r) {
 }
 
 int dyn_return_near(struct num_vec *out, const struct num_vec *params, const void *r, const double guess[N_PHASES]) {
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   val p[N_PARAMS], z[2], end[N_STATE];
   const double near[] = {0, guess[PHASE_GAMMA], guess[PHASE_H], guess[PHASE_C]};
   arb_ptr jet = _arb_vec_init(2);
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   dyn_arc_init(&arc, params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   positions(z, &c, p, r);
@@ -39,8 +39,6 @@ int dyn_return_near(struct num_vec *out, const struct num_vec *params, const voi
     arb_set(num_vec_at(out, RETURN_SLOPE), jet + 1);
     status = c.status;
   }
-  dyn_arc_clear(&arc);
-  calc_clear(&c);
   _arb_vec_clear(jet, 2);
   return status;
 }
@@ -55,14 +53,13 @@ static truth are_first(const struct num_vec *params, const struct num_vec *out, 
   struct ball_pass s;
   val p[N_PARAMS], tb = num_vec_at(out, RETURN_TB), tc = num_vec_at(out, RETURN_TC);
   truth before_crest;
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   ball_params_make(&m, &c, p);
   ball_pass_slip(&s, &c, &m, tb, tc);
   truth positive = truth_and(num_arb.lt(m.zero, tb), num_arb.lt(m.zero, tc));
   truth first = c.status ? TRUTH_UNKNOWN : truth_and(positive, ball_first_rise(&c, &m, &s, &before_crest));
   if (first == TRUTH_TRUE) first = ball_slower(&c, &m, &s, 0, max_steps);
-  calc_clear(&c);
   return first;
 }
 
@@ -73,7 +70,7 @@ static int near_first(double t[N_PHASES], const struct num_vec *params, const vo
   struct return_map_double k;
   val p[N_PARAMS];
   double middle[N_PARAMS];
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   for (int i = 0; i < N_PARAMS; i++) middle[i] = num_arb.get_d(p[i]);
   ball_params_make(&m, &c, p);
@@ -91,7 +88,6 @@ static int near_first(double t[N_PHASES], const struct num_vec *params, const vo
     t[PHASE_C] = atan2(fabs(q), q > 0 ? across : -across) / k.omc;
     status |= c.status;
   }
-  calc_clear(&c);
   return status;
 }
 
@@ -99,7 +95,7 @@ static int near_first(double t[N_PHASES], const struct num_vec *params, const vo
 static int first_scaled(struct num_vec *out, const struct num_vec *params, const void *r, slong size, long max_steps) {
   static const int of[] = {P_V, P_E1, P_E2};
   double t[N_PHASES];
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   struct num_vec p = calc_vec(&c, N_PARAMS), rough;
   arb_ptr from = calc_new(&c);
   num_vec_set(&p, params);
@@ -111,13 +107,11 @@ static int first_scaled(struct num_vec *out, const struct num_vec *params, const
   if (!status) status = dyn_return_near(out, &p, from, t);
   if (!status && are_first(&rough, out, max_steps) != TRUTH_TRUE) status = SS_UNABLE;
   if (!status) arb_mul_2exp_si(num_vec_at(out, RETURN_R), num_vec_at(out, RETURN_R), size);
-  calc_clear(&c);
   return status;
 }
 
 int dyn_return_first(struct num_vec *out, const struct num_vec *params, const void *r, long max_steps) {
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   slong size = calc_exponent(&c, num_vec_at(params, P_V));
-  calc_clear(&c);
   return labs(size) < -CALC_TINY ? first_scaled(out, params, r, size, max_steps) : SS_UNABLE;
 }

@@ -28,10 +28,9 @@ static int round_ball(double *z, bool *known, arb_srcptr x, bool last) {
 
 static int evaluate(struct num_vec *out, phase_formula *f, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
   val to[MOST_NUMBERS];
-  struct calc c = calc_begin(out->ctx);
+  OWNED(calc) c = calc_begin(out->ctx);
   f(to, &c, ph, p, in, t);
   for (slong i = 0; i < out->len; i++) out->ctx.type->set(num_vec_at(out, i), to[i]);
-  calc_clear(&c);
   return c.status;
 }
 
@@ -59,7 +58,7 @@ int rounded_run(struct num_vec *out, phase_formula *f, enum phase ph, const stru
   flow_vals(p, params, 0, N_PARAMS);
   if (in) flow_vals(x, in, 0, n);
   if (params->ctx.type != &num_double) return evaluate(out, f, ph, p, x, t);
-  struct calc given = calc_begin(num_ctx_arb(FIRST));
+  OWNED(calc) given = calc_begin(num_ctx_arb(FIRST));
   struct num_vec balls = calc_vec(&given, out->len);
   to_balls(p, &given, N_PARAMS);
   to_balls(x, &given, n);
@@ -72,6 +71,5 @@ int rounded_run(struct num_vec *out, phase_formula *f, enum phase ph, const stru
     known = (status & SS_DOMAIN) != 0;
     if (!status) status = round_all(out, &known, &balls, prec == LAST);
   }
-  calc_clear(&given);
   return status;
 }

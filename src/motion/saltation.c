@@ -10,21 +10,19 @@
 
 /* The switching functions are affine, so that this is a difference. */
 int dyn_switching_along(void *out, enum phase ph, const struct num_vec *params, const struct num_vec *v) {
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   struct num_vec zero = calc_vec(&c, N_STATE);
   void *at_v = calc_new(&c), *at_zero = calc_new(&c);
   int s = dyn_switching(at_v, ph, params, v) | dyn_switching(at_zero, ph, params, &zero);
   calc_store(&c, out, calc_sub(&c, at_v, at_zero));
-  calc_clear(&c);
   return s | c.status;
 }
 
 static int vector_field(struct num_vec *f, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
-  struct num_vec a;
+  OWNED(num_vec) a;
   num_vec_init(&a, N_STATE * N_STATE, params->ctx);
   int s = dyn_system(&a, ph, params);
   s |= num_mat_mul(f, &a, z, N_STATE, N_STATE, 1);
-  num_vec_clear(&a);
   return s;
 }
 
@@ -34,7 +32,7 @@ static int vector_field(struct num_vec *f, enum phase ph, const struct num_vec *
 static int carry_phase(struct num_vec *m, enum phase ph, const struct num_vec *params, const struct num_vec *end,
                        const void *t, bool home) {
   slong n = m->len / N_STATE;
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   struct num_vec phi = calc_vec(&c, N_STATE * N_STATE), column = calc_vec(&c, N_STATE), before = calc_vec(&c, N_STATE),
                  after = calc_vec(&c, N_STATE);
   void *off = calc_new(&c), *rate = calc_new(&c);
@@ -53,7 +51,6 @@ static int carry_phase(struct num_vec *m, enum phase ph, const struct num_vec *p
       calc_store(&c, num_vec_at(m, i * n + k), x);
     }
   }
-  calc_clear(&c);
   return s | c.status;
 }
 
@@ -67,16 +64,15 @@ static int unit_columns(struct num_vec *m) {
 
 int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct num_vec *params,
                                  const struct num_vec *in, const void *t) {
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   struct num_vec phi = calc_vec(&c, N_STATE * N_STATE), end = calc_vec(&c, N_STATE);
   int s = dyn_propagator(&phi, ph, params, t) | num_mat_mul(&end, &phi, in, N_STATE, N_STATE, 1);
   s |= unit_columns(j) | carry_phase(j, ph, params, &end, t, true);
-  calc_clear(&c);
   return s;
 }
 
 int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   struct num_vec m = calc_vec(&c, N_STATE * 2);
   int s = unit_columns(&m);
   for (int ph = PHASE_D; ph < N_PHASES; ph++) {
@@ -84,6 +80,5 @@ int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *param
     s |= carry_phase(&m, (enum phase)ph, params, &end, num_vec_at(&arc->t, ph), ph == PHASE_C);
   }
   for (slong i = 0; i < 4; i++) calc_store(&c, num_vec_at(j, i), num_vec_at(&m, i));
-  calc_clear(&c);
   return s;
 }

@@ -43,7 +43,7 @@ bool disk_params_init(struct disk_params *s, const fmpq *params) {
   struct ball_params m;
   bool fits = true;
   for (int i = 0; i < 2; i++) arb_init(s->exact[i]);
-  struct calc c = calc_begin(num_ctx_arb(128));
+  OWNED(calc) c = calc_begin(num_ctx_arb(128));
   ball_params_init(&m, &c, params);
   disk_params_from(s, &c, &m);
   const struct disk all[] = {s->V,       s->a,       s->e1,   s->e2,        s->stiff,     s->turn,
@@ -53,7 +53,6 @@ bool disk_params_init(struct disk_params *s, const fmpq *params) {
     double size = fabs(all[i].mid);
     fits = fits && size > 1e-40 && size < 1e40 && all[i].rad < 1e-14 * size;
   }
-  calc_clear(&c);
   return fits;
 }
 
@@ -64,23 +63,17 @@ void disk_params_clear(struct disk_params *s) {
 /* --- Clocks. --- */
 
 void disk_sin_cos(struct disk *sine, struct disk *cosine, arb_srcptr angle) {
-  arb_t s, c;
-  arb_init(s);
-  arb_init(c);
+  NUMBERS(arb, s, c);
   arb_sin_cos(s, c, angle, 64);
   *sine = disk_arb(s);
   *cosine = disk_arb(c);
-  arb_clear(c);
-  arb_clear(s);
 }
 
 static void sine_cosine(struct disk *sine, struct disk *cosine, arb_srcptr rate, double t) {
-  arb_t angle;
-  arb_init(angle);
+  NUMBERS(arb, angle);
   arb_set_d(angle, t);
   if (rate) arb_mul(angle, angle, rate, 128);
   disk_sin_cos(sine, cosine, angle);
-  arb_clear(angle);
 }
 
 void clock_set(struct clock *c, const struct disk_params *s, double t) {
@@ -106,17 +99,12 @@ void disk_modes(struct disk a[2], struct disk b[2], const struct disk_params *s,
 }
 
 struct disk disk_less_turns(arb_srcptr t, double k) {
-  arb_t x, turns;
-  arb_init(x);
-  arb_init(turns);
+  NUMBERS(arb, x, turns);
   arb_set_d(x, 2 * k);
   arb_const_pi(turns, 128);
   arb_mul(turns, turns, x, 128);
   arb_sub(x, t, turns, 128);
-  struct disk d = disk_arb(x);
-  arb_clear(turns);
-  arb_clear(x);
-  return d;
+  return disk_arb(x);
 }
 
 /* --- Strips. --- */
