@@ -11,10 +11,8 @@ void json_ball(struct json *j, const char *key, arb_srcptr x) {
 }
 
 void json_wide_ball(struct json *j, const char *key, arb_srcptr x) {
-  arb_t y;
-  arb_init(y);
+  NUMBERS(arb, y);
   arb_set(y, x);
   mag_mul_2exp_si(arb_radref(y), arb_radref(y), 1);
   json_ball(j, key, y);
-  arb_clear(y);
 }

@@ -71,13 +71,9 @@ static int b_abs(void *z, const void *x, slong prec) {
     arb_abs(z, x);
     return SS_OK;
   }
-  arf_t zero, top;
-  arf_init(zero);
-  arf_init(top);
+  NUMBERS(arf, zero, top);
   arb_get_abs_ubound_arf(top, x, prec);
   arb_set_interval_arf(z, zero, top, prec);
-  arf_clear(zero);
-  arf_clear(top);
   return held(z);
 }
 
@@ -90,11 +86,9 @@ static int b_sqrt(void *z, const void *x, slong prec) {
 }
 
 static int b_exp(void *z, const void *x, slong prec) {
-  mag_t size;
-  mag_init(size);
+  NUMBERS(mag, size);
   arb_get_mag(size, x);
   bool large = mag_cmp_2exp_si(size, NUM_EXP_BITS) >= 0;
-  mag_clear(size);
   if (!arb_is_finite(x) || large) return failed(z, SS_UNABLE);
   arb_exp(z, x, prec);
   return held(z);
@@ -132,13 +126,11 @@ static int b_cot(void *z, const void *x, slong prec) {
 /* 1/3! - y/5! + y^2/7! - ... for an exact y = x^2 in [0, 4]: each term is smaller than the one before it, so that the
    first one left out bounds the rest. */
 static void stumpff_series(arb_t z, const arb_t y, slong prec) {
-  arb_t term;
-  arb_init(term);
+  NUMBERS(arb, term);
   arb_one(term);
   arb_div_ui(term, term, 6, prec);
   arb_set(z, term);
-  mag_t size;
-  mag_init(size);
+  NUMBERS(mag, size);
   bool small = false;
   for (ulong k = 4; !small; k += 2) {
     arb_mul(term, term, y, prec);
@@ -151,18 +143,13 @@ static void stumpff_series(arb_t z, const arb_t y, slong prec) {
     else
       arb_add(z, z, term, prec);
   }
-  mag_clear(size);
-  arb_clear(term);
 }
 
 /* stumpff x is the integral of (1 - s)^2 cos(x s) / 2 for s from 0 to 1, so that its slope is at most |x|/60, and
    1/24. */
 static void stumpff_near_zero(arb_t z, const arb_t x, slong prec) {
-  mag_t slope, most;
-  arb_t y;
-  mag_init(slope);
-  mag_init(most);
-  arb_init(y);
+  NUMBERS(mag, slope, most);
+  NUMBERS(arb, y);
   arb_get_mag(slope, x);
   mag_div_ui(slope, slope, 60);
   mag_set_ui(most, 24);
@@ -173,17 +160,12 @@ static void stumpff_near_zero(arb_t z, const arb_t x, slong prec) {
   stumpff_series(z, y, prec + 10);
   arb_add_error_mag(z, slope);
   arb_set_round(z, z, prec);
-  arb_clear(y);
-  mag_clear(most);
-  mag_clear(slope);
 }
 
 /* Beyond 2 the quotient loses nothing.  Balls that reach across are wide: all of (0, 1/6] holds any value. */
 static int b_stumpff(void *z, const void *x, slong prec) {
   if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
-  arb_t two, size;
-  arb_init(two);
-  arb_init(size);
+  NUMBERS(arb, two, size);
   arb_set_ui(two, 2);
   b_abs(size, x, prec);
   if (arb_le(size, two)) {
@@ -199,8 +181,6 @@ static int b_stumpff(void *z, const void *x, slong prec) {
     mag_set_d(arb_radref(two), 0.125);
     arb_set(z, two);
   }
-  arb_clear(size);
-  arb_clear(two);
   return held(z);
 }
 

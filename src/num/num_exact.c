@@ -28,11 +28,8 @@ slong num_exact_work(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y,
 
 void num_exact_polynomial_at(fmpq_t z, const fmpz_mpoly_struct *p, const fmpq *value) {
   slong e[NUM_EXACT_GENERATORS];
-  fmpq_t term, power;
-  fmpz_t c;
-  fmpq_init(term);
-  fmpq_init(power);
-  fmpz_init(c);
+  NUMBERS(fmpq, term, power);
+  NUMBERS(fmpz, c);
   fmpq_zero(z);
   for (slong i = 0; i < fmpz_mpoly_length(p, num_exact_ctx()); i++) {
     fmpz_mpoly_get_term_coeff_fmpz(c, p, i, num_exact_ctx());
@@ -45,19 +42,14 @@ void num_exact_polynomial_at(fmpq_t z, const fmpz_mpoly_struct *p, const fmpq *v
     }
     fmpq_add(z, z, term);
   }
-  fmpz_clear(c);
-  fmpq_clear(power);
-  fmpq_clear(term);
 }
 
 int num_exact_at(fmpq_t z, const fmpz_mpoly_q_struct *x, const fmpq *value) {
-  fmpq_t den;
-  fmpq_init(den);
+  NUMBERS(fmpq, den);
   num_exact_polynomial_at(den, &x->den, value);
   num_exact_polynomial_at(z, &x->num, value);
   bool there = !fmpq_is_zero(den);
   if (there) fmpq_div(z, z, den);
-  fmpq_clear(den);
   return there ? SS_OK : SS_DOMAIN;
 }
 
@@ -87,11 +79,9 @@ static int e_set_q(void *z, const fmpq_t q, slong prec) {
 static int e_set_d(void *z, double x, slong prec) {
   (void)prec;
   if (!isfinite(x)) return SS_UNABLE;
-  fmpq_t q;
-  fmpq_init(q);
+  NUMBERS(fmpq, q);
   num_q_set_d(q, x);
   fmpz_mpoly_q_set_fmpq(z, q, num_exact_ctx());
-  fmpq_clear(q);
   return SS_OK;
 }
 

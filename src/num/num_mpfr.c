@@ -133,10 +133,8 @@ static int m_cot(void *z, const void *x, slong prec) {
    separates it from every rounding boundary. */
 static int rounded_by_balls(mpfr_ptr z, mpfr_srcptr x, num_unary f) {
   slong prec = mpfr_get_prec(z);
-  arb_t at, y;
   if (mpfr_nan_p(x) || too_far_out(x)) return failed(z, SS_UNABLE);
-  arb_init(at);
-  arb_init(y);
+  NUMBERS(arb, at, y);
   arf_set_mpfr(arb_midref(at), x);
   int s = SS_UNABLE;
   for (slong guard = 32; guard <= ARGUMENT_BITS; guard *= 4) {
@@ -144,8 +142,6 @@ static int rounded_by_balls(mpfr_ptr z, mpfr_srcptr x, num_unary f) {
     if (s != SS_OK || arb_can_round_mpfr(y, prec, MPFR_RNDN)) break;
   }
   if (s == SS_OK) arf_get_mpfr(z, arb_midref(y), MPFR_RNDN);
-  arb_clear(y);
-  arb_clear(at);
   return s == SS_OK ? held(z) : failed(z, s);
 }
 
@@ -194,11 +190,8 @@ static int m_hypot(void *z, const void *x, const void *y, slong prec) {
 static bool sin_cos_by_balls(mpfr_ptr s, mpfr_ptr c, mpfr_srcptr x) {
   enum { GUARD = 32 };
   slong prec_s = mpfr_get_prec(s), prec_c = mpfr_get_prec(c);
-  arb_t at, sine, cosine;
   if (!mpfr_regular_p(x)) return false;
-  arb_init(at);
-  arb_init(sine);
-  arb_init(cosine);
+  NUMBERS(arb, at, sine, cosine);
   arf_set_mpfr(arb_midref(at), x);
   arb_sin_cos(sine, cosine, at, FLINT_MAX(prec_s, prec_c) + GUARD);
   bool ok = arb_can_round_mpfr(sine, prec_s, MPFR_RNDN) && arb_can_round_mpfr(cosine, prec_c, MPFR_RNDN);
@@ -206,9 +199,6 @@ static bool sin_cos_by_balls(mpfr_ptr s, mpfr_ptr c, mpfr_srcptr x) {
     arf_get_mpfr(s, arb_midref(sine), MPFR_RNDN);
     arf_get_mpfr(c, arb_midref(cosine), MPFR_RNDN);
   }
-  arb_clear(cosine);
-  arb_clear(sine);
-  arb_clear(at);
   return ok;
 }
 

@@ -37,10 +37,7 @@ static void taylor_clear(struct taylor *s) {
 }
 
 static void taylor_set(struct taylor *s, const arb_poly_t p, const arb_t m, const mag_t r, slong prec) {
-  mag_t power, c, slope;
-  mag_init(power);
-  mag_init(c);
-  mag_init(slope);
+  NUMBERS(mag, power, c, slope);
   arb_poly_taylor_shift(s->about, p, m, prec);
   mag_zero(s->rest0);
   mag_zero(s->rest1);
@@ -52,18 +49,12 @@ static void taylor_set(struct taylor *s, const arb_poly_t p, const arb_t m, cons
     mag_mul(power, power, r);
     mag_addmul(s->rest0, c, power);
   }
-  mag_clear(power);
-  mag_clear(c);
-  mag_clear(slope);
 }
 
 static bool exceeds(const arb_t x, const mag_t bound) {
-  mag_t low;
-  mag_init(low);
+  NUMBERS(mag, low);
   arb_get_mag_lower(low, x);
-  bool yes = mag_cmp(low, bound) > 0;
-  mag_clear(low);
-  return yes;
+  return mag_cmp(low, bound) > 0;
 }
 
 static bool has_no_root(const struct taylor *s) {
@@ -73,25 +64,17 @@ static bool has_no_root(const struct taylor *s) {
 /* The slope stays within half of its middle value, and not only away from zero: then a step of Newton's method on the
    interval shrinks it at least threefold. */
 static bool is_steep(const struct taylor *s) {
-  mag_t twice;
-  mag_init(twice);
+  NUMBERS(mag, twice);
   mag_mul_2exp_si(twice, s->rest1, 1);
-  bool yes = exceeds(arb_poly_get_coeff_ptr(s->about, 1), twice);
-  mag_clear(twice);
-  return yes;
+  return exceeds(arb_poly_get_coeff_ptr(s->about, 1), twice);
 }
 
 /* The sign at an exact point: +1, -1, or 0 when it cannot be told. */
 static int sign_at(const arb_poly_t p, const arf_t x, slong prec) {
-  arb_t at, v;
-  arb_init(at);
-  arb_init(v);
+  NUMBERS(arb, at, v);
   arb_set_arf(at, x);
   arb_poly_evaluate(v, p, at, prec);
-  int sign = arb_sgn_nonzero(v);
-  arb_clear(at);
-  arb_clear(v);
-  return sign;
+  return arb_sgn_nonzero(v);
 }
 
 /* A point where the polynomial has a known sign. */
@@ -131,11 +114,8 @@ static void posts_clear(struct posts *s) {
 static bool split(struct post *out, const arb_poly_t p, const arf_t a, const arf_t b, slong prec) {
   int grid = (int)FLINT_BIT_COUNT((ulong)arb_poly_length(p)) + 1;
   slong half = WORD(1) << (grid - 1);
-  arf_t low, width;
-  fmpz_t e;
-  arf_init(low);
-  arf_init(width);
-  fmpz_init(e);
+  NUMBERS(arf, low, width);
+  NUMBERS(fmpz, e);
   fmpz_sub(e, ARF_EXPREF(b), ARF_EXPREF(a));
   if (fmpz_cmp_si(e, 3) >= 0) {
     fmpz_add(e, ARF_EXPREF(a), ARF_EXPREF(b));
@@ -156,19 +136,14 @@ static bool split(struct post *out, const arb_poly_t p, const arf_t a, const arf
     arf_add(out->x, out->x, low, ARF_PREC_EXACT, ARF_RND_DOWN);
     out->sign = sign_at(p, out->x, prec);
   }
-  arf_clear(low);
-  arf_clear(width);
-  fmpz_clear(e);
   return out->sign != 0;
 }
 
 /* Powers of two around all positive roots, low < x < high.  false when an end coefficient may be zero. */
 static bool root_bounds(arf_t low, arf_t high, const arb_poly_t p) {
   slong n = arb_poly_length(p);
-  arb_poly_t reversed;
-  mag_t m;
-  arb_poly_init(reversed);
-  mag_init(m);
+  NUMBERS(arb_poly, reversed);
+  NUMBERS(mag, m);
   arb_poly_fit_length(reversed, n);
   _arb_poly_reverse(reversed->coeffs, p->coeffs, n, n);
   _arb_poly_root_bound_fujiwara(m, p->coeffs, n);
@@ -187,8 +162,6 @@ static bool root_bounds(arf_t low, arf_t high, const arb_poly_t p) {
     arf_mul_2exp_fmpz(low, low, e);
     fmpz_clear(e);
   }
-  arb_poly_clear(reversed);
-  mag_clear(m);
   return ok;
 }
 
@@ -198,15 +171,12 @@ static int isolate(arb_t x, const arb_poly_t p, slong k, slong prec) {
   struct posts posts = {NULL, 0, 0};
   struct post near, next;
   struct taylor s;
-  arb_t middle;
-  arf_t low, high;
+  NUMBERS(arb, middle);
+  NUMBERS(arf, low, high);
   ulong wanted = k > 0 ? (ulong)k : -(ulong)k;
   int status = SS_UNABLE;
   arf_init(near.x);
   arf_init(next.x);
-  arf_init(low);
-  arf_init(high);
-  arb_init(middle);
   taylor_init(&s);
   if (root_bounds(low, high, p)) {
     arf_set(near.x, k > 0 ? low : high);
@@ -235,18 +205,13 @@ static int isolate(arb_t x, const arb_poly_t p, slong k, slong prec) {
   posts_clear(&posts);
   arf_clear(near.x);
   arf_clear(next.x);
-  arf_clear(low);
-  arf_clear(high);
-  arb_clear(middle);
   taylor_clear(&s);
   return status;
 }
 
 /* y = x cut with Newton's interval m - p(m)/p'(x), where x holds one root of each polynomial of the balls. */
 static void newton_step(arb_t y, const arb_t x, const arb_poly_t p, struct taylor *s, slong prec) {
-  arb_t m, slope;
-  arb_init(m);
-  arb_init(slope);
+  NUMBERS(arb, m, slope);
   arb_get_mid_arb(m, x);
   taylor_set(s, p, m, arb_radref(x), prec);
   arb_set(slope, arb_poly_get_coeff_ptr(s->about, 1));
@@ -257,8 +222,6 @@ static void newton_step(arb_t y, const arb_t x, const arb_poly_t p, struct taylo
     arb_set(y, x);
   else if (!arb_intersection(y, y, x, prec))
     abort(); /* both hold the root */
-  arb_clear(m);
-  arb_clear(slope);
 }
 
 /* Relative accuracy in bits, not below 0: a ball around 0 has none. */
@@ -270,13 +233,11 @@ static slong accuracy(const arb_t x) {
    a step is twice what is known, and more when that brings nothing. */
 static void refine(arb_t x, const arb_poly_t p, slong goal, slong prec) {
   struct taylor s;
-  arb_t y;
-  mag_t half;
+  NUMBERS(arb, y);
+  NUMBERS(mag, half);
   slong wp = FIRST_PREC;
   bool stuck = false;
   taylor_init(&s);
-  arb_init(y);
-  mag_init(half);
   while (!stuck && accuracy(x) < goal) {
     wp = FLINT_MIN(prec, FLINT_MAX(wp, 2 * accuracy(x) + FIRST_PREC));
     newton_step(y, x, p, &s, wp);
@@ -289,8 +250,6 @@ static void refine(arb_t x, const arb_poly_t p, slong goal, slong prec) {
       wp *= 2;
   }
   taylor_clear(&s);
-  arb_clear(y);
-  mag_clear(half);
 }
 
 /* Reads the coefficients as balls; false when one is not a number.  Exact zeros at the low end are roots at 0 and are
@@ -299,8 +258,7 @@ static bool read_coefficients(arb_poly_t p, bool *exact, const struct num_vec *c
   const struct num_type *f = coeffs->ctx.type;
   slong zeros = 0;
   bool finite = true;
-  arb_t c;
-  arb_init(c);
+  NUMBERS(arb, c);
   *exact = true;
   for (slong i = 0; i < coeffs->len; i++) {
     f->get_arb(c, num_vec_at(coeffs, i));
@@ -312,7 +270,6 @@ static bool read_coefficients(arb_poly_t p, bool *exact, const struct num_vec *c
       arb_poly_set_coeff_arb(p, i - zeros, c);
   }
   _arb_poly_normalise(p);
-  arb_clear(c);
   return finite;
 }
 
@@ -331,9 +288,7 @@ static ulong deflate(arb_poly_t p) {
 static bool to_integers(fmpz_poly_t f, const arb_poly_t p) {
   slong n = arb_poly_length(p);
   fmpz *part = _fmpz_vec_init(2 * n), *exponent = part + n;
-  fmpz_t least, most;
-  fmpz_init(least);
-  fmpz_init(most);
+  NUMBERS(fmpz, least, most);
   for (slong i = 0, seen = 0; i < n; i++) {
     if (arb_is_zero(p->coeffs + i)) continue;
     arf_get_fmpz_2exp(part + i, exponent + i, arb_midref(p->coeffs + i));
@@ -350,16 +305,12 @@ static bool to_integers(fmpz_poly_t f, const arb_poly_t p) {
     fmpz_poly_set_coeff_fmpz(f, i, part + i);
   }
   _fmpz_vec_clear(part, 2 * n);
-  fmpz_clear(least);
-  fmpz_clear(most);
   return ok;
 }
 
 /* p without repeated factors: p / gcd(p, p'). */
 static void make_square_free(arb_poly_t p) {
-  fmpz_poly_t f, g;
-  fmpz_poly_init(f);
-  fmpz_poly_init(g);
+  NUMBERS(fmpz_poly, f, g);
   if (to_integers(f, p)) {
     fmpz_poly_derivative(g, f);
     fmpz_poly_gcd(g, f, g);
@@ -368,8 +319,6 @@ static void make_square_free(arb_poly_t p) {
       arb_poly_set_fmpz_poly(p, f, ARF_PREC_EXACT);
     }
   }
-  fmpz_poly_clear(f);
-  fmpz_poly_clear(g);
 }
 
 /* The k-th positive root of p as a ball, to prec bits if the coefficients allow. */
@@ -397,11 +346,9 @@ static int positive_root(arb_t x, arb_poly_t p, bool exact, slong k, slong prec)
 static int isolated_root(void *z, const struct num_vec *coeffs, slong k) {
   const struct num_type *f = coeffs->ctx.type;
   slong prec = coeffs->ctx.prec;
-  arb_poly_t p;
-  arb_t x;
+  NUMBERS(arb_poly, p);
+  NUMBERS(arb, x);
   bool exact;
-  arb_poly_init(p);
-  arb_init(x);
   int status = read_coefficients(p, &exact, coeffs) ? positive_root(x, p, exact, k, prec) : SS_UNABLE;
   if (status == SS_OK) {
     if (f->rigorous) arb_set_round(x, x, prec);
@@ -409,8 +356,6 @@ static int isolated_root(void *z, const struct num_vec *coeffs, slong k) {
   } else {
     f->set_d(z, (double)NAN, prec);
   }
-  arb_poly_clear(p);
-  arb_clear(x);
   return status;
 }
 

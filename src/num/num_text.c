@@ -72,15 +72,13 @@ int num_parse_decimal(fmpq *q, const char *s, size_t len) {
 
 /* n = v rounded to an integer with ties to even, or rounded down.  false when the ball does not tell. */
 static bool round_even(fmpz_t n, const arb_t v, slong prec) {
-  arb_t t;
-  arb_init(t);
+  NUMBERS(arb, t);
   arb_set_d(t, 0.5);
   arb_add(t, v, t, prec);
   bool tie = arb_is_int(t);
   arb_floor(t, t, prec);
   bool ok = arb_get_unique_fmpz(n, t);
   if (ok && tie && fmpz_is_odd(n)) fmpz_sub_ui(n, n, 1);
-  arb_clear(t);
   return ok;
 }
 
@@ -92,9 +90,8 @@ struct decimal {
 
 /* x * 10^k at prec bits. */
 static void scale(arb_t z, const arf_t x, slong k, slong prec) {
-  arb_t power;
+  NUMBERS(arb, power);
   fmpz_t e;
-  arb_init(power);
   fmpz_init_set_si(e, k < 0 ? -k : k);
   arb_set_ui(power, 10);
   arb_pow_fmpz(power, power, e, prec);
@@ -103,18 +100,15 @@ static void scale(arb_t z, const arf_t x, slong k, slong prec) {
     arb_div(z, z, power, prec);
   else
     arb_mul(z, z, power, prec);
-  arb_clear(power);
   fmpz_clear(e);
 }
 
 /* floor(log10 x) to within one. */
 static slong guess_exponent(const arf_t x) {
   slong e = fmpz_get_si(ARF_EXPREF(x));
-  arf_t m;
-  arf_init(m);
+  NUMBERS(arf, m);
   arf_mul_2exp_si(m, x, -e);
   double guess = floor(((double)e + log2(arf_get_d(m, ARF_RND_DOWN))) * 0.30102999566398120);
-  arf_clear(m);
   return (slong)guess;
 }
 
@@ -122,8 +116,7 @@ static slong guess_exponent(const arf_t x) {
    or when the guess had to be corrected; low and high are 10^(digits-1) and 10^digits. */
 static bool try_round(struct decimal *d, const arf_t x, slong digits, const arb_t low, const arb_t high, slong prec) {
   bool decided = false;
-  arb_t v;
-  arb_init(v);
+  NUMBERS(arb, v);
   scale(v, x, digits - 1 - d->exponent, prec);
   if (arb_lt(v, low))
     d->exponent--;
@@ -131,7 +124,6 @@ static bool try_round(struct decimal *d, const arf_t x, slong digits, const arb_
     d->exponent++;
   else if (arb_ge(v, low) && arb_lt(v, high))
     decided = round_even(d->n, v, prec);
-  arb_clear(v);
   return decided;
 }
 
@@ -141,11 +133,8 @@ static bool round_decimal(struct decimal *d, const arf_t x, slong digits) {
   if (fmpz_bits(ARF_EXPREF(x)) > EXPONENT_BITS_MAX) return false;
   slong first = 4 * digits + 128, last = FLINT_MAX(TIE_BITS_MAX, 2 * first);
   bool decided = false;
-  arb_t low, high;
-  fmpz_t carry;
-  arb_init(low);
-  arb_init(high);
-  fmpz_init(carry);
+  NUMBERS(arb, low, high);
+  NUMBERS(fmpz, carry);
   fmpz_ui_pow_ui(carry, 10, (ulong)digits - 1);
   arb_set_fmpz(low, carry);
   fmpz_mul_ui(carry, carry, 10);
@@ -156,17 +145,13 @@ static bool round_decimal(struct decimal *d, const arf_t x, slong digits) {
     fmpz_divexact_ui(d->n, d->n, 10);
     d->exponent++;
   }
-  arb_clear(low);
-  arb_clear(high);
-  fmpz_clear(carry);
   return decided;
 }
 
 /* Both ends of a ball that does not contain zero, rounded; true when they agree. */
 static bool round_ball(struct decimal *d, const arb_t x, slong digits) {
   struct decimal other;
-  arf_t end;
-  arf_init(end);
+  NUMBERS(arf, end);
   fmpz_init(other.n);
   arb_get_abs_lbound_arf(end, x, TIE_BITS_MAX);
   bool same = round_decimal(d, end, digits);
@@ -174,7 +159,6 @@ static bool round_ball(struct decimal *d, const arb_t x, slong digits) {
     arb_get_abs_ubound_arf(end, x, TIE_BITS_MAX);
     same = round_decimal(&other, end, digits) && d->exponent == other.exponent && fmpz_equal(d->n, other.n);
   }
-  arf_clear(end);
   fmpz_clear(other.n);
   return same;
 }
@@ -223,12 +207,7 @@ int num_print(struct text *out, const arb_t x, slong digits) {
 
 /* The exponent e with 10^e <= q < 10^(e+1), and q 10^(digits-1-e) rounded to nearest, ties to even. */
 static void round_rational(struct decimal *d, const fmpq_t q, slong digits) {
-  fmpz_t top, bottom, power, rest, least;
-  fmpz_init(top);
-  fmpz_init(bottom);
-  fmpz_init(power);
-  fmpz_init(rest);
-  fmpz_init(least);
+  NUMBERS(fmpz, top, bottom, power, rest, least);
   fmpz_ui_pow_ui(least, 10, (ulong)digits - 1);
   slong e = (slong)fmpz_sizeinbase(fmpq_numref(q), 10) - (slong)fmpz_sizeinbase(fmpq_denref(q), 10) + 2;
   do { /* from above, a few times: a size can be one too large */
@@ -248,29 +227,22 @@ static void round_rational(struct decimal *d, const fmpq_t q, slong digits) {
     e++;
   }
   d->exponent = e;
-  fmpz_clear(least);
-  fmpz_clear(rest);
-  fmpz_clear(power);
-  fmpz_clear(bottom);
-  fmpz_clear(top);
 }
 
 void num_print_rational(struct text *out, const fmpq_t q, slong digits) {
   struct decimal d;
-  fmpq_t size;
   if (fmpq_is_zero(q)) {
     text_add(out, "0");
     return;
   }
   fmpz_init(d.n);
-  fmpq_init(size);
+  NUMBERS(fmpq, size);
   fmpq_abs(size, q);
   round_rational(&d, size, digits);
   char *s = fmpz_get_str(NULL, 10, d.n);
   if (fmpq_sgn(q) < 0) text_add_char(out, '-');
   lay_out(out, s, digits, d.exponent);
   flint_free(s);
-  fmpq_clear(size);
   fmpz_clear(d.n);
 }
 
@@ -307,9 +279,7 @@ void num_print_q(struct text *out, const fmpq_t q) {
 }
 
 void num_q_set_d(fmpq_t q, double x) {
-  arf_t a;
-  arf_init(a);
+  NUMBERS(arf, a);
   arf_set_d(a, x);
   arf_get_fmpq(q, a);
-  arf_clear(a);
 }

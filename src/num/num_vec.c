@@ -167,7 +167,7 @@ static int back_substitute(struct num_vec *x, const struct num_vec *u, slong n, 
 }
 
 int num_mat_solve(struct num_vec *x, const struct num_vec *a, const struct num_vec *b, slong n, slong p) {
-  struct num_vec u, y, scratch;
+  OWNED(num_vec) u, y, scratch;
   int status = SS_OK;
   check_shape(x, n, p);
   check_shape(a, n, n);
@@ -187,9 +187,6 @@ int num_mat_solve(struct num_vec *x, const struct num_vec *a, const struct num_v
   if (status == SS_OK) status = back_substitute(&y, &u, n, p, num_vec_at(&scratch, 1));
   if (status != SS_OK) vec_set_nan(&y);
   vec_swap(x, &y);
-  num_vec_clear(&u);
-  num_vec_clear(&y);
-  num_vec_clear(&scratch);
   return status;
 }
 
@@ -198,7 +195,7 @@ int num_mat_solve(struct num_vec *x, const struct num_vec *a, const struct num_v
 int num_mat_det(void *z, const struct num_vec *a, slong n) {
   const struct num_type *f = a->ctx.type;
   slong prec = a->ctx.prec;
-  struct num_vec u, scratch, det;
+  OWNED(num_vec) u, scratch, det;
   int status = SS_OK;
   check_shape(a, n, n);
   num_vec_init(&u, n * n, a->ctx);
@@ -220,8 +217,5 @@ int num_mat_det(void *z, const struct num_vec *a, slong n) {
   if (status == SS_DOMAIN) status = f->set_d(d, 0, prec);
   if (status != SS_OK) f->set_d(d, (double)NAN, prec);
   f->swap(z, d);
-  num_vec_clear(&u);
-  num_vec_clear(&scratch);
-  num_vec_clear(&det);
   return status;
 }

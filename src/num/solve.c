@@ -36,31 +36,26 @@ static int precondition(arb_mat_t y, arb_mat_t step, const void *const *f, const
 
 static int ball_step(struct num_vec *step, const void *const *f, const void *const *j) {
   slong n = step->len;
-  arb_mat_t y, b;
-  arb_mat_init(y, n, n);
-  arb_mat_init(b, n, 1);
+  SIZED(arb_mat, y, n, n);
+  SIZED(arb_mat, b, n, 1);
   int status = precondition(y, b, f, j, step->ctx.prec);
   for (slong i = 0; i < n && !status; i++) arb_swap(num_vec_at(step, i), arb_mat_entry(b, i, 0));
-  arb_mat_clear(b);
-  arb_mat_clear(y);
   return status;
 }
 
 static int plain_step(struct num_vec *step, const void *const *f, const void *const *j) {
   slong n = step->len;
-  struct num_vec a;
+  OWNED(num_vec) a;
   num_vec_init(&a, n * n, step->ctx);
   gather(step, f);
   gather(&a, j);
-  int status = num_mat_solve(step, &a, step, n, 1);
-  num_vec_clear(&a);
-  return status;
+  return num_mat_solve(step, &a, step, n, 1);
 }
 
 int newton_run(struct num_vec *x, const struct solve_system *s, struct num_ctx ctx, int most, newton_judge *judge) {
   const void *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
   enum newton_next next = NEWTON_ON;
-  struct num_vec step;
+  OWNED(num_vec) step;
   int status = SS_OK;
   if (s->n > SOLVE_MOST || x->len != s->n) abort();
   num_vec_init(&step, s->n, ctx);
@@ -75,21 +70,16 @@ int newton_run(struct num_vec *x, const struct solve_system *s, struct num_ctx c
       status |= ctx.type->sub(num_vec_at(x, k), num_vec_at(x, k), num_vec_at(&step, k), ctx.prec);
     if (ctx.type->rigorous) to_middles(x);
   }
-  num_vec_clear(&step);
   return status;
 }
 
 bool newton_is_small(const struct num_type *type, const void *step, slong bits, const void *scale) {
   bool small;
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
+  NUMBERS(arb, x, y);
   type->get_arb(x, step);
   type->get_arb(y, scale);
   arb_mul_2exp_si(y, y, -bits);
   small = arb_is_finite(x) && arf_cmpabs(arb_midref(x), arb_midref(y)) <= 0;
-  arb_clear(y);
-  arb_clear(x);
   return small;
 }
 
@@ -106,25 +96,20 @@ static int values_of(const void **f, const void **j, const struct num_vec *x, vo
 
 /* size = 2^shift of the largest element. */
 static void size_of(mag_t size, const struct num_vec *x, slong shift) {
-  mag_t part;
-  mag_init(part);
+  NUMBERS(mag, part);
   mag_zero(size);
   for (slong k = 0; k < x->len; k++) {
     arb_get_mag(part, num_vec_at(x, k));
     mag_max(size, size, part);
   }
   mag_mul_2exp_si(size, size, shift);
-  mag_clear(part);
 }
 
 /* Beside one long unknown, such as the length of a phase, the largest element of a step tells nothing of the others:
    is each element short for its own unknown, or for 2^-SETTLED of the largest? */
 static bool each_is_short(const struct num_vec *x, const struct num_vec *step) {
-  mag_t part, unit, least;
+  NUMBERS(mag, part, unit, least);
   bool good = true;
-  mag_init(part);
-  mag_init(unit);
-  mag_init(least);
   size_of(least, x, -SETTLED);
   for (slong k = 0; k < x->len; k++) {
     arb_get_mag(part, num_vec_at(step, k));
@@ -133,42 +118,31 @@ static bool each_is_short(const struct num_vec *x, const struct num_vec *step) {
     mag_mul_2exp_si(unit, unit, -SETTLED);
     good = good && mag_cmp(part, unit) <= 0;
   }
-  mag_clear(least);
-  mag_clear(unit);
-  mag_clear(part);
   return good;
 }
 
 static enum newton_next still_shrinks(const struct num_vec *x, const struct num_vec *step, void *self) {
   struct settling *s = self;
-  mag_t size, far, last;
-  mag_init(size);
-  mag_init(far);
-  mag_init(last);
+  NUMBERS(mag, size, far, last);
   size_of(size, step, 0);
   size_of(far, x, -SETTLED);
   size_of(last, x, -x->ctx.prec / 2 - SETTLE_GUARD);
   bool less = mag_cmp(size, s->least) < 0 || (mag_cmp(size, far) <= 0 && !each_is_short(x, step));
   enum newton_next next = !less ? NEWTON_STAY : mag_cmp(size, last) < 0 ? NEWTON_LAST : NEWTON_ON;
   mag_min(s->least, s->least, size);
-  mag_clear(last);
-  mag_clear(far);
-  mag_clear(size);
   return next;
 }
 
 int newton_settle(struct num_vec *x, const struct solve_system *s, int most) {
   struct settling self = {.of = s};
   struct solve_system same = {s->n, values_of, &self};
-  mag_t far;
-  mag_init(far);
+  NUMBERS(mag, far);
   mag_init(self.least);
   mag_inf(self.least);
   int status = newton_run(x, &same, x->ctx, most, still_shrinks);
   size_of(far, x, -SETTLED);
   if (mag_cmp(self.least, far) > 0) status |= SS_UNABLE;
   mag_clear(self.least);
-  mag_clear(far);
   return status;
 }
 
@@ -245,30 +219,24 @@ int krawczyk_apply(struct krawczyk *k) {
 
 /* Adds 2^shift of the size of x, and what rounding can do to mid, to the radius; a step can be exactly zero. */
 static void widen(arb_t box, const arb_t mid, mag_srcptr x, slong shift, slong prec) {
-  mag_t more, least;
-  mag_init(more);
-  mag_init(least);
+  NUMBERS(mag, more, least);
   mag_mul_2exp_si(more, x, shift);
   arb_get_mag(least, mid);
   mag_mul_2exp_si(least, least, 8 - prec);
   mag_add_ui_2exp_si(least, least, 1, -4 * prec);
   mag_add(arb_radref(box), arb_radref(box), more);
   mag_add(arb_radref(box), arb_radref(box), least);
-  mag_clear(least);
-  mag_clear(more);
 }
 
 int krawczyk_grow(struct krawczyk *k) {
   slong n = k->system->n, prec = k->box.ctx.prec;
   int status = SS_OK;
-  mag_t size;
-  mag_init(size);
+  NUMBERS(mag, size);
   num_vec_set(&k->box, &k->mid);
   for (slong i = 0; i < n; i++) {
     arb_get_mag(size, arb_mat_entry(k->step, i, 0));
     widen(num_vec_at(&k->box, i), num_vec_at(&k->mid, i), size, FIRST_BOX, prec);
   }
-  mag_clear(size);
   k->inside = false;
   k->too_wide = false;
   for (int t = 0; t < MOST_BOXES && !k->inside && !k->too_wide && !status; t++) {
@@ -300,13 +268,12 @@ int krawczyk_follow(struct krawczyk *k, slong wider) {
 }
 
 int krawczyk_enclose(struct num_vec *x, struct num_vec *box, const struct solve_system *s) {
-  struct krawczyk k;
+  OWNED(krawczyk) k;
   krawczyk_init(&k, s, x->ctx.prec);
   int status = krawczyk_centre(&k, x);
   if (!status) status = krawczyk_grow(&k);
   if (!status) num_vec_set(x, &k.image);
   if (!status && box) num_vec_set(box, &k.box);
-  krawczyk_clear(&k);
   return status;
 }
 
