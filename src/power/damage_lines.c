@@ -36,7 +36,7 @@ static void drop_items(struct maker *k, const struct items *l) {
 }
 
 static void exchange_items(struct maker *k, const struct items *l) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   for (int i = 0; i + 1 < l->n; i++) {
     struct span a = l->item[i], b = l->item[i + 1];
     text_reset(&t);
@@ -45,7 +45,6 @@ static void exchange_items(struct maker *k, const struct items *l) {
     text_add_n(&t, k->text + a.begin, a.end - a.begin);
     maker_add(k, a.begin, b.end, text_str(&t), t.len, "the order of the list has no meaning");
   }
-  text_clear(&t);
 }
 
 /* --- Neighbours --- */
@@ -101,10 +100,9 @@ void damage_premises(struct maker *k) {
   const struct field *conclusion = record_field(k->record, "conclusion");
   damage_conclusion(k);
   if (!conclusion) return;
-  struct text t = {0};
+  OWNED(text) t = {0};
   text_printf(&t, ", %.*s", (int)strcspn(conclusion->text, ","), conclusion->text);
   maker_put(k, k->field->value.end, k->field->value.end, text_str(&t));
-  text_clear(&t);
 }
 
 void damage_repair(struct maker *k) {

@@ -67,9 +67,8 @@ static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i)
 
 /* The first line, without the folder of the file that it begins with. */
 SS_PRINTF(3, 4) static void say(struct damage_said *out, enum mutant_fate fate, const char *fmt, ...) {
-  struct arena a;
+  LOCAL(arena, a);
   va_list ap;
-  arena_init(&a);
   va_start(ap, fmt);
   const char *message = arena_vprintf(&a, fmt, ap);
   va_end(ap);
@@ -79,7 +78,6 @@ SS_PRINTF(3, 4) static void say(struct damage_said *out, enum mutant_fate fate, 
   size_t most = line - folder < DAMAGE_WORDS ? line - folder : DAMAGE_WORDS - 1;
   *out = (struct damage_said){.fate = fate};
   memcpy(out->says, message + folder, text_valid_prefix(message + folder, most));
-  arena_clear(&a);
 }
 
 static bool differs(struct damage_said *out, const char *id, const char *what, enum verdict is, enum verdict was) {
@@ -126,15 +124,13 @@ static bool claim_notices(struct damage_said *out, struct damage_study *s, const
   const struct claim *before = claim_named(s->m->data.claims, claim->id);
   const struct undamaged *u = before ? undamaged_claim(s, (size_t)(before - s->m->data.claims->claim)) : NULL;
   if (!u || !u->readable) return false;
-  struct audit_result r;
+  LOCAL(audit_result, r);
   struct diag d = {0};
-  audit_result_init(&r);
   bool noticed = true;
   if (!judge_one(&r, s, c, claim, NULL, &d))
     say(out, FATE_UNREADABLE, "%s", d.message);
   else
     noticed = findings_differ(out, &r, &u->said);
-  audit_result_clear(&r);
   return noticed;
 }
 
@@ -178,7 +174,7 @@ static bool controls_notice(struct damage_said *out, struct damage_study *s, con
 
 static bool same_statements(const struct statement_record *a, const struct statement_record *b) {
   bool same = a->n_stmts == b->n_stmts;
-  struct text x = {0}, y = {0};
+  OWNED(text) x = {0}, y = {0};
   for (int k = 0; same && k < a->n_stmts; k++) {
     text_reset(&x);
     text_reset(&y);
@@ -186,8 +182,6 @@ static bool same_statements(const struct statement_record *a, const struct state
     stmt_print(&y, b->stmts[k]);
     same = strcmp(text_str(&x), text_str(&y)) == 0;
   }
-  text_clear(&y);
-  text_clear(&x);
   return same;
 }
 
@@ -246,7 +240,7 @@ static bool is_noticed(struct damage_said *out, struct damage_study *s, const st
 static bool is_misquoted(struct damage_said *out, const struct damage_study *s, const struct changed_material *c) {
   struct quotations q;
   struct source scene;
-  struct text where = {0};
+  OWNED(text) where = {0};
   struct diag diag = {0};
   source_from_string(&scene, c->scene->source[0]->name, c->scene->source[0]->text);
   bool ok = quotations_collect(&q, &c->data, &diag);
@@ -255,19 +249,17 @@ static bool is_misquoted(struct damage_said *out, const struct damage_study *s, 
   if (ok) quotations_compare(&q, &s->text->tokens);
   bool missed = ok && !quotations_report(&where, &q, s->text);
   if (missed || !ok) say(out, FATE_REFUSED, "%s", ok ? text_str(&where) : diag.message);
-  text_clear(&where);
   quotations_clear(&q);
   return missed || !ok;
 }
 
 static bool is_refused(struct damage_said *out, struct changed_material *c, const struct damage_study *s,
                        const struct damage *d) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   struct diag diag = {0};
   damage_text(&t, s->m, d);
   bool ok = material_change(c, s->m, d->file, text_str(&t), &diag) && material_check(&c->data, &diag);
   if (!ok) say(out, FATE_REFUSED, "%s", diag.message);
-  text_clear(&t);
   return !ok || (s->text && is_misquoted(out, s, c));
 }
 

@@ -75,7 +75,7 @@ void maker_indices(struct maker *k) {
 
 static void move_bar(struct maker *k, size_t open, size_t close) {
   size_t n = close - open - 1, relation = strcspn(k->text + open + 1, "<>");
-  struct text t = {0};
+  OWNED(text) t = {0};
   if (relation < n) { /* |x < y| becomes |x| < y */
     size_t inside = relation;
     while (inside && k->text[open + inside] == ' ') inside--;
@@ -86,7 +86,6 @@ static void move_bar(struct maker *k, size_t open, size_t close) {
     text_add_n(&t, k->text + open + 1, n);
   }
   maker_put(k, open, close + 1, text_str(&t));
-  text_clear(&t);
 }
 
 static void maker_bars(struct maker *k) {
@@ -249,12 +248,11 @@ static void exchange_rows(struct maker *k) {
     size_t close = find(k, i, "\\end{pmatrix}"), row = find(k, i, "\\\\"), second = row + 2;
     if (row >= close) continue;
     size_t third = find(k, second, "\\\\"), to = third < close ? third : close;
-    struct text t = {0};
+    OWNED(text) t = {0};
     text_add_n(&t, k->text + second, to - second);
     text_add(&t, " \\\\ ");
     text_add_n(&t, k->text + i, row - i);
     maker_put(k, i, to, text_str(&t));
-    text_clear(&t);
   }
 }
 

@@ -38,14 +38,13 @@ static enum relop mirrored(enum relop op) {
 /* Entries i of a and k of b, of sentences without an oracle: their differences of sides, up to what is positive. */
 static bool same_relation(struct exact_field *f, const struct sentence *sa, const struct num_vec *a, slong i,
                           const struct sentence *sb, const struct num_vec *b, slong k) {
-  struct calc c = exact_calc(f);
+  OWNED(calc) c = exact_calc(f);
   void *x = calc_new(&c), *y = calc_new(&c);
   int sign = 0;
   if (exact_sub(x, f, num_vec_at(a, i), num_vec_at(a, sa->n + i)) &&
       exact_sub(y, f, num_vec_at(b, k), num_vec_at(b, sb->n + k)))
     sign = exact_ratio_sign(f, x, y, name_param, N_PARAMS); /* which the domain of the claims keeps positive */
   bool both_zero = exact_is_zero(x) && exact_is_zero(y);
-  calc_clear(&c);
   enum relop op_a = sa->ops[i], op_b = sb->ops[k];
   if (sign == 0 || (both_zero && op_a != op_b)) return false;
   return op_a == REL_EQ ? op_b == REL_EQ : op_b == (sign > 0 ? op_a : mirrored(op_a));
@@ -72,27 +71,24 @@ static bool same_sentences(const struct sentence *a, const struct sentence *b, b
   int n = facts_collect(fact, facts, c);
   if (sign) fact[n++] = *sign;
   struct exact_field *f = exact_field_new(fact, n);
-  struct calc w = exact_calc(f);
+  OWNED(calc) w = exact_calc(f);
   struct num_vec x, y;
   int s = exact_eval(&x, &w, f, &a->tape);
   s |= exact_eval(&y, &w, f, &b->tape);
   bool same = s == SS_OK;
   for (slong i = 0; same && values && i < a->n; i++) same = exact_equal(f, num_vec_at(&x, i), num_vec_at(&y, i));
   if (!values) same = same && has_relations(f, a, &x, b, &y) && has_relations(f, b, &y, a, &x);
-  calc_clear(&w);
   exact_field_free(f);
   return same;
 }
 
 static bool same_in_views(const struct claim *c, struct view a, struct view b, const struct facts *f,
                           const struct override *o, int n) {
-  struct sentence x, y;
+  OWNED(sentence) x, y;
   struct diag d = {0};
   bool ok = sentence_from_claim(&x, a, c, o, n, &d);
   ok = sentence_from_claim(&y, b, c, o, n, &d) && ok;
   ok = ok && same_sentences(&x, &y, false, f, c, NULL);
-  sentence_clear(&x);
-  sentence_clear(&y);
   return ok;
 }
 
@@ -113,14 +109,13 @@ static bool same_end(const struct expr *x, const struct expr *y, const struct st
   if (!x || !y || expr_same(x, y)) return !x == !y;
   elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   struct exact_field *f = exact_field_new(NULL, 0);
-  struct calc c = exact_calc(f);
+  OWNED(calc) c = exact_calc(f);
   if (elaborate(&a, &el, x, r->src, r->section, &d) && elaborate(&b, &el, y, r->src, r->section, &d) &&
       a.rows * a.cols == 1 && b.rows * b.cols == 1) {
     const struct expr *both[] = {a.e[0], b.e[0]};
     if (elaboration_tape(&tape, &el, both, 2, &d))
       same = exact_eval(&v, &c, f, &tape) == SS_OK && exact_equal(f, num_vec_at(&v, 0), num_vec_at(&v, 1));
   }
-  calc_clear(&c);
   exact_field_free(f);
   tape_clear(&tape);
   elaboration_clear(&el);
@@ -137,13 +132,12 @@ static bool same_range(const struct target *t, const struct model *a, const stru
 
 static bool same_condition(const struct condition *x, const struct condition *y) {
   struct exact_field *f = exact_field_new(NULL, 0);
-  struct calc c = exact_calc(f);
+  OWNED(calc) c = exact_calc(f);
   struct num_vec v, w;
   bool same = x->equality == y->equality && x->strict == y->strict && x->phase == y->phase;
   same = exact_eval(&v, &c, f, &x->s.tape) == SS_OK && same;
   same = exact_eval(&w, &c, f, &y->s.tape) == SS_OK && same;
   same = same && exact_equal(f, num_vec_at(&v, 0), num_vec_at(&w, 0));
-  calc_clear(&c);
   exact_field_free(f);
   return same;
 }
@@ -152,9 +146,8 @@ static bool same_condition(const struct condition *x, const struct condition *y)
 static bool argument_same_in(const struct claim *c, const struct model *a, const struct model *b) {
   static const char *const part[] = {"premises", "conclusion", "repair"};
   struct conditions *list = ss_malloc(2 * sizeof *list);
-  struct audit_result out;
+  LOCAL(audit_result, out);
   bool same = true;
-  audit_result_init(&out);
   for (int i = 0; same && i < 3; i++) {
     for (int k = 0; k < 2; k++) {
       struct diag d = {0};
@@ -165,7 +158,6 @@ static bool argument_same_in(const struct claim *c, const struct model *a, const
     for (int k = 0; same && k < list[0].n; k++) same = same_condition(&list[0].at[k], &list[1].at[k]);
     for (int k = 0; k < 2; k++) conditions_clear(&list[k]);
   }
-  audit_result_clear(&out);
   free(list);
   return same;
 }
@@ -220,15 +212,13 @@ static bool statement_same_in(const struct target *t, const struct target *damag
   bool ok = false;
   if (t == damaged && !same_range(t, a, b)) return false;
   for (int n = 0; !ok && n <= most; n += most ? most : 1) {
-    struct sentence x, y;
+    OWNED(sentence) x, y;
     ok = target_sentence(&x, t, a, o, n);
     ok = target_sentence(&y, t, b, o, n) && ok;
     const struct stmt *st = a->records[t->record].stmts[t->stmt];
     struct exact_fact sign[] = {{st->range_var, f->sign[0]}, {st->range_var, f->sign[1]}};
     if (!st->range_signs) ok = ok && same_sentences(&x, &y, t->def >= 0, f, NULL, NULL);
     for (int i = 0; ok && st->range_signs && i < 2; i++) ok = same_sentences(&x, &y, t->def >= 0, f, NULL, &sign[i]);
-    sentence_clear(&x);
-    sentence_clear(&y);
   }
   return ok;
 }

@@ -98,7 +98,7 @@ static bool is_written_matrix(const struct model *m, size_t def) {
 static void add_opaque(struct facts *f, const struct model *m, size_t def) {
   struct opaque o;
   const struct model recording = model_noting(&o.use, m);
-  struct elaboration el;
+  OWNED(elaboration) el;
   struct matrix x;
   struct diag d = {0};
   elaboration_init(&el, (struct view){&recording, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
@@ -108,7 +108,6 @@ static void add_opaque(struct facts *f, const struct model *m, size_t def) {
   } else {
     model_use_clear(&o.use);
   }
-  elaboration_clear(&el);
 }
 
 int facts_unknowns(struct override out[MOST_UNKNOWNS], const struct facts *f, const struct target *t) {

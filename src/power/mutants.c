@@ -58,7 +58,7 @@ struct lexicon *lexicon_new(const struct model *m, const char *section) {
   struct lexicon *l = ss_malloc(sizeof *l);
   *l = (struct lexicon){.n = 0};
   struct view v = everything(m);
-  struct elaboration el;
+  OWNED(elaboration) el;
   elaboration_init(&el, v, NULL, 0);
   for (size_t i = 0; i < m->n_symbols; i++)
     add_word(l, (struct edit_word){.name = m->symbols[i].name,
@@ -74,7 +74,6 @@ struct lexicon *lexicon_new(const struct model *m, const char *section) {
     measure(&w, &el, def);
     if (w.rows) add_word(l, w);
   }
-  elaboration_clear(&el);
   return l;
 }
 

@@ -128,7 +128,7 @@ static enum notice quick_besides(const struct reader *rd, const struct audit_res
 /* The least effort that can tell. */
 static enum notice ask_quickly(struct mutation_study *r, const struct reader *rd) {
   enum verdict before = rd->said.findings[0].verdict;
-  struct audit_result out;
+  OWNED(audit_result) out;
   struct diag d;
   struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_REFUTE, &d);
   enum notice n = OPEN;
@@ -141,17 +141,15 @@ static enum notice ask_quickly(struct mutation_study *r, const struct reader *rd
     else if (f.verdict == VERDICT_REFUTED && !verdict_fails(before))
       n = is_diagnostic(&f, rd->claim) ? BROKEN : CHANGED;
   }
-  audit_result_clear(&out);
   return n;
 }
 
 static enum notice ask_in_full(struct mutation_study *r, const struct reader *rd) {
-  struct audit_result out;
+  OWNED(audit_result) out;
   struct diag d;
   struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_FULL, &d);
   enum notice n = BROKEN;
   if (judge_claim(&j, rd->claim)) n = same_findings(&rd->said, &out) ? SAME : CHANGED;
-  audit_result_clear(&out);
   return n;
 }
 
@@ -163,7 +161,7 @@ static enum notice compare(enum verdict was, enum verdict is) {
 
 static enum notice ask_late(struct mutation_study *r, const struct reader *rd) {
   const struct finding *was = &rd->said.findings[0];
-  struct audit_result out;
+  OWNED(audit_result) out;
   struct diag d;
   struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_REFUTE, &d);
   struct finding f;
@@ -176,7 +174,6 @@ static enum notice ask_late(struct mutation_study *r, const struct reader *rd) {
   else
     n = compare(was->verdict, f.verdict);
   if (n == OPEN && f.correction) n = compare(was->correction_verdict, f.correction_verdict);
-  audit_result_clear(&out);
   return n;
 }
 
@@ -293,12 +290,11 @@ static void add_survivor(struct mutation_result *out, const struct mutation_stud
                        .read_by = readers_of(out, r, t)};
   source_place(&s.line, &s.column, rec->src, m->edit.place.begin);
   const struct survivor *last = out->n_survivors ? &out->survivor[out->n_survivors - 1] : NULL;
-  struct text original = {0};
+  OWNED(text) original = {0};
   stmt_print(&original, rec->stmts[t->stmt]);
   bool same = last && strcmp(last->record, s.record) == 0 && strcmp(last->original, text_str(&original)) == 0;
   s.original = same ? last->original : keep(out, text_str(&original));
   if (same) s.record = last->record;
-  text_clear(&original);
   *SS_PUSH(out->survivor, out->n_survivors, out->cap_survivors) = s;
 }
 

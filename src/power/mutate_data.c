@@ -77,12 +77,11 @@ static void show_place(struct damaged *g, struct mutation_result *out, const str
   while (end < src->len && end - d->end < SHOWN / 4 && !strchr(" \n", src->text[end])) end++;
   bool lines = d->end > d->begin && src->text[d->end - 1] == '\n';
   g->was = shown(out, src->text, begin, lines ? d->end : end);
-  struct text now = {0};
+  OWNED(text) now = {0};
   text_add_n(&now, src->text + begin, d->begin - begin);
   text_add(&now, d->now);
   if (!lines) text_add_n(&now, src->text + d->end, end - d->end);
   g->now = shown(out, text_str(&now), 0, now.len);
-  text_clear(&now);
   source_place(&g->line, &column, src, d->begin);
 }
 

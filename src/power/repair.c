@@ -160,14 +160,12 @@ static void put_in_place(struct search *s, const struct candidate *c, bool in) {
 /* The verdict on the claim; refuted with d set when it cannot be judged. */
 static enum verdict verdict_of_claim(const struct search *s, const struct model *m, enum effort effort,
                                      struct diag *d) {
-  struct audit_result out;
+  OWNED(audit_result) out;
   struct finding f;
   struct judge j = {
       .out = &out, .model = m, .claims = s->claims, .scene = s->scene, .cache = s->cache, .d = d, .effort = effort};
   audit_result_init(&out);
-  enum verdict v = judge_verdict(&f, &j, s->claim) ? f.verdict : VERDICT_REFUTED;
-  audit_result_clear(&out);
-  return v;
+  return judge_verdict(&f, &j, s->claim) ? f.verdict : VERDICT_REFUTED;
 }
 
 /* With a candidate in place: refuted at the first difference, else in full. */
