@@ -59,13 +59,12 @@ static bool names_of(struct proof *p, const struct tape *t) {
 /* The outputs of a tape as facts of a list; false where one is no rational function, or divides by zero. */
 static bool facts_of(struct fact *list, int *n, const struct tape *t, const char *const *text, struct proof *p) {
   if (*n + (int)t->n_outputs > MAX_FACTS) return false;
-  struct calc c = calc_begin(num_ctx_exact());
+  OWNED(calc) c = calc_begin(num_ctx_exact());
   struct num_vec in = calc_vec(&c, t->n_inputs), out = calc_vec(&c, t->n_outputs);
   for (slong i = 0; i < t->n_inputs; i++)
     fmpz_mpoly_q_gen(num_vec_at(&in, i), generator(p, t->inputs[i]), num_exact_ctx());
   bool ok = tape_eval(&out, NULL, t, &in) == SS_OK;
   for (slong i = 0; ok && i < t->n_outputs; i++) add_fact(list, n, num_vec_at(&out, i), text[i]);
-  calc_clear(&c);
   return ok;
 }
 
@@ -146,22 +145,20 @@ static val of_polynomial(struct calc *c, const fmpz_mpoly_struct *p) {
 static bool split_line(val *start, val *slope, struct calc *c, const fmpz_mpoly_struct *p, slong g) {
   if (fmpz_mpoly_degree_si(p, g, num_exact_ctx()) > 1) return false;
   fmpz_mpoly_t part;
-  fmpz_t zero;
-  fmpz_init(zero);
+  NUMBERS(fmpz, zero);
   fmpz_mpoly_init(part, num_exact_ctx());
   fmpz_mpoly_derivative(part, p, g, num_exact_ctx());
   *slope = of_polynomial(c, part);
   fmpz_mpoly_evaluate_one_fmpz(part, p, g, zero, num_exact_ctx());
   *start = of_polynomial(c, part);
   fmpz_mpoly_clear(part, num_exact_ctx());
-  fmpz_clear(zero);
   return true;
 }
 
 /* x with the generator g replaced; false when x is not of degree at most 1 in it above and below. */
 static bool substitute(element *x, slong g, const element *by) {
   val start, slope;
-  struct calc c = calc_begin(num_ctx_exact());
+  OWNED(calc) c = calc_begin(num_ctx_exact());
   bool ok = split_line(&start, &slope, &c, &x->num, g);
   if (ok) {
     val above = calc_add(&c, start, calc_mul(&c, slope, by));
@@ -169,7 +166,6 @@ static bool substitute(element *x, slong g, const element *by) {
     if (ok) num_exact.set(x, calc_div(&c, above, calc_add(&c, start, calc_mul(&c, slope, by))));
   }
   ok = ok && c.status == SS_OK;
-  calc_clear(&c);
   return ok;
 }
 
@@ -185,7 +181,7 @@ static bool substitute_all(struct proof *p, int next, slong g, const element *by
 static bool eliminate(struct proof *p, int i) {
   const element *e = &p->zero[i].x;
   val start, slope;
-  struct calc c = calc_begin(num_ctx_exact());
+  OWNED(calc) c = calc_begin(num_ctx_exact());
   bool done = fmpz_mpoly_q_is_zero(e, num_exact_ctx()), ok = done;
   for (int motion = 1; !done && motion >= 0; motion--)
     for (slong g = 0; !done && g < p->n_names; g++) {
@@ -197,7 +193,6 @@ static bool eliminate(struct proof *p, int i) {
       if (p->script) text_printf(p->script, "\n        (%d, \"%s\"),", i, p->name[g]);
       ok = substitute_all(p, i + 1, g, calc_neg(&c, calc_div(&c, start, slope))) && c.status == SS_OK;
     }
-  calc_clear(&c);
   return ok || !done; /* an equation that cannot be solved is not used */
 }
 
@@ -215,8 +210,7 @@ struct term {
 static void probe(struct fact *f) {
   static const slong prime[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
   fmpq value[MAX_NAMES];
-  fmpq_t x;
-  fmpq_init(x);
+  NUMBERS(fmpq, x);
   for (slong i = 0; i < MAX_NAMES; i++) fmpq_init(&value[i]);
   for (int k = 0; k < N_PROBES; k++) {
     for (slong i = 0; i < MAX_NAMES; i++)
@@ -224,7 +218,6 @@ static void probe(struct fact *f) {
     f->probe[k] = num_exact_at(x, &f->x, value) == SS_OK ? fmpq_get_d(x) : NAN;
   }
   for (slong i = 0; i < MAX_NAMES; i++) fmpq_clear(&value[i]);
-  fmpq_clear(x);
 }
 
 static void probe_all(struct fact *list, int n) {
@@ -233,13 +226,11 @@ static void probe_all(struct fact *list, int n) {
 
 /* goal - sum of terms is identically zero. */
 static bool exactly(const struct fact *goal, const struct term *const t[], int n, const struct proof *p) {
-  struct calc c = calc_begin(num_ctx_exact());
+  OWNED(calc) c = calc_begin(num_ctx_exact());
   val rest = &goal->x;
   for (int i = 0; i < n; i++)
     rest = calc_sub(&c, rest, calc_mul(&c, &p->positive[t[i]->fact].x, &p->factor[t[i]->factor].x));
-  bool yes = c.status == SS_OK && fmpz_mpoly_q_is_zero(rest, num_exact_ctx());
-  calc_clear(&c);
-  return yes;
+  return c.status == SS_OK && fmpz_mpoly_q_is_zero(rest, num_exact_ctx());
 }
 
 static bool near(const struct fact *goal, const struct term *const t[], int n) {

@@ -164,7 +164,7 @@ static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
 
 /* The state after the time tau of the phase, by the variant's means, and the time since the start of the period. */
 static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const void *tau) {
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   struct num_vec z = calc_vec(&c, 4);
   const struct num_vec from = dyn_arc_state(&v->arc, ph);
   const struct num_type *t = v->ctx.type;
@@ -181,7 +181,6 @@ static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const v
   void *time = num_vec_at(x, MOVING_T);
   t->set(time, tau);
   for (int k = 0; k < (int)ph; k++) s |= t->add(time, time, num_vec_at(&v->arc.t, k), v->ctx.prec);
-  calc_clear(&c);
   return s;
 }
 
@@ -233,7 +232,7 @@ static int least_with_friction(double *least, struct condition *c, struct values
 }
 
 int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache) {
-  struct values v;
+  OWNED(values) v;
   struct samples x = {.have = {false}};
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_double(), cache);
   if (s == SS_OK) {
@@ -250,7 +249,6 @@ int conditions_sample(struct sampled *out, struct conditions *list, const struct
       out[i].least /= belt;
     }
   }
-  values_clear(&v);
   return s;
 }
 
@@ -273,7 +271,7 @@ struct affine {
 static int affine_init(struct affine *f, struct bound *b) {
   slong prec = b->v->ctx.prec;
   f->c = calc_vec(&b->v->c, N_MOVING + 1);
-  struct calc w = calc_begin(b->v->ctx);
+  OWNED(calc) w = calc_begin(b->v->ctx);
   struct num_vec x = calc_vec(&w, N_MOVING);
   void *constant = num_vec_at(&f->c, N_MOVING);
   int s = b->c->affine ? margin_at(constant, b, &x) : SS_UNABLE;
@@ -286,14 +284,13 @@ static int affine_init(struct affine *f, struct bound *b) {
     arb_mul_2exp_si(c, c, -prec);
     arb_zero(at);
   }
-  calc_clear(&w);
   return s;
 }
 
 /* The margin and its rate for every time of the ball tau. */
 static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct values *v, enum phase ph,
                      const arb_t tau) {
-  struct calc w = calc_begin(v->ctx);
+  OWNED(calc) w = calc_begin(v->ctx);
   struct num_vec x = calc_vec(&w, N_MOVING), a = calc_vec(&w, 16), z = calc_vec(&w, 4);
   slong prec = v->ctx.prec;
   int s = moving_at(&x, v, ph, tau);
@@ -307,7 +304,6 @@ static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct val
     arb_addmul(rate, num_vec_at(&f->c, m), num_vec_at(&z, m), prec);
     arb_addmul(rate, num_vec_at(&f->c, MOVING_X + m), num_vec_at(&z, m), prec);
   }
-  calc_clear(&w);
   return s;
 }
 
@@ -409,7 +405,7 @@ static truth sign_of(struct condition *c, const arb_t m) {
 
 /* At a fraction of the phase, or at the one moment that the condition names. */
 static truth holds_at(struct bound *b, double where) {
-  struct calc w = calc_begin(b->v->ctx);
+  OWNED(calc) w = calc_begin(b->v->ctx);
   struct num_vec x = calc_vec(&w, N_MOVING), tau = calc_vec(&w, 2);
   arb_ptr time = num_vec_at(&tau, 0), m = num_vec_at(&tau, 1);
   int s = SS_OK;
@@ -419,9 +415,7 @@ static truth holds_at(struct bound *b, double where) {
     s |= moving_at(&x, b->v, b->c->phase, time);
   }
   s |= margin_at(m, b, b->c->moving ? &x : NULL);
-  truth holds = s == SS_OK ? sign_of(b->c, m) : TRUTH_UNKNOWN;
-  calc_clear(&w);
-  return holds;
+  return s == SS_OK ? sign_of(b->c, m) : TRUTH_UNKNOWN;
 }
 
 static truth holds_at_samples(struct bound *b) {
@@ -432,12 +426,11 @@ static truth holds_at_samples(struct bound *b) {
 
 truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p,
                       struct orbit_cache *cache) {
-  struct values v;
+  OWNED(values) v;
   struct bound b;
   double at = 0;
-  arb_t margin;
+  NUMBERS(arb, margin);
   truth holds = TRUTH_UNKNOWN;
-  arb_init(margin);
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache);
   if (s == SS_OK) {
     s |= bind(&b, c, &v);
@@ -449,10 +442,8 @@ truth condition_holds(double *where, arb_ptr value, struct condition *c, const s
       holds = sign_of(c, margin);
     }
   }
-  values_clear(&v);
   if (where) *where = at;
   if (value) arb_set(value, margin);
-  arb_clear(margin);
   return holds;
 }
 
@@ -464,7 +455,7 @@ truth conditions_hold(struct conditions *list, const struct point *p, struct orb
 }
 
 truth condition_holds_at(struct condition *c, const struct point *p, double where, struct orbit_cache *cache) {
-  struct values v;
+  OWNED(values) v;
   struct bound b;
   truth holds = TRUTH_UNKNOWN;
   int s = values_init(&v, p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), cache);
@@ -472,6 +463,5 @@ truth condition_holds_at(struct condition *c, const struct point *p, double wher
     s |= bind(&b, c, &v);
     if (s == SS_OK) holds = where < 0 ? holds_at_samples(&b) : holds_at(&b, where);
   }
-  values_clear(&v);
   return holds;
 }

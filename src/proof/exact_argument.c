@@ -34,7 +34,7 @@ static int collect(struct num_vec *facts, struct exact_motion *m, const struct c
 /* The margin, or its rate, at that time of the phase. */
 static bool follows_at(const struct condition *goal, const struct conditions *premises, int anchor,
                        enum exact_time time, bool rate) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_orbit_init(&m, goal->phase, anchor, time, false);
   struct num_vec facts = calc_vec(&m.c, MAX_FACTS);
   element *margin = calc_new(&m.c);
@@ -44,7 +44,6 @@ static bool follows_at(const struct condition *goal, const struct conditions *pr
     ok = exact_is_zero(margin);
   else if (ok)
     ok = exact_follows(&m, margin, &facts, collect(&facts, &m, premises));
-  exact_motion_clear(&m);
   return ok;
 }
 
@@ -69,7 +68,7 @@ bool exact_vanishes(const struct condition *c, enum exact_time time) {
 }
 
 int exact_friction_slope(const struct condition *cond, int i) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_orbit_init(&m, cond->phase, 4, TIME_INSIDE, false);
   struct num_vec none = calc_vec(&m.c, 1);
   element *margin = calc_new(&m.c);
@@ -77,6 +76,5 @@ int exact_friction_slope(const struct condition *cond, int i) {
   if (exact_margin(margin, &m, &cond->s.tape) &&
       exact_derivative(margin, m.field, margin, i ? "u_s2" : "u_s1") == SS_OK)
     slope = exact_is_zero(margin) ? 0 : exact_follows(&m, margin, &none, 0) ? 1 : -1;
-  exact_motion_clear(&m);
   return slope;
 }

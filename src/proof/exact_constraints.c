@@ -16,38 +16,33 @@ static bool margin_follows(struct exact_motion *m, const struct num_vec *law, co
   int now = 0;
   while (now < i && !(bound[now].force && bound[now].mass == bound[i].mass && !bound[now].start)) now++;
   if (!bound[i].start || now == i || !exact_follows(m, num_vec_at(law, now), facts, n)) return false;
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   element *rate = calc_new(&c);
   c.status |= exact_derivative(rate, m->field, num_vec_at(law, now), "tau");
   val falls = calc_neg(&c, rate);
-  bool ok = c.status == SS_OK && exact_follows(m, falls, facts, n);
-  calc_clear(&c);
-  return ok;
+  return c.status == SS_OK && exact_follows(m, falls, facts, n);
 }
 
 /* All that (2) asks in the phase, from the list. */
 static bool law_follows(const struct conditions *list, enum phase ph, int anchor) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   struct exact_bound bound[EXACT_CONDITIONS];
   exact_orbit_init(&m, ph, anchor, TIME_INSIDE, false);
   struct num_vec law = calc_vec(&m.c, EXACT_CONDITIONS), facts = calc_vec(&m.c, MAX_FACTS);
   int n_law = exact_law_margins(&law, bound, &m), n = exact_premises(&facts, 0, &m, list);
   bool ok = n_law > 0;
   for (int i = 0; ok && i < n_law; i++) ok = margin_follows(&m, &law, bound, i, &facts, n);
-  exact_motion_clear(&m);
   return ok;
 }
 
 /* t_a > 0, without which there is no stick phase; the other times are those of events, and positive. */
 static bool stick_phase_follows(const struct conditions *list) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_orbit_init(&m, PHASE_D, 4, TIME_START, false);
   struct num_vec facts = calc_vec(&m.c, MAX_FACTS);
   element *time = calc_new(&m.c);
   int n = exact_premises(&facts, 0, &m, list);
-  bool ok = exact_symbol(time, m.field, "t_a") == SS_OK && exact_follows(&m, time, &facts, n);
-  exact_motion_clear(&m);
-  return ok;
+  return exact_symbol(time, m.field, "t_a") == SS_OK && exact_follows(&m, time, &facts, n);
 }
 
 bool exact_constraints(const struct conditions *list) {
@@ -67,7 +62,7 @@ static int find(const struct exact_bound *bound, int n, int mass, bool start, bo
 
 /* u_ri + f_i does not decrease along the phase. */
 static bool limit_rises(enum phase ph, int mass) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   struct exact_bound bound[EXACT_CONDITIONS];
   exact_orbit_init(&m, ph, 4, TIME_INSIDE, false);
   struct num_vec law = calc_vec(&m.c, EXACT_CONDITIONS);
@@ -75,14 +70,12 @@ static bool limit_rises(enum phase ph, int mass) {
   int n = exact_law_margins(&law, bound, &m), i = find(bound, n, mass, false, false);
   if (i >= 0) m.c.status |= exact_derivative(rate, m.field, num_vec_at(&law, i), "tau");
   val rises = calc_neg(&m.c, rate); /* as u_ri - f_i falls */
-  bool ok = i >= 0 && m.c.status == SS_OK && (exact_is_zero(rises) || exact_follows(&m, rises, &law, n));
-  exact_motion_clear(&m);
-  return ok;
+  return i >= 0 && m.c.status == SS_OK && (exact_is_zero(rises) || exact_follows(&m, rises, &law, n));
 }
 
 /* u_ri + f_i = 2 (u_ri - least) where the phase begins. */
 static bool starts_at(const struct tape *least, enum phase ph, int mass) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   struct exact_bound bound[EXACT_CONDITIONS];
   exact_orbit_init(&m, ph, 4, TIME_INSIDE, true);
   struct num_vec law = calc_vec(&m.c, EXACT_CONDITIONS);
@@ -92,7 +85,6 @@ static bool starts_at(const struct tape *least, enum phase ph, int mass) {
   if (ok) m.c.status |= exact_motion_bind(limit, m.field, mass ? "u_r2" : "u_r1", &m);
   val twice = calc_mul(&m.c, calc_d(&m.c, 2), calc_sub(&m.c, limit, value));
   ok = ok && m.c.status == SS_OK && exact_equal(m.field, num_vec_at(&law, i), twice);
-  exact_motion_clear(&m);
   return ok;
 }
 

@@ -41,7 +41,7 @@ static void add_force(struct law *law, struct calc *c, struct exact_motion *m, s
 int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exact_motion *m) {
   static const char *const now[2] = {"z_1(t)", "z_2(t)"}, *const speed[2] = {"z_1'(t)", "z_2'(t)"};
   if (!m->spec.admissible || m->attempt.time != TIME_INSIDE) return 0;
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   struct law law = {.margin = out};
   for (int mass = 0; mass < 2; mass++) {
     if (!phase_slips[m->spec.phase][mass]) {
@@ -55,7 +55,6 @@ int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exa
   }
   for (int i = 0; bound && i < law.n; i++) bound[i] = law.bound[i];
   int s = c.status;
-  calc_clear(&c);
   return s == SS_OK ? law.n : 0;
 }
 
@@ -75,7 +74,7 @@ static bool is_rest(const element *x, const struct num_vec *positive, int n) {
 
 bool exact_follows(struct exact_motion *m, const element *x, const struct num_vec *facts, int n) {
   enum { N_FACTORS = 4 };
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   struct num_vec positive = calc_vec(&c, EXACT_POSITIVE);
   int n_positive = exact_motion_positive(&positive, m);
   val factor[N_FACTORS] = {calc_d(&c, 1), at(&m->params, P_CHI), calc_d(&c, 2), calc_d(&c, 0.5)};
@@ -88,6 +87,5 @@ bool exact_follows(struct exact_motion *m, const element *x, const struct num_ve
       yes = c.status == SS_OK && is_rest(rest, &positive, n_positive);
       calc_release(&c, mark);
     }
-  calc_clear(&c);
   return yes;
 }

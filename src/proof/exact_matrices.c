@@ -9,7 +9,7 @@
 
 /* The 4x4 derivative of the event-located map of a phase: column by column what it makes of a perturbation. */
 static int local_jacobian(struct num_vec *j, struct exact_motion *m, int phase) {
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   struct num_vec z, f = calc_vec(&c, 4), col = calc_vec(&c, 4), p = calc_vec(&c, 16);
   void *dt = calc_new(&c), *u = calc_new(&c);
   c.status = motion_state(&z, m, phase + 1);
@@ -22,7 +22,6 @@ static int local_jacobian(struct num_vec *j, struct exact_motion *m, int phase) 
     for (int i = 0; i < 4; i++)
       calc_store(&c, at(j, 4 * i + k), calc_add(&c, calc_mul(&c, at(&f, i), dt), at(&col, i)));
   }
-  calc_clear(&c);
   return c.status;
 }
 
@@ -63,7 +62,7 @@ static int direction(struct num_vec *v, struct exact_motion *m, int phase, int k
 /* Does the phase carry the perturbations of its corner's columns to those of the next corner's, as the corner says? */
 static bool hands_over(struct exact_motion *m, int phase) {
   const struct local_map *map = &local_maps[phase];
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   struct num_vec j = calc_vec(&c, 16), kept = calc_vec(&c, map->rows * map->cols);
   struct num_vec v = calc_vec(&c, 4), w = calc_vec(&c, 4);
   c.status = local_jacobian(&j, m, phase);
@@ -79,7 +78,6 @@ static bool hands_over(struct exact_motion *m, int phase) {
     for (int i = 0; i < 4; i++)
       if (!exact_is_zero(at(&v, i))) c.status |= SS_UNABLE;
   }
-  calc_clear(&c);
   return c.status == SS_OK;
 }
 

@@ -122,7 +122,7 @@ static int bind_param(element *z, struct exact_motion *m, int i) {
 
 /* N Z_0 = Z_0 on a periodic motion, solved for the column of N that multiplies z_1'. */
 static int periodic_entry(element *z, struct exact_motion *m, int row) {
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   struct num_vec v;
   char name[16];
   m->used_matrix = true;
@@ -136,7 +136,6 @@ static int periodic_entry(element *z, struct exact_motion *m, int row) {
     rest = calc_sub(&c, rest, calc_mul(&c, entry, at(&v, j - 1)));
   }
   calc_store(&c, z, calc_div(&c, rest, at(&v, 2)));
-  calc_clear(&c);
   return c.status;
 }
 

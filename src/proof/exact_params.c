@@ -30,11 +30,9 @@ int motion_symbol(element *z, struct exact_motion *m, const char *name) {
   const struct restriction *r = m->spec.restriction;
   if (!r || r->quantity > Q_V || strcmp(name_param[r->quantity - Q_CHI], name) != 0)
     return exact_symbol(z, m->field, name);
-  fmpq_t q;
-  fmpq_init(q);
+  NUMBERS(fmpq, q);
   int s = num_parse_decimal(q, r->value, strlen(r->value));
   if (s == SS_OK) s = num_exact.set_q(z, q, 0);
-  fmpq_clear(q);
   return s;
 }
 
@@ -65,7 +63,7 @@ static bool is_frequency(struct exact_motion *m, const element *w) {
 /* chi eta = w1^2 + w2^2 - 1 and chi = (1 - w1^2)(w2^2 - 1)/(chi eta): the trace and the determinant of K solved for chi
    and eta; 0 < w1 < 1 < w2 is the domain 0 < chi < 1, eta > 0 once. */
 static int take_modes(struct exact_motion *m) {
-  struct calc c = calc_begin(num_ctx_exact());
+  OWNED(calc) c = calc_begin(num_ctx_exact());
   element *w1 = at(&m->frequency, 0), *w2 = at(&m->frequency, 1);
   c.status = exact_symbol(w1, m->field, "w_1") | exact_symbol(w2, m->field, "w_2");
   val one = calc_d(&c, 1), a = calc_mul(&c, w1, w1), b = calc_mul(&c, w2, w2);
@@ -73,7 +71,6 @@ static int take_modes(struct exact_motion *m) {
   val det = calc_mul(&c, calc_sub(&c, one, a), calc_sub(&c, b, one));
   calc_store(&c, at(&m->params, P_CHI), calc_div(&c, det, stiff));
   calc_store(&c, at(&m->params, P_ETA), calc_div(&c, stiff, at(&m->params, P_CHI)));
-  calc_clear(&c);
   int s = c.status;
   if (s == SS_OK && !(is_frequency(m, w1) && is_frequency(m, w2))) s = SS_UNABLE;
   exact_field_roots(m->field, w1, 2);

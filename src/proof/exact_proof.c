@@ -62,24 +62,20 @@ static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion
 static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d) {
   enum relop op = b->s->ops[i];
   if (op == REL_EQ) return exact_is_zero(d);
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
   int n = exact_law_margins(&law, NULL, m);
   const fmpz_mpoly_q_struct *margin = op == REL_LT ? calc_neg(&c, d) : d;
   bool less = op == REL_LT || op == REL_GT, plain = less && exact_follows(m, margin, &law, 0);
   bool by_law = less && !plain && exact_follows(m, margin, &law, n);
-  calc_clear(&c);
   b->by_law = b->by_law || by_law;
   return plain || by_law;
 }
 
 static bool vanishes(const struct restriction *r, const struct exact_field *f, const fmpz_mpoly_q_struct *d) {
-  fmpq_t value;
-  fmpq_init(value);
-  bool zero = r->quantity <= Q_V && num_parse_decimal(value, r->value, strlen(r->value)) == SS_OK &&
-              exact_vanishes_at(f, d, name_param[r->quantity - Q_CHI], value);
-  fmpq_clear(value);
-  return zero;
+  NUMBERS(fmpq, value);
+  return r->quantity <= Q_V && num_parse_decimal(value, r->value, strlen(r->value)) == SS_OK &&
+         exact_vanishes_at(f, d, name_param[r->quantity - Q_CHI], value);
 }
 
 /* Books the difference of an entry that is not zero. */
@@ -108,7 +104,7 @@ static void print_field(struct text *out, const struct exact_motion *m) {
 
 static void try_attempt(struct job *b, const struct exact_attempt *a) {
   enum { MAX_RESTRICTIONS = 8 };
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   struct sides v;
   bool keep[MAX_RESTRICTIONS], apart = false;
   for (int r = 0; r < n_restrictions; r++) keep[r] = true;
@@ -141,7 +137,6 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   b->uses_matrices = b->uses_matrices || m.used_matrix;
   memcpy(b->unbound, m.unbound, sizeof b->unbound);
   free(v.status);
-  exact_motion_clear(&m);
 }
 
 static bool all_done(const struct job *b) {
@@ -294,7 +289,7 @@ bool exact_sentence(struct sentence *s, const struct exact_question *q, struct v
 /* With n matrices held as unknowns; adds to the proof, which stays one. */
 static void prove_with(struct exact_proof *p, struct judge *j, const struct exact_question *q, struct view view,
                        const struct override *o, int n) {
-  struct sentence s;
+  OWNED(sentence) s;
   struct diag d = {0};
   if (!exact_sentence(&s, q, view, o, n, &d) || s.n > MAX_ENTRIES)
     *p = (struct exact_proof){.why_not = "the sentence cannot be read"};
@@ -310,7 +305,6 @@ static void prove_with(struct exact_proof *p, struct judge *j, const struct exac
     if (p->proved) record_part(p, &b, q, o, n);
     for (slong k = 0; k < s.n; k++) p->by_factors = p->by_factors || s.ops[k] != REL_EQ;
   }
-  sentence_clear(&s);
 }
 
 static struct exact_question *keep_question(struct judge *j, const struct exact_question *q) {

@@ -102,10 +102,9 @@ bool exact_propagator_proved(enum phase ph) {
   if (known[ph] != TRUTH_UNKNOWN) return known[ph] == TRUTH_TRUE;
   const struct exact_attempt modes = {.modes = true};
   const struct point_spec spec = {.kind = POINT_PARAMS};
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_motion_begin(&m, &modes, &spec);
   known[ph] = solves(&m, ph) ? TRUTH_TRUE : TRUTH_FALSE;
-  exact_motion_clear(&m);
   return known[ph] == TRUTH_TRUE;
 }
 

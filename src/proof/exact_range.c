@@ -9,25 +9,21 @@
 
 /* A product of what is positive on the whole domain, sqrt(chi*eta) among it, and of the fact (or NULL). */
 static bool is_product(struct exact_motion *m, val x, val fact) {
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   struct num_vec positive = calc_vec(&c, EXACT_POSITIVE + 1);
   int n = exact_motion_positive(&positive, m);
   val stiff = calc_mul(&c, at(&m->params, P_CHI), at(&m->params, P_ETA));
   c.status |= exact_sqrt(at(&positive, n), m->field, stiff);
   val rest = fact ? calc_div(&c, x, fact) : x;
-  bool yes = n > 0 && c.status == SS_OK && exact_product_sign(rest, at(&positive, 0), n + 1) > 0;
-  calc_clear(&c);
-  return yes;
+  return n > 0 && c.status == SS_OK && exact_product_sign(rest, at(&positive, 0), n + 1) > 0;
 }
 
 /* Positive for all parameters, e_1 > 0 among them. */
 static bool is_positive(struct exact_motion *m, val x) {
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   element *e1 = calc_new(&c);
   c.status |= exact_motion_bind(e1, m->field, "e_1", m);
-  bool yes = is_product(m, x, NULL) || (c.status == SS_OK && is_product(m, x, e1));
-  calc_clear(&c);
-  return yes;
+  return is_product(m, x, NULL) || (c.status == SS_OK && is_product(m, x, e1));
 }
 
 /* --- The form --- */
@@ -122,12 +118,10 @@ static bool holds_on(const struct condition *goal, const struct range_form *form
 }
 
 static bool ends_at_zero(const struct condition *goal, int anchor) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_orbit_init(&m, goal->phase, anchor, TIME_END, false);
   element *margin = calc_new(&m.c);
-  bool zero = exact_margin(margin, &m, &goal->s.tape) && exact_is_zero(margin);
-  exact_motion_clear(&m);
-  return zero;
+  return exact_margin(margin, &m, &goal->s.tape) && exact_is_zero(margin);
 }
 
 bool exact_range(const struct condition *goal, const struct range_form *form) {

@@ -26,10 +26,8 @@ static element *entry(const struct elimination *e, int row, int col) {
 }
 
 int exact_unit_sign(struct exact_field *f, const element *x) {
-  struct calc c = exact_calc(f);
-  int sign = exact_ratio_sign(f, x, calc_d(&c, 1), name_param, P_V + 1);
-  calc_clear(&c);
-  return sign;
+  OWNED(calc) c = exact_calc(f);
+  return exact_ratio_sign(f, x, calc_d(&c, 1), name_param, P_V + 1);
 }
 
 static bool find_pivot(int *row, int *col, const struct elimination *e) {

@@ -122,12 +122,11 @@ int motion_rate_at(struct num_vec *f, struct exact_motion *m, int k, int phase) 
 
 /* -n dz/(n f), by which the event comes later when the state at its time is dz off. */
 int motion_delay(element *dt, struct exact_motion *m, int k, const struct num_vec *dz, const struct num_vec *z) {
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   void *off = calc_new(&c), *rate = calc_new(&c);
   c.status = switching(off, m, k - 1, dz, true);
   c.status |= dyn_switching_rate(rate, (enum phase)(k - 1), &m->params, z) | exact_reduce(rate, m->field);
   calc_store(&c, dt, calc_neg(&c, calc_div(&c, off, rate)));
-  calc_clear(&c);
   return c.status;
 }
 
@@ -137,7 +136,7 @@ static int free_shift(element *dt, struct exact_motion *m, int phase) {
 
 /* P dz + f dt, with dt where the event asks for it (located) or free. */
 static int first_order(struct num_vec *out, struct exact_motion *m, int k, const struct num_vec *dz) {
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   struct num_vec z, f = calc_vec(&c, 4);
   element *dt = at(&m->shift, k - 1);
   int s = motion_state(&z, m, k);
@@ -147,7 +146,6 @@ static int first_order(struct num_vec *out, struct exact_motion *m, int k, const
     s = m->attempt.tangents == TANGENTS_LOCATED ? motion_delay(dt, m, k, out, &z) : free_shift(dt, m, k - 1);
   c.status = s;
   for (int i = 0; i < 4; i++) calc_store(&c, at(out, i), calc_add(&c, at(out, i), calc_mul(&c, at(&f, i), dt)));
-  calc_clear(&c);
   return c.status;
 }
 

@@ -7,25 +7,22 @@
 static bool same_element(const struct tape *a, const struct tape *b) {
   enum { TERMS = 1500 };
   struct exact_field *f = exact_field_new(NULL, 0);
-  struct calc w = exact_calc(f);
+  OWNED(calc) w = exact_calc(f);
   struct num_vec x, y;
   exact_field_limit(f, TERMS);
   int s = exact_eval(&x, &w, f, a);
   s |= exact_eval(&y, &w, f, b);
   bool same = s == SS_OK && x.len == y.len;
   for (slong i = 0; same && i < x.len; i++) same = exact_equal(f, num_vec_at(&x, i), num_vec_at(&y, i));
-  calc_clear(&w);
   exact_field_free(f);
   return same;
 }
 
 static bool same_with(struct view first, struct view second, const char *formula, const char *section,
                       bool (*same)(const struct tape *, const struct tape *), const struct override *o, int n) {
-  struct tape a, b;
+  OWNED(tape) a, b;
   bool ok = formula_tape(&a, first, formula, section, o, n);
   ok = formula_tape(&b, second, formula, section, o, n) && ok && same(&a, &b);
-  tape_clear(&b);
-  tape_clear(&a);
   return ok;
 }
 

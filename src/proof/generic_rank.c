@@ -24,12 +24,11 @@ static struct tape probe(const struct tape *t, slong *outputs, enum tape_op op, 
 static bool roots_of_positive(slong *n, const struct tape *t, slong *outputs) {
   struct tape p = probe(t, outputs, TAPE_sqrt, true);
   struct exact_field *f = exact_field_new(NULL, 0);
-  struct calc c = exact_calc(f);
+  OWNED(calc) c = exact_calc(f);
   struct num_vec v;
   bool ok = exact_eval(&v, &c, f, &p) == SS_OK;
   for (slong i = 0; ok && i < v.len; i++) ok = exact_unit_sign(f, at(&v, i)) > 0;
   *n = p.n_outputs;
-  calc_clear(&c);
   exact_field_free(f);
   return ok;
 }
@@ -49,7 +48,7 @@ static bool roots_are_simple(slong *n, const struct tape *t, slong *outputs) {
   static const struct exact_attempt modes = {.modes = true};
   static const struct point_spec anywhere = {.kind = POINT_PARAMS};
   struct tape p = probe(t, outputs, TAPE_ROOT, false);
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   struct num_vec v;
   exact_motion_begin(&m, &modes, &anywhere);
   exact_field_bind(m.field, bind_parameter, &m);
@@ -57,7 +56,6 @@ static bool roots_are_simple(slong *n, const struct tape *t, slong *outputs) {
   for (slong i = 0; ok && i < v.len; i++)
     ok = exact_equal(m.field, at(&v, i), at(&m.frequency, 0)) || exact_equal(m.field, at(&v, i), at(&m.frequency, 1));
   *n = p.n_outputs;
-  exact_motion_clear(&m);
   return ok;
 }
 
@@ -134,7 +132,7 @@ static int repeated(struct text *note, struct exact_field *f, const struct num_v
 
 static int repeated_equations(struct text *note, struct judge *j, const struct claim *c, struct view view) {
   struct override o[4];
-  struct elaboration el;
+  OWNED(elaboration) el;
   struct tape t;
   struct diag d = {0};
   const struct expr *out[RANK_NAMES];
@@ -146,14 +144,12 @@ static int repeated_equations(struct text *note, struct judge *j, const struct c
       elaboration_tape(&t, &el, out, rows, &d)) {
     struct num_vec v;
     struct exact_field *f = exact_field_new(NULL, 0);
-    struct calc w = exact_calc(f);
+    OWNED(calc) w = exact_calc(f);
     exact_eval_each(&v, status, &w, f, &t, NULL);
     n = repeated(note, f, &v, status);
-    calc_clear(&w);
     exact_field_free(f);
     tape_clear(&t);
   }
-  elaboration_clear(&el);
   return n;
 }
 

@@ -118,14 +118,13 @@ static int margin(element *z, const struct exact_field *f, const struct sentence
 /* The two margins are 1 + tr J and 1 - tr J, in either order. */
 static bool says_inside(const struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
                         const element *trace) {
-  struct calc c = exact_calc(f);
+  OWNED(calc) c = exact_calc(f);
   val one = calc_d(&c, 1), above = calc_add(&c, one, trace), below = calc_sub(&c, one, trace);
   element *m[2] = {calc_new(&c), calc_new(&c)};
   for (slong i = 0; c.status == SS_OK && i < 2; i++) c.status = margin(m[i], f, s, sides, i);
   bool yes = false;
   for (int i = 0; c.status == SS_OK && i < 2; i++)
     yes = yes || (exact_equal(f, m[i], above) && exact_equal(f, m[1 - i], below));
-  calc_clear(&c);
   return yes;
 }
 
@@ -161,10 +160,10 @@ static const struct statement_record *without_modulus(struct unfolded *u, const 
 static bool eigenvalues_as_said(struct text *note, const struct statement_record *r, struct view view) {
   struct override o[N_PHASES];
   struct unfolded u;
-  struct sentence s;
+  OWNED(sentence) s;
   struct diag d = {0};
   struct matrix trace, det;
-  struct tape t = {.n = 0};
+  OWNED(tape) t = {.n = 0};
   int n = 0;
   for (int ph = 0; ph < N_PHASES; ph++) n += oracle_override(&o[n], local_maps[ph].name); /* of the paper's chain */
   bool ok = sentence_from_relations(&s, view, without_modulus(&u, r), o, n, &d) && s.n == 2 &&
@@ -173,18 +172,15 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
   if (ok) ok = elaboration_tape(&t, &s.el, (const struct expr *const[]){trace.e[0], det.e[0]}, 2, &d);
   if (ok) {
     struct exact_field *f = exact_field_new(NULL, 0);
-    struct calc c = exact_calc(f);
+    OWNED(calc) c = exact_calc(f);
     struct num_vec sides, of_chain;
     int status = exact_eval(&sides, &c, f, &s.tape) | exact_eval(&of_chain, &c, f, &t);
     ok = status == SS_OK && exact_is_zero(at(&of_chain, 1)) && says_inside(f, &s, &sides, at(&of_chain, 0));
-    calc_clear(&c);
     exact_field_free(f);
   }
   if (ok)
     text_add(note,
              "; (iv) det J = 0, so that the eigenvalues of J are 0 and tr J, and the inequalities say |tr J| < 1");
-  tape_clear(&t);
-  sentence_clear(&s);
   return ok;
 }
 

@@ -73,7 +73,7 @@ static bool collect_stmt(struct divisor *list, int *n, const char *section, cons
 static bool collect_used(struct divisor *list, int *n, const struct statement_record *r, const struct stmt *s,
                          struct view view) {
   const struct override argument = {s->kind == STMT_DEFINE ? s->param : NULL, 1, 1};
-  struct elaboration el;
+  OWNED(elaboration) el;
   struct matrix m;
   struct diag d = {0};
   elaboration_init(&el, view, &argument, argument.name != NULL);
@@ -86,7 +86,6 @@ static bool collect_used(struct divisor *list, int *n, const struct statement_re
     const struct definition *used = elaboration_used(&el, i);
     if (used) ok = collect_stmt(list, n, used->section, used->stmt);
   }
-  elaboration_clear(&el);
   return ok;
 }
 
@@ -125,7 +124,7 @@ enum { MOST_POSITIVE = 16 };
 /* 1 - chi and the parameters, the blocks and the sum of the springs; with modes, where 0 < w_1 < 1 < w_2, what these
    make of the parameters. */
 static int positive_elements(struct num_vec *out, struct exact_motion *m) {
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   int n = 0;
   val one = calc_d(&c, 1);
   calc_store(&c, at(out, n++), at(&m->params, P_V));
@@ -150,7 +149,6 @@ static int positive_elements(struct num_vec *out, struct exact_motion *m) {
     calc_store(&c, at(out, n++),
                calc_sub(&c, calc_add(&c, calc_mul(&c, w1, w1), calc_mul(&c, w2, w2)), one)); /* chi eta */
   }
-  calc_clear(&c);
   return c.status == SS_OK ? n : 0;
 }
 
@@ -188,15 +186,13 @@ static val energy(struct calc *c, struct exact_motion *m, const struct num_vec *
 
 /* Its derivative along phase Gamma at any state: 2 z_1'' (z_1''' + z_1' - chi V). */
 static bool energy_is_kept(struct exact_motion *m) {
-  struct calc c = exact_calc(m->field);
+  OWNED(calc) c = exact_calc(m->field);
   struct num_vec z, f = calc_vec(&c, 4), g = calc_vec(&c, 4);
   c.status = motion_state(&z, m, 2) | motion_rate(&f, m, PHASE_GAMMA, &z);
   if (c.status == SS_OK) c.status = motion_rate(&g, m, PHASE_GAMMA, &f);
   val v = calc_sub(&c, at(&z, DZ_1), calc_mul(&c, at(&m->params, P_CHI), at(&m->params, P_V)));
   val sum = calc_add(&c, at(&g, DZ_1), v);
-  bool kept = c.status == SS_OK && exact_is_zero(sum);
-  calc_clear(&c);
-  return kept;
+  return c.status == SS_OK && exact_is_zero(sum);
 }
 
 const char *first_mass_is_slower(void) {
@@ -290,15 +286,11 @@ static bool divisor_tape(struct tape *t, const struct divisor *q, struct view vi
 }
 
 const char *nonzero_because(const struct divisor *q, struct view view, bool admissible) {
-  struct tape t;
-  const char *reason = divisor_tape(&t, q, view) ? why(&t, q->root, admissible) : NULL;
-  tape_clear(&t);
-  return reason;
+  OWNED(tape) t;
+  return divisor_tape(&t, q, view) ? why(&t, q->root, admissible) : NULL;
 }
 
 bool zero_at_touch(const struct divisor *q, struct view view) {
-  struct tape t;
-  bool yes = divisor_tape(&t, q, view) && has_touch(&t);
-  tape_clear(&t);
-  return yes;
+  OWNED(tape) t;
+  return divisor_tape(&t, q, view) && has_touch(&t);
 }

@@ -5,7 +5,7 @@
 int propagator_law(struct num_vec *out, const struct num_vec *p, const struct num_vec *rate,
                    const struct num_vec *start, const struct num_vec *a) {
   enum { N = 4 };
-  struct calc c = calc_begin(out->ctx);
+  OWNED(calc) c = calc_begin(out->ctx);
   for (int i = 0; i < N; i++)
     for (int j = 0; j < N; j++) {
       slong at = N * i + j, mark = calc_mark(&c);
@@ -16,6 +16,5 @@ int propagator_law(struct num_vec *out, const struct num_vec *p, const struct nu
       calc_store(&c, num_vec_at(out, N * N + at), calc_sub(&c, num_vec_at(start, at), one));
       calc_release(&c, mark);
     }
-  calc_clear(&c);
   return c.status;
 }

@@ -9,7 +9,7 @@
 /* omega is the root of omega_1^2 + omega_2^2 - 1, and its product with sqrt(chi) that of (1 - omega_1^2)(omega_2^2 -
    1). */
 static void make_parameters(struct stable_field *s) {
-  struct calc c = exact_calc(s->field);
+  OWNED(calc) c = exact_calc(s->field);
   element *omega = &s->positive[0], *root_chi = &s->positive[1];
   val first = &s->frequency[0], second = &s->frequency[1], one = calc_d(&c, 1), square = calc_mul(&c, first, first);
   val above = calc_sub(&c, calc_mul(&c, second, second), one);
@@ -26,12 +26,11 @@ static void make_parameters(struct stable_field *s) {
   calc_store(&c, &s->chi, calc_mul(&c, root_chi, root_chi));
   calc_store(&c, &s->eta, calc_mul(&c, &s->positive[2], &s->positive[2]));
   s->status |= c.status;
-  calc_clear(&c);
 }
 
 /* omega_1 t, omega_2 t, omega t and t over the unit, for each time. */
 static void make_angles(struct stable_field *s, slong unit) {
-  struct calc c = exact_calc(s->field);
+  OWNED(calc) c = exact_calc(s->field);
   val rate[] = {&s->frequency[0], &s->frequency[1], &s->positive[0]};
   for (int i = 0; i < N_TIMES; i++) {
     element *t = calc_new(&c), *angle = &s->angle[i * N_ANGLES];
@@ -40,7 +39,6 @@ static void make_angles(struct stable_field *s, slong unit) {
     for (int k = 0; k < 3; k++) calc_store(&c, &angle[k], calc_mul(&c, &angle[3], rate[k]));
   }
   s->status |= c.status;
-  calc_clear(&c);
 }
 
 /* An entry of a part, "rest_2[1,2]", by what it equals in the corrected layer; NULL when it is none. */

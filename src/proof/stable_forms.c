@@ -102,12 +102,10 @@ static bool is_proved(const struct stable_proofs *p, const struct stmt *stmt) {
 
 /* Notes what a value is made of in the stable layer. */
 static bool note_use(const struct model *noting, const char *value, const char *section) {
-  struct reading r;
+  OWNED(reading) r;
   struct diag d = {0};
   reading_init(&r, noting, LAYER_STABLE, &none);
-  bool ok = reading_value(&r, value, section, &d);
-  reading_clear(&r);
-  return ok;
+  return reading_value(&r, value, section, &d);
 }
 
 static bool is_asked(const struct unknowns *u, const struct model *m, const char *name) {
@@ -147,27 +145,24 @@ static int holdable(struct unknowns *u, const struct stable_proofs *p, const str
 /* Whether the stable side meets parts. */
 static bool uses_parts(bool *yes, const char *section, const struct model *m, const struct sides *of,
                        const struct unknowns *parts, struct diag *d) {
-  struct reading r;
+  OWNED(reading) r;
   *yes = false;
   reading_init(&r, m, LAYER_STABLE, parts);
   bool ok = (of->value[1] ? reading_value(&r, of->value[1], section, d) : reading_record(&r, of->record[1], d)) &&
             elaboration_tape(&r.tape, &r.el, r.e, r.n, d);
   for (int i = 0; ok && i < parts->n_parts; i++) *yes = *yes || tape_reads_matrix(&r.tape, parts->part[i].name);
-  reading_clear(&r);
   return ok;
 }
 
 /* Whether a function says something of t, which is a symbol too, besides what it says of its argument. */
 static bool names_time(bool *yes, const char *function, const char *section, enum layer layer, const struct model *m,
                        struct diag *d) {
-  struct reading r;
-  struct text there = {0};
+  OWNED(reading) r;
+  OWNED(text) there = {0};
   text_printf(&there, "%.*s(%s)", (int)strcspn(function, "("), function, name_time[0]);
   reading_init(&r, m, layer, &none);
   bool ok = reading_value(&r, text_str(&there), section, d) && elaboration_tape(&r.tape, &r.el, r.e, r.n, d);
   if (ok) *yes = *yes || tape_input(&r.tape, "t") >= 0;
-  reading_clear(&r);
-  text_clear(&there);
   return ok;
 }
 
@@ -265,7 +260,7 @@ static struct text value_of(const struct definition *def) {
 
 static bool prove_definition(struct stable_proofs *out, struct unknowns *u, const struct model *m,
                              const struct definition *def, struct diag *d) {
-  struct text own = value_of(def);
+  OWNED(text) own = value_of(def);
   struct diag unclear = {0};
   const char *other = def->rank == RANK_STABLE ? counterpart(text_str(&own), m, def, &unclear) : NULL;
   if (unclear.set) diag_again(d, unclear.message);
@@ -280,7 +275,6 @@ static bool prove_definition(struct stable_proofs *out, struct unknowns *u, cons
                m, &of, u, d);
     if (ok && other != text_str(&own) && !out->item[out->n - 1].why_not) keep_part(u, m, def, other);
   }
-  text_clear(&own);
   return ok;
 }
 
@@ -316,18 +310,16 @@ bool stable_prove_by_algebra(struct stable_proofs *out, const struct model *m, s
 /* Notes a record, and all that it is made of in the stable layer. */
 static void note_record(const struct model *noting, size_t i) {
   const struct statement_record *of = &noting->records[i];
-  struct reading r;
+  OWNED(reading) r;
   struct diag d = {0};
   noting->use->record[i] = true;
   for (size_t k = 0; k < noting->n_defs; k++) {
     if (noting->defs[k].record != of->record) continue;
-    struct text own = value_of(&noting->defs[k]);
+    OWNED(text) own = value_of(&noting->defs[k]);
     note_use(noting, text_str(&own), of->section);
-    text_clear(&own);
   }
   reading_init(&r, noting, LAYER_STABLE, &none);
   reading_record(&r, of, &d);
-  reading_clear(&r);
 }
 
 static bool concerns(const struct statement_record *r, const char *equation, const char *record) {

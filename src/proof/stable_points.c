@@ -24,12 +24,11 @@ static double draw(const char *name, int trial) {
 
 static void balls_there(struct num_vec *out, int *status, const struct tape *t, int trial) {
   enum { BITS = 256 };
-  struct num_vec in;
+  OWNED(num_vec) in;
   num_vec_init(&in, t->n_inputs, num_ctx_arb(BITS));
   num_vec_init(out, t->n_outputs, num_ctx_arb(BITS));
   for (slong k = 0; k < t->n_inputs; k++) arb_set_d(num_vec_at(&in, k), draw(t->inputs[k], trial));
   tape_eval(out, status, t, &in);
-  num_vec_clear(&in);
 }
 
 /* What points say of the entries of two forms of one shape. */
