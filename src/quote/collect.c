@@ -139,10 +139,9 @@ bool quotations_add_scene(struct quotations *q, const struct claims *c, struct s
 }
 
 bool quotations_add_scenes(struct quotations *q, const struct claims *c, const char *data, struct diag *d) {
-  struct arena a;
-  struct text path = {0};
+  LOCAL(arena, a);
+  OWNED(text) path = {0};
   size_t n;
-  arena_init(&a);
   text_printf(&path, "%s/scenes", data);
   char **name = folder_files(&n, text_str(&path), ".scene", &a, d);
   bool ok = n > 0;
@@ -151,8 +150,6 @@ bool quotations_add_scenes(struct quotations *q, const struct claims *c, const c
     ok = source_read(&src, name[i], MAX_SCENE_FILE, d) && quotations_add_scene(q, c, src, d);
   }
   free(name);
-  text_clear(&path);
-  arena_clear(&a);
   return ok;
 }
 
