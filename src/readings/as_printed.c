@@ -34,18 +34,14 @@ static bool solve_beside(arb_ptr x, const struct formulas *f, const struct scene
 /* Digits to which two balls are certainly equal; 0 where they are certainly not. */
 static long equal_digits(const arb_t x, const arb_t y) {
   enum { MOST = 30 };
-  arb_t d;
-  mag_t size;
-  arb_init(d);
-  mag_init(size);
+  NUMBERS(arb, d);
+  NUMBERS(mag, size);
   arb_sub(d, x, y, PRECISION);
   bool may = arb_contains_zero(d);
   arb_get_mag(size, d);
   double digits = -mag_get_d_log2_approx(size) * log10(2);
   arb_get_mag_lower(size, y);
   digits += mag_get_d_log2_approx(size) * log10(2);
-  mag_clear(size);
-  arb_clear(d);
   return !may ? 0 : digits > MOST ? MOST : (long)floor(digits);
 }
 
@@ -101,15 +97,13 @@ const char *readings_as_printed(struct judge *j, const char *own) {
   ok = ok && !tape_same(&printed.tape, &corrected.tape);
   formulas_clear(&corrected);
   const char *says = NULL;
-  struct point p;
+  LOCAL(point, p);
   struct sampler s;
-  point_init(&p);
   sampler_init(&s, "as printed", &(struct point_spec){.kind = POINT_ORBIT, .admissible = true});
   for (int i = 0; ok && !says && i < DRAWS; i++) {
     sampler_next(&p, &s);
     if (point_settle(&p, j->cache)) says = compare_at(j, &printed, &p);
   }
-  point_clear(&p);
   formulas_clear(&printed);
   return says;
 }

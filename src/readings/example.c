@@ -17,22 +17,14 @@ static int significant_digits(const char *decimal) {
 
 /* The nearest multiple of 10^-n, ties away from zero. */
 static void round_decimals(fmpq_t z, const fmpq_t x, int n) {
-  fmpz_t scale, q;
-  fmpq_t y, half;
-  fmpz_init(scale);
-  fmpz_init(q);
-  fmpq_init(y);
-  fmpq_init(half);
+  NUMBERS(fmpz, scale, q);
+  NUMBERS(fmpq, y, half);
   fmpz_ui_pow_ui(scale, 10, (ulong)n);
   fmpq_set_si(half, fmpq_sgn(x) < 0 ? -1 : 1, 2);
   fmpq_mul_fmpz(y, x, scale);
   fmpq_add(y, y, half);
   fmpz_tdiv_q(q, fmpq_numref(y), fmpq_denref(y));
   fmpq_set_fmpz_frac(z, q, scale);
-  fmpq_clear(half);
-  fmpq_clear(y);
-  fmpz_clear(q);
-  fmpz_clear(scale);
 }
 
 const char *example_init(struct example *e, const struct scene *s) {

@@ -10,11 +10,9 @@ enum { PREC = FIRST_PREC, VALUE_DIGITS = 8, SLOPE_DIGITS = 4 };
 
 /* What cannot be told from zero is shown with a bound that does not hang on the last bits. */
 static const char *digits_of(struct audit_result *out, const arb_t x, slong n) {
-  mag_t size;
-  mag_init(size);
+  NUMBERS(mag, size);
   arb_get_mag(size, x);
   bool tiny = arb_contains_zero(x) && !mag_is_zero(size) && mag_cmp_2exp_si(size, -64) < 0;
-  mag_clear(size);
   if (tiny) return "0";
   struct text t = {0};
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
@@ -174,8 +172,7 @@ static bool procedure_solve(arb_ptr x, const struct example *e, unsigned inputs,
 /* Rounded outwards: to nearest, after half a unit of the last digit shown. */
 static const char *end_of(struct audit_result *out, const arb_t x, bool upper) {
   enum { DIGITS = 6 };
-  arb_t end;
-  arb_init(end);
+  NUMBERS(arb, end);
   if (upper)
     arb_get_ubound_arf(arb_midref(end), x, PREC);
   else
@@ -183,9 +180,7 @@ static const char *end_of(struct audit_result *out, const arb_t x, bool upper) {
   double size = fabs(arf_get_d(arb_midref(end), ARF_RND_NEAR));
   double half = size > 0 ? pow(10, floor(log10(size)) + 1 - DIGITS) / 2 : 0;
   arf_set_d(arb_midref(end), arf_get_d(arb_midref(end), ARF_RND_NEAR) + (upper ? half : -half));
-  const char *s = digits_of(out, end, DIGITS);
-  arb_clear(end);
-  return s;
+  return digits_of(out, end, DIGITS);
 }
 
 void readings_procedure(struct readings *r, struct audit_result *out, const struct example *e, struct system *s,

@@ -110,7 +110,7 @@ bool readings_slopes(arb_ptr by_known, arb_ptr by_equation, struct system *s, ar
                      unsigned unknown) {
   int eq[N_EQ], at[N_X], n = lists(eq, at, eqs, unknown);
   if (n <= 0) return false;
-  struct calc w = calc_begin(s->ctx);
+  OWNED(calc) w = calc_begin(s->ctx);
   struct num_vec j = calc_vec(&w, n * n);
   struct num_vec right = calc_vec(&w, n * (N_X + n)); /* minus the derivative by every quantity; the unit matrix */
   for (int i = 0; i < N_X; i++) arb_set(num_vec_at(&s->x, i), x + i);
@@ -128,6 +128,5 @@ bool readings_slopes(arb_ptr by_known, arb_ptr by_equation, struct system *s, ar
     for (int c = 0; by_equation && c < n; c++)
       arb_set(by_equation + at[i] * N_EQ + eq[c], num_vec_at(&right, i * (N_X + n) + N_X + c));
   }
-  calc_clear(&w);
   return ok;
 }

@@ -264,7 +264,7 @@ static void conclude_pairs(struct hunt *h) {
 
 static void conclude_rounding(struct hunt *h) {
   struct readings *r = h->r;
-  struct text out = {0}, need = {0};
+  OWNED(text) out = {0}, need = {0};
   int most = -1;
   for (int i = 0; i < r->procedure.n_outputs; i++) {
     const struct procedure_output *o = &r->procedure.output[i];
@@ -286,8 +286,6 @@ static void conclude_rounding(struct hunt *h) {
                    "the last "
                    "printed decimal: %s.",
                    r->procedure.inputs, text_str(&need)));
-  text_clear(&need);
-  text_clear(&out);
 }
 
 /* --- The whole --- */

@@ -123,7 +123,7 @@ static int from_tape(struct system *s) {
 
 static int from_model(struct system *s) {
   const struct num_type *t = s->ctx.type;
-  struct calc c = calc_begin(s->ctx);
+  OWNED(calc) c = calc_begin(s->ctx);
   struct num_vec params = calc_vec(&c, N_PARAMS), a = calc_vec(&c, 16);
   for (int i = 0; i < 3; i++) t->set(num_vec_at(&params, i), num_vec_at(&s->model, i));
   int status = t->set_d(num_vec_at(&params, P_E1), 1, s->ctx.prec); /* the motion does not depend on them */
@@ -133,7 +133,6 @@ static int from_model(struct system *s) {
     status |= dyn_system(&a, (enum phase)k, &params);
     status |= num_mat_mul(&s->dp[k], &a, &s->p[k], 4, 4, 4);
   }
-  calc_clear(&c);
   return status;
 }
 
@@ -146,21 +145,20 @@ int system_propagators(struct system *s) {
 /* out = p in for the first n columns of 4x6 tangents; those for later times are still zero. */
 static int carry_tangents(struct num_vec *out, const struct num_vec *p, const struct num_vec *in, int n) {
   const struct num_type *t = out->ctx.type;
-  struct num_vec part;
+  OWNED(num_vec) part;
   num_vec_init(&part, 4 * n, out->ctx);
   for (int i = 0; i < 4; i++)
     for (int c = 0; c < n; c++) t->set(num_vec_at(&part, n * i + c), num_vec_at(in, 6 * i + c));
   int status = num_mat_mul(&part, p, &part, 4, 4, n);
   for (int i = 0; i < 4; i++)
     for (int c = 0; c < n; c++) t->set(num_vec_at(out, 6 * i + c), num_vec_at(&part, n * i + c));
-  num_vec_clear(&part);
   return status;
 }
 
 /* From the positions in state[0], velocities V. */
 static int motion_run(struct motion *m, const struct system *s) {
   const struct num_type *t = s->ctx.type;
-  struct num_vec rate;
+  OWNED(num_vec) rate;
   num_vec_init(&rate, 4, s->ctx);
   for (int i = 2; i < 4; i++) t->set(num_vec_at(&m->state[0], i), num_vec_at(&s->model, 2));
   int status = SS_OK;
@@ -171,7 +169,6 @@ static int motion_run(struct motion *m, const struct system *s) {
     status |= num_mat_mul(&rate, &s->dp[k], &m->state[k], 4, 4, 1);
     for (int i = 0; i < 4; i++) t->set(num_vec_at(&m->tangent[k + 1], 6 * i + 2 + k), num_vec_at(&rate, i));
   }
-  num_vec_clear(&rate);
   return status;
 }
 
@@ -185,7 +182,7 @@ static void add_share(void *z, struct calc *c, val factor, val end, val start) {
 static int row_along(struct system *s, int eq) {
   const struct equation *e = &equations[eq];
   const struct num_type *t = s->ctx.type;
-  struct calc w = calc_begin(s->ctx);
+  OWNED(calc) w = calc_begin(s->ctx);
   void *value = num_vec_at(&s->value, eq);
   int status = t->set_d(value, 0, s->ctx.prec);
   bool returns = e->right == RIGHT_START;
@@ -205,7 +202,6 @@ static int row_along(struct system *s, int eq) {
     calc_store(&w, value, calc_sub(&w, value, num_vec_at(&s->x, e->right)));
     status |= t->set_d(num_vec_at(&s->slope, eq * N_X + e->right), -1, s->ctx.prec);
   }
-  calc_clear(&w);
   return status | w.status;
 }
 
@@ -213,7 +209,7 @@ static int row_along(struct system *s, int eq) {
 static int rows_solved(struct system *s, int block) {
   const struct num_type *t = s->ctx.type;
   slong prec = s->ctx.prec;
-  struct calc w = calc_begin(s->ctx);
+  OWNED(calc) w = calc_begin(s->ctx);
   struct num_vec a = calc_vec(&w, 4), gap = calc_vec(&w, 2), rate = calc_vec(&w, 8), one = calc_vec(&w, 1);
   int status = t->set_d(num_vec_at(&one, 0), 1, prec);
   for (int i = 0; i < 2; i++) {
@@ -237,7 +233,6 @@ static int rows_solved(struct system *s, int block) {
     for (int c = 0; c < N_X; c++) status |= t->set_d(num_vec_at(&s->slope, eq * N_X + c), c == X_Z10 + i, prec);
     for (int c = 0; c < 4; c++) t->set(num_vec_at(&s->slope, eq * N_X + X_TA + c), num_vec_at(&rate, 4 * i + c));
   }
-  calc_clear(&w);
   return status;
 }
 
