@@ -142,7 +142,7 @@ void route_means_print(struct text *out, unsigned means) {
 
 void routes_describe(struct audit_result *out) {
   const char **line = arena_alloc(&out->arena, N_ROUTE_ROWS * sizeof *line);
-  struct text t = {0};
+  OWNED(text) t = {0};
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
     const struct route_info *r = &route_table[i];
     text_reset(&t);
@@ -152,7 +152,6 @@ void routes_describe(struct audit_result *out) {
     route_means_print(&t, r->means);
     line[i] = result_copy(out, text_str(&t));
   }
-  text_clear(&t);
   out->independence = line;
   out->n_independence = N_ROUTE_ROWS;
 }
