@@ -147,7 +147,7 @@ static void add_controls(struct text *out, const struct audit_result *r) {
 /* All, or those that disagree, under a heading. */
 static void add_route_pairs(struct text *out, const struct audit_result *r, bool disagreeing) {
   const char *quantity = "";
-  struct text heading = {0};
+  OWNED(text) heading = {0};
   for (size_t i = 0; i < r->n_pairs; i++) {
     const struct route_pair *p = &r->pairs[i];
     if (disagreeing && p->within) continue;
@@ -167,7 +167,6 @@ static void add_route_pairs(struct text *out, const struct audit_result *r, bool
     text_add(out, " |\n");
   }
   if (*quantity) text_add_char(out, '\n');
-  text_clear(&heading);
 }
 
 static void add_routes(struct text *out, const struct audit_result *r) {

@@ -85,13 +85,12 @@ enum { N_BESIDE = sizeof pictures_beside / sizeof *pictures_beside };
 
 static size_t find_neighbours(struct neighbour found[N_BESIDE], const char *folder) {
   size_t n = 0;
-  struct text path = {0};
+  OWNED(text) path = {0};
   for (size_t i = 0; i < N_BESIDE; i++) {
     text_reset(&path);
     text_printf(&path, "%s/%s", folder, pictures_beside[i].path);
     if (access(text_str(&path), R_OK) == 0) found[n++] = pictures_beside[i];
   }
-  text_clear(&path);
   return n;
 }
 
@@ -114,11 +113,10 @@ void output_add_views(struct output *out, struct audit_result *r, const struct m
 
 bool output_add_report(struct output *out, const struct audit_result *r, const struct mutation_score *score,
                        struct diag *d) {
-  struct audit_result again;
-  struct source s;
+  LOCAL(audit_result, again);
+  OWNED(source) s;
   struct text *json = output_add(out, "audit.json");
   report_json(json, r);
-  audit_result_init(&again);
   source_from_string(&s, "audit.json", text_str(json));
   bool ok = s.len <= LARGEST_AUDIT;
   if (!ok)
@@ -126,7 +124,5 @@ bool output_add_report(struct output *out, const struct audit_result *r, const s
   ok = ok && report_read(&again, &s, d);
   for (size_t i = 0; ok && i < again.n_tables; i++) again.tables[i].text = r->tables[i].text; /* in order */
   if (ok) output_add_views(out, &again, score);
-  source_clear(&s);
-  audit_result_clear(&again);
   return ok;
 }

@@ -382,7 +382,7 @@ static void add_script(struct setter *m, size_t at, const struct text *script, c
 
 /* Primes and scripts after the element written since `at`. */
 static void set_scripts(struct setter *m, size_t at) {
-  struct text sub = {0}, sup = {0};
+  OWNED(text) sub = {0}, sup = {0};
   int primes = read_scripts(m, &sub, &sup);
   bool both = sub.len && sup.len && !primes;
   if (both) {
@@ -394,8 +394,6 @@ static void set_scripts(struct setter *m, size_t at) {
     if (sup.len) add_script(m, at, &sup, "<msup>", "</msup>");
   }
   if (sub.len || sup.len || primes) m->before = BEFORE_ATOM;
-  text_clear(&sup);
-  text_clear(&sub);
 }
 
 /* The sign of application, and a thin space before an argument without parentheses. */

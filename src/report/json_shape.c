@@ -236,16 +236,14 @@ static bool read_member(const struct walk *w, void *record, const struct member 
 
 /* Whether the member says what is told from the record. */
 static bool agrees(const struct walk *w, const void *record, const struct member *m, const struct json_value *v) {
-  struct text told = {0};
-  struct source s;
+  OWNED(text) told = {0};
+  OWNED(source) s;
   struct json j;
   struct json_value again;
   json_init(&j, &told);
   m->tell(&j, NULL, record);
   source_from_string(&s, m->key, text_str(&told));
   bool same = json_parse(&again, w->a, &s, NULL) && json_same(&again, v);
-  source_clear(&s);
-  text_clear(&told);
   return same || wrong(w, m, v, "does not say what the rest of the file does");
 }
 

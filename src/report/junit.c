@@ -68,10 +68,9 @@ static void add_routes(struct text *out, const struct audit_result *r) {
   begin_suite(out, "routes", r->n_pairs + r->n_long_runs, failed, 0);
   for (size_t i = 0; i < r->n_pairs; i++) {
     const struct route_pair *p = &r->pairs[i];
-    struct text name = {0};
+    OWNED(text) name = {0};
     text_printf(&name, "%s, %s", p->first, p->second);
     begin_case(out, r->scene, "routes", p->quantity, text_str(&name));
-    text_clear(&name);
     if (!p->within) html_add(out, "<failure message=\"beyond %e\" />", p->stated);
     end_case(out);
   }

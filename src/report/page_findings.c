@@ -136,11 +136,10 @@ static void add_certificate(const struct page *p, const struct finding *f) {
   const struct evidence *e = failure_evidence(f);
   if (!e) return;
   begin_row(p, "Certificate");
-  struct text orbit = {0};
+  OWNED(text) orbit = {0};
   add_note(p, e->note);
   if (e->note) finding_orbit(&orbit, f);
   if (orbit.len) page_add(p, "There %p. ", text_str(&orbit));
-  text_clear(&orbit);
   if (e->worst && (!e->note || !strstr(e->note, e->worst)))
     page_add(p, "%s%t%. ", e->residual ? "Largest difference at " : "Where: ", e->worst);
   page_add(p, "Route: %e", e->route);

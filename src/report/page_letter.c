@@ -21,10 +21,9 @@ static size_t first_sentence(const char *s) {
 }
 
 static void add_first_sentence(const struct page *p, const char *s) {
-  struct text one = {0};
+  OWNED(text) one = {0};
   text_add_n(&one, s, first_sentence(s));
   page_add(p, "%t%.", text_str(&one));
-  text_clear(&one);
 }
 
 /* --- The printed numbers --- */
@@ -239,11 +238,10 @@ static void add_later(const struct page *p, const struct finding *f) {
 
 static void add_gift(const struct page *p) {
   const struct finding *f = audit_result_finding(p->r, "text-example-stability");
-  struct text range = {0};
-  struct rows t;
+  OWNED(text) range = {0};
+  OWNED(rows) t;
   bool along = rows_read(&t, p->r, picture_along.table);
   if (along) picture_along.say(&range, &t);
-  rows_clear(&t);
   if (f || along) {
     text_printf(p->out, "<h3>%s</h3>\n<div class=\"beside\">\n<p>",
                 p->r->data ? "Where the solution is stable"
@@ -255,16 +253,14 @@ static void add_gift(const struct page *p) {
     page_picture(p, &picture_along, "");
     text_add(p->out, "</div>\n");
   }
-  text_clear(&range);
 }
 
 /* --- The letter --- */
 
 static void add_data(const struct page *p) {
-  struct text data = {0};
+  OWNED(text) data = {0};
   audit_data(&data, p->r);
   if (data.len) page_add(p, "<p>%p</p>\n", text_str(&data));
-  text_clear(&data);
 }
 
 void page_letter(const struct page *p) {

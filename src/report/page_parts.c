@@ -89,8 +89,7 @@ void page_number(const struct page *p, const struct column *column, long n) {
 }
 
 void page_recheck(const struct page *p) {
-  struct text command = {0};
+  OWNED(text) command = {0};
   audit_recheck(&command, p->r);
   page_add(p, "%c", text_str(&command));
-  text_clear(&command);
 }

@@ -11,13 +11,11 @@ static const struct picture *const pictures[] = {&picture_history,      &picture
 enum { N_PICTURES = sizeof pictures / sizeof *pictures };
 
 static void add_svg(struct text *out, const struct picture *q, const struct rows *t, bool alone) {
-  struct text told = {0}, drawn = {0};
+  OWNED(text) told = {0}, drawn = {0};
   struct plot p = plot_begin(&drawn, q->id, PLOT_WIDTH);
   q->tell(&told, t);
   q->draw(&p, t);
   plot_svg(out, &p, q->title, text_str(&told), alone);
-  text_clear(&drawn);
-  text_clear(&told);
 }
 
 /* --- Documents of their own --- */
@@ -31,17 +29,16 @@ const char *report_picture_id(int i) {
 }
 
 bool report_picture(struct text *out, const struct audit_result *r, int i) {
-  struct rows t;
+  OWNED(rows) t;
   bool there = rows_read(&t, r, pictures[i]->table);
   if (there) add_svg(out, pictures[i], &t, true);
-  rows_clear(&t);
   return there;
 }
 
 /* --- In the page --- */
 
 static void add_figure(const struct page *p, const struct picture *q, const struct rows *t, const char *words) {
-  struct text said = {0};
+  OWNED(text) said = {0};
   if (words)
     text_add(&said, words);
   else
@@ -50,13 +47,11 @@ static void add_figure(const struct page *p, const struct picture *q, const stru
   add_svg(p->out, q, t, false);
   page_add(p, "<figcaption><strong>%e.</strong> %t Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->title,
            text_str(&said), q->table, q->table);
-  text_clear(&said);
 }
 
 void page_picture(const struct page *p, const struct picture *q, const char *words) {
-  struct rows t;
+  OWNED(rows) t;
   if (rows_read(&t, p->r, q->table)) add_figure(p, q, &t, words);
-  rows_clear(&t);
 }
 
 /* What other commands have left beside the report. */

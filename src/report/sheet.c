@@ -123,7 +123,7 @@ void sheet_list(const struct sheet *s, const char *const *list, int n) {
 }
 
 void markdown_head(struct text *out, const char *columns) {
-  struct text rule = {0};
+  OWNED(text) rule = {0};
   text_add_char(out, '|');
   text_add(&rule, "\n|");
   for (const char *c = columns, *end = c; *end; c = end + 1) {
@@ -133,15 +133,13 @@ void markdown_head(struct text *out, const char *columns) {
     text_add(&rule, right ? " ---: |" : " --- |");
   }
   text_printf(out, "%s\n", text_str(&rule));
-  text_clear(&rule);
 }
 
 void markdown_head_of(struct text *out, const char *columns, const char *const *name, int n) {
-  struct text all = {0};
+  OWNED(text) all = {0};
   text_add(&all, columns);
   for (int i = 0; i < n; i++) text_printf(&all, "|%s:", name[i]);
   markdown_head(out, text_str(&all));
-  text_clear(&all);
 }
 
 /* --- Words with texts in them --- */

@@ -71,7 +71,7 @@ static void draw_cells(struct plot *p, const struct stability_map *m, const doub
 void report_stability_picture(struct text *out, const struct stability_result *r, int map, const char *id) {
   const struct stability_map *m = &r->map[map];
   const char *const layers[] = {r->layer, r->after};
-  struct text drawn = {0}, caption = {0};
+  OWNED(text) drawn = {0}, caption = {0};
   char x[2 * PLOT_LABEL], y[2 * PLOT_LABEL];
   int panels = r->after ? 2 : 1;
   struct plot p = plot_begin(&drawn, id, WIDTH * panels);
@@ -94,6 +94,4 @@ void report_stability_picture(struct text *out, const struct stability_result *r
     plot_text(&p, p.right, top - 7, "end", text_str(&caption));
   }
   plot_svg(out, &p, "Digits lost over two inputs", "The numbers are in the table beside it.", true);
-  text_clear(&drawn);
-  text_clear(&caption);
 }
