@@ -39,9 +39,8 @@ static void job_clear(struct jacobian_job *job) {
 
 static bool precise_enough(arb_srcptr x, int n, slong digits) {
   bool ok = true;
-  struct text t = {0};
+  OWNED(text) t = {0};
   for (int i = 0; i < n; i++) ok = ok && num_print(&t, x + i, digits) == SS_OK;
-  text_clear(&t);
   return ok;
 }
 
@@ -78,8 +77,7 @@ static void complain(struct jacobian_job *job, enum jacobian_method method, slon
 }
 
 void jacobian_invariants(arb_t trace, arb_t det, arb_srcptr j) {
-  arb_t a;
-  arb_init(a);
+  NUMBERS(arb, a);
   slong prec = 64; /* products of midpoints stay exact */
   for (int i = 0; i < 4; i++) prec = FLINT_MAX(prec, 2 * arb_bits(j + i) + 64);
   arb_add(trace, j, j + 3, prec);
@@ -88,7 +86,6 @@ void jacobian_invariants(arb_t trace, arb_t det, arb_srcptr j) {
   arb_sub(det, det, a, prec);
   /* J_f J_c J_b is a column and J_a a row, and the model's map before t_a likewise leads to one number */
   if (arb_contains_zero(det)) arb_zero(det);
-  arb_clear(a);
 }
 
 void jacobian_accuracy(arb_t worst, arb_srcptr x, slong n) {

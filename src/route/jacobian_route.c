@@ -71,10 +71,10 @@ static int by_model(arb_ptr out, const struct jacobian_job *job, enum jacobian_m
                     const struct local_map *map, slong prec) {
   struct point p = point_for(job, method);
   struct num_ctx ctx = method == METHOD_FD ? num_ctx_mpfr(prec) : num_ctx_arb(prec);
-  struct values v;
+  OWNED(values) v;
   slong n = map ? N_STATE * N_STATE : 4;
   int s = values_init(&v, &p, VARIANT_CLOSED, ctx, job->cache);
-  struct calc c = calc_begin(ctx), w = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(ctx), w = calc_begin(num_ctx_arb(prec));
   struct num_vec j = calc_vec(&c, n), err = calc_vec(&c, 1), balls = calc_vec(&w, n);
   arb_ptr e = calc_new(&w);
   if (s == SS_OK)
@@ -87,9 +87,6 @@ static int by_model(arb_ptr out, const struct jacobian_job *job, enum jacobian_m
     if (!map) arb_set(out + i, num_vec_at(&balls, i));
   }
   if (map) s |= corner(out, map, &balls, calc_q(&w, &p.q[Q_CHI]));
-  calc_clear(&w);
-  calc_clear(&c);
-  values_clear(&v);
   return s;
 }
 
@@ -107,13 +104,12 @@ struct pass {
 
 static int read_pass(struct pass *pass, const struct jacobian_job *job, enum jacobian_method method) {
   struct point p = point_for(job, method);
-  struct values v;
+  OWNED(values) v;
   int s = values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), job->cache);
   for (int i = 0; i < N_PARAMS; i++) pass->params[i] = v.ctx.type->get_d(num_vec_at(&v.params, i));
   for (int i = 0; i < (N_PHASES + 1) * N_STATE; i++)
     pass->z[i / N_STATE][i % N_STATE] = v.ctx.type->get_d(num_vec_at(&v.arc.z, i));
   for (int i = 0; i < N_PHASES; i++) pass->t[i] = v.ctx.type->get_d(num_vec_at(&v.arc.t, i));
-  values_clear(&v);
   return s;
 }
 
@@ -131,11 +127,10 @@ static bool have_setup(struct jacobian_job *job) {
 /* The return Jacobian along the arc from a start, near its times. */
 static int implicit_from(struct num_vec *j, const struct num_vec *params, const void *z10, const void *z20,
                          const double t[N_PHASES]) {
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   dyn_arc_init(&arc, params->ctx);
   int s = dyn_arc_run(&arc, params, z10, z20, t);
   if (!s) s = dyn_return_jacobian(j, params, &arc);
-  dyn_arc_clear(&arc);
   return s;
 }
 
@@ -156,7 +151,7 @@ static void set_doubles(struct num_vec *out, const double *x) {
 static int rounded_simulation(struct rounded *r, const struct coulomb_setup *setup, const double x[N_STATE]) {
   static const int of[] = {COULOMB_CHI, COULOMB_ETA, COULOMB_V};
   struct num_ctx ctx = r->z.ctx;
-  struct calc c = calc_begin(ctx);
+  OWNED(calc) c = calc_begin(ctx);
   struct num_vec all = calc_vec(&c, N_COULOMB), at = calc_vec(&c, N_STATE); /* of z = 0 */
   val still = calc_d(&c, 0);
   set_doubles(&all, setup->params);
@@ -167,19 +162,17 @@ static int rounded_simulation(struct rounded *r, const struct coulomb_setup *set
   int s = coulomb_start_set(&at, &all, still, still);
   set_doubles(&r->z, x);
   for (int i = Z_1; i <= Z_2; i++) arb_sub(num_vec_at(&r->z, i), num_vec_at(&r->z, i), num_vec_at(&at, i), ctx.prec);
-  calc_clear(&c);
   return s;
 }
 
 /* The derivative of the phase that starts at z and ends near t, in the paper's corner. */
 static int implicit_phase(arb_ptr out, const struct local_map *map, const struct num_vec *params,
                           const struct num_vec *z, double t) {
-  struct calc c = calc_begin(params->ctx);
+  OWNED(calc) c = calc_begin(params->ctx);
   struct num_vec local = calc_vec(&c, N_STATE * N_STATE), at = calc_vec(&c, 1);
   int s = dyn_event(num_vec_at(&at, 0), map->phase, params, z, t);
   if (!s) s = dyn_local_jacobian(&local, map->phase, params, z, num_vec_at(&at, 0));
   if (!s) s = corner(out, map, &local, num_vec_at(params, P_CHI));
-  calc_clear(&c);
   return s;
 }
 
@@ -189,7 +182,7 @@ static int rounding_of_inputs(double off[MATRIX_MOST], const struct jacobian_job
                               const struct local_map *map, const struct pass *pass, const struct rounded *rounded) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
   struct point p = point_for(job, method);
-  struct values v;
+  OWNED(values) v;
   struct num_vec j[2]; /* exact, rounded */
   int s = values_init(&v, &p, VARIANT_CLOSED, ctx, job->cache);
   const struct num_vec *params[2] = {&v.params, &rounded->params};
@@ -208,14 +201,13 @@ static int rounding_of_inputs(double off[MATRIX_MOST], const struct jacobian_job
     off[i] = mag_get_d(arb_radref(d));
   }
   for (int i = 0; i < 2; i++) num_vec_clear(&j[i]);
-  values_clear(&v);
   return s;
 }
 
 static int whole_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian_method method,
                             const struct pass *pass) {
   double j[4], err, off[MATRIX_MOST];
-  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_arb(FIRST_PREC));
   struct rounded at = rounded_new(&c);
   int s;
   if (method == METHOD_ODE) {
@@ -228,7 +220,6 @@ static int whole_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian
   }
   if (!s) s = rounding_of_inputs(off, job, method, NULL, pass, &at);
   for (int i = 0; i < 4 && !s; i++) ball_of(out + i, j[i], err + off[i]);
-  calc_clear(&c);
   return s;
 }
 
@@ -238,7 +229,7 @@ static int phase_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian
   const double(*along)[N_STATE] = (const double(*)[N_STATE])dir;
   const enum phase ph = map->phase;
   const struct dyn_stretch stretch = {ph, x, pass->t[ph]};
-  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_arb(FIRST_PREC));
   struct rounded at = rounded_new(&c);
   int s;
   local_map_directions(dir, map, pass->params[P_CHI]);
@@ -257,7 +248,6 @@ static int phase_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian
     int row = i / map->cols, k = i % map->cols;
     ball_of(out + i, column[N_STATE * k + map->keep[row]], err[k] + off[i]);
   }
-  calc_clear(&c);
   return s;
 }
 

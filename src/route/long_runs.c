@@ -94,8 +94,7 @@ static void add_run(struct judge *j, const fmpq params[N_PARAMS], const struct d
 }
 
 static void beside_scene(struct judge *j) {
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   if (scene_has_forces(j->scene) && nearest_orbit_point(&p, j->scene, j->cache)) {
     const struct dyn_orbit *o = &scene_orbits(j->scene, j->cache)->orbit[p.orbit];
     const char *name = result_str(j->out, "the scene's orbit %ld", (long)p.orbit + 1);
@@ -107,7 +106,6 @@ static void beside_scene(struct judge *j) {
     const char *why = scene_has_forces(j->scene) ? "no orbit was found" : scene_lacks_forces(j->scene);
     audit_leave_out(j->out, "long runs beside the scene's own orbit", why);
   }
-  point_clear(&p);
 }
 
 /* The admissible orbit with the least or the largest |tr J|; list->n when there is none. */
@@ -124,7 +122,7 @@ static slong pick(const struct dyn_orbits *list, bool least) {
 
 static void beside_sample(struct judge *j, size_t i) {
   fmpq params[N_PARAMS];
-  struct text name = {0};
+  OWNED(text) name = {0};
   text_printf(&name, "%s: ", samples[i].why);
   for (int k = 0; k < N_PARAMS; k++) {
     fmpq_init(params + k);
@@ -140,7 +138,6 @@ static void beside_sample(struct judge *j, size_t i) {
     audit_leave_out(j->out, result_str(j->out, "long runs beside %s", samples[i].why), "no admissible orbit was found");
   }
   for (int k = 0; k < N_PARAMS; k++) fmpq_clear(params + k);
-  text_clear(&name);
 }
 
 /* The control: no displacement may pass for one at a rate that is a quarter faster. */

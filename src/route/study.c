@@ -66,24 +66,22 @@ static int propagator(arb_ptr out, struct study *s) {
   struct num_ctx ctx = s->row == ROUTE_P_TAYLOR ? num_ctx_mpfr(PREC)
                        : s->row == ROUTE_P_GSL  ? num_ctx_double()
                                                 : num_ctx_arb(s->prec);
-  struct calc c = calc_begin(ctx);
+  OWNED(calc) c = calc_begin(ctx);
   struct num_vec params = calc_vec(&c, N_PARAMS), m = calc_vec(&c, MATRIX);
   void *t = calc_new(&c);
   int status = params_in(&params, t, &s->site.p);
   status |= (s->row == ROUTE_P_CLOSED ? dyn_flow_matrix : dyn_propagator)(&m, s->site.p.phase, &params, t);
   get_all(out, &m);
-  calc_clear(&c);
   return status;
 }
 
 /* The paper's propagator of the phase, or its Jacobian. */
 static int paper_side(arb_ptr out, struct study *s) {
   struct sentence *sentence = s->row == ROUTE_J_PAPER ? &s->jacobian : &s->propagator[s->site.p.phase];
-  struct calc c = calc_begin(num_ctx_arb(s->prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(s->prec));
   struct num_vec lhs = calc_vec(&c, sentence->n), rhs = calc_vec(&c, sentence->n);
   int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, VARIANT_CLOSED, s->j->cache);
   get_all(out, &lhs);
-  calc_clear(&c);
   return status;
 }
 
@@ -105,7 +103,7 @@ static int rate_paper(arb_ptr out, struct study *s) {
 
 static int rate_ode(arb_ptr out, struct study *s) {
   struct num_ctx ctx = num_ctx_arb(s->prec);
-  struct calc c = calc_begin(ctx);
+  OWNED(calc) c = calc_begin(ctx);
   struct num_vec params = calc_vec(&c, N_PARAMS), t = calc_vec(&c, 1), a = calc_vec(&c, MATRIX),
                  m = calc_vec(&c, MATRIX);
   int status = paper_matrix(out, s, "(t)");
@@ -114,7 +112,6 @@ static int rate_ode(arb_ptr out, struct study *s) {
   status |= num_mat_mul(&m, &a, &m, N_STATE, N_STATE, N_STATE);
   get_all(out, &m);
   for (int i = 0; i < MATRIX; i++) arb_set_si(out + MATRIX + i, i % (N_STATE + 1) == 0);
-  calc_clear(&c);
   return status;
 }
 
@@ -122,7 +119,7 @@ static int rate_ode(arb_ptr out, struct study *s) {
 
 static int events_of_model(arb_ptr out, struct study *s) {
   enum variant variant = s->row == ROUTE_E_EXPONENTIAL ? VARIANT_EXPONENTIAL : VARIANT_CLOSED;
-  struct values v;
+  OWNED(values) v;
   int status = values_init(&v, &s->site.p, variant, num_ctx_arb(s->prec), s->j->cache);
   for (int ph = 0; ph < N_PHASES && status == SS_OK; ph++) {
     arb_set(out + ph, num_vec_at(&v.arc.t, ph));
@@ -130,7 +127,6 @@ static int events_of_model(arb_ptr out, struct study *s) {
     for (int i = 0; i < N_STATE; i++)
       arb_set(out + N_PHASES + ph * N_STATE + i, num_vec_at(&v.arc.z, (ph + 1) * N_STATE + i));
   }
-  values_clear(&v);
   return status;
 }
 
@@ -202,7 +198,7 @@ static int events_simulation(arb_ptr out, struct study *s) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result result;
   arb_ptr shift = _arb_vec_init(2);
-  struct calc w = calc_begin(ctx);
+  OWNED(calc) w = calc_begin(ctx);
   struct num_vec model = calc_vec(&w, N_PARAMS), limits = calc_vec(&w, 2), params = calc_vec(&w, N_COULOMB),
                  z = calc_vec(&w, 2), start = calc_vec(&w, N_STATE);
   int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
@@ -215,17 +211,14 @@ static int events_simulation(arb_ptr out, struct study *s) {
   status |= coulomb_start_set(&start, &params, num_vec_at(&z, 0), num_vec_at(&z, 1));
   get_all(shift, &z);
   for (int i = 0; i < 2; i++) {
-    arb_t x;
-    arb_init(x);
+    NUMBERS(arb, x);
     num_mpfr.get_arb(x, num_vec_at(&start, i));
     arb_sub(shift + i, x, shift + i, PREC);
-    arb_clear(x);
   }
   struct catcher c = {out, shift, 0, false};
   struct coulomb_sink sink = {&c, catch_event, NULL};
   plan.returns = 1;
   if (!status) status = simulated(coulomb_simulate_exact(&result, NULL, &params, &start, &plan, &sink), &c);
-  calc_clear(&w);
   _arb_vec_clear(shift, 2);
   return status;
 }
@@ -326,15 +319,12 @@ static bool applies(const struct study *s, enum route_row row) {
 /* Differences give a radius that is their own estimate of their error, no enclosure and no disagreement: it is taken
    off, and answered. */
 static double take_estimate(arb_ptr x, int n, enum route_row row) {
-  mag_t most;
-  mag_init(most);
+  NUMBERS(mag, most);
   for (int i = 0; i < n && route_table[row].means & MEANS_DIFFERENCES; i++) {
     mag_max(most, most, arb_radref(x + i));
     arb_get_mid_arb(x + i, x + i);
   }
-  double own = mag_is_zero(most) ? -INFINITY : mag_get_d_log2_approx(most);
-  mag_clear(most);
-  return own;
+  return mag_is_zero(most) ? -INFINITY : mag_get_d_log2_approx(most);
 }
 
 /* log2 of the largest difference, and of max(1, the largest entry), to which it is relative. */
@@ -344,14 +334,12 @@ struct gap {
 
 static struct gap gap_between(arb_srcptr a, arb_srcptr b, int n) {
   struct gap g = {-INFINITY, 0};
-  arb_t d;
-  arb_init(d);
+  NUMBERS(arb, d);
   for (int i = 0; i < n; i++) {
     g.scale = fmax(g.scale, fmax(log2_upper(a + i), log2_upper(b + i)));
     arb_sub(d, a + i, b + i, 2 * PREC);
     g.off = fmax(g.off, log2_upper(d));
   }
-  arb_clear(d);
   g.off -= g.scale;
   return g;
 }
@@ -439,8 +427,7 @@ static void compare_at(struct study *s, enum route_quantity q) {
 static void control(struct study *s) {
   enum { SHIFT = 150 };
   arb_ptr now = _arb_vec_init(2 * MATRIX);
-  fmpq_t shift;
-  fmpq_init(shift);
+  NUMBERS(fmpq, shift);
   int status = ask(now, s, ROUTE_P_EXPONENTIAL);
   fmpq_set_si(shift, 1, 1);
   fmpq_div_2exp(shift, shift, SHIFT);
@@ -449,7 +436,6 @@ static void control(struct study *s) {
   bool noticed =
       status == SS_OK && !keeps(ROUTE_P_EXPONENTIAL, ROUTE_P_CLOSED, gap_between(now, now + MATRIX, MATRIX), -INFINITY);
   audit_control(s->j->out, "routes-later", "routes", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED);
-  fmpq_clear(shift);
   _arb_vec_clear(now, 2 * MATRIX);
 }
 
