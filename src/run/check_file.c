@@ -9,15 +9,12 @@
 /* --- Whose file it is --- */
 
 static bool holds_paper(const char *folder) {
-  struct text path = {0};
-  struct arena a;
+  OWNED(text) path = {0};
+  LOCAL(arena, a);
   struct diag none = {0};
   size_t n = 0;
-  arena_init(&a);
   text_printf(&path, "%s/paper", folder);
   free(folder_files(&n, text_str(&path), ".eq", &a, &none));
-  arena_clear(&a);
-  text_clear(&path);
   return n > 0;
 }
 
@@ -25,7 +22,7 @@ static bool holds_paper(const char *folder) {
 static bool data_around(struct text *out, const char *path) {
   static const char *const parts[] = {"paper", "claims", "controls", "scenes"};
   char here[4096];
-  struct text folder = {0};
+  OWNED(text) folder = {0};
   if (strchr(path, '/') || !getcwd(here, sizeof here))
     path_folder(&folder, path);
   else
@@ -34,7 +31,6 @@ static bool data_around(struct text *out, const char *path) {
     path_folder(out, text_str(&folder));
   else
     text_printf(out, "%s", text_str(&folder));
-  text_clear(&folder);
   return holds_paper(text_str(out));
 }
 
@@ -101,11 +97,10 @@ static bool check_over(struct checked *x) {
 
 /* A file that bears the title of another paper than the data folder's is all that is known of that paper. */
 static bool check_equations(struct checked *x) {
-  struct record_file f;
+  OWNED(record_file) f;
   const char *title = title_in(&f, x->path);
   bool ok = !title || model_add_folder(&x->model, text_str(&x->folder), RANK_PAPER, x->d);
   bool alone = title && !(x->model.paper && strcmp(x->model.paper, title) == 0);
-  record_file_clear(&f);
   return ok && (alone ? check_read(x, true, RANK_PAPER) : check_over(x));
 }
 
@@ -178,7 +173,7 @@ static bool check_asked(struct checked *x, const struct scene *s) {
 }
 
 static bool check_scene(struct checked *x) {
-  struct scene s;
+  OWNED(scene) s;
   bool ok = scene_load_with(&s, x->path, x->data, NULL, SCENE_OF_ANY_SYSTEM, x->d);
   if (ok && s.system) {
     struct mech m;
@@ -188,7 +183,6 @@ static bool check_scene(struct checked *x) {
   } else {
     ok = ok && check_asked(x, &s);
   }
-  scene_clear(&s);
   return ok;
 }
 
@@ -205,7 +199,7 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
     bool (*check)(struct checked *x);
   } kinds[] = {{".eq", check_equations},          {".claim", check_claims}, {".scene", check_scene},
                {".statements", check_statements}, {".roots", check_roots},  {".system", check_system}};
-  struct text around = {0};
+  OWNED(text) around = {0};
   struct checked x = {.path = path, .data = data_around(&around, path) ? text_str(&around) : data, .d = d};
   bool known = false, ok = false;
   text_printf(&x.folder, "%s/paper", x.data);
@@ -219,6 +213,5 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
              "%s: error: not a kind of file that can be checked; .eq, .claim, .scene, .system, .statements or .roots",
              path);
   checked_clear(&x);
-  text_clear(&around);
   return ok;
 }

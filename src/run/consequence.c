@@ -40,7 +40,7 @@ struct failure {
 /* --- Reading the results --- */
 
 static bool read_result(struct result *r, int reading, struct view v) {
-  struct elaboration el;
+  OWNED(elaboration) el;
   struct matrix m;
   struct diag d = {0};
   elaboration_init(&el, v, NULL, 0);
@@ -49,7 +49,6 @@ static bool read_result(struct result *r, int reading, struct view v) {
     r->rows = m.rows;
     r->cols = m.cols;
   }
-  elaboration_clear(&el);
   return r->readable[reading] = ok;
 }
 
@@ -75,7 +74,7 @@ static void read_results(struct failure *f) {
 /* --- Trying them at points --- */
 
 static int tape_at(struct num_vec *out, const struct tape *t, struct values *v) {
-  struct num_vec in;
+  OWNED(num_vec) in;
   num_vec_init(&in, t->n_inputs, v->ctx);
   int s = SS_OK;
   for (slong i = 0; s == SS_OK && i < t->n_inputs; i++) {
@@ -83,13 +82,12 @@ static int tape_at(struct num_vec *out, const struct tape *t, struct values *v) 
     s |= values_bind(num_vec_at(&in, i), &known, v, t->inputs[i]);
   }
   if (s == SS_OK) s |= tape_eval(out, NULL, t, &in);
-  num_vec_clear(&in);
   return s;
 }
 
 static struct trial try_result(struct result *r, struct values *v) {
   struct trial t = {.outcome = OUTCOME_REJECTED};
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   struct num_vec own = calc_vec(&c, r->rows * r->cols), corrected = calc_vec(&c, r->rows * r->cols);
   int s = tape_at(&corrected, &r->tape[READ_CORRECTED], v);
   if (s == SS_OK) s = tape_at(&own, &r->tape[READ_OWN], v);
@@ -97,33 +95,29 @@ static struct trial try_result(struct result *r, struct values *v) {
     t = balls_compare(&own, &corrected);
   else if (!(s & SS_DOMAIN))
     t.outcome = OUTCOME_UNDECIDED;
-  calc_clear(&c);
   return t;
 }
 
 /* The entry under the whole paper as printed. */
 static const char *chain_value(const struct failure *f, const struct result *r, struct values *v, slong entry) {
   if (!r->readable[READ_PRINTED]) return "undefined";
-  struct num_vec x;
+  OWNED(num_vec) x;
   num_vec_init(&x, r->tape[READ_PRINTED].n_outputs, v->ctx);
   bool ok = x.len > entry && tape_at(&x, &r->tape[READ_PRINTED], v) == SS_OK;
-  const char *s = ok ? ball_text(f->j, num_vec_at(&x, entry), 10) : "undefined";
-  num_vec_clear(&x);
-  return s;
+  return ok ? ball_text(f->j, num_vec_at(&x, entry), 10) : "undefined";
 }
 
 /* The point, and the orbit there by its state and times, as its number is one of a list that nobody else has. */
 static const char *place_text(const struct failure *f, const struct point *p, struct values *v) {
   struct text where = {0};
   point_print(&where, p);
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   for (int i = 0; i < 2 + N_PHASES; i++) {
     const char *name = i < 2 ? name_state[0][i] : name_time[i - 2];
     bool known;
     void *x = calc_new(&c);
     if (values_bind(x, &known, v, name) == SS_OK) text_printf(&where, ", %s = %s", name, ball_text(f->j, x, 10));
   }
-  calc_clear(&c);
   return result_take(f->j->out, &where);
 }
 
@@ -147,7 +141,7 @@ static void book_result(struct failure *f, struct result *r, const struct trial 
    not accepted. */
 static bool try_results(struct failure *f, const struct point *p) {
   for (slong prec = FIRST_PREC; prec <= LAST_PREC; prec *= 2) {
-    struct values v;
+    OWNED(values) v;
     struct trial *t = ss_malloc(f->n * sizeof *t);
     bool accepted = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(prec), f->j->cache) == SS_OK, open = false;
     for (size_t i = 0; accepted && i < f->n; i++) {
@@ -158,7 +152,6 @@ static bool try_results(struct failure *f, const struct point *p) {
     bool last = !open || prec == LAST_PREC;
     for (size_t i = 0; accepted && last && i < f->n; i++) book_result(f, &f->result[i], &t[i], p, &v);
     free(t);
-    values_clear(&v);
     if (last && accepted) work_precision_raise(LADDER_RESULT, prec == FIRST_PREC && !open);
     if (last || !accepted) return accepted;
   }
@@ -168,9 +161,8 @@ static bool try_results(struct failure *f, const struct point *p) {
 /* The scene's orbit nearest to the printed numbers, its others, and orbits at random parameters. */
 static void try_everywhere(struct failure *f) {
   struct judge *j = f->j;
-  struct point p;
+  LOCAL(point, p);
   struct sampler s;
-  point_init(&p);
   if (nearest_orbit_point(&p, j->scene, j->cache)) {
     slong nearest = p.orbit, n = scene_orbits(j->scene, j->cache)->n;
     fmpq_one(&p.q[Q_LAMBDA]);
@@ -185,7 +177,6 @@ static void try_everywhere(struct failure *f) {
     sampler_next(&p, &s);
     if (point_settle(&p, j->cache)) done += try_results(f, &p);
   }
-  point_clear(&p);
 }
 
 /* --- Summing up --- */

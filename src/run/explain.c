@@ -43,7 +43,7 @@ enum { MOST_ENTRIES = 64 };
 /* Of each entry, whether its sides are proved to differ there; false, and none, where they have no value. */
 static bool find_differences(bool differs[MOST_ENTRIES], struct sentence *s, const struct point *p,
                              struct orbit_cache *cache) {
-  struct num_vec lhs, rhs;
+  OWNED(num_vec) lhs, rhs;
   const struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
   num_vec_init(&lhs, s->n, ctx);
   num_vec_init(&rhs, s->n, ctx);
@@ -52,8 +52,6 @@ static bool find_differences(bool differs[MOST_ENTRIES], struct sentence *s, con
     const void *x = num_vec_at(&lhs, i), *y = num_vec_at(&rhs, i);
     differs[i] = s->ops[i] == REL_EQ ? !arb_overlaps(x, y) : inequality_holds(ctx.type, s->ops[i], x, y) == TRUTH_FALSE;
   }
-  num_vec_clear(&rhs);
-  num_vec_clear(&lhs);
   return ok;
 }
 
@@ -80,7 +78,7 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
   bool differs[MOST_ENTRIES] = {false}, any = false, equations = true;
   find_differences(differs, s, p, cache);
   for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
-    struct num_vec lhs, rhs;
+    OWNED(num_vec) lhs, rhs;
     num_vec_init(&lhs, s->n, types[i]);
     num_vec_init(&rhs, s->n, types[i]);
     int status = sentence_values(&lhs, &rhs, s, p, VARIANT_CLOSED, cache);
@@ -95,8 +93,6 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
       text_printf(out, "%-6s right", types[i].type->name);
       add_side(out, &rhs, s->cols, differs);
     }
-    num_vec_clear(&rhs);
-    num_vec_clear(&lhs);
   }
   for (slong i = 0; i < s->n && i < MOST_ENTRIES; i++) {
     any |= differs[i];
@@ -116,14 +112,12 @@ static void add_formulas(struct text *out, const struct model *m, const struct c
 
 /* The static friction that was taken for the orbit of a realistic point. */
 static void print_friction(struct text *out, const struct point *p) {
-  fmpq_t u_r;
-  fmpq_init(u_r);
+  NUMBERS(fmpq, u_r);
   for (int i = 0; i < 2 && p->realistic; i++) {
     fmpq_add(u_r, &p->q[Q_E1 + i], &p->q[Q_US1 + i]);
     text_printf(out, ", u_r%d = ", i + 1);
     num_print_q(out, u_r);
   }
-  fmpq_clear(u_r);
 }
 
 /* The first of the claim's points at which both sides have values; where it fails, the first at which it does. */
@@ -131,9 +125,8 @@ static void draw_own(struct point *out, struct judge *j, const struct claim *c, 
                      const struct point_spec *spec, bool fails) {
   enum { MOST_DRAWS = 4096 };
   struct sampler sampler;
-  struct point p;
+  LOCAL(point, p);
   bool have = false, done = false;
-  point_init(&p);
   sampler_init(&sampler, c->id, spec);
   for (int i = 0; i < MOST_DRAWS && !done; i++) {
     sampler_next(&p, &sampler);
@@ -142,7 +135,6 @@ static void draw_own(struct point *out, struct judge *j, const struct claim *c, 
     if (done || (!have && outcome != OUTCOME_REJECTED)) point_copy(out, &p);
     have = have || outcome != OUTCOME_REJECTED;
   }
-  point_clear(&p);
 }
 
 /* The sentence at a point: like the claim's own points, at the scene's parameters, changed by --at. */
@@ -154,11 +146,9 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
     return !at;
   }
   if (claim_points(spec, 4, j, c) < 1) return false;
-  struct sentence s;
+  OWNED(sentence) s;
   struct sampler sampler;
-  struct point drawn, p;
-  point_init(&drawn);
-  point_init(&p);
+  LOCAL(point, drawn, p);
   if (spec[0].kind == POINT_ARC) spec[0].kind = POINT_ORBIT;
   sampler_init(&sampler, c->id, &spec[0]);
   sampler_next(&drawn, &sampler);
@@ -175,19 +165,15 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
     ok = false;
   }
   if (ok && point_settle(&p, j->cache)) {
-    struct text where = {0};
+    OWNED(text) where = {0};
     point_print(&where, &p);
     print_friction(&where, &p);
     add_line(out, "at", text_str(&where));
-    text_clear(&where);
     add_values(out, &s, &p, j->cache);
   } else if (ok) {
     add_line(out, "at", p.admissible ? "these parameters have no admissible orbit" : "these parameters have no orbit");
   }
   if (ok && tape) tape_dump(out, &s.tape);
-  sentence_clear(&s);
-  point_clear(&p);
-  point_clear(&drawn);
   return ok;
 }
 
@@ -199,9 +185,8 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     return false;
   }
   const struct claims no_controls = {.n = 0};
-  struct audit_result r;
+  LOCAL(audit_result, r);
   struct audit_options opt = {.only = &id, .n_only = 1};
-  audit_result_init(&r);
   bool ok = audit_run(&r, m, claims, &no_controls, scene, &opt, d);
   const struct finding *f = ok ? audit_result_finding(&r, id) : NULL;
   if (f) {
@@ -219,6 +204,5 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     ok = explain_point(out, &j, c, claim_view(m, c), at, tape, f->verdict == VERDICT_REFUTED);
     orbit_cache_free(j.cache);
   }
-  audit_result_clear(&r);
   return ok;
 }

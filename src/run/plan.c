@@ -194,10 +194,9 @@ static void add_up(struct audit_plan *out) {
 bool audit_plan(struct audit_plan *p, const struct model *m, const struct claims *claims, const struct claims *controls,
                 const struct scene *scene, const struct audit_options *opt, struct diag *d) {
   struct pieces first = {.n = 0}, beside = {.n = 0};
-  struct audit_result nothing;
+  LOCAL(audit_result, nothing);
   *p = (struct audit_plan){.scene = scene->name};
   arena_init(&p->arena);
-  audit_result_init(&nothing);
   bool ok = run_check_selection(m, claims, opt, scene, d), box = scene_is_box(scene);
   if (ok) pieces_first(&first, m, claims, scene, opt);
   ok = ok && pieces_controls(&beside, claims, controls, scene, opt, d);
@@ -214,7 +213,6 @@ bool audit_plan(struct audit_plan *p, const struct model *m, const struct claims
     add_up(p);
     dependences_free(pl.rests);
   }
-  audit_result_clear(&nothing);
   pieces_clear(&beside);
   pieces_clear(&first);
   return ok;

@@ -34,7 +34,7 @@ static bool in_evidence(const struct audit_result *out, const char *route) {
 
 /* Each name once, in the order of the table. */
 static void skip_routes(struct audit_result *out, const struct scene *s) {
-  struct text names = {0};
+  OWNED(text) names = {0};
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
     const char *name = route_first_called(i);
     if (name && !in_evidence(out, name)) text_printf(&names, "%s%s", names.len ? ", " : "", name);
@@ -43,18 +43,16 @@ static void skip_routes(struct audit_result *out, const struct scene *s) {
     audit_leave_out(out, result_str(out, "routes %s", text_str(&names)),
                     s->asked.routes.n ? "the scene asks for other routes, or no claim judged asks for them"
                                       : "no claim judged asks for them");
-  text_clear(&names);
 }
 
 /* The untouched of parts from .. to in one line; head: what their names have in common. */
 static void skip_range(struct audit_result *out, unsigned touched, enum work_part from, enum work_part to,
                        const char *head, const char *why) {
-  struct text names = {0};
+  OWNED(text) names = {0};
   for (int part = (int)from; part <= (int)to; part++)
     if (!(touched >> part & 1U))
       text_printf(&names, "%s%s", names.len ? ", " : head, work_part_name[part] + (names.len ? strlen(head) : 0));
   if (names.len) audit_leave_out(out, result_copy(out, text_str(&names) + strlen(head)), why);
-  text_clear(&names);
 }
 
 static void skip_parts(struct audit_result *out, unsigned touched) {

@@ -5,15 +5,12 @@
 #include <string.h>
 
 void table_number(struct text *out, arb_srcptr x, int decimals) {
-  arb_t unit, y;
-  fmpz_t n;
   if (!x) {
     text_add(out, "\t-");
     return;
   }
-  arb_init(unit);
-  arb_init(y);
-  fmpz_init(n);
+  NUMBERS(arb, unit, y);
+  NUMBERS(fmpz, n);
   arb_set_ui(unit, 10);
   arb_pow_ui(unit, unit, (ulong)decimals, LAST_PREC);
   arb_mul(y, x, unit, LAST_PREC);
@@ -24,9 +21,6 @@ void table_number(struct text *out, arb_srcptr x, int decimals) {
     arf_get_fmpz(n, arb_midref(y), ARF_RND_NEAR);
     num_print_fixed(out, n, decimals);
   }
-  fmpz_clear(n);
-  arb_clear(y);
-  arb_clear(unit);
 }
 
 slong table_pieces(double share) {

@@ -53,7 +53,7 @@ static double apart(const struct dyn_orbit *o, const double guess[2]) {
 
 /* The orbit near t_b and t_c; nothing, and false, where none is proved there. */
 static bool add_sample(struct line *l, const double guess[2], bool up) {
-  struct dyn_orbit o;
+  OWNED(dyn_orbit) o;
   truth first = TRUTH_UNKNOWN;
   int status = dyn_orbit_near(&o, &first, l->params, (struct dyn_place){guess[0], guess[1], up}, FIRST_PREC, NULL);
   bool ok = status == SS_OK && first == TRUTH_TRUE && apart(&o, guess) <= ASTRAY;
@@ -65,7 +65,6 @@ static bool add_sample(struct line *l, const double guess[2], bool up) {
     table_number(l->body, o.period, DECIMALS);
     add_states(l->body, l->scene, &o);
   }
-  dyn_orbit_clear(&o);
   return ok;
 }
 
@@ -167,10 +166,8 @@ void table_along_e2(struct table_source *s) {
   struct dyn_axis axis;
   struct text body = {0};
   struct line l = {.body = &body, .scene = scene, .digits = DIGITS};
-  fmpq_t from, to;
   if (!scene_has_forces(scene)) return;
-  fmpq_init(from);
-  fmpq_init(to);
+  NUMBERS(fmpq, from, to);
   l.at = table_params(l.params, scene, KEY_E2);
   fmpq_div_2exp(from, e2, 1);
   fmpq_mul_si(to, e2, 3);
@@ -191,8 +188,6 @@ void table_along_e2(struct table_source *s) {
   dyn_bifurcations_clear(&list);
   dyn_axis_clear(&axis);
   fmpq_clear(l.at);
-  fmpq_clear(to);
-  fmpq_clear(from);
 }
 
 /* --- Every branch --- */
@@ -228,7 +223,7 @@ int table_of_bifurcations(struct audit_result *out, const struct scene *s, int v
                           const fmpq_t to) {
   const char *name = scene_key_name[vary];
   struct dyn_line line = {.params = s->value, .vary = vary, .from = from, .to = to};
-  struct dyn_bifurcations list;
+  OWNED(dyn_bifurcations) list;
   struct text body = {0};
   scene_static_friction(line.u_r, s);
   text_printf(&body,
@@ -245,6 +240,5 @@ int table_of_bifurcations(struct audit_result *out, const struct scene *s, int v
   add_branches(&body, s, vary, &list);
   if (list.missed) status |= SS_UNABLE;
   table_finish(out, "bifurcations.tsv", &body);
-  dyn_bifurcations_clear(&list);
   return status;
 }

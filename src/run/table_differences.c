@@ -22,9 +22,9 @@ struct fine {
 /* r at the end of a period that starts at the orbit's positions, z_2 moved by sign 2^-k; times are the orbit's to some
    digits, from which Newton's iteration goes on. */
 static int end_of_period(arb_t r, const struct fine *s, struct num_ctx ctx, int k, int sign) {
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   double near[N_PHASES];
-  struct calc c = calc_begin(ctx);
+  OWNED(calc) c = calc_begin(ctx);
   struct num_vec params = calc_vec(&c, N_PARAMS), z = calc_vec(&c, 2);
   dyn_arc_init(&arc, ctx);
   int status = SS_OK;
@@ -44,15 +44,12 @@ static int end_of_period(arb_t r, const struct fine *s, struct num_ctx ctx, int 
     mpfr_sub(end, end, num_vec_at(&arc.z, N_PHASES * N_STATE + Z_1), MPFR_RNDN);
     num_mpfr.get_arb(r, end);
   }
-  dyn_arc_clear(&arc);
-  calc_clear(&c);
   return status;
 }
 
 /* log10 of the error; indeterminate where there is none to be had. */
 static void log_error(arb_t out, const struct fine *s, slong bits, int k) {
-  arb_t below;
-  arb_init(below);
+  NUMBERS(arb, below);
   int status = end_of_period(out, s, num_ctx_mpfr(bits), k, 1) | end_of_period(below, s, num_ctx_mpfr(bits), k, -1);
   arb_sub(out, out, below, LAST_PREC);
   arb_mul_2exp_si(out, out, k - 1);
@@ -62,7 +59,6 @@ static void log_error(arb_t out, const struct fine *s, slong bits, int k) {
     arb_indeterminate(out);
   else
     arb_log_base_ui(out, out, 10, FIRST_PREC);
-  arb_clear(below);
 }
 
 /* What the scene gives, exact but for rounding; e1 and e2 that it does not give are the orbit's. */
@@ -83,9 +79,8 @@ static int fine_init(struct fine *f, const struct table_source *s) {
 }
 
 static void add_rows(struct text *body, const struct fine *f) {
-  struct text row = {0};
-  arb_t x;
-  arb_init(x);
+  OWNED(text) row = {0};
+  NUMBERS(arb, x);
   for (int k = FIRST_STEP; k <= LAST_STEP; k++) {
     arb_set_ui(x, 2);
     arb_log_base_ui(x, x, 10, FIRST_PREC);
@@ -98,8 +93,6 @@ static void add_rows(struct text *body, const struct fine *f) {
     text_printf(body, "%s\n", text_str(&row) + 1);
     text_reset(&row);
   }
-  text_clear(&row);
-  arb_clear(x);
 }
 
 void table_of_differences(struct table_source *s) {

@@ -13,8 +13,7 @@ enum { DECIMALS = 4, MOST_PERIODS = 120, COULOMB_PERIODS = 120 };
 
 /* |r - r of the orbit| as a power of ten. */
 static void add_row(struct text *out, const char *run, long number, long n, const arb_t distance) {
-  arb_t log;
-  arb_init(log);
+  NUMBERS(arb, log);
   arb_abs(log, distance);
   arb_log_base_ui(log, log, 10, FIRST_PREC);
   text_add(out, run);
@@ -22,16 +21,14 @@ static void add_row(struct text *out, const char *run, long number, long n, cons
   text_printf(out, "\t%ld", n);
   table_number(out, log, DECIMALS);
   text_add_char(out, '\n');
-  arb_clear(log);
 }
 
 static void add_beside(struct text *body, const struct table_source *s, slong k) {
   const struct dyn_orbit *o = &s->list->orbit[k];
-  struct num_vec out;
+  OWNED(num_vec) out;
   struct dyn_return d;
-  mag_t error;
+  NUMBERS(mag, error);
   arb_ptr v = _arb_vec_init(3); /* the orbit's r, the motion's, their distance */
-  mag_init(error);
   num_vec_init(&out, N_RETURN, s->params.ctx);
   arb_sub(v, o->z20, o->z10, FIRST_PREC);
   arb_set_ui(v + 2, 1000);
@@ -46,8 +43,6 @@ static void add_beside(struct text *body, const struct table_source *s, slong k)
       break;
     arb_sub(v + 2, v + 1, v, FIRST_PREC);
   }
-  mag_clear(error);
-  num_vec_clear(&out);
   _arb_vec_clear(v, 3);
 }
 
@@ -83,7 +78,7 @@ static void add_printed(struct text *body, const struct table_source *s) {
   struct coulomb_sink sink = {&l, listen, NULL};
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result result;
-  struct calc c = calc_begin(num_ctx_mpfr(FIRST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_mpfr(FIRST_PREC));
   struct num_vec p = calc_vec(&c, N_COULOMB), x = calc_vec(&c, N_STATE);
   for (int i = 0; i < N_COULOMB; i++) num_mpfr.set_d(num_vec_at(&p, i), sim.params[i], FIRST_PREC);
   for (int i = 0; i < N_STATE; i++) num_mpfr.set_d(num_vec_at(&x, i), sim.start[i], FIRST_PREC);
@@ -102,7 +97,6 @@ static void add_printed(struct text *body, const struct table_source *s) {
   coulomb_simulate_exact(&result, NULL, &p, &x, &plan, &sink);
   arb_clear(l.shift);
   _arb_vec_clear(at, 2);
-  calc_clear(&c);
 }
 
 void table_of_long_runs(struct table_source *s) {

@@ -26,12 +26,10 @@ struct map {
 
 /* A value of an axis to six digits. */
 static void add_value(struct text *rows, const struct dyn_axis *a, slong i) {
-  fmpq_t x;
-  fmpq_init(x);
+  NUMBERS(fmpq, x);
   dyn_axis_q(x, a, i);
   text_add_char(rows, '\t');
   num_print_rational(rows, x, DIGITS);
-  fmpq_clear(x);
 }
 
 /* How many orbits of the word there are at each point of a column; of these admissible ones; of these stable ones. */
@@ -67,10 +65,8 @@ static bool admissible_beside(const struct dyn_bifurcation *b, const struct scen
 /* The changes along a column or row, as many as there is room for. */
 static void add_changes(struct text *rows, const struct map *m, const fmpq *params, bool row, slong at) {
   const struct dyn_axis *a = &m->axis[!row];
-  struct dyn_bifurcations list;
-  fmpq_t from, to;
-  fmpq_init(from);
-  fmpq_init(to);
+  OWNED(dyn_bifurcations) list;
+  NUMBERS(fmpq, from, to);
   dyn_axis_q(from, a, 0);
   dyn_axis_q(to, a, a->n - 1);
   struct dyn_line line = {.params = params, .vary = a->vary, .from = from, .to = to};
@@ -86,9 +82,6 @@ static void add_changes(struct text *rows, const struct map *m, const fmpq *para
     if (!row) table_bracket(rows, b);
     text_add(rows, "\t-\t-\t-\t-\n");
   }
-  dyn_bifurcations_clear(&list);
-  fmpq_clear(to);
-  fmpq_clear(from);
 }
 
 /* First the cells of every column, then the changes along columns, then those along rows. */
@@ -97,7 +90,7 @@ static void make_line(void *result, size_t i, void *arg) {
   size_t cells = m->columns[0], marked = cells + m->columns[1];
   bool row = i >= marked;
   slong at = i < cells ? (slong)i : (slong)(i - (row ? marked : cells)) * m->every[row];
-  struct text rows = {0};
+  OWNED(text) rows = {0};
   fmpq params[N_PARAMS];
   fmpq *own = table_params(params, m->scene, m->axis[row].vary);
   dyn_axis_q(own, &m->axis[row], at);
@@ -107,7 +100,6 @@ static void make_line(void *result, size_t i, void *arg) {
     add_changes(&rows, m, params, row, at);
   if (rows.len >= sizeof(struct line)) abort(); /* the numbers of a row are short */
   memcpy(result, text_str(&rows), rows.len + 1);
-  text_clear(&rows);
   fmpq_clear(own);
 }
 

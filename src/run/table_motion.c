@@ -37,7 +37,7 @@ static void add_state(struct text *out, const struct num_vec *z) {
 /* A row of the animation: the state, the pulls, and e_i for a mass that sticks. */
 static void add_frame(struct text *out, const struct table_source *s, enum phase ph, const char *mark, const arb_t time,
                       const struct num_vec *z) {
-  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_arb(FIRST_PREC));
   val pull[2];
   set_pulls(pull, &c, s, z);
   text_printf(out, "%s\t%s", phase_name[ph], mark);
@@ -46,19 +46,17 @@ static void add_frame(struct text *out, const struct table_source *s, enum phase
   for (int i = 0; i < 2; i++) table_number(out, pull[i], DECIMALS);
   for (int i = 0; i < 2; i++) table_number(out, phase_slips[ph][i] ? NULL : num_vec_at(&s->params, P_E1 + i), DECIMALS);
   text_add_char(out, '\n');
-  calc_clear(&c);
 }
 
 /* What a condition leaves: V - z_i' of a mass that slips, e_i less its pull of one that sticks; "-" for the others. */
 static void add_margins(struct text *out, const struct table_source *s, enum phase ph, const struct num_vec *z) {
-  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_arb(FIRST_PREC));
   val pull[2], belt = num_vec_at(&s->params, P_V);
   set_pulls(pull, &c, s, z);
   for (int i = 0; i < 2; i++)
     table_number(out, phase_slips[ph][i] ? calc_sub(&c, belt, num_vec_at(z, DZ_1 + i)) : NULL, DECIMALS);
   for (int i = 0; i < 2; i++)
     table_number(out, phase_slips[ph][i] ? NULL : calc_sub(&c, num_vec_at(&s->params, P_E1 + i), pull[i]), DECIMALS);
-  calc_clear(&c);
 }
 
 static void add_row(struct motion_tables *t, const struct table_source *s, const char *motion, enum phase ph,
@@ -85,7 +83,7 @@ static void add_phase(struct motion_tables *t, const struct table_source *s, con
                       const struct dyn_arc *arc, const arb_t begin) {
   static const char *const end_mark[N_PHASES] = {"a", "b", "c", "d"};
   const struct num_vec start = dyn_arc_state(arc, ph);
-  struct num_vec z;
+  OWNED(num_vec) z;
   arb_ptr w = _arb_vec_init(2), time = w, into = w + 1;
   num_vec_init(&z, N_STATE, arc->z.ctx);
   slong n = pieces(arc, (int)ph);
@@ -96,19 +94,16 @@ static void add_phase(struct motion_tables *t, const struct table_source *s, con
     arb_add(time, begin, into, FIRST_PREC);
     if (dyn_flow(&z, ph, &s->params, &start, into) == SS_OK) add_row(t, s, motion, ph, mark, time, &z);
   }
-  num_vec_clear(&z);
   _arb_vec_clear(w, 2);
 }
 
 static void add_motion(struct motion_tables *t, const struct table_source *s, const char *motion,
                        const struct dyn_arc *arc) {
-  arb_t begin;
-  arb_init(begin);
+  NUMBERS(arb, begin);
   for (int ph = 0; ph < N_PHASES; ph++) {
     add_phase(t, s, motion, (enum phase)ph, arc, begin);
     arb_add(begin, begin, num_vec_at(&arc->t, ph), FIRST_PREC);
   }
-  arb_clear(begin);
 }
 
 /* From the printed start, taken exactly, to the end of the fourth phase. */
@@ -140,7 +135,7 @@ static void add_headings(struct motion_tables *t, const struct table_source *s) 
 
 void tables_of_motion(struct table_source *s) {
   struct motion_tables t = {.animation = NULL};
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   dyn_arc_init(&arc, s->params.ctx);
   add_headings(&t, s);
   if (orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK) add_motion(&t, s, "orbit", &arc);
@@ -148,13 +143,12 @@ void tables_of_motion(struct table_source *s) {
   table_finish(s->j->out, "figure-3.tsv", &t.history);
   table_finish(s->j->out, "figure-4.tsv", &t.portrait);
   table_finish(s->j->out, "margins.tsv", &t.margins);
-  dyn_arc_clear(&arc);
 }
 
 bool table_of_animation(struct audit_result *out, const struct table_source *s) {
   struct text body = {0};
   struct motion_tables t = {.animation = &body};
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   text_add(&body,
            "# One period of an orbit, from the beginning of the global stick phase.\n"
            "# phase D, Gamma, H, C; mark O a b c d: the ends of phases as figure 3 names them; pull_1 = z_1 - chi z_2 "
@@ -165,6 +159,5 @@ bool table_of_animation(struct audit_result *out, const struct table_source *s) 
   bool ok = orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK;
   if (ok) add_motion(&t, s, "orbit", &arc);
   table_finish(out, "animation.tsv", &body);
-  dyn_arc_clear(&arc);
   return ok;
 }

@@ -18,15 +18,13 @@ struct window {
 };
 
 bool table_go_on(arb_t r, mag_t error, const struct num_vec *returned) {
-  mag_t slope;
-  mag_init(slope);
+  NUMBERS(mag, slope);
   arb_get_mag(slope, num_vec_at(returned, RETURN_SLOPE));
   mag_mul(error, error, slope);
   mag_mul_2exp_si(slope, error, -4); /* the slope is not quite the same beside r */
   mag_add(error, error, slope);
   mag_add(error, error, arb_radref((arb_ptr)num_vec_at(returned, RETURN_R)));
   arb_get_mid_arb(r, num_vec_at(returned, RETURN_R));
-  mag_clear(slope);
   return mag_cmp_2exp_si(error, -40) < 0;
 }
 
@@ -65,9 +63,7 @@ static void add_map(struct return_table *t, const char *curve, const struct wind
   double before[N_PHASES] = {0};
   bool going = false;
   long piece = 0;
-  fmpq_t r, range;
-  fmpq_init(r);
-  fmpq_init(range);
+  NUMBERS(fmpq, r, range);
   fmpq_sub(range, w->high, w->low);
   for (long k = 0; k <= GRID; k++) {
     fmpq_set_si(r, k, GRID);
@@ -80,8 +76,6 @@ static void add_map(struct return_table *t, const char *curve, const struct wind
     going = there;
     for (int i = 0; i < N_PHASES; i++) before[i] = t->t[i];
   }
-  fmpq_clear(range);
-  fmpq_clear(r);
 }
 
 /* From low to high, widened to decimals of a hundredth of their distance or less, and cut off at `end`. */
@@ -116,11 +110,9 @@ static void add_fixed_points(struct return_table *t) {
 static void set_start(struct return_table *t) {
   arb_ptr r = num_vec_at(&t->r, 0);
   if (t->s->printed[0]) {
-    fmpq_t z;
-    fmpq_init(z);
+    NUMBERS(fmpq, z);
     fmpq_sub(z, &t->s->printed[1]->value, &t->s->printed[0]->value);
     arb_set_fmpq(r, z, FIRST_PREC);
-    fmpq_clear(z);
   } else {
     arb_mul_2exp_si(r, num_vec_at(&t->s->params, P_V), -6);
     arb_add(r, r, t->s->orbit->z20, FIRST_PREC);
@@ -131,8 +123,7 @@ static void set_start(struct return_table *t) {
 /* The largest distance from centre of the iterates. */
 static double add_iterates(struct return_table *t, double centre) {
   double most = 0;
-  mag_t error;
-  mag_init(error);
+  NUMBERS(mag, error);
   set_start(t);
   for (long n = 0; n < STEPS; n++) {
     most = fmax(most, fabs(num_arb.get_d(num_vec_at(&t->r, 0)) - centre));
@@ -140,7 +131,6 @@ static double add_iterates(struct return_table *t, double centre) {
     add_row(t, "iterate", n);
     if (!table_go_on(num_vec_at(&t->r, 0), error, &t->out)) break;
   }
-  mag_clear(error);
   return most;
 }
 

@@ -15,13 +15,10 @@ static void add_row(struct text *out, const char *what, const struct mech *m, co
 static void add_phase(struct text *out, const char *what, const struct mech *m, const struct mech_orbit *o, int k,
                       arb_t time) {
   slong side = m->states + 1;
-  fmpq_mat_t exact;
-  arb_mat_t flow, y;
-  arb_t step;
-  fmpq_mat_init(exact, side, side);
-  arb_mat_init(flow, side, side);
-  arb_mat_init(y, side, 1);
-  arb_init(step);
+  NUMBERS(arb, step);
+  SIZED(fmpq_mat, exact, side, side);
+  SIZED(arb_mat, flow, side, side);
+  SIZED(arb_mat, y, side, 1);
   double share = arf_get_d(arb_midref(o->t + k), ARF_RND_NEAR) / arf_get_d(arb_midref(o->period), ARF_RND_NEAR);
   slong n = table_pieces(share);
   arb_div_si(step, o->t + k, n, FIRST_PREC);
@@ -37,16 +34,11 @@ static void add_phase(struct text *out, const char *what, const struct mech *m, 
     arb_mat_mul(y, flow, y, FIRST_PREC);
     arb_add(time, time, step, FIRST_PREC);
   }
-  arb_clear(step);
-  arb_mat_clear(y);
-  arb_mat_clear(flow);
-  fmpq_mat_clear(exact);
 }
 
 /* The velocities of the surfaces, or the places of the obstacles on one side. */
 static void add_limits(struct text *out, const char *what, const struct mech *m) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   text_printf(out, "%s\t-\t-\t-", what);
   for (int i = 0; i < m->n; i++) {
     const struct mech_mass *mass = &m->mass[i];
@@ -57,13 +49,11 @@ static void add_limits(struct text *out, const char *what, const struct mech *m)
       table_number(out, (surface ? k && mass->rubbed : !k && stop->given) ? x : NULL, DECIMALS);
   }
   text_add_char(out, '\n');
-  arb_clear(x);
 }
 
 void table_of_system(struct audit_result *out, const struct mech *m, const struct mech_orbits *list) {
   struct text t = {0};
-  arb_t time;
-  arb_init(time);
+  NUMBERS(arb, time);
   text_add(&t, "# Phase planes of the orbits of a system.\n"
                "# what orbit K: the K-th orbit, and what keeps it from being a motion for certain, its phases in "
                "order, mark o where one begins; surface: the velocities of the "
@@ -84,5 +74,4 @@ void table_of_system(struct audit_result *out, const struct mech *m, const struc
   static const char *const limits[] = {"surface", "above", "below"};
   for (int i = 0; i < 3; i++) add_limits(&t, limits[i], m);
   table_finish(out, "phase-planes.tsv", &t);
-  arb_clear(time);
 }

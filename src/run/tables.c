@@ -25,8 +25,7 @@ static const char *source_init(struct table_source *s, struct judge *j, struct p
 
 const char *study_tables(struct judge *j) {
   struct table_source s;
-  struct point p;
-  point_init(&p);
+  LOCAL(point, p);
   const char *why = source_init(&s, j, &p);
   if (!why) {
     tables_of_motion(&s);
@@ -37,7 +36,6 @@ const char *study_tables(struct judge *j) {
     table_along_e2(&s);
   }
   num_vec_clear(&s.params);
-  point_clear(&p);
   return why;
 }
 
@@ -58,9 +56,8 @@ const char *audit_tables(struct audit_result *out, const struct scene *scene) {
 bool scene_animation(struct audit_result *out, const struct scene *scene, slong orbit, struct diag *d) {
   struct judge j;
   struct table_source s;
-  struct point p;
+  LOCAL(point, p);
   judge_open(&j, out, scene, d);
-  point_init(&p);
   const char *why = source_init(&s, &j, &p);
   bool there = !why && orbit < s.list->n;
   if (!why && !there) scene_lacks_orbit(scene, orbit, s.list->n, d);
@@ -71,7 +68,6 @@ bool scene_animation(struct audit_result *out, const struct scene *scene, slong 
   if (there && !why && !table_of_animation(out, &s)) why = "its motion cannot be enclosed";
   if (why) diag_set(d, "%s: error: nothing to draw: %s", scene->path, why);
   num_vec_clear(&s.params);
-  point_clear(&p);
   orbit_cache_free(j.cache);
   return there && !why;
 }

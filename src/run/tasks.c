@@ -138,9 +138,8 @@ static void give_up(const char *why) {
 
 static enum crew_news wait_for_news(const struct team *c, struct crew *crew) {
   size_t item;
-  struct text none = {0};
+  OWNED(text) none = {0};
   enum crew_news news = crew_take(crew, &item, &none, c->t->tell ? TELL_EVERY : -1);
-  text_clear(&none);
   tell(c);
   return news;
 }

@@ -66,9 +66,8 @@ static bool write_out(struct text *out, const struct model *m, const char *name)
 
 /* Whether a name can be among the values of a scene: one of the paper's, a number of an orbit, trace_J, det_J. */
 static bool value_is_named(const struct model *m, const char *name) {
-  struct text unused = {0};
+  OWNED(text) unused = {0};
   bool named = write_out(&unused, m, name);
-  text_clear(&unused);
   return named || number_named(name) >= 0 || is_defined(m, name) || model_is_symbol(m, name);
 }
 
@@ -181,8 +180,8 @@ static bool value_at(struct judge *j, const struct quantity *q, const struct poi
   slong n = (slong)q->rows * q->cols;
   slong first = first_precision(q, p, digits, j->cache);
   for (slong prec = first;; prec *= 2) {
-    struct num_vec x;
-    struct text t = {0};
+    OWNED(num_vec) x;
+    OWNED(text) t = {0};
     bool known, all = true, last = 2 * prec > MOST_BITS + 4 * digits;
     num_vec_init(&x, n, num_ctx_arb(prec));
     int s = evaluate(&x, &known, q, p, prec, j->cache);
@@ -197,8 +196,6 @@ static bool value_at(struct judge *j, const struct quantity *q, const struct poi
       bool good = s == SS_OK && num_print(&t, num_vec_at(&x, i), digits) == SS_OK;
       add_value(j, q, i, at, good ? result_copy(j->out, text_str(&t)) : NULL);
     }
-    text_clear(&t);
-    num_vec_clear(&x);
     if (known && settled && !(s & SS_DOMAIN)) work_precision_raise(LADDER_VALUE, all && prec == first);
     if (!known || settled) return known;
   }
@@ -221,9 +218,8 @@ static void at_orbits(struct judge *j, const struct quantity *q, struct point *p
 static void one_value(struct judge *j, size_t item, size_t *bytes, slong digits) {
   const char *name = result_copy(j->out, j->scene->asked.values.item[item]);
   struct quantity q = {.item = item, .bytes = bytes};
-  struct point p;
+  LOCAL(point, p);
   struct diag d = {0};
-  point_init(&p);
   for (int k = 0; k < N_SCENE_PARAMS; k++)
     if (j->scene->given[k]) fmpq_set(&p.q[Q_CHI + k], &j->scene->value[k]);
   p.kind = POINT_PARAMS;
@@ -233,7 +229,6 @@ static void one_value(struct judge *j, size_t item, size_t *bytes, slong digits)
     audit_leave_out(j->out, result_str(j->out, "the value of %s", name), why);
   else if (!scene_has_forces(j->scene) || !value_at(j, &q, &p, "the parameters", digits))
     at_orbits(j, &q, &p, digits);
-  point_clear(&p);
   quantity_clear(&q);
 }
 
@@ -252,12 +247,11 @@ static bool check_asked_claims(const struct scene_list *list, const struct claim
     bool any = false;
     for (size_t k = 0; k < c->n && !any; k++) any = claim_asked_for(&c->claim[k], list->item[i]);
     if (any) continue;
-    struct text groups = {0};
+    OWNED(text) groups = {0};
     claim_groups_print(&groups);
     diag_at(d, list->source, list->place[i].begin,
             "no claim is called, and no group holds, %.100s; \"stickslip list\" names them all, and groups are %s",
             list->item[i], text_str(&groups));
-    text_clear(&groups);
     return false;
   }
   return true;
@@ -281,11 +275,9 @@ bool scene_check_asked(const struct scene *s, const struct claims *c, const stru
   const struct scene_list *values = &s->asked.values;
   bool ok = check_asked_claims(&s->asked.claims, c, d);
   for (size_t i = 0; ok && i < values->n; i++) {
-    struct arena a;
-    arena_init(&a);
+    LOCAL(arena, a);
     const struct expr *e = scene_quantity(&a, values, i, d);
     ok = e && check_names(m, values, e, d);
-    arena_clear(&a);
   }
   return ok;
 }
