@@ -66,7 +66,7 @@ static bool add_item(struct scene_list *list, const struct scene_line *l, struct
 
 static bool read_list(struct scene_list *list, const struct scene_line *l, struct diag *d) {
   const char *s = l->src->text;
-  struct text item = {0};
+  OWNED(text) item = {0};
   list->source = l->src;
   bool ok = true;
   size_t i = skip_blanks(s, l->value.begin, l->value.end, l->value.begin);
@@ -77,7 +77,6 @@ static bool read_list(struct scene_list *list, const struct scene_line *l, struc
     more = i < l->value.end;
     i = skip_blanks(s, i + more, l->value.end, l->value.begin);
   }
-  text_clear(&item);
   return ok;
 }
 
@@ -98,11 +97,10 @@ void scene_asked_clear(struct scene_asked *a) {
 static bool check_claims(const struct scene_list *list, struct diag *d) {
   for (size_t i = 0; i < list->n; i++) {
     if (!strchr(list->item[i], ' ') || claim_group_known(list->item[i])) continue;
-    struct text groups = {0};
+    OWNED(text) groups = {0};
     claim_groups_print(&groups);
     diag_at(d, list->source, list->place[i].begin, "%.100s is no group of claims; groups are %s", list->item[i],
             text_str(&groups));
-    text_clear(&groups);
     return false;
   }
   return true;
@@ -118,11 +116,10 @@ static void print_routes(struct text *out) {
 static bool check_routes(const struct scene_list *list, struct diag *d) {
   for (size_t i = 0; i < list->n; i++) {
     if (route_is_known(list->item[i])) continue;
-    struct text routes = {0};
+    OWNED(text) routes = {0};
     print_routes(&routes);
     diag_at(d, list->source, list->place[i].begin, "unknown route %.100s; routes are %s", list->item[i],
             text_str(&routes));
-    text_clear(&routes);
     return false;
   }
   return true;
@@ -145,10 +142,8 @@ const struct expr *scene_quantity(struct arena *a, const struct scene_list *list
 static bool check_quantities(const struct scene_list *list, struct diag *d) {
   bool ok = true;
   for (size_t i = 0; ok && i < list->n; i++) {
-    struct arena a;
-    arena_init(&a);
+    LOCAL(arena, a);
     ok = scene_quantity(&a, list, i, d) != NULL;
-    arena_clear(&a);
   }
   return ok;
 }

@@ -42,9 +42,8 @@ static void add_scene(struct text *out, const struct scene *s) {
 }
 
 void audit_fingerprint(struct text *out, const struct model *m, const struct scene *s) {
-  struct text all = {0};
+  OWNED(text) all = {0};
   add_formulas(&all, m);
   add_scene(&all, s);
   text_printf(out, "%016" PRIx64, random_seed(text_str(&all)));
-  text_clear(&all);
 }

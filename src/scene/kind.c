@@ -73,11 +73,10 @@ bool scene_other_word(const struct scene *s) {
 
 bool scene_papers_word(const struct scene *s, struct diag *d) {
   if (!scene_other_word(s)) return true;
-  struct text word = {0};
+  OWNED(text) word = {0};
   phase_word_print(&word, &s->word);
   diag_set(d, "%s: error: the scene names the word %s; only orbit, jacobian and words take another than D-Gamma-H-C",
            s->path, text_str(&word));
-  text_clear(&word);
   return false;
 }
 

@@ -78,21 +78,19 @@ static void add_folder(struct text *out, const struct scene_overrides *o) {
 /* Whether the file stands in the folder itself, by whatever path it is named. */
 static bool stands_in(const char *path, const char *folder) {
   const char *slash = strrchr(path, '/');
-  struct text own = {0};
+  OWNED(text) own = {0};
   struct stat a, b;
   if (slash)
     text_add_n(&own, path, (size_t)(slash - path) + 1);
   else
     text_add(&own, ".");
-  bool same = stat(text_str(&own), &a) == 0 && stat(folder, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
-  text_clear(&own);
-  return same;
+  return stat(text_str(&own), &a) == 0 && stat(folder, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 
 /* In the order of their names, not of their files': "paper" comes before "paper-times". */
 char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d) {
   static const char suffix[] = ".scene";
-  struct text path = {0};
+  OWNED(text) path = {0};
   text_printf(&path, "%s/scenes", data);
   char **name = folder_files(n, text_str(&path), suffix, a, d);
   for (size_t i = 0; i < *n; i++) {
@@ -100,19 +98,16 @@ char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d)
     name[i][strlen(name[i]) - strlen(suffix)] = '\0';
   }
   if (*n) qsort(name, *n, sizeof *name, word_compare);
-  text_clear(&path);
   return name;
 }
 
 char *scene_folder(const char *spec, const struct scene_overrides *o) {
-  struct text folder = {0};
+  OWNED(text) folder = {0};
   char *file = name_of(spec);
   text_add(&folder, file);
   free(file);
   if (o && o->n) add_folder(&folder, o);
-  char *out = ss_strdup(text_str(&folder));
-  text_clear(&folder);
-  return out;
+  return ss_strdup(text_str(&folder));
 }
 
 bool scene_spec_is_path(const char *spec, const char *suffix) {
@@ -123,18 +118,15 @@ bool scene_is_there(const struct scene *s, const char *spec, const char *data, s
   if (scene_spec_is_path(spec, ".scene") || access(s->path, F_OK) == 0) return true;
   int err = errno;
   struct suggestion meant;
-  struct arena a;
-  struct text says = {0};
+  LOCAL(arena, a);
+  OWNED(text) says = {0};
   size_t n;
-  arena_init(&a);
   char **name = scene_names(&n, data, &a, NULL);
   suggest_begin(&meant, spec, strlen(spec));
   for (size_t i = 0; i < n; i++) suggest_try(&meant, name[i]);
   suggest_print(&says, &meant);
   diag_set(d, "%.300s: error: %s%s", s->path, strerror(err), text_str(&says));
   free(name);
-  text_clear(&says);
-  arena_clear(&a);
   return false;
 }
 

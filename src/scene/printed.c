@@ -9,7 +9,7 @@
 
 /* The unit of the last printed digit: 10^-(digits after the point), times the exponent part. */
 static bool last_digit_unit(fmpq_t unit, const char *decimal) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   bool any = false;
   for (const char *p = decimal; *p; p++) {
     bool digit = char_is_digit(*p);
@@ -21,9 +21,7 @@ static bool last_digit_unit(fmpq_t unit, const char *decimal) {
     bool last = digit && (p[1] == '\0' || p[1] == 'e' || p[1] == 'E' || (p[1] == '.' && !char_is_digit(p[2])));
     text_add_char(&t, digit ? (last ? '1' : '0') : *p);
   }
-  bool ok = any && num_parse_decimal(unit, text_str(&t), t.len) == SS_OK;
-  text_clear(&t);
-  return ok;
+  return any && num_parse_decimal(unit, text_str(&t), t.len) == SS_OK;
 }
 
 void scene_printed_clear(struct printed_number *p) {

@@ -84,11 +84,10 @@ static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct ex
   if (!r->parameter[k].src)
     return diag_at(c->d, c->src, e->span.begin, "%s is used here and not given; give it, or write a number", e->name);
   if (r->parameter[k].state == IN_EVALUATION) {
-    struct text circle = {0};
+    OWNED(text) circle = {0};
     print_circle(&circle, r, (enum scene_key)k);
     diag_at(c->d, c->src, e->span.begin, "a parameter that rests on itself, %s; give one of them as a number",
             text_str(&circle));
-    text_clear(&circle);
     return false;
   }
   if (!evaluate(r, (enum scene_key)k)) return false;
@@ -152,7 +151,7 @@ static void say_missing(struct reader *r, const char *name) {
    away. */
 static void say_third(struct reader *r) {
   int last = -1, added = -1;
-  struct text others = {0};
+  OWNED(text) others = {0};
   for (int k = KEY_E1; k <= KEY_TD; k++) {
     if (!r->parameter[k].src) continue;
     last = k;
@@ -170,7 +169,6 @@ static void say_third(struct reader *r) {
     diag_at(r->d, p->src, p->place,
             "more than two of e1, e2, t_a, t_b, t_c, t_d are given; take another one away with %s", text_str(&others));
   }
-  text_clear(&others);
 }
 
 /* A scene of another system asks nothing of an audit. */
@@ -233,7 +231,7 @@ static void print_keys(struct text *out, int from, int to) {
 }
 
 static bool unknown_key(struct reader *r, const struct source *src, size_t at, const char *what, const char *name) {
-  struct text parameters = {0}, others = {0}, says = {0};
+  OWNED(text) parameters = {0}, others = {0}, says = {0};
   struct suggestion meant;
   suggest_begin(&meant, name, strlen(name));
   for (int k = 0; k < N_SCENE_KEYS; k++) suggest_try(&meant, scene_keys[k].name);
@@ -242,9 +240,6 @@ static bool unknown_key(struct reader *r, const struct source *src, size_t at, c
   print_keys(&others, N_KEYS, N_SCENE_KEYS);
   diag_at(r->d, src, at, "unknown %s %.100s%s; a scene has the parameters %s and the lines %s", what, name,
           text_str(&says), text_str(&parameters), text_str(&others));
-  text_clear(&says);
-  text_clear(&others);
-  text_clear(&parameters);
   return false;
 }
 
@@ -291,7 +286,7 @@ static void keep_word(struct scene *s, const struct scene_line *l) {
 
 /* A relative path in the scene's file starts at that file's folder, one in an override at the working directory. */
 static void keep_system(struct scene *s, const struct scene_line *l, bool override) {
-  struct text path = {0};
+  OWNED(text) path = {0};
   const char *folder_end = strrchr(s->path, '/');
   if (!override && folder_end && scene_spec_is_path(l->text, SYSTEM_SUFFIX) && l->text[0] != '/')
     text_add_n(&path, s->path, (size_t)(folder_end - s->path) + 1);
@@ -299,7 +294,6 @@ static void keep_system(struct scene *s, const struct scene_line *l, bool overri
   s->system = ss_strdup(text_str(&path));
   s->system_src = l->src;
   s->system_at = l->value.begin;
-  text_clear(&path);
 }
 
 static bool set_word(struct scene *s, struct diag *d) {
@@ -329,11 +323,10 @@ static bool read_line(struct reader *r, const struct scene_line *l) {
 static bool check_word(const struct scene *s, struct diag *d) {
   if (!scene_other_word(s)) return true;
   if (scene_has_forces(s) && !scene_is_box(s)) return true;
-  struct text word = {0};
+  OWNED(text) word = {0};
   phase_word_print(&word, &s->word);
   diag_set(d, "%s: error: a scene of the word %s gives e1 and e2, and no interval (or, of Gamma-H-C, t_a = 0)", s->path,
            text_str(&word));
-  text_clear(&word);
   return false;
 }
 
@@ -448,11 +441,9 @@ static bool apply_override(struct reader *r, const struct override *o) {
   if (o->key == N_SCENE_KEYS) return apply_other(r, o);
   if (o->value.begin == o->value.end) return true;
   if (o->key < N_KEYS) return read_parameter(r, o->src, (struct span){o->name.begin, o->value.end});
-  struct text value = {0};
+  OWNED(text) value = {0};
   text_add_n(&value, o->src->text + o->value.begin, o->value.end - o->value.begin);
-  bool ok = read_line(r, &(struct scene_line){(enum scene_key)o->key, o->src, o->value, text_str(&value)});
-  text_clear(&value);
-  return ok;
+  return read_line(r, &(struct scene_line){(enum scene_key)o->key, o->src, o->value, text_str(&value)});
 }
 
 static bool read_all(struct reader *r, const struct scene_overrides *o) {
@@ -469,18 +460,14 @@ static bool read_all(struct reader *r, const struct scene_overrides *o) {
 }
 
 bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d) {
-  struct arena a;
-  struct source src;
+  LOCAL(arena, a);
+  OWNED(source) src;
   int depth = 0;
   size_t work = 0;
-  arena_init(&a);
   source_from_string(&src, name, arena_strndup(&a, text, len));
   struct constant c = {.src = &src, .d = d, .depth = &depth, .work = &work};
   const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
-  bool ok = e && constant_eval(z, &c, e);
-  source_clear(&src);
-  arena_clear(&a);
-  return ok;
+  return e && constant_eval(z, &c, e);
 }
 
 /* --- Scenes --- */
@@ -518,11 +505,9 @@ bool scene_load_with(struct scene *s, const char *spec, const char *data, const 
 
 bool scene_load_text(struct scene *s, const char *name, const char *text, const struct scene_overrides *o,
                      enum scene_welcome any, struct diag *d) {
-  struct text path = {0};
+  OWNED(text) path = {0};
   text_printf(&path, "%s.scene", name);
-  bool ok = load(s, text_str(&path), text, "", o, any, d);
-  text_clear(&path);
-  return ok;
+  return load(s, text_str(&path), text, "", o, any, d);
 }
 
 bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d) {

@@ -66,7 +66,7 @@ void scene_system_path(struct text *out, const char *spec, const char *data) {
 }
 
 bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, struct diag *d) {
-  struct text path = {0};
+  OWNED(text) path = {0};
   size_t at;
   const char *why;
   scene_system_path(&path, s->system, data);
@@ -80,7 +80,6 @@ bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *
             named ? "; the path of a file of one's own has a / or ends in .system" : "");
     mech_init(m);
   }
-  text_clear(&path);
   w->n = 0;
   if (!ok || !s->system_word.text || mech_word_parse(w, &at, &why, s->system_word.text, m)) return ok;
   return diag_at(d, s->system_word.src, s->system_word.at + at, "%s", why);
