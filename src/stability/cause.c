@@ -129,12 +129,10 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
 static double rounding(arb_srcptr v) {
   double nearest = arf_get_d(arb_midref(v), ARF_RND_NEAR);
   if (!isfinite(nearest)) return 0;
-  arb_t off;
-  arb_init(off);
+  NUMBERS(arb, off);
   arb_set_d(off, nearest);
   arb_sub(off, v, off, 64);
   double r = arb_is_zero(off) ? -INFINITY : digits_log2(off) - digits_log2(v) + 53;
-  arb_clear(off);
   return fmin(53, r);
 }
 
@@ -157,8 +155,7 @@ static double reach(const struct digits_bench *w, slong i) {
 static void fill_adjoint(struct digits_bench *w, slong which, bool through) {
   const struct tape *t = &w->f->tape;
   slong top = w->f->out[which];
-  arb_t p;
-  arb_init(p);
+  NUMBERS(arb, p);
   for (slong i = 0; i < t->n; i++) arb_zero(num_vec_at(&w->adjoint, i));
   arb_one(num_vec_at(&w->adjoint, top));
   for (slong i = top; i >= 0; i--) {
@@ -170,7 +167,6 @@ static void fill_adjoint(struct digits_bench *w, slong which, bool through) {
       arb_addmul(z, a, p, w->prec);
     }
   }
-  arb_clear(p);
 }
 
 /* log2 of a sum of numbers given by their log2, scaled. */
@@ -273,12 +269,9 @@ bool digits_predicts_failure(const struct digits_bench *w) {
 
 /* log2 of the relative error of node i over that of its operand k. */
 static double growth(const struct digits_bench *w, slong i, slong k) {
-  arb_t p;
-  arb_init(p);
+  NUMBERS(arb, p);
   partial(p, w, i, k);
-  double g = digits_log2(p) + digits_log2(value(w, tape_operand(&w->f->tape, i, k))) - digits_log2(value(w, i));
-  arb_clear(p);
-  return g;
+  return digits_log2(p) + digits_log2(value(w, tape_operand(&w->f->tape, i, k))) - digits_log2(value(w, i));
 }
 
 /* Zero in truth and in double: nothing is lost there, though the ways that lead through it may each say so. */
@@ -323,8 +316,7 @@ static slong source_node(const struct digits_bench *w, slong top) {
 static slong worst_entry(const struct digits_bench *w) {
   slong worst = 0;
   double most = -INFINITY;
-  arb_t diff;
-  arb_init(diff);
+  NUMBERS(arb, diff);
   for (slong k = 0; k < w->f->n; k++) {
     slong i = w->f->out[k];
     arb_set_d(diff, *(const double *)num_vec_at(&w->d, i));
@@ -335,20 +327,16 @@ static slong worst_entry(const struct digits_bench *w) {
       worst = k;
     }
   }
-  arb_clear(diff);
   return worst;
 }
 
 /* log2 of what the error of node i does to the result, in units of 2^-53 of the result's size 2^0. */
 static double error_through(const struct digits_bench *w, slong i) {
-  arb_t diff;
-  arb_init(diff);
+  NUMBERS(arb, diff);
   arb_set_d(diff, *(const double *)num_vec_at(&w->d, i));
   arb_sub(diff, diff, value(w, i), w->prec);
   arb_mul(diff, diff, num_vec_at(&w->adjoint, i), w->prec);
-  double e = arb_is_zero(diff) ? -INFINITY : digits_log2(diff) + 53;
-  arb_clear(diff);
-  return e;
+  return arb_is_zero(diff) ? -INFINITY : digits_log2(diff) + 53;
 }
 
 /* The node below the normal numbers whose error moves the result most. */

@@ -60,11 +60,9 @@ static bool make_tape(struct digits_formula *f, struct digits_set *s, struct dia
 static const struct expr *without_calls(struct digits_set *s, const struct expr *e) {
   struct expr_pool *p = &s->el.pool;
   if (e->kind == EXPR_CALL) {
-    struct text name = {0};
+    OWNED(text) name = {0};
     expr_print(&name, e);
-    const struct expr *sym = expr_sym(p, text_str(&name));
-    text_clear(&name);
-    return sym;
+    return expr_sym(p, text_str(&name));
   }
   if (e->n_args == 0) return e;
   const struct expr *a = without_calls(s, e->args[0]);

@@ -104,7 +104,7 @@ int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const
   const struct num_type *type = out->ctx.type;
   const void *t = NULL;
   slong n_state = 0;
-  struct calc c = calc_begin(out->ctx);
+  OWNED(calc) c = calc_begin(out->ctx);
   struct num_vec all = calc_vec(&c, k->rows * k->cols), params = calc_vec(&c, N_PARAMS), state = calc_vec(&c, N_STATE);
   for (slong i = 0; i < N_PARAMS; i++) type->set_d(num_vec_at(&params, i), 1, out->ctx.prec); /* some are not read */
   for (slong i = 0; i < in->len; i++) {
@@ -119,7 +119,6 @@ int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const
   }
   int status = k->run(&(struct kernel_call){&all, k->phase, &params, &state, t});
   for (slong i = 0; i < f->n && !status; i++) type->set(num_vec_at(out, i), num_vec_at(&all, f->first + i));
-  calc_clear(&c);
   return status;
 }
 
@@ -129,7 +128,7 @@ bool digits_kernel_place(double *x, const struct digits_formula *f) {
 
 /* The sum over the inputs of |f(x_k (1 + h)) - f(x)|/h for each entry, into sum. */
 static bool add_slopes(arb_ptr sum, const struct digits_formula *f, const struct num_vec *in, slong prec) {
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   struct num_vec x = calc_vec(&c, in->len), at = calc_vec(&c, f->n), moved = calc_vec(&c, f->n);
   num_vec_set(&x, in);
   bool ok = digits_kernel_run(&at, f, &x) == SS_OK;
@@ -147,7 +146,6 @@ static bool add_slopes(arb_ptr sum, const struct digits_formula *f, const struct
     }
     arb_set(z, num_vec_at(in, k));
   }
-  calc_clear(&c);
   return ok;
 }
 

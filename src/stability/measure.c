@@ -51,12 +51,9 @@ static double log2_radius(arb_srcptr x) {
 }
 
 double digits_log2(arb_srcptr x) {
-  mag_t m;
-  mag_init(m);
+  NUMBERS(mag, m);
   arb_get_mag(m, x);
-  double r = digits_log2_mag(m);
-  mag_clear(m);
-  return r;
+  return digits_log2_mag(m);
 }
 
 /* All nodes; of a function of the program its results, which share one status. */
@@ -114,8 +111,7 @@ static enum digits_kind run_double(struct digits_loss *r, struct digits_bench *w
   run(&w->d, w->d_flags, f, &w->x);
   double *error = &r->error;
   *error = -INFINITY;
-  arb_t diff;
-  arb_init(diff);
+  NUMBERS(arb, diff);
   enum digits_kind kind = DIGITS_LOST;
   for (slong k = 0; k < f->n; k++) {
     slong i = f->out[k];
@@ -131,7 +127,6 @@ static enum digits_kind run_double(struct digits_loss *r, struct digits_bench *w
     *error = off;
     r->sign_lost = got > 0 ? arb_is_negative(num_vec_at(&w->b, i)) : got < 0 && arb_is_positive(num_vec_at(&w->b, i));
   }
-  arb_clear(diff);
   return kind;
 }
 
@@ -153,7 +148,7 @@ static double moved(const struct digits_bench *w, double size) {
   int *flags = ss_malloc((size_t)n_nodes(f) * sizeof *flags);
   arb_ptr balls = _arb_vec_init(2), step = balls, off = balls + 1;
   double sum = 0;
-  struct calc c = calc_begin(num_ctx_arb(w->prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(w->prec));
   struct num_vec x = calc_vec(&c, f->tape.n_inputs), b = calc_vec(&c, n_nodes(f));
   num_vec_set(&x, &w->bx);
   for (slong k = 0; k < x.len; k++) {
@@ -172,7 +167,6 @@ static double moved(const struct digits_bench *w, double size) {
     sum += most;
   }
   free(flags);
-  calc_clear(&c);
   _arb_vec_clear(balls, 2);
   return sum > 0 ? log2(sum) + 53 : -INFINITY;
 }

@@ -237,13 +237,11 @@ static double value_at(const struct zero_of *z, const double *x) {
   struct digits_place *p = z->p;
   struct digits_bench *w = p->w;
   const struct tape *t = z->node < 0 ? &p->zero : &w->f->tape;
-  struct calc c = calc_begin(num_ctx_double());
+  OWNED(calc) c = calc_begin(num_ctx_double());
   struct num_vec in = calc_vec(&c, t->n_inputs), out = calc_vec(&c, t->n_outputs);
   for (slong k = 0; k < t->n_inputs; k++) *(double *)num_vec_at(&in, k) = x[z->node < 0 ? p->input[k] : k];
   tape_eval(&out, NULL, t, &in);
-  double v = *(const double *)num_vec_at(&out, z->node < 0 ? 0 : z->node);
-  calc_clear(&c);
-  return v;
+  return *(const double *)num_vec_at(&out, z->node < 0 ? 0 : z->node);
 }
 
 static bool allowed(const struct digits_formula *f, slong k, double x) {

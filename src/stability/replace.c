@@ -16,7 +16,7 @@ static const struct definition *definition_of(const struct view *v, const struct
 
 /* Elaborates the formula, so that the model notes what is looked up. */
 static void look_up(const struct view *v, const struct digits_formula *f) {
-  struct elaboration el;
+  OWNED(elaboration) el;
   struct diag d = {0};
   struct matrix left, right;
   elaboration_init(&el, *v, NULL, 0);
@@ -26,7 +26,6 @@ static void look_up(const struct view *v, const struct digits_formula *f) {
   for (int k = 0; r && k < r->n_stmts; k++)
     for (int i = 0; i + 1 < r->stmts[k]->n_sides; i++)
       elaborate_sides(&left, &right, &el, r->stmts[k], i, r->src, r->section, &d);
-  elaboration_clear(&el);
 }
 
 /* Of the proofs of a record: none at all, or each of them. */

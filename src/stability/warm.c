@@ -17,7 +17,7 @@ bool digits_warm_place(double *x) {
   static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
   static const enum warm_input from[2] = {WARM_TB, WARM_TC};
   fmpq *model = _fmpq_vec_init(3), *time = _fmpq_vec_init(2);
-  struct dyn_orbits list = {.n = 0};
+  OWNED(dyn_orbits) list = {.n = 0};
   for (int i = 0; i < 3; i++) num_q_set_d(model + i, x[i]);
   for (int i = 0; i < 2; i++) num_q_set_d(time + i, x[from[i]]);
   dyn_orbits_given(&list, model, which, time, PLACE_BITS, NULL);
@@ -27,7 +27,6 @@ bool digits_warm_place(double *x) {
     x[WARM_E2] = num_arb.get_d(list.orbit[0].e2);
     any = isnormal(x[WARM_E1]) && isnormal(x[WARM_E2]);
   }
-  dyn_orbits_clear(&list);
   _fmpq_vec_clear(model, 3);
   _fmpq_vec_clear(time, 2);
   return any;
@@ -60,13 +59,12 @@ static int warm_in_balls(struct num_vec *out, const fmpq *params, double guess[2
   const struct dyn_limits few = {1000, 2000};
   int status = SS_DOMAIN, up, last = settle(guess, &up, params);
   for (; up <= last && status; up++) {
-    struct dyn_orbit o;
+    OWNED(dyn_orbit) o;
     truth first;
     status = dyn_orbit_near(&o, &first, params, (struct dyn_place){guess[0], guess[1], up == 1}, out->ctx.prec, &few);
     if (status || first != TRUTH_TRUE) status = first == TRUTH_UNKNOWN && !status ? SS_UNABLE : SS_DOMAIN;
     for (int i = 0; i < N_DYN_OUT && !status; i++)
       arb_set(num_vec_at(out, i), dyn_orbit_output(&o, (enum dyn_output)i));
-    dyn_orbit_clear(&o);
   }
   return status;
 }
