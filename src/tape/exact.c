@@ -12,10 +12,9 @@ static int input(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name
   for (int k = 0; k < f->n_facts; k++) {
     if (strcmp(f->fact[k].name, name) != 0) continue;
     struct num_vec v;
-    struct calc c = exact_calc(f);
+    OWNED(calc) c = exact_calc(f);
     int s = exact_eval(&v, &c, f, &f->fact[k].tape);
     if (s == SS_OK) num_exact.set(z, num_vec_at(&v, 0));
-    calc_clear(&c);
     return s;
   }
   return exact_symbol(z, f, name);

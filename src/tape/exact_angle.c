@@ -31,8 +31,7 @@ static bool take_half_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f)
   if (i == f->n) return false;
   fmpz_mpoly_t rate;
   fmpz_mpoly_q_struct turns;
-  fmpz_t k;
-  fmpz_init(k);
+  NUMBERS(fmpz, k);
   exact_init(&turns);
   fmpz_mpoly_init(rate, ring());
   fmpz_mpoly_derivative(rate, &x->num, variable(i), ring());
@@ -45,7 +44,6 @@ static bool take_half_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f)
   bool odd = fmpz_is_odd(k);
   fmpz_mpoly_clear(rate, ring());
   exact_clear(&turns);
-  fmpz_clear(k);
   return odd;
 }
 
@@ -96,10 +94,7 @@ static void make_sum(val p[2], struct calc *c, struct exact_field *f, int a, int
    one. */
 static bool multiple_at(int *i, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *a) {
   enum { MOST_ANGLES = 8 };
-  fmpz_t up, down, c;
-  fmpz_init(up);
-  fmpz_init(down);
-  fmpz_init(c);
+  NUMBERS(fmpz, up, down, c);
   fmpz_mpoly_get_coeff_fmpz_monomial(up, &x->num, &a->num, ring());
   fmpz_mpoly_get_fmpz(c, &a->den, ring());
   fmpz_mul(up, up, c);
@@ -110,9 +105,6 @@ static bool multiple_at(int *i, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q
   if (whole) fmpz_divexact(up, up, down);
   whole = whole && fmpz_cmp_si(up, -MOST_ANGLES) >= 0 && fmpz_cmp_si(up, MOST_ANGLES) <= 0;
   *i = whole ? (int)fmpz_get_si(up) : 0;
-  fmpz_clear(c);
-  fmpz_clear(down);
-  fmpz_clear(up);
   return whole;
 }
 
@@ -150,11 +142,9 @@ static int rationalise(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz
 static bool is_sum(int *i, int *k, struct exact_field *f, const fmpz_mpoly_q_struct *x, int a, int b) {
   if (!fmpz_mpoly_is_fmpz(&x->den, ring()) || !multiple_at(i, x, &f->angle[a]) || !multiple_at(k, x, &f->angle[b]))
     return false;
-  struct calc c = exact_calc(f);
+  OWNED(calc) c = exact_calc(f);
   val sum = calc_dot(&c, &f->angle[a], calc_d(&c, *i), &f->angle[b], calc_d(&c, *k));
-  bool ok = c.status == SS_OK && exact_equal(f, x, sum);
-  calc_clear(&c);
-  return ok;
+  return c.status == SS_OK && exact_equal(f, x, sum);
 }
 
 int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
@@ -185,7 +175,7 @@ int exact_circular(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op o
    when the product over all signs of the generators that have squares is no zero.  True also when that grows too
    large. */
 static bool may_vanish(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  struct calc c = exact_calc(f);
+  OWNED(calc) c = exact_calc(f);
   const fmpz_mpoly_q_struct *p = exact_polynomial(&c, &x->num);
   for (slong i = f->n - 1; c.status == SS_OK && i >= 0; i--) {
     if (!f->gen[i].squared || fmpz_mpoly_degree_si(&p->num, variable(i), ring()) < 1) continue;
@@ -193,9 +183,7 @@ static bool may_vanish(const struct exact_field *f, const fmpz_mpoly_q_struct *x
     conjugate_of(&conjugate->num, &p->num, variable(i));
     p = calc_mul(&c, p, conjugate);
   }
-  bool may = c.status != SS_OK || exact_is_zero(p);
-  calc_clear(&c);
-  return may;
+  return c.status != SS_OK || exact_is_zero(p);
 }
 
 /* sin u/u, or (u - sin u)/u^3: they have values where u is zero, so that u is a divisor only if that is no whole

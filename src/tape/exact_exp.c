@@ -25,8 +25,7 @@ int exact_exp(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_
   struct calc c = exact_calc(f);
   fmpz_mpoly_q_struct *term = calc_new(&c);
   val product = calc_d(&c, 1);
-  fmpz_t p;
-  fmpz_init(p);
+  NUMBERS(fmpz, p);
   for (slong i = 0; c.status == SS_OK && i < fmpz_mpoly_length(&x->num, ring()); i++) {
     fmpz_mpoly_get_term(&term->num, &x->num, i, ring());
     fmpz_mpoly_set(&term->den, &x->den, ring());
@@ -36,6 +35,5 @@ int exact_exp(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_
     fmpz_mpoly_scalar_divexact_fmpz(&term->num, &term->num, p, ring());
     product = multiply(product, &c, f, term, p);
   }
-  fmpz_clear(p);
   return exact_finish(z, &c, product);
 }

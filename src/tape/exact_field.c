@@ -172,15 +172,13 @@ bool exact_equal(const struct exact_field *f, const fmpz_mpoly_q_struct *x, cons
 
 /* x without its sign, which is that of the leading coefficient of its numerator; whether that is negative. */
 bool exact_take_sign(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x) {
-  fmpz_t lead;
-  fmpz_init(lead);
+  NUMBERS(fmpz, lead);
   fmpz_mpoly_get_term_coeff_fmpz(lead, &x->num, 0, ring());
   bool negative = fmpz_sgn(lead) < 0;
   if (negative)
     fmpz_mpoly_q_neg(z, x, ring());
   else
     fmpz_mpoly_q_set(z, x, ring());
-  fmpz_clear(lead);
   return negative;
 }
 

@@ -82,9 +82,7 @@ static bool scale_of(fmpq_t z, const struct generator *g, const fmpq *value) {
 /* Small rationals, distinct for the generators; sines by half-angle tangents.  false when a root is irrational
    there. */
 static bool draw_values(fmpq *value, const struct exact_field *f, ulong *state) {
-  fmpq_t square, scale;
-  fmpq_init(square);
-  fmpq_init(scale);
+  NUMBERS(fmpq, square, scale);
   bool ok = true;
   for (slong i = 0; ok && i < f->n; i++) {
     const struct generator *g = &f->gen[i];
@@ -101,16 +99,13 @@ static bool draw_values(fmpq *value, const struct exact_field *f, ulong *state) 
       if (fmpq_sgn(scale) < 0) fmpq_neg(z, z);
     }
   }
-  fmpq_clear(scale);
-  fmpq_clear(square);
   return ok;
 }
 
 static void print_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x,
                           const fmpq *value, const fmpq_t there) {
   int used[EXACT_GENERATORS];
-  fmpq_t z;
-  fmpq_init(z);
+  NUMBERS(fmpq, z);
   fmpz_mpoly_q_used_vars(used, x, ring());
   num_print_q(out, there);
   const char *sep = " at ";
@@ -123,14 +118,12 @@ static void print_witness(struct text *out, const struct exact_field *f, const f
     num_print_q(out, z);
     sep = ", ";
   }
-  fmpq_clear(z);
 }
 
 bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   enum { TRIALS = 2000 };
   fmpq value[EXACT_GENERATORS];
-  fmpq_t there;
-  fmpq_init(there);
+  NUMBERS(fmpq, there);
   for (slong i = 0; i < EXACT_GENERATORS; i++) fmpq_init(&value[i]);
   ulong state = 1;
   bool found = false;
@@ -140,7 +133,6 @@ bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpo
   }
   if (found) print_witness(out, f, x, value, there);
   for (slong i = 0; i < EXACT_GENERATORS; i++) fmpq_clear(&value[i]);
-  fmpq_clear(there);
   return found;
 }
 

@@ -29,10 +29,9 @@ static int root_over(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_m
 /* The square of a new generator of sqrt(p/n), which stands for n sqrt(p/n); left out where it is too large. */
 static void square_of_root(struct exact_field *f, slong i) {
   const fmpz_mpoly_q_struct *x = &f->gen[i].args[0];
-  struct calc c = exact_calc(f);
+  OWNED(calc) c = exact_calc(f);
   const fmpz_mpoly_q_struct *square = calc_mul(&c, exact_polynomial(&c, &x->num), exact_polynomial(&c, &x->den));
   if (c.status == SS_OK) exact_set_square(&f->gen[i], &square->num);
-  calc_clear(&c);
 }
 
 int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
@@ -88,12 +87,10 @@ int exact_abs(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_
 /* Is the polynomial zero at x?  false also when that grows too large. */
 static bool is_root(const struct exact_field *f, const fmpz_mpoly_q_struct *coeff, slong n,
                     const fmpz_mpoly_q_struct *x) {
-  struct calc c = exact_calc(f);
+  OWNED(calc) c = exact_calc(f);
   val y = calc_d(&c, 0);
   for (slong i = n - 1; i >= 0; i--) y = calc_add(&c, calc_mul(&c, y, x), &coeff[i]);
-  bool zero = c.status == SS_OK && exact_is_zero(y);
-  calc_clear(&c);
-  return zero;
+  return c.status == SS_OK && exact_is_zero(y);
 }
 
 /* The known elements that are roots of an even polynomial are all its positive roots when there are as many as half of

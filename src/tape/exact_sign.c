@@ -16,12 +16,9 @@ static int unit_sign(const struct exact_field *f, const fmpz_mpoly_struct *p, co
       known = f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, positive[k]) == 0;
     if (!known) return 0;
   }
-  fmpz_t c;
-  fmpz_init(c);
+  NUMBERS(fmpz, c);
   fmpz_mpoly_get_term_coeff_fmpz(c, p, 0, ring());
-  int s = fmpz_sgn(c);
-  fmpz_clear(c);
-  return s;
+  return fmpz_sgn(c);
 }
 
 int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y,
@@ -40,10 +37,9 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
 /* What is left of p when these factors are taken out is a constant: its sign, else 0. */
 int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
   fmpz_mpoly_t rest, quotient;
-  fmpz_t c;
+  NUMBERS(fmpz, c);
   fmpz_mpoly_init(rest, ring());
   fmpz_mpoly_init(quotient, ring());
-  fmpz_init(c);
   fmpz_mpoly_set(rest, p, ring());
   for (int i = 0; i < n && !fmpz_mpoly_is_zero(rest, ring()); i++) {
     if (fmpz_mpoly_is_fmpz(&positive[i].num, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
@@ -54,7 +50,6 @@ int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct 
     fmpz_mpoly_get_fmpz(c, rest, ring());
     sign = fmpz_sgn(c);
   }
-  fmpz_clear(c);
   fmpz_mpoly_clear(quotient, ring());
   fmpz_mpoly_clear(rest, ring());
   return sign;

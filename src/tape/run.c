@@ -10,12 +10,10 @@
 /* --- One instruction --- */
 
 static int run_root(void *z, const struct tape *t, const struct tape_instr *in, const struct num_vec *reg) {
-  struct num_vec coeff;
+  OWNED(num_vec) coeff;
   num_vec_init(&coeff, in->b, reg->ctx);
   for (slong k = 0; k < in->b; k++) reg->ctx.type->set(num_vec_at(&coeff, k), num_vec_at(reg, t->links[in->a + k]));
-  int status = num_poly_root(z, &coeff, in->k);
-  num_vec_clear(&coeff);
-  return status;
+  return num_poly_root(z, &coeff, in->k);
 }
 
 int tape_inherited(const struct tape *t, slong i, const int *flags) {
@@ -73,12 +71,9 @@ static void run_all(struct num_vec *reg, int *flags, const struct tape *t, const
 enum { GUARD_BITS = 8, LEAST_SIZE = -1100, FIRST_BITS = 128, LAST_BITS = 4096 };
 
 static bool is_tiny(arb_srcptr x) {
-  mag_t m;
-  mag_init(m);
+  NUMBERS(mag, m);
   arb_get_mag(m, x);
-  bool tiny = mag_cmp_2exp_si(m, LEAST_SIZE) < 0;
-  mag_clear(m);
-  return tiny;
+  return mag_cmp_2exp_si(m, LEAST_SIZE) < 0;
 }
 
 static bool becomes_zero(arb_srcptr x, const struct num_ctx *ctx) {
@@ -100,7 +95,7 @@ static bool all_known(const struct num_vec *ball, const int *flags, const struct
 /* Every instruction in balls, until what is to be rounded is known. */
 static void enclose(struct num_vec *ball, int *flags, const struct tape *t, const struct num_vec *in) {
   slong prec = in->ctx.prec, last = 8 * prec > LAST_BITS ? 8 * prec : LAST_BITS;
-  struct num_vec x;
+  OWNED(num_vec) x;
   num_vec_init(&x, in->len, num_ctx_arb(last));
   for (slong i = 0; i < in->len; i++) in->ctx.type->get_arb(num_vec_at(&x, i), num_vec_at(in, i));
   for (slong bits = 2 * prec > FIRST_BITS ? 2 * prec : FIRST_BITS;; bits = 2 * bits < last ? 2 * bits : last) {
@@ -108,7 +103,6 @@ static void enclose(struct num_vec *ball, int *flags, const struct tape *t, cons
     run_all(ball, flags, t, &x, NULL);
     if (all_known(ball, flags, t, &in->ctx) || bits == last) break;
   }
-  num_vec_clear(&x);
 }
 
 static int rounded(void *z, const struct num_ctx *ctx, arb_srcptr x, bool must_be_known) {
@@ -118,7 +112,7 @@ static int rounded(void *z, const struct num_ctx *ctx, arb_srcptr x, bool must_b
 
 /* What counts only under TAPE_ROUNDED, and the roundings themselves, from balls; `there` says which those are. */
 static void round_once(struct num_vec *reg, int *flags, bool *there, const struct tape *t, const struct num_vec *in) {
-  struct num_vec ball;
+  OWNED(num_vec) ball;
   int *ball_flags = ss_malloc((size_t)t->n * sizeof *ball_flags);
   num_vec_init(&ball, t->n, num_ctx_arb(FIRST_BITS));
   enclose(&ball, ball_flags, t, in);
@@ -128,7 +122,6 @@ static void round_once(struct num_vec *reg, int *flags, bool *there, const struc
     flags[i] = ball_flags[i];
     if (!flags[i]) flags[i] = rounded(num_vec_at(reg, i), &reg->ctx, num_vec_at(&ball, i), !t->only_under_rounded[i]);
   }
-  num_vec_clear(&ball);
   free(ball_flags);
 }
 
@@ -139,7 +132,7 @@ static bool rounds(const struct num_type *type) {
 }
 
 int tape_eval(struct num_vec *out, int *status, const struct tape *t, const struct num_vec *in) {
-  struct num_vec reg;
+  OWNED(num_vec) reg;
   num_vec_init(&reg, t->n, out->ctx);
   int *flags = ss_malloc((size_t)t->n * sizeof *flags);
   bool *there = t->only_under_rounded && rounds(out->ctx.type) ? ss_malloc((size_t)t->n * sizeof *there) : NULL;
@@ -157,6 +150,5 @@ int tape_eval(struct num_vec *out, int *status, const struct tape *t, const stru
   }
   free(there);
   free(flags);
-  num_vec_clear(&reg);
   return all;
 }

@@ -140,11 +140,10 @@ static bool place(struct builder *b, const struct expr *e) {
     in.op = TAPE_INPUT;
     in.k = add_input(b, e->name);
   } else if (e->kind == EXPR_CALL) {
-    struct text name = {0};
+    OWNED(text) name = {0};
     expr_print(&name, e);
     in.op = TAPE_INPUT;
     in.k = add_input(b, text_str(&name));
-    text_clear(&name);
   } else {
     in.op = e->kind == EXPR_POW ? TAPE_POW : op_of(e->kind);
     in.a = place_of(b, args[0]);
