@@ -76,12 +76,10 @@ static bool setup_from(struct coulomb_setup *sim, const struct scene *s, const s
 }
 
 bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d) {
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   audit_orbits(&list, s, SETUP_PREC);
   if (!printed) audit_orbits_complete(&list, s, SETUP_PREC);
-  bool ok = setup_from(sim, s, &list, orbit, printed, d);
-  dyn_orbits_clear(&list);
-  return ok;
+  return setup_from(sim, s, &list, orbit, printed, d);
 }
 
 bool coulomb_setup_among(struct coulomb_setup *sim, const struct scene *s, const struct dyn_orbits *list, slong orbit) {
@@ -89,17 +87,14 @@ bool coulomb_setup_among(struct coulomb_setup *sim, const struct scene *s, const
 }
 
 bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit) {
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   audit_orbits(&list, s, SETUP_PREC);
-  bool ok = coulomb_setup_among(sim, s, &list, orbit);
-  dyn_orbits_clear(&list);
-  return ok;
+  return coulomb_setup_among(sim, s, &list, orbit);
 }
 
 bool coulomb_start_read(double *z, int n, const char *start, const char *takes, struct diag *d) {
-  fmpq_t x;
+  NUMBERS(fmpq, x);
   bool ok = true;
-  fmpq_init(x);
   for (int i = 0; ok && i < n; i++) {
     size_t len = strcspn(start, ",");
     bool last = i + 1 == n;
@@ -116,12 +111,11 @@ bool coulomb_start_read(double *z, int n, const char *start, const char *takes, 
     }
     start += len + !last;
   }
-  fmpq_clear(x);
   return ok;
 }
 
 bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d) {
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   bool ok = true;
   audit_orbits(&list, s, SETUP_PREC);
   const struct dyn_orbit *o = list.n ? &list.orbit[0] : NULL;
@@ -131,7 +125,6 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
   }
   set_params(sim, s, &list, o, true);
   ok = ok && coulomb_start_read(sim->start, N_STATE, start, "four constant expressions, x1,x2,v1,v2", d);
-  dyn_orbits_clear(&list);
   return ok;
 }
 
@@ -151,12 +144,11 @@ int coulomb_setup_return(struct text *word, struct coulomb_result *end, const st
 
 truth coulomb_setup_closes(const struct coulomb_setup *sim) {
   struct coulomb_result end;
-  struct text word = {0};
+  OWNED(text) word = {0};
   int status = coulomb_setup_return(&word, &end, sim, 2);
   double off = fabs(end.at.x[1] - end.at.x[0] - (sim->start[1] - sim->start[0])) /
                (1 + fabs(sim->start[0]) + fabs(sim->start[1]));
   bool same = strcmp(text_str(&word), "GHCD") == 0;
-  text_clear(&word);
   if (status != SS_OK) return TRUTH_UNKNOWN;
   if (!same || off > 1e-3) return TRUTH_FALSE;
   return off < 1e-7 ? TRUTH_TRUE : TRUTH_UNKNOWN;

@@ -36,36 +36,32 @@ const char *expression_undetermined(const struct expression *x) {
 
 bool formula_tape(struct tape *t, struct view v, const char *formula, const char *section, const struct override *o,
                   int n) {
-  struct elaboration el;
+  OWNED(elaboration) el;
   struct matrix m;
   struct diag d = {0};
   elaboration_init(&el, v, o, n);
-  bool ok = elaborate_tape(t, &m, &el, formula, formula, section, &d);
-  elaboration_clear(&el);
-  return ok;
+  return elaborate_tape(t, &m, &el, formula, formula, section, &d);
 }
 
 int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const struct point *p,
                   struct orbit_cache *cache) {
-  struct values v;
+  OWNED(values) v;
   int s = values_init(&v, p, VARIANT_CLOSED, out->ctx, cache);
   struct num_vec in = calc_vec(&v.c, t->n_inputs);
   const char *unbound = NULL;
   if (s == SS_OK) s |= values_bind_inputs(&in, &unbound, &v, t);
   if (s == SS_OK) s = tape_eval(out, NULL, t, &in);
   *known = !unbound;
-  values_clear(&v);
   return s;
 }
 
 int expression_value(arb_ptr out, const struct expression *x, const struct point *p, slong prec,
                      struct orbit_cache *cache) {
-  struct num_vec res;
+  OWNED(num_vec) res;
   bool known;
   num_vec_init(&res, x->n, num_ctx_arb(prec));
   int s = tape_at_point(&res, &known, &x->tape, p, cache);
   for (int i = 0; i < x->n; i++) arb_set(out + i, num_vec_at(&res, i));
-  num_vec_clear(&res);
   return s;
 }
 

@@ -18,7 +18,7 @@ const struct local_map local_maps[N_PHASES] = {
 };
 
 int local_map_corner(struct num_vec *out, const struct local_map *m, const struct num_vec *local, const void *chi) {
-  struct calc c = calc_begin(out->ctx);
+  OWNED(calc) c = calc_begin(out->ctx);
   for (int r = 0; r < m->rows; r++)
     for (int k = 0; k < m->cols; k++) {
       val sum = calc_d(&c, 0);
@@ -29,7 +29,6 @@ int local_map_corner(struct num_vec *out, const struct local_map *m, const struc
       }
       calc_store(&c, num_vec_at(out, r * m->cols + k), sum);
     }
-  calc_clear(&c);
   return c.status;
 }
 

@@ -98,11 +98,9 @@ int name_of_switching_time(const char *argument) {
 }
 
 static bool reads(const struct expr *e, const char *as) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   expr_print(&t, e);
-  bool same = strcmp(text_str(&t), as) == 0;
-  text_clear(&t);
-  return same;
+  return strcmp(text_str(&t), as) == 0;
 }
 
 enum phase name_of_range(const struct stmt *s) {

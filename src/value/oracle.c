@@ -46,26 +46,24 @@ static int eval_propagator(struct num_vec *out, struct values *v, int ph) {
 /* (44): exp(A_C t_d) exp(A_H t_c) exp(A_Gamma t_b) exp(A_D t_a). */
 static int eval_n(struct num_vec *out, struct values *v, int which) {
   (void)which;
-  struct num_vec p;
+  OWNED(num_vec) p;
   num_vec_init(&p, 16, v->ctx);
   int s = values_propagator(out, v, PHASE_D);
   for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
     s |= values_propagator(&p, v, (enum phase)ph);
     s |= num_mat_mul(out, &p, out, 4, 4, 4);
   }
-  num_vec_clear(&p);
   return s;
 }
 
 /* The stiffness matrix of z'' + K z = 0: minus the lower left block of the first-order system. */
 static int eval_stiffness(struct num_vec *out, struct values *v, int ph) {
-  struct num_vec a;
+  OWNED(num_vec) a;
   num_vec_init(&a, 16, v->ctx);
   int s = dyn_system(&a, (enum phase)ph, &v->params);
   for (int i = 0; i < 2; i++)
     for (int j = 0; j < 2; j++)
       s |= v->ctx.type->neg(num_vec_at(out, 2 * i + j), num_vec_at(&a, 4 * (2 + i) + j), v->ctx.prec);
-  num_vec_clear(&a);
   return s;
 }
 
@@ -75,7 +73,7 @@ static int eval_stiffness(struct num_vec *out, struct values *v, int ph) {
    The springs' forces on the blocks are the derivatives of the energy k_1 x_1^2/2 + k_2 (x_2 - x_1)^2/2; accelerations
    in the paper's time are them over the masses, divided by omega_3^2 = (k_1 + k_2)/m_1. */
 static int eval_newton(struct num_vec *out, struct values *v, int ph) {
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   val zero = calc_d(&c, 0), m1 = num_vec_at(&v->params, P_ETA), m2 = calc_d(&c, 1);
   val k2 = num_vec_at(&v->params, P_CHI), k1 = calc_sub(&c, m2, k2), both = calc_add(&c, k1, k2);
   val square = calc_div(&c, both, m1), entry[4] = {zero, zero, zero, zero};
@@ -88,27 +86,25 @@ static int eval_newton(struct num_vec *out, struct values *v, int ph) {
     entry[2] = calc_neg(&c, entry[3]);
   }
   for (int i = 0; i < 4; i++) calc_store(&c, num_vec_at(out, i), entry[i]);
-  calc_clear(&c);
   return c.status;
 }
 
 /* Where both blocks rest under the sliding forces u_s1, u_s2 (per k_1 + k_2): the minimum of the springs' energy less
    the forces' work; K d = (u_s1, eta u_s2) solved with the stiffness of the model. */
 static int eval_equilibrium(struct num_vec *out, struct values *v, int mass) {
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   struct num_vec k = calc_vec(&c, 4), d = calc_vec(&c, 2);
   int s = eval_stiffness(&k, v, PHASE_H);
   calc_store(&c, num_vec_at(&d, 0), values_exact(v, Q_US1));
   calc_store(&c, num_vec_at(&d, 1), calc_mul(&c, values_exact(v, Q_US2), num_vec_at(&v->params, P_ETA)));
   s |= c.status | num_mat_solve(&d, &k, &d, 2, 1);
   calc_store(&c, num_vec_at(out, 0), num_vec_at(&d, mass));
-  calc_clear(&c);
   return s;
 }
 
 /* The frequencies: mu^2 - (trace) mu + det = 0 for the model's stiffness, omega = sqrt(mu). */
 static int eval_frequency(struct num_vec *out, struct values *v, int i) {
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   struct num_vec k = calc_vec(&c, 4), of_mu = calc_vec(&c, 3);
   void *mu = calc_new(&c);
   int s = eval_stiffness(&k, v, PHASE_H) | num_mat_det(num_vec_at(&of_mu, 0), &k, 2);
@@ -117,7 +113,6 @@ static int eval_frequency(struct num_vec *out, struct values *v, int i) {
   calc_store(&c, num_vec_at(&of_mu, 2), calc_d(&c, 1));
   s |= num_poly_root(mu, &of_mu, i);
   calc_store(&c, num_vec_at(out, 0), calc_sqrt(&c, mu));
-  calc_clear(&c);
   return s | c.status;
 }
 

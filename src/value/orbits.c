@@ -204,7 +204,7 @@ int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit
   struct num_ctx ctx = params->ctx;
   const struct followed *known = find_followed(c, o, ctx);
   if (!known) {
-    struct num_vec z;
+    OWNED(num_vec) z;
     num_vec_init(&z, 2, ctx);
     struct followed *f = SS_PUSH(c->followed, c->n_followed, c->cap_followed);
     f->orbit = o;
@@ -214,7 +214,6 @@ int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit
     f->status = ctx.type->set_arb(num_vec_at(&z, 0), o->z10, ctx.prec);
     f->status |= ctx.type->set_arb(num_vec_at(&z, 1), o->z20, ctx.prec);
     f->status |= dyn_arc_run(&f->arc, params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
-    num_vec_clear(&z);
     known = f;
   }
   num_vec_set(&arc->t, &known->arc.t);

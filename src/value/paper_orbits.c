@@ -22,11 +22,8 @@ static arb_srcptr number_of(const struct dyn_orbit *o, int i) {
 
 /* The largest difference of the six numbers, bounded from above. */
 static void distance_to(arb_t distance, const struct num_vec *x, const struct dyn_orbit *o) {
-  arb_t d;
-  arf_t most, bound;
-  arb_init(d);
-  arf_init(most);
-  arf_init(bound);
+  NUMBERS(arb, d);
+  NUMBERS(arf, most, bound);
   for (int i = 0; i < N_ROUTE; i++) {
     num_mpfr.get_arb(d, num_vec_at(x, i));
     arb_sub(d, d, number_of(o, i), 2 * x->ctx.prec);
@@ -34,14 +31,10 @@ static void distance_to(arb_t distance, const struct num_vec *x, const struct dy
     if (arf_cmp(most, bound) < 0) arf_set(most, bound);
   }
   arb_set_arf(distance, most);
-  arf_clear(bound);
-  arf_clear(most);
-  arb_clear(d);
 }
 
 static void find_nearest(struct paper_orbit *p, const struct dyn_orbits *list) {
-  arb_t d;
-  arb_init(d);
+  NUMBERS(arb, d);
   p->nearest = -1;
   for (slong i = 0; i < list->n; i++) {
     distance_to(d, &p->route.x, &list->orbit[i]);
@@ -49,7 +42,6 @@ static void find_nearest(struct paper_orbit *p, const struct dyn_orbits *list) {
     arb_set(p->distance, d);
     p->nearest = i;
   }
-  arb_clear(d);
 }
 
 /* One start; e1 and e2 are the scene's, or those of the orbit. */
@@ -76,7 +68,7 @@ static void run_from(struct paper_orbits *out, const struct scene *s, const stru
 }
 
 bool audit_paper_orbits(struct paper_orbits *out, const struct scene *s, slong prec, struct diag *d) {
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   double guess[4];
   *out = (struct paper_orbits){.n = 0};
   bool printed = printed_times(guess, s);
@@ -87,7 +79,6 @@ bool audit_paper_orbits(struct paper_orbits *out, const struct scene *s, slong p
     for (slong i = 0; i < list.n; i++) run_from(out, s, &list, i, printed ? guess : NULL, prec);
   if (out->n == 0)
     diag_set(d, "%s: error: no start for the paper's route: the scene prints no times, or no orbit was found", s->path);
-  dyn_orbits_clear(&list);
   return out->n > 0;
 }
 

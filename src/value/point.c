@@ -45,8 +45,7 @@ bool point_of_model(const struct point *p) {
 /* The values of the paper's own symbols. */
 static const char *print_own(struct text *out, const struct point *p) {
   const char *sep = "";
-  fmpq_t z;
-  fmpq_init(z);
+  NUMBERS(fmpq, z);
   for (size_t i = 0; p->paper && p->paper->n_own && i < p->paper->n_symbols; i++) {
     const struct symbol *s = &p->paper->symbols[i];
     if (!s->has_domain) continue;
@@ -55,7 +54,6 @@ static const char *print_own(struct text *out, const struct point *p) {
     num_print_q(out, z);
     sep = ", ";
   }
-  fmpq_clear(z);
   return sep;
 }
 
@@ -138,11 +136,10 @@ void point_print(struct text *out, const struct point *p) {
 
 /* u_ri = 5/4 max(e_i, u_ri_min), or just above that maximum, upwards to a 1024th. */
 static void take_realistic_friction(struct point *p, const struct dyn_orbit *o) {
-  fmpz_t k;
+  NUMBERS(fmpz, k);
   uint64_t state = p->draw;
   bool much = random_next(&state) >> 32 & 1;
   arb_ptr w = _arb_vec_init(2), least = w, e = w + 1;
-  fmpz_init(k);
   for (int i = 0; i < 2; i++) {
     arb_set_fmpq(e, &p->q[Q_E1 + i], FIRST_PREC);
     arb_max(least, i ? o->u_r2_min : o->u_r1_min, e, FIRST_PREC);
@@ -153,7 +150,6 @@ static void take_realistic_friction(struct point *p, const struct dyn_orbit *o) 
     fmpq_sub(&p->q[Q_US1 + i], &p->q[Q_US1 + i], &p->q[Q_E1 + i]);
   }
   _arb_vec_clear(w, 2);
-  fmpz_clear(k);
 }
 
 bool point_settle(struct point *p, struct orbit_cache *c) {

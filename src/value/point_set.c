@@ -10,14 +10,12 @@ static bool parse_value(fmpq *z, const char *s, size_t len) {
   bool negative = len > 0 && *s == '-';
   if (negative) s++, len--;
   const char *slash = memchr(s, '/', len);
-  fmpq_t den;
-  fmpq_init(den);
+  NUMBERS(fmpq, den);
   fmpq_one(den);
   bool ok = num_parse_decimal(z, s, slash ? (size_t)(slash - s) : len) == SS_OK;
   if (ok && slash) ok = num_parse_decimal(den, slash + 1, len - (size_t)(slash + 1 - s)) == SS_OK && !fmpq_is_zero(den);
   if (ok) fmpq_div(z, z, den);
   if (ok && negative) fmpq_neg(z, z);
-  fmpq_clear(den);
   return ok;
 }
 
@@ -41,7 +39,7 @@ static const char *settable_name(size_t *i, const struct point *p) {
 /* The error of an item of which len bytes may be a name; of one that is not known, which there are. */
 static bool complain(const struct point *p, const char *item, size_t len, struct diag *d) {
   struct suggestion meant;
-  struct text says = {0};
+  OWNED(text) says = {0};
   bool known = item[len] != '=';
   size_t whole = strcspn(item, ",");
   const char *name;
@@ -56,7 +54,6 @@ static bool complain(const struct point *p, const char *item, size_t len, struct
     text_printf(&says, "%s%s", before, name);
   diag_set(d, "error: --at takes NAME=VALUE,..., values like 1/2 or 0.8, not %.*s%s", (int)(whole > 80 ? 80 : whole),
            item, text_str(&says));
-  text_clear(&says);
   return false;
 }
 
@@ -80,12 +77,10 @@ static bool take_quantity(struct point *p, const struct point_quantity *row, con
 static bool take(struct point *p, size_t i, const char *value, size_t len, struct diag *d) {
   if (point_of_model(p)) return take_quantity(p, point_settable(&i), value, len, d);
   const struct symbol *s = &p->paper->symbols[i];
-  fmpq_t z;
-  fmpq_init(z);
+  NUMBERS(fmpq, z);
   bool ok = parse_value(z, value, len);
   if (ok && !symbol_takes(s, z))
     diag_set(d, "error: --at leaves the domain of %s, \"%s\"", s->name, record_get(s->record, "domain"));
-  fmpq_clear(z);
   return ok;
 }
 

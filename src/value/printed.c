@@ -23,14 +23,10 @@ void printed_ends(fmpq_t below, fmpq_t above, const struct printed_number *p, en
 
 /* The same as balls. */
 static void bracket(arb_t lo, arb_t hi, const struct printed_number *p, enum reading how) {
-  fmpq_t below, above;
-  fmpq_init(below);
-  fmpq_init(above);
+  NUMBERS(fmpq, below, above);
   printed_ends(below, above, p, how);
   arb_set_fmpq(lo, below, LAST_PREC);
   arb_set_fmpq(hi, above, LAST_PREC);
-  fmpq_clear(above);
-  fmpq_clear(below);
 }
 
 static truth in_bracket(const arb_t x, const struct printed_number *p, enum reading how) {
@@ -171,12 +167,10 @@ const char *usual_orbit_text(struct judge *j, const char *noun) {
 }
 
 slong scene_usual_orbit(const struct scene *s) {
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   audit_orbits(&list, s, FIRST_PREC);
   audit_orbits_complete(&list, s, FIRST_PREC);
-  slong k = usual_orbit(&list, s);
-  dyn_orbits_clear(&list);
-  return k;
+  return usual_orbit(&list, s);
 }
 
 const struct dyn_orbit *scene_orbit(const struct scene *s, struct orbit_cache *cache) {

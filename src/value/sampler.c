@@ -18,12 +18,10 @@ void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s) {
   uint64_t state = p->draw ^ random_seed(s->name);
   bool low = s->low.bounded, high = s->high.bounded;
   if (low && high) {
-    fmpq_t span;
-    fmpq_init(span);
+    NUMBERS(fmpq, span);
     fmpq_sub(span, s->high.at, s->low.at);
     draw(z, &state, !s->low.closed, PARTS - !s->high.closed, PARTS);
     fmpq_mul(z, z, span);
-    fmpq_clear(span);
   } else if (low || high) {
     draw(z, &state, !(low ? s->low.closed : s->high.closed), MOST, UNIT);
     if (high) fmpq_neg(z, z);
@@ -54,11 +52,7 @@ static void draw_params(struct point *p, uint64_t *st, const struct restriction 
 
 /* An arc starts in the stick phase: w below e1 by V (1 - chi) t_a, and r below e2/chi by a multiple of V. */
 static void draw_arc(struct point *p, uint64_t *st) {
-  fmpq_t one_chi, w, r, u;
-  fmpq_init(one_chi);
-  fmpq_init(w);
-  fmpq_init(r);
-  fmpq_init(u);
+  NUMBERS(fmpq, one_chi, w, r, u);
   fmpq_one(one_chi);
   fmpq_sub(one_chi, one_chi, &p->q[Q_CHI]);
   draw(u, st, 1, 24, 8);
@@ -72,20 +66,14 @@ static void draw_arc(struct point *p, uint64_t *st) {
   fmpq_add(&p->q[Q_Z2], w, r);
   fmpq_div(&p->q[Q_Z2], &p->q[Q_Z2], one_chi);
   fmpq_sub(&p->q[Q_Z1], &p->q[Q_Z2], r);
-  fmpq_clear(one_chi);
-  fmpq_clear(w);
-  fmpq_clear(r);
-  fmpq_clear(u);
 }
 
 /* An inequality along a phase fails first beside an end: less than a quarter of the phase becomes a 1024th. */
 static void move_outwards(fmpq_t fraction) {
-  fmpq_t quarters;
-  fmpq_init(quarters);
+  NUMBERS(fmpq, quarters);
   fmpq_mul_si(quarters, fraction, 4);
   if (fmpq_cmp_si(quarters, 1) < 0) fmpq_set_si(fraction, 1, 1024);
   if (fmpq_cmp_si(quarters, 3) > 0) fmpq_set_si(fraction, 1023, 1024);
-  fmpq_clear(quarters);
 }
 
 /* Parameters at which drawn ones are not: chi = eta = 1/2 and e1 = V; chi eta = 1; e2 = V; e2 > e1; e1 = e2, where no

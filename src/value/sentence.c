@@ -256,33 +256,26 @@ static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, s
 }
 
 double log2_upper(const arb_t x) {
-  mag_t m;
-  mag_init(m);
+  NUMBERS(mag, m);
   arb_get_mag(m, x);
-  double r = mag_is_zero(m) ? -INFINITY : mag_get_d_log2_approx(m);
-  mag_clear(m);
-  return r;
+  return mag_is_zero(m) ? -INFINITY : mag_get_d_log2_approx(m);
 }
 
 /* What cannot be told from zero in twenty digits is zero in ten. */
 static void describe(char *out, size_t size, const struct num_vec *v, slong i, slong digits) {
-  arb_t x;
-  arb_init(x);
-  struct text t = {0};
+  NUMBERS(arb, x);
+  OWNED(text) t = {0};
   v->ctx.type->get_arb(x, num_vec_at(v, i));
   if (arb_contains_zero(x) && log2_upper(x) < -64)
     text_add(&t, "0");
   else if (num_print(&t, x, digits) != SS_OK)
     num_print_ball(&t, x, digits);
   snprintf(out, size, "%s", text_str(&t));
-  text_clear(&t);
-  arb_clear(x);
 }
 
 /* The largest entry of either side of an equality, at least 1, as log2. */
 static double log2_scale(const struct sentence *s, const struct num_vec *lhs, const struct num_vec *rhs) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   double best = 0;
   for (slong i = 0; i < s->n; i++) {
     if (s->ops[i] != REL_EQ) continue;
@@ -291,7 +284,6 @@ static double log2_scale(const struct sentence *s, const struct num_vec *lhs, co
     rhs->ctx.type->get_arb(x, num_vec_at(rhs, i));
     best = fmax(best, log2_upper(x));
   }
-  arb_clear(x);
   return best;
 }
 
@@ -381,7 +373,7 @@ struct trial balls_compare(const struct num_vec *lhs, const struct num_vec *rhs)
 static struct trial try_once(struct sentence *s, struct comparison *c, const struct point *p, enum variant variant,
                              struct num_ctx ctx, struct orbit_cache *cache) {
   struct trial t = {.outcome = OUTCOME_REJECTED, .bits = (long)ctx.prec};
-  struct values v;
+  OWNED(values) v;
   *c = (struct comparison){false, false};
   t.status = values_init(&v, p, variant, ctx, cache);
   if (t.status == SS_OK) {
@@ -392,7 +384,6 @@ static struct trial try_once(struct sentence *s, struct comparison *c, const str
       compare(&t, c, s, &lhs, &rhs);
     }
   }
-  values_clear(&v);
   return t;
 }
 
@@ -403,10 +394,9 @@ int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct sentence 
 
 static int evaluate_at(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s,
                        const struct point *p, enum variant variant, struct orbit_cache *cache) {
-  struct values v;
+  OWNED(values) v;
   int status = values_init(&v, p, variant, lhs->ctx, cache);
   if (status == SS_OK) status = evaluate(lhs, rhs, t, s, &v);
-  values_clear(&v);
   return status;
 }
 
@@ -434,10 +424,9 @@ struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum 
 struct trial sentence_try_ends(struct sentence *s, const struct point *p, enum variant variant,
                                struct orbit_cache *cache) {
   struct trial t = {.outcome = OUTCOME_REJECTED, .bits = FIRST_PREC};
-  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  OWNED(calc) c = calc_begin(num_ctx_arb(FIRST_PREC));
   struct num_vec lhs[2], rhs[2];
-  struct point at;
-  point_init(&at);
+  LOCAL(point, at);
   point_copy(&at, p);
   for (int end = 0; end < 2; end++) {
     lhs[end] = calc_vec(&c, s->n);
@@ -451,8 +440,6 @@ struct trial sentence_try_ends(struct sentence *s, const struct point *p, enum v
     arb_set(num_vec_at(&rhs[0], i), num_vec_at(&rhs[1], i));
   }
   if (t.status == SS_OK) t = balls_compare(&lhs[0], &rhs[0]);
-  point_clear(&at);
-  calc_clear(&c);
   return t;
 }
 

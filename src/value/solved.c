@@ -37,14 +37,13 @@ const fmpq *scene_given_number(const struct scene *s, int i) {
 }
 
 static bool all_printable(const struct dyn_orbits *list, const struct scene *s, slong digits) {
-  struct text t = {0};
+  OWNED(text) t = {0};
   bool ok = true;
   for (slong k = 0; k < list->n; k++)
     for (int i = 0; ok && i < ORBIT_NUMBERS; i++) {
       text_reset(&t);
       ok = scene_given_number(s, i) || num_print(&t, orbit_number(&list->orbit[k], i), digits) == SS_OK;
     }
-  text_clear(&t);
   return ok;
 }
 
@@ -129,12 +128,9 @@ int solved_word(struct word_orbits *list, const struct mech_word *w, const struc
 /* Does a given u_r exceed its bound?  TRUE too where the scene gives none: some u_r does. */
 static truth friction_holds(const struct scene *s, int key, arb_srcptr min) {
   if (!s->given[key]) return TRUTH_TRUE;
-  arb_t u;
-  arb_init(u);
+  NUMBERS(arb, u);
   arb_set_fmpq(u, &s->value[key], 1024);
-  truth t = arb_gt(u, min) ? TRUTH_TRUE : arb_le(u, min) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-  arb_clear(u);
-  return t;
+  return arb_gt(u, min) ? TRUTH_TRUE : arb_le(u, min) ? TRUTH_FALSE : TRUTH_UNKNOWN;
 }
 
 truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {

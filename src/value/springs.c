@@ -61,9 +61,8 @@ static val second_force(struct calc *c, struct values *v) {
 }
 
 static int evaluate(void *z, struct values *v, val (*value)(struct calc *, struct values *)) {
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   calc_store(&c, z, value(&c, v));
-  calc_clear(&c);
   return c.status;
 }
 

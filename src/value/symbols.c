@@ -34,14 +34,13 @@ static const void *exact_symbol(struct values *v, const char *name) {
 /* The motion t_b after its start: still in the stick phase where t_b < t_a, then in the slip-stick phase. */
 static int state_at_tb(struct num_vec *z, struct values *v) {
   const struct num_type *t = v->ctx.type;
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   val ta = num_vec_at(&v->arc.t, 0), tb = num_vec_at(&v->arc.t, 1), rest = calc_sub(&c, tb, ta), zero = calc_d(&c, 0);
   int s = c.status;
   bool sticks = calc_lt(&c, rest, zero);
   if (!calc_lt(&c, zero, ta) || (!sticks && t->lt(rest, zero) != TRUTH_FALSE)) s |= SS_UNABLE;
   const struct num_vec from = dyn_arc_state(&v->arc, !sticks);
   if (s == SS_OK) s |= dyn_flow(z, sticks ? PHASE_D : PHASE_GAMMA, &v->params, &from, sticks ? tb : rest);
-  calc_clear(&c);
   return s;
 }
 
@@ -80,11 +79,10 @@ static int motion_value(void *z, bool *known, struct values *v, const struct mot
 static int bind_motion(void *z, bool *known, struct values *v, const struct motion_name *n) {
   int s = motion_value(z, known, v, n);
   if (s || !n->in_x || n->primes) return s;
-  struct num_vec d;
+  OWNED(num_vec) d;
   num_vec_init(&d, 1, v->ctx);
   s |= oracle_eval(&d, oracle_find(n->component ? "d_02" : "d_01"), v);
   s |= v->ctx.type->add(z, z, num_vec_at(&d, 0), v->ctx.prec);
-  num_vec_clear(&d);
   return s;
 }
 
@@ -117,12 +115,9 @@ static int bind_entry(void *z, bool *known, struct values *v, const char *name, 
 }
 
 static int bind_own(void *z, struct values *v, const struct symbol *own) {
-  fmpq_t x;
-  fmpq_init(x);
+  NUMBERS(fmpq, x);
   point_own_value(x, v->point, own);
-  int s = v->ctx.type->set_q(z, x, v->ctx.prec);
-  fmpq_clear(x);
-  return s;
+  return v->ctx.type->set_q(z, x, v->ctx.prec);
 }
 
 bool values_names(const char *name) {

@@ -8,7 +8,7 @@
 /* dt of a phase from dZ at its start: the switching function stays zero at the end, so its gradient applied to
    exp(A t) dZ is minus its rate times dt. */
 static int event_shift(void *dt, struct values *v, int ph, const struct num_vec *dz) {
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   struct num_vec phi = calc_vec(&c, 16), end = calc_vec(&c, 4);
   const struct num_vec there = dyn_arc_state(&v->arc, ph + 1);
   void *lead = calc_new(&c), *rate = calc_new(&c);
@@ -17,13 +17,12 @@ static int event_shift(void *dt, struct values *v, int ph, const struct num_vec 
   s |= dyn_switching_along(lead, (enum phase)ph, &v->params, &end);
   s |= dyn_switching_rate(rate, (enum phase)ph, &v->params, &there);
   calc_store(&c, dt, calc_neg(&c, calc_div(&c, lead, rate)));
-  calc_clear(&c);
   return s | c.status;
 }
 
 /* The direction (x, y) carried along the word by the local Jacobians. */
 static int carry_tangent(struct values *v) {
-  struct calc c = calc_begin(v->ctx);
+  OWNED(calc) c = calc_begin(v->ctx);
   struct num_vec dz = calc_vec(&c, 4), unused = calc_vec(&c, N_STATE * LOCAL_MOST);
   v->ctx.type->set(num_vec_at(&dz, 0), num_vec_at(&v->q, Q_X));
   v->ctx.type->set(num_vec_at(&dz, 1), num_vec_at(&v->q, Q_Y));
@@ -36,7 +35,6 @@ static int carry_tangent(struct values *v) {
     s |= num_mat_mul(&dz, &j, &dz, 4, 4, 1);
     for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&v->tangent, 4 * (ph + 1) + i), num_vec_at(&dz, i));
   }
-  calc_clear(&c);
   return s;
 }
 

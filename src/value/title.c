@@ -69,7 +69,7 @@ static bool is_of_signs(const struct statement_record *r) {
    themselves. */
 static void stated(struct text *out, const char **verb, const struct title *t, const struct statement_record *r,
                    size_t most) {
-  struct text formulas = {0};
+  OWNED(text) formulas = {0};
   t->m->system && !is_of_signs(r) ? title_formulas(&formulas, t, r) : title_conditional(&formulas, t, r);
   const char *note = title_note(r, false);
   *verb = note && title_is_plural(note) ? " hold" : " holds";
@@ -85,7 +85,6 @@ static void stated(struct text *out, const char **verb, const struct title *t, c
     text_printf(out, " and what follows it in (%s)", r->equation);
     *verb = " hold";
   }
-  text_clear(&formulas);
 }
 
 static bool make_identity(struct text *out, const struct title *t) {
@@ -93,14 +92,13 @@ static bool make_identity(struct text *out, const struct title *t) {
   const char *points = claim_points_asked(t->c);
   if (!r) return false;
   const char *verb;
-  struct text where = {0};
+  OWNED(text) where = {0};
   if (claim_says(t->c, "perturbation", "finite")) text_add(&where, " for finite perturbations");
   if (points) title_place(&where, t, points);
   if (claim_says(t->c, "own", "-")) text_add(&where, ", with all that it uses corrected");
   size_t most = MOST_TITLE - where.len;
   stated(out, &verb, t, r, most < MOST_FORMULA ? most : MOST_FORMULA);
   text_printf(out, "%s%s", verb, text_str(&where));
-  text_clear(&where);
   return true;
 }
 
@@ -141,12 +139,11 @@ static bool make_sharp(struct text *out, const struct title *t) {
   char phase[16];
   if (!r) return false;
   if (!points || sscanf(points, "%*s %15s", phase) != 1) return missing(t);
-  struct text formulas = {0};
+  OWNED(text) formulas = {0};
   title_formulas(&formulas, t, r);
   bool one = r->n_stmts == 1 && r->stmts[0]->n_sides == 2;
   text_printf(out, "%s%s becomes an equality at one end of ", one ? "" : "each inequality of ", text_str(&formulas));
   title_phases_listed(out, phase);
-  text_clear(&formulas);
   return true;
 }
 
@@ -206,7 +203,7 @@ static void number_name(struct text *out, const char *name) {
 static bool make_number(struct text *out, const struct title *t) {
   const char *number = claim_get(t->c, "number"), *from = claim_get(t->c, "from"),
              *relation = claim_get(t->c, "relation"), *quote = claim_get(t->c, "quote");
-  struct text name = {0}, formula = {0}, decimal = {0};
+  OWNED(text) name = {0}, formula = {0}, decimal = {0};
   bool ok = number && from && quoted_number(&decimal, quote) && title_formula(&formula, t, "formula");
   if (ok) {
     const struct printed_number *printed = t->s ? scene_printed(t->s, number) : NULL;
@@ -224,9 +221,6 @@ static bool make_number(struct text *out, const struct title *t) {
     else
       text_add(out, " at the printed numbers");
   }
-  text_clear(&decimal);
-  text_clear(&formula);
-  text_clear(&name);
   return ok || t->d->set ||
          claim_mistake(t->c, "", t->d,
                        "a title is missing; that of a number is made from number, from, formula and a quote in which "
@@ -281,14 +275,13 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
 /* With as many formulas as there is room for. */
 static bool make_argument(struct text *out, const struct title *t) {
   if (!claim_get(t->c, "conclusion")) return missing(t);
-  struct text title = {0};
+  OWNED(text) title = {0};
   bool ok = argue(&title, t, TITLE_FORMULAS, TITLE_FORMULAS);
   for (int both = 0; ok && both < 2 && title.len > MOST_ARGUMENT; both++) {
     text_reset(&title);
     ok = argue(&title, t, both ? TITLE_BRIEF : TITLE_FORMULAS, TITLE_BRIEF);
   }
   if (ok) text_add(out, text_str(&title));
-  text_clear(&title);
   return ok;
 }
 
@@ -297,14 +290,13 @@ static bool make_rank(struct text *out, const struct title *t) {
   const char *rank = claim_get(t->c, "rank"), *unknowns = claim_get(t->c, "unknowns");
   if (!r) return false;
   if (!rank || !unknowns) return missing(t);
-  struct text name = {0};
+  OWNED(text) name = {0};
   const char *verb;
   if (title_owns_number(t, r))
     title_name(&name, t, r);
   else
     stated(&name, &verb, t, r, MOST_STATED);
   text_printf(out, "%s %s ", text_str(&name), title_is_plural(text_str(&name)) ? "amount to" : "amounts to");
-  text_clear(&name);
   title_count(out, strtol(rank, NULL, 10));
   text_add(out, strcmp(rank, "1") == 0 ? " equation for " : " functionally independent equations for ");
   title_listed(out, unknowns, ',');
@@ -314,7 +306,7 @@ static bool make_rank(struct text *out, const struct title *t) {
 /* "(45)" or "(45) and (46)": the equation numbers of the records, each once. */
 static bool numbers_of(struct text *out, const struct title *t, const char *list) {
   const struct view v = claim_view(t->m, t->c);
-  struct text numbers = {0};
+  OWNED(text) numbers = {0};
   const char *last = "";
   char id[64];
   bool ok = true;
@@ -325,7 +317,6 @@ static bool numbers_of(struct text *out, const struct title *t, const char *list
     last = ok ? r->equation : last;
   }
   title_listed(out, text_str(&numbers), ',');
-  text_clear(&numbers);
   return ok || missing(t);
 }
 
@@ -361,7 +352,7 @@ static bool range_angle(struct text *out, const struct title *t, enum phase ph) 
 
 /* A formula before a stroke of division: a sum in parentheses. */
 static bool range_numerator(struct text *out, const struct title *t, const char *attribute) {
-  struct text s = {0};
+  OWNED(text) s = {0};
   bool ok = title_formula(&s, t, attribute), sum = false;
   int depth = 0;
   for (const char *p = text_str(&s); ok && *p; p++) {
@@ -369,7 +360,6 @@ static bool range_numerator(struct text *out, const struct title *t, const char 
     sum = sum || (depth == 0 && (strncmp(p, " + ", 3) == 0 || strncmp(p, " - ", 3) == 0));
   }
   if (ok) text_printf(out, sum ? "(%s)" : "%s", text_str(&s));
-  text_clear(&s);
   return ok;
 }
 
@@ -466,13 +456,12 @@ static bool make_criterion(struct text *out, const struct title *t) {
 
 /* "chi = 4/5, e1 = 2" with the paper's e_1. */
 static void listed_as_printed(struct text *out, const char *at) {
-  struct text named = {0};
+  OWNED(text) named = {0};
   for (const char *s = at; *s; s++) {
     text_add_char(&named, *s);
     if (*s == 'e' && (s[1] == '1' || s[1] == '2')) text_add_char(&named, '_');
   }
   title_listed(out, text_str(&named), ',');
-  text_clear(&named);
 }
 
 /* "(18) has exactly one solution with positive times and t_c up to 20 on the example". */
@@ -509,10 +498,9 @@ static bool make_solutions(struct text *out, const struct title *t) {
 static bool make_notation(struct text *out, const struct title *t) {
   const char *stands_for = claim_get(t->c, "stands-for");
   if (!stands_for) return make_sentence(out, t);
-  struct text things = {0};
+  OWNED(text) things = {0};
   int n = title_listed(&things, stands_for, ';');
   text_printf(out, n == 1 ? "%s is written in one way" : "different symbols stand for %s", text_str(&things));
-  text_clear(&things);
   return true;
 }
 
@@ -579,24 +567,22 @@ static bool title_made(struct text *out, const struct title *t) {
 static bool is_given_in_vain(const struct title *t) {
   const struct field *given = record_field(t->c->record, "title");
   struct diag unmade = {0};
-  struct text made = {0};
+  OWNED(text) made = {0};
   const struct title quiet = {t->m, t->c, t->s, &unmade};
   bool vain = given && title_made(&made, &quiet);
-  text_clear(&made);
   if (vain)
     diag_at(t->d, &t->c->file->src, given->key.begin, "%s: its attributes make the title; leave it out", t->c->id);
   return vain;
 }
 
 bool titles_check(const struct model *m, const struct claims *claims, struct diag *d) {
-  struct text title = {0};
+  OWNED(text) title = {0};
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++) {
     text_reset(&title);
     const struct title t = {m, &claims->claim[i], NULL, d};
     ok = claim_title(&title, m, &claims->claim[i], NULL, d) && !is_given_in_vain(&t);
   }
-  text_clear(&title);
   return ok;
 }
 

@@ -186,7 +186,7 @@ static bool has_other_perturbation(const struct expr *e, const struct expr *firs
 
 /* Is it to first order in the perturbations, all that it contains and nothing else? */
 static bool is_in_all(const struct title *t, const struct statement_record *r, const struct expr *first_order) {
-  struct elaboration el;
+  OWNED(elaboration) el;
   struct matrix m;
   struct diag d = {0};
   int index;
@@ -195,7 +195,6 @@ static bool is_in_all(const struct title *t, const struct statement_record *r, c
   elaboration_init(&el, claim_view(t->m, t->c), NULL, 0);
   if (all && elaborate(&m, &el, first_order->args[0], r->src, r->section, &d))
     for (int k = 0; k < m.rows * m.cols; k++) all = all && !has_other_perturbation(m.e[k], first_order);
-  elaboration_clear(&el);
   return all;
 }
 
@@ -247,12 +246,11 @@ void title_formulas(struct text *out, const struct title *t, const struct statem
 }
 
 void title_conditional(struct text *out, const struct title *t, const struct statement_record *r) {
-  struct text conditions = {0};
+  OWNED(text) conditions = {0};
   const struct stmt *last = write_formulas(out, r, SAID);
   if (write_formulas(&conditions, r, CONDITIONS)) text_add(out, " when ");
   text_add(out, text_str(&conditions));
   if (last) restriction(out, t, r, last);
-  text_clear(&conditions);
 }
 
 void title_first_formula(struct text *out, const struct statement_record *r) {
@@ -365,11 +363,9 @@ static bool is_numbered(const struct title *t, const struct part *p, const char 
   if (p->statement == 0 && (note || number_is_listed(t, list, p->r))) return true;
   if (!brief || !*p->r->equation || (p->step && detail == TITLE_BRIEF)) return false;
   if (detail == TITLE_NUMBERS) return true;
-  struct text formulas = {0};
+  OWNED(text) formulas = {0};
   part_formulas(&formulas, t, p);
-  bool longer = formulas.len > SHORT;
-  text_clear(&formulas);
-  return longer;
+  return formulas.len > SHORT;
 }
 
 static bool is_inequality(const struct stmt *s) {

@@ -17,11 +17,10 @@ const void *values_exact(struct values *v, int q) {
 int values_carry(struct num_vec *out, const struct values *v, enum phase ph, const struct num_vec *from,
                  const void *tau) {
   if (v->variant != VARIANT_EXPONENTIAL) return dyn_flow(out, ph, &v->params, from, tau);
-  struct num_vec p;
+  OWNED(num_vec) p;
   num_vec_init(&p, 16, v->ctx);
   int s = dyn_propagator(&p, ph, &v->params, tau);
   s |= num_mat_mul(out, &p, from, 4, 4, 1);
-  num_vec_clear(&p);
   return s;
 }
 
