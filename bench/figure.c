@@ -56,7 +56,7 @@ static void draw_panel(struct plot *p, const struct figure *f, int panel, double
 }
 
 void figure_svg(struct text *out, struct figure *f) {
-  struct text drawn = {0}, told = {0};
+  OWNED(text) drawn = {0}, told = {0};
   struct plot p = plot_begin(&drawn, f->id, f->panels == 1 ? 620 : 820);
   const char *(*key)[2] = ss_malloc((f->n_curves + 1) * sizeof *key);
   int n = 0;
@@ -76,8 +76,6 @@ void figure_svg(struct text *out, struct figure *f) {
   double top = plot_key(&p, (const char *const(*)[2])key, n) + 22;
   for (int i = 0; i < f->panels; i++) draw_panel(&p, f, i, top);
   plot_svg(out, &p, f->title, text_str(&told), true);
-  text_clear(&drawn);
-  text_clear(&told);
   free(key);
   free(f->curve);
   free(f->point);

@@ -71,23 +71,18 @@ static double log10_of(const mag_t x) {
 /* log10 of |got - true| / scale at most, the radius of a ball included: errors of multiprecision are below what a
    double can be. */
 static double error_of(arb_srcptr got, const struct sample *s, int i) {
-  arb_t diff;
-  mag_t most;
-  arb_init(diff);
-  mag_init(most);
+  NUMBERS(arb, diff);
+  NUMBERS(mag, most);
   slong prec = s->out.ctx.prec;
   arb_sub(diff, got, num_vec_at(&s->out, i), prec);
   arb_div(diff, diff, s->scale + i, 64);
   arb_get_mag(most, diff);
-  double e = log10_of(most);
-  mag_clear(most);
-  arb_clear(diff);
-  return e;
+  return log10_of(most);
 }
 
 /* The sum over the inputs of what moving one by 2^-53 of itself does to the outputs, the worst of them. */
 static int set_floor(struct sample *s, const struct bench_job *job) {
-  struct num_vec moved, out, given;
+  OWNED(num_vec) moved, out, given;
   double sum[BENCH_OUT] = {0}, hint[BENCH_HINT];
   int status = SS_OK;
   num_vec_init(&moved, job->n_in, s->in.ctx);
@@ -96,20 +91,15 @@ static int set_floor(struct sample *s, const struct bench_job *job) {
   for (int k = 0; k < job->n_in && !status; k++) {
     num_vec_set(&moved, &s->in);
     arb_ptr x = num_vec_at(&moved, k);
-    arb_t shift;
-    arb_init(shift);
+    NUMBERS(arb, shift);
     arb_mul_2exp_si(shift, x, -MOVE_BITS);
     arb_add(x, x, shift, s->in.ctx.prec);
-    arb_clear(shift);
     status = job->truth(&out, &given, hint, &moved, s->hint);
     for (int i = 0; i < job->n_out && !status; i++)
       sum[i] += ldexp(pow(10, error_of(num_vec_at(&out, i), s, i)), MOVE_BITS - 53);
   }
   s->floor = 0;
   for (int i = 0; i < job->n_out; i++) s->floor = fmax(s->floor, sum[i]);
-  num_vec_clear(&moved);
-  num_vec_clear(&out);
-  num_vec_clear(&given);
   return status;
 }
 
@@ -191,11 +181,10 @@ double bench_median(double *x, int n) {
 
 /* The error of one call, or why it failed. */
 static const char *judge(double *error, const struct trial *t, int i, int status, long steps) {
-  arb_t got;
+  NUMBERS(arb, got);
   const char *failure = NULL;
   bool untrue = false; /* a ball does not hold the true value */
   *error = -INFINITY;
-  arb_init(got);
   for (int k = 0; k < t->job->n_out && !failure; k++) {
     t->ctx.type->get_arb(got, num_vec_at(&t->out, k));
     if (status)
@@ -206,7 +195,6 @@ static const char *judge(double *error, const struct trial *t, int i, int status
       untrue = true;
     if (!failure) *error = fmax(*error, error_of(got, &t->sample[i], k));
   }
-  arb_clear(got);
   if (failure) return failure;
   if (steps <= 0) return "took no step";
   if (untrue) return "a ball without the true value";

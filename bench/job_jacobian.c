@@ -27,7 +27,7 @@ static void place(double *x, const double *u) {
 
 static int truth_of(struct num_vec *out, struct num_vec *given, double *hint, const struct num_vec *in,
                     const double *near) {
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   struct num_vec params = bench_params_of(in);
   dyn_arc_init(&arc, out->ctx);
   int status = dyn_arc_run(&arc, &params, num_vec_at(in, IN_Z10), num_vec_at(in, IN_Z20), near);
@@ -39,7 +39,6 @@ static int truth_of(struct num_vec *out, struct num_vec *given, double *hint, co
     arb_set(num_vec_at(given, GIVEN_T + i), num_vec_at(&arc.t, i));
   }
   for (int i = 0; i < N_GIVEN - GIVEN_Z; i++) arb_set(num_vec_at(given, GIVEN_Z + i), num_vec_at(&arc.z, i));
-  dyn_arc_clear(&arc);
   return status;
 }
 

@@ -46,8 +46,8 @@ static int run_arc(struct num_vec *out, struct dyn_arc *arc, struct num_vec *z, 
 
 static int truth_of(struct num_vec *out, struct num_vec *given, double *hint, const struct num_vec *in,
                     const double *near) {
-  struct dyn_arc arc;
-  struct num_vec z;
+  OWNED(dyn_arc) arc;
+  OWNED(num_vec) z;
   (void)given;
   dyn_arc_init(&arc, out->ctx);
   num_vec_init(&z, 2, out->ctx);
@@ -58,8 +58,6 @@ static int truth_of(struct num_vec *out, struct num_vec *given, double *hint, co
     hint[i] = bench_hint(num_arb.get_d(num_vec_at(out, i)));
     if (!(hint[i] < longest_phase)) status = SS_UNABLE;
   }
-  num_vec_clear(&z);
-  dyn_arc_clear(&arc);
   return status;
 }
 

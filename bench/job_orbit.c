@@ -51,13 +51,12 @@ static void take_orbit(struct num_vec *out, const struct dyn_orbit *o) {
 }
 
 static int find_orbit(struct num_vec *out, long *steps, const fmpq *params, slong prec) {
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   int status = dyn_orbits_find(&list, params, prec, NULL);
   const struct dyn_orbit *o = nearest(&list);
   *steps = list.evaluations;
   if (!o) status |= SS_DOMAIN;
   if (o) take_orbit(out, o);
-  dyn_orbits_clear(&list);
   return status;
 }
 
@@ -280,8 +279,8 @@ static int run_solver(void *self, struct num_vec *out, long *steps, const struct
 /* --- The paper's own four equations (44)-(46) in the times. --- */
 
 static int trace_of(void *trace, const struct num_vec *params, const struct num_vec *x) {
-  struct dyn_arc arc;
-  struct num_vec j;
+  OWNED(dyn_arc) arc;
+  OWNED(num_vec) j;
   const struct num_type *type = x->ctx.type;
   double near[N_PHASES];
   for (int i = 0; i < N_PHASES; i++) near[i] = type->get_d(num_vec_at(x, i));
@@ -290,8 +289,6 @@ static int trace_of(void *trace, const struct num_vec *params, const struct num_
   int status = dyn_arc_run(&arc, params, num_vec_at(x, ROUTE_Z), num_vec_at(x, ROUTE_Z + 1), near);
   if (!status) status = dyn_return_jacobian(&j, params, &arc);
   if (!status) status = type->add(trace, num_vec_at(&j, 0), num_vec_at(&j, 3), x->ctx.prec);
-  num_vec_clear(&j);
-  dyn_arc_clear(&arc);
   return status;
 }
 

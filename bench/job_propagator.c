@@ -29,13 +29,11 @@ static void set_params(struct num_vec *params, const struct num_vec *in) {
 
 static int truth_of(struct num_vec *out, struct num_vec *given, double *hint, const struct num_vec *in,
                     const double *near) {
-  struct num_vec params;
+  OWNED(num_vec) params;
   (void)given, (void)hint, (void)near;
   num_vec_init(&params, N_PARAMS, in->ctx);
   set_params(&params, in);
-  int status = dyn_propagator(out, PHASE_H, &params, num_vec_at(in, 2));
-  num_vec_clear(&params);
-  return status;
+  return dyn_propagator(out, PHASE_H, &params, num_vec_at(in, 2));
 }
 
 /* --- The suite's forms, in any arithmetic. --- */
@@ -43,11 +41,10 @@ static int truth_of(struct num_vec *out, struct num_vec *given, double *hint, co
 typedef int (*propagator)(struct num_vec *p, enum phase ph, const struct num_vec *params, const void *t);
 
 static int run_model(propagator f, struct num_vec *out, long *steps, const struct bench_case *c) {
-  struct num_vec params;
+  OWNED(num_vec) params;
   num_vec_init(&params, N_PARAMS, out->ctx);
   set_params(&params, &c->in);
   int status = f(out, PHASE_H, &params, num_vec_at(&c->in, 2));
-  num_vec_clear(&params);
   *steps = 1;
   return status;
 }

@@ -41,7 +41,7 @@ static void describe(struct num_vec *out, struct calc *c, const struct ball_para
 
 int bench_newton_mpfr(struct num_vec *out, long *steps, const double *params, double tb, double tc, bool up) {
   slong ladder[MOST_LEVELS], n = 0, prec = out->ctx.prec + GUARD;
-  struct num_vec x;
+  OWNED(num_vec) x;
   int status = SS_OK;
   for (slong bits = prec; bits > FIRST; bits = bits / 2 + 16) ladder[n++] = bits;
   if (n == 0) ladder[n++] = prec;
@@ -51,14 +51,12 @@ int bench_newton_mpfr(struct num_vec *out, long *steps, const double *params, do
   while (n > 0 && !status) {
     struct ball_params m;
     val p[N_PARAMS];
-    struct calc c = calc_begin(num_ctx_mpfr(ladder[--n]));
+    OWNED(calc) c = calc_begin(num_ctx_mpfr(ladder[--n]));
     for (int i = 0; i < N_PARAMS; i++) p[i] = calc_d(&c, params[i]);
     ball_params_make(&m, &c, p);
     *steps += level(&x, &c, &m, up);
     if (n == 0) describe(out, &c, &m, &x, up);
     status |= c.status;
-    calc_clear(&c);
   }
-  num_vec_clear(&x);
   return status;
 }

@@ -17,14 +17,13 @@ static void solve_two(val out[2], struct calc *c, const val m[4], val a, val b) 
 }
 
 int printed_matrix(struct num_vec *a, const struct num_vec *params, const struct num_vec *t) {
-  struct num_vec step;
+  OWNED(num_vec) step;
   num_vec_init(&step, N_STATE * N_STATE, params->ctx);
   int status = dyn_flow_matrix(a, PHASE_GAMMA, params, num_vec_at(t, 0));
   for (int k = 1; k < 3; k++) {
     status |= dyn_flow_matrix(&step, (enum phase)(PHASE_GAMMA + k), params, num_vec_at(t, k));
     status |= num_mat_mul(a, &step, a, N_STATE, N_STATE, N_STATE);
   }
-  num_vec_clear(&step);
   return status;
 }
 
@@ -37,9 +36,9 @@ void printed_wanted(arb_ptr out, const struct dyn_orbit *o) {
 void printed_by_row(arb_ptr out, arb_ptr slope, int row, const struct num_vec *params, const struct num_vec *t) {
   enum { SIZE = N_STATE * N_STATE };
   struct num_ctx ctx = params->ctx;
-  struct num_vec a;
+  OWNED(num_vec) a;
   num_vec_init(&a, SIZE, ctx);
-  struct calc c = calc_begin(ctx);
+  OWNED(calc) c = calc_begin(ctx);
   int status = printed_matrix(&a, params, t);
   val m[SIZE], one = calc_d(&c, 1), V = num_vec_at(params, P_V), x[2], y[2], s[2];
   flow_vals(m, &a, 0, SIZE);
@@ -59,14 +58,12 @@ void printed_by_row(arb_ptr out, arb_ptr slope, int row, const struct num_vec *p
     for (int k = 0; k < 3 && slope; k++) arb_set(slope + 3 * i + k, dual_slope(got[i], k));
   }
   if (status | c.status) _arb_vec_indeterminate(out, N_WANTED);
-  calc_clear(&c);
-  num_vec_clear(&a);
 }
 
 /* From t_b and t_c alone: the orbit whose t_d is nearest. */
 static void by_pair(arb_ptr out, const fmpq *model, const fmpq *t, double td) {
   static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   double least = INFINITY;
   _arb_vec_indeterminate(out, N_WANTED);
   dyn_orbits_given(&list, model, which, t, 128, NULL);
@@ -77,24 +74,19 @@ static void by_pair(arb_ptr out, const fmpq *model, const fmpq *t, double td) {
     least = off;
     printed_wanted(out, o);
   }
-  dyn_orbits_clear(&list);
 }
 
 /* Correct digits of every point of the ball: at least 0, at most 20. */
 static double digits_of(arb_srcptr got, arb_srcptr truth_of) {
-  arb_t off;
-  mag_t most;
+  NUMBERS(arb, off);
+  NUMBERS(mag, most);
   double digits = 0;
-  arb_init(off);
-  mag_init(most);
   if (arb_is_finite(got)) {
     arb_sub(off, got, truth_of, PRINTED_BITS);
     arb_div(off, off, truth_of, 64);
     arb_get_mag(most, off);
     digits = fmin(20, fmax(0, -log10(mag_get_d(most))));
   }
-  mag_clear(most);
-  arb_clear(off);
   return digits;
 }
 
@@ -109,11 +101,9 @@ void printed_times_set(struct printed_times *p, const double t[3], int digits) {
     num_parse_decimal(&p->t[k], s, strlen(s));
     fmpq_set_si(&p->half[k], 1, 2);
     fmpz *side = exponent < 0 ? fmpq_denref(&p->half[k]) : fmpq_numref(&p->half[k]);
-    fmpz_t power;
-    fmpz_init(power);
+    NUMBERS(fmpz, power);
     fmpz_ui_pow_ui(power, 10, (ulong)abs(exponent));
     fmpz_mul(side, side, power);
-    fmpz_clear(power);
     fmpq_canonicalise(&p->half[k]);
   }
 }
@@ -127,10 +117,8 @@ void printed_times_clear(struct printed_times *p) {
 
 /* t + half * (at/n - 1), exactly on the grid; wide: with everything up to half/n on both sides. */
 static void place(struct num_vec *t, const struct printed_times *p, const int at[3], int n, bool wide) {
-  fmpq_t x;
-  arf_t radius;
-  fmpq_init(x);
-  arf_init(radius);
+  NUMBERS(fmpq, x);
+  NUMBERS(arf, radius);
   for (int k = 0; k < 3; k++) {
     struct dual *z = num_vec_at(t, k);
     fmpq_set_si(x, at[k] - n, (ulong)n);
@@ -142,14 +130,12 @@ static void place(struct num_vec *t, const struct printed_times *p, const int at
     arf_div_ui(radius, radius, (ulong)n, 64, ARF_RND_UP);
     if (wide) arb_add_error_arf(&z->v, radius);
   }
-  arf_clear(radius);
-  fmpq_clear(x);
 }
 
 /* The values over the cell around a point: those at the point and slopes over the cell times what it extends. */
 static void over_cell(arb_ptr out, int row, const struct num_vec *params, const struct printed_times *p,
                       const int at[3], int n) {
-  struct num_vec t;
+  OWNED(num_vec) t;
   arb_ptr slope = _arb_vec_init(N_WANTED * 3), middle = _arb_vec_init(3), wide = _arb_vec_init(N_WANTED);
   slong prec = params->ctx.prec;
   num_vec_init(&t, 3, params->ctx);
@@ -162,7 +148,6 @@ static void over_cell(arb_ptr out, int row, const struct num_vec *params, const 
     arb_sub(middle + k, dual_value(num_vec_at(&t, k)), middle + k, prec);
     for (int i = 0; i < N_WANTED; i++) arb_addmul(out + i, slope + 3 * i + k, middle + k, prec);
   }
-  num_vec_clear(&t);
   _arb_vec_clear(middle, 3);
   _arb_vec_clear(wide, N_WANTED);
   _arb_vec_clear(slope, N_WANTED * 3);
@@ -174,7 +159,7 @@ static void least_digits(double least[N_WANTED], arb_srcptr got, arb_srcptr trut
 
 void printed_row_digits(struct printed_digits *d, int row, const struct num_vec *params, const struct printed_times *p,
                         arb_srcptr truth_of, int n) {
-  struct num_vec t;
+  OWNED(num_vec) t;
   arb_ptr got = _arb_vec_init(N_WANTED);
   num_vec_init(&t, 3, params->ctx);
   for (int i = 0; i < N_WANTED; i++) d->printed[i] = d->worst[i] = d->sure[i] = INFINITY;
@@ -190,7 +175,6 @@ void printed_row_digits(struct printed_digits *d, int row, const struct num_vec 
     over_cell(got, row, params, p, (int[]){2 * (k % n) + 1, 2 * (k / n % n) + 1, 2 * (k / n / n) + 1}, n);
     least_digits(d->sure, got, truth_of);
   }
-  num_vec_clear(&t);
   _arb_vec_clear(got, N_WANTED);
 }
 

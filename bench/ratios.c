@@ -116,12 +116,11 @@ static void prove_first(void *self) {
   struct proof *p = self;
   struct ball_params m;
   struct ball_pass s;
-  struct calc c = calc_begin(num_ctx_arb(PROOF_BITS));
+  OWNED(calc) c = calc_begin(num_ctx_arb(PROOF_BITS));
   ball_params_init(&m, &c, p->params);
   /* an admissible orbit has z_2' < V in phase C */
   ball_pass_make(&s, &c, &m, p->orbit->t[PHASE_GAMMA], p->orbit->t[PHASE_H], false);
   p->proved = dyn_orbit_judge(&p->judged, &c, &m, &s, PROOF_STEPS) == TRUTH_TRUE;
-  calc_clear(&c);
 }
 
 /* The time of the proof on the first admissible orbit; NAN when it fails. */

@@ -252,7 +252,7 @@ static void json_ratio(struct json *w, const struct bench_ratio *q) {
 
 void bench_json(struct text *out, const struct bench_result *r) {
   struct json w;
-  struct text machine = {0};
+  OWNED(text) machine = {0};
   bench_machine(&machine, r);
   json_document(&w, out, "stickslip-bench-2");
   json_bool(&w, "quick", r->quick);
@@ -263,5 +263,4 @@ void bench_json(struct text *out, const struct bench_result *r) {
   json_claims(&w, &r->verdicts);
   json_string(&w, "machine", text_str(&machine));
   json_end_object(&w);
-  text_clear(&machine);
 }

@@ -31,13 +31,11 @@ bool bench_sides_run(struct bench_sides *b, long digits) {
   bool good = false;
   for (int i = 0; i < ATTEMPTS && !good; i++, prec += prec / 2) {
     struct orbit_cache *cache = orbit_cache_new();
-    struct num_vec lhs, rhs;
+    OWNED(num_vec) lhs, rhs;
     num_vec_init(&lhs, b->s.n, num_ctx_arb(prec));
     num_vec_init(&rhs, b->s.n, num_ctx_arb(prec));
     int status = sentence_values(&lhs, &rhs, &b->s, &b->p, VARIANT_CLOSED, cache);
     good = status == SS_OK && bench_close_enough(&lhs, digits) && bench_close_enough(&rhs, digits);
-    num_vec_clear(&rhs);
-    num_vec_clear(&lhs);
     orbit_cache_free(cache);
     if (status & SS_DOMAIN) break;
   }

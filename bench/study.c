@@ -32,7 +32,7 @@ struct study_table *study_table(struct study_page *page, const char *id, const c
 
 void study_cells(struct study_table *t, const char *fmt, ...) {
   static const char *const not_finite[] = {"nan", "inf", "-nan", "-inf"};
-  struct text all = {0};
+  OWNED(text) all = {0};
   va_list list;
   va_start(list, fmt);
   text_vprintf(&all, fmt, list);
@@ -43,7 +43,6 @@ void study_cells(struct study_table *t, const char *fmt, ...) {
     text_printf(&t->tsv, "%s%s", t->open ? "\t" : "", word_find(cell, not_finite, 4) < 4 ? "-" : cell);
     t->open = true;
   }
-  text_clear(&all);
 }
 
 void study_row(struct study_table *t) {
@@ -52,7 +51,7 @@ void study_row(struct study_table *t) {
 }
 
 static void markdown_table(struct text *out, const struct study_table *table) {
-  struct rows t;
+  OWNED(rows) t;
   rows_parse(&t, text_str(&table->tsv));
   text_printf(out, "\n### %s\n\n%s\n\n", table->title, table->note);
   markdown_head_of(out, t.heading[0], t.heading + 1, (int)t.columns - 1);
@@ -61,7 +60,6 @@ static void markdown_table(struct text *out, const struct study_table *table) {
     for (size_t c = 0; c < t.columns; c++) text_printf(out, " %s |", t.cell[i][c]);
     text_add(out, "\n");
   }
-  rows_clear(&t);
 }
 
 void study_markdown(struct text *out, const struct study_page *page, bool files) {
@@ -78,7 +76,7 @@ void study_json(struct json *j, const struct study_page *page) {
   json_string(j, "title", page->study->title);
   JSON_EACH (j, "tables", i, page->n) {
     const struct study_table *t = &page->table[i];
-    struct rows rows;
+    OWNED(rows) rows;
     rows_parse(&rows, text_str(&t->tsv));
     json_object(j, NULL);
     json_string(j, "id", t->id);
@@ -86,7 +84,6 @@ void study_json(struct json *j, const struct study_page *page) {
     json_array(j, "rows");
     json_string_array(j, NULL, rows.heading, (int)rows.columns);
     for (size_t n = 0; n < rows.n; n++) json_string_array(j, NULL, rows.cell[n], (int)rows.columns);
-    rows_clear(&rows);
     json_end_array(j);
     json_end_object(j);
   }

@@ -78,7 +78,7 @@ static void add_digits(struct tables *all, const char *scene, slong number, int 
 
 static void from_printed(struct tables *all, const char *scene, slong number, const struct found *f) {
   const struct dyn_orbit *o = &f->list.orbit[number];
-  struct num_vec params;
+  OWNED(num_vec) params;
   arb_ptr truth_of = _arb_vec_init(N_WANTED);
   double t[3];
   for (int k = 0; k < 3; k++) t[k] = num_arb.get_d(o->t[PHASE_GAMMA + k]);
@@ -100,7 +100,6 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
     }
     printed_times_clear(&p);
   }
-  num_vec_clear(&params);
   _arb_vec_clear(truth_of, N_WANTED);
 }
 
@@ -108,12 +107,11 @@ static void count_raises(struct tables *all, const fmpq *params) {
   for (int k = 0; k < (all->quick ? 2 : COUNT(asked)); k++) {
     struct planned *p = &all->planned[k];
     slong prec = (slong)ceil(asked[k] * log2(10)) + 64;
-    struct dyn_orbits list;
+    OWNED(dyn_orbits) list;
     dyn_orbits_find(&list, params, prec, NULL);
     p->orbits += list.n;
     p->raises += list.raises;
     if (list.n > 0) p->most = FLINT_MAX(p->most, list.bits - prec);
-    dyn_orbits_clear(&list);
   }
 }
 
@@ -164,9 +162,8 @@ static void study_scene(struct tables *all, const struct scene *s) {
 /* Scenes on file in the order of their names; quick: those of the paper and beside the singular orbit. */
 static bool each_scene(struct tables *all, const char *data) {
   size_t n;
-  struct arena a;
+  LOCAL(arena, a);
   struct diag none = {0};
-  arena_init(&a);
   char **name = scene_names(&n, data, &a, &none);
   bool good = n > 0;
   for (size_t i = 0; i < n; i++) {
@@ -181,7 +178,6 @@ static bool each_scene(struct tables *all, const char *data) {
     }
   }
   free(name);
-  arena_clear(&a);
   return good;
 }
 
@@ -209,8 +205,8 @@ static bool orbit_on_line(struct dyn_orbits *list, slong *which, const fmpq *mod
 /* The sign of det(N_1 - I) at the orbit; 0: not told, or no orbit. */
 static int sign_at(const fmpq *model, const fmpq_t tb) {
   struct num_ctx ctx = num_ctx_arb(PREC);
-  struct dyn_orbits list;
-  struct num_vec params, a, lead, det;
+  OWNED(dyn_orbits) list;
+  OWNED(num_vec) params, a, lead, det;
   slong which;
   int sign = 0;
   num_vec_init(&params, N_PARAMS, ctx);
@@ -229,19 +225,12 @@ static int sign_at(const fmpq *model, const fmpq_t tb) {
     status |= num_mat_det(num_vec_at(&det, 0), &lead, 2);
     sign = status ? 0 : arb_sgn_nonzero(num_vec_at(&det, 0));
   }
-  dyn_orbits_clear(&list);
-  num_vec_clear(&params);
-  num_vec_clear(&a);
-  num_vec_clear(&lead);
-  num_vec_clear(&det);
   return sign;
 }
 
 /* Where the sign changes between 2.3855 and 2.3856, to about 1e-24. */
 static bool find_singular(fmpq_t tb, const fmpq *model) {
-  fmpq_t low, high;
-  fmpq_init(low);
-  fmpq_init(high);
+  NUMBERS(fmpq, low, high);
   fmpq_set_si(low, 23855, 10000);
   fmpq_set_si(high, 23856, 10000);
   int sign = sign_at(model, low);
@@ -251,16 +240,12 @@ static bool find_singular(fmpq_t tb, const fmpq *model) {
     fmpq_div_2exp(tb, tb, 1);
     fmpq_set(sign_at(model, tb) == sign ? low : high, tb);
   }
-  fmpq_clear(low);
-  fmpq_clear(high);
   return good;
 }
 
 static bool study_line(struct tables *all) {
   fmpq *model = _fmpq_vec_init(3);
-  fmpq_t singular, tb;
-  fmpq_init(singular);
-  fmpq_init(tb);
+  NUMBERS(fmpq, singular, tb);
   line_model(model);
   bool good = find_singular(singular, model);
   for (int k = 1; k <= (all->quick ? 4 : 11) && good; k++) {
@@ -284,8 +269,6 @@ static bool study_line(struct tables *all) {
     }
     dyn_orbits_clear(&list);
   }
-  fmpq_clear(singular);
-  fmpq_clear(tb);
   _fmpq_vec_clear(model, 3);
   return good;
 }
@@ -318,7 +301,7 @@ static void draw(struct study_page *page, const struct study_table *t) {
       .x = "distance in t_b from the orbit at which N_1 \xe2\x88\x92 I is singular",
       .y = "digits of 16 lost in double, on the line *\xcf\x87* = 15/64, *\xce\xb7* = 2, *V* = 1, *t*_c = 43/32",
       .power = {true}};
-  struct rows rows;
+  OWNED(rows) rows;
   rows_parse(&rows, text_str(&t->tsv));
   for (int k = 0; k < COUNT(column); k++) {
     figure_curve(&f, column[k]);
@@ -327,7 +310,6 @@ static void draw(struct study_page *page, const struct study_table *t) {
                    rows_number(&rows, i, rows_column(&rows, column[k])));
   }
   figure_svg(&page->figure, &f);
-  rows_clear(&rows);
 }
 
 #define LOST "cond_paper\tcond_N1-I\tcond_N3\tcond_six\tcond_map\tpaper\tsix\tmap"

@@ -96,7 +96,7 @@ static double find_section(struct reference *r, const double t[N_PHASES], const 
 static bool reference_of(struct reference *r, const struct dyn_orbit *o) {
   struct num_ctx ctx = num_ctx_double();
   struct num_vec params = {ctx, N_PARAMS, (char *)r->p};
-  struct dyn_arc arc;
+  OWNED(dyn_arc) arc;
   arb_srcptr bound[2] = {o->u_r1_min, o->u_r2_min};
   for (int i = 0; i < 2; i++) r->limit[i] = 1.25 * fmax(r->p[P_E1 + i], num_arb.get_d(bound[i]));
   dyn_arc_init(&arc, ctx);
@@ -109,7 +109,6 @@ static bool reference_of(struct reference *r, const struct dyn_orbit *o) {
     r->trace = num_arb.get_d(o->trace);
     r->middle = r->period + 0.5 * t[PHASE_D] - (t[PHASE_D] + t[PHASE_GAMMA] + at);
   }
-  dyn_arc_clear(&arc);
   return good;
 }
 
@@ -301,7 +300,7 @@ static void draw(struct study_page *page, const struct study_table *rates) {
   struct figure f = {.id = "smooth", .title = page->study->title, .panels = 1};
   f.panel[0] = (struct figure_panel){
       .x = "slope *s*", .y = "distance from the event-driven orbit, relative", .power = {true, true}};
-  struct rows t;
+  OWNED(rows) t;
   char name[2 * N_LAWS][40];
   rows_parse(&t, text_str(&rates->tsv));
   for (int k = 0; k < 2 * N_LAWS; k++) {
@@ -314,7 +313,6 @@ static void draw(struct study_page *page, const struct study_table *rates) {
                      log10(rows_number(&t, i, rows_column(&t, "state_error"))));
   }
   figure_svg(&page->figure, &f);
-  rows_clear(&t);
 }
 
 static bool run_smooth(struct study_page *page, const struct bench_env *env) {

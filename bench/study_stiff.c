@@ -46,20 +46,18 @@ static slong certified(const struct dyn_orbit *o, const fmpq *params) {
 }
 
 static int find_truth(struct scene_at *s) {
-  struct num_vec in, given;
+  OWNED(num_vec) in, given;
   double hint[BENCH_HINT];
   num_vec_init(&in, N_PARAMS + 1, s->truth.ctx);
   num_vec_init(&given, 0, s->truth.ctx);
   for (int i = 0; i <= N_PARAMS; i++) arb_set_d(num_vec_at(&in, i), s->p[i]);
   int status = bench_map.truth(&s->truth, &given, hint, &in, s->t);
-  num_vec_clear(&in);
-  num_vec_clear(&given);
   return status & SS_DOMAIN; /* long phases are fine here */
 }
 
 /* The first admissible and certified orbit at the parameters becomes the scene's. */
 static bool take_orbit(struct scene_at *s) {
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   fmpq *params = bench_exact(s->p);
   dyn_orbits_find(&list, params, 128, NULL);
   bool found = false;
@@ -67,17 +65,14 @@ static bool take_orbit(struct scene_at *s) {
     const struct dyn_orbit *o = &list.orbit[i];
     s->bits = o->admissible == TRUTH_TRUE ? certified(o, params) : 0;
     if (s->bits == 0) continue;
-    arb_t r;
-    arb_init(r);
+    NUMBERS(arb, r);
     arb_sub(r, o->z20, o->z10, 128);
     s->p[N_PARAMS] = num_arb.get_d(r);
-    arb_clear(r);
     s->trace = num_arb.get_d(o->trace);
     s->ta = num_arb.get_d(o->t[PHASE_D]);
     for (int k = 0; k < 3; k++) s->t[k] = num_arb.get_d(o->t[PHASE_GAMMA + k]);
     found = find_truth(s) == SS_OK && arb_is_finite((arb_srcptr)num_vec_at(&s->truth, R_END));
   }
-  dyn_orbits_clear(&list);
   _fmpq_vec_clear(params, N_PARAMS);
   return found;
 }
@@ -127,15 +122,13 @@ static void *open_method(const struct bench_method *m, double tolerance, long mo
 
 static double error_of(const double out[N_OUT], const struct scene_at *s) {
   double worst = 0;
-  arb_t off;
-  arb_init(off);
+  NUMBERS(arb, off);
   for (int k = 0; k < N_OUT; k++) {
     arb_set_d(off, out[k]);
     arb_sub(off, off, num_vec_at(&s->truth, k), TRUTH_BITS);
     arb_div(off, off, num_vec_at(&s->truth, k), 64);
     worst = fmax(worst, fabs(num_arb.get_d(off)));
   }
-  arb_clear(off);
   return worst;
 }
 
@@ -221,7 +214,7 @@ static void draw(struct study_page *page, const struct study_table *runs) {
   struct figure f = {.id = "stiff", .title = page->study->title, .panels = 2};
   for (int i = 0; i < 2; i++)
     f.panel[i] = (struct figure_panel){.x = "ratio of masses *\xce\xb7*", .y = y[i], .power = {true, true}};
-  struct rows t;
+  OWNED(rows) t;
   rows_parse(&t, text_str(&runs->tsv));
   for (int k = 0; k < N_METHODS; k++) {
     const struct bench_method *m = bench_method_of(&bench_map, method_id[k]);
@@ -236,7 +229,6 @@ static void draw(struct study_page *page, const struct study_table *runs) {
     }
   }
   figure_svg(&page->figure, &f);
-  rows_clear(&t);
 }
 
 static bool run(struct study_page *page, const struct bench_env *env) {

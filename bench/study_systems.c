@@ -47,7 +47,7 @@ static void add_row(struct study_table *t, const struct known *k) {
 
 /* The first certified motion that a search finds, timed; false: none. */
 static bool find(struct known *k, const struct mech_word *w) {
-  struct mech_orbits list;
+  OWNED(mech_orbits) list;
   bool there = false;
   mech_orbits_find(&list, &k->m, w, true, PREC);
   for (int i = 0; i < list.n && !there; i++) {
@@ -55,22 +55,19 @@ static bool find(struct known *k, const struct mech_word *w) {
     k->found = list.orbit[i];
     if (there) time_orbit(k);
   }
-  mech_orbits_clear(&list);
   return there;
 }
 
 /* --- Systems on file --- */
 
 static bool load(struct known *k, const char *name, const char *word, const struct bench_env *env) {
-  struct text path = {0};
+  OWNED(text) path = {0};
   struct diag d = {0};
   struct mech_word w;
   size_t at;
   const char *why;
   text_printf(&path, "%s/systems/%s.system", env->data, name);
-  bool ok = mech_load(&k->m, text_str(&path), &d) && mech_word_parse(&w, &at, &why, word, &k->m) && find(k, &w);
-  text_clear(&path);
-  return ok;
+  return mech_load(&k->m, text_str(&path), &d) && mech_word_parse(&w, &at, &why, word, &k->m) && find(k, &w);
 }
 
 static const struct {

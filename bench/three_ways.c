@@ -8,13 +8,11 @@
 #include "motion/paper_route.h"
 
 static double digits_lost(const double x[N_ROUTE], const struct dyn_orbit *o) {
-  struct num_vec known;
+  OWNED(num_vec) known;
   num_vec_init(&known, N_ROUTE, num_ctx_mpfr(THREE_WAYS_BITS));
   for (int i = 0; i < N_ROUTE; i++)
     arf_get_mpfr(num_vec_at(&known, i), arb_midref(i < ROUTE_Z ? o->t[i] : i == ROUTE_Z ? o->z10 : o->z20), MPFR_RNDN);
-  double lost = paper_digits_lost(x, &known);
-  num_vec_clear(&known);
-  return lost;
+  return paper_digits_lost(x, &known);
 }
 
 /* Of the six equations' Jacobian. */

@@ -15,11 +15,9 @@
 const char *const bench_work_name[] = {"orbits", "jacobian", "all sides", "claims", "claim", "sides"};
 
 static bool do_orbits(const struct bench_env *env, long digits) {
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list;
   int status = dyn_orbits_find(&list, env->scene->value, (slong)ceil((double)digits * 3.33), NULL);
-  bool found = status == SS_OK && list.n > 0;
-  dyn_orbits_clear(&list);
-  return found;
+  return status == SS_OK && list.n > 0;
 }
 
 static bool do_jacobian(const struct bench_env *env, long digits) {
@@ -33,15 +31,13 @@ static bool do_jacobian(const struct bench_env *env, long digits) {
 
 /* n claims from number `from` on, and those that their ids select besides; how many were judged. */
 static long do_claims(const struct bench_env *env, size_t from, size_t n) {
-  struct audit_result r;
+  LOCAL(audit_result, r);
   struct diag d = {0};
   const char **id = ss_malloc(n * sizeof *id);
   for (size_t i = 0; i < n; i++) id[i] = env->claims->claim[from + i].id;
   struct audit_options opt = {.only = id, .n_only = (int)n};
-  audit_result_init(&r);
   bool ok = audit_run(&r, env->model, env->claims, env->controls, env->scene, &opt, &d);
   long judged = ok ? (long)r.n_findings : 0;
-  audit_result_clear(&r);
   free(id);
   return judged;
 }
