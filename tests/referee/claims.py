@@ -20,9 +20,10 @@ def eq_10(c):
 
 
 def eq_10c(c):
-    z = matrix([c["z_1"], c["z_2"], c["z_1'"], c["z_2'"]])
-    true = flow(c, "D", c["t"]) * z
-    return sides(c, true, printed_d(c) * z) and c["V"] != 1 and c.claim["condition"] == "V = 1"
+    p = passage(c)
+    true = flow(c, "D", c["t"]) * p.z[0]
+    return (sides(c, true, printed_d(c) * p.z[0]) and 0 < c["t"] < p.t[0] and c["V"] != 1
+            and c.claim["condition"] == "V = 1")
 
 
 # --- (29) to (32): the perturbed slip-stick phase
