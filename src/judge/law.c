@@ -201,6 +201,7 @@ static void judge_limits(struct finding *f, struct law *l) {
                                       note);
   f->verdict = verdict_of(&w, 1, once);
   if (f->verdict != VERDICT_REFUTED) return;
+  f->fault = fault_name[FAULT_NOTATION]; /* the text says what is meant */
   l->closed = true;
   bool mended = at_limit(l, 1) == 1 && at_limit(l, -1) == 1 && every_cell_agrees(l);
   f->correction = result_str(l->j->out, ">= in the place of > where the mass breaks away");
