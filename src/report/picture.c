@@ -45,7 +45,7 @@ static void add_figure(const struct page *p, const struct picture *q, const stru
     q->say(&said, t);
   page_add(p, "<figure id=\"g-%s\">\n", q->id);
   add_svg(p->out, q, t, false);
-  page_add(p, "<figcaption><strong>%e.</strong> %t Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->title,
+  page_add(p, "<figcaption><strong>%p.</strong> %t Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->title,
            text_str(&said), q->table, q->table);
 }
 

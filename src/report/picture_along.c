@@ -155,7 +155,7 @@ static void draw_along(struct plot *p, const struct rows *t) {
   add_panel(p, t, PERIOD, top + 146, "period");
 }
 
-const struct picture picture_along = {"along-e2", "along-e2.tsv", "The periodic solution as e2 varies",
+const struct picture picture_along = {"along-e2", "along-e2.tsv", "The periodic solution as e_2 varies",
                                       say_along,  tell_along,     draw_along};
 
 /* --- Every branch --- */
