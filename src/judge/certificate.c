@@ -68,12 +68,40 @@ static void certify_tangents(struct certificate *c, struct judge *j, const struc
     if (v->tangent_read >> (N + k) & 1U) certify_ball(c, j, name_shift[k], num_vec_at(&v->dt, k));
 }
 
+/* The values there, of which v knows afterwards what the sentence reads; false where there are none. */
+static bool read_values(struct values *v, struct judge *j, const struct point *p, struct sentence *s) {
+  bool ok = values_init(v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK;
+  struct num_vec lhs = calc_vec(&v->c, s->n), rhs = calc_vec(&v->c, s->n);
+  if (ok) sentence_evaluate(&lhs, &rhs, s, v);
+  return ok;
+}
+
+const char *certificate_rest(struct judge *j, const struct point *p, struct sentence *s) {
+  struct values v;
+  struct text t = {0};
+  fmpq_t x;
+  fmpq_init(x);
+  bool ok = read_values(&v, j, p, s) && point_of_model(p);
+  const struct point_quantity *row;
+  for (size_t i = 0; ok && (row = point_certified(&i, p, v.read)) != NULL; i++) {
+    bool of_start = row->q == Q_X || row->q == Q_Y;
+    bool read = v.read >> row->q & 1U || (of_start && (v.have_tangent || p->finite));
+    if (row->shown >> p->kind & 1U || !read) continue;
+    fmpq_div_2exp(x, &p->q[row->q], of_start && p->finite ? 10 : 0); /* the motion starts (x, y)/1024 beside the arc */
+    text_printf(&t, ", %s = ", row->name);
+    num_print_q(&t, x);
+  }
+  if (ok && v.have_t && (p->kind == POINT_ARC || p->kind == POINT_ORBIT))
+    text_printf(&t, ", t = %s", ball_text(j, num_vec_at(&v.t, 0), 10));
+  fmpq_clear(x);
+  values_clear(&v);
+  return result_take(j->out, &t);
+}
+
 void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s) {
   OWNED(values) v;
   certify_own(c, j, p);
-  bool ok = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK;
-  struct num_vec lhs = calc_vec(&v.c, s->n), rhs = calc_vec(&v.c, s->n);
-  if (ok) sentence_evaluate(&lhs, &rhs, s, &v);
+  bool ok = read_values(&v, j, p, s);
   if (point_of_model(p)) certify_quantities(c, j, p, v.read);
   if (ok && (p->kind == POINT_ARC || p->kind == POINT_ORBIT)) certify_pass(c, j, &v.arc);
   if (v.have_t) certify_ball(c, j, "t", num_vec_at(&v.t, 0));

@@ -24,5 +24,7 @@ void certify_quantities(struct certificate *c, struct judge *j, const struct poi
    where it has one, the time t where the sentence speaks of it, and what is perturbed where the perturbations are any
    numbers. */
 void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s);
+/* ", u_s1 = 2, t = 2.25": those of them that the sentence reads and the text of the point (point_print) does not say. */
+const char *certificate_rest(struct judge *j, const struct point *p, struct sentence *s);
 
 #endif

@@ -175,12 +175,13 @@ static const char *entry_name(struct audit_result *out, const struct sentence *s
 }
 
 /* The first failure of a route. */
-static void book_failure(struct point_trials *r, struct tally *t, const struct trial *tr, const char *where) {
+static void book_failure(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
   bool matrix = claim_kind(r->c) == KIND_MATRIX; /* the paper's and the model's */
   t->certificate = result_str(
-      out, matrix ? "%sit has %s where %s is right, at %s" : "%sthe left side is %s and the right side %s, at %s",
-      entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where);
+      out, matrix ? "%sit has %s where %s is right, at %s%s" : "%sthe left side is %s and the right side %s, at %s%s",
+      entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, point_text(r->j, p),
+      certificate_rest(r->j, p, &t->sentence));
   t->certified[0] = (struct named_value){"entry", entry_place(out, t->sentence.n, t->sentence.cols, tr->entry)};
   t->certified[1] = (struct named_value){"left", result_copy(out, tr->lhs)};
   t->certified[2] = (struct named_value){"right", result_copy(out, tr->rhs)};
@@ -214,7 +215,7 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
   if (tr->bits > t->bits) t->bits = tr->bits;
   if (tr->outcome == OUTCOME_DIFFERS) {
     bool shown = t->differs++ == 0 || (!r->forward && is_forward(r, p));
-    if (shown && strcmp(t->route->name, "ode") != 0) book_failure(r, t, tr, where);
+    if (shown && strcmp(t->route->name, "ode") != 0) book_failure(r, t, tr, p);
   }
   if (t->trials == 1 || tr->log_diff > t->worst_log) {
     t->worst_log = tr->log_diff;
