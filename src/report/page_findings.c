@@ -169,8 +169,10 @@ static void add_changed(const struct page *p, const struct consequence *q) {
 
 static void add_derived(const struct page *p, const struct consequence *q, enum change change, const char *words) {
   const char *sep = words;
-  for (const struct derived *d = NULL; (d = derived_next(q, d, change)) != NULL; sep = ", ")
+  for (const struct derived *d = NULL; (d = derived_next(q, d, change)) != NULL; sep = ", ") {
     page_add(p, "%s%m", sep, d->latex);
+    if (change == CHANGE_AGREES) page_add(p, " (%e)", d->verdict);
+  }
   if (sep != words) text_add(p->out, ".</p>\n");
 }
 
@@ -188,7 +190,7 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
   size_t before = p->out->len;
   add_changed(p, q);
   add_derived(p, q, CHANGE_UNDEFINED, "<p>Meaningless with the printed formula: ");
-  add_derived(p, q, CHANGE_AGREES, "<p>Unchanged at every point tried: ");
+  add_derived(p, q, CHANGE_AGREES, "<p>Unchanged: ");
   add_derived(p, q, CHANGE_UNDECIDED, "<p>Undecided: ");
   add_ids(p, &q->falls, "<p>Statements that no longer hold with the printed formula: ");
   add_ids(p, &q->survives, "<p>Statements that use it and keep their verdict: ");
