@@ -49,7 +49,8 @@ void text_add_char(struct text *t, char c) {
 void text_add_capital(struct text *t, const char *words) {
   size_t n = 0;
   while (char_is_letter(words[n])) n++;
-  bool word = strchr(" ,-", words[n]) && (n > 1 || *words == 'a'), small = word && *words >= 'a' && *words <= 'z';
+  bool ends = strchr(" ,", words[n]) || (words[n] == '-' && char_is_letter(words[n + 1]));
+  bool word = ends && (n > 1 || *words == 'a'), small = word && *words >= 'a' && *words <= 'z';
   if (small) text_add_char(t, (char)(*words - 'a' + 'A'));
   text_add(t, words + small);
 }

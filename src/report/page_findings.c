@@ -91,6 +91,14 @@ static void add_texts(const struct page *p, const struct finding *f) {
 
 /* --- What is wrong, and how it is known --- */
 
+/* A sentence of the record, which begins with a small letter. */
+static void add_sentence(const struct page *p, const char *words) {
+  struct text t = {0};
+  text_add_capital(&t, words);
+  page_add(p, "%t%.", text_str(&t));
+  text_clear(&t);
+}
+
 /* Findings of the same sentence under a restriction that saves it. */
 static void add_restrictions(const struct page *p, const struct finding *f) {
   for (size_t i = 0; i < p->r->n_findings; i++) {
@@ -107,11 +115,12 @@ static void add_fault(const struct page *p, const struct finding *f) {
   bool told = f->root && audit_result_root(p->r, f->root);
   if (told && !f->condition) return;
   begin_row(p, told ? "When it holds" : "What is wrong");
-  if (!told) text_add(p->out, failure_words(f));
+  struct text words = {0};
+  if (!told) text_printf(&words, "%s%s", failure_words(f), f->condition ? "; " : "");
   if (f->condition)
-    page_add(p, "%s%scondition: %t", told ? "" : "; ", f->verdict == VERDICT_CONDITIONAL ? "proved under the " : "",
-             f->condition);
-  sheet_stop(HTML(p->out));
+    text_printf(&words, "%scondition: %s", f->verdict == VERDICT_CONDITIONAL ? "proved under the " : "", f->condition);
+  add_sentence(p, text_str(&words));
+  text_clear(&words);
   add_restrictions(p, f);
   end_row(p);
 }
@@ -128,7 +137,8 @@ static void add_note(const struct page *p, const char *note) {
     }
     text_add(p->out, "</pre>\n");
   } else if (note) {
-    page_add(p, "%t%. ", note);
+    add_sentence(p, note);
+    text_add_char(p->out, ' ');
   }
 }
 
@@ -201,7 +211,10 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
 
 static void add_size(const struct page *p, const struct finding *f) {
   const char *size = failure_size(p->r, f);
-  if (size) page_add(p, "<dt>Size of the effect</dt>\n<dd>%t%.</dd>\n", size);
+  if (!size) return;
+  begin_row(p, "Size of the effect");
+  add_sentence(p, size);
+  end_row(p);
 }
 
 /* --- One finding --- */
