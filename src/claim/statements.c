@@ -92,7 +92,7 @@ void statements_unanswered(struct audit_result *out, const struct claims *statem
     long n = 0;
     for (size_t k = i; k < statements->n; k++)
       if (claim_says(&statements->claim[k], "reason", reason))
-        text_printf(&which, "%s%s", n++ ? ", " : "", statements->claim[k].id);
+        text_printf(&which, "%s\"%s ...\"", n++ ? ", " : "", claim_get(&statements->claim[k], "quote"));
     audit_leave_out(out, result_str(out, "the paper's statement%s %s", plural_s(n), text_str(&which)),
                     result_copy(out, reason));
   }

@@ -80,6 +80,6 @@ void page_limits(const struct page *p) {
              "for every quotation in a copy. The digest of the text quoted, as its tokens: %c.</li>\n",
              r->paper_text);
   for (size_t i = 0; i < r->n_skipped; i++)
-    page_add(p, "<li>Left out: %e: %e%.</li>\n", r->skipped[i].what, r->skipped[i].why);
+    page_add(p, "<li>Left out: %t: %e%.</li>\n", r->skipped[i].what, r->skipped[i].why);
   text_add(p->out, "</ul>\n</details>\n");
 }
