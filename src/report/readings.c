@@ -60,16 +60,10 @@ static void add_reading(struct text *out, const struct example_reading *r) {
   add_slope_table(out, r->slope, r->n_slopes);
 }
 
-static void add_off(struct text *out, const struct example_reading *r) {
-  for (int i = 0; i < r->n_numbers; i++)
-    if (strcmp(r->number[i].how, "off") == 0)
-      text_printf(out, "; %s %s, printed %s", r->number[i].name, r->number[i].value, r->number[i].printed);
-}
-
 /* The first in full, the others in a line. */
-static void add_readings(struct text *out, const char *heading, const struct example_reading *r, int n) {
+static void add_readings(struct text *out, const struct example_reading *r, int n) {
   if (n == 0) return;
-  text_printf(out, "### %s\n\nThe first of them:\n\n", heading);
+  text_add(out, "### Readings that give every printed number\n\nThe first of them:\n\n");
   add_reading(out, &r[0]);
   if (n == 1) return;
   markdown_head(out, "rank:|exact data|equations left out|intermediate numbers|assumptions:|digits:");
@@ -78,7 +72,6 @@ static void add_readings(struct text *out, const char *heading, const struct exa
     add_strings(out, r[i].inputs, r[i].n_inputs, "none");
     text_add(out, " | ");
     add_dropped(out, &r[i]);
-    add_off(out, &r[i]);
     text_printf(out, " | %s | %d | %d |\n", r[i].carry, r[i].assumptions, r[i].digits);
   }
   text_add(out, "\n");
@@ -111,28 +104,13 @@ static void add_procedure(struct text *out, const struct readings_procedure *p) 
   add_slope_table(out, p->slope, p->n_slopes);
 }
 
-static void add_pairs(struct text *out, const struct readings *r) {
-  text_add(out, "### All equations satisfied, two numbers exactly as printed\n\n");
-  markdown_head(out, "exact data|printed numbers reproduced:|not reproduced");
-  for (int i = 0; i < r->n_pairs; i++) {
-    const struct readings_pair *p = &r->pair[i];
-    text_printf(out, "| %s | %d of %d | %s |\n", p->inputs, p->n_given, p->n_numbers,
-                !p->missed   ? "no solution found near the printed numbers"
-                : *p->missed ? p->missed
-                             : "none");
-  }
-  text_add(out, "\n");
-}
-
 void report_readings_markdown(struct text *out, const struct readings *r) {
   text_add(out, "## How the printed numbers could have arisen\n\n");
   for (int i = 0; i < r->n_conclusions; i++) text_printf(out, "- %s\n", r->conclusion[i]);
   text_add(out, "\n");
   add_levels(out, r);
-  add_readings(out, "Readings that give every printed number", r->found, r->n_found);
-  add_readings(out, "Readings that miss one printed number", r->near, r->n_near);
+  add_readings(out, r->found, r->n_found);
   add_procedure(out, &r->procedure);
-  add_pairs(out, r);
   text_add(out, "The search:\n\n");
   for (int i = 0; i < r->n_space; i++) text_printf(out, "- %s\n", r->space[i]);
   text_add(out, "\n");
