@@ -256,10 +256,9 @@ static void conclude_pairs(struct hunt *h) {
     say(h, &r->conclusion, &r->n_conclusions,
         result_str(h->out,
                    "If every equation is satisfied and two of the printed numbers are taken as exact data, %d of the "
-                   "%d choices have a "
-                   "solution near the printed numbers; the best (%s) reproduces %d of %d%s%s.",
-                   solved, r->n_pairs, best->inputs, best->n_given, best->n_numbers, *best->missed ? " and not " : "",
-                   best->missed));
+                   "%d choices have a solution near the printed numbers; at most %d of the %d are reproduced, the two "
+                   "included.",
+                   solved, r->n_pairs, best->n_given, best->n_numbers));
 }
 
 static void conclude_rounding(struct hunt *h) {
