@@ -196,16 +196,15 @@ static long check_all(struct text *faults, struct judge *j, struct view view, bo
   return checked;
 }
 
-/* Of the prefixes "F_ u_": F_... and u_... have the same dimension. */
+/* Of the prefixes "F_ u_": F_i and u_i have the same dimension. */
 static const char *names_with_unit(struct judge *j, const char *prefixes) {
   struct text t = {0};
   for (const char *c = prefixes; *c; c++) {
-    if (*c == ' ')
-      text_add(&t, "... and ");
-    else
-      text_add_char(&t, *c);
+    text_add_n(&t, c, 1);
+    if (*c == '_' && (c[1] == ' ' || !c[1])) text_add_char(&t, 'i');
+    if (*c == ' ') text_add(&t, "and ");
   }
-  text_add(&t, "... have the same dimension");
+  text_add(&t, " have the same dimension");
   return result_take(j->out, &t);
 }
 

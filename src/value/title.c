@@ -520,9 +520,9 @@ static bool make_scaling(struct text *out, const struct title *t) {
     text_add_n(name, p, len);
     if (p[len - 1] == '_') text_add_char(name, 'i');
   }
-  text_add(out, " is dimensionally homogeneous if times and stiffnesses are pure numbers and ");
+  text_add(out, " is dimensionally homogeneous if times and stiffnesses count as pure numbers and ");
   title_list_write(out, &l);
-  text_add(out, l.n == 1 ? " alone is a length" : " alone are lengths");
+  text_add(out, l.n == 1 ? " alone as a length" : " alone as lengths");
   title_list_clear(&l);
   return true;
 }
