@@ -230,7 +230,7 @@ TEST(the_long_run_of_the_printed_start) {
     ck_assert_msg(strstr(g->evidence[k].note, word) != NULL, "%s, not %s", g->evidence[k].note, word);
     ck_assert_msg(strstr(g->evidence[k].note, period) != NULL, "%s, not %s", g->evidence[k].note, period);
     ck_assert(strstr(g->evidence[k].note, "give the same events") != NULL);
-    const char *friction = formatted("u_r1 = %.6f, u_r2 = %.6f", atof(field[1]), atof(field[2]));
+    const char *friction = formatted("u_r1 = %.7g, u_r2 = %.7g", atof(field[1]), atof(field[2]));
     ck_assert_str_eq(g->evidence[k].worst, friction);
   }
 }

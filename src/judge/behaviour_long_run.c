@@ -55,7 +55,7 @@ static bool long_run_once(struct behaviour *b, double factor) {
   last_returns(&period, &change, &trajectory[0].log);
   bool steady = change < 1e-8;
   const char *end = trajectory_ending(b, &trajectory[0]);
-  const char *where = result_str(b->j->out, "u_r1 = %.6f, u_r2 = %.6f", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
+  const char *where = result_str(b->j->out, "u_r1 = %.7g, u_r2 = %.7g", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
   const char *note = result_str(
       b->j->out,
       "from the printed initial state, over %d returns to the global stick phase, the sequence of phases is %s (D, G, "
