@@ -9,7 +9,7 @@
 #include "value/expression.h"
 #include "value/title.h"
 
-enum { BITS_SHOWN = 34 }; /* ten digits */
+enum { DIGITS_SHOWN = 8, BITS_SHOWN = 27 };
 
 /* |x - printed|/unit, to three digits. */
 static const char *units_off(struct judge *j, const arb_t x, const struct printed_number *p) {
@@ -171,7 +171,7 @@ static void certify_number(struct finding *f, const struct number_job *n, const 
   certify_orbit(c, j, scene_orbit(j->scene, j->cache));
   certificate_add(c, j->out, "printed", result_copy(j->out, n->p->decimal));
   certify_exact(c, j, "unit", &n->p->unit);
-  certificate_add(c, j->out, "value", ball_text(j, x, 10));
+  certificate_add(c, j->out, "value", ball_text(j, x, DIGITS_SHOWN));
 }
 
 /* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
@@ -189,7 +189,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     t = printed_fits(x, n->p, &how);
     where = usual_orbit_text(j, "periodic solution");
     text_printf(&note, "On %s ", where);
-    add_value(&note, n, x, 10, t, how);
+    add_value(&note, n, x, DIGITS_SHOWN, t, how);
     if (t == TRUTH_FALSE) {
       certify_number(f, n, x);
       if (!read_as_sufficient(f, n, x)) {
@@ -199,7 +199,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     }
     if (t == TRUTH_FALSE)
       f->effect = result_str(j->out, "the printed value is %s, the computed one %s; they differ by %s units %s",
-                             as_given(n), ball_text(j, x, 10), units_off(j, x, n->p), unit_name(n));
+                             as_given(n), ball_text(j, x, DIGITS_SHOWN), units_off(j, x, n->p), unit_name(n));
     const struct dyn_orbits *orbits = scene_orbits(j->scene, j->cache);
     for (p.orbit = 0; p.orbit < orbits->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
@@ -364,7 +364,7 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   struct route_result w = {"balls", outcome_of_truth(t), true, have};
   if (have) {
     text_add(&note, "From the other printed numbers, taken exactly, ");
-    add_value(&note, n, x, 8, so ? TRUTH_FALSE : t, how);
+    add_value(&note, n, x, DIGITS_SHOWN, so ? TRUTH_FALSE : t, how);
     if (so)
       text_printf(&note, " Some values that are printed as these when %s%s give %s.", reading_name[others],
                   own_digits ? ", each to its own digits," : "", n->p->decimal);
