@@ -191,7 +191,10 @@ static void all_text(struct text *out, const struct survey *v) {
   show_listed(out, "cannot come back (a mass is never slower than the belt)", &v->unclosed);
   show_listed(out, "not searched, as a mass is faster than the belt and the scene lacks u_r1, u_r2", &v->needs);
   show_listed(out, "not searched, as the budget of work is used up", &v->late);
-  text_add(out, "none found is no proof that there is none\n");
+  text_add(
+      out,
+      "gamma, h, c: as Gamma, H, C, but what slips is faster than the belt; X: m_1 slower, m_2 faster; x: conversely\n"
+      "none found is no proof that there is none\n");
 }
 
 /* --- The survey. --- */
