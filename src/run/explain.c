@@ -5,6 +5,7 @@
 #include "audit.h"
 #include "claim/claim.h"
 #include "claim/kinds.h"
+#include "judge/certificate.h"
 #include "proof/stable_forms.h"
 #include "value/printed.h"
 #include "value/sentence.h"
@@ -168,6 +169,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
     OWNED(text) where = {0};
     point_print(&where, &p);
     print_friction(&where, &p);
+    text_add(&where, certificate_rest(j, &p, &s));
     add_line(out, "at", text_str(&where));
     add_values(out, &s, &p, j->cache);
   } else if (ok) {
