@@ -220,11 +220,8 @@ static void add_size(const struct page *p, const struct finding *f) {
 /* --- One finding --- */
 
 static void begin_finding(const struct page *p, const struct finding *f) {
-  page_add(p, "<article id=\"f-%a\">\n<h4><a href=\"#c-%a\">%n</a>: %s%t %v", f->id, f->id, f->id, failure_heading(f),
-           f->title, verdict_name[f->verdict]);
-  if (f->section) text_add(p->out, " <small>section ");
-  page_section_name(p, f->section);
-  text_add(p->out, f->section ? "</small></h4>\n" : "</h4>\n");
+  page_add(p, "<article id=\"f-%a\">\n<h4><a href=\"#c-%a\">%n</a>: %s%t %v</h4>\n", f->id, f->id, f->id,
+           failure_heading(f), f->title, verdict_name[f->verdict]);
 }
 static void end_finding(const struct page *p) {
   text_add(p->out, "</article>\n");
@@ -376,7 +373,8 @@ static void add_undecided(const struct page *p) {
 void page_findings(const struct page *p) {
   page_begin_section(p, "findings", "Findings");
   text_add(p->out,
-           "<p>In order of consequence. Each statement was judged as printed, with the corrected form of everything "
+           "<p>In order of consequence, slips of notation in that of the paper. Each statement was judged as printed, "
+           "with the corrected form of everything "
            "else that it uses, so that a formula is not blamed for the error of another one. An example has exact "
            "parameters, at which anybody can "
            "evaluate both sides: what the paper prints, and what the equations of motion give. Differences between the "
