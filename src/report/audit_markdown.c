@@ -316,7 +316,7 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   if (r->title && *r->title) text_printf(out, "Data: %s.%s", r->title, r->data ? " " : "");
   audit_data(out, r);
   text_add(out, "\n\n");
-  if (*audit_source(r)) text_printf(out, "%s\n\n", audit_source(r));
+  if (r->paper_source) text_printf(out, "%s\n\n", r->paper_source);
   add_roots(out, r);
   add_counts(out, r);
   add_severities(out, r);
