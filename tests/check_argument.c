@@ -136,7 +136,10 @@ static const struct question lists[] = {
 static const struct question ranges[] = {
     {"up to where the first mass would overrun the belt", "  conclusion: eq-57#1\n  even: (1 - chi)*V\n  odd: e_1\n",
      VERDICT_PROVED},
-    {"not the parts of another motion", "  conclusion: eq-57#1\n  even: V\n  odd: e_1\n", VERDICT_REFUTED},
+    {"not the parts of another motion, though no orbit shows it", "  conclusion: eq-57#1\n  even: V\n  odd: e_1\n",
+     VERDICT_UNKNOWN},
+    {"twice the parts have the same range, and refute nothing",
+     "  conclusion: eq-57#1\n  even: 2*(1 - chi)*V\n  odd: 2*e_1\n", VERDICT_UNKNOWN},
     {"nor another frequency", "  conclusion: eq-57#1\n  frequency: 2\n  even: (1 - chi)*V\n  odd: e_1\n",
      VERDICT_REFUTED},
     {"a swing that may begin downwards needs its premise",
@@ -148,8 +151,8 @@ static const struct question ranges[] = {
      VERDICT_UNKNOWN},
     {"a bound that is a little less, which no orbit shows", "  conclusion: eq-58#1.1 Gamma\n  premises: text-nearly\n",
      VERDICT_UNKNOWN},
-    {"time runs from the other end", "  conclusion: eq-57#1\n  from: end\n  even: (1 - chi)*V\n  odd: e_1\n",
-     VERDICT_REFUTED},
+    {"nor do they with time from the other end",
+     "  conclusion: eq-57#1\n  from: end\n  even: (1 - chi)*V\n  odd: e_1\n", VERDICT_UNKNOWN},
     {"a margin that is not zero at the end turns elsewhere",
      "  conclusion: text-later Gamma\n  rate: yes\n  factor: chi\n  even: (1 - chi)*V\n  odd: e_1\n", VERDICT_UNKNOWN},
 };

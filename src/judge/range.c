@@ -21,6 +21,7 @@ struct range {
   bool uses_friction; /* the premise */
   bool proved;
   long same[2], late[2], other, open; /* orbits where the condition fails, holds; late: of rate, x > 2 pi */
+  long unlike;                        /* of the open ones, those on which the margin is not of the form */
   const char *where;                  /* the first of the others */
 };
 
@@ -154,13 +155,15 @@ static void choose_friction(struct range *r, struct point *p, const struct dyn_o
   }
 }
 
+/* Another form may have the same range, as twice the margin has, so that it refutes nothing. */
 static void book(struct range *r, truth form, truth said, truth found, bool late, const struct point *p) {
-  bool differs = form == TRUTH_FALSE || (said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN && said != found);
-  if (differs) {
+  bool known = said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN;
+  if (known && said != found) {
     r->other++;
     if (!r->where) r->where = point_text(r->j, p);
-  } else if (form == TRUTH_UNKNOWN || said == TRUTH_UNKNOWN || found == TRUTH_UNKNOWN) {
+  } else if (!known || form != TRUTH_TRUE) {
     r->open++;
+    r->unlike += form == TRUTH_FALSE;
   } else {
     ++*(late ? &r->late[found] : &r->same[found]);
   }
@@ -207,6 +210,7 @@ static const char *describe(struct range *r) {
               "the condition holds along the whole phase on %ld orbits and fails on %ld, as the range says; on %ld it "
               "is not as the range says, on %ld it is undecided",
               r->same[1], r->same[0], r->other, r->open);
+  if (r->unlike) text_printf(&t, "; on %ld the margin is not what even, odd and drift make of it", r->unlike);
   if (r->form.rate)
     text_printf(&t, "; where the phase takes more than 2 pi, it holds on %ld and fails on %ld, as the range says",
                 r->late[1], r->late[0]);
